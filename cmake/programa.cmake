@@ -1,0 +1,68 @@
+# programa(nombre REF "L1.2 E3.5" TITULO "…" [CONSOLA])
+#   Compila <nombre>.cpp una sola vez y lo enlaza para cada destino de LAB_DESTINOS:
+#   build/<destino>/<capítulo>/<nombre>. CONSOLA: escribe texto y no tiene imagen.
+#
+# caso(programa nombre [GUION "orden; orden"] [ARGUMENTOS a b …] [TOLERANCIA "…" MOTIVO "…"])
+#   Una imagen de ese programa: tras el guion debe ser tests/golden/<capítulo>/<programa>[-nombre].ppm;
+#   el caso que se llama base no lleva sufijo. TOLERANCIA cambia la del comparador y exige un MOTIVO.
+#
+# Con esas dos funciones se escriben build/catalogo.tsv (capítulo, programa, referencia, título) y
+# build/casos.tsv (capítulo, programa, caso, guion, argumentos, tolerancia): todo lo demás sale de ahí.
+
+define_property(GLOBAL PROPERTY LAB_CATALOGO BRIEF_DOCS "Filas de build/catalogo.tsv" FULL_DOCS "-")
+define_property(GLOBAL PROPERTY LAB_CASOS BRIEF_DOCS "Filas de build/casos.tsv" FULL_DOCS "-")
+
+function(programa nombre)
+  cmake_parse_arguments(P "CONSOLA" "REF;TITULO" "" ${ARGN})
+  if(P_UNPARSED_ARGUMENTS OR NOT P_REF OR NOT P_TITULO)
+    message(FATAL_ERROR "programa(${nombre}): faltan REF o TITULO, o sobra «${P_UNPARSED_ARGUMENTS}»")
+  endif()
+  get_filename_component(capitulo ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  add_library(${nombre} OBJECT ${nombre}.cpp)
+  target_link_libraries(${nombre} PRIVATE comun avisos)
+  foreach(destino IN LISTS LAB_DESTINOS)
+    set(ejecutable ${nombre}_${destino})
+    add_executable(${ejecutable} $<TARGET_OBJECTS:${nombre}>)
+    target_link_libraries(${ejecutable} PRIVATE comun glut_${destino})
+    set_target_properties(${ejecutable} PROPERTIES OUTPUT_NAME ${nombre}
+      RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${destino}/${capitulo})
+  endforeach()
+  install(TARGETS ${nombre}_ventana DESTINATION ${capitulo})
+  set_property(GLOBAL APPEND PROPERTY LAB_CATALOGO "${capitulo}\t${nombre}\t${P_REF}\t${P_TITULO}")
+  if(P_CONSOLA)
+    set_property(GLOBAL APPEND PROPERTY LAB_CONSOLA ${nombre})
+  endif()
+endfunction()
+
+function(caso programa nombre)
+  cmake_parse_arguments(C "" "GUION;TOLERANCIA;MOTIVO" "ARGUMENTOS" ${ARGN})
+  if(C_UNPARSED_ARGUMENTS OR (C_TOLERANCIA AND NOT C_MOTIVO))
+    message(FATAL_ERROR "caso(${programa} ${nombre}): sobra «${C_UNPARSED_ARGUMENTS}» o falta el MOTIVO")
+  endif()
+  get_filename_component(capitulo ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  # El guion lleva `;`, que CMake toma por separador de listas: en las filas viaja como \;
+  string(REPLACE ";" "\\;" guion "${C_GUION}")
+  string(REPLACE ";" " " argumentos "${C_ARGUMENTOS}")
+  foreach(campo guion argumentos C_TOLERANCIA)
+    if(NOT ${campo})
+      set(${campo} "-")
+    endif()
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY LAB_CASOS
+    "${capitulo}\t${programa}\t${nombre}\t${guion}\t${argumentos}\t${C_TOLERANCIA}")
+endfunction()
+
+function(escribe_catalogo)
+  get_property(filas GLOBAL PROPERTY LAB_CATALOGO)
+  set(texto "")
+  foreach(fila IN LISTS filas)
+    string(APPEND texto "${fila}\n")
+  endforeach()
+  file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/catalogo.tsv CONTENT "${texto}")
+  get_property(filas GLOBAL PROPERTY LAB_CASOS)
+  set(texto "")
+  foreach(fila IN LISTS filas)
+    string(APPEND texto "${fila}\n")
+  endforeach()
+  file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/casos.tsv CONTENT "${texto}")
+endfunction()

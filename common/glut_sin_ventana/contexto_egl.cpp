@@ -1,0 +1,74 @@
+// Contexto sobre EGL sin superficie de ventana (EGL_MESA_platform_surfaceless): Mesa 25.1 y posteriores,
+// que ya no traen OSMesa, y GPU sin pantalla. El framebuffer es un pbuffer.
+#include "../error.h"
+#include "contexto.h"
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
+namespace {
+
+EGLDisplay pantalla = EGL_NO_DISPLAY;
+EGLConfig configuracion = nullptr;
+EGLContext contexto = EGL_NO_CONTEXT;
+EGLSurface superficie = EGL_NO_SURFACE;
+
+[[noreturn]] void fallaEgl(const std::string &que) {
+    char codigo[16];
+    std::snprintf(codigo, sizeof codigo, "0x%04X", static_cast<unsigned>(eglGetError()));
+    falla("EGL " + que + " (error " + codigo + ")");
+}
+
+} // namespace
+
+void creaContexto(int ancho, int alto, bool profundidad, bool plantilla) {
+    pantalla = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
+    if (pantalla == EGL_NO_DISPLAY || !eglInitialize(pantalla, nullptr, nullptr))
+        fallaEgl("no tiene la plataforma sin superficie (EGL_MESA_platform_surfaceless)");
+    const EGLint atributos[] = {EGL_SURFACE_TYPE,
+                                EGL_PBUFFER_BIT,
+                                EGL_RENDERABLE_TYPE,
+                                EGL_OPENGL_BIT,
+                                EGL_RED_SIZE,
+                                8,
+                                EGL_GREEN_SIZE,
+                                8,
+                                EGL_BLUE_SIZE,
+                                8,
+                                EGL_DEPTH_SIZE,
+                                profundidad ? 24 : 0,
+                                EGL_STENCIL_SIZE,
+                                plantilla ? 8 : 0,
+                                EGL_NONE};
+    EGLint cuantas = 0;
+    if (!eglChooseConfig(pantalla, atributos, &configuracion, 1, &cuantas) || cuantas < 1)
+        fallaEgl("no ofrece un framebuffer RGB de 8 bits para OpenGL");
+    eglBindAPI(EGL_OPENGL_API);
+    const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 1, EGL_NONE};
+    contexto = eglCreateContext(pantalla, configuracion, EGL_NO_CONTEXT, version);
+    if (contexto == EGL_NO_CONTEXT)
+        fallaEgl("no puede crear un contexto OpenGL 3.1");
+    cambiaTallaContexto(ancho, alto);
+}
+
+void cambiaTallaContexto(int ancho, int alto) {
+    const EGLint talla[] = {EGL_WIDTH, ancho, EGL_HEIGHT, alto, EGL_NONE};
+    const EGLSurface nueva = eglCreatePbufferSurface(pantalla, configuracion, talla);
+    if (nueva == EGL_NO_SURFACE || !eglMakeCurrent(pantalla, nueva, nueva, contexto))
+        fallaEgl("no admite una imagen de " + std::to_string(ancho) + "×" + std::to_string(alto));
+    if (superficie != EGL_NO_SURFACE)
+        eglDestroySurface(pantalla, superficie);
+    superficie = nueva;
+}
+
+void destruyeContexto() {
+    eglMakeCurrent(pantalla, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    eglDestroySurface(pantalla, superficie);
+    eglDestroyContext(pantalla, contexto);
+    eglTerminate(pantalla);
+    superficie = EGL_NO_SURFACE;
+    contexto = EGL_NO_CONTEXT;
+}
+
+void (*direccionGL(const char *nombre))() {
+    return eglGetProcAddress(nombre);
+}

@@ -1,0 +1,59 @@
+// Contexto sobre OSMesa: Mesa dibuja en la memoria del programa, sin servidor gráfico ni dispositivo.
+#include "../error.h"
+#include "contexto.h"
+#include <vector>
+// clang-format off
+#include <GL/gl.h>
+#include <GL/osmesa.h>
+// clang-format on
+
+namespace {
+OSMesaContext contexto = nullptr;
+std::vector<unsigned char> memoria; // RGBA, una fila tras otra desde abajo
+} // namespace
+
+void creaContexto(int ancho, int alto, bool profundidad, bool plantilla) {
+    const int atributos[] = {OSMESA_FORMAT,
+                             OSMESA_RGBA,
+                             OSMESA_DEPTH_BITS,
+                             profundidad ? 24 : 0,
+                             OSMESA_STENCIL_BITS,
+                             plantilla ? 8 : 0,
+                             OSMESA_PROFILE,
+                             OSMESA_CORE_PROFILE,
+                             OSMESA_CONTEXT_MAJOR_VERSION,
+                             3,
+                             OSMESA_CONTEXT_MINOR_VERSION,
+                             1,
+                             0};
+    contexto = OSMesaCreateContextAttribs(atributos, nullptr);
+    if (!contexto)
+        falla("OSMesa no puede crear un contexto OpenGL 3.1");
+    cambiaTallaContexto(ancho, alto);
+}
+
+void cambiaTallaContexto(int ancho, int alto) {
+    std::vector<unsigned char> nueva(4 * static_cast<std::size_t>(ancho) * static_cast<std::size_t>(alto));
+    if (!OSMesaMakeCurrent(contexto, nueva.data(), GL_UNSIGNED_BYTE, ancho, alto))
+        falla("OSMesa no admite una imagen de " + std::to_string(ancho) + "×" + std::to_string(alto));
+    memoria.swap(nueva); // OSMesa usa la vieja hasta que tiene la nueva
+}
+
+void destruyeContexto() {
+    OSMesaDestroyContext(contexto);
+    contexto = nullptr;
+}
+
+void (*direccionGL(const char *nombre))() {
+    return OSMesaGetProcAddress(nombre);
+}
+
+// El GLEW de Debian busca las funciones con glXGetProcAddress: estas definiciones, que se enlazan
+// antes que las de libGL, lo llevan a OSMesa.
+extern "C" void (*glXGetProcAddressARB(const GLubyte *nombre))() {
+    return OSMesaGetProcAddress(reinterpret_cast<const char *>(nombre));
+}
+
+extern "C" void (*glXGetProcAddress(const GLubyte *nombre))() {
+    return OSMesaGetProcAddress(reinterpret_cast<const char *>(nombre));
+}

@@ -1,0 +1,113 @@
+#include "imagen.h"
+#include "error.h"
+#include "rutas.h"
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const int LADO_MAXIMO = 32768;
+
+Imagen desdeArriba(const char *bytes, int ancho, int alto) {
+    Imagen imagen{ancho, alto, {}};
+    const std::size_t fila = 3 * static_cast<std::size_t>(ancho);
+    imagen.rgb.resize(fila * static_cast<std::size_t>(alto));
+    for (int y = 0; y < alto; ++y)
+        std::memcpy(&imagen.rgb[fila * static_cast<std::size_t>(alto - 1 - y)],
+                    bytes + fila * static_cast<std::size_t>(y), fila);
+    return imagen;
+}
+
+/// Lee el siguiente número de una cabecera PPM, saltando blancos y comentarios.
+int numeroDeCabecera(const std::string &datos, std::size_t &i, const std::string &fichero,
+                     std::string *comentario) {
+    while (i < datos.size() && (std::isspace(static_cast<unsigned char>(datos[i])) || datos[i] == '#')) {
+        if (datos[i] == '#') {
+            const std::size_t fin = std::min(datos.find('\n', i), datos.size());
+            if (comentario && comentario->empty())
+                *comentario = datos.substr(i + 2, fin > i + 2 ? fin - i - 2 : 0);
+            i = fin;
+        } else {
+            ++i;
+        }
+    }
+    int n = 0;
+    const std::size_t inicio = i;
+    while (i < datos.size() && std::isdigit(static_cast<unsigned char>(datos[i])) && n <= LADO_MAXIMO)
+        n = 10 * n + (datos[i++] - '0');
+    if (i == inicio || n < 1 || n > LADO_MAXIMO)
+        falla("«" + fichero + "»: la cabecera del PPM no es válida");
+    return n;
+}
+
+void compruebaTalla(const std::string &fichero, int ancho, int alto, std::size_t encontrado) {
+    const std::size_t esperado = 3 * static_cast<std::size_t>(ancho) * static_cast<std::size_t>(alto);
+    if (encontrado != esperado)
+        falla("«" + fichero + "»: una imagen RGB de " + std::to_string(ancho) + "×" + std::to_string(alto) +
+              " ocupa " + std::to_string(esperado) + " bytes y hay " + std::to_string(encontrado));
+}
+
+} // namespace
+
+Imagen leeTextura(const std::string &fichero, int ancho, int alto) {
+    if (ancho < 1 || alto < 1 || ancho > LADO_MAXIMO || alto > LADO_MAXIMO)
+        falla("«" + fichero + "»: no hay texturas de " + std::to_string(ancho) + "×" + std::to_string(alto));
+    const std::string datos = leeFichero(fichero);
+    compruebaTalla(fichero, ancho, alto, datos.size());
+    return desdeArriba(datos.data(), ancho, alto);
+}
+
+Imagen leePpm(const std::string &fichero, std::string *comentario) {
+    const std::string datos = leeFichero(fichero);
+    if (datos.compare(0, 2, "P6") != 0)
+        falla("«" + fichero + "» no es un PPM binario (no empieza por P6)");
+    std::size_t i = 2;
+    const int ancho = numeroDeCabecera(datos, i, fichero, comentario);
+    const int alto = numeroDeCabecera(datos, i, fichero, comentario);
+    if (numeroDeCabecera(datos, i, fichero, comentario) != 255)
+        falla("«" + fichero + "»: solo se leen PPM de 8 bits (máximo 255)");
+    if (i < datos.size())
+        ++i; // un solo blanco separa la cabecera de los datos
+    compruebaTalla(fichero, ancho, alto, datos.size() - i);
+    return desdeArriba(datos.data() + i, ancho, alto);
+}
+
+void guardaPpm(const std::string &fichero, const Imagen &imagen, const std::string &comentario) {
+    // Renombrar solo vale entre ficheros corrientes; un enlace se sigue hasta el fichero al que apunta.
+    std::error_code ec;
+    const bool dispositivo = fs::exists(fichero, ec) && !fs::is_regular_file(fichero, ec);
+    const fs::path destino = dispositivo ? fs::path(fichero) : fs::weakly_canonical(fichero, ec);
+    const std::string parcial =
+        dispositivo ? fichero : destino.string() + "." + std::to_string(getpid()) + ".parcial";
+
+    FILE *f = std::fopen(parcial.c_str(), "wb");
+    bool bien = f != nullptr;
+    if (f) {
+        std::fprintf(f, "P6\n");
+        if (!comentario.empty())
+            std::fprintf(f, "# %s\n", comentario.c_str());
+        std::fprintf(f, "%d %d\n255\n", imagen.ancho, imagen.alto);
+        const std::size_t fila = 3 * static_cast<std::size_t>(imagen.ancho);
+        for (int y = imagen.alto - 1; y >= 0 && bien; --y)
+            bien = std::fwrite(&imagen.rgb[fila * static_cast<std::size_t>(y)], 1, fila, f) == fila;
+        bien = bien && std::ferror(f) == 0;
+        const int error = errno;
+        bien = (std::fclose(f) == 0) && bien;
+        errno = errno ? errno : error;
+    }
+    if (bien && !dispositivo)
+        bien = std::rename(parcial.c_str(), destino.c_str()) == 0;
+    if (!bien) {
+        const std::string motivo = std::strerror(errno);
+        if (f && !dispositivo)
+            std::remove(parcial.c_str());
+        falla("no puedo guardar «" + fichero + "»: " + motivo);
+    }
+}

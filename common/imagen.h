@@ -1,0 +1,23 @@
+// Imágenes RGB de 8 bits por componente: lectura de texturas RGB (listado 6.1) y ficheros PPM.
+#pragma once
+#include <string>
+#include <vector>
+
+/// Imagen de ancho × alto texels, 3 bytes por texel sin relleno entre filas.
+/// La primera fila es la de ABAJO, como la quiere glTexImage2D y la da glReadPixels; los ficheros
+/// empiezan por la de arriba, y leer y guardar dan la vuelta.
+struct Imagen {
+    int ancho = 0, alto = 0;
+    std::vector<unsigned char> rgb;
+};
+
+/// Lee un fichero RGB sin cabecera (listado 6.1). Su tamaño debe ser exactamente ancho·alto·3 bytes:
+/// si no, termina diciendo el esperado y el encontrado.
+Imagen leeTextura(const std::string &fichero, int ancho, int alto);
+
+/// Lee un PPM binario (P6) de 8 bits. Si `comentario` no es nulo, recibe el primer comentario de la cabecera.
+Imagen leePpm(const std::string &fichero, std::string *comentario = nullptr);
+
+/// Guarda un PPM binario, entero o nada: se escribe aparte y se renombra al final. Un dispositivo
+/// (/dev/full, una tubería) se escribe directamente. Si falla, termina diciendo por qué.
+void guardaPpm(const std::string &fichero, const Imagen &imagen, const std::string &comentario = "");

@@ -1,0 +1,209 @@
+#include "malla.h"
+#include "error.h"
+#include "rutas.h"
+#include "shader.h"
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <glm/gtc/constants.hpp>
+#include <sstream>
+
+namespace {
+
+/// Punto i de n en la circunferencia unidad; i y i+n dan el mismo valor, bit a bit, y la costura cierra.
+glm::vec2 enCirculo(int i, int n) {
+    const double a = 2.0 * glm::pi<double>() * (i % n) / n;
+    return {std::cos(a), std::sin(a)};
+}
+
+/// Rejilla de n×m cuadrados sobre (s,t) en [0,1]²; los triángulos que se quedan sin área se omiten.
+void rejilla(Malla &malla, int n, int m, const std::function<Vertice(int, int)> &vertice) {
+    const GLuint base = static_cast<GLuint>(malla.vertices.size());
+    for (int j = 0; j <= m; ++j)
+        for (int i = 0; i <= n; ++i)
+            malla.vertices.push_back(vertice(i, j));
+    auto triangulo = [&](GLuint a, GLuint b, GLuint c) {
+        const glm::vec3 &p = malla.vertices[a].posicion, &q = malla.vertices[b].posicion,
+                        &r = malla.vertices[c].posicion;
+        if (p != q && q != r && r != p)
+            malla.indices.insert(malla.indices.end(), {a, b, c});
+    };
+    for (int j = 0; j < m; ++j)
+        for (int i = 0; i < n; ++i) {
+            const GLuint a = base + static_cast<GLuint>(j * (n + 1) + i), b = a + static_cast<GLuint>(n + 1);
+            triangulo(a, a + 1, b + 1);
+            triangulo(a, b + 1, b);
+        }
+}
+
+/// Disco de radio 1 a la altura z, que mira hacia ±Z según `haciaArriba`.
+void tapa(Malla &malla, int n, float z, bool haciaArriba) {
+    const glm::vec3 normal(0, 0, haciaArriba ? 1 : -1);
+    const GLuint centro = static_cast<GLuint>(malla.vertices.size());
+    malla.vertices.push_back({{0, 0, z}, normal, {0.5f, 0.5f}});
+    for (int i = 0; i <= n; ++i) {
+        const glm::vec2 c = enCirculo(i, n);
+        malla.vertices.push_back({{c, z}, normal, 0.5f + 0.5f * c});
+    }
+    for (GLuint i = centro + 1; i <= centro + static_cast<GLuint>(n); ++i)
+        malla.indices.insert(malla.indices.end(),
+                             {centro, haciaArriba ? i : i + 1, haciaArriba ? i + 1 : i});
+}
+
+} // namespace
+
+Buferes creaBuferes(const Malla &malla) {
+    Buferes b{};
+    b.nIndices = static_cast<GLsizei>(malla.indices.size());
+    glGenVertexArrays(1, &b.vao);
+    glBindVertexArray(b.vao);
+
+    glGenBuffers(1, &b.vertices);
+    glBindBuffer(GL_ARRAY_BUFFER, b.vertices);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(malla.vertices.size() * sizeof(Vertice)),
+                 malla.vertices.data(), GL_STATIC_DRAW);
+    auto atributo = [](GLuint indice, GLint componentes, std::size_t desplazamiento) {
+        glVertexAttribPointer(indice, componentes, GL_FLOAT, GL_FALSE, sizeof(Vertice),
+                              reinterpret_cast<const void *>(desplazamiento));
+        glEnableVertexAttribArray(indice);
+    };
+    atributo(ATRIBUTO_POSICION, 3, offsetof(Vertice, posicion));
+    atributo(ATRIBUTO_NORMAL, 3, offsetof(Vertice, normal));
+    atributo(ATRIBUTO_COORD_TEXTURA, 2, offsetof(Vertice, coordTextura));
+
+    glGenBuffers(1, &b.indices);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, b.indices);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(malla.indices.size() * sizeof(GLuint)),
+                 malla.indices.data(), GL_STATIC_DRAW);
+    return b;
+}
+
+Malla cubo() {
+    Malla malla;
+    for (int eje = 0; eje < 3; ++eje)
+        for (float lado : {-0.5f, 0.5f}) {
+            // u, v, n: base a derechas con n hacia fuera, para que la cara gire en sentido antihorario
+            glm::vec3 n(0), u(0), v(0);
+            n[eje] = 2 * lado;
+            u[(eje + 1) % 3] = 1;
+            v[(eje + 2) % 3] = 2 * lado;
+            const GLuint base = static_cast<GLuint>(malla.vertices.size());
+            for (const glm::vec2 st : {glm::vec2(0, 0), {1, 0}, {1, 1}, {0, 1}})
+                malla.vertices.push_back({0.5f * n + (st.s - 0.5f) * u + (st.t - 0.5f) * v, n, st});
+            malla.indices.insert(malla.indices.end(), {base, base + 1, base + 2, base, base + 2, base + 3});
+        }
+    return malla;
+}
+
+Malla esfera(int n) {
+    n = std::max(n, 3);
+    const int m = std::max(n / 2, 2);
+    Malla malla;
+    rejilla(malla, n, m, [&](int i, int j) {
+        // colatitud desde el polo sur; en los polos el radio es 0 exacto y la malla cierra
+        const double a = glm::pi<double>() * j / m;
+        const float radio = j == 0 || j == m ? 0.0f : static_cast<float>(std::sin(a));
+        const glm::vec3 p(enCirculo(i, n) * radio, -std::cos(a));
+        return Vertice{p, p, {static_cast<float>(i) / static_cast<float>(n), static_cast<float>(j) / static_cast<float>(m)}};
+    });
+    return malla;
+}
+
+Malla cilindro(int n) {
+    n = std::max(n, 3);
+    Malla malla;
+    rejilla(malla, n, 1, [&](int i, int j) {
+        const glm::vec2 c = enCirculo(i, n);
+        return Vertice{{c, static_cast<float>(j) - 0.5f}, {c, 0}, {static_cast<float>(i) / static_cast<float>(n), j}};
+    });
+    tapa(malla, n, 0.5f, true);
+    tapa(malla, n, -0.5f, false);
+    return malla;
+}
+
+Malla cono(int n) {
+    n = std::max(n, 3);
+    Malla malla;
+    rejilla(malla, n, 1, [&](int i, int j) {
+        // la normal de la generatriz que baja 1 y sale 1 sube 45 grados
+        const glm::vec2 c = enCirculo(i, n);
+        return Vertice{{c * static_cast<float>(1 - j), j},
+                       glm::vec3(c, 1) * glm::one_over_root_two<float>(),
+                       {static_cast<float>(i) / static_cast<float>(n), j}};
+    });
+    tapa(malla, n, 0, false);
+    return malla;
+}
+
+Malla toro(float radio, float radioTubo, int n, int m) {
+    n = std::max(n, 3), m = std::max(m, 3);
+    Malla malla;
+    rejilla(malla, n, m, [&](int i, int j) {
+        const glm::vec2 anillo = enCirculo(i, n), tubo = enCirculo(j, m);
+        const glm::vec3 normal(anillo * tubo.x, tubo.y);
+        return Vertice{glm::vec3(anillo * radio, 0) + radioTubo * normal,
+                       normal,
+                       {static_cast<float>(i) / static_cast<float>(n), static_cast<float>(j) / static_cast<float>(m)}};
+    });
+    return malla;
+}
+
+Malla plano(int n) {
+    n = std::max(n, 1);
+    Malla malla;
+    rejilla(malla, n, n, [&](int i, int j) {
+        const glm::vec2 st = glm::vec2(i, j) / static_cast<float>(n);
+        return Vertice{{st - 0.5f, 0}, {0, 0, 1}, st};
+    });
+    return malla;
+}
+
+MallaVf leeVf(const std::string &fichero) {
+    MallaVf malla;
+    std::istringstream texto(leeFichero(fichero));
+    std::string linea;
+    for (int numero = 1; std::getline(texto, linea); ++numero) {
+        auto mal = [&](const std::string &que) { falla(fichero + ":" + std::to_string(numero) + ": " + que + " — «" + linea + "»"); };
+        std::istringstream palabras(linea.substr(0, linea.find('#')));
+        std::string tipo, sobra;
+        if (!(palabras >> tipo))
+            continue;
+        if (tipo == "v") {
+            glm::vec3 p;
+            if (!(palabras >> p.x >> p.y >> p.z) || palabras >> sobra)
+                mal("un vértice son tres números");
+            malla.vertices.push_back(p);
+        } else if (tipo == "f") {
+            std::vector<GLuint> cara;
+            std::string palabra;
+            while (palabras >> palabra) {
+                if (palabra.find_first_not_of("0123456789") != std::string::npos || palabra.size() > 9)
+                    mal("«" + palabra + "» no es un número de vértice");
+                const unsigned long i = std::stoul(palabra);
+                if (i < 1 || i > malla.vertices.size())
+                    mal("el vértice " + palabra + " no existe: hay " + std::to_string(malla.vertices.size()) +
+                        ", desde el 1");
+                if (std::find(cara.begin(), cara.end(), i - 1) != cara.end())
+                    mal("el vértice " + palabra + " está dos veces en la cara");
+                cara.push_back(static_cast<GLuint>(i - 1));
+            }
+            if (cara.size() < 3)
+                mal("una cara necesita al menos tres vértices y hay " + std::to_string(cara.size()));
+            malla.caras.push_back(cara);
+        } else {
+            mal("cada línea empieza por v o por f");
+        }
+    }
+    if (malla.caras.empty())
+        falla("«" + fichero + "» no tiene ninguna cara");
+    return malla;
+}
+
+int segmentosPara(float radioPx, float tolerPx) {
+    if (!(radioPx > tolerPx))
+        return 3;
+    // 1 − cos x = 2·sen²(x/2): el arcocoseno de un número casi 1 perdería todas las cifras
+    const double n = glm::pi<double>() / (2.0 * std::asin(std::sqrt(0.5 * static_cast<double>(tolerPx) / static_cast<double>(radioPx))));
+    return static_cast<int>(std::clamp(std::ceil(n), 3.0, 1024.0));
+}

@@ -1,0 +1,48 @@
+// Mallas de triángulos: los sólidos elementales, un lector v/f y sus buffer objects (listados 2.1 y 2.2).
+#pragma once
+#include <GL/glew.h>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+struct Vertice {
+    glm::vec3 posicion, normal;
+    glm::vec2 coordTextura;
+};
+
+/// Triángulos de vértices compartidos; vistos desde fuera giran en sentido antihorario y las normales
+/// son unitarias y apuntan hacia fuera. Los vértices se repiten donde cambia la normal o (s,t).
+struct Malla {
+    std::vector<Vertice> vertices;
+    std::vector<GLuint> indices; // tres por triángulo
+};
+
+/// Lo que hace falta para dibujar: glBindVertexArray(vao) y
+/// glDrawElements(GL_TRIANGLES, nIndices, GL_UNSIGNED_INT, nullptr).
+struct Buferes {
+    GLuint vao, vertices, indices;
+    GLsizei nIndices;
+};
+
+/// Lleva la malla a la GPU; los atributos van en los índices de shader.h (posicion, vNormal, coordTextura).
+Buferes creaBuferes(const Malla &malla);
+
+/// Sólidos centrados en el origen. `n`: segmentos de una vuelta, al menos 3.
+Malla cubo();                                        // lado 1
+Malla esfera(int n);                                 // radio 1; polos en ±Z
+Malla cilindro(int n);                               // radio 1, altura 1 (z de −0.5 a 0.5), con tapas
+Malla cono(int n);                                   // radio 1, base en z = 0 y vértice en z = 1, con tapa
+Malla toro(float radio, float radioTubo, int n, int m); // en el plano XY; n segmentos de anillo y m de tubo
+Malla plano(int n);                                  // lado 1 en el plano XY, normal +Z, n×n cuadrados
+
+/// Descripción v/f: líneas «v x y z» y «f i j k …» (caras convexas, índices desde 1, `#` comenta).
+/// Cada cara guarda sus índices desde 0. Un error termina diciendo fichero, línea y qué se esperaba.
+struct MallaVf {
+    std::vector<glm::vec3> vertices;
+    std::vector<std::vector<GLuint>> caras;
+};
+MallaVf leeVf(const std::string &fichero);
+
+/// Segmentos con que una circunferencia de `radioPx` píxeles se separa de la exacta menos de `tolerPx`:
+/// la flecha de un arco de 2π/n es r·(1 − cos(π/n)). Entre 3 y 1024.
+int segmentosPara(float radioPx, float tolerPx = 0.5f);

@@ -1,0 +1,59 @@
+#include "orbita.h"
+#include "ventana.h"
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace {
+
+const float RADIANES_POR_PIXEL = 0.01f;
+const float ELEVACION_MAXIMA = 1.55f; // algo menos de π/2: en el polo la vertical no orienta la cámara
+const float FACTOR_RUEDA = 1.1f;
+
+Orbita *activa = nullptr;
+bool arrastrando = false;
+int xAnterior = 0, yAnterior = 0;
+
+} // namespace
+
+void orbitaConRaton(Orbita &orbita) {
+    activa = &orbita;
+    glutMouseFunc(orbitaBoton);
+    glutMotionFunc(orbitaArrastra);
+    glutMouseWheelFunc(orbitaRueda);
+}
+
+void orbitaBoton(int boton, int estado, int x, int y) {
+    if (boton != GLUT_LEFT_BUTTON)
+        return;
+    arrastrando = estado == GLUT_DOWN;
+    xAnterior = x;
+    yAnterior = y;
+}
+
+void orbitaArrastra(int x, int y) {
+    if (!arrastrando || !activa)
+        return;
+    activa->azimut -= RADIANES_POR_PIXEL * static_cast<float>(x - xAnterior);
+    activa->elevacion = std::clamp(activa->elevacion + RADIANES_POR_PIXEL * static_cast<float>(y - yAnterior),
+                                   -ELEVACION_MAXIMA, ELEVACION_MAXIMA);
+    xAnterior = x;
+    yAnterior = y;
+    glutPostRedisplay();
+}
+
+void orbitaRueda(int, int direccion, int, int) {
+    if (!activa)
+        return;
+    activa->distancia *= direccion > 0 ? 1 / FACTOR_RUEDA : FACTOR_RUEDA;
+    glutPostRedisplay();
+}
+
+glm::vec3 posicionCamara(const Orbita &o) {
+    return o.centro + o.distancia * glm::vec3(std::cos(o.elevacion) * std::sin(o.azimut), std::sin(o.elevacion),
+                                              std::cos(o.elevacion) * std::cos(o.azimut));
+}
+
+glm::mat4 vistaOrbita(const Orbita &o) {
+    return glm::lookAt(posicionCamara(o), o.centro, glm::vec3(0, 1, 0));
+}

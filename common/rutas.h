@@ -1,0 +1,12 @@
+// Dónde están los ficheros del laboratorio (shaders, modelos, texturas). La carpeta de trabajo nunca importa.
+#pragma once
+#include <string>
+
+/// Ruta completa de un fichero del laboratorio, dado por su ruta desde la raíz
+/// («ch03_transformaciones/objeto.vert»). Se busca, por este orden, en $LAB_RAIZ, en la carpeta del
+/// ejecutable y en la que la contiene (árbol instalado) y en el árbol de fuentes con que se compiló.
+/// Si no está en ninguna, termina con un mensaje que las enumera todas.
+std::string recurso(const std::string &relativa);
+
+/// Contenido completo de un fichero; si no se puede leer, termina diciendo por qué.
+std::string leeFichero(const std::string &ruta);
