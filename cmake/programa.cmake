@@ -35,7 +35,7 @@ function(programa nombre)
 endfunction()
 
 function(caso programa nombre)
-  cmake_parse_arguments(C "" "GUION;TOLERANCIA;MOTIVO" "ARGUMENTOS" ${ARGN})
+  cmake_parse_arguments(PARSE_ARGV 2 C "" "GUION;TOLERANCIA;MOTIVO" "ARGUMENTOS")
   if(C_UNPARSED_ARGUMENTS OR (C_TOLERANCIA AND NOT C_MOTIVO))
     message(FATAL_ERROR "caso(${programa} ${nombre}): sobra «${C_UNPARSED_ARGUMENTS}» o falta el MOTIVO")
   endif()

@@ -47,8 +47,7 @@ void tapa(Malla &malla, int n, float z, bool haciaArriba) {
         malla.vertices.push_back({{c, z}, normal, 0.5f + 0.5f * c});
     }
     for (GLuint i = centro + 1; i <= centro + static_cast<GLuint>(n); ++i)
-        malla.indices.insert(malla.indices.end(),
-                             {centro, haciaArriba ? i : i + 1, haciaArriba ? i + 1 : i});
+        malla.indices.insert(malla.indices.end(), {centro, haciaArriba ? i : i + 1, haciaArriba ? i + 1 : i});
 }
 
 } // namespace
@@ -105,7 +104,10 @@ Malla esfera(int n) {
         const double a = glm::pi<double>() * j / m;
         const float radio = j == 0 || j == m ? 0.0f : static_cast<float>(std::sin(a));
         const glm::vec3 p(enCirculo(i, n) * radio, -std::cos(a));
-        return Vertice{p, p, {static_cast<float>(i) / static_cast<float>(n), static_cast<float>(j) / static_cast<float>(m)}};
+        return Vertice{
+            p,
+            p,
+            {static_cast<float>(i) / static_cast<float>(n), static_cast<float>(j) / static_cast<float>(m)}};
     });
     return malla;
 }
@@ -115,7 +117,8 @@ Malla cilindro(int n) {
     Malla malla;
     rejilla(malla, n, 1, [&](int i, int j) {
         const glm::vec2 c = enCirculo(i, n);
-        return Vertice{{c, static_cast<float>(j) - 0.5f}, {c, 0}, {static_cast<float>(i) / static_cast<float>(n), j}};
+        return Vertice{
+            {c, static_cast<float>(j) - 0.5f}, {c, 0}, {static_cast<float>(i) / static_cast<float>(n), j}};
     });
     tapa(malla, n, 0.5f, true);
     tapa(malla, n, -0.5f, false);
@@ -142,9 +145,10 @@ Malla toro(float radio, float radioTubo, int n, int m) {
     rejilla(malla, n, m, [&](int i, int j) {
         const glm::vec2 anillo = enCirculo(i, n), tubo = enCirculo(j, m);
         const glm::vec3 normal(anillo * tubo.x, tubo.y);
-        return Vertice{glm::vec3(anillo * radio, 0) + radioTubo * normal,
-                       normal,
-                       {static_cast<float>(i) / static_cast<float>(n), static_cast<float>(j) / static_cast<float>(m)}};
+        return Vertice{
+            glm::vec3(anillo * radio, 0) + radioTubo * normal,
+            normal,
+            {static_cast<float>(i) / static_cast<float>(n), static_cast<float>(j) / static_cast<float>(m)}};
     });
     return malla;
 }
@@ -164,7 +168,9 @@ MallaVf leeVf(const std::string &fichero) {
     std::istringstream texto(leeFichero(fichero));
     std::string linea;
     for (int numero = 1; std::getline(texto, linea); ++numero) {
-        auto mal = [&](const std::string &que) { falla(fichero + ":" + std::to_string(numero) + ": " + que + " — «" + linea + "»"); };
+        auto mal = [&](const std::string &que) {
+            falla(fichero + ":" + std::to_string(numero) + ": " + que + " — «" + linea + "»");
+        };
         std::istringstream palabras(linea.substr(0, linea.find('#')));
         std::string tipo, sobra;
         if (!(palabras >> tipo))
@@ -204,6 +210,8 @@ int segmentosPara(float radioPx, float tolerPx) {
     if (!(radioPx > tolerPx))
         return 3;
     // 1 − cos x = 2·sen²(x/2): el arcocoseno de un número casi 1 perdería todas las cifras
-    const double n = glm::pi<double>() / (2.0 * std::asin(std::sqrt(0.5 * static_cast<double>(tolerPx) / static_cast<double>(radioPx))));
+    const double n =
+        glm::pi<double>() /
+        (2.0 * std::asin(std::sqrt(0.5 * static_cast<double>(tolerPx) / static_cast<double>(radioPx))));
     return static_cast<int>(std::clamp(std::ceil(n), 3.0, 1024.0));
 }

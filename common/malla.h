@@ -28,12 +28,12 @@ struct Buferes {
 Buferes creaBuferes(const Malla &malla);
 
 /// Sólidos centrados en el origen. `n`: segmentos de una vuelta, al menos 3.
-Malla cubo();                                        // lado 1
-Malla esfera(int n);                                 // radio 1; polos en ±Z
-Malla cilindro(int n);                               // radio 1, altura 1 (z de −0.5 a 0.5), con tapas
-Malla cono(int n);                                   // radio 1, base en z = 0 y vértice en z = 1, con tapa
+Malla cubo();          // lado 1
+Malla esfera(int n);   // radio 1; polos en ±Z
+Malla cilindro(int n); // radio 1, altura 1 (z de −0.5 a 0.5), con tapas
+Malla cono(int n);     // radio 1, base en z = 0 y vértice en z = 1, con tapa
 Malla toro(float radio, float radioTubo, int n, int m); // en el plano XY; n segmentos de anillo y m de tubo
-Malla plano(int n);                                  // lado 1 en el plano XY, normal +Z, n×n cuadrados
+Malla plano(int n);                                     // lado 1 en el plano XY, normal +Z, n×n cuadrados
 
 /// Descripción v/f: líneas «v x y z» y «f i j k …» (caras convexas, índices desde 1, `#` comenta).
 /// Cada cara guarda sus índices desde 0. Un error termina diciendo fichero, línea y qué se esperaba.

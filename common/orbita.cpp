@@ -50,7 +50,8 @@ void orbitaRueda(int, int direccion, int, int) {
 }
 
 glm::vec3 posicionCamara(const Orbita &o) {
-    return o.centro + o.distancia * glm::vec3(std::cos(o.elevacion) * std::sin(o.azimut), std::sin(o.elevacion),
+    return o.centro + o.distancia * glm::vec3(std::cos(o.elevacion) * std::sin(o.azimut),
+                                              std::sin(o.elevacion),
                                               std::cos(o.elevacion) * std::cos(o.azimut));
 }
 

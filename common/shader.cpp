@@ -38,7 +38,8 @@ void leeLineas(const std::string &fichero, std::vector<Linea> &lineas, int nivel
 /// Traduce el informe del compilador a «fichero:línea: mensaje — «texto»». Cada fabricante numera a
 /// su manera: Mesa «0:12(5): …», NVIDIA «0(12) : …», AMD e Intel «ERROR: 0:12: …».
 std::string traduceInforme(const std::string &informe, const std::vector<Linea> &lineas) {
-    static const std::regex lugar(R"re(^(?:ERROR: |WARNING: )?\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\))\s*:\s*(.*)$)re");
+    static const std::regex lugar(
+        R"re(^(?:ERROR: |WARNING: )?\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\))\s*:\s*(.*)$)re");
     std::istringstream entrada(informe);
     std::string linea, salida;
     while (std::getline(entrada, linea)) {

@@ -36,8 +36,8 @@ GLuint creaMapaCubo(const std::array<Imagen, 6> &caras) {
     for (GLuint i = 0; i < 6; ++i) {
         const Imagen &cara = caras[i];
         if (cara.ancho != cara.alto || cara.ancho != caras[0].ancho)
-            falla("la cara " + std::to_string(i) + " del mapa de cubo mide " + std::to_string(cara.ancho) + "×" +
-                  std::to_string(cara.alto) + " y debía medir " + std::to_string(caras[0].ancho) + "×" +
+            falla("la cara " + std::to_string(i) + " del mapa de cubo mide " + std::to_string(cara.ancho) +
+                  "×" + std::to_string(cara.alto) + " y debía medir " + std::to_string(caras[0].ancho) + "×" +
                   std::to_string(caras[0].ancho));
         const std::size_t fila = 3 * static_cast<std::size_t>(cara.ancho);
         std::vector<unsigned char> vuelta;

@@ -40,7 +40,8 @@ void abreVentana(int &argc, char **argv, const char *titulo, int ancho, int alto
     glutInitContextVersion(3, 1);
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
     for (int i = 1; i < argc; ++i) {
-        const std::string uso = "uso: " + nombrePrograma() + " [opciones de GLUT] " + (argumentos ? argumentos : "");
+        const std::string uso =
+            "uso: " + nombrePrograma() + " [opciones de GLUT] " + (argumentos ? argumentos : "");
         if (std::string(argv[i]) == "-ayuda") {
             std::puts(uso.c_str());
             std::exit(0);
@@ -71,19 +72,15 @@ bool teclaEspecialComun(int tecla) {
         recargaProgramas();
         glutPostRedisplay();
         return true;
-    case GLUT_KEY_F11:
-        glutFullScreenToggle();
-        return true;
-    case GLUT_KEY_F12:
-        guardaVentana();
-        return true;
-    default:
-        return false;
+    case GLUT_KEY_F11: glutFullScreenToggle(); return true;
+    case GLUT_KEY_F12: guardaVentana(); return true;
+    default: return false;
     }
 }
 
 float relacionAspecto() {
-    const int ancho = std::max(glutGet(GLUT_WINDOW_WIDTH), 1), alto = std::max(glutGet(GLUT_WINDOW_HEIGHT), 1);
+    const int ancho = std::max(glutGet(GLUT_WINDOW_WIDTH), 1),
+              alto = std::max(glutGet(GLUT_WINDOW_HEIGHT), 1);
     return static_cast<float>(ancho) / static_cast<float>(alto);
 }
 

@@ -1,7 +1,7 @@
 // Abrir la ventana y lo que todas las ventanas hacen igual: Esc, F5, F11, F12 y la relación de aspecto.
 #pragma once
-#include <GL/glew.h>
 #include <GL/freeglut.h>
+#include <GL/glew.h>
 #include <glm/glm.hpp>
 
 /// Crea una ventana de ancho × alto píxeles con un contexto OpenGL 3.1 y las teclas comunes puestas.
@@ -11,7 +11,8 @@
 void abreVentana(int &argc, char **argv, const char *titulo, int ancho, int alto,
                  unsigned modo = GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH, const char *argumentos = nullptr);
 
-/// Atiende Esc (termina). Devuelve si la tecla era suya: un programa con glutKeyboardFunc propia la llama primero.
+/// Atiende Esc (termina). Devuelve si la tecla era suya: un programa con glutKeyboardFunc propia la llama
+/// primero.
 bool teclaComun(unsigned char tecla);
 
 /// Atiende F5 (relee los shaders), F11 (pantalla completa) y F12 (guarda la ventana en <programa>-N.ppm).
@@ -21,7 +22,8 @@ bool teclaEspecialComun(int tecla);
 /// ancho/alto de la ventana, nunca 0 ni infinito.
 float relacionAspecto();
 
-/// Perspectiva en que el ángulo (radianes) abarca el lado MENOR de la ventana: estrecharla no corta la escena.
+/// Perspectiva en que el ángulo (radianes) abarca el lado MENOR de la ventana: estrecharla no corta la
+/// escena.
 glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos);
 
 /// Proyección paralela que siempre abarca [−semilado, semilado] en X y en Y, sin deformar.

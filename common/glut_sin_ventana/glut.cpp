@@ -135,7 +135,8 @@ Imagen leeFramebuffer() {
     GLint framebuffer = 0, bufer = 0;
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer);
     glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &bufer);
-    const GLenum parametros[] = {GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS};
+    const GLenum parametros[] = {GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS,
+                                 GL_PACK_SKIP_PIXELS};
     const GLint normales[] = {1, 0, 0, 0};
     GLint previos[4];
     for (int i = 0; i < 4; ++i) {
@@ -197,8 +198,9 @@ void avanzaReloj(int ms) {
     const long long fin = g.reloj + ms;
     while (!g.termina) {
         // el que antes vence; entre iguales, el que antes se pidió
-        const auto t = std::min_element(g.temporizadores.begin(), g.temporizadores.end(),
-                                        [](const Temporizador &a, const Temporizador &b) { return a.vence < b.vence; });
+        const auto t =
+            std::min_element(g.temporizadores.begin(), g.temporizadores.end(),
+                             [](const Temporizador &a, const Temporizador &b) { return a.vence < b.vence; });
         if (t == g.temporizadores.end() || t->vence > fin)
             break;
         const Temporizador vencido = *t;
@@ -218,7 +220,8 @@ void eligeEnMenu(const Orden &orden) {
         std::size_t inicio = 0;
         while (menu) {
             const std::size_t barra = orden.texto.find('/', inicio);
-            const std::string parte = orden.texto.substr(inicio, barra == std::string::npos ? barra : barra - inicio);
+            const std::string parte =
+                orden.texto.substr(inicio, barra == std::string::npos ? barra : barra - inicio);
             const auto &entradas = g.menus.at(menu).entradas;
             const auto e = std::find_if(entradas.begin(), entradas.end(), [&](const Entrada &entrada) {
                 return entrada.texto == parte && (entrada.submenu != 0) == (barra != std::string::npos);
@@ -270,9 +273,12 @@ void ejecuta(const Orden &o) {
         break;
     case Orden::ARRASTRA:
     case Orden::MUEVE: {
-        const bool conBoton = std::any_of(std::begin(g.pulsado), std::end(g.pulsado), [](bool b) { return b; });
+        const bool conBoton =
+            std::any_of(std::begin(g.pulsado), std::end(g.pulsado), [](bool b) { return b; });
         if (conBoton != (o.tipo == Orden::ARRASTRA))
-            falla(o.lugar + (conBoton ? ": hay un botón pulsado; es arrastra" : ": no hay ningún botón pulsado; es mueve"), 2);
+            falla(o.lugar + (conBoton ? ": hay un botón pulsado; es arrastra"
+                                      : ": no hay ningún botón pulsado; es mueve"),
+                  2);
         g.xRaton = o.x, g.yRaton = o.y;
         if (auto f = conBoton ? g.arrastre : g.movimiento)
             f(o.x, o.y);
@@ -287,18 +293,10 @@ void ejecuta(const Orden &o) {
             g.raton(o.a > 0 ? 3 : 4, GLUT_UP, o.x, o.y);
         }
         break;
-    case Orden::MENU:
-        eligeEnMenu(o);
-        break;
-    case Orden::TAMANO:
-        cambiaTamano(o.a, o.b);
-        break;
-    case Orden::ESPERA:
-        avanzaReloj(o.a);
-        break;
-    case Orden::CAPTURA:
-        guarda(o.texto);
-        break;
+    case Orden::MENU: eligeEnMenu(o); break;
+    case Orden::TAMANO: cambiaTamano(o.a, o.b); break;
+    case Orden::ESPERA: avanzaReloj(o.a); break;
+    case Orden::CAPTURA: guarda(o.texto); break;
     }
     compruebaGL("tras " + o.lugar);
 }
@@ -327,8 +325,8 @@ void mideCuadros(double primera) {
     for (int i = 0; i < g.mide; ++i)
         ms.push_back(milisegundosDe(g.dibuja));
     std::sort(ms.begin(), ms.end());
-    std::printf("%s\t%dx%d\t%.3f\t%.3f\t%.3f\t%.3f\t%u\t%s\n", nombrePrograma().c_str(), g.ancho, g.alto, primera,
-                ms[ms.size() / 2], ms.front(), ms.back(), primitivas, renderizador().c_str());
+    std::printf("%s\t%dx%d\t%.3f\t%.3f\t%.3f\t%.3f\t%u\t%s\n", nombrePrograma().c_str(), g.ancho, g.alto,
+                primera, ms[ms.size() / 2], ms.front(), ms.back(), primitivas, renderizador().c_str());
     compruebaGL("al medir");
 }
 
@@ -521,32 +519,20 @@ void glutSwapBuffers(void) {
 
 int glutGet(GLenum que) {
     switch (que) {
-    case GLUT_ELAPSED_TIME:
-        return static_cast<int>(g.reloj);
-    case GLUT_WINDOW_WIDTH:
-        return g.ancho;
-    case GLUT_WINDOW_HEIGHT:
-        return g.alto;
-    case GLUT_SCREEN_WIDTH:
-        return ANCHO_PANTALLA;
-    case GLUT_SCREEN_HEIGHT:
-        return ALTO_PANTALLA;
-    case GLUT_WINDOW_DOUBLEBUFFER:
-        return (g.modo & GLUT_DOUBLE) != 0;
-    case GLUT_WINDOW_DEPTH_SIZE:
-        return g.modo & GLUT_DEPTH ? 24 : 0;
-    case GLUT_WINDOW_STENCIL_SIZE:
-        return g.modo & GLUT_STENCIL ? 8 : 0;
-    case GLUT_WINDOW_NUM_SAMPLES:
-        return 0; // el framebuffer de OSMesa no tiene muestras
-    case GLUT_INIT_STATE:
-        return g.iniciado;
+    case GLUT_ELAPSED_TIME: return static_cast<int>(g.reloj);
+    case GLUT_WINDOW_WIDTH: return g.ancho;
+    case GLUT_WINDOW_HEIGHT: return g.alto;
+    case GLUT_SCREEN_WIDTH: return ANCHO_PANTALLA;
+    case GLUT_SCREEN_HEIGHT: return ALTO_PANTALLA;
+    case GLUT_WINDOW_DOUBLEBUFFER: return (g.modo & GLUT_DOUBLE) != 0;
+    case GLUT_WINDOW_DEPTH_SIZE: return g.modo & GLUT_DEPTH ? 24 : 0;
+    case GLUT_WINDOW_STENCIL_SIZE: return g.modo & GLUT_STENCIL ? 8 : 0;
+    case GLUT_WINDOW_NUM_SAMPLES: return 0; // el framebuffer de OSMesa no tiene muestras
+    case GLUT_INIT_STATE: return g.iniciado;
     case GLUT_MENU_NUM_ITEMS:
         return g.menuActual ? static_cast<int>(g.menus.at(g.menuActual).entradas.size()) : 0;
-    case GLUT_VERSION:
-        return VERSION_IMITADA;
-    default:
-        noEsta("glutGet", que);
+    case GLUT_VERSION: return VERSION_IMITADA;
+    default: noEsta("glutGet", que);
     }
 }
 

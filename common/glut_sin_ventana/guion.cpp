@@ -30,17 +30,17 @@ Estados de salida: 0 bien; 1 error del programa; 2 opción o guion mal escritos;
 
 namespace {
 
-const std::map<std::string, int> TECLAS = {{"Esc", 27},       {"Espacio", 32},   {"Intro", 13}, {"Tab", 9},
-                                           {"Retroceso", 8},  {"Supr", 127},     {"PuntoYComa", ';'}};
+const std::map<std::string, int> TECLAS = {{"Esc", 27},      {"Espacio", 32}, {"Intro", 13},      {"Tab", 9},
+                                           {"Retroceso", 8}, {"Supr", 127},   {"PuntoYComa", ';'}};
 
 const std::map<std::string, int> ESPECIALES = {
-    {"F1", GLUT_KEY_F1},         {"F2", GLUT_KEY_F2},           {"F3", GLUT_KEY_F3},
-    {"F4", GLUT_KEY_F4},         {"F5", GLUT_KEY_F5},           {"F6", GLUT_KEY_F6},
-    {"F7", GLUT_KEY_F7},         {"F8", GLUT_KEY_F8},           {"F9", GLUT_KEY_F9},
-    {"F10", GLUT_KEY_F10},       {"F11", GLUT_KEY_F11},         {"F12", GLUT_KEY_F12},
+    {"F1", GLUT_KEY_F1},          {"F2", GLUT_KEY_F2},           {"F3", GLUT_KEY_F3},
+    {"F4", GLUT_KEY_F4},          {"F5", GLUT_KEY_F5},           {"F6", GLUT_KEY_F6},
+    {"F7", GLUT_KEY_F7},          {"F8", GLUT_KEY_F8},           {"F9", GLUT_KEY_F9},
+    {"F10", GLUT_KEY_F10},        {"F11", GLUT_KEY_F11},         {"F12", GLUT_KEY_F12},
     {"IZQUIERDA", GLUT_KEY_LEFT}, {"DERECHA", GLUT_KEY_RIGHT},   {"ARRIBA", GLUT_KEY_UP},
-    {"ABAJO", GLUT_KEY_DOWN},    {"INICIO", GLUT_KEY_HOME},     {"FIN", GLUT_KEY_END},
-    {"REPAG", GLUT_KEY_PAGE_UP}, {"AVPAG", GLUT_KEY_PAGE_DOWN}, {"INSERTAR", GLUT_KEY_INSERT}};
+    {"ABAJO", GLUT_KEY_DOWN},     {"INICIO", GLUT_KEY_HOME},     {"FIN", GLUT_KEY_END},
+    {"REPAG", GLUT_KEY_PAGE_UP},  {"AVPAG", GLUT_KEY_PAGE_DOWN}, {"INSERTAR", GLUT_KEY_INSERT}};
 
 const std::map<std::string, int> BOTONES = {
     {"IZQUIERDO", GLUT_LEFT_BUTTON}, {"CENTRAL", GLUT_MIDDLE_BUTTON}, {"DERECHO", GLUT_RIGHT_BUTTON}};

@@ -1,0 +1,80 @@
+// Qué hay instalado y si basta: OpenGL, GLSL, GLEW, GLM, FreeGLUT y los límites que importan en el curso
+// (ejercicios 1.1 y 1.2). Programa de consola: una línea «clave: valor» por dato; estado 1 si falta
+// OpenGL 3.1. Pide un contexto sin decir versión, para saber cuál es la mayor que da el sistema. Controles:
+// ninguno; escribe y termina.
+#include <GL/freeglut.h>
+#include <GL/glew.h>
+#include <cstdio>
+#include <glm/glm.hpp>
+#include <string>
+
+static int faltas = 0;
+
+static void informa(const char *clave, const std::string &valor) {
+    std::printf("%s: %s\n", clave, valor.c_str());
+}
+
+// Una versión encontrada y la menor que vale, ambas como mayor·100 + menor.
+static void exige(const char *que, int encontrada, int minima, bool imprescindible) {
+    if (encontrada >= minima)
+        return;
+    informa(imprescindible ? "Falta" : "Anticuado", std::string(que) + " " + std::to_string(minima / 100) +
+                                                        "." + std::to_string(minima % 100) + " o posterior");
+    faltas += imprescindible;
+}
+
+static std::string cadena(GLenum nombre) {
+    const GLubyte *s = glGetString(nombre);
+    return s ? reinterpret_cast<const char *>(s) : "desconocido";
+}
+
+static GLint limite(GLenum nombre) {
+    GLint valor = 0;
+    glGetIntegerv(nombre, &valor);
+    return valor;
+}
+
+int main(int argc, char **argv) {
+    glutInit(&argc, argv);
+    glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH);
+    glutCreateWindow("info_opengl");
+    glewExperimental = GL_TRUE;
+    glewInit();
+
+    const std::string version = cadena(GL_VERSION);
+    int mayor = 0, menor = 0;
+    std::sscanf(version.c_str(), "%d.%d", &mayor, &menor);
+    const int openGL = 100 * mayor + menor;
+
+    informa("OpenGL", version);
+    informa("GLSL", cadena(GL_SHADING_LANGUAGE_VERSION));
+    informa("Fabricante", cadena(GL_VENDOR));
+    informa("Renderizador", cadena(GL_RENDERER));
+    informa("GLEW", reinterpret_cast<const char *>(glewGetString(GLEW_VERSION)));
+    informa("GLM", std::to_string(GLM_VERSION_MAJOR) + "." + std::to_string(GLM_VERSION_MINOR) + "." +
+                       std::to_string(GLM_VERSION_PATCH) + "." + std::to_string(GLM_VERSION_REVISION));
+    const int glut = glutGet(GLUT_VERSION);
+    informa("FreeGLUT", std::to_string(glut / 10000) + "." + std::to_string(glut / 100 % 100) + "." +
+                            std::to_string(glut % 100));
+    if (openGL >= 301) {
+        informa("Textura 2D máxima", std::to_string(limite(GL_MAX_TEXTURE_SIZE)) + " texels de lado");
+        informa("Textura 3D máxima", std::to_string(limite(GL_MAX_3D_TEXTURE_SIZE)) + " texels de lado");
+        informa("Mapa de cubo máximo",
+                std::to_string(limite(GL_MAX_CUBE_MAP_TEXTURE_SIZE)) + " texels de lado");
+        informa("Unidades de textura", std::to_string(limite(GL_MAX_TEXTURE_IMAGE_UNITS)));
+        informa("Unidades de textura en el vertex shader",
+                std::to_string(limite(GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS)));
+        informa("Atributos de vértice", std::to_string(limite(GL_MAX_VERTEX_ATTRIBS)));
+        informa("Muestras por píxel", std::to_string(limite(GL_MAX_SAMPLES)));
+    }
+    GLfloat anisotropia = 1;
+    if (GLEW_EXT_texture_filter_anisotropic)
+        glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &anisotropia);
+    informa("Anisotropía máxima", std::to_string(static_cast<int>(anisotropia)));
+
+    exige("OpenGL", openGL, 301, true);
+    exige("GLM", 100 * (100 * GLM_VERSION_MAJOR + GLM_VERSION_MINOR) + 10 * GLM_VERSION_PATCH, 990, false);
+    exige("FreeGLUT", glut / 100, 300, false);
+    informa("Resultado", faltas ? "falta lo imprescindible" : "se puede hacer todo el curso");
+    return faltas ? 1 : 0;
+}

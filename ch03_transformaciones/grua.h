@@ -1,0 +1,60 @@
+// La grúa de obra del ejercicio 3.5, hecha solo de cubos de lado uno: qué cubos y con qué transformación.
+// Sin OpenGL; la usan los programas grua* de los capítulos 3, 4 y 5.
+#pragma once
+#include "transformaciones.h"
+#include <algorithm>
+#include <glm/glm.hpp>
+#include <vector>
+
+/// Medidas del enunciado: carga de lado 1, contrapeso de 1.4, pie y brazo de longitud 10.
+const float LADO_CARGA = 1.0f, LADO_CONTRAPESO = 1.4f, LARGO_PIE = 10.0f, LARGO_BRAZO = 10.0f;
+/// Las que el enunciado deja libres.
+const float GRUESO = 0.8f, GRUESO_CABLE = 0.12f, VOLADIZO_ATRAS = 2.5f;
+
+/// Postura: giro sobre el pie (radianes), distancia de la carga al pie y altura del centro de la carga.
+struct PosturaGrua {
+    float giro = 0, distancia = 5, altura = 4;
+};
+
+/// Recorrido de la carga: dentro del brazo y sin tocar el pie; sobre el suelo y bajo el brazo.
+const float DISTANCIA_MINIMA = GRUESO / 2 + LADO_CARGA,
+            DISTANCIA_MAXIMA = LARGO_BRAZO - VOLADIZO_ATRAS - LADO_CARGA / 2;
+const float ALTURA_MINIMA = LADO_CARGA / 2, ALTURA_MAXIMA = LARGO_PIE - LADO_CARGA;
+
+inline PosturaGrua limita(PosturaGrua p) {
+    p.distancia = std::clamp(p.distancia, DISTANCIA_MINIMA, DISTANCIA_MAXIMA);
+    p.altura = std::clamp(p.altura, ALTURA_MINIMA, ALTURA_MAXIMA);
+    return p;
+}
+
+/// Un cubo de lado uno centrado en el origen, llevado a su sitio por M.
+struct Pieza {
+    glm::mat4 M;
+    glm::vec3 color;
+};
+
+/// Pie, brazo, contrapeso, cable y carga. El pie se apoya en el origen; Y es la vertical y, sin giro, el
+/// brazo apunta a +X.
+inline std::vector<Pieza> piezasGrua(const PosturaGrua &postura) {
+    const PosturaGrua p = limita(postura);
+    const glm::vec3 amarillo(0.98f, 0.74f, 0.12f), gris(0.42f, 0.45f, 0.50f), negro(0.16f, 0.17f, 0.20f),
+        rojo(0.85f, 0.20f, 0.18f);
+    const float alturaBrazo = LARGO_PIE + GRUESO / 2;
+    const float largoCable = LARGO_PIE - p.altura - LADO_CARGA / 2;
+
+    const glm::mat4 giro = giroY(p.giro);
+    const glm::mat4 carro = giro * traslacion({p.distancia, 0, 0});
+    return {
+        {traslacion({0, LARGO_PIE / 2, 0}) * escalado({GRUESO, LARGO_PIE, GRUESO}), amarillo},
+        {giro * traslacion({LARGO_BRAZO / 2 - VOLADIZO_ATRAS, alturaBrazo, 0}) *
+             escalado({LARGO_BRAZO, GRUESO, GRUESO}),
+         amarillo},
+        {giro * traslacion({LADO_CONTRAPESO / 2 - VOLADIZO_ATRAS, LARGO_PIE - LADO_CONTRAPESO / 2, 0}) *
+             escalado(LADO_CONTRAPESO),
+         gris},
+        {carro * traslacion({0, LARGO_PIE - largoCable / 2, 0}) *
+             escalado({GRUESO_CABLE, largoCable, GRUESO_CABLE}),
+         negro},
+        {carro * traslacion({0, p.altura, 0}) * escalado(LADO_CARGA), rojo},
+    };
+}

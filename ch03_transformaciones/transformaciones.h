@@ -1,0 +1,91 @@
+// Las matrices del capítulo 3, escritas como las da el libro (ecuaciones 3.2 a 3.10) salvo donde se equivoca
+// (docs/erratas.md). Sin OpenGL: las usan los programas y las comprueban las pruebas. Ángulos en radianes;
+// glm::mat4 guarda columnas, así que aquí cada línea es una columna.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+
+/// Traslación, ecuación 3.2 (el libro imprime 0 en la diagonal, donde va 1).
+inline glm::mat4 traslacion(const glm::vec3 &t) {
+    return {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {t, 1}};
+}
+
+/// Escalado, ecuación 3.5.
+inline glm::mat4 escalado(const glm::vec3 &s) {
+    return {{s.x, 0, 0, 0}, {0, s.y, 0, 0}, {0, 0, s.z, 0}, {0, 0, 0, 1}};
+}
+inline glm::mat4 escalado(float s) {
+    return escalado(glm::vec3(s));
+}
+
+/// Giro alrededor de X, ecuación 3.6.
+inline glm::mat4 giroX(float phi) {
+    const float c = std::cos(phi), s = std::sin(phi);
+    return {{1, 0, 0, 0}, {0, c, s, 0}, {0, -s, c, 0}, {0, 0, 0, 1}};
+}
+
+/// Giro alrededor de Y, ecuación 3.7.
+inline glm::mat4 giroY(float phi) {
+    const float c = std::cos(phi), s = std::sin(phi);
+    return {{c, 0, -s, 0}, {0, 1, 0, 0}, {s, 0, c, 0}, {0, 0, 0, 1}};
+}
+
+/// Giro alrededor de Z, ecuación 3.8.
+inline glm::mat4 giroZ(float phi) {
+    const float c = std::cos(phi), s = std::sin(phi);
+    return {{c, s, 0, 0}, {-s, c, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+}
+
+/// Vector unitario en la dirección de v, o `siNulo` si v es cero. Se divide antes por la mayor componente:
+/// el cuadrado de 1e-23 es cero en float y el de 1e20 infinito.
+inline glm::vec3 unitario(const glm::vec3 &v, const glm::vec3 &siNulo = glm::vec3(1, 0, 0)) {
+    const float mayor = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+    return mayor > 0 ? glm::normalize(v / mayor) : siNulo;
+}
+
+/// Cambio de base que lleva d (unitario) al eje X, ecuación 3.9. La regla del libro para e: anular la
+/// componente menor de d en valor absoluto, intercambiar las otras dos, negar una y normalizar.
+inline glm::mat3 cambioDeBase(const glm::vec3 &d) {
+    const glm::vec3 a = glm::abs(d);
+    const int menor = a.x <= a.y && a.x <= a.z ? 0 : a.y <= a.z ? 1 : 2;
+    const int i = (menor + 1) % 3, j = (menor + 2) % 3;
+    glm::vec3 e(0);
+    e[i] = -d[j];
+    e[j] = d[i];
+    e = glm::normalize(e);
+    const glm::vec3 f = glm::cross(d, e);
+    return glm::transpose(glm::mat3(d, e, f)); // d, e y f son las filas
+}
+
+/// Giro de phi alrededor de un eje que pasa por el origen, ecuación 3.10: Rᵀ·Rx(phi)·R. El eje no tiene
+/// que ser unitario; si es nulo no hay giro.
+inline glm::mat4 giroEje(const glm::vec3 &eje, float phi) {
+    if (eje == glm::vec3(0))
+        return glm::mat4(1);
+    const glm::mat3 R = cambioDeBase(unitario(eje));
+    return glm::mat4(glm::transpose(R) * glm::mat3(giroX(phi)) * R);
+}
+
+/// Matriz de transformación de la normal (§3.3): la traspuesta de la adjunta, que existe aunque M no tenga
+/// inversa. El libro calla que con det(M) < 0 apunta hacia dentro: se multiplica por el signo del
+/// determinante. Dividir antes por la mayor componente no cambia la dirección y evita desbordar con escalas
+/// de 1e20.
+inline glm::mat3 matrizNormal(const glm::mat4 &M) {
+    glm::mat3 m(M);
+    float mayor = 0;
+    for (int i = 0; i < 3; ++i)
+        mayor = std::max({mayor, std::fabs(m[i].x), std::fabs(m[i].y), std::fabs(m[i].z)});
+    if (mayor > 0)
+        m /= mayor;
+    const glm::mat3 N(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    return glm::dot(m[0], N[0]) < 0 ? -N : N;
+}
+
+/// Lleva el cilindro unidad (radio 1, z de −0.5 a 0.5) al semieje positivo X, Y o Z (`eje` 0, 1 o 2), desde
+/// el origen hasta `largo`, con radio `grosor`.
+inline glm::mat4 ejeCoordenado(int eje, float largo, float grosor) {
+    const float recto = 1.57079632679f; // π/2
+    const glm::mat4 haciaZ = escalado({grosor, grosor, largo}) * traslacion({0, 0, 0.5f});
+    return eje == 0 ? giroY(recto) * haciaZ : eje == 1 ? giroX(-recto) * haciaZ : haciaZ;
+}

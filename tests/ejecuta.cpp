@@ -1,0 +1,58 @@
+#include "ejecuta.h"
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <sys/wait.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string contenido(const fs::path &ruta) {
+    std::ifstream f(ruta, std::ios::binary);
+    return {std::istreambuf_iterator<char>(f), {}};
+}
+
+std::string entreComillas(const std::string &texto) {
+    std::string s = "'";
+    for (char c : texto)
+        s += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return s + "'";
+}
+
+} // namespace
+
+Ejecucion ejecuta(const std::string &programa, const std::string &guion, int ancho, int alto,
+                  const std::vector<std::string> &argumentos) {
+    std::string plantilla = (fs::temp_directory_path() / "labXXXXXX").string();
+    if (!mkdtemp(plantilla.data()))
+        throw std::runtime_error("no puedo crear una carpeta temporal");
+    const fs::path carpeta = plantilla;
+
+    std::string orden = "cd " + entreComillas(plantilla) + " && " +
+                        entreComillas(LAB_EJECUTABLES "/" + programa) + " -geometry " +
+                        std::to_string(ancho) + "x" + std::to_string(alto) + " -ppm imagen.ppm";
+    if (!guion.empty())
+        orden += " -guion " + entreComillas(guion);
+    for (const std::string &a : argumentos)
+        orden += " " + entreComillas(a);
+    orden += " >salida 2>errores </dev/null";
+
+    Ejecucion e;
+    const int estado = std::system(orden.c_str());
+    e.estado = WIFEXITED(estado) ? WEXITSTATUS(estado) : 128 + WTERMSIG(estado);
+    e.salida = contenido(carpeta / "salida");
+    e.errores = contenido(carpeta / "errores");
+    if (fs::exists(carpeta / "imagen.ppm"))
+        e.imagen = leePpm((carpeta / "imagen.ppm").string());
+    fs::remove_all(carpeta);
+    return e;
+}
+
+Pixel pixel(const Imagen &imagen, int x, int y) {
+    const std::size_t i = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(imagen.ancho) +
+                               static_cast<std::size_t>(x));
+    return {imagen.rgb.at(i), imagen.rgb.at(i + 1), imagen.rgb.at(i + 2)};
+}

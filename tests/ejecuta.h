@@ -1,0 +1,23 @@
+// Ejecutar un programa del laboratorio desde una prueba: sin ventana, con un guion, y quedarse con su imagen.
+#pragma once
+#include "imagen.h"
+#include <string>
+#include <vector>
+
+struct Ejecucion {
+    int estado = -1;     // el de salida; 128 + señal si lo ha matado una
+    std::string salida;  // stdout
+    std::string errores; // stderr
+    Imagen imagen;       // vacía si no ha escrito ninguna
+};
+
+/// Ejecuta build/<sin ventana>/<programa> («ch03_transformaciones/grua») con ese tamaño y ese guion, en una
+/// carpeta temporal que se borra después. `argumentos` van tal cual al final.
+Ejecucion ejecuta(const std::string &programa, const std::string &guion = "", int ancho = 240, int alto = 180,
+                  const std::vector<std::string> &argumentos = {});
+
+/// Los tres componentes (0 a 255) del píxel (x, y) contado desde ABAJO a la izquierda.
+struct Pixel {
+    int r, g, b;
+};
+Pixel pixel(const Imagen &imagen, int x, int y);
