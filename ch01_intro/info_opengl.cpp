@@ -2,8 +2,8 @@
 // (ejercicios 1.1 y 1.2). Programa de consola: una línea «clave: valor» por dato; estado 1 si falta
 // OpenGL 3.1. Pide un contexto sin decir versión, para saber cuál es la mayor que da el sistema. Controles:
 // ninguno; escribe y termina.
-#include <GL/freeglut.h>
 #include <GL/glew.h>
+#include <GL/freeglut.h>
 #include <cstdio>
 #include <glm/glm.hpp>
 #include <string>

@@ -2,8 +2,8 @@
 // todo a la vista y sin common/. Del libro se aparta en que los shaders son ficheros, en que un error
 // termina el programa y en el VAO, sin el que un contexto core no dibuja.
 // Controles: F5 relee los shaders · Esc termina.
-#include <GL/freeglut.h>
 #include <GL/glew.h>
+#include <GL/freeglut.h>
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

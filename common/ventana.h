@@ -1,7 +1,7 @@
 // Abrir la ventana y lo que todas las ventanas hacen igual: Esc, F5, F11, F12 y la relación de aspecto.
 #pragma once
-#include <GL/freeglut.h>
 #include <GL/glew.h>
+#include <GL/freeglut.h>
 #include <glm/glm.hpp>
 
 /// Crea una ventana de ancho × alto píxeles con un contexto OpenGL 3.1 y las teclas comunes puestas.
