@@ -27,6 +27,7 @@ function(programa nombre)
     set_target_properties(${ejecutable} PROPERTIES OUTPUT_NAME ${nombre}
       RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${destino}/${capitulo})
   endforeach()
+  add_dependencies(programas ${nombre}_ventana ${nombre}_${LAB_SIN_VENTANA})
   install(TARGETS ${nombre}_ventana DESTINATION ${capitulo})
   set_property(GLOBAL APPEND PROPERTY LAB_CATALOGO "${capitulo}\t${nombre}\t${P_REF}\t${P_TITULO}")
   if(P_CONSOLA)
@@ -50,6 +51,7 @@ function(caso programa nombre)
   endforeach()
   set_property(GLOBAL APPEND PROPERTY LAB_CASOS
     "${capitulo}\t${programa}\t${nombre}\t${guion}\t${argumentos}\t${C_TOLERANCIA}")
+  set_property(GLOBAL APPEND PROPERTY LAB_NOMBRES_DE_CASOS ${programa}.${nombre})
 endfunction()
 
 function(escribe_catalogo)

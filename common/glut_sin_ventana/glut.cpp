@@ -67,7 +67,7 @@ struct {
     unsigned modo = GLUT_RGBA;
     bool iniciado = false, abierta = false, repinta = false, termina = false, completa = false;
     int xRaton = 0, yRaton = 0;
-    bool pulsado[3] = {};
+    bool ratonDentro = false, pulsado[3] = {};
     // funciones del programa
     void (*dibuja)() = nullptr;
     void (*cambiaTamano)(int, int) = nullptr;
@@ -247,6 +247,21 @@ void eligeEnMenu(const Orden &orden) {
           2);
 }
 
+bool botonPulsado() {
+    return std::any_of(std::begin(g.pulsado), std::end(g.pulsado), [](bool pulsado) { return pulsado; });
+}
+
+/// Un ratón no salta: para pulsar en otro sitio, antes se mueve, y el programa lo ve.
+void llevaRaton(int x, int y) {
+    if (g.ratonDentro && x == g.xRaton && y == g.yRaton)
+        return;
+    g.ratonDentro = true;
+    g.xRaton = x;
+    g.yRaton = y;
+    if (auto f = botonPulsado() ? g.arrastre : g.movimiento)
+        f(x, y);
+}
+
 void ejecuta(const Orden &o) {
     switch (o.tipo) {
     case Orden::TECLA:
@@ -262,7 +277,7 @@ void ejecuta(const Orden &o) {
             g.especialArriba(o.a, g.xRaton, g.yRaton);
         break;
     case Orden::BOTON:
-        g.xRaton = o.x, g.yRaton = o.y;
+        llevaRaton(o.x, o.y);
         if (g.pulsado[o.a] == (o.b == GLUT_DOWN))
             falla(o.lugar + ": ese botón ya está " + (o.b == GLUT_DOWN ? "abajo" : "arriba"), 2);
         g.pulsado[o.a] = o.b == GLUT_DOWN;
@@ -272,20 +287,15 @@ void ejecuta(const Orden &o) {
             g.raton(o.a, o.b, o.x, o.y);
         break;
     case Orden::ARRASTRA:
-    case Orden::MUEVE: {
-        const bool conBoton =
-            std::any_of(std::begin(g.pulsado), std::end(g.pulsado), [](bool b) { return b; });
-        if (conBoton != (o.tipo == Orden::ARRASTRA))
-            falla(o.lugar + (conBoton ? ": hay un botón pulsado; es arrastra"
-                                      : ": no hay ningún botón pulsado; es mueve"),
+    case Orden::MUEVE:
+        if (botonPulsado() != (o.tipo == Orden::ARRASTRA))
+            falla(o.lugar + (botonPulsado() ? ": hay un botón pulsado; es arrastra"
+                                            : ": no hay ningún botón pulsado; es mueve"),
                   2);
-        g.xRaton = o.x, g.yRaton = o.y;
-        if (auto f = conBoton ? g.arrastre : g.movimiento)
-            f(o.x, o.y);
+        llevaRaton(o.x, o.y);
         break;
-    }
     case Orden::RUEDA:
-        g.xRaton = o.x, g.yRaton = o.y;
+        llevaRaton(o.x, o.y);
         if (g.rueda) {
             g.rueda(0, o.a, o.x, o.y);
         } else if (g.raton) { // sin función propia, la rueda son los botones 3 y 4

@@ -1,0 +1,89 @@
+// compara ESPERADA.ppm OBTENIDA.ppm [--amplia] [--tolerancia "PORCENTAJE NIVELES MAXIMO"] [--deja PREFIJO]
+// Compara dos imágenes y escribe siempre las cifras. Si las hizo el mismo OpenGL en el mismo entorno (el
+// sello de la cabecera es igual) deben ser idénticas; si no, o con --amplia, a lo sumo un 0.1 % de los
+// píxeles puede diferir en más de 3 niveles de 255 y ninguno en más de 32. Estado: 0 iguales; 1 distintas; 2
+// no se pueden comparar. Si son distintas, --deja guarda PREFIJO-esperada, -obtenida y -diferencia (ampliada
+// 8 veces).
+#include "error.h"
+#include "imagen.h"
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+struct Tolerancia {
+    double porcentaje = 0.1; // de los píxeles
+    int niveles = 3, maximo = 32;
+};
+
+int main(int argc, char **argv) {
+    std::string esperada, obtenida, deja;
+    bool amplia = false;
+    Tolerancia tolerancia;
+    for (int i = 1; i < argc; ++i) {
+        const std::string a = argv[i];
+        if (a == "--amplia")
+            amplia = true;
+        else if (a == "--deja" && i + 1 < argc)
+            deja = argv[++i];
+        else if (a == "--tolerancia" && i + 1 < argc) {
+            if (std::sscanf(argv[++i], "%lf %d %d", &tolerancia.porcentaje, &tolerancia.niveles,
+                            &tolerancia.maximo) != 3)
+                falla("--tolerancia «" + std::string(argv[i]) + "»: son PORCENTAJE NIVELES MAXIMO", 2);
+        } else if (esperada.empty())
+            esperada = a;
+        else if (obtenida.empty())
+            obtenida = a;
+        else
+            falla("sobra «" + a + "»", 2);
+    }
+    if (obtenida.empty())
+        falla(
+            "uso: compara ESPERADA OBTENIDA [--amplia] [--tolerancia \"% NIVELES MAXIMO\"] [--deja PREFIJO]",
+            2);
+
+    std::string selloEsperada, selloObtenida;
+    const Imagen e = leePpm(esperada, &selloEsperada), o = leePpm(obtenida, &selloObtenida);
+    if (e.ancho != o.ancho || e.alto != o.alto)
+        falla("«" + esperada + "» mide " + std::to_string(e.ancho) + "×" + std::to_string(e.alto) + " y «" +
+                  obtenida + "» " + std::to_string(o.ancho) + "×" + std::to_string(o.alto),
+              2);
+
+    int maximo = 0, fuera = 0;
+    double suma = 0, cuadrados = 0;
+    Imagen diferencia{e.ancho, e.alto, std::vector<unsigned char>(e.rgb.size())};
+    for (std::size_t i = 0; i < e.rgb.size(); i += 3) {
+        int delPixel = 0;
+        for (std::size_t c = i; c < i + 3; ++c) {
+            const int d = std::abs(int{e.rgb[c]} - int{o.rgb[c]});
+            delPixel = std::max(delPixel, d);
+            suma += d;
+            cuadrados += static_cast<double>(d) * d;
+            diferencia.rgb[c] = static_cast<unsigned char>(std::min(8 * d, 255));
+        }
+        maximo = std::max(maximo, delPixel);
+        fuera += delPixel > tolerancia.niveles;
+    }
+    const double n = static_cast<double>(e.rgb.size()), rmse = std::sqrt(cuadrados / n);
+    const double porcentaje = 100.0 * fuera / (n / 3);
+    const bool exacta = !amplia && !selloEsperada.empty() && selloEsperada == selloObtenida;
+    const bool bien =
+        exacta ? maximo == 0 : porcentaje <= tolerancia.porcentaje && maximo <= tolerancia.maximo;
+
+    char psnr[32] = "inf";
+    if (rmse > 0)
+        std::snprintf(psnr, sizeof psnr, "%.1f", 20 * std::log10(255 / rmse));
+    std::printf("%s: máximo %d, media %.4f, RMSE %.4f, PSNR %s dB, %d píxeles a más de %d niveles (%.3f %%); "
+                "%s; hecha con %s\n",
+                bien ? "bien" : "DISTINTAS", maximo, suma / n, rmse, psnr, fuera, tolerancia.niveles,
+                porcentaje, exacta ? "deben ser idénticas" : "tolerancia amplia",
+                selloObtenida.empty() ? "un renderizador sin sello" : selloObtenida.c_str());
+    if (!bien && !deja.empty()) {
+        guardaPpm(deja + "-esperada.ppm", e);
+        guardaPpm(deja + "-obtenida.ppm", o);
+        guardaPpm(deja + "-diferencia.ppm", diferencia);
+    }
+    return bien ? 0 : 1;
+}
