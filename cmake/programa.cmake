@@ -52,6 +52,7 @@ function(caso programa nombre)
   set_property(GLOBAL APPEND PROPERTY LAB_CASOS
     "${capitulo}\t${programa}\t${nombre}\t${guion}\t${argumentos}\t${C_TOLERANCIA}")
   set_property(GLOBAL APPEND PROPERTY LAB_NOMBRES_DE_CASOS ${programa}.${nombre})
+  set_property(GLOBAL PROPERTY LAB_GUION_${programa}.${nombre} "${C_GUION}")
 endfunction()
 
 function(escribe_catalogo)

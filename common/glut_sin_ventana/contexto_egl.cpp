@@ -39,8 +39,14 @@ void creaContexto(int ancho, int alto, bool profundidad, bool plantilla) {
                                 EGL_STENCIL_SIZE,
                                 plantilla ? 8 : 0,
                                 EGL_NONE};
-    EGLint cuantas = 0;
-    if (!eglChooseConfig(pantalla, atributos, &configuracion, 1, &cuantas) || cuantas < 1)
+    // EGL ofrece primero las de más bits por componente: hay que buscar la de 8 exactos
+    EGLConfig candidatas[64];
+    EGLint cuantas = 0, bits = 0;
+    eglChooseConfig(pantalla, atributos, candidatas, 64, &cuantas);
+    for (EGLint i = 0; i < cuantas && !configuracion; ++i)
+        if (eglGetConfigAttrib(pantalla, candidatas[i], EGL_RED_SIZE, &bits) && bits == 8)
+            configuracion = candidatas[i];
+    if (!configuracion)
         fallaEgl("no ofrece un framebuffer RGB de 8 bits para OpenGL");
     eglBindAPI(EGL_OPENGL_API);
     const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 1, EGL_NONE};

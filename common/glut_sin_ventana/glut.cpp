@@ -13,7 +13,8 @@
 // glutAttachMenu, glutDetachMenu. Cualquier otra no está y el enlazador lo dice.
 //
 // Diferencias con FreeGLUT: hay una sola ventana; la función de glutIdleFunc se llama una vez tras cada
-// orden del guion; un temporizador de 0 ms espera 1; al acabar el guion la ventana se cierra, como si lo
+// orden del guion; un temporizador de 0 ms espera 1;
+// las teclas modificadoras no se ven; al acabar el guion la ventana se cierra, como si lo
 // hiciera el usuario. Un error de OpenGL, o un mensaje de depuración de error, comportamiento indefinido u
 // obsoleto, acaba el programa con estado 3.
 #include "../error.h"

@@ -163,7 +163,9 @@ void tallaDe(const std::string &texto, int &ancho, int &alto, const std::string 
     if (x == std::string::npos)
         falla(lugar + ": «" + texto + "» no es un tamaño ANCHOxALTO", 2);
     ancho = enteroDe(texto.substr(0, x), 1, LADO_MAXIMO, lugar);
-    alto = enteroDe(texto.substr(x + 1), 1, LADO_MAXIMO, lugar);
+    // como en X, puede seguir la posición (+10+10), que aquí no significa nada
+    const std::string resto = texto.substr(x + 1);
+    alto = enteroDe(resto.substr(0, resto.find_first_of("+-", 1)), 1, LADO_MAXIMO, lugar);
 }
 
 std::vector<Orden> leeGuion(const std::string &guion) {

@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# ventana.sh BUILD PROGRAMA CASO: el mismo caso en una ventana de FreeGLUT bajo Xvfb, con teclado y ratón de verdad;
+# la ventana debe acabar igual que el golden (tolerancia amplia) y Esc debe terminar el programa con 0.
+set -euo pipefail
+build=$1 programa=$2 caso=$3
+aqui=$(cd "$(dirname "$0")" && pwd)
+source "$aqui/xdotool.sh"
+DISPLAY=:$(cat "$build/xvfb/pantalla")
+export DISPLAY
+
+IFS=$'\t' read -r capitulo _ _ guion argumentos tolerancia \
+  < <(awk -F'\t' -v p="$programa" -v c="$caso" '$2 == p && $3 == c' "$build/casos.tsv")
+nombre=$programa; [ "$caso" = base ] || nombre=$programa-$caso
+golden=$aqui/golden/$capitulo/$nombre.ppm
+opciones=(--amplia)
+[ "$tolerancia" = - ] || opciones+=(--tolerancia "$tolerancia")
+extra=()
+[ "$argumentos" = - ] || read -ra extra <<<"$argumentos"
+
+carpeta=$(mktemp -d)
+trap 'kill $pid 2>/dev/null || true; rm -rf "$carpeta"' EXIT
+cd "$carpeta"
+"$build/ventana/$capitulo/$programa" -geometry 240x180+10+10 "${extra[@]}" >salida 2>errores </dev/null &
+pid=$!
+if ! espera_ventana $pid; then
+  echo "no abre su ventana:"
+  cat errores
+  exit 1
+fi
+[ "$guion" = - ] || haz_guion "$guion"
+
+# La ventana tarda en dibujarse: se mira hasta que coincide, cinco segundos como mucho.
+for _ in $(seq 50); do
+  xwd -silent -id "$ventana" 2>/dev/null | xwdtopnm -quiet >ventana.ppm 2>/dev/null || true
+  resultado=$("$build/tests/compara" "$golden" ventana.ppm "${opciones[@]}" 2>&1) && break
+  sleep 0.1
+done
+echo "$resultado"
+if [ "${resultado%%:*}" != bien ]; then
+  mkdir -p "$build/fallos/ventana"
+  "$build/tests/compara" "$golden" ventana.ppm "${opciones[@]}" --deja "$build/fallos/ventana/$nombre" || true
+  exit 1
+fi
+
+xdotool key Escape
+for _ in $(seq 50); do kill -0 $pid 2>/dev/null || break; sleep 0.05; done
+kill -0 $pid 2>/dev/null && { echo "Esc no lo termina"; exit 1; }
+estado=0
+wait $pid || estado=$?
+if [ $estado -ne 0 ] || [ -s errores ]; then
+  echo "Esc lo termina con estado $estado y ha escrito en stderr:"
+  cat errores
+  exit 1
+fi
