@@ -42,12 +42,16 @@ std::string traduceInforme(const std::string &informe, const std::vector<Linea> 
         R"re(^(?:ERROR: |WARNING: )?\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\))\s*:\s*(.*)$)re");
     std::istringstream entrada(informe);
     std::string linea, salida;
+    std::size_t anterior = 0;
     while (std::getline(entrada, linea)) {
         if (linea.empty() || linea[0] == '\0')
             continue;
         std::smatch m;
         if (std::regex_match(linea, m, lugar)) {
             const std::size_t n = std::stoul(m[1].matched ? m[1] : m[2]);
+            if (n == anterior)
+                continue; // los demás errores de una línea suelen venir del primero
+            anterior = n;
             if (n >= 1 && n <= lineas.size()) {
                 const Linea &l = lineas[n - 1];
                 const std::size_t sangria = std::min(l.texto.find_first_not_of(" \t"), l.texto.size());

@@ -1,5 +1,5 @@
-// Escribe en stdout todo lo que GLUT le dice: lo mismo sin ventana y con FreeGLUT (tests/registro.sh lo compara).
-// Con el argumento `menu` pone un menú en el botón derecho. Esc termina.
+// Escribe en stdout todo lo que GLUT le dice: lo mismo sin ventana y con FreeGLUT (tests/registro.sh lo
+// compara). Con el argumento `menu` pone un menú en el botón derecho. Esc termina.
 #include "ventana.h"
 #include <cstdio>
 
@@ -35,7 +35,8 @@ int main(int argc, char **argv) {
     glutMouseFunc([](int boton, int estado, int x, int y) { escribe("boton", boton, estado, x, y); });
     glutMotionFunc([](int x, int y) { escribe("arrastre", x, y, 0, 0); });
     glutPassiveMotionFunc([](int x, int y) { escribe("movimiento", x, y, 0, 0); });
-    glutMouseWheelFunc([](int rueda, int direccion, int x, int y) { escribe("rueda", rueda, direccion, x, y); });
+    glutMouseWheelFunc(
+        [](int rueda, int direccion, int x, int y) { escribe("rueda", rueda, direccion, x, y); });
     glutCloseFunc([] { escribe("cierre", dibujos > 0, 0, 0, 0); });
     glutMainLoop();
     escribe("fin", 0, 0, 0, 0);

@@ -1,0 +1,194 @@
+// La costura: opciones, guion, reloj, menús, errores de OpenGL y estados de salida de glut_sin_ventana,
+// vistos desde fuera, con programas enteros.
+#include "ejecuta.h"
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const char *const GRUA = "ch03_transformaciones/grua";
+const char *const DEFECTUOSO = "../tests/defectuoso";
+
+/// Espera un fallo con ese estado, sin imagen y con una sola línea en stderr que contiene `mensaje`.
+void esperaFallo(const Ejecucion &e, int estado, const std::string &mensaje) {
+    EXPECT_EQ(e.estado, estado) << e.errores;
+    EXPECT_TRUE(e.imagen.rgb.empty());
+    EXPECT_NE(e.errores.find(mensaje), std::string::npos)
+        << "esperaba «" << mensaje << "» y ha dicho: " << e.errores;
+    EXPECT_EQ(std::count(e.errores.begin(), e.errores.end(), '\n'), 1) << e.errores;
+}
+
+} // namespace
+
+TEST(Opciones, LasMalEscritasAcabanCon2) {
+    esperaFallo(ejecuta(GRUA, "", 240, 180, {"-nada"}), 2, "no entiendo «-nada»; uso: grua");
+    esperaFallo(ejecuta(GRUA, "", 240, 180, {"foto.ppm"}), 2, "no entiendo «foto.ppm»");
+    esperaFallo(ejecuta(GRUA, "", 240, 180, {"-geometry"}), 2, "-geometry: falta su valor");
+    esperaFallo(ejecuta(GRUA, "", 240, 180, {"-geometry", "diez"}), 2,
+                "-geometry: «diez» no es un tamaño ANCHOxALTO");
+    esperaFallo(ejecuta(GRUA, "", 240, 180, {"-mide", "0"}), 2, "-mide: «0» no es un número entre 1 y");
+    esperaFallo(ejecuta(GRUA, "", 240, 180, {"-mide", "1e3"}), 2, "-mide: «1e3» no es un número");
+    esperaFallo(ejecuta(GRUA, "gira"), 2, "guion, orden 1 «gira»: no conozco la orden «gira»");
+    esperaFallo(ejecuta(GRUA, "tecla d; menu Vista/Planta"), 2,
+                "orden 2 «menu Vista/Planta»: no hay esa opción; el programa no tiene menú");
+    esperaFallo(ejecuta(GRUA, "tecla Esc; tecla d"), 2, "orden 2 «tecla d»: el programa ya ha terminado");
+    esperaFallo(ejecuta(GRUA, "arrastra 1 1"), 2, "no hay ningún botón pulsado; es mueve");
+    esperaFallo(ejecuta(GRUA, "boton IZQUIERDO arriba 1 1"), 2, "ese botón ya está arriba");
+}
+
+TEST(Opciones, AyudaLasEnumera) {
+    const Ejecucion e = ejecuta(GRUA, "", 240, 180, {"-ayuda"});
+    EXPECT_EQ(e.estado, 0);
+    for (const char *que : {"-geometry", "-guion", "-ppm", "-mide", "-ayuda", "tecla", "especial", "boton",
+                            "arrastra", "mueve", "rueda", "menu", "tamano", "espera", "captura"})
+        EXPECT_NE(e.salida.find(que), std::string::npos) << que;
+}
+
+TEST(Opciones, MideEscribeUnaLineaTsv) {
+    const Ejecucion e = ejecuta(GRUA, "", 240, 180, {"-mide", "5"});
+    EXPECT_EQ(e.estado, 0) << e.errores;
+    EXPECT_EQ(std::count(e.salida.begin(), e.salida.end(), '\n'), 1);
+    EXPECT_EQ(std::count(e.salida.begin(), e.salida.end(), '\t'), 7);
+    EXPECT_EQ(e.salida.rfind("grua\t240x180\t", 0), 0u) << e.salida;
+    EXPECT_NE(e.salida.find("\t72\t"), std::string::npos) << "seis cubos son 72 triángulos: " << e.salida;
+}
+
+TEST(Imagen, SiNoSePuedeGuardarAcabaCon1YNoQuedaNada) {
+    esperaFallo(ejecuta(GRUA, "", 240, 180, {"-ppm", "/no/hay/x.ppm"}), 1,
+                "no puedo guardar «/no/hay/x.ppm»");
+    esperaFallo(ejecuta(GRUA, "", 240, 180, {"-ppm", "/dev/full"}), 1, "no puedo guardar «/dev/full»");
+    esperaFallo(ejecuta(GRUA, "captura /no/hay/y.ppm"), 1, "no puedo guardar «/no/hay/y.ppm»");
+}
+
+TEST(Imagen, CualquierTamano) {
+    for (const auto &[ancho, alto] : {std::pair(1, 1), {1, 300}, {300, 1}, {3, 2}, {1001, 13}}) {
+        const Ejecucion e = ejecuta(GRUA, "", ancho, alto);
+        EXPECT_EQ(e.estado, 0) << e.errores;
+        EXPECT_EQ(e.imagen.ancho, ancho);
+        EXPECT_EQ(e.imagen.alto, alto);
+    }
+}
+
+// Cambiar de tamaño y volver deja la misma imagen; capturar en medio no la toca.
+TEST(Imagen, CambiarDeTamanoYVolver) {
+    const Ejecucion e = ejecuta(GRUA),
+                    vuelta = ejecuta(GRUA, "tamano 1 1; tamano 500 20; captura c.ppm; tamano 240 180");
+    EXPECT_EQ(vuelta.estado, 0) << vuelta.errores;
+    EXPECT_EQ(e.imagen.rgb, vuelta.imagen.rgb);
+}
+
+TEST(ErrorDeOpenGL, AcabaCon3YDiceDonde) {
+    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"enum"}), 3, "error de OpenGL al dibujar: GL_INVALID_ENUM");
+    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"callado"}), 3, "error de OpenGL al dibujar: GL_INVALID_ENUM");
+    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"inicio"}), 3,
+                "error de OpenGL antes de glutMainLoop: GL_INVALID_ENUM");
+    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"exit"}), 3, "error de OpenGL: GL_INVALID_ENUM");
+}
+
+// Lo que no es OpenGL 3.1 con GLSL 1.40 no pasa.
+TEST(ErrorDeOpenGL, EsUn31Estricto) {
+    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"begin"}), 3, "error de OpenGL al dibujar");
+    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"sin_vao"}), 3,
+                "error de OpenGL al dibujar: GL_INVALID_OPERATION");
+    const Ejecucion e = ejecuta(DEFECTUOSO, "", 9, 9, {"glsl150"});
+    EXPECT_EQ(e.estado, 1);
+    EXPECT_NE(e.errores.find("tests/glsl150.vert:1: error: GLSL 1.50 is not supported"), std::string::npos)
+        << e.errores;
+}
+
+TEST(ErrorDelPrograma, DosVentanas) {
+    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"dos_ventanas"}), 1,
+                "glut_sin_ventana solo tiene una ventana");
+}
+
+TEST(Shader, ElQueFaltaDiceDondeSeHaBuscado) {
+    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"sin_shader"}), 1,
+                "no encuentro «tests/no_esta.vert»; lo he buscado en ");
+}
+
+TEST(Shader, ElErrorDeUnFicheroIncluidoNombraEseFichero) {
+    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"inclusion"}), 1,
+                "tests/inclusion.glsl:3: error: `y' undeclared — «return 2.0 * y;»");
+}
+
+TEST(Shader, UnUniformQueNoEstaAvisaUnaVez) {
+    const Ejecucion e = ejecuta(DEFECTUOSO, "", 9, 9, {"uniforme"});
+    EXPECT_EQ(e.estado, 0);
+    EXPECT_EQ(e.errores,
+              "defectuoso: aviso: el uniform «noExiste» no está o no se usa en tests/mutante.vert y "
+              "tests/mutante.frag\n");
+}
+
+// F5 con el shader roto conserva el que había y dice la línea; arreglado, lo usa.
+TEST(Shader, F5LosVuelveALeer) {
+    const fs::path raiz = fs::path(testing::TempDir()) / "raiz_f5";
+    fs::create_directories(raiz / "tests");
+    std::ofstream(raiz / "tests/recarga.vert") << "#version 140\nvoid main() {\n    gl_Position = vec4(4 * "
+                                                  "(gl_VertexID % 2) - 1, 4 * (gl_VertexID / 2) - 1, 0.0, "
+                                                  "1.0);\n}\n";
+    setenv("LAB_RAIZ", raiz.c_str(), 1);
+    const Ejecucion e =
+        ejecuta(DEFECTUOSO, "espera 10; especial F5; espera 10; especial F5", 9, 9, {"recarga"});
+    unsetenv("LAB_RAIZ");
+    EXPECT_EQ(e.estado, 0) << e.errores;
+    EXPECT_EQ(e.salida, "255 0 0\n255 0 0\n0 255 0\n");
+    EXPECT_EQ(e.errores.rfind("defectuoso: aviso: tests/recarga.frag:4: error: ", 0), 0u) << e.errores;
+}
+
+// El reloj solo avanza con `espera`; los temporizadores vencen en orden, y entre iguales el que antes se
+// pidió.
+TEST(Reloj, LosTemporizadoresVencenEnOrden) {
+    const Ejecucion e = ejecuta(DEFECTUOSO, "tecla a; espera 249; espera 1; espera 150", 9, 9, {"tiempo"});
+    EXPECT_EQ(e.estado, 0) << e.errores;
+    EXPECT_EQ(e.salida, "100 a 100 ms\n100 a 200 ms\n250 a 250 ms\nmenu 1\n100 a 300 ms\n100 a 400 ms\n");
+}
+
+TEST(Menu, SeEligePorSuRuta) {
+    const Ejecucion e = ejecuta(DEFECTUOSO,
+                                "menu Vista/Perfil; menu Salir; menu Vista/Planta; boton DERECHO abajo 1 1; "
+                                "boton DERECHO arriba 1 1; boton IZQUIERDO abajo 1 1",
+                                9, 9, {"menu"});
+    EXPECT_EQ(e.estado, 0) << e.errores;
+    EXPECT_EQ(e.salida,
+              "menu 2\nmenu 3\nmenu 1\nboton 0 0\n"); // el derecho abre el menú y el programa no lo ve
+    for (const char *mal : {"menu Vista", "menu Vista/Alzado", "menu Salir/Planta", "menu Planta"})
+        esperaFallo(ejecuta(DEFECTUOSO, mal, 9, 9, {"menu"}), 2,
+                    "no hay esa opción; el menú tiene «Vista/…» «Salir»");
+}
+
+// Ni los procesadores ni la carpeta de trabajo (ejecuta usa una temporal) cambian la imagen.
+TEST(Determinismo, LosHilosNoCambianLaImagen) {
+    const Ejecucion e = ejecuta(GRUA);
+    for (const char *hilos : {"0", "2", "16"}) {
+        setenv("LP_NUM_THREADS", hilos, 1);
+        EXPECT_EQ(ejecuta(GRUA).imagen.rgb, e.imagen.rgb) << hilos;
+    }
+    unsetenv("LP_NUM_THREADS");
+}
+
+// Todos los programas acaban con Esc, sin imagen a medias ni mensajes, y aguantan 1×1 y volver.
+TEST(TodosLosProgramas, TerminanConEscYAguantan1x1) {
+    std::ifstream catalogo(LAB_BUILD "/casos.tsv");
+    std::string capitulo, programa, resto, anterior;
+    int cuantos = 0;
+    while (std::getline(catalogo, capitulo, '\t') && std::getline(catalogo, programa, '\t') &&
+           std::getline(catalogo, resto)) {
+        if (programa == anterior)
+            continue;
+        anterior = programa;
+        ++cuantos;
+        const Ejecucion e = ejecuta(capitulo + "/" + programa,
+                                    "tamano 1 1; tamano 1 200; tamano 300 1; tamano 240 180; tecla Esc");
+        EXPECT_EQ(e.estado, 0) << programa << ": " << e.errores;
+        EXPECT_EQ(e.errores, "") << programa;
+        EXPECT_EQ(e.imagen.ancho, 240) << programa;
+        EXPECT_EQ(e.imagen.rgb, ejecuta(capitulo + "/" + programa).imagen.rgb)
+            << programa << " no vuelve a su imagen";
+    }
+    EXPECT_GE(cuantos, 4);
+}

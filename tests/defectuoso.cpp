@@ -1,0 +1,99 @@
+// Programas mal hechos, uno por argumento: lo que glut_sin_ventana debe notar (tests/costura_test.cpp).
+#include "error.h"
+#include "imagen.h"
+#include "shader.h"
+#include "ventana.h"
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+static std::string defecto;
+
+static void dibuja() {
+    glClear(GL_COLOR_BUFFER_BIT);
+    if (defecto == "enum") {
+        glEnable(GL_TEXTURE_2D); // no existe en un contexto core
+    } else if (defecto == "begin") {
+        glBegin(GL_TRIANGLES);
+        glEnd();
+    } else if (defecto == "sin_vao") {
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    } else if (defecto == "callado") { // el programa se traga el error
+        glEnable(GL_TEXTURE_2D);
+        while (glGetError() != GL_NO_ERROR) {
+        }
+    } else if (defecto == "recarga") {
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        const Imagen imagen = leeVentana();
+        std::printf("%d %d %d\n", imagen.rgb[0], imagen.rgb[1], imagen.rgb[2]);
+    }
+    glutSwapBuffers();
+}
+
+// El usuario edita el shader mientras el programa corre: primero se equivoca y luego lo arregla.
+static void edita(int version) {
+    const std::string cuerpo = version == 0   ? "1.0, 0.0, 0.0, 1.0"
+                               : version == 1 ? "1.0, ,"
+                                              : "0.0, 1.0, 0.0, 1.0";
+    std::ofstream(std::getenv("LAB_RAIZ") + std::string("/tests/recarga.frag"))
+        << "#version 140\nout vec4 colorFragmento;\nvoid main() {\n    colorFragmento = vec4(" << cuerpo
+        << ");\n}\n";
+}
+
+static void temporizador(int valor) {
+    std::printf("%d a %d ms\n", valor, glutGet(GLUT_ELAPSED_TIME));
+    glutTimerFunc(static_cast<unsigned>(valor), temporizador, valor);
+    glutPostRedisplay();
+}
+
+static void menu(int valor) {
+    std::printf("menu %d\n", valor);
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "defectuoso", 100, 100, GLUT_DOUBLE | GLUT_RGBA, "DEFECTO");
+    defecto = argc > 1 ? argv[1] : "";
+    glutDisplayFunc(dibuja);
+    if (defecto == "inicio") {
+        glEnable(GL_TEXTURE_2D);
+    } else if (defecto == "exit") {
+        glEnable(GL_TEXTURE_2D);
+        std::exit(0);
+    } else if (defecto == "dos_ventanas") {
+        glutCreateWindow("otra");
+    } else if (defecto == "glsl150") {
+        creaPrograma("tests/glsl150.vert", "tests/mutante.frag");
+    } else if (defecto == "sin_shader") {
+        creaPrograma("tests/no_esta.vert", "tests/mutante.frag");
+    } else if (defecto == "uniforme") {
+        const GLuint p = creaPrograma("tests/mutante.vert", "tests/mutante.frag");
+        uniforme(p, "noExiste");
+        uniforme(p, "noExiste");
+    } else if (defecto == "inclusion") {
+        creaPrograma("tests/inclusion.vert", "tests/mutante.frag");
+    } else if (defecto == "recarga") {
+        GLuint vao;
+        glGenVertexArrays(1, &vao);
+        glBindVertexArray(vao);
+        edita(0);
+        glUseProgram(creaPrograma("tests/recarga.vert", "tests/recarga.frag"));
+        glutTimerFunc(10, edita, 1);
+        glutTimerFunc(20, edita, 2);
+    } else if (defecto == "tiempo") {
+        glutTimerFunc(250, temporizador, 250);
+        glutTimerFunc(100, temporizador, 100);
+        glutTimerFunc(250, menu, 1); // vence a la vez que el primero y se pidió después
+    } else if (defecto == "menu") {
+        const int vistas = glutCreateMenu(menu);
+        glutAddMenuEntry("Planta", 1);
+        glutAddMenuEntry("Perfil", 2);
+        glutCreateMenu(menu);
+        glutAddSubMenu("Vista", vistas);
+        glutAddMenuEntry("Salir", 3);
+        glutAttachMenu(GLUT_RIGHT_BUTTON);
+        glutMouseFunc([](int b, int e, int, int) { std::printf("boton %d %d\n", b, e); });
+    }
+    glutMainLoop();
+    return 0;
+}

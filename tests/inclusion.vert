@@ -1,0 +1,7 @@
+#version 140
+
+#include "tests/inclusion.glsl"
+
+void main() {
+    gl_Position = vec4(doble(1.0));
+}

@@ -1,0 +1,137 @@
+// Los lectores de common/: imágenes, mallas v/f y rutas. Lo bueno, y qué dicen de lo malo.
+#include "imagen.h"
+#include "malla.h"
+#include "rutas.h"
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+
+namespace fs = std::filesystem;
+using testing::ExitedWithCode;
+
+namespace {
+
+std::string escribe(const std::string &nombre, const std::string &contenido) {
+    const std::string ruta = testing::TempDir() + nombre;
+    std::ofstream(ruta, std::ios::binary) << contenido;
+    return ruta;
+}
+
+} // namespace
+
+// El fichero empieza por la fila de arriba; la imagen, por la de abajo. Anchura 3: no es múltiplo de 4.
+TEST(LeeTextura, DaLaVueltaALasFilas) {
+    const Imagen i = leeTextura(escribe("t.rgb", "abcdefghi"
+                                                 "ABCDEFGHI"),
+                                3, 2);
+    EXPECT_EQ(std::string(i.rgb.begin(), i.rgb.end()), "ABCDEFGHIabcdefghi");
+}
+
+TEST(LeeTextura, RechazaOtroTamanoDiciendoLosDos) {
+    for (const auto &[contenido, hay] :
+         {std::pair(std::string(17, 'x'), "17"), {std::string(19, 'x'), "19"}, {"", "0"}})
+        EXPECT_EXIT(leeTextura(escribe("t.rgb", contenido), 3, 2), ExitedWithCode(1),
+                    std::string("t.rgb»: una imagen RGB de 3×2 ocupa 18 bytes y hay ") + hay);
+    EXPECT_EXIT(leeTextura("/no/esta.rgb", 3, 2), ExitedWithCode(1),
+                "no puedo leer «/no/esta.rgb»: No such file");
+    EXPECT_EXIT(leeTextura(testing::TempDir(), 3, 2), ExitedWithCode(1), "es una carpeta");
+    EXPECT_EXIT(leeTextura("t.rgb", 0, 2), ExitedWithCode(1), "no hay texturas de 0×2");
+    EXPECT_EXIT(leeTextura("t.rgb", 100000, 100000), ExitedWithCode(1), "no hay texturas de 100000×100000");
+}
+
+TEST(Ppm, LoGuardadoSeLeeIgual) {
+    Imagen i{5, 3, {}};
+    for (int k = 0; k < 45; ++k)
+        i.rgb.push_back(static_cast<unsigned char>(k * 5 + 7));
+    const std::string ruta = testing::TempDir() + "ida_y_vuelta.ppm";
+    guardaPpm(ruta, i, "un sello");
+    std::string comentario;
+    const Imagen j = leePpm(ruta, &comentario);
+    EXPECT_EQ(i.rgb, j.rgb);
+    EXPECT_EQ(j.ancho, 5);
+    EXPECT_EQ(comentario, "un sello");
+}
+
+TEST(Ppm, LaPrimeraFilaDelFicheroEsLaDeArriba) {
+    const Imagen i = leePpm(escribe("dos.ppm", "P6 1 2 255\nabcDEF"));
+    EXPECT_EQ(std::string(i.rgb.begin(), i.rgb.end()), "DEFabc");
+}
+
+TEST(Ppm, RechazaLoQueNoEntiende) {
+    const struct {
+        const char *contenido, *mensaje;
+    } casos[] = {{"", "no es un PPM binario"},
+                 {"P3 1 1 255\n1 2 3", "no es un PPM binario"},
+                 {"P6\n", "la cabecera del PPM no es válida"},
+                 {"P6 0 1 255\n", "la cabecera del PPM no es válida"},
+                 {"P6 99999999 1 255\n", "la cabecera del PPM no es válida"},
+                 {"P6 -1 1 255\n", "la cabecera del PPM no es válida"},
+                 {"P6 1 1 65535\nabcdef", "no es válida|solo se leen PPM de 8 bits"},
+                 {"P6 1 1 15\nabc", "solo se leen PPM de 8 bits"},
+                 {"P6 2 2 255\nabc", "una imagen RGB de 2×2 ocupa 12 bytes y hay 3"},
+                 {"P6 1 1 255\nabcd", "una imagen RGB de 1×1 ocupa 3 bytes y hay 4"},
+                 {"P6 #", "la cabecera del PPM no es válida"}};
+    for (const auto &c : casos)
+        EXPECT_EXIT(leePpm(escribe("mal.ppm", c.contenido)), ExitedWithCode(1), c.mensaje) << c.contenido;
+}
+
+// Entero o nada: con el disco lleno o la carpeta cerrada hay mensaje y no queda nada a medias.
+TEST(GuardaPpm, EnteroONada) {
+    const Imagen i{100, 100, std::vector<unsigned char>(30000, 9)};
+    EXPECT_EXIT(guardaPpm("/dev/full", i), ExitedWithCode(1), "no puedo guardar «/dev/full»: No space left");
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+    EXPECT_EXIT(guardaPpm("/no/hay/carpeta.ppm", i), ExitedWithCode(1),
+                "no puedo guardar «/no/hay/carpeta.ppm»");
+    const fs::path carpeta = fs::path(testing::TempDir()) / "carpeta_ppm";
+    fs::remove_all(carpeta);
+    fs::create_directories(carpeta / "ocupada.ppm");
+    EXPECT_EXIT(guardaPpm((carpeta / "ocupada.ppm").string(), i), ExitedWithCode(1), "no puedo guardar");
+    EXPECT_EQ(std::distance(fs::directory_iterator(carpeta), {}), 1);
+}
+
+TEST(LeeVf, LeeVerticesYCaras) {
+    const MallaVf m = leeVf(escribe(
+        "m.vf", "# dos triángulos\nv 0 0 0\nv 1 0 0 # otro\nv 1 1 0\n\nv 0 1.5e0 -2\nf 1 2 3\nf 1 3 4\n"));
+    ASSERT_EQ(m.vertices.size(), 4u);
+    EXPECT_EQ(m.vertices[3], glm::vec3(0, 1.5f, -2));
+    ASSERT_EQ(m.caras.size(), 2u);
+    EXPECT_EQ(m.caras[1], (std::vector<GLuint>{0, 2, 3}));
+}
+
+TEST(LeeVf, CadaErrorDiceFicheroYLinea) {
+    const std::string tres = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+    const struct {
+        std::string contenido;
+        const char *mensaje;
+    } casos[] = {{tres + "f 0 1 2", "m.vf:4: el vértice 0 no existe: hay 3, desde el 1"},
+                 {tres + "f 1 2 4", "m.vf:4: el vértice 4 no existe: hay 3"},
+                 {tres + "f 1 2", "m.vf:4: una cara necesita al menos tres vértices y hay 2"},
+                 {tres + "f 1 2 2", "m.vf:4: el vértice 2 está dos veces en la cara"},
+                 {tres + "f 1 b 3", "m.vf:4: «b» no es un número de vértice"},
+                 {tres + "f 1 -2 3", "m.vf:4: «-2» no es un número de vértice"},
+                 {tres + "f 1 2 99999999999999999999", "m.vf:4: .* no es un número de vértice"},
+                 {"v 0 0\n", "m.vf:1: un vértice son tres números — «v 0 0»"},
+                 {"v 0 0 x\n", "m.vf:1: un vértice son tres números"},
+                 {"v 0 0 0 0\n", "m.vf:1: un vértice son tres números"},
+                 {"v 0 0 nan\n", "m.vf:1: un vértice son tres números"},
+                 {"hola\n", "m.vf:1: cada línea empieza por v o por f"},
+                 {tres, "m.vf» no tiene ninguna cara"},
+                 {"", "m.vf» no tiene ninguna cara"}};
+    for (const auto &c : casos)
+        EXPECT_EXIT(leeVf(escribe("m.vf", c.contenido)), ExitedWithCode(1), c.mensaje) << c.contenido;
+}
+
+TEST(Recurso, SeBuscaPrimeroEnLabRaiz) {
+    const fs::path raiz = fs::path(testing::TempDir()) / "raiz";
+    fs::create_directories(raiz / "ch03_transformaciones");
+    std::ofstream(raiz / "ch03_transformaciones/objeto.vert") << "otro";
+    setenv("LAB_RAIZ", raiz.c_str(), 1);
+    EXPECT_EQ(leeFichero(recurso("ch03_transformaciones/objeto.vert")), "otro");
+    EXPECT_NE(leeFichero(recurso("ch03_transformaciones/objeto.frag")),
+              ""); // no está allí: el del árbol de fuentes
+    EXPECT_EXIT(recurso("ch99/nada.vert"), ExitedWithCode(1),
+                "no encuentro «ch99/nada.vert»; lo he buscado en .*raiz/ch99.*, .*, ");
+    unsetenv("LAB_RAIZ");
+}

@@ -1,0 +1,128 @@
+// Las mallas de common/: cerradas, orientadas hacia fuera, con normales unitarias y sobre la superficie que
+// dicen ser.
+#include "malla.h"
+#include <array>
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <map>
+
+namespace {
+
+using Punto = std::array<float, 3>;
+
+Punto punto(const glm::vec3 &p) {
+    return {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f}; // −0 y 0 son el mismo punto
+}
+
+/// Cada arista, vista por posición, la recorren dos triángulos en sentidos opuestos.
+void esperaCerradaYOrientada(const Malla &m) {
+    std::map<std::pair<Punto, Punto>, int> aristas;
+    for (std::size_t t = 0; t < m.indices.size(); t += 3)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Punto a = punto(m.vertices[m.indices[t + k]].posicion);
+            const Punto b = punto(m.vertices[m.indices[t + (k + 1) % 3]].posicion);
+            ASSERT_NE(a, b) << "triángulo sin área " << t / 3;
+            ++aristas[{a, b}];
+        }
+    for (const auto &[arista, veces] : aristas) {
+        ASSERT_EQ(veces, 1);
+        ASSERT_EQ(aristas.count({arista.second, arista.first}), 1u) << "arista de borde";
+    }
+}
+
+void esperaNormales(const Malla &m) {
+    for (const Vertice &v : m.vertices) {
+        ASSERT_NEAR(glm::length(v.normal), 1, 1e-6);
+        ASSERT_GE(std::min(v.coordTextura.s, v.coordTextura.t), 0);
+        ASSERT_LE(std::max(v.coordTextura.s, v.coordTextura.t), 1);
+    }
+    for (std::size_t t = 0; t < m.indices.size(); t += 3) { // la del triángulo mira como las de sus vértices
+        const Vertice &a = m.vertices[m.indices[t]], &b = m.vertices[m.indices[t + 1]],
+                      &c = m.vertices[m.indices[t + 2]];
+        const glm::vec3 n = glm::cross(b.posicion - a.posicion, c.posicion - a.posicion);
+        ASSERT_GT(glm::dot(n, a.normal + b.normal + c.normal), 0) << "triángulo " << t / 3;
+    }
+}
+
+double volumen(const Malla &m) {
+    double v = 0;
+    for (std::size_t t = 0; t < m.indices.size(); t += 3) {
+        const glm::dvec3 a(m.vertices[m.indices[t]].posicion), b(m.vertices[m.indices[t + 1]].posicion),
+            c(m.vertices[m.indices[t + 2]].posicion);
+        v += glm::dot(a, glm::cross(b, c)) / 6;
+    }
+    return v;
+}
+
+const double PI = std::acos(-1.0);
+
+} // namespace
+
+// El volumen de cada sólido se acerca por debajo al exacto cuando crece n (inscrito), y nunca es negativo.
+TEST(Mallas, CerradasOrientadasYConSuVolumen) {
+    const struct {
+        const char *nombre;
+        std::function<Malla(int)> malla;
+        double exacto;
+    } solidos[] = {{"cubo", [](int) { return cubo(); }, 1},
+                   {"esfera", esfera, 4 * PI / 3},
+                   {"cilindro", cilindro, PI},
+                   {"cono", cono, PI / 3},
+                   {"toro", [](int n) { return toro(1, 0.3f, n, n); }, 2 * PI * PI * 0.09}};
+    for (const auto &s : solidos) {
+        SCOPED_TRACE(s.nombre);
+        for (int n : {0, 3, 4, 7, 64}) {
+            SCOPED_TRACE(n);
+            const Malla m = s.malla(n);
+            esperaCerradaYOrientada(m);
+            esperaNormales(m);
+            EXPECT_GT(volumen(m), 0);
+            EXPECT_LE(volumen(m), s.exacto * (1 + 1e-6));
+        }
+        EXPECT_NEAR(volumen(s.malla(256)), s.exacto, 2e-3 * s.exacto);
+    }
+}
+
+TEST(Mallas, LosVerticesEstanEnLaSuperficie) {
+    for (const Vertice &v : esfera(33).vertices) {
+        EXPECT_NEAR(glm::length(v.posicion), 1, 1e-6);
+        EXPECT_NEAR(glm::dot(v.posicion, v.normal), 1, 1e-6);
+    }
+    for (const Vertice &v : toro(2, 0.5f, 20, 12).vertices) {
+        const float anillo = glm::length(glm::vec2(v.posicion)) - 2;
+        EXPECT_NEAR(std::hypot(anillo, v.posicion.z), 0.5, 1e-6);
+    }
+    for (const Vertice &v : cono(20).vertices)
+        EXPECT_LE(glm::length(glm::vec2(v.posicion)), 1 - v.posicion.z + 1e-6);
+    for (const Vertice &v : cilindro(20).vertices)
+        EXPECT_EQ(std::fabs(v.posicion.z), 0.5f);
+}
+
+TEST(Mallas, Plano) {
+    const Malla m = plano(3);
+    EXPECT_EQ(m.indices.size(), 3u * 18);
+    esperaNormales(m);
+    double area = 0;
+    for (std::size_t t = 0; t < m.indices.size(); t += 3) {
+        const glm::vec3 a = m.vertices[m.indices[t]].posicion, b = m.vertices[m.indices[t + 1]].posicion,
+                        c = m.vertices[m.indices[t + 2]].posicion;
+        area += static_cast<double>(glm::cross(b - a, c - a).z) / 2;
+    }
+    EXPECT_NEAR(area, 1, 1e-6);
+}
+
+// La flecha del arco, calculada en long double, no pasa de la tolerancia; con un segmento menos sí.
+TEST(SegmentosPara, LosJustos) {
+    for (float r : {1.0f, 10.0f, 100.0f, 360.0f, 2000.0f})
+        for (float tolerancia : {0.5f, 0.25f, 0.1f}) {
+            const int n = segmentosPara(r, tolerancia);
+            const auto flecha = [&](int k) { return r * (1 - std::cos(std::acos(-1.0L) / k)); };
+            EXPECT_LE(flecha(n), tolerancia * (1 + 1e-6L)) << r << " " << tolerancia;
+            EXPECT_TRUE(n == 3 || flecha(n - 1) > tolerancia * (1 - 1e-6L)) << r << " " << tolerancia;
+        }
+    EXPECT_EQ(segmentosPara(0.2f), 3);
+    EXPECT_EQ(segmentosPara(0), 3);
+    EXPECT_EQ(segmentosPara(1e9f), 1024);
+    EXPECT_EQ(segmentosPara(std::nanf("")), 3);
+}

@@ -1,0 +1,64 @@
+// Una esfera con luz y textura a la que se puede estropear una cosa: con eso se prueba que el comparador la
+// nota (tests/mutaciones.sh). Argumento: nada, luz (gira 3 grados), textura (falta), pixel (todo se corre
+// uno) o triangulo (falta uno de los 3968).
+#include "error.h"
+#include "malla.h"
+#include "shader.h"
+#include "textura.h"
+#include "ventana.h"
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <string>
+
+static struct {
+    GLuint programa;
+    Buferes esfera;
+    std::string mutacion = "nada";
+} estado;
+
+static void inicia() {
+    estado.programa = creaPrograma("tests/mutante.vert", "tests/mutante.frag");
+    Malla malla = esfera(64);
+    if (estado.mutacion == "triangulo") {
+        const auto centro = malla.indices.begin() + 3 * (64 + 15 * 128 + 96); // en medio de lo que se ve
+        malla.indices.erase(centro, centro + 3);
+    }
+    estado.esfera = creaBuferes(malla);
+    Imagen ajedrez{8, 8, {}};
+    for (int i = 0; i < 64; ++i)
+        for (int c = 0; c < 3; ++c)
+            ajedrez.rgb.push_back((i + i / 8) % 2 ? 230 : c == 2 ? 60 : 180);
+    if (estado.mutacion == "textura")
+        ajedrez = {1, 1, {255, 255, 255}};
+    creaTextura2D(ajedrez);
+    glEnable(GL_DEPTH_TEST);
+    glClearColor(0.2f, 0.3f, 0.4f, 1);
+}
+
+static void dibuja() {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glUseProgram(estado.programa);
+    const float giro = glm::radians(estado.mutacion == "luz" ? 43.0f : 40.0f);
+    const glm::vec3 luz(std::sin(giro), 0.3f, std::cos(giro));
+    const glm::mat4 camara =
+        perspectivaVentana(0.6f, 1, 10) * glm::lookAt(glm::vec3(0, -4, 0), glm::vec3(0), glm::vec3(0, 0, 1));
+    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
+    glUniform3f(uniforme(estado.programa, "luz"), luz.x, -luz.z, luz.y);
+    glDrawElements(GL_TRIANGLES, estado.esfera.nIndices, GL_UNSIGNED_INT, nullptr);
+    glutSwapBuffers();
+}
+
+static void cambiaTamano(int ancho, int alto) {
+    glViewport(estado.mutacion == "pixel" ? 1 : 0, 0, ancho, alto);
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "mutante", 240, 180, GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH, "[MUTACION]");
+    if (argc > 1)
+        estado.mutacion = argv[1];
+    inicia();
+    glutDisplayFunc(dibuja);
+    glutReshapeFunc(cambiaTamano);
+    glutMainLoop();
+    return 0;
+}
