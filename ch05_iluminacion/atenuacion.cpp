@@ -1,6 +1,6 @@
-// La atenuación de la luz con la distancia d a la fuente, 1/(a + b·d + c·d²) (ecuación 5.3), sobre filas de esferas
-// que se alejan de ella: constante (a), lineal (b) y cuadrática (c). Con estos coeficientes las tres valen 1 a
-// distancia 3: más cerca alumbra más la cuadrática y más lejos, la constante.
+// La atenuación de la luz con la distancia d a la fuente, 1/(a + b·d + c·d²) (ecuación 5.3), sobre filas de
+// esferas que se alejan de ella: constante (a), lineal (b) y cuadrática (c). Con estos coeficientes las tres
+// valen 1 a distancia 3: más cerca alumbra más la cuadrática y más lejos, la constante.
 // Controles: 1 constante · 2 lineal · 3 cuadrática · ratón orbita · Esc termina.
 #include "ch03_transformaciones/transformaciones.h"
 #include "iluminacion.h"
@@ -28,7 +28,7 @@ static void inicia() {
     estado.programa =
         creaPrograma("ch05_iluminacion/sombreado_phong.vert", "ch05_iluminacion/sombreado_phong.frag");
     estado.plano = creaBuferes(plano(1));
-    estado.esfera = creaBuferes(esfera(segmentosPara(60, 0.1f)));
+    estado.esfera = creaBuferes(esfera(segmentosPara(60, 0.05f)));
     glEnable(GL_DEPTH_TEST);
     glClearColor(0.10f, 0.11f, 0.13f, 1);
 }

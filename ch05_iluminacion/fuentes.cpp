@@ -1,6 +1,6 @@
-// Los tipos de fuente de luz de §5.2 (figuras 5.4 y 5.5): posicional, que alumbra en todas las direcciones desde un
-// punto; direccional, de rayos paralelos; y foco, una posicional que solo alumbra dentro de un cono y se concentra
-// alrededor de su eje según un exponente. No hay sombras: son el capítulo 7.
+// Los tipos de fuente de luz de §5.2 (figuras 5.4 y 5.5): posicional, que alumbra en todas las direcciones
+// desde un punto; direccional, de rayos paralelos; y foco, una posicional que solo alumbra dentro de un cono
+// y se concentra alrededor de su eje según un exponente. No hay sombras: son el capítulo 7.
 // Controles: 1 posicional · 2 direccional · 3 foco · + - exponente del foco · ratón orbita · Esc termina.
 #include "ch03_transformaciones/transformaciones.h"
 #include "iluminacion.h"
@@ -62,7 +62,7 @@ static void dibujaFuente(const glm::vec3 &S) {
         dibujaObjeto(estado.esfera, traslacion(POSICION) * escalado(0.22f), encendido);
     if (estado.tipo == 2)
         for (const glm::vec3 &p : {glm::vec3(-0.7f, 0, -0.5f), {0, 0, 0}, {0.7f, 0, 0.5f}}) {
-            const glm::mat4 flecha = haciaS(POSICION + p + 0.8f * S, S);
+            const glm::mat4 flecha = haciaS(POSICION + p + 0.4f * S, S);
             dibujaObjeto(estado.cono, flecha * escalado({0.16f, 0.16f, -0.4f}) * traslacion({0, 0, -1}),
                          encendido);
             dibujaObjeto(estado.cilindro, flecha * traslacion({0, 0, 0.8f}) * escalado({0.05f, 0.05f, 0.8f}),

@@ -1,6 +1,6 @@
-// Varias fuentes de luz, cada una con sus propios coeficientes (ecuación 5.7): un foco rojo, uno verde y uno azul sobre
-// objetos blancos. Las luces se suman: rojo y verde dan amarillo, y los tres juntos blanco. La luz ambiente se cuenta
-// una sola vez. Una luz se apaga con Ld = Ls = 0.
+// Varias fuentes de luz, cada una con sus propios coeficientes (ecuación 5.7): un foco rojo, uno verde y uno
+// azul sobre objetos blancos. Las luces se suman: rojo y verde dan amarillo, y los tres juntos blanco. La luz
+// ambiente se cuenta una sola vez. Una luz se apaga con Ld = Ls = 0.
 // Controles: 1 2 3 encienden y apagan cada luz · ratón orbita · Esc termina.
 #include "ch03_transformaciones/transformaciones.h"
 #include "iluminacion.h"
@@ -14,7 +14,7 @@ static const glm::vec3 COLORES[LUCES] = {{1.0f, 0.08f, 0.05f}, {0.08f, 1.0f, 0.1
 static const float EXPONENTES[LUCES] = {2, 3, 4};
 
 static const Material blanco = {{0.13f, 0.13f, 0.14f}, {0.80f, 0.80f, 0.80f}, {0, 0, 0}, 1};
-static const Material brillante = {{0.12f, 0.12f, 0.13f}, {0.60f, 0.60f, 0.60f}, {0.35f, 0.35f, 0.35f}, 40};
+static const Material brillante = {{0.12f, 0.12f, 0.13f}, {0.60f, 0.60f, 0.60f}, {0.30f, 0.30f, 0.30f}, 40};
 
 static struct {
     GLuint programa;
