@@ -1,0 +1,117 @@
+// Seis escalados de una F (ejercicio 3.1). Arriba: uniforme, no uniforme y un factor cero; abajo: un factor
+// negativo, dos negativos y factores entre 0 y 1. En líneas, la F sin escalar. Amarillo es el lado de fuera
+// de las caras y morado el de dentro: con un factor negativo la F es su imagen en un espejo y sus caras giran
+// al revés; con dos (determinante positivo) es la F girada media vuelta. Controles: ratón orbita · Esc
+// termina.
+#include "malla.h"
+#include "orbita.h"
+#include "shader.h"
+#include "transformaciones.h"
+#include "ventana.h"
+#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+static const glm::vec3 factores[6] = {{1.4f, 1.4f, 1.4f}, {1.8f, 0.6f, 1}, {1, 1, 0},
+                                      {-1, 1, 1},         {-1, -1, 1},     {0.5f, 0.5f, 0.5f}};
+
+// La F no pasa por el origen: escalar también acerca, aleja o cambia de lado.
+static const glm::vec3 minimo(0.15f, 0.15f, -0.25f), maximo(1.30f, 1.65f, 0.25f);
+static const struct {
+    glm::vec3 minimo, maximo;
+} trazos[3] = {{{0.15f, 0.15f, -0.25f}, {0.55f, 1.65f, 0.25f}},
+               {{0.55f, 1.30f, -0.25f}, {1.30f, 1.65f, 0.25f}},
+               {{0.55f, 0.70f, -0.25f}, {1.05f, 1.05f, 0.25f}}};
+static const glm::vec2 contorno[10] = {{0.15f, 0.15f}, {0.55f, 0.15f}, {0.55f, 0.70f}, {1.05f, 0.70f},
+                                       {1.05f, 1.05f}, {0.55f, 1.05f}, {0.55f, 1.30f}, {1.30f, 1.30f},
+                                       {1.30f, 1.65f}, {0.15f, 1.65f}};
+
+static const glm::vec3 amarillo(0.98f, 0.78f, 0.15f), morado(0.56f, 0.24f, 0.66f), gris(0.55f, 0.58f, 0.62f);
+static const glm::vec3 colorEje[3] = {{0.85f, 0.20f, 0.18f}, {0.20f, 0.62f, 0.28f}, {0.16f, 0.38f, 0.80f}};
+
+static struct {
+    GLuint programa;
+    Buferes cubo, aristas, cilindro;
+    Orbita orbita = {0.6f, 0.3f, 10};
+} estado;
+
+static void inicia() {
+    estado.programa =
+        creaPrograma("ch03_transformaciones/objeto.vert", "ch03_transformaciones/escalado.frag");
+    estado.cubo = creaBuferes(cubo());
+    estado.cilindro = creaBuferes(cilindro(16));
+    Malla aristas; // pares de índices: el contorno de delante, el de atrás y lo que los une
+    for (GLuint i = 0; i < 10; ++i) {
+        for (float z : {minimo.z, maximo.z})
+            aristas.vertices.push_back({glm::vec3(contorno[i], z), glm::vec3(0), glm::vec2(0)});
+        const GLuint a = 2 * i, b = 2 * ((i + 1) % 10);
+        aristas.indices.insert(aristas.indices.end(), {a, b, a + 1, b + 1, a, a + 1});
+    }
+    estado.aristas = creaBuferes(aristas);
+    glEnable(GL_DEPTH_TEST);
+}
+
+static void dibujaObjeto(GLenum primitiva, const Buferes &objeto, const glm::mat4 &M, const glm::vec3 &fuera,
+                         const glm::vec3 &dentro) {
+    const glm::mat3 N = matrizNormal(M);
+    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
+    glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
+    glUniform3fv(uniforme(estado.programa, "colorFuera"), 1, glm::value_ptr(fuera));
+    glUniform3fv(uniforme(estado.programa, "colorDentro"), 1, glm::value_ptr(dentro));
+    glBindVertexArray(objeto.vao);
+    glDrawElements(primitiva, objeto.nIndices, GL_UNSIGNED_INT, nullptr);
+}
+
+static void dibujaVista(const glm::vec3 &s) {
+    // Cada vista se centra en lo que abarcan la F y su escalada; la escala es la misma en todas.
+    Orbita orbita = estado.orbita;
+    orbita.centro = 0.5f * (glm::min(minimo, glm::min(s * minimo, s * maximo)) +
+                            glm::max(maximo, glm::max(s * minimo, s * maximo)));
+    const glm::mat4 camara = glm::perspective(0.34f, 1.0f, 1.0f, 100.0f) * vistaOrbita(orbita);
+    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
+    for (int eje = 0; eje < 3; ++eje)
+        dibujaObjeto(GL_TRIANGLES, estado.cilindro, ejeCoordenado(eje, eje == 2 ? 0.9f : 1.8f, 0.04f),
+                     colorEje[eje], colorEje[eje]);
+    // Con un factor cero la cara de delante y la de atrás coinciden: se descartan las que miran hacia atrás,
+    // porque la profundidad no puede decidir entre dos iguales.
+    if (s.x * s.y * s.z == 0)
+        glEnable(GL_CULL_FACE);
+    for (const auto &trazo : trazos)
+        dibujaObjeto(GL_TRIANGLES, estado.cubo,
+                     escalado(s) * traslacion(0.5f * (trazo.minimo + trazo.maximo)) *
+                         escalado(trazo.maximo - trazo.minimo),
+                     amarillo, morado);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST); // el original se ve aunque quede dentro
+    dibujaObjeto(GL_LINES, estado.aristas, glm::mat4(1), gris, gris);
+    glEnable(GL_DEPTH_TEST);
+}
+
+static void dibuja() {
+    const int ancho = std::max(glutGet(GLUT_WINDOW_WIDTH) / 3, 1),
+              alto = std::max(glutGet(GLUT_WINDOW_HEIGHT) / 2, 1), lado = std::min(ancho, alto);
+    glClearColor(0.55f, 0.58f, 0.62f, 1); // el de las rayas que separan las vistas
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glClearColor(0.95f, 0.96f, 0.98f, 1);
+    glUseProgram(estado.programa);
+    glLineWidth(static_cast<float>(std::max(lado / 150, 1)));
+    for (int i = 0; i < 6; ++i) {
+        const int x = i % 3 * ancho, y = (1 - i / 3) * alto; // la primera fila es la de arriba
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(x + 1, y + 1, std::max(ancho - 2, 1), std::max(alto - 2, 1));
+        glClear(GL_COLOR_BUFFER_BIT);
+        glDisable(GL_SCISSOR_TEST);
+        glViewport(x + (ancho - lado) / 2, y + (alto - lado) / 2, lado, lado);
+        dibujaVista(factores[i]);
+    }
+    glutSwapBuffers();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Seis escalados", 960, 720);
+    inicia();
+    glutDisplayFunc(dibuja);
+    orbitaConRaton(estado.orbita);
+    glutMainLoop();
+    return 0;
+}
