@@ -11,7 +11,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <string>
 
-static const float RADIO_PX = 400; // el semieje mayor en una pantalla de 1080 líneas
+static const float RADIO_PX = 450; // el semieje mayor, donde más cerca está, en una pantalla de 1080 líneas
 static const glm::vec3 colorEsfera(0.95f, 0.55f, 0.10f), colorLineas(0.55f, 0.58f, 0.62f),
     colorRecta(0.16f, 0.17f, 0.20f);
 static const glm::vec3 colorEje[3] = {{0.85f, 0.20f, 0.18f}, {0.20f, 0.62f, 0.28f}, {0.16f, 0.38f, 0.80f}};

@@ -9,6 +9,7 @@
 #include "transformaciones.h"
 #include "ventana.h"
 #include <algorithm>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -17,11 +18,12 @@ static const glm::vec3 factores[6] = {{1.4f, 1.4f, 1.4f}, {1.8f, 0.6f, 1}, {1, 1
 
 // La F no pasa por el origen: escalar también acerca, aleja o cambia de lado.
 static const glm::vec3 minimo(0.15f, 0.15f, -0.25f), maximo(1.30f, 1.65f, 0.25f);
+// Los trazos cortos entran en el largo: si solo se tocaran, por la junta se vería algún píxel de dentro.
 static const struct {
     glm::vec3 minimo, maximo;
 } trazos[3] = {{{0.15f, 0.15f, -0.25f}, {0.55f, 1.65f, 0.25f}},
-               {{0.55f, 1.30f, -0.25f}, {1.30f, 1.65f, 0.25f}},
-               {{0.55f, 0.70f, -0.25f}, {1.05f, 1.05f, 0.25f}}};
+               {{0.35f, 1.30f, -0.25f}, {1.30f, 1.65f, 0.25f}},
+               {{0.35f, 0.70f, -0.25f}, {1.05f, 1.05f, 0.25f}}};
 static const glm::vec2 contorno[10] = {{0.15f, 0.15f}, {0.55f, 0.15f}, {0.55f, 0.70f}, {1.05f, 0.70f},
                                        {1.05f, 1.05f}, {0.55f, 1.05f}, {0.55f, 1.30f}, {1.30f, 1.30f},
                                        {1.30f, 1.65f}, {0.15f, 1.65f}};
@@ -62,12 +64,12 @@ static void dibujaObjeto(GLenum primitiva, const Buferes &objeto, const glm::mat
     glDrawElements(primitiva, objeto.nIndices, GL_UNSIGNED_INT, nullptr);
 }
 
-static void dibujaVista(const glm::vec3 &s) {
+static void dibujaVista(const glm::vec3 &s, const glm::mat4 &proyeccion) {
     // Cada vista se centra en lo que abarcan la F y su escalada; la escala es la misma en todas.
     Orbita orbita = estado.orbita;
     orbita.centro = 0.5f * (glm::min(minimo, glm::min(s * minimo, s * maximo)) +
                             glm::max(maximo, glm::max(s * minimo, s * maximo)));
-    const glm::mat4 camara = glm::perspective(0.34f, 1.0f, 1.0f, 100.0f) * vistaOrbita(orbita);
+    const glm::mat4 camara = proyeccion * vistaOrbita(orbita);
     glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
     for (int eje = 0; eje < 3; ++eje)
         dibujaObjeto(GL_TRIANGLES, estado.cilindro, ejeCoordenado(eje, eje == 2 ? 0.9f : 1.8f, 0.04f),
@@ -89,20 +91,24 @@ static void dibujaVista(const glm::vec3 &s) {
 
 static void dibuja() {
     const int ancho = std::max(glutGet(GLUT_WINDOW_WIDTH) / 3, 1),
-              alto = std::max(glutGet(GLUT_WINDOW_HEIGHT) / 2, 1), lado = std::min(ancho, alto);
+              alto = std::max(glutGet(GLUT_WINDOW_HEIGHT) / 2, 1);
+    // como perspectivaVentana, pero con la relación de aspecto de una vista
+    const float angulo = 0.34f, aspecto = static_cast<float>(ancho) / static_cast<float>(alto);
+    const float vertical = aspecto < 1 ? 2 * std::atan(std::tan(angulo / 2) / aspecto) : angulo;
+    const glm::mat4 proyeccion = glm::perspective(vertical, aspecto, 1.0f, 100.0f);
     glClearColor(0.55f, 0.58f, 0.62f, 1); // el de las rayas que separan las vistas
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glClearColor(0.95f, 0.96f, 0.98f, 1);
     glUseProgram(estado.programa);
-    glLineWidth(static_cast<float>(std::max(lado / 150, 1)));
+    glLineWidth(static_cast<float>(std::max(std::min(ancho, alto) / 150, 1)));
     for (int i = 0; i < 6; ++i) {
         const int x = i % 3 * ancho, y = (1 - i / 3) * alto; // la primera fila es la de arriba
         glEnable(GL_SCISSOR_TEST);
         glScissor(x + 1, y + 1, std::max(ancho - 2, 1), std::max(alto - 2, 1));
         glClear(GL_COLOR_BUFFER_BIT);
         glDisable(GL_SCISSOR_TEST);
-        glViewport(x + (ancho - lado) / 2, y + (alto - lado) / 2, lado, lado);
-        dibujaVista(factores[i]);
+        glViewport(x, y, ancho, alto);
+        dibujaVista(factores[i], proyeccion);
     }
     glutSwapBuffers();
 }
