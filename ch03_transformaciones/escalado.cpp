@@ -16,40 +16,67 @@
 static const glm::vec3 factores[6] = {{1.4f, 1.4f, 1.4f}, {1.8f, 0.6f, 1}, {1, 1, 0},
                                       {-1, 1, 1},         {-1, -1, 1},     {0.5f, 0.5f, 0.5f}};
 
-// La F no pasa por el origen: escalar también acerca, aleja o cambia de lado.
-static const glm::vec3 minimo(0.15f, 0.15f, -0.25f), maximo(1.30f, 1.65f, 0.25f);
-// Los trazos cortos entran en el largo: si solo se tocaran, por la junta se vería algún píxel de dentro.
-static const struct {
-    glm::vec3 minimo, maximo;
-} trazos[3] = {{{0.15f, 0.15f, -0.25f}, {0.55f, 1.65f, 0.25f}},
-               {{0.35f, 1.30f, -0.25f}, {1.30f, 1.65f, 0.25f}},
-               {{0.35f, 0.70f, -0.25f}, {1.05f, 1.05f, 0.25f}}};
+// La F no pasa por el origen: escalar también acerca, aleja o cambia de lado. Su contorno, en sentido
+// antihorario, y los triángulos que lo llenan; se extiende de z = −0.25 a 0.25.
 static const glm::vec2 contorno[10] = {{0.15f, 0.15f}, {0.55f, 0.15f}, {0.55f, 0.70f}, {1.05f, 0.70f},
                                        {1.05f, 1.05f}, {0.55f, 1.05f}, {0.55f, 1.30f}, {1.30f, 1.30f},
                                        {1.30f, 1.65f}, {0.15f, 1.65f}};
+static const GLuint triangulos[8][3] = {{0, 1, 2}, {2, 3, 4}, {2, 4, 5}, {0, 2, 5},
+                                        {0, 5, 6}, {0, 6, 9}, {6, 7, 8}, {6, 8, 9}};
+static const glm::vec3 minimo(0.15f, 0.15f, -0.25f), maximo(1.30f, 1.65f, 0.25f);
 
 static const glm::vec3 amarillo(0.98f, 0.78f, 0.15f), morado(0.56f, 0.24f, 0.66f), gris(0.55f, 0.58f, 0.62f);
 static const glm::vec3 colorEje[3] = {{0.85f, 0.20f, 0.18f}, {0.20f, 0.62f, 0.28f}, {0.16f, 0.38f, 0.80f}};
 
 static struct {
     GLuint programa;
-    Buferes cubo, aristas, cilindro;
+    Buferes letra, aristas, cilindro;
     Orbita orbita = {0.6f, 0.3f, 10};
 } estado;
+
+static Malla creaLetra() {
+    Malla letra;
+    for (float z : {minimo.z, maximo.z}) {
+        const GLuint base = static_cast<GLuint>(letra.vertices.size());
+        const bool delante = z > 0;
+        for (const glm::vec2 &p : contorno)
+            letra.vertices.push_back({{p, z}, {0, 0, delante ? 1 : -1}, p});
+        for (const auto &t : triangulos) // la tapa de atrás se ve por el otro lado: gira al revés
+            letra.indices.insert(letra.indices.end(),
+                                 {base + t[0], base + t[delante ? 1 : 2], base + t[delante ? 2 : 1]});
+    }
+    for (int i = 0; i < 10; ++i) {
+        const glm::vec2 p = contorno[i], q = contorno[(i + 1) % 10];
+        const glm::vec3 normal = glm::normalize(glm::vec3(q.y - p.y, p.x - q.x, 0));
+        const GLuint base = static_cast<GLuint>(letra.vertices.size());
+        for (const glm::vec3 &v :
+             {glm::vec3(p, minimo.z), glm::vec3(q, minimo.z), glm::vec3(q, maximo.z), glm::vec3(p, maximo.z)})
+            letra.vertices.push_back({v, normal, glm::vec2(v)});
+        letra.indices.insert(letra.indices.end(), {base, base + 1, base + 2, base, base + 2, base + 3});
+    }
+    return letra;
+}
+
+// Pares de índices, para GL_LINES: en creaLetra, los diez primeros vértices son la tapa de atrás y los diez
+// siguientes la de delante.
+static Malla creaAristas() {
+    Malla aristas = creaLetra();
+    aristas.indices.clear();
+    for (Vertice &v : aristas.vertices)
+        v.normal = glm::vec3(0); // todas las líneas con la misma luz
+    for (GLuint i = 0; i < 10; ++i) {
+        const GLuint j = (i + 1) % 10;
+        aristas.indices.insert(aristas.indices.end(), {i, j, i + 10, j + 10, i, i + 10});
+    }
+    return aristas;
+}
 
 static void inicia() {
     estado.programa =
         creaPrograma("ch03_transformaciones/objeto.vert", "ch03_transformaciones/escalado.frag");
-    estado.cubo = creaBuferes(cubo());
+    estado.letra = creaBuferes(creaLetra());
+    estado.aristas = creaBuferes(creaAristas());
     estado.cilindro = creaBuferes(cilindro(16));
-    Malla aristas; // pares de índices: el contorno de delante, el de atrás y lo que los une
-    for (GLuint i = 0; i < 10; ++i) {
-        for (float z : {minimo.z, maximo.z})
-            aristas.vertices.push_back({glm::vec3(contorno[i], z), glm::vec3(0), glm::vec2(0)});
-        const GLuint a = 2 * i, b = 2 * ((i + 1) % 10);
-        aristas.indices.insert(aristas.indices.end(), {a, b, a + 1, b + 1, a, a + 1});
-    }
-    estado.aristas = creaBuferes(aristas);
     glEnable(GL_DEPTH_TEST);
 }
 
@@ -78,11 +105,7 @@ static void dibujaVista(const glm::vec3 &s, const glm::mat4 &proyeccion) {
     // porque la profundidad no puede decidir entre dos iguales.
     if (s.x * s.y * s.z == 0)
         glEnable(GL_CULL_FACE);
-    for (const auto &trazo : trazos)
-        dibujaObjeto(GL_TRIANGLES, estado.cubo,
-                     escalado(s) * traslacion(0.5f * (trazo.minimo + trazo.maximo)) *
-                         escalado(trazo.maximo - trazo.minimo),
-                     amarillo, morado);
+    dibujaObjeto(GL_TRIANGLES, estado.letra, escalado(s), amarillo, morado);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST); // el original se ve aunque quede dentro
     dibujaObjeto(GL_LINES, estado.aristas, glm::mat4(1), gris, gris);

@@ -33,6 +33,14 @@ bool esDeColor(const Pixel &p, const dvec3 &color) {
     return std::max({error.x, error.y, error.z}) <= 1;
 }
 
+// El color exacto de una cara (2·eje + mira a +eje) con la luz de objeto.frag: ±1 nivel, por los redondeos.
+bool esCara(const Pixel &p, const dvec3 &color, int cara) {
+    const dvec3 haciaLuz(0.20, 0.78, 0.593);
+    const double luz = 0.58 + 0.42 * (cara % 2 ? 1 : -1) * haciaLuz[cara / 2];
+    const dvec3 error = glm::abs(dvec3(p.r, p.g, p.b) - 255 * luz * color);
+    return std::max({error.x, error.y, error.z}) <= 1;
+}
+
 // Los ejes, la recta x = y = z y las líneas pueden tapar el objeto.
 bool esAdorno(const Pixel &p) {
     for (const dvec3 &color : {rojo, verde, azul, gris, oscuro})
@@ -221,7 +229,8 @@ const int TALLAS[][2] = {{240, 180}, {150, 200}};
 
 // Cada vista contra el trazado de rayos a las tres cajas de la F escalada. La cara que se ve en cada píxel
 // se proyecta con sus cuatro vértices en el orden que en la F sin escalar es antihorario desde fuera: si en la
-// imagen siguen siéndolo tiene que verse el color de fuera, y si no, el de dentro. De frente y por detrás.
+// imagen siguen siéndolo tiene que verse el color de fuera, y si no, el de dentro; y siempre con la luz de la normal que
+// sale del objeto. De frente y por detrás.
 TEST(Escalado, CarasYDeterminanteEnCadaVista) {
     const dvec3 factores[6] = {{1.4, 1.4, 1.4}, {1.8, 0.6, 1}, {1, 1, 0},
                                {-1, 1, 1},      {-1, -1, 1},   {0.5, 0.5, 0.5}};
@@ -246,7 +255,7 @@ TEST(Escalado, CarasYDeterminanteEnCadaVista) {
                 0.5 * (glm::min(todo.minimo, glm::min(a, b)) + glm::max(todo.maximo, glm::max(a, b)));
             const Camara k = camara(azimut, 0.3, 10, centro, 0.34, lado, x0 + ancho / 2, y0 + alto / 2);
 
-            // +1 si la cara de la caja se ve en sentido antihorario, −1 si en horario, 0 donde no hay nada
+            // 1 + cara si la que se ve gira en sentido antihorario, −(1 + cara) si en horario, 0 donde no hay nada
             const auto sentido = [&](const dvec2 &q) {
                 const dvec3 d = k.rayo(q);
                 double cerca = std::numeric_limits<double>::infinity();
@@ -279,25 +288,26 @@ TEST(Escalado, CarasYDeterminanteEnCadaVista) {
                     const dvec2 &p = esquinas[n], &r = esquinas[(n + 1) % 4];
                     area += p.x * r.y - p.y * r.x;
                 }
-                return area > 0 ? 1 : -1;
+                return area > 0 ? 1 + cara : -(1 + cara);
             };
 
             int vistos = 0, dentro = 0;
             for (int y = y0; y < y0 + alto; ++y)
                 for (int x = x0; x < x0 + ancho; ++x) {
-                    const int esperado = decidido(x, y, sentido, 9);
+                    const int esperado = decidido(x, y, sentido, 99);
                     const Pixel p = pixel(e.imagen, x, y);
                     const bool fuera = esDeColor(p, amarillo), reves = esDeColor(p, morado);
-                    if (esperado == 9)
+                    if (esperado == 99)
                         continue;
                     if (esperado == 0) {
                         ASSERT_FALSE(fuera || reves) << x << "," << y;
                         continue;
                     }
                     ++dentro;
-                    ASSERT_EQ(esperado, determinante < 0 ? -1 : 1) << x << "," << y;
-                    ASSERT_TRUE((esperado > 0 ? fuera : reves) || esAdorno(p)) << x << "," << y;
-                    vistos += fuera || reves;
+                    ASSERT_EQ(esperado > 0, determinante >= 0) << x << "," << y;
+                    const bool bien = esCara(p, esperado > 0 ? amarillo : morado, std::abs(esperado) - 1);
+                    ASSERT_TRUE(bien || esAdorno(p)) << x << "," << y;
+                    vistos += bien;
                 }
             EXPECT_GT(dentro, 300);
             EXPECT_GT(vistos, dentro / 2);
@@ -344,31 +354,32 @@ TEST(TresCubos, ImagenContraTrazadoDeRayos) {
         ASSERT_EQ(e.estado, 0) << e.errores;
         const Camara k = camara(0.55, 0.35, 5.4, {0.1, 0.42, 0}, 0.5, std::min(talla[0], talla[1]),
                                 talla[0] / 2.0, talla[1] / 2.0);
-        const auto visible = [&](const dvec2 &q) {
+        const auto visible = [&](const dvec2 &q) { // 6·cubo + cara, o −1
             double cerca = std::numeric_limits<double>::infinity();
-            int cual = -1, cara;
+            int cual = -1;
             for (int i = 0; i < 3; ++i) {
+                int cara = 0;
                 const double t = corta(cajas[static_cast<std::size_t>(i)], k.ojo, k.rayo(q), cara);
                 if (t < cerca)
-                    cerca = t, cual = i;
+                    cerca = t, cual = 6 * i + cara;
             }
             return cual;
         };
         int vistos[3] = {};
         for (int y = 0; y < talla[1]; ++y)
             for (int x = 0; x < talla[0]; ++x) {
-                const int cual = decidido(x, y, visible, 9);
+                const int cual = decidido(x, y, visible, 99);
                 const Pixel p = pixel(e.imagen, x, y);
-                if (cual == 9)
+                if (cual == 99)
                     continue;
                 if (cual < 0) {
                     ASSERT_FALSE(esDeColor(p, naranja) || esDeColor(p, amarillo)) << x << "," << y;
                     continue;
                 }
-                const bool bien = esDeColor(p, colores[cual]);
-                vistos[cual] += bien;
+                const bool bien = esCara(p, colores[cual / 6], cual % 6);
+                vistos[cual / 6] += bien;
                 ASSERT_TRUE(bien || esDeColor(p, rojo) || esDeColor(p, verde) || esDeColor(p, azul))
-                    << x << "," << y << " cubo " << cual;
+                    << x << "," << y << " cubo " << cual / 6;
             }
         for (int i = 0; i < 3; ++i)
             EXPECT_GT(vistos[i], 200) << "cubo " << i;
