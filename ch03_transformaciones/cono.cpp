@@ -1,7 +1,7 @@
 // Del cono de radio y altura 1 al de altura 3 en su sitio (ejercicio 3.3), transformación a transformación
 // (ejercicios.h). La figura del libro no está en el texto: aquí acaba tumbado en el eje X con el vértice en
-// el origen. En líneas, de dónde sale y adónde va; el título de la ventana dice la matriz. Controles: t
-// aplica la transformación siguiente, y tras la última empieza · ratón orbita · Esc termina.
+// el origen. En líneas, de dónde sale y adónde va; el título de la ventana dice la matriz.
+// Controles: t aplica la transformación siguiente, y tras la última empieza · ratón orbita · Esc termina.
 #include "ejercicios.h"
 #include "malla.h"
 #include "orbita.h"

@@ -1,16 +1,14 @@
 // Seis escalados de una F (ejercicio 3.1). Arriba: uniforme, no uniforme y un factor cero; abajo: un factor
 // negativo, dos negativos y factores entre 0 y 1. En líneas, la F sin escalar. Amarillo es el lado de fuera
 // de las caras y morado el de dentro: con un factor negativo la F es su imagen en un espejo y sus caras giran
-// al revés; con dos (determinante positivo) es la F girada media vuelta. Controles: ratón orbita · Esc
-// termina.
+// al revés; con dos (determinante positivo) es la F girada media vuelta.
+// Controles: ratón orbita · Esc termina.
 #include "malla.h"
 #include "orbita.h"
 #include "shader.h"
 #include "transformaciones.h"
 #include "ventana.h"
 #include <algorithm>
-#include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 static const glm::vec3 factores[6] = {{1.4f, 1.4f, 1.4f}, {1.8f, 0.6f, 1}, {1, 1, 0},
@@ -115,10 +113,8 @@ static void dibujaVista(const glm::vec3 &s, const glm::mat4 &proyeccion) {
 static void dibuja() {
     const int ancho = std::max(glutGet(GLUT_WINDOW_WIDTH) / 3, 1),
               alto = std::max(glutGet(GLUT_WINDOW_HEIGHT) / 2, 1);
-    // como perspectivaVentana, pero con la relación de aspecto de una vista
-    const float angulo = 0.34f, aspecto = static_cast<float>(ancho) / static_cast<float>(alto);
-    const float vertical = aspecto < 1 ? 2 * std::atan(std::tan(angulo / 2) / aspecto) : angulo;
-    const glm::mat4 proyeccion = glm::perspective(vertical, aspecto, 1.0f, 100.0f);
+    const glm::mat4 proyeccion =
+        perspectivaVentana(0.34f, 1, 100, static_cast<float>(ancho) / static_cast<float>(alto));
     glClearColor(0.55f, 0.58f, 0.62f, 1); // el de las rayas que separan las vistas
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glClearColor(0.95f, 0.96f, 0.98f, 1);

@@ -1,7 +1,8 @@
 // Las mismas dos matrices en los dos órdenes (§3.2): T(5,0,0) y S(5,5,5) aplicadas a una esfera de radio 1.
 // Arriba T·S: primero se escala y luego se traslada, y el centro acaba en x = 5. Abajo S·T: el escalado
 // también multiplica la traslación, y acaba en x = 25. Gris, la esfera inicial; en líneas, la intermedia;
-// cada tramo de la regla mide 5 unidades y empieza en x = 0. Controles: ratón orbita · Esc termina.
+// cada tramo de la regla mide 5 unidades y empieza en x = 0.
+// Controles: ratón orbita · Esc termina.
 #include "malla.h"
 #include "orbita.h"
 #include "shader.h"
