@@ -391,6 +391,21 @@ TEST(Bezier, SinGrietas) {
     }
 }
 
+// Lo que hace que no haya grietas, en doble precisión: recorrer una curva al revés da el mismo punto, y una
+// curva reducida a un punto da ese punto.
+TEST(Bezier, CurvaAlRevesBitABit) {
+    std::mt19937 azar(4);
+    for (int n = 1; n <= 60; ++n) {
+        const auto &p = aleatorio(azar).p[0];
+        for (int i = 0; i <= n; ++i) {
+            const double t = static_cast<double>(i) / n, c = static_cast<double>(n - i) / n;
+            EXPECT_EQ(bezier::curva(p[0], p[1], p[2], p[3], bezier::pesos(t, c)),
+                      bezier::curva(p[3], p[2], p[1], p[0], bezier::pesos(c, t)));
+            EXPECT_EQ(bezier::curva(p[0], p[0], p[0], p[0], bezier::pesos(t, c)), p[0]);
+        }
+    }
+}
+
 // Dos parches cualesquiera con un lado común, recorrido en cada sentido y por u o por v: sus vértices
 // coinciden.
 TEST(Bezier, LadosComunesBitABit) {
