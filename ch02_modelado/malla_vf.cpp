@@ -2,6 +2,7 @@
 // 2.1; el análisis está en topologia.h). Las aristas de borde van en rojo: la malla del ejercicio, que es la
 // que se ve sin dar fichero, es una caja sin tapa en la que las caras 5 y 6 están definidas al revés.
 // Controles: f invierte las caras mal orientadas · ratón orbita · Esc termina.
+#include "encuadre.h"
 #include "error.h"
 #include "malla.h"
 #include "orbita.h"
@@ -16,6 +17,7 @@
 
 static const glm::vec3 azul(0.20f, 0.42f, 0.84f), amarillo(0.98f, 0.78f, 0.15f), rojo(0.85f, 0.12f, 0.12f),
     morado(0.55f, 0.15f, 0.60f), oscuro(0.16f, 0.17f, 0.20f);
+static const float ANGULO = 0.6f; // de la perspectiva, en radianes
 
 static struct {
     GLuint programaCaras, programaLineas;
@@ -23,7 +25,7 @@ static struct {
     bool arreglada = false;
     // en el buffer de índices van, seguidos, los triángulos y las aristas de una, de dos y de más caras
     GLsizei nTriangulos, nAristas[3];
-    Orbita orbita = {0.55f, 0.62f, 3.4f};
+    Orbita orbita = {0.55f, 0.62f, 1}; // la distancia la pone el encuadre
 } estado;
 
 static std::string sentidoVistoDesdeFuera(const Topologia &t) {
@@ -84,6 +86,8 @@ static void inicia(const std::string &fichero) {
     estado.malla = leeVf(fichero);
     const std::vector<glm::vec3> vertices = encuadra(estado.malla.vertices);
 
+    estado.orbita.distancia = distanciaQueEncuadra(vertices, estado.orbita, ANGULO, relacionAspecto());
+
     GLuint vao, buffers[2];
     glGenVertexArrays(1, &vao);
     glBindVertexArray(vao);
@@ -103,7 +107,7 @@ static void inicia(const std::string &fichero) {
 }
 
 static void dibuja() {
-    const glm::mat4 camara = perspectivaVentana(0.6f, 0.1f, 100) * vistaOrbita(estado.orbita);
+    const glm::mat4 camara = perspectivaVentana(ANGULO, 0.1f, 100) * vistaOrbita(estado.orbita);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
     glUseProgram(estado.programaCaras);

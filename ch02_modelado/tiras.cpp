@@ -4,6 +4,7 @@
 // sentido.
 // Controles: 1 a 9 resaltan una tira · 0 todas · ratón orbita · Esc termina.
 #include "tiras.h"
+#include "encuadre.h"
 #include "error.h"
 #include "malla.h"
 #include "orbita.h"
@@ -20,12 +21,13 @@ static const glm::vec3 PALETA[] = {{0.95f, 0.55f, 0.10f}, {0.20f, 0.42f, 0.84f},
                                    {0.85f, 0.20f, 0.18f}, {0.98f, 0.78f, 0.15f}, {0.55f, 0.25f, 0.70f},
                                    {0.10f, 0.65f, 0.70f}, {0.90f, 0.45f, 0.65f}};
 static const glm::vec3 oscuro(0.16f, 0.17f, 0.20f), apagado(0.70f, 0.73f, 0.78f);
+static const float ANGULO = 0.6f; // de la perspectiva, en radianes
 
 static struct {
     GLuint programaCaras, programaLineas;
     std::vector<Tira> tiras;
-    std::size_t resaltada = 0; // desde 1; 0: todas
-    Orbita orbita = {0.45f, 0.98f, 3.4f};
+    std::size_t resaltada = 0;         // desde 1; 0: todas
+    Orbita orbita = {0.45f, 0.98f, 1}; // la distancia la pone el encuadre
 } estado;
 
 static void informa(std::size_t nTriangulos) {
@@ -54,6 +56,8 @@ static void inicia(const std::string &fichero) {
     std::vector<GLuint> indices; // todas las tiras, una tras otra
     for (const Tira &tira : estado.tiras)
         indices.insert(indices.end(), tira.begin(), tira.end());
+
+    estado.orbita.distancia = distanciaQueEncuadra(vertices, estado.orbita, ANGULO, relacionAspecto());
 
     GLuint vao, buffers[2];
     glGenVertexArrays(1, &vao);
@@ -93,7 +97,7 @@ static void dibujaTira(std::size_t i, std::size_t primero) {
 }
 
 static void dibuja() {
-    const glm::mat4 camara = perspectivaVentana(0.6f, 0.1f, 100) * vistaOrbita(estado.orbita);
+    const glm::mat4 camara = perspectivaVentana(ANGULO, 0.1f, 100) * vistaOrbita(estado.orbita);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     for (GLuint programa : {estado.programaCaras, estado.programaLineas}) {
         glUseProgram(programa);

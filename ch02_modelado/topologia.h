@@ -150,21 +150,3 @@ inline std::vector<std::array<GLuint, 3>> triangula(const MallaVf &malla) {
             triangulos.push_back({cara[0], cara[i - 1], cara[i]});
     return triangulos;
 }
-
-/// Los vértices llevados a la esfera de radio 1 centrada en el origen: su centro es el de la caja que los
-/// envuelve. Así cualquier malla llena la ventana, sean cuales sean sus unidades.
-inline std::vector<glm::vec3> encuadra(const std::vector<glm::vec3> &vertices) {
-    glm::dvec3 minimo(vertices.at(0)), maximo(minimo);
-    for (const glm::vec3 &v : vertices) {
-        minimo = glm::min(minimo, glm::dvec3(v));
-        maximo = glm::max(maximo, glm::dvec3(v));
-    }
-    const glm::dvec3 centro = (minimo + maximo) / 2.0;
-    double radio = 0;
-    for (const glm::vec3 &v : vertices)
-        radio = std::max(radio, glm::length(glm::dvec3(v) - centro));
-    std::vector<glm::vec3> encuadrados;
-    for (const glm::vec3 &v : vertices)
-        encuadrados.push_back((glm::dvec3(v) - centro) / (radio > 0 ? radio : 1.0));
-    return encuadrados;
-}

@@ -1,4 +1,5 @@
 // Comprobaciones independientes de malla_vf y de su análisis (ch02_modelado/topologia.h).
+#include "ch02_modelado/encuadre.h"
 #include "ch02_modelado/topologia.h"
 #include "ejecuta.h"
 #include <cmath>
@@ -107,19 +108,31 @@ TEST(MallaVf, ArregladaNoTieneContrarias) {
 // Los centros de la pared z = 1 (caras 5 y 6) y de la pared x = 1, proyectados en doble precisión con la
 // cámara del programa: la primera se ve amarilla (reverso) y, arreglada, azul; la segunda, siempre azul.
 TEST(MallaVf, ElColorDiceElSentido) {
-    const double azimut = 0.55, elevacion = 0.62, distancia = 3.4, angulo = 0.6;
+    const double azimut = 0.55, elevacion = 0.62, angulo = 0.6;
     const int ancho = 240, alto = 180;
-    auto enPixel = [&](double x, double y, double z) {
-        const double r = std::sqrt(3.0) / 2;
+    struct P {
+        double derecha, arriba, cerca; // en los ejes de la cámara, desde el centro de la caja
+    };
+    auto enCamara = [&](double x, double y, double z) {
+        const double r = std::sqrt(3.0) / 2; // la media diagonal de la caja mide 1
         const double p[3] = {(x - 0.5) / r, (y - 0.5) / r, (z - 0.5) / r};
         const double ca = std::cos(azimut), sa = std::sin(azimut), ce = std::cos(elevacion),
                      se = std::sin(elevacion);
-        const double derecha = ca * p[0] - sa * p[2];
-        const double arriba = -se * sa * p[0] + ce * p[1] - se * ca * p[2];
-        const double fondo = distancia - (ce * sa * p[0] + se * p[1] + ce * ca * p[2]);
-        const double escala = alto / 2 / std::tan(angulo / 2) / fondo;
-        return std::pair<int, int>(static_cast<int>(ancho / 2 + derecha * escala),
-                                   static_cast<int>(alto / 2 + arriba * escala));
+        return P{ca * p[0] - sa * p[2], -se * sa * p[0] + ce * p[1] - se * ca * p[2],
+                 ce * sa * p[0] + se * p[1] + ce * ca * p[2]};
+    };
+    // La menor distancia desde la que se ven los ocho vértices, aumentados un 6 %
+    double distancia = 0;
+    for (const auto &v : CAJA) {
+        const P p = enCamara(v[0], v[1], v[2]);
+        distancia = std::max({distancia, 1.06 * (p.cerca + std::fabs(p.arriba) / std::tan(angulo / 2)),
+                              1.06 * (p.cerca + std::fabs(p.derecha) * alto / ancho / std::tan(angulo / 2))});
+    }
+    auto enPixel = [&](double x, double y, double z) {
+        const P p = enCamara(x, y, z);
+        const double escala = alto / 2 / std::tan(angulo / 2) / (distancia - p.cerca);
+        return std::pair<int, int>(static_cast<int>(ancho / 2 + p.derecha * escala),
+                                   static_cast<int>(alto / 2 + p.arriba * escala));
     };
     const auto pared = enPixel(0.45, 0.40, 1), otra = enPixel(1, 0.40, 0.45);
     const Ejecucion base = ejecuta("ch02_modelado/malla_vf"),
@@ -171,8 +184,19 @@ TEST(MallaVf, CualquierMallaLlenaLaVentana) {
             izquierda = std::min(izquierda, x);
             derecha = std::max(derecha, x);
         }
-    EXPECT_GT(arriba - abajo, 180 * 7 / 10);
+    EXPECT_GT(arriba - abajo, 180 * 8 / 10);
     EXPECT_TRUE(abajo > 0 && arriba < 179 && izquierda > 0 && derecha < 239);
+}
+
+// Una malla de un solo punto, o que se ve de canto, no estropea la cámara.
+TEST(MallaVf, MallasSinTalla) {
+    for (const char *texto :
+         {"v 5 5 5\nv 5 5 5\nv 5 5 5\nf 1 2 3\n", "v 1 1 1\nv 2 2 2\nv 3 3 3\nf 1 2 3\n"}) {
+        const FicheroVf f(texto);
+        const Ejecucion e = ejecuta("ch02_modelado/malla_vf", "tecla f", 60, 45, {f.ruta});
+        EXPECT_EQ(e.estado, 0) << e.errores;
+        EXPECT_EQ(valor(e.salida, "Sentido visto desde fuera"), "indefinido");
+    }
 }
 
 TEST(MallaVf, ErroresDelUsuario) {
