@@ -37,7 +37,7 @@ static void inicia() {
     estado.esfera = creaBuferes(esfera(16));
     estado.cilindro = creaBuferes(cilindro(16));
     estado.cono = creaBuferes(cono(24));
-    estado.aro = creaBuferes(toro(1, 0.018f, 96, 8));
+    estado.aro = creaBuferes(toro(1, 0.018f, 96, 12));
     glEnable(GL_DEPTH_TEST);
     glClearColor(fondo.r, fondo.g, fondo.b, 1);
 }
@@ -54,10 +54,11 @@ static void dibujaMalla(const Buferes &malla, const glm::mat4 &M, const glm::vec
 static void dibujaFlecha(const glm::vec3 &direccion, float largo, const glm::vec3 &color) {
     const float punta = 0.25f, grueso = 0.045f;
     const glm::mat4 base = haciaDireccion(direccion);
-    dibujaMalla(estado.cilindro,
-                base * escalado({grueso, grueso, largo - punta}) * traslacion({0, 0, 0.5f}), color);
+    dibujaMalla(estado.cilindro, base * escalado({grueso, grueso, largo - punta}) * traslacion({0, 0, 0.5f}),
+                color);
     dibujaMalla(estado.cono,
-                base * traslacion({0, 0, largo - punta}) * escalado({2.5f * grueso, 2.5f * grueso, punta}), color);
+                base * traslacion({0, 0, largo - punta}) * escalado({2.5f * grueso, 2.5f * grueso, punta}),
+                color);
 }
 
 // `viveza` 0 lo deja del color del fondo.
@@ -67,9 +68,10 @@ static void dibujaAvion(const glm::mat4 &M, float viveza) {
     } piezas[] = {{{0, 0, 0}, {1.1f, 0.22f, 0.22f}, naranja},
                   {{0.1f, 0, 0}, {0.32f, 0.08f, 1.3f}, amarillo},
                   {{-0.45f, 0, 0}, {0.18f, 0.06f, 0.5f}, amarillo},
-                  {{-0.45f, 0.22f, 0}, {0.2f, 0.34f, 0.07f}, rojo}};
+                  {{-0.42f, 0.22f, 0}, {0.2f, 0.34f, 0.07f}, rojo}};
     for (const auto &p : piezas)
-        dibujaMalla(estado.cubo, M * traslacion(p.centro) * escalado(p.lados), glm::mix(fondo, p.color, viveza));
+        dibujaMalla(estado.cubo, M * traslacion(p.centro) * escalado(p.lados),
+                    glm::mix(fondo, p.color, viveza));
 }
 
 static void dibuja() {
@@ -90,7 +92,8 @@ static void dibuja() {
 
     // El sitio gira en un plano perpendicular a d que corta al eje en `centro`.
     const glm::vec3 centro = glm::dot(sitio, d) * d;
-    dibujaMalla(estado.aro, traslacion(centro) * haciaDireccion(d) * escalado(glm::distance(sitio, centro)), gris);
+    dibujaMalla(estado.aro, traslacion(centro) * haciaDireccion(d) * escalado(glm::distance(sitio, centro)),
+                gris);
     for (float a = 0; a < std::fabs(estado.angulo); a += PASO_CUENTAS) {
         const glm::mat4 giro = giroEje(d, std::copysign(a, estado.angulo));
         dibujaMalla(estado.esfera, giro * traslacion(sitio) * escalado(0.06f), oscuro);
@@ -125,7 +128,8 @@ static void arrastra(int x, int y) {
         return orbitaArrastra(x, y);
     const glm::mat3 pantalla = glm::transpose(glm::mat3(vistaOrbita(estado.orbita)));
     const glm::vec2 angulos = RADIANES_POR_PIXEL * glm::vec2(x - estado.xAnterior, y - estado.yAnterior);
-    estado.eje = glm::mat3(giroEje(pantalla[0], angulos.y) * giroEje(pantalla[1], angulos.x)) * unitario(estado.eje);
+    estado.eje =
+        glm::mat3(giroEje(pantalla[0], angulos.y) * giroEje(pantalla[1], angulos.x)) * unitario(estado.eje);
     estado.xAnterior = x;
     estado.yAnterior = y;
     glutPostRedisplay();

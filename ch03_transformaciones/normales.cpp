@@ -56,7 +56,8 @@ static void inicia() {
     estado.cilindro = creaBuferes(cilindro(16));
     estado.cono = creaBuferes(cono(24));
     glEnable(GL_DEPTH_TEST);
-    glEnable(GL_CULL_FACE); // las dos caras de un prisma aplastado coinciden: que solo se dibuje la que mira aquí
+    glEnable(
+        GL_CULL_FACE); // las dos caras de un prisma aplastado coinciden: que solo se dibuje la que mira aquí
     glClearColor(0.95f, 0.96f, 0.98f, 1);
 }
 
@@ -73,8 +74,8 @@ static void dibujaMalla(const Buferes &malla, const glm::mat4 &M, const glm::vec
 static void dibujaFlecha(const glm::vec3 &origen, const glm::vec3 &direccion, const glm::vec3 &color) {
     const float largo = 0.75f, punta = 0.25f, grueso = 0.04f;
     const glm::mat4 base = traslacion(origen) * haciaDireccion(direccion);
-    dibujaMalla(estado.cilindro,
-                base * escalado({grueso, grueso, largo - punta}) * traslacion({0, 0, 0.5f}), color);
+    dibujaMalla(estado.cilindro, base * escalado({grueso, grueso, largo - punta}) * traslacion({0, 0, 0.5f}),
+                color);
     dibujaMalla(estado.cono,
                 base * traslacion({0, 0, largo - punta}) * escalado({3 * grueso, 3 * grueso, punta}), color);
 }

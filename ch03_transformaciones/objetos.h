@@ -27,17 +27,19 @@ inline PiezasObjeto munecoDeNieve() {
         {Primitiva::ESFERA, traslacion({0, 2.18f, 0}) * escalado(0.74f), nieve},
         {Primitiva::ESFERA, traslacion({0, 3.14f, 0}) * escalado(0.52f), nieve},
         {Primitiva::TORO, traslacion({0, 2.74f, 0}) * giroX(RECTO) * escalado({0.4f, 0.4f, 0.5f}), rojo},
-        {Primitiva::CUBO, traslacion({0.32f, 2.4f, 0.62f}) * giroX(-0.35f) * escalado({0.24f, 0.75f, 0.1f}), rojo},
+        {Primitiva::CUBO, traslacion({0.32f, 2.4f, 0.62f}) * giroX(-0.35f) * escalado({0.24f, 0.75f, 0.1f}),
+         rojo},
         {Primitiva::CUBO, traslacion({0, 3.55f, 0}) * escalado({1.15f, 0.1f, 1.15f}), negro},
         {Primitiva::CUBO, traslacion({0, 3.88f, 0}) * escalado({0.7f, 0.65f, 0.7f}), negro},
         {Primitiva::CUBO, traslacion({0, 3.68f, 0}) * escalado({0.74f, 0.16f, 0.74f}), rojo},
         {Primitiva::ESFERA, traslacion({0, 3.12f, 0.68f}) * escalado({0.1f, 0.1f, 0.34f}), naranja},
     };
     for (float lado : {-1.0f, 1.0f}) {
-        piezas.push_back({Primitiva::ESFERA, traslacion({0.19f * lado, 3.27f, 0.45f}) * escalado(0.075f), negro});
-        piezas.push_back({Primitiva::CUBO,
-                          traslacion({1.05f * lado, 2.5f, 0}) * giroZ(0.5f * lado) * escalado({1, 0.1f, 0.1f}),
-                          madera});
+        piezas.push_back(
+            {Primitiva::ESFERA, traslacion({0.19f * lado, 3.27f, 0.45f}) * escalado(0.075f), negro});
+        piezas.push_back(
+            {Primitiva::CUBO,
+             traslacion({1.05f * lado, 2.5f, 0}) * giroZ(0.5f * lado) * escalado({1, 0.1f, 0.1f}), madera});
     }
     for (float altura : {1.25f, 2.05f})
         piezas.push_back({Primitiva::ESFERA,
@@ -59,7 +61,8 @@ inline PiezasObjeto coche() {
     };
     for (float lado : {-1.0f, 1.0f}) {
         piezas.push_back({Primitiva::ESFERA,
-                          traslacion({1.25f, 0.82f, 0.42f * lado}) * escalado({0.08f, 0.14f, 0.14f}), amarillo});
+                          traslacion({1.25f, 0.82f, 0.42f * lado}) * escalado({0.08f, 0.14f, 0.14f}),
+                          amarillo});
         piezas.push_back({Primitiva::ESFERA,
                           traslacion({-1.25f, 0.82f, 0.42f * lado}) * escalado({0.06f, 0.11f, 0.11f}), rojo});
         for (float x : {-0.75f, 0.8f}) {
@@ -73,8 +76,11 @@ inline PiezasObjeto coche() {
 
 /// Aros apilados sobre una base, de pie en el origen.
 inline PiezasObjeto aros() {
-    const glm::vec3 colores[] = {{0.16f, 0.38f, 0.80f}, {0.20f, 0.62f, 0.28f}, {0.98f, 0.78f, 0.15f},
-                                 {0.95f, 0.55f, 0.10f}, {0.85f, 0.20f, 0.18f}};
+    const glm::vec3 colores[] = {{0.16f, 0.38f, 0.80f},
+                                 {0.20f, 0.62f, 0.28f},
+                                 {0.98f, 0.78f, 0.15f},
+                                 {0.95f, 0.55f, 0.10f},
+                                 {0.85f, 0.20f, 0.18f}};
     PiezasObjeto piezas = {
         {Primitiva::CUBO, traslacion({0, 0.12f, 0}) * escalado({2.3f, 0.24f, 2.3f}), {0.80f, 0.62f, 0.42f}}};
     float altura = 0.24f, talla = 0.82f;

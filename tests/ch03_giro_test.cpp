@@ -3,6 +3,7 @@
 #include "ch03_oraculo.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "ejecuta.h"
+#include "malla.h"
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
@@ -229,4 +230,129 @@ TEST(HaciaDireccion, LlevaZADondeSePide) {
         EXPECT_LE(faltaDeOrtonormalidad(A), 24 * U);
         EXPECT_GT(glm::determinant(A), 0.9f);
     }
+}
+
+// --- El programa -------------------------------------------------------------------------------------------
+
+namespace {
+
+using oraculo::escala;
+using oraculo::Mat4;
+using oraculo::traslada;
+using oraculo::Vec3;
+
+const Vec3 FONDO{0.95, 0.96, 0.98};
+
+/// La matriz de Rodrigues, en cuádruple precisión hasta el final.
+Mat4 giroExacto(const Vec3 &d, double t) {
+    const Matriz m = rodrigues({d.x, d.y, d.z}, t);
+    Mat4 r;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            r.f[i][j] = static_cast<double>(m.f[i][j]);
+    return r;
+}
+
+/// Columnas e, f y d: `e` según la regla del libro, que deja libre cuál se niega (aquí, el que queda delante).
+Mat4 base(const Vec3 &eje) {
+    const Vec3 d = unitario(eje), a{std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)};
+    const Vec3 e = unitario(a.x <= a.y && a.x <= a.z ? Vec3{0, -d.z, d.y}
+                            : a.y <= a.z             ? Vec3{d.z, 0, -d.x}
+                                                     : Vec3{-d.y, d.x, 0});
+    const Vec3 f = vectorial(d, e);
+    return {{{e.x, f.x, d.x, 0}, {e.y, f.y, d.y, 0}, {e.z, f.z, d.z, 0}, {0, 0, 0, 1}}};
+}
+
+void ponFlecha(std::vector<ch03::Cuerpo> &cuerpos, const Vec3 &hacia, double largo, const Vec3 &color) {
+    const Mat4 B = base(hacia);
+    cuerpos.push_back(
+        {malla(B * traslada({0, 0, (largo - 0.25) / 2}) * escala({0.045, 0.045, largo - 0.25}), cilindro(16)),
+         color});
+    cuerpos.push_back(
+        {malla(B * traslada({0, 0, largo - 0.25}) * escala({0.1125, 0.1125, 0.25}), cono(24)), color});
+}
+
+void ponAvion(std::vector<ch03::Cuerpo> &cuerpos, const Mat4 &M, double viveza) {
+    const Vec3 naranja{0.95, 0.55, 0.10}, amarillo{0.98, 0.78, 0.15}, rojo{0.85, 0.20, 0.18};
+    const Vec3 piezas[][3] = {{{0, 0, 0}, {1.1, 0.22, 0.22}, naranja},
+                              {{0.1, 0, 0}, {0.32, 0.08, 1.3}, amarillo},
+                              {{-0.45, 0, 0}, {0.18, 0.06, 0.5}, amarillo},
+                              {{-0.42, 0.22, 0}, {0.2, 0.34, 0.07}, rojo}};
+    for (const auto &p : piezas)
+        cuerpos.push_back(
+            {oraculo::caja(M * traslada(p[0]) * escala(p[1])), FONDO + viveza * (p[2] - FONDO)});
+}
+
+/// Lo que dice el enunciado de la escena, en doble: d, e y f según la regla del libro, el avión sin girar y
+/// girado, y lo que recorre su centro.
+std::vector<ch03::Cuerpo> escenaGiro(const Vec3 &eje, double angulo) {
+    const Vec3 sitio{-1.1, 0.2, 1.2}, d = unitario(eje), oscuro{0.16, 0.17, 0.20};
+    std::vector<ch03::Cuerpo> cuerpos;
+    cuerpos.push_back({malla(base(d) * escala({0.03, 0.03, 3.9}), cilindro(16)), oscuro});
+    ponFlecha(cuerpos, d, 1.5, {0.85, 0.20, 0.18});
+    ponFlecha(cuerpos, direccion(base(d), {1, 0, 0}), 0.9, {0.20, 0.62, 0.28});
+    ponFlecha(cuerpos, direccion(base(d), {0, 1, 0}), 0.9, {0.16, 0.38, 0.80});
+    ponAvion(cuerpos, traslada(sitio), 0.3);
+    ponAvion(cuerpos, giroExacto(d, angulo) * traslada(sitio), 1);
+    const Vec3 centro = escalar(sitio, d) * d;
+    const double radio = longitud(sitio - centro);
+    cuerpos.push_back(
+        {malla(traslada(centro) * base(d) * escala(radio), toro(1, 0.018f, 96, 12)), {0.55, 0.58, 0.62}});
+    for (double t = 0; t < std::fabs(angulo) - 1e-4; t += 0.2)
+        cuerpos.push_back(
+            {malla(giroExacto(d, std::copysign(t, angulo)) * traslada(sitio) * escala(0.06), esfera(16)),
+             oscuro});
+    return cuerpos;
+}
+
+oraculo::Camara camaraGiro(double azimut = -0.5, double elevacion = 0.4) {
+    return perspectiva(oraculo::orbita(azimut, elevacion, 7), 0.6, 1, 30);
+}
+
+/// La imagen de giro_eje tras `guion` es la de ese eje y ese ángulo.
+void compruebaGiro(const std::string &guion, const Vec3 &eje, double angulo, const oraculo::Camara &camara) {
+    const Ejecucion ejecucion = ejecuta("ch03_transformaciones/giro_eje", guion);
+    ASSERT_EQ(ejecucion.estado, 0) << ejecucion.errores;
+    // El aro de 12 segmentos es lo que más se aparta; la misma malla, así que el borde está donde debe.
+    const double niveles = ch03::nivelesPorTeselar(12, 0.62);
+    const oraculo::Comparacion c =
+        compara(ejecucion.imagen, ch03::render(escenaGiro(eje, angulo), camara, FONDO), niveles);
+    EXPECT_LE(c.maximo, niveles) << guion << ": " << c;
+    EXPECT_EQ(c.bandaLejos, 0) << guion << ": " << c;
+    testing::Test::RecordProperty("eje_" + texto(eje.x) + "_" + texto(eje.y) + "_" + texto(eje.z),
+                                  (std::ostringstream() << c).str());
+}
+
+} // namespace
+
+TEST(ProgramaGiroEje, CadaEjeContraElOraculo) {
+    compruebaGiro("", {0, 1, 0}, 2, camaraGiro());
+    compruebaGiro("tecla 2", {1, 1, 1}, 2, camaraGiro());
+    compruebaGiro("tecla 3", {-0.6, 0.7, 0.4}, 2, camaraGiro());
+    compruebaGiro("tecla 4", {1, 1e-10, 0}, 2, camaraGiro());
+}
+
+TEST(ProgramaGiroEje, LasTeclasGiran) {
+    compruebaGiro("tecla 3; tecla a; tecla a; tecla a", {-0.6, 0.7, 0.4}, 2.3, camaraGiro());
+    std::string guion = "tecla 2";
+    for (int i = 0; i < 30; ++i)
+        guion += "; tecla d";
+    compruebaGiro(guion, {1, 1, 1}, -1, camaraGiro());
+}
+
+// Con el botón izquierdo el eje gira alrededor de los ejes de la pantalla: 50 píxeles a la derecha son medio
+// radián alrededor de la vertical de la cámara y 30 hacia abajo 0.3 alrededor de su horizontal.
+TEST(ProgramaGiroEje, ElRatonMueveElEje) {
+    const oraculo::Ejes camara = ejes(camaraGiro());
+    const Vec3 lado = direccion(giroExacto(camara.y, 0.5), {0, 1, 0});
+    compruebaGiro("boton IZQUIERDO abajo 100 80; arrastra 150 80; boton IZQUIERDO arriba 150 80", lado, 2,
+                  camaraGiro());
+    const Vec3 abajo = direccion(giroExacto(camara.x, 0.3), {0, 1, 0});
+    compruebaGiro("boton IZQUIERDO abajo 100 80; arrastra 100 110; boton IZQUIERDO arriba 100 110", abajo, 2,
+                  camaraGiro());
+}
+
+TEST(ProgramaGiroEje, ElBotonDerechoOrbita) {
+    compruebaGiro("tecla 3; boton DERECHO abajo 100 80; arrastra 60 90; boton DERECHO arriba 60 90",
+                  {-0.6, 0.7, 0.4}, 2, camaraGiro(-0.1, 0.5));
 }
