@@ -1,5 +1,5 @@
-// Lo común a las pruebas de imagen del capítulo 3: una escena de sólidos de color, con el sombreado de
-// objeto.frag en doble precisión, y cuánto puede apartarse de ella una malla de pocos segmentos.
+// Lo común a las pruebas de imagen del capítulo 3: una escena de sólidos de color y el sombreado de objeto.vert y
+// objeto.frag en doble precisión.
 #pragma once
 #include "oraculo/oraculo.h"
 #include <vector>
@@ -13,22 +13,33 @@ struct Cuerpo {
     Vec3 color;
 };
 
-inline oraculo::ImagenRef render(const std::vector<Cuerpo> &cuerpos, const oraculo::Camara &camara,
-                                 const Vec3 &fondo, int ancho = 240, int alto = 180) {
+/// La normal que llega al fragment shader: en una malla, la interpolada entre las de los vértices, que son
+/// unitarias, sin volver a normalizarla.
+inline Vec3 normalInterpolada(const oraculo::Objeto &objeto, const oraculo::Impacto &i) {
+    if (objeto.forma != oraculo::Objeto::MALLA)
+        return i.normal;
+    const oraculo::Triangulos &malla = *objeto.triangulos;
+    const auto &esquinas = malla.indices[static_cast<std::size_t>(i.corte.triangulo)];
+    const auto normal = [&](std::size_t k) {
+        return transformaNormal(objeto.inv, malla.vertices[esquinas[k]].normal);
+    };
+    return (1 - i.corte.b1 - i.corte.b2) * normal(0) + i.corte.b1 * normal(1) + i.corte.b2 * normal(2);
+}
+
+/// Compara la imagen de la GPU con la escena. El umbral de los bordes es el mismo nivel que se pide al interior:
+/// medio de guardar el color en 8 bits y medio para la aritmética de float.
+inline oraculo::Comparacion compara(const Imagen &gpu, const std::vector<Cuerpo> &cuerpos,
+                                    const oraculo::Camara &camara, const Vec3 &fondo, double umbral = 1) {
     oraculo::Escena escena;
     for (const Cuerpo &c : cuerpos)
         escena.push_back(c.objeto);
-    return oraculo::render(escena, camara, ancho, alto, [&](const oraculo::Impacto &i) {
-        const double luz = 0.58 + 0.42 * escalar(i.normal, {0.20, 0.78, 0.593});
-        return i ? luz * cuerpos[static_cast<std::size_t>(i.objeto)].color : fondo;
-    });
-}
-
-/// Niveles de 255 en que una superficie de revolución de n segmentos y color c (su mayor componente) se
-/// aparta de la exacta: la normal interpolada entre dos vértices se acorta como mucho a cos(π/n), y guardar
-/// el color en 8 bits redondea medio nivel.
-inline double nivelesPorTeselar(int n, double c) {
-    return 0.5 + 255 * c * 0.42 * (1 - std::cos(oraculo::PI / n));
+    const auto sombrea = [&](const oraculo::Impacto &i) {
+        if (!i)
+            return fondo;
+        const Cuerpo &c = cuerpos[static_cast<std::size_t>(i.objeto)];
+        return (0.58 + 0.42 * escalar(normalInterpolada(c.objeto, i), {0.20, 0.78, 0.593})) * c.color;
+    };
+    return oraculo::compara(gpu, escena, camara, sombrea, umbral);
 }
 
 } // namespace ch03
