@@ -1,7 +1,7 @@
 // Qué hay instalado y si basta: OpenGL, GLSL, GLEW, GLM, FreeGLUT y los límites que importan en el curso
-// (ejercicios 1.1 y 1.2). Programa de consola: una línea «clave: valor» por dato; estado 1 si falta
-// OpenGL 3.1. Pide un contexto sin decir versión, para saber cuál es la mayor que da el sistema. Controles:
-// ninguno; escribe y termina.
+// (ejercicios 1.1 y 1.2). Programa de consola: una línea «clave: valor» por dato; estado 1 si falta OpenGL 3.1.
+// Pide un contexto sin decir versión, para saber cuál es la mayor que da el sistema.
+// Controles: ninguno; escribe y termina.
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 #include <cstdio>

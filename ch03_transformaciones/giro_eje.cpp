@@ -39,6 +39,7 @@ static void inicia() {
     estado.cono = creaBuferes(cono(24));
     estado.aro = creaBuferes(toro(1, 0.018f, 96, 12));
     glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE); // las caras de detrás nunca se ven: los sólidos son cerrados
     glClearColor(fondo.r, fondo.g, fondo.b, 1);
 }
 

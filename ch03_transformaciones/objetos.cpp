@@ -23,6 +23,7 @@ static void inicia() {
     estado.primitivas[1] = creaBuferes(esfera(n));
     estado.primitivas[2] = creaBuferes(toro(1, RADIO_TUBO, n, m));
     glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE); // las caras de detrás nunca se ven: los sólidos son cerrados
     glClearColor(0.87f, 0.93f, 0.98f, 1);
 }
 

@@ -22,10 +22,21 @@ std::string entreComillas(const std::string &texto) {
     return s + "'";
 }
 
+/// El entorno fijado, sin tocar lo que la prueba haya puesto antes.
+void fijaEntorno() {
+    std::ifstream entorno(LAB_BUILD "/entorno.txt");
+    std::string linea;
+    while (std::getline(entorno, linea)) {
+        const std::size_t igual = linea.find('=');
+        setenv(linea.substr(0, igual).c_str(), linea.substr(igual + 1).c_str(), 0);
+    }
+}
+
 } // namespace
 
 Ejecucion ejecuta(const std::string &programa, const std::string &guion, int ancho, int alto,
                   const std::vector<std::string> &argumentos) {
+    fijaEntorno();
     std::string plantilla = (fs::temp_directory_path() / "labXXXXXX").string();
     if (!mkdtemp(plantilla.data()))
         throw std::runtime_error("no puedo crear una carpeta temporal");

@@ -286,6 +286,9 @@ TEST(Camara, CercaYLejosSonPlanos) {
     const Camara c = perspectiva(miraDesde({0, 0, 4}, {0, 0, 0}), 1.2, 1, 4.01);
     const Escena escena = {plano(escala(100))};
     EXPECT_TRUE(primerImpacto(escena, rayo(c, 60, 60, 0.5, 0.5)));
+    EXPECT_TRUE(primerImpacto({plano(Mat4{})},
+                              rayo(Camara{}, 60, 60, 30, 30))); // la cámara de los programas 2D: z de −1 a 1
+    EXPECT_FALSE(primerImpacto({plano(traslada({0, 0, 1.1}))}, rayo(Camara{}, 60, 60, 30, 30)));
     const Camara corta = perspectiva(c, 1.2, 1, 3.99), pegada = perspectiva(c, 1.2, 4.01, 9);
     EXPECT_FALSE(primerImpacto(escena, rayo(corta, 60, 60, 30, 30)));
     EXPECT_FALSE(primerImpacto(escena, rayo(pegada, 60, 60, 0.5, 0.5)));
@@ -531,6 +534,13 @@ TEST(Comparar, LaBandaVeLosBordesDeUnMismoObjeto) {
     EXPECT_GT(bordesDentro(caja(escala(1.5))), 40);
     EXPECT_GT(bordesDentro(malla(escala(1.5), cubo())), 40);
     EXPECT_LT(bordesDentro(esfera(Mat4{})), 20); // solo junto a la silueta
+    PixelRef uno, otro;                          // dos caras en el mismo plano
+    uno.objeto = otro.objeto = 0;
+    EXPECT_FALSE(hayBorde(uno, otro));
+    otro.cara = 1;
+    EXPECT_TRUE(hayBorde(uno, otro));
+    otro.cara = 0, otro.zona = 1;
+    EXPECT_TRUE(hayBorde(uno, otro));
 }
 
 // --- La grúa -----------------------------------------------------------------------------------------------

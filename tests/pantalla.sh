@@ -5,7 +5,7 @@ mkdir -p "$2"
 case $1 in
 abre)
   rm -f "$2/pantalla"
-  Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp 3>"$2/pantalla" >"$2/xvfb.log" 2>&1 &
+  Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp -noreset 3>"$2/pantalla" >"$2/xvfb.log" 2>&1 &
   echo $! >"$2/xvfb.pid"
   disown
   for _ in $(seq 100); do

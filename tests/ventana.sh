@@ -29,8 +29,8 @@ if ! espera_ventana $pid; then
 fi
 [ "$guion" = - ] || haz_guion "$guion"
 
-# La ventana tarda en dibujarse: se mira hasta que coincide, cinco segundos como mucho.
-for _ in $(seq 50); do
+# La ventana tarda en dibujarse: se mira hasta que coincide, quince segundos como mucho.
+for _ in $(seq 150); do
   xwd -silent -id "$ventana" 2>/dev/null | xwdtopnm -quiet >ventana.ppm 2>/dev/null || true
   resultado=$("$build/tests/compara" "$golden" ventana.ppm "${opciones[@]}" 2>&1) && break
   sleep 0.1
@@ -43,7 +43,7 @@ if [ "${resultado%%:*}" != bien ]; then
 fi
 
 xdotool key Escape
-for _ in $(seq 50); do kill -0 $pid 2>/dev/null || break; sleep 0.05; done
+for _ in $(seq 200); do kill -0 $pid 2>/dev/null || break; sleep 0.05; done
 kill -0 $pid 2>/dev/null && { echo "Esc no lo termina"; exit 1; }
 estado=0
 wait $pid || estado=$?

@@ -1,31 +1,8 @@
-// GLUT sin ventana: la parte de la API de FreeGLUT que usan los programas, sobre un contexto OpenGL sin
-// pantalla (contexto.h). No hay usuario ni reloj: los sucesos salen de un guion (guion.h) y el tiempo es
-// virtual, así que la misma orden da siempre la misma imagen.
-//
-// Funciones: glutInit, glutInitWindowSize, glutInitWindowPosition, glutInitDisplayMode,
-// glutInitContextVersion, glutInitContextFlags, glutInitContextProfile, glutSetOption, glutCreateWindow,
-// glutDestroyWindow, glutGetWindow, glutSetWindow, glutSetWindowTitle, glutReshapeWindow,
-// glutFullScreenToggle, glutSetCursor, glutDisplayFunc, glutReshapeFunc, glutKeyboardFunc,
-// glutKeyboardUpFunc, glutSpecialFunc, glutSpecialUpFunc, glutMouseFunc, glutMotionFunc,
-// glutPassiveMotionFunc, glutMouseWheelFunc, glutIdleFunc, glutTimerFunc, glutCloseFunc,
-// glutPostRedisplay, glutSwapBuffers, glutGet, glutMainLoop, glutLeaveMainLoop, glutCreateMenu,
-// glutDestroyMenu, glutGetMenu, glutSetMenu, glutAddMenuEntry, glutAddSubMenu, glutChangeToMenuEntry,
-// glutAttachMenu, glutDetachMenu. Cualquier otra no está y el enlazador lo dice.
-//
-// Diferencias con FreeGLUT: hay una sola ventana; la función de glutIdleFunc se llama una vez tras cada
-// orden del guion; un temporizador de 0 ms espera 1;
-// las teclas modificadoras no se ven; al acabar el guion la ventana se cierra, como si lo
-// hiciera el usuario. Un error de OpenGL, o un mensaje de depuración de error, comportamiento indefinido u
-// obsoleto, acaba el programa con estado 3.
 #include "../error.h"
 #include "../imagen.h"
 #include "contexto.h"
+#include "glut_sin_ventana.h"
 #include "guion.h"
-// clang-format off
-#include <GL/gl.h>
-#include <GL/glext.h>
-#include <GL/freeglut.h>
-// clang-format on
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -23,8 +23,7 @@ inline Camara miraDesde(const Vec3 &ojo, const Vec3 &centro, const Vec3 &arriba 
     c.ojo = ojo, c.centro = centro, c.arriba = arriba;
     return c;
 }
-/// La de common/orbita.h: desde +Z, sube `elevacion` (giro alrededor de X) y luego gira `azimut` alrededor de
-/// Y.
+/// La de common/orbita.h: desde +Z, sube `elevacion` (alrededor de X) y luego gira `azimut` alrededor de Y.
 inline Camara orbita(double azimut, double elevacion, double distancia, const Vec3 &centro = {}) {
     const Mat4 giro = gira({0, 1, 0}, azimut) * gira({1, 0, 0}, -elevacion);
     return miraDesde(centro + direccion(giro, {0, 0, distancia}), centro);

@@ -109,9 +109,8 @@ std::vector<double> raicesPolinomio(const std::array<double, N> &p, double desde
 inline bool corta(const Objeto &objeto, const Rayo &r, Corte &c) {
     Vec3 o = punto(objeto.inv, r.origen);
     const Vec3 d = direccion(objeto.inv, r.direccion);
-    // Se parte del punto del rayo más cercano al centro (o·d = 0): los números son del tamaño del objeto
-    // aunque el ojo esté lejos. La dirección no se normaliza, y así t es la misma distancia aquí que en el
-    // mundo.
+    // Se parte del punto del rayo más cercano al centro (o·d = 0): los números son del tamaño del objeto aunque
+    // el ojo esté lejos. d no se normaliza: así t es la misma distancia aquí que en el mundo.
     const double a = escalar(d, d), salto = -escalar(o, d) / a, minimo = r.minimo - salto;
     o = o + salto * d;
     Corte local;

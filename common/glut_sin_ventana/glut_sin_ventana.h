@@ -1,0 +1,33 @@
+// GLUT sin ventana: la parte de la API de FreeGLUT que usan los programas, sobre un contexto OpenGL sin pantalla
+// (contexto.h). No hay usuario ni reloj: los sucesos salen de un guion (guion.h) y el tiempo es virtual, así que
+// la misma orden da siempre la misma imagen. Los programas incluyen <GL/freeglut.h> y no saben con qué se enlazan.
+//
+// Están, con el significado que tienen en FreeGLUT:
+//   glutInit glutInitWindowSize glutInitWindowPosition glutInitDisplayMode glutInitContextVersion
+//   glutInitContextFlags glutInitContextProfile glutSetOption glutCreateWindow glutDestroyWindow glutGetWindow
+//   glutSetWindow glutSetWindowTitle glutReshapeWindow glutFullScreenToggle glutSetCursor glutDisplayFunc
+//   glutReshapeFunc glutKeyboardFunc glutKeyboardUpFunc glutSpecialFunc glutSpecialUpFunc glutMouseFunc
+//   glutMotionFunc glutPassiveMotionFunc glutMouseWheelFunc glutIdleFunc glutTimerFunc glutCloseFunc
+//   glutPostRedisplay glutSwapBuffers glutGet glutMainLoop glutLeaveMainLoop glutCreateMenu glutDestroyMenu
+//   glutGetMenu glutSetMenu glutAddMenuEntry glutAddSubMenu glutChangeToMenuEntry glutAttachMenu glutDetachMenu
+// Cualquier otra no está, y el enlazador lo dice. Un valor de glutGet o glutSetOption que no se imita termina
+// el programa con un mensaje.
+//
+// Se aparta de FreeGLUT en que
+// - hay una sola ventana, y sin pantalla no tiene posición, título ni cursor: esas llamadas no tienen efecto;
+// - la pantalla completa es de 1920×1080;
+// - la función de glutIdleFunc se llama una vez tras cada orden del guion;
+// - un temporizador de 0 ms espera 1 ms;
+// - las teclas modificadoras no se ven;
+// - al acabar el guion la ventana se cierra, como si lo hiciera el usuario, y glutMainLoop vuelve.
+//
+// Opciones, órdenes del guion y estados de salida: las escribe cualquier programa sin ventana con -ayuda (AYUDA
+// en guion.cpp). El contexto es un OpenGL 3.1 core con GLSL 1.40 y nada más. Un error de OpenGL, o un mensaje
+// de depuración de error, de comportamiento indefinido o de función obsoleta, acaba el programa con estado 3,
+// aunque el programa se trague el error.
+#pragma once
+// clang-format off
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <GL/freeglut.h>
+// clang-format on
