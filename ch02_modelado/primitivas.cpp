@@ -11,9 +11,9 @@
 // se solapan ni los triángulos de la tira ni los del abanico.
 static const struct {
     GLfloat posicion[2], color[3];
-} VERTICES[] = {{{0.00f, -0.70f}, {0.95f, 0.55f, 0.10f}},  {{0.86f, -0.45f}, {0.85f, 0.20f, 0.18f}},
+} VERTICES[] = {{{0.00f, -0.70f}, {0.95f, 0.55f, 0.10f}},  {{0.86f, -0.44f}, {0.85f, 0.20f, 0.18f}},
                 {{0.36f, -0.08f}, {0.16f, 0.38f, 0.80f}},  {{0.00f, 0.80f}, {0.20f, 0.62f, 0.28f}},
-                {{-0.36f, -0.08f}, {0.98f, 0.78f, 0.15f}}, {{-0.86f, -0.45f}, {0.55f, 0.25f, 0.70f}}};
+                {{-0.36f, -0.08f}, {0.98f, 0.78f, 0.15f}}, {{-0.86f, -0.44f}, {0.55f, 0.25f, 0.70f}}};
 static const GLsizei N_VERTICES = sizeof VERTICES / sizeof VERTICES[0];
 
 // Cada familia en una fila de la rejilla de 3×3; la fila 0 es la de abajo.

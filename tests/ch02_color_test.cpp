@@ -33,9 +33,9 @@ void esperaColor(const Imagen &imagen, int x, int y, const V &esperado) {
     EXPECT_NEAR(p.b, esperado.b, 1) << x << "," << y;
 }
 
-const V NARANJA{0, -0.70, 0.95, 0.55, 0.10}, ROJO{0.86, -0.45, 0.85, 0.20, 0.18},
+const V NARANJA{0, -0.70, 0.95, 0.55, 0.10}, ROJO{0.86, -0.44, 0.85, 0.20, 0.18},
     AZUL{0.36, -0.08, 0.16, 0.38, 0.80}, VERDE{0, 0.80, 0.20, 0.62, 0.28},
-    AMARILLO{-0.36, -0.08, 0.98, 0.78, 0.15}, MORADO{-0.86, -0.45, 0.55, 0.25, 0.70};
+    AMARILLO{-0.36, -0.08, 0.98, 0.78, 0.15}, MORADO{-0.86, -0.44, 0.55, 0.25, 0.70};
 const std::vector<V> VERTICES = {NARANJA, ROJO, AZUL, VERDE, AMARILLO, MORADO};
 
 bool esDe(const Pixel &p, const V &v) {
