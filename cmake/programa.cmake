@@ -5,7 +5,7 @@
 # caso(programa nombre [GUION "orden; orden"] [ARGUMENTOS a b …] [LINEAS | TOLERANCIA "…" MOTIVO "…"])
 #   Una imagen de ese programa: tras el guion debe ser tests/golden/<capítulo>/<programa>[-nombre].ppm;
 #   el caso que se llama base no lleva sufijo. TOLERANCIA cambia la que usa el comparador cuando la imagen no es del
-#   mismo OpenGL que el golden, y exige un MOTIVO. LINEAS es la de los casos con líneas de un píxel: OpenGL deja
+#   mismo OpenGL que el golden, y exige un MOTIVO. LINEAS es la de los casos con puntos o líneas: OpenGL deja
 #   a cada controlador elegir qué píxeles pintan, y por tanto dónde las tapa una cara.
 #
 # Con esas dos funciones se escriben build/catalogo.tsv (capítulo, programa, referencia, título) y
@@ -43,7 +43,7 @@ function(caso programa nombre)
     message(FATAL_ERROR "caso(${programa} ${nombre}): sobra «${C_UNPARSED_ARGUMENTS}» o falta el MOTIVO")
   endif()
   if(C_LINEAS)
-    set(C_TOLERANCIA "2 3 255")
+    set(C_TOLERANCIA "4 3 255")
   endif()
   get_filename_component(capitulo ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   # El guion lleva `;`, que CMake toma por separador de listas: en las filas viaja como \;
