@@ -37,8 +37,9 @@ inline Vec3 normalInterpolada(const oraculo::Objeto &objeto, const oraculo::Impa
     return (1 - i.corte.b1 - i.corte.b2) * normal(0) + i.corte.b1 * normal(1) + i.corte.b2 * normal(2);
 }
 
-/// Lo que puede desviarse (píxeles) el borde de una misma malla: OpenGL lleva los vértices a una rejilla de 1/256.
-const double DESVIO = 2.0 / 256;
+/// Lo que puede desviarse (píxeles) el borde de una misma malla: OpenGL lleva los vértices a una rejilla de 1/256,
+/// y la punta donde se cortan dos lados que forman un ángulo agudo se mueve unas cuantas veces más.
+const double DESVIO = 1.0 / 32;
 
 /// Compara la imagen de la GPU con la escena. El umbral de los bordes es el mismo nivel que se pide al interior:
 /// medio de guardar el color en 8 bits y medio para la aritmética de float.
