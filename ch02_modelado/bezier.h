@@ -77,20 +77,20 @@ inline glm::dvec3 normal(const Parche &q, double u, double v) {
     for (const auto &fila : q.p)
         for (const glm::dvec3 &p : fila)
             talla = std::max(talla, glm::length(p - q.p[0][0]));
-    const double nada = 1e-8; // relativo a la talla del parche, en derivadas y ángulos
+    const double escala = talla > 0 ? 1 / talla : 0, nada = 1e-8; // en un parche de talla 1
+    const auto d = [&](const Pesos &pu, const Pesos &pv) { return escala * derivada(q, pu, pv); };
     for (const double paso : {0.0, 1.0 / 64, 1.0 / 16, 1.0 / 4, 1.0 / 2}) {
         const double s = u + paso * (0.5 - u), t = v + paso * (0.5 - v);
-        const Pesos u0 = pesos(s, 1 - s), u1 = pesos1(s, 1 - s), v0 = pesos(t, 1 - t), v1 = pesos1(t, 1 - t);
-        const glm::dvec3 du = derivada(q, u1, v0), dv = derivada(q, u0, v1), n = glm::cross(du, dv);
+        const Pesos u0 = pesos(s, 1 - s), u1 = pesos1(s, 1 - s), u2 = pesos2(s, 1 - s), v0 = pesos(t, 1 - t),
+                    v1 = pesos1(t, 1 - t), v2 = pesos2(t, 1 - t);
+        const glm::dvec3 du = d(u1, v0), dv = d(u0, v1), n = glm::cross(du, dv);
         const double lu = glm::length(du), lv = glm::length(dv);
-        if (lu > nada * talla && lv > nada * talla && glm::length(n) > nada * lu * lv)
+        if (lu > nada && lv > nada && glm::length(n) > nada * lu * lv)
             return glm::normalize(n);
         const double a = 0.5 - s, b = 0.5 - t;
-        const glm::dvec3 duv = derivada(q, u1, v1);
-        const glm::dvec3 duc = a * derivada(q, pesos2(s, 1 - s), v0) + b * duv,
-                         dvc = a * duv + b * derivada(q, u0, pesos2(t, 1 - t));
+        const glm::dvec3 duv = d(u1, v1), duc = a * d(u2, v0) + b * duv, dvc = a * duv + b * d(u0, v2);
         const glm::dvec3 limite = glm::cross(duc, dv) + glm::cross(du, dvc);
-        if (glm::length(limite) > nada * talla * talla)
+        if (glm::length(limite) > nada)
             return glm::normalize(limite);
     }
     return {0, 0, 1};

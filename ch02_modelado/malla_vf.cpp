@@ -85,7 +85,6 @@ static void inicia(const std::string &fichero) {
     estado.programaLineas = creaPrograma("ch02_modelado/caras.vert", "ch02_modelado/lineas.frag");
     estado.malla = leeVf(fichero);
     const std::vector<glm::vec3> vertices = encuadra(estado.malla.vertices);
-
     estado.orbita.distancia = distanciaQueEncuadra(vertices, estado.orbita, ANGULO, relacionAspecto());
 
     GLuint vao, buffers[2];

@@ -15,7 +15,7 @@
 static const float ANGULO = 0.55f; // de la perspectiva, en radianes
 // Con esta tolerancia el mayor error de cuerda, proyectado, es menos de medio píxel en 960×720 (la prueba
 // ch02_bezier lo mide): en esta superficie el error es como mucho la mitad de lo que garantiza la cota.
-static const double TOLERANCIA = 0.0075, TOLERANCIA_MINIMA = 1e-4, TOLERANCIA_MAXIMA = 1;
+static const double TOLERANCIA = 0.0075, TOLERANCIA_MINIMA = 5e-4, TOLERANCIA_MAXIMA = 1;
 static const glm::vec3 cobalto(0.13f, 0.33f, 0.74f), porcelana(0.93f, 0.90f, 0.84f),
     tinta(0.14f, 0.20f, 0.38f);
 
@@ -68,8 +68,10 @@ static void dibuja() {
     const glm::vec3 ojo = posicionCamara(estado.orbita);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
-    // Con líneas, las caras van un poco más lejos, para no taparlas.
-    (estado.lineas == NINGUNA ? glDisable : glEnable)(GL_POLYGON_OFFSET_FILL);
+    if (estado.lineas == NINGUNA)
+        glDisable(GL_POLYGON_OFFSET_FILL);
+    else
+        glEnable(GL_POLYGON_OFFSET_FILL); // las caras un poco más lejos: no tapan las líneas
     const glm::vec3 &color = estado.lineas == NINGUNA ? cobalto : porcelana;
     glUseProgram(estado.programa);
     glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(M));

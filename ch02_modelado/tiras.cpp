@@ -53,11 +53,10 @@ static void inicia(const std::string &fichero) {
     informa(triangulos.size());
 
     const std::vector<glm::vec3> vertices = encuadra(malla.vertices);
+    estado.orbita.distancia = distanciaQueEncuadra(vertices, estado.orbita, ANGULO, relacionAspecto());
     std::vector<GLuint> indices; // todas las tiras, una tras otra
     for (const Tira &tira : estado.tiras)
         indices.insert(indices.end(), tira.begin(), tira.end());
-
-    estado.orbita.distancia = distanciaQueEncuadra(vertices, estado.orbita, ANGULO, relacionAspecto());
 
     GLuint vao, buffers[2];
     glGenVertexArrays(1, &vao);

@@ -314,6 +314,9 @@ TEST(Bezier, NuncaNaN) {
             EXPECT_NEAR(glm::length(v.normal), 1, 1e-6f);
     }
     EXPECT_TRUE(teselaParches({punto}, 0.1).malla.indices.empty());
+    // Un parche de talla 1e-100 tiene la misma normal que el de talla 1 (el de 1e8, menos su origen).
+    EXPECT_LE(glm::length(evaluaParche(diminuto, 0.3, 0.6).normal - evaluaParche(lejano, 0.3, 0.6).normal),
+              1e-14);
     // A 1e8 del origen las derivadas no pierden nada: los puntos de control se restan antes, sin error.
     for (double u : {0.1, 0.5, 0.9})
         EXPECT_LE(separacion(evaluaParche(lejano, u, 0.3).normal, exacto(lejano, u, Quad(0.3)).n), 1e-14);

@@ -1,7 +1,10 @@
 // Comprobaciones independientes de primitivas, modelo_poligonal y figura_color: qué color debe haber en un
 // píxel, calculado en doble precisión con las coordenadas de los vértices.
 #include "ejecuta.h"
+#include <GL/glew.h>
+#include <GL/freeglut.h>
 #include <cmath>
+#include <cstdlib>
 #include <gtest/gtest.h>
 #include <sstream>
 #include <vector>
@@ -171,6 +174,29 @@ TEST(Primitivas, LaRejillaTieneSietePaneles) {
     const Ejecucion vuelta =
         ejecuta("ch02_modelado/primitivas", "tecla 6; tamano 1 1; tamano 960 720; tecla 0", 960, 720);
     EXPECT_EQ(e.imagen.rgb, vuelta.imagen.rgb);
+}
+
+// El listado 2.4 dibuja sin VAO: un contexto core lo rechaza. Con uno, aunque esté vacío, el mismo dibujo es
+// válido. (Cada caso en un proceso, que termina con 3 si hay un error de OpenGL.)
+TEST(ModeloPoligonal, SinVaoNoSeDibuja) {
+    const auto dibuja = [](bool conVao) {
+        char nombre[] = "prueba";
+        char *argv[] = {nombre, nullptr};
+        int argc = 1;
+        glutInit(&argc, argv);
+        glutInitContextVersion(3, 1);
+        glutCreateWindow("prueba");
+        glewExperimental = GL_TRUE;
+        glewInit();
+        GLuint vao;
+        glGenVertexArrays(1, &vao);
+        if (conVao)
+            glBindVertexArray(vao);
+        glDrawArrays(GL_POINTS, 0, 1);
+        std::exit(glGetError() == GL_NO_ERROR ? 0 : 3);
+    };
+    EXPECT_EXIT(dibuja(false), testing::ExitedWithCode(3), "");
+    EXPECT_EXIT(dibuja(true), testing::ExitedWithCode(0), "");
 }
 
 // Un píxel interior de cada uno de los seis triángulos, con el color baricéntrico exacto.
