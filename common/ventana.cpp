@@ -84,14 +84,12 @@ float relacionAspecto() {
     return static_cast<float>(ancho) / static_cast<float>(alto);
 }
 
-glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos) {
-    const float aspecto = relacionAspecto();
+glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos, float aspecto) {
     const float vertical = aspecto < 1 ? 2 * std::atan(std::tan(angulo / 2) / aspecto) : angulo;
     return glm::perspective(vertical, aspecto, cerca, lejos);
 }
 
-glm::mat4 paralelaVentana(float semilado, float cerca, float lejos) {
-    const float aspecto = relacionAspecto();
+glm::mat4 paralelaVentana(float semilado, float cerca, float lejos, float aspecto) {
     const float x = semilado * std::max(aspecto, 1.0f), y = semilado * std::max(1 / aspecto, 1.0f);
     return glm::ortho(-x, x, -y, y, cerca, lejos);
 }

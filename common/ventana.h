@@ -22,12 +22,13 @@ bool teclaEspecialComun(int tecla);
 /// ancho/alto de la ventana, nunca 0 ni infinito.
 float relacionAspecto();
 
-/// Perspectiva en que el ángulo (radianes) abarca el lado MENOR de la ventana: estrecharla no corta la
-/// escena.
-glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos);
+/// Perspectiva en que el ángulo (radianes) abarca el lado MENOR: estrechar la ventana no corta la escena.
+/// `aspecto`: ancho/alto de la vista, si no ocupa toda la ventana.
+glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos, float aspecto = relacionAspecto());
 
 /// Proyección paralela que siempre abarca [−semilado, semilado] en X y en Y, sin deformar.
-glm::mat4 paralelaVentana(float semilado, float cerca = -1, float lejos = 1);
+glm::mat4 paralelaVentana(float semilado, float cerca = -1, float lejos = 1,
+                          float aspecto = relacionAspecto());
 
 /// Color de la ventana tal como está en el framebuffer, primera fila abajo.
 struct Imagen leeVentana();
