@@ -1,7 +1,7 @@
 // Cuánta profundidad cabe en el buffer (§4.4 y §4.5): doce carteles entre 12 y 800 m, cada uno con un cuadro
 // amarillo 5 cm por delante. Con lejos a 1 km, acercar el plano cerca reparte casi todos los valores del buffer
 // junto a la cámara, y de lejos dos superficies reciben la misma profundidad: lo azul asoma por lo amarillo.
-// GLUT_DEPTH pide el buffer y no dice de cuántos bits; aquí son 24, es decir 2^24 profundidades distintas.
+// GLUT_DEPTH no dice de cuántos bits es el buffer (24 o 32 según la ventana): se dibuja en uno propio de 24.
 // Controles: 1 2 3 lejos/cerca 1e2 1e4 1e6 · ratón orbita · Esc termina.
 #include "profundidad.h"
 #include "ch03_transformaciones/transformaciones.h"
@@ -10,6 +10,7 @@
 #include "orbita.h"
 #include "shader.h"
 #include "ventana.h"
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <glm/gtc/type_ptr.hpp>
@@ -20,7 +21,7 @@ static const float CERCA[] = {10, 0.1f, 0.001f};
 static const glm::vec3 AZUL(0.16f, 0.38f, 0.80f), AMARILLO(0.98f, 0.78f, 0.15f);
 
 static struct {
-    GLuint programa;
+    GLuint programa, framebuffer, color, profundidad;
     Buferes plano;
     int razon = 0;
     bool informa = true;
@@ -30,7 +31,22 @@ static struct {
 static void inicia() {
     estado.programa = creaPrograma("ch04_vista3d/plano.vert", "ch04_vista3d/plano.frag");
     estado.plano = creaBuferes(plano(16));
+    glGenFramebuffers(1, &estado.framebuffer);
+    glGenRenderbuffers(1, &estado.color);
+    glGenRenderbuffers(1, &estado.profundidad);
     glClearColor(0.87f, 0.93f, 0.98f, 1);
+}
+
+static void cambiaTamano(int ancho, int alto) {
+    ancho = std::max(ancho, 1), alto = std::max(alto, 1);
+    glViewport(0, 0, ancho, alto);
+    glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, estado.color);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, ancho, alto);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, estado.color);
+    glBindRenderbuffer(GL_RENDERBUFFER, estado.profundidad);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, ancho, alto);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, estado.profundidad);
 }
 
 static void dibujaPlano(const glm::mat4 &camaraModelo, const glm::vec3 &color) {
@@ -57,7 +73,15 @@ static void dibujaCarteles() {
     }
 }
 
+static void copiaEnVentana() {
+    const int ancho = glutGet(GLUT_WINDOW_WIDTH), alto = glutGet(GLUT_WINDOW_HEIGHT);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, ancho, alto, 0, 0, ancho, alto, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
+}
+
 static int cuentaAmarillos() {
+    copiaEnVentana();
     const Imagen ventana = leeVentana();
     int n = 0;
     for (std::size_t i = 0; i < ventana.rgb.size(); i += 3)
@@ -69,7 +93,8 @@ static int cuentaAmarillos() {
 // separadas una cienmilésima de su distancia. `amarillos`: los píxeles en que el cuadro debería verse.
 static void informa(int amarillos) {
     const double cerca = static_cast<double>(CERCA[estado.razon]), lejos = static_cast<double>(LEJOS);
-    const int bits = glutGet(GLUT_WINDOW_DEPTH_SIZE);
+    GLint bits = 0;
+    glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_DEPTH_SIZE, &bits);
     const double mal = amarillos > 0 ? 1 - static_cast<double>(cuentaAmarillos()) / amarillos : 0;
     const ParesMal exacto = cuentaPares<double>(cerca, lejos, 1e-5, bits),
                    comoGpu = cuentaPares<float>(cerca, lejos, 1e-5, bits);
@@ -82,6 +107,7 @@ static void informa(int amarillos) {
 }
 
 static void dibuja() {
+    glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
     glUseProgram(estado.programa);
     glBindVertexArray(estado.plano.vao);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -97,6 +123,7 @@ static void dibuja() {
     if (estado.informa)
         informa(amarillos);
     estado.informa = false;
+    copiaEnVentana();
     glutSwapBuffers();
 }
 
@@ -112,6 +139,7 @@ int main(int argc, char **argv) {
     abreVentana(argc, argv, "Precisión de la profundidad", 800, 600);
     inicia();
     glutDisplayFunc(dibuja);
+    glutReshapeFunc(cambiaTamano);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
     glutMainLoop();
