@@ -75,6 +75,12 @@ inline glm::dmat4 proyeccionPerspectiva(double theta, double aspecto, double cer
             {0, 0, 2 * lejos * cerca / fondo, 0}};
 }
 
+/// El ángulo en Y con que `angulo` abarca el lado menor de una vista de ese aspecto: así, estrecharla no
+/// corta la escena.
+inline double anguloEnY(double angulo, double aspecto) {
+    return aspecto < 1 ? 2 * std::atan(std::tan(angulo / 2) / aspecto) : angulo;
+}
+
 /// Transformación al área de dibujo, ecuación 4.4: lleva el volumen canónico a coordenadas de ventana y la
 /// profundidad a [zCerca, zLejos], como glViewport y glDepthRange. El libro resta medio píxel (pone los
 /// centros en los enteros) y deja z en [−1, 1]; en OpenGL el centro del píxel (0, 0) es (0.5, 0.5).
