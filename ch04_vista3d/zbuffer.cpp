@@ -26,7 +26,7 @@ static struct {
     GLuint programa, programaCopia, textura;
     std::vector<Solido> solidos;
     bool test = true, enCpu = false;
-    Orbita orbita = {0.55f, 0.45f, 18, {0, 1.1f, 0}};
+    Orbita orbita = {0.55f, 0.45f, 18.6f, {0, 1.1f, 0}};
 } estado;
 
 static void inicia() {

@@ -80,22 +80,23 @@ Recuento cuenta(const Imagen &a, const Imagen &b) {
 
 } // namespace
 
-// La GPU y la CPU, cada una contra el trazado de rayos en doble: el orden de visibilidad es el bueno.
+// La GPU y la CPU, cada una contra el trazado de rayos en doble: el orden de visibilidad es el bueno. En los
+// bordes, los vértices redondeados a 1/256 de píxel mueven un lado √2/256 como mucho: difieren a lo sumo
+// 2·√2/256 = 1/90 de los píxeles (y alguno enseña una cara trasera, que no se descarta).
 TEST(ZBuffer, GpuYCpuContraTrazadoDeRayos) {
-    const oraculo::ImagenRef ref = referencia(0.55, 0.45, 18);
+    const oraculo::ImagenRef ref = referencia(0.55, 0.45, 18.6);
     for (const char *guion : {"", "tecla c"}) {
         const Ejecucion e = ejecuta(PROGRAMA, guion);
         ASSERT_EQ(e.estado, 0) << e.errores;
         const oraculo::Comparacion c = compara(e.imagen, ref);
         std::cout << (*guion ? "CPU: " : "GPU: ") << c << "\n";
         EXPECT_LE(c.maximo, 1) << c;
-        EXPECT_EQ(c.bandaLejos, 0) << c;
+        EXPECT_LE(c.bandaDistintos, c.banda / 90) << c;
     }
 }
 
-// La CPU y la GPU, píxel a píxel. En el interior no difieren en más de un nivel. En los bordes, los vértices se
-// redondean a 1/256 de píxel en las dos, y un redondeo distinto mueve un lado como mucho √2/256: por píxel de
-// borde difieren a lo sumo 2·√2/256 = 1/90 píxeles. `ref`, si la hay, dice cuál es el interior.
+// La CPU y la GPU, píxel a píxel. En el interior no difieren en más de un nivel; en los bordes, por lo mismo de
+// antes, en 1/90 píxeles por píxel de longitud. `ref`, si la hay, dice cuál es el interior.
 static void coinciden(const std::string &guion, const oraculo::ImagenRef *ref) {
     const Ejecucion gpu = ejecuta(PROGRAMA, guion), cpu = ejecuta(PROGRAMA, guion + "tecla c");
     ASSERT_EQ(gpu.estado, 0) << gpu.errores;
@@ -119,12 +120,12 @@ static void coinciden(const std::string &guion, const oraculo::ImagenRef *ref) {
 }
 
 TEST(ZBuffer, CpuYGpuCoinciden) {
-    const oraculo::ImagenRef ref = referencia(0.55, 0.45, 18);
+    const oraculo::ImagenRef ref = referencia(0.55, 0.45, 18.6);
     coinciden("", &ref);
 }
 
 TEST(ZBuffer, CpuYGpuCoincidenTrasGirar) {
-    const oraculo::ImagenRef ref = referencia(0.55 - 1.5, 0.45 - 0.3, 18);
+    const oraculo::ImagenRef ref = referencia(0.55 - 1.5, 0.45 - 0.3, 18.6);
     coinciden("boton IZQUIERDO abajo 10 50; arrastra 160 20; boton IZQUIERDO arriba 160 20; ", &ref);
 }
 
@@ -137,7 +138,7 @@ TEST(ZBuffer, CpuYGpuCoincidenDentroDeLaEscena) {
     std::string guion;
     for (int i = 0; i < 18; ++i)
         guion += "rueda +1 120 90; ";
-    const oraculo::ImagenRef ref = referencia(0.55, 0.45, 18 / std::pow(1.1, 18));
+    const oraculo::ImagenRef ref = referencia(0.55, 0.45, 18.6 / std::pow(1.1, 18));
     coinciden(guion, &ref);
 }
 
@@ -145,7 +146,7 @@ TEST(ZBuffer, CpuYGpuCoincidenDentroDeLaEscena) {
 TEST(ZBuffer, SinTestGanaElUltimo) {
     const oraculo::Escena solidos = escena(), soloElCono = {solidos.back()};
     const oraculo::Camara camara =
-        oraculo::perspectiva(oraculo::orbita(0.55, 0.45, 18, {0, 1.1, 0}), 0.5, 1, 100);
+        oraculo::perspectiva(oraculo::orbita(0.55, 0.45, 18.6, {0, 1.1, 0}), 0.5, 1, 100);
     const Ejecucion sin = ejecuta(PROGRAMA, "tecla z"), con = ejecuta(PROGRAMA);
     ASSERT_EQ(sin.estado, 0) << sin.errores;
     int verdes = 0, tapados = 0;
