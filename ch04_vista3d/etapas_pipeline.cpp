@@ -110,7 +110,6 @@ static void dibujaPanel(int k, const glm::vec4 &vertice, const std::vector<glm::
     glEnable(GL_DEPTH_TEST);
     glLineWidth(grueso);
     glPointSize(2 * std::floor(grueso) + 5);
-
     if (k == NDC && estado.cual) // lo de detrás del ojo no tiene sitio en NDC: solo lo que queda
         dibujaPuntos(GL_TRIANGLE_FAN, poligono, deRecortado, amarillo);
     else
