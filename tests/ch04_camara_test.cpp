@@ -1,9 +1,8 @@
 // Comprobaciones independientes de la transformación de la cámara (ecuación 4.1): vista.h contra la ecuación en
 // cuádruple precisión y contra GLM, los casos difíciles, y lo que ve el programa camara contra el oráculo.
+#include "ch04_mallas.h"
 #include "ch04_vista3d/vista.h"
 #include "ejecuta.h"
-#include "malla.h"
-#include "oraculo/oraculo.h"
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -240,29 +239,6 @@ Imagen mitadDerecha(const Imagen &imagen) {
                 r.rgb.push_back(static_cast<unsigned char>(c));
         }
     return r;
-}
-
-/// Una malla de common/ llevada al mundo por M, con las normales de sus vértices ya transformadas.
-o::Objeto enMundo(const o::Mat4 &M, const Malla &malla) {
-    const o::Mat4 inv = o::inversa(M);
-    std::vector<o::Vertice> vertices;
-    for (const Vertice &v : malla.vertices)
-        vertices.push_back({o::punto(M, {v.posicion.x, v.posicion.y, v.posicion.z}),
-                            o::transformaNormal(inv, {v.normal.x, v.normal.y, v.normal.z})});
-    std::vector<std::array<std::size_t, 3>> indices;
-    for (std::size_t k = 0; k < malla.indices.size(); k += 3)
-        indices.push_back({malla.indices[k], malla.indices[k + 1], malla.indices[k + 2]});
-    return o::malla({}, vertices, indices);
-}
-
-/// La normal como la recibe objeto.frag: interpolada entre las de los vértices, sin normalizar.
-o::Vec3 normalInterpolada(const o::Escena &escena, const o::Impacto &i) {
-    const o::Objeto &objeto = escena[static_cast<std::size_t>(i.objeto)];
-    if (!objeto.triangulos)
-        return i.normal;
-    const auto &t = objeto.triangulos->indices[static_cast<std::size_t>(i.corte.triangulo)];
-    const auto n = [&](std::size_t k) { return objeto.triangulos->vertices[t[k]].normal; };
-    return (1 - i.corte.b1 - i.corte.b2) * n(0) + i.corte.b1 * n(1) + i.corte.b2 * n(2);
 }
 
 /// La escena de camara.cpp, escrita otra vez; esfera y cono, con la misma malla.
