@@ -54,7 +54,7 @@ inline glm::dmat4 transformacionCamara(const glm::dvec3 &p, const glm::dvec3 &i,
 inline glm::dmat4 proyeccionParalela(double izquierda, double derecha, double abajo, double arriba,
                                      double cerca, double lejos) {
     const double ancho = derecha - izquierda, alto = arriba - abajo, fondo = lejos - cerca;
-    if (!(ancho != 0 && alto != 0 && fondo != 0))
+    if (!std::isnormal(ancho) || !std::isnormal(alto) || !std::isnormal(fondo))
         falla("proyeccionParalela: el volumen de la vista no tiene ancho, alto o fondo");
     return {{2 / ancho, 0, 0, 0},
             {0, 2 / alto, 0, 0},
