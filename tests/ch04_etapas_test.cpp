@@ -14,9 +14,9 @@ namespace {
 namespace o = oraculo;
 using Racional = boost::multiprecision::cpp_rational;
 
-/// El polígono exacto, dividido por w. Un punto del triángulo es a + s·(b − a) + t·(c − a), y tanto las tres condiciones
-/// de estar en él como las seis del volumen son semiplanos de (s, t): los vértices son los cortes de sus rectas, de dos
-/// en dos, que cumplen las nueve.
+/// El polígono exacto, dividido por w. Un punto del triángulo es a + s·(b − a) + t·(c − a), y tanto las tres
+/// condiciones de estar en él como las seis del volumen son semiplanos de (s, t): los vértices son los cortes
+/// de sus rectas, de dos en dos, que cumplen las nueve.
 struct PuntoExacto {
     Racional s, t, x, y;
 };
@@ -79,9 +79,9 @@ double areaExacta(const std::vector<PuntoExacto> &p) {
 
 } // namespace
 
-// Triángulos al azar delante, detrás y a los lados del ojo. Con cerca = 1, w ≥ 1 en lo que queda y las coordenadas no
-// pasan de 40: cada corte pierde unos 4 redondeos de 40 y son seis, 1e-13 por vértice; el área, con un perímetro de 8,
-// menos de 1e-12.
+// Triángulos al azar delante, detrás y a los lados del ojo. Con cerca = 1, w ≥ 1 en lo que queda y las
+// coordenadas no pasan de 40: cada corte pierde unos 4 redondeos de 40 y son seis, 1e-13 por vértice; el área,
+// con un perímetro de 8, menos de 1e-12.
 TEST(Recortado, AreaContraElPoligonoExacto) {
     std::mt19937 azar(45);
     std::uniform_real_distribution<double> u(-1, 1);
