@@ -101,7 +101,7 @@ static void dibujaPuntos(GLenum primitiva, const std::vector<glm::vec4> &puntos,
 static void dibujaPanel(int k, const glm::vec4 &vertice, const std::vector<glm::vec4> &poligono) {
     const Panel &p = estado.paneles[static_cast<std::size_t>(k)];
     const glm::dmat4 deRecortado = p.camara * p.deRecortado;
-    const float grueso = std::max(static_cast<float>(p.alto) / 45, 1.0f);
+    const float grueso = std::max(static_cast<float>(std::min(p.ancho, p.alto)) / 45, 1.0f);
     const bool delante = k == OBJETO || k == MUNDO || vertice.w > 0; // si no, tampoco tiene sitio en NDC
     glViewport(p.x, p.y, p.ancho, p.alto);
     glScissor(p.x, p.y, p.ancho, p.alto);

@@ -61,7 +61,8 @@ static void dibujaLineas(GLenum primitiva, const std::vector<glm::vec4> &puntos,
 }
 
 static void dibuja() {
-    const float grueso = std::max(static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT)) / 90, 1.0f); // píxeles
+    const int lado = std::min(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
+    const float grueso = std::max(static_cast<float>(lado) / 90, 1.0f); // de las líneas, en píxeles
     const glm::dvec3 ojo(posicionCamara(estado.orbita));
     const glm::vec3 F(baseCamara(ojo, estado.orbita.centro, {0, 1, 0}).F);
     const double aspecto = relacionAspecto(), theta = anguloEnY(ANGULO, aspecto);

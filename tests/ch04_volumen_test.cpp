@@ -137,9 +137,13 @@ TEST(VolumenVista, PlanoLejosMovido) {
     comprueba("tecla +; tecla +; tecla p", {false, 10}, DESDE_FUERA);
 }
 
-// Orbitando 230 píxeles (2.3 rad) se mira desde el otro lado y los dos tintes cambian de orden.
-TEST(VolumenVista, DesdeDetras) {
-    const Camara camara = perspectiva(orbita(0.95 - 2.3, 0.38, 17.5, {0, 2.2, 1.5}), 0.55, 1, 100);
-    comprueba("boton IZQUIERDO abajo 5 90; arrastra 235 90; boton IZQUIERDO arriba 235 90", {true, 9},
-              camara);
+// Casi de frente, y desde el otro lado, un plano se ve a través del otro: el orden de los tintes cambia.
+TEST(VolumenVista, UnPlanoATravesDelOtro) {
+    const auto camara = [](double azimut) {
+        return perspectiva(orbita(azimut, 0.38, 17.5, {0, 2.2, 1.5}), 0.55, 1, 100);
+    };
+    comprueba("boton IZQUIERDO abajo 20 90; arrastra 80 90; boton IZQUIERDO arriba 80 90", {true, 9},
+              camara(0.35));
+    comprueba("boton IZQUIERDO abajo 200 90; arrastra 15 90; boton IZQUIERDO arriba 15 90", {true, 9},
+              camara(2.8));
 }
