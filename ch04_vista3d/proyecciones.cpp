@@ -97,11 +97,11 @@ static void dibuja() {
         }
     }
     if (estado.enPerspectiva) {
-        const glm::vec4 lado = 10.0f * (fugas[1] - fugas[0]);
+        const glm::vec4 tramo = 10.0f * (fugas[1] - fugas[0]);
         glPointSize(4 * grueso);
         dibujaLineas(GL_POINTS, fugas, camara, coloresEje[1]);
         glLineWidth(1);
-        dibujaLineas(GL_LINES, {fugas[0] - lado, fugas[1] + lado}, camara, gris);
+        dibujaLineas(GL_LINES, {fugas[0] - tramo, fugas[1] + tramo}, camara, gris);
     }
     glutSwapBuffers();
 }
