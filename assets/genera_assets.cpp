@@ -58,7 +58,8 @@ double modulo(double x, double y, double z = 0) {
 
 /// Un número de 0 a 1 que parece al azar y depende solo de los argumentos.
 double azar(int x, int y, int semilla) {
-    std::uint32_t h = static_cast<std::uint32_t>(x) * 0x9E3779B1u ^ static_cast<std::uint32_t>(y) * 0x85EBCA77u ^
+    std::uint32_t h = static_cast<std::uint32_t>(x) * 0x9E3779B1u ^
+                      static_cast<std::uint32_t>(y) * 0x85EBCA77u ^
                       static_cast<std::uint32_t>(semilla) * 0xC2B2AE3Du;
     h = (h ^ h >> 15) * 0x2C1B3C6Du;
     h = (h ^ h >> 12) * 0x297A2D39u;
@@ -103,7 +104,7 @@ Color metal(double x, double y) {
     const double hebras = 0.5 * ruido(x / 64, y, 4, 256, 11) + 0.3 * ruido(x / 16, y, 16, 256, 12) +
                           0.2 * ruido(x / 128, y / 2, 2, 128, 13);
     double luz = 0.66 + 0.34 * (hebras - 0.5) + 0.14 * (nubes(x / 64, y / 128, 3, 4, 2, 14) - 0.5);
-    if (azar(static_cast<int>(y) / 1, 0, 15) < 0.05) // algún arañazo más hondo, que no da toda la vuelta
+    if (azar(static_cast<int>(y), 0, 15) < 0.05) // algún arañazo más hondo, que no da toda la vuelta
         luz -= 0.12 * escalon(0.45, 0.75, ruido(x / 32, y, 8, 256, 16));
     // la junta con la plancha vecina: una ranura, y el canto iluminado por arriba y por la izquierda
     const double borde = std::min({x, 256 - x, y, 256 - y});
@@ -118,8 +119,8 @@ Color metal(double x, double y) {
             luz *= 1 - 0.45 * (1 - escalon(8, 15, sombra)) * escalon(9.5, 11, d);
             if (d < 11) {
                 const double l = luzDeBola(dx, dy, 11.5);
-                luz = mezcla(0.34 + 0.40 * l + 0.5 * potencia2(std::max(l, 0.0), 4) + 0.10 * (hebras - 0.5), luz,
-                             escalon(10, 11, d));
+                luz = mezcla(0.34 + 0.40 * l + 0.5 * potencia2(std::max(l, 0.0), 4) + 0.10 * (hebras - 0.5),
+                             luz, escalon(10, 11, d));
             }
         }
     return luz * Color{0.96, 0.99, 1.03};
@@ -161,8 +162,8 @@ Color ladrillo(double x, double y) {
     const double u = 64 * fraccion(corrido / 64), v = y - 32 * fila;
     const double izquierda = u - 2.5 + ondula, derecha = 61.5 - u + ondula, abajo = v - 2.5 + ondula,
                  arriba = 29.5 - v + ondula, dentro = std::min({izquierda, derecha, abajo, arriba});
-    const Color mortero = (0.84 + 0.30 * (grano - 0.5) - 0.16 * escalon(-2.5, 0.5, dentro)) *
-                          Color{0.86, 0.83, 0.78};
+    const Color mortero =
+        (0.84 + 0.30 * (grano - 0.5) - 0.16 * escalon(-2.5, 0.5, dentro)) * Color{0.86, 0.83, 0.78};
     const double tono = azar(columna, fila, 34), quemado = azar(columna, fila, 35);
     Color c = mezcla({0.74, 0.33, 0.22}, {0.86, 0.47, 0.31}, tono);
     c = mezcla(c, {0.50, 0.22, 0.17}, quemado > 0.72 ? 0.75 : 0.15 * quemado);
@@ -176,11 +177,13 @@ Color ladrillo(double x, double y) {
 
 /// Suelo de baldosas de mármol, dos claras y dos oscuras.
 Color baldosas(double x, double y) {
-    const int columna = static_cast<int>(x / 128), fila = static_cast<int>(y / 128), losa = 2 * fila + columna;
+    const int columna = static_cast<int>(x / 128), fila = static_cast<int>(y / 128),
+              losa = 2 * fila + columna;
     const double u = x - 128 * columna, v = y - 128 * fila;
     const double torcido = nubes(u / 40, v / 40, 4, 0, 0, 111 + 9 * losa);
     const double veta = 1 - std::fabs(2 * fraccion((u + (losa % 2 ? v : -v)) / 110 + 1.5 * torcido) - 1);
-    const double grano = 0.10 * (nubes(u / 6, v / 6, 3, 0, 0, 112 + 9 * losa) - 0.5), fina = potencia2(veta, 3);
+    const double grano = 0.10 * (nubes(u / 6, v / 6, 3, 0, 0, 112 + 9 * losa) - 0.5),
+                 fina = potencia2(veta, 3);
     const Color c = columna == fila ? mezcla({0.13, 0.20, 0.25}, {0.42, 0.50, 0.54}, 0.75 * fina + grano)
                                     : mezcla({0.95, 0.93, 0.89}, {0.66, 0.62, 0.60}, 0.60 * fina - grano);
     const double borde = std::min({u, 128 - u, v, 128 - v});
@@ -246,7 +249,8 @@ bool enLetra(char nombre, double x, double y, double x0, double y0, double talla
 
 /// Tablero de 4 × 4 casillas con letra (s) y número (t); los ejes s y t, en los bordes donde t o s valen 0.
 Color carta(double x, double y) {
-    const Color rojo{0.85, 0.20, 0.18}, verde{0.20, 0.62, 0.28}, oscuro{0.16, 0.17, 0.20}, blanco{0.97, 0.97, 0.95};
+    const Color rojo{0.85, 0.20, 0.18}, verde{0.20, 0.62, 0.28}, oscuro{0.16, 0.17, 0.20},
+        blanco{0.97, 0.97, 0.95};
     const Color tonos[4] = {{0.98, 0.78, 0.15}, {0.95, 0.55, 0.10}, {0.56, 0.24, 0.66}, {0.16, 0.38, 0.80}};
     const int columna = static_cast<int>(x / 64), fila = static_cast<int>(y / 64);
     const bool clara = (columna + fila) % 2 != 0;
@@ -279,10 +283,12 @@ Color cielo(double x, double y) {
     c = mezcla(c, {0.42, 0.44, 0.68}, escalon(0.15, 0.60, h));
     c = mezcla(c, {0.17, 0.25, 0.50}, escalon(0.50, 1.05, h));
     // nubes más chatas cuanto más lejos, encendidas por debajo
-    const double v = 0.9 / (h + 0.22), u = (x - SOL_X) * v, espesor = nubes(2.2 * u + 9, 5.5 * v, 5, 0, 0, 61);
+    const double v = 0.9 / (h + 0.22), u = (x - SOL_X) * v,
+                 espesor = nubes(2.2 * u + 9, 5.5 * v, 5, 0, 0, 61);
     const double densidad = escalon(0.50, 0.68, espesor + 0.05 * h) * escalon(0.02, 0.12, h);
     const double debajo = nubes(2.2 * u + 9, 5.5 * v + 0.35, 5, 0, 0, 61);
-    const Color nube = mezcla({0.42, 0.36, 0.50}, {1.0, 0.72, 0.52}, entre01(0.55 + 5 * (espesor - debajo) - 0.35 * h));
+    const Color nube =
+        mezcla({0.42, 0.36, 0.50}, {1.0, 0.72, 0.52}, entre01(0.55 + 5 * (espesor - debajo) - 0.35 * h));
     c = mezcla(c, nube, 0.85 * densidad);
     c = c + (0.30 / (1 + 40 * d * d)) * Color{1.0, 0.62, 0.25};
     return mezcla({1.0, 0.96, 0.80}, c, escalon(0.028, 0.036, modulo(x - SOL_X, y - SOL_Y)));
@@ -291,11 +297,16 @@ Color cielo(double x, double y) {
 /// Las sierras del fondo, delante del cielo.
 Color fondo(double x, double y) {
     Color c = cielo(x, y);
-    const double lejana = HORIZONTE + 0.02 + 0.20 * nubes(2.3 * x + 3.1, 0.5, 5, 0, 0, 62) * escalon(0.1, 0.9, std::fabs(x - SOL_X) + 0.25);
-    const double cercana = HORIZONTE + 0.11 * nubes(3.5 * x + 7.7, 0.5, 5, 0, 0, 63) * escalon(0.05, 0.7, std::fabs(x - SOL_X));
-    c = mezcla(mezcla({0.50, 0.38, 0.50}, {0.76, 0.50, 0.46}, escalon(lejana, HORIZONTE, y)), c, escalon(-0.002, 0.002, y - lejana));
+    const double lejana =
+        HORIZONTE + 0.02 +
+        0.20 * nubes(2.3 * x + 3.1, 0.5, 5, 0, 0, 62) * escalon(0.1, 0.9, std::fabs(x - SOL_X) + 0.25);
+    const double cercana =
+        HORIZONTE + 0.11 * nubes(3.5 * x + 7.7, 0.5, 5, 0, 0, 63) * escalon(0.05, 0.7, std::fabs(x - SOL_X));
+    c = mezcla(mezcla({0.50, 0.38, 0.50}, {0.76, 0.50, 0.46}, escalon(lejana, HORIZONTE, y)), c,
+               escalon(-0.002, 0.002, y - lejana));
     const double bosque = cercana + 0.018 * nubes(60 * x, 2, 2, 0, 0, 64);
-    return mezcla(mezcla({0.16, 0.21, 0.22}, {0.32, 0.28, 0.30}, escalon(bosque, HORIZONTE, y)), c, escalon(-0.002, 0.002, y - bosque));
+    return mezcla(mezcla({0.16, 0.21, 0.22}, {0.32, 0.28, 0.30}, escalon(bosque, HORIZONTE, y)), c,
+                  escalon(-0.002, 0.002, y - bosque));
 }
 
 Color agua(double x, double y) {
@@ -307,26 +318,32 @@ Color agua(double x, double y) {
 }
 
 Color prado(double x, double y) {
-    const double hebras = nubes(70 * x + 8 * y, 16 * y, 3, 0, 0, 66), matas = nubes(7 * x, 14 * y, 3, 0, 0, 67);
+    const double hebras = nubes(70 * x + 8 * y, 16 * y, 3, 0, 0, 66),
+                 matas = nubes(7 * x, 14 * y, 3, 0, 0, 67);
     Color c = mezcla({0.10, 0.17, 0.07}, {0.40, 0.44, 0.16}, entre01(1.7 * hebras * matas + 0.15));
     // flores: una en alguna de las casillas de una rejilla
     const double u = 34 * x, v = 46 * y, i = std::floor(u), j = std::floor(v);
     const int I = static_cast<int>(i), J = static_cast<int>(j);
-    const double d = modulo((u - i - mezcla(0.3, 0.7, azar(I, J, 68))) / 34, (v - j - mezcla(0.3, 0.7, azar(I, J, 69))) / 34);
+    const double d = modulo((u - i - mezcla(0.3, 0.7, azar(I, J, 68))) / 34,
+                            (v - j - mezcla(0.3, 0.7, azar(I, J, 69))) / 34);
     if (azar(I, J, 100) < 0.13)
-        c = mezcla(azar(I / 4, J / 3, 101) < 0.5 ? Color{0.98, 0.80, 0.22} : Color{0.95, 0.86, 0.92}, c, escalon(0.004, 0.008, d));
+        c = mezcla(azar(I / 4, J / 3, 101) < 0.5 ? Color{0.98, 0.80, 0.22} : Color{0.95, 0.86, 0.92}, c,
+                   escalon(0.004, 0.008, d));
     return c;
 }
 
 /// Árbol de la izquierda: si (x, y) es de él, cambia c.
 void arbol(double x, double y, Color &c) {
-    const double torcido = 0.17 + 0.03 * (nubes(3 * y, 1, 2, 0, 0, 70) - 0.5), grueso = 0.020 + 0.45 * potencia2(entre01(0.42 - y), 1);
+    const double torcido = 0.17 + 0.03 * (nubes(3 * y, 1, 2, 0, 0, 70) - 0.5),
+                 grueso = 0.020 + 0.45 * potencia2(entre01(0.42 - y), 1);
     if (y > 0.19 + 0.03 * nubes(90 * x, 3, 2, 0, 0, 74) && y < 0.75 && std::fabs(x - torcido) < grueso) {
         const double corteza = nubes(90 * x, 18 * y, 3, 0, 0, 71);
-        c = (0.55 + 0.9 * corteza) * mezcla({0.16, 0.11, 0.09}, {0.42, 0.27, 0.17}, entre01(0.5 + (x - torcido) / grueso / 2));
+        c = (0.55 + 0.9 * corteza) *
+            mezcla({0.16, 0.11, 0.09}, {0.42, 0.27, 0.17}, entre01(0.5 + (x - torcido) / grueso / 2));
     }
     double copa = -1;
-    const double bultos[][3] = {{0.15, 0.74, 0.15}, {0.05, 0.66, 0.12}, {0.27, 0.66, 0.11}, {0.17, 0.88, 0.13}, {0.02, 0.82, 0.12}, {0.31, 0.79, 0.10}};
+    const double bultos[][3] = {{0.15, 0.74, 0.15}, {0.05, 0.66, 0.12}, {0.27, 0.66, 0.11},
+                                {0.17, 0.88, 0.13}, {0.02, 0.82, 0.12}, {0.31, 0.79, 0.10}};
     for (const auto &b : bultos)
         copa = std::max(copa, 1 - modulo(x - b[0], y - b[1]) / b[2]);
     const double hojas = nubes(46 * x, 46 * y, 3, 0, 0, 72), ramas = nubes(11 * x, 11 * y, 3, 0, 0, 73);
@@ -388,7 +405,8 @@ void bodegon(double x, double y, Color &c) {
 
 Color foto(double px, double py) {
     const double x = px / 190, y = py / 190;
-    const double orilla = 0.27 + 0.05 * (nubes(4 * x, 1, 3, 0, 0, 90) - 0.5) + 0.10 * (SOL_X - x) * (SOL_X - x);
+    const double orilla =
+        0.27 + 0.05 * (nubes(4 * x, 1, 3, 0, 0, 90) - 0.5) + 0.10 * (SOL_X - x) * (SOL_X - x);
     Color c = y > HORIZONTE ? fondo(x, y) : agua(x, y);
     if (y < orilla + 0.02 * nubes(50 * x, 1, 2, 0, 0, 91))
         c = (0.62 + 1.3 * std::max(0.0, orilla - y)) * prado(x, y) * Color{1.25, 1.1, 1.0};
@@ -421,9 +439,10 @@ struct Asset {
     int ancho, alto;
     Color (*color)(double, double);
 };
-const Asset ASSETS[] = {{"metal", 256, 256, metal},       {"madera", 256, 256, madera}, {"ladrillo", 256, 256, ladrillo},
-                        {"carta", 256, 256, carta},       {"foto", 250, 190, foto},     {"musgo", 256, 256, musgo}, {"baldosas", 256, 256, baldosas},
-                        {"mascara", 128, 96, mascara},    {"luz", 64, 48, luz}};
+const Asset ASSETS[] = {
+    {"metal", 256, 256, metal},       {"madera", 256, 256, madera},  {"ladrillo", 256, 256, ladrillo},
+    {"carta", 256, 256, carta},       {"foto", 250, 190, foto},      {"musgo", 256, 256, musgo},
+    {"baldosas", 256, 256, baldosas}, {"mascara", 128, 96, mascara}, {"luz", 64, 48, luz}};
 
 } // namespace
 

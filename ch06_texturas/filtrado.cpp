@@ -32,13 +32,15 @@ static void inicia(const Imagen &imagen) {
     estado.programa = creaPrograma("ch06_texturas/textura.vert", "ch06_texturas/textura.frag");
     Malla malla = plano(1);
     for (Vertice &v : malla.vertices)
-        v.coordTextura = (v.coordTextura - 0.5f) * LARGO / LADO_BALDOSAS; // 0 bajo la cámara, donde más se nota el float
+        v.coordTextura =
+            (v.coordTextura - 0.5f) * LARGO / LADO_BALDOSAS; // 0 bajo la cámara, donde más se nota el float
     estado.suelo = creaBuferes(malla);
     creaTextura2D(imagen);
     if (GLEW_EXT_texture_filter_anisotropic)
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &estado.anisotropia);
     else
-        std::printf("Este contexto no tiene GL_EXT_texture_filter_anisotropic: la tecla 4 hace lo mismo que la 3\n");
+        std::printf(
+            "Este contexto no tiene GL_EXT_texture_filter_anisotropic: la tecla 4 hace lo mismo que la 3\n");
     glEnable(GL_DEPTH_TEST);
     glClearColor(0.62f, 0.78f, 0.93f, 1);
 }
@@ -50,7 +52,8 @@ static void dibuja() {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filtro.ampliacion);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filtro.reduccion);
     if (GLEW_EXT_texture_filter_anisotropic)
-        glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, filtro.anisotropo ? estado.anisotropia : 1);
+        glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT,
+                        filtro.anisotropo ? estado.anisotropia : 1);
     const glm::mat4 matriz = perspectivaVentana(0.8f, 0.1f, 2 * LARGO) * vistaOrbita(estado.orbita) *
                              giroX(-1.57079632679f) * escalado(LARGO);
     glUniformMatrix4fv(uniforme(estado.programa, "matriz"), 1, GL_FALSE, glm::value_ptr(matriz));

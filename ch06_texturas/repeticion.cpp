@@ -10,7 +10,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 static const float SEMILADO = 1.25f; // de (s, t) = (0.5, 0.5) al borde más cercano de la ventana
-static const float LARGO = 8;        // lado del cuadrado, que llena cualquier ventana hasta 3.2 veces más larga
+static const float LARGO = 8; // lado del cuadrado, que llena cualquier ventana hasta 3.2 veces más larga
 static const GLint repeticiones[4][2] = {{GL_REPEAT, GL_CLAMP_TO_EDGE},
                                          {GL_CLAMP_TO_EDGE, GL_REPEAT},
                                          {GL_REPEAT, GL_REPEAT},
@@ -67,7 +67,8 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Repetición", 800, 600, GLUT_DOUBLE | GLUT_RGBA, "[FOTO.ppm | FOTO.rgb -talla ANCHOxALTO]");
+    abreVentana(argc, argv, "Repetición", 800, 600, GLUT_DOUBLE | GLUT_RGBA,
+                "[FOTO.ppm | FOTO.rgb -talla ANCHOxALTO]");
     inicia(imagenDeArgumentos(argc, argv, "assets/carta.rgb", 256, 256));
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -91,7 +91,7 @@ Imagen imagenDeArgumentos(int argc, char **argv, const std::string &porOmision, 
             if (std::sscanf(talla.c_str(), "%5dx%5d%n", &ancho, &alto, &leidos) != 2 ||
                 leidos != static_cast<int>(talla.size()) || ancho < 1 || alto < 1)
                 falla("«" + talla + "» no es un tamaño ANCHOxALTO", 2);
-        } else if (argumento[0] != '-' && fichero.empty()) {
+        } else if (!argumento.empty() && argumento[0] != '-' && fichero.empty()) {
             fichero = argumento;
         } else {
             falla("sobra «" + argumento + "»: solo se lee una imagen", 2);
