@@ -1,7 +1,8 @@
-// Las texturas del laboratorio, hechas con cuentas: genera_assets CARPETA las escribe en RGB sin cabecera, la fila de
-// arriba primero, como las lee leeTextura (listado 6.1). Deben salir idénticas en cualquier máquina: solo hay enteros y
-// sumas, restas, productos, divisiones y raíces en double, que IEEE 754 redondea siempre igual. Las funciones de libm
-// (pow, sin…) no lo hacen, y CMakeLists.txt prohíbe además juntar producto y suma en una sola operación.
+// Las texturas del laboratorio, hechas con cuentas: genera_assets CARPETA las escribe en RGB sin cabecera, la
+// fila de arriba primero, como las lee leeTextura (listado 6.1). Deben salir idénticas en cualquier máquina:
+// solo hay enteros y sumas, restas, productos, divisiones y raíces en double, que IEEE 754 redondea siempre
+// igual. Las funciones de libm (pow, sin…) no lo hacen, y CMakeLists.txt prohíbe además juntar producto y
+// suma en una sola operación.
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
@@ -93,7 +94,8 @@ double nubes(double x, double y, int octavas, int px, int py, int semilla) {
 
 // --- Texturas: su color en (x, y), en texels y con y hacia arriba ------------------------------------------
 
-/// Luz (−1 a 1) que un relieve esférico de radio r recibe desde arriba a la izquierda, a (dx, dy) de su centro.
+/// Luz (−1 a 1) que un relieve esférico de radio r recibe desde arriba a la izquierda, a (dx, dy) de su
+/// centro.
 double luzDeBola(double dx, double dy, double r) {
     const double nx = dx / r, ny = dy / r, nz = std::sqrt(std::max(0.0, 1 - nx * nx - ny * ny));
     return -0.48 * nx + 0.62 * ny + 0.62 * nz;
@@ -209,7 +211,8 @@ Color mascara(double x, double y) {
     return {m, m, m};
 }
 
-/// Luz que llega a una pared de 4 × 3: la del anochecer y dos apliques que alumbran hacia abajo y hacia arriba.
+/// Luz que llega a una pared de 4 × 3: la del anochecer y dos apliques que alumbran hacia abajo y hacia
+/// arriba.
 Color luz(double x, double y) {
     const double X = x / 16, Y = y / 16;
     Color c = (0.85 + 0.15 * Y / 3) * Color{0.30, 0.33, 0.44};
@@ -255,17 +258,18 @@ Color carta(double x, double y) {
     const int columna = static_cast<int>(x / 64), fila = static_cast<int>(y / 64);
     const bool clara = (columna + fila) % 2 != 0;
     const Color tono = mezcla(tonos[columna], blanco, 0.10 * fila);
-    // los ejes: una banda con su nombre y una flecha a lo largo
+    // los ejes: una banda con su nombre y una flecha, que no llegan al borde porque GL_CLAMP_TO_EDGE lo
+    // estira
     const auto flecha = [](double a, double b) {
-        const double ancho = a < 222 ? 1.5 : (246 - a) * 0.25;
+        const double ancho = a < 222 ? 1.5 : (246 - a) * 0.16;
         return a > 136 && a < 246 && std::fabs(b - 8) < ancho;
     };
     if (x < 16 && y < 16)
         return oscuro;
     if (y < 16)
-        return flecha(x, y) || enLetra('s', x, y, 112, 1, 2) ? blanco : rojo;
+        return flecha(x, y) || enLetra('s', x, y, 112, 4, 2) ? blanco : rojo;
     if (x < 16)
-        return flecha(y, x) || enLetra('t', x, y, 3, 108, 2) ? blanco : verde;
+        return flecha(y, x) || enLetra('t', x, y, 4, 108, 2) ? blanco : verde;
     const double x0 = 64 * columna + (columna ? 10 : 18), y0 = 64 * fila + (fila ? 18 : 26);
     const char letra = static_cast<char>('A' + columna), numero = static_cast<char>('1' + fila);
     if (enLetra(letra, x, y, x0, y0, 4) || enLetra(numero, x, y, x0 + 24, y0, 4))
@@ -354,8 +358,8 @@ void arbol(double x, double y, Color &c) {
     }
 }
 
-/// Un cuerpo de revolución visto de frente: (nx, ny) es la normal en la imagen. La luz llega de la izquierda, alta, y el
-/// cielo rojizo del horizonte asoma en los bordes.
+/// Un cuerpo de revolución visto de frente: (nx, ny) es la normal en la imagen. La luz llega de la izquierda,
+/// alta, y el cielo rojizo del horizonte asoma en los bordes.
 Color ilumina(const Color &base, double nx, double ny, double brillo) {
     const double nz = std::sqrt(std::max(0.0, 1 - nx * nx - ny * ny));
     const double difusa = std::max(0.0, -0.55 * nx + 0.55 * ny + 0.63 * nz);

@@ -1,6 +1,7 @@
-// Coordenadas de textura (§6.4, figura 6.3): un atributo más de cada vértice, que decide qué parte de la imagen le toca.
-// En el cilindro y la esfera s es el ángulo y t la altura o la latitud, y la imagen se junta consigo misma; en las tapas
-// es un círculo. En el cubo, cada cara tiene la imagen entera, derecha, y las coordenadas salen de la posición.
+// Coordenadas de textura (§6.4, figura 6.3): un atributo más de cada vértice, que decide qué parte de la
+// imagen le toca. En el cilindro y la esfera s es el ángulo y t la altura o la latitud, y la imagen se junta
+// consigo misma; en las tapas es un círculo. En el cubo, cada cara tiene la imagen entera, derecha, y las
+// coordenadas salen de la posición.
 // Controles: 1 cubo · 2 cilindro · 3 esfera · ratón orbita · Esc termina.
 #include "ch03_transformaciones/transformaciones.h"
 #include "ch05_iluminacion/iluminacion.h"

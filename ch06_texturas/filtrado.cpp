@@ -1,6 +1,7 @@
-// Filtrado de la textura (§6.2.2) en un suelo que llega al horizonte: cerca, un texel ocupa muchos píxeles (ampliación) y
-// lejos, un píxel abarca muchos texels (reducción). El libro lo dice al revés (docs/erratas.md) y solo trata GL_NEAREST y
-// GL_LINEAR, que lejos parpadean: lo curan los mipmaps y, sin emborronar, el filtro anisótropo (una extensión).
+// Filtrado de la textura (§6.2.2) en un suelo que llega al horizonte: cerca, un texel ocupa varios píxeles
+// (ampliación); lejos, un píxel abarca muchos texels (reducción). El libro confunde ahí píxeles y texels, y
+// solo trata GL_NEAREST y GL_LINEAR, que lejos parpadean; lo curan los mipmaps y, sin emborronar, el filtro
+// anisótropo (una extensión).
 // Controles: 1 vecino · 2 lineal · 3 mipmap · 4 anisótropo · ratón orbita · Esc termina.
 #include "ch03_transformaciones/transformaciones.h"
 #include "malla.h"
@@ -31,9 +32,8 @@ static struct {
 static void inicia(const Imagen &imagen) {
     estado.programa = creaPrograma("ch06_texturas/textura.vert", "ch06_texturas/textura.frag");
     Malla malla = plano(1);
-    for (Vertice &v : malla.vertices)
-        v.coordTextura =
-            (v.coordTextura - 0.5f) * LARGO / LADO_BALDOSAS; // 0 bajo la cámara, donde más se nota el float
+    for (Vertice &v : malla.vertices) // 0 en el centro: cerca de la cámara es donde se notaría el redondeo
+        v.coordTextura = (v.coordTextura - 0.5f) * LARGO / LADO_BALDOSAS;
     estado.suelo = creaBuferes(malla);
     creaTextura2D(imagen);
     if (GLEW_EXT_texture_filter_anisotropic)

@@ -1,6 +1,7 @@
-// Varias unidades de textura en un fragment shader (§6.3, §6.5): los ladrillos, el musgo, la máscara que dice dónde lo
-// hay y la luz de dos apliques, calculada de antemano. Cada textura está en su unidad, y cada sampler2D recibe el número
-// de una. Ladrillos y musgo se repiten; la máscara y la luz abarcan la pared entera.
+// Varias unidades de textura en un fragment shader (§6.3, §6.5): los ladrillos, el musgo, la máscara que dice
+// dónde lo hay y la luz de dos apliques, calculada de antemano. Cada textura está en su unidad, y cada
+// sampler2D recibe el número de una. Ladrillos y musgo se repiten; la máscara y la luz abarcan la pared
+// entera.
 // Controles: 1 ladrillos y musgo · 2 ladrillos y luz · 3 las cuatro texturas · ratón orbita · Esc termina.
 #include "ch03_transformaciones/transformaciones.h"
 #include "malla.h"

@@ -1,6 +1,6 @@
-// Qué pasa fuera de [0, 1] (§6.2.2, figura 6.2): la textura se repite en s, en t o en ambas, o se queda con el color del
-// borde. El marco es el cuadrado en que s y t van de 0 a 1. El libro fija el borde con GL_CLAMP, que OpenGL 3.1 ya no
-// tiene (mezclaba el último texel con un color de borde): aquí es GL_CLAMP_TO_EDGE.
+// Qué pasa fuera de [0, 1] (§6.2.2, figura 6.2): la textura se repite en s, en t o en ambas, o se queda con
+// el color del borde. El marco es el cuadrado en que s y t van de 0 a 1. El libro fija el borde con GL_CLAMP,
+// que OpenGL 3.1 ya no tiene (mezclaba el último texel con un color de borde): aquí es GL_CLAMP_TO_EDGE.
 // Controles: 1 repite en s · 2 repite en t · 3 repite en ambas · 4 fija el borde · Esc termina.
 #include "malla.h"
 #include "shader.h"
@@ -9,8 +9,11 @@
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 
-static const float SEMILADO = 1.25f; // de (s, t) = (0.5, 0.5) al borde más cercano de la ventana
-static const float LARGO = 8; // lado del cuadrado, que llena cualquier ventana hasta 3.2 veces más larga
+// De (s, t) = (0.5, 0.5) al borde más cercano de la ventana. En una de 180 líneas la textura mide 64 píxeles
+// justos y el centro de cada píxel cae en el de un texel de su mipmap: nada depende de cómo redondee el
+// filtro.
+static const float SEMILADO = 1.40625f;
+static const float LARGO = 10; // lado del cuadrado, que llena cualquier ventana hasta 3.5 veces más larga
 static const GLint repeticiones[4][2] = {{GL_REPEAT, GL_CLAMP_TO_EDGE},
                                          {GL_CLAMP_TO_EDGE, GL_REPEAT},
                                          {GL_REPEAT, GL_REPEAT},
@@ -28,7 +31,7 @@ static void inicia(const Imagen &imagen) {
     Malla malla = plano(1);
     for (Vertice &v : malla.vertices) {
         v.posicion *= LARGO;
-        v.coordTextura = glm::vec2(v.posicion) + 0.5f; // de −3.5 a 4.5
+        v.coordTextura = glm::vec2(v.posicion) + 0.5f; // de −4.5 a 5.5
     }
     estado.cuadrado = creaBuferes(malla);
     malla = plano(1);

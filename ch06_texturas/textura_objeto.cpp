@@ -1,6 +1,7 @@
-// Una textura sobre un objeto iluminado (listados 6.1 a 6.3, figura 6.1): leer el fichero RGB, crear el objeto textura y
-// decir al shader en qué unidad está. Del libro se aparta en que comprueba lo que lee, en GL_UNPACK_ALIGNMENT, sin el
-// que se tuercen las imágenes de ancho no múltiplo de 4, y en los mipmaps (los enseña filtrado).
+// Una textura sobre un objeto iluminado (listados 6.1 a 6.3, figura 6.1): leer el fichero RGB, crear el
+// objeto textura y decir al shader en qué unidad está. Se aparta del libro en comprobar lo que lee y darle la
+// vuelta (los ficheros empiezan por arriba y OpenGL por abajo), en GL_UNPACK_ALIGNMENT, sin el que se tuercen
+// los anchos no múltiplos de 4, y en los mipmaps (filtrado).
 // Controles: ratón orbita · Esc termina.
 #include "ch03_transformaciones/transformaciones.h"
 #include "ch05_iluminacion/iluminacion.h"
@@ -9,6 +10,7 @@
 #include "orbita.h"
 #include "ventana.h"
 
+static const float RADIO_PX = 200;         // del tubo, en una pantalla de 1080 líneas
 static const glm::vec2 repeticiones(6, 2); // alrededor del anillo y del tubo
 static const glm::vec3 La(1);
 static const Material material = {glm::vec3(0.22f), glm::vec3(0.85f), glm::vec3(0.45f), 40};
@@ -25,8 +27,7 @@ static void creaTextura(const Imagen &imagen) {
     glGenTextures(1, &estado.textura); // 1. un nombre sin usar
     glActiveTexture(GL_TEXTURE0);      // 2. la unidad de textura 0
     glBindTexture(GL_TEXTURE_2D, estado.textura);
-    glPixelStorei(GL_UNPACK_ALIGNMENT,
-                  1); // 3. la imagen: sus filas no se rellenan hasta un múltiplo de 4 bytes
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1); // 3. la imagen, de filas sin rellenar hasta un múltiplo de 4 bytes
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, imagen.ancho, imagen.alto, 0, GL_RGB, GL_UNSIGNED_BYTE,
                  imagen.rgb.data());
     glGenerateMipmap(GL_TEXTURE_2D);
@@ -38,7 +39,9 @@ static void creaTextura(const Imagen &imagen) {
 
 static void inicia(const Imagen &imagen) {
     estado.programa = creaPrograma("ch06_texturas/textura_objeto.vert", "ch06_texturas/textura_objeto.frag");
-    estado.toro = creaBuferes(toro(1, 0.5f, 128, 64));
+    // segmentos para el anillo y el tubo: se hunden los dos, la mitad del medio píxel cada uno
+    estado.toro =
+        creaBuferes(toro(1, 0.5f, segmentosPara(3 * RADIO_PX, 0.25f), segmentosPara(RADIO_PX, 0.25f)));
     creaTextura(imagen);
     glEnable(GL_DEPTH_TEST);
     glClearColor(0.95f, 0.96f, 0.98f, 1);

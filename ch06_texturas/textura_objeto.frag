@@ -10,7 +10,8 @@ in vec3 ecPosicion, normal;
 in vec2 nuevaCoordTextura;
 out vec4 colorFragmento;
 
-// La textura (listado 6.3) tiñe lo que la superficie refleja en todas direcciones; el brillo es del color de la luz.
+// La textura (listado 6.3) tiñe lo que la superficie refleja en todas direcciones; el brillo es del color de
+// la luz.
 void main() {
     vec3 texel = texture(Img, nuevaCoordTextura).rgb;
     Material tenido = Material(material.Ka * texel, material.Kd * texel, material.Ks, material.alfa);

@@ -1,5 +1,6 @@
-// Comprobaciones independientes del capítulo 6. El color esperado se calcula aquí, en doble precisión: qué (s, t) ve cada
-// píxel, trazando su rayo con el oráculo, y qué da ahí la textura según la especificación de OpenGL.
+// Comprobaciones independientes del capítulo 6. El color esperado se calcula aquí, en doble precisión: qué
+// (s, t) ve cada píxel, trazando su rayo con el oráculo, y qué da ahí la textura según la especificación de
+// OpenGL.
 #include "ejecuta.h"
 #include "malla.h"
 #include "oraculo/oraculo.h"
@@ -97,8 +98,8 @@ struct Coordenadas {
 };
 using Ve = std::function<Coordenadas(double x, double y)>;
 
-/// Cota superior del ρ de la especificación, en texels por píxel: con ρ < 1 el filtro es el de ampliación, aunque el
-/// controlador lo aproxime. Infinito si a un lado hay otra cosa.
+/// Cota superior del ρ de la especificación, en texels por píxel: con ρ < 1 el filtro es el de ampliación,
+/// aunque el controlador lo aproxime. Infinito si a un lado hay otra cosa.
 double texelsPorPixel(const Ve &ve, int x, int y, int ancho, int alto) {
     const Coordenadas c = ve(x + 0.5, y + 0.5);
     double suma = 0;
@@ -116,9 +117,9 @@ double texelsPorPixel(const Ve &ve, int x, int y, int ancho, int alto) {
 
 // --- textura_objeto ---
 
-// Cada píxel interior donde la textura se amplía: bilineal exacto por Phong, sobre la misma malla. La textura mide 5 × 3:
-// sus filas no llegan a un múltiplo de 4 bytes, y sin GL_UNPACK_ALIGNMENT las de arriba saldrían torcidas. 2 niveles: el
-// redondeo a 8 bits y el pow de la GPU.
+// Cada píxel interior donde la textura se amplía: bilineal exacto por Phong, sobre la misma malla. La textura
+// mide 5 × 3: sus filas no llegan a un múltiplo de 4 bytes, y sin GL_UNPACK_ALIGNMENT las de arriba saldrían
+// torcidas. 2 niveles: el redondeo a 8 bits y el pow de la GPU.
 TEST(TexturaObjeto, TexelPorIluminacionContraElOraculo) {
     const int ancho = 240, alto = 180;
     const Imagen im = imagen(5, 3, alAzar);
@@ -126,7 +127,8 @@ TEST(TexturaObjeto, TexelPorIluminacionContraElOraculo) {
     ASSERT_EQ(e.estado, 0) << e.errores;
 
     const oraculo::Camara camara = oraculo::perspectiva(oraculo::orbita(0.25, 0.45, 6), 0.47, 1, 100);
-    const oraculo::Escena escena = {oraculo::malla(oraculo::gira({1, 0, 0}, -1.2), toro(1, 0.5f, 128, 64))};
+    const oraculo::Escena escena = {oraculo::malla(
+        oraculo::gira({1, 0, 0}, -1.2), toro(1, 0.5f, segmentosPara(600, 0.25f), segmentosPara(200, 0.25f)))};
     const oraculo::Luz luz{{-3, 6, 8}};
     const Ve ve = [&](double x, double y) {
         const oraculo::Impacto i = oraculo::primerImpacto(escena, oraculo::rayo(camara, ancho, alto, x, y));
@@ -227,9 +229,9 @@ TEST(Argumentos, UnaLineaQueDiceQuePasa) {
 
 namespace {
 
-/// (s, t) del punto (x, y) de la ventana: el lado menor abarca de −0.75 a 1.75.
+/// (s, t) del punto (x, y) de la ventana: el lado menor mide 2.8125.
 Coordenadas enRepeticion(double x, double y, int ancho, int alto) {
-    const double unidad = std::min(ancho, alto) / 2.5;
+    const double unidad = std::min(ancho, alto) / 2.8125;
     return {true, 0.5 + (x - 0.5 * ancho) / unidad, 0.5 + (y - 0.5 * alto) / unidad};
 }
 /// A menos de `margen` píxeles de uno de los cuatro lados del marco.
@@ -242,8 +244,8 @@ bool enMarco(const Coordenadas &c, double unidad, double margen) {
 
 } // namespace
 
-// Todos los píxeles, con las cuatro repeticiones: fract o clamp de la coordenada y bilineal. 1 nivel: el redondeo (0.5) y
-// el de los pesos del filtro en float.
+// Todos los píxeles, con las cuatro repeticiones: fract o clamp de la coordenada y bilineal. 1 nivel: el
+// redondeo (0.5) y el de los pesos del filtro en float.
 TEST(Repeticion, FractOClamp) {
     const int ancho = 240, alto = 180;
     const struct {
@@ -260,7 +262,7 @@ TEST(Repeticion, FractOClamp) {
         for (int y = 0; y < alto; ++y)
             for (int x = 0; x < ancho; ++x) {
                 const Coordenadas c = enRepeticion(x + 0.5, y + 0.5, ancho, alto);
-                if (enMarco(c, alto / 2.5, 2.5))
+                if (enMarco(c, alto / 2.8125, 2.5))
                     continue;
                 maximo = std::max(maximo,
                                   distancia(pixel(e.imagen, x, y), bilineal(im, c.s, c.t, repiteS, repiteT)));
@@ -271,10 +273,10 @@ TEST(Repeticion, FractOClamp) {
     }
 }
 
-// Una fotografía de 250 × 190 (750 bytes por fila: con GL_UNPACK_ALIGNMENT de 4, cada fila se torcería dos tercios de texel
-// más), donde un texel mide un píxel a lo ancho y 1.3 a lo alto, y todas las columnas caen en el centro de los suyos.
+// Una fotografía de 250 × 190, ampliada (256 píxeles). Son 750 bytes por fila: con GL_UNPACK_ALIGNMENT de 4,
+// cada fila se torcería dos tercios de texel más.
 TEST(Repeticion, UnAnchoQueNoEsMultiploDe4NoSeTuerce) {
-    const int lado = 625;
+    const int lado = 720;
     const Imagen im = imagen(250, 190, alAzar);
     const Ejecucion e = ejecuta(REPETICION, "tecla 3", lado, lado, argumentos(im));
     ASSERT_EQ(e.estado, 0) << e.errores;
@@ -282,25 +284,23 @@ TEST(Repeticion, UnAnchoQueNoEsMultiploDe4NoSeTuerce) {
     for (int y = 0; y < lado; ++y)
         for (int x = 0; x < lado; ++x) {
             const Coordenadas c = enRepeticion(x + 0.5, y + 0.5, lado, lado);
-            if (!enMarco(c, lado / 2.5, 5))
+            if (!enMarco(c, lado / 2.8125, 5))
                 maximo = std::max(maximo, distancia(pixel(e.imagen, x, y), bilineal(im, c.s, c.t)));
         }
     EXPECT_LE(maximo, 1);
 }
 
-// En una ventana de 101 × 75 el cuadrado [0, 1]² mide 30 píxeles y el centro de cada uno de los 5 × 3 texels cae en el
-// centro de un píxel: ahí no hay nada que interpolar y el color es el del texel, exacto.
+// En una ventana de 201 × 135 el cuadrado [0, 1]² mide 48 píxeles y el centro de cada uno de los 4 × 8 texels
+// cae en el centro de un píxel: ahí no hay nada que interpolar y el color es el del texel, exacto.
 TEST(Repeticion, ElCentroDeUnTexelEsExacto) {
-    const Imagen im = imagen(5, 3, alAzar);
+    const Imagen im = imagen(4, 8, alAzar);
     for (const char *tecla : {"tecla 3", "tecla 4"}) {
-        const Ejecucion e = ejecuta(REPETICION, tecla, 101, 75, argumentos(im));
+        const Ejecucion e = ejecuta(REPETICION, tecla, 201, 135, argumentos(im));
         ASSERT_EQ(e.estado, 0) << e.errores;
-        for (int j = 0; j < 3; ++j)
-            for (int i = 0; i < 5; ++i) {
-                const int x = 35 + 6 * i + 3, y = 22 + 10 * j + 5; // la esquina está en (35.5, 22.5)
-                EXPECT_TRUE(iguales(pixel(e.imagen, x, y), pixel(im, i, j)))
+        for (int j = 0; j < 8; ++j)
+            for (int i = 0; i < 4; ++i) // la esquina está en (76.5, 43.5)
+                EXPECT_TRUE(iguales(pixel(e.imagen, 82 + 12 * i, 46 + 6 * j), pixel(im, i, j)))
                     << tecla << ", texel " << i << "," << j;
-            }
     }
 }
 
@@ -313,7 +313,7 @@ TEST(Repeticion, LaVentanaNoDeforma) {
         for (int y = 0; y < alto; y += 7)
             for (int x = 0; x < ancho; x += 7) {
                 const Coordenadas c = enRepeticion(x + 0.5, y + 0.5, ancho, alto);
-                const double unidad = std::min(ancho, alto) / 2.5;
+                const double unidad = std::min(ancho, alto) / 2.8125;
                 if (!enMarco(c, unidad, 3)) {
                     EXPECT_LE(distancia(pixel(e.imagen, x, y), bilineal(im, c.s, c.t)), 1) << x << "," << y;
                 }
@@ -361,8 +361,8 @@ int filasDeSuelo() {
 
 } // namespace
 
-// La verdad es la media de 16 × 16 muestras por píxel de la textura (bilineal). Cada filtro se le parece más que el
-// anterior: medido, 28.1, 27.7, 13.2 y 6.6 niveles.
+// La verdad es la media de 16 × 16 muestras por píxel de la textura (bilineal). Cada filtro se le parece más
+// que el anterior: medido, 28.1, 27.7, 13.2 y 6.6 niveles.
 TEST(Filtrado, CadaFiltroSeAcercaMasAlSobremuestreo) {
     const Imagen im = leeTextura(recurso("assets/baldosas.rgb"), 256, 256);
     const int filas = filasDeSuelo(), N = 16;
@@ -391,9 +391,10 @@ TEST(Filtrado, CadaFiltroSeAcercaMasAlSobremuestreo) {
     EXPECT_LT(error[3], 0.6 * error[2]);
 }
 
-// Vecino y lineal no miran el tamaño del píxel: en su centro, el texel más cercano o el bilineal del nivel 0. En los
-// vértices s y t valen ±1000 y el último bit de un float vale allí 1/64 de texel; con cuatro de esos, a menos de 1/16 de
-// texel de una frontera puede salir el vecino, y el bilineal se desvía 1/16 del salto entre vecinos.
+// Vecino y lineal no miran el tamaño del píxel: en su centro, el texel más cercano o el bilineal del nivel 0.
+// En los vértices s y t valen ±1000 y el último bit de un float vale allí 1/64 de texel; con cuatro de esos,
+// a menos de 1/16 de texel de una frontera puede salir el vecino, y el bilineal se desvía 1/16 del salto
+// entre vecinos.
 TEST(Filtrado, VecinoYLinealSonExactosEnElCentroDelPixel) {
     const Imagen im = leeTextura(recurso("assets/baldosas.rgb"), 256, 256);
     const Ejecucion v = ejecuta(FILTRADO, "tecla 1", ANCHO, ALTO),
@@ -468,8 +469,9 @@ Coordenadas parametriza(int objeto, const Vec3 &p, const Vec3 &n) {
 
 } // namespace
 
-// Con una textura cuyo rojo es s, cuyo verde es t y cuyo azul es 255, la luz multiplica los tres por igual y s y t salen
-// de rojo/azul y verde/azul. Contra la parametrización exacta (esfera y cilindro sin facetas), desde arriba y, por detrás, desde abajo.
+// Con una textura cuyo rojo es s, cuyo verde es t y cuyo azul es 255, la luz multiplica los tres por igual y
+// s y t salen de rojo/azul y verde/azul. Contra la parametrización exacta (esfera y cilindro sin facetas),
+// desde arriba y, por detrás, desde abajo.
 TEST(Coordenadas, SeLeenEnLaImagenLasDeLaParametrizacion) {
     const std::vector<std::string> args = argumentos(imagen(256, 256, [](int x, int y) {
         return Pixel{x, y, 255};
@@ -507,15 +509,17 @@ TEST(Coordenadas, SeLeenEnLaImagenLasDeLaParametrizacion) {
                 for (int x = 1; x < ANCHO - 1; x += 2) {
                     const Coordenadas c = ve(x + 0.5, y + 0.5);
                     dentro += c.hay;
-                    // junto a la costura el filtro mezcla s = 1 con s = 0; de canto o en un polo caben muchos texels
+                    // junto a la costura el filtro mezcla s = 1 con s = 0; de canto o en un polo caben muchos
+                    // texels
                     const double rho = c.hay ? texelsPorPixel(ve, x, y, 256, 256) : 1e9;
                     if (rho > 14 || std::min({c.s, 1 - c.s, c.t, 1 - c.t}) < 0.06)
                         continue;
                     const Pixel p = pixel(e.imagen, x, y);
                     ASSERT_GE(p.b, 110) << "la luz ambiente es 0.45";
-                    // el valor del texel i es i, así que en s vale 256·s − 0.5, más lo que se redondean los mipmaps (2i y
-                    // 2i + 1 dan 2i + 1, y así en cada nivel: 0.5). Medio nivel de redondeo en p.r y p.b se agranda al
-                    // dividir por la luz, y las facetas y el float mueven el punto hasta 0.1 píxeles
+                    // el valor del texel i es i, así que en s vale 256·s − 0.5, más lo que se redondean los
+                    // mipmaps (2i y 2i + 1 dan 2i + 1, y así en cada nivel: 0.5). Medio nivel de redondeo en
+                    // p.r y p.b se agranda al dividir por la luz, y las facetas y el float mueven el punto
+                    // hasta 0.1 píxeles
                     const double cota = 0.5 + 255.0 / p.b + 0.1 * rho;
                     const double s = 255.0 * p.r / p.b, t = 255.0 * p.g / p.b;
                     malos +=
@@ -568,8 +572,8 @@ void comparaPared(const Texturas &x, int ancho, int alto, int salto) {
 
 } // namespace
 
-// Las texturas de verdad, en una ventana tan grande que ninguna se reduce (512 texels en 640 píxeles): la mezcla, en la
-// CPU, de cuatro bilineales. Cada textura está en su unidad y cada sampler2D lee la suya.
+// Las texturas de verdad, en una ventana tan grande que ninguna se reduce (512 texels en 640 píxeles): la
+// mezcla, en la CPU, de cuatro bilineales. Cada textura está en su unidad y cada sampler2D lee la suya.
 TEST(Multitextura, LaMezclaCalculadaEnLaCpu) {
     const auto lee = [](const char *nombre, int ancho, int alto) {
         return leeTextura(recurso("assets/" + std::string(nombre) + ".rgb"), ancho, alto);
@@ -579,8 +583,8 @@ TEST(Multitextura, LaMezclaCalculadaEnLaCpu) {
         480, 3);
 }
 
-// Texturas propias, que el programa lee de $LAB_RAIZ: colores lisos y una máscara que recorre todos los valores, a 240 ×
-// 180. Sin detalle, los mipmaps no cambian nada y se comprueban todos los píxeles.
+// Texturas propias, que el programa lee de $LAB_RAIZ: colores lisos y una máscara que recorre todos los
+// valores, a 240 × 180. Sin detalle, los mipmaps no cambian nada y se comprueban todos los píxeles.
 TEST(Multitextura, TodosLosValoresDeLaMascara) {
     const Texturas x = {imagen(256, 256,
                                [](int, int) {
