@@ -6,14 +6,14 @@
 /// Una malla de common/ llevada al mundo por M, con las normales de sus vértices ya transformadas.
 inline oraculo::Objeto enMundo(const oraculo::Mat4 &M, const Malla &malla) {
     const oraculo::Mat4 inv = oraculo::inversa(M);
-    std::vector<oraculo::Vertice> vertices;
+    std::vector<oraculo::VerticeRef> vertices;
     for (const Vertice &v : malla.vertices)
         vertices.push_back({oraculo::punto(M, {v.posicion.x, v.posicion.y, v.posicion.z}),
                             oraculo::transformaNormal(inv, {v.normal.x, v.normal.y, v.normal.z})});
     std::vector<std::array<std::size_t, 3>> indices;
     for (std::size_t k = 0; k < malla.indices.size(); k += 3)
         indices.push_back({malla.indices[k], malla.indices[k + 1], malla.indices[k + 2]});
-    return oraculo::malla({}, vertices, indices);
+    return oraculo::malla(oraculo::Mat4{}, vertices, indices);
 }
 
 /// La normal como la recibe el fragment shader: interpolada entre las de los vértices, sin normalizar.

@@ -1,0 +1,82 @@
+// Los doce materiales de la tabla 5.1, en su orden y por filas: esmeralda, jade, obsidiana y perla; rubí,
+// turquesa, bronce y cobre; oro, plata, plástico y goma. El brillo de la tabla es una fracción de 128 y no
+// alfa (materiales.h).
+// Controles: n enseña el siguiente solo · t todos · ratón orbita · Esc termina.
+#include "materiales.h"
+#include "ch03_transformaciones/transformaciones.h"
+#include "iluminacion.h"
+#include "malla.h"
+#include "orbita.h"
+#include "ventana.h"
+
+static const int COLUMNAS = 4, FILAS = 3;
+static const float SEPARACION = 2.2f, RADIO_SOLO = 3;
+static const glm::vec3 La(1);
+static const Luz luz{{-0.9f, 0.9f, 1, 0}};
+static const char *const TITULO = "Los doce materiales";
+
+static struct {
+    GLuint programa;
+    Buferes esfera;
+    Orbita orbita = {0, 0, 22, {0, 0, 0}};
+    int solo = -1; // material que se enseña, o -1 si son todos
+} estado;
+
+static void inicia() {
+    estado.programa =
+        creaPrograma("ch05_iluminacion/sombreado_phong.vert", "ch05_iluminacion/sombreado_phong.frag");
+    estado.esfera = creaBuferes(esfera(segmentosPara(300, 0.1f)));
+    glEnable(GL_DEPTH_TEST);
+    glClearColor(0.26f, 0.27f, 0.30f, 1);
+}
+
+static void dibujaEsfera(const glm::mat4 &M, const Material &material) {
+    const glm::mat3 N = matrizNormal(vistaOrbita(estado.orbita) * M);
+    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
+    glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
+    enviaMaterial(estado.programa, material);
+    glDrawElements(GL_TRIANGLES, estado.esfera.nIndices, GL_UNSIGNED_INT, nullptr);
+}
+
+static void dibuja() {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glUseProgram(estado.programa);
+    const glm::mat4 vista = vistaOrbita(estado.orbita), proyeccion = perspectivaVentana(0.31f, 1, 100);
+    glUniformMatrix4fv(uniforme(estado.programa, "vista"), 1, GL_FALSE, glm::value_ptr(vista));
+    glUniformMatrix4fv(uniforme(estado.programa, "proyeccion"), 1, GL_FALSE, glm::value_ptr(proyeccion));
+    glUniform3fv(uniforme(estado.programa, "La"), 1, glm::value_ptr(La));
+    enviaLuz(estado.programa, "luz", luz, vista);
+    glBindVertexArray(estado.esfera.vao);
+    if (estado.solo >= 0) {
+        dibujaEsfera(escalado(RADIO_SOLO), TABLA_MATERIALES[estado.solo].material);
+    } else {
+        for (int i = 0; i < COLUMNAS * FILAS; ++i) {
+            const float x = static_cast<float>(i % COLUMNAS) - 0.5f * (COLUMNAS - 1),
+                        y = 0.5f * (FILAS - 1) - static_cast<float>(i / COLUMNAS);
+            dibujaEsfera(traslacion(SEPARACION * glm::vec3(x, y, 0)), TABLA_MATERIALES[i].material);
+        }
+    }
+    glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla))
+        return;
+    switch (tecla) {
+    case 'n': estado.solo = (estado.solo + 1) % (COLUMNAS * FILAS); break;
+    case 't': estado.solo = -1; break;
+    default: return;
+    }
+    glutSetWindowTitle(estado.solo >= 0 ? TABLA_MATERIALES[estado.solo].nombre : TITULO);
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, TITULO, 800, 600);
+    inicia();
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    orbitaConRaton(estado.orbita);
+    glutMainLoop();
+    return 0;
+}

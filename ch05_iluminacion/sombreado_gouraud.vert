@@ -1,0 +1,18 @@
+#version 140
+#include "ch05_iluminacion/phong.glsl"
+
+uniform mat4 proyeccion, vista, M;
+uniform mat3 N; // transformación de la normal a coordenadas de la cámara
+uniform Material material;
+uniform vec3 La; // luz ambiente
+uniform Luz luz;
+
+in vec3 posicion, vNormal;
+out vec3 nuevoColor;
+
+// Listado 5.2: se ilumina el vértice y se interpola su color.
+void main() {
+    vec4 P = vista * M * vec4(posicion, 1.0);
+    nuevoColor = phong(material, La, luz, P.xyz, N * vNormal);
+    gl_Position = proyeccion * P;
+}

@@ -1,0 +1,17 @@
+#version 140
+#include "ch05_iluminacion/phong.glsl"
+
+uniform mat4 proyeccion, vista, M;
+uniform mat3 N; // transformación de la normal a coordenadas de la cámara
+
+in vec3 posicion, vNormal;
+out vec3 ecPosicion, normal; // en coordenadas de la cámara
+
+// Listado 5.3. L y V se calculan en cada fragmento, a partir del punto: interpolados desde los vértices ni
+// son unitarios ni llevan la dirección debida.
+void main() {
+    vec4 P = vista * M * vec4(posicion, 1.0);
+    ecPosicion = P.xyz;
+    normal = unitario(N * vNormal);
+    gl_Position = proyeccion * P;
+}
