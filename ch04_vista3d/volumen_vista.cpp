@@ -59,7 +59,7 @@ static void dibujaEscena(const glm::mat4 &camara, const glm::mat4 &volumen) {
     dibujaMalla(p, estado.cono, traslacion({1.2f, 0, 0.2f}) * dePie * escalado({0.9f, 0.9f, 3.8f}), verde);
     dibujaMalla(p, estado.cubo, traslacion({-2.3f, 1.5f, -0.4f}) * escalado({1.4f, 3, 1.4f}), amarillo);
     dibujaMalla(p, estado.esfera, traslacion({0.5f, 1.8f, -2.7f}) * escalado(1.5f), morado);
-    dibujaMalla(p, estado.cubo, traslacion({3.6f, 0.6f, -0.6f}) * escalado(1.2f), azul);
+    dibujaMalla(p, estado.cubo, traslacion({1.9f, 0.5f, 5.7f}), azul);
     dibujaMalla(p, estado.cono, traslacion({-3.0f, 0, 3.2f}) * dePie * escalado({0.8f, 0.8f, 2.4f}), naranja);
 }
 

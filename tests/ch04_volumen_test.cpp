@@ -62,7 +62,7 @@ void comprueba(const std::string &guion, const Volumen &v, const Camara &camara)
     pon(enMundo(traslada({1.2, 0, 0.2}) * dePie * escala({0.9, 0.9, 3.8}), ::cono(48)), {0.20, 0.62, 0.28});
     pon(caja(traslada({-2.3, 1.5, -0.4}) * escala({1.4, 3, 1.4})), {0.98, 0.78, 0.15});
     pon(enMundo(traslada({0.5, 1.8, -2.7}) * escala(1.5), ::esfera(48)), {0.55, 0.30, 0.70});
-    pon(caja(traslada({3.6, 0.6, -0.6}) * escala(1.2)), azul);
+    pon(caja(traslada({1.9, 0.5, 5.7})), azul);
     pon(enMundo(traslada({-3, 0, 3.2}) * dePie * escala({0.8, 0.8, 2.4}), ::cono(48)), naranja);
     const int deEscena = static_cast<int>(escena.size());
     pon(caja(traslada(OJO + Vec3{0, 0, 0.5}) * escala({1, 0.65, 0.55})), gris);
