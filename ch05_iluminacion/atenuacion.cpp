@@ -8,6 +8,7 @@
 #include "orbita.h"
 #include "ventana.h"
 
+static const float RECTO = 1.57079633f; // radianes
 static const int COLUMNAS = 5, FILAS = 3;
 static const glm::vec3 La(1), POSICION(-5.0f, 2.4f, 3.6f);
 static const glm::vec3 COEFICIENTES[] = {
@@ -53,7 +54,7 @@ static void dibuja() {
     glUniformMatrix4fv(uniforme(estado.programa, "proyeccion"), 1, GL_FALSE, glm::value_ptr(proyeccion));
     glUniform3fv(uniforme(estado.programa, "La"), 1, glm::value_ptr(La));
     enviaLuz(estado.programa, "luz", luz, vista);
-    dibujaObjeto(estado.plano, giroX(-1.57079633f) * escalado({12.5f, 9, 1}), suelo);
+    dibujaObjeto(estado.plano, giroX(-RECTO) * escalado({12.5f, 9, 1}), suelo);
     dibujaObjeto(estado.esfera, traslacion(POSICION) * escalado(0.25f), encendido);
     for (int i = 0; i < COLUMNAS; ++i)
         for (int j = 0; j < FILAS; ++j) {

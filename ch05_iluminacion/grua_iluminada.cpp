@@ -18,8 +18,7 @@ static const Material hormigon = {{0.12f, 0.13f, 0.14f}, {0.45f, 0.47f, 0.50f}, 
 static const Material acero = {{0.06f, 0.06f, 0.07f}, {0.20f, 0.21f, 0.24f}, {0.70f, 0.70f, 0.70f}, 80};
 static const Material chapa = {{0.22f, 0.05f, 0.05f}, {0.68f, 0.14f, 0.12f}, {0.60f, 0.60f, 0.60f}, 30};
 static const Material terreno = {{0.13f, 0.17f, 0.12f}, {0.46f, 0.58f, 0.42f}, {0.25f, 0.25f, 0.25f}, 12};
-static const Material *const MATERIALES[] = {&pintura, &pintura, &hormigon, &acero,
-                                             &chapa}; // como piezasGrua
+static const Material MATERIALES[] = {pintura, pintura, hormigon, acero, chapa}; // como piezasGrua
 
 static struct {
     GLuint gouraud, phong;
@@ -65,7 +64,7 @@ static void dibuja() {
     dibujaCubo(traslacion({0, -0.1f, 0}) * escalado({20, 0.2f, 20}), terreno);
     int i = 0;
     for (const Pieza &pieza : piezasGrua(estado.postura))
-        dibujaCubo(pieza.M, *MATERIALES[i++]);
+        dibujaCubo(pieza.M, MATERIALES[i++]);
     glutSwapBuffers();
 }
 

@@ -7,6 +7,7 @@
 #include "malla.h"
 #include "orbita.h"
 #include "ventana.h"
+#include <algorithm>
 
 enum Sombreado { PLANO, GOURAUD, PHONG };
 
