@@ -79,6 +79,36 @@ Imagen leePpm(const std::string &fichero, std::string *comentario) {
     return desdeArriba(datos.data() + i, ancho, alto);
 }
 
+Imagen imagenDeArgumentos(int argc, char **argv, const std::string &porOmision, int ancho, int alto) {
+    std::string fichero, talla;
+    for (int i = 1; i < argc; ++i) {
+        const std::string argumento = argv[i];
+        if (argumento == "-talla" && talla.empty()) {
+            if (++i == argc)
+                falla("detrás de -talla va el tamaño, ANCHOxALTO", 2);
+            talla = argv[i];
+            int leidos = 0;
+            if (std::sscanf(talla.c_str(), "%5dx%5d%n", &ancho, &alto, &leidos) != 2 ||
+                leidos != static_cast<int>(talla.size()) || ancho < 1 || alto < 1)
+                falla("«" + talla + "» no es un tamaño ANCHOxALTO", 2);
+        } else if (!argumento.empty() && argumento[0] != '-' && fichero.empty()) {
+            fichero = argumento;
+        } else {
+            falla("sobra «" + argumento + "»: solo se lee una imagen", 2);
+        }
+    }
+    const bool esPpm = fs::path(fichero).extension() == ".ppm";
+    if (fichero.empty() && talla.empty())
+        return leeTextura(recurso(porOmision), ancho, alto);
+    if (fichero.empty())
+        falla("con -talla falta el fichero RGB", 2);
+    if (esPpm && !talla.empty())
+        falla("«" + fichero + "»: un PPM ya dice su tamaño, sobra -talla", 2);
+    if (!esPpm && talla.empty())
+        falla("«" + fichero + "»: de un fichero RGB sin cabecera hay que decir -talla ANCHOxALTO", 2);
+    return esPpm ? leePpm(fichero) : leeTextura(fichero, ancho, alto);
+}
+
 void guardaPpm(const std::string &fichero, const Imagen &imagen, const std::string &comentario) {
     // Renombrar solo vale entre ficheros corrientes; un enlace se sigue hasta el fichero al que apunta.
     std::error_code ec;

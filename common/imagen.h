@@ -18,6 +18,11 @@ Imagen leeTextura(const std::string &fichero, int ancho, int alto);
 /// Lee un PPM binario (P6) de 8 bits. Si `comentario` no es nulo, recibe el primer comentario de la cabecera.
 Imagen leePpm(const std::string &fichero, std::string *comentario = nullptr);
 
+/// La imagen que se pide en la línea de órdenes, una vez que abreVentana ha quitado lo suyo: «FOTO.ppm» o
+/// «FOTO.rgb -talla ANCHOxALTO»; sin argumentos, el recurso `porOmision`, RGB de ancho × alto. Si los
+/// argumentos no son esos, termina con estado 2.
+Imagen imagenDeArgumentos(int argc, char **argv, const std::string &porOmision, int ancho, int alto);
+
 /// Guarda un PPM binario, entero o nada: se escribe aparte y se renombra al final. Un dispositivo
 /// (/dev/full, una tubería) se escribe directamente. Si falla, termina diciendo por qué.
 void guardaPpm(const std::string &fichero, const Imagen &imagen, const std::string &comentario = "");

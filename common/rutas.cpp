@@ -20,6 +20,7 @@ std::string recurso(const std::string &relativa) {
         raices.push_back(carpeta);
         raices.push_back(carpeta.parent_path());
     }
+    raices.emplace_back(LAB_GENERADO);
     raices.emplace_back(LAB_FUENTES);
 
     std::string lugares;

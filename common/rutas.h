@@ -4,8 +4,8 @@
 
 /// Ruta completa de un fichero del laboratorio, dado por su ruta desde la raíz
 /// («ch03_transformaciones/objeto.vert»). Se busca, por este orden, en $LAB_RAIZ, en la carpeta del
-/// ejecutable y en la que la contiene (árbol instalado) y en el árbol de fuentes con que se compiló.
-/// Si no está en ninguna, termina con un mensaje que las enumera todas.
+/// ejecutable y en la que la contiene (árbol instalado), en la carpeta en que se compiló (texturas) y en el
+/// árbol de fuentes. Si no está en ninguna, termina con un mensaje que las enumera todas.
 std::string recurso(const std::string &relativa);
 
 /// Contenido completo de un fichero; si no se puede leer, termina diciendo por qué.

@@ -693,7 +693,7 @@ TEST(Sombreado, CadaModeloContraSuMallaEnDoble) {
                 if (modelo == 3)
                     return ilumina(i.punto, i.normal);
                 const auto &indices = o.triangulos->indices[static_cast<std::size_t>(i.corte.triangulo)];
-                const auto vertice = [&](std::size_t k) -> const oraculo::Vertice & {
+                const auto vertice = [&](std::size_t k) -> const oraculo::VerticeRef & {
                     return o.triangulos->vertices[indices[k]];
                 };
                 const auto enMundo = [&](std::size_t k) { return oraculo::punto(o.M, vertice(k).posicion); };

@@ -7,7 +7,7 @@ fallos=0
 mal() { echo "$*"; fallos=1; }
 
 diff <(sed -n '/<!-- tabla/,/<!-- fin de la tabla/p' README.md | grep '^|') <(LAB_SIN_INSTALAR=1 ./lab lista --tabla) ||
-  mal 'la tabla de README.md no está al día: pega en ella lo que escribe ./lab lista --tabla'
+  mal 'la tabla de README.md no está al día: ./lab lista --readme'
 
 while IFS=$'\t' read -r capitulo programa _; do
   grep -q '^// Controles: .*\.$' "$capitulo/$programa.cpp" || mal "$capitulo/$programa.cpp: falta la línea «// Controles: ….»"

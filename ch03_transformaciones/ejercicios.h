@@ -1,0 +1,55 @@
+// Las transformaciones que piden los ejercicios 3.2, 3.3 y 3.4, paso a paso. Sin OpenGL: las dibujan
+// tres_cubos, cono y elipsoide y las comprueban las pruebas. Faltan las figuras del libro a las que se
+// refieren: dónde queda cada objeto, cuando el enunciado no lo dice, se ha elegido aquí.
+#pragma once
+#include "transformaciones.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <vector>
+
+/// Una transformación y cómo se escribe en el libro.
+struct Paso {
+    const char *nombre;
+    glm::mat4 M;
+};
+
+/// Las `cuantos` primeras transformaciones en una sola matriz. La que se aplica después se escribe a la
+/// izquierda: con las tres primeras, M = M3·M2·M1 (§3.2).
+inline glm::mat4 concatena(const std::vector<Paso> &pasos, std::size_t cuantos) {
+    glm::mat4 M(1);
+    for (std::size_t i = 0; i < std::min(cuantos, pasos.size()); ++i)
+        M = pasos[i].M * M;
+    return M;
+}
+
+/// Ejercicio 3.2: tres cubos de lado 1, 1/2 y 1/4, cada uno centrado sobre la cara superior del anterior.
+/// En el sistema del cubo anterior, de lado 1, el nuevo siempre está en el mismo sitio: se reduce a la mitad
+/// y sube medio lado del anterior más medio del nuevo, A = T(0, 3/4, 0)·S(1/2). Por eso el segundo es A y el
+/// tercero A·A, que vale T(0, 9/8, 0)·S(1/4).
+inline std::array<glm::mat4, 3> tresCubos() {
+    const glm::mat4 A = traslacion({0, 0.75f, 0}) * escalado(0.5f);
+    return {glm::mat4(1), A, A * A};
+}
+
+/// Ejercicio 3.3: el cono de radio y altura 1 (base en z = 0, vértice en z = 1) acaba tumbado en el eje X,
+/// con el vértice en el origen y la base, de radio 1, en x = 3. Primero se lleva el vértice al origen, el
+/// único punto que ni el escalado ni el giro mueven: M = Ry·S·T.
+inline std::vector<Paso> pasosCono() {
+    const float recto = 1.57079632679f; // π/2
+    return {{"T(0, 0, -1)", traslacion({0, 0, -1})},
+            {"S(1, 1, 3)", escalado({1, 1, 3})},
+            {"Ry(-π/2)", giroY(-recto)}};
+}
+
+/// Ejercicio 3.4: la esfera de radio 1 se escala, se traslada hasta apoyar un extremo en el origen y se
+/// inclina en dos giros: Rx levanta el eje Z hasta que la Y de su vector unitario vale 1/√3, y Ry reparte lo
+/// que queda a partes iguales entre X y Z. M = Ry·Rx·T·S; el otro extremo acaba en 6/√3·(1, 1, 1).
+inline std::vector<Paso> pasosElipsoide() {
+    const float inclinacion = std::asin(1 / std::sqrt(3.0f)), mitadDeRecto = 0.785398163f; // π/4
+    return {{"S(0.5, 0.5, 3)", escalado({0.5f, 0.5f, 3})},
+            {"T(0, 0, 3)", traslacion({0, 0, 3})},
+            {"Rx(-asen 1/√3)", giroX(-inclinacion)},
+            {"Ry(π/4)", giroY(mitadDeRecto)}};
+}

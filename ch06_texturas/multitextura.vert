@@ -1,0 +1,14 @@
+#version 140
+
+uniform mat4 matriz; // proyección · vista · modelo
+uniform vec2 repeticiones;
+
+in vec3 posicion;
+in vec2 coordTextura;
+out vec2 coordMaterial, coordPared;
+
+void main() {
+    coordPared = coordTextura;
+    coordMaterial = repeticiones * coordTextura;
+    gl_Position = matriz * vec4(posicion, 1.0);
+}
