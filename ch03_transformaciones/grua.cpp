@@ -24,6 +24,7 @@ static void inicia() {
     estado.programa = creaPrograma("ch03_transformaciones/objeto.vert", "ch03_transformaciones/objeto.frag");
     estado.cubo = creaBuferes(cubo());
     glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE); // las caras de detrás nunca se ven: los sólidos son cerrados
     glClearColor(0.87f, 0.93f, 0.98f, 1);
 }
 

@@ -59,27 +59,36 @@ inline glm::mat3 cambioDeBase(const glm::vec3 &d) {
 }
 
 /// Giro de phi alrededor de un eje que pasa por el origen, ecuación 3.10: Rᵀ·Rx(phi)·R. El eje no tiene
-/// que ser unitario; si es nulo no hay giro.
+/// que ser unitario; si es nulo no hay giro. Se calcula como I + Rᵀ·(Rx(phi) − I)·R, que es lo mismo: así lo
+/// que sale de un ángulo pequeño no se pierde en el redondeo de RᵀR, que solo es casi I.
 inline glm::mat4 giroEje(const glm::vec3 &eje, float phi) {
     if (eje == glm::vec3(0))
         return glm::mat4(1);
     const glm::mat3 R = cambioDeBase(unitario(eje));
-    return glm::mat4(glm::transpose(R) * glm::mat3(giroX(phi)) * R);
+    const float s = std::sin(phi), mitad = std::sin(phi / 2), c1 = -2 * mitad * mitad; // c1 = cos(phi) − 1
+    const glm::mat3 giroMenosI({0, 0, 0}, {0, c1, s}, {0, -s, c1});
+    return glm::mat4(glm::mat3(1) + glm::transpose(R) * giroMenosI * R);
 }
 
 /// Matriz de transformación de la normal (§3.3): la traspuesta de la adjunta, que existe aunque M no tenga
 /// inversa. El libro calla que con det(M) < 0 apunta hacia dentro: se multiplica por el signo del
-/// determinante. Dividir antes por la mayor componente no cambia la dirección y evita desbordar con escalas
-/// de 1e20.
+/// determinante. Solo importa su dirección, y se devuelve con la mayor componente igual a 1. En doble
+/// precisión, ni el producto de tres componentes float se sale de rango, ni la resta de dos pierde cifras.
 inline glm::mat3 matrizNormal(const glm::mat4 &M) {
-    glm::mat3 m(M);
-    float mayor = 0;
+    const glm::dmat3 m(M), adjunta(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    double mayor = 0;
     for (int i = 0; i < 3; ++i)
-        mayor = std::max({mayor, std::fabs(m[i].x), std::fabs(m[i].y), std::fabs(m[i].z)});
-    if (mayor > 0)
-        m /= mayor;
-    const glm::mat3 N(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-    return glm::dot(m[0], N[0]) < 0 ? -N : N;
+        mayor = std::max({mayor, std::fabs(adjunta[i].x), std::fabs(adjunta[i].y), std::fabs(adjunta[i].z)});
+    if (mayor == 0) // aplastado en una recta o en un punto: ninguna cara tiene normal
+        return glm::mat3(0);
+    return glm::mat3(adjunta / (glm::dot(m[0], adjunta[0]) < 0 ? -mayor : mayor));
+}
+
+/// Giro que lleva el eje Z a la dirección d, que no tiene que ser unitaria: pone de pie sobre cualquier
+/// recta el cilindro y el cono de malla.h.
+inline glm::mat4 haciaDireccion(const glm::vec3 &d) {
+    const glm::mat3 base = glm::transpose(cambioDeBase(unitario(d)));
+    return glm::mat4(glm::mat3(base[1], base[2], base[0])); // e, f, d
 }
 
 /// Lleva el cilindro unidad (radio 1, z de −0.5 a 0.5) al semieje positivo X, Y o Z (`eje` 0, 1 o 2), desde

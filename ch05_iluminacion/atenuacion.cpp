@@ -1,6 +1,6 @@
-// La atenuación de la luz con la distancia d a la fuente, 1/(a + b·d + c·d²) (ecuación 5.3), sobre filas de esferas
-// que se alejan de ella: constante (a), lineal (b) y cuadrática (c). Con estos coeficientes las tres valen 1 a
-// distancia 3: más cerca alumbra más la cuadrática y más lejos, la constante.
+// La atenuación de la luz con la distancia d a la fuente, 1/(a + b·d + c·d²) (ecuación 5.3), sobre filas de
+// esferas que se alejan de ella: constante (a), lineal (b) y cuadrática (c). Con estos coeficientes las tres
+// valen 1 a distancia 3: más cerca alumbra más la cuadrática y más lejos, la constante.
 // Controles: 1 constante · 2 lineal · 3 cuadrática · ratón orbita · Esc termina.
 #include "ch03_transformaciones/transformaciones.h"
 #include "iluminacion.h"
@@ -8,6 +8,7 @@
 #include "orbita.h"
 #include "ventana.h"
 
+static const float RECTO = 1.57079633f; // radianes
 static const int COLUMNAS = 5, FILAS = 3;
 static const glm::vec3 La(1), POSICION(-5.0f, 2.4f, 3.6f);
 static const glm::vec3 COEFICIENTES[] = {
@@ -28,7 +29,7 @@ static void inicia() {
     estado.programa =
         creaPrograma("ch05_iluminacion/sombreado_phong.vert", "ch05_iluminacion/sombreado_phong.frag");
     estado.plano = creaBuferes(plano(1));
-    estado.esfera = creaBuferes(esfera(segmentosPara(60, 0.1f)));
+    estado.esfera = creaBuferes(esfera(segmentosPara(60, 0.05f)));
     glEnable(GL_DEPTH_TEST);
     glClearColor(0.10f, 0.11f, 0.13f, 1);
 }
@@ -53,7 +54,7 @@ static void dibuja() {
     glUniformMatrix4fv(uniforme(estado.programa, "proyeccion"), 1, GL_FALSE, glm::value_ptr(proyeccion));
     glUniform3fv(uniforme(estado.programa, "La"), 1, glm::value_ptr(La));
     enviaLuz(estado.programa, "luz", luz, vista);
-    dibujaObjeto(estado.plano, giroX(-1.57079633f) * escalado({12.5f, 9, 1}), suelo);
+    dibujaObjeto(estado.plano, giroX(-RECTO) * escalado({12.5f, 9, 1}), suelo);
     dibujaObjeto(estado.esfera, traslacion(POSICION) * escalado(0.25f), encendido);
     for (int i = 0; i < COLUMNAS; ++i)
         for (int j = 0; j < FILAS; ++j) {

@@ -1,6 +1,6 @@
-// Los tres componentes del modelo de Phong (figura 5.1): solo luz ambiente (ecuación 5.1), más reflexión difusa
-// (5.2) y más reflexión especular (5.4). El shader es siempre el mismo: un componente se quita apagando su luz,
-// Ld o Ls.
+// Los tres componentes del modelo de Phong (figura 5.1): solo luz ambiente (ecuación 5.1), más reflexión
+// difusa (5.2) y más reflexión especular (5.4). El shader es siempre el mismo: un componente se quita
+// apagando su luz, Ld o Ls.
 // Controles: 1 ambiente · 2 más difusa · 3 más especular · ratón orbita · Esc termina.
 #include "ch03_transformaciones/transformaciones.h"
 #include "iluminacion.h"

@@ -1,5 +1,5 @@
-// El exponente del brillo en la reflexión especular (ecuación 5.4, figura 5.3): cinco esferas del mismo material
-// con alfa = 1, 5 y 20 arriba y 100 y 500 abajo. Cuanto mayor es alfa, menor es el brillo.
+// El exponente del brillo en la reflexión especular (ecuación 5.4, figura 5.3): cinco esferas del mismo
+// material con alfa = 1, 5 y 20 arriba y 100 y 500 abajo. Cuanto mayor es alfa, menor es el brillo.
 // Controles: ratón orbita · rueda acerca · Esc termina.
 #include "ch03_transformaciones/transformaciones.h"
 #include "iluminacion.h"

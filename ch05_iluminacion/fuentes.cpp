@@ -1,6 +1,6 @@
-// Los tipos de fuente de luz de §5.2 (figuras 5.4 y 5.5): posicional, que alumbra en todas las direcciones desde un
-// punto; direccional, de rayos paralelos; y foco, una posicional que solo alumbra dentro de un cono y se concentra
-// alrededor de su eje según un exponente. No hay sombras: son el capítulo 7.
+// Los tipos de fuente de luz de §5.2 (figuras 5.4 y 5.5): posicional, que alumbra en todas las direcciones
+// desde un punto; direccional, de rayos paralelos; y foco, una posicional que solo alumbra dentro de un cono
+// y se concentra alrededor de su eje según un exponente. No hay sombras: son el capítulo 7.
 // Controles: 1 posicional · 2 direccional · 3 foco · + - exponente del foco · ratón orbita · Esc termina.
 #include "ch03_transformaciones/transformaciones.h"
 #include "iluminacion.h"
@@ -8,9 +8,10 @@
 #include "orbita.h"
 #include "ventana.h"
 #include <algorithm>
+#include <cmath>
 
 static const glm::vec3 La(1), POSICION(-0.9f, 3.3f, 1.1f), APUNTA(0.3f, 0, 0);
-static const float DELTA = 0.52f; // radianes
+static const float DELTA = 0.52f, RECTO = 1.57079633f; // radianes
 static const float EXPONENTE_MAXIMO = 64;
 
 static const Material suelo = {{0.13f, 0.14f, 0.16f}, {0.62f, 0.64f, 0.68f}, {0.15f, 0.15f, 0.15f}, 20};
@@ -51,7 +52,7 @@ static void dibujaObjeto(const Buferes &objeto, const glm::mat4 &M, const Materi
     glDrawElements(GL_TRIANGLES, objeto.nIndices, GL_UNSIGNED_INT, nullptr);
 }
 
-/// Flecha que llega a `punta` en la dirección S, o la pantalla del foco, de la que sale.
+/// Lleva el origen a `punta` y el eje Z a la dirección contraria a S.
 static glm::mat4 haciaS(const glm::vec3 &punta, const glm::vec3 &S) {
     const glm::mat3 R = glm::transpose(cambioDeBase(-S)); // su primera columna es -S
     return glm::mat4(glm::vec4(R[1], 0), glm::vec4(R[2], 0), glm::vec4(R[0], 0), glm::vec4(punta, 1));
@@ -62,7 +63,7 @@ static void dibujaFuente(const glm::vec3 &S) {
         dibujaObjeto(estado.esfera, traslacion(POSICION) * escalado(0.22f), encendido);
     if (estado.tipo == 2)
         for (const glm::vec3 &p : {glm::vec3(-0.7f, 0, -0.5f), {0, 0, 0}, {0.7f, 0, 0.5f}}) {
-            const glm::mat4 flecha = haciaS(POSICION + p + 0.8f * S, S);
+            const glm::mat4 flecha = haciaS(POSICION + p + 0.4f * S, S);
             dibujaObjeto(estado.cono, flecha * escalado({0.16f, 0.16f, -0.4f}) * traslacion({0, 0, -1}),
                          encendido);
             dibujaObjeto(estado.cilindro, flecha * traslacion({0, 0, 0.8f}) * escalado({0.05f, 0.05f, 0.8f}),
@@ -92,12 +93,12 @@ static void dibuja() {
     glUniformMatrix4fv(uniforme(estado.programa, "proyeccion"), 1, GL_FALSE, glm::value_ptr(proyeccion));
     glUniform3fv(uniforme(estado.programa, "La"), 1, glm::value_ptr(La));
     enviaLuz(estado.programa, "luz", luz, vista);
-    dibujaObjeto(estado.plano, giroX(-1.57079633f) * escalado(7), suelo);
+    dibujaObjeto(estado.plano, giroX(-RECTO) * escalado(7), suelo);
     dibujaObjeto(estado.esfera, traslacion({0.3f, 0.8f, 0.2f}) * escalado(0.8f), rojo);
-    dibujaObjeto(estado.cono,
-                 traslacion({2.1f, 0, -1.2f}) * giroX(-1.57079633f) * escalado({0.8f, 0.8f, 1.9f}), verde);
+    dibujaObjeto(estado.cono, traslacion({2.1f, 0, -1.2f}) * giroX(-RECTO) * escalado({0.8f, 0.8f, 1.9f}),
+                 verde);
     dibujaObjeto(estado.cubo, traslacion({-1.7f, 0.6f, -1.1f}) * giroY(0.5f) * escalado(1.2f), azul);
-    dibujaObjeto(estado.toro, traslacion({1.5f, 0.25f, 1.9f}) * giroX(-1.57079633f), naranja);
+    dibujaObjeto(estado.toro, traslacion({1.5f, 0.25f, 1.9f}) * giroX(-RECTO), naranja);
     dibujaFuente(S);
     glutSwapBuffers();
 }

@@ -1,6 +1,7 @@
-// La grúa de obra con una fuente de luz y materiales (ejercicio 5.1). Con el sombreado de Gouraud las caras grandes,
-// que solo tienen cuatro vértices, pierden los brillos y lo que la luz cambia dentro de ellas; con el de Phong, no.
-// Controles: g cambia de sombreado · a d giran · q e desplazan la carga · w s la suben y bajan · ratón orbita · Esc termina.
+// La grúa de obra con una fuente de luz y materiales (ejercicio 5.1). Con el sombreado de Gouraud las caras
+// grandes, que solo tienen cuatro vértices, pierden los brillos y lo que la luz cambia dentro de ellas; con
+// el de Phong, no.
+// Controles: g Gouraud o Phong · a d giran · q e mueven la carga · w s la suben y bajan · ratón orbita · Esc termina.
 #include "ch03_transformaciones/grua.h"
 #include "iluminacion.h"
 #include "malla.h"
@@ -17,8 +18,7 @@ static const Material hormigon = {{0.12f, 0.13f, 0.14f}, {0.45f, 0.47f, 0.50f}, 
 static const Material acero = {{0.06f, 0.06f, 0.07f}, {0.20f, 0.21f, 0.24f}, {0.70f, 0.70f, 0.70f}, 80};
 static const Material chapa = {{0.22f, 0.05f, 0.05f}, {0.68f, 0.14f, 0.12f}, {0.60f, 0.60f, 0.60f}, 30};
 static const Material terreno = {{0.13f, 0.17f, 0.12f}, {0.46f, 0.58f, 0.42f}, {0.25f, 0.25f, 0.25f}, 12};
-static const Material *const MATERIALES[] = {&pintura, &pintura, &hormigon, &acero,
-                                             &chapa}; // como piezasGrua
+static const Material MATERIALES[] = {pintura, pintura, hormigon, acero, chapa}; // como piezasGrua
 
 static struct {
     GLuint gouraud, phong;
@@ -64,7 +64,7 @@ static void dibuja() {
     dibujaCubo(traslacion({0, -0.1f, 0}) * escalado({20, 0.2f, 20}), terreno);
     int i = 0;
     for (const Pieza &pieza : piezasGrua(estado.postura))
-        dibujaCubo(pieza.M, *MATERIALES[i++]);
+        dibujaCubo(pieza.M, MATERIALES[i++]);
     glutSwapBuffers();
 }
 

@@ -1,5 +1,6 @@
-// Los doce materiales de la tabla 5.1, en su orden y por filas: esmeralda, jade, obsidiana y perla; rubí, turquesa, bronce
-// y cobre; oro, plata, plástico y goma. El brillo de la tabla es una fracción de 128 y no alfa (materiales.h).
+// Los doce materiales de la tabla 5.1, en su orden y por filas: esmeralda, jade, obsidiana y perla; rubí,
+// turquesa, bronce y cobre; oro, plata, plástico y goma. El brillo de la tabla es una fracción de 128 y no
+// alfa (materiales.h).
 // Controles: n enseña el siguiente solo · t todos · ratón orbita · Esc termina.
 #include "materiales.h"
 #include "ch03_transformaciones/transformaciones.h"

@@ -1,12 +1,13 @@
-// Los tres modelos de sombreado (§5.3, listados 5.2 y 5.3, figura 5.6) sobre la misma malla y con el mismo modelo de
-// iluminación (listado 5.1): plano, una vez por polígono; Gouraud, una vez por vértice; Phong, una vez por fragmento.
-// Con pocos polígonos se ve qué hace cada uno; con muchos, se parecen.
-// Controles: 1 plano · 2 Gouraud · 3 Phong · + - doblan o reducen a la mitad la subdivisión · ratón orbita · Esc termina.
+// Los tres modelos de sombreado (§5.3, listados 5.2 y 5.3, figura 5.6) sobre la misma malla y con el mismo
+// modelo de iluminación (listado 5.1): plano, una vez por polígono; Gouraud, una vez por vértice; Phong, una
+// vez por fragmento. Con pocos polígonos se ve qué hace cada uno; con muchos, se parecen.
+// Controles: 1 plano · 2 Gouraud · 3 Phong · + - más o menos subdivisión · ratón orbita · Esc termina.
 #include "ch03_transformaciones/transformaciones.h"
 #include "iluminacion.h"
 #include "malla.h"
 #include "orbita.h"
 #include "ventana.h"
+#include <algorithm>
 
 enum Sombreado { PLANO, GOURAUD, PHONG };
 
@@ -24,8 +25,9 @@ static struct {
     Sombreado sombreado = PLANO;
 } estado;
 
-/// La misma malla con la normal de cada triángulo en sus tres vértices. Empieza en el segundo para que el último, el que
-/// da el color en el sombreado plano, sea el que comparten los dos triángulos de cada cuadrilátero.
+/// La misma malla con la normal de cada triángulo en sus tres vértices. Empieza en el segundo para que el
+/// último, el que da el color en el sombreado plano, sea el que comparten los dos triángulos de cada
+/// cuadrilátero.
 static Malla facetas(const Malla &malla) {
     Malla plana;
     for (std::size_t i = 0; i < malla.indices.size(); i += 3) {

@@ -2,9 +2,11 @@
 #   Compila <nombre>.cpp una sola vez y lo enlaza para cada destino de LAB_DESTINOS:
 #   build/<destino>/<capítulo>/<nombre>. CONSOLA: escribe texto y no tiene imagen.
 #
-# caso(programa nombre [GUION "orden; orden"] [ARGUMENTOS a b …] [TOLERANCIA "…" MOTIVO "…"])
+# caso(programa nombre [GUION "orden; orden"] [ARGUMENTOS a b …] [LINEAS | TOLERANCIA "…" MOTIVO "…"])
 #   Una imagen de ese programa: tras el guion debe ser tests/golden/<capítulo>/<programa>[-nombre].ppm;
-#   el caso que se llama base no lleva sufijo. TOLERANCIA cambia la del comparador y exige un MOTIVO.
+#   el caso que se llama base no lleva sufijo. TOLERANCIA cambia la que usa el comparador cuando la imagen no es del
+#   mismo OpenGL que el golden, y exige un MOTIVO. LINEAS es la de los casos con puntos o líneas: OpenGL deja
+#   a cada controlador elegir qué píxeles pintan, y por tanto dónde las tapa una cara.
 #
 # Con esas dos funciones se escriben build/catalogo.tsv (capítulo, programa, referencia, título) y
 # build/casos.tsv (capítulo, programa, caso, guion, argumentos, tolerancia): todo lo demás sale de ahí.
@@ -36,9 +38,12 @@ function(programa nombre)
 endfunction()
 
 function(caso programa nombre)
-  cmake_parse_arguments(PARSE_ARGV 2 C "" "GUION;TOLERANCIA;MOTIVO" "ARGUMENTOS")
+  cmake_parse_arguments(PARSE_ARGV 2 C "LINEAS" "GUION;TOLERANCIA;MOTIVO" "ARGUMENTOS")
   if(C_UNPARSED_ARGUMENTS OR (C_TOLERANCIA AND NOT C_MOTIVO))
     message(FATAL_ERROR "caso(${programa} ${nombre}): sobra «${C_UNPARSED_ARGUMENTS}» o falta el MOTIVO")
+  endif()
+  if(C_LINEAS)
+    set(C_TOLERANCIA "4 3 255")
   endif()
   get_filename_component(capitulo ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   # El guion lleva `;`, que CMake toma por separador de listas: en las filas viaja como \;

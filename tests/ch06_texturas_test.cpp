@@ -497,8 +497,9 @@ TEST(Coordenadas, SeLeenEnLaImagenLasDeLaParametrizacion) {
                 if (!i)
                     return Coordenadas{};
                 oraculo::Impacto enObjeto;
+                enObjeto.corte = i.corte;
                 const Vec3 p = oraculo::punto(escena[0].inv, i.punto);
-                oraculo::superficie(escena[0], i.corte, p, enObjeto);
+                oraculo::superficie(escena[0], p, enObjeto);
                 Coordenadas c = parametriza(objeto, p, enObjeto.normal);
                 c.cara = i.corte.cara;
                 return c;

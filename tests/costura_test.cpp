@@ -140,6 +140,20 @@ TEST(Shader, F5LosVuelveALeer) {
     EXPECT_EQ(e.errores.rfind("defectuoso: aviso: tests/recarga.frag:4: error: ", 0), 0u) << e.errores;
 }
 
+TEST(TeclasComunes, F11LlenaLaPantallaYVuelve) {
+    const Ejecucion e = ejecuta(GRUA), llena = ejecuta(GRUA, "especial F11"),
+                    vuelta = ejecuta(GRUA, "especial F11; especial F11");
+    EXPECT_EQ(llena.imagen.ancho, 1920);
+    EXPECT_EQ(llena.imagen.alto, 1080);
+    EXPECT_EQ(vuelta.imagen.rgb, e.imagen.rgb);
+}
+
+TEST(TeclasComunes, F12GuardaLaVentanaSinPisarOtra) {
+    const Ejecucion e = ejecuta(GRUA, "especial F12; tecla d; especial F12", 24, 18);
+    EXPECT_EQ(e.estado, 0) << e.errores;
+    EXPECT_EQ(e.salida, "guardado grua-1.ppm\nguardado grua-2.ppm\n");
+}
+
 // El reloj solo avanza con `espera`; los temporizadores vencen en orden, y entre iguales el que antes se
 // pidió.
 TEST(Reloj, LosTemporizadoresVencenEnOrden) {

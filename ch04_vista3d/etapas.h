@@ -1,0 +1,116 @@
+// Un vértice por las etapas del pipeline (ejercicio 4.1) y el recortado de un polígono en coordenadas homogéneas.
+// Sin OpenGL; lo usa etapas_pipeline. Todo en doble.
+#pragma once
+#include <cmath>
+#include <cstdio>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+/// Las matrices de un vértice, en el orden en que se aplican: modelo, cámara, proyección y área de dibujo.
+struct Matrices {
+    glm::dmat4 MM, MC, MProy, Mvp;
+};
+
+/// Lo que vale un vértice al salir de cada etapa. `ndc` y `ventana`, solo si está dentro del volumen de la
+/// vista: lo que se recorta no llega a la división perspectiva.
+struct Etapas {
+    glm::dvec4 objeto, mundo, camara, recortado;
+    bool dentro;
+    glm::dvec3 ndc, ventana; // ventana.z es la profundidad
+};
+
+/// −w ≤ x, y, z ≤ w.
+inline bool estaDentro(const glm::dvec4 &r) {
+    return std::fabs(r.x) <= r.w && std::fabs(r.y) <= r.w && std::fabs(r.z) <= r.w;
+}
+
+/// División perspectiva (§4.5).
+inline glm::dvec3 divide(const glm::dvec4 &r) {
+    return glm::dvec3(r) / r.w;
+}
+
+/// Lleva un vértice del objeto hasta la ventana (§4.5, ecuación 4.4).
+inline Etapas recorre(const glm::dvec3 &vertice, const Matrices &m) {
+    Etapas e{};
+    e.objeto = glm::dvec4(vertice, 1);
+    e.mundo = m.MM * e.objeto;
+    e.camara = m.MC * e.mundo;
+    e.recortado = m.MProy * e.camara;
+    e.dentro = estaDentro(e.recortado) && e.recortado.w > 0;
+    if (e.dentro) {
+        e.ndc = divide(e.recortado);
+        e.ventana = m.Mvp * glm::dvec4(e.ndc, 1);
+    }
+    return e;
+}
+
+/// Lo que queda de un polígono convexo al recortarlo con los seis planos del volumen de la vista (Sutherland y
+/// Hodgman). Se hace antes de dividir por w, en coordenadas de recortado: así vale también para lo que está
+/// detrás del ojo, con w < 0. Vacío si no queda nada.
+inline std::vector<glm::dvec4> recorta(std::vector<glm::dvec4> poligono) {
+    for (int eje = 0; eje < 3; ++eje)
+        for (const double signo : {-1.0, 1.0}) {
+            const auto distancia = [&](const glm::dvec4 &v) { return v.w + signo * v[eje]; };
+            std::vector<glm::dvec4> dentro;
+            for (std::size_t k = 0; k < poligono.size(); ++k) {
+                const glm::dvec4 &a = poligono[k], &b = poligono[(k + 1) % poligono.size()];
+                const double da = distancia(a), db = distancia(b);
+                if (da >= 0)
+                    dentro.push_back(a);
+                if ((da >= 0) != (db >= 0))
+                    dentro.push_back((da * b - db * a) / (da - db));
+            }
+            poligono = dentro;
+        }
+    return poligono;
+}
+
+/// Lo mismo, de un polígono del objeto.
+inline std::vector<glm::dvec4> recorta(const std::vector<glm::vec3> &poligono, const Matrices &m) {
+    std::vector<glm::dvec4> enRecortado;
+    for (const glm::vec3 &v : poligono)
+        enRecortado.push_back(recorre(v, m).recortado);
+    return recorta(enRecortado);
+}
+
+/// Área que ocupa en la ventana un polígono dado en coordenadas de recortado, en píxeles cuadrados.
+inline double areaVentana(const std::vector<glm::dvec4> &poligono, const glm::dmat4 &Mvp) {
+    double area = 0;
+    for (std::size_t k = 2; k < poligono.size(); ++k) {
+        const auto enVentana = [&](std::size_t v) { return Mvp * glm::dvec4(divide(poligono[v]), 1); };
+        const glm::dvec4 a = enVentana(0), u = enVentana(k - 1) - a, v = enVentana(k) - a;
+        area += 0.5 * (u.x * v.y - u.y * v.x);
+    }
+    return std::fabs(area);
+}
+
+/// «clave: valores», con las cifras de un float.
+inline std::string linea(const char *clave, const std::vector<double> &valores) {
+    std::string texto = clave + std::string(":");
+    for (const double v : valores) {
+        char numero[32];
+        std::snprintf(numero, sizeof numero, " %.9g", v);
+        texto += numero;
+    }
+    return texto + "\n";
+}
+
+/// Una línea por etapa; las que no alcanza un vértice de fuera del volumen no salen.
+inline std::string describe(const Etapas &e) {
+    const auto cuatro = [](const glm::dvec4 &v) { return std::vector<double>{v.x, v.y, v.z, v.w}; };
+    const std::string texto = linea("objeto", cuatro(e.objeto)) + linea("mundo", cuatro(e.mundo)) +
+                              linea("cámara", cuatro(e.camara)) + linea("recortado", cuatro(e.recortado));
+    if (!e.dentro)
+        return texto + "fuera: se recorta\n";
+    return texto + linea("NDC", {e.ndc.x, e.ndc.y, e.ndc.z}) + linea("ventana", {e.ventana.x, e.ventana.y}) +
+           linea("píxel", {std::floor(e.ventana.x), std::floor(e.ventana.y)}) +
+           linea("profundidad", {e.ventana.z});
+}
+
+/// Los lados y el área de lo que queda de un polígono, si queda algo.
+inline std::string describe(const std::vector<glm::dvec4> &poligono, const glm::dmat4 &Mvp) {
+    return poligono.empty() ? ""
+                            : linea("lados", {static_cast<double>(poligono.size())}) +
+                                  linea("área en píxeles", {areaVentana(poligono, Mvp)});
+}

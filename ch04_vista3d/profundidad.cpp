@@ -1,0 +1,147 @@
+// Cuánta profundidad cabe en el buffer (§4.4 y §4.5): doce carteles entre 12 y 800 m, cada uno con un cuadro
+// amarillo 5 cm por delante. Con lejos a 1 km, acercar el plano cerca reparte casi todos los valores del buffer
+// junto a la cámara, y de lejos dos superficies reciben la misma profundidad: lo azul asoma por lo amarillo.
+// GLUT_DEPTH no dice de cuántos bits es el buffer (24 o 32 según la ventana): se dibuja en uno propio de 24.
+// Controles: 1 2 3 lejos/cerca 1e2 1e4 1e6 · ratón orbita · Esc termina.
+#include "profundidad.h"
+#include "ch03_transformaciones/transformaciones.h"
+#include "imagen.h"
+#include "malla.h"
+#include "orbita.h"
+#include "shader.h"
+#include "ventana.h"
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/gtc/type_ptr.hpp>
+
+static const int COLUMNAS = 4, FILAS = 3;
+static const float PRIMERO = 12, ULTIMO = 800, SEPARACION = 0.05f, LEJOS = 1000; // metros
+static const float CERCA[] = {10, 0.1f, 0.001f};
+static const glm::vec3 AZUL(0.16f, 0.38f, 0.80f), AMARILLO(0.98f, 0.78f, 0.15f);
+
+static struct {
+    GLuint programa, framebuffer, color, profundidad;
+    Buferes plano;
+    int razon = 0;
+    bool informa = true;
+    Orbita orbita = {0, 0, 1, {0, 0, -1}}; // la cámara, en el origen
+} estado;
+
+static void inicia() {
+    estado.programa = creaPrograma("ch04_vista3d/plano.vert", "ch04_vista3d/plano.frag");
+    estado.plano = creaBuferes(plano(16));
+    glGenFramebuffers(1, &estado.framebuffer);
+    glGenRenderbuffers(1, &estado.color);
+    glGenRenderbuffers(1, &estado.profundidad);
+    glClearColor(0.87f, 0.93f, 0.98f, 1);
+}
+
+static void cambiaTamano(int ancho, int alto) {
+    ancho = std::max(ancho, 1), alto = std::max(alto, 1);
+    glViewport(0, 0, ancho, alto);
+    glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, estado.color);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, ancho, alto);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, estado.color);
+    glBindRenderbuffer(GL_RENDERBUFFER, estado.profundidad);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, ancho, alto);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, estado.profundidad);
+}
+
+static void dibujaPlano(const glm::mat4 &camaraModelo, const glm::vec3 &color) {
+    glUniformMatrix4fv(uniforme(estado.programa, "camaraModelo"), 1, GL_FALSE, glm::value_ptr(camaraModelo));
+    glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(color));
+    glDrawElements(GL_TRIANGLES, estado.plano.nIndices, GL_UNSIGNED_INT, nullptr);
+}
+
+// Los carteles crecen con la distancia y se ven todos iguales; inclinados, cada uno abarca muchas profundidades.
+// El cuadro se pinta después: donde las dos profundidades son iguales, el test (<) deja lo azul.
+static void dibujaCarteles() {
+    const glm::mat4 proyeccion = perspectivaVentana(0.8f, CERCA[estado.razon], LEJOS);
+    const glm::mat4 camara = vistaOrbita(estado.orbita);
+    glUniformMatrix4fv(uniforme(estado.programa, "proyeccion"), 1, GL_FALSE, glm::value_ptr(proyeccion));
+    for (int i = 0; i < COLUMNAS * FILAS; ++i) {
+        const float d = PRIMERO * std::pow(ULTIMO / PRIMERO, static_cast<float>(i) / (COLUMNAS * FILAS - 1));
+        const glm::vec3 centro(0.27f * static_cast<float>(i % COLUMNAS) - 0.4f,
+                               0.27f * static_cast<float>(i / COLUMNAS) - 0.27f, -1);
+        const glm::mat4 inclinado = giroY(0.5f) * giroX(-0.5f) * escalado(0.24f * d);
+        dibujaPlano(camara * traslacion(d * centro) * inclinado, AZUL);
+        dibujaPlano(camara * traslacion(d * centro + glm::vec3(0, 0, SEPARACION)) * inclinado *
+                        escalado(0.8f),
+                    AMARILLO);
+    }
+}
+
+static void copiaEnVentana() {
+    const int ancho = glutGet(GLUT_WINDOW_WIDTH), alto = glutGet(GLUT_WINDOW_HEIGHT);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glBlitFramebuffer(0, 0, ancho, alto, 0, 0, ancho, alto, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
+}
+
+static int cuentaAmarillos() {
+    copiaEnVentana();
+    const Imagen ventana = leeVentana();
+    int n = 0;
+    for (std::size_t i = 0; i < ventana.rgb.size(); i += 3)
+        n += ventana.rgb[i] > ventana.rgb[i + 2];
+    return n;
+}
+
+// Dos maneras de contar pares: los píxeles de los cuadros, y el cálculo de profundidad.h para superficies
+// separadas una cienmilésima de su distancia. `amarillos`: los píxeles en que el cuadro debería verse.
+static void informa(int amarillos) {
+    const double cerca = static_cast<double>(CERCA[estado.razon]), lejos = static_cast<double>(LEJOS);
+    GLint bits = 0;
+    glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_DEPTH_SIZE, &bits);
+    const double mal = amarillos > 0 ? 1 - static_cast<double>(cuentaAmarillos()) / amarillos : 0;
+    const ParesMal exacto = cuentaPares<double>(cerca, lejos, 1e-5, bits),
+                   comoGpu = cuentaPares<float>(cerca, lejos, 1e-5, bits);
+    std::printf("cerca %g m, lejos %g m, %d bits\n", cerca, lejos, bits);
+    std::printf("  carteles: %.1f %% de %d píxeles con lo azul delante\n", 100 * mal, amarillos);
+    std::printf(
+        "  pares a d y d·(1 + 1e-5): %.1f %% iguales; en float, %.1f %% iguales y %.1f %% invertidos\n",
+        100 * exacto.iguales, 100 * comoGpu.iguales, 100 * comoGpu.invertidos);
+    std::fflush(stdout);
+}
+
+static void dibuja() {
+    glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
+    glUseProgram(estado.programa);
+    glBindVertexArray(estado.plano.vao);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    int amarillos = 0;
+    if (estado.informa) { // sin test, el cuadro, que va después, queda entero encima
+        dibujaCarteles();
+        amarillos = cuentaAmarillos();
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    glEnable(GL_DEPTH_TEST);
+    dibujaCarteles();
+    glDisable(GL_DEPTH_TEST);
+    if (estado.informa)
+        informa(amarillos);
+    estado.informa = false;
+    copiaEnVentana();
+    glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla) || tecla < '1' || tecla > '3')
+        return;
+    estado.razon = tecla - '1';
+    estado.informa = true;
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Precisión de la profundidad", 800, 600);
+    inicia();
+    glutDisplayFunc(dibuja);
+    glutReshapeFunc(cambiaTamano);
+    glutKeyboardFunc(teclado);
+    orbitaConRaton(estado.orbita);
+    glutMainLoop();
+    return 0;
+}

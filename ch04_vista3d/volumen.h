@@ -1,0 +1,32 @@
+// Las esquinas del volumen de la vista (figuras 4.3 y 4.4), de sus parámetros y no de la matriz de proyección.
+// Sin OpenGL; lo usan volumen_vista y etapas_pipeline.
+#pragma once
+#include <array>
+#include <cmath>
+#include <glm/glm.hpp>
+
+/// Ocho puntos en coordenadas de la cámara: cuatro en el plano cerca y los cuatro que les corresponden en el
+/// plano lejos, desde abajo a la izquierda y en sentido antihorario.
+using Esquinas = std::array<glm::dvec3, 8>;
+
+/// La caja de la proyección paralela (figura 4.3).
+inline Esquinas esquinasParalela(double izquierda, double derecha, double abajo, double arriba, double cerca,
+                                 double lejos) {
+    return {{{izquierda, abajo, -cerca},
+             {derecha, abajo, -cerca},
+             {derecha, arriba, -cerca},
+             {izquierda, arriba, -cerca},
+             {izquierda, abajo, -lejos},
+             {derecha, abajo, -lejos},
+             {derecha, arriba, -lejos},
+             {izquierda, arriba, -lejos}}};
+}
+
+/// La pirámide truncada de la proyección perspectiva (figura 4.4): `theta`, el ángulo entero en Y, en radianes.
+inline Esquinas esquinasPerspectiva(double theta, double aspecto, double cerca, double lejos) {
+    const double y = std::tan(theta / 2), x = aspecto * y;
+    Esquinas e = esquinasParalela(-x, x, -y, y, 1, 1); // a distancia 1 del vértice
+    for (std::size_t k = 0; k < 8; ++k)
+        e[k] *= k < 4 ? cerca : lejos;
+    return e;
+}

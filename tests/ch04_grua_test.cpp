@@ -1,0 +1,409 @@
+// Comprobaciones independientes de grua_vistas, grua_proyeccion y grua_zbuffer: la grúa entera en cada vista,
+// y las imágenes contra el trazado de rayos en doble.
+#include "ch04_vista3d/encuadre.h"
+#include "ejecuta.h"
+#include "oraculo/oraculo.h"
+#include <gtest/gtest.h>
+#include <iostream>
+
+namespace {
+
+using oraculo::Mat4;
+using oraculo::Vec3;
+
+/// La grúa del ejercicio 3.5 escrita otra vez, en doble: suelo, pie, brazo, contrapeso, cable y carga.
+struct Postura {
+    double giro, distancia, altura;
+};
+std::vector<Mat4> cajasGrua(const Postura &p) {
+    using namespace oraculo;
+    const Mat4 giro = gira({0, 1, 0}, p.giro);
+    const double cable = 9.5 - p.altura;
+    return {
+        traslada({0, -0.1, 0}) * escala({20, 0.2, 20}),
+        traslada({0, 5, 0}) * escala({0.8, 10, 0.8}),
+        giro * traslada({2.5, 10.4, 0}) * escala({10, 0.8, 0.8}),
+        giro * traslada({-1.8, 9.3, 0}) * escala(1.4),
+        giro * traslada({p.distancia, 10 - cable / 2, 0}) * escala({0.12, cable, 0.12}),
+        giro * traslada({p.distancia, p.altura, 0}),
+    };
+}
+std::vector<Vec3> esquinas(const Postura &p) {
+    std::vector<Vec3> puntos;
+    const std::vector<Mat4> cajas = cajasGrua(p);
+    for (std::size_t i = 1; i < cajas.size(); ++i) // sin el suelo
+        for (int k = 0; k < 8; ++k)
+            puntos.push_back(punto(cajas[i], {(k & 1) - 0.5, (k >> 1 & 1) - 0.5, (k >> 2) - 0.5}));
+    return puntos;
+}
+
+/// 24 giros × 8 distancias × 9 alturas, con los extremos del recorrido: 1728 posturas.
+std::vector<Vec3> puntosDeTodasLasPosturas() {
+    std::vector<Vec3> puntos;
+    for (int g = 0; g < 24; ++g)
+        for (int d = 0; d < 8; ++d)
+            for (int h = 0; h < 9; ++h) {
+                const auto de = esquinas({g * oraculo::PI / 12, 1.4 + d * 5.6 / 7, 0.5 + h * 8.5 / 8});
+                puntos.insert(puntos.end(), de.begin(), de.end());
+            }
+    return puntos;
+}
+
+const int TAMANOS[][2] = {{240, 180}, {800, 600}, {180, 240}, {333, 77},  {1, 200},
+                          {300, 1},   {1, 1},     {2, 3},     {5000, 40}, {3, 16384}};
+
+/// Los recuadros que usan los programas: la ventana entera o su cuarto, sin el marco, si no quedan vacíos.
+std::vector<Recuadro> recuadros(int vista, int ancho, int alto) {
+    const int marco = (std::min(ancho, alto) + 80) / 100;
+    std::vector<Recuadro> lista;
+    for (const Recuadro &r : {Recuadro{0, 0, ancho, alto}, recuadroVista(vista, ancho, alto)})
+        if (!vacio(interior(r, marco)))
+            lista.push_back(interior(r, marco));
+    return lista;
+}
+
+/// Comprueba que `proyeccion · camara` deja dentro todos los puntos y no los deforma, y devuelve lo más que se
+/// acercan al borde: 1 es tocarlo.
+double masCercaDelBorde(const glm::dmat4 &camara, const glm::dmat4 &proyeccion, const Recuadro &r,
+                        const std::vector<Vec3> &puntos) {
+    const glm::mat4 aGpu = proyeccion * camara; // en float, como lo recibe la GPU
+    double borde = 0;
+    for (const Vec3 &p : puntos) {
+        double c[4];
+        for (int fila = 0; fila < 4; ++fila)
+            c[fila] = static_cast<double>(aGpu[0][fila]) * p.x + static_cast<double>(aGpu[1][fila]) * p.y +
+                      static_cast<double>(aGpu[2][fila]) * p.z + static_cast<double>(aGpu[3][fila]);
+        EXPECT_GT(c[3], 0);
+        EXPECT_LT(std::fabs(c[2]), c[3]);
+        borde = std::max({borde, std::fabs(c[0] / c[3]), std::fabs(c[1] / c[3])});
+    }
+    // las mismas unidades por píxel a lo ancho que a lo alto
+    EXPECT_NEAR(proyeccion[0][0] * r.ancho / (proyeccion[1][1] * r.alto), 1, 1e-12);
+    return borde;
+}
+
+} // namespace
+
+// La grúa entera en 1728 posturas, las cuatro vistas, las dos proyecciones y todo tamaño de ventana, con la
+// holgura del 6 % (y 1e-6 de las matrices en float). Y sin derrochar sitio: alguna postura llega a ella, salvo el
+// 0.12 % del polígono de 64 lados circunscrito y el 1 − cos(π/24) = 0.86 % que se puede perder entre dos giros.
+TEST(Encuadre, TodaPosturaEnteraEnCadaVista) {
+    const std::vector<Vec3> puntos = puntosDeTodasLasPosturas();
+    const std::vector<glm::dvec3> envolvente = envolventeGrua();
+    for (const auto &t : TAMANOS)
+        for (int v = 0; v < N_VISTAS; ++v)
+            for (const Recuadro &r : recuadros(v, t[0], t[1])) {
+                const glm::dmat4 camara = camaraVista(VISTAS[v]);
+                const double escala = unidadesPorPixel(envolvente, camara, r);
+                for (const glm::dmat4 &proyeccion : {paralelaQueEncierra(envolvente, camara, r, escala),
+                                                     perspectivaQueEncierra(envolvente, camara, r)}) {
+                    const double borde = masCercaDelBorde(camara, proyeccion, r, puntos);
+                    EXPECT_LE(borde, 1 / 1.06 + 1e-6) << t[0] << "x" << t[1] << " vista " << v;
+                    EXPECT_GE(borde, 0.99 / 1.06) << t[0] << "x" << t[1] << " vista " << v;
+                }
+            }
+}
+
+// También con la cámara que mueve el ratón, desde cualquier lado y a cualquier distancia que se deje (12 o más).
+TEST(Encuadre, TodaPosturaEnteraDesdeCualquierLado) {
+    const std::vector<Vec3> puntos = puntosDeTodasLasPosturas();
+    const std::vector<glm::dvec3> envolvente = envolventeGrua();
+    const Recuadro r{0, 0, 237, 171};
+    for (double distancia : {12.0, 24.0, 1000.0})
+        for (int a = 0; a < 8; ++a)
+            for (double elevacion : {-1.55, -0.5, 0.0, 0.7, 1.55}) {
+                const double azimut = a * oraculo::PI / 4;
+                const Vista vista = {{distancia * std::cos(elevacion) * std::sin(azimut),
+                                      distancia * std::sin(elevacion),
+                                      distancia * std::cos(elevacion) * std::cos(azimut)},
+                                     {0, 1, 0},
+                                     {}};
+                const glm::dmat4 camara = camaraVista(vista);
+                const double escala = unidadesPorPixel(envolvente, camara, r);
+                for (const glm::dmat4 &proyeccion : {paralelaQueEncierra(envolvente, camara, r, escala),
+                                                     perspectivaQueEncierra(envolvente, camara, r)})
+                    EXPECT_LE(masCercaDelBorde(camara, proyeccion, r, puntos), 1 / 1.06 + 1e-6)
+                        << distancia << " " << azimut << " " << elevacion;
+            }
+}
+
+// Hacia dónde van los ejes del mundo en cada vista: (derecha, arriba) de X, Y y Z.
+TEST(Encuadre, LasDireccionesDeLasVistas) {
+    const double x = std::sqrt(0.5), y = std::sqrt(1.0 / 6), k = std::sqrt(2.0 / 3);
+    const double esperados[N_VISTAS][3][2] = {
+        {{1, 0}, {0, 1}, {0, 0}},   // alzado
+        {{1, 0}, {0, 0}, {0, -1}},  // planta
+        {{0, 0}, {0, 1}, {-1, 0}},  // perfil derecho
+        {{x, -y}, {0, k}, {-x, -y}} // (1,1,1): a 120° y del mismo largo
+    };
+    for (int v = 0; v < N_VISTAS; ++v)
+        for (int eje = 0; eje < 3; ++eje)
+            for (int k2 = 0; k2 < 2; ++k2)
+                EXPECT_NEAR(camaraVista(VISTAS[v])[eje][k2], esperados[v][eje][k2], 1e-15) << v << " " << eje;
+}
+
+TEST(Encuadre, LosCuartosCubrenLaVentana) {
+    for (int alto = 1; alto <= 40; ++alto)
+        for (int ancho = 1; ancho <= 40; ++ancho) {
+            std::vector<int> veces(static_cast<std::size_t>(ancho * alto));
+            for (int v = 0; v < N_VISTAS; ++v) {
+                const Recuadro r = recuadroVista(v, ancho, alto);
+                for (int y = r.y; y < r.y + r.alto; ++y)
+                    for (int x = r.x; x < r.x + r.ancho; ++x)
+                        ++veces.at(static_cast<std::size_t>(y * ancho + x));
+            }
+            for (const int n : veces)
+                ASSERT_EQ(n, 1) << ancho << "x" << alto;
+        }
+}
+
+namespace {
+
+const Postura INICIAL = {0.58, 5, 4};
+
+/// La envolvente de encuadre.h, escrita otra vez: en lo alto del brazo y en los de la carga, un polígono de 64
+/// lados alrededor de lo que más se aleja. (Pie y contrapeso quedan entre ellas.)
+std::vector<Vec3> envolvente() {
+    std::vector<Vec3> puntos;
+    const double brazo = std::hypot(7.5, 0.4), carga = std::hypot(7.5, 0.5);
+    for (const auto &[y, radio] : {std::pair(0.0, carga), {9.5, carga}, {10.0, brazo}, {10.8, brazo}})
+        for (int i = 0; i < 64; ++i) {
+            const double r = radio / std::cos(oraculo::PI / 64), a = i * oraculo::PI / 32;
+            puntos.push_back({r * std::cos(a), y, r * std::sin(a)});
+        }
+    return puntos;
+}
+
+/// La cámara de una vista en un recuadro de ancho × alto píxeles. `escala`: la común de varias vistas.
+oraculo::Camara camaraDe(int vista, bool enPerspectiva, int ancho, int alto, double distancia = 24,
+                         double escala = 0) {
+    const Vec3 centro{0, 5.4, 0}, hacia[] = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, unitario(Vec3{1, 1, 1})};
+    const Vec3 arriba = vista == PLANTA ? Vec3{0, 0, -1} : Vec3{0, 1, 0};
+    oraculo::Camara c = oraculo::miraDesde(centro + distancia * hacia[vista], centro, arriba);
+    Vec3 minimo{1e9, 1e9, 1e9}, maximo{-1e9, -1e9, -1e9};
+    double tangente = 0;
+    const double lado = std::min(ancho, alto);
+    for (const Vec3 &p : envolvente()) {
+        const Vec3 q = enCamara(c, p);
+        minimo = {std::min(minimo.x, q.x), std::min(minimo.y, q.y), std::min(minimo.z, q.z)};
+        maximo = {std::max(maximo.x, q.x), std::max(maximo.y, q.y), std::max(maximo.z, q.z)};
+        tangente =
+            std::max({tangente, std::fabs(q.y / q.z) * lado / alto, std::fabs(q.x / q.z) * lado / ancho});
+    }
+    if (enPerspectiva)
+        return perspectiva(c, 2 * std::atan(1.06 * tangente), 1, 1000);
+    if (escala == 0)
+        escala = 1.06 * std::max((maximo.x - minimo.x) / ancho, (maximo.y - minimo.y) / alto);
+    const oraculo::Ejes e = ejes(c);
+    const Vec3 descentra = 0.5 * (minimo.x + maximo.x) * e.x + 0.5 * (minimo.y + maximo.y) * e.y;
+    c.ojo = c.ojo + descentra, c.centro = c.centro + descentra;
+    return paralela(c, 0.5 * escala * lado, -1000, 1000);
+}
+
+oraculo::ImagenRef referencia(const oraculo::Camara &camara, const Postura &postura, int ancho, int alto) {
+    const Vec3 amarillo{0.98, 0.74, 0.12}, luz{0.20, 0.78, 0.593};
+    const std::vector<Vec3> colores = {{0.62, 0.72, 0.58}, amarillo,           amarillo,
+                                       {0.42, 0.45, 0.50}, {0.16, 0.17, 0.20}, {0.85, 0.20, 0.18}};
+    oraculo::Escena escena;
+    for (const Mat4 &M : cajasGrua(postura))
+        escena.push_back(oraculo::caja(M));
+    return render(escena, camara, ancho, alto, [&](const oraculo::Impacto &i) -> Vec3 {
+        return i ? (0.58 + 0.42 * escalar(i.normal, luz)) * colores[static_cast<std::size_t>(i.objeto)]
+                 : Vec3{0.87, 0.93, 0.98};
+    });
+}
+
+/// Compara el recuadro `r` de la imagen, menos el cuadrado de los ejes, con la referencia.
+oraculo::Comparacion comparaRecuadro(const Imagen &imagen, const Recuadro &r, const oraculo::ImagenRef &ref) {
+    Imagen trozo{r.ancho, r.alto, {}};
+    oraculo::ImagenRef sinEjes = ref;
+    const int ejes = std::min(r.ancho, r.alto) / 4;
+    for (int y = 0; y < r.alto; ++y)
+        for (int x = 0; x < r.ancho; ++x) {
+            const Pixel p = pixel(imagen, r.x + x, r.y + y);
+            for (const int c : {p.r, p.g, p.b})
+                trozo.rgb.push_back(static_cast<unsigned char>(c));
+            if (x < ejes && y < ejes) // los ejes se dan por buenos
+                sinEjes.pixeles[static_cast<std::size_t>(y * r.ancho + x)] = {
+                    {p.r / 255.0, p.g / 255.0, p.b / 255.0}, -2, 0, 0, {}, {}};
+        }
+    return compara(trozo, sinEjes);
+}
+
+/// En el interior, a un nivel. En los bordes, la GPU redondea los vértices a 1/256 de píxel y mueve un lado
+/// √2/256 como mucho: difieren a lo sumo 2·√2/256 = 1/90 de los píxeles de borde. (Y como no se descartan caras
+/// traseras, uno de ellos puede enseñar la de detrás, de un color que no tiene ningún vecino.)
+void bienDibujada(const oraculo::Comparacion &c, int pixeles) {
+    EXPECT_LE(c.maximo, 1) << c;
+    EXPECT_LE(c.bandaDistintos, c.banda / 90) << c;
+    EXPECT_GT(c.interior, pixeles / 2) << c;
+}
+
+/// Ejecuta, comprueba una vista entera contra el oráculo y devuelve su imagen.
+Imagen compruebaVista(const std::string &programa, const std::string &guion, int vista, bool enPerspectiva,
+                      const Postura &postura, int ancho = 240, int alto = 180, double distancia = 24) {
+    const Ejecucion e = ejecuta("ch04_vista3d/" + programa, guion, ancho, alto);
+    EXPECT_EQ(e.estado, 0) << e.errores;
+    const Recuadro r = interior({0, 0, ancho, alto}, (std::min(ancho, alto) + 80) / 100);
+    const oraculo::ImagenRef ref =
+        referencia(camaraDe(vista, enPerspectiva, r.ancho, r.alto, distancia), postura, r.ancho, r.alto);
+    const oraculo::Comparacion c = comparaRecuadro(e.imagen, r, ref);
+    std::cout << "vista " << vista << ": " << c << "\n";
+    bienDibujada(c, ancho * alto);
+    return e.imagen;
+}
+
+std::string veces(int n, const std::string &orden) {
+    std::string guion;
+    for (int i = 0; i < n; ++i)
+        guion += orden + "; ";
+    return guion;
+}
+
+} // namespace
+
+TEST(GruaVistas, CadaVistaContraTrazadoDeRayos) {
+    for (int v = 0; v < N_VISTAS; ++v)
+        compruebaVista("grua_vistas", "tecla " + std::to_string(v + 1), v, false, INICIAL);
+}
+
+// La postura extrema, girada, y en una ventana apaisada y en otra alta.
+TEST(GruaVistas, OtraPosturaYOtraVentana) {
+    const std::string guion = veces(7, "tecla a") + veces(6, "tecla e") + veces(12, "tecla w") + "tecla 4";
+    const Postura extrema = {0.58 + 0.7, 7, 9};
+    compruebaVista("grua_vistas", guion, DIAGONAL, false, extrema, 300, 70);
+    compruebaVista("grua_vistas", guion, DIAGONAL, false, extrema, 70, 200);
+}
+
+// Las cuatro a la vez, con la misma escala: la que necesita la planta.
+TEST(GruaVistas, LasCuatroContraTrazadoDeRayos) {
+    const Ejecucion e = ejecuta("ch04_vista3d/grua_vistas");
+    ASSERT_EQ(e.estado, 0) << e.errores;
+    const int ancho = 116, alto = 86; // cuartos de 120×90 con un marco de 2
+    const Recuadro donde[N_VISTAS] = {
+        {2, 2, ancho, alto}, {2, 92, ancho, alto}, {122, 2, ancho, alto}, {122, 92, ancho, alto}};
+    const double radio = std::hypot(7.5, 0.5) / std::cos(oraculo::PI / 64);
+    double escala = 1.06 * 2 * radio / alto;
+    const oraculo::Camara diagonal = camaraDe(DIAGONAL, false, ancho, alto);
+    escala = std::max(escala, 2 * diagonal.semilado / alto);
+    for (int v = 0; v < N_VISTAS; ++v) {
+        const oraculo::ImagenRef ref =
+            referencia(camaraDe(v, false, ancho, alto, 24, escala), INICIAL, ancho, alto);
+        const oraculo::Comparacion c = comparaRecuadro(e.imagen, donde[v], ref);
+        std::cout << "vista " << v << ": " << c << "\n";
+        bienDibujada(c, ancho * alto);
+    }
+}
+
+// El marco es del color del eje a lo largo del cual se mira, y en la esquina cada eje va hacia donde debe: el
+// centro de los píxeles de su color está a medio eje del origen (a 1.1/2.6 del lado del cuadrado).
+TEST(GruaVistas, MarcosYEjes) {
+    const int marcos[N_VISTAS][3] = {{41, 97, 204}, {51, 158, 71}, {217, 51, 46}, {140, 148, 158}};
+    const double x = std::sqrt(0.5), y = std::sqrt(1.0 / 6), k = std::sqrt(2.0 / 3);
+    const double ejes[N_VISTAS][3][2] = {{{1, 0}, {0, 1}, {0, 0}},
+                                         {{1, 0}, {0, 0}, {0, -1}},
+                                         {{0, 0}, {0, 1}, {-1, 0}},
+                                         {{x, -y}, {0, k}, {-x, -y}}};
+    for (int v = 0; v < N_VISTAS; ++v) {
+        const Ejecucion e = ejecuta("ch04_vista3d/grua_vistas", "tecla " + std::to_string(v + 1));
+        ASSERT_EQ(e.estado, 0) << e.errores;
+        for (int i = 0; i < 240; ++i)
+            for (int j : {0, 1, 178, 179}) {
+                const Pixel p = pixel(e.imagen, i, j);
+                ASSERT_TRUE(p.r == marcos[v][0] && p.g == marcos[v][1] && p.b == marcos[v][2])
+                    << v << ": " << i << "," << j << ": " << p.r << " " << p.g << " " << p.b;
+            }
+        for (int eje = 0; eje < 3; ++eje) {
+            const bool seVe = ejes[v][eje][0] != 0 || ejes[v][eje][1] != 0;
+            double n = 0, sumaX = 0, sumaY = 0;
+            for (int j = 0; j < 44; ++j)
+                for (int i = 0; i < 44; ++i) {
+                    const Pixel p = pixel(e.imagen, 2 + i, 2 + j);
+                    const int c[3] = {p.r, p.g, p.b};
+                    if (c[eje] > 1.4 * c[(eje + 1) % 3] && c[eje] > 1.4 * c[(eje + 2) % 3])
+                        ++n, sumaX += i + 0.5 - 22, sumaY += j + 0.5 - 22;
+                }
+            ASSERT_GT(n, 20) << v << " eje " << eje;
+            if (!seVe)
+                continue;
+            EXPECT_NEAR(sumaX / n, ejes[v][eje][0] * 0.5 * 1.1 * 44 / 2.6, 3) << v << " eje " << eje;
+            EXPECT_NEAR(sumaY / n, ejes[v][eje][1] * 0.5 * 1.1 * 44 / 2.6, 3) << v << " eje " << eje;
+        }
+    }
+}
+
+TEST(GruaVistas, ElMenuEsComoLasTeclas) {
+    const std::pair<const char *, const char *> iguales[] = {
+        {"Alzado", "tecla 1"}, {"Planta", "tecla 2"}, {"Perfil", "tecla 3"}, {"(1,1,1)", "tecla 4"}};
+    for (const auto &[opcion, tecla] : iguales) {
+        const Ejecucion menu = ejecuta("ch04_vista3d/grua_vistas", std::string("menu ") + opcion);
+        EXPECT_EQ(menu.estado, 0) << menu.errores;
+        EXPECT_EQ(menu.imagen.rgb, ejecuta("ch04_vista3d/grua_vistas", tecla).imagen.rgb) << opcion;
+    }
+    EXPECT_EQ(ejecuta("ch04_vista3d/grua_vistas", "tecla 2; menu Las cuatro").imagen.rgb,
+              ejecuta("ch04_vista3d/grua_vistas").imagen.rgb);
+}
+
+// Las dos proyecciones con la MISMA cámara (camaraDe la construye igual) contra el oráculo.
+TEST(GruaProyeccion, LasDosContraTrazadoDeRayos) {
+    const Imagen paralela = compruebaVista("grua_proyeccion", "", DIAGONAL, false, INICIAL);
+    compruebaVista("grua_proyeccion", "tecla p", DIAGONAL, true, INICIAL);
+    EXPECT_EQ(ejecuta("ch04_vista3d/grua_proyeccion", "menu Paralela o perspectiva; tecla p").imagen.rgb,
+              paralela.rgb);
+}
+
+TEST(GruaProyeccion, CadaVistaEnPerspectiva) {
+    for (int v = 0; v < 3; ++v)
+        compruebaVista("grua_proyeccion", "tecla p; tecla " + std::to_string(v + 1), v, true, INICIAL);
+}
+
+// Acercar la cámara: en paralela no cambia nada; en perspectiva la grúa sigue entera. Nunca a menos de 12.
+TEST(GruaProyeccion, LaRuedaNoCortaLaGrua) {
+    EXPECT_EQ(ejecuta("ch04_vista3d/grua_proyeccion", veces(3, "rueda +1 9 9")).imagen.rgb,
+              ejecuta("ch04_vista3d/grua_proyeccion").imagen.rgb);
+    compruebaVista("grua_proyeccion", veces(3, "rueda +1 9 9") + "tecla p", DIAGONAL, true, INICIAL, 240, 180,
+                   24 / std::pow(1.1, 3));
+    compruebaVista("grua_proyeccion", veces(40, "rueda +1 9 9") + "tecla p", DIAGONAL, true, INICIAL, 240,
+                   180, 12);
+}
+
+// Con eliminación de partes ocultas, lo que ve el rayo; en varias posturas, con la carga delante y detrás del pie.
+TEST(GruaZBuffer, OrdenDeVisibilidadContraTrazadoDeRayos) {
+    compruebaVista("grua_zbuffer", "", DIAGONAL, true, INICIAL);
+    const std::string cerca = veces(7, "tecla q");
+    compruebaVista("grua_zbuffer", cerca + veces(14, "tecla d"), DIAGONAL, true, {0.58 - 1.4, 1.5, 4});
+    compruebaVista("grua_zbuffer", cerca + veces(18, "tecla a") + "tecla p", DIAGONAL, false,
+                   {0.58 + 1.8, 1.5, 4});
+}
+
+// Sin ella gana lo último que se pinta, que es el suelo: lo tapa todo, también lo que está delante.
+TEST(GruaZBuffer, SinTestElSueloLoTapaTodo) {
+    const Ejecucion sin = ejecuta("ch04_vista3d/grua_zbuffer", "tecla z"),
+                    con = ejecuta("ch04_vista3d/grua_zbuffer");
+    ASSERT_EQ(sin.estado, 0) << sin.errores;
+    const int ancho = 236, alto = 176, ejes = alto / 4;
+    const oraculo::Camara camara = camaraDe(DIAGONAL, true, ancho, alto);
+    const oraculo::Escena suelo = {oraculo::caja(cajasGrua(INICIAL)[0])};
+    const oraculo::ImagenRef ref = referencia(camara, INICIAL, ancho, alto);
+    int deSuelo = 0, tapados = 0;
+    for (int y = 0; y < alto; ++y)
+        for (int x = 0; x < ancho; ++x) {
+            if (x < ejes && y < ejes)
+                continue;
+            bool dentro = true; // más de un píxel dentro de la cara de arriba
+            for (int k = 0; k < 4; ++k)
+                dentro = dentro && primerImpacto(suelo, rayo(camara, ancho, alto, x + (k & 1 ? 2 : -1),
+                                                             y + (k & 2 ? 2 : -1)))
+                                           .normal.y > 0.5;
+            if (!dentro)
+                continue;
+            ++deSuelo;
+            const Pixel p = pixel(sin.imagen, x + 2, y + 2);
+            ASSERT_TRUE(p.g > p.r && p.r > p.b) << x << "," << y;
+            tapados += ref.en(x, y).objeto > 0;
+        }
+    std::cout << "suelo: " << deSuelo << " px, y en " << tapados << " debería verse la grúa\n";
+    EXPECT_GT(tapados, 400);
+    EXPECT_EQ(ejecuta("ch04_vista3d/grua_zbuffer", "tecla z; menu Con o sin partes ocultas").imagen.rgb,
+              con.imagen.rgb);
+}
