@@ -11,9 +11,9 @@
 static const float PASO_GIRO = 0.1f; // radianes
 static const float PASO = 0.5f;
 static const glm::vec3 La(1);
-static const Luz luz{{5, 8.5f, 7, 1}};
+static const Luz luz{{3.5f, 8.5f, 5.5f, 1}};
 
-static const Material pintura = {{0.25f, 0.18f, 0.03f}, {0.68f, 0.50f, 0.08f}, {0.60f, 0.60f, 0.60f}, 40};
+static const Material pintura = {{0.25f, 0.18f, 0.03f}, {0.68f, 0.50f, 0.08f}, {0.60f, 0.60f, 0.60f}, 15};
 static const Material hormigon = {{0.12f, 0.13f, 0.14f}, {0.45f, 0.47f, 0.50f}, {0.05f, 0.05f, 0.05f}, 5};
 static const Material acero = {{0.06f, 0.06f, 0.07f}, {0.20f, 0.21f, 0.24f}, {0.70f, 0.70f, 0.70f}, 80};
 static const Material chapa = {{0.22f, 0.05f, 0.05f}, {0.68f, 0.14f, 0.12f}, {0.60f, 0.60f, 0.60f}, 30};

@@ -743,7 +743,7 @@ Escena grua(double giro) {
             oraculo::caja(G * traslada({5, 4, 0}))};
 }
 
-const Material PINTURA = {{0.25, 0.18, 0.03}, {0.68, 0.50, 0.08}, {0.60, 0.60, 0.60}, 40};
+const Material PINTURA = {{0.25, 0.18, 0.03}, {0.68, 0.50, 0.08}, {0.60, 0.60, 0.60}, 15};
 const std::vector<Material> MATERIALES_GRUA = {
     {{0.13, 0.17, 0.12}, {0.46, 0.58, 0.42}, {0.25, 0.25, 0.25}, 12},
     PINTURA,
@@ -751,7 +751,7 @@ const std::vector<Material> MATERIALES_GRUA = {
     {{0.12, 0.13, 0.14}, {0.45, 0.47, 0.50}, {0.05, 0.05, 0.05}, 5},
     {{0.06, 0.06, 0.07}, {0.20, 0.21, 0.24}, {0.70, 0.70, 0.70}, 80},
     {{0.22, 0.05, 0.05}, {0.68, 0.14, 0.12}, {0.60, 0.60, 0.60}, 30}};
-const Luz LUZ_GRUA = posicional({5, 8.5, 7});
+const Luz LUZ_GRUA = posicional({3.5, 8.5, 5.5});
 const Camara CAMARA_GRUA = oraculo::perspectiva(oraculo::orbita(0.5, 0.25, 23, {1.5, 5.2, 0}), 0.6, 1, 100);
 const Vec3 CIELO{0.87, 0.93, 0.98};
 
