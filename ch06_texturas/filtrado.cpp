@@ -12,7 +12,9 @@
 #include <cstdio>
 #include <glm/gtc/type_ptr.hpp>
 
-static const float LARGO = 4000, LADO_BALDOSAS = 2; // el suelo, y lo que abarca una vez la textura
+// El suelo, y lo que abarca una vez la textura. Con uno mucho mayor, un píxel del horizonte abarcaría miles de
+// texels aun en el último mipmap, y el filtro anisótropo de Mesa tarda lo que tarda en recorrerlos.
+static const float LARGO = 200, LADO_BALDOSAS = 2;
 static const struct {
     GLint ampliacion, reduccion;
     bool anisotropo;
@@ -26,7 +28,7 @@ static struct {
     Buferes suelo;
     int elegido = 0;
     GLfloat anisotropia = 1; // la mayor que da el contexto; 1 es ninguna
-    Orbita orbita = {0.35f, 0.27f, 3.6f, {0, 0, 0}};
+    Orbita orbita = {0.12f, 0.27f, 3.6f, {0, 0, 0}};
 } estado;
 
 static void inicia(const Imagen &imagen) {
