@@ -3,7 +3,7 @@
 # dicen al programa debe ser igual, línea a línea.
 set -euo pipefail
 build=$1 sin_ventana=$2
-source "$(dirname "$0")/xdotool.sh"
+source "$(dirname "$0")/../herramientas/xdotool.sh"
 DISPLAY=:$(cat "$build/xvfb/pantalla")
 export DISPLAY
 # Sin mayúsculas: con ellas FreeGLUT da además la pulsación de la tecla de mayúsculas, que el guion no tiene.

@@ -1,6 +1,6 @@
 #version 140
 
-#include "tests/inclusion.glsl"
+#include "tests/costura/inclusion.glsl"
 
 void main() {
     gl_Position = vec4(doble(1.0));

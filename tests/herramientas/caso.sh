@@ -10,7 +10,7 @@ aqui=$(cd "$(dirname "$0")" && pwd)
 IFS=$'\t' read -r capitulo _ _ guion argumentos tolerancia \
   < <(awk -F'\t' -v p="$programa" -v c="$caso" '$2 == p && $3 == c' "$build/casos.tsv")
 nombre=$programa; [ "$caso" = base ] || nombre=$programa-$caso
-golden=$aqui/golden/$capitulo/$nombre.ppm
+golden=$aqui/../golden/$capitulo/$nombre.ppm
 
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT

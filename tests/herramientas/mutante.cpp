@@ -1,5 +1,5 @@
 // Una esfera con luz y textura a la que se puede estropear una cosa: con eso se prueba que el comparador la
-// nota (tests/mutaciones.sh). Argumento: nada, luz (gira 3 grados), textura (falta), pixel (todo se corre
+// nota (tests/herramientas/mutaciones.sh). Argumento: nada, luz (gira 3 grados), textura (falta), pixel (todo se corre
 // uno) o triangulo (falta uno de los 3968).
 #include "error.h"
 #include "malla.h"
@@ -17,7 +17,7 @@ static struct {
 } estado;
 
 static void inicia() {
-    estado.programa = creaPrograma("tests/mutante.vert", "tests/mutante.frag");
+    estado.programa = creaPrograma("tests/herramientas/mutante.vert", "tests/herramientas/mutante.frag");
     Malla malla = esfera(64);
     if (estado.mutacion == "triangulo") {
         const auto centro = malla.indices.begin() + 3 * (64 + 15 * 128 + 96); // en medio de lo que se ve

@@ -26,8 +26,8 @@ protected:
         glutCreateWindow(nombre);
         glewExperimental = GL_TRUE;
         glewInit(); // su resultado no sirve: common/ventana.cpp
-        programa = creaPrograma("tests/ch05_sonda.vert", "tests/ch05_sonda.frag");
-        listado = creaPrograma("tests/ch05_sonda.vert", "tests/ch05_listado.frag");
+        programa = creaPrograma("tests/capitulos/ch05_sonda.vert", "tests/capitulos/ch05_sonda.frag");
+        listado = creaPrograma("tests/capitulos/ch05_sonda.vert", "tests/capitulos/ch05_listado.frag");
         GLuint vao = 0, color = 0, framebuffer = 0;
         glGenVertexArrays(1, &vao);
         glBindVertexArray(vao);

@@ -97,7 +97,8 @@ TEST(ErrorDeOpenGL, EsUn31Estricto) {
                 "error de OpenGL al dibujar: GL_INVALID_OPERATION");
     const Ejecucion e = ejecuta(DEFECTUOSO, "", 9, 9, {"glsl150"});
     EXPECT_EQ(e.estado, 1);
-    EXPECT_NE(e.errores.find("tests/glsl150.vert:1: error: GLSL 1.50 is not supported"), std::string::npos)
+    EXPECT_NE(e.errores.find("tests/costura/glsl150.vert:1: error: GLSL 1.50 is not supported"),
+              std::string::npos)
         << e.errores;
 }
 
@@ -108,36 +109,39 @@ TEST(ErrorDelPrograma, DosVentanas) {
 
 TEST(Shader, ElQueFaltaDiceDondeSeHaBuscado) {
     esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"sin_shader"}), 1,
-                "no encuentro «tests/no_esta.vert»; lo he buscado en ");
+                "no encuentro «tests/costura/no_esta.vert»; lo he buscado en ");
 }
 
 TEST(Shader, ElErrorDeUnFicheroIncluidoNombraEseFichero) {
     esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"inclusion"}), 1,
-                "tests/inclusion.glsl:3: error: `y' undeclared — «return 2.0 * y;»");
+                "tests/costura/inclusion.glsl:3: error: `y' undeclared — «return 2.0 * y;»");
 }
 
 TEST(Shader, UnUniformQueNoEstaAvisaUnaVez) {
     const Ejecucion e = ejecuta(DEFECTUOSO, "", 9, 9, {"uniforme"});
     EXPECT_EQ(e.estado, 0);
-    EXPECT_EQ(e.errores,
-              "defectuoso: aviso: el uniform «noExiste» no está o no se usa en tests/mutante.vert y "
-              "tests/mutante.frag\n");
+    EXPECT_EQ(
+        e.errores,
+        "defectuoso: aviso: el uniform «noExiste» no está o no se usa en tests/herramientas/mutante.vert y "
+        "tests/herramientas/mutante.frag\n");
 }
 
 // F5 con el shader roto conserva el que había y dice la línea; arreglado, lo usa.
 TEST(Shader, F5LosVuelveALeer) {
     const fs::path raiz = fs::path(testing::TempDir()) / "raiz_f5";
-    fs::create_directories(raiz / "tests");
-    std::ofstream(raiz / "tests/recarga.vert") << "#version 140\nvoid main() {\n    gl_Position = vec4(4 * "
-                                                  "(gl_VertexID % 2) - 1, 4 * (gl_VertexID / 2) - 1, 0.0, "
-                                                  "1.0);\n}\n";
+    fs::create_directories(raiz / "tests/costura");
+    std::ofstream(raiz / "tests/costura/recarga.vert")
+        << "#version 140\nvoid main() {\n    gl_Position = vec4(4 * "
+           "(gl_VertexID % 2) - 1, 4 * (gl_VertexID / 2) - 1, 0.0, "
+           "1.0);\n}\n";
     setenv("LAB_RAIZ", raiz.c_str(), 1);
     const Ejecucion e =
         ejecuta(DEFECTUOSO, "espera 10; especial F5; espera 10; especial F5", 9, 9, {"recarga"});
     unsetenv("LAB_RAIZ");
     EXPECT_EQ(e.estado, 0) << e.errores;
     EXPECT_EQ(e.salida, "255 0 0\n255 0 0\n0 255 0\n");
-    EXPECT_EQ(e.errores.rfind("defectuoso: aviso: tests/recarga.frag:4: error: ", 0), 0u) << e.errores;
+    EXPECT_EQ(e.errores.rfind("defectuoso: aviso: tests/costura/recarga.frag:4: error: ", 0), 0u)
+        << e.errores;
 }
 
 TEST(TeclasComunes, F11LlenaLaPantallaYVuelve) {

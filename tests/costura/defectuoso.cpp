@@ -1,4 +1,4 @@
-// Programas mal hechos, uno por argumento: lo que glut_sin_ventana debe notar (tests/costura_test.cpp).
+// Programas mal hechos, uno por argumento: lo que glut_sin_ventana debe notar (tests/costura/costura_test.cpp).
 #include "error.h"
 #include "imagen.h"
 #include "shader.h"
@@ -36,7 +36,7 @@ static void edita(int version) {
     const std::string cuerpo = version == 0   ? "1.0, 0.0, 0.0, 1.0"
                                : version == 1 ? "1.0, ,"
                                               : "0.0, 1.0, 0.0, 1.0";
-    std::ofstream(std::getenv("LAB_RAIZ") + std::string("/tests/recarga.frag"))
+    std::ofstream(std::getenv("LAB_RAIZ") + std::string("/tests/costura/recarga.frag"))
         << "#version 140\nout vec4 colorFragmento;\nvoid main() {\n    colorFragmento = vec4(" << cuerpo
         << ");\n}\n";
 }
@@ -63,21 +63,21 @@ int main(int argc, char **argv) {
     } else if (defecto == "dos_ventanas") {
         glutCreateWindow("otra");
     } else if (defecto == "glsl150") {
-        creaPrograma("tests/glsl150.vert", "tests/mutante.frag");
+        creaPrograma("tests/costura/glsl150.vert", "tests/herramientas/mutante.frag");
     } else if (defecto == "sin_shader") {
-        creaPrograma("tests/no_esta.vert", "tests/mutante.frag");
+        creaPrograma("tests/costura/no_esta.vert", "tests/herramientas/mutante.frag");
     } else if (defecto == "uniforme") {
-        const GLuint p = creaPrograma("tests/mutante.vert", "tests/mutante.frag");
+        const GLuint p = creaPrograma("tests/herramientas/mutante.vert", "tests/herramientas/mutante.frag");
         uniforme(p, "noExiste");
         uniforme(p, "noExiste");
     } else if (defecto == "inclusion") {
-        creaPrograma("tests/inclusion.vert", "tests/mutante.frag");
+        creaPrograma("tests/costura/inclusion.vert", "tests/herramientas/mutante.frag");
     } else if (defecto == "recarga") {
         GLuint vao;
         glGenVertexArrays(1, &vao);
         glBindVertexArray(vao);
         edita(0);
-        glUseProgram(creaPrograma("tests/recarga.vert", "tests/recarga.frag"));
+        glUseProgram(creaPrograma("tests/costura/recarga.vert", "tests/costura/recarga.frag"));
         glutTimerFunc(10, edita, 1);
         glutTimerFunc(20, edita, 2);
     } else if (defecto == "tiempo") {

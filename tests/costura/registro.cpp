@@ -1,4 +1,4 @@
-// Escribe en stdout todo lo que GLUT le dice: lo mismo sin ventana y con FreeGLUT (tests/registro.sh lo
+// Escribe en stdout todo lo que GLUT le dice: lo mismo sin ventana y con FreeGLUT (tests/costura/registro.sh lo
 // compara). Con el argumento `menu` pone un menú en el botón derecho. Esc termina.
 #include "ventana.h"
 #include <cstdio>
