@@ -84,7 +84,7 @@ static void tecladoEspecial(int tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Errores en los shaders", 800, 600);
+    abreVentana(argc, argv, "Errores en los shaders", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutReshapeFunc(cambiaTamano);

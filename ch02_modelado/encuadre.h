@@ -30,7 +30,7 @@ inline float distanciaQueEncuadra(const std::vector<glm::vec3> &vertices, const 
                                   float aspecto) {
     const float margen = 1.06f, t = std::tan(angulo / 2), tx = t * std::max(aspecto, 1.0f),
                 ty = t * std::max(1 / aspecto, 1.0f);
-    const glm::mat3 giro(vistaOrbita(orbita)); // a ejes de la cámara: derecha, arriba y hacia quien mira
+    const glm::mat3 giro(camaraOrbita(orbita)); // a ejes de la cámara: derecha, arriba y hacia quien mira
     float distancia = 1.2f; // la malla cabe en la esfera de radio 1: al orbitar no llega a la cámara
     for (const glm::vec3 &v : vertices) {
         const glm::vec3 p = margen * (giro * v);

@@ -133,7 +133,7 @@ static void cambiaTamano(int ancho, int alto) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Figura con degradado", 800, 600, GLUT_DOUBLE | GLUT_RGBA);
+    abreVentana(argc, argv, "Figura con degradado", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutReshapeFunc(cambiaTamano);

@@ -12,7 +12,6 @@
 #include "ventana.h"
 #include <algorithm>
 #include <cstdio>
-#include <glm/gtc/type_ptr.hpp>
 #include <string>
 
 static const glm::vec3 azul(0.20f, 0.42f, 0.84f), amarillo(0.98f, 0.78f, 0.15f), rojo(0.85f, 0.12f, 0.12f),
@@ -106,17 +105,17 @@ static void inicia(const std::string &fichero) {
 }
 
 static void dibuja() {
-    const glm::mat4 camara = perspectivaVentana(ANGULO, 0.1f, 100) * vistaOrbita(estado.orbita);
+    const glm::mat4 camara = perspectivaVentana(ANGULO, 0.1f, 100) * camaraOrbita(estado.orbita);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
     glUseProgram(estado.programaCaras);
-    glUniformMatrix4fv(uniforme(estado.programaCaras, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
-    glUniform3fv(uniforme(estado.programaCaras, "colorAnverso"), 1, glm::value_ptr(azul));
-    glUniform3fv(uniforme(estado.programaCaras, "colorReverso"), 1, glm::value_ptr(amarillo));
+    envia(estado.programaCaras, "camara", camara);
+    envia(estado.programaCaras, "colorAnverso", azul);
+    envia(estado.programaCaras, "colorReverso", amarillo);
     glDrawElements(GL_TRIANGLES, estado.nTriangulos, GL_UNSIGNED_INT, nullptr);
 
     glUseProgram(estado.programaLineas);
-    glUniformMatrix4fv(uniforme(estado.programaLineas, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
+    envia(estado.programaLineas, "camara", camara);
     const float pixel =
         static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT)) / 240; // el grosor crece con la imagen
     const glm::vec3 colores[] = {rojo, oscuro, morado};
@@ -124,7 +123,7 @@ static void dibuja() {
     std::size_t primero = static_cast<std::size_t>(estado.nTriangulos);
     for (int i = 0; i < 3; ++i) {
         glLineWidth(std::max(grosores[i] * pixel, grosores[i]));
-        glUniform3fv(uniforme(estado.programaLineas, "color"), 1, glm::value_ptr(colores[i]));
+        envia(estado.programaLineas, "color", colores[i]);
         glDrawElements(GL_LINES, estado.nAristas[i], GL_UNSIGNED_INT,
                        reinterpret_cast<const void *>(primero * sizeof(GLuint)));
         primero += static_cast<std::size_t>(estado.nAristas[i]);
@@ -141,7 +140,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Malla v/f", 800, 600, GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH, "[FICHERO]");
+    abreVentana(argc, argv, "Malla v/f", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE, "[FICHERO]");
     if (argc > 2)
         falla("solo se puede dar un fichero; sobra «" + std::string(argv[2]) + "»", 2);
     inicia(argc > 1 ? argv[1] : recurso("assets/ejercicio_2_1.vf"));

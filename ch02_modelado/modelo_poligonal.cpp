@@ -76,7 +76,7 @@ static void cambiaTamano(int ancho, int alto) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Modelo poligonal", 800, 600, GLUT_DOUBLE | GLUT_RGBA);
+    abreVentana(argc, argv, "Modelo poligonal", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutReshapeFunc(cambiaTamano);

@@ -90,7 +90,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Primitivas", 800, 600, GLUT_DOUBLE | GLUT_RGBA);
+    abreVentana(argc, argv, "Primitivas", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutReshapeFunc([](int, int) { glutPostRedisplay(); }); // cada panel pone su glViewport

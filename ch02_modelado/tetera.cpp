@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/type_ptr.hpp>
 
 static const float ANGULO = 0.55f; // de la perspectiva, en radianes
 // Con esta tolerancia el mayor error de cuerda, proyectado, es menos de medio píxel en 960×720 (la prueba
@@ -64,7 +63,7 @@ static void inicia() {
 static void dibuja() {
     // En los datos la vertical es Z, y en la cámara Y.
     const glm::mat4 M = glm::rotate(glm::mat4(1), glm::radians(-90.0f), glm::vec3(1, 0, 0));
-    const glm::mat4 camara = perspectivaVentana(ANGULO, 0.5f, 50) * vistaOrbita(estado.orbita);
+    const glm::mat4 camara = perspectivaVentana(ANGULO, 0.5f, 50) * camaraOrbita(estado.orbita);
     const glm::vec3 ojo = posicionCamara(estado.orbita);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
@@ -74,19 +73,18 @@ static void dibuja() {
         glEnable(GL_POLYGON_OFFSET_FILL); // las caras un poco más lejos: no tapan las líneas
     const glm::vec3 &color = estado.lineas == NINGUNA ? cobalto : porcelana;
     glUseProgram(estado.programa);
-    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
-    glUniform3fv(uniforme(estado.programa, "ojo"), 1, glm::value_ptr(ojo));
-    glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(color));
+    envia(estado.programa, "M", M);
+    envia(estado.programa, "camara", camara);
+    envia(estado.programa, "ojo", ojo);
+    envia(estado.programa, "colorObjeto", color);
     glDrawElements(GL_TRIANGLES, estado.nTriangulos, GL_UNSIGNED_INT, nullptr);
 
     if (estado.lineas != NINGUNA) {
         const glm::mat4 camaraModelo = camara * M;
         glLineWidth(std::max(1.0f, static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT)) / 360));
         glUseProgram(estado.programaLineas);
-        glUniformMatrix4fv(uniforme(estado.programaLineas, "camara"), 1, GL_FALSE,
-                           glm::value_ptr(camaraModelo));
-        glUniform3fv(uniforme(estado.programaLineas, "color"), 1, glm::value_ptr(tinta));
+        envia(estado.programaLineas, "camara", camaraModelo);
+        envia(estado.programaLineas, "color", tinta);
         const GLsizei n = estado.nLados + (estado.lineas == TRIANGULOS ? estado.nDiagonales : 0);
         glDrawElements(
             GL_LINES, n, GL_UNSIGNED_INT,
@@ -113,7 +111,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Tetera", 800, 600);
+    abreVentana(argc, argv, "Tetera", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

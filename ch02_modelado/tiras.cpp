@@ -14,7 +14,6 @@
 #include "ventana.h"
 #include <algorithm>
 #include <cstdio>
-#include <glm/gtc/type_ptr.hpp>
 #include <string>
 
 static const glm::vec3 PALETA[] = {{0.95f, 0.55f, 0.10f}, {0.20f, 0.42f, 0.84f}, {0.20f, 0.62f, 0.28f},
@@ -86,21 +85,21 @@ static void dibujaTira(std::size_t i, std::size_t primero) {
     if (encendida) {
         const glm::vec3 color = PALETA[i % (sizeof PALETA / sizeof PALETA[0])], reverso = 0.8f * color;
         glUseProgram(estado.programaCaras);
-        glUniform3fv(uniforme(estado.programaCaras, "colorAnverso"), 1, glm::value_ptr(color));
-        glUniform3fv(uniforme(estado.programaCaras, "colorReverso"), 1, glm::value_ptr(reverso));
+        envia(estado.programaCaras, "colorAnverso", color);
+        envia(estado.programaCaras, "colorReverso", reverso);
         glDrawElements(GL_TRIANGLE_STRIP, n, GL_UNSIGNED_INT, desde);
     }
     glUseProgram(estado.programaLineas);
-    glUniform3fv(uniforme(estado.programaLineas, "color"), 1, glm::value_ptr(encendida ? oscuro : apagado));
+    envia(estado.programaLineas, "color", encendida ? oscuro : apagado);
     glDrawElements(GL_LINE_STRIP, n, GL_UNSIGNED_INT, desde);
 }
 
 static void dibuja() {
-    const glm::mat4 camara = perspectivaVentana(ANGULO, 0.1f, 100) * vistaOrbita(estado.orbita);
+    const glm::mat4 camara = perspectivaVentana(ANGULO, 0.1f, 100) * camaraOrbita(estado.orbita);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     for (GLuint programa : {estado.programaCaras, estado.programaLineas}) {
         glUseProgram(programa);
-        glUniformMatrix4fv(uniforme(programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
+        envia(programa, "camara", camara);
     }
     glLineWidth(std::max(2.0f, static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT)) / 120));
     std::size_t primero = 0;
@@ -121,8 +120,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Tiras de triángulos", 800, 600, GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH,
-                "[FICHERO]");
+    abreVentana(argc, argv, "Tiras de triángulos", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE, "[FICHERO]");
     if (argc > 2)
         falla("solo se puede dar un fichero; sobra «" + std::string(argv[2]) + "»", 2);
     inicia(argc > 1 ? argv[1] : recurso("assets/ejercicio_2_1.vf"));

@@ -8,7 +8,6 @@
 #include "shader.h"
 #include "ventana.h"
 #include <algorithm>
-#include <glm/gtc/type_ptr.hpp>
 #include <string>
 
 static const float RADIO_PX = 450; // el semieje mayor, donde más cerca está, en una pantalla de 1080 líneas
@@ -35,11 +34,10 @@ static void inicia() {
 
 static void dibujaObjeto(const Buferes &objeto, const glm::mat4 &M, const glm::vec3 &color) {
     const glm::mat3 N = matrizNormal(M);
-    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
-    glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(color));
-    glBindVertexArray(objeto.vao);
-    glDrawElements(GL_TRIANGLES, objeto.nIndices, GL_UNSIGNED_INT, nullptr);
+    envia(estado.programa, "M", M);
+    envia(estado.programa, "N", N);
+    envia(estado.programa, "colorObjeto", color);
+    dibuja(objeto);
 }
 
 // El cilindro unidad, llevado a la recta x = y = z con los dos giros del elipsoide.
@@ -51,8 +49,8 @@ static glm::mat4 rectaXYZ() {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
-    const glm::mat4 camara = perspectivaVentana(0.5f, 1, 100) * vistaOrbita(estado.orbita);
-    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
+    const glm::mat4 camara = perspectivaVentana(0.5f, 1, 100) * camaraOrbita(estado.orbita);
+    envia(estado.programa, "camara", camara);
     for (int eje = 0; eje < 3; ++eje)
         dibujaObjeto(estado.cilindro, ejeCoordenado(eje, 4, 0.07f), colorEje[eje]);
     dibujaObjeto(estado.cilindro, rectaXYZ(), colorRecta);
@@ -80,7 +78,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Elipsoide: M = I", 800, 600);
+    abreVentana(argc, argv, "Elipsoide: M = I", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

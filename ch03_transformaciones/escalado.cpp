@@ -9,7 +9,6 @@
 #include "transformaciones.h"
 #include "ventana.h"
 #include <algorithm>
-#include <glm/gtc/type_ptr.hpp>
 
 static const glm::vec3 factores[6] = {{1.4f, 1.4f, 1.4f}, {1.8f, 0.6f, 1}, {1, 1, 0},
                                       {-1, 1, 1},         {-1, -1, 1},     {0.5f, 0.5f, 0.5f}};
@@ -81,10 +80,10 @@ static void inicia() {
 static void dibujaObjeto(GLenum primitiva, const Buferes &objeto, const glm::mat4 &M, const glm::vec3 &fuera,
                          const glm::vec3 &dentro) {
     const glm::mat3 N = matrizNormal(M);
-    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
-    glUniform3fv(uniforme(estado.programa, "colorFuera"), 1, glm::value_ptr(fuera));
-    glUniform3fv(uniforme(estado.programa, "colorDentro"), 1, glm::value_ptr(dentro));
+    envia(estado.programa, "M", M);
+    envia(estado.programa, "N", N);
+    envia(estado.programa, "colorFuera", fuera);
+    envia(estado.programa, "colorDentro", dentro);
     glBindVertexArray(objeto.vao);
     glDrawElements(primitiva, objeto.nIndices, GL_UNSIGNED_INT, nullptr);
 }
@@ -94,8 +93,8 @@ static void dibujaVista(const glm::vec3 &s, const glm::mat4 &proyeccion) {
     Orbita orbita = estado.orbita;
     orbita.centro = 0.5f * (glm::min(minimo, glm::min(s * minimo, s * maximo)) +
                             glm::max(maximo, glm::max(s * minimo, s * maximo)));
-    const glm::mat4 camara = proyeccion * vistaOrbita(orbita);
-    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
+    const glm::mat4 camara = proyeccion * camaraOrbita(orbita);
+    envia(estado.programa, "camara", camara);
     for (int eje = 0; eje < 3; ++eje)
         dibujaObjeto(GL_TRIANGLES, estado.cilindro, ejeCoordenado(eje, eje == 2 ? 0.9f : 1.8f, 0.04f),
                      colorEje[eje], colorEje[eje]);
@@ -133,7 +132,7 @@ static void dibuja() {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Seis escalados", 960, 720);
+    abreVentana(argc, argv, "Seis escalados", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     orbitaConRaton(estado.orbita);

@@ -9,7 +9,6 @@
 #include "transformaciones.h"
 #include "ventana.h"
 #include <cmath>
-#include <glm/gtc/type_ptr.hpp>
 
 static const float VUELTA = 6.28318530718f;
 static const float PASO_GIRO = 0.1f, PASO_CUENTAS = 0.2f; // radianes
@@ -45,11 +44,10 @@ static void inicia() {
 
 static void dibujaMalla(const Buferes &malla, const glm::mat4 &M, const glm::vec3 &color) {
     const glm::mat3 N = matrizNormal(M);
-    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
-    glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(color));
-    glBindVertexArray(malla.vao);
-    glDrawElements(GL_TRIANGLES, malla.nIndices, GL_UNSIGNED_INT, nullptr);
+    envia(estado.programa, "M", M);
+    envia(estado.programa, "N", N);
+    envia(estado.programa, "colorObjeto", color);
+    dibuja(malla);
 }
 
 static void dibujaFlecha(const glm::vec3 &direccion, float largo, const glm::vec3 &color) {
@@ -78,8 +76,8 @@ static void dibujaAvion(const glm::mat4 &M, float viveza) {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
-    const glm::mat4 camara = perspectivaVentana(0.6f, 1, 30) * vistaOrbita(estado.orbita);
-    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
+    const glm::mat4 camara = perspectivaVentana(0.6f, 1, 30) * camaraOrbita(estado.orbita);
+    envia(estado.programa, "camara", camara);
 
     const glm::vec3 d = unitario(estado.eje);
     const glm::mat3 base = glm::transpose(cambioDeBase(d)); // d, e y f, que eran filas, son columnas
@@ -127,7 +125,7 @@ static void boton(int cual, int pulsado, int x, int y) {
 static void arrastra(int x, int y) {
     if (!estado.moviendoEje)
         return orbitaArrastra(x, y);
-    const glm::mat3 pantalla = glm::transpose(glm::mat3(vistaOrbita(estado.orbita)));
+    const glm::mat3 pantalla = glm::transpose(glm::mat3(camaraOrbita(estado.orbita)));
     const glm::vec2 angulos = RADIANES_POR_PIXEL * glm::vec2(x - estado.xAnterior, y - estado.yAnterior);
     estado.eje =
         glm::mat3(giroEje(pantalla[0], angulos.y) * giroEje(pantalla[1], angulos.x)) * unitario(estado.eje);
@@ -137,7 +135,7 @@ static void arrastra(int x, int y) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Giro alrededor de un eje", 800, 600);
+    abreVentana(argc, argv, "Giro alrededor de un eje", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -27,6 +27,23 @@ inline PosturaGrua limita(PosturaGrua p) {
     return p;
 }
 
+/// Teclas de la grúa, las mismas en todos los programas: a d giran, q e desplazan la carga, w s la suben y bajan.
+/// Devuelve si la tecla era suya.
+inline bool mueve(PosturaGrua &p, unsigned char tecla) {
+    const float PASO_GIRO = 0.1f, PASO = 0.5f; // radianes, y unidades del mundo
+    switch (tecla) {
+    case 'a': p.giro += PASO_GIRO; break;
+    case 'd': p.giro -= PASO_GIRO; break;
+    case 'q': p.distancia -= PASO; break;
+    case 'e': p.distancia += PASO; break;
+    case 'w': p.altura += PASO; break;
+    case 's': p.altura -= PASO; break;
+    default: return false;
+    }
+    p = limita(p);
+    return true;
+}
+
 /// Un cubo de lado uno centrado en el origen, llevado a su sitio por M.
 struct Pieza {
     glm::mat4 M;

@@ -8,7 +8,6 @@
 #include "shader.h"
 #include "transformaciones.h"
 #include "ventana.h"
-#include <glm/gtc/type_ptr.hpp>
 
 static const glm::vec2 poligono[] = {
     {0.25f, -0.95f}, {0.85f, 0.15f}, {-0.10f, 0.90f}, {-0.90f, -0.20f}}; // antihorario
@@ -63,11 +62,10 @@ static void inicia() {
 
 static void dibujaMalla(const Buferes &malla, const glm::mat4 &M, const glm::vec3 &color) {
     const glm::mat3 N = matrizNormal(M);
-    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
-    glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(color));
-    glBindVertexArray(malla.vao);
-    glDrawElements(GL_TRIANGLES, malla.nIndices, GL_UNSIGNED_INT, nullptr);
+    envia(estado.programa, "M", M);
+    envia(estado.programa, "N", N);
+    envia(estado.programa, "colorObjeto", color);
+    dibuja(malla);
 }
 
 // Toda flecha mide lo mismo: tras transformar una normal hay que normalizarla.
@@ -83,8 +81,8 @@ static void dibujaFlecha(const glm::vec3 &origen, const glm::vec3 &direccion, co
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
-    const glm::mat4 camara = paralelaVentana(1.75f, 1, 20) * vistaOrbita(estado.orbita);
-    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
+    const glm::mat4 camara = paralelaVentana(1.75f, 1, 20) * camaraOrbita(estado.orbita);
+    envia(estado.programa, "camara", camara);
 
     const glm::mat4 M = escalado(escalas[estado.caso]);
     const glm::mat3 N = matrizNormal(M);
@@ -115,7 +113,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Normales transformadas", 800, 600);
+    abreVentana(argc, argv, "Normales transformadas", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -6,7 +6,6 @@
 #include "orbita.h"
 #include "shader.h"
 #include "ventana.h"
-#include <glm/gtc/type_ptr.hpp>
 
 static struct {
     GLuint programa;
@@ -30,25 +29,25 @@ static void inicia() {
 static void dibujaPieza(const PiezaObjeto &pieza) {
     const Buferes &malla = estado.primitivas[static_cast<int>(pieza.primitiva)];
     const glm::mat3 N = matrizNormal(pieza.M);
-    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(pieza.M));
-    glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
-    glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(pieza.color));
-    glBindVertexArray(malla.vao);
-    glDrawElements(GL_TRIANGLES, malla.nIndices, GL_UNSIGNED_INT, nullptr);
+    envia(estado.programa, "M", pieza.M);
+    envia(estado.programa, "N", N);
+    envia(estado.programa, "colorObjeto", pieza.color);
+    dibuja(malla);
 }
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
-    const glm::mat4 camara = perspectivaVentana(0.5f, 1, 60) * vistaOrbita(estado.orbita);
-    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
+    const glm::mat4 camara = perspectivaVentana(0.5f, 1, 60) * camaraOrbita(estado.orbita);
+    envia(estado.programa, "camara", camara);
     for (const PiezaObjeto &pieza : estado.piezas)
         dibujaPieza(pieza);
     glutSwapBuffers();
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Objetos hechos de cubos, esferas y toros", 800, 600);
+    abreVentana(argc, argv, "Objetos hechos de cubos, esferas y toros",
+                GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     orbitaConRaton(estado.orbita);

@@ -10,7 +10,6 @@
 #include "ventana.h"
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/type_ptr.hpp>
 
 static const float RADIO_PX = 200; // la esfera en una pantalla de 1920×1080
 static const glm::vec3 colorEsfera(0.95f, 0.55f, 0.10f), gris(0.55f, 0.58f, 0.62f),
@@ -36,11 +35,10 @@ static void inicia() {
 
 static void dibujaObjeto(const Buferes &objeto, const glm::mat4 &M, const glm::vec3 &color) {
     const glm::mat3 N = matrizNormal(M);
-    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
-    glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(color));
-    glBindVertexArray(objeto.vao);
-    glDrawElements(GL_TRIANGLES, objeto.nIndices, GL_UNSIGNED_INT, nullptr);
+    envia(estado.programa, "M", M);
+    envia(estado.programa, "N", N);
+    envia(estado.programa, "colorObjeto", color);
+    dibuja(objeto);
 }
 
 // M = segunda·primera: la de la derecha se aplica antes.
@@ -75,8 +73,8 @@ static void dibuja() {
     // cada vista es al menos 8/3 veces más ancha que alta en unidades de la escena, sea como sea la ventana
     const float aspecto = static_cast<float>(ancho) / static_cast<float>(alto);
     const float x = estado.orbita.distancia * std::max(aspecto * 3 / 8, 1.0f), y = x / aspecto;
-    const glm::mat4 camara = glm::ortho(-x, x, -y, y, -100.0f, 200.0f) * vistaOrbita(estado.orbita);
-    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
+    const glm::mat4 camara = glm::ortho(-x, x, -y, y, -100.0f, 200.0f) * camaraOrbita(estado.orbita);
+    envia(estado.programa, "camara", camara);
     glViewport(0, alto, ancho, alto);
     dibujaVista(T, S);
     glViewport(0, 0, ancho, alto);
@@ -85,7 +83,7 @@ static void dibuja() {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "T·S arriba, S·T abajo", 960, 720);
+    abreVentana(argc, argv, "T·S arriba, S·T abajo", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     orbitaConRaton(estado.orbita);

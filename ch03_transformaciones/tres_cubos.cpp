@@ -7,7 +7,6 @@
 #include "orbita.h"
 #include "shader.h"
 #include "ventana.h"
-#include <glm/gtc/type_ptr.hpp>
 
 static const glm::vec3 colorCubo[3] = {{0.95f, 0.55f, 0.10f}, {0.98f, 0.78f, 0.15f}, {0.55f, 0.58f, 0.62f}};
 static const glm::vec3 colorEje[3] = {{0.85f, 0.20f, 0.18f}, {0.20f, 0.62f, 0.28f}, {0.16f, 0.38f, 0.80f}};
@@ -28,18 +27,17 @@ static void inicia() {
 
 static void dibujaObjeto(const Buferes &objeto, const glm::mat4 &M, const glm::vec3 &color) {
     const glm::mat3 N = matrizNormal(M);
-    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
-    glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(color));
-    glBindVertexArray(objeto.vao);
-    glDrawElements(GL_TRIANGLES, objeto.nIndices, GL_UNSIGNED_INT, nullptr);
+    envia(estado.programa, "M", M);
+    envia(estado.programa, "N", N);
+    envia(estado.programa, "colorObjeto", color);
+    dibuja(objeto);
 }
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
-    const glm::mat4 camara = perspectivaVentana(0.5f, 1, 100) * vistaOrbita(estado.orbita);
-    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
+    const glm::mat4 camara = perspectivaVentana(0.5f, 1, 100) * camaraOrbita(estado.orbita);
+    envia(estado.programa, "camara", camara);
     const std::array<glm::mat4, 3> cubos = tresCubos();
     for (std::size_t i = 0; i < cubos.size(); ++i)
         dibujaObjeto(estado.cubo, cubos[i], colorCubo[i]);
@@ -49,7 +47,7 @@ static void dibuja() {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Tres cubos", 800, 600);
+    abreVentana(argc, argv, "Tres cubos", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     orbitaConRaton(estado.orbita);

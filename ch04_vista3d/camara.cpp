@@ -9,7 +9,6 @@
 #include "shader.h"
 #include "ventana.h"
 #include <glm/gtc/matrix_transform.hpp>
-#include <glm/gtc/type_ptr.hpp>
 
 static const float PASO = 0.1f;    // radianes
 static const double ANGULO = 0.85; // de la cámara, en radianes
@@ -46,11 +45,10 @@ static void inicia() {
 
 static void dibujaMalla(const Buferes &malla, const glm::mat4 &M, const glm::vec3 &color) {
     const glm::mat3 N = matrizNormal(M);
-    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
-    glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(color));
-    glBindVertexArray(malla.vao);
-    glDrawElements(GL_TRIANGLES, malla.nIndices, GL_UNSIGNED_INT, nullptr);
+    envia(estado.programa, "M", M);
+    envia(estado.programa, "N", N);
+    envia(estado.programa, "colorObjeto", color);
+    dibuja(malla);
 }
 
 static void dibujaFlecha(const glm::vec3 &a, const glm::vec3 &b, const glm::vec3 &color) {
@@ -95,7 +93,7 @@ static void abrePanel(int x, int ancho, int alto, const glm::vec3 &fondo, const 
     glScissor(x, 0, ancho, alto);
     glClearColor(fondo.r, fondo.g, fondo.b, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
+    envia(estado.programa, "camara", camara);
 }
 
 static void dibuja() {
@@ -110,7 +108,7 @@ static void dibuja() {
     glUseProgram(estado.programa);
     glEnable(GL_SCISSOR_TEST);
     abrePanel(0, izquierda, alto, {0.95f, 0.96f, 0.98f},
-              perspectivaVentana(0.54f, 1, 100, static_cast<float>(aspecto)) * vistaOrbita(estado.orbita));
+              perspectivaVentana(0.54f, 1, 100, static_cast<float>(aspecto)) * camaraOrbita(estado.orbita));
     dibujaEscena();
     dibujaCamara(v.p, UP, theta, aspecto);
     abrePanel(izquierda, derecha, alto, {0.72f, 0.85f, 0.95f},
@@ -139,7 +137,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Transformación de la cámara", 960, 600);
+    abreVentana(argc, argv, "Transformación de la cámara", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -8,7 +8,6 @@
 #include "paneles.h"
 #include "shader.h"
 #include "ventana.h"
-#include <glm/gtc/type_ptr.hpp>
 
 static const double ANGULO = 0.62, CERCA = 4, LEJOS = 8.5; // de la cámara; el ángulo, en radianes
 static const glm::dvec3 ojo(2.0, 3.4, 5.4), interes(0.1, 0.7, 0);
@@ -63,7 +62,7 @@ static void calculaMatrices() {
     const Orbita &o = estado.orbita;
     const auto camara = [&](const glm::vec3 &centro, float distancia) {
         return perspectivaVentana(0.5f, 0.5f, 100, static_cast<float>(aspecto)) *
-               vistaOrbita({o.azimut, o.elevacion, o.distancia * distancia, centro});
+               camaraOrbita({o.azimut, o.elevacion, o.distancia * distancia, centro});
     };
     p[OBJETO].camara = camara({0, 0, 0}, estado.cual ? 8.0f : 4.0f);
     p[MUNDO].camara = camara({0.2f, 1.3f, 0.6f}, 15.5f);
@@ -77,20 +76,19 @@ static void dibujaObjeto(const glm::dmat4 &deRecortado) {
     const glm::mat4 M(estado.m.MM), camara(deRecortado * volumen), enFloat(volumen);
     const GLuint p = estado.deObjetos;
     glUseProgram(p);
-    glUniformMatrix4fv(uniforme(p, "M"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniformMatrix3fv(uniforme(p, "N"), 1, GL_FALSE, glm::value_ptr(matrizNormal(M)));
-    glUniformMatrix4fv(uniforme(p, "volumen"), 1, GL_FALSE, glm::value_ptr(enFloat));
-    glUniformMatrix4fv(uniforme(p, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
-    glUniform3fv(uniforme(p, "colorObjeto"), 1, glm::value_ptr(amarillo));
-    glBindVertexArray(estado.objetos[estado.cual].vao);
-    glDrawElements(GL_TRIANGLES, estado.objetos[estado.cual].nIndices, GL_UNSIGNED_INT, nullptr);
+    envia(p, "M", M);
+    envia(p, "N", matrizNormal(M));
+    envia(p, "volumen", enFloat);
+    envia(p, "camara", camara);
+    envia(p, "colorObjeto", amarillo);
+    dibuja(estado.objetos[estado.cual]);
 }
 
 static void dibujaPuntos(GLenum primitiva, const std::vector<glm::vec4> &puntos, const glm::mat4 &camara,
                          const glm::vec3 &color) {
     glUseProgram(estado.deLineas);
-    glUniformMatrix4fv(uniforme(estado.deLineas, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
-    glUniform3fv(uniforme(estado.deLineas, "colorObjeto"), 1, glm::value_ptr(color));
+    envia(estado.deLineas, "camara", camara);
+    envia(estado.deLineas, "colorObjeto", color);
     glBindVertexArray(estado.vao);
     glBindBuffer(GL_ARRAY_BUFFER, estado.bufer);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(puntos.size() * sizeof(glm::vec4)), puntos.data(),
@@ -169,7 +167,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Las etapas del pipeline", 800, 600);
+    abreVentana(argc, argv, "Las etapas del pipeline", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

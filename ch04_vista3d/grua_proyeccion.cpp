@@ -7,7 +7,6 @@
 #include "orbita.h"
 #include "shader.h"
 #include "ventana.h"
-#include <glm/gtc/type_ptr.hpp>
 
 static const float PASO_GIRO = 0.1f, PASO = 0.5f; // el giro, en radianes
 static const glm::vec3 CIELO(0.87f, 0.93f, 0.98f), SUELO(0.62f, 0.72f, 0.58f);
@@ -34,11 +33,10 @@ static void inicia() {
 
 static void dibujaPieza(const Buferes &solido, const glm::mat4 &M, const glm::vec3 &color) {
     const glm::mat3 N = matrizNormal(M);
-    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
-    glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(color));
-    glBindVertexArray(solido.vao);
-    glDrawElements(GL_TRIANGLES, solido.nIndices, GL_UNSIGNED_INT, nullptr);
+    envia(estado.programa, "M", M);
+    envia(estado.programa, "N", N);
+    envia(estado.programa, "colorObjeto", color);
+    dibuja(solido);
 }
 
 // Limpiar obedece al recorte de glScissor: cada vista limpia lo suyo.
@@ -50,7 +48,7 @@ static void limpia(const Recuadro &r, const glm::vec3 &color) {
 }
 
 static void enviaCamara(const glm::mat4 &camara) {
-    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
+    envia(estado.programa, "camara", camara);
 }
 
 // Los tres ejes, en una esquina, como se ven desde la cámara.
@@ -132,7 +130,8 @@ static void eligeMenu(int opcion) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "La grúa en paralela y en perspectiva", 800, 600);
+    abreVentana(argc, argv, "La grúa en paralela y en perspectiva",
+                GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

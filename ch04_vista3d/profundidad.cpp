@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <glm/gtc/type_ptr.hpp>
 
 static const int COLUMNAS = 4, FILAS = 3;
 static const float PRIMERO = 12, ULTIMO = 800, SEPARACION = 0.05f, LEJOS = 1000; // metros
@@ -50,8 +49,8 @@ static void cambiaTamano(int ancho, int alto) {
 }
 
 static void dibujaPlano(const glm::mat4 &camaraModelo, const glm::vec3 &color) {
-    glUniformMatrix4fv(uniforme(estado.programa, "camaraModelo"), 1, GL_FALSE, glm::value_ptr(camaraModelo));
-    glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(color));
+    envia(estado.programa, "camaraModelo", camaraModelo);
+    envia(estado.programa, "colorObjeto", color);
     glDrawElements(GL_TRIANGLES, estado.plano.nIndices, GL_UNSIGNED_INT, nullptr);
 }
 
@@ -59,8 +58,8 @@ static void dibujaPlano(const glm::mat4 &camaraModelo, const glm::vec3 &color) {
 // El cuadro se pinta después: donde las dos profundidades son iguales, el test (<) deja lo azul.
 static void dibujaCarteles() {
     const glm::mat4 proyeccion = perspectivaVentana(0.8f, CERCA[estado.razon], LEJOS);
-    const glm::mat4 camara = vistaOrbita(estado.orbita);
-    glUniformMatrix4fv(uniforme(estado.programa, "proyeccion"), 1, GL_FALSE, glm::value_ptr(proyeccion));
+    const glm::mat4 camara = camaraOrbita(estado.orbita);
+    envia(estado.programa, "proyeccion", proyeccion);
     for (int i = 0; i < COLUMNAS * FILAS; ++i) {
         const float d = PRIMERO * std::pow(ULTIMO / PRIMERO, static_cast<float>(i) / (COLUMNAS * FILAS - 1));
         const glm::vec3 centro(0.27f * static_cast<float>(i % COLUMNAS) - 0.4f,
@@ -136,7 +135,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Precisión de la profundidad", 800, 600);
+    abreVentana(argc, argv, "Precisión de la profundidad", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutReshapeFunc(cambiaTamano);

@@ -9,7 +9,6 @@
 #include "shader.h"
 #include "ventana.h"
 #include "vista.h"
-#include <glm/gtc/type_ptr.hpp>
 
 static const double ANGULO = 1.6, CERCA = 0.1, LEJOS = 2000; // de la perspectiva; el ángulo, en radianes
 static const float GRUESO_ARISTA = 0.05f;
@@ -41,8 +40,8 @@ static void inicia() {
 
 // Lleva el cubo unidad a M y lo dibuja entero, o solo una de sus caras (dos triángulos).
 static void dibujaCubo(const glm::mat4 &M, const glm::vec3 &color, int cara = -1) {
-    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(color));
+    envia(estado.programa, "camara", M);
+    envia(estado.programa, "colorObjeto", color);
     glBindVertexArray(estado.cubo.vao);
     glDrawElements(
         GL_TRIANGLES, cara < 0 ? estado.cubo.nIndices : 6, GL_UNSIGNED_INT,
@@ -51,8 +50,8 @@ static void dibujaCubo(const glm::mat4 &M, const glm::vec3 &color, int cara = -1
 
 static void dibujaLineas(GLenum primitiva, const std::vector<glm::vec4> &puntos, const glm::mat4 &camara,
                          const glm::vec3 &color) {
-    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
-    glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(color));
+    envia(estado.programa, "camara", camara);
+    envia(estado.programa, "colorObjeto", color);
     glBindVertexArray(estado.vao);
     glBindBuffer(GL_ARRAY_BUFFER, estado.bufer);
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(puntos.size() * sizeof(glm::vec4)), puntos.data(),
@@ -114,7 +113,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Perspectiva y paralela", 800, 600);
+    abreVentana(argc, argv, "Perspectiva y paralela", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -8,7 +8,6 @@
 #include "shader.h"
 #include "ventana.h"
 #include "volumen.h"
-#include <glm/gtc/type_ptr.hpp>
 
 static const double THETA = 0.52, ASPECTO = 4.0 / 3, ALTO = 1.7; // radianes; medio alto de la caja
 static const double CERCA = 2.5, PASO = 0.5, LEJOS_MINIMO = 3.5, LEJOS_MAXIMO = 14;
@@ -41,19 +40,18 @@ static void inicia() {
 
 static void dibujaMalla(GLuint programa, const Buferes &malla, const glm::mat4 &M, const glm::vec3 &color) {
     const glm::mat3 N = matrizNormal(M);
-    glUniformMatrix4fv(uniforme(programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniformMatrix3fv(uniforme(programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
-    glUniform3fv(uniforme(programa, "colorObjeto"), 1, glm::value_ptr(color));
-    glBindVertexArray(malla.vao);
-    glDrawElements(GL_TRIANGLES, malla.nIndices, GL_UNSIGNED_INT, nullptr);
+    envia(programa, "M", M);
+    envia(programa, "N", N);
+    envia(programa, "colorObjeto", color);
+    dibuja(malla);
 }
 
 static void dibujaEscena(const glm::mat4 &camara, const glm::mat4 &volumen) {
     const GLuint p = estado.deEscena;
     const glm::mat4 dePie = giroX(-1.5708f); // los conos, con el vértice arriba
     glUseProgram(p);
-    glUniformMatrix4fv(uniforme(p, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
-    glUniformMatrix4fv(uniforme(p, "volumen"), 1, GL_FALSE, glm::value_ptr(volumen));
+    envia(p, "camara", camara);
+    envia(p, "volumen", volumen);
     dibujaMalla(p, estado.cubo, traslacion({0, -0.1f, 0.5f}) * escalado({9, 0.2f, 12}), suelo);
     dibujaMalla(p, estado.esfera, traslacion({-0.7f, 2.5f, 2.3f}) * escalado(0.6f), rojo);
     dibujaMalla(p, estado.cono, traslacion({1.2f, 0, 0.2f}) * dePie * escalado({0.9f, 0.9f, 3.8f}), verde);
@@ -66,7 +64,7 @@ static void dibujaEscena(const glm::mat4 &camara, const glm::mat4 &volumen) {
 static void dibujaVolumen(const glm::mat4 &camara, const Esquinas &esquinas, const glm::dmat4 &alMundo) {
     const GLuint p = estado.deObjetos;
     glUseProgram(p);
-    glUniformMatrix4fv(uniforme(p, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
+    envia(p, "camara", camara);
     for (const PiezaCamara &pieza : piezasCamara())
         dibujaMalla(p, pieza.esRedonda ? estado.cilindro : estado.cubo, glm::mat4(alMundo) * pieza.M,
                     pieza.color);
@@ -101,8 +99,8 @@ static void dibujaTintes(const glm::mat4 &camara, const Esquinas &e, const glm::
         const glm::mat4 M = glm::dmat4(camara) * alMundo *
                             glm::dmat4(glm::dvec4(x, 0), glm::dvec4(y, 0), glm::dvec4(0, 0, 1, 0),
                                        glm::dvec4(e[base] + 0.5 * (x + y), 1));
-        glUniformMatrix4fv(uniforme(p, "camara"), 1, GL_FALSE, glm::value_ptr(M));
-        glUniform3fv(uniforme(p, "colorObjeto"), 1, glm::value_ptr(base ? azul : naranja));
+        envia(p, "camara", M);
+        envia(p, "colorObjeto", base ? azul : naranja);
         glDrawElements(GL_TRIANGLES, estado.plano.nIndices, GL_UNSIGNED_INT, nullptr);
     }
     glDepthMask(GL_TRUE);
@@ -119,7 +117,7 @@ static void dibuja() {
     const Esquinas esquinas = estado.enPerspectiva
                                   ? esquinasPerspectiva(THETA, ASPECTO, CERCA, estado.lejos)
                                   : esquinasParalela(-x, x, -ALTO, ALTO, CERCA, estado.lejos);
-    const glm::mat4 camara = perspectivaVentana(0.55f, 1, 100) * vistaOrbita(estado.orbita);
+    const glm::mat4 camara = perspectivaVentana(0.55f, 1, 100) * camaraOrbita(estado.orbita);
     dibujaEscena(camara, proyeccion * vista);
     dibujaVolumen(camara, esquinas, alMundo);
     dibujaTintes(camara, esquinas, alMundo);
@@ -139,7 +137,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "El volumen de la vista", 800, 600);
+    abreVentana(argc, argv, "El volumen de la vista", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -8,7 +8,6 @@
 #include "orbita.h"
 #include "shader.h"
 #include "ventana.h"
-#include <glm/gtc/type_ptr.hpp>
 
 static const glm::vec3 FONDO(0.87f, 0.93f, 0.98f);
 static const glm::vec3 ROJO(0.85f, 0.20f, 0.18f), AMARILLO(0.98f, 0.78f, 0.15f), AZUL(0.16f, 0.38f, 0.80f),
@@ -53,14 +52,13 @@ static void dibujaEnGpu(const glm::mat4 &camara) {
     if (estado.test)
         glEnable(GL_DEPTH_TEST);
     glUseProgram(estado.programa);
-    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
+    envia(estado.programa, "camara", camara);
     for (const Solido &s : estado.solidos) {
         const glm::mat3 N = matrizNormal(s.M);
-        glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(s.M));
-        glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
-        glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(s.color));
-        glBindVertexArray(s.buferes.vao);
-        glDrawElements(GL_TRIANGLES, s.buferes.nIndices, GL_UNSIGNED_INT, nullptr);
+        envia(estado.programa, "M", s.M);
+        envia(estado.programa, "N", N);
+        envia(estado.programa, "colorObjeto", s.color);
+        dibuja(s.buferes);
     }
     glDisable(GL_DEPTH_TEST);
 }
@@ -97,7 +95,7 @@ static void copiaEnVentana(const Imagen &imagen) {
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const glm::mat4 camara = perspectivaVentana(0.5f, 1, 100) * vistaOrbita(estado.orbita);
+    const glm::mat4 camara = perspectivaVentana(0.5f, 1, 100) * camaraOrbita(estado.orbita);
     if (estado.enCpu)
         copiaEnVentana(dibujaEnCpu(camara));
     else
@@ -117,7 +115,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Z-Buffer", 800, 600);
+    abreVentana(argc, argv, "Z-Buffer", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -35,10 +35,10 @@ static void inicia() {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
-    const glm::mat4 vista = vistaOrbita(estado.orbita), proyeccion = perspectivaVentana(0.30f, 1, 100);
-    glUniformMatrix4fv(uniforme(estado.programa, "vista"), 1, GL_FALSE, glm::value_ptr(vista));
-    glUniformMatrix4fv(uniforme(estado.programa, "proyeccion"), 1, GL_FALSE, glm::value_ptr(proyeccion));
-    glUniform3fv(uniforme(estado.programa, "La"), 1, glm::value_ptr(La));
+    const glm::mat4 vista = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.30f, 1, 100);
+    envia(estado.programa, "vista", vista);
+    envia(estado.programa, "proyeccion", proyeccion);
+    envia(estado.programa, "La", La);
     enviaLuz(estado.programa, "luz", luz, vista);
     glBindVertexArray(estado.esfera.vao);
     for (const auto &e : ESFERAS) {
@@ -46,8 +46,8 @@ static void dibuja() {
         const glm::mat3 N = matrizNormal(vista * M);
         Material material = esmalte;
         material.alfa = e.alfa;
-        glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
-        glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
+        envia(estado.programa, "M", M);
+        envia(estado.programa, "N", N);
         enviaMaterial(estado.programa, material);
         glDrawElements(GL_TRIANGLES, estado.esfera.nIndices, GL_UNSIGNED_INT, nullptr);
     }
@@ -55,7 +55,7 @@ static void dibuja() {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Exponente del brillo", 800, 600);
+    abreVentana(argc, argv, "Exponente del brillo", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     orbitaConRaton(estado.orbita);

@@ -44,12 +44,11 @@ static void inicia() {
 }
 
 static void dibujaObjeto(const Buferes &objeto, const glm::mat4 &M, const Material &material) {
-    const glm::mat3 N = matrizNormal(vistaOrbita(estado.orbita) * M);
-    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
+    const glm::mat3 N = matrizNormal(camaraOrbita(estado.orbita) * M);
+    envia(estado.programa, "M", M);
+    envia(estado.programa, "N", N);
     enviaMaterial(estado.programa, material);
-    glBindVertexArray(objeto.vao);
-    glDrawElements(GL_TRIANGLES, objeto.nIndices, GL_UNSIGNED_INT, nullptr);
+    dibuja(objeto);
 }
 
 /// Lleva el origen a `punta` y el eje Z a la dirección contraria a S.
@@ -88,10 +87,10 @@ static void dibuja() {
 
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
-    const glm::mat4 vista = vistaOrbita(estado.orbita), proyeccion = perspectivaVentana(0.35f, 1, 100);
-    glUniformMatrix4fv(uniforme(estado.programa, "vista"), 1, GL_FALSE, glm::value_ptr(vista));
-    glUniformMatrix4fv(uniforme(estado.programa, "proyeccion"), 1, GL_FALSE, glm::value_ptr(proyeccion));
-    glUniform3fv(uniforme(estado.programa, "La"), 1, glm::value_ptr(La));
+    const glm::mat4 vista = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.35f, 1, 100);
+    envia(estado.programa, "vista", vista);
+    envia(estado.programa, "proyeccion", proyeccion);
+    envia(estado.programa, "La", La);
     enviaLuz(estado.programa, "luz", luz, vista);
     dibujaObjeto(estado.plano, giroX(-RECTO) * escalado(7), suelo);
     dibujaObjeto(estado.esfera, traslacion({0.3f, 0.8f, 0.2f}) * escalado(0.8f), rojo);
@@ -118,7 +117,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Tipos de fuentes de luz", 800, 600);
+    abreVentana(argc, argv, "Tipos de fuentes de luz", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -44,9 +44,9 @@ static void inicia() {
 
 static void dibujaCubo(const glm::mat4 &M, const Material &material) {
     const GLuint programa = programaActual();
-    const glm::mat3 N = matrizNormal(vistaOrbita(estado.orbita) * M);
-    glUniformMatrix4fv(uniforme(programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniformMatrix3fv(uniforme(programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
+    const glm::mat3 N = matrizNormal(camaraOrbita(estado.orbita) * M);
+    envia(programa, "M", M);
+    envia(programa, "N", N);
     enviaMaterial(programa, material);
     glDrawElements(GL_TRIANGLES, estado.cubo.nIndices, GL_UNSIGNED_INT, nullptr);
 }
@@ -55,10 +55,10 @@ static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const GLuint programa = programaActual();
     glUseProgram(programa);
-    const glm::mat4 vista = vistaOrbita(estado.orbita), proyeccion = perspectivaVentana(0.6f, 1, 100);
-    glUniformMatrix4fv(uniforme(programa, "vista"), 1, GL_FALSE, glm::value_ptr(vista));
-    glUniformMatrix4fv(uniforme(programa, "proyeccion"), 1, GL_FALSE, glm::value_ptr(proyeccion));
-    glUniform3fv(uniforme(programa, "La"), 1, glm::value_ptr(La));
+    const glm::mat4 vista = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.6f, 1, 100);
+    envia(programa, "vista", vista);
+    envia(programa, "proyeccion", proyeccion);
+    envia(programa, "La", La);
     enviaLuz(programa, "luz", luz, vista);
     glBindVertexArray(estado.cubo.vao);
     dibujaCubo(traslacion({0, -0.1f, 0}) * escalado({20, 0.2f, 20}), terreno);
@@ -87,7 +87,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Grúa iluminada", 800, 600);
+    abreVentana(argc, argv, "Grúa iluminada", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -17,10 +17,10 @@ struct Luz {
 
 /// Envía el uniform `material` del programa en uso.
 inline void enviaMaterial(GLuint programa, const Material &m) {
-    glUniform3fv(uniforme(programa, "material.Ka"), 1, glm::value_ptr(m.Ka));
-    glUniform3fv(uniforme(programa, "material.Kd"), 1, glm::value_ptr(m.Kd));
-    glUniform3fv(uniforme(programa, "material.Ks"), 1, glm::value_ptr(m.Ks));
-    glUniform1f(uniforme(programa, "material.alfa"), m.alfa);
+    envia(programa, "material.Ka", m.Ka);
+    envia(programa, "material.Kd", m.Kd);
+    envia(programa, "material.Ks", m.Ks);
+    envia(programa, "material.alfa", m.alfa);
 }
 
 /// Envía el uniform `nombre` («luz», «luces[2]») del programa en uso. phong.glsl ilumina en coordenadas de la

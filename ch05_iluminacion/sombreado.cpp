@@ -67,22 +67,21 @@ static void inicia() {
 
 static void dibujaObjeto(const Buferes &objeto, const glm::mat4 &M, const Material &material) {
     const GLuint programa = estado.programas[estado.sombreado];
-    const glm::mat3 N = matrizNormal(vistaOrbita(estado.orbita) * M);
-    glUniformMatrix4fv(uniforme(programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniformMatrix3fv(uniforme(programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
+    const glm::mat3 N = matrizNormal(camaraOrbita(estado.orbita) * M);
+    envia(programa, "M", M);
+    envia(programa, "N", N);
     enviaMaterial(programa, material);
-    glBindVertexArray(objeto.vao);
-    glDrawElements(GL_TRIANGLES, objeto.nIndices, GL_UNSIGNED_INT, nullptr);
+    dibuja(objeto);
 }
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const GLuint programa = estado.programas[estado.sombreado];
     glUseProgram(programa);
-    const glm::mat4 vista = vistaOrbita(estado.orbita), proyeccion = perspectivaVentana(0.26f, 1, 100);
-    glUniformMatrix4fv(uniforme(programa, "vista"), 1, GL_FALSE, glm::value_ptr(vista));
-    glUniformMatrix4fv(uniforme(programa, "proyeccion"), 1, GL_FALSE, glm::value_ptr(proyeccion));
-    glUniform3fv(uniforme(programa, "La"), 1, glm::value_ptr(La));
+    const glm::mat4 vista = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.26f, 1, 100);
+    envia(programa, "vista", vista);
+    envia(programa, "proyeccion", proyeccion);
+    envia(programa, "La", La);
     enviaLuz(programa, "luz", luz, vista);
     dibujaObjeto(estado.esfera, traslacion({-0.95f, 0.25f, 0}) * giroX(-1.2f), turquesa);
     dibujaObjeto(estado.toro, traslacion({0.98f, -0.35f, 0.5f}) * giroX(-0.7f), coral);
@@ -105,7 +104,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Modelos de sombreado", 800, 600);
+    abreVentana(argc, argv, "Modelos de sombreado", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

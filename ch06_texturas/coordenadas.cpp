@@ -54,21 +54,20 @@ static void inicia(const Imagen &imagen) {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
-    const glm::mat4 vista = vistaOrbita(estado.orbita), &M = estado.M[estado.elegido];
+    const glm::mat4 vista = camaraOrbita(estado.orbita), &M = estado.M[estado.elegido];
     const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100);
     const glm::mat3 N = matrizNormal(vista * M);
-    glUniformMatrix4fv(uniforme(estado.programa, "proyeccion"), 1, GL_FALSE, glm::value_ptr(proyeccion));
-    glUniformMatrix4fv(uniforme(estado.programa, "vista"), 1, GL_FALSE, glm::value_ptr(vista));
-    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
-    glUniform2fv(uniforme(estado.programa, "repeticiones"), 1, glm::value_ptr(repeticiones));
-    glUniform1i(uniforme(estado.programa, "Img"), 0);
-    glUniform3fv(uniforme(estado.programa, "La"), 1, glm::value_ptr(La));
+    envia(estado.programa, "proyeccion", proyeccion);
+    envia(estado.programa, "vista", vista);
+    envia(estado.programa, "M", M);
+    envia(estado.programa, "N", N);
+    envia(estado.programa, "repeticiones", repeticiones);
+    envia(estado.programa, "Img", 0);
+    envia(estado.programa, "La", La);
     enviaMaterial(estado.programa, material);
     enviaLuz(estado.programa, "luz", luz, vista);
     const Buferes &objeto = estado.objetos[estado.elegido];
-    glBindVertexArray(objeto.vao);
-    glDrawElements(GL_TRIANGLES, objeto.nIndices, GL_UNSIGNED_INT, nullptr);
+    dibuja(objeto);
     glutSwapBuffers();
 }
 
@@ -80,7 +79,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Coordenadas de textura", 800, 600, GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH,
+    abreVentana(argc, argv, "Coordenadas de textura", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE,
                 "[FOTO.ppm | FOTO.rgb -talla ANCHOxALTO]");
     inicia(imagenDeArgumentos(argc, argv, "assets/carta.rgb", 256, 256));
     glutDisplayFunc(dibuja);

@@ -10,7 +10,6 @@
 #include "textura.h"
 #include "ventana.h"
 #include <cstdio>
-#include <glm/gtc/type_ptr.hpp>
 
 // El suelo, y lo que abarca una vez la textura. Con uno mucho mayor, un píxel del horizonte abarcaría miles de
 // texels aun en el último mipmap, y el filtro anisótropo de Mesa tarda lo que tarda en recorrerlos.
@@ -56,12 +55,11 @@ static void dibuja() {
     if (GLEW_EXT_texture_filter_anisotropic)
         glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT,
                         filtro.anisotropo ? estado.anisotropia : 1);
-    const glm::mat4 matriz = perspectivaVentana(0.8f, 0.1f, 2 * LARGO) * vistaOrbita(estado.orbita) *
+    const glm::mat4 matriz = perspectivaVentana(0.8f, 0.1f, 2 * LARGO) * camaraOrbita(estado.orbita) *
                              giroX(-1.57079632679f) * escalado(LARGO);
-    glUniformMatrix4fv(uniforme(estado.programa, "matriz"), 1, GL_FALSE, glm::value_ptr(matriz));
-    glUniform1i(uniforme(estado.programa, "Img"), 0);
-    glBindVertexArray(estado.suelo.vao);
-    glDrawElements(GL_TRIANGLES, estado.suelo.nIndices, GL_UNSIGNED_INT, nullptr);
+    envia(estado.programa, "matriz", matriz);
+    envia(estado.programa, "Img", 0);
+    dibuja(estado.suelo);
     glutSwapBuffers();
 }
 
@@ -73,7 +71,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Filtrado", 800, 600, GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH,
+    abreVentana(argc, argv, "Filtrado", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE,
                 "[FOTO.ppm | FOTO.rgb -talla ANCHOxALTO]");
     inicia(imagenDeArgumentos(argc, argv, "assets/baldosas.rgb", 256, 256));
     glutDisplayFunc(dibuja);

@@ -10,7 +10,6 @@
 #include "shader.h"
 #include "textura.h"
 #include "ventana.h"
-#include <glm/gtc/type_ptr.hpp>
 
 static const float ANCHO = 4, ALTO = 3; // de la pared
 static const glm::vec2 repeticiones(2, 1.5f);
@@ -48,16 +47,15 @@ static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
     const glm::mat4 matriz =
-        perspectivaVentana(0.583f, 0.1f, 100) * vistaOrbita(estado.orbita) * escalado({ANCHO, ALTO, 1});
-    glUniformMatrix4fv(uniforme(estado.programa, "matriz"), 1, GL_FALSE, glm::value_ptr(matriz));
-    glUniform2fv(uniforme(estado.programa, "repeticiones"), 1, glm::value_ptr(repeticiones));
+        perspectivaVentana(0.583f, 0.1f, 100) * camaraOrbita(estado.orbita) * escalado({ANCHO, ALTO, 1});
+    envia(estado.programa, "matriz", matriz);
+    envia(estado.programa, "repeticiones", repeticiones);
     GLint unidad = 0;
     for (const auto &t : texturas)
-        glUniform1i(uniforme(estado.programa, t.nombre), unidad++);
-    glUniform1i(uniforme(estado.programa, "conMusgo"), estado.conMusgo);
-    glUniform1i(uniforme(estado.programa, "conLuz"), estado.conLuz);
-    glBindVertexArray(estado.pared.vao);
-    glDrawElements(GL_TRIANGLES, estado.pared.nIndices, GL_UNSIGNED_INT, nullptr);
+        envia(estado.programa, t.nombre, unidad++);
+    envia(estado.programa, "conMusgo", estado.conMusgo);
+    envia(estado.programa, "conLuz", estado.conLuz);
+    dibuja(estado.pared);
     glutSwapBuffers();
 }
 
@@ -70,7 +68,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Multitextura", 800, 600);
+    abreVentana(argc, argv, "Multitextura", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -7,7 +7,6 @@
 #include "textura.h"
 #include "ventana.h"
 #include <algorithm>
-#include <glm/gtc/type_ptr.hpp>
 
 // De (s, t) = (0.5, 0.5) al borde más cercano de la ventana. En una de 180 líneas la textura mide 64 píxeles
 // justos y el centro de cada píxel cae en el de un texel de su mipmap: nada depende de cómo redondee el
@@ -46,14 +45,13 @@ static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     const glm::mat4 matriz = paralelaVentana(SEMILADO);
-    glUniformMatrix4fv(uniforme(estado.programa, "matriz"), 1, GL_FALSE, glm::value_ptr(matriz));
-    glUniform1i(uniforme(estado.programa, "Img"), 0);
+    envia(estado.programa, "matriz", matriz);
+    envia(estado.programa, "Img", 0);
 
     glBindTexture(GL_TEXTURE_2D, estado.textura);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, repeticiones[estado.elegida][0]);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, repeticiones[estado.elegida][1]);
-    glBindVertexArray(estado.cuadrado.vao);
-    glDrawElements(GL_TRIANGLES, estado.cuadrado.nIndices, GL_UNSIGNED_INT, nullptr);
+    dibuja(estado.cuadrado);
 
     glBindTexture(GL_TEXTURE_2D, estado.texturaMarco);
     glBindVertexArray(estado.marco.vao);
@@ -70,7 +68,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Repetición", 800, 600, GLUT_DOUBLE | GLUT_RGBA,
+    abreVentana(argc, argv, "Repetición", GLUT_DOUBLE | GLUT_MULTISAMPLE,
                 "[FOTO.ppm | FOTO.rgb -talla ANCHOxALTO]");
     inicia(imagenDeArgumentos(argc, argv, "assets/carta.rgb", 256, 256));
     glutDisplayFunc(dibuja);

@@ -50,25 +50,24 @@ static void inicia(const Imagen &imagen) {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
-    const glm::mat4 vista = vistaOrbita(estado.orbita), M = giroX(-1.2f);
+    const glm::mat4 vista = camaraOrbita(estado.orbita), M = giroX(-1.2f);
     const glm::mat4 proyeccion = perspectivaVentana(0.47f, 1, 100);
     const glm::mat3 N = matrizNormal(vista * M);
-    glUniformMatrix4fv(uniforme(estado.programa, "proyeccion"), 1, GL_FALSE, glm::value_ptr(proyeccion));
-    glUniformMatrix4fv(uniforme(estado.programa, "vista"), 1, GL_FALSE, glm::value_ptr(vista));
-    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(M));
-    glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
-    glUniform2fv(uniforme(estado.programa, "repeticiones"), 1, glm::value_ptr(repeticiones));
-    glUniform1i(uniforme(estado.programa, "Img"), 0); // la unidad, no el nombre de la textura
-    glUniform3fv(uniforme(estado.programa, "La"), 1, glm::value_ptr(La));
+    envia(estado.programa, "proyeccion", proyeccion);
+    envia(estado.programa, "vista", vista);
+    envia(estado.programa, "M", M);
+    envia(estado.programa, "N", N);
+    envia(estado.programa, "repeticiones", repeticiones);
+    envia(estado.programa, "Img", 0); // la unidad, no el nombre de la textura
+    envia(estado.programa, "La", La);
     enviaMaterial(estado.programa, material);
     enviaLuz(estado.programa, "luz", luz, vista);
-    glBindVertexArray(estado.toro.vao);
-    glDrawElements(GL_TRIANGLES, estado.toro.nIndices, GL_UNSIGNED_INT, nullptr);
+    dibuja(estado.toro);
     glutSwapBuffers();
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Un objeto con textura", 800, 600, GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH,
+    abreVentana(argc, argv, "Un objeto con textura", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE,
                 "[FOTO.ppm | FOTO.rgb -talla ANCHOxALTO]");
     inicia(imagenDeArgumentos(argc, argv, "assets/metal.rgb", 256, 256));
     glutDisplayFunc(dibuja);

@@ -78,6 +78,11 @@ Buferes creaBuferes(const Malla &malla) {
     return b;
 }
 
+void dibuja(const Buferes &buferes) {
+    glBindVertexArray(buferes.vao);
+    glDrawElements(GL_TRIANGLES, buferes.nIndices, GL_UNSIGNED_INT, nullptr);
+}
+
 Malla cubo() {
     Malla malla;
     for (int eje = 0; eje < 3; ++eje)

@@ -17,8 +17,7 @@ struct Malla {
     std::vector<GLuint> indices; // tres por triángulo
 };
 
-/// Lo que hace falta para dibujar: glBindVertexArray(vao) y
-/// glDrawElements(GL_TRIANGLES, nIndices, GL_UNSIGNED_INT, nullptr).
+/// Lo que hace falta para dibujar una malla.
 struct Buferes {
     GLuint vao, vertices, indices;
     GLsizei nIndices;
@@ -26,6 +25,9 @@ struct Buferes {
 
 /// Lleva la malla a la GPU; los atributos van en los índices de shader.h (posicion, vNormal, coordTextura).
 Buferes creaBuferes(const Malla &malla);
+
+/// Dibuja la malla con el programa en uso (listado 2.4): glBindVertexArray y glDrawElements.
+void dibuja(const Buferes &buferes);
 
 /// Sólidos centrados en el origen. `n`: segmentos de una vuelta, al menos 3.
 Malla cubo();          // lado 1

@@ -8,9 +8,10 @@ namespace {
 
 const float RADIANES_POR_PIXEL = 0.01f;
 const float ELEVACION_MAXIMA = 1.55f; // algo menos de π/2: en el polo la vertical no orienta la cámara
-const float FACTOR_RUEDA = 1.1f;
+const float FACTOR_RUEDA = 1.1f, ACERCA = 0.4f, ALEJA = 2.5f;
 
 Orbita *activa = nullptr;
+float distanciaInicial = 1;
 bool arrastrando = false;
 int xAnterior = 0, yAnterior = 0;
 
@@ -18,6 +19,7 @@ int xAnterior = 0, yAnterior = 0;
 
 void orbitaConRaton(Orbita &orbita) {
     activa = &orbita;
+    distanciaInicial = orbita.distancia;
     glutMouseFunc(orbitaBoton);
     glutMotionFunc(orbitaArrastra);
     glutMouseWheelFunc(orbitaRueda);
@@ -36,7 +38,7 @@ void orbitaArrastra(int x, int y) {
         return;
     activa->azimut -= RADIANES_POR_PIXEL * static_cast<float>(x - xAnterior);
     activa->elevacion = std::clamp(activa->elevacion + RADIANES_POR_PIXEL * static_cast<float>(y - yAnterior),
-                                   -ELEVACION_MAXIMA, ELEVACION_MAXIMA);
+                                   activa->elevacionMinima, ELEVACION_MAXIMA);
     xAnterior = x;
     yAnterior = y;
     glutPostRedisplay();
@@ -45,7 +47,8 @@ void orbitaArrastra(int x, int y) {
 void orbitaRueda(int, int direccion, int, int) {
     if (!activa)
         return;
-    activa->distancia *= direccion > 0 ? 1 / FACTOR_RUEDA : FACTOR_RUEDA;
+    activa->distancia = std::clamp(activa->distancia * (direccion > 0 ? 1 / FACTOR_RUEDA : FACTOR_RUEDA),
+                                   ACERCA * distanciaInicial, ALEJA * distanciaInicial);
     glutPostRedisplay();
 }
 
@@ -55,6 +58,6 @@ glm::vec3 posicionCamara(const Orbita &o) {
                                               std::cos(o.elevacion) * std::cos(o.azimut));
 }
 
-glm::mat4 vistaOrbita(const Orbita &o) {
+glm::mat4 camaraOrbita(const Orbita &o) {
     return glm::lookAt(posicionCamara(o), o.centro, glm::vec3(0, 1, 0));
 }

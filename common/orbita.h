@@ -6,10 +6,11 @@
 struct Orbita {
     float azimut, elevacion, distancia;
     glm::vec3 centro = glm::vec3(0);
+    float elevacionMinima = -1.55f; // con suelo, la que no deja ver por debajo de él
 };
 
 /// Instala glutMouseFunc, glutMotionFunc y glutMouseWheelFunc: arrastrar con el botón izquierdo gira y
-/// la rueda acerca o aleja. `orbita` debe vivir tanto como la ventana.
+/// la rueda acerca o aleja, sin que la escena se pierda de vista: de 0.4 a 2.5 veces la distancia que tenga ahora. `orbita` debe vivir tanto como la ventana.
 void orbitaConRaton(Orbita &orbita);
 
 /// Las tres funciones que instala: un programa con las suyas propias las llama desde ellas.
@@ -21,4 +22,4 @@ void orbitaRueda(int rueda, int direccion, int x, int y);
 glm::vec3 posicionCamara(const Orbita &orbita);
 
 /// Matriz de transformación de la cámara (ecuación 4.1).
-glm::mat4 vistaOrbita(const Orbita &orbita);
+glm::mat4 camaraOrbita(const Orbita &orbita);

@@ -1,6 +1,7 @@
 #include "shader.h"
 #include "error.h"
 #include "rutas.h"
+#include <glm/gtc/type_ptr.hpp>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -143,6 +144,28 @@ GLint uniforme(GLuint programa, const char *nombre) {
         avisa("el uniform «" + std::string(nombre) + "» no está o no se usa en " + shaders);
     }
     return posicion;
+}
+
+void envia(GLuint programa, const char *nombre, float valor) {
+    glUniform1f(uniforme(programa, nombre), valor);
+}
+void envia(GLuint programa, const char *nombre, int valor) {
+    glUniform1i(uniforme(programa, nombre), valor);
+}
+void envia(GLuint programa, const char *nombre, const glm::vec2 &valor) {
+    glUniform2fv(uniforme(programa, nombre), 1, glm::value_ptr(valor));
+}
+void envia(GLuint programa, const char *nombre, const glm::vec3 &valor) {
+    glUniform3fv(uniforme(programa, nombre), 1, glm::value_ptr(valor));
+}
+void envia(GLuint programa, const char *nombre, const glm::vec4 &valor) {
+    glUniform4fv(uniforme(programa, nombre), 1, glm::value_ptr(valor));
+}
+void envia(GLuint programa, const char *nombre, const glm::mat3 &valor) {
+    glUniformMatrix3fv(uniforme(programa, nombre), 1, GL_FALSE, glm::value_ptr(valor));
+}
+void envia(GLuint programa, const char *nombre, const glm::mat4 &valor) {
+    glUniformMatrix4fv(uniforme(programa, nombre), 1, GL_FALSE, glm::value_ptr(valor));
 }
 
 void recargaProgramas() {

@@ -1,6 +1,7 @@
 // Programas GLSL leídos de fichero (listados 1.3 y 2.3), con errores que nombran fichero y línea.
 #pragma once
 #include <GL/glew.h>
+#include <glm/glm.hpp>
 #include <string>
 
 /// Índices que creaPrograma da a los atributos de nombre conocido, los mismos en todos los programas:
@@ -23,6 +24,15 @@ GLuint intentaPrograma(const std::string &vert, const std::string &frag, std::st
 /// Posición de un uniform; si el programa no lo usa avisa una vez y devuelve −1, que OpenGL ignora.
 /// Se pregunta al dibujar: cada vez que F5 vuelve a enlazar, posiciones y valores empiezan de nuevo.
 GLint uniforme(GLuint programa, const char *nombre);
+
+/// Da valor a un uniform del programa en uso (glUniform de cada tipo).
+void envia(GLuint programa, const char *nombre, float valor);
+void envia(GLuint programa, const char *nombre, int valor); // también la unidad de una textura
+void envia(GLuint programa, const char *nombre, const glm::vec2 &valor);
+void envia(GLuint programa, const char *nombre, const glm::vec3 &valor);
+void envia(GLuint programa, const char *nombre, const glm::vec4 &valor);
+void envia(GLuint programa, const char *nombre, const glm::mat3 &valor);
+void envia(GLuint programa, const char *nombre, const glm::mat4 &valor);
 
 /// Vuelve a leer los shaders de todos los programas creados con creaPrograma. El que no compila
 /// conserva el que tenía, y su error se escribe en stderr.

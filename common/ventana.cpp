@@ -1,4 +1,5 @@
 #include "ventana.h"
+#include "aspecto.h"
 #include "error.h"
 #include "imagen.h"
 #include "shader.h"
@@ -30,27 +31,43 @@ void guardaVentana() {
     std::printf("guardado %s\n", fichero.c_str());
 }
 
+/// FreeGLUT da a X11 los títulos como Latin-1: de los caracteres que no están en él, los griegos van con su nombre.
+std::string enLatin1(const std::string &utf8) {
+    static const std::pair<const char *, const char *> FUERA[] = {
+        {"−", "-"},     {"√", "raiz "}, {"π", "pi"},  {"α", "alfa"},
+        {"δ", "delta"}, {"θ", "theta"}, {"Φ", "Phi"}, {"→", "->"}};
+    std::string s = utf8;
+    for (const auto &[de, a] : FUERA)
+        for (std::size_t i; (i = s.find(de)) != std::string::npos;)
+            s.replace(i, std::strlen(de), a);
+    std::string latin1;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+        const unsigned char c = static_cast<unsigned char>(s[i]);
+        if ((c == 0xC2 || c == 0xC3) && i + 1 < s.size())
+            latin1 += static_cast<char>((c << 6 & 0xC0) | (static_cast<unsigned char>(s[++i]) & 0x3F));
+        else
+            latin1 += c < 0x80 ? s[i] : '?';
+    }
+    return latin1;
+}
+
 } // namespace
 
-void abreVentana(int &argc, char **argv, const char *titulo, int ancho, int alto, unsigned modo,
-                 const char *argumentos) {
-    glutInitWindowSize(ancho, alto); // antes de glutInit, para que valga la opción -geometry
+void abreVentana(int &argc, char **argv, const char *titulo, unsigned modo, const char *argumentos) {
+    glutInitWindowSize(960, 720); // antes de glutInit, para que valga la opción -geometry
     glutInit(&argc, argv);
     glutInitDisplayMode(modo);
     glutInitContextVersion(3, 1);
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
-    for (int i = 1; i < argc; ++i) {
-        const std::string uso =
-            "uso: " + nombrePrograma() + " [opciones de GLUT] " + (argumentos ? argumentos : "");
-        if (std::string(argv[i]) == "-ayuda") {
-            std::puts(uso.c_str());
-            std::exit(0);
-        }
-        // una opción (-x) es del programa si su forma de uso la nombra
-        if (!argumentos || (argv[i][0] == '-' && !std::strstr(argumentos, argv[i])))
-            falla("no entiendo «" + std::string(argv[i]) + "»; " + uso, 2);
+    const std::string uso =
+        "uso: " + nombrePrograma() + " [opciones de GLUT] " + (argumentos ? argumentos : "");
+    if (argc > 1 && std::string(argv[1]) == "-ayuda") {
+        std::puts(uso.c_str());
+        std::exit(0);
     }
-    glutCreateWindow(titulo);
+    if (argc > 1 && !argumentos)
+        falla("no entiendo «" + std::string(argv[1]) + "»; " + uso, 2);
+    glutCreateWindow(enLatin1(titulo).c_str());
     glewExperimental = GL_TRUE;
     glewInit(); // su resultado no sirve: sin GLX da error aunque haya encontrado todas las funciones
     if (!GLEW_VERSION_3_1 || !glGenVertexArrays)
@@ -58,6 +75,10 @@ void abreVentana(int &argc, char **argv, const char *titulo, int ancho, int alto
               std::string(reinterpret_cast<const char *>(glGetString(GL_VERSION))));
     glutKeyboardFunc(teclado);
     glutSpecialFunc(tecladoEspecial);
+}
+
+void ponTitulo(const std::string &titulo) {
+    glutSetWindowTitle(enLatin1(titulo).c_str());
 }
 
 bool teclaComun(unsigned char tecla) {
@@ -84,13 +105,18 @@ float relacionAspecto() {
     return static_cast<float>(ancho) / static_cast<float>(alto);
 }
 
-glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos, float aspecto) {
-    const float vertical = aspecto < 1 ? 2 * std::atan(std::tan(angulo / 2) / aspecto) : angulo;
-    return glm::perspective(vertical, aspecto, cerca, lejos);
+float altoUtil() {
+    return static_cast<float>(std::min(std::max(glutGet(GLUT_WINDOW_HEIGHT), 1) * ASPECTO_COMPUESTO,
+                                       static_cast<double>(std::max(glutGet(GLUT_WINDOW_WIDTH), 1))) /
+                              ASPECTO_COMPUESTO);
 }
 
-glm::mat4 paralelaVentana(float semilado, float cerca, float lejos, float aspecto) {
-    const float x = semilado * std::max(aspecto, 1.0f), y = semilado * std::max(1 / aspecto, 1.0f);
+glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos, float aspecto) {
+    return glm::perspective(static_cast<float>(anguloVertical(angulo, aspecto)), aspecto, cerca, lejos);
+}
+
+glm::mat4 paralelaVentana(float semialto, float cerca, float lejos, float aspecto) {
+    const float y = semialto * static_cast<float>(ampliacionVertical(aspecto)), x = aspecto * y;
     return glm::ortho(-x, x, -y, y, cerca, lejos);
 }
 

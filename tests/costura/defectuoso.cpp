@@ -52,7 +52,7 @@ static void menu(int valor) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "defectuoso", 100, 100, GLUT_DOUBLE | GLUT_RGBA, "DEFECTO");
+    abreVentana(argc, argv, "defectuoso", GLUT_DOUBLE | GLUT_RGBA, "DEFECTO");
     defecto = argc > 1 ? argv[1] : "";
     glutDisplayFunc(dibuja);
     if (defecto == "inicio") {

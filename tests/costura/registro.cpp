@@ -22,7 +22,7 @@ static void cambiaTamano(int ancho, int alto) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "registro", 300, 200);
+    abreVentana(argc, argv, "registro", GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH);
     glutDisplayFunc(dibuja);
     glutReshapeFunc(cambiaTamano);
     glutKeyboardFunc([](unsigned char tecla, int x, int y) {

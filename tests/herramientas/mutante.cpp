@@ -53,7 +53,7 @@ static void cambiaTamano(int ancho, int alto) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "mutante", 240, 180, GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH, "[MUTACION]");
+    abreVentana(argc, argv, "mutante", GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH, "[MUTACION]");
     if (argc > 1)
         estado.mutacion = argv[1];
     inicia();

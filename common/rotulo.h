@@ -1,0 +1,21 @@
+// Rótulos cortos, con una letra de 5×7 hecha de cuadrados (letra.h): nítidos a cualquier tamaño, con un halo que los separa del
+// fondo y siempre delante de todo. Letras españolas, π, √, ·, ×, °, θ, Φ, φ, α, δ, ² y flechas; `\n` parte el rótulo en
+// líneas. Nunca se salen del panel: si no caben, se corren o encogen. Dejan el programa y el VAO en uso como estaban.
+#pragma once
+#include <glm/glm.hpp>
+#include <string>
+
+/// Alto de las mayúsculas, en partes del alto de la ventana (o de ¾ de su ancho, si es menor).
+const float TALLA_ROTULO = 0.04f;
+
+/// A qué lado de su punto va el rótulo. Si ahí no cabe, va al contrario.
+enum class Lado { CENTRO, ENCIMA, DEBAJO, IZQUIERDA, DERECHA };
+
+/// Rótulo en un punto del panel en que se dibuja: (0, 0) es su esquina de abajo a la izquierda y (1, 1) la contraria.
+void rotula(const std::string &texto, const glm::vec2 &lugar, const glm::vec3 &color,
+            Lado lado = Lado::CENTRO, float talla = TALLA_ROTULO);
+
+/// Rótulo junto a un punto, que no tapa. `transformacion` lo lleva a coordenadas de recortado; si el punto no está en el
+/// volumen de la vista no hay rótulo.
+void rotulaPunto(const std::string &texto, const glm::vec3 &punto, const glm::mat4 &transformacion,
+                 const glm::vec3 &color, Lado lado = Lado::ENCIMA, float talla = TALLA_ROTULO);
