@@ -63,9 +63,15 @@ struct Rotulo {
         }
     }
 
-    bool cabe(const glm::ivec2 &e) const {
-        return e.x >= halo && e.y >= halo && e.x + ancho + halo <= viewport[2] &&
-               e.y + alto + halo <= viewport[3];
+    /// Esa esquina, corrida lo justo para que el rótulo no se salga del panel.
+    glm::ivec2 dentro(const glm::ivec2 &e) const {
+        return {std::clamp(e.x, halo, std::max(viewport[2] - ancho - halo, halo)),
+                std::clamp(e.y, halo, std::max(viewport[3] - alto - halo, halo))};
+    }
+
+    bool tapa(const glm::ivec2 &e, const glm::ivec2 &punto) const {
+        const glm::ivec2 d = punto - e;
+        return d.x >= -celda && d.y >= -celda && d.x <= ancho + celda && d.y <= alto + celda;
     }
 
     /// Los cuadrados de las letras, agrandados en `margen` píxeles por los cuatro lados.
@@ -103,13 +109,10 @@ struct Rotulo {
     }
 
     void dibuja(const glm::ivec2 &punto, Lado lado, const glm::vec3 &color) const {
-        const Lado contrario[] = {Lado::CENTRO, Lado::DEBAJO, Lado::ENCIMA, Lado::DERECHA, Lado::IZQUIERDA};
-        glm::ivec2 e = esquina(punto, lado);
-        const glm::ivec2 otra = esquina(punto, contrario[static_cast<int>(lado)]);
-        if (!cabe(e) && cabe(otra))
-            e = otra;
-        e.x = std::clamp(e.x, halo, std::max(viewport[2] - ancho - halo, halo));
-        e.y = std::clamp(e.y, halo, std::max(viewport[3] - alto - halo, halo));
+        glm::ivec2 e = dentro(esquina(punto, lado));
+        for (const Lado otro : {Lado::DEBAJO, Lado::ENCIMA, Lado::IZQUIERDA, Lado::DERECHA})
+            if (lado != Lado::CENTRO && tapa(e, punto))
+                e = dentro(esquina(punto, otro));
 
         const bool claro = glm::dot(color, glm::vec3(0.3f, 0.6f, 0.1f)) > 0.5f;
         const GLboolean profundidad = glIsEnabled(GL_DEPTH_TEST);

@@ -8,7 +8,7 @@
 /// Alto de las mayúsculas, en partes del alto de la ventana (o de ¾ de su ancho, si es menor).
 const float TALLA_ROTULO = 0.04f;
 
-/// A qué lado de su punto va el rótulo. Si ahí no cabe, va al contrario.
+/// A qué lado de su punto va el rótulo. Si ahí no cabe, va a otro.
 enum class Lado { CENTRO, ENCIMA, DEBAJO, IZQUIERDA, DERECHA };
 
 /// Rótulo en un punto del panel en que se dibuja: (0, 0) es su esquina de abajo a la izquierda y (1, 1) la contraria.
