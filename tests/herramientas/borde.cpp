@@ -1,5 +1,6 @@
-// borde IMAGEN.ppm…: comprueba que en el borde de cada imagen solo hay fondo (colores.h), o la raya que separa los paneles: lo
-// que toca el borde está cortado. Estado: 0 bien; 1 algo toca el borde, y dice dónde.
+// borde [--queda] IMAGEN.ppm…: comprueba que en el borde de cada imagen solo hay fondo (colores.h), o la raya que separa los
+// paneles: lo que toca el borde está cortado. Con --queda, que en cada imagen se ve algo más que fondo. Estado: 0 bien;
+// 1 mal, y dice dónde.
 #include "colores.h"
 #include "imagen.h"
 #include <algorithm>
@@ -15,10 +16,26 @@ static bool esFondo(const unsigned char *rgb) {
     return false;
 }
 
+// Lo menos que debe verse de una escena de la que alguien se ha alejado: el 0.5 % de los píxeles.
+static bool quedaAlgo(const Imagen &imagen) {
+    std::size_t pintados = 0;
+    for (std::size_t i = 0; i < imagen.rgb.size(); i += 3)
+        pintados += !esFondo(&imagen.rgb[i]);
+    return 200 * 3 * pintados >= imagen.rgb.size();
+}
+
 int main(int argc, char **argv) {
     int estado = 0;
-    for (int i = 1; i < argc; ++i) {
+    const bool queda = argc > 1 && std::string(argv[1]) == "--queda";
+    for (int i = queda ? 2 : 1; i < argc; ++i) {
         const Imagen imagen = leePpm(argv[i]);
+        if (queda) {
+            if (!quedaAlgo(imagen)) {
+                std::printf("%s: no se ve más que fondo\n", argv[i]);
+                estado = 1;
+            }
+            continue;
+        }
         const int n = imagen.ancho, m = imagen.alto;
         int cortados[4] = {}; // izquierda, derecha, abajo, arriba
         const auto mira = [&](int x, int y, int lado) {

@@ -1,17 +1,26 @@
 #!/usr/bin/env bash
-# encuadre.sh BUILD DESTINO PROGRAMA CASO: lo que el caso enseña cabe entero en la ventana, ancha, a 4:3, casi cuadrada y alta:
-# nada toca el borde. Un caso cuya escena llega al borde a propósito lo dice con BORDE y no pasa por aquí.
+# encuadre.sh BUILD DESTINO PROGRAMA CASO libre|llega: lo que el caso enseña cabe entero en la ventana, ancha, a 4:3, casi cuadrada y alta:
+# nada toca el borde, salvo en los casos que dicen con BORDE por qué llegan a él. Y por mucho que se aleje o se gire, sigue a la vista.
 set -euo pipefail
-build=$1 destino=$2 programa=$3 caso=$4
+build=$1 destino=$2 programa=$3 caso=$4 borde=$5
 IFS=$'\t' read -r capitulo _ _ guion argumentos _ \
   < <(awk -F'\t' -v p="$programa" -v c="$caso" '$2 == p && $3 == c' "$build/casos.tsv")
-opciones=()
-[ "$guion" = - ] || opciones+=(-guion "$guion")
-[ "$argumentos" = - ] || { read -ra argumentos <<<"$argumentos"; opciones+=("${argumentos[@]}"); }
+extra=()
+[ "$argumentos" = - ] || read -ra extra <<<"$argumentos"
+[ "$guion" != - ] || guion=
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
 cd "$carpeta"
-for talla in 640x360 480x360 480x540 200x450; do
-  "$build/$destino/$capitulo/$programa" -geometry $talla -ppm "$programa-$caso-$talla.ppm" "${opciones[@]}" >/dev/null </dev/null
-done
-"$build/tests/borde" ./*.ppm
+dibuja() { # TALLA GUION FICHERO
+  "$build/$destino/$capitulo/$programa" -geometry "$1" -guion "$2" -ppm "$3" "${extra[@]}" >/dev/null </dev/null
+}
+
+if [ "$borde" = libre ]; then
+  for talla in 640x360 480x360 480x540 200x450; do dibuja $talla "$guion" "$programa-$caso-$talla.ppm"; done
+  "$build/tests/borde" ./*.ppm
+fi
+pulsa='boton IZQUIERDO abajo 240 180' suelta='boton IZQUIERDO arriba'
+dibuja 240x180 "$guion$(printf '; rueda -1 9 9%.0s' {1..40})" alejada
+dibuja 240x180 "$guion; $pulsa; arrastra 240 2180; $suelta 240 2180" "desde arriba"
+dibuja 240x180 "$guion; $pulsa; arrastra 240 -1820; $suelta 240 -1820" "desde abajo"
+"$build/tests/borde" --queda alejada "desde arriba" "desde abajo"
