@@ -8,7 +8,7 @@
 #include <vector>
 
 const float GIRO_ESPEJO = 0.35f; // radianes alrededor de Y
-const glm::vec3 CENTRO_ESPEJO(0, 1.6f, -1.9f);
+const glm::vec3 CENTRO_ESPEJO(0, 1.68f, -1.9f);
 const glm::vec2 TALLA_ESPEJO(5.2f, 2.9f);
 const float GRUESO_MARCO = 0.18f;
 
@@ -35,7 +35,7 @@ inline Material barniz(const glm::vec3 &color) {
 
 /// `avance`: lo que se ha acercado la F al espejo, en unidades del mundo; si pasa de él, lo de detrás no se refleja.
 inline std::vector<PiezaEscena> piezasEscena(float avance) {
-    const glm::mat4 F = traslacion(-avance * planoEspejo().N) * traslacion({0, 0, 0.2f}) * giroY(0.25f);
+    const glm::mat4 F = traslacion(-avance * planoEspejo().N) * traslacion({0.5f, 0, 0.9f}) * giroY(0.25f);
     const glm::mat4 alEspejo =
         traslacion(CENTRO_ESPEJO) * giroY(GIRO_ESPEJO) * traslacion({0, 0, -GRUESO_MARCO / 2 - 0.02f});
     const Material rojo = barniz({0.90f, 0.22f, 0.18f}), madera = barniz({0.50f, 0.32f, 0.16f});
@@ -46,8 +46,8 @@ inline std::vector<PiezaEscena> piezasEscena(float avance) {
         {CUBO, F * traslacion({-0.45f, 1, 0}) * escalado({0.4f, 2, 0.4f}), rojo},
         {CUBO, F * traslacion({0.25f, 1.8f, 0}) * escalado({1, 0.4f, 0.4f}), rojo},
         {CUBO, F * traslacion({0.10f, 1.1f, 0}) * escalado({0.7f, 0.35f, 0.4f}), rojo},
-        {ESFERA, traslacion({1.9f, 0.6f, 0.9f}) * escalado(0.6f), barniz({0.98f, 0.75f, 0.12f})},
-        {CONO, traslacion({-1.9f, 0, 0.9f}) * giroX(-glm::half_pi<float>()) * escalado({0.6f, 0.6f, 1.5f}),
+        {ESFERA, traslacion({2.1f, 0.6f, 0.6f}) * escalado(0.6f), barniz({0.98f, 0.75f, 0.12f})},
+        {CONO, traslacion({-2.4f, 0, 1.6f}) * giroX(-glm::half_pi<float>()) * escalado({0.6f, 0.6f, 1.5f}),
          barniz({0.20f, 0.62f, 0.30f})},
         {CUBO, alEspejo * escalado({2 * x + 2 * g, 2 * y + 2 * g, g}), madera}, // la tabla de detrás
         {CUBO, alEspejo * traslacion({0, y + g / 2, g}) * escalado({2 * x + 2 * g, g, g}), madera},

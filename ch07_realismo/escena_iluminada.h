@@ -10,25 +10,25 @@ struct EscenaIluminada {
     std::array<Buferes, SOLIDOS> solidos;
 };
 
-/// Medio tablero de 8×8 baldosas de lado 1 en el plano Y = 0: las claras o las oscuras.
-inline Malla baldosas(int cuales) {
+/// Las baldosas de lado 1 del suelo, en el plano Y = 0, como las de un tablero: las claras o las oscuras.
+inline Malla baldosas(bool oscuras) {
     Malla malla;
-    for (int i = 0; i < 64; ++i) {
-        const int x = i % 8, z = i / 8;
-        if ((x + z) % 2 != cuales)
-            continue;
-        const GLuint k = static_cast<GLuint>(malla.vertices.size());
-        for (const glm::ivec2 e : {glm::ivec2(0, 1), {1, 1}, {1, 0}, {0, 0}})
-            malla.vertices.push_back({glm::vec3(x + e.x - 4, 0, z + e.y - 4), {0, 1, 0}, glm::vec2(e)});
-        malla.indices.insert(malla.indices.end(), {k, k + 1, k + 2, k, k + 2, k + 3});
-    }
+    for (int x = -4; x < 4; ++x)
+        for (int z = -3; z < 3; ++z) {
+            if (((x + z) % 2 != 0) != oscuras)
+                continue;
+            const GLuint k = static_cast<GLuint>(malla.vertices.size());
+            for (const glm::ivec2 e : {glm::ivec2(0, 1), {1, 1}, {1, 0}, {0, 0}})
+                malla.vertices.push_back({glm::vec3(x + e.x, 0, z + e.y), {0, 1, 0}, glm::vec2(e)});
+            malla.indices.insert(malla.indices.end(), {k, k + 1, k + 2, k, k + 2, k + 3});
+        }
     return malla;
 }
 
 inline EscenaIluminada creaEscena() {
     return {creaPrograma("ch05_iluminacion/sombreado_phong.vert", "ch07_realismo/reflejo.frag"),
-            {creaBuferes(cubo()), creaBuferes(esfera(64)), creaBuferes(cono(64)), creaBuferes(baldosas(0)),
-             creaBuferes(baldosas(1))}};
+            {creaBuferes(cubo()), creaBuferes(esfera(64)), creaBuferes(cono(64)),
+             creaBuferes(baldosas(false)), creaBuferes(baldosas(true))}};
 }
 
 /// Dibuja la escena transformada por `simetria`, que también lo hace con la luz. Con una simetría, solo queda lo que

@@ -18,7 +18,7 @@ static struct {
     GLuint programaEspejo;
     Buferes espejo;
     float avance = 0;
-    Orbita orbita = {-0.45f, 0.28f, 11.5f, {0, 1.25f, -0.3f}, 0.02f};
+    Orbita orbita = {-0.30f, 0.30f, 15.5f, {0.35f, 0.95f, 0}, 0.02f};
 } estado;
 
 static void inicia() {

@@ -26,7 +26,7 @@ static struct {
     Buferes cubo, esfera, cilindro;
     float alfa = ALFAS[1];
     bool compara = false;
-    Orbita orbita = {0.35f, 0.30f, 8, {0, 0.95f, 0}, 0.02f};
+    Orbita orbita = {0.35f, 0.30f, 9.2f, {0, 0.95f, 0}, 0.02f};
 } estado;
 
 static void inicia() {
@@ -71,7 +71,7 @@ static void dibujaVista(const Recuadro &r, float alfa) {
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     envia(p, "alfaMaterial", alfa);
-    const glm::mat4 M = traslacion({0, 1.05f, 0}) * giroX(-glm::half_pi<float>()) * escalado({1, 1, 2.1f});
+    const glm::mat4 M = traslacion({0, 1.07f, 0}) * giroX(-glm::half_pi<float>()) * escalado({1, 1, 2.1f});
     for (const GLenum caras : {GL_FRONT, GL_BACK}) { // las que NO se dibujan
         glCullFace(caras);
         dibujaObjeto(p, estado.cilindro, M, camara, VIDRIO);
@@ -87,7 +87,7 @@ static void dibujaVista(const Recuadro &r, float alfa) {
 static void dibuja() {
     if (estado.compara) {
         abreRecuadro(ventanaEntera(), GRIS);
-        const std::vector<Recuadro> paneles = reparte(3, 4.0f / 3);
+        const std::vector<Recuadro> paneles = reparte(3, 1);
         for (std::size_t i = 0; i < 3; ++i)
             dibujaVista(paneles[i], ALFAS[i]);
     } else {

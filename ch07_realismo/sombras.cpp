@@ -1,0 +1,173 @@
+// Sombras proyectivas (ecuación 7.4, figura 7.4): cada objeto se dibuja otra vez, proyectado sobre la mesa desde la luz y de un color
+// oscuro. El desplazamiento de polígono evita que sombra y mesa se cosan; la plantilla, que la sombra salga de la mesa y que,
+// transparente, oscurezca dos veces donde dos se solapan. Lo más alto que la luz no da sombra (sombra.h).
+// Controles: t transparente · o desplazamiento · p plantilla · arrastrar con el botón derecho mueve la luz
+// · ratón orbita · Esc termina.
+#include "ch05_iluminacion/iluminacion.h"
+#include "colores.h"
+#include "orbita.h"
+#include "rotulo.h"
+#include "sombra.h"
+#include "ventana.h"
+#include <algorithm>
+#include <glm/gtc/constants.hpp>
+
+static const Plano MESA = {{0, 1, 0}, 0};
+static const glm::vec3 TALLA_MESA(6, 0.25f, 4.4f);
+static const float UNIDADES_POR_PIXEL = 0.01f; // al arrastrar la luz
+
+static Material pintura(const glm::vec3 &color) {
+    return {0.35f * color, 0.75f * color, glm::vec3(0.3f), 30};
+}
+
+static struct {
+    GLuint deObjetos, deSombras;
+    Buferes cubo, esfera, toro, cilindro, tablero;
+    glm::vec3 luz = {-2.2f, 4.2f, 1.4f};
+    bool transparente = true, desplaza = true, plantilla = true, moviendo = false;
+    int x = 0, y = 0; // del ratón
+    Orbita orbita = {0.25f, 0.50f, 12.5f, {0, 0.75f, 0}, 0.05f};
+} estado;
+
+static void inicia() {
+    estado.deObjetos =
+        creaPrograma("ch05_iluminacion/sombreado_phong.vert", "ch05_iluminacion/sombreado_phong.frag");
+    estado.deSombras = creaPrograma("ch07_realismo/sombra.vert", "ch07_realismo/sombra.frag");
+    estado.cubo = creaBuferes(cubo());
+    estado.esfera = creaBuferes(esfera(48));
+    estado.toro = creaBuferes(toro(0.7f, 0.22f, 64, 32));
+    estado.cilindro = creaBuferes(cilindro(48));
+    estado.tablero = creaBuferes(plano(1));
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+    glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
+}
+
+// Lo que da sombra. `dibujaPieza(malla, M, color)` lo pinta, o pinta su sombra.
+template<class Dibuja>
+static void recorreObjetos(Dibuja dibujaPieza) {
+    const glm::mat4 dePie = giroX(-glm::half_pi<float>());
+    dibujaPieza(estado.toro, traslacion({-0.6f, 1.1f, 0.3f}) * giroY(0.7f), NARANJA);
+    dibujaPieza(estado.cilindro, traslacion({-0.6f, 0.1f, 0.3f}) * dePie * escalado({0.35f, 0.35f, 0.2f}),
+                OSCURO);
+    dibujaPieza(estado.esfera, traslacion({1.0f, 0.5f, 0.9f}) * escalado(0.5f), ROJO);
+    dibujaPieza(estado.cubo, traslacion({0.6f, 0.45f, -0.9f}) * giroY(0.5f) * escalado(0.9f), VERDE);
+    dibujaPieza(estado.cilindro, traslacion({2.2f, 0.8f, -0.6f}) * dePie * escalado({0.16f, 0.16f, 1.6f}),
+                AZUL);
+}
+
+static void dibujaSombras(const glm::mat4 &camara, const glm::mat4 &proyeccion) {
+    const glm::vec4 L(estado.luz, 1);
+    if (alturaLuz(L, MESA) <= 0)
+        return; // la luz está en el plano de la mesa o debajo
+    const GLuint p = estado.deSombras;
+    glUseProgram(p);
+    envia(p, "proyeccion", proyeccion);
+    envia(p, "camara", camara);
+    envia(p, "S", proyeccionSombra(L, MESA));
+    envia(p, "plano", glm::vec4(MESA.N, MESA.d));
+    envia(p, "luz", L);
+    envia(p, "alturaLuz", alturaLuz(L, MESA));
+    envia(p, "color", estado.transparente ? glm::vec4(0, 0, 0, 0.5f) : glm::vec4(OSCURO, 1));
+    if (estado.plantilla) { // solo sobre la mesa (1), y una vez en cada píxel
+        glEnable(GL_STENCIL_TEST);
+        glStencilFunc(GL_EQUAL, 1, 0xff);
+        glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+    }
+    if (estado.desplaza) {
+        glEnable(GL_POLYGON_OFFSET_FILL);
+        glPolygonOffset(-1, -2);
+    }
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+    glDisable(GL_CULL_FACE); // proyectadas, unas caras miran arriba y otras abajo
+    recorreObjetos([p](const Buferes &malla, const glm::mat4 &M, const glm::vec3 &) {
+        envia(p, "M", M);
+        dibuja(malla);
+    });
+    glEnable(GL_CULL_FACE);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glDisable(GL_STENCIL_TEST);
+}
+
+static void dibuja() {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.45f, 1, 60);
+    const GLuint p = estado.deObjetos;
+    glUseProgram(p);
+    envia(p, "proyeccion", proyeccion);
+    envia(p, "camara", camara);
+    envia(p, "La", glm::vec3(1));
+    enviaLuz(p, "luz", {glm::vec4(estado.luz, 1)}, camara);
+    dibujaObjeto(p, estado.cubo, traslacion({0, -TALLA_MESA.y / 2 - 0.01f, 0}) * escalado(TALLA_MESA), camara,
+                 pintura({0.55f, 0.38f, 0.22f}));
+
+    // Lo que se ve del tablero queda a 1 en la plantilla; los objetos que lo tapan lo devuelven a 0
+    glEnable(GL_STENCIL_TEST);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    glStencilFunc(GL_ALWAYS, 1, 0xff);
+    dibujaObjeto(p, estado.tablero, giroX(-glm::half_pi<float>()) * escalado({TALLA_MESA.x, TALLA_MESA.z, 1}),
+                 camara, pintura({0.88f, 0.80f, 0.66f}));
+    glStencilFunc(GL_ALWAYS, 0, 0xff);
+    recorreObjetos([&](const Buferes &malla, const glm::mat4 &M, const glm::vec3 &color) {
+        dibujaObjeto(p, malla, M, camara, pintura(color));
+    });
+    glDisable(GL_STENCIL_TEST);
+
+    const Material lampara = {glm::vec3(1, 0.95f, 0.6f), glm::vec3(0), glm::vec3(0), 1};
+    dibujaObjeto(p, estado.esfera, traslacion(estado.luz) * escalado(0.14f), camara, lampara);
+    dibujaSombras(camara, proyeccion);
+    rotulaPunto("luz", estado.luz, proyeccion * camara, OSCURO, Lado::DERECHA);
+    glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla))
+        return;
+    switch (tecla) {
+    case 't': estado.transparente = !estado.transparente; break;
+    case 'o': estado.desplaza = !estado.desplaza; break;
+    case 'p': estado.plantilla = !estado.plantilla; break;
+    default: return;
+    }
+    ponTitulo(std::string("Sombra ") + (estado.transparente ? "transparente" : "opaca") +
+              (estado.desplaza ? "" : ", sin desplazamiento") + (estado.plantilla ? "" : ", sin plantilla"));
+    glutPostRedisplay();
+}
+
+static void raton(int boton, int sentido, int x, int y) {
+    if (boton == GLUT_RIGHT_BUTTON)
+        estado.moviendo = sentido == GLUT_DOWN;
+    estado.x = x;
+    estado.y = y;
+    orbitaBoton(boton, sentido, x, y);
+}
+
+static void arrastra(int x, int y) {
+    if (estado.moviendo) {
+        estado.luz.x =
+            std::clamp(estado.luz.x + UNIDADES_POR_PIXEL * static_cast<float>(x - estado.x), -3.0f, 3.0f);
+        estado.luz.y =
+            std::clamp(estado.luz.y - UNIDADES_POR_PIXEL * static_cast<float>(y - estado.y), -0.5f, 4.4f);
+        estado.x = x;
+        estado.y = y;
+        glutPostRedisplay();
+    }
+    orbitaArrastra(x, y);
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Sombra transparente",
+                GLUT_DOUBLE | GLUT_DEPTH | GLUT_STENCIL | GLUT_MULTISAMPLE);
+    inicia();
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    orbitaConRaton(estado.orbita);
+    glutMouseFunc(raton);
+    glutMotionFunc(arrastra);
+    glutMainLoop();
+    return 0;
+}
