@@ -46,7 +46,7 @@ static void dibujaVista(const Recuadro &r, std::array<int, 2> orden) {
     const glm::mat4 camara = camaraOrbita(estado.orbita);
     glUseProgram(estado.programa);
     envia(estado.programa, "camara", camara);
-    envia(estado.programa, "proyeccion", perspectivaVentana(0.45f, 1, 30, aspecto(r)));
+    envia(estado.programa, "proyeccion", perspectivaVentana(0.30f, 1, 30, aspecto(r)));
     for (const float x : {-0.9f, 0.0f, 0.9f}) // lo opaco, antes
         dibujaPieza(estado.cubo, traslacion({x, 0, -1}) * escalado({0.12f, 1.9f, 0.12f}), glm::vec4(GRIS, 1));
 
@@ -71,7 +71,7 @@ static void dibuja() {
     dibujaVista(mitades[1], {1, 0});
     rotula("antes el azul", {0.5f, 0.06f}, BLANCO);
     glViewport(0, 0, glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
-    rotula(MODOS[estado.elegido], {0.5f, 0.95f}, AMARILLO);
+    rotula(MODOS[estado.elegido], {0.5f, 0.94f}, AMARILLO);
     glutSwapBuffers();
 }
 

@@ -23,10 +23,10 @@ static Material pintura(const glm::vec3 &color) {
 static struct {
     GLuint deObjetos, deSombras;
     Buferes cubo, esfera, toro, cilindro, tablero;
-    glm::vec3 luz = {-2.2f, 4.2f, 1.4f};
+    glm::vec3 luz = {-2.2f, 3.4f, 0.8f};
     bool transparente = true, desplaza = true, plantilla = true, moviendo = false;
     int x = 0, y = 0; // del ratón
-    Orbita orbita = {0.25f, 0.50f, 12.5f, {0, 0.75f, 0}, 0.05f};
+    Orbita orbita = {0.25f, 0.42f, 13, {0, 1.2f, 0}, 0.05f};
 } estado;
 
 static void inicia() {
@@ -120,7 +120,7 @@ static void dibuja() {
     const Material lampara = {glm::vec3(1, 0.95f, 0.6f), glm::vec3(0), glm::vec3(0), 1};
     dibujaObjeto(p, estado.esfera, traslacion(estado.luz) * escalado(0.14f), camara, lampara);
     dibujaSombras(camara, proyeccion);
-    rotulaPunto("luz", estado.luz, proyeccion * camara, OSCURO, Lado::DERECHA);
+    rotulaPunto("luz", estado.luz, proyeccion * camara, OSCURO, Lado::ENCIMA);
     glutSwapBuffers();
 }
 
