@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 #include <iomanip>
 #include <map>
-#include <unistd.h>
 
 using oraculo::Camara;
 using oraculo::Comparacion;
@@ -97,7 +96,7 @@ oraculo::Objeto unToro(const Mat4 &M, double radio, double radioTubo, int n, int
 /// Una ejecución con varias capturas: la imagen que queda tras cada guion, que sigue al anterior.
 std::vector<Imagen> imagenes(const std::string &programa, const std::vector<std::string> &guiones,
                              int ancho = 240, int alto = 180) {
-    const std::string base = testing::TempDir() + "ch05_" + std::to_string(getpid()) + "_";
+    const std::string base = (carpetaTemporal() / "ch05_").string();
     std::string guion;
     for (std::size_t i = 0; i < guiones.size(); ++i)
         guion += guiones[i] + "; captura " + base + std::to_string(i) + ".ppm; ";

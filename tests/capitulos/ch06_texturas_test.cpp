@@ -53,7 +53,7 @@ std::string escribeRgb(const fs::path &ruta, const Imagen &i) {
 }
 std::vector<std::string> argumentos(const Imagen &i) {
     static int n = 0;
-    return {escribeRgb(fs::path(testing::TempDir()) / ("ch06_" + std::to_string(++n) + ".rgb"), i), "-talla",
+    return {escribeRgb(carpetaTemporal() / ("ch06_" + std::to_string(++n) + ".rgb"), i), "-talla",
             std::to_string(i.ancho) + "x" + std::to_string(i.alto)};
 }
 
@@ -159,7 +159,7 @@ TEST(TexturaObjeto, TexelPorIluminacionContraElOraculo) {
 
 // Un texel: el color es el mismo en todas partes, salvo por la luz, y no hay NaN (que sería negro o blanco).
 TEST(TodasLasTexturas, UnSoloTexel) {
-    const std::string ppm = (fs::path(testing::TempDir()) / "ch06_1x1.ppm").string();
+    const std::string ppm = (carpetaTemporal() / "ch06_1x1.ppm").string();
     guardaPpm(ppm, imagen(1, 1, [](int, int) { return Pixel{200, 100, 50}; }));
     for (const std::string &programa : {TEXTURA_OBJETO, REPETICION, FILTRADO, COORDENADAS}) {
         const Ejecucion e = ejecuta(programa, "", 120, 90, {ppm});
@@ -180,7 +180,7 @@ TEST(TodasLasTexturas, UnSoloTexel) {
 
 TEST(Argumentos, UnPpmYUnRgbIgualesDanLaMismaImagen) {
     const Imagen im = imagen(7, 5, alAzar);
-    const std::string ppm = (fs::path(testing::TempDir()) / "ch06.ppm").string();
+    const std::string ppm = (carpetaTemporal() / "ch06.ppm").string();
     guardaPpm(ppm, im);
     const Ejecucion a = ejecuta(TEXTURA_OBJETO, "", 60, 45, argumentos(im)),
                     b = ejecuta(TEXTURA_OBJETO, "", 60, 45, {ppm}), sin = ejecuta(TEXTURA_OBJETO, "", 60, 45);
@@ -601,7 +601,7 @@ TEST(Multitextura, TodosLosValoresDeLaMascara) {
                         imagen(64, 48, [](int, int j) {
                             return Pixel{255 - 5 * j, 128, 5 * j};
                         })};
-    const fs::path raiz = fs::path(testing::TempDir()) / "raiz_ch06";
+    const fs::path raiz = carpetaTemporal() / "raiz_ch06";
     escribeRgb(raiz / "assets/ladrillo.rgb", x.ladrillo);
     escribeRgb(raiz / "assets/musgo.rgb", x.musgo);
     escribeRgb(raiz / "assets/mascara.rgb", x.mascara);

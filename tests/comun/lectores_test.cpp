@@ -1,4 +1,5 @@
 // Los lectores de common/: imágenes, mallas v/f y rutas. Lo bueno, y qué dicen de lo malo.
+#include "ejecuta.h"
 #include "imagen.h"
 #include "malla.h"
 #include "rutas.h"
@@ -14,7 +15,7 @@ using testing::ExitedWithCode;
 namespace {
 
 std::string escribe(const std::string &nombre, const std::string &contenido) {
-    const std::string ruta = testing::TempDir() + nombre;
+    const std::string ruta = (carpetaTemporal() / nombre).string();
     std::ofstream(ruta, std::ios::binary) << contenido;
     return ruta;
 }
@@ -36,7 +37,7 @@ TEST(LeeTextura, RechazaOtroTamanoDiciendoLosDos) {
                     std::string("t.rgb»: una imagen RGB de 3×2 ocupa 18 bytes y hay ") + hay);
     EXPECT_EXIT(leeTextura("/no/esta.rgb", 3, 2), ExitedWithCode(1),
                 "no puedo leer «/no/esta.rgb»: No such file");
-    EXPECT_EXIT(leeTextura(testing::TempDir(), 3, 2), ExitedWithCode(1), "es una carpeta");
+    EXPECT_EXIT(leeTextura(carpetaTemporal().string(), 3, 2), ExitedWithCode(1), "es una carpeta");
     EXPECT_EXIT(leeTextura("t.rgb", 0, 2), ExitedWithCode(1), "no hay texturas de 0×2");
     EXPECT_EXIT(leeTextura("t.rgb", 100000, 100000), ExitedWithCode(1), "no hay texturas de 100000×100000");
 }
@@ -45,7 +46,7 @@ TEST(Ppm, LoGuardadoSeLeeIgual) {
     Imagen i{5, 3, {}};
     for (int k = 0; k < 45; ++k)
         i.rgb.push_back(static_cast<unsigned char>(k * 5 + 7));
-    const std::string ruta = testing::TempDir() + "ida_y_vuelta.ppm";
+    const std::string ruta = (carpetaTemporal() / "ida_y_vuelta.ppm").string();
     guardaPpm(ruta, i, "un sello");
     std::string comentario;
     const Imagen j = leePpm(ruta, &comentario);
@@ -84,7 +85,7 @@ TEST(GuardaPpm, EnteroONada) {
     EXPECT_TRUE(fs::is_character_file("/dev/full"));
     EXPECT_EXIT(guardaPpm("/no/hay/carpeta.ppm", i), ExitedWithCode(1),
                 "no puedo guardar «/no/hay/carpeta.ppm»");
-    const fs::path carpeta = fs::path(testing::TempDir()) / "carpeta_ppm";
+    const fs::path carpeta = carpetaTemporal() / "carpeta_ppm";
     fs::remove_all(carpeta);
     fs::create_directories(carpeta / "ocupada.ppm");
     EXPECT_EXIT(guardaPpm((carpeta / "ocupada.ppm").string(), i), ExitedWithCode(1), "no puedo guardar");
@@ -124,7 +125,7 @@ TEST(LeeVf, CadaErrorDiceFicheroYLinea) {
 }
 
 TEST(Recurso, SeBuscaPrimeroEnLabRaiz) {
-    const fs::path raiz = fs::path(testing::TempDir()) / "raiz";
+    const fs::path raiz = carpetaTemporal() / "raiz";
     fs::create_directories(raiz / "ch03_transformaciones");
     std::ofstream(raiz / "ch03_transformaciones/objeto.vert") << "otro";
     setenv("LAB_RAIZ", raiz.c_str(), 1);

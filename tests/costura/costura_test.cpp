@@ -128,7 +128,7 @@ TEST(Shader, UnUniformQueNoEstaAvisaUnaVez) {
 
 // F5 con el shader roto conserva el que había y dice la línea; arreglado, lo usa.
 TEST(Shader, F5LosVuelveALeer) {
-    const fs::path raiz = fs::path(testing::TempDir()) / "raiz_f5";
+    const fs::path raiz = carpetaTemporal() / "raiz_f5";
     fs::create_directories(raiz / "tests/costura");
     std::ofstream(raiz / "tests/costura/recarga.vert")
         << "#version 140\nvoid main() {\n    gl_Position = vec4(4 * "

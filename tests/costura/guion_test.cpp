@@ -1,4 +1,5 @@
 // El guion de glut_sin_ventana: lo que entiende, y qué dice de lo que no.
+#include "ejecuta.h"
 #include "glut_sin_ventana/guion.h"
 #include <GL/freeglut.h>
 #include <gtest/gtest.h>
@@ -67,7 +68,7 @@ TEST(GuionMal, DiceDondeYQue) {
 }
 
 TEST(GuionMal, EnUnFicheroDiceLaLinea) {
-    const std::string fichero = testing::TempDir() + "prueba.guion";
+    const std::string fichero = (carpetaTemporal() / "prueba.guion").string();
     FILE *f = std::fopen(fichero.c_str(), "w");
     std::fputs("# un comentario\ntecla a; espera 10\n\n  gira 3\n", f);
     std::fclose(f);
