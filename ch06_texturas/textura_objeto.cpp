@@ -8,6 +8,7 @@
 #include "imagen.h"
 #include "malla.h"
 #include "orbita.h"
+#include "textura.h"
 #include "ventana.h"
 
 static const float RADIO_PX = 200;         // del tubo, en una pantalla de 1080 líneas
@@ -24,6 +25,7 @@ static struct {
 
 // Listado 6.2.
 static void creaTextura(const Imagen &imagen) {
+    compruebaQueCabe(imagen);
     glGenTextures(1, &estado.textura); // 1. un nombre sin usar
     glActiveTexture(GL_TEXTURE0);      // 2. la unidad de textura 0
     glBindTexture(GL_TEXTURE_2D, estado.textura);

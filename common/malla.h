@@ -2,6 +2,8 @@
 #pragma once
 #include <GL/glew.h>
 #include <glm/glm.hpp>
+#include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,9 @@ Malla cilindro(int n); // radio 1, altura 1 (z de −0.5 a 0.5), con tapas
 Malla cono(int n);     // radio 1, base en z = 0 y vértice en z = 1, con tapa
 Malla toro(float radio, float radioTubo, int n, int m); // en el plano XY; n segmentos de anillo y m de tubo
 Malla plano(int n);                                     // lado 1 en el plano XY, normal +Z, n×n cuadrados
+
+/// Las tres coordenadas que son todo lo que queda de la línea; nada si no son tres números que quepan en un float.
+std::optional<glm::dvec3> leePunto(std::istream &linea);
 
 /// Descripción v/f: líneas «v x y z» y «f i j k …» (caras convexas, índices desde 1, `#` comenta).
 /// Cada cara guarda sus índices desde 0. Un error termina diciendo fichero, línea y qué se esperaba.

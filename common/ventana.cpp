@@ -25,10 +25,14 @@ void tecladoEspecial(int tecla, int, int) {
 
 void guardaVentana() {
     std::string fichero;
-    for (int n = 1; fichero.empty() || std::filesystem::exists(fichero); ++n)
+    std::error_code nadie; // en una carpeta que no se deja mirar, quien se queja es intentaGuardarPpm
+    for (int n = 1; fichero.empty() || std::filesystem::exists(fichero, nadie); ++n)
         fichero = nombrePrograma() + "-" + std::to_string(n) + ".ppm";
-    guardaPpm(fichero, leeVentana());
-    std::printf("guardado %s\n", fichero.c_str());
+    std::string error;
+    if (intentaGuardarPpm(fichero, leeVentana(), "", error))
+        std::printf("guardado %s\n", fichero.c_str());
+    else
+        avisa(error);
 }
 
 /// FreeGLUT da a X11 los títulos como Latin-1: de los caracteres que no están en él, los griegos van con su nombre.
