@@ -69,6 +69,9 @@ void abreVentana(int &argc, char **argv, const char *titulo, unsigned modo, cons
         std::puts(uso.c_str());
         std::exit(0);
     }
+    for (int i = 1; i < argc; ++i)
+        if (!*argv[i])
+            falla("el argumento " + std::to_string(i) + " está vacío; " + uso, 2);
     if (argc > 1 && !argumentos)
         falla("no entiendo «" + std::string(argv[1]) + "»; " + uso, 2);
     glutCreateWindow(enLatin1(titulo).c_str());
