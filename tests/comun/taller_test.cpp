@@ -147,7 +147,7 @@ TEST(Shaders, F5ConUnoRotoAvisaYSigue) {
 
 TEST(Shaders, F5MuchasVeces) {
     std::string guion;
-    for (int i = 0; i < 200; ++i)
+    for (int i = 0; i < 40; ++i)
         guion += "tecla " + std::to_string(i % 2) + "; especial F5;";
     const Ejecucion e = taller({version(ROJO, AZUL), version(VERDE, BLANCO)}, guion);
     EXPECT_EQ(e.estado, 0) << e.errores;
