@@ -32,6 +32,7 @@ TEST(Guion, EntiendeCadaOrden) {
 TEST(Guion, SinOrdenes) {
     EXPECT_TRUE(leeGuion("").empty());
     EXPECT_TRUE(leeGuion(" ; ;; ").empty());
+    EXPECT_TRUE(leeGuion("\v;\f; \t\r\v\f").empty());
 }
 
 TEST(Guion, TeclaPuntoYComaYAlmohadilla) {
@@ -61,7 +62,12 @@ TEST(GuionMal, DiceDondeYQue) {
         {"espera -1", "«-1» no es un número entre 0"},
         {"menu", "falta la ruta de la opción"},
         {"captura", "falta el fichero"},
+        {"arrastra +1 2", "«+1» no es un número"},
+        {"arrastra 1 0x10", "«0x10» no es un número"},
+        {"tamano 1e2 10", "«1e2» no es un número"},
         {"@/no/existe.guion", "-guion: no puedo leer «/no/existe.guion»"},
+        {"@/dev", "-guion: «/dev» es una carpeta, no un fichero"},
+        {"@/dev/zero", "-guion: «/dev/zero» ocupa más de 256 MiB"},
     };
     for (const auto &c : casos)
         EXPECT_EXIT(leeGuion(c.guion), ExitedWithCode(2), c.mensaje) << c.guion;
@@ -83,6 +89,8 @@ TEST(Talla, AnchoPorAlto) {
     EXPECT_EQ(alto, 180);
     tallaDe("300x200+10-20", ancho, alto, "-geometry"); // la posición de X se admite
     EXPECT_EQ(alto, 200);
-    for (const char *mal : {"", "240", "240x", "x180", "0x10", "240x-5", "axb", "240x180z"})
+    for (const char *mal :
+         {"", "240", "240x", "x180", "0x10", "240x-5", "axb", "240x180z", "10x10+hola", "10x10+1", "10x10+1+",
+          "10x10+1+2+3", "10x10++", "+10x+10", " 10x10", "10x 10", "16385x1"})
         EXPECT_EXIT(tallaDe(mal, ancho, alto, "-geometry"), ExitedWithCode(2), "-geometry: ") << mal;
 }
