@@ -62,7 +62,7 @@ TEST(GuionMal, DiceDondeYQue) {
         {"espera -1", "«-1» no es un número entre 0"},
         {"menu", "falta la ruta de la opción"},
         {"captura", "falta el fichero"},
-        {"arrastra +1 2", "«+1» no es un número"},
+        {"arrastra +1 2", "«[+]1» no es un número"},
         {"arrastra 1 0x10", "«0x10» no es un número"},
         {"tamano 1e2 10", "«1e2» no es un número"},
         {"@/no/existe.guion", "-guion: no puedo leer «/no/existe.guion»"},
