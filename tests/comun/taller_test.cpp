@@ -164,9 +164,10 @@ TEST(F12, DondeNoSePuedeEscribirAvisaYSigue) {
     EXPECT_EQ(mitades(e.imagen), "rojo azul");
 }
 
-// Ocho texels por píxel: con mipmaps, el ajedrez se ve del gris de su media; sin ellos, blanco o negro.
+// Ocho texels por píxel: con mipmaps, el ajedrez se ve del gris de su media. Medio texel más allá, el centro de cada
+// píxel es el de un texel y sin mipmaps se vería blanco o negro.
 TEST(Textura, DeLejosSeVeSuMedia) {
-    const Ejecucion e = taller({version(frag("texture(Img, st)"), AZUL)}, "");
+    const Ejecucion e = taller({version(frag("texture(Img, st + 0.5 / 256.0)"), AZUL)}, "");
     ASSERT_EQ(e.estado, 0) << e.errores;
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 32; ++x)
