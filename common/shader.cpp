@@ -53,15 +53,18 @@ bool leeLineas(const std::string &fichero, std::vector<Linea> &lineas, std::vect
         const std::string incluido(incluidoEn(linea));
         if (incluido.empty()) {
             lineas.push_back({fichero, linea, numero});
-        } else if (const auto i = std::find(pila.begin(), pila.end(), incluido); i != pila.end()) {
-            error = "#include sin fin: ";
-            std::for_each(i, pila.end(), [&](const std::string &f) { error += f + " → "; });
-            error += incluido;
-            return false;
-        } else if (!leeLineas(incluido, lineas, pila, error)) {
-            error = fichero + ":" + std::to_string(numero) + ": " + error;
-            return false;
+            continue;
         }
+        const auto ciclo = std::find(pila.begin(), pila.end(), incluido);
+        if (ciclo != pila.end()) {
+            error = "#include sin fin: ";
+            std::for_each(ciclo, pila.end(), [&](const std::string &f) { error += f + " → "; });
+            error += incluido;
+        } else if (leeLineas(incluido, lineas, pila, error)) {
+            continue;
+        }
+        error = fichero + ":" + std::to_string(numero) + ": " + error;
+        return false;
     }
     pila.pop_back();
     return true;
@@ -106,7 +109,7 @@ std::string traduceInforme(const std::string &informe, const std::vector<Linea> 
                            const std::string &fichero) {
     std::istringstream entrada(informe);
     std::string linea, salida;
-    std::size_t anterior = 0;
+    std::size_t anterior = std::string::npos;
     while (std::getline(entrada, linea)) {
         Aviso aviso;
         if (linea.empty())
