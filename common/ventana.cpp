@@ -70,10 +70,8 @@ void abreVentana(int &argc, char **argv, const char *titulo, unsigned modo, cons
         std::exit(0);
     }
     for (int i = 1; i < argc; ++i)
-        if (!*argv[i])
-            falla("el argumento " + std::to_string(i) + " está vacío; " + uso, 2);
-    if (argc > 1 && !argumentos)
-        falla("no entiendo «" + std::string(argv[1]) + "»; " + uso, 2);
+        if (!argumentos || !*argv[i]) // un argumento vacío no es de nadie
+            falla("no entiendo «" + std::string(argv[i]) + "»; " + uso, 2);
     glutCreateWindow(enLatin1(titulo).c_str());
     glewExperimental = GL_TRUE;
     glewInit(); // su resultado no sirve: sin GLX da error aunque haya encontrado todas las funciones

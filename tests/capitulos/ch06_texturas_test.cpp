@@ -214,7 +214,7 @@ TEST(Argumentos, UnaLineaQueDiceQuePasa) {
         {{f, "x.ppm"}, 2, "sobra «x.ppm»: solo se lee una imagen"},
         {{f, "-t", "7x5"}, 2, "sobra «-t»: solo se lee una imagen"},
         {{""}, 2, "«»"},
-        {{"-foto"}, 2, "no entiendo «-foto»"},
+        {{"-foto"}, 2, "sobra «-foto»: solo se lee una imagen"},
     };
     for (const auto &c : casos) {
         const Ejecucion e = ejecuta(TEXTURA_OBJETO, "", 9, 9, c.argumentos);
