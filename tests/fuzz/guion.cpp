@@ -2,6 +2,9 @@
 #include "glut_sin_ventana/guion.h"
 #include "soporte.h"
 
+namespace sin_ventana {}
+using namespace sin_ventana;
+
 int LLVMFuzzerTestOneInput(const std::uint8_t *datos, std::size_t n) {
     const std::string texto(datos, datos + n);
     const bool deFichero = n > 0 && datos[0] == '@';
