@@ -31,7 +31,8 @@ Buferes creaBuferes(const Malla &malla);
 /// Dibuja la malla con el programa en uso (listado 2.4): glBindVertexArray y glDrawElements.
 void dibuja(const Buferes &buferes);
 
-/// Sólidos centrados en el origen. `n`: segmentos de una vuelta, al menos 3.
+/// Sólidos centrados en el origen. `n`: segmentos de una vuelta, al menos 3. s da la vuelta al eje Z desde +X y t sube
+/// (en el toro, da la vuelta al tubo desde fuera); en una tapa o una cara, (s,t) es la posición, de 0 a 1.
 Malla cubo();          // lado 1
 Malla esfera(int n);   // radio 1; polos en ±Z
 Malla cilindro(int n); // radio 1, altura 1 (z de −0.5 a 0.5), con tapas
