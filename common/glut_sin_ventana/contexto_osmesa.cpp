@@ -1,15 +1,20 @@
 // Contexto sobre OSMesa: Mesa dibuja en la memoria del programa, sin servidor gráfico ni dispositivo.
 #include "../error.h"
 #include "contexto.h"
+#include <algorithm>
 #include <vector>
 // clang-format off
 #include <GL/gl.h>
 #include <GL/osmesa.h>
 // clang-format on
 
+namespace sin_ventana {
+
 namespace {
 OSMesaContext contexto = nullptr;
 std::vector<unsigned char> memoria; // RGBA, una fila tras otra desde abajo
+int anchoMemoria = 0, altoMemoria = 0;
+const long long PIXELES_HOLGURA = 4096 * 4096;
 } // namespace
 
 void creaContexto(int ancho, int alto, bool profundidad, bool plantilla) {
@@ -32,11 +37,21 @@ void creaContexto(int ancho, int alto, bool profundidad, bool plantilla) {
     cambiaTallaContexto(ancho, alto);
 }
 
+// OSMesa no libera el framebuffer que deja: se dibuja en el mismo mientras la ventana quepa en él (los dos empiezan
+// abajo a la izquierda), y el siguiente es al menos el doble en lo que crece, así que hay pocos.
 void cambiaTallaContexto(int ancho, int alto) {
+    if (ancho <= anchoMemoria && alto <= altoMemoria)
+        return;
+    const int anchoHolgado = ancho > anchoMemoria ? std::max(ancho, 2 * anchoMemoria) : anchoMemoria,
+              altoHolgado = alto > altoMemoria ? std::max(alto, 2 * altoMemoria) : altoMemoria;
+    if (static_cast<long long>(anchoHolgado) * altoHolgado <= PIXELES_HOLGURA)
+        ancho = anchoHolgado, alto = altoHolgado;
     std::vector<unsigned char> nueva(4 * static_cast<std::size_t>(ancho) * static_cast<std::size_t>(alto));
     if (!OSMesaMakeCurrent(contexto, nueva.data(), GL_UNSIGNED_BYTE, ancho, alto))
         falla("OSMesa no admite una imagen de " + std::to_string(ancho) + "×" + std::to_string(alto));
     memoria.swap(nueva); // OSMesa usa la vieja hasta que tiene la nueva
+    anchoMemoria = ancho;
+    altoMemoria = alto;
 }
 
 void destruyeContexto() {
@@ -47,6 +62,8 @@ void destruyeContexto() {
 void (*direccionGL(const char *nombre))() {
     return OSMesaGetProcAddress(nombre);
 }
+
+} // namespace sin_ventana
 
 // El GLEW de Debian busca las funciones con glXGetProcAddress: estas definiciones, que se enlazan
 // antes que las de libGL, lo llevan a OSMesa.

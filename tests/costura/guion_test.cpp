@@ -3,6 +3,7 @@
 #include <GL/freeglut.h>
 #include <gtest/gtest.h>
 
+using namespace sin_ventana;
 using testing::ExitedWithCode;
 
 TEST(Guion, EntiendeCadaOrden) {
