@@ -18,7 +18,8 @@ lleva_raton() {
   raton="$1 $2"
 }
 
-# Hace las órdenes del guion $1. Falla con las que no tienen sentido fuera del reloj virtual.
+# Hace las órdenes del guion $1. Las de menú, con elige_en_menu, si quien llama la tiene. Las que no tienen sentido fuera
+# del reloj virtual se saltan.
 haz_guion() {
   local orden palabras tecla
   local -A especial=([IZQUIERDA]=Left [DERECHA]=Right [ARRIBA]=Up [ABAJO]=Down [INICIO]=Home [FIN]=End
@@ -45,6 +46,8 @@ haz_guion() {
       if [ "${palabras[1]}" = -1 ]; then xdotool click 5; else xdotool click 4; fi
       ;;
     tamano) xdotool windowsize "$ventana" "${palabras[1]}" "${palabras[2]}" ;;
+    menu) if declare -F elige_en_menu >/dev/null; then elige_en_menu "${palabras[*]:1}"; fi ;;
+    espera | captura) ;;
     *) echo "«$orden» no se puede hacer en una ventana" >&2; return 1 ;;
     esac
     sleep "${PAUSA:-0.02}"
