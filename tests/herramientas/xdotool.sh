@@ -35,7 +35,15 @@ haz_guion() {
       tecla=${palabras[1]}
       xdotool key "${nombre[$tecla]:-$tecla}"
       ;;
-    especial) xdotool key "${especial[${palabras[1]}]:-${palabras[1]}}" ;;
+    especial)
+      tecla=${palabras[1]}
+      case $tecla in
+      # por su código: en mapas de teclado recientes (xkb-data 2.48) xdotool cree que F1 se escribe con Alt, y la pulsa
+      F[1-9] | F10) tecla=$((66 + ${tecla#F})) ;;
+      F1[12]) tecla=$((84 + ${tecla#F})) ;;
+      esac
+      xdotool key "${especial[$tecla]:-$tecla}"
+      ;;
     mueve | arrastra) lleva_raton "${palabras[1]}" "${palabras[2]}" ;;
     boton)
       lleva_raton "${palabras[3]}" "${palabras[4]}"
