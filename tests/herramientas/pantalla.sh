@@ -5,7 +5,7 @@ abre_pantalla() { # [OPCIONES DE Xvfb]: deja su número en DISPLAY
   fichero=$(mktemp)
   setpriv --pdeathsig KILL Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp -noreset "$@" 3>"$fichero" >/dev/null 2>"$fichero.log" &
   xvfb=$!
-  for _ in $(seq 200); do
+  for _ in $(seq 600); do
     [ -s "$fichero" ] && break
     kill -0 $xvfb 2>/dev/null || break
     sleep 0.05

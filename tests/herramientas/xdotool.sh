@@ -4,7 +4,7 @@
 # Espera a que el programa $1 (pid) tenga su ventana, y le da el teclado.
 espera_ventana() {
   local _
-  for _ in $(seq 100); do
+  for _ in $(seq 600); do
     ventana=$(xdotool search --onlyvisible --name . 2>/dev/null | head -n 1) && [ -n "$ventana" ] && break
     kill -0 "$1" 2>/dev/null || return 1
     sleep 0.05
