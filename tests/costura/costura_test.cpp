@@ -213,9 +213,9 @@ TEST(Reloj, LosTemporizadoresVencenEnOrden) {
 // Cada opción llama a la función del menú en que está, que es el actual mientras dura; después vuelve a serlo el de antes.
 TEST(Menu, SeEligePorSuRuta) {
     const Ejecucion e =
-        ejecuta(DEFECTUOSO, "menu Vista/Perfil; menu Salir; menu Vista/Planta; tecla a", 9, 9, {"menu"});
+        ejecuta(DEFECTUOSO, "menu Vista/Perfil; menu Vista/Planta; menu Salir; tecla a", 9, 9, {"menu"});
     EXPECT_EQ(e.estado, 0) << e.errores;
-    EXPECT_EQ(e.salida, "submenu 2 en el 1\nmenu 3 en el 2\nsubmenu 1 en el 1\ntecla en el 1\n");
+    EXPECT_EQ(e.salida, "submenu 2 en el 1\nsubmenu 1 en el 1\nmenu 3 en el 2\ntecla en el 1\n");
     for (const char *mal : {"menu Vista", "menu Vista/Alzado", "menu Salir/Planta", "menu Planta"})
         esperaFallo(ejecuta(DEFECTUOSO, mal, 9, 9, {"menu"}), 2,
                     "no hay esa opción; el menú tiene «Vista/…» «Con ejes» «Salir»");
