@@ -15,7 +15,7 @@ fallos=0
 mkdir -p tests build/tests build/ventana/cap "build/$sin_ventana/cap" tests/golden/cap
 cp -r "$aqui" tests/herramientas
 ln -s "$build/tests/compara" build/tests/compara
-printf 'cap\tgrua\tbase\t-\t-\t-\ncap\tgrua\tquieta\tespera 10\t-\t-\n' >build/casos.tsv
+printf 'cap\tgrua\t%s\t%s\t-\t-\t%s\t-\t-\n' base - grua quieta 'espera 10' grua-quieta >build/casos.tsv
 "$build/$sin_ventana/ch03_transformaciones/grua" -geometry 240x180 -ppm bien.ppm
 "$build/$sin_ventana/ch03_transformaciones/grua" -geometry 240x180 -ppm otro.ppm -guion 'tecla d; tecla d; tecla d'
 
