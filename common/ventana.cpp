@@ -35,8 +35,10 @@ void guardaVentana() {
         avisa(error);
 }
 
-/// FreeGLUT da a X11 los títulos como Latin-1: de los caracteres que no están en él, los griegos van con su nombre.
-std::string enLatin1(const std::string &utf8) {
+/// FreeGLUT anterior a 3.8 da a X11 los títulos como Latin-1: lo que no está en él va con sus letras, α como «alfa».
+std::string tituloParaGlut(const std::string &utf8) {
+    if (glutGet(GLUT_VERSION) >= 30800)
+        return utf8;
     static const std::pair<const char *, const char *> FUERA[] = {
         {"−", "-"},     {"√", "raiz "}, {"π", "pi"},  {"α", "alfa"},
         {"δ", "delta"}, {"θ", "theta"}, {"Φ", "Phi"}, {"→", "->"}};
@@ -72,7 +74,7 @@ void abreVentana(int &argc, char **argv, const char *titulo, unsigned modo, cons
     for (int i = 1; i < argc; ++i)
         if (!argumentos || !*argv[i]) // un argumento vacío no es de nadie
             falla("no entiendo «" + std::string(argv[i]) + "»; " + uso, 2);
-    glutCreateWindow(enLatin1(titulo).c_str());
+    glutCreateWindow(tituloParaGlut(titulo).c_str());
     glewExperimental = GL_TRUE;
     glewInit(); // su resultado no sirve: sin GLX da error aunque haya encontrado todas las funciones
     if (!GLEW_VERSION_3_1 || !glGenVertexArrays)
@@ -83,7 +85,7 @@ void abreVentana(int &argc, char **argv, const char *titulo, unsigned modo, cons
 }
 
 void ponTitulo(const std::string &titulo) {
-    glutSetWindowTitle(enLatin1(titulo).c_str());
+    glutSetWindowTitle(tituloParaGlut(titulo).c_str());
 }
 
 bool teclaComun(unsigned char tecla) {

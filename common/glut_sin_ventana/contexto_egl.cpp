@@ -5,6 +5,8 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+namespace sin_ventana {
+
 namespace {
 
 EGLDisplay pantalla = EGL_NO_DISPLAY;
@@ -78,3 +80,5 @@ void destruyeContexto() {
 void (*direccionGL(const char *nombre))() {
     return eglGetProcAddress(nombre);
 }
+
+} // namespace sin_ventana

@@ -7,6 +7,8 @@
 #include <map>
 #include <sstream>
 
+namespace sin_ventana {
+
 const char *const AYUDA = R"(Opciones de la ventana sin pantalla:
   -geometry ANCHOxALTO    tamaño de la imagen (el que pida el programa, si no se da)
   -guion "ORDEN; ORDEN"   sucesos, en orden; -guion @fichero los lee de un fichero
@@ -191,3 +193,5 @@ std::vector<Orden> leeGuion(const std::string &guion) {
     }
     return ordenes;
 }
+
+} // namespace sin_ventana

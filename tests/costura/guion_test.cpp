@@ -4,6 +4,7 @@
 #include <GL/freeglut.h>
 #include <gtest/gtest.h>
 
+using namespace sin_ventana;
 using testing::ExitedWithCode;
 
 TEST(Guion, EntiendeCadaOrden) {
