@@ -8,9 +8,8 @@ source "$aqui/xdotool.sh"
 DISPLAY=:$(cat "$build/xvfb/pantalla")
 export DISPLAY
 
-IFS=$'\t' read -r capitulo _ _ guion argumentos tolerancia \
+IFS=$'\t' read -r capitulo _ _ guion argumentos tolerancia nombre _ \
   < <(awk -F'\t' -v p="$programa" -v c="$caso" '$2 == p && $3 == c' "$build/casos.tsv")
-nombre=$programa; [ "$caso" = base ] || nombre=$programa-$caso
 golden=$aqui/../golden/$capitulo/$nombre.ppm
 opciones=(--amplia)
 [ "$tolerancia" = - ] || opciones+=(--tolerancia "$tolerancia")
