@@ -52,7 +52,7 @@ class Programa:
     consola: str
     titulo_capitulo: str
     casos: list = field(default_factory=list)
-    controles: str = ""
+    controles: list = field(default_factory=list)
     fuentes: list = field(default_factory=list)
 
 
@@ -61,6 +61,10 @@ class Capitulo:
     nombre: str
     titulo: str
     programas: list
+
+    @property
+    def numero(self):
+        return int(re.match(r"ch(\d+)", self.nombre)[1])
 
 
 def lee_tsv(fichero, clase):
@@ -81,9 +85,9 @@ def lee_catalogo(build):
 
 
 def controles(texto):
-    """Lo que sigue a «// Controles:» hasta el punto final, aunque ocupe varias líneas."""
+    """Los que enumera «// Controles:» hasta el punto final, aunque ocupe varias líneas."""
     hallado = re.search(r"^// Controles: ((?:.*\n// )*?.*\.)$", texto, re.MULTILINE)
-    return hallado[1].replace("\n// ", " ") if hallado else ""
+    return hallado[1].replace("\n// ", " ").rstrip(".").split(" · ") if hallado else []
 
 
 def fuentes(raiz, fichero, vistas=None):

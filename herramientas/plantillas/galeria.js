@@ -15,7 +15,9 @@ function ensena(enlace) {
   imagen.alt = una('img', enlace).alt;
   una('h2', grande).textContent = nombre ? `${titulo}: ${nombre}` : titulo;
   una('p', grande).textContent = una('.mira', figura)?.textContent ?? '';
-  if (!grande.open) grande.showModal();
+  if (grande.open) return;
+  grande.showModal();
+  grande.focus(); // y no el botón de cerrar
 }
 
 function pasa(pasos) {
@@ -31,6 +33,7 @@ for (const enlace of todos('figure a'))
   });
 una('.anterior').addEventListener('click', () => pasa(-1));
 una('.siguiente').addEventListener('click', () => pasa(1));
+una('.cierra').addEventListener('click', () => grande.close());
 grande.addEventListener('close', () => {
   actual.scrollIntoView({ block: 'center' });
   actual.focus({ preventScroll: true });
