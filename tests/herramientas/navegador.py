@@ -100,8 +100,11 @@ def recorre(n, pagina, casos):
     for letra in "grua obra":
         n.tecla(letra)
     visibles = "return [...document.querySelectorAll('article')].filter(a => a.offsetParent).map(a => a.id)"
-    exige(n.js(visibles) == ["grua"], f"«grua obra» encuentra solo la grúa de obra: {n.js(visibles)}")
-    n.js("const i = document.querySelector('input'); i.value = ''; i.dispatchEvent(new Event('input'))")
+    exige(n.js(visibles) == ["grua"], "«grua obra» encuentra solo la grúa de obra")
+    busca = "const i = document.querySelector('input'); i.value = '{}'; i.dispatchEvent(new Event('input'))"
+    n.js(busca.format("INCLINACION"))
+    exige("camara" in n.js(visibles) and "tiras" not in n.js(visibles), "«INCLINACION» encuentra «inclinación»")
+    n.js(busca.format(""))
     n.js("document.querySelector('#grua details').open = true")
     exige(espera(n, "return document.querySelector('#grua pre').textContent.includes('glutMainLoop')"), "el fuente se ve")
 
@@ -110,7 +113,7 @@ def recorre(n, pagina, casos):
         n.talla(ancho, 800)
         exige(n.js(f"return document.documentElement.scrollWidth <= {ancho}"), f"nada se sale de {ancho} píxeles")
     registro = n.pide("/se/log", type="browser")
-    exige(not registro, f"la consola está vacía: {registro}")
+    exige(not registro, f"la consola está vacía: {registro[:1]}")
 
 
 def main():
