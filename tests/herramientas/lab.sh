@@ -155,8 +155,8 @@ done
 
 # interrumpida no deja nada en la carpeta temporal: se mira al final
 rm -rf galeria
-$lab galeria >/dev/null 2>&1 &
-sleep 0.6
+$lab galeria 2>"$carpeta/progreso" &
+until grep -q '^\[' "$carpeta/progreso" || ! kill -0 $! 2>/dev/null; do sleep 0.02; done
 kill $!
 wait $! && mal 'galeria interrumpida acaba con 0'
 
