@@ -73,7 +73,7 @@ tar -C "$raiz" --exclude=./build --exclude=./galeria --exclude=./.git --exclude=
 cd "$copia"
 # compila antes: sin optimizar, y sin lo que sus programas no usan de common/ y assets/
 sed -i 's/"Release"/"None"/' CMakePresets.json
-for f in malla orbita shader textura ventana; do : >common/$f.cpp; done
+for f in malla orbita recuadro rotulo shader textura trazo ventana; do : >common/$f.cpp; done
 sed -i 's/^set(texturas .*/set(texturas luz)/' assets/CMakeLists.txt
 cat >assets/genera_assets.cpp <<'FIN'
 #include <fstream>
