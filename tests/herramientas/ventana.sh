@@ -8,9 +8,8 @@ aqui=$(cd "$(dirname "$0")" && pwd)
 source "$aqui/pantalla.sh"
 source "$aqui/xdotool.sh"
 
-IFS=$'\t' read -r capitulo _ _ guion argumentos tolerancia _ \
+IFS=$'\t' read -r capitulo _ _ guion argumentos tolerancia nombre _ \
   < <(awk -F'\t' -v p="$programa" -v c="$caso" '$2 == p && $3 == c' "$build/casos.tsv")
-nombre=$programa; [ "$caso" = base ] || nombre=$programa-$caso
 golden=$aqui/../golden/$capitulo/$nombre.ppm
 opciones=(--amplia)
 [ "$tolerancia" = - ] || opciones+=(--tolerancia "$tolerancia")
