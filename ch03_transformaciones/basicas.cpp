@@ -35,7 +35,7 @@ static struct {
     Buferes letra;
     int elegido = 0;
     float valor = TRANSFORMACIONES[0].inicial;
-    Orbita orbita = {0.55f, 0.35f, 10.5f, {0.55f, 0.05f, 0}};
+    Orbita orbita = {0.55f, 0.35f, 11.5f, {0.5f, 0.75f, 0}};
 } estado;
 
 static void inicia() {
@@ -76,8 +76,8 @@ static void dibuja() {
     dibujaObjeto(estado.programa, estado.letra, M, NARANJA);
     trazaSegmentos(aristasF(), proyeccion * camara, GRIS, 4);
     trazaEjes(proyeccion * camara, glm::vec3(2.3f, 2.1f, 2.1f));
-    rotula(nombreConValor(), {0.25f, 0.90f}, OSCURO, Lado::CENTRO, 0.05f);
-    rotula(textoMatriz(M), {0.70f, 0.88f}, AZUL, Lado::CENTRO, 0.035f);
+    rotula(nombreConValor(), {0.25f, 0.88f}, OSCURO, Lado::CENTRO, 0.05f);
+    rotula(textoMatriz(M), {0.71f, 0.87f}, AZUL, Lado::CENTRO, 0.03f);
     glutSwapBuffers();
 }
 

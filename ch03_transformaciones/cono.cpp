@@ -50,7 +50,7 @@ static void dibuja() {
         if (extremo != estado.aplicados) // donde está el cono no hacen falta líneas
             trazaCono(proyeccion * camara * concatena(pasos, extremo));
     trazaEjes(proyeccion * camara, {3.7f, 1.7f, 1.7f});
-    rotula(producto(pasos, estado.aplicados), {0.5f, 0.94f}, OSCURO);
+    rotula(producto(pasos, estado.aplicados, " ·\n    "), {0.02f, 0.86f}, OSCURO, Lado::DERECHA);
     glutSwapBuffers();
 }
 

@@ -54,7 +54,7 @@ static void dibuja() {
     trazaSegmentos({glm::vec3(-1.2f), glm::vec3(4.2f)}, proyeccion * camara, OSCURO);
     rotulaPunto("x = y = z", glm::vec3(4.2f), proyeccion * camara, OSCURO, Lado::IZQUIERDA);
     trazaEjes(proyeccion * camara, glm::vec3(4));
-    rotula(producto(pasos, estado.aplicados), {0.5f, 0.05f}, OSCURO);
+    rotula(producto(pasos, estado.aplicados, " ·\n    "), {0.60f, 0.16f}, OSCURO, Lado::DERECHA);
     glutSwapBuffers();
 }
 

@@ -36,7 +36,7 @@ static void dibujaVista(const Recuadro &r, const glm::vec3 &s) {
     orbita.centro = 0.5f * (glm::min(MINIMO_F, glm::min(s * MINIMO_F, s * MAXIMO_F)) +
                             glm::max(MAXIMO_F, glm::max(s * MINIMO_F, s * MAXIMO_F)));
     const glm::mat4 camara = camaraOrbita(orbita), M = escalado(s);
-    const glm::mat4 proyeccion = perspectivaVentana(0.37f, 1, 100, aspecto(r));
+    const glm::mat4 proyeccion = perspectivaVentana(0.32f, 1, 100, aspecto(r));
     glDisable(GL_DEPTH_TEST); // lo oculto del original, tenue
     trazaSegmentos(aristasF(), proyeccion * camara, glm::mix(FONDO_CLARO, GRIS, ATENUADO), 3);
     glEnable(GL_DEPTH_TEST);
@@ -56,7 +56,7 @@ static void dibujaVista(const Recuadro &r, const glm::vec3 &s) {
     glDisable(GL_CULL_FACE);
     trazaSegmentos(aristasF(), proyeccion * camara, GRIS, 3);
     trazaEjes(proyeccion * camara, {1.8f, 1.8f, 1.0f}, 4);
-    char texto[40];
+    char texto[64];
     std::snprintf(texto, sizeof texto, "S(%g, %g, %g)", static_cast<double>(s.x), static_cast<double>(s.y),
                   static_cast<double>(s.z));
     rotula(texto, {0.5f, 0.93f}, OSCURO);

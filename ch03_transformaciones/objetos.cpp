@@ -12,7 +12,7 @@ static struct {
     GLuint programa;
     Buferes primitivas[3]; // en el orden de Primitiva
     PiezasObjeto piezas = piezasObjetos();
-    Orbita orbita = {0.25f, 0.32f, 13.8f, {0, 1.5f, 0}, 0.02f};
+    Orbita orbita = {0.25f, 0.32f, 15.8f, {-0.05f, 1.3f, 0}, 0.02f};
 } estado;
 
 static void inicia() {

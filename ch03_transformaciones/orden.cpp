@@ -19,7 +19,7 @@ static struct {
     GLuint programa;
     Buferes esfera, cubo;
     Orbita orbita = {
-        0, 0.3f, 19.5f, {13.5f, -0.7f, 0}}; // en paralela, `distancia` es el semiancho de la vista
+        0, 0.3f, 19.5f, {13.2f, -0.7f, 0}}; // en paralela, `distancia` es el semiancho de la vista
 } estado;
 
 static void inicia() {
@@ -62,7 +62,7 @@ static void dibujaVista(const Recuadro &r, const char *nombre, const glm::mat4 &
                      tramo % 2 ? BLANCO : OSCURO);
     }
     trazaSilueta(primera, camara, proyeccion);
-    trazaEjes(proyeccion * camara, {31.5f, 5.6f, 5.6f});
+    trazaEjes(proyeccion * camara, {30.5f, 4.5f, 4.5f});
     // la plomada cuelga del centro, que es donde M lleva el origen
     trazaSegmentos({M[3], {M[3].x, ALTURA_REGLA, 0}}, proyeccion * camara, OSCURO, 8);
     rotulaPunto("x = " + std::to_string(static_cast<int>(M[3].x)), {M[3].x, ALTURA_REGLA, 0},

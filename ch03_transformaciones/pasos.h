@@ -27,10 +27,11 @@ inline glm::mat4 concatena(const std::vector<Paso> &pasos, std::size_t cuantos) 
 }
 
 /// Ese producto como se escribe: la última aplicada, a la izquierda.
-inline std::string producto(const std::vector<Paso> &pasos, std::size_t cuantos) {
+inline std::string producto(const std::vector<Paso> &pasos, std::size_t cuantos,
+                            const std::string &por = " · ") {
     std::string texto;
     for (std::size_t i = 0; i < std::min(cuantos, pasos.size()); ++i)
-        texto = pasos[i].nombre + (i ? " · " + texto : "");
+        texto = pasos[i].nombre + (i ? por + texto : "");
     return "M = " + (texto.empty() ? "I" : texto);
 }
 

@@ -14,7 +14,7 @@ static const char *const LADO_CUBO[3] = {"lado 1", "1/2", "1/4"};
 static struct {
     GLuint programa;
     Buferes cubo;
-    Orbita orbita = {0.55f, 0.35f, 5.8f, {0.12f, 0.42f, 0}};
+    Orbita orbita = {0.55f, 0.35f, 6.1f, {0.1f, 0.45f, 0}};
 } estado;
 
 static void inicia() {
@@ -33,7 +33,7 @@ static void dibuja() {
     const std::array<glm::mat4, 3> cubos = tresCubos();
     for (std::size_t i = 0; i < cubos.size(); ++i)
         dibujaObjeto(estado.programa, estado.cubo, cubos[i], COLOR_CUBO[i]);
-    trazaEjes(proyeccion * camara, glm::vec3(1.45f, 1.7f, 1.45f));
+    trazaEjes(proyeccion * camara, glm::vec3(1.4f, 1.55f, 1.4f));
     for (std::size_t i = 0; i < cubos.size(); ++i) // junto a la arista vertical de la izquierda
         rotulaPunto(LADO_CUBO[i], cubos[i] * glm::vec4(-0.5f, 0, 0.5f, 1), proyeccion * camara, OSCURO,
                     Lado::IZQUIERDA);
