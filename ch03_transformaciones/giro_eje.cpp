@@ -27,7 +27,7 @@ static struct {
     float angulo = 2;        // radianes
     bool moviendoEje = false;
     int xAnterior = 0, yAnterior = 0;
-    Orbita orbita = {-0.5f, 0.4f, 7.8f};
+    Orbita orbita = {-0.5f, 0.4f, 8};
 } estado;
 
 static void inicia() {

@@ -14,7 +14,7 @@ static struct {
     GLuint programa;
     Buferes cubo;
     PosturaGrua postura;
-    Orbita orbita = {0.5f, 0.25f, 32, {0.3f, 4.3f, 0}, 0.02f};
+    Orbita orbita = {0.5f, 0.25f, 33, {0.3f, 4.2f, 0}, 0.02f};
 } estado;
 
 static void inicia() {
