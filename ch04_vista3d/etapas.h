@@ -1,15 +1,17 @@
 // Un vértice por las etapas del pipeline (ejercicio 4.1) y el recortado de un polígono en coordenadas homogéneas.
 // Sin OpenGL; lo usa etapas_pipeline. Todo en doble.
 #pragma once
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
 
-/// Las matrices de un vértice, en el orden en que se aplican: modelo, cámara, proyección y área de dibujo.
+/// Las matrices de un vértice, en el orden en que se aplican. En el libro, M_M, M_C, M_Proy y M_vp.
 struct Matrices {
-    glm::dmat4 MM, MC, MProy, Mvp;
+    glm::dmat4 M, camara, proyeccion, viewport;
 };
 
 /// Lo que vale un vértice al salir de cada etapa. `ndc` y `ventana`, solo si está dentro del volumen de la
@@ -34,13 +36,13 @@ inline glm::dvec3 divide(const glm::dvec4 &r) {
 inline Etapas recorre(const glm::dvec3 &vertice, const Matrices &m) {
     Etapas e{};
     e.objeto = glm::dvec4(vertice, 1);
-    e.mundo = m.MM * e.objeto;
-    e.camara = m.MC * e.mundo;
-    e.recortado = m.MProy * e.camara;
+    e.mundo = m.M * e.objeto;
+    e.camara = m.camara * e.mundo;
+    e.recortado = m.proyeccion * e.camara;
     e.dentro = estaDentro(e.recortado) && e.recortado.w > 0;
     if (e.dentro) {
         e.ndc = divide(e.recortado);
-        e.ventana = m.Mvp * glm::dvec4(e.ndc, 1);
+        e.ventana = m.viewport * glm::dvec4(e.ndc, 1);
     }
     return e;
 }
@@ -75,14 +77,57 @@ inline std::vector<glm::dvec4> recorta(const std::vector<glm::vec3> &poligono, c
 }
 
 /// Área que ocupa en la ventana un polígono dado en coordenadas de recortado, en píxeles cuadrados.
-inline double areaVentana(const std::vector<glm::dvec4> &poligono, const glm::dmat4 &Mvp) {
+inline double areaVentana(const std::vector<glm::dvec4> &poligono, const glm::dmat4 &viewport) {
     double area = 0;
     for (std::size_t k = 2; k < poligono.size(); ++k) {
-        const auto enVentana = [&](std::size_t v) { return Mvp * glm::dvec4(divide(poligono[v]), 1); };
+        const auto enVentana = [&](std::size_t v) { return viewport * glm::dvec4(divide(poligono[v]), 1); };
         const glm::dvec4 a = enVentana(0), u = enVentana(k - 1) - a, v = enVentana(k) - a;
         area += 0.5 * (u.x * v.y - u.y * v.x);
     }
     return std::fabs(area);
+}
+
+using Triangulo = std::array<glm::dvec4, 3>; // en coordenadas de recortado
+
+/// Lo que guarda el buffer de profundidad en un punto de la ventana cuando se han pintado esos triángulos: la menor de sus
+/// profundidades, o la máxima, 1, si ninguno cae ahí. La profundidad es lineal en la ventana.
+inline double profundidadGuardada(const std::vector<Triangulo> &triangulos, const glm::dmat4 &viewport,
+                                  const glm::dvec2 &punto) {
+    const auto cruz = [](const glm::dvec2 &a, const glm::dvec2 &b) { return a.x * b.y - a.y * b.x; };
+    double menor = 1;
+    for (const Triangulo &t : triangulos) {
+        const std::vector<glm::dvec4> poligono = recorta({t[0], t[1], t[2]});
+        for (std::size_t k = 2; k < poligono.size(); ++k) {
+            const auto enVentana = [&](std::size_t v) {
+                return glm::dvec3(viewport * glm::dvec4(divide(poligono[v]), 1));
+            };
+            const glm::dvec3 a = enVentana(0), u = enVentana(k - 1) - a, v = enVentana(k) - a;
+            const glm::dvec2 p = punto - glm::dvec2(a);
+            const double area = cruz(u, v), s = cruz(p, v) / area, r = cruz(u, p) / area;
+            if (s >= 0 && r >= 0 && s + r <= 1)
+                menor = std::min(menor, a.z + s * u.z + r * v.z);
+        }
+    }
+    return menor;
+}
+
+/// Los triángulos de una malla en coordenadas de recortado, menos los que tocan ese punto: de él sale el fragmento
+/// que se compara con lo demás.
+inline std::vector<Triangulo> triangulosSin(const std::vector<glm::vec3> &vertices,
+                                            const std::vector<unsigned> &indices,
+                                            const glm::dmat4 &aRecortado, const glm::vec3 &punto) {
+    std::vector<Triangulo> triangulos;
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        Triangulo t;
+        bool toca = false;
+        for (std::size_t k = 0; k < 3; ++k) {
+            toca = toca || vertices[indices[i + k]] == punto;
+            t[k] = aRecortado * glm::dvec4(vertices[indices[i + k]], 1);
+        }
+        if (!toca)
+            triangulos.push_back(t);
+    }
+    return triangulos;
 }
 
 /// «clave: valores», con las cifras de un float.
@@ -108,9 +153,14 @@ inline std::string describe(const Etapas &e) {
            linea("profundidad", {e.ventana.z});
 }
 
+/// El test de profundidad (listado 4.1).
+inline std::string describeTest(double fragmento, double guardada) {
+    return linea("guardada", {guardada}) + (fragmento < guardada ? "se pinta\n" : "se descarta\n");
+}
+
 /// Los lados y el área de lo que queda de un polígono, si queda algo.
-inline std::string describe(const std::vector<glm::dvec4> &poligono, const glm::dmat4 &Mvp) {
+inline std::string describe(const std::vector<glm::dvec4> &poligono, const glm::dmat4 &viewport) {
     return poligono.empty() ? ""
                             : linea("lados", {static_cast<double>(poligono.size())}) +
-                                  linea("área en píxeles", {areaVentana(poligono, Mvp)});
+                                  linea("área en píxeles", {areaVentana(poligono, viewport)});
 }
