@@ -87,47 +87,47 @@ inline double areaVentana(const std::vector<glm::dvec4> &poligono, const glm::dm
     return std::fabs(area);
 }
 
-using Triangulo = std::array<glm::dvec4, 3>; // en coordenadas de recortado
+/// Una malla con la transformación del modelo.
+struct Cuerpo {
+    std::vector<glm::vec3> vertices;
+    std::vector<unsigned> indices;
+    glm::dmat4 M;
+};
 
-/// Lo que guarda el buffer de profundidad en un punto de la ventana cuando se han pintado esos triángulos: la menor de sus
-/// profundidades, o la máxima, 1, si ninguno cae ahí. La profundidad es lineal en la ventana.
-inline double profundidadGuardada(const std::vector<Triangulo> &triangulos, const glm::dmat4 &viewport,
-                                  const glm::dvec2 &punto) {
-    const auto cruz = [](const glm::dvec2 &a, const glm::dvec2 &b) { return a.x * b.y - a.y * b.x; };
-    double menor = 1;
-    for (const Triangulo &t : triangulos) {
-        const std::vector<glm::dvec4> poligono = recorta({t[0], t[1], t[2]});
-        for (std::size_t k = 2; k < poligono.size(); ++k) {
-            const auto enVentana = [&](std::size_t v) {
-                return glm::dvec3(viewport * glm::dvec4(divide(poligono[v]), 1));
-            };
-            const glm::dvec3 a = enVentana(0), u = enVentana(k - 1) - a, v = enVentana(k) - a;
-            const glm::dvec2 p = punto - glm::dvec2(a);
-            const double area = cruz(u, v), s = cruz(p, v) / area, r = cruz(u, p) / area;
-            if (s >= 0 && r >= 0 && s + r <= 1)
-                menor = std::min(menor, a.z + s * u.z + r * v.z);
-        }
-    }
-    return menor;
+/// Profundidad del triángulo abc (en coordenadas de ventana) en un punto, o 1, la máxima, si no cae en él: es lineal en la
+/// ventana.
+inline double profundidadEn(const glm::dvec2 &punto, const glm::dvec3 &a, const glm::dvec3 &b,
+                            const glm::dvec3 &c) {
+    const auto cruz = [](const glm::dvec2 &u, const glm::dvec2 &v) { return u.x * v.y - u.y * v.x; };
+    const glm::dvec2 ab(b - a), ac(c - a), ap = punto - glm::dvec2(a);
+    const double s = cruz(ap, ac) / cruz(ab, ac), t = cruz(ab, ap) / cruz(ab, ac);
+    return s >= 0 && t >= 0 && s + t <= 1 ? a.z + s * (b.z - a.z) + t * (c.z - a.z) : 1;
 }
 
-/// Los triángulos de una malla en coordenadas de recortado, menos los que tocan ese punto: de él sale el fragmento
-/// que se compara con lo demás.
-inline std::vector<Triangulo> triangulosSin(const std::vector<glm::vec3> &vertices,
-                                            const std::vector<unsigned> &indices,
-                                            const glm::dmat4 &aRecortado, const glm::vec3 &punto) {
-    std::vector<Triangulo> triangulos;
-    for (std::size_t i = 0; i < indices.size(); i += 3) {
-        Triangulo t;
-        bool toca = false;
-        for (std::size_t k = 0; k < 3; ++k) {
-            toca = toca || vertices[indices[i + k]] == punto;
-            t[k] = aRecortado * glm::dvec4(vertices[indices[i + k]], 1);
+/// Lo que guarda el buffer de profundidad en el píxel de un vértice cuando se han pintado los triángulos que no lo
+/// tocan: la menor de sus profundidades, o la máxima, 1, si ninguno cae ahí.
+inline double profundidadGuardada(const std::vector<Cuerpo> &cuerpos, const Matrices &m, const Etapas &e) {
+    double menor = 1;
+    for (const Cuerpo &c : cuerpos)
+        for (std::size_t i = 0; i < c.indices.size(); i += 3) {
+            std::vector<glm::dvec4> poligono;
+            bool toca = false;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const glm::dvec4 mundo = c.M * glm::dvec4(c.vertices[c.indices[i + k]], 1);
+                toca = toca || mundo == e.mundo;
+                poligono.push_back(m.proyeccion * (m.camara * mundo));
+            }
+            if (toca)
+                continue;
+            poligono = recorta(poligono);
+            const auto enVentana = [&](std::size_t k) {
+                return glm::dvec3(m.viewport * glm::dvec4(divide(poligono[k]), 1));
+            };
+            for (std::size_t k = 2; k < poligono.size(); ++k)
+                menor = std::min(menor, profundidadEn(glm::dvec2(e.ventana), enVentana(0), enVentana(k - 1),
+                                                      enVentana(k)));
         }
-        if (!toca)
-            triangulos.push_back(t);
-    }
-    return triangulos;
+    return menor;
 }
 
 /// «clave: valores», con las cifras de un float.
@@ -141,26 +141,22 @@ inline std::string linea(const char *clave, const std::vector<double> &valores) 
     return texto + "\n";
 }
 
-/// Una línea por etapa; las que no alcanza un vértice de fuera del volumen no salen.
-inline std::string describe(const Etapas &e) {
+/// Una línea por etapa, con el test de profundidad (listado 4.1); las que no alcanza un vértice de fuera del volumen no
+/// salen. Después, los lados y el área de lo que queda del polígono, si lo hay.
+inline std::string describe(const Etapas &e, double guardada, const std::vector<glm::dvec4> &poligono,
+                            const glm::dmat4 &viewport) {
     const auto cuatro = [](const glm::dvec4 &v) { return std::vector<double>{v.x, v.y, v.z, v.w}; };
-    const std::string texto = linea("objeto", cuatro(e.objeto)) + linea("mundo", cuatro(e.mundo)) +
-                              linea("cámara", cuatro(e.camara)) + linea("recortado", cuatro(e.recortado));
-    if (!e.dentro)
-        return texto + "fuera: se recorta\n";
-    return texto + linea("NDC", {e.ndc.x, e.ndc.y, e.ndc.z}) + linea("ventana", {e.ventana.x, e.ventana.y}) +
-           linea("píxel", {std::floor(e.ventana.x), std::floor(e.ventana.y)}) +
-           linea("profundidad", {e.ventana.z});
-}
-
-/// El test de profundidad (listado 4.1).
-inline std::string describeTest(double fragmento, double guardada) {
-    return linea("guardada", {guardada}) + (fragmento < guardada ? "se pinta\n" : "se descarta\n");
-}
-
-/// Los lados y el área de lo que queda de un polígono, si queda algo.
-inline std::string describe(const std::vector<glm::dvec4> &poligono, const glm::dmat4 &viewport) {
-    return poligono.empty() ? ""
-                            : linea("lados", {static_cast<double>(poligono.size())}) +
-                                  linea("área en píxeles", {areaVentana(poligono, viewport)});
+    std::string texto = linea("objeto", cuatro(e.objeto)) + linea("mundo", cuatro(e.mundo)) +
+                        linea("cámara", cuatro(e.camara)) + linea("recortado", cuatro(e.recortado));
+    if (e.dentro)
+        texto += linea("NDC", {e.ndc.x, e.ndc.y, e.ndc.z}) + linea("ventana", {e.ventana.x, e.ventana.y}) +
+                 linea("píxel", {std::floor(e.ventana.x), std::floor(e.ventana.y)}) +
+                 linea("profundidad", {e.ventana.z}) + linea("guardada", {guardada}) +
+                 (e.ventana.z < guardada ? "se pinta\n" : "se descarta\n");
+    else
+        texto += "fuera: se recorta\n";
+    if (!poligono.empty())
+        texto += linea("lados", {static_cast<double>(poligono.size())}) +
+                 linea("área en píxeles", {areaVentana(poligono, viewport)});
+    return texto;
 }

@@ -2,7 +2,6 @@
 // con sus números, que también se escriben. Con r, un triángulo que se sale del volumen y llega detrás del ojo:
 // etapas.h lo recorta, y el polígono que queda (morado) es justo lo que dibuja OpenGL. Con o, algo tapa el fragmento.
 // Controles: clic elige vértice · r recortado · o oculto · arrastrar orbita por fuera · Esc termina.
-#include "aspecto.h"
 #include "colores.h"
 #include "malla.h"
 #include "orbita.h"
@@ -12,35 +11,30 @@
 #include "trazo.h"
 #include "ventana.h"
 
-static const double ANGULO = 0.62, CERCA = 4, LEJOS = 8.5; // de la cámara; el ángulo, en radianes
-static const glm::dvec3 OJO(2.0, 3.4, 5.4), INTERES(0.1, 0.7, 0);
+static const float TALLA = 0.03f;
 
-struct Cuerpo {
-    std::vector<glm::vec3> vertices;
-    std::vector<GLuint> indices;
-    Buferes buferes;
-    glm::mat4 M;
-    glm::vec3 color;
-};
 enum { CUBO, TRIANGULO, TAPA, CUERPOS };
+static const glm::vec3 COLORES[CUERPOS] = {AMARILLO, AMARILLO, VERDE};
+static const std::size_t PRIMERO[] = {14, 0}; // el vértice que se sigue al empezar
 
 static struct {
     GLuint programa;
     Cuerpo cuerpos[CUERPOS];
-    int cual = CUBO;
+    Buferes buferes[CUERPOS];
+    int cuerpo = CUBO;
     bool tapado = false;
-    std::size_t elegido = 14;
+    std::size_t elegido = PRIMERO[CUBO];
     Matrices m;
     std::array<Panel, PANELES> paneles;
     std::string escrito;
-    Orbita orbita = {0.95f, 0.35f, 1}; // la distancia multiplica la de cada panel
+    Orbita orbita = {0.95f, 0.35f, 1};
 } estado;
 
-static Cuerpo creaCuerpo(const Malla &malla, const glm::mat4 &M, const glm::vec3 &color) {
-    Cuerpo c = {{}, malla.indices, creaBuferes(malla), M, color};
+static void creaCuerpo(int cual, const Malla &malla, const glm::mat4 &M) {
+    estado.cuerpos[cual] = {{}, malla.indices, M};
+    estado.buferes[cual] = creaBuferes(malla);
     for (const Vertice &v : malla.vertices)
-        c.vertices.push_back(v.posicion);
-    return c;
+        estado.cuerpos[cual].vertices.push_back(v.posicion);
 }
 
 static void inicia() {
@@ -49,48 +43,23 @@ static void inicia() {
     for (const glm::vec3 &v : {glm::vec3(-0.7f, 0.8f, -0.5f), {0.9f, -0.2f, 5}, {1.5f, -0.6f, -1.4f}})
         triangulo.vertices.push_back({v, {0, 1, 0}, {0, 0}});
     const glm::mat4 M = traslacion({0.2f, 0.8f, 0.3f}) * giroY(-0.35f) * escalado({2.0f, 1.2f, 1.4f});
-    estado.cuerpos[CUBO] = creaCuerpo(cubo(), M, AMARILLO);
-    estado.cuerpos[TRIANGULO] = creaCuerpo(triangulo, M, AMARILLO);
-    estado.cuerpos[TAPA] =
-        creaCuerpo(cubo(), traslacion({1.45f, 1.75f, 2.1f}) * escalado({0.5f, 0.5f, 0.2f}), VERDE);
-}
-
-static const Cuerpo &cuerpo() {
-    return estado.cuerpos[estado.cual];
-}
-
-// Las matrices de todas las etapas, y las de los paneles.
-static void calculaMatrices() {
-    auto &p = estado.paneles = colocaPaneles(reparte(PANELES));
-    const Recuadro &v = p[VENTANA].escena;
-    const double a = static_cast<double>(aspecto(v));
-    estado.m = {cuerpo().M, transformacionCamara(OJO, INTERES, {0, 1, 0}),
-                proyeccionPerspectiva(anguloVertical(ANGULO, a), a, CERCA, LEJOS),
-                transformacionViewport(v.x, v.y, v.ancho, v.alto)};
-    colocaMatrices(p, estado.m);
-    const Orbita &o = estado.orbita;
-    const auto mira = [&](int k, const glm::vec3 &centro, float distancia) {
-        p[k].proyeccion = perspectivaVentana(0.5f, 0.5f, 100, aspecto(p[k].escena));
-        p[k].camara = camaraOrbita({o.azimut, o.elevacion, o.distancia * distancia, centro});
-    };
-    mira(OBJETO, {0, 0, 0}, estado.cual == TRIANGULO ? 9.0f : 5.0f);
-    mira(MUNDO, {0.4f, 1.3f, 0.9f}, 17);
-    mira(CAMARA, {0, 0, -4.4f}, 19);
-    mira(NDC, {0, 0, 0}, 8);
-    p[NDC].camara *= escalado({1, 1, -1}); // su base es a izquierdas: la profundidad crece hacia el fondo
+    creaCuerpo(CUBO, cubo(), M);
+    creaCuerpo(TRIANGULO, triangulo, M);
+    creaCuerpo(TAPA, cubo(), traslacion({1.13f, 1.82f, 2.16f}) * escalado({0.6f, 0.5f, 0.2f}));
 }
 
 // Con la luz del mundo en todos los paneles y en gris lo que queda fuera del volumen.
-static void dibujaCuerpo(const Panel &p, const Cuerpo &c) {
+static void dibujaCuerpo(const Panel &p, int cual) {
     const GLuint programa = estado.programa;
+    const glm::dmat4 &M = estado.cuerpos[cual].M;
     glUseProgram(programa);
-    envia(programa, "M", glm::mat4(p.delMundo * glm::dmat4(c.M)));
-    envia(programa, "N", matrizNormal(c.M));
-    envia(programa, "aRecortado", glm::mat4(estado.m.proyeccion * estado.m.camara * glm::dmat4(c.M)));
+    envia(programa, "M", glm::mat4(p.delMundo * M));
+    envia(programa, "N", matrizNormal(glm::mat4(M)));
+    envia(programa, "aRecortado", glm::mat4(estado.m.proyeccion * estado.m.camara * M));
     envia(programa, "camara", p.camara);
     envia(programa, "proyeccion", p.proyeccion);
-    envia(programa, "colorObjeto", c.color);
-    dibuja(c.buferes);
+    envia(programa, "colorObjeto", COLORES[cual]);
+    dibuja(estado.buferes[cual]);
 }
 
 // El volumen de la vista, con los rayos que salen del ojo, en las coordenadas del panel.
@@ -104,16 +73,16 @@ static void trazaVolumen(int k, const glm::mat4 &delMundo, const glm::mat4 &deNd
         trazaSegmentos({glm::vec3(OJO), vertice}, delMundo, ROJO, 3);
 }
 
-static void dibujaEscena(int k, const Etapas &e, const std::vector<glm::vec3> &poligono) {
+static void dibujaEscena(int k, const Etapas &e, const std::vector<glm::dvec4> &poligono) {
     const Panel &p = estado.paneles[static_cast<std::size_t>(k)];
     const glm::mat4 delMundo = p.aRecortado(),
                     deNdc =
                         glm::mat4(glm::dmat4(delMundo) * glm::inverse(estado.m.proyeccion * estado.m.camara));
     abreRecuadro(p.escena, k == VENTANA ? CIELO : FONDO_CLARO);
     glEnable(GL_DEPTH_TEST);
-    dibujaCuerpo(p, cuerpo());
+    dibujaCuerpo(p, estado.cuerpo);
     if (estado.tapado && k != OBJETO)
-        dibujaCuerpo(p, estado.cuerpos[TAPA]);
+        dibujaCuerpo(p, TAPA);
     if (k == OBJETO || k == MUNDO || k == CAMARA)
         for (int eje = 0; eje < 3; ++eje) {
             glm::vec3 punta(0);
@@ -123,7 +92,10 @@ static void dibujaEscena(int k, const Etapas &e, const std::vector<glm::vec3> &p
     if (k == MUNDO || k == CAMARA || k == NDC)
         trazaVolumen(k, delMundo, deNdc, glm::vec3(e.mundo));
     glDisable(GL_DEPTH_TEST); // lo que se señala, aunque esté tapado
-    trazaPolilinea(poligono, deNdc, MORADO, GROSOR, true);
+    std::vector<glm::vec3> borde;
+    for (const glm::dvec4 &v : poligono)
+        borde.push_back(divide(v));
+    trazaPolilinea(borde, deNdc, MORADO, GROSOR, true);
     if (k < NDC || e.recortado.w > 0) // lo de detrás del ojo no tiene sitio después
         trazaPuntos({glm::vec3(e.mundo)}, delMundo, ROJO, 22);
 }
@@ -140,47 +112,42 @@ static void dibujaProfundidad(const Etapas &e, double guardada) {
         return;
     trazaFlecha(enEscala(guardada) - glm::vec3(0, 0.5f, 0), enEscala(guardada), uno, OSCURO);
     trazaPuntos({enEscala(e.ventana.z)}, uno, ROJO, 22);
-    rotulaPunto("fragmento", enEscala(e.ventana.z), uno, ROJO, Lado::ENCIMA, 0.03f);
-    rotulaPunto("guardada", enEscala(guardada) - glm::vec3(0, 0.5f, 0), uno, OSCURO, Lado::DEBAJO, 0.03f);
+    rotulaPunto("fragmento", enEscala(e.ventana.z), uno, ROJO, Lado::ENCIMA, TALLA);
+    rotulaPunto("guardada", enEscala(guardada) - glm::vec3(0, 0.5f, 0), uno, OSCURO, Lado::DEBAJO, TALLA);
 }
 
 static void dibuja() {
-    calculaMatrices();
-    const Cuerpo &c = cuerpo(), &tapa = estado.cuerpos[TAPA];
-    const glm::dmat4 aRecortado = estado.m.proyeccion * estado.m.camara;
-    const Etapas e = recorre(c.vertices[estado.elegido], estado.m);
-    std::vector<Triangulo> demas =
-        triangulosSin(c.vertices, c.indices, aRecortado * estado.m.M, c.vertices[estado.elegido]);
+    const Cuerpo &c = estado.cuerpos[estado.cuerpo];
+    estado.paneles = colocaPaneles(reparte(PANELES));
+    estado.m = matricesEn(estado.paneles[VENTANA].escena, c.M);
+    colocaMatrices(estado.paneles, estado.m, estado.orbita, estado.cuerpo == CUBO ? 6.0f : 14.0f);
+
+    std::vector<Cuerpo> pintados = {c};
     if (estado.tapado)
-        for (const Triangulo &t :
-             triangulosSin(tapa.vertices, tapa.indices, aRecortado * glm::dmat4(tapa.M), OJO))
-            demas.push_back(t);
-    const double guardada = profundidadGuardada(demas, estado.m.viewport, glm::dvec2(e.ventana));
+        pintados.push_back(estado.cuerpos[TAPA]);
+    const Etapas e = recorre(c.vertices[estado.elegido], estado.m);
+    const double guardada = profundidadGuardada(pintados, estado.m, e);
     const auto poligono =
-        estado.cual == TRIANGULO ? recorta(c.vertices, estado.m) : std::vector<glm::dvec4>();
-    const std::string texto = "vértice: " + std::to_string(estado.elegido) + "\n" + describe(e) +
-                              (e.dentro ? describeTest(e.ventana.z, guardada) : "") +
-                              describe(poligono, estado.m.viewport);
+        estado.cuerpo == TRIANGULO ? recorta(c.vertices, estado.m) : std::vector<glm::dvec4>();
+    const std::string texto = "vértice: " + std::to_string(estado.elegido) + "\n" +
+                              describe(e, guardada, poligono, estado.m.viewport);
     if (texto != estado.escrito) // al orbitar por fuera no cambia nada
         std::fputs(texto.c_str(), stdout);
     estado.escrito = texto;
 
     abreRecuadro(ventanaEntera(), GRIS);
-    std::vector<glm::vec3> enNdc;
-    for (const glm::dvec4 &v : poligono)
-        enNdc.push_back(divide(v));
     for (int k = 0; k < PANELES; ++k) {
-        abreRecuadro(estado.paneles[static_cast<std::size_t>(k)].panel, FONDO_CLARO);
+        const Recuadro &r = estado.paneles[static_cast<std::size_t>(k)].panel;
+        abreRecuadro(r, FONDO_CLARO);
         if (k == PROFUNDIDAD)
             dibujaProfundidad(e, guardada);
         else
-            dibujaEscena(k, e, enNdc);
-        const Recuadro &r = estado.paneles[static_cast<std::size_t>(k)].panel;
+            dibujaEscena(k, e, poligono);
         glViewport(r.x, r.y, r.ancho, r.alto);
-        rotula(TITULOS[k], {0.03f, 0.94f}, OSCURO, Lado::DERECHA, 0.03f);
-        rotula(numerosPanel(k, e, guardada), {0.03f, 0.15f}, ROJO, Lado::DERECHA, 0.03f);
+        rotula(TITULOS[k], {0.03f, 0.94f}, OSCURO, Lado::DERECHA, TALLA);
+        rotula(numerosPanel(k, e, guardada), {0.03f, 0.15f}, ROJO, Lado::DERECHA, TALLA);
         if (k == NDC)
-            rotula(conDosDecimales("w", e.recortado.w), {0.97f, 0.15f}, ROJO, Lado::IZQUIERDA, 0.03f);
+            rotula(conDosDecimales("w ", e.recortado.w), {0.03f, 0.83f}, ROJO, Lado::DERECHA, TALLA);
     }
     ponTitulo("Las etapas del pipeline: vértice " + std::to_string(estado.elegido));
     glutSwapBuffers();
@@ -188,8 +155,8 @@ static void dibuja() {
 
 static void raton(int boton, int pulsado, int x, int y) {
     if (boton == GLUT_LEFT_BUTTON && pulsado == GLUT_DOWN)
-        estado.elegido = verticeSenalado(estado.paneles, estado.m.M, cuerpo().vertices, x,
-                                         glutGet(GLUT_WINDOW_HEIGHT) - 1 - y, estado.elegido);
+        estado.elegido = verticeSenalado(estado.paneles, estado.m.M, estado.cuerpos[estado.cuerpo].vertices,
+                                         x, glutGet(GLUT_WINDOW_HEIGHT) - 1 - y, estado.elegido);
     orbitaBoton(boton, pulsado, x, y);
     glutPostRedisplay();
 }
@@ -198,8 +165,8 @@ static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
     if (tecla == 'r') {
-        estado.cual = estado.cual == CUBO ? TRIANGULO : CUBO;
-        estado.elegido = estado.cual == CUBO ? 14 : 0;
+        estado.cuerpo = estado.cuerpo == CUBO ? TRIANGULO : CUBO;
+        estado.elegido = PRIMERO[estado.cuerpo];
     } else if (tecla == 'o') {
         estado.tapado = !estado.tapado;
     } else {

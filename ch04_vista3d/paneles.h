@@ -1,11 +1,17 @@
 // Los seis paneles de etapas_pipeline: dónde están, qué matrices usan, qué números llevan al lado y qué vértice señala el ratón.
 // Sin OpenGL.
 #pragma once
+#include "aspecto.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "etapas.h"
+#include "orbita.h"
 #include "recuadro.h"
 #include "vista.h"
 #include <array>
+
+/// La cámara cuyo pipeline se enseña.
+const double ANGULO = 0.62, CERCA = 3, LEJOS = 7.5; // el ángulo, en radianes
+const glm::dvec3 OJO(2.0, 3.4, 5.4), INTERES(0.1, 0.7, 0);
 
 /// `escena`: donde se dibuja; debajo, en lo que queda de `panel`, van los números. Lo del mundo pasa por `delMundo` a las
 /// coordenadas que el panel enseña, y de ellas lo dibujan `camara` y `proyeccion`.
@@ -33,11 +39,31 @@ inline std::array<Panel, PANELES> colocaPaneles(const std::vector<Recuadro> &don
     return paneles;
 }
 
-/// Pone en cada panel su `delMundo`.
-inline void colocaMatrices(std::array<Panel, PANELES> &paneles, const Matrices &m) {
+/// Las matrices de todas las etapas, para una ventana en ese recuadro.
+inline Matrices matricesEn(const Recuadro &ventana, const glm::dmat4 &M) {
+    const double aspecto = static_cast<double>(std::max(ventana.ancho, 1)) / std::max(ventana.alto, 1);
+    return {M, transformacionCamara(OJO, INTERES, {0, 1, 0}),
+            proyeccionPerspectiva(anguloVertical(ANGULO, aspecto), aspecto, CERCA, LEJOS),
+            transformacionViewport(ventana.x, ventana.y, ventana.ancho, ventana.alto)};
+}
+
+/// Pone en cada panel sus tres matrices. `orbita` es la de quien mira desde fuera; su distancia multiplica la del panel.
+inline void colocaMatrices(std::array<Panel, PANELES> &paneles, const Matrices &m, const Orbita &orbita,
+                           float distanciaObjeto) {
     paneles[OBJETO].delMundo = glm::inverse(m.M);
     paneles[CAMARA].delMundo = m.camara;
     paneles[NDC].delMundo = paneles[VENTANA].delMundo = m.proyeccion * m.camara;
+    const auto mira = [&](Panel &p, const glm::vec3 &centro, float distancia) {
+        const double aspecto = static_cast<double>(std::max(p.escena.ancho, 1)) / std::max(p.escena.alto, 1);
+        p.proyeccion = proyeccionPerspectiva(anguloVertical(0.5, aspecto), aspecto, 0.5, 100);
+        p.camara = camaraOrbita({orbita.azimut, orbita.elevacion, orbita.distancia * distancia, centro});
+    };
+    mira(paneles[OBJETO], {0, 0.2f, 0}, distanciaObjeto);
+    mira(paneles[MUNDO], {0.6f, 1.3f, 1.4f}, 16);
+    mira(paneles[CAMARA], {0, 0, -3.7f}, 17);
+    mira(paneles[NDC], {0, 0, 0}, 8);
+    paneles[NDC].camara *=
+        escalado({1, 1, -1}); // su base es a izquierdas: la profundidad crece hacia el fondo
 }
 
 /// El vértice que se ve más cerca del centro del píxel (x, y), a menos de un octavo de la escena en que está el
@@ -71,7 +97,7 @@ inline std::vector<glm::vec3> caraVolumen(float z) {
 
 inline std::string conDosDecimales(const char *nombre, double valor) {
     char texto[32];
-    std::snprintf(texto, sizeof texto, "%s %.2f", nombre, valor);
+    std::snprintf(texto, sizeof texto, "%s%.2f", nombre, std::round(100 * valor) / 100 + 0.0); // sin −0.00
     return texto;
 }
 
@@ -81,17 +107,17 @@ inline std::string numerosPanel(int panel, const Etapas &e, double guardada) {
         return conDosDecimales(x, v.x) + "\n" + conDosDecimales(y, v.y) + "\n" + conDosDecimales(z, v.z);
     };
     switch (panel) {
-    case OBJETO: return tres(e.objeto, "x", "y", "z");
-    case MUNDO: return tres(e.mundo, "x", "y", "z");
-    case CAMARA: return tres(e.camara, "x", "y", "z");
-    case NDC: return e.dentro ? tres(e.ndc, "x/w", "y/w", "z/w") : tres(e.recortado, "x", "y", "z");
+    case OBJETO: return tres(e.objeto, "x ", "y ", "z ");
+    case MUNDO: return tres(e.mundo, "x ", "y ", "z ");
+    case CAMARA: return tres(e.camara, "x ", "y ", "z ");
+    case NDC: return e.dentro ? tres(e.ndc, "x/w ", "y/w ", "z/w ") : tres(e.recortado, "x ", "y ", "z ");
     default:
         if (!e.dentro)
             return "no llega";
         if (panel == VENTANA)
-            return conDosDecimales("x", e.ventana.x) + "\n" + conDosDecimales("y", e.ventana.y);
+            return conDosDecimales("x ", e.ventana.x) + "\n" + conDosDecimales("y ", e.ventana.y);
         const bool pasa = e.ventana.z < guardada;
-        return conDosDecimales("", e.ventana.z) + conDosDecimales(pasa ? " <" : " ≥", guardada) +
+        return conDosDecimales("", e.ventana.z) + conDosDecimales(pasa ? " < " : " ≥ ", guardada) +
                (pasa ? "\nse pinta" : "\nse descarta");
     }
 }
