@@ -62,22 +62,19 @@ static void dibujaCuerpo(const Panel &p, int cual) {
     dibuja(estado.buferes[cual]);
 }
 
-// El volumen de la vista, con los rayos que salen del ojo, en las coordenadas del panel.
-static void trazaVolumen(int k, const glm::mat4 &delMundo, const glm::mat4 &deNdc, const glm::vec3 &vertice) {
+// Las aristas del volumen de la vista, llevadas de las coordenadas normalizadas al panel.
+static void trazaVolumen(const glm::mat4 &deNdc) {
     const std::vector<glm::vec3> cerca = caraVolumen(-1), lejos = caraVolumen(1);
     for (std::size_t i = 0; i < 4; ++i)
         trazaSegmentos({cerca[i], lejos[i]}, deNdc, OSCURO, 3);
     trazaPolilinea(cerca, deNdc, NARANJA, GROSOR, true);
     trazaPolilinea(lejos, deNdc, AZUL, GROSOR, true);
-    if (k != NDC) // allí el ojo está en el infinito
-        trazaSegmentos({glm::vec3(OJO), vertice}, delMundo, ROJO, 3);
 }
 
-static void dibujaEscena(int k, const Etapas &e, const std::vector<glm::dvec4> &poligono) {
-    const Panel &p = estado.paneles[static_cast<std::size_t>(k)];
+static void dibujaEscena(std::size_t k, const Etapas &e, const std::vector<glm::dvec4> &poligono) {
+    const Panel &p = estado.paneles[k];
     const glm::mat4 delMundo = p.aRecortado(),
-                    deNdc =
-                        glm::mat4(glm::dmat4(delMundo) * glm::inverse(estado.m.proyeccion * estado.m.camara));
+                    deNdc = delMundo * glm::mat4(glm::inverse(estado.m.proyeccion * estado.m.camara));
     abreRecuadro(p.escena, k == VENTANA ? CIELO : FONDO_CLARO);
     glEnable(GL_DEPTH_TEST);
     dibujaCuerpo(p, estado.cuerpo);
@@ -90,7 +87,9 @@ static void dibujaEscena(int k, const Etapas &e, const std::vector<glm::dvec4> &
             trazaFlecha({0, 0, 0}, punta, p.proyeccion * p.camara, COLOR_EJE[eje]);
         }
     if (k == MUNDO || k == CAMARA || k == NDC)
-        trazaVolumen(k, delMundo, deNdc, glm::vec3(e.mundo));
+        trazaVolumen(deNdc);
+    if (k == MUNDO || k == CAMARA)
+        trazaSegmentos({glm::vec3(OJO), glm::vec3(e.mundo)}, delMundo, ROJO, 3);
     glDisable(GL_DEPTH_TEST); // lo que se señala, aunque esté tapado
     std::vector<glm::vec3> borde;
     for (const glm::dvec4 &v : poligono)
@@ -103,9 +102,9 @@ static void dibujaEscena(int k, const Etapas &e, const std::vector<glm::dvec4> &
 // De cerca (0) a lejos (1): la profundidad del fragmento y la que ya está guardada en su píxel.
 static void dibujaProfundidad(const Etapas &e, double guardada) {
     abreRecuadro(estado.paneles[PROFUNDIDAD].escena, FONDO_CLARO);
-    const auto enEscala = [](double z) { return glm::vec3(1.5 * z - 0.75, -0.1, 0); };
+    const auto enEscala = [](double z) { return glm::vec3(1.1 * z - 0.55, -0.1, 0); };
     const glm::mat4 uno(1);
-    trazaSegmentos({enEscala(0), enEscala(1)}, uno, OSCURO, GROSOR);
+    trazaSegmentos({enEscala(0), enEscala(1)}, uno, OSCURO);
     trazaPuntos({enEscala(0)}, uno, NARANJA);
     trazaPuntos({enEscala(1)}, uno, AZUL);
     if (!e.dentro)
@@ -136,8 +135,8 @@ static void dibuja() {
     estado.escrito = texto;
 
     abreRecuadro(ventanaEntera(), GRIS);
-    for (int k = 0; k < PANELES; ++k) {
-        const Recuadro &r = estado.paneles[static_cast<std::size_t>(k)].panel;
+    for (std::size_t k = 0; k < PANELES; ++k) {
+        const Recuadro &r = estado.paneles[k].panel;
         abreRecuadro(r, FONDO_CLARO);
         if (k == PROFUNDIDAD)
             dibujaProfundidad(e, guardada);
@@ -145,7 +144,7 @@ static void dibuja() {
             dibujaEscena(k, e, poligono);
         glViewport(r.x, r.y, r.ancho, r.alto);
         rotula(TITULOS[k], {0.03f, 0.94f}, OSCURO, Lado::DERECHA, TALLA);
-        rotula(numerosPanel(k, e, guardada), {0.03f, 0.15f}, ROJO, Lado::DERECHA, TALLA);
+        rotula(numerosPanel(k, e, guardada), {0.03f, 0.175f}, ROJO, Lado::DERECHA, TALLA);
         if (k == NDC)
             rotula(conDosDecimales("w ", e.recortado.w), {0.03f, 0.83f}, ROJO, Lado::DERECHA, TALLA);
     }
@@ -162,15 +161,13 @@ static void raton(int boton, int pulsado, int x, int y) {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaComun(tecla) || (tecla != 'r' && tecla != 'o'))
         return;
     if (tecla == 'r') {
         estado.cuerpo = estado.cuerpo == CUBO ? TRIANGULO : CUBO;
         estado.elegido = PRIMERO[estado.cuerpo];
-    } else if (tecla == 'o') {
-        estado.tapado = !estado.tapado;
     } else {
-        return;
+        estado.tapado = !estado.tapado;
     }
     glutPostRedisplay();
 }

@@ -32,7 +32,7 @@ inline std::array<Panel, PANELES> colocaPaneles(const std::vector<Recuadro> &don
     std::array<Panel, PANELES> paneles;
     for (std::size_t k = 0; k < PANELES; ++k) {
         const Recuadro &r = donde[k];
-        const int numeros = 3 * r.alto / 10;
+        const int numeros = 7 * r.alto / 20;
         paneles[k].panel = r;
         paneles[k].escena = {r.x, r.y + numeros, r.ancho, r.alto - numeros};
     }
@@ -102,7 +102,7 @@ inline std::string conDosDecimales(const char *nombre, double valor) {
 }
 
 /// Los números de un panel, uno por línea. Lo que se recorta no llega a dividirse por w ni a la ventana.
-inline std::string numerosPanel(int panel, const Etapas &e, double guardada) {
+inline std::string numerosPanel(std::size_t panel, const Etapas &e, double guardada) {
     const auto tres = [](const glm::dvec3 &v, const char *x, const char *y, const char *z) {
         return conDosDecimales(x, v.x) + "\n" + conDosDecimales(y, v.y) + "\n" + conDosDecimales(z, v.z);
     };

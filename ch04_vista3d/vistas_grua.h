@@ -184,7 +184,7 @@ inline void rotulaVista(const PanelVista &p, const std::string &detalle = "") {
     const int lado = std::min(p.panel.ancho, p.panel.alto) / 3;
     glViewport(p.panel.x, p.panel.y, lado, lado);
     glClear(GL_DEPTH_BUFFER_BIT); // los ejes, delante de todo
-    const glm::mat4 ejes(proyeccionParalela(-1.7, 1.7, -1.7, 1.7, -2, 2) * glm::dmat4(glm::dmat3(p.camara)));
+    const glm::mat4 ejes(proyeccionParalela(-2, 2, -2, 2, -2, 2) * glm::dmat4(glm::dmat3(p.camara)));
     for (int eje = 0; eje < 3; ++eje) {
         glm::vec3 punta(0);
         punta[eje] = 1;
