@@ -31,6 +31,12 @@ inline bool estaDentro(const glm::dvec4 &r) {
 inline glm::dvec3 divide(const glm::dvec4 &r) {
     return glm::dvec3(r) / r.w;
 }
+inline std::vector<glm::vec3> divide(const std::vector<glm::dvec4> &puntos) {
+    std::vector<glm::vec3> divididos;
+    for (const glm::dvec4 &p : puntos)
+        divididos.push_back(divide(p));
+    return divididos;
+}
 
 /// Lleva un vértice del objeto hasta la ventana (§4.5, ecuación 4.4).
 inline Etapas recorre(const glm::dvec3 &vertice, const Matrices &m) {

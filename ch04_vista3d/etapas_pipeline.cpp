@@ -81,20 +81,14 @@ static void dibujaEscena(std::size_t k, const Etapas &e, const std::vector<glm::
     if (estado.tapado && k != OBJETO)
         dibujaCuerpo(p, TAPA);
     if (k == OBJETO || k == MUNDO || k == CAMARA)
-        for (int eje = 0; eje < 3; ++eje) {
-            glm::vec3 punta(0);
-            punta[eje] = 1.2f;
-            trazaFlecha({0, 0, 0}, punta, p.proyeccion * p.camara, COLOR_EJE[eje]);
-        }
+        for (int eje = 0; eje < 3; ++eje)
+            trazaFlecha({0, 0, 0}, glm::mat3(1.2f)[eje], p.proyeccion * p.camara, COLOR_EJE[eje]);
     if (k == MUNDO || k == CAMARA || k == NDC)
         trazaVolumen(deNdc);
     if (k == MUNDO || k == CAMARA)
         trazaSegmentos({glm::vec3(OJO), glm::vec3(e.mundo)}, delMundo, ROJO, 3);
     glDisable(GL_DEPTH_TEST); // lo que se señala, aunque esté tapado
-    std::vector<glm::vec3> borde;
-    for (const glm::dvec4 &v : poligono)
-        borde.push_back(divide(v));
-    trazaPolilinea(borde, deNdc, MORADO, GROSOR, true);
+    trazaPolilinea(divide(poligono), deNdc, MORADO, GROSOR, true);
     if (k < NDC || e.recortado.w > 0) // lo de detrás del ojo no tiene sitio después
         trazaPuntos({glm::vec3(e.mundo)}, delMundo, ROJO, 22);
 }

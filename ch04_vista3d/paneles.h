@@ -26,7 +26,7 @@ struct Panel {
 };
 enum { OBJETO, MUNDO, CAMARA, NDC, VENTANA, PROFUNDIDAD, PANELES };
 const char *const TITULOS[PANELES] = {"1 objeto",    "2 mundo",   "3 cámara",
-                                      "4 recortado", "5 ventana", "6 profundidad"};
+                                      "4 recortado", "5 ventana", "6 test de z"};
 
 inline std::array<Panel, PANELES> colocaPaneles(const std::vector<Recuadro> &donde) {
     std::array<Panel, PANELES> paneles;
