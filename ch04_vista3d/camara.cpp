@@ -78,18 +78,17 @@ static void dibujaCamara(const glm::mat4 &aRecortado, const glm::dvec3 &p, const
 
     glDisable(GL_DEPTH_TEST); // las flechas y los rótulos, aunque algo los tape
     const auto [S, U, F] = baseCamara(p, INTERES, UP);
-    const auto flecha = [&](const glm::dvec3 &v, const glm::vec3 &color, const char *nombre, Lado lado) {
-        const glm::vec3 punta(p + v);
-        trazaFlecha(ojo, punta, aRecortado, color, 8);
-        rotulaPunto(nombre, punta, aRecortado, color, lado);
+    const auto flecha = [&](const glm::dvec3 &v, const glm::vec3 &color, const char *nombre) {
+        trazaFlecha(ojo, glm::vec3(p + v), aRecortado, color, 8);
+        rotulaPunto(nombre, glm::vec3(p + 1.3 * v), aRecortado, color, Lado::CENTRO);
     };
-    flecha(3.6 * glm::normalize(UP), NARANJA, "UP", Lado::ENCIMA);
-    flecha(2.5 * S, ROJO, "S", Lado::DERECHA);
-    flecha(2.5 * U, VERDE, "U", Lado::DERECHA);
-    flecha(2.5 * F, AZUL, "F", Lado::DEBAJO);
+    flecha(3.2 * glm::normalize(UP), NARANJA, "UP");
+    flecha(2.5 * S, ROJO, "S");
+    flecha(2.5 * U, VERDE, "U");
+    flecha(2.5 * F, AZUL, "F");
     trazaPuntos({ojo, interes}, aRecortado, OSCURO);
     rotulaPunto("p", ojo, aRecortado, OSCURO, Lado::DEBAJO);
-    rotulaPunto("i", interes, aRecortado, OSCURO, Lado::IZQUIERDA);
+    rotulaPunto("i", interes, aRecortado, OSCURO, Lado::DERECHA);
     glEnable(GL_DEPTH_TEST);
 }
 
@@ -104,7 +103,7 @@ static void dibuja() {
     const glm::dvec3 UP(glm::rotate(glm::dmat4(1), estado.inclinacion, F) * glm::dvec4(v.UP, 0));
 
     abreRecuadro(paneles[0], FONDO_CLARO);
-    const glm::mat4 proyeccion = perspectivaVentana(0.48f, 1, 100, aspecto(paneles[0])),
+    const glm::mat4 proyeccion = perspectivaVentana(0.54f, 1, 100, aspecto(paneles[0])),
                     camara = camaraOrbita(estado.orbita);
     dibujaEscena(proyeccion, camara);
     dibujaCamara(proyeccion * camara, v.p, UP, theta, static_cast<double>(aspectoPanel));

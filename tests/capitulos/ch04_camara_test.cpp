@@ -270,10 +270,11 @@ TEST(Camara, LoQueVe) {
         o::ImagenRef ref = escenaDeCamara(c.p, UP, h.ancho, h.alto);
         daPorBuenos(ref, derecha,
                     [&](int x, int y) { return y > h.alto - 14 && std::abs(x - h.ancho / 2) < 30; });
-        const o::Comparacion k = o::compara(derecha, ref);
+        const o::Comparacion k = o::compara(derecha, ref, 7);
         std::cout << "«" << c.guion << "»: " << k << "\n";
-        // el cono tiene 32 caras y en su vértice la normal salta de una a otra: media cara, sen(π/32)·0.42·255·0.62 = 6.5
-        EXPECT_LE(k.maximo, 6.5) << c.guion;
+        // el cono tiene 32 caras y en su vértice la normal salta de una a otra: media cara, sen(π/32)·0.42·255·0.62 = 6.5, más el
+        // redondeo
+        EXPECT_LE(k.maximo, 7) << c.guion;
         EXPECT_LE(k.rmse, 0.6) << c.guion;
         EXPECT_GT(k.interior, 14000);
         EXPECT_EQ(k.bandaLejos, 0) << c.guion;
@@ -295,30 +296,25 @@ TEST(Camara, EjesYRotulosDesdeFuera) {
         const o::Vec3 UP = o::direccion(o::gira(I - c.p, c.inclinacion), c.UP), F = o::unitario(I - c.p),
                       S = o::unitario(o::vectorial(F, UP)), U = o::vectorial(S, F);
         const o::Camara fuera =
-            perspectivaPanel(o::orbita(0.75, 0.32, 18.5, {-0.3, 2.7, 0}), 0.48, h.ancho, h.alto, 1, 100);
+            perspectivaPanel(o::orbita(0.75, 0.32, 18.5, {-0.3, 2.7, 0}), 0.54, h.ancho, h.alto, 1, 100);
         const auto en = [&](const o::Vec3 &punto) { return o::proyecta(fuera, h.ancho, h.alto, punto); };
         const struct {
             o::Vec3 v;
-            double dx, dy; // hacia dónde está su rótulo
             glm::vec3 color;
             const char32_t *nombre;
-        } flechas[] = {{3.6 * UP, 0, 1, NARANJA, U"UP"},
-                       {2.5 * S, 1, 0, ROJO, U"S"},
-                       {2.5 * U, 1, 0, VERDE, U"U"},
-                       {2.5 * F, 0, -1, AZUL, U"F"}};
+        } flechas[] = {
+            {3.2 * UP, NARANJA, U"UP"}, {2.5 * S, ROJO, U"S"}, {2.5 * U, VERDE, U"U"}, {2.5 * F, AZUL, U"F"}};
         for (const auto &f : flechas) {
-            const o::Vec3 medio = en(c.p + 0.75 * f.v), punta = en(c.p + f.v);
+            const o::Vec3 medio = en(c.p + 0.8 * f.v), masAlla = en(c.p + 1.3 * f.v);
             const Pixel p = pixel(e.imagen, static_cast<int>(medio.x), static_cast<int>(medio.y));
             EXPECT_TRUE(es(p, f.color))
                 << c.guion << " " << p.r << " " << p.g << " " << p.b << " en " << medio.x << "," << medio.y;
-            // el rótulo es de 28 píxeles de alto y 20 por letra, a 12 de la punta
-            EXPECT_LE(distanciaRotulo(e.imagen, f.nombre, f.color, punta.x + 24 * f.dx, punta.y + 26 * f.dy),
-                      8 / 720.0)
-                << c.guion << " " << punta.x << "," << punta.y;
+            EXPECT_LE(distanciaRotulo(e.imagen, f.nombre, f.color, masAlla.x, masAlla.y), 6 / 720.0)
+                << c.guion << " " << masAlla.x << "," << masAlla.y;
         }
         const o::Vec3 p = en(c.p), i = en(I);
         EXPECT_LE(distanciaRotulo(e.imagen, U"p", OSCURO, p.x, p.y - 26), 8 / 720.0) << c.guion;
-        EXPECT_LE(distanciaRotulo(e.imagen, U"i", OSCURO, i.x - 22, i.y), 8 / 720.0) << c.guion;
+        EXPECT_LE(distanciaRotulo(e.imagen, U"i", OSCURO, i.x + 22, i.y), 8 / 720.0) << c.guion;
     }
 }
 
@@ -327,7 +323,7 @@ TEST(Camara, LaPiramideEsLaDeLaImagen) {
     const Ejecucion e = ejecuta("ch04_vista3d/camara", "", 960, 720);
     ASSERT_EQ(e.estado, 0) << e.errores;
     const Hueco h = hueco(0, 2, 0, 1, 960, 720), d = hueco(1, 2, 0, 1, 960, 720);
-    const o::Camara fuera = perspectivaPanel(o::orbita(0.75, 0.32, 18.5, {-0.3, 2.7, 0}), 0.48, h.ancho,
+    const o::Camara fuera = perspectivaPanel(o::orbita(0.75, 0.32, 18.5, {-0.3, 2.7, 0}), 0.54, h.ancho,
                                              h.alto, 1, 100),
                     dentro =
                         perspectivaPanel(o::miraDesde({4.4, 4.6, 0.4}, I), 0.85, d.ancho, d.alto, 0.5, 60);

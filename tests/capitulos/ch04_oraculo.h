@@ -62,13 +62,14 @@ inline double luzExacta(const oraculo::Vec3 &normal) {
 }
 
 /// Centros de los rótulos de ese texto (una línea) y ese color que hay en la imagen: donde cada cuadrado de cada letra es del
-/// color y los huecos no lo son.
+/// color y los huecos, salvo algún trazo del mismo color que pase por detrás, no lo son.
 inline std::vector<oraculo::Vec2> buscaRotulo(const Imagen &imagen, const std::u32string &texto,
                                               const glm::vec3 &color, double talla = TALLA_NORMAL) {
     const double util = std::min(imagen.alto, 3 * imagen.ancho / 4);
     const int celda = std::max(static_cast<int>(std::lround(talla * util / 7)), 1);
     const int ancho = (6 * static_cast<int>(texto.size()) - 1) * celda, alto = 7 * celda;
     const auto esta = [&](int x0, int y0) {
+        int huecos = 0, iguales = 0;
         for (std::size_t letra = 0; letra < texto.size(); ++letra) {
             if (texto[letra] == U' ')
                 continue;
@@ -77,19 +78,27 @@ inline std::vector<oraculo::Vec2> buscaRotulo(const Imagen &imagen, const std::u
                 for (int columna = 0; columna < 5; ++columna) {
                     const int x = x0 + (6 * static_cast<int>(letra) + columna) * celda + celda / 2,
                               y = y0 + alto - 1 - fila * celda - celda / 2;
-                    const bool encendido = filas[static_cast<std::size_t>(fila)] >> (4 - columna) & 1;
-                    if (es(pixel(imagen, x, y), color) != encendido)
-                        return false;
+                    const bool esColor = es(pixel(imagen, x, y), color);
+                    if (filas[static_cast<std::size_t>(fila)] >> (4 - columna) & 1) {
+                        if (!esColor)
+                            return false;
+                    } else {
+                        ++huecos;
+                        iguales += esColor;
+                    }
                 }
         }
-        return true;
+        return iguales <= huecos / 6;
     };
     std::vector<oraculo::Vec2> centros;
     for (int y = 0; y + alto <= imagen.alto; ++y)
         for (int x = 0; x + ancho <= imagen.ancho; ++x)
             if (esta(x, y)) {
                 const oraculo::Vec2 c{x + 0.5 * ancho, y + 0.5 * alto};
-                if (centros.empty() || std::hypot(c.x - centros.back().x, c.y - centros.back().y) > celda)
+                bool nuevo = true;
+                for (const oraculo::Vec2 &otro : centros)
+                    nuevo = nuevo && std::hypot(c.x - otro.x, c.y - otro.y) > 2 * celda;
+                if (nuevo)
                     centros.push_back(c);
             }
     return centros;
