@@ -74,7 +74,9 @@ static void dibuja() {
     if (estado.enPerspectiva) {
         const glm::vec3 tramo = 3.0f * (fugas[1] - fugas[0]), horizonte = glm::mix(fugas[0], fugas[1], 0.6f);
         trazaSegmentos({fugas[0] - tramo, fugas[1] + tramo}, aRecortado, OSCURO, 9);
+        glDisable(GL_DEPTH_TEST); // los puntos, delante de las rectas que llegan a ellos
         trazaPuntos(fugas, aRecortado, OSCURO, 30);
+        glEnable(GL_DEPTH_TEST);
         for (const glm::vec3 &fuga : fugas)
             rotulaPunto("punto de fuga", fuga, aRecortado, OSCURO);
         rotulaPunto("horizonte", horizonte, aRecortado, OSCURO);

@@ -15,6 +15,7 @@
 
 static const double THETA = 0.52, ASPECTO = 4.0 / 3, ALTO = 1.7; // radianes; medio alto de la caja
 static const double PASO = 0.5, CERCA_MINIMO = 1.5, LEJOS_MAXIMO = 12;
+static const float TALLA = 0.033f; // de los rótulos
 static const glm::dvec3 OJO(0, 2.5, 6.5), INTERES(0, 2.5, 0);
 
 static struct {
@@ -77,12 +78,12 @@ static void trazaVolumen(const std::array<glm::vec3, 8> &e, const glm::mat4 &aRe
     trazaPolilinea({base + 4, base + 8}, aRecortado, AZUL, 8, true);
     const auto rotulaLado = [&](const std::string &texto, std::size_t a, std::size_t b, Lado lado,
                                 const glm::vec3 &color) {
-        rotulaPunto(texto, 0.5f * (e[a] + e[b]), aRecortado, color, lado, 0.033f);
+        rotulaPunto(texto, 0.5f * (e[a] + e[b]), aRecortado, color, lado, TALLA);
     };
     rotulaLado(conValor("cerca", estado.cerca), 3, 3, Lado::ENCIMA, NARANJA);
     rotulaLado(conValor("lejos", estado.lejos), 6, 6, Lado::ENCIMA, AZUL);
     if (estado.enPerspectiva) {
-        rotulaPunto("θ", OJO - glm::dvec3(0, 0.4, 0), aRecortado, OSCURO, Lado::DEBAJO);
+        rotulaPunto("θ", OJO - glm::dvec3(0, 0.4, 0), aRecortado, OSCURO, Lado::DEBAJO, TALLA);
         rotulaLado("ancho", 4, 5, Lado::DEBAJO, OSCURO);
         rotulaLado("alto", 5, 6, Lado::DERECHA, OSCURO);
     } else {

@@ -69,26 +69,25 @@ inline std::vector<oraculo::Vec2> buscaRotulo(const Imagen &imagen, const std::u
     const int celda = std::max(static_cast<int>(std::lround(talla * util / 7)), 1);
     const int ancho = (6 * static_cast<int>(texto.size()) - 1) * celda, alto = 7 * celda;
     const auto esta = [&](int x0, int y0) {
-        int huecos = 0, iguales = 0;
         for (std::size_t letra = 0; letra < texto.size(); ++letra) {
             if (texto[letra] == U' ')
                 continue;
             const auto &filas = LETRA.at(texto[letra]);
+            int sobran = 0;
             for (int fila = 0; fila < 7; ++fila)
                 for (int columna = 0; columna < 5; ++columna) {
                     const int x = x0 + (6 * static_cast<int>(letra) + columna) * celda + celda / 2,
                               y = y0 + alto - 1 - fila * celda - celda / 2;
                     const bool esColor = es(pixel(imagen, x, y), color);
-                    if (filas[static_cast<std::size_t>(fila)] >> (4 - columna) & 1) {
-                        if (!esColor)
-                            return false;
-                    } else {
-                        ++huecos;
-                        iguales += esColor;
-                    }
+                    const bool encendido = filas[static_cast<std::size_t>(fila)] >> (4 - columna) & 1;
+                    if (encendido && !esColor)
+                        return false;
+                    sobran += !encendido && esColor;
                 }
+            if (sobran > 3)
+                return false;
         }
-        return iguales <= huecos / 6;
+        return true;
     };
     std::vector<oraculo::Vec2> centros;
     for (int y = 0; y + alto <= imagen.alto; ++y)

@@ -159,7 +159,7 @@ static void comprueba(int razon) {
     std::cout << "cerca " << cerca << ": mal el " << 100 * medido << " % de " << pares
               << " pares (modelo en doble " << 100 * ideal << " %), el que más a " << masLejanoMal
               << " pasos\n";
-    EXPECT_GT(pares, 50000);
+    EXPECT_GT(pares, 30000);
     EXPECT_LE(masLejanoMal, 4.6);
     EXPECT_GE(medido, ideal / 2);
     EXPECT_EQ(medido > 0, razon > 0);

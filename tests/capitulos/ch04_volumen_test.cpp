@@ -151,8 +151,8 @@ void comprueba(const std::string &guion, const Volumen &v, double azimut = 0.95)
     });
     const Comparacion c = compara(ejecucion.imagen, ref, 5);
     std::cout << "«" << guion << "»: " << c << "\n";
-    // la normal de un cono de 48 caras salta en su vértice: media cara, 4.3 niveles (véase ch04_zbuffer)
-    EXPECT_LE(c.maximo, 5) << c;
+    // la normal del cono naranja, de 48 caras, salta en su vértice media cara: sen(π/48)·0.42·255·0.95 = 6.7
+    EXPECT_LE(c.maximo, 7) << c;
     EXPECT_LE(c.rmse, 0.6) << c;
     EXPECT_GT(c.interior, 70000);
     EXPECT_LE(c.bandaLejos, 5) << c;
@@ -172,7 +172,7 @@ void comprueba(const std::string &guion, const Volumen &v, double azimut = 0.95)
             buenos +=
                 es(pixel(ejecucion.imagen, static_cast<int>(w.x), static_cast<int>(w.y)), lados[k].color);
         }
-    EXPECT_GE(buenos, 0.8 * vistos) << vistos;
+    EXPECT_GE(buenos, (azimut == 0.95 ? 0.8 : 0.6) * vistos) << vistos; // de frente se tapan unas a otras
 }
 
 Imagen imagen(const std::string &guion, int ancho = 960, int alto = 720) {
