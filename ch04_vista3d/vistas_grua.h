@@ -185,13 +185,11 @@ inline void rotulaVista(const PanelVista &p, const std::string &detalle = "") {
     glViewport(p.panel.x, p.panel.y, lado, lado);
     glClear(GL_DEPTH_BUFFER_BIT); // los ejes, delante de todo
     const glm::mat4 ejes(proyeccionParalela(-2, 2, -2, 2, -2, 2) * glm::dmat4(glm::dmat3(p.camara)));
-    for (int eje = 0; eje < 3; ++eje) {
-        glm::vec3 punta(0);
-        punta[eje] = 1;
-        trazaFlecha({0, 0, 0}, punta, ejes, COLOR_EJE[eje]);
-        rotulaPunto(std::string(1, static_cast<char>('X' + eje)), 1.35f * punta, ejes, COLOR_EJE[eje],
+    for (int eje = 0; eje < 3; ++eje)
+        trazaFlecha({0, 0, 0}, glm::mat3(1)[eje], ejes, COLOR_EJE[eje]);
+    for (int eje = 0; eje < 3; ++eje)
+        rotulaPunto(std::string(1, static_cast<char>('X' + eje)), glm::mat3(1.35f)[eje], ejes, COLOR_EJE[eje],
                     Lado::CENTRO, 0.03f);
-    }
 }
 
 /// Teclas de las vistas: 1 a 4 una, 0 las cuatro, u el sistema. Devuelve si la tecla era suya.
