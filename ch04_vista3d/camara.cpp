@@ -95,7 +95,7 @@ static void dibujaCamara(const glm::mat4 &aRecortado, const glm::dvec3 &p, const
 static void dibuja() {
     abreRecuadro(ventanaEntera(), GRIS);
     glUseProgram(estado.programa);
-    const std::vector<Recuadro> paneles = reparte(2);
+    const std::vector<Recuadro> paneles = reparte(2, 2.0f / 3); // la escena de fuera es alta
     const float aspectoPanel = aspecto(paneles[1]);
     const double theta = anguloVertical(ANGULO, aspectoPanel);
     const auto &v = VISTAS[estado.elegido];
