@@ -3,6 +3,7 @@
 #include "ch04_oraculo.h"
 #include <gtest/gtest.h>
 #include <iostream>
+#include <map>
 
 namespace {
 
