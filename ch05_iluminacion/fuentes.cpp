@@ -55,7 +55,7 @@ static void inicia() {
 /// La figura 5.5: el eje S y el cono, de generatriz fija para que quepa con cualquier ángulo.
 static void dibujaCono(const glm::mat4 &vista) {
     const glm::mat3 base = glm::transpose(cambioDeBase(S)); // su primera columna es S
-    std::vector<glm::vec3> borde, generatrices, arco;
+    std::vector<glm::vec3> borde, generatrices;
     for (int i = 0; i < 32; ++i) {
         const float a = glm::two_pi<float>() * static_cast<float>(i) / 32;
         borde.push_back(POSICION +
@@ -66,9 +66,9 @@ static void dibujaCono(const glm::mat4 &vista) {
     }
     trazaPolilinea(borde, vista, AMARILLO, GROSOR / 2, true);
     trazaSegmentos(generatrices, vista, AMARILLO, GROSOR / 2);
-    trazaFlecha(POSICION, POSICION + 1.3f * GENERATRIZ * S, vista, NARANJA);
-    rotulaPunto("S", POSICION + 1.3f * GENERATRIZ * S, vista, NARANJA, Lado::DERECHA);
-    rotulaPunto("δ = " + std::to_string(estado.delta) + "°", borde[16], vista, AMARILLO, Lado::IZQUIERDA);
+    trazaFlecha(POSICION, POSICION + 1.3f * GENERATRIZ * S, vista, BLANCO);
+    rotulaPunto("S", POSICION + 1.3f * GENERATRIZ * S, vista, BLANCO, Lado::DERECHA);
+    rotulaPunto("δ = " + std::to_string(estado.delta) + "°", POSICION, vista, AMARILLO, Lado::IZQUIERDA);
 }
 
 static void dibujaFuente(const glm::mat4 &vista) {
@@ -114,7 +114,7 @@ static void dibuja() {
     nombre << NOMBRES[estado.elegido];
     if (estado.elegido == FOCO)
         nombre << ", exponente " << estado.exponente;
-    rotula(nombre.str(), {1, 1}, BLANCO, Lado::IZQUIERDA);
+    rotula(nombre.str(), {1, 0.95f}, BLANCO, Lado::IZQUIERDA);
     ponTitulo("Fuente de luz: " + nombre.str());
     glutSwapBuffers();
 }
