@@ -235,6 +235,6 @@ int segmentosPara(float radioPx, float tolerPx) {
 }
 
 int segmentosEsfera(float radioPx) {
-    const int n = segmentosPara(radioPx, 0.25f);
+    const int n = segmentosPara(radioPx, 0.125f);
     return n + n % 2;
 }

@@ -55,6 +55,6 @@ MallaVf leeVf(const std::string &fichero);
 /// la flecha de un arco de 2π/n es r·(1 − cos(π/n)). Entre 3 y 1024.
 int segmentosPara(float radioPx, float tolerPx = 0.5f);
 
-/// Segmentos con que `esfera` se separa menos de medio píxel de la exacta: en el centro de sus caras se hunde el doble
+/// Segmentos con que `esfera` se separa menos de un cuarto de píxel de la exacta: en el centro de sus caras se hunde el doble
 /// que en sus arcos. Pares, porque de polo a polo van la mitad.
 int segmentosEsfera(float radioPx);

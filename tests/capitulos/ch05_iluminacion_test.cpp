@@ -151,11 +151,12 @@ ImagenRef componentes(int cuantos, bool mismaMalla, double azimut = 0, double el
 }
 
 /// Arriba a la izquierda está el nombre de cada componente, y ninguno más.
-Imagen sinNombres(Imagen imagen, const ImagenRef &ref, int cuantos) {
+Imagen sinNombres(const Imagen &imagen, const ImagenRef &ref, int cuantos) {
+    SinEncima sin(imagen, ref);
     const char *const nombres[] = {"ambiente", "+ difusa", "+ especular"};
     for (int k = 0; k < 3; ++k)
-        EXPECT_EQ(quitaRotulo(imagen, ref, nombres[k], BLANCO, 48, 172 - 10 * k), k < cuantos) << nombres[k];
-    return imagen;
+        EXPECT_EQ(sin.rotulo(nombres[k], BLANCO, 48, 172 - 10 * k), k < cuantos) << nombres[k];
+    return sin.limpia;
 }
 
 } // namespace
@@ -182,6 +183,15 @@ TEST(ComponentesPhong, LaLuzNoGiraConLaCamara) {
 
 namespace {
 
+/// Si hay ese color en el píxel o en sus vecinos.
+bool hayCerca(const Imagen &imagen, const Vec3 &p, const glm::vec3 &color) {
+    bool hay = false;
+    for (int k = 0; k < 9; ++k)
+        hay = hay ||
+              esColor(imagen, static_cast<int>(p.x) + k % 3 - 1, static_cast<int>(p.y) + k / 3 - 1, color);
+    return hay;
+}
+
 /// Lo que se ve del panel derecho de `vectores` (480×360) si el punto elegido es P: el plano de N y L, N hacia arriba y L a
 /// la izquierda. Caben 3.6 unidades a lo alto y el centro está 0.25 bajo P.
 struct DeLado {
@@ -205,11 +215,10 @@ struct DeLado {
                          const glm::vec3 &color) const {
         const Vec3 punta = enPanel(1.2 * v);
         EXPECT_TRUE(seLee(imagen, letra, color, punta.x, punta.y + 13, 4)) << letra;
-        for (const double t : {0.5, 0.6, 0.7, 0.8, 0.9, 1.1}) {
-            const Vec3 p = enPanel(t * v);
-            EXPECT_TRUE(esColor(imagen, static_cast<int>(p.x), static_cast<int>(p.y), color))
-                << letra << " " << t;
-        }
+        int vistos = 0; // con ángulos pequeños, su nombre tapa un trozo
+        for (const double t : {0.5, 0.6, 0.7, 0.8, 0.9, 1.0})
+            vistos += hayCerca(imagen, enPanel(t * v), color);
+        EXPECT_GE(vistos, 5) << letra;
     }
 };
 
@@ -248,11 +257,11 @@ TEST(ComponentesPhong, VectoresYAngulosEnElPuntoElegido) {
         const Vec3 numeros = d.enPanel(-0.4 * d.N);
         EXPECT_TRUE(seLee(gpu[i], DeLado::grados("θ", d.L, d.N), BLANCO, numeros.x, numeros.y - 13, 20)) << i;
         EXPECT_TRUE(seLee(gpu[i], DeLado::grados("Φ", d.R, d.V), BLANCO, numeros.x, numeros.y - 33, 20)) << i;
-        if (i < 3) // la P, a la derecha de su punto
-            EXPECT_TRUE(seLee(gpu[i], "P", OSCURO, c.x + 11, 359.5 - c.y, 4)) << i;
-        const Vec3 tetha = d.enPanel(0.56 * oraculo::unitario(d.L + d.N)),
+        // la P, a la derecha de su punto
+        EXPECT_TRUE(i >= 3 || seLee(gpu[i], "P", OSCURO, c.x + 11, 359.5 - c.y, 4)) << i;
+        const Vec3 theta = d.enPanel(0.56 * oraculo::unitario(d.L + d.N)),
                    phi = d.enPanel(0.875 * oraculo::unitario(d.R + d.V));
-        EXPECT_TRUE(seLee(gpu[i], "θ", AMARILLO, tetha.x, tetha.y, 4)) << i;
+        EXPECT_TRUE(seLee(gpu[i], "θ", AMARILLO, theta.x, theta.y, 4)) << i;
         EXPECT_TRUE(seLee(gpu[i], "Φ", ROJO, phi.x, phi.y, 4)) << i;
     }
 }
@@ -293,13 +302,14 @@ const EsferaBrillo ESFERAS_BRILLO[] = {{{-2.12, 1.5, 0}, 1, 1},
 const Camara CAMARA_BRILLO = oraculo::perspectiva(oraculo::orbita(0, 0, 17), 0.31, 1, 100);
 
 /// Cada esfera lleva escrita su α, 0.7 radios por debajo del centro. Sin ellas, en una imagen con la referencia en su lugar.
-Imagen sinAlfas(Imagen imagen, const ImagenRef &ref) {
+Imagen sinAlfas(const Imagen &imagen, const ImagenRef &ref) {
+    SinEncima sin(imagen, ref);
     for (const EsferaBrillo &e : ESFERAS_BRILLO) {
         const Vec3 p =
             oraculo::proyecta(CAMARA_BRILLO, imagen.ancho, imagen.alto, e.centro - Vec3{0, 0.7 * e.radio, 0});
-        EXPECT_TRUE(quitaRotulo(imagen, ref, "α = " + std::to_string(e.alfa), BLANCO, p.x, p.y, 2)) << e.alfa;
+        EXPECT_TRUE(sin.rotulo("α = " + std::to_string(e.alfa), BLANCO, p.x, p.y, 2)) << e.alfa;
     }
-    return imagen;
+    return sin.limpia;
 }
 
 } // namespace
@@ -400,11 +410,10 @@ Escena doceEsferas(int n) {
 }
 
 /// Bajo la esfera está el nombre de su material.
-void quitaNombre(Imagen &imagen, const ImagenRef &ref, std::size_t i, const Vec3 &centro, double radio) {
+void quitaNombre(SinEncima &sin, std::size_t i, const Vec3 &centro, double radio) {
     const Vec3 p =
-        oraculo::proyecta(CAMARA_MATERIALES, imagen.ancho, imagen.alto, centro - Vec3{0, radio, 0});
-    EXPECT_TRUE(quitaRotulo(imagen, ref, NOMBRES_MATERIALES[i], BLANCO, p.x, p.y - 6, 3))
-        << NOMBRES_MATERIALES[i];
+        oraculo::proyecta(CAMARA_MATERIALES, sin.limpia.ancho, sin.limpia.alto, centro - Vec3{0, radio, 0});
+    EXPECT_TRUE(sin.rotulo(NOMBRES_MATERIALES[i], BLANCO, p.x, p.y - 6, 3)) << NOMBRES_MATERIALES[i];
 }
 
 } // namespace
@@ -435,17 +444,17 @@ TEST(Materiales, ContraTrazadoDeRayos) {
     for (std::size_t i = 0; i < 13; ++i) {
         const ImagenRef ref =
             traza({unaEsfera(escala(3), 0)}, {tabla(128)[i % 12]}, {luz}, CAMARA_MATERIALES, FONDO);
-        Imagen imagen = gpu[i];
-        quitaNombre(imagen, ref, i % 12, {}, 3);
-        comprueba("material " + std::to_string(i), imagen, ref, EXACTA, false);
+        SinEncima sin(gpu[i], ref);
+        quitaNombre(sin, i % 12, {}, 3);
+        comprueba("material " + std::to_string(i), sin.limpia, ref, EXACTA, false);
     }
     for (const bool mismaMalla : {true, false}) {
         const ImagenRef ref = traza(doceEsferas(mismaMalla ? segmentosEsfera(95) : 0), tabla(128), {luz},
                                     CAMARA_MATERIALES, FONDO);
-        Imagen imagen = gpu[13];
+        SinEncima sin(gpu[13], ref);
         for (std::size_t i = 0; i < 12; ++i)
-            quitaNombre(imagen, ref, i, centroMaterial(static_cast<int>(i)), 1);
-        comprueba("todos", imagen, ref, mismaMalla ? MISMA_MALLA : EXACTA, mismaMalla);
+            quitaNombre(sin, i, centroMaterial(static_cast<int>(i)), 1);
+        comprueba("todos", sin.limpia, ref, mismaMalla ? MISMA_MALLA : EXACTA, mismaMalla);
     }
 }
 
@@ -507,8 +516,8 @@ ImagenRef fuentes(int tipo, double exponente, double delta, bool mismaMalla) {
         unaEsfera(traslada({0.3, 0.8, 0.2}) * escala(0.8), mismaMalla ? n : 0),
         conoDeCaras(traslada({2.0, 0, -1.2}) * TUMBADO * escala(0.8, 0.8, 1.9), static_cast<std::size_t>(n)),
         oraculo::caja(traslada({-1.7, 0.6, -1.1}) * gira(Y, 0.5) * escala(1.2)),
-        unToro(traslada({1.5, 0.25, 1.9}) * TUMBADO, 0.7, 0.25, mismaMalla ? segmentosEsfera(120) : 0,
-               segmentosEsfera(30)),
+        unToro(traslada({1.5, 0.25, 1.9}) * TUMBADO, 0.7, 0.25, mismaMalla ? segmentosEsfera(400) : 0,
+               segmentosEsfera(100)),
     };
     const std::vector<Material> materiales = {
         {{0.20, 0.21, 0.23}, {0.62, 0.64, 0.68}, {0.15, 0.15, 0.15}, 20},
@@ -533,21 +542,19 @@ ImagenRef fuentes(int tipo, double exponente, double delta, bool mismaMalla) {
 
 /// La fuente dibujada: un punto, tres flechas paralelas a S, o un punto, el cono de ese ángulo y S. Comprueba que está y la
 /// quita, con los rótulos. De lo que no tapan los objetos se debe ver casi todo.
-Imagen sinFuente(Imagen imagen, const ImagenRef &ref, int tipo, int grados, const std::string &nombre) {
+Imagen sinFuente(const Imagen &imagen, const ImagenRef &ref, int tipo, int grados,
+                 const std::string &nombre) {
+    SinEncima sin(imagen, ref);
     const Vec3 S = oraculo::unitario(APUNTA - POSICION), u = oraculo::unitario(oraculo::vectorial(S, X)),
                v = oraculo::vectorial(S, u);
-    const Imagen original = imagen; // donde dos trazos se cruzan se ven los dos
-    const auto trazo = [&](const std::vector<Vec3> &puntos, const glm::vec3 &color, double medio = 2.5) {
-        Imagen copia = original;
-        quitaTrazo(imagen, ref, CAMARA_FUENTES, puntos, color, medio);
-        return quitaTrazo(copia, ref, CAMARA_FUENTES, puntos, color, medio);
-    };
     const Vec3 p = oraculo::proyecta(CAMARA_FUENTES, 320, 240, POSICION);
     if (tipo == 2)
         for (const Vec3 &donde : {Vec3{-0.8, 0, -0.5}, Vec3{}, Vec3{0.8, 0, 0.5}})
-            EXPECT_GT(trazo({POSICION + donde, POSICION + donde + 1.4 * S}, AMARILLO, 4.5), 0.9);
+            EXPECT_GT(
+                sin.trazo(CAMARA_FUENTES, {POSICION + donde, POSICION + donde + 1.4 * S}, AMARILLO, 4.5),
+                0.9);
     else
-        EXPECT_EQ(trazo({POSICION, POSICION + 0.001 * S}, AMARILLO, 5.5), 1);
+        EXPECT_EQ(sin.trazo(CAMARA_FUENTES, {POSICION, POSICION + 0.001 * S}, AMARILLO, 4.5), 1);
     if (tipo == 3) {
         const double delta = grados * PI / 180;
         std::vector<Vec3> borde;
@@ -555,20 +562,16 @@ Imagen sinFuente(Imagen imagen, const ImagenRef &ref, int tipo, int grados, cons
             const double a = i * PI / 32;
             borde.push_back(POSICION + 1.4 * (std::cos(delta) * S +
                                               std::sin(delta) * (std::cos(a) * u + std::sin(a) * v)));
-            trazo({POSICION, borde.back()}, AMARILLO);
+            sin.trazo(CAMARA_FUENTES, {POSICION, borde.back()}, AMARILLO);
         }
-        EXPECT_GT(trazo(borde, AMARILLO), 0.75) << grados;
-        EXPECT_GT(trazo({POSICION + 0.7 * S, POSICION + 1.8 * S}, BLANCO, 4.5), grados ? 0.75 : 0.5);
+        EXPECT_TRUE(sin.trazo(CAMARA_FUENTES, borde, AMARILLO) > 0.75 || grados == 0) << grados;
+        EXPECT_GT(sin.trazo(CAMARA_FUENTES, {POSICION, POSICION + 1.8 * S}, BLANCO, 4.5), 0.75);
         const Vec3 punta = oraculo::proyecta(CAMARA_FUENTES, 320, 240, POSICION + 1.82 * S);
-        EXPECT_TRUE(quitaRotulo(imagen, ref, "S", BLANCO, punta.x + 6, punta.y, 4)) << grados;
-        EXPECT_TRUE(
-            quitaRotulo(imagen, ref, "δ = " + std::to_string(grados) + "°", AMARILLO, p.x - 25, p.y, 6))
-            << grados;
+        EXPECT_TRUE(sin.rotulo("S", BLANCO, punta.x + 6, punta.y, 4)) << grados;
+        EXPECT_TRUE(sin.rotulo("δ = " + std::to_string(grados) + "°", BLANCO, p.x - 25, p.y, 6)) << grados;
     }
-    EXPECT_TRUE(
-        quitaRotulo(imagen, ref, nombre, BLANCO, 316 - 3 * static_cast<double>(nombre.size()), 228, 4))
-        << nombre;
-    return imagen;
+    EXPECT_TRUE(sin.rotulo(nombre, BLANCO, 316 - 3 * static_cast<double>(nombre.size()), 228, 4)) << nombre;
+    return sin.limpia;
 }
 
 } // namespace
@@ -632,7 +635,7 @@ TEST(Fuentes, NoSeMiraDesdeDebajoDelSuelo) {
 // El borde del cono en el suelo: cada píxel está iluminado si y solo si el ángulo exacto con el eje es menor
 // que delta, salvo los que el borde cruza. La pantalla del foco y los objetos quedan fuera.
 TEST(Fuentes, BordeDelConoContraElAnguloExacto) {
-    const int ancho = 640, alto = 480;
+    const int ancho = 800, alto = 600;
     const Ejecucion e = ejecuta("ch05_iluminacion/fuentes", "tecla 3", ancho, alto);
     ASSERT_EQ(e.estado, 0) << e.errores;
     const Luz luz = foco(POSICION, APUNTA, DELTA, 4);
@@ -705,37 +708,32 @@ Vec3 enCurva(int modo, double d) {
 
 /// Los ejes, las tres curvas (la elegida, amarilla), el valor sobre cada esfera, su distancia y la fórmula: comprueba que
 /// están y los quita.
-Imagen sinCurvas(Imagen imagen, const ImagenRef &ref, int modo) {
-    const Imagen original = imagen;
-    const auto trazo = [&](const std::vector<Vec3> &puntos, const glm::vec3 &color, double medio = 2.5) {
-        Imagen copia = original;
-        quitaTrazo(imagen, ref, CAMARA_ATENUACION, puntos, color, medio);
-        return quitaTrazo(copia, ref, CAMARA_ATENUACION, puntos, color, medio);
-    };
+Imagen sinCurvas(const Imagen &imagen, const ImagenRef &ref, int modo) {
+    SinEncima sin(imagen, ref);
     const auto rotulo = [&](const std::string &texto, const Vec3 &punto, double dx, double dy,
                             const glm::vec3 &color) {
         const Vec3 p = oraculo::proyecta(CAMARA_ATENUACION, imagen.ancho, imagen.alto, punto);
-        EXPECT_TRUE(quitaRotulo(imagen, ref, texto, color, p.x + dx, p.y + dy, 4)) << texto;
+        EXPECT_TRUE(sin.rotulo(texto, color, p.x + dx, p.y + dy, 4)) << texto;
     };
-    EXPECT_GT(trazo({{0, 0.8, 0}, {0, 0.8 + 1.2 * 2.2, 0}}, BLANCO, 4.5), 0.9);
-    EXPECT_GT(trazo({{0, 0.8, 0}, {6.8, 0.8, 0}}, BLANCO, 4.5), 0.9);
+    EXPECT_GT(sin.trazo(CAMARA_ATENUACION, {{0, 0.8, 0}, {0, 0.8 + 1.2 * 2.2, 0}}, BLANCO, 4.5), 0.9);
+    EXPECT_GT(sin.trazo(CAMARA_ATENUACION, {{0, 0.8, 0}, {6.8, 0.8, 0}}, BLANCO, 4.5), 0.9);
     for (int k = 1; k <= 3; ++k) {
         std::vector<Vec3> curva;
         for (double d = 0; d < 6.6; d += 0.1)
             curva.push_back(enCurva(k, d));
-        EXPECT_GT(trazo(curva, k == modo ? AMARILLO : GRIS), 0.8) << k;
+        EXPECT_GT(sin.trazo(CAMARA_ATENUACION, curva, k == modo ? AMARILLO : GRIS), 0.8) << k;
     }
     for (int d = 1; d <= 6; ++d) {
         const Vec3 valor = enCurva(modo, d);
-        EXPECT_GT(trazo({{valor.x, 0.8, 0}, valor}, AMARILLO), 0.9) << d;
-        trazo({valor, valor + Vec3{0, 0.001, 0}}, AMARILLO, 3.5);
+        EXPECT_GT(sin.trazo(CAMARA_ATENUACION, {{valor.x, 0.8, 0}, valor}, AMARILLO), 0.9) << d;
+        sin.trazo(CAMARA_ATENUACION, {valor, valor + Vec3{0, 0.001, 0}}, AMARILLO, 3.5);
         rotulo(std::to_string(d), {valor.x, -0.42, 1}, 0, -6, BLANCO);
     }
     rotulo("1", {0, 3, 0}, -6, 0, BLANCO);
     rotulo("d", {6.8, 0.8, 0}, 6, 0, BLANCO);
     const char *const formulas[] = {"1", "1/(1 + d/3)", "1/(1 + d²/9)"};
     rotulo(formulas[modo - 1], {3, 0.8 + 1.2 * 2.2, 0}, 0, 6, AMARILLO);
-    return imagen;
+    return sin.limpia;
 }
 
 } // namespace
@@ -841,14 +839,13 @@ TEST(VariasLuces, ContraTrazadoDeRayos) {
         for (std::size_t k = 0; k < 3; ++k) {
             const bool *const e = encendidas[k];
             const ImagenRef ref = variasLuces(tresFocos(e[0], e[1], e[2]), mismaMalla);
-            Imagen imagen = gpu[k];
+            SinEncima sin(gpu[k], ref);
             for (int i = 0; i < 3; ++i) {
                 const Vec3 p = rotuloDeLuz(i);
-                EXPECT_TRUE(quitaRotulo(imagen, ref, e[i] ? nombres[i] : apagadas[i], e[i] ? BLANCO : GRIS,
-                                        p.x, p.y, 2))
+                EXPECT_TRUE(sin.rotulo(e[i] ? nombres[i] : apagadas[i], e[i] ? BLANCO : GRIS, p.x, p.y, 2))
                     << i;
             }
-            comprueba("luces " + std::to_string(k), imagen, ref, mismaMalla ? MISMA_MALLA : EXACTA,
+            comprueba("luces " + std::to_string(k), sin.limpia, ref, mismaMalla ? MISMA_MALLA : EXACTA,
                       mismaMalla);
         }
 }
@@ -994,10 +991,12 @@ ImagenRef sombreado(int modelo, int n, const Vec3 &enEsfera, const Vec3 &enToro,
 const char *const MODELOS_SOMBREADO[] = {"Plano", "Gouraud", "Phong"};
 
 /// El rótulo del modelo está abajo, en el centro.
-Imagen sinModelo(Imagen imagen, const ImagenRef &ref, int modelo) {
-    EXPECT_TRUE(quitaRotulo(imagen, ref, MODELOS_SOMBREADO[modelo - 1], BLANCO, 0.5 * imagen.ancho, 7, 3))
+Imagen sinModelo(const Imagen &imagen, const ImagenRef &ref, int modelo) {
+    SinEncima sin(imagen, ref);
+    EXPECT_TRUE(
+        sin.rotulo(MODELOS_SOMBREADO[modelo - 1], BLANCO, 0.5 * imagen.ancho, imagen.alto > 300 ? 13 : 7, 3))
         << MODELOS_SOMBREADO[modelo - 1];
-    return imagen;
+    return sin.limpia;
 }
 
 } // namespace
@@ -1028,11 +1027,7 @@ TEST(Sombreado, LosTresPanelesContraSuMallaEnDoble) {
         const int ancho = desde[modelo] - desde[modelo - 1] - 2;
         const ImagenRef ref = sombreado(modelo, 12, {0, 0.8, 0}, {0, -0.95, 0.5}, camara, ancho, 360);
         const Imagen panel = oraculo::recorta(gpu[0], desde[modelo - 1], 0, ancho, 360);
-        const CajaRotulo caja = leeRotulo(panel, MODELOS_SOMBREADO[modelo - 1], BLANCO).at(0);
-        EXPECT_LT(caja.lejosDe(0.5 * ancho, 13), 4);
-        Imagen limpia = panel;
-        quitaRotulo(limpia, ref, MODELOS_SOMBREADO[modelo - 1], BLANCO, 0.5 * ancho, 13, 4);
-        const Comparacion c = oraculo::compara(limpia, ref);
+        const Comparacion c = oraculo::compara(sinModelo(panel, ref, modelo), ref);
         std::cout << "panel " << modelo << ": " << c << "\n";
         EXPECT_LE(c.maximo, MISMA_MALLA) << c;
         EXPECT_LE(c.bandaLejos, c.banda / 500);
@@ -1114,20 +1109,18 @@ ImagenRef gruaPhong(const Escena &escena, const Camara &camara = CAMARA_GRUA, in
 }
 
 /// Quita el nombre del modelo, arriba a la izquierda, y la cuadrícula, que debe estar salvo donde la tapan la grúa y la zapata.
-Imagen sinCuadricula(Imagen imagen, const ImagenRef &ref, const Camara &camara, const std::string &modelo) {
-    EXPECT_TRUE(quitaRotulo(imagen, ref, modelo, OSCURO, 3 * static_cast<double>(modelo.size()) + 3, 173, 4))
-        << modelo;
-    const Imagen original = imagen;
+Imagen sinCuadricula(const Imagen &imagen, const ImagenRef &ref, const Camara &camara,
+                     const std::string &modelo) {
+    SinEncima sin(imagen, ref);
+    EXPECT_TRUE(sin.rotulo(modelo, OSCURO, 3 * static_cast<double>(modelo.size()) + 3, 173, 4)) << modelo;
     for (int k = -6; k <= 6; k += 2)
         for (const bool aLoAncho : {true, false}) {
             const auto en = [&](double u) {
                 return aLoAncho ? Vec3{u, 0.02, 1.0 * k} : Vec3{1.0 * k, 0.02, u};
             };
-            Imagen copia = original;
-            quitaTrazo(imagen, ref, camara, {en(-6), en(6)}, OSCURO, 1.6);
-            EXPECT_GT(quitaTrazo(copia, ref, camara, {en(-6), en(6)}, OSCURO, 1.6), 0.7) << k;
+            EXPECT_GT(sin.trazo(camara, {en(-6), en(6)}, OSCURO, 1.6), 0.7) << k;
         }
-    return imagen;
+    return sin.limpia;
 }
 
 void compruebaGrua(const std::string &que, const Imagen &imagen, const ImagenRef &ref,

@@ -185,8 +185,8 @@ TEST(SegmentosPara, LosJustos) {
     EXPECT_EQ(segmentosPara(std::nanf("")), 3);
 }
 
-// El punto más hundido de la malla, en el centro de una cara: menos de medio píxel, y no mucho menos.
-TEST(SegmentosEsfera, MedioPixelEnElCentroDeLasCaras) {
+// El punto más hundido de la malla, en el centro de una cara: menos de un cuarto de píxel, y no mucho menos.
+TEST(SegmentosEsfera, LoQueSeHundeElCentroDeLasCaras) {
     for (const float r : {20.0f, 100.0f, 360.0f}) {
         const Malla malla = esfera(segmentosEsfera(r));
         double hundido = 0;
@@ -198,7 +198,7 @@ TEST(SegmentosEsfera, MedioPixelEnElCentroDeLasCaras) {
                 const glm::dvec3 medio = 0.5 * (k == 0 ? a + b : k == 1 ? b + c : c + a);
                 hundido = std::max(hundido, r * (1 - glm::length(medio)));
             }
-        EXPECT_LE(hundido, 0.5) << r;
-        EXPECT_GT(hundido, 0.35) << r;
+        EXPECT_LE(hundido, 0.25) << r;
+        EXPECT_GT(hundido, 0.18) << r;
     }
 }

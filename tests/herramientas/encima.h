@@ -65,58 +65,67 @@ inline bool seLee(const Imagen &imagen, const std::string &texto, const glm::vec
     return false;
 }
 
-/// Pone la referencia en el píxel.
-inline void restaura(Imagen &imagen, const oraculo::ImagenRef &ref, int x, int y) {
-    if (x < 0 || y < 0 || x >= imagen.ancho || y >= imagen.alto)
-        return;
-    for (int k = 0; k < 3; ++k)
-        imagen.rgb[3 * static_cast<std::size_t>(y * imagen.ancho + x) + static_cast<std::size_t>(k)] =
-            static_cast<unsigned char>(std::lround(255 * std::clamp(ref.en(x, y).color[k], 0.0, 1.0)));
-}
+/// Una imagen a la que se le va quitando lo que lleva encima. Se busca siempre en la original: lo que se quita no estorba a
+/// lo que se cruza con ello.
+struct SinEncima {
+    const Imagen original;
+    const oraculo::ImagenRef &ref;
+    Imagen limpia;
 
-/// Quita el rótulo, con su halo. Devuelve si estaba.
-inline bool quitaRotulo(Imagen &imagen, const oraculo::ImagenRef &ref, const std::string &texto,
-                        const glm::vec3 &color, double x, double y, double lejos = 20) {
-    bool estaba = false;
-    for (const CajaRotulo &c : leeRotulo(imagen, texto, color)) {
-        if (c.lejosDe(x, y) >= lejos)
-            continue;
-        estaba = true;
-        const int halo = std::max(c.celda / 2, 1);
-        for (int v = c.y0 - halo; v <= c.y1 + halo; ++v)
-            for (int u = c.x0 - halo; u <= c.x1 + halo; ++u)
-                restaura(imagen, ref, u, v);
+    SinEncima(const Imagen &imagen, const oraculo::ImagenRef &laRef)
+        : original(imagen), ref(laRef), limpia(imagen) {
     }
-    return estaba;
-}
 
-/// Quita lo que sea de ese color a menos de `medio` píxeles de la línea, dada por sus puntos en el mundo. Devuelve qué parte
-/// de la línea se veía.
-inline double quitaTrazo(Imagen &imagen, const oraculo::ImagenRef &ref, const oraculo::Camara &camara,
-                         const std::vector<oraculo::Vec3> &puntos, const glm::vec3 &color,
-                         double medio = 2.5) {
-    const Imagen original = imagen;
-    const int radio = static_cast<int>(std::ceil(medio));
-    int muestras = 0, vistas = 0;
-    for (std::size_t i = 0; i + 1 < puntos.size(); ++i) {
-        const oraculo::Vec3 a = oraculo::proyecta(camara, imagen.ancho, imagen.alto, puntos[i]),
-                            b = oraculo::proyecta(camara, imagen.ancho, imagen.alto, puntos[i + 1]);
-        const int pasos = std::max(static_cast<int>(2 * std::hypot(b.x - a.x, b.y - a.y)), 1);
-        for (int k = 0; k <= pasos; ++k) {
-            const double px = a.x + (b.x - a.x) * k / pasos, py = a.y + (b.y - a.y) * k / pasos;
-            const int x = static_cast<int>(std::floor(px)), y = static_cast<int>(std::floor(py));
-            bool vista = false;
-            for (int v = y - radio; v <= y + radio; ++v)
-                for (int u = x - radio; u <= x + radio; ++u) {
-                    const double lejos = std::hypot(u + 0.5 - px, v + 0.5 - py);
-                    if (lejos > medio || !esColor(original, u, v, color))
-                        continue;
-                    restaura(imagen, ref, u, v);
-                    vista = vista || lejos < 1.5;
-                }
-            ++muestras;
-            vistas += vista;
+    /// Quita el rótulo cuyo centro está a menos de `lejos` píxeles de (x, y), con su halo. Devuelve si estaba.
+    bool rotulo(const std::string &texto, const glm::vec3 &color, double x, double y, double lejos = 20) {
+        bool estaba = false;
+        for (const CajaRotulo &c : leeRotulo(original, texto, color)) {
+            if (c.lejosDe(x, y) >= lejos)
+                continue;
+            estaba = true;
+            const int halo = std::max(c.celda / 2, 1);
+            for (int v = c.y0 - halo; v <= c.y1 + halo; ++v)
+                for (int u = c.x0 - halo; u <= c.x1 + halo; ++u)
+                    quita(u, v);
         }
+        return estaba;
     }
-    return static_cast<double>(vistas) / muestras;
-}
+
+    /// Quita lo que sea de ese color a menos de `medio` píxeles de la línea, dada por sus puntos en el mundo. Devuelve qué
+    /// parte de la línea se veía.
+    double trazo(const oraculo::Camara &camara, const std::vector<oraculo::Vec3> &puntos,
+                 const glm::vec3 &color, double medio = 2.5) {
+        const int radio = static_cast<int>(std::ceil(medio));
+        int muestras = 0, vistas = 0;
+        for (std::size_t i = 0; i + 1 < puntos.size(); ++i) {
+            const oraculo::Vec3 a = oraculo::proyecta(camara, original.ancho, original.alto, puntos[i]),
+                                b = oraculo::proyecta(camara, original.ancho, original.alto, puntos[i + 1]);
+            const int pasos = std::max(static_cast<int>(2 * std::hypot(b.x - a.x, b.y - a.y)), 1);
+            for (int k = 0; k <= pasos; ++k) {
+                const double px = a.x + (b.x - a.x) * k / pasos, py = a.y + (b.y - a.y) * k / pasos;
+                const int x = static_cast<int>(std::floor(px)), y = static_cast<int>(std::floor(py));
+                bool vista = false;
+                for (int v = y - radio; v <= y + radio; ++v)
+                    for (int u = x - radio; u <= x + radio; ++u) {
+                        const double lejos = std::hypot(u + 0.5 - px, v + 0.5 - py);
+                        if (lejos > medio || !esColor(original, u, v, color))
+                            continue;
+                        quita(u, v);
+                        vista = vista || lejos < 1.5;
+                    }
+                ++muestras;
+                vistas += vista;
+            }
+        }
+        return static_cast<double>(vistas) / muestras;
+    }
+
+private:
+    void quita(int x, int y) {
+        if (x < 0 || y < 0 || x >= limpia.ancho || y >= limpia.alto)
+            return;
+        for (int k = 0; k < 3; ++k)
+            limpia.rgb[3 * static_cast<std::size_t>(y * limpia.ancho + x) + static_cast<std::size_t>(k)] =
+                static_cast<unsigned char>(std::lround(255 * std::clamp(ref.en(x, y).color[k], 0.0, 1.0)));
+    }
+};
