@@ -27,7 +27,7 @@ static struct {
     GLuint programas[2];
     Buferes cubo;
     PosturaGrua postura;
-    Orbita orbita = {0.5f, 0.25f, 26, {1.0f, 4.1f, 0}, 0.02f};
+    Orbita orbita = {0.5f, 0.25f, 27, {1.0f, 4.2f, 0}, 0.02f};
     int elegido = 0;
     bool compara = false;
 } estado;

@@ -1079,7 +1079,7 @@ const std::vector<Material> MATERIALES_GRUA = {
     {{0.06, 0.06, 0.07}, {0.20, 0.21, 0.24}, {0.70, 0.70, 0.70}, 80},
     {{0.22, 0.05, 0.05}, {0.68, 0.14, 0.12}, {0.60, 0.60, 0.60}, 30}};
 const Luz LUZ_GRUA = posicional({3.5, 8.5, 5.5});
-const Camara CAMARA_GRUA = oraculo::perspectiva(oraculo::orbita(0.5, 0.25, 26, {1.0, 4.1, 0}), 0.6, 1, 100);
+const Camara CAMARA_GRUA = oraculo::perspectiva(oraculo::orbita(0.5, 0.25, 27, {1.0, 4.2, 0}), 0.6, 1, 100);
 const Vec3 FONDO_GRUA{0.87, 0.93, 0.98};
 
 /// Gouraud exacto en una cara rectangular partida en dos triángulos por la diagonal (0,0)-(1,1) de (s,t).
