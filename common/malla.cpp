@@ -233,3 +233,8 @@ int segmentosPara(float radioPx, float tolerPx) {
         (2.0 * std::asin(std::sqrt(0.5 * static_cast<double>(tolerPx) / static_cast<double>(radioPx))));
     return static_cast<int>(std::clamp(std::ceil(n), 3.0, 1024.0));
 }
+
+int segmentosEsfera(float radioPx) {
+    const int n = segmentosPara(radioPx, 0.125f);
+    return n + n % 2;
+}

@@ -52,6 +52,9 @@ struct MallaVf {
 MallaVf leeVf(const std::string &fichero);
 
 /// Segmentos con que una circunferencia de `radioPx` píxeles se separa de la exacta menos de `tolerPx`:
-/// la flecha de un arco de 2π/n es r·(1 − cos(π/n)). Entre 3 y 1024. Una esfera se hunde el doble en el centro
-/// de sus caras: pídase la mitad.
+/// la flecha de un arco de 2π/n es r·(1 − cos(π/n)). Entre 3 y 1024.
 int segmentosPara(float radioPx, float tolerPx = 0.5f);
+
+/// Segmentos con que `esfera` se separa menos de un cuarto de píxel de la exacta: en el centro de sus caras se hunde el doble
+/// que en sus arcos. Pares, porque de polo a polo van la mitad.
+int segmentosEsfera(float radioPx);

@@ -184,3 +184,21 @@ TEST(SegmentosPara, LosJustos) {
     EXPECT_EQ(segmentosPara(1e9f), 1024);
     EXPECT_EQ(segmentosPara(std::nanf("")), 3);
 }
+
+// El punto más hundido de la malla, en el centro de una cara: menos de un cuarto de píxel, y no mucho menos.
+TEST(SegmentosEsfera, LoQueSeHundeElCentroDeLasCaras) {
+    for (const float r : {20.0f, 100.0f, 360.0f}) {
+        const Malla malla = esfera(segmentosEsfera(r));
+        double hundido = 0;
+        for (std::size_t i = 0; i < malla.indices.size(); i += 3)
+            for (int k = 0; k < 3; ++k) {
+                const glm::dvec3 a = malla.vertices[malla.indices[i]].posicion,
+                                 b = malla.vertices[malla.indices[i + 1]].posicion,
+                                 c = malla.vertices[malla.indices[i + 2]].posicion;
+                const glm::dvec3 medio = 0.5 * (k == 0 ? a + b : k == 1 ? b + c : c + a);
+                hundido = std::max(hundido, r * (1 - glm::length(medio)));
+            }
+        EXPECT_LE(hundido, 0.25) << r;
+        EXPECT_GT(hundido, 0.18) << r;
+    }
+}
