@@ -16,7 +16,7 @@ static const glm::vec2 REPETICIONES(6, 2); // alrededor del anillo y del tubo
 static struct {
     GLuint programa, textura;
     Buferes toro;
-    Orbita orbita = {0.25f, 0.45f, 5.6f, {0, 0, 0}};
+    Orbita orbita = {0.25f, 0.45f, 6, {0, 0, 0}};
 } estado;
 
 static void creaTextura(int argc, char **argv) {
