@@ -3,6 +3,7 @@
 // cada cara tiene la imagen entera, derecha. En el cilindro y la esfera s es el ángulo y la imagen se junta consigo
 // misma; en las tapas es un círculo.
 // Controles: 1 cubo · 2 cilindro · 3 esfera · ratón orbita · Esc termina.
+#include "aspecto.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "malla.h"
@@ -14,6 +15,7 @@
 #include "trazo.h"
 #include "ventana.h"
 #include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 static const int SEGMENTOS = 128;
 static const glm::vec2 P(0.1f, 0.5f), FIN_S(0.24f, 0.5f), FIN_T(0.1f, 0.8f);
@@ -45,7 +47,7 @@ static struct {
     GLuint programa, textura;
     Objeto imagen, objetos[3];
     int elegido = 0;
-    Orbita orbita = {0.6f, 0.45f, 4.4f, {0, 0, 0}};
+    Orbita orbita = {0.6f, 0.45f, 5.6f, {0, 0, 0}};
 } estado;
 
 // Para quien mira una cara de frente, s crece hacia la derecha y t hacia `arriba`.
@@ -66,7 +68,7 @@ static void inicia(const Imagen &imagen) {
     estado.imagen = {"Imagen", enImagen, creaBuferes(plano(1)), glm::mat4(1)};
     estado.objetos[0] = {"Cubo", enCubo, creaBuferes(cuboConCoordenadas()), escalado(1.65f)};
     estado.objetos[1] = {"Cilindro", enCilindro, creaBuferes(cilindro(SEGMENTOS)),
-                         depie * escalado({1, 1, 2})};
+                         depie * escalado({0.95f, 0.95f, 1.9f})};
     estado.objetos[2] = {"Esfera", enEsfera, creaBuferes(esfera(SEGMENTOS)), depie * escalado(1.35f)};
     estado.textura = creaTextura2D(imagen);
     glEnable(GL_DEPTH_TEST);
@@ -85,7 +87,7 @@ static void dibujaMarcas(Superficie superficie, const glm::mat4 &transformacion)
     };
     flecha(FIN_S, ROJO);
     flecha(FIN_T, VERDE);
-    trazaPuntos({encima(P)}, transformacion, OSCURO, 30);
+    trazaPuntos({1.02f * superficie(P.s, P.t)}, transformacion, OSCURO, 30);
     const auto enVentana = [&](const glm::vec2 &st) {
         const glm::vec4 p = transformacion * glm::vec4(encima(st), 1);
         return glm::vec3(glm::vec2(p) / p.w, 0);
@@ -118,9 +120,12 @@ static void dibuja() {
     glBindTexture(GL_TEXTURE_2D, estado.textura);
     abreRecuadro(izquierda, FONDO_CLARO);
     dibujaObjeto(estado.imagen, glm::mat4(1), paralelaVentana(0.41f, -1, 1, aspecto(izquierda)));
-    rotula("P=(0.1, 0.5)", {0.5f, 0.24f}, OSCURO, Lado::CENTRO, 0.03f);
+    rotula("s = 0.1\nt = 0.5", {0.5f, 0.22f}, OSCURO, Lado::CENTRO, 0.03f);
     abreRecuadro(derecha, FONDO_CLARO);
-    dibujaObjeto(objeto, camaraOrbita(estado.orbita), perspectivaVentana(0.5f, 1, 100, aspecto(derecha)));
+    // compuesta para un panel cuadrado
+    const float angulo = static_cast<float>(anguloVertical(0.5, ASPECTO_COMPUESTO * aspecto(derecha)));
+    dibujaObjeto(objeto, camaraOrbita(estado.orbita),
+                 glm::perspective(angulo, aspecto(derecha), 1.0f, 100.0f));
     ponTitulo(std::string("Coordenadas de textura: ") + objeto.nombre);
     glutSwapBuffers();
 }
