@@ -66,7 +66,7 @@ static void dibujaSuelo(const Filtro &filtro, const Recuadro &panel) {
     envia(estado.programa, "M", giroX(-glm::half_pi<float>()) * escalado(LARGO));
     envia(estado.programa, "Img", 0);
     dibuja(estado.suelo);
-    rotula(filtro.nombre, {0.5f, 1}, OSCURO, Lado::DEBAJO, 0.03f);
+    rotula(filtro.nombre, {0.5f, 1}, OSCURO, Lado::DEBAJO, estado.comparando ? 0.03f : 0.05f);
 }
 
 static void dibuja() {

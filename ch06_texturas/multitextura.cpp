@@ -70,7 +70,7 @@ static void dibujaUnidades(const Recuadro &donde, bool conMusgo, bool conLuz) {
         dibujaPared(estado.programaUnidad, glm::mat4(1),
                     paralelaVentana(0.53f * TALLA.y, -1, 1, aspecto(panel)));
         rotula("unidad " + std::to_string(unidad) + "\n" + TEXTURAS[unidad].nombre, {0.5f, 0.5f},
-               usadas[unidad] ? BLANCO : GRIS, Lado::CENTRO, 0.03f);
+               usadas[unidad] ? BLANCO : GRIS);
     }
 }
 

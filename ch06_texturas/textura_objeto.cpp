@@ -39,7 +39,7 @@ static void creaTextura(int argc, char **argv) {
 
 static void inicia() {
     estado.programa = creaPrograma("ch06_texturas/textura_objeto.vert", "ch06_texturas/textura_objeto.frag");
-    estado.toro = creaBuferes(toro(1, 0.5f, 128, 64));
+    estado.toro = creaBuferes(toro(1, 0.5f, 160, 80));
     glEnable(GL_DEPTH_TEST);
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }

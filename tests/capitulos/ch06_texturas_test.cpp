@@ -152,7 +152,7 @@ double texelsPorPixel(const Ve &ve, int x, int y, int ancho, int alto) {
 // --- textura_objeto ---
 
 // Cada píxel interior donde la textura se amplía: bilineal exacto por Phong, sobre el toro exacto. La textura mide
-// 5 × 3: sus filas no llegan a un múltiplo de 4 bytes, y sin GL_UNPACK_ALIGNMENT las de arriba saldrían torcidas. 3
+// 5 × 3: sus filas no llegan a un múltiplo de 4 bytes, y sin GL_UNPACK_ALIGNMENT las de arriba saldrían torcidas. 2
 // niveles: el redondeo a 8 bits, el pow de la GPU y las facetas.
 TEST(TexturaObjeto, TexelPorIluminacionContraElOraculo) {
     const int ancho = 240, alto = 180;
@@ -187,8 +187,8 @@ TEST(TexturaObjeto, TexelPorIluminacionContraElOraculo) {
         }
     RecordProperty("maximo", std::to_string(maximo));
     RecordProperty("rmse", std::to_string(std::sqrt(suma / comparados)));
-    EXPECT_LE(maximo, 3);
-    EXPECT_LE(std::sqrt(suma / comparados), 0.6);
+    EXPECT_LE(maximo, 2);
+    EXPECT_LE(std::sqrt(suma / comparados), 0.5);
     EXPECT_GT(comparados, 1800); // uno de cada seis de los 17 000 que ocupa el toro, sin los de canto
 }
 
@@ -464,7 +464,7 @@ int filasDeSuelo() {
 } // namespace
 
 // La verdad es la media de 16 × 16 muestras por píxel de la textura (bilineal). Cada filtro se le parece más
-// que el anterior: medido en Mesa 22.3, MEDIDAS. Es también lo que se exige del anisótropo, que en cada controlador es otro.
+// que el anterior: medido en Mesa 22.3, 36.8, 23.0, 12.2 y 6.5 niveles. Es también lo que se exige del anisótropo, que en cada controlador es otro.
 TEST(Filtrado, CadaFiltroSeAcercaMasAlSobremuestreo) {
     const Imagen im = leeTextura(recurso("assets/mosaico.rgb"), 32, 32);
     const int filas = filasDeSuelo(), N = 16;
@@ -489,7 +489,7 @@ TEST(Filtrado, CadaFiltroSeAcercaMasAlSobremuestreo) {
         for (int otro = 0; otro < 4; ++otro)
             EXPECT_EQ(hay(rotulo(e.imagen, FILTROS[otro], OSCURO, 0, filas)), otro == k) << k << " " << otro;
     }
-    EXPECT_LT(error[1], error[0]); // poco: cuatro texels no curan nada donde un píxel abarca cientos
+    EXPECT_LT(error[1], 0.8 * error[0]); // poco: cuatro texels no curan nada donde un píxel abarca cientos
     EXPECT_LT(error[2], 0.6 * error[1]);
     EXPECT_LT(error[3], 0.6 * error[2]);
 }
