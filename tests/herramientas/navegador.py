@@ -120,7 +120,8 @@ def main():
     raiz, build = map(Path, sys.argv[1:])
     with tempfile.TemporaryDirectory() as carpeta:
         destino = Path(carpeta, "galería (1)")
-        subprocess.run([sys.executable, "-B", raiz / "herramientas/galeria.py", raiz, build, destino], check=True)
+        if subprocess.run([sys.executable, "-B", raiz / "herramientas/galeria.py", raiz, build, destino]).returncode:
+            sys.exit("la galería no se ha dibujado entera")
         navegador = Navegador(Path(carpeta, "perfil"))
         try:
             recorre(navegador, destino / "index.html", len((build / "casos.tsv").read_text().splitlines()))
