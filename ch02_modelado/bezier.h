@@ -3,6 +3,7 @@
 #pragma once
 #include "error.h"
 #include "malla.h"
+#include "numero.h"
 #include "rutas.h"
 #include <algorithm>
 #include <array>
@@ -240,30 +241,32 @@ inline std::vector<Parche> leeParches(const std::string &relativa) {
             falla(relativa + ":" + std::to_string(numero) + ": " + que + " — «" + linea + "»");
         };
         std::istringstream palabras(linea.substr(0, linea.find('#')));
-        std::string tipo, sobra;
+        std::string tipo, palabra;
         if (!(palabras >> tipo))
             continue;
         if (tipo == "v") {
-            glm::dvec3 p;
-            if (!(palabras >> p.x >> p.y >> p.z) || palabras >> sobra)
+            const std::optional<glm::dvec3> p = leePunto(palabras);
+            if (!p)
                 mal("un punto de control son tres números");
-            puntos.push_back(p);
+            puntos.push_back(*p);
         } else if (tipo == "p") {
             Parche q;
             for (auto &fila : q.p)
                 for (glm::dvec3 &p : fila) {
-                    std::size_t i = 0;
-                    if (!(palabras >> i) || i < 1 || i > puntos.size())
+                    const auto i = palabras >> palabra ? numeroDe<std::size_t>(palabra) : std::nullopt;
+                    if (!i || *i < 1 || *i > puntos.size())
                         mal("un parche son dieciséis puntos entre el 1 y el " +
                             std::to_string(puntos.size()));
-                    p = puntos[i - 1];
+                    p = puntos[*i - 1];
                 }
-            if (palabras >> sobra)
-                mal("un parche son dieciséis puntos y sobra «" + sobra + "»");
+            if (palabras >> palabra)
+                mal("un parche son dieciséis puntos y sobra «" + palabra + "»");
             parches.push_back(q);
         } else {
             mal("cada línea empieza por v o por p");
         }
     }
+    if (parches.empty())
+        falla("«" + relativa + "» no tiene ningún parche");
     return parches;
 }

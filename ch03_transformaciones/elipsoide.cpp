@@ -1,79 +1,68 @@
-// La esfera de radio 1, escalada con (0.5, 0.5, 3), acaba con un extremo en el origen y el otro en la recta
-// x = y = z, dibujada en negro (ejercicio 3.4), transformación a transformación (ejercicios.h). En líneas, de
-// dónde sale y adónde va; el título de la ventana dice la matriz.
+// La esfera de radio 1, escalada con (0.5, 0.5, 3), acaba con un extremo en el origen y el otro en la recta x = y = z, la
+// oscura (ejercicio 3.4), transformación a transformación (pasos.h). En gris, de dónde sale y adónde va.
 // Controles: t aplica la transformación siguiente, y tras la última empieza · ratón orbita · Esc termina.
-#include "ejercicios.h"
-#include "malla.h"
+#include "ejes.h"
+#include "objeto.h"
 #include "orbita.h"
-#include "shader.h"
+#include "pasos.h"
 #include "ventana.h"
-#include <algorithm>
-#include <string>
 
 static const float RADIO_PX = 450; // el semieje mayor, donde más cerca está, en una pantalla de 1080 líneas
-static const glm::vec3 colorEsfera(0.95f, 0.55f, 0.10f), colorLineas(0.55f, 0.58f, 0.62f),
-    colorRecta(0.16f, 0.17f, 0.20f);
-static const glm::vec3 colorEje[3] = {{0.85f, 0.20f, 0.18f}, {0.20f, 0.62f, 0.28f}, {0.16f, 0.38f, 0.80f}};
+static const int MERIDIANOS = 4, PUNTOS = 48;
 
 static struct {
     GLuint programa;
-    Buferes esfera, esferaDeLineas, cilindro;
+    Buferes esfera;
     std::size_t aplicados = 0;
-    Orbita orbita = {-0.5f, 0.35f, 16, {1.6f, 1.1f, 1.6f}};
+    Orbita orbita = {-0.5f, 0.35f, 17, {1.7f, 1.2f, 1.7f}};
 } estado;
 
 static void inicia() {
-    estado.programa = creaPrograma("ch03_transformaciones/objeto.vert", "ch03_transformaciones/objeto.frag");
+    estado.programa = creaProgramaObjeto();
     // una esfera se hunde a lo largo y a lo ancho: a cada uno, la mitad del medio píxel
     estado.esfera = creaBuferes(esfera(segmentosPara(RADIO_PX, 0.25f)));
-    estado.esferaDeLineas = creaBuferes(esfera(12));
-    estado.cilindro = creaBuferes(cilindro(16));
     glEnable(GL_DEPTH_TEST);
-    glClearColor(0.95f, 0.96f, 0.98f, 1);
+    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
-static void dibujaObjeto(const Buferes &objeto, const glm::mat4 &M, const glm::vec3 &color) {
-    const glm::mat3 N = matrizNormal(M);
-    envia(estado.programa, "M", M);
-    envia(estado.programa, "N", N);
-    envia(estado.programa, "colorObjeto", color);
-    dibuja(objeto);
-}
-
-// El cilindro unidad, llevado a la recta x = y = z con los dos giros del elipsoide.
-static glm::mat4 rectaXYZ() {
-    const std::vector<Paso> pasos = pasosElipsoide();
-    return pasos[3].M * pasos[2].M * escalado({0.05f, 0.05f, 16});
+// El ecuador y unos meridianos.
+static void trazaEsfera(const glm::mat4 &transformacion) {
+    std::vector<glm::vec3> ecuador;
+    for (int i = 0; i < PUNTOS; ++i) {
+        const float a = glm::two_pi<float>() * static_cast<float>(i) / PUNTOS;
+        ecuador.push_back({std::cos(a), std::sin(a), 0});
+    }
+    trazaPolilinea(ecuador, transformacion, GRIS, 4, true);
+    for (int i = 0; i < MERIDIANOS; ++i) // el ecuador, puesto de pie
+        trazaPolilinea(ecuador,
+                       transformacion * giroZ(glm::pi<float>() * static_cast<float>(i) / MERIDIANOS) *
+                           giroX(glm::half_pi<float>()),
+                       GRIS, 4, true);
 }
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glUseProgram(estado.programa);
-    const glm::mat4 camara = perspectivaVentana(0.5f, 1, 100) * camaraOrbita(estado.orbita);
-    envia(estado.programa, "camara", camara);
-    for (int eje = 0; eje < 3; ++eje)
-        dibujaObjeto(estado.cilindro, ejeCoordenado(eje, 4, 0.07f), colorEje[eje]);
-    dibujaObjeto(estado.cilindro, rectaXYZ(), colorRecta);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 100);
     const std::vector<Paso> pasos = pasosElipsoide();
-    dibujaObjeto(estado.esfera, concatena(pasos, estado.aplicados), colorEsfera);
-    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-    glLineWidth(static_cast<float>(std::max(glutGet(GLUT_WINDOW_HEIGHT) / 300, 1)));
-    for (std::size_t extremo : {std::size_t(0), pasos.size()})
+    glUseProgram(estado.programa);
+    envia(estado.programa, "proyeccion", proyeccion);
+    envia(estado.programa, "camara", camara);
+    dibujaObjeto(estado.programa, estado.esfera, concatena(pasos, estado.aplicados), NARANJA);
+    for (const std::size_t extremo : {std::size_t(0), pasos.size()})
         if (extremo != estado.aplicados) // donde está la esfera no hacen falta líneas
-            dibujaObjeto(estado.esferaDeLineas, concatena(pasos, extremo), colorLineas);
-    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+            trazaEsfera(proyeccion * camara * concatena(pasos, extremo));
+    trazaSegmentos({glm::vec3(-1.2f), glm::vec3(4.2f)}, proyeccion * camara, OSCURO);
+    rotulaPunto("x = y = z", glm::vec3(4.2f), proyeccion * camara, OSCURO, Lado::IZQUIERDA);
+    trazaEjes(proyeccion * camara, glm::vec3(4));
+    rotula(producto(pasos, estado.aplicados, " ·\n    "), {0.60f, 0.16f}, OSCURO, Lado::DERECHA);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla) || tecla != 't')
         return;
-    const std::vector<Paso> pasos = pasosElipsoide();
-    estado.aplicados = (estado.aplicados + 1) % (pasos.size() + 1);
-    std::string producto;
-    for (std::size_t i = 0; i < estado.aplicados; ++i) // la última aplicada, a la izquierda
-        producto = pasos[i].nombre + (i ? " · " + producto : "");
-    glutSetWindowTitle(("Elipsoide: M = " + (producto.empty() ? "I" : producto)).c_str());
+    estado.aplicados = (estado.aplicados + 1) % (pasosElipsoide().size() + 1);
+    ponTitulo("Elipsoide: " + producto(pasosElipsoide(), estado.aplicados));
     glutPostRedisplay();
 }
 

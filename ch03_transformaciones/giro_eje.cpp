@@ -1,102 +1,95 @@
 // Giro alrededor de un eje cualquiera por cambio de base (§3.4, ecuaciones 3.9 y 3.10): el eje d (rojo) y los
 // vectores e (verde) y f (azul) que completan la base, el objeto girado, el de partida (pálido) y la
 // circunferencia que recorre. El giro se recalcula siempre desde el ángulo: multiplicar un giro tras otro
-// acumula error (tests/ch03_giro_test.cpp).
-// Controles: a d giran · 1 2 3 4 ejes Y, diagonal, oblicuo y casi X · ratón izquierdo mueve el eje · ratón derecho orbita · Esc termina.
-#include "malla.h"
+// acumula error (tests/capitulos/ch03_giro_test.cpp).
+// Controles: a d giran · 1 2 3 4 ejes Y, diagonal, oblicuo y casi X · ratón izquierdo mueve el eje
+// · ratón derecho orbita · Esc termina.
+#include "colores.h"
+#include "objeto.h"
 #include "orbita.h"
-#include "shader.h"
-#include "transformaciones.h"
+#include "rotulo.h"
+#include "trazo.h"
 #include "ventana.h"
 #include <cmath>
+#include <cstdio>
+#include <glm/gtc/constants.hpp>
 
-static const float VUELTA = 6.28318530718f;
-static const float PASO_GIRO = 0.1f, PASO_CUENTAS = 0.2f; // radianes
+static const float PASO_GIRO = 0.1f; // radianes
 static const float RADIANES_POR_PIXEL = 0.01f;
-static const glm::vec3 ejes[] = {{0, 1, 0}, {1, 1, 1}, {-0.6f, 0.7f, 0.4f}, {1, 1e-10f, 0}};
-static const glm::vec3 sitio(-1.1f, 0.2f, 1.2f); // el centro del avión, sin girar
-
-static const glm::vec3 fondo(0.95f, 0.96f, 0.98f), rojo(0.85f, 0.20f, 0.18f), verde(0.20f, 0.62f, 0.28f),
-    azul(0.16f, 0.38f, 0.80f), naranja(0.95f, 0.55f, 0.10f), amarillo(0.98f, 0.78f, 0.15f),
-    gris(0.55f, 0.58f, 0.62f), oscuro(0.16f, 0.17f, 0.20f);
+static const glm::vec3 EJES[] = {{0, 1, 0}, {1, 1, 1}, {-0.6f, 0.7f, 0.4f}, {1, 1e-10f, 0}};
+static const glm::vec3 SITIO(-1.1f, 0.2f, 1.2f); // el centro del avión, sin girar
+static const int PUNTOS_ARO = 96;
 
 static struct {
     GLuint programa;
-    Buferes cubo, esfera, cilindro, cono, aro;
-    glm::vec3 eje = ejes[0]; // sin normalizar
+    Buferes cubo;
+    glm::vec3 eje = EJES[0]; // sin normalizar
     float angulo = 2;        // radianes
     bool moviendoEje = false;
     int xAnterior = 0, yAnterior = 0;
-    Orbita orbita = {-0.5f, 0.4f, 7};
+    Orbita orbita = {-0.5f, 0.4f, 8};
 } estado;
 
 static void inicia() {
-    estado.programa = creaPrograma("ch03_transformaciones/objeto.vert", "ch03_transformaciones/objeto.frag");
+    estado.programa = creaProgramaObjeto();
     estado.cubo = creaBuferes(cubo());
-    estado.esfera = creaBuferes(esfera(16));
-    estado.cilindro = creaBuferes(cilindro(16));
-    estado.cono = creaBuferes(cono(24));
-    estado.aro = creaBuferes(toro(1, 0.018f, 96, 12));
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE); // las caras de detrás nunca se ven: los sólidos son cerrados
-    glClearColor(fondo.r, fondo.g, fondo.b, 1);
-}
-
-static void dibujaMalla(const Buferes &malla, const glm::mat4 &M, const glm::vec3 &color) {
-    const glm::mat3 N = matrizNormal(M);
-    envia(estado.programa, "M", M);
-    envia(estado.programa, "N", N);
-    envia(estado.programa, "colorObjeto", color);
-    dibuja(malla);
-}
-
-static void dibujaFlecha(const glm::vec3 &direccion, float largo, const glm::vec3 &color) {
-    const float punta = 0.25f, grueso = 0.045f;
-    const glm::mat4 base = haciaDireccion(direccion);
-    dibujaMalla(estado.cilindro, base * escalado({grueso, grueso, largo - punta}) * traslacion({0, 0, 0.5f}),
-                color);
-    dibujaMalla(estado.cono,
-                base * traslacion({0, 0, largo - punta}) * escalado({2.5f * grueso, 2.5f * grueso, punta}),
-                color);
+    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
 // `viveza` 0 lo deja del color del fondo.
 static void dibujaAvion(const glm::mat4 &M, float viveza) {
     const struct {
         glm::vec3 centro, lados, color;
-    } piezas[] = {{{0, 0, 0}, {1.1f, 0.22f, 0.22f}, naranja},
-                  {{0.1f, 0, 0}, {0.32f, 0.08f, 1.3f}, amarillo},
-                  {{-0.45f, 0, 0}, {0.18f, 0.06f, 0.5f}, amarillo},
-                  {{-0.42f, 0.22f, 0}, {0.2f, 0.34f, 0.07f}, rojo}};
+    } piezas[] = {{{0, 0, 0}, {1.1f, 0.22f, 0.22f}, NARANJA},
+                  {{0.1f, 0, 0}, {0.32f, 0.08f, 1.3f}, AMARILLO},
+                  {{-0.45f, 0, 0}, {0.18f, 0.06f, 0.5f}, AMARILLO},
+                  {{-0.42f, 0.22f, 0}, {0.2f, 0.34f, 0.07f}, ROJO}};
     for (const auto &p : piezas)
-        dibujaMalla(estado.cubo, M * traslacion(p.centro) * escalado(p.lados),
-                    glm::mix(fondo, p.color, viveza));
+        dibujaObjeto(estado.programa, estado.cubo, M * traslacion(p.centro) * escalado(p.lados),
+                     glm::mix(FONDO_CLARO, p.color, viveza));
+}
+
+static std::string describeGiro() {
+    char texto[80];
+    const glm::dvec3 d(estado.eje);
+    std::snprintf(texto, sizeof texto, "%.0f° alrededor de (%.3g, %.3g, %.3g)",
+                  glm::degrees(static_cast<double>(estado.angulo)), d.x, d.y, d.z);
+    return texto;
+}
+
+// Los puntos por los que pasa el sitio del avión al girar hasta `angulo`.
+static std::vector<glm::vec3> arco(const glm::vec3 &d, float angulo) {
+    std::vector<glm::vec3> puntos;
+    for (int i = 0; i <= PUNTOS_ARO; ++i)
+        puntos.push_back(giroEje(d, angulo * static_cast<float>(i) / PUNTOS_ARO) * glm::vec4(SITIO, 1));
+    return puntos;
 }
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.6f, 1, 30);
+    const glm::mat4 alPanel = proyeccion * camara;
     glUseProgram(estado.programa);
-    const glm::mat4 camara = perspectivaVentana(0.6f, 1, 30) * camaraOrbita(estado.orbita);
+    envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
 
     const glm::vec3 d = unitario(estado.eje);
+    dibujaAvion(traslacion(SITIO), 0.3f);
+    dibujaAvion(giroEje(d, estado.angulo) * traslacion(SITIO), 1);
+
     const glm::mat3 base = glm::transpose(cambioDeBase(d)); // d, e y f, que eran filas, son columnas
-    dibujaMalla(estado.cilindro, haciaDireccion(d) * escalado({0.03f, 0.03f, 3.9f}), oscuro);
-    dibujaFlecha(base[0], 1.5f, rojo);
-    dibujaFlecha(base[1], 0.9f, verde);
-    dibujaFlecha(base[2], 0.9f, azul);
-
-    dibujaAvion(traslacion(sitio), 0.3f);
-    dibujaAvion(giroEje(d, estado.angulo) * traslacion(sitio), 1);
-
-    // El sitio gira en un plano perpendicular a d que corta al eje en `centro`.
-    const glm::vec3 centro = glm::dot(sitio, d) * d;
-    dibujaMalla(estado.aro, traslacion(centro) * haciaDireccion(d) * escalado(glm::distance(sitio, centro)),
-                gris);
-    for (float a = 0; a < std::fabs(estado.angulo); a += PASO_CUENTAS) {
-        const glm::mat4 giro = giroEje(d, std::copysign(a, estado.angulo));
-        dibujaMalla(estado.esfera, giro * traslacion(sitio) * escalado(0.06f), oscuro);
+    const char *const nombres[] = {"d", "e", "f"};
+    trazaSegmentos({-1.95f * d, 1.95f * d}, alPanel, OSCURO, 4);
+    for (int i = 0; i < 3; ++i) {
+        const glm::vec3 punta = (i == 0 ? 1.5f : 0.9f) * base[i];
+        trazaFlecha(glm::vec3(0), punta, alPanel, COLOR_EJE[i], 8);
+        rotulaPunto(nombres[i], punta, alPanel, COLOR_EJE[i], Lado::DERECHA);
     }
+    trazaPolilinea(arco(d, glm::two_pi<float>()), alPanel, GRIS, 3);
+    trazaPolilinea(arco(d, estado.angulo), alPanel, OSCURO, 8);
+    rotula(describeGiro(), {0.5f, 0.05f}, OSCURO);
     glutSwapBuffers();
 }
 
@@ -104,11 +97,13 @@ static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
     if (tecla == 'a' || tecla == 'd') // dentro de una vuelta: un ángulo grande no tiene decimales
-        estado.angulo = std::remainder(estado.angulo + (tecla == 'a' ? PASO_GIRO : -PASO_GIRO), VUELTA);
+        estado.angulo =
+            std::remainder(estado.angulo + (tecla == 'a' ? PASO_GIRO : -PASO_GIRO), glm::two_pi<float>());
     else if (tecla >= '1' && tecla <= '4')
-        estado.eje = ejes[tecla - '1'];
+        estado.eje = EJES[tecla - '1'];
     else
         return;
+    ponTitulo("Giro de " + describeGiro());
     glutPostRedisplay();
 }
 
@@ -131,11 +126,13 @@ static void arrastra(int x, int y) {
         glm::mat3(giroEje(pantalla[0], angulos.y) * giroEje(pantalla[1], angulos.x)) * unitario(estado.eje);
     estado.xAnterior = x;
     estado.yAnterior = y;
+    ponTitulo("Giro de " + describeGiro());
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Giro alrededor de un eje", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    abreVentana(argc, argv, "Giro de 115° alrededor de (0, 1, 0)",
+                GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -5,13 +5,16 @@
 #include "colores.h"
 #include "objeto.h"
 #include "orbita.h"
+#include "trazo.h"
 #include "ventana.h"
+#include <cstdio>
+#include <glm/gtc/constants.hpp>
 
 static struct {
     GLuint programa;
     Buferes cubo;
     PosturaGrua postura;
-    Orbita orbita = {0.5f, 0.25f, 23, {1.5f, 5.2f, 0}};
+    Orbita orbita = {0.5f, 0.25f, 33, {0.3f, 4.2f, 0}, 0.02f};
 } estado;
 
 static void inicia() {
@@ -25,17 +28,27 @@ static void inicia() {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", perspectivaVentana(0.6f, 1, 100));
-    envia(estado.programa, "camara", camaraOrbita(estado.orbita));
-    dibujaObjeto(estado.programa, estado.cubo, traslacion({0, -0.1f, 0}) * escalado({20, 0.2f, 20}), SUELO);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.6f, 1, 100);
+    envia(estado.programa, "proyeccion", proyeccion);
+    envia(estado.programa, "camara", camara);
+    dibujaObjeto(estado.programa, estado.cubo, soleraGrua(), SUELO);
+    dibujaObjeto(estado.programa, estado.cubo, zapataGrua(), GRIS);
     for (const Pieza &pieza : piezasGrua(estado.postura))
         dibujaObjeto(estado.programa, estado.cubo, pieza.M, pieza.color);
+    trazaSegmentos(cuadriculaGrua(), proyeccion * camara, BLANCO, 2);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (!teclaComun(tecla) && mueve(estado.postura, tecla))
-        glutPostRedisplay();
+    if (teclaComun(tecla) || !mueve(estado.postura, tecla))
+        return;
+    char titulo[96];
+    const PosturaGrua &p = estado.postura;
+    std::snprintf(titulo, sizeof titulo, "Grúa de obra: giro %.0f°, carga a %.1f del pie y a %.1f del suelo",
+                  glm::degrees(static_cast<double>(p.giro)), static_cast<double>(p.distancia),
+                  static_cast<double>(p.altura));
+    ponTitulo(titulo);
+    glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {

@@ -1,6 +1,7 @@
 // La grúa de obra del ejercicio 3.5, hecha solo de cubos de lado uno: qué cubos y con qué transformación.
 // Sin OpenGL; la usan los programas grua* de los capítulos 3, 4 y 5.
 #pragma once
+#include "colores.h"
 #include "transformaciones.h"
 #include <algorithm>
 #include <glm/glm.hpp>
@@ -54,24 +55,40 @@ struct Pieza {
 /// brazo apunta a +X.
 inline std::vector<Pieza> piezasGrua(const PosturaGrua &postura) {
     const PosturaGrua p = limita(postura);
-    const glm::vec3 amarillo(0.98f, 0.74f, 0.12f), gris(0.42f, 0.45f, 0.50f), negro(0.16f, 0.17f, 0.20f),
-        rojo(0.85f, 0.20f, 0.18f);
     const float alturaBrazo = LARGO_PIE + GRUESO / 2;
     const float largoCable = LARGO_PIE - p.altura - LADO_CARGA / 2;
 
     const glm::mat4 giro = giroY(p.giro);
     const glm::mat4 carro = giro * traslacion({p.distancia, 0, 0});
     return {
-        {traslacion({0, LARGO_PIE / 2, 0}) * escalado({GRUESO, LARGO_PIE, GRUESO}), amarillo},
+        {traslacion({0, LARGO_PIE / 2, 0}) * escalado({GRUESO, LARGO_PIE, GRUESO}), AMARILLO},
         {giro * traslacion({LARGO_BRAZO / 2 - VOLADIZO_ATRAS, alturaBrazo, 0}) *
              escalado({LARGO_BRAZO, GRUESO, GRUESO}),
-         amarillo},
+         AMARILLO},
         {giro * traslacion({LADO_CONTRAPESO / 2 - VOLADIZO_ATRAS, LARGO_PIE - LADO_CONTRAPESO / 2, 0}) *
              escalado(LADO_CONTRAPESO),
-         gris},
+         GRIS},
         {carro * traslacion({0, LARGO_PIE - largoCable / 2, 0}) *
              escalado({GRUESO_CABLE, largoCable, GRUESO_CABLE}),
-         negro},
-        {carro * traslacion({0, p.altura, 0}) * escalado(LADO_CARGA), rojo},
+         OSCURO},
+        {carro * traslacion({0, p.altura, 0}) * escalado(LADO_CARGA), ROJO},
     };
+}
+
+/// Donde se apoya: una solera cuadrada con su cuadrícula, que da la escala y el contacto, y la zapata del pie.
+const float LADO_SOLERA = 16, GRUESO_SOLERA = 0.3f;
+inline glm::mat4 soleraGrua() {
+    return traslacion({0, -GRUESO_SOLERA / 2, 0}) * escalado({LADO_SOLERA, GRUESO_SOLERA, LADO_SOLERA});
+}
+inline glm::mat4 zapataGrua() {
+    return traslacion({0, 0.1f, 0}) * escalado({3 * GRUESO, 0.2f, 3 * GRUESO});
+}
+
+/// Líneas cada dos unidades sobre la solera, dos puntos cada una.
+inline std::vector<glm::vec3> cuadriculaGrua() {
+    const float lado = LADO_SOLERA / 2, y = 0.02f;
+    std::vector<glm::vec3> extremos;
+    for (float a = 2 - lado; a < lado; a += 2)
+        extremos.insert(extremos.end(), {{a, y, -lado}, {a, y, lado}, {-lado, y, a}, {lado, y, a}});
+    return extremos;
 }

@@ -6,12 +6,13 @@
 #include "orbita.h"
 #include "shader.h"
 #include "ventana.h"
+#include <glm/gtc/type_ptr.hpp>
 
 static struct {
     GLuint programa;
     Buferes primitivas[3]; // en el orden de Primitiva
     PiezasObjeto piezas = piezasObjetos();
-    Orbita orbita = {0.25f, 0.32f, 12.5f, {0, 1.65f, 0}};
+    Orbita orbita = {0.25f, 0.32f, 15.8f, {-0.05f, 1.3f, 0}, 0.02f};
 } estado;
 
 static void inicia() {
@@ -23,23 +24,26 @@ static void inicia() {
     estado.primitivas[2] = creaBuferes(toro(1, RADIO_TUBO, n, m));
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE); // las caras de detrás nunca se ven: los sólidos son cerrados
-    glClearColor(0.87f, 0.93f, 0.98f, 1);
+    glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
 }
 
+// El listado 3.1, desde el programa: las matrices de cada pieza, y la pieza.
 static void dibujaPieza(const PiezaObjeto &pieza) {
     const Buferes &malla = estado.primitivas[static_cast<int>(pieza.primitiva)];
     const glm::mat3 N = matrizNormal(pieza.M);
-    envia(estado.programa, "M", pieza.M);
-    envia(estado.programa, "N", N);
-    envia(estado.programa, "colorObjeto", pieza.color);
-    dibuja(malla);
+    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(pieza.M));
+    glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
+    glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(pieza.color));
+    glBindVertexArray(malla.vao);
+    glDrawElements(GL_TRIANGLES, malla.nIndices, GL_UNSIGNED_INT, nullptr);
 }
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 60);
     glUseProgram(estado.programa);
-    const glm::mat4 camara = perspectivaVentana(0.5f, 1, 60) * camaraOrbita(estado.orbita);
-    envia(estado.programa, "camara", camara);
+    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
+    glUniformMatrix4fv(uniforme(estado.programa, "proyeccion"), 1, GL_FALSE, glm::value_ptr(proyeccion));
     for (const PiezaObjeto &pieza : estado.piezas)
         dibujaPieza(pieza);
     glutSwapBuffers();

@@ -1,53 +1,47 @@
-// Tres cubos, cada uno con la mitad de lado que el anterior (ejercicio 3.2). La figura del libro no está en
-// el texto: aquí cada cubo se apoya centrado sobre el anterior, y las transformaciones se detallan en
-// ejercicios.h. Los ejes salen del origen, el centro del primer cubo: X rojo, Y verde, Z azul.
+// Tres cubos, cada uno con la mitad de lado que el anterior (ejercicio 3.2). La figura del libro no está en el texto: aquí
+// cada cubo se apoya centrado sobre el anterior, y las transformaciones se detallan en pasos.h. Los ejes salen del
+// origen, el centro del primer cubo.
 // Controles: ratón orbita · Esc termina.
-#include "ejercicios.h"
-#include "malla.h"
+#include "ejes.h"
+#include "objeto.h"
 #include "orbita.h"
-#include "shader.h"
+#include "pasos.h"
 #include "ventana.h"
 
-static const glm::vec3 colorCubo[3] = {{0.95f, 0.55f, 0.10f}, {0.98f, 0.78f, 0.15f}, {0.55f, 0.58f, 0.62f}};
-static const glm::vec3 colorEje[3] = {{0.85f, 0.20f, 0.18f}, {0.20f, 0.62f, 0.28f}, {0.16f, 0.38f, 0.80f}};
+static const glm::vec3 COLOR_CUBO[3] = {NARANJA, AMARILLO, GRIS};
+static const char *const LADO_CUBO[3] = {"lado 1", "1/2", "1/4"};
 
 static struct {
     GLuint programa;
-    Buferes cubo, cilindro;
-    Orbita orbita = {0.55f, 0.35f, 5.4f, {0.1f, 0.42f, 0}};
+    Buferes cubo;
+    Orbita orbita = {0.55f, 0.35f, 6.1f, {0.1f, 0.45f, 0}};
 } estado;
 
 static void inicia() {
-    estado.programa = creaPrograma("ch03_transformaciones/objeto.vert", "ch03_transformaciones/objeto.frag");
+    estado.programa = creaProgramaObjeto();
     estado.cubo = creaBuferes(cubo());
-    estado.cilindro = creaBuferes(cilindro(16));
     glEnable(GL_DEPTH_TEST);
-    glClearColor(0.95f, 0.96f, 0.98f, 1);
-}
-
-static void dibujaObjeto(const Buferes &objeto, const glm::mat4 &M, const glm::vec3 &color) {
-    const glm::mat3 N = matrizNormal(M);
-    envia(estado.programa, "M", M);
-    envia(estado.programa, "N", N);
-    envia(estado.programa, "colorObjeto", color);
-    dibuja(objeto);
+    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 100);
     glUseProgram(estado.programa);
-    const glm::mat4 camara = perspectivaVentana(0.5f, 1, 100) * camaraOrbita(estado.orbita);
+    envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
     const std::array<glm::mat4, 3> cubos = tresCubos();
     for (std::size_t i = 0; i < cubos.size(); ++i)
-        dibujaObjeto(estado.cubo, cubos[i], colorCubo[i]);
-    for (int eje = 0; eje < 3; ++eje)
-        dibujaObjeto(estado.cilindro, ejeCoordenado(eje, 1.6f, 0.025f), colorEje[eje]);
+        dibujaObjeto(estado.programa, estado.cubo, cubos[i], COLOR_CUBO[i]);
+    trazaEjes(proyeccion * camara, glm::vec3(1.4f, 1.55f, 1.4f));
+    for (std::size_t i = 0; i < cubos.size(); ++i) // junto a la arista vertical de la izquierda
+        rotulaPunto(LADO_CUBO[i], cubos[i] * glm::vec4(-0.5f, 0, 0.5f, 1), proyeccion * camara, OSCURO,
+                    Lado::IZQUIERDA);
     glutSwapBuffers();
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Tres cubos", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    abreVentana(argc, argv, "Tres cubos, cada uno la mitad", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     orbitaConRaton(estado.orbita);

@@ -115,7 +115,7 @@ static void dibuja() {
     preparaVista(proyeccion, camara, estado.elegido);
     dibujaObjeto(estado.programa, estado.esfera, glm::mat4(1), camara, CERAMICA);
     dibujaObjeto(estado.programa, estado.anillo, giroZ(0.35f) * giroX(-1.15f), camara, LATON);
-    rotula(NOMBRES[estado.elegido], {0, 1}, BLANCO, Lado::DERECHA);
+    rotula(NOMBRES[estado.elegido], {0.2f, 1}, BLANCO, Lado::DEBAJO);
     if (estado.vectores)
         dibujaVectores(reparte(2)[1], proyeccion * camara);
     ponTitulo("Modelo de Phong: " + TITULOS[estado.elegido]);

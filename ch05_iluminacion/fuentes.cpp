@@ -46,7 +46,7 @@ static void inicia() {
     estado.plano = creaBuferes(plano(1));
     estado.esfera = creaBuferes(esfera(segmentosEsfera(100)));
     estado.cono = creaBuferes(cono(segmentosEsfera(100)));
-    estado.toro = creaBuferes(toro(0.7f, 0.25f, segmentosEsfera(120), segmentosEsfera(30)));
+    estado.toro = creaBuferes(toro(0.7f, 0.25f, segmentosEsfera(400), segmentosEsfera(100)));
     estado.cubo = creaBuferes(cubo());
     glEnable(GL_DEPTH_TEST);
     glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
@@ -55,7 +55,7 @@ static void inicia() {
 /// La figura 5.5: el eje S y el cono, de generatriz fija para que quepa con cualquier ángulo.
 static void dibujaCono(const glm::mat4 &vista) {
     const glm::mat3 base = glm::transpose(cambioDeBase(S)); // su primera columna es S
-    std::vector<glm::vec3> borde, generatrices, arco;
+    std::vector<glm::vec3> borde, generatrices;
     for (int i = 0; i < 32; ++i) {
         const float a = glm::two_pi<float>() * static_cast<float>(i) / 32;
         borde.push_back(POSICION +
@@ -64,11 +64,11 @@ static void dibujaCono(const glm::mat4 &vista) {
         if (i % 4 == 0)
             generatrices.insert(generatrices.end(), {POSICION, borde.back()});
     }
+    trazaFlecha(POSICION, POSICION + 1.3f * GENERATRIZ * S, vista, BLANCO);
     trazaPolilinea(borde, vista, AMARILLO, GROSOR / 2, true);
     trazaSegmentos(generatrices, vista, AMARILLO, GROSOR / 2);
-    trazaFlecha(POSICION, POSICION + 1.3f * GENERATRIZ * S, vista, NARANJA);
-    rotulaPunto("S", POSICION + 1.3f * GENERATRIZ * S, vista, NARANJA, Lado::DERECHA);
-    rotulaPunto("δ = " + std::to_string(estado.delta) + "°", borde[16], vista, AMARILLO, Lado::IZQUIERDA);
+    rotulaPunto("S", POSICION + 1.3f * GENERATRIZ * S, vista, BLANCO, Lado::DERECHA);
+    rotulaPunto("δ = " + std::to_string(estado.delta) + "°", POSICION, vista, BLANCO, Lado::IZQUIERDA);
 }
 
 static void dibujaFuente(const glm::mat4 &vista) {
@@ -76,7 +76,7 @@ static void dibujaFuente(const glm::mat4 &vista) {
         for (const glm::vec3 &p : {glm::vec3(-0.8f, 0, -0.5f), {0, 0, 0}, {0.8f, 0, 0.5f}})
             trazaFlecha(POSICION + p, POSICION + p + GENERATRIZ * S, vista, AMARILLO);
     else
-        trazaPuntos({POSICION}, vista, AMARILLO, 6 * GROSOR);
+        trazaPuntos({POSICION}, vista, AMARILLO, 4 * GROSOR);
     if (estado.elegido == FOCO)
         dibujaCono(vista);
 }
@@ -114,7 +114,7 @@ static void dibuja() {
     nombre << NOMBRES[estado.elegido];
     if (estado.elegido == FOCO)
         nombre << ", exponente " << estado.exponente;
-    rotula(nombre.str(), {1, 1}, BLANCO, Lado::IZQUIERDA);
+    rotula(nombre.str(), {1, 0.95f}, BLANCO, Lado::IZQUIERDA);
     ponTitulo("Fuente de luz: " + nombre.str());
     glutSwapBuffers();
 }

@@ -13,7 +13,7 @@
 
 static const glm::vec3 LA(1);
 static const Luz LUZ{{3.5f, 8.5f, 5.5f, 1}};
-static const float LADO_SUELO = 14, CASILLA = 2;
+static const float LADO_SUELO = 12, CASILLA = 2;
 static const char *const NOMBRES[] = {"Gouraud", "Phong"};
 
 static const Material PINTURA = {{0.25f, 0.18f, 0.03f}, {0.68f, 0.50f, 0.08f}, {0.60f, 0.60f, 0.60f}, 15};
@@ -27,7 +27,7 @@ static struct {
     GLuint programas[2];
     Buferes cubo;
     PosturaGrua postura;
-    Orbita orbita = {0.5f, 0.25f, 25, {1.2f, 4.8f, 0}, 0.02f};
+    Orbita orbita = {0.5f, 0.25f, 27, {1.0f, 4.2f, 0}, 0.02f};
     int elegido = 0;
     bool compara = false;
 } estado;
@@ -70,7 +70,7 @@ static void dibujaPanel(const Recuadro &panel, int modelo) {
     for (const Pieza &pieza : piezasGrua(estado.postura))
         caja(pieza.M, MATERIALES[i++]);
     trazaCuadricula(proyeccion * camara);
-    rotula(NOMBRES[modelo], {0, 1}, OSCURO, Lado::DERECHA);
+    rotula(NOMBRES[modelo], {0, 0.96f}, OSCURO, Lado::DERECHA);
 }
 
 static void dibuja() {

@@ -5,7 +5,6 @@
 #include "malla.h"
 #include "materiales.h"
 #include "shader.h"
-#include <glm/gtc/type_ptr.hpp>
 #include <string>
 
 /// Una fuente de luz, en coordenadas del mundo. Por omisión es blanca, no se atenúa y no es un foco.

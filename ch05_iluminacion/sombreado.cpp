@@ -94,7 +94,8 @@ static void dibujaPanel(const Recuadro &panel, int modelo) {
 static void dibuja() {
     abreRecuadro(ventanaEntera(), GRIS);
     if (estado.compara) {
-        const std::vector<Recuadro> paneles = reparte(MODELOS, 0.6f);
+        const std::vector<Recuadro> paneles =
+            relacionAspecto() > 0.7f ? rejilla(MODELOS, 1) : rejilla(1, MODELOS);
         for (int modelo = 0; modelo < MODELOS; ++modelo)
             dibujaPanel(paneles[static_cast<std::size_t>(modelo)], modelo);
     } else

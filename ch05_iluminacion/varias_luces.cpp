@@ -26,7 +26,7 @@ static const Material BRILLANTE = {{0.12f, 0.12f, 0.13f}, {0.60f, 0.60f, 0.60f},
 static struct {
     GLuint programa;
     Buferes disco, esfera;
-    Orbita orbita = {0, 0.8f, 17, {0, 0, 0}, 0.05f};
+    Orbita orbita = {0, 0.8f, 17.5f, {0, -0.3f, 0}, 0.05f};
     bool encendida[LUCES] = {true, true, true};
 } estado;
 

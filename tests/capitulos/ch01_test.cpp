@@ -66,6 +66,21 @@ TEST(InfoOpengl, CadaClaveEsta) {
     }
 }
 
+// Sin ventana, ni la versión de OpenGL ni FreeGLUT son los del sistema, y lo dice.
+TEST(InfoOpengl, DiceLoQueEsImitado) {
+    const Ejecucion e = ejecuta("ch01_intro/info_opengl");
+    EXPECT_NE(e.salida.find("(forzado con MESA_GL_VERSION_OVERRIDE=3.1FC)\n"), std::string::npos) << e.salida;
+    EXPECT_NE(e.salida.find("(forzado con MESA_GLSL_VERSION_OVERRIDE=140)\n"), std::string::npos) << e.salida;
+    EXPECT_NE(e.salida.find("(imitado: no hay pantalla)\n"), std::string::npos) << e.salida;
+}
+
+TEST(InfoOpengl, NoAceptaArgumentos) {
+    const Ejecucion mal = ejecuta("ch01_intro/info_opengl", "", 9, 9, {"sobra"});
+    EXPECT_EQ(mal.estado, 2);
+    EXPECT_EQ(mal.errores, "info_opengl: no entiendo «sobra»; uso: info_opengl [opciones de GLUT]\n");
+    EXPECT_EQ(ejecuta("ch01_intro/info_opengl", "", 9, 9, {"-ayuda"}).estado, 0);
+}
+
 TEST(InfoOpengl, SinOpengl31NoSaleConCero) {
     setenv("MESA_GL_VERSION_OVERRIDE", "2.1", 1);
     const Ejecucion e = ejecuta("ch01_intro/info_opengl");

@@ -25,7 +25,7 @@ std::string valor(const std::string &salida, const std::string &clave) {
 }
 
 struct FicheroVf {
-    std::string ruta = (std::filesystem::temp_directory_path() / "vfXXXXXX").string();
+    std::string ruta = (carpetaTemporal() / "vfXXXXXX").string();
     explicit FicheroVf(const std::string &texto) {
         std::fclose(fdopen(mkstemp(ruta.data()), "w"));
         std::ofstream(ruta) << texto;
