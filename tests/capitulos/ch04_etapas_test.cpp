@@ -385,7 +385,7 @@ TEST(EtapasPipeline, Oculto) {
     // en la escala del sexto panel, el fragmento y la flecha de lo guardado
     const Hueco h = escena(PROFUNDIDAD, ancho, alto);
     const auto enEscala = [&](double valor, double y) {
-        return pixel(e.imagen, static_cast<int>(h.x + h.ancho * (0.5 + 0.5 * (1.1 * valor - 0.55))),
+        return pixel(e.imagen, static_cast<int>(h.x + h.ancho * (0.5 + 0.5 * (0.9 * valor - 0.45))),
                      static_cast<int>(h.y + h.alto * (0.5 + 0.5 * y)));
     };
     EXPECT_TRUE(es(enEscala(w.z, -0.1), ROJO));
