@@ -149,7 +149,7 @@ Hueco escena(int k, int ancho, int alto) {
     return {h.x, h.y + numeros, h.ancho, h.alto - numeros};
 }
 o::Camara camaraEn(const Hueco &h) {
-    return perspectivaPanel(o::miraDesde(OJO, {0.1, 0.7, 0}), 0.62, h.ancho, h.alto, CERCA, LEJOS);
+    return oraculo::perspectiva(o::miraDesde(OJO, {0.1, 0.7, 0}), 0.62, CERCA, LEJOS);
 }
 
 /// Las líneas «clave: valores» del último vértice que ha escrito.
@@ -201,9 +201,8 @@ o::Vec3 enNdc(const o::Vec3 &mundo, int ancho, int alto) {
 o::Vec3 enPanel(int k, const o::Vec3 &mundo, int ancho, int alto) {
     const Hueco h = escena(k, ancho, alto);
     const auto mira = [&](const o::Vec3 &p, double distancia, const o::Vec3 &centro) {
-        o::Vec3 w = o::proyecta(
-            perspectivaPanel(o::orbita(0.95, 0.35, distancia, centro), 0.5, h.ancho, h.alto, 0.5, 100),
-            h.ancho, h.alto, p);
+        o::Vec3 w = o::proyecta(oraculo::perspectiva(o::orbita(0.95, 0.35, distancia, centro), 0.5, 0.5, 100),
+                                h.ancho, h.alto, p);
         w.x += h.x, w.y += h.y;
         return w;
     };
@@ -457,8 +456,7 @@ TEST(EtapasPipeline, Recortado) {
 // Un vértice de fuera del volumen llega hasta las coordenadas de recortado, y ahí se acaba.
 TEST(EtapasPipeline, VerticeDeFuera) {
     const Hueco h = escena(OBJETO, 960, 720);
-    const o::Camara objeto =
-        perspectivaPanel(o::orbita(0.95, 0.35, 14, {0, 0.2, 0}), 0.5, h.ancho, h.alto, 0.5, 100);
+    const o::Camara objeto = oraculo::perspectiva(o::orbita(0.95, 0.35, 14, {0, 0.2, 0}), 0.5, 0.5, 100);
     const o::Vec3 w = o::proyecta(objeto, h.ancho, h.alto, TRIANGULO[2]);
     const Ejecucion e =
         ejecuta("ch04_vista3d/etapas_pipeline", "tecla r; " + clic(h.x + w.x, h.y + w.y, 720), 960, 720);

@@ -27,8 +27,7 @@ oraculo::Escena escena() {
 }
 
 oraculo::Camara camaraDe(double azimut, double elevacion, double distancia, int ancho, int alto) {
-    return perspectivaPanel(oraculo::orbita(azimut, elevacion, distancia, {0, 1.1, 0}), 0.5, ancho, alto, 1,
-                            100);
+    return oraculo::perspectiva(oraculo::orbita(azimut, elevacion, distancia, {0, 1.1, 0}), 0.5, 1, 100);
 }
 
 oraculo::ImagenRef referencia(double azimut, double elevacion, double distancia, int ancho = 240,
