@@ -15,8 +15,8 @@
 static const struct {
     glm::vec2 posicion;
     glm::vec3 color;
-} VERTICES[] = {{{0.00f, -0.76f}, NARANJA}, {{0.84f, -0.50f}, ROJO},      {{0.36f, -0.12f}, AZUL},
-                {{0.00f, 0.78f}, VERDE},    {{-0.36f, -0.12f}, AMARILLO}, {{-0.84f, -0.50f}, MORADO}};
+} VERTICES[] = {{{0.00f, -0.62f}, NARANJA}, {{0.74f, -0.38f}, ROJO},      {{0.31f, -0.07f}, AZUL},
+                {{0.00f, 0.66f}, VERDE},    {{-0.31f, -0.07f}, AMARILLO}, {{-0.74f, -0.38f}, MORADO}};
 static const Lado LADOS[] = {Lado::DEBAJO, Lado::DEBAJO,    Lado::DERECHA,
                              Lado::ENCIMA, Lado::IZQUIERDA, Lado::DEBAJO};
 static const GLsizei N_VERTICES = sizeof VERTICES / sizeof VERTICES[0];
@@ -32,7 +32,7 @@ static const struct {
                   {GL_TRIANGLE_STRIP, "GL_TRIANGLE_STRIP", "GL_\nTRIANGLE_\nSTRIP"},
                   {GL_TRIANGLE_FAN, "GL_TRIANGLE_FAN", "GL_\nTRIANGLE_\nFAN"}};
 static const int TODAS = -1, N_PRIMITIVAS = 7;
-static const float ALTO_FIGURA = 0.76f; // parte de un panel; encima va el nombre
+static const float ALTO_FIGURA = 2.0f / 3; // parte de un panel; encima va el nombre
 
 static struct {
     GLuint programa;
@@ -64,7 +64,7 @@ static void dibujaPanel(const Recuadro &panel, int i, const char *nombre) {
     const GLenum primitiva = PRIMITIVAS[i].primitiva;
     const bool esLinea = primitiva == GL_LINES || primitiva == GL_LINE_STRIP || primitiva == GL_LINE_LOOP;
     const int pincel = esLinea ? lado / 72 : 0; // medio lado del pincel, en píxeles
-    envia(estado.programa, "diametroPunto", std::max(static_cast<float>(lado) / 9, 3.0f));
+    envia(estado.programa, "diametroPunto", std::max(static_cast<float>(lado) / 14, 3.0f));
     for (int dy = -pincel; dy <= pincel; ++dy)
         for (int dx = -pincel; dx <= pincel; ++dx) {
             glViewport(x + dx, y + dy, lado, lado);
@@ -72,7 +72,8 @@ static void dibujaPanel(const Recuadro &panel, int i, const char *nombre) {
         }
     glViewport(x, y, lado, lado);
     for (int k = 0; k < N_VERTICES; ++k)
-        rotulaPunto(std::to_string(k), glm::vec3(VERTICES[k].posicion, 0), glm::mat4(1), OSCURO, LADOS[k]);
+        rotulaPunto(std::to_string(k), glm::vec3(VERTICES[k].posicion, 0), glm::mat4(1), OSCURO, LADOS[k],
+                    0.03f);
 }
 
 static void dibuja() {

@@ -16,7 +16,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 static const float ANGULO = 0.55f; // de la perspectiva, en radianes
-static const Orbita ORBITA = {0.22f, 0.38f, 9.9f, {0.26f, 1.42f, 0}};
+static const Orbita ORBITA = {0.22f, 0.38f, 9.5f, {0.43f, 1.42f, 0}};
 // Lado de un píxel a la distancia del centro, con 720 líneas. Con error de 1 el medido no llega a medio píxel (la prueba
 // ch02_bezier lo mide): en esta superficie es como mucho la mitad de lo que garantiza la cota.
 static const double PIXEL = 2 * std::tan(0.5 * ANGULO) * ORBITA.distancia / 720;
@@ -33,9 +33,10 @@ static struct {
     Orbita orbita = ORBITA;
 } estado;
 
-static std::string texto() {
+static std::string texto(const char *separador) {
     char s[100];
-    std::snprintf(s, sizeof s, "error ≤ %.3g px: %d triángulos", estado.error, estado.tetera.nIndices / 3);
+    std::snprintf(s, sizeof s, "hasta %.3g px de error%s%d triángulos", estado.error, separador,
+                  estado.tetera.nIndices / 3);
     return s;
 }
 
@@ -47,7 +48,7 @@ static void construye() {
     glDeleteBuffers(1, &estado.tetera.vertices);
     glDeleteBuffers(1, &estado.tetera.indices);
     estado.tetera = creaBuferes(t.malla);
-    ponTitulo("Tetera: " + texto());
+    ponTitulo("Tetera: " + texto(", "));
 }
 
 static void inicia() {
@@ -73,7 +74,7 @@ static void dibuja() {
     envia(estado.programa, "grosor", hayLineas ? std::max(altoUtil() / 360, 1.0f) : 0.0f);
     envia(estado.programa, "hayDiagonales", estado.lineas == TRIANGULOS);
     dibuja(estado.tetera);
-    rotula(texto(), {0.5f, 0.05f}, OSCURO);
+    rotula(texto("\n"), {0.5f, 0.08f}, OSCURO);
     glutSwapBuffers();
 }
 

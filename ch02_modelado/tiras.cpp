@@ -32,17 +32,23 @@ static struct {
     std::vector<Triangulo> triangulos; // los de la malla
     std::vector<Tira> tiras;
     int elegido = TODAS;
-    Orbita orbita = {0.45f, 0.98f, 1}; // la distancia la pone el encuadre
+    Orbita orbita = {0.32f, 0.9f, 1}; // la distancia la pone el encuadre
 } estado;
 
 static glm::vec3 colorTira(std::size_t i) {
     return PALETA[i % (sizeof PALETA / sizeof PALETA[0])];
 }
 
-static std::string textoTira(std::size_t i) {
-    std::string texto = "Tira " + std::to_string(i + 1) + ":";
+// El color aclarado (0), tal cual (½) y oscurecido (1).
+static glm::vec3 deClaroAOscuro(const glm::vec3 &color, float t) {
+    return t < 0.5f ? glm::mix(glm::mix(BLANCO, color, 0.25f), color, 2 * t)
+                    : glm::mix(color, 0.35f * color, 2 * t - 1);
+}
+
+static std::string indicesEscritos(std::size_t i) {
+    std::string texto;
     for (GLuint v : estado.tiras[i])
-        texto += " " + std::to_string(v + 1);
+        texto += (texto.empty() ? "" : " ") + std::to_string(v + 1);
     return texto;
 }
 
@@ -50,7 +56,7 @@ static void informa() {
     std::size_t nIndices = 0;
     for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
         nIndices += estado.tiras[i].size();
-        std::printf("%s\n", textoTira(i).c_str());
+        std::printf("Tira %zu: %s\n", i + 1, indicesEscritos(i).c_str());
     }
     std::printf("Triángulos: %zu\nTiras: %zu\nÍndices con tiras: %zu\nÍndices con triángulos sueltos: %zu\n",
                 estado.triangulos.size(), estado.tiras.size(), nIndices, 3 * estado.triangulos.size());
@@ -68,12 +74,11 @@ static void construye() {
     std::vector<VerticeTira> enOrden;
     for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
         const Tira &tira = estado.tiras[i];
-        const glm::vec3 clara = glm::mix(BLANCO, colorTira(i), 0.25f), oscura = 0.45f * colorTira(i);
         for (std::size_t k = 0; k < tira.size();
              ++k) // el triángulo k − 2 es del color de su último vértice, el k
-            enOrden.push_back(
-                {estado.vertices[tira[k]],
-                 glm::mix(clara, oscura, (static_cast<float>(k) - 2) / static_cast<float>(tira.size()))});
+            enOrden.push_back({estado.vertices[tira[k]],
+                               deClaroAOscuro(colorTira(i), (static_cast<float>(k) - 2) /
+                                                                static_cast<float>(tira.size() - 3))});
     }
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(enOrden.size() * sizeof(VerticeTira)),
                  enOrden.data(), GL_STATIC_DRAW);
@@ -125,10 +130,9 @@ static void dibujaRecorridos(const glm::mat4 &transformacion) {
     std::vector<glm::vec3> encendidos, apagados, principios;
     for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
         const Tira &tira = estado.tiras[i];
+        std::vector<glm::vec3> &recorrido = seDibuja(i) ? encendidos : apagados;
         for (std::size_t k = 1; k < tira.size(); ++k)
-            (seDibuja(i) ? encendidos : apagados)
-                .insert((seDibuja(i) ? encendidos : apagados).end(),
-                        {estado.vertices[tira[k - 1]], estado.vertices[tira[k]]});
+            recorrido.insert(recorrido.end(), {estado.vertices[tira[k - 1]], estado.vertices[tira[k]]});
         if (seDibuja(i))
             principios.push_back(estado.vertices[tira[0]]);
     }
@@ -147,9 +151,9 @@ static void dibuja() {
     dibujaRecorridos(proyeccion * camara);
     rotulaVertices(estado.vertices, estado.triangulos, posicionCamara(estado.orbita), proyeccion * camara);
     if (estado.tiras.size() <= MAXIMO_ESCRITO && estado.triangulos.size() <= MAXIMO_NUMERADO)
-        for (std::size_t i = 0; i < estado.tiras.size(); ++i)
-            rotula(textoTira(i), {0.02f, 0.04f + 0.05f * static_cast<float>(i)}, 0.8f * colorTira(i),
-                   Lado::DERECHA, 0.03f);
+        for (std::size_t i = 0, n = estado.tiras.size(); i < n; ++i)
+            rotula(indicesEscritos(i), {0.02f, 0.04f + 0.05f * static_cast<float>(n - 1 - i)},
+                   0.8f * colorTira(i), Lado::DERECHA, 0.03f);
     glutSwapBuffers();
 }
 
