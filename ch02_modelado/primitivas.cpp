@@ -16,7 +16,7 @@ static const struct {
     glm::vec2 posicion;
     glm::vec3 color;
 } VERTICES[] = {{{0.00f, -0.62f}, NARANJA}, {{0.74f, -0.38f}, ROJO},      {{0.31f, -0.07f}, AZUL},
-                {{0.00f, 0.66f}, VERDE},    {{-0.31f, -0.07f}, AMARILLO}, {{-0.74f, -0.38f}, MORADO}};
+                {{0.00f, 0.64f}, VERDE},    {{-0.31f, -0.07f}, AMARILLO}, {{-0.74f, -0.38f}, MORADO}};
 static const Lado LADOS[] = {Lado::DEBAJO, Lado::DEBAJO,    Lado::DERECHA,
                              Lado::ENCIMA, Lado::IZQUIERDA, Lado::DEBAJO};
 static const GLsizei N_VERTICES = sizeof VERTICES / sizeof VERTICES[0];
@@ -32,7 +32,6 @@ static const struct {
                   {GL_TRIANGLE_STRIP, "GL_TRIANGLE_STRIP", "GL_\nTRIANGLE_\nSTRIP"},
                   {GL_TRIANGLE_FAN, "GL_TRIANGLE_FAN", "GL_\nTRIANGLE_\nFAN"}};
 static const int TODAS = -1, N_PRIMITIVAS = 7;
-static const float ALTO_FIGURA = 2.0f / 3; // parte de un panel; encima va el nombre
 
 static struct {
     GLuint programa;
@@ -55,10 +54,11 @@ static void inicia() {
     glEnable(GL_PROGRAM_POINT_SIZE);
 }
 
-static void dibujaPanel(const Recuadro &panel, int i, const char *nombre) {
+// `altoFigura`: la parte del alto que ocupa; encima va el nombre.
+static void dibujaPanel(const Recuadro &panel, int i, const char *nombre, float altoFigura) {
     abreRecuadro(panel, FONDO_CLARO);
     rotula(nombre, {0.5f, 0.99f}, OSCURO, Lado::DEBAJO);
-    const int alto = static_cast<int>(ALTO_FIGURA * static_cast<float>(panel.alto)),
+    const int alto = static_cast<int>(altoFigura * static_cast<float>(panel.alto)),
               lado = std::max(std::min(panel.ancho, alto), 1), x = panel.x + (panel.ancho - lado) / 2,
               y = panel.y + (alto - lado) / 2;
     const GLenum primitiva = PRIMITIVAS[i].primitiva;
@@ -73,7 +73,7 @@ static void dibujaPanel(const Recuadro &panel, int i, const char *nombre) {
     glViewport(x, y, lado, lado);
     for (int k = 0; k < N_VERTICES; ++k)
         rotulaPunto(std::to_string(k), glm::vec3(VERTICES[k].posicion, 0), glm::mat4(1), OSCURO, LADOS[k],
-                    0.03f);
+                    0.09f * static_cast<float>(lado) / altoUtil());
 }
 
 static void dibuja() {
@@ -82,11 +82,11 @@ static void dibuja() {
     envia(estado.programa, "camara", glm::mat4(1)); // los vértices ya están en las coordenadas del panel
     envia(estado.programa, "proyeccion", glm::mat4(1));
     if (estado.elegido != TODAS) {
-        dibujaPanel(ventanaEntera(), estado.elegido, PRIMITIVAS[estado.elegido].nombre);
+        dibujaPanel(ventanaEntera(), estado.elegido, PRIMITIVAS[estado.elegido].nombre, 0.9f);
     } else {
         const std::vector<Recuadro> paneles = reparte(N_PRIMITIVAS + 1, 0.8f);
         for (int i = 0; i < N_PRIMITIVAS; ++i)
-            dibujaPanel(paneles[static_cast<std::size_t>(i)], i, PRIMITIVAS[i].enLineas);
+            dibujaPanel(paneles[static_cast<std::size_t>(i)], i, PRIMITIVAS[i].enLineas, 2.0f / 3);
         abreRecuadro(paneles.back(), FONDO_CLARO);
         rotula("El color\nes el del\núltimo\nvértice", {0.5f, 0.5f}, OSCURO);
     }

@@ -74,11 +74,12 @@ static void construye() {
     std::vector<VerticeTira> enOrden;
     for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
         const Tira &tira = estado.tiras[i];
-        for (std::size_t k = 0; k < tira.size();
-             ++k) // el triángulo k − 2 es del color de su último vértice, el k
-            enOrden.push_back({estado.vertices[tira[k]],
-                               deClaroAOscuro(colorTira(i), (static_cast<float>(k) - 2) /
-                                                                static_cast<float>(tira.size() - 3))});
+        const float ultimo = std::max(static_cast<float>(tira.size()) - 3, 1.0f);
+        for (std::size_t k = 0; k < tira.size(); ++k) {
+            const float t =
+                (static_cast<float>(k) - 2) / ultimo; // el vértice k da su color al triángulo k − 2
+            enOrden.push_back({estado.vertices[tira[k]], deClaroAOscuro(colorTira(i), t)});
+        }
     }
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(enOrden.size() * sizeof(VerticeTira)),
                  enOrden.data(), GL_STATIC_DRAW);
