@@ -32,7 +32,7 @@ static struct {
     std::vector<Triangulo> triangulos; // los de la malla
     std::vector<Tira> tiras;
     int elegido = TODAS;
-    Orbita orbita = {0.32f, 0.9f, 1}; // la distancia la pone el encuadre
+    Orbita orbita = {0.66f, 0.80f, 1}; // la distancia la pone el encuadre
 } estado;
 
 static glm::vec3 colorTira(std::size_t i) {

@@ -74,8 +74,8 @@ inline double distanciaColor(const Imagen &imagen, int x, int y, const glm::dvec
     return std::max({d.r, d.g, d.b});
 }
 
-/// El color que más se repite en los píxeles en que la referencia ve ese triángulo (−1: ninguno). Los demás son de las
-/// líneas y los números, que van encima.
+/// El color que más se repite en los píxeles en que la referencia ve ese triángulo (−1: ninguno), sin contar los de las líneas y
+/// los números, que van encima.
 struct Mayoria {
     int pixeles = 0;
     double parte = 0; // la de ese color
@@ -98,7 +98,8 @@ inline Mayoria mayoria(const Imagen &imagen, const oraculo::Escena &escena, cons
             if ((i ? i.corte.triangulo : -1) != triangulo)
                 continue;
             const unsigned char *p = &imagen.rgb[3 * static_cast<std::size_t>(y * imagen.ancho + x)];
-            ++colores[{p[0], p[1], p[2]}];
+            if (distanciaColor(imagen, x, y, OSCURO) > 1 && distanciaColor(imagen, x, y, BLANCO) > 1)
+                ++colores[{p[0], p[1], p[2]}];
             ++m.pixeles;
             m.impacto = i;
         }

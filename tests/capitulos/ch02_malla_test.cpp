@@ -127,7 +127,7 @@ TEST(MallaVf, ElColorDiceElSentido) {
                 << "cara " << c + 1 << (arreglada ? " arreglada" : "");
             EXPECT_GT(m.parte, 0.6) << "cara " << c + 1;
         }
-        EXPECT_EQ(vistas, 7);
+        EXPECT_EQ(vistas, 8);
     }
     EXPECT_EQ(ejecuta("ch02_modelado/malla_vf").imagen.rgb,
               ejecuta("ch02_modelado/malla_vf", "tecla f; tecla f").imagen.rgb);
@@ -139,7 +139,7 @@ TEST(MallaVf, Aristas) {
     const VistaCaja vista(0.55, 0.62);
     const auto grosor = [&](int a, int b,
                             const glm::vec3 &color) { // en la vertical de un punto a un tercio de la arista
-        const glm::dvec2 p = vista.enPixel((2.0 * vista.vertice(a) + vista.vertice(b)) * (1 / 3.0));
+        const glm::dvec2 p = vista.enPixel(2 / 3.0 * vista.vertice(a) + 1 / 3.0 * vista.vertice(b));
         int n = 0;
         for (int d = -12; d <= 12; ++d)
             n += distanciaColor(imagen, static_cast<int>(p.x), static_cast<int>(p.y) + d,
@@ -168,7 +168,7 @@ TEST(MallaVf, Numeros) {
     for (int c : {5, 6, 7, 8, 10}) {
         oraculo::Vec3 centro;
         for (int i : CARAS[static_cast<std::size_t>(c - 1)])
-            centro = centro + vista.vertice(i) * (1 / 3.0);
+            centro = centro + 1 / 3.0 * vista.vertice(i);
         const glm::dvec2 p = vista.enPixel(centro);
         EXPECT_LT(glm::distance(glm::dvec2(rotuloJunto(imagen, enLetras(c), BLANCO, 4, p)), p), 3) << c;
     }
