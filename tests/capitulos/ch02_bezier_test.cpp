@@ -513,7 +513,7 @@ oraculo::Objeto teteraDensa() {
     std::vector<glm::dvec3> puntos;
     std::vector<oraculo::VerticeRef> vertices;
     std::vector<oraculo::Triangulos::Indices> indices;
-    const std::size_t N = 48;
+    const std::size_t N = 96;
     for (std::string linea; std::getline(fichero, linea);) {
         std::istringstream palabras(linea);
         std::string tipo;
@@ -570,7 +570,7 @@ TEST(Tetera, SombreadoYSilueta) {
         return (0.36 + 0.68 * NL + 0.26 * N.y) * azul + 0.7 * std::pow(NH, 70) * oraculo::Vec3{1, 1, 1} +
                0.35 * std::pow(1 - std::max(escalar(N, V), 0.0), 4) * cielo;
     };
-    Imagen imagen = ejecuta("ch02_modelado/tetera", "tecla +; tecla +; tecla +", 480, 360).imagen;
+    Imagen imagen = ejecuta("ch02_modelado/tetera", "tecla +; tecla +; tecla +; tecla +", 480, 360).imagen;
     for (int y = 0; y < 51; ++y) // el rótulo, que está debajo de la tetera
         for (int x = 0; x < 480; ++x)
             for (int k = 0; k < 3; ++k)
@@ -579,8 +579,9 @@ TEST(Tetera, SombreadoYSilueta) {
     const oraculo::Comparacion c = oraculo::compara(imagen, escena, camara, esmalte);
     std::cout << c << "\n";
     EXPECT_GT(c.interior, 480 * 360 * 8 / 10);
-    EXPECT_LE(c.maximo, 3) << c;
-    EXPECT_LE(c.rmse, 0.5) << c;
+    // en el filo del borde el brillo cambia 200 niveles de un píxel al siguiente: el error se parte por dos con la tolerancia
+    EXPECT_LE(c.maximo, 4) << c;
+    EXPECT_LE(c.rmse, 0.35) << c;
     EXPECT_LE(c.desvio, 0.7) << c;
     // llena la ventana a lo ancho
     int primera = 480, ultima = 0;
@@ -648,17 +649,19 @@ TEST(Tetera, MallaYCuadrilateros) {
         const auto i = oraculo::primerImpacto(escena, oraculo::rayo(camara, 960, 720, q.x, q.y));
         if (!i || oraculo::longitud(i.punto - p) > 1e-3)
             return;
-        const auto hayLinea = [&](const Imagen &imagen) { // en el píxel o en uno vecino
+        const auto hayLinea = [&](const Imagen &imagen, int radio) {
             bool hay = false;
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx) {
+            for (int dy = -radio; dy <= radio; ++dy)
+                for (int dx = -radio; dx <= radio; ++dx) {
                     const Pixel c = pixel(imagen, x + dx, y + dy);
                     hay = hay || std::abs(c.r - 41) + std::abs(c.g - 43) + std::abs(c.b - 51) < 24;
                 }
             return hay;
         };
-        EXPECT_EQ(hayLinea(malla), enMalla) << que << " en " << x << "," << y;
-        EXPECT_EQ(hayLinea(cuadrilateros), enCuadrilateros) << que << " en " << x << "," << y;
+        // que la haya, en el píxel o en uno vecino; que no, en el píxel
+        EXPECT_EQ(hayLinea(malla, enMalla), enMalla) << que << " en " << x << "," << y;
+        EXPECT_EQ(hayLinea(cuadrilateros, enCuadrilateros), enCuadrilateros)
+            << que << " en " << x << "," << y;
         ++cuenta;
     };
     std::size_t base = 0;
