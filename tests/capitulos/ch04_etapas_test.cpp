@@ -252,7 +252,6 @@ std::u32string dosDecimales(double v) {
 // de medio píxel del vértice.
 TEST(EtapasPipeline, EsquinasDelCubo) {
     const int ancho = 480, alto = 360;
-    const Hueco h = escena(VENTANA, ancho, alto);
     double peor = 0, conLaImpresa = 0;
     for (const int k : {0, 3, 5, 6}) { // una de cada dos
         const o::Vec3 mundo = o::punto(MM, esquinaCubo(k)), ventana = enVentana(mundo, ancho, alto),
