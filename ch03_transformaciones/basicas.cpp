@@ -1,41 +1,41 @@
-// Las transformaciones básicas: traslación (ecuaciones 3.1 y 3.2), escalado (3.4 y 3.5) y giros alrededor de X, Y y Z (3.6, 3.7 y
-// 3.8) de una F, con su matriz. En gris, la F de partida. Los giros positivos son antihorarios mirando hacia el origen
-// desde el eje.
-// Controles: 1 traslación · 2 escalado · 3 4 5 giros en X, Y y Z · + - valor · ratón orbita · Esc termina.
-#include "ejes.h"
+// Las transformaciones básicas (§3.1) de una F, con su matriz escrita: traslación (ecuaciones 3.1 a 3.3), escalado (3.4 y 3.5) y
+// giros alrededor de X, Y y Z (3.6 a 3.8). Gris, la F original; la flecha es el camino de su esquina. Un giro de
+// ángulo positivo es antihorario visto desde la punta de su eje, mirando hacia el origen.
+// Controles: 1 traslación · 2 escalado · 3 4 5 giro en X, Y, Z · + - cambian el valor · ratón orbita · Esc termina.
+#include "dibujos.h"
 #include "letra_f.h"
 #include "objeto.h"
 #include "orbita.h"
 #include "ventana.h"
-#include <algorithm>
 #include <cstdio>
 
-static const struct {
-    const char *nombre, *parametros; // con el valor en lugar de %.2f
-    glm::mat4 (*matriz)(float valor);
-    float inicial, paso, minimo, maximo; // unidades del mundo, factor o radianes
-} TRANSFORMACIONES[5] = {
-    {"Traslación", "T(%.2f, 0, 0)",
+static const float GRADO = glm::pi<float>() / 180;
+static const struct Basica {
+    const char *antes, *despues; // del valor, al escribirla
+    glm::mat4 (*matriz)(float);
+    float unidad, neutro, inicial, paso, tope; // `unidad`, en la que se escribe el valor; los demás, en ella
+} BASICAS[] = {
+    {"T(", ", 0, 0)",
      [](float t) {
          return traslacion({t, 0, 0});
      },
-     1.5f, 0.25f, -2, 2},
-    {"Escalado", "S(%.2f, 1, 1)",
+     1, 0, 1.5f, 0.25f, 2},
+    {"S(", ", 1, 1)",
      [](float s) {
          return escalado({s, 1, 1});
      },
-     1.75f, 0.25f, -2, 2},
-    {"Giro en X", "Rx(%.2f rad)", giroX, 0.7f, 0.1f, -3.2f, 3.2f},
-    {"Giro en Y", "Ry(%.2f rad)", giroY, 0.7f, 0.1f, -3.2f, 3.2f},
-    {"Giro en Z", "Rz(%.2f rad)", giroZ, 0.7f, 0.1f, -3.2f, 3.2f},
+     1, 1, 1.5f, 0.25f, 2},
+    {"Rx(", "°)", giroX, GRADO, 0, 60, 15, 360},
+    {"Ry(", "°)", giroY, GRADO, 0, 60, 15, 360},
+    {"Rz(", "°)", giroZ, GRADO, 0, 60, 15, 360},
 };
 
 static struct {
     GLuint programa;
     Buferes letra;
     int elegido = 0;
-    float valor = TRANSFORMACIONES[0].inicial;
-    Orbita orbita = {0.55f, 0.35f, 11.5f, {0.5f, 0.75f, 0}};
+    float valor = BASICAS[0].inicial;
+    Orbita orbita = {0.95f, 0.35f, 10.2f, {0.2f, 1.42f, 0}};
 } estado;
 
 static void inicia() {
@@ -45,60 +45,69 @@ static void inicia() {
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
-static std::string nombreConValor() {
-    char texto[40];
-    std::snprintf(texto, sizeof texto, TRANSFORMACIONES[estado.elegido].parametros,
-                  static_cast<double>(estado.valor));
-    return texto;
+static std::string escribe(const glm::mat4 &M) {
+    std::string filas;
+    for (int fila = 0; fila < 4; ++fila) {
+        filas += "|";
+        for (int columna = 0; columna < 4; ++columna) {
+            char texto[16]; // a centésimas, que cos 90° no sea −4.4e−8; y + 0 quita el signo de −0
+            std::snprintf(texto, sizeof texto, "%6.3g", std::round(100 * M[columna][fila]) / 100 + 0.0);
+            filas += texto;
+        }
+        filas += " |\n";
+    }
+    filas.pop_back();
+    return filas;
 }
 
-// Las cuatro filas, como se escriben: glm::mat4 guarda columnas.
-static std::string textoMatriz(const glm::mat4 &M) {
-    std::string texto;
-    for (int fila = 0; fila < 4; ++fila) {
-        char linea[48];
-        std::snprintf(linea, sizeof linea, "%s%5.2f %5.2f %5.2f %5.2f", fila ? "\n" : "",
-                      static_cast<double>(M[0][fila]), static_cast<double>(M[1][fila]),
-                      static_cast<double>(M[2][fila]), static_cast<double>(M[3][fila]));
-        texto += linea;
-    }
+static std::string nombre() {
+    char texto[32];
+    const Basica &b = BASICAS[estado.elegido];
+    std::snprintf(texto, sizeof texto, "%s%.4g%s", b.antes, static_cast<double>(estado.valor), b.despues);
     return texto;
 }
 
 static void dibuja() {
+    const Basica &b = BASICAS[estado.elegido];
+    const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100), camara = camaraOrbita(estado.orbita),
+                    transformacion = proyeccion * camara, M = b.matriz(b.unidad * estado.valor);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 100);
-    const glm::mat4 M = TRANSFORMACIONES[estado.elegido].matriz(estado.valor);
     glUseProgram(estado.programa);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
-    glFrontFace(glm::determinant(M) < 0 ? GL_CW : GL_CCW);
     dibujaObjeto(estado.programa, estado.letra, M, NARANJA);
-    trazaSegmentos(aristasF(), proyeccion * camara, GRIS, 4);
-    trazaEjes(proyeccion * camara, glm::vec3(2.3f, 2.1f, 2.1f));
-    rotula(nombreConValor(), {0.25f, 0.88f}, OSCURO, Lado::CENTRO, 0.05f);
-    rotula(textoMatriz(M), {0.71f, 0.87f}, AZUL, Lado::CENTRO, 0.03f);
+    trazaOriginal(aristasF(), transformacion);
+
+    std::vector<glm::vec3> camino; // de la esquina, mientras el valor va del neutro al suyo
+    for (int i = 0; i <= 20; ++i) {
+        const float valor = glm::mix(b.neutro, estado.valor, static_cast<float>(i) / 20);
+        camino.push_back(b.matriz(b.unidad * valor) * glm::vec4(MAXIMO_F, 1));
+    }
+    trazaPolilinea({camino.begin(), camino.end() - 3}, transformacion, MORADO);
+    trazaFlecha(camino[17], camino[20], transformacion, MORADO);
+    trazaEjes(glm::vec3(1.85f), transformacion);
+    rotula(nombre() + " =", {0.03f, 0.94f}, OSCURO, Lado::DERECHA);
+    rotula(escribe(M), {0.03f, 0.78f}, OSCURO, Lado::DERECHA);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
-    const auto &t = TRANSFORMACIONES[estado.elegido];
+    const Basica &b = BASICAS[estado.elegido];
     if (tecla >= '1' && tecla <= '5') {
         estado.elegido = tecla - '1';
-        estado.valor = TRANSFORMACIONES[estado.elegido].inicial;
-    } else if (tecla == '+' || tecla == '-') {
-        estado.valor = std::clamp(estado.valor + (tecla == '+' ? t.paso : -t.paso), t.minimo, t.maximo);
-    } else {
+        estado.valor = BASICAS[estado.elegido].inicial;
+    } else if (tecla == '+' || tecla == '-')
+        estado.valor = glm::clamp(estado.valor + (tecla == '+' ? b.paso : -b.paso), -b.tope, b.tope);
+    else
         return;
-    }
-    ponTitulo(TRANSFORMACIONES[estado.elegido].nombre + (": " + nombreConValor()));
+    ponTitulo("Transformaciones básicas: " + nombre());
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Traslación: T(1.50, 0, 0)", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    abreVentana(argc, argv, "Transformaciones básicas", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

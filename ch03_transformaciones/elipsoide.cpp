@@ -1,20 +1,20 @@
-// La esfera de radio 1, escalada con (0.5, 0.5, 3), acaba con un extremo en el origen y el otro en la recta x = y = z, la
-// oscura (ejercicio 3.4), transformación a transformación (pasos.h). En gris, de dónde sale y adónde va.
+// La esfera de radio 1, escalada con (0.5, 0.5, 3), acaba con un extremo en el origen y el otro en la recta
+// x = y = z, dibujada en oscuro (ejercicio 3.4), transformación a transformación (pasos.h). En líneas, de
+// dónde sale y adónde va.
 // Controles: t aplica la transformación siguiente, y tras la última empieza · ratón orbita · Esc termina.
-#include "ejes.h"
+#include "dibujos.h"
 #include "objeto.h"
 #include "orbita.h"
-#include "pasos.h"
 #include "ventana.h"
 
 static const float RADIO_PX = 450; // el semieje mayor, donde más cerca está, en una pantalla de 1080 líneas
-static const int MERIDIANOS = 4, PUNTOS = 48;
 
 static struct {
     GLuint programa;
     Buferes esfera;
+    std::vector<Paso> pasos = pasosElipsoide();
     std::size_t aplicados = 0;
-    Orbita orbita = {-0.5f, 0.35f, 17, {1.7f, 1.2f, 1.7f}};
+    Orbita orbita = {-0.5f, 0.35f, 16, {1.7f, 1.3f, 1.5f}};
 } estado;
 
 static void inicia() {
@@ -25,44 +25,30 @@ static void inicia() {
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
-// El ecuador y unos meridianos.
-static void trazaEsfera(const glm::mat4 &transformacion) {
-    std::vector<glm::vec3> ecuador;
-    for (int i = 0; i < PUNTOS; ++i) {
-        const float a = glm::two_pi<float>() * static_cast<float>(i) / PUNTOS;
-        ecuador.push_back({std::cos(a), std::sin(a), 0});
-    }
-    trazaPolilinea(ecuador, transformacion, GRIS, 4, true);
-    for (int i = 0; i < MERIDIANOS; ++i) // el ecuador, puesto de pie
-        trazaPolilinea(ecuador,
-                       transformacion * giroZ(glm::pi<float>() * static_cast<float>(i) / MERIDIANOS) *
-                           giroX(glm::half_pi<float>()),
-                       GRIS, 4, true);
-}
-
 static void dibuja() {
+    const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100), camara = camaraOrbita(estado.orbita),
+                    transformacion = proyeccion * camara;
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 100);
-    const std::vector<Paso> pasos = pasosElipsoide();
     glUseProgram(estado.programa);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
-    dibujaObjeto(estado.programa, estado.esfera, concatena(pasos, estado.aplicados), NARANJA);
-    for (const std::size_t extremo : {std::size_t(0), pasos.size()})
+    dibujaObjeto(estado.programa, estado.esfera, concatena(estado.pasos, estado.aplicados), NARANJA);
+    for (std::size_t extremo : {std::size_t(0), estado.pasos.size()})
         if (extremo != estado.aplicados) // donde está la esfera no hacen falta líneas
-            trazaEsfera(proyeccion * camara * concatena(pasos, extremo));
-    trazaSegmentos({glm::vec3(-1.2f), glm::vec3(4.2f)}, proyeccion * camara, OSCURO);
-    rotulaPunto("x = y = z", glm::vec3(4.2f), proyeccion * camara, OSCURO, Lado::IZQUIERDA);
-    trazaEjes(proyeccion * camara, glm::vec3(4));
-    rotula(producto(pasos, estado.aplicados, " ·\n    "), {0.60f, 0.16f}, OSCURO, Lado::DERECHA);
+            trazaEsfera(transformacion * concatena(estado.pasos, extremo), GRIS);
+    const glm::vec3 enLaRecta(4);
+    trazaPolilinea({-0.3f * enLaRecta, enLaRecta}, transformacion, OSCURO);
+    rotulaPunto("x = y = z", enLaRecta, transformacion, OSCURO, Lado::ENCIMA);
+    trazaEjes({4, 4, 4}, transformacion);
+    rotulaPasos(estado.pasos, estado.aplicados, 0.57f);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla) || tecla != 't')
         return;
-    estado.aplicados = (estado.aplicados + 1) % (pasosElipsoide().size() + 1);
-    ponTitulo("Elipsoide: " + producto(pasosElipsoide(), estado.aplicados));
+    estado.aplicados = (estado.aplicados + 1) % (estado.pasos.size() + 1);
+    ponTitulo("Elipsoide: " + producto(estado.pasos, estado.aplicados));
     glutPostRedisplay();
 }
 

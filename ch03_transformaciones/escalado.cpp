@@ -1,25 +1,29 @@
-// Seis escalados de una F (ejercicio 3.1). Arriba: uniforme, no uniforme y un factor cero; abajo: un factor negativo, dos
-// negativos y factores entre 0 y 1. En gris, la F sin escalar. Amarillo es el lado de fuera de las caras y morado el de
-// dentro: con un factor negativo la F es su imagen en un espejo y sus caras giran al revés; con dos (determinante
-// positivo) es la F girada media vuelta.
+// Seis escalados de una F (ejercicio 3.1). Arriba: uniforme, no uniforme y un factor cero; abajo: un factor
+// negativo, dos negativos y factores entre 0 y 1. En líneas, la F sin escalar. Amarillo es el lado de fuera
+// de las caras y morado el de dentro: con un factor negativo la F es su imagen en un espejo y sus caras giran
+// al revés; con dos (determinante positivo) es la F girada media vuelta.
 // Controles: ratón orbita · Esc termina.
-#include "ejes.h"
+#include "dibujos.h"
 #include "letra_f.h"
+#include "objeto.h"
 #include "orbita.h"
 #include "recuadro.h"
-#include "shader.h"
-#include "transformaciones.h"
 #include "ventana.h"
-#include <cstdio>
+#include <glm/gtc/matrix_transform.hpp>
 
-static const glm::vec3 FACTORES[6] = {{1.4f, 1.4f, 1.4f}, {1.8f, 0.6f, 1}, {1, 1, 0},
-                                      {-1, 1, 1},         {-1, -1, 1},     {0.5f, 0.5f, 0.5f}};
-static const float ATENUADO = 0.35f; // de las aristas que quedan ocultas
+static const struct {
+    glm::vec3 factores;
+    const char *nombre;
+} ESCALADOS[] = {{{2, 2, 2}, "S(2, 2, 2)"},     {{2, 0.5f, 1}, "S(2, .5, 1)"},
+                 {{1, 1, 0}, "S(1, 1, 0)"},     {{-1, 1, 1}, "S(-1, 1, 1)"},
+                 {{-1, -1, 1}, "S(-1, -1, 1)"}, {glm::vec3(0.5f), "S(.5, .5, .5)"}};
+
+static const float ASPECTO_ESCENA = 0.85f, SEMIALTO = 0.24f; // a distancia 1 del ojo
 
 static struct {
     GLuint programa;
     Buferes letra;
-    Orbita orbita = {0.55f, 0.3f, 10};
+    Orbita orbita = {1, 0.3f, 10};
 } estado;
 
 static void inicia() {
@@ -29,19 +33,17 @@ static void inicia() {
     glEnable(GL_DEPTH_TEST);
 }
 
-static void dibujaVista(const Recuadro &r, const glm::vec3 &s) {
-    abreRecuadro(r, FONDO_CLARO);
+static void dibujaVista(const glm::vec3 &s, const char *nombre, const Recuadro &r) {
     // Cada vista se centra en lo que abarcan la F y su escalada; la escala es la misma en todas.
     Orbita orbita = estado.orbita;
     orbita.centro = 0.5f * (glm::min(MINIMO_F, glm::min(s * MINIMO_F, s * MAXIMO_F)) +
                             glm::max(MAXIMO_F, glm::max(s * MINIMO_F, s * MAXIMO_F)));
-    const glm::mat4 camara = camaraOrbita(orbita), M = escalado(s);
-    const glm::mat4 proyeccion = perspectivaVentana(0.32f, 1, 100, aspecto(r));
-    glDisable(GL_DEPTH_TEST); // lo oculto del original, tenue
-    trazaSegmentos(aristasF(), proyeccion * camara, glm::mix(FONDO_CLARO, GRIS, ATENUADO), 3);
-    glEnable(GL_DEPTH_TEST);
-
-    glUseProgram(estado.programa);
+    orbita.centro.y -= 0.18f; // debajo va el rótulo
+    // vistas más altas que anchas: en perspectivaVentana, que es para 4:3, se quedarían pequeñas
+    const float semialto = SEMIALTO * std::max(ASPECTO_ESCENA / aspecto(r), 1.0f);
+    const glm::mat4 proyeccion = glm::perspective(2 * std::atan(semialto), aspecto(r), 1.0f, 100.0f),
+                    camara = camaraOrbita(orbita), transformacion = proyeccion * camara, M = escalado(s);
+    abreRecuadro(r, FONDO_CLARO);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
     envia(estado.programa, "M", M);
@@ -54,19 +56,17 @@ static void dibujaVista(const Recuadro &r, const glm::vec3 &s) {
         glEnable(GL_CULL_FACE);
     dibuja(estado.letra);
     glDisable(GL_CULL_FACE);
-    trazaSegmentos(aristasF(), proyeccion * camara, GRIS, 3);
-    trazaEjes(proyeccion * camara, {1.8f, 1.8f, 1.0f}, 4);
-    char texto[64];
-    std::snprintf(texto, sizeof texto, "S(%g, %g, %g)", static_cast<double>(s.x), static_cast<double>(s.y),
-                  static_cast<double>(s.z));
-    rotula(texto, {0.5f, 0.93f}, OSCURO);
+    trazaOriginal(aristasF(), transformacion);
+    trazaEjes({1.7f, 1.9f, 0.8f}, transformacion);
+    rotula(nombre, {0.5f, 0.06f}, OSCURO);
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), GRIS);
-    const std::vector<Recuadro> paneles = reparte(6);
+    abreRecuadro(ventanaEntera(), GRIS); // las rayas que separan las vistas
+    glUseProgram(estado.programa);
+    const std::vector<Recuadro> paneles = reparte(6, ASPECTO_ESCENA);
     for (std::size_t i = 0; i < paneles.size(); ++i)
-        dibujaVista(paneles[i], FACTORES[i]);
+        dibujaVista(ESCALADOS[i].factores, ESCALADOS[i].nombre, paneles[i]);
     glutSwapBuffers();
 }
 

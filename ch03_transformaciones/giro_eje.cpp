@@ -1,33 +1,29 @@
-// Giro alrededor de un eje cualquiera por cambio de base (§3.4, ecuaciones 3.9 y 3.10): el eje d (rojo) y los
-// vectores e (verde) y f (azul) que completan la base, el objeto girado, el de partida (pálido) y la
-// circunferencia que recorre. El giro se recalcula siempre desde el ángulo: multiplicar un giro tras otro
-// acumula error (tests/capitulos/ch03_giro_test.cpp).
-// Controles: a d giran · 1 2 3 4 ejes Y, diagonal, oblicuo y casi X · ratón izquierdo mueve el eje
-// · ratón derecho orbita · Esc termina.
+// Giro alrededor de un eje cualquiera por cambio de base (§3.4, ecuaciones 3.9 y 3.10): el eje d y los vectores e y f
+// que completan la base, el objeto girado un ángulo φ, el de partida (pálido) y lo que recorre. El giro se calcula
+// siempre desde el ángulo: multiplicar un giro tras otro acumula error (ch03_giro_test.cpp).
+// Controles: a d giran · 1 2 3 4 ejes Y, diagonal, oblicuo y casi X · botón izquierdo mueve el eje, derecho orbita ·
+//            Esc termina.
 #include "colores.h"
 #include "objeto.h"
 #include "orbita.h"
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"
-#include <cmath>
 #include <cstdio>
-#include <glm/gtc/constants.hpp>
 
 static const float PASO_GIRO = 0.1f; // radianes
 static const float RADIANES_POR_PIXEL = 0.01f;
 static const glm::vec3 EJES[] = {{0, 1, 0}, {1, 1, 1}, {-0.6f, 0.7f, 0.4f}, {1, 1e-10f, 0}};
 static const glm::vec3 SITIO(-1.1f, 0.2f, 1.2f); // el centro del avión, sin girar
-static const int PUNTOS_ARO = 96;
 
 static struct {
     GLuint programa;
     Buferes cubo;
     glm::vec3 eje = EJES[0]; // sin normalizar
-    float angulo = 2;        // radianes
+    float angulo = 2;        // φ, radianes
     bool moviendoEje = false;
     int xAnterior = 0, yAnterior = 0;
-    Orbita orbita = {-0.5f, 0.4f, 8};
+    Orbita orbita = {-0.5f, 0.4f, 7, {0, 0, 0}};
 } estado;
 
 static void inicia() {
@@ -51,46 +47,57 @@ static void dibujaAvion(const glm::mat4 &M, float viveza) {
                      glm::mix(FONDO_CLARO, p.color, viveza));
 }
 
-static std::string describeGiro() {
-    char texto[80];
-    const glm::dvec3 d(estado.eje);
-    std::snprintf(texto, sizeof texto, "%.0f° alrededor de (%.3g, %.3g, %.3g)",
-                  glm::degrees(static_cast<double>(estado.angulo)), d.x, d.y, d.z);
-    return texto;
-}
-
-// Los puntos por los que pasa el sitio del avión al girar hasta `angulo`.
-static std::vector<glm::vec3> arco(const glm::vec3 &d, float angulo) {
+// Por dónde pasa el centro del avión mientras gira ese ángulo.
+static std::vector<glm::vec3> recorrido(const glm::vec3 &d, float angulo) {
+    const int TRAMOS = 64;
     std::vector<glm::vec3> puntos;
-    for (int i = 0; i <= PUNTOS_ARO; ++i)
-        puntos.push_back(giroEje(d, angulo * static_cast<float>(i) / PUNTOS_ARO) * glm::vec4(SITIO, 1));
+    for (int i = 0; i <= TRAMOS; ++i)
+        puntos.push_back(giroEje(d, angulo * static_cast<float>(i) / TRAMOS) * glm::vec4(SITIO, 1));
     return puntos;
 }
 
+static void trazaVector(const char *nombre, const glm::vec3 &v, float largo, const glm::mat4 &transformacion,
+                        const glm::vec3 &color) {
+    trazaFlecha(glm::vec3(0), largo * v, transformacion, color, 2 * GROSOR);
+    rotulaPunto(nombre, (largo + 0.15f) * v, transformacion, color, Lado::CENTRO);
+}
+
+static std::string describe(const glm::vec3 &d) {
+    char texto[80];
+    const auto centesimas = [](float x) { return std::round(100 * x) / 100 + 0.0; }; // + 0: sin −0
+    std::snprintf(texto, sizeof texto, "φ = %.0f°, d = (%.2g, %.2g, %.2g)",
+                  static_cast<double>(glm::degrees(estado.angulo)), centesimas(d.x), centesimas(d.y),
+                  centesimas(d.z));
+    return texto;
+}
+
 static void dibuja() {
+    const glm::mat4 proyeccion = perspectivaVentana(0.6f, 1, 30), camara = camaraOrbita(estado.orbita),
+                    transformacion = proyeccion * camara;
+    const glm::vec3 d = unitario(estado.eje);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.6f, 1, 30);
-    const glm::mat4 alPanel = proyeccion * camara;
     glUseProgram(estado.programa);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
-
-    const glm::vec3 d = unitario(estado.eje);
     dibujaAvion(traslacion(SITIO), 0.3f);
     dibujaAvion(giroEje(d, estado.angulo) * traslacion(SITIO), 1);
 
+    const std::vector<glm::vec3> arco = recorrido(d, estado.angulo);
+    trazaPolilinea(recorrido(d, glm::two_pi<float>()), transformacion, GRIS);
+    trazaPolilinea(arco, transformacion, MORADO, 1.5f * GROSOR);
+    trazaPolilinea({-1.6f * d, glm::vec3(0)}, transformacion, OSCURO, 1.5f * GROSOR);
     const glm::mat3 base = glm::transpose(cambioDeBase(d)); // d, e y f, que eran filas, son columnas
-    const char *const nombres[] = {"d", "e", "f"};
-    trazaSegmentos({-1.95f * d, 1.95f * d}, alPanel, OSCURO, 4);
-    for (int i = 0; i < 3; ++i) {
-        const glm::vec3 punta = (i == 0 ? 1.5f : 0.9f) * base[i];
-        trazaFlecha(glm::vec3(0), punta, alPanel, COLOR_EJE[i], 8);
-        rotulaPunto(nombres[i], punta, alPanel, COLOR_EJE[i], Lado::DERECHA);
-    }
-    trazaPolilinea(arco(d, glm::two_pi<float>()), alPanel, GRIS, 3);
-    trazaPolilinea(arco(d, estado.angulo), alPanel, OSCURO, 8);
-    rotula(describeGiro(), {0.5f, 0.05f}, OSCURO);
+    trazaVector("e", base[1], 0.9f, transformacion, VERDE);
+    trazaVector("f", base[2], 0.9f, transformacion, AZUL);
+    trazaVector("d", base[0], 1.6f, transformacion, ROJO);
+    rotulaPunto("φ", arco[arco.size() / 2], transformacion, MORADO, Lado::DEBAJO);
+    rotula(describe(d), {0.5f, 0.05f}, OSCURO);
     glutSwapBuffers();
+}
+
+static void cambia() {
+    ponTitulo("Giro alrededor de un eje: " + describe(unitario(estado.eje)));
+    glutPostRedisplay();
 }
 
 static void teclado(unsigned char tecla, int, int) {
@@ -103,8 +110,7 @@ static void teclado(unsigned char tecla, int, int) {
         estado.eje = EJES[tecla - '1'];
     else
         return;
-    ponTitulo("Giro de " + describeGiro());
-    glutPostRedisplay();
+    cambia();
 }
 
 static void boton(int cual, int pulsado, int x, int y) {
@@ -116,7 +122,7 @@ static void boton(int cual, int pulsado, int x, int y) {
 }
 
 // El eje gira con el ratón alrededor de la vertical y de la horizontal de la pantalla, que en el mundo son
-// las dos primeras filas de la vista.
+// las dos primeras filas de la cámara.
 static void arrastra(int x, int y) {
     if (!estado.moviendoEje)
         return orbitaArrastra(x, y);
@@ -126,13 +132,11 @@ static void arrastra(int x, int y) {
         glm::mat3(giroEje(pantalla[0], angulos.y) * giroEje(pantalla[1], angulos.x)) * unitario(estado.eje);
     estado.xAnterior = x;
     estado.yAnterior = y;
-    ponTitulo("Giro de " + describeGiro());
-    glutPostRedisplay();
+    cambia();
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Giro de 115° alrededor de (0, 1, 0)",
-                GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    abreVentana(argc, argv, "Giro alrededor de un eje", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

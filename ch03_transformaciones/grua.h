@@ -74,21 +74,3 @@ inline std::vector<Pieza> piezasGrua(const PosturaGrua &postura) {
         {carro * traslacion({0, p.altura, 0}) * escalado(LADO_CARGA), ROJO},
     };
 }
-
-/// Donde se apoya: una solera cuadrada con su cuadrícula, que da la escala y el contacto, y la zapata del pie.
-const float LADO_SOLERA = 16, GRUESO_SOLERA = 0.3f;
-inline glm::mat4 soleraGrua() {
-    return traslacion({0, -GRUESO_SOLERA / 2, 0}) * escalado({LADO_SOLERA, GRUESO_SOLERA, LADO_SOLERA});
-}
-inline glm::mat4 zapataGrua() {
-    return traslacion({0, 0.1f, 0}) * escalado({3 * GRUESO, 0.2f, 3 * GRUESO});
-}
-
-/// Líneas cada dos unidades sobre la solera, dos puntos cada una.
-inline std::vector<glm::vec3> cuadriculaGrua() {
-    const float lado = LADO_SOLERA / 2, y = 0.02f;
-    std::vector<glm::vec3> extremos;
-    for (float a = 2 - lado; a < lado; a += 2)
-        extremos.insert(extremos.end(), {{a, y, -lado}, {a, y, lado}, {-lado, y, a}, {lado, y, a}});
-    return extremos;
-}

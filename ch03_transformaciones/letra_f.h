@@ -1,19 +1,21 @@
-// Una F con grueso: no tiene ninguna simetría, así que se ve si está girada o en un espejo. Sin OpenGL salvo los tipos.
+// La F de escalado y basicas: ni la simetría de una esfera ni la de un cubo, así que siempre se ve cómo está puesta. No pasa por
+// el origen: escalar o girar también la cambian de sitio. Sin OpenGL.
 #pragma once
 #include "malla.h"
 
-// No pasa por el origen: escalarla también la acerca, la aleja o la cambia de lado. Su contorno, en sentido antihorario, y los
-// triángulos que lo llenan; se extiende de z = −0.25 a 0.25.
-const glm::vec2 CONTORNO_F[10] = {{0.15f, 0.15f}, {0.55f, 0.15f}, {0.55f, 0.70f}, {1.05f, 0.70f},
-                                  {1.05f, 1.05f}, {0.55f, 1.05f}, {0.55f, 1.30f}, {1.30f, 1.30f},
-                                  {1.30f, 1.65f}, {0.15f, 1.65f}};
+const glm::vec3 MINIMO_F(0.15f, 0.15f, -0.25f), MAXIMO_F(1.30f, 1.65f, 0.25f);
+
+/// Su contorno, en sentido antihorario, y los triángulos que lo llenan.
+const int LADOS_F = 10;
+const glm::vec2 CONTORNO_F[LADOS_F] = {{0.15f, 0.15f}, {0.55f, 0.15f}, {0.55f, 0.70f}, {1.05f, 0.70f},
+                                       {1.05f, 1.05f}, {0.55f, 1.05f}, {0.55f, 1.30f}, {1.30f, 1.30f},
+                                       {1.30f, 1.65f}, {0.15f, 1.65f}};
 const GLuint TRIANGULOS_F[8][3] = {{0, 1, 2}, {2, 3, 4}, {2, 4, 5}, {0, 2, 5},
                                    {0, 5, 6}, {0, 6, 9}, {6, 7, 8}, {6, 8, 9}};
-const glm::vec3 MINIMO_F(0.15f, 0.15f, -0.25f), MAXIMO_F(1.30f, 1.65f, 0.25f);
 
 inline Malla letraF() {
     Malla letra;
-    for (const float z : {MINIMO_F.z, MAXIMO_F.z}) {
+    for (float z : {MINIMO_F.z, MAXIMO_F.z}) {
         const GLuint base = static_cast<GLuint>(letra.vertices.size());
         const bool delante = z > 0;
         for (const glm::vec2 &p : CONTORNO_F)
@@ -22,8 +24,8 @@ inline Malla letraF() {
             letra.indices.insert(letra.indices.end(),
                                  {base + t[0], base + t[delante ? 1 : 2], base + t[delante ? 2 : 1]});
     }
-    for (int i = 0; i < 10; ++i) {
-        const glm::vec2 p = CONTORNO_F[i], q = CONTORNO_F[(i + 1) % 10];
+    for (int i = 0; i < LADOS_F; ++i) {
+        const glm::vec2 p = CONTORNO_F[i], q = CONTORNO_F[(i + 1) % LADOS_F];
         const glm::vec3 normal = glm::normalize(glm::vec3(q.y - p.y, p.x - q.x, 0));
         const GLuint base = static_cast<GLuint>(letra.vertices.size());
         for (const glm::vec3 &v : {glm::vec3(p, MINIMO_F.z), glm::vec3(q, MINIMO_F.z),
@@ -34,14 +36,15 @@ inline Malla letraF() {
     return letra;
 }
 
-/// Sus aristas, dos puntos cada una.
+/// Sus aristas: los dos extremos de cada una.
 inline std::vector<glm::vec3> aristasF() {
     std::vector<glm::vec3> extremos;
-    for (int i = 0; i < 10; ++i) {
-        const glm::vec2 p = CONTORNO_F[i], q = CONTORNO_F[(i + 1) % 10];
-        const glm::vec3 delante(p, MAXIMO_F.z), detras(p, MINIMO_F.z);
-        extremos.insert(extremos.end(), {delante, glm::vec3(q, MAXIMO_F.z), detras, glm::vec3(q, MINIMO_F.z),
-                                         delante, detras});
+    for (int i = 0; i < LADOS_F; ++i) {
+        const glm::vec2 p = CONTORNO_F[i], q = CONTORNO_F[(i + 1) % LADOS_F];
+        for (const glm::vec3 &v :
+             {glm::vec3(p, MINIMO_F.z), glm::vec3(q, MINIMO_F.z), glm::vec3(p, MAXIMO_F.z),
+              glm::vec3(q, MAXIMO_F.z), glm::vec3(p, MINIMO_F.z), glm::vec3(p, MAXIMO_F.z)})
+            extremos.push_back(v);
     }
     return extremos;
 }

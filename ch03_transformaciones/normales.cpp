@@ -9,21 +9,19 @@
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"
-#include <string>
 
-static const int LADOS = 4;
-static const glm::vec2 POLIGONO[LADOS] = {
+static const glm::vec2 POLIGONO[] = {
     {0.25f, -0.95f}, {0.85f, 0.15f}, {-0.10f, 0.90f}, {-0.90f, -0.20f}}; // antihorario
-static const float FONDO = 0.9f;                                         // grueso del prisma, a lo largo de Z
-static const float LARGO = 0.75f; // de las flechas: tras transformar una normal hay que normalizarla
-static const struct {
-    glm::vec3 s;
-    const char *nombre;
-} CASOS[] = {{{1, 1, 1}, "S(1, 1, 1)"},
-             {{2, 1, 1}, "S(2, 1, 1)"},
-             {{-2, 1, 1}, "S(-2, 1, 1)"},
-             {{2, 0, 1}, "S(2, 0, 1)"}};
+static const int LADOS = 4, LADO_ROTULADO = 1;
+static const float FONDO = 0.9f; // grueso del prisma, a lo largo de Z
 static const glm::vec3 COLOR_PRISMA(0.72f, 0.82f, 0.97f);
+static const struct {
+    glm::vec3 factores;
+    const char *nombre;
+} ESCALADOS[] = {{{1, 1, 1}, "M = I"},
+                 {{2, 1, 1}, "M = S(2, 1, 1)"},
+                 {{-2, 1, 1}, "M = S(−2, 1, 1)"},
+                 {{2, 0, 1}, "M = S(2, 0, 1)"}};
 
 static struct {
     GLuint programa;
@@ -60,17 +58,16 @@ static void inicia() {
     estado.programa = creaProgramaObjeto();
     estado.prisma = creaBuferes(creaPrisma());
     glEnable(GL_DEPTH_TEST);
-    glEnable(
-        GL_CULL_FACE); // las dos caras de un prisma aplastado coinciden: que solo se dibuje la que mira aquí
+    glEnable(GL_CULL_FACE); // las dos caras de un prisma aplastado coinciden: solo se dibuja la que mira aquí
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
 static void dibuja() {
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = paralelaVentana(1.95f, 1, 20);
-    const glm::mat4 alPanel = proyeccion * camara, M = escalado(CASOS[estado.elegido].s);
+    const glm::mat4 proyeccion = paralelaVentana(1.75f, 1, 20), camara = camaraOrbita(estado.orbita),
+                    transformacion = proyeccion * camara, M = escalado(ESCALADOS[estado.elegido].factores);
     const glm::mat3 N = matrizNormal(M);
     const bool esReflexion = glm::determinant(glm::mat3(M)) < 0;
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
@@ -78,29 +75,26 @@ static void dibuja() {
     dibujaObjeto(estado.programa, estado.prisma, M, COLOR_PRISMA);
     glFrontFace(GL_CCW);
 
-    bool hayRoja = false;
     for (int i = 0; i < LADOS; ++i) {
         const glm::vec2 medio = 0.5f * (POLIGONO[i] + POLIGONO[(i + 1) % LADOS]);
-        const glm::vec3 pie = M * glm::vec4(medio, FONDO / 2, 1);
-        const glm::vec3 n = normalLado(i), conM = unitario(glm::mat3(M) * n), conN = N * n;
-        const auto flecha = [&](const glm::vec3 &direccion, const glm::vec3 &color) {
-            trazaFlecha(pie, pie + LARGO * unitario(direccion), alPanel, color);
+        const glm::vec3 pie = M * glm::vec4(medio, 0.52f * FONDO, 1); // delante de la cara, que no la tape
+        // Toda flecha mide lo mismo: tras transformar una normal hay que normalizarla.
+        const auto flecha = [&](const glm::vec3 &hacia, const glm::vec3 &color, const char *nombre) {
+            trazaFlecha(pie, pie + 0.75f * hacia, transformacion, color, 1.5f * GROSOR);
+            if (i == LADO_ROTULADO)
+                rotulaPunto(nombre, pie + 0.99f * hacia, transformacion, color, Lado::CENTRO);
         };
-        if (glm::dot(conM, unitario(conN)) < 0.999f) {
-            hayRoja = true;
-            flecha(conM, ROJO);
-        }
-        if (esReflexion)
-            flecha(-conN, NARANJA);
+        const glm::vec3 n = normalLado(i), conM = unitario(glm::mat3(M) * n),
+                        conN = unitario(N * n, {0, 0, 0});
+        const bool coinciden = glm::dot(conM, conN) > 0.999f;
         if (conN != glm::vec3(0))
-            flecha(conN, VERDE);
+            flecha(conN, VERDE, coinciden ? "N·n = M·n" : "N·n");
+        if (!coinciden)
+            flecha(conM, ROJO, "M·n");
+        if (esReflexion)
+            flecha(-conN, NARANJA, "adjunta");
     }
-    rotula(CASOS[estado.elegido].nombre, {0.5f, 0.95f}, OSCURO, Lado::CENTRO, 0.05f);
-    rotula("normal · N", {0.16f, 0.05f}, VERDE);
-    if (hayRoja)
-        rotula("normal · M", {0.48f, 0.05f}, ROJO);
-    if (esReflexion)
-        rotula("sin el signo", {0.81f, 0.05f}, NARANJA);
+    rotula(ESCALADOS[estado.elegido].nombre, {0.03f, 0.06f}, OSCURO, Lado::DERECHA);
     glutSwapBuffers();
 }
 
@@ -108,13 +102,12 @@ static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla) || tecla < '1' || tecla > '4')
         return;
     estado.elegido = tecla - '1';
-    ponTitulo(std::string("Normales transformadas: ") + CASOS[estado.elegido].nombre);
+    ponTitulo(std::string("Normales transformadas: ") + ESCALADOS[estado.elegido].nombre);
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Normales transformadas: S(1, 1, 1)",
-                GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    abreVentana(argc, argv, "Normales transformadas: M = I", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

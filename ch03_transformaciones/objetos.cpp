@@ -1,7 +1,9 @@
 // Objetos compuestos de cubos, esferas y toros (figura 3.2): cada pieza es una primitiva con su matriz M y su
 // matriz N, que el vertex shader del listado 3.1 (objeto.vert) aplica a la posición y a la normal (objetos.h).
+// Como es su listado, aquí las llamadas a OpenGL están a la vista: es lo que hacen envia y dibuja (common/).
 // Controles: ratón orbita · rueda acerca · Esc termina.
 #include "objetos.h"
+#include "colores.h"
 #include "malla.h"
 #include "orbita.h"
 #include "shader.h"
@@ -12,7 +14,7 @@ static struct {
     GLuint programa;
     Buferes primitivas[3]; // en el orden de Primitiva
     PiezasObjeto piezas = piezasObjetos();
-    Orbita orbita = {0.25f, 0.32f, 15.8f, {-0.05f, 1.3f, 0}, 0.02f};
+    Orbita orbita = {0.25f, 0.32f, 14.2f, {-0.05f, 1.5f, 0}, 0.02f};
 } estado;
 
 static void inicia() {
@@ -27,23 +29,25 @@ static void inicia() {
     glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
 }
 
-// El listado 3.1, desde el programa: las matrices de cada pieza, y la pieza.
+static void enviaMatriz(const char *nombre, const glm::mat4 &valor) {
+    glUniformMatrix4fv(uniforme(estado.programa, nombre), 1, GL_FALSE, glm::value_ptr(valor));
+}
+
 static void dibujaPieza(const PiezaObjeto &pieza) {
-    const Buferes &malla = estado.primitivas[static_cast<int>(pieza.primitiva)];
+    const Buferes &primitiva = estado.primitivas[static_cast<int>(pieza.primitiva)];
     const glm::mat3 N = matrizNormal(pieza.M);
-    glUniformMatrix4fv(uniforme(estado.programa, "M"), 1, GL_FALSE, glm::value_ptr(pieza.M));
+    enviaMatriz("M", pieza.M);
     glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
     glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(pieza.color));
-    glBindVertexArray(malla.vao);
-    glDrawElements(GL_TRIANGLES, malla.nIndices, GL_UNSIGNED_INT, nullptr);
+    glBindVertexArray(primitiva.vao);
+    glDrawElements(GL_TRIANGLES, primitiva.nIndices, GL_UNSIGNED_INT, nullptr);
 }
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 60);
     glUseProgram(estado.programa);
-    glUniformMatrix4fv(uniforme(estado.programa, "camara"), 1, GL_FALSE, glm::value_ptr(camara));
-    glUniformMatrix4fv(uniforme(estado.programa, "proyeccion"), 1, GL_FALSE, glm::value_ptr(proyeccion));
+    enviaMatriz("proyeccion", perspectivaVentana(0.5f, 1, 60));
+    enviaMatriz("camara", camaraOrbita(estado.orbita));
     for (const PiezaObjeto &pieza : estado.piezas)
         dibujaPieza(pieza);
     glutSwapBuffers();

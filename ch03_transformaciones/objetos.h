@@ -4,7 +4,6 @@
 #include "colores.h"
 #include "transformaciones.h"
 #include <glm/glm.hpp>
-#include <glm/gtc/constants.hpp>
 #include <vector>
 
 /// Las mallas de common/malla.h: cubo de lado 1, esfera de radio 1 y toro de radio 1 en el plano XY.
@@ -49,14 +48,14 @@ inline PiezasObjeto munecoDeNieve() {
 
 /// Con las ruedas en y = 0 y hacia +X; mide 2.6 de largo.
 inline PiezasObjeto coche() {
-    const glm::vec3 cristal(0.78f, 0.90f, 0.97f), goma(0.20f, 0.21f, 0.24f), plata(0.72f, 0.74f, 0.78f);
+    const glm::vec3 cristal(0.78f, 0.90f, 0.97f), metal(0.72f, 0.74f, 0.78f);
     PiezasObjeto piezas = {
         {Primitiva::CUBO, traslacion({0, 0.72f, 0}) * escalado({2.5f, 0.5f, 1.2f}), AZUL},
         {Primitiva::CUBO, traslacion({-0.25f, 1.2f, 0}) * escalado({1.35f, 0.5f, 1.1f}), cristal},
         {Primitiva::CUBO, traslacion({-0.25f, 1.5f, 0}) * escalado({1.45f, 0.12f, 1.2f}), AZUL},
         {Primitiva::CUBO, traslacion({-0.25f, 1.2f, 0}) * escalado({0.1f, 0.52f, 1.14f}), AZUL},
-        {Primitiva::CUBO, traslacion({1.25f, 0.55f, 0}) * escalado({0.14f, 0.16f, 1.3f}), plata},
-        {Primitiva::CUBO, traslacion({-1.25f, 0.55f, 0}) * escalado({0.14f, 0.16f, 1.3f}), plata},
+        {Primitiva::CUBO, traslacion({1.25f, 0.55f, 0}) * escalado({0.14f, 0.16f, 1.3f}), metal},
+        {Primitiva::CUBO, traslacion({-1.25f, 0.55f, 0}) * escalado({0.14f, 0.16f, 1.3f}), metal},
     };
     for (float lado : {-1.0f, 1.0f}) {
         piezas.push_back({Primitiva::ESFERA,
@@ -66,8 +65,8 @@ inline PiezasObjeto coche() {
                           traslacion({-1.25f, 0.82f, 0.42f * lado}) * escalado({0.06f, 0.11f, 0.11f}), ROJO});
         for (float x : {-0.75f, 0.8f}) {
             const glm::mat4 eje = traslacion({x, 0.46f, 0.66f * lado});
-            piezas.push_back({Primitiva::TORO, eje * escalado({0.34f, 0.34f, 0.45f}), goma});
-            piezas.push_back({Primitiva::ESFERA, eje * escalado({0.24f, 0.24f, 0.12f}), plata});
+            piezas.push_back({Primitiva::TORO, eje * escalado({0.34f, 0.34f, 0.45f}), OSCURO});
+            piezas.push_back({Primitiva::ESFERA, eje * escalado({0.24f, 0.24f, 0.12f}), metal});
         }
     }
     return piezas;
@@ -95,7 +94,7 @@ inline PiezasObjeto aros() {
 /// La escena completa. La mesa tiene su tablero en y = 0.
 inline PiezasObjeto piezasObjetos() {
     PiezasObjeto escena = {
-        {Primitiva::CUBO, traslacion({0, -0.15f, 0}) * escalado({8.6f, 0.3f, 5.6f}), {0.86f, 0.72f, 0.55f}}};
+        {Primitiva::CUBO, traslacion({0, -0.15f, 0}) * escalado({7.6f, 0.3f, 4.8f}), {0.86f, 0.72f, 0.55f}}};
     const struct {
         glm::mat4 sitio;
         PiezasObjeto piezas;

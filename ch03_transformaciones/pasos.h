@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-/// Una transformación y cómo se escribe en el libro.
+/// Una transformación y cómo se escribe: con sus números, y con una letra en un producto.
 struct Paso {
-    const char *nombre;
+    const char *nombre, *letra;
     glm::mat4 M;
 };
 
@@ -26,13 +26,12 @@ inline glm::mat4 concatena(const std::vector<Paso> &pasos, std::size_t cuantos) 
     return M;
 }
 
-/// Ese producto como se escribe: la última aplicada, a la izquierda.
-inline std::string producto(const std::vector<Paso> &pasos, std::size_t cuantos,
-                            const std::string &por = " · ") {
-    std::string texto;
+/// Ese producto, escrito: «M = Ry·S·T».
+inline std::string producto(const std::vector<Paso> &pasos, std::size_t cuantos) {
+    std::string factores;
     for (std::size_t i = 0; i < std::min(cuantos, pasos.size()); ++i)
-        texto = pasos[i].nombre + (i ? por + texto : "");
-    return "M = " + (texto.empty() ? "I" : texto);
+        factores = pasos[i].letra + (i ? "·" + factores : "");
+    return "M = " + (factores.empty() ? "I" : factores);
 }
 
 /// Ejercicio 3.2: tres cubos de lado 1, 1/2 y 1/4, cada uno centrado sobre la cara superior del anterior.
@@ -48,9 +47,9 @@ inline std::array<glm::mat4, 3> tresCubos() {
 /// con el vértice en el origen y la base, de radio 1, en x = 3. Primero se lleva el vértice al origen, el
 /// único punto que ni el escalado ni el giro mueven: M = Ry·S·T.
 inline std::vector<Paso> pasosCono() {
-    return {{"T(0, 0, -1)", traslacion({0, 0, -1})},
-            {"S(1, 1, 3)", escalado({1, 1, 3})},
-            {"Ry(-π/2)", giroY(-glm::half_pi<float>())}};
+    return {{"T(0, 0, −1)", "T", traslacion({0, 0, -1})},
+            {"S(1, 1, 3)", "S", escalado({1, 1, 3})},
+            {"Ry(−π/2)", "Ry", giroY(-glm::half_pi<float>())}};
 }
 
 /// Ejercicio 3.4: la esfera de radio 1 se escala, se traslada hasta apoyar un extremo en el origen y se
@@ -58,8 +57,8 @@ inline std::vector<Paso> pasosCono() {
 /// que queda a partes iguales entre X y Z. M = Ry·Rx·T·S; el otro extremo acaba en 6/√3·(1, 1, 1).
 inline std::vector<Paso> pasosElipsoide() {
     const float inclinacion = std::asin(1 / std::sqrt(3.0f));
-    return {{"S(0.5, 0.5, 3)", escalado({0.5f, 0.5f, 3})},
-            {"T(0, 0, 3)", traslacion({0, 0, 3})},
-            {"Rx(-asen 1/√3)", giroX(-inclinacion)},
-            {"Ry(π/4)", giroY(glm::quarter_pi<float>())}};
+    return {{"S(0.5, 0.5, 3)", "S", escalado({0.5f, 0.5f, 3})},
+            {"T(0, 0, 3)", "T", traslacion({0, 0, 3})},
+            {"Rx(−asen 1/√3)", "Rx", giroX(-inclinacion)},
+            {"Ry(π/4)", "Ry", giroY(glm::quarter_pi<float>())}};
 }

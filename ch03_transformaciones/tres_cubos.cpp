@@ -1,20 +1,19 @@
-// Tres cubos, cada uno con la mitad de lado que el anterior (ejercicio 3.2). La figura del libro no está en el texto: aquí
-// cada cubo se apoya centrado sobre el anterior, y las transformaciones se detallan en pasos.h. Los ejes salen del
-// origen, el centro del primer cubo.
+// Tres cubos, cada uno con la mitad de lado que el anterior (ejercicio 3.2). La figura del libro no está en
+// el texto: aquí cada cubo se apoya centrado sobre el anterior, con A = T(0, 3/4, 0)·S(1/2), y las
+// transformaciones se detallan en pasos.h.
 // Controles: ratón orbita · Esc termina.
-#include "ejes.h"
+#include "dibujos.h"
 #include "objeto.h"
 #include "orbita.h"
-#include "pasos.h"
 #include "ventana.h"
 
-static const glm::vec3 COLOR_CUBO[3] = {NARANJA, AMARILLO, GRIS};
-static const char *const LADO_CUBO[3] = {"lado 1", "1/2", "1/4"};
+static const glm::vec3 COLOR_CUBO[] = {GRIS, NARANJA, AMARILLO};
+static const char *const NOMBRE_CUBO[] = {"M = I", "M = A", "M = A·A"};
 
 static struct {
     GLuint programa;
     Buferes cubo;
-    Orbita orbita = {0.55f, 0.35f, 6.1f, {0.1f, 0.45f, 0}};
+    Orbita orbita = {0.55f, 0.35f, 5.6f, {0.15f, 0.38f, 0}};
 } estado;
 
 static void inicia() {
@@ -25,23 +24,25 @@ static void inicia() {
 }
 
 static void dibuja() {
+    const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100), camara = camaraOrbita(estado.orbita),
+                    transformacion = proyeccion * camara;
+    const std::array<glm::mat4, 3> cubos = tresCubos();
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 100);
     glUseProgram(estado.programa);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
-    const std::array<glm::mat4, 3> cubos = tresCubos();
     for (std::size_t i = 0; i < cubos.size(); ++i)
         dibujaObjeto(estado.programa, estado.cubo, cubos[i], COLOR_CUBO[i]);
-    trazaEjes(proyeccion * camara, glm::vec3(1.4f, 1.55f, 1.4f));
-    for (std::size_t i = 0; i < cubos.size(); ++i) // junto a la arista vertical de la izquierda
-        rotulaPunto(LADO_CUBO[i], cubos[i] * glm::vec4(-0.5f, 0, 0.5f, 1), proyeccion * camara, OSCURO,
-                    Lado::IZQUIERDA);
+    trazaEjes(glm::vec3(1.5f), transformacion);
+    for (std::size_t i = 0; i < cubos.size(); ++i) // en la arista derecha de la cara de delante
+        rotulaPunto(NOMBRE_CUBO[i], cubos[i] * glm::vec4(0.5f, 0.25f, -0.5f, 1), transformacion, OSCURO,
+                    Lado::DERECHA);
+    rotula("A = T(0, 0.75, 0) · S(0.5)", {0.5f, 0.05f}, OSCURO);
     glutSwapBuffers();
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Tres cubos, cada uno la mitad", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    abreVentana(argc, argv, "Tres cubos", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     orbitaConRaton(estado.orbita);

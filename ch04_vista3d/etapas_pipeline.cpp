@@ -96,7 +96,7 @@ static void dibujaEscena(std::size_t k, const Etapas &e, const std::vector<glm::
 // De cerca (0) a lejos (1): la profundidad del fragmento y la que ya está guardada en su píxel.
 static void dibujaProfundidad(const Etapas &e, double guardada) {
     abreRecuadro(estado.paneles[PROFUNDIDAD].escena, FONDO_CLARO);
-    const auto enEscala = [](double z) { return glm::vec3(1.1 * z - 0.55, -0.1, 0); };
+    const auto enEscala = [](double z) { return glm::vec3(0.9 * z - 0.45, -0.1, 0); };
     const glm::mat4 uno(1);
     trazaSegmentos({enEscala(0), enEscala(1)}, uno, OSCURO);
     trazaPuntos({enEscala(0)}, uno, NARANJA);

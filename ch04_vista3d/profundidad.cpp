@@ -25,7 +25,7 @@ static struct {
     Buferes plano;
     int elegido = 0;
     bool informa = true;
-    Orbita orbita = {0, 0, 1, {0, 0, -1}}; // la cámara, en el origen
+    Orbita orbita = {0, 0, 300, {0, 0, -300}}; // la cámara, en el origen
 } estado;
 
 static void inicia() {

@@ -1,8 +1,8 @@
 // Los tres modelos de sombreado (§5.3, listados 5.2 y 5.3, figura 5.6) sobre la misma malla y con el mismo modelo de
 // iluminación (listado 5.1): plano, una vez por polígono; Gouraud, una vez por vértice; Phong, una vez por fragmento.
 // Con pocos polígonos se ve qué hace cada uno; con muchos, se parecen.
-// Controles: 1 plano · 2 Gouraud · 3 Phong · v los tres a la vez · + - más o menos subdivisión · ratón orbita ·
-// Esc termina.
+// Controles: 1 plano · 2 Gouraud · 3 Phong · v los tres a la vez · + - más o menos subdivisión ·
+// ratón orbita · Esc termina.
 #include "colores.h"
 #include "iluminacion.h"
 #include "orbita.h"

@@ -8,6 +8,7 @@ entonces el programa. Si algún caso falla, la página lleva los demás y el est
 import hashlib
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -18,6 +19,7 @@ from pathlib import Path
 import pagina
 
 ANCHO, ALTO = 1920, 1440
+ESCALA = ANCHO // 240  # los guiones de los casos dan el ratón en una ventana de 240×180, la de los golden
 SEGUNDOS = 300  # un programa que no acaba no detiene la galería
 
 
@@ -34,6 +36,11 @@ def ejecuta(orden, **opciones):
         mensaje = proceso.stderr.decode(errors="replace").strip().splitlines()
         raise Fallo(mensaje[0] if mensaje else f"ha acabado con estado {proceso.returncode}")
     return proceso.stdout
+
+
+def a_escala(guion):
+    return re.sub(r"\b(boton \w+ \w+|arrastra|mueve|rueda [+-]?1) (-?\d+) (-?\d+)",
+                  lambda m: f"{m[1]} {int(m[2]) * ESCALA} {int(m[3]) * ESCALA}", guion)
 
 
 class Galeria:
@@ -66,7 +73,7 @@ class Galeria:
         if not programa.consola:
             orden += ["-geometry", f"{ANCHO}x{ALTO}", "-ppm", ppm]
         if caso.guion:
-            orden += ["-guion", caso.guion]
+            orden += ["-guion", a_escala(caso.guion)]
         caso.salida = ejecuta(orden, cwd=temporal).decode(errors="replace")
         if not programa.consola:
             mitad = temporal / f"{caso.fichero}.mitad"

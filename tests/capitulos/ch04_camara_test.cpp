@@ -240,7 +240,7 @@ o::ImagenRef escenaDeCamara(const o::Vec3 &p, const o::Vec3 &UP, int ancho, int 
         o::caja(o::traslada({0.9, 0.4, 2}) * o::gira({0, 1, 0}, 0.5) * o::escala({1.6, 0.8, 0.8})),
     };
     const glm::vec3 colores[] = {SUELO, GRIS, AMARILLO, ROJO, VERDE, AZUL};
-    const o::Camara camara = perspectivaPanel(o::miraDesde(p, I, UP), 0.85, ancho, alto, 0.5, 60);
+    const o::Camara camara = oraculo::perspectiva(o::miraDesde(p, I, UP), 0.85, 0.5, 60);
     return o::render(escena, camara, ancho, alto, [&](const o::Impacto &i) {
         return i ? luzExacta(i.normal) * vec3De(colores[i.objeto]) : vec3De(CIELO);
     });
@@ -296,7 +296,7 @@ TEST(Camara, EjesYRotulosDesdeFuera) {
         const o::Vec3 UP = o::direccion(o::gira(I - c.p, c.inclinacion), c.UP), F = o::unitario(I - c.p),
                       S = o::unitario(o::vectorial(F, UP)), U = o::vectorial(S, F);
         const o::Camara fuera =
-            perspectivaPanel(o::orbita(0.75, 0.32, 18.5, {-0.3, 2.7, 0}), 0.54, h.ancho, h.alto, 1, 100);
+            oraculo::perspectiva(o::orbita(0.75, 0.32, 18.5, {-0.3, 2.7, 0}), 0.54, 1, 100);
         const auto en = [&](const o::Vec3 &punto) { return o::proyecta(fuera, h.ancho, h.alto, punto); };
         const struct {
             o::Vec3 v;
@@ -323,10 +323,8 @@ TEST(Camara, LaPiramideEsLaDeLaImagen) {
     const Ejecucion e = ejecuta("ch04_vista3d/camara", "", 960, 720);
     ASSERT_EQ(e.estado, 0) << e.errores;
     const Hueco h = hueco(0, 2, 0, 1, 960, 720), d = hueco(1, 2, 0, 1, 960, 720);
-    const o::Camara fuera = perspectivaPanel(o::orbita(0.75, 0.32, 18.5, {-0.3, 2.7, 0}), 0.54, h.ancho,
-                                             h.alto, 1, 100),
-                    dentro =
-                        perspectivaPanel(o::miraDesde({4.4, 4.6, 0.4}, I), 0.85, d.ancho, d.alto, 0.5, 60);
+    const o::Camara fuera = oraculo::perspectiva(o::orbita(0.75, 0.32, 18.5, {-0.3, 2.7, 0}), 0.54, 1, 100),
+                    dentro = oraculo::perspectiva(o::miraDesde({4.4, 4.6, 0.4}, I), 0.85, 0.5, 60);
     int buenos = 0, puntos = 0;
     for (int k = 0; k < 4; ++k)
         for (int n = 1; n < 20; ++n) { // los lados del marco: de esquina a esquina del panel

@@ -148,9 +148,7 @@ Hueco escena(int k, int ancho, int alto) {
     const int numeros = 7 * h.alto / 20;
     return {h.x, h.y + numeros, h.ancho, h.alto - numeros};
 }
-o::Camara camaraEn(const Hueco &h) {
-    return perspectivaPanel(o::miraDesde(OJO, {0.1, 0.7, 0}), 0.62, h.ancho, h.alto, CERCA, LEJOS);
-}
+const o::Camara CAMARA_REF = oraculo::perspectiva(o::miraDesde(OJO, {0.1, 0.7, 0}), 0.62, CERCA, LEJOS);
 
 /// Las líneas «clave: valores» del último vértice que ha escrito.
 std::map<std::string, std::vector<double>> lee(const std::string &salida) {
@@ -187,7 +185,7 @@ o::Vec3 esquinaCubo(int k) {
 /// Coordenadas de ventana de un punto del mundo, en el panel de la ventana.
 o::Vec3 enVentana(const o::Vec3 &mundo, int ancho, int alto) {
     const Hueco h = escena(VENTANA, ancho, alto);
-    o::Vec3 w = o::proyecta(camaraEn(h), h.ancho, h.alto, mundo);
+    o::Vec3 w = o::proyecta(CAMARA_REF, h.ancho, h.alto, mundo);
     w.x += h.x, w.y += h.y;
     return w;
 }
@@ -201,9 +199,8 @@ o::Vec3 enNdc(const o::Vec3 &mundo, int ancho, int alto) {
 o::Vec3 enPanel(int k, const o::Vec3 &mundo, int ancho, int alto) {
     const Hueco h = escena(k, ancho, alto);
     const auto mira = [&](const o::Vec3 &p, double distancia, const o::Vec3 &centro) {
-        o::Vec3 w = o::proyecta(
-            perspectivaPanel(o::orbita(0.95, 0.35, distancia, centro), 0.5, h.ancho, h.alto, 0.5, 100),
-            h.ancho, h.alto, p);
+        o::Vec3 w = o::proyecta(oraculo::perspectiva(o::orbita(0.95, 0.35, distancia, centro), 0.5, 0.5, 100),
+                                h.ancho, h.alto, p);
         w.x += h.x, w.y += h.y;
         return w;
     };
@@ -211,7 +208,7 @@ o::Vec3 enPanel(int k, const o::Vec3 &mundo, int ancho, int alto) {
     switch (k) {
     case OBJETO: return mira(o::punto(o::inversa(MM), mundo), 6, {0, 0.2, 0});
     case MUNDO: return mira(mundo, 16, {0.6, 1.3, 1.4});
-    case CAMARA: return mira(o::enCamara(camaraEn(escena(VENTANA, ancho, alto)), mundo), 17, {0, 0, -3.7});
+    case CAMARA: return mira(o::enCamara(CAMARA_REF, mundo), 17, {0, 0, -3.7});
     case NDC: return mira({n.x, n.y, -n.z}, 8, {0, 0, 0});
     default: return enVentana(mundo, ancho, alto);
     }
@@ -221,7 +218,7 @@ o::Vec3 enPanel(int k, const o::Vec3 &mundo, int ancho, int alto) {
 /// profundidad de 0 a 1.
 double guardada(const o::Vec3 &mundo, bool tapado, int ancho, int alto) {
     const Hueco h = escena(VENTANA, ancho, alto);
-    const o::Camara camara = camaraEn(h);
+    const o::Camara camara = CAMARA_REF;
     const o::Vec3 w = enVentana(mundo, ancho, alto);
     o::Rayo r = o::rayo(camara, h.ancho, h.alto, w.x - h.x, w.y - h.y);
     const double distancia = o::longitud(mundo - r.origen);
@@ -255,11 +252,10 @@ std::u32string dosDecimales(double v) {
 // de medio píxel del vértice.
 TEST(EtapasPipeline, EsquinasDelCubo) {
     const int ancho = 480, alto = 360;
-    const Hueco h = escena(VENTANA, ancho, alto);
     double peor = 0, conLaImpresa = 0;
     for (const int k : {0, 3, 5, 6}) { // una de cada dos
         const o::Vec3 mundo = o::punto(MM, esquinaCubo(k)), ventana = enVentana(mundo, ancho, alto),
-                      camara = o::enCamara(camaraEn(h), mundo);
+                      camara = o::enCamara(CAMARA_REF, mundo);
         const Ejecucion e =
             ejecuta("ch04_vista3d/etapas_pipeline", clic(ventana.x, ventana.y, alto), ancho, alto);
         ASSERT_EQ(e.estado, 0) << e.errores;
@@ -308,8 +304,7 @@ TEST(EtapasPipeline, ElPuntoYSusNumerosEnCadaPanel) {
     const Ejecucion e = ejecuta("ch04_vista3d/etapas_pipeline", "", ancho, alto);
     ASSERT_EQ(e.estado, 0) << e.errores;
     const o::Vec3 mundo = o::punto(MM, esquinaCubo(k)), n = enNdc(mundo, ancho, alto),
-                  camara = o::enCamara(camaraEn(escena(VENTANA, ancho, alto)), mundo),
-                  ventana = enVentana(mundo, ancho, alto);
+                  camara = o::enCamara(CAMARA_REF, mundo), ventana = enVentana(mundo, ancho, alto);
     const char32_t *const titulos[] = {U"1 objeto",    U"2 mundo",   U"3 cámara",
                                        U"4 recortado", U"5 ventana", U"6 test de z"};
     const o::Vec3 numeros[] = {esquinaCubo(k), mundo, camara, n, ventana};
@@ -344,7 +339,7 @@ TEST(EtapasPipeline, ElPuntoYSusNumerosEnCadaPanel) {
     const Hueco h = escena(VENTANA, ancho, alto);
     const double t = std::tan(0.31) * std::max(1.0, 4.0 * h.alto / (3.0 * h.ancho)),
                  a = static_cast<double>(h.ancho) / h.alto;
-    const o::Ejes ejes = o::ejes(camaraEn(h));
+    const o::Ejes ejes = o::ejes(CAMARA_REF);
     for (const int donde : {MUNDO, CAMARA, NDC})
         for (const auto &[d, color] : {std::pair(CERCA, NARANJA), {LEJOS, AZUL}}) {
             int buenos = 0;
@@ -385,7 +380,7 @@ TEST(EtapasPipeline, Oculto) {
     // en la escala del sexto panel, el fragmento y la flecha de lo guardado
     const Hueco h = escena(PROFUNDIDAD, ancho, alto);
     const auto enEscala = [&](double valor, double y) {
-        return pixel(e.imagen, static_cast<int>(h.x + h.ancho * (0.5 + 0.5 * (1.1 * valor - 0.55))),
+        return pixel(e.imagen, static_cast<int>(h.x + h.ancho * (0.5 + 0.5 * (0.9 * valor - 0.45))),
                      static_cast<int>(h.y + h.alto * (0.5 + 0.5 * y)));
     };
     EXPECT_TRUE(es(enEscala(w.z, -0.1), ROJO));
@@ -420,7 +415,7 @@ TEST(EtapasPipeline, Recortado) {
     const double t = std::tan(0.31) * std::max(1.0, 4.0 * h.alto / (3.0 * h.ancho));
     std::vector<glm::dvec4> triangulo;
     for (const o::Vec3 &v : TRIANGULO) {
-        const o::Vec3 c = o::enCamara(camaraEn(h), o::punto(MM, v));
+        const o::Vec3 c = o::enCamara(CAMARA_REF, o::punto(MM, v));
         const double d = -c.z;
         triangulo.push_back({c.x / t * h.alto / h.ancho, c.y / t,
                              ((CERCA + LEJOS) * d - 2 * CERCA * LEJOS) / (LEJOS - CERCA), d});
@@ -457,8 +452,7 @@ TEST(EtapasPipeline, Recortado) {
 // Un vértice de fuera del volumen llega hasta las coordenadas de recortado, y ahí se acaba.
 TEST(EtapasPipeline, VerticeDeFuera) {
     const Hueco h = escena(OBJETO, 960, 720);
-    const o::Camara objeto =
-        perspectivaPanel(o::orbita(0.95, 0.35, 14, {0, 0.2, 0}), 0.5, h.ancho, h.alto, 0.5, 100);
+    const o::Camara objeto = oraculo::perspectiva(o::orbita(0.95, 0.35, 14, {0, 0.2, 0}), 0.5, 0.5, 100);
     const o::Vec3 w = o::proyecta(objeto, h.ancho, h.alto, TRIANGULO[2]);
     const Ejecucion e =
         ejecuta("ch04_vista3d/etapas_pipeline", "tecla r; " + clic(h.x + w.x, h.y + w.y, 720), 960, 720);

@@ -191,7 +191,7 @@ oraculo::Camara camaraDe(int vista, bool enPerspectiva, int ancho, int alto, dou
     oraculo::Camara c = oraculo::miraDesde(centro + distancia * hacia[vista], centro, arriba);
     Vec3 minimo{1e9, 1e9, 1e9}, maximo{-1e9, -1e9, -1e9};
     double tangente = 0;
-    const double lado = std::min(ancho, alto);
+    const double lado = oraculo::altoUtil(ancho, alto);
     for (const Vec3 &p : envolvente()) {
         const Vec3 q = enCamara(c, p);
         minimo = {std::min(minimo.x, q.x), std::min(minimo.y, q.y), std::min(minimo.z, q.z)};
@@ -210,15 +210,12 @@ oraculo::Camara camaraDe(int vista, bool enPerspectiva, int ancho, int alto, dou
 }
 
 oraculo::ImagenRef referencia(const oraculo::Camara &camara, const Postura &postura, int ancho, int alto) {
-    const Vec3 amarillo{0.98, 0.74, 0.12}, luz{0.20, 0.78, 0.593};
-    const std::vector<Vec3> colores = {{0.62, 0.72, 0.58}, amarillo,           amarillo,
-                                       {0.42, 0.45, 0.50}, {0.16, 0.17, 0.20}, {0.85, 0.20, 0.18}};
+    const glm::vec3 colores[] = {SUELO, AMARILLO, AMARILLO, GRIS, OSCURO, ROJO};
     oraculo::Escena escena;
     for (const Mat4 &M : cajasGrua(postura))
         escena.push_back(oraculo::caja(M));
     return render(escena, camara, ancho, alto, [&](const oraculo::Impacto &i) -> Vec3 {
-        return i ? (0.58 + 0.42 * escalar(i.normal, luz)) * colores[static_cast<std::size_t>(i.objeto)]
-                 : Vec3{0.87, 0.93, 0.98};
+        return i ? luzExacta(i.normal) * vec3De(colores[i.objeto]) : vec3De(CIELO);
     });
 }
 
@@ -296,7 +293,7 @@ TEST(GruaVistas, LasCuatroContraTrazadoDeRayos) {
                 const Recuadro r = sinRotulo(h);
                 if (mide) {
                     const oraculo::Camara c = camaraDe(v, false, r.ancho, r.alto);
-                    escala = std::max(escala, 2 * c.semilado / std::min(r.ancho, r.alto));
+                    escala = std::max(escala, 2 * c.semilado / oraculo::altoUtil(r.ancho, r.alto));
                     continue;
                 }
                 const oraculo::ImagenRef ref =

@@ -1,4 +1,4 @@
-// Lo que comparten las pruebas del capítulo 4: la cámara de un panel, lo que no se compara y los rótulos leídos de la imagen.
+// Lo que comparten las pruebas del capítulo 4: los paneles, lo que no se compara y los rótulos leídos de la imagen.
 #pragma once
 #include "colores.h"
 #include "ejecuta.h"
@@ -25,14 +25,6 @@ inline Hueco hueco(int columna, int columnas, int fila, int filas, int ancho, in
 
 inline Imagen recorta(const Imagen &imagen, const Hueco &h) {
     return oraculo::recorta(imagen, h.x, h.y, h.ancho, h.alto);
-}
-
-/// Perspectiva cuyo ángulo vertical es `angulo` a 4:3; más estrecha se abre, para que se vea lo mismo a lo ancho.
-inline oraculo::Camara perspectivaPanel(const oraculo::Camara &c, double angulo, int ancho, int alto,
-                                        double cerca, double lejos) {
-    const double porAlto = std::max(1.0, 4.0 * alto / (3.0 * ancho)) * std::tan(angulo / 2);
-    const double menor = porAlto * std::min(1.0, static_cast<double>(ancho) / alto);
-    return oraculo::perspectiva(c, 2 * std::atan(menor), cerca, lejos);
 }
 
 /// Da por buenos los píxeles que cumplen `sobra(x, y)`: lo que otra prueba mira (rótulos y trazos).

@@ -213,9 +213,9 @@ TEST(VolumenVista, LosPlanosTienenLimites) {
 
 // Casi de frente, y desde el otro lado, un plano se ve a través del otro: el orden de los tintes cambia.
 TEST(VolumenVista, UnPlanoATravesDelOtro) {
-    comprueba("boton IZQUIERDO abajo 20 90; arrastra 80 90; boton IZQUIERDO arriba 80 90", {true, 2.5, 9},
+    comprueba("boton IZQUIERDO abajo 20 90; arrastra 140 90; boton IZQUIERDO arriba 140 90", {true, 2.5, 9},
               0.35);
-    comprueba("boton IZQUIERDO abajo 200 90; arrastra 15 90; boton IZQUIERDO arriba 15 90", {true, 2.5, 9},
+    comprueba("boton IZQUIERDO abajo 400 90; arrastra 30 90; boton IZQUIERDO arriba 30 90", {true, 2.5, 9},
               2.8);
 }
 

@@ -26,15 +26,14 @@ oraculo::Escena escena() {
     };
 }
 
-oraculo::Camara camaraDe(double azimut, double elevacion, double distancia, int ancho, int alto) {
-    return perspectivaPanel(oraculo::orbita(azimut, elevacion, distancia, {0, 1.1, 0}), 0.5, ancho, alto, 1,
-                            100);
+oraculo::Camara camaraDe(double azimut, double elevacion, double distancia) {
+    return oraculo::perspectiva(oraculo::orbita(azimut, elevacion, distancia, {0, 1.1, 0}), 0.5, 1, 100);
 }
 
 oraculo::ImagenRef referencia(double azimut, double elevacion, double distancia, int ancho = 240,
                               int alto = 180) {
     const glm::vec3 colores[] = {SUELO, ROJO, AMARILLO, AZUL, NARANJA, VERDE};
-    return oraculo::render(escena(), camaraDe(azimut, elevacion, distancia, ancho, alto), ancho, alto,
+    return oraculo::render(escena(), camaraDe(azimut, elevacion, distancia), ancho, alto,
                            [&](const Impacto &i) {
                                return i ? luzExacta(i.normal) * vec3De(colores[i.objeto]) : vec3De(CIELO);
                            });
@@ -174,7 +173,7 @@ TEST(ZBuffer, CpuYGpuCoincidenDentroDeLaEscena) {
 // Sin test gana lo último que se pinta, el cono, que es lo más lejano: su silueta entera es verde.
 TEST(ZBuffer, SinTestGanaElUltimo) {
     const oraculo::Escena solidos = escena(), soloElCono = {solidos.back()};
-    const oraculo::Camara camara = camaraDe(0.55, 0.45, 18.6, 240, 180);
+    const oraculo::Camara camara = camaraDe(0.55, 0.45, 18.6);
     const Ejecucion sin = ejecuta(PROGRAMA, "tecla z"), con = ejecuta(PROGRAMA);
     ASSERT_EQ(sin.estado, 0) << sin.errores;
     int verdes = 0, tapados = 0;
