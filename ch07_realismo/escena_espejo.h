@@ -35,10 +35,10 @@ inline Material barniz(const glm::vec3 &color) {
 
 /// `avance`: lo que se ha acercado la F al espejo, en unidades del mundo; si pasa de él, lo de detrás no se refleja.
 inline std::vector<PiezaEscena> piezasEscena(float avance) {
-    const glm::mat4 F = traslacion(-avance * planoEspejo().N) * traslacion({0.5f, 0, 0.9f}) * giroY(0.25f);
+    const glm::mat4 F = traslacion(-avance * planoEspejo().N) * traslacion({0.5f, 0, 0.9f}) * giroY(-0.1f);
     const glm::mat4 alEspejo =
         traslacion(CENTRO_ESPEJO) * giroY(GIRO_ESPEJO) * traslacion({0, 0, -GRUESO_MARCO / 2 - 0.02f});
-    const Material rojo = barniz({0.90f, 0.22f, 0.18f}), madera = barniz({0.50f, 0.32f, 0.16f});
+    const Material rojo = barniz({0.90f, 0.22f, 0.18f}), madera = barniz({0.62f, 0.42f, 0.24f});
     const float x = TALLA_ESPEJO.x / 2, y = TALLA_ESPEJO.y / 2, g = GRUESO_MARCO;
     return {
         {BALDOSAS_CLARAS, glm::mat4(1), barniz({0.92f, 0.90f, 0.84f})},

@@ -3,51 +3,32 @@
 // lo que se ve del espejo, y ahí se borra la profundidad y se dibuja la escena simétrica.
 // Controles: a d acercan la F al espejo, hasta cruzarlo, y la alejan · ratón orbita, también por detrás · Esc termina.
 #include "colores.h"
-#include "escena_iluminada.h"
+#include "escena_dibujada.h"
 #include "orbita.h"
-#include "rotulo.h"
 #include "ventana.h"
 #include <algorithm>
 
 static const float PASO = 0.2f, AVANCE_MINIMO = -1, AVANCE_MAXIMO = 3;
-static const glm::vec3 AZOGUE(0.80f, 0.90f, 0.95f); // el espejo se lleva un poco de color
-static const float ALFA_ESPEJO = 0.12f;
+static const glm::vec4 AZOGUE(0.40f, 0.52f, 0.60f, 0.25f); // el color y la opacidad del espejo
 
 static struct {
-    EscenaIluminada escena;
-    GLuint programaEspejo;
-    Buferes espejo;
+    EscenaDibujada escena;
     float avance = 0;
     Orbita orbita = {-0.30f, 0.30f, 15.5f, {0.35f, 0.95f, 0}, 0.02f};
 } estado;
 
 static void inicia() {
     estado.escena = creaEscena();
-    estado.programaEspejo = creaPrograma("ch03_transformaciones/objeto.vert", "ch07_realismo/espejo.frag");
-    estado.espejo = creaBuferes(plano(1));
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
-}
-
-static void dibujaEspejo(const glm::mat4 &camara) {
-    glUseProgram(estado.programaEspejo);
-    envia(estado.programaEspejo, "camara", camara);
-    envia(estado.programaEspejo, "M", colocaEspejo());
-    dibuja(estado.espejo);
 }
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 60);
     const std::vector<PiezaEscena> piezas = piezasEscena(estado.avance);
-    for (const GLuint programa : {estado.escena.programa, estado.programaEspejo}) {
-        glUseProgram(programa);
-        envia(programa, "proyeccion", proyeccion);
-    }
-    envia(estado.programaEspejo, "color", glm::vec4(AZOGUE, ALFA_ESPEJO));
-
-    dibujaEscena(estado.escena, piezas, camara);
+    dibujaEscena(estado.escena, piezas, camara, proyeccion);
 
     // Marca con un 1 lo que se ve del espejo (por detrás no se ve: GL_CULL_FACE)
     glEnable(GL_STENCIL_TEST);
@@ -55,30 +36,25 @@ static void dibuja() {
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glDepthMask(GL_FALSE);
-    dibujaEspejo(camara);
-
-    // En lo marcado, borra la profundidad y pone el cielo: dibujar el espejo en el fondo lo hace solo ahí
-    glStencilFunc(GL_EQUAL, 1, 0xff);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    dibujaEspejo(estado.escena, camara, proyeccion, AZOGUE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
+
+    // En lo marcado, y solo ahí, borra: el espejo en el fondo, del color del cielo
+    glStencilFunc(GL_EQUAL, 1, 0xff);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     glDepthFunc(GL_ALWAYS);
     glDepthRange(1, 1);
-    envia(estado.programaEspejo, "color", glm::vec4(CIELO, 1));
-    dibujaEspejo(camara);
+    dibujaEspejo(estado.escena, camara, proyeccion, glm::vec4(CIELO, 1));
     glDepthRange(0, 1);
     glDepthFunc(GL_LESS);
 
-    dibujaEscena(estado.escena, piezas, camara, reflexion(planoEspejo()));
+    dibujaEscena(estado.escena, piezas, camara, proyeccion, true);
 
-    // El espejo, con transparencia (listado 7.1), y su profundidad
+    // El espejo, con transparencia (listado 7.1): sobre todo lo reflejado
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glDepthFunc(GL_ALWAYS);
-    glUseProgram(estado.programaEspejo);
-    envia(estado.programaEspejo, "color", glm::vec4(AZOGUE, ALFA_ESPEJO));
-    dibujaEspejo(camara);
-    glDepthFunc(GL_LESS);
+    dibujaEspejo(estado.escena, camara, proyeccion, AZOGUE);
     glDisable(GL_BLEND);
     glDisable(GL_STENCIL_TEST);
     glutSwapBuffers();

@@ -2,35 +2,22 @@
 // del espejo; con él, solo dentro. Aquí se ve el mismo espejo de las dos maneras (espejo.cpp explica los pasos).
 // Controles: p con plantilla o sin ella · v las dos a la vez · ratón orbita · Esc termina.
 #include "colores.h"
-#include "escena_iluminada.h"
+#include "escena_dibujada.h"
 #include "orbita.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "ventana.h"
 
 static struct {
-    EscenaIluminada escena;
-    GLuint programaEspejo;
-    Buferes espejo;
+    EscenaDibujada escena;
     bool conPlantilla = true, compara = false;
-    Orbita orbita = {-0.30f, 0.30f, 15.5f, {0.35f, 0.95f, 0}, 0.02f};
+    Orbita orbita = {-0.30f, 0.30f, 17.5f, {-0.7f, 0.95f, 0}, 0.02f};
 } estado;
 
 static void inicia() {
     estado.escena = creaEscena();
-    estado.programaEspejo = creaPrograma("ch03_transformaciones/objeto.vert", "ch07_realismo/espejo.frag");
-    estado.espejo = creaBuferes(plano(1));
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
-}
-
-static void dibujaEspejo(const glm::mat4 &camara, const glm::mat4 &proyeccion) {
-    glUseProgram(estado.programaEspejo);
-    envia(estado.programaEspejo, "proyeccion", proyeccion);
-    envia(estado.programaEspejo, "camara", camara);
-    envia(estado.programaEspejo, "M", colocaEspejo());
-    envia(estado.programaEspejo, "color", glm::vec4(CIELO, 1));
-    dibuja(estado.espejo);
 }
 
 static void dibujaVista(const Recuadro &r, bool conPlantilla) {
@@ -38,26 +25,29 @@ static void dibujaVista(const Recuadro &r, bool conPlantilla) {
     const glm::mat4 camara = camaraOrbita(estado.orbita),
                     proyeccion = perspectivaVentana(0.5f, 1, 60, aspecto(r));
     const std::vector<PiezaEscena> piezas = piezasEscena(0);
-    glUseProgram(estado.escena.programa);
-    envia(estado.escena.programa, "proyeccion", proyeccion);
-    dibujaEscena(estado.escena, piezas, camara);
+    dibujaEscena(estado.escena, piezas, camara, proyeccion);
 
-    // 1 donde se ve el espejo; la profundidad se borra en él, o en toda la vista
+    // Marca lo que se ve del espejo y ahí borra la profundidad
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_ALWAYS, 1, 0xff);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     glDepthMask(GL_FALSE);
-    dibujaEspejo(camara, proyeccion);
+    dibujaEspejo(estado.escena, camara, proyeccion, glm::vec4(CIELO, 1));
     glDepthMask(GL_TRUE);
-    glStencilFunc(conPlantilla ? GL_EQUAL : GL_ALWAYS, 1, 0xff);
+    glStencilFunc(GL_EQUAL, 1, 0xff);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     glDepthFunc(GL_ALWAYS);
     glDepthRange(1, 1);
-    dibujaEspejo(camara, proyeccion);
+    dibujaEspejo(estado.escena, camara, proyeccion, glm::vec4(CIELO, 1));
     glDepthRange(0, 1);
     glDepthFunc(GL_LESS);
-    glUseProgram(estado.escena.programa);
-    dibujaEscena(estado.escena, piezas, camara, reflexion(planoEspejo()));
+
+    if (!conPlantilla)
+        glDisable(GL_STENCIL_TEST);
+    glEnable(GL_POLYGON_OFFSET_FILL); // fuera del espejo, el suelo y su reflejo están en el mismo plano
+    glPolygonOffset(1, 2);
+    dibujaEscena(estado.escena, piezas, camara, proyeccion, true);
+    glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_STENCIL_TEST);
     rotula(conPlantilla ? "con plantilla" : "sin plantilla", {0.5f, 0.94f}, OSCURO);
 }

@@ -17,9 +17,9 @@ static const float ALFA = 0.55f;
 static const struct {
     glm::mat4 M;
     glm::vec3 color;
-} CRISTALES[2] = {{traslacion({-0.35f, 0.25f, 0.5f}) * escalado(1.7f), ROJO},
-                  {traslacion({0.35f, -0.25f, -0.5f}) * escalado(1.7f), {0.25f, 0.55f, 1}}};
-static const char *const MODOS[3] = {"en el orden en que llegan", "ordenados de atrás adelante", "aditivo"};
+} CRISTALES[2] = {{traslacion({-0.35f, 0.15f, 0.5f}) * escalado({1.5f, 1.9f, 1}), {1, 0.25f, 0.2f}},
+                  {traslacion({0.35f, -0.15f, -0.5f}) * escalado({1.5f, 1.9f, 1}), {0.25f, 0.6f, 1}}};
+static const char *const MODOS[3] = {"en el orden en que llegan", "ordenados", "aditivo"};
 
 static struct {
     GLuint programa;
@@ -29,7 +29,7 @@ static struct {
 } estado;
 
 static void inicia() {
-    estado.programa = creaPrograma("ch03_transformaciones/objeto.vert", "ch07_realismo/espejo.frag");
+    estado.programa = creaPrograma("ch03_transformaciones/objeto.vert", "ch07_realismo/liso.frag");
     estado.cuadrado = creaBuferes(plano(1));
     estado.cubo = creaBuferes(cubo());
     glEnable(GL_DEPTH_TEST);
@@ -41,14 +41,14 @@ static void dibujaPieza(const Buferes &pieza, const glm::mat4 &M, const glm::vec
     dibuja(pieza);
 }
 
-static void dibujaVista(const Recuadro &r, std::array<int, 2> orden) {
+static void dibujaVista(const Recuadro &r, std::array<int, 2> orden, const char *texto) {
     abreRecuadro(r, FONDO_OSCURO);
     const glm::mat4 camara = camaraOrbita(estado.orbita);
     glUseProgram(estado.programa);
     envia(estado.programa, "camara", camara);
-    envia(estado.programa, "proyeccion", perspectivaVentana(0.30f, 1, 30, aspecto(r)));
+    envia(estado.programa, "proyeccion", perspectivaVentana(0.36f, 1, 30, aspecto(r)));
     for (const float x : {-0.9f, 0.0f, 0.9f}) // lo opaco, antes
-        dibujaPieza(estado.cubo, traslacion({x, 0, -1}) * escalado({0.12f, 1.9f, 0.12f}), glm::vec4(GRIS, 1));
+        dibujaPieza(estado.cubo, traslacion({x, 0, -1}) * escalado({0.12f, 1.6f, 0.12f}), glm::vec4(GRIS, 1));
 
     if (estado.elegido == 1) { // antes el que está más lejos de la cámara
         const auto profundidad = [&](int i) { return (camara * CRISTALES[i].M[3]).z; };
@@ -61,17 +61,15 @@ static void dibujaVista(const Recuadro &r, std::array<int, 2> orden) {
         dibujaPieza(estado.cuadrado, CRISTALES[i].M, glm::vec4(CRISTALES[i].color, ALFA));
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
+    rotula(MODOS[estado.elegido], {0.5f, 0.94f}, AMARILLO);
+    rotula(texto, {0.5f, 0.06f}, BLANCO);
 }
 
 static void dibuja() {
     abreRecuadro(ventanaEntera(), GRIS);
     const std::vector<Recuadro> mitades = reparte(2);
-    dibujaVista(mitades[0], {0, 1});
-    rotula("antes el rojo", {0.5f, 0.06f}, BLANCO);
-    dibujaVista(mitades[1], {1, 0});
-    rotula("antes el azul", {0.5f, 0.06f}, BLANCO);
-    glViewport(0, 0, glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
-    rotula(MODOS[estado.elegido], {0.5f, 0.94f}, AMARILLO);
+    dibujaVista(mitades[0], {0, 1}, "antes el rojo");
+    dibujaVista(mitades[1], {1, 0}, "antes el azul");
     glutSwapBuffers();
 }
 

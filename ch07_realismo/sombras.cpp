@@ -14,7 +14,7 @@
 
 static const Plano MESA = {{0, 1, 0}, 0};
 static const glm::vec3 TALLA_MESA(6, 0.25f, 4.4f);
-static const float UNIDADES_POR_PIXEL = 0.01f; // al arrastrar la luz
+static const float UNIDADES_POR_ALTO = 1.8f; // al arrastrar la luz de abajo arriba de la ventana
 
 static Material pintura(const glm::vec3 &color) {
     return {0.35f * color, 0.75f * color, glm::vec3(0.3f), 30};
@@ -32,7 +32,7 @@ static struct {
 static void inicia() {
     estado.deObjetos =
         creaPrograma("ch05_iluminacion/sombreado_phong.vert", "ch05_iluminacion/sombreado_phong.frag");
-    estado.deSombras = creaPrograma("ch07_realismo/sombra.vert", "ch07_realismo/sombra.frag");
+    estado.deSombras = creaPrograma("ch03_transformaciones/objeto.vert", "ch07_realismo/liso.frag");
     estado.cubo = creaBuferes(cubo());
     estado.esfera = creaBuferes(esfera(48));
     estado.toro = creaBuferes(toro(0.7f, 0.22f, 64, 32));
@@ -64,10 +64,6 @@ static void dibujaSombras(const glm::mat4 &camara, const glm::mat4 &proyeccion) 
     glUseProgram(p);
     envia(p, "proyeccion", proyeccion);
     envia(p, "camara", camara);
-    envia(p, "S", proyeccionSombra(L, MESA));
-    envia(p, "plano", glm::vec4(MESA.N, MESA.d));
-    envia(p, "luz", L);
-    envia(p, "alturaLuz", alturaLuz(L, MESA));
     envia(p, "color", estado.transparente ? glm::vec4(0, 0, 0, 0.5f) : glm::vec4(OSCURO, 1));
     if (estado.plantilla) { // solo sobre la mesa (1), y una vez en cada píxel
         glEnable(GL_STENCIL_TEST);
@@ -82,8 +78,9 @@ static void dibujaSombras(const glm::mat4 &camara, const glm::mat4 &proyeccion) 
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     glDisable(GL_CULL_FACE); // proyectadas, unas caras miran arriba y otras abajo
-    recorreObjetos([p](const Buferes &malla, const glm::mat4 &M, const glm::vec3 &) {
-        envia(p, "M", M);
+    const glm::mat4 sombra = proyeccionSombra(L, MESA);
+    recorreObjetos([&](const Buferes &malla, const glm::mat4 &M, const glm::vec3 &) {
+        envia(p, "M", sombra * M);
         dibuja(malla);
     });
     glEnable(GL_CULL_FACE);
@@ -148,10 +145,9 @@ static void raton(int boton, int sentido, int x, int y) {
 
 static void arrastra(int x, int y) {
     if (estado.moviendo) {
-        estado.luz.x =
-            std::clamp(estado.luz.x + UNIDADES_POR_PIXEL * static_cast<float>(x - estado.x), -3.0f, 3.0f);
-        estado.luz.y =
-            std::clamp(estado.luz.y - UNIDADES_POR_PIXEL * static_cast<float>(y - estado.y), -0.5f, 4.4f);
+        const float porPixel = UNIDADES_POR_ALTO / altoUtil();
+        estado.luz.x = std::clamp(estado.luz.x + porPixel * static_cast<float>(x - estado.x), -3.0f, 3.0f);
+        estado.luz.y = std::clamp(estado.luz.y - porPixel * static_cast<float>(y - estado.y), -0.5f, 4.4f);
         estado.x = x;
         estado.y = y;
         glutPostRedisplay();

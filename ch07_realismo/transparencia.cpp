@@ -1,7 +1,7 @@
 // Un cilindro transparente (listado 7.1, ecuación 7.1, figura 7.1): primero lo opaco y después lo transparente, mezclado con lo que
 // hay y sin escribir su profundidad. El cilindro se ve también por dentro: antes sus caras de detrás y luego las de delante,
 // para que la mezcla vaya de atrás adelante.
-// Controles: + - opacidad · 1 2 3 la ponen a 0.1, 0.4 y 0.7 · v las tres a la vez · ratón orbita · Esc termina.
+// Controles: + - opacidad · 1 2 3 4 la ponen a 0.1, 0.4, 0.7 y 1 · v las cuatro a la vez · ratón orbita · Esc termina.
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
 #include "orbita.h"
@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <glm/gtc/constants.hpp>
 
-static const float ALFAS[3] = {0.1f, 0.4f, 0.7f}, PASO = 0.1f;
+static const float ALFAS[4] = {0.1f, 0.4f, 0.7f, 1}, PASO = 0.1f;
 static const float RADIO_PX = 250; // del cilindro, en una pantalla de 1080 líneas
 static const Luz luz{{4, 7, 6, 1}};
 static const Material VIDRIO = {{0.10f, 0.28f, 0.42f}, {0.15f, 0.50f, 0.75f}, {0.9f, 0.9f, 0.9f}, 60};
@@ -87,8 +87,8 @@ static void dibujaVista(const Recuadro &r, float alfa) {
 static void dibuja() {
     if (estado.compara) {
         abreRecuadro(ventanaEntera(), GRIS);
-        const std::vector<Recuadro> paneles = reparte(3, 1);
-        for (std::size_t i = 0; i < 3; ++i)
+        const std::vector<Recuadro> paneles = reparte(4);
+        for (std::size_t i = 0; i < 4; ++i)
             dibujaVista(paneles[i], ALFAS[i]);
     } else {
         dibujaVista(ventanaEntera(), estado.alfa);
@@ -104,14 +104,15 @@ static void teclado(unsigned char tecla, int, int) {
     case '-': estado.alfa -= PASO; break;
     case '1':
     case '2':
-    case '3': estado.alfa = ALFAS[tecla - '1']; break;
+    case '3':
+    case '4': estado.alfa = ALFAS[tecla - '1']; break;
     case 'v': estado.compara = !estado.compara; break;
     default: return;
     }
     estado.alfa = std::clamp(estado.alfa, 0.0f, 1.0f);
     char titulo[48];
     std::snprintf(titulo, sizeof titulo, "Transparencia: alfa = %.1f", static_cast<double>(estado.alfa));
-    ponTitulo(estado.compara ? "Transparencia: alfa = 0.1, 0.4 y 0.7" : titulo);
+    ponTitulo(estado.compara ? "Transparencia: alfa = 0.1, 0.4, 0.7 y 1" : titulo);
     glutPostRedisplay();
 }
 

@@ -1,0 +1,66 @@
+// Dibujar escena_espejo.h, tal cual o reflejada, y el espejo solo. Los programas espejo y espejo_plantilla.
+#pragma once
+#include "ch05_iluminacion/iluminacion.h"
+#include "escena_espejo.h"
+#include "malla.h"
+#include <array>
+
+struct EscenaDibujada {
+    GLuint programa, programaEspejo;
+    std::array<Buferes, SOLIDOS> solidos;
+    Buferes espejo;
+};
+
+/// Las baldosas de lado 1 del suelo, en el plano Y = 0, como las de un tablero: las claras o las oscuras.
+inline Malla baldosas(bool oscuras) {
+    Malla malla;
+    for (int x = -4; x < 4; ++x)
+        for (int z = -3; z < 3; ++z) {
+            if (((x + z) % 2 != 0) != oscuras)
+                continue;
+            const GLuint k = static_cast<GLuint>(malla.vertices.size());
+            for (const glm::ivec2 e : {glm::ivec2(0, 1), {1, 1}, {1, 0}, {0, 0}})
+                malla.vertices.push_back({glm::vec3(x + e.x, 0, z + e.y), {0, 1, 0}, glm::vec2(e)});
+            malla.indices.insert(malla.indices.end(), {k, k + 1, k + 2, k, k + 2, k + 3});
+        }
+    return malla;
+}
+
+inline EscenaDibujada creaEscena() {
+    return {creaPrograma("ch05_iluminacion/sombreado_phong.vert", "ch07_realismo/reflejo.frag"),
+            creaPrograma("ch03_transformaciones/objeto.vert", "ch07_realismo/liso.frag"),
+            {creaBuferes(cubo()), creaBuferes(esfera(64)), creaBuferes(cono(64)),
+             creaBuferes(baldosas(false)), creaBuferes(baldosas(true))},
+            creaBuferes(plano(1))};
+}
+
+/// La escena o, reflejada, su simétrica, con la luz también simétrica: solo lo que queda detrás del espejo.
+inline void dibujaEscena(const EscenaDibujada &e, const std::vector<PiezaEscena> &piezas,
+                         const glm::mat4 &camara, const glm::mat4 &proyeccion, bool reflejada = false) {
+    const Plano espejo = planoEspejo();
+    const glm::mat4 simetria = reflejada ? reflexion(espejo) : glm::mat4(1);
+    Luz luz{{2.5f, 6, 5, 1}};
+    luz.Lp = simetria * luz.Lp;
+    glUseProgram(e.programa);
+    envia(e.programa, "camara", camara);
+    envia(e.programa, "proyeccion", proyeccion);
+    envia(e.programa, "La", glm::vec3(1));
+    enviaLuz(e.programa, "luz", luz, camara);
+    // el plano, en coordenadas de la cámara; uno nulo no corta nada
+    envia(e.programa, "corte",
+          reflejada ? glm::transpose(glm::inverse(camara)) * glm::vec4(espejo.N, espejo.d) : glm::vec4(0));
+    glFrontFace(reflejada ? GL_CW : GL_CCW); // la simetría invierte el sentido de giro
+    for (const PiezaEscena &pieza : piezas)
+        dibujaObjeto(e.programa, e.solidos[pieza.solido], simetria * pieza.M, camara, pieza.material);
+    glFrontFace(GL_CCW);
+}
+
+inline void dibujaEspejo(const EscenaDibujada &e, const glm::mat4 &camara, const glm::mat4 &proyeccion,
+                         const glm::vec4 &color) {
+    glUseProgram(e.programaEspejo);
+    envia(e.programaEspejo, "camara", camara);
+    envia(e.programaEspejo, "proyeccion", proyeccion);
+    envia(e.programaEspejo, "M", colocaEspejo());
+    envia(e.programaEspejo, "color", color);
+    dibuja(e.espejo);
+}
