@@ -35,7 +35,7 @@ inline Material barniz(const glm::vec3 &color) {
 
 /// `avance`: lo que se ha acercado la F al espejo, en unidades del mundo; si pasa de él, lo de detrás no se refleja.
 inline std::vector<PiezaEscena> piezasEscena(float avance) {
-    const glm::mat4 F = traslacion(-avance * planoEspejo().N) * traslacion({0.5f, 0, 0.9f}) * giroY(-0.1f);
+    const glm::mat4 F = traslacion(-avance * planoEspejo().N) * traslacion({0.5f, 0, 0.9f}) * giroY(0.2f);
     const glm::mat4 alEspejo =
         traslacion(CENTRO_ESPEJO) * giroY(GIRO_ESPEJO) * traslacion({0, 0, -GRUESO_MARCO / 2 - 0.02f});
     const Material rojo = barniz({0.90f, 0.22f, 0.18f}), madera = barniz({0.62f, 0.42f, 0.24f});

@@ -1,7 +1,7 @@
 // Dos cristales que se solapan (ecuación 7.2): con la mezcla de la ecuación 7.1 el color depende de cuál se dibuja antes. O se
 // ordenan de atrás adelante, o se suma al color acumulado: entonces el orden da igual, pero todo brilla más. A la izquierda se
 // manda dibujar antes el rojo y a la derecha el azul.
-// Controles: 1 en ese orden · 2 ordenados de atrás adelante · 3 aditivo · ratón orbita · Esc termina.
+// Controles: 1 según llegan · 2 ordenados de atrás adelante · 3 aditivo · ratón orbita · Esc termina.
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "malla.h"
@@ -17,9 +17,9 @@ static const float ALFA = 0.55f;
 static const struct {
     glm::mat4 M;
     glm::vec3 color;
-} CRISTALES[2] = {{traslacion({-0.35f, 0.15f, 0.5f}) * escalado({1.5f, 1.9f, 1}), {1, 0.25f, 0.2f}},
-                  {traslacion({0.35f, -0.15f, -0.5f}) * escalado({1.5f, 1.9f, 1}), {0.25f, 0.6f, 1}}};
-static const char *const MODOS[3] = {"en el orden en que llegan", "ordenados", "aditivo"};
+} CRISTALES[2] = {{traslacion({-0.35f, 0.15f, 0.5f}) * escalado({1.5f, 2.4f, 1}), {1, 0.25f, 0.2f}},
+                  {traslacion({0.35f, -0.15f, -0.5f}) * escalado({1.5f, 2.4f, 1}), {0.25f, 0.6f, 1}}};
+static const char *const MODOS[3] = {"según llegan", "ordenados", "aditivo"};
 
 static struct {
     GLuint programa;
@@ -48,7 +48,7 @@ static void dibujaVista(const Recuadro &r, std::array<int, 2> orden, const char 
     envia(estado.programa, "camara", camara);
     envia(estado.programa, "proyeccion", perspectivaVentana(0.36f, 1, 30, aspecto(r)));
     for (const float x : {-0.9f, 0.0f, 0.9f}) // lo opaco, antes
-        dibujaPieza(estado.cubo, traslacion({x, 0, -1}) * escalado({0.12f, 1.6f, 0.12f}), glm::vec4(GRIS, 1));
+        dibujaPieza(estado.cubo, traslacion({x, 0, -1}) * escalado({0.12f, 2, 0.12f}), glm::vec4(GRIS, 1));
 
     if (estado.elegido == 1) { // antes el que está más lejos de la cámara
         const auto profundidad = [&](int i) { return (camara * CRISTALES[i].M[3]).z; };
@@ -67,7 +67,7 @@ static void dibujaVista(const Recuadro &r, std::array<int, 2> orden, const char 
 
 static void dibuja() {
     abreRecuadro(ventanaEntera(), GRIS);
-    const std::vector<Recuadro> mitades = reparte(2);
+    const std::vector<Recuadro> mitades = reparte(2, 2.0f / 3);
     dibujaVista(mitades[0], {0, 1}, "antes el rojo");
     dibujaVista(mitades[1], {1, 0}, "antes el azul");
     glutSwapBuffers();
@@ -82,8 +82,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Dos cristales: en el orden en que llegan",
-                GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    abreVentana(argc, argv, "Dos cristales: según llegan", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -1,7 +1,6 @@
 // La simetría respecto a un plano (ecuación 7.3). Sin OpenGL.
 #pragma once
 #include "error.h"
-#include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
 
@@ -14,10 +13,10 @@ struct Plano {
 /// El plano que pasa por P con perpendicular V, que no tiene que ser unitaria. El libro no dice que V haya de serlo: con
 /// |V| = 2 su ecuación 7.3 no es una simetría. Si V es nula o no es finita, termina.
 inline Plano planoPor(const glm::vec3 &P, const glm::vec3 &V) {
-    const float mayor = std::max({std::fabs(V.x), std::fabs(V.y), std::fabs(V.z)});
-    if (!(mayor > 0) || !std::isfinite(mayor))
+    const double longitud = glm::length(glm::dvec3(V)); // en doble no se desborda
+    if (!(longitud > 0) || !std::isfinite(longitud))
         falla("un plano necesita una perpendicular que no sea nula");
-    const glm::dvec3 N = glm::normalize(glm::dvec3(V) / static_cast<double>(mayor));
+    const glm::dvec3 N = glm::dvec3(V) / longitud;
     return {glm::vec3(N), static_cast<float>(-glm::dot(N, glm::dvec3(P)))};
 }
 

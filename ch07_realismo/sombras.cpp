@@ -23,7 +23,7 @@ static Material pintura(const glm::vec3 &color) {
 static struct {
     GLuint deObjetos, deSombras;
     Buferes cubo, esfera, toro, cilindro, tablero;
-    glm::vec3 luz = {-2.2f, 3.4f, 0.8f};
+    glm::vec3 luz = {-1.8f, 3.6f, 0.8f};
     bool transparente = true, desplaza = true, plantilla = true, moviendo = false;
     int x = 0, y = 0; // del ratón
     Orbita orbita = {0.25f, 0.42f, 13, {0, 1.2f, 0}, 0.05f};
@@ -50,9 +50,9 @@ static void recorreObjetos(Dibuja dibujaPieza) {
     dibujaPieza(estado.toro, traslacion({-0.6f, 1.1f, 0.3f}) * giroY(0.7f), NARANJA);
     dibujaPieza(estado.cilindro, traslacion({-0.6f, 0.1f, 0.3f}) * dePie * escalado({0.35f, 0.35f, 0.2f}),
                 OSCURO);
-    dibujaPieza(estado.esfera, traslacion({1.0f, 0.5f, 0.9f}) * escalado(0.5f), ROJO);
-    dibujaPieza(estado.cubo, traslacion({0.6f, 0.45f, -0.9f}) * giroY(0.5f) * escalado(0.9f), VERDE);
-    dibujaPieza(estado.cilindro, traslacion({2.2f, 0.8f, -0.6f}) * dePie * escalado({0.16f, 0.16f, 1.6f}),
+    dibujaPieza(estado.esfera, traslacion({1.4f, 0.5f, 1.1f}) * escalado(0.5f), ROJO);
+    dibujaPieza(estado.cubo, traslacion({0.75f, 0.45f, -1.0f}) * giroY(0.5f) * escalado(0.9f), VERDE);
+    dibujaPieza(estado.cilindro, traslacion({1.9f, 0.55f, -0.5f}) * dePie * escalado({0.16f, 0.16f, 1.1f}),
                 AZUL);
 }
 
@@ -77,13 +77,11 @@ static void dibujaSombras(const glm::mat4 &camara, const glm::mat4 &proyeccion) 
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
-    glDisable(GL_CULL_FACE); // proyectadas, unas caras miran arriba y otras abajo
     const glm::mat4 sombra = proyeccionSombra(L, MESA);
     recorreObjetos([&](const Buferes &malla, const glm::mat4 &M, const glm::vec3 &) {
         envia(p, "M", sombra * M);
         dibuja(malla);
     });
-    glEnable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glDisable(GL_POLYGON_OFFSET_FILL);
@@ -147,7 +145,7 @@ static void arrastra(int x, int y) {
     if (estado.moviendo) {
         const float porPixel = UNIDADES_POR_ALTO / altoUtil();
         estado.luz.x = std::clamp(estado.luz.x + porPixel * static_cast<float>(x - estado.x), -3.0f, 3.0f);
-        estado.luz.y = std::clamp(estado.luz.y - porPixel * static_cast<float>(y - estado.y), -0.5f, 4.4f);
+        estado.luz.y = std::clamp(estado.luz.y - porPixel * static_cast<float>(y - estado.y), -0.5f, 4.0f);
         estado.x = x;
         estado.y = y;
         glutPostRedisplay();
