@@ -143,17 +143,6 @@ void comprueba(const std::string &que, const Imagen &imagen, const ImagenRef &re
                int bandaPorCada = 200) {
     const Comparacion c = oraculo::compara(imagen, ref, std::max(tope, 2.0));
     std::cout << que << ": " << c << "\n";
-    if (getenv("VER")) {
-        for (int y = 0; y < ref.alto; ++y)
-            for (int x = 0; x < ref.ancho; ++x)
-                if (oraculo::diferencia(imagen, x, y, ref.en(x, y).color) > 2) {
-                    auto q = &imagen.rgb[3 * std::size_t(y * ref.ancho + x)];
-                    printf("(%d %d) z%d %d %d %d / %.0f %.0f %.0f\n", x, y, ref.en(x, y).zona, q[0], q[1],
-                           q[2], 255 * ref.en(x, y).color.x, 255 * ref.en(x, y).color.y,
-                           255 * ref.en(x, y).color.z);
-                }
-        guardaPpm("/tmp/c7gpu.ppm", imagen), guardaPpm("/tmp/c7ref.ppm", oraculo::enBytes(ref));
-    }
     EXPECT_LE(c.maximo, tope) << que << ": " << c;
     EXPECT_LE(c.bandaLejos, c.banda / bandaPorCada) << que << ": " << c;
     EXPECT_GT(c.interior, ref.ancho * ref.alto / 2) << que << ": " << c;
