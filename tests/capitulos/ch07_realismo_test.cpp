@@ -139,12 +139,11 @@ const double MEZCLA = 1;
 
 /// El interior, a menos de `tope` niveles. En la banda solo pueden fallar los píxeles cuyo centro está a menos de 1/512 de la
 /// silueta, que la GPU redondea a una rejilla de 1/256.
-void comprueba(const std::string &que, const Imagen &imagen, const ImagenRef &ref, double tope = 0.51,
-               int bandaPorCada = 200) {
+void comprueba(const std::string &que, const Imagen &imagen, const ImagenRef &ref, double tope = 0.51) {
     const Comparacion c = oraculo::compara(imagen, ref, std::max(tope, 2.0));
     std::cout << que << ": " << c << "\n";
     EXPECT_LE(c.maximo, tope) << que << ": " << c;
-    EXPECT_LE(c.bandaLejos, c.banda / bandaPorCada) << que << ": " << c;
+    EXPECT_LE(c.bandaLejos, c.banda / 200) << que << ": " << c;
     EXPECT_GT(c.interior, ref.ancho * ref.alto / 2) << que << ": " << c;
 }
 
@@ -667,7 +666,7 @@ struct Sombras {
         SinEncima sin(imagen, ref);
         const Vec3 p = oraculo::proyecta(camara, imagen.ancho, imagen.alto, luz);
         EXPECT_TRUE(sin.rotulo("luz", OSCURO, p.x, p.y, 30)) << que;
-        ::comprueba(que, sin.limpia, ref, 0.51 + (plantilla ? 1 : 3) * MEZCLA, plantilla ? 200 : 50);
+        ::comprueba(que, sin.limpia, ref, 0.51 + (plantilla ? 1 : 3) * MEZCLA);
     }
 };
 
