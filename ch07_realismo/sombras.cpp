@@ -30,8 +30,7 @@ static struct {
 } estado;
 
 static void inicia() {
-    estado.deObjetos =
-        creaPrograma("ch05_iluminacion/sombreado_phong.vert", "ch05_iluminacion/sombreado_phong.frag");
+    estado.deObjetos = creaSombreado("phong");
     estado.deSombras = creaPrograma("ch03_transformaciones/objeto.vert", "ch07_realismo/liso.frag");
     estado.cubo = creaBuferes(cubo());
     estado.esfera = creaBuferes(esfera(48));
@@ -101,17 +100,16 @@ static void dibuja() {
     dibujaObjeto(p, estado.cubo, traslacion({0, -TALLA_MESA.y / 2 - 0.01f, 0}) * escalado(TALLA_MESA), camara,
                  pintura({0.55f, 0.38f, 0.22f}));
 
-    // Lo que se ve del tablero queda a 1 en la plantilla; los objetos que lo tapan lo devuelven a 0
+    // El tablero queda a 1 en la plantilla; de los objetos que lo tapan se encarga el test de profundidad
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     glStencilFunc(GL_ALWAYS, 1, 0xff);
     dibujaObjeto(p, estado.tablero, giroX(-glm::half_pi<float>()) * escalado({TALLA_MESA.x, TALLA_MESA.z, 1}),
                  camara, pintura({0.88f, 0.80f, 0.66f}));
-    glStencilFunc(GL_ALWAYS, 0, 0xff);
+    glDisable(GL_STENCIL_TEST);
     recorreObjetos([&](const Buferes &malla, const glm::mat4 &M, const glm::vec3 &color) {
         dibujaObjeto(p, malla, M, camara, pintura(color));
     });
-    glDisable(GL_STENCIL_TEST);
 
     const Material lampara = {glm::vec3(1, 0.95f, 0.6f), glm::vec3(0), glm::vec3(0), 1};
     dibujaObjeto(p, estado.esfera, traslacion(estado.luz) * escalado(0.14f), camara, lampara);
