@@ -15,7 +15,7 @@ struct Rayo {
 struct Camara {
     Vec3 ojo, centro{0, 0, -1}, arriba{0, 1, 0};
     bool esParalela = true;
-    double semilado = 1; // mitad del lado MENOR de la ventana; en perspectiva, a distancia 1 del ojo
+    double semilado = 1; // mitad del alto de una ventana 4:3 o más ancha; en perspectiva, a distancia 1 del ojo
     double cerca = -1, lejos = 1;
 };
 inline Camara miraDesde(const Vec3 &ojo, const Vec3 &centro, const Vec3 &arriba = {0, 1, 0}) {
@@ -28,12 +28,12 @@ inline Camara orbita(double azimut, double elevacion, double distancia, const Ve
     const Mat4 giro = gira({0, 1, 0}, azimut) * gira({1, 0, 0}, -elevacion);
     return miraDesde(centro + direccion(giro, {0, 0, distancia}), centro);
 }
-/// perspectivaVentana: `angulo` abarca el lado menor.
+/// perspectivaVentana: `angulo` abarca el alto útil.
 inline Camara perspectiva(Camara c, double angulo, double cerca, double lejos) {
     c.esParalela = false, c.semilado = std::tan(angulo / 2), c.cerca = cerca, c.lejos = lejos;
     return c;
 }
-/// paralelaVentana: [−semilado, semilado] en el lado menor.
+/// paralelaVentana: [−semilado, semilado] en el alto útil.
 inline Camara paralela(Camara c, double semilado, double cerca = -1, double lejos = 1) {
     c.esParalela = true, c.semilado = semilado, c.cerca = cerca, c.lejos = lejos;
     return c;
@@ -55,14 +55,18 @@ inline Vec3 enCamara(const Camara &c, const Vec3 &p) {
     const Vec3 v = p - c.ojo;
     return {escalar(v, e.x), escalar(v, e.y), escalar(v, e.z)};
 }
+/// El alto de la ventana o, si es más estrecha que 4:3, el que tendría a 4:3 con ese ancho.
+inline double altoUtil(int ancho, int alto) {
+    return std::min<double>(alto, 0.75 * ancho);
+}
 /// Lado de un píxel, en unidades del mundo, a la profundidad de p.
 inline double tallaPixel(const Camara &c, int ancho, int alto, const Vec3 &p) {
-    return 2 * c.semilado / std::min(ancho, alto) * (c.esParalela ? 1 : -enCamara(c, p).z);
+    return 2 * c.semilado / altoUtil(ancho, alto) * (c.esParalela ? 1 : -enCamara(c, p).z);
 }
 /// Rayo por el punto (px, py) de la ventana, en píxeles: el centro del píxel (x, y) es (x + 0.5, y + 0.5).
 inline Rayo rayo(const Camara &c, int ancho, int alto, double px, double py) {
     const Ejes e = ejes(c);
-    const double porPixel = 2 * c.semilado / std::min(ancho, alto); // a distancia 1
+    const double porPixel = 2 * c.semilado / altoUtil(ancho, alto); // a distancia 1
     const Vec3 v = porPixel * (px - 0.5 * ancho) * e.x + porPixel * (py - 0.5 * alto) * e.y;
     if (c.esParalela)
         return {c.ojo + v, -e.z, c.cerca, c.lejos};

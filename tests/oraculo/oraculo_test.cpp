@@ -251,8 +251,8 @@ TEST(Camara, IdaYVuelta) {
             }
 }
 
-// El ángulo y el semilado abarcan el lado menor de la ventana, sin deformar.
-TEST(Camara, LadoMenor) {
+// El ángulo y el semilado abarcan el alto de la ventana, o el que tendría a 4:3 si es más estrecha, sin deformar.
+TEST(Camara, AltoUtil) {
     const Camara base = miraDesde({0, 0, 4}, {0, 0, 0});
     const double t = 4 * std::tan(0.3);
     const auto iguales = [](const Vec3 &v, double x, double y) {
@@ -261,9 +261,9 @@ TEST(Camara, LadoMenor) {
     };
     iguales(proyecta(perspectiva(base, 0.6, 1, 9), 240, 180, {0, t, 0}), 120, 180);
     iguales(proyecta(perspectiva(base, 0.6, 1, 9), 240, 180, {t, 0, 0}), 210, 90);
-    iguales(proyecta(perspectiva(base, 0.6, 1, 9), 100, 300, {t, 0, 0}), 100, 150);
+    iguales(proyecta(perspectiva(base, 0.6, 1, 9), 100, 300, {t, 0, 0}), 87.5, 150);
     iguales(proyecta(paralela(base, 2, 1, 9), 240, 180, {-2, -2, 0}), 30, 0);
-    iguales(proyecta(paralela(base, 2, 1, 9), 100, 300, {-2, 2, 0}), 0, 200);
+    iguales(proyecta(paralela(base, 2, 1, 9), 100, 300, {-2, 2, 0}), 12.5, 187.5);
     // ecuaciones 4.2 y 4.3: profundidad 1/2 a 2·cerca·lejos/(cerca + lejos), y a medio camino
     EXPECT_NEAR(proyecta(perspectiva(base, 0.6, 1, 9), 9, 9, {0, 0, 4 - 1.8}).z, 0.5, 1e-15);
     EXPECT_NEAR(proyecta(paralela(base, 2, 1, 9), 9, 9, {0, 0, 4 - 5}).z, 0.5, 1e-15);
