@@ -1,115 +1,116 @@
-// Giro alrededor de un eje cualquiera por cambio de base (§3.4, ecuaciones 3.9 y 3.10): el eje d (rojo) y los
-// vectores e (verde) y f (azul) que completan la base, el objeto girado, el de partida (pálido) y la
-// circunferencia que recorre. El giro se recalcula siempre desde el ángulo: multiplicar un giro tras otro
-// acumula error (tests/ch03_giro_test.cpp).
-// Controles: a d giran · 1 2 3 4 ejes Y, diagonal, oblicuo y casi X · ratón izquierdo mueve el eje · ratón derecho orbita · Esc termina.
-#include "malla.h"
+// Giro alrededor de un eje cualquiera por cambio de base (§3.4, ecuaciones 3.9 y 3.10): el eje d y los vectores e y f
+// que completan la base, el objeto girado un ángulo φ, el de partida (pálido) y lo que recorre. El giro se calcula
+// siempre desde el ángulo: multiplicar un giro tras otro acumula error (ch03_giro_test.cpp).
+// Controles: a d giran · 1 2 3 4 ejes Y, diagonal, oblicuo y casi X · botón izquierdo mueve el eje, derecho orbita ·
+//            Esc termina.
+#include "colores.h"
+#include "objeto.h"
 #include "orbita.h"
-#include "shader.h"
-#include "transformaciones.h"
+#include "rotulo.h"
+#include "trazo.h"
 #include "ventana.h"
-#include <cmath>
+#include <cstdio>
 
-static const float VUELTA = 6.28318530718f;
-static const float PASO_GIRO = 0.1f, PASO_CUENTAS = 0.2f; // radianes
+static const float PASO_GIRO = 0.1f; // radianes
 static const float RADIANES_POR_PIXEL = 0.01f;
-static const glm::vec3 ejes[] = {{0, 1, 0}, {1, 1, 1}, {-0.6f, 0.7f, 0.4f}, {1, 1e-10f, 0}};
-static const glm::vec3 sitio(-1.1f, 0.2f, 1.2f); // el centro del avión, sin girar
-
-static const glm::vec3 fondo(0.95f, 0.96f, 0.98f), rojo(0.85f, 0.20f, 0.18f), verde(0.20f, 0.62f, 0.28f),
-    azul(0.16f, 0.38f, 0.80f), naranja(0.95f, 0.55f, 0.10f), amarillo(0.98f, 0.78f, 0.15f),
-    gris(0.55f, 0.58f, 0.62f), oscuro(0.16f, 0.17f, 0.20f);
+static const glm::vec3 EJES[] = {{0, 1, 0}, {1, 1, 1}, {-0.6f, 0.7f, 0.4f}, {1, 1e-10f, 0}};
+static const glm::vec3 SITIO(-1.1f, 0.2f, 1.2f); // el centro del avión, sin girar
 
 static struct {
     GLuint programa;
-    Buferes cubo, esfera, cilindro, cono, aro;
-    glm::vec3 eje = ejes[0]; // sin normalizar
-    float angulo = 2;        // radianes
+    Buferes cubo;
+    glm::vec3 eje = EJES[0]; // sin normalizar
+    float angulo = 2;        // φ, radianes
     bool moviendoEje = false;
     int xAnterior = 0, yAnterior = 0;
-    Orbita orbita = {-0.5f, 0.4f, 7};
+    Orbita orbita = {-0.5f, 0.4f, 7, {0, 0, 0}};
 } estado;
 
 static void inicia() {
-    estado.programa = creaPrograma("ch03_transformaciones/objeto.vert", "ch03_transformaciones/objeto.frag");
+    estado.programa = creaProgramaObjeto();
     estado.cubo = creaBuferes(cubo());
-    estado.esfera = creaBuferes(esfera(16));
-    estado.cilindro = creaBuferes(cilindro(16));
-    estado.cono = creaBuferes(cono(24));
-    estado.aro = creaBuferes(toro(1, 0.018f, 96, 12));
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE); // las caras de detrás nunca se ven: los sólidos son cerrados
-    glClearColor(fondo.r, fondo.g, fondo.b, 1);
-}
-
-static void dibujaMalla(const Buferes &malla, const glm::mat4 &M, const glm::vec3 &color) {
-    const glm::mat3 N = matrizNormal(M);
-    envia(estado.programa, "M", M);
-    envia(estado.programa, "N", N);
-    envia(estado.programa, "colorObjeto", color);
-    dibuja(malla);
-}
-
-static void dibujaFlecha(const glm::vec3 &direccion, float largo, const glm::vec3 &color) {
-    const float punta = 0.25f, grueso = 0.045f;
-    const glm::mat4 base = haciaDireccion(direccion);
-    dibujaMalla(estado.cilindro, base * escalado({grueso, grueso, largo - punta}) * traslacion({0, 0, 0.5f}),
-                color);
-    dibujaMalla(estado.cono,
-                base * traslacion({0, 0, largo - punta}) * escalado({2.5f * grueso, 2.5f * grueso, punta}),
-                color);
+    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
 // `viveza` 0 lo deja del color del fondo.
 static void dibujaAvion(const glm::mat4 &M, float viveza) {
     const struct {
         glm::vec3 centro, lados, color;
-    } piezas[] = {{{0, 0, 0}, {1.1f, 0.22f, 0.22f}, naranja},
-                  {{0.1f, 0, 0}, {0.32f, 0.08f, 1.3f}, amarillo},
-                  {{-0.45f, 0, 0}, {0.18f, 0.06f, 0.5f}, amarillo},
-                  {{-0.42f, 0.22f, 0}, {0.2f, 0.34f, 0.07f}, rojo}};
+    } piezas[] = {{{0, 0, 0}, {1.1f, 0.22f, 0.22f}, NARANJA},
+                  {{0.1f, 0, 0}, {0.32f, 0.08f, 1.3f}, AMARILLO},
+                  {{-0.45f, 0, 0}, {0.18f, 0.06f, 0.5f}, AMARILLO},
+                  {{-0.42f, 0.22f, 0}, {0.2f, 0.34f, 0.07f}, ROJO}};
     for (const auto &p : piezas)
-        dibujaMalla(estado.cubo, M * traslacion(p.centro) * escalado(p.lados),
-                    glm::mix(fondo, p.color, viveza));
+        dibujaObjeto(estado.programa, estado.cubo, M * traslacion(p.centro) * escalado(p.lados),
+                     glm::mix(FONDO_CLARO, p.color, viveza));
+}
+
+// Por dónde pasa el centro del avión mientras gira ese ángulo.
+static std::vector<glm::vec3> recorrido(const glm::vec3 &d, float angulo) {
+    const int TRAMOS = 64;
+    std::vector<glm::vec3> puntos;
+    for (int i = 0; i <= TRAMOS; ++i)
+        puntos.push_back(giroEje(d, angulo * static_cast<float>(i) / TRAMOS) * glm::vec4(SITIO, 1));
+    return puntos;
+}
+
+static void trazaVector(const char *nombre, const glm::vec3 &v, float largo, const glm::mat4 &transformacion,
+                        const glm::vec3 &color) {
+    trazaFlecha(glm::vec3(0), largo * v, transformacion, color, 2 * GROSOR);
+    rotulaPunto(nombre, (largo + 0.15f) * v, transformacion, color, Lado::CENTRO);
+}
+
+static std::string describe(const glm::vec3 &d) {
+    char texto[80];
+    const auto centesimas = [](float x) { return std::round(100 * x) / 100 + 0.0; }; // + 0: sin −0
+    std::snprintf(texto, sizeof texto, "φ = %.0f°, d = (%.2g, %.2g, %.2g)",
+                  static_cast<double>(glm::degrees(estado.angulo)), centesimas(d.x), centesimas(d.y),
+                  centesimas(d.z));
+    return texto;
 }
 
 static void dibuja() {
+    const glm::mat4 proyeccion = perspectivaVentana(0.6f, 1, 30), camara = camaraOrbita(estado.orbita),
+                    transformacion = proyeccion * camara;
+    const glm::vec3 d = unitario(estado.eje);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
-    const glm::mat4 camara = perspectivaVentana(0.6f, 1, 30) * camaraOrbita(estado.orbita);
+    envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
+    dibujaAvion(traslacion(SITIO), 0.3f);
+    dibujaAvion(giroEje(d, estado.angulo) * traslacion(SITIO), 1);
 
-    const glm::vec3 d = unitario(estado.eje);
+    const std::vector<glm::vec3> arco = recorrido(d, estado.angulo);
+    trazaPolilinea(recorrido(d, glm::two_pi<float>()), transformacion, GRIS);
+    trazaPolilinea(arco, transformacion, MORADO, 1.5f * GROSOR);
+    trazaPolilinea({-1.6f * d, glm::vec3(0)}, transformacion, OSCURO, 1.5f * GROSOR);
     const glm::mat3 base = glm::transpose(cambioDeBase(d)); // d, e y f, que eran filas, son columnas
-    dibujaMalla(estado.cilindro, haciaDireccion(d) * escalado({0.03f, 0.03f, 3.9f}), oscuro);
-    dibujaFlecha(base[0], 1.5f, rojo);
-    dibujaFlecha(base[1], 0.9f, verde);
-    dibujaFlecha(base[2], 0.9f, azul);
-
-    dibujaAvion(traslacion(sitio), 0.3f);
-    dibujaAvion(giroEje(d, estado.angulo) * traslacion(sitio), 1);
-
-    // El sitio gira en un plano perpendicular a d que corta al eje en `centro`.
-    const glm::vec3 centro = glm::dot(sitio, d) * d;
-    dibujaMalla(estado.aro, traslacion(centro) * haciaDireccion(d) * escalado(glm::distance(sitio, centro)),
-                gris);
-    for (float a = 0; a < std::fabs(estado.angulo); a += PASO_CUENTAS) {
-        const glm::mat4 giro = giroEje(d, std::copysign(a, estado.angulo));
-        dibujaMalla(estado.esfera, giro * traslacion(sitio) * escalado(0.06f), oscuro);
-    }
+    trazaVector("e", base[1], 0.9f, transformacion, VERDE);
+    trazaVector("f", base[2], 0.9f, transformacion, AZUL);
+    trazaVector("d", base[0], 1.6f, transformacion, ROJO);
+    rotulaPunto("φ", arco[arco.size() / 2], transformacion, MORADO, Lado::DEBAJO);
+    rotula(describe(d), {0.5f, 0.05f}, OSCURO);
     glutSwapBuffers();
+}
+
+static void cambia() {
+    ponTitulo("Giro alrededor de un eje: " + describe(unitario(estado.eje)));
+    glutPostRedisplay();
 }
 
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
     if (tecla == 'a' || tecla == 'd') // dentro de una vuelta: un ángulo grande no tiene decimales
-        estado.angulo = std::remainder(estado.angulo + (tecla == 'a' ? PASO_GIRO : -PASO_GIRO), VUELTA);
+        estado.angulo =
+            std::remainder(estado.angulo + (tecla == 'a' ? PASO_GIRO : -PASO_GIRO), glm::two_pi<float>());
     else if (tecla >= '1' && tecla <= '4')
-        estado.eje = ejes[tecla - '1'];
+        estado.eje = EJES[tecla - '1'];
     else
         return;
-    glutPostRedisplay();
+    cambia();
 }
 
 static void boton(int cual, int pulsado, int x, int y) {
@@ -121,7 +122,7 @@ static void boton(int cual, int pulsado, int x, int y) {
 }
 
 // El eje gira con el ratón alrededor de la vertical y de la horizontal de la pantalla, que en el mundo son
-// las dos primeras filas de la vista.
+// las dos primeras filas de la cámara.
 static void arrastra(int x, int y) {
     if (!estado.moviendoEje)
         return orbitaArrastra(x, y);
@@ -131,7 +132,7 @@ static void arrastra(int x, int y) {
         glm::mat3(giroEje(pantalla[0], angulos.y) * giroEje(pantalla[1], angulos.x)) * unitario(estado.eje);
     estado.xAnterior = x;
     estado.yAnterior = y;
-    glutPostRedisplay();
+    cambia();
 }
 
 int main(int argc, char **argv) {

@@ -5,13 +5,28 @@
 #include "colores.h"
 #include "objeto.h"
 #include "orbita.h"
+#include "rotulo.h"
+#include "trazo.h"
 #include "ventana.h"
+#include <cstdio>
+
+static const float LADO_SUELO = 14, LADO_CUADRICULA = 2;
+static const glm::vec3 COLOR_ZAPATA(0.80f, 0.80f, 0.78f);
+static const struct {
+    const char *nombre;
+    glm::vec3 punto; // del cubo de lado uno, o cerca
+    Lado lado;
+} ROTULOS[] = {{"pie", {0.5f, 0, -0.5f}, Lado::DERECHA}, // en el orden de piezasGrua
+               {"brazo", {0, 0.5f, 0}, Lado::ENCIMA},
+               {"contrapeso", {-0.6f, -0.2f, 0}, Lado::IZQUIERDA},
+               {"cable", {0.5f, 0, -0.5f}, Lado::DERECHA},
+               {"carga", {0, -0.8f, 0}, Lado::DEBAJO}};
 
 static struct {
     GLuint programa;
     Buferes cubo;
     PosturaGrua postura;
-    Orbita orbita = {0.5f, 0.25f, 23, {1.5f, 5.2f, 0}};
+    Orbita orbita = {0.5f, 0.25f, 28, {0.4f, 4.3f, 0}, 0.05f};
 } estado;
 
 static void inicia() {
@@ -22,20 +37,44 @@ static void inicia() {
     glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
 }
 
+// El suelo, con su cuadrícula, y la zapata en que se apoya el pie.
+static void dibujaSuelo(const glm::mat4 &transformacion) {
+    dibujaObjeto(estado.programa, estado.cubo,
+                 traslacion({0, -0.1f, 0}) * escalado({LADO_SUELO, 0.2f, LADO_SUELO}), SUELO);
+    dibujaObjeto(estado.programa, estado.cubo, escalado({3, 0.1f, 3}), COLOR_ZAPATA);
+    std::vector<glm::vec3> lineas;
+    const float borde = LADO_SUELO / 2, y = 0.02f; // encima del suelo, que no la tape
+    for (float x = -borde; x <= borde; x += LADO_CUADRICULA)
+        lineas.insert(lineas.end(), {{x, y, -borde}, {x, y, borde}, {-borde, y, x}, {borde, y, x}});
+    trazaSegmentos(lineas, transformacion, 0.8f * SUELO, 0.5f * GROSOR);
+}
+
 static void dibuja() {
+    const glm::mat4 proyeccion = perspectivaVentana(0.6f, 1, 100), camara = camaraOrbita(estado.orbita),
+                    transformacion = proyeccion * camara;
+    const std::vector<Pieza> piezas = piezasGrua(estado.postura);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", perspectivaVentana(0.6f, 1, 100));
-    envia(estado.programa, "camara", camaraOrbita(estado.orbita));
-    dibujaObjeto(estado.programa, estado.cubo, traslacion({0, -0.1f, 0}) * escalado({20, 0.2f, 20}), SUELO);
-    for (const Pieza &pieza : piezasGrua(estado.postura))
+    envia(estado.programa, "proyeccion", proyeccion);
+    envia(estado.programa, "camara", camara);
+    dibujaSuelo(transformacion);
+    for (const Pieza &pieza : piezas)
         dibujaObjeto(estado.programa, estado.cubo, pieza.M, pieza.color);
+    for (std::size_t i = 0; i < piezas.size(); ++i)
+        rotulaPunto(ROTULOS[i].nombre, piezas[i].M * glm::vec4(ROTULOS[i].punto, 1), transformacion, OSCURO,
+                    ROTULOS[i].lado);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (!teclaComun(tecla) && mueve(estado.postura, tecla))
-        glutPostRedisplay();
+    if (teclaComun(tecla) || !mueve(estado.postura, tecla))
+        return;
+    char titulo[80];
+    std::snprintf(titulo, sizeof titulo, "Grúa de obra: giro %.0f°, distancia %.1f, altura %.1f",
+                  static_cast<double>(glm::degrees(estado.postura.giro)),
+                  static_cast<double>(estado.postura.distancia), static_cast<double>(estado.postura.altura));
+    ponTitulo(titulo);
+    glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {

@@ -1,6 +1,7 @@
 // La grúa de obra del ejercicio 3.5, hecha solo de cubos de lado uno: qué cubos y con qué transformación.
 // Sin OpenGL; la usan los programas grua* de los capítulos 3, 4 y 5.
 #pragma once
+#include "colores.h"
 #include "transformaciones.h"
 #include <algorithm>
 #include <glm/glm.hpp>
@@ -54,24 +55,23 @@ struct Pieza {
 /// brazo apunta a +X.
 inline std::vector<Pieza> piezasGrua(const PosturaGrua &postura) {
     const PosturaGrua p = limita(postura);
-    const glm::vec3 amarillo(0.98f, 0.74f, 0.12f), gris(0.42f, 0.45f, 0.50f), negro(0.16f, 0.17f, 0.20f),
-        rojo(0.85f, 0.20f, 0.18f);
+    const glm::vec3 hormigon(0.42f, 0.45f, 0.50f);
     const float alturaBrazo = LARGO_PIE + GRUESO / 2;
     const float largoCable = LARGO_PIE - p.altura - LADO_CARGA / 2;
 
     const glm::mat4 giro = giroY(p.giro);
     const glm::mat4 carro = giro * traslacion({p.distancia, 0, 0});
     return {
-        {traslacion({0, LARGO_PIE / 2, 0}) * escalado({GRUESO, LARGO_PIE, GRUESO}), amarillo},
+        {traslacion({0, LARGO_PIE / 2, 0}) * escalado({GRUESO, LARGO_PIE, GRUESO}), AMARILLO},
         {giro * traslacion({LARGO_BRAZO / 2 - VOLADIZO_ATRAS, alturaBrazo, 0}) *
              escalado({LARGO_BRAZO, GRUESO, GRUESO}),
-         amarillo},
+         AMARILLO},
         {giro * traslacion({LADO_CONTRAPESO / 2 - VOLADIZO_ATRAS, LARGO_PIE - LADO_CONTRAPESO / 2, 0}) *
              escalado(LADO_CONTRAPESO),
-         gris},
+         hormigon},
         {carro * traslacion({0, LARGO_PIE - largoCable / 2, 0}) *
              escalado({GRUESO_CABLE, largoCable, GRUESO_CABLE}),
-         negro},
-        {carro * traslacion({0, p.altura, 0}) * escalado(LADO_CARGA), rojo},
+         OSCURO},
+        {carro * traslacion({0, p.altura, 0}) * escalado(LADO_CARGA), ROJO},
     };
 }

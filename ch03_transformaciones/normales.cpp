@@ -3,30 +3,35 @@
 // tal como la da el libro: apunta hacia dentro, porque le falta el signo del determinante (transformaciones.h).
 // Si M y N coinciden solo se ve la verde; una cara aplastada en una recta no tiene normal.
 // Controles: 1 original · 2 S(2,1,1) · 3 reflexión S(−2,1,1) · 4 aplastamiento S(2,0,1) · ratón orbita · Esc termina.
-#include "malla.h"
+#include "colores.h"
+#include "objeto.h"
 #include "orbita.h"
-#include "shader.h"
-#include "transformaciones.h"
+#include "rotulo.h"
+#include "trazo.h"
 #include "ventana.h"
 
-static const glm::vec2 poligono[] = {
+static const glm::vec2 POLIGONO[] = {
     {0.25f, -0.95f}, {0.85f, 0.15f}, {-0.10f, 0.90f}, {-0.90f, -0.20f}}; // antihorario
-static const int LADOS = 4;
+static const int LADOS = 4, LADO_ROTULADO = 1;
 static const float FONDO = 0.9f; // grueso del prisma, a lo largo de Z
-static const glm::vec3 escalas[] = {{1, 1, 1}, {2, 1, 1}, {-2, 1, 1}, {2, 0, 1}};
-
-static const glm::vec3 verde(0.20f, 0.62f, 0.28f), rojo(0.85f, 0.20f, 0.18f), naranja(0.95f, 0.55f, 0.10f),
-    colorPrisma(0.72f, 0.82f, 0.97f);
+static const glm::vec3 COLOR_PRISMA(0.72f, 0.82f, 0.97f);
+static const struct {
+    glm::vec3 factores;
+    const char *nombre;
+} ESCALADOS[] = {{{1, 1, 1}, "M = I"},
+                 {{2, 1, 1}, "M = S(2, 1, 1)"},
+                 {{-2, 1, 1}, "M = S(−2, 1, 1)"},
+                 {{2, 0, 1}, "M = S(2, 0, 1)"}};
 
 static struct {
     GLuint programa;
-    Buferes prisma, cilindro, cono;
-    int caso = 0;
+    Buferes prisma;
+    int elegido = 0;
     Orbita orbita = {0.16f, 0.32f, 8};
 } estado;
 
 static glm::vec3 normalLado(int i) {
-    const glm::vec2 lado = poligono[(i + 1) % LADOS] - poligono[i];
+    const glm::vec2 lado = POLIGONO[(i + 1) % LADOS] - POLIGONO[i];
     return glm::normalize(glm::vec3(lado.y, -lado.x, 0));
 }
 
@@ -34,14 +39,14 @@ static Malla creaPrisma() {
     Malla malla;
     for (int i = 0; i < LADOS; ++i) {
         const GLuint base = static_cast<GLuint>(malla.vertices.size());
-        const glm::vec2 &a = poligono[i], &b = poligono[(i + 1) % LADOS];
+        const glm::vec2 &a = POLIGONO[i], &b = POLIGONO[(i + 1) % LADOS];
         for (const glm::vec3 p : {glm::vec3(b, FONDO / 2), {a, FONDO / 2}, {a, -FONDO / 2}, {b, -FONDO / 2}})
             malla.vertices.push_back({p, normalLado(i), {0, 0}});
         malla.indices.insert(malla.indices.end(), {base, base + 1, base + 2, base, base + 2, base + 3});
     }
     for (float z : {FONDO / 2, -FONDO / 2}) {
         const GLuint base = static_cast<GLuint>(malla.vertices.size());
-        for (const glm::vec2 &p : poligono)
+        for (const glm::vec2 &p : POLIGONO)
             malla.vertices.push_back({{p, z}, {0, 0, z > 0 ? 1 : -1}, {0, 0}});
         for (GLuint i = base + 1; i + 1 < base + LADOS; ++i)
             malla.indices.insert(malla.indices.end(), {base, z > 0 ? i : i + 1, z > 0 ? i + 1 : i});
@@ -50,70 +55,59 @@ static Malla creaPrisma() {
 }
 
 static void inicia() {
-    estado.programa = creaPrograma("ch03_transformaciones/objeto.vert", "ch03_transformaciones/objeto.frag");
+    estado.programa = creaProgramaObjeto();
     estado.prisma = creaBuferes(creaPrisma());
-    estado.cilindro = creaBuferes(cilindro(16));
-    estado.cono = creaBuferes(cono(24));
     glEnable(GL_DEPTH_TEST);
-    glEnable(
-        GL_CULL_FACE); // las dos caras de un prisma aplastado coinciden: que solo se dibuje la que mira aquí
-    glClearColor(0.95f, 0.96f, 0.98f, 1);
-}
-
-static void dibujaMalla(const Buferes &malla, const glm::mat4 &M, const glm::vec3 &color) {
-    const glm::mat3 N = matrizNormal(M);
-    envia(estado.programa, "M", M);
-    envia(estado.programa, "N", N);
-    envia(estado.programa, "colorObjeto", color);
-    dibuja(malla);
-}
-
-// Toda flecha mide lo mismo: tras transformar una normal hay que normalizarla.
-static void dibujaFlecha(const glm::vec3 &origen, const glm::vec3 &direccion, const glm::vec3 &color) {
-    const float largo = 0.75f, punta = 0.25f, grueso = 0.04f;
-    const glm::mat4 base = traslacion(origen) * haciaDireccion(direccion);
-    dibujaMalla(estado.cilindro, base * escalado({grueso, grueso, largo - punta}) * traslacion({0, 0, 0.5f}),
-                color);
-    dibujaMalla(estado.cono,
-                base * traslacion({0, 0, largo - punta}) * escalado({3 * grueso, 3 * grueso, punta}), color);
+    glEnable(GL_CULL_FACE); // las dos caras de un prisma aplastado coinciden: solo se dibuja la que mira aquí
+    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
 static void dibuja() {
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glUseProgram(estado.programa);
-    const glm::mat4 camara = paralelaVentana(1.75f, 1, 20) * camaraOrbita(estado.orbita);
-    envia(estado.programa, "camara", camara);
-
-    const glm::mat4 M = escalado(escalas[estado.caso]);
+    const glm::mat4 proyeccion = paralelaVentana(1.75f, 1, 20), camara = camaraOrbita(estado.orbita),
+                    transformacion = proyeccion * camara, M = escalado(ESCALADOS[estado.elegido].factores);
     const glm::mat3 N = matrizNormal(M);
     const bool esReflexion = glm::determinant(glm::mat3(M)) < 0;
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glUseProgram(estado.programa);
+    envia(estado.programa, "proyeccion", proyeccion);
+    envia(estado.programa, "camara", camara);
     glFrontFace(esReflexion ? GL_CW : GL_CCW); // una reflexión cambia el sentido de giro de las caras
-    dibujaMalla(estado.prisma, M, colorPrisma);
+    dibujaObjeto(estado.programa, estado.prisma, M, COLOR_PRISMA);
     glFrontFace(GL_CCW);
 
     for (int i = 0; i < LADOS; ++i) {
-        const glm::vec2 medio = 0.5f * (poligono[i] + poligono[(i + 1) % LADOS]);
-        const glm::vec3 pie = M * glm::vec4(medio, FONDO / 2, 1);
-        const glm::vec3 n = normalLado(i), conM = unitario(glm::mat3(M) * n), conN = N * n;
+        const glm::vec2 medio = 0.5f * (POLIGONO[i] + POLIGONO[(i + 1) % LADOS]);
+        const glm::vec3 pie = M * glm::vec4(medio, 0.52f * FONDO, 1); // delante de la cara, que no la tape
+        // Toda flecha mide lo mismo: tras transformar una normal hay que normalizarla.
+        const auto flecha = [&](const glm::vec3 &hacia, const glm::vec3 &color, const char *nombre) {
+            trazaFlecha(pie, pie + 0.75f * hacia, transformacion, color, 1.5f * GROSOR);
+            if (i == LADO_ROTULADO)
+                rotulaPunto(nombre, pie + 0.99f * hacia, transformacion, color, Lado::CENTRO);
+        };
+        const glm::vec3 n = normalLado(i), conM = unitario(glm::mat3(M) * n),
+                        conN = unitario(N * n, {0, 0, 0});
+        const bool coinciden = glm::dot(conM, conN) > 0.999f;
         if (conN != glm::vec3(0))
-            dibujaFlecha(pie, conN, verde);
-        if (glm::dot(conM, unitario(conN)) < 0.999f)
-            dibujaFlecha(pie, conM, rojo);
+            flecha(conN, VERDE, coinciden ? "N·n = M·n" : "N·n");
+        if (!coinciden)
+            flecha(conM, ROJO, "M·n");
         if (esReflexion)
-            dibujaFlecha(pie, -conN, naranja);
+            flecha(-conN, NARANJA, "adjunta");
     }
+    rotula(ESCALADOS[estado.elegido].nombre, {0.03f, 0.06f}, OSCURO, Lado::DERECHA);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla) || tecla < '1' || tecla > '4')
         return;
-    estado.caso = tecla - '1';
+    estado.elegido = tecla - '1';
+    ponTitulo(std::string("Normales transformadas: ") + ESCALADOS[estado.elegido].nombre);
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Normales transformadas", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    abreVentana(argc, argv, "Normales transformadas: M = I", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -1,17 +1,20 @@
 // Objetos compuestos de cubos, esferas y toros (figura 3.2): cada pieza es una primitiva con su matriz M y su
 // matriz N, que el vertex shader del listado 3.1 (objeto.vert) aplica a la posición y a la normal (objetos.h).
+// Como es su listado, aquí las llamadas a OpenGL están a la vista: es lo que hacen envia y dibuja (common/).
 // Controles: ratón orbita · rueda acerca · Esc termina.
 #include "objetos.h"
+#include "colores.h"
 #include "malla.h"
 #include "orbita.h"
 #include "shader.h"
 #include "ventana.h"
+#include <glm/gtc/type_ptr.hpp>
 
 static struct {
     GLuint programa;
     Buferes primitivas[3]; // en el orden de Primitiva
     PiezasObjeto piezas = piezasObjetos();
-    Orbita orbita = {0.25f, 0.32f, 12.5f, {0, 1.65f, 0}};
+    Orbita orbita = {0.25f, 0.32f, 14.2f, {-0.05f, 1.5f, 0}, 0.02f};
 } estado;
 
 static void inicia() {
@@ -23,23 +26,28 @@ static void inicia() {
     estado.primitivas[2] = creaBuferes(toro(1, RADIO_TUBO, n, m));
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE); // las caras de detrás nunca se ven: los sólidos son cerrados
-    glClearColor(0.87f, 0.93f, 0.98f, 1);
+    glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
+}
+
+static void enviaMatriz(const char *nombre, const glm::mat4 &valor) {
+    glUniformMatrix4fv(uniforme(estado.programa, nombre), 1, GL_FALSE, glm::value_ptr(valor));
 }
 
 static void dibujaPieza(const PiezaObjeto &pieza) {
-    const Buferes &malla = estado.primitivas[static_cast<int>(pieza.primitiva)];
+    const Buferes &primitiva = estado.primitivas[static_cast<int>(pieza.primitiva)];
     const glm::mat3 N = matrizNormal(pieza.M);
-    envia(estado.programa, "M", pieza.M);
-    envia(estado.programa, "N", N);
-    envia(estado.programa, "colorObjeto", pieza.color);
-    dibuja(malla);
+    enviaMatriz("M", pieza.M);
+    glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));
+    glUniform3fv(uniforme(estado.programa, "colorObjeto"), 1, glm::value_ptr(pieza.color));
+    glBindVertexArray(primitiva.vao);
+    glDrawElements(GL_TRIANGLES, primitiva.nIndices, GL_UNSIGNED_INT, nullptr);
 }
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
-    const glm::mat4 camara = perspectivaVentana(0.5f, 1, 60) * camaraOrbita(estado.orbita);
-    envia(estado.programa, "camara", camara);
+    enviaMatriz("proyeccion", perspectivaVentana(0.5f, 1, 60));
+    enviaMatriz("camara", camaraOrbita(estado.orbita));
     for (const PiezaObjeto &pieza : estado.piezas)
         dibujaPieza(pieza);
     glutSwapBuffers();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <glm/gtc/constants.hpp>
 
 /// Traslación, ecuación 3.2 (el libro imprime 0 en la diagonal, donde va 1).
 inline glm::mat4 traslacion(const glm::vec3 &t) {
@@ -94,7 +95,7 @@ inline glm::mat4 haciaDireccion(const glm::vec3 &d) {
 /// Lleva el cilindro unidad (radio 1, z de −0.5 a 0.5) al semieje positivo X, Y o Z (`eje` 0, 1 o 2), desde
 /// el origen hasta `largo`, con radio `grosor`.
 inline glm::mat4 ejeCoordenado(int eje, float largo, float grosor) {
-    const float recto = 1.57079632679f; // π/2
+    const float recto = glm::half_pi<float>();
     const glm::mat4 haciaZ = escalado({grosor, grosor, largo}) * traslacion({0, 0, 0.5f});
     return eje == 0 ? giroY(recto) * haciaZ : eje == 1 ? giroX(-recto) * haciaZ : haciaZ;
 }

@@ -7,11 +7,13 @@
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <glm/gtc/constants.hpp>
+#include <string>
 #include <vector>
 
-/// Una transformación y cómo se escribe en el libro.
+/// Una transformación y cómo se escribe: con sus números, y con una letra en un producto.
 struct Paso {
-    const char *nombre;
+    const char *nombre, *letra;
     glm::mat4 M;
 };
 
@@ -22,6 +24,14 @@ inline glm::mat4 concatena(const std::vector<Paso> &pasos, std::size_t cuantos) 
     for (std::size_t i = 0; i < std::min(cuantos, pasos.size()); ++i)
         M = pasos[i].M * M;
     return M;
+}
+
+/// Ese producto, escrito: «M = Ry·S·T».
+inline std::string producto(const std::vector<Paso> &pasos, std::size_t cuantos) {
+    std::string factores;
+    for (std::size_t i = 0; i < std::min(cuantos, pasos.size()); ++i)
+        factores = pasos[i].letra + (i ? "·" + factores : "");
+    return "M = " + (factores.empty() ? "I" : factores);
 }
 
 /// Ejercicio 3.2: tres cubos de lado 1, 1/2 y 1/4, cada uno centrado sobre la cara superior del anterior.
@@ -37,19 +47,18 @@ inline std::array<glm::mat4, 3> tresCubos() {
 /// con el vértice en el origen y la base, de radio 1, en x = 3. Primero se lleva el vértice al origen, el
 /// único punto que ni el escalado ni el giro mueven: M = Ry·S·T.
 inline std::vector<Paso> pasosCono() {
-    const float recto = 1.57079632679f; // π/2
-    return {{"T(0, 0, -1)", traslacion({0, 0, -1})},
-            {"S(1, 1, 3)", escalado({1, 1, 3})},
-            {"Ry(-π/2)", giroY(-recto)}};
+    return {{"T(0, 0, −1)", "T", traslacion({0, 0, -1})},
+            {"S(1, 1, 3)", "S", escalado({1, 1, 3})},
+            {"Ry(−π/2)", "Ry", giroY(-glm::half_pi<float>())}};
 }
 
 /// Ejercicio 3.4: la esfera de radio 1 se escala, se traslada hasta apoyar un extremo en el origen y se
 /// inclina en dos giros: Rx levanta el eje Z hasta que la Y de su vector unitario vale 1/√3, y Ry reparte lo
 /// que queda a partes iguales entre X y Z. M = Ry·Rx·T·S; el otro extremo acaba en 6/√3·(1, 1, 1).
 inline std::vector<Paso> pasosElipsoide() {
-    const float inclinacion = std::asin(1 / std::sqrt(3.0f)), mitadDeRecto = 0.785398163f; // π/4
-    return {{"S(0.5, 0.5, 3)", escalado({0.5f, 0.5f, 3})},
-            {"T(0, 0, 3)", traslacion({0, 0, 3})},
-            {"Rx(-asen 1/√3)", giroX(-inclinacion)},
-            {"Ry(π/4)", giroY(mitadDeRecto)}};
+    const float inclinacion = std::asin(1 / std::sqrt(3.0f));
+    return {{"S(0.5, 0.5, 3)", "S", escalado({0.5f, 0.5f, 3})},
+            {"T(0, 0, 3)", "T", traslacion({0, 0, 3})},
+            {"Rx(−asen 1/√3)", "Rx", giroX(-inclinacion)},
+            {"Ry(π/4)", "Ry", giroY(glm::quarter_pi<float>())}};
 }

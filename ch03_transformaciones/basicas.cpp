@@ -1,0 +1,117 @@
+// Las transformaciones básicas (§3.1) de una F, con su matriz escrita: traslación (ecuaciones 3.1 a 3.3), escalado (3.4 y 3.5) y
+// giros alrededor de X, Y y Z (3.6 a 3.8). Gris, la F original; la flecha es el camino de su esquina. Un giro de
+// ángulo positivo es antihorario visto desde la punta de su eje, mirando hacia el origen.
+// Controles: 1 traslación · 2 escalado · 3 4 5 giro en X, Y, Z · + - cambian el valor · ratón orbita · Esc termina.
+#include "dibujos.h"
+#include "letra_f.h"
+#include "objeto.h"
+#include "orbita.h"
+#include "ventana.h"
+#include <cstdio>
+
+static const float GRADO = glm::pi<float>() / 180;
+static const struct Basica {
+    const char *antes, *despues; // del valor, al escribirla
+    glm::mat4 (*matriz)(float);
+    float unidad, neutro, inicial, paso, tope; // `unidad`, en la que se escribe el valor; los demás, en ella
+} BASICAS[] = {
+    {"T(", ", 0, 0)",
+     [](float t) {
+         return traslacion({t, 0, 0});
+     },
+     1, 0, 1.5f, 0.25f, 2},
+    {"S(", ", 1, 1)",
+     [](float s) {
+         return escalado({s, 1, 1});
+     },
+     1, 1, 1.5f, 0.25f, 2},
+    {"Rx(", "°)", giroX, GRADO, 0, 60, 15, 360},
+    {"Ry(", "°)", giroY, GRADO, 0, 60, 15, 360},
+    {"Rz(", "°)", giroZ, GRADO, 0, 60, 15, 360},
+};
+
+static struct {
+    GLuint programa;
+    Buferes letra;
+    int elegido = 0;
+    float valor = BASICAS[0].inicial;
+    Orbita orbita = {0.95f, 0.35f, 9.6f, {0.2f, 1.3f, 0}};
+} estado;
+
+static void inicia() {
+    estado.programa = creaProgramaObjeto();
+    estado.letra = creaBuferes(letraF());
+    glEnable(GL_DEPTH_TEST);
+    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+}
+
+static std::string escribe(const glm::mat4 &M) {
+    std::string filas;
+    for (int fila = 0; fila < 4; ++fila) {
+        filas += "|";
+        for (int columna = 0; columna < 4; ++columna) {
+            char texto[16]; // a centésimas, que cos 90° no sea −4.4e−8; y + 0 quita el signo de −0
+            std::snprintf(texto, sizeof texto, "%6.3g", std::round(100 * M[columna][fila]) / 100 + 0.0);
+            filas += texto;
+        }
+        filas += " |\n";
+    }
+    filas.pop_back();
+    return filas;
+}
+
+static std::string nombre() {
+    char texto[32];
+    const Basica &b = BASICAS[estado.elegido];
+    std::snprintf(texto, sizeof texto, "%s%.4g%s", b.antes, static_cast<double>(estado.valor), b.despues);
+    return texto;
+}
+
+static void dibuja() {
+    const Basica &b = BASICAS[estado.elegido];
+    const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100), camara = camaraOrbita(estado.orbita),
+                    transformacion = proyeccion * camara, M = b.matriz(b.unidad * estado.valor);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glUseProgram(estado.programa);
+    envia(estado.programa, "proyeccion", proyeccion);
+    envia(estado.programa, "camara", camara);
+    dibujaObjeto(estado.programa, estado.letra, M, NARANJA);
+    trazaOriginal(aristasF(), transformacion);
+
+    std::vector<glm::vec3> camino; // de la esquina, mientras el valor va del neutro al suyo
+    for (int i = 0; i <= 20; ++i) {
+        const float valor = glm::mix(b.neutro, estado.valor, static_cast<float>(i) / 20);
+        camino.push_back(b.matriz(b.unidad * valor) * glm::vec4(MAXIMO_F, 1));
+    }
+    trazaPolilinea({camino.begin(), camino.end() - 3}, transformacion, MORADO);
+    trazaFlecha(camino[17], camino[20], transformacion, MORADO);
+    trazaEjes(glm::vec3(2), transformacion);
+    rotula(nombre() + " =", {0.03f, 0.94f}, OSCURO, Lado::DERECHA);
+    rotula(escribe(M), {0.03f, 0.78f}, OSCURO, Lado::DERECHA);
+    glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla))
+        return;
+    const Basica &b = BASICAS[estado.elegido];
+    if (tecla >= '1' && tecla <= '5') {
+        estado.elegido = tecla - '1';
+        estado.valor = BASICAS[estado.elegido].inicial;
+    } else if (tecla == '+' || tecla == '-')
+        estado.valor = glm::clamp(estado.valor + (tecla == '+' ? b.paso : -b.paso), -b.tope, b.tope);
+    else
+        return;
+    ponTitulo("Transformaciones básicas: " + nombre());
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Transformaciones básicas", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    inicia();
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    orbitaConRaton(estado.orbita);
+    glutMainLoop();
+    return 0;
+}
