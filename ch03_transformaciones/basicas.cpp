@@ -35,7 +35,7 @@ static struct {
     Buferes letra;
     int elegido = 0;
     float valor = BASICAS[0].inicial;
-    Orbita orbita = {0.95f, 0.35f, 9.6f, {0.2f, 1.3f, 0}};
+    Orbita orbita = {0.95f, 0.35f, 10.2f, {0.2f, 1.42f, 0}};
 } estado;
 
 static void inicia() {
@@ -85,7 +85,7 @@ static void dibuja() {
     }
     trazaPolilinea({camino.begin(), camino.end() - 3}, transformacion, MORADO);
     trazaFlecha(camino[17], camino[20], transformacion, MORADO);
-    trazaEjes(glm::vec3(2), transformacion);
+    trazaEjes(glm::vec3(1.85f), transformacion);
     rotula(nombre() + " =", {0.03f, 0.94f}, OSCURO, Lado::DERECHA);
     rotula(escribe(M), {0.03f, 0.78f}, OSCURO, Lado::DERECHA);
     glutSwapBuffers();

@@ -9,6 +9,7 @@
 #include "orbita.h"
 #include "recuadro.h"
 #include "ventana.h"
+#include <glm/gtc/matrix_transform.hpp>
 
 static const struct {
     glm::vec3 factores;
@@ -16,6 +17,8 @@ static const struct {
 } ESCALADOS[] = {{{2, 2, 2}, "S(2, 2, 2)"},     {{2, 0.5f, 1}, "S(2, .5, 1)"},
                  {{1, 1, 0}, "S(1, 1, 0)"},     {{-1, 1, 1}, "S(-1, 1, 1)"},
                  {{-1, -1, 1}, "S(-1, -1, 1)"}, {glm::vec3(0.5f), "S(.5, .5, .5)"}};
+
+static const float ASPECTO_ESCENA = 0.85f, SEMIALTO = 0.24f; // a distancia 1 del ojo
 
 static struct {
     GLuint programa;
@@ -35,9 +38,11 @@ static void dibujaVista(const glm::vec3 &s, const char *nombre, const Recuadro &
     Orbita orbita = estado.orbita;
     orbita.centro = 0.5f * (glm::min(MINIMO_F, glm::min(s * MINIMO_F, s * MAXIMO_F)) +
                             glm::max(MAXIMO_F, glm::max(s * MINIMO_F, s * MAXIMO_F)));
-    orbita.centro.y -= 0.2f; // debajo va el rótulo
-    const glm::mat4 proyeccion = perspectivaVentana(0.32f, 1, 100, aspecto(r)), camara = camaraOrbita(orbita),
-                    transformacion = proyeccion * camara, M = escalado(s);
+    orbita.centro.y -= 0.18f; // debajo va el rótulo
+    // vistas más altas que anchas: en perspectivaVentana, que es para 4:3, se quedarían pequeñas
+    const float semialto = SEMIALTO * std::max(ASPECTO_ESCENA / aspecto(r), 1.0f);
+    const glm::mat4 proyeccion = glm::perspective(2 * std::atan(semialto), aspecto(r), 1.0f, 100.0f),
+                    camara = camaraOrbita(orbita), transformacion = proyeccion * camara, M = escalado(s);
     abreRecuadro(r, FONDO_CLARO);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
@@ -52,14 +57,14 @@ static void dibujaVista(const glm::vec3 &s, const char *nombre, const Recuadro &
     dibuja(estado.letra);
     glDisable(GL_CULL_FACE);
     trazaOriginal(aristasF(), transformacion);
-    trazaEjes({1.8f, 1.9f, 1.1f}, transformacion);
+    trazaEjes({1.7f, 1.9f, 0.8f}, transformacion);
     rotula(nombre, {0.5f, 0.06f}, OSCURO);
 }
 
 static void dibuja() {
     abreRecuadro(ventanaEntera(), GRIS); // las rayas que separan las vistas
     glUseProgram(estado.programa);
-    const std::vector<Recuadro> paneles = reparte(6, 0.9f);
+    const std::vector<Recuadro> paneles = reparte(6, ASPECTO_ESCENA);
     for (std::size_t i = 0; i < paneles.size(); ++i)
         dibujaVista(ESCALADOS[i].factores, ESCALADOS[i].nombre, paneles[i]);
     glutSwapBuffers();

@@ -18,7 +18,7 @@ static const struct {
     Lado lado;
 } ROTULOS[] = {{"pie", {0.5f, 0, -0.5f}, Lado::DERECHA}, // en el orden de piezasGrua
                {"brazo", {0, 0.5f, 0}, Lado::ENCIMA},
-               {"contrapeso", {-0.6f, -0.2f, 0}, Lado::IZQUIERDA},
+               {"contrapeso", {-0.8f, -0.2f, 0}, Lado::IZQUIERDA},
                {"cable", {0.5f, 0, -0.5f}, Lado::DERECHA},
                {"carga", {0, -0.8f, 0}, Lado::DEBAJO}};
 
@@ -26,7 +26,7 @@ static struct {
     GLuint programa;
     Buferes cubo;
     PosturaGrua postura;
-    Orbita orbita = {0.5f, 0.25f, 28, {0.4f, 4.3f, 0}, 0.05f};
+    Orbita orbita = {0.5f, 0.25f, 29.5f, {0.4f, 4.1f, 0}, 0.05f};
 } estado;
 
 static void inicia() {
