@@ -90,7 +90,8 @@ static void dibuja() {
     trazaVector("e", base[1], 0.9f, transformacion, VERDE);
     trazaVector("f", base[2], 0.9f, transformacion, AZUL);
     trazaVector("d", base[0], 1.6f, transformacion, ROJO);
-    rotulaPunto("φ", arco[arco.size() / 2], transformacion, MORADO, Lado::DEBAJO);
+    const glm::vec3 medio = arco[arco.size() / 2], haciaFuera = unitario(medio - glm::dot(medio, d) * d);
+    rotulaPunto("φ", medio + 0.2f * haciaFuera, transformacion, MORADO, Lado::CENTRO);
     rotula(describe(d), {0.5f, 0.05f}, OSCURO);
     glutSwapBuffers();
 }

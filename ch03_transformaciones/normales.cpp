@@ -12,7 +12,7 @@
 
 static const glm::vec2 POLIGONO[] = {
     {0.25f, -0.95f}, {0.85f, 0.15f}, {-0.10f, 0.90f}, {-0.90f, -0.20f}}; // antihorario
-static const int LADOS = 4, LADO_ROTULADO = 1;
+static const int LADOS = 4, LADO_ROTULADO = 2;
 static const float FONDO = 0.9f; // grueso del prisma, a lo largo de Z
 static const glm::vec3 COLOR_PRISMA(0.72f, 0.82f, 0.97f);
 static const struct {
@@ -75,7 +75,8 @@ static void dibuja() {
     dibujaObjeto(estado.programa, estado.prisma, M, COLOR_PRISMA);
     glFrontFace(GL_CCW);
 
-    for (int i = 0; i < LADOS; ++i) {
+    for (int k = 1; k <= LADOS; ++k) {
+        const int i = (LADO_ROTULADO + k) % LADOS; // el último, que nada tape sus rótulos
         const glm::vec2 medio = 0.5f * (POLIGONO[i] + POLIGONO[(i + 1) % LADOS]);
         const glm::vec3 pie = M * glm::vec4(medio, 0.52f * FONDO, 1); // delante de la cara, que no la tape
         // Toda flecha mide lo mismo: tras transformar una normal hay que normalizarla.
