@@ -47,12 +47,13 @@ static void dibujaAvion(const glm::mat4 &M, float viveza) {
                      glm::mix(FONDO_CLARO, p.color, viveza));
 }
 
-// Por dónde pasa el centro del avión mientras gira ese ángulo.
-static std::vector<glm::vec3> recorrido(const glm::vec3 &d, float angulo) {
+// Por dónde pasa el centro del avión mientras el ángulo va de uno a otro.
+static std::vector<glm::vec3> recorrido(const glm::vec3 &d, float desde, float hasta) {
     const int TRAMOS = 64;
     std::vector<glm::vec3> puntos;
     for (int i = 0; i <= TRAMOS; ++i)
-        puntos.push_back(giroEje(d, angulo * static_cast<float>(i) / TRAMOS) * glm::vec4(SITIO, 1));
+        puntos.push_back(giroEje(d, glm::mix(desde, hasta, static_cast<float>(i) / TRAMOS)) *
+                         glm::vec4(SITIO, 1));
     return puntos;
 }
 
@@ -82,8 +83,9 @@ static void dibuja() {
     dibujaAvion(traslacion(SITIO), 0.3f);
     dibujaAvion(giroEje(d, estado.angulo) * traslacion(SITIO), 1);
 
-    const std::vector<glm::vec3> arco = recorrido(d, estado.angulo);
-    trazaPolilinea(recorrido(d, glm::two_pi<float>()), transformacion, GRIS);
+    const std::vector<glm::vec3> arco = recorrido(d, 0, estado.angulo);
+    const float vuelta = std::copysign(glm::two_pi<float>(), estado.angulo);
+    trazaPolilinea(recorrido(d, estado.angulo, vuelta), transformacion, GRIS);
     trazaPolilinea(arco, transformacion, MORADO, 1.5f * GROSOR);
     trazaPolilinea({-1.6f * d, glm::vec3(0)}, transformacion, OSCURO, 1.5f * GROSOR);
     const glm::mat3 base = glm::transpose(cambioDeBase(d)); // d, e y f, que eran filas, son columnas

@@ -231,7 +231,7 @@ EscenaNormales escenaNormales(double sx, double sy) {
                    conM = oraculo::unitario({sx * (b[1] - a[1]), sy * (a[0] - b[0]), 0});
         const bool coinciden = escalar(conM, n) > 0.999;
         const auto flecha = [&](const Vec3 &hacia, const glm::vec3 &color, const std::u32string &rotulo) {
-            escena.flechas.push_back({pie, unitario(hacia), color, i == 2 ? rotulo : U""});
+            escena.flechas.push_back({pie, unitario(hacia), color, i == (sy == 0 ? 2 : 1) ? rotulo : U""});
         };
         flecha(n, VERDE, coinciden ? U"N·n = M·n" : U"N·n");
         if (!coinciden)
