@@ -87,7 +87,8 @@ inline std::vector<Vec3> buscaRotulo(const Imagen &imagen, const std::u32string 
     for (int y = 0; y < imagen.alto; ++y)
         for (int x = 0; x < imagen.ancho; ++x)
             if (std::all_of(cuadrados.begin(), cuadrados.end(), [&](const Cuadrado &c) {
-                    return esDelColor(imagen, x + c.x, y + c.y, color) == c.tinta;
+                    return esDelColor(imagen, x + c.x, y + c.y, color) == c.tinta &&
+                           esDelColor(imagen, x + c.x + celda - 1, y + c.y + celda - 1, color) == c.tinta;
                 }))
                 centros.push_back(
                     {x + 0.5 * celda * (6.0 * static_cast<double>(texto.size()) - 1), y + 3.5 * celda, 0});
@@ -100,6 +101,20 @@ inline bool estaRotulado(const Imagen &imagen, const oraculo::Camara &camara, co
     const std::vector<Vec3> sitios = buscaRotulo(imagen, texto, color);
     const Vec3 v = proyecta(camara, imagen.ancho, imagen.alto, p);
     return sitios.size() == 1 && std::hypot(sitios[0].x - v.x, sitios[0].y - v.y) <= lejos;
+}
+
+/// Si ese texto se lee una vez y su borde está pegado a un punto del mundo: a su derecha (`alLado` 1), a su izquierda (−1) o
+/// encima o debajo (0).
+inline bool rotuladoJunto(const Imagen &imagen, const oraculo::Camara &camara, const Vec3 &p,
+                          const std::u32string &texto, int alLado, const glm::vec3 &color = OSCURO) {
+    const std::vector<Vec3> sitios = buscaRotulo(imagen, texto, color);
+    if (sitios.size() != 1)
+        return false;
+    const double celda = std::max(std::round(0.04 * oraculo::altoUtil(imagen.ancho, imagen.alto) / 7), 1.0);
+    const Vec3 d = sitios[0] - proyecta(camara, imagen.ancho, imagen.alto, p);
+    const double dx = d.x - alLado * 3 * celda * static_cast<double>(texto.size()),
+                 dy = alLado ? d.y : d.y - std::copysign(3.5 * celda, d.y);
+    return std::hypot(dx, dy) <= 4.5 * celda;
 }
 
 /// Los ejes, con su letra en la punta. Las letras no las tapa nada; la flecha se mira justo antes de la punta.
