@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <string>
 #include <vector>
@@ -190,6 +191,19 @@ Color baldosas(double x, double y) {
                                     : mezcla({0.95, 0.93, 0.89}, {0.66, 0.62, 0.60}, 0.60 * fina - grano);
     const double borde = std::min({u, 128 - u, v, 128 - v});
     return mezcla({0.45, 0.44, 0.43}, c, escalon(1.5, 3, borde));
+}
+
+/// Mosaico de 32 × 32 teselas, que son sus texels: losas claras y oscuras con un rombo y una junta de un texel.
+Color mosaico(double x, double y) {
+    const int i = static_cast<int>(x), j = static_cast<int>(y), u = i % 16, v = j % 16;
+    const bool clara = i / 16 == j / 16;
+    const double tono = 0.9 + 0.1 * azar(i, j, 121);
+    const int rombo = std::abs(2 * u - 16) + std::abs(2 * v - 16); // el centro, en el texel (8, 8)
+    if (u == 0 || v == 0)
+        return tono * Color{0.55, 0.53, 0.50};
+    if (rombo <= 4 || (rombo >= 8 && rombo <= 10))
+        return tono * (clara ? Color{0.80, 0.36, 0.20} : Color{0.98, 0.78, 0.15});
+    return tono * (clara ? Color{0.97, 0.94, 0.88} : Color{0.14, 0.25, 0.38});
 }
 
 /// Matas de musgo.
@@ -446,7 +460,8 @@ struct Asset {
 const Asset ASSETS[] = {
     {"metal", 256, 256, metal},       {"madera", 256, 256, madera},  {"ladrillo", 256, 256, ladrillo},
     {"carta", 256, 256, carta},       {"foto", 250, 190, foto},      {"musgo", 256, 256, musgo},
-    {"baldosas", 256, 256, baldosas}, {"mascara", 128, 96, mascara}, {"luz", 64, 48, luz}};
+    {"baldosas", 256, 256, baldosas}, {"mascara", 128, 96, mascara}, {"luz", 64, 48, luz},
+    {"mosaico", 32, 32, mosaico}};
 
 } // namespace
 

@@ -1,20 +1,24 @@
-// Cómo se ve un error de compilación y uno de enlazado (§1.6, listado 1.3): fichero, línea y texto de la
-// línea. El programa sigue vivo con los shaders que tenía y el fondo se pone rojo; F5 vuelve a intentarlo.
+// Cómo se ve un error de compilación y uno de enlazado (§1.6, listado 1.3): fichero, línea y texto de la línea, en la consola.
+// El programa sigue vivo con los shaders que tenía y el fondo se pone rojo; F5 vuelve a intentarlo.
 // Controles: 1 shaders correctos · 2 error de compilación · 3 error de enlazado · F5 relee · Esc termina.
+#include "colores.h"
+#include "rotulo.h"
 #include "shader.h"
 #include "ventana.h"
 #include <algorithm>
 #include <cstdio>
 #include <string>
 
-static const char *const FRAGMENT_SHADERS[] = {"ch01_intro/errores_shader.frag",
-                                               "ch01_intro/errores_shader_compila.frag",
-                                               "ch01_intro/errores_shader_enlaza.frag"};
+static const struct {
+    const char *fragmentShader, *titulo;
+} CASOS[] = {{"ch01_intro/errores_shader.frag", "Compila y enlaza"},
+             {"ch01_intro/errores_shader_compila.frag", "Error de compilación"},
+             {"ch01_intro/errores_shader_enlaza.frag", "Error de enlazado"}};
 
-static const GLfloat vertices[3][6] = { // posición y color
-    {-0.8f, -0.7f, 0, 0.98f, 0.80f, 0.15f},
-    {0.8f, -0.7f, 0, 0.10f, 0.60f, 0.25f},
-    {0.0f, 0.8f, 0, 0.10f, 0.35f, 0.85f}};
+static const GLfloat VERTICES[3][6] = { // posición y color
+    {-0.95f, -0.92f, 0, 0.98f, 0.78f, 0.15f},
+    {0.95f, -0.92f, 0, 0.20f, 0.62f, 0.28f},
+    {0.0f, 0.62f, 0, 0.16f, 0.38f, 0.80f}};
 
 static struct {
     GLuint programa = 0;
@@ -24,17 +28,18 @@ static struct {
 
 static void intenta() {
     std::string error;
-    const GLuint nuevo =
-        intentaPrograma("ch01_intro/errores_shader.vert", FRAGMENT_SHADERS[estado.elegido], error);
+    const char *fragmentShader = CASOS[estado.elegido].fragmentShader;
+    const GLuint nuevo = intentaPrograma("ch01_intro/errores_shader.vert", fragmentShader, error);
     estado.hayError = nuevo == 0;
     if (nuevo) {
         glDeleteProgram(estado.programa);
         estado.programa = nuevo;
-        std::printf("%s: compila y enlaza\n", FRAGMENT_SHADERS[estado.elegido]);
+        std::printf("%s: compila y enlaza\n", fragmentShader);
     } else {
         std::printf("%s\n", error.c_str());
     }
     std::fflush(stdout);
+    ponTitulo(CASOS[estado.elegido].titulo);
     glutPostRedisplay();
 }
 
@@ -44,9 +49,9 @@ static void inicia() {
     glBindVertexArray(vao);
     glGenBuffers(1, &buffer);
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, sizeof vertices, vertices, GL_STATIC_DRAW);
-    glVertexAttribPointer(ATRIBUTO_POSICION, 3, GL_FLOAT, GL_FALSE, sizeof vertices[0], nullptr);
-    glVertexAttribPointer(ATRIBUTO_COLOR, 3, GL_FLOAT, GL_FALSE, sizeof vertices[0],
+    glBufferData(GL_ARRAY_BUFFER, sizeof VERTICES, VERTICES, GL_STATIC_DRAW);
+    glVertexAttribPointer(ATRIBUTO_POSICION, 3, GL_FLOAT, GL_FALSE, sizeof VERTICES[0], nullptr);
+    glVertexAttribPointer(ATRIBUTO_COLOR, 3, GL_FLOAT, GL_FALSE, sizeof VERTICES[0],
                           reinterpret_cast<const void *>(3 * sizeof(GLfloat)));
     glEnableVertexAttribArray(ATRIBUTO_POSICION);
     glEnableVertexAttribArray(ATRIBUTO_COLOR);
@@ -54,13 +59,13 @@ static void inicia() {
 }
 
 static void dibuja() {
-    if (estado.hayError)
-        glClearColor(0.80f, 0.25f, 0.22f, 1);
-    else
-        glClearColor(0.95f, 0.96f, 0.98f, 1);
+    const glm::vec3 &fondo = estado.hayError ? ROJO : FONDO_CLARO;
+    glClearColor(fondo.r, fondo.g, fondo.b, 1);
     glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    rotula(CASOS[estado.elegido].titulo + std::string(estado.hayError ? ":\nsigue el programa de antes" : ""),
+           {0.5f, 0.97f}, estado.hayError ? BLANCO : OSCURO, Lado::DEBAJO);
     glutSwapBuffers();
 }
 
@@ -84,7 +89,7 @@ static void tecladoEspecial(int tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Errores en los shaders", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    abreVentana(argc, argv, "Errores en los shaders", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutReshapeFunc(cambiaTamano);

@@ -1,10 +1,12 @@
 // Qué hay instalado y si basta: OpenGL, GLSL, GLEW, GLM, FreeGLUT y los límites que importan en el curso
 // (ejercicios 1.1 y 1.2). Programa de consola: una línea «clave: valor» por dato; estado 1 si falta OpenGL 3.1.
-// Pide un contexto sin decir versión, para saber cuál es la mayor que da el sistema.
+// Pide un contexto sin decir versión, para saber cuál es la mayor que da el sistema; si una variable de Mesa la cambia,
+// o no hay pantalla y FreeGLUT es imitado, lo dice.
 // Controles: ninguno; escribe y termina.
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 #include <cstdio>
+#include <cstdlib>
 #include <glm/glm.hpp>
 #include <string>
 
@@ -28,6 +30,12 @@ static std::string cadena(GLenum nombre) {
     return s ? reinterpret_cast<const char *>(s) : "desconocido";
 }
 
+// Lo que añade al valor una variable que lo fuerza.
+static std::string forzado(const char *variable) {
+    const char *valor = std::getenv(variable);
+    return valor ? std::string(" (forzado con ") + variable + "=" + valor + ")" : "";
+}
+
 static GLint limite(GLenum nombre) {
     GLint valor = 0;
     glGetIntegerv(nombre, &valor);
@@ -36,6 +44,14 @@ static GLint limite(GLenum nombre) {
 
 int main(int argc, char **argv) {
     glutInit(&argc, argv);
+    if (argc > 1 && std::string(argv[1]) == "-ayuda") {
+        std::puts("uso: info_opengl [opciones de GLUT]");
+        return 0;
+    }
+    if (argc > 1) {
+        std::fprintf(stderr, "info_opengl: no entiendo «%s»; uso: info_opengl [opciones de GLUT]\n", argv[1]);
+        return 2;
+    }
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH);
     glutCreateWindow("info_opengl");
     glewExperimental = GL_TRUE;
@@ -46,16 +62,17 @@ int main(int argc, char **argv) {
     std::sscanf(version.c_str(), "%d.%d", &mayor, &menor);
     const int openGL = 100 * mayor + menor;
 
-    informa("OpenGL", version);
-    informa("GLSL", cadena(GL_SHADING_LANGUAGE_VERSION));
+    informa("OpenGL", version + forzado("MESA_GL_VERSION_OVERRIDE"));
+    informa("GLSL", cadena(GL_SHADING_LANGUAGE_VERSION) + forzado("MESA_GLSL_VERSION_OVERRIDE"));
     informa("Fabricante", cadena(GL_VENDOR));
     informa("Renderizador", cadena(GL_RENDERER));
     informa("GLEW", reinterpret_cast<const char *>(glewGetString(GLEW_VERSION)));
     informa("GLM", std::to_string(GLM_VERSION_MAJOR) + "." + std::to_string(GLM_VERSION_MINOR) + "." +
                        std::to_string(GLM_VERSION_PATCH) + "." + std::to_string(GLM_VERSION_REVISION));
     const int glut = glutGet(GLUT_VERSION);
+    const bool hayPantalla = glutGet(GLUT_SCREEN_WIDTH_MM) > 0;
     informa("FreeGLUT", std::to_string(glut / 10000) + "." + std::to_string(glut / 100 % 100) + "." +
-                            std::to_string(glut % 100));
+                            std::to_string(glut % 100) + (hayPantalla ? "" : " (imitado: no hay pantalla)"));
     if (openGL >= 301) {
         informa("Textura 2D máxima", std::to_string(limite(GL_MAX_TEXTURE_SIZE)) + " texels de lado");
         informa("Textura 3D máxima", std::to_string(limite(GL_MAX_3D_TEXTURE_SIZE)) + " texels de lado");

@@ -1,41 +1,42 @@
-// El primer shader: un triángulo rojo (listados 1.2 y 1.3). Leer, compilar, enlazar y obtener índices,
-// todo a la vista y sin common/. Del libro se aparta en que los shaders son ficheros, en que un error
-// termina el programa y en el VAO, sin el que un contexto core no dibuja.
+// El primer shader: un triángulo rojo (listados 1.2 y 1.3). Leer, compilar, enlazar y obtener índices, todo a la vista y sin
+// common/. Del libro se aparta en que los shaders son ficheros, en que un error al empezar termina el programa (con F5 se
+// queda el programa que había) y en el VAO, sin el que un contexto core no dibuja.
 // Controles: F5 relee los shaders · Esc termina.
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 
-static const GLfloat vertices[3][2] = {{-0.8f, -0.7f}, {0.8f, -0.7f}, {0.0f, 0.8f}};
+static const GLfloat VERTICES[3][2] = {{-0.95f, -0.82f}, {0.95f, -0.82f}, {0.0f, 0.82f}};
 
-static struct {
-    GLuint programa = 0, vao = 0, bufferVertices = 0;
-    GLuint posicion = 0; // índice del atributo
-    std::string ejecutable;
-} estado;
+static struct { GLuint programa = 0, vao = 0, bufferVertices = 0; } estado;
 
-// Los shaders están junto al ejecutable o junto a este fuente, se arranque el programa desde donde se
-// arranque.
-static std::string lee(const std::string &fichero) {
-    std::string lugares;
-    for (const std::string &ruta : {estado.ejecutable, std::string(__FILE__)}) {
-        const std::string junto = ruta.substr(0, ruta.rfind('/') + 1) + fichero;
-        if (std::ifstream f{junto})
-            return {std::istreambuf_iterator<char>(f), {}};
-        lugares += (lugares.empty() ? "" : ", ") + junto;
-    }
-    std::fprintf(stderr, "shader_basico: no encuentro «%s»; lo he buscado en %s\n", fichero.c_str(),
-                 lugares.c_str());
-    std::exit(1);
+static GLuint avisa(const std::string &mensaje) {
+    std::fprintf(stderr, "shader_basico: %s\n", mensaje.c_str());
+    return 0;
 }
 
+// Los shaders están junto al ejecutable (árbol instalado) o en el árbol de fuentes, que dice CMake: LAB_FUENTES. La ruta
+// de __FILE__ no valdría: puede ser relativa a la carpeta en que se compiló.
+static std::string lee(const std::string &fichero) {
+    std::error_code sinEjecutable;
+    const auto ejecutable = std::filesystem::read_symlink("/proc/self/exe", sinEjecutable);
+    for (const std::filesystem::path &carpeta : {ejecutable.parent_path(), {LAB_FUENTES "/ch01_intro"}})
+        if (std::ifstream f{carpeta / fichero})
+            return {std::istreambuf_iterator<char>(f), {}};
+    return "";
+}
+
+// Devuelve 0 si no compila.
 static GLuint compila(GLenum tipo, const std::string &fichero) {
     const std::string fuente = lee(fichero);
+    if (fuente.empty())
+        return avisa("«" + fichero +
+                     "» no está, o está vacío, junto al ejecutable ni en " LAB_FUENTES "/ch01_intro");
     const GLchar *texto = fuente.c_str();
     const GLuint shader = glCreateShader(tipo);
     glShaderSource(shader, 1, &texto, nullptr);
@@ -43,45 +44,62 @@ static GLuint compila(GLenum tipo, const std::string &fichero) {
 
     GLint compilado, longitud;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &compilado);
-    if (!compilado) {
-        glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &longitud);
-        std::string informe(static_cast<std::size_t>(longitud), ' ');
-        glGetShaderInfoLog(shader, longitud, nullptr, informe.data());
-        std::fprintf(stderr, "shader_basico: %s no compila: %s\n", fichero.c_str(), informe.c_str());
-        std::exit(1);
-    }
-    return shader;
+    if (compilado)
+        return shader;
+    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &longitud);
+    std::string informe(static_cast<std::size_t>(longitud), ' ');
+    glGetShaderInfoLog(shader, longitud, nullptr, informe.data());
+    glDeleteShader(shader);
+    return avisa(fichero + " no compila: " + informe.c_str());
 }
 
+// Devuelve 0 si no enlaza.
+static GLuint enlaza(GLuint vertexShader, GLuint fragmentShader) {
+    const GLuint programa = glCreateProgram();
+    for (GLuint shader : {vertexShader, fragmentShader}) {
+        glAttachShader(programa, shader);
+        glDeleteShader(shader); // marcado para borrar: desaparecerá con el programa
+    }
+    GLint enlazado, longitud;
+    glLinkProgram(programa);
+    glGetProgramiv(programa, GL_LINK_STATUS, &enlazado);
+    if (enlazado)
+        return programa;
+    glGetProgramiv(programa, GL_INFO_LOG_LENGTH, &longitud);
+    std::string informe(static_cast<std::size_t>(longitud), ' ');
+    glGetProgramInfoLog(programa, longitud, nullptr, informe.data());
+    glDeleteProgram(programa);
+    return avisa(std::string("los shaders no enlazan: ") + informe.c_str());
+}
+
+// Si algo falla, el programa que hubiera sigue en uso.
 static void iniciaShader() {
     // 1. Crear y compilar los objetos shader.
-    const GLuint vertexShader = compila(GL_VERTEX_SHADER, "shader_basico.vert");
-    const GLuint fragmentShader = compila(GL_FRAGMENT_SHADER, "shader_basico.frag");
+    const GLuint vertexShader = compila(GL_VERTEX_SHADER, "shader_basico.vert"),
+                 fragmentShader = compila(GL_FRAGMENT_SHADER, "shader_basico.frag");
 
-    // 2. Crear un programa y añadírselos. Marcados para borrar, desaparecerán con él.
+    if (!vertexShader || !fragmentShader) {
+        glDeleteShader(vertexShader); // borrar el 0 no hace nada
+        glDeleteShader(fragmentShader);
+        return;
+    }
+
+    // 2. Crear un programa, añadírselos y enlazarlo.
+    const GLuint programa = enlaza(vertexShader, fragmentShader);
+    if (!programa)
+        return;
+
+    // 3. El índice de la variable `posicion`, para decirle de dónde salen sus valores.
+    const GLint posicion = glGetAttribLocation(programa, "posicion");
+    if (posicion < 0) {
+        avisa("shader_basico.vert no usa «posicion»");
+        glDeleteProgram(programa);
+        return;
+    }
+    glVertexAttribPointer(static_cast<GLuint>(posicion), 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glEnableVertexAttribArray(static_cast<GLuint>(posicion));
     glDeleteProgram(estado.programa);
-    estado.programa = glCreateProgram();
-    for (GLuint shader : {vertexShader, fragmentShader}) {
-        glAttachShader(estado.programa, shader);
-        glDeleteShader(shader);
-    }
-
-    // 3. Enlazar el programa.
-    GLint enlazado, longitud;
-    glLinkProgram(estado.programa);
-    glGetProgramiv(estado.programa, GL_LINK_STATUS, &enlazado);
-    if (!enlazado) {
-        glGetProgramiv(estado.programa, GL_INFO_LOG_LENGTH, &longitud);
-        std::string informe(static_cast<std::size_t>(longitud), ' ');
-        glGetProgramInfoLog(estado.programa, longitud, nullptr, informe.data());
-        std::fprintf(stderr, "shader_basico: no enlaza: %s\n", informe.c_str());
-        std::exit(1);
-    }
-
-    // El índice de la variable `posicion`, para decirle de dónde salen sus valores.
-    estado.posicion = static_cast<GLuint>(glGetAttribLocation(estado.programa, "posicion"));
-    glVertexAttribPointer(estado.posicion, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-    glEnableVertexAttribArray(estado.posicion);
+    estado.programa = programa;
 }
 
 static void inicia() {
@@ -89,9 +107,9 @@ static void inicia() {
     glBindVertexArray(estado.vao);
     glGenBuffers(1, &estado.bufferVertices);
     glBindBuffer(GL_ARRAY_BUFFER, estado.bufferVertices);
-    glBufferData(GL_ARRAY_BUFFER, sizeof vertices, vertices, GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, sizeof VERTICES, VERTICES, GL_STATIC_DRAW);
     iniciaShader();
-    glClearColor(1.0f, 1.0f, 1.0f, 1.0f);
+    glClearColor(0.95f, 0.96f, 0.98f, 1.0f);
 }
 
 static void dibuja() {
@@ -121,19 +139,25 @@ static void tecladoEspecial(int tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    glutInitWindowSize(800, 600);
+    glutInitWindowSize(960, 720);
     glutInit(&argc, argv);
+    if (argc > 1) { // glutInit ha quitado sus opciones
+        const bool ayuda = std::string(argv[1]) == "-ayuda";
+        std::fprintf(ayuda ? stdout : stderr, "uso: shader_basico [opciones de GLUT]\n");
+        return ayuda ? 0 : 2;
+    }
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGBA);
     glutInitContextVersion(3, 1);
-    glutCreateWindow("Shader básico");
+    glutCreateWindow("Primer shader");
     glewExperimental = GL_TRUE;
     glewInit();
     if (!GLEW_VERSION_3_1) {
-        std::fprintf(stderr, "shader_basico: hace falta OpenGL 3.1\n");
+        avisa("hace falta OpenGL 3.1");
         return 1;
     }
-    estado.ejecutable = argv[0];
     inicia();
+    if (!estado.programa)
+        return 1;
     glutDisplayFunc(dibuja);
     glutReshapeFunc(cambiaTamano);
     glutKeyboardFunc(teclado);

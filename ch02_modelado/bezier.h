@@ -3,6 +3,7 @@
 #pragma once
 #include "error.h"
 #include "malla.h"
+#include "numero.h"
 #include "rutas.h"
 #include <algorithm>
 #include <array>
@@ -175,11 +176,12 @@ inline std::vector<Division> divisionesPara(const std::vector<Parche> &parches, 
     return divisiones;
 }
 
-/// Superficie triangulada y, aparte, sus líneas: parejas de índices de los lados de los cuadriláteros y de la
-/// diagonal que parte en dos cada uno. coordTextura es (u, v) en cada parche.
+/// Superficie triangulada; coordTextura es (u, v) en cada parche. `cuadricula` es, de cada vértice, su columna y su fila: los
+/// lados de los cuadriláteros están donde una de las dos es entera, y la diagonal que parte en dos cada uno, donde lo es su
+/// diferencia.
 struct Teselacion {
     Malla malla;
-    std::vector<GLuint> lados, diagonales;
+    std::vector<glm::vec2> cuadricula;
 };
 
 /// Triangula los parches a menos de `tolerancia` (mayor que 0, en las unidades de los puntos de control; más
@@ -188,10 +190,6 @@ struct Teselacion {
 inline Teselacion teselaParches(const std::vector<Parche> &parches, double tolerancia) {
     Teselacion t;
     std::vector<Vertice> &vertices = t.malla.vertices;
-    const auto linea = [&](std::vector<GLuint> &lineas, GLuint a, GLuint b) {
-        if (vertices[a].posicion != vertices[b].posicion)
-            lineas.insert(lineas.end(), {a, b});
-    };
     const auto triangulo = [&](GLuint a, GLuint b, GLuint c) {
         const glm::vec3 &p = vertices[a].posicion, &q = vertices[b].posicion, &r = vertices[c].posicion;
         if (p != q && q != r && r != p)
@@ -209,20 +207,14 @@ inline Teselacion teselaParches(const std::vector<Parche> &parches, double toler
                 vertices.push_back({bezier::posicion(parches[k], bezier::pesos(u, uc), bezier::pesos(v, vc)),
                                     bezier::normal(parches[k], u, v),
                                     {u, v}});
+                t.cuadricula.push_back({i, j});
             }
-        for (int j = 0; j <= nv; ++j)
-            for (int i = 0; i <= nu; ++i) {
+        for (int j = 0; j < nv; ++j)
+            for (int i = 0; i < nu; ++i) {
                 const GLuint a = base + static_cast<GLuint>(j * (nu + 1) + i), b = a + 1,
                              d = a + static_cast<GLuint>(nu + 1), c = d + 1;
-                if (i < nu)
-                    linea(t.lados, a, b);
-                if (j < nv)
-                    linea(t.lados, a, d);
-                if (i < nu && j < nv) {
-                    linea(t.diagonales, a, c);
-                    triangulo(a, b, c);
-                    triangulo(a, c, d);
-                }
+                triangulo(a, b, c);
+                triangulo(a, c, d);
             }
     }
     return t;
@@ -240,30 +232,32 @@ inline std::vector<Parche> leeParches(const std::string &relativa) {
             falla(relativa + ":" + std::to_string(numero) + ": " + que + " — «" + linea + "»");
         };
         std::istringstream palabras(linea.substr(0, linea.find('#')));
-        std::string tipo, sobra;
+        std::string tipo, palabra;
         if (!(palabras >> tipo))
             continue;
         if (tipo == "v") {
-            glm::dvec3 p;
-            if (!(palabras >> p.x >> p.y >> p.z) || palabras >> sobra)
+            const std::optional<glm::dvec3> p = leePunto(palabras);
+            if (!p)
                 mal("un punto de control son tres números");
-            puntos.push_back(p);
+            puntos.push_back(*p);
         } else if (tipo == "p") {
             Parche q;
             for (auto &fila : q.p)
                 for (glm::dvec3 &p : fila) {
-                    std::size_t i = 0;
-                    if (!(palabras >> i) || i < 1 || i > puntos.size())
+                    const auto i = palabras >> palabra ? numeroDe<std::size_t>(palabra) : std::nullopt;
+                    if (!i || *i < 1 || *i > puntos.size())
                         mal("un parche son dieciséis puntos entre el 1 y el " +
                             std::to_string(puntos.size()));
-                    p = puntos[i - 1];
+                    p = puntos[*i - 1];
                 }
-            if (palabras >> sobra)
-                mal("un parche son dieciséis puntos y sobra «" + sobra + "»");
+            if (palabras >> palabra)
+                mal("un parche son dieciséis puntos y sobra «" + palabra + "»");
             parches.push_back(q);
         } else {
             mal("cada línea empieza por v o por p");
         }
     }
+    if (parches.empty())
+        falla("«" + relativa + "» no tiene ningún parche");
     return parches;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <glm/gtc/constants.hpp>
 #include <vector>
 
 struct VerticeColor {
@@ -30,7 +31,7 @@ static Pieza sol() {
     const int SEGMENTOS = 24;
     Pieza p = {GL_TRIANGLE_FAN, {{{X_SOL, HORIZONTE}, {1.00f, 0.98f, 0.75f}}}};
     for (int i = 0; i <= SEGMENTOS; ++i) {
-        const float a = 3.14159265f * static_cast<float>(i) / SEGMENTOS;
+        const float a = glm::pi<float>() * static_cast<float>(i) / SEGMENTOS;
         p.vertices.push_back(
             {{X_SOL + RADIO_SOL * std::cos(a), HORIZONTE + RADIO_SOL * std::sin(a)}, {1.00f, 0.62f, 0.16f}});
     }

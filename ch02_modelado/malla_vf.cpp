@@ -2,28 +2,29 @@
 // 2.1; el análisis está en topologia.h). Las aristas de borde van en rojo: la malla del ejercicio, que es la
 // que se ve sin dar fichero, es una caja sin tapa en la que las caras 5 y 6 están definidas al revés.
 // Controles: f invierte las caras mal orientadas · ratón orbita · Esc termina.
-#include "encuadre.h"
+#include "colores.h"
+#include "encuadre_malla.h"
 #include "error.h"
 #include "malla.h"
 #include "orbita.h"
 #include "rutas.h"
 #include "shader.h"
 #include "topologia.h"
+#include "trazo.h"
 #include "ventana.h"
 #include <algorithm>
 #include <cstdio>
 #include <string>
 
-static const glm::vec3 azul(0.20f, 0.42f, 0.84f), amarillo(0.98f, 0.78f, 0.15f), rojo(0.85f, 0.12f, 0.12f),
-    morado(0.55f, 0.15f, 0.60f), oscuro(0.16f, 0.17f, 0.20f);
 static const float ANGULO = 0.6f; // de la perspectiva, en radianes
 
 static struct {
-    GLuint programaCaras, programaLineas;
+    GLuint programa;
     MallaVf malla;
     bool arreglada = false;
-    // en el buffer de índices van, seguidos, los triángulos y las aristas de una, de dos y de más caras
-    GLsizei nTriangulos, nAristas[3];
+    std::vector<glm::vec3> vertices;
+    std::vector<IndicesTriangulo> triangulos;
+    std::vector<glm::vec3> aristas[3]; // los extremos de las de una cara, de dos y de más
     Orbita orbita = {0.55f, 0.62f, 1}; // la distancia la pone el encuadre
 } estado;
 
@@ -64,70 +65,81 @@ static void construye() {
     }
     informa(malla, t);
 
-    std::vector<GLuint> indices;
-    for (const auto &triangulo : triangula(malla))
-        indices.insert(indices.end(), triangulo.begin(), triangulo.end());
-    estado.nTriangulos = static_cast<GLsizei>(indices.size());
-    for (int caras = 1; caras <= 3; ++caras) {
-        const std::size_t antes = indices.size();
-        for (const Arista &a : t.aristas)
-            if (std::min(a.caras, 3) == caras)
-                indices.insert(indices.end(), {a.a, a.b});
-        estado.nAristas[caras - 1] = static_cast<GLsizei>(indices.size() - antes);
+    estado.triangulos = triangula(malla);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
+                 static_cast<GLsizeiptr>(estado.triangulos.size() * sizeof(IndicesTriangulo)),
+                 estado.triangulos.data(), GL_STATIC_DRAW);
+    for (std::vector<glm::vec3> &extremos : estado.aristas)
+        extremos.clear();
+    for (const Arista &a : t.aristas) {
+        std::vector<glm::vec3> &extremos = estado.aristas[std::min(a.caras, 3) - 1];
+        extremos.insert(extremos.end(), {estado.vertices[a.a], estado.vertices[a.b]});
     }
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(GLuint)),
-                 indices.data(), GL_STATIC_DRAW);
+    ponTitulo("Malla v/f: " + std::to_string(malla.vertices.size()) + " vértices, " +
+              std::to_string(malla.caras.size()) + " caras, " + std::to_string(t.contrarias.size()) +
+              " al revés");
 }
 
 static void inicia(const std::string &fichero) {
-    estado.programaCaras = creaPrograma("ch02_modelado/caras.vert", "ch02_modelado/caras.frag");
-    estado.programaLineas = creaPrograma("ch02_modelado/caras.vert", "ch02_modelado/lineas.frag");
+    estado.programa = creaPrograma("ch02_modelado/caras.vert", "ch02_modelado/caras.frag");
     estado.malla = leeVf(fichero);
-    const std::vector<glm::vec3> vertices = encuadra(estado.malla.vertices);
-    estado.orbita.distancia = distanciaQueEncuadra(vertices, estado.orbita, ANGULO, relacionAspecto());
+    estado.vertices = encuadra(estado.malla.vertices);
+    estado.orbita.distancia = distanciaQueEncuadra(estado.vertices, estado.orbita, ANGULO);
 
     GLuint vao, buffers[2];
     glGenVertexArrays(1, &vao);
     glBindVertexArray(vao);
     glGenBuffers(2, buffers);
     glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(glm::vec3)),
-                 vertices.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(estado.vertices.size() * sizeof(glm::vec3)),
+                 estado.vertices.data(), GL_STATIC_DRAW);
     glVertexAttribPointer(ATRIBUTO_POSICION, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
     glEnableVertexAttribArray(ATRIBUTO_POSICION);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
     construye();
 
     glEnable(GL_DEPTH_TEST);
-    glEnable(GL_POLYGON_OFFSET_FILL); // las caras un poco más lejos: no tapan sus propias aristas
-    glPolygonOffset(1, 1);
-    glClearColor(0.95f, 0.96f, 0.98f, 1);
+    glPolygonOffset(4, 1); // las caras un poco más lejos: no tapan la mitad de sus propias aristas
+    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+}
+
+// En el centro de cada cara que se ve, su número, desde el 1 como en el fichero.
+static void rotulaCaras(const glm::vec3 &ojo, const glm::mat4 &transformacion) {
+    if (estado.triangulos.size() > MAXIMO_NUMERADO)
+        return;
+    for (std::size_t c = 0; c < estado.malla.caras.size(); ++c) {
+        glm::vec3 centro(0);
+        for (GLuint i : estado.malla.caras[c])
+            centro += estado.vertices[i] / static_cast<float>(estado.malla.caras[c].size());
+        if (seVe(centro, ojo, estado.vertices, estado.triangulos))
+            rotulaPunto(std::to_string(c + 1), centro, transformacion, BLANCO, Lado::CENTRO);
+    }
 }
 
 static void dibuja() {
-    const glm::mat4 camara = perspectivaVentana(ANGULO, 0.1f, 100) * camaraOrbita(estado.orbita);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(ANGULO, 0.1f, 100),
+                    transformacion = proyeccion * camara;
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
-    glUseProgram(estado.programaCaras);
-    envia(estado.programaCaras, "camara", camara);
-    envia(estado.programaCaras, "colorAnverso", azul);
-    envia(estado.programaCaras, "colorReverso", amarillo);
-    glDrawElements(GL_TRIANGLES, estado.nTriangulos, GL_UNSIGNED_INT, nullptr);
+    glUseProgram(estado.programa);
+    envia(estado.programa, "camara", camara);
+    envia(estado.programa, "proyeccion", proyeccion);
+    envia(estado.programa, "colorAnverso", AZUL);
+    envia(estado.programa, "colorReverso", AMARILLO);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * estado.triangulos.size()), GL_UNSIGNED_INT,
+                   nullptr);
+    glDisable(GL_POLYGON_OFFSET_FILL);
 
-    glUseProgram(estado.programaLineas);
-    envia(estado.programaLineas, "camara", camara);
-    const float pixel =
-        static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT)) / 240; // el grosor crece con la imagen
-    const glm::vec3 colores[] = {rojo, oscuro, morado};
-    const float grosores[] = {4, 1, 4};
-    std::size_t primero = static_cast<std::size_t>(estado.nTriangulos);
-    for (int i = 0; i < 3; ++i) {
-        glLineWidth(std::max(grosores[i] * pixel, grosores[i]));
-        envia(estado.programaLineas, "color", colores[i]);
-        glDrawElements(GL_LINES, estado.nAristas[i], GL_UNSIGNED_INT,
-                       reinterpret_cast<const void *>(primero * sizeof(GLuint)));
-        primero += static_cast<std::size_t>(estado.nAristas[i]);
-    }
+    trazaSegmentos(estado.aristas[1], transformacion, OSCURO, GROSOR / 2);
+    trazaSegmentos(estado.aristas[0], transformacion, ROJO, 2 * GROSOR);
+    trazaSegmentos(estado.aristas[2], transformacion, MORADO, 2 * GROSOR);
+    const glm::vec3 ojo = posicionCamara(estado.orbita);
+    rotulaVertices(estado.vertices, estado.triangulos, ojo, transformacion);
+    rotulaCaras(ojo, transformacion);
+    rotula("anverso", {0.02f, 0.16f}, AZUL, Lado::DERECHA);
+    rotula("reverso", {0.02f, 0.10f}, AMARILLO, Lado::DERECHA);
+    rotula("borde", {0.02f, 0.04f}, ROJO, Lado::DERECHA);
     glutSwapBuffers();
 }
 

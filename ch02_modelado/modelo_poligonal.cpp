@@ -3,10 +3,13 @@
 // triángulos. Del libro se aparta en el VAO, sin el que un contexto core no dibuja: como recuerda dónde
 // está cada atributo, glVertexAttribPointer se llama una vez y no en cada imagen.
 // Controles: Esc termina.
+#include "colores.h"
+#include "rotulo.h"
 #include "shader.h"
 #include "ventana.h"
 #include <algorithm>
 #include <cstddef>
+#include <glm/gtc/type_ptr.hpp>
 
 struct VerticeColor {
     GLfloat coordenadas[3];
@@ -19,13 +22,17 @@ struct Triangulo {
 
 static const VerticeColor VERTICES[] = {
     {{0.000f, 0.000f, 0.0f}, {1, 1, 1}},   // 0: el centro, blanco
-    {{0.000f, 0.920f, 0.0f}, {1, 0, 0}},   // 1: rojo
-    {{-0.797f, 0.460f, 0.0f}, {1, 1, 0}},  // 2: amarillo
-    {{-0.797f, -0.460f, 0.0f}, {0, 1, 0}}, // 3: verde
-    {{0.000f, -0.920f, 0.0f}, {0, 1, 1}},  // 4: cian
-    {{0.797f, -0.460f, 0.0f}, {0, 0, 1}},  // 5: azul
-    {{0.797f, 0.460f, 0.0f}, {1, 0, 1}},   // 6: magenta
+    {{0.000f, 0.850f, 0.0f}, {1, 0, 0}},   // 1: rojo
+    {{-0.736f, 0.425f, 0.0f}, {1, 1, 0}},  // 2: amarillo
+    {{-0.736f, -0.425f, 0.0f}, {0, 1, 0}}, // 3: verde
+    {{0.000f, -0.850f, 0.0f}, {0, 1, 1}},  // 4: cian
+    {{0.736f, -0.425f, 0.0f}, {0, 0, 1}},  // 5: azul
+    {{0.736f, 0.425f, 0.0f}, {1, 0, 1}},   // 6: magenta
 };
+
+// A qué lado del vértice va su número.
+static const Lado LADOS[] = {Lado::DEBAJO, Lado::ENCIMA,  Lado::IZQUIERDA, Lado::IZQUIERDA,
+                             Lado::DEBAJO, Lado::DERECHA, Lado::DERECHA};
 
 static const Triangulo TRIANGULOS[] = {
     {{0, 1, 2}}, {{0, 2, 3}}, {{0, 3, 4}}, {{0, 4, 5}}, {{0, 5, 6}}, {{0, 6, 1}},
@@ -58,7 +65,7 @@ static void inicia() {
     glEnableVertexAttribArray(static_cast<GLuint>(iPosicion));
     glEnableVertexAttribArray(static_cast<GLuint>(iColor));
 
-    glClearColor(0.16f, 0.17f, 0.20f, 1);
+    glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
 }
 
 static void dibuja() {
@@ -66,6 +73,9 @@ static void dibuja() {
     glUseProgram(estado.programa);
     glBindVertexArray(estado.vao); // con él vuelven los atributos y el buffer de índices
     glDrawElements(GL_TRIANGLES, 3 * N_TRIANGULOS, GL_UNSIGNED_INT, nullptr);
+    for (std::size_t i = 0; i < sizeof VERTICES / sizeof VERTICES[0]; ++i)
+        rotulaPunto(std::to_string(i), glm::make_vec3(VERTICES[i].coordenadas), glm::mat4(1), BLANCO,
+                    LADOS[i]);
     glutSwapBuffers();
 }
 

@@ -1,7 +1,10 @@
-// Las siete primitivas de dibujo (§2.2.1) con los mismos seis vértices, enviados en el mismo orden: solo
-// cambia el primer argumento de glDrawArrays. Con `flat` cada punto, segmento o triángulo toma el color de su
-// último vértice, y se ve cuáles salen.
+// Las siete primitivas de dibujo (§2.2.1) con los mismos seis vértices, enviados en el mismo orden: solo cambia el primer
+// argumento de glDrawArrays. Con `flat` cada punto, segmento o triángulo toma el color de su último vértice, y se ve cuáles
+// salen. Las líneas de OpenGL 3.1 miden un píxel: para que se vean de lejos se repiten corridas, como con un pincel.
 // Controles: 1 puntos · 2 3 4 líneas · 5 6 7 triángulos · 0 todas · Esc termina.
+#include "colores.h"
+#include "recuadro.h"
+#include "rotulo.h"
 #include "shader.h"
 #include "ventana.h"
 #include <algorithm>
@@ -10,32 +13,33 @@
 // El vértice 0 abajo en el centro y los demás a su alrededor, con radio grande y pequeño alternos: así no
 // se solapan ni los triángulos de la tira ni los del abanico.
 static const struct {
-    GLfloat posicion[2], color[3];
-} VERTICES[] = {{{0.00f, -0.70f}, {0.95f, 0.55f, 0.10f}},  {{0.86f, -0.44f}, {0.85f, 0.20f, 0.18f}},
-                {{0.36f, -0.08f}, {0.16f, 0.38f, 0.80f}},  {{0.00f, 0.80f}, {0.20f, 0.62f, 0.28f}},
-                {{-0.36f, -0.08f}, {0.98f, 0.78f, 0.15f}}, {{-0.86f, -0.44f}, {0.55f, 0.25f, 0.70f}}};
+    glm::vec2 posicion;
+    glm::vec3 color;
+} VERTICES[] = {{{0.00f, -0.62f}, NARANJA}, {{0.74f, -0.38f}, ROJO},      {{0.31f, -0.07f}, AZUL},
+                {{0.00f, 0.64f}, VERDE},    {{-0.31f, -0.07f}, AMARILLO}, {{-0.74f, -0.38f}, MORADO}};
+static const Lado LADOS[] = {Lado::DEBAJO, Lado::DEBAJO,    Lado::DERECHA,
+                             Lado::ENCIMA, Lado::IZQUIERDA, Lado::DEBAJO};
 static const GLsizei N_VERTICES = sizeof VERTICES / sizeof VERTICES[0];
 
-// Cada familia en una fila de la rejilla de 3×3; la fila 0 es la de abajo.
 static const struct {
     GLenum primitiva;
-    const char *nombre;
-    int columna, fila;
-} PANELES[] = {{GL_POINTS, "GL_POINTS", 1, 2},
-               {GL_LINES, "GL_LINES", 0, 1},
-               {GL_LINE_STRIP, "GL_LINE_STRIP", 1, 1},
-               {GL_LINE_LOOP, "GL_LINE_LOOP", 2, 1},
-               {GL_TRIANGLES, "GL_TRIANGLES", 0, 0},
-               {GL_TRIANGLE_STRIP, "GL_TRIANGLE_STRIP", 1, 0},
-               {GL_TRIANGLE_FAN, "GL_TRIANGLE_FAN", 2, 0}};
+    const char *nombre, *enLineas; // el segundo cabe en un panel pequeño
+} PRIMITIVAS[] = {{GL_POINTS, "GL_POINTS", "GL_POINTS"},
+                  {GL_LINES, "GL_LINES", "GL_LINES"},
+                  {GL_LINE_STRIP, "GL_LINE_STRIP", "GL_LINE_\nSTRIP"},
+                  {GL_LINE_LOOP, "GL_LINE_LOOP", "GL_LINE_\nLOOP"},
+                  {GL_TRIANGLES, "GL_TRIANGLES", "GL_\nTRIANGLES"},
+                  {GL_TRIANGLE_STRIP, "GL_TRIANGLE_STRIP", "GL_\nTRIANGLE_\nSTRIP"},
+                  {GL_TRIANGLE_FAN, "GL_TRIANGLE_FAN", "GL_\nTRIANGLE_\nFAN"}};
+static const int TODAS = -1, N_PRIMITIVAS = 7;
 
 static struct {
     GLuint programa;
-    int elegida = 0; // desde 1; 0: todas
+    int elegido = TODAS;
 } estado;
 
 static void inicia() {
-    estado.programa = creaPrograma("ch02_modelado/primitivas.vert", "ch02_modelado/primitivas.frag");
+    estado.programa = creaPrograma("ch02_modelado/sin_interpolar.vert", "ch02_modelado/sin_interpolar.frag");
     GLuint vao, buffer;
     glGenVertexArrays(1, &vao);
     glBindVertexArray(vao);
@@ -47,36 +51,44 @@ static void inicia() {
                           reinterpret_cast<const void *>(sizeof VERTICES[0].posicion));
     glEnableVertexAttribArray(ATRIBUTO_POSICION);
     glEnableVertexAttribArray(ATRIBUTO_COLOR);
+    glEnable(GL_PROGRAM_POINT_SIZE);
 }
 
-// Un rectángulo claro con la figura en el mayor cuadrado que cabe.
-static void dibujaPanel(GLenum primitiva, int x, int y, int ancho, int alto) {
-    const int lado = std::max(std::min(ancho, alto), 1);
-    glScissor(x, y, std::max(ancho, 0), std::max(alto, 0));
-    glClearColor(0.97f, 0.98f, 0.99f, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
-    glViewport(x + (ancho - lado) / 2, y + (alto - lado) / 2, lado, lado);
-    glPointSize(std::max(6.0f, static_cast<float>(lado) / 9));
-    glLineWidth(std::max(3.0f, static_cast<float>(lado) / 36));
-    glDrawArrays(primitiva, 0, N_VERTICES);
+// `altoFigura`: la parte del alto que ocupa; encima va el nombre.
+static void dibujaPanel(const Recuadro &panel, int i, const char *nombre, float altoFigura) {
+    abreRecuadro(panel, FONDO_CLARO);
+    rotula(nombre, {0.5f, 0.99f}, OSCURO, Lado::DEBAJO);
+    const int alto = static_cast<int>(altoFigura * static_cast<float>(panel.alto)),
+              lado = std::max(std::min(panel.ancho, alto), 1), x = panel.x + (panel.ancho - lado) / 2,
+              y = panel.y + (alto - lado) / 2;
+    const GLenum primitiva = PRIMITIVAS[i].primitiva;
+    const bool esLinea = primitiva == GL_LINES || primitiva == GL_LINE_STRIP || primitiva == GL_LINE_LOOP;
+    const int pincel = esLinea ? lado / 72 : 0; // medio lado del pincel, en píxeles
+    envia(estado.programa, "diametroPunto", std::max(static_cast<float>(lado) / 14, 3.0f));
+    for (int dy = -pincel; dy <= pincel; ++dy)
+        for (int dx = -pincel; dx <= pincel; ++dx) {
+            glViewport(x + dx, y + dy, lado, lado);
+            glDrawArrays(primitiva, 0, N_VERTICES);
+        }
+    glViewport(x, y, lado, lado);
+    for (int k = 0; k < N_VERTICES; ++k)
+        rotulaPunto(std::to_string(k), glm::vec3(VERTICES[k].posicion, 0), glm::mat4(1), OSCURO, LADOS[k],
+                    0.09f * static_cast<float>(lado) / altoUtil());
 }
 
 static void dibuja() {
-    const int ancho = glutGet(GLUT_WINDOW_WIDTH), alto = glutGet(GLUT_WINDOW_HEIGHT);
-    glDisable(GL_SCISSOR_TEST);
-    glClearColor(0.80f, 0.84f, 0.90f, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
+    abreRecuadro(ventanaEntera(), GRIS);
     glUseProgram(estado.programa);
-    glEnable(GL_SCISSOR_TEST);
-    if (estado.elegida > 0) {
-        dibujaPanel(PANELES[estado.elegida - 1].primitiva, 0, 0, ancho, alto);
+    envia(estado.programa, "camara", glm::mat4(1)); // los vértices ya están en las coordenadas del panel
+    envia(estado.programa, "proyeccion", glm::mat4(1));
+    if (estado.elegido != TODAS) {
+        dibujaPanel(ventanaEntera(), estado.elegido, PRIMITIVAS[estado.elegido].nombre, 0.9f);
     } else {
-        const int margen = std::min(ancho, alto) / 60;
-        for (const auto &p : PANELES) {
-            const int x = p.columna * ancho / 3, y = p.fila * alto / 3;
-            dibujaPanel(p.primitiva, x + margen, y + margen, (p.columna + 1) * ancho / 3 - x - 2 * margen,
-                        (p.fila + 1) * alto / 3 - y - 2 * margen);
-        }
+        const std::vector<Recuadro> paneles = reparte(N_PRIMITIVAS + 1, 0.8f);
+        for (int i = 0; i < N_PRIMITIVAS; ++i)
+            dibujaPanel(paneles[static_cast<std::size_t>(i)], i, PRIMITIVAS[i].enLineas, 2.0f / 3);
+        abreRecuadro(paneles.back(), FONDO_CLARO);
+        rotula("El color\nes el del\núltimo\nvértice", {0.5f, 0.5f}, OSCURO);
     }
     glutSwapBuffers();
 }
@@ -84,8 +96,8 @@ static void dibuja() {
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla) || tecla < '0' || tecla > '7')
         return;
-    estado.elegida = tecla - '0';
-    glutSetWindowTitle(estado.elegida > 0 ? PANELES[estado.elegida - 1].nombre : "Primitivas");
+    estado.elegido = tecla == '0' ? TODAS : tecla - '1';
+    ponTitulo(estado.elegido == TODAS ? "Primitivas" : PRIMITIVAS[estado.elegido].nombre);
     glutPostRedisplay();
 }
 

@@ -1,95 +1,80 @@
-// La tetera de Utah (figuras 2.1 y 2.2): 32 parches de Bézier triangulados con la normal exacta en cada
-// vértice. El error de cuerda no pasa de la tolerancia que se pide (bezier.h). Los cuadriláteros de la figura
-// 2.1 se dibujan como líneas, porque OpenGL 3.1 no tiene esa primitiva.
-// Controles: m malla de triángulos · c malla de cuadriláteros · + - tolerancia · ratón orbita · Esc termina.
+// La tetera de Utah (figuras 2.1 y 2.2): 32 parches de Bézier triangulados con la normal exacta en cada vértice. Se da el mayor
+// error de cuerda, en píxeles de la ventana de partida, y salen los triángulos que hacen falta (bezier.h). Los cuadriláteros de
+// la figura 2.1 se parten en dos triángulos, porque OpenGL 3.1 no tiene esa primitiva; las aristas las pinta el fragment shader.
+// Controles: m triángulos · c cuadriláteros · + más fina · - más basta · ratón orbita · Esc termina.
 #include "bezier.h"
+#include "colores.h"
 #include "malla.h"
 #include "orbita.h"
+#include "rotulo.h"
 #include "shader.h"
 #include "ventana.h"
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 static const float ANGULO = 0.55f; // de la perspectiva, en radianes
-// Con esta tolerancia el mayor error de cuerda, proyectado, es menos de medio píxel en 960×720 (la prueba
-// ch02_bezier lo mide): en esta superficie el error es como mucho la mitad de lo que garantiza la cota.
-static const double TOLERANCIA = 0.0075, TOLERANCIA_MINIMA = 5e-4, TOLERANCIA_MAXIMA = 1;
-static const glm::vec3 cobalto(0.13f, 0.33f, 0.74f), porcelana(0.93f, 0.90f, 0.84f),
-    tinta(0.14f, 0.20f, 0.38f);
+static const Orbita ORBITA = {0.22f, 0.38f, 9.5f, {0.43f, 1.42f, 0}};
+// Lado de un píxel a la distancia del centro, con 720 líneas. Con error de 1 el medido no llega a medio píxel (la prueba
+// ch02_bezier lo mide): en esta superficie es como mucho la mitad de lo que garantiza la cota.
+static const double PIXEL = 2 * std::tan(0.5 * ANGULO) * ORBITA.distancia / 720;
+static const double ERROR = 1, ERROR_MINIMO = 1.0 / 16, ERROR_MAXIMO = 64; // píxeles
 
 enum Lineas { NINGUNA, TRIANGULOS, CUADRILATEROS };
 
 static struct {
-    GLuint programa, programaLineas;
+    GLuint programa;
     std::vector<Parche> parches;
-    double tolerancia = TOLERANCIA;
+    double error = ERROR;
     Lineas lineas = NINGUNA;
-    Buferes tetera = {}; // índices: los triángulos, los lados de los cuadriláteros y las diagonales
-    GLsizei nTriangulos, nLados, nDiagonales;
-    Orbita orbita = {0.22f, 0.38f, 9.9f, {0.26f, 1.50f, 0}};
+    Buferes tetera = {};
+    Orbita orbita = ORBITA;
 } estado;
 
-static void construye() {
-    Teselacion t = teselaParches(estado.parches, estado.tolerancia);
-    std::vector<GLuint> &indices = t.malla.indices;
-    estado.nTriangulos = static_cast<GLsizei>(indices.size());
-    estado.nLados = static_cast<GLsizei>(t.lados.size());
-    estado.nDiagonales = static_cast<GLsizei>(t.diagonales.size());
-    indices.insert(indices.end(), t.lados.begin(), t.lados.end());
-    indices.insert(indices.end(), t.diagonales.begin(), t.diagonales.end());
+static std::string texto(const char *separador) {
+    char s[100];
+    std::snprintf(s, sizeof s, "hasta %.3g px de error%s%d triángulos", estado.error, separador,
+                  estado.tetera.nIndices / 3);
+    return s;
+}
 
+static void construye() {
+    Teselacion t = teselaParches(estado.parches, estado.error * PIXEL);
+    for (std::size_t i = 0; i < t.cuadricula.size(); ++i)
+        t.malla.vertices[i].coordTextura = t.cuadricula[i];
     glDeleteVertexArrays(1, &estado.tetera.vao); // la primera vez son 0, que se ignora
     glDeleteBuffers(1, &estado.tetera.vertices);
     glDeleteBuffers(1, &estado.tetera.indices);
     estado.tetera = creaBuferes(t.malla);
-
-    char titulo[100];
-    std::snprintf(titulo, sizeof titulo, "Tetera: tolerancia %.2g, %d triángulos", estado.tolerancia,
-                  estado.nTriangulos / 3);
-    glutSetWindowTitle(titulo);
+    ponTitulo("Tetera: " + texto(", "));
 }
 
 static void inicia() {
     estado.programa = creaPrograma("ch02_modelado/tetera.vert", "ch02_modelado/tetera.frag");
-    estado.programaLineas = creaPrograma("ch02_modelado/caras.vert", "ch02_modelado/lineas.frag");
     estado.parches = leeParches("assets/tetera.txt");
     construye();
     glEnable(GL_DEPTH_TEST);
-    glPolygonOffset(1, 1);
-    glClearColor(0.95f, 0.96f, 0.98f, 1);
+    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
 static void dibuja() {
     // En los datos la vertical es Z, y en la cámara Y.
-    const glm::mat4 M = glm::rotate(glm::mat4(1), glm::radians(-90.0f), glm::vec3(1, 0, 0));
-    const glm::mat4 camara = perspectivaVentana(ANGULO, 0.5f, 50) * camaraOrbita(estado.orbita);
-    const glm::vec3 ojo = posicionCamara(estado.orbita);
+    const glm::mat4 M = glm::rotate(glm::mat4(1), -glm::half_pi<float>(), glm::vec3(1, 0, 0));
+    const bool hayLineas = estado.lineas != NINGUNA;
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-
-    if (estado.lineas == NINGUNA)
-        glDisable(GL_POLYGON_OFFSET_FILL);
-    else
-        glEnable(GL_POLYGON_OFFSET_FILL); // las caras un poco más lejos: no tapan las líneas
-    const glm::vec3 &color = estado.lineas == NINGUNA ? cobalto : porcelana;
     glUseProgram(estado.programa);
     envia(estado.programa, "M", M);
-    envia(estado.programa, "camara", camara);
-    envia(estado.programa, "ojo", ojo);
-    envia(estado.programa, "colorObjeto", color);
-    glDrawElements(GL_TRIANGLES, estado.nTriangulos, GL_UNSIGNED_INT, nullptr);
-
-    if (estado.lineas != NINGUNA) {
-        const glm::mat4 camaraModelo = camara * M;
-        glLineWidth(std::max(1.0f, static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT)) / 360));
-        glUseProgram(estado.programaLineas);
-        envia(estado.programaLineas, "camara", camaraModelo);
-        envia(estado.programaLineas, "color", tinta);
-        const GLsizei n = estado.nLados + (estado.lineas == TRIANGULOS ? estado.nDiagonales : 0);
-        glDrawElements(
-            GL_LINES, n, GL_UNSIGNED_INT,
-            reinterpret_cast<const void *>(static_cast<std::size_t>(estado.nTriangulos) * sizeof(GLuint)));
-    }
+    envia(estado.programa, "camara", camaraOrbita(estado.orbita));
+    envia(estado.programa, "proyeccion", perspectivaVentana(ANGULO, 0.5f, 50));
+    envia(estado.programa, "ojo", posicionCamara(estado.orbita));
+    envia(estado.programa, "colorObjeto", hayLineas ? GRIS : AZUL);
+    envia(estado.programa, "colorLinea", OSCURO);
+    envia(estado.programa, "grosor", hayLineas ? std::max(altoUtil() / 360, 1.0f) : 0.0f);
+    envia(estado.programa, "hayDiagonales", estado.lineas == TRIANGULOS);
+    dibuja(estado.tetera);
+    rotula(texto("\n"), {0.5f, 0.08f}, OSCURO);
     glutSwapBuffers();
 }
 
@@ -101,8 +86,7 @@ static void teclado(unsigned char tecla, int, int) {
     case 'c': estado.lineas = estado.lineas == CUADRILATEROS ? NINGUNA : CUADRILATEROS; break;
     case '+':
     case '-':
-        estado.tolerancia =
-            std::clamp(estado.tolerancia * (tecla == '+' ? 2 : 0.5), TOLERANCIA_MINIMA, TOLERANCIA_MAXIMA);
+        estado.error = std::clamp(estado.error * (tecla == '+' ? 0.5 : 2), ERROR_MINIMO, ERROR_MAXIMO);
         construye();
         break;
     default: return;

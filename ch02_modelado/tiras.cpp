@@ -1,121 +1,172 @@
-// Una malla v/f como tiras de triángulos (ejercicio 2.2), cada una de un color; la línea oscura une sus
-// vértices en el orden en que se envían. Informa de cuántos índices ahorran frente a los triángulos sueltos.
-// Sin dar fichero, la malla del ejercicio 2.1, con las caras 5 y 6 ya invertidas: una tira gira toda en un
-// sentido.
-// Controles: 1 a 9 resaltan una tira · 0 todas · ratón orbita · Esc termina.
+// Una malla v/f como tiras de triángulos (ejercicio 2.2), cada una de un color que se oscurece en el orden en que se envían sus
+// vértices; la línea los une y el punto es el primero. Informa de cuántos índices ahorran frente a los triángulos sueltos. Sin
+// dar fichero, la malla del ejercicio 2.1, con las caras 5 y 6 ya invertidas: una tira gira toda en un sentido.
+// Controles: 1 a 9 resaltan una tira · 0 todas · u la caja en una sola tira (otra diagonal) · ratón orbita · Esc termina.
 #include "tiras.h"
-#include "encuadre.h"
+#include "encuadre_malla.h"
 #include "error.h"
 #include "malla.h"
-#include "orbita.h"
 #include "rutas.h"
 #include "shader.h"
 #include "topologia.h"
+#include "trazo.h"
 #include "ventana.h"
 #include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <string>
 
-static const glm::vec3 PALETA[] = {{0.95f, 0.55f, 0.10f}, {0.20f, 0.42f, 0.84f}, {0.20f, 0.62f, 0.28f},
-                                   {0.85f, 0.20f, 0.18f}, {0.98f, 0.78f, 0.15f}, {0.55f, 0.25f, 0.70f},
-                                   {0.10f, 0.65f, 0.70f}, {0.90f, 0.45f, 0.65f}};
-static const glm::vec3 oscuro(0.16f, 0.17f, 0.20f), apagado(0.70f, 0.73f, 0.78f);
+static const glm::vec3 PALETA[] = {NARANJA, AZUL, VERDE, ROJO, MORADO, AMARILLO, GRIS};
 static const float ANGULO = 0.6f; // de la perspectiva, en radianes
+static const int TODAS = -1;
+static const std::size_t MAXIMO_ESCRITO = 3; // tiras cuyos índices caben en la ventana
+
+struct VerticeTira {
+    glm::vec3 posicion, color;
+};
 
 static struct {
-    GLuint programaCaras, programaLineas;
+    GLuint programa;
+    bool esLaCaja, unaSola = false;
+    std::vector<glm::vec3> vertices;
+    std::vector<Triangulo> triangulos; // los de la malla
     std::vector<Tira> tiras;
-    std::size_t resaltada = 0;         // desde 1; 0: todas
-    Orbita orbita = {0.45f, 0.98f, 1}; // la distancia la pone el encuadre
+    int elegido = TODAS;
+    Orbita orbita = {0.66f, 0.80f, 1}; // la distancia la pone el encuadre
 } estado;
 
-static void informa(std::size_t nTriangulos) {
+static glm::vec3 colorTira(std::size_t i) {
+    return PALETA[i % (sizeof PALETA / sizeof PALETA[0])];
+}
+
+// El color aclarado (0), tal cual (½) y oscurecido (1).
+static glm::vec3 deClaroAOscuro(const glm::vec3 &color, float t) {
+    return t < 0.5f ? glm::mix(glm::mix(BLANCO, color, 0.25f), color, 2 * t)
+                    : glm::mix(color, 0.35f * color, 2 * t - 1);
+}
+
+static std::string indicesEscritos(std::size_t i) {
+    std::string texto;
+    for (GLuint v : estado.tiras[i])
+        texto += (texto.empty() ? "" : " ") + std::to_string(v + 1);
+    return texto;
+}
+
+static void informa() {
     std::size_t nIndices = 0;
     for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
         nIndices += estado.tiras[i].size();
-        std::printf("Tira %zu:", i + 1);
-        for (GLuint v : estado.tiras[i])
-            std::printf(" %u", v + 1);
-        std::printf("\n");
+        std::printf("Tira %zu: %s\n", i + 1, indicesEscritos(i).c_str());
     }
     std::printf("Triángulos: %zu\nTiras: %zu\nÍndices con tiras: %zu\nÍndices con triángulos sueltos: %zu\n",
-                nTriangulos, estado.tiras.size(), nIndices, 3 * nTriangulos);
+                estado.triangulos.size(), estado.tiras.size(), nIndices, 3 * estado.triangulos.size());
     std::fflush(stdout);
+    ponTitulo("Tiras de triángulos: " + std::to_string(estado.tiras.size()) + " con " +
+              std::to_string(nIndices) + " índices, en vez de " +
+              std::to_string(3 * estado.triangulos.size()));
+}
+
+// Los vértices de todas las tiras, una tras otra. Como un vértice tiene en cada tira su color, van repetidos, y se dibujan
+// sin índices.
+static void construye() {
+    estado.tiras = estado.unaSola ? std::vector<Tira>{TIRA_UNICA} : hazTiras(estado.triangulos);
+    estado.elegido = TODAS;
+    std::vector<VerticeTira> enOrden;
+    for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
+        const Tira &tira = estado.tiras[i];
+        const float ultimo = std::max(static_cast<float>(tira.size()) - 3, 1.0f);
+        for (std::size_t k = 0; k < tira.size(); ++k) {
+            const float t =
+                (static_cast<float>(k) - 2) / ultimo; // el vértice k da su color al triángulo k − 2
+            enOrden.push_back({estado.vertices[tira[k]], deClaroAOscuro(colorTira(i), t)});
+        }
+    }
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(enOrden.size() * sizeof(VerticeTira)),
+                 enOrden.data(), GL_STATIC_DRAW);
+    informa();
 }
 
 static void inicia(const std::string &fichero) {
-    estado.programaCaras = creaPrograma("ch02_modelado/caras.vert", "ch02_modelado/caras.frag");
-    estado.programaLineas = creaPrograma("ch02_modelado/caras.vert", "ch02_modelado/lineas.frag");
+    estado.programa = creaPrograma("ch02_modelado/sin_interpolar.vert", "ch02_modelado/sin_interpolar.frag");
     const MallaVf malla = leeVf(fichero);
-    const std::vector<Triangulo> triangulos = triangula(concuerda(malla, analizaTopologia(malla)));
-    estado.tiras = hazTiras(triangulos);
-    informa(triangulos.size());
+    estado.triangulos = triangula(concuerda(malla, analizaTopologia(malla)));
+    estado.vertices = encuadra(malla.vertices);
+    estado.orbita.distancia = distanciaQueEncuadra(estado.vertices, estado.orbita, ANGULO);
 
-    const std::vector<glm::vec3> vertices = encuadra(malla.vertices);
-    estado.orbita.distancia = distanciaQueEncuadra(vertices, estado.orbita, ANGULO, relacionAspecto());
-    std::vector<GLuint> indices; // todas las tiras, una tras otra
-    for (const Tira &tira : estado.tiras)
-        indices.insert(indices.end(), tira.begin(), tira.end());
-
-    GLuint vao, buffers[2];
+    GLuint vao, buffer;
     glGenVertexArrays(1, &vao);
     glBindVertexArray(vao);
-    glGenBuffers(2, buffers);
-    glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(glm::vec3)),
-                 vertices.data(), GL_STATIC_DRAW);
-    glVertexAttribPointer(ATRIBUTO_POSICION, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glGenBuffers(1, &buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glVertexAttribPointer(ATRIBUTO_POSICION, 3, GL_FLOAT, GL_FALSE, sizeof(VerticeTira), nullptr);
+    glVertexAttribPointer(ATRIBUTO_COLOR, 3, GL_FLOAT, GL_FALSE, sizeof(VerticeTira),
+                          reinterpret_cast<const void *>(offsetof(VerticeTira, color)));
     glEnableVertexAttribArray(ATRIBUTO_POSICION);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size() * sizeof(GLuint)),
-                 indices.data(), GL_STATIC_DRAW);
+    glEnableVertexAttribArray(ATRIBUTO_COLOR);
+    construye();
 
     glEnable(GL_DEPTH_TEST);
-    glEnable(GL_POLYGON_OFFSET_FILL); // las caras un poco más lejos: no tapan las líneas
-    glPolygonOffset(1, 1);
-    glClearColor(0.95f, 0.96f, 0.98f, 1);
+    glPolygonOffset(4, 1); // las caras un poco más lejos: no tapan la mitad de las líneas
+    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
-// Los mismos índices sirven de tira de triángulos y, como línea, enseñan su recorrido. Al resaltar una tira,
-// de las demás queda la línea, que no la tapa.
-static void dibujaTira(std::size_t i, std::size_t primero) {
-    const auto n = static_cast<GLsizei>(estado.tiras[i].size());
-    const void *desde = reinterpret_cast<const void *>(primero * sizeof(GLuint));
-    const bool encendida = estado.resaltada == 0 || estado.resaltada == i + 1;
-    if (encendida) {
-        const glm::vec3 color = PALETA[i % (sizeof PALETA / sizeof PALETA[0])], reverso = 0.8f * color;
-        glUseProgram(estado.programaCaras);
-        envia(estado.programaCaras, "colorAnverso", color);
-        envia(estado.programaCaras, "colorReverso", reverso);
-        glDrawElements(GL_TRIANGLE_STRIP, n, GL_UNSIGNED_INT, desde);
+static bool seDibuja(std::size_t i) {
+    return estado.elegido == TODAS || estado.elegido == static_cast<int>(i);
+}
+
+// Al resaltar una tira, de las demás quedan las líneas, que no la tapan.
+static void dibujaTiras() {
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    GLint primero = 0;
+    for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
+        const auto n = static_cast<GLsizei>(estado.tiras[i].size());
+        if (seDibuja(i))
+            glDrawArrays(GL_TRIANGLE_STRIP, primero, n);
+        primero += n;
     }
-    glUseProgram(estado.programaLineas);
-    envia(estado.programaLineas, "color", encendida ? oscuro : apagado);
-    glDrawElements(GL_LINE_STRIP, n, GL_UNSIGNED_INT, desde);
+    glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+static void dibujaRecorridos(const glm::mat4 &transformacion) {
+    std::vector<glm::vec3> encendidos, apagados, principios;
+    for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
+        const Tira &tira = estado.tiras[i];
+        std::vector<glm::vec3> &recorrido = seDibuja(i) ? encendidos : apagados;
+        for (std::size_t k = 1; k < tira.size(); ++k)
+            recorrido.insert(recorrido.end(), {estado.vertices[tira[k - 1]], estado.vertices[tira[k]]});
+        if (seDibuja(i))
+            principios.push_back(estado.vertices[tira[0]]);
+    }
+    trazaSegmentos(apagados, transformacion, GRIS, GROSOR / 2);
+    trazaSegmentos(encendidos, transformacion, OSCURO);
+    trazaPuntos(principios, transformacion, OSCURO, 4 * GROSOR);
 }
 
 static void dibuja() {
-    const glm::mat4 camara = perspectivaVentana(ANGULO, 0.1f, 100) * camaraOrbita(estado.orbita);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(ANGULO, 0.1f, 100);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    for (GLuint programa : {estado.programaCaras, estado.programaLineas}) {
-        glUseProgram(programa);
-        envia(programa, "camara", camara);
-    }
-    glLineWidth(std::max(2.0f, static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT)) / 120));
-    std::size_t primero = 0;
-    for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
-        dibujaTira(i, primero);
-        primero += estado.tiras[i].size();
-    }
+    glUseProgram(estado.programa);
+    envia(estado.programa, "camara", camara);
+    envia(estado.programa, "proyeccion", proyeccion);
+    dibujaTiras();
+    dibujaRecorridos(proyeccion * camara);
+    rotulaVertices(estado.vertices, estado.triangulos, posicionCamara(estado.orbita), proyeccion * camara);
+    if (estado.tiras.size() <= MAXIMO_ESCRITO && estado.triangulos.size() <= MAXIMO_NUMERADO)
+        for (std::size_t i = 0, n = estado.tiras.size(); i < n; ++i)
+            rotula(indicesEscritos(i), {0.02f, 0.04f + 0.05f * static_cast<float>(n - 1 - i)},
+                   0.8f * colorTira(i), Lado::DERECHA, 0.03f);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || tecla < '0' || tecla > '9')
+    if (teclaComun(tecla))
         return;
-    const std::size_t n = tecla - static_cast<std::size_t>('0');
-    if (n <= estado.tiras.size())
-        estado.resaltada = n;
+    if (tecla >= '0' && tecla <= '9' && tecla - '0' <= static_cast<int>(estado.tiras.size())) {
+        estado.elegido = tecla == '0' ? TODAS : tecla - '1';
+    } else if (tecla == 'u' && estado.esLaCaja) {
+        estado.unaSola = !estado.unaSola;
+        construye();
+    }
     glutPostRedisplay();
 }
 
@@ -123,7 +174,8 @@ int main(int argc, char **argv) {
     abreVentana(argc, argv, "Tiras de triángulos", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE, "[FICHERO]");
     if (argc > 2)
         falla("solo se puede dar un fichero; sobra «" + std::string(argv[2]) + "»", 2);
-    inicia(argc > 1 ? argv[1] : recurso("assets/ejercicio_2_1.vf"));
+    estado.esLaCaja = argc == 1;
+    inicia(estado.esLaCaja ? recurso("assets/ejercicio_2_1.vf") : argv[1]);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);

@@ -1,21 +1,20 @@
 // Agrupar los triángulos de una malla en tiras (ejercicio 2.2). Sin OpenGL; la usa el programa tiras.
-//
-// ¿Puede la caja del ejercicio dibujarse con solo una tira? Con esos diez triángulos no: la tira más larga
-// cubre ocho (las cuatro paredes, en redondo) y hacen falta dos, de 10 y 4 índices: 14 en lugar de los 30 de
-// los triángulos sueltos. Pero basta partir una pared por la otra diagonal (3–8 en vez de 4–7) para que la
-// misma caja salga en una de 12: 2 1 3 4 8 1 5 2 6 3 7 8. Y, repitiendo índices, las dos se encadenan en una
-// de 16, con triángulos sin área en la unión. La prueba ch02_tiras recorre todas las posibilidades.
 #pragma once
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
 using Triangulo = std::array<std::uint32_t, 3>;
 using Tira = std::vector<std::uint32_t>; // n índices: n − 2 triángulos
+
+/// La caja del ejercicio en una sola tira: 2 1 3 4 8 1 5 2 6 3 7 8. Con sus diez triángulos no se puede
+/// (docs/soluciones.md); aquí una pared está partida por la otra diagonal, 3–8 en vez de 4–7.
+const Tira TIRA_UNICA = {1, 0, 2, 3, 7, 0, 4, 1, 5, 2, 6, 7};
 
 /// Los triángulos de GL_TRIANGLE_STRIP: en los de lugar impar se intercambian los dos primeros vértices, para
 /// que todos giren igual que el primero.
@@ -28,77 +27,112 @@ inline std::vector<Triangulo> expandeTira(const Tira &tira) {
     return triangulos;
 }
 
-/// Reparte los triángulos en tiras de manera voraz: empieza por el triángulo con menos vecinos libres, que
-/// más adelante costaría más aprovechar, y prueba sus tres giros; se queda con el que da la tira más larga.
-/// Cada triángulo está en una sola tira y conserva su sentido de giro.
-inline std::vector<Tira> hazTiras(const std::vector<Triangulo> &triangulos) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> conArista; // dirigida
-    for (std::size_t t = 0; t < triangulos.size(); ++t)
-        for (std::size_t i = 0; i < 3; ++i)
-            conArista[{triangulos[t][i], triangulos[t][(i + 1) % 3]}].push_back(t);
+/// El reparto de hazTiras a medias: qué triángulos quedan libres y, de cada uno, cuántos vecinos libres tiene.
+class RepartoEnTiras {
+public:
+    explicit RepartoEnTiras(const std::vector<Triangulo> &losTriangulos)
+        : triangulos(losTriangulos), libre(triangulos.size(), true), vecinos(triangulos.size(), 0) {
+        for (std::size_t t = 0; t < triangulos.size(); ++t)
+            for (std::size_t i = 0; i < 3; ++i)
+                conArista[{triangulos[t][i], triangulos[t][(i + 1) % 3]}].push_back(t);
+        for (std::size_t t = 0; t < triangulos.size(); ++t) {
+            cuentaVecinos(t);
+            libres.insert({vecinos[t], t});
+        }
+    }
 
-    std::vector<bool> libre(triangulos.size(), true);
-    // Un triángulo libre que recorre la arista de a hacia b, o triangulos.size()
-    auto busca = [&](std::uint32_t a, std::uint32_t b) {
+    bool quedan() const {
+        return !libres.empty();
+    }
+
+    /// La mejor tira que empieza por el triángulo libre con menos vecinos libres; sus triángulos dejan de estarlo.
+    Tira saca() {
+        const std::size_t primero = libres.begin()->second;
+        Recorrido mejor;
+        for (std::size_t i = 0; i < 3; ++i) {
+            Recorrido otro = recorre(primero, i);
+            if (otro.tira.size() > mejor.tira.size())
+                mejor = std::move(otro);
+        }
+        for (std::size_t t : mejor.usados) {
+            libres.erase({vecinos[t], t});
+            libre[t] = false;
+        }
+        for (std::size_t t : mejor.usados)
+            actualizaVecinos(t);
+        return mejor.tira;
+    }
+
+private:
+    struct Recorrido {
+        Tira tira;
+        std::vector<std::size_t> usados;
+    };
+
+    const std::vector<Triangulo> &triangulos;
+    std::vector<bool> libre;
+    std::vector<int> vecinos;                     // libres
+    std::set<std::pair<int, std::size_t>> libres; // (vecinos, triángulo)
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>> conArista; // dirigida
+
+    /// Un triángulo libre que recorre la arista de a hacia b, o triangulos.size().
+    std::size_t busca(std::uint32_t a, std::uint32_t b) const {
         const auto lista = conArista.find({a, b});
         if (lista != conArista.end())
             for (std::size_t t : lista->second)
                 if (libre[t])
                     return t;
         return triangulos.size();
-    };
-    auto vecinosLibres = [&](std::size_t t) {
-        int n = 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            n += busca(triangulos[t][(i + 1) % 3], triangulos[t][i]) != triangulos.size();
-        return n;
-    };
-    // La tira que empieza por el triángulo t girado i lugares; los que usa dejan de estar libres
-    auto sigue = [&](std::size_t t, std::size_t i) {
-        std::vector<std::size_t> usados = {t};
-        Tira tira = {triangulos[t][i], triangulos[t][(i + 1) % 3], triangulos[t][(i + 2) % 3]};
-        libre[t] = false;
-        for (;;) {
-            std::uint32_t a = tira[tira.size() - 2], b = tira.back();
-            if (usados.size() % 2 == 1)
-                std::swap(a, b);
-            const std::size_t siguiente = busca(a, b);
-            if (siguiente == triangulos.size())
-                return std::make_pair(tira, usados);
-            for (std::uint32_t v : triangulos[siguiente])
-                if (v != a && v != b)
-                    tira.push_back(v);
-            libre[siguiente] = false;
-            usados.push_back(siguiente);
-        }
-    };
-
-    std::vector<Tira> tiras;
-    for (std::size_t hechos = 0; hechos < triangulos.size();) {
-        std::size_t primero = triangulos.size();
-        int menos = 4;
-        for (std::size_t t = 0; t < triangulos.size() && menos > 0; ++t) {
-            const int n = libre[t] ? vecinosLibres(t) : 4;
-            if (n < menos) {
-                menos = n;
-                primero = t;
-            }
-        }
-        Tira mejor;
-        std::vector<std::size_t> usadosMejor;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto [tira, usados] = sigue(primero, i);
-            for (std::size_t t : usados)
-                libre[t] = true;
-            if (tira.size() > mejor.size()) {
-                mejor = tira;
-                usadosMejor = usados;
-            }
-        }
-        for (std::size_t t : usadosMejor)
-            libre[t] = false;
-        hechos += usadosMejor.size();
-        tiras.push_back(mejor);
     }
+
+    void cuentaVecinos(std::size_t t) {
+        vecinos[t] = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+            vecinos[t] += busca(triangulos[t][(i + 1) % 3], triangulos[t][i]) != triangulos.size();
+    }
+
+    /// El triángulo t ya no está libre: sus vecinos tienen uno menos.
+    void actualizaVecinos(std::size_t t) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto lista = conArista.find({triangulos[t][(i + 1) % 3], triangulos[t][i]});
+            if (lista == conArista.end())
+                continue;
+            for (std::size_t vecino : lista->second)
+                if (libre[vecino]) {
+                    libres.erase({vecinos[vecino], vecino});
+                    cuentaVecinos(vecino);
+                    libres.insert({vecinos[vecino], vecino});
+                }
+        }
+    }
+
+    /// La tira que empieza por el triángulo t girado i lugares.
+    Recorrido recorre(std::size_t t, std::size_t i) {
+        Recorrido r = {{triangulos[t][i], triangulos[t][(i + 1) % 3], triangulos[t][(i + 2) % 3]}, {}};
+        while (t != triangulos.size()) {
+            libre[t] = false;
+            r.usados.push_back(t);
+            // la arista de los dos últimos vértices, como la recorre el triángulo siguiente: una vez en cada sentido
+            std::uint32_t a = r.tira[r.tira.size() - 2], b = r.tira.back();
+            if (r.usados.size() % 2 == 1)
+                std::swap(a, b);
+            t = busca(a, b);
+            if (t != triangulos.size())
+                r.tira.push_back(*std::find_if(triangulos[t].begin(), triangulos[t].end(),
+                                               [a, b](std::uint32_t v) { return v != a && v != b; }));
+        }
+        for (std::size_t usado : r.usados)
+            libre[usado] = true;
+        return r;
+    }
+};
+
+/// Reparte los triángulos en tiras de manera voraz: empieza por el triángulo con menos vecinos libres, que
+/// más adelante costaría más aprovechar, y prueba sus tres giros; se queda con el que da la tira más larga.
+/// Cada triángulo está en una sola tira y conserva su sentido de giro.
+inline std::vector<Tira> hazTiras(const std::vector<Triangulo> &triangulos) {
+    std::vector<Tira> tiras;
+    for (RepartoEnTiras reparto(triangulos); reparto.quedan();)
+        tiras.push_back(reparto.saca());
     return tiras;
 }

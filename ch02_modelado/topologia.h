@@ -1,8 +1,5 @@
 // La topología de una malla v/f (ejercicio 2.1): qué aristas son de borde, qué caras giran al revés que las
 // demás y en qué sentido giran vistas desde fuera. Sin OpenGL; la usan malla_vf y tiras.
-//
-// El objeto del ejercicio es una caja sin tapa. Todas sus caras giran en sentido antihorario vistas desde
-// fuera salvo la 5 y la 6, que lo hacen en sentido horario.
 #pragma once
 #include "malla.h"
 #include <algorithm>
@@ -29,14 +26,21 @@ struct Topologia {
     std::vector<bool> orientables;            // si todas las caras de la componente pueden concordar
 };
 
-/// Analiza la malla. Dos caras que comparten una arista (y solo ellas dos) concuerdan si la recorren en
-/// sentidos opuestos; una componente son las caras a las que se llega cruzando esas aristas. «El resto» es
-/// la mayoría de la componente y, en un empate, lo que diga su primera cara.
-///
-/// El sentido visto desde fuera es el signo del volumen que encierra la componente, ya con sus caras
-/// concordes. Si es abierta, el volumen que encerraría con una tapa en abanico desde el centroide de su
-/// borde.
-inline Topologia analizaTopologia(const MallaVf &malla) {
+namespace topologia {
+
+struct Vecina {
+    std::size_t cara;
+    bool concorde; // recorre la arista común en el sentido opuesto
+};
+
+/// Con quién comparte cada cara una arista de dos caras, y los extremos de las demás aristas suyas, que no se cruzan.
+struct Vecindad {
+    std::vector<std::vector<Vecina>> vecinas;
+    std::vector<std::vector<GLuint>> borde;
+};
+
+/// Pone en `t` las aristas de la malla.
+inline Vecindad buscaAristas(const MallaVf &malla, Topologia &t) {
     struct Uso {
         std::size_t cara;
         bool directo; // la cara recorre la arista de a hacia b
@@ -49,86 +53,111 @@ inline Topologia analizaTopologia(const MallaVf &malla) {
             usos[std::minmax(p, q)].push_back({c, p < q});
         }
     }
-
-    struct Vecina {
-        std::size_t cara;
-        bool concorde;
-    };
-    Topologia t;
-    std::vector<std::vector<Vecina>> vecinas(malla.caras.size());
-    std::vector<std::vector<GLuint>> bordeDe(malla.caras.size()); // extremos de las aristas que no se cruzan
+    Vecindad v = {std::vector<std::vector<Vecina>>(malla.caras.size()),
+                  std::vector<std::vector<GLuint>>(malla.caras.size())};
     for (const auto &[extremos, u] : usos) {
         t.aristas.push_back({extremos.first, extremos.second, static_cast<int>(u.size())});
         t.deBorde += u.size() == 1;
         t.ramificadas += u.size() > 2;
         if (u.size() == 2) {
             const bool concorde = u[0].directo != u[1].directo;
-            vecinas[u[0].cara].push_back({u[1].cara, concorde});
-            vecinas[u[1].cara].push_back({u[0].cara, concorde});
+            v.vecinas[u[0].cara].push_back({u[1].cara, concorde});
+            v.vecinas[u[1].cara].push_back({u[0].cara, concorde});
         } else {
             for (const Uso &uso : u)
-                bordeDe[uso.cara].insert(bordeDe[uso.cara].end(), {extremos.first, extremos.second});
+                v.borde[uso.cara].insert(v.borde[uso.cara].end(), {extremos.first, extremos.second});
         }
     }
+    return v;
+}
 
-    std::vector<int> giro(malla.caras.size(),
-                          0); // ±1 respecto a la primera cara de la componente; 0: sin ver
+/// Unas caras unidas y cómo gira cada una: 1 si como la mayoría (en un empate, como la primera) y −1 si al revés.
+struct Componente {
+    std::vector<std::size_t> caras;
+    std::vector<int> giros;
+    bool orientable = true;
+};
+
+/// La componente de la cara `primera`. `giro` es, de todas las caras de la malla, ±1 respecto a la primera de su
+/// componente, o 0 si aún no se ha visto.
+inline Componente recorreComponente(std::size_t primera, const Vecindad &v, std::vector<int> &giro) {
+    Componente componente = {{primera}, {}, true};
+    giro[primera] = 1;
+    int suma = 0;
+    for (std::size_t i = 0; i < componente.caras.size(); ++i) {
+        const std::size_t c = componente.caras[i];
+        suma += giro[c];
+        for (const Vecina &vecina : v.vecinas[c]) {
+            const int pedido = vecina.concorde ? giro[c] : -giro[c];
+            if (!giro[vecina.cara]) {
+                giro[vecina.cara] = pedido;
+                componente.caras.push_back(vecina.cara);
+            } else if (giro[vecina.cara] != pedido) {
+                componente.orientable = false;
+            }
+        }
+    }
+    for (std::size_t c : componente.caras)
+        componente.giros.push_back(suma >= 0 ? giro[c] : -giro[c]);
+    return componente;
+}
+
+/// El centroide de los vértices de las listas de esas caras, cada uno tantas veces como salga.
+inline glm::dvec3 centroide(const MallaVf &malla, const std::vector<std::size_t> &caras,
+                            const std::vector<std::vector<GLuint>> &listas) {
+    glm::dvec3 suma(0);
+    double n = 0;
+    for (std::size_t c : caras)
+        for (GLuint i : listas[c]) {
+            suma += glm::dvec3(malla.vertices[i]);
+            ++n;
+        }
+    return suma / n;
+}
+
+/// El signo del volumen que encierra la componente, con sus caras concordes. Si es abierta, el volumen que encerraría con
+/// una tapa en abanico desde el centroide de su borde.
+inline Sentido sentidoDesdeFuera(const MallaVf &malla, const Componente &componente, const Vecindad &v) {
+    const bool abierta = std::any_of(componente.caras.begin(), componente.caras.end(),
+                                     [&v](std::size_t c) { return !v.borde[c].empty(); });
+    // En doble precisión y respecto a un punto cercano, para que un origen lejano no se coma las cifras.
+    const glm::dvec3 centro = centroide(malla, componente.caras, abierta ? v.borde : malla.caras);
+    double volumen = 0, escala = 0;
+    for (std::size_t k = 0; k < componente.caras.size(); ++k) {
+        const std::vector<GLuint> &cara = malla.caras[componente.caras[k]];
+        const auto p = [&](std::size_t i) { return glm::dvec3(malla.vertices[cara[i]]) - centro; };
+        for (std::size_t i = 2; i < cara.size(); ++i) {
+            const glm::dvec3 a = p(0), b = p(i - 1), d = p(i);
+            volumen += componente.giros[k] * glm::dot(a, glm::cross(b, d));
+            escala += glm::length(a) * glm::length(b) * glm::length(d);
+        }
+    }
+    // Los vértices de una malla plana, redondeados a float, no están del todo en su plano.
+    const double despreciable = (abierta ? 1e-6 : 1e-12) * escala;
+    return !componente.orientable || std::fabs(volumen) <= despreciable ? Sentido::INDEFINIDO
+           : volumen > 0                                                ? Sentido::ANTIHORARIO
+                                                                        : Sentido::HORARIO;
+}
+
+} // namespace topologia
+
+/// Analiza la malla. Dos caras que comparten una arista (y solo ellas dos) concuerdan si la recorren en
+/// sentidos opuestos; una componente son las caras a las que se llega cruzando esas aristas. «El resto» es
+/// la mayoría de la componente y, en un empate, lo que diga su primera cara.
+inline Topologia analizaTopologia(const MallaVf &malla) {
+    using namespace topologia;
+    Topologia t;
+    const Vecindad vecindad = buscaAristas(malla, t);
+    std::vector<int> giro(malla.caras.size(), 0);
     for (std::size_t primera = 0; primera < malla.caras.size(); ++primera) {
         if (giro[primera])
             continue;
-        std::vector<std::size_t> componente = {primera};
-        giro[primera] = 1;
-        int suma = 0;
-        bool orientable = true;
-        for (std::size_t i = 0; i < componente.size(); ++i) {
-            const std::size_t c = componente[i];
-            suma += giro[c];
-            for (const Vecina &v : vecinas[c]) {
-                const int pedido = v.concorde ? giro[c] : -giro[c];
-                if (!giro[v.cara]) {
-                    giro[v.cara] = pedido;
-                    componente.push_back(v.cara);
-                } else if (giro[v.cara] != pedido) {
-                    orientable = false;
-                }
-            }
-        }
-        const int mayoria = suma >= 0 ? 1 : -1;
-        for (std::size_t c : componente)
-            if (giro[c] != mayoria)
-                t.contrarias.push_back(c);
-
-        // En doble precisión y respecto a un punto cercano, para que un origen lejano no se coma las cifras.
-        glm::dvec3 centro(0), centroBorde(0);
-        double vertices = 0, verticesBorde = 0;
-        for (std::size_t c : componente) {
-            for (GLuint i : malla.caras[c]) {
-                centro += glm::dvec3(malla.vertices[i]);
-                ++vertices;
-            }
-            for (GLuint i : bordeDe[c]) {
-                centroBorde += glm::dvec3(malla.vertices[i]);
-                ++verticesBorde;
-            }
-        }
-        const bool abierta = verticesBorde > 0;
-        centro = abierta ? centroBorde / verticesBorde : centro / vertices;
-        double volumen = 0, escala = 0;
-        for (std::size_t c : componente) {
-            const std::vector<GLuint> &cara = malla.caras[c];
-            auto p = [&](std::size_t i) { return glm::dvec3(malla.vertices[cara[i]]) - centro; };
-            for (std::size_t i = 2; i < cara.size(); ++i) {
-                const glm::dvec3 a = p(0), b = p(i - 1), d = p(i);
-                volumen += giro[c] * mayoria * glm::dot(a, glm::cross(b, d));
-                escala += glm::length(a) * glm::length(b) * glm::length(d);
-            }
-        }
-        // Los vértices de una malla plana, redondeados a float, no están del todo en su plano.
-        const double despreciable = (abierta ? 1e-6 : 1e-12) * escala;
-        t.orientables.push_back(orientable);
-        t.sentidos.push_back(!orientable || std::fabs(volumen) <= despreciable ? Sentido::INDEFINIDO
-                             : volumen > 0                                     ? Sentido::ANTIHORARIO
-                                                                               : Sentido::HORARIO);
+        const Componente componente = recorreComponente(primera, vecindad, giro);
+        for (std::size_t k = 0; k < componente.caras.size(); ++k)
+            if (componente.giros[k] < 0)
+                t.contrarias.push_back(componente.caras[k]);
+        t.orientables.push_back(componente.orientable);
+        t.sentidos.push_back(sentidoDesdeFuera(malla, componente, vecindad));
     }
     std::sort(t.contrarias.begin(), t.contrarias.end());
     return t;

@@ -11,8 +11,8 @@
 #include "ventana.h"
 #include <cstdio>
 
-static const float PASO_GIRO = 0.1f; // radianes
-static const float RADIANES_POR_PIXEL = 0.01f;
+static const float PASO_GIRO = 0.1f;         // radianes
+static const float RADIANES_POR_ALTO = 1.8f; // arrastrando de abajo arriba de la ventana
 static const glm::vec3 EJES[] = {{0, 1, 0}, {1, 1, 1}, {-0.6f, 0.7f, 0.4f}, {1, 1e-10f, 0}};
 static const glm::vec3 SITIO(-1.1f, 0.2f, 1.2f); // el centro del avión, sin girar
 
@@ -130,7 +130,8 @@ static void arrastra(int x, int y) {
     if (!estado.moviendoEje)
         return orbitaArrastra(x, y);
     const glm::mat3 pantalla = glm::transpose(glm::mat3(camaraOrbita(estado.orbita)));
-    const glm::vec2 angulos = RADIANES_POR_PIXEL * glm::vec2(x - estado.xAnterior, y - estado.yAnterior);
+    const glm::vec2 angulos =
+        RADIANES_POR_ALTO / altoUtil() * glm::vec2(x - estado.xAnterior, y - estado.yAnterior);
     estado.eje =
         glm::mat3(giroEje(pantalla[0], angulos.y) * giroEje(pantalla[1], angulos.x)) * unitario(estado.eje);
     estado.xAnterior = x;

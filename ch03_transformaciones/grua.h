@@ -55,7 +55,6 @@ struct Pieza {
 /// brazo apunta a +X.
 inline std::vector<Pieza> piezasGrua(const PosturaGrua &postura) {
     const PosturaGrua p = limita(postura);
-    const glm::vec3 hormigon(0.42f, 0.45f, 0.50f);
     const float alturaBrazo = LARGO_PIE + GRUESO / 2;
     const float largoCable = LARGO_PIE - p.altura - LADO_CARGA / 2;
 
@@ -68,7 +67,7 @@ inline std::vector<Pieza> piezasGrua(const PosturaGrua &postura) {
          AMARILLO},
         {giro * traslacion({LADO_CONTRAPESO / 2 - VOLADIZO_ATRAS, LARGO_PIE - LADO_CONTRAPESO / 2, 0}) *
              escalado(LADO_CONTRAPESO),
-         hormigon},
+         GRIS},
         {carro * traslacion({0, LARGO_PIE - largoCable / 2, 0}) *
              escalado({GRUESO_CABLE, largoCable, GRUESO_CABLE}),
          OSCURO},

@@ -1,41 +1,41 @@
-// La transformación de la cámara (ecuación 4.1, figura 4.1): a la izquierda, la cámara vista desde fuera, con su
-// posición, su punto de interés (amarillo), su vector de inclinación UP (naranja) y los ejes S (rojo), U (verde) y
-// F (azul) que salen de ellos; a la derecha, lo que ve. El libro no dice qué pasa si UP es paralelo a F: aquí
-// siempre hay base (vista.h), y la cuarta vista, con UP a 1e-7 de F, sale como las demás.
+// La transformación de la cámara (ecuación 4.1, figura 4.1): en un panel, la cámara desde fuera, con su posición p, su punto de
+// interés i, su vector de inclinación UP y los ejes S, U y F que salen de ellos; en el otro, lo que ve. El libro no
+// dice qué pasa si UP es paralelo a F: aquí siempre hay base (vista.h), y la cuarta vista, con UP a 1e-7 de F, sale bien.
 // Controles: 1 2 3 vistas · 4 UP casi paralelo · i o inclinan · ratón orbita por fuera · Esc termina.
-#include "malla.h"
+#include "aspecto.h"
+#include "ch03_transformaciones/objeto.h"
 #include "orbita.h"
 #include "piezas.h"
-#include "shader.h"
+#include "recuadro.h"
+#include "rotulo.h"
+#include "trazo.h"
 #include "ventana.h"
+#include "vista.h"
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 static const float PASO = 0.1f;    // radianes
 static const double ANGULO = 0.85; // de la cámara, en radianes
 static const double CERCA = 0.5, LEJOS = 60;
-static const glm::dvec3 interes(0, 1.7, 0);
+static const glm::dvec3 INTERES(0, 1.7, 0);
 
 static const struct {
     glm::dvec3 p, UP;
-} vistas[] = {{{5.2, 4.8, 0.2}, {0, 1, 0}},
-              {{-4.3, 1.4, 2.6}, {0, 1, 0}},
+} VISTAS[] = {{{4.4, 4.6, 0.4}, {0, 1, 0}},
+              {{-4.0, 1.5, 0.9}, {0, 1, 0}},
               {{0.4, 7.2, 0.8}, {0, 0, -1}},
               {{2.4, 5.4, 2.0}, {-2.4, -3.7, -2.0 + 1e-7}}};
-
-static const glm::vec3 rojo(0.85f, 0.20f, 0.18f), verde(0.20f, 0.62f, 0.28f), azul(0.16f, 0.38f, 0.80f),
-    naranja(0.95f, 0.55f, 0.10f), amarillo(0.98f, 0.78f, 0.15f), gris(0.55f, 0.58f, 0.62f),
-    oscuro(0.16f, 0.17f, 0.20f), suelo(0.80f, 0.86f, 0.78f);
 
 static struct {
     GLuint programa;
     Buferes cubo, cilindro, cono, esfera;
-    int vista = 0;
+    int elegido = 0;
     double inclinacion = 0; // radianes alrededor de F
-    Orbita orbita = {-0.70f, 0.32f, 18, {0, 2.7f, 0}};
+    Orbita orbita = {0.75f, 0.32f, 18.5f, {-0.3f, 2.7f, 0}, 0.02f};
 } estado;
 
 static void inicia() {
-    estado.programa = creaPrograma("ch03_transformaciones/objeto.vert", "ch03_transformaciones/objeto.frag");
+    estado.programa = creaProgramaObjeto();
     estado.cubo = creaBuferes(cubo());
     estado.cilindro = creaBuferes(cilindro(24));
     estado.cono = creaBuferes(cono(32));
@@ -43,101 +43,97 @@ static void inicia() {
     glEnable(GL_DEPTH_TEST);
 }
 
-static void dibujaMalla(const Buferes &malla, const glm::mat4 &M, const glm::vec3 &color) {
-    const glm::mat3 N = matrizNormal(M);
-    envia(estado.programa, "M", M);
-    envia(estado.programa, "N", N);
-    envia(estado.programa, "colorObjeto", color);
-    dibuja(malla);
-}
-
-static void dibujaFlecha(const glm::vec3 &a, const glm::vec3 &b, const glm::vec3 &color) {
-    dibujaMalla(estado.cilindro, segmento(a, b - 0.3f * unitario(b - a), 0.09f), color);
-    dibujaMalla(estado.cono, punta(a, b, 0.25f), color);
-}
-
-static void dibujaEscena() {
-    dibujaMalla(estado.cubo, traslacion({0, -0.1f, 0}) * escalado({8, 0.2f, 8}), suelo);
-    dibujaMalla(estado.cubo, traslacion({0, 0.75f, 0}) * escalado({0.3f, 1.5f, 0.3f}), gris);
-    dibujaMalla(estado.esfera, traslacion(interes) * escalado(0.35f), amarillo);
-    dibujaMalla(estado.cubo, traslacion({-2, 0.9f, -1.2f}) * escalado(1.8f), rojo);
-    dibujaMalla(estado.cono, traslacion({2.2f, 0, -1}) * giroX(-1.5708f) * escalado({1, 1, 2.8f}), verde);
-    dibujaMalla(estado.cubo, traslacion({0.9f, 0.4f, 2}) * giroY(0.5f) * escalado({1.6f, 0.8f, 0.8f}), azul);
+static void dibujaEscena(const glm::mat4 &proyeccion, const glm::mat4 &camara) {
+    const auto pon = [](const Buferes &solido, const glm::mat4 &M, const glm::vec3 &color) {
+        dibujaObjeto(estado.programa, solido, M, color);
+    };
+    envia(estado.programa, "proyeccion", proyeccion);
+    envia(estado.programa, "camara", camara);
+    pon(estado.cubo, traslacion({0, -0.1f, 0}) * escalado({7, 0.2f, 7}), SUELO);
+    pon(estado.cubo, traslacion({0, 0.75f, 0}) * escalado({0.3f, 1.5f, 0.3f}), GRIS);
+    pon(estado.esfera, traslacion(INTERES) * escalado(0.35f), AMARILLO);
+    pon(estado.cubo, traslacion({-2, 0.9f, -1.2f}) * escalado(1.8f), ROJO);
+    pon(estado.cono, traslacion({2.2f, 0, -1}) * giroX(-glm::half_pi<float>()) * escalado({1, 1, 2.8f}),
+        VERDE);
+    pon(estado.cubo, traslacion({0.9f, 0.4f, 2}) * giroY(0.5f) * escalado({1.6f, 0.8f, 0.8f}), AZUL);
 }
 
 // La cámara con sus datos (p, i, UP) y sus ejes, y el comienzo de su pirámide de visión.
-static void dibujaCamara(const glm::dvec3 &p, const glm::dvec3 &UP, double theta, double aspecto) {
-    const glm::mat4 alMundo(glm::inverse(transformacionCamara(p, interes, UP)));
+static void dibujaCamara(const glm::mat4 &aRecortado, const glm::dvec3 &p, const glm::dvec3 &UP, double theta,
+                         double aspecto) {
+    const glm::mat4 alMundo(glm::inverse(transformacionCamara(p, INTERES, UP)));
     for (const PiezaCamara &pieza : piezasCamara())
-        dibujaMalla(pieza.esRedonda ? estado.cilindro : estado.cubo, alMundo * escalado(1.4f) * pieza.M,
-                    pieza.color);
-    const glm::vec3 ojo(p);
-    const auto [S, U, F] = baseCamara(p, interes, UP);
-    dibujaFlecha(ojo, ojo + 2.0f * glm::vec3(S), rojo);
-    dibujaFlecha(ojo, ojo + 2.0f * glm::vec3(U), verde);
-    dibujaFlecha(ojo, ojo + 2.0f * glm::vec3(F), azul);
-    dibujaFlecha(ojo, ojo + 3.0f * glm::vec3(glm::normalize(UP)), naranja);
-    dibujaMalla(estado.cilindro, segmento(ojo, interes, 0.045f), oscuro);
+        dibujaObjeto(estado.programa, pieza.esRedonda ? estado.cilindro : estado.cubo,
+                     alMundo * escalado(1.2f) * pieza.M, pieza.color);
+    const glm::vec3 ojo(p), interes(INTERES);
     const double y = 3 * std::tan(theta / 2), x = aspecto * y;
-    const glm::dvec3 esquinas[] = {{x, y, -3}, {-x, y, -3}, {-x, -y, -3}, {x, -y, -3}};
-    for (int k = 0; k < 4; ++k) {
-        const glm::vec3 a = alMundo * glm::dvec4(esquinas[k], 1),
-                        b = alMundo * glm::dvec4(esquinas[(k + 1) % 4], 1);
-        dibujaMalla(estado.cilindro, segmento(ojo, a, 0.03f), gris);
-        dibujaMalla(estado.cilindro, segmento(a, b, 0.05f), oscuro);
+    std::vector<glm::vec3> marco, lados;
+    for (const glm::dvec2 &e : {glm::dvec2(x, y), {-x, y}, {-x, -y}, {x, -y}}) {
+        marco.push_back(alMundo * glm::vec4(e.x, e.y, -3, 1));
+        lados.insert(lados.end(), {ojo, marco.back()});
     }
-}
+    trazaSegmentos(lados, aRecortado, GRIS, 3);
+    trazaPolilinea(marco, aRecortado, GRIS, 4, true);
+    trazaSegmentos({ojo, interes}, aRecortado, OSCURO, 3);
 
-static void abrePanel(int x, int ancho, int alto, const glm::vec3 &fondo, const glm::mat4 &camara) {
-    glViewport(x, 0, ancho, alto);
-    glScissor(x, 0, ancho, alto);
-    glClearColor(fondo.r, fondo.g, fondo.b, 1);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    envia(estado.programa, "camara", camara);
+    glDisable(GL_DEPTH_TEST); // las flechas y los rótulos, aunque algo los tape
+    const auto [S, U, F] = baseCamara(p, INTERES, UP);
+    const auto flecha = [&](const glm::dvec3 &v, const glm::vec3 &color, const char *nombre) {
+        trazaFlecha(ojo, glm::vec3(p + v), aRecortado, color, 8);
+        rotulaPunto(nombre, glm::vec3(p + 1.3 * v), aRecortado, color, Lado::CENTRO);
+    };
+    flecha(3.2 * glm::normalize(UP), NARANJA, "UP");
+    flecha(2.5 * S, ROJO, "S");
+    flecha(2.5 * U, VERDE, "U");
+    flecha(2.5 * F, AZUL, "F");
+    trazaPuntos({ojo, interes}, aRecortado, OSCURO);
+    rotulaPunto("p", ojo, aRecortado, OSCURO, Lado::DEBAJO);
+    rotulaPunto("i", interes, aRecortado, OSCURO, Lado::DERECHA);
+    glEnable(GL_DEPTH_TEST);
 }
 
 static void dibuja() {
-    const int ancho = glutGet(GLUT_WINDOW_WIDTH), alto = glutGet(GLUT_WINDOW_HEIGHT), izquierda = ancho / 2,
-              derecha = ancho - izquierda;
-    const double aspecto = std::max(derecha, 1) / static_cast<double>(std::max(alto, 1));
-    const double theta = anguloEnY(ANGULO, aspecto);
-    const auto &v = vistas[estado.vista];
-    const glm::dvec3 F = baseCamara(v.p, interes, v.UP).F;
+    abreRecuadro(ventanaEntera(), GRIS);
+    glUseProgram(estado.programa);
+    const std::vector<Recuadro> paneles = reparte(2, 2.0f / 3); // la escena de fuera es alta
+    const float aspectoPanel = aspecto(paneles[1]);
+    const double theta = anguloVertical(ANGULO, aspectoPanel);
+    const auto &v = VISTAS[estado.elegido];
+    const glm::dvec3 F = baseCamara(v.p, INTERES, v.UP).F;
     const glm::dvec3 UP(glm::rotate(glm::dmat4(1), estado.inclinacion, F) * glm::dvec4(v.UP, 0));
 
-    glUseProgram(estado.programa);
-    glEnable(GL_SCISSOR_TEST);
-    abrePanel(0, izquierda, alto, {0.95f, 0.96f, 0.98f},
-              perspectivaVentana(0.54f, 1, 100, static_cast<float>(aspecto)) * camaraOrbita(estado.orbita));
-    dibujaEscena();
-    dibujaCamara(v.p, UP, theta, aspecto);
-    abrePanel(izquierda, derecha, alto, {0.72f, 0.85f, 0.95f},
-              proyeccionPerspectiva(theta, aspecto, CERCA, LEJOS) * transformacionCamara(v.p, interes, UP));
-    dibujaEscena();
-    glDisable(GL_SCISSOR_TEST);
+    abreRecuadro(paneles[0], FONDO_CLARO);
+    const glm::mat4 proyeccion = perspectivaVentana(0.54f, 1, 100, aspecto(paneles[0])),
+                    camara = camaraOrbita(estado.orbita);
+    dibujaEscena(proyeccion, camara);
+    dibujaCamara(proyeccion * camara, v.p, UP, theta, static_cast<double>(aspectoPanel));
+
+    abreRecuadro(paneles[1], CIELO);
+    dibujaEscena(glm::mat4(proyeccionPerspectiva(theta, static_cast<double>(aspectoPanel), CERCA, LEJOS)),
+                 glm::mat4(transformacionCamara(v.p, INTERES, UP)));
+    rotula("lo que ve", {0.5f, 0.96f}, OSCURO);
+    ponTitulo("La cámara: vista " + std::to_string(estado.elegido + 1));
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
-    switch (tecla) {
-    case '1':
-    case '2':
-    case '3':
-    case '4':
-        estado.vista = tecla - '1';
+    if (tecla >= '1' && tecla <= '4') {
+        estado.elegido = tecla - '1';
         estado.inclinacion = 0;
-        break;
-    case 'i': estado.inclinacion -= PASO; break;
-    case 'o': estado.inclinacion += PASO; break;
-    default: return;
+    } else if (tecla == 'i') {
+        estado.inclinacion -= PASO;
+    } else if (tecla == 'o') {
+        estado.inclinacion += PASO;
+    } else {
+        return;
     }
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Transformación de la cámara", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    abreVentana(argc, argv, "La cámara", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

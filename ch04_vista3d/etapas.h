@@ -1,15 +1,17 @@
 // Un vértice por las etapas del pipeline (ejercicio 4.1) y el recortado de un polígono en coordenadas homogéneas.
 // Sin OpenGL; lo usa etapas_pipeline. Todo en doble.
 #pragma once
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
 
-/// Las matrices de un vértice, en el orden en que se aplican: modelo, cámara, proyección y área de dibujo.
+/// Las matrices de un vértice, en el orden en que se aplican. En el libro, M_M, M_C, M_Proy y M_vp.
 struct Matrices {
-    glm::dmat4 MM, MC, MProy, Mvp;
+    glm::dmat4 M, camara, proyeccion, viewport;
 };
 
 /// Lo que vale un vértice al salir de cada etapa. `ndc` y `ventana`, solo si está dentro del volumen de la
@@ -29,18 +31,24 @@ inline bool estaDentro(const glm::dvec4 &r) {
 inline glm::dvec3 divide(const glm::dvec4 &r) {
     return glm::dvec3(r) / r.w;
 }
+inline std::vector<glm::vec3> divide(const std::vector<glm::dvec4> &puntos) {
+    std::vector<glm::vec3> divididos;
+    for (const glm::dvec4 &p : puntos)
+        divididos.push_back(divide(p));
+    return divididos;
+}
 
 /// Lleva un vértice del objeto hasta la ventana (§4.5, ecuación 4.4).
 inline Etapas recorre(const glm::dvec3 &vertice, const Matrices &m) {
     Etapas e{};
     e.objeto = glm::dvec4(vertice, 1);
-    e.mundo = m.MM * e.objeto;
-    e.camara = m.MC * e.mundo;
-    e.recortado = m.MProy * e.camara;
+    e.mundo = m.M * e.objeto;
+    e.camara = m.camara * e.mundo;
+    e.recortado = m.proyeccion * e.camara;
     e.dentro = estaDentro(e.recortado) && e.recortado.w > 0;
     if (e.dentro) {
         e.ndc = divide(e.recortado);
-        e.ventana = m.Mvp * glm::dvec4(e.ndc, 1);
+        e.ventana = m.viewport * glm::dvec4(e.ndc, 1);
     }
     return e;
 }
@@ -75,14 +83,57 @@ inline std::vector<glm::dvec4> recorta(const std::vector<glm::vec3> &poligono, c
 }
 
 /// Área que ocupa en la ventana un polígono dado en coordenadas de recortado, en píxeles cuadrados.
-inline double areaVentana(const std::vector<glm::dvec4> &poligono, const glm::dmat4 &Mvp) {
+inline double areaVentana(const std::vector<glm::dvec4> &poligono, const glm::dmat4 &viewport) {
     double area = 0;
     for (std::size_t k = 2; k < poligono.size(); ++k) {
-        const auto enVentana = [&](std::size_t v) { return Mvp * glm::dvec4(divide(poligono[v]), 1); };
+        const auto enVentana = [&](std::size_t v) { return viewport * glm::dvec4(divide(poligono[v]), 1); };
         const glm::dvec4 a = enVentana(0), u = enVentana(k - 1) - a, v = enVentana(k) - a;
         area += 0.5 * (u.x * v.y - u.y * v.x);
     }
     return std::fabs(area);
+}
+
+/// Una malla con la transformación del modelo.
+struct Cuerpo {
+    std::vector<glm::vec3> vertices;
+    std::vector<unsigned> indices;
+    glm::dmat4 M;
+};
+
+/// Profundidad del triángulo abc (en coordenadas de ventana) en un punto, o 1, la máxima, si no cae en él: es lineal en la
+/// ventana.
+inline double profundidadEn(const glm::dvec2 &punto, const glm::dvec3 &a, const glm::dvec3 &b,
+                            const glm::dvec3 &c) {
+    const auto cruz = [](const glm::dvec2 &u, const glm::dvec2 &v) { return u.x * v.y - u.y * v.x; };
+    const glm::dvec2 ab(b - a), ac(c - a), ap = punto - glm::dvec2(a);
+    const double s = cruz(ap, ac) / cruz(ab, ac), t = cruz(ab, ap) / cruz(ab, ac);
+    return s >= 0 && t >= 0 && s + t <= 1 ? a.z + s * (b.z - a.z) + t * (c.z - a.z) : 1;
+}
+
+/// Lo que guarda el buffer de profundidad en el píxel de un vértice cuando se han pintado los triángulos que no lo
+/// tocan: la menor de sus profundidades, o la máxima, 1, si ninguno cae ahí.
+inline double profundidadGuardada(const std::vector<Cuerpo> &cuerpos, const Matrices &m, const Etapas &e) {
+    double menor = 1;
+    for (const Cuerpo &c : cuerpos)
+        for (std::size_t i = 0; i < c.indices.size(); i += 3) {
+            std::vector<glm::dvec4> poligono;
+            bool toca = false;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const glm::dvec4 mundo = c.M * glm::dvec4(c.vertices[c.indices[i + k]], 1);
+                toca = toca || mundo == e.mundo;
+                poligono.push_back(m.proyeccion * (m.camara * mundo));
+            }
+            if (toca)
+                continue;
+            poligono = recorta(poligono);
+            const auto enVentana = [&](std::size_t k) {
+                return glm::dvec3(m.viewport * glm::dvec4(divide(poligono[k]), 1));
+            };
+            for (std::size_t k = 2; k < poligono.size(); ++k)
+                menor = std::min(menor, profundidadEn(glm::dvec2(e.ventana), enVentana(0), enVentana(k - 1),
+                                                      enVentana(k)));
+        }
+    return menor;
 }
 
 /// «clave: valores», con las cifras de un float.
@@ -96,21 +147,22 @@ inline std::string linea(const char *clave, const std::vector<double> &valores) 
     return texto + "\n";
 }
 
-/// Una línea por etapa; las que no alcanza un vértice de fuera del volumen no salen.
-inline std::string describe(const Etapas &e) {
+/// Una línea por etapa, con el test de profundidad (listado 4.1); las que no alcanza un vértice de fuera del volumen no
+/// salen. Después, los lados y el área de lo que queda del polígono, si lo hay.
+inline std::string describe(const Etapas &e, double guardada, const std::vector<glm::dvec4> &poligono,
+                            const glm::dmat4 &viewport) {
     const auto cuatro = [](const glm::dvec4 &v) { return std::vector<double>{v.x, v.y, v.z, v.w}; };
-    const std::string texto = linea("objeto", cuatro(e.objeto)) + linea("mundo", cuatro(e.mundo)) +
-                              linea("cámara", cuatro(e.camara)) + linea("recortado", cuatro(e.recortado));
-    if (!e.dentro)
-        return texto + "fuera: se recorta\n";
-    return texto + linea("NDC", {e.ndc.x, e.ndc.y, e.ndc.z}) + linea("ventana", {e.ventana.x, e.ventana.y}) +
-           linea("píxel", {std::floor(e.ventana.x), std::floor(e.ventana.y)}) +
-           linea("profundidad", {e.ventana.z});
-}
-
-/// Los lados y el área de lo que queda de un polígono, si queda algo.
-inline std::string describe(const std::vector<glm::dvec4> &poligono, const glm::dmat4 &Mvp) {
-    return poligono.empty() ? ""
-                            : linea("lados", {static_cast<double>(poligono.size())}) +
-                                  linea("área en píxeles", {areaVentana(poligono, Mvp)});
+    std::string texto = linea("objeto", cuatro(e.objeto)) + linea("mundo", cuatro(e.mundo)) +
+                        linea("cámara", cuatro(e.camara)) + linea("recortado", cuatro(e.recortado));
+    if (e.dentro)
+        texto += linea("NDC", {e.ndc.x, e.ndc.y, e.ndc.z}) + linea("ventana", {e.ventana.x, e.ventana.y}) +
+                 linea("píxel", {std::floor(e.ventana.x), std::floor(e.ventana.y)}) +
+                 linea("profundidad", {e.ventana.z}) + linea("guardada", {guardada}) +
+                 (e.ventana.z < guardada ? "se pinta\n" : "se descarta\n");
+    else
+        texto += "fuera: se recorta\n";
+    if (!poligono.empty())
+        texto += linea("lados", {static_cast<double>(poligono.size())}) +
+                 linea("área en píxeles", {areaVentana(poligono, viewport)});
+    return texto;
 }

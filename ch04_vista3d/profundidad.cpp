@@ -5,35 +5,36 @@
 // Controles: 1 2 3 lejos/cerca 1e2 1e4 1e6 · ratón orbita · Esc termina.
 #include "profundidad.h"
 #include "ch03_transformaciones/transformaciones.h"
+#include "colores.h"
 #include "imagen.h"
 #include "malla.h"
 #include "orbita.h"
+#include "rotulo.h"
 #include "shader.h"
 #include "ventana.h"
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 static const int COLUMNAS = 4, FILAS = 3;
 static const float PRIMERO = 12, ULTIMO = 800, SEPARACION = 0.05f, LEJOS = 1000; // metros
 static const float CERCA[] = {10, 0.1f, 0.001f};
-static const glm::vec3 AZUL(0.16f, 0.38f, 0.80f), AMARILLO(0.98f, 0.78f, 0.15f);
+static const char *const RAZON[] = {"1e2", "1e4", "1e6"};
+static const float TALLA = 0.185f, PASO_X = 0.27f, PASO_Y = 0.26f; // de los carteles, a distancia 1
 
 static struct {
     GLuint programa, framebuffer, color, profundidad;
     Buferes plano;
-    int razon = 0;
+    int elegido = 0;
     bool informa = true;
-    Orbita orbita = {0, 0, 1, {0, 0, -1}}; // la cámara, en el origen
+    Orbita orbita = {0, 0, 300, {0, 0, -300}}; // la cámara, en el origen
 } estado;
 
 static void inicia() {
-    estado.programa = creaPrograma("ch04_vista3d/plano.vert", "ch04_vista3d/plano.frag");
+    estado.programa = creaPrograma("ch04_vista3d/profundidad.vert", "common/trazo.frag");
     estado.plano = creaBuferes(plano(16));
     glGenFramebuffers(1, &estado.framebuffer);
     glGenRenderbuffers(1, &estado.color);
     glGenRenderbuffers(1, &estado.profundidad);
-    glClearColor(0.87f, 0.93f, 0.98f, 1);
+    glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
 }
 
 static void cambiaTamano(int ancho, int alto) {
@@ -48,27 +49,47 @@ static void cambiaTamano(int ancho, int alto) {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, estado.profundidad);
 }
 
-static void dibujaPlano(const glm::mat4 &camaraModelo, const glm::vec3 &color) {
-    envia(estado.programa, "camaraModelo", camaraModelo);
-    envia(estado.programa, "colorObjeto", color);
-    glDrawElements(GL_TRIANGLES, estado.plano.nIndices, GL_UNSIGNED_INT, nullptr);
+static void dibujaPlano(const glm::mat4 &M, const glm::vec3 &color) {
+    envia(estado.programa, "M", M);
+    envia(estado.programa, "colorTrazo", color);
+    dibuja(estado.plano);
+}
+
+static float distanciaCartel(int i) {
+    return PRIMERO * std::pow(ULTIMO / PRIMERO, static_cast<float>(i) / (COLUMNAS * FILAS - 1));
+}
+
+// A distancia 1: de izquierda a derecha y de arriba abajo.
+static glm::vec3 centroCartel(int i) {
+    return {PASO_X * (static_cast<float>(i % COLUMNAS) - 0.5f * (COLUMNAS - 1)),
+            PASO_Y * (0.5f * (FILAS - 1) - static_cast<float>(i / COLUMNAS)) + 0.035f, -1};
+}
+
+static glm::mat4 proyeccion() {
+    return perspectivaVentana(0.8f, CERCA[estado.elegido], LEJOS);
 }
 
 // Los carteles crecen con la distancia y se ven todos iguales; inclinados, cada uno abarca muchas profundidades.
 // El cuadro se pinta después: donde las dos profundidades son iguales, el test (<) deja lo azul.
 static void dibujaCarteles() {
-    const glm::mat4 proyeccion = perspectivaVentana(0.8f, CERCA[estado.razon], LEJOS);
-    const glm::mat4 camara = camaraOrbita(estado.orbita);
-    envia(estado.programa, "proyeccion", proyeccion);
+    envia(estado.programa, "proyeccion", proyeccion());
+    envia(estado.programa, "camara", camaraOrbita(estado.orbita));
     for (int i = 0; i < COLUMNAS * FILAS; ++i) {
-        const float d = PRIMERO * std::pow(ULTIMO / PRIMERO, static_cast<float>(i) / (COLUMNAS * FILAS - 1));
-        const glm::vec3 centro(0.27f * static_cast<float>(i % COLUMNAS) - 0.4f,
-                               0.27f * static_cast<float>(i / COLUMNAS) - 0.27f, -1);
-        const glm::mat4 inclinado = giroY(0.5f) * giroX(-0.5f) * escalado(0.24f * d);
-        dibujaPlano(camara * traslacion(d * centro) * inclinado, AZUL);
-        dibujaPlano(camara * traslacion(d * centro + glm::vec3(0, 0, SEPARACION)) * inclinado *
+        const float d = distanciaCartel(i);
+        const glm::mat4 inclinado = giroY(0.5f) * giroX(-0.5f) * escalado(TALLA * d);
+        dibujaPlano(traslacion(d * centroCartel(i)) * inclinado, AZUL);
+        dibujaPlano(traslacion(d * centroCartel(i) + glm::vec3(0, 0, SEPARACION)) * inclinado *
                         escalado(0.8f),
                     AMARILLO);
+    }
+}
+
+static void rotulaDistancias() {
+    const glm::mat4 aRecortado = proyeccion() * camaraOrbita(estado.orbita);
+    for (int i = 0; i < COLUMNAS * FILAS; ++i) {
+        const float d = distanciaCartel(i);
+        rotulaPunto(std::to_string(std::lround(d)) + " m", d * (centroCartel(i) - glm::vec3(0, 0.107f, 0)),
+                    aRecortado, OSCURO, Lado::DEBAJO, 0.033f);
     }
 }
 
@@ -91,7 +112,7 @@ static int cuentaAmarillos() {
 // Dos maneras de contar pares: los píxeles de los cuadros, y el cálculo de profundidad.h para superficies
 // separadas una cienmilésima de su distancia. `amarillos`: los píxeles en que el cuadro debería verse.
 static void informa(int amarillos) {
-    const double cerca = static_cast<double>(CERCA[estado.razon]), lejos = static_cast<double>(LEJOS);
+    const double cerca = static_cast<double>(CERCA[estado.elegido]), lejos = static_cast<double>(LEJOS);
     GLint bits = 0;
     glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_DEPTH_SIZE, &bits);
     const double mal = amarillos > 0 ? 1 - static_cast<double>(cuentaAmarillos()) / amarillos : 0;
@@ -108,7 +129,6 @@ static void informa(int amarillos) {
 static void dibuja() {
     glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
     glUseProgram(estado.programa);
-    glBindVertexArray(estado.plano.vao);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     int amarillos = 0;
     if (estado.informa) { // sin test, el cuadro, que va después, queda entero encima
@@ -123,13 +143,16 @@ static void dibuja() {
         informa(amarillos);
     estado.informa = false;
     copiaEnVentana();
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    rotulaDistancias();
+    ponTitulo("Precisión de la profundidad: lejos/cerca = " + std::string(RAZON[estado.elegido]));
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla) || tecla < '1' || tecla > '3')
         return;
-    estado.razon = tecla - '1';
+    estado.elegido = tecla - '1';
     estado.informa = true;
     glutPostRedisplay();
 }

@@ -1,7 +1,7 @@
 // Las matrices del capítulo 4, escritas como las da el libro (ecuaciones 4.1 a 4.4) salvo donde se equivoca
 // (docs/erratas.md). Sin OpenGL: las usan los programas y las comprueban las pruebas. Todo se calcula en doble
-// y se pasa a float una sola vez, al guardar el producto en la glm::mat4 que va a la GPU:
-//   const glm::mat4 camara = proyeccionPerspectiva(theta, aspecto, cerca, lejos) * transformacionCamara(p, i, UP);
+// y se pasa a float una sola vez, al dar cada matriz a la GPU:
+//   envia(programa, "camara", glm::mat4(transformacionCamara(p, i, UP)));
 // Ángulos en radianes; glm::dmat4 guarda columnas, así que aquí cada línea es una columna.
 #pragma once
 #include "error.h"
@@ -73,12 +73,6 @@ inline glm::dmat4 proyeccionPerspectiva(double theta, double aspecto, double cer
             {0, 1 / t, 0, 0},
             {0, 0, (lejos + cerca) / fondo, -1},
             {0, 0, 2 * lejos * cerca / fondo, 0}};
-}
-
-/// El ángulo en Y con que `angulo` abarca el lado menor de una vista de ese aspecto: así, estrecharla no
-/// corta la escena.
-inline double anguloEnY(double angulo, double aspecto) {
-    return aspecto < 1 ? 2 * std::atan(std::tan(angulo / 2) / aspecto) : angulo;
 }
 
 /// Transformación al área de dibujo, ecuación 4.4: lleva el volumen canónico a coordenadas de ventana y la

@@ -1,107 +1,115 @@
-// El volumen de la vista visto desde fuera (figuras 4.3 y 4.4): la pirámide truncada de la perspectiva o la caja de
-// la paralela, entre el plano cerca (naranja) y el plano lejos (azul). Solo lo que está dentro conserva su color:
-// el fragment shader comprueba la condición del recortado, −w ≤ x, y, z ≤ w.
-// Controles: p cambia de proyección · + - mueven el plano lejos · ratón orbita · Esc termina.
-#include "malla.h"
+// El volumen de la vista visto desde fuera (figuras 4.3 y 4.4), con sus parámetros: la pirámide truncada de la perspectiva o la
+// caja de la paralela, entre el plano cerca (naranja) y el plano lejos (azul). Solo lo que está dentro conserva su
+// color: el fragment shader comprueba la condición del recortado, −w ≤ x, y, z ≤ w.
+// Controles: p cambia de proyección · , . mueven el plano cerca · - + mueven el plano lejos · ratón orbita · Esc termina.
+#include "ch03_transformaciones/objeto.h"
 #include "orbita.h"
 #include "piezas.h"
-#include "shader.h"
+#include "rotulo.h"
+#include "trazo.h"
 #include "ventana.h"
+#include "vista.h"
 #include "volumen.h"
+#include <cstdio>
+#include <glm/gtc/constants.hpp>
 
 static const double THETA = 0.52, ASPECTO = 4.0 / 3, ALTO = 1.7; // radianes; medio alto de la caja
-static const double CERCA = 2.5, PASO = 0.5, LEJOS_MINIMO = 3.5, LEJOS_MAXIMO = 14;
-static const glm::dvec3 ojo(0, 2.5, 6.5), interes(0, 2.5, 0);
-
-static const glm::vec3 rojo(0.85f, 0.20f, 0.18f), verde(0.20f, 0.62f, 0.28f), azul(0.16f, 0.38f, 0.80f),
-    naranja(0.95f, 0.55f, 0.10f), amarillo(0.98f, 0.78f, 0.15f), morado(0.55f, 0.30f, 0.70f),
-    oscuro(0.16f, 0.17f, 0.20f), gris(0.55f, 0.58f, 0.62f), suelo(0.60f, 0.80f, 0.58f);
+static const double PASO = 0.5, CERCA_MINIMO = 1.5, LEJOS_MAXIMO = 12;
+static const float TALLA = 0.033f; // de los rótulos
+static const glm::dvec3 OJO(0, 2.5, 6.5), INTERES(0, 2.5, 0);
 
 static struct {
     GLuint deObjetos, deEscena, deTintes;
     Buferes cubo, cilindro, cono, esfera, plano;
     bool enPerspectiva = true;
-    double lejos = 9;
-    Orbita orbita = {0.95f, 0.38f, 17.5f, {0, 2.2f, 1.5f}};
+    double cerca = 2.5, lejos = 9;
+    Orbita orbita = {0.95f, 0.36f, 20.3f, {0.0f, 1.6f, 0.9f}, 0.05f};
 } estado;
 
 static void inicia() {
-    estado.deObjetos = creaPrograma("ch03_transformaciones/objeto.vert", "ch03_transformaciones/objeto.frag");
+    estado.deObjetos = creaProgramaObjeto();
     estado.deEscena = creaPrograma("ch04_vista3d/volumen_vista.vert", "ch04_vista3d/volumen_vista.frag");
-    estado.deTintes = creaPrograma("ch04_vista3d/linea.vert", "ch04_vista3d/linea.frag");
+    estado.deTintes = creaPrograma("ch03_transformaciones/objeto.vert", "common/trazo.frag");
     estado.cubo = creaBuferes(cubo());
     estado.cilindro = creaBuferes(cilindro(24));
     estado.cono = creaBuferes(cono(48));
     estado.esfera = creaBuferes(esfera(48));
     estado.plano = creaBuferes(plano(1));
     glEnable(GL_DEPTH_TEST);
-    glClearColor(0.95f, 0.96f, 0.98f, 1);
+    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
-static void dibujaMalla(GLuint programa, const Buferes &malla, const glm::mat4 &M, const glm::vec3 &color) {
-    const glm::mat3 N = matrizNormal(M);
-    envia(programa, "M", M);
-    envia(programa, "N", N);
-    envia(programa, "colorObjeto", color);
-    dibuja(malla);
+static void empieza(GLuint programa, const glm::mat4 &proyeccion, const glm::mat4 &camara) {
+    glUseProgram(programa);
+    envia(programa, "proyeccion", proyeccion);
+    envia(programa, "camara", camara);
 }
 
-static void dibujaEscena(const glm::mat4 &camara, const glm::mat4 &volumen) {
-    const GLuint p = estado.deEscena;
-    const glm::mat4 dePie = giroX(-1.5708f); // los conos, con el vértice arriba
-    glUseProgram(p);
-    envia(p, "camara", camara);
-    envia(p, "volumen", volumen);
-    dibujaMalla(p, estado.cubo, traslacion({0, -0.1f, 0.5f}) * escalado({9, 0.2f, 12}), suelo);
-    dibujaMalla(p, estado.esfera, traslacion({-0.7f, 2.5f, 2.3f}) * escalado(0.6f), rojo);
-    dibujaMalla(p, estado.cono, traslacion({1.2f, 0, 0.2f}) * dePie * escalado({0.9f, 0.9f, 3.8f}), verde);
-    dibujaMalla(p, estado.cubo, traslacion({-2.3f, 1.5f, -0.4f}) * escalado({1.4f, 3, 1.4f}), amarillo);
-    dibujaMalla(p, estado.esfera, traslacion({0.5f, 1.8f, -2.7f}) * escalado(1.5f), morado);
-    dibujaMalla(p, estado.cubo, traslacion({1.9f, 0.5f, 5.7f}), azul);
-    dibujaMalla(p, estado.cono, traslacion({-3.0f, 0, 3.2f}) * dePie * escalado({0.8f, 0.8f, 2.4f}), naranja);
+static void dibujaEscena(const glm::mat4 &volumen) {
+    const auto pon = [&](const Buferes &solido, const glm::mat4 &M, const glm::vec3 &color) {
+        envia(estado.deEscena, "aRecortado", volumen * M);
+        dibujaObjeto(estado.deEscena, solido, M, color);
+    };
+    const glm::mat4 dePie = giroX(-glm::half_pi<float>()); // los conos, con el vértice arriba
+    pon(estado.cubo, traslacion({0, -0.1f, 0.5f}) * escalado({8, 0.2f, 12}), SUELO);
+    pon(estado.esfera, traslacion({-0.7f, 2.5f, 2.3f}) * escalado(0.6f), ROJO);
+    pon(estado.cono, traslacion({1.2f, 0, 0.2f}) * dePie * escalado({0.9f, 0.9f, 3.8f}), VERDE);
+    pon(estado.cubo, traslacion({-2.3f, 1.5f, -0.4f}) * escalado({1.4f, 3, 1.4f}), AMARILLO);
+    pon(estado.esfera, traslacion({0.5f, 1.8f, -2.7f}) * escalado(1.5f), MORADO);
+    pon(estado.cubo, traslacion({1.9f, 0.5f, 5.7f}), AZUL);
+    pon(estado.cono, traslacion({-3.0f, 0, 3.2f}) * dePie * escalado({0.8f, 0.8f, 2.4f}), NARANJA);
 }
 
-static void dibujaVolumen(const glm::mat4 &camara, const Esquinas &esquinas, const glm::dmat4 &alMundo) {
-    const GLuint p = estado.deObjetos;
-    glUseProgram(p);
-    envia(p, "camara", camara);
-    for (const PiezaCamara &pieza : piezasCamara())
-        dibujaMalla(p, pieza.esRedonda ? estado.cilindro : estado.cubo, glm::mat4(alMundo) * pieza.M,
-                    pieza.color);
-    std::array<glm::vec3, 8> e;
-    for (std::size_t k = 0; k < 8; ++k)
-        e[k] = alMundo * glm::dvec4(esquinas[k], 1);
-    for (std::size_t k = 0; k < 8; ++k) {
-        const glm::vec3 &siguiente = e[k % 4 == 3 ? k - 3 : k + 1], &color = k < 4 ? naranja : azul;
-        dibujaMalla(p, estado.cilindro, segmento(e[k], siguiente, 0.06f), color);
-        dibujaMalla(p, estado.esfera, traslacion(e[k]) * escalado(0.1f), color);
-    }
-    for (std::size_t k = 0; k < 4; ++k) {
-        dibujaMalla(p, estado.cilindro, segmento(e[k], e[k + 4], 0.05f), oscuro);
+static std::string conValor(const char *nombre, double valor) {
+    char texto[48];
+    std::snprintf(texto, sizeof texto, "%s %.3g", nombre, valor);
+    return texto;
+}
+
+// Las aristas y los parámetros, en el lado o el plano que cada uno decide.
+static void trazaVolumen(const std::array<glm::vec3, 8> &e, const glm::mat4 &aRecortado) {
+    const auto base = e.begin();
+    for (int k = 0; k < 4; ++k) {
+        trazaSegmentos({e[k], e[k + 4]}, aRecortado, OSCURO, 5);
         if (estado.enPerspectiva)
-            dibujaMalla(p, estado.cilindro, segmento(ojo, e[k], 0.02f), gris);
+            trazaSegmentos({glm::vec3(OJO), e[k]}, aRecortado, GRIS, 3);
+    }
+    trazaPolilinea({base, base + 4}, aRecortado, NARANJA, 8, true);
+    trazaPolilinea({base + 4, base + 8}, aRecortado, AZUL, 8, true);
+    const auto rotulaLado = [&](const std::string &texto, std::size_t a, std::size_t b, Lado lado,
+                                const glm::vec3 &color) {
+        rotulaPunto(texto, 0.5f * (e[a] + e[b]), aRecortado, color, lado, TALLA);
+    };
+    rotulaLado(conValor("cerca", estado.cerca), 3, 3, Lado::ENCIMA, NARANJA);
+    rotulaLado(conValor("lejos", estado.lejos), 6, 6, Lado::ENCIMA, AZUL);
+    if (estado.enPerspectiva) {
+        rotulaPunto("θ", OJO - glm::dvec3(0, 0.4, 0), aRecortado, OSCURO, Lado::DEBAJO, TALLA);
+        rotulaLado("ancho", 4, 5, Lado::DEBAJO, OSCURO);
+        rotulaLado("alto", 5, 6, Lado::DERECHA, OSCURO);
+    } else {
+        rotulaLado("izquierda", 0, 3, Lado::IZQUIERDA, OSCURO);
+        rotulaLado("derecha", 5, 6, Lado::DERECHA, OSCURO);
+        rotulaLado("abajo", 0, 1, Lado::DEBAJO, OSCURO);
+        rotulaLado("arriba", 3, 7, Lado::ENCIMA, OSCURO);
     }
 }
 
 // Los dos planos, translúcidos: el cuadrado de lado 1 llevado a la esquina 0 con los lados que salen de ella.
-static void dibujaTintes(const glm::mat4 &camara, const Esquinas &e, const glm::dmat4 &alMundo) {
-    const GLuint p = estado.deTintes;
-    glUseProgram(p);
+static void dibujaTintes(const std::array<glm::vec3, 8> &e) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
     glBlendColor(0, 0, 0, 0.35f);
     glDepthMask(GL_FALSE);
-    glBindVertexArray(estado.plano.vao);
     // primero el más lejano a quien mira
-    const bool porDelante = posicionCamara(estado.orbita).z < ojo.z - (CERCA + estado.lejos) / 2;
+    const bool porDelante =
+        static_cast<double>(posicionCamara(estado.orbita).z) < OJO.z - (estado.cerca + estado.lejos) / 2;
     for (const std::size_t base : {porDelante ? 0u : 4u, porDelante ? 4u : 0u}) {
-        const glm::dvec3 x = e[base + 1] - e[base], y = e[base + 3] - e[base];
-        const glm::mat4 M = glm::dmat4(camara) * alMundo *
-                            glm::dmat4(glm::dvec4(x, 0), glm::dvec4(y, 0), glm::dvec4(0, 0, 1, 0),
-                                       glm::dvec4(e[base] + 0.5 * (x + y), 1));
-        envia(p, "camara", M);
-        envia(p, "colorObjeto", base ? azul : naranja);
-        glDrawElements(GL_TRIANGLES, estado.plano.nIndices, GL_UNSIGNED_INT, nullptr);
+        const glm::vec3 x = e[base + 1] - e[base], y = e[base + 3] - e[base];
+        envia(estado.deTintes, "M",
+              glm::mat4(glm::vec4(x, 0), glm::vec4(y, 0), glm::vec4(0, 0, 1, 0),
+                        glm::vec4(e[base] + 0.5f * (x + y), 1)));
+        envia(estado.deTintes, "colorTrazo", base ? AZUL : NARANJA);
+        dibuja(estado.plano);
     }
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
@@ -110,17 +118,27 @@ static void dibujaTintes(const glm::mat4 &camara, const Esquinas &e, const glm::
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const double x = ASPECTO * ALTO;
-    const glm::dmat4 vista = transformacionCamara(ojo, interes, {0, 1, 0}), alMundo = glm::inverse(vista);
-    const glm::dmat4 proyeccion = estado.enPerspectiva
-                                      ? proyeccionPerspectiva(THETA, ASPECTO, CERCA, estado.lejos)
-                                      : proyeccionParalela(-x, x, -ALTO, ALTO, CERCA, estado.lejos);
-    const Esquinas esquinas = estado.enPerspectiva
-                                  ? esquinasPerspectiva(THETA, ASPECTO, CERCA, estado.lejos)
-                                  : esquinasParalela(-x, x, -ALTO, ALTO, CERCA, estado.lejos);
-    const glm::mat4 camara = perspectivaVentana(0.55f, 1, 100) * camaraOrbita(estado.orbita);
-    dibujaEscena(camara, proyeccion * vista);
-    dibujaVolumen(camara, esquinas, alMundo);
-    dibujaTintes(camara, esquinas, alMundo);
+    const glm::dmat4 vista = transformacionCamara(OJO, INTERES, {0, 1, 0}), alMundo = glm::inverse(vista);
+    const glm::dmat4 volumen = estado.enPerspectiva
+                                   ? proyeccionPerspectiva(THETA, ASPECTO, estado.cerca, estado.lejos)
+                                   : proyeccionParalela(-x, x, -ALTO, ALTO, estado.cerca, estado.lejos);
+    const Esquinas enCamara = estado.enPerspectiva
+                                  ? esquinasPerspectiva(THETA, ASPECTO, estado.cerca, estado.lejos)
+                                  : esquinasParalela(-x, x, -ALTO, ALTO, estado.cerca, estado.lejos);
+    std::array<glm::vec3, 8> esquinas;
+    for (std::size_t k = 0; k < 8; ++k)
+        esquinas[k] = alMundo * glm::dvec4(enCamara[k], 1);
+    const glm::mat4 proyeccion = perspectivaVentana(0.55f, 1, 100), camara = camaraOrbita(estado.orbita);
+    empieza(estado.deEscena, proyeccion, camara);
+    dibujaEscena(glm::mat4(volumen * vista));
+    empieza(estado.deObjetos, proyeccion, camara);
+    for (const PiezaCamara &pieza : piezasCamara())
+        dibujaObjeto(estado.deObjetos, pieza.esRedonda ? estado.cilindro : estado.cubo,
+                     glm::mat4(alMundo) * pieza.M, pieza.color);
+    empieza(estado.deTintes, proyeccion, camara);
+    dibujaTintes(esquinas);
+    trazaVolumen(esquinas, proyeccion * camara);
+    ponTitulo(conValor("El volumen de la vista: cerca", estado.cerca) + conValor(", lejos", estado.lejos));
     glutSwapBuffers();
 }
 
@@ -129,8 +147,10 @@ static void teclado(unsigned char tecla, int, int) {
         return;
     switch (tecla) {
     case 'p': estado.enPerspectiva = !estado.enPerspectiva; break;
+    case ',': estado.cerca = std::max(estado.cerca - PASO, CERCA_MINIMO); break;
+    case '.': estado.cerca = std::min(estado.cerca + PASO, estado.lejos - PASO); break;
+    case '-': estado.lejos = std::max(estado.lejos - PASO, estado.cerca + PASO); break;
     case '+': estado.lejos = std::min(estado.lejos + PASO, LEJOS_MAXIMO); break;
-    case '-': estado.lejos = std::max(estado.lejos - PASO, LEJOS_MINIMO); break;
     default: return;
     }
     glutPostRedisplay();

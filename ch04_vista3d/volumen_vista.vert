@@ -1,16 +1,17 @@
 #version 140
 
-uniform mat4 M;       // transformación del modelo
-uniform mat3 N;       // transformación de la normal
-uniform mat4 camara;  // proyección por vista de quien mira desde fuera
-uniform mat4 volumen; // proyección por vista de la cámara que se estudia
+uniform mat4 M;          // transformación del modelo
+uniform mat3 N;          // transformación de la normal
+uniform mat4 camara;     // de quien mira desde fuera
+uniform mat4 proyeccion;
+uniform mat4 aRecortado; // del objeto a coordenadas de recortado del volumen que se estudia
 
 in vec3 posicion, vNormal;
 out vec3 normal;
-out vec4 recortado; // coordenadas de recortado en el volumen que se estudia
+out vec4 recortado;
 
 void main() {
     normal = normalize(N * vNormal);
-    recortado = volumen * M * vec4(posicion, 1.0);
-    gl_Position = camara * M * vec4(posicion, 1.0);
+    recortado = aRecortado * vec4(posicion, 1.0);
+    gl_Position = proyeccion * camara * M * vec4(posicion, 1.0);
 }

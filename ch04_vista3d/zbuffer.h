@@ -10,6 +10,12 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+/// luz_fija.glsl en la CPU.
+const glm::vec3 HACIA_LUZ_FIJA(0.20f, 0.78f, 0.593f);
+inline float luzFija(const glm::vec3 &normal) {
+    return 0.58f + 0.42f * glm::dot(normal, HACIA_LUZ_FIJA);
+}
+
 /// Los dos buffers del listado 4.1. La profundidad va de 0 (cerca) a 1 (lejos).
 struct BufferZ {
     Imagen color;

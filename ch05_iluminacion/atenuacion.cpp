@@ -1,72 +1,102 @@
-// La atenuación de la luz con la distancia d a la fuente, 1/(a + b·d + c·d²) (ecuación 5.3), sobre filas de
-// esferas que se alejan de ella: constante (a), lineal (b) y cuadrática (c). Con estos coeficientes las tres
-// valen 1 a distancia 3: más cerca alumbra más la cuadrática y más lejos, la constante.
+// La atenuación de la luz con la distancia d a la fuente, 1/(a + b·d + c·d²) (ecuación 5.3): constante (a), lineal (b) y
+// cuadrática (c). Sobre cada esfera, a distancia 1, 2… de la fuente, se alza la parte de luz que le llega; la curva las
+// une. Con estos coeficientes la lineal y la cuadrática se cruzan a distancia 3, donde valen ½.
 // Controles: 1 constante · 2 lineal · 3 cuadrática · ratón orbita · Esc termina.
-#include "ch03_transformaciones/transformaciones.h"
+#include "colores.h"
 #include "iluminacion.h"
-#include "malla.h"
 #include "orbita.h"
+#include "rotulo.h"
+#include "trazo.h"
 #include "ventana.h"
+#include <glm/gtc/constants.hpp>
 
-static const float RECTO = 1.57079633f; // radianes
-static const int COLUMNAS = 5, FILAS = 3;
-static const glm::vec3 La(1), POSICION(-5.0f, 2.4f, 3.6f);
-static const glm::vec3 COEFICIENTES[] = {
-    {1, 0, 0}, {0, 1 / 3.0f, 0}, {0, 0, 1 / 9.0f}}; // a, b, c de cada tecla
+static const int ESFERAS = 6;
+static const float RADIO = 0.42f, D_MAXIMA = ESFERAS + 0.6f;
+static const float PIE = 0.8f, ALTO = 2.2f; // el eje vertical de la curva
+static const glm::vec3 LA(1);               // la fuente está en el origen
+static const struct {
+    const char *nombre, *formula;
+    glm::vec3 abc;
+} MODOS[] = {{"constante", "1", {1, 0, 0}},
+             {"lineal", "1/(1 + d/3)", {1, 1 / 3.0f, 0}},
+             {"cuadrática", "1/(1 + d²/9)", {1, 0, 1 / 9.0f}}};
 
-static const Material suelo = {{0.05f, 0.05f, 0.06f}, {0.55f, 0.57f, 0.60f}, {0, 0, 0}, 1};
-static const Material bola = {{0.06f, 0.035f, 0.01f}, {0.90f, 0.50f, 0.12f}, {0.45f, 0.45f, 0.45f}, 40};
-static const Material encendido = {{1.00f, 0.93f, 0.60f}, {0, 0, 0}, {0, 0, 0}, 1}; // la propia fuente
+static const Material PISO = {{0.05f, 0.05f, 0.06f}, {0.55f, 0.57f, 0.60f}, {0, 0, 0}, 1};
+static const Material BOLA = {{0.14f, 0.08f, 0.02f}, {0.84f, 0.50f, 0.12f}, {0.30f, 0.30f, 0.30f}, 20};
+static const Material ENCENDIDA = {{1.00f, 0.93f, 0.60f}, {0, 0, 0}, {0, 0, 0}, 1}; // la propia fuente
 
 static struct {
     GLuint programa;
     Buferes plano, esfera;
-    Orbita orbita = {0, 0.72f, 25.5f, {-0.2f, 0.2f, 0}};
-    int modo = 0;
+    Orbita orbita = {-0.45f, 0.3f, 21, {3.0f, 1.2f, 0}, 0.05f};
+    int elegido = 0;
 } estado;
 
 static void inicia() {
-    estado.programa =
-        creaPrograma("ch05_iluminacion/sombreado_phong.vert", "ch05_iluminacion/sombreado_phong.frag");
+    estado.programa = creaSombreado("phong");
     estado.plano = creaBuferes(plano(1));
-    estado.esfera = creaBuferes(esfera(segmentosPara(60, 0.05f)));
+    estado.esfera = creaBuferes(esfera(segmentosEsfera(70)));
     glEnable(GL_DEPTH_TEST);
-    glClearColor(0.10f, 0.11f, 0.13f, 1);
+    glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
 }
 
-static void dibujaObjeto(const Buferes &objeto, const glm::mat4 &M, const Material &material) {
-    const glm::mat3 N = matrizNormal(camaraOrbita(estado.orbita) * M);
-    envia(estado.programa, "M", M);
-    envia(estado.programa, "N", N);
-    enviaMaterial(estado.programa, material);
-    dibuja(objeto);
+/// El punto de la curva del modo a distancia d: en el plano de la fila, sobre ella.
+static glm::vec3 enCurva(int modo, float d) {
+    const glm::vec3 &abc = MODOS[modo].abc;
+    return {d, PIE + ALTO / (abc.x + d * (abc.y + d * abc.z)), 0};
+}
+
+static void dibujaCurvas(const glm::mat4 &vista) {
+    trazaFlecha({0, PIE, 0}, {0, PIE + 1.2f * ALTO, 0}, vista, BLANCO);
+    trazaFlecha({0, PIE, 0}, {D_MAXIMA + 0.2f, PIE, 0}, vista, BLANCO);
+    rotulaPunto("1", {0, PIE + ALTO, 0}, vista, BLANCO, Lado::IZQUIERDA);
+    rotulaPunto("d", {D_MAXIMA + 0.2f, PIE, 0}, vista, BLANCO, Lado::DERECHA);
+    for (int modo = 0; modo < 3; ++modo) {
+        const bool elegido = modo == estado.elegido;
+        std::vector<glm::vec3> curva;
+        for (int i = 0; i <= 60; ++i)
+            curva.push_back(enCurva(modo, D_MAXIMA * static_cast<float>(i) / 60));
+        trazaPolilinea(curva, vista, elegido ? AMARILLO : GRIS, elegido ? GROSOR : GROSOR / 2);
+    }
+    for (int d = 1; d <= ESFERAS; ++d) {
+        const glm::vec3 valor = enCurva(estado.elegido, static_cast<float>(d));
+        trazaSegmentos({{valor.x, PIE, 0}, valor}, vista, AMARILLO, GROSOR / 2);
+        trazaPuntos({valor}, vista, AMARILLO);
+        rotulaPunto(std::to_string(d), {valor.x, -RADIO, 1}, vista, BLANCO, Lado::DEBAJO);
+    }
+    rotulaPunto(MODOS[estado.elegido].formula, {3, PIE + 1.2f * ALTO, 0}, vista, AMARILLO);
 }
 
 static void dibuja() {
-    Luz luz{glm::vec4(POSICION, 1)};
-    luz.atenuacion = COEFICIENTES[estado.modo];
+    Luz luz{{0, 0, 0, 1}};
+    luz.atenuacion = MODOS[estado.elegido].abc;
 
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.28f, 1, 100);
+    const auto solido = [&](const Buferes &buferes, const glm::mat4 &M, const Material &material) {
+        dibujaObjeto(estado.programa, buferes, M, camara, material);
+    };
     glUseProgram(estado.programa);
-    const glm::mat4 vista = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.36f, 1, 100);
-    envia(estado.programa, "vista", vista);
     envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "La", La);
-    enviaLuz(estado.programa, "luz", luz, vista);
-    dibujaObjeto(estado.plano, giroX(-RECTO) * escalado({12.5f, 9, 1}), suelo);
-    dibujaObjeto(estado.esfera, traslacion(POSICION) * escalado(0.25f), encendido);
-    for (int i = 0; i < COLUMNAS; ++i)
-        for (int j = 0; j < FILAS; ++j) {
-            const glm::vec3 centro(2.2f * static_cast<float>(i) - 4, 0.8f, 2.2f * static_cast<float>(j) - 3);
-            dibujaObjeto(estado.esfera, traslacion(centro) * escalado(0.8f), bola);
-        }
+    envia(estado.programa, "camara", camara);
+    envia(estado.programa, "La", LA);
+    enviaLuz(estado.programa, "luz", luz, camara);
+    solido(estado.plano,
+           traslacion({D_MAXIMA / 2 - 0.3f, -RADIO, 0}) * giroX(-glm::half_pi<float>()) *
+               escalado({D_MAXIMA + 0.6f, 2, 1}),
+           PISO);
+    solido(estado.esfera, escalado(0.2f), ENCENDIDA);
+    for (int d = 1; d <= ESFERAS; ++d)
+        solido(estado.esfera, traslacion({d, 0, 0}) * escalado(RADIO), BOLA);
+    dibujaCurvas(proyeccion * camara);
+    ponTitulo(std::string("Atenuación con la distancia: ") + MODOS[estado.elegido].nombre);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla) || tecla < '1' || tecla > '3')
         return;
-    estado.modo = tecla - '1';
+    estado.elegido = tecla - '1';
     glutPostRedisplay();
 }
 

@@ -1,104 +1,121 @@
-// Los tipos de fuente de luz de §5.2 (figuras 5.4 y 5.5): posicional, que alumbra en todas las direcciones
-// desde un punto; direccional, de rayos paralelos; y foco, una posicional que solo alumbra dentro de un cono
-// y se concentra alrededor de su eje según un exponente. No hay sombras: son el capítulo 7.
-// Controles: 1 posicional · 2 direccional · 3 foco · + - exponente del foco · ratón orbita · Esc termina.
-#include "ch03_transformaciones/transformaciones.h"
+// Los tipos de fuente de luz de §5.2 (figuras 5.4 y 5.5): posicional, que alumbra en todas las direcciones desde un
+// punto; direccional, de rayos paralelos; y foco, una posicional que solo alumbra dentro de un cono, de eje S y ángulo
+// δ, y se concentra alrededor de su eje según un exponente. No hay sombras: son el capítulo 7.
+// Controles: 1 posicional · 2 direccional · 3 foco · + - exponente del foco · , . ángulo de su cono ·
+// ratón orbita · Esc termina.
+#include "colores.h"
 #include "iluminacion.h"
-#include "malla.h"
 #include "orbita.h"
+#include "rotulo.h"
+#include "trazo.h"
 #include "ventana.h"
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <sstream>
 
-static const glm::vec3 La(1), POSICION(-0.9f, 3.3f, 1.1f), APUNTA(0.3f, 0, 0);
-static const float DELTA = 0.52f, RECTO = 1.57079633f; // radianes
-static const float EXPONENTE_MAXIMO = 64;
+enum Tipo { POSICIONAL, DIRECCIONAL, FOCO };
 
-static const Material suelo = {{0.13f, 0.14f, 0.16f}, {0.62f, 0.64f, 0.68f}, {0.15f, 0.15f, 0.15f}, 20};
-static const Material rojo = {{0.18f, 0.05f, 0.05f}, {0.75f, 0.18f, 0.16f}, {0.60f, 0.60f, 0.60f}, 50};
-static const Material verde = {{0.05f, 0.15f, 0.07f}, {0.18f, 0.62f, 0.28f}, {0.50f, 0.50f, 0.50f}, 50};
-static const Material azul = {{0.05f, 0.10f, 0.20f}, {0.16f, 0.40f, 0.80f}, {0.60f, 0.60f, 0.60f}, 50};
-static const Material naranja = {{0.19f, 0.11f, 0.03f}, {0.80f, 0.46f, 0.10f}, {0.50f, 0.50f, 0.50f}, 50};
-static const Material encendido = {{1.00f, 0.93f, 0.60f}, {0, 0, 0}, {0, 0, 0}, 1}; // la propia fuente
+static const glm::vec3 LA(1), POSICION(-0.9f, 3.3f, 1.1f), APUNTA(0.3f, 0, 0);
+static const glm::vec3 S = glm::normalize(APUNTA - POSICION);
+static const float EXPONENTE_MINIMO = 0.5f, EXPONENTE_MAXIMO = 64;
+static const int DELTA_MAXIMO = 90, PASO_DELTA = 5; // grados
+static const float GENERATRIZ = 1.4f;               // lo que se dibuja del cono
+
+static const Material SUELO_GRIS = {{0.20f, 0.21f, 0.23f}, {0.62f, 0.64f, 0.68f}, {0.15f, 0.15f, 0.15f}, 20};
+static const Material ROJA = {{0.18f, 0.05f, 0.05f}, {0.75f, 0.18f, 0.16f}, {0.60f, 0.60f, 0.60f}, 50};
+static const Material VERDOSO = {{0.05f, 0.15f, 0.07f}, {0.18f, 0.62f, 0.28f}, {0.50f, 0.50f, 0.50f}, 50};
+static const Material AZULADO = {{0.05f, 0.10f, 0.20f}, {0.16f, 0.40f, 0.80f}, {0.60f, 0.60f, 0.60f}, 50};
+static const Material ANARANJADO = {{0.19f, 0.11f, 0.03f}, {0.80f, 0.46f, 0.10f}, {0.50f, 0.50f, 0.50f}, 50};
 
 static struct {
     GLuint programa;
-    Buferes plano, esfera, cono, toro, cubo, cilindro;
-    Orbita orbita = {0.35f, 0.5f, 16, {0, 0.75f, 0}};
-    int tipo = 1;
+    Buferes plano, esfera, cono, toro, cubo;
+    Orbita orbita = {0.35f, 0.5f, 19, {0, 0.75f, 0}, 0.05f};
+    int elegido = POSICIONAL;
     float exponente = 4;
+    int delta = 30; // grados, para que el paso sea exacto
 } estado;
 
+static float delta() {
+    return glm::radians(static_cast<float>(estado.delta));
+}
+
 static void inicia() {
-    estado.programa =
-        creaPrograma("ch05_iluminacion/sombreado_phong.vert", "ch05_iluminacion/sombreado_phong.frag");
-    const int n = segmentosPara(120, 0.1f);
+    estado.programa = creaSombreado("phong");
     estado.plano = creaBuferes(plano(1));
-    estado.esfera = creaBuferes(esfera(n));
-    estado.cono = creaBuferes(cono(n));
-    estado.toro = creaBuferes(toro(0.7f, 0.25f, n, n / 2));
+    estado.esfera = creaBuferes(esfera(segmentosEsfera(100)));
+    estado.cono = creaBuferes(cono(segmentosEsfera(100)));
+    estado.toro = creaBuferes(toro(0.7f, 0.25f, segmentosEsfera(400), segmentosEsfera(100)));
     estado.cubo = creaBuferes(cubo());
-    estado.cilindro = creaBuferes(cilindro(n));
     glEnable(GL_DEPTH_TEST);
-    glClearColor(0.16f, 0.17f, 0.20f, 1);
+    glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
 }
 
-static void dibujaObjeto(const Buferes &objeto, const glm::mat4 &M, const Material &material) {
-    const glm::mat3 N = matrizNormal(camaraOrbita(estado.orbita) * M);
-    envia(estado.programa, "M", M);
-    envia(estado.programa, "N", N);
-    enviaMaterial(estado.programa, material);
-    dibuja(objeto);
+/// La figura 5.5: el eje S y el cono, de generatriz fija para que quepa con cualquier ángulo.
+static void dibujaCono(const glm::mat4 &vista) {
+    const glm::mat3 base = glm::transpose(cambioDeBase(S)); // su primera columna es S
+    std::vector<glm::vec3> borde, generatrices;
+    for (int i = 0; i < 32; ++i) {
+        const float a = glm::two_pi<float>() * static_cast<float>(i) / 32;
+        borde.push_back(POSICION +
+                        GENERATRIZ * (base * glm::vec3(std::cos(delta()), std::sin(delta()) * std::cos(a),
+                                                       std::sin(delta()) * std::sin(a))));
+        if (i % 4 == 0)
+            generatrices.insert(generatrices.end(), {POSICION, borde.back()});
+    }
+    trazaFlecha(POSICION, POSICION + 1.3f * GENERATRIZ * S, vista, BLANCO);
+    trazaPolilinea(borde, vista, AMARILLO, GROSOR / 2, true);
+    trazaSegmentos(generatrices, vista, AMARILLO, GROSOR / 2);
+    rotulaPunto("S", POSICION + 1.3f * GENERATRIZ * S, vista, BLANCO, Lado::DERECHA);
+    rotulaPunto("δ = " + std::to_string(estado.delta) + "°", POSICION, vista, BLANCO, Lado::IZQUIERDA);
 }
 
-/// Lleva el origen a `punta` y el eje Z a la dirección contraria a S.
-static glm::mat4 haciaS(const glm::vec3 &punta, const glm::vec3 &S) {
-    const glm::mat3 R = glm::transpose(cambioDeBase(-S)); // su primera columna es -S
-    return glm::mat4(glm::vec4(R[1], 0), glm::vec4(R[2], 0), glm::vec4(R[0], 0), glm::vec4(punta, 1));
-}
-
-static void dibujaFuente(const glm::vec3 &S) {
-    if (estado.tipo == 1)
-        dibujaObjeto(estado.esfera, traslacion(POSICION) * escalado(0.22f), encendido);
-    if (estado.tipo == 2)
-        for (const glm::vec3 &p : {glm::vec3(-0.7f, 0, -0.5f), {0, 0, 0}, {0.7f, 0, 0.5f}}) {
-            const glm::mat4 flecha = haciaS(POSICION + p + 0.4f * S, S);
-            dibujaObjeto(estado.cono, flecha * escalado({0.16f, 0.16f, -0.4f}) * traslacion({0, 0, -1}),
-                         encendido);
-            dibujaObjeto(estado.cilindro, flecha * traslacion({0, 0, 0.8f}) * escalado({0.05f, 0.05f, 0.8f}),
-                         encendido);
-        }
-    if (estado.tipo == 3)
-        dibujaObjeto(estado.cono,
-                     haciaS(POSICION, S) * traslacion({0, 0, -0.15f}) * escalado({0.3f, 0.3f, 0.6f}),
-                     encendido);
+static void dibujaFuente(const glm::mat4 &vista) {
+    if (estado.elegido == DIRECCIONAL)
+        for (const glm::vec3 &p : {glm::vec3(-0.8f, 0, -0.5f), {0, 0, 0}, {0.8f, 0, 0.5f}})
+            trazaFlecha(POSICION + p, POSICION + p + GENERATRIZ * S, vista, AMARILLO);
+    else
+        trazaPuntos({POSICION}, vista, AMARILLO, 4 * GROSOR);
+    if (estado.elegido == FOCO)
+        dibujaCono(vista);
 }
 
 static void dibuja() {
-    const glm::vec3 S = glm::normalize(APUNTA - POSICION);
     Luz luz{glm::vec4(POSICION, 1)};
-    if (estado.tipo == 2)
+    if (estado.elegido == DIRECCIONAL)
         luz.Lp = glm::vec4(-S, 0);
-    if (estado.tipo == 3) {
+    if (estado.elegido == FOCO) {
         luz.S = S;
-        luz.cosDelta = std::cos(DELTA);
+        luz.cosDelta = std::cos(delta());
         luz.exponente = estado.exponente;
     }
 
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.35f, 1, 100);
+    const auto solido = [&](const Buferes &buferes, const glm::mat4 &M, const Material &material) {
+        dibujaObjeto(estado.programa, buferes, M, camara, material);
+    };
+    const glm::mat4 tumbado = giroX(-glm::half_pi<float>());
     glUseProgram(estado.programa);
-    const glm::mat4 vista = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.35f, 1, 100);
-    envia(estado.programa, "vista", vista);
     envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "La", La);
-    enviaLuz(estado.programa, "luz", luz, vista);
-    dibujaObjeto(estado.plano, giroX(-RECTO) * escalado(7), suelo);
-    dibujaObjeto(estado.esfera, traslacion({0.3f, 0.8f, 0.2f}) * escalado(0.8f), rojo);
-    dibujaObjeto(estado.cono, traslacion({2.1f, 0, -1.2f}) * giroX(-RECTO) * escalado({0.8f, 0.8f, 1.9f}),
-                 verde);
-    dibujaObjeto(estado.cubo, traslacion({-1.7f, 0.6f, -1.1f}) * giroY(0.5f) * escalado(1.2f), azul);
-    dibujaObjeto(estado.toro, traslacion({1.5f, 0.25f, 1.9f}) * giroX(-RECTO), naranja);
-    dibujaFuente(S);
+    envia(estado.programa, "camara", camara);
+    envia(estado.programa, "La", LA);
+    enviaLuz(estado.programa, "luz", luz, camara);
+    solido(estado.plano, tumbado * escalado(6), SUELO_GRIS);
+    solido(estado.esfera, traslacion({0.3f, 0.8f, 0.2f}) * escalado(0.8f), ROJA);
+    solido(estado.cono, traslacion({2.0f, 0, -1.2f}) * tumbado * escalado({0.8f, 0.8f, 1.9f}), VERDOSO);
+    solido(estado.cubo, traslacion({-1.7f, 0.6f, -1.1f}) * giroY(0.5f) * escalado(1.2f), AZULADO);
+    solido(estado.toro, traslacion({1.5f, 0.25f, 1.9f}) * tumbado, ANARANJADO);
+    dibujaFuente(proyeccion * camara);
+
+    static const std::string NOMBRES[] = {"posicional", "direccional", "foco"};
+    std::ostringstream nombre;
+    nombre << NOMBRES[estado.elegido];
+    if (estado.elegido == FOCO)
+        nombre << ", exponente " << estado.exponente;
+    rotula(nombre.str(), {1, 0.95f}, BLANCO, Lado::IZQUIERDA);
+    ponTitulo("Fuente de luz: " + nombre.str());
     glutSwapBuffers();
 }
 
@@ -108,16 +125,18 @@ static void teclado(unsigned char tecla, int, int) {
     switch (tecla) {
     case '1':
     case '2':
-    case '3': estado.tipo = tecla - '0'; break;
+    case '3': estado.elegido = tecla - '1'; break;
     case '+': estado.exponente = std::min(2 * estado.exponente, EXPONENTE_MAXIMO); break;
-    case '-': estado.exponente = std::max(estado.exponente / 2, 0.5f); break;
+    case '-': estado.exponente = std::max(estado.exponente / 2, EXPONENTE_MINIMO); break;
+    case ',': estado.delta = std::max(estado.delta - PASO_DELTA, 0); break;
+    case '.': estado.delta = std::min(estado.delta + PASO_DELTA, DELTA_MAXIMO); break;
     default: return;
     }
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Tipos de fuentes de luz", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    abreVentana(argc, argv, "Fuentes de luz", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

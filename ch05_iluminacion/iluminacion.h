@@ -1,8 +1,10 @@
-// Materiales y fuentes de luz para los shaders que incluyen phong.glsl: los mismos campos, y cómo se envían.
+// Materiales y fuentes de luz para los shaders que incluyen phong.glsl: los mismos campos, cómo se envían y cómo se
+// dibuja un sólido iluminado.
 #pragma once
+#include "ch03_transformaciones/transformaciones.h"
+#include "malla.h"
 #include "materiales.h"
 #include "shader.h"
-#include <glm/gtc/type_ptr.hpp>
 #include <string>
 
 /// Una fuente de luz, en coordenadas del mundo. Por omisión es blanca, no se atenúa y no es un foco.
@@ -15,6 +17,12 @@ struct Luz {
     float exponente = 0;                       // foco: cuánto se concentra la luz alrededor del eje
 };
 
+/// El programa de un modelo de sombreado: «plano», «gouraud» o «phong».
+inline GLuint creaSombreado(const std::string &modelo) {
+    const std::string shaders = "ch05_iluminacion/sombreado_" + modelo;
+    return creaPrograma(shaders + ".vert", shaders + ".frag");
+}
+
 /// Envía el uniform `material` del programa en uso.
 inline void enviaMaterial(GLuint programa, const Material &m) {
     envia(programa, "material.Ka", m.Ka);
@@ -25,15 +33,24 @@ inline void enviaMaterial(GLuint programa, const Material &m) {
 
 /// Envía el uniform `nombre` («luz», «luces[2]») del programa en uso. phong.glsl ilumina en coordenadas de la
 /// cámara, y a ellas se llevan aquí la posición y la dirección del foco.
-inline void enviaLuz(GLuint programa, const std::string &nombre, const Luz &luz, const glm::mat4 &vista) {
-    const auto campo = [&](const char *cual) { return uniforme(programa, (nombre + "." + cual).c_str()); };
-    const glm::vec4 Lp = vista * luz.Lp;
-    const glm::vec3 S = glm::mat3(vista) * luz.S;
-    glUniform4fv(campo("Lp"), 1, glm::value_ptr(Lp));
-    glUniform3fv(campo("Ld"), 1, glm::value_ptr(luz.Ld));
-    glUniform3fv(campo("Ls"), 1, glm::value_ptr(luz.Ls));
-    glUniform3fv(campo("atenuacion"), 1, glm::value_ptr(luz.atenuacion));
-    glUniform3fv(campo("S"), 1, glm::value_ptr(S));
-    glUniform1f(campo("cosDelta"), luz.cosDelta);
-    glUniform1f(campo("exponente"), luz.exponente);
+inline void enviaLuz(GLuint programa, const std::string &nombre, const Luz &luz, const glm::mat4 &camara) {
+    const auto campo = [&](const char *cual, const auto &valor) {
+        envia(programa, (nombre + "." + cual).c_str(), valor);
+    };
+    campo("Lp", camara * luz.Lp);
+    campo("Ld", luz.Ld);
+    campo("Ls", luz.Ls);
+    campo("atenuacion", luz.atenuacion);
+    campo("S", glm::mat3(camara) * luz.S);
+    campo("cosDelta", luz.cosDelta);
+    campo("exponente", luz.exponente);
+}
+
+/// Dibuja el sólido de ese material con el programa en uso, que tiene ya `camara`, `proyeccion` y la luz.
+inline void dibujaObjeto(GLuint programa, const Buferes &solido, const glm::mat4 &M, const glm::mat4 &camara,
+                         const Material &material) {
+    envia(programa, "M", M);
+    envia(programa, "N", matrizNormal(camara * M));
+    enviaMaterial(programa, material);
+    dibuja(solido);
 }

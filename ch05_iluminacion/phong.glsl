@@ -28,14 +28,14 @@ float potencia(float x, float y) {
 }
 
 // Atenuación por la distancia d (ecuación 5.3) y por el cono del foco. L va hacia la luz y S sale de ella:
-// el ángulo que se compara con delta es el que forman -L y S.
+// el ángulo que se compara con delta es el del rayo que llega, -L, con S.
 float atenua(Luz luz, vec3 L, float d) {
     float factor = 1.0;
     if (luz.Lp.w != 0.0) // acotada, para que 1/0 no dé infinitos cuando a = 0 y d = 0
         factor = 1.0 / max(luz.atenuacion.x + d * (luz.atenuacion.y + d * luz.atenuacion.z), 1e-6);
     if (luz.cosDelta > -1.0) {
-        float LdotS = dot(-L, luz.S);
-        factor *= LdotS < luz.cosDelta ? 0.0 : potencia(LdotS, luz.exponente);
+        float cosRayo = dot(-L, luz.S);
+        factor *= cosRayo < luz.cosDelta ? 0.0 : potencia(cosRayo, luz.exponente);
     }
     return factor;
 }

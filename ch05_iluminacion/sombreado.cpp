@@ -1,33 +1,36 @@
-// Los tres modelos de sombreado (§5.3, listados 5.2 y 5.3, figura 5.6) sobre la misma malla y con el mismo
-// modelo de iluminación (listado 5.1): plano, una vez por polígono; Gouraud, una vez por vértice; Phong, una
-// vez por fragmento. Con pocos polígonos se ve qué hace cada uno; con muchos, se parecen.
-// Controles: 1 plano · 2 Gouraud · 3 Phong · + - más o menos subdivisión · ratón orbita · Esc termina.
-#include "ch03_transformaciones/transformaciones.h"
+// Los tres modelos de sombreado (§5.3, listados 5.2 y 5.3, figura 5.6) sobre la misma malla y con el mismo modelo de
+// iluminación (listado 5.1): plano, una vez por polígono; Gouraud, una vez por vértice; Phong, una vez por fragmento.
+// Con pocos polígonos se ve qué hace cada uno; con muchos, se parecen.
+// Controles: 1 plano · 2 Gouraud · 3 Phong · v los tres a la vez · + - más o menos subdivisión ·
+// ratón orbita · Esc termina.
+#include "colores.h"
 #include "iluminacion.h"
-#include "malla.h"
 #include "orbita.h"
+#include "recuadro.h"
+#include "rotulo.h"
 #include "ventana.h"
 #include <algorithm>
 
-enum Sombreado { PLANO, GOURAUD, PHONG };
+enum Sombreado { PLANO, GOURAUD, PHONG, MODELOS };
 
+static const char *const NOMBRES[MODELOS] = {"Plano", "Gouraud", "Phong"};
 static const int SUBDIVISION_MINIMA = 6, SUBDIVISION_MAXIMA = 192;
-static const glm::vec3 La(1);
-static const Luz luz{{-3, 4, 6, 1}};
-static const Material turquesa = {{0.05f, 0.14f, 0.14f}, {0.12f, 0.50f, 0.50f}, {0.75f, 0.75f, 0.75f}, 16};
-static const Material coral = {{0.20f, 0.08f, 0.05f}, {0.62f, 0.26f, 0.17f}, {0.70f, 0.70f, 0.70f}, 16};
+static const glm::vec3 LA(1);
+static const Luz LUZ{{-3, 4, 6, 1}};
+static const Material TURQUESA = {{0.05f, 0.14f, 0.14f}, {0.12f, 0.50f, 0.50f}, {0.75f, 0.75f, 0.75f}, 16};
+static const Material CORAL = {{0.20f, 0.08f, 0.05f}, {0.62f, 0.26f, 0.17f}, {0.70f, 0.70f, 0.70f}, 16};
 
 static struct {
-    GLuint programas[3];
-    Buferes esfera, toro;
+    GLuint programas[MODELOS];
+    Buferes esfera, toro, esferaPlana, toroPlano; // las planas, con la normal de cada triángulo
     Orbita orbita = {0, 0, 12, {0, 0, 0}};
     int subdivision = 12;
-    Sombreado sombreado = PLANO;
+    int elegido = PLANO;
+    bool compara = false;
 } estado;
 
-/// La misma malla con la normal de cada triángulo en sus tres vértices. Empieza en el segundo para que el
-/// último, el que da el color en el sombreado plano, sea el que comparten los dos triángulos de cada
-/// cuadrilátero.
+/// La misma malla con la normal de cada triángulo en sus tres vértices. Empieza en el segundo para que el último, el que
+/// da el color en el sombreado plano, sea el que comparten los dos triángulos de cada cuadrilátero.
 static Malla facetas(const Malla &malla) {
     Malla plana;
     for (std::size_t i = 0; i < malla.indices.size(); i += 3) {
@@ -46,45 +49,59 @@ static void cambiaBuferes(Buferes &buferes, const Malla &malla) {
     glDeleteVertexArrays(1, &buferes.vao);
     glDeleteBuffers(1, &buferes.vertices);
     glDeleteBuffers(1, &buferes.indices);
-    buferes = creaBuferes(estado.sombreado == PLANO ? facetas(malla) : malla);
+    buferes = creaBuferes(malla);
 }
 
 static void construye() {
     const int n = estado.subdivision;
-    cambiaBuferes(estado.esfera, esfera(n));
-    cambiaBuferes(estado.toro, toro(0.68f, 0.30f, n, std::max(n / 2, 3)));
+    const Malla laEsfera = esfera(n), elToro = toro(0.68f, 0.30f, n, std::max(n / 2, 3));
+    cambiaBuferes(estado.esfera, laEsfera);
+    cambiaBuferes(estado.esferaPlana, facetas(laEsfera));
+    cambiaBuferes(estado.toro, elToro);
+    cambiaBuferes(estado.toroPlano, facetas(elToro));
 }
 
 static void inicia() {
     int i = 0;
-    for (const std::string nombre : {"plano", "gouraud", "phong"})
-        estado.programas[i++] = creaPrograma("ch05_iluminacion/sombreado_" + nombre + ".vert",
-                                             "ch05_iluminacion/sombreado_" + nombre + ".frag");
+    for (const char *modelo : {"plano", "gouraud", "phong"})
+        estado.programas[i++] = creaSombreado(modelo);
     construye();
     glEnable(GL_DEPTH_TEST);
-    glClearColor(0.16f, 0.17f, 0.20f, 1);
 }
 
-static void dibujaObjeto(const Buferes &objeto, const glm::mat4 &M, const Material &material) {
-    const GLuint programa = estado.programas[estado.sombreado];
-    const glm::mat3 N = matrizNormal(camaraOrbita(estado.orbita) * M);
-    envia(programa, "M", M);
-    envia(programa, "N", N);
-    enviaMaterial(programa, material);
-    dibuja(objeto);
+/// En un panel ancho, la esfera al lado del toro; en uno alto, encima.
+static void dibujaPanel(const Recuadro &panel, int modelo) {
+    const bool alto = aspecto(panel) < 0.65f, plano = modelo == PLANO;
+    const GLuint programa = estado.programas[modelo];
+    const glm::mat4 camara = camaraOrbita(estado.orbita),
+                    proyeccion = perspectivaVentana(alto ? 0.142f : 0.27f, 1, 100, aspecto(panel));
+    abreRecuadro(panel, FONDO_OSCURO);
+    glUseProgram(programa);
+    envia(programa, "proyeccion", proyeccion);
+    envia(programa, "camara", camara);
+    envia(programa, "La", LA);
+    enviaLuz(programa, "luz", LUZ, camara);
+    dibujaObjeto(programa, plano ? estado.esferaPlana : estado.esfera,
+                 traslacion(alto ? glm::vec3(0, 0.8f, 0) : glm::vec3(-0.95f, 0.25f, 0)) * giroX(-1.2f),
+                 camara, TURQUESA);
+    dibujaObjeto(programa, plano ? estado.toroPlano : estado.toro,
+                 traslacion(alto ? glm::vec3(0, -0.95f, 0.5f) : glm::vec3(0.98f, -0.35f, 0.5f)) *
+                     giroX(-0.7f),
+                 camara, CORAL);
+    rotula(NOMBRES[modelo], {0.5f, 0}, BLANCO, Lado::ENCIMA);
 }
 
 static void dibuja() {
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const GLuint programa = estado.programas[estado.sombreado];
-    glUseProgram(programa);
-    const glm::mat4 vista = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.26f, 1, 100);
-    envia(programa, "vista", vista);
-    envia(programa, "proyeccion", proyeccion);
-    envia(programa, "La", La);
-    enviaLuz(programa, "luz", luz, vista);
-    dibujaObjeto(estado.esfera, traslacion({-0.95f, 0.25f, 0}) * giroX(-1.2f), turquesa);
-    dibujaObjeto(estado.toro, traslacion({0.98f, -0.35f, 0.5f}) * giroX(-0.7f), coral);
+    abreRecuadro(ventanaEntera(), GRIS);
+    if (estado.compara) {
+        const std::vector<Recuadro> paneles =
+            relacionAspecto() > 0.7f ? rejilla(MODELOS, 1) : rejilla(1, MODELOS);
+        for (int modelo = 0; modelo < MODELOS; ++modelo)
+            dibujaPanel(paneles[static_cast<std::size_t>(modelo)], modelo);
+    } else
+        dibujaPanel(ventanaEntera(), estado.elegido);
+    ponTitulo("Modelos de sombreado: " + std::string(estado.compara ? "los tres" : NOMBRES[estado.elegido]) +
+              ", " + std::to_string(estado.subdivision) + " segmentos");
     glutSwapBuffers();
 }
 
@@ -92,9 +109,10 @@ static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
     switch (tecla) {
-    case '1': estado.sombreado = PLANO; break;
-    case '2': estado.sombreado = GOURAUD; break;
-    case '3': estado.sombreado = PHONG; break;
+    case '1':
+    case '2':
+    case '3': estado.elegido = tecla - '1'; break;
+    case 'v': estado.compara = !estado.compara; break;
     case '+': estado.subdivision = std::min(2 * estado.subdivision, SUBDIVISION_MAXIMA); break;
     case '-': estado.subdivision = std::max(estado.subdivision / 2, SUBDIVISION_MINIMA); break;
     default: return;

@@ -1,8 +1,8 @@
 #version 140
 #include "ch05_iluminacion/phong.glsl"
 
-uniform mat4 proyeccion, vista, M;
-uniform mat3 N; // transformación de la normal a coordenadas de la cámara
+uniform mat4 proyeccion, camara, M; // en el libro, projection, camera y transf
+uniform mat3 N; // transformación de la normal a coordenadas de la cámara (normal)
 
 in vec3 posicion, vNormal;
 out vec3 ecPosicion, normal; // en coordenadas de la cámara
@@ -10,7 +10,7 @@ out vec3 ecPosicion, normal; // en coordenadas de la cámara
 // Listado 5.3. L y V se calculan en cada fragmento, a partir del punto: interpolados desde los vértices ni
 // son unitarios ni llevan la dirección debida.
 void main() {
-    vec4 P = vista * M * vec4(posicion, 1.0);
+    vec4 P = camara * M * vec4(posicion, 1.0);
     ecPosicion = P.xyz;
     normal = unitario(N * vNormal);
     gl_Position = proyeccion * P;

@@ -1,72 +1,86 @@
-// Varias fuentes de luz, cada una con sus propios coeficientes (ecuación 5.7): un foco rojo, uno verde y uno
-// azul sobre objetos blancos. Las luces se suman: rojo y verde dan amarillo, y los tres juntos blanco. La luz
-// ambiente se cuenta una sola vez. Una luz se apaga con Ld = Ls = 0.
+// Varias fuentes de luz, cada una con sus propios coeficientes (ecuación 5.7): un foco rojo, uno verde y uno azul sobre
+// objetos blancos. Las luces se suman: rojo y verde dan amarillo, y los tres juntos blanco. La luz ambiente se cuenta
+// una sola vez. Una luz se apaga con Ld = Ls = 0.
 // Controles: 1 2 3 encienden y apagan cada luz · ratón orbita · Esc termina.
-#include "ch03_transformaciones/transformaciones.h"
+#include "colores.h"
 #include "iluminacion.h"
-#include "malla.h"
 #include "orbita.h"
+#include "rotulo.h"
 #include "ventana.h"
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 
 static const int LUCES = 3;
-static const float DELTA = 0.40f, RECTO = 1.57079633f; // radianes
-static const glm::vec3 La(1);
-static const glm::vec3 COLORES[LUCES] = {{1.0f, 0.08f, 0.05f}, {0.08f, 1.0f, 0.10f}, {0.06f, 0.12f, 1.0f}};
-static const float EXPONENTES[LUCES] = {2, 3, 4};
+static const float DELTA = 0.40f; // radianes
+static const glm::vec3 LA(1);
+static const struct {
+    const char *nombre;
+    glm::vec3 color;
+    float exponente;
+} FOCOS[LUCES] = {
+    {"roja", {1.0f, 0.08f, 0.05f}, 2}, {"verde", {0.08f, 1.0f, 0.10f}, 3}, {"azul", {0.06f, 0.12f, 1.0f}, 4}};
 
-static const Material blanco = {{0.13f, 0.13f, 0.14f}, {0.80f, 0.80f, 0.80f}, {0, 0, 0}, 1};
-static const Material brillante = {{0.12f, 0.12f, 0.13f}, {0.60f, 0.60f, 0.60f}, {0.30f, 0.30f, 0.30f}, 40};
+static const Material MATE = {{0.13f, 0.13f, 0.14f}, {0.80f, 0.80f, 0.80f}, {0, 0, 0}, 1};
+static const Material BRILLANTE = {{0.12f, 0.12f, 0.13f}, {0.60f, 0.60f, 0.60f}, {0.30f, 0.30f, 0.30f}, 40};
 
 static struct {
     GLuint programa;
-    Buferes plano, esfera;
-    Orbita orbita = {0, 0.8f, 14, {0, 0.2f, 0}};
+    Buferes disco, esfera;
+    Orbita orbita = {0, 0.8f, 17.5f, {0, -0.3f, 0}, 0.05f};
     bool encendida[LUCES] = {true, true, true};
 } estado;
 
 static void inicia() {
     estado.programa =
         creaPrograma("ch05_iluminacion/sombreado_phong.vert", "ch05_iluminacion/varias_luces.frag");
-    estado.plano = creaBuferes(plano(1));
-    estado.esfera = creaBuferes(esfera(segmentosPara(130, 0.1f)));
+    estado.disco = creaBuferes(cilindro(segmentosEsfera(430)));
+    estado.esfera = creaBuferes(esfera(segmentosEsfera(100)));
     glEnable(GL_DEPTH_TEST);
-    glClearColor(0.10f, 0.11f, 0.13f, 1);
+    glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
 }
 
-/// Los tres focos salen de un círculo y apuntan cerca de su centro, donde se cruzan.
-static Luz foco(int i) {
+/// Los tres focos salen de un círculo: hacia dónde, desde su centro.
+static glm::vec3 haciaFoco(int i) {
     const float angulo = glm::radians(-150 + 120 * static_cast<float>(i));
-    const glm::vec3 hacia(std::cos(angulo), 0, -std::sin(angulo));
-    const glm::vec3 posicion = 3.0f * hacia + glm::vec3(0, 5, 0), apunta = 1.1f * hacia;
+    return {std::cos(angulo), 0, -std::sin(angulo)};
+}
+
+/// Apuntan cerca del centro, donde se cruzan.
+static Luz foco(int i) {
+    const glm::vec3 posicion = 3.0f * haciaFoco(i) + glm::vec3(0, 5, 0), apunta = 1.1f * haciaFoco(i);
     Luz luz{glm::vec4(posicion, 1)};
-    luz.Ld = luz.Ls = estado.encendida[i] ? COLORES[i] : glm::vec3(0);
+    luz.Ld = luz.Ls = estado.encendida[i] ? FOCOS[i].color : glm::vec3(0);
     luz.atenuacion = {0.6f, 0.04f, 0.01f};
     luz.S = glm::normalize(apunta - posicion);
     luz.cosDelta = std::cos(DELTA);
-    luz.exponente = EXPONENTES[i];
+    luz.exponente = FOCOS[i].exponente;
     return luz;
-}
-
-static void dibujaObjeto(const Buferes &objeto, const glm::mat4 &M, const Material &material) {
-    const glm::mat3 N = matrizNormal(camaraOrbita(estado.orbita) * M);
-    envia(estado.programa, "M", M);
-    envia(estado.programa, "N", N);
-    enviaMaterial(estado.programa, material);
-    dibuja(objeto);
 }
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.36f, 1, 100);
     glUseProgram(estado.programa);
-    const glm::mat4 vista = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.36f, 1, 100);
-    envia(estado.programa, "vista", vista);
     envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "La", La);
+    envia(estado.programa, "camara", camara);
+    envia(estado.programa, "La", LA);
     for (int i = 0; i < LUCES; ++i)
-        enviaLuz(estado.programa, "luces[" + std::to_string(i) + "]", foco(i), vista);
-    dibujaObjeto(estado.plano, giroX(-RECTO) * escalado(9), blanco);
-    dibujaObjeto(estado.esfera, traslacion({0, 0.8f, 0}) * escalado(0.8f), brillante);
+        enviaLuz(estado.programa, "luces[" + std::to_string(i) + "]", foco(i), camara);
+    dibujaObjeto(estado.programa, estado.disco,
+                 traslacion({0, -0.1f, 0}) * giroX(-glm::half_pi<float>()) * escalado({3.7f, 3.7f, 0.2f}),
+                 camara, MATE);
+    dibujaObjeto(estado.programa, estado.esfera, traslacion({0, 0.8f, 0}) * escalado(0.8f), camara,
+                 BRILLANTE);
+    std::string titulo;
+    for (int i = 0; i < LUCES; ++i) {
+        const std::string nombre = FOCOS[i].nombre;
+        rotulaPunto(std::to_string(i + 1) + (estado.encendida[i] ? " " + nombre : " apagada"),
+                    2.5f * haciaFoco(i), proyeccion * camara, estado.encendida[i] ? BLANCO : GRIS,
+                    Lado::CENTRO);
+        if (estado.encendida[i])
+            titulo += (titulo.empty() ? "" : " + ") + nombre;
+    }
+    ponTitulo("Varias fuentes de luz: " + (titulo.empty() ? "todas apagadas" : titulo));
     glutSwapBuffers();
 }
 

@@ -1,27 +1,53 @@
-// Coordenadas de textura (§6.4, figura 6.3): un atributo más de cada vértice, que decide qué parte de la
-// imagen le toca. En el cilindro y la esfera s es el ángulo y t la altura o la latitud, y la imagen se junta
-// consigo misma; en las tapas es un círculo. En el cubo, cada cara tiene la imagen entera, derecha, y las
-// coordenadas salen de la posición.
+// Coordenadas de textura (§6.4, figura 6.3): un atributo más de cada vértice, que decide qué parte de la imagen le
+// toca. A la izquierda, la imagen; a la derecha, el objeto, con los mismos ejes y los mismos puntos (s, t). En el cubo
+// cada cara tiene la imagen entera, derecha. En el cilindro y la esfera s es el ángulo y la imagen se junta consigo
+// misma; en las tapas es un círculo.
 // Controles: 1 cubo · 2 cilindro · 3 esfera · ratón orbita · Esc termina.
+#include "aspecto.h"
 #include "ch03_transformaciones/transformaciones.h"
-#include "ch05_iluminacion/iluminacion.h"
+#include "colores.h"
 #include "malla.h"
 #include "orbita.h"
+#include "recuadro.h"
+#include "rotulo.h"
+#include "shader.h"
 #include "textura.h"
+#include "trazo.h"
 #include "ventana.h"
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
-static const float RADIO_PX = 500; // de la esfera, en una pantalla de 1080 líneas
-static const glm::vec2 repeticiones(1);
-static const glm::vec3 La(1);
-static const Material material = {glm::vec3(0.45f), glm::vec3(0.55f), glm::vec3(0), 1};
-static const Luz luz{{2.5f, 4, 6, 0}};
+static const int SEGMENTOS = 128;
+static const glm::vec2 P(0.1f, 0.5f), FIN_S(0.24f, 0.5f), FIN_T(0.1f, 0.8f);
 
+/// El punto de la superficie que tiene esas coordenadas de textura, en coordenadas del objeto.
+using Superficie = glm::vec3 (*)(float s, float t);
+static glm::vec3 enImagen(float s, float t) { // un poco por delante
+    return {s - 0.5f, t - 0.5f, 0.1f};
+}
+static glm::vec3 enCubo(float s, float t) { // en su cara +Z
+    return {s - 0.5f, t - 0.5f, 0.5f};
+}
+static glm::vec3 enCilindro(float s, float t) {
+    const float angulo = glm::two_pi<float>() * s;
+    return {std::cos(angulo), std::sin(angulo), t - 0.5f};
+}
+static glm::vec3 enEsfera(float s, float t) {
+    const float latitud = glm::pi<float>() * (t - 0.5f), radio = std::cos(latitud);
+    return {radio * enCilindro(s, t).x, radio * enCilindro(s, t).y, std::sin(latitud)};
+}
+
+struct Objeto {
+    const char *nombre;
+    Superficie superficie;
+    Buferes buferes;
+    glm::mat4 M;
+};
 static struct {
-    GLuint programa;
-    Buferes objetos[3];
-    glm::mat4 M[3];
+    GLuint programa, textura;
+    Objeto imagen, objetos[3];
     int elegido = 0;
-    Orbita orbita = {0.6f, 0.45f, 5.9f, {0, 0, 0}};
+    Orbita orbita = {0.6f, 0.45f, 5.6f, {0, 0, 0}};
 } estado;
 
 // Para quien mira una cara de frente, s crece hacia la derecha y t hacia `arriba`.
@@ -36,38 +62,71 @@ static Malla cuboConCoordenadas() {
 }
 
 static void inicia(const Imagen &imagen) {
-    estado.programa = creaPrograma("ch06_texturas/textura_objeto.vert", "ch06_texturas/textura_objeto.frag");
-    const int n = segmentosPara(RADIO_PX, 0.25f); // una esfera se hunde a lo largo y a lo ancho
-    estado.objetos[0] = creaBuferes(cuboConCoordenadas());
-    estado.objetos[1] = creaBuferes(cilindro(n));
-    estado.objetos[2] = creaBuferes(esfera(n));
+    estado.programa = creaPrograma("ch06_texturas/textura_objeto.vert", "ch06_texturas/coordenadas.frag");
     // los ejes del cilindro y de la esfera, a la vertical, y la costura (s = 0 y s = 1), a la vista
-    const glm::mat4 depie = giroY(-0.65f) * giroX(-1.57079632679f);
-    estado.M[0] = escalado(1.65f);
-    estado.M[1] = depie * escalado({1, 1, 2});
-    estado.M[2] = depie * escalado(1.35f);
-    creaTextura2D(imagen);
+    const glm::mat4 depie = giroY(-1.45f) * giroX(-glm::half_pi<float>());
+    estado.imagen = {"Imagen", enImagen, creaBuferes(plano(1)), glm::mat4(1)};
+    estado.objetos[0] = {"Cubo", enCubo, creaBuferes(cuboConCoordenadas()), escalado(1.65f)};
+    estado.objetos[1] = {"Cilindro", enCilindro, creaBuferes(cilindro(SEGMENTOS)),
+                         depie * escalado({0.95f, 0.95f, 1.9f})};
+    estado.objetos[2] = {"Esfera", enEsfera, creaBuferes(esfera(SEGMENTOS)), depie * escalado(1.35f)};
+    estado.textura = creaTextura2D(imagen);
     glEnable(GL_DEPTH_TEST);
-    glClearColor(0.95f, 0.96f, 0.98f, 1);
+    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+}
+
+/// El punto P y, desde él, hacia dónde crecen s y t en la superficie.
+static void dibujaMarcas(Superficie superficie, const glm::mat4 &transformacion) {
+    const auto encima = [&](const glm::vec2 &st) { return 1.01f * superficie(st.s, st.t); };
+    const auto flecha = [&](const glm::vec2 &fin, const glm::vec3 &color) {
+        std::vector<glm::vec3> camino;
+        for (int i = 0; i <= 9; ++i)
+            camino.push_back(encima(glm::mix(P, fin, 0.1f * static_cast<float>(i))));
+        trazaPolilinea(camino, transformacion, color, 10);
+        trazaFlecha(camino.back(), encima(fin), transformacion, color, 10);
+    };
+    flecha(FIN_S, ROJO);
+    flecha(FIN_T, VERDE);
+    trazaPuntos({1.02f * superficie(P.s, P.t)}, transformacion, OSCURO, 30);
+    const auto enVentana = [&](const glm::vec2 &st) {
+        const glm::vec4 p = transformacion * glm::vec4(encima(st), 1);
+        return glm::vec3(glm::vec2(p) / p.w, 0);
+    };
+    // por detrás, s y t giran al revés
+    const glm::vec3 p = enVentana(P);
+    if (glm::cross(enVentana(P + glm::vec2(0.01f, 0)) - p, enVentana(P + glm::vec2(0, 0.01f)) - p).z < 0)
+        return;
+    rotulaPunto("P", encima(P), transformacion, OSCURO, Lado::DEBAJO);
+    rotulaPunto("s", encima(FIN_S), transformacion, ROJO);
+    rotulaPunto("t", encima(FIN_T), transformacion, VERDE, Lado::DERECHA);
+}
+
+static void dibujaObjeto(const Objeto &objeto, const glm::mat4 &camara, const glm::mat4 &proyeccion) {
+    envia(estado.programa, "proyeccion", proyeccion);
+    envia(estado.programa, "camara", camara);
+    envia(estado.programa, "M", objeto.M);
+    envia(estado.programa, "N", matrizNormal(objeto.M));
+    envia(estado.programa, "repeticiones", glm::vec2(1));
+    envia(estado.programa, "Img", 0);
+    dibuja(objeto.buferes);
+    dibujaMarcas(objeto.superficie, proyeccion * camara * objeto.M);
 }
 
 static void dibuja() {
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const Recuadro v = ventanaEntera(), izquierda = {0, 0, v.ancho / 3, v.alto},
+                   derecha = {v.ancho / 3, 0, v.ancho - v.ancho / 3, v.alto};
+    const Objeto &objeto = estado.objetos[estado.elegido];
     glUseProgram(estado.programa);
-    const glm::mat4 vista = camaraOrbita(estado.orbita), &M = estado.M[estado.elegido];
-    const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100);
-    const glm::mat3 N = matrizNormal(vista * M);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "vista", vista);
-    envia(estado.programa, "M", M);
-    envia(estado.programa, "N", N);
-    envia(estado.programa, "repeticiones", repeticiones);
-    envia(estado.programa, "Img", 0);
-    envia(estado.programa, "La", La);
-    enviaMaterial(estado.programa, material);
-    enviaLuz(estado.programa, "luz", luz, vista);
-    const Buferes &objeto = estado.objetos[estado.elegido];
-    dibuja(objeto);
+    glBindTexture(GL_TEXTURE_2D, estado.textura);
+    abreRecuadro(izquierda, FONDO_CLARO);
+    dibujaObjeto(estado.imagen, glm::mat4(1), paralelaVentana(0.41f, -1, 1, aspecto(izquierda)));
+    rotula("s = 0.1\nt = 0.5", {0.5f, 0.22f}, OSCURO, Lado::CENTRO, 0.03f);
+    abreRecuadro(derecha, FONDO_CLARO);
+    // compuesta para un panel cuadrado
+    const float angulo = static_cast<float>(anguloVertical(0.5, ASPECTO_COMPUESTO * aspecto(derecha)));
+    dibujaObjeto(objeto, camaraOrbita(estado.orbita),
+                 glm::perspective(angulo, aspecto(derecha), 1.0f, 100.0f));
+    ponTitulo(std::string("Coordenadas de textura: ") + objeto.nombre);
     glutSwapBuffers();
 }
 

@@ -1,79 +1,104 @@
-// Filtrado de la textura (§6.2.2) en un suelo que llega al horizonte: cerca, un texel ocupa varios píxeles
-// (ampliación); lejos, un píxel abarca muchos texels (reducción). El libro confunde ahí píxeles y texels, y
-// solo trata GL_NEAREST y GL_LINEAR, que lejos parpadean; lo curan los mipmaps y, sin emborronar, el filtro
-// anisótropo (una extensión).
-// Controles: 1 vecino · 2 lineal · 3 mipmap · 4 anisótropo · ratón orbita · Esc termina.
+// Filtrado de la textura (§6.2.2) en un suelo que llega al horizonte: cerca, un texel ocupa muchos píxeles
+// (ampliación); lejos, un píxel abarca muchos texels (reducción). El libro confunde ahí píxeles y texels, y solo trata
+// GL_NEAREST y GL_LINEAR: cerca se distinguen, y lejos las dos parpadean; lo curan los mipmaps y, sin emborronar, el
+// filtro anisótropo (una extensión). La textura de omisión mide 32 × 32.
+// Controles: 1 vecino · 2 lineal · 3 mipmap · 4 anisótropo · v los cuatro a la vez · ratón orbita · Esc termina.
 #include "ch03_transformaciones/transformaciones.h"
+#include "colores.h"
 #include "malla.h"
 #include "orbita.h"
+#include "recuadro.h"
+#include "rotulo.h"
 #include "shader.h"
 #include "textura.h"
 #include "ventana.h"
 #include <cstdio>
+#include <glm/gtc/constants.hpp>
 
-// El suelo, y lo que abarca una vez la textura. Con uno mucho mayor, un píxel del horizonte abarcaría miles de
-// texels aun en el último mipmap, y el filtro anisótropo de Mesa tarda lo que tarda en recorrerlos.
-static const float LARGO = 200, LADO_BALDOSAS = 2;
-static const struct {
+// El suelo, y lo que abarca una vez la textura. Con uno mucho mayor, un píxel del horizonte abarcaría miles de texels
+// aun en el último mipmap, y el filtro anisótropo de Mesa tarda lo que tarda en recorrerlos.
+static const float LARGO = 200, LADO_MOSAICO = 2;
+struct Filtro {
+    const char *nombre, *titulo;
     GLint ampliacion, reduccion;
     bool anisotropo;
-} filtros[4] = {{GL_NEAREST, GL_NEAREST, false},
-                {GL_LINEAR, GL_LINEAR, false},
-                {GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, false},
-                {GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, true}};
+};
+static const Filtro FILTROS[4] = {
+    {"1 vecino", "Vecino: GL_NEAREST", GL_NEAREST, GL_NEAREST, false},
+    {"2 lineal", "Lineal: GL_LINEAR", GL_LINEAR, GL_LINEAR, false},
+    {"3 mipmap", "Mipmap: GL_LINEAR_MIPMAP_LINEAR", GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, false},
+    {"4 anisótropo", "Anisótropo: GL_TEXTURE_MAX_ANISOTROPY_EXT", GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, true}};
 
 static struct {
-    GLuint programa;
+    GLuint programa, textura;
     Buferes suelo;
     int elegido = 0;
+    bool comparando = false;
     GLfloat anisotropia = 1; // la mayor que da el contexto; 1 es ninguna
-    Orbita orbita = {0.12f, 0.27f, 3.6f, {0, 0, 0}};
+    Orbita orbita = {0.12f, 0.3f, 3, {0, 0, 0}, 0.05f};
 } estado;
 
 static void inicia(const Imagen &imagen) {
     estado.programa = creaPrograma("ch06_texturas/textura.vert", "ch06_texturas/textura.frag");
     Malla malla = plano(1);
     for (Vertice &v : malla.vertices) // 0 en el centro: cerca de la cámara es donde se notaría el redondeo
-        v.coordTextura = (v.coordTextura - 0.5f) * LARGO / LADO_BALDOSAS;
+        v.coordTextura = (v.coordTextura - 0.5f) * LARGO / LADO_MOSAICO;
     estado.suelo = creaBuferes(malla);
-    creaTextura2D(imagen);
+    estado.textura = creaTextura2D(imagen);
     if (GLEW_EXT_texture_filter_anisotropic)
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &estado.anisotropia);
     else
         std::printf(
             "Este contexto no tiene GL_EXT_texture_filter_anisotropic: la tecla 4 hace lo mismo que la 3\n");
     glEnable(GL_DEPTH_TEST);
-    glClearColor(0.62f, 0.78f, 0.93f, 1);
 }
 
-static void dibuja() {
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glUseProgram(estado.programa);
-    const auto &filtro = filtros[estado.elegido];
+static void dibujaSuelo(const Filtro &filtro, const Recuadro &panel) {
+    abreRecuadro(panel, CIELO);
+    glBindTexture(GL_TEXTURE_2D, estado.textura);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filtro.ampliacion);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filtro.reduccion);
     if (GLEW_EXT_texture_filter_anisotropic)
         glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT,
                         filtro.anisotropo ? estado.anisotropia : 1);
-    const glm::mat4 matriz = perspectivaVentana(0.8f, 0.1f, 2 * LARGO) * camaraOrbita(estado.orbita) *
-                             giroX(-1.57079632679f) * escalado(LARGO);
-    envia(estado.programa, "matriz", matriz);
+    envia(estado.programa, "proyeccion", perspectivaVentana(0.8f, 0.1f, 2 * LARGO, aspecto(panel)));
+    envia(estado.programa, "camara", camaraOrbita(estado.orbita));
+    envia(estado.programa, "M", giroX(-glm::half_pi<float>()) * escalado(LARGO));
     envia(estado.programa, "Img", 0);
     dibuja(estado.suelo);
+    rotula(filtro.nombre, {0.5f, 1}, OSCURO, Lado::DEBAJO, estado.comparando ? 0.03f : 0.05f);
+}
+
+static void dibuja() {
+    glUseProgram(estado.programa);
+    if (estado.comparando) {
+        abreRecuadro(ventanaEntera(), GRIS);
+        const std::vector<Recuadro> paneles = reparte(4, 4.0f / 3);
+        for (std::size_t i = 0; i < 4; ++i)
+            dibujaSuelo(FILTROS[i], paneles[i]);
+    } else {
+        dibujaSuelo(FILTROS[estado.elegido], ventanaEntera());
+    }
+    ponTitulo(estado.comparando ? "Los cuatro filtros" : FILTROS[estado.elegido].titulo);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || tecla < '1' || tecla > '4')
+    if (teclaComun(tecla))
         return;
-    estado.elegido = tecla - '1';
+    if (tecla == 'v') {
+        estado.comparando = !estado.comparando;
+    } else if (tecla >= '1' && tecla <= '4') {
+        estado.elegido = tecla - '1';
+        estado.comparando = false;
+    }
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Filtrado", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE,
                 "[FOTO.ppm | FOTO.rgb -talla ANCHOxALTO]");
-    inicia(imagenDeArgumentos(argc, argv, "assets/baldosas.rgb", 256, 256));
+    inicia(imagenDeArgumentos(argc, argv, "assets/mosaico.rgb", 32, 32));
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);

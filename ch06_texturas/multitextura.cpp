@@ -1,69 +1,104 @@
-// Varias unidades de textura en un fragment shader (§6.3, §6.5): los ladrillos, el musgo, la máscara que dice
-// dónde lo hay y la luz de dos apliques, calculada de antemano. Cada textura está en su unidad, y cada
-// sampler2D recibe el número de una. Ladrillos y musgo se repiten; la máscara y la luz abarcan la pared
-// entera.
+// Varias unidades de textura en un fragment shader (§6.3, §6.5): los ladrillos, el musgo, la máscara que dice dónde lo
+// hay y la luz de dos apliques, calculada de antemano. Cada textura está en su unidad, a la izquierda, y cada
+// sampler2D recibe el número de una. Ladrillos y musgo se repiten; la máscara y la luz abarcan la pared entera.
 // Controles: 1 ladrillos y musgo · 2 ladrillos y luz · 3 las cuatro texturas · ratón orbita · Esc termina.
 #include "ch03_transformaciones/transformaciones.h"
+#include "colores.h"
 #include "malla.h"
 #include "orbita.h"
+#include "recuadro.h"
+#include "rotulo.h"
 #include "rutas.h"
 #include "shader.h"
 #include "textura.h"
 #include "ventana.h"
 
-static const float ANCHO = 4, ALTO = 3; // de la pared
-static const glm::vec2 repeticiones(2, 1.5f);
+static const glm::vec3 TALLA(4, 3, 1); // de la pared
+static const glm::vec2 REPETICIONES(2, 1.5f);
 static const struct {
     const char *nombre; // del fichero y del sampler2D
     int ancho, alto;
     GLint borde;
-} texturas[4] = {{"ladrillo", 256, 256, GL_REPEAT},
+} TEXTURAS[4] = {{"ladrillo", 256, 256, GL_REPEAT},
                  {"musgo", 256, 256, GL_REPEAT},
                  {"mascara", 128, 96, GL_CLAMP_TO_EDGE},
                  {"luz", 64, 48, GL_CLAMP_TO_EDGE}};
+static const struct {
+    const char *titulo;
+    bool conMusgo, conLuz;
+} MEZCLAS[3] = {{"Ladrillo y musgo, según la máscara", true, false},
+                {"Ladrillo por luz", false, true},
+                {"Ladrillo y musgo, según la máscara, por luz", true, true}};
 
 static struct {
-    GLuint programa;
+    GLuint programa, programaUnidad;
     Buferes pared;
-    bool conMusgo = true, conLuz = true;
+    int elegido = 2;
     Orbita orbita = {0, 0, 5, {0, 0, 0}};
 } estado;
 
 static void inicia() {
     estado.programa = creaPrograma("ch06_texturas/multitextura.vert", "ch06_texturas/multitextura.frag");
+    estado.programaUnidad = creaPrograma("ch06_texturas/textura.vert", "ch06_texturas/textura.frag");
     estado.pared = creaBuferes(plano(1));
     GLenum unidad = GL_TEXTURE0;
-    for (const auto &t : texturas) {
+    for (const auto &t : TEXTURAS) {
         glActiveTexture(unidad++); // creaTextura2D deja su textura en la unidad activa
         creaTextura2D(leeTextura(recurso("assets/" + std::string(t.nombre) + ".rgb"), t.ancho, t.alto));
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, t.borde);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, t.borde);
     }
     glEnable(GL_DEPTH_TEST);
-    glClearColor(0.16f, 0.17f, 0.20f, 1);
+}
+
+static void dibujaPared(GLuint programa, const glm::mat4 &camara, const glm::mat4 &proyeccion) {
+    envia(programa, "proyeccion", proyeccion);
+    envia(programa, "camara", camara);
+    envia(programa, "M", escalado(TALLA));
+    dibuja(estado.pared);
+}
+
+/// Lo que hay en cada unidad, con su número; en gris, lo que la mezcla no usa.
+static void dibujaUnidades(const Recuadro &donde, bool conMusgo, bool conLuz) {
+    const bool usadas[4] = {true, conMusgo, conMusgo, conLuz};
+    const std::vector<Recuadro> paneles = rejilla(1, 4, donde);
+    glUseProgram(estado.programaUnidad);
+    for (int unidad = 0; unidad < 4; ++unidad) {
+        const Recuadro &panel = paneles[static_cast<std::size_t>(unidad)];
+        abreRecuadro(panel, FONDO_OSCURO);
+        envia(estado.programaUnidad, "Img", unidad);
+        dibujaPared(estado.programaUnidad, glm::mat4(1),
+                    paralelaVentana(0.53f * TALLA.y, -1, 1, aspecto(panel)));
+        rotula("unidad " + std::to_string(unidad) + "\n" + TEXTURAS[unidad].nombre, {0.5f, 0.5f},
+               usadas[unidad] ? BLANCO : GRIS);
+    }
 }
 
 static void dibuja() {
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const Recuadro v = ventanaEntera(), unidades = {0, 0, v.ancho * 3 / 10, v.alto},
+                   mezcla = {unidades.ancho, 0, v.ancho - unidades.ancho, v.alto};
+    const auto &[titulo, conMusgo, conLuz] = MEZCLAS[estado.elegido];
+    abreRecuadro(v, FONDO_OSCURO);
+    dibujaUnidades(unidades, conMusgo, conLuz);
+
+    abreRecuadro(mezcla, FONDO_OSCURO);
     glUseProgram(estado.programa);
-    const glm::mat4 matriz =
-        perspectivaVentana(0.583f, 0.1f, 100) * camaraOrbita(estado.orbita) * escalado({ANCHO, ALTO, 1});
-    envia(estado.programa, "matriz", matriz);
-    envia(estado.programa, "repeticiones", repeticiones);
+    envia(estado.programa, "repeticiones", REPETICIONES);
     GLint unidad = 0;
-    for (const auto &t : texturas)
+    for (const auto &t : TEXTURAS)
         envia(estado.programa, t.nombre, unidad++);
-    envia(estado.programa, "conMusgo", estado.conMusgo);
-    envia(estado.programa, "conLuz", estado.conLuz);
-    dibuja(estado.pared);
+    envia(estado.programa, "conMusgo", conMusgo);
+    envia(estado.programa, "conLuz", conLuz);
+    dibujaPared(estado.programa, camaraOrbita(estado.orbita),
+                perspectivaVentana(0.62f, 0.1f, 100, aspecto(mezcla)));
+    ponTitulo(titulo);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla) || tecla < '1' || tecla > '3')
         return;
-    estado.conMusgo = tecla != '2';
-    estado.conLuz = tecla != '1';
+    estado.elegido = tecla - '1';
     glutPostRedisplay();
 }
 

@@ -1,6 +1,6 @@
 #version 140
 
-uniform mat4 matriz; // proyección · vista · modelo
+uniform mat4 M, camara, proyeccion;
 uniform vec2 repeticiones;
 
 in vec3 posicion;
@@ -10,5 +10,5 @@ out vec2 coordMaterial, coordPared;
 void main() {
     coordPared = coordTextura;
     coordMaterial = repeticiones * coordTextura;
-    gl_Position = matriz * vec4(posicion, 1.0);
+    gl_Position = proyeccion * camara * M * vec4(posicion, 1.0);
 }

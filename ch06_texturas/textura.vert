@@ -1,6 +1,6 @@
 #version 140
 
-uniform mat4 matriz; // proyección · vista · modelo
+uniform mat4 M, camara, proyeccion;
 
 in vec3 posicion;
 in vec2 coordTextura;
@@ -8,5 +8,5 @@ out vec2 nuevaCoordTextura;
 
 void main() {
     nuevaCoordTextura = coordTextura;
-    gl_Position = matriz * vec4(posicion, 1.0);
+    gl_Position = proyeccion * camara * M * vec4(posicion, 1.0);
 }

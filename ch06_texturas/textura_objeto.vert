@@ -1,19 +1,17 @@
 #version 140
-#include "ch05_iluminacion/phong.glsl"
 
-uniform mat4 proyeccion, vista, M;
-uniform mat3 N; // transformación de la normal a coordenadas de la cámara
+uniform mat4 M, camara, proyeccion;
+uniform mat3 N; // transformación de la normal
 uniform vec2 repeticiones;
 
 in vec3 posicion, vNormal;
 in vec2 coordTextura;
-out vec3 ecPosicion, normal; // en coordenadas de la cámara
+out vec3 ecPosicion, normal; // ecPosicion, en coordenadas de la cámara; la normal, en las que diga N
 out vec2 nuevaCoordTextura;
 
 void main() {
-    vec4 P = vista * M * vec4(posicion, 1.0);
-    ecPosicion = P.xyz;
-    normal = unitario(N * vNormal);
+    ecPosicion = (camara * M * vec4(posicion, 1.0)).xyz;
+    normal = normalize(N * vNormal);
     nuevaCoordTextura = repeticiones * coordTextura;
-    gl_Position = proyeccion * P;
+    gl_Position = proyeccion * camara * M * vec4(posicion, 1.0);
 }

@@ -2,6 +2,7 @@
 #include <cerrno> // program_invocation_short_name, de glibc
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 std::string nombrePrograma() {
     return program_invocation_short_name;
@@ -15,4 +16,12 @@ void falla(const std::string &mensaje, int estado) {
     std::fflush(stdout);
     std::fprintf(stderr, "%s: %s\n", program_invocation_short_name, mensaje.c_str());
     std::exit(estado);
+}
+
+void compruebaSalida() {
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout))
+        return;
+    std::fprintf(stderr, "%s: no puedo escribir en la salida: %s\n", program_invocation_short_name,
+                 std::strerror(errno));
+    std::_Exit(1);
 }

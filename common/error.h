@@ -9,5 +9,8 @@
 /// Escribe «programa: aviso: mensaje» en stderr y sigue.
 void avisa(const std::string &mensaje);
 
+/// Para std::atexit: estado 1 si algo de lo escrito en stdout se ha perdido.
+void compruebaSalida();
+
 /// Nombre del ejecutable, sin carpeta.
 std::string nombrePrograma();

@@ -1,5 +1,6 @@
 #include "imagen.h"
 #include "error.h"
+#include "numero.h"
 #include "rutas.h"
 #include <algorithm>
 #include <cctype>
@@ -25,26 +26,28 @@ Imagen desdeArriba(const char *bytes, int ancho, int alto) {
     return imagen;
 }
 
-/// Lee el siguiente número de una cabecera PPM, saltando blancos y comentarios.
+bool esBlanco(char c) {
+    return std::isspace(static_cast<unsigned char>(c));
+}
+
+/// El siguiente número de una cabecera PPM: antes lleva al menos un blanco, y quizá comentarios.
 int numeroDeCabecera(const std::string &datos, std::size_t &i, const std::string &fichero,
                      std::string *comentario) {
-    while (i < datos.size() && (std::isspace(static_cast<unsigned char>(datos[i])) || datos[i] == '#')) {
-        if (datos[i] == '#') {
-            const std::size_t fin = std::min(datos.find('\n', i), datos.size());
-            if (comentario && comentario->empty())
-                *comentario = datos.substr(i + 2, fin > i + 2 ? fin - i - 2 : 0);
-            i = fin;
-        } else {
-            ++i;
-        }
+    const std::size_t principio = i;
+    while (i < datos.size() && (esBlanco(datos[i]) || datos[i] == '#')) {
+        if (datos[i++] != '#')
+            continue;
+        const std::size_t fin = std::min(datos.find('\n', i), datos.size());
+        if (comentario && comentario->empty())
+            *comentario = datos.substr(i, fin - i).substr(fin > i && datos[i] == ' ');
+        i = fin;
     }
-    int n = 0;
-    const std::size_t inicio = i;
-    while (i < datos.size() && std::isdigit(static_cast<unsigned char>(datos[i])) && n <= LADO_MAXIMO)
-        n = 10 * n + (datos[i++] - '0');
-    if (i == inicio || n < 1 || n > LADO_MAXIMO)
+    const std::size_t cifras = std::min(datos.find_first_not_of("0123456789", i), datos.size()) - i;
+    const std::optional<int> n = numeroDe<int>(std::string_view(datos).substr(i, cifras));
+    if (i == principio || !n || *n < 1 || *n > LADO_MAXIMO)
         falla("«" + fichero + "»: la cabecera del PPM no es válida");
-    return n;
+    i += cifras;
+    return *n;
 }
 
 void compruebaTalla(const std::string &fichero, int ancho, int alto, std::size_t encontrado) {
@@ -73,8 +76,8 @@ Imagen leePpm(const std::string &fichero, std::string *comentario) {
     const int alto = numeroDeCabecera(datos, i, fichero, comentario);
     if (numeroDeCabecera(datos, i, fichero, comentario) != 255)
         falla("«" + fichero + "»: solo se leen PPM de 8 bits (máximo 255)");
-    if (i < datos.size())
-        ++i; // un solo blanco separa la cabecera de los datos
+    if (i == datos.size() || !esBlanco(datos[i++])) // uno solo separa la cabecera de los datos
+        falla("«" + fichero + "»: la cabecera del PPM no es válida");
     compruebaTalla(fichero, ancho, alto, datos.size() - i);
     return desdeArriba(datos.data() + i, ancho, alto);
 }
@@ -87,9 +90,7 @@ Imagen imagenDeArgumentos(int argc, char **argv, const std::string &porOmision, 
             if (++i == argc)
                 falla("detrás de -talla va el tamaño, ANCHOxALTO", 2);
             talla = argv[i];
-            int leidos = 0;
-            if (std::sscanf(talla.c_str(), "%5dx%5d%n", &ancho, &alto, &leidos) != 2 ||
-                leidos != static_cast<int>(talla.size()) || ancho < 1 || alto < 1)
+            if (!leeTalla(talla, ancho, alto))
                 falla("«" + talla + "» no es un tamaño ANCHOxALTO", 2);
         } else if (!argumento.empty() && argumento[0] != '-' && fichero.empty()) {
             fichero = argumento;
@@ -97,7 +98,10 @@ Imagen imagenDeArgumentos(int argc, char **argv, const std::string &porOmision, 
             falla("sobra «" + argumento + "»: solo se lee una imagen", 2);
         }
     }
-    const bool esPpm = fs::path(fichero).extension() == ".ppm";
+    std::string extension = fs::path(fichero).extension().string();
+    for (char &c : extension)
+        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const bool esPpm = extension == ".ppm";
     if (fichero.empty() && talla.empty())
         return leeTextura(recurso(porOmision), ancho, alto);
     if (fichero.empty())
@@ -109,35 +113,42 @@ Imagen imagenDeArgumentos(int argc, char **argv, const std::string &porOmision, 
     return esPpm ? leePpm(fichero) : leeTextura(fichero, ancho, alto);
 }
 
-void guardaPpm(const std::string &fichero, const Imagen &imagen, const std::string &comentario) {
+bool intentaGuardarPpm(const std::string &fichero, const Imagen &imagen, const std::string &comentario,
+                       std::string &error) {
     // Renombrar solo vale entre ficheros corrientes; un enlace se sigue hasta el fichero al que apunta.
     std::error_code ec;
     const bool dispositivo = fs::exists(fichero, ec) && !fs::is_regular_file(fichero, ec);
     const fs::path destino = dispositivo ? fs::path(fichero) : fs::weakly_canonical(fichero, ec);
     const std::string parcial =
         dispositivo ? fichero : destino.string() + "." + std::to_string(getpid()) + ".parcial";
+    error.clear();
+    const auto comprueba = [&](bool bien) {
+        if (!bien && error.empty()) // el motivo es el del primer fallo
+            error = "no puedo guardar «" + fichero + "»: " + std::strerror(errno);
+        return bien;
+    };
 
     FILE *f = std::fopen(parcial.c_str(), "wb");
-    bool bien = f != nullptr;
-    if (f) {
-        std::fprintf(f, "P6\n");
-        if (!comentario.empty())
-            std::fprintf(f, "# %s\n", comentario.c_str());
-        std::fprintf(f, "%d %d\n255\n", imagen.ancho, imagen.alto);
-        const std::size_t fila = 3 * static_cast<std::size_t>(imagen.ancho);
-        for (int y = imagen.alto - 1; y >= 0 && bien; --y)
-            bien = std::fwrite(&imagen.rgb[fila * static_cast<std::size_t>(y)], 1, fila, f) == fila;
-        bien = bien && std::ferror(f) == 0;
-        const int error = errno;
-        bien = (std::fclose(f) == 0) && bien;
-        errno = errno ? errno : error;
-    }
-    if (bien && !dispositivo)
-        bien = std::rename(parcial.c_str(), destino.c_str()) == 0;
-    if (!bien) {
-        const std::string motivo = std::strerror(errno);
-        if (f && !dispositivo)
-            std::remove(parcial.c_str());
-        falla("no puedo guardar «" + fichero + "»: " + motivo);
-    }
+    if (!comprueba(f != nullptr))
+        return false;
+    std::fprintf(f, "P6\n");
+    if (!comentario.empty())
+        std::fprintf(f, "# %s\n", comentario.c_str());
+    std::fprintf(f, "%d %d\n255\n", imagen.ancho, imagen.alto);
+    const std::size_t fila = 3 * static_cast<std::size_t>(imagen.ancho);
+    for (int y = imagen.alto - 1; y >= 0; --y)
+        std::fwrite(&imagen.rgb[fila * static_cast<std::size_t>(y)], 1, fila, f);
+    comprueba(std::fflush(f) == 0 && !std::ferror(f));
+    comprueba(std::fclose(f) == 0);
+    if (error.empty() && !dispositivo)
+        comprueba(std::rename(parcial.c_str(), destino.c_str()) == 0);
+    if (!error.empty() && !dispositivo)
+        std::remove(parcial.c_str());
+    return error.empty();
+}
+
+void guardaPpm(const std::string &fichero, const Imagen &imagen, const std::string &comentario) {
+    std::string error;
+    if (!intentaGuardarPpm(fichero, imagen, comentario, error))
+        falla(error);
 }

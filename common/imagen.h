@@ -26,3 +26,7 @@ Imagen imagenDeArgumentos(int argc, char **argv, const std::string &porOmision, 
 /// Guarda un PPM binario, entero o nada: se escribe aparte y se renombra al final. Un dispositivo
 /// (/dev/full, una tubería) se escribe directamente. Si falla, termina diciendo por qué.
 void guardaPpm(const std::string &fichero, const Imagen &imagen, const std::string &comentario = "");
+
+/// Como guardaPpm, pero si falla devuelve false y deja en `error` por qué.
+bool intentaGuardarPpm(const std::string &fichero, const Imagen &imagen, const std::string &comentario,
+                       std::string &error);

@@ -1,5 +1,6 @@
 #include "malla.h"
 #include "error.h"
+#include "numero.h"
 #include "rutas.h"
 #include "shader.h"
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <cstddef>
 #include <functional>
 #include <glm/gtc/constants.hpp>
+#include <limits>
 #include <sstream>
 
 namespace {
@@ -168,6 +170,18 @@ Malla plano(int n) {
     return malla;
 }
 
+std::optional<glm::dvec3> leePunto(std::istream &linea) {
+    glm::dvec3 p;
+    std::string palabra;
+    for (int i = 0; i < 3; ++i) {
+        const std::optional<double> x = linea >> palabra ? numeroDe<double>(palabra) : std::nullopt;
+        if (!x || !(std::fabs(*x) <= double{std::numeric_limits<float>::max()})) // tampoco NaN
+            return {};
+        p[i] = *x;
+    }
+    return linea >> palabra ? std::nullopt : std::optional(p);
+}
+
 MallaVf leeVf(const std::string &fichero) {
     MallaVf malla;
     std::istringstream texto(leeFichero(fichero));
@@ -177,27 +191,26 @@ MallaVf leeVf(const std::string &fichero) {
             falla(fichero + ":" + std::to_string(numero) + ": " + que + " — «" + linea + "»");
         };
         std::istringstream palabras(linea.substr(0, linea.find('#')));
-        std::string tipo, sobra;
+        std::string tipo, palabra;
         if (!(palabras >> tipo))
             continue;
         if (tipo == "v") {
-            glm::vec3 p;
-            if (!(palabras >> p.x >> p.y >> p.z) || palabras >> sobra)
+            const std::optional<glm::dvec3> p = leePunto(palabras);
+            if (!p)
                 mal("un vértice son tres números");
-            malla.vertices.push_back(p);
+            malla.vertices.emplace_back(*p);
         } else if (tipo == "f") {
             std::vector<GLuint> cara;
-            std::string palabra;
             while (palabras >> palabra) {
-                if (palabra.find_first_not_of("0123456789") != std::string::npos || palabra.size() > 9)
+                const std::optional<GLuint> i = numeroDe<GLuint>(palabra);
+                if (!i)
                     mal("«" + palabra + "» no es un número de vértice");
-                const unsigned long i = std::stoul(palabra);
-                if (i < 1 || i > malla.vertices.size())
+                if (*i < 1 || *i > malla.vertices.size())
                     mal("el vértice " + palabra + " no existe: hay " + std::to_string(malla.vertices.size()) +
                         ", desde el 1");
-                if (std::find(cara.begin(), cara.end(), i - 1) != cara.end())
+                if (std::find(cara.begin(), cara.end(), *i - 1) != cara.end())
                     mal("el vértice " + palabra + " está dos veces en la cara");
-                cara.push_back(static_cast<GLuint>(i - 1));
+                cara.push_back(*i - 1);
             }
             if (cara.size() < 3)
                 mal("una cara necesita al menos tres vértices y hay " + std::to_string(cara.size()));
@@ -219,4 +232,9 @@ int segmentosPara(float radioPx, float tolerPx) {
         glm::pi<double>() /
         (2.0 * std::asin(std::sqrt(0.5 * static_cast<double>(tolerPx) / static_cast<double>(radioPx))));
     return static_cast<int>(std::clamp(std::ceil(n), 3.0, 1024.0));
+}
+
+int segmentosEsfera(float radioPx) {
+    const int n = segmentosPara(radioPx, 0.125f);
+    return n + n % 2;
 }

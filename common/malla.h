@@ -2,6 +2,8 @@
 #pragma once
 #include <GL/glew.h>
 #include <glm/glm.hpp>
+#include <iosfwd>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,13 +31,17 @@ Buferes creaBuferes(const Malla &malla);
 /// Dibuja la malla con el programa en uso (listado 2.4): glBindVertexArray y glDrawElements.
 void dibuja(const Buferes &buferes);
 
-/// Sólidos centrados en el origen. `n`: segmentos de una vuelta, al menos 3.
+/// Sólidos centrados en el origen. `n`: segmentos de una vuelta, al menos 3. s da la vuelta al eje Z desde +X y t sube
+/// (en el toro, da la vuelta al tubo desde fuera); en una tapa o una cara, (s,t) es la posición, de 0 a 1.
 Malla cubo();          // lado 1
 Malla esfera(int n);   // radio 1; polos en ±Z
 Malla cilindro(int n); // radio 1, altura 1 (z de −0.5 a 0.5), con tapas
 Malla cono(int n);     // radio 1, base en z = 0 y vértice en z = 1, con tapa
 Malla toro(float radio, float radioTubo, int n, int m); // en el plano XY; n segmentos de anillo y m de tubo
 Malla plano(int n);                                     // lado 1 en el plano XY, normal +Z, n×n cuadrados
+
+/// Las tres coordenadas que son todo lo que queda de la línea; nada si no son tres números que quepan en un float.
+std::optional<glm::dvec3> leePunto(std::istream &linea);
 
 /// Descripción v/f: líneas «v x y z» y «f i j k …» (caras convexas, índices desde 1, `#` comenta).
 /// Cada cara guarda sus índices desde 0. Un error termina diciendo fichero, línea y qué se esperaba.
@@ -46,6 +52,9 @@ struct MallaVf {
 MallaVf leeVf(const std::string &fichero);
 
 /// Segmentos con que una circunferencia de `radioPx` píxeles se separa de la exacta menos de `tolerPx`:
-/// la flecha de un arco de 2π/n es r·(1 − cos(π/n)). Entre 3 y 1024. Una esfera se hunde el doble en el centro
-/// de sus caras: pídase la mitad.
+/// la flecha de un arco de 2π/n es r·(1 − cos(π/n)). Entre 3 y 1024.
 int segmentosPara(float radioPx, float tolerPx = 0.5f);
+
+/// Segmentos con que `esfera` se separa menos de un cuarto de píxel de la exacta: en el centro de sus caras se hunde el doble
+/// que en sus arcos. Pares, porque de polo a polo van la mitad.
+int segmentosEsfera(float radioPx);

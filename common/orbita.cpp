@@ -6,7 +6,7 @@
 
 namespace {
 
-const float RADIANES_POR_PIXEL = 0.01f;
+const float RADIANES_POR_ALTO = 1.8f; // arrastrando de abajo arriba de la ventana, sea del tamaño que sea
 const float ELEVACION_MAXIMA = 1.55f; // algo menos de π/2: en el polo la vertical no orienta la cámara
 const float FACTOR_RUEDA = 1.1f, ACERCA = 0.4f, ALEJA = 2.5f;
 
@@ -36,8 +36,9 @@ void orbitaBoton(int boton, int estado, int x, int y) {
 void orbitaArrastra(int x, int y) {
     if (!arrastrando || !activa)
         return;
-    activa->azimut -= RADIANES_POR_PIXEL * static_cast<float>(x - xAnterior);
-    activa->elevacion = std::clamp(activa->elevacion + RADIANES_POR_PIXEL * static_cast<float>(y - yAnterior),
+    const float porPixel = RADIANES_POR_ALTO / altoUtil();
+    activa->azimut -= porPixel * static_cast<float>(x - xAnterior);
+    activa->elevacion = std::clamp(activa->elevacion + porPixel * static_cast<float>(y - yAnterior),
                                    activa->elevacionMinima, ELEVACION_MAXIMA);
     xAnterior = x;
     yAnterior = y;

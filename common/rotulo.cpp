@@ -65,8 +65,9 @@ struct Rotulo {
 
     /// Esa esquina, corrida lo justo para que el rótulo no se salga del panel.
     glm::ivec2 dentro(const glm::ivec2 &e) const {
-        return {std::clamp(e.x, halo, std::max(viewport[2] - ancho - halo, halo)),
-                std::clamp(e.y, halo, std::max(viewport[3] - alto - halo, halo))};
+        const int margen = halo + 1;
+        return {std::clamp(e.x, margen, std::max(viewport[2] - ancho - margen, margen)),
+                std::clamp(e.y, margen, std::max(viewport[3] - alto - margen, margen))};
     }
 
     bool tapa(const glm::ivec2 &e, const glm::ivec2 &punto) const {

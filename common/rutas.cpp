@@ -5,12 +5,17 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <vector>
 
 namespace fs = std::filesystem;
 
-std::string recurso(const std::string &relativa) {
+namespace {
+
+const std::size_t TAMANO_MAXIMO = 256 << 20; // /dev/zero no se acaba nunca
+
+} // namespace
+
+bool intentaRecurso(const std::string &relativa, std::string &ruta, std::string &error) {
     std::vector<fs::path> raices;
     if (const char *raiz = std::getenv("LAB_RAIZ"))
         raices.emplace_back(raiz);
@@ -25,24 +30,48 @@ std::string recurso(const std::string &relativa) {
 
     std::string lugares;
     for (const fs::path &raiz : raices) {
-        const fs::path ruta = raiz / relativa;
+        ruta = (raiz / relativa).string();
         std::error_code ec;
         if (fs::is_regular_file(ruta, ec))
-            return ruta.string();
-        lugares += (lugares.empty() ? "" : ", ") + ruta.string();
+            return true;
+        lugares += (lugares.empty() ? "" : ", ") + ruta;
     }
-    falla("no encuentro «" + relativa + "»; lo he buscado en " + lugares);
+    error = "no encuentro «" + relativa + "»; lo he buscado en " + lugares;
+    return false;
+}
+
+bool intentaLeer(const std::string &ruta, std::string &contenido, std::string &error) {
+    std::error_code ec;
+    if (fs::is_directory(ruta, ec)) {
+        error = "«" + ruta + "» es una carpeta, no un fichero";
+        return false;
+    }
+    std::ifstream fichero(ruta, std::ios::binary);
+    contenido.clear();
+    char trozo[1 << 16];
+    while (fichero && contenido.size() <= TAMANO_MAXIMO) {
+        fichero.read(trozo, sizeof trozo);
+        contenido.append(trozo, static_cast<std::size_t>(fichero.gcount()));
+    }
+    if (contenido.size() > TAMANO_MAXIMO)
+        error = "«" + ruta + "» ocupa más de 256 MiB";
+    else if (!fichero.eof())
+        error = "no puedo leer «" + ruta + "»: " + std::strerror(errno);
+    else
+        return true;
+    return false;
+}
+
+std::string recurso(const std::string &relativa) {
+    std::string ruta, error;
+    if (!intentaRecurso(relativa, ruta, error))
+        falla(error);
+    return ruta;
 }
 
 std::string leeFichero(const std::string &ruta) {
-    std::error_code ec;
-    if (fs::is_directory(ruta, ec))
-        falla("«" + ruta + "» es una carpeta, no un fichero");
-    std::ifstream fichero(ruta, std::ios::binary);
-    if (!fichero)
-        falla("no puedo leer «" + ruta + "»: " + std::strerror(errno));
-    std::string contenido{std::istreambuf_iterator<char>(fichero), {}};
-    if (fichero.bad())
-        falla("no puedo leer «" + ruta + "»: " + std::strerror(errno));
+    std::string contenido, error;
+    if (!intentaLeer(ruta, contenido, error))
+        falla(error);
     return contenido;
 }

@@ -8,5 +8,9 @@
 /// árbol de fuentes. Si no está en ninguna, termina con un mensaje que las enumera todas.
 std::string recurso(const std::string &relativa);
 
-/// Contenido completo de un fichero; si no se puede leer, termina diciendo por qué.
+/// Contenido completo de un fichero de 256 MiB a lo sumo; si no se puede leer, termina diciendo por qué.
 std::string leeFichero(const std::string &ruta);
+
+/// Las mismas para lo que se lee con la ventana abierta: si no pueden, devuelven false y dejan en `error` por qué.
+bool intentaRecurso(const std::string &relativa, std::string &ruta, std::string &error);
+bool intentaLeer(const std::string &ruta, std::string &contenido, std::string &error);

@@ -1,10 +1,12 @@
 #include "shader.h"
 #include "error.h"
 #include "rutas.h"
+#include <algorithm>
+#include <charconv>
 #include <glm/gtc/type_ptr.hpp>
-#include <regex>
 #include <set>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -20,44 +22,109 @@ struct Registrado {
 };
 std::vector<Registrado> registrados;
 
-/// Lee un shader línea a línea, con los #include en su sitio; cada línea recuerda de dónde viene.
-void leeLineas(const std::string &fichero, std::vector<Linea> &lineas, int nivel = 0) {
-    if (nivel > 8)
-        falla("«" + fichero + "»: demasiados #include anidados");
-    static const std::regex inclusion(R"re(^\s*#include\s+"([^"]+)"\s*$)re");
-    std::istringstream texto(leeFichero(recurso(fichero)));
-    std::string linea;
-    std::smatch m;
-    for (int numero = 1; std::getline(texto, linea); ++numero) {
-        if (std::regex_match(linea, m, inclusion))
-            leeLineas(m[1], lineas, nivel + 1);
-        else
-            lineas.push_back({fichero, linea, numero});
-    }
+/// Quita los blancos de delante y de detrás.
+std::string_view recorta(std::string_view texto) {
+    const std::size_t inicio = std::min(texto.find_first_not_of(" \t\r\v\f"), texto.size());
+    return texto.substr(inicio, texto.find_last_not_of(" \t\r\v\f") + 1 - inicio);
 }
 
-/// Traduce el informe del compilador a «fichero:línea: mensaje — «texto»». Cada fabricante numera a
-/// su manera: Mesa «0:12(5): …», NVIDIA «0(12) : …», AMD e Intel «ERROR: 0:12: …».
-std::string traduceInforme(const std::string &informe, const std::vector<Linea> &lineas) {
-    static const std::regex lugar(
-        R"re(^(?:ERROR: |WARNING: )?\d+(?::(\d+)(?:\(\d+\))?|\((\d+)\))\s*:\s*(.*)$)re");
+/// El fichero que nombra una línea «#include "fichero"»; vacío si la línea no es eso.
+std::string_view incluidoEn(std::string_view linea) {
+    const std::string_view orden = "#include";
+    linea = recorta(linea);
+    if (linea.substr(0, orden.size()) != orden)
+        return {};
+    linea = recorta(linea.substr(orden.size()));
+    const bool entreComillas =
+        linea.size() > 2 && linea.find('"') == 0 && linea.find('"', 1) == linea.size() - 1;
+    return entreComillas ? linea.substr(1, linea.size() - 2) : std::string_view();
+}
+
+/// Lee un shader línea a línea, con los #include en su sitio; cada línea recuerda de dónde viene. `pila`: los
+/// ficheros que se están leyendo, cada uno incluido por el anterior.
+bool leeLineas(const std::string &fichero, std::vector<Linea> &lineas, std::vector<std::string> &pila,
+               std::string &error) {
+    std::string ruta, contenido, linea;
+    if (!intentaRecurso(fichero, ruta, error) || !intentaLeer(ruta, contenido, error))
+        return false;
+    pila.push_back(fichero);
+    std::istringstream texto(contenido);
+    for (int numero = 1; std::getline(texto, linea); ++numero) {
+        const std::string incluido(incluidoEn(linea));
+        if (incluido.empty()) {
+            lineas.push_back({fichero, linea, numero});
+            continue;
+        }
+        const auto ciclo = std::find(pila.begin(), pila.end(), incluido);
+        if (ciclo != pila.end()) {
+            error = "#include sin fin: ";
+            std::for_each(ciclo, pila.end(), [&](const std::string &f) { error += f + " → "; });
+            error += incluido;
+        } else if (leeLineas(incluido, lineas, pila, error)) {
+            continue;
+        }
+        error = fichero + ":" + std::to_string(numero) + ": " + error;
+        return false;
+    }
+    pila.pop_back();
+    return true;
+}
+
+/// Una línea del informe del compilador: la del texto de la que habla y lo que dice.
+struct Aviso {
+    std::size_t linea = 0;
+    std::string_view mensaje;
+};
+
+/// Cada fabricante numera a su manera: Mesa «0:12(5): …», NVIDIA «0(12) : …», AMD, Intel y WebGL «ERROR: 0:12: …».
+bool analizaAviso(std::string_view texto, Aviso &aviso) {
+    const auto toma = [&texto](std::string_view que) {
+        const bool esta = texto.substr(0, que.size()) == que;
+        texto.remove_prefix(esta ? que.size() : 0);
+        return esta;
+    };
+    const auto tomaNumero = [&texto](std::size_t &n) {
+        const auto [fin, mal] = std::from_chars(texto.data(), texto.data() + texto.size(), n);
+        texto.remove_prefix(static_cast<std::size_t>(fin - texto.data()));
+        return mal == std::errc();
+    };
+    std::size_t unidad, columna;
+    if (!toma("ERROR: "))
+        toma("WARNING: ");
+    if (!tomaNumero(unidad))
+        return false;
+    const bool lugar = toma("(") ? tomaNumero(aviso.linea) && toma(")")
+                                 : toma(":") && tomaNumero(aviso.linea) &&
+                                       (!toma("(") || (tomaNumero(columna) && toma(")")));
+    texto = recorta(texto);
+    if (!lugar || !toma(":"))
+        return false;
+    aviso.mensaje = recorta(texto);
+    return true;
+}
+
+/// Traduce el informe del compilador a «fichero:línea: mensaje — «texto»». `fichero`: de quién se habla si la
+/// línea no es ninguna de las leídas.
+std::string traduceInforme(const std::string &informe, const std::vector<Linea> &lineas,
+                           const std::string &fichero) {
     std::istringstream entrada(informe);
     std::string linea, salida;
-    std::size_t anterior = 0;
+    std::size_t anterior = std::string::npos;
     while (std::getline(entrada, linea)) {
-        if (linea.empty() || linea[0] == '\0')
+        Aviso aviso;
+        if (linea.empty())
             continue;
-        std::smatch m;
-        if (std::regex_match(linea, m, lugar)) {
-            const std::size_t n = std::stoul(m[1].matched ? m[1] : m[2]);
-            if (n == anterior)
+        if (analizaAviso(linea, aviso)) {
+            if (aviso.linea == anterior)
                 continue; // los demás errores de una línea suelen venir del primero
-            anterior = n;
-            if (n >= 1 && n <= lineas.size()) {
-                const Linea &l = lineas[n - 1];
-                const std::size_t sangria = std::min(l.texto.find_first_not_of(" \t"), l.texto.size());
-                linea = l.fichero + ":" + std::to_string(l.numero) + ": " + m[3].str() + " — «" +
-                        l.texto.substr(sangria) + "»";
+            anterior = aviso.linea;
+            const std::string mensaje(aviso.mensaje);
+            if (aviso.linea < 1 || aviso.linea > lineas.size()) {
+                linea = fichero + ": " + mensaje;
+            } else {
+                const Linea &l = lineas[aviso.linea - 1];
+                linea = l.fichero + ":" + std::to_string(l.numero) + ": " + mensaje + " — «" +
+                        std::string(recorta(l.texto)) + "»";
             }
         }
         salida += (salida.empty() ? "" : "\n") + linea;
@@ -65,10 +132,11 @@ std::string traduceInforme(const std::string &informe, const std::vector<Linea> 
     return salida;
 }
 
-GLuint compila(GLenum tipo, const std::string &fichero, std::string &error) {
+GLuint compila(GLenum tipo, const std::string &fichero, std::string &texto, std::string &error) {
     std::vector<Linea> lineas;
-    leeLineas(fichero, lineas);
-    std::string texto;
+    std::vector<std::string> pila;
+    if (!leeLineas(fichero, lineas, pila, error))
+        return 0;
     for (const Linea &l : lineas)
         texto += l.texto + '\n';
 
@@ -84,7 +152,7 @@ GLuint compila(GLenum tipo, const std::string &fichero, std::string &error) {
     glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &longitud);
     std::string informe(static_cast<std::size_t>(longitud) + 1, '\0');
     glGetShaderInfoLog(shader, longitud + 1, nullptr, informe.data());
-    error = traduceInforme(informe.c_str(), lineas);
+    error = traduceInforme(informe.c_str(), lineas, fichero);
     if (error.empty())
         error = fichero + ": no compila y el compilador no dice por qué";
     glDeleteShader(shader);
@@ -94,8 +162,9 @@ GLuint compila(GLenum tipo, const std::string &fichero, std::string &error) {
 } // namespace
 
 GLuint intentaPrograma(const std::string &vert, const std::string &frag, std::string &error) {
-    const GLuint vertexShader = compila(GL_VERTEX_SHADER, vert, error);
-    const GLuint fragmentShader = vertexShader ? compila(GL_FRAGMENT_SHADER, frag, error) : 0;
+    std::string textoVert, textoFrag;
+    const GLuint vertexShader = compila(GL_VERTEX_SHADER, vert, textoVert, error);
+    const GLuint fragmentShader = vertexShader ? compila(GL_FRAGMENT_SHADER, frag, textoFrag, error) : 0;
     if (!fragmentShader) {
         glDeleteShader(vertexShader); // 0 se ignora
         return 0;
@@ -103,8 +172,6 @@ GLuint intentaPrograma(const std::string &vert, const std::string &frag, std::st
     const GLuint programa = glCreateProgram();
     glAttachShader(programa, vertexShader);
     glAttachShader(programa, fragmentShader);
-    glDeleteShader(vertexShader); // quedan marcados: mueren con el programa
-    glDeleteShader(fragmentShader);
     glBindAttribLocation(programa, ATRIBUTO_POSICION, "posicion");
     glBindAttribLocation(programa, ATRIBUTO_NORMAL, "vNormal");
     glBindAttribLocation(programa, ATRIBUTO_COORD_TEXTURA, "coordTextura");
@@ -113,14 +180,22 @@ GLuint intentaPrograma(const std::string &vert, const std::string &frag, std::st
 
     GLint enlazado = GL_FALSE, longitud = 0;
     glGetProgramiv(programa, GL_LINK_STATUS, &enlazado);
-    if (enlazado)
+    const bool tienePosicion = enlazado && glGetAttribLocation(programa, "posicion") != -1;
+    if (tienePosicion || (enlazado && textoVert.find("gl_VertexID") != std::string::npos))
         return programa;
-    glGetProgramiv(programa, GL_INFO_LOG_LENGTH, &longitud);
-    std::string informe(static_cast<std::size_t>(longitud) + 1, '\0');
-    glGetProgramInfoLog(programa, longitud + 1, nullptr, informe.data());
-    error = traduceInforme(informe.c_str(), {});
-    error = vert + " y " + frag + " no enlazan: " + (error.empty() ? "el enlazador no dice por qué" : error);
-    glDeleteProgram(programa);
+    if (enlazado) {
+        error = vert + ": no usa el atributo «posicion»";
+    } else {
+        glGetProgramiv(programa, GL_INFO_LOG_LENGTH, &longitud);
+        std::string informe(static_cast<std::size_t>(longitud) + 1, '\0');
+        glGetProgramInfoLog(programa, longitud + 1, nullptr, informe.data());
+        error = traduceInforme(informe.c_str(), {}, vert);
+        error =
+            vert + " y " + frag + " no enlazan: " + (error.empty() ? "el enlazador no dice por qué" : error);
+    }
+    glDeleteProgram(programa); // antes que sus shaders: WebGL no sabe borrarlos mientras están en uno
+    glDeleteShader(vertexShader);
+    glDeleteShader(fragmentShader);
     return 0;
 }
 
@@ -182,6 +257,8 @@ void recargaProgramas() {
         glGetAttachedShaders(nuevo, 2, nullptr, nuevos);
         for (int i = 0; i < 2; ++i) {
             glDetachShader(r.programa, viejos[i]);
+            glDeleteShader(viejos[i]);
+            glDetachShader(nuevo, nuevos[i]);
             glAttachShader(r.programa, nuevos[i]);
         }
         glLinkProgram(r.programa);

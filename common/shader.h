@@ -15,6 +15,7 @@ enum Atributo : GLuint {
 
 /// Compila y enlaza los dos shaders, dados por su ruta desde la raíz del laboratorio. Una línea
 /// `#include "ruta/desde/la/raiz.glsl"` se sustituye por el contenido de ese fichero.
+/// El vertex shader debe usar el atributo `posicion`, o gl_VertexID si no le hacen falta vértices.
 /// Si algo falla, termina con «fichero:línea: error — «la línea»».
 GLuint creaPrograma(const std::string &vert, const std::string &frag);
 
@@ -34,6 +35,6 @@ void envia(GLuint programa, const char *nombre, const glm::vec4 &valor);
 void envia(GLuint programa, const char *nombre, const glm::mat3 &valor);
 void envia(GLuint programa, const char *nombre, const glm::mat4 &valor);
 
-/// Vuelve a leer los shaders de todos los programas creados con creaPrograma. El que no compila
-/// conserva el que tenía, y su error se escribe en stderr.
+/// Vuelve a leer los shaders de todos los programas creados con creaPrograma. El que falla conserva los que tenía, su
+/// error se escribe en stderr y los demás programas se releen igual.
 void recargaProgramas();

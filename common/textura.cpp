@@ -1,6 +1,18 @@
 #include "textura.h"
+#include "error.h"
+#include <algorithm>
+#include <string>
+
+void compruebaQueCabe(const Imagen &imagen) {
+    GLint mayor = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &mayor);
+    if (std::max(imagen.ancho, imagen.alto) > mayor)
+        falla("una textura de " + std::to_string(imagen.ancho) + "×" + std::to_string(imagen.alto) +
+              " es demasiado grande: este OpenGL las admite de hasta " + std::to_string(mayor) + " de lado");
+}
 
 GLuint creaTextura2D(const Imagen &imagen) {
+    compruebaQueCabe(imagen);
     GLuint textura;
     glGenTextures(1, &textura);
     glBindTexture(GL_TEXTURE_2D, textura);

@@ -25,14 +25,20 @@ void tecladoEspecial(int tecla, int, int) {
 
 void guardaVentana() {
     std::string fichero;
-    for (int n = 1; fichero.empty() || std::filesystem::exists(fichero); ++n)
+    std::error_code nadie; // en una carpeta que no se deja mirar, quien se queja es intentaGuardarPpm
+    for (int n = 1; fichero.empty() || std::filesystem::exists(fichero, nadie); ++n)
         fichero = nombrePrograma() + "-" + std::to_string(n) + ".ppm";
-    guardaPpm(fichero, leeVentana());
-    std::printf("guardado %s\n", fichero.c_str());
+    std::string error;
+    if (intentaGuardarPpm(fichero, leeVentana(), "", error))
+        std::printf("guardado %s\n", fichero.c_str());
+    else
+        avisa(error);
 }
 
-/// FreeGLUT da a X11 los títulos como Latin-1: de los caracteres que no están en él, los griegos van con su nombre.
-std::string enLatin1(const std::string &utf8) {
+/// FreeGLUT anterior a 3.8 da a X11 los títulos como Latin-1: lo que no está en él va con sus letras, α como «alfa».
+std::string tituloParaGlut(const std::string &utf8) {
+    if (glutGet(GLUT_VERSION) >= 30800)
+        return utf8;
     static const std::pair<const char *, const char *> FUERA[] = {
         {"−", "-"},     {"√", "raiz "}, {"π", "pi"},  {"α", "alfa"},
         {"δ", "delta"}, {"θ", "theta"}, {"Φ", "Phi"}, {"→", "->"}};
@@ -65,9 +71,10 @@ void abreVentana(int &argc, char **argv, const char *titulo, unsigned modo, cons
         std::puts(uso.c_str());
         std::exit(0);
     }
-    if (argc > 1 && !argumentos)
-        falla("no entiendo «" + std::string(argv[1]) + "»; " + uso, 2);
-    glutCreateWindow(enLatin1(titulo).c_str());
+    for (int i = 1; i < argc; ++i)
+        if (!argumentos || !*argv[i]) // un argumento vacío no es de nadie
+            falla("no entiendo «" + std::string(argv[i]) + "»; " + uso, 2);
+    glutCreateWindow(tituloParaGlut(titulo).c_str());
     glewExperimental = GL_TRUE;
     glewInit(); // su resultado no sirve: sin GLX da error aunque haya encontrado todas las funciones
     if (!GLEW_VERSION_3_1 || !glGenVertexArrays)
@@ -78,7 +85,7 @@ void abreVentana(int &argc, char **argv, const char *titulo, unsigned modo, cons
 }
 
 void ponTitulo(const std::string &titulo) {
-    glutSetWindowTitle(enLatin1(titulo).c_str());
+    glutSetWindowTitle(tituloParaGlut(titulo).c_str());
 }
 
 bool teclaComun(unsigned char tecla) {

@@ -1,6 +1,8 @@
 // Lo único que distingue OSMesa de EGL: crear el contexto y cambiar de tamaño su framebuffer.
 #pragma once
 
+namespace sin_ventana {
+
 /// Crea un contexto OpenGL 3.1 de ancho × alto y lo hace actual; termina con un mensaje si no puede.
 /// Sin `profundidad` o `plantilla` el framebuffer no tiene esos buffers, como en una ventana.
 void creaContexto(int ancho, int alto, bool profundidad, bool plantilla);
@@ -12,3 +14,5 @@ void destruyeContexto();
 
 /// Dirección de una función de OpenGL, o nulo.
 void (*direccionGL(const char *nombre))();
+
+} // namespace sin_ventana

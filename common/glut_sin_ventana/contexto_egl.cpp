@@ -5,6 +5,8 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+namespace sin_ventana {
+
 namespace {
 
 EGLDisplay pantalla = EGL_NO_DISPLAY;
@@ -34,6 +36,8 @@ void creaContexto(int ancho, int alto, bool profundidad, bool plantilla) {
                                 8,
                                 EGL_BLUE_SIZE,
                                 8,
+                                EGL_ALPHA_SIZE, // sin él elige uno de 24 bits por píxel, y ahí llvmpipe
+                                8,              // descoloca los componentes de un rectángulo liso
                                 EGL_DEPTH_SIZE,
                                 profundidad ? 24 : 0,
                                 EGL_STENCIL_SIZE,
@@ -78,3 +82,5 @@ void destruyeContexto() {
 void (*direccionGL(const char *nombre))() {
     return eglGetProcAddress(nombre);
 }
+
+} // namespace sin_ventana

@@ -1,15 +1,21 @@
 // Contexto sobre OSMesa: Mesa dibuja en la memoria del programa, sin servidor gráfico ni dispositivo.
 #include "../error.h"
 #include "contexto.h"
+#include <algorithm>
 #include <vector>
 // clang-format off
 #include <GL/gl.h>
 #include <GL/osmesa.h>
 // clang-format on
 
+namespace sin_ventana {
+
 namespace {
 OSMesaContext contexto = nullptr;
 std::vector<unsigned char> memoria; // RGBA, una fila tras otra desde abajo
+int anchoMemoria = 0, altoMemoria = 0;
+const long long MAXIMO_PERDIDOS = 8 << 20, MAXIMO_HOLGURA = 16 << 20; // píxeles, a 8 bytes cada uno
+long long pixelesPerdidos = 0;
 } // namespace
 
 void creaContexto(int ancho, int alto, bool profundidad, bool plantilla) {
@@ -32,11 +38,25 @@ void creaContexto(int ancho, int alto, bool profundidad, bool plantilla) {
     cambiaTallaContexto(ancho, alto);
 }
 
+// OSMesa no libera el framebuffer que deja. Cuando lo perdido ya es mucho se sigue en el mismo, si la ventana cabe en él
+// (los dos empiezan abajo a la izquierda), o en otro que sea el doble en lo que crece. Hasta entonces son de la talla
+// justa, porque del alto del framebuffer depende el último bit de algunos píxeles.
 void cambiaTallaContexto(int ancho, int alto) {
+    if (pixelesPerdidos > MAXIMO_PERDIDOS) {
+        if (ancho <= anchoMemoria && alto <= altoMemoria)
+            return;
+        const int holgado[] = {ancho > anchoMemoria ? std::max(ancho, 2 * anchoMemoria) : anchoMemoria,
+                               alto > altoMemoria ? std::max(alto, 2 * altoMemoria) : altoMemoria};
+        if (static_cast<long long>(holgado[0]) * holgado[1] <= MAXIMO_HOLGURA)
+            ancho = holgado[0], alto = holgado[1];
+    }
     std::vector<unsigned char> nueva(4 * static_cast<std::size_t>(ancho) * static_cast<std::size_t>(alto));
     if (!OSMesaMakeCurrent(contexto, nueva.data(), GL_UNSIGNED_BYTE, ancho, alto))
         falla("OSMesa no admite una imagen de " + std::to_string(ancho) + "×" + std::to_string(alto));
     memoria.swap(nueva); // OSMesa usa la vieja hasta que tiene la nueva
+    pixelesPerdidos += static_cast<long long>(anchoMemoria) * altoMemoria;
+    anchoMemoria = ancho;
+    altoMemoria = alto;
 }
 
 void destruyeContexto() {
@@ -47,6 +67,8 @@ void destruyeContexto() {
 void (*direccionGL(const char *nombre))() {
     return OSMesaGetProcAddress(nombre);
 }
+
+} // namespace sin_ventana
 
 // El GLEW de Debian busca las funciones con glXGetProcAddress: estas definiciones, que se enlazan
 // antes que las de libGL, lo llevan a OSMesa.

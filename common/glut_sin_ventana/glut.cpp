@@ -10,8 +10,10 @@
 #include <cstring>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
+namespace sin_ventana {
 namespace {
 
 const int ANCHO_PANTALLA = 1920, ALTO_PANTALLA = 1080; // la pantalla que no hay, para glutFullScreenToggle
@@ -43,7 +45,7 @@ struct {
     // ventana
     int ancho = 300, alto = 300, anchoPrevio = 0, altoPrevio = 0;
     unsigned modo = GLUT_RGBA;
-    bool iniciado = false, abierta = false, repinta = false, termina = false, completa = false;
+    bool iniciado = false, ayuda = false, abierta = false, repinta = false, termina = false, completa = false;
     int xRaton = 0, yRaton = 0;
     bool ratonDentro = false, pulsado[3] = {};
     // funciones del programa
@@ -64,6 +66,7 @@ struct {
     std::vector<Temporizador> temporizadores;
     std::map<int, Menu> menus;
     int menuActual = 0, ultimoMenu = 0, menuDeBoton[3] = {};
+    bool menuAbierto = false;
 } g;
 
 std::string errorGL; // el primer error o mensaje de depuración grave
@@ -99,7 +102,7 @@ void compruebaGL(const std::string &donde) {
 }
 
 /// El programa ha llamado a exit antes de que el bucle pudiera comprobar los últimos errores.
-void compruebaAlSalir() {
+void compruebaErroresAlSalir() {
     if (errorGL.empty())
         return;
     std::fflush(stdout);
@@ -207,8 +210,10 @@ void eligeEnMenu(const Orden &orden) {
             if (e == entradas.end())
                 break;
             if (!e->submenu) {
-                g.menuActual = menu;
-                g.menus.at(menu).funcion(e->valor);
+                const int anterior = std::exchange(g.menuActual, menu), valor = e->valor;
+                g.menuAbierto = false;
+                g.menus.at(menu).funcion(valor); // que puede cambiar el menú
+                g.menuActual = g.menus.count(anterior) ? anterior : 0;
                 return;
             }
             menu = e->submenu;
@@ -236,6 +241,8 @@ void llevaRaton(int x, int y) {
     g.ratonDentro = true;
     g.xRaton = x;
     g.yRaton = y;
+    if (g.menuAbierto)
+        return;
     if (auto f = botonPulsado() ? g.arrastre : g.movimiento)
         f(x, y);
 }
@@ -259,8 +266,11 @@ void ejecuta(const Orden &o) {
         if (g.pulsado[o.a] == (o.b == GLUT_DOWN))
             falla(o.lugar + ": ese botón ya está " + (o.b == GLUT_DOWN ? "abajo" : "arriba"), 2);
         g.pulsado[o.a] = o.b == GLUT_DOWN;
-        if (g.menuDeBoton[o.a])
-            break; // abre el menú: el programa no se entera; la opción la elige la orden menu
+        // De lo que abre o cierra un menú el programa no se entera; la opción la elige la orden menu.
+        if (g.menuAbierto || (g.menuDeBoton[o.a] && o.b == GLUT_DOWN)) {
+            g.menuAbierto = o.b == GLUT_UP || g.menuDeBoton[o.a];
+            break;
+        }
         if (g.raton)
             g.raton(o.a, o.b, o.x, o.y);
         break;
@@ -329,6 +339,9 @@ Menu &menuActual(const char *funcion) {
 }
 
 } // namespace
+} // namespace sin_ventana
+
+using namespace sin_ventana;
 
 extern "C" {
 
@@ -336,6 +349,7 @@ void glutInit(int *argc, char **argv) {
     if (g.iniciado)
         falla("glutInit se llama una sola vez");
     g.iniciado = true;
+    std::atexit(compruebaSalida);
     g.ppm = nombrePrograma() + ".ppm";
     int quedan = 1;
     for (int i = 1; i < *argc; ++i) {
@@ -356,7 +370,8 @@ void glutInit(int *argc, char **argv) {
             g.mide = enteroDe(valor(), 1, 1000000, opcion);
         } else if (opcion == "-ayuda") {
             std::printf("%s", AYUDA);
-            std::exit(0);
+            g.ayuda = true;
+            argv[quedan++] = argv[i]; // el programa puede añadir su uso
         } else {
             argv[quedan++] = argv[i];
         }
@@ -395,17 +410,19 @@ void glutInitContextProfile(int perfil) {
 }
 
 void glutSetOption(GLenum opcion, int) {
-    if (opcion != GLUT_ACTION_ON_WINDOW_CLOSE)
+    if (opcion != GLUT_ACTION_ON_WINDOW_CLOSE && opcion != GLUT_MULTISAMPLE)
         noEsta("glutSetOption", opcion);
 }
 
 int glutCreateWindow(const char *) {
     if (!g.iniciado)
         falla("glutCreateWindow: antes hay que llamar a glutInit");
+    if (g.ayuda)
+        std::exit(0);
     if (g.abierta)
         falla("glut_sin_ventana solo tiene una ventana");
-    // Mesa da por omisión un 4.5: así no pasa nada que no esté en OpenGL 3.1 y GLSL 1.40
-    setenv("MESA_GL_VERSION_OVERRIDE", "3.1", 0);
+    // Mesa da por omisión un 4.5: así no pasa nada que no esté en OpenGL 3.1 (sin lo obsoleto: FC) y GLSL 1.40
+    setenv("MESA_GL_VERSION_OVERRIDE", "3.1FC", 0);
     setenv("MESA_GLSL_VERSION_OVERRIDE", "140", 0);
     creaContexto(g.ancho, g.alto, (g.modo & GLUT_DEPTH) != 0, (g.modo & GLUT_STENCIL) != 0);
     g.abierta = true;
@@ -417,7 +434,7 @@ int glutCreateWindow(const char *) {
         if (glGetError() != GL_NO_ERROR)
             avisa("este OpenGL no tiene GL_KHR_debug: solo se comprueba glGetError");
     }
-    std::atexit(compruebaAlSalir);
+    std::atexit(compruebaErroresAlSalir);
     return 1;
 }
 
@@ -512,10 +529,12 @@ int glutGet(GLenum que) {
     case GLUT_WINDOW_HEIGHT: return g.alto;
     case GLUT_SCREEN_WIDTH: return ANCHO_PANTALLA;
     case GLUT_SCREEN_HEIGHT: return ALTO_PANTALLA;
+    case GLUT_SCREEN_WIDTH_MM:
+    case GLUT_SCREEN_HEIGHT_MM: return 0; // así se sabe que no la hay
     case GLUT_WINDOW_DOUBLEBUFFER: return (g.modo & GLUT_DOUBLE) != 0;
     case GLUT_WINDOW_DEPTH_SIZE: return g.modo & GLUT_DEPTH ? 24 : 0;
     case GLUT_WINDOW_STENCIL_SIZE: return g.modo & GLUT_STENCIL ? 8 : 0;
-    case GLUT_WINDOW_NUM_SAMPLES: return 0; // el framebuffer de OSMesa no tiene muestras
+    case GLUT_WINDOW_NUM_SAMPLES: return 0; // aunque se pida GLUT_MULTISAMPLE
     case GLUT_INIT_STATE: return g.iniciado;
     case GLUT_MENU_NUM_ITEMS:
         return g.menuActual ? static_cast<int>(g.menus.at(g.menuActual).entradas.size()) : 0;
@@ -536,11 +555,12 @@ void glutMainLoop(void) {
         if (g.termina)
             falla(orden.lugar + ": el programa ya ha terminado", 2);
         ejecuta(orden);
+        dibujaSiHaceFalta();
         if (g.ocio && !g.termina) {
             g.ocio();
             compruebaGL("en la función de ocio");
+            dibujaSiHaceFalta();
         }
-        dibujaSiHaceFalta();
     }
     if (g.mide)
         mideCuadros(primera);
@@ -564,6 +584,10 @@ int glutCreateMenu(void (*f)(int)) {
 
 void glutDestroyMenu(int menu) {
     g.menus.erase(menu);
+    for (auto &par : g.menus)
+        for (Entrada &e : par.second.entradas)
+            if (e.submenu == menu)
+                e = {e.texto, -1, 0};
     for (int &m : g.menuDeBoton)
         m = m == menu ? 0 : m;
     g.menuActual = g.menuActual == menu ? 0 : g.menuActual;
@@ -584,6 +608,8 @@ void glutAddMenuEntry(const char *texto, int valor) {
 }
 
 void glutAddSubMenu(const char *texto, int submenu) {
+    if (!g.menus.count(submenu))
+        falla("glutAddSubMenu(" + std::to_string(submenu) + "): no hay ese menú");
     menuActual("glutAddSubMenu").entradas.push_back({texto, 0, submenu});
 }
 

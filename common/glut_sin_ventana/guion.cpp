@@ -1,11 +1,13 @@
 #include "guion.h"
 #include "../error.h"
+#include "../numero.h"
 #include "../rutas.h"
 #include <GL/freeglut.h>
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <sstream>
+
+namespace sin_ventana {
 
 const char *const AYUDA = R"(Opciones de la ventana sin pantalla:
   -geometry ANCHOxALTO    tamaño de la imagen (el que pida el programa, si no se da)
@@ -49,6 +51,7 @@ const std::map<std::string, int> SENTIDOS = {{"abajo", GLUT_DOWN}, {"arriba", GL
 
 const std::map<std::string, int> RUEDA = {{"+1", 1}, {"1", 1}, {"-1", -1}};
 
+const char *const BLANCOS = " \t\r\v\f"; // los mismos que separan palabras
 const int LADO_MAXIMO = 16384, COORDENADA_MAXIMA = 100000, ESPERA_MAXIMA = 1000000000;
 
 /// Una orden partida en palabras, que se van tomando y comprobando.
@@ -144,46 +147,45 @@ Orden analiza(const std::string &texto, const std::string &lugar) {
 } // namespace
 
 int enteroDe(const std::string &texto, int minimo, int maximo, const std::string &lugar) {
-    std::size_t leidos = 0;
-    long long n = 0;
-    try {
-        n = std::stoll(texto, &leidos);
-    } catch (const std::exception &) {
-        leidos = 0;
-    }
-    if (leidos != texto.size() || texto.empty() || n < minimo || n > maximo)
+    const std::optional<int> n = numeroDe<int>(texto);
+    if (!n || *n < minimo || *n > maximo)
         falla(lugar + ": «" + texto + "» no es un número entre " + std::to_string(minimo) + " y " +
                   std::to_string(maximo),
               2);
-    return static_cast<int>(n);
+    return *n;
 }
 
 void tallaDe(const std::string &texto, int &ancho, int &alto, const std::string &lugar) {
-    const std::size_t x = texto.find('x');
-    if (x == std::string::npos)
+    // como en X, puede seguir la posición (+10-10), que aquí no significa nada
+    const std::size_t x = std::min(texto.find_first_of("+-"), texto.size());
+    const std::size_t y = std::min(texto.find_first_of("+-", x + 1), texto.size());
+    const auto desde = [&](std::size_t i, std::size_t fin) { // lo que va tras el signo
+        return i < fin ? numeroDe<int>(texto.substr(i + 1, fin - i - 1)) : std::nullopt;
+    };
+    if (!leeTalla(texto.substr(0, x), ancho, alto) ||
+        (x < texto.size() && !(desde(x, y) && desde(y, texto.size()))))
         falla(lugar + ": «" + texto + "» no es un tamaño ANCHOxALTO", 2);
-    ancho = enteroDe(texto.substr(0, x), 1, LADO_MAXIMO, lugar);
-    // como en X, puede seguir la posición (+10+10), que aquí no significa nada
-    const std::string resto = texto.substr(x + 1);
-    alto = enteroDe(resto.substr(0, resto.find_first_of("+-", 1)), 1, LADO_MAXIMO, lugar);
+    if (std::max(ancho, alto) > LADO_MAXIMO)
+        falla(lugar + ": «" + texto + "» pasa de " + std::to_string(LADO_MAXIMO) + " píxeles de lado", 2);
 }
 
 std::vector<Orden> leeGuion(const std::string &guion) {
     const bool deFichero = !guion.empty() && guion[0] == '@';
-    if (deFichero && !std::ifstream(guion.substr(1)))
-        falla("-guion: no puedo leer «" + guion.substr(1) + "»", 2);
-    std::istringstream texto(deFichero ? leeFichero(guion.substr(1)) : guion);
+    std::string contenido = guion, error;
+    if (deFichero && !intentaLeer(guion.substr(1), contenido, error))
+        falla("-guion: " + error, 2);
+    std::istringstream texto(contenido);
     std::vector<Orden> ordenes;
     std::string linea, orden;
     for (int numero = 1; std::getline(texto, linea); ++numero) {
-        if (deFichero && linea[std::min(linea.find_first_not_of(" \t"), linea.size())] == '#')
+        if (deFichero && linea[std::min(linea.find_first_not_of(BLANCOS), linea.size())] == '#')
             continue;
         std::istringstream partes(linea);
         while (std::getline(partes, orden, ';')) {
-            const std::size_t inicio = orden.find_first_not_of(" \t\r");
+            const std::size_t inicio = orden.find_first_not_of(BLANCOS);
             if (inicio == std::string::npos)
                 continue;
-            orden = orden.substr(inicio, orden.find_last_not_of(" \t\r") - inicio + 1);
+            orden = orden.substr(inicio, orden.find_last_not_of(BLANCOS) - inicio + 1);
             const std::string donde = deFichero ? guion.substr(1) + ":" + std::to_string(numero)
                                                 : "guion, orden " + std::to_string(ordenes.size() + 1);
             ordenes.push_back(analiza(orden, donde + " «" + orden + "»"));
@@ -191,3 +193,5 @@ std::vector<Orden> leeGuion(const std::string &guion) {
     }
     return ordenes;
 }
+
+} // namespace sin_ventana

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+namespace sin_ventana {
+
 struct Orden {
     enum Tipo { TECLA, ESPECIAL, BOTON, ARRASTRA, MUEVE, RUEDA, MENU, TAMANO, ESPERA, CAPTURA };
     Tipo tipo;
@@ -26,3 +28,5 @@ void tallaDe(const std::string &texto, int &ancho, int &alto, const std::string 
 
 /// Lo que escribe la opción -ayuda.
 extern const char *const AYUDA;
+
+} // namespace sin_ventana

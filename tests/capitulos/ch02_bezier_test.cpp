@@ -1,20 +1,31 @@
 // Comprobaciones independientes de la tetera y de ch02_modelado/bezier.h: normales contra derivadas en
 // cuádruple precisión, error de cuerda, grietas, fronteras de longitud cero y los datos de Newell.
 #include "ch02_modelado/bezier.h"
+#include "ch02_rotulos.h"
+#include "colores.h"
 #include "ejecuta.h"
+#include "oraculo/oraculo.h"
 #include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <fstream>
 #include <gtest/gtest.h>
 #include <map>
 #include <random>
 #include <set>
+#include <sstream>
 
 namespace {
 
 using Quad = boost::multiprecision::cpp_bin_float_quad;
 using Q3 = std::array<Quad, 3>;
 const double U = std::ldexp(1.0, -53);
+
+// La cámara del programa y el lado de un píxel a 720 líneas a la distancia de su centro.
+const double PIXEL = 2 * std::tan(0.275) * 9.5 / 720;
+oraculo::Camara camaraTetera() {
+    return oraculo::perspectiva(oraculo::orbita(0.22, 0.38, 9.5, {0.43, 1.42, 0}), 0.55, 0.5, 50);
+}
 
 const std::vector<Parche> &tetera() {
     static const std::vector<Parche> parches = leeParches("assets/tetera.txt");
@@ -351,18 +362,13 @@ TEST(Bezier, ErrorDeCuerda) {
 // Con la cámara del programa, a 960×720, medio píxel: el error de cuerda proyectado en cada punto, que acota
 // el de la silueta.
 TEST(Bezier, ToleranciaDePartidaMenosDeMedioPixel) {
-    const double azimut = 0.22, elevacion = 0.38, distancia = 9.9, angulo = 0.55, alto = 720;
-    auto enPixel = [&](const glm::dvec3 &p) { // Z es la vertical de los datos
-        const glm::dvec3 q(p.x - 0.26, p.z - 1.50, -p.y);
-        const double ca = std::cos(azimut), sa = std::sin(azimut), ce = std::cos(elevacion),
-                     se = std::sin(elevacion);
-        const double fondo = distancia - (ce * sa * q.x + se * q.y + ce * ca * q.z),
-                     escala = alto / 2 / std::tan(angulo / 2) / fondo;
-        return glm::dvec2((ca * q.x - sa * q.z) * escala,
-                          (-se * sa * q.x + ce * q.y - se * ca * q.z) * escala);
+    const oraculo::Camara camara = camaraTetera();
+    const auto enPixel = [&](const glm::dvec3 &p) { // Z es la vertical de los datos
+        const oraculo::Vec3 q = oraculo::proyecta(camara, 960, 720, {p.x, p.z, -p.y});
+        return glm::dvec2(q.x, q.y);
     };
     double peor = 0;
-    recorre(tetera(), 0.0075, teselaParches(tetera(), 0.0075).malla, 6,
+    recorre(tetera(), PIXEL, teselaParches(tetera(), PIXEL).malla, 6,
             [&](std::size_t k, const glm::dvec2 &uv, const glm::dvec3 &p) {
                 peor = std::max(peor, glm::length(enPixel(p) - enPixel(puntoDe(tetera()[k], uv.x, uv.y))));
             });
@@ -464,17 +470,32 @@ TEST(Bezier, GiroYNormalesHaciaFuera) {
         EXPECT_NEAR(glm::length(glm::dvec3(v.normal)), 1, 1.5 * std::ldexp(1.0, -24));
 }
 
-TEST(Bezier, LadosYDiagonales) {
+// La cuadrícula de cada parche: (u, v) por sus divisiones. Los triángulos de un cuadrilátero comparten la diagonal en que columna
+// menos fila es entera.
+TEST(Bezier, Cuadricula) {
     const std::vector<Parche> cuerpo = {tetera()[4]}, tapa = {tetera()[20]};
     const Division d = divisionesPara(cuerpo, 0.05)[0], e = divisionesPara(tapa, 0.05)[0];
     const Teselacion t = teselaParches(cuerpo, 0.05), s = teselaParches(tapa, 0.05);
     const auto n = [](int i) { return static_cast<std::size_t>(i); };
     EXPECT_EQ(t.malla.indices.size(), n(6 * d.nu * d.nv));
-    EXPECT_EQ(t.lados.size(), n(2 * (d.nu * (d.nv + 1) + d.nv * (d.nu + 1))));
-    EXPECT_EQ(t.diagonales.size(), n(2 * d.nu * d.nv));
-    // en el pomo, el lado de longitud cero quita un triángulo y un lado de cada cuadrilátero de su fila
+    // en el pomo, el lado de longitud cero quita un triángulo de cada cuadrilátero de su fila
     EXPECT_EQ(s.malla.indices.size(), n(6 * e.nu * e.nv - 3 * e.nu));
-    EXPECT_EQ(s.lados.size(), n(2 * (e.nu * e.nv + e.nv * (e.nu + 1))));
+    ASSERT_EQ(t.cuadricula.size(), t.malla.vertices.size());
+    for (std::size_t i = 0; i < t.cuadricula.size(); ++i) {
+        EXPECT_NEAR(t.cuadricula[i].x, t.malla.vertices[i].coordTextura.x * static_cast<float>(d.nu), 1e-5);
+        EXPECT_NEAR(t.cuadricula[i].y, t.malla.vertices[i].coordTextura.y * static_cast<float>(d.nv), 1e-5);
+    }
+    for (std::size_t i = 0; i < t.malla.indices.size(); i += 3) {
+        int horizontales = 0, verticales = 0, diagonales = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const glm::vec2 paso =
+                t.cuadricula[t.malla.indices[i + (k + 1) % 3]] - t.cuadricula[t.malla.indices[i + k]];
+            horizontales += paso.y == 0 && std::fabs(paso.x) == 1;
+            verticales += paso.x == 0 && std::fabs(paso.y) == 1;
+            diagonales += paso.x == paso.y && std::fabs(paso.x) == 1;
+        }
+        ASSERT_TRUE(horizontales == 1 && verticales == 1 && diagonales == 1);
+    }
 }
 
 TEST(Bezier, FicheroMalEscrito) {
@@ -483,53 +504,189 @@ TEST(Bezier, FicheroMalEscrito) {
     EXPECT_EXIT(leeParches("assets/no_existe.txt"), testing::ExitedWithCode(1), "no encuentro");
 }
 
-// La silueta de partida no se mueve al afinar cuatro veces la tolerancia: los píxeles que cambian están todos
-// en el contorno de la tetera fina.
-TEST(Tetera, LaSiluetaNoSeMueve) {
-    const Ejecucion basta = ejecuta("ch02_modelado/tetera", "", 960, 720),
-                    fina = ejecuta("ch02_modelado/tetera", "tecla -; tecla -", 960, 720);
-    ASSERT_EQ(basta.estado, 0) << basta.errores;
-    ASSERT_EQ(fina.estado, 0) << fina.errores;
-    EXPECT_EQ(basta.errores, "");
-    auto dentro = [](const Imagen &i, int x, int y) {
-        const Pixel p = pixel(i, x, y), fondo = pixel(i, 0, 0);
-        return !(p.r == fondo.r && p.g == fondo.g && p.b == fondo.b);
-    };
-    int distintos = 0, cubiertos = 0;
-    for (int y = 1; y < 719; ++y)
-        for (int x = 1; x < 959; ++x) {
-            cubiertos += dentro(fina.imagen, x, y);
-            if (dentro(basta.imagen, x, y) == dentro(fina.imagen, x, y))
-                continue;
-            ++distintos;
-            int vecinos = 0;
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx)
-                    vecinos += dentro(fina.imagen, x + dx, y + dy);
-            EXPECT_TRUE(vecinos > 0 && vecinos < 9) << x << "," << y;
+// ---- El programa contra un oráculo que no comparte con él ni la lectura, ni la evaluación, ni la luz ----
+
+// assets/tetera.txt, leído aquí, en una rejilla densa de cada parche por de Casteljau y ya con la vertical en Y. s y t dicen el
+// parche.
+oraculo::Objeto teteraDensa() {
+    std::ifstream fichero(recurso("assets/tetera.txt"));
+    std::vector<glm::dvec3> puntos;
+    std::vector<oraculo::VerticeRef> vertices;
+    std::vector<oraculo::Triangulos::Indices> indices;
+    const std::size_t N = 96;
+    for (std::string linea; std::getline(fichero, linea);) {
+        std::istringstream palabras(linea);
+        std::string tipo;
+        palabras >> tipo;
+        if (tipo == "v") {
+            glm::dvec3 p;
+            palabras >> p.x >> p.y >> p.z;
+            puntos.push_back(p);
+        } else if (tipo == "p") {
+            Parche q;
+            for (auto &fila : q.p)
+                for (glm::dvec3 &p : fila) {
+                    std::size_t i = 0;
+                    palabras >> i;
+                    p = puntos.at(i - 1);
+                }
+            const std::size_t base = vertices.size();
+            for (std::size_t j = 0; j <= N; ++j)
+                for (std::size_t i = 0; i <= N; ++i) {
+                    const double u = static_cast<double>(i) / N, v = static_cast<double>(j) / N, h = 1e-5;
+                    const glm::dvec3 p = puntoDe(q, u, v);
+                    // la normal, por diferencias finitas un poco más adentro: en el borde una derivada puede anularse
+                    const double a = std::clamp(u, 0.001, 0.999), b = std::clamp(v, 0.001, 0.999);
+                    const glm::dvec3 n =
+                        glm::normalize(glm::cross(puntoDe(q, a + h, b) - puntoDe(q, a - h, b),
+                                                  puntoDe(q, a, b + h) - puntoDe(q, a, b - h)));
+                    vertices.push_back({{p.x, p.z, -p.y}, {n.x, n.z, -n.y}});
+                    if (i < N && j < N) {
+                        const std::size_t k = base + j * (N + 1) + i;
+                        indices.push_back({k, k + 1, k + N + 2});
+                        indices.push_back({k, k + N + 2, k + N + 1});
+                    }
+                }
         }
-    EXPECT_GT(cubiertos, 960 * 720 / 4); // llena la ventana
-    std::printf("silueta: %d píxeles de %d cambian\n", distintos, cubiertos);
+    }
+    EXPECT_EQ(vertices.size(), 32 * (N + 1) * (N + 1));
+    return oraculo::malla(oraculo::escala({1, 1, 1}), vertices, indices);
 }
 
-// Las líneas de los cuadriláteros son parte de las de los triángulos, y m y c se quitan con la misma tecla.
-TEST(Tetera, MallaYCuadrilateros) {
-    const std::string gruesa = "tecla +; tecla +; tecla +; tecla +";
-    const Ejecucion nada = ejecuta("ch02_modelado/tetera", gruesa),
-                    malla = ejecuta("ch02_modelado/tetera", gruesa + "; tecla m"),
-                    cuadrilateros = ejecuta("ch02_modelado/tetera", gruesa + "; tecla m; tecla c"),
-                    otraVez = ejecuta("ch02_modelado/tetera", gruesa + "; tecla m; tecla c; tecla c");
-    EXPECT_EQ(nada.imagen.rgb, otraVez.imagen.rgb);
-    int soloMalla = 0, soloCuadrilateros = 0;
-    auto esLinea = [](const Pixel &p) {
-        return std::abs(p.r - 36) <= 1 && std::abs(p.g - 51) <= 1 && std::abs(p.b - 97) <= 1;
+// Todo el sombreado y la silueta, píxel a píxel, con la tetera más fina. El esmalte es el que promete tetera.frag: difuso con la
+// luz de la izquierda y el cielo de arriba, brillo de Blinn y reflejo en los bordes.
+TEST(Tetera, SombreadoYSilueta) {
+    using oraculo::escalar;
+    const oraculo::Vec3 azul{0.16, 0.38, 0.80}, fondo{0.95, 0.96, 0.98}, L{-0.62, 0.45, 0.643},
+        cielo{0.75, 0.86, 1};
+    const oraculo::Escena escena = {teteraDensa()};
+    const oraculo::Camara camara = camaraTetera();
+    const auto esmalte = [&](const oraculo::Impacto &i) {
+        if (!i)
+            return fondo;
+        const oraculo::Vec3 V = oraculo::haciaOjo(i), N = escalar(i.normal, V) < 0 ? -i.normal : i.normal;
+        const double NL = std::max(escalar(N, L), 0.0),
+                     NH = std::max(escalar(N, oraculo::unitario(L + V)), 0.0);
+        return (0.36 + 0.68 * NL + 0.26 * N.y) * azul + 0.7 * std::pow(NH, 70) * oraculo::Vec3{1, 1, 1} +
+               0.35 * std::pow(1 - std::max(escalar(N, V), 0.0), 4) * cielo;
     };
-    for (int y = 0; y < 180; ++y)
-        for (int x = 0; x < 240; ++x) {
-            const bool a = esLinea(pixel(malla.imagen, x, y)), b = esLinea(pixel(cuadrilateros.imagen, x, y));
-            soloMalla += a && !b;
-            soloCuadrilateros += b && !a;
-        }
-    EXPECT_GT(soloMalla, 500);
-    EXPECT_EQ(soloCuadrilateros, 0);
+    Imagen imagen = ejecuta("ch02_modelado/tetera", "tecla +; tecla +; tecla +; tecla +", 480, 360).imagen;
+    for (int y = 0; y < 51; ++y) // el rótulo, que está debajo de la tetera
+        for (int x = 0; x < 480; ++x)
+            for (int k = 0; k < 3; ++k)
+                imagen.rgb[static_cast<std::size_t>(3 * (480 * y + x) + k)] =
+                    static_cast<unsigned char>(std::lround(255 * fondo[k]));
+    const oraculo::Comparacion c = oraculo::compara(imagen, escena, camara, esmalte);
+    std::cout << c << "\n";
+    EXPECT_GT(c.interior, 480 * 360 * 8 / 10);
+    // en el filo del borde el brillo cambia 200 niveles de un píxel al siguiente: el error se parte por dos con la tolerancia
+    EXPECT_LE(c.maximo, 4) << c;
+    EXPECT_LE(c.rmse, 0.35) << c;
+    EXPECT_LE(c.desvio, 0.7) << c;
+    // llena la ventana a lo ancho
+    int primera = 480, ultima = 0;
+    for (int y = 51; y < 360; ++y)
+        for (int x = 0; x < 480; ++x)
+            if (const Pixel p = pixel(imagen, x, y); p.r != 242 || p.g != 245 || p.b != 250) {
+                primera = std::min(primera, x);
+                ultima = std::max(ultima, x);
+            }
+    EXPECT_GT(ultima - primera, 420);
+}
+
+// + divide entre dos el error y - lo dobla; el rótulo dice el error y los triángulos que hay.
+TEST(Tetera, MasFinaYMasBasta) {
+    const struct {
+        const char *guion;
+        double error;
+        std::u32string linea;
+    } casos[] = {{"", 1, U"hasta 1 px de error"},
+                 {"tecla +", 0.5, U"hasta 0.5 px de error"},
+                 {"tecla -", 2, U"hasta 2 px de error"},
+                 {"tecla -; tecla -; tecla +", 2, U"hasta 2 px de error"},
+                 {"tecla -; tecla -; tecla -; tecla -", 16, U"hasta 16 px de error"}};
+    for (const auto &caso : casos) {
+        const Imagen imagen = ejecuta("ch02_modelado/tetera", caso.guion, 960, 720).imagen;
+        const std::size_t n = teselaParches(tetera(), caso.error * PIXEL).malla.indices.size() / 3;
+        const std::string numero = std::to_string(n) + " ";
+        EXPECT_EQ(buscaRotulo(imagen, caso.linea, OSCURO, 4).size(), 1u) << caso.guion;
+        EXPECT_EQ(buscaRotulo(imagen, std::u32string(numero.begin(), numero.end()) + U"triángulos", OSCURO, 4)
+                      .size(),
+                  1u)
+            << caso.guion << " " << n;
+    }
+}
+
+// En cada cuadrilátero grande que se ve de frente: sobre sus lados hay línea en las dos mallas; sobre la diagonal, solo en la de
+// triángulos; en el centro de cada triángulo, en ninguna.
+TEST(Tetera, MallaYCuadrilateros) {
+    const std::string basta = "tecla -; tecla -; tecla -; tecla -";
+    const Imagen malla = ejecuta("ch02_modelado/tetera", basta + "; tecla m", 960, 720).imagen,
+                 cuadrilateros =
+                     ejecuta("ch02_modelado/tetera", basta + "; tecla m; tecla c", 960, 720).imagen;
+    EXPECT_EQ(ejecuta("ch02_modelado/tetera", basta).imagen.rgb,
+              ejecuta("ch02_modelado/tetera", basta + "; tecla c; tecla m; tecla m").imagen.rgb);
+    const Teselacion t = teselaParches(tetera(), 16 * PIXEL);
+    const std::vector<Division> divisiones = divisionesPara(tetera(), 16 * PIXEL);
+    const oraculo::Camara camara = camaraTetera();
+    const auto punto = [&](std::size_t i) {
+        const glm::vec3 &p = t.malla.vertices[i].posicion;
+        return oraculo::Vec3{p.x, p.z, -p.y};
+    };
+    std::vector<oraculo::VerticeRef> vertices;
+    std::vector<oraculo::Triangulos::Indices> indices;
+    for (std::size_t i = 0; i < t.malla.vertices.size(); ++i)
+        vertices.push_back({punto(i), {0, 0, 1}});
+    for (std::size_t i = 0; i < t.malla.indices.size(); i += 3)
+        indices.push_back({t.malla.indices[i], t.malla.indices[i + 1], t.malla.indices[i + 2]});
+    const oraculo::Escena escena = {oraculo::malla(oraculo::escala({1, 1, 1}), vertices, indices)};
+
+    int lados = 0, diagonales = 0, centros = 0;
+    const auto mira = [&](const oraculo::Vec3 &p, const char *que, bool enMalla, bool enCuadrilateros,
+                          int &cuenta) {
+        const oraculo::Vec3 q = oraculo::proyecta(camara, 960, 720, p);
+        const int x = static_cast<int>(q.x), y = static_cast<int>(q.y);
+        const auto i = oraculo::primerImpacto(escena, oraculo::rayo(camara, 960, 720, q.x, q.y));
+        if (!i || oraculo::longitud(i.punto - p) > 1e-3)
+            return;
+        const auto hayLinea = [&](const Imagen &imagen, int radio) {
+            bool hay = false;
+            for (int dy = -radio; dy <= radio; ++dy)
+                for (int dx = -radio; dx <= radio; ++dx) {
+                    const Pixel c = pixel(imagen, x + dx, y + dy);
+                    hay = hay || std::abs(c.r - 41) + std::abs(c.g - 43) + std::abs(c.b - 51) < 24;
+                }
+            return hay;
+        };
+        // que la haya, en el píxel o en uno vecino; que no, en el píxel
+        EXPECT_EQ(hayLinea(malla, enMalla), enMalla) << que << " en " << x << "," << y;
+        EXPECT_EQ(hayLinea(cuadrilateros, enCuadrilateros), enCuadrilateros)
+            << que << " en " << x << "," << y;
+        ++cuenta;
+    };
+    std::size_t base = 0;
+    for (const Division &d : divisiones) {
+        const std::size_t ancho = static_cast<std::size_t>(d.nu + 1);
+        for (std::size_t j = 0; j + 1 <= static_cast<std::size_t>(d.nv); ++j)
+            for (std::size_t i = 0; i + 1 < ancho; ++i) {
+                const std::size_t k = base + j * ancho + i;
+                const oraculo::Vec3 a = punto(k), b = punto(k + 1), e = punto(k + ancho),
+                                    c = punto(k + ancho + 1);
+                const oraculo::Vec3 n = oraculo::unitario(oraculo::vectorial(c - a, e - b));
+                const oraculo::Vec3 V = oraculo::unitario(camara.ojo - a);
+                // de frente, grande y no en la sombra, donde el esmalte es tan oscuro como la línea
+                if (oraculo::escalar(n, V) < 0.6 || oraculo::longitud(c - a) < 0.35 ||
+                    oraculo::longitud(e - b) < 0.35 || oraculo::escalar(n, {-0.62, 0.45, 0.643}) < 0.3 ||
+                    n.y < -0.2)
+                    continue;
+                mira(0.5 * (a + b), "lado", true, true, lados);
+                mira(0.5 * (a + e), "lado", true, true, lados);
+                mira(0.5 * (a + c), "diagonal", true, false, diagonales);
+                mira(0.25 * a + 0.5 * b + 0.25 * c, "centro", false, false, centros);
+                mira(0.25 * a + 0.5 * e + 0.25 * c, "centro", false, false, centros);
+            }
+        base += ancho * static_cast<std::size_t>(d.nv + 1);
+    }
+    EXPECT_GT(diagonales, 20);
+    std::printf("%d lados, %d diagonales y %d centros\n", lados, diagonales, centros);
 }

@@ -1,5 +1,6 @@
 // Comprobaciones independientes de malla_vf y de su análisis (ch02_modelado/topologia.h).
-#include "ch02_modelado/encuadre.h"
+#include "ch02_caja.h"
+#include "ch02_modelado/encuadre_malla.h"
 #include "ch02_modelado/topologia.h"
 #include "ejecuta.h"
 #include <cmath>
@@ -11,11 +12,6 @@
 
 namespace {
 
-const double CAJA[8][3] = {{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0},
-                           {0, 1, 0}, {0, 1, 1}, {1, 1, 1}, {1, 1, 0}};
-const int CARAS[10][3] = {{1, 3, 2}, {1, 4, 3}, {1, 2, 5}, {2, 6, 5}, {3, 2, 6},
-                          {3, 6, 7}, {3, 4, 7}, {4, 8, 7}, {4, 1, 8}, {1, 5, 8}};
-
 std::string valor(const std::string &salida, const std::string &clave) {
     const std::size_t i = ("\n" + salida).find("\n" + clave + ": ");
     if (i == std::string::npos)
@@ -25,7 +21,7 @@ std::string valor(const std::string &salida, const std::string &clave) {
 }
 
 struct FicheroVf {
-    std::string ruta = (std::filesystem::temp_directory_path() / "vfXXXXXX").string();
+    std::string ruta = (carpetaTemporal() / "vfXXXXXX").string();
     explicit FicheroVf(const std::string &texto) {
         std::fclose(fdopen(mkstemp(ruta.data()), "w"));
         std::ofstream(ruta) << texto;
@@ -66,7 +62,8 @@ MallaVf alReves(MallaVf m) {
 // si su normal se aleja del centro (½,½,½). Solo la 5 y la 6 no lo hacen.
 TEST(MallaVf, LasCaras5y6EstanAlReves) {
     for (int c = 0; c < 10; ++c) {
-        const double *p = CAJA[CARAS[c][0] - 1], *q = CAJA[CARAS[c][1] - 1], *r = CAJA[CARAS[c][2] - 1];
+        const auto &cara = CARAS[static_cast<std::size_t>(c)];
+        const double *p = CAJA[cara[0] - 1], *q = CAJA[cara[1] - 1], *r = CAJA[cara[2] - 1];
         double a[3], b[3], fuera = 0;
         for (int k = 0; k < 3; ++k) {
             a[k] = q[k] - p[k];
@@ -105,48 +102,81 @@ TEST(MallaVf, ArregladaNoTieneContrarias) {
     EXPECT_EQ(valor(ultimo, "Sentido visto desde fuera"), "antihorario");
 }
 
-// Los centros de la pared z = 1 (caras 5 y 6) y de la pared x = 1, proyectados en doble precisión con la
-// cámara del programa: la primera se ve amarilla (reverso) y, arreglada, azul; la segunda, siempre azul.
+// Cada cara que se ve, con la cámara y la luz calculadas en doble precisión: azul si desde el ojo sus vértices giran en sentido
+// antihorario y amarilla si no. Los triángulos son los del enunciado; con f, la 5 y la 6 al revés.
 TEST(MallaVf, ElColorDiceElSentido) {
-    const double azimut = 0.55, elevacion = 0.62, angulo = 0.6;
-    const int ancho = 240, alto = 180;
-    struct P {
-        double derecha, arriba, cerca; // en los ejes de la cámara, desde el centro de la caja
-    };
-    auto enCamara = [&](double x, double y, double z) {
-        const double r = std::sqrt(3.0) / 2; // la media diagonal de la caja mide 1
-        const double p[3] = {(x - 0.5) / r, (y - 0.5) / r, (z - 0.5) / r};
-        const double ca = std::cos(azimut), sa = std::sin(azimut), ce = std::cos(elevacion),
-                     se = std::sin(elevacion);
-        return P{ca * p[0] - sa * p[2], -se * sa * p[0] + ce * p[1] - se * ca * p[2],
-                 ce * sa * p[0] + se * p[1] + ce * ca * p[2]};
-    };
-    // La menor distancia desde la que se ven los ocho vértices, aumentados un 6 %
-    double distancia = 0;
-    for (const auto &v : CAJA) {
-        const P p = enCamara(v[0], v[1], v[2]);
-        distancia = std::max({distancia, 1.06 * (p.cerca + std::fabs(p.arriba) / std::tan(angulo / 2)),
-                              1.06 * (p.cerca + std::fabs(p.derecha) * alto / ancho / std::tan(angulo / 2))});
+    for (const bool arreglada : {false, true}) {
+        auto caras = CARAS;
+        if (arreglada)
+            for (std::size_t c : {4u, 5u})
+                std::swap(caras[c][1], caras[c][2]);
+        const VistaCaja vista(0.55, 0.62);
+        const oraculo::Escena escena = {mallaCaja({caras.begin(), caras.end()})};
+        const Imagen imagen =
+            ejecuta("ch02_modelado/malla_vf", arreglada ? "tecla f" : "", ANCHO, ALTO).imagen;
+        int vistas = 0;
+        for (int c = 0; c < 10; ++c) {
+            const Mayoria m = mayoria(imagen, escena, vista.camara, c);
+            if (m.pixeles < 300)
+                continue;
+            ++vistas;
+            const oraculo::Vec3 n = m.impacto.frente ? m.impacto.normalCara : -m.impacto.normalCara;
+            const double luz = 0.58 + 0.42 * oraculo::escalar(n, {0.20, 0.78, 0.593});
+            const glm::vec3 color = m.impacto.frente ? AZUL : AMARILLO;
+            EXPECT_LE(m.diferencia(glm::dvec3(color) * luz), 1)
+                << "cara " << c + 1 << (arreglada ? " arreglada" : "");
+            EXPECT_GT(m.parte, 0.6) << "cara " << c + 1;
+        }
+        EXPECT_EQ(vistas, 8);
     }
-    auto enPixel = [&](double x, double y, double z) {
-        const P p = enCamara(x, y, z);
-        const double escala = alto / 2 / std::tan(angulo / 2) / (distancia - p.cerca);
-        return std::pair<int, int>(static_cast<int>(ancho / 2 + p.derecha * escala),
-                                   static_cast<int>(alto / 2 + p.arriba * escala));
+    EXPECT_EQ(ejecuta("ch02_modelado/malla_vf").imagen.rgb,
+              ejecuta("ch02_modelado/malla_vf", "tecla f; tecla f").imagen.rgb);
+}
+
+// La arista de borde 5–6 es gruesa y roja; la diagonal 3–6 de la pared, fina y oscura.
+TEST(MallaVf, Aristas) {
+    const Imagen imagen = ejecuta("ch02_modelado/malla_vf", "", ANCHO, ALTO).imagen;
+    const VistaCaja vista(0.55, 0.62);
+    const auto grosor = [&](int a, int b,
+                            const glm::vec3 &color) { // en la vertical de un punto a un tercio de la arista
+        const glm::dvec2 p = vista.enPixel(2 / 3.0 * vista.vertice(a) + 1 / 3.0 * vista.vertice(b));
+        int n = 0;
+        for (int d = -12; d <= 12; ++d)
+            n += distanciaColor(imagen, static_cast<int>(p.x), static_cast<int>(p.y) + d,
+                                glm::dvec3(color)) <= 1;
+        return n;
     };
-    const auto pared = enPixel(0.45, 0.40, 1), otra = enPixel(1, 0.40, 0.45);
-    const Ejecucion base = ejecuta("ch02_modelado/malla_vf"),
-                    arreglada = ejecuta("ch02_modelado/malla_vf", "tecla f"),
-                    vuelta = ejecuta("ch02_modelado/malla_vf", "tecla f; tecla f");
-    const Pixel a = pixel(base.imagen, pared.first, pared.second),
-                b = pixel(arreglada.imagen, pared.first, pared.second),
-                c = pixel(base.imagen, otra.first, otra.second),
-                d = pixel(arreglada.imagen, otra.first, otra.second);
-    EXPECT_TRUE(a.r > a.b + 80 && a.g > a.b + 80) << a.r << " " << a.g << " " << a.b;
-    EXPECT_TRUE(b.b > b.r + 80 && b.b > b.g + 40) << b.r << " " << b.g << " " << b.b;
-    EXPECT_TRUE(c.b > c.r + 40) << c.r << " " << c.g << " " << c.b;
-    EXPECT_TRUE(c.r == d.r && c.g == d.g && c.b == d.b);
-    EXPECT_EQ(base.imagen.rgb, vuelta.imagen.rgb);
+    for (const auto &[a, b] : {std::pair<int, int>{5, 6}, {6, 7}, {7, 8}, {8, 5}})
+        EXPECT_TRUE(grosor(a, b, ROJO) >= 4 && grosor(a, b, ROJO) <= 9)
+            << a << "-" << b << ": " << grosor(a, b, ROJO);
+    EXPECT_TRUE(grosor(3, 6, OSCURO) >= 1 && grosor(3, 6, OSCURO) <= 3) << grosor(3, 6, OSCURO);
+}
+
+// El número de cada vértice que se ve (todos menos el 1, el del fondo), junto a él y por fuera; el de cada cara que se ve, en
+// su centro.
+TEST(MallaVf, Numeros) {
+    const Imagen imagen = ejecuta("ch02_modelado/malla_vf", "", 960, 720).imagen;
+    const VistaCaja vista(0.55, 0.62, 960, 720);
+    for (int i = 2; i <= 8; ++i) {
+        const glm::dvec2 v = vista.enPixel(vista.vertice(i));
+        const glm::ivec2 r = rotuloJunto(imagen, enLetras(i), OSCURO, 4, v);
+        EXPECT_LT(glm::distance(glm::dvec2(r), v), 40) << i;
+        EXPECT_GT(glm::distance(glm::dvec2(r), glm::dvec2(480, 360)), glm::distance(v, glm::dvec2(480, 360)))
+            << i;
+    }
+    EXPECT_TRUE(buscaRotulo(imagen, U"1", OSCURO, 4).empty());
+    for (int c : {5, 6, 7, 8, 10}) {
+        oraculo::Vec3 centro;
+        for (int i : CARAS[static_cast<std::size_t>(c - 1)])
+            centro = centro + 1 / 3.0 * vista.vertice(i);
+        const glm::dvec2 p = vista.enPixel(centro);
+        EXPECT_LT(glm::distance(glm::dvec2(rotuloJunto(imagen, enLetras(c), BLANCO, 4, p)), p), 3) << c;
+    }
+    for (int c : {2, 3, 4, 9})
+        EXPECT_TRUE(buscaRotulo(imagen, enLetras(c), BLANCO, 4).empty()) << c;
+    EXPECT_EQ(buscaRotulo(imagen, U"anverso", AZUL, 4).size(), 1u);
+    EXPECT_EQ(buscaRotulo(imagen, U"reverso", AMARILLO, 4).size(), 1u);
+    EXPECT_EQ(buscaRotulo(imagen, U"borde", ROJO, 4).size(), 1u);
 }
 
 // Un prisma de base pentagonal con caras de 4 y 5 vértices, enorme y lejos del origen: llena la ventana sin

@@ -1,10 +1,14 @@
 // Comprobaciones independientes de tiras (ch02_modelado/tiras.h): las tiras expandidas con la regla de la
 // especificación de OpenGL son los mismos triángulos, y la respuesta del ejercicio 2.2 por búsqueda
 // exhaustiva.
+#include "ch02_caja.h"
 #include "ch02_modelado/tiras.h"
 #include "ejecuta.h"
 #include "malla.h"
+#include "rutas.h"
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <gtest/gtest.h>
 #include <set>
 #include <sstream>
@@ -37,8 +41,8 @@ std::vector<T3> expande(const std::vector<unsigned> &tira) {
 }
 
 // La caja del ejercicio 2.1 con las caras 5 y 6 invertidas, a mano.
-const std::vector<T3> CAJA = {{1, 3, 2}, {1, 4, 3}, {1, 2, 5}, {2, 6, 5}, {3, 6, 2},
-                              {3, 7, 6}, {3, 4, 7}, {4, 8, 7}, {4, 1, 8}, {1, 5, 8}};
+const std::vector<T3> TRIANGULOS = {{1, 3, 2}, {1, 4, 3}, {1, 2, 5}, {2, 6, 5}, {3, 6, 2},
+                                    {3, 7, 6}, {3, 4, 7}, {4, 8, 7}, {4, 1, 8}, {1, 5, 8}};
 
 // Todas las tiras sin índices repetidos, como máscaras de los triángulos que cubren. Una tira queda
 // determinada por su principio: cada vértice nuevo es el del otro triángulo que tiene los dos últimos.
@@ -91,37 +95,141 @@ int minimoDeTiras(const std::set<unsigned> &tiras) {
     return minimo.back();
 }
 
+// Las tiras que enumera el programa, con los índices desde 1.
+std::vector<std::vector<unsigned>> tirasEscritas(const std::string &salida) {
+    std::vector<std::vector<unsigned>> tiras;
+    std::istringstream lineas(salida);
+    for (std::string linea; std::getline(lineas, linea);) {
+        if (linea.rfind("Tira ", 0) != 0)
+            continue;
+        std::istringstream numeros(linea.substr(linea.find(':') + 1));
+        tiras.emplace_back();
+        for (unsigned i; numeros >> i;)
+            tiras.back().push_back(i);
+    }
+    return tiras;
+}
+
 } // namespace
 
 TEST(Tiras, ElProgramaDaLosMismosTriangulosConSuOrientacion) {
     const Ejecucion e = ejecuta("ch02_modelado/tiras");
     ASSERT_EQ(e.estado, 0) << e.errores;
     std::vector<T3> triangulos;
-    std::size_t nTiras = 0, nIndices = 0;
-    std::istringstream salida(e.salida);
-    for (std::string linea; std::getline(salida, linea);) {
-        if (linea.rfind("Tira ", 0) != 0)
-            continue;
-        std::istringstream numeros(linea.substr(linea.find(':') + 1));
-        std::vector<unsigned> tira;
-        for (unsigned i; numeros >> i;)
-            tira.push_back(i);
+    std::size_t nIndices = 0;
+    const auto tiras = tirasEscritas(e.salida);
+    for (const std::vector<unsigned> &tira : tiras) {
         for (const T3 &t : expande(tira))
             triangulos.push_back(t);
-        ++nTiras;
         nIndices += tira.size();
     }
-    EXPECT_EQ(canonicos(triangulos), canonicos(CAJA));
-    EXPECT_NE(e.salida.find("Triángulos: 10\nTiras: " + std::to_string(nTiras) + "\n"), std::string::npos);
+    EXPECT_EQ(canonicos(triangulos), canonicos(TRIANGULOS));
+    EXPECT_NE(e.salida.find("Triángulos: 10\nTiras: " + std::to_string(tiras.size()) + "\n"),
+              std::string::npos);
     EXPECT_NE(e.salida.find("Índices con tiras: " + std::to_string(nIndices) + "\n"), std::string::npos);
     EXPECT_NE(e.salida.find("Índices con triángulos sueltos: 30\n"), std::string::npos);
-    EXPECT_EQ(nTiras, 2u);
+    EXPECT_EQ(tiras.size(), 2u);
     EXPECT_EQ(nIndices, 14u);
+}
+
+// Cada triángulo que se ve, del color de su tira: de claro a oscuro según su lugar, y el del medio tal cual. `resaltada` desde 0.
+void esperaTiras(const std::string &guion, const std::vector<std::vector<unsigned>> &tiras,
+                 int resaltada = -1) {
+    const glm::dvec3 colores[] = {NARANJA, AZUL};
+    std::vector<std::array<int, 3>> triangulos;
+    std::vector<glm::dvec3> esperados;
+    for (std::size_t k = 0; k < tiras.size(); ++k) {
+        if (resaltada >= 0 && resaltada != static_cast<int>(k))
+            continue;
+        const auto deLaTira = expande(tiras[k]);
+        for (std::size_t i = 0; i < deLaTira.size(); ++i) {
+            const double t = static_cast<double>(i) / static_cast<double>(deLaTira.size() - 1);
+            const glm::dvec3 c = colores[k], clara = 0.75 * glm::dvec3(1) + 0.25 * c;
+            esperados.push_back(t < 0.5 ? clara + 2 * t * (c - clara) : c * (1 - 0.65 * (2 * t - 1)));
+            triangulos.push_back({static_cast<int>(deLaTira[i][0]), static_cast<int>(deLaTira[i][1]),
+                                  static_cast<int>(deLaTira[i][2])});
+        }
+    }
+    const Imagen imagen = ejecuta("ch02_modelado/tiras", guion, ANCHO, ALTO).imagen;
+    const VistaCaja vista(0.66, 0.80);
+    const oraculo::Escena escena = {mallaCaja(triangulos)};
+    int vistos = 0;
+    for (std::size_t i = 0; i < triangulos.size(); ++i) {
+        const Mayoria m = mayoria(imagen, escena, vista.camara, static_cast<int>(i));
+        if (m.pixeles < 400)
+            continue;
+        ++vistos;
+        EXPECT_LE(m.diferencia(esperados[i]), 1) << guion << " triángulo " << i;
+        EXPECT_GT(m.parte, 0.25) << guion << " triángulo " << i;
+    }
+    EXPECT_GE(vistos, resaltada == 1 ? 2 : 6) << guion;
+    EXPECT_LE(mayoria(imagen, escena, vista.camara, -1).diferencia(FONDO_CLARO), 1);
+    // un punto en el primer vértice de cada tira que se dibuja, y en ninguno más de los que se ven
+    for (unsigned v = 2; v <= 8; ++v) {
+        bool principio = false;
+        for (std::size_t k = 0; k < tiras.size(); ++k)
+            principio =
+                principio || (tiras[k][0] == v && (resaltada < 0 || resaltada == static_cast<int>(k)));
+        const glm::dvec2 p = vista.enPixel(vista.vertice(static_cast<int>(v)));
+        int oscuros = 0;
+        for (int dy = -3; dy <= 3; ++dy)
+            for (int dx = -3; dx <= 3; ++dx)
+                oscuros += distanciaColor(imagen, static_cast<int>(p.x) + dx, static_cast<int>(p.y) + dy,
+                                          OSCURO) <= 1;
+        EXPECT_EQ(oscuros > 34, principio) << guion << " vértice " << v << ": " << oscuros;
+    }
+}
+
+TEST(Tiras, ColoresDeClaroAOscuroYResaltado) {
+    const auto dos = tirasEscritas(ejecuta("ch02_modelado/tiras").salida);
+    esperaTiras("", dos);
+    esperaTiras("tecla 1", dos, 0);
+    esperaTiras("tecla 2", dos, 1);
+    esperaTiras("tecla 2; tecla 0", dos);
+    esperaTiras("tecla 2; tecla 3; tecla x", dos, 1); // no hay tercera tira
+    const std::vector<std::vector<unsigned>> una = {{2, 1, 3, 4, 8, 1, 5, 2, 6, 3, 7, 8}};
+    esperaTiras("tecla u", una);
+    esperaTiras("tecla 2; tecla u", una);
+    esperaTiras("tecla u; tecla u", dos);
+}
+
+// Los índices de cada tira, escritos en su color; el número de cada vértice que se ve, junto a él. Y el recorrido por la tira.
+TEST(Tiras, RotulosYRecorrido) {
+    const Imagen dos = ejecuta("ch02_modelado/tiras", "", 960, 720).imagen,
+                 una = ejecuta("ch02_modelado/tiras", "tecla u", 960, 720).imagen;
+    const auto tira1 = buscaRotulo(dos, U"5 2 6 3 7 4 8 1 5 2", 0.8f * NARANJA, 3),
+               tira2 = buscaRotulo(dos, U"2 1 3 4", 0.8f * AZUL, 3);
+    ASSERT_TRUE(tira1.size() == 1 && tira2.size() == 1);
+    EXPECT_GT(tira1[0].y, tira2[0].y);
+    EXPECT_EQ(buscaRotulo(una, U"2 1 3 4 8 1 5 2 6 3 7 8", 0.8f * NARANJA, 3).size(), 1u);
+    const VistaCaja vista(0.66, 0.80, 960, 720);
+    for (int i = 1; i <= 8; ++i) {
+        const glm::dvec2 v = vista.enPixel(vista.vertice(i));
+        EXPECT_LT(glm::distance(glm::dvec2(rotuloJunto(dos, enLetras(i), OSCURO, 4, v)), v), 40) << i;
+    }
+    // la pared del frente está partida por 3–6, no por 2–7
+    const auto oscuro = [&](const Imagen &imagen, int a, int b) {
+        const glm::dvec2 p = vista.enPixel(0.25 * vista.vertice(a) + 0.75 * vista.vertice(b));
+        return distanciaColor(imagen, static_cast<int>(p.x), static_cast<int>(p.y), OSCURO) <= 1;
+    };
+    EXPECT_TRUE(oscuro(dos, 3, 6) && oscuro(una, 3, 6));
+    EXPECT_FALSE(oscuro(dos, 2, 7) || oscuro(una, 2, 7));
+}
+
+TEST(Tiras, ConOtraMallaLaTeclaUNoHaceNada) {
+    const std::string fichero = recurso("assets/ejercicio_2_1.vf");
+    const Ejecucion nada = ejecuta("ch02_modelado/tiras", "", 120, 90, {fichero}),
+                    u = ejecuta("ch02_modelado/tiras", "tecla u", 120, 90, {fichero});
+    EXPECT_EQ(nada.imagen.rgb, u.imagen.rgb);
+    const std::string salida = ejecuta("ch02_modelado/tiras", "tecla u", 120, 90).salida;
+    EXPECT_NE(
+        salida.find("Tira 1: 2 1 3 4 8 1 5 2 6 3 7 8\nTriángulos: 10\nTiras: 1\nÍndices con tiras: 12\n"),
+        std::string::npos);
 }
 
 // La respuesta del ejercicio 2.2.
 TEST(Tiras, UnaSolaTiraNoBasta) {
-    const auto orientadas = todasLasTiras(CAJA, true), todas = todasLasTiras(CAJA, false);
+    const auto orientadas = todasLasTiras(TRIANGULOS, true), todas = todasLasTiras(TRIANGULOS, false);
     EXPECT_EQ(masLarga(orientadas), 8u);
     EXPECT_EQ(minimoDeTiras(orientadas), 2);
     EXPECT_LT(masLarga(todas), 10u); // ni aunque dé igual en qué sentido giren
@@ -144,7 +252,7 @@ TEST(Tiras, CambiandoUnaDiagonalSi) {
                 malla.insert(malla.end(), {{q[0], q[1], q[2]}, {q[0], q[2], q[3]}});
         }
         if (cambiadas == 0) {
-            EXPECT_EQ(canonicos(malla), canonicos(CAJA));
+            EXPECT_EQ(canonicos(malla), canonicos(TRIANGULOS));
         }
         if (cambiadas == 8) { // 3–8 en lugar de 4–7
             EXPECT_EQ(canonicos(malla), canonicos(expande({2, 1, 3, 4, 8, 1, 5, 2, 6, 3, 7, 8})));
@@ -164,7 +272,7 @@ TEST(Tiras, CambiandoUnaDiagonalSi) {
 TEST(Tiras, ConIndicesRepetidosSi) {
     const std::vector<unsigned> una = {5, 2, 6, 3, 7, 4, 8, 1, 5, 2, 2, 2, 2, 1, 3, 4};
     EXPECT_EQ(una.size(), 16u);
-    EXPECT_EQ(canonicos(expande(una)), canonicos(CAJA));
+    EXPECT_EQ(canonicos(expande(una)), canonicos(TRIANGULOS));
 }
 
 TEST(Tiras, MallasCualesquiera) {
@@ -198,4 +306,31 @@ TEST(Tiras, CasosSinVecinos) {
                 expandidos.push_back(t);
         EXPECT_EQ(canonicos(expandidos), canonicos(malla));
     }
+}
+
+// Una malla grande, en un tiempo que no crece con el cuadrado de sus triángulos: una cuadrícula de diagonales al azar, de muchas
+// tiras cortas.
+TEST(Tiras, MallaGrande) {
+    const unsigned n = 300;
+    unsigned azar = 1;
+    std::vector<T3> triangulos;
+    for (unsigned j = 0; j < n; ++j)
+        for (unsigned i = 0; i < n; ++i) {
+            const unsigned a = j * (n + 1) + i, b = a + 1, d = a + n + 1, c = d + 1;
+            azar = azar * 1664525u + 1013904223u;
+            if (azar >> 31)
+                triangulos.insert(triangulos.end(), {{a, b, c}, {a, c, d}});
+            else
+                triangulos.insert(triangulos.end(), {{a, b, d}, {b, c, d}});
+        }
+    const auto antes = std::chrono::steady_clock::now();
+    const std::vector<Tira> tiras = hazTiras(triangulos);
+    const std::chrono::duration<double> tiempo = std::chrono::steady_clock::now() - antes;
+    EXPECT_LT(tiempo.count(), 20);
+    std::vector<T3> expandidos;
+    for (const Tira &tira : tiras)
+        for (const T3 &t : expande(tira))
+            expandidos.push_back(t);
+    EXPECT_EQ(canonicos(expandidos), canonicos(triangulos));
+    std::printf("%zu triángulos, %zu tiras: %.2f s\n", triangulos.size(), tiras.size(), tiempo.count());
 }

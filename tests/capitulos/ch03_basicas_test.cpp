@@ -391,9 +391,9 @@ TEST(Escalado, CarasYDeterminanteEnCadaVista) {
                             {{0.55, 0.70, -0.25}, {1.05, 1.05, 0.25}}};
     const Caja todo = {{0.15, 0.15, -0.25}, {1.30, 1.65, 0.25}};
     for (const bool detras : {false, true}) {
-        // el ratón gira 0.01 radianes por píxel
+        // el ratón gira 1.8 radianes por alto de la ventana: 0.005 por píxel
         const Ejecucion e = ejecuta("ch03_transformaciones/escalado",
-                                    detras ? "boton IZQUIERDO abajo 400 10; arrastra 100 10" : "", 480, 360);
+                                    detras ? "boton IZQUIERDO abajo 470 10; arrastra 170 10; arrastra -130 10" : "", 480, 360);
         ASSERT_EQ(e.estado, 0) << e.errores;
         const double azimut = detras ? 1 + 3.0 : 1;
         // tres columnas y dos filas, con rayas de dos píxeles entre ellas: 158, 159 y 159 por 179 y 179

@@ -195,7 +195,7 @@ std::vector<ch03::Cuerpo> escenaGrua(double giro, double distancia, double altur
         {caja(escala({3, 0.1, 3})), {0.80, 0.80, 0.78}},                            // zapata
         {caja(traslada({0, 5, 0}) * escala({0.8, 10, 0.8})), amarillo},             // pie
         {caja(G * traslada({2.5, 10.4, 0}) * escala({10, 0.8, 0.8})), amarillo},    // brazo: de −2.5 a 7.5
-        {caja(G * traslada({-1.8, 9.3, 0}) * escala(1.4)), {0.42, 0.45, 0.50}},     // contrapeso
+        {caja(G * traslada({-1.8, 9.3, 0}) * escala(1.4)), {0.55, 0.58, 0.62}},     // contrapeso
         {caja(G * traslada({distancia, 10 - cable / 2, 0}) * escala({0.12, cable, 0.12})),
          {0.16, 0.17, 0.20}},
         {caja(G * traslada({distancia, altura, 0})), {0.85, 0.20, 0.18}}, // carga

@@ -1,8 +1,7 @@
 // Comprobaciones independientes de etapas_pipeline: las cuentas que escribe contra el oráculo, las coordenadas de
 // ventana contra el píxel dibujado, y el recortado contra el polígono exacto, en números racionales.
+#include "ch04_oraculo.h"
 #include "ch04_vista3d/etapas.h"
-#include "ejecuta.h"
-#include "oraculo/oraculo.h"
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
 #include <map>
@@ -132,10 +131,24 @@ TEST(Recortado, CasosLimite) {
 
 namespace {
 
-/// Los datos de etapas_pipeline.cpp, escritos otra vez.
-const o::Mat4 MM = o::traslada({0.2, 0.8, 0.3}) * o::gira({0, 1, 0}, -0.35) * o::escala({2, 1.2, 1.4});
-const o::Camara CAMARA = o::perspectiva(o::miraDesde({2.0, 3.4, 5.4}, {0.1, 0.7, 0}), 0.62, 4, 8.5);
+/// Los datos de etapas_pipeline, escritos otra vez.
+const o::Mat4 MM = o::traslada({0.2, 0.8, 0.3}) * o::gira({0, 1, 0}, -0.35) * o::escala({2, 1.2, 1.4}),
+              TAPA = o::traslada({1.13, 1.82, 2.16}) * o::escala({0.6, 0.5, 0.2});
+const double CERCA = 3, LEJOS = 7.5;
+const o::Vec3 OJO{2.0, 3.4, 5.4};
 const o::Vec3 TRIANGULO[] = {{-0.7, 0.8, -0.5}, {0.9, -0.2, 5}, {1.5, -0.6, -1.4}};
+enum { OBJETO, MUNDO, CAMARA, NDC, VENTANA, PROFUNDIDAD };
+
+/// Dónde dibuja el panel k, de tres columnas y dos filas en una ventana 4:3; debajo quedan los números.
+Hueco panel(int k, int ancho, int alto) {
+    return hueco(k % 3, 3, k / 3, 2, ancho, alto);
+}
+Hueco escena(int k, int ancho, int alto) {
+    Hueco h = panel(k, ancho, alto);
+    const int numeros = 7 * h.alto / 20;
+    return {h.x, h.y + numeros, h.ancho, h.alto - numeros};
+}
+const o::Camara CAMARA_REF = oraculo::perspectiva(o::miraDesde(OJO, {0.1, 0.7, 0}), 0.62, CERCA, LEJOS);
 
 /// Las líneas «clave: valores» del último vértice que ha escrito.
 std::map<std::string, std::vector<double>> lee(const std::string &salida) {
@@ -165,44 +178,95 @@ void esperaCerca(const std::vector<double> &valores, const o::Vec3 &v, double co
         EXPECT_NEAR(valores[static_cast<std::size_t>(k)], v[k], cota) << clave << " " << k;
 }
 
-/// El centro de los píxeles del color de la señal en el panel de la ventana (abajo a la derecha).
-o::Vec2 centroDeLaSenal(const Imagen &imagen) {
-    double x = 0, y = 0;
-    int n = 0;
-    for (int py = 0; py < imagen.alto / 2; ++py)
-        for (int px = imagen.ancho / 2; px < imagen.ancho; ++px) {
-            const Pixel p = pixel(imagen, px, py);
-            if (p.r == 217 && p.g == 51 && p.b == 46)
-                x += px + 0.5, y += py + 0.5, ++n;
-        }
-    EXPECT_GT(n, 20);
-    return {x / n, y / n};
+o::Vec3 esquinaCubo(int k) {
+    return {k & 1 ? 0.5 : -0.5, k & 2 ? 0.5 : -0.5, k & 4 ? 0.5 : -0.5};
+}
+
+/// Coordenadas de ventana de un punto del mundo, en el panel de la ventana.
+o::Vec3 enVentana(const o::Vec3 &mundo, int ancho, int alto) {
+    const Hueco h = escena(VENTANA, ancho, alto);
+    o::Vec3 w = o::proyecta(CAMARA_REF, h.ancho, h.alto, mundo);
+    w.x += h.x, w.y += h.y;
+    return w;
+}
+o::Vec3 enNdc(const o::Vec3 &mundo, int ancho, int alto) {
+    const Hueco h = escena(VENTANA, ancho, alto);
+    const o::Vec3 w = enVentana(mundo, ancho, alto);
+    return {2 * (w.x - h.x) / h.ancho - 1, 2 * (w.y - h.y) / h.alto - 1, 2 * w.z - 1};
+}
+
+/// Un punto del mundo en la imagen del panel k, visto desde fuera como lo ve el programa.
+o::Vec3 enPanel(int k, const o::Vec3 &mundo, int ancho, int alto) {
+    const Hueco h = escena(k, ancho, alto);
+    const auto mira = [&](const o::Vec3 &p, double distancia, const o::Vec3 &centro) {
+        o::Vec3 w = o::proyecta(oraculo::perspectiva(o::orbita(0.95, 0.35, distancia, centro), 0.5, 0.5, 100),
+                                h.ancho, h.alto, p);
+        w.x += h.x, w.y += h.y;
+        return w;
+    };
+    const o::Vec3 n = enNdc(mundo, ancho, alto);
+    switch (k) {
+    case OBJETO: return mira(o::punto(o::inversa(MM), mundo), 6, {0, 0.2, 0});
+    case MUNDO: return mira(mundo, 16, {0.6, 1.3, 1.4});
+    case CAMARA: return mira(o::enCamara(CAMARA_REF, mundo), 17, {0, 0, -3.7});
+    case NDC: return mira({n.x, n.y, -n.z}, 8, {0, 0, 0});
+    default: return enVentana(mundo, ancho, alto);
+    }
+}
+
+/// Lo que hay guardado en el píxel de una esquina del cubo: lo primero que el rayo encuentra aparte de las caras que la tocan, en
+/// profundidad de 0 a 1.
+double guardada(const o::Vec3 &mundo, bool tapado, int ancho, int alto) {
+    const Hueco h = escena(VENTANA, ancho, alto);
+    const o::Camara camara = CAMARA_REF;
+    const o::Vec3 w = enVentana(mundo, ancho, alto);
+    o::Rayo r = o::rayo(camara, h.ancho, h.alto, w.x - h.x, w.y - h.y);
+    const double distancia = o::longitud(mundo - r.origen);
+    double menor = 1;
+    const auto mira = [&](const o::Objeto &objeto, double minimo, double maximo) {
+        o::Rayo trozo = r;
+        trozo.minimo = minimo, trozo.maximo = maximo;
+        if (const o::Impacto i = o::primerImpacto({objeto}, trozo))
+            menor = std::min(menor, o::proyecta(camara, h.ancho, h.alto, i.punto).z);
+    };
+    mira(o::caja(MM), r.minimo, distancia - 1e-4); // delante de la esquina, o detrás
+    mira(o::caja(MM), distancia + 1e-4, r.maximo);
+    if (tapado)
+        mira(o::caja(TAPA), r.minimo, r.maximo);
+    return menor;
+}
+
+/// Dos decimales, como en los rótulos.
+std::u32string dosDecimales(double v) {
+    char texto[32];
+    std::snprintf(texto, sizeof texto, "%.2f", v);
+    std::u32string s(texto, texto + std::string(texto).size());
+    return s == U"-0.00" ? U"0.00" : s;
 }
 
 } // namespace
 
 // Cuatro esquinas del cubo, cada una elegida con el ratón en el panel de la ventana: lo que escribe en cada etapa contra el
 // oráculo, y el píxel que señala. La matriz del modelo se hace en float: 4 redondeos de números menores que 2,
-// 5e-7 en el mundo, y en la ventana por 1/tan(0.31)/4 y por 45 píxeles, 4e-5. La señal mide un número impar de
-// píxeles, así que su centro dista del vértice medio como mucho en cada dirección.
+// 5e-7 en el mundo, y en la ventana por 1/tan(0.31)/4 y por 58 píxeles, 5e-5. La señal es un disco: su centro está a menos
+// de medio píxel del vértice.
 TEST(EtapasPipeline, EsquinasDelCubo) {
-    const int ancho = 240, alto = 180;
+    const int ancho = 480, alto = 360;
     double peor = 0, conLaImpresa = 0;
     for (const int k : {0, 3, 5, 6}) { // una de cada dos
-        const o::Vec3 esquina{k & 1 ? 0.5 : -0.5, k & 2 ? 0.5 : -0.5, k & 4 ? 0.5 : -0.5},
-            mundo = o::punto(MM, esquina), camara = o::enCamara(CAMARA, mundo);
-        o::Vec3 ventana = o::proyecta(CAMARA, ancho / 2, alto / 2, mundo);
-        ventana.x += ancho / 2;
-        const Ejecucion e = ejecuta("ch04_vista3d/etapas_pipeline", clic(ventana.x, ventana.y, alto));
+        const o::Vec3 mundo = o::punto(MM, esquinaCubo(k)), ventana = enVentana(mundo, ancho, alto),
+                      camara = o::enCamara(CAMARA_REF, mundo);
+        const Ejecucion e =
+            ejecuta("ch04_vista3d/etapas_pipeline", clic(ventana.x, ventana.y, alto), ancho, alto);
         ASSERT_EQ(e.estado, 0) << e.errores;
         auto v = lee(e.salida);
-        esperaCerca(v["objeto"], esquina, 0, "objeto");
+        esperaCerca(v["objeto"], esquinaCubo(k), 0, "objeto");
         esperaCerca(v["mundo"], mundo, 1e-6, "mundo");
         esperaCerca(v["cámara"], camara, 1e-6, "cámara");
         ASSERT_EQ(v["recortado"].size(), 4u);
         const double w = v["recortado"][3];
         EXPECT_NEAR(w, -camara.z, 1e-6);
-        const o::Vec3 ndc{(ventana.x - ancho / 2) / 60 - 1, ventana.y / 45 - 1, 2 * ventana.z - 1};
+        const o::Vec3 ndc = enNdc(mundo, ancho, alto);
         esperaCerca(v["recortado"], w * ndc, 1e-5, "recortado");
         esperaCerca(v["NDC"], ndc, 2e-6, "NDC");
         ASSERT_EQ(v["ventana"].size(), 2u);
@@ -210,28 +274,132 @@ TEST(EtapasPipeline, EsquinasDelCubo) {
         EXPECT_NEAR(v["ventana"][1], ventana.y, 1e-4);
         ASSERT_EQ(v["profundidad"].size(), 1u);
         EXPECT_NEAR(v["profundidad"][0], ventana.z, 2e-6);
+        ASSERT_EQ(v["guardada"].size(), 1u);
+        EXPECT_NEAR(v["guardada"][0], guardada(mundo, false, ancho, alto), 1e-5) << k;
+        EXPECT_EQ(v.count("se pinta"), v["profundidad"][0] < v["guardada"][0] ? 1u : 0u);
         ASSERT_EQ(v["píxel"].size(), 2u);
-        const Pixel p = pixel(e.imagen, static_cast<int>(v["píxel"][0]), static_cast<int>(v["píxel"][1]));
-        EXPECT_TRUE(p.r == 217 && p.g == 51 && p.b == 46) << k;
-        const o::Vec2 centro = centroDeLaSenal(e.imagen);
-        const double dx = centro.x - v["ventana"][0], dy = centro.y - v["ventana"][1];
-        EXPECT_LE(std::fabs(dx), 0.5 + 1e-3) << k;
-        EXPECT_LE(std::fabs(dy), 0.5 + 1e-3) << k;
+        const int px = static_cast<int>(v["píxel"][0]), py = static_cast<int>(v["píxel"][1]);
+        EXPECT_TRUE(es(pixel(e.imagen, px, py), ROJO)) << k;
+        double x = 0, y = 0;
+        int n = 0;
+        for (int j = py - 8; j <= py + 8; ++j)
+            for (int i = px - 8; i <= px + 8; ++i)
+                if (es(pixel(e.imagen, i, j), ROJO))
+                    x += i + 0.5, y += j + 0.5, ++n;
+        ASSERT_GT(n, 20);
+        const double dx = x / n - v["ventana"][0], dy = y / n - v["ventana"][1];
+        EXPECT_LE(std::fabs(dx), 0.5) << k;
+        EXPECT_LE(std::fabs(dy), 0.5) << k;
         peor = std::fmax(peor, std::fmax(std::fabs(dx), std::fabs(dy)));
         conLaImpresa = std::fmax(conLaImpresa, std::fmax(dx, dy) + 0.5);
     }
     std::cout << "del píxel a lo escrito, " << peor << " píxeles; con la ecuación 4.4 impresa serían "
               << conLaImpresa << "\n";
-    EXPECT_GT(conLaImpresa, 0.6); // errata de la ecuación 4.4: resta medio píxel
+    EXPECT_GT(conLaImpresa, 0.55); // errata de la ecuación 4.4: resta medio píxel
 }
 
-// En el panel del mundo también se elige, y lejos de todo vértice no cambia nada.
-TEST(EtapasPipeline, EligeEnElPanelDelMundo) {
-    const o::Camara fuera = o::perspectiva(o::orbita(0.95, 0.35, 15.5, {0.2, 1.3, 0.6}), 0.5, 0.5, 100);
-    const o::Vec3 esquina{0.5, 0.5, -0.5}, w = o::proyecta(fuera, 120, 90, o::punto(MM, esquina));
-    const Ejecucion e = ejecuta("ch04_vista3d/etapas_pipeline", clic(120 + w.x, 90 + w.y, 180));
-    esperaCerca(lee(e.salida)["objeto"], esquina, 0, "objeto");
-    const Ejecucion lejos = ejecuta("ch04_vista3d/etapas_pipeline", clic(125, 5, 180)),
+// El mismo punto en los cinco primeros paneles, con sus números debajo; y el volumen de la vista alrededor.
+TEST(EtapasPipeline, ElPuntoYSusNumerosEnCadaPanel) {
+    const int ancho = 960, alto = 720, k = 7; // la esquina que se sigue al empezar
+    const Ejecucion e = ejecuta("ch04_vista3d/etapas_pipeline", "", ancho, alto);
+    ASSERT_EQ(e.estado, 0) << e.errores;
+    const o::Vec3 mundo = o::punto(MM, esquinaCubo(k)), n = enNdc(mundo, ancho, alto),
+                  camara = o::enCamara(CAMARA_REF, mundo), ventana = enVentana(mundo, ancho, alto);
+    const char32_t *const titulos[] = {U"1 objeto",    U"2 mundo",   U"3 cámara",
+                                       U"4 recortado", U"5 ventana", U"6 test de z"};
+    const o::Vec3 numeros[] = {esquinaCubo(k), mundo, camara, n, ventana};
+    const auto rotulado = [&](int donde, const std::u32string &texto, const glm::vec3 &color) {
+        const Hueco h = panel(donde, ancho, alto);
+        for (const o::Vec2 &c : buscaRotulo(e.imagen, texto, color, 0.03))
+            if (c.x > h.x && c.x < h.x + h.ancho && c.y > h.y && c.y < h.y + h.alto)
+                return true;
+        return false;
+    };
+    for (int donde = OBJETO; donde <= VENTANA; ++donde) {
+        const o::Vec3 w = enPanel(donde, mundo, ancho, alto);
+        for (const double d : {-4.0, 0.0, 4.0}) { // un disco de 15 píxeles
+            EXPECT_TRUE(es(pixel(e.imagen, static_cast<int>(w.x + d), static_cast<int>(w.y)), ROJO)) << donde;
+            EXPECT_TRUE(es(pixel(e.imagen, static_cast<int>(w.x), static_cast<int>(w.y + d)), ROJO)) << donde;
+        }
+        const std::u32string divididos = donde == NDC ? U"/w " : U" ";
+        EXPECT_TRUE(rotulado(donde, U"x" + divididos + dosDecimales(numeros[donde].x), ROJO)) << donde;
+        EXPECT_TRUE(rotulado(donde, U"y" + divididos + dosDecimales(numeros[donde].y), ROJO)) << donde;
+        EXPECT_EQ(rotulado(donde, U"z" + divididos + dosDecimales(numeros[donde].z), ROJO), donde < VENTANA)
+            << donde;
+    }
+    for (int donde = OBJETO; donde <= PROFUNDIDAD; ++donde)
+        EXPECT_TRUE(rotulado(donde, titulos[donde], OSCURO)) << donde;
+    EXPECT_TRUE(rotulado(NDC, U"w " + dosDecimales(-camara.z), ROJO));
+    EXPECT_TRUE(rotulado(PROFUNDIDAD,
+                         dosDecimales(ventana.z) + U" < " + dosDecimales(guardada(mundo, false, ancho, alto)),
+                         ROJO));
+    EXPECT_TRUE(rotulado(PROFUNDIDAD, U"se pinta", ROJO));
+
+    // los marcos de cerca y de lejos, por el medio de sus lados de la derecha y de abajo
+    const Hueco h = escena(VENTANA, ancho, alto);
+    const double t = std::tan(0.31) * std::max(1.0, 4.0 * h.alto / (3.0 * h.ancho)),
+                 a = static_cast<double>(h.ancho) / h.alto;
+    const o::Ejes ejes = o::ejes(CAMARA_REF);
+    for (const int donde : {MUNDO, CAMARA, NDC})
+        for (const auto &[d, color] : {std::pair(CERCA, NARANJA), {LEJOS, AZUL}}) {
+            int buenos = 0;
+            for (int lado = 0; lado < 4; ++lado)
+                for (const double u : {-0.5, 0.0, 0.5}) {
+                    const double x = lado == 0   ? 1
+                                     : lado == 1 ? -1
+                                                 : u,
+                                 y = lado == 2   ? 1
+                                     : lado == 3 ? -1
+                                                 : u;
+                    const o::Vec3 p = OJO + d * (x * t * a * ejes.x + y * t * ejes.y - ejes.z),
+                                  w = enPanel(donde, p, ancho, alto);
+                    buenos += es(pixel(e.imagen, static_cast<int>(w.x), static_cast<int>(w.y)), color);
+                }
+            EXPECT_GE(buenos, 8) << donde << " a " << d; // de 12: los demás los tapa algo
+        }
+}
+
+// Con algo delante, lo guardado es su profundidad y el fragmento se descarta; en la ventana se ve lo que tapa.
+TEST(EtapasPipeline, Oculto) {
+    const int ancho = 960, alto = 720;
+    const Ejecucion e = ejecuta("ch04_vista3d/etapas_pipeline", "tecla o", ancho, alto);
+    ASSERT_EQ(e.estado, 0) << e.errores;
+    const o::Vec3 mundo = o::punto(MM, esquinaCubo(7)), w = enVentana(mundo, ancho, alto);
+    auto v = lee(e.salida);
+    ASSERT_EQ(v["guardada"].size(), 1u);
+    const double z = guardada(mundo, true, ancho, alto);
+    EXPECT_NEAR(v["guardada"][0], z, 1e-5);
+    EXPECT_LT(v["guardada"][0], v["profundidad"][0]);
+    EXPECT_TRUE(v.count("se descarta"));
+    EXPECT_FALSE(v.count("se pinta"));
+    EXPECT_EQ(buscaRotulo(e.imagen, U"se descarta", ROJO, 0.03).size(), 1u);
+    EXPECT_EQ(buscaRotulo(e.imagen, dosDecimales(w.z) + U" ≥ " + dosDecimales(z), ROJO, 0.03).size(), 1u);
+    const Pixel p = pixel(e.imagen, static_cast<int>(w.x) - 14, static_cast<int>(w.y));
+    EXPECT_TRUE(p.g > 1.5 * p.r && p.g > 1.5 * p.b)
+        << p.r << " " << p.g << " " << p.b; // verde alrededor del punto
+    // en la escala del sexto panel, el fragmento y la flecha de lo guardado
+    const Hueco h = escena(PROFUNDIDAD, ancho, alto);
+    const auto enEscala = [&](double valor, double y) {
+        return pixel(e.imagen, static_cast<int>(h.x + h.ancho * (0.5 + 0.5 * (0.9 * valor - 0.45))),
+                     static_cast<int>(h.y + h.alto * (0.5 + 0.5 * y)));
+    };
+    EXPECT_TRUE(es(enEscala(w.z, -0.1), ROJO));
+    EXPECT_TRUE(es(enEscala(z, -0.5), OSCURO));
+    EXPECT_FALSE(es(enEscala(w.z, -0.5), OSCURO));
+    EXPECT_TRUE(es(enEscala(0, -0.1), NARANJA));
+    EXPECT_TRUE(es(enEscala(1, -0.1), AZUL));
+}
+
+// En los otros paneles también se elige, y lejos de todo vértice no cambia nada.
+TEST(EtapasPipeline, EligeEnCadaPanel) {
+    const int ancho = 480, alto = 360;
+    const o::Vec3 mundo = o::punto(MM, esquinaCubo(3));
+    for (const int donde : {OBJETO, MUNDO, CAMARA, NDC}) {
+        const o::Vec3 w = enPanel(donde, mundo, ancho, alto);
+        const Ejecucion e = ejecuta("ch04_vista3d/etapas_pipeline", clic(w.x, w.y, alto), ancho, alto);
+        esperaCerca(lee(e.salida)["objeto"], esquinaCubo(3), 0, "objeto");
+    }
+    const Ejecucion lejos = ejecuta("ch04_vista3d/etapas_pipeline", clic(165, 5, 180)),
                     quieto = ejecuta("ch04_vista3d/etapas_pipeline");
     EXPECT_EQ(lejos.salida, quieto.salida);
     EXPECT_EQ(lejos.imagen.rgb, quieto.imagen.rgb);
@@ -240,51 +408,54 @@ TEST(EtapasPipeline, EligeEnElPanelDelMundo) {
 // El triángulo recortado: lados y área contra el polígono exacto, y la imagen de la GPU, que recorta por su cuenta,
 // contra ese mismo polígono, salvo el borde de 8 píxeles que lo señala.
 TEST(EtapasPipeline, Recortado) {
-    const int ancho = 960, alto = 720, nx = 480, ny = 360;
+    const int ancho = 960, alto = 720;
+    const Hueco h = escena(VENTANA, ancho, alto);
     const Ejecucion e = ejecuta("ch04_vista3d/etapas_pipeline", "tecla r", ancho, alto);
     ASSERT_EQ(e.estado, 0) << e.errores;
+    const double t = std::tan(0.31) * std::max(1.0, 4.0 * h.alto / (3.0 * h.ancho));
     std::vector<glm::dvec4> triangulo;
     for (const o::Vec3 &v : TRIANGULO) {
-        const o::Vec3 c = o::enCamara(CAMARA, o::punto(MM, v));
-        const double t = std::tan(0.31), d = -c.z;
-        triangulo.push_back({c.x / t * ny / nx, c.y / t, ((4 + 8.5) * d - 2 * 4 * 8.5) / (8.5 - 4), d});
+        const o::Vec3 c = o::enCamara(CAMARA_REF, o::punto(MM, v));
+        const double d = -c.z;
+        triangulo.push_back({c.x / t * h.alto / h.ancho, c.y / t,
+                             ((CERCA + LEJOS) * d - 2 * CERCA * LEJOS) / (LEJOS - CERCA), d});
     }
     const std::vector<PuntoExacto> exacto = poligonoExacto(triangulo);
     auto v = lee(e.salida);
     ASSERT_EQ(v["lados"].size(), 1u);
     ASSERT_EQ(v["área en píxeles"].size(), 1u);
     EXPECT_EQ(v["lados"][0], static_cast<double>(exacto.size()));
-    const double area = areaExacta(exacto) * nx * ny / 4;
-    EXPECT_NEAR(v["área en píxeles"][0], area, 0.2); // 1e-4 píxeles por vértice y 1400 de perímetro
+    const double area = areaExacta(exacto) * h.ancho * h.alto / 4;
+    EXPECT_NEAR(v["área en píxeles"][0], area, 0.2); // 1e-4 píxeles por vértice y 1000 de perímetro
     std::cout << "lados " << exacto.size() << ", área " << v["área en píxeles"][0] << ", exacta " << area
               << "\n";
 
     o::Poligono p;
     for (const PuntoExacto &q : exacto)
-        p.push_back({nx + nx * (1 + static_cast<double>(q.x)) / 2, ny * (1 + static_cast<double>(q.y)) / 2});
+        p.push_back({h.x + h.ancho * (1 + static_cast<double>(q.x)) / 2,
+                     h.y + h.alto * (1 + static_cast<double>(q.y)) / 2});
     int dentro = 0, fuera = 0;
-    for (int y = 0; y < ny; ++y)
-        for (int x = nx; x < ancho; ++x) {
+    for (int y = h.y; y < h.y + h.alto - 45; ++y) // arriba, el título
+        for (int x = h.x; x < h.x + h.ancho; ++x) {
             const double d = o::distanciaDentro(p, x + 0.5, y + 0.5);
             const Pixel c = pixel(e.imagen, x, y);
-            const bool esSenal = c.r == 217 && c.g == 51 && c.b == 46;
-            if (esSenal || std::fabs(d) < 8)
+            if (es(c, ROJO) || std::fabs(d) < 6)
                 continue;
             ++(d > 0 ? dentro : fuera);
-            const bool esTriangulo = c.r > c.g && c.g > 2 * c.b,
-                       esFondo = c.r == 199 && c.g == 224 && c.b == 245;
-            ASSERT_TRUE(d > 0 ? esTriangulo : esFondo) << x << "," << y;
+            const bool esTriangulo = c.r > c.g && c.g > 2 * c.b;
+            ASSERT_TRUE(d > 0 ? esTriangulo : es(c, CIELO)) << x << "," << y;
         }
-    EXPECT_GT(dentro, 50000);
-    EXPECT_GT(fuera, 30000);
+    EXPECT_GT(dentro, 30000);
+    EXPECT_GT(fuera, 8000);
 }
 
 // Un vértice de fuera del volumen llega hasta las coordenadas de recortado, y ahí se acaba.
 TEST(EtapasPipeline, VerticeDeFuera) {
-    const o::Camara objeto = o::perspectiva(o::orbita(0.95, 0.35, 8, {0, 0, 0}), 0.5, 0.5, 100);
-    const o::Vec3 w = o::proyecta(objeto, 480, 360, TRIANGULO[2]);
+    const Hueco h = escena(OBJETO, 960, 720);
+    const o::Camara objeto = oraculo::perspectiva(o::orbita(0.95, 0.35, 14, {0, 0.2, 0}), 0.5, 0.5, 100);
+    const o::Vec3 w = o::proyecta(objeto, h.ancho, h.alto, TRIANGULO[2]);
     const Ejecucion e =
-        ejecuta("ch04_vista3d/etapas_pipeline", "tecla r; " + clic(w.x, 360 + w.y, 720), 960, 720);
+        ejecuta("ch04_vista3d/etapas_pipeline", "tecla r; " + clic(h.x + w.x, h.y + w.y, 720), 960, 720);
     ASSERT_EQ(e.estado, 0) << e.errores;
     auto v = lee(e.salida);
     EXPECT_EQ(v["vértice"], std::vector<double>{2});
@@ -292,4 +463,5 @@ TEST(EtapasPipeline, VerticeDeFuera) {
     EXPECT_TRUE(v.count("recortado"));
     EXPECT_FALSE(v.count("NDC"));
     EXPECT_FALSE(v.count("ventana"));
+    EXPECT_EQ(buscaRotulo(e.imagen, U"no llega", ROJO, 0.03).size(), 2u);
 }

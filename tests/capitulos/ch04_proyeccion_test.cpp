@@ -1,11 +1,9 @@
 // Comprobaciones independientes de las proyecciones y del área de dibujo (ecuaciones 4.2 a 4.4): vista.h y
 // volumen.h contra cuádruple precisión y contra GLM, lo que el libro imprime, y los programas proyecciones y
 // volumen_vista.
+#include "ch04_oraculo.h"
 #include "ch04_vista3d/vista.h"
 #include "ch04_vista3d/volumen.h"
-#include "ejecuta.h"
-#include "malla.h"
-#include "oraculo/oraculo.h"
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -145,8 +143,13 @@ TEST(Erratas, Ecuacion42DelReves) {
     EXPECT_LT(z(per, 2), z(per, 50));
     EXPECT_LT(z(par, 2), z(par, 50));
     EXPECT_GT(z(impresa, 2), z(impresa, 50));
-    EXPECT_LT(z(impresa, c), -1);
-    EXPECT_LT(z(impresa, l), -1);
+    // no solo del revés: con 0 < cerca < lejos, todo lo que hay entre los dos planos queda fuera y se recorta
+    for (double d = c; d <= l; d += 1)
+        EXPECT_LT(z(impresa, d), -1) << d;
+    glm::dmat4 deDiez = proyeccionParalela(-1, 1, -1, 1, 1, 10);
+    deDiez[2][2] = 2.0 / (10 - 1);
+    EXPECT_NEAR(z(deDiez, 1), -1.44, 0.005);
+    EXPECT_NEAR(z(deDiez, 10), -3.44, 0.005);
 }
 
 // Con aspect/tan(θ) un cuadrado no se ve cuadrado, y con θ (el ángulo entero de la figura 4.4 y de
@@ -228,29 +231,26 @@ const int ANCHO = 960, ALTO = 720;
 
 /// La vista de proyecciones.cpp, escrita otra vez.
 o::Camara camaraCubo(bool enPerspectiva) {
-    const o::Camara c = o::orbita(0.75, 0.46, 1.6, {0, 0.12, 0});
-    return enPerspectiva ? o::perspectiva(c, 1.6, 0.1, 2000)
-                         : o::paralela(c, 1.6 * std::tan(0.8), -2000, 2000);
+    const o::Camara c = o::orbita(0.50, 0.33, 3.0, {0.1, 0.2, 0});
+    return enPerspectiva ? o::perspectiva(c, 1.0, 0.1, 2000)
+                         : o::paralela(c, 3.0 * std::tan(0.5), -2000, 2000);
 }
 
 /// Centros de los tramos de un color en una columna, de arriba abajo, si no tocan una arista.
-std::vector<double> tramos(const Imagen &imagen, int x, const Pixel &color) {
+std::vector<double> tramos(const Imagen &imagen, int x, const glm::vec3 &color) {
     std::vector<double> centros;
     int desde = -1;
     for (int y = imagen.alto - 1; y >= -1; --y) {
-        const Pixel p = y < 0 ? Pixel{-1, -1, -1} : pixel(imagen, x, y);
-        const bool es = p.r == color.r && p.g == color.g && p.b == color.b;
-        if (es && desde < 0)
+        const bool esta = y >= 0 && es(pixel(imagen, x, y), color);
+        if (esta && desde < 0)
             desde = y;
-        if (!es && desde >= 0) {
+        if (!esta && desde >= 0) {
             centros.push_back(0.5 * (desde + y + 1) + 0.5);
             desde = -1;
         }
     }
     return centros;
 }
-
-const Pixel ROJO{217, 51, 46}, AZUL{41, 97, 204}, OSCURO{41, 43, 51};
 
 /// Las cuatro aristas en la dirección del eje `e`, prolongadas hacia el fondo desde su extremo lejano.
 std::vector<o::Vec3> finales(int e, double signo) {
@@ -302,7 +302,7 @@ TEST(Proyecciones, EnParalelaSiguenParalelas) {
     const Ejecucion e = ejecuta("ch04_vista3d/proyecciones", "tecla p", ANCHO, ALTO);
     ASSERT_EQ(e.estado, 0) << e.errores;
     const o::Camara camara = camaraCubo(false);
-    for (const auto &[eje, color, x1, x2] : {std::tuple(0, ROJO, 40, 240), {2, AZUL, 700, 840}}) {
+    for (const auto &[eje, color, x1, x2] : {std::tuple(0, ROJO, 40, 240), {2, AZUL, 700, 790}}) {
         const std::vector<double> y1 = tramos(e.imagen, x1, color), y2 = tramos(e.imagen, x2, color);
         ASSERT_EQ(y1.size(), 4u);
         ASSERT_EQ(y2.size(), 4u);
@@ -327,24 +327,22 @@ TEST(Proyecciones, EnPerspectivaVanAlPuntoDeFuga) {
     ASSERT_EQ(e.estado, 0) << e.errores;
     const o::Camara camara = camaraCubo(true);
     const o::Ejes ejes = o::ejes(camara);
-    for (const auto &[eje, color, x] : {std::tuple(0, ROJO, 200), {2, AZUL, 690}}) {
+    for (const auto &[eje, color, x] : {std::tuple(0, ROJO, 150), {2, AZUL, 690}}) {
         const o::Vec3 d = eje == 0 ? o::Vec3{-1, 0, 0} : o::Vec3{0, 0, -1};
-        const double k = 0.5 * ALTO / std::tan(0.8) / -o::escalar(d, ejes.z);
+        const double k = 0.5 * ALTO / std::tan(0.5) / -o::escalar(d, ejes.z);
         const double fx = 0.5 * ANCHO + k * o::escalar(d, ejes.x),
                      fy = 0.5 * ALTO + k * o::escalar(d, ejes.y);
-        // el cuadrado que lo señala, por los límites de lo oscuro a su alrededor
-        int minX = ANCHO, maxX = -1, minY = ALTO, maxY = -1;
-        for (int py = static_cast<int>(fy) - 30; py < fy + 30; ++py)
-            for (int px = static_cast<int>(fx) - 30; px < fx + 30; ++px) {
-                const Pixel p = pixel(e.imagen, px, py);
-                if (p.r == OSCURO.r && p.g == OSCURO.g && p.b == OSCURO.b)
-                    minX = std::min(minX, px), maxX = std::max(maxX, px), minY = std::min(minY, py),
-                    maxY = std::max(maxY, py);
-            }
-        EXPECT_NEAR(0.5 * (minX + maxX + 1), fx, 0.75) << "eje " << eje;
-        EXPECT_NEAR(0.5 * (minY + maxY + 1), fy, 0.75) << "eje " << eje;
-        std::cout << "punto de fuga del eje " << eje << ": (" << fx << ", " << fy << "), en la imagen ("
-                  << 0.5 * (minX + maxX + 1) << ", " << 0.5 * (minY + maxY + 1) << ")\n";
+        if (eje == 2) { // el otro cae fuera de la imagen
+            // el disco que lo señala, de 20 píxeles, por los límites de su parte de abajo (encima está el rótulo)
+            int minX = ANCHO, maxX = -1, minY = ALTO;
+            for (int py = static_cast<int>(fy) - 14; py + 0.5 < fy - 5; ++py)
+                for (int px = static_cast<int>(fx) - 14; px <= fx + 14; ++px)
+                    if (es(pixel(e.imagen, px, py), OSCURO))
+                        minX = std::min(minX, px), maxX = std::max(maxX, px), minY = std::min(minY, py);
+            EXPECT_NEAR(0.5 * (minX + maxX + 1), fx, 1);
+            EXPECT_NEAR(minY, fy - 10, 1);
+            EXPECT_LE(distanciaRotulo(e.imagen, U"punto de fuga", OSCURO, fx, fy + 26), 70.0 / ALTO);
+        }
 
         std::vector<double> esperadas;
         for (const o::Vec3 &v : finales(eje, -1)) {
@@ -353,8 +351,65 @@ TEST(Proyecciones, EnPerspectivaVanAlPuntoDeFuga) {
         }
         std::sort(esperadas.rbegin(), esperadas.rend());
         const std::vector<double> y = tramos(e.imagen, x, color);
-        ASSERT_EQ(y.size(), 4u);
+        ASSERT_EQ(y.size(), 4u) << eje;
         for (std::size_t n = 0; n < 4; ++n)
             EXPECT_NEAR(y[n], esperadas[n], 1) << "recta " << n << " del eje " << eje;
     }
+}
+
+// El horizonte: a la altura de los ojos, de lado a lado, más grueso que las rectas; en paralela no hay.
+TEST(Proyecciones, ElHorizonte) {
+    const Ejecucion e = ejecuta("ch04_vista3d/proyecciones", "", ANCHO, ALTO),
+                    paralela = ejecuta("ch04_vista3d/proyecciones", "tecla p", ANCHO, ALTO);
+    const double y = 0.5 * ALTO * (1 + std::tan(0.33) / std::tan(0.5)); // el ojo mira 0.33 hacia abajo
+    for (int x = 3; x < ANCHO; x += 50) {
+        int grueso = 0;
+        double suma = 0;
+        for (int py = static_cast<int>(y) - 8; py <= y + 8; ++py)
+            if (es(pixel(e.imagen, x, py), OSCURO))
+                ++grueso, suma += py + 0.5;
+        if (std::abs(x - 860) < 60)
+            continue;                   // el punto de fuga
+        EXPECT_NEAR(grueso, 6, 1) << x; // 9 de 1080
+        EXPECT_NEAR(suma / grueso, y, 1) << x;
+    }
+    EXPECT_EQ(buscaRotulo(e.imagen, U"horizonte", OSCURO).size(), 1u);
+    EXPECT_EQ(buscaRotulo(e.imagen, U"perspectiva", OSCURO).size(), 1u);
+    EXPECT_EQ(buscaRotulo(paralela.imagen, U"paralela", OSCURO).size(), 1u);
+    EXPECT_TRUE(buscaRotulo(paralela.imagen, U"horizonte", OSCURO).empty());
+    EXPECT_LE(distanciaRotulo(e.imagen, U"horizonte", OSCURO, 430, y + 26), 0.2);
+}
+
+// El cubo, con sus tres caras a la vista, de la luz que les toca.
+TEST(Proyecciones, ElCubo) {
+    for (const bool enPerspectiva : {true, false}) {
+        const Ejecucion e = ejecuta("ch04_vista3d/proyecciones", enPerspectiva ? "" : "tecla p", ANCHO, ALTO);
+        for (const o::Vec3 &n : {o::Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+            const o::Vec3 w = o::proyecta(camaraCubo(enPerspectiva), ANCHO, ALTO, 0.5 * n);
+            const o::Vec3 color = 255 * luzExacta(n) * vec3De(AMARILLO);
+            const Pixel p = pixel(e.imagen, static_cast<int>(w.x), static_cast<int>(w.y));
+            EXPECT_NEAR(p.r, color.x, 1);
+            EXPECT_NEAR(p.g, color.y, 1);
+            EXPECT_NEAR(p.b, color.z, 1);
+        }
+    }
+}
+
+// Por mucho que se gire la rueda, la proyección sigue siendo posible y la escena a la vista.
+TEST(Proyecciones, LaRuedaNoAcabaElPrograma) {
+    for (const char *rueda : {"rueda +1 9 9; ", "rueda -1 9 9; "})
+        for (const char *tecla : {"", "tecla p; "}) {
+            std::string guion = tecla;
+            for (int i = 0; i < 400; ++i)
+                guion += rueda;
+            const Ejecucion e = ejecuta("ch04_vista3d/proyecciones", guion);
+            EXPECT_EQ(e.estado, 0) << e.errores;
+            int amarillos = 0;
+            for (int y = 0; y < 180; ++y)
+                for (int x = 0; x < 240; ++x) {
+                    const Pixel p = pixel(e.imagen, x, y);
+                    amarillos += p.r > 1.5 * p.b && p.g > 1.5 * p.b;
+                }
+            EXPECT_GT(amarillos, 500) << rueda;
+        }
 }

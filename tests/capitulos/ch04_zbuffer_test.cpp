@@ -1,8 +1,6 @@
 // Comprobaciones independientes de zbuffer y del algoritmo Z-Buffer en la CPU (zbuffer.h).
+#include "ch04_oraculo.h"
 #include "ch04_vista3d/zbuffer.h"
-#include "ejecuta.h"
-#include "malla.h"
-#include "oraculo/oraculo.h"
 #include <gtest/gtest.h>
 #include <iostream>
 #include <random>
@@ -14,48 +12,36 @@ using oraculo::Vec3;
 
 const char *const PROGRAMA = "ch04_vista3d/zbuffer";
 
-/// La escena del programa, escrita otra vez. Las mallas son las mismas: aquí no se juzgan sus facetas.
+/// La escena del programa, escrita otra vez, con sólidos exactos.
 oraculo::Escena escena() {
     using namespace oraculo;
     const Mat4 vertical = gira({1, 0, 0}, -PI / 2);
     return {
         caja(traslada({0, -0.1, 0}) * escala({9.6, 0.2, 7})),
         caja(traslada({-1, 1.3, 1}) * gira({0, 1, 0}, 0.35) * escala(2.6)),
-        malla(traslada({-0.7, 2.6, 1.2}) * escala(1.1), ::esfera(48)),
-        malla(traslada({2.6, 2.1, -0.6}) * vertical * escala({0.5, 0.5, 4.2}), ::cilindro(48)),
-        malla(traslada({2.6, 2.4, -0.6}) * gira({1, 0, 0}, 0.45) * vertical, ::toro(1.4f, 0.35f, 48, 24)),
-        malla(traslada({-2, 0, -1.9}) * vertical * escala({1.5, 1.5, 4.8}), ::cono(48)),
+        esfera(traslada({-0.7, 2.6, 1.2}) * escala(1.1)),
+        cilindro(traslada({2.6, 2.1, -0.6}) * vertical * escala({0.5, 0.5, 4.2})),
+        toro(traslada({2.6, 2.4, -0.6}) * gira({1, 0, 0}, 0.45) * vertical, 1.4, 0.35),
+        cono(traslada({-2, 0, -1.9}) * vertical * escala({1.5, 1.5, 4.8})),
     };
 }
 
-/// 0.58 + 0.42·N·L calculado en los vértices e interpolado, como la normal sin renormalizar de objeto.frag.
-double luz(const oraculo::Objeto &objeto, const Impacto &i) {
-    const Vec3 haciaLuz{0.20, 0.78, 0.593};
-    if (objeto.forma != oraculo::Objeto::MALLA)
-        return 0.58 + 0.42 * escalar(i.normal, haciaLuz);
-    const double peso[3] = {1 - i.corte.b1 - i.corte.b2, i.corte.b1, i.corte.b2};
-    double suma = 0.58;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto &t = objeto.triangulos->indices[static_cast<std::size_t>(i.corte.triangulo)];
-        const Vec3 n = transformaNormal(objeto.inv, objeto.triangulos->vertices[t[k]].normal);
-        suma += 0.42 * peso[k] * escalar(n, haciaLuz);
-    }
-    return suma;
+oraculo::Camara camaraDe(double azimut, double elevacion, double distancia) {
+    return oraculo::perspectiva(oraculo::orbita(azimut, elevacion, distancia, {0, 1.1, 0}), 0.5, 1, 100);
 }
 
-oraculo::ImagenRef referencia(double azimut, double elevacion, double distancia) {
-    const oraculo::Camara camara =
-        oraculo::perspectiva(oraculo::orbita(azimut, elevacion, distancia, {0, 1.1, 0}), 0.5, 1, 100);
-    const std::vector<Vec3> colores = {{0.62, 0.72, 0.58}, {0.85, 0.20, 0.18}, {0.98, 0.78, 0.15},
-                                       {0.16, 0.38, 0.80}, {0.95, 0.55, 0.10}, {0.20, 0.62, 0.28}};
-    const oraculo::Escena solidos = escena();
-    return oraculo::render(solidos, camara, 240, 180, [&](const Impacto &i) -> oraculo::Tono {
-        if (!i)
-            return Vec3{0.87, 0.93, 0.98};
-        const auto k = static_cast<std::size_t>(i.objeto);
-        // cada cara del cono tiene su normal en el vértice: el color salta de una a otra y es un borde
-        return {luz(solidos[k], i) * colores[k], k == 5 ? i.corte.triangulo : 0};
-    });
+oraculo::ImagenRef referencia(double azimut, double elevacion, double distancia, int ancho = 240,
+                              int alto = 180) {
+    const glm::vec3 colores[] = {SUELO, ROJO, AMARILLO, AZUL, NARANJA, VERDE};
+    return oraculo::render(escena(), camaraDe(azimut, elevacion, distancia), ancho, alto,
+                           [&](const Impacto &i) {
+                               return i ? luzExacta(i.normal) * vec3De(colores[i.objeto]) : vec3De(CIELO);
+                           });
+}
+
+/// El rótulo de abajo a la izquierda no se compara.
+void sinRotulo(oraculo::ImagenRef &ref, const Imagen &imagen) {
+    daPorBuenos(ref, imagen, [](int x, int y) { return x < 82 && y < 20; });
 }
 
 /// Píxeles distintos entre dos imágenes (más de un nivel) y longitud en píxeles de los bordes de la primera:
@@ -80,18 +66,59 @@ Recuento cuenta(const Imagen &a, const Imagen &b) {
 
 } // namespace
 
-// La GPU y la CPU, cada una contra el trazado de rayos en doble: el orden de visibilidad es el bueno. En los
-// bordes, los vértices redondeados a 1/256 de píxel mueven un lado √2/256 como mucho: difieren a lo sumo
-// 2·√2/256 = 1/90 de los píxeles (y alguno enseña una cara trasera, que no se descarta).
+// La GPU y la CPU, cada una contra el trazado de rayos en doble: el orden de visibilidad es el bueno. Las mallas tienen
+// caras: la normal del cono salta en su vértice media cara, sen(π/48)·0.42·255·0.62 = 4.3 niveles, y la interpolada del tubo
+// del toro, de 24 lados, es (1 − cos(π/24))·0.42·255·0.95 = 0.9 más corta. Y esas caras y los vértices redondeados a 1/256 mueven los contornos
+// hasta 0.08 píxeles, 0.04 de media: en la banda, de dos píxeles, difieren como mucho 1 de cada 50.
 TEST(ZBuffer, GpuYCpuContraTrazadoDeRayos) {
-    const oraculo::ImagenRef ref = referencia(0.55, 0.45, 18.6);
+    oraculo::ImagenRef ref = referencia(0.55, 0.45, 18.6);
     for (const char *guion : {"", "tecla c"}) {
         const Ejecucion e = ejecuta(PROGRAMA, guion);
         ASSERT_EQ(e.estado, 0) << e.errores;
-        const oraculo::Comparacion c = compara(e.imagen, ref);
+        sinRotulo(ref, e.imagen);
+        const oraculo::Comparacion c = compara(e.imagen, ref, 5);
         std::cout << (*guion ? "CPU: " : "GPU: ") << c << "\n";
-        EXPECT_LE(c.maximo, 1) << c;
-        EXPECT_LE(c.bandaDistintos, c.banda / 90) << c;
+        EXPECT_LE(c.maximo, 5) << c;
+        EXPECT_LE(c.rmse, 0.6) << c;
+        EXPECT_LE(c.bandaDistintos, c.banda / 50) << c;
+    }
+}
+
+// Los cuatro paneles: por columnas sin test y con él, por filas GPU y CPU; y lo que dice cada rótulo.
+TEST(ZBuffer, LosCuatroPaneles) {
+    const Ejecucion e = ejecuta(PROGRAMA, "tecla v", 480, 360);
+    ASSERT_EQ(e.estado, 0) << e.errores;
+    std::vector<Imagen> sueltos;
+    for (const char *guion : {"tecla z", "", "tecla z; tecla c", "tecla c"}) {
+        sueltos.push_back(ejecuta(PROGRAMA, guion, 480, 360).imagen);
+    }
+    const char32_t *const rotulos[] = {U"GPU sin test", U"GPU con test", U"CPU sin test", U"CPU con test"};
+    for (int k = 0; k < 4; ++k) {
+        const Hueco h = hueco(k % 2, 2, k / 2, 2, 480, 360);
+        const Imagen panel = recorta(e.imagen, h);
+        oraculo::ImagenRef ref = referencia(0.55, 0.45, 18.6, h.ancho, h.alto);
+        const std::size_t suelto = static_cast<std::size_t>(k);
+        daPorBuenos(ref, panel, [](int x, int y) { return x < 155 && y < 30; });
+        const oraculo::Comparacion c = compara(panel, ref, 5);
+        EXPECT_EQ(c.maximo <= 5, k % 2 == 1) << k << ": " << c; // solo con test está bien
+        for (int otro = 0; otro < 4; ++otro) {
+            const std::size_t cuantos =
+                buscaRotulo(panel, rotulos[otro], OSCURO, TALLA_NORMAL * 360 / h.alto).size();
+            EXPECT_EQ(cuantos, otro == k ? 1u : 0u) << k << " " << otro;
+        }
+        EXPECT_EQ(buscaRotulo(sueltos[suelto], rotulos[k], OSCURO).size(), 1u) << k;
+    }
+    // sin test, en la CPU y en la GPU, el cono tapa: la misma imagen por columnas
+    for (int columna = 0; columna < 2; ++columna) {
+        Imagen gpu = recorta(e.imagen, hueco(columna, 2, 0, 2, 480, 360)),
+               cpu = recorta(e.imagen, hueco(columna, 2, 1, 2, 480, 360));
+        int distintos = 0;
+        for (int y = 30; y < gpu.alto; ++y)
+            for (int x = 0; x < gpu.ancho; ++x) {
+                const Pixel p = pixel(gpu, x, y), q = pixel(cpu, x, y);
+                distintos += std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)}) > 1;
+            }
+        EXPECT_LE(distintos, 40) << columna;
     }
 }
 
@@ -104,18 +131,19 @@ static void coinciden(const std::string &guion, const oraculo::ImagenRef *ref) {
     const Recuento r = cuenta(gpu.imagen, cpu.imagen);
     std::cout << r.distintos << " distintos en " << r.bordes << " px de borde\n";
     EXPECT_GT(r.bordes, 500);
-    EXPECT_LE(r.distintos, r.bordes / 90.0);
-    int interior = 0;
+    EXPECT_LE(r.distintos, r.bordes / 90.0 + 60); // y el rótulo, que difiere en la G y la C
+    int interior = 0, malos = 0;
     for (int y = 1; ref && y < ref->alto - 1; ++y)
         for (int x = 1; x < ref->ancho - 1; ++x) {
-            bool borde = false;
+            bool borde = x < 82 && y < 20; // el rótulo
             for (int k = 0; k < 9; ++k)
                 borde = borde || hayBorde(ref->en(x, y), ref->en(x - 1 + k % 3, y - 1 + k / 3));
             const Pixel p = pixel(gpu.imagen, x, y), q = pixel(cpu.imagen, x, y);
             const int d = std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
-            ASSERT_TRUE(borde || d <= 1) << x << "," << y << ": " << d;
+            malos += !borde && d > 1; // en las aristas de las mallas, que la referencia no tiene
             interior += !borde;
         }
+    EXPECT_LE(malos, 3);
     EXPECT_TRUE(!ref || interior > 30000) << interior;
 }
 
@@ -138,15 +166,14 @@ TEST(ZBuffer, CpuYGpuCoincidenDentroDeLaEscena) {
     std::string guion;
     for (int i = 0; i < 18; ++i)
         guion += "rueda +1 120 90; ";
-    const oraculo::ImagenRef ref = referencia(0.55, 0.45, 18.6 / std::pow(1.1, 18));
+    const oraculo::ImagenRef ref = referencia(0.55, 0.45, std::max(18.6 / std::pow(1.1, 18), 0.4 * 18.6));
     coinciden(guion, &ref);
 }
 
 // Sin test gana lo último que se pinta, el cono, que es lo más lejano: su silueta entera es verde.
 TEST(ZBuffer, SinTestGanaElUltimo) {
     const oraculo::Escena solidos = escena(), soloElCono = {solidos.back()};
-    const oraculo::Camara camara =
-        oraculo::perspectiva(oraculo::orbita(0.55, 0.45, 18.6, {0, 1.1, 0}), 0.5, 1, 100);
+    const oraculo::Camara camara = camaraDe(0.55, 0.45, 18.6);
     const Ejecucion sin = ejecuta(PROGRAMA, "tecla z"), con = ejecuta(PROGRAMA);
     ASSERT_EQ(sin.estado, 0) << sin.errores;
     int verdes = 0, tapados = 0;
@@ -169,7 +196,7 @@ TEST(ZBuffer, SinTestGanaElUltimo) {
 
 namespace {
 
-const glm::vec3 NEGRO(0), BLANCO(1);
+const glm::vec3 NEGRO(0);
 
 /// Triángulo en el plano z = 0 de una ventana ancho × alto, dado por sus esquinas en píxeles.
 TrianguloZ enPixeles(const double (&p)[3][2], int ancho, int alto, float z = 0,
@@ -236,6 +263,23 @@ TEST(Rasteriza, NiHuecosNiDobles) {
         for (int p = 0; p < ancho * alto; ++p)
             ASSERT_EQ(veces[static_cast<std::size_t>(p)], 1) << vez << ": " << p % ancho << "," << p / ancho;
     }
+}
+
+// Listado 4.1: a igual profundidad se queda el primero (es `<`, no `<=`), y al quedarse se guarda su profundidad.
+TEST(ZBufferCpu, AIgualProfundidadSeQuedaElPrimero) {
+    BufferZ b = creaBufferZ(1, 1, NEGRO);
+    const auto pinta = [&](float z, const glm::vec3 &color) {
+        pintaFragmento(b, 0, 0, z, color);
+        return pixel(b.color, 0, 0);
+    };
+    pinta(1.0f, BLANCO); // la máxima tampoco es menor que la máxima
+    EXPECT_EQ(pixel(b.color, 0, 0).r, 0);
+    EXPECT_EQ(pinta(0.5f, {1, 0, 0}).r, 255);
+    EXPECT_EQ(b.profundidad[0], 0.5f);
+    EXPECT_EQ(pinta(0.5f, {0, 1, 0}).g, 0);
+    EXPECT_EQ(pinta(0.75f, {0, 1, 0}).g, 0);
+    EXPECT_EQ(pinta(0.25f, {0, 1, 0}).g, 255);
+    EXPECT_EQ(b.profundidad[0], 0.25f);
 }
 
 // §4.4: no importa el orden en que se pintan las primitivas. Sin test sí importa.

@@ -1,8 +1,10 @@
 // Los programas del capítulo 5 contra trazado de rayos en doble precisión. Las escenas, los materiales y las
 // luces están escritos otra vez. Cada escena se traza dos veces: con la misma malla que dibuja el programa, y
 // entonces no debe haber más error que el redondeo a 8 bits, y con las formas exactas, que dicen cuánto
-// cuesta la malla.
+// cuesta la malla. Los rótulos y los trazos se comprueban aparte y se quitan antes de comparar.
+#include "colores.h"
 #include "ejecuta.h"
+#include "encima.h"
 #include "malla.h"
 #include "oraculo/oraculo.h"
 #include <cmath>
@@ -10,7 +12,6 @@
 #include <gtest/gtest.h>
 #include <iomanip>
 #include <map>
-#include <unistd.h>
 
 using oraculo::Camara;
 using oraculo::Comparacion;
@@ -28,7 +29,7 @@ using oraculo::Vec3;
 namespace {
 
 const double PI = oraculo::PI;
-const Vec3 FONDO{0.16, 0.17, 0.20}, NEGRO{0.10, 0.11, 0.13}, BLANCA{1, 1, 1};
+const Vec3 FONDO{0.16, 0.17, 0.20}, BLANCA{1, 1, 1};
 const Vec3 X{1, 0, 0}, Y{0, 1, 0}, Z{0, 0, 1};
 
 Mat4 escala(double s) {
@@ -97,7 +98,7 @@ oraculo::Objeto unToro(const Mat4 &M, double radio, double radioTubo, int n, int
 /// Una ejecución con varias capturas: la imagen que queda tras cada guion, que sigue al anterior.
 std::vector<Imagen> imagenes(const std::string &programa, const std::vector<std::string> &guiones,
                              int ancho = 240, int alto = 180) {
-    const std::string base = testing::TempDir() + "ch05_" + std::to_string(getpid()) + "_";
+    const std::string base = (carpetaTemporal() / "ch05_").string();
     std::string guion;
     for (std::size_t i = 0; i < guiones.size(); ++i)
         guion += guiones[i] + "; captura " + base + std::to_string(i) + ".ppm; ";
@@ -136,11 +137,11 @@ namespace {
 const Material CERAMICA = {{0.08, 0.20, 0.38}, {0.14, 0.36, 0.62}, {0.75, 0.75, 0.75}, 30};
 const Material LATON = {{0.42, 0.23, 0.05}, {0.58, 0.36, 0.08}, {0.60, 0.55, 0.45}, 30};
 
-const int N_CERAMICA = segmentosPara(250, 0.1f), N_ANILLO = segmentosPara(400, 0.1f),
-          M_ANILLO = segmentosPara(60, 0.1f);
+const int N_CERAMICA = segmentosEsfera(230), N_ANILLO = segmentosEsfera(400), M_ANILLO = segmentosEsfera(60);
+const Vec3 POSICION_PHONG{-3.5, 4, 6};
 
 ImagenRef componentes(int cuantos, bool mismaMalla, double azimut = 0, double elevacion = 0) {
-    Luz luz = posicional({-3.5, 4, 6});
+    Luz luz = posicional(POSICION_PHONG);
     luz.Ld = cuantos >= 2 ? BLANCA : Vec3{}, luz.Ls = cuantos >= 3 ? BLANCA : Vec3{};
     const Escena escena = {
         unaEsfera(Mat4(), mismaMalla ? N_CERAMICA : 0),
@@ -149,15 +150,26 @@ ImagenRef componentes(int cuantos, bool mismaMalla, double azimut = 0, double el
                  oraculo::perspectiva(oraculo::orbita(azimut, elevacion, 10), 0.31, 1, 100), FONDO);
 }
 
+/// Arriba a la izquierda está el nombre de cada componente, y ninguno más.
+Imagen sinNombres(const Imagen &imagen, const ImagenRef &ref, int cuantos) {
+    SinEncima sin(imagen, ref);
+    const char *const nombres[] = {"ambiente", "+ difusa", "+ especular"};
+    for (int k = 0; k < 3; ++k)
+        EXPECT_EQ(sin.rotulo(nombres[k], BLANCO, 48, 172 - 10 * k), k < cuantos) << nombres[k];
+    return sin.limpia;
+}
+
 } // namespace
 
 TEST(ComponentesPhong, ContraTrazadoDeRayos) {
     const auto gpu = imagenes("componentes_phong", {"tecla 1", "tecla 2", "tecla 3"});
     const char *const nombres[] = {"a", "b", "c"};
     for (int k = 0; k < 3; ++k)
-        for (const bool mismaMalla : {true, false})
-            comprueba(nombres[k], gpu[static_cast<std::size_t>(k)], componentes(k + 1, mismaMalla),
+        for (const bool mismaMalla : {true, false}) {
+            const ImagenRef ref = componentes(k + 1, mismaMalla);
+            comprueba(nombres[k], sinNombres(gpu[static_cast<std::size_t>(k)], ref, k + 1), ref,
                       mismaMalla ? MISMA_MALLA : EXACTA, mismaMalla);
+        }
 }
 
 // La luz está en el mundo: al girar la cámara cambian sus coordenadas de la cámara, y el brillo se mueve.
@@ -165,7 +177,109 @@ TEST(ComponentesPhong, LaLuzNoGiraConLaCamara) {
     const auto gpu =
         imagenes("componentes_phong",
                  {"boton IZQUIERDO abajo 100 90; arrastra 140 120; boton IZQUIERDO arriba 140 120"});
-    comprueba("girada", gpu[0], componentes(3, true, -0.4, 0.3), MISMA_MALLA, true);
+    const ImagenRef ref = componentes(3, true, -0.4, 0.3);
+    comprueba("girada", sinNombres(gpu[0], ref, 3), ref, MISMA_MALLA, true);
+}
+
+namespace {
+
+/// Si hay ese color en el píxel o en sus vecinos.
+bool hayCerca(const Imagen &imagen, const Vec3 &p, const glm::vec3 &color) {
+    bool hay = false;
+    for (int k = 0; k < 9; ++k)
+        hay = hay ||
+              esColor(imagen, static_cast<int>(p.x) + k % 3 - 1, static_cast<int>(p.y) + k / 3 - 1, color);
+    return hay;
+}
+
+/// Lo que se ve del panel derecho de `vectores` (480×360) si el punto elegido es P: el plano de N y L, N hacia arriba y L a
+/// la izquierda. Caben 3.6 unidades a lo alto y el centro está 0.25 bajo P.
+struct DeLado {
+    Vec3 P, N, L, R, V, derecha;
+    explicit DeLado(const Vec3 &p, const Vec3 &ojo = {0, 0, 10}) : P(p), N(p) {
+        L = oraculo::unitario(POSICION_PHONG - P), V = oraculo::unitario(ojo - P);
+        R = 2 * oraculo::escalar(N, L) * N - L;
+        derecha = oraculo::unitario(oraculo::escalar(N, L) * N - L);
+    }
+    /// Del punto P + v, en píxeles.
+    Vec3 enPanel(const Vec3 &v) const {
+        return {241 + 119.5 + 100 * oraculo::escalar(v, derecha), 180 + 100 * (oraculo::escalar(v, N) + 0.25),
+                0};
+    }
+    static std::string grados(const std::string &nombre, const Vec3 &a, const Vec3 &b) {
+        const double angulo = std::atan2(oraculo::longitud(oraculo::vectorial(a, b)), oraculo::escalar(a, b));
+        return nombre + " = " + std::to_string(std::lround(angulo * 180 / PI)) + "°";
+    }
+    /// La flecha del vector llega a su punta con su color y su letra está encima.
+    void compruebaVector(const Imagen &imagen, const std::string &letra, const Vec3 &v,
+                         const glm::vec3 &color) const {
+        const Vec3 punta = enPanel(1.2 * v);
+        EXPECT_TRUE(seLee(imagen, letra, color, punta.x, punta.y + 13, 4)) << letra;
+        int vistos = 0; // con ángulos pequeños, su nombre tapa un trozo
+        for (const double t : {0.5, 0.6, 0.7, 0.8, 0.9, 1.0})
+            vistos += hayCerca(imagen, enPanel(t * v), color);
+        EXPECT_GE(vistos, 5) << letra;
+    }
+};
+
+/// El panel izquierdo mide 239×360: a lo ancho abarca lo mismo que una ventana 4:3.
+Camara camaraDelPanel() {
+    Camara camara = oraculo::perspectiva(oraculo::orbita(0, 0, 10), 0.31, 1, 100);
+    camara.semilado *= 4 / 3.0;
+    return camara;
+}
+
+} // namespace
+
+// Figura 5.2 y ecuación 5.5: en tres puntos elegidos con un clic, los vectores y los ángulos que dan las ecuaciones.
+TEST(ComponentesPhong, VectoresYAngulosEnElPuntoElegido) {
+    const glm::ivec2 clics[] = {{119, 170}, {100, 150}, {130, 160}};
+    std::vector<std::string> guiones;
+    for (const glm::ivec2 &c : clics) {
+        const std::string en = std::to_string(c.x) + " " + std::to_string(c.y);
+        guiones.push_back((guiones.empty() ? "tecla n; " : "") + ("boton IZQUIERDO abajo " + en) +
+                          "; boton IZQUIERDO arriba " + en);
+    }
+    guiones.push_back(
+        "boton IZQUIERDO abajo 100 150; arrastra 101 150; boton IZQUIERDO arriba 101 150"); // arrastrar no elige
+    guiones.push_back("boton IZQUIERDO abajo 3 3; boton IZQUIERDO arriba 3 3");             // y fuera tampoco
+    const auto gpu = imagenes("componentes_phong", guiones, 480, 360);
+    for (std::size_t i = 0; i < 5; ++i) {
+        const glm::ivec2 &c = clics[std::min<std::size_t>(i, 2)];
+        const Impacto impacto = oraculo::primerImpacto(
+            {oraculo::esfera(Mat4())}, oraculo::rayo(camaraDelPanel(), 239, 360, c.x + 0.5, 359.5 - c.y));
+        ASSERT_TRUE(impacto);
+        const DeLado d(impacto.punto, i < 3 ? Vec3{0, 0, 10} : camaraDelPanel().ojo + Vec3{-0.1, 0, 0});
+        d.compruebaVector(gpu[i], "N", d.N, BLANCO);
+        d.compruebaVector(gpu[i], "L", d.L, AMARILLO);
+        d.compruebaVector(gpu[i], "R", d.R, ROJO);
+        d.compruebaVector(gpu[i], "V", d.V, VERDE);
+        const Vec3 numeros = d.enPanel(-0.4 * d.N);
+        EXPECT_TRUE(seLee(gpu[i], DeLado::grados("θ", d.L, d.N), BLANCO, numeros.x, numeros.y - 13, 20)) << i;
+        EXPECT_TRUE(seLee(gpu[i], DeLado::grados("Φ", d.R, d.V), BLANCO, numeros.x, numeros.y - 33, 20)) << i;
+        // la P, a la derecha de su punto
+        EXPECT_TRUE(i >= 3 || seLee(gpu[i], "P", OSCURO, c.x + 11, 359.5 - c.y, 4)) << i;
+        const Vec3 theta = d.enPanel(0.56 * oraculo::unitario(d.L + d.N)),
+                   phi = d.enPanel(0.875 * oraculo::unitario(d.R + d.V));
+        EXPECT_TRUE(seLee(gpu[i], "θ", AMARILLO, theta.x, theta.y, 4)) << i;
+        EXPECT_TRUE(seLee(gpu[i], "Φ", ROJO, phi.x, phi.y, 4)) << i;
+    }
+}
+
+// De espaldas a la luz θ pasa de 90 grados y no hay R ni Φ.
+TEST(ComponentesPhong, DeEspaldasALaLuzNoHayR) {
+    const auto gpu =
+        imagenes("componentes_phong",
+                 {"tecla n; boton IZQUIERDO abajo 172 200; boton IZQUIERDO arriba 172 200"}, 480, 360);
+    const Impacto impacto = oraculo::primerImpacto({oraculo::esfera(Mat4())},
+                                                   oraculo::rayo(camaraDelPanel(), 239, 360, 172.5, 159.5));
+    ASSERT_TRUE(impacto);
+    const DeLado d(impacto.punto);
+    ASSERT_LT(oraculo::escalar(d.N, d.L), 0);
+    const Vec3 numeros = d.enPanel(-0.4 * d.N);
+    EXPECT_TRUE(seLee(gpu[0], DeLado::grados("θ", d.L, d.N), BLANCO, numeros.x, numeros.y - 13, 20));
+    EXPECT_TRUE(leeRotulo(gpu[0], "R", ROJO).empty());
+    EXPECT_TRUE(leeRotulo(gpu[0], "Φ", ROJO).empty());
 }
 
 // --- exponente_brillo --------------------------------------------------------------------------------------
@@ -174,13 +288,29 @@ namespace {
 
 struct EsferaBrillo {
     Vec3 centro;
-    double alfa;
+    double radio;
+    int alfa;
+    Mat4 M() const {
+        return traslada(centro) * escala(radio);
+    }
 };
-const EsferaBrillo ESFERAS_BRILLO[] = {{{-2.15, 0.95, 0}, 1},
-                                       {{0, 0.95, 0}, 5},
-                                       {{2.15, 0.95, 0}, 20},
-                                       {{-1.075, -0.95, 0}, 100},
-                                       {{1.075, -0.95, 0}, 500}};
+const EsferaBrillo ESFERAS_BRILLO[] = {{{-2.12, 1.5, 0}, 1, 1},
+                                       {{0, 1.5, 0}, 1, 5},
+                                       {{2.12, 1.5, 0}, 1, 20},
+                                       {{-1.5, -1.02, 0}, 1.45, 100},
+                                       {{1.5, -1.02, 0}, 1.45, 500}};
+const Camara CAMARA_BRILLO = oraculo::perspectiva(oraculo::orbita(0, 0, 17), 0.31, 1, 100);
+
+/// Cada esfera lleva escrita su α, 0.7 radios por debajo del centro. Sin ellas, en una imagen con la referencia en su lugar.
+Imagen sinAlfas(const Imagen &imagen, const ImagenRef &ref) {
+    SinEncima sin(imagen, ref);
+    for (const EsferaBrillo &e : ESFERAS_BRILLO) {
+        const Vec3 p =
+            oraculo::proyecta(CAMARA_BRILLO, imagen.ancho, imagen.alto, e.centro - Vec3{0, 0.7 * e.radio, 0});
+        EXPECT_TRUE(sin.rotulo("α = " + std::to_string(e.alfa), BLANCO, p.x, p.y, 2)) << e.alfa;
+    }
+    return sin.limpia;
+}
 
 } // namespace
 
@@ -190,8 +320,8 @@ TEST(ExponenteBrillo, PerfilContraCosenoElevadoAAlfa) {
     const double ks = 0.85;
     Escena escena;
     for (const EsferaBrillo &e : ESFERAS_BRILLO)
-        escena.push_back(oraculo::esfera(traslada(e.centro)));
-    const Camara camara = oraculo::perspectiva(oraculo::orbita(0, 0, 16), 0.30, 1, 100);
+        escena.push_back(oraculo::esfera(e.M()));
+    const Camara &camara = CAMARA_BRILLO;
     const Ejecucion e = ejecuta("ch05_iluminacion/exponente_brillo", "", 480, 360);
     ASSERT_EQ(e.estado, 0) << e.errores;
     double maximo[5] = {}, brillo[5] = {};
@@ -199,8 +329,8 @@ TEST(ExponenteBrillo, PerfilContraCosenoElevadoAAlfa) {
         for (int x = 0; x < 480; ++x) {
             const Impacto i =
                 oraculo::primerImpacto(escena, oraculo::rayo(camara, 480, 360, x + 0.5, y + 0.5));
-            if (!i || oraculo::escalar(i.normal, -i.rayo.direccion) < 0.15)
-                continue; // fondo y silueta
+            if (!i || oraculo::escalar(i.normal, -i.rayo.direccion) < 0.15 || i.normal.y < -0.5)
+                continue; // fondo, silueta y la parte de abajo, donde está el rótulo
             const double NL = std::max(oraculo::escalar(i.normal, L), 0.0);
             const Vec3 R = 2 * NL * i.normal - L;
             const double coseno = std::max(oraculo::escalar(R, -i.rayo.direccion), 0.0);
@@ -226,13 +356,13 @@ TEST(ExponenteBrillo, ContraTrazadoDeRayos) {
         Escena escena;
         std::vector<Material> materiales;
         for (const EsferaBrillo &e : ESFERAS_BRILLO) {
-            escena.push_back(unaEsfera(traslada(e.centro), mismaMalla ? segmentosPara(150, 0.05f) : 0));
-            materiales.push_back({{0.09, 0.02, 0.03}, {0.44, 0.07, 0.10}, {0.85, 0.85, 0.85}, e.alfa});
+            escena.push_back(unaEsfera(e.M(), mismaMalla ? segmentosEsfera(200) : 0));
+            materiales.push_back(
+                {{0.09, 0.02, 0.03}, {0.44, 0.07, 0.10}, {0.85, 0.85, 0.85}, static_cast<double>(e.alfa)});
         }
-        comprueba("cinco alfas", gpu[0],
-                  traza(escena, materiales, {direccional({-0.45, 0.60, 1})},
-                        oraculo::perspectiva(oraculo::orbita(0, 0, 16), 0.30, 1, 100), FONDO),
-                  mismaMalla ? MISMA_MALLA : EXACTA, mismaMalla);
+        const ImagenRef ref =
+            traza(escena, materiales, {direccional({-0.45, 0.60, 1})}, CAMARA_BRILLO, FONDO);
+        comprueba("cinco alfas", sinAlfas(gpu[0], ref), ref, mismaMalla ? MISMA_MALLA : EXACTA, mismaMalla);
     }
 }
 
@@ -255,7 +385,7 @@ const Material TABLA[12] = {{{0.022, 0.17, 0.02}, {0.08, 0.61, 0.08}, {0.63, 0.7
                             {{0.05, 0.05, 0.05}, {0.50, 0.50, 0.50}, {0.70, 0.70, 0.70}, 0.08}}; // goma
 
 const Vec3 LUZ_MATERIALES{-0.9, 0.9, 1};
-const Camara CAMARA_MATERIALES = oraculo::perspectiva(oraculo::orbita(0, 0, 22), 0.31, 1, 100);
+const Camara CAMARA_MATERIALES = oraculo::perspectiva(oraculo::orbita(0, 0, 26, {0, -0.25, 0}), 0.31, 1, 100);
 
 std::vector<Material> tabla(double porAlfa) {
     std::vector<Material> m(TABLA, TABLA + 12);
@@ -264,13 +394,26 @@ std::vector<Material> tabla(double porAlfa) {
     return m;
 }
 
-const int N_MATERIALES = segmentosPara(300, 0.1f);
+const char *const NOMBRES_MATERIALES[12] = {"Esmeralda", "Jade",     "Obsidiana", "Perla",
+                                            "Rubí",      "Turquesa", "Bronce",    "Cobre",
+                                            "Oro",       "Plata",    "Plástico",  "Goma"};
+
+Vec3 centroMaterial(int i) {
+    return {2.6 * (i % 4 - 1.5), 2.65 * (1 - i / 4), 0};
+}
 
 Escena doceEsferas(int n) {
     Escena escena;
     for (int i = 0; i < 12; ++i)
-        escena.push_back(unaEsfera(traslada({2.2 * (i % 4 - 1.5), 2.2 * (1 - i / 4), 0}), n));
+        escena.push_back(unaEsfera(traslada(centroMaterial(i)), n));
     return escena;
+}
+
+/// Bajo la esfera está el nombre de su material.
+void quitaNombre(SinEncima &sin, std::size_t i, const Vec3 &centro, double radio) {
+    const Vec3 p =
+        oraculo::proyecta(CAMARA_MATERIALES, sin.limpia.ancho, sin.limpia.alto, centro - Vec3{0, radio, 0});
+    EXPECT_TRUE(sin.rotulo(NOMBRES_MATERIALES[i], BLANCO, p.x, p.y - 6, 3)) << NOMBRES_MATERIALES[i];
 }
 
 } // namespace
@@ -281,8 +424,7 @@ TEST(Materiales, CentroDeCadaEsferaContraLaEcuacion56) {
     const std::vector<Material> materiales = tabla(128);
     const Escena escena = doceEsferas(0);
     for (int i = 0; i < 12; ++i) {
-        const Vec3 p =
-            oraculo::proyecta(CAMARA_MATERIALES, 240, 180, {2.2 * (i % 4 - 1.5), 2.2 * (1 - i / 4), 0});
+        const Vec3 p = oraculo::proyecta(CAMARA_MATERIALES, 240, 180, centroMaterial(i));
         const int x = static_cast<int>(p.x), y = static_cast<int>(p.y);
         const Impacto centro =
             oraculo::primerImpacto(escena, oraculo::rayo(CAMARA_MATERIALES, 240, 180, x + 0.5, y + 0.5));
@@ -296,19 +438,24 @@ TEST(Materiales, CentroDeCadaEsferaContraLaEcuacion56) {
 
 TEST(Materiales, ContraTrazadoDeRayos) {
     const Luz luz = direccional(LUZ_MATERIALES);
-    const Vec3 fondo{0.26, 0.27, 0.30};
     std::vector<std::string> guiones(13, "tecla n"); // el decimotercero vuelve a ser el primero
     guiones.push_back("tecla t");
     const auto gpu = imagenes("materiales", guiones);
-    for (std::size_t i = 0; i < 13; ++i)
-        comprueba("material " + std::to_string(i), gpu[i],
-                  traza({unaEsfera(escala(3), 0)}, {tabla(128)[i % 12]}, {luz}, CAMARA_MATERIALES, fondo),
-                  EXACTA, false);
-    for (const bool mismaMalla : {true, false})
-        comprueba(
-            "todos", gpu[13],
-            traza(doceEsferas(mismaMalla ? N_MATERIALES : 0), tabla(128), {luz}, CAMARA_MATERIALES, fondo),
-            mismaMalla ? MISMA_MALLA : EXACTA, mismaMalla);
+    for (std::size_t i = 0; i < 13; ++i) {
+        const ImagenRef ref =
+            traza({unaEsfera(escala(3), 0)}, {tabla(128)[i % 12]}, {luz}, CAMARA_MATERIALES, FONDO);
+        SinEncima sin(gpu[i], ref);
+        quitaNombre(sin, i % 12, {}, 3);
+        comprueba("material " + std::to_string(i), sin.limpia, ref, EXACTA, false);
+    }
+    for (const bool mismaMalla : {true, false}) {
+        const ImagenRef ref = traza(doceEsferas(mismaMalla ? segmentosEsfera(95) : 0), tabla(128), {luz},
+                                    CAMARA_MATERIALES, FONDO);
+        SinEncima sin(gpu[13], ref);
+        for (std::size_t i = 0; i < 12; ++i)
+            quitaNombre(sin, i, centroMaterial(static_cast<int>(i)), 1);
+        comprueba("todos", sin.limpia, ref, mismaMalla ? MISMA_MALLA : EXACTA, mismaMalla);
+    }
 }
 
 // El brillo de la tabla va de 0.08 a 0.6. Tomado por alfa, el especular cubre toda la mitad iluminada: más de
@@ -339,49 +486,49 @@ TEST(Materiales, ElBrilloDeLaTablaEsUnaFraccionDe128) {
 namespace {
 
 const Vec3 POSICION{-0.9, 3.3, 1.1}, APUNTA{0.3, 0, 0};
-const double DELTA = 0.52;
+const double DELTA = PI / 6;
 const Camara CAMARA_FUENTES =
-    oraculo::perspectiva(oraculo::orbita(0.35, 0.5, 16, {0, 0.75, 0}), 0.35, 1, 100);
+    oraculo::perspectiva(oraculo::orbita(0.35, 0.5, 19, {0, 0.75, 0}), 0.35, 1, 100);
+const Mat4 TUMBADO = gira(X, -PI / 2);
 
-/// Suelo, objetos y la propia fuente, que es lo último de la escena y solo tiene color ambiente. Solo con
-/// la misma malla: cerca del vértice del cono, la normal interpolada no es la del cono exacto.
-ImagenRef fuentes(int tipo, double exponente) {
+/// El cono de radio y altura 1 con n caras y sus normales, que suben 45 grados. En el vértice exacto no hay normal, y la que
+/// se interpola en una cara depende de cuántas haya: por eso no sirve oraculo::cono.
+oraculo::Objeto conoDeCaras(const Mat4 &M, std::size_t n) {
+    std::vector<oraculo::VerticeRef> vertices;
+    std::vector<oraculo::Triangulos::Indices> indices;
+    for (std::size_t i = 0; i <= n; ++i) {
+        const double a = 2 * PI * static_cast<double>(i) / static_cast<double>(n);
+        const Vec3 normal = oraculo::unitario({std::cos(a), std::sin(a), 1});
+        vertices.push_back({{std::cos(a), std::sin(a), 0}, normal});
+        vertices.push_back({{0, 0, 1}, normal});
+        if (i > 0)
+            indices.push_back({2 * i - 2, 2 * i, 2 * i + 1});
+    }
+    return oraculo::malla(M, vertices, indices);
+}
+
+/// Suelo y objetos: las formas exactas o, con n y m segmentos, las mallas.
+ImagenRef fuentes(int tipo, double exponente, double delta, bool mismaMalla) {
     const Vec3 S = oraculo::unitario(APUNTA - POSICION);
-    const Mat4 tumbado = gira(X, -PI / 2);
-    const int n = segmentosPara(120, 0.1f);
-    const oraculo::Objeto unCono = oraculo::malla(Mat4(), cono(n)),
-                          unCilindro = oraculo::malla(Mat4(), cilindro(n));
-    Escena escena = {
-        oraculo::plano(tumbado * escala(7)),
-        unaEsfera(traslada({0.3, 0.8, 0.2}) * escala(0.8), n),
-        en(traslada({2.1, 0, -1.2}) * tumbado * escala(0.8, 0.8, 1.9), unCono),
+    const int n = segmentosEsfera(100);
+    const Escena escena = {
+        oraculo::plano(TUMBADO * escala(6)),
+        unaEsfera(traslada({0.3, 0.8, 0.2}) * escala(0.8), mismaMalla ? n : 0),
+        conoDeCaras(traslada({2.0, 0, -1.2}) * TUMBADO * escala(0.8, 0.8, 1.9), static_cast<std::size_t>(n)),
         oraculo::caja(traslada({-1.7, 0.6, -1.1}) * gira(Y, 0.5) * escala(1.2)),
-        unToro(traslada({1.5, 0.25, 1.9}) * tumbado, 0.7, 0.25, n, n / 2),
+        unToro(traslada({1.5, 0.25, 1.9}) * TUMBADO, 0.7, 0.25, mismaMalla ? segmentosEsfera(400) : 0,
+               segmentosEsfera(100)),
     };
-    std::vector<Material> materiales = {
-        {{0.13, 0.14, 0.16}, {0.62, 0.64, 0.68}, {0.15, 0.15, 0.15}, 20},
+    const std::vector<Material> materiales = {
+        {{0.20, 0.21, 0.23}, {0.62, 0.64, 0.68}, {0.15, 0.15, 0.15}, 20},
         {{0.18, 0.05, 0.05}, {0.75, 0.18, 0.16}, {0.60, 0.60, 0.60}, 50},
         {{0.05, 0.15, 0.07}, {0.18, 0.62, 0.28}, {0.50, 0.50, 0.50}, 50},
         {{0.05, 0.10, 0.20}, {0.16, 0.40, 0.80}, {0.60, 0.60, 0.60}, 50},
         {{0.19, 0.11, 0.03}, {0.80, 0.46, 0.10}, {0.50, 0.50, 0.50}, 50},
     };
-    // del eje Z a -S, por el giro más corto
-    const Mat4 hacia = gira(oraculo::vectorial(Z, -S), std::acos(-S.z));
-    if (tipo == 1)
-        escena.push_back(unaEsfera(traslada(POSICION) * escala(0.22), n));
-    if (tipo == 2)
-        for (const Vec3 &p : {Vec3{-0.7, 0, -0.5}, Vec3{}, Vec3{0.7, 0, 0.5}}) {
-            const Mat4 flecha = traslada(POSICION + p + 0.4 * S) * hacia;
-            escena.push_back(en(flecha * escala(0.16, 0.16, -0.4) * traslada({0, 0, -1}), unCono));
-            escena.push_back(en(flecha * traslada({0, 0, 0.8}) * escala(0.05, 0.05, 0.8), unCilindro));
-        }
-    if (tipo == 3)
-        escena.push_back(
-            en(traslada(POSICION) * hacia * traslada({0, 0, -0.15}) * escala(0.3, 0.3, 0.6), unCono));
-    materiales.resize(escena.size(), {{1.00, 0.93, 0.60}, {}, {}, 1});
     const Luz luz = tipo == 1   ? posicional(POSICION)
                     : tipo == 2 ? direccional(-S)
-                                : foco(POSICION, APUNTA, DELTA, exponente);
+                                : foco(POSICION, APUNTA, delta, exponente);
     ImagenRef ref = traza(escena, materiales, {luz}, CAMARA_FUENTES, FONDO, 320, 240);
     for (std::size_t k = 0; k < ref.pixeles.size();
          ++k) // entre dos caras del cono hay un salto de normal: son zonas
@@ -393,33 +540,108 @@ ImagenRef fuentes(int tipo, double exponente) {
     return ref;
 }
 
+/// La fuente dibujada: un punto, tres flechas paralelas a S, o un punto, el cono de ese ángulo y S. Comprueba que está y la
+/// quita, con los rótulos. De lo que no tapan los objetos se debe ver casi todo.
+Imagen sinFuente(const Imagen &imagen, const ImagenRef &ref, int tipo, int grados,
+                 const std::string &nombre) {
+    SinEncima sin(imagen, ref);
+    const Vec3 S = oraculo::unitario(APUNTA - POSICION), u = oraculo::unitario(oraculo::vectorial(S, X)),
+               v = oraculo::vectorial(S, u);
+    const Vec3 p = oraculo::proyecta(CAMARA_FUENTES, 320, 240, POSICION);
+    if (tipo == 2)
+        for (const Vec3 &donde : {Vec3{-0.8, 0, -0.5}, Vec3{}, Vec3{0.8, 0, 0.5}})
+            EXPECT_GT(
+                sin.trazo(CAMARA_FUENTES, {POSICION + donde, POSICION + donde + 1.4 * S}, AMARILLO, 4.5),
+                0.9);
+    else
+        EXPECT_EQ(sin.trazo(CAMARA_FUENTES, {POSICION, POSICION + 0.001 * S}, AMARILLO, 4.5), 1);
+    if (tipo == 3) {
+        const double delta = grados * PI / 180;
+        std::vector<Vec3> borde;
+        for (int i = 0; i <= 64; ++i) {
+            const double a = i * PI / 32;
+            borde.push_back(POSICION + 1.4 * (std::cos(delta) * S +
+                                              std::sin(delta) * (std::cos(a) * u + std::sin(a) * v)));
+            sin.trazo(CAMARA_FUENTES, {POSICION, borde.back()}, AMARILLO);
+        }
+        EXPECT_TRUE(sin.trazo(CAMARA_FUENTES, borde, AMARILLO) > 0.75 || grados == 0) << grados;
+        EXPECT_GT(sin.trazo(CAMARA_FUENTES, {POSICION, POSICION + 1.8 * S}, BLANCO, 4.5), 0.75);
+        const Vec3 punta = oraculo::proyecta(CAMARA_FUENTES, 320, 240, POSICION + 1.82 * S);
+        EXPECT_TRUE(sin.rotulo("S", BLANCO, punta.x + 6, punta.y, 4)) << grados;
+        EXPECT_TRUE(sin.rotulo("δ = " + std::to_string(grados) + "°", BLANCO, p.x - 25, p.y, 6)) << grados;
+    }
+    EXPECT_TRUE(sin.rotulo(nombre, BLANCO, 316 - 3 * static_cast<double>(nombre.size()), 228, 4)) << nombre;
+    return sin.limpia;
+}
+
 } // namespace
 
 TEST(Fuentes, LosTresTiposContraTrazadoDeRayos) {
     const auto gpu = imagenes("fuentes", {"tecla 1", "tecla 2", "tecla 3"}, 320, 240);
+    const char *const nombres[] = {"posicional", "direccional", "foco, exponente 4"};
     for (int tipo = 1; tipo <= 3; ++tipo)
-        comprueba("tipo " + std::to_string(tipo), gpu[static_cast<std::size_t>(tipo - 1)], fuentes(tipo, 4),
-                  MISMA_MALLA, true);
+        for (const bool mismaMalla : {true, false}) {
+            const ImagenRef ref = fuentes(tipo, 4, DELTA, mismaMalla);
+            comprueba(nombres[tipo - 1],
+                      sinFuente(gpu[static_cast<std::size_t>(tipo - 1)], ref, tipo, 30, nombres[tipo - 1]),
+                      ref, mismaMalla ? MISMA_MALLA : EXACTA, mismaMalla);
+        }
 }
 
 TEST(Fuentes, ElExponenteConcentraLaLuz) {
+    const auto gpu =
+        imagenes("fuentes",
+                 {"tecla 3; tecla +; tecla +", "tecla -; tecla -; tecla -; tecla -; tecla -; tecla -",
+                  "tecla +; tecla +; tecla +; tecla +; tecla +; tecla +; tecla +; tecla +"},
+                 320, 240);
+    const double exponentes[] = {16, 0.5, 64};
+    const char *const nombres[] = {"foco, exponente 16", "foco, exponente 0.5", "foco, exponente 64"};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const ImagenRef ref = fuentes(3, exponentes[i], DELTA, true);
+        comprueba(nombres[i], sinFuente(gpu[i], ref, 3, 30, nombres[i]), ref, MISMA_MALLA, true);
+    }
+}
+
+// Las teclas , y . cierran y abren el cono de 5 en 5 grados, entre 0 y 90, y con él lo iluminado.
+TEST(Fuentes, ElAnguloDelCono) {
+    std::string veinte = "tecla .";
+    for (int i = 0; i < 20; ++i)
+        veinte += "; tecla .";
+    std::string otrosVeinte = veinte;
+    std::replace(otrosVeinte.begin(), otrosVeinte.end(), '.', ',');
+    const auto gpu =
+        imagenes("fuentes", {"tecla 3; tecla ,", "tecla .; tecla .; tecla .", veinte, otrosVeinte}, 320, 240);
+    const int grados[] = {25, 40, 90, 0};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const ImagenRef ref = fuentes(3, 4, grados[i] * PI / 180, true);
+        comprueba("δ = " + std::to_string(grados[i]),
+                  sinFuente(gpu[i], ref, 3, grados[i], "foco, exponente 4"), ref, MISMA_MALLA, true);
+    }
+}
+
+// Por mucho que se arrastre, la cámara no baja del suelo: la cara de abajo, sin luz, no se ve.
+TEST(Fuentes, NoSeMiraDesdeDebajoDelSuelo) {
     const auto gpu = imagenes(
-        "fuentes", {"tecla 3; tecla +; tecla +", "tecla -; tecla -; tecla -; tecla -; tecla -; tecla -"}, 320,
-        240);
-    comprueba("exponente 16", gpu[0], fuentes(3, 16), MISMA_MALLA, true);
-    comprueba("exponente 0.5, el menor", gpu[1], fuentes(3, 0.5), MISMA_MALLA, true);
+        "fuentes", {"boton IZQUIERDO abajo 100 200; arrastra 100 -2000; boton IZQUIERDO arriba 100 -2000"});
+    Camara camara = oraculo::perspectiva(oraculo::orbita(0.35, 0.05, 19, {0, 0.75, 0}), 0.35, 1, 100);
+    const Vec3 p =
+        oraculo::proyecta(camara, 240, 180, {0.3, 0.8, 0.2}); // la esfera roja, vista desde casi el suelo
+    const Pixel rojo = pixel(gpu[0], static_cast<int>(p.x), static_cast<int>(p.y));
+    EXPECT_GT(rojo.r, 2 * rojo.g);
+    const Vec3 bajo = oraculo::proyecta(camara, 240, 180, {0.3, 0, 2.9});
+    EXPECT_TRUE(esColor(gpu[0], static_cast<int>(bajo.x), static_cast<int>(bajo.y) - 3, FONDO_OSCURO));
 }
 
 // El borde del cono en el suelo: cada píxel está iluminado si y solo si el ángulo exacto con el eje es menor
 // que delta, salvo los que el borde cruza. La pantalla del foco y los objetos quedan fuera.
 TEST(Fuentes, BordeDelConoContraElAnguloExacto) {
-    const int ancho = 640, alto = 480;
+    const int ancho = 800, alto = 600;
     const Ejecucion e = ejecuta("ch05_iluminacion/fuentes", "tecla 3", ancho, alto);
     ASSERT_EQ(e.estado, 0) << e.errores;
     const Luz luz = foco(POSICION, APUNTA, DELTA, 4);
     const double enElBorde = std::pow(std::cos(DELTA), 4); // lo que aún alumbra el foco junto al borde
     int dentro = 0, fuera = 0, dudosos = 0, mal = 0;
-    const Escena suelo = {oraculo::plano(gira(X, -PI / 2) * escala(7))};
+    const Escena suelo = {oraculo::plano(TUMBADO * escala(6))};
     const auto angulo = [&](double px, double py) {
         const Impacto i = oraculo::primerImpacto(suelo, oraculo::rayo(CAMARA_FUENTES, ancho, alto, px, py));
         const Vec3 v = oraculo::unitario(i.punto - luz.posicion);
@@ -430,8 +652,9 @@ TEST(Fuentes, BordeDelConoContraElAnguloExacto) {
         for (int x = 0; x < ancho; ++x) {
             const double a = angulo(x + 0.5, y + 0.5);
             const Pixel p = pixel(e.imagen, x, y);
-            // solo el suelo, que es gris azulado: el ambiente es (33, 36, 41)
-            if (a > 1.2 || std::abs(p.g - p.r - 2) > 3 || std::abs(p.b - p.g - 5) > 5)
+            // solo el suelo, que es gris azulado: el ambiente es (51, 54, 59)
+            if (a > 1.2 || std::abs(p.g - p.r - 2) > 3 || std::abs(p.b - p.g - 5) > 5 || p.r > 240 ||
+                esColor(e.imagen, x, y, OSCURO))
                 continue;
             double minimo = a, maximo = a;
             for (const double dx : {0.0, 1.0})
@@ -439,7 +662,7 @@ TEST(Fuentes, BordeDelConoContraElAnguloExacto) {
                     minimo = std::min(minimo, angulo(x + dx, y + dy));
                     maximo = std::max(maximo, angulo(x + dx, y + dy));
                 }
-            const bool iluminado = p.r > 45;
+            const bool iluminado = p.r > 63;
             if (maximo < DELTA)
                 ++dentro, mal += !iluminado;
             else if (minimo > DELTA)
@@ -459,23 +682,58 @@ TEST(Fuentes, BordeDelConoContraElAnguloExacto) {
 
 namespace {
 
-const Vec3 POSICION_ATENUACION{-5, 2.4, 3.6};
 const Camara CAMARA_ATENUACION =
-    oraculo::perspectiva(oraculo::orbita(0, 0.72, 25.5, {-0.2, 0.2, 0}), 0.36, 1, 100);
+    oraculo::perspectiva(oraculo::orbita(-0.45, 0.3, 21, {3.0, 1.2, 0}), 0.28, 1, 100);
 const Material SUELO_ATENUACION = {{0.05, 0.05, 0.06}, {0.55, 0.57, 0.60}, {}, 1};
 
 Escena escenaAtenuacion(int n) {
-    Escena escena = {oraculo::plano(gira(X, -PI / 2) * escala(12.5, 9, 1)),
-                     unaEsfera(traslada(POSICION_ATENUACION) * escala(0.25), n)};
-    for (int i = 0; i < 15; ++i)
-        escena.push_back(unaEsfera(traslada({2.2 * (i / 3) - 4, 0.8, 2.2 * (i % 3) - 3}) * escala(0.8), n));
+    Escena escena = {oraculo::plano(traslada({3, -0.42, 0}) * TUMBADO * escala(7.2, 2, 1)),
+                     unaEsfera(escala(0.2), n)};
+    for (int d = 1; d <= 6; ++d)
+        escena.push_back(unaEsfera(traslada({static_cast<double>(d), 0, 0}) * escala(0.42), n));
     return escena;
 }
 
 Luz luzAtenuacion(int modo) {
-    Luz luz = posicional(POSICION_ATENUACION);
-    luz.a = modo == 1 ? 1 : 0, luz.b = modo == 2 ? 1 / 3.0 : 0, luz.c = modo == 3 ? 1 / 9.0 : 0;
+    Luz luz = posicional({0, 0, 0});
+    luz.b = modo == 2 ? 1 / 3.0 : 0, luz.c = modo == 3 ? 1 / 9.0 : 0;
     return luz;
+}
+
+/// El punto de la curva: empieza a 0.8 sobre la fila, y 1 son 2.2 de alto.
+Vec3 enCurva(int modo, double d) {
+    const Luz luz = luzAtenuacion(modo);
+    return {d, 0.8 + 2.2 / (luz.a + luz.b * d + luz.c * d * d), 0};
+}
+
+/// Los ejes, las tres curvas (la elegida, amarilla), el valor sobre cada esfera, su distancia y la fórmula: comprueba que
+/// están y los quita.
+Imagen sinCurvas(const Imagen &imagen, const ImagenRef &ref, int modo) {
+    SinEncima sin(imagen, ref);
+    const auto rotulo = [&](const std::string &texto, const Vec3 &punto, double dx, double dy,
+                            const glm::vec3 &color) {
+        const Vec3 p = oraculo::proyecta(CAMARA_ATENUACION, imagen.ancho, imagen.alto, punto);
+        EXPECT_TRUE(sin.rotulo(texto, color, p.x + dx, p.y + dy, 4)) << texto;
+    };
+    EXPECT_GT(sin.trazo(CAMARA_ATENUACION, {{0, 0.8, 0}, {0, 0.8 + 1.2 * 2.2, 0}}, BLANCO, 4.5), 0.9);
+    EXPECT_GT(sin.trazo(CAMARA_ATENUACION, {{0, 0.8, 0}, {6.8, 0.8, 0}}, BLANCO, 4.5), 0.9);
+    for (int k = 1; k <= 3; ++k) {
+        std::vector<Vec3> curva;
+        for (double d = 0; d < 6.6; d += 0.1)
+            curva.push_back(enCurva(k, d));
+        EXPECT_GT(sin.trazo(CAMARA_ATENUACION, curva, k == modo ? AMARILLO : GRIS), 0.8) << k;
+    }
+    for (int d = 1; d <= 6; ++d) {
+        const Vec3 valor = enCurva(modo, d);
+        EXPECT_GT(sin.trazo(CAMARA_ATENUACION, {{valor.x, 0.8, 0}, valor}, AMARILLO), 0.9) << d;
+        sin.trazo(CAMARA_ATENUACION, {valor, valor + Vec3{0, 0.001, 0}}, AMARILLO, 3.5);
+        rotulo(std::to_string(d), {valor.x, -0.42, 1}, 0, -6, BLANCO);
+    }
+    rotulo("1", {0, 3, 0}, -6, 0, BLANCO);
+    rotulo("d", {6.8, 0.8, 0}, 6, 0, BLANCO);
+    const char *const formulas[] = {"1", "1/(1 + d/3)", "1/(1 + d²/9)"};
+    rotulo(formulas[modo - 1], {3, 0.8 + 1.2 * 2.2, 0}, 0, 6, AMARILLO);
+    return sin.limpia;
 }
 
 } // namespace
@@ -484,12 +742,13 @@ TEST(Atenuacion, ContraTrazadoDeRayos) {
     const auto gpu = imagenes("atenuacion", {"tecla 1", "tecla 2", "tecla 3"});
     for (int modo = 1; modo <= 3; ++modo)
         for (const bool mismaMalla : {true, false}) {
-            const Escena escena = escenaAtenuacion(mismaMalla ? segmentosPara(60, 0.05f) : 0);
+            const Escena escena = escenaAtenuacion(mismaMalla ? segmentosEsfera(70) : 0);
             std::vector<Material> materiales = {SUELO_ATENUACION, {{1.00, 0.93, 0.60}, {}, {}, 1}};
             materiales.resize(escena.size(),
-                              {{0.06, 0.035, 0.01}, {0.90, 0.50, 0.12}, {0.45, 0.45, 0.45}, 40});
-            comprueba("modo " + std::to_string(modo), gpu[static_cast<std::size_t>(modo - 1)],
-                      traza(escena, materiales, {luzAtenuacion(modo)}, CAMARA_ATENUACION, NEGRO),
+                              {{0.14, 0.08, 0.02}, {0.84, 0.50, 0.12}, {0.30, 0.30, 0.30}, 20});
+            const ImagenRef ref = traza(escena, materiales, {luzAtenuacion(modo)}, CAMARA_ATENUACION, FONDO);
+            comprueba("modo " + std::to_string(modo),
+                      sinCurvas(gpu[static_cast<std::size_t>(modo - 1)], ref, modo), ref,
                       mismaMalla ? MISMA_MALLA : EXACTA, mismaMalla);
         }
 }
@@ -504,15 +763,15 @@ TEST(Atenuacion, FactorALoLargoDeUnaLinea) {
         const Luz luz = luzAtenuacion(modo);
         double peor = 0, cerca = 1e9, lejos = 0;
         int puntos = 0;
-        for (double x = -6; x <= 6; x += 0.05) {
-            const Vec3 p = oraculo::proyecta(CAMARA_ATENUACION, ancho, alto, {x, 0, 3.6});
+        for (double x = -0.5; x <= 6.5; x += 0.02) {
+            const Vec3 p = oraculo::proyecta(CAMARA_ATENUACION, ancho, alto, {x, -0.42, 0.75});
             const int px = static_cast<int>(std::floor(p.x)), py = static_cast<int>(std::floor(p.y));
             if (px < 0 || px >= ancho)
                 continue;
             const Impacto i = oraculo::primerImpacto(
                 escena, oraculo::rayo(CAMARA_ATENUACION, ancho, alto, px + 0.5, py + 0.5));
             ASSERT_EQ(i.objeto, 0) << "la línea debe estar despejada";
-            const Vec3 v = POSICION_ATENUACION - i.punto;
+            const Vec3 v = -i.punto;
             const double d = oraculo::longitud(v), NL = v.y / d;
             const int rojo = pixel(gpu[static_cast<std::size_t>(modo - 1)], px, py).r;
             if (rojo == 255)
@@ -528,7 +787,7 @@ TEST(Atenuacion, FactorALoLargoDeUnaLinea) {
         std::cout << "modo " << modo << ": " << puntos << " puntos de d = " << cerca << " a " << lejos
                   << "; peor error, " << peor << " de la cota\n";
         EXPECT_GT(puntos, 150);
-        EXPECT_GT(lejos, 9);
+        EXPECT_GT(lejos, 6);
     }
 }
 
@@ -552,26 +811,43 @@ std::vector<Luz> tresFocos(bool roja, bool verde, bool azul) {
     return luces;
 }
 
-ImagenRef variasLuces(bool roja, bool verde, bool azul, bool mismaMalla) {
+const Camara CAMARA_VARIAS = oraculo::perspectiva(oraculo::orbita(0, 0.8, 17.5, {0, -0.3, 0}), 0.36, 1, 100);
+
+ImagenRef variasLuces(const std::vector<Luz> &luces, bool mismaMalla) {
     const Escena escena = {
-        oraculo::plano(gira(X, -PI / 2) * escala(9)),
-        unaEsfera(traslada({0, 0.8, 0}) * escala(0.8), mismaMalla ? segmentosPara(130, 0.1f) : 0)};
-    const Material blanco = {{0.13, 0.13, 0.14}, {0.80, 0.80, 0.80}, {}, 1},
+        oraculo::cilindro(traslada({0, -0.1, 0}) * TUMBADO * escala(3.7, 3.7, 0.2)),
+        unaEsfera(traslada({0, 0.8, 0}) * escala(0.8), mismaMalla ? segmentosEsfera(100) : 0)};
+    const Material mate = {{0.13, 0.13, 0.14}, {0.80, 0.80, 0.80}, {}, 1},
                    brillante = {{0.12, 0.12, 0.13}, {0.60, 0.60, 0.60}, {0.30, 0.30, 0.30}, 40};
-    return traza(escena, {blanco, brillante}, tresFocos(roja, verde, azul),
-                 oraculo::perspectiva(oraculo::orbita(0, 0.8, 14, {0, 0.2, 0}), 0.36, 1, 100), NEGRO);
+    return traza(escena, {mate, brillante}, luces, CAMARA_VARIAS, FONDO);
+}
+
+/// Dónde va el rótulo de cada luz: en el disco, hacia su foco.
+Vec3 rotuloDeLuz(int i) {
+    const double a = (-150 + 120 * i) * PI / 180;
+    return oraculo::proyecta(CAMARA_VARIAS, 240, 180, {2.5 * std::cos(a), 0, -2.5 * std::sin(a)});
 }
 
 } // namespace
 
 TEST(VariasLuces, ContraTrazadoDeRayos) {
     const auto gpu = imagenes("varias_luces", {"espera 0", "tecla 2; tecla 3", "tecla 1; tecla 2; tecla 3"});
-    for (const bool mismaMalla : {true, false}) {
-        const double tope = mismaMalla ? MISMA_MALLA : EXACTA;
-        comprueba("todas", gpu[0], variasLuces(true, true, true, mismaMalla), tope, mismaMalla);
-        comprueba("roja", gpu[1], variasLuces(true, false, false, mismaMalla), tope, mismaMalla);
-        comprueba("verde y azul", gpu[2], variasLuces(false, true, true, mismaMalla), tope, mismaMalla);
-    }
+    const bool encendidas[3][3] = {{true, true, true}, {true, false, false}, {false, true, true}};
+    const char *const nombres[] = {"1 roja", "2 verde", "3 azul"}, *const apagadas[] = {
+                                                                       "1 apagada", "2 apagada", "3 apagada"};
+    for (const bool mismaMalla : {true, false})
+        for (std::size_t k = 0; k < 3; ++k) {
+            const bool *const e = encendidas[k];
+            const ImagenRef ref = variasLuces(tresFocos(e[0], e[1], e[2]), mismaMalla);
+            SinEncima sin(gpu[k], ref);
+            for (int i = 0; i < 3; ++i) {
+                const Vec3 p = rotuloDeLuz(i);
+                EXPECT_TRUE(sin.rotulo(e[i] ? nombres[i] : apagadas[i], e[i] ? BLANCO : GRIS, p.x, p.y, 2))
+                    << i;
+            }
+            comprueba("luces " + std::to_string(k), sin.limpia, ref, mismaMalla ? MISMA_MALLA : EXACTA,
+                      mismaMalla);
+        }
 }
 
 // Todas = roja + verde + azul − 2·ambiente, píxel a píxel. Cada imagen está redondeada a medio nivel, y son
@@ -583,6 +859,12 @@ TEST(VariasLuces, LaImagenDeTodasEsLaSuma) {
                &ambiente = gpu[4].rgb;
     int mayor = 0, saturados = 0, mayorUnaAmbiente = 0;
     for (std::size_t i = 0; i < todas.size(); ++i) {
+        const int x = static_cast<int>(i / 3 % 240), y = static_cast<int>(i / 720);
+        bool rotulo = false;
+        for (int k = 0; k < 3; ++k)
+            rotulo = rotulo || (std::fabs(x - rotuloDeLuz(k).x) < 32 && std::fabs(y - rotuloDeLuz(k).y) < 6);
+        if (rotulo)
+            continue;
         saturados += todas[i] == 255;
         const int suma = roja[i] + verde[i] + azul[i];
         mayor = std::max(mayor, std::abs(todas[i] - (suma - 2 * ambiente[i])));
@@ -602,7 +884,7 @@ namespace {
 const Material TURQUESA = {{0.05, 0.14, 0.14}, {0.12, 0.50, 0.50}, {0.75, 0.75, 0.75}, 16};
 const Luz LUZ_SOMBREADO = posicional({-3, 4, 6});
 const Mat4 M_ESFERA = traslada({-0.95, 0.25, 0}) * gira(X, -1.2);
-const Camara CAMARA_SOMBREADO = oraculo::perspectiva(oraculo::orbita(0, 0, 12), 0.26, 1, 100);
+const Camara CAMARA_SOMBREADO = oraculo::perspectiva(oraculo::orbita(0, 0, 12), 0.27, 1, 100);
 
 /// Imagen de cada modelo (plano, Gouraud, Phong) con 6·2^k segmentos: la 3·k + modelo.
 std::vector<Imagen> imagenesSombreado(int cuantasSubdivisiones, int ancho, int alto) {
@@ -668,52 +950,87 @@ TEST(Sombreado, ErrorContraLaEsferaAnalitica) {
     EXPECT_LE(maximo[2][5], 2);
 }
 
-// Contra la MISMA malla en doble precisión, en la esfera y en el toro: Phong con la normal interpolada y
-// normalizada; Gouraud con los tres colores interpolados; plano con el color del primer vértice de cada
-// triángulo (facetas lo pone el último, el que manda) y la normal del triángulo.
-TEST(Sombreado, CadaModeloContraSuMallaEnDoble) {
+namespace {
+
+/// Un modelo (1 plano, 2 Gouraud, 3 Phong) sobre la MISMA malla de n segmentos, en doble precisión: Phong con la normal
+/// interpolada y normalizada; Gouraud con los tres colores interpolados; plano con el color del primer vértice de cada
+/// triángulo (facetas lo pone el último, el que manda) y la normal del triángulo.
+ImagenRef sombreado(int modelo, int n, const Vec3 &enEsfera, const Vec3 &enToro, const Camara &camara,
+                    int ancho, int alto) {
     const Material coral = {{0.20, 0.08, 0.05}, {0.62, 0.26, 0.17}, {0.70, 0.70, 0.70}, 16};
     const Material materiales[] = {TURQUESA, coral};
+    const Escena escena = {oraculo::malla(traslada(enEsfera) * gira(X, -1.2), esfera(n)),
+                           oraculo::malla(traslada(enToro) * gira(X, -0.7), toro(0.68f, 0.30f, n, n / 2))};
+    return oraculo::render(escena, camara, ancho, alto, [&](const Impacto &i) -> Tono {
+        if (!i)
+            return FONDO;
+        const auto cual = static_cast<std::size_t>(i.objeto);
+        const oraculo::Objeto &o = escena[cual];
+        const auto ilumina = [&](const Vec3 &p, const Vec3 &normal) {
+            return oraculo::phong(materiales[cual], BLANCA, {LUZ_SOMBREADO}, p, normal,
+                                  oraculo::unitario(camara.ojo - p));
+        };
+        if (modelo == 3)
+            return ilumina(i.punto, i.normal);
+        const auto &indices = o.triangulos->indices[static_cast<std::size_t>(i.corte.triangulo)];
+        const auto vertice = [&](std::size_t k) -> const oraculo::VerticeRef & {
+            return o.triangulos->vertices[indices[k]];
+        };
+        const auto enMundo = [&](std::size_t k) { return oraculo::punto(o.M, vertice(k).posicion); };
+        // cada polígono, una zona: entre dos hay un salto de color en el sombreado plano
+        if (modelo == 1)
+            return {ilumina(enMundo(0), i.normalCara), i.corte.triangulo / 2};
+        Vec3 color{};
+        const double b[] = {1 - i.corte.b1 - i.corte.b2, i.corte.b1, i.corte.b2};
+        for (std::size_t k = 0; k < 3; ++k)
+            color = color + b[k] * ilumina(enMundo(k), oraculo::transformaNormal(o.inv, vertice(k).normal));
+        return color;
+    });
+}
+
+const char *const MODELOS_SOMBREADO[] = {"Plano", "Gouraud", "Phong"};
+
+/// El rótulo del modelo está abajo, en el centro.
+Imagen sinModelo(const Imagen &imagen, const ImagenRef &ref, int modelo) {
+    SinEncima sin(imagen, ref);
+    EXPECT_TRUE(
+        sin.rotulo(MODELOS_SOMBREADO[modelo - 1], BLANCO, 0.5 * imagen.ancho, imagen.alto > 300 ? 13 : 7, 3))
+        << MODELOS_SOMBREADO[modelo - 1];
+    return sin.limpia;
+}
+
+} // namespace
+
+TEST(Sombreado, CadaModeloContraSuMallaEnDoble) {
     const auto gpu = imagenesSombreado(3, 320, 240);
-    for (int veces = 0; veces < 3; ++veces) {
-        const int n = 6 << veces;
-        const Escena escena = {
-            oraculo::malla(M_ESFERA, esfera(n)),
-            oraculo::malla(traslada({0.98, -0.35, 0.5}) * gira(X, -0.7), toro(0.68f, 0.30f, n, n / 2))};
+    for (int veces = 0; veces < 3; ++veces)
         for (int modelo = 1; modelo <= 3; ++modelo) {
-            const auto sombrea = [&](const Impacto &i) -> Tono {
-                if (!i)
-                    return FONDO;
-                const auto cual = static_cast<std::size_t>(i.objeto);
-                const oraculo::Objeto &o = escena[cual];
-                const auto ilumina = [&](const Vec3 &p, const Vec3 &normal) {
-                    return oraculo::phong(materiales[cual], BLANCA, {LUZ_SOMBREADO}, p, normal,
-                                          oraculo::unitario(CAMARA_SOMBREADO.ojo - p));
-                };
-                if (modelo == 3)
-                    return ilumina(i.punto, i.normal);
-                const auto &indices = o.triangulos->indices[static_cast<std::size_t>(i.corte.triangulo)];
-                const auto vertice = [&](std::size_t k) -> const oraculo::VerticeRef & {
-                    return o.triangulos->vertices[indices[k]];
-                };
-                const auto enMundo = [&](std::size_t k) { return oraculo::punto(o.M, vertice(k).posicion); };
-                // cada polígono, una zona: entre dos hay un salto de color en el sombreado plano
-                if (modelo == 1)
-                    return {ilumina(enMundo(0), i.normalCara), i.corte.triangulo / 2};
-                Vec3 color{};
-                const double b[] = {1 - i.corte.b1 - i.corte.b2, i.corte.b1, i.corte.b2};
-                for (std::size_t k = 0; k < 3; ++k)
-                    color = color +
-                            b[k] * ilumina(enMundo(k), oraculo::transformaNormal(o.inv, vertice(k).normal));
-                return color;
-            };
-            const ImagenRef ref = oraculo::render(escena, CAMARA_SOMBREADO, 320, 240, sombrea);
-            const Comparacion c =
-                oraculo::compara(gpu[static_cast<std::size_t>(3 * veces + modelo - 1)], ref);
+            const int n = 6 << veces;
+            const ImagenRef ref =
+                sombreado(modelo, n, {-0.95, 0.25, 0}, {0.98, -0.35, 0.5}, CAMARA_SOMBREADO, 320, 240);
+            const Imagen &imagen = gpu[static_cast<std::size_t>(3 * veces + modelo - 1)];
+            const Comparacion c = oraculo::compara(sinModelo(imagen, ref, modelo), ref);
             std::cout << n << " segmentos, modelo " << modelo << ": " << c << "\n";
             EXPECT_LE(c.maximo, MISMA_MALLA) << n << " segmentos, modelo " << modelo << ": " << c;
             EXPECT_EQ(c.bandaLejos, 0);
         }
+}
+
+// Con v, los tres a la vez y en su orden: en un panel alto, la esfera está encima del toro y la vista abarca 0.142 radianes a
+// lo alto de una ventana 4:3, es decir, 4/3 de su tangente a lo ancho.
+TEST(Sombreado, LosTresPanelesContraSuMallaEnDoble) {
+    const auto gpu = imagenes("sombreado", {"tecla v"}, 480, 360);
+    Camara camara = oraculo::perspectiva(oraculo::orbita(0, 0, 12), 0.142, 1, 100);
+    camara.semilado *= 4 / 3.0; // del lado menor, que es el ancho
+    const int desde[] = {0, 160, 321, 482};
+    for (int modelo = 1; modelo <= 3; ++modelo) {
+        const int ancho = desde[modelo] - desde[modelo - 1] - 2;
+        const ImagenRef ref = sombreado(modelo, 12, {0, 0.8, 0}, {0, -0.95, 0.5}, camara, ancho, 360);
+        const Imagen panel = oraculo::recorta(gpu[0], desde[modelo - 1], 0, ancho, 360);
+        const Comparacion c = oraculo::compara(sinModelo(panel, ref, modelo), ref);
+        std::cout << "panel " << modelo << ": " << c << "\n";
+        EXPECT_LE(c.maximo, MISMA_MALLA) << c;
+        EXPECT_LE(c.bandaLejos, c.banda / 500);
     }
 }
 
@@ -726,41 +1043,50 @@ TEST(Sombreado, LaSubdivisionTieneTopes) {
     EXPECT_EQ(gpu[4].rgb, gpu[5].rgb);
     EXPECT_NE(gpu[0].rgb, gpu[1].rgb);
     EXPECT_NE(gpu[0].rgb, gpu[4].rgb);
+    for (const auto &[k, n] : {std::pair<std::size_t, int>(2, 6), {5, 192}}) {
+        const ImagenRef ref =
+            sombreado(1, n, {-0.95, 0.25, 0}, {0.98, -0.35, 0.5}, CAMARA_SOMBREADO, 240, 180);
+        const Comparacion c = oraculo::compara(sinModelo(gpu[k], ref, 1), ref);
+        EXPECT_LE(c.maximo, MISMA_MALLA) << n << " segmentos: " << c;
+        EXPECT_LE(c.bandaLejos, c.banda / 500) << n << " segmentos: " << c;
+    }
 }
 
 // --- grua_iluminada ----------------------------------------------------------------------------------------
 
 namespace {
 
-/// La grúa del ejercicio 3.5 con sus medidas, girada `giro`, la carga a 5 del pie y a altura 4.
-Escena grua(double giro) {
+/// El suelo, la zapata y la grúa del ejercicio 3.5 con sus medidas, girada `giro`, la carga a `lejos` del pie y a esa altura.
+Escena grua(double giro, double lejos = 5, double altura = 4) {
     const Mat4 G = gira(Y, giro);
-    return {oraculo::caja(traslada({0, -0.1, 0}) * escala(20, 0.2, 20)),
+    const double cable = 10 - altura - 0.5;
+    return {oraculo::caja(traslada({0, -0.1, 0}) * escala(12, 0.2, 12)),
+            oraculo::caja(traslada({0, 0.2, 0}) * escala(2.4, 0.4, 2.4)),
             oraculo::caja(traslada({0, 5, 0}) * escala(0.8, 10, 0.8)),
             oraculo::caja(G * traslada({2.5, 10.4, 0}) * escala(10, 0.8, 0.8)),
             oraculo::caja(G * traslada({-1.8, 9.3, 0}) * escala(1.4)),
-            oraculo::caja(G * traslada({5, 7.25, 0}) * escala(0.12, 5.5, 0.12)),
-            oraculo::caja(G * traslada({5, 4, 0}))};
+            oraculo::caja(G * traslada({lejos, 10 - cable / 2, 0}) * escala(0.12, cable, 0.12)),
+            oraculo::caja(G * traslada({lejos, altura, 0}))};
 }
 
 const Material PINTURA = {{0.25, 0.18, 0.03}, {0.68, 0.50, 0.08}, {0.60, 0.60, 0.60}, 15};
 const std::vector<Material> MATERIALES_GRUA = {
     {{0.13, 0.17, 0.12}, {0.46, 0.58, 0.42}, {0.25, 0.25, 0.25}, 12},
+    {{0.12, 0.13, 0.14}, {0.45, 0.47, 0.50}, {0.05, 0.05, 0.05}, 5},
     PINTURA,
     PINTURA,
     {{0.12, 0.13, 0.14}, {0.45, 0.47, 0.50}, {0.05, 0.05, 0.05}, 5},
     {{0.06, 0.06, 0.07}, {0.20, 0.21, 0.24}, {0.70, 0.70, 0.70}, 80},
     {{0.22, 0.05, 0.05}, {0.68, 0.14, 0.12}, {0.60, 0.60, 0.60}, 30}};
 const Luz LUZ_GRUA = posicional({3.5, 8.5, 5.5});
-const Camara CAMARA_GRUA = oraculo::perspectiva(oraculo::orbita(0.5, 0.25, 23, {1.5, 5.2, 0}), 0.6, 1, 100);
-const Vec3 CIELO{0.87, 0.93, 0.98};
+const Camara CAMARA_GRUA = oraculo::perspectiva(oraculo::orbita(0.5, 0.25, 27, {1.0, 4.2, 0}), 0.6, 1, 100);
+const Vec3 FONDO_GRUA{0.87, 0.93, 0.98};
 
 /// Gouraud exacto en una cara rectangular partida en dos triángulos por la diagonal (0,0)-(1,1) de (s,t).
-ImagenRef gruaGouraud(double giro) {
-    const Escena escena = grua(giro);
-    return oraculo::render(escena, CAMARA_GRUA, 240, 180, [&](const Impacto &i) -> Tono {
+ImagenRef gruaGouraud(const Escena &escena, const Camara &camara = CAMARA_GRUA, int ancho = 240) {
+    return oraculo::render(escena, camara, ancho, 180, [&](const Impacto &i) -> Tono {
         if (!i)
-            return CIELO;
+            return FONDO_GRUA;
         const auto cual = static_cast<std::size_t>(i.objeto);
         const int eje = i.corte.cara / 2;
         const double lado = i.corte.cara % 2 ? 0.5 : -0.5;
@@ -769,7 +1095,7 @@ ImagenRef gruaGouraud(double giro) {
             p[eje] = lado, p[(eje + 1) % 3] = s - 0.5, p[(eje + 2) % 3] = 2 * lado * (t - 0.5);
             const Vec3 enMundo = oraculo::punto(escena[cual].M, {p[0], p[1], p[2]});
             return oraculo::phong(MATERIALES_GRUA[cual], BLANCA, {LUZ_GRUA}, enMundo, i.normal,
-                                  oraculo::unitario(CAMARA_GRUA.ojo - enMundo));
+                                  oraculo::unitario(camara.ojo - enMundo));
         };
         const bool abajo = i.s >= i.t;
         const double mayor = std::max(i.s, i.t), menor = std::min(i.s, i.t);
@@ -778,15 +1104,60 @@ ImagenRef gruaGouraud(double giro) {
     });
 }
 
+ImagenRef gruaPhong(const Escena &escena, const Camara &camara = CAMARA_GRUA, int ancho = 240) {
+    return traza(escena, MATERIALES_GRUA, {LUZ_GRUA}, camara, FONDO_GRUA, ancho);
+}
+
+/// Quita el nombre del modelo, arriba a la izquierda, y la cuadrícula, que debe estar salvo donde la tapan la grúa y la zapata.
+Imagen sinCuadricula(const Imagen &imagen, const ImagenRef &ref, const Camara &camara,
+                     const std::string &modelo) {
+    SinEncima sin(imagen, ref);
+    EXPECT_TRUE(sin.rotulo(modelo, OSCURO, 3 * static_cast<double>(modelo.size()) + 3, 173, 4)) << modelo;
+    for (int k = -6; k <= 6; k += 2)
+        for (const bool aLoAncho : {true, false}) {
+            const auto en = [&](double u) {
+                return aLoAncho ? Vec3{u, 0.02, 1.0 * k} : Vec3{1.0 * k, 0.02, u};
+            };
+            EXPECT_GT(sin.trazo(camara, {en(-6), en(6)}, OSCURO, 1.6), 0.7) << k;
+        }
+    return sin.limpia;
+}
+
+void compruebaGrua(const std::string &que, const Imagen &imagen, const ImagenRef &ref,
+                   const std::string &modelo, const Camara &camara = CAMARA_GRUA) {
+    comprueba(que, sinCuadricula(imagen, ref, camara, modelo), ref, MISMA_MALLA, true);
+}
+
 } // namespace
 
 TEST(GruaIluminada, CarasContraLaEcuacion56) {
     const auto gpu =
         imagenes("grua_iluminada", {"espera 0", "tecla g", "tecla d; tecla d; tecla d", "tecla g"});
-    comprueba("Gouraud", gpu[0], gruaGouraud(0), MISMA_MALLA, true);
-    comprueba("Phong", gpu[1], traza(grua(0), MATERIALES_GRUA, {LUZ_GRUA}, CAMARA_GRUA, CIELO), MISMA_MALLA,
-              true);
-    comprueba("Phong, girada", gpu[2], traza(grua(-0.3), MATERIALES_GRUA, {LUZ_GRUA}, CAMARA_GRUA, CIELO),
-              MISMA_MALLA, true);
-    comprueba("Gouraud, girada", gpu[3], gruaGouraud(-0.3), MISMA_MALLA, true);
+    compruebaGrua("Gouraud", gpu[0], gruaGouraud(grua(0)), "Gouraud");
+    compruebaGrua("Phong", gpu[1], gruaPhong(grua(0)), "Phong");
+    compruebaGrua("Phong, girada", gpu[2], gruaPhong(grua(-0.3)), "Phong");
+    compruebaGrua("Gouraud, girada", gpu[3], gruaGouraud(grua(-0.3)), "Gouraud");
+}
+
+// Cada tecla, en su sentido: q acerca la carga al pie y e la aleja; w la sube y s la baja; a y d giran.
+TEST(GruaIluminada, CadaTeclaMueveLoSuyo) {
+    const auto gpu = imagenes("grua_iluminada",
+                              {"tecla g; tecla q; tecla q", "tecla e; tecla e; tecla e; tecla e",
+                               "tecla w; tecla w; tecla w", "tecla s; tecla s; tecla s; tecla s; tecla s",
+                               "tecla a; tecla a; tecla a"});
+    const Escena escenas[] = {grua(0, 4, 4), grua(0, 6, 4), grua(0, 6, 5.5), grua(0, 6, 3), grua(0.3, 6, 3)};
+    for (std::size_t i = 0; i < 5; ++i)
+        compruebaGrua(std::string(1, "qewsa"[i]), gpu[i], gruaPhong(escenas[i]), "Phong");
+}
+
+// Con v, Gouraud a la izquierda y Phong a la derecha; en cada panel, más estrecho que 4:3, cabe lo mismo a lo ancho.
+TEST(GruaIluminada, LosDosPaneles) {
+    const auto gpu = imagenes("grua_iluminada", {"tecla v"}, 480, 180);
+    Camara camara = CAMARA_GRUA;
+    camara.semilado *=
+        4.0 / 3 * 180 / 239; // el lado menor es el alto, y la ventana es algo más estrecha que 4:3
+    compruebaGrua("Gouraud", oraculo::recorta(gpu[0], 0, 0, 239, 180), gruaGouraud(grua(0), camara, 239),
+                  "Gouraud", camara);
+    compruebaGrua("Phong", oraculo::recorta(gpu[0], 240, 0, 240, 180), gruaPhong(grua(0), CAMARA_GRUA, 240),
+                  "Phong");
 }

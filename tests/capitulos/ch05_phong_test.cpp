@@ -4,6 +4,7 @@
 #include "oraculo/oraculo.h"
 #include <GL/freeglut.h>
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -51,9 +52,9 @@ protected:
     /// phong() de phong.glsl.
     static glm::vec3 phong(const Material &m, const Luz &luz, const glm::vec3 &P, const glm::vec3 &N) {
         glUseProgram(programa);
-        glUniform3fv(uniforme(programa, "La"), 1, glm::value_ptr(LA));
-        glUniform3fv(uniforme(programa, "P"), 1, glm::value_ptr(P));
-        glUniform3fv(uniforme(programa, "N"), 1, glm::value_ptr(N));
+        envia(programa, "La", LA);
+        envia(programa, "P", P);
+        envia(programa, "N", N);
         enviaMaterial(programa, m);
         enviaLuz(programa, "luz", luz, glm::mat4(1));
         return lee();
@@ -62,19 +63,16 @@ protected:
     /// phong() de los listados 5.1 y 5.3.
     static glm::vec3 phongListado(const Material &m, const Luz &luz, const glm::vec3 &P, const glm::vec3 &N) {
         glUseProgram(listado);
-        const auto envia = [](const char *nombre, const glm::vec4 &v) {
-            glUniform4fv(uniforme(listado, nombre), 1, glm::value_ptr(v));
-        };
-        envia("Ka", {m.Ka, 1});
-        envia("Kd", {m.Kd, 1});
-        envia("Ks", {m.Ks, 1});
-        envia("La", {LA, 1});
-        envia("Ld", {luz.Ld, 1});
-        envia("Ls", {luz.Ls, 1});
-        envia("Lp", luz.Lp);
-        glUniform1f(uniforme(listado, "alfa"), m.alfa);
-        glUniform3fv(uniforme(listado, "P"), 1, glm::value_ptr(P));
-        glUniform3fv(uniforme(listado, "N"), 1, glm::value_ptr(N));
+        envia(listado, "Ka", glm::vec4(m.Ka, 1));
+        envia(listado, "Kd", glm::vec4(m.Kd, 1));
+        envia(listado, "Ks", glm::vec4(m.Ks, 1));
+        envia(listado, "La", glm::vec4(LA, 1));
+        envia(listado, "Ld", glm::vec4(luz.Ld, 1));
+        envia(listado, "Ls", glm::vec4(luz.Ls, 1));
+        envia(listado, "Lp", luz.Lp);
+        envia(listado, "alfa", m.alfa);
+        envia(listado, "P", P);
+        envia(listado, "N", N);
         return lee();
     }
 };

@@ -20,7 +20,7 @@ const Asset ASSETS[] = {
     {"foto", 250, 190, 0xf09d249e3c352a9b},     {"ladrillo", 256, 256, 0xc9613647c73087fe},
     {"luz", 64, 48, 0xab297e315418ba49},        {"madera", 256, 256, 0xd59efbf1c2a755e6},
     {"mascara", 128, 96, 0xd5008eb324b7128d},   {"metal", 256, 256, 0x03e32f46840c109a},
-    {"musgo", 256, 256, 0xe9aacc54408d513f},
+    {"mosaico", 32, 32, 0x556882cb8fcf2020},    {"musgo", 256, 256, 0xe9aacc54408d513f},
 };
 
 Imagen lee(const std::string &nombre) {
@@ -73,7 +73,8 @@ TEST(Assets, LosMismosBytesEnCualquierMaquina) {
 // Ni lisas, ni quemadas, ni a oscuras: más de 12 niveles de desviación, y menos de un 2 % de texels blancos o
 // negros.
 TEST(Assets, TienenDetalleYTonosMedios) {
-    for (const char *nombre : {"baldosas", "carta", "foto", "ladrillo", "madera", "metal", "musgo"}) {
+    for (const char *nombre :
+         {"baldosas", "carta", "foto", "ladrillo", "madera", "metal", "mosaico", "musgo"}) {
         const Imagen im = lee(nombre);
         const Estadistica e = estadistica(im);
         EXPECT_GT(*std::max_element(e.desviacion.begin(), e.desviacion.end()), 12) << nombre;

@@ -9,6 +9,7 @@
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <glm/gtc/matrix_transform.hpp>

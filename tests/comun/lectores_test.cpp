@@ -1,12 +1,17 @@
-// Los lectores de common/: imágenes, mallas v/f y rutas. Lo bueno, y qué dicen de lo malo.
+// Los lectores de common/ y el de la tetera: imágenes, mallas v/f, parches y rutas. Lo bueno, y qué dicen de lo malo.
+#include "ch02_modelado/bezier.h"
+#include "ejecuta.h"
 #include "imagen.h"
 #include "malla.h"
 #include "rutas.h"
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <locale>
+#include <sys/resource.h>
 
 namespace fs = std::filesystem;
 using testing::ExitedWithCode;
@@ -14,7 +19,7 @@ using testing::ExitedWithCode;
 namespace {
 
 std::string escribe(const std::string &nombre, const std::string &contenido) {
-    const std::string ruta = testing::TempDir() + nombre;
+    const std::string ruta = (carpetaTemporal() / nombre).string();
     std::ofstream(ruta, std::ios::binary) << contenido;
     return ruta;
 }
@@ -36,7 +41,7 @@ TEST(LeeTextura, RechazaOtroTamanoDiciendoLosDos) {
                     std::string("t.rgb»: una imagen RGB de 3×2 ocupa 18 bytes y hay ") + hay);
     EXPECT_EXIT(leeTextura("/no/esta.rgb", 3, 2), ExitedWithCode(1),
                 "no puedo leer «/no/esta.rgb»: No such file");
-    EXPECT_EXIT(leeTextura(testing::TempDir(), 3, 2), ExitedWithCode(1), "es una carpeta");
+    EXPECT_EXIT(leeTextura(carpetaTemporal().string(), 3, 2), ExitedWithCode(1), "es una carpeta");
     EXPECT_EXIT(leeTextura("t.rgb", 0, 2), ExitedWithCode(1), "no hay texturas de 0×2");
     EXPECT_EXIT(leeTextura("t.rgb", 100000, 100000), ExitedWithCode(1), "no hay texturas de 100000×100000");
 }
@@ -45,7 +50,7 @@ TEST(Ppm, LoGuardadoSeLeeIgual) {
     Imagen i{5, 3, {}};
     for (int k = 0; k < 45; ++k)
         i.rgb.push_back(static_cast<unsigned char>(k * 5 + 7));
-    const std::string ruta = testing::TempDir() + "ida_y_vuelta.ppm";
+    const std::string ruta = (carpetaTemporal() / "ida_y_vuelta.ppm").string();
     guardaPpm(ruta, i, "un sello");
     std::string comentario;
     const Imagen j = leePpm(ruta, &comentario);
@@ -72,9 +77,68 @@ TEST(Ppm, RechazaLoQueNoEntiende) {
                  {"P6 1 1 15\nabc", "solo se leen PPM de 8 bits"},
                  {"P6 2 2 255\nabc", "una imagen RGB de 2×2 ocupa 12 bytes y hay 3"},
                  {"P6 1 1 255\nabcd", "una imagen RGB de 1×1 ocupa 3 bytes y hay 4"},
-                 {"P6 #", "la cabecera del PPM no es válida"}};
+                 {"P6 #", "la cabecera del PPM no es válida"},
+                 {"P6\n#", "la cabecera del PPM no es válida"},
+                 {"P62 1 255\nabcdef", "la cabecera del PPM no es válida"},
+                 {"P6 1 1 255Xabc", "la cabecera del PPM no es válida"},
+                 {"P6 1 1 255", "la cabecera del PPM no es válida"},
+                 {"P6 1x1 255\nabc", "la cabecera del PPM no es válida"},
+                 {"P6 +1 1 255\nabc", "la cabecera del PPM no es válida"},
+                 {"P6 1.0 1 255\nabc", "la cabecera del PPM no es válida"},
+                 {"P6 99999999999999999999 1 255\nabc", "la cabecera del PPM no es válida"},
+                 {"P6 32768 32768 255\nabc", "una imagen RGB de 32768×32768 ocupa 3221225472 bytes y hay 3"}};
     for (const auto &c : casos)
         EXPECT_EXIT(leePpm(escribe("mal.ppm", c.contenido)), ExitedWithCode(1), c.mensaje) << c.contenido;
+}
+
+TEST(Ppm, LosComentariosDeLaCabecera) {
+    std::string comentario;
+    for (const auto &[cabecera, primero] : {std::pair("P6\n# uno\n1 1\n255\nabc", "uno"),
+                                            {"P6 #uno\n#dos\n1 # tres\n1\n255\nabc", "uno"},
+                                            {"P6\n#\n1 1 255\nabc", ""},
+                                            {"P6\r\n1 1 255 abc", ""}}) {
+        comentario.clear();
+        EXPECT_EQ(leePpm(escribe("c.ppm", cabecera), &comentario).rgb.size(), 3u);
+        EXPECT_EQ(comentario, primero);
+    }
+}
+
+// Un dispositivo no se acaba: hay un límite, y se dice.
+TEST(Tamanos, LoQueNoSeAcabaTieneLimite) {
+    EXPECT_EXIT(leeVf("/dev/zero"), ExitedWithCode(1), "«/dev/zero» ocupa más de 256 MiB");
+    EXPECT_EXIT(leeTextura("/dev/zero", 3, 2), ExitedWithCode(1), "«/dev/zero» ocupa más de 256 MiB");
+}
+
+// --- La imagen que se pide en la línea de órdenes ---
+
+namespace {
+
+Imagen pedida(std::vector<std::string> argumentos) {
+    argumentos.insert(argumentos.begin(), "programa");
+    std::vector<char *> argv;
+    for (std::string &a : argumentos)
+        argv.push_back(a.data());
+    return imagenDeArgumentos(static_cast<int>(argv.size()), argv.data(), "assets/metal.rgb", 256, 256);
+}
+
+} // namespace
+
+TEST(ImagenDeArgumentos, PpmORgbConSuTalla) {
+    EXPECT_EQ(pedida({}).ancho, 256);
+    EXPECT_EQ(pedida({escribe("f.rgb", "abcdefghijklmnopqr"), "-talla", "3x2"}).ancho, 3);
+    for (const char *nombre : {"f.ppm", "FOTO.PPM", "Foto.Ppm"})
+        EXPECT_EQ(pedida({escribe(nombre, "P6 2 1 255\nabcdef")}).ancho, 2);
+}
+
+TEST(ImagenDeArgumentos, LoMalEscritoAcabaCon2) {
+    const std::string f = escribe("f.rgb", "abcdefghijklmnopqr");
+    for (const char *talla : {" 3x 2", "+3x+2", "3x2 ", "3x", "x2", "3", "", "3x2x1", "3X2", "0x2", "-3x-2",
+                              "3.0x2", "99999999999x1", "3x2+0+0"})
+        EXPECT_EXIT(pedida({f, "-talla", talla}), ExitedWithCode(2), "» no es un tamaño ANCHOxALTO") << talla;
+    EXPECT_EXIT(pedida({f, "-talla"}), ExitedWithCode(2), "detrás de -talla");
+    EXPECT_EXIT(pedida({f}), ExitedWithCode(2), "hay que decir -talla");
+    EXPECT_EXIT(pedida({""}), ExitedWithCode(2), "sobra «»");
+    EXPECT_EXIT(pedida({f, f}), ExitedWithCode(2), "sobra ");
 }
 
 // Entero o nada: con el disco lleno o la carpeta cerrada hay mensaje y no queda nada a medias.
@@ -84,10 +148,27 @@ TEST(GuardaPpm, EnteroONada) {
     EXPECT_TRUE(fs::is_character_file("/dev/full"));
     EXPECT_EXIT(guardaPpm("/no/hay/carpeta.ppm", i), ExitedWithCode(1),
                 "no puedo guardar «/no/hay/carpeta.ppm»");
-    const fs::path carpeta = fs::path(testing::TempDir()) / "carpeta_ppm";
+    const fs::path carpeta = carpetaTemporal() / "carpeta_ppm";
     fs::remove_all(carpeta);
     fs::create_directories(carpeta / "ocupada.ppm");
     EXPECT_EXIT(guardaPpm((carpeta / "ocupada.ppm").string(), i), ExitedWithCode(1), "no puedo guardar");
+    EXPECT_EQ(std::distance(fs::directory_iterator(carpeta), {}), 1);
+}
+
+// Si se acaba el sitio a media imagen, la que había sigue ahí y no queda nada más.
+TEST(GuardaPpm, ConservaLaQueHabia) {
+    const fs::path carpeta = carpetaTemporal() / "medias";
+    fs::create_directory(carpeta);
+    const std::string ruta = (carpeta / "foto.ppm").string();
+    guardaPpm(ruta, {1, 1, {1, 2, 3}});
+    const auto sinSitio = [&] {
+        std::signal(SIGXFSZ, SIG_IGN);
+        const rlimit limite{1000, 1000};
+        setrlimit(RLIMIT_FSIZE, &limite);
+        guardaPpm(ruta, {100, 100, std::vector<unsigned char>(30000, 9)});
+    };
+    EXPECT_EXIT(sinSitio(), ExitedWithCode(1), "no puedo guardar «.*foto.ppm»: File too large");
+    EXPECT_EQ(leePpm(ruta).rgb, (std::vector<unsigned char>{1, 2, 3}));
     EXPECT_EQ(std::distance(fs::directory_iterator(carpeta), {}), 1);
 }
 
@@ -116,6 +197,13 @@ TEST(LeeVf, CadaErrorDiceFicheroYLinea) {
                  {"v 0 0 x\n", "m.vf:1: un vértice son tres números"},
                  {"v 0 0 0 0\n", "m.vf:1: un vértice son tres números"},
                  {"v 0 0 nan\n", "m.vf:1: un vértice son tres números"},
+                 {"v 0 0 inf\n", "m.vf:1: un vértice son tres números"},
+                 {"v 0 0 1e300\n", "m.vf:1: un vértice son tres números"},
+                 {"v 1.5.2.3\n", "m.vf:1: un vértice son tres números"},
+                 {"v 1-2-3\n", "m.vf:1: un vértice son tres números"},
+                 {"v 1.5.2.3 0 0\n", "m.vf:1: un vértice son tres números"},
+                 {"v 0 0x10 0\n", "m.vf:1: un vértice son tres números"},
+                 {"v 0,5 1 2\n", "m.vf:1: un vértice son tres números"},
                  {"hola\n", "m.vf:1: cada línea empieza por v o por f"},
                  {tres, "m.vf» no tiene ninguna cara"},
                  {"", "m.vf» no tiene ninguna cara"}};
@@ -123,8 +211,52 @@ TEST(LeeVf, CadaErrorDiceFicheroYLinea) {
         EXPECT_EXIT(leeVf(escribe("m.vf", c.contenido)), ExitedWithCode(1), c.mensaje) << c.contenido;
 }
 
+// El idioma del usuario no cambia lo que se lee, aunque escriba los decimales con coma.
+TEST(LeeVf, NoDependeDelIdioma) {
+    struct Coma : std::numpunct<char> {
+        char do_decimal_point() const override {
+            return ',';
+        }
+    };
+    const std::locale antes = std::locale::global(std::locale(std::locale(), new Coma));
+    const MallaVf m = leeVf(escribe("m.vf", "v 0.25 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+    std::locale::global(antes);
+    EXPECT_EQ(m.vertices[0].x, 0.25f);
+}
+
+// --- Los parches de la tetera ---
+
+TEST(LeeParches, CadaErrorDiceFicheroYLinea) {
+    std::string puntos;
+    for (int i = 0; i < 16; ++i)
+        puntos += "v " + std::to_string(i % 4) + " " + std::to_string(i / 4) + " 0.5\n";
+    const std::string p = "p 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 ";
+    setenv("LAB_RAIZ", carpetaTemporal().c_str(), 1);
+    escribe("p.txt", puntos + p + "16 # todos\n");
+    ASSERT_EQ(leeParches("p.txt").size(), 1u);
+    EXPECT_EQ(leeParches("p.txt")[0].p[3][3], glm::dvec3(3, 3, 0.5));
+    const struct {
+        std::string contenido;
+        const char *mensaje;
+    } casos[] = {{"", "«p.txt» no tiene ningún parche"},
+                 {puntos, "«p.txt» no tiene ningún parche"},
+                 {"v 1 2 1e300\n", "p.txt:1: un punto de control son tres números — «v 1 2 1e300»"},
+                 {"v 1.5.2.3 1 1\n", "p.txt:1: un punto de control son tres números"},
+                 {"v 1 2\n", "p.txt:1: un punto de control son tres números"},
+                 {puntos + p + "\n", "p.txt:17: un parche son dieciséis puntos entre el 1 y el 16"},
+                 {puntos + p + "17\n", "p.txt:17: un parche son dieciséis puntos entre el 1 y el 16"},
+                 {puntos + p + "0\n", "p.txt:17: un parche son dieciséis puntos entre el 1 y el 16"},
+                 {puntos + p + "1.5\n", "p.txt:17: un parche son dieciséis puntos entre el 1 y el 16"},
+                 {puntos + p + "16 1\n", "p.txt:17: un parche son dieciséis puntos y sobra «1»"},
+                 {"q\n", "p.txt:1: cada línea empieza por v o por p"}};
+    for (const auto &c : casos)
+        EXPECT_EXIT(leeParches((escribe("p.txt", c.contenido), "p.txt")), ExitedWithCode(1), c.mensaje)
+            << c.contenido;
+    unsetenv("LAB_RAIZ");
+}
+
 TEST(Recurso, SeBuscaPrimeroEnLabRaiz) {
-    const fs::path raiz = fs::path(testing::TempDir()) / "raiz";
+    const fs::path raiz = carpetaTemporal() / "raiz";
     fs::create_directories(raiz / "ch03_transformaciones");
     std::ofstream(raiz / "ch03_transformaciones/objeto.vert") << "otro";
     setenv("LAB_RAIZ", raiz.c_str(), 1);

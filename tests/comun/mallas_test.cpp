@@ -84,6 +84,64 @@ TEST(Mallas, CerradasOrientadasYConSuVolumen) {
     }
 }
 
+// Cada vértice está donde dice su (s,t) y con la normal exacta de ahí. Las superficies, en doble precisión y sin nada de
+// malla.cpp; de una tapa o una cara se sabe por su normal.
+TEST(Mallas, CadaVerticeConLaNormalYLasCoordenadasDeSuSuperficie) {
+    using glm::dvec3;
+    struct Punto {
+        dvec3 posicion, normal;
+    };
+    const auto vuelta = [](double s) { return dvec3(std::cos(2 * PI * s), std::sin(2 * PI * s), 0); };
+    const dvec3 Z(0, 0, 1);
+    const auto tapa = [](double s, double t, double z, const dvec3 &n) {
+        return Punto{{2 * s - 1, 2 * t - 1, z}, n};
+    };
+    const double R = 2, r = 0.5;
+    const struct {
+        const char *nombre;
+        Malla malla;
+        std::function<Punto(double s, double t, const dvec3 &n)> superficie;
+    } solidos[] = {{"esfera", esfera(12),
+                    [&](double s, double t, const dvec3 &) {
+                        const dvec3 p = std::sin(PI * t) * vuelta(s) - std::cos(PI * t) * Z;
+                        return Punto{p, p};
+                    }},
+                   {"cilindro", cilindro(12),
+                    [&](double s, double t, const dvec3 &n) {
+                        return std::fabs(n.z) == 1 ? tapa(s, t, n.z / 2, n)
+                                                   : Punto{vuelta(s) + (t - 0.5) * Z, vuelta(s)};
+                    }},
+                   {"cono", cono(12),
+                    [&](double s, double t, const dvec3 &n) {
+                        return n.z == -1
+                                   ? tapa(s, t, 0, n)
+                                   : Punto{(1 - t) * vuelta(s) + t * Z, (vuelta(s) + Z) / std::sqrt(2.0)};
+                    }},
+                   {"toro", toro(2, 0.5f, 12, 8),
+                    [&](double s, double t, const dvec3 &) {
+                        const dvec3 n = std::cos(2 * PI * t) * vuelta(s) + std::sin(2 * PI * t) * Z;
+                        return Punto{R * vuelta(s) + r * n, n};
+                    }},
+                   {"plano", plano(5),
+                    [&](double s, double t, const dvec3 &) {
+                        return Punto{{s - 0.5, t - 0.5, 0}, Z};
+                    }},
+                   {"cubo", cubo(), [](double s, double t, const dvec3 &n) {
+                        const dvec3 u(n.z * n.z, n.x * n.x, n.y * n.y),
+                            v = glm::cross(n, u); // s va por u, y t por v
+                        return Punto{0.5 * n + (s - 0.5) * u + (t - 0.5) * v, n};
+                    }}};
+    for (const auto &solido : solidos) {
+        double desvio = 0;
+        for (const Vertice &v : solido.malla.vertices) {
+            const Punto p = solido.superficie(v.coordTextura.s, v.coordTextura.t, v.normal);
+            desvio = std::max({desvio, glm::length(p.posicion - dvec3(v.posicion)),
+                               glm::length(p.normal - dvec3(v.normal))});
+        }
+        EXPECT_LT(desvio, 1e-6) << solido.nombre;
+    }
+}
+
 TEST(Mallas, LosVerticesEstanEnLaSuperficie) {
     for (const Vertice &v : esfera(33).vertices) {
         EXPECT_NEAR(glm::length(v.posicion), 1, 1e-6);
@@ -125,4 +183,22 @@ TEST(SegmentosPara, LosJustos) {
     EXPECT_EQ(segmentosPara(0), 3);
     EXPECT_EQ(segmentosPara(1e9f), 1024);
     EXPECT_EQ(segmentosPara(std::nanf("")), 3);
+}
+
+// El punto más hundido de la malla, en el centro de una cara: menos de un cuarto de píxel, y no mucho menos.
+TEST(SegmentosEsfera, LoQueSeHundeElCentroDeLasCaras) {
+    for (const float r : {20.0f, 100.0f, 360.0f}) {
+        const Malla malla = esfera(segmentosEsfera(r));
+        double hundido = 0;
+        for (std::size_t i = 0; i < malla.indices.size(); i += 3)
+            for (int k = 0; k < 3; ++k) {
+                const glm::dvec3 a = malla.vertices[malla.indices[i]].posicion,
+                                 b = malla.vertices[malla.indices[i + 1]].posicion,
+                                 c = malla.vertices[malla.indices[i + 2]].posicion;
+                const glm::dvec3 medio = 0.5 * (k == 0 ? a + b : k == 1 ? b + c : c + a);
+                hundido = std::max(hundido, r * (1 - glm::length(medio)));
+            }
+        EXPECT_LE(hundido, 0.25) << r;
+        EXPECT_GT(hundido, 0.18) << r;
+    }
 }

@@ -23,6 +23,8 @@ static void dibuja() {
         glEnable(GL_TEXTURE_2D);
         while (glGetError() != GL_NO_ERROR) {
         }
+    } else if (defecto == "ocio") {
+        std::printf("dibuja\n");
     } else if (defecto == "recarga") {
         glDrawArrays(GL_TRIANGLES, 0, 3);
         const Imagen imagen = leeVentana();
@@ -48,7 +50,21 @@ static void temporizador(int valor) {
 }
 
 static void menu(int valor) {
-    std::printf("menu %d\n", valor);
+    std::printf("menu %d en el %d\n", valor, glutGetMenu());
+    if (valor == 4)
+        glutChangeToMenuEntry(2, "Sin ejes", 5);
+}
+
+static void submenu(int valor) {
+    std::printf("submenu %d en el %d\n", valor, glutGetMenu());
+}
+
+static void ocio() {
+    static int veces = 0;
+    std::printf("ocio %d\n", ++veces);
+    glutPostRedisplay();
+    if (veces == 3)
+        glutIdleFunc(nullptr);
 }
 
 int main(int argc, char **argv) {
@@ -85,14 +101,32 @@ int main(int argc, char **argv) {
         glutTimerFunc(100, temporizador, 100);
         glutTimerFunc(250, menu, 1); // vence a la vez que el primero y se pidió después
     } else if (defecto == "menu") {
-        const int vistas = glutCreateMenu(menu);
+        const int vistas = glutCreateMenu(submenu);
         glutAddMenuEntry("Planta", 1);
         glutAddMenuEntry("Perfil", 2);
         glutCreateMenu(menu);
         glutAddSubMenu("Vista", vistas);
+        glutAddMenuEntry("Con ejes", 4);
         glutAddMenuEntry("Salir", 3);
         glutAttachMenu(GLUT_RIGHT_BUTTON);
+        glutSetMenu(vistas);
         glutMouseFunc([](int b, int e, int, int) { std::printf("boton %d %d\n", b, e); });
+        glutPassiveMotionFunc([](int x, int y) { std::printf("movimiento %d %d\n", x, y); });
+        glutKeyboardFunc([](unsigned char, int, int) { std::printf("tecla en el %d\n", glutGetMenu()); });
+    } else if (defecto == "menu_borrado") {
+        const int borrado = glutCreateMenu(menu);
+        glutCreateMenu(menu);
+        glutAddSubMenu("Vista", borrado);
+        glutDestroyMenu(borrado);
+        glutAttachMenu(GLUT_RIGHT_BUTTON);
+    } else if (defecto == "submenu_que_no_hay") {
+        glutCreateMenu(menu);
+        glutAddSubMenu("Vista", 77);
+    } else if (defecto == "ocio") {
+        glutIdleFunc(ocio);
+    } else if (defecto == "muestras") {
+        glutSetOption(GLUT_MULTISAMPLE, 4);
+        std::printf("%d\n", glutGet(GLUT_WINDOW_NUM_SAMPLES));
     }
     glutMainLoop();
     return 0;

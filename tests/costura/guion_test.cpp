@@ -1,8 +1,10 @@
 // El guion de glut_sin_ventana: lo que entiende, y qué dice de lo que no.
+#include "ejecuta.h"
 #include "glut_sin_ventana/guion.h"
 #include <GL/freeglut.h>
 #include <gtest/gtest.h>
 
+using namespace sin_ventana;
 using testing::ExitedWithCode;
 
 TEST(Guion, EntiendeCadaOrden) {
@@ -31,6 +33,7 @@ TEST(Guion, EntiendeCadaOrden) {
 TEST(Guion, SinOrdenes) {
     EXPECT_TRUE(leeGuion("").empty());
     EXPECT_TRUE(leeGuion(" ; ;; ").empty());
+    EXPECT_TRUE(leeGuion("\v;\f; \t\r\v\f").empty());
 }
 
 TEST(Guion, TeclaPuntoYComaYAlmohadilla) {
@@ -60,14 +63,19 @@ TEST(GuionMal, DiceDondeYQue) {
         {"espera -1", "«-1» no es un número entre 0"},
         {"menu", "falta la ruta de la opción"},
         {"captura", "falta el fichero"},
+        {"arrastra +1 2", "«[+]1» no es un número"},
+        {"arrastra 1 0x10", "«0x10» no es un número"},
+        {"tamano 1e2 10", "«1e2» no es un número"},
         {"@/no/existe.guion", "-guion: no puedo leer «/no/existe.guion»"},
+        {"@/dev", "-guion: «/dev» es una carpeta, no un fichero"},
+        {"@/dev/zero", "-guion: «/dev/zero» ocupa más de 256 MiB"},
     };
     for (const auto &c : casos)
         EXPECT_EXIT(leeGuion(c.guion), ExitedWithCode(2), c.mensaje) << c.guion;
 }
 
 TEST(GuionMal, EnUnFicheroDiceLaLinea) {
-    const std::string fichero = testing::TempDir() + "prueba.guion";
+    const std::string fichero = (carpetaTemporal() / "prueba.guion").string();
     FILE *f = std::fopen(fichero.c_str(), "w");
     std::fputs("# un comentario\ntecla a; espera 10\n\n  gira 3\n", f);
     std::fclose(f);
@@ -82,6 +90,8 @@ TEST(Talla, AnchoPorAlto) {
     EXPECT_EQ(alto, 180);
     tallaDe("300x200+10-20", ancho, alto, "-geometry"); // la posición de X se admite
     EXPECT_EQ(alto, 200);
-    for (const char *mal : {"", "240", "240x", "x180", "0x10", "240x-5", "axb", "240x180z"})
+    for (const char *mal :
+         {"", "240", "240x", "x180", "0x10", "240x-5", "axb", "240x180z", "10x10+hola", "10x10+1", "10x10+1+",
+          "10x10+1+2+3", "10x10++", "+10x+10", " 10x10", "10x 10", "16385x1"})
         EXPECT_EXIT(tallaDe(mal, ancho, alto, "-geometry"), ExitedWithCode(2), "-geometry: ") << mal;
 }

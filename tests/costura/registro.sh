@@ -1,11 +1,10 @@
 #!/usr/bin/env bash
-# registro.sh BUILD SIN_VENTANA: el mismo guion a FreeGLUT (Xvfb, xdotool) y a glut_sin_ventana; lo que uno y otro le
+# registro.sh BUILD SIN_VENTANA: los mismos guiones a FreeGLUT (Xvfb, xdotool) y a glut_sin_ventana; lo que uno y otro le
 # dicen al programa debe ser igual, línea a línea.
 set -euo pipefail
 build=$1 sin_ventana=$2
 source "$(dirname "$0")/../herramientas/xdotool.sh"
-DISPLAY=:$(cat "$build/xvfb/pantalla")
-export DISPLAY
+source "$(dirname "$0")/../herramientas/pantalla.sh"
 # Sin mayúsculas: con ellas FreeGLUT da además la pulsación de la tecla de mayúsculas, que el guion no tiene.
 # Antes de nada el ratón entra en la ventana, para que la posición de las teclas sea conocida.
 guion='mueve 20 30; tecla a; tecla z; tecla 5; tecla -; tecla PuntoYComa; tecla Espacio; tecla Intro; tecla Tab; tecla Retroceso; tecla Supr
@@ -15,16 +14,52 @@ mueve 100 50; boton IZQUIERDO abajo 100 50; arrastra 120 60; arrastra 290 190; b
 boton DERECHO abajo 10 10; arrastra 11 12; boton DERECHO arriba 30 40; boton CENTRAL abajo 30 40; boton CENTRAL arriba 30 40
 rueda +1 50 60; rueda -1 50 60; rueda -1 70 80
 tamano 400 300; mueve 390 290; tamano 123 457; tamano 64 1; tecla q; tecla Esc'
+# La rueda como botones, el ocio, y los menús: abrir y no elegir, el submenú, una opción que cambia, y la que termina.
+guion_menu='mueve 20 30; rueda +1 20 30; rueda -1 50 60; tecla o; tecla a; tecla o; tecla b
+boton DERECHO abajo 200 50; boton DERECHO arriba 200 50; mueve 100 50; boton IZQUIERDO abajo 100 50; boton IZQUIERDO arriba 100 50
+mueve 290 150; menu Vista/Perfil; mueve 21 31; tecla c; mueve 290 150; menu Ejes quitados; mueve 22 32; tecla d
+mueve 290 150; menu Ejes puestos; mueve 23 33; tecla e; mueve 290 150; menu Salir'
+
+# El menú se abre donde está el ratón y sale por la derecha de la ventana: al soltar sobre él, el programa no se entera.
+# Cada opción mide 24 píxeles de alto; el submenú es ancho para no tener que saber dónde empieza.
+elige_en_menu() {
+  local -A fila=([Vista/Perfil]=0 [Ejes quitados]=1 [Ejes puestos]=1 [Salir]=2)
+  local x=${raton% *} y=${raton#* }
+  xdotool click 3
+  sleep "$PAUSA"
+  lleva_raton $((x + 20)) $((y + 14 + 24 * fila[$1]))
+  sleep "$PAUSA"
+  if [ "$1" = Vista/Perfil ]; then
+    lleva_raton $((x + 300)) $((y + 14 + 24))
+    sleep "$PAUSA"
+  fi
+  xdotool click 1
+}
 
 carpeta=$(mktemp -d)
-trap 'kill $pid 2>/dev/null || true; rm -rf "$carpeta"' EXIT
+trap 'kill $pid 2>/dev/null || true; cierra_pantalla; rm -rf "$carpeta"' EXIT
 cd "$carpeta"
-xdotool mousemove 1200 1000
-"$build/tests/registro_ventana" -geometry 300x200+10+10 >freeglut </dev/null &
-pid=$!
-espera_ventana $pid
-PAUSA=0.08 haz_guion "${guion//$'\n'/;}"
-wait $pid
-"$build/tests/registro_$sin_ventana" -geometry 300x200+10+10 -guion "${guion//$'\n'/;}" -ppm x.ppm >sin_ventana
-diff freeglut sin_ventana || { echo "(< FreeGLUT, > sin ventana)"; exit 1; }
-echo "iguales: $(wc -l <freeglut) líneas"
+abre_pantalla
+
+compara() { # GUION [ARGUMENTO]: a los dos, y la diferencia
+  local ordenes=${1//$'\n'/;}
+  shift
+  "$build/tests/registro_$sin_ventana" -geometry 300x200+10+10 -guion "$ordenes" -ppm x.ppm "$@" >sin_ventana
+  # Con la máquina ocupada X junta sucesos que el guion separa: si algo difiere se repite más despacio.
+  for PAUSA in 0.1 0.3 1; do
+    raton=
+    xdotool mousemove 1200 1000
+    "$build/tests/registro_ventana" -geometry 300x200+10+10 "$@" >freeglut </dev/null &
+    pid=$!
+    espera_ventana $pid
+    haz_guion "$ordenes"
+    for _ in $(seq 100); do kill -0 $pid 2>/dev/null || break; sleep 0.05; done
+    kill $pid 2>/dev/null || true
+    wait $pid && diff freeglut sin_ventana >diferencia && { echo "iguales: $(wc -l <freeglut) líneas"; return; }
+  done
+  cat diferencia 2>/dev/null || echo "registro no acaba con 0"
+  echo "(< FreeGLUT, > sin ventana)"
+  exit 1
+}
+compara "$guion"
+compara "$guion_menu" menu

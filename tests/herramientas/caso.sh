@@ -7,9 +7,8 @@ build=$1 destino=$2 programa=$3 caso=$4
 shift 4
 aqui=$(cd "$(dirname "$0")" && pwd)
 
-IFS=$'\t' read -r capitulo _ _ guion argumentos tolerancia \
+IFS=$'\t' read -r capitulo _ _ guion argumentos tolerancia nombre _ \
   < <(awk -F'\t' -v p="$programa" -v c="$caso" '$2 == p && $3 == c' "$build/casos.tsv")
-nombre=$programa; [ "$caso" = base ] || nombre=$programa-$caso
 golden=$aqui/../golden/$capitulo/$nombre.ppm
 
 carpeta=$(mktemp -d)

@@ -1,16 +1,19 @@
 // compara ESPERADA.ppm OBTENIDA.ppm [--amplia] [--tolerancia "PORCENTAJE NIVELES MAXIMO"] [--deja PREFIJO]
-// Compara dos imágenes y escribe siempre las cifras. Si las hizo el mismo OpenGL en el mismo entorno (el
-// sello de la cabecera es igual) deben ser idénticas; si no, o con --amplia, a lo sumo un 0.1 % de los
-// píxeles puede diferir en más de 3 niveles de 255 y ninguno en más de 32. Estado: 0 iguales; 1 distintas; 2
-// no se pueden comparar. Si son distintas, --deja guarda PREFIJO-esperada, -obtenida y -diferencia (ampliada
-// 8 veces).
+// Compara los tres componentes de dos imágenes y escribe siempre las cifras. Si las hizo el mismo OpenGL en el mismo
+// entorno (el sello de la cabecera es igual) deben ser idénticas. Si no, o con --amplia, a lo sumo un 0.1 % de los
+// píxeles puede diferir en más de 3 niveles de 255, y ninguno puede salirse en más de 32 de los valores que la
+// esperada tiene en los 3×3 píxeles de alrededor: en el borde de una figura un píxel entero puede ser de otro color
+// con solo que otro OpenGL redondee de otra manera, y ahí lo que se acota es cuántos.
+// Estado: 0 iguales; 1 distintas; 2 no se pueden comparar, y la que no lleva sello tampoco (con --amplia, solo la
+// esperada). Si son distintas, --deja guarda PREFIJO-esperada, -obtenida y -diferencia (ampliada 8 veces).
 #include "error.h"
 #include "imagen.h"
+#include "numero.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <sstream>
 #include <string>
 
 /// Cuánto se sale el componente c del píxel (x, y) de los valores que tiene la esperada en los 3×3 de alrededor.
@@ -33,6 +36,17 @@ struct Tolerancia {
     int niveles = 3, maximo = 32;
 };
 
+static Tolerancia leeTolerancia(const std::string &texto) {
+    std::istringstream palabras(texto);
+    std::string porcentaje, niveles, maximo, sobra;
+    palabras >> porcentaje >> niveles >> maximo >> sobra;
+    const auto p = numeroDe<double>(porcentaje);
+    const auto n = numeroDe<int>(niveles), m = numeroDe<int>(maximo);
+    if (!p || !n || !m || !(*p >= 0) || *n < 0 || *m < 0 || !sobra.empty())
+        falla("--tolerancia «" + texto + "»: son PORCENTAJE NIVELES MAXIMO", 2);
+    return {*p, *n, *m};
+}
+
 int main(int argc, char **argv) {
     std::string esperada, obtenida, deja;
     bool amplia = false;
@@ -44,9 +58,7 @@ int main(int argc, char **argv) {
         else if (a == "--deja" && i + 1 < argc)
             deja = argv[++i];
         else if (a == "--tolerancia" && i + 1 < argc) {
-            if (std::sscanf(argv[++i], "%lf %d %d", &tolerancia.porcentaje, &tolerancia.niveles,
-                            &tolerancia.maximo) != 3)
-                falla("--tolerancia «" + std::string(argv[i]) + "»: son PORCENTAJE NIVELES MAXIMO", 2);
+            tolerancia = leeTolerancia(argv[++i]);
         } else if (esperada.empty())
             esperada = a;
         else if (obtenida.empty())
@@ -61,6 +73,10 @@ int main(int argc, char **argv) {
 
     std::string selloEsperada, selloObtenida;
     const Imagen e = leePpm(esperada, &selloEsperada), o = leePpm(obtenida, &selloObtenida);
+    if (selloEsperada.empty() || (selloObtenida.empty() && !amplia))
+        falla("«" + (selloEsperada.empty() ? esperada : obtenida) +
+                  "» no lleva el sello de quién la hizo: no se sabe cuánto puede diferir",
+              2);
     if (e.ancho != o.ancho || e.alto != o.alto)
         falla("«" + esperada + "» mide " + std::to_string(e.ancho) + "×" + std::to_string(e.alto) + " y «" +
                   obtenida + "» " + std::to_string(o.ancho) + "×" + std::to_string(o.alto),
@@ -87,7 +103,7 @@ int main(int argc, char **argv) {
         }
     const double n = static_cast<double>(e.rgb.size()), rmse = std::sqrt(cuadrados / n);
     const double porcentaje = 100.0 * fuera / (n / 3);
-    const bool exacta = !amplia && !selloEsperada.empty() && selloEsperada == selloObtenida;
+    const bool exacta = !amplia && selloEsperada == selloObtenida;
     const bool bien =
         exacta ? maximo == 0 : porcentaje <= tolerancia.porcentaje && maximoExceso <= tolerancia.maximo;
 

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <stdexcept>
 #include <sys/wait.h>
+#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -32,17 +33,38 @@ void fijaEntorno() {
     }
 }
 
+/// Se borra con el proceso que la hizo; los que EXPECT_EXIT desdobla también terminan, y no deben tocarla.
+struct CarpetaTemporal {
+    const pid_t proceso = getpid();
+    fs::path ruta;
+
+    CarpetaTemporal() {
+        std::string plantilla = (fs::temp_directory_path() / "labXXXXXX").string();
+        if (!mkdtemp(plantilla.data()))
+            throw std::runtime_error("no puedo crear una carpeta temporal");
+        ruta = plantilla;
+    }
+    ~CarpetaTemporal() {
+        std::error_code nadaQueHacer;
+        if (getpid() == proceso)
+            fs::remove_all(ruta, nadaQueHacer);
+    }
+};
+
 } // namespace
+
+const fs::path &carpetaTemporal() {
+    static const CarpetaTemporal carpeta;
+    return carpeta.ruta;
+}
 
 Ejecucion ejecuta(const std::string &programa, const std::string &guion, int ancho, int alto,
                   const std::vector<std::string> &argumentos) {
     fijaEntorno();
-    std::string plantilla = (fs::temp_directory_path() / "labXXXXXX").string();
-    if (!mkdtemp(plantilla.data()))
-        throw std::runtime_error("no puedo crear una carpeta temporal");
-    const fs::path carpeta = plantilla;
+    const fs::path carpeta = carpetaTemporal() / "ejecucion";
+    fs::create_directory(carpeta);
 
-    std::string orden = "cd " + entreComillas(plantilla) + " && " +
+    std::string orden = "cd " + entreComillas(carpeta.string()) + " && " +
                         entreComillas(LAB_EJECUTABLES "/" + programa) + " -geometry " +
                         std::to_string(ancho) + "x" + std::to_string(alto) + " -ppm imagen.ppm";
     if (!guion.empty())

@@ -1,8 +1,13 @@
 // Ejecutar un programa del laboratorio desde una prueba: sin ventana, con un guion, y quedarse con su imagen.
 #pragma once
 #include "imagen.h"
+#include <filesystem>
 #include <string>
 #include <vector>
+
+/// Carpeta de este proceso y de nadie más, para todo lo que una prueba escribe: se crea al pedirla y se borra al
+/// terminar. Dos pruebas a la vez, o de dos usuarios, no se estorban.
+const std::filesystem::path &carpetaTemporal();
 
 struct Ejecucion {
     int estado = -1;     // el de salida; 128 + señal si lo ha matado una

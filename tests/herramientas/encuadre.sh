@@ -11,8 +11,14 @@ extra=()
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
 cd "$carpeta"
+# El guion, con el ratón llevado de la ventana de 240×180 para la que está escrito a una de talla $1
+a_escala() {
+  awk -v ancho="${1%x*}" -v alto="${1#*x}" -v RS=';' -v ORS=';' '
+    $1 ~ /^(boton|arrastra|mueve|rueda)$/ { $(NF - 1) = int($(NF - 1) * ancho / 240); $NF = int($NF * alto / 180) }
+    { print }' <<<"$2"
+}
 dibuja() { # TALLA GUION FICHERO
-  "$build/$destino/$capitulo/$programa" -geometry "$1" -guion "$2" -ppm "$3" "${extra[@]}" >/dev/null </dev/null
+  "$build/$destino/$capitulo/$programa" -geometry "$1" -guion "$(a_escala "$1" "$2")" -ppm "$3" "${extra[@]}" >/dev/null </dev/null
 }
 
 if [ "$borde" = libre ]; then

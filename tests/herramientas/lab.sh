@@ -1,44 +1,182 @@
 #!/usr/bin/env bash
-# lab.sh RAIZ: las órdenes de ./lab, desde otra carpeta, y sus errores.
+# lab.sh RAIZ: las órdenes de ./lab y sus errores, desde otra carpeta; y en una copia con lo mínimo, cuya carpeta tiene el
+# peor nombre posible, que lo que se estropea se nota y lo que se puede arreglar se arregla.
 set -euo pipefail
-lab=$1/lab fallos=0
+raiz=$1 lab=$1/lab fallos=0
 export LAB_SIN_INSTALAR=1
 unset DISPLAY WAYLAND_DISPLAY
 carpeta=$(mktemp -d)
-trap 'rm -rf "$carpeta"' EXIT
-cd "$carpeta"
+trap 'chmod -R u+w "$carpeta"; rm -rf "$carpeta"' EXIT
+mkdir "$carpeta/temporal" "$carpeta/aqui"
+export TMPDIR=$carpeta/temporal # al acabar debe estar vacía
+cd "$carpeta/aqui"
 
+mal() { echo "$*"; fallos=1; }
 espera() { # ESTADO TEXTO ORDEN…: la orden sale con ese estado y su salida (las dos) contiene el texto
   local estado=0 salida esperado=$1 texto=$2
   shift 2
   salida=$("$@" 2>&1) || estado=$?
   if [ $estado != "$esperado" ] || [[ $salida != *"$texto"* ]]; then
-    echo "$*: estado $estado (debía ser $esperado); debía decir «$texto» y ha dicho: $salida"
-    fallos=1
+    mal "$*: estado $estado (debía ser $esperado); debía decir «$texto» y ha dicho: $(tail -n 5 <<<"$salida" | tail -c 600)"
   fi
 }
+
+# --- órdenes y errores ------------------------------------------------------------------------------------------
 
 espera 0 './lab galeria' "$lab"
 espera 0 './lab prueba' "$lab" ayuda
 espera 2 'no conozco la orden «gallery»' "$lab" gallery
 espera 0 'Grúa de obra' "$lab" lista
 espera 1 'no entiendo «--csv»' "$lab" lista --csv
+espera 1 'no entiendo «sobra»' "$lab" lista --tsv sobra
+espera 1 'no entiendo «sobra»' "$lab" galeria sobra
+espera 1 'no entiendo «grua»; para elegir pruebas, -R grua' "$lab" prueba grua
+espera 1 'no entiendo «--asn»' "$lab" prueba --asn
+espera 1 'no entiendo «grua»' "$lab" prueba --asan -R grua grua
+espera 1 'falta lo que sigue a -R' "$lab" prueba -R
 espera 1 'falta el programa' "$lab" ver
 espera 1 'no hay ningún programa «gura»; los más parecidos: grua' "$lab" ver gura
 espera 1 'no hay ningún programa «E99.9»' "$lab" ver E99.9
 espera 1 'di qué casos' "$lab" dora
 espera 1 '«grua-volando» no es un caso de grua' "$lab" dora grua-volando
+
 for nombre in grua E3.5 f3.3; do
   rm -f grua.png
   espera 0 'lo he dibujado en grua.png' "$lab" ver $nombre
-  [ "$(head -c 4 grua.png | tail -c 3)" = PNG ] || { echo "ver $nombre no deja grua.png"; fallos=1; }
+  [ "$(head -c 4 grua.png | tail -c 3)" = PNG ] || mal "ver $nombre no deja grua.png"
 done
+rm -f grua.png
+espera 0 '-guion' "$lab" ver grua -ayuda
+espera 0 '' "$lab" ver grua -ppm f.ppm
+[ -s f.ppm ] && [ ! -e grua.png ] || mal 'ver grua -ppm f.ppm no deja solo f.ppm'
 espera 0 'GLSL: ' "$lab" ver info_opengl
 espera 2 'no entiendo «-volando»' "$lab" ver grua -volando
 DISPLAY=:987 espera 0 'lo he dibujado en grua.png' "$lab" ver grua # una pantalla que no existe
+if command -v Xvfb >/dev/null; then                                  # y una sin OpenGL
+  Xvfb -displayfd 3 -extension GLX -nolisten tcp 3>pantalla >xvfb.log 2>&1 &
+  until [ -s pantalla ] || ! kill -0 $! 2>/dev/null; do sleep 0.1; done
+  DISPLAY=:$(cat pantalla) espera 0 'lo he dibujado en grua.png' "$lab" ver grua
+  kill $!
+fi
 
 # cuatro columnas, sin cabecera, una fila por programa
 "$lab" lista --tsv >lista.tsv
 awk -F'\t' 'NF != 4 { print "lista --tsv: fila de " NF " columnas: " $0; mal = 1 } END { exit mal }' lista.tsv || fallos=1
-[ "$(wc -l <lista.tsv)" = "$(grep -ch '^programa(' "$1"/ch*/CMakeLists.txt | awk "{ n += \$1 } END { print n }")" ] || { echo 'lista --tsv no tiene todos los programas'; fallos=1; }
+[ "$(wc -l <lista.tsv)" = "$(cat "$raiz"/ch*/CMakeLists.txt | grep -c '^programa(')" ] || mal 'lista --tsv no tiene todos los programas'
+
+# --- una copia con dos programas --------------------------------------------------------------------------------
+
+copia="$carpeta/lab (1) a&b c'd e\$f g[h] ñ" lab=./lab
+mkdir "$copia"
+tar -C "$raiz" --exclude=./build --exclude=./galeria --exclude=./.git --exclude='./ch0[2-9]*' --exclude='./ch1*' -cf - . |
+  tar -C "$copia" -xf -
+cd "$copia"
+# compila antes: sin optimizar, y sin lo que sus programas no usan de common/ y assets/
+sed -i 's/"Release"/"None"/' CMakePresets.json
+for f in malla orbita recuadro rotulo shader textura trazo ventana; do : >common/$f.cpp; done
+sed -i 's/^set(texturas .*/set(texturas luz)/' assets/CMakeLists.txt
+cat >assets/genera_assets.cpp <<'FIN'
+#include <fstream>
+#include <string>
+int main(int, char **argv) { std::ofstream(std::string(argv[1]) + "/luz.rgb") << "luz"; }
+FIN
+cp ch01_intro/primer_programa.cpp ch01_intro/primer_programa_dos.cpp
+cat >ch01_intro/CMakeLists.txt <<'FIN'
+capitulo("Título; con punto y coma")
+programa(primer_programa REF "L1.1" TITULO "Uno")
+  caso(primer_programa base MIRA "Mira; y [remira]")
+programa(primer_programa_dos REF "L1.2" TITULO "Dos")
+  caso(primer_programa_dos base GUION "tecla a; tecla a" BORDE "llega")
+programa(shader_basico REF "L1.2" TITULO "Tres")
+  caso(shader_basico base)
+FIN
+cat >tests/CMakeLists.txt <<'FIN'
+add_executable(compara herramientas/compara.cpp)
+target_link_libraries(compara PRIVATE comun avisos)
+add_test(NAME imagen COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/herramientas/caso.sh ${CMAKE_BINARY_DIR} ${LAB_SIN_VENTANA} shader_basico base)
+FIN
+golden=tests/golden/ch01_intro
+cp $golden/primer_programa.ppm $golden/primer_programa_dos.ppm
+
+# una prueba que falla da un estado distinto de 0 y deja sus imágenes; y ninguna prueba, también
+espera 0 '100% tests passed' $lab prueba
+[[ $(cat build/casos.tsv) == *$'\tprimer_programa\tMira; y [remira]\t-\n'*$'tecla a; tecla a\t-\t-\tprimer_programa_dos\t-\tllega\n'* ]] ||
+  mal "casos.tsv no dice lo que el CMakeLists.txt: $(cat build/casos.tsv)"
+cp $golden/shader_basico.ppm "$carpeta/golden.ppm"
+cp $golden/primer_programa.ppm $golden/shader_basico.ppm
+espera 8 'las imágenes de lo que ha fallado están en' $lab prueba
+[ -n "$(find build -path '*/fallos/*' -name '*.png')" ] || mal 'una imagen distinta no deja sus PNG'
+espera 8 'No tests were found' $lab prueba -R nada
+
+# dora rehace lo que se nombra y nada más
+: >"$carpeta/vacio"
+for p in primer_programa primer_programa_dos; do cp "$carpeta/vacio" $golden/$p.ppm; done
+espera 1 '«shader_basico-volando» no es un caso' $lab dora primer_programa shader_basico-volando
+[ ! -s $golden/primer_programa.ppm ] || mal 'dora ha empezado antes de saber si lo entendía todo'
+espera 0 'primer_programa: ' $lab dora primer_programa shader_basico
+cmp $golden/shader_basico.ppm "$carpeta/golden.ppm" || mal 'dora no rehace shader_basico'
+[ -s $golden/primer_programa.ppm ] && [ ! -s $golden/primer_programa_dos.ppm ] || mal 'dora primer_programa no rehace solo ese golden'
+
+# la galería rehace lo que falta y solo eso
+espera 0 'Hecha: ' $lab galeria
+espera 0 'primer_programa: sin cambios' $lab galeria
+rm -f galeria/ch01_intro/primer_programa.png
+: >galeria/ch01_intro/shader_basico.png
+espera 0 'primer_programa: 1 imagen' $lab galeria
+[[ $(pngtopnm galeria/ch01_intro/shader_basico.png | head -c 11) == *'960 720'* ]] || mal 'shader_basico.png no se ha rehecho'
+
+# un shader roto: la página con los demás, su nombre y un estado distinto de 0
+cp ch01_intro/shader_basico.frag "$carpeta/bueno.frag"
+echo 'esto no es GLSL' >>ch01_intro/shader_basico.frag
+espera 1 'no se ha podido dibujar todo: shader_basico' $lab galeria
+grep -q 'ch01_intro/primer_programa.png' galeria/index.html && grep -q 'No se ha podido dibujar: ' galeria/index.html ||
+  mal 'con un shader roto la página no lleva lo demás'
+cp "$carpeta/bueno.frag" ch01_intro/shader_basico.frag
+
+# un programa que no compila no impide ver otro, aunque los avisos fueran errores
+echo 'static int noSeUsa() { return 0; }' >>ch01_intro/shader_basico.cpp
+espera 1 'noSeUsa' $lab prueba
+echo 'int estoNoCompila(' >>ch01_intro/primer_programa.cpp
+espera 0 'lo he dibujado en shader_basico.png' $lab ver shader_basico
+espera 1 'no compila' $lab galeria
+cp "$raiz/ch01_intro/primer_programa.cpp" ch01_intro/
+
+# dos a la vez: el segundo espera
+flock build/.cerrojo sleep 1 &
+sleep 0.2
+espera 0 'espero a que acabe' $lab lista
+wait
+
+# se arregla de lo que le falte en build/
+for falta in CMakeCache.txt catalogo.tsv CMakeFiles/rules.ninja; do
+  rm -f build/$falta
+  espera 0 'Tres' $lab lista
+done
+
+# interrumpida no deja nada en la carpeta temporal: se mira al final
+rm -rf galeria
+$lab galeria 2>"$carpeta/progreso" &
+until grep -q '^\[' "$carpeta/progreso" || ! kill -0 $! 2>/dev/null; do sleep 0.02; done
+kill $!
+wait $! && mal 'galeria interrumpida acaba con 0'
+
+# donde no se puede escribir trabaja en la caché, y si tampoco, lo dice en una línea
+otro=()
+[ "$(id -u)" != 0 ] || otro=(setpriv --reuid 65534 --regid 65534 --clear-groups)
+chmod 755 "$carpeta"
+chmod -R a-w .
+mkdir -m 777 "$carpeta/cache"
+TMPDIR=/tmp espera 0 "trabajo en $carpeta/cache/laboratorio$copia" "${otro[@]}" env XDG_CACHE_HOME="$carpeta/cache" $lab lista
+XDG_CACHE_HOME=/proc espera 1 'no puedo escribir en' "${otro[@]}" $lab lista
+chmod -R u+w .
+
+# movido, nada de lo compilado vale
+cd "$carpeta"
+mv "$copia" movido
+cd movido
+espera 0 'Tres' $lab lista
+grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$carpeta/movido" build/CMakeCache.txt && [ ! -e build/ventana/ch01_intro/shader_basico ] ||
+  mal 'movido, no se configura de nuevo'
+
+[ -z "$(ls -A "$TMPDIR")" ] || mal "queda algo en la carpeta temporal: $(ls -AR "$TMPDIR")"
 exit $fallos

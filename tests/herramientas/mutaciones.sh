@@ -1,21 +1,66 @@
 #!/usr/bin/env bash
-# mutaciones.sh BUILD: el comparador acepta la imagen repetida y rechaza, también con la tolerancia amplia,
-# cada una de las estropeadas.
+# mutaciones.sh BUILD: el comparador acepta lo que debe y rechaza lo demás. Primero, imágenes con una cosa estropeada al
+# dibujar (mutante); después, con unos píxeles cambiados (estropea), a uno y otro lado de cada límite.
 set -euo pipefail
-build=$1 mutante=$1/tests/mutante fallos=0
+build=$1/tests fallos=0
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
 cd "$carpeta"
-"$mutante" -ppm buena.ppm
+"$build/mutante" -geometry 240x180 -ppm buena.ppm
+
+# espera NOMBRE ESTADO TEXTO [opciones]: compara buena.ppm con mala.ppm; el resultado debe llevar TEXTO
+espera() {
+  local nombre=$1 esperado=$2 texto=$3 estado=0 resultado
+  shift 3
+  resultado=$("$build/compara" buena.ppm mala.ppm "$@" 2>&1) || estado=$?
+  printf '%-34s %-8s %s\n' "$nombre" "$*" "${resultado%%; hecha*}"
+  [[ $estado = "$esperado" && $resultado = *"$texto"* ]] ||
+    { echo "ha salido con $estado y debía salir con $esperado y decir «$texto»"; fallos=1; }
+}
+
 for mutacion in nada luz textura pixel triangulo; do
-  "$mutante" -ppm mala.ppm $mutacion
-  for opcion in '' --amplia; do
-    esperado=1
-    [ $mutacion != nada ] || esperado=0
-    estado=0
-    resultado=$("$build/tests/compara" buena.ppm mala.ppm $opcion) || estado=$?
-    printf '%-9s %-8s %s\n' $mutacion "$opcion" "${resultado%%; hecha*}"
-    [ $estado = $esperado ] || { echo "el comparador ha salido con $estado y debía salir con $esperado"; fallos=1; }
-  done
+  "$build/mutante" -geometry 240x180 -ppm mala.ppm $mutacion
+  esperado=1
+  [ $mutacion != nada ] || esperado=0
+  for opcion in '' --amplia; do espera $mutacion $esperado '' $opcion; done
 done
+
+# Nombre, argumentos de estropea y los estados que deben dar el mismo OpenGL y otro. 43 píxeles son el 0.1 % de 240×180.
+# En la esquina el fondo es liso, y los 3×3 de alrededor no disculpan nada.
+while IFS='|' read -r nombre estropea igual otro; do
+  "$build/estropea" buena.ppm mala.ppm $estropea
+  read -r _ _ niveles <<<"$estropea"
+  espera "$nombre" $igual "máximo $niveles "
+  espera "$nombre" $otro "máximo $niveles " --amplia
+done <<'FIN'
+un nivel en un píxel|0 1 1|1|0
+todo a 3 niveles, rojo|0 43200 3|1|0
+todo a 3 niveles, verde|1 43200 3|1|0
+todo a 3 niveles, azul|2 43200 3|1|0
+todo a 4 niveles, rojo|0 43200 4|1|1
+todo a 4 niveles, verde|1 43200 4|1|1
+todo a 4 niveles, azul|2 43200 4|1|1
+el 0.1 % a 10 niveles|1 43 10|1|0
+algo más del 0.1 % a 4 niveles|2 44 4|1|1
+el 0.2 % a 10 niveles|0 86 10|1|1
+un píxel a 32 niveles, azul|2 1 32|1|0
+un píxel a 33 niveles, azul|2 1 33|1|1
+un píxel enorme|1 1 120|1|1
+FIN
+
+# La tolerancia de un caso cambia los límites, y solo ella.
+"$build/estropea" buena.ppm mala.ppm 1 86 10
+espera 'el 0.2 %, con permiso' 0 '' --amplia --tolerancia '0.2 3 32'
+espera 'el 0.2 %, con permiso' 1 '' --tolerancia '0.2 3 32' # es el mismo OpenGL: idénticas
+espera 'el 0.2 %, con permiso' 1 '' --amplia --tolerancia '0.2 3 9'
+for mal in '0.2 3' '0.2 3 32 1' '0,2 3 32' '0.2 3.5 32' '-1 3 32' 'nan 3 32' ''; do
+  espera "tolerancia «$mal»" 2 'son PORCENTAJE NIVELES MAXIMO' --amplia --tolerancia "$mal"
+done
+
+# Sin sello no se sabe qué exigir. Una captura de una ventana de verdad no lo lleva, y se compara con --amplia.
+"$build/estropea" buena.ppm mala.ppm 0 0 0 sin_sello
+espera 'obtenida sin sello' 2 '«mala.ppm» no lleva el sello'
+espera 'obtenida sin sello' 0 '' --amplia
+mv buena.ppm otra.ppm && mv mala.ppm buena.ppm && mv otra.ppm mala.ppm
+for opcion in '' --amplia; do espera 'golden sin sello' 2 '«buena.ppm» no lleva el sello' $opcion; done
 exit $fallos

@@ -1,17 +1,26 @@
 #!/usr/bin/env bash
-# textos.sh RAIZ BIBLIOTECA: lo que se puede comprobar sin ejecutar nada: la tabla de README.md está al día, cada programa
-# dice sus controles, cada shader empieza por #version 140 y pasa glslangValidator, y glut_sin_ventana.h enumera lo que hay.
+# textos.sh RAIZ BUILD BIBLIOTECA: lo que se puede comprobar sin ejecutar nada: docs/programas.md está al día, cada capítulo
+# tiene título, cada programa dice sus controles y cada caso qué mirar, cada shader empieza por #version 140 y pasa
+# glslangValidator, y glut_sin_ventana.h enumera lo que hay.
 set -euo pipefail
 cd "$1"
 fallos=0
 mal() { echo "$*"; fallos=1; }
 
-diff <(sed -n '/<!-- tabla/,/<!-- fin de la tabla/p' README.md | grep '^|') <(LAB_SIN_INSTALAR=1 ./lab lista --tabla) ||
-  mal 'la tabla de README.md no está al día: ./lab lista --readme'
+export LAB_SIN_INSTALAR=1
 
-while IFS=$'\t' read -r capitulo programa _; do
-  grep -q '^// Controles: .*\.$' "$capitulo/$programa.cpp" || mal "$capitulo/$programa.cpp: falta la línea «// Controles: ….»"
-done < <(LAB_SIN_INSTALAR=1 ./lab lista --tsv)
+diff docs/programas.md <(./lab lista --md) || mal 'docs/programas.md no está al día: ./lab lista --docs'
+awk -F'\t' '$6 == "-" { print $1 }' "$2/catalogo.tsv" | sort -u | grep . && mal 'esos capítulos no tienen título: capitulo("…")'
+awk -F'\t' '$8 == "-" { print $7 }' "$2/casos.tsv" | grep . && mal 'esos casos no tienen MIRA: la frase que dice qué mirar'
+
+PYTHONPATH=herramientas python3 -B - "$2" <<'FIN' || fallos=1
+import sys, pathlib, pagina
+faltan = [f for capitulo in pagina.lee_catalogo(pathlib.Path(sys.argv[1])) for p in capitulo.programas
+          if not pagina.controles((f := pathlib.Path(p.capitulo, p.nombre + ".cpp")).read_text())]
+for f in faltan:
+    print(f"{f}: faltan los controles: «// Controles: … .», en las líneas que haga falta")
+sys.exit(bool(faltan))
+FIN
 
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
@@ -25,6 +34,6 @@ for shader in ch*/*.vert ch*/*.frag; do
 done
 
 diff <(grep -oE '\bglut[A-Z][A-Za-z]+' <(sed '/Cualquier otra/,$d' common/glut_sin_ventana/glut_sin_ventana.h) | sort) \
-  <(nm -C --defined-only "$2" | awk '$2 == "T" && $3 ~ /^glut[A-Z]/ { print $3 }' | sort) ||
+  <(nm -C --defined-only "$3" | awk '$2 == "T" && $3 ~ /^glut[A-Z]/ { print $3 }' | sort) ||
   mal 'glut_sin_ventana.h no enumera justo las funciones que hay'
 exit $fallos

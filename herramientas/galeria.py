@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""galeria.py RAÍZ BUILD DESTINO: dibuja cada caso de build/casos.tsv sin ventana y escribe DESTINO/index.html.
+
+Cada imagen se dibuja al doble de tamaño y se reduce a la mitad, para que los bordes salgan suavizados. Solo se rehace
+lo que ha cambiado: DESTINO/.hecho.json recuerda de qué (programa, shaders, guion) salió cada imagen y qué escribió
+entonces el programa. Si algún caso falla, la página lleva los demás y el estado es 1.
+"""
+import hashlib
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from pathlib import Path
+
+import pagina
+
+ANCHO, ALTO = 1920, 1440
+ESCALA = ANCHO // 240  # los guiones de los casos dan el ratón en una ventana de 240×180, la de los golden
+SEGUNDOS = 300  # un programa que no acaba no detiene la galería
+
+
+class Fallo(Exception):
+    pass
+
+
+def ejecuta(orden, **opciones):
+    try:
+        proceso = subprocess.run(orden, stdin=subprocess.DEVNULL, capture_output=True, timeout=SEGUNDOS, **opciones)
+    except subprocess.TimeoutExpired:
+        raise Fallo(f"no ha acabado en {SEGUNDOS} segundos") from None
+    if proceso.returncode:
+        mensaje = proceso.stderr.decode(errors="replace").strip().splitlines()
+        raise Fallo(mensaje[0] if mensaje else f"ha acabado con estado {proceso.returncode}")
+    return proceso.stdout
+
+
+def a_escala(guion):
+    return re.sub(r"\b(boton \w+ \w+|arrastra|mueve|rueda [+-]?1) (-?\d+) (-?\d+)",
+                  lambda m: f"{m[1]} {int(m[2]) * ESCALA} {int(m[3]) * ESCALA}", guion)
+
+
+class Galeria:
+    def __init__(self, raiz, build, destino):
+        self.build, self.destino = build, destino
+        self.sin_ventana = (build / "sin_ventana").read_text().strip()
+        self.registro = destino / ".hecho.json"
+        try:
+            self.hecho = json.loads(self.registro.read_text())
+        except (OSError, ValueError):
+            self.hecho = {}
+        leidos = [*(raiz.glob(f"*/*.{tipo}") for tipo in ("vert", "frag", "glsl")), raiz.glob("assets/*"),
+                  build.glob("assets/*.rgb")]
+        ficheros = sorted(f for grupo in leidos for f in grupo if f.is_file())
+        self.comunes = hashlib.sha1(b"".join(f.name.encode() + f.read_bytes() for f in ficheros)).hexdigest()
+
+    def dibuja(self, programa, caso, temporal):
+        """Hace la imagen de un caso si no está al día. Dice si la ha hecho."""
+        ejecutable = self.build / self.sin_ventana / programa.capitulo / programa.nombre
+        png = self.destino / caso.imagen
+        clave = hashlib.sha1(repr((self.comunes, caso.guion, caso.argumentos)).encode() + ejecutable.read_bytes()).hexdigest()
+        anterior = self.hecho.get(caso.imagen, {})
+        if anterior.get("clave") == clave and (programa.consola or png.is_file() and png.stat().st_size):
+            caso.salida = anterior["salida"]
+            return False
+        png.unlink(missing_ok=True)
+        self.hecho.pop(caso.imagen, None)
+        orden = [ejecutable, *caso.argumentos.split()]
+        ppm = temporal / f"{caso.fichero}.ppm"
+        if not programa.consola:
+            orden += ["-geometry", f"{ANCHO}x{ALTO}", "-ppm", ppm]
+        if caso.guion:
+            orden += ["-guion", a_escala(caso.guion)]
+        caso.salida = ejecuta(orden, cwd=temporal).decode(errors="replace")
+        if not programa.consola:
+            mitad = temporal / f"{caso.fichero}.mitad"
+            mitad.write_bytes(ejecuta(["pamscale", "-linear", "0.5", ppm]))  # la media de cada 2×2
+            ppm.unlink()
+            png.parent.mkdir(parents=True, exist_ok=True)
+            parcial = png.with_suffix(".parcial")
+            parcial.write_bytes(ejecuta(["pnmtopng", "-quiet", mitad]))
+            parcial.replace(png)
+            mitad.unlink()
+        self.hecho[caso.imagen] = {"clave": clave, "salida": caso.salida}
+        return True
+
+    def dibuja_programa(self, programa, temporal):
+        """Todos los casos de un programa. Devuelve la línea que lo cuenta; cada caso recuerda su fallo."""
+        hechas = 0
+        for caso in programa.casos:
+            try:
+                hechas += self.dibuja(programa, caso, temporal)
+            except (Fallo, OSError) as fallo:
+                caso.fallo = str(fallo)
+        fallos = [f"{caso.fichero} ha fallado: {caso.fallo}" for caso in programa.casos if caso.fallo]
+        hecho = f"{hechas} {'imagen' if hechas == 1 else 'imágenes'}" if hechas else "sin cambios"
+        return "; ".join(fallos) or hecho
+
+    def dibuja_todo(self, programas):
+        with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(os.cpu_count()) as hilos:
+            pendientes = {hilos.submit(self.dibuja_programa, p, Path(temporal)): p for p in programas}
+            try:
+                for n, pendiente in enumerate(as_completed(pendientes), 1):
+                    programa = pendientes[pendiente]
+                    print(f"[{n:2}/{len(programas)}] {programa.capitulo}/{programa.nombre}: {pendiente.result()}",
+                          file=sys.stderr)
+            except BaseException:
+                hilos.shutdown(cancel_futures=True)
+                raise
+            finally:
+                self.registro.write_text(json.dumps(self.hecho, ensure_ascii=False))
+
+
+def main():
+    raiz, build, destino = map(Path, sys.argv[1:])
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
+    destino.mkdir(parents=True, exist_ok=True)
+    capitulos = pagina.lee_catalogo(build)
+    programas = [p for capitulo in capitulos for p in capitulo.programas]
+    try:
+        Galeria(raiz, build, destino).dibuja_todo(programas)
+    except KeyboardInterrupt:
+        sys.exit(130)
+    pagina.escribe(raiz, destino, capitulos)
+    print(f"Hecha: {destino}/index.html", file=sys.stderr)
+    fallidos = [p.nombre for p in programas if any(caso.fallo for caso in p.casos)]
+    if fallidos:
+        sys.exit(f"lab: no se ha podido dibujar todo: {', '.join(fallidos)}")
+
+
+main()

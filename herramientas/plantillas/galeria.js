@@ -1,0 +1,81 @@
+'use strict';
+const todos = (selector, raiz = document) => [...raiz.querySelectorAll(selector)];
+const una = (selector, raiz = document) => raiz.querySelector(selector);
+
+// La vista grande: una imagen en toda la ventana; ← y → pasan por las que se ven en la página.
+const grande = una('dialog');
+let actual;
+
+function ensena(enlace) {
+  actual = enlace;
+  const figura = enlace.closest('figure'), titulo = una('h3', enlace.closest('article')).textContent;
+  const nombre = una('b', figura)?.textContent;
+  const imagen = una('img', grande);
+  imagen.src = enlace.href;
+  imagen.alt = una('img', enlace).alt;
+  una('h2', grande).textContent = nombre ? `${titulo}: ${nombre}` : titulo;
+  una('p', grande).textContent = una('.mira', figura)?.textContent ?? '';
+  if (grande.open) return;
+  grande.showModal();
+  grande.focus(); // y no el botón de cerrar
+}
+
+function pasa(pasos) {
+  const visibles = todos('figure a').filter(a => a.offsetParent || a === actual);
+  const vecina = visibles[visibles.indexOf(actual) + pasos];
+  if (vecina) ensena(vecina);
+}
+
+for (const enlace of todos('figure a'))
+  enlace.addEventListener('click', suceso => {
+    suceso.preventDefault();
+    ensena(enlace);
+  });
+una('.anterior').addEventListener('click', () => pasa(-1));
+una('.siguiente').addEventListener('click', () => pasa(1));
+una('.cierra').addEventListener('click', () => grande.close());
+grande.addEventListener('close', () => {
+  actual.scrollIntoView({ block: 'center' });
+  actual.focus({ preventScroll: true });
+});
+let xInicial;
+grande.addEventListener('touchstart', suceso => { xInicial = suceso.touches[0].clientX; }, { passive: true });
+grande.addEventListener('touchend', suceso => {
+  const recorrido = suceso.changedTouches[0].clientX - xInicial;
+  if (Math.abs(recorrido) > 40) pasa(recorrido < 0 ? 1 : -1);
+});
+
+// El buscador: quedan los programas que tienen todas las palabras, con acentos o sin ellos.
+const busca = una('input');
+const llano = texto => texto.normalize('NFD').replace(/[\u0300-\u036f]/g, '').toLowerCase();
+const texto = new Map(todos('article').map(articulo =>
+  [articulo, llano(una('h2', articulo.parentElement).textContent + ' ' + una('.ficha', articulo).textContent +
+    todos('figcaption', articulo).map(pie => pie.textContent).join(' '))]));
+
+busca.addEventListener('input', () => {
+  const palabras = llano(busca.value).split(/\s+/);
+  for (const [articulo, contenido] of texto) articulo.hidden = !palabras.every(palabra => contenido.includes(palabra));
+  for (const capitulo of todos('.capitulo')) capitulo.hidden = !una('article:not([hidden])', capitulo);
+  una('.nada').hidden = una('article:not([hidden])') !== null;
+});
+
+document.addEventListener('keydown', suceso => {
+  if (grande.open && suceso.key === 'ArrowRight') pasa(1);
+  else if (grande.open && suceso.key === 'ArrowLeft') pasa(-1);
+  else if (!grande.open && suceso.key === '/' && document.activeElement !== busca) {
+    suceso.preventDefault();
+    busca.focus();
+  }
+});
+
+// Los fuentes: cada fichero está una vez en la página y se copia donde se pide.
+function abre(boton) {
+  for (const otro of todos('button', boton.parentElement)) otro.setAttribute('aria-pressed', otro === boton);
+  const fuente = document.getElementById('fuente:' + boton.dataset.fuente);
+  una('pre', boton.closest('details')).replaceChildren(fuente.content.cloneNode(true));
+}
+for (const detalle of todos('details'))
+  detalle.addEventListener('toggle', () => {
+    if (detalle.open && !una('[aria-pressed]', detalle)) abre(una('button', detalle));
+  });
+for (const boton of todos('.pestanas button')) boton.addEventListener('click', () => abre(boton));

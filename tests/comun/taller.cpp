@@ -1,0 +1,68 @@
+// Un programa para probar common/ por dentro: dos cuadrados, cada uno con sus shaders, taller/a.* y taller/b.* de
+// $LAB_RAIZ, y una textura de ajedrez de 256×256 cuadros de un texel en la unidad 0. Con el argumento `enorme`, una
+// textura que no cabe. Teclas: 0 a 9 ponen en taller/ la versión $LAB_RAIZ/N (el usuario edita); n va a una carpeta
+// que ya no existe y v vuelve.
+#include "malla.h"
+#include "shader.h"
+#include "textura.h"
+#include "ventana.h"
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace fs = std::filesystem;
+
+static struct {
+    GLuint programas[2];
+    Buferes cuadrado;
+} estado;
+
+static void edita(char version) {
+    const fs::path raiz = std::getenv("LAB_RAIZ");
+    fs::remove_all(raiz / "taller");
+    fs::copy(raiz / std::string(1, version), raiz / "taller");
+}
+
+static void inicia(bool enorme) {
+    edita('0');
+    estado.programas[0] = creaPrograma("taller/a.vert", "taller/a.frag");
+    estado.programas[1] = creaPrograma("taller/b.vert", "taller/b.frag");
+    Imagen ajedrez{256, 256, {}};
+    for (int i = 0; i < 256 * 256; ++i)
+        ajedrez.rgb.insert(ajedrez.rgb.end(), 3, (i + i / 256) % 2 ? 255 : 0);
+    if (enorme)
+        ajedrez = {32768, 2, std::vector<unsigned char>(3 * 32768 * 2)};
+    creaTextura2D(ajedrez);
+    estado.cuadrado = creaBuferes(plano(1));
+}
+
+static void dibuja() {
+    glClear(GL_COLOR_BUFFER_BIT);
+    for (const GLuint programa : estado.programas) {
+        glUseProgram(programa);
+        dibuja(estado.cuadrado);
+    }
+    glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    static const fs::path carpeta = fs::current_path();
+    if (tecla == 'n') {
+        fs::create_directory("efimera");
+        fs::current_path("efimera");
+        fs::remove(carpeta / "efimera");
+    } else if (tecla == 'v') {
+        fs::current_path(carpeta);
+    } else if (!teclaComun(tecla)) {
+        edita(static_cast<char>(tecla));
+    }
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "taller", GLUT_DOUBLE | GLUT_RGBA, "[enorme]");
+    inicia(argc > 1);
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    glutMainLoop();
+    return 0;
+}

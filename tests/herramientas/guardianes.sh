@@ -1,0 +1,85 @@
+#!/usr/bin/env bash
+# guardianes.sh BUILD SIN_VENTANA: caso.sh y ventana.sh dan por bueno lo bueno y fallan con un golden que no es, un programa
+# que acaba mal, que escribe en stderr, que no dibuja, que no abre la ventana o que no atiende Esc. También prueba
+# que una prueba de ventana interrumpida no deja su Xvfb.
+set -euo pipefail
+build=$1 sin_ventana=$2
+aqui=$(cd "$(dirname "$0")" && pwd)
+carpeta=$(mktemp -d)
+trap 'rm -rf "$carpeta"' EXIT
+cd "$carpeta"
+export PACIENCIA=20 # décimas de segundo que se espera a una imagen
+fallos=0
+
+# Un build y unas pruebas de mentira, con un solo programa de verdad detrás.
+mkdir -p tests build/tests build/ventana/cap "build/$sin_ventana/cap" tests/golden/cap
+cp -r "$aqui" tests/herramientas
+ln -s "$build/tests/compara" build/tests/compara
+printf 'cap\tgrua\t%s\t%s\t-\t-\t%s\t-\t-\n' base - grua quieta 'espera 10' grua-quieta >build/casos.tsv
+"$build/$sin_ventana/ch03_transformaciones/grua" -geometry 240x180 -ppm bien.ppm
+"$build/$sin_ventana/ch03_transformaciones/grua" -geometry 240x180 -ppm otro.ppm -guion 'tecla d; tecla d; tecla d'
+
+programa() { # CUERPO: el programa del caso es un script que lo ejecuta; en él, `grua` es el de verdad
+  local destino
+  for destino in ventana "$sin_ventana"; do
+    printf '#!/usr/bin/env bash\ngrua() { "%s" "$@"; }\n%s\n' "$build/$destino/ch03_transformaciones/grua" "$1" >"build/$destino/cap/grua"
+    chmod +x "build/$destino/cap/grua"
+  done
+}
+prueba() { # ESTADO QUÉ MENSAJE ORDEN…: si acaba con 0 o no, como dice ESTADO, y si lo explica
+  local esperado=$1 que=$2 mensaje=$3 estado=0
+  shift 3
+  "tests/herramientas/$@" >salida 2>&1 || estado=1
+  [ $estado = "$esperado" ] && grep -q "$mensaje" salida && return
+  echo "$que: acaba con $estado y debía acabar con $esperado diciendo «$mensaje»:"
+  cat salida
+  fallos=1
+}
+caso() { prueba "$1" "caso.sh, $2" "$3" caso.sh "$carpeta/build" "$sin_ventana" grua base; }
+ventana() { prueba "$1" "ventana.sh, $2" "$3" ventana.sh "$carpeta/build" grua "${4:-base}"; }
+
+cp bien.ppm tests/golden/cap/grua.ppm
+cp bien.ppm tests/golden/cap/grua-quieta.ppm
+programa 'grua "$@"'
+caso 0 "todo bien" '^bien'
+ventana 0 "todo bien" '^bien'
+ventana 0 "con espera" 'dibuja algo' quieta
+programa 'grua "$@"; exit 3'
+caso 1 "acaba mal" 'estado 3'
+ventana 1 "acaba mal" 'estado 3'
+programa 'grua "$@"; echo aviso >&2'
+caso 1 "escribe en stderr" 'estado 0 y ha escrito'
+ventana 1 "escribe en stderr" 'estado 0 y ha escrito'
+programa 'exit 0'
+caso 1 "no dibuja" 'grua.ppm'
+ventana 1 "no abre su ventana" 'no abre su ventana'
+programa 'grua "$@"; sleep 5 >/dev/null 2>&1'
+ventana 1 "no atiende Esc" 'Esc no lo termina'
+programa "exec '$build/ventana/ch01_intro/primer_programa' \"\$@\""
+ventana 1 "de un solo color" 'un solo color' quieta
+programa 'grua "$@"'
+cp otro.ppm tests/golden/cap/grua.ppm
+caso 1 "golden que no es" 'píxeles a más de 3'
+ventana 1 "golden que no es" 'píxeles a más de 3'
+rm tests/golden/cap/grua.ppm
+caso 1 "sin golden" 'falta el golden'
+
+# Interrumpida sin remedio (KILL), ni el Xvfb ni el programa la sobreviven.
+cp otro.ppm tests/golden/cap/grua.ppm
+PACIENCIA=600 tests/herramientas/ventana.sh "$carpeta/build" grua base >/dev/null 2>&1 &
+prueba=$!
+hijos() { ps -o pid= --ppid "$1" | xargs; }
+for _ in $(seq 100); do [ "$(hijos $prueba | wc -w)" -ge 2 ] && break; sleep 0.05; done
+sleep 0.5
+lista=$(hijos $prueba)
+kill -KILL $prueba
+{ wait $prueba; } 2>/dev/null || true
+for _ in $(seq 100); do
+  vivos=
+  for p in $lista; do kill -0 "$p" 2>/dev/null && vivos+=" $p"; done
+  [ -z "$vivos" ] && break
+  sleep 0.05
+done
+[ -n "$lista" ] && [ -z "$vivos" ] || { echo "una prueba interrumpida deja procesos:$vivos"; fallos=1; }
+
+exit $fallos

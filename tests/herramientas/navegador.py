@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""navegador.py RAÍZ BUILD: dibuja la galería en una carpeta temporal y la recorre en Chromium, abierta con file://.
+
+Todas las imágenes cargan; la vista grande se abre, pasa con las flechas y se cierra con Esc; el buscador encuentra con
+acentos y sin ellos; los fuentes se ven; nada se sale de un teléfono de 360 píxeles; la consola no da ningún error.
+"""
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import time
+import urllib.request
+from pathlib import Path
+
+ESC, IZQUIERDA, DERECHA = "\ue00c", "\ue012", "\ue014"  # teclas de WebDriver
+
+
+class Navegador:
+    """Lo poco de WebDriver que hace falta, sin más biblioteca que la de Python."""
+
+    def __init__(self, perfil):
+        self.chromedriver = subprocess.Popen(["chromedriver", "--port=0"], stdout=subprocess.PIPE, text=True,
+                                             env={**os.environ, "TMPDIR": str(perfil.parent)})
+        puerto = next(m[1] for linea in self.chromedriver.stdout if (m := re.search(r"on port (\d+)\.", linea)))
+        self.sesion = f"http://127.0.0.1:{puerto}/session"
+        opciones = {"args": ["--headless=new", "--no-sandbox", "--disable-gpu", f"--user-data-dir={perfil}"]}
+        capacidades = {"goog:chromeOptions": opciones, "goog:loggingPrefs": {"browser": "ALL"}}
+        self.sesion += "/" + self.pide("", capabilities={"alwaysMatch": capacidades})["sessionId"]
+
+    def pide(self, ruta, metodo="POST", **datos):
+        cuerpo = json.dumps(datos).encode() if metodo == "POST" else None
+        peticion = urllib.request.Request(self.sesion + ruta, cuerpo, {"Content-Type": "application/json"}, method=metodo)
+        with urllib.request.urlopen(peticion, timeout=60) as respuesta:
+            return json.load(respuesta)["value"]
+
+    def js(self, codigo):
+        return self.pide("/execute/sync", script=codigo, args=[])
+
+    def tecla(self, tecla):
+        acciones = [{"type": tipo, "value": tecla} for tipo in ("keyDown", "keyUp")]
+        self.pide("/actions", actions=[{"type": "key", "id": "teclado", "actions": acciones}])
+
+    def talla(self, ancho, alto):
+        self.pide("/goog/cdp/execute", cmd="Emulation.setDeviceMetricsOverride",
+                  params={"width": ancho, "height": alto, "deviceScaleFactor": 1, "mobile": ancho < 500})
+
+    def cierra(self):
+        try:
+            self.pide("", "DELETE")
+        finally:
+            self.chromedriver.terminate()
+            self.chromedriver.wait()
+
+
+fallos = []
+
+
+def exige(condicion, que):
+    if not condicion:
+        fallos.append(que)
+        print(f"falla: {que}")
+
+
+def espera(navegador, codigo):
+    limite = time.monotonic() + 20
+    while not navegador.js(codigo) and time.monotonic() < limite:
+        time.sleep(0.1)
+    return navegador.js(codigo)
+
+
+def recorre(n, pagina, casos):
+    n.talla(1440, 900)
+    n.pide("/url", url=pagina.as_uri())
+    n.js("for (const i of document.images) i.loading = 'eager'")
+    exige(espera(n, "return [...document.querySelectorAll('figure img')].every(i => i.complete)"), "las imágenes acaban de cargar")
+    exige(n.js("return [...document.querySelectorAll('figure img')].filter(i => i.naturalWidth === 960).length") == casos,
+          f"hay {casos} imágenes de 960 píxeles")
+
+    titulo = "return document.querySelector('dialog h2').textContent"
+    grande = "return document.querySelector('dialog').open"
+    n.js("document.querySelectorAll('figure a')[1].click()")
+    exige(n.js(grande), "una imagen pulsada se ve en grande")
+    segundo = n.js(titulo)
+    n.tecla(DERECHA)
+    tercero = n.js(titulo)
+    exige(tercero and tercero != segundo, "→ pasa a la siguiente")
+    n.tecla(IZQUIERDA)
+    exige(n.js(titulo) == segundo, "← vuelve a la anterior")
+    n.tecla(IZQUIERDA)
+    n.tecla(IZQUIERDA)
+    exige(n.js("return actual === document.querySelector('figure a')"), "← en la primera se queda en ella")
+    alto = n.js("return document.querySelector('dialog > img').getBoundingClientRect().height")
+    exige(alto > 700, f"en una ventana de 900 la imagen grande mide {alto}")
+    n.tecla(ESC)
+    exige(not n.js(grande), "Esc cierra la vista grande")
+
+    n.tecla("/")
+    for letra in "grua obra":
+        n.tecla(letra)
+    visibles = "return [...document.querySelectorAll('article')].filter(a => a.offsetParent).map(a => a.id)"
+    exige(n.js(visibles) == ["grua"], "«grua obra» encuentra solo la grúa de obra")
+    busca = "const i = document.querySelector('input'); i.value = '{}'; i.dispatchEvent(new Event('input'))"
+    n.js(busca.format("INCLINACION"))
+    exige("camara" in n.js(visibles) and "tiras" not in n.js(visibles), "«INCLINACION» encuentra «inclinación»")
+    n.js(busca.format(""))
+    n.js("document.querySelector('#grua details').open = true")
+    exige(espera(n, "return document.querySelector('#grua pre').textContent.includes('glutMainLoop')"), "el fuente se ve")
+
+    n.js("for (const d of document.querySelectorAll('details')) d.open = true")
+    for ancho in (360, 800, 1920):
+        n.talla(ancho, 800)
+        exige(n.js(f"return document.documentElement.scrollWidth <= {ancho}"), f"nada se sale de {ancho} píxeles")
+    registro = n.pide("/se/log", type="browser")
+    exige(not registro, f"la consola está vacía: {registro[:1]}")
+
+
+def main():
+    raiz, build = map(Path, sys.argv[1:])
+    with tempfile.TemporaryDirectory() as carpeta:
+        destino = Path(carpeta, "galería (1)")
+        if subprocess.run([sys.executable, "-B", raiz / "herramientas/galeria.py", raiz, build, destino]).returncode:
+            sys.exit("la galería no se ha dibujado entera")
+        navegador = Navegador(Path(carpeta, "perfil"))
+        try:
+            recorre(navegador, destino / "index.html", len((build / "casos.tsv").read_text().splitlines()))
+        finally:
+            navegador.cierra()
+    sys.exit(1 if fallos else 0)
+
+
+if __name__ == "__main__":
+    main()
