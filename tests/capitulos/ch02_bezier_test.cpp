@@ -5,6 +5,7 @@
 #include "colores.h"
 #include "ejecuta.h"
 #include "oraculo/oraculo.h"
+#include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>

@@ -6,6 +6,7 @@
 #include "letra.h"
 #include "oraculo/oraculo.h"
 #include "rutas.h"
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
