@@ -39,8 +39,8 @@ static void dibuja() {
     const glm::vec3 enLaRecta(4);
     trazaPolilinea({-0.3f * enLaRecta, enLaRecta}, transformacion, OSCURO);
     rotulaPunto("x = y = z", enLaRecta, transformacion, OSCURO, Lado::ENCIMA);
-    trazaEjes({4, 4, 4}, transformacion);
-    rotulaPasos(estado.pasos, estado.aplicados, 0.57f);
+    trazaEjes({4, 4, 3}, transformacion);
+    rotulaPasos(estado.pasos, estado.aplicados, 0.49f);
     glutSwapBuffers();
 }
 

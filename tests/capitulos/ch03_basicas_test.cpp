@@ -765,7 +765,7 @@ TEST(PasoAPaso, LaLeyenda) {
                   {U"M = I", U"M = T", U"M = S·T", U"M = Ry·S·T"}},
                  {"elipsoide",
                   camaraElipsoide(),
-                  {4, 4, 4},
+                  {4, 4, 3},
                   {U"1 S(0.5, 0.5, 3)", U"2 T(0, 0, 3)", U"3 Rx(−asen 1/√3)", U"4 Ry(π/4)"},
                   {U"M = I", U"M = S", U"M = T·S", U"M = Rx·T·S", U"M = Ry·Rx·T·S"}}};
     for (const auto &caso : casos)
