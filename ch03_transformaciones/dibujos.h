@@ -6,6 +6,7 @@
 #include "rotulo.h"
 #include "trazo.h"
 #include <GL/glew.h>
+#include <algorithm>
 #include <glm/gtc/constants.hpp>
 
 /// Flechas del origen a cada uno de esos largos, y más allá su letra. Se llama después de dibujar los sólidos, que

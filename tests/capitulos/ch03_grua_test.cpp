@@ -3,6 +3,7 @@
 #include "ch03_oraculo.h"
 #include "ch03_transformaciones/grua.h"
 #include "ejecuta.h"
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <sstream>
 

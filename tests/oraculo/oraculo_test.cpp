@@ -2,6 +2,7 @@
 #include "ejecuta.h"
 #include "malla.h"
 #include "oraculo/oraculo.h"
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
 
