@@ -43,8 +43,8 @@ bool esCara(const Pixel &p, const dvec3 &color, int cara) {
 
 // Los ejes, las líneas y los rótulos, que pueden tapar el objeto, no llevan luz.
 bool esAdorno(const Pixel &p) {
-    for (const glm::vec3 &color :
-         {ROJO, VERDE, AZUL, MORADO, GRIS, glm::mix(GRIS, FONDO_CLARO, 0.55f), OSCURO, BLANCO})
+    for (const glm::vec3 &color : {ROJO, VERDE, AZUL, MORADO, GRIS, glm::mix(GRIS, FONDO_CLARO, 0.55f),
+                                   glm::mix(GRIS, OSCURO, 0.3f), OSCURO, BLANCO})
         if (glm::ivec3(p.r, p.g, p.b) == glm::ivec3(255.0f * color + 0.5f))
             return true;
     return false;
@@ -392,8 +392,9 @@ TEST(Escalado, CarasYDeterminanteEnCadaVista) {
     const Caja todo = {{0.15, 0.15, -0.25}, {1.30, 1.65, 0.25}};
     for (const bool detras : {false, true}) {
         // el ratón gira 1.8 radianes por alto de la ventana: 0.005 por píxel
-        const Ejecucion e = ejecuta("ch03_transformaciones/escalado",
-                                    detras ? "boton IZQUIERDO abajo 470 10; arrastra 170 10; arrastra -130 10" : "", 480, 360);
+        const Ejecucion e = ejecuta(
+            "ch03_transformaciones/escalado",
+            detras ? "boton IZQUIERDO abajo 470 10; arrastra 170 10; arrastra -130 10" : "", 480, 360);
         ASSERT_EQ(e.estado, 0) << e.errores;
         const double azimut = detras ? 1 + 3.0 : 1;
         // tres columnas y dos filas, con rayas de dos píxeles entre ellas: 158, 159 y 159 por 179 y 179
@@ -654,7 +655,7 @@ TEST(Elipsoide, SiluetaDeCadaPaso) {
                                 {3.0 * recta, recta, 3, 0.5}};
     const double r = radioInscrito(segmentos(450, 0.25));
     const auto camaraPara = [](int ancho, int alto) {
-        return camara(-0.5, 0.35, 16, {1.7, 1.3, 1.5}, 0.5, oraculo::altoUtil(ancho, alto), ancho / 2.0,
+        return camara(-0.5, 0.35, 18, {0.5, 1.3, 0.8}, 0.5, oraculo::altoUtil(ancho, alto), ancho / 2.0,
                       alto / 2.0);
     };
     for (const auto &talla : TALLAS)
@@ -735,7 +736,7 @@ oraculo::Camara camaraCono() {
     return perspectiva(oraculo::orbita(0.6, 0.35, 9, {1.15, -0.1, 0}), 0.5, 1, 100);
 }
 oraculo::Camara camaraElipsoide() {
-    return perspectiva(oraculo::orbita(-0.5, 0.35, 16, {1.7, 1.3, 1.5}), 0.5, 1, 100);
+    return perspectiva(oraculo::orbita(-0.5, 0.35, 18, {0.5, 1.3, 0.8}), 0.5, 1, 100);
 }
 
 // La parte de la circunferencia de ese centro y semiejes que está trazada en gris.
@@ -765,7 +766,7 @@ TEST(PasoAPaso, LaLeyenda) {
                   {U"M = I", U"M = T", U"M = S·T", U"M = Ry·S·T"}},
                  {"elipsoide",
                   camaraElipsoide(),
-                  {4, 4, 4},
+                  {4, 3.2, 4},
                   {U"1 S(0.5, 0.5, 3)", U"2 T(0, 0, 3)", U"3 Rx(−asen 1/√3)", U"4 Ry(π/4)"},
                   {U"M = I", U"M = S", U"M = T·S", U"M = Rx·T·S", U"M = Ry·Rx·T·S"}}};
     for (const auto &caso : casos)
@@ -810,7 +811,7 @@ TEST(PasoAPaso, DeDondeSaleYAdondeVa) {
     EXPECT_GT(circunferencia(esfera4, camaraElipsoide(), {}, {1, 0, 0}, {0, 0, 1}), 0.6);
     for (const Imagen *imagen : {&esfera0, &esfera4}) {
         EXPECT_TRUE(ch03::hayTrazo(*imagen, camaraElipsoide(), {3.9, 3.9, 3.9}, OSCURO));
-        EXPECT_TRUE(ch03::rotuladoJunto(*imagen, camaraElipsoide(), {4, 4, 4}, U"x = y = z", 0));
+        EXPECT_TRUE(ch03::rotuladoJunto(*imagen, camaraElipsoide(), {4, 4, 4}, U"x=y=z", 0));
     }
 }
 

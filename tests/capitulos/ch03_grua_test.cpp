@@ -244,7 +244,7 @@ TEST(Grua, CadaPiezaConSuNombre) {
             std::u32string nombre;
             Vec3 punto;
             int alLado; // dónde está el rótulo: −1 a la izquierda, 1 a la derecha, 0 encima o debajo
-        } letreros[] = {{U"pie", {0.4, 5, -0.4}, 1},
+        } letreros[] = {{U"pie", {-0.4, 5, 0.4}, -1},
                         {U"brazo", punto(G, {2.5, 10.8, 0}), 0},
                         {U"contrapeso", punto(G, {-2.9, 9.0, 0}), -1},
                         {U"cable", punto(G, {5.06, 7.25, 0}), 1},
