@@ -1,7 +1,7 @@
 // Una malla v/f como tiras de triángulos (ejercicio 2.2), cada una de un color que se oscurece en el orden en que se envían sus
 // vértices; la línea los une y el punto es el primero. Informa de cuántos índices ahorran frente a los triángulos sueltos. Sin
 // dar fichero, la malla del ejercicio 2.1, con las caras 5 y 6 ya invertidas: una tira gira toda en un sentido.
-// Controles: 1 a 9 resaltan una tira · 0 todas · u la caja en una sola tira (otra diagonal) · ratón orbita · Esc termina.
+// Controles: 1 a 9 resaltan una tira · 0 todas · u la caja en una sola · ratón orbita · Esc termina.
 #include "tiras.h"
 #include "encuadre_malla.h"
 #include "error.h"
@@ -12,7 +12,6 @@
 #include "trazo.h"
 #include "ventana.h"
 #include <algorithm>
-#include <cstddef>
 #include <cstdio>
 #include <string>
 
@@ -45,9 +44,9 @@ static glm::vec3 deClaroAOscuro(const glm::vec3 &color, float t) {
                     : glm::mix(color, 0.35f * color, 2 * t - 1);
 }
 
-static std::string indicesEscritos(std::size_t i) {
+static std::string indicesEscritos(const Tira &tira) {
     std::string texto;
-    for (GLuint v : estado.tiras[i])
+    for (GLuint v : tira)
         texto += (texto.empty() ? "" : " ") + std::to_string(v + 1);
     return texto;
 }
@@ -56,18 +55,16 @@ static void informa() {
     std::size_t nIndices = 0;
     for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
         nIndices += estado.tiras[i].size();
-        std::printf("Tira %zu: %s\n", i + 1, indicesEscritos(i).c_str());
+        std::printf("Tira %zu: %s\n", i + 1, indicesEscritos(estado.tiras[i]).c_str());
     }
     std::printf("Triángulos: %zu\nTiras: %zu\nÍndices con tiras: %zu\nÍndices con triángulos sueltos: %zu\n",
                 estado.triangulos.size(), estado.tiras.size(), nIndices, 3 * estado.triangulos.size());
     std::fflush(stdout);
-    ponTitulo("Tiras de triángulos: " + std::to_string(estado.tiras.size()) + " con " +
-              std::to_string(nIndices) + " índices, en vez de " +
-              std::to_string(3 * estado.triangulos.size()));
+    ponTitulo("Tiras: " + std::to_string(estado.tiras.size()) + ", con " + std::to_string(nIndices) +
+              " índices");
 }
 
-// Los vértices de todas las tiras, una tras otra. Como un vértice tiene en cada tira su color, van repetidos, y se dibujan
-// sin índices.
+// Los vértices de todas las tiras, una tras otra: repetidos, con el color que cada uno tiene en su tira, y sin índices.
 static void construye() {
     estado.tiras = estado.unaSola ? std::vector<Tira>{TIRA_UNICA} : hazTiras(estado.triangulos);
     estado.elegido = TODAS;
@@ -76,8 +73,7 @@ static void construye() {
         const Tira &tira = estado.tiras[i];
         const float ultimo = std::max(static_cast<float>(tira.size()) - 3, 1.0f);
         for (std::size_t k = 0; k < tira.size(); ++k) {
-            const float t =
-                (static_cast<float>(k) - 2) / ultimo; // el vértice k da su color al triángulo k − 2
+            const float t = (static_cast<float>(k) - 2) / ultimo; // da su color al triángulo k − 2
             enOrden.push_back({estado.vertices[tira[k]], deClaroAOscuro(colorTira(i), t)});
         }
     }
@@ -100,7 +96,7 @@ static void inicia(const std::string &fichero) {
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
     glVertexAttribPointer(ATRIBUTO_POSICION, 3, GL_FLOAT, GL_FALSE, sizeof(VerticeTira), nullptr);
     glVertexAttribPointer(ATRIBUTO_COLOR, 3, GL_FLOAT, GL_FALSE, sizeof(VerticeTira),
-                          reinterpret_cast<const void *>(offsetof(VerticeTira, color)));
+                          reinterpret_cast<const void *>(sizeof(glm::vec3)));
     glEnableVertexAttribArray(ATRIBUTO_POSICION);
     glEnableVertexAttribArray(ATRIBUTO_COLOR);
     construye();
@@ -110,11 +106,11 @@ static void inicia(const std::string &fichero) {
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
+// Al resaltar una tira, de las demás quedan las líneas, que no la tapan.
 static bool seDibuja(std::size_t i) {
     return estado.elegido == TODAS || estado.elegido == static_cast<int>(i);
 }
 
-// Al resaltar una tira, de las demás quedan las líneas, que no la tapan.
 static void dibujaTiras() {
     glEnable(GL_POLYGON_OFFSET_FILL);
     GLint primero = 0;
@@ -153,7 +149,7 @@ static void dibuja() {
     rotulaVertices(estado.vertices, estado.triangulos, posicionCamara(estado.orbita), proyeccion * camara);
     if (estado.tiras.size() <= MAXIMO_ESCRITO && estado.triangulos.size() <= MAXIMO_NUMERADO)
         for (std::size_t i = 0, n = estado.tiras.size(); i < n; ++i)
-            rotula(indicesEscritos(i), {0.02f, 0.04f + 0.05f * static_cast<float>(n - 1 - i)},
+            rotula(indicesEscritos(estado.tiras[i]), {0.02f, 0.04f + 0.05f * static_cast<float>(n - 1 - i)},
                    0.8f * colorTira(i), Lado::DERECHA, 0.03f);
     glutSwapBuffers();
 }

@@ -43,7 +43,7 @@ static void dibuja() {
         if (extremo != estado.aplicados) // donde está el cono no hacen falta líneas
             trazaCono(transformacion * concatena(estado.pasos, extremo));
     trazaEjes({3.7f, 1.5f, 1.8f}, transformacion);
-    rotulaPasos(estado.pasos, estado.aplicados, 0.02f);
+    rotulaPasos(estado.pasos, estado.aplicados, {0.02f, 0.06f});
     glutSwapBuffers();
 }
 

@@ -6,6 +6,7 @@
 #include "rotulo.h"
 #include "trazo.h"
 #include <GL/glew.h>
+#include <algorithm>
 #include <glm/gtc/constants.hpp>
 
 /// Flechas del origen a cada uno de esos largos, y más allá su letra. Se llama después de dibujar los sólidos, que
@@ -48,12 +49,12 @@ inline void trazaOriginal(const std::vector<glm::vec3> &aristas, const glm::mat4
     trazaSegmentos(aristas, transformacion, GRIS, 0.7f * GROSOR);
 }
 
-/// Abajo, desde `x`: los pasos, uno por línea, oscuros los aplicados, y su producto.
-inline void rotulaPasos(const std::vector<Paso> &pasos, std::size_t aplicados, float x) {
-    const float INTERLINEA = 0.07f;
-    float y = 0.06f;
-    rotula(producto(pasos, aplicados), {x, y}, OSCURO, Lado::DERECHA);
-    for (std::size_t i = pasos.size(); i-- > 0;)
-        rotula(std::to_string(i + 1) + " " + pasos[i].nombre, {x, y += INTERLINEA},
+/// Los pasos, uno por línea, oscuros los aplicados, y al final, en `lugar`, su producto.
+inline void rotulaPasos(const std::vector<Paso> &pasos, std::size_t aplicados, glm::vec2 lugar) {
+    rotula(producto(pasos, aplicados), lugar, OSCURO, Lado::DERECHA);
+    for (std::size_t i = pasos.size(); i-- > 0;) {
+        lugar.y += 0.07f;
+        rotula(std::to_string(i + 1) + " " + pasos[i].nombre, lugar,
                i < aplicados ? OSCURO : glm::mix(GRIS, OSCURO, 0.3f), Lado::DERECHA);
+    }
 }

@@ -14,7 +14,7 @@ static struct {
     Buferes esfera;
     std::vector<Paso> pasos = pasosElipsoide();
     std::size_t aplicados = 0;
-    Orbita orbita = {-0.5f, 0.35f, 16, {1.7f, 1.3f, 1.5f}};
+    Orbita orbita = {-0.5f, 0.35f, 18, {0.5f, 1.3f, 0.8f}};
 } estado;
 
 static void inicia() {
@@ -38,9 +38,9 @@ static void dibuja() {
             trazaEsfera(transformacion * concatena(estado.pasos, extremo), GRIS);
     const glm::vec3 enLaRecta(4);
     trazaPolilinea({-0.3f * enLaRecta, enLaRecta}, transformacion, OSCURO);
-    rotulaPunto("x = y = z", enLaRecta, transformacion, OSCURO, Lado::ENCIMA);
-    trazaEjes({4, 4, 4}, transformacion);
-    rotulaPasos(estado.pasos, estado.aplicados, 0.57f);
+    rotulaPunto("x=y=z", enLaRecta, transformacion, OSCURO, Lado::ENCIMA);
+    trazaEjes({4, 3.2f, 4}, transformacion);
+    rotulaPasos(estado.pasos, estado.aplicados, {0.02f, 0.67f});
     glutSwapBuffers();
 }
 

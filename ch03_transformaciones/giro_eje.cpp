@@ -11,8 +11,8 @@
 #include "ventana.h"
 #include <cstdio>
 
-static const float PASO_GIRO = 0.1f; // radianes
-static const float RADIANES_POR_PIXEL = 0.01f;
+static const float PASO_GIRO = 0.1f;         // radianes
+static const float RADIANES_POR_ALTO = 1.8f; // arrastrando de abajo arriba de la ventana
 static const glm::vec3 EJES[] = {{0, 1, 0}, {1, 1, 1}, {-0.6f, 0.7f, 0.4f}, {1, 1e-10f, 0}};
 static const glm::vec3 SITIO(-1.1f, 0.2f, 1.2f); // el centro del avión, sin girar
 
@@ -47,12 +47,13 @@ static void dibujaAvion(const glm::mat4 &M, float viveza) {
                      glm::mix(FONDO_CLARO, p.color, viveza));
 }
 
-// Por dónde pasa el centro del avión mientras gira ese ángulo.
-static std::vector<glm::vec3> recorrido(const glm::vec3 &d, float angulo) {
+// Por dónde pasa el centro del avión mientras el ángulo va de uno a otro.
+static std::vector<glm::vec3> recorrido(const glm::vec3 &d, float desde, float hasta) {
     const int TRAMOS = 64;
     std::vector<glm::vec3> puntos;
     for (int i = 0; i <= TRAMOS; ++i)
-        puntos.push_back(giroEje(d, angulo * static_cast<float>(i) / TRAMOS) * glm::vec4(SITIO, 1));
+        puntos.push_back(giroEje(d, glm::mix(desde, hasta, static_cast<float>(i) / TRAMOS)) *
+                         glm::vec4(SITIO, 1));
     return puntos;
 }
 
@@ -82,15 +83,17 @@ static void dibuja() {
     dibujaAvion(traslacion(SITIO), 0.3f);
     dibujaAvion(giroEje(d, estado.angulo) * traslacion(SITIO), 1);
 
-    const std::vector<glm::vec3> arco = recorrido(d, estado.angulo);
-    trazaPolilinea(recorrido(d, glm::two_pi<float>()), transformacion, GRIS);
+    const std::vector<glm::vec3> arco = recorrido(d, 0, estado.angulo);
+    const float vuelta = std::copysign(glm::two_pi<float>(), estado.angulo);
+    trazaPolilinea(recorrido(d, estado.angulo, vuelta), transformacion, GRIS);
     trazaPolilinea(arco, transformacion, MORADO, 1.5f * GROSOR);
     trazaPolilinea({-1.6f * d, glm::vec3(0)}, transformacion, OSCURO, 1.5f * GROSOR);
     const glm::mat3 base = glm::transpose(cambioDeBase(d)); // d, e y f, que eran filas, son columnas
     trazaVector("e", base[1], 0.9f, transformacion, VERDE);
     trazaVector("f", base[2], 0.9f, transformacion, AZUL);
     trazaVector("d", base[0], 1.6f, transformacion, ROJO);
-    rotulaPunto("φ", arco[arco.size() / 2], transformacion, MORADO, Lado::DEBAJO);
+    const glm::vec3 medio = arco[arco.size() / 2], haciaFuera = unitario(medio - glm::dot(medio, d) * d);
+    rotulaPunto("φ", medio + 0.2f * haciaFuera, transformacion, MORADO, Lado::CENTRO);
     rotula(describe(d), {0.5f, 0.05f}, OSCURO);
     glutSwapBuffers();
 }
@@ -127,7 +130,8 @@ static void arrastra(int x, int y) {
     if (!estado.moviendoEje)
         return orbitaArrastra(x, y);
     const glm::mat3 pantalla = glm::transpose(glm::mat3(camaraOrbita(estado.orbita)));
-    const glm::vec2 angulos = RADIANES_POR_PIXEL * glm::vec2(x - estado.xAnterior, y - estado.yAnterior);
+    const glm::vec2 angulos =
+        RADIANES_POR_ALTO / altoUtil() * glm::vec2(x - estado.xAnterior, y - estado.yAnterior);
     estado.eje =
         glm::mat3(giroEje(pantalla[0], angulos.y) * giroEje(pantalla[1], angulos.x)) * unitario(estado.eje);
     estado.xAnterior = x;

@@ -16,7 +16,7 @@ static const struct {
     const char *nombre;
     glm::vec3 punto; // del cubo de lado uno, o cerca
     Lado lado;
-} ROTULOS[] = {{"pie", {0.5f, 0, -0.5f}, Lado::DERECHA}, // en el orden de piezasGrua
+} ROTULOS[] = {{"pie", {-0.5f, 0, 0.5f}, Lado::IZQUIERDA}, // en el orden de piezasGrua
                {"brazo", {0, 0.5f, 0}, Lado::ENCIMA},
                {"contrapeso", {-0.8f, -0.2f, 0}, Lado::IZQUIERDA},
                {"cable", {0.5f, 0, -0.5f}, Lado::DERECHA},

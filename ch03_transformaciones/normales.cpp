@@ -12,16 +12,17 @@
 
 static const glm::vec2 POLIGONO[] = {
     {0.25f, -0.95f}, {0.85f, 0.15f}, {-0.10f, 0.90f}, {-0.90f, -0.20f}}; // antihorario
-static const int LADOS = 4, LADO_ROTULADO = 1;
+static const int LADOS = 4;
 static const float FONDO = 0.9f; // grueso del prisma, a lo largo de Z
 static const glm::vec3 COLOR_PRISMA(0.72f, 0.82f, 0.97f);
 static const struct {
     glm::vec3 factores;
     const char *nombre;
-} ESCALADOS[] = {{{1, 1, 1}, "M = I"},
-                 {{2, 1, 1}, "M = S(2, 1, 1)"},
-                 {{-2, 1, 1}, "M = S(−2, 1, 1)"},
-                 {{2, 0, 1}, "M = S(2, 0, 1)"}};
+    int ladoRotulado; // el que tiene sitio
+} ESCALADOS[] = {{{1, 1, 1}, "M = I", 1},
+                 {{2, 1, 1}, "M = S(2, 1, 1)", 1},
+                 {{-2, 1, 1}, "M = S(−2, 1, 1)", 1},
+                 {{2, 0, 1}, "M = S(2, 0, 1)", 2}};
 
 static struct {
     GLuint programa;
@@ -65,6 +66,7 @@ static void inicia() {
 static void dibuja() {
     const glm::mat4 proyeccion = paralelaVentana(1.75f, 1, 20), camara = camaraOrbita(estado.orbita),
                     transformacion = proyeccion * camara, M = escalado(ESCALADOS[estado.elegido].factores);
+    const int ladoRotulado = ESCALADOS[estado.elegido].ladoRotulado;
     const glm::mat3 N = matrizNormal(M);
     const bool esReflexion = glm::determinant(glm::mat3(M)) < 0;
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -75,13 +77,14 @@ static void dibuja() {
     dibujaObjeto(estado.programa, estado.prisma, M, COLOR_PRISMA);
     glFrontFace(GL_CCW);
 
-    for (int i = 0; i < LADOS; ++i) {
+    for (int k = 1; k <= LADOS; ++k) {
+        const int i = (ladoRotulado + k) % LADOS; // el último, que nada tape sus rótulos
         const glm::vec2 medio = 0.5f * (POLIGONO[i] + POLIGONO[(i + 1) % LADOS]);
         const glm::vec3 pie = M * glm::vec4(medio, 0.52f * FONDO, 1); // delante de la cara, que no la tape
         // Toda flecha mide lo mismo: tras transformar una normal hay que normalizarla.
         const auto flecha = [&](const glm::vec3 &hacia, const glm::vec3 &color, const char *nombre) {
             trazaFlecha(pie, pie + 0.75f * hacia, transformacion, color, 1.5f * GROSOR);
-            if (i == LADO_ROTULADO)
+            if (i == ladoRotulado)
                 rotulaPunto(nombre, pie + 0.99f * hacia, transformacion, color, Lado::CENTRO);
         };
         const glm::vec3 n = normalLado(i), conM = unitario(glm::mat3(M) * n),

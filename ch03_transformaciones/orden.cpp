@@ -33,7 +33,7 @@ static void trazaRegla(const glm::vec3 &centro, const glm::mat4 &transformacion)
         trazaPolilinea({marca, marca + glm::vec3(0, 0.8f, 0)}, transformacion, OSCURO, 1.5f * GROSOR);
         rotulaPunto(std::to_string(x), marca, transformacion, OSCURO, Lado::DEBAJO);
     }
-    trazaPolilinea({centro, {centro.x, ALTURA_REGLA, 0}}, transformacion, NARANJA, 2 * GROSOR);
+    trazaPolilinea({centro, {centro.x, ALTURA_REGLA, 0}}, transformacion, MORADO, 2 * GROSOR);
 }
 
 // M = segunda·primera: la de la derecha se aplica antes.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <glm/gtc/constants.hpp>
 
 /// Traslación, ecuación 3.2 (el libro imprime 0 en la diagonal, donde va 1).
 inline glm::mat4 traslacion(const glm::vec3 &t) {
@@ -83,19 +82,4 @@ inline glm::mat3 matrizNormal(const glm::mat4 &M) {
     if (mayor == 0) // aplastado en una recta o en un punto: ninguna cara tiene normal
         return glm::mat3(0);
     return glm::mat3(adjunta / (glm::dot(m[0], adjunta[0]) < 0 ? -mayor : mayor));
-}
-
-/// Giro que lleva el eje Z a la dirección d, que no tiene que ser unitaria: pone de pie sobre cualquier
-/// recta el cilindro y el cono de malla.h.
-inline glm::mat4 haciaDireccion(const glm::vec3 &d) {
-    const glm::mat3 base = glm::transpose(cambioDeBase(unitario(d)));
-    return glm::mat4(glm::mat3(base[1], base[2], base[0])); // e, f, d
-}
-
-/// Lleva el cilindro unidad (radio 1, z de −0.5 a 0.5) al semieje positivo X, Y o Z (`eje` 0, 1 o 2), desde
-/// el origen hasta `largo`, con radio `grosor`.
-inline glm::mat4 ejeCoordenado(int eje, float largo, float grosor) {
-    const float recto = glm::half_pi<float>();
-    const glm::mat4 haciaZ = escalado({grosor, grosor, largo}) * traslacion({0, 0, 0.5f});
-    return eje == 0 ? giroY(recto) * haciaZ : eje == 1 ? giroX(-recto) * haciaZ : haciaZ;
 }

@@ -9,6 +9,7 @@
 #include "trazo.h"
 #include "ventana.h"
 #include "vista.h"
+#include <algorithm>
 #include <glm/gtc/constants.hpp>
 #include <map>
 

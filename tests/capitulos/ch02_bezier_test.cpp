@@ -5,6 +5,7 @@
 #include "colores.h"
 #include "ejecuta.h"
 #include "oraculo/oraculo.h"
+#include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
@@ -571,6 +572,7 @@ TEST(Tetera, SombreadoYSilueta) {
                0.35 * std::pow(1 - std::max(escalar(N, V), 0.0), 4) * cielo;
     };
     Imagen imagen = ejecuta("ch02_modelado/tetera", "tecla +; tecla +; tecla +; tecla +", 480, 360).imagen;
+    ASSERT_FALSE(imagen.rgb.empty());
     for (int y = 0; y < 51; ++y) // el rótulo, que está debajo de la tetera
         for (int x = 0; x < 480; ++x)
             for (int k = 0; k < 3; ++k)

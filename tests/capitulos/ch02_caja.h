@@ -3,6 +3,7 @@
 #include "ch02_rotulos.h"
 #include "colores.h"
 #include "oraculo/oraculo.h"
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>

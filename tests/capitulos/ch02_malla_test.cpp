@@ -3,6 +3,7 @@
 #include "ch02_modelado/encuadre_malla.h"
 #include "ch02_modelado/topologia.h"
 #include "ejecuta.h"
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

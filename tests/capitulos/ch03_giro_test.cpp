@@ -3,7 +3,6 @@
 #include "ch03_oraculo.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "ejecuta.h"
-#include "malla.h"
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
@@ -220,18 +219,6 @@ TEST(GiroEje, MillonDePasos) {
     EXPECT_GT(faltaDeOrtonormalidad(producto), 100 * faltaDeOrtonormalidad(reortonormalizada));
 }
 
-TEST(HaciaDireccion, LlevaZADondeSePide) {
-    std::mt19937 azar(3);
-    for (int k = 0; k < 1000; ++k) {
-        const glm::vec3 d = ejeAlAzar(azar) * std::pow(10.0f, static_cast<float>(k % 41 - 20));
-        const glm::mat3 A(haciaDireccion(d));
-        const glm::dvec3 esperada = glm::normalize(glm::dvec3(d));
-        EXPECT_LE(glm::distance(glm::dvec3(A[2]), esperada), 8 * U);
-        EXPECT_LE(faltaDeOrtonormalidad(A), 24 * U);
-        EXPECT_GT(glm::determinant(A), 0.9f);
-    }
-}
-
 // --- El programa -------------------------------------------------------------------------------------------
 
 namespace {
@@ -253,15 +240,6 @@ Mat4 giroExacto(const Vec3 &d, double t) {
     return r;
 }
 
-void ponFlecha(std::vector<ch03::Cuerpo> &cuerpos, const Vec3 &hacia, double largo, const Vec3 &color) {
-    const Mat4 B = ch03::base(hacia);
-    cuerpos.push_back(
-        {malla(B * traslada({0, 0, (largo - 0.25) / 2}) * escala({0.045, 0.045, largo - 0.25}), cilindro(16)),
-         color});
-    cuerpos.push_back(
-        {malla(B * traslada({0, 0, largo - 0.25}) * escala({0.1125, 0.1125, 0.25}), cono(24)), color});
-}
-
 void ponAvion(std::vector<ch03::Cuerpo> &cuerpos, const Mat4 &M, double viveza) {
     const Vec3 naranja{0.95, 0.55, 0.10}, amarillo{0.98, 0.78, 0.15}, rojo{0.85, 0.20, 0.18};
     const Vec3 piezas[][3] = {{{0, 0, 0}, {1.1, 0.22, 0.22}, naranja},
@@ -273,25 +251,12 @@ void ponAvion(std::vector<ch03::Cuerpo> &cuerpos, const Mat4 &M, double viveza) 
             {oraculo::caja(M * traslada(p[0]) * escala(p[1])), FONDO + viveza * (p[2] - FONDO)});
 }
 
-/// Lo que dice el enunciado de la escena, en doble: d, e y f según la regla del libro, el avión sin girar y
-/// girado, y lo que recorre su centro.
+/// El avión sin girar y girado, en doble.
+const Vec3 SITIO_AVION{-1.1, 0.2, 1.2};
 std::vector<ch03::Cuerpo> escenaGiro(const Vec3 &eje, double angulo) {
-    const Vec3 sitio{-1.1, 0.2, 1.2}, d = unitario(eje), oscuro{0.16, 0.17, 0.20};
     std::vector<ch03::Cuerpo> cuerpos;
-    cuerpos.push_back({malla(ch03::base(d) * escala({0.03, 0.03, 3.9}), cilindro(16)), oscuro});
-    ponFlecha(cuerpos, d, 1.5, {0.85, 0.20, 0.18});
-    ponFlecha(cuerpos, direccion(ch03::base(d), {1, 0, 0}), 0.9, {0.20, 0.62, 0.28});
-    ponFlecha(cuerpos, direccion(ch03::base(d), {0, 1, 0}), 0.9, {0.16, 0.38, 0.80});
-    ponAvion(cuerpos, traslada(sitio), 0.3);
-    ponAvion(cuerpos, giroExacto(d, angulo) * traslada(sitio), 1);
-    const Vec3 centro = escalar(sitio, d) * d;
-    const double radio = longitud(sitio - centro);
-    cuerpos.push_back({malla(traslada(centro) * ch03::base(d) * escala(radio), toro(1, 0.018f, 96, 12)),
-                       {0.55, 0.58, 0.62}});
-    for (double t = 0; t < std::fabs(angulo) - 1e-4; t += 0.2)
-        cuerpos.push_back(
-            {malla(giroExacto(d, std::copysign(t, angulo)) * traslada(sitio) * escala(0.06), esfera(16)),
-             oscuro});
+    ponAvion(cuerpos, traslada(SITIO_AVION), 0.3);
+    ponAvion(cuerpos, giroExacto(unitario(eje), angulo) * traslada(SITIO_AVION), 1);
     return cuerpos;
 }
 
@@ -299,15 +264,73 @@ oraculo::Camara camaraGiro(double azimut = -0.5, double elevacion = 0.4) {
     return perspectiva(oraculo::orbita(azimut, elevacion, 7), 0.6, 1, 30);
 }
 
-/// La imagen de giro_eje tras `guion` es la de ese eje y ese ángulo.
+/// Qué parte de esos puntos, de los que no tapa el avión, está trazada con ese color; −1 si los tapa casi todos.
+double trazados(const Imagen &imagen, const oraculo::Camara &camara, const std::vector<ch03::Cuerpo> &cuerpos,
+                const std::vector<Vec3> &puntos, const glm::vec3 &color) {
+    oraculo::Escena escena;
+    for (const ch03::Cuerpo &c : cuerpos)
+        escena.push_back(c.objeto);
+    int vistos = 0, bien = 0;
+    for (const Vec3 &p : puntos) {
+        const double distancia = longitud(p - camara.ojo);
+        const oraculo::Impacto i =
+            primerImpacto(escena, {camara.ojo, unitario(p - camara.ojo), 0, oraculo::INFINITO});
+        if (i && i.distancia < distancia + 0.1)
+            continue;
+        ++vistos;
+        bien += ch03::hayTrazo(imagen, camara, p, color);
+    }
+    return vistos > 5 ? static_cast<double>(bien) / vistos : -1;
+}
+
+/// La imagen de giro_eje tras `guion` es la de ese eje y ese ángulo: los dos aviones, píxel a píxel; el eje y la base según la
+/// regla del libro, con sus letras; y lo que recorre el avión.
 void compruebaGiro(const std::string &guion, const Vec3 &eje, double angulo, const oraculo::Camara &camara) {
-    const Ejecucion ejecucion = ejecuta("ch03_transformaciones/giro_eje", guion);
-    ASSERT_EQ(ejecucion.estado, 0) << ejecucion.errores;
-    const oraculo::Comparacion c = ch03::compara(ejecucion.imagen, escenaGiro(eje, angulo), camara, FONDO);
-    EXPECT_LE(c.maximo, 1) << guion << ": " << c;
-    EXPECT_LE(c.desvio, ch03::DESVIO) << guion << ": " << c;
+    SCOPED_TRACE(guion);
+    const Ejecucion e = ejecuta("ch03_transformaciones/giro_eje", guion);
+    ASSERT_EQ(e.estado, 0) << e.errores;
+    const std::vector<ch03::Cuerpo> cuerpos = escenaGiro(eje, angulo);
+    int tapados = 0;
+    const oraculo::Comparacion c = ch03::compara(e.imagen, cuerpos, camara, FONDO, 1,
+                                                 {ROJO, VERDE, AZUL, MORADO, GRIS, OSCURO, BLANCO}, &tapados);
+    EXPECT_LE(c.maximo, 1) << c;
+    EXPECT_LE(c.desvio, ch03::DESVIO) << c;
+    EXPECT_LT(tapados, 5000);
+
+    const Vec3 d = unitario(eje), letraE = direccion(ch03::baseDelLibro(d), {1, 0, 0}),
+               letraF = direccion(ch03::baseDelLibro(d), {0, 1, 0});
+    EXPECT_TRUE(ch03::estaRotulado(e.imagen, camara, 1.75 * d, U"d", ROJO, 2));
+    EXPECT_TRUE(ch03::estaRotulado(e.imagen, camara, 1.05 * letraE, U"e", VERDE, 2));
+    EXPECT_TRUE(ch03::estaRotulado(e.imagen, camara, 1.05 * letraF, U"f", AZUL, 2));
+    const auto tramo = [](const Vec3 &v, double desde, double hasta) {
+        std::vector<Vec3> puntos;
+        for (int i = 0; i <= 20; ++i)
+            puntos.push_back((desde + (hasta - desde) * i / 20) * v);
+        return puntos;
+    };
+    EXPECT_EQ(trazados(e.imagen, camara, cuerpos, tramo(d, 0.2, 1.55), ROJO), 1);
+    const double detras = trazados(e.imagen, camara, cuerpos, tramo(d, -1.55, -0.3), OSCURO);
+    EXPECT_TRUE(detras == -1 || detras > 0.7) << detras; // el arco lo cruza
+    EXPECT_GT(trazados(e.imagen, camara, cuerpos, tramo(letraE, 0.2, 0.85), VERDE), 0.7);
+    EXPECT_GT(trazados(e.imagen, camara, cuerpos, tramo(letraF, 0.2, 0.85), AZUL), 0.7);
+    std::vector<Vec3> recorrido, lejos;
+    for (int i = 1; i < 40; ++i) {
+        recorrido.push_back(punto(giroExacto(d, angulo * i / 40), SITIO_AVION));
+        const double resto = angulo + std::copysign(2 * oraculo::PI - std::fabs(angulo), angulo) * i / 40;
+        lejos.push_back(punto(giroExacto(d, resto), SITIO_AVION));
+    }
+    EXPECT_GT(trazados(e.imagen, camara, cuerpos, recorrido, MORADO),
+              0.75); // lo demás lo tapan flechas y letras
+    EXPECT_GT(trazados(e.imagen, camara, cuerpos, lejos, GRIS), 0.75);
+    const Vec3 medio = punto(giroExacto(d, angulo / 2), SITIO_AVION),
+               haciaFuera = unitario(medio - escalar(medio, d) * d);
+    EXPECT_TRUE(ch03::estaRotulado(e.imagen, camara, medio + 0.2 * haciaFuera, U"φ", MORADO, 2));
     testing::Test::RecordProperty("eje_" + texto(eje.x) + "_" + texto(eje.y) + "_" + texto(eje.z),
                                   (std::ostringstream() << c).str());
+}
+
+bool seLee(const std::string &guion, const std::u32string &leyenda) {
+    return ch03::buscaRotulo(ejecuta("ch03_transformaciones/giro_eje", guion).imagen, leyenda).size() == 1;
 }
 
 } // namespace
@@ -325,6 +348,13 @@ TEST(ProgramaGiroEje, LasTeclasGiran) {
     for (int i = 0; i < 30; ++i)
         guion += "; tecla d";
     compruebaGiro(guion, {1, 1, 1}, -1, camaraGiro());
+}
+
+// 2 radianes son 114.6°; 1/√3 = 0.577.
+TEST(ProgramaGiroEje, LaLeyendaDiceElAnguloYElEje) {
+    EXPECT_TRUE(seLee("", U"φ = 115°, d = (0, 1, 0)"));
+    EXPECT_TRUE(seLee("tecla 2", U"φ = 115°, d = (0.58, 0.58, 0.58)"));
+    EXPECT_TRUE(seLee("tecla 4; tecla d", U"φ = 109°, d = (1, 0, 0)"));
 }
 
 // Con el botón izquierdo el eje gira alrededor de los ejes de la pantalla: 50 píxeles a la derecha son medio

@@ -1,8 +1,9 @@
-// La grúa del ejercicio 3.5: las medidas del enunciado, por dónde puede ir la carga y dónde se ve cada esquina.
-// Que cada píxel sea el que debe está en oraculo_test.cpp.
+// La grúa del ejercicio 3.5: las medidas del enunciado, por dónde puede ir la carga, dónde se ve cada esquina y que cada píxel
+// sea el que debe.
+#include "ch03_oraculo.h"
 #include "ch03_transformaciones/grua.h"
 #include "ejecuta.h"
-#include "oraculo/oraculo.h"
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <sstream>
 
@@ -41,6 +42,8 @@ std::string repite(const std::string &orden, int veces) {
     return guion;
 }
 
+const oraculo::Camara CAMARA = perspectiva(oraculo::orbita(0.5, 0.25, 29.5, {0.4, 4.1, 0}), 0.6, 1, 100);
+
 struct Rectangulo {
     double izquierda = HUGE_VAL, derecha = -HUGE_VAL, abajo = HUGE_VAL, arriba = -HUGE_VAL;
     void anade(double x, double y) {
@@ -51,12 +54,11 @@ struct Rectangulo {
 
 /// Las esquinas de un bloque de esos lados, en píxeles.
 void proyectaEsquinas(Rectangulo &r, const Mat4 &M, const Vec3 &lados, int ancho, int alto) {
-    const oraculo::Camara camara = perspectiva(oraculo::orbita(0.5, 0.25, 23, {1.5, 5.2, 0}), 0.6, 1, 100);
     for (double x : {-0.5, 0.5})
         for (double y : {-0.5, 0.5})
             for (double z : {-0.5, 0.5}) {
                 const Vec3 p =
-                    proyecta(camara, ancho, alto, punto(M, {x * lados.x, y * lados.y, z * lados.z}));
+                    proyecta(CAMARA, ancho, alto, punto(M, {x * lados.x, y * lados.y, z * lados.z}));
                 r.anade(p.x, p.y);
             }
 }
@@ -94,7 +96,7 @@ void compruebaCarga(const std::string &guion, double giro, double distancia, dou
     Rectangulo carga, amarillo;
     proyectaEsquinas(carga, G * traslada({distancia, altura, 0}), {1, 1, 1}, ancho, alto);
     compara(ocupan(e.imagen, esRojo), carga, guion);
-    proyectaEsquinas(amarillo, traslada({0, 5, 0}), {0.8, 10, 0.8}, ancho, alto);
+    proyectaEsquinas(amarillo, traslada({0, 5.025, 0}), {0.8, 9.95, 0.8}, ancho, alto); // sale de la zapata
     proyectaEsquinas(amarillo, G * traslada({2.5, 10.4, 0}), {10, 0.8, 0.8}, ancho, alto);
     compara(ocupan(e.imagen, esAmarillo), amarillo, guion);
 }
@@ -177,4 +179,91 @@ TEST(Grua, LosTopes) {
     compruebaCarga(repite("tecla s", 40), 0, 5, 0.5);
     // arrimada al pie, con la grúa girada para que este no la tape
     compruebaCarga(repite("tecla q", 40) + repite("tecla d", 8), -0.8, 1.4, 4);
+}
+
+// --- Cada píxel --------------------------------------------------------------------------------------------
+
+namespace {
+
+/// La grúa con sus medidas escritas otra vez, el suelo y la zapata.
+std::vector<ch03::Cuerpo> escenaGrua(double giro, double distancia, double altura) {
+    using oraculo::caja, oraculo::escala;
+    const Vec3 amarillo{0.98, 0.78, 0.15};
+    const double cable = 10 - (altura + 0.5);
+    const Mat4 G = oraculo::gira({0, 1, 0}, giro);
+    return {
+        {caja(traslada({0, -0.1, 0}) * escala({14, 0.2, 14})), {0.62, 0.72, 0.58}}, // suelo
+        {caja(escala({3, 0.1, 3})), {0.80, 0.80, 0.78}},                            // zapata
+        {caja(traslada({0, 5, 0}) * escala({0.8, 10, 0.8})), amarillo},             // pie
+        {caja(G * traslada({2.5, 10.4, 0}) * escala({10, 0.8, 0.8})), amarillo},    // brazo: de −2.5 a 7.5
+        {caja(G * traslada({-1.8, 9.3, 0}) * escala(1.4)), {0.55, 0.58, 0.62}},     // contrapeso
+        {caja(G * traslada({distancia, 10 - cable / 2, 0}) * escala({0.12, cable, 0.12})),
+         {0.16, 0.17, 0.20}},
+        {caja(G * traslada({distancia, altura, 0})), {0.85, 0.20, 0.18}}, // carga
+    };
+}
+
+oraculo::Comparacion comparaGrua(const std::string &guion, double giro, double distancia, double altura,
+                                 int ancho = 240, int alto = 180) {
+    const Ejecucion e = ejecuta("ch03_transformaciones/grua", guion, ancho, alto);
+    EXPECT_EQ(e.estado, 0) << e.errores;
+    int tapados = 0;
+    const oraculo::Comparacion c =
+        ch03::compara(e.imagen, escenaGrua(giro, distancia, altura), CAMARA, {0.87, 0.93, 0.98}, 2,
+                      {OSCURO, BLANCO, 0.8f * SUELO}, &tapados);
+    EXPECT_LT(tapados, ancho * alto / 8) << guion;
+    return c;
+}
+
+} // namespace
+
+// Caras planas de normal constante: nada se interpola, y lo único que se pierde es el redondeo a 8 bits, 0.5. Los
+// bordes solo pueden fallar por la rejilla de 1/256 de píxel a la que OpenGL lleva cada vértice.
+TEST(Grua, ContraTrazadoDeRayos) {
+    for (const oraculo::Comparacion &c :
+         {comparaGrua("", 0, 5, 4), comparaGrua(repite("tecla d", 7), -0.7, 5, 4),
+          comparaGrua(repite("tecla e", 6), 0, 7, 4), // llega al tope
+          comparaGrua(repite("tecla w", 12), 0, 5, 9), comparaGrua(repite("tecla a", 3), 0.3, 5, 4, 120, 200),
+          comparaGrua("", 0, 5, 4, 480, 360)}) {
+        std::cout << c << "\n";
+        EXPECT_LE(c.maximo, 0.501) << c;
+        EXPECT_LE(c.desvio, 0.012) << c;
+    }
+    // y distingue un giro de una centésima de radián
+    const oraculo::Comparacion c = comparaGrua("", 0.01, 5, 4);
+    EXPECT_GT(c.desvio, 0.2) << c;
+}
+
+// Cada letrero, junto a su pieza, que no tapa: a la derecha, encima o a la izquierda de ella, también girada.
+TEST(Grua, CadaPiezaConSuNombre) {
+    for (const double giro : {0.0, -0.3}) {
+        const Ejecucion e =
+            ejecuta("ch03_transformaciones/grua", giro == 0 ? "" : repite("tecla d", 3), 480, 360);
+        const Mat4 G = oraculo::gira({0, 1, 0}, giro);
+        const struct {
+            std::u32string nombre;
+            Vec3 punto;
+            int alLado; // dónde está el rótulo: −1 a la izquierda, 1 a la derecha, 0 encima o debajo
+        } letreros[] = {{U"pie", {-0.4, 5, 0.4}, -1},
+                        {U"brazo", punto(G, {2.5, 10.8, 0}), 0},
+                        {U"contrapeso", punto(G, {-2.9, 9.0, 0}), -1},
+                        {U"cable", punto(G, {5.06, 7.25, 0}), 1},
+                        {U"carga", punto(G, {5, 3.2, 0}), 0}};
+        for (const auto &l : letreros)
+            EXPECT_TRUE(ch03::rotuladoJunto(e.imagen, CAMARA, l.punto, l.nombre, l.alLado))
+                << l.punto.y << " giro " << giro;
+    }
+}
+
+// La cuadrícula: una línea cada dos unidades, de borde a borde, en las dos direcciones, y ninguna entre medias.
+TEST(Grua, LaCuadriculaDelSuelo) {
+    const Ejecucion e = ejecuta("ch03_transformaciones/grua", "", 960, 720);
+    int lineas = 0;
+    for (double x = -5; x <= 5; x += 2) {
+        for (const Vec3 &p : {Vec3{x, 0, 6}, Vec3{-6, 0, x}}) // delante y a la izquierda, donde nada las tapa
+            lineas += ch03::hayTrazo(e.imagen, CAMARA, p, 0.8f * SUELO);
+        for (const Vec3 &p : {Vec3{x - 1, 0, 6}, Vec3{-6, 0, x - 1}})
+            EXPECT_FALSE(ch03::hayTrazo(e.imagen, CAMARA, p, 0.8f * SUELO)) << x;
+    }
+    EXPECT_EQ(lineas, 12);
 }

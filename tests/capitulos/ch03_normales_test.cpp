@@ -3,7 +3,6 @@
 #include "ch03_oraculo.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "ejecuta.h"
-#include "malla.h"
 #include <gtest/gtest.h>
 #include <random>
 #include <sstream>
@@ -185,26 +184,27 @@ TEST(MatrizNormal, UnEjeCasiAplastado) {
 
 namespace {
 
-using oraculo::escala;
 using oraculo::Mat4;
-using oraculo::traslada;
 using oraculo::Vec3;
 
-const Vec3 FONDO{0.95, 0.96, 0.98}, ROJO{0.85, 0.20, 0.18}, VERDE{0.20, 0.62, 0.28},
-    NARANJA{0.95, 0.55, 0.10};
+const Vec3 FONDO{0.95, 0.96, 0.98};
 
-void ponFlecha(std::vector<ch03::Cuerpo> &cuerpos, const Vec3 &pie, const Vec3 &hacia, const Vec3 &color) {
-    const Mat4 B = traslada(pie) * ch03::base(hacia);
-    cuerpos.push_back({malla(B * traslada({0, 0, 0.25}) * escala({0.04, 0.04, 0.5}), cilindro(16)), color});
-    cuerpos.push_back({malla(B * traslada({0, 0, 0.5}) * escala({0.12, 0.12, 0.25}), cono(24)), color});
-}
+struct Flecha {
+    Vec3 pie, hacia;
+    glm::vec3 color;
+    std::u32string rotulo; // vacío si no lleva
+};
 
 /// La escena sin ninguna matriz de normales: las de los lados salen del producto vectorial de los lados ya
 /// transformados, puestas hacia fuera del centro del prisma. La adjunta del libro es ese producto vectorial
 /// tal cual, y la roja, la normal del lado original con su x y su y escaladas.
-std::vector<ch03::Cuerpo> escenaNormales(double sx, double sy) {
-    const double p[4][2] = {{0.25, -0.95}, {0.85, 0.15}, {-0.10, 0.90}, {-0.90, -0.20}}, fondo = 0.45;
+struct EscenaNormales {
     std::vector<ch03::Cuerpo> cuerpos;
+    std::vector<Flecha> flechas;
+};
+EscenaNormales escenaNormales(double sx, double sy) {
+    const double p[4][2] = {{0.25, -0.95}, {0.85, 0.15}, {-0.10, 0.90}, {-0.90, -0.20}}, fondo = 0.45;
+    EscenaNormales escena;
     std::vector<oraculo::VerticeRef> vertices;
     std::vector<std::array<std::size_t, 3>> indices;
     const auto poligono = [&](const std::vector<Vec3> &esquinas, const Vec3 &normal) {
@@ -227,17 +227,22 @@ std::vector<ch03::Cuerpo> escenaNormales(double sx, double sy) {
             poligono({A, B, B + alFondo, A + alFondo}, n);
         delante.push_back(A), detras.push_back(A + alFondo);
 
-        ponFlecha(cuerpos, medio, n, VERDE);
-        const Vec3 conM = oraculo::unitario({sx * (b[1] - a[1]), sy * (a[0] - b[0]), 0});
-        if (escalar(conM, n) < 0.999)
-            ponFlecha(cuerpos, medio, conM, ROJO);
+        const Vec3 pie = medio + Vec3{0, 0, 0.018},
+                   conM = oraculo::unitario({sx * (b[1] - a[1]), sy * (a[0] - b[0]), 0});
+        const bool coinciden = escalar(conM, n) > 0.999;
+        const auto flecha = [&](const Vec3 &hacia, const glm::vec3 &color, const std::u32string &rotulo) {
+            escena.flechas.push_back({pie, unitario(hacia), color, i == (sy == 0 ? 2 : 1) ? rotulo : U""});
+        };
+        flecha(n, VERDE, coinciden ? U"N·n = M·n" : U"N·n");
+        if (!coinciden)
+            flecha(conM, ROJO, U"M·n");
         if (sx * sy < 0)
-            ponFlecha(cuerpos, medio, vectorialLado, NARANJA);
+            flecha(vectorialLado, NARANJA, U"adjunta");
     }
     if (sy != 0)
         poligono(delante, {0, 0, 1}), poligono(detras, {0, 0, -1});
-    cuerpos.push_back({oraculo::malla(Mat4(), vertices, indices), {0.72, 0.82, 0.97}});
-    return cuerpos;
+    escena.cuerpos.push_back({oraculo::malla(Mat4(), vertices, indices), {0.72, 0.82, 0.97}});
+    return escena;
 }
 
 } // namespace
@@ -247,16 +252,45 @@ TEST(ProgramaNormales, CadaCasoContraElOraculo) {
     const struct {
         const char *guion;
         double sx, sy;
-    } casos[] = {
-        {"", 1, 1}, {"tecla 4; tecla 1", 1, 1}, {"tecla 2", 2, 1}, {"tecla 3", -2, 1}, {"tecla 4", 2, 0}};
+        std::u32string leyenda;
+    } casos[] = {{"", 1, 1, U"M = I"},
+                 {"tecla 4; tecla 1", 1, 1, U"M = I"},
+                 {"tecla 2", 2, 1, U"M = S(2, 1, 1)"},
+                 {"tecla 3", -2, 1, U"M = S(−2, 1, 1)"},
+                 {"tecla 4", 2, 0, U"M = S(2, 0, 1)"}};
     for (const auto &caso : casos) {
+        SCOPED_TRACE(caso.guion);
         const Ejecucion e = ejecuta("ch03_transformaciones/normales", caso.guion);
         ASSERT_EQ(e.estado, 0) << e.errores;
-        const oraculo::Comparacion c =
-            ch03::compara(e.imagen, escenaNormales(caso.sx, caso.sy), camara, FONDO);
-        EXPECT_LE(c.maximo, 1) << caso.guion << ": " << c;
-        EXPECT_LE(c.desvio, ch03::DESVIO) << caso.guion << ": " << c;
+        const EscenaNormales escena = escenaNormales(caso.sx, caso.sy);
+        int tapados = 0;
+        const oraculo::Comparacion c = ch03::compara(e.imagen, escena.cuerpos, camara, FONDO, 1,
+                                                     {ROJO, VERDE, NARANJA, OSCURO, BLANCO}, &tapados);
+        EXPECT_LE(c.maximo, 1) << c;
+        EXPECT_LE(c.desvio, ch03::DESVIO) << c;
+        EXPECT_LT(tapados, 4000);
         RecordProperty("escalado_" + texto(caso.sx) + "_" + texto(caso.sy),
                        (std::ostringstream() << c).str());
+
+        int deCadaColor[3] = {};
+        for (const Flecha &f : escena.flechas) {
+            const int color = f.color == VERDE ? 0 : f.color == ROJO ? 1 : 2;
+            ++deCadaColor[color];
+            for (double largo : {0.3, 0.5, 0.7}) // de largo 0.75
+                EXPECT_TRUE(ch03::hayTrazo(e.imagen, camara, f.pie + largo * f.hacia, f.color))
+                    << color << " " << largo;
+            if (f.color == VERDE && f.rotulo.empty()) { // las verdes no se cruzan con nada
+                EXPECT_FALSE(ch03::hayTrazo(e.imagen, camara, f.pie + 0.8 * f.hacia, f.color));
+            }
+            if (!f.rotulo.empty()) {
+                EXPECT_TRUE(
+                    ch03::estaRotulado(e.imagen, camara, f.pie + 0.99 * f.hacia, f.rotulo, f.color, 2))
+                    << color;
+            }
+        }
+        EXPECT_EQ(deCadaColor[0], 4);
+        EXPECT_EQ(deCadaColor[1], caso.sx == 1 ? 0 : 4);
+        EXPECT_EQ(deCadaColor[2], caso.sx < 0 ? 4 : 0);
+        EXPECT_EQ(ch03::buscaRotulo(e.imagen, caso.leyenda).size(), 1u);
     }
 }

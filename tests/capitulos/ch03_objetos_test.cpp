@@ -1,7 +1,6 @@
-// objetos contra el oráculo: la lista de piezas es la de objetos.h, pero los sólidos, la cámara y el sombreado son
-// los del oráculo, en doble.
+// objetos contra el oráculo: los juguetes, escritos aquí otra vez como sólidos exactos, y la cámara y el sombreado, en doble. De
+// objetos.h no se lee nada.
 #include "ch03_oraculo.h"
-#include "ch03_transformaciones/objetos.h"
 #include "ejecuta.h"
 #include "malla.h"
 #include <gtest/gtest.h>
@@ -9,42 +8,103 @@
 
 namespace {
 
+using oraculo::escala;
+using oraculo::gira;
 using oraculo::Mat4;
+using oraculo::traslada;
 using oraculo::Vec3;
 
 const Vec3 FONDO{0.87, 0.93, 0.98};
 const int SEGMENTOS = 36, SEGMENTOS_TUBO = 22;
 
-oraculo::Camara camaraObjetos(double azimut = 0.25, double elevacion = 0.32, double distancia = 12.5) {
-    return perspectiva(oraculo::orbita(azimut, elevacion, distancia, {0, 1.65, 0}), 0.5, 1, 60);
-}
-
-Mat4 porFilas(const glm::mat4 &M) {
-    Mat4 r;
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j)
-            r.f[i][j] = M[j][i];
-    return r;
+oraculo::Camara camaraObjetos(double azimut = 0.25, double elevacion = 0.32, double distancia = 14.2) {
+    return perspectiva(oraculo::orbita(azimut, elevacion, distancia, {-0.05, 1.5, 0}), 0.5, 1, 60);
 }
 
 /// Con n > 0, mallas de n segmentos (el toro, m en el tubo); si no, los sólidos exactos.
-std::vector<ch03::Cuerpo> escena(int n = 0, int m = 0) {
+struct Taller {
+    int n, m;
     std::vector<ch03::Cuerpo> cuerpos;
-    for (const PiezaObjeto &p : piezasObjetos()) {
-        const Mat4 M = porFilas(p.M);
-        const Vec3 color{p.color.r, p.color.g, p.color.b};
-        switch (p.primitiva) {
-        case Primitiva::CUBO: cuerpos.push_back({oraculo::caja(M), color}); break;
-        case Primitiva::ESFERA:
-            cuerpos.push_back({n ? oraculo::malla(M, esfera(n)) : oraculo::esfera(M), color});
-            break;
-        case Primitiva::TORO:
-            cuerpos.push_back(
-                {n ? oraculo::malla(M, toro(1, 0.35f, n, m)) : oraculo::toro(M, 1, 0.35), color});
-            break;
+
+    void bloque(const Mat4 &sitio, const Vec3 &lados, const Vec3 &color) {
+        cuerpos.push_back({oraculo::caja(sitio * escala(lados)), color});
+    }
+    void bola(const Mat4 &sitio, const Vec3 &radios, const Vec3 &color) {
+        const Mat4 M = sitio * escala(radios);
+        cuerpos.push_back({n ? oraculo::malla(M, esfera(n)) : oraculo::esfera(M), color});
+    }
+    /// Alrededor de Z: `radio` hasta el centro del tubo, que mide 0.35·radio, y 0.35·alto a lo largo del eje.
+    void anillo(const Mat4 &sitio, double radio, double alto, const Vec3 &color) {
+        const Mat4 M = sitio * escala({radio, radio, alto});
+        cuerpos.push_back({n ? oraculo::malla(M, toro(1, 0.35f, n, m)) : oraculo::toro(M, 1, 0.35), color});
+    }
+};
+
+const Vec3 ROJIZO{0.85, 0.20, 0.18}, VERDOSO{0.20, 0.62, 0.28}, AZULADO{0.16, 0.38, 0.80},
+    ANARANJADO{0.95, 0.55, 0.10}, AMARILLENTO{0.98, 0.78, 0.15}, NEGRUZCO{0.16, 0.17, 0.20},
+    NIEVE{0.97, 0.98, 1}, MADERA{0.45, 0.30, 0.18}, CRISTAL{0.78, 0.90, 0.97}, METAL{0.72, 0.74, 0.78};
+
+Mat4 tumbado() { // el eje Z, vertical
+    return gira({1, 0, 0}, oraculo::PI / 2);
+}
+
+void ponMuneco(Taller &t, const Mat4 &A) {
+    const auto en = [&](double x, double y, double z) { return A * traslada({x, y, z}); };
+    t.bola(en(0, 0.92, 0), {1.05, 0.95, 1.05}, NIEVE);
+    t.bola(en(0, 2.18, 0), {0.74, 0.74, 0.74}, NIEVE);
+    t.bola(en(0, 3.14, 0), {0.52, 0.52, 0.52}, NIEVE);
+    t.anillo(en(0, 2.74, 0) * tumbado(), 0.4, 0.5, ROJIZO); // bufanda
+    t.bloque(en(0.32, 2.4, 0.62) * gira({1, 0, 0}, -0.35), {0.24, 0.75, 0.1}, ROJIZO);
+    t.bloque(en(0, 3.55, 0), {1.15, 0.1, 1.15}, NEGRUZCO); // sombrero
+    t.bloque(en(0, 3.88, 0), {0.7, 0.65, 0.7}, NEGRUZCO);
+    t.bloque(en(0, 3.68, 0), {0.74, 0.16, 0.74}, ROJIZO);
+    t.bola(en(0, 3.12, 0.68), {0.1, 0.1, 0.34}, ANARANJADO); // nariz
+    t.bola(en(-0.19, 3.27, 0.45), {0.075, 0.075, 0.075}, NEGRUZCO);
+    t.bola(en(0.19, 3.27, 0.45), {0.075, 0.075, 0.075}, NEGRUZCO);
+    t.bola(en(0, 1.25, 0.99), {0.09, 0.09, 0.09}, NEGRUZCO);
+    t.bola(en(0, 2.05, 0.73), {0.09, 0.09, 0.09}, NEGRUZCO);
+    t.bloque(en(-1.05, 2.5, 0) * gira({0, 0, 1}, -0.5), {1, 0.1, 0.1}, MADERA); // brazos, hacia arriba
+    t.bloque(en(1.05, 2.5, 0) * gira({0, 0, 1}, 0.5), {1, 0.1, 0.1}, MADERA);
+}
+
+void ponCoche(Taller &t, const Mat4 &A) {
+    const auto en = [&](double x, double y, double z) { return A * traslada({x, y, z}); };
+    t.bloque(en(0, 0.72, 0), {2.5, 0.5, 1.2}, AZULADO);
+    t.bloque(en(-0.25, 1.2, 0), {1.35, 0.5, 1.1}, CRISTAL);
+    t.bloque(en(-0.25, 1.5, 0), {1.45, 0.12, 1.2}, AZULADO);
+    t.bloque(en(-0.25, 1.2, 0), {0.1, 0.52, 1.14}, AZULADO);
+    for (const double z : {-1.0, 1.0}) {
+        t.bola(en(1.25, 0.82, 0.42 * z), {0.08, 0.14, 0.14}, AMARILLENTO);
+        t.bola(en(-1.25, 0.82, 0.42 * z), {0.06, 0.11, 0.11}, ROJIZO);
+        t.bloque(en(1.25 * z, 0.55, 0), {0.14, 0.16, 1.3}, METAL); // parachoques
+        for (const double x : {-0.75, 0.8}) {
+            t.anillo(en(x, 0.46, 0.66 * z), 0.34, 0.45, NEGRUZCO);
+            t.bola(en(x, 0.46, 0.66 * z), {0.24, 0.24, 0.12}, METAL);
         }
     }
-    return cuerpos;
+}
+
+/// Los aros, hundidos una décima uno en otro.
+void ponAros(Taller &t, const Mat4 &A) {
+    const Vec3 colores[] = {AZULADO, VERDOSO, AMARILLENTO, ANARANJADO, ROJIZO};
+    t.bloque(A * traslada({0, 0.12, 0}), {2.3, 0.24, 2.3}, {0.80, 0.62, 0.42});
+    double base = 0.24;
+    for (int i = 0; i < 5; ++i) {
+        const double radio = 0.82 - 0.1 * i, alto = 2 * 0.9 * 0.35 * radio;
+        t.anillo(A * traslada({0, base + alto / 2, 0}) * tumbado(), radio, radio, colores[i]);
+        base += alto;
+    }
+    t.bola(A * traslada({0, base + 0.2, 0}), {0.36, 0.36, 0.36}, AZULADO);
+}
+
+std::vector<ch03::Cuerpo> escena(int n = 0, int m = 0) {
+    const Vec3 Y{0, 1, 0};
+    Taller t{n, m, {}};
+    t.bloque(traslada({0, -0.15, 0}), {7.6, 0.3, 4.8}, {0.86, 0.72, 0.55}); // el tablero, en y = 0
+    ponMuneco(t, traslada({-2.1, 0, -0.7}) * gira(Y, 0.25));
+    ponCoche(t, traslada({0.2, 0, 1.2}) * gira(Y, -0.35));
+    ponAros(t, traslada({2.4, 0, -0.7}) * gira(Y, 0.3));
+    return t.cuerpos;
 }
 
 void apunta(const char *clave, const oraculo::Comparacion &c) {
@@ -96,7 +156,7 @@ TEST(ProgramaObjetos, ElRatonOrbita) {
                 "rueda +1 120 90");
     ASSERT_EQ(e.estado, 0) << e.errores;
     const oraculo::Comparacion c = ch03::compara(e.imagen, escena(SEGMENTOS, SEGMENTOS_TUBO),
-                                                 camaraObjetos(-0.25, 0.12, 12.5 / 1.1), FONDO);
+                                                 camaraObjetos(-0.25, 0.12, 14.2 / 1.1), FONDO);
     EXPECT_LE(c.maximo, 1) << c;
     EXPECT_LE(c.desvio, ch03::DESVIO) << c;
     apunta("orbitada", c);

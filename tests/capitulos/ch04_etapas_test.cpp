@@ -2,6 +2,7 @@
 // ventana contra el píxel dibujado, y el recortado contra el polígono exacto, en números racionales.
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/etapas.h"
+#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
 #include <map>

@@ -2,6 +2,7 @@
 // y las imágenes contra el trazado de rayos en doble.
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/vistas_grua.h"
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <iostream>
 

@@ -4,6 +4,7 @@
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/vista.h"
 #include "ch04_vista3d/volumen.h"
+#include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

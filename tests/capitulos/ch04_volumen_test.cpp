@@ -1,6 +1,7 @@
 // El programa volumen_vista contra trazado de rayos: la escena, con su color solo dentro del volumen, y los planos
 // cerca y lejos, que tiñen lo que se ve a través de ellos; sus aristas, sus rótulos y los límites de sus teclas.
 #include "ch04_oraculo.h"
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <iostream>
 #include <map>

@@ -1,6 +1,7 @@
 // Comprobaciones independientes de zbuffer y del algoritmo Z-Buffer en la CPU (zbuffer.h).
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/zbuffer.h"
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <iostream>
 #include <random>

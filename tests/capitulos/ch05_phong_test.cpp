@@ -3,6 +3,7 @@
 #include "ch05_iluminacion/iluminacion.h"
 #include "oraculo/oraculo.h"
 #include <GL/freeglut.h>
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <gtest/gtest.h>

@@ -6,6 +6,7 @@
 #include "letra.h"
 #include "oraculo/oraculo.h"
 #include "rutas.h"
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -616,7 +617,9 @@ Coordenadas parametriza(int objeto, const Vec3 &p, const Vec3 &n) {
 const int ANCHO_OBJETO = ANCHO - ANCHO / 3;
 
 oraculo::Camara camaraObjeto(int dx, int dy) {
-    return oraculo::perspectiva(oraculo::orbita(0.6 - 0.01 * dx, 0.45 - 0.01 * dy, 5.6), 0.5, 1, 100);
+    const double angulo =
+        2 * std::atan(0.75 * std::tan(0.25)); // el de ¾ del lado menor, como dice el oráculo
+    return oraculo::perspectiva(oraculo::orbita(0.6 - 0.01 * dx, 0.45 - 0.01 * dy, 5.6), angulo, 1, 100);
 }
 oraculo::Objeto objeto(int cual) {
     const oraculo::Mat4 depie = oraculo::gira({0, 1, 0}, -1.45) * oraculo::gira({1, 0, 0}, -PI / 2);

@@ -1,6 +1,7 @@
 // Las mallas de common/: cerradas, orientadas hacia fuera, con normales unitarias y sobre la superficie que
 // dicen ser.
 #include "malla.h"
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>

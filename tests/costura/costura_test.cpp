@@ -72,12 +72,12 @@ TEST(Salida, LlenaEsUnError) {
 }
 
 TEST(Opciones, MideEscribeUnaLineaTsv) {
-    const Ejecucion e = ejecuta(GRUA, "", 240, 180, {"-mide", "5"});
+    const Ejecucion e = ejecuta("ch01_intro/shader_basico", "", 240, 180, {"-mide", "5"});
     EXPECT_EQ(e.estado, 0) << e.errores;
     EXPECT_EQ(std::count(e.salida.begin(), e.salida.end(), '\n'), 1);
     EXPECT_EQ(std::count(e.salida.begin(), e.salida.end(), '\t'), 7);
-    EXPECT_EQ(e.salida.rfind("grua\t240x180\t", 0), 0u) << e.salida;
-    EXPECT_NE(e.salida.find("\t72\t"), std::string::npos) << "seis cubos son 72 triángulos: " << e.salida;
+    EXPECT_EQ(e.salida.rfind("shader_basico\t240x180\t", 0), 0u) << e.salida;
+    EXPECT_NE(e.salida.find("\t1\t"), std::string::npos) << "es un triángulo: " << e.salida;
 }
 
 TEST(Imagen, SiNoSePuedeGuardarAcabaCon1YNoQuedaNada) {

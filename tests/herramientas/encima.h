@@ -3,6 +3,7 @@
 #pragma once
 #include "letra.h"
 #include "oraculo/oraculo.h"
+#include <algorithm>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>

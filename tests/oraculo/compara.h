@@ -2,6 +2,7 @@
 #pragma once
 #include "imagen.h"
 #include "solidos.h"
+#include <algorithm>
 #include <ostream>
 
 namespace oraculo {

@@ -1,7 +1,8 @@
-// El oráculo contra fórmulas cerradas y ecuaciones implícitas escritas aquí, y la grúa contra el oráculo.
+// El oráculo contra fórmulas cerradas y ecuaciones implícitas escritas aquí.
 #include "ejecuta.h"
 #include "malla.h"
 #include "oraculo/oraculo.h"
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -541,59 +542,4 @@ TEST(Comparar, LaBandaVeLosBordesDeUnMismoObjeto) {
     EXPECT_TRUE(hayBorde(uno, otro));
     otro.cara = 0, otro.zona = 1;
     EXPECT_TRUE(hayBorde(uno, otro));
-}
-
-// --- La grúa -----------------------------------------------------------------------------------------------
-
-namespace {
-
-/// La grúa del ejercicio 3.5 con sus medidas escritas otra vez, y el sombreado de objeto.frag.
-Comparacion comparaGrua(const std::string &guion, double giro, double distancia, double altura,
-                        int ancho = 240, int alto = 180) {
-    const Vec3 fondo{0.87, 0.93, 0.98}, luz{0.20, 0.78, 0.593}, amarillo{0.98, 0.74, 0.12};
-    const std::vector<Vec3> colores = {{0.62, 0.72, 0.58}, amarillo,           amarillo,
-                                       {0.42, 0.45, 0.50}, {0.16, 0.17, 0.20}, {0.85, 0.20, 0.18}};
-    const double cable = 10 - (altura + 0.5);
-    const Mat4 G = gira({0, 1, 0}, giro);
-    const Escena escena = {
-        caja(traslada({0, -0.1, 0}) * escala({20, 0.2, 20})),        // suelo
-        caja(traslada({0, 5, 0}) * escala({0.8, 10, 0.8})),          // pie
-        caja(G * traslada({2.5, 10.4, 0}) * escala({10, 0.8, 0.8})), // brazo: de −2.5 a 7.5
-        caja(G * traslada({-1.8, 9.3, 0}) * escala(1.4)),            // contrapeso
-        caja(G * traslada({distancia, 10 - cable / 2, 0}) * escala({0.12, cable, 0.12})), // cable
-        caja(G * traslada({distancia, altura, 0})),                                       // carga
-    };
-    const Ejecucion e = ejecuta("ch03_transformaciones/grua", guion, ancho, alto);
-    EXPECT_EQ(e.estado, 0) << e.errores;
-    const Camara camara = perspectiva(orbita(0.5, 0.25, 23, {1.5, 5.2, 0}), 0.6, 1, 100);
-    return compara(e.imagen, escena, camara, [&](const Impacto &i) {
-        return i ? (0.58 + 0.42 * escalar(i.normal, luz)) * colores[static_cast<std::size_t>(i.objeto)]
-                 : fondo;
-    });
-}
-
-std::string repite(const std::string &orden, int veces) {
-    std::string guion;
-    for (int i = 0; i < veces; ++i)
-        guion += (i ? "; " : "") + orden;
-    return guion;
-}
-
-} // namespace
-
-// Caras planas de normal constante: nada se interpola, y lo único que se pierde es el redondeo a 8 bits, 0.5. Los
-// bordes solo pueden fallar por la rejilla de 1/256 de píxel a la que OpenGL lleva cada vértice.
-TEST(Grua, ContraTrazadoDeRayos) {
-    for (const Comparacion &c :
-         {comparaGrua("", 0, 5, 4), comparaGrua(repite("tecla d", 7), -0.7, 5, 4),
-          comparaGrua(repite("tecla e", 6), 0, 7, 4), // llega al tope
-          comparaGrua(repite("tecla w", 12), 0, 5, 9), comparaGrua(repite("tecla a", 3), 0.3, 5, 4, 120, 200),
-          comparaGrua("", 0, 5, 4, 480, 360)}) {
-        std::cout << c << "\n";
-        EXPECT_LE(c.maximo, 0.501) << c;
-        EXPECT_LE(c.desvio, 0.012) << c;
-    }
-    // y distingue un giro de una centésima de radián
-    const Comparacion c = comparaGrua("", 0.01, 5, 4);
-    EXPECT_GT(c.desvio, 0.2) << c;
 }
