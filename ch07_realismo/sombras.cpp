@@ -70,7 +70,7 @@ static void dibujaSombras(const glm::mat4 &camara, const glm::mat4 &proyeccion) 
         glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
     }
     if (estado.desplaza) {
-        // Medido con llvmpipe en 110 vistas y luces: con (0, −1) aún se cose; con (0, −2) ya no, ni con (−0.1, 0)
+        // Medido con llvmpipe en 110 vistas y luces: con (0, −1) aún se cose; con (0, −2) ya no, ni con (−0.25, 0)
         glEnable(GL_POLYGON_OFFSET_FILL);
         glPolygonOffset(-0.25f, -2);
     }
@@ -100,16 +100,17 @@ static void dibuja() {
     dibujaObjeto(p, estado.cubo, traslacion({0, -TALLA_MESA.y / 2 - 0.01f, 0}) * escalado(TALLA_MESA), camara,
                  pintura({0.55f, 0.38f, 0.22f}));
 
-    // El tablero queda a 1 en la plantilla; de los objetos que lo tapan se encarga el test de profundidad
+    // Lo que se ve del tablero queda a 1 en la plantilla; los objetos que lo tapan lo devuelven a 0
     glEnable(GL_STENCIL_TEST);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     glStencilFunc(GL_ALWAYS, 1, 0xff);
     dibujaObjeto(p, estado.tablero, giroX(-glm::half_pi<float>()) * escalado({TALLA_MESA.x, TALLA_MESA.z, 1}),
                  camara, pintura({0.88f, 0.80f, 0.66f}));
-    glDisable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, 0, 0xff);
     recorreObjetos([&](const Buferes &malla, const glm::mat4 &M, const glm::vec3 &color) {
         dibujaObjeto(p, malla, M, camara, pintura(color));
     });
+    glDisable(GL_STENCIL_TEST);
 
     const Material lampara = {glm::vec3(1, 0.95f, 0.6f), glm::vec3(0), glm::vec3(0), 1};
     dibujaObjeto(p, estado.esfera, traslacion(estado.luz) * escalado(0.14f), camara, lampara);
