@@ -1,6 +1,7 @@
 // Modelo de Phong (ecuaciones 5.1 a 5.7), sombras y mapas de cubo.
 #pragma once
 #include "solidos.h"
+#include <algorithm>
 
 namespace oraculo {
 
