@@ -41,12 +41,14 @@ static void inicia() {
 static void dibujaSuelo(const glm::mat4 &transformacion) {
     dibujaObjeto(estado.programa, estado.cubo,
                  traslacion({0, -0.1f, 0}) * escalado({LADO_SUELO, 0.2f, LADO_SUELO}), SUELO);
-    dibujaObjeto(estado.programa, estado.cubo, escalado({3, 0.1f, 3}), COLOR_ZAPATA);
     std::vector<glm::vec3> lineas;
-    const float borde = LADO_SUELO / 2, y = 0.02f; // encima del suelo, que no la tape
+    const float borde = LADO_SUELO / 2;
     for (float x = -borde; x <= borde; x += LADO_CUADRICULA)
-        lineas.insert(lineas.end(), {{x, y, -borde}, {x, y, borde}, {-borde, y, x}, {borde, y, x}});
+        lineas.insert(lineas.end(), {{x, 0, -borde}, {x, 0, borde}, {-borde, 0, x}, {borde, 0, x}});
+    glDisable(GL_DEPTH_TEST); // están en el suelo, y lo demás aún no se ha dibujado
     trazaSegmentos(lineas, transformacion, 0.8f * SUELO, 0.5f * GROSOR);
+    glEnable(GL_DEPTH_TEST);
+    dibujaObjeto(estado.programa, estado.cubo, escalado({3, 0.1f, 3}), COLOR_ZAPATA);
 }
 
 static void dibuja() {
