@@ -258,13 +258,17 @@ TEST(Grua, CadaPiezaConSuNombre) {
 // La cuadrícula: una línea cada dos unidades, de borde a borde, en las dos direcciones, y ninguna entre medias.
 TEST(Grua, LaCuadriculaDelSuelo) {
     const Ejecucion e = ejecuta("ch03_transformaciones/grua", "", 960, 720);
-    int lineas = 0;
+    int lineas = 0, detras = 0;
     for (double x = -5; x <= 5; x += 2) {
         for (double a = 4.2; a < 7; a += 0.2) // enteras: delante y a la izquierda, donde nada las tapa
             for (const Vec3 &p : {Vec3{x, 0, a}, Vec3{-a, 0, x}})
                 lineas += ch03::hayTrazo(e.imagen, CAMARA, p, 0.8f * SUELO);
+        for (double a = 4.2; a < 7; a += 0.2)
+            for (const Vec3 &p : {Vec3{x, 0, -a}, Vec3{a, 0, x}})
+                detras += ch03::hayTrazo(e.imagen, CAMARA, p, 0.8f * SUELO);
         for (const Vec3 &p : {Vec3{x - 1, 0, 6}, Vec3{-6, 0, x - 1}})
             EXPECT_FALSE(ch03::hayTrazo(e.imagen, CAMARA, p, 0.8f * SUELO)) << x;
     }
     EXPECT_EQ(lineas, 12 * 14);
+    EXPECT_GT(detras, 12 * 14 * 8 / 10); // el pie y un rótulo tapan algo
 }
