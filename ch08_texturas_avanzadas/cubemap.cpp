@@ -32,7 +32,7 @@ static struct {
     GLuint programa, fondo, mapa, vao;
     Buferes toro;
     bool desplegado = false, comparando = false;
-    Orbita orbita = {0.35f, 0.18f, 5.6f, {0, 0, 0}};
+    Orbita orbita = {0.35f, 0.06f, 4.7f, {0, 0, 0}};
 } estado;
 
 /// Listado 8.2.
@@ -65,7 +65,7 @@ static void inicia() {
         creaPrograma("ch08_texturas_avanzadas/cubemap.vert", "ch08_texturas_avanzadas/cubemap.frag");
     estado.fondo = creaPrograma("ch08_texturas_avanzadas/cubemap_fondo.vert",
                                 "ch08_texturas_avanzadas/cubemap_fondo.frag");
-    estado.toro = creaBuferes(toro(1, 0.5f, 72, 36));
+    estado.toro = creaBuferes(toro(1, 0.5f, 48, 24));
     creaMapa();
     glGenVertexArrays(1, &estado.vao);
     glEnable(GL_DEPTH_TEST);
