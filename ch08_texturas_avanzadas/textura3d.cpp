@@ -20,7 +20,7 @@ static struct {
     Buferes cubo, esfera, cilindro, cono, toro;
     int elegido = 0;
     float S1 = 0.5f;
-    Orbita orbita = {0.45f, 0.32f, 9, {0, 0, 0}};
+    Orbita orbita = {0.45f, 0.32f, 9.2f, {0, 0.08f, 0}};
 } estado;
 
 /// Listado 8.4.
@@ -80,7 +80,7 @@ static void dibuja() {
     std::snprintf(texto, sizeof texto, "%s, S1 = %g", NOMBRES[estado.elegido],
                   static_cast<double>(estado.S1));
     rotula(texto, {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
-    rotula("64·64·64 = 262 kB", {0.98f, 0.02f}, OSCURO, Lado::IZQUIERDA, 0.03f);
+    rotula("64·64·64 = 262 kB", {0.98f, 0.98f}, OSCURO, Lado::IZQUIERDA);
     ponTitulo(std::string("Textura 3D: ") + texto);
     glutSwapBuffers();
 }
