@@ -19,7 +19,7 @@ static struct {
     GLuint programa, mapa;
     Buferes esfera, plano;
     bool conBultos = true, comparando = false;
-    Orbita orbita = {0.3f, 0.5f, 8.5f, {0, -0.1f, 0}, 0.05f};
+    Orbita orbita = {0.3f, 0.55f, 10.2f, {0, -0.35f, 0}, 0.05f};
 } estado;
 
 static void inicia() {
@@ -52,11 +52,11 @@ static void dibujaEscena(const Recuadro &panel, bool conBultos) {
     envia(estado.programa, "La", glm::vec3(1));
     enviaLuz(estado.programa, "luz", {{-5, 4, 2, 1}}, camara);
     envia(estado.programa, "mapaNormales", 0);
-    const glm::vec2 talla(4.8f, 3.6f);
+    const glm::vec2 talla(4.4f, 3.6f);
     objeto(estado.plano, traslacion({0, -1, 0}) * tumbado * escalado({talla.x, talla.y, 1}), PIEDRA,
            talla / LADO_BALDOSA, LADO_BALDOSA);
     objeto(estado.esfera, tumbado * escalado({1.2f, 1.2f, 0.96f}), BARRO, {20, 10}, 0.34f);
-    rotula(conBultos ? "con el mapa de normales" : "sin el mapa", {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
+    rotula(conBultos ? "con el mapa" : "sin el mapa", {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
 }
 
 static void dibuja() {

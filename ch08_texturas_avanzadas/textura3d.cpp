@@ -20,7 +20,7 @@ static struct {
     Buferes cubo, esfera, cilindro, cono, toro;
     int elegido = 0;
     float S1 = 0.5f;
-    Orbita orbita = {0.45f, 0.32f, 9.2f, {0, 0.08f, 0}};
+    Orbita orbita = {0.45f, 0.32f, 9.9f, {0.05f, 0, 0}};
 } estado;
 
 /// Listado 8.4.
