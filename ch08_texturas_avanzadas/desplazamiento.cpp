@@ -15,7 +15,7 @@ static struct {
     GLuint programa, mapa;
     Buferes plano;
     int amplitud = 5; // veinteavos del lado del plano
-    Orbita orbita = {0.5f, 0.42f, 4.2f, {0, 0.1f, 0}, 0.05f};
+    Orbita orbita = {0.35f, 0.42f, 4.5f, {-0.1f, 0.04f, 0}, 0.05f};
 } estado;
 
 static void inicia() {
