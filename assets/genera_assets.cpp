@@ -433,6 +433,109 @@ Color foto(double px, double py) {
     return c;
 }
 
+// --- Entorno: lo que se ve desde un prado en cada dirección; el mapa de cubo del capítulo 8 son seis fotos suyas ----
+
+struct Direccion {
+    double x, y, z;
+};
+
+/// Un abeto o un árbol redondo hacia (cx, cz), de copa tan ancha y tan alta vista desde el centro.
+struct Arbol {
+    double cx, cz, ancho, alto;
+    bool abeto;
+};
+const Arbol ARBOLES[] = {{0.98, -0.20, 0.13, 0.52, true},  {0.90, 0.44, 0.20, 0.42, false},
+                         {0.99, 0.12, 0.10, 0.36, true},   {-0.95, -0.31, 0.22, 0.46, false},
+                         {-0.99, 0.14, 0.09, 0.34, true},  {-0.91, 0.41, 0.12, 0.50, true},
+                         {0.50, 0.87, 0.17, 0.34, false},  {-0.62, 0.78, 0.09, 0.36, true},
+                         {-0.66, -0.75, 0.06, 0.24, true}, {0.71, -0.70, 0.05, 0.20, true}};
+
+Color entornoCielo(const Direccion &d) {
+    const Direccion sol{-0.48, 0.60, 0.64};
+    const double h = entre01(d.y), hacia = d.x * sol.x + d.y * sol.y + d.z * sol.z;
+    Color c = mezcla({0.78, 0.88, 0.96}, {0.16, 0.38, 0.78}, 1 - potencia2(1 - h, 1));
+    const double u = 1.3 * d.x / (h + 0.18), v = 1.3 * d.z / (h + 0.18),
+                 n = nubes(u + 20, v + 20, 5, 0, 0, 131);
+    const double sombra = nubes(u + 20 - 0.12 * sol.x, v + 20 - 0.12 * sol.z, 5, 0, 0, 131) - n;
+    c = mezcla(c, mezcla({0.72, 0.76, 0.84}, {1, 1, 1}, entre01(0.75 - 3 * sombra)),
+               0.95 * escalon(0.50, 0.66, n) * escalon(0.0, 0.22, d.y));
+    c = c + 0.55 * potencia2(std::max(hacia, 0.0), 5) * Color{1.0, 0.85, 0.55};
+    return mezcla(c, {1.0, 0.99, 0.90}, escalon(0.9965, 0.9975, hacia));
+}
+
+Color entornoSuelo(double x, double z) { // a una unidad por debajo del centro
+    const double lejos = modulo(x, z), nitidez = 1 / (1 + 0.02 * lejos * lejos);
+    const double matas = nubes(1.5 * x + 40, 1.5 * z + 40, 4, 0, 0, 141),
+                 franjas =
+                     escalon(0.42, 0.58, fraccion(z / 5 + 0.2 * (nubes(x / 3, z / 3, 2, 0, 0, 142) - 0.5)));
+    Color c = (0.80 + 0.5 * nitidez * (matas - 0.5)) *
+              mezcla({0.33, 0.55, 0.18}, {0.46, 0.66, 0.24}, mezcla(0.5, franjas, nitidez));
+    // el camino, de delante a detrás, con sus rodadas
+    const double centro = 0.9 * (nubes(z / 7 + 30, 0.5, 2, 0, 0, 143) - 0.5) + 0.04 * z,
+                 lado = std::fabs(x - centro), grava = nubes(6 * x, 6 * z, 3, 0, 0, 144);
+    const double rodada = escalon(0.16, 0.10, std::fabs(lado - 0.34));
+    const Color tierra = (1 + 0.5 * nitidez * (grava - 0.5) - 0.14 * rodada) * Color{0.80, 0.67, 0.48};
+    return mezcla(tierra, c, escalon(0.62, 0.74, lado + 0.15 * (grava - 0.5)));
+}
+
+Color entorno(const Direccion &haciaDonde) {
+    const double largo = modulo(haciaDonde.x, haciaDonde.y, haciaDonde.z);
+    const Direccion d{haciaDonde.x / largo, haciaDonde.y / largo, haciaDonde.z / largo};
+    const double llano = std::max(modulo(d.x, d.z), 1e-9), hx = d.x / llano, hz = d.z / llano,
+                 e = d.y / llano;
+    if (e < 0) {
+        const Color suelo = entornoSuelo(d.x / -d.y, d.z / -d.y);
+        return mezcla({0.52, 0.66, 0.42}, suelo, escalon(0, 0.06, -e));
+    }
+    Color c = entornoCielo(d);
+    // la sierra nevada, delante (−Z); alrededor, colinas
+    const double cumbre = nubes(3.2 * hx + 5, 3.2 * hz + 5, 5, 0, 0, 151),
+                 sierra = escalon(0.25, 0.85, -hz) * (0.10 + 0.55 * cumbre);
+    const double luz = nubes(26 * hx + 3, 9 * e + 8 * hz, 4, 0, 0, 152),
+                 nieve = escalon(-0.06, 0.05, e - 0.20 + 0.30 * (luz - 0.5));
+    const Color roca = mezcla((0.55 + 0.6 * luz) * Color{0.44, 0.47, 0.58},
+                              (0.72 + 0.42 * luz) * Color{0.92, 0.95, 1}, nieve);
+    c = mezcla(roca, c, escalon(-0.004, 0.004, e - sierra));
+    const double colina = 0.04 + 0.13 * nubes(2.1 * hx + 9, 2.1 * hz + 14, 4, 0, 0, 153),
+                 bosque = nubes(40 * hx + 50, 40 * hz + 30 * e + 50, 3, 0, 0, 154);
+    c = mezcla((0.6 + 0.7 * bosque) * mezcla({0.30, 0.50, 0.22}, {0.40, 0.58, 0.44}, escalon(0, 0.14, e)), c,
+               escalon(-0.004, 0.004, e - colina - 0.02 * bosque));
+    for (const Arbol &a : ARBOLES) {
+        const double frente = hx * a.cx + hz * a.cz, lado = (hz * a.cx - hx * a.cz) / std::max(frente, 1e-9);
+        if (frente < 0.5)
+            continue;
+        const double hojas = nubes(60 * hx + 80, 60 * hz + 60 * e + 80, 3, 0, 0, 155), t = e / a.alto;
+        const double copa =
+            a.abeto ? (1 - t) * (0.75 + 0.25 * fraccion(6 * t)) - std::fabs(lado) / a.ancho - (t < 0.12)
+                    : 1 - modulo(lado / a.ancho, (t - 0.62) / 0.38);
+        const double luzHoja = 0.65 + 0.9 * (hojas - 0.5) + 0.25 * lado / a.ancho * (a.cx > 0 ? -1 : 1);
+        if (t < 0.4 && std::fabs(lado) < 0.11 * a.ancho)
+            c = (0.7 + 0.5 * hojas) * Color{0.36, 0.25, 0.17};
+        if (copa + 0.7 * (hojas - 0.5) > 0)
+            c = luzHoja * (a.abeto ? Color{0.13, 0.36, 0.20} : Color{0.36, 0.55, 0.16});
+    }
+    // detrás (+Z), una casa de tejado rojo
+    const double s = hx / std::max(hz, 1e-9) + 0.10;
+    if (hz > 0.5 && std::fabs(s) < 0.24 && e < 0.32 - 0.5 * std::fabs(s) && e < 0.32) {
+        if (e > 0.14 && e < 0.30 - 0.62 * std::max(0.0, std::fabs(s) - 0.08))
+            c = (0.85 + 0.3 * fraccion(60 * e)) * Color{0.74, 0.24, 0.17};
+        else if (e <= 0.14 && std::fabs(s) < 0.20)
+            c = std::fabs(s) < 0.04 && e < 0.09                                   ? Color{0.35, 0.22, 0.14}
+                : std::fabs(std::fabs(s) - 0.12) < 0.028 && e > 0.045 && e < 0.10 ? Color{0.30, 0.42, 0.55}
+                                                                                  : Color{0.95, 0.91, 0.82};
+    }
+    return c;
+}
+
+const double LADO_ENTORNO = 256;
+
+/// Foto desde el centro: qué dirección se ve a la derecha y hacia arriba de lo que está en `centro`.
+template<int CX, int CY, int CZ, int DX, int DZ, int AY, int AZ>
+Color fotoEntorno(double x, double y) {
+    const double a = 2 * x / LADO_ENTORNO - 1, b = 2 * y / LADO_ENTORNO - 1;
+    return entorno({CX + a * DX, CY + b * AY, CZ + a * DZ + b * AZ});
+}
+
 // --- Ficheros ----------------------------------------------------------------------------------------------
 
 /// Cada texel es la media de 4 × 4 muestras.
@@ -457,11 +560,22 @@ struct Asset {
     int ancho, alto;
     Color (*color)(double, double);
 };
-const Asset ASSETS[] = {
-    {"metal", 256, 256, metal},       {"madera", 256, 256, madera},  {"ladrillo", 256, 256, ladrillo},
-    {"carta", 256, 256, carta},       {"foto", 250, 190, foto},      {"musgo", 256, 256, musgo},
-    {"baldosas", 256, 256, baldosas}, {"mascara", 128, 96, mascara}, {"luz", 64, 48, luz},
-    {"mosaico", 32, 32, mosaico}};
+const Asset ASSETS[] = {{"metal", 256, 256, metal},
+                        {"madera", 256, 256, madera},
+                        {"ladrillo", 256, 256, ladrillo},
+                        {"carta", 256, 256, carta},
+                        {"foto", 250, 190, foto},
+                        {"musgo", 256, 256, musgo},
+                        {"baldosas", 256, 256, baldosas},
+                        {"mascara", 128, 96, mascara},
+                        {"luz", 64, 48, luz},
+                        {"mosaico", 32, 32, mosaico},
+                        {"entorno_derecha", 256, 256, fotoEntorno<1, 0, 0, 0, 1, 1, 0>},
+                        {"entorno_izquierda", 256, 256, fotoEntorno<-1, 0, 0, 0, -1, 1, 0>},
+                        {"entorno_arriba", 256, 256, fotoEntorno<0, 1, 0, 1, 0, 0, 1>},
+                        {"entorno_abajo", 256, 256, fotoEntorno<0, -1, 0, 1, 0, 0, -1>},
+                        {"entorno_detras", 256, 256, fotoEntorno<0, 0, 1, -1, 0, 1, 0>},
+                        {"entorno_delante", 256, 256, fotoEntorno<0, 0, -1, 1, 0, 1, 0>}};
 
 } // namespace
 

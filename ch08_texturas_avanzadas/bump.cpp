@@ -1,0 +1,97 @@
+// Bump mapping (§8.4, figura 8.5): la superficie es lisa y solo cambia la normal con que se ilumina, que sale de un mapa de
+// normales (mapa_normales.h). Se nota en que el contorno sigue siendo liso. La esfera está aplastada y el plano estirado:
+// los bultos no dejan de ser redondos ni de tener la pendiente debida.
+// Controles: b con bultos o sin ellos · v las dos cosas · ratón orbita · Esc termina.
+#include "ch05_iluminacion/iluminacion.h"
+#include "colores.h"
+#include "mapa_normales.h"
+#include "orbita.h"
+#include "recuadro.h"
+#include "rotulo.h"
+#include "ventana.h"
+#include <glm/gtc/constants.hpp>
+
+static const Material BARRO = {{0.26f, 0.14f, 0.09f}, {0.80f, 0.42f, 0.26f}, {0.40f, 0.40f, 0.40f}, 40};
+static const Material PIEDRA = {{0.17f, 0.20f, 0.24f}, {0.50f, 0.58f, 0.68f}, {0.20f, 0.20f, 0.20f}, 20};
+static const float LADO_BALDOSA = 0.4f;
+
+static struct {
+    GLuint programa, mapa;
+    Buferes esfera, plano;
+    bool conBultos = true, comparando = false;
+    Orbita orbita = {0.3f, 0.55f, 10.2f, {0, -0.35f, 0}, 0.05f};
+} estado;
+
+static void inicia() {
+    estado.programa =
+        creaPrograma("ch08_texturas_avanzadas/iluminado.vert", "ch08_texturas_avanzadas/bump.frag");
+    estado.esfera = creaBuferes(esfera(segmentosEsfera(300)));
+    estado.plano = creaBuferes(plano(1));
+    const int lado = 128;
+    glGenTextures(1, &estado.mapa);
+    glBindTexture(GL_TEXTURE_2D, estado.mapa);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, lado, lado, 0, GL_RGB, GL_UNSIGNED_BYTE,
+                 mapaNormales(lado).data());
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glEnable(GL_DEPTH_TEST);
+}
+
+static void dibujaEscena(const Recuadro &panel, bool conBultos) {
+    abreRecuadro(panel, FONDO_CLARO);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), tumbado = giroX(-glm::half_pi<float>());
+    const auto objeto = [&](const Buferes &solido, const glm::mat4 &M, const Material &material,
+                            const glm::vec2 &nVeces, float altura) {
+        envia(estado.programa, "nVeces", nVeces);
+        envia(estado.programa, "altura", conBultos ? altura : 0);
+        dibujaObjeto(estado.programa, solido, M, camara, material);
+    };
+    glUseProgram(estado.programa);
+    envia(estado.programa, "proyeccion", perspectivaVentana(0.45f, 1, 100, aspecto(panel)));
+    envia(estado.programa, "camara", camara);
+    envia(estado.programa, "La", glm::vec3(1));
+    enviaLuz(estado.programa, "luz", {{-5, 4, 2, 1}}, camara);
+    envia(estado.programa, "mapaNormales", 0);
+    const glm::vec2 talla(4.4f, 3.6f);
+    objeto(estado.plano, traslacion({0, -1, 0}) * tumbado * escalado({talla.x, talla.y, 1}), PIEDRA,
+           talla / LADO_BALDOSA, LADO_BALDOSA);
+    objeto(estado.esfera, tumbado * escalado({1.2f, 1.2f, 0.96f}), BARRO, {20, 10}, 0.34f);
+    rotula(conBultos ? "con el mapa" : "sin el mapa", {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
+}
+
+static void dibuja() {
+    if (estado.comparando) {
+        abreRecuadro(ventanaEntera(), GRIS);
+        const std::vector<Recuadro> paneles = reparte(2);
+        dibujaEscena(paneles[0], false);
+        dibujaEscena(paneles[1], true);
+    } else {
+        dibujaEscena(ventanaEntera(), estado.conBultos);
+    }
+    ponTitulo(estado.comparando  ? "Bump mapping: sin y con el mapa de normales"
+              : estado.conBultos ? "Bump mapping: con el mapa de normales"
+                                 : "Bump mapping: sin el mapa");
+    glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla))
+        return;
+    if (tecla == 'b') {
+        estado.conBultos = !estado.conBultos;
+        estado.comparando = false;
+    } else if (tecla == 'v') {
+        estado.comparando = !estado.comparando;
+    }
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Bump mapping", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    inicia();
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    orbitaConRaton(estado.orbita);
+    glutMainLoop();
+    return 0;
+}

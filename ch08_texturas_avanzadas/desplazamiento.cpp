@@ -1,0 +1,75 @@
+// Desplazamiento (§8.5, figura 8.7): el vertex shader lee un mapa de alturas y mueve cada vértice en la dirección de su
+// normal. Al contrario que con bump mapping, la geometría cambia de verdad: cambia el contorno y unas partes tapan a otras.
+// Controles: + - amplitud · ratón orbita · Esc termina.
+#include "ch05_iluminacion/iluminacion.h"
+#include "colores.h"
+#include "mapa_alturas.h"
+#include "orbita.h"
+#include "rotulo.h"
+#include "ventana.h"
+#include <algorithm>
+#include <cstdio>
+#include <glm/gtc/constants.hpp>
+
+static struct {
+    GLuint programa, mapa;
+    Buferes plano;
+    int amplitud = 5; // veinteavos del lado del plano
+    Orbita orbita = {0.35f, 0.42f, 4.5f, {-0.1f, 0.04f, 0}, 0.05f};
+} estado;
+
+static void inicia() {
+    estado.programa = creaPrograma("ch08_texturas_avanzadas/desplazamiento.vert",
+                                   "ch08_texturas_avanzadas/desplazamiento.frag");
+    estado.plano = creaBuferes(plano(LADO_MAPA - 1));
+    glGenTextures(1, &estado.mapa);
+    glBindTexture(GL_TEXTURE_2D, estado.mapa);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, LADO_MAPA, LADO_MAPA, 0, GL_RED, GL_FLOAT, mapaAlturas().data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                    GL_NEAREST); // cada vértice cae en el centro de un texel
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glEnable(GL_DEPTH_TEST);
+    glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
+}
+
+static void dibuja() {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const float amplitud = static_cast<float>(estado.amplitud) / 20;
+    const glm::mat4 camara = camaraOrbita(estado.orbita), M = giroX(-glm::half_pi<float>()) * escalado(2);
+    glUseProgram(estado.programa);
+    envia(estado.programa, "proyeccion", perspectivaVentana(0.5f, 0.5f, 50));
+    envia(estado.programa, "camara", camara);
+    envia(estado.programa, "M", M);
+    envia(estado.programa, "N", matrizNormal(camara * M));
+    envia(estado.programa, "La", glm::vec3(1));
+    enviaLuz(estado.programa, "luz", {{-3, 2.2f, 1, 0}}, camara);
+    envia(estado.programa, "alturas", 0);
+    envia(estado.programa, "amplitud", amplitud);
+    envia(estado.programa, "lado", static_cast<float>(LADO_MAPA));
+    dibuja(estado.plano);
+
+    char texto[40];
+    std::snprintf(texto, sizeof texto, "amplitud = %.2f", static_cast<double>(amplitud));
+    rotula(texto, {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
+    ponTitulo(std::string("Desplazamiento: ") + texto);
+    glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla) || (tecla != '+' && tecla != '-'))
+        return;
+    estado.amplitud = std::clamp(estado.amplitud + (tecla == '+' ? 1 : -1), 0, 10);
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Desplazamiento", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    inicia();
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    orbitaConRaton(estado.orbita);
+    glutMainLoop();
+    return 0;
+}

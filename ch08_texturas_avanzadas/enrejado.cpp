@@ -1,0 +1,71 @@
+// Enrejado (§8.2, listado 8.3, figura 8.2): una textura procedural que no da un color sino huecos, con `discard`. De cada
+// periodo de (s, t) queda la parte `talla`; lo demás se descarta, y con ello su profundidad: por los huecos se ve el
+// interior, que se ilumina con la normal del revés.
+// Controles: + - anchura de los barrotes · ratón orbita · Esc termina.
+#include "ch05_iluminacion/iluminacion.h"
+#include "colores.h"
+#include "orbita.h"
+#include "rotulo.h"
+#include "ventana.h"
+#include <algorithm>
+#include <cstdio>
+#include <glm/gtc/constants.hpp>
+
+static const glm::vec2 VECES(24, 12);
+static const glm::vec3 LA(1);
+static const Material FUERA = {0.22f * NARANJA, 0.80f * NARANJA, {0.55f, 0.55f, 0.55f}, 50};
+static const glm::vec3 DENTRO = AZUL;
+
+static struct {
+    GLuint programa;
+    Buferes esfera;
+    int talla = 7; // veinteavos
+    Orbita orbita = {0.4f, 0.35f, 6, {0, 0, 0}};
+} estado;
+
+static void inicia() {
+    estado.programa =
+        creaPrograma("ch08_texturas_avanzadas/iluminado.vert", "ch08_texturas_avanzadas/enrejado.frag");
+    estado.esfera = creaBuferes(esfera(segmentosEsfera(400)));
+    glEnable(GL_DEPTH_TEST);
+    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+}
+
+static void dibuja() {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const glm::mat4 camara = camaraOrbita(estado.orbita),
+                    M = giroX(-glm::half_pi<float>()); // los polos, en ±Y
+    const float talla = static_cast<float>(estado.talla) / 20;
+    glUseProgram(estado.programa);
+    envia(estado.programa, "proyeccion", perspectivaVentana(0.4f, 1, 100));
+    envia(estado.programa, "camara", camara);
+    envia(estado.programa, "La", LA);
+    enviaLuz(estado.programa, "luz", {{-4, 6, 5, 1}}, camara);
+    envia(estado.programa, "colorInterior", DENTRO);
+    envia(estado.programa, "nVeces", VECES);
+    envia(estado.programa, "talla", glm::vec2(talla));
+    dibujaObjeto(estado.programa, estado.esfera, M, camara, FUERA);
+
+    char texto[32];
+    std::snprintf(texto, sizeof texto, "talla = %.2f", static_cast<double>(talla));
+    rotula(texto, {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
+    ponTitulo(std::string("Enrejado: ") + texto);
+    glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla) || (tecla != '+' && tecla != '-'))
+        return;
+    estado.talla = std::clamp(estado.talla + (tecla == '+' ? 1 : -1), 0, 20);
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Enrejado", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    inicia();
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    orbitaConRaton(estado.orbita);
+    glutMainLoop();
+    return 0;
+}

@@ -1,0 +1,23 @@
+#version 140
+#include "ch05_iluminacion/phong.glsl"
+
+uniform vec2 talla; // parte de cada periodo que es barrote
+uniform Material material;
+uniform vec3 colorInterior; // mate
+uniform vec3 La;
+uniform Luz luz;
+
+in vec3 ecPosicion, normal;
+in vec2 st;
+out vec4 colorFragmento;
+
+// Listado 8.3. Por los huecos se ve la otra cara de la superficie, que tiene la normal opuesta.
+void main() {
+    vec2 f = fract(st);
+    if (f.s > talla.s && f.t > talla.t)
+        discard;
+    Material interior = Material(0.25 * colorInterior, 0.8 * colorInterior, vec3(0.0), 1.0);
+    vec3 color = gl_FrontFacing ? phong(material, La, luz, ecPosicion, normal)
+                                : phong(interior, La, luz, ecPosicion, -normal);
+    colorFragmento = vec4(color, 1.0);
+}

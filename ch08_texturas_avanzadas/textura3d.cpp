@@ -1,0 +1,110 @@
+// Texturas 3D (§8.3, listado 8.4, figuras 8.3 y 8.4): una textura de ruido da un valor a cada punto del espacio, y de él salen
+// la madera y el mármol. El peón está tallado en el bloque: la veta sigue por dentro. El libro guarda 512³ texels de tres
+// bytes, 402 MB; el ruido solo necesita un byte por texel y, como se repite sin costura, 64³ texels.
+// Controles: 1 madera · 2 mármol · 3 el ruido · + - escala S1 · ratón orbita · Esc termina.
+#include "textura3d.h"
+#include "ch05_iluminacion/iluminacion.h"
+#include "colores.h"
+#include "orbita.h"
+#include "rotulo.h"
+#include "ventana.h"
+#include <algorithm>
+#include <cstdio>
+#include <glm/gtc/constants.hpp>
+
+static const char *NOMBRES[3] = {"madera", "mármol", "el ruido"};
+static const float S1_MINIMA = 0.125f, S1_MAXIMA = 2;
+
+static struct {
+    GLuint programa, textura;
+    Buferes cubo, esfera, cilindro, cono, toro;
+    int elegido = 0;
+    float S1 = 0.5f;
+    Orbita orbita = {0.45f, 0.32f, 9.9f, {0.05f, 0, 0}};
+} estado;
+
+/// Listado 8.4.
+static void creaTextura() {
+    glGenTextures(1, &estado.textura);
+    glBindTexture(GL_TEXTURE_3D, estado.textura);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, LADO_TEXTURA, LADO_TEXTURA, LADO_TEXTURA, 0, GL_RED,
+                 GL_UNSIGNED_BYTE, texelsRuido().data());
+    glGenerateMipmap(GL_TEXTURE_3D);
+    for (const GLenum eje : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+        glTexParameteri(GL_TEXTURE_3D, eje, GL_REPEAT);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+}
+
+static void inicia() {
+    estado.programa =
+        creaPrograma("ch08_texturas_avanzadas/textura3d.vert", "ch08_texturas_avanzadas/textura3d.frag");
+    const int n = segmentosEsfera(250);
+    estado.cubo = creaBuferes(cubo());
+    estado.esfera = creaBuferes(esfera(n));
+    estado.cilindro = creaBuferes(cilindro(n));
+    estado.cono = creaBuferes(cono(n));
+    estado.toro = creaBuferes(toro(0.42f, 0.14f, n, n / 2));
+    creaTextura();
+    glEnable(GL_DEPTH_TEST);
+    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+}
+
+static void dibuja() {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const glm::mat4 camara = camaraOrbita(estado.orbita);
+    glUseProgram(estado.programa);
+    envia(estado.programa, "proyeccion", perspectivaVentana(0.4f, 1, 100));
+    envia(estado.programa, "camara", camara);
+    envia(estado.programa, "La", glm::vec3(1));
+    enviaLuz(estado.programa, "luz", {{-3, 6, 8, 1}}, camara);
+    envia(estado.programa, "ruido", 0);
+    envia(estado.programa, "S1", estado.S1);
+    envia(estado.programa, "elegido", estado.elegido);
+    const auto pieza = [&](const Buferes &solido, const glm::vec3 &donde, const glm::vec3 &talla) {
+        const glm::mat4 M =
+            traslacion(donde) * giroX(-glm::half_pi<float>()) * escalado(talla); // el eje, hacia +Y
+        envia(estado.programa, "M", M);
+        envia(estado.programa, "N", matrizNormal(camara * M));
+        dibuja(solido);
+    };
+    pieza(estado.cubo, {-1.15f, 0, 0}, {1.5f, 1.5f, 2.6f});
+    pieza(estado.cilindro, {1.15f, -1.19f, 0}, {0.85f, 0.85f, 0.22f});
+    pieza(estado.toro, {1.15f, -1.0f, 0}, {1.45f, 1.45f, 1});
+    pieza(estado.cono, {1.15f, -1.08f, 0}, {0.74f, 0.74f, 2.1f});
+    pieza(estado.toro, {1.15f, 0.28f, 0}, {0.85f, 0.85f, 0.6f});
+    pieza(estado.esfera, {1.15f, 0.78f, 0}, {0.52f, 0.52f, 0.52f});
+
+    char texto[64];
+    std::snprintf(texto, sizeof texto, "%s, S1 = %g", NOMBRES[estado.elegido],
+                  static_cast<double>(estado.S1));
+    rotula(texto, {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
+    rotula("64·64·64 = 262 kB", {0.98f, 0.98f}, OSCURO, Lado::IZQUIERDA);
+    ponTitulo(std::string("Textura 3D: ") + texto);
+    glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla))
+        return;
+    switch (tecla) {
+    case '1':
+    case '2':
+    case '3': estado.elegido = tecla - '1'; break;
+    case '+': estado.S1 = std::min(2 * estado.S1, S1_MAXIMA); break;
+    case '-': estado.S1 = std::max(estado.S1 / 2, S1_MINIMA); break;
+    default: return;
+    }
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Textura 3D", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    inicia();
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    orbitaConRaton(estado.orbita);
+    glutMainLoop();
+    return 0;
+}

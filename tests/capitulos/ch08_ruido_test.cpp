@@ -1,0 +1,288 @@
+// El ruido de ch08_texturas_avanzadas: ruido.h contra su definición escrita aparte en doble, su gradiente contra
+// diferencias, y ruido.glsl, ejecutado en un framebuffer en float, contra ruido.h.
+#include "ch08_texturas_avanzadas/ruido.h"
+#include "shader.h"
+#include <GL/freeglut.h>
+#include <cmath>
+#include <cstdint>
+#include <glm/gtc/type_ptr.hpp>
+#include <gtest/gtest.h>
+#include <random>
+#include <set>
+
+namespace {
+
+using glm::dvec3;
+using glm::ivec3;
+
+// --- La definición, sin compartir nada con ruido.h: mezclas lineales encadenadas ---
+
+double quintica(double t) {
+    return 6 * std::pow(t, 5) - 15 * std::pow(t, 4) + 10 * std::pow(t, 3);
+}
+long long modulo(long long i, long long n) {
+    return n ? ((i % n) + n) % n : i;
+}
+double rampa(const long long nodo[3], const double d[3], const ivec3 &periodo) {
+    std::uint64_t h = 0;
+    const std::uint64_t primos[3] = {0x8da6b343, 0xd8163841, 0xcb1ab31f}, M = 0xffffffff;
+    for (int k = 0; k < 3; ++k)
+        h ^= (static_cast<std::uint64_t>(modulo(nodo[k], periodo[k])) & M) * primos[k] & M;
+    h = (h ^ h >> 15) * 0x2c1b3c6d & M;
+    h = (h ^ h >> 12) * 0x297a2d39 & M;
+    h = h ^ h >> 15;
+    const auto sinEje = (h >> 16) * 3 / 65536;
+    double suma = 0;
+    for (std::uint64_t k = 0; k < 3; ++k)
+        if (k != sinEje)
+            suma += (h >> k & 1 ? -1 : 1) * d[k];
+    return suma;
+}
+double definicion(const dvec3 &p, const ivec3 &periodo = ivec3(0)) {
+    double valor[2][2][2];
+    const dvec3 base = glm::floor(p), f = p - base;
+    for (int i = 0; i < 8; ++i) {
+        const int e[3] = {i & 1, i >> 1 & 1, i >> 2};
+        const long long nodo[3] = {static_cast<long long>(base.x) + e[0],
+                                   static_cast<long long>(base.y) + e[1],
+                                   static_cast<long long>(base.z) + e[2]};
+        const double d[3] = {f.x - e[0], f.y - e[1], f.z - e[2]};
+        valor[e[0]][e[1]][e[2]] = rampa(nodo, d, periodo);
+    }
+    const auto mezcla = [](double a, double b, double t) { return a + (b - a) * quintica(t); };
+    const auto enZ = [&](int x, int y) { return mezcla(valor[x][y][0], valor[x][y][1], f.z); };
+    return mezcla(mezcla(enZ(0, 0), enZ(0, 1), f.y), mezcla(enZ(1, 0), enZ(1, 1), f.y), f.x);
+}
+double definicionTurbulencia(const dvec3 &p, int octavas, const ivec3 &periodo = ivec3(0)) {
+    double suma = 0;
+    for (int i = 0; i < octavas; ++i) {
+        const int f = 1 << i;
+        suma += definicion(p * double(f) + double(i) * dvec3(5.375, 3.625, 7.75), periodo * f) / f;
+    }
+    return suma;
+}
+
+class Azar {
+    std::mt19937 motor{8};
+
+public:
+    dvec3 punto(double r) {
+        std::uniform_real_distribution<double> d(-r, r);
+        const double x = d(motor), y = d(motor), z = d(motor);
+        return {x, y, z};
+    }
+};
+
+const ivec3 PERIODOS[] = {{0, 0, 0}, {4, 4, 4}, {1, 2, 3}, {0, 7, 0}, {5, 0, 16}};
+
+} // namespace
+
+TEST(Ruido, ContraSuDefinicionEnDoble) {
+    Azar azar;
+    for (const ivec3 &periodo : PERIODOS)
+        for (int i = 0; i < 4000; ++i) {
+            const dvec3 p = azar.punto(i % 2 ? 3 : 1000);
+            EXPECT_NEAR(ruido(p, periodo), definicion(p, periodo), 1e-12);
+            EXPECT_NEAR(turbulencia(p, 5, periodo), definicionTurbulencia(p, 5, periodo), 1e-12);
+        }
+}
+
+// En float, el error es el de redondear: la quíntica resta números de hasta 10 (1e-6) que multiplican a rampas de hasta 2.
+TEST(Ruido, EnFloat) {
+    Azar azar;
+    for (int i = 0; i < 4000; ++i) {
+        const glm::vec3 p(azar.punto(50)),
+            q(azar.punto(4)); // al correr cada octava se pierde media cifra de p
+        EXPECT_NEAR(double(ruido(p)), definicion(dvec3(p)), 3e-6);
+        EXPECT_NEAR(double(turbulencia(q, 4)), definicionTurbulencia(dvec3(q), 4), 6e-6);
+    }
+}
+
+// Diferencias centradas con paso h: su error es de orden h² · 30 y el de cancelación, de 1e-16 / h.
+TEST(Ruido, GradienteContraDiferenciasEnDoble) {
+    Azar azar;
+    const double h = 1e-5;
+    for (const ivec3 &periodo : PERIODOS)
+        for (int i = 0; i < 2000; ++i) {
+            dvec3 p = azar.punto(20);
+            if (i % 4 == 0)
+                p[i % 3] = std::round(p[i % 3]); // sobre un plano de la rejilla
+            const auto g = ruidoConGradiente(p, periodo), gt = turbulenciaConGradiente(p, 4, periodo);
+            for (int k = 0; k < 3; ++k) {
+                dvec3 d(0);
+                d[k] = h;
+                EXPECT_NEAR(g[k], (definicion(p + d, periodo) - definicion(p - d, periodo)) / (2 * h), 1e-8);
+                EXPECT_NEAR(
+                    gt[k],
+                    (definicionTurbulencia(p + d, 4, periodo) - definicionTurbulencia(p - d, 4, periodo)) /
+                        (2 * h),
+                    1e-6);
+            }
+        }
+}
+
+// A los dos lados de un plano de la rejilla, valor, gradiente y su derivada son casi iguales: no hay costura.
+TEST(Ruido, SinCosturaEnLosPlanosDeLaRejilla) {
+    Azar azar;
+    const double d = 1e-6;
+    for (int i = 0; i < 3000; ++i) {
+        dvec3 p = azar.punto(9), q = p;
+        const int eje = i % 3;
+        q[eje] = (p[eje] = std::round(p[eje])) + d;
+        p[eje] -= d;
+        const auto a = ruidoConGradiente(p), b = ruidoConGradiente(q);
+        EXPECT_NEAR(a.w, b.w, 4 * d);
+        for (int k = 0; k < 3; ++k)
+            EXPECT_NEAR(a[k], b[k], 40 * d);
+    }
+    // el mayor float por debajo de 0 y los que tiene al lado un entero
+    for (const float x : {-1e-30f, -1e-9f, std::nextafter(3.0f, 0.0f), std::nextafter(-3.0f, 0.0f)})
+        EXPECT_NEAR(ruido(glm::vec3(x, 0.3f, 0.7f)), ruido(glm::vec3(std::round(x), 0.3f, 0.7f)), 2e-6f);
+}
+
+TEST(Ruido, ValeCeroEnLosNodosYNoEsConstante) {
+    std::set<double> valores;
+    for (int i = -50; i < 50; ++i) {
+        EXPECT_EQ(ruido(dvec3(i, 3 * i + 1, -7 * i)), 0);
+        valores.insert(ruido(dvec3(i + 0.4, 0.2, 0.7)));
+    }
+    EXPECT_GT(valores.size(), 20u);
+}
+
+TEST(Ruido, Periodo) {
+    Azar azar;
+    for (const ivec3 &periodo : PERIODOS)
+        for (int i = 0; i < 500; ++i) {
+            const dvec3 p = azar.punto(10);
+            const dvec3 salto = dvec3(periodo) * glm::floor(azar.punto(4));
+            EXPECT_NEAR(ruido(p, periodo), ruido(p + salto, periodo), 1e-12);
+            EXPECT_NEAR(turbulencia(p, 3, periodo), turbulencia(p + salto, 3, periodo), 1e-12);
+        }
+    // sin periodo no se repite, ni es simétrico
+    int distintos = 0;
+    for (int i = 0; i < 100; ++i) {
+        const dvec3 p = azar.punto(10);
+        distintos += std::fabs(ruido(p) - ruido(p + dvec3(4, 0, 0))) > 1e-3 &&
+                     std::fabs(ruido(p) - ruido(-p)) > 1e-3 &&
+                     std::fabs(ruido(p) - ruido(dvec3(p.y, p.x, p.z))) > 1e-3;
+    }
+    EXPECT_GT(distintos, 90);
+}
+
+// Lo más que puede valer en un punto de una celda es la media ponderada de la rampa más alta de cada esquina: la de un
+// gradiente que anula la menor de las tres distancias. Su máximo en la celda es la cota que dice ruido.glsl.
+TEST(Ruido, CotaDelValor) {
+    double cota = 0;
+    const int n = 64;
+    for (int x = 0; x <= n; ++x)
+        for (int y = 0; y <= n; ++y)
+            for (int z = 0; z <= n; ++z) {
+                double suma = 0;
+                for (int i = 0; i < 8; ++i) {
+                    const dvec3 e(i & 1, i >> 1 & 1, i >> 2), f = dvec3(x, y, z) / double(n),
+                                                              d = glm::abs(f - e);
+                    double peso = 1;
+                    for (int k = 0; k < 3; ++k)
+                        peso *= quintica(e[k] > 0 ? f[k] : 1 - f[k]);
+                    suma += peso * (d.x + d.y + d.z - std::min({d.x, d.y, d.z}));
+                }
+                cota = std::max(cota, suma);
+            }
+    EXPECT_LT(cota, 1.04);
+    EXPECT_GT(cota, 1.03); // y no es una cota holgada
+    Azar azar;
+    double mayor = 0, menor = 0, suma = 0, cuadrados = 0;
+    const int muestras = 200000;
+    for (int i = 0; i < muestras; ++i) {
+        const double r = ruido(azar.punto(500));
+        mayor = std::max(mayor, r), menor = std::min(menor, r);
+        suma += r, cuadrados += r * r;
+    }
+    EXPECT_LT(mayor, 1.04);
+    EXPECT_GT(menor, -1.04);
+    EXPECT_GT(mayor, 0.8);
+    EXPECT_LT(menor, -0.8);
+    EXPECT_NEAR(suma / muestras, 0, 0.005);
+    EXPECT_NEAR(std::sqrt(cuadrados / muestras), 0.28, 0.03);
+}
+
+// Donde un float ya no tiene decimales todo son nodos: 0, y el gradiente es finito.
+TEST(Ruido, CoordenadasEnormes) {
+    for (const float x : {8388608.0f, 16777216.0f, -16777218.0f, 2147483648.0f, -4e9f, 1e20f, -3e38f})
+        for (const ivec3 &periodo : PERIODOS) {
+            EXPECT_EQ(ruido(glm::vec3(x, -x, x), periodo), 0) << x;
+            const glm::vec4 r = ruidoConGradiente(glm::vec3(x, 0.3f, -0.7f), periodo);
+            for (int k = 0; k < 4; ++k)
+                EXPECT_LE(std::fabs(r[k]), 4) << x;
+        }
+    // en los ejes que sí tienen decimales sigue valiendo lo que debe
+    EXPECT_NEAR(double(ruido(glm::vec3(16777216, 0.3f, 0.7f))),
+                definicion({16777216, double(0.3f), double(0.7f)}), 1e-6);
+}
+
+// --- GLSL ---
+
+class SondaRuido : public testing::Test {
+protected:
+    static GLuint programa;
+
+    static void SetUpTestSuite() {
+        static char nombre[] = "sonda";
+        char *argv[] = {nombre, nullptr};
+        int argc = 1;
+        glutInit(&argc, argv);
+        glutCreateWindow(nombre);
+        glewExperimental = GL_TRUE;
+        glewInit(); // su resultado no sirve: common/ventana.cpp
+        programa = creaPrograma("tests/capitulos/ch05_sonda.vert", "tests/capitulos/ch08_sonda.frag");
+        GLuint vao = 0, color = 0, framebuffer = 0;
+        glGenVertexArrays(1, &vao);
+        glBindVertexArray(vao);
+        glGenRenderbuffers(1, &color);
+        glBindRenderbuffer(GL_RENDERBUFFER, color);
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, 1, 1);
+        glGenFramebuffers(1, &framebuffer);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+        ASSERT_EQ(glCheckFramebufferStatus(GL_FRAMEBUFFER), GLenum(GL_FRAMEBUFFER_COMPLETE));
+        glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
+        glUseProgram(programa);
+    }
+
+    /// Con 0 octavas, el ruido.
+    static glm::vec4 glsl(const glm::vec3 &p, const ivec3 &periodo, int octavas = 0) {
+        envia(programa, "p", p);
+        envia(programa, "periodoX", periodo.x);
+        envia(programa, "periodoY", periodo.y);
+        envia(programa, "periodoZ", periodo.z);
+        envia(programa, "octavas", octavas);
+        glm::vec4 color(-9);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, glm::value_ptr(color));
+        return color;
+    }
+};
+GLuint SondaRuido::programa = 0;
+
+TEST_F(SondaRuido, GlslDaLoMismoQueCpp) {
+    Azar azar;
+    double maximo = 0, maximoTurbulencia = 0;
+    const auto compara = [&](const glm::vec3 &p, const ivec3 &periodo) {
+        const glm::vec4 a = glsl(p, periodo), b = glsl(p, periodo, 4);
+        const glm::dvec4 r = ruidoConGradiente(dvec3(p), periodo), t = turbulenciaConGradiente(p, 4, periodo);
+        for (int k = 0; k < 4; ++k) {
+            maximo = std::max(maximo, std::fabs(double(a[k]) - r[k]));
+            maximoTurbulencia = std::max(maximoTurbulencia, std::fabs(double(b[k]) - t[k]));
+        }
+    };
+    for (const ivec3 &periodo : PERIODOS)
+        for (int i = 0; i < 1500; ++i)
+            compara(glm::vec3(azar.punto(i % 3 ? 4 : 300)), periodo);
+    for (const float x : {0.0f, -1.0f, -1e-9f, 5.0f, -8388609.0f, 16777216.0f, -16777218.0f, 1e20f, -3e38f})
+        for (const ivec3 &periodo : PERIODOS)
+            compara({x, 0.3f, -7.6f}, periodo);
+    RecordProperty("maximo", std::to_string(maximo));
+    RecordProperty("maximoTurbulencia", std::to_string(maximoTurbulencia));
+    EXPECT_LT(maximo, 1e-5);
+    EXPECT_LT(maximoTurbulencia, 1e-5);
+}
