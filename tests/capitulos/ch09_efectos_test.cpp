@@ -2,10 +2,11 @@
 // que no son múltiplos de 4.
 #include "ch09_imagen.h"
 #include <cstdlib>
+#include <glm/glm.hpp>
 
 namespace {
 
-const Imagen A = alAzar(61, 47, 1);
+const Imagen A = alAzar(61, 47, 1), B = alAzar(61, 47, 2);
 
 double gris(const Vec3 &c) {
     return (c.x + c.y + c.z) / 3;
@@ -107,4 +108,140 @@ TEST(Efectos, LosCuatroALaVez) {
     es(60, 45, {155, 235, 55});
     es(20, 15, {107, 107, 107});
     es(60, 15, {50, 50, 50});
+}
+
+// --- mezcla ---
+
+TEST(Mezcla, ContraLaCpu) {
+    const auto con = [](double alfa) {
+        return [alfa](int x, int y) { return (1 - alfa) * texel(A, x, y) + alfa * texel(B, x, y); };
+    };
+    EXPECT_EQ(procesa("mezcla", {A, B}, "tecla 1").rgb, A.rgb);
+    EXPECT_EQ(procesa("mezcla", {A, B}, "tecla 4").rgb, B.rgb);
+    EXPECT_LE(diferenciaMaxima(procesa("mezcla", {A, B}), con(0.33)), 0.51);
+    EXPECT_LE(diferenciaMaxima(procesa("mezcla", {A, B}, "tecla 3"), con(0.66)), 0.51);
+    EXPECT_LE(diferenciaMaxima(procesa("mezcla", {A, B}, "tecla 3; tecla +; tecla +; tecla -"), con(0.67)),
+              0.51);
+    EXPECT_EQ(procesa("mezcla", {A, B}, "tecla 4; tecla +").rgb, B.rgb); // alfa no pasa de 1
+    EXPECT_EQ(procesa("mezcla", {A, B}, "tecla 1; tecla -").rgb, A.rgb);
+}
+
+TEST(Mezcla, OtraTallaSeEstira) {
+    const Imagen lisa = imagen(5, 3, [](int, int) { return Pixel{10, 20, 30}; });
+    EXPECT_EQ(diferenciaMaxima(procesa("mezcla", {A, lisa}, "tecla 4"),
+                               [](int, int) {
+                                   return Vec3{10, 20, 30};
+                               }),
+              0);
+}
+
+TEST(Mezcla, HacenFaltaDosImagenes) {
+    const struct {
+        std::vector<std::string> argumentos;
+        const char *mensaje;
+    } casos[] = {{{escribe(A)}, "hacen falta 2 imágenes y solo hay 1"},
+                 {{escribe(A), escribe(B), escribe(A)}, "solo se leen 2 imágenes"},
+                 {{escribe(A), escribe(B, false)}, "hay que decir -talla ANCHOxALTO"},
+                 {{escribe(A), escribe(B), "-talla", "61x47"}, "sobra -talla"}};
+    for (const auto &c : casos) {
+        const Ejecucion e = ejecuta("ch09_imagen/mezcla", "", 61, 47, c.argumentos);
+        EXPECT_EQ(e.estado, 2);
+        EXPECT_NE(e.errores.find(c.mensaje), std::string::npos) << e.errores;
+    }
+    const Ejecucion e =
+        ejecuta("ch09_imagen/mezcla", "tecla 4", 61, 47, {escribe(A), "-talla", "61x47", escribe(B, false)});
+    EXPECT_EQ(e.imagen.rgb, B.rgb);
+}
+
+// --- diferencia ---
+
+TEST(Diferencia, ContraLaCpu) {
+    const Imagen d = procesa("diferencia", {A, B});
+    EXPECT_EQ(diferenciaMaxima(d,
+                               [](int x, int y) {
+                                   const Vec3 r = texel(A, x, y) - texel(B, x, y);
+                                   return Vec3{std::fabs(r.x), std::fabs(r.y), std::fabs(r.z)};
+                               }),
+              0);
+    EXPECT_EQ(procesa("diferencia", {B, A}).rgb, d.rgb);
+    EXPECT_LE(diferenciaMaxima(procesa("diferencia", {A, B}, "tecla s"),
+                               [](int x, int y) {
+                                   return Vec3{128, 128, 128} + 0.5 * (texel(A, x, y) - texel(B, x, y));
+                               }),
+              0.51);
+}
+
+TEST(Diferencia, DeUnaImagenConsigoMisma) {
+    const Imagen negra = procesa("diferencia", {A, A}), gris = procesa("diferencia", {A, A}, "tecla s");
+    EXPECT_EQ(std::count(negra.rgb.begin(), negra.rgb.end(), 0), std::ptrdiff_t(negra.rgb.size()));
+    EXPECT_EQ(std::count(gris.rgb.begin(), gris.rgb.end(), 128), std::ptrdiff_t(gris.rgb.size()));
+}
+
+TEST(Diferencia, DosTallasNoSePuedenRestar) {
+    const Ejecucion e = ejecuta("ch09_imagen/diferencia", "", 61, 47, {escribe(A), escribe(alAzar(61, 48))});
+    EXPECT_EQ(e.estado, 1);
+    EXPECT_NE(e.errores.find("tienen que medir lo mismo"), std::string::npos);
+}
+
+// Las dos de por omisión se diferencian en cinco sitios y en nada más.
+TEST(Diferencia, CincoSitios) {
+    const Imagen d = ejecuta("ch09_imagen/diferencia", "tecla r", 250, 190).imagen;
+    const glm::ivec4 sitios[] = {{95, 142, 142, 162},
+                                 {209, 154, 236, 173},
+                                 {113, 60, 132, 96},
+                                 {180, 20, 236, 77},
+                                 {135, 50, 180, 65}};
+    int contados[5] = {}, fuera = 0;
+    for (int y = 0; y < 190; ++y)
+        for (int x = 0; x < 250; ++x) {
+            const Pixel p = pixel(d, x, y);
+            if (p.r + p.g + p.b < 9)
+                continue;
+            int donde = -1;
+            for (int k = 0; k < 5; ++k)
+                if (x >= sitios[k].x && y >= sitios[k].y && x < sitios[k].z && y < sitios[k].w)
+                    donde = k;
+            ++(donde < 0 ? fuera : contados[donde]);
+        }
+    EXPECT_EQ(fuera, 0);
+    for (const int n : contados)
+        EXPECT_GT(n, 20);
+}
+
+// --- volteo ---
+
+TEST(Volteo, ContraLaCpuYDosVecesEsElOriginal) {
+    const auto volteada = [](bool h, bool v) {
+        return [=](int x, int y) { return texel(A, h ? A.ancho - 1 - x : x, v ? A.alto - 1 - y : y); };
+    };
+    EXPECT_EQ(procesa("volteo", {A}).rgb, A.rgb);
+    EXPECT_EQ(diferenciaMaxima(procesa("volteo", {A}, "tecla h"), volteada(true, false)), 0);
+    EXPECT_EQ(diferenciaMaxima(procesa("volteo", {A}, "tecla v"), volteada(false, true)), 0);
+    EXPECT_EQ(diferenciaMaxima(procesa("volteo", {A}, "tecla h; tecla v"), volteada(true, true)), 0);
+    for (const std::string tecla : {"tecla h", "tecla v"}) {
+        EXPECT_EQ(procesa("volteo", {procesa("volteo", {A}, tecla)}, tecla).rgb, A.rgb);
+        EXPECT_EQ(procesa("volteo", {A}, tecla + "; " + tecla).rgb, A.rgb);
+    }
+}
+
+// --- remolino ---
+
+// Gira en el sentido contrario a las agujas del reloj; fuera del círculo que cabe en la imagen no cambia nada.
+TEST(Remolino, ContraLaCpu) {
+    const auto girada = [](const Imagen &im, double grados) {
+        return [&im, grados](int x, int y) {
+            const double cx = im.ancho / 2.0, cy = im.alto / 2.0, dx = x + 0.5 - cx, dy = y + 0.5 - cy,
+                         cerca = std::max(1 - std::hypot(dx, dy) / std::min(cx, cy), 0.0),
+                         a = -grados * 3.14159265358979323846 / 180 * cerca * cerca;
+            return bilineal(im, cx + std::cos(a) * dx - std::sin(a) * dy,
+                            cy + std::sin(a) * dx + std::cos(a) * dy);
+        };
+    };
+    for (const Imagen &im : {A, alAzar(40, 90, 7)}) {
+        EXPECT_LE(diferenciaMaxima(procesa("remolino", {im}), girada(im, 240)), 1);
+        EXPECT_LE(diferenciaMaxima(procesa("remolino", {im}, repite("tecla -", 20)), girada(im, -60)), 1);
+        EXPECT_LE(diferenciaMaxima(procesa("remolino", {im}, repite("tecla +", 99)), girada(im, 720)), 1);
+    }
+    EXPECT_EQ(procesa("remolino", {A}, repite("tecla -", 16)).rgb, A.rgb); // 0°
+    EXPECT_EQ(procesa("remolino", {alAzar(1, 1)}).rgb, alAzar(1, 1).rgb);
 }
