@@ -536,6 +536,121 @@ Color fotoEntorno(double x, double y) {
     return entorno({CX + a * DX, CY + b * AY, CZ + a * DZ + b * AZ});
 }
 
+/// La misma foto con cinco cambios: la bola es azul, hay un velero y una luna, falta una nube y una franja de
+/// la vasija es verde.
+Color fotoCambiada(double px, double py) {
+    const double x = px / 190, y = py / 190;
+    Color c = foto(px, py);
+    const double bx = (x - 1.10) / 0.135, by = (y - 0.262) / 0.135;
+    if (bx * bx + by * by < 1)
+        c = ilumina({0.45, 0.62, 0.92}, bx, by, 0.95);
+    const double vela = (x - 0.645) / 0.035, alto = (y - 0.385) / 0.11;
+    if (alto > 0 && alto < 1 && vela > alto - 1 && vela < 1 - alto && std::fabs(vela) > 0.08)
+        c = vela < 0 ? Color{0.97, 0.95, 0.90} : Color{0.90, 0.30, 0.22};
+    if (std::fabs(alto + 0.10) < 0.08 && std::fabs(vela) < 1.1 + 2 * alto)
+        c = {0.30, 0.17, 0.12};
+    c = mezcla({0.97, 0.96, 0.88}, c, escalon(0.040, 0.046, modulo(x - 1.17, y - 0.86)));
+    if (modulo(x - 0.62, (y - 0.80) * 2.2) < 0.10)
+        c = mezcla({0.30, 0.36, 0.60}, c, escalon(0.06, 0.10, modulo(x - 0.62, (y - 0.80) * 2.2)));
+    const double X = x - 0.83, a = (y - 0.130 - 1.8 * X * X * (0.64 - y)) / 0.34;
+    if (a > 0.50 && a < 0.53 && std::fabs(X) < 0.104)
+        c = c + Color{0.0, 0.30, -0.10};
+    return c;
+}
+
+// --- Dos caras con los mismos rasgos, para pasar de una a otra; x va de 0 a 4/3 e y de 0 (abajo) a 1 ---------
+
+/// Un disco o una elipse de semiejes a y b: 1 dentro y 0 fuera, con el canto suavizado.
+double elipse(double x, double y, double cx, double cy, double a, double b) {
+    return 1 - escalon(0.985, 1.015, modulo((x - cx) / a, (y - cy) / b));
+}
+/// 1 a menos de medio grosor del arco de parábola y = cy + k·(x − cx)², |x − cx| < largo.
+double arco(double x, double y, double cx, double cy, double k, double largo, double grosor) {
+    const double dx = x - cx, pendiente = 2 * k * dx, d = std::fabs(y - cy - k * dx * dx);
+    return (1 - escalon(0.8 * grosor, grosor, 2 * d / std::sqrt(1 + pendiente * pendiente))) *
+           (1 - escalon(0.97, 1.03, std::fabs(dx) / largo));
+}
+/// 1 dentro del triángulo de vértices a, b y c, en sentido antihorario.
+double triangulo(double x, double y, const double (&v)[3][2]) {
+    double dentro = 1;
+    for (int i = 0; i < 3; ++i) {
+        const double *p = v[i], *q = v[(i + 1) % 3], dx = q[0] - p[0], dy = q[1] - p[1];
+        dentro *= escalon(-0.004, 0.004, (dx * (y - p[1]) - dy * (x - p[0])) / modulo(dx, dy));
+    }
+    return dentro;
+}
+/// Lo esférico de la cara: más clara arriba a la izquierda.
+double bulto(double x, double y, double cx, double cy, double r) {
+    const double dx = (x - cx) / r, dy = (y - cy) / r;
+    return 1.03 - 0.10 * dx + 0.10 * dy - 0.10 * (dx * dx + dy * dy);
+}
+
+const double MEDIO = 2.0 / 3;
+
+/// Niña pelirroja con pecas sobre fondo azul.
+Color cara(double px, double py) {
+    const double x = px / 240, y = py / 240, lado = std::fabs(x - MEDIO); // simétrica
+    Color c = mezcla({0.55, 0.78, 0.90}, {0.30, 0.52, 0.78}, y);
+    const Color piel{0.98, 0.80, 0.68}, pelo{0.80, 0.36, 0.14}, oscuro{0.20, 0.12, 0.10};
+    const double mechas = 0.85 + 0.3 * nubes(40 * x, 4 * y, 2, 0, 0, 201);
+    c = mezcla(c, mechas * pelo, elipse(x, y, MEDIO, 0.52, 0.375, 0.43));   // pelo por detrás
+    c = mezcla(c, mechas * pelo, elipse(lado, y, 0.39, 0.30, 0.085, 0.17)); // coletas
+    c = mezcla(c, {0.95, 0.78, 0.15}, elipse(lado, y, 0.36, 0.44, 0.05, 0.035));
+    c = mezcla(c, {0.86, 0.25, 0.30}, elipse(x, y, MEDIO, -0.06, 0.30, 0.19)); // jersey
+    c = mezcla(c, 0.90 * piel, elipse(x, y, MEDIO, 0.14, 0.09, 0.12));
+    c = mezcla(c, 0.94 * piel, elipse(lado, y, 0.285, 0.47, 0.045, 0.07)); // orejas
+    c = mezcla(c, bulto(x, y, MEDIO, 0.46, 0.33) * piel, elipse(x, y, MEDIO, 0.46, 0.28, 0.34));
+    const double flequillo = elipse(x, y, MEDIO, 0.80, 0.27, 0.165);
+    c = mezcla(c, mechas * pelo, flequillo * elipse(x, y, MEDIO, 0.52, 0.375, 0.43));
+    c = mezcla(c, {0.97, 0.55, 0.50},
+               0.55 * (1 - escalon(0.2, 1, modulo((lado - 0.17) / 0.08, (y - 0.36) / 0.06))));
+    c = mezcla(c, {1, 1, 1}, elipse(lado, y, 0.125, 0.50, 0.055, 0.050)); // ojos
+    c = mezcla(c, {0.25, 0.55, 0.30}, elipse(lado, y, 0.125, 0.50, 0.036, 0.040));
+    c = mezcla(c, oscuro, elipse(lado, y, 0.125, 0.50, 0.019, 0.022));
+    c = mezcla(c, {1, 1, 1}, elipse(x - (x < MEDIO ? -0.125 : 0.125), y, MEDIO - 0.012, 0.515, 0.010, 0.011));
+    c = mezcla(c, 0.6 * pelo, arco(lado, y, 0.125, 0.60, -4, 0.06, 0.022));         // cejas
+    c = mezcla(c, {0.86, 0.58, 0.46}, arco(x, y, MEDIO, 0.375, 10, 0.035, 0.016));  // nariz
+    c = mezcla(c, {0.72, 0.20, 0.22}, arco(x, y, MEDIO, 0.225, 3.5, 0.105, 0.026)); // boca
+    for (int i = 0; i < 5; ++i)                                                     // pecas
+        c = mezcla(c, {0.80, 0.50, 0.34},
+                   0.8 * elipse(lado, y, 0.10 + 0.026 * i, 0.375 + 0.02 * ((i * 3) % 4 - 1.5), 0.007, 0.007));
+    return c;
+}
+
+/// Gato gris a rayas sobre fondo verde: los ojos, más abiertos y más altos, y la boca y el hocico, más juntos.
+Color gato(double px, double py) {
+    const double x = px / 240, y = py / 240, lado = std::fabs(x - MEDIO);
+    Color c = mezcla({0.62, 0.80, 0.52}, {0.36, 0.62, 0.44}, y);
+    const Color gris{0.62, 0.60, 0.62}, blanco{0.97, 0.95, 0.92}, rosa{0.93, 0.58, 0.58},
+        oscuro{0.13, 0.11, 0.13};
+    const double pelaje = 0.90 + 0.2 * nubes(60 * x, 60 * y, 2, 0, 0, 203);
+    c = mezcla(c, 0.9 * pelaje * gris, elipse(x, y, MEDIO, -0.12, 0.34, 0.30)); // cuerpo
+    c = mezcla(c, blanco, elipse(x, y, MEDIO, 0.0, 0.13, 0.16));
+    c = mezcla(c, 0.9 * pelaje * gris,
+               triangulo(lado, y, {{0.10, 0.68}, {0.36, 0.52}, {0.36, 0.97}})); // orejas
+    c = mezcla(c, rosa, triangulo(lado, y, {{0.18, 0.70}, {0.325, 0.60}, {0.33, 0.89}}));
+    c = mezcla(c, bulto(x, y, MEDIO, 0.44, 0.40) * pelaje * gris, elipse(x, y, MEDIO, 0.44, 0.39, 0.32));
+    for (int i = 0; i < 3; ++i) // rayas
+        c = mezcla(c, 0.55 * gris, arco(lado, y, 0.34, 0.36 + 0.065 * i, 2, 0.055, 0.022));
+    for (const double raya : {0.0, 0.055})
+        c = mezcla(c, 0.55 * gris,
+                   (1 - escalon(0.008, 0.014, std::fabs(lado - raya))) * escalon(0.62, 0.64, y + raya / 4) *
+                       (1 - escalon(0.71, 0.74, y + raya / 4)));
+    c = mezcla(c, blanco, elipse(lado, y, 0.065, 0.27, 0.095, 0.080));              // hocico
+    c = mezcla(c, {0.96, 0.85, 0.30}, elipse(lado, y, 0.175, 0.485, 0.078, 0.075)); // ojos
+    c = mezcla(c, oscuro, elipse(lado, y, 0.175, 0.485, 0.022, 0.066));
+    c = mezcla(c, {1, 1, 1}, elipse(x - (x < MEDIO ? -0.175 : 0.175), y, MEDIO - 0.022, 0.515, 0.014, 0.016));
+    c = mezcla(c, rosa, triangulo(x, y, {{MEDIO - 0.045, 0.355}, {MEDIO, 0.305}, {MEDIO + 0.045, 0.355}}));
+    c = mezcla(c, oscuro,
+               (1 - escalon(0.005, 0.008, lado)) * escalon(0.268, 0.274, y) * (1 - escalon(0.305, 0.310, y)));
+    c = mezcla(c, oscuro, arco(lado, y, 0.055, 0.245, 8, 0.055, 0.015)); // boca
+    for (int i = -1; i <= 1; ++i)                                        // bigotes
+        c = mezcla(c, blanco,
+                   (1 - escalon(0.003, 0.006, std::fabs(y - 0.29 - 0.02 * i - 0.28 * i * (lado - 0.12)))) *
+                       escalon(0.15, 0.17, lado) * (1 - escalon(0.42, 0.45, lado)));
+    return c;
+}
+
 // --- Ficheros ----------------------------------------------------------------------------------------------
 
 /// Cada texel es la media de 4 × 4 muestras.
@@ -575,7 +690,10 @@ const Asset ASSETS[] = {{"metal", 256, 256, metal},
                         {"entorno_arriba", 256, 256, fotoEntorno<0, 1, 0, 1, 0, 0, 1>},
                         {"entorno_abajo", 256, 256, fotoEntorno<0, -1, 0, 1, 0, 0, -1>},
                         {"entorno_detras", 256, 256, fotoEntorno<0, 0, 1, -1, 0, 1, 0>},
-                        {"entorno_delante", 256, 256, fotoEntorno<0, 0, -1, 1, 0, 1, 0>}};
+                        {"entorno_delante", 256, 256, fotoEntorno<0, 0, -1, 1, 0, 1, 0>},
+                        {"foto_cambiada", 250, 190, fotoCambiada},
+                        {"cara", 320, 240, cara},
+                        {"gato", 320, 240, gato}};
 
 } // namespace
 

@@ -83,7 +83,15 @@ Imagen leePpm(const std::string &fichero, std::string *comentario) {
 }
 
 Imagen imagenDeArgumentos(int argc, char **argv, const std::string &porOmision, int ancho, int alto) {
-    std::string fichero, talla;
+    return imagenesDeArgumentos(argc, argv, {{porOmision, ancho, alto}})[0];
+}
+
+std::vector<Imagen> imagenesDeArgumentos(int argc, char **argv,
+                                         const std::vector<ImagenPorOmision> &porOmision) {
+    const std::size_t cuantas = porOmision.size();
+    std::vector<std::string> ficheros;
+    std::string talla;
+    int ancho = 0, alto = 0;
     for (int i = 1; i < argc; ++i) {
         const std::string argumento = argv[i];
         if (argumento == "-talla" && talla.empty()) {
@@ -92,25 +100,40 @@ Imagen imagenDeArgumentos(int argc, char **argv, const std::string &porOmision, 
             talla = argv[i];
             if (!leeTalla(talla, ancho, alto))
                 falla("«" + talla + "» no es un tamaño ANCHOxALTO", 2);
-        } else if (!argumento.empty() && argumento[0] != '-' && fichero.empty()) {
-            fichero = argumento;
+        } else if (!argumento.empty() && argumento[0] != '-' && ficheros.size() < cuantas) {
+            ficheros.push_back(argumento);
         } else {
-            falla("sobra «" + argumento + "»: solo se lee una imagen", 2);
+            falla("sobra «" + argumento + "»: solo se " +
+                      (cuantas == 1 ? "lee una imagen" : "leen " + std::to_string(cuantas) + " imágenes"),
+                  2);
         }
     }
-    std::string extension = fs::path(fichero).extension().string();
-    for (char &c : extension)
-        c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    const bool esPpm = extension == ".ppm";
-    if (fichero.empty() && talla.empty())
-        return leeTextura(recurso(porOmision), ancho, alto);
-    if (fichero.empty())
+    std::vector<Imagen> imagenes;
+    if (ficheros.empty() && talla.empty()) {
+        for (const ImagenPorOmision &i : porOmision)
+            imagenes.push_back(leeTextura(recurso(i.recurso), i.ancho, i.alto));
+        return imagenes;
+    }
+    if (ficheros.empty())
         falla("con -talla falta el fichero RGB", 2);
-    if (esPpm && !talla.empty())
-        falla("«" + fichero + "»: un PPM ya dice su tamaño, sobra -talla", 2);
-    if (!esPpm && talla.empty())
-        falla("«" + fichero + "»: de un fichero RGB sin cabecera hay que decir -talla ANCHOxALTO", 2);
-    return esPpm ? leePpm(fichero) : leeTextura(fichero, ancho, alto);
+    if (ficheros.size() < cuantas)
+        falla("hacen falta " + std::to_string(cuantas) + " imágenes y solo hay " +
+                  std::to_string(ficheros.size()),
+              2);
+    const auto esPpm = [](const std::string &fichero) {
+        std::string extension = fs::path(fichero).extension().string();
+        for (char &c : extension)
+            c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        return extension == ".ppm";
+    };
+    if (!talla.empty() && std::all_of(ficheros.begin(), ficheros.end(), esPpm))
+        falla("«" + ficheros[0] + "»: un PPM ya dice su tamaño, sobra -talla", 2);
+    for (const std::string &fichero : ficheros)
+        if (talla.empty() && !esPpm(fichero))
+            falla("«" + fichero + "»: de un fichero RGB sin cabecera hay que decir -talla ANCHOxALTO", 2);
+    for (const std::string &fichero : ficheros)
+        imagenes.push_back(esPpm(fichero) ? leePpm(fichero) : leeTextura(fichero, ancho, alto));
+    return imagenes;
 }
 
 bool intentaGuardarPpm(const std::string &fichero, const Imagen &imagen, const std::string &comentario,

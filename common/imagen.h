@@ -23,6 +23,14 @@ Imagen leePpm(const std::string &fichero, std::string *comentario = nullptr);
 /// argumentos no son esos, termina con estado 2.
 Imagen imagenDeArgumentos(int argc, char **argv, const std::string &porOmision, int ancho, int alto);
 
+/// Lo mismo con varias imágenes: en los argumentos van todas o ninguna, y -talla es el tamaño de todas las RGB.
+struct ImagenPorOmision {
+    std::string recurso;
+    int ancho, alto;
+};
+std::vector<Imagen> imagenesDeArgumentos(int argc, char **argv,
+                                         const std::vector<ImagenPorOmision> &porOmision);
+
 /// Guarda un PPM binario, entero o nada: se escribe aparte y se renombra al final. Un dispositivo
 /// (/dev/full, una tubería) se escribe directamente. Si falla, termina diciendo por qué.
 void guardaPpm(const std::string &fichero, const Imagen &imagen, const std::string &comentario = "");

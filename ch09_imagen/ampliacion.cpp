@@ -1,0 +1,77 @@
+// Ampliar y reducir (§9.4): el vertex shader multiplica siempre el mismo rectángulo por el factor y por la proporción que evita
+// deformar la imagen. Con ×1 cabe justa en la ventana. Al ampliar se interpola entre texels o se toma el más cercano; al
+// reducir hacen falta mipmaps: sin ellos se saltan texels y sale otra imagen.
+// Controles: + - factor · f filtro lineal o vecino · v sin la proporción y con ella · r rótulos · Esc termina.
+#include "imagen_en_ventana.h"
+#include "proporcion.h"
+#include <cstdio>
+
+static const int PASOS = 8; // hasta ×2⁴ y ×2⁻⁴: dos pasos duplican
+
+static struct {
+    GLuint programa;
+    glm::ivec2 talla;
+    int pasos = 0;
+    bool vecino = false, compara = false, rotulos;
+} estado;
+
+static void dibujaAmpliada(const Recuadro &panel, bool conProporcion, const std::string &rotulo) {
+    const float factor = std::exp2(static_cast<float>(estado.pasos) / 2);
+    const Recuadro imagen = {0, 0, estado.talla.x, estado.talla.y};
+    abreRecuadro(panel, FONDO_OSCURO);
+    glUseProgram(estado.programa);
+    envia(estado.programa, "imagen", 0);
+    envia(estado.programa, "escala",
+          factor * (conProporcion ? proporcion(aspecto(imagen), aspecto(panel)) : glm::vec2(1)));
+    dibujaRectangulo();
+    if (estado.rotulos)
+        rotulaImagen(rotulo);
+}
+
+static void dibuja() {
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, estado.vecino ? GL_NEAREST : GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                    estado.vecino ? GL_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
+    char factor[32];
+    std::snprintf(factor, sizeof factor, "×%.3g, %s", std::exp2(estado.pasos / 2.0),
+                  estado.vecino ? "vecino" : "lineal");
+    abreRecuadro(ventanaEntera(), GRIS);
+    if (estado.compara) {
+        const std::vector<Recuadro> paneles = rejilla(2, 1);
+        dibujaAmpliada(paneles[0], false, "sin proporción");
+        dibujaAmpliada(paneles[1], true, "con proporción");
+    } else {
+        dibujaAmpliada(ventanaEntera(), true, factor);
+    }
+    ponTitulo(std::string("Ampliación ") + factor);
+    glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla))
+        return;
+    switch (tecla) {
+    case '+': estado.pasos = std::min(estado.pasos + 1, PASOS); break;
+    case '-': estado.pasos = std::max(estado.pasos - 1, -PASOS); break;
+    case 'f': estado.vecino = !estado.vecino; break;
+    case 'v': estado.compara = !estado.compara; break;
+    case 'r': estado.rotulos = !estado.rotulos; break;
+    default: return;
+    }
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    const auto [imagenes, propias] =
+        abreVentanaConImagenes(argc, argv, "Ampliación", {{"assets/foto.rgb", 250, 190}});
+    estado.programa = creaPrograma("ch09_imagen/ampliacion.vert", "ch09_imagen/imagen.frag");
+    estado.talla = tallaDe(imagenes[0]);
+    estado.rotulos = !propias;
+    creaTextura2D(imagenes[0]);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    glutMainLoop();
+    return 0;
+}

@@ -1,0 +1,149 @@
+// El efecto escalera y cómo se quita (§9.3, figura 9.4): sin nada, un píxel es del triángulo si lo es su centro; con multimuestra se
+// miran varios puntos de cada píxel y se promedian, con un solo color por triángulo; con sobremuestreo se dibuja todo VECES
+// × VECES mayor y se reduce. El libro pide las muestras a la ventana con GLUT_MULTISAMPLE y las cuenta con
+// GL_SAMPLE_BUFFERS (no GL_SAMPLES_BUFFERS); una ventana puede no darlas, y aquí se piden a un framebuffer propio.
+// Controles: 1 sin nada · 2 multimuestra · 3 sobremuestreo · v los tres · Esc termina.
+#include "estrella.h"
+#include "imagen_en_ventana.h"
+#include "trazo.h"
+
+static const int VECES = 4, MUESTRAS = 4, DENTRO = 16;
+static const glm::vec2
+    AUMENTADO(0.895f, 0.530f); // centro de los DENTRO × DENTRO píxeles que se aumentan, en la escena
+static const char *const NOMBRES[3] = {"Sin antialiasing", "Multimuestra", "Sobremuestreo"};
+
+static struct {
+    GLuint reduce, copia, renderbuffer, multimuestra;
+    GLint buffersVentana, muestrasVentana, muestras;
+    Lienzo lienzo = {0, 0}, grande = {0, 0};
+    int lado = 0, elegido = 0;
+    bool compara = false;
+} estado;
+
+/// Los framebuffers de lado × lado; se rehacen si cambia.
+static void creaLienzos(int lado) {
+    if (lado == estado.lado)
+        return;
+    for (const Lienzo &l : {estado.lienzo, estado.grande}) {
+        glDeleteFramebuffers(1, &l.framebuffer);
+        glDeleteTextures(1, &l.textura);
+    }
+    estado.lado = lado;
+    estado.lienzo = creaLienzo({lado, lado});
+    estado.grande = creaLienzo({VECES * lado, VECES * lado});
+    GLint mayor = 0;
+    glGetIntegerv(GL_MAX_SAMPLES, &mayor);
+    glBindRenderbuffer(GL_RENDERBUFFER, estado.renderbuffer);
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, std::min(MUESTRAS, mayor), GL_RGBA8, lado, lado);
+    glBindFramebuffer(GL_FRAMEBUFFER, estado.multimuestra);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, estado.renderbuffer);
+    glGetIntegerv(GL_SAMPLES, &estado.muestras);
+}
+
+static void dibujaEstrella(GLuint framebuffer, int lado) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    abreRecuadro({0, 0, lado, lado}, FONDO_CLARO);
+    std::vector<glm::vec3> vertices;
+    for (const glm::dvec2 &v : estrella())
+        vertices.push_back(glm::vec3(v, 0));
+    pintaTriangulos(vertices, OSCURO);
+}
+
+/// Deja la escena en estado.lienzo con esa técnica.
+static void dibujaEscena(int tecnica) {
+    const int lado = estado.lado;
+    if (tecnica == 0) {
+        dibujaEstrella(estado.lienzo.framebuffer, lado);
+    } else if (tecnica == 1) {
+        glEnable(GL_MULTISAMPLE);
+        dibujaEstrella(estado.multimuestra, lado);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, estado.lienzo.framebuffer);
+        glBlitFramebuffer(0, 0, lado, lado, 0, 0, lado, lado, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    } else {
+        dibujaEstrella(estado.grande.framebuffer, VECES * lado);
+        glBindFramebuffer(GL_FRAMEBUFFER, estado.lienzo.framebuffer);
+        dibujaEn({0, 0, lado, lado});
+        glUseProgram(estado.reduce);
+        glBindTexture(GL_TEXTURE_2D, estado.grande.textura);
+        envia(estado.reduce, "imagen", 0);
+        envia(estado.reduce, "veces", VECES);
+        dibujaRectangulo();
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+static std::string nombre(int tecnica) {
+    return NOMBRES[tecnica] + (tecnica == 1   ? " ×" + std::to_string(estado.muestras)
+                               : tecnica == 2 ? " ×" + std::to_string(VECES * VECES)
+                                              : std::string());
+}
+
+/// El cuadrado de la escena, píxel a píxel, y en su centro, que está vacío, parte de un rayo aumentada.
+static void dibujaPanel(int tecnica, const Recuadro &panel) {
+    creaLienzos(std::max(std::min(panel.ancho, panel.alto * 9 / 10), 1)); // debajo va el rótulo
+    dibujaEscena(tecnica);
+    const int lado = estado.lado, x = panel.x + (panel.ancho - lado) / 2, y = panel.y + panel.alto - lado;
+    glUseProgram(estado.copia);
+    glBindTexture(GL_TEXTURE_2D, estado.lienzo.textura);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    envia(estado.copia, "imagen", 0);
+    dibujaEn({x, y, lado, lado});
+    dibujaRectangulo();
+    const int aumento = std::max(lado * 3 / 10 / DENTRO, 1), lupa = aumento * DENTRO;
+    const glm::ivec2 esquina = glm::ivec2(x, y) + (lado - lupa) / 2,
+                     primero = glm::ivec2(AUMENTADO * static_cast<float>(lado)) - DENTRO / 2;
+    abreRecuadro({esquina.x - 2, esquina.y - 2, lupa + 4, lupa + 4}, NARANJA);
+    glScissor(esquina.x, esquina.y, lupa, lupa);
+    glEnable(GL_SCISSOR_TEST);
+    dibujaEn(
+        {esquina.x - aumento * primero.x, esquina.y - aumento * primero.y, aumento * lado, aumento * lado});
+    glUseProgram(estado.copia);
+    dibujaRectangulo();
+    glDisable(GL_SCISSOR_TEST);
+    dibujaEn(panel);
+    rotula(nombre(tecnica), {0.5f, 0.05f}, OSCURO);
+}
+
+static void dibuja() {
+    abreRecuadro(ventanaEntera(), FONDO_CLARO);
+    if (estado.compara) {
+        const std::vector<Recuadro> paneles = reparte(3);
+        for (int tecnica = 0; tecnica < 3; ++tecnica)
+            dibujaPanel(tecnica, paneles[static_cast<std::size_t>(tecnica)]);
+    } else {
+        dibujaPanel(estado.elegido, ventanaEntera());
+    }
+    ponTitulo(std::string("Antialiasing: ") + (estado.compara ? "los tres" : NOMBRES[estado.elegido]) +
+              " (ventana: GL_SAMPLE_BUFFERS " + std::to_string(estado.buffersVentana) + ", GL_SAMPLES " +
+              std::to_string(estado.muestrasVentana) + "; framebuffer: " + std::to_string(estado.muestras) +
+              " muestras)");
+    glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla))
+        return;
+    if (tecla >= '1' && tecla <= '3') {
+        estado.elegido = tecla - '1';
+        estado.compara = false;
+    } else if (tecla == 'v') {
+        estado.compara = !estado.compara;
+    } else {
+        return;
+    }
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Antialiasing", GLUT_DOUBLE | GLUT_MULTISAMPLE);
+    estado.reduce = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/reduce.frag");
+    estado.copia = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/imagen.frag");
+    glGetIntegerv(GL_SAMPLE_BUFFERS, &estado.buffersVentana);
+    glGetIntegerv(GL_SAMPLES, &estado.muestrasVentana);
+    glGenRenderbuffers(1, &estado.renderbuffer);
+    glGenFramebuffers(1, &estado.multimuestra);
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    glutMainLoop();
+    return 0;
+}

@@ -1,0 +1,87 @@
+// Efectos de imagen (listado 9.1, figura 9.2): cada píxel sale solo de su texel, así que basta un fragment shader. La
+// escala de grises es la media del libro y, además, la luminancia: para la media el azul y el verde puros son el mismo gris,
+// aunque el verde se ve diez veces más claro. El libro lleva la imagen con glDrawPixels, que OpenGL 3.1 ya no tiene:
+// aquí es una textura.
+// Controles: 1 original · 2 brillo · 3 negativo · 4 grises, media · 5 grises, luminancia · + - brillo ·
+// v los cuatro a la vez · r rótulos · botón derecho menú · Esc termina.
+#include "imagen_en_ventana.h"
+
+static const char *const EFECTOS[] = {"Original", "Brillo", "Negativo", "Media", "Luminancia"};
+static const int BRILLO_MAXIMO = 40; // décimas
+
+static struct {
+    GLuint programa;
+    glm::ivec2 talla;
+    int elegido = 0, decimas = 16; // alfa = 1.6, como en la figura 9.2
+    bool compara = false, rotulos;
+} estado;
+
+static std::string nombre(int efecto) {
+    const std::string alfa = std::to_string(estado.decimas / 10) + "." + std::to_string(estado.decimas % 10);
+    return EFECTOS[efecto] + (efecto == 1 ? " ×" + alfa : "");
+}
+
+static void dibujaEfecto(int efecto, const Recuadro &panel) {
+    dibujaEn(encaja(estado.talla, panel));
+    envia(estado.programa, "elegido", efecto);
+    dibujaRectangulo();
+    if (estado.rotulos)
+        rotulaImagen(nombre(efecto));
+}
+
+static void dibuja() {
+    abreRecuadro(ventanaEntera(), FONDO_OSCURO);
+    glUseProgram(estado.programa);
+    envia(estado.programa, "imagen", 0);
+    envia(estado.programa, "alfa", static_cast<float>(estado.decimas) / 10);
+    if (estado.compara) {
+        int efecto = 1;
+        for (const Recuadro &panel : panelesPara(4, estado.talla))
+            dibujaEfecto(efecto++, panel);
+    } else {
+        dibujaEfecto(estado.elegido, ventanaEntera());
+    }
+    ponTitulo("Efectos de imagen: " + (estado.compara ? "los cuatro" : nombre(estado.elegido)));
+    glutSwapBuffers();
+}
+
+static void elige(int efecto) {
+    estado.elegido = efecto;
+    estado.compara = false;
+    glutPostRedisplay();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla))
+        return;
+    switch (tecla) {
+    case '1':
+    case '2':
+    case '3':
+    case '4':
+    case '5': return elige(tecla - '1');
+    case '+': estado.decimas = std::min(estado.decimas + 1, BRILLO_MAXIMO); break;
+    case '-': estado.decimas = std::max(estado.decimas - 1, 0); break;
+    case 'v': estado.compara = !estado.compara; break;
+    case 'r': estado.rotulos = !estado.rotulos; break;
+    default: return;
+    }
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    const auto [imagenes, propias] =
+        abreVentanaConImagenes(argc, argv, "Efectos de imagen", {{"assets/foto.rgb", 250, 190}});
+    estado.programa = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/efectos.frag");
+    estado.talla = tallaDe(imagenes[0]);
+    estado.rotulos = !propias;
+    creaTexturaExacta(imagenes[0]);
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    glutCreateMenu(elige);
+    for (int efecto = 0; efecto < static_cast<int>(std::size(EFECTOS)); ++efecto)
+        glutAddMenuEntry(EFECTOS[efecto], efecto);
+    glutAttachMenu(GLUT_RIGHT_BUTTON);
+    glutMainLoop();
+    return 0;
+}

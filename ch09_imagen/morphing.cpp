@@ -1,0 +1,145 @@
+// Morphing (§9.4): una malla en cada imagen, con los mismos puntos sobre los mismos rasgos. Al pasar t de 0 a 1 los vértices van de
+// los sitios de una a los de la otra y, a la vez, los colores se mezclan: los ojos van a los ojos. Con t = 0 se ve A,
+// exacta, y con t = 1, B. Si las imágenes son del usuario, las mallas empiezan regulares y los puntos se arrastran: con
+// t < 0.5 los de A y, si no, los de B.
+// Controles: 1 2 3 t = 0, 0.5 y 1 · + - t · espacio lo mueve · m malla · v A, t y B · ratón arrastra un punto · r rótulos ·
+// Esc termina.
+#include "malla_en_ventana.h"
+#include <cstdio>
+
+// Los rasgos de las dos caras de assets/: contorno, ojos y eje; barbilla, boca, nariz, ojos, frente y coronilla.
+static const MallaImagen CARA = creaMallaImagen({0, 0.29f, 0.406f, 0.5f, 0.594f, 0.71f, 1},
+                                                {0, 0.12f, 0.225f, 0.375f, 0.50f, 0.62f, 0.95f, 1}),
+                         GATO = creaMallaImagen({0, 0.208f, 0.369f, 0.5f, 0.631f, 0.792f, 1},
+                                                {0, 0.12f, 0.245f, 0.335f, 0.485f, 0.60f, 0.76f, 1}),
+                         REGULAR = creaMallaImagen(repartidos(7), repartidos(8));
+static const int VIGESIMOS = 20, VUELTA = 6000; // de t, y ms que tarda en ir y volver
+
+static struct {
+    GLuint programa;
+    Buferes buferes;
+    glm::ivec2 talla;
+    MallaImagen a, b;
+    int vigesimos = VIGESIMOS / 2, comienzo = 0; // comienzo: del movimiento, en ms
+    std::size_t punto = 0;
+    bool mueve = false, arrastra = false, conMalla = false, compara = false, rotulos;
+} estado;
+
+static MallaImagen intermedia(float t) {
+    MallaImagen m = estado.a;
+    for (std::size_t i = 0; i < m.puntos.size(); ++i)
+        m.puntos[i] = glm::mix(estado.a.puntos[i], estado.b.puntos[i], t);
+    return m;
+}
+
+static float tActual() {
+    if (!estado.mueve)
+        return static_cast<float>(estado.vigesimos) / VIGESIMOS;
+    const int ms = (glutGet(GLUT_ELAPSED_TIME) - estado.comienzo) % VUELTA;
+    return 1 - std::fabs(static_cast<float>(2 * ms) / VUELTA - 1);
+}
+
+static void dibujaMorphing(float t, const Recuadro &panel, const std::string &rotulo) {
+    dibujaEn(encaja(estado.talla, panel));
+    glUseProgram(estado.programa);
+    envia(estado.programa, "imagenA", 0);
+    envia(estado.programa, "imagenB", 1);
+    envia(estado.programa, "t", t);
+    dibuja(estado.buferes);
+    if (estado.conMalla)
+        trazaMalla(intermedia(t));
+    if (estado.rotulos)
+        rotulaImagen(rotulo);
+}
+
+static void dibuja() {
+    const float t = tActual();
+    char rotulo[32];
+    std::snprintf(rotulo, sizeof rotulo, "t = %.2f", static_cast<double>(t));
+    abreRecuadro(ventanaEntera(), FONDO_OSCURO);
+    cambiaVertices(estado.buferes, triangula(estado.a, estado.b));
+    if (estado.compara) {
+        const std::vector<Recuadro> paneles = panelesPara(3, estado.talla);
+        dibujaMorphing(0, paneles[0], "A");
+        dibujaMorphing(t, paneles[1], rotulo);
+        dibujaMorphing(1, paneles[2], "B");
+    } else {
+        dibujaMorphing(t, ventanaEntera(), rotulo);
+    }
+    ponTitulo(std::string("Morphing: ") + rotulo);
+    glutSwapBuffers();
+}
+
+static void cuadro(int) {
+    if (!estado.mueve)
+        return;
+    glutPostRedisplay();
+    glutTimerFunc(33, cuadro, 0);
+}
+
+static glm::vec2 enImagen(int x, int y) {
+    return enRecuadro(encaja(estado.talla, ventanaEntera()), x, y);
+}
+
+static void raton(int boton, int pulsado, int x, int y) {
+    estado.arrastra = boton == GLUT_LEFT_BUTTON && pulsado == GLUT_DOWN && !estado.compara;
+    if (estado.arrastra)
+        estado.punto = masCercano(intermedia(tActual()), enImagen(x, y), estado.talla);
+}
+
+/// Mueve el punto de la imagen de la que más se ve, de modo que el intermedio quede bajo el ratón.
+static void arrastra(int x, int y) {
+    if (!estado.arrastra)
+        return;
+    const float t = tActual();
+    glm::vec2 &a = estado.a.puntos[estado.punto], &b = estado.b.puntos[estado.punto];
+    const glm::vec2 p = enImagen(x, y);
+    if (t < 0.5f)
+        a = glm::clamp((p - t * b) / (1 - t), 0.0f, 1.0f);
+    else
+        b = glm::clamp((p - (1 - t) * a) / t, 0.0f, 1.0f);
+    glutPostRedisplay();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla))
+        return;
+    switch (tecla) {
+    case '1':
+    case '2':
+    case '3': estado.vigesimos = (tecla - '1') * VIGESIMOS / 2; break;
+    case '+': estado.vigesimos = std::min(estado.vigesimos + 1, VIGESIMOS); break;
+    case '-': estado.vigesimos = std::max(estado.vigesimos - 1, 0); break;
+    case ' ':
+        estado.mueve = !estado.mueve;
+        estado.comienzo = glutGet(GLUT_ELAPSED_TIME);
+        cuadro(0);
+        break;
+    case 'm': estado.conMalla = !estado.conMalla; break;
+    case 'v': estado.compara = !estado.compara; break;
+    case 'r': estado.rotulos = !estado.rotulos; break;
+    default: return;
+    }
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    const auto [imagenes, propias] = abreVentanaConImagenes(
+        argc, argv, "Morphing", {{"assets/cara.rgb", 320, 240}, {"assets/gato.rgb", 320, 240}});
+    estado.programa = creaPrograma("ch09_imagen/morphing.vert", "ch09_imagen/morphing.frag");
+    estado.a = propias ? REGULAR : CARA;
+    estado.b = propias ? REGULAR : GATO;
+    estado.buferes = creaBuferes(triangula(estado.a, estado.b));
+    estado.talla = tallaDe(imagenes[0]);
+    estado.rotulos = !propias;
+    for (int unidad = 0; unidad < 2; ++unidad) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unidad));
+        creaTexturaExacta(imagenes[static_cast<std::size_t>(unidad)]);
+    }
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    glutMouseFunc(raton);
+    glutMotionFunc(arrastra);
+    glutMainLoop();
+    return 0;
+}

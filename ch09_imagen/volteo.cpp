@@ -1,0 +1,62 @@
+// Volteo horizontal y vertical (ejercicio 9.4): el vertex shader cambia el signo de x o de y a los vértices del rectángulo y
+// la textura va con ellos. Los dos a la vez son un giro de media vuelta.
+// Controles: h horizontal · v vertical · c los cuatro a la vez · r rótulos · Esc termina.
+#include "imagen_en_ventana.h"
+
+static const char *const NOMBRES[4] = {"Original", "Horizontal", "Vertical", "Los dos"};
+
+static struct {
+    GLuint programa;
+    glm::ivec2 talla;
+    bool horizontal = false, vertical = false, compara = false, rotulos;
+} estado;
+
+static void dibujaVolteo(bool horizontal, bool vertical, const Recuadro &panel) {
+    dibujaEn(encaja(estado.talla, panel));
+    envia(estado.programa, "sentido", glm::vec2(horizontal ? -1 : 1, vertical ? -1 : 1));
+    dibujaRectangulo();
+    if (estado.rotulos)
+        rotulaImagen(NOMBRES[horizontal + 2 * vertical]);
+}
+
+static void dibuja() {
+    abreRecuadro(ventanaEntera(), FONDO_OSCURO);
+    glUseProgram(estado.programa);
+    envia(estado.programa, "imagen", 0);
+    if (estado.compara) {
+        const std::vector<Recuadro> paneles = panelesPara(4, estado.talla);
+        for (std::size_t k = 0; k < 4; ++k)
+            dibujaVolteo(k % 2 == 1, k >= 2, paneles[k]);
+    } else {
+        dibujaVolteo(estado.horizontal, estado.vertical, ventanaEntera());
+    }
+    ponTitulo(std::string("Volteo: ") +
+              (estado.compara ? "los cuatro" : NOMBRES[estado.horizontal + 2 * estado.vertical]));
+    glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla))
+        return;
+    switch (tecla) {
+    case 'h': estado.horizontal = !estado.horizontal; break;
+    case 'v': estado.vertical = !estado.vertical; break;
+    case 'c': estado.compara = !estado.compara; break;
+    case 'r': estado.rotulos = !estado.rotulos; break;
+    default: return;
+    }
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    const auto [imagenes, propias] =
+        abreVentanaConImagenes(argc, argv, "Volteo", {{"assets/foto.rgb", 250, 190}});
+    estado.programa = creaPrograma("ch09_imagen/volteo.vert", "ch09_imagen/imagen.frag");
+    estado.talla = tallaDe(imagenes[0]);
+    estado.rotulos = !propias;
+    creaTexturaExacta(imagenes[0]);
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    glutMainLoop();
+    return 0;
+}
