@@ -36,7 +36,9 @@ TEST(MallaImagen, PasaPorSusPuntosYLaRegularNoDeforma) {
     EXPECT_EQ(masCercano(m, {0.85f, 0.15f}, {80, 60}), 7u);
     EXPECT_EQ(masCercano(m, {0.02f, 0.9f}, {80, 60}), 15u);
     // la distancia es en píxeles: en una imagen muy ancha, lo que separa es x
-    EXPECT_EQ(masCercano(creaMallaImagen({0, 1}, {0, 1}), {0.4f, 0.9f}, {1000, 10}), 2u);
+    m = {2, 2, {{0, 0}, {0.3f, 0.5f}, {0, 1}, {1, 1}}};
+    EXPECT_EQ(masCercano(m, {0, 0.4f}, {1, 1}), 1u);
+    EXPECT_EQ(masCercano(m, {0, 0.4f}, {1000, 10}), 0u);
 }
 
 // --- warping ---
@@ -123,6 +125,24 @@ TEST(Morphing, LosOjosVanALosOjos) {
     const int y = static_cast<int>(0.4925 * 240);
     for (const double x : {0.5 - 0.1125, 0.5 + 0.1125})
         EXPECT_LT(pixel(r, static_cast<int>(x * 320), y).r, 60);
+}
+
+// Se arrastra el punto (3, 3) de 7 × 8 a (120, 84): el intermedio queda bajo el ratón. Con t < 0.5 cambia la malla de A, y en el ratón
+// sigue el texel de B; si no, al revés.
+TEST(Morphing, ElPuntoIntermedioQuedaBajoElRaton) {
+    const Imagen negra = imagen(211, 141,
+                                [](int, int) {
+                                    return Pixel{0, 0, 0};
+                                }),
+                 marca = imagen(211, 141, [](int x, int y) {
+                     return std::abs(x - 105) < 4 && std::abs(y - 60) < 4 ? Pixel{255, 0, 0} : Pixel{0, 0, 0};
+                 });
+    const std::string arrastra = "; boton IZQUIERDO abajo 105 80; arrastra 120 84";
+    const Imagen enA = procesa("morphing", {negra, marca}, "tecla 2; tecla -" + arrastra),
+                 enB = procesa("morphing", {marca, negra}, "tecla 2; tecla +" + arrastra);
+    EXPECT_NEAR(pixel(enA, 120, 56).r, 0.45 * 255, 1);
+    EXPECT_NEAR(pixel(enB, 120, 56).r, 0.45 * 255, 1);
+    EXPECT_EQ(pixel(enA, 105, 60).r + pixel(enB, 105, 60).r, 0);
 }
 
 // El movimiento depende solo del reloj: a los 1500 ms, t = 0.5; a los 3000, 1; a los 6000, 0 otra vez.
@@ -251,6 +271,14 @@ TEST(Captura, ElFicheroEsElFramebuffer) {
         EXPECT_EQ(e.errores, "");
         EXPECT_EQ(leePpm(fichero).rgb, sin.rgb);
     }
+}
+
+// Se guarda la escena, sin lo que se enseña de la captura anterior; y la última, si la escena ha cambiado.
+TEST(Captura, LaSegundaNoIncluyeLaPrimera) {
+    const std::string fichero = (carpetaTemporal() / "captura3.ppm").string();
+    const Imagen sin = ejecuta("ch09_imagen/captura", "tecla d").imagen;
+    ejecuta("ch09_imagen/captura", "tecla g; tecla d; tecla g", 240, 180, {fichero});
+    EXPECT_EQ(leePpm(fichero).rgb, sin.rgb);
 }
 
 // Lo que hay en la esquina es lo leído: la zona de la carga, en pequeño.
