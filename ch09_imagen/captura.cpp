@@ -8,7 +8,8 @@
 #include "ch03_transformaciones/objeto.h"
 #include "imagen_en_ventana.h"
 #include "orbita.h"
-#include "trazo.h"
+
+static const glm::mat4 SUELO_GRUA = traslacion({0, -0.1f, 0}) * escalado({14, 0.2f, 14});
 
 static struct {
     GLuint programa, programaCopia, textura = 0;
@@ -33,11 +34,9 @@ static void dibujaGrua() {
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.6f, 1, 100);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
-    dibujaObjeto(estado.programa, estado.cubo, soleraGrua(), SUELO);
-    dibujaObjeto(estado.programa, estado.cubo, zapataGrua(), GRIS);
+    dibujaObjeto(estado.programa, estado.cubo, SUELO_GRUA, SUELO);
     for (const Pieza &pieza : piezasGrua(estado.postura))
         dibujaObjeto(estado.programa, estado.cubo, pieza.M, pieza.color);
-    trazaSegmentos(cuadriculaGrua(), proyeccion * camara, BLANCO, 2);
     glDisable(GL_DEPTH_TEST);
 }
 
