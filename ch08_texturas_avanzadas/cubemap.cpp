@@ -23,9 +23,9 @@ struct Cara {
 };
 static const glm::vec3 X(1, 0, 0), Y(0, 1, 0), Z(0, 0, 1);
 static const Cara CARAS[6] = {
-    {"derecha", "+X derecha", {Z, Y, X}, 2, 1}, {"izquierda", "−X izquierda", {-Z, Y, -X}, 0, 1},
-    {"arriba", "+Y arriba", {X, Z, Y}, 1, 0},   {"abajo", "−Y abajo", {X, -Z, -Y}, 1, 2},
-    {"detras", "+Z detrás", {-X, Y, Z}, 3, 1},  {"delante", "−Z delante", {X, Y, -Z}, 1, 1}};
+    {"derecha", "+X\nderecha", {Z, Y, X}, 2, 1}, {"izquierda", "−X\nizquierda", {-Z, Y, -X}, 0, 1},
+    {"arriba", "+Y\narriba", {X, Z, Y}, 1, 0},   {"abajo", "−Y\nabajo", {X, -Z, -Y}, 1, 2},
+    {"detras", "+Z\ndetrás", {-X, Y, Z}, 3, 1},  {"delante", "−Z\ndelante", {X, Y, -Z}, 1, 1}};
 static const int LADO = 256;
 
 static struct {
