@@ -4,7 +4,7 @@
 // Las olas: frecuencia (celdas de ruido por unidad), altura, octavas y periodo del tiempo
 const float FRECUENCIA = 0.55, ALTURA = 0.10;
 const int OCTAVAS = 4, PERIODO = 64;
-const vec3 HACIA_SOL = vec3(0.1219, 0.0975, -0.9877); // unitario
+const vec3 HACIA_SOL = vec3(0.121905, 0.097504, -0.987741); // unitario
 
 uniform vec3 ojo;
 uniform float tiempo; // de 0 a PERIODO

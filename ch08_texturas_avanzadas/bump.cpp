@@ -27,7 +27,7 @@ static void inicia() {
         creaPrograma("ch08_texturas_avanzadas/iluminado.vert", "ch08_texturas_avanzadas/bump.frag");
     estado.esfera = creaBuferes(esfera(segmentosEsfera(300)));
     estado.plano = creaBuferes(plano(1));
-    const int lado = 128;
+    const int lado = 64;
     glGenTextures(1, &estado.mapa);
     glBindTexture(GL_TEXTURE_2D, estado.mapa);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, lado, lado, 0, GL_RGB, GL_UNSIGNED_BYTE,

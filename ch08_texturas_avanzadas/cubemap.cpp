@@ -23,14 +23,14 @@ struct Cara {
 };
 static const glm::vec3 X(1, 0, 0), Y(0, 1, 0), Z(0, 0, 1);
 static const Cara CARAS[6] = {
-    {"derecha", "+X derecha", {Z, Y, X}, 2, 1}, {"izquierda", "−X izquierda", {-Z, Y, -X}, 0, 1},
-    {"arriba", "+Y arriba", {X, Z, Y}, 1, 0},   {"abajo", "−Y abajo", {X, -Z, -Y}, 1, 2},
-    {"detras", "+Z detrás", {-X, Y, Z}, 3, 1},  {"delante", "−Z delante", {X, Y, -Z}, 1, 1}};
+    {"derecha", "+X\nderecha", {Z, Y, X}, 2, 1}, {"izquierda", "−X\nizquierda", {-Z, Y, -X}, 0, 1},
+    {"arriba", "+Y\narriba", {X, Z, Y}, 1, 0},   {"abajo", "−Y\nabajo", {X, -Z, -Y}, 1, 2},
+    {"detras", "+Z\ndetrás", {-X, Y, Z}, 3, 1},  {"delante", "−Z\ndelante", {X, Y, -Z}, 1, 1}};
 static const int LADO = 256;
 
 static struct {
     GLuint programa, fondo, mapa, vao;
-    Buferes toro;
+    Buferes toro, basto; // el segundo, de pocas facetas: por vértice se nota más
     bool desplegado = false, comparando = false;
     Orbita orbita = {0.35f, 0.06f, 4.7f, {0, 0, 0}};
 } estado;
@@ -65,7 +65,8 @@ static void inicia() {
         creaPrograma("ch08_texturas_avanzadas/cubemap.vert", "ch08_texturas_avanzadas/cubemap.frag");
     estado.fondo = creaPrograma("ch08_texturas_avanzadas/cubemap_fondo.vert",
                                 "ch08_texturas_avanzadas/cubemap_fondo.frag");
-    estado.toro = creaBuferes(toro(1, 0.5f, 36, 18));
+    estado.toro = creaBuferes(toro(1, 0.5f, 180, 90));
+    estado.basto = creaBuferes(toro(1, 0.5f, 36, 18));
     creaMapa();
     glGenVertexArrays(1, &estado.vao);
     glEnable(GL_DEPTH_TEST);
@@ -82,7 +83,7 @@ static void dibujaMapa(const glm::mat3 &base, const glm::vec2 &semitalla) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-static void dibujaReflejo(const Recuadro &panel, bool porVertice) {
+static void dibujaReflejo(const Recuadro &panel, const Buferes &objeto, bool porVertice) {
     abreRecuadro(panel, CIELO);
     const glm::mat4 camara = camaraOrbita(estado.orbita),
                     proyeccion = perspectivaVentana(0.75f, 0.5f, 100, aspecto(panel));
@@ -95,7 +96,7 @@ static void dibujaReflejo(const Recuadro &panel, bool porVertice) {
     envia(estado.programa, "N", matrizNormal(M));
     envia(estado.programa, "mapa", 0);
     envia(estado.programa, "porVertice", porVertice);
-    dibuja(estado.toro);
+    dibuja(objeto);
     // la cámara mira hacia su −z; su matriz solo gira, y la traspuesta es la inversa
     const glm::mat3 ejes = glm::transpose(glm::mat3(camara));
     dibujaMapa({ejes[0], ejes[1], -ejes[2]}, {1 / proyeccion[0][0], 1 / proyeccion[1][1]});
@@ -121,11 +122,11 @@ static void dibuja() {
         abreRecuadro(ventanaEntera(), OSCURO);
         const std::vector<Recuadro> paneles = reparte(2);
         for (const bool porVertice : {false, true}) {
-            dibujaReflejo(paneles[porVertice], porVertice);
+            dibujaReflejo(paneles[porVertice], estado.basto, porVertice);
             rotula(porVertice ? "por vértice" : "por fragmento", {0.5f, 0.02f}, OSCURO, Lado::ENCIMA);
         }
     } else {
-        dibujaReflejo(ventanaEntera(), false);
+        dibujaReflejo(ventanaEntera(), estado.toro, false);
     }
     ponTitulo(estado.desplegado   ? "Mapa de cubo desplegado, visto desde el centro"
               : estado.comparando ? "Reflexión por fragmento y por vértice"

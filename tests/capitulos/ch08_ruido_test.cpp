@@ -1,5 +1,6 @@
 // El ruido de ch08_texturas_avanzadas: ruido.h contra su definición escrita aparte en doble, su gradiente contra
 // diferencias, y ruido.glsl, ejecutado en un framebuffer en float, contra ruido.h.
+#include "ch08_oraculo.h"
 #include "ch08_texturas_avanzadas/ruido.h"
 #include "shader.h"
 #include <GL/freeglut.h>
@@ -14,53 +15,6 @@ namespace {
 
 using glm::dvec3;
 using glm::ivec3;
-
-// --- La definición, sin compartir nada con ruido.h: mezclas lineales encadenadas ---
-
-double quintica(double t) {
-    return 6 * std::pow(t, 5) - 15 * std::pow(t, 4) + 10 * std::pow(t, 3);
-}
-long long modulo(long long i, long long n) {
-    return n ? ((i % n) + n) % n : i;
-}
-double rampa(const long long nodo[3], const double d[3], const ivec3 &periodo) {
-    std::uint64_t h = 0;
-    const std::uint64_t primos[3] = {0x8da6b343, 0xd8163841, 0xcb1ab31f}, M = 0xffffffff;
-    for (int k = 0; k < 3; ++k)
-        h ^= (static_cast<std::uint64_t>(modulo(nodo[k], periodo[k])) & M) * primos[k] & M;
-    h = (h ^ h >> 15) * 0x2c1b3c6d & M;
-    h = (h ^ h >> 12) * 0x297a2d39 & M;
-    h = h ^ h >> 15;
-    const auto sinEje = (h >> 16) * 3 / 65536;
-    double suma = 0;
-    for (std::uint64_t k = 0; k < 3; ++k)
-        if (k != sinEje)
-            suma += (h >> k & 1 ? -1 : 1) * d[k];
-    return suma;
-}
-double definicion(const dvec3 &p, const ivec3 &periodo = ivec3(0)) {
-    double valor[2][2][2];
-    const dvec3 base = glm::floor(p), f = p - base;
-    for (int i = 0; i < 8; ++i) {
-        const int e[3] = {i & 1, i >> 1 & 1, i >> 2};
-        const long long nodo[3] = {static_cast<long long>(base.x) + e[0],
-                                   static_cast<long long>(base.y) + e[1],
-                                   static_cast<long long>(base.z) + e[2]};
-        const double d[3] = {f.x - e[0], f.y - e[1], f.z - e[2]};
-        valor[e[0]][e[1]][e[2]] = rampa(nodo, d, periodo);
-    }
-    const auto mezcla = [](double a, double b, double t) { return a + (b - a) * quintica(t); };
-    const auto enZ = [&](int x, int y) { return mezcla(valor[x][y][0], valor[x][y][1], f.z); };
-    return mezcla(mezcla(enZ(0, 0), enZ(0, 1), f.y), mezcla(enZ(1, 0), enZ(1, 1), f.y), f.x);
-}
-double definicionTurbulencia(const dvec3 &p, int octavas, const ivec3 &periodo = ivec3(0)) {
-    double suma = 0;
-    for (int i = 0; i < octavas; ++i) {
-        const int f = 1 << i;
-        suma += definicion(p * double(f) + double(i) * dvec3(5.375, 3.625, 7.75), periodo * f) / f;
-    }
-    return suma;
-}
 
 class Azar {
     std::mt19937 motor{8};
@@ -82,8 +36,8 @@ TEST(Ruido, ContraSuDefinicionEnDoble) {
     for (const ivec3 &periodo : PERIODOS)
         for (int i = 0; i < 4000; ++i) {
             const dvec3 p = azar.punto(i % 2 ? 3 : 1000);
-            EXPECT_NEAR(ruido(p, periodo), definicion(p, periodo), 1e-12);
-            EXPECT_NEAR(turbulencia(p, 5, periodo), definicionTurbulencia(p, 5, periodo), 1e-12);
+            EXPECT_NEAR(ruido(p, periodo), definicion::ruido(p, periodo), 1e-12);
+            EXPECT_NEAR(turbulencia(p, 5, periodo), definicion::turbulencia(p, 5, periodo), 1e-12);
         }
 }
 
@@ -93,8 +47,8 @@ TEST(Ruido, EnFloat) {
     for (int i = 0; i < 4000; ++i) {
         const glm::vec3 p(azar.punto(50)),
             q(azar.punto(4)); // al correr cada octava se pierde media cifra de p
-        EXPECT_NEAR(double(ruido(p)), definicion(dvec3(p)), 3e-6);
-        EXPECT_NEAR(double(turbulencia(q, 4)), definicionTurbulencia(dvec3(q), 4), 6e-6);
+        EXPECT_NEAR(double(ruido(p)), definicion::ruido(dvec3(p)), 3e-6);
+        EXPECT_NEAR(double(turbulencia(q, 4)), definicion::turbulencia(dvec3(q), 4), 6e-6);
     }
 }
 
@@ -111,12 +65,14 @@ TEST(Ruido, GradienteContraDiferenciasEnDoble) {
             for (int k = 0; k < 3; ++k) {
                 dvec3 d(0);
                 d[k] = h;
-                EXPECT_NEAR(g[k], (definicion(p + d, periodo) - definicion(p - d, periodo)) / (2 * h), 1e-8);
-                EXPECT_NEAR(
-                    gt[k],
-                    (definicionTurbulencia(p + d, 4, periodo) - definicionTurbulencia(p - d, 4, periodo)) /
-                        (2 * h),
-                    1e-6);
+                EXPECT_NEAR(g[k],
+                            (definicion::ruido(p + d, periodo) - definicion::ruido(p - d, periodo)) / (2 * h),
+                            1e-8);
+                EXPECT_NEAR(gt[k],
+                            (definicion::turbulencia(p + d, 4, periodo) -
+                             definicion::turbulencia(p - d, 4, periodo)) /
+                                (2 * h),
+                            1e-6);
             }
         }
 }
@@ -183,7 +139,7 @@ TEST(Ruido, CotaDelValor) {
                                                               d = glm::abs(f - e);
                     double peso = 1;
                     for (int k = 0; k < 3; ++k)
-                        peso *= quintica(e[k] > 0 ? f[k] : 1 - f[k]);
+                        peso *= definicion::quintica(e[k] > 0 ? f[k] : 1 - f[k]);
                     suma += peso * (d.x + d.y + d.z - std::min({d.x, d.y, d.z}));
                 }
                 cota = std::max(cota, suma);
@@ -217,7 +173,7 @@ TEST(Ruido, CoordenadasEnormes) {
         }
     // en los ejes que sí tienen decimales sigue valiendo lo que debe
     EXPECT_NEAR(double(ruido(glm::vec3(16777216, 0.3f, 0.7f))),
-                definicion({16777216, double(0.3f), double(0.7f)}), 1e-6);
+                definicion::ruido({16777216, double(0.3f), double(0.7f)}), 1e-6);
 }
 
 // --- GLSL ---

@@ -1,0 +1,54 @@
+// El ruido de ruido.glsl según su definición, en doble y sin compartir nada con ruido.h: mezclas lineales encadenadas.
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+namespace definicion {
+
+inline double quintica(double t) {
+    return 6 * std::pow(t, 5) - 15 * std::pow(t, 4) + 10 * std::pow(t, 3);
+}
+inline long long modulo(long long i, long long n) {
+    return n ? ((i % n) + n) % n : i;
+}
+inline double rampa(const long long nodo[3], const double d[3], const glm::ivec3 &periodo) {
+    std::uint64_t h = 0;
+    const std::uint64_t primos[3] = {0x8da6b343, 0xd8163841, 0xcb1ab31f}, M = 0xffffffff;
+    for (int k = 0; k < 3; ++k)
+        h ^= (static_cast<std::uint64_t>(modulo(nodo[k], periodo[k])) & M) * primos[k] & M;
+    h = (h ^ h >> 15) * 0x2c1b3c6d & M;
+    h = (h ^ h >> 12) * 0x297a2d39 & M;
+    h = h ^ h >> 15;
+    const auto sinEje = (h >> 16) * 3 / 65536;
+    double suma = 0;
+    for (std::uint64_t k = 0; k < 3; ++k)
+        if (k != sinEje)
+            suma += (h >> k & 1 ? -1 : 1) * d[k];
+    return suma;
+}
+inline double ruido(const glm::dvec3 &p, const glm::ivec3 &periodo = glm::ivec3(0)) {
+    double valor[2][2][2];
+    const glm::dvec3 base = glm::floor(p), f = p - base;
+    for (int i = 0; i < 8; ++i) {
+        const int e[3] = {i & 1, i >> 1 & 1, i >> 2};
+        const long long nodo[3] = {static_cast<long long>(base.x) + e[0],
+                                   static_cast<long long>(base.y) + e[1],
+                                   static_cast<long long>(base.z) + e[2]};
+        const double d[3] = {f.x - e[0], f.y - e[1], f.z - e[2]};
+        valor[e[0]][e[1]][e[2]] = rampa(nodo, d, periodo);
+    }
+    const auto mezcla = [](double a, double b, double t) { return a + (b - a) * quintica(t); };
+    const auto enZ = [&](int x, int y) { return mezcla(valor[x][y][0], valor[x][y][1], f.z); };
+    return mezcla(mezcla(enZ(0, 0), enZ(0, 1), f.y), mezcla(enZ(1, 0), enZ(1, 1), f.y), f.x);
+}
+inline double turbulencia(const glm::dvec3 &p, int octavas, const glm::ivec3 &periodo = glm::ivec3(0)) {
+    double suma = 0;
+    for (int i = 0; i < octavas; ++i) {
+        const int f = 1 << i;
+        suma += ruido(p * double(f) + double(i) * glm::dvec3(5.375, 3.625, 7.75), periodo * f) / f;
+    }
+    return suma;
+}
+
+} // namespace definicion
