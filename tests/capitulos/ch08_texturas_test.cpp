@@ -269,6 +269,19 @@ TEST(Cubemap, LasFotosNoTienenCostura) {
         }
 }
 
+// La ecuación 8.1 no es la tabla de OpenGL: con x positiva intercambia las dos coordenadas y les da la vuelta, un espejo; con x
+// negativa, gira la cara un cuarto de vuelta.
+TEST(Erratas, Ecuacion81) {
+    for (const double x : {1.0, -1.0})
+        for (const double y : {-0.7, 0.1, 0.6})
+            for (const double z : {-0.4, 0.2, 0.9}) {
+                const double u = (y + x) / (2 * x), v = (z + x) / (2 * x);
+                const oraculo::CaraCubo c = oraculo::caraDelCubo({x, y, z});
+                EXPECT_NEAR(u, x > 0 ? 1 - c.t : c.t, 1e-15);
+                EXPECT_NEAR(v, 1 - c.s, 1e-15);
+            }
+}
+
 // --- enrejado ---
 
 // Con tres tallas: los barrotes de fuera, los de detrás vistos por dentro, iluminados con la normal opuesta, y el fondo.
@@ -654,13 +667,17 @@ TEST(BumpRuido, ContraElLagoEnDoble) {
     const int ancho = 480, alto = 360;
     const oraculo::Camara camara =
         oraculo::perspectiva(oraculo::orbita(0, 0.13, 12, {0, 0.6, 0}), 0.75, 1, 100);
-    for (const auto &[guion, segundos] :
-         {std::pair<const char *, double>{"", 0}, {"espera 2000", 2}, {"tecla t", 0.5}}) {
+    std::string casiUnPeriodo; // el tiempo se repite a los 160 s
+    for (int i = 0; i < 319; ++i)
+        casiUnPeriodo += "tecla t; ";
+    for (const auto &[guion, segundos] : {std::pair<std::string, double>{"", 0},
+                                          {"espera 2000", 2},
+                                          {casiUnPeriodo + "tecla Espacio", 159.5}}) {
         const Ejecucion e = ejecuta(CARPETA + "bump_ruido", guion, ancho, alto);
         ASSERT_EQ(e.estado, 0) << e.errores;
         Errores errores;
-        for (int y = 1; y < alto; y += 7)
-            for (int x = 1; x < ancho; x += 7) {
+        for (int y = 1; y < alto; y += 11)
+            for (int x = 1; x < ancho; x += 11) {
                 const auto color = [&](double dx, double dy) {
                     return lago(camara.ojo, rayo(camara, ancho, alto, x + 0.5 + dx, y + 0.5 + dy).direccion,
                                 0.4 * segundos);
@@ -670,7 +687,7 @@ TEST(BumpRuido, ContraElLagoEnDoble) {
                     errores.anade(oraculo::diferencia(e.imagen, x, y, c));
             }
         errores.apunta();
-        EXPECT_GT(errores.comparados, 2500) << guion;
+        EXPECT_GT(errores.comparados, 1000) << guion;
         EXPECT_LE(errores.maximo, 3) << guion;
         EXPECT_LE(errores.rmse(), 0.6) << guion;
     }
