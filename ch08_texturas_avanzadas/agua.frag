@@ -6,10 +6,12 @@ const float FRECUENCIA = 0.55, ALTURA = 0.10;
 const int OCTAVAS = 4, PERIODO = 64;
 const vec3 HACIA_SOL = vec3(0.121905, 0.097504, -0.987741); // unitario
 
+uniform mat3 base;      // lo que hay a la derecha, arriba y enfrente, en el mundo
+uniform vec2 semitalla; // lo que se ve a los lados y en vertical, a distancia 1
+uniform vec2 ventana;   // su tamaño, en píxeles
 uniform vec3 ojo;
 uniform float tiempo; // de 0 a PERIODO
 
-in vec3 hacia;
 out vec4 colorFragmento;
 
 // Un anochecer y, contra él, unas colinas. d es unitario y no mira hacia abajo.
@@ -26,7 +28,8 @@ vec3 cielo(vec3 d) {
 }
 
 void main() {
-    vec3 d = normalize(hacia);
+    // del centro del píxel, que es exacto: interpolada, la dirección se redondea, y las olas lejanas lo notan
+    vec3 d = normalize(base * vec3(semitalla * (2.0 * gl_FragCoord.xy / ventana - 1.0), 1.0));
     if (d.y >= 0.0) {
         colorFragmento = vec4(cielo(d), 1.0);
         return;
