@@ -21,8 +21,10 @@ vec3 cielo(vec3 d) {
     color = mix(color, vec3(0.14, 0.20, 0.44), smoothstep(0.10, 0.65, d.y));
     color += vec3(1.0, 0.55, 0.20) * (0.45 * pow(haciaSol, 24.0) + 0.5 * pow(haciaSol, 400.0));
     color = mix(color, vec3(1.0, 0.95, 0.75), smoothstep(0.9990, 0.9993, haciaSol));
+    if (d.y > 0.19) // más alto que ninguna colina
+        return color;
     vec3 horizonte = normalize(vec3(d.x, 1e-6, d.z));
-    float cumbre = 0.055 + 0.07 * turbulencia(vec3(3.0 * horizonte.xz, 0.5), 4, ivec3(0));
+    float cumbre = 0.055 + 0.07 * turbulencia(vec3(3.0 * horizonte.xz, 0.5), 3, ivec3(0));
     vec3 colina = mix(vec3(0.42, 0.26, 0.30), vec3(0.13, 0.11, 0.20), smoothstep(0.0, 0.09, d.y));
     return mix(colina, color, smoothstep(-0.002, 0.002, d.y - cumbre));
 }

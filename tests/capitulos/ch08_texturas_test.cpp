@@ -635,7 +635,7 @@ Vec3 cielo(const Vec3 &d) {
     c = c + (0.45 * std::pow(sol, 24) + 0.5 * std::pow(sol, 400)) * Vec3{1, 0.55, 0.20};
     c = mezcla(c, {1, 0.95, 0.75}, escalon(0.9990, 0.9993, sol));
     const double llano = std::hypot(d.x, d.z),
-                 cumbre = 0.055 + 0.07 * definicion::turbulencia({3 * d.x / llano, 3 * d.z / llano, 0.5}, 4);
+                 cumbre = 0.055 + 0.07 * definicion::turbulencia({3 * d.x / llano, 3 * d.z / llano, 0.5}, 3);
     const Vec3 colina = mezcla({0.42, 0.26, 0.30}, {0.13, 0.11, 0.20}, escalon(0, 0.09, d.y));
     return mezcla(colina, c, escalon(-0.002, 0.002, d.y - cumbre));
 }
