@@ -74,7 +74,7 @@ cd "$copia"
 # compila antes: sin optimizar, y sin lo que sus programas no usan de common/ y assets/
 sed -i 's/"Release"/"None"/' CMakePresets.json
 for f in malla orbita recuadro rotulo shader textura trazo ventana; do : >common/$f.cpp; done
-sed -i 's/^set(texturas .*/set(texturas luz)/' assets/CMakeLists.txt
+perl -0pi -e 's/set\(texturas[^)]*\)/set(texturas luz)/' assets/CMakeLists.txt
 cat >assets/genera_assets.cpp <<'FIN'
 #include <fstream>
 #include <string>
@@ -88,6 +88,7 @@ programa(primer_programa REF "L1.1" TITULO "Uno")
 programa(primer_programa_dos REF "L1.2" TITULO "Dos")
   caso(primer_programa_dos base GUION "tecla a; tecla a" BORDE "llega")
 programa(shader_basico REF "L1.2" TITULO "Tres")
+target_compile_definitions(shader_basico PRIVATE LAB_FUENTES="${CMAKE_SOURCE_DIR}")
   caso(shader_basico base)
 FIN
 cat >tests/CMakeLists.txt <<'FIN'
