@@ -46,7 +46,7 @@ static void dibuja() {
     for (std::size_t i = 0; i < 4; ++i)
         rotulaPunto("P" + std::to_string(i + 1), estado.P[i], vista(), OSCURO,
                     i % 3 == 0 ? Lado::DEBAJO : Lado::ENCIMA);
-    rotulaPunto("Q(u)", niveles[3][0], vista(), ROJO, Lado::ENCIMA);
+    rotulaPunto("Q(u)", niveles[3][0], vista(), ROJO, Lado::DEBAJO);
     char titulo[60];
     std::snprintf(titulo, sizeof titulo, "Curva de Bézier: u = %.2f", static_cast<double>(estado.u));
     ponTitulo(titulo);

@@ -12,6 +12,10 @@ static const std::vector<glm::vec3> INICIALES = {
     {-1.05f, -0.05f, 0}, {-0.88f, 0.68f, 0}, {-0.28f, 0.40f, 0}, {0.12f, 0.76f, 0},  {0.86f, 0.66f, 0},
     {1.06f, -0.10f, 0},  {0.50f, -0.70f, 0}, {0.02f, -0.30f, 0}, {-0.62f, -0.72f, 0}};
 
+// Donde no tapa la curva.
+static const Lado LADOS[] = {Lado::IZQUIERDA, Lado::ENCIMA, Lado::DEBAJO, Lado::ENCIMA, Lado::ENCIMA,
+                             Lado::DERECHA,   Lado::DEBAJO, Lado::ENCIMA, Lado::DEBAJO};
+
 static struct {
     std::vector<glm::vec3> P = INICIALES;
     bool cerrada = false;
@@ -48,8 +52,7 @@ static void dibuja() {
     trazaPuntos(estado.P, vista(), OSCURO, 4 * GROSOR);
     for (std::size_t i = 0; i < estado.P.size(); ++i) {
         const bool elegido = static_cast<int>(i) == editor.elegido;
-        rotulaPunto("P" + std::to_string(i), estado.P[i], vista(), elegido ? ROJO : OSCURO,
-                    estado.P[i].y > 0 ? Lado::ENCIMA : Lado::DEBAJO);
+        rotulaPunto("P" + std::to_string(i), estado.P[i], vista(), elegido ? ROJO : OSCURO, LADOS[i]);
     }
     ponTitulo("Curva B-Spline " + std::string(estado.cerrada ? "cerrada" : "abierta") + ": " +
               std::to_string(estado.P.size()) + " puntos, " + std::to_string(tramos) + " tramos");

@@ -45,7 +45,7 @@ static void dibujaTramo(const Geometria<float> &G, const glm::vec3 &color, const
     }
     trazaPuntos({G[0], G[1]}, vista(), OSCURO, 4 * GROSOR);
     rotulaPunto(nombres[0], G[0], vista(), OSCURO, Lado::DEBAJO);
-    rotulaPunto(nombres[1], G[1], vista(), OSCURO, Lado::ENCIMA);
+    rotulaPunto(nombres[1], G[1], vista(), OSCURO, Lado::IZQUIERDA);
 }
 
 static void dibuja() {
