@@ -24,7 +24,7 @@ static struct {
     int elegido = 0;
     bool ambos = false;
     float S2 = 0.7f;
-    Orbita orbita = {0.3f, 0.2f, 8.4f};
+    Orbita orbita = {0.3f, 0.2f, 10};
 } estado;
 
 static void dibujaModo(const Recuadro &r, int cual) {

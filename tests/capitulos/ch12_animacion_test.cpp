@@ -130,7 +130,7 @@ TEST(TexturaOndulada, LeeDondeDiceElSeno) {
 
 // Cada punto desplazado, calculado en double, cae dentro de la silueta, y la silueta no pasa de ellos.
 TEST(RuidoVertices, SiluetaContraCPU) {
-    const oraculo::Camara camara = oraculo::perspectiva(oraculo::orbita(0.3, 0.2, 8.4), 0.38, 1, 50);
+    const oraculo::Camara camara = oraculo::perspectiva(oraculo::orbita(0.3, 0.2, 10), 0.38, 1, 50);
     for (const int modo : {0, 1})
         for (const double t : {0.0, 2.5, 7.0, 19.5}) {
             const Imagen im =
@@ -197,4 +197,39 @@ TEST(Temporizador, DisparosDeCadaUno) {
     EXPECT_EQ(marcas("espera 2500"), (V{10, 6, 2}));
     EXPECT_EQ(marcas("espera 1000; tecla Espacio; espera 3000"), (V{4, 2, 1}));
     EXPECT_EQ(marcas("espera 1100; tecla Espacio; espera 3330; tecla Espacio; espera 1400"), (V{10, 6, 2}));
+}
+
+// En la esfera, el color del punto que ve cada rayo, con el ruido sin pasar por textura: tras un periodo entero, el mismo.
+TEST(Textura3dAnimada, ElRuidoEnCadaPuntoYPeriodica) {
+    const oraculo::Camara camara = oraculo::perspectiva(oraculo::orbita(0.4, 0.4, 9.5), 0.4, 1, 50);
+    const Imagen inicio = en("textura3d_animada", 0);
+    EXPECT_EQ(color(pixel(inicio, 240, 180)).x, color(pixel(en("textura3d_animada", 12), 240, 180)).x);
+    for (const double t : {0.0, 1.0, 4.5, 13.0}) {
+        const Imagen im = en("textura3d_animada", t, t > 4 ? CIEN_HORAS : "");
+        double suma = 0, peor = 0;
+        int n = 0;
+        // solo el casquete de arriba: más abajo pasa el anillo
+        const oraculo::Escena escena = {oraculo::esfera(oraculo::escala(1.0))};
+        for (int y = 200; y < ALTO; ++y)
+            for (int x = 0; x < ANCHO; ++x) {
+                const auto i =
+                    oraculo::primerImpacto(escena, oraculo::rayo(camara, ANCHO, ALTO, x + 0.5, y + 0.5));
+                if (!i || i.punto.y < 0.55 || oraculo::escalar(i.normal, oraculo::haciaOjo(i)) < 0.3)
+                    continue;
+                const glm::dvec3 p =
+                    4.0 * (0.4 * glm::dvec3(i.punto.x, i.punto.y, i.punto.z) - glm::dvec3(0, t / 12, 0));
+                const double v = 0.5 + 0.5 * turbulencia(p, 3, glm::ivec3(4)),
+                             u = std::min(1.0, std::max(0.0, (v - 0.40) / 0.35)), calor = u * u * (3 - 2 * u),
+                             luz = 0.58 + 0.42 * (0.20 * i.normal.x + 0.78 * i.normal.y + 0.593 * i.normal.z);
+                const Vec3 roca = luz * Vec3{0.26, 0.20, 0.19},
+                           lava = (1 - calor) * Vec3{0.85, 0.15, 0.02} + calor * Vec3{1, 0.85, 0.30};
+                const double d = distancia(pixel(im, x, y), 255 * ((1 - calor) * roca + calor * lava));
+                suma += d;
+                peor = std::max(peor, d);
+                ++n;
+            }
+        EXPECT_GT(n, 1500);
+        EXPECT_LE(suma / n, 3) << t;
+        EXPECT_LE(peor, 25) << t;
+    }
 }
