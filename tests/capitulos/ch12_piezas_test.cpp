@@ -137,8 +137,8 @@ TEST(Particulas, UnaSolaContraFormaCerrada) {
 
 // Mil gotas: hay luz donde debe haber cada una, y ni un píxel encendido lejos de todas.
 TEST(Particulas, MilGotasYNingunaMas) {
-    for (const double t : {0.0, 1.5, 5.0}) {
-        const Imagen im = ejecuta(PARTICULAS, guionDe(0, 1, t, t == 5.0), ANCHO, ALTO).imagen;
+    for (const double t : {0.0, 1.5, 11.0}) {
+        const Imagen im = ejecuta(PARTICULAS, guionDe(0, 1, t, t == 11.0), ANCHO, ALTO).imagen;
         std::vector<int> cerca(ANCHO * ALTO, 0);
         int faltan = 0, hay = 0;
         for (std::uint32_t id = 0; id < 1000; ++id) {
@@ -157,9 +157,16 @@ TEST(Particulas, MilGotasYNingunaMas) {
         }
         EXPECT_GT(hay, 300);
         EXPECT_EQ(faltan, 0) << t;
+        for (int i = 0; i < 2000; ++i) { // la circunferencia del suelo
+            const double a = 2 * PI * i / 2000;
+            const auto q =
+                oraculo::proyecta(camaraParticulas(), ANCHO, ALTO, {2.1 * std::cos(a), 0, 2.1 * std::sin(a)});
+            for (int y = std::max(0, int(q.y) - 5); y <= int(q.y) + 5; ++y)
+                for (int x = int(q.x) - 5; x <= int(q.x) + 5; ++x)
+                    cerca[std::size_t(y * ANCHO + x)] = 1;
+        }
         int sobran = 0;
-        const auto pie = oraculo::proyecta(camaraParticulas(), ANCHO, ALTO, {0, 0.7, 0});
-        for (int y = int(pie.y); y < ALTO; ++y)
+        for (int y = ROTULO; y < ALTO; ++y) // tampoco bajo el suelo
             for (int x = 0; x < ANCHO; ++x)
                 sobran += !cerca[std::size_t(y * ANCHO + x)] && !es(pixel(im, x, y), FONDO_OSCURO);
         EXPECT_EQ(sobran, 0) << t;
