@@ -16,7 +16,7 @@ static int disparos[3];
 
 static void dispara(int cual) {
     const double periodo = TEMPORIZADORES[cual].periodo, ahora = 1000 * tiempo();
-    if (reloj.parado < 0 && ahora > (disparos[cual] + 1) * periodo - 0.5) {
+    if (ahora > (disparos[cual] + 1) * periodo - 0.5) {
         ++disparos[cual];
         glutPostRedisplay();
     }

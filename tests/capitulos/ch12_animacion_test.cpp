@@ -43,6 +43,15 @@ bool es(const Pixel &p, const glm::vec3 &c) {
 // alfa = (1 − cos(2πt/4))/2: la mezcla de lo que hay sin anillo (t = 0) y con él opaco (t = 2).
 TEST(Desvanecer, MezclaExacta) {
     const Imagen sin = en("desvanecer", 0), con = en("desvanecer", 2);
+    const auto azules = [](const Imagen &im) { // del anillo
+        int n = 0;
+        for (int y = ROTULO; y < ALTO; ++y)
+            for (int x = 0; x < ANCHO; ++x)
+                n += pixel(im, x, y).b > 2 * pixel(im, x, y).r;
+        return n;
+    };
+    EXPECT_EQ(azules(sin), 0);
+    EXPECT_GT(azules(con), 10000);
     for (const double t : {0.5, 1.0, 1.5, 3.0, 5.5}) {
         const double alfa = 0.5 * (1 - std::cos(2 * PI * t / 4));
         for (const bool horas : {false, true}) {
