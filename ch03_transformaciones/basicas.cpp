@@ -8,6 +8,7 @@
 #include "orbita.h"
 #include "ventana.h"
 #include <cstdio>
+#include <glm/gtc/constants.hpp>
 
 static const float GRADO = glm::pi<float>() / 180;
 static const struct Basica {

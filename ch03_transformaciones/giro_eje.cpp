@@ -10,6 +10,7 @@
 #include "trazo.h"
 #include "ventana.h"
 #include <cstdio>
+#include <glm/gtc/constants.hpp>
 
 static const float PASO_GIRO = 0.1f;         // radianes
 static const float RADIANES_POR_ALTO = 1.8f; // arrastrando de abajo arriba de la ventana

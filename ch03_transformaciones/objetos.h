@@ -4,6 +4,7 @@
 #include "colores.h"
 #include "transformaciones.h"
 #include <glm/glm.hpp>
+#include <glm/gtc/constants.hpp>
 #include <vector>
 
 /// Las mallas de common/malla.h: cubo de lado 1, esfera de radio 1 y toro de radio 1 en el plano XY.

@@ -13,6 +13,7 @@
 #include "ventana.h"
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 static const Material CERAMICA = {{0.08f, 0.20f, 0.38f}, {0.14f, 0.36f, 0.62f}, {0.75f, 0.75f, 0.75f}, 30};
 static const Material LATON = {{0.42f, 0.23f, 0.05f}, {0.58f, 0.36f, 0.08f}, {0.60f, 0.55f, 0.45f}, 30};

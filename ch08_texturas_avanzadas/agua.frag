@@ -6,10 +6,12 @@ const float FRECUENCIA = 0.55, ALTURA = 0.10;
 const int OCTAVAS = 4, PERIODO = 64;
 const vec3 HACIA_SOL = vec3(0.121905, 0.097504, -0.987741); // unitario
 
+uniform mat3 base;      // lo que hay a la derecha, arriba y enfrente, en el mundo
+uniform vec2 semitalla; // lo que se ve a los lados y en vertical, a distancia 1
+uniform vec2 ventana;   // su tamaño, en píxeles
 uniform vec3 ojo;
 uniform float tiempo; // de 0 a PERIODO
 
-in vec3 hacia;
 out vec4 colorFragmento;
 
 // Un anochecer y, contra él, unas colinas. d es unitario y no mira hacia abajo.
@@ -19,14 +21,17 @@ vec3 cielo(vec3 d) {
     color = mix(color, vec3(0.14, 0.20, 0.44), smoothstep(0.10, 0.65, d.y));
     color += vec3(1.0, 0.55, 0.20) * (0.45 * pow(haciaSol, 24.0) + 0.5 * pow(haciaSol, 400.0));
     color = mix(color, vec3(1.0, 0.95, 0.75), smoothstep(0.9990, 0.9993, haciaSol));
+    if (d.y > 0.19) // más alto que ninguna colina
+        return color;
     vec3 horizonte = normalize(vec3(d.x, 1e-6, d.z));
-    float cumbre = 0.055 + 0.07 * turbulencia(vec3(3.0 * horizonte.xz, 0.5), 4, ivec3(0));
+    float cumbre = 0.055 + 0.07 * turbulencia(vec3(3.0 * horizonte.xz, 0.5), 3, ivec3(0));
     vec3 colina = mix(vec3(0.42, 0.26, 0.30), vec3(0.13, 0.11, 0.20), smoothstep(0.0, 0.09, d.y));
     return mix(colina, color, smoothstep(-0.002, 0.002, d.y - cumbre));
 }
 
 void main() {
-    vec3 d = normalize(hacia);
+    // del centro del píxel, que es exacto: interpolada, la dirección se redondea, y las olas lejanas lo notan
+    vec3 d = normalize(base * vec3(semitalla * (2.0 * gl_FragCoord.xy / ventana - 1.0), 1.0));
     if (d.y >= 0.0) {
         colorFragmento = vec4(cielo(d), 1.0);
         return;

@@ -24,6 +24,7 @@ static void dibuja() {
     glUseProgram(estado.programa);
     envia(estado.programa, "base", glm::mat3(ejes[0], ejes[1], -ejes[2]));
     envia(estado.programa, "semitalla", glm::vec2(1 / proyeccion[0][0], 1 / proyeccion[1][1]));
+    envia(estado.programa, "ventana", glm::vec2(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT)));
     envia(estado.programa, "ojo", posicionCamara(estado.orbita));
     envia(estado.programa, "tiempo", static_cast<float>(CELDAS_POR_SEGUNDO * estado.segundos));
     glBindVertexArray(estado.vao);
@@ -59,8 +60,7 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Agua", GLUT_DOUBLE | GLUT_MULTISAMPLE);
-    estado.programa =
-        creaPrograma("ch08_texturas_avanzadas/cubemap_fondo.vert", "ch08_texturas_avanzadas/agua.frag");
+    estado.programa = creaPrograma("ch08_texturas_avanzadas/agua.vert", "ch08_texturas_avanzadas/agua.frag");
     glGenVertexArrays(1, &estado.vao);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -23,17 +23,21 @@ int restoRuido(int i, int n) {
     return n == 0 ? i : i >= 0 ? i % n : n - 1 - (-1 - i) % n;
 }
 
+ivec3 nodoRuido(ivec3 i, ivec3 periodo) {
+    return ivec3(restoRuido(i.x, periodo.x), restoRuido(i.y, periodo.y), restoRuido(i.z, periodo.z));
+}
+
 // Gradiente (x, y, z) y valor (w) del ruido en p.
 vec4 ruidoConGradiente(vec3 p, ivec3 periodo) {
     vec3 base = floor(p), f = p - base;
     ivec3 celda = ivec3(clamp(base, vec3(-1073741824.0), vec3(1073741824.0)));
+    ivec3 primero = nodoRuido(celda, periodo), ultimo = nodoRuido(celda + 1, periodo);
     vec3 u = f * f * f * (f * (f * 6.0 - 15.0) + 10.0), du = 30.0 * f * f * (f - 1.0) * (f - 1.0);
     vec4 suma = vec4(0.0);
     for (int i = 0; i < 8; ++i) {
-        ivec3 esquina = ivec3(i & 1, (i >> 1) & 1, i >> 2), n = celda + esquina;
+        ivec3 esquina = ivec3(i & 1, (i >> 1) & 1, i >> 2);
         vec3 e = vec3(esquina), peso = mix(1.0 - u, u, e), dPeso = (2.0 * e - 1.0) * du;
-        vec3 g = gradienteRuido(
-            ivec3(restoRuido(n.x, periodo.x), restoRuido(n.y, periodo.y), restoRuido(n.z, periodo.z)));
+        vec3 g = gradienteRuido(primero + esquina * (ultimo - primero));
         float rampa = dot(g, f - e), total = peso.x * peso.y * peso.z;
         vec3 dTotal = dPeso * vec3(peso.y * peso.z, peso.x * peso.z, peso.x * peso.y);
         suma += vec4(total * g + rampa * dTotal, total * rampa);

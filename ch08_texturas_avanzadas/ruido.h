@@ -22,6 +22,9 @@ glm::vec<3, T> gradiente(const glm::uvec3 &nodo) {
 inline int resto(int i, int n) {
     return n == 0 ? i : i >= 0 ? i % n : n - 1 - ~i % n;
 }
+inline glm::ivec3 resto(const glm::ivec3 &i, const glm::ivec3 &n) {
+    return {resto(i.x, n.x), resto(i.y, n.y), resto(i.z, n.z)};
+}
 
 } // namespace detalle_ruido
 
@@ -31,14 +34,14 @@ glm::vec<4, T> ruidoConGradiente(const glm::vec<3, T> &p, const glm::ivec3 &peri
     using vec3 = glm::vec<3, T>;
     const vec3 base = glm::floor(p), f = p - base;
     const glm::ivec3 celda(glm::clamp(base, vec3(T(-1073741824)), vec3(T(1073741824))));
+    const glm::ivec3 primero = detalle_ruido::resto(celda, periodo),
+                     ultimo = detalle_ruido::resto(celda + 1, periodo);
     const vec3 u = f * f * f * (f * (f * T(6) - T(15)) + T(10)), du = T(30) * f * f * (f - T(1)) * (f - T(1));
     glm::vec<4, T> suma(0);
     for (int i = 0; i < 8; ++i) {
-        const glm::ivec3 esquina(i & 1, (i >> 1) & 1, i >> 2), n = celda + esquina;
+        const glm::ivec3 esquina(i & 1, (i >> 1) & 1, i >> 2);
         const vec3 e(esquina), peso = glm::mix(T(1) - u, u, e), dPeso = (T(2) * e - T(1)) * du;
-        const vec3 g = detalle_ruido::gradiente<T>({detalle_ruido::resto(n.x, periodo.x),
-                                                    detalle_ruido::resto(n.y, periodo.y),
-                                                    detalle_ruido::resto(n.z, periodo.z)});
+        const vec3 g = detalle_ruido::gradiente<T>(primero + esquina * (ultimo - primero));
         const T rampa = glm::dot(g, f - e), total = peso.x * peso.y * peso.z;
         const vec3 dTotal = dPeso * vec3(peso.y * peso.z, peso.x * peso.z, peso.x * peso.y);
         suma += glm::vec<4, T>(total * g + rampa * dTotal, total * rampa);

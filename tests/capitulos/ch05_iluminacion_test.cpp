@@ -224,9 +224,7 @@ struct DeLado {
 
 /// El panel izquierdo mide 239×360: a lo ancho abarca lo mismo que una ventana 4:3.
 Camara camaraDelPanel() {
-    Camara camara = oraculo::perspectiva(oraculo::orbita(0, 0, 10), 0.31, 1, 100);
-    camara.semilado *= 4 / 3.0;
-    return camara;
+    return oraculo::perspectiva(oraculo::orbita(0, 0, 10), 0.31, 1, 100);
 }
 
 } // namespace
@@ -1020,8 +1018,7 @@ TEST(Sombreado, CadaModeloContraSuMallaEnDoble) {
 // lo alto de una ventana 4:3, es decir, 4/3 de su tangente a lo ancho.
 TEST(Sombreado, LosTresPanelesContraSuMallaEnDoble) {
     const auto gpu = imagenes("sombreado", {"tecla v"}, 480, 360);
-    Camara camara = oraculo::perspectiva(oraculo::orbita(0, 0, 12), 0.142, 1, 100);
-    camara.semilado *= 4 / 3.0; // del lado menor, que es el ancho
+    const Camara camara = oraculo::perspectiva(oraculo::orbita(0, 0, 12), 0.142, 1, 100);
     const int desde[] = {0, 160, 321, 482};
     for (int modelo = 1; modelo <= 3; ++modelo) {
         const int ancho = desde[modelo] - desde[modelo - 1] - 2;
@@ -1153,11 +1150,8 @@ TEST(GruaIluminada, CadaTeclaMueveLoSuyo) {
 // Con v, Gouraud a la izquierda y Phong a la derecha; en cada panel, más estrecho que 4:3, cabe lo mismo a lo ancho.
 TEST(GruaIluminada, LosDosPaneles) {
     const auto gpu = imagenes("grua_iluminada", {"tecla v"}, 480, 180);
-    Camara camara = CAMARA_GRUA;
-    camara.semilado *=
-        4.0 / 3 * 180 / 239; // el lado menor es el alto, y la ventana es algo más estrecha que 4:3
-    compruebaGrua("Gouraud", oraculo::recorta(gpu[0], 0, 0, 239, 180), gruaGouraud(grua(0), camara, 239),
-                  "Gouraud", camara);
+    compruebaGrua("Gouraud", oraculo::recorta(gpu[0], 0, 0, 239, 180), gruaGouraud(grua(0), CAMARA_GRUA, 239),
+                  "Gouraud", CAMARA_GRUA);
     compruebaGrua("Phong", oraculo::recorta(gpu[0], 240, 0, 240, 180), gruaPhong(grua(0), CAMARA_GRUA, 240),
                   "Phong");
 }

@@ -16,11 +16,22 @@ struct Asset {
     std::uint64_t fnv; // FNV-1a de 64 bits del fichero
 };
 const Asset ASSETS[] = {
-    {"baldosas", 256, 256, 0x924097405279b660}, {"carta", 256, 256, 0xd0b0343d205e62ed},
-    {"foto", 250, 190, 0xf09d249e3c352a9b},     {"ladrillo", 256, 256, 0xc9613647c73087fe},
-    {"luz", 64, 48, 0xab297e315418ba49},        {"madera", 256, 256, 0xd59efbf1c2a755e6},
-    {"mascara", 128, 96, 0xd5008eb324b7128d},   {"metal", 256, 256, 0x03e32f46840c109a},
-    {"mosaico", 32, 32, 0x556882cb8fcf2020},    {"musgo", 256, 256, 0xe9aacc54408d513f},
+    {"baldosas", 256, 256, 0x924097405279b660},
+    {"carta", 256, 256, 0xd0b0343d205e62ed},
+    {"entorno_abajo", 256, 256, 0x4f16b4ebd5f6eb0e},
+    {"entorno_arriba", 256, 256, 0x98c5618617e65c40},
+    {"entorno_delante", 256, 256, 0x4711fa06f1d5b4e5},
+    {"entorno_derecha", 256, 256, 0x2c793efa184c251f},
+    {"entorno_detras", 256, 256, 0xae49f838ed34bfed},
+    {"entorno_izquierda", 256, 256, 0xf368182e7b1b0849},
+    {"foto", 250, 190, 0xf09d249e3c352a9b},
+    {"ladrillo", 256, 256, 0xc9613647c73087fe},
+    {"luz", 64, 48, 0xab297e315418ba49},
+    {"madera", 256, 256, 0xd59efbf1c2a755e6},
+    {"mascara", 128, 96, 0xd5008eb324b7128d},
+    {"metal", 256, 256, 0x03e32f46840c109a},
+    {"mosaico", 32, 32, 0x556882cb8fcf2020},
+    {"musgo", 256, 256, 0xe9aacc54408d513f},
 };
 
 Imagen lee(const std::string &nombre) {

@@ -269,6 +269,19 @@ TEST(Cubemap, LasFotosNoTienenCostura) {
         }
 }
 
+// La ecuación 8.1 no es la tabla de OpenGL: con x positiva intercambia las dos coordenadas y les da la vuelta, un espejo; con x
+// negativa, gira la cara un cuarto de vuelta.
+TEST(Erratas, Ecuacion81) {
+    for (const double x : {1.0, -1.0})
+        for (const double y : {-0.7, 0.1, 0.6})
+            for (const double z : {-0.4, 0.2, 0.9}) {
+                const double u = (y + x) / (2 * x), v = (z + x) / (2 * x);
+                const oraculo::CaraCubo c = oraculo::caraDelCubo({x, y, z});
+                EXPECT_NEAR(u, x > 0 ? 1 - c.t : c.t, 1e-15);
+                EXPECT_NEAR(v, 1 - c.s, 1e-15);
+            }
+}
+
 // --- enrejado ---
 
 // Con tres tallas: los barrotes de fuera, los de detrás vistos por dentro, iluminados con la normal opuesta, y el fondo.
@@ -622,7 +635,7 @@ Vec3 cielo(const Vec3 &d) {
     c = c + (0.45 * std::pow(sol, 24) + 0.5 * std::pow(sol, 400)) * Vec3{1, 0.55, 0.20};
     c = mezcla(c, {1, 0.95, 0.75}, escalon(0.9990, 0.9993, sol));
     const double llano = std::hypot(d.x, d.z),
-                 cumbre = 0.055 + 0.07 * definicion::turbulencia({3 * d.x / llano, 3 * d.z / llano, 0.5}, 4);
+                 cumbre = 0.055 + 0.07 * definicion::turbulencia({3 * d.x / llano, 3 * d.z / llano, 0.5}, 3);
     const Vec3 colina = mezcla({0.42, 0.26, 0.30}, {0.13, 0.11, 0.20}, escalon(0, 0.09, d.y));
     return mezcla(colina, c, escalon(-0.002, 0.002, d.y - cumbre));
 }
@@ -651,16 +664,20 @@ Vec3 lago(const Vec3 &ojo, const Vec3 &d, double tiempo) {
 // El lago en doble, a los 0 s y 2 s después. Donde lo que se ve cambia deprisa (olas lejanas, contorno de las colinas) cuenta
 // la última cifra del float: se apartan los píxeles cuyo color cambia al moverse una centésima de píxel.
 TEST(BumpRuido, ContraElLagoEnDoble) {
-    const int ancho = 480, alto = 360;
     const oraculo::Camara camara =
         oraculo::perspectiva(oraculo::orbita(0, 0.13, 12, {0, 0.6, 0}), 0.75, 1, 100);
-    for (const auto &[guion, segundos] :
-         {std::pair<const char *, double>{"", 0}, {"espera 2000", 2}, {"tecla t", 0.5}}) {
+    std::string casiUnPeriodo; // el tiempo se repite a los 160 s
+    for (int i = 0; i < 319; ++i)
+        casiUnPeriodo += "tecla t; ";
+    for (const auto &[guion, segundos] : {std::pair<std::string, double>{"", 0},
+                                          {"espera 2000", 2},
+                                          {casiUnPeriodo + "tecla Espacio", 159.5}}) {
+        const int ancho = segundos > 100 ? 120 : 480, alto = 3 * ancho / 4, paso = ancho / 40;
         const Ejecucion e = ejecuta(CARPETA + "bump_ruido", guion, ancho, alto);
         ASSERT_EQ(e.estado, 0) << e.errores;
         Errores errores;
-        for (int y = 1; y < alto; y += 7)
-            for (int x = 1; x < ancho; x += 7) {
+        for (int y = 1; y < alto; y += paso)
+            for (int x = 1; x < ancho; x += paso) {
                 const auto color = [&](double dx, double dy) {
                     return lago(camara.ojo, rayo(camara, ancho, alto, x + 0.5 + dx, y + 0.5 + dy).direccion,
                                 0.4 * segundos);
@@ -670,7 +687,7 @@ TEST(BumpRuido, ContraElLagoEnDoble) {
                     errores.anade(oraculo::diferencia(e.imagen, x, y, c));
             }
         errores.apunta();
-        EXPECT_GT(errores.comparados, 2500) << guion;
+        EXPECT_GT(errores.comparados, 700) << guion;
         EXPECT_LE(errores.maximo, 3) << guion;
         EXPECT_LE(errores.rmse(), 0.6) << guion;
     }

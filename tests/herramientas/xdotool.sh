@@ -25,7 +25,7 @@ haz_guion() {
   local -A especial=([IZQUIERDA]=Left [DERECHA]=Right [ARRIBA]=Up [ABAJO]=Down [INICIO]=Home [FIN]=End
     [REPAG]=Prior [AVPAG]=Next [INSERTAR]=Insert)
   local -A nombre=([Esc]=Escape [Espacio]=space [Intro]=Return [Tab]=Tab [Retroceso]=BackSpace [Supr]=Delete
-    [PuntoYComa]=semicolon [+]=plus [-]=minus)
+    [PuntoYComa]=semicolon [+]=plus [-]=minus [,]=comma [.]=period)
   local -A boton=([IZQUIERDO]=1 [CENTRAL]=2 [DERECHO]=3)
   while read -ra palabras; do
     [ ${#palabras[@]} -gt 0 ] || continue

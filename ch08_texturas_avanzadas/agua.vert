@@ -1,0 +1,6 @@
+#version 140
+
+// Un triángulo que llena la ventana.
+void main() {
+    gl_Position = vec4(4 * (gl_VertexID % 2) - 1, 4 * (gl_VertexID / 2) - 1, 0.0, 1.0);
+}
