@@ -82,7 +82,7 @@ static void dibujaCamara(const glm::mat4 &aRecortado, const glm::dvec3 &p, const
         trazaFlecha(ojo, glm::vec3(p + v), aRecortado, color, 8);
         rotulaPunto(nombre, glm::vec3(p + 1.3 * v), aRecortado, color, Lado::CENTRO);
     };
-    flecha(3.2 * glm::normalize(UP), NARANJA, "UP");
+    flecha(3.4 * glm::normalize(UP), NARANJA, "UP");
     flecha(2.5 * S, ROJO, "S");
     flecha(2.5 * U, VERDE, "U");
     flecha(2.5 * F, AZUL, "F");

@@ -30,19 +30,14 @@ static void dibuja() {
     const std::vector<PiezaEscena> piezas = piezasEscena(estado.avance);
     dibujaEscena(estado.escena, piezas, camara, proyeccion);
 
-    // Marca con un 1 lo que se ve del espejo (por detrás no se ve: GL_CULL_FACE)
+    // Marca con un 1 lo que se ve del espejo (por detrás no se ve: GL_CULL_FACE), y lo deja del color del cielo
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_ALWAYS, 1, 0xff);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    glDepthMask(GL_FALSE);
-    dibujaEspejo(estado.escena, camara, proyeccion, AZOGUE);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glDepthMask(GL_TRUE);
+    dibujaEspejo(estado.escena, camara, proyeccion, glm::vec4(CIELO, 1));
 
-    // En lo marcado, y solo ahí, borra: el espejo en el fondo, del color del cielo
+    // En lo marcado, y solo ahí, borra la profundidad: el espejo, en el fondo
     glStencilFunc(GL_EQUAL, 1, 0xff);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     glDepthFunc(GL_ALWAYS);
     glDepthRange(1, 1);
     dibujaEspejo(estado.escena, camara, proyeccion, glm::vec4(CIELO, 1));

@@ -31,11 +31,8 @@ static void dibujaVista(const Recuadro &r, bool conPlantilla) {
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_ALWAYS, 1, 0xff);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    glDepthMask(GL_FALSE);
     dibujaEspejo(estado.escena, camara, proyeccion, glm::vec4(CIELO, 1));
-    glDepthMask(GL_TRUE);
     glStencilFunc(GL_EQUAL, 1, 0xff);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
     glDepthFunc(GL_ALWAYS);
     glDepthRange(1, 1);
     dibujaEspejo(estado.escena, camara, proyeccion, glm::vec4(CIELO, 1));

@@ -4,6 +4,7 @@
 #include "contexto.h"
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <cstdio>
 
 namespace sin_ventana {
 

@@ -1,7 +1,7 @@
 // Comprobaciones independientes del capítulo 1.
-#include "ch02_rotulos.h"
 #include "colores.h"
 #include "ejecuta.h"
+#include "rotulos.h"
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 #include <algorithm>

@@ -1,16 +1,18 @@
 // Comprobaciones independientes de la tetera y de ch02_modelado/bezier.h: normales contra derivadas en
 // cuádruple precisión, error de cuerda, grietas, fronteras de longitud cero y los datos de Newell.
 #include "ch02_modelado/bezier.h"
-#include "ch02_rotulos.h"
 #include "colores.h"
 #include "ejecuta.h"
 #include "oraculo/oraculo.h"
+#include "rotulos.h"
 #include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <iostream>
 #include <map>
 #include <random>
 #include <set>
@@ -612,9 +614,7 @@ TEST(Tetera, MasFinaYMasBasta) {
         const std::size_t n = teselaParches(tetera(), caso.error * PIXEL).malla.indices.size() / 3;
         const std::string numero = std::to_string(n) + " ";
         EXPECT_EQ(buscaRotulo(imagen, caso.linea, OSCURO, 4).size(), 1u) << caso.guion;
-        EXPECT_EQ(buscaRotulo(imagen, std::u32string(numero.begin(), numero.end()) + U"triángulos", OSCURO, 4)
-                      .size(),
-                  1u)
+        EXPECT_EQ(buscaRotulo(imagen, enLetras(numero) + U"triángulos", OSCURO, 4).size(), 1u)
             << caso.guion << " " << n;
     }
 }

@@ -1,8 +1,8 @@
 // La caja del ejercicio 2.1 vista como la ven malla_vf y tiras, en doble precisión.
 #pragma once
-#include "ch02_rotulos.h"
 #include "colores.h"
 #include "oraculo/oraculo.h"
+#include "rotulos.h"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,8 +1,8 @@
 // Comprobaciones independientes de primitivas, modelo_poligonal y figura_color: qué color debe haber en un
 // píxel, calculado en doble precisión con las coordenadas de los vértices.
-#include "ch02_rotulos.h"
 #include "colores.h"
 #include "ejecuta.h"
+#include "rotulos.h"
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 #include <cmath>
@@ -43,10 +43,6 @@ const std::vector<V> VERTICES = {{0, -0.62, 0.95, 0.55, 0.10},     {0.74, -0.38,
                                  {-0.31, -0.07, 0.98, 0.78, 0.15}, {-0.74, -0.38, 0.56, 0.24, 0.66}};
 const char *const NOMBRES[] = {"GL_POINTS",    "GL_LINES",          "GL_LINE_STRIP",  "GL_LINE_LOOP",
                                "GL_TRIANGLES", "GL_TRIANGLE_STRIP", "GL_TRIANGLE_FAN"};
-
-std::u32string enLetras(const std::string &s) {
-    return {s.begin(), s.end()};
-}
 
 bool esDe(const Pixel &p, const V &v) {
     return std::fabs(p.r - 255 * v.r) <= 1 && std::fabs(p.g - 255 * v.g) <= 1 &&
@@ -187,9 +183,9 @@ TEST(Primitivas, Rotulos) {
         EXPECT_GT(nombre[0].y, 660);
         for (std::size_t i = 0; i < VERTICES.size(); ++i) {
             const glm::dvec2 v(480 + VERTICES[i].x * 324, 324 + VERTICES[i].y * 324);
-            const glm::ivec2 r = rotuloJunto(e.imagen, enLetras(static_cast<int>(i)), OSCURO, 8, v);
-            EXPECT_LT(glm::distance(glm::dvec2(r), v), 64) << NOMBRES[k] << " vértice " << i;
-            EXPECT_GT(glm::distance(glm::dvec2(r), v), 28) << NOMBRES[k] << " vértice " << i;
+            const glm::dvec2 r = rotuloJunto(e.imagen, enLetras(static_cast<int>(i)), OSCURO, 8, v);
+            EXPECT_LT(glm::distance(r, v), 64) << NOMBRES[k] << " vértice " << i;
+            EXPECT_GT(glm::distance(r, v), 28) << NOMBRES[k] << " vértice " << i;
         }
     }
 }
@@ -209,7 +205,7 @@ TEST(Primitivas, LaRejillaTieneSietePaneles) {
     for (int k = 0; k < 8; ++k) {
         const int x0 = k % 4 * 240, y0 = k < 4 ? 360 : 0;
         bool hayNombre = false;
-        for (const glm::ivec2 &r : buscaRotulo(e.imagen, ultimaLinea[k], OSCURO, 4))
+        for (const Rotulo &r : buscaRotulo(e.imagen, ultimaLinea[k], OSCURO, 4))
             hayNombre = hayNombre || (r.x > x0 && r.x < x0 + 240 && r.y > y0 && r.y < y0 + 360);
         EXPECT_TRUE(hayNombre) << k;
         for (std::size_t i = 0; i < 6; ++i) {
@@ -275,10 +271,10 @@ TEST(ModeloPoligonal, Numeros) {
     const Ejecucion e = ejecuta("ch02_modelado/modelo_poligonal", "", 960, 720);
     for (int i = 0; i < 7; ++i) {
         const glm::dvec2 v(480 + 360 * vertices[i][0], 360 + 360 * vertices[i][1]);
-        const glm::ivec2 r = rotuloJunto(e.imagen, enLetras(i), BLANCO, 4, v);
-        EXPECT_LT(glm::distance(glm::dvec2(r), v), 30) << i;
+        const glm::dvec2 r = rotuloJunto(e.imagen, enLetras(i), BLANCO, 4, v);
+        EXPECT_LT(glm::distance(r, v), 30) << i;
         if (i > 0) {
-            EXPECT_GT(glm::distance(glm::dvec2(r), glm::dvec2(480, 360)), 320) << i;
+            EXPECT_GT(glm::distance(r, glm::dvec2(480, 360)), 320) << i;
         }
     }
 }

@@ -205,7 +205,7 @@ TEST(Tiras, RotulosYRecorrido) {
     const VistaCaja vista(0.66, 0.80, 960, 720);
     for (int i = 1; i <= 8; ++i) {
         const glm::dvec2 v = vista.enPixel(vista.vertice(i));
-        EXPECT_LT(glm::distance(glm::dvec2(rotuloJunto(dos, enLetras(i), OSCURO, 4, v)), v), 40) << i;
+        EXPECT_LT(glm::distance(rotuloJunto(dos, enLetras(i), OSCURO, 4, v), v), 40) << i;
     }
     // la pared del frente está partida por 3–6, no por 2–7
     const auto oscuro = [&](const Imagen &imagen, int a, int b) {

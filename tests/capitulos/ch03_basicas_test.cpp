@@ -344,7 +344,7 @@ TEST(ProgramaBasicas, LaMatrizEstaEscrita) {
         const Ejecucion e = ejecuta("ch03_transformaciones/basicas", caso.guion);
         double anterior = 180;
         for (const std::u32string &linea : caso.lineas) {
-            const std::vector<oraculo::Vec3> sitios = ch03::buscaRotulo(e.imagen, linea);
+            const std::vector<Rotulo> sitios = buscaRotulo(e.imagen, linea, OSCURO);
             ASSERT_EQ(sitios.size(), 1u) << caso.guion;
             EXPECT_LT(sitios[0].y, anterior) << caso.guion;
             anterior = sitios[0].y;
@@ -467,7 +467,7 @@ TEST(Escalado, CarasYDeterminanteEnCadaVista) {
                 }
             EXPECT_GT(dentro, 200);
             EXPECT_GT(vistos, dentro / 2);
-            const std::vector<oraculo::Vec3> sitios = ch03::buscaRotulo(e.imagen, rotulos[i]);
+            const std::vector<Rotulo> sitios = buscaRotulo(e.imagen, rotulos[i], OSCURO);
             ASSERT_EQ(sitios.size(), 1u);
             EXPECT_NEAR(sitios[0].x, x0 + ancho / 2.0, 2);
             EXPECT_TRUE(sitios[0].y > y0 && sitios[0].y < y0 + alto / 8.0);
@@ -486,8 +486,8 @@ TEST(Escalado, CarasYDeterminanteEnCadaVista) {
                 for (int dy = -1; dy <= 1; ++dy)
                     for (int dx = -1; dx <= 1; ++dx)
                         for (const glm::vec3 &color : {GRIS, glm::mix(GRIS, FONDO_CLARO, 0.55f)})
-                            hay = hay || ch03::esDelColor(e.imagen, static_cast<int>(q.x) + dx,
-                                                          static_cast<int>(q.y) + dy, color);
+                            hay = hay || esColor(e.imagen, static_cast<int>(q.x) + dx,
+                                                 static_cast<int>(q.y) + dy, color);
                 aristas += hay;
             }
             EXPECT_GE(aristas, 6);
@@ -776,13 +776,13 @@ TEST(PasoAPaso, LaLeyenda) {
                 ejecuta(std::string("ch03_transformaciones/") + caso.programa, pulsaT(aplicados), 480, 360);
             double anterior = 360;
             for (std::size_t i = 0; i < caso.pasos.size(); ++i) {
-                const auto sitios = ch03::buscaRotulo(e.imagen, caso.pasos[i],
-                                                      i < aplicados ? OSCURO : glm::mix(GRIS, OSCURO, 0.3f));
+                const auto sitios = buscaRotulo(e.imagen, caso.pasos[i],
+                                                i < aplicados ? OSCURO : glm::mix(GRIS, OSCURO, 0.3f));
                 ASSERT_EQ(sitios.size(), 1u) << i;
                 EXPECT_LT(sitios[0].y, anterior);
                 anterior = sitios[0].y;
             }
-            const auto producto = ch03::buscaRotulo(e.imagen, caso.productos[aplicados]);
+            const auto producto = buscaRotulo(e.imagen, caso.productos[aplicados], OSCURO);
             ASSERT_EQ(producto.size(), 1u);
             EXPECT_LT(producto[0].y, anterior);
         }
@@ -820,9 +820,9 @@ TEST(TresCubos, Rotulos) {
     const Imagen imagen = ejecuta("ch03_transformaciones/tres_cubos").imagen;
     EXPECT_TRUE(ch03::rotuladoJunto(imagen, k, {0.5, 0.25, -0.5}, U"M = I", 1));
     EXPECT_TRUE(ch03::rotuladoJunto(imagen, k, {0.25, 0.875, -0.25}, U"M = A", 1) ||
-                ch03::buscaRotulo(imagen, U"M = A").size() == 2); // también es el principio de M = A·A
+                buscaRotulo(imagen, U"M = A", OSCURO).size() == 2); // también es el principio de M = A·A
     EXPECT_TRUE(ch03::rotuladoJunto(imagen, k, {0.125, 1.1875, -0.125}, U"M = A·A", 1));
-    EXPECT_EQ(ch03::buscaRotulo(imagen, U"A = T(0, 0.75, 0) · S(0.5)").size(), 1u);
+    EXPECT_EQ(buscaRotulo(imagen, U"A = T(0, 0.75, 0) · S(0.5)", OSCURO).size(), 1u);
     EXPECT_TRUE(ch03::estanLosEjes(imagen, k, {1.5, 1.5, 1.5}));
 }
 
@@ -836,10 +836,10 @@ TEST(Orden, RotulosYRegla) {
         k = paralela(k, std::max(179 * 21 / 480.0, 21 * 3 / 8.0), 1, 300);
         const auto rotulo = [&](const std::u32string &texto, const glm::vec3 &color) {
             // la vista es media ventana, pero la letra mide lo mismo
-            std::vector<oraculo::Vec3> sitios = ch03::buscaRotulo(ventana, texto, color), suyos;
-            for (const oraculo::Vec3 &s : sitios)
-                if ((s.y > 180) == arriba)
-                    suyos.push_back({s.x, s.y - (arriba ? 181 : 0), 0});
+            std::vector<oraculo::Vec3> suyos;
+            for (const Rotulo &r : buscaRotulo(ventana, texto, color))
+                if ((r.y > 180) == arriba)
+                    suyos.push_back({r.x, r.y - (arriba ? 181 : 0), 0});
             return suyos;
         };
         const auto nombre = rotulo(arriba ? U"T·S" : U"S·T", BLANCO),

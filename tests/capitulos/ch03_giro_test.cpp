@@ -330,7 +330,7 @@ void compruebaGiro(const std::string &guion, const Vec3 &eje, double angulo, con
 }
 
 bool seLee(const std::string &guion, const std::u32string &leyenda) {
-    return ch03::buscaRotulo(ejecuta("ch03_transformaciones/giro_eje", guion).imagen, leyenda).size() == 1;
+    return buscaRotulo(ejecuta("ch03_transformaciones/giro_eje", guion).imagen, leyenda, OSCURO).size() == 1;
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "ejecuta.h"
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <iostream>
 #include <sstream>
 
 namespace {

@@ -291,6 +291,6 @@ TEST(ProgramaNormales, CadaCasoContraElOraculo) {
         EXPECT_EQ(deCadaColor[0], 4);
         EXPECT_EQ(deCadaColor[1], caso.sx == 1 ? 0 : 4);
         EXPECT_EQ(deCadaColor[2], caso.sx < 0 ? 4 : 0);
-        EXPECT_EQ(ch03::buscaRotulo(e.imagen, caso.leyenda).size(), 1u);
+        EXPECT_EQ(buscaRotulo(e.imagen, caso.leyenda, OSCURO).size(), 1u);
     }
 }

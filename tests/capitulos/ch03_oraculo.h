@@ -3,8 +3,8 @@
 #pragma once
 #include "colores.h"
 #include "ejecuta.h"
-#include "letra.h"
 #include "oraculo/oraculo.h"
+#include "rotulos.h"
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -46,59 +46,22 @@ inline Vec3 normalInterpolada(const oraculo::Objeto &objeto, const oraculo::Impa
 /// y la punta donde se cortan dos lados que forman un ángulo agudo se mueve unas cuantas veces más.
 const double DESVIO = 1.0 / 32;
 
-/// Trazos y rótulos no llevan luz: su color es exactamente el suyo.
-inline bool esDelColor(const Imagen &imagen, int x, int y, const glm::vec3 &color) {
-    if (x < 0 || y < 0 || x >= imagen.ancho || y >= imagen.alto)
-        return false;
-    const Pixel p = pixel(imagen, x, y);
-    return glm::ivec3(p.r, p.g, p.b) == glm::ivec3(255.0f * color + 0.5f);
-}
-
 /// Si hay un trazo de ese color a menos de dos píxeles de un punto del mundo.
 inline bool hayTrazo(const Imagen &imagen, const oraculo::Camara &camara, const Vec3 &p,
                      const glm::vec3 &color) {
     const Vec3 v = proyecta(camara, imagen.ancho, imagen.alto, p);
     for (int dy = -1; dy <= 1; ++dy)
         for (int dx = -1; dx <= 1; ++dx)
-            if (esDelColor(imagen, static_cast<int>(std::floor(v.x)) + dx,
-                           static_cast<int>(std::floor(v.y)) + dy, color))
+            if (esColor(imagen, static_cast<int>(std::floor(v.x)) + dx,
+                        static_cast<int>(std::floor(v.y)) + dy, color))
                 return true;
     return false;
-}
-
-/// Los centros (píxeles) de los sitios en que se lee ese texto, de una línea y de ese color, entero y sin nada encima.
-inline std::vector<Vec3> buscaRotulo(const Imagen &imagen, const std::u32string &texto,
-                                     const glm::vec3 &color = OSCURO) {
-    const int celda =
-        std::max(static_cast<int>(std::lround(0.04 * oraculo::altoUtil(imagen.ancho, imagen.alto) / 7)), 1);
-    struct Cuadrado {
-        int x, y;
-        bool tinta;
-    };
-    std::vector<Cuadrado> cuadrados;
-    for (std::size_t i = 0; i < texto.size(); ++i)
-        for (int fila = 0; fila < 7; ++fila)
-            for (int columna = 0; columna < 5; ++columna) {
-                const bool tinta = texto[i] != U' ' &&
-                                   (LETRA.at(texto[i])[static_cast<std::size_t>(fila)] >> (4 - columna) & 1);
-                cuadrados.push_back({(6 * static_cast<int>(i) + columna) * celda, (6 - fila) * celda, tinta});
-            }
-    std::vector<Vec3> centros;
-    for (int y = 0; y < imagen.alto; ++y)
-        for (int x = 0; x < imagen.ancho; ++x)
-            if (std::all_of(cuadrados.begin(), cuadrados.end(), [&](const Cuadrado &c) {
-                    return esDelColor(imagen, x + c.x, y + c.y, color) == c.tinta &&
-                           esDelColor(imagen, x + c.x + celda - 1, y + c.y + celda - 1, color) == c.tinta;
-                }))
-                centros.push_back(
-                    {x + 0.5 * celda * (6.0 * static_cast<double>(texto.size()) - 1), y + 3.5 * celda, 0});
-    return centros;
 }
 
 /// Si ese texto se lee una vez, y a no más de `lejos` píxeles de un punto del mundo.
 inline bool estaRotulado(const Imagen &imagen, const oraculo::Camara &camara, const Vec3 &p,
                          const std::u32string &texto, const glm::vec3 &color = OSCURO, double lejos = 10) {
-    const std::vector<Vec3> sitios = buscaRotulo(imagen, texto, color);
+    const std::vector<Rotulo> sitios = buscaRotulo(imagen, texto, color);
     const Vec3 v = proyecta(camara, imagen.ancho, imagen.alto, p);
     return sitios.size() == 1 && std::hypot(sitios[0].x - v.x, sitios[0].y - v.y) <= lejos;
 }
@@ -107,13 +70,13 @@ inline bool estaRotulado(const Imagen &imagen, const oraculo::Camara &camara, co
 /// encima o debajo (0).
 inline bool rotuladoJunto(const Imagen &imagen, const oraculo::Camara &camara, const Vec3 &p,
                           const std::u32string &texto, int alLado, const glm::vec3 &color = OSCURO) {
-    const std::vector<Vec3> sitios = buscaRotulo(imagen, texto, color);
+    const std::vector<Rotulo> sitios = buscaRotulo(imagen, texto, color);
     if (sitios.size() != 1)
         return false;
-    const double celda = std::max(std::round(0.04 * oraculo::altoUtil(imagen.ancho, imagen.alto) / 7), 1.0);
-    const Vec3 d = sitios[0] - proyecta(camara, imagen.ancho, imagen.alto, p);
-    const double dx = d.x - alLado * 3 * celda * static_cast<double>(texto.size()),
-                 dy = alLado ? d.y : d.y - std::copysign(3.5 * celda, d.y);
+    const double celda = celdaDe(imagen.ancho, imagen.alto);
+    const Vec3 v = proyecta(camara, imagen.ancho, imagen.alto, p);
+    const double dx = sitios[0].x - v.x - alLado * 3 * celda * static_cast<double>(texto.size()),
+                 y = sitios[0].y - v.y, dy = alLado ? y : y - std::copysign(3.5 * celda, y);
     return std::hypot(dx, dy) <= 4.5 * celda;
 }
 
@@ -147,7 +110,7 @@ inline oraculo::Comparacion compara(Imagen gpu, const std::vector<Cuerpo> &cuerp
     for (int y = 0; y < gpu.alto; ++y)
         for (int x = 0; x < gpu.ancho; ++x)
             if (std::any_of(adornos.begin(), adornos.end(),
-                            [&](const glm::vec3 &color) { return esDelColor(gpu, x, y, color); })) {
+                            [&](const glm::vec3 &color) { return esColor(gpu, x, y, color); })) {
                 const Vec3 color =
                     sombrea(primerImpacto(escena, rayo(camara, gpu.ancho, gpu.alto, x + 0.5, y + 0.5)));
                 for (int k = 0; k < 3; ++k)

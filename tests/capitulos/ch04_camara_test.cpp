@@ -7,7 +7,9 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+#include <iostream>
 #include <random>
+#include <sstream>
 
 namespace {
 
@@ -303,11 +305,11 @@ TEST(Camara, EjesYRotulosDesdeFuera) {
             glm::vec3 color;
             const char32_t *nombre;
         } flechas[] = {
-            {3.2 * UP, NARANJA, U"UP"}, {2.5 * S, ROJO, U"S"}, {2.5 * U, VERDE, U"U"}, {2.5 * F, AZUL, U"F"}};
+            {3.4 * UP, NARANJA, U"UP"}, {2.5 * S, ROJO, U"S"}, {2.5 * U, VERDE, U"U"}, {2.5 * F, AZUL, U"F"}};
         for (const auto &f : flechas) {
             const o::Vec3 medio = en(c.p + 0.8 * f.v), masAlla = en(c.p + 1.3 * f.v);
             const Pixel p = pixel(e.imagen, static_cast<int>(medio.x), static_cast<int>(medio.y));
-            EXPECT_TRUE(es(p, f.color))
+            EXPECT_TRUE(esColor(p, f.color))
                 << c.guion << " " << p.r << " " << p.g << " " << p.b << " en " << medio.x << "," << medio.y;
             EXPECT_LE(distanciaRotulo(e.imagen, f.nombre, f.color, masAlla.x, masAlla.y), 6 / 720.0)
                 << c.guion << " " << masAlla.x << "," << masAlla.y;
@@ -344,7 +346,7 @@ TEST(Camara, LaPiramideEsLaDeLaImagen) {
             const o::Vec3 punto = r.origen + (3 / -o::escalar(r.direccion, ejes.z)) * r.direccion,
                           w = o::proyecta(fuera, h.ancho, h.alto, punto);
             ++puntos;
-            buenos += es(pixel(e.imagen, static_cast<int>(w.x), static_cast<int>(w.y)), GRIS);
+            buenos += esColor(pixel(e.imagen, static_cast<int>(w.x), static_cast<int>(w.y)), GRIS);
         }
     EXPECT_GE(buenos, puntos * 6 / 10) << "de " << puntos; // los demás los tapan las flechas y la escena
 }

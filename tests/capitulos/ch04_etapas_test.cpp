@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <gtest/gtest.h>
+#include <iostream>
 #include <map>
 #include <random>
 #include <sstream>
@@ -280,12 +281,12 @@ TEST(EtapasPipeline, EsquinasDelCubo) {
         EXPECT_EQ(v.count("se pinta"), v["profundidad"][0] < v["guardada"][0] ? 1u : 0u);
         ASSERT_EQ(v["píxel"].size(), 2u);
         const int px = static_cast<int>(v["píxel"][0]), py = static_cast<int>(v["píxel"][1]);
-        EXPECT_TRUE(es(pixel(e.imagen, px, py), ROJO)) << k;
+        EXPECT_TRUE(esColor(pixel(e.imagen, px, py), ROJO)) << k;
         double x = 0, y = 0;
         int n = 0;
         for (int j = py - 8; j <= py + 8; ++j)
             for (int i = px - 8; i <= px + 8; ++i)
-                if (es(pixel(e.imagen, i, j), ROJO))
+                if (esColor(pixel(e.imagen, i, j), ROJO))
                     x += i + 0.5, y += j + 0.5, ++n;
         ASSERT_GT(n, 20);
         const double dx = x / n - v["ventana"][0], dy = y / n - v["ventana"][1];
@@ -309,9 +310,10 @@ TEST(EtapasPipeline, ElPuntoYSusNumerosEnCadaPanel) {
     const char32_t *const titulos[] = {U"1 objeto",    U"2 mundo",   U"3 cámara",
                                        U"4 recortado", U"5 ventana", U"6 test de z"};
     const o::Vec3 numeros[] = {esquinaCubo(k), mundo, camara, n, ventana};
+    const int celda = celdaDe(ancho, alto, 0.03);
     const auto rotulado = [&](int donde, const std::u32string &texto, const glm::vec3 &color) {
         const Hueco h = panel(donde, ancho, alto);
-        for (const o::Vec2 &c : buscaRotulo(e.imagen, texto, color, 0.03))
+        for (const Rotulo &c : buscaRotulo(e.imagen, texto, color, celda))
             if (c.x > h.x && c.x < h.x + h.ancho && c.y > h.y && c.y < h.y + h.alto)
                 return true;
         return false;
@@ -319,8 +321,10 @@ TEST(EtapasPipeline, ElPuntoYSusNumerosEnCadaPanel) {
     for (int donde = OBJETO; donde <= VENTANA; ++donde) {
         const o::Vec3 w = enPanel(donde, mundo, ancho, alto);
         for (const double d : {-4.0, 0.0, 4.0}) { // un disco de 15 píxeles
-            EXPECT_TRUE(es(pixel(e.imagen, static_cast<int>(w.x + d), static_cast<int>(w.y)), ROJO)) << donde;
-            EXPECT_TRUE(es(pixel(e.imagen, static_cast<int>(w.x), static_cast<int>(w.y + d)), ROJO)) << donde;
+            EXPECT_TRUE(esColor(pixel(e.imagen, static_cast<int>(w.x + d), static_cast<int>(w.y)), ROJO))
+                << donde;
+            EXPECT_TRUE(esColor(pixel(e.imagen, static_cast<int>(w.x), static_cast<int>(w.y + d)), ROJO))
+                << donde;
         }
         const std::u32string divididos = donde == NDC ? U"/w " : U" ";
         EXPECT_TRUE(rotulado(donde, U"x" + divididos + dosDecimales(numeros[donde].x), ROJO)) << donde;
@@ -354,7 +358,7 @@ TEST(EtapasPipeline, ElPuntoYSusNumerosEnCadaPanel) {
                                                  : u;
                     const o::Vec3 p = OJO + d * (x * t * a * ejes.x + y * t * ejes.y - ejes.z),
                                   w = enPanel(donde, p, ancho, alto);
-                    buenos += es(pixel(e.imagen, static_cast<int>(w.x), static_cast<int>(w.y)), color);
+                    buenos += esColor(pixel(e.imagen, static_cast<int>(w.x), static_cast<int>(w.y)), color);
                 }
             EXPECT_GE(buenos, 8) << donde << " a " << d; // de 12: los demás los tapa algo
         }
@@ -373,8 +377,12 @@ TEST(EtapasPipeline, Oculto) {
     EXPECT_LT(v["guardada"][0], v["profundidad"][0]);
     EXPECT_TRUE(v.count("se descarta"));
     EXPECT_FALSE(v.count("se pinta"));
-    EXPECT_EQ(buscaRotulo(e.imagen, U"se descarta", ROJO, 0.03).size(), 1u);
-    EXPECT_EQ(buscaRotulo(e.imagen, dosDecimales(w.z) + U" ≥ " + dosDecimales(z), ROJO, 0.03).size(), 1u);
+    EXPECT_EQ(
+        buscaRotulo(e.imagen, U"se descarta", ROJO, celdaDe(e.imagen.ancho, e.imagen.alto, 0.03)).size(), 1u);
+    EXPECT_EQ(buscaRotulo(e.imagen, dosDecimales(w.z) + U" ≥ " + dosDecimales(z), ROJO,
+                          celdaDe(e.imagen.ancho, e.imagen.alto, 0.03))
+                  .size(),
+              1u);
     const Pixel p = pixel(e.imagen, static_cast<int>(w.x) - 14, static_cast<int>(w.y));
     EXPECT_TRUE(p.g > 1.5 * p.r && p.g > 1.5 * p.b)
         << p.r << " " << p.g << " " << p.b; // verde alrededor del punto
@@ -384,11 +392,11 @@ TEST(EtapasPipeline, Oculto) {
         return pixel(e.imagen, static_cast<int>(h.x + h.ancho * (0.5 + 0.5 * (0.9 * valor - 0.45))),
                      static_cast<int>(h.y + h.alto * (0.5 + 0.5 * y)));
     };
-    EXPECT_TRUE(es(enEscala(w.z, -0.1), ROJO));
-    EXPECT_TRUE(es(enEscala(z, -0.5), OSCURO));
-    EXPECT_FALSE(es(enEscala(w.z, -0.5), OSCURO));
-    EXPECT_TRUE(es(enEscala(0, -0.1), NARANJA));
-    EXPECT_TRUE(es(enEscala(1, -0.1), AZUL));
+    EXPECT_TRUE(esColor(enEscala(w.z, -0.1), ROJO));
+    EXPECT_TRUE(esColor(enEscala(z, -0.5), OSCURO));
+    EXPECT_FALSE(esColor(enEscala(w.z, -0.5), OSCURO));
+    EXPECT_TRUE(esColor(enEscala(0, -0.1), NARANJA));
+    EXPECT_TRUE(esColor(enEscala(1, -0.1), AZUL));
 }
 
 // En los otros paneles también se elige, y lejos de todo vértice no cambia nada.
@@ -440,11 +448,11 @@ TEST(EtapasPipeline, Recortado) {
         for (int x = h.x; x < h.x + h.ancho; ++x) {
             const double d = o::distanciaDentro(p, x + 0.5, y + 0.5);
             const Pixel c = pixel(e.imagen, x, y);
-            if (es(c, ROJO) || std::fabs(d) < 6)
+            if (esColor(c, ROJO) || std::fabs(d) < 6)
                 continue;
             ++(d > 0 ? dentro : fuera);
             const bool esTriangulo = c.r > c.g && c.g > 2 * c.b;
-            ASSERT_TRUE(d > 0 ? esTriangulo : es(c, CIELO)) << x << "," << y;
+            ASSERT_TRUE(d > 0 ? esTriangulo : esColor(c, CIELO)) << x << "," << y;
         }
     EXPECT_GT(dentro, 30000);
     EXPECT_GT(fuera, 8000);
@@ -464,5 +472,6 @@ TEST(EtapasPipeline, VerticeDeFuera) {
     EXPECT_TRUE(v.count("recortado"));
     EXPECT_FALSE(v.count("NDC"));
     EXPECT_FALSE(v.count("ventana"));
-    EXPECT_EQ(buscaRotulo(e.imagen, U"no llega", ROJO, 0.03).size(), 2u);
+    EXPECT_EQ(buscaRotulo(e.imagen, U"no llega", ROJO, celdaDe(e.imagen.ancho, e.imagen.alto, 0.03)).size(),
+              2u);
 }

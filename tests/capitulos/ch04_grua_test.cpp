@@ -302,7 +302,7 @@ TEST(GruaVistas, LasCuatroContraTrazadoDeRayos) {
                 const oraculo::Comparacion c = comparaRecuadro(e.imagen, r, h.alto, ref);
                 std::cout << "vista " << v << ": " << c << "\n";
                 bienDibujada(c, r.ancho * r.alto);
-                const std::vector<oraculo::Vec2> rotulos = buscaRotulo(e.imagen, nombres[v], colores[v]);
+                const std::vector<Rotulo> rotulos = buscaRotulo(e.imagen, nombres[v], colores[v]);
                 ASSERT_EQ(rotulos.size(), 1u) << v;
                 EXPECT_TRUE(rotulos[0].x > h.x && rotulos[0].x < h.x + h.ancho) << v;
                 EXPECT_TRUE(rotulos[0].y > r.y + r.alto && rotulos[0].y < h.y + h.alto) << v;
@@ -329,8 +329,9 @@ TEST(GruaVistas, LosEjes) {
                 << v << " eje " << eje;
             if (ejes[v][eje][0] == 0 && ejes[v][eje][1] == 0)
                 continue; // de punta
-            EXPECT_TRUE(es(pixel(e.imagen, static_cast<int>(lugar(0.6, 0)), static_cast<int>(lugar(0.6, 1))),
-                           COLOR_EJE[eje]))
+            EXPECT_TRUE(
+                esColor(pixel(e.imagen, static_cast<int>(lugar(0.6, 0)), static_cast<int>(lugar(0.6, 1))),
+                        COLOR_EJE[eje]))
                 << v << " eje " << eje;
         }
     }

@@ -194,7 +194,7 @@ TEST(Profundidad, LaSeparacionEsDe5Centimetros) {
     int n = 0, rn = 0;
     for (int py = 3 * alto / 4 - 30; py < alto; ++py) // el primero
         for (int px = 0; px < ancho / 4; ++px) {
-            if (es(pixel(e.imagen, px, py), AMARILLO))
+            if (esColor(pixel(e.imagen, px, py), AMARILLO))
                 x += px, y += py, ++n;
             if (primerImpacto(primero, rayo(camaraCarteles(10), ancho, alto, px + 0.5, py + 0.5)))
                 rx += px, ry += py, ++rn;

@@ -8,6 +8,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
+#include <iostream>
 #include <random>
 
 namespace {
@@ -242,7 +243,7 @@ std::vector<double> tramos(const Imagen &imagen, int x, const glm::vec3 &color) 
     std::vector<double> centros;
     int desde = -1;
     for (int y = imagen.alto - 1; y >= -1; --y) {
-        const bool esta = y >= 0 && es(pixel(imagen, x, y), color);
+        const bool esta = y >= 0 && esColor(pixel(imagen, x, y), color);
         if (esta && desde < 0)
             desde = y;
         if (!esta && desde >= 0) {
@@ -338,7 +339,7 @@ TEST(Proyecciones, EnPerspectivaVanAlPuntoDeFuga) {
             int minX = ANCHO, maxX = -1, minY = ALTO;
             for (int py = static_cast<int>(fy) - 14; py + 0.5 < fy - 5; ++py)
                 for (int px = static_cast<int>(fx) - 14; px <= fx + 14; ++px)
-                    if (es(pixel(e.imagen, px, py), OSCURO))
+                    if (esColor(pixel(e.imagen, px, py), OSCURO))
                         minX = std::min(minX, px), maxX = std::max(maxX, px), minY = std::min(minY, py);
             EXPECT_NEAR(0.5 * (minX + maxX + 1), fx, 1);
             EXPECT_NEAR(minY, fy - 10, 1);
@@ -367,7 +368,7 @@ TEST(Proyecciones, ElHorizonte) {
         int grueso = 0;
         double suma = 0;
         for (int py = static_cast<int>(y) - 8; py <= y + 8; ++py)
-            if (es(pixel(e.imagen, x, py), OSCURO))
+            if (esColor(pixel(e.imagen, x, py), OSCURO))
                 ++grueso, suma += py + 0.5;
         if (std::abs(x - 860) < 60)
             continue;                   // el punto de fuga

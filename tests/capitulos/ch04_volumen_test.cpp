@@ -171,8 +171,8 @@ void comprueba(const std::string &guion, const Volumen &v, double azimut = 0.95)
             if (i && i.distancia < distancia + 0.3)
                 continue;
             ++vistos;
-            buenos +=
-                es(pixel(ejecucion.imagen, static_cast<int>(w.x), static_cast<int>(w.y)), lados[k].color);
+            buenos += esColor(pixel(ejecucion.imagen, static_cast<int>(w.x), static_cast<int>(w.y)),
+                              lados[k].color);
         }
     EXPECT_GE(buenos, (azimut == 0.95 ? 0.8 : 0.5) * vistos) << vistos; // de frente se tapan unas a otras
 }

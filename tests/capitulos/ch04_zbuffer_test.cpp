@@ -103,8 +103,7 @@ TEST(ZBuffer, LosCuatroPaneles) {
         const oraculo::Comparacion c = compara(panel, ref, 5);
         EXPECT_EQ(c.maximo <= 5, k % 2 == 1) << k << ": " << c; // solo con test está bien
         for (int otro = 0; otro < 4; ++otro) {
-            const std::size_t cuantos =
-                buscaRotulo(panel, rotulos[otro], OSCURO, TALLA_NORMAL * 360 / h.alto).size();
+            const std::size_t cuantos = buscaRotulo(panel, rotulos[otro], OSCURO, celdaDe(480, 360)).size();
             EXPECT_EQ(cuantos, otro == k ? 1u : 0u) << k << " " << otro;
         }
         EXPECT_EQ(buscaRotulo(sueltos[suelto], rotulos[k], OSCURO).size(), 1u) << k;

@@ -8,9 +8,11 @@
 #include "malla.h"
 #include "oraculo/oraculo.h"
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <gtest/gtest.h>
 #include <iomanip>
+#include <iostream>
 #include <map>
 
 using oraculo::Camara;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <gtest/gtest.h>
+#include <iostream>
 #include <random>
 
 namespace {

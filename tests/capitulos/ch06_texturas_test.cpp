@@ -3,8 +3,8 @@
 // OpenGL.
 #include "colores.h"
 #include "ejecuta.h"
-#include "letra.h"
 #include "oraculo/oraculo.h"
+#include "rotulos.h"
 #include "rutas.h"
 #include <algorithm>
 #include <cmath>
@@ -87,31 +87,17 @@ Vec3 vecino(const Imagen &im, double s, double t) {
 
 // --- Lo que va por encima de la textura: rótulos y trazos ---
 
-bool es(const Pixel &p, const glm::vec3 &color) {
-    const glm::ivec3 c(255.0f * color + 0.5f);
-    return p.r == c.r && p.g == c.g && p.b == c.b;
-}
 /// De un rótulo (tinta o halo), una flecha o un punto.
 bool deMarca(const Pixel &p) {
-    return es(p, OSCURO) || es(p, BLANCO) || es(p, ROJO) || es(p, VERDE);
+    return esColor(p, OSCURO) || esColor(p, BLANCO) || esColor(p, ROJO) || esColor(p, VERDE);
 }
 /// Centro, en píxeles, del rótulo de una línea y letra de un píxel por cuadrado que hay en la parte de la imagen que va de
 /// (x0, y0) a (x1, y1); (−1, −1) si no está.
 oraculo::Vec2 rotulo(const Imagen &im, const std::u32string &texto, const glm::vec3 &color, int x0 = 0,
                      int y0 = 0, int x1 = 100000, int y1 = 100000) {
-    const int ancho = 6 * static_cast<int>(texto.size()) - 1;
-    const auto esta = [&](int x, int y) {
-        for (std::size_t i = 0; i < texto.size(); ++i)
-            for (int k = 0; k < 35 && texto[i] != U' '; ++k)
-                if (es(pixel(im, x + 6 * static_cast<int>(i) + k % 5, y + 6 - k / 5), color) !=
-                    bool(LETRA.at(texto[i])[static_cast<std::size_t>(k / 5)] >> (4 - k % 5) & 1))
-                    return false;
-        return true;
-    };
-    for (int y = y0; y + 7 <= std::min(y1, im.alto); ++y)
-        for (int x = x0; x + ancho <= std::min(x1, im.ancho); ++x)
-            if (esta(x, y))
-                return {x + 0.5 * ancho, y + 3.5};
+    for (const Rotulo &r : buscaRotulo(im, texto, color, 1))
+        if (r.x0 >= x0 && r.y0 >= y0 && r.x1 < x1 && r.y1 < y1)
+            return {r.x, r.y};
     return {-1, -1};
 }
 bool hay(const oraculo::Vec2 &rotulo) {
@@ -360,7 +346,7 @@ TEST(Repeticion, ElMarcoVaDe0A1) {
             const double ds = std::fabs(c.s - 0.5), dt = std::fabs(c.t - 0.5);
             const double fuera = 64 * std::max(ds, dt) - 32; // en píxeles
             if (std::fabs(fuera) < 0.6 && ds != dt) {        // las esquinas van achaflanadas
-                EXPECT_TRUE(es(pixel(e.imagen, x, y), OSCURO)) << x << "," << y;
+                EXPECT_TRUE(esColor(pixel(e.imagen, x, y), OSCURO)) << x << "," << y;
             } else if (fuera < -1 || (fuera > 1 && c.s > 0.1 && c.s < 0.7)) { // ahí no hay rótulos
                 EXPECT_TRUE(iguales(pixel(e.imagen, x, y), {200, 100, 50})) << x << "," << y;
             }
@@ -722,9 +708,9 @@ TEST(Coordenadas, LosMismosPuntosEnLaImagenYEnElObjeto) {
             const oraculo::Vec2 P = en(0.1, 0.5), s = en(0.24, 0.5), t = en(0.1, 0.8);
             int delPunto = 0; // de 3 × 3: el rótulo y las flechas pueden llevarse alguno
             for (int k = 0; k < 9; ++k)
-                delPunto +=
-                    es(pixel(e.imagen, static_cast<int>(P.x) + k % 3 - 1, static_cast<int>(P.y) + k / 3 - 1),
-                       OSCURO);
+                delPunto += esColor(
+                    pixel(e.imagen, static_cast<int>(P.x) + k % 3 - 1, static_cast<int>(P.y) + k / 3 - 1),
+                    OSCURO);
             EXPECT_GE(delPunto, 4) << donde << cual;
             const auto cerca = [&](const oraculo::Vec2 &r, const oraculo::Vec2 &p) {
                 return hay(r) && std::hypot(r.x - p.x, r.y - p.y) < 9.5; // entra un rótulo de 5 × 7 a su lado

@@ -11,8 +11,10 @@
 #include "oraculo/oraculo.h"
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <gtest/gtest.h>
+#include <iostream>
 #include <random>
 
 using oraculo::caja;

@@ -4,6 +4,7 @@
 #include "ch08_texturas_avanzadas/ruido.h"
 #include "shader.h"
 #include <GL/freeglut.h>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <glm/gtc/type_ptr.hpp>

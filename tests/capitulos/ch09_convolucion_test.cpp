@@ -2,6 +2,7 @@
 // filtro.glsl con filtros sueltos.
 #include "ch09_imagen.h"
 #include "ch09_imagen/nucleos.h"
+#include <cstdio>
 #include <numeric>
 
 namespace {

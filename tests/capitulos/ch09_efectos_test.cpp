@@ -1,6 +1,7 @@
 // Los efectos del capítulo 9 que tratan cada píxel, contra la CPU en doble precisión. Las imágenes son al azar y de lados
 // que no son múltiplos de 4.
 #include "ch09_imagen.h"
+#include <cstdio>
 #include <cstdlib>
 #include <glm/glm.hpp>
 

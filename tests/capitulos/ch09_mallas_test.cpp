@@ -5,6 +5,7 @@
 #include "ch09_imagen/proporcion.h"
 #include "colores.h"
 #include "oraculo/cobertura.h"
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 

@@ -2,6 +2,7 @@
 #include "ejecuta.h"
 #include "glut_sin_ventana/guion.h"
 #include <GL/freeglut.h>
+#include <cstdio>
 #include <gtest/gtest.h>
 
 using namespace sin_ventana;

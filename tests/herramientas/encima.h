@@ -1,70 +1,8 @@
 // Lo que un programa dibuja encima de su escena, que ningún trazador de rayos ve: rótulos y trazos. Se comprueba que están donde
 // deben y se quitan de la imagen, poniendo en su lugar la referencia, para comparar después lo demás.
 #pragma once
-#include "letra.h"
 #include "oraculo/oraculo.h"
-#include <algorithm>
-#include <glm/glm.hpp>
-#include <string>
-#include <vector>
-
-/// Rectángulo de la tinta de un rótulo, en píxeles; `celda` es el lado de los cuadrados de sus letras.
-struct CajaRotulo {
-    int x0, y0, x1, y1, celda;
-    double lejosDe(double x, double y) const {
-        return std::hypot(0.5 * (x0 + x1 + 1) - x, 0.5 * (y0 + y1 + 1) - y);
-    }
-};
-
-inline bool esColor(const Imagen &imagen, int x, int y, const glm::vec3 &color) {
-    if (x < 0 || y < 0 || x >= imagen.ancho || y >= imagen.alto)
-        return false;
-    for (int k = 0; k < 3; ++k)
-        if (std::fabs(
-                imagen.rgb[3 * static_cast<std::size_t>(y * imagen.ancho + x) + static_cast<std::size_t>(k)] -
-                255 * color[k]) > 1)
-            return false;
-    return true;
-}
-
-/// Dónde se lee ese texto, de una línea y de ese color: la tinta está toda y en los huecos de las letras no hay.
-inline std::vector<CajaRotulo> leeRotulo(const Imagen &imagen, const std::string &texto,
-                                         const glm::vec3 &color) {
-    std::vector<glm::ivec2> tinta, huecos;
-    int letras = 0;
-    for (std::size_t i = 0; i < texto.size(); ++letras) {
-        const unsigned char primero = static_cast<unsigned char>(texto[i++]);
-        char32_t c = primero < 0x80 ? primero : primero < 0xE0 ? primero & 0x1Fu : primero & 0x0Fu;
-        for (; i < texto.size() && (static_cast<unsigned char>(texto[i]) & 0xC0) == 0x80; ++i)
-            c = c << 6 | (static_cast<unsigned char>(texto[i]) & 0x3Fu);
-        for (int fila = 0; c != U' ' && fila < 7; ++fila)
-            for (int columna = 0; columna < 5; ++columna)
-                (LETRA.at(c)[static_cast<std::size_t>(fila)] >> (4 - columna) & 1 ? tinta : huecos)
-                    .push_back({6 * letras + columna, 6 - fila});
-    }
-    std::vector<CajaRotulo> cajas;
-    for (int celda = 1; celda <= 8; ++celda)
-        for (int y = 0; y + 7 * celda <= imagen.alto; ++y)
-            for (int x = 0; x + (6 * letras - 1) * celda <= imagen.ancho; ++x) {
-                const auto pintado = [&](const glm::ivec2 &c) {
-                    return esColor(imagen, x + c.x * celda, y + c.y * celda, color) &&
-                           esColor(imagen, x + (c.x + 1) * celda - 1, y + (c.y + 1) * celda - 1, color);
-                };
-                if (std::all_of(tinta.begin(), tinta.end(), pintado) &&
-                    std::none_of(huecos.begin(), huecos.end(), pintado))
-                    cajas.push_back({x, y, x + (6 * letras - 1) * celda - 1, y + 7 * celda - 1, celda});
-            }
-    return cajas;
-}
-
-/// Si se lee el texto con su centro a menos de `lejos` píxeles de (x, y).
-inline bool seLee(const Imagen &imagen, const std::string &texto, const glm::vec3 &color, double x, double y,
-                  double lejos) {
-    for (const CajaRotulo &c : leeRotulo(imagen, texto, color))
-        if (c.lejosDe(x, y) < lejos)
-            return true;
-    return false;
-}
+#include "rotulos.h"
 
 /// Una imagen a la que se le va quitando lo que lleva encima. Se busca siempre en la original: lo que se quita no estorba a
 /// lo que se cruza con ello.
@@ -80,7 +18,7 @@ struct SinEncima {
     /// Quita el rótulo cuyo centro está a menos de `lejos` píxeles de (x, y), con su halo. Devuelve si estaba.
     bool rotulo(const std::string &texto, const glm::vec3 &color, double x, double y, double lejos = 20) {
         bool estaba = false;
-        for (const CajaRotulo &c : leeRotulo(original, texto, color)) {
+        for (const Rotulo &c : leeRotulo(original, texto, color)) {
             if (c.lejosDe(x, y) >= lejos)
                 continue;
             estaba = true;

@@ -6,6 +6,7 @@
 #include "shader.h"
 #include "textura.h"
 #include "ventana.h"
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <string>

@@ -28,7 +28,12 @@ for shader in ch*/*.vert ch*/*.frag; do
   [ "$(head -n 1 "$shader")" = '#version 140' ] || mal "$shader no empieza por #version 140"
   [[ $shader != *errores_shader_compila.frag ]] || continue # está mal a propósito
   # los #include del laboratorio se sustituyen como lo hace common/shader.cpp
-  awk '/^#include "/ { gsub(/"/, "", $2); while ((getline linea < $2) > 0) print linea; next } { print }' "$shader" \
+  awk 'function vuelca(f,  linea, partes) {
+         while ((getline linea < f) > 0)
+           if (split(linea, partes, "\"") == 3 && partes[1] == "#include ") vuelca(partes[2]); else print linea
+         close(f)
+       }
+       BEGIN { vuelca(ARGV[1]) }' "$shader" \
     >"$carpeta/${shader##*/}"
   glslangValidator "$carpeta/${shader##*/}" >"$carpeta/informe" || { mal "$shader no pasa glslangValidator"; cat "$carpeta/informe"; }
 done

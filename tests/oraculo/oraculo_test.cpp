@@ -4,6 +4,7 @@
 #include "oraculo/oraculo.h"
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <iostream>
 #include <random>
 
 using namespace oraculo;
