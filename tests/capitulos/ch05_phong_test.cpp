@@ -2,10 +2,9 @@
 // ni redondear. Se compara con el oráculo en doble precisión y se prueban los casos difíciles de GLSL.
 #include "ch05_iluminacion/iluminacion.h"
 #include "oraculo/oraculo.h"
-#include <GL/freeglut.h>
+#include "sonda.h"
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/type_ptr.hpp>
 #include <gtest/gtest.h>
 #include <iostream>
 #include <random>
@@ -16,39 +15,13 @@ const double PI = oraculo::PI;
 const Material MATERIAL = {{0.10f, 0.20f, 0.05f}, {0.50f, 0.0f, 0.70f}, {0.60f, 0.40f, 0.0f}, 8};
 const glm::vec3 LA(0.5f);
 
-/// Una ventana sin pantalla con un framebuffer de un píxel en float.
 class Sonda : public testing::Test {
 protected:
     static GLuint programa, listado;
 
     static void SetUpTestSuite() {
-        static char nombre[] = "sonda";
-        char *argv[] = {nombre, nullptr};
-        int argc = 1;
-        glutInit(&argc, argv);
-        glutCreateWindow(nombre);
-        glewExperimental = GL_TRUE;
-        glewInit(); // su resultado no sirve: common/ventana.cpp
-        programa = creaPrograma("tests/capitulos/ch05_sonda.vert", "tests/capitulos/ch05_sonda.frag");
-        listado = creaPrograma("tests/capitulos/ch05_sonda.vert", "tests/capitulos/ch05_listado.frag");
-        GLuint vao = 0, color = 0, framebuffer = 0;
-        glGenVertexArrays(1, &vao);
-        glBindVertexArray(vao);
-        glGenRenderbuffers(1, &color);
-        glBindRenderbuffer(GL_RENDERBUFFER, color);
-        glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, 1, 1);
-        glGenFramebuffers(1, &framebuffer);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
-        ASSERT_EQ(glCheckFramebufferStatus(GL_FRAMEBUFFER), GLenum(GL_FRAMEBUFFER_COMPLETE));
-        glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
-    }
-
-    static glm::vec3 lee() {
-        glm::vec4 color(-1);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        glReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, glm::value_ptr(color));
-        return glm::vec3(color);
+        programa = creaSonda("tests/capitulos/ch05_sonda.frag");
+        listado = creaSonda("tests/capitulos/ch05_listado.frag");
     }
 
     /// phong() de phong.glsl.
@@ -59,7 +32,7 @@ protected:
         envia(programa, "N", N);
         enviaMaterial(programa, m);
         enviaLuz(programa, "luz", luz, glm::mat4(1));
-        return lee();
+        return glm::vec3(leeSonda());
     }
 
     /// phong() de los listados 5.1 y 5.3.
@@ -75,7 +48,7 @@ protected:
         envia(listado, "alfa", m.alfa);
         envia(listado, "P", P);
         envia(listado, "N", N);
-        return lee();
+        return glm::vec3(leeSonda());
     }
 };
 GLuint Sonda::programa, Sonda::listado;

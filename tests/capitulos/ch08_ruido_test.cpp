@@ -3,11 +3,10 @@
 #include "ch08_oraculo.h"
 #include "ch08_texturas_avanzadas/ruido.h"
 #include "shader.h"
-#include <GL/freeglut.h>
+#include "sonda.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <glm/gtc/type_ptr.hpp>
 #include <gtest/gtest.h>
 #include <random>
 #include <set>
@@ -184,25 +183,7 @@ protected:
     static GLuint programa;
 
     static void SetUpTestSuite() {
-        static char nombre[] = "sonda";
-        char *argv[] = {nombre, nullptr};
-        int argc = 1;
-        glutInit(&argc, argv);
-        glutCreateWindow(nombre);
-        glewExperimental = GL_TRUE;
-        glewInit(); // su resultado no sirve: common/ventana.cpp
-        programa = creaPrograma("tests/capitulos/ch05_sonda.vert", "tests/capitulos/ch08_sonda.frag");
-        GLuint vao = 0, color = 0, framebuffer = 0;
-        glGenVertexArrays(1, &vao);
-        glBindVertexArray(vao);
-        glGenRenderbuffers(1, &color);
-        glBindRenderbuffer(GL_RENDERBUFFER, color);
-        glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, 1, 1);
-        glGenFramebuffers(1, &framebuffer);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
-        ASSERT_EQ(glCheckFramebufferStatus(GL_FRAMEBUFFER), GLenum(GL_FRAMEBUFFER_COMPLETE));
-        glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
+        programa = creaSonda("tests/capitulos/ch08_sonda.frag");
         glUseProgram(programa);
     }
 
@@ -213,10 +194,7 @@ protected:
         envia(programa, "periodoY", periodo.y);
         envia(programa, "periodoZ", periodo.z);
         envia(programa, "octavas", octavas);
-        glm::vec4 color(-9);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        glReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, glm::value_ptr(color));
-        return color;
+        return leeSonda();
     }
 };
 GLuint SondaRuido::programa = 0;
