@@ -13,7 +13,7 @@ static const glm::vec2
 static const char *const NOMBRES[3] = {"Sin antialiasing", "Multimuestra", "Sobremuestreo"};
 
 static struct {
-    GLuint reduce, copia, renderbuffer, multimuestra;
+    GLuint reduce, copia, lupa, renderbuffer, multimuestra;
     GLint buffersVentana, muestrasVentana, muestras;
     Lienzo lienzo = {0, 0}, grande = {0, 0};
     int lado = 0, elegido = 0;
@@ -78,36 +78,38 @@ static std::string nombre(int tecnica) {
                                               : std::string());
 }
 
-/// El cuadrado de la escena, píxel a píxel, y en su centro, que está vacío, parte de un rayo aumentada.
+/// El cuadrado de la escena, píxel a píxel, y en su centro, que está vacío, parte de un rayo aumentada; debajo, el nombre.
 static void dibujaPanel(int tecnica, const Recuadro &panel) {
-    creaLienzos(std::max(std::min(panel.ancho, panel.alto * 9 / 10), 1)); // debajo va el rótulo
+    const int lado = std::max(std::min(panel.ancho, panel.alto * 9 / 10), 1);
+    creaLienzos(lado);
     dibujaEscena(tecnica);
-    const int lado = estado.lado, x = panel.x + (panel.ancho - lado) / 2, y = panel.y + panel.alto - lado;
-    glUseProgram(estado.copia);
+    const int x = panel.x + (panel.ancho - lado) / 2, y = panel.y + (panel.alto - lado + lado / 9) / 2;
     glBindTexture(GL_TEXTURE_2D, estado.lienzo.textura);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glUseProgram(estado.copia);
     envia(estado.copia, "imagen", 0);
     dibujaEn({x, y, lado, lado});
     dibujaRectangulo();
-    const int aumento = std::max(lado * 3 / 10 / DENTRO, 1), lupa = aumento * DENTRO;
-    const glm::ivec2 esquina = glm::ivec2(x, y) + (lado - lupa) / 2,
-                     primero = glm::ivec2(AUMENTADO * static_cast<float>(lado)) - DENTRO / 2;
-    abreRecuadro({esquina.x - 2, esquina.y - 2, lupa + 4, lupa + 4}, NARANJA);
-    glScissor(esquina.x, esquina.y, lupa, lupa);
-    glEnable(GL_SCISSOR_TEST);
-    dibujaEn(
-        {esquina.x - aumento * primero.x, esquina.y - aumento * primero.y, aumento * lado, aumento * lado});
-    glUseProgram(estado.copia);
+
+    const int lupa = std::max(lado * 3 / 10 / DENTRO, 1) * DENTRO;
+    const Recuadro r = {x + (lado - lupa) / 2, y + (lado - lupa) / 2, lupa, lupa};
+    abreRecuadro({r.x - 2, r.y - 2, lupa + 4, lupa + 4}, NARANJA);
+    dibujaEn(r);
+    glUseProgram(estado.lupa);
+    envia(estado.lupa, "imagen", 0);
+    const float texel = 1 / static_cast<float>(lado);
+    envia(estado.lupa, "primero", glm::floor(AUMENTADO / texel - DENTRO / 2.0f) * texel);
+    envia(estado.lupa, "tramo", glm::vec2(DENTRO * texel));
     dibujaRectangulo();
-    glDisable(GL_SCISSOR_TEST);
-    dibujaEn(panel);
-    rotula(nombre(tecnica), {0.5f, 0.05f}, OSCURO);
+
+    dibujaEn({panel.x, y - lado / 9, panel.ancho, lado / 9});
+    rotula(nombre(tecnica), {0.5f, 0.5f}, OSCURO);
 }
 
 static void dibuja() {
     abreRecuadro(ventanaEntera(), FONDO_CLARO);
     if (estado.compara) {
-        const std::vector<Recuadro> paneles = reparte(3);
+        const std::vector<Recuadro> paneles = aspecto(ventanaEntera()) >= 1 ? rejilla(3, 1) : reparte(3);
         for (int tecnica = 0; tecnica < 3; ++tecnica)
             dibujaPanel(tecnica, paneles[static_cast<std::size_t>(tecnica)]);
     } else {
@@ -138,6 +140,7 @@ int main(int argc, char **argv) {
     abreVentana(argc, argv, "Antialiasing", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     estado.reduce = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/reduce.frag");
     estado.copia = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/imagen.frag");
+    estado.lupa = creaPrograma("ch09_imagen/lupa.vert", "ch09_imagen/imagen.frag");
     glGetIntegerv(GL_SAMPLE_BUFFERS, &estado.buffersVentana);
     glGetIntegerv(GL_SAMPLES, &estado.muestrasVentana);
     glGenRenderbuffers(1, &estado.renderbuffer);

@@ -214,6 +214,31 @@ TEST(Antialiasing, CoberturaContraElAreaExacta) {
     EXPECT_LT(rmse[2], 0.6 * rmse[1]);
 }
 
+// La lupa son 16 × 16 píxeles de la propia imagen, también cuando aumentada entera no cabría en un área de dibujo.
+TEST(Antialiasing, LaLupaSonPixelesDeLaImagen) {
+    const struct {
+        int ancho, alto, lado, x, y, aumento;
+    } casos[] = {{200, 200, 180, 10, 20, 3}, {960, 1080, 960, 0, 113, 18}};
+    for (const auto &c : casos)
+        for (const char *guion : {"tecla 1", "tecla 2", "tecla 3"}) {
+            const Imagen imagen = ejecuta("ch09_imagen/antialiasing", guion, c.ancho, c.alto).imagen;
+            const int esquina = (c.lado - 16 * c.aumento) / 2, columna = static_cast<int>(0.895 * c.lado - 8),
+                      fila = static_cast<int>(0.530 * c.lado - 8);
+            std::set<int> tonos;
+            for (int j = 0; j < 16; ++j)
+                for (int i = 0; i < 16; ++i) {
+                    const Pixel original = pixel(imagen, c.x + columna + i, c.y + fila + j);
+                    tonos.insert(original.g);
+                    for (const int borde : {0, c.aumento - 1}) {
+                        const Pixel visto = pixel(imagen, c.x + esquina + c.aumento * i + borde,
+                                                  c.y + esquina + c.aumento * j + borde);
+                        ASSERT_EQ(visto.g, original.g) << guion << " " << c.ancho << ": " << i << "," << j;
+                    }
+                }
+            EXPECT_GE(tonos.size(), guion[6] == '1' ? 2u : 4u) << guion;
+        }
+}
+
 TEST(Antialiasing, CambiarDeTamanoYCualquierTalla) {
     const Ejecucion directa = ejecuta("ch09_imagen/antialiasing", "tecla v", 240, 180),
                     cambiada =
