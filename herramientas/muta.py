@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""muta.py RAÍZ BUILD [--comprueba | PROGRAMA|CAPÍTULO|FICHERO]: defectos plantados, para saber si las pruebas los notan.
+"""muta.py RAÍZ CARPETA [--comprueba | PROGRAMA|CAPÍTULO|FICHERO]: defectos plantados, para saber si las pruebas los notan.
 
 Cada línea de tests/mutantes/*.tsv es un mutante: fichero, texto (que está una sola vez en él), texto estropeado, qué imita y, si
 no lo puede notar nadie, por qué. Con «…» dentro del texto, el resto solo sirve para encontrarlo y se cambia lo que va entre ellas.
 
-Todos se compilan a la vez en una copia del árbol, BUILD/mutantes: una expresión de C++ queda como (mutante(5012) ? (estropeada) :
+Todos se compilan a la vez en una copia del árbol, en CARPETA: una expresión de C++ queda como (mutante(5012) ? (estropeada) :
 (original)), una instrucción como if/else, y un shader estropeado va en una carpeta que la copia mira antes que las demás;
 $LAB_MUTANTE elige uno. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar y apuntan lo que usan; después,
-con cada mutante, los que lo usan: las pruebas, de la más rápida a la más lenta y hasta que una falle, y si ninguna, los golden.
+con cada mutante, los que lo usan, hasta que uno falle: las pruebas de su capítulo, las demás y, si ninguna lo nota, los golden.
 """
 import os
 import re
@@ -66,6 +66,10 @@ class Prueba:
     segundos: float = 0
     vistos: set = field(default_factory=set)
 
+    @property
+    def capitulo(self):
+        return capitulo(self.nombre)
+
     def pasa(self, mutante, limite, **entorno):
         """Si acaba bien y a tiempo con ese mutante puesto (0: ninguno). Lo que escribe queda en self.salida."""
         proceso = subprocess.Popen(self.orden, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -82,6 +86,11 @@ class Prueba:
                 pass
             proceso.wait()
         return proceso.returncode == 0
+
+
+def capitulo(nombre):
+    """El de una prueba o un fichero: ch05, o comun."""
+    return nombre[:4] if nombre.startswith("ch") else "comun"
 
 
 def lee(raiz):
@@ -182,8 +191,8 @@ def compila_glsl(raiz, mutante, estropeado):
 class Taller:
     """La copia del árbol con todos los mutantes, compilada."""
 
-    def __init__(self, raiz, build, mutantes):
-        self.raiz, self.copia, self.build, self.mutantes = raiz, build / "mutantes/fuente", build / "mutantes/build", mutantes
+    def __init__(self, raiz, carpeta, mutantes):
+        self.raiz, self.copia, self.build, self.mutantes = raiz, carpeta / "fuente", carpeta / "build", mutantes
         self.procesos = os.cpu_count()
 
     def copia_arbol(self):
@@ -221,16 +230,21 @@ class Taller:
                 destino.parent.mkdir(parents=True)
                 destino.write_text(estropea(nuevos[m.fichero].decode(), m))
 
-    def compila(self):
-        """Las pruebas y los programas sin ventana. Con -O1 se compila en la mitad de tiempo y las imágenes son las mismas."""
+    def compila(self, capitulos):
+        """Las pruebas de esos capítulos, o todas, y los programas sin ventana. Con -O1 se compila en la mitad de tiempo y las imágenes son las mismas."""
         opciones = [f"-DCMAKE_CXX_FLAGS_RELEASE=-O1 -w -I{self.copia}", "-DLAB_AVISOS_SON_ERRORES=OFF"]
         if shutil.which("ccache"):
             opciones.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+        cache = self.build / "CMakeCache.txt"
+        if cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={self.copia}\n" not in cache.read_text():
+            shutil.rmtree(self.build)  # el laboratorio se ha movido
         self.orden("cmake", "--preset", "release", "-S", self.copia, "-B", self.build, *opciones)
         self.sin_ventana = (self.build / "sin_ventana").read_text().strip()
         self.casos = [fila.split("\t") for fila in (self.build / "casos.tsv").read_text().splitlines()]
         programas = {fila.split("\t")[1] for fila in (self.build / "catalogo.tsv").read_text().splitlines()}
-        self.orden("ninja", "-C", self.build, "tests/all", *(f"{p}_{self.sin_ventana}" for p in sorted(programas)))
+        pruebas = [f.stem for f in self.copia.glob("tests/*/*_test.cpp") if capitulo(f.name) in capitulos]
+        self.orden("ninja", "-C", self.build, *(pruebas if capitulos else ["tests/all"]), "compara",
+                   *(f"{p}_{self.sin_ventana}" for p in sorted(programas)))
 
     def orden(self, *palabras):
         proceso = subprocess.run([str(p) for p in palabras], cwd=self.copia, text=True, stdout=subprocess.PIPE,
@@ -238,10 +252,12 @@ class Taller:
         if proceso.returncode:
             sys.exit(f"{proceso.stdout[-4000:]}\nmuta: no se ha podido compilar con los mutantes dentro")
 
-    def enumera(self):
-        """Cada TEST y cada caso, que son lo que se ejecuta."""
+    def enumera(self, capitulos):
+        """Cada TEST y cada caso de esos capítulos, o todos, que son lo que se ejecuta."""
         pruebas = []
         for ejecutable in sorted((self.build / "tests").glob("*_test")):
+            if capitulos and capitulo(ejecutable.name) not in capitulos:
+                continue
             lista = subprocess.run([ejecutable, "--gtest_list_tests"], text=True, stdout=subprocess.PIPE, check=True).stdout
             for linea in lista.splitlines():
                 linea = linea.split("#")[0].rstrip()
@@ -251,9 +267,10 @@ class Taller:
                 elif linea.endswith("."):
                     grupo = linea
         entorno = dict(linea.split("=", 1) for linea in (self.copia / "tests/entorno.txt").read_text().split())
-        for capitulo, programa, caso, *_ in self.casos:
-            pruebas.append(Prueba(f"{capitulo[:4]} golden {programa}.{caso}", [
-                self.copia / "tests/herramientas/caso.sh", self.build, self.sin_ventana, programa, caso], entorno, True))
+        for carpeta, programa, caso, *_ in self.casos:
+            if not capitulos or capitulo(carpeta) in capitulos:
+                pruebas.append(Prueba(f"{capitulo(carpeta)} golden {programa}.{caso}", [
+                    self.copia / "tests/herramientas/caso.sh", self.build, self.sin_ventana, programa, caso], entorno, True))
         return pruebas
 
     def sin_mutantes(self, pruebas):
@@ -273,8 +290,9 @@ class Taller:
         if malas:
             sys.exit(f"muta: {len(malas)} pruebas fallan sin ningún mutante")
         for m in self.mutantes:
-            m.pruebas = sorted((p for p in pruebas if str(m.numero) in p.vistos or
-                                m.fichero.endswith(SHADERS) and m.fichero in p.vistos), key=lambda p: (p.golden, p.segundos))
+            visto = m.fichero if m.fichero.endswith(SHADERS) else str(m.numero)
+            m.pruebas = sorted((p for p in pruebas if visto in p.vistos),
+                               key=lambda p: (p.golden, p.capitulo != capitulo(m.fichero), p.segundos))
 
     def prueba(self, mutante):
         for prueba in mutante.pruebas:
@@ -306,7 +324,7 @@ def resume(mutantes):
 
 
 def main():
-    raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
+    raiz, carpeta = (Path(p).resolve() for p in sys.argv[1:3])
     pedido = sys.argv[3] if len(sys.argv) > 3 else ""
     todos, fallos = lee(raiz)
     fallos = comprueba(raiz, todos, fallos)
@@ -318,14 +336,11 @@ def main():
                 Path(m.fichero).stem.startswith(pedido)]
     if not elegidos:
         sys.exit(f"muta: no hay ningún mutante en «{pedido}»; vale un capítulo (ch05), un programa, un fichero o {todos[0].nombre}")
-    taller = Taller(raiz, build, todos)
+    taller = Taller(raiz, carpeta, todos)
+    capitulos = {capitulo(m.fichero) for m in elegidos} if pedido else set()  # de lo que se pide, solo sus pruebas
     taller.copia_arbol()
-    taller.compila()
-    pruebas = taller.enumera()
-    # de un capítulo bastan sus pruebas; lo que usan todos se prueba con todas
-    suyos = {m.fichero[:4] for m in elegidos}
-    if pedido and "comm" not in suyos:
-        pruebas = [p for p in pruebas if p.nombre[:4] in suyos]
+    taller.compila(capitulos)
+    pruebas = taller.enumera(capitulos)
     print(f"{len(pruebas)} pruebas y casos sin ningún mutante…", file=sys.stderr)
     taller.sin_mutantes(pruebas)
     with ThreadPoolExecutor(taller.procesos) as hilos:
