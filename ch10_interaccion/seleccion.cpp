@@ -1,0 +1,180 @@
+// Elegir un objeto con el ratón (listados 10.2 y 10.3): la escena se dibuja otra vez, en un framebuffer propio y con cada
+// objeto del color de su identificador (identificador.h), y se lee el píxel del clic. Lo que tapa también se dibuja, con
+// el 0. Como son sus listados, las llamadas a OpenGL del framebuffer están a la vista.
+// Controles: clic elige · v también lo que hay en el framebuffer · arrastrar orbita · rueda acerca · Esc termina.
+#include "ch03_transformaciones/objeto.h"
+#include "colores.h"
+#include "identificador.h"
+#include "orbita.h"
+#include "recuadro.h"
+#include "rotulo.h"
+#include "trazo.h"
+#include "ventana.h"
+#include <cstdio>
+
+enum Forma { CUBO, ESFERA, CONO, TORO, N_FORMAS };
+static const float RECTO = glm::half_pi<float>();
+static const struct {
+    glm::mat4 M; // posada en el origen
+    float altura;
+} POSADA[N_FORMAS] = {{traslacion({0, 0.6f, 0}) * giroY(0.4f) * escalado(1.2f), 1.2f},
+                      {traslacion({0, 0.75f, 0}) * escalado(0.75f), 1.5f},
+                      {giroX(-RECTO) * escalado({0.75f, 0.75f, 1.7f}), 1.7f},
+                      {traslacion({0, 0.84f, 0}) * giroY(0.45f), 1.68f}};
+static const struct {
+    const char *nombre;
+    Forma forma;
+    glm::vec3 lugar, color;
+} SOLIDOS[] = {{"cono verde", CONO, {-3, 0, -2}, VERDE},
+               {"cubo azul", CUBO, {-1, 0, -2}, AZUL},
+               {"esfera amarilla", ESFERA, {1, 0, -2}, AMARILLO},
+               {"toro rojo", TORO, {3, 0, -2}, ROJO},
+               {"esfera roja", ESFERA, {-3, 0, 0}, ROJO},
+               {"toro verde", TORO, {-1, 0, 0}, VERDE},
+               {"cono morado", CONO, {1, 0, 0}, MORADO},
+               {"cubo naranja", CUBO, {3, 0, 0}, NARANJA},
+               {"cubo amarillo", CUBO, {-3, 0, 2}, AMARILLO},
+               {"cono naranja", CONO, {-1, 0, 2}, NARANJA},
+               {"toro azul", TORO, {1, 0, 2}, AZUL},
+               {"esfera morada", ESFERA, {3, 0, 2}, MORADO}};
+static const glm::vec3 COLOR_TABLERO(0.80f, 0.74f, 0.66f);
+static const float APAGADO = 0.7f, RADIO_ARO = 1.05f;
+
+enum { COLOR, PROFUNDIDAD, N_RENDERBUFFERS };
+static struct {
+    GLuint programa, programaIdentificador;
+    GLuint framebuffer = 0, renderbuffers[N_RENDERBUFFERS] = {};
+    Buferes formas[N_FORMAS];
+    unsigned elegido = NADA; // SOLIDOS[elegido − 1]
+    std::string leido;       // lo que se dice del último clic
+    bool compara = false;
+    Orbita orbita = {0.3f, 0.5f, 14.5f, {-0.4f, 0.15f, 0}, 0.1f};
+} estado;
+
+// Listado 10.2. El tamaño es el de la ventana: cuando cambia hay que hacerlo otra vez.
+static void creaFramebuffer(int ancho, int alto) {
+    glDeleteFramebuffers(1, &estado.framebuffer); // si no había, borrar el 0 no hace nada
+    glDeleteRenderbuffers(N_RENDERBUFFERS, estado.renderbuffers);
+
+    glGenRenderbuffers(N_RENDERBUFFERS, estado.renderbuffers);
+    glBindRenderbuffer(GL_RENDERBUFFER, estado.renderbuffers[COLOR]);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, ancho, alto); // GL_RGBA a secas no promete 8 bits
+    glBindRenderbuffer(GL_RENDERBUFFER, estado.renderbuffers[PROFUNDIDAD]);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, ancho, alto);
+
+    glGenFramebuffers(1, &estado.framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                              estado.renderbuffers[COLOR]);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                              estado.renderbuffers[PROFUNDIDAD]);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        falla("este OpenGL no admite el framebuffer de la selección");
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+static void inicia() {
+    estado.programa = creaProgramaObjeto();
+    estado.programaIdentificador =
+        creaPrograma("ch03_transformaciones/objeto.vert", "ch10_interaccion/identificador.frag");
+    const Malla mallas[N_FORMAS] = {cubo(), esfera(64), cono(64), toro(0.6f, 0.24f, 64, 32)};
+    for (int i = 0; i < N_FORMAS; ++i)
+        estado.formas[i] = creaBuferes(mallas[i]);
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_DITHER); // un identificador no se puede redondear
+}
+
+// Con el color de cada objeto o con el de su identificador.
+static void dibujaObjetos(const Recuadro &panel, bool conIdentificadores) {
+    const GLuint p = conIdentificadores ? estado.programaIdentificador : estado.programa;
+    const glm::mat4 proyeccion = perspectivaVentana(0.6f, 1, 60, aspecto(panel)),
+                    camara = camaraOrbita(estado.orbita);
+    abreRecuadro(panel, conIdentificadores ? colorDe(NADA) : CIELO);
+    glUseProgram(p);
+    envia(p, "proyeccion", proyeccion);
+    envia(p, "camara", camara);
+    const auto pinta = [&](Forma forma, const glm::mat4 &M, const glm::vec3 &color, unsigned identificador) {
+        if (conIdentificadores) {
+            envia(p, "M", M);
+            envia(p, "identificador", colorDe(identificador));
+            dibuja(estado.formas[forma]);
+        } else {
+            const bool apagado = estado.elegido != NADA && identificador != estado.elegido;
+            dibujaObjeto(p, estado.formas[forma], M,
+                         apagado ? glm::mix(color, COLOR_TABLERO, APAGADO) : color);
+        }
+    };
+    pinta(CUBO, traslacion({0, -0.15f, 0}) * escalado({8.4f, 0.3f, 6.4f}), COLOR_TABLERO, NADA);
+    unsigned identificador = NADA;
+    for (const auto &s : SOLIDOS)
+        pinta(s.forma, traslacion(s.lugar) * POSADA[s.forma].M, s.color, ++identificador);
+    if (conIdentificadores || estado.elegido == NADA)
+        return;
+    const auto &elegido = SOLIDOS[estado.elegido - 1];
+    std::vector<glm::vec3> aro;
+    for (float a = 0; a < 4 * RECTO; a += RECTO / 16)
+        aro.push_back(elegido.lugar + glm::vec3(RADIO_ARO * std::cos(a), 0.02f, RADIO_ARO * std::sin(a)));
+    trazaPolilinea(aro, proyeccion * camara, OSCURO, GROSOR, true);
+    rotulaPunto(elegido.nombre, elegido.lugar + glm::vec3(0, POSADA[elegido.forma].altura + 0.15f, 0),
+                proyeccion * camara, OSCURO);
+}
+
+static std::vector<Recuadro> paneles() {
+    return reparte(estado.compara ? 2 : 1, 4.0f / 3);
+}
+
+static void dibuja() {
+    abreRecuadro(ventanaEntera(), GRIS);
+    const std::vector<Recuadro> p = paneles();
+    for (std::size_t i = 0; i < p.size(); ++i)
+        dibujaObjetos(p[i], i == 1);
+    glViewport(p[0].x, p[0].y, p[0].ancho, p[0].alto);
+    rotula(estado.leido.empty() ? "clic en un objeto" : estado.leido, {0.5f, 0.06f}, OSCURO);
+    glutSwapBuffers();
+}
+
+// Listado 10.3. GLUT cuenta las filas desde arriba, de 0 a alto − 1, y OpenGL desde abajo.
+static void selecciona(int x, int y) {
+    glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
+    for (const Recuadro &panel : paneles()) // se puede hacer clic en los dos
+        dibujaObjetos(panel, true);
+    unsigned char pixel[4] = {}; // lo que quede si el clic cae fuera
+    glReadPixels(x, glutGet(GLUT_WINDOW_HEIGHT) - 1 - y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0); // el de dibujar y el de leer
+
+    estado.elegido = identificadorDe({pixel[0], pixel[1], pixel[2]});
+    const std::string nombre = estado.elegido == NADA ? "nada" : SOLIDOS[estado.elegido - 1].nombre;
+    char texto[80];
+    std::snprintf(texto, sizeof texto, "color %d %d %d → objeto %u", pixel[0], pixel[1], pixel[2],
+                  estado.elegido);
+    estado.leido = texto;
+    std::printf("(%d, %d) %s: %s\n", x, y, texto, nombre.c_str());
+    std::fflush(stdout);
+    ponTitulo("Selección: " + nombre);
+    glutPostRedisplay();
+}
+
+static void boton(int cual, int movimiento, int x, int y) {
+    orbitaBoton(cual, movimiento, x, y);
+    if (cual == GLUT_LEFT_BUTTON && movimiento == GLUT_DOWN)
+        selecciona(x, y);
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla) || tecla != 'v')
+        return;
+    estado.compara = !estado.compara;
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Selección", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    inicia();
+    glutDisplayFunc(dibuja);
+    glutReshapeFunc(creaFramebuffer);
+    glutKeyboardFunc(teclado);
+    orbitaConRaton(estado.orbita);
+    glutMouseFunc(boton);
+    glutMainLoop();
+    return 0;
+}

@@ -1,0 +1,216 @@
+// Comprobaciones independientes de seleccion: el objeto elegido contra el que ve un rayo en doble, y los identificadores.
+#include "ch10_interaccion/identificador.h"
+#include "ejecuta.h"
+#include "malla.h"
+#include "oraculo/oraculo.h"
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iostream>
+#include <set>
+#include <sstream>
+
+namespace {
+
+using namespace oraculo;
+
+const char *const NOMBRES[] = {"nada",         "cono verde",    "cubo azul",    "esfera amarilla",
+                               "toro rojo",    "esfera roja",   "toro verde",   "cono morado",
+                               "cubo naranja", "cubo amarillo", "cono naranja", "toro azul",
+                               "esfera morada"};
+
+/// El tablero y los doce sólidos, por filas desde el fondo: el objeto 0 es el tablero, que no se elige.
+Escena escena() {
+    const Malla bola = esfera(64), punta = cono(64), aro = toro(0.6f, 0.24f, 64, 32);
+    Escena e = {caja(traslada({0, -0.15, 0}) * escala({8.4, 0.3, 6.4}))};
+    for (int i = 0; i < 12; ++i) {
+        const Mat4 lugar = traslada({-3.0 + 2 * (i % 4), 0, -2.0 + 2 * (i / 4)});
+        const std::string forma(NOMBRES[i + 1]);
+        if (forma.find("cubo") == 0)
+            e.push_back(caja(lugar * traslada({0, 0.6, 0}) * gira({0, 1, 0}, 0.4) * escala(1.2)));
+        else if (forma.find("esfera") == 0)
+            e.push_back(malla(lugar * traslada({0, 0.75, 0}) * escala(0.75), bola));
+        else if (forma.find("cono") == 0)
+            e.push_back(malla(lugar * gira({1, 0, 0}, -PI / 2) * escala({0.75, 0.75, 1.7}), punta));
+        else
+            e.push_back(malla(lugar * traslada({0, 0.84, 0}) * gira({0, 1, 0}, 0.45), aro));
+    }
+    return e;
+}
+
+const Camara CAMARA = perspectiva(orbita(0.3, 0.5, 14.5, {-0.4, 0.15, 0}), 0.6, 1, 60);
+
+int objetoEn(const Escena &e, int ancho, int alto, double px, double py) {
+    return std::max(primerImpacto(e, rayo(CAMARA, ancho, alto, px, py)).objeto, 0);
+}
+
+struct Clic {
+    int x, y; // y desde arriba, como en GLUT
+};
+
+/// Lo que el programa dice haber elegido en cada clic.
+std::vector<std::string> elige(const std::vector<Clic> &clics, const std::string &antes, int ancho,
+                               int alto) {
+    const std::string fichero = (carpetaTemporal() / "clics").string();
+    std::ofstream guion(fichero);
+    guion << antes << "\n";
+    for (const Clic &c : clics)
+        guion << "boton IZQUIERDO abajo " << c.x << " " << c.y << "; boton IZQUIERDO arriba " << c.x << " "
+              << c.y << "\n";
+    guion.close();
+    const Ejecucion e = ejecuta("ch10_interaccion/seleccion", "@" + fichero, ancho, alto);
+    EXPECT_EQ(e.estado, 0) << e.errores;
+    std::vector<std::string> elegidos;
+    std::istringstream salida(e.salida);
+    for (std::string linea; std::getline(salida, linea);)
+        elegidos.push_back(linea.substr(linea.rfind(": ") + 2));
+    return elegidos;
+}
+
+/// Cada clic elige lo que ve el rayo por el centro de su píxel. Junto a un borde, OpenGL lleva los vértices a una rejilla de
+/// 1/256 de píxel y vale lo que se vea a menos de 1/32.
+void comprueba(const std::vector<Clic> &clics, const std::string &antes, int ancho, int alto,
+               int anchoInicial = 0, int altoInicial = 0) {
+    const Escena e = escena();
+    const std::vector<std::string> elegidos =
+        elige(clics, antes, anchoInicial ? anchoInicial : ancho, altoInicial ? altoInicial : alto);
+    ASSERT_EQ(elegidos.size(), clics.size());
+    std::set<std::string> vistos;
+    int dudosos = 0;
+    for (std::size_t i = 0; i < clics.size(); ++i) {
+        std::set<std::string> valen;
+        for (const auto &[dx, dy] : {Vec2{0, 0}, Vec2{1, 1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{-1, -1}})
+            valen.insert(NOMBRES[objetoEn(e, ancho, alto, clics[i].x + 0.5 + dx / 32,
+                                          alto - 1 - clics[i].y + 0.5 + dy / 32)]);
+        EXPECT_TRUE(valen.count(elegidos[i])) << clics[i].x << "," << clics[i].y << ": " << elegidos[i];
+        dudosos += valen.size() > 1;
+        vistos.insert(elegidos[i]);
+    }
+    std::cout << clics.size() << " clics, " << vistos.size() << " elegidos distintos, " << dudosos
+              << " dudosos\n";
+    EXPECT_EQ(vistos.size(), 13u); // los doce y nada
+    EXPECT_LT(dudosos, static_cast<int>(clics.size()) / 5);
+}
+
+std::vector<Clic> rejilla(int ancho, int alto, int paso) {
+    std::vector<Clic> clics;
+    for (int y = 0; y < alto; y += paso)
+        for (int x = 0; x < ancho; x += paso)
+            clics.push_back({x, y});
+    return clics;
+}
+
+} // namespace
+
+// Los casos en que una cuenta de bytes se equivoca.
+TEST(Identificador, IdaYVuelta) {
+    for (const unsigned id : {0u, 1u, 255u, 256u, 65535u, 65536u, (1u << 24) - 1})
+        EXPECT_EQ(identificadorDe(rgbDe(id)), id);
+    EXPECT_EQ(rgbDe(0), (Rgb{0, 0, 0}));
+    EXPECT_EQ(rgbDe((1u << 24) - 1), (Rgb{255, 255, 255}));
+    EXPECT_EQ(rgbDe(1), (Rgb{128, 0, 0}));
+    EXPECT_EQ(rgbDe(12), (Rgb{64, 0, 128})); // 1100: el bit 2 al azul y el 3 al rojo
+}
+
+// Los 2²⁴: ninguno repite color, y lo que la GPU guarda del color (255·c redondeado) es el byte.
+TEST(Identificador, TodosSonDistintos) {
+    std::vector<bool> visto(1u << 24);
+    for (unsigned id = 0; id < 1u << 24; ++id) {
+        const Rgb c = rgbDe(id);
+        const unsigned n = c[0] | c[1] << 8 | c[2] << 16;
+        ASSERT_FALSE(visto[n]) << id;
+        visto[n] = true;
+        if (id % 257 == 0) {
+            ASSERT_EQ(identificadorDe(c), id);
+            for (int k = 0; k < 3; ++k)
+                ASSERT_EQ(std::lround(255 * static_cast<double>(colorDe(id)[k])),
+                          c[static_cast<std::size_t>(k)]);
+        }
+    }
+}
+
+TEST(IdentificadorDeathTest, ElQueNoCabe) {
+    EXPECT_EXIT(rgbDe(1u << 24), testing::ExitedWithCode(1), "no cabe en 24 bits");
+}
+
+TEST(Seleccion, UnaRejillaDeClicsContraRayos) {
+    comprueba(rejilla(240, 180, 10), "", 240, 180);
+}
+
+// Cada píxel que linda con uno de otro objeto, por los cuatro lados.
+TEST(Seleccion, CadaPixelDeBorde) {
+    const int ancho = 80, alto = 60;
+    const Escena e = escena();
+    std::vector<int> objeto;
+    for (int y = 0; y < alto; ++y)
+        for (int x = 0; x < ancho; ++x)
+            objeto.push_back(objetoEn(e, ancho, alto, x + 0.5, alto - 1 - y + 0.5));
+    std::vector<Clic> borde;
+    for (int y = 1; y < alto - 1; ++y)
+        for (int x = 1; x < ancho - 1; ++x) {
+            const auto en = [&](int i, int j) { return objeto[static_cast<std::size_t>(j * ancho + i)]; };
+            if (en(x, y) != en(x - 1, y) || en(x, y) != en(x + 1, y) || en(x, y) != en(x, y - 1) ||
+                en(x, y) != en(x, y + 1))
+                borde.push_back({x, y});
+        }
+    EXPECT_GT(borde.size(), 400u);
+    comprueba(borde, "", ancho, alto);
+}
+
+// El framebuffer se rehace: mayor, menor, y de otra forma.
+TEST(Seleccion, TrasCambiarDeTamano) {
+    comprueba(rejilla(320, 200, 12), "tamano 320 200", 320, 200, 100, 60);
+    comprueba(rejilla(90, 150, 5), "tamano 400 400; tamano 90 150", 90, 150);
+}
+
+// Lo elegido conserva su color y lo demás se apaga; con un clic en el fondo todo vuelve a como estaba.
+TEST(Seleccion, SeVeCualEs) {
+    const std::string clic = "boton IZQUIERDO abajo 180 112; boton IZQUIERDO arriba 180 112";
+    const Imagen sin = ejecuta("ch10_interaccion/seleccion").imagen,
+                 con = ejecuta("ch10_interaccion/seleccion", clic).imagen;
+    const Escena e = escena();
+    int iguales = 0, apagados = 0, mal = 0;
+    for (int y = 20; y < 180; ++y) // encima del rótulo
+        for (int x = 0; x < 240; ++x) {
+            const int i = objetoEn(e, 240, 180, x + 0.5, y + 0.5);
+            const Pixel a = pixel(sin, x, y), b = pixel(con, x, y);
+            const bool igual = a.r == b.r && a.g == b.g && a.b == b.b;
+            if (i == 12)
+                (igual ? iguales : mal)++;
+            else if (i > 0)
+                (igual ? mal : apagados)++;
+        }
+    EXPECT_GT(iguales, 500);
+    EXPECT_GT(apagados, 4000);
+    EXPECT_LT(mal, 120); // los bordes y el rótulo
+    const Imagen fondo = ejecuta("ch10_interaccion/seleccion",
+                                 clic + "; boton IZQUIERDO abajo 9 9; boton IZQUIERDO arriba 9 9")
+                             .imagen;
+    for (int y = 20; y < 180; ++y)
+        for (int x = 0; x < 240; ++x)
+            ASSERT_EQ(pixel(sin, x, y).r, pixel(fondo, x, y).r);
+}
+
+// Con el framebuffer a la vista se elige igual en los dos paneles; el de abajo es plano y con el tablero en negro.
+TEST(Seleccion, ElFramebufferALaVista) {
+    const std::vector<std::string> elegidos = elige({{128, 55}, {128, 146}}, "tecla v", 240, 180);
+    ASSERT_EQ(elegidos.size(), 2u);
+    EXPECT_EQ(elegidos[0], "toro azul");
+    EXPECT_EQ(elegidos[0], elegidos[1]);
+    std::set<int> colores;
+    const Imagen imagen = ejecuta("ch10_interaccion/seleccion", "tecla v").imagen;
+    for (int y = 0; y < 89; ++y)
+        for (int x = 0; x < 240; ++x) {
+            const Pixel p = pixel(imagen, x, y);
+            colores.insert(p.r << 16 | p.g << 8 | p.b);
+        }
+    EXPECT_EQ(colores.size(), 13u);
+}
+
+// Otro botón no elige, y un clic fuera de la ventana no es nada.
+TEST(Seleccion, SoloElBotonIzquierdo) {
+    EXPECT_EQ(
+        ejecuta("ch10_interaccion/seleccion", "boton DERECHO abajo 180 112; boton DERECHO arriba 180 112")
+            .salida,
+        "");
+    EXPECT_EQ(elige({{-5, -5}}, "", 240, 180), std::vector<std::string>{"nada"});
+}
