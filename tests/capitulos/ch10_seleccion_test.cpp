@@ -88,7 +88,7 @@ void comprueba(const std::vector<Clic> &clics, const std::string &antes, int anc
     std::cout << clics.size() << " clics, " << vistos.size() << " elegidos distintos, " << dudosos
               << " dudosos\n";
     EXPECT_EQ(vistos.size(), 13u); // los doce y nada
-    EXPECT_LT(dudosos, static_cast<int>(clics.size()) / 5);
+    EXPECT_LT(dudosos, static_cast<int>(clics.size()) / 6);
 }
 
 std::vector<Clic> rejilla(int ancho, int alto, int paso) {
