@@ -120,7 +120,7 @@ static void dibujaRastro() {
 // El ratón visto desde arriba, en un cuadrado a la derecha: los botones pulsados, en naranja.
 static void dibujaRaton() {
     const Recuadro v = ventanaEntera();
-    const int lado = static_cast<int>(0.42f * altoUtil());
+    const int lado = static_cast<int>(0.32f * altoUtil());
     glViewport(v.ancho - lado, (v.alto - lado) / 2, lado, lado);
     const auto caja = [](float x0, float y0, float x1, float y1, const glm::vec3 &color) {
         pintaTriangulos({{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y0, 0}, {x1, y1, 0}, {x0, y1, 0}},

@@ -38,7 +38,7 @@ static void dibuja() {
             dibujaObjeto(estado.programa, estado.cubo, pieza.M, pieza.color);
         rotulaVista(p, enPerspectiva ? " perspectiva" : " paralela");
         glViewport(p.panel.x, p.panel.y, p.panel.ancho, p.panel.alto);
-        rotula("clic derecho: menú", {0.98f, 0.94f}, OSCURO, Lado::IZQUIERDA, 0.03f);
+        rotula("clic derecho", {0.98f, 0.94f}, OSCURO, Lado::IZQUIERDA, 0.03f);
     }
     glutSwapBuffers();
 }

@@ -1,7 +1,7 @@
 // Elegir un objeto con el ratón (listados 10.2 y 10.3): la escena se dibuja otra vez, en un framebuffer propio y con cada
 // objeto del color de su identificador (identificador.h), y se lee el píxel del clic. Lo que tapa también se dibuja, con
 // el 0. Como son sus listados, las llamadas a OpenGL del framebuffer están a la vista.
-// Controles: clic elige · v también lo que hay en el framebuffer · arrastrar orbita · rueda acerca · Esc termina.
+// Controles: clic elige · v lo que hay en el framebuffer · arrastrar orbita · rueda acerca · Esc termina.
 #include "ch03_transformaciones/objeto.h"
 #include "colores.h"
 #include "identificador.h"
@@ -12,12 +12,13 @@
 #include "ventana.h"
 #include <cstdio>
 
-enum Forma { CUBO, ESFERA, CONO, TORO, N_FORMAS };
+enum Forma { TABLERO, CUBO, ESFERA, CONO, TORO, N_FORMAS };
 static const float RECTO = glm::half_pi<float>();
 static const struct {
-    glm::mat4 M; // posada en el origen
+    glm::mat4 M; // la posa en el origen
     float altura;
-} POSADA[N_FORMAS] = {{traslacion({0, 0.6f, 0}) * giroY(0.4f) * escalado(1.2f), 1.2f},
+} POSADA[N_FORMAS] = {{traslacion({0, -0.15f, 0}) * escalado({6, 0.3f, 6}), 0},
+                      {traslacion({0, 0.6f, 0}) * giroY(0.4f) * escalado(1.2f), 1.2f},
                       {traslacion({0, 0.75f, 0}) * escalado(0.75f), 1.5f},
                       {giroX(-RECTO) * escalado({0.75f, 0.75f, 1.7f}), 1.7f},
                       {traslacion({0, 0.84f, 0}) * giroY(0.45f), 1.68f}};
@@ -25,30 +26,27 @@ static const struct {
     const char *nombre;
     Forma forma;
     glm::vec3 lugar, color;
-} SOLIDOS[] = {{"cono verde", CONO, {-3, 0, -2}, VERDE},
-               {"cubo azul", CUBO, {-1, 0, -2}, AZUL},
-               {"esfera amarilla", ESFERA, {1, 0, -2}, AMARILLO},
-               {"toro rojo", TORO, {3, 0, -2}, ROJO},
-               {"esfera roja", ESFERA, {-3, 0, 0}, ROJO},
-               {"toro verde", TORO, {-1, 0, 0}, VERDE},
-               {"cono morado", CONO, {1, 0, 0}, MORADO},
-               {"cubo naranja", CUBO, {3, 0, 0}, NARANJA},
-               {"cubo amarillo", CUBO, {-3, 0, 2}, AMARILLO},
-               {"cono naranja", CONO, {-1, 0, 2}, NARANJA},
-               {"toro azul", TORO, {1, 0, 2}, AZUL},
-               {"esfera morada", ESFERA, {3, 0, 2}, MORADO}};
-static const glm::vec3 COLOR_TABLERO(0.80f, 0.74f, 0.66f);
-static const float APAGADO = 0.7f, RADIO_ARO = 1.05f;
+} SOLIDOS[] = {{"nada", TABLERO, {0, 0, 0}, {0.80f, 0.74f, 0.66f}}, // el 0: el tablero solo tapa
+               {"cono verde", CONO, {-2, 0, -2}, VERDE},
+               {"cubo azul", CUBO, {0, 0, -2}, AZUL},
+               {"toro rojo", TORO, {2, 0, -2}, ROJO},
+               {"esfera roja", ESFERA, {-2, 0, 0}, ROJO},
+               {"toro verde", TORO, {0, 0, 0}, VERDE},
+               {"cono amarillo", CONO, {2, 0, 0}, AMARILLO},
+               {"cubo naranja", CUBO, {-2, 0, 2}, NARANJA},
+               {"toro azul", TORO, {0, 0, 2}, AZUL},
+               {"esfera morada", ESFERA, {2, 0, 2}, MORADO}};
+static const float APAGADO = 0.7f, RADIO_ARO = 0.98f;
 
 enum { COLOR, PROFUNDIDAD, N_RENDERBUFFERS };
 static struct {
     GLuint programa, programaIdentificador;
     GLuint framebuffer = 0, renderbuffers[N_RENDERBUFFERS] = {};
     Buferes formas[N_FORMAS];
-    unsigned elegido = NADA; // SOLIDOS[elegido − 1]
-    std::string leido;       // lo que se dice del último clic
-    bool compara = false;
-    Orbita orbita = {0.3f, 0.5f, 14.5f, {-0.4f, 0.15f, 0}, 0.1f};
+    unsigned elegido = NADA; // SOLIDOS[elegido]
+    std::string leido = "clic en un objeto";
+    bool conIdentificadores = false;
+    Orbita orbita = {0.25f, 0.55f, 11.5f, {-0.45f, 0.05f, 0}, 0.1f};
 } estado;
 
 // Listado 10.2. El tamaño es el de la ventana: cuando cambia hay que hacerlo otra vez.
@@ -77,78 +75,75 @@ static void inicia() {
     estado.programa = creaProgramaObjeto();
     estado.programaIdentificador =
         creaPrograma("ch03_transformaciones/objeto.vert", "ch10_interaccion/identificador.frag");
-    const Malla mallas[N_FORMAS] = {cubo(), esfera(64), cono(64), toro(0.6f, 0.24f, 64, 32)};
+    const Malla mallas[N_FORMAS] = {cubo(), cubo(), esfera(64), cono(64), toro(0.6f, 0.24f, 64, 32)};
     for (int i = 0; i < N_FORMAS; ++i)
         estado.formas[i] = creaBuferes(mallas[i]);
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_DITHER); // un identificador no se puede redondear
 }
 
+static glm::mat4 proyeccion() {
+    return perspectivaVentana(0.6f, 1, 60);
+}
+
 // Con el color de cada objeto o con el de su identificador.
-static void dibujaObjetos(const Recuadro &panel, bool conIdentificadores) {
+static void dibujaObjetos(bool conIdentificadores) {
     const GLuint p = conIdentificadores ? estado.programaIdentificador : estado.programa;
-    const glm::mat4 proyeccion = perspectivaVentana(0.6f, 1, 60, aspecto(panel)),
-                    camara = camaraOrbita(estado.orbita);
-    abreRecuadro(panel, conIdentificadores ? colorDe(NADA) : CIELO);
+    abreRecuadro(ventanaEntera(), conIdentificadores ? colorDe(NADA) : CIELO);
     glUseProgram(p);
-    envia(p, "proyeccion", proyeccion);
-    envia(p, "camara", camara);
-    const auto pinta = [&](Forma forma, const glm::mat4 &M, const glm::vec3 &color, unsigned identificador) {
+    envia(p, "proyeccion", proyeccion());
+    envia(p, "camara", camaraOrbita(estado.orbita));
+    unsigned identificador = NADA;
+    for (const auto &s : SOLIDOS) {
+        const glm::mat4 M = traslacion(s.lugar) * POSADA[s.forma].M;
         if (conIdentificadores) {
             envia(p, "M", M);
             envia(p, "identificador", colorDe(identificador));
-            dibuja(estado.formas[forma]);
+            dibuja(estado.formas[s.forma]);
         } else {
-            const bool apagado = estado.elegido != NADA && identificador != estado.elegido;
-            dibujaObjeto(p, estado.formas[forma], M,
-                         apagado ? glm::mix(color, COLOR_TABLERO, APAGADO) : color);
+            const bool apagado = estado.elegido != NADA && estado.elegido != identificador;
+            dibujaObjeto(p, estado.formas[s.forma], M,
+                         apagado ? glm::mix(s.color, SOLIDOS[NADA].color, APAGADO) : s.color);
         }
-    };
-    pinta(CUBO, traslacion({0, -0.15f, 0}) * escalado({8.4f, 0.3f, 6.4f}), COLOR_TABLERO, NADA);
-    unsigned identificador = NADA;
-    for (const auto &s : SOLIDOS)
-        pinta(s.forma, traslacion(s.lugar) * POSADA[s.forma].M, s.color, ++identificador);
-    if (conIdentificadores || estado.elegido == NADA)
-        return;
-    const auto &elegido = SOLIDOS[estado.elegido - 1];
-    std::vector<glm::vec3> aro;
-    for (float a = 0; a < 4 * RECTO; a += RECTO / 16)
-        aro.push_back(elegido.lugar + glm::vec3(RADIO_ARO * std::cos(a), 0.02f, RADIO_ARO * std::sin(a)));
-    trazaPolilinea(aro, proyeccion * camara, OSCURO, GROSOR, true);
-    rotulaPunto(elegido.nombre, elegido.lugar + glm::vec3(0, POSADA[elegido.forma].altura + 0.15f, 0),
-                proyeccion * camara, OSCURO);
+        ++identificador;
+    }
 }
 
-static std::vector<Recuadro> paneles() {
-    return reparte(estado.compara ? 2 : 1, 4.0f / 3);
+// Un aro a sus pies y su nombre encima.
+static void nombraElegido(const glm::vec3 &color) {
+    const auto &s = SOLIDOS[estado.elegido];
+    const glm::mat4 transformacion = proyeccion() * camaraOrbita(estado.orbita);
+    std::vector<glm::vec3> aro;
+    for (float a = 0; a < 4 * RECTO; a += RECTO / 16)
+        aro.push_back(s.lugar + RADIO_ARO * glm::vec3(std::cos(a), 0.02f, std::sin(a)));
+    trazaPolilinea(aro, transformacion, color, GROSOR, true);
+    rotulaPunto(s.nombre, s.lugar + glm::vec3(0, POSADA[s.forma].altura + 0.1f, 0), transformacion, color);
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), GRIS);
-    const std::vector<Recuadro> p = paneles();
-    for (std::size_t i = 0; i < p.size(); ++i)
-        dibujaObjetos(p[i], i == 1);
-    glViewport(p[0].x, p[0].y, p[0].ancho, p[0].alto);
-    rotula(estado.leido.empty() ? "clic en un objeto" : estado.leido, {0.5f, 0.06f}, OSCURO);
+    const glm::vec3 color = estado.conIdentificadores ? BLANCO : OSCURO;
+    dibujaObjetos(estado.conIdentificadores);
+    if (estado.elegido != NADA)
+        nombraElegido(color);
+    rotula(estado.leido, {0.5f, 0.06f}, color);
     glutSwapBuffers();
 }
 
 // Listado 10.3. GLUT cuenta las filas desde arriba, de 0 a alto − 1, y OpenGL desde abajo.
 static void selecciona(int x, int y) {
     glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
-    for (const Recuadro &panel : paneles()) // se puede hacer clic en los dos
-        dibujaObjetos(panel, true);
+    dibujaObjetos(true);
     unsigned char pixel[4] = {}; // lo que quede si el clic cae fuera
     glReadPixels(x, glutGet(GLUT_WINDOW_HEIGHT) - 1 - y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
     glBindFramebuffer(GL_FRAMEBUFFER, 0); // el de dibujar y el de leer
 
     estado.elegido = identificadorDe({pixel[0], pixel[1], pixel[2]});
-    const std::string nombre = estado.elegido == NADA ? "nada" : SOLIDOS[estado.elegido - 1].nombre;
-    char texto[80];
-    std::snprintf(texto, sizeof texto, "color %d %d %d → objeto %u", pixel[0], pixel[1], pixel[2],
-                  estado.elegido);
-    estado.leido = texto;
-    std::printf("(%d, %d) %s: %s\n", x, y, texto, nombre.c_str());
+    const std::string nombre = SOLIDOS[estado.elegido].nombre;
+    estado.leido = "color";
+    for (int k = 0; k < 3; ++k)
+        estado.leido += " " + std::to_string(pixel[k]);
+    estado.leido += " → objeto " + std::to_string(estado.elegido);
+    std::printf("(%d, %d) %s: %s\n", x, y, estado.leido.c_str(), nombre.c_str());
     std::fflush(stdout);
     ponTitulo("Selección: " + nombre);
     glutPostRedisplay();
@@ -163,7 +158,7 @@ static void boton(int cual, int movimiento, int x, int y) {
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla) || tecla != 'v')
         return;
-    estado.compara = !estado.compara;
+    estado.conIdentificadores = !estado.conIdentificadores;
     glutPostRedisplay();
 }
 
