@@ -1,9 +1,10 @@
 // Un menú desplegable con un submenú (listado 10.1, figura 10.1): la grúa en perspectiva o en una de las tres vistas
-// paralelas (ch04_vista3d/vistas_grua.h). Elegir una opción es recibir su número.
+// paralelas (ch04_vista3d/vistas_grua.h). Elegir una opción es recibir su número, que se escribe en stdout.
 // Controles: botón derecho abre el menú · 1 perspectiva · 2 alzado · 3 planta · 4 perfil · 0 termina ·
 //            ratón orbita la perspectiva · rueda acerca · Esc termina.
 #include "ch03_transformaciones/objeto.h"
 #include "ch04_vista3d/vistas_grua.h"
+#include <cstdio>
 
 enum Opcion { SALIR, PERSPECTIVA, PARALELA_ALZADO, PARALELA_PLANTA, PARALELA_PERFIL, N_OPCIONES };
 static const int VISTA_DE[N_OPCIONES] = {DIAGONAL, DIAGONAL, ALZADO, PLANTA, PERFIL};
@@ -45,6 +46,8 @@ static void dibuja() {
 
 // Lo llama GLUT con el número de la opción, sea del menú o del submenú.
 static void menu(int opcion) {
+    std::printf("opción %d\n", opcion);
+    std::fflush(stdout);
     if (opcion == SALIR) {
         glutLeaveMainLoop();
         return;

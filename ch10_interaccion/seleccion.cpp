@@ -10,7 +10,9 @@
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"
+#include <cmath>
 #include <cstdio>
+#include <glm/gtc/constants.hpp>
 
 enum Forma { TABLERO, CUBO, ESFERA, CONO, TORO, N_FORMAS };
 static const float RECTO = glm::half_pi<float>();

@@ -75,7 +75,7 @@ TEST(Eventos, ElRastroYLosBotones) {
         EXPECT_TRUE(es(pixel(imagen, 60, 179 - 160), GRIS));
         EXPECT_TRUE(es(pixel(imagen, 110, 179 - 160), NARANJA));
         EXPECT_TRUE(es(pixel(imagen, 140, 179 - 160), ROJO));
-        for (int k = 0; k < 3; ++k) // el cuadrado del ratón mide 75 píxeles y llega al borde derecho
-            EXPECT_EQ(es(pixel(imagen, 165 + 37 + 13 * (k - 1), 90 + 17), NARANJA), k == i) << i << k;
+        for (int k = 0; k < 3; ++k) // el cuadrado del ratón mide 57 píxeles y llega al borde derecho
+            EXPECT_EQ(es(pixel(imagen, 183 + 28 + 10 * (k - 1), 90 + 13), NARANJA), k == i) << i << k;
     }
 }

@@ -1,6 +1,8 @@
 // Comprobaciones independientes de seleccion: el objeto elegido contra el que ve un rayo en doble, y los identificadores.
 #include "ch10_interaccion/identificador.h"
+#include "colores.h"
 #include "ejecuta.h"
+#include "encima.h"
 #include "malla.h"
 #include "oraculo/oraculo.h"
 #include <fstream>
@@ -13,9 +15,8 @@ namespace {
 
 using namespace oraculo;
 
-const char *const NOMBRES[] = {"nada",        "cono verde", "cubo azul",     "toro rojo",    "esfera roja",
-                               "toro verde",  "cono amarillo", "cubo naranja", "toro azul",
-                               "esfera morada"};
+const char *const NOMBRES[] = {"nada",       "cono verde",    "cubo azul",    "toro rojo", "esfera roja",
+                               "toro verde", "cono amarillo", "cubo naranja", "toro azul", "esfera morada"};
 
 /// El tablero y los nueve sólidos, por filas desde el fondo: el objeto 0 es el tablero, que no se elige.
 Escena escena() {
@@ -181,7 +182,21 @@ TEST(Seleccion, SeVeCualEs) {
         }
     EXPECT_GT(iguales, 500);
     EXPECT_GT(apagados, 4000);
-    EXPECT_LT(mal, 120); // los bordes y el rótulo
+    EXPECT_LT(mal, 120);                                       // los bordes, el aro y el rótulo
+    const Vec3 cima = proyecta(CAMARA, 240, 180, {2, 1.5, 2}); // de la esfera, con su nombre encima
+    EXPECT_TRUE(seLee(con, "esfera morada", OSCURO, cima.x, cima.y + 9, 8));
+    EXPECT_TRUE(seLee(con, "color 192 0 0 → objeto 9", OSCURO, 120, 11, 4));
+    EXPECT_TRUE(seLee(sin, "clic en un objeto", OSCURO, 120, 11, 4));
+    int puntos = 0, vistos = 0; // de la mitad del aro que queda delante
+    for (double a = 0.1; a < 3; a += 0.05, ++puntos) {
+        const Vec3 p = proyecta(CAMARA, 240, 180, {2 + 0.98 * std::cos(a), 0.02, 2 + 0.98 * std::sin(a)});
+        const int x = static_cast<int>(p.x), y = static_cast<int>(p.y);
+        bool visto = false;
+        for (int k = 0; k < 9; ++k)
+            visto = visto || esColor(con, x - 1 + k % 3, y - 1 + k / 3, OSCURO);
+        vistos += visto;
+    }
+    EXPECT_EQ(vistos, puntos);
     const Imagen fondo = ejecuta("ch10_interaccion/seleccion",
                                  clic + "; boton IZQUIERDO abajo 9 9; boton IZQUIERDO arriba 9 9")
                              .imagen;
@@ -190,20 +205,27 @@ TEST(Seleccion, SeVeCualEs) {
             ASSERT_EQ(pixel(sin, x, y).r, pixel(fondo, x, y).r);
 }
 
-// Con el framebuffer a la vista se elige igual en los dos paneles; el de abajo es plano y con el tablero en negro.
+// Con el framebuffer a la vista se elige igual, y cada píxel es del color que dice qué objeto se ve en él.
 TEST(Seleccion, ElFramebufferALaVista) {
-    const std::vector<std::string> elegidos = elige({{128, 55}, {128, 146}}, "tecla v", 240, 180);
-    ASSERT_EQ(elegidos.size(), 2u);
-    EXPECT_EQ(elegidos[0], "toro azul");
-    EXPECT_EQ(elegidos[0], elegidos[1]);
-    std::set<int> colores;
+    const std::string clic = "boton IZQUIERDO abajo 100 100; boton IZQUIERDO arriba 100 100";
+    const int colores[][3] = {{0, 0, 0},     {128, 0, 0},   {0, 128, 0},     {128, 128, 0}, {0, 0, 128},
+                              {128, 0, 128}, {0, 128, 128}, {128, 128, 128}, {64, 0, 0},    {192, 0, 0}};
     const Imagen imagen = ejecuta("ch10_interaccion/seleccion", "tecla v").imagen;
-    for (int y = 0; y < 89; ++y)
+    const Escena e = escena();
+    int mal = 0;
+    for (int y = 20; y < 180; ++y) // encima del rótulo
         for (int x = 0; x < 240; ++x) {
+            const int *c = colores[objetoEn(e, 240, 180, x + 0.5, y + 0.5)];
             const Pixel p = pixel(imagen, x, y);
-            colores.insert(p.r << 16 | p.g << 8 | p.b);
+            mal += p.r != c[0] || p.g != c[1] || p.b != c[2];
         }
-    EXPECT_EQ(colores.size(), 13u);
+    EXPECT_LT(mal, 20); // los dudosos
+    const Ejecucion elegido = ejecuta("ch10_interaccion/seleccion", "tecla v; " + clic);
+    EXPECT_EQ(elegido.salida, "(100, 100) color 64 0 0 → objeto 8: toro azul\n");
+    EXPECT_EQ(elegido.salida, ejecuta("ch10_interaccion/seleccion", clic).salida);
+    EXPECT_TRUE(seLee(elegido.imagen, "color 64 0 0 → objeto 8", BLANCO, 120, 11, 4));
+    EXPECT_EQ(ejecuta("ch10_interaccion/seleccion", "tecla v; tecla v").imagen.rgb,
+              ejecuta("ch10_interaccion/seleccion").imagen.rgb);
 }
 
 // Otro botón no elige, y un clic fuera de la ventana no es nada.
