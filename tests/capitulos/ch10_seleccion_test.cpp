@@ -175,7 +175,7 @@ TEST(Seleccion, SeVeCualEs) {
             const int i = objetoEn(e, 240, 180, x + 0.5, y + 0.5);
             const Pixel a = pixel(sin, x, y), b = pixel(con, x, y);
             const bool igual = a.r == b.r && a.g == b.g && a.b == b.b;
-            if (i == 12)
+            if (i == 9)
                 (igual ? iguales : mal)++;
             else if (i > 0)
                 (igual ? mal : apagados)++;
