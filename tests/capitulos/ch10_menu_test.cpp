@@ -1,6 +1,7 @@
 // Comprobaciones independientes de menu y eventos.
 #include "colores.h"
 #include "ejecuta.h"
+#include "encima.h"
 #include <cstdlib>
 #include <gtest/gtest.h>
 
@@ -37,6 +38,41 @@ TEST(Menu, CadaOpcionDaSuMatriz) {
     }
 }
 
+// Al empezar está en perspectiva; el botón izquierdo la orbita, porque el menú está en el derecho; y cada vista dice cuál es.
+TEST(Menu, EmpiezaEnPerspectivaYSeOrbita) {
+    const std::string gira = "boton IZQUIERDO abajo 120 90; arrastra 150 80; boton IZQUIERDO arriba 150 80";
+    const Imagen inicial = ejecuta("ch10_interaccion/menu").imagen;
+    EXPECT_EQ(inicial.rgb, ejecuta("ch10_interaccion/menu", "menu Perspectiva").imagen.rgb);
+    const Ejecucion girada = ejecuta("ch10_interaccion/menu", gira);
+    EXPECT_NE(inicial.rgb, girada.imagen.rgb);
+    mismaEscena(girada, ejecuta("ch04_vista3d/grua_proyeccion", "tecla 4; tecla p; " + gira));
+    const struct {
+        const char *opcion, *rotulo;
+        glm::vec3 color;
+    } casos[] = {{"Perspectiva", "(1,1,1) perspectiva", OSCURO},
+                 {"Paralela/Alzado", "Alzado paralela", AZUL},
+                 {"Paralela/Planta", "Planta paralela", VERDE},
+                 {"Paralela/Perfil", "Perfil paralela", ROJO}};
+    for (const auto &c : casos) {
+        const Imagen imagen =
+            ejecuta("ch10_interaccion/menu", std::string("tecla 1; menu ") + c.opcion).imagen;
+        const std::vector<CajaRotulo> cajas = leeRotulo(imagen, c.rotulo, c.color);
+        ASSERT_EQ(cajas.size(), 1u) << c.rotulo;
+        EXPECT_LT(cajas[0].x0, 12);
+        EXPECT_GT(cajas[0].y0, 160);
+        EXPECT_TRUE(seLee(imagen, "clic derecho", OSCURO, 198, 169, 6));
+    }
+}
+
+// Lo que se recibe es el número, venga del menú, del submenú o de la tecla.
+TEST(Menu, EscribeElNumero) {
+    EXPECT_EQ(ejecuta("ch10_interaccion/menu",
+                      "menu Paralela/Perfil; menu Paralela/Alzado; menu Perspectiva; "
+                      "menu Paralela/Planta; tecla 2; tecla 5; menu Salir")
+                  .salida,
+              "opción 4\nopción 2\nopción 1\nopción 3\nopción 2\nopción 0\n");
+}
+
 // Tras Salir (y tras la tecla 0) el programa ha terminado: la orden siguiente sobra.
 TEST(Menu, SalirTermina) {
     for (const std::string orden : {"menu Salir", "tecla 0"}) {
@@ -62,6 +98,51 @@ TEST(Eventos, ElGuionDaJustoSusLineas) {
               "botón central abajo 60 70\narrastre 61 70\nbotón central arriba 61 70\n"
               "botón derecho abajo 61 70\nbotón derecho arriba 61 70\nrueda +1 61 70\nmovimiento 61 71\n"
               "rueda -1 61 71\ntamaño 300 200\ntecla Esc 61 71\n");
+}
+
+TEST(Eventos, CadaTeclaConSuNombre) {
+    const char *const especiales[] = {"ARRIBA", "ABAJO", "IZQUIERDA", "DERECHA", "INICIO", "FIN",
+                                      "REPAG",  "AVPAG", "INSERTAR",  "F2",      "F9"};
+    const char *const teclas[] = {"Espacio", "Intro", "Tab", "Retroceso", "Supr", "Z", "z", "0"};
+    std::string guion = "mueve 5 6", lineas = "tamaño 240 180\nmovimiento 5 6\n";
+    for (const std::string nombre : especiales) {
+        guion += "; especial " + nombre;
+        lineas += "especial " + nombre + " 5 6\n";
+    }
+    for (const std::string nombre : teclas) {
+        guion += "; tecla " + nombre;
+        lineas += "tecla " + nombre + " 5 6\n";
+    }
+    EXPECT_EQ(ejecuta("ch10_interaccion/eventos", guion).salida, lineas);
+}
+
+// Esc termina y F12 guarda la ventana, además de verse.
+TEST(Eventos, LasTeclasComunesSiguen) {
+    EXPECT_EQ(ejecuta("ch10_interaccion/eventos", "tecla Esc; tecla a").estado, 2); // la segunda sobra
+    EXPECT_NE(ejecuta("ch10_interaccion/eventos", "especial F12").salida.find("guardado eventos-1.ppm"),
+              std::string::npos);
+}
+
+// En la ventana, los nueve últimos, de arriba abajo y el último en azul; los movimientos seguidos, como uno.
+TEST(Eventos, SeVenLosUltimos) {
+    const Imagen imagen =
+        ejecuta("ch10_interaccion/eventos",
+                "mueve 199 175; mueve 198 170; tecla a; tecla b; tecla c; tecla d; tecla e; tecla f; "
+                "especial F3; tecla g; mueve 196 170; mueve 195 170")
+            .imagen;
+    const char *const seguidos[] = {"tecla a 198 170",     "tecla b 198 170", "tecla c 198 170",
+                                    "tecla d 198 170",     "tecla e 198 170", "tecla f 198 170",
+                                    "especial F3 198 170", "tecla g 198 170", "movimiento 195 170"};
+    for (int i = 0; i < 9; ++i) {
+        const std::vector<CajaRotulo> cajas = leeRotulo(imagen, seguidos[i], i == 8 ? AZUL : OSCURO);
+        ASSERT_EQ(cajas.size(), 1u) << seguidos[i];
+        EXPECT_NEAR(0.5 * (cajas[0].y0 + cajas[0].y1), 180 * (0.92 - 0.1 * i), 2) << seguidos[i];
+    }
+    for (const char *otro : {"tamaño 240 180", "movimiento 198 170", "movimiento 196 170"})
+        EXPECT_TRUE(leeRotulo(imagen, otro, OSCURO).empty()) << otro;
+    const Imagen pocos = ejecuta("ch10_interaccion/eventos", "mueve 199 170; mueve 198 170").imagen;
+    EXPECT_EQ(leeRotulo(pocos, "movimiento 198 170", AZUL).size(), 1u);
+    EXPECT_TRUE(leeRotulo(pocos, "movimiento 199 170", OSCURO).empty());
 }
 
 // El rastro pasa por donde ha ido el puntero, contado desde arriba; y solo el botón pulsado está en naranja.
