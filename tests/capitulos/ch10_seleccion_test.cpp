@@ -247,11 +247,15 @@ TEST(Seleccion, ElFramebufferALaVista) {
               ejecuta("ch10_interaccion/seleccion").imagen.rgb);
 }
 
-// Otro botón no elige, y un clic fuera de la ventana no es nada.
+// Otro botón no elige, soltar tampoco, y un clic fuera de la ventana no es nada.
 TEST(Seleccion, SoloElBotonIzquierdo) {
     EXPECT_EQ(
         ejecuta("ch10_interaccion/seleccion", "boton DERECHO abajo 180 112; boton DERECHO arriba 180 112")
             .salida,
         "");
     EXPECT_EQ(elige({{-5, -5}}, "", 240, 180), std::vector<std::string>{"nada"});
+    EXPECT_EQ(ejecuta("ch10_interaccion/seleccion",
+                      "boton IZQUIERDO abajo 180 112; arrastra 20 20; boton IZQUIERDO arriba 20 20")
+                  .salida,
+              "(180, 112) color 192 0 0 → objeto 9: esfera morada\n"); // al pulsar, no al soltar
 }
