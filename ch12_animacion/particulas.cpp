@@ -1,0 +1,95 @@
+// Sistemas de partículas (§12.3): una fuente, humo y fuego. Toda la animación está en el vertex shader, sin carga para la CPU:
+// cada imagen son unos uniforms y una orden de dibujo, lo mismo con una partícula que con un millón. Tampoco hay
+// memoria: cada partícula es una función de su número y del instante, y no se desvía por mucho que pase el tiempo.
+// Controles: 1 fuente · 2 humo · 3 fuego · + - diez veces más o menos · espacio pausa · s adelanta medio segundo · h diez horas ·
+// ratón orbita · Esc termina.
+#include "animacion.h"
+#include "orbita.h"
+#include "shader.h"
+#include "trazo.h"
+#include <algorithm>
+#include <glm/gtc/constants.hpp>
+
+static const double PERIODO = 12; // segundos en que se repite todo
+static const int MAXIMO = 1000000, NORMAL = 10000;
+static const struct {
+    const char *nombre;
+    int vidas; // de cada partícula en un periodo
+    GLenum destino;
+} MODOS[] = {{"Fuente", 4, GL_ONE}, {"Humo", 2, GL_ONE_MINUS_SRC_ALPHA}, {"Fuego", 8, GL_ONE}};
+
+static struct {
+    GLuint programa, vao;
+    int elegido = 0, cuantas = NORMAL;
+    Orbita orbita = {0.4f, 0.12f, 12, {0, 1.95f, 0}, 0.02f};
+} estado;
+
+static void dibujaPila(const glm::mat4 &vista) {
+    std::vector<glm::vec3> circulo;
+    const float radio = estado.elegido == 0 ? 2.1f : 1.0f;
+    for (int i = 0; i < 72; ++i) {
+        const float a = glm::two_pi<float>() * static_cast<float>(i) / 72;
+        circulo.push_back({radio * std::cos(a), 0, radio * std::sin(a)});
+    }
+    trazaPolilinea(circulo, vista, GRIS, GROSOR, true);
+}
+
+static void dibuja() {
+    const auto &modo = MODOS[estado.elegido];
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.55f, 0.5f, 50);
+    const float muchas = static_cast<float>(estado.cuantas) / static_cast<float>(NORMAL);
+    glClear(GL_COLOR_BUFFER_BIT);
+    dibujaPila(proyeccion * camara);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, modo.destino); // lo que da luz se suma; el humo tapa
+    glUseProgram(estado.programa);
+    envia(estado.programa, "camara", camara);
+    envia(estado.programa, "proyeccion", proyeccion);
+    envia(estado.programa, "elegido", estado.elegido);
+    envia(estado.programa, "vidas", modo.vidas);
+    envia(estado.programa, "tau", fase(tiempo(), PERIODO));
+    envia(estado.programa, "periodo", static_cast<float>(PERIODO));
+    envia(estado.programa, "talla",
+          0.5f * proyeccion[1][1] * static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT)));
+    envia(estado.programa, "escala", std::pow(muchas, -0.25f));
+    envia(estado.programa, "opacidad",
+          std::min(1 / std::sqrt(muchas), 2.0f)); // lo que cubren entre todas no cambia
+    glBindVertexArray(estado.vao);
+    glDrawArrays(GL_POINTS, 0, estado.cuantas);
+    glDisable(GL_BLEND);
+
+    const std::string cuantas =
+        std::to_string(estado.cuantas) + (estado.cuantas == 1 ? " partícula" : " partículas");
+    rotula(cuantas, {0.97f, 0.06f}, BLANCO, Lado::IZQUIERDA);
+    rotulaTiempo(BLANCO);
+    ponTitulo(std::string(modo.nombre) + ": " + cuantas);
+    glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaAnimacion(tecla))
+        return;
+    if (tecla >= '1' && tecla <= '3')
+        estado.elegido = tecla - '1';
+    else if (tecla == '+')
+        estado.cuantas = std::min(estado.cuantas * 10, MAXIMO);
+    else if (tecla == '-')
+        estado.cuantas = std::max(estado.cuantas / 10, 1);
+    else
+        return;
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Sistemas de partículas", GLUT_DOUBLE | GLUT_MULTISAMPLE);
+    estado.programa = creaPrograma("ch12_animacion/particulas.vert", "ch12_animacion/particulas.frag");
+    glGenVertexArrays(1, &estado.vao); // sin atributos, pero hace falta uno
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    orbitaConRaton(estado.orbita);
+    anima();
+    glutMainLoop();
+    return 0;
+}
