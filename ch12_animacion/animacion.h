@@ -41,6 +41,11 @@ inline void tecladoAnimacion(unsigned char tecla, int, int) {
     teclaAnimacion(tecla);
 }
 
+/// El título con el estado, y si el tiempo está parado.
+inline void tituloAnimado(const std::string &titulo) {
+    ponTitulo(titulo + (reloj.parado < 0 ? "" : " (en pausa)"));
+}
+
 /// El instante, abajo a la izquierda, con lo que el programa añada.
 inline void rotulaTiempo(const glm::vec3 &color, const std::string &ademas = "") {
     char texto[48];

@@ -15,7 +15,7 @@ static struct {
     GLuint programa, programaObjeto;
     BuferPiezas piezas;
     Buferes cubo;
-    Orbita orbita = {0.35f, 0.2f, 45, {0.6f, 3.4f, -4.5f}, 0.03f};
+    Orbita orbita = {0.35f, 0.34f, 43, {0.4f, 3.9f, -4.5f}, 0.03f};
 } estado;
 
 static void dibujaGrada(const glm::mat4 &camara, const glm::mat4 &proyeccion) {
@@ -32,6 +32,7 @@ static void dibujaGrada(const glm::mat4 &camara, const glm::mat4 &proyeccion) {
 }
 
 static void dibuja() {
+    const float t = static_cast<float>(PERIODO_PIEZAS) * fase(tiempo(), PERIODO_PIEZAS);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 200);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     dibujaGrada(camara, proyeccion);
@@ -41,11 +42,12 @@ static void dibuja() {
     envia(estado.programa, "talla", glm::vec2(COLUMNAS, FILAS));
     envia(estado.programa, "asiento", ASIENTO);
     envia(estado.programa, "separacion", SEPARACION);
-    envia(estado.programa, "t", static_cast<float>(PERIODO_PIEZAS) * fase(tiempo(), PERIODO_PIEZAS));
+    envia(estado.programa, "t", t);
     for (int i = 0; i < 3; ++i)
         envia(estado.programa, ("paleta[" + std::to_string(i) + "]").c_str(), PALETA[i]);
     dibuja(estado.piezas);
-    rotulaTiempo(OSCURO);
+    rotulaTiempo(OSCURO, std::string(", ") + etapa(t));
+    tituloAnimado("Banderas en una grada: " + std::string(etapa(t)));
     glutSwapBuffers();
 }
 

@@ -48,7 +48,7 @@ static void dibuja() {
     char ademas[32];
     std::snprintf(ademas, sizeof ademas, ", α = %.2f", static_cast<double>(alfa));
     rotulaTiempo(OSCURO, ademas);
-    ponTitulo(std::string("Aparecer y desvanecerse") + ademas);
+    tituloAnimado(std::string("Aparecer y desvanecerse") + ademas);
     glutSwapBuffers();
 }
 

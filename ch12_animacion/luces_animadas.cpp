@@ -8,14 +8,14 @@
 
 static const double PERIODO_INTENSIDAD = 4, PERIODO_COLOR = 12; // segundos
 static const glm::vec3 CALIDO(1.0f, 0.6f, 0.25f), FRIO(0.3f, 0.6f, 1.0f), LA(0.5f);
-static const glm::vec4 FUENTE(0.1f, 2.8f, 2.4f, 1);
-static const Material PISO = {{0.25f, 0.25f, 0.25f}, {0.75f, 0.75f, 0.75f}, {0, 0, 0}, 1};
-static const Material BOLA = {{0.25f, 0.25f, 0.25f}, {0.75f, 0.75f, 0.75f}, {0.20f, 0.20f, 0.20f}, 30};
+static const glm::vec4 FUENTE(-0.1f, 2.3f, 1.3f, 1);
+static const Material PISO = {{0.25f, 0.25f, 0.25f}, {0.85f, 0.85f, 0.85f}, {0, 0, 0}, 1};
+static const Material BOLA = {{0.25f, 0.25f, 0.25f}, {0.80f, 0.80f, 0.80f}, {0.15f, 0.15f, 0.15f}, 30};
 
 static struct {
     GLuint programa;
     Buferes plano, esfera, cubo;
-    Orbita orbita = {0.4f, 0.45f, 14, {0, 0.3f, 0}, 0.05f};
+    Orbita orbita = {0.4f, 0.42f, 12, {0.1f, 0.65f, 0}, 0.05f};
 } estado;
 
 // De 0 a 1 y de vuelta a 0.
@@ -38,14 +38,16 @@ static void dibuja() {
     const auto solido = [&](const Buferes &buferes, const glm::mat4 &M, const Material &material) {
         dibujaObjeto(estado.programa, buferes, M, camara, material);
     };
-    solido(estado.plano, giroX(-glm::half_pi<float>()) * escalado({5, 5, 1}), PISO);
+    solido(estado.plano, giroX(-glm::half_pi<float>()) * escalado({4.4f, 4.4f, 1}), PISO);
     solido(estado.esfera, traslacion({0.8f, 0.7f, -0.3f}) * escalado(0.7f), BOLA);
     solido(estado.cubo, traslacion({-1.0f, 0.5f, 0.3f}) * giroY(0.4f), BOLA);
+    // la bombilla no refleja: tiene, como si fuera suyo, el color de la luz
+    solido(estado.esfera, traslacion(glm::vec3(FUENTE)) * escalado(0.16f), {luz.Ld / LA, {}, {}, 1});
 
     char ademas[32];
     std::snprintf(ademas, sizeof ademas, ", I = %.2f", static_cast<double>(intensidad));
     rotulaTiempo(BLANCO, ademas);
-    ponTitulo(std::string("Luces animadas") + ademas);
+    tituloAnimado(std::string("Luces animadas") + ademas);
     glutSwapBuffers();
 }
 

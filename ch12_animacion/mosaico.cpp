@@ -15,15 +15,17 @@ static struct {
 } estado;
 
 static void dibuja() {
+    const float t = static_cast<float>(PERIODO_PIEZAS) * fase(tiempo(), PERIODO_PIEZAS);
     glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     envia(estado.programa, "proyeccion", paralelaVentana(SEMIALTO));
     envia(estado.programa, "talla", glm::vec2(COLUMNAS, FILAS));
-    envia(estado.programa, "t", static_cast<float>(PERIODO_PIEZAS) * fase(tiempo(), PERIODO_PIEZAS));
+    envia(estado.programa, "t", t);
     for (int i = 0; i < 5; ++i)
         envia(estado.programa, ("paleta[" + std::to_string(i) + "]").c_str(), PALETA[i]);
     dibuja(estado.piezas);
-    rotulaTiempo(OSCURO);
+    rotulaTiempo(OSCURO, std::string(", ") + etapa(t));
+    tituloAnimado("Mosaico de partículas: " + std::string(etapa(t)));
     glutSwapBuffers();
 }
 

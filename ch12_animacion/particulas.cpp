@@ -14,9 +14,13 @@ static const double PERIODO = 12; // segundos en que se repite todo
 static const int MAXIMO = 1000000, NORMAL = 10000;
 static const struct {
     const char *nombre;
-    int vidas; // de cada partícula en un periodo
+    int vidas;  // de cada partícula en un periodo
+    int grupos; // chorros, bocanadas o lenguas
+    float pila; // radio de la circunferencia del suelo
     GLenum destino;
-} MODOS[] = {{"Fuente", 4, GL_ONE}, {"Humo", 2, GL_ONE_MINUS_SRC_ALPHA}, {"Fuego", 8, GL_ONE}};
+} MODOS[] = {{"Fuente", 4, 13, 2.1f, GL_ONE},
+             {"Humo", 2, 60, 0.5f, GL_ONE_MINUS_SRC_ALPHA},
+             {"Fuego", 8, 7, 1.15f, GL_ONE}};
 
 static struct {
     GLuint programa, vao;
@@ -26,12 +30,19 @@ static struct {
 
 static void dibujaPila(const glm::mat4 &vista) {
     std::vector<glm::vec3> circulo;
-    const float radio = estado.elegido == 0 ? 2.1f : 1.0f;
+    const float radio = MODOS[estado.elegido].pila;
     for (int i = 0; i < 72; ++i) {
         const float a = glm::two_pi<float>() * static_cast<float>(i) / 72;
         circulo.push_back({radio * std::cos(a), 0, radio * std::sin(a)});
     }
     trazaPolilinea(circulo, vista, GRIS, GROSOR, true);
+}
+
+static std::string nombraPartes(int n) { // 1 000 000 partículas
+    std::string cifras = std::to_string(n);
+    for (std::size_t i = cifras.size(); i > 3; i -= 3)
+        cifras.insert(i - 3, " ");
+    return cifras + (n == 1 ? " partícula" : " partículas");
 }
 
 static void dibuja() {
@@ -47,22 +58,21 @@ static void dibuja() {
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "elegido", estado.elegido);
     envia(estado.programa, "vidas", modo.vidas);
+    envia(estado.programa, "grupos", modo.grupos);
     envia(estado.programa, "tau", fase(tiempo(), PERIODO));
     envia(estado.programa, "periodo", static_cast<float>(PERIODO));
     envia(estado.programa, "talla",
           0.5f * proyeccion[1][1] * static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT)));
-    envia(estado.programa, "escala", std::pow(muchas, -0.25f));
-    envia(estado.programa, "opacidad",
-          std::min(1 / std::sqrt(muchas), 2.0f)); // lo que cubren entre todas no cambia
+    // la superficie que cubren entre todas no cambia con su número; si son pocas, que se vean
+    envia(estado.programa, "escala", std::min(1 / std::sqrt(muchas), 3.0f));
     glBindVertexArray(estado.vao);
     glDrawArrays(GL_POINTS, 0, estado.cuantas);
     glDisable(GL_BLEND);
 
-    const std::string cuantas =
-        std::to_string(estado.cuantas) + (estado.cuantas == 1 ? " partícula" : " partículas");
+    const std::string cuantas = nombraPartes(estado.cuantas);
     rotula(cuantas, {0.97f, 0.06f}, BLANCO, Lado::IZQUIERDA);
     rotulaTiempo(BLANCO);
-    ponTitulo(std::string(modo.nombre) + ": " + cuantas);
+    tituloAnimado(std::string(modo.nombre) + ": " + cuantas);
     glutSwapBuffers();
 }
 

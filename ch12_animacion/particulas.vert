@@ -7,9 +7,9 @@ uniform int elegido;   // 0 fuente, 1 humo, 2 fuego
 uniform float tau;     // qué parte de PERIODO ha pasado, de 0 a 1
 uniform float periodo; // segundos
 uniform int vidas;     // las de cada partícula en un periodo
+uniform int grupos;    // chorros, bocanadas o lenguas: las partículas de un grupo van juntas
 uniform float talla;   // píxeles que mide un objeto de lado 1 a distancia 1
 uniform float escala;  // de las partículas: cuantas más, menores
-uniform float opacidad;
 
 out vec4 color;
 
@@ -22,36 +22,50 @@ float azar(uint n) { // de 0 a 1
     return float(n >> 8) / 16777216.0;
 }
 
+vec2 giro(float vueltas) {
+    return vec2(cos(DOS_PI * vueltas), sin(DOS_PI * vueltas));
+}
+
 void main() {
-    uint id = uint(gl_VertexID);
-    float x = tau * float(vidas) + azar(id); // cada una nació en un momento distinto
+    uint id = uint(gl_VertexID), grupo = id % uint(grupos);
+    // las bocanadas nacen enteras; lo demás, cada partícula en su momento
+    float x = tau * float(vidas) + azar(elegido == 1 ? grupo : id);
     float edad = fract(x), s = edad * periodo / float(vidas);
-    uint semilla = (id * 8u + uint(x) % uint(vidas)) * 4u + 0x9e3779b9u; // en cada vida, otra
+    uint vida = uint(x) % uint(vidas), semilla = (id * 8u + vida) * 4u + 0x9e3779b9u; // en cada vida, otra
     float a = azar(semilla), b = azar(semilla + 1u), c = azar(semilla + 2u);
-    vec2 giro = vec2(cos(DOS_PI * a), sin(DOS_PI * a));
 
     vec3 P;
     float diametro;
-    if (elegido == 0) { // tiro parabólico
-        vec2 v = (0.2 + 0.65 * sqrt(b)) * giro;
-        P = vec3(v.x * s, (5.5 + 1.3 * c) * s - 2.5 * s * s, v.y * s);
-        diametro = 0.055;
-        color = vec4(mix(vec3(0.25, 0.55, 0.95), vec3(0.9, 0.97, 1.0), c), 0.35);
-    } else if (elegido == 1) { // sube, se ensancha y se lo lleva el viento
-        float r = (0.15 + 0.75 * edad) * sqrt(b);
-        P = vec3(r * giro.x + 0.06 * s * s, 0.72 * s + 0.25 * c, r * giro.y);
-        P.x += 0.22 * edad * sin(1.7 * P.y + DOS_PI * tau);
-        diametro = 0.10 + 0.30 * edad;
-        color = vec4(vec3(0.35 + 0.55 * c), 0.22 * (1.0 - edad) * min(8.0 * edad, 1.0));
-    } else { // sube y se estrecha; de blanco amarillo a rojo
-        float r = sqrt(b) * (1.0 - edad) * (0.8 + 1.8 * edad);
-        P = vec3(r * giro.x, 5.5 * edad * (0.4 + 0.6 * c) * (1.0 - 0.5 * b), r * giro.y);
-        P.x += 0.25 * edad * sin(3.0 * P.y - 4.0 * DOS_PI * tau);
-        diametro = 0.22 * (1.0 - 0.6 * edad);
-        color = vec4(mix(vec3(1.0, 0.75, 0.25), vec3(0.85, 0.12, 0.02), sqrt(edad)), 0.14 * (1.0 - edad));
+    if (elegido == 0) { // tiro parabólico: una corona de chorros y, en medio, el más alto
+        bool medio = grupo == 0u;
+        vec2 lado = (medio ? 0.22 * sqrt(b) : 0.80 + 0.14 * b) * giro(medio ? a : (float(grupo) + 0.16 * a) / float(grupos - 1));
+        float v = medio ? 5.6 + 1.0 * c : 4.9 + 0.35 * c;
+        P = vec3(lado.x * s, v * s - 2.5 * s * s, lado.y * s);
+        diametro = 0.07;
+        color = vec4(mix(vec3(0.20, 0.50, 0.95), vec3(0.85, 0.95, 1.0), c), 0.4);
+    } else if (elegido == 1) { // cada bocanada sube, se hincha y rueda; el viento se la lleva
+        uint suya = (grupo * 8u + vida) * 4u;
+        float radio = pow(b, 0.33), alto = 2.0 * c - 1.0;
+        vec3 n = vec3(sqrt(1.0 - alto * alto) * giro(a + 0.5 * edad), alto);
+        vec2 sale = sqrt(azar(suya)) * giro(azar(suya + 1u));
+        P = (0.20 + 0.85 * edad) * radio * n;
+        P += vec3(sale.x * edad + 0.04 * s * s, 0.62 * s + 0.12, sale.y * edad);
+        diametro = 0.15 + 0.24 * edad;
+        float luz = 0.5 + 0.5 * radio * dot(n, vec3(-0.49, 0.78, 0.39)); // la bocanada, clara por donde le da
+        color = vec4(mix(vec3(0.16, 0.17, 0.21), vec3(0.98, 0.96, 0.92), luz), 0.20 * (1.0 - edad) * min(8.0 * edad, 1.0));
+    } else { // cada lengua sube, se estrecha y se mece a su aire; de blanco amarillo a rojo
+        bool medio = grupo == 0u;
+        float llega = medio ? 1.0 : 0.45 + 0.4 * azar(grupo), fase = azar(grupo + 50u);
+        float mece = sin(DOS_PI * (edad - 8.0 * tau + fase)) + 0.5 * sin(DOS_PI * (2.3 * edad - 20.0 * tau + 3.0 * fase));
+        vec2 base = (medio ? 0.0 : 0.75 * (1.0 - 0.8 * edad)) * giro(float(grupo) / float(grupos - 1));
+        vec2 r = 0.5 * sqrt(b) * (1.0 - edad) * (0.7 + 2.0 * edad) * giro(a);
+        P = vec3(base.x + r.x + 0.28 * edad * mece, 4.8 * llega * edad * (0.7 + 0.3 * c), base.y + r.y);
+        diametro = 0.26 * (1.0 - 0.7 * edad);
+        color = vec4(mix(vec3(1.0, 0.62, 0.18), vec3(0.85, 0.10, 0.02), edad), 0.11 * (1.0 - edad * edad));
     }
-    color.a *= opacidad;
     gl_Position = P.y < 0.0 ? vec4(2.0, 2.0, 2.0, 1.0) // ya ha caído: fuera de la vista
                             : proyeccion * camara * vec4(P, 1.0);
-    gl_PointSize = max(talla * diametro * escala / gl_Position.w, 1.0);
+    float mide = talla * diametro * escala / gl_Position.w; // en píxeles
+    gl_PointSize = max(mide, 1.0);
+    color.a *= min(mide * mide, 1.0); // la que no llega a un píxel lo pinta solo en parte
 }

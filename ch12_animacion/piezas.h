@@ -9,6 +9,11 @@ const double PERIODO_PIEZAS = 10; // segundos: al acabar, todo vuelve a empezar
 const float NACEN = 3.5f, MUEREN = 6,
             MUEREN_ANTES = 9.5f; // nacen en [0, NACEN) y mueren en [MUEREN, MUEREN_ANTES)
 
+/// Lo que les pasa en el instante t, de 0 a PERIODO_PIEZAS.
+inline const char *etapa(float t) {
+    return t < NACEN ? "nacen" : t < MUEREN ? "viven" : t < MUEREN_ANTES ? "mueren" : "no queda ninguna";
+}
+
 struct VerticePieza {
     glm::vec2 celda;   // columna y fila
     glm::vec2 esquina; // del cuadrado, de −1 a 1

@@ -29,7 +29,7 @@ static struct {
 
 static void dibujaModo(const Recuadro &r, int cual) {
     const glm::mat4 camara = camaraOrbita(estado.orbita),
-                    proyeccion = perspectivaVentana(0.38f, 1, 50, aspecto(r));
+                    proyeccion = perspectivaVentana(aspecto(r) < 1 ? 0.27f : 0.33f, 1, 50, aspecto(r));
     abreRecuadro(r, FONDO_CLARO);
     glUseProgram(estado.programa);
     envia(estado.programa, "camara", camara);
@@ -66,8 +66,8 @@ static void dibuja() {
     char ademas[32];
     std::snprintf(ademas, sizeof ademas, ", S2 = %.1f", static_cast<double>(estado.S2));
     rotulaTiempo(OSCURO, ademas);
-    ponTitulo(std::string("Vértices desplazados por ruido: ") +
-              (estado.ambos ? "los dos" : MODOS[estado.elegido].nombre) + ademas);
+    tituloAnimado(std::string("Vértices desplazados por ruido: ") +
+                  (estado.ambos ? "los dos" : MODOS[estado.elegido].nombre) + ademas);
     glutSwapBuffers();
 }
 

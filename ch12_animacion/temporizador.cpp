@@ -28,7 +28,7 @@ static void dispara(int cual) {
 static void dibuja() {
     const glm::mat4 proyeccion = paralelaVentana(1);
     const double t = tiempo(), desde = std::max(0.0, t - VENTANA);
-    const auto x = [&](double s) { return static_cast<float>(-0.75 + 1.75 * (s - desde) / VENTANA); };
+    const auto x = [&](double s) { return static_cast<float>(-0.42 + 1.62 * (s - desde) / VENTANA); };
     glClear(GL_COLOR_BUFFER_BIT);
     trazaSegmentos({{x(t), -0.7f, 0}, {x(t), 0.85f, 0}}, proyeccion, NARANJA, GROSOR / 2); // ahora
     for (int i = 0; i < 3; ++i) {
@@ -40,12 +40,14 @@ static void dibuja() {
         for (int n = std::max(1, static_cast<int>(std::ceil(desde / periodo))); n <= disparos[i]; ++n)
             marcas.push_back({x(n * periodo), y, 0});
         trazaPuntos(marcas, proyeccion, temporizador.color, 30);
-        rotulaPunto(std::to_string(disparos[i]), {-1, y, 0}, proyeccion, temporizador.color, Lado::CENTRO,
-                    0.12f);
-        rotulaPunto("cada " + std::to_string(temporizador.periodo) + " ms", {0.1f, y + 0.17f, 0}, proyeccion,
-                    OSCURO, Lado::CENTRO);
+        rotulaPunto(std::to_string(disparos[i]), {-0.88f, y + 0.04f, 0}, proyeccion, temporizador.color,
+                    Lado::CENTRO, 0.12f);
+        rotulaPunto("cada " + std::to_string(temporizador.periodo) + " ms", {-0.88f, y - 0.17f, 0},
+                    proyeccion, OSCURO, Lado::CENTRO);
     }
     rotulaTiempo(OSCURO);
+    tituloAnimado("Temporizadores: " + std::to_string(disparos[0]) + ", " + std::to_string(disparos[1]) +
+                  " y " + std::to_string(disparos[2]) + " disparos");
     glutSwapBuffers();
 }
 

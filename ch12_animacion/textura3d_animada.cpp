@@ -50,6 +50,7 @@ static void dibuja() {
         dibuja(solido);
     }
     rotulaTiempo(BLANCO);
+    tituloAnimado("Textura 3D animada");
     glutSwapBuffers();
 }
 

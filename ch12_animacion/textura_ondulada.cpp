@@ -26,6 +26,7 @@ static void dibuja() {
     glBindTexture(GL_TEXTURE_2D, estado.textura);
     dibuja(estado.plano);
     rotulaTiempo(OSCURO);
+    tituloAnimado("Textura ondulada");
     glutSwapBuffers();
 }
 
