@@ -70,8 +70,7 @@ static void dibuja() {
     glDisable(GL_BLEND);
 
     const std::string cuantas = nombraPartes(estado.cuantas);
-    rotula(cuantas, {0.97f, 0.06f}, BLANCO, Lado::IZQUIERDA);
-    rotulaTiempo(BLANCO);
+    rotulaTiempo(BLANCO, ", " + cuantas);
     tituloAnimado(std::string(modo.nombre) + ": " + cuantas);
     glutSwapBuffers();
 }

@@ -29,7 +29,7 @@ static struct {
 
 static void dibujaModo(const Recuadro &r, int cual) {
     const glm::mat4 camara = camaraOrbita(estado.orbita),
-                    proyeccion = perspectivaVentana(aspecto(r) < 1 ? 0.27f : 0.33f, 1, 50, aspecto(r));
+                    proyeccion = perspectivaVentana(aspecto(r) < 1 ? 0.28f : 0.36f, 1, 50, aspecto(r));
     abreRecuadro(r, FONDO_CLARO);
     glUseProgram(estado.programa);
     envia(estado.programa, "camara", camara);

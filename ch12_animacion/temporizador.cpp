@@ -42,8 +42,8 @@ static void dibuja() {
         trazaPuntos(marcas, proyeccion, temporizador.color, 30);
         rotulaPunto(std::to_string(disparos[i]), {-0.88f, y + 0.04f, 0}, proyeccion, temporizador.color,
                     Lado::CENTRO, 0.12f);
-        rotulaPunto("cada " + std::to_string(temporizador.periodo) + " ms", {-0.88f, y - 0.17f, 0},
-                    proyeccion, OSCURO, Lado::CENTRO);
+        rotulaPunto(std::to_string(temporizador.periodo) + " ms", {-0.88f, y - 0.17f, 0}, proyeccion, OSCURO,
+                    Lado::CENTRO);
     }
     rotulaTiempo(OSCURO);
     tituloAnimado("Temporizadores: " + std::to_string(disparos[0]) + ", " + std::to_string(disparos[1]) +

@@ -3,7 +3,7 @@
 #include "ch08_texturas_avanzadas/ruido.h"
 #include "colores.h"
 #include "ejecuta.h"
-#include "letra.h"
+#include "encima.h"
 #include "oraculo/oraculo.h"
 #include <cmath>
 #include <fstream>
@@ -103,6 +103,28 @@ TEST(LucesAnimadas, ProporcionalALaLuz) {
     EXPECT_TRUE(es(pixel(nada, 5, ALTO - 5), FONDO_OSCURO));
 }
 
+// La bombilla está donde la fuente y tiene el color de su luz: las dos son la misma cosa.
+TEST(LucesAnimadas, LaBombillaTieneElColorDeLaLuz) {
+    const auto donde =
+        oraculo::proyecta(oraculo::perspectiva(oraculo::orbita(0.4, 0.42, 12, {0.1, 0.65, 0}), 0.45, 1, 50),
+                          ANCHO, ALTO, {-0.1, 2.3, 1.3});
+    for (const double t : {1.5, 2.0, 5.0, 6.0, 9.5}) {
+        const double I = 0.5 * (1 - std::cos(2 * PI * t / 4)), f = 0.5 * (1 - std::cos(2 * PI * t / 12));
+        const Vec3 espera = 255 * I * ((1 - f) * Vec3{1, 0.6, 0.25} + f * Vec3{0.3, 0.6, 1});
+        const Imagen im = en("luces_animadas", t);
+        for (int v = -6; v <= 6; v += 3)
+            for (int u = -6; u <= 6; u += 3)
+                EXPECT_LE(distancia(pixel(im, int(donde.x) + u, int(donde.y) + v), espera), 1.1) << t;
+    }
+    // lo más claro del suelo es lo que tiene la fuente encima, más o menos: está sobre él
+    const Imagen im = en("luces_animadas", 6), nada = en("luces_animadas", 0);
+    const auto pie =
+        oraculo::proyecta(oraculo::perspectiva(oraculo::orbita(0.4, 0.42, 12, {0.1, 0.65, 0}), 0.45, 1, 50),
+                          ANCHO, ALTO, {-0.1, 0, 1.3});
+    EXPECT_GT(pixel(im, int(pie.x), int(pie.y)).b, 225);
+    EXPECT_LT(pixel(nada, int(pie.x), int(pie.y)).b, 50);
+}
+
 // Con una imagen cuyo rojo es s y cuyo verde es t, el color del píxel dice qué (s, t) ha leído.
 TEST(TexturaOndulada, LeeDondeDiceElSeno) {
     const int N = 256;
@@ -139,7 +161,7 @@ TEST(TexturaOndulada, LeeDondeDiceElSeno) {
 
 // Cada punto desplazado, calculado en double, cae dentro de la silueta, y la silueta no pasa de ellos.
 TEST(RuidoVertices, SiluetaContraCPU) {
-    const oraculo::Camara camara = oraculo::perspectiva(oraculo::orbita(0.3, 0.2, 10), 0.38, 1, 50);
+    const oraculo::Camara camara = oraculo::perspectiva(oraculo::orbita(0.3, 0.2, 10), 0.36, 1, 50);
     for (const int modo : {0, 1})
         for (const double t : {0.0, 2.5, 7.0, 19.5}) {
             const Imagen im =
@@ -181,6 +203,31 @@ TEST(RuidoVertices, SiluetaContraCPU) {
         }
 }
 
+// Con v, el centrado a la izquierda y el del listado a la derecha; más o menos amplitud, y el rótulo lo dice.
+TEST(RuidoVertices, LosDosYLaAmplitud) {
+    const auto cuenta = [](const Imagen &im, bool verde, int desde, int hasta) {
+        int n = 0;
+        for (int y = ROTULO; y < ALTO; ++y)
+            for (int x = desde; x < hasta; ++x) {
+                const Pixel p = pixel(im, x, y);
+                n += verde ? p.g > p.r + 25 && p.g > p.b + 25 : p.r > p.b + 40;
+            }
+        return n;
+    };
+    const Imagen im = en("ruido_vertices", 2.5, "tecla v; ");
+    for (const bool verde : {true, false}) {
+        EXPECT_EQ(cuenta(im, verde, verde ? ANCHO / 2 : 0, verde ? ANCHO : ANCHO / 2), 0);
+        EXPECT_GT(cuenta(im, verde, verde ? 0 : ANCHO / 2, verde ? ANCHO / 2 : ANCHO), 8000);
+    }
+    EXPECT_TRUE(seLee(im, "centrado", OSCURO, ANCHO / 4, 0.95 * ALTO, 5));
+    EXPECT_TRUE(seLee(im, "listado 12.1", OSCURO, 3 * ANCHO / 4, 0.95 * ALTO, 5));
+
+    const Imagen menos = en("ruido_vertices", 2.5, "tecla -; tecla -; tecla -; "),
+                 mas = en("ruido_vertices", 2.5, "tecla +; tecla +; tecla +; ");
+    EXPECT_FALSE(leeRotulo(menos, "t = 2.50 s, S2 = 0.4", OSCURO).empty());
+    EXPECT_FALSE(leeRotulo(mas, "t = 2.50 s, S2 = 0.8", OSCURO).empty()); // la máxima
+}
+
 // Cuántas marcas de su color hay en cada fila: los disparos de cada temporizador.
 TEST(Temporizador, DisparosDeCadaUno) {
     const auto marcas = [](const std::string &guion) {
@@ -191,7 +238,7 @@ TEST(Temporizador, DisparosDeCadaUno) {
             const int y = int(360 + 360 * (0.6 - 0.55 * i)) + 6; // por encima de la línea gris
             int cuantas = 0;
             bool antes = false;
-            for (int x = 480 - 272; x < 960; ++x) {
+            for (int x = 480 - 160; x < 960; ++x) { // a la derecha de los números
                 const bool ahora = es(pixel(im, x, y), colores[i]);
                 cuantas += ahora && !antes;
                 antes = ahora;
@@ -200,6 +247,17 @@ TEST(Temporizador, DisparosDeCadaUno) {
         }
         return n;
     };
+    const Imagen final = ejecuta("ch12_animacion/temporizador", "espera 2500", ANCHO, ALTO).imagen;
+    const struct {
+        const char *disparos, *periodo;
+        glm::vec3 color;
+    } FILAS[] = {{"10", "250 ms", ROJO}, {"6", "400 ms", VERDE}, {"2", "1000 ms", AZUL}};
+    for (int i = 0; i < 3; ++i) {
+        const double y = 180 + 180 * (0.6 - 0.55 * i);
+        EXPECT_TRUE(seLee(final, FILAS[i].disparos, FILAS[i].color, 240 - 0.88 * 180, y + 0.04 * 180, 25))
+            << i;
+        EXPECT_TRUE(seLee(final, FILAS[i].periodo, OSCURO, 240 - 0.88 * 180, y - 0.17 * 180, 25)) << i;
+    }
     using V = std::vector<int>;
     EXPECT_EQ(marcas(""), (V{0, 0, 0}));
     EXPECT_EQ(marcas("espera 1000"), (V{4, 2, 1}));

@@ -4,6 +4,7 @@
 #include "ch12_animacion/reloj.h"
 #include "colores.h"
 #include "ejecuta.h"
+#include "encima.h"
 #include "oraculo/oraculo.h"
 #include <cmath>
 #include <cstdint>
@@ -49,28 +50,46 @@ double parteDecimal(double x) {
 
 // --- Partículas ---
 
-/// Si vive, y dónde está la partícula `id` en el segundo t: cada una vive 12/vidas segundos y vuelve a nacer.
+const int VIDAS[] = {4, 2, 8}, GRUPOS[] = {13, 60, 7};
+
+/// Qué parte de su vida (de 12/VIDAS segundos) ha pasado; las de una bocanada de humo nacen juntas. `vida`: cuál de ellas.
+double edadDe(int modo, std::uint32_t id, double t, std::uint32_t &vida) {
+    const double x = parteDecimal(t / 12) * VIDAS[modo] + azarDe(modo == 1 ? id % 60 : id);
+    vida = static_cast<std::uint32_t>(x) % static_cast<std::uint32_t>(VIDAS[modo]);
+    return parteDecimal(x);
+}
+
+/// Si vive, y dónde está la partícula `id` en el segundo t.
 bool posicion(int modo, std::uint32_t id, double t, Vec3 &P) {
-    const int vidas[] = {4, 2, 8};
-    const double tau = parteDecimal(t / 12), x = tau * vidas[modo] + azarDe(id), edad = parteDecimal(x),
-                 s = edad * 12 / vidas[modo];
-    const auto vida = static_cast<std::uint32_t>(x) % static_cast<std::uint32_t>(vidas[modo]);
+    std::uint32_t vida;
+    const double tau = parteDecimal(t / 12), edad = edadDe(modo, id, t, vida), s = edad * 12 / VIDAS[modo];
+    const auto grupo = id % static_cast<std::uint32_t>(GRUPOS[modo]);
     const std::uint32_t semilla = (id * 8 + vida) * 4 + 0x9e3779b9u;
-    const double a = 2 * PI * azarDe(semilla), b = azarDe(semilla + 1), c = azarDe(semilla + 2);
-    if (modo == 0) {
-        const double v = 0.2 + 0.65 * std::sqrt(b);
-        P = {v * std::cos(a) * s, (5.5 + 1.3 * c) * s - 5 * s * s / 2, v * std::sin(a) * s}; // v·t + g·t²/2
+    const double a = azarDe(semilla), b = azarDe(semilla + 1), c = azarDe(semilla + 2);
+    const auto angulo = [](double vueltas) { return 2 * PI * vueltas; };
+    if (modo == 0) { // v·t + g·t²/2, con g = 5; doce chorros alrededor de uno más alto
+        const double sale = grupo ? 0.80 + 0.14 * b : 0.22 * std::sqrt(b),
+                     u = angulo(grupo ? (grupo + 0.16 * a) / 12 : a),
+                     v = grupo ? 4.9 + 0.35 * c : 5.6 + 1.0 * c;
+        P = {sale * std::cos(u) * s, v * s - 5 * s * s / 2, sale * std::sin(u) * s};
         return P.y >= 0;
     }
-    if (modo == 1) {
-        const double r = (0.15 + 0.75 * edad) * std::sqrt(b), y = 0.72 * s + 0.25 * c;
-        P = {r * std::cos(a) + 0.06 * s * s + 0.22 * edad * std::sin(1.7 * y + 2 * PI * tau), y,
-             r * std::sin(a)};
-        return true;
+    if (modo == 1) { // dentro de una esfera que crece, gira y se aleja
+        const std::uint32_t suya = (grupo * 8 + vida) * 4;
+        const double R = (0.20 + 0.85 * edad) * std::pow(b, 0.33), z = 2 * c - 1, u = angulo(a + 0.5 * edad),
+                     sale = std::sqrt(azarDe(suya)) * edad, w = angulo(azarDe(suya + 1)),
+                     h = std::sqrt(1 - z * z);
+        P = {R * h * std::cos(u) + sale * std::cos(w) + 0.04 * s * s, R * h * std::sin(u) + 0.62 * s + 0.12,
+             R * z + sale * std::sin(w)};
+        return P.y >= 0;
     }
-    const double r = std::sqrt(b) * (1 - edad) * (0.8 + 1.8 * edad),
-                 y = 5.5 * edad * (0.4 + 0.6 * c) * (1 - 0.5 * b);
-    P = {r * std::cos(a) + 0.25 * edad * std::sin(3 * y - 8 * PI * tau), y, r * std::sin(a)};
+    const double llega = grupo ? 0.45 + 0.4 * azarDe(grupo) : 1, fase = azarDe(grupo + 50),
+                 mece = std::sin(2 * PI * (edad - 8 * tau + fase)) +
+                        0.5 * std::sin(2 * PI * (2.3 * edad - 20 * tau + 3 * fase)),
+                 base = grupo ? 0.75 * (1 - 0.8 * edad) : 0, u = angulo(grupo / 6.0),
+                 r = 0.5 * std::sqrt(b) * (1 - edad) * (0.7 + 2 * edad);
+    P = {base * std::cos(u) + r * std::cos(2 * PI * a) + 0.28 * edad * mece,
+         4.8 * llega * edad * (0.7 + 0.3 * c), base * std::sin(u) + r * std::sin(2 * PI * a)};
     return true;
 }
 
@@ -81,7 +100,7 @@ oraculo::Camara camaraParticulas() {
 struct Hallazgo {
     double x = 0, y = 0, luz = 0;
 };
-/// Centro de lo que la segunda imagen tiene de más, sin los rótulos. El fondo se resta: es el de la propia imagen.
+/// Centro de lo que brilla más que el fondo cerca de un punto.
 Hallazgo centroDe(const Imagen &im, double x0, double y0, int radio) {
     Hallazgo h;
     for (int y = std::max(0, int(y0) - radio); y <= std::min(im.alto - 1, int(y0) + radio); ++y)
@@ -98,12 +117,12 @@ Hallazgo centroDe(const Imagen &im, double x0, double y0, int radio) {
     return h;
 }
 
-/// Sin la circunferencia del suelo, que es gris: lo que queda de color.
+/// El guion que lleva a ese modo y ese instante con 10 000 / 10^partes partículas.
 std::string guionDe(int modo, int partes, double t, bool horas) {
-    std::string g = "tecla " + std::to_string(modo + 1) + "; " + (horas ? CIEN_HORAS : "") + instante(t);
+    std::string g;
     for (int i = 0; i < partes; ++i)
-        g += "; tecla -";
-    return g;
+        g += "tecla -; ";
+    return g + "tecla " + std::to_string(modo + 1) + "; " + (horas ? CIEN_HORAS : "") + instante(t);
 }
 
 } // namespace
@@ -119,11 +138,9 @@ TEST(Particulas, UnaSolaContraFormaCerrada) {
                 if (!posicion(modo, 0, t, P))
                     continue;
                 const auto q = oraculo::proyecta(camaraParticulas(), ANCHO, ALTO, P);
-                const double edad = parteDecimal(parteDecimal(t / 12) * (modo == 0   ? 4
-                                                                         : modo == 1 ? 2
-                                                                                     : 8) +
-                                                 azarDe(0));
-                if (edad > 0.85 || q.y < ROTULO || P.y < 0.6) // casi invisible, o junto a lo que no es ella
+                std::uint32_t vida;
+                if (edadDe(modo, 0, t, vida) > 0.85 || q.y < ROTULO ||
+                    P.y < 0.6) // casi invisible, o junto a lo que no es ella
                     continue;
                 const int radio = modo == 0 ? 16 : 50;
                 const Hallazgo h = centroDe(im, q.x, q.y, radio);
@@ -184,6 +201,35 @@ TEST(Particulas, DeUnaAUnMillon) {
     EXPECT_NE(con("; tecla -; tecla -; tecla -; tecla -"), con("; tecla -; tecla -; tecla -"));
     EXPECT_NE(con("; tecla +; tecla +"), con("; tecla +"));
     EXPECT_EQ(con("; tecla +; tecla -"), con(""));
+}
+
+// Cien veces más partículas cubren entre todas lo mismo: la luz de la imagen, que las suma, no cambia. Y el rótulo las cuenta.
+TEST(Particulas, LaLuzNoDependeDeCuantas) {
+    for (int modo = 0; modo < 3; ++modo) {
+        double luz[2];
+        for (const int mas : {0, 2}) {
+            std::string g = "tecla " + std::to_string(modo + 1) + "; tecla s; tecla s; tecla s";
+            for (int i = 0; i < mas; ++i)
+                g += "; tecla +";
+            const Imagen im = ejecuta(PARTICULAS, g, ANCHO, ALTO).imagen;
+            EXPECT_FALSE(leeRotulo(im,
+                                   mas ? "t = 1.50 s, 1 000 000 partículas" : "t = 1.50 s, 10 000 partículas",
+                                   BLANCO)
+                             .empty())
+                << modo;
+            luz[mas / 2] = 0;
+            for (int y = ROTULO; y < ALTO; ++y)
+                for (int x = 0; x < ANCHO; ++x) {
+                    const Pixel p = pixel(im, x, y);
+                    luz[mas / 2] +=
+                        p.r + p.g + p.b - 255.0 * (FONDO_OSCURO.r + FONDO_OSCURO.g + FONDO_OSCURO.b);
+                }
+        }
+        EXPECT_NEAR(luz[1] / luz[0], 1, 0.15) << modo;
+    }
+    EXPECT_FALSE(leeRotulo(ejecuta(PARTICULAS, "tecla -; tecla -; tecla -; tecla -", 480, 360).imagen,
+                           "t = 0.00 s, 1 partícula", BLANCO)
+                     .empty());
 }
 
 // La luz de fuente y fuego se suma y el humo tapa: donde hay humo denso no se pasa del gris claro.
@@ -292,10 +338,26 @@ TEST(Mosaico, LosColoresDeLaFlor) {
     }
 }
 
+// El rótulo dice qué les pasa: los instantes, de la figura, se repiten cada diez segundos.
+TEST(Mosaico, DiceEnQueEtapaEstan) {
+    const std::pair<double, const char *> etapas[] = {{0, "t = 0.00 s, nacen"},
+                                                      {3, "t = 3.00 s, nacen"},
+                                                      {3.5, "t = 3.50 s, viven"},
+                                                      {5.5, "t = 5.50 s, viven"},
+                                                      {6, "t = 6.00 s, mueren"},
+                                                      {9, "t = 9.00 s, mueren"},
+                                                      {9.5, "t = 9.50 s, no queda ninguna"},
+                                                      {10, "t = 10.00 s, nacen"}};
+    for (const std::string &programa : {MOSAICO, BANDERAS})
+        for (const auto &[t, texto] : etapas)
+            EXPECT_FALSE(leeRotulo(ejecuta(programa, instante(t)).imagen, texto, OSCURO).empty())
+                << programa << " " << t;
+}
+
 TEST(Banderas, CadaUnaConSuAstaEnSuSitio) {
     const int C = 26, F = 12;
     const oraculo::Camara camara =
-        oraculo::perspectiva(oraculo::orbita(0.35, 0.2, 45, {0.6, 3.4, -4.5}), 0.5, 1, 200);
+        oraculo::perspectiva(oraculo::orbita(0.35, 0.34, 43, {0.4, 3.9, -4.5}), 0.5, 1, 200);
     for (const double t : {1.5, 3.0, 5.0, 8.0}) {
         const Imagen im = ejecuta(BANDERAS, instante(t), ANCHO, ALTO).imagen;
         int bien = 0, vivas = 0, deMas = 0, muertas = 0;
