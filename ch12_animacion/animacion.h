@@ -6,9 +6,9 @@
 #include "ventana.h"
 #include <cstdio>
 
-const double PERIODO_CUADRO = 20; // ms: 50 imágenes por segundo
-const double PASO = 0.5;          // segundos
-const double SALTO = 36000;       // segundos: diez horas, múltiplo de todos los periodos del capítulo
+const double PERIODO_CUADRO = 20;          // ms: 50 imágenes por segundo
+const double PASO = 0.5, PASO_CORTO = 0.1; // segundos
+const double SALTO = 36000; // segundos: diez horas, múltiplo de todos los periodos del capítulo
 
 inline Reloj reloj;
 
@@ -23,12 +23,14 @@ inline void anima(int = 0) {
     glutTimerFunc(static_cast<unsigned>(PERIODO_CUADRO), anima, 0);
 }
 
-/// Atiende las teclas comunes, espacio (pausa), s (adelanta medio segundo) y h (diez horas). Devuelve si la tecla era suya.
+/// Atiende las teclas comunes, espacio (pausa), s (adelanta medio segundo), d (una décima) y h (diez horas). Devuelve si la tecla era suya.
 inline bool teclaAnimacion(unsigned char tecla) {
     if (tecla == ' ')
         conmutaPausa(reloj, glutGet(GLUT_ELAPSED_TIME));
     else if (tecla == 's')
         adelanta(reloj, PASO);
+    else if (tecla == 'd')
+        adelanta(reloj, PASO_CORTO);
     else if (tecla == 'h')
         adelanta(reloj, SALTO);
     else

@@ -1,8 +1,8 @@
 // Sistemas de partículas (§12.3): una fuente, humo y fuego. Toda la animación está en el vertex shader, sin carga para la CPU:
 // cada imagen son unos uniforms y una orden de dibujo, lo mismo con una partícula que con un millón. Tampoco hay
 // memoria: cada partícula es una función de su número y del instante, y no se desvía por mucho que pase el tiempo.
-// Controles: 1 fuente · 2 humo · 3 fuego · + - diez veces más o menos · espacio pausa · s adelanta medio segundo · h diez horas ·
-// ratón orbita · Esc termina.
+// Controles: 1 fuente · 2 humo · 3 fuego · + - diez veces más o menos · espacio pausa ·
+// s adelanta medio segundo · d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
 #include "orbita.h"
 #include "shader.h"
@@ -10,17 +10,16 @@
 #include <algorithm>
 #include <glm/gtc/constants.hpp>
 
-static const double PERIODO = 12; // segundos en que se repite todo
 static const int MAXIMO = 1000000, NORMAL = 10000;
 static const struct {
     const char *nombre;
-    int vidas;  // de cada partícula en un periodo
-    int grupos; // chorros, bocanadas o lenguas
-    float pila; // radio de la circunferencia del suelo
+    double vida; // segundos; todo se repite cada vida
+    int grupos;  // chorros, bocanadas o lenguas
+    float pila;  // radio de la circunferencia del suelo
     GLenum destino;
-} MODOS[] = {{"Fuente", 4, 13, 2.1f, GL_ONE},
-             {"Humo", 2, 60, 0.5f, GL_ONE_MINUS_SRC_ALPHA},
-             {"Fuego", 8, 7, 1.15f, GL_ONE}};
+} MODOS[] = {{"Fuente", 3, 13, 2.1f, GL_ONE},
+             {"Humo", 4, 60, 0.5f, GL_ONE_MINUS_SRC_ALPHA},
+             {"Fuego", 1.5, 7, 1.15f, GL_ONE}};
 
 static struct {
     GLuint programa, vao;
@@ -57,10 +56,9 @@ static void dibuja() {
     envia(estado.programa, "camara", camara);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "elegido", estado.elegido);
-    envia(estado.programa, "vidas", modo.vidas);
     envia(estado.programa, "grupos", modo.grupos);
-    envia(estado.programa, "tau", fase(tiempo(), PERIODO));
-    envia(estado.programa, "periodo", static_cast<float>(PERIODO));
+    envia(estado.programa, "vida", static_cast<float>(modo.vida));
+    envia(estado.programa, "tau", fase(tiempo(), modo.vida));
     envia(estado.programa, "talla",
           0.5f * proyeccion[1][1] * static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT)));
     // la superficie que cubren entre todas no cambia con su número; si son pocas, que se vean

@@ -4,9 +4,8 @@
 // nada que actualizar en la CPU, ni buffer object: sus atributos son un hash de gl_VertexID.
 uniform mat4 camara, proyeccion;
 uniform int elegido;   // 0 fuente, 1 humo, 2 fuego
-uniform float tau;     // qué parte de PERIODO ha pasado, de 0 a 1
-uniform float periodo; // segundos
-uniform int vidas;     // las de cada partícula en un periodo
+uniform float vida;    // segundos que vive cada una; al morir vuelve a nacer igual
+uniform float tau;     // qué parte de ese tiempo ha pasado, de 0 a 1
 uniform int grupos;    // chorros, bocanadas o lenguas: las partículas de un grupo van juntas
 uniform float talla;   // píxeles que mide un objeto de lado 1 a distancia 1
 uniform float escala;  // de las partículas: cuantas más, menores
@@ -29,9 +28,8 @@ vec2 giro(float vueltas) {
 void main() {
     uint id = uint(gl_VertexID), grupo = id % uint(grupos);
     // las bocanadas nacen enteras; lo demás, cada partícula en su momento
-    float x = tau * float(vidas) + azar(elegido == 1 ? grupo : id);
-    float edad = fract(x), s = edad * periodo / float(vidas);
-    uint vida = uint(x) % uint(vidas), semilla = (id * 8u + vida) * 4u + 0x9e3779b9u; // en cada vida, otra
+    float edad = fract(tau + azar(elegido == 1 ? grupo : id)), s = edad * vida;
+    uint semilla = 4u * id + 0x9e3779b9u;
     float a = azar(semilla), b = azar(semilla + 1u), c = azar(semilla + 2u);
 
     vec3 P;
@@ -44,19 +42,18 @@ void main() {
         diametro = 0.07;
         color = vec4(mix(vec3(0.20, 0.50, 0.95), vec3(0.85, 0.95, 1.0), c), 0.4);
     } else if (elegido == 1) { // cada bocanada sube, se hincha y rueda; el viento se la lleva
-        uint suya = (grupo * 8u + vida) * 4u;
         float radio = pow(b, 0.33), alto = 2.0 * c - 1.0;
         vec3 n = vec3(sqrt(1.0 - alto * alto) * giro(a + 0.5 * edad), alto);
-        vec2 sale = sqrt(azar(suya)) * giro(azar(suya + 1u));
+        vec2 sale = sqrt(azar(grupo + 100u)) * giro(azar(grupo + 200u));
         P = (0.20 + 0.85 * edad) * radio * n;
-        P += vec3(sale.x * edad + 0.04 * s * s, 0.62 * s + 0.12, sale.y * edad);
+        P += vec3(sale.x * edad + 0.09 * s * s, 0.93 * s + 0.12, sale.y * edad);
         diametro = 0.15 + 0.24 * edad;
         float luz = 0.5 + 0.5 * radio * dot(n, vec3(-0.49, 0.78, 0.39)); // la bocanada, clara por donde le da
         color = vec4(mix(vec3(0.16, 0.17, 0.21), vec3(0.98, 0.96, 0.92), luz), 0.20 * (1.0 - edad) * min(8.0 * edad, 1.0));
     } else { // cada lengua sube, se estrecha y se mece a su aire; de blanco amarillo a rojo
         bool medio = grupo == 0u;
         float llega = medio ? 1.0 : 0.45 + 0.4 * azar(grupo), fase = azar(grupo + 50u);
-        float mece = sin(DOS_PI * (edad - 8.0 * tau + fase)) + 0.5 * sin(DOS_PI * (2.3 * edad - 20.0 * tau + 3.0 * fase));
+        float mece = sin(DOS_PI * (edad - tau + fase)) + 0.5 * sin(DOS_PI * (2.3 * edad - 3.0 * tau + 3.0 * fase));
         vec2 base = (medio ? 0.0 : 0.75 * (1.0 - 0.8 * edad)) * giro(float(grupo) / float(grupos - 1));
         vec2 r = 0.5 * sqrt(b) * (1.0 - edad) * (0.7 + 2.0 * edad) * giro(a);
         P = vec3(base.x + r.x + 0.28 * edad * mece, 4.8 * llega * edad * (0.7 + 0.3 * c), base.y + r.y);

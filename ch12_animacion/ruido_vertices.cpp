@@ -2,7 +2,7 @@
 // objeto, además de ondular, se va de su sitio: restándole antes ½ se queda. El círculo es la esfera sin desplazar. El
 // tiempo llega al shader reducido a su periodo: a las 100 horas ondula igual de suave.
 // Controles: 1 centrado · 2 como el listado · v los dos · + - amplitud S2 · espacio pausa · s adelanta medio segundo ·
-// h diez horas · ratón orbita · Esc termina.
+// d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
 #include "ch03_transformaciones/objeto.h"
 #include "orbita.h"
@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <glm/gtc/constants.hpp>
 
-static const double PERIODO = 20; // segundos
+static const double PERIODO = 5; // segundos
 static const float S1 = 1.2f, PASO_S2 = 0.1f, S2_MAXIMA = 0.8f;
 static const struct {
     const char *nombre;
@@ -29,7 +29,7 @@ static struct {
 
 static void dibujaModo(const Recuadro &r, int cual) {
     const glm::mat4 camara = camaraOrbita(estado.orbita),
-                    proyeccion = perspectivaVentana(aspecto(r) < 1 ? 0.28f : 0.36f, 1, 50, aspecto(r));
+                    proyeccion = perspectivaVentana(aspecto(r) < 1 ? 0.29f : 0.38f, 1, 50, aspecto(r));
     abreRecuadro(r, FONDO_CLARO);
     glUseProgram(estado.programa);
     envia(estado.programa, "camara", camara);

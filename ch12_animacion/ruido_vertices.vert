@@ -9,7 +9,7 @@ uniform float centro; // lo que se resta al ruido, que va de 0 a 1: el listado, 
 in vec3 posicion;
 out vec3 normal;
 
-const int CELDAS = 8; // las que avanza la coordenada en un periodo, y el periodo del ruido en ese eje
+const int CELDAS = 4; // las que avanza la coordenada en un periodo, y el periodo del ruido en ese eje
 
 // Gradiente y valor, de 0 a 1, del canal `cual`.
 vec4 canal(float cual) {

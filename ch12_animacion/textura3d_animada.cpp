@@ -1,12 +1,12 @@
 // Una textura 3D que se traslada (§12.1): el ruido llena el espacio y el objeto, quieto, lo corta en cada instante por otro
 // sitio. La textura es periódica y en un periodo avanza justo una vez su lado: la animación no tiene principio ni fin.
-// Controles: espacio pausa · s adelanta medio segundo · h diez horas · ratón orbita · Esc termina.
+// Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
 #include "ch03_transformaciones/objeto.h"
 #include "ch08_texturas_avanzadas/ruido.h"
 #include "orbita.h"
 
-static const double PERIODO = 12; // segundos
+static const double PERIODO = 4; // segundos
 static const int LADO = 64, CELDAS = 4, OCTAVAS = 3;
 static const float ESCALA = 0.4f;
 

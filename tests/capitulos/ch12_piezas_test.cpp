@@ -50,21 +50,19 @@ double parteDecimal(double x) {
 
 // --- Partículas ---
 
-const int VIDAS[] = {4, 2, 8}, GRUPOS[] = {13, 60, 7};
+const double VIDAS[] = {3, 4, 1.5}; // segundos
+const int GRUPOS[] = {13, 60, 7};
 
-/// Qué parte de su vida (de 12/VIDAS segundos) ha pasado; las de una bocanada de humo nacen juntas. `vida`: cuál de ellas.
-double edadDe(int modo, std::uint32_t id, double t, std::uint32_t &vida) {
-    const double x = parteDecimal(t / 12) * VIDAS[modo] + azarDe(modo == 1 ? id % 60 : id);
-    vida = static_cast<std::uint32_t>(x) % static_cast<std::uint32_t>(VIDAS[modo]);
-    return parteDecimal(x);
+/// Qué parte de su vida ha pasado; las partículas de una bocanada de humo nacen juntas.
+double edadDe(int modo, std::uint32_t id, double t) {
+    return parteDecimal(t / VIDAS[modo] + azarDe(modo == 1 ? id % 60 : id));
 }
 
 /// Si vive, y dónde está la partícula `id` en el segundo t.
 bool posicion(int modo, std::uint32_t id, double t, Vec3 &P) {
-    std::uint32_t vida;
-    const double tau = parteDecimal(t / 12), edad = edadDe(modo, id, t, vida), s = edad * 12 / VIDAS[modo];
+    const double tau = parteDecimal(t / VIDAS[modo]), edad = edadDe(modo, id, t), s = edad * VIDAS[modo];
     const auto grupo = id % static_cast<std::uint32_t>(GRUPOS[modo]);
-    const std::uint32_t semilla = (id * 8 + vida) * 4 + 0x9e3779b9u;
+    const std::uint32_t semilla = 4 * id + 0x9e3779b9u;
     const double a = azarDe(semilla), b = azarDe(semilla + 1), c = azarDe(semilla + 2);
     const auto angulo = [](double vueltas) { return 2 * PI * vueltas; };
     if (modo == 0) { // v·t + g·t²/2, con g = 5; doce chorros alrededor de uno más alto
@@ -75,17 +73,16 @@ bool posicion(int modo, std::uint32_t id, double t, Vec3 &P) {
         return P.y >= 0;
     }
     if (modo == 1) { // dentro de una esfera que crece, gira y se aleja
-        const std::uint32_t suya = (grupo * 8 + vida) * 4;
         const double R = (0.20 + 0.85 * edad) * std::pow(b, 0.33), z = 2 * c - 1, u = angulo(a + 0.5 * edad),
-                     sale = std::sqrt(azarDe(suya)) * edad, w = angulo(azarDe(suya + 1)),
+                     sale = std::sqrt(azarDe(grupo + 100)) * edad, w = angulo(azarDe(grupo + 200)),
                      h = std::sqrt(1 - z * z);
-        P = {R * h * std::cos(u) + sale * std::cos(w) + 0.04 * s * s, R * h * std::sin(u) + 0.62 * s + 0.12,
+        P = {R * h * std::cos(u) + sale * std::cos(w) + 0.09 * s * s, R * h * std::sin(u) + 0.93 * s + 0.12,
              R * z + sale * std::sin(w)};
         return P.y >= 0;
     }
     const double llega = grupo ? 0.45 + 0.4 * azarDe(grupo) : 1, fase = azarDe(grupo + 50),
-                 mece = std::sin(2 * PI * (edad - 8 * tau + fase)) +
-                        0.5 * std::sin(2 * PI * (2.3 * edad - 20 * tau + 3 * fase)),
+                 mece = std::sin(2 * PI * (edad - tau + fase)) +
+                        0.5 * std::sin(2 * PI * (2.3 * edad - 3 * tau + 3 * fase)),
                  base = grupo ? 0.75 * (1 - 0.8 * edad) : 0, u = angulo(grupo / 6.0),
                  r = 0.5 * std::sqrt(b) * (1 - edad) * (0.7 + 2 * edad);
     P = {base * std::cos(u) + r * std::cos(2 * PI * a) + 0.28 * edad * mece,
@@ -138,8 +135,7 @@ TEST(Particulas, UnaSolaContraFormaCerrada) {
                 if (!posicion(modo, 0, t, P))
                     continue;
                 const auto q = oraculo::proyecta(camaraParticulas(), ANCHO, ALTO, P);
-                std::uint32_t vida;
-                if (edadDe(modo, 0, t, vida) > 0.85 || q.y < ROTULO ||
+                if (edadDe(modo, 0, t) > 0.85 || q.y < ROTULO ||
                     P.y < 0.6) // casi invisible, o junto a lo que no es ella
                     continue;
                 const int radio = modo == 0 ? 16 : 50;

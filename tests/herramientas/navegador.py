@@ -91,7 +91,7 @@ def recorre(n, pagina, casos):
     n.tecla(IZQUIERDA)
     n.tecla(IZQUIERDA)
     exige(n.js("return actual === document.querySelector('figure a')"), "← en la primera se queda en ella")
-    alto = n.js("return document.querySelector('dialog > img').getBoundingClientRect().height")
+    alto = n.js("return document.querySelector('dialog img').getBoundingClientRect().height")
     exige(alto > 700, f"en una ventana de 900 la imagen grande mide {alto}")
     n.tecla(ESC)
     exige(not n.js(grande), "Esc cierra la vista grande")
