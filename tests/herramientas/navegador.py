@@ -108,6 +108,9 @@ def recorre(n, pagina, casos, animados):
         n.js("document.querySelector('figure source').parentElement.parentElement.click()")
         fuente = "return document.querySelector('dialog img').currentSrc"
         exige(espera(n, f"{fuente}.endsWith('.anima.png')"), "la vista grande de una animada también se mueve")
+        exige(n.js("return document.querySelector('dialog img').getBoundingClientRect().bottom <= "
+                   "document.querySelector('.pie').getBoundingClientRect().top + 1 && "
+                   "document.querySelector('.pie').getBoundingClientRect().bottom <= innerHeight"), "y cabe entera sobre su pie")
         primero, cambia = n.foto(), False
         for _ in range(20):
             time.sleep(0.1)
