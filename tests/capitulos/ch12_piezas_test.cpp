@@ -186,6 +186,38 @@ TEST(Particulas, MilGotasYNingunaMas) {
     }
 }
 
+// Diez de humo y diez de fuego, de grupos distintos: hay luz en el centro de cada una y ninguna lejos de todas.
+TEST(Particulas, DiezDeHumoYDeFuego) {
+    for (const int modo : {1, 2})
+        for (const double t : {0.5, 1.0, 2.0, 3.5}) {
+            const Imagen im = ejecuta(PARTICULAS, guionDe(modo, 3, t, false), ANCHO, ALTO).imagen;
+            std::vector<char> cerca(ANCHO * ALTO, 0);
+            int faltan = 0, hay = 0;
+            for (std::uint32_t id = 0; id < 10; ++id) {
+                Vec3 P;
+                if (!posicion(modo, id, t, P))
+                    continue;
+                const auto q = oraculo::proyecta(camaraParticulas(), ANCHO, ALTO, P);
+                const int r = 70;
+                for (int y = std::max(0, int(q.y) - r); y <= std::min(ALTO - 1, int(q.y) + r); ++y)
+                    for (int x = std::max(0, int(q.x) - r); x <= std::min(ANCHO - 1, int(q.x) + r); ++x)
+                        cerca[std::size_t(y * ANCHO + x)] = 1;
+                const double edad = edadDe(modo, id, t);
+                if (edad < 0.1 || edad > 0.8 || P.y < 0.6)
+                    continue;
+                ++hay;
+                faltan += es(pixel(im, int(q.x), int(q.y)), FONDO_OSCURO);
+            }
+            int sobran = 0;
+            for (int y = 250; y < ALTO; ++y) // por encima de la circunferencia del suelo
+                for (int x = 0; x < ANCHO; ++x)
+                    sobran += !cerca[std::size_t(y * ANCHO + x)] && !es(pixel(im, x, y), FONDO_OSCURO);
+            EXPECT_GE(hay, 3) << modo << " " << t;
+            EXPECT_EQ(faltan, 0) << modo << " " << t;
+            EXPECT_EQ(sobran, 0) << modo << " " << t;
+        }
+}
+
 // De 1 a un millón, y no más: la tecla no pasa de ahí (la imagen es la misma).
 TEST(Particulas, DeUnaAUnMillon) {
     const auto con = [](const std::string &teclas) {
@@ -405,6 +437,13 @@ TEST(Tiempo, ALas100HorasTodoSigueIgual) {
         EXPECT_GT(mueve, 500) << programa;
         EXPECT_EQ(a.rgb, c.rgb) << programa;
     }
+}
+
+// La tecla d adelanta una décima y la s, cinco.
+TEST(Tiempo, LaDecimaEsUnaQuintaParteDeMedioSegundo) {
+    EXPECT_EQ(ejecuta(MOSAICO, "tecla d; tecla d; tecla d; tecla d; tecla d").imagen.rgb,
+              ejecuta(MOSAICO, "tecla s").imagen.rgb);
+    EXPECT_FALSE(leeRotulo(ejecuta(MOSAICO, "tecla d; tecla s").imagen, "t = 0.60 s, nacen", OSCURO).empty());
 }
 
 TEST(Reloj, FaseYPausa) {

@@ -128,11 +128,27 @@ espera 0 'primer_programa: 1 imagen' $lab galeria
 [[ $(pngtopnm galeria/ch01_intro/shader_basico.png | head -c 11) == *'960 720'* ]] || mal 'shader_basico.png no se ha rehecho'
 
 # un caso con ANIMA tiene además un APNG con sus cuadros, que se rehace si falta o si cambia ANIMA
-cuadros() { # cuántos dice el trozo acTL, y cuántos fcTL hay
-  python3 -c 'import sys; d = open(sys.argv[1], "rb").read(); print(int.from_bytes(d[d.index(b"acTL") + 4:][:4], "big"), d.count(b"fcTL"))' \
-    galeria/ch01_intro/primer_programa_dos.anima.png
+cuadros() { # cuántos dice el trozo acTL y cuántos hay, cada uno de una décima y en su orden
+  python3 - galeria/ch01_intro/primer_programa_dos.anima.png <<'FIN'
+import struct, sys, zlib
+png, lugar, trozos = open(sys.argv[1], "rb").read(), 8, []
+while lugar < len(png):
+    largo, tipo = struct.unpack_from(">I4s", png, lugar)
+    datos = png[lugar + 8:lugar + 8 + largo]
+    assert struct.unpack_from(">I", png, lugar + 8 + largo)[0] == zlib.crc32(tipo + datos), tipo
+    trozos.append((tipo, datos))
+    lugar += 12 + largo
+ancho, alto = struct.unpack(">II", trozos[0][1][:8])
+orden = [struct.unpack(">I", d[:4])[0] for t, d in trozos if t in (b"fcTL", b"fdAT")]
+assert orden == list(range(len(orden))), orden
+controles = [struct.unpack(">IIIIIHHBB", d) for t, d in trozos if t == b"fcTL"]
+assert all(c[1:5] == (ancho, alto, 0, 0) and c[5] * 10 == c[6] for c in controles), controles
+filas = [zlib.decompress(d[4 * (t == b"fdAT"):]) for t, d in trozos if t in (b"IDAT", b"fdAT")]
+assert len({len(f) for f in filas}) == 1 and len(filas[0]) % alto == 0
+print(dict(trozos)[b"acTL"][3], len(controles), len(filas))
+FIN
 }
-[ "$(cuadros)" = '3 3' ] && [[ $(pngtopnm galeria/ch01_intro/primer_programa_dos.anima.png | head -c 11) == *'480 360'* ]] ||
+[ "$(cuadros)" = '3 3 3' ] && [[ $(pngtopnm galeria/ch01_intro/primer_programa_dos.anima.png | head -c 11) == *'480 360'* ]] ||
   mal 'primer_programa_dos.anima.png no son tres cuadros de 480×360'
 [ ! -e galeria/ch01_intro/primer_programa.anima.png ] || mal 'un caso sin ANIMA tiene APNG'
 grep -q 'srcset="ch01_intro/primer_programa_dos.anima.png" media="(prefers-reduced-motion: no-preference)"' galeria/index.html ||
@@ -141,7 +157,7 @@ rm galeria/ch01_intro/primer_programa_dos.anima.png
 espera 0 'primer_programa_dos: 1 imagen' $lab galeria
 sed -i 's/3 tecla a/4 tecla a/' ch01_intro/CMakeLists.txt
 espera 0 'primer_programa_dos: 1 imagen' $lab galeria
-[ "$(cuadros)" = '4 4' ] || mal 'al cambiar ANIMA no cambia el APNG'
+[ "$(cuadros)" = '4 4 4' ] || mal 'al cambiar ANIMA no cambia el APNG'
 sed -i 's/4 tecla a; espera 5/cuatro/' ch01_intro/CMakeLists.txt
 espera 1 'ANIMA es el número de cuadros' $lab galeria
 sed -i 's/cuatro/3 tecla a/' ch01_intro/CMakeLists.txt
