@@ -262,6 +262,7 @@ TEST(Temporizador, DisparosDeCadaUno) {
     EXPECT_EQ(marcas(""), (V{0, 0, 0}));
     EXPECT_EQ(marcas("espera 1000"), (V{4, 2, 1}));
     EXPECT_EQ(marcas("espera 2500"), (V{10, 6, 2}));
+    EXPECT_EQ(marcas("espera 4000"), (V{13, 8, 4})); // los tres últimos segundos: de 1 a 4, incluidos
     EXPECT_EQ(marcas("espera 1000; tecla Espacio; espera 3000"), (V{4, 2, 1}));
     EXPECT_EQ(marcas("espera 1100; tecla Espacio; espera 3330; tecla Espacio; espera 1400"), (V{10, 6, 2}));
 }
