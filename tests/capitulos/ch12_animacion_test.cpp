@@ -3,7 +3,7 @@
 #include "ch08_texturas_avanzadas/ruido.h"
 #include "colores.h"
 #include "ejecuta.h"
-#include "encima.h"
+#include "rotulos.h"
 #include "oraculo/oraculo.h"
 #include <cmath>
 #include <fstream>

@@ -4,7 +4,7 @@
 #include "ch12_animacion/reloj.h"
 #include "colores.h"
 #include "ejecuta.h"
-#include "encima.h"
+#include "rotulos.h"
 #include "oraculo/oraculo.h"
 #include <cmath>
 #include <cstdint>
