@@ -3,8 +3,8 @@
 #include "ch08_texturas_avanzadas/ruido.h"
 #include "colores.h"
 #include "ejecuta.h"
-#include "rotulos.h"
 #include "oraculo/oraculo.h"
+#include "rotulos.h"
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>

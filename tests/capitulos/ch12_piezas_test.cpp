@@ -4,8 +4,8 @@
 #include "ch12_animacion/reloj.h"
 #include "colores.h"
 #include "ejecuta.h"
-#include "rotulos.h"
 #include "oraculo/oraculo.h"
+#include "rotulos.h"
 #include <cmath>
 #include <cstdint>
 #include <gtest/gtest.h>
