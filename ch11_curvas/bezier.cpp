@@ -4,15 +4,16 @@
 #include "colores.h"
 #include "curvas.h"
 #include "editor.h"
+#include "escenas_curvas.h"
 #include "rotulo.h"
 #include "trazo.h"
 
-static const glm::vec3 COLOR_NIVEL[] = {GRIS, VERDE, NARANJA, ROJO}, COLOR_CASCO(0.88f, 0.91f, 0.96f);
+static const glm::vec3 COLOR_NIVEL[] = {GRIS, VERDE, NARANJA, ROJO},
+                       COLOR_CASCO = glm::mix(FONDO_CLARO, AZUL, 0.1f);
 static const float PASO_U = 0.05f;
 
 static struct {
-    std::vector<glm::vec3> P = {
-        {-1.02f, -0.68f, 0}, {-0.72f, 0.62f, 0}, {0.62f, 0.74f, 0}, {1.02f, -0.56f, 0}};
+    std::vector<glm::vec3> P = PUNTOS_BEZIER;
     float u = 0.4f;
 } estado;
 
@@ -37,16 +38,16 @@ static void dibuja() {
     for (std::size_t k = 0; k < 3; ++k)
         trazaPolilinea(niveles[k], vista(), COLOR_NIVEL[k], 0.8f * GROSOR);
     const float pixel = 2 / altoUtil(); // el alto de la vista son dos unidades
-    trazaPolilinea(
-        polilinea([](float u) { return bezier(estado.P, u); }, segmentosWang(estado.P, 0.1 * pixel)), vista(),
-        AZUL, 1.7f * GROSOR);
+    trazaPolilinea(polilineaBezier(estado.P, 0.1 * pixel), vista(), AZUL, 1.7f * GROSOR);
     for (std::size_t k = 1; k < 4; ++k)
         trazaPuntos(niveles[k], vista(), COLOR_NIVEL[k], (k == 3 ? 5 : 2.5f) * GROSOR);
     trazaPuntos(estado.P, vista(), OSCURO, 4 * GROSOR);
     for (std::size_t i = 0; i < 4; ++i)
-        rotulaPunto("P" + std::to_string(i + 1), estado.P[i], vista(), OSCURO,
+        rotulaPunto("P" + std::to_string(i + 1), estado.P[i], vista(), colorNombre(i),
                     i % 3 == 0 ? Lado::DEBAJO : Lado::ENCIMA);
-    rotulaPunto("Q(u)", niveles[3][0], vista(), ROJO, Lado::DEBAJO);
+    // hacia dentro de la curva, para no taparla
+    const glm::vec3 Q = niveles[3][0], dentro = 0.5f * (estado.P[0] + estado.P[3]);
+    rotulaPunto("Q(u)", glm::mix(Q, dentro, 0.16f), vista(), ROJO, Lado::CENTRO);
     char titulo[60];
     std::snprintf(titulo, sizeof titulo, "Curva de Bézier: u = %.2f", static_cast<double>(estado.u));
     ponTitulo(titulo);

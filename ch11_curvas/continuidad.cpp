@@ -1,7 +1,7 @@
 // La continuidad en la unión de dos tramos (§11.1.2, ejercicio 11.5): un coche los recorre con el parámetro u proporcional al
 // tiempo. Debajo, el módulo de su velocidad, |Q'|, y el de su aceleración, |Q''|: con C0 salta hasta la dirección; con G1, el módulo
 // de la velocidad; con C1, la aceleración; con C2, nada.
-// Controles: 1 C0 · 2 G1 · 3 C1 · 4 C2 · v los cuatro · t anda o para · Esc termina.
+// Controles: 1 C0 · 2 G1 · 3 C1 · 4 C2 · v los cuatro · t o espacio anda o para · Esc termina.
 #include "continuidad.h"
 #include "colores.h"
 #include "recuadro.h"
@@ -10,16 +10,13 @@
 #include "ventana.h"
 
 static const char *const NOMBRES[CONTINUIDADES] = {"C0", "G1", "C1", "C2"};
-static const int PERIODO = 4000,
-                 CADA = 16;     // milisegundos: lo que tarda el recorrido, y entre imagen e imagen
+static const int CADA = 16;     // milisegundos de una imagen a la siguiente
 static const int MUESTRAS = 48; // de cada tramo, para las gráficas
-static const float RAPIDEZ_MAXIMA = 4, ACELERACION_MAXIMA = 14,
-                   VELOCIDAD = 0.25f; // escalas de gráficas y flecha
 
 static struct {
     int elegido = C0;
     bool compara = true, anda = false;
-    int recorridos = 1900, desde = 0; // milisegundos andados y reloj al arrancar
+    int recorridos = AL_EMPEZAR, desde = 0; // milisegundos andados y reloj al arrancar
 } estado;
 
 static float parametro() {
@@ -50,7 +47,7 @@ static void dibujaPanel(const Recuadro &panel, Continuidad c) {
     const float u = parametro();
     trazaPolilinea({{-1.1f, -0.38f, 0}, {-1.1f, -0.95f, 0}, {1.1f, -0.95f, 0}}, vista, OSCURO, 0.6f * GROSOR);
     trazaSegmentos({{1.1f * (u - 1), -0.95f, 0}, {1.1f * (u - 1), -0.4f, 0}}, vista, GRIS, 0.6f * GROSOR);
-    dibujaGrafica(c, 2, ACELERACION_MAXIMA, NARANJA, vista);
+    dibujaGrafica(c, 2, ACELERACION_MAXIMA, ROJO, vista);
     dibujaGrafica(c, 1, RAPIDEZ_MAXIMA, VERDE, vista);
     const double tolerancia = 0.4 / std::max(panel.alto, 1);
     trazaPolilinea(polilineaCubica(Base::HERMITE, PRIMER_TRAMO, tolerancia), vista, AZUL, 1.7f * GROSOR);
@@ -63,10 +60,10 @@ static void dibujaPanel(const Recuadro &panel, Continuidad c) {
     std::vector<glm::vec3> coche = {Q + 0.10f * F, Q - 0.08f * F + 0.07f * L, Q - 0.08f * F - 0.07f * L};
     for (glm::vec3 &p : coche)
         p = vista * glm::vec4(p, 1);
-    pintaTriangulos(coche, ROJO);
+    pintaTriangulos(coche, NARANJA);
     rotulaPunto(NOMBRES[c], {-1.1f, 0.85f, 0}, vista, OSCURO, Lado::CENTRO, 1.3f * TALLA_ROTULO);
-    rotulaPunto("|Q'|", {0.85f, 0.88f, 0}, vista, VERDE, Lado::CENTRO);
-    rotulaPunto("|Q''|", {0.85f, 0.72f, 0}, vista, NARANJA, Lado::CENTRO);
+    rotulaPunto("|Q'|", {-0.88f, -0.25f, 0}, vista, VERDE, Lado::CENTRO);
+    rotulaPunto("|Q''|", {-0.18f, -0.25f, 0}, vista, ROJO, Lado::CENTRO);
 }
 
 static void dibuja() {

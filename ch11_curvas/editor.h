@@ -1,6 +1,7 @@
 // Editar con el ratón los puntos de un programa del capítulo: se coge el más cercano en la pantalla y se mueve paralelo a
 // ella. Con el teclado, n elige el siguiente y las flechas lo mueven.
 #pragma once
+#include "colores.h"
 #include "orbita.h"
 #include "ventana.h"
 #include <vector>
@@ -41,6 +42,11 @@ struct Editor {
 };
 
 inline Editor editor;
+
+/// El del nombre de un punto: el elegido, en rojo.
+inline glm::vec3 colorNombre(std::size_t i) {
+    return static_cast<int>(i) == editor.elegido ? ROJO : OSCURO;
+}
 
 inline glm::vec2 ratonNormalizado(int x, int y) {
     const float ancho = static_cast<float>(glutGet(GLUT_WINDOW_WIDTH)),

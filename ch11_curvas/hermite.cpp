@@ -7,17 +7,18 @@
 #include "colores.h"
 #include "curvas.h"
 #include "editor.h"
+#include "escenas_curvas.h"
 #include "rotulo.h"
 #include "trazo.h"
 
 static const float FACTOR_K = 1.25f, K_MINIMA = 0.2f, K_MAXIMA = 3;
 static const int PUNTOS_T = 16; // que se transforman de la curva
 
-enum { P1, P4, PUNTA1, PUNTA4, FIN, PUNTA_FIN }; // los puntos que se arrastran
+enum { P1, P4, PUNTA1, PUNTA4, FIN, PUNTA_FIN, NINGUNO }; // los puntos que se arrastran
+
 static struct {
-    std::vector<glm::vec3> puntos = {{-0.98f, -0.62f, 0}, {0.30f, 0.22f, 0}, {-0.72f, 0.72f, 0},
-                                     {1.00f, -0.66f, 0},  {1.75f, 0.55f, 0}, {1.95f, 1.0f, 0}};
-    float k = 0.5f; // lo que mide la tangente del segundo tramo, en veces R4
+    std::vector<glm::vec3> puntos = PUNTOS_HERMITE;
+    float k = K_HERMITE;
     bool segundo = false, transforma = false;
 } estado;
 
@@ -35,39 +36,47 @@ static Geometria<float> transformada(const glm::mat4 &T, const Geometria<float> 
     return {T * glm::vec4(G[0], 1), T * glm::vec4(G[1], 1), T * glm::vec4(G[2], 0), T * glm::vec4(G[3], 0)};
 }
 
+struct Nombre {
+    const char *texto;
+    std::size_t punto; // el que se arrastra
+};
+
 /// La curva con sus extremos, sus tangentes y sus nombres.
-static void dibujaTramo(const Geometria<float> &G, const glm::vec3 &color, const char *const nombres[4]) {
+static void dibujaTramo(const Geometria<float> &G, const glm::vec3 &color, const Nombre nombres[4],
+                        const glm::vec3 &color1 = VERDE, const glm::vec3 &color4 = NARANJA) {
+    // el nombre del final, al otro lado de su flecha
+    const glm::vec3 final = G[1] + glm::vec3(0, G[3].y < 0 ? 0.05f : -0.05f, 0);
     trazaPolilinea(polilineaCubica(Base::HERMITE, G, 0.2 / static_cast<double>(altoUtil())), vista(), color,
                    1.7f * GROSOR);
-    for (std::size_t i = 0; i < 2; ++i) {
-        trazaFlecha(G[i], G[i] + G[i + 2], vista(), i == 0 ? VERDE : NARANJA);
-        rotulaPunto(nombres[i + 2], G[i] + G[i + 2], vista(), OSCURO, Lado::DERECHA);
-    }
+    trazaFlecha(G[0], G[0] + G[2], vista(), color1);
+    trazaFlecha(G[1], G[1] + G[3], vista(), color4);
     trazaPuntos({G[0], G[1]}, vista(), OSCURO, 4 * GROSOR);
-    rotulaPunto(nombres[0], G[0], vista(), OSCURO, Lado::DEBAJO);
-    rotulaPunto(nombres[1], G[1], vista(), OSCURO, Lado::IZQUIERDA);
+    const glm::vec3 sitios[] = {G[0], final, G[0] + G[2], G[1] + G[3]};
+    for (std::size_t i = 0; i < 4; ++i)
+        rotulaPunto(nombres[i].texto, sitios[i], vista(), colorNombre(nombres[i].punto),
+                    i == 0 ? Lado::DEBAJO : Lado::DERECHA);
 }
 
 static void dibuja() {
-    static const char *const NOMBRES[] = {"P1", "P4", "R1", "R4"};
+    static const Nombre NOMBRES[] = {{"P1", P1}, {"P4", P4}, {"R1", PUNTA1}, {"R4", PUNTA4}},
+                        SEGUNDOS[] = {{"", P4}, {"P4'", FIN}, {"k·R4", NINGUNO}, {"R4'", PUNTA_FIN}},
+                        SIN_NOMBRE[] = {{"", P1}, {"", P4}, {"", PUNTA1}, {"", PUNTA4}};
     glClear(GL_COLOR_BUFFER_BIT);
     const Geometria<float> G = primero();
     std::string titulo = "Curva de Hermite";
     if (estado.segundo) {
-        static const char *const NOMBRES2[] = {"", "P4'", "k·R4", "R4'"};
         const auto &p = estado.puntos;
         char k[40];
         std::snprintf(k, sizeof k, ": dos tramos G1, k = %.2f", static_cast<double>(estado.k));
         titulo += k;
         dibujaTramo(G, AZUL, NOMBRES);
-        dibujaTramo({G[1], p[FIN], estado.k * G[3], p[PUNTA_FIN] - p[FIN]}, MORADO, NOMBRES2);
+        dibujaTramo({G[1], p[FIN], estado.k * G[3], p[PUNTA_FIN] - p[FIN]}, MORADO, SEGUNDOS);
     } else if (estado.transforma) {
-        const glm::mat4 T = traslacion({0.28f, 0.28f, 0}) * giroZ(-0.5f) * escalado({0.75f, 0.6f, 1});
+        const glm::mat4 T = traslacion(T_TRASLACION) * giroZ(T_GIRO) * escalado(T_ESCALADO);
         std::vector<glm::vec3> transformados;
         for (const glm::vec3 &p : polilinea([&](float u) { return cubica(Base::HERMITE, G, u); }, PUNTOS_T))
             transformados.push_back(T * glm::vec4(p, 1));
-        trazaPolilinea(polilineaCubica(Base::HERMITE, G, 0.2 / static_cast<double>(altoUtil())), vista(),
-                       GRIS);
+        dibujaTramo(G, GRIS, SIN_NOMBRE, GRIS, GRIS);
         dibujaTramo(transformada(T, G), AZUL, NOMBRES);
         trazaPuntos(transformados, vista(), ROJO);
         titulo += ": transformar las restricciones o los puntos";
@@ -85,17 +94,26 @@ static void alMover(std::size_t i, const glm::vec3 &cuanto) {
         estado.puntos[PUNTA_FIN] += cuanto;
 }
 
+/// Con el segundo tramo hay dos puntos más que arrastrar.
+static void ponSegundo(bool si) {
+    estado.segundo = si;
+    estado.puntos.resize(FIN);
+    if (si)
+        estado.puntos.insert(estado.puntos.end(), SEGUNDO_HERMITE.begin(), SEGUNDO_HERMITE.end());
+    editor.elegido = -1;
+}
+
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla) || teclaEditor(tecla))
         return;
     switch (tecla) {
     case 'g':
-        estado.segundo = !estado.segundo;
+        ponSegundo(!estado.segundo);
         estado.transforma = false;
         break;
     case 't':
         estado.transforma = !estado.transforma;
-        estado.segundo = false;
+        ponSegundo(false);
         break;
     case '+':
     case '-':
