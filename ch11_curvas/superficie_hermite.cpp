@@ -17,34 +17,38 @@ static struct {
     bool segundo = false;
 } estado;
 
-/// La superficie, y en las esquinas de sus filas desde `fila` las tangentes en u y en v.
-static void dibujaTrozo(const Geometria2<float> &G, const Material &material, const Segmentos &n,
-                        std::size_t fila) {
-    dibujaLamina(mallaSuperficie(Base::HERMITE, G, n), material);
+/// En las esquinas de las filas desde `fila`, las tangentes en u y en v.
+static void dibujaTangentes(const Geometria2<float> &G, std::size_t fila) {
     for (std::size_t i = fila; i < 2; ++i)
         for (std::size_t j = 0; j < 2; ++j) {
-            trazaFlecha(G[i][j], G[i][j] + LARGO_FLECHA * G[i + 2][j], vistaLamina(), VERDE, 0.9f * GROSOR);
-            trazaFlecha(G[i][j], G[i][j] + LARGO_FLECHA * G[i][j + 2], vistaLamina(), NARANJA, 0.9f * GROSOR);
+            trazaFlecha(G[i][j], G[i][j] + LARGO_FLECHA * G[i + 2][j], vistaLamina(), VERDE);
+            trazaFlecha(G[i][j], G[i][j] + LARGO_FLECHA * G[i][j + 2], vistaLamina(), ROJO);
             trazaPuntos({G[i][j]}, vistaLamina(), OSCURO);
         }
 }
 
 static void dibuja() {
     static const char *const NOMBRES[] = {"g11", "g12", "g21", "g22"};
-    orbitaLamina.centro = {estado.segundo ? 1.25f : 0.0f, 0, 0};
+    static const Lado LADOS[] = {Lado::DEBAJO, Lado::IZQUIERDA, Lado::IZQUIERDA, Lado::ENCIMA};
+    orbitaLamina.centro = estado.segundo ? glm::vec3(1.25f, 0.1f, 0) : glm::vec3(0, -0.1f, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const Geometria2<float> G = primerTrozo(estado.esquinas), G2 = segundoTrozo(estado.esquinas, estado.k);
-    Segmentos n = segmentosSuperficie(Base::HERMITE, G, 0.5 * pixelLamina());
-    const Segmentos n2 = segmentosSuperficie(Base::HERMITE, G2, 0.5 * pixelLamina());
+    Segmentos n = segmentosLamina(Base::HERMITE, G, 0.5);
+    const Segmentos n2 = segmentosLamina(Base::HERMITE, G2, 0.5);
     n = {std::max(n.u, n2.u), std::max(n.v, n2.v)}; // los mismos, para que casen en la unión
-    dibujaTrozo(G, LAMINA_AZUL, n, 0);
+    dibujaLamina(mallaSuperficie(Base::HERMITE, G, n), LAMINA_AZUL);
     if (estado.segundo) {
-        dibujaTrozo(G2, LAMINA_NARANJA, n, 1);
-        trazaPolilinea(polilineaCubica(Base::HERMITE, G[1], 0.2 * pixelLamina()), vistaLamina(), ROJO);
+        dibujaLamina(mallaSuperficie(Base::HERMITE, G2, n), LAMINA_NARANJA);
+        trazaPolilinea(polilinea([&](float v) { return cubica(Base::HERMITE, G[1], v); }, n.v), vistaLamina(),
+                       BLANCO);
     }
+    glDisable(GL_DEPTH_TEST); // las flechas, enteras, también por detrás de la superficie
+    dibujaTangentes(G, 0);
+    if (estado.segundo)
+        dibujaTangentes(G2, 1);
+    glEnable(GL_DEPTH_TEST);
     for (std::size_t i = 0; i < 4; ++i)
-        rotulaPunto(NOMBRES[i], estado.esquinas[i], vistaLamina(), OSCURO,
-                    i % 2 ? Lado::ENCIMA : Lado::DEBAJO);
+        rotulaPunto(NOMBRES[i], estado.esquinas[i], vistaLamina(), OSCURO, LADOS[i]);
     char titulo[80] = "Superficie de Hermite";
     if (estado.segundo)
         std::snprintf(titulo, sizeof titulo, "Superficie de Hermite: dos trozos G1, k = %.2f",
@@ -58,7 +62,7 @@ static void teclado(unsigned char tecla, int, int) {
         return;
     if (tecla == 'u') {
         estado.segundo = !estado.segundo;
-        orbitaLamina.distancia *= estado.segundo ? 1.45f : 1 / 1.45f;
+        orbitaLamina.distancia *= estado.segundo ? 1.3f : 1 / 1.3f;
     } else if (tecla == '+' || tecla == '-')
         estado.k = glm::clamp(estado.k * (tecla == '+' ? FACTOR_K : 1 / FACTOR_K), K_MINIMA, K_MAXIMA);
     glutPostRedisplay();
@@ -66,7 +70,7 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Superficie de Hermite", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
-    iniciaLamina();
+    iniciaLamina({0.45f, 0.6f, 8.4f});
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     editaConRaton({&estado.esquinas, vistaLamina}, &orbitaLamina);
