@@ -7,7 +7,7 @@
 
 const Material LAMINA_AZUL = {{0.14f, 0.23f, 0.38f}, {0.18f, 0.37f, 0.60f}, {0.30f, 0.30f, 0.30f}, 40},
                LAMINA_NARANJA = {{0.40f, 0.22f, 0.07f}, {0.58f, 0.33f, 0.10f}, {0.30f, 0.30f, 0.30f}, 40};
-const Luz LUZ_LAMINA{{-0.6f, 0.85f, 0.3f, 0}};
+const glm::vec4 LUZ_LAMINA = {-0.6f, 0.85f, 0.3f, 0};
 const float ANGULO_LAMINA = 0.5f, CERCA_LAMINA = 1, LEJOS_LAMINA = 100;
 
 inline GLuint programaLamina;
@@ -43,26 +43,24 @@ inline void iniciaLamina(const Orbita &orbita) {
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
-/// Dibuja la malla por las dos caras: por detrás, con la normal opuesta.
+/// Dibuja la malla por las dos caras. La de detrás tiene la normal opuesta y otra luz, la opuesta: así ninguna queda a oscuras.
 inline void dibujaLamina(Malla malla, const Material &material) {
-    const std::size_t vertices = malla.vertices.size(), indices = malla.indices.size();
-    for (std::size_t i = 0; i < vertices; ++i) {
-        malla.vertices.push_back(malla.vertices[i]);
-        malla.vertices.back().normal *= -1.0f;
-    }
-    for (std::size_t i = 0; i < indices; ++i) // al revés, el triángulo gira en el otro sentido
-        malla.indices.push_back(malla.indices[indices - 1 - i] + static_cast<GLuint>(vertices));
     const glm::mat4 camara = camaraOrbita(orbitaLamina);
     glUseProgram(programaLamina);
     envia(programaLamina, "proyeccion", proyeccionLamina());
     envia(programaLamina, "camara", camara);
     envia(programaLamina, "La", glm::vec3(1));
-    enviaLuz(programaLamina, "luz", LUZ_LAMINA, camara);
-    const Buferes buferes = creaBuferes(malla);
-    dibujaObjeto(programaLamina, buferes, glm::mat4(1), camara, material);
-    glDeleteVertexArrays(1, &buferes.vao);
-    glDeleteBuffers(1, &buferes.vertices);
-    glDeleteBuffers(1, &buferes.indices);
+    for (const float cara : {-1.0f, 1.0f}) {
+        for (Vertice &v : malla.vertices)
+            v.normal *= -1;
+        enviaLuz(programaLamina, "luz", Luz{cara * LUZ_LAMINA}, camara);
+        glCullFace(cara < 0 ? GL_FRONT : GL_BACK);
+        const Buferes buferes = creaBuferes(malla);
+        dibujaObjeto(programaLamina, buferes, glm::mat4(1), camara, material);
+        glDeleteVertexArrays(1, &buferes.vao);
+        glDeleteBuffers(1, &buferes.vertices);
+        glDeleteBuffers(1, &buferes.indices);
+    }
 }
 
 /// Los segmentos de la red de control de n×n puntos, dados por filas.
