@@ -23,6 +23,9 @@ static void dibuja() {
     const Geometria2<float> G = geometriaDeRed(estado.P, 4);
     const Malla malla = mallaSuperficie(Base::BEZIER, G, segmentosLamina(Base::BEZIER, G, estado.tolerancia));
     dibujaLamina(malla, LAMINA_AZUL);
+    char texto[60];
+    std::snprintf(texto, sizeof texto, "hasta %g px: %zu triángulos", estado.tolerancia,
+                  malla.indices.size() / 3);
     if (estado.malla) {
         std::vector<glm::vec3> lados;
         for (std::size_t i = 0; i < malla.indices.size(); i += 3)
@@ -30,6 +33,7 @@ static void dibuja() {
                 for (const std::size_t extremo : {k, (k + 1) % 3})
                     lados.push_back(malla.vertices[malla.indices[i + extremo]].posicion);
         trazaSegmentos(lados, vistaLamina(), BLANCO, 0.5f * GROSOR);
+        rotula(texto, {0.5f, 0.06f}, OSCURO);
     } else {
         glDisable(GL_DEPTH_TEST); // la red, entera, también por detrás de la superficie
         trazaSegmentos(redDeControl(estado.P, 4), vistaLamina(), GRIS, 0.7f * GROSOR);
@@ -40,10 +44,7 @@ static void dibuja() {
                 rotulaPunto("P" + std::to_string(k / 4) + std::to_string(k % 4), estado.P[k], vistaLamina(),
                             OSCURO, k == 0 || k == 12 ? Lado::DEBAJO : Lado::ENCIMA);
     }
-    char titulo[80];
-    std::snprintf(titulo, sizeof titulo, "Superficie de Bézier: hasta %g px, %zu triángulos",
-                  estado.tolerancia, malla.indices.size() / 3);
-    ponTitulo(titulo);
+    ponTitulo("Superficie de Bézier: " + std::string(texto));
     glutSwapBuffers();
 }
 

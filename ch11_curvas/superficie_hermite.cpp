@@ -49,11 +49,11 @@ static void dibuja() {
     glEnable(GL_DEPTH_TEST);
     for (std::size_t i = 0; i < 4; ++i)
         rotulaPunto(NOMBRES[i], estado.esquinas[i], vistaLamina(), OSCURO, LADOS[i]);
-    char titulo[80] = "Superficie de Hermite";
+    char texto[40] = "";
     if (estado.segundo)
-        std::snprintf(titulo, sizeof titulo, "Superficie de Hermite: dos trozos G1, k = %.2f",
-                      static_cast<double>(estado.k));
-    ponTitulo(titulo);
+        std::snprintf(texto, sizeof texto, "G1 con k = %.2f", static_cast<double>(estado.k));
+    rotula(texto, {0.5f, 0.08f}, OSCURO);
+    ponTitulo("Superficie de Hermite " + std::string(texto));
     glutSwapBuffers();
 }
 
