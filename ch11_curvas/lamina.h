@@ -5,10 +5,11 @@
 #include "editor.h"
 #include "superficies.h"
 
-const Material LAMINA_AZUL = {{0.14f, 0.23f, 0.38f}, {0.18f, 0.37f, 0.60f}, {0.30f, 0.30f, 0.30f}, 40},
-               LAMINA_NARANJA = {{0.40f, 0.22f, 0.07f}, {0.58f, 0.33f, 0.10f}, {0.30f, 0.30f, 0.30f}, 40};
+const Material LAMINA_AZUL = {{0.14f, 0.23f, 0.38f}, {0.18f, 0.37f, 0.60f}, {0.30f, 0.30f, 0.30f}, 30},
+               LAMINA_NARANJA = {{0.40f, 0.22f, 0.07f}, {0.58f, 0.33f, 0.10f}, {0.30f, 0.30f, 0.30f}, 30};
 const glm::vec4 LUZ_LAMINA = {-0.6f, 0.85f, 0.3f, 0};
 const float ANGULO_LAMINA = 0.5f, CERCA_LAMINA = 1, LEJOS_LAMINA = 100;
+const double TOLERANCIA_LAMINA = 0.2; // píxeles; con menos triángulos se notaría en los brillos
 
 inline GLuint programaLamina;
 inline Orbita orbitaLamina;

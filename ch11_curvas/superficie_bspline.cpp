@@ -36,7 +36,7 @@ static void dibuja() {
                 haz(geometriaDeRed(estado.P, LADO, i, j), (i + j) % 2 == 0 ? LAMINA_AZUL : LAMINA_NARANJA);
     };
     trozos([&](const Geometria2<float> &G, const Material &) {
-        const Segmentos s = segmentosLamina(Base::BSPLINE, G, 0.5);
+        const Segmentos s = segmentosLamina(Base::BSPLINE, G, TOLERANCIA_LAMINA);
         n = {std::max(n.u, s.u), std::max(n.v, s.v)};
     });
     trozos([&](const Geometria2<float> &G, const Material &material) {

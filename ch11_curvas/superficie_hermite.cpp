@@ -33,9 +33,11 @@ static void dibuja() {
     orbitaLamina.centro = estado.segundo ? glm::vec3(1.25f, 0.1f, 0) : glm::vec3(0, -0.1f, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const Geometria2<float> G = primerTrozo(estado.esquinas), G2 = segundoTrozo(estado.esquinas, estado.k);
-    Segmentos n = segmentosLamina(Base::HERMITE, G, 0.5);
-    const Segmentos n2 = segmentosLamina(Base::HERMITE, G2, 0.5);
-    n = {std::max(n.u, n2.u), std::max(n.v, n2.v)}; // los mismos, para que casen en la unión
+    Segmentos n = segmentosLamina(Base::HERMITE, G, TOLERANCIA_LAMINA);
+    if (estado.segundo) { // los mismos en los dos, para que casen en la unión
+        const Segmentos n2 = segmentosLamina(Base::HERMITE, G2, TOLERANCIA_LAMINA);
+        n = {std::max(n.u, n2.u), std::max(n.v, n2.v)};
+    }
     dibujaLamina(mallaSuperficie(Base::HERMITE, G, n), LAMINA_AZUL);
     if (estado.segundo) {
         dibujaLamina(mallaSuperficie(Base::HERMITE, G2, n), LAMINA_NARANJA);
