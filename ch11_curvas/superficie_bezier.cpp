@@ -33,7 +33,7 @@ static void dibuja() {
                 for (const std::size_t extremo : {k, (k + 1) % 3})
                     lados.push_back(malla.vertices[malla.indices[i + extremo]].posicion);
         trazaSegmentos(lados, vistaLamina(), BLANCO, 0.5f * GROSOR);
-        rotula(texto, {0.5f, 0.06f}, OSCURO);
+        rotula(texto, {0.5f, 0.94f}, OSCURO);
     } else {
         glDisable(GL_DEPTH_TEST); // la red, entera, también por detrás de la superficie
         trazaSegmentos(redDeControl(estado.P, 4), vistaLamina(), GRIS, 0.7f * GROSOR);

@@ -946,7 +946,7 @@ TEST(SuperficieBezier, LaMallaSonLosLadosDeLosTriangulos) {
         cerca = std::min(cerca, -oraculo::enCamara(CAMARA_BEZIER, p).z);
     const Segmentos n = segmentosSuperficie(Base::BEZIER, G, 16 * 2 * std::tan(0.25) * cerca / ALTO);
     EXPECT_TRUE(imagen.rotulo("hasta 16 px: " + std::to_string(2 * n.u * n.v) + " triángulos", OSCURO,
-                              ANCHO / 2, 0.06 * ALTO));
+                              ANCHO / 2, 0.94 * ALTO));
     const auto punto = [&](int i, int j) {
         const R3<double> p =
             exacta(Base::BEZIER, redDe(P, 4), static_cast<double>(i) / n.u, static_cast<double>(j) / n.v);
