@@ -4,6 +4,9 @@
 #include "colores.h"
 #include "editor.h"
 #include "superficies.h"
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
 const Material LAMINA_AZUL = {{0.14f, 0.23f, 0.38f}, {0.18f, 0.37f, 0.60f}, {0.30f, 0.30f, 0.30f}, 30},
                LAMINA_NARANJA = {{0.40f, 0.22f, 0.07f}, {0.58f, 0.33f, 0.10f}, {0.30f, 0.30f, 0.30f}, 30};

@@ -5,6 +5,8 @@
 #include "lamina.h"
 #include "rotulo.h"
 #include "trazo.h"
+#include <cstdio>
+#include <string>
 
 static const double TOLERANCIA_MINIMA = 0.125, TOLERANCIA_MAXIMA = 64;
 

@@ -4,6 +4,9 @@
 #include "lamina.h"
 #include "rotulo.h"
 #include "trazo.h"
+#include <algorithm>
+#include <cmath>
+#include <string>
 
 static const std::size_t LADO = 6; // puntos de control de un lado de la red
 

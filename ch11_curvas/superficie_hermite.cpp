@@ -7,6 +7,9 @@
 #include "lamina.h"
 #include "rotulo.h"
 #include "trazo.h"
+#include <algorithm>
+#include <cstdio>
+#include <string>
 
 static const float LARGO_FLECHA = 1 / 3.0f; // de una tangente: así acaba en el punto de control de Bézier
 static const float FACTOR_K = 1.25f, K_MINIMA = 0.2f, K_MAXIMA = 3;

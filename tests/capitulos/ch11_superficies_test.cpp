@@ -325,7 +325,7 @@ TEST(Superficies, BezierNoSaleDelCascoConvexo) {
 }
 
 // Los trozos vecinos de una red de 5 × 5, en u y en v: el punto y las derivadas primera y segunda casan, y la tercera no. También
-// con puntos duplicados, aunque el libro diga que no (§11.8): lo que se pierde es la tangente.
+// con puntos duplicados, aunque el libro diga que no (§11.8): lo que se pierde es la tangente…
 TEST(Superficies, BSplineC2EntreTrozos) {
     std::mt19937 azar(4);
     for (const bool duplicados : {false, true}) {
@@ -360,6 +360,27 @@ TEST(Superficies, BSplineC2EntreTrozos) {
             EXPECT_GT(std::fabs(a[0] - b[0]) + std::fabs(a[1] - b[1]) + std::fabs(a[2] - b[2]), 0.01);
         }
     }
+}
+
+// … como con una fila repetida tres veces: Q_u se anula en todo un borde.
+TEST(Superficies, BSplineConFilasRepetidasPierdeLaTangente) {
+    Geometria2<double> G = loma();
+    G[1] = G[2] = G[0];
+    for (int i = 0; i <= 8; ++i)
+        EXPECT_EQ(superficie(Base::BSPLINE, G, 0.0, i / 8.0, 1, 0), glm::dvec3(0));
+}
+
+// Por qué la tetera no usa esta suma: con la red al revés cambia el redondeo, y sus parches comparten lados que recorren al revés.
+TEST(Superficies, AlRevesNoDaLosMismosBits) {
+    int distintos = 0;
+    for (unsigned semilla = 1; semilla <= 20; ++semilla) {
+        const Geometria2<double> G = alAzar(semilla);
+        const Geometria2<double> alReves = {G[3], G[2], G[1], G[0]};
+        for (int k = 0; k <= 8; ++k)
+            distintos += superficie(Base::BEZIER, G, k / 8.0, 0.0) !=
+                         superficie(Base::BEZIER, alReves, 1 - k / 8.0, 0.0);
+    }
+    EXPECT_GT(distintos, 0);
 }
 
 // §11.7: que los puntos de los dos lados del borde estén alineados con los del borde no basta para G1: la proporción ha de ser la misma
