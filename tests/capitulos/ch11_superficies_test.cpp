@@ -367,14 +367,16 @@ TEST(Superficies, BSplineConFilasRepetidasPierdeLaTangente) {
     Geometria2<double> G = loma();
     G[1] = G[2] = G[0];
     for (int i = 0; i <= 8; ++i)
-        EXPECT_EQ(superficie(Base::BSPLINE, G, 0.0, i / 8.0, 1, 0), glm::dvec3(0));
+        EXPECT_LT(glm::length(superficie(Base::BSPLINE, G, 0.0, i / 8.0, 1, 0)), 1e-15);
 }
 
 // Por qué la tetera no usa esta suma: con la red al revés cambia el redondeo, y sus parches comparten lados que recorren al revés.
 TEST(Superficies, AlRevesNoDaLosMismosBits) {
     int distintos = 0;
     for (unsigned semilla = 1; semilla <= 20; ++semilla) {
-        const Geometria2<double> G = alAzar(semilla);
+        Geometria2<double> G = alAzar(semilla);
+        for (std::size_t i = 0; i < 4; ++i)
+            G[i][0] /= 3.0;
         const Geometria2<double> alReves = {G[3], G[2], G[1], G[0]};
         for (int k = 0; k <= 8; ++k)
             distintos += superficie(Base::BEZIER, G, k / 8.0, 0.0) !=
