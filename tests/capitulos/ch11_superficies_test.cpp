@@ -630,6 +630,22 @@ TEST(Triangulos, SoloDondeHayCurva) {
     }
 }
 
+// En un paraboloide la segunda derivada es la misma en todas partes y la cota se alcanza: no sobra un segmento.
+TEST(Triangulos, EnUnParaboloideLaCotaEsExacta) {
+    Geometria2<float> G;
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < 4; ++j) {
+            const float x = static_cast<float>(i), z = static_cast<float>(j);
+            G[i][j] = {x, x * x + z * z, -z};
+        }
+    for (const double tolerancia : {0.01, 0.001}) {
+        const Segmentos n = segmentosSuperficie(Base::BEZIER, G, tolerancia);
+        const double error = mayorSeparacion(Base::BEZIER, G, mallaSuperficie(Base::BEZIER, G, n), enElMundo);
+        EXPECT_LE(error, tolerancia + 1e-6); // el redondeo de los vértices
+        EXPECT_GT(error, 0.85 * tolerancia);
+    }
+}
+
 TEST(Triangulos, GiranComoSuNormalYLlevanSusCoordenadas) {
     const Geometria2<float> G = convierte<float>(loma());
     const Malla malla = mallaSuperficie(Base::BEZIER, G, {5, 3});
