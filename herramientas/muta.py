@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""muta.py RAÍZ CARPETA [--comprueba | PROGRAMA|CAPÍTULO|FICHERO]: defectos plantados, para saber si las pruebas los notan.
+"""muta.py RAÍZ CARPETA [--comprueba | QUÉ…]: defectos plantados, para saber si las pruebas los notan.
 
 Cada línea de tests/mutantes/*.tsv es un mutante: fichero, texto (que está una sola vez en él), texto estropeado, qué imita y, si
 no lo puede notar nadie, por qué. Con «…» dentro del texto, el resto solo sirve para encontrarlo y se cambia lo que va entre ellas.
@@ -44,6 +44,11 @@ class Mutante:
     @property
     def nombre(self):
         return f"{self.lista}:{self.linea}"
+
+    def es_de(self, pedido):
+        """Si es lo que se pide: su lista, él, su fichero, su carpeta o el programa por el que empieza el nombre de su fichero."""
+        fichero = Path(self.fichero)
+        return pedido in (self.lista, self.nombre, self.fichero, fichero.parts[0]) or fichero.stem.startswith(pedido)
 
     def sitio(self, fuente):
         """Dónde empieza y acaba en ese fuente lo que se cambia."""
@@ -208,10 +213,11 @@ class Taller:
         for fichero in fuentes:
             nuevos[fichero] = cambia(nuevos[fichero].decode(), grupos[fichero]).encode()
         rutas, sin_raices = nuevos["common/rutas.cpp"].decode(), "std::vector<fs::path> raices;"
-        assert sin_raices in rutas
+        if sin_raices not in rutas:
+            sys.exit(f"muta: en common/rutas.cpp ya no está «{sin_raices}», donde se pone la carpeta del mutante")
         nuevos["common/rutas.cpp"] = rutas.replace(
             sin_raices, "std::vector<fs::path> raices{raizMutante(LAB_GENERADO, relativa)};").encode()
-        for relativo in nuevos: # una prueba puede incluir un fuente dentro de un namespace
+        for relativo in nuevos:  # una prueba puede incluir un fuente dentro de un namespace
             if relativo in {*fuentes, "common/rutas.cpp"} or re.match("tests/.*_test.cpp", relativo):
                 nuevos[relativo] = b'#include "tests/mutantes/mutante.h"\n' + nuevos[relativo]
         for viejo in self.copia.rglob("*"):
@@ -231,7 +237,7 @@ class Taller:
                 destino.write_text(estropea(nuevos[m.fichero].decode(), m))
 
     def compila(self, capitulos):
-        """Las pruebas de esos capítulos, o todas, y los programas sin ventana. Con -O1 se compila en la mitad de tiempo y las imágenes son las mismas."""
+        """Las pruebas de esos capítulos, o todas, y los programas sin ventana. Con -O1, que da las mismas imágenes y tarda la mitad."""
         opciones = [f"-DCMAKE_CXX_FLAGS_RELEASE=-O1 -w -I{self.copia}", "-DLAB_AVISOS_SON_ERRORES=OFF"]
         if shutil.which("ccache"):
             opciones.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
@@ -255,7 +261,7 @@ class Taller:
     def enumera(self, capitulos):
         """Cada TEST y cada caso de esos capítulos, o todos, que son lo que se ejecuta."""
         pruebas = []
-        for ejecutable in sorted((self.build / "tests").glob("*_test")):
+        for ejecutable in sorted(self.build / "tests" / f.stem for f in self.copia.glob("tests/*/*_test.cpp")):
             if capitulos and capitulo(ejecutable.name) not in capitulos:
                 continue
             lista = subprocess.run([ejecutable, "--gtest_list_tests"], text=True, stdout=subprocess.PIPE, check=True).stdout
@@ -325,19 +331,22 @@ def resume(mutantes):
 
 def main():
     raiz, carpeta = (Path(p).resolve() for p in sys.argv[1:3])
-    pedido = sys.argv[3] if len(sys.argv) > 3 else ""
+    pedidos = sys.argv[3:]
     todos, fallos = lee(raiz)
     fallos = comprueba(raiz, todos, fallos)
     if fallos:
         sys.exit("\n".join([*fallos, "muta: la lista de mutantes tiene errores"]))
-    if pedido == "--comprueba":
+    if pedidos == ["--comprueba"]:
         return print(f"{len(todos)} mutantes, y todos se pueden plantar")
-    elegidos = [m for m in todos if not pedido or pedido in (m.lista, m.nombre, m.fichero, Path(m.fichero).parts[0]) or
-                Path(m.fichero).stem.startswith(pedido)]
-    if not elegidos:
-        sys.exit(f"muta: no hay ningún mutante en «{pedido}»; vale un capítulo (ch05), un programa, un fichero o {todos[0].nombre}")
+    for pedido in pedidos:
+        if not any(m.es_de(pedido) for m in todos):
+            sys.exit(f"muta: no hay ningún mutante en «{pedido}»; vale un capítulo (ch05), un programa, un fichero o {todos[0].nombre}")
+    elegidos = [m for m in todos if not pedidos or any(m.es_de(pedido) for pedido in pedidos)]
     taller = Taller(raiz, carpeta, todos)
-    capitulos = {capitulo(m.fichero) for m in elegidos} if pedido else set()  # de lo que se pide, solo sus pruebas
+    # de un capítulo que se pide, solo sus pruebas; lo de common/ lo usan todos
+    capitulos = {capitulo(m.fichero) for m in elegidos} if pedidos else set()
+    if "comun" in capitulos:
+        capitulos.clear()
     taller.copia_arbol()
     taller.compila(capitulos)
     pruebas = taller.enumera(capitulos)

@@ -39,8 +39,7 @@ espera 1 'no hay ningún programa «gura»; los más parecidos: grua' "$lab" ver
 espera 1 'no hay ningún programa «E99.9»' "$lab" ver E99.9
 espera 1 'di qué casos' "$lab" dora
 espera 1 '«grua-volando» no es un caso de grua' "$lab" dora grua-volando
-espera 1 'no entiendo «sobra»' "$lab" muta ch05 sobra
-espera 1 'no hay ningún mutante en «gura»' "$lab" muta gura
+espera 1 'no hay ningún mutante en «gura»' "$lab" muta ch05 gura
 
 for nombre in grua E3.5 f3.3; do
   rm -f grua.png
