@@ -62,6 +62,11 @@ Imagen diferencia(const Imagen &a, const Imagen &b) {
 
 } // namespace
 
+void Medidor::yaMedida(const std::string &nombre, double error, std::vector<double> tiempos, const std::string &nota) {
+    std::sort(tiempos.begin(), tiempos.end());
+    medidas.push_back({nombre, tiempos[tiempos.size() / 2], tiempos.front(), tiempos.back(), error, CUALQUIERA, nota});
+}
+
 void Medidor::variante(const std::string &nombre, double error, double unidades,
                        const std::function<void()> &trabajo, const Rango &espera, const std::string &nota,
                        const Imagen &imagen) {
@@ -78,9 +83,10 @@ void Medidor::variante(const std::string &nombre, double error, double unidades,
         prueba->MinTime(0.02)->Repetitions(9);
     benchmark::RunSpecifiedBenchmarks(&tiempos);
     benchmark::ClearRegisteredBenchmarks();
-    std::sort(tiempos.ns.begin(), tiempos.ns.end());
-    medidas.push_back({nombre, tiempos.ns[tiempos.ns.size() / 2] / unidades, tiempos.ns.front() / unidades,
-                       tiempos.ns.back() / unidades, error, espera, nota});
+    for (double &t : tiempos.ns)
+        t /= ns * unidades;
+    yaMedida(nombre, error, tiempos.ns, nota);
+    medidas.back().espera = espera;
     if (imagen.rgb.empty())
         return;
     const std::string base = prefijo + "-" + std::to_string(medidas.size());
@@ -95,16 +101,14 @@ using namespace mide;
 
 static int corre(const Tecnica &t, bool ensayo, const std::string &carpeta) {
     const std::string base = carpeta + "/" + t.nombre;
-    Medidor medidor(ensayo, base);
+    Medidor medidor(ensayo, nanosegundos(t.tiempo), base);
     t.mide(medidor);
     FILE *f = std::fopen((base + ".tsv").c_str(), "w");
     if (!f)
         falla("no puedo escribir «" + base + ".tsv»");
-    const double ns = nanosegundos(t.tiempo);
     int mal = 0;
     for (const Medida &v : medidor.hechas()) {
-        std::fprintf(f, "%s\t%.6g\t%.6g\t%.6g\t%.6g\t%s\n", v.variante.c_str(), v.mediana / ns, v.minimo / ns,
-                     v.maximo / ns, v.error, v.nota.empty() ? "-" : v.nota.c_str());
+        std::fprintf(f, "%s\t%.6g\t%.6g\t%.6g\t%.6g\t%s\n", v.variante.c_str(), v.mediana, v.minimo, v.maximo, v.error, v.nota.empty() ? "-" : v.nota.c_str());
         if (v.error >= v.espera.minimo && v.error <= v.espera.maximo)
             continue;
         std::fprintf(stderr, "mide: %s, %s: el error es %g y debía estar entre %g y %g\n", t.nombre,

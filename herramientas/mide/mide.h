@@ -4,6 +4,7 @@
 #include "imagen.h"
 #include <benchmark/benchmark.h>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 #include <string>
@@ -30,9 +31,11 @@ struct Medida {
 class Medidor {
 public:
     const bool ensayo; // tallas diminutas y una sola vuelta: solo se comprueba que todo funciona
+    const bool pares;  // comparar también con otros programas (LAB_PARES=1)
     Imagen referencia; // con ella y la imagen de una variante se hace la de su diferencia
 
-    Medidor(bool esEnsayo, std::string elPrefijo) : ensayo(esEnsayo), prefijo(std::move(elPrefijo)) {
+    Medidor(bool esEnsayo, double losNs, std::string elPrefijo)
+        : ensayo(esEnsayo), pares(std::getenv("LAB_PARES") != nullptr), ns(losNs), prefijo(std::move(elPrefijo)) {
     }
     /// De lo que se haga en el ensayo y de lo que se haga al medir.
     template<class T>
@@ -43,11 +46,14 @@ public:
     void variante(const std::string &nombre, double error, double unidades,
                   const std::function<void()> &trabajo, const Rango &espera = CUALQUIERA,
                   const std::string &nota = "", const Imagen &imagen = {});
+    /// Lo mismo, con los tiempos ya tomados, en la unidad de la técnica.
+    void yaMedida(const std::string &nombre, double error, std::vector<double> tiempos, const std::string &nota);
     const std::vector<Medida> &hechas() const {
         return medidas;
     }
 
 private:
+    double ns;           // los de una unidad de tiempo
     std::string prefijo; // de los ficheros que deja
     std::vector<Medida> medidas;
 };
