@@ -69,7 +69,7 @@ static void parImageMagick(Medidor &m, const Imagen &foto, const Filtro &f, cons
                       sale = (std::filesystem::temp_directory_path() / "mide_sale.ppm").string();
     std::string nucleo = std::to_string(f.talla) + "x" + std::to_string(f.talla) + ":";
     for (const float v : f.valores)
-        nucleo += std::to_string(v) + ",";
+        nucleo += (nucleo.back() == ':' ? "" : ",") + std::to_string(v);
     guardaPpm(entra, foto);
     const auto ejecuta = [&](int veces) {
         const auto antes = std::chrono::steady_clock::now();
