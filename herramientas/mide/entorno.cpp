@@ -8,7 +8,7 @@ using namespace mide;
 /// El entorno exacto: un cielo degradado y un damero de meridianos y paralelos, con bordes suaves.
 static oraculo::Vec3 entorno(const oraculo::Vec3 &d) {
     const double l = oraculo::longitud(d), alto = d.y / l, giro = std::atan2(d.z, d.x);
-    const double dibujo = std::tanh(6 * std::sin(8 * giro) * std::cos(8 * alto)) * (1 - alto * alto);
+    const double dibujo = std::tanh(3 * std::sin(6 * giro) * std::cos(8 * alto)) * std::pow(1 - alto * alto, 2); // en los polos, nada
     return {0.5 + 0.3 * dibujo, 0.55 + 0.2 * dibujo * alto, 0.6 + 0.3 * alto};
 }
 
@@ -38,7 +38,7 @@ static GLuint creaMapa(int lado) {
 static void mideEntorno(Medidor &m) {
     abreGpu();
     glEnable(GL_DEPTH_TEST);
-    const Lienzo lienzo(m.talla(64, 480), m.talla(48, 360));
+    const Lienzo lienzo(m.talla(64, 320), m.talla(48, 240));
     const oraculo::Vec3 METAL = {0.97, 0.91, 0.80}, fondo = {0.95, 0.96, 0.98};
     const oraculo::ImagenRef ref = oraculo::render({oraculo::toro({}, 1, 0.5)}, camaraExacta(), lienzo.ancho, lienzo.alto, [&](const oraculo::Impacto &i) {
         return i ? METAL * entorno(oraculo::refleja(i.rayo.direccion, i.normal)) : fondo;
@@ -75,6 +75,6 @@ static void mideEntorno(Medidor &m) {
         variante("por vértice, " + std::to_string(segmentos) + " segmentos", lados.back() / 2, segmentos, true);
 }
 
-static const Apunta APUNTA({14, "entorno", "Reflejar el entorno", "ms por imagen de 480×360", "niveles de 255 (RMSE), frente a trazar rayos", "por fragmento, caras de 256²",
+static const Apunta APUNTA({14, "entorno", "Reflejar el entorno", "ms por imagen de 320×240", "niveles de 255 (RMSE), frente a trazar rayos", "por fragmento, caras de 256²",
                             "Caras mayores que 256² ya no se notan. Por vértice, el reflejo se interpola en línea recta y necesita mucha malla.",
                             mideEntorno});

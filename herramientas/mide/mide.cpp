@@ -43,7 +43,7 @@ public:
     }
     void ReportRuns(const std::vector<Run> &vueltas) override {
         for (const Run &r : vueltas)
-            if (r.run_type == Run::RT_Iteration)
+            if (r.run_type == Run::RT_Iteration && !r.error_occurred)
                 ns.push_back(1e9 * r.real_accumulated_time / static_cast<double>(r.iterations));
     }
 };
@@ -109,7 +109,7 @@ static int corre(const Tecnica &t, bool ensayo, const std::string &carpeta) {
     int mal = 0;
     for (const Medida &v : medidor.hechas()) {
         std::fprintf(f, "%s\t%.6g\t%.6g\t%.6g\t%.6g\t%s\n", v.variante.c_str(), v.mediana, v.minimo, v.maximo, v.error, v.nota.empty() ? "-" : v.nota.c_str());
-        if (v.error >= v.espera.minimo && v.error <= v.espera.maximo)
+        if (std::isnan(v.error) || (v.error >= v.espera.minimo && v.error <= v.espera.maximo)) // NaN: no se mide
             continue;
         std::fprintf(stderr, "mide: %s, %s: el error es %g y debía estar entre %g y %g\n", t.nombre,
                      v.variante.c_str(), v.error, v.espera.minimo, v.espera.maximo);
