@@ -111,6 +111,7 @@ static void mideConvolucion(Medidor &m) {
         m.referencia = redondeada(ANCHO, ALTO, exacta);
         const GLuint entero = texturaFiltro(f.valores, talla), fila = texturaFiltro(f.fila, talla), columna = texturaFiltro(f.columna, 1);
         const std::string lado = " " + std::to_string(talla) + "×" + std::to_string(talla);
+        m.grupo = lado.substr(1);
         const auto variante = [&](const std::string &nombre, const std::function<void()> &dibuja, const Rango &espera) {
             dibuja();
             Imagen imagen{ANCHO, ALTO, std::vector<unsigned char>(foto.rgb.size())};

@@ -1,9 +1,10 @@
-// mide [--ensayo] CARPETA TÉCNICA: deja CARPETA/TÉCNICA.tsv, con una fila por variante (nombre, mediana, mínimo y máximo del
+// mide [--ensayo] CARPETA TÉCNICA: deja CARPETA/TÉCNICA.tsv, con una fila por variante (nombre, grupo, mediana, mínimo y máximo del
 // tiempo, error, nota), y en CARPETA/TÉCNICA-variante.ppm y …-diferencia.ppm las imágenes que haya. mide --lista escribe
 // las técnicas: nombre, título, unidad de tiempo, unidad de error, variante elegida, por qué.
 #include "mide.h"
 #include "error.h"
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 
@@ -64,13 +65,15 @@ Imagen diferencia(const Imagen &a, const Imagen &b) {
 
 void Medidor::yaMedida(const std::string &nombre, double error, std::vector<double> tiempos, const std::string &nota) {
     std::sort(tiempos.begin(), tiempos.end());
-    medidas.push_back({nombre, tiempos[tiempos.size() / 2], tiempos.front(), tiempos.back(), error, CUALQUIERA, nota});
+    medidas.push_back({nombre, grupo, tiempos[tiempos.size() / 2], tiempos.front(), tiempos.back(), error, CUALQUIERA, nota});
 }
 
 void Medidor::variante(const std::string &nombre, double error, double unidades,
                        const std::function<void()> &trabajo, const Rango &espera, const std::string &nota,
                        const Imagen &imagen) {
+    const auto antes = std::chrono::steady_clock::now();
     trabajo(); // en caliente
+    const double segundos = std::chrono::duration<double>(std::chrono::steady_clock::now() - antes).count();
     Tiempos tiempos;
     auto *prueba = benchmark::RegisterBenchmark(nombre.c_str(), [&](benchmark::State &estado) {
         for ([[maybe_unused]] auto vuelta : estado)
@@ -80,7 +83,7 @@ void Medidor::variante(const std::string &nombre, double error, double unidades,
     if (ensayo)
         prueba->Iterations(1);
     else
-        prueba->MinTime(0.02)->Repetitions(9);
+        prueba->MinTime(0.02)->Repetitions(segundos > 0.2 ? 3 : 9);
     benchmark::RunSpecifiedBenchmarks(&tiempos);
     benchmark::ClearRegisteredBenchmarks();
     for (double &t : tiempos.ns)
@@ -108,7 +111,7 @@ static int corre(const Tecnica &t, bool ensayo, const std::string &carpeta) {
         falla("no puedo escribir «" + base + ".tsv»");
     int mal = 0;
     for (const Medida &v : medidor.hechas()) {
-        std::fprintf(f, "%s\t%.6g\t%.6g\t%.6g\t%.6g\t%s\n", v.variante.c_str(), v.mediana, v.minimo, v.maximo, v.error, v.nota.empty() ? "-" : v.nota.c_str());
+        std::fprintf(f, "%s\t%s\t%.6g\t%.6g\t%.6g\t%.6g\t%s\n", v.variante.c_str(), v.grupo.empty() ? "-" : v.grupo.c_str(), v.mediana, v.minimo, v.maximo, v.error, v.nota.empty() ? "-" : v.nota.c_str());
         if (std::isnan(v.error) || (v.error >= v.espera.minimo && v.error <= v.espera.maximo)) // NaN: no se mide
             continue;
         std::fprintf(stderr, "mide: %s, %s: el error es %g y debía estar entre %g y %g\n", t.nombre,

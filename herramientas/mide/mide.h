@@ -21,7 +21,7 @@ struct Rango {
 const Rango CUALQUIERA = {0, INFINITO};
 
 struct Medida {
-    std::string variante;
+    std::string variante, grupo;
     double mediana, minimo, maximo, error;
     Rango espera;
     std::string nota;
@@ -32,6 +32,7 @@ class Medidor {
 public:
     const bool ensayo; // tallas diminutas y una sola vuelta: solo se comprueba que todo funciona
     const bool pares;  // comparar también con otros programas (LAB_PARES=1)
+    std::string grupo; // de las variantes que sigan: solo se comparan entre sí las del mismo
     Imagen referencia; // con ella y la imagen de una variante se hace la de su diferencia
 
     Medidor(bool esEnsayo, double losNs, std::string elPrefijo)

@@ -39,11 +39,12 @@ static void mideProfundidad(Medidor &m) {
         bool alReves;
     } FORMATOS[] = {{"16 bits", 16, GL_DEPTH_COMPONENT16, false}, {"24 bits", 24, GL_DEPTH_COMPONENT24, false},
                     {"float", 32, GL_DEPTH_COMPONENT32F, false}, {"float al revés", 32, GL_DEPTH_COMPONENT32F, true}};
-    for (const auto &f : FORMATOS) {
-        const Lienzo lienzo(m.talla(48, 480), m.talla(36, 360), 0, f.formato);
-        for (const int cociente : {2, 4, 6}) {
-            const double lejos = 1000, cerca = lejos / std::pow(10.0, cociente);
-            const char *const POTENCIA[] = {"", "", "10²", "", "10⁴", "", "10⁶"};
+    const char *const POTENCIA[] = {"", "", "10²", "", "10⁴", "", "10⁶"};
+    for (const int cociente : {2, 4, 6}) {
+        const double lejos = 1000, cerca = lejos / std::pow(10.0, cociente);
+        m.grupo = std::string("lejos/cerca = ") + POTENCIA[cociente];
+        for (const auto &f : FORMATOS) {
+            const Lienzo lienzo(m.talla(48, 480), m.talla(36, 360), 0, f.formato);
             m.variante(f.nombre + std::string(", ") + POTENCIA[cociente], confundidos(cerca, lejos, f.bits, f.alReves), 1, yEspera([&] {
                            lienzo.borra(0, 0, 0);
                            for (int i = 0; i < 8; ++i)

@@ -77,6 +77,7 @@ static void mideRotacion(Medidor &m) {
     matriz("glm::rotate", [](const Giro &g) { return glm::mat3(glm::rotate(glm::mat4(1), g.angulo, g.eje)); }, redondeo);
     matriz("cuaternión a matriz", conCuaternion, redondeo);
 
+    m.grupo = "10⁶ pasos";
     const int pasos = m.talla(1000, 1000000);
     const Giro paso = {{1, 2, 3}, 0.001f};
     const glm::mat3 unPaso(giroEje(paso.eje, paso.angulo));

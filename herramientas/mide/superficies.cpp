@@ -74,7 +74,8 @@ static void mideSuperficies(Medidor &m) {
         variante("cota de la tira, " + std::string(t < 0.3 ? "0.1" : "0.5") + " px", divisionesPara(parches, t * PIXEL),
                  {0, t}, [&] { usa(teselaParches(parches, t * PIXEL)); });
 #ifdef LAB_PAR_GLU
-    mideGlu(m, parches, PIXEL);
+    mideGlu(m, parches, PIXEL, 0.5f, "par: GLU, pidiendo 0.5 px");
+    mideGlu(m, parches, PIXEL, m.talla(0.5f, 0.04f), "par: GLU, pidiendo 0.04 px");
 #endif
 }
 
