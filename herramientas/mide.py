@@ -23,7 +23,12 @@ import pagina
 CABECERA = "variante\tgrupo\tmediana\tmínimo\tmáximo\terror\tnota"
 ANCHO, ALTO, MARGEN = 860, 480, (80, 20, 20, 60)  # del SVG: izquierda, derecha, arriba, abajo
 TALLAS = ("960x720", "1920x1080")
-LENTO = 100  # ms por imagen a 1920×1080
+# Lo que deben ganar los programas: tiempo de la primera variante entre el de la segunda
+METAS = (("la superficie a 0.5 px, frente a GLU con no menos error", "superficies", "par: GLU, pidiendo 0.04 px", "cota de la tira, 0.5 px", 10),
+         ("separable de 15×15, frente a la directa", "convolucion", "directa 15×15", "separable, float 15×15", 5),
+         ("separable de 15×15, frente a ImageMagick", "convolucion", "par: ImageMagick 15×15", "separable, float 15×15", 1),
+         ("el volumen de ruido, frente a libnoise", "ruido_volumen", "par: libnoise, normal", "texelsRuido", 1),
+         ("un millón de partículas, frente a los puntos pelados", "particulas", "suelo: un millón de puntos quietos", "un millón, fórmula en la GPU", 0.8))
 
 
 class Fallo(Exception):
@@ -58,6 +63,12 @@ class Tecnica:
     por_que: str
     variantes: list = field(default_factory=list)
     imagenes: list = field(default_factory=list)
+
+    @property
+    def frente_a_pares(self):
+        """(par, elegida, cuántas veces tarda el par lo que la elegida, cuántas veces se equivoca)."""
+        return [(par, v, par.mediana / v.mediana, par.error / v.error if v.error else math.nan)
+                for par in self.variantes if par.par for v in self.variantes if v.elegida and v.grupo == par.grupo]
 
     @property
     def elegida_fuera(self):
@@ -108,9 +119,8 @@ def coloca(puntos, textos):
     ocupado = [(x - 5, y - 5, x + 5, y + 5) for x, y in puntos]
     lugares = []
     for (x, y), texto in zip(puntos, textos):
-        largo = 6.4 * len(texto)
-        opciones = [(x + 9, y + dy) for dy in (0, 12, -12, 24, -24, 36, -36, 48, -48)]
-        opciones += [(x - 9 - largo, y + dy) for dy in (0, 12, -12, 24, -24, 36, -36, 48, -48)]
+        largo = 6.9 * len(texto)
+        opciones = [(x + dx, y + dy) for dy in (13, -13, 26, -26, 39, -39, 52, -52, 65, -65) for dx in (-4, -largo / 2, 4 - largo)]
 
         def cajas(lugar):
             return lugar[0], lugar[1] - 6, lugar[0] + largo, lugar[1] + 6
@@ -161,7 +171,7 @@ def dibuja(tecnica, svg):
         f"set terminal svg size {ANCHO},{ALTO} font 'sans-serif,12' background rgb 'white'", f"set output '{svg}'",
         f"set lmargin at screen {MARGEN[0] / ANCHO}", f"set rmargin at screen {1 - MARGEN[1] / ANCHO}",
         f"set bmargin at screen {MARGEN[3] / ALTO}", f"set tmargin at screen {1 - MARGEN[2] / ALTO}",
-        "set logscale xy", "set format y '10^{%T}'", f"set xrange [{izquierda}:{derecha}]", f"set yrange [{abajo}:{arriba}]",
+        "set logscale xy", "set format x '%g'", "set format y '10^{%T}'", f"set xrange [{izquierda}:{derecha}]", f"set yrange [{abajo}:{arriba}]",
         f'set xlabel "{tecnica.tiempo}"', f'set ylabel "{tecnica.error}"', "set grid lc rgb '#e2dfd9'", "unset key"]
     for v, (px, py) in zip(con_error, lugares):
         color = "#a3260f" if v.elegida else "#1f5f9e" if v.optima else "#5f6b78"
@@ -233,6 +243,12 @@ class Coste:
     primitivas: int
     buferes: int
     texturas: int
+
+
+def metas(tecnicas):
+    """(qué, cociente medido, el que se pide) de cada meta que se ha podido medir."""
+    tiempo = {(t.nombre, v.nombre): v.mediana for t in tecnicas for v in t.variantes}
+    return [(que, tiempo[t, lenta] / tiempo[t, rapida], pide) for que, t, lenta, rapida, pide in METAS if (t, lenta) in tiempo and (t, rapida) in tiempo]
 
 
 def cronometra(orden, carpeta):
@@ -307,7 +323,8 @@ def main():
             print(f"[{n:2}/{len(tecnicas)}] {t.nombre} ha fallado: {fallo}", file=sys.stderr)
     if not ensayo:
         tabla, suelo = ([], math.nan) if pedidas else costes(build, destino)
-        pagina.escribe_informe(destino, [t for t in tecnicas if t.variantes], tabla, suelo, datos)
+        medidas = [t for t in tecnicas if t.variantes]
+        pagina.escribe_informe(destino, medidas, metas(medidas), tabla, suelo, datos)
         print(f"Hecho: {destino}/index.html", file=sys.stderr)
     if fallos:
         sys.exit(f"lab: no se ha podido medir todo: {', '.join(fallos)}")

@@ -70,7 +70,8 @@ static void mideAntialiasing(Medidor &m) {
         };
         dibuja();
         const Imagen imagen = destino.lee();
-        m.variante(nombre, rmse(imagen, exacta), 1, yEspera(dibuja), espera, std::to_string(veces * veces * std::max(n, 1)) + " muestras por píxel", imagen);
+        m.variante(nombre, rmse(imagen, exacta), 1, yEspera(dibuja), espera,
+                   std::to_string(veces * veces * std::max(n, 1)) + " muestras por píxel", imagen);
         glDeleteFramebuffers(1, &resuelto);
         glDeleteTextures(1, &textura);
     };
@@ -84,7 +85,9 @@ static void mideAntialiasing(Medidor &m) {
     variante("multimuestra" + ms + " y 4×4", 4, muestras, {0.2, 10});
 }
 
-static const Apunta APUNTA({11, "antialiasing", "Antialiasing", "ms por imagen de 360×360", "niveles de 255 (RMSE), frente al área exacta", "multimuestra ×4",
-                            "Las ventanas piden multimuestra: quita tanta escalera como dibujar 2×2 veces mayor, y cuesta menos. El error baja con "
+static const Apunta APUNTA({11, "antialiasing", "Antialiasing", "ms por imagen de 360×360",
+                            "niveles de 255 (RMSE), frente al área exacta", "multimuestra ×4",
+                            "Las ventanas piden multimuestra: quita tanta escalera como dibujar 2×2 veces "
+                            "mayor, y cuesta menos. El error baja con "
                             "las muestras, y el tiempo sube con ellas.",
                             mideAntialiasing});

@@ -6,8 +6,9 @@ using namespace mide;
 
 /// Una cúbica casi con pico, una suave y una de grado 24, en píxeles.
 static const std::vector<std::vector<glm::vec3>> CURVAS = [] {
-    std::vector<std::vector<glm::vec3>> c = {
-        {{100, 100, 0}, {1500, 900, 0}, {380, 900, 0}, {1780, 120, 0}}, {{80, 400, 0}, {600, 900, 0}, {1200, 100, 0}, {1800, 600, 0}}, {}};
+    std::vector<std::vector<glm::vec3>> c = {{{100, 100, 0}, {1500, 900, 0}, {380, 900, 0}, {1780, 120, 0}},
+                                             {{80, 400, 0}, {600, 900, 0}, {1200, 100, 0}, {1800, 600, 0}},
+                                             {}};
     for (int k = 0; k <= 24; ++k)
         c[2].push_back({80.0f * static_cast<float>(k), k % 2 ? 900 : 150, 0});
     return c;
@@ -42,23 +43,30 @@ static void mideAplanado(Medidor &m) {
             mayor = std::max(mayor, error(curva, linea));
             segmentos += linea.size() - 1;
         }
-        m.variante(nombre, mayor, 1, [&] {
-            for (const auto &curva : CURVAS)
-                usa(aplana(curva));
-        }, espera, std::to_string(segmentos) + " segmentos");
+        m.variante(
+            nombre, mayor, 1,
+            [&] {
+                for (const auto &curva : CURVAS)
+                    usa(aplana(curva));
+            },
+            espera, std::to_string(segmentos) + " segmentos");
     };
     const auto uniforme = [](const std::vector<glm::vec3> &c, int n) {
         return polilinea([&](float u) { return bezier(c, u); }, n);
     };
     for (const int n : {8, 16, 32, 64, 128, 256})
-        variante(std::to_string(n) + " iguales", [&](const auto &c) { return uniforme(c, n); }, CUALQUIERA);
-    variante("cota de Wang, 0.5 px", [&](const auto &c) { return uniforme(c, segmentosWang(c, 0.5)); }, {0, 0.51});
+        variante(
+            std::to_string(n) + " iguales", [&](const auto &c) { return uniforme(c, n); }, CUALQUIERA);
+    variante("cota de Wang, 0.5 px", [&](const auto &c) { return uniforme(c, segmentosWang(c, 0.5)); },
+             {0, 0.51});
     variante("por mitades, 0.5 px", [&](const auto &c) { return polilineaBezier(c, 0.5); }, {0, 0.51});
     variante("por mitades, 0.1 px", [&](const auto &c) { return polilineaBezier(c, 0.1); }, {0, 0.11});
 }
 
-static const Apunta APUNTA({3, "aplanado", "Segmentos de una curva", "µs por las tres curvas",
-                            "píxeles que se separa la polilínea de la curva", "por mitades, 0.5 px",
-                            "Un número fijo o sobra en la curva suave o falta en la de pico. La cota de Wang nunca falla, pero en grado alto "
-                            "pide de más en toda la curva; partir por mitades pone los segmentos donde se curva.",
-                            mideAplanado});
+static const Apunta
+    APUNTA({3, "aplanado", "Segmentos de una curva", "µs por las tres curvas",
+            "píxeles que se separa la polilínea de la curva", "por mitades, 0.5 px",
+            "Un número fijo o sobra en la curva suave o falta en la de pico. La cota de Wang nunca falla, "
+            "pero en grado alto "
+            "pide de más en toda la curva; partir por mitades pone los segmentos donde se curva.",
+            mideAplanado});

@@ -79,7 +79,8 @@ static void mideBezierN(Medidor &m) {
     }
     for (std::size_t j = 0; j <= GRADO; ++j) // a_j = C(n, j)·Σ (−1)^(i+j)·C(j, i)·P_i
         for (std::size_t i = 0; i <= j; ++i)
-            a[j] += ((i + j) % 2 ? -1.0f : 1.0f) * combinaciones<double>(GRADO, j) * combinaciones<double>(j, i) * p[i];
+            a[j] += ((i + j) % 2 ? -1.0f : 1.0f) * combinaciones<double>(GRADO, j) *
+                    combinaciones<double>(j, i) * p[i];
 
     const std::size_t n = m.talla<std::size_t>(33, 257);
     const auto variante = [&](const char *nombre, const auto &Q, const Rango &espera, const char *nota = "") {
@@ -91,27 +92,36 @@ static void mideBezierN(Medidor &m) {
             if (error == INFINITO)
                 break;
         }
-        m.variante(nombre, error, static_cast<double>(n), [&] {
-            for (std::size_t i = 0; i < n; ++i)
-                usa(Q(static_cast<float>(i) / static_cast<float>(n - 1)));
-        }, espera, nota);
+        m.variante(
+            nombre, error, static_cast<double>(n),
+            [&] {
+                for (std::size_t i = 0; i < n; ++i)
+                    usa(Q(static_cast<float>(i) / static_cast<float>(n - 1)));
+            },
+            espera, nota);
     };
-    variante("factoriales en int", [&](float u) { return conFactoriales<std::uint32_t>(p, u); }, {1, INFINITO},
-             "13! ya no cabe en 32 bits");
-    variante("factoriales en float", [&](float u) { return conFactoriales<float>(p, u); }, {0, 0.1},
-             "35! ya no cabe en un float");
-    variante("potencias con Horner", [&](float u) { return horner(a, u); }, {1, INFINITO},
-             "los coeficientes llegan a 10^12 y se anulan entre sí");
+    variante(
+        "factoriales en int", [&](float u) { return conFactoriales<std::uint32_t>(p, u); }, {1, INFINITO},
+        "13! ya no cabe en 32 bits");
+    variante(
+        "factoriales en float", [&](float u) { return conFactoriales<float>(p, u); }, {0, 0.1},
+        "35! ya no cabe en un float");
+    variante(
+        "potencias con Horner", [&](float u) { return horner(a, u); }, {1, INFINITO},
+        "los coeficientes llegan a 10¹² y se anulan entre sí");
     variante("Bernstein por recurrencia", [&](float u) { return conBernstein(p, u); }, {0, 0.01});
-    variante("de Casteljau con sus niveles", [&](float u) { return bezier(p, u); }, {0, 0.01},
-             "guarda la construcción, para dibujarla");
+    variante(
+        "de Casteljau con sus niveles", [&](float u) { return bezier(p, u); }, {0, 0.01},
+        "guarda la construcción, para dibujarla");
     variante("de Casteljau en un vector", [&](float u) { return casteljauEnUnVector(p, u); }, {0, 0.01});
-    variante("Volk y Schumaker", [&](float u) { return volkSchumaker(cp, u); }, {0, 0.01},
-             "lineal en el grado; C(n, k)·P se hacen una vez");
+    variante(
+        "Volk y Schumaker", [&](float u) { return volkSchumaker(cp, u); }, {0, 0.01},
+        "lineal en el grado; C(n, k)·P se hacen una vez");
 }
 
 static const Apunta APUNTA({2, "bezier_n", "Un punto de una curva de Bézier de grado 30", "ns por punto",
                             "píxeles, frente a cuádruple precisión", "de Casteljau con sus niveles",
-                            "bezier_n enseña la construcción, y por eso guarda los niveles; sin dibujarla bastaría un vector. La base "
+                            "bezier_n enseña la construcción, y por eso guarda los niveles; sin dibujarla "
+                            "bastaría un vector. La base "
                             "de potencias y los factoriales enteros dan una curva que no es.",
                             mideBezierN});

@@ -31,14 +31,19 @@ static void mideBump(Medidor &m) {
     glEnable(GL_DEPTH_TEST);
     const Lienzo lienzo(m.talla(64, 480), m.talla(48, 360));
     const glm::mat4 M = giroX(-0.6f) * escalado(float(LADO));
-    const oraculo::Mat4 colocado = oraculo::gira({1, 0, 0}, -0.6) * oraculo::escala(LADO), girado = oraculo::gira({1, 0, 0}, -0.6);
+    const oraculo::Mat4 colocado = oraculo::gira({1, 0, 0}, -0.6) * oraculo::escala(LADO),
+                        girado = oraculo::gira({1, 0, 0}, -0.6);
     const oraculo::Vec3 fondo = {0.95, 0.96, 0.98};
-    const oraculo::ImagenRef ref = oraculo::render({oraculo::plano(colocado)}, camaraExacta(), lienzo.ancho, lienzo.alto, [&](const oraculo::Impacto &i) {
-        const glm::dvec2 h = pendiente(VECES * i.s, VECES * i.t);
-        return i ? phongExacto(i.punto, oraculo::unitario(oraculo::direccion(girado, {-h.x, -h.y, 1}))) : fondo;
-    });
+    const oraculo::ImagenRef ref = oraculo::render(
+        {oraculo::plano(colocado)}, camaraExacta(), lienzo.ancho, lienzo.alto,
+        [&](const oraculo::Impacto &i) {
+            const glm::dvec2 h = pendiente(VECES * i.s, VECES * i.t);
+            return i ? phongExacto(i.punto, oraculo::unitario(oraculo::direccion(girado, {-h.x, -h.y, 1})))
+                     : fondo;
+        });
     m.referencia = oraculo::enBytes(ref);
-    const auto variante = [&](const std::string &nombre, GLuint programa, const Malla &malla, const Rango &espera, const std::string &nota) {
+    const auto variante = [&](const std::string &nombre, GLuint programa, const Malla &malla,
+                              const Rango &espera, const std::string &nota) {
         const Buferes b = creaBuferes(malla);
         enviaEscena(programa, lienzo);
         const auto dibuja = [&] {
@@ -50,8 +55,10 @@ static void mideBump(Medidor &m) {
         m.variante(nombre, errorDeFrente(imagen, ref), 1, yEspera(dibuja), espera, nota, imagen);
         borraBuferes(b);
     };
-    const GLuint conMapa = creaPrograma("ch08_texturas_avanzadas/iluminado.vert", "ch08_texturas_avanzadas/bump.frag"),
-                 calculado = creaPrograma("ch08_texturas_avanzadas/iluminado.vert", "herramientas/mide/bump_calculado.frag");
+    const GLuint conMapa = creaPrograma("ch08_texturas_avanzadas/iluminado.vert",
+                                        "ch08_texturas_avanzadas/bump.frag"),
+                 calculado = creaPrograma("ch08_texturas_avanzadas/iluminado.vert",
+                                          "herramientas/mide/bump_calculado.frag");
     for (const GLuint p : {conMapa, calculado}) {
         glUseProgram(p);
         envia(p, "nVeces", glm::vec2(VECES));
@@ -76,15 +83,20 @@ static void mideBump(Medidor &m) {
     for (const int n : m.talla<std::vector<int>>({60}, {60, 240})) {
         Malla malla = plano(n);
         for (Vertice &v : malla.vertices) {
-            const glm::dvec2 h = pendiente(VECES * double(v.coordTextura.x), VECES * double(v.coordTextura.y));
+            const glm::dvec2 h =
+                pendiente(VECES * double(v.coordTextura.x), VECES * double(v.coordTextura.y));
             v.posicion.z += float(altura(float(VECES) * v.coordTextura)) / VECES;
             v.normal = glm::normalize(glm::vec3(-h, 1));
         }
-        variante("deformado, " + std::to_string(n) + "×" + std::to_string(n), creaSombreado("phong"), malla, CUALQUIERA,
+        variante("deformado, " + std::to_string(n) + "×" + std::to_string(n), creaSombreado("phong"), malla,
+                 CUALQUIERA,
                  std::to_string(2 * n * n) + " triángulos; los bultos se tapan: es otra superficie");
     }
 }
 
-static const Apunta APUNTA({15, "bump", "Bultos con la normal", "ms por imagen de 480×360", "niveles de 255 (RMSE), frente a la normal exacta", "mapa de 64²",
-                            "Desde 64² el error es el de guardar la normal en 8 bits. Deformar la malla de verdad mueve además los puntos: eso no lo imita ningún mapa.",
-                            mideBump});
+static const Apunta
+    APUNTA({15, "bump", "Bultos con la normal", "ms por imagen de 480×360",
+            "niveles de 255 (RMSE), frente a la normal exacta", "mapa de 64²",
+            "Desde 64² no mejora: un mapa mayor de lo que se ve lo emborronan sus mipmaps. Deformar la malla "
+            "de verdad mueve además los puntos: eso no lo imita ningún mapa.",
+            mideBump});

@@ -30,7 +30,8 @@ static void diferencias(const G3 &g, std::vector<glm::vec3> &puntos) {
     const T h = T(1) / static_cast<T>(puntos.size() - 1);
     const V a = -V(g[0]) + T(3) * V(g[1]) - T(3) * V(g[2]) + V(g[3]),
             b = T(3) * V(g[0]) - T(6) * V(g[1]) + T(3) * V(g[2]), c = T(3) * (V(g[1]) - V(g[0]));
-    V q(g[0]), d1 = h * (c + h * (b + h * a)), d2 = h * h * (T(2) * b + T(6) * h * a), d3 = T(6) * h * h * h * a;
+    V q(g[0]), d1 = h * (c + h * (b + h * a)), d2 = h * h * (T(2) * b + T(6) * h * a),
+               d3 = T(6) * h * h * h * a;
     for (glm::vec3 &p : puntos) {
         p = glm::vec3(q);
         q += d1;
@@ -85,10 +86,13 @@ static void mideCubicas(Medidor &m) {
         double error = 0;
         for (std::size_t i = 0; i < n; i += 8)
             error = std::max(error, separacion(puntos[i], bezierExacta(G, Cuadruple(i) / Cuadruple(n - 1))));
-        m.variante(nombre, error, static_cast<double>(n), [&] {
-            todos();
-            usa(puntos.data());
-        }, {0, cota}, nota);
+        m.variante(
+            nombre, error, static_cast<double>(n),
+            [&] {
+                todos();
+                usa(puntos.data());
+            },
+            {0, cota}, nota);
     };
     const auto deUnoEnUno = [&](auto Q) {
         return [&, Q] {
@@ -108,16 +112,21 @@ static void mideCubicas(Medidor &m) {
              "M·G, una vez por curva");
     variante("Bernstein", deUnoEnUno([](float t) { return cubica(Base::BEZIER, G, t); }), 0.01);
     variante("de Casteljau", deUnoEnUno([](float t) { return deCasteljau(G, t); }), 0.01);
-    variante("diferencias en float", [&] { diferencias<float>(G, puntos); }, 1e6,
-             "solo para u a pasos iguales; el error crece con el número de puntos");
-    variante("diferencias en double", [&] { diferencias<double>(G, puntos); }, 0.01);
+    variante(
+        "diferencias en float", [&] { diferencias<float>(G, puntos); }, 1e6,
+        "solo para u a pasos iguales; el error crece con el número de puntos");
+    variante(
+        "diferencias en double", [&] { diferencias<double>(G, puntos); }, 0.01);
     const EnShader gpu(n);
-    variante("en el vertex shader", [&] { gpu.evalua(); }, 0.01, "llvmpipe, con glFinish; sin leerlos",
-             [&] { gpu.lee(puntos); });
+    variante(
+        "en el vertex shader", [&] { gpu.evalua(); }, 0.01, "llvmpipe, con glFinish; sin leerlos",
+        [&] { gpu.lee(puntos); });
 }
 
-static const Apunta APUNTA({1, "curvas_cubicas", "Un punto de una curva cúbica", "ns por punto",
-                            "píxeles, frente a cuádruple precisión", "Bernstein",
-                            "Todas quedan muy por debajo de medio píxel salvo las diferencias en float, que acumulan. Los programas "
-                            "usan Bernstein factorizado: da también las derivadas y no resta números casi iguales.",
-                            mideCubicas});
+static const Apunta APUNTA(
+    {1, "curvas_cubicas", "Un punto de una curva cúbica", "ns por punto",
+     "píxeles, frente a cuádruple precisión", "Bernstein",
+     "Todas quedan muy por debajo de medio píxel salvo las diferencias en float, que acumulan. Los programas "
+     "usan Bernstein factorizado, que no es lo más rápido: da también las derivadas y no resta números casi "
+     "iguales.",
+     mideCubicas});

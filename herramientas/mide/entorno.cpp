@@ -8,7 +8,8 @@ using namespace mide;
 /// El entorno exacto: un cielo degradado y un damero de meridianos y paralelos, con bordes suaves.
 static oraculo::Vec3 entorno(const oraculo::Vec3 &d) {
     const double l = oraculo::longitud(d), alto = d.y / l, giro = std::atan2(d.z, d.x);
-    const double dibujo = std::tanh(3 * std::sin(6 * giro) * std::cos(8 * alto)) * std::pow(1 - alto * alto, 2); // en los polos, nada
+    const double dibujo = std::tanh(3 * std::sin(6 * giro) * std::cos(8 * alto)) *
+                          std::pow(1 - alto * alto, 2); // en los polos, nada
     return {0.5 + 0.3 * dibujo, 0.55 + 0.2 * dibujo * alto, 0.6 + 0.3 * alto};
 }
 
@@ -22,12 +23,14 @@ static GLuint creaMapa(int lado) {
         for (int j = 0; j < lado; ++j)
             for (int i = 0; i < lado; ++i) { // la tabla de la especificación, al revés
                 const double s = (2 * i + 1.0) / lado - 1, t = (2 * j + 1.0) / lado - 1;
-                const oraculo::Vec3 d[6] = {{1, -t, -s}, {-1, -t, s}, {s, 1, t}, {s, -1, -t}, {s, -t, 1}, {-s, -t, -1}};
+                const oraculo::Vec3 d[6] = {{1, -t, -s}, {-1, -t, s}, {s, 1, t},
+                                            {s, -1, -t}, {s, -t, 1},  {-s, -t, -1}};
                 const oraculo::Vec3 c = entorno(d[cara]);
                 for (int k = 0; k < 3; ++k)
                     rgb.push_back(static_cast<unsigned char>(std::lround(255 * c[k])));
             }
-        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(cara), 0, GL_RGB8, lado, lado, 0, GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
+        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(cara), 0, GL_RGB8, lado, lado, 0,
+                     GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
     }
     glGenerateMipmap(GL_TEXTURE_CUBE_MAP);
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
@@ -40,11 +43,14 @@ static void mideEntorno(Medidor &m) {
     glEnable(GL_DEPTH_TEST);
     const Lienzo lienzo(m.talla(64, 320), m.talla(48, 240));
     const oraculo::Vec3 METAL = {0.97, 0.91, 0.80}, fondo = {0.95, 0.96, 0.98};
-    const oraculo::ImagenRef ref = oraculo::render({oraculo::toro({}, 1, 0.5)}, camaraExacta(), lienzo.ancho, lienzo.alto, [&](const oraculo::Impacto &i) {
-        return i ? METAL * entorno(oraculo::refleja(i.rayo.direccion, i.normal)) : fondo;
-    });
+    const oraculo::ImagenRef ref =
+        oraculo::render({oraculo::toro({}, 1, 0.5)}, camaraExacta(), lienzo.ancho, lienzo.alto,
+                        [&](const oraculo::Impacto &i) {
+                            return i ? METAL * entorno(oraculo::refleja(i.rayo.direccion, i.normal)) : fondo;
+                        });
     m.referencia = oraculo::enBytes(ref);
-    const GLuint programa = creaPrograma("ch08_texturas_avanzadas/cubemap.vert", "ch08_texturas_avanzadas/cubemap.frag");
+    const GLuint programa =
+        creaPrograma("ch08_texturas_avanzadas/cubemap.vert", "ch08_texturas_avanzadas/cubemap.frag");
     glUseProgram(programa);
     envia(programa, "proyeccion", proyeccionEscena(lienzo));
     envia(programa, "camara", camaraEscena());
@@ -63,7 +69,8 @@ static void mideEntorno(Medidor &m) {
         dibuja();
         const Imagen imagen = lienzo.lee();
         char nota[60];
-        std::snprintf(nota, sizeof nota, "mapa de %.3g kB, toro de %d segmentos", 6 * 3 * lado * lado * 4 / 3 / 1000.0, segmentos);
+        std::snprintf(nota, sizeof nota, "mapa de %.3g kB, toro de %d segmentos",
+                      6 * 3 * lado * lado * 4 / 3 / 1000.0, segmentos);
         m.variante(nombre, errorDeFrente(imagen, ref), 1, yEspera(dibuja), {0, 80}, nota, imagen);
         borraBuferes(b);
         glDeleteTextures(1, &mapa);
@@ -72,9 +79,14 @@ static void mideEntorno(Medidor &m) {
     for (const int lado : lados)
         variante("por fragmento, caras de " + std::to_string(lado) + "²", lado, 180, false);
     for (const int segmentos : {36, 90, 180})
-        variante("por vértice, " + std::to_string(segmentos) + " segmentos", lados.back() / 2, segmentos, true);
+        variante("por vértice, " + std::to_string(segmentos) + " segmentos", lados.back() / 2, segmentos,
+                 true);
 }
 
-static const Apunta APUNTA({14, "entorno", "Reflejar el entorno", "ms por imagen de 320×240", "niveles de 255 (RMSE), frente a trazar rayos", "por fragmento, caras de 256²",
-                            "Caras mayores que 256² ya no se notan. Por vértice, el reflejo se interpola en línea recta y necesita mucha malla.",
-                            mideEntorno});
+static const Apunta
+    APUNTA({14, "entorno", "Reflejar el entorno", "ms por imagen de 320×240",
+            "niveles de 255 (RMSE), frente a trazar rayos", "por fragmento, caras de 256²",
+            "Para el reflejo bastan caras de 64²: una superficie curva encoge el entorno. cubemap las tiene "
+            "de 256² porque son además el "
+            "fondo. Por vértice, el reflejo se interpola en línea recta y necesita mucha malla.",
+            mideEntorno});

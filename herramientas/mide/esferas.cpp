@@ -17,7 +17,8 @@ static double hundimiento(const Malla &malla, const glm::mat4 &giro, double radi
     std::vector<glm::dvec2> p, h;
     for (const Vertice &v : malla.vertices)
         p.push_back(glm::dvec2(giro * glm::vec4(v.posicion, 1)));
-    std::sort(p.begin(), p.end(), [](const auto &a, const auto &b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
+    std::sort(p.begin(), p.end(),
+              [](const auto &a, const auto &b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
     for (int vuelta = 0; vuelta < 2; ++vuelta) { // la mitad de abajo y la de arriba
         const std::size_t base = h.size();
         for (const glm::dvec2 &q : p) {
@@ -44,7 +45,8 @@ static void mideEsferas(Medidor &m) {
     enviaEscena(programa, lienzo);
     glEnable(GL_DEPTH_TEST);
     const glm::mat4 M = escalado(1.08f); // unos 250 px de radio en 600
-    const auto variante = [&](const std::string &nombre, const Malla &malla, double radio, bool convexo, const Rango &espera) {
+    const auto variante = [&](const std::string &nombre, const Malla &malla, double radio, bool convexo,
+                              const Rango &espera) {
         double mayor = 0;
         for (const glm::vec2 g : {glm::vec2(0), glm::vec2(0.7f, 0.4f), glm::vec2(1.57f, 0.1f)})
             if (convexo || g == glm::vec2(0)) // el toro, de frente
@@ -57,10 +59,11 @@ static void mideEsferas(Medidor &m) {
                    espera, std::to_string(malla.indices.size() / 3) + " triángulos", lienzo.lee());
         borraBuferes(b);
     };
-    const auto flecha = [](int n) { // la de un arco de 2π/n; los meridianos de esfera() tienen la mitad de segmentos
-        const double f = RADIO_PX * (1 - std::cos(glm::pi<double>() / n));
-        return Rango{0.9 * f, 2.1 * f};
-    };
+    const auto flecha =
+        [](int n) { // la de un arco de 2π/n; los meridianos de esfera() tienen la mitad de segmentos
+            const double f = RADIO_PX * (1 - std::cos(glm::pi<double>() / n));
+            return Rango{0.9 * f, 2.1 * f};
+        };
     const Malla fina = esfera(m.talla(64, 512));
     {
         const Buferes b = creaBuferes(fina);
@@ -76,7 +79,8 @@ static void mideEsferas(Medidor &m) {
     m.referencia = {};
     for (const int n : {32, 64, 128}) {
         const float tubo = 0.3f, radio = 1 - tubo;
-        variante("toro de " + std::to_string(n) + "×" + std::to_string(n / 2), toro(radio, tubo, n, n / 2), 1, false, flecha(n));
+        variante("toro de " + std::to_string(n) + "×" + std::to_string(n / 2), toro(radio, tubo, n, n / 2), 1,
+                 false, flecha(n));
     }
     const int n = segmentosPara(RADIO_PX, 0.5f);
     variante("toro, segmentosPara", toro(0.7f, 0.3f, n, n / 2), 1, false, {0, 0.501});
@@ -84,6 +88,7 @@ static void mideEsferas(Medidor &m) {
 
 static const Apunta APUNTA({5, "esferas", "Esferas y toros", "ms por imagen de 600×600 con Phong",
                             "píxeles que se hunde el contorno, con 250 de radio", "esfera, segmentosEsfera",
-                            "El tiempo casi no depende de los segmentos hasta que los triángulos son más pequeños que unos pocos píxeles: los "
+                            "El tiempo casi no depende de los segmentos hasta que los triángulos son más "
+                            "pequeños que unos pocos píxeles: los "
                             "programas piden los justos para un cuarto de píxel.",
                             mideEsferas});

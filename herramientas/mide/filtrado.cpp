@@ -17,17 +17,21 @@ static const Orbita ORBITA = {0.12f, 0.3f, 3};
 
 /// La textura, con filtro lineal y repetida, en double.
 static oraculo::Vec3 lineal(const Imagen &t, double s, double v) {
-    const double x = s * TALLA - 0.5, y = v * TALLA - 0.5, i = std::floor(x), j = std::floor(y), a = x - i, b = y - j;
+    const double x = s * TALLA - 0.5, y = v * TALLA - 0.5, i = std::floor(x), j = std::floor(y), a = x - i,
+                 b = y - j;
     const auto texel = [&](double c, double f) {
-        const int u = (static_cast<int>(c) % TALLA + TALLA) % TALLA, w = (static_cast<int>(f) % TALLA + TALLA) % TALLA;
+        const int u = (static_cast<int>(c) % TALLA + TALLA) % TALLA,
+                  w = (static_cast<int>(f) % TALLA + TALLA) % TALLA;
         const std::size_t k = static_cast<std::size_t>(3 * (w * TALLA + u));
         return oraculo::Vec3{double(t.rgb[k]), double(t.rgb[k + 1]), double(t.rgb[k + 2])};
     };
-    return (1 - b) * ((1 - a) * texel(i, j) + a * texel(i + 1, j)) + b * ((1 - a) * texel(i, j + 1) + a * texel(i + 1, j + 1));
+    return (1 - b) * ((1 - a) * texel(i, j) + a * texel(i + 1, j)) +
+           b * ((1 - a) * texel(i, j + 1) + a * texel(i + 1, j + 1));
 }
 
 static std::vector<double> exacto(const Imagen &textura, int ancho, int alto, int muestras) {
-    const oraculo::Camara camara = oraculo::perspectiva(oraculo::orbita(ORBITA.azimut, ORBITA.elevacion, ORBITA.distancia), ANGULO_SUELO, 0.1, 400);
+    const oraculo::Camara camara = oraculo::perspectiva(
+        oraculo::orbita(ORBITA.azimut, ORBITA.elevacion, ORBITA.distancia), ANGULO_SUELO, 0.1, 400);
     const oraculo::Ejes ejes = oraculo::ejes(camara);
     const double porPixel = 2 * camara.semilado / alto;
     std::vector<double> rgb;
@@ -35,7 +39,8 @@ static std::vector<double> exacto(const Imagen &textura, int ancho, int alto, in
         for (int x = 0; x < ancho; ++x) {
             oraculo::Vec3 suma;
             for (int k = 0; k < muestras * muestras; ++k) {
-                const double px = x + (k % muestras + 0.5) / muestras - 0.5 * ancho, py = y + (k / muestras + 0.5) / muestras - 0.5 * alto;
+                const double px = x + (k % muestras + 0.5) / muestras - 0.5 * ancho,
+                             py = y + (k / muestras + 0.5) / muestras - 0.5 * alto;
                 const oraculo::Vec3 d = porPixel * px * ejes.x + porPixel * py * ejes.y - ejes.z;
                 const double t = -camara.ojo.y / d.y, X = camara.ojo.x + t * d.x, Z = camara.ojo.z + t * d.z;
                 const bool suelo = t > 0 && std::fabs(X) < LARGO / 2 && std::fabs(Z) < LARGO / 2;
@@ -61,7 +66,8 @@ static void mideFiltrado(Medidor &m) {
     creaTextura2D(imagen);
     glEnable(GL_DEPTH_TEST);
     glUseProgram(programa);
-    envia(programa, "proyeccion", glm::perspective(float(ANGULO_SUELO), float(lienzo.ancho) / float(lienzo.alto), 0.1f, 400.0f));
+    envia(programa, "proyeccion",
+          glm::perspective(float(ANGULO_SUELO), float(lienzo.ancho) / float(lienzo.alto), 0.1f, 400.0f));
     envia(programa, "camara", camaraOrbita(ORBITA));
     envia(programa, "M", giroX(-glm::half_pi<float>()) * escalado(float(LARGO)));
     envia(programa, "Img", 0);
@@ -69,7 +75,8 @@ static void mideFiltrado(Medidor &m) {
         lienzo.borra(CIELO.r, CIELO.g, CIELO.b);
         ::dibuja(suelo);
     };
-    const auto variante = [&](const char *nombre, GLint ampliacion, GLint reduccion, float anisotropia, const char *nota = "") {
+    const auto variante = [&](const char *nombre, GLint ampliacion, GLint reduccion, float anisotropia,
+                              const char *nota = "") {
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, ampliacion);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, reduccion);
         glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropia);
@@ -87,7 +94,9 @@ static void mideFiltrado(Medidor &m) {
             variante(a < 3 ? "anisótropo ×2" : "anisótropo ×16", GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, a);
 }
 
-static const Apunta APUNTA({9, "filtrado", "Filtros de la textura", "ms por imagen de 480×360", "niveles de 255 (RMSE), frente a 16×16 muestras por píxel", "mipmap trilineal",
-                            "Sin mipmaps el suelo lejano parpadea y el error es el mayor. creaTextura2D pone el trilineal; el anisótropo "
-                            "se acerca más, pero es una extensión y tarda varias veces más.",
+static const Apunta APUNTA({9, "filtrado", "Filtros de la textura", "ms por imagen de 480×360",
+                            "niveles de 255 (RMSE), frente a 16×16 muestras por píxel", "mipmap trilineal",
+                            "Sin mipmaps el suelo lejano parpadea y el error es el mayor. creaTextura2D pone "
+                            "el trilineal; el anisótropo "
+                            "se acerca más, pero es una extensión y, sin GPU, tarda cien veces más.",
                             mideFiltrado});

@@ -37,7 +37,8 @@ inline void teselaGlu(const std::vector<Parche> &parches, double pixel, float to
     // paralela: una unidad de la tetera son 1/pixel píxeles
     const GLint ventana[4] = {0, 0, 2000, 2000};
     const auto k = static_cast<GLfloat>(1 / pixel / 1000);
-    const GLfloat uno[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, escala[16] = {k, 0, 0, 0, 0, k, 0, 0, 0, 0, k, 0, 0, 0, 0, 1};
+    const GLfloat uno[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},
+                  escala[16] = {k, 0, 0, 0, 0, k, 0, 0, 0, 0, k, 0, 0, 0, 0, 1};
     gluLoadSamplingMatrices(nurbs, escala, uno, ventana);
     using F = void (*)();
     gluNurbsCallbackData(nurbs, &r);
@@ -46,9 +47,14 @@ inline void teselaGlu(const std::vector<Parche> &parches, double pixel, float to
                          e.clase = clase;
                          e.primero = e.vertices.size();
                      }));
-    gluNurbsCallback(nurbs, GLU_NURBS_TEXTURE_COORD_DATA, reinterpret_cast<F>(+[](GLfloat *v, void *d) { static_cast<Recogido *>(d)->uvActual = {v[0], v[1]}; }));
-    gluNurbsCallback(nurbs, GLU_NURBS_VERTEX_DATA, reinterpret_cast<F>(+[](GLfloat *v, void *d) { static_cast<Recogido *>(d)->vertice(v); }));
-    GLfloat nudos[8] = {0, 0, 0, 0, 1, 1, 1, 1}, nudosUv[4] = {0, 0, 1, 1}, uv[2][2][2] = {{{0, 0}, {1, 0}}, {{0, 1}, {1, 1}}};
+    gluNurbsCallback(nurbs, GLU_NURBS_TEXTURE_COORD_DATA, reinterpret_cast<F>(+[](GLfloat *v, void *d) {
+                         static_cast<Recogido *>(d)->uvActual = {v[0], v[1]};
+                     }));
+    gluNurbsCallback(nurbs, GLU_NURBS_VERTEX_DATA, reinterpret_cast<F>(+[](GLfloat *v, void *d) {
+                         static_cast<Recogido *>(d)->vertice(v);
+                     }));
+    GLfloat nudos[8] = {0, 0, 0, 0, 1, 1, 1, 1}, nudosUv[4] = {0, 0, 1, 1},
+            uv[2][2][2] = {{{0, 0}, {1, 0}}, {{0, 1}, {1, 1}}};
     r = {};
     for (const Parche &q : parches) {
         GLfloat puntos[4][4][3];
@@ -66,7 +72,8 @@ inline void teselaGlu(const std::vector<Parche> &parches, double pixel, float to
 }
 
 /// Como las demás variantes: error en los lados y en el centro de cada triángulo.
-inline void mideGlu(Medidor &m, const std::vector<Parche> &parches, double pixel, float tolerancia, const char *nombre) {
+inline void mideGlu(Medidor &m, const std::vector<Parche> &parches, double pixel, float tolerancia,
+                    const char *nombre) {
     Recogido r;
     teselaGlu(parches, pixel, tolerancia, r);
     double mayor = 0;
@@ -78,10 +85,16 @@ inline void mideGlu(Medidor &m, const std::vector<Parche> &parches, double pixel
                 enPlano += w[static_cast<int>(k)] * glm::dvec3(r.vertices[r.triangulos[t][k]]);
                 uv += w[static_cast<int>(k)] * glm::dvec2(r.uv[r.triangulos[t][k]]);
             }
-            const auto exacto = [&](double u, double v) { return bezier::posicion(parches[r.parche[t]], bezier::pesos(u, 1 - u), bezier::pesos(v, 1 - v)); };
-            mayor = std::max(mayor, std::min(glm::length(exacto(uv.x, uv.y) - enPlano), glm::length(exacto(uv.y, uv.x) - enPlano)));
+            const auto exacto = [&](double u, double v) {
+                return bezier::posicion(parches[r.parche[t]], bezier::pesos(u, 1 - u),
+                                        bezier::pesos(v, 1 - v));
+            };
+            mayor = std::max(mayor, std::min(glm::length(exacto(uv.x, uv.y) - enPlano),
+                                             glm::length(exacto(uv.y, uv.x) - enPlano)));
         }
-    m.variante(nombre, mayor / pixel, 1, [&] { teselaGlu(parches, pixel, tolerancia, r); }, CUALQUIERA, std::to_string(r.triangulos.size()) + " triángulos");
+    m.variante(
+        nombre, mayor / pixel, 1, [&] { teselaGlu(parches, pixel, tolerancia, r); }, CUALQUIERA,
+        std::to_string(r.triangulos.size()) + " triángulos");
 }
 
 } // namespace mide

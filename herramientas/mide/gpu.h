@@ -31,7 +31,8 @@ public:
         glGenFramebuffers(1, &framebuffer);
         glGenRenderbuffers(2, renderbuffers);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        const GLenum formatos[2] = {GL_RGBA8, profundidad}, sitios[2] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+        const GLenum formatos[2] = {GL_RGBA8, profundidad},
+                     sitios[2] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
         for (int i = 0; i < 2; ++i) {
             glBindRenderbuffer(GL_RENDERBUFFER, renderbuffers[i]);
             glRenderbufferStorageMultisample(GL_RENDERBUFFER, muestras, formatos[i], ancho, alto);

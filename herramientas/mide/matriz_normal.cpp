@@ -52,7 +52,8 @@ static void mideMatrizNormal(Medidor &m) {
         const glm::mat3 deforma(escalado({e, std::pow(10.0f, al()), 1}));
         clases[RIGIDA].push_back(e * giro);
         clases[DEFORMA].push_back(giro * deforma * glm::mat3(giroX(al())));
-        const glm::mat3 dificiles[5] = {1e-20f * giro, 1e20f * giro, giro * glm::mat3(escalado({-1, e, 1})), giro * glm::mat3(escalado({1, 1e-7f, 1})),
+        const glm::mat3 dificiles[5] = {1e-20f * giro, 1e20f * giro, giro * glm::mat3(escalado({-1, e, 1})),
+                                        giro * glm::mat3(escalado({1, 1e-7f, 1})),
                                         glm::mat3(escalado({1, 0, 1}))};
         clases[DIFICIL].push_back(dificiles[i % 5]);
     }
@@ -62,22 +63,32 @@ static void mideMatrizNormal(Medidor &m) {
             for (const glm::mat3 &M : clases[c])
                 peor[c] = std::max(peor[c], error(f(M), M, glm::vec3(0.48f, 0.6f, 0.64f)));
         char nota[120];
-        std::snprintf(nota, sizeof nota, "giros y escalas iguales: %.2g°; escalas distintas: %.2g°; casos difíciles: %.2g°", peor[0], peor[1], peor[2]);
-        m.variante(nombre, std::max({peor[0], peor[1], peor[2]}), static_cast<double>(clases[DEFORMA].size()), [&] {
-            for (const glm::mat3 &M : clases[DEFORMA])
-                usa(f(M));
-        }, espera, nota);
+        std::snprintf(nota, sizeof nota,
+                      "giros y escalas iguales: %.2g°; escalas distintas: %.2g°; casos difíciles: %.2g°",
+                      peor[0], peor[1], peor[2]);
+        m.variante(
+            nombre, std::max({peor[0], peor[1], peor[2]}), static_cast<double>(clases[DEFORMA].size()),
+            [&] {
+                for (const glm::mat3 &M : clases[DEFORMA])
+                    usa(f(M));
+            },
+            espera, nota);
     };
     variante("mat3(M)", [](const glm::mat3 &M) { return M; }, {10, 180});
-    variante("inversa traspuesta (GLM)", [](const glm::mat3 &M) { return glm::inverseTranspose(M); }, {10, 180});
-    variante("inversa traspuesta en double", [](const glm::mat3 &M) { return glm::mat3(glm::inverseTranspose(glm::dmat3(M))); }, {10, 180});
+    variante("inversa traspuesta (GLM)", [](const glm::mat3 &M) { return glm::inverseTranspose(M); },
+             {10, 180});
+    variante("inversa traspuesta en double",
+             [](const glm::mat3 &M) { return glm::mat3(glm::inverseTranspose(glm::dmat3(M))); }, {10, 180});
     variante("adjunta", adjunta, {10, 180});
     variante("adjunta con signo", adjuntaConSigno, {10, 180});
-    variante("adjunta en double con signo y escala", [](const glm::mat3 &M) { return matrizNormal(glm::mat4(M)); }, {0, 1e-4});
+    variante("adjunta en double con signo y escala",
+             [](const glm::mat3 &M) { return matrizNormal(glm::mat4(M)); }, {0, 1e-4});
 }
 
-static const Apunta APUNTA({8, "matriz_normal", "La matriz de la normal", "ns por matriz", "grados, la peor normal, frente a cuádruple precisión",
+static const Apunta APUNTA({8, "matriz_normal", "La matriz de la normal", "ns por matriz",
+                            "grados, la peor normal, frente a cuádruple precisión",
                             "adjunta en double con signo y escala",
-                            "Con giros y escalas iguales basta mat3(M). Solo la última vale siempre: aplastado, diminuto, enorme o en un espejo. "
+                            "Con giros y escalas iguales basta mat3(M). Solo la última vale siempre: "
+                            "aplastado, diminuto, enorme o en un espejo. "
                             "Se calcula una vez por objeto, y lo que cuesta no se nota.",
                             mideMatrizNormal});

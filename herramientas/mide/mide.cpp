@@ -63,9 +63,11 @@ Imagen diferencia(const Imagen &a, const Imagen &b) {
 
 } // namespace
 
-void Medidor::yaMedida(const std::string &nombre, double error, std::vector<double> tiempos, const std::string &nota) {
+void Medidor::yaMedida(const std::string &nombre, double error, std::vector<double> tiempos,
+                       const std::string &nota) {
     std::sort(tiempos.begin(), tiempos.end());
-    medidas.push_back({nombre, grupo, tiempos[tiempos.size() / 2], tiempos.front(), tiempos.back(), error, CUALQUIERA, nota});
+    medidas.push_back({nombre, grupo, tiempos[tiempos.size() / 2], tiempos.front(), tiempos.back(), error,
+                       CUALQUIERA, nota});
 }
 
 void Medidor::variante(const std::string &nombre, double error, double unidades,
@@ -111,8 +113,11 @@ static int corre(const Tecnica &t, bool ensayo, const std::string &carpeta) {
         falla("no puedo escribir «" + base + ".tsv»");
     int mal = 0;
     for (const Medida &v : medidor.hechas()) {
-        std::fprintf(f, "%s\t%s\t%.6g\t%.6g\t%.6g\t%.6g\t%s\n", v.variante.c_str(), v.grupo.empty() ? "-" : v.grupo.c_str(), v.mediana, v.minimo, v.maximo, v.error, v.nota.empty() ? "-" : v.nota.c_str());
-        if (std::isnan(v.error) || (v.error >= v.espera.minimo && v.error <= v.espera.maximo)) // NaN: no se mide
+        std::fprintf(f, "%s\t%s\t%.6g\t%.6g\t%.6g\t%.6g\t%s\n", v.variante.c_str(),
+                     v.grupo.empty() ? "-" : v.grupo.c_str(), v.mediana, v.minimo, v.maximo, v.error,
+                     v.nota.empty() ? "-" : v.nota.c_str());
+        if (std::isnan(v.error) ||
+            (v.error >= v.espera.minimo && v.error <= v.espera.maximo)) // NaN: no se mide
             continue;
         std::fprintf(stderr, "mide: %s, %s: el error es %g y debía estar entre %g y %g\n", t.nombre,
                      v.variante.c_str(), v.error, v.espera.minimo, v.espera.maximo);
@@ -125,7 +130,8 @@ static int corre(const Tecnica &t, bool ensayo, const std::string &carpeta) {
 
 int main(int argc, char **argv) {
     const bool ensayo = argc > 1 && !std::strcmp(argv[1], "--ensayo");
-    std::sort(tecnicas().begin(), tecnicas().end(), [](const Tecnica &a, const Tecnica &b) { return a.orden < b.orden; });
+    std::sort(tecnicas().begin(), tecnicas().end(),
+              [](const Tecnica &a, const Tecnica &b) { return a.orden < b.orden; });
     if (argc == 2 && !std::strcmp(argv[1], "--lista")) {
         for (const Tecnica &t : tecnicas())
             std::printf("%s\t%s\t%s\t%s\t%s\t%s\n", t.nombre, t.titulo, t.tiempo, t.error, t.elegida,

@@ -36,7 +36,8 @@ public:
     Imagen referencia; // con ella y la imagen de una variante se hace la de su diferencia
 
     Medidor(bool esEnsayo, double losNs, std::string elPrefijo)
-        : ensayo(esEnsayo), pares(std::getenv("LAB_PARES") != nullptr), ns(losNs), prefijo(std::move(elPrefijo)) {
+        : ensayo(esEnsayo), pares(std::getenv("LAB_PARES") != nullptr), ns(losNs),
+          prefijo(std::move(elPrefijo)) {
     }
     /// De lo que se haga en el ensayo y de lo que se haga al medir.
     template<class T>
@@ -48,7 +49,8 @@ public:
                   const std::function<void()> &trabajo, const Rango &espera = CUALQUIERA,
                   const std::string &nota = "", const Imagen &imagen = {});
     /// Lo mismo, con los tiempos ya tomados, en la unidad de la técnica.
-    void yaMedida(const std::string &nombre, double error, std::vector<double> tiempos, const std::string &nota);
+    void yaMedida(const std::string &nombre, double error, std::vector<double> tiempos,
+                  const std::string &nota);
     const std::vector<Medida> &hechas() const {
         return medidas;
     }
@@ -63,8 +65,8 @@ private:
 struct Tecnica {
     int orden; // el del informe
     const char *nombre, *titulo;
-    const char *tiempo; // «ns por punto»: la unidad (ns, µs o ms) y de qué
-    const char *error;  // la unidad del error y contra qué se mide
+    const char *tiempo;  // «ns por punto»: la unidad (ns, µs o ms) y de qué
+    const char *error;   // la unidad del error y contra qué se mide
     const char *elegida; // la variante que usan los programas; las demás que empiecen igual, también
     const char *porQue;
     void (*mide)(Medidor &);

@@ -14,13 +14,16 @@ static void mideRuido(Medidor &m) {
     for (int y = 0; y < lado; ++y)
         for (int x = 0; x < lado; ++x) {
             const glm::dvec3 p = double(CELDAS) * glm::dvec3((x + 0.5) / lado, (y + 0.5) / lado, 0.3);
-            exacta.insert(exacta.end(), 3, 255 * glm::clamp(0.5 + 0.5 * turbulencia(p, OCTAVAS, glm::ivec3(CELDAS)), 0.0, 1.0));
+            exacta.insert(exacta.end(), 3,
+                          255 *
+                              glm::clamp(0.5 + 0.5 * turbulencia(p, OCTAVAS, glm::ivec3(CELDAS)), 0.0, 1.0));
         }
     m.referencia = redondeada(lado, lado, exacta);
     const GLuint programa = creaPrograma("ch09_imagen/imagen.vert", "herramientas/mide/ruido.frag");
     glUseProgram(programa);
     envia(programa, "ruidoGuardado", 0);
-    const auto variante = [&](const std::string &nombre, int octavas, const Rango &espera, const std::string &nota) {
+    const auto variante = [&](const std::string &nombre, int octavas, const Rango &espera,
+                              const std::string &nota) {
         envia(programa, "octavas", octavas);
         const auto dibuja = [&] {
             lienzo.abre();
@@ -33,8 +36,10 @@ static void mideRuido(Medidor &m) {
     for (const int n : m.talla<std::vector<int>>({8, 16}, {16, 32, 64, 128})) {
         std::vector<unsigned char> texels;
         for (int i = 0; i < n * n * n; ++i) {
-            const glm::vec3 p = float(CELDAS) / static_cast<float>(n) * (glm::vec3(i % n, i / n % n, i / n / n) + 0.5f);
-            texels.push_back(static_cast<unsigned char>(std::lround(255 * glm::clamp(0.5f + 0.5f * turbulencia(p, OCTAVAS, glm::ivec3(CELDAS)), 0.0f, 1.0f))));
+            const glm::vec3 p =
+                float(CELDAS) / static_cast<float>(n) * (glm::vec3(i % n, i / n % n, i / n / n) + 0.5f);
+            texels.push_back(static_cast<unsigned char>(std::lround(
+                255 * glm::clamp(0.5f + 0.5f * turbulencia(p, OCTAVAS, glm::ivec3(CELDAS)), 0.0f, 1.0f))));
         }
         GLuint textura;
         glGenTextures(1, &textura);
@@ -48,10 +53,13 @@ static void mideRuido(Medidor &m) {
         glDeleteTextures(1, &textura);
     }
     for (const int octavas : {1, OCTAVAS})
-        variante("en el shader, " + std::to_string(octavas) + (octavas == 1 ? " octava" : " octavas"), octavas, {0.2, octavas == 1 ? 60 : 0.5}, "sin memoria");
+        variante("en el shader, " + std::to_string(octavas) + (octavas == 1 ? " octava" : " octavas"),
+                 octavas, {0.2, octavas == 1 ? 60 : 0.5}, "sin memoria");
 }
 
-static const Apunta APUNTA({12, "ruido", "Ruido: guardarlo o calcularlo", "ms por imagen de 512×512", "niveles de 255 (RMSE), frente a double", "textura de 64³",
-                            "La textura de 64³ ocupa lo que una foto y se equivoca pocos niveles. Calcularlo es exacto y cuesta varias veces más: es lo que "
+static const Apunta APUNTA({12, "ruido", "Ruido: guardarlo o calcularlo", "ms por imagen de 512×512",
+                            "niveles de 255 (RMSE), frente a double", "textura de 64³",
+                            "La textura de 64³ ocupa lo que una foto y se equivoca pocos niveles. Calcularlo "
+                            "es exacto y cuesta varias veces más: es lo que "
                             "hacen los programas que lo necesitan sin que se repita, o con su gradiente.",
                             mideRuido});

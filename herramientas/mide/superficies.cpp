@@ -32,7 +32,8 @@ static double error(const Parche &q, const Division &d) {
         for (int i = 0; i < d.nu; ++i) {
             const glm::dvec2 a(i * hu, j * hv), b(a.x + hu, a.y), c(a.x + hu, a.y + hv), e(a.x, a.y + hv);
             for (const auto &[x, y, z] : {std::array{a, b, c}, {a, c, e}})
-                for (const glm::dvec3 w : {glm::dvec3(.5, .5, 0), {0, .5, .5}, {.5, 0, .5}, glm::dvec3(1 / 3.0)}) {
+                for (const glm::dvec3 w :
+                     {glm::dvec3(.5, .5, 0), {0, .5, .5}, {.5, 0, .5}, glm::dvec3(1 / 3.0)}) {
                     const glm::dvec2 uv = w.x * x + w.y * y + w.z * z;
                     mayor = std::max(mayor, glm::length(punto(uv.x, uv.y) - w.x * punto(x.x, x.y) -
                                                         w.y * punto(y.x, y.y) - w.z * punto(z.x, z.y)));
@@ -71,16 +72,17 @@ static void mideSuperficies(Medidor &m) {
     };
     variante("cota de cada parche, 0.5 px", cadaUno(0.5), {0, 0.5}, [&] { sueltos(cadaUno(0.5)); });
     for (const double t : {0.5, 0.1})
-        variante("cota de la tira, " + std::string(t < 0.3 ? "0.1" : "0.5") + " px", divisionesPara(parches, t * PIXEL),
-                 {0, t}, [&] { usa(teselaParches(parches, t * PIXEL)); });
+        variante("cota de la tira, " + std::string(t < 0.3 ? "0.1" : "0.5") + " px",
+                 divisionesPara(parches, t * PIXEL), {0, t}, [&] { usa(teselaParches(parches, t * PIXEL)); });
 #ifdef LAB_PAR_GLU
     mideGlu(m, parches, PIXEL, 0.5f, "par: GLU, pidiendo 0.5 px");
     mideGlu(m, parches, PIXEL, m.talla(0.5f, 0.04f), "par: GLU, pidiendo 0.04 px");
 #endif
 }
 
-static const Apunta APUNTA({4, "superficies", "Superficies bicúbicas en triángulos", "ms por tetera",
-                            "píxeles que se separan los triángulos de la superficie", "cota de la tira, 0.5 px",
-                            "Con la cota de cada parche bastan menos triángulos, pero los vecinos no casan y se ven grietas: "
-                            "tetera da a toda la tira la división mayor.",
-                            mideSuperficies});
+static const Apunta
+    APUNTA({4, "superficies", "Superficies bicúbicas en triángulos", "ms por tetera",
+            "píxeles que se separan los triángulos de la superficie", "cota de la tira, 0.5 px",
+            "Con la cota de cada parche bastan menos triángulos, pero los vecinos no casan y se ven grietas: "
+            "tetera da a toda la tira la división mayor.",
+            mideSuperficies});
