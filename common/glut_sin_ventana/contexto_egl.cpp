@@ -23,7 +23,8 @@ EGLSurface superficie = EGL_NO_SURFACE;
 
 } // namespace
 
-void creaContexto(int ancho, int alto, bool profundidad, bool plantilla) {
+void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool) {
+    limitaMesa();
     pantalla = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
     if (pantalla == EGL_NO_DISPLAY || !eglInitialize(pantalla, nullptr, nullptr))
         fallaEgl("no tiene la plataforma sin superficie (EGL_MESA_platform_surfaceless)");
@@ -79,6 +80,10 @@ void destruyeContexto() {
     superficie = EGL_NO_SURFACE;
     contexto = EGL_NO_CONTEXT;
 }
+
+void diTitulo(const char *) {}
+
+void cedeAlNavegador() {}
 
 void (*direccionGL(const char *nombre))() {
     return eglGetProcAddress(nombre);
