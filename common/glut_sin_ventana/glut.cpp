@@ -17,7 +17,7 @@ namespace sin_ventana {
 namespace {
 
 const int ANCHO_PANTALLA = 1920, ALTO_PANTALLA = 1080; // la pantalla que no hay, para glutFullScreenToggle
-const int VERSION_IMITADA = 30400;                     // FreeGLUT 3.4.0
+const int VERSION_IMITADA = 30800;                     // FreeGLUT 3.8.0: los títulos, en UTF-8
 
 struct Temporizador {
     long long vence; // ms del reloj virtual
