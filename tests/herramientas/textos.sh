@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# textos.sh RAIZ BUILD BIBLIOTECA: lo que se puede comprobar sin ejecutar nada: docs/programas.md está al día, cada capítulo
-# tiene título, cada programa dice sus controles y cada caso qué mirar, cada shader empieza por #version 140 y pasa
+# textos.sh RAIZ BUILD BIBLIOTECA: lo que se puede comprobar sin ejecutar nada: docs/programas.md está al día y todo lo del libro
+# está en él, cada capítulo tiene título, cada programa dice sus controles y cada caso qué mirar, cada shader empieza por #version 140 y pasa
 # glslangValidator, y glut_sin_ventana.h enumera lo que hay.
 set -euo pipefail
 cd "$1"
@@ -10,6 +10,7 @@ mal() { echo "$*"; fallos=1; }
 export LAB_SIN_INSTALAR=1
 
 diff docs/programas.md <(./lab lista --md) || mal 'docs/programas.md no está al día: ./lab lista --docs'
+grep '|  |$' docs/programas.md && mal 'eso es del libro y no tiene programa, respuesta ni, en docs/libro.tsv, motivo'
 awk -F'\t' '$6 == "-" { print $1 }' "$2/catalogo.tsv" | sort -u | grep . && mal 'esos capítulos no tienen título: capitulo("…")'
 awk -F'\t' '$8 == "-" { print $7 }' "$2/casos.tsv" | grep . && mal 'esos casos no tienen MIRA: la frase que dice qué mirar'
 
