@@ -12,6 +12,7 @@ foreach(carpeta GL KHR)
 endforeach()
 file(CREATE_LINK ${CABECERAS_GLM}/glm ${enlaces}/glm SYMBOLIC)
 
+file(WRITE ${CMAKE_BINARY_DIR}/sin_ventana "web\n")
 set(LAB_FUENTES /lab) # donde la página pone los shaders, los modelos y las texturas
 add_compile_options(-Os)
 add_library(avisos INTERFACE) # los da la compilación corriente

@@ -384,7 +384,7 @@ una('.enlace').onclick = async () => {
   }
 };
 
-function ponCasos() {
+function ponCasos(conGuion) {
   const miraDe = caso => { una('.mira').textContent = caso?.mira ?? ''; };
   const botones = actual.casos.map(caso => boton(caso.titulo, suceso => {
     propias = [];
@@ -393,6 +393,7 @@ function ponCasos() {
     for (const b of botones) b.setAttribute('aria-pressed', b === suceso.currentTarget);
   }));
   una('.casos-botones').replaceChildren(...(botones.length > 1 ? botones : []));
+  if (conGuion) return miraDe();
   botones[0]?.setAttribute('aria-pressed', true);
   miraDe(actual.casos[0]);
 }
@@ -457,7 +458,7 @@ async function ponEditor() {
     if (editor) return;
     document.head.prepend(crea('style', { textContent: css }));
     document.head.append(crea('script', { textContent: js }));
-    editor = CodeMirror(una('.editor'), { theme: 'lab', lineNumbers: true, indentUnit: 4, matchBrackets: true, extraKeys: { Tab: false, 'Shift-Tab': false },
+    editor = CodeMirror(una('.editor'), { theme: 'lab', lineNumbers: true, lineWrapping: true, indentUnit: 4, matchBrackets: true, extraKeys: { Tab: false, 'Shift-Tab': false },
       screenReaderLabel: 'Editor' });
     editor.on('change', (_, { origin }) => {
       if (origin === 'setValue' || !esShader(abierto)) return;
@@ -469,7 +470,8 @@ async function ponEditor() {
 
 function anota() { // los ficheros del programa: los que nombra y los que ha leído
   const leidos = [...sesion?.leidos ?? []].map(r => r.replace(/^\/lab\//, '')).filter(r => /^ch/.test(r) && esShader(r));
-  const rutas = [...new Set([...leidos, ...actual.fuentes])].sort((a, b) => esShader(b) - esShader(a));
+  const puesto = ruta => ['frag', 'glsl', 'vert', 'cpp', 'h'].indexOf(ruta.split('.').pop()) + (esShader(ruta) && !ruta.startsWith(actual.capitulo) ? 2.5 : 0);
+  const rutas = [...new Set([...leidos, ...actual.fuentes])].sort((a, b) => puesto(a) - puesto(b));
   const pestana = ruta => boton(ruta.startsWith(actual.capitulo) ? ruta.split('/')[1] : ruta, () => abre(ruta));
   una('.pestanas').replaceChildren(...rutas.map(ruta => Object.assign(pestana(ruta), { ruta })));
   if (!rutas.includes(abierto)) abierto = '';
@@ -602,7 +604,7 @@ function navega() {
   entrada.accept = actual.admite === '.vf' ? '.vf' : 'image/*,.ppm';
   abierto = '';
   ponMandos();
-  ponCasos();
+  ponCasos(partes.length > 0);
   empieza(partes.map(decodeURIComponent).join(';'));
 }
 addEventListener('hashchange', navega);
