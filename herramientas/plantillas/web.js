@@ -91,7 +91,7 @@ const delLienzo = (texto, { width, height }, e) => texto.replace(RATON, (_, que,
 // --- la página de un programa ------------------------------------------------------------------------------------------
 
 const pagina = una('#programa'), marco = una('.lienzo'), telon = una('.telon'), consola = una('.consola');
-let actual, sesion, hecho = [], propias = [], turno = 0, errores = [];
+let suavizado = true, actual, sesion, hecho = [], propias = [], turno = 0, errores = [];
 
 const avisa = texto => { una('.aviso').textContent = texto; };
 
@@ -140,7 +140,7 @@ async function empieza(guionInicial = '', argumentos = []) {
   const ficheros = Object.fromEntries(propias.map(({ nombre, datos }) => ['/propias/' + nombre, datos]));
   try {
     nueva = await arranca(actual, {
-      lienzo, ...talla(), di, ficheros, argumentos: [...argumentos, ...Object.keys(ficheros)],
+      lienzo, ...talla(), di, ficheros, suavizado, argumentos: [...argumentos, ...Object.keys(ficheros)],
       titulo: texto => { una('.estado').textContent = texto; },
     });
   } catch (error) {
@@ -221,7 +221,7 @@ function atiende(lienzo) {
     return `${Math.round((suceso.clientX - r.left) * lienzo.width / r.width)} ${Math.round((suceso.clientY - r.top) * lienzo.height / r.height)}`;
   };
   const levanta = suceso => {
-    if (!pulsado) return;
+    if (!pulsado || !suceso) return;
     suelta();
     manda(`boton ${pulsado} arriba ${lugar(suceso)}`);
     pulsado = '';
@@ -241,12 +241,10 @@ function atiende(lienzo) {
   });
   lienzo.addEventListener('pointerdown', suceso => {
     lienzo.focus({ preventScroll: true });
+    levanta([...dedos.values()][0]); // con otro dedo ya no arrastra: es una pinza, la rueda
     dedos.set(suceso.pointerId, suceso);
     lienzo.setPointerCapture(suceso.pointerId);
-    if (dedos.size === 2) { // una pinza: es la rueda
-      levanta(suceso);
-      distancia = separacion();
-    }
+    if (dedos.size === 2) distancia = separacion();
     if (dedos.size > 1 || pulsado) return;
     suceso.preventDefault();
     if (suceso.button === 2 && sesion?.opciones().length) return ensenaMenu(suceso.clientX, suceso.clientY);
