@@ -91,7 +91,7 @@ const delLienzo = (texto, { width, height }, e) => texto.replace(RATON, (_, que,
 // --- la página de un programa ------------------------------------------------------------------------------------------
 
 const pagina = una('#programa'), marco = una('.lienzo'), telon = una('.telon'), consola = una('.consola');
-let suavizado = true, actual, sesion, hecho = [], propias = [], turno = 0, errores = [];
+let suavizado = true, actual, sesion, hecho = [], propias = [], turno = 0, errores = [], escrito = [];
 
 const avisa = texto => { una('.aviso').textContent = texto; };
 
@@ -102,10 +102,12 @@ function cubre(texto) {
 
 const ERROR = /([\w./]+\.(?:vert|frag|glsl))(?::| no compila: ERROR: 0:)(\d+): (.*?)(?: — «.*»)?$/;
 
+/// Lo que escribe el programa: los errores de los shaders van al editor y lo demás se enseña.
 function di(linea) {
+  escrito.push(linea);
   const mal = linea.match(ERROR);
-  if (mal) errores.push({ ruta: mal[1].includes('/') ? mal[1] : `${actual.capitulo}/${mal[1]}`, linea: +mal[2], mensaje: mal[3] });
-  else if (/no enlazan|#include/.test(linea)) errores.push({ ruta: '', linea: 0, mensaje: linea });
+  if (mal) return errores.push({ ruta: mal[1].includes('/') ? mal[1] : `${actual.capitulo}/${mal[1]}`, linea: +mal[2], mensaje: mal[3] });
+  if (/no enlazan|#include/.test(linea)) return errores.push({ ruta: '', linea: 0, mensaje: linea });
   consola.hidden = false;
   consola.append((consola.textContent ? '\n' : '') + linea);
   while (consola.childNodes.length > 200) consola.firstChild.remove();
@@ -130,6 +132,7 @@ async function empieza(guionInicial = '', argumentos = []) {
   marco.prepend(lienzo);
   hecho = [];
   errores = [];
+  escrito = [];
   telon.hidden = true;
   consola.hidden = true;
   consola.replaceChildren();
@@ -176,7 +179,7 @@ function manda(orden) {
 function mira() {
   if (!sesion) return;
   if (sesion.vivo || actual.consola) return;
-  cubre(sesion.fallo ? consola.textContent.split('\n').slice(-4).join('\n') || 'El programa ha fallado' : 'El programa ha terminado');
+  cubre(sesion.fallo ? escrito.slice(-3).join('\n') || 'El programa ha fallado' : 'El programa ha terminado');
 }
 
 let antes = 0, pendiente = '', resto = 0;
@@ -478,10 +481,7 @@ function anota() { // los ficheros del programa: los que nombra y los que ha le�
 
 async function abre(ruta) {
   abierto = ruta;
-  for (const b of todos('.pestanas button')) {
-    b.setAttribute('aria-pressed', b.ruta === ruta);
-    b.classList.toggle('cambiado', cambios.has(b.ruta));
-  }
+  for (const b of todos('.pestanas button')) b.setAttribute('aria-pressed', b.ruta === ruta);
   await ponEditor();
   const texto = cambios.get(ruta) ?? await originales(ruta);
   if (ruta !== abierto) return;
@@ -507,6 +507,10 @@ function marca() {
       editor.addLineWidget(linea - 1, crea('div', { className: 'mensaje-malo', textContent: mensaje }));
     }
   });
+  for (const b of todos('.pestanas button')) {
+    b.classList.toggle('cambiado', cambios.has(b.ruta));
+    b.classList.toggle('mal', errores.some(e => e.ruta === b.ruta));
+  }
   const mal = errores[0];
   estado.classList.toggle('mal', Boolean(mal));
   estado.replaceChildren(mal ? (mal.ruta ? `${mal.ruta}, línea ${mal.linea}: ${mal.mensaje}` : mal.mensaje)
