@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """galeria.py RAÍZ BUILD DESTINO: dibuja cada caso de build/casos.tsv sin ventana y escribe DESTINO/index.html.
 
-Cada imagen se dibuja al doble de tamaño y se reduce a la mitad, para que los bordes salgan suavizados. Solo se rehace
-lo que ha cambiado: DESTINO/.hecho.json recuerda de qué (programa, shaders, guion) salió cada imagen y qué escribió
-entonces el programa. Si algún caso falla, la página lleva los demás y el estado es 1.
+Cada imagen se dibuja al doble de tamaño y se reduce a la mitad, para que los bordes salgan suavizados. De los casos con
+ANIMA se hace, además de la imagen, un APNG de tantos cuadros, a la mitad de tamaño. Solo se rehace lo que ha cambiado:
+DESTINO/.hecho.json recuerda de qué (programa, shaders, guion) salió cada imagen y qué escribió entonces el programa. Si algún
+caso falla, la página lleva los demás y el estado es 1.
 """
 import hashlib
 import json
@@ -19,7 +20,7 @@ from pathlib import Path
 import pagina
 
 ANCHO, ALTO = 1920, 1440
-ESCALA = ANCHO // 240  # los guiones de los casos dan el ratón en una ventana de 240×180, la de los golden
+RITMO = "1", "10"  # segundos por cuadro, como fracción
 SEGUNDOS = 300  # un programa que no acaba no detiene la galería
 
 
@@ -38,9 +39,25 @@ def ejecuta(orden, **opciones):
     return proceso.stdout
 
 
-def a_escala(guion):
+def a_escala(guion, ancho):
+    """Los guiones de los casos dan el ratón en una ventana de 240×180, la de los golden."""
     return re.sub(r"\b(boton \w+ \w+|arrastra|mueve|rueda [+-]?1) (-?\d+) (-?\d+)",
-                  lambda m: f"{m[1]} {int(m[2]) * ESCALA} {int(m[3]) * ESCALA}", guion)
+                  lambda m: f"{m[1]} {int(m[2]) * ancho // 240} {int(m[3]) * ancho // 240}", guion)
+
+
+def a_la_mitad(ppm):
+    mitad = ppm.with_suffix(".mitad")
+    mitad.write_bytes(ejecuta(["pamscale", "-linear", "0.5", ppm]))  # la media de cada 2×2
+    ppm.unlink()
+    return mitad
+
+
+def escribe(fichero, datos):
+    """Entero o nada."""
+    fichero.parent.mkdir(parents=True, exist_ok=True)
+    parcial = fichero.with_suffix(".parcial")
+    parcial.write_bytes(datos)
+    parcial.replace(fichero)
 
 
 class Galeria:
@@ -61,31 +78,44 @@ class Galeria:
         """Hace la imagen de un caso si no está al día. Dice si la ha hecho."""
         ejecutable = self.build / self.sin_ventana / programa.capitulo / programa.nombre
         png = self.destino / caso.imagen
-        clave = hashlib.sha1(repr((self.comunes, caso.guion, caso.argumentos)).encode() + ejecutable.read_bytes()).hexdigest()
+        ficheros = [] if programa.consola else [png, self.destino / caso.animada] if caso.anima else [png]
+        clave = hashlib.sha1(repr((self.comunes, caso.guion, caso.argumentos, caso.anima)).encode() +
+                             ejecutable.read_bytes()).hexdigest()
         anterior = self.hecho.get(caso.imagen, {})
-        if anterior.get("clave") == clave and (programa.consola or png.is_file() and png.stat().st_size):
+        if anterior.get("clave") == clave and all(f.is_file() and f.stat().st_size for f in ficheros):
             caso.salida = anterior["salida"]
             return False
-        png.unlink(missing_ok=True)
+        for fichero in ficheros:
+            fichero.unlink(missing_ok=True)
         self.hecho.pop(caso.imagen, None)
         orden = [ejecutable, *caso.argumentos.split()]
         ppm = temporal / f"{caso.fichero}.ppm"
         if not programa.consola:
             orden += ["-geometry", f"{ANCHO}x{ALTO}", "-ppm", ppm]
         if caso.guion:
-            orden += ["-guion", a_escala(caso.guion)]
+            orden += ["-guion", a_escala(caso.guion, ANCHO)]
         caso.salida = ejecuta(orden, cwd=temporal).decode(errors="replace")
         if not programa.consola:
-            mitad = temporal / f"{caso.fichero}.mitad"
-            mitad.write_bytes(ejecuta(["pamscale", "-linear", "0.5", ppm]))  # la media de cada 2×2
-            ppm.unlink()
-            png.parent.mkdir(parents=True, exist_ok=True)
-            parcial = png.with_suffix(".parcial")
-            parcial.write_bytes(ejecuta(["pnmtopng", "-quiet", mitad]))
-            parcial.replace(png)
+            mitad = a_la_mitad(ppm)
+            escribe(png, ejecuta(["pnmtopng", "-quiet", mitad]))
             mitad.unlink()
+        if caso.anima:
+            with tempfile.TemporaryDirectory(dir=temporal) as carpeta:
+                escribe(self.destino / caso.animada, self.anima(ejecutable, caso, Path(carpeta)))
         self.hecho[caso.imagen] = {"clave": clave, "salida": caso.salida}
         return True
+
+    def anima(self, ejecutable, caso, carpeta):
+        """El APNG de un caso: desde donde lo deja su guion, ANIMA dice cuántos cuadros y la orden que lleva al siguiente."""
+        cuadros, paso = caso.anima.split(maxsplit=1)
+        capturas = [carpeta / f"{i:03}.ppm" for i in range(int(cuadros))]
+        guion = "; ".join([a_escala(caso.guion, ANCHO // 2), *(f"captura {c.name}; {paso}" for c in capturas)])
+        ejecuta([ejecutable, *caso.argumentos.split(), "-geometry", f"{ANCHO // 2}x{ALTO // 2}", "-ppm", "x", "-guion", guion],
+                cwd=carpeta)
+        for captura in capturas:
+            captura.with_suffix(".png").write_bytes(ejecuta(["pnmtopng", "-quiet", a_la_mitad(captura)]))
+        ejecuta(["apngasm", "animada.png", "000.png", *RITMO, "-z0"], cwd=carpeta)
+        return (carpeta / "animada.png").read_bytes()
 
     def dibuja_programa(self, programa, temporal):
         """Todos los casos de un programa. Devuelve la línea que lo cuenta; cada caso recuerda su fallo."""

@@ -34,18 +34,22 @@ def orden_de(tecla):
 
 
 def clase(tecla):
-    return "cifra" if tecla.isdigit() else "letra" if tecla.isalpha() and len(tecla) == 1 else "otra"
+    return "cifra" if tecla.isdigit() else "letra" if tecla.isalpha() else "otra"
 
 
 def mando(control):
-    """Un control en botones y lo que hacen: «a d giran» son las teclas a y d; «1 a 9 resaltan», nueve."""
-    palabras = control.split()
-    rango = re.match(r"(\d) a (\d) (.*)", control)
-    teclas = [str(n) for n in range(int(rango[1]), int(rango[2]) + 1)] if rango else []
-    while not rango and len(palabras) > 1 and orden_de(palabras[0]) and (not teclas or clase(teclas[0]) == clase(palabras[0])):
-        teclas.append(palabras.pop(0))
-    return {"teclas": [(t, orden_de(t)) for t in teclas], "hace": rango[3] if rango else " ".join(palabras),
-            "menu": not teclas and "menú" in control}
+    """Un control en botones y lo que hacen: «a d giran» son las teclas a y d; «1 a 9 resaltan», nueve; «arrastra (o n y flechas)», cinco."""
+    palabras = control.replace(" o espacio ", " espacio ").split()
+    hace, teclas = control, []
+    if rango := re.match(r"(\d) a (\d) (.*)", control):
+        teclas, hace = [str(n) for n in range(int(rango[1]), int(rango[2]) + 1)], rango[3]
+    elif flechas := re.search(r" \(o (\w) y flechas\)$", control):
+        teclas, hace = [flechas[1], *ESPECIALES], control[:flechas.start()]
+    else:
+        while len(palabras) > 1 and orden_de(palabras[0]) and (not teclas or clase(teclas[0]) == clase(palabras[0])):
+            teclas.append(palabras.pop(0))
+        hace = " ".join(palabras)
+    return {"teclas": [(t, orden_de(t)) for t in teclas], "hace": hace, "menu": not teclas and "menú" in control}
 
 
 def describe(raiz, programa, texturas):
