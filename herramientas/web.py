@@ -64,7 +64,7 @@ def describe(raiz, programa, texturas):
     return {
         "nombre": programa.nombre, "capitulo": programa.capitulo, "referencia": programa.referencia,
         "titulo": programa.titulo, "consola": bool(programa.consola),
-        "mandos": [mando(c) for c in pagina.controles(texto) if not c.startswith(("Esc ", "ninguno"))],
+        "mandos": [mando(c) for c in map(str.strip, pagina.controles(texto)) if not c.startswith(("Esc ", "ninguno"))],
         "derecho": "derecho" in texto and "glutAttachMenu" not in todo,
         "anima": bool(re.search("glutTimerFunc|glutIdleFunc|GLUT_ELAPSED_TIME", todo)),
         "sigue": "glutPassiveMotionFunc" in todo,

@@ -152,6 +152,7 @@ async function empieza(guionInicial = '', argumentos = []) {
   }
   if (mio !== turno) return nueva.cierra();
   sesion = nueva;
+  performance.mark('imagen');
   if (teniaFoco) lienzo.focus({ preventScroll: true });
   if (guionInicial.trim() && sesion.vivo) manda(alLienzo(guionInicial, lienzo, escala(lienzo)));
   mira();
