@@ -67,6 +67,7 @@ def describe(raiz, programa, texturas):
         "mandos": [mando(c) for c in map(str.strip, pagina.controles(texto)) if not c.startswith(("Esc ", "ninguno"))],
         "derecho": "derecho" in texto and "glutAttachMenu" not in todo,
         "anima": bool(re.search("glutTimerFunc|glutIdleFunc|GLUT_ELAPSED_TIME", todo)),
+        "raton": bool(re.search("ratón|rueda|clic|arrastra|botón", " ".join(pagina.controles(texto)))),
         "sigue": "glutPassiveMotionFunc" in todo,
         "casos": [{"titulo": c.titulo or "al empezar", "guion": c.guion, "argumentos": c.argumentos, "mira": c.mira}
                   for c in programa.casos],

@@ -31,10 +31,19 @@ const bytes = nombre => abiertos[nombre] ??= pide(nombre).then(async () => {
 const json = async nombre => JSON.parse(new TextDecoder().decode(await bytes(nombre)));
 const compilado = () => compilado.hecho ??= bytes('wasm').then(b => WebAssembly.compile(b));
 
+/// Lo que dura mientras no se cierra la pestaña; un navegador puede no permitirlo.
+function recuerdo(texto) {
+  try {
+    return texto ? sessionStorage.setItem('cambios', texto) : sessionStorage.getItem('cambios');
+  } catch {
+    return null;
+  }
+}
+
 // --- un programa en marcha --------------------------------------------------------------------------------------------
 
-const LADO_MAXIMO = 4096;
-const cambios = new Map(JSON.parse(sessionStorage.getItem('cambios') ?? '[]')); // los shaders que se han tocado
+const LADO_MAXIMO = 4096, ESPERA_MAXIMA = 10000; // ms seguidos que lleva un enlace: se repiten de golpe
+const cambios = new Map(JSON.parse(recuerdo() ?? '[]')); // los shaders que se han tocado
 
 /// Arranca un programa en un lienzo. `di(línea)` recibe lo que escribe; `titulo(texto)`, el de la ventana; `ficheros`, los
 /// que se le dan además de los del laboratorio. Devuelve lo que se puede hacer con él.
@@ -104,7 +113,7 @@ const ERROR = /([\w./]+\.(?:vert|frag|glsl))(?::| no compila: ERROR: 0:)(\d+): (
 
 /// Lo que escribe el programa: los errores de los shaders van al editor y lo demás se enseña.
 function di(linea) {
-  escrito.push(linea);
+  escrito = [...escrito.slice(-9), linea];
   const mal = linea.match(ERROR);
   if (mal) return errores.push({ ruta: mal[1].includes('/') ? mal[1] : `${actual.capitulo}/${mal[1]}`, linea: +mal[2], mensaje: mal[3] });
   if (/no enlazan|#include/.test(linea)) return errores.push({ ruta: '', linea: 0, mensaje: linea });
@@ -123,6 +132,7 @@ const talla = () => {
 /// Empieza el programa actual y repite un guion.
 async function empieza(guionInicial = '', argumentos = []) {
   const mio = ++turno, lienzo = crea('canvas', { tabIndex: 0 });
+  lienzo.style.touchAction = actual.raton ? 'none' : 'pan-y'; // si no se arrastra en él, el dedo pasa la página
   lienzo.setAttribute('role', 'application');
   lienzo.setAttribute('aria-label', `${actual.titulo}: las teclas van al programa`);
   const teniaFoco = marco.contains(document.activeElement);
@@ -165,20 +175,19 @@ async function empieza(guionInicial = '', argumentos = []) {
 function manda(orden) {
   if (!sesion?.vivo) return;
   sesion.orden(orden);
+  if (!sesion.vivo) return mira(); // lo que termina el programa no hay que repetirlo
   const partes = delLienzo(orden, sesion.lienzo, escala(sesion.lienzo)).split(/[;\n]/).map(o => o.trim()).filter(Boolean);
   for (const parte of partes) {
     const [que, n] = parte.split(' '), [anterior, previo] = (hecho.at(-1) ?? '').split(' ');
     if (/^(tamano|captura)$/.test(que) || parte === 'especial F5' || (que === 'espera' && !actual.anima)) continue;
-    if (que === anterior && que === 'espera') hecho[hecho.length - 1] = `espera ${+previo + +n}`;
+    if (que === anterior && que === 'espera') hecho[hecho.length - 1] = `espera ${Math.min(+previo + +n, ESPERA_MAXIMA)}`;
     else if (que === anterior && /^(arrastra|mueve)$/.test(que)) hecho[hecho.length - 1] = parte;
     else hecho.push(parte);
   }
-  mira();
 }
 
-/// Tras una orden: si el programa ha terminado lo dice, y pone al día el menú.
+/// Si el programa ha terminado, lo dice.
 function mira() {
-  if (!sesion) return;
   if (sesion.vivo || actual.consola) return;
   cubre(sesion.fallo ? escrito.slice(-3).join('\n') || 'El programa ha fallado' : 'El programa ha terminado');
 }
@@ -276,11 +285,10 @@ function atiende(lienzo) {
     });
   lienzo.addEventListener('wheel', suceso => {
     suceso.preventDefault();
-    giro += suceso.deltaY * [1, 33, 400][suceso.deltaMode];
-    for (; Math.abs(giro) >= 50; giro -= 100 * Math.sign(giro)) {
-      manda(`rueda ${giro < 0 ? '+1' : '-1'} ${lugar(suceso)}`);
-      if (Math.abs(giro) < 150) { giro = 0; break; }
-    }
+    giro += suceso.deltaY * [1, 33, 400][suceso.deltaMode]; // un panel táctil da muchos giros pequeños
+    if (Math.abs(giro) < 50) return;
+    manda(`rueda ${giro < 0 ? '+1' : '-1'} ${lugar(suceso)}`);
+    giro = 0;
   }, { passive: false });
   lienzo.addEventListener('contextmenu', suceso => suceso.preventDefault());
 
@@ -422,7 +430,7 @@ async function abreFicheros(ficheros) {
   if (!actual?.admite || !ficheros.length) return;
   const nuevas = [];
   for (const fichero of ficheros) {
-    const nombre = `${propias.length + nuevas.length}-` + fichero.name.replace(/[^\w.-]/g, '_');
+    const nombre = `${++abreFicheros.cuenta}-` + fichero.name.replace(/[^\w.-]/g, '_');
     try {
       if (actual.admite === '.vf') nuevas.push({ nombre, datos: new Uint8Array(await fichero.arrayBuffer()) });
       else nuevas.push({ nombre: nombre.replace(/\.[^.]*$/, '') + '.ppm', datos: await aPpm(fichero) });
@@ -433,8 +441,9 @@ async function abreFicheros(ficheros) {
   propias = [...propias, ...nuevas].slice(-actual.cuantas);
   if (propias.length < actual.cuantas) return avisa('Falta otra imagen: este programa usa dos.');
   await empieza();
-  propias = [];
 }
+
+abreFicheros.cuenta = 0; // dos ficheros pueden llamarse igual
 
 const entrada = una('.fichero input');
 entrada.onchange = () => abreFicheros([...entrada.files]).then(() => { entrada.value = ''; });
@@ -450,7 +459,7 @@ addEventListener('drop', suceso => {
 
 // --- el editor ----------------------------------------------------------------------------------------------------------
 
-let editor, documentos, abierto = '', reloj;
+let editor, abierto = '', reloj = 0;
 const esShader = ruta => /\.(vert|frag|glsl)$/.test(ruta);
 const originales = async ruta => (await json(esShader(ruta) ? 'shaders' : 'codigo'))[ruta];
 
@@ -465,7 +474,7 @@ async function ponEditor() {
     editor.on('change', (_, { origin }) => {
       if (origin === 'setValue' || !esShader(abierto)) return;
       clearTimeout(reloj);
-      reloj = setTimeout(aplica, 250);
+      reloj = setTimeout(aplicaYa, 250);
     });
   }
 }
@@ -481,6 +490,7 @@ function anota() { // los ficheros del programa: los que nombra y los que ha le�
 }
 
 async function abre(ruta) {
+  await aplicaYa();
   abierto = ruta;
   for (const b of todos('.pestanas button')) b.setAttribute('aria-pressed', b.ruta === ruta);
   await ponEditor();
@@ -523,12 +533,21 @@ function marca() {
 function apunta(ruta, texto, original) {
   if (texto === original) cambios.delete(ruta);
   else cambios.set(ruta, texto);
-  sessionStorage.setItem('cambios', JSON.stringify([...cambios]));
+  recuerdo(JSON.stringify([...cambios]));
+}
+
+/// Lo que se acaba de escribir, sin esperar más: al cuarto de segundo o al irse a otro fichero.
+function aplicaYa() {
+  if (!reloj) return;
+  clearTimeout(reloj);
+  reloj = 0;
+  return aplica();
 }
 
 async function aplica() {
-  const ruta = abierto, texto = editor.getValue();
+  const programa = actual, ruta = abierto, texto = editor.getValue();
   apunta(ruta, texto, await originales(ruta));
+  if (programa !== actual) return;
   if (!sesion?.vivo) return empieza(hecho.join('; ')); // quizá no arrancaba por este error
   sesion.escribe(ruta, texto);
   recarga();
@@ -542,9 +561,9 @@ function recarga() {
 }
 
 async function vuelve() {
-  const original = await originales(abierto);
+  editor.setValue(await originales(abierto));
   clearTimeout(reloj);
-  editor.setValue(original);
+  reloj = 0;
   await aplica();
 }
 
@@ -575,6 +594,7 @@ let ruta;
 function navega() {
   if (location.hash === ruta) return;
   ruta = location.hash;
+  aplicaYa();
   const partes = ruta.slice(1).split(';'), nombre = decodeURIComponent(partes.shift());
   actual = programaDe(nombre);
   turno++;

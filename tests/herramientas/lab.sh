@@ -30,6 +30,7 @@ espera 0 'Grúa de obra' "$lab" lista
 espera 1 'no entiendo «--csv»' "$lab" lista --csv
 espera 1 'no entiendo «sobra»' "$lab" lista --tsv sobra
 espera 1 'no entiendo «sobra»' "$lab" galeria sobra
+espera 1 'no entiendo «sobra»' "$lab" web sobra
 espera 1 'no entiendo «grua»; para elegir pruebas, -R grua' "$lab" prueba grua
 espera 1 'no entiendo «--asn»' "$lab" prueba --asn
 espera 1 'no entiendo «grua»' "$lab" prueba --asan -R grua grua
