@@ -101,9 +101,11 @@ void destruyeContexto() {
     contexto = EGL_NO_CONTEXT;
 }
 
-void diTitulo(const char *) {}
+void diTitulo(const char *) {
+}
 
-void cedeAlNavegador() {}
+void cedeAlNavegador() {
+}
 
 void (*direccionGL(const char *nombre))() {
     return eglGetProcAddress(nombre);

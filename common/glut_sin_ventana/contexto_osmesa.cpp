@@ -65,9 +65,11 @@ void destruyeContexto() {
     contexto = nullptr;
 }
 
-void diTitulo(const char *) {}
+void diTitulo(const char *) {
+}
 
-void cedeAlNavegador() {}
+void cedeAlNavegador() {
+}
 
 void (*direccionGL(const char *nombre))() {
     return OSMesaGetProcAddress(nombre);

@@ -19,7 +19,7 @@ precision highp usampler2D;
 inline std::string enEssl(const std::string &shader) {
     const std::string version = "#version 140\n";
     return shader.compare(0, version.size(), version) == 0 ? CABECERA_ESSL + shader.substr(version.size())
-                                                          : shader;
+                                                           : shader;
 }
 
 } // namespace sin_ventana

@@ -57,8 +57,8 @@ const GLubyte *glGetString(GLenum nombre) {
         return valor;
     static std::string versiones[2];
     std::string &version = versiones[nombre == GL_VERSION];
-    version = std::string(nombre == GL_VERSION ? "3.1" : "1.40") + " (imitado: " +
-              reinterpret_cast<const char *>(valor) + ")";
+    version = std::string(nombre == GL_VERSION ? "3.1" : "1.40") +
+              " (imitado: " + reinterpret_cast<const char *>(valor) + ")";
     return reinterpret_cast<const GLubyte *>(version.c_str());
 }
 
