@@ -25,7 +25,7 @@ vec3 marmol(vec3 p) {
     float onda = abs(sin(5.0 * (p.x + 0.7 * p.y + 0.4 * p.z) + 6.0 * torcido));
     float nube = texture(ruido, 0.3 * p + 0.25).r, fuerza = texture(ruido, 0.7 * p + 0.6).r;
     vec3 fondo = mix(vec3(0.97, 0.96, 0.94), vec3(0.74, 0.77, 0.82), smoothstep(0.35, 0.75, nube));
-    float veta = pow(1.0 - onda, 3.0) * smoothstep(0.25, 0.65, fuerza);
+    float veta = pow(max(1.0 - onda, 0.0), 3.0) * smoothstep(0.25, 0.65, fuerza);
     return mix(fondo, vec3(0.24, 0.28, 0.34), min(1.2 * veta, 1.0));
 }
 
