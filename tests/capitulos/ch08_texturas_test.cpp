@@ -53,9 +53,8 @@ struct Errores {
         return std::sqrt(suma / comparados);
     }
     void apunta() const {
+        apuntaDiferencia(maximo, rmse());
         testing::Test::RecordProperty("comparados", comparados);
-        testing::Test::RecordProperty("maximo", std::to_string(maximo));
-        testing::Test::RecordProperty("rmse", std::to_string(rmse()));
         testing::Test::RecordProperty("grandes", grandes);
     }
 };
