@@ -115,7 +115,7 @@ for p in primer_programa primer_programa_dos; do cp "$carpeta/vacio" $golden/$p.
 espera 1 '«shader_basico-volando» no es un caso' $lab dora primer_programa shader_basico-volando
 [ ! -s $golden/primer_programa.ppm ] || mal 'dora ha empezado antes de saber si lo entendía todo'
 espera 0 'primer_programa: ' $lab dora primer_programa shader_basico
-cmp $golden/shader_basico.ppm "$carpeta/golden.ppm" || mal 'dora no rehace shader_basico'
+build/tests/compara "$carpeta/golden.ppm" $golden/shader_basico.ppm --amplia >/dev/null || mal 'dora no rehace shader_basico'
 [ -s $golden/primer_programa.ppm ] && [ ! -s $golden/primer_programa_dos.ppm ] || mal 'dora primer_programa no rehace solo ese golden'
 
 # la galería rehace lo que falta y solo eso

@@ -1,0 +1,177 @@
+// Elegir un objeto con el ratón (listados 10.2 y 10.3): la escena se dibuja otra vez, en un framebuffer propio y con cada
+// objeto del color de su identificador (identificador.h), y se lee el píxel del clic. Lo que tapa también se dibuja, con
+// el 0. Como son sus listados, las llamadas a OpenGL del framebuffer están a la vista.
+// Controles: clic elige · v lo que hay en el framebuffer · arrastrar orbita · rueda acerca · Esc termina.
+#include "ch03_transformaciones/objeto.h"
+#include "colores.h"
+#include "identificador.h"
+#include "orbita.h"
+#include "recuadro.h"
+#include "rotulo.h"
+#include "trazo.h"
+#include "ventana.h"
+#include <cmath>
+#include <cstdio>
+#include <glm/gtc/constants.hpp>
+
+enum Forma { TABLERO, CUBO, ESFERA, CONO, TORO, N_FORMAS };
+static const float RECTO = glm::half_pi<float>();
+static const struct {
+    glm::mat4 M; // la posa en el origen
+    float altura;
+} POSADA[N_FORMAS] = {{traslacion({0, -0.15f, 0}) * escalado({6, 0.3f, 6}), 0},
+                      {traslacion({0, 0.6f, 0}) * giroY(0.4f) * escalado(1.2f), 1.2f},
+                      {traslacion({0, 0.75f, 0}) * escalado(0.75f), 1.5f},
+                      {giroX(-RECTO) * escalado({0.75f, 0.75f, 1.7f}), 1.7f},
+                      {traslacion({0, 0.84f, 0}) * giroY(0.45f), 1.68f}};
+static const struct {
+    const char *nombre;
+    Forma forma;
+    glm::vec3 lugar, color;
+} SOLIDOS[] = {{"nada", TABLERO, {0, 0, 0}, {0.80f, 0.74f, 0.66f}}, // el 0: el tablero solo tapa
+               {"cono verde", CONO, {-2, 0, -2}, VERDE},
+               {"cubo azul", CUBO, {0, 0, -2}, AZUL},
+               {"toro rojo", TORO, {2, 0, -2}, ROJO},
+               {"esfera roja", ESFERA, {-2, 0, 0}, ROJO},
+               {"toro verde", TORO, {0, 0, 0}, VERDE},
+               {"cono amarillo", CONO, {2, 0, 0}, AMARILLO},
+               {"cubo naranja", CUBO, {-2, 0, 2}, NARANJA},
+               {"toro azul", TORO, {0, 0, 2}, AZUL},
+               {"esfera morada", ESFERA, {2, 0, 2}, MORADO}};
+static const float APAGADO = 0.7f, RADIO_ARO = 0.98f;
+
+enum { COLOR, PROFUNDIDAD, N_RENDERBUFFERS };
+static struct {
+    GLuint programa, programaIdentificador;
+    GLuint framebuffer = 0, renderbuffers[N_RENDERBUFFERS] = {};
+    Buferes formas[N_FORMAS];
+    unsigned elegido = NADA; // SOLIDOS[elegido]
+    std::string leido = "clic en un objeto";
+    bool conIdentificadores = false;
+    Orbita orbita = {0.25f, 0.55f, 11.5f, {-0.45f, 0.05f, 0}, 0.1f};
+} estado;
+
+// Listado 10.2. El tamaño es el de la ventana: cuando cambia hay que hacerlo otra vez.
+static void creaFramebuffer(int ancho, int alto) {
+    glDeleteFramebuffers(1, &estado.framebuffer); // si no había, borrar el 0 no hace nada
+    glDeleteRenderbuffers(N_RENDERBUFFERS, estado.renderbuffers);
+
+    glGenRenderbuffers(N_RENDERBUFFERS, estado.renderbuffers);
+    glBindRenderbuffer(GL_RENDERBUFFER, estado.renderbuffers[COLOR]);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, ancho, alto); // GL_RGBA a secas no promete 8 bits
+    glBindRenderbuffer(GL_RENDERBUFFER, estado.renderbuffers[PROFUNDIDAD]);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, ancho, alto);
+
+    glGenFramebuffers(1, &estado.framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                              estado.renderbuffers[COLOR]);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
+                              estado.renderbuffers[PROFUNDIDAD]);
+    if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        falla("este OpenGL no admite el framebuffer de la selección");
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+static void inicia() {
+    estado.programa = creaProgramaObjeto();
+    estado.programaIdentificador =
+        creaPrograma("ch03_transformaciones/objeto.vert", "ch10_interaccion/identificador.frag");
+    const Malla mallas[N_FORMAS] = {cubo(), cubo(), esfera(64), cono(64), toro(0.6f, 0.24f, 64, 32)};
+    for (int i = 0; i < N_FORMAS; ++i)
+        estado.formas[i] = creaBuferes(mallas[i]);
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_DITHER); // un identificador no se puede redondear
+}
+
+static glm::mat4 proyeccion() {
+    return perspectivaVentana(0.6f, 1, 60);
+}
+
+// Con el color de cada objeto o con el de su identificador.
+static void dibujaObjetos(bool conIdentificadores) {
+    const GLuint p = conIdentificadores ? estado.programaIdentificador : estado.programa;
+    abreRecuadro(ventanaEntera(), conIdentificadores ? colorDe(NADA) : CIELO);
+    glUseProgram(p);
+    envia(p, "proyeccion", proyeccion());
+    envia(p, "camara", camaraOrbita(estado.orbita));
+    unsigned identificador = NADA;
+    for (const auto &s : SOLIDOS) {
+        const glm::mat4 M = traslacion(s.lugar) * POSADA[s.forma].M;
+        if (conIdentificadores) {
+            envia(p, "M", M);
+            envia(p, "identificador", colorDe(identificador));
+            dibuja(estado.formas[s.forma]);
+        } else {
+            const bool apagado = estado.elegido != NADA && estado.elegido != identificador;
+            dibujaObjeto(p, estado.formas[s.forma], M,
+                         apagado ? glm::mix(s.color, SOLIDOS[NADA].color, APAGADO) : s.color);
+        }
+        ++identificador;
+    }
+}
+
+// Un aro a sus pies y su nombre encima.
+static void nombraElegido(const glm::vec3 &color) {
+    const auto &s = SOLIDOS[estado.elegido];
+    const glm::mat4 transformacion = proyeccion() * camaraOrbita(estado.orbita);
+    std::vector<glm::vec3> aro;
+    for (float a = 0; a < 4 * RECTO; a += RECTO / 16)
+        aro.push_back(s.lugar + RADIO_ARO * glm::vec3(std::cos(a), 0.02f, std::sin(a)));
+    trazaPolilinea(aro, transformacion, color, GROSOR, true);
+    rotulaPunto(s.nombre, s.lugar + glm::vec3(0, POSADA[s.forma].altura + 0.1f, 0), transformacion, color);
+}
+
+static void dibuja() {
+    const glm::vec3 color = estado.conIdentificadores ? BLANCO : OSCURO;
+    dibujaObjetos(estado.conIdentificadores);
+    if (estado.elegido != NADA)
+        nombraElegido(color);
+    rotula(estado.leido, {0.5f, 0.06f}, color);
+    glutSwapBuffers();
+}
+
+// Listado 10.3. GLUT cuenta las filas desde arriba, de 0 a alto − 1, y OpenGL desde abajo.
+static void selecciona(int x, int y) {
+    glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
+    dibujaObjetos(true);
+    unsigned char pixel[4] = {}; // lo que quede si el clic cae fuera
+    glReadPixels(x, glutGet(GLUT_WINDOW_HEIGHT) - 1 - y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0); // el de dibujar y el de leer
+
+    estado.elegido = identificadorDe({pixel[0], pixel[1], pixel[2]});
+    const std::string nombre = SOLIDOS[estado.elegido].nombre;
+    estado.leido = "color";
+    for (int k = 0; k < 3; ++k)
+        estado.leido += " " + std::to_string(pixel[k]);
+    estado.leido += " → objeto " + std::to_string(estado.elegido);
+    std::printf("(%d, %d) %s: %s\n", x, y, estado.leido.c_str(), nombre.c_str());
+    std::fflush(stdout);
+    ponTitulo("Selección: " + nombre);
+    glutPostRedisplay();
+}
+
+static void boton(int cual, int movimiento, int x, int y) {
+    orbitaBoton(cual, movimiento, x, y);
+    if (cual == GLUT_LEFT_BUTTON && movimiento == GLUT_DOWN)
+        selecciona(x, y);
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla) || tecla != 'v')
+        return;
+    estado.conIdentificadores = !estado.conIdentificadores;
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Selección", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    inicia();
+    glutDisplayFunc(dibuja);
+    glutReshapeFunc(creaFramebuffer);
+    glutKeyboardFunc(teclado);
+    orbitaConRaton(estado.orbita);
+    glutMouseFunc(boton);
+    glutMainLoop();
+    return 0;
+}

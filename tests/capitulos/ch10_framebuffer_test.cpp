@@ -1,0 +1,106 @@
+// Lo que seleccion deja en OpenGL, que en sus imágenes no se ve: el programa se incluye entero y se llama a sus funciones.
+#include <gtest/gtest.h>
+
+#define main programaSeleccion
+#include "ch10_interaccion/seleccion.cpp"
+#undef main
+
+namespace {
+
+class Framebuffer : public testing::Test {
+protected:
+    static void SetUpTestSuite() {
+        static char nombre[] = "seleccion", opcion[] = "-geometry", talla[] = "240x180";
+        char *argv[] = {nombre, opcion, talla, nullptr};
+        int argc = 3;
+        abreVentana(argc, argv, "Selección", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+        inicia();
+        creaFramebuffer(240, 180);
+    }
+};
+
+GLint entero(GLenum cual) {
+    GLint valor = -1;
+    glGetIntegerv(cual, &valor);
+    return valor;
+}
+
+GLint delRenderbuffer(int cual, GLenum que) {
+    GLint valor = -1;
+    glBindRenderbuffer(GL_RENDERBUFFER, estado.renderbuffers[cual]);
+    glGetRenderbufferParameteriv(GL_RENDERBUFFER, que, &valor);
+    return valor;
+}
+
+} // namespace
+
+// Del shader a lo que se lee: los números en que se pasa de un byte a otro, los de un solo bit y el mayor.
+TEST_F(Framebuffer, GuardaCadaIdentificador) {
+    std::vector<unsigned> identificadores = {0, 255, 256, 65535, 65536, (1u << 24) - 1};
+    for (unsigned bit = 0; bit < 24; ++bit)
+        identificadores.push_back(1u << bit);
+    glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
+    for (const unsigned id : identificadores) {
+        abreRecuadro(ventanaEntera(), CIELO);
+        const GLuint p = estado.programaIdentificador;
+        glUseProgram(p);
+        for (const char *matriz : {"proyeccion", "camara", "M"})
+            envia(p, matriz, glm::mat4(1));
+        envia(p, "identificador", colorDe(id));
+        ::dibuja(estado.formas[CUBO]); // llena el centro
+        unsigned char pixel[4];
+        glReadPixels(120, 90, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+        EXPECT_EQ(identificadorDe({pixel[0], pixel[1], pixel[2]}), id);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+// Un framebuffer enlazado para leer no se nota hasta que alguien lee la ventana.
+TEST_F(Framebuffer, SeleccionarDejaEnlazadaLaVentana) {
+    for (const auto &prepara : {+[] { creaFramebuffer(240, 180); }, +[] { selecciona(180, 112); }}) {
+        prepara();
+        EXPECT_EQ(entero(GL_DRAW_FRAMEBUFFER_BINDING), 0);
+        EXPECT_EQ(entero(GL_READ_FRAMEBUFFER_BINDING), 0);
+        EXPECT_EQ(entero(GL_SCISSOR_TEST), GL_FALSE);
+        GLint vista[4];
+        glGetIntegerv(GL_VIEWPORT, vista);
+        EXPECT_EQ(vista[2], 240);
+        EXPECT_EQ(vista[3], 180);
+    }
+    EXPECT_STREQ(SOLIDOS[estado.elegido].nombre, "esfera morada");
+}
+
+// Cada identificador se guarda tal cual: ni muestras, ni mezcla, ni tramado.
+TEST_F(Framebuffer, NadaCambiaElColor) {
+    EXPECT_EQ(delRenderbuffer(COLOR, GL_RENDERBUFFER_SAMPLES), 0);
+    for (const GLenum bits :
+         {GL_RENDERBUFFER_RED_SIZE, GL_RENDERBUFFER_GREEN_SIZE, GL_RENDERBUFFER_BLUE_SIZE})
+        EXPECT_EQ(delRenderbuffer(COLOR, bits), 8);
+    EXPECT_EQ(delRenderbuffer(PROFUNDIDAD, GL_RENDERBUFFER_DEPTH_SIZE), 24);
+    EXPECT_FALSE(glIsEnabled(GL_DITHER));
+    EXPECT_FALSE(glIsEnabled(GL_BLEND));
+    EXPECT_FALSE(glIsEnabled(GL_FRAMEBUFFER_SRGB));
+    EXPECT_TRUE(glIsEnabled(GL_DEPTH_TEST));
+}
+
+// Al arrastrar el borde de la ventana llegan cientos de tamaños: se guarda un framebuffer, no cientos.
+TEST_F(Framebuffer, RehacerloNoDejaElAnterior) {
+    for (int lado = 1; lado <= 300; ++lado) {
+        creaFramebuffer(lado, 301 - lado);
+        for (const int cual : {COLOR, PROFUNDIDAD}) {
+            ASSERT_EQ(delRenderbuffer(cual, GL_RENDERBUFFER_WIDTH), lado);
+            ASSERT_EQ(delRenderbuffer(cual, GL_RENDERBUFFER_HEIGHT), 301 - lado);
+        }
+    }
+    int vivos = 0; // los nombres se dan seguidos
+    for (GLuint nombre = 1; nombre < 2000; ++nombre)
+        vivos += glIsRenderbuffer(nombre) + glIsFramebuffer(nombre);
+    EXPECT_EQ(vivos, 3);
+    creaFramebuffer(240, 180);
+}
+
+// Si OpenGL no lo da, se dice.
+TEST_F(Framebuffer, SiNoEstaCompletoSeDice) {
+    testing::FLAGS_gtest_death_test_style = "threadsafe";
+    EXPECT_DEATH(creaFramebuffer(1 << 24, 1), "no admite el framebuffer de la selección");
+}
