@@ -15,7 +15,7 @@ import tempfile
 
 # Las ecuaciones numeradas del libro: de la 1 a la n de cada capítulo.
 ECUACIONES = {3: 10, 4: 4, 5: 7, 7: 4, 8: 1, 9: 1, 11: 42}
-CITA = re.compile(r"`([a-z0-9_]+(?:\.\w+)+\*?)`")
+CITA = re.compile(r"`([a-z0-9_]+(?:\.[\w/]+)+\*?)`")
 SIN_PRUEBA = "Sin prueba:"
 
 

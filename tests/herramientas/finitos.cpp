@@ -1,9 +1,9 @@
-// Se antepone (LD_PRELOAD) a un programa enlazado con OSMesa: la ventana pasa a ser de float, y cada vez que se lee se mira que todos
-// sus colores sean finitos. Si alguno no lo es se dice dónde y el programa acaba con 4. Lo que se dibuja en un framebuffer propio de
-// 8 bits llega a la ventana ya recortado: un NaN de ahí no se ve.
+// Se antepone (LD_PRELOAD) a un programa enlazado con OSMesa: la ventana pasa a ser de float, y también sus framebuffers propios de 8
+// bits; cada vez que se lee la ventana se mira que todos sus colores sean finitos. Si alguno no lo es se dice dónde y el programa
+// acaba con 4. Lo que tapa otro color no se ve, ni lo que se lee de un framebuffer propio sin pasar por la ventana.
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
+#include <cstring>
 #include <deque>
 #include <dlfcn.h>
 #include <unistd.h>
@@ -22,6 +22,24 @@ Funcion laDeVerdad(const char *nombre) {
     return reinterpret_cast<Funcion>(dlsym(RTLD_NEXT, nombre));
 }
 
+/// Donde un color cabe en 8 bits por componente, en float.
+GLenum enFloat(GLenum formato) {
+    return formato == GL_RGB8 || formato == GL_RGBA8 || formato == GL_RGB || formato == GL_RGBA ? GL_RGBA32F
+                                                                                                : formato;
+}
+void renderbufferStorage(GLenum objetivo, GLenum formato, GLsizei ancho, GLsizei alto) {
+    static const auto original = reinterpret_cast<PFNGLRENDERBUFFERSTORAGEPROC>(
+        laDeVerdad<decltype(&OSMesaGetProcAddress)>("OSMesaGetProcAddress")("glRenderbufferStorage"));
+    original(objetivo, enFloat(formato), ancho, alto);
+}
+void renderbufferStorageMultisample(GLenum objetivo, GLsizei muestras, GLenum formato, GLsizei ancho,
+                                    GLsizei alto) {
+    static const auto original =
+        reinterpret_cast<PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC>(laDeVerdad<decltype(&OSMesaGetProcAddress)>(
+            "OSMesaGetProcAddress")("glRenderbufferStorageMultisample"));
+    original(objetivo, muestras, enFloat(formato), ancho, alto);
+}
+
 [[noreturn]] void acaba(const char *que, double valor, GLint x, GLint y) {
     std::fprintf(stderr, "finitos: %s %g en (%d, %d)\n", que, valor, x, y);
     _exit(4);
@@ -36,6 +54,22 @@ GLboolean OSMesaMakeCurrent(OSMesaContext contexto, void *, GLenum, GLsizei anch
     memorias.emplace_back(4 * static_cast<std::size_t>(ancho) * static_cast<std::size_t>(alto));
     static const auto original = laDeVerdad<decltype(&OSMesaMakeCurrent)>("OSMesaMakeCurrent");
     return original(contexto, memorias.back().data(), GL_FLOAT, ancho, alto);
+}
+
+OSMESAproc OSMesaGetProcAddress(const char *nombre) {
+    if (std::strcmp(nombre, "glRenderbufferStorage") == 0)
+        return reinterpret_cast<OSMESAproc>(renderbufferStorage);
+    if (std::strcmp(nombre, "glRenderbufferStorageMultisample") == 0)
+        return reinterpret_cast<OSMESAproc>(renderbufferStorageMultisample);
+    return laDeVerdad<decltype(&OSMesaGetProcAddress)>("OSMesaGetProcAddress")(nombre);
+}
+
+void glTexImage2D(GLenum objetivo, GLint nivel, GLint interno, GLsizei ancho, GLsizei alto, GLint borde,
+                  GLenum formato, GLenum tipo, const void *datos) {
+    static const auto original = laDeVerdad<decltype(&glTexImage2D)>("glTexImage2D");
+    if (!datos) // sin datos: se va a dibujar en ella
+        interno = static_cast<GLint>(enFloat(static_cast<GLenum>(interno)));
+    original(objetivo, nivel, interno, ancho, alto, borde, formato, tipo, datos);
 }
 
 void glReadPixels(GLint x, GLint y, GLsizei ancho, GLsizei alto, GLenum formato, GLenum tipo, void *datos) {
