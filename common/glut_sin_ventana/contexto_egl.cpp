@@ -1,5 +1,5 @@
-// Contexto sobre EGL sin superficie de ventana (EGL_MESA_platform_surfaceless): Mesa 25.1 y posteriores,
-// que ya no traen OSMesa, y GPU sin pantalla. El framebuffer es un pbuffer.
+// Contexto sobre EGL sin ventana: Mesa 25.1 y posteriores, que ya no traen OSMesa (EGL_MESA_platform_surfaceless), y otros
+// controladores en una máquina sin pantalla (EGL_EXT_platform_device). El framebuffer es un pbuffer.
 #include "../error.h"
 #include "contexto.h"
 #include <EGL/egl.h>
@@ -21,12 +21,32 @@ EGLSurface superficie = EGL_NO_SURFACE;
     falla("EGL " + que + " (error " + codigo + ")");
 }
 
+bool abre(EGLDisplay cual) {
+    if (cual != EGL_NO_DISPLAY && eglInitialize(cual, nullptr, nullptr))
+        pantalla = cual;
+    return pantalla != EGL_NO_DISPLAY;
+}
+
+void abrePantalla() {
+    if (abre(eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr)))
+        return;
+    const auto dispositivos =
+        reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+    EGLDeviceEXT candidatos[16];
+    EGLint cuantos = 0;
+    if (dispositivos)
+        dispositivos(16, candidatos, &cuantos);
+    for (EGLint i = 0; i < cuantos; ++i)
+        if (abre(eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, candidatos[i], nullptr)))
+            return;
+    fallaEgl(
+        "no tiene una plataforma sin ventanas (EGL_MESA_platform_surfaceless o EGL_EXT_platform_device)");
+}
+
 } // namespace
 
 void creaContexto(int ancho, int alto, bool profundidad, bool plantilla) {
-    pantalla = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
-    if (pantalla == EGL_NO_DISPLAY || !eglInitialize(pantalla, nullptr, nullptr))
-        fallaEgl("no tiene la plataforma sin superficie (EGL_MESA_platform_surfaceless)");
+    abrePantalla();
     const EGLint atributos[] = {EGL_SURFACE_TYPE,
                                 EGL_PBUFFER_BIT,
                                 EGL_RENDERABLE_TYPE,
