@@ -56,7 +56,7 @@ TEST(Menu, EmpiezaEnPerspectivaYSeOrbita) {
     for (const auto &c : casos) {
         const Imagen imagen =
             ejecuta("ch10_interaccion/menu", std::string("tecla 1; menu ") + c.opcion).imagen;
-        const std::vector<CajaRotulo> cajas = leeRotulo(imagen, c.rotulo, c.color);
+        const std::vector<Rotulo> cajas = leeRotulo(imagen, c.rotulo, c.color);
         ASSERT_EQ(cajas.size(), 1u) << c.rotulo;
         EXPECT_LT(cajas[0].x0, 12);
         EXPECT_GT(cajas[0].y0, 160);
@@ -134,7 +134,7 @@ TEST(Eventos, SeVenLosUltimos) {
                                     "tecla d 198 170",     "tecla e 198 170", "tecla f 198 170",
                                     "especial F3 198 170", "tecla g 198 170", "movimiento 195 170"};
     for (int i = 0; i < 9; ++i) {
-        const std::vector<CajaRotulo> cajas = leeRotulo(imagen, seguidos[i], i == 8 ? AZUL : OSCURO);
+        const std::vector<Rotulo> cajas = leeRotulo(imagen, seguidos[i], i == 8 ? AZUL : OSCURO);
         ASSERT_EQ(cajas.size(), 1u) << seguidos[i];
         EXPECT_NEAR(0.5 * (cajas[0].y0 + cajas[0].y1), 180 * (0.92 - 0.1 * i), 2) << seguidos[i];
     }
