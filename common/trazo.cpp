@@ -125,8 +125,9 @@ void trazaPolilinea(const std::vector<glm::vec3> &puntos, const glm::mat4 &trans
             continue; // no hay con quién empalmar
         const glm::vec3 siguiente = t.pantalla.aPixeles(c), n1 = perpendicular(p, q, t.medio),
                         n2 = perpendicular(q, siguiente, t.medio);
-        t.triangulo(q, q + n1, q + n2); // uno llena la cuña de fuera del giro; el otro cae dentro
-        t.triangulo(q, q - n1, q - n2);
+        // uno llena la cuña de fuera del giro y el otro cae dentro; comparten con la banda su lado entero, sin grietas
+        t.triangulo(q - n1, q + n1, q + n2);
+        t.triangulo(q + n1, q - n1, q - n2);
     }
     pintaTriangulos(t.vertices, color);
 }

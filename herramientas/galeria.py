@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """galeria.py RAÍZ BUILD DESTINO: dibuja cada caso de build/casos.tsv sin ventana y escribe DESTINO/index.html.
 
-Cada imagen se dibuja al doble de tamaño y se reduce a la mitad, para que los bordes salgan suavizados. Solo se rehace
-lo que ha cambiado: DESTINO/.hecho.json recuerda de qué (programa, shaders, guion) salió cada imagen y qué escribió
+Cada imagen se dibuja al doble de tamaño y se reduce a la mitad, para que los bordes salgan suavizados. De los casos con
+ANIMA se hace, además de la imagen, un APNG de tantos cuadros, a la mitad de tamaño. Solo se rehace lo que ha cambiado: DESTINO/.hecho.json recuerda de qué (programa, shaders, guion) salió cada imagen y qué escribió
 entonces el programa. Si algún caso falla, la página lleva los demás y el estado es 1.
 """
 import hashlib
@@ -10,16 +10,19 @@ import json
 import os
 import re
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
+import zlib
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 import pagina
 
 ANCHO, ALTO = 1920, 1440
-ESCALA = ANCHO // 240  # los guiones de los casos dan el ratón en una ventana de 240×180, la de los golden
+ENTRE_CUADROS = 100  # milisegundos
+MAYOR_APNG = 1000000  # bytes: el que no cabe se hace con una paleta de 256 colores, o de 128, o de 64
 SEGUNDOS = 300  # un programa que no acaba no detiene la galería
 
 
@@ -38,9 +41,55 @@ def ejecuta(orden, **opciones):
     return proceso.stdout
 
 
-def a_escala(guion):
+def a_escala(guion, ancho):
+    """Los guiones de los casos dan el ratón en una ventana de 240×180, la de los golden."""
     return re.sub(r"\b(boton \w+ \w+|arrastra|mueve|rueda [+-]?1) (-?\d+) (-?\d+)",
-                  lambda m: f"{m[1]} {int(m[2]) * ESCALA} {int(m[3]) * ESCALA}", guion)
+                  lambda m: f"{m[1]} {int(m[2]) * ancho // 240} {int(m[3]) * ancho // 240}", guion)
+
+
+def a_la_mitad(ppm):
+    mitad = ppm.with_suffix(".mitad")
+    mitad.write_bytes(ejecuta(["pamscale", "-linear", "0.5", ppm]))  # la media de cada 2×2
+    ppm.unlink()
+    return mitad
+
+
+def apng(tira, cuadros):
+    """El APNG que enseña, uno tras otro y sin fin, los cuadros que el PNG `tira` tiene uno debajo de otro. Sus filas se reparten
+    tal cual: ninguna debe estar filtrada con la de encima."""
+    def trozo(tipo, datos):
+        return struct.pack(">I", len(datos)) + tipo + datos + struct.pack(">I", zlib.crc32(tipo + datos))
+
+    lugar, cabecera, paleta, comprimido = 8, b"", b"", b""
+    while lugar < len(tira):
+        largo, tipo = struct.unpack_from(">I4s", tira, lugar)
+        datos = tira[lugar + 8:lugar + 8 + largo]
+        if tipo == b"IHDR":
+            cabecera = datos
+        elif tipo == b"PLTE":
+            paleta = trozo(tipo, datos)
+        elif tipo == b"IDAT":
+            comprimido += datos
+        lugar += 12 + largo
+    ancho, alto = struct.unpack(">II", cabecera[:8])
+    alto //= cuadros
+    filas = zlib.decompress(comprimido)
+    largo = len(filas) // cuadros
+    salida = [tira[:8], trozo(b"IHDR", struct.pack(">II", ancho, alto) + cabecera[8:]),
+              trozo(b"acTL", struct.pack(">II", cuadros, 0)), paleta]
+    for i in range(cuadros):  # de orden van 0; 1, 2; 3, 4…: el primer cuadro es un IDAT y los demás, fdAT
+        datos = zlib.compress(filas[i * largo:(i + 1) * largo], 9)
+        salida.append(trozo(b"fcTL", struct.pack(">IIIIIHHBB", max(2 * i - 1, 0), ancho, alto, 0, 0, ENTRE_CUADROS, 1000, 0, 0)))
+        salida.append(trozo(b"fdAT", struct.pack(">I", 2 * i) + datos) if i else trozo(b"IDAT", datos))
+    return b"".join([*salida, trozo(b"IEND", b"")])
+
+
+def escribe(fichero, datos):
+    """Entero o nada."""
+    fichero.parent.mkdir(parents=True, exist_ok=True)
+    parcial = fichero.with_suffix(".parcial")
+    parcial.write_bytes(datos)
+    parcial.replace(fichero)
 
 
 class Galeria:
@@ -61,31 +110,50 @@ class Galeria:
         """Hace la imagen de un caso si no está al día. Dice si la ha hecho."""
         ejecutable = self.build / self.sin_ventana / programa.capitulo / programa.nombre
         png = self.destino / caso.imagen
-        clave = hashlib.sha1(repr((self.comunes, caso.guion, caso.argumentos)).encode() + ejecutable.read_bytes()).hexdigest()
+        ficheros = [] if programa.consola else [png, self.destino / caso.animada] if caso.anima else [png]
+        clave = hashlib.sha1(repr((self.comunes, caso.guion, caso.argumentos, caso.anima)).encode() +
+                             ejecutable.read_bytes()).hexdigest()
         anterior = self.hecho.get(caso.imagen, {})
-        if anterior.get("clave") == clave and (programa.consola or png.is_file() and png.stat().st_size):
+        if anterior.get("clave") == clave and all(f.is_file() and f.stat().st_size for f in ficheros):
             caso.salida = anterior["salida"]
             return False
-        png.unlink(missing_ok=True)
+        for fichero in ficheros:
+            fichero.unlink(missing_ok=True)
         self.hecho.pop(caso.imagen, None)
         orden = [ejecutable, *caso.argumentos.split()]
         ppm = temporal / f"{caso.fichero}.ppm"
         if not programa.consola:
             orden += ["-geometry", f"{ANCHO}x{ALTO}", "-ppm", ppm]
         if caso.guion:
-            orden += ["-guion", a_escala(caso.guion)]
+            orden += ["-guion", a_escala(caso.guion, ANCHO)]
         caso.salida = ejecuta(orden, cwd=temporal).decode(errors="replace")
         if not programa.consola:
-            mitad = temporal / f"{caso.fichero}.mitad"
-            mitad.write_bytes(ejecuta(["pamscale", "-linear", "0.5", ppm]))  # la media de cada 2×2
-            ppm.unlink()
-            png.parent.mkdir(parents=True, exist_ok=True)
-            parcial = png.with_suffix(".parcial")
-            parcial.write_bytes(ejecuta(["pnmtopng", "-quiet", mitad]))
-            parcial.replace(png)
+            mitad = a_la_mitad(ppm)
+            escribe(png, ejecuta(["pnmtopng", "-quiet", mitad]))
             mitad.unlink()
+        if caso.anima:
+            with tempfile.TemporaryDirectory(dir=temporal) as carpeta:
+                escribe(self.destino / caso.animada, self.anima(ejecutable, caso, Path(carpeta)))
         self.hecho[caso.imagen] = {"clave": clave, "salida": caso.salida}
         return True
+
+    def anima(self, ejecutable, caso, carpeta):
+        """El APNG de un caso: desde donde lo deja su guion, ANIMA dice cuántos cuadros y la orden que lleva al siguiente."""
+        cuadros, paso = caso.anima.split(maxsplit=1)
+        nombres = [f"{i:03}.ppm" for i in range(int(cuadros))]
+        guion = "; ".join([a_escala(caso.guion, ANCHO // 2), *(f"captura {nombre}; {paso}" for nombre in nombres)])
+        ejecuta([ejecutable, *caso.argumentos.split(), "-geometry", f"{ANCHO // 2}x{ALTO // 2}", "-ppm", "x", "-guion", guion],
+                cwd=carpeta)
+        tira, mapa, con_paleta = (carpeta / nombre for nombre in ("tira", "mapa", "con_paleta"))
+        tira.write_bytes(ejecuta(["pnmcat", "-topbottom", *(a_la_mitad(carpeta / nombre) for nombre in nombres)]))
+        resultado = apng(ejecuta(["pnmtopng", "-quiet", "-force", "-sub", tira]), len(nombres))
+        for colores in 256, 128, 64:
+            if len(resultado) <= MAYOR_APNG:
+                break
+            mapa.write_bytes(ejecuta(["pnmcolormap", str(colores), tira]))
+            con_paleta.write_bytes(ejecuta(["pnmremap", f"-mapfile={mapa}", tira]))
+            resultado = apng(ejecuta(["pnmtopng", "-quiet", "-nofilter", con_paleta]), len(nombres))
+        return resultado
 
     def dibuja_programa(self, programa, temporal):
         """Todos los casos de un programa. Devuelve la línea que lo cuenta; cada caso recuerda su fallo."""

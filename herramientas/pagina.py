@@ -24,12 +24,17 @@ class Caso:
     fichero: str
     mira: str
     borde: str
+    anima: str
     salida: str = ""  # lo que escribe el programa
     fallo: str = ""
 
     @property
     def imagen(self):
         return f"{self.capitulo}/{self.fichero}.png"
+
+    @property
+    def animada(self):
+        return f"{self.capitulo}/{self.fichero}.anima.png"
 
     @property
     def titulo(self):
@@ -79,7 +84,7 @@ def lee_catalogo(build):
     for p in programas:
         p.casos = [c for c in casos if c.programa == p.nombre]
         if p.consola:
-            p.casos = [Caso(p.capitulo, p.nombre, "base", "", "", "", p.nombre, "", "")]
+            p.casos = [Caso(p.capitulo, p.nombre, "base", "", "", "", p.nombre, "", "", "")]
     return [Capitulo(nombre, grupo[0].titulo_capitulo or nombre, grupo) for nombre, grupo in
             ((nombre, list(grupo)) for nombre, grupo in itertools.groupby(programas, lambda p: p.capitulo))]
 

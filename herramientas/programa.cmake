@@ -5,18 +5,19 @@
 #   Compila <nombre>.cpp una sola vez y lo enlaza para cada destino de LAB_DESTINOS:
 #   build/<destino>/<capítulo>/<nombre>. CONSOLA: escribe texto y no tiene imagen.
 #
-# caso(programa nombre [GUION "orden; orden"] [ARGUMENTOS a b …] [MIRA "…"] [BORDE "…"] [LINEAS | TOLERANCIA "…" MOTIVO "…"])
+# caso(programa nombre [GUION "orden; orden"] [ARGUMENTOS a b …] [MIRA "…"] [BORDE "…"] [ANIMA "N orden"] [LINEAS | TOLERANCIA "…" MOTIVO "…"])
 #   Una imagen de ese programa: tras el guion debe ser tests/golden/<capítulo>/<programa>[-nombre].ppm;
 #   el caso que se llama base no lleva sufijo.
 #   MIRA: una frase, a qué hay que mirar; es el pie de la imagen en la galería.
 #   BORDE: por qué la escena llega al borde de la ventana; sin él, no debe llegar.
+#   ANIMA: en la galería se mueve: N cuadros, a diez por segundo, y la orden del guion que lleva de cada uno al siguiente.
 #   TOLERANCIA cambia la que usa el comparador cuando la imagen no es del mismo OpenGL que el golden, y exige un MOTIVO.
 #   LINEAS es la de los casos con puntos o líneas: OpenGL deja a cada controlador elegir qué píxeles pintan.
 #
 # Con esas funciones se escriben build/catalogo.tsv y build/casos.tsv, y todo lo demás (las pruebas, ./lab, la galería,
 # docs/programas.md) sale de ahí. Sus columnas, donde lo que falta es un guion y lo nuevo se añade al final:
 #   catalogo.tsv: capítulo, programa, referencia, título, consola, título del capítulo
-#   casos.tsv: capítulo, programa, caso, guion, argumentos, tolerancia, nombre del fichero, mira, borde
+#   casos.tsv: capítulo, programa, caso, guion, argumentos, tolerancia, nombre del fichero, mira, borde, anima
 
 foreach(tabla CATALOGO CASOS NOMBRES_DE_CASOS)
   define_property(GLOBAL PROPERTY LAB_${tabla} BRIEF_DOCS "Filas de los TSV" FULL_DOCS "-")
@@ -79,9 +80,12 @@ function(programa nombre)
 endfunction()
 
 function(caso programa nombre)
-  cmake_parse_arguments(PARSE_ARGV 2 C "LINEAS" "GUION;MIRA;BORDE;TOLERANCIA;MOTIVO" "ARGUMENTOS")
+  cmake_parse_arguments(PARSE_ARGV 2 C "LINEAS" "GUION;MIRA;BORDE;ANIMA;TOLERANCIA;MOTIVO" "ARGUMENTOS")
   if(C_UNPARSED_ARGUMENTS OR (C_TOLERANCIA AND NOT C_MOTIVO))
     message(FATAL_ERROR "caso(${programa} ${nombre}): sobra «${C_UNPARSED_ARGUMENTS}» o falta el MOTIVO")
+  endif()
+  if(C_ANIMA AND NOT C_ANIMA MATCHES "^[1-9][0-9]?[0-9]? ")
+    message(FATAL_ERROR "caso(${programa} ${nombre}): ANIMA es el número de cuadros, hasta 999, y la orden que lleva al siguiente")
   endif()
   exige_nombre(${nombre})
   if(NOT TARGET ${programa})
@@ -96,7 +100,7 @@ function(caso programa nombre)
   if(nombre STREQUAL "base")
     set(fichero ${programa})
   endif()
-  anade_fila(CASOS capitulo programa nombre C_GUION argumentos C_TOLERANCIA fichero C_MIRA C_BORDE)
+  anade_fila(CASOS capitulo programa nombre C_GUION argumentos C_TOLERANCIA fichero C_MIRA C_BORDE C_ANIMA)
   if(C_BORDE)
     set_property(GLOBAL APPEND PROPERTY LAB_CASOS_QUE_LLEGAN_AL_BORDE ${programa}.${nombre})
   endif()

@@ -10,9 +10,7 @@ function ensena(enlace) {
   actual = enlace;
   const figura = enlace.closest('figure'), titulo = una('h3', enlace.closest('article')).textContent;
   const nombre = una('b', figura)?.textContent;
-  const imagen = una('img', grande);
-  imagen.src = enlace.href;
-  imagen.alt = una('img', enlace).alt;
+  una('picture', grande).replaceWith(una('picture', enlace).cloneNode(true));
   una('h2', grande).textContent = nombre ? `${titulo}: ${nombre}` : titulo;
   una('p', grande).textContent = una('.mira', figura)?.textContent ?? '';
   if (grande.open) return;

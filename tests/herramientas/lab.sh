@@ -86,7 +86,7 @@ capitulo("Título; con punto y coma")
 programa(primer_programa REF "L1.1" TITULO "Uno")
   caso(primer_programa base MIRA "Mira; y [remira]")
 programa(primer_programa_dos REF "L1.2" TITULO "Dos")
-  caso(primer_programa_dos base GUION "tecla a; tecla a" BORDE "llega")
+  caso(primer_programa_dos base GUION "tecla a; tecla a" BORDE "llega" ANIMA "3 tecla a; espera 5")
 programa(shader_basico REF "L1.2" TITULO "Tres")
 target_compile_definitions(shader_basico PRIVATE LAB_FUENTES="${CMAKE_SOURCE_DIR}")
   caso(shader_basico base)
@@ -101,7 +101,7 @@ cp $golden/primer_programa.ppm $golden/primer_programa_dos.ppm
 
 # una prueba que falla da un estado distinto de 0 y deja sus imágenes; y ninguna prueba, también
 espera 0 '100% tests passed' $lab prueba
-[[ $(cat build/casos.tsv) == *$'\tprimer_programa\tMira; y [remira]\t-\n'*$'tecla a; tecla a\t-\t-\tprimer_programa_dos\t-\tllega\n'* ]] ||
+[[ $(cat build/casos.tsv) == *$'\tprimer_programa\tMira; y [remira]\t-\t-\n'*$'tecla a; tecla a\t-\t-\tprimer_programa_dos\t-\tllega\t3 tecla a; espera 5\n'* ]] ||
   mal "casos.tsv no dice lo que el CMakeLists.txt: $(cat build/casos.tsv)"
 cp $golden/shader_basico.ppm "$carpeta/golden.ppm"
 cp $golden/primer_programa.ppm $golden/shader_basico.ppm
@@ -120,11 +120,47 @@ build/tests/compara "$carpeta/golden.ppm" $golden/shader_basico.ppm --amplia >/d
 
 # la galería rehace lo que falta y solo eso
 espera 0 'Hecha: ' $lab galeria
+espera 0 'primer_programa_dos: sin cambios' $lab galeria
 espera 0 'primer_programa: sin cambios' $lab galeria
 rm -f galeria/ch01_intro/primer_programa.png
 : >galeria/ch01_intro/shader_basico.png
 espera 0 'primer_programa: 1 imagen' $lab galeria
 [[ $(pngtopnm galeria/ch01_intro/shader_basico.png | head -c 11) == *'960 720'* ]] || mal 'shader_basico.png no se ha rehecho'
+
+# un caso con ANIMA tiene además un APNG con sus cuadros, que se rehace si falta o si cambia ANIMA
+cuadros() { # cuántos dice el trozo acTL y cuántos hay, cada uno de una décima y en su orden
+  python3 - galeria/ch01_intro/primer_programa_dos.anima.png <<'FIN'
+import struct, sys, zlib
+png, lugar, trozos = open(sys.argv[1], "rb").read(), 8, []
+while lugar < len(png):
+    largo, tipo = struct.unpack_from(">I4s", png, lugar)
+    datos = png[lugar + 8:lugar + 8 + largo]
+    assert struct.unpack_from(">I", png, lugar + 8 + largo)[0] == zlib.crc32(tipo + datos), tipo
+    trozos.append((tipo, datos))
+    lugar += 12 + largo
+ancho, alto = struct.unpack(">II", trozos[0][1][:8])
+orden = [struct.unpack(">I", d[:4])[0] for t, d in trozos if t in (b"fcTL", b"fdAT")]
+assert orden == list(range(len(orden))), orden
+controles = [struct.unpack(">IIIIIHHBB", d) for t, d in trozos if t == b"fcTL"]
+assert all(c[1:5] == (ancho, alto, 0, 0) and c[5] * 10 == c[6] for c in controles), controles
+filas = [zlib.decompress(d[4 * (t == b"fdAT"):]) for t, d in trozos if t in (b"IDAT", b"fdAT")]
+assert len({len(f) for f in filas}) == 1 and len(filas[0]) % alto == 0
+print(dict(trozos)[b"acTL"][3], len(controles), len(filas))
+FIN
+}
+[ "$(cuadros)" = '3 3 3' ] && [[ $(pngtopnm galeria/ch01_intro/primer_programa_dos.anima.png | head -c 11) == *'480 360'* ]] ||
+  mal 'primer_programa_dos.anima.png no son tres cuadros de 480×360'
+[ ! -e galeria/ch01_intro/primer_programa.anima.png ] || mal 'un caso sin ANIMA tiene APNG'
+grep -q 'srcset="ch01_intro/primer_programa_dos.anima.png" media="(prefers-reduced-motion: no-preference)"' galeria/index.html ||
+  mal 'la página no lleva la animación'
+rm galeria/ch01_intro/primer_programa_dos.anima.png
+espera 0 'primer_programa_dos: 1 imagen' $lab galeria
+sed -i 's/3 tecla a/4 tecla a/' ch01_intro/CMakeLists.txt
+espera 0 'primer_programa_dos: 1 imagen' $lab galeria
+[ "$(cuadros)" = '4 4 4' ] || mal 'al cambiar ANIMA no cambia el APNG'
+sed -i 's/4 tecla a; espera 5/cuatro/' ch01_intro/CMakeLists.txt
+espera 1 'ANIMA es el número de cuadros' $lab galeria
+sed -i 's/cuatro/3 tecla a/' ch01_intro/CMakeLists.txt
 
 # un shader roto: la página con los demás, su nombre y un estado distinto de 0
 cp ch01_intro/shader_basico.frag "$carpeta/bueno.frag"

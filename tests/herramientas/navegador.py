@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """navegador.py RAÍZ BUILD: dibuja la galería en una carpeta temporal y la recorre en Chromium, abierta con file://.
 
-Todas las imágenes cargan; la vista grande se abre, pasa con las flechas y se cierra con Esc; el buscador encuentra con
+Todas las imágenes cargan, y las animadas se mueven, salvo para quien pide menos movimiento; la vista grande se abre, pasa con las flechas y se cierra con Esc; el buscador encuentra con
 acentos y sin ellos; los fuentes se ven; nada se sale de un teléfono de 360 píxeles; la consola no da ningún error.
 """
 import json
@@ -46,6 +46,13 @@ class Navegador:
         self.pide("/goog/cdp/execute", cmd="Emulation.setDeviceMetricsOverride",
                   params={"width": ancho, "height": alto, "deviceScaleFactor": 1, "mobile": ancho < 500})
 
+    def menos_movimiento(self, si):
+        self.pide("/goog/cdp/execute", cmd="Emulation.setEmulatedMedia",
+                  params={"features": [{"name": "prefers-reduced-motion", "value": "reduce" if si else ""}]})
+
+    def foto(self):
+        return self.pide("/screenshot", "GET")
+
     def cierra(self):
         try:
             self.pide("", "DELETE")
@@ -70,13 +77,14 @@ def espera(navegador, codigo):
     return navegador.js(codigo)
 
 
-def recorre(n, pagina, casos):
+def recorre(n, pagina, casos, animados):
     n.talla(1440, 900)
     n.pide("/url", url=pagina.as_uri())
     n.js("for (const i of document.images) i.loading = 'eager'")
     exige(espera(n, "return [...document.querySelectorAll('figure img')].every(i => i.complete)"), "las imágenes acaban de cargar")
-    exige(n.js("return [...document.querySelectorAll('figure img')].filter(i => i.naturalWidth === 960).length") == casos,
-          f"hay {casos} imágenes de 960 píxeles")
+    for anchura, cuantas, cuales in ((960, casos - animados, "quietas"), (480, animados, "animadas")):
+        exige(n.js(f"return [...document.querySelectorAll('figure img')].filter(i => i.naturalWidth === {anchura}).length") == cuantas,
+              f"hay {cuantas} imágenes {cuales} de {anchura} píxeles")
 
     titulo = "return document.querySelector('dialog h2').textContent"
     grande = "return document.querySelector('dialog').open"
@@ -91,10 +99,28 @@ def recorre(n, pagina, casos):
     n.tecla(IZQUIERDA)
     n.tecla(IZQUIERDA)
     exige(n.js("return actual === document.querySelector('figure a')"), "← en la primera se queda en ella")
-    alto = n.js("return document.querySelector('dialog > img').getBoundingClientRect().height")
+    alto = n.js("return document.querySelector('dialog img').getBoundingClientRect().height")
     exige(alto > 700, f"en una ventana de 900 la imagen grande mide {alto}")
     n.tecla(ESC)
     exige(not n.js(grande), "Esc cierra la vista grande")
+
+    if animados:
+        n.js("document.querySelector('figure source').parentElement.parentElement.click()")
+        fuente = "return document.querySelector('dialog img').currentSrc"
+        exige(espera(n, f"{fuente}.endsWith('.anima.png')"), "la vista grande de una animada también se mueve")
+        exige(n.js("return document.querySelector('dialog img').getBoundingClientRect().bottom <= "
+                   "document.querySelector('.pie').getBoundingClientRect().top + 1 && "
+                   "document.querySelector('.pie').getBoundingClientRect().bottom <= innerHeight"), "y cabe entera sobre su pie")
+        primero, cambia = n.foto(), False
+        for _ in range(20):
+            time.sleep(0.1)
+            cambia = cambia or n.foto() != primero
+        exige(cambia, "una animada cambia con el tiempo")
+        n.tecla(ESC)
+        n.menos_movimiento(True)
+        exige(espera(n, "return [...document.querySelectorAll('figure img')].every(i => i.complete && i.naturalWidth === 960)"),
+              "con menos movimiento, todas están quietas")
+        n.menos_movimiento(False)
 
     n.tecla("/")
     for letra in "grua obra":
@@ -124,7 +150,8 @@ def main():
             sys.exit("la galería no se ha dibujado entera")
         navegador = Navegador(Path(carpeta, "perfil"))
         try:
-            recorre(navegador, destino / "index.html", len((build / "casos.tsv").read_text().splitlines()))
+            casos = (build / "casos.tsv").read_text().splitlines()
+            recorre(navegador, destino / "index.html", len(casos), sum(not caso.endswith("\t-") for caso in casos))
         finally:
             navegador.cierra()
     sys.exit(1 if fallos else 0)

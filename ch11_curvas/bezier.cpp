@@ -1,0 +1,72 @@
+// La curva cúbica de Bézier (ecuaciones 11.12 a 11.19): su polígono de control, su casco convexo, de donde no sale, y la
+// construcción de de Casteljau, que halla Q(u) partiendo en u los lados del polígono, una y otra vez.
+// Controles: arrastra los puntos (o n y flechas) · u U mueven u · Esc termina.
+#include "colores.h"
+#include "curvas.h"
+#include "editor.h"
+#include "escenas_curvas.h"
+#include "rotulo.h"
+#include "trazo.h"
+
+static const glm::vec3 COLOR_NIVEL[] = {GRIS, VERDE, NARANJA, ROJO},
+                       COLOR_CASCO = glm::mix(FONDO_CLARO, AZUL, 0.1f);
+static const float PASO_U = 0.05f;
+
+static struct {
+    std::vector<glm::vec3> P = PUNTOS_BEZIER;
+    float u = 0.4f;
+} estado;
+
+static glm::mat4 vista() {
+    return paralelaVentana(1);
+}
+
+/// Cada punto del casco convexo de unos puntos del plano está en un triángulo de tres de ellos.
+static void pintaCasco() {
+    std::vector<glm::vec3> triangulos;
+    for (std::size_t falta = 0; falta < 4; ++falta)
+        for (std::size_t i = 0; i < 4; ++i)
+            if (i != falta)
+                triangulos.push_back(vista() * glm::vec4(estado.P[i], 1));
+    pintaTriangulos(triangulos, COLOR_CASCO);
+}
+
+static void dibuja() {
+    glClear(GL_COLOR_BUFFER_BIT);
+    pintaCasco();
+    const auto niveles = casteljau(estado.P, estado.u);
+    for (std::size_t k = 0; k < 3; ++k)
+        trazaPolilinea(niveles[k], vista(), COLOR_NIVEL[k], 0.8f * GROSOR);
+    const float pixel = 2 / altoUtil(); // el alto de la vista son dos unidades
+    trazaPolilinea(polilineaBezier(estado.P, 0.1 * pixel), vista(), AZUL, 1.7f * GROSOR);
+    for (std::size_t k = 1; k < 4; ++k)
+        trazaPuntos(niveles[k], vista(), COLOR_NIVEL[k], (k == 3 ? 5 : 2.5f) * GROSOR);
+    trazaPuntos(estado.P, vista(), OSCURO, 4 * GROSOR);
+    for (std::size_t i = 0; i < 4; ++i)
+        rotulaPunto("P" + std::to_string(i + 1), estado.P[i], vista(), colorNombre(i),
+                    i % 3 == 0 ? Lado::DEBAJO : Lado::ENCIMA);
+    // hacia dentro de la curva, para no taparla
+    const glm::vec3 Q = niveles[3][0], dentro = 0.5f * (estado.P[0] + estado.P[3]);
+    rotulaPunto("Q(u)", glm::mix(Q, dentro, 0.16f), vista(), ROJO, Lado::CENTRO);
+    char titulo[60];
+    std::snprintf(titulo, sizeof titulo, "Curva de Bézier: u = %.2f", static_cast<double>(estado.u));
+    ponTitulo(titulo);
+    glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla) || teclaEditor(tecla) || (tecla != 'u' && tecla != 'U'))
+        return;
+    estado.u = glm::clamp(estado.u + (tecla == 'u' ? PASO_U : -PASO_U), 0.0f, 1.0f);
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Curva de Bézier", GLUT_DOUBLE | GLUT_MULTISAMPLE);
+    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    editaConRaton({&estado.P, vista});
+    glutMainLoop();
+    return 0;
+}

@@ -1,0 +1,121 @@
+// Editar con el ratón los puntos de un programa del capítulo: se coge el más cercano en la pantalla y se mueve paralelo a
+// ella. Con el teclado, n elige el siguiente y las flechas lo mueven.
+#pragma once
+#include "colores.h"
+#include "orbita.h"
+#include "ventana.h"
+#include <vector>
+
+const float ALCANCE_RATON = 0.05f,
+            PASO_FLECHA = 0.1f; // en partes del alto de la ventana, y en coordenadas normalizadas
+
+/// El punto cuya imagen está más cerca del ratón (coordenadas normalizadas), a menos de `alcance` unidades de `porUnidad`; −1
+/// si ninguno lo está. `porUnidad` iguala las medidas de X e Y, que en coordenadas normalizadas son distintas.
+inline int masCercano(const std::vector<glm::vec3> &puntos, const glm::mat4 &transformacion,
+                      const glm::vec2 &raton, const glm::vec2 &porUnidad, float alcance) {
+    int mejor = -1;
+    for (std::size_t i = 0; i < puntos.size(); ++i) {
+        const glm::vec4 p = transformacion * glm::vec4(puntos[i], 1);
+        const float d = glm::length((glm::vec2(p) / p.w - raton) * porUnidad);
+        if (p.w > 0 && d < alcance) {
+            alcance = d;
+            mejor = static_cast<int>(i);
+        }
+    }
+    return mejor;
+}
+
+/// El punto llevado al sitio de la pantalla, sin cambiar su profundidad.
+inline glm::vec3 llevado(const glm::vec3 &punto, const glm::mat4 &transformacion, const glm::vec2 &raton) {
+    glm::vec4 p = transformacion * glm::vec4(punto, 1);
+    p = glm::inverse(transformacion) * glm::vec4(raton * p.w, p.z, p.w);
+    return glm::vec3(p) / p.w;
+}
+
+struct Editor {
+    std::vector<glm::vec3> *puntos;
+    glm::mat4 (*transformacion)();
+    void (*alMover)(std::size_t, const glm::vec3 &) = nullptr; // qué punto y cuánto se ha movido
+    bool conOrbita = false;                                    // lejos de los puntos, el ratón orbita
+    int elegido = -1;
+    bool arrastrando = false;
+};
+
+inline Editor editor;
+
+/// El del nombre de un punto: el elegido, en rojo.
+inline glm::vec3 colorNombre(std::size_t i) {
+    return static_cast<int>(i) == editor.elegido ? ROJO : OSCURO;
+}
+
+inline glm::vec2 ratonNormalizado(int x, int y) {
+    const float ancho = static_cast<float>(glutGet(GLUT_WINDOW_WIDTH)),
+                alto = static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT));
+    return {(2 * static_cast<float>(x) + 1) / ancho - 1, 1 - (2 * static_cast<float>(y) + 1) / alto};
+}
+
+inline void mueveElegido(const glm::vec2 &sitio) {
+    const auto i = static_cast<std::size_t>(editor.elegido);
+    glm::vec3 &punto = (*editor.puntos)[i];
+    const glm::vec3 antes = punto; // cerca del borde, que se pueda volver a coger
+    punto = llevado(punto, editor.transformacion(), glm::clamp(sitio, -0.95f, 0.95f));
+    if (editor.alMover)
+        editor.alMover(i, punto - antes);
+    glutPostRedisplay();
+}
+
+inline void botonEditor(int boton, int pulsado, int x, int y) {
+    if (boton != GLUT_LEFT_BUTTON)
+        return;
+    editor.arrastrando = false;
+    if (pulsado == GLUT_DOWN) {
+        const int cual = masCercano(*editor.puntos, editor.transformacion(), ratonNormalizado(x, y),
+                                    {relacionAspecto(), 1}, 2 * ALCANCE_RATON);
+        editor.arrastrando = cual >= 0;
+        if (editor.arrastrando)
+            editor.elegido = cual;
+    }
+    if (editor.conOrbita && !editor.arrastrando)
+        orbitaBoton(boton, pulsado, x, y);
+    glutPostRedisplay();
+}
+
+inline void arrastraEditor(int x, int y) {
+    if (editor.arrastrando)
+        mueveElegido(ratonNormalizado(x, y));
+    else if (editor.conOrbita)
+        orbitaArrastra(x, y);
+}
+
+inline void especialEditor(int tecla, int, int) {
+    if (teclaEspecialComun(tecla) || editor.elegido < 0)
+        return;
+    const glm::vec2 paso = tecla == GLUT_KEY_LEFT    ? glm::vec2(-PASO_FLECHA, 0)
+                           : tecla == GLUT_KEY_RIGHT ? glm::vec2(PASO_FLECHA, 0)
+                           : tecla == GLUT_KEY_UP    ? glm::vec2(0, PASO_FLECHA)
+                           : tecla == GLUT_KEY_DOWN  ? glm::vec2(0, -PASO_FLECHA)
+                                                     : glm::vec2(0);
+    const glm::vec4 p =
+        editor.transformacion() * glm::vec4((*editor.puntos)[static_cast<std::size_t>(editor.elegido)], 1);
+    mueveElegido(glm::vec2(p) / p.w + paso);
+}
+
+/// Atiende n (elige el siguiente punto). Devuelve si la tecla era suya.
+inline bool teclaEditor(unsigned char tecla) {
+    if (tecla != 'n')
+        return false;
+    editor.elegido = (editor.elegido + 1) % static_cast<int>(editor.puntos->size());
+    glutPostRedisplay();
+    return true;
+}
+
+/// Instala las funciones del ratón y de las teclas especiales. Con `orbita`, arrastrar lejos de los puntos la gira.
+inline void editaConRaton(const Editor &nuevo, Orbita *orbita = nullptr) {
+    editor = nuevo;
+    editor.conOrbita = orbita != nullptr;
+    if (orbita)
+        orbitaConRaton(*orbita);
+    glutMouseFunc(botonEditor);
+    glutMotionFunc(arrastraEditor);
+    glutSpecialFunc(especialEditor);
+}

@@ -1,0 +1,68 @@
+// La superficie de Bézier (ecuaciones 11.40 y 11.41, figura 11.2) y los 16 puntos de control que la definen. Se parte en los
+// triángulos que bastan para no separarse de ella más de una tolerancia en píxeles.
+// Controles: arrastra los puntos (o n y flechas) · m malla · + - mitad o doble de tolerancia · ratón orbita ·
+// Esc termina.
+#include "lamina.h"
+#include "rotulo.h"
+#include "trazo.h"
+
+static const double TOLERANCIA_MINIMA = 0.125, TOLERANCIA_MAXIMA = 64;
+
+static struct {
+    std::vector<glm::vec3> P = {
+        {-1.5f, -0.5f, 1.5f}, {-1.5f, 0.3f, 0.5f}, {-1.5f, 0.5f, -0.5f}, {-1.5f, -0.2f, -1.5f},
+        {-0.5f, 0.4f, 1.5f},  {-0.5f, 1.0f, 0.5f}, {-0.5f, 1.3f, -0.5f}, {-0.5f, 0.5f, -1.5f},
+        {0.5f, 0.1f, 1.5f},   {0.5f, -0.9f, 0.5f}, {0.5f, 0.7f, -0.5f},  {0.5f, 0.8f, -1.5f},
+        {1.5f, -0.4f, 1.5f},  {1.5f, 0.1f, 0.5f},  {1.5f, 0.3f, -0.5f},  {1.5f, -0.3f, -1.5f}};
+    double tolerancia = 0.5; // píxeles
+    bool malla = false;
+} estado;
+
+static void dibuja() {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const Geometria2<float> G = geometriaDeRed(estado.P, 4);
+    const Malla malla = mallaSuperficie(
+        Base::BEZIER, G, segmentosSuperficie(Base::BEZIER, G, estado.tolerancia * pixelLamina()));
+    dibujaLamina(malla, LAMINA_AZUL);
+    if (estado.malla) {
+        std::vector<glm::vec3> lados;
+        for (std::size_t i = 0; i < malla.indices.size(); i += 3)
+            for (std::size_t k = 0; k < 3; ++k)
+                for (const std::size_t extremo : {k, (k + 1) % 3})
+                    lados.push_back(malla.vertices[malla.indices[i + extremo]].posicion);
+        trazaSegmentos(lados, vistaLamina(), BLANCO, 0.5f * GROSOR);
+    } else {
+        trazaSegmentos(redDeControl(estado.P, 4), vistaLamina(), GRIS, 0.7f * GROSOR);
+        trazaPuntos(estado.P, vistaLamina(), ROJO, 3.5f * GROSOR);
+        for (std::size_t k = 0; k < 16; ++k)
+            if (k == 0 || k == 3 || k == 12 || k == 15 || static_cast<int>(k) == editor.elegido)
+                rotulaPunto("P" + std::to_string(k / 4) + std::to_string(k % 4), estado.P[k], vistaLamina(),
+                            OSCURO, k == 0 || k == 12 ? Lado::DEBAJO : Lado::ENCIMA);
+    }
+    char titulo[80];
+    std::snprintf(titulo, sizeof titulo, "Superficie de Bézier: hasta %g px, %zu triángulos",
+                  estado.tolerancia, malla.indices.size() / 3);
+    ponTitulo(titulo);
+    glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla) || teclaEditor(tecla))
+        return;
+    if (tecla == 'm')
+        estado.malla = !estado.malla;
+    else if (tecla == '+' || tecla == '-')
+        estado.tolerancia =
+            glm::clamp(estado.tolerancia * (tecla == '+' ? 0.5 : 2), TOLERANCIA_MINIMA, TOLERANCIA_MAXIMA);
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Superficie de Bézier", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    iniciaLamina();
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    editaConRaton({&estado.P, vistaLamina}, &orbitaLamina);
+    glutMainLoop();
+    return 0;
+}

@@ -1,0 +1,74 @@
+// La superficie B-Spline (ecuación 11.42): cada 4×4 puntos de control de la red definen un trozo, y los vecinos comparten
+// doce. Se unen con C2 sin pasar por los puntos, y mover uno cambia solo los trozos que lo usan, 16 como mucho.
+// Controles: arrastra los puntos (o n y flechas) · r red de control · ratón orbita · Esc termina.
+#include "lamina.h"
+#include "rotulo.h"
+#include "trazo.h"
+
+static const std::size_t LADO = 6; // puntos de control de un lado de la red
+
+/// Un monte junto a un hoyo.
+static std::vector<glm::vec3> redInicial() {
+    std::vector<glm::vec3> P;
+    for (std::size_t i = 0; i < LADO; ++i)
+        for (std::size_t j = 0; j < LADO; ++j) {
+            const float x = 0.8f * (static_cast<float>(i) - 2.5f), z = -0.8f * (static_cast<float>(j) - 2.5f);
+            const auto monte = [&](float cx, float cz) {
+                return std::exp(-1.6f * ((x - cx) * (x - cx) + (z - cz) * (z - cz)));
+            };
+            P.push_back({x, 2.0f * monte(-0.5f, -0.5f) - 1.5f * monte(0.6f, 0.6f), z});
+        }
+    return P;
+}
+
+static struct {
+    std::vector<glm::vec3> P = redInicial();
+    bool red = true;
+} estado;
+
+static void dibuja() {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    // los mismos segmentos en todos los trozos, para que casen en los bordes
+    Segmentos n = {1, 1};
+    const auto trozos = [&](const auto &haz) {
+        for (std::size_t i = 0; i + 3 < LADO; ++i)
+            for (std::size_t j = 0; j + 3 < LADO; ++j)
+                haz(geometriaDeRed(estado.P, LADO, i, j), (i + j) % 2 == 0 ? LAMINA_AZUL : LAMINA_NARANJA);
+    };
+    trozos([&](const Geometria2<float> &G, const Material &) {
+        const Segmentos s = segmentosSuperficie(Base::BSPLINE, G, 0.5 * pixelLamina());
+        n = {std::max(n.u, s.u), std::max(n.v, s.v)};
+    });
+    trozos([&](const Geometria2<float> &G, const Material &material) {
+        dibujaLamina(mallaSuperficie(Base::BSPLINE, G, n), material);
+    });
+    if (estado.red) {
+        trazaSegmentos(redDeControl(estado.P, LADO), vistaLamina(), GRIS, 0.6f * GROSOR);
+        trazaPuntos(estado.P, vistaLamina(), ROJO, 3 * GROSOR);
+    }
+    if (editor.elegido >= 0) {
+        const auto k = static_cast<std::size_t>(editor.elegido);
+        rotulaPunto("P" + std::to_string(k / LADO) + std::to_string(k % LADO), estado.P[k], vistaLamina(),
+                    OSCURO);
+    }
+    ponTitulo("Superficie B-Spline: " + std::to_string(LADO * LADO) + " puntos, " +
+              std::to_string((LADO - 3) * (LADO - 3)) + " trozos");
+    glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla) || teclaEditor(tecla) || tecla != 'r')
+        return;
+    estado.red = !estado.red;
+    glutPostRedisplay();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Superficie B-Spline", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    iniciaLamina();
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
+    editaConRaton({&estado.P, vistaLamina}, &orbitaLamina);
+    glutMainLoop();
+    return 0;
+}

@@ -1,0 +1,68 @@
+// Banderas en una grada como sistema de partículas (figura 12.2): cada bandera es un cuadrado, que nace y muere en instantes
+// al azar, como en mosaico, y mientras vive la agita un ruido. Entre todas hacen un dibujo.
+// Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · ratón orbita · Esc termina.
+#include "animacion.h"
+#include "buferes_piezas.h"
+#include "ch03_transformaciones/objeto.h"
+#include "orbita.h"
+
+static const int COLUMNAS = 26, FILAS = 12;
+static const float SEPARACION = 1.0f;
+static const glm::vec3 ASIENTO(0, 0.8f, -0.9f), COLOR_GRADA(0.66f, 0.68f, 0.72f);
+static const glm::vec3 PALETA[] = {ROJO, AMARILLO, AZUL};
+
+static struct {
+    GLuint programa, programaObjeto;
+    BuferPiezas piezas;
+    Buferes cubo;
+    Orbita orbita = {0.35f, 0.34f, 43, {0.4f, 3.9f, -4.5f}, 0.03f};
+} estado;
+
+static void dibujaGrada(const glm::mat4 &camara, const glm::mat4 &proyeccion) {
+    glUseProgram(estado.programaObjeto);
+    envia(estado.programaObjeto, "camara", camara);
+    envia(estado.programaObjeto, "proyeccion", proyeccion);
+    for (int i = 0; i < FILAS; ++i) { // cada escalón, macizo hasta el suelo
+        const float alto = ASIENTO.y * static_cast<float>(i + 1), z = ASIENTO.z * static_cast<float>(i);
+        dibujaObjeto(estado.programaObjeto, estado.cubo,
+                     traslacion({0, 0.5f * alto - ASIENTO.y, z}) *
+                         escalado({COLUMNAS + 0.6f, alto, -ASIENTO.z}),
+                     COLOR_GRADA);
+    }
+}
+
+static void dibuja() {
+    const float t = static_cast<float>(PERIODO_PIEZAS) * fase(tiempo(), PERIODO_PIEZAS);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 200);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    dibujaGrada(camara, proyeccion);
+    glUseProgram(estado.programa);
+    envia(estado.programa, "camara", camara);
+    envia(estado.programa, "proyeccion", proyeccion);
+    envia(estado.programa, "talla", glm::vec2(COLUMNAS, FILAS));
+    envia(estado.programa, "asiento", ASIENTO);
+    envia(estado.programa, "separacion", SEPARACION);
+    envia(estado.programa, "t", t);
+    for (int i = 0; i < 3; ++i)
+        envia(estado.programa, ("paleta[" + std::to_string(i) + "]").c_str(), PALETA[i]);
+    dibuja(estado.piezas);
+    rotulaTiempo(OSCURO, std::string(", ") + etapa(t));
+    tituloAnimado("Banderas en una grada: " + std::string(etapa(t)));
+    glutSwapBuffers();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Banderas en una grada", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    estado.programa = creaPrograma("ch12_animacion/banderas.vert", "ch12_animacion/banderas.frag");
+    estado.programaObjeto = creaProgramaObjeto();
+    estado.piezas = creaBuferPiezas(estado.programa, COLUMNAS, FILAS);
+    estado.cubo = creaBuferes(cubo());
+    glEnable(GL_DEPTH_TEST);
+    glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(tecladoAnimacion);
+    orbitaConRaton(estado.orbita);
+    anima();
+    glutMainLoop();
+    return 0;
+}

@@ -1,0 +1,27 @@
+#version 140
+#include "ch12_animacion/piezas.glsl"
+
+uniform mat4 camara, proyeccion;
+uniform vec2 talla;        // columnas y filas
+uniform vec3 asiento;      // de una fila a la siguiente: 0, lo que sube y lo que se aleja
+uniform float separacion;  // de una columna a la siguiente
+uniform vec3 paleta[3];
+
+out vec3 color;
+out vec2 tela;             // de 0 a 1; el asta es tela.x = 0
+out float onda;
+
+void main() {
+    // franjas en V: el dibujo que hace la grada entera
+    float franja = mod(floor(0.25 * (abs(celda.x - 0.5 * (talla.x - 1.0)) + 2.0 * celda.y)), 3.0);
+    color = paleta[int(franja)];
+    tela = 0.5 * posicion + 0.5;
+    onda = 6.0 * vaiven(15.1);
+
+    float crece = crecida(), inclina = 0.7 * vaiven(0.0);
+    vec2 p = crece * vec2(0.9, 1.1) * tela;
+    p = mat2(cos(inclina), sin(inclina), -sin(inclina), cos(inclina)) * p; // gira con la mano que la lleva
+    p += vec2(0.0, 0.25 + 0.3 * vaiven(40.7));
+    vec3 pie = vec3(separacion * (celda.x - 0.5 * (talla.x - 1.0)) - 0.25, 0.0, 0.0) + celda.y * asiento;
+    gl_Position = proyeccion * camara * vec4(pie + vec3(p, 0.0), 1.0);
+}

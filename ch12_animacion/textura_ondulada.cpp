@@ -1,0 +1,48 @@
+// Una textura que ondula (§12.1): la geometría es siempre el mismo cuadrado, y lo que cambia con el tiempo son las coordenadas con
+// que el fragment shader lee la imagen, a las que suma un seno. Es lo que se ve a través del agua.
+// Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · Esc termina.
+#include "animacion.h"
+#include "malla.h"
+#include "shader.h"
+#include "textura.h"
+
+static const double PERIODO = 4; // segundos
+static const float AMPLITUD = 0.03f;
+
+static struct {
+    GLuint programa, textura;
+    Buferes plano;
+} estado;
+
+static void dibuja() {
+    glClear(GL_COLOR_BUFFER_BIT);
+    glUseProgram(estado.programa);
+    envia(estado.programa, "proyeccion", paralelaVentana(0.64f));
+    envia(estado.programa, "camara", glm::mat4(1));
+    envia(estado.programa, "M", glm::mat4(1));
+    envia(estado.programa, "Img", 0);
+    envia(estado.programa, "tau", fase(tiempo(), PERIODO));
+    envia(estado.programa, "amplitud", AMPLITUD);
+    glBindTexture(GL_TEXTURE_2D, estado.textura);
+    dibuja(estado.plano);
+    rotulaTiempo(OSCURO);
+    tituloAnimado("Textura ondulada");
+    glutSwapBuffers();
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Textura ondulada", GLUT_DOUBLE | GLUT_MULTISAMPLE,
+                "[FOTO.ppm | FOTO.rgb -talla ANCHOxALTO]");
+    estado.programa = creaPrograma("ch06_texturas/textura.vert", "ch12_animacion/textura_ondulada.frag");
+    estado.textura = creaTextura2D(imagenDeArgumentos(argc, argv, "assets/carta.rgb", 256, 256));
+    // fuera de la imagen, su borde
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    estado.plano = creaBuferes(plano(1));
+    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    glutDisplayFunc(dibuja);
+    glutKeyboardFunc(tecladoAnimacion);
+    anima();
+    glutMainLoop();
+    return 0;
+}
