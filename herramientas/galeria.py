@@ -2,27 +2,25 @@
 """galeria.py RAÍZ BUILD DESTINO: dibuja cada caso de build/casos.tsv sin ventana y escribe DESTINO/index.html.
 
 Cada imagen se dibuja al doble de tamaño y se reduce a la mitad, para que los bordes salgan suavizados. De los casos con
-ANIMA se hace, además de la imagen, un APNG de tantos cuadros, a la mitad de tamaño. Solo se rehace lo que ha cambiado: DESTINO/.hecho.json recuerda de qué (programa, shaders, guion) salió cada imagen y qué escribió
-entonces el programa. Si algún caso falla, la página lleva los demás y el estado es 1.
+ANIMA se hace, además de la imagen, un APNG de tantos cuadros, a la mitad de tamaño. Solo se rehace lo que ha cambiado:
+DESTINO/.hecho.json recuerda de qué (programa, shaders, guion) salió cada imagen y qué escribió entonces el programa. Si algún
+caso falla, la página lleva los demás y el estado es 1.
 """
 import hashlib
 import json
 import os
 import re
 import signal
-import struct
 import subprocess
 import sys
 import tempfile
-import zlib
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 import pagina
 
 ANCHO, ALTO = 1920, 1440
-ENTRE_CUADROS = 100  # milisegundos
-MAYOR_APNG = 1000000  # bytes: el que no cabe se hace con una paleta de 256 colores, o de 128, o de 64
+RITMO = "1", "10"  # segundos por cuadro, como fracción
 SEGUNDOS = 300  # un programa que no acaba no detiene la galería
 
 
@@ -52,36 +50,6 @@ def a_la_mitad(ppm):
     mitad.write_bytes(ejecuta(["pamscale", "-linear", "0.5", ppm]))  # la media de cada 2×2
     ppm.unlink()
     return mitad
-
-
-def apng(tira, cuadros):
-    """El APNG que enseña, uno tras otro y sin fin, los cuadros que el PNG `tira` tiene uno debajo de otro. Sus filas se reparten
-    tal cual: ninguna debe estar filtrada con la de encima."""
-    def trozo(tipo, datos):
-        return struct.pack(">I", len(datos)) + tipo + datos + struct.pack(">I", zlib.crc32(tipo + datos))
-
-    lugar, cabecera, paleta, comprimido = 8, b"", b"", b""
-    while lugar < len(tira):
-        largo, tipo = struct.unpack_from(">I4s", tira, lugar)
-        datos = tira[lugar + 8:lugar + 8 + largo]
-        if tipo == b"IHDR":
-            cabecera = datos
-        elif tipo == b"PLTE":
-            paleta = trozo(tipo, datos)
-        elif tipo == b"IDAT":
-            comprimido += datos
-        lugar += 12 + largo
-    ancho, alto = struct.unpack(">II", cabecera[:8])
-    alto //= cuadros
-    filas = zlib.decompress(comprimido)
-    largo = len(filas) // cuadros
-    salida = [tira[:8], trozo(b"IHDR", struct.pack(">II", ancho, alto) + cabecera[8:]),
-              trozo(b"acTL", struct.pack(">II", cuadros, 0)), paleta]
-    for i in range(cuadros):  # de orden van 0; 1, 2; 3, 4…: el primer cuadro es un IDAT y los demás, fdAT
-        datos = zlib.compress(filas[i * largo:(i + 1) * largo], 9)
-        salida.append(trozo(b"fcTL", struct.pack(">IIIIIHHBB", max(2 * i - 1, 0), ancho, alto, 0, 0, ENTRE_CUADROS, 1000, 0, 0)))
-        salida.append(trozo(b"fdAT", struct.pack(">I", 2 * i) + datos) if i else trozo(b"IDAT", datos))
-    return b"".join([*salida, trozo(b"IEND", b"")])
 
 
 def escribe(fichero, datos):
@@ -140,20 +108,14 @@ class Galeria:
     def anima(self, ejecutable, caso, carpeta):
         """El APNG de un caso: desde donde lo deja su guion, ANIMA dice cuántos cuadros y la orden que lleva al siguiente."""
         cuadros, paso = caso.anima.split(maxsplit=1)
-        nombres = [f"{i:03}.ppm" for i in range(int(cuadros))]
-        guion = "; ".join([a_escala(caso.guion, ANCHO // 2), *(f"captura {nombre}; {paso}" for nombre in nombres)])
+        capturas = [carpeta / f"{i:03}.ppm" for i in range(int(cuadros))]
+        guion = "; ".join([a_escala(caso.guion, ANCHO // 2), *(f"captura {c.name}; {paso}" for c in capturas)])
         ejecuta([ejecutable, *caso.argumentos.split(), "-geometry", f"{ANCHO // 2}x{ALTO // 2}", "-ppm", "x", "-guion", guion],
                 cwd=carpeta)
-        tira, mapa, con_paleta = (carpeta / nombre for nombre in ("tira", "mapa", "con_paleta"))
-        tira.write_bytes(ejecuta(["pnmcat", "-topbottom", *(a_la_mitad(carpeta / nombre) for nombre in nombres)]))
-        resultado = apng(ejecuta(["pnmtopng", "-quiet", "-force", "-sub", tira]), len(nombres))
-        for colores in 256, 128, 64:
-            if len(resultado) <= MAYOR_APNG:
-                break
-            mapa.write_bytes(ejecuta(["pnmcolormap", str(colores), tira]))
-            con_paleta.write_bytes(ejecuta(["pnmremap", f"-mapfile={mapa}", tira]))
-            resultado = apng(ejecuta(["pnmtopng", "-quiet", "-nofilter", con_paleta]), len(nombres))
-        return resultado
+        for captura in capturas:
+            captura.with_suffix(".png").write_bytes(ejecuta(["pnmtopng", "-quiet", a_la_mitad(captura)]))
+        ejecuta(["apngasm", "animada.png", "000.png", *RITMO, "-z0"], cwd=carpeta)
+        return (carpeta / "animada.png").read_bytes()
 
     def dibuja_programa(self, programa, temporal):
         """Todos los casos de un programa. Devuelve la línea que lo cuenta; cada caso recuerda su fallo."""
