@@ -91,6 +91,7 @@ Ejecucion ejecuta(const std::string &programa, const std::string &guion, int anc
                   const std::vector<std::string> &argumentos) {
     fijaEntorno();
     ultimoPrograma = programa.substr(programa.rfind('/') + 1);
+    testing::Test::RecordProperty("ejecuta_" + ultimoPrograma, 1);
     const fs::path carpeta = carpetaTemporal() / "ejecucion";
     fs::create_directory(carpeta);
 

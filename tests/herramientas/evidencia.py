@@ -182,6 +182,9 @@ def escribe(d):
     tabla = ["| programa | contra qué | máximo | RMSE | borde | prueba |", "|---|---|---|---|---|---|"]
     de_pixeles = 0
     for programa, oraculo, *citas in programas:
+        for cita in citas:
+            if not any(f"ejecuta_{programa}" in propiedades[prueba] for prueba in busca(cita, d.pruebas)):
+                sys.exit(f"exactitud.tsv, {programa}: «{cita}» no lo ejecuta")
         medidas = [valor.split() for cita in citas for prueba in busca(cita, d.pruebas)
                    for clave, valor in propiedades[prueba].items() if clave == f"pixeles_{programa}"]
         peor = [numero(max(float(m[i]) for m in medidas)) if medidas else "" for i in range(3)]
