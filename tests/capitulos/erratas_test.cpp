@@ -61,6 +61,12 @@ TEST(Cpp, LosPunterosDeLosListados13y61) {
     EXPECT_TRUE((std::is_convertible_v<const char(&)[10], const char *>));
 }
 
+// §10.2.
+TEST(Cpp, LosMenusDelListado101) {
+    EXPECT_TRUE((std::is_same_v<decltype(&glutAddMenuEntry), void (*)(const char *, int)>));
+    EXPECT_TRUE((std::is_same_v<decltype(&glutAddSubMenu), void (*)(const char *, int)>));
+}
+
 // Listado 1.3 (FALSE), §6.5 (glUniformi) y §9.3 (GL_SAMPLES_BUFFERS).
 TEST(Cpp, LosNombresQueNoExisten) {
 #if defined(FALSE) || defined(glUniformi) || defined(GL_SAMPLES_BUFFERS)
