@@ -4,26 +4,41 @@
 #include "colores.h"
 #include "editor.h"
 #include "superficies.h"
+#include <algorithm>
+#include <cmath>
+#include <vector>
 
-const Material LAMINA_AZUL = {{0.10f, 0.16f, 0.30f}, {0.24f, 0.45f, 0.80f}, {0.45f, 0.45f, 0.45f}, 40},
-               LAMINA_NARANJA = {{0.28f, 0.15f, 0.05f}, {0.85f, 0.47f, 0.14f}, {0.45f, 0.45f, 0.45f}, 40};
-const Luz LUZ_LAMINA{{-0.55f, 0.75f, 0.45f, 0}};
-const float ANGULO_LAMINA = 0.5f;
+const Material LAMINA_AZUL = {{0.14f, 0.23f, 0.38f}, {0.18f, 0.37f, 0.60f}, {0.30f, 0.30f, 0.30f}, 30},
+               LAMINA_NARANJA = {{0.40f, 0.22f, 0.07f}, {0.58f, 0.33f, 0.10f}, {0.30f, 0.30f, 0.30f}, 30};
+const glm::vec4 LUZ_LAMINA = {-0.6f, 0.85f, 0.3f, 0};
+const float ANGULO_LAMINA = 0.5f, CERCA_LAMINA = 1, LEJOS_LAMINA = 100;
+const double TOLERANCIA_LAMINA = 0.2; // píxeles; con menos triángulos se notaría en los brillos
 
 inline GLuint programaLamina;
-inline Orbita orbitaLamina = {0.55f, 0.55f, 8.6f};
+inline Orbita orbitaLamina;
+
+inline glm::mat4 proyeccionLamina() {
+    return perspectivaVentana(ANGULO_LAMINA, CERCA_LAMINA, LEJOS_LAMINA);
+}
 
 /// De coordenadas del mundo a las de recortado.
 inline glm::mat4 vistaLamina() {
-    return perspectivaVentana(ANGULO_LAMINA, 1, 100) * camaraOrbita(orbitaLamina);
+    return proyeccionLamina() * camaraOrbita(orbitaLamina);
 }
 
-/// Lo que mide en el centro de la escena un píxel de la ventana.
-inline double pixelLamina() {
-    return 2 * std::tan(ANGULO_LAMINA / 2) * orbitaLamina.distancia / altoUtil();
+/// Los segmentos con que la superficie no se separa de sus triángulos más de `pixeles`. Lo que mide un píxel es lo que mide en el
+/// punto de control más cercano a la cámara: la superficie, dentro de su casco convexo, no está más cerca.
+inline Segmentos segmentosLamina(Base base, const Geometria2<float> &G, double pixeles) {
+    const glm::mat4 camara = camaraOrbita(orbitaLamina);
+    float distancia = LEJOS_LAMINA;
+    for (const Geometria<float> &fila : aBezier2(base, G))
+        for (const glm::vec3 &p : fila)
+            distancia = std::min(distancia, std::max(CERCA_LAMINA, -(camara * glm::vec4(p, 1)).z));
+    return segmentosSuperficie(base, G, pixeles * 2 * std::tan(ANGULO_LAMINA / 2) * distancia / altoUtil());
 }
 
-inline void iniciaLamina() {
+inline void iniciaLamina(const Orbita &orbita) {
+    orbitaLamina = orbita;
     programaLamina = creaSombreado("phong");
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
@@ -32,26 +47,24 @@ inline void iniciaLamina() {
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
-/// Dibuja la malla por las dos caras: por detrás, con la normal opuesta.
+/// Dibuja la malla por las dos caras. La de detrás tiene la normal opuesta y otra luz, la opuesta: así ninguna queda a oscuras.
 inline void dibujaLamina(Malla malla, const Material &material) {
-    const std::size_t vertices = malla.vertices.size(), indices = malla.indices.size();
-    for (std::size_t i = 0; i < vertices; ++i) {
-        malla.vertices.push_back(malla.vertices[i]);
-        malla.vertices.back().normal *= -1.0f;
-    }
-    for (std::size_t i = 0; i < indices; ++i) // al revés, el triángulo gira en el otro sentido
-        malla.indices.push_back(malla.indices[indices - 1 - i] + static_cast<GLuint>(vertices));
     const glm::mat4 camara = camaraOrbita(orbitaLamina);
     glUseProgram(programaLamina);
-    envia(programaLamina, "proyeccion", perspectivaVentana(ANGULO_LAMINA, 1, 100));
+    envia(programaLamina, "proyeccion", proyeccionLamina());
     envia(programaLamina, "camara", camara);
     envia(programaLamina, "La", glm::vec3(1));
-    enviaLuz(programaLamina, "luz", LUZ_LAMINA, camara);
-    const Buferes buferes = creaBuferes(malla);
-    dibujaObjeto(programaLamina, buferes, glm::mat4(1), camara, material);
-    glDeleteVertexArrays(1, &buferes.vao);
-    glDeleteBuffers(1, &buferes.vertices);
-    glDeleteBuffers(1, &buferes.indices);
+    for (const float cara : {-1.0f, 1.0f}) {
+        for (Vertice &v : malla.vertices)
+            v.normal *= -1;
+        enviaLuz(programaLamina, "luz", Luz{cara * LUZ_LAMINA}, camara);
+        glCullFace(cara < 0 ? GL_FRONT : GL_BACK);
+        const Buferes buferes = creaBuferes(malla);
+        dibujaObjeto(programaLamina, buferes, glm::mat4(1), camara, material);
+        glDeleteVertexArrays(1, &buferes.vao);
+        glDeleteBuffers(1, &buferes.vertices);
+        glDeleteBuffers(1, &buferes.indices);
+    }
 }
 
 /// Los segmentos de la red de control de n×n puntos, dados por filas.

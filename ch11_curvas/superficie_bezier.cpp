@@ -5,15 +5,17 @@
 #include "lamina.h"
 #include "rotulo.h"
 #include "trazo.h"
+#include <cstdio>
+#include <string>
 
 static const double TOLERANCIA_MINIMA = 0.125, TOLERANCIA_MAXIMA = 64;
 
 static struct {
     std::vector<glm::vec3> P = {
-        {-1.5f, -0.5f, 1.5f}, {-1.5f, 0.3f, 0.5f}, {-1.5f, 0.5f, -0.5f}, {-1.5f, -0.2f, -1.5f},
-        {-0.5f, 0.4f, 1.5f},  {-0.5f, 1.0f, 0.5f}, {-0.5f, 1.3f, -0.5f}, {-0.5f, 0.5f, -1.5f},
-        {0.5f, 0.1f, 1.5f},   {0.5f, -0.9f, 0.5f}, {0.5f, 0.7f, -0.5f},  {0.5f, 0.8f, -1.5f},
-        {1.5f, -0.4f, 1.5f},  {1.5f, 0.1f, 0.5f},  {1.5f, 0.3f, -0.5f},  {1.5f, -0.3f, -1.5f}};
+        {-1.5f, 0.1f, 1.5f}, {-1.5f, 0.8f, 0.5f}, {-1.5f, 0.5f, -0.5f}, {-1.5f, -0.1f, -1.5f},
+        {-0.5f, 0.5f, 1.5f}, {-0.5f, 1.5f, 0.5f}, {-0.5f, 0.3f, -0.5f}, {-0.5f, -0.3f, -1.5f},
+        {0.5f, -0.2f, 1.5f}, {0.5f, -0.2f, 0.5f}, {0.5f, -1.3f, -0.5f}, {0.5f, 0.2f, -1.5f},
+        {1.5f, -0.5f, 1.5f}, {1.5f, 0.2f, 0.5f},  {1.5f, 0.3f, -0.5f},  {1.5f, 0.7f, -1.5f}};
     double tolerancia = 0.5; // píxeles
     bool malla = false;
 } estado;
@@ -21,9 +23,11 @@ static struct {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const Geometria2<float> G = geometriaDeRed(estado.P, 4);
-    const Malla malla = mallaSuperficie(
-        Base::BEZIER, G, segmentosSuperficie(Base::BEZIER, G, estado.tolerancia * pixelLamina()));
+    const Malla malla = mallaSuperficie(Base::BEZIER, G, segmentosLamina(Base::BEZIER, G, estado.tolerancia));
     dibujaLamina(malla, LAMINA_AZUL);
+    char texto[60];
+    std::snprintf(texto, sizeof texto, "hasta %g px: %zu triángulos", estado.tolerancia,
+                  malla.indices.size() / 3);
     if (estado.malla) {
         std::vector<glm::vec3> lados;
         for (std::size_t i = 0; i < malla.indices.size(); i += 3)
@@ -31,18 +35,18 @@ static void dibuja() {
                 for (const std::size_t extremo : {k, (k + 1) % 3})
                     lados.push_back(malla.vertices[malla.indices[i + extremo]].posicion);
         trazaSegmentos(lados, vistaLamina(), BLANCO, 0.5f * GROSOR);
+        rotula(texto, {0.5f, 0.94f}, OSCURO);
     } else {
+        glDisable(GL_DEPTH_TEST); // la red, entera, también por detrás de la superficie
         trazaSegmentos(redDeControl(estado.P, 4), vistaLamina(), GRIS, 0.7f * GROSOR);
         trazaPuntos(estado.P, vistaLamina(), ROJO, 3.5f * GROSOR);
+        glEnable(GL_DEPTH_TEST);
         for (std::size_t k = 0; k < 16; ++k)
             if (k == 0 || k == 3 || k == 12 || k == 15 || static_cast<int>(k) == editor.elegido)
                 rotulaPunto("P" + std::to_string(k / 4) + std::to_string(k % 4), estado.P[k], vistaLamina(),
                             OSCURO, k == 0 || k == 12 ? Lado::DEBAJO : Lado::ENCIMA);
     }
-    char titulo[80];
-    std::snprintf(titulo, sizeof titulo, "Superficie de Bézier: hasta %g px, %zu triángulos",
-                  estado.tolerancia, malla.indices.size() / 3);
-    ponTitulo(titulo);
+    ponTitulo("Superficie de Bézier: " + std::string(texto));
     glutSwapBuffers();
 }
 
@@ -59,7 +63,7 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Superficie de Bézier", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
-    iniciaLamina();
+    iniciaLamina({0.55f, 0.65f, 8, {0, -0.35f, 0}});
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     editaConRaton({&estado.P, vistaLamina}, &orbitaLamina);

@@ -4,6 +4,9 @@
 #include "lamina.h"
 #include "rotulo.h"
 #include "trazo.h"
+#include <algorithm>
+#include <cmath>
+#include <string>
 
 static const std::size_t LADO = 6; // puntos de control de un lado de la red
 
@@ -36,7 +39,7 @@ static void dibuja() {
                 haz(geometriaDeRed(estado.P, LADO, i, j), (i + j) % 2 == 0 ? LAMINA_AZUL : LAMINA_NARANJA);
     };
     trozos([&](const Geometria2<float> &G, const Material &) {
-        const Segmentos s = segmentosSuperficie(Base::BSPLINE, G, 0.5 * pixelLamina());
+        const Segmentos s = segmentosLamina(Base::BSPLINE, G, TOLERANCIA_LAMINA);
         n = {std::max(n.u, s.u), std::max(n.v, s.v)};
     });
     trozos([&](const Geometria2<float> &G, const Material &material) {
@@ -44,7 +47,9 @@ static void dibuja() {
     });
     if (estado.red) {
         trazaSegmentos(redDeControl(estado.P, LADO), vistaLamina(), GRIS, 0.6f * GROSOR);
+        glDisable(GL_DEPTH_TEST); // los puntos, todos, también por detrás de la superficie
         trazaPuntos(estado.P, vistaLamina(), ROJO, 3 * GROSOR);
+        glEnable(GL_DEPTH_TEST);
     }
     if (editor.elegido >= 0) {
         const auto k = static_cast<std::size_t>(editor.elegido);
@@ -65,7 +70,7 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Superficie B-Spline", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
-    iniciaLamina();
+    iniciaLamina({0.55f, 0.6f, 9.4f, {0, -0.1f, 0}});
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     editaConRaton({&estado.P, vistaLamina}, &orbitaLamina);

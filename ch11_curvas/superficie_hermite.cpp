@@ -7,6 +7,9 @@
 #include "lamina.h"
 #include "rotulo.h"
 #include "trazo.h"
+#include <algorithm>
+#include <cstdio>
+#include <string>
 
 static const float LARGO_FLECHA = 1 / 3.0f; // de una tangente: así acaba en el punto de control de Bézier
 static const float FACTOR_K = 1.25f, K_MINIMA = 0.2f, K_MAXIMA = 3;
@@ -17,39 +20,45 @@ static struct {
     bool segundo = false;
 } estado;
 
-/// La superficie, y en las esquinas de sus filas desde `fila` las tangentes en u y en v.
-static void dibujaTrozo(const Geometria2<float> &G, const Material &material, const Segmentos &n,
-                        std::size_t fila) {
-    dibujaLamina(mallaSuperficie(Base::HERMITE, G, n), material);
+/// En las esquinas de las filas desde `fila`, las tangentes en u y en v.
+static void dibujaTangentes(const Geometria2<float> &G, std::size_t fila) {
     for (std::size_t i = fila; i < 2; ++i)
         for (std::size_t j = 0; j < 2; ++j) {
-            trazaFlecha(G[i][j], G[i][j] + LARGO_FLECHA * G[i + 2][j], vistaLamina(), VERDE, 0.9f * GROSOR);
-            trazaFlecha(G[i][j], G[i][j] + LARGO_FLECHA * G[i][j + 2], vistaLamina(), NARANJA, 0.9f * GROSOR);
+            trazaFlecha(G[i][j], G[i][j] + LARGO_FLECHA * G[i + 2][j], vistaLamina(), VERDE);
+            trazaFlecha(G[i][j], G[i][j] + LARGO_FLECHA * G[i][j + 2], vistaLamina(), ROJO);
             trazaPuntos({G[i][j]}, vistaLamina(), OSCURO);
         }
 }
 
 static void dibuja() {
     static const char *const NOMBRES[] = {"g11", "g12", "g21", "g22"};
-    orbitaLamina.centro = {estado.segundo ? 1.25f : 0.0f, 0, 0};
+    static const Lado LADOS[] = {Lado::DEBAJO, Lado::IZQUIERDA, Lado::IZQUIERDA, Lado::ENCIMA};
+    orbitaLamina.centro = estado.segundo ? glm::vec3(1.25f, 0.1f, 0) : glm::vec3(0, -0.1f, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const Geometria2<float> G = primerTrozo(estado.esquinas), G2 = segundoTrozo(estado.esquinas, estado.k);
-    Segmentos n = segmentosSuperficie(Base::HERMITE, G, 0.5 * pixelLamina());
-    const Segmentos n2 = segmentosSuperficie(Base::HERMITE, G2, 0.5 * pixelLamina());
-    n = {std::max(n.u, n2.u), std::max(n.v, n2.v)}; // los mismos, para que casen en la unión
-    dibujaTrozo(G, LAMINA_AZUL, n, 0);
-    if (estado.segundo) {
-        dibujaTrozo(G2, LAMINA_NARANJA, n, 1);
-        trazaPolilinea(polilineaCubica(Base::HERMITE, G[1], 0.2 * pixelLamina()), vistaLamina(), ROJO);
+    Segmentos n = segmentosLamina(Base::HERMITE, G, TOLERANCIA_LAMINA);
+    if (estado.segundo) { // los mismos en los dos, para que casen en la unión
+        const Segmentos n2 = segmentosLamina(Base::HERMITE, G2, TOLERANCIA_LAMINA);
+        n = {std::max(n.u, n2.u), std::max(n.v, n2.v)};
     }
-    for (std::size_t i = 0; i < 4; ++i)
-        rotulaPunto(NOMBRES[i], estado.esquinas[i], vistaLamina(), OSCURO,
-                    i % 2 ? Lado::ENCIMA : Lado::DEBAJO);
-    char titulo[80] = "Superficie de Hermite";
+    dibujaLamina(mallaSuperficie(Base::HERMITE, G, n), LAMINA_AZUL);
+    if (estado.segundo) {
+        dibujaLamina(mallaSuperficie(Base::HERMITE, G2, n), LAMINA_NARANJA);
+        trazaPolilinea(polilinea([&](float v) { return cubica(Base::HERMITE, G[1], v); }, n.v), vistaLamina(),
+                       BLANCO);
+    }
+    glDisable(GL_DEPTH_TEST); // las flechas, enteras, también por detrás de la superficie
+    dibujaTangentes(G, 0);
     if (estado.segundo)
-        std::snprintf(titulo, sizeof titulo, "Superficie de Hermite: dos trozos G1, k = %.2f",
-                      static_cast<double>(estado.k));
-    ponTitulo(titulo);
+        dibujaTangentes(G2, 1);
+    glEnable(GL_DEPTH_TEST);
+    for (std::size_t i = 0; i < 4; ++i)
+        rotulaPunto(NOMBRES[i], estado.esquinas[i], vistaLamina(), OSCURO, LADOS[i]);
+    char texto[40] = "";
+    if (estado.segundo)
+        std::snprintf(texto, sizeof texto, "G1 con k = %.2f", static_cast<double>(estado.k));
+    rotula(texto, {0.5f, 0.08f}, OSCURO);
+    ponTitulo("Superficie de Hermite " + std::string(texto));
     glutSwapBuffers();
 }
 
@@ -58,7 +67,7 @@ static void teclado(unsigned char tecla, int, int) {
         return;
     if (tecla == 'u') {
         estado.segundo = !estado.segundo;
-        orbitaLamina.distancia *= estado.segundo ? 1.45f : 1 / 1.45f;
+        orbitaLamina.distancia *= estado.segundo ? 1.3f : 1 / 1.3f;
     } else if (tecla == '+' || tecla == '-')
         estado.k = glm::clamp(estado.k * (tecla == '+' ? FACTOR_K : 1 / FACTOR_K), K_MINIMA, K_MAXIMA);
     glutPostRedisplay();
@@ -66,7 +75,7 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Superficie de Hermite", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
-    iniciaLamina();
+    iniciaLamina({0.45f, 0.6f, 8.4f});
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     editaConRaton({&estado.esquinas, vistaLamina}, &orbitaLamina);

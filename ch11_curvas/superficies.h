@@ -4,6 +4,9 @@
 #pragma once
 #include "curvas.h"
 #include "malla.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limits>
 
 /// La matriz de geometría (ecuación 11.32): g[i][j], i con u y j con v.
@@ -76,7 +79,8 @@ struct Segmentos {
 };
 
 /// Los que dejan la superficie a menos de `tolerancia` de sus triángulos: un triángulo rectángulo de catetos h y k se separa
-/// como mucho (Muu·h² + 2·Muv·h·k + Mvv·k²)/8 (Filip, Magedson y Markot, 1986), y 2hk ≤ h² + k².
+/// como mucho (Muu·h² + 2·Muv·h·k + Mvv·k²)/8 (Filip, Magedson y Markot, 1986), y 2hk ≤ h² + k². Se
+/// cumple mientras no hagan falta más de 256.
 inline Segmentos segmentosSuperficie(Base base, const Geometria2<float> &G, double tolerancia) {
     const Geometria2<float> B = aBezier2(base, G);
     double muu = 0, muv = 0, mvv = 0;
