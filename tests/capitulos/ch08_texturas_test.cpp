@@ -570,6 +570,7 @@ TEST(Bump, LaLuzDeLaSuperficieDesplazada) {
                                std::to_string(errores[k].grandes) + "/" +
                                std::to_string(errores[k].comparados));
             EXPECT_GT(errores[k].comparados, 3000);
+            errores[k].apunta();
         }
         EXPECT_LE(errores[0].rmse(), con ? 1.5 : 0.5);
         EXPECT_LE(errores[1].rmse(), con ? 3.5 : 0.8);

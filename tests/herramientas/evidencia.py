@@ -195,9 +195,10 @@ def escribe(d):
                 sys.exit(f"exactitud.tsv, {programa}: «{cita}» no lo ejecuta")
         medidas = [valor.split() for cita in citas for prueba in busca(cita, d.pruebas)
                    for clave, valor in propiedades[prueba].items() if clave == f"pixeles_{programa}"]
-        peor = [numero(max(float(m[i]) for m in medidas)) if medidas else "" for i in range(3)]
-        if medidas and max(float(m[2]) for m in medidas) < 0:
-            peor[2] = ""
+        peor = [numero(mayor) if medidas and (mayor := max(float(m[i]) for m in medidas)) >= 0 else "" for i in range(3)]
+        lejos, banda = (sum(int(float(m[i])) for m in medidas) for i in (3, 4))
+        if lejos:
+            peor[2] += f", salvo {lejos} de {banda}"
         de_pixeles += bool(medidas)
         tabla.append(f"| {programa} | {oraculo} | {' | '.join(peor)} | {', '.join(f'`{c}`' for c in citas)} |")
     difíciles = ["| caso | pruebas | la peor: medida / cota | cuáles |", "|---|---|---|---|"]
