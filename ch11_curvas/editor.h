@@ -7,7 +7,7 @@
 #include <vector>
 
 const float ALCANCE_RATON = 0.05f,
-            PASO_FLECHA = 0.1f; // en partes del alto de la ventana, y en coordenadas normalizadas
+            PASO_FLECHA = 0.05f; // en partes del alto de la ventana, o del de una de 4:3 si es estrecha
 
 /// El punto cuya imagen está más cerca del ratón (coordenadas normalizadas), a menos de `alcance` unidades de `porUnidad`; −1
 /// si ninguno lo está. `porUnidad` iguala las medidas de X e Y, que en coordenadas normalizadas son distintas.
@@ -90,10 +90,12 @@ inline void arrastraEditor(int x, int y) {
 inline void especialEditor(int tecla, int, int) {
     if (teclaEspecialComun(tecla) || editor.elegido < 0)
         return;
-    const glm::vec2 paso = tecla == GLUT_KEY_LEFT    ? glm::vec2(-PASO_FLECHA, 0)
-                           : tecla == GLUT_KEY_RIGHT ? glm::vec2(PASO_FLECHA, 0)
-                           : tecla == GLUT_KEY_UP    ? glm::vec2(0, PASO_FLECHA)
-                           : tecla == GLUT_KEY_DOWN  ? glm::vec2(0, -PASO_FLECHA)
+    const float dx = PASO_FLECHA * 4 / 3 * altoUtil() * 2 / static_cast<float>(glutGet(GLUT_WINDOW_WIDTH)),
+                dy = PASO_FLECHA * altoUtil() * 2 / static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT));
+    const glm::vec2 paso = tecla == GLUT_KEY_LEFT    ? glm::vec2(-dx, 0)
+                           : tecla == GLUT_KEY_RIGHT ? glm::vec2(dx, 0)
+                           : tecla == GLUT_KEY_UP    ? glm::vec2(0, dy)
+                           : tecla == GLUT_KEY_DOWN  ? glm::vec2(0, -dy)
                                                      : glm::vec2(0);
     const glm::vec4 p =
         editor.transformacion() * glm::vec4((*editor.puntos)[static_cast<std::size_t>(editor.elegido)], 1);

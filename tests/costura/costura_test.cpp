@@ -305,8 +305,10 @@ TEST(TodosLosProgramas, TerminanConEscYAguantan1x1) {
         EXPECT_EQ(e.estado, 0) << programa << ": " << e.errores;
         EXPECT_EQ(e.errores, "") << programa;
         EXPECT_EQ(e.imagen.ancho, 240) << programa;
-        EXPECT_EQ(e.imagen.rgb, ejecuta(capitulo + "/" + programa).imagen.rgb)
-            << programa << " no vuelve a su imagen";
+        if (programa != "eventos") { // su imagen enseña los cambios de tamaño
+            EXPECT_EQ(e.imagen.rgb, ejecuta(capitulo + "/" + programa).imagen.rgb)
+                << programa << " no vuelve a su imagen";
+        }
     }
-    EXPECT_GE(cuantos, 40);
+    EXPECT_GE(cuantos, 80);
 }

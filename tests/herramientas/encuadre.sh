@@ -17,16 +17,23 @@ a_escala() {
     $1 ~ /^(boton|arrastra|mueve|rueda)$/ { $(NF - 1) = int($(NF - 1) * ancho / 240); $NF = int($NF * alto / 180) }
     { print }' <<<"$2"
 }
-dibuja() { # TALLA GUION FICHERO
-  "$build/$destino/$capitulo/$programa" -geometry "$1" -guion "$(a_escala "$1" "$2")" -ppm "$3" "${extra[@]}" >/dev/null </dev/null
+dibuja() { # TALLA GUION
+  "$build/$destino/$capitulo/$programa" -geometry "$1" -guion "$2" -ppm "última" "${extra[@]}" >/dev/null </dev/null
 }
 
 if [ "$borde" = libre ]; then
-  for talla in 640x360 480x360 480x540 200x450; do dibuja $talla "$guion" "$programa-$caso-$talla.ppm"; done
-  "$build/tests/borde" ./*.ppm
+  tallas=(640x360 480x360 480x540 200x450)
+  case ";$guion" in
+  *boton* | *arrastra* | *mueve* | *rueda*) # el ratón depende de la talla: una ejecución cada una
+    for talla in "${tallas[@]}"; do dibuja $talla "$(a_escala $talla "$guion"); captura $programa-$caso-$talla.ppm"; done ;;
+  *) dibuja 240x180 "$guion$(for talla in "${tallas[@]}"; do
+      printf '; tamano %s; captura %s' "${talla/x/ }" "$programa-$caso-$talla.ppm"
+    done)" ;;
+  esac
+  "$build/tests/borde" "$programa"*.ppm
 fi
 pulsa='boton IZQUIERDO abajo 240 180' suelta='boton IZQUIERDO arriba'
-dibuja 240x180 "$guion$(printf '; rueda -1 9 9%.0s' {1..40})" alejada
-dibuja 240x180 "$guion; $pulsa; arrastra 240 2180; $suelta 240 2180" "desde arriba"
-dibuja 240x180 "$guion; $pulsa; arrastra 240 -1820; $suelta 240 -1820" "desde abajo"
-"$build/tests/borde" --queda alejada "desde arriba" "desde abajo"
+dibuja 240x180 "$guion$(printf '; rueda -1 9 9%.0s' {1..40}); captura alejada"
+dibuja 240x180 "$guion; $pulsa; arrastra 240 2180; $suelta 240 2180; captura desde_arriba
+  $pulsa; arrastra 240 -3820; $suelta 240 -3820; captura desde_abajo"
+"$build/tests/borde" --queda alejada desde_arriba desde_abajo

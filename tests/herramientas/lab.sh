@@ -86,7 +86,7 @@ capitulo("Título; con punto y coma")
 programa(primer_programa REF "L1.1" TITULO "Uno")
   caso(primer_programa base MIRA "Mira; y [remira]")
 programa(primer_programa_dos REF "L1.2" TITULO "Dos")
-  caso(primer_programa_dos base GUION "tecla a; tecla a" BORDE "llega" ANIMA "3 tecla a; espera 5")
+  caso(primer_programa_dos base GUION "tecla a; tecla a" BORDE "llega" ANIMA "3 tecla i; tecla d")
 programa(shader_basico REF "L1.2" TITULO "Tres")
 target_compile_definitions(shader_basico PRIVATE LAB_FUENTES="${CMAKE_SOURCE_DIR}")
   caso(shader_basico base)
@@ -101,7 +101,7 @@ cp $golden/primer_programa.ppm $golden/primer_programa_dos.ppm
 
 # una prueba que falla da un estado distinto de 0 y deja sus imágenes; y ninguna prueba, también
 espera 0 '100% tests passed' $lab prueba
-[[ $(cat build/casos.tsv) == *$'\tprimer_programa\tMira; y [remira]\t-\t-\n'*$'tecla a; tecla a\t-\t-\tprimer_programa_dos\t-\tllega\t3 tecla a; espera 5\n'* ]] ||
+[[ $(cat build/casos.tsv) == *$'\tprimer_programa\tMira; y [remira]\t-\t-\n'*$'tecla a; tecla a\t-\t-\tprimer_programa_dos\t-\tllega\t3 tecla i; tecla d\n'* ]] ||
   mal "casos.tsv no dice lo que el CMakeLists.txt: $(cat build/casos.tsv)"
 cp $golden/shader_basico.ppm "$carpeta/golden.ppm"
 cp $golden/primer_programa.ppm $golden/shader_basico.ppm
@@ -148,12 +148,12 @@ grep -q 'srcset="ch01_intro/primer_programa_dos.anima.png" media="(prefers-reduc
   mal 'la página no lleva la animación'
 rm galeria/ch01_intro/primer_programa_dos.anima.png
 espera 0 'primer_programa_dos: 1 imagen' $lab galeria
-sed -i 's/3 tecla a/4 tecla a/' ch01_intro/CMakeLists.txt
+sed -i 's/3 tecla i/4 tecla i/' ch01_intro/CMakeLists.txt
 espera 0 'primer_programa_dos: 1 imagen' $lab galeria
 [ "$(decimas)" = 4.0 ] || mal 'al cambiar ANIMA no cambia el APNG'
-sed -i 's/4 tecla a; espera 5/cuatro/' ch01_intro/CMakeLists.txt
+sed -i 's/4 tecla i; tecla d/cuatro/' ch01_intro/CMakeLists.txt
 espera 1 'ANIMA es el número de cuadros' $lab galeria
-sed -i 's/cuatro/3 tecla a/' ch01_intro/CMakeLists.txt
+sed -i 's/cuatro/3 tecla i; tecla d/' ch01_intro/CMakeLists.txt
 
 # un shader roto: la página con los demás, su nombre y un estado distinto de 0
 cp ch01_intro/shader_basico.frag "$carpeta/bueno.frag"

@@ -75,8 +75,7 @@ inline std::vector<Rotulo> buscaRotulo(const Imagen &imagen, const std::u32strin
             for (std::size_t i = 0; esta && i < texto.size(); ++i)
                 esta = texto[i] == U' ' || esLetra(texto[i], x + 6 * static_cast<int>(i) * lado, y);
             if (esta)
-                rotulos.push_back(
-                    {x, y, x + ancho - 1, y + alto - 1, lado, x + 0.5 * ancho, y + 0.5 * alto});
+                rotulos.push_back({x, y, x + ancho - 1, y + alto - 1, lado, x + 0.5 * ancho, y + 0.5 * alto});
         }
     return rotulos;
 }

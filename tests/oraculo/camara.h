@@ -15,7 +15,8 @@ struct Rayo {
 struct Camara {
     Vec3 ojo, centro{0, 0, -1}, arriba{0, 1, 0};
     bool esParalela = true;
-    double semilado = 1; // mitad del alto de una ventana 4:3 o más ancha; en perspectiva, a distancia 1 del ojo
+    double semilado =
+        1; // mitad del alto de una ventana 4:3 o más ancha; en perspectiva, a distancia 1 del ojo
     double cerca = -1, lejos = 1;
 };
 inline Camara miraDesde(const Vec3 &ojo, const Vec3 &centro, const Vec3 &arriba = {0, 1, 0}) {
