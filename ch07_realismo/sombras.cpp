@@ -38,7 +38,9 @@ static void inicia() {
     estado.cilindro = creaBuferes(cilindro(48));
     estado.tablero = creaBuferes(plano(1));
     glEnable(GL_DEPTH_TEST);
+    glEnable(GL_STENCIL_TEST);
     glEnable(GL_CULL_FACE);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
 }
 
@@ -65,7 +67,6 @@ static void dibujaSombras(const glm::mat4 &camara, const glm::mat4 &proyeccion) 
     envia(p, "camara", camara);
     envia(p, "color", estado.transparente ? glm::vec4(0, 0, 0, 0.5f) : glm::vec4(OSCURO, 1));
     if (estado.plantilla) { // solo sobre la mesa (1), y una vez en cada píxel
-        glEnable(GL_STENCIL_TEST);
         glStencilFunc(GL_EQUAL, 1, 0xff);
         glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
     }
@@ -75,7 +76,6 @@ static void dibujaSombras(const glm::mat4 &camara, const glm::mat4 &proyeccion) 
         glPolygonOffset(-0.25f, -2);
     }
     glEnable(GL_BLEND);
-    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
     const glm::mat4 sombra = proyeccionSombra(L, MESA);
     recorreObjetos([&](const Buferes &malla, const glm::mat4 &M, const glm::vec3 &) {
@@ -85,7 +85,7 @@ static void dibujaSombras(const glm::mat4 &camara, const glm::mat4 &proyeccion) 
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glDisable(GL_POLYGON_OFFSET_FILL);
-    glDisable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, 0, 0xff);
 }
 
 static void dibuja() {
@@ -97,12 +97,10 @@ static void dibuja() {
     envia(p, "camara", camara);
     envia(p, "La", glm::vec3(1));
     enviaLuz(p, "luz", {glm::vec4(estado.luz, 1)}, camara);
+    // Lo que se ve del tablero queda a 1 en la plantilla; los objetos que lo tapan lo devuelven a 0
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     dibujaObjeto(p, estado.cubo, traslacion({0, -TALLA_MESA.y / 2 - 0.01f, 0}) * escalado(TALLA_MESA), camara,
                  pintura({0.55f, 0.38f, 0.22f}));
-
-    // Lo que se ve del tablero queda a 1 en la plantilla; los objetos que lo tapan lo devuelven a 0
-    glEnable(GL_STENCIL_TEST);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     glStencilFunc(GL_ALWAYS, 1, 0xff);
     dibujaObjeto(p, estado.tablero, giroX(-glm::half_pi<float>()) * escalado({TALLA_MESA.x, TALLA_MESA.z, 1}),
                  camara, pintura({0.88f, 0.80f, 0.66f}));
@@ -110,7 +108,6 @@ static void dibuja() {
     recorreObjetos([&](const Buferes &malla, const glm::mat4 &M, const glm::vec3 &color) {
         dibujaObjeto(p, malla, M, camara, pintura(color));
     });
-    glDisable(GL_STENCIL_TEST);
 
     const Material lampara = {glm::vec3(1, 0.95f, 0.6f), glm::vec3(0), glm::vec3(0), 1};
     dibujaObjeto(p, estado.esfera, traslacion(estado.luz) * escalado(0.14f), camara, lampara);

@@ -5,14 +5,13 @@
 #   Compila <nombre>.cpp una sola vez y lo enlaza para cada destino de LAB_DESTINOS:
 #   build/<destino>/<capítulo>/<nombre>. CONSOLA: escribe texto y no tiene imagen.
 #
-# caso(programa nombre [GUION "orden; orden"] [ARGUMENTOS a b …] [MIRA "…"] [BORDE "…"] [ANIMA "N orden"] [LINEAS | TOLERANCIA "…" MOTIVO "…"])
+# caso(programa nombre [GUION "orden; orden"] [ARGUMENTOS a b …] [MIRA "…"] [BORDE "…"] [ANIMA "N orden"] [TOLERANCIA "…" MOTIVO "…"])
 #   Una imagen de ese programa: tras el guion debe ser tests/golden/<capítulo>/<programa>[-nombre].ppm;
 #   el caso que se llama base no lleva sufijo.
 #   MIRA: una frase, a qué hay que mirar; es el pie de la imagen en la galería.
 #   BORDE: por qué la escena llega al borde de la ventana; sin él, no debe llegar.
 #   ANIMA: en la galería se mueve: N cuadros, a diez por segundo, y la orden del guion que lleva de cada uno al siguiente.
 #   TOLERANCIA cambia la que usa el comparador cuando la imagen no es del mismo OpenGL que el golden, y exige un MOTIVO.
-#   LINEAS es la de los casos con puntos o líneas: OpenGL deja a cada controlador elegir qué píxeles pintan.
 #
 # Con esas funciones se escriben build/catalogo.tsv y build/casos.tsv, y todo lo demás (las pruebas, ./lab, la galería,
 # docs/programas.md) sale de ahí. Sus columnas, donde lo que falta es un guion y lo nuevo se añade al final:
@@ -80,7 +79,7 @@ function(programa nombre)
 endfunction()
 
 function(caso programa nombre)
-  cmake_parse_arguments(PARSE_ARGV 2 C "LINEAS" "GUION;MIRA;BORDE;ANIMA;TOLERANCIA;MOTIVO" "ARGUMENTOS")
+  cmake_parse_arguments(PARSE_ARGV 2 C "" "GUION;MIRA;BORDE;ANIMA;TOLERANCIA;MOTIVO" "ARGUMENTOS")
   if(C_UNPARSED_ARGUMENTS OR (C_TOLERANCIA AND NOT C_MOTIVO))
     message(FATAL_ERROR "caso(${programa} ${nombre}): sobra «${C_UNPARSED_ARGUMENTS}» o falta el MOTIVO")
   endif()
@@ -90,9 +89,6 @@ function(caso programa nombre)
   exige_nombre(${nombre})
   if(NOT TARGET ${programa})
     message(FATAL_ERROR "caso(${programa} ${nombre}): no hay ningún programa «${programa}»")
-  endif()
-  if(C_LINEAS)
-    set(C_TOLERANCIA "4 3 255")
   endif()
   get_filename_component(capitulo "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
   string(REPLACE ";" " " argumentos "${C_ARGUMENTOS}")

@@ -639,7 +639,7 @@ Vec3 cielo(const Vec3 &d) {
     const Vec3 colina = mezcla({0.42, 0.26, 0.30}, {0.13, 0.11, 0.20}, escalon(0, 0.09, d.y));
     return mezcla(colina, c, escalon(-0.002, 0.002, d.y - cumbre));
 }
-/// Lo que se ve en una dirección desde `ojo`; la pendiente de las olas, por diferencias.
+/// Lo que se ve en una dirección desde `ojo`; la inclinación de las olas, por diferencias.
 Vec3 lago(const Vec3 &ojo, const Vec3 &d, double tiempo) {
     if (d.y >= 0)
         return cielo(d);
