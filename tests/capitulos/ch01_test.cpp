@@ -61,6 +61,7 @@ TEST(PrimerPrograma, TodoDelColorDeBorradoAlDibujar) {
                 ASSERT_TRUE(p.r == caso.color.r && p.g == caso.color.g && p.b == caso.color.b)
                     << caso.guion << ": " << x << "," << y;
             }
+        apuntaDiferencia(0, 0);
     }
 }
 
@@ -201,6 +202,7 @@ TEST(ShaderBasico, CoberturaDelTriangulo) {
             ++comparados;
             dentroTotal += dentro;
         }
+    apuntaDiferencia(0, 0, 1.0 / 256);
     EXPECT_GT(comparados, ancho * alto * 99 / 100);
     EXPECT_GT(dentroTotal, 5000);
 }

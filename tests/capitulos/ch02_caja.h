@@ -1,6 +1,7 @@
 // La caja del ejercicio 2.1 vista como la ven malla_vf y tiras, en doble precisión.
 #pragma once
 #include "colores.h"
+#include "ejecuta.h"
 #include "oraculo/oraculo.h"
 #include "rotulos.h"
 #include <algorithm>
@@ -85,6 +86,7 @@ struct Mayoria {
 
     double diferencia(const glm::dvec3 &esperado) const {
         const glm::dvec3 d = glm::abs(color - 255.0 * esperado);
+        apuntaDiferencia(std::max({d.r, d.g, d.b}));
         return std::max({d.r, d.g, d.b});
     }
 };

@@ -36,6 +36,8 @@ void esperaColor(const Imagen &imagen, int x, int y, const V &esperado) {
     EXPECT_NEAR(p.r, esperado.r, 1) << x << "," << y;
     EXPECT_NEAR(p.g, esperado.g, 1) << x << "," << y;
     EXPECT_NEAR(p.b, esperado.b, 1) << x << "," << y;
+    apuntaDiferencia(
+        std::max({std::fabs(p.r - esperado.r), std::fabs(p.g - esperado.g), std::fabs(p.b - esperado.b)}));
 }
 
 const std::vector<V> VERTICES = {{0, -0.62, 0.95, 0.55, 0.10},     {0.74, -0.38, 0.85, 0.20, 0.18},
@@ -44,9 +46,11 @@ const std::vector<V> VERTICES = {{0, -0.62, 0.95, 0.55, 0.10},     {0.74, -0.38,
 const char *const NOMBRES[] = {"GL_POINTS",    "GL_LINES",          "GL_LINE_STRIP",  "GL_LINE_LOOP",
                                "GL_TRIANGLES", "GL_TRIANGLE_STRIP", "GL_TRIANGLE_FAN"};
 
+double diferencia(const Pixel &p, const V &v) { // en niveles, de un color de 0 a 255
+    return std::max({std::fabs(p.r - v.r), std::fabs(p.g - v.g), std::fabs(p.b - v.b)});
+}
 bool esDe(const Pixel &p, const V &v) {
-    return std::fabs(p.r - 255 * v.r) <= 1 && std::fabs(p.g - 255 * v.g) <= 1 &&
-           std::fabs(p.b - 255 * v.b) <= 1;
+    return diferencia(p, {0, 0, 255 * v.r, 255 * v.g, 255 * v.b}) <= 1;
 }
 
 bool esFondo(const Pixel &p) {
@@ -136,6 +140,7 @@ TEST(Primitivas, Triangulos) {
         const Ejecucion e = ejecuta("ch02_modelado/primitivas", "tecla " + std::to_string(k + 5));
         ASSERT_EQ(e.estado, 0) << e.errores;
         int comparados = 0;
+        double maximo = 0;
         for (int py = 0; py < 180; ++py)
             for (int px = 0; px < 240; ++px) {
                 const double x = (px + 0.5 - 120) / MEDIO, y = (py + 0.5 - MEDIO) / MEDIO;
@@ -168,8 +173,12 @@ TEST(Primitivas, Triangulos) {
                     continue;
                 ASSERT_TRUE(esperado ? esDe(p, *esperado) : esFondo(p))
                     << "tecla " << k + 5 << ": " << px << "," << py;
+                if (esperado)
+                    maximo = std::max(maximo, diferencia(p, {0, 0, 255 * esperado->r, 255 * esperado->g,
+                                                             255 * esperado->b}));
                 ++comparados;
             }
+        apuntaDiferencia(maximo, -1, 1.0 / 256);
         EXPECT_GT(comparados, 240 * 180 * 95 / 100);
     }
 }

@@ -38,7 +38,10 @@ bool esCara(const Pixel &p, const dvec3 &color, int cara) {
     const dvec3 haciaLuz(0.20, 0.78, 0.593);
     const double luz = 0.58 + 0.42 * (cara % 2 ? 1 : -1) * haciaLuz[cara / 2];
     const dvec3 error = glm::abs(dvec3(p.r, p.g, p.b) - 255 * luz * color);
-    return std::max({error.x, error.y, error.z}) <= 1;
+    const double mayor = std::max({error.x, error.y, error.z});
+    if (mayor <= 1)
+        apuntaDiferencia(mayor, -1, 0.01); // solo se miran píxeles a más de 0.01 de un borde (decidido)
+    return mayor <= 1;
 }
 
 // Los ejes, las líneas y los rótulos, que pueden tapar el objeto, no llevan luz.
@@ -120,6 +123,7 @@ Recuento compara(const Imagen &imagen, int y0, int y1, const dvec3 &color, const
                 ++r.dudosos;
             }
         }
+    apuntaDiferencia(-1, -1, 0.01); // solo la silueta
     return r;
 }
 

@@ -393,6 +393,8 @@ TEST(Proyecciones, ElCubo) {
             EXPECT_NEAR(p.r, color.x, 1);
             EXPECT_NEAR(p.g, color.y, 1);
             EXPECT_NEAR(p.b, color.z, 1);
+            apuntaDiferencia(
+                std::max({std::fabs(p.r - color.x), std::fabs(p.g - color.y), std::fabs(p.b - color.z)}));
         }
     }
 }

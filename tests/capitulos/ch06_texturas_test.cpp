@@ -172,8 +172,7 @@ TEST(TexturaObjeto, TexelPorIluminacionContraElOraculo) {
             suma += d * d;
             ++comparados;
         }
-    RecordProperty("maximo", std::to_string(maximo));
-    RecordProperty("rmse", std::to_string(std::sqrt(suma / comparados)));
+    apuntaDiferencia(maximo, std::sqrt(suma / comparados));
     EXPECT_LE(maximo, 2);
     EXPECT_LE(std::sqrt(suma / comparados), 0.5);
     EXPECT_GT(comparados, 1800); // uno de cada seis de los 17 000 que ocupa el toro, sin los de canto
@@ -326,6 +325,7 @@ TEST(Repeticion, FractOClamp) {
                                   distancia(pixel(e.imagen, x, y), bilineal(im, c.s, c.t, repiteS, repiteT)));
                 ++comparados;
             }
+        apuntaDiferencia(maximo);
         EXPECT_LE(maximo, 1) << caso.ancho << "×" << caso.alto << ", tecla " << caso.tecla;
         EXPECT_GT(comparados, ancho * alto * 8 / 9 * 95 / 100);
         for (int modo = 0; modo < 4; ++modo)
@@ -547,6 +547,7 @@ TEST(Filtrado, VecinoYLinealSonExactosEnElCentroDelPixel) {
             distintos += distancia(pixel(v.imagen, x, y), vecino(im, c.s, c.t)) != 0;
             ++vecinos;
         }
+    apuntaDiferencia(distintos ? 255 : 0);
     RecordProperty("lineal_maximo", std::to_string(maximo));
     EXPECT_EQ(distintos, 0) << "de " << vecinos;
     EXPECT_EQ(lejos, 0);
@@ -669,6 +670,7 @@ TEST(Coordenadas, SeLeenEnLaImagenLasDeLaParametrizacion) {
                     if (rho > 14 || std::min({c.s, 1 - c.s, c.t, 1 - c.t}) < 0.06 || deMarca(p))
                         continue;
                     malaLuz += std::fabs(p.b - azul) > 1.5;
+                    apuntaDiferencia(std::fabs(p.b - azul));
                     // el valor del texel i es i, así que en s vale 256·s − 0.5, más lo que se redondean los
                     // mipmaps (2i y 2i + 1 dan 2i + 1, y así en cada nivel: 0.5). Medio nivel de redondeo en
                     // p.r y p.b se agranda al dividir por la luz, y las facetas y el float mueven el punto
@@ -791,6 +793,7 @@ void comparaPared(const Texturas &x, int ancho, int alto, int salto) {
                     std::max(maximo, distancia(pixel(e.imagen, i, j),
                                                c.hay ? mezcla(x, c.s, c.t, tecla != 2, tecla != 1) : fondo));
             }
+        apuntaDiferencia(maximo);
         EXPECT_LE(maximo, 1) << "tecla " << tecla;
         EXPECT_GT(dentro, ancho * alto / salto / salto * 4 / 10); // la pared llena el panel
     }

@@ -53,9 +53,8 @@ struct Errores {
         return std::sqrt(suma / comparados);
     }
     void apunta() const {
+        apuntaDiferencia(maximo, rmse());
         testing::Test::RecordProperty("comparados", comparados);
-        testing::Test::RecordProperty("maximo", std::to_string(maximo));
-        testing::Test::RecordProperty("rmse", std::to_string(rmse()));
         testing::Test::RecordProperty("grandes", grandes);
     }
 };
@@ -571,6 +570,7 @@ TEST(Bump, LaLuzDeLaSuperficieDesplazada) {
                                std::to_string(errores[k].grandes) + "/" +
                                std::to_string(errores[k].comparados));
             EXPECT_GT(errores[k].comparados, 3000);
+            errores[k].apunta();
         }
         EXPECT_LE(errores[0].rmse(), con ? 1.5 : 0.5);
         EXPECT_LE(errores[1].rmse(), con ? 3.5 : 0.8);

@@ -77,14 +77,18 @@ inline Imagen procesa(const std::string &programa, const std::vector<Imagen> &im
 /// La mayor diferencia con `esperado(x, y)`, recortado a [0, 255], en niveles.
 using Esperado = std::function<Vec3(int x, int y)>;
 inline double diferenciaMaxima(const Imagen &obtenida, const Esperado &esperado) {
-    double maxima = obtenida.rgb.empty() ? 999 : 0;
+    double maxima = obtenida.rgb.empty() ? 999 : 0, suma = 0;
     for (int y = 0; y < obtenida.alto; ++y)
         for (int x = 0; x < obtenida.ancho; ++x) {
             const Pixel p = pixel(obtenida, x, y);
             const Vec3 c = esperado(x, y);
-            for (const auto &[a, b] : {std::pair(double(p.r), c.x), {p.g, c.y}, {p.b, c.z}})
-                maxima = std::max(maxima, std::fabs(a - std::clamp(b, 0.0, 255.0)));
+            for (const auto &[a, b] : {std::pair(double(p.r), c.x), {p.g, c.y}, {p.b, c.z}}) {
+                const double d = std::fabs(a - std::clamp(b, 0.0, 255.0));
+                maxima = std::max(maxima, d);
+                suma += d * d;
+            }
         }
+    apuntaDiferencia(maxima, std::sqrt(suma / static_cast<double>(obtenida.rgb.size())));
     return maxima;
 }
 /// Como Esperado, sin más, un texel de otra imagen.

@@ -1,6 +1,7 @@
 // Lo que un programa de dibujo plano debe pintar, en doble precisión y sin OpenGL: capas de trazos, discos, flechas y polígonos, unas sobre
 // otras, en píxeles desde abajo a la izquierda. Se compara la ventana entera, salvo los rótulos, que se leen.
 #pragma once
+#include "ejecuta.h"
 #include "oraculo/camara.h"
 #include "oraculo/cobertura.h"
 #include "oraculo/compara.h"
@@ -142,6 +143,7 @@ struct Lienzo {
         ASSERT_EQ(imagen.ancho, ancho);
         ASSERT_EQ(imagen.alto, alto);
         int mal = 0;
+        double maximo = 0;
         glm::ivec4 caja(ancho, alto, 0, 0);
         std::string primero;
         for (int y = 0; y < alto; ++y)
@@ -149,8 +151,11 @@ struct Lienzo {
                 const auto i = static_cast<std::size_t>(y * ancho + x);
                 bool vale = tapado[i];
                 for (std::size_t k = capas.size(); !vale && k-- > 0;) {
-                    if (capas[k].en(x, y) > -borde && esColor(imagen, x, y, capas[k].color))
+                    if (capas[k].en(x, y) > -borde && esColor(imagen, x, y, capas[k].color)) {
+                        const glm::vec3 &c = capas[k].color;
                         vale = true;
+                        maximo = std::max(maximo, oraculo::diferencia(imagen, x, y, {c.r, c.g, c.b}));
+                    }
                     if (capas[k].en(x, y) > borde)
                         break;
                 }
@@ -163,6 +168,7 @@ struct Lienzo {
                               std::to_string(p.r) + " " + std::to_string(p.g) + " " + std::to_string(p.b);
                 }
             }
+        apuntaDiferencia(mal ? 255 : maximo, -1, borde);
         EXPECT_EQ(mal, 0) << "píxeles que no son lo que debían; el primero, " << primero
                           << ", y todos entre (" << caja.x << ", " << caja.y << ") y (" << caja.z << ", "
                           << caja.w << ")";

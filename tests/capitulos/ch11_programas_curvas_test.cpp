@@ -694,6 +694,7 @@ void compruebaSolenoide(const std::string &guion, int vueltas, bool segmentos, c
         }
     std::printf("solenoide: %d píxeles, error medio %.2f, máximo %.1f, %d de más de 12\n", comparados,
                 suma / comparados, peor, malos);
+    apuntaDiferencia(peor, -1, 1);
     EXPECT_EQ(fuera, 0);
     EXPECT_EQ(huecos, 0);
     EXPECT_GT(comparados, t.ancho * t.alto / 40);

@@ -65,6 +65,7 @@ TEST(Desvanecer, MezclaExacta) {
                     cambian += oraculo::longitud(a - b) > 20;
                 }
             EXPECT_GT(cambian, 10000);
+            apuntaDiferencia(peor);
             EXPECT_LE(peor, 1.5) << t;
         }
     }
@@ -98,6 +99,7 @@ TEST(LucesAnimadas, ProporcionalALaLuz) {
                 }
             }
         EXPECT_GT(alumbrados, 5000);
+        apuntaDiferencia(peor);
         EXPECT_LE(peor, 1) << t;
     }
     EXPECT_TRUE(es(pixel(nada, 5, ALTO - 5), FONDO_OSCURO));
@@ -153,6 +155,7 @@ TEST(TexturaOndulada, LeeDondeDiceElSeno) {
                 ++mirados;
             }
         EXPECT_GT(mirados, 30000);
+        apuntaDiferencia(peor);
         EXPECT_LE(peor, 2.5) << t;
         EXPECT_TRUE(
             es(pixel(im, ANCHO / 2, int(ALTO / 2 - 0.52 * k)), FONDO_CLARO)); // el cuadrado no se deforma
@@ -297,6 +300,7 @@ TEST(Textura3dAnimada, ElRuidoEnCadaPuntoYPeriodica) {
                 ++n;
             }
         EXPECT_GT(n, 1500);
+        apuntaDiferencia(peor);
         EXPECT_LE(suma / n, 3) << t;
         EXPECT_LE(peor, 25) << t;
     }

@@ -26,3 +26,8 @@ struct Pixel {
     int r, g, b;
 };
 Pixel pixel(const Imagen &imagen, int x, int y);
+
+/// Apunta en el informe de la prueba, para docs/exactitud.md, lo que el último programa ejecutado se aparta de lo que debe: la mayor
+/// diferencia y la cuadrática media, en niveles de 255, y cuánto se desvían los bordes, en píxeles, salvo `lejos` de los `banda` que
+/// hay en ellos; negativo lo que no se mide. De varias queda la peor. El oráculo (oraculo::compara) lo hace solo.
+void apuntaDiferencia(double maximo, double rmse = -1, double borde = -1, int lejos = 0, int banda = 0);

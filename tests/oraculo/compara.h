@@ -82,6 +82,9 @@ inline std::ostream &operator<<(std::ostream &s, const Comparacion &c) {
              << " distintos, desvío " << c.desvio << " px, " << c.bandaLejos << " lejos";
 }
 
+/// A quien se le da cada comparación, si hay alguien.
+inline void (*alComparar)(const Comparacion &) = nullptr;
+
 /// Si entre dos píxeles vecinos hay un borde: otro objeto, otra cara, otra zona, o el mismo objeto más atrás
 /// (uno está lejos del plano tangente del otro).
 inline bool hayBorde(const PixelRef &a, const PixelRef &b) {
@@ -141,6 +144,8 @@ Comparacion comparaCon(const Imagen &gpu, const ImagenRef &ref, double umbral, D
     c.rmse = std::sqrt(suma / c.interior);
     if (c.interior == 0)
         c.maximo = c.rmse = INFINITO;
+    if (alComparar)
+        alComparar(c);
     return c;
 }
 

@@ -1,0 +1,46 @@
+// Casos difíciles de la selección por color (capítulo 10): cada identificador, pintado en un framebuffer de 8 bits y leído.
+#include "caso.h"
+#include "ch10_interaccion/identificador.h"
+#include "sonda.h"
+
+namespace {
+
+/// Lo que se lee menos lo que se pintó.
+double errorDeIdentificador(unsigned identificador) {
+    static GLuint programa = 0, framebuffer = 0;
+    if (programa == 0) {
+        programa = creaSonda("ch10_interaccion/identificador.frag"); // que abre el contexto
+        GLuint color = 0;
+        glGenRenderbuffers(1, &color);
+        glBindRenderbuffer(GL_RENDERBUFFER, color);
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 1, 1);
+        glGenFramebuffers(1, &framebuffer);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+    }
+    glUseProgram(programa);
+    envia(programa, "identificador", colorDe(identificador));
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    unsigned char leido[4] = {};
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, leido);
+    return std::fabs(static_cast<double>(identificadorDe({leido[0], leido[1], leido[2]})) - identificador);
+}
+
+const Casos IDENTIFICADORES([] {
+    for (const unsigned id : {0u, 1u, 127u, 128u, 255u, 256u, 65535u, 65536u, 8388608u, IDENTIFICADOR_MAXIMO})
+        caso("Identificador", "id_" + std::to_string(id), 0, "diferencia",
+             [=] { return errorDeIdentificador(id); });
+    caso("Identificador", "todos_los_de_un_bit_menos", 0, "diferencia", [] {
+        double peor = 0;
+        for (unsigned bit = 0; bit < 24; ++bit)
+            peor = mayor(errorDeIdentificador(IDENTIFICADOR_MAXIMO ^ (1u << bit)), peor);
+        return peor;
+    });
+});
+
+} // namespace
+
+// El que no cabe termina con un mensaje, y no se confunde con otro.
+TEST(IdentificadorImposibleDeathTest, DosALa24) {
+    EXPECT_EXIT(rgbDe(1u << 24), testing::ExitedWithCode(1), "16777216 no cabe en 24 bits");
+}

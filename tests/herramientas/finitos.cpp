@@ -1,0 +1,95 @@
+// Se antepone (LD_PRELOAD) a un programa enlazado con OSMesa: la ventana pasa a ser de float, y también sus framebuffers propios de 8
+// bits; cada vez que se lee la ventana se mira que todos sus colores sean finitos. Si alguno no lo es se dice dónde y el programa
+// acaba con 4. Lo que tapa otro color no se ve, ni lo que se lee de un framebuffer propio sin pasar por la ventana.
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <deque>
+#include <dlfcn.h>
+#include <unistd.h>
+#include <vector>
+// clang-format off
+#include <GL/gl.h>
+#include <GL/glext.h>
+#include <GL/osmesa.h>
+// clang-format on
+
+namespace {
+
+/// La función que se ha tapado.
+template<class Funcion>
+Funcion laDeVerdad(const char *nombre) {
+    return reinterpret_cast<Funcion>(dlsym(RTLD_NEXT, nombre));
+}
+
+/// Donde un color cabe en 8 bits por componente, en float.
+GLenum enFloat(GLenum formato) {
+    return formato == GL_RGB8 || formato == GL_RGBA8 || formato == GL_RGB || formato == GL_RGBA ? GL_RGBA32F
+                                                                                                : formato;
+}
+void renderbufferStorage(GLenum objetivo, GLenum formato, GLsizei ancho, GLsizei alto) {
+    static const auto original = reinterpret_cast<PFNGLRENDERBUFFERSTORAGEPROC>(
+        laDeVerdad<decltype(&OSMesaGetProcAddress)>("OSMesaGetProcAddress")("glRenderbufferStorage"));
+    original(objetivo, enFloat(formato), ancho, alto);
+}
+void renderbufferStorageMultisample(GLenum objetivo, GLsizei muestras, GLenum formato, GLsizei ancho,
+                                    GLsizei alto) {
+    static const auto original =
+        reinterpret_cast<PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC>(laDeVerdad<decltype(&OSMesaGetProcAddress)>(
+            "OSMesaGetProcAddress")("glRenderbufferStorageMultisample"));
+    original(objetivo, muestras, enFloat(formato), ancho, alto);
+}
+
+[[noreturn]] void acaba(const char *que, double valor, GLint x, GLint y) {
+    std::fprintf(stderr, "finitos: %s %g en (%d, %d)\n", que, valor, x, y);
+    _exit(4);
+}
+
+} // namespace
+
+extern "C" {
+
+GLboolean OSMesaMakeCurrent(OSMesaContext contexto, void *, GLenum, GLsizei ancho, GLsizei alto) {
+    static std::deque<std::vector<GLfloat>> memorias; // OSMesa usa cada una hasta que tiene la siguiente
+    memorias.emplace_back(4 * static_cast<std::size_t>(ancho) * static_cast<std::size_t>(alto));
+    static const auto original = laDeVerdad<decltype(&OSMesaMakeCurrent)>("OSMesaMakeCurrent");
+    return original(contexto, memorias.back().data(), GL_FLOAT, ancho, alto);
+}
+
+OSMESAproc OSMesaGetProcAddress(const char *nombre) {
+    if (std::strcmp(nombre, "glRenderbufferStorage") == 0)
+        return reinterpret_cast<OSMESAproc>(renderbufferStorage);
+    if (std::strcmp(nombre, "glRenderbufferStorageMultisample") == 0)
+        return reinterpret_cast<OSMESAproc>(renderbufferStorageMultisample);
+    return laDeVerdad<decltype(&OSMesaGetProcAddress)>("OSMesaGetProcAddress")(nombre);
+}
+
+void glTexImage2D(GLenum objetivo, GLint nivel, GLint interno, GLsizei ancho, GLsizei alto, GLint borde,
+                  GLenum formato, GLenum tipo, const void *datos) {
+    static const auto original = laDeVerdad<decltype(&glTexImage2D)>("glTexImage2D");
+    if (!datos) // sin datos: se va a dibujar en ella
+        interno = static_cast<GLint>(enFloat(static_cast<GLenum>(interno)));
+    original(objetivo, nivel, interno, ancho, alto, borde, formato, tipo, datos);
+}
+
+void glReadPixels(GLint x, GLint y, GLsizei ancho, GLsizei alto, GLenum formato, GLenum tipo, void *datos) {
+    static const auto original = laDeVerdad<decltype(&glReadPixels)>("glReadPixels");
+    GLint framebuffer = 0;
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer);
+    if (framebuffer == 0) {
+        std::vector<GLfloat> color(4 * static_cast<std::size_t>(ancho) * static_cast<std::size_t>(alto), NAN);
+        // OSMesa no dice que su framebuffer sea de float, y al leerlo se recortaría
+        static const auto recorta =
+            reinterpret_cast<PFNGLCLAMPCOLORPROC>(OSMesaGetProcAddress("glClampColor"));
+        recorta(GL_CLAMP_READ_COLOR, GL_FALSE);
+        original(x, y, ancho, alto, GL_RGBA, GL_FLOAT, color.data());
+        recorta(GL_CLAMP_READ_COLOR, GL_FIXED_ONLY);
+        for (std::size_t i = 0; i < color.size(); ++i)
+            if (!std::isfinite(color[i]))
+                acaba("un color", static_cast<double>(color[i]), x + static_cast<GLint>(i) / 4 % ancho,
+                      y + static_cast<GLint>(i) / 4 / ancho);
+    }
+    original(x, y, ancho, alto, formato, tipo, datos);
+}
+
+} // extern "C"
