@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 #include <string>
+#include <unistd.h>
 
 // Los dos programas que no usan common/ se prueban también por dentro. A primer_programa se le cambian las funciones de OpenGL
 // por otras que apuntan a quién se llama.
@@ -35,8 +36,15 @@ std::string llamadas;
 namespace shader_basico {
 #define LAB_FUENTES "."
 #include "ch01_intro/shader_basico.cpp"
-#undef main
 } // namespace shader_basico
+
+// Aquí no hay contexto de menos de 3.1: a info_opengl se le dice que el suyo lo es.
+namespace info_opengl {
+#define glGetString(que) reinterpret_cast<const GLubyte *>((que) == GL_VERSION ? "3.0 Mesa" : "?")
+#include "ch01_intro/info_opengl.cpp"
+#undef glGetString
+#undef main
+} // namespace info_opengl
 
 // Todos los píxeles son (255, 255, 0), también después de cambiar de tamaño y mientras no se dibuje tras cambiar el estado.
 TEST(PrimerPrograma, TodoDelColorDeBorradoAlDibujar) {
@@ -244,6 +252,13 @@ TEST(InfoOpengl, SinOpengl31NoSaleConCero) {
     EXPECT_NE(e.errores.find("OpenGL 3.1"), std::string::npos) << e.errores;
 }
 
+TEST(InfoOpengl, ConUnOpenglAntiguoDiceLoQueFalta) {
+    char nombre[] = "info_opengl", *argumentos[] = {nombre, nullptr};
+    EXPECT_EXIT((dup2(2, 1), std::exit(info_opengl::mainDelPrograma(1, argumentos))),
+                testing::ExitedWithCode(1),
+                "Falta: OpenGL 3.1 o posterior\n(.*\n)*Resultado: falta lo imprescindible");
+}
+
 TEST(ErroresShader, NombraFicheroYLinea) {
     const Ejecucion e = ejecuta("ch01_intro/errores_shader", "tecla 2");
     EXPECT_EQ(e.estado, 0) << e.errores;
@@ -259,6 +274,39 @@ TEST(ErroresShader, ElDeEnlazadoNombraLosDosShadersYLaVariable) {
         std::string::npos)
         << e.salida;
     EXPECT_NE(e.salida.find("nuevoColor"), std::string::npos) << e.salida;
+}
+
+// Cerca de cada vértice manda su color: amarillo, verde y azul.
+TEST(ErroresShader, InterpolaElColorDeCadaVertice) {
+    const glm::dvec2 vertices[] = {{-0.95, -0.92}, {0.95, -0.92}, {0, 0.62}};
+    const glm::dvec3 colores[] = {AMARILLO, VERDE, AZUL};
+    const Ejecucion e = ejecuta("ch01_intro/errores_shader", "", 960, 720);
+    for (int cerca = 0; cerca < 3; ++cerca) {
+        glm::dvec2 punto(0);
+        glm::dvec3 color(0);
+        for (int k = 0; k < 3; ++k) {
+            const double peso = k == cerca ? 0.8 : 0.1;
+            punto += peso * vertices[k];
+            color += peso * colores[k];
+        }
+        const glm::ivec2 p(glm::dvec2(480, 360) + 360.0 * punto);
+        const Pixel obtenido = pixel(e.imagen, p.x, p.y);
+        const glm::dvec3 error = glm::dvec3(obtenido.r, obtenido.g, obtenido.b) - 255.0 * color;
+        EXPECT_LE(glm::length(error), 2) << cerca;
+    }
+}
+
+// F5 vuelve a intentarlo, y lo cuenta otra vez.
+TEST(ErroresShader, F5VuelveAIntentarlo) {
+    const auto veces = [](const std::string &guion, const std::string &texto) {
+        const std::string salida = ejecuta("ch01_intro/errores_shader", guion).salida;
+        int n = 0;
+        for (std::size_t i = 0; (i = salida.find(texto, i)) != std::string::npos; ++i)
+            ++n;
+        return n;
+    };
+    EXPECT_EQ(veces("tecla 3; especial F5", "no enlazan"), 2);
+    EXPECT_EQ(veces("especial F5", "compila y enlaza"), 2);
 }
 
 // Tras un error sigue vivo, con lo que dibujaba, y se recupera.

@@ -815,6 +815,7 @@ TEST(PasoAPaso, DeDondeSaleYAdondeVa) {
     EXPECT_GT(circunferencia(esfera4, camaraElipsoide(), {}, {1, 0, 0}, {0, 0, 1}), 0.6);
     for (const Imagen *imagen : {&esfera0, &esfera4}) {
         EXPECT_TRUE(ch03::hayTrazo(*imagen, camaraElipsoide(), {3.9, 3.9, 3.9}, OSCURO));
+        EXPECT_TRUE(ch03::hayTrazo(*imagen, camaraElipsoide(), {-1.1, -1.1, -1.1}, OSCURO));
         EXPECT_TRUE(ch03::rotuladoJunto(*imagen, camaraElipsoide(), {4, 4, 4}, U"x=y=z", 0));
     }
 }

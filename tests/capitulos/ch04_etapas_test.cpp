@@ -114,6 +114,19 @@ TEST(Recortado, AreaContraElPoligonoExacto) {
     EXPECT_GT(lados[5] + lados[6] + lados[7], 10);
 }
 
+// A un lado y otro de cada uno de los seis planos, y con w negativo.
+TEST(Recortado, DentroYFueraDeCadaPlano) {
+    for (int eje = 0; eje < 3; ++eje)
+        for (const double signo : {-1.0, 1.0}) {
+            glm::dvec4 r(0, 0, 0, 2);
+            r[eje] = signo * 2;
+            EXPECT_TRUE(estaDentro(r)) << eje << " " << signo;
+            r[eje] = signo * 2.001;
+            EXPECT_FALSE(estaDentro(r)) << eje << " " << signo;
+            EXPECT_FALSE(estaDentro(-r)) << eje << " " << signo;
+        }
+}
+
 TEST(Recortado, CasosLimite) {
     using Poligono = std::vector<glm::dvec4>;
     const Poligono dentro = {

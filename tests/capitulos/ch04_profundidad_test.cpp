@@ -205,6 +205,24 @@ TEST(Profundidad, LaSeparacionEsDe5Centimetros) {
     EXPECT_NEAR(y / n, ry / rn, 0.1);
 }
 
+// Al orbitar, los carteles se ven desde donde ha ido la cámara: en el centro de cada cuadro sigue el amarillo.
+TEST(Profundidad, LosCartelesAlOrbitar) {
+    const int ancho = 960, alto = 720;
+    const Ejecucion e = ejecuta(
+        "ch04_vista3d/profundidad",
+        "boton IZQUIERDO abajo 480 360; arrastra 500 350; boton IZQUIERDO arriba 500 350", ancho, alto);
+    ASSERT_EQ(e.estado, 0) << e.errores;
+    const double azimut = -1.8 * 20 / alto, elevacion = -1.8 * 10 / alto;
+    const Vec3 interes{0, 0, -300},
+        ojo = interes + 300 * Vec3{std::cos(elevacion) * std::sin(azimut), std::sin(elevacion),
+                                   std::cos(elevacion) * std::cos(azimut)};
+    const Camara camara = perspectiva(miraDesde(ojo, interes), 0.8, 10, LEJOS);
+    for (int i = 6; i < 12; ++i) {
+        const Vec3 p = proyecta(camara, ancho, alto, distanciaCartel(i) * centroCartel(i) + Vec3{0, 0, 0.05});
+        EXPECT_TRUE(esColor(e.imagen, static_cast<int>(p.x), static_cast<int>(p.y), AMARILLO)) << i;
+    }
+}
+
 // Bajo cada cartel, su distancia.
 TEST(Profundidad, LasDistanciasBajoCadaCartel) {
     const Ejecucion e = ejecuta("ch04_vista3d/profundidad", "", 960, 720);

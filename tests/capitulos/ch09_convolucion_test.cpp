@@ -140,6 +140,19 @@ TEST(ConvolucionVariable, Un31x31SobreUnaImagenDe8x8) {
                   0.52);
 }
 
+// La tecla s lleva del modo automático, que con 2×2 es directo, al directo y al separable: el que se nota si el intermedio
+// es de 8 bits.
+TEST(ConvolucionVariable, LosTresModos) {
+    const auto con2x2 = [](const std::string &teclas) {
+        return procesa("convolucion_variable", {A}, pide(CAJA, 2, "tecla p" + teclas)).rgb;
+    };
+    const auto automatico = con2x2(""), directo = con2x2("; tecla s"),
+               separable = con2x2("; tecla s; tecla s");
+    EXPECT_EQ(automatico, directo);
+    EXPECT_NE(separable, directo);
+    EXPECT_EQ(con2x2("; tecla s; tecla s; tecla s"), automatico);
+}
+
 // El filtro de 1×1 es la delta: la imagen, intacta.
 TEST(ConvolucionVariable, LaDeltaEsElOriginal) {
     for (const std::string &modo : {std::string(), DIRECTO, SEPARABLE})

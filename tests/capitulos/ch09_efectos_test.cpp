@@ -1,6 +1,8 @@
 // Los efectos del capítulo 9 que tratan cada píxel, contra la CPU en doble precisión. Las imágenes son al azar y de lados
 // que no son múltiplos de 4.
 #include "ch09_imagen.h"
+#include "colores.h"
+#include "rotulos.h"
 #include <cstdio>
 #include <cstdlib>
 #include <glm/glm.hpp>
@@ -178,6 +180,18 @@ TEST(Diferencia, DeUnaImagenConsigoMisma) {
     EXPECT_EQ(std::count(gris.rgb.begin(), gris.rgb.end(), 128), std::ptrdiff_t(gris.rgb.size()));
 }
 
+// Con v, en una ventana de tres veces el ancho: A, B y su diferencia.
+TEST(Diferencia, LasTresALaVez) {
+    const Imagen v = ejecuta("ch09_imagen/diferencia", "tecla v", 185, 47, {escribe(A), escribe(B)}).imagen,
+                 d = procesa("diferencia", {A, B});
+    const Imagen *const paneles[] = {&A, &B, &d};
+    for (int k = 0; k < 3; ++k)
+        EXPECT_EQ(diferenciaMaxima(imagen(61, 47, [&](int x, int y) { return pixel(v, 62 * k + x, y); }),
+                                   igualQue(*paneles[k])),
+                  0)
+            << k;
+}
+
 TEST(Diferencia, DosTallasNoSePuedenRestar) {
     const Ejecucion e = ejecuta("ch09_imagen/diferencia", "", 61, 47, {escribe(A), escribe(alAzar(61, 48))});
     EXPECT_EQ(e.estado, 1);
@@ -223,6 +237,18 @@ TEST(Volteo, ContraLaCpuYDosVecesEsElOriginal) {
         EXPECT_EQ(procesa("volteo", {procesa("volteo", {A}, tecla)}, tecla).rgb, A.rgb);
         EXPECT_EQ(procesa("volteo", {A}, tecla + "; " + tecla).rgb, A.rgb);
     }
+}
+
+// El nombre que lleva la imagen es el de lo que se le ha hecho.
+TEST(Volteo, LosRotulos) {
+    const std::pair<const char *, const char32_t *> casos[] = {{"", U"Original"},
+                                                               {"tecla h", U"Horizontal"},
+                                                               {"tecla v", U"Vertical"},
+                                                               {"tecla h; tecla v", U"Los dos"}};
+    for (const auto &[guion, nombre] : casos)
+        EXPECT_EQ(buscaRotulo(ejecuta("ch09_imagen/volteo", guion, 960, 720).imagen, nombre, BLANCO).size(),
+                  1u)
+            << guion;
 }
 
 // --- remolino ---

@@ -5,6 +5,7 @@
 #include "ch09_imagen/proporcion.h"
 #include "colores.h"
 #include "oraculo/cobertura.h"
+#include "rotulos.h"
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -83,6 +84,24 @@ TEST(Warping, ElPliegueTieneUnOrden) {
     EXPECT_GT(pixel(r, 126, 88).r, 110);
 }
 
+// La caricatura ensancha por abajo y estrecha por arriba, igual a los dos lados: se ve un texel más cerca o más lejos del eje.
+TEST(Warping, LaCaricatura) {
+    const Imagen r = procesa("warping",
+                             {imagen(221, 177,
+                                     [](int x, int) {
+                                         return Pixel{x, 0, 0};
+                                     })},
+                             "tecla 2");
+    for (const int lado : {-1, 1}) {
+        const auto texelA = [&](int lejos, int y) {
+            return lado * (pixel(r, 110 + lado * lejos, y).r - 110);
+        };
+        EXPECT_LT(texelA(66, 44), 66 - 15) << lado;
+        EXPECT_GT(texelA(44, 133), 44 + 10) << lado;
+        EXPECT_NEAR(texelA(66, 44), pixel(r, 176, 44).r - 110, 1);
+    }
+}
+
 // Los puntos no salen de la imagen.
 TEST(Warping, UnPuntoNoSaleDeLaImagen) {
     const std::string hasta = "boton IZQUIERDO abajo 1 58; arrastra ";
@@ -159,6 +178,21 @@ TEST(Morphing, ElMovimientoSigueAlReloj) {
 }
 
 // --- antialiasing ---
+
+// La escena: rayos iguales cada 15 grados, cada uno un triángulo isósceles que apunta hacia fuera.
+TEST(Antialiasing, LaEstrella) {
+    const std::vector<glm::dvec2> v = estrella();
+    ASSERT_EQ(v.size(), 72u);
+    for (std::size_t k = 0; k < v.size(); k += 3) {
+        const glm::dvec2 d = glm::normalize(v[k + 1]), base = v[k + 2] - v[k],
+                         otro = glm::normalize(v[(k + 4) % 72]);
+        EXPECT_NEAR(glm::length(v[k + 1]), RADIO_FUERA, 1e-12);
+        EXPECT_NEAR(glm::dot(base, d), 0, 1e-12) << k;
+        EXPECT_NEAR(glm::length(base), 2 * SEMIANCHO, 1e-12);
+        EXPECT_NEAR(glm::distance(0.5 * (v[k] + v[k + 2]), RADIO_DENTRO * d), 0, 1e-12);
+        EXPECT_NEAR(d.x * otro.y - d.y * otro.x, std::sin(2 * oraculo::PI / 24), 1e-12);
+    }
+}
 
 // Contra el área exacta, y las dos técnicas de muestras conocidas, muestra a muestra: el centro del píxel y los centros de sus
 // 4 × 4 partes. De las que caen a menos de una centésima de píxel de un lado no se dice nada.
@@ -285,6 +319,17 @@ TEST(Ampliacion, LoQueMideEnPixeles) {
     EXPECT_EQ(procesa("ampliacion", {A}, "tecla f").rgb, A.rgb);
 }
 
+// Dos texels en 40 píxeles: con el vecino, cada mitad es de un color; con el lineal se pasa de uno a otro.
+TEST(Ampliacion, VecinoYLineal) {
+    const std::string dos = escribe(imagen(2, 1, [](int x, int) { return Pixel{200 * x, 0, 0}; }));
+    const Imagen lineal = ejecuta("ch09_imagen/ampliacion", "", 40, 20, {dos}).imagen,
+                 vecino = ejecuta("ch09_imagen/ampliacion", "tecla f", 40, 20, {dos}).imagen;
+    for (int x = 0; x < 40; ++x) {
+        EXPECT_EQ(pixel(vecino, x, 10).r, x < 20 ? 0 : 200) << x;
+        EXPECT_NEAR(pixel(lineal, x, 10).r, std::clamp(200 * ((x + 0.5) / 20 - 0.5), 0.0, 200.0), 1) << x;
+    }
+}
+
 // --- captura ---
 
 TEST(Captura, ElFicheroEsElFramebuffer) {
@@ -325,6 +370,7 @@ TEST(Captura, LaEsquinaEnsenaLoLeido) {
         }
     EXPECT_GT(lisos, 3000);
     EXPECT_LE(peor, 2);
+    EXPECT_EQ(buscaRotulo(i, U"960×720, idéntica", OSCURO, celdaDe(960, 720, 0.03)).size(), 1u);
 }
 
 // Disco lleno o fichero que no cabe: se dice, y no queda nada a medias.

@@ -39,6 +39,7 @@ espera 1 'no hay ningún programa «gura»; los más parecidos: grua' "$lab" ver
 espera 1 'no hay ningún programa «E99.9»' "$lab" ver E99.9
 espera 1 'di qué casos' "$lab" dora
 espera 1 '«grua-volando» no es un caso de grua' "$lab" dora grua-volando
+espera 1 'no hay ningún mutante en «gura»' "$lab" muta ch05 gura
 
 for nombre in grua E3.5 f3.3; do
   rm -f grua.png
@@ -117,6 +118,12 @@ espera 1 '«shader_basico-volando» no es un caso' $lab dora primer_programa sha
 espera 0 'primer_programa: ' $lab dora primer_programa shader_basico
 build/tests/compara "$carpeta/golden.ppm" $golden/shader_basico.ppm --amplia >/dev/null || mal 'dora no rehace shader_basico'
 [ -s $golden/primer_programa.ppm ] && [ ! -s $golden/primer_programa_dos.ppm ] || mal 'dora primer_programa no rehace solo ese golden'
+
+# un defecto que ya no se puede plantar es un error, que dice cuál
+printf '%s\t' ch01_intro/shader_basico.cpp 'no está' x signo >tests/mutantes/ch01.tsv
+espera 1 'ch01:1: son fichero, texto' $lab muta --comprueba
+printf '%s\n' $'ch01_intro/shader_basico.cpp\tno está\tx\tsigno' >tests/mutantes/ch01.tsv
+espera 1 'ch01:1: «no está» está 0 veces en ch01_intro/shader_basico.cpp' $lab muta --comprueba
 
 # la galería rehace lo que falta y solo eso
 espera 0 'Hecha: ' $lab galeria

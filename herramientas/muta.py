@@ -1,0 +1,370 @@
+#!/usr/bin/env python3
+"""muta.py RAÍZ CARPETA [--comprueba | QUÉ…]: defectos plantados, para saber si las pruebas los notan.
+
+Cada línea de tests/mutantes/*.tsv es un mutante: fichero, texto (que está una sola vez en él), texto estropeado, qué imita y, si
+no lo puede notar nadie, por qué. Con «…» dentro del texto, el resto solo sirve para encontrarlo y se cambia lo que va entre ellas.
+
+Todos se compilan a la vez en una copia del árbol, en CARPETA: una expresión de C++ queda como (mutante(5012) ? (estropeada) :
+(original)), una instrucción como if/else, y un shader estropeado va en una carpeta que la copia mira antes que las demás;
+$LAB_MUTANTE elige uno. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar y apuntan lo que usan; después,
+con cada mutante, los que lo usan, hasta que uno falle: las pruebas de su capítulo, las demás y, si ninguna lo nota, los golden.
+"""
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from collections import defaultdict
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from pathlib import Path
+
+MINIMO = 150  # mutantes en la lista
+META, META_SIN_GOLDEN = 98, 92  # por ciento
+SHADERS = (".vert", ".frag", ".glsl")
+
+
+@dataclass
+class Mutante:
+    lista: str
+    linea: int
+    numero: int  # el de $LAB_MUTANTE
+    fichero: str
+    texto: str
+    estropeado: str
+    imita: str
+    motivo: str = ""
+    pruebas: list = field(default_factory=list)  # las que lo usan
+    notado: str = ""
+    por_golden: bool = False
+
+    @property
+    def nombre(self):
+        return f"{self.lista}:{self.linea}"
+
+    def es_de(self, pedido):
+        """Si es lo que se pide: su lista, él, su fichero, su carpeta o el programa por el que empieza el nombre de su fichero."""
+        fichero = Path(self.fichero)
+        return pedido in (self.lista, self.nombre, self.fichero, fichero.parts[0]) or fichero.stem.startswith(pedido)
+
+    def sitio(self, fuente):
+        """Dónde empieza y acaba en ese fuente lo que se cambia."""
+        antes, marcado, despues = re.fullmatch("(.*?)«(.*)»(.*)", self.texto).groups() if "«" in self.texto else ("", self.texto, "")
+        veces = fuente.count(antes + marcado + despues)
+        if veces != 1:
+            raise ValueError(f"«{self.texto}» está {veces} veces en {self.fichero}")
+        if marcado == self.estropeado:
+            raise ValueError("no cambia nada")
+        desde = fuente.index(antes + marcado + despues) + len(antes)
+        return desde, desde + len(marcado)
+
+
+@dataclass
+class Prueba:
+    nombre: str
+    orden: list
+    entorno: dict
+    golden: bool
+    segundos: float = 0
+    vistos: set = field(default_factory=set)
+
+    @property
+    def capitulo(self):
+        return capitulo(self.nombre)
+
+    def pasa(self, mutante, limite, **entorno):
+        """Si acaba bien y a tiempo con ese mutante puesto (0: ninguno). Lo que escribe queda en self.salida."""
+        proceso = subprocess.Popen(self.orden, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                   start_new_session=True,
+                                   env={**os.environ, **self.entorno, **entorno, "LAB_MUTANTE": str(mutante)})
+        try:
+            self.salida = proceso.communicate(timeout=limite)[0].decode(errors="replace")
+        except subprocess.TimeoutExpired:
+            self.salida = f"no ha acabado en {limite:.0f} segundos"
+        finally:
+            try:
+                os.killpg(proceso.pid, signal.SIGKILL)  # también lo que haya dejado
+            except ProcessLookupError:
+                pass
+            proceso.wait()
+        return proceso.returncode == 0
+
+
+def capitulo(nombre):
+    """El de una prueba o un fichero: ch05, o comun."""
+    return nombre[:4] if nombre.startswith("ch") else "comun"
+
+
+def lee(raiz):
+    """Los mutantes de todas las listas."""
+    mutantes, fallos = [], []
+    for n, lista in enumerate(sorted((raiz / "tests/mutantes").glob("*.tsv"))):
+        for i, linea in enumerate(lista.read_text().splitlines(), 1):
+            columnas = linea.split("\t")
+            if len(columnas) in (4, 5) and all(columnas):
+                mutantes.append(Mutante(lista.stem, i, 1000 * n + i, *columnas))
+            else:
+                fallos.append(f"{lista.stem}:{i}: son fichero, texto, texto estropeado, qué imita y, si acaso, motivo")
+    return mutantes, fallos
+
+
+def por_fichero(mutantes):
+    grupos = defaultdict(list)
+    for m in mutantes:
+        grupos[m.fichero].append(m)
+    return grupos
+
+
+def cambia(fuente, mutantes):
+    """El fuente de C++ con todos sus mutantes dentro. Los que estropean lo mismo van en cadena."""
+    sitios = defaultdict(list)
+    for m in mutantes:
+        sitios[m.sitio(fuente)].append(m)
+    ordenados = sorted(sitios)
+    for (_, fin), (principio, _) in zip(ordenados, ordenados[1:]):
+        if principio < fin:
+            raise ValueError(f"se pisa con otro: «{fuente[principio:fin]}»")
+    for desde, hasta in reversed(ordenados):
+        nuevo = fuente[desde:hasta]
+        instruccion = nuevo.endswith((";", "}"))
+        nuevo = f"{{ {nuevo} }}" if instruccion else f"({nuevo})"
+        for m in sitios[desde, hasta]:
+            nuevo = (f"if (mutante({m.numero})) {{ {m.estropeado} }} else {nuevo}" if instruccion else
+                     f"(mutante({m.numero}) ? ({m.estropeado}) : {nuevo})")
+        fuente = fuente[:desde] + nuevo + fuente[hasta:]
+    return fuente
+
+
+def estropea(fuente, mutante):
+    desde, hasta = mutante.sitio(fuente)
+    return fuente[:desde] + mutante.estropeado + fuente[hasta:]
+
+
+def comprueba(raiz, mutantes, fallos):
+    """Que cada mutante se puede aplicar, que los shaders estropeados compilan y que no falta ningún programa."""
+    for fichero, grupo in por_fichero(mutantes).items():
+        try:
+            fuente = (raiz / fichero).read_text()
+        except OSError as error:
+            fallos.append(f"{grupo[0].nombre}: no puedo leer {fichero}: {error.strerror}")
+            continue
+        for m in grupo:
+            try:
+                m.sitio(fuente)
+                if fichero.endswith(SHADERS):
+                    fallos += compila_glsl(raiz, m, estropea(fuente, m))
+            except ValueError as error:
+                fallos.append(f"{m.nombre}: {error}")
+        try:
+            cambia(fuente, grupo)
+        except ValueError as error:
+            fallos.append(f"{fichero}: {error}")
+    if len(mutantes) < MINIMO:
+        fallos.append(f"hay {len(mutantes)} mutantes, y deben ser {MINIMO}")
+    for lista in {m.lista for m in mutantes}:
+        for indice in raiz.glob(f"{lista}_*/CMakeLists.txt"):
+            for programa in re.findall(r"^programa\((\w+)", indice.read_text(), re.M):
+                if not any(Path(m.fichero).stem.startswith(programa) for m in mutantes):
+                    fallos.append(f"{lista}: ningún mutante en {indice.parent.name}/{programa}")
+    return fallos
+
+
+def compila_glsl(raiz, mutante, estropeado):
+    """Un shader estropeado debe compilar: si no, cualquiera lo notaría. Con lo que incluye ya dentro, como en common/shader.cpp."""
+    def incluye(fichero):
+        texto = estropeado if fichero == mutante.fichero else (raiz / fichero).read_text()
+        return re.sub(r'^#include "(.*)"$', lambda m: incluye(m[1]), texto, flags=re.M)
+
+    if not shutil.which("glslangValidator"):
+        return []
+    quienes = [mutante.fichero]
+    if mutante.fichero.endswith(".glsl"):
+        quienes = [str(f.relative_to(raiz)) for f in sorted(raiz.glob("ch*/*.*"))
+                   if f.suffix in SHADERS[:2] and f'"{mutante.fichero}"' in f.read_text()][:1]
+    fallos = []
+    for quien in quienes:
+        informe = subprocess.run(["glslangValidator", "--stdin", "-S", quien[-4:]], input=incluye(quien), text=True,
+                                 capture_output=True)
+        if informe.returncode:
+            fallos.append(f"{mutante.nombre}: no compila: {informe.stdout.splitlines()[-3:]}")
+    return fallos
+
+
+class Taller:
+    """La copia del árbol con todos los mutantes, compilada."""
+
+    def __init__(self, raiz, carpeta, mutantes):
+        self.raiz, self.copia, self.build, self.mutantes = raiz, carpeta / "fuente", carpeta / "build", mutantes
+        self.procesos = os.cpu_count()
+
+    def copia_arbol(self):
+        """Solo se escribe lo que cambia: así se vuelve a compilar solo eso."""
+        grupos = por_fichero(self.mutantes)
+        nuevos = {}
+        for carpeta, carpetas, ficheros in os.walk(self.raiz):
+            carpetas[:] = [c for c in carpetas if c not in ("build", "galeria", ".git", "__pycache__")]
+            for f in ficheros:
+                relativo = str((Path(carpeta) / f).relative_to(self.raiz))
+                nuevos[relativo] = (self.raiz / relativo).read_bytes()
+        fuentes = [f for f in grupos if not f.endswith(SHADERS)]
+        for fichero in fuentes:
+            nuevos[fichero] = cambia(nuevos[fichero].decode(), grupos[fichero]).encode()
+        rutas, sin_raices = nuevos["common/rutas.cpp"].decode(), "std::vector<fs::path> raices;"
+        if sin_raices not in rutas:
+            sys.exit(f"muta: en common/rutas.cpp ya no está «{sin_raices}», donde se pone la carpeta del mutante")
+        nuevos["common/rutas.cpp"] = rutas.replace(
+            sin_raices, "std::vector<fs::path> raices{raizMutante(LAB_GENERADO, relativa)};").encode()
+        for relativo in nuevos:  # una prueba puede incluir un fuente dentro de un namespace
+            if relativo in {*fuentes, "common/rutas.cpp"} or re.match("tests/.*_test.cpp", relativo):
+                nuevos[relativo] = b'#include "tests/mutantes/mutante.h"\n' + nuevos[relativo]
+        for viejo in self.copia.rglob("*"):
+            if viejo.is_file() and str(viejo.relative_to(self.copia)) not in nuevos:
+                viejo.unlink()
+        for relativo, contenido in nuevos.items():
+            destino = self.copia / relativo
+            if not destino.is_file() or destino.read_bytes() != contenido:
+                destino.parent.mkdir(parents=True, exist_ok=True)
+                destino.write_bytes(contenido)
+                shutil.copymode(self.raiz / relativo, destino)
+        shutil.rmtree(self.build / "glsl", ignore_errors=True)
+        for m in self.mutantes:
+            if m.fichero.endswith(SHADERS):
+                destino = self.build / "glsl" / str(m.numero) / m.fichero
+                destino.parent.mkdir(parents=True)
+                destino.write_text(estropea(nuevos[m.fichero].decode(), m))
+
+    def compila(self, capitulos):
+        """Las pruebas de esos capítulos, o todas, y los programas sin ventana. Con -O1, que da las mismas imágenes y tarda la mitad."""
+        opciones = [f"-DCMAKE_CXX_FLAGS_RELEASE=-O1 -w -I{self.copia}", "-DLAB_AVISOS_SON_ERRORES=OFF"]
+        if shutil.which("ccache"):
+            opciones.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+        cache = self.build / "CMakeCache.txt"
+        if cache.exists() and f"CMAKE_HOME_DIRECTORY:INTERNAL={self.copia}\n" not in cache.read_text():
+            shutil.rmtree(self.build)  # el laboratorio se ha movido
+        self.orden("cmake", "--preset", "release", "-S", self.copia, "-B", self.build, *opciones)
+        self.sin_ventana = (self.build / "sin_ventana").read_text().strip()
+        self.casos = [fila.split("\t") for fila in (self.build / "casos.tsv").read_text().splitlines()]
+        programas = {fila.split("\t")[1] for fila in (self.build / "catalogo.tsv").read_text().splitlines()}
+        pruebas = [f.stem for f in self.copia.glob("tests/*/*_test.cpp") if capitulo(f.name) in capitulos]
+        self.orden("ninja", "-C", self.build, *(pruebas if capitulos else ["tests/all"]), "compara",
+                   *(f"{p}_{self.sin_ventana}" for p in sorted(programas)))
+
+    def orden(self, *palabras):
+        proceso = subprocess.run([str(p) for p in palabras], cwd=self.copia, text=True, stdout=subprocess.PIPE,
+                                 stderr=subprocess.STDOUT)
+        if proceso.returncode:
+            sys.exit(f"{proceso.stdout[-4000:]}\nmuta: no se ha podido compilar con los mutantes dentro")
+
+    def enumera(self, capitulos):
+        """Cada TEST y cada caso de esos capítulos, o todos, que son lo que se ejecuta."""
+        pruebas = []
+        for ejecutable in sorted(self.build / "tests" / f.stem for f in self.copia.glob("tests/*/*_test.cpp")):
+            if capitulos and capitulo(ejecutable.name) not in capitulos:
+                continue
+            lista = subprocess.run([ejecutable, "--gtest_list_tests"], text=True, stdout=subprocess.PIPE, check=True).stdout
+            for linea in lista.splitlines():
+                linea = linea.split("#")[0].rstrip()
+                if linea.startswith("  "):
+                    nombre = grupo + linea.strip()
+                    pruebas.append(Prueba(f"{ejecutable.name[:-5]}.{nombre}", [ejecutable, f"--gtest_filter={nombre}"], {}, False))
+                elif linea.endswith("."):
+                    grupo = linea
+        entorno = dict(linea.split("=", 1) for linea in (self.copia / "tests/entorno.txt").read_text().split())
+        for carpeta, programa, caso, *_ in self.casos:
+            if not capitulos or capitulo(carpeta) in capitulos:
+                pruebas.append(Prueba(f"{capitulo(carpeta)} golden {programa}.{caso}", [
+                    self.copia / "tests/herramientas/caso.sh", self.build, self.sin_ventana, programa, caso], entorno, True))
+        return pruebas
+
+    def sin_mutantes(self, pruebas):
+        """Todo debe pasar sin ninguno, y se apunta cuánto tarda y qué usa."""
+        def ejecuta(prueba):
+            with tempfile.NamedTemporaryFile() as vistos:
+                principio = time.monotonic()
+                pasa = prueba.pasa(0, 600, LAB_VISTOS=vistos.name)
+                prueba.segundos = time.monotonic() - principio
+                prueba.vistos = set(Path(vistos.name).read_text().split("\n"))
+            return pasa
+
+        with ThreadPoolExecutor(self.procesos) as hilos:
+            malas = [p for p, pasa in zip(pruebas, hilos.map(ejecuta, pruebas)) if not pasa]
+        for p in malas:
+            print(f"{p.nombre}: falla sin ningún mutante\n{p.salida[-1000:]}")
+        if malas:
+            sys.exit(f"muta: {len(malas)} pruebas fallan sin ningún mutante")
+        for m in self.mutantes:
+            visto = m.fichero if m.fichero.endswith(SHADERS) else str(m.numero)
+            m.pruebas = sorted((p for p in pruebas if visto in p.vistos),
+                               key=lambda p: (p.golden, p.capitulo != capitulo(m.fichero), p.segundos))
+
+    def prueba(self, mutante):
+        for prueba in mutante.pruebas:
+            if not prueba.pasa(mutante.numero, 30 + 10 * prueba.segundos):
+                mutante.notado, mutante.por_golden = prueba.nombre, prueba.golden
+                break
+        return mutante
+
+
+def cuenta(mutante):
+    if mutante.notado:
+        resultado = f"solo {mutante.notado}" if mutante.por_golden else mutante.notado
+        if mutante.motivo:
+            resultado += f" (y tiene un motivo para que no lo note nadie: {mutante.motivo})"
+    else:
+        resultado = "SOBREVIVE" + (f": {mutante.motivo}" if mutante.motivo else "" if mutante.pruebas else ": nada lo ejecuta")
+    return f"{mutante.nombre:<12} {mutante.fichero}, {mutante.imita}: {resultado}"
+
+
+def resume(mutantes):
+    """La tabla por listas. Devuelve los porcentajes del total."""
+    print("\n| lista | plantados | notados | % | notados sin golden | % |\n|---|---|---|---|---|---|")
+    for lista in [*sorted({m.lista for m in mutantes}), "total"]:
+        suyos = [m for m in mutantes if lista in (m.lista, "total")]
+        notados = [sum(bool(m.notado) for m in suyos), sum(bool(m.notado) and not m.por_golden for m in suyos)]
+        por_ciento = [100 * n / len(suyos) for n in notados]
+        print(f"| {lista} | {len(suyos)} | {notados[0]} | {por_ciento[0]:.1f} | {notados[1]} | {por_ciento[1]:.1f} |")
+    return por_ciento
+
+
+def main():
+    raiz, carpeta = (Path(p).resolve() for p in sys.argv[1:3])
+    pedidos = sys.argv[3:]
+    todos, fallos = lee(raiz)
+    fallos = comprueba(raiz, todos, fallos)
+    if fallos:
+        sys.exit("\n".join([*fallos, "muta: la lista de mutantes tiene errores"]))
+    if pedidos == ["--comprueba"]:
+        return print(f"{len(todos)} mutantes, y todos se pueden plantar")
+    for pedido in pedidos:
+        if not any(m.es_de(pedido) for m in todos):
+            sys.exit(f"muta: no hay ningún mutante en «{pedido}»; vale un capítulo (ch05), un programa, un fichero o {todos[0].nombre}")
+    elegidos = [m for m in todos if not pedidos or any(m.es_de(pedido) for pedido in pedidos)]
+    taller = Taller(raiz, carpeta, todos)
+    # de un capítulo que se pide, solo sus pruebas; lo de common/ lo usan todos
+    capitulos = {capitulo(m.fichero) for m in elegidos} if pedidos else set()
+    if "comun" in capitulos:
+        capitulos.clear()
+    taller.copia_arbol()
+    taller.compila(capitulos)
+    pruebas = taller.enumera(capitulos)
+    print(f"{len(pruebas)} pruebas y casos sin ningún mutante…", file=sys.stderr)
+    taller.sin_mutantes(pruebas)
+    with ThreadPoolExecutor(taller.procesos) as hilos:
+        try:
+            for m in hilos.map(taller.prueba, elegidos):
+                print(cuenta(m), flush=True)
+        except BaseException:
+            hilos.shutdown(cancel_futures=True)
+            raise
+    notados, sin_golden = resume(elegidos)
+    mal = [m.nombre for m in elegidos if bool(m.notado) == bool(m.motivo)]
+    if mal:
+        sys.exit(f"muta: sobreviven sin motivo, o se notan y tienen uno: {', '.join(mal)}")
+    if notados < META or sin_golden < META_SIN_GOLDEN:
+        sys.exit(f"muta: se deben notar el {META} % y, sin golden, el {META_SIN_GOLDEN} %")
+
+
+main()
