@@ -158,7 +158,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Precisión de la profundidad", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    abreVentana(argc, argv, "Precisión de la profundidad", GLUT_DOUBLE | GLUT_DEPTH);
     inicia();
     glutDisplayFunc(dibuja);
     glutReshapeFunc(cambiaTamano);

@@ -1,7 +1,10 @@
 // Números escritos en un texto, leídos enteros: ni blancos, ni signo +, ni nada que sobre, y sin depender del idioma.
 #pragma once
+#include <cerrno>
 #include <charconv>
+#include <cstdlib>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <system_error>
 
@@ -13,6 +16,20 @@ std::optional<T> numeroDe(std::string_view texto) {
     const auto [fin, error] = std::from_chars(texto.data(), final, n);
     return error == std::errc() && fin == final ? std::optional<T>(n) : std::nullopt;
 }
+
+#ifndef __cpp_lib_to_chars // hay bibliotecas de C++ (la de Emscripten) cuyo from_chars solo lee enteros
+template<>
+inline std::optional<double> numeroDe(std::string_view texto) {
+    const std::string copia(
+        texto); // strtod necesita el cero final; y además leería hexadecimales, blancos o un +
+    if (copia.empty() || copia[0] == '+' || copia.find_first_not_of("0123456789.eE+-") != copia.npos)
+        return std::nullopt;
+    char *fin = nullptr;
+    errno = 0;
+    const double n = std::strtod(copia.c_str(), &fin);
+    return errno == 0 && fin == copia.c_str() + copia.size() ? std::optional<double>(n) : std::nullopt;
+}
+#endif
 
 /// «ANCHOxALTO», los dos al menos 1. Si no lo es devuelve false y no los toca.
 inline bool leeTalla(std::string_view texto, int &ancho, int &alto) {

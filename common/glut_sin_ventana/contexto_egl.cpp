@@ -45,7 +45,8 @@ void abrePantalla() {
 
 } // namespace
 
-void creaContexto(int ancho, int alto, bool profundidad, bool plantilla) {
+void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool) {
+    limitaMesa();
     abrePantalla();
     const EGLint atributos[] = {EGL_SURFACE_TYPE,
                                 EGL_PBUFFER_BIT,
@@ -98,6 +99,12 @@ void destruyeContexto() {
     eglTerminate(pantalla);
     superficie = EGL_NO_SURFACE;
     contexto = EGL_NO_CONTEXT;
+}
+
+void diTitulo(const char *) {
+}
+
+void cedeAlNavegador() {
 }
 
 void (*direccionGL(const char *nombre))() {

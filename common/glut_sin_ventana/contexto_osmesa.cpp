@@ -18,7 +18,8 @@ const long long MAXIMO_PERDIDOS = 8 << 20, MAXIMO_HOLGURA = 16 << 20; // píxele
 long long pixelesPerdidos = 0;
 } // namespace
 
-void creaContexto(int ancho, int alto, bool profundidad, bool plantilla) {
+void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool) {
+    limitaMesa();
     const int atributos[] = {OSMESA_FORMAT,
                              OSMESA_RGBA,
                              OSMESA_DEPTH_BITS,
@@ -62,6 +63,12 @@ void cambiaTallaContexto(int ancho, int alto) {
 void destruyeContexto() {
     OSMesaDestroyContext(contexto);
     contexto = nullptr;
+}
+
+void diTitulo(const char *) {
+}
+
+void cedeAlNavegador() {
 }
 
 void (*direccionGL(const char *nombre))() {

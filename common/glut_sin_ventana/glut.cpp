@@ -17,7 +17,7 @@ namespace sin_ventana {
 namespace {
 
 const int ANCHO_PANTALLA = 1920, ALTO_PANTALLA = 1080; // la pantalla que no hay, para glutFullScreenToggle
-const int VERSION_IMITADA = 30400;                     // FreeGLUT 3.4.0
+const int VERSION_IMITADA = 30800;                     // FreeGLUT 3.8.0: los títulos, en UTF-8
 
 struct Temporizador {
     long long vence; // ms del reloj virtual
@@ -230,6 +230,15 @@ void eligeEnMenu(const Orden &orden) {
           2);
 }
 
+/// Añade una línea «Submenú/Opción» por cada opción de un menú.
+void enumeraMenu(int menu, const std::string &ruta, std::string &lineas) {
+    for (const Entrada &e : g.menus.at(menu).entradas)
+        if (e.submenu)
+            enumeraMenu(e.submenu, ruta + e.texto + "/", lineas);
+        else
+            lineas += ruta + e.texto + "\n";
+}
+
 bool botonPulsado() {
     return std::any_of(std::begin(g.pulsado), std::end(g.pulsado), [](bool pulsado) { return pulsado; });
 }
@@ -297,6 +306,19 @@ void ejecuta(const Orden &o) {
     case Orden::CAPTURA: guarda(o.texto); break;
     }
     compruebaGL("tras " + o.lugar);
+}
+
+/// Una orden del guion y lo que viene con ella: dibujar si hace falta y la función de ocio.
+void atiende(const Orden &orden) {
+    if (g.termina)
+        falla(orden.lugar + ": el programa ya ha terminado", 2);
+    ejecuta(orden);
+    dibujaSiHaceFalta();
+    if (g.ocio && !g.termina) {
+        g.ocio();
+        compruebaGL("en la función de ocio");
+        dibujaSiHaceFalta();
+    }
 }
 
 double milisegundosDe(void (*f)()) {
@@ -414,17 +436,16 @@ void glutSetOption(GLenum opcion, int) {
         noEsta("glutSetOption", opcion);
 }
 
-int glutCreateWindow(const char *) {
+int glutCreateWindow(const char *titulo) {
     if (!g.iniciado)
         falla("glutCreateWindow: antes hay que llamar a glutInit");
     if (g.ayuda)
         std::exit(0);
     if (g.abierta)
         falla("glut_sin_ventana solo tiene una ventana");
-    // Mesa da por omisión un 4.5: así no pasa nada que no esté en OpenGL 3.1 (sin lo obsoleto: FC) y GLSL 1.40
-    setenv("MESA_GL_VERSION_OVERRIDE", "3.1FC", 0);
-    setenv("MESA_GLSL_VERSION_OVERRIDE", "140", 0);
-    creaContexto(g.ancho, g.alto, (g.modo & GLUT_DEPTH) != 0, (g.modo & GLUT_STENCIL) != 0);
+    creaContexto(g.ancho, g.alto, (g.modo & GLUT_DEPTH) != 0, (g.modo & GLUT_STENCIL) != 0,
+                 (g.modo & GLUT_MULTISAMPLE) != 0);
+    diTitulo(titulo);
     g.abierta = true;
     g.repinta = true;
     if (const auto pideMensajes = funcionGL<PFNGLDEBUGMESSAGECALLBACKPROC>("glDebugMessageCallback")) {
@@ -451,8 +472,8 @@ void glutSetWindow(int ventana) {
         falla("glutSetWindow(" + std::to_string(ventana) + "): no hay esa ventana");
 }
 
-void glutSetWindowTitle(const char *) {
-    // no hay barra de título
+void glutSetWindowTitle(const char *titulo) {
+    diTitulo(titulo);
 }
 
 void glutSetCursor(int) {
@@ -551,17 +572,9 @@ void glutMainLoop(void) {
         g.cambiaTamano(g.ancho, g.alto);
     compruebaGL("al dar el tamaño");
     const double primera = milisegundosDe(dibujaSiHaceFalta);
-    for (const Orden &orden : g.guion) {
-        if (g.termina)
-            falla(orden.lugar + ": el programa ya ha terminado", 2);
-        ejecuta(orden);
-        dibujaSiHaceFalta();
-        if (g.ocio && !g.termina) {
-            g.ocio();
-            compruebaGL("en la función de ocio");
-            dibujaSiHaceFalta();
-        }
-    }
+    for (const Orden &orden : g.guion)
+        atiende(orden);
+    cedeAlNavegador();
     if (g.mide)
         mideCuadros(primera);
     guarda(g.ppm);
@@ -574,6 +587,21 @@ void glutMainLoop(void) {
 
 void glutLeaveMainLoop(void) {
     g.termina = true;
+}
+
+int glutOrden(const char *guion) {
+    for (const Orden &orden : leeGuion(guion))
+        atiende(orden);
+    return g.termina;
+}
+
+const char *glutOpciones(void) {
+    static std::string opciones;
+    opciones.clear();
+    for (int raiz : g.menuDeBoton)
+        if (raiz)
+            enumeraMenu(raiz, "", opciones);
+    return opciones.c_str();
 }
 
 int glutCreateMenu(void (*f)(int)) {

@@ -10,11 +10,12 @@
 //   glutMotionFunc glutPassiveMotionFunc glutMouseWheelFunc glutIdleFunc glutTimerFunc glutCloseFunc
 //   glutPostRedisplay glutSwapBuffers glutGet glutMainLoop glutLeaveMainLoop glutCreateMenu glutDestroyMenu
 //   glutGetMenu glutSetMenu glutAddMenuEntry glutAddSubMenu glutChangeToMenuEntry glutAttachMenu glutDetachMenu
+// Y dos que FreeGLUT no tiene, para quien da los sucesos desde fuera (la página web): glutOrden glutOpciones
 // Cualquier otra no está, y el enlazador lo dice. Un valor de glutGet o glutSetOption que no se imita termina
 // el programa con un mensaje.
 //
 // Se aparta de FreeGLUT en que
-// - hay una sola ventana, y sin pantalla no tiene posición, título ni cursor: esas llamadas no tienen efecto;
+// - hay una sola ventana, y sin pantalla no tiene posición, título (salvo en la web) ni cursor: esas llamadas no tienen efecto;
 // - la pantalla completa es de 1920×1080 y mide 0 mm, por lo que se sabe que no la hay;
 // - la ventana no tiene muestras aunque se pida GLUT_MULTISAMPLE;
 // - la función de glutIdleFunc se llama una vez tras cada orden del guion, después de dibujar lo que ella pida;
@@ -34,3 +35,11 @@
 #include <GL/glext.h>
 #include <GL/freeglut.h>
 // clang-format on
+
+extern "C" {
+/// Atiende un guion cuando glutMainLoop ya ha cedido el control. Devuelve si el programa ha terminado.
+int glutOrden(const char *guion);
+
+/// Las opciones de los menús del programa, una por línea: «Submenú/Opción».
+const char *glutOpciones(void);
+}

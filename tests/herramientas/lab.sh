@@ -30,6 +30,7 @@ espera 0 'Grúa de obra' "$lab" lista
 espera 1 'no entiendo «--csv»' "$lab" lista --csv
 espera 1 'no entiendo «sobra»' "$lab" lista --tsv sobra
 espera 1 'no entiendo «sobra»' "$lab" galeria sobra
+espera 1 'no entiendo «sobra»' "$lab" web sobra
 espera 1 'no entiendo «grua»; para elegir pruebas, -R grua' "$lab" prueba grua
 espera 1 'no entiendo «--asn»' "$lab" prueba --asn
 espera 1 'no entiendo «grua»' "$lab" prueba --asan -R grua grua
@@ -69,7 +70,7 @@ awk -F'\t' 'NF != 4 { print "lista --tsv: fila de " NF " columnas: " $0; mal = 1
 
 copia="$carpeta/lab (1) a&b c'd e\$f g[h] ñ" lab=./lab
 mkdir "$copia"
-tar -C "$raiz" --exclude=./build --exclude=./galeria --exclude=./.git --exclude='./ch0[2-9]*' --exclude='./ch1*' -cf - . |
+tar -C "$raiz" --exclude=./build --exclude=./galeria --exclude=./web --exclude=./.git --exclude='./ch0[2-9]*' --exclude='./ch1*' -cf - . |
   tar -C "$copia" -xf -
 cd "$copia"
 # compila antes: sin optimizar, y sin lo que sus programas no usan de common/ y assets/

@@ -20,13 +20,13 @@ ESC, IZQUIERDA, DERECHA = "\ue00c", "\ue012", "\ue014"  # teclas de WebDriver
 class Navegador:
     """Lo poco de WebDriver que hace falta, sin más biblioteca que la de Python."""
 
-    def __init__(self, perfil):
+    def __init__(self, perfil, opciones=("--headless=new", "--disable-gpu"), entorno=os.environ):
         self.chromedriver = subprocess.Popen(["chromedriver", "--port=0"], stdout=subprocess.PIPE, text=True,
-                                             env={**os.environ, "TMPDIR": str(perfil.parent)})
+                                             env={**entorno, "TMPDIR": str(perfil.parent)})
         puerto = next(m[1] for linea in self.chromedriver.stdout if (m := re.search(r"on port (\d+)\.", linea)))
         self.sesion = f"http://127.0.0.1:{puerto}/session"
-        opciones = {"args": ["--headless=new", "--no-sandbox", "--disable-gpu", f"--user-data-dir={perfil}"]}
-        capacidades = {"goog:chromeOptions": opciones, "goog:loggingPrefs": {"browser": "ALL"}}
+        argumentos = [*opciones, "--no-sandbox", f"--user-data-dir={perfil}"]
+        capacidades = {"goog:chromeOptions": {"args": argumentos}, "goog:loggingPrefs": {"browser": "ALL"}}
         self.sesion += "/" + self.pide("", capabilities={"alwaysMatch": capacidades})["sessionId"]
 
     def pide(self, ruta, metodo="POST", **datos):
@@ -35,8 +35,8 @@ class Navegador:
         with urllib.request.urlopen(peticion, timeout=60) as respuesta:
             return json.load(respuesta)["value"]
 
-    def js(self, codigo):
-        return self.pide("/execute/sync", script=codigo, args=[])
+    def js(self, codigo, *argumentos):
+        return self.pide("/execute/sync", script=codigo, args=argumentos)
 
     def tecla(self, tecla):
         acciones = [{"type": tipo, "value": tecla} for tipo in ("keyDown", "keyUp")]

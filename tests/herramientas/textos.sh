@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # textos.sh RAIZ BUILD BIBLIOTECA: lo que se puede comprobar sin ejecutar nada: docs/programas.md está al día y todo lo del libro
 # está en él, cada capítulo tiene título, cada programa dice sus controles y cada caso qué mirar, cada shader empieza por #version 140 y pasa
-# glslangValidator, y glut_sin_ventana.h enumera lo que hay.
+# glslangValidator, también como GLSL ES 3.00 (el de ./lab web), y glut_sin_ventana.h enumera lo que hay.
 set -euo pipefail
 cd "$1"
 fallos=0
@@ -23,9 +23,11 @@ for f in faltan:
 sys.exit(bool(faltan))
 FIN
 
+cabecera_essl=$(sed -n '/R"(/,/^)"/{s/.*R"(//;/^)"/!p}' common/glut_sin_ventana/essl.h)
+[ "${cabecera_essl%%$'\n'*}" = '#version 300 es' ] || mal 'no encuentro la cabecera de essl.h'
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
-for shader in ch*/*.vert ch*/*.frag; do
+for shader in common/*.vert common/*.frag ch*/*.vert ch*/*.frag; do
   [ "$(head -n 1 "$shader")" = '#version 140' ] || mal "$shader no empieza por #version 140"
   [[ $shader != *errores_shader_compila.frag ]] || continue # está mal a propósito
   # los #include del laboratorio se sustituyen como lo hace common/shader.cpp
@@ -36,7 +38,10 @@ for shader in ch*/*.vert ch*/*.frag; do
        }
        BEGIN { vuelca(ARGV[1]) }' "$shader" \
     >"$carpeta/${shader##*/}"
-  glslangValidator "$carpeta/${shader##*/}" >"$carpeta/informe" || { mal "$shader no pasa glslangValidator"; cat "$carpeta/informe"; }
+  { echo "$cabecera_essl"; tail -n +2 "$carpeta/${shader##*/}"; } >"$carpeta/es-${shader##*/}"
+  for version in "$carpeta/${shader##*/}" "$carpeta/es-${shader##*/}"; do
+    glslangValidator "$version" >"$carpeta/informe" || { mal "$shader no pasa glslangValidator"; cat "$carpeta/informe"; }
+  done
 done
 
 diff <(grep -oE '\bglut[A-Z][A-Za-z]+' <(sed '/Cualquier otra/,$d' common/glut_sin_ventana/glut_sin_ventana.h) | sort) \

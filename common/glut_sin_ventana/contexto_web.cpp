@@ -1,0 +1,67 @@
+// Contexto WebGL 2 en el elemento <canvas> de la página, que es la ventana. `Module` es la instancia del laboratorio que
+// la página ha creado para este programa: en Module.canvas está el elemento y con Module.titulo se le dice el título.
+#include "../error.h"
+#include "contexto.h"
+#include <GL/glew.h>
+#include <cstring>
+#include <emscripten.h>
+#include <emscripten/html5.h>
+
+namespace sin_ventana {
+
+namespace {
+
+const char *const LIENZO = "!canvas"; // el de Module, que no tiene por qué estar en el documento
+EMSCRIPTEN_WEBGL_CONTEXT_HANDLE contexto = 0;
+
+} // namespace
+
+void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool muestras) {
+    // clang-format off
+    EM_ASM({ specialHTMLTargets["!canvas"] = Module["canvas"]; });
+    const bool suaviza = EM_ASM_INT({ return Module["suavizado"] ? 1 : 0; });
+    // clang-format on
+    emscripten_set_canvas_element_size(LIENZO, ancho, alto);
+    EmscriptenWebGLContextAttributes atributos;
+    emscripten_webgl_init_context_attributes(&atributos);
+    atributos.majorVersion = 2;
+    atributos.alpha = false;
+    atributos.depth = profundidad;
+    atributos.stencil = plantilla;
+    atributos.antialias = muestras && suaviza;
+    atributos.preserveDrawingBuffer = true; // como en una ventana, lo que no se vuelve a dibujar sigue ahí
+    contexto = emscripten_webgl_create_context(LIENZO, &atributos);
+    if (contexto <= 0 || emscripten_webgl_make_context_current(contexto) != EMSCRIPTEN_RESULT_SUCCESS)
+        falla("este navegador no da WebGL 2");
+    emscripten_webgl_enable_extension(contexto, "EXT_color_buffer_float"); // framebuffers de float
+    emscripten_webgl_enable_extension(contexto, "OES_texture_float_linear");
+}
+
+void cambiaTallaContexto(int ancho, int alto) {
+    emscripten_set_canvas_element_size(LIENZO, ancho, alto);
+}
+
+void destruyeContexto() {
+    emscripten_webgl_destroy_context(contexto);
+}
+
+void (*direccionGL(const char *nombre))() {
+    // las que pide glut.cpp; nombrar aquí todas las metería en el binario
+    if (!std::strcmp(nombre, "glBindFramebuffer"))
+        return reinterpret_cast<void (*)()>(glBindFramebuffer);
+    if (!std::strcmp(nombre, "glBindBuffer"))
+        return reinterpret_cast<void (*)()>(glBindBuffer);
+    return nullptr;
+}
+
+void diTitulo(const char *titulo) {
+    // clang-format off
+    EM_ASM({ if (Module["titulo"]) Module["titulo"](UTF8ToString($0)); }, titulo);
+    // clang-format on
+}
+
+void cedeAlNavegador() {
+    emscripten_exit_with_live_runtime();
+}
+
+} // namespace sin_ventana

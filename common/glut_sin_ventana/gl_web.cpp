@@ -1,0 +1,106 @@
+// Lo que OpenGL 3.1 tiene y WebGL 2 no, o hace de otra manera. Aquí está solo lo que usan los programas: lo demás que falte
+// lo dice el enlazador. Cada función sustituye a la de Emscripten, que sigue llamándose emscripten_gl…
+#include "essl.h"
+#include <GL/glew.h>
+#include <algorithm>
+#include <cstring>
+#include <emscripten/html5.h>
+#include <string>
+#include <vector>
+
+using namespace sin_ventana;
+
+extern "C" {
+
+void emscripten_glEnable(GLenum);
+void emscripten_glDisable(GLenum);
+GLboolean emscripten_glIsEnabled(GLenum);
+void emscripten_glDepthRangef(GLfloat, GLfloat);
+void emscripten_glClearDepthf(GLfloat);
+const GLubyte *emscripten_glGetString(GLenum);
+void emscripten_glShaderSource(GLuint, GLsizei, const GLchar *const *, const GLint *);
+void emscripten_glReadPixels(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *);
+
+// --- lo que en WebGL 2 está siempre puesto --------------------------------------------------------------------
+
+static bool siempre(GLenum que) {
+    return que == GL_MULTISAMPLE || que == GL_PROGRAM_POINT_SIZE || que == GL_TEXTURE_CUBE_MAP_SEAMLESS;
+}
+
+void glEnable(GLenum que) {
+    if (!siempre(que))
+        emscripten_glEnable(que);
+}
+
+void glDisable(GLenum que) {
+    if (!siempre(que))
+        emscripten_glDisable(que);
+}
+
+GLboolean glIsEnabled(GLenum que) {
+    return siempre(que) ? GL_TRUE : emscripten_glIsEnabled(que);
+}
+
+// --- lo que cambia de tipo o de nombre ------------------------------------------------------------------------
+
+void glDepthRange(GLdouble cerca, GLdouble lejos) {
+    emscripten_glDepthRangef(static_cast<GLfloat>(cerca), static_cast<GLfloat>(lejos));
+}
+
+void glClearDepth(GLdouble profundidad) {
+    emscripten_glClearDepthf(static_cast<GLfloat>(profundidad));
+}
+
+const GLubyte *glGetString(GLenum nombre) {
+    const GLubyte *valor = emscripten_glGetString(nombre);
+    if (nombre != GL_VERSION && nombre != GL_SHADING_LANGUAGE_VERSION)
+        return valor;
+    static std::string versiones[2];
+    std::string &version = versiones[nombre == GL_VERSION];
+    version = std::string(nombre == GL_VERSION ? "3.1" : "1.40") +
+              " (imitado: " + reinterpret_cast<const char *>(valor) + ")";
+    return reinterpret_cast<const GLubyte *>(version.c_str());
+}
+
+void glShaderSource(GLuint shader, GLsizei cuantos, const GLchar *const *textos, const GLint *longitudes) {
+    std::string texto;
+    for (GLsizei i = 0; i < cuantos; ++i)
+        texto += longitudes && longitudes[i] >= 0
+                     ? std::string(textos[i], static_cast<std::size_t>(longitudes[i]))
+                     : std::string(textos[i]);
+    texto = enEssl(texto);
+    const GLchar *uno = texto.c_str();
+    emscripten_glShaderSource(shader, 1, &uno, nullptr);
+}
+
+// WebGL solo da RGBA: RGB se lee así y se le quita la opacidad.
+void glReadPixels(GLint x, GLint y, GLsizei ancho, GLsizei alto, GLenum formato, GLenum tipo, void *datos) {
+    if (formato != GL_RGB || tipo != GL_UNSIGNED_BYTE)
+        return emscripten_glReadPixels(x, y, ancho, alto, formato, tipo, datos);
+    const std::size_t w = static_cast<std::size_t>(ancho), h = static_cast<std::size_t>(alto);
+    GLint alineacion = 4;
+    glGetIntegerv(GL_PACK_ALIGNMENT, &alineacion);
+    const std::size_t a = static_cast<std::size_t>(alineacion), fila = (3 * w + a - 1) / a * a;
+    std::vector<unsigned char> rgba(4 * w * h);
+    emscripten_glReadPixels(x, y, ancho, alto, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    for (std::size_t j = 0; j < h; ++j)
+        for (std::size_t i = 0; i < w; ++i)
+            std::copy_n(&rgba[4 * (j * w + i)], 3, static_cast<unsigned char *>(datos) + j * fila + 3 * i);
+}
+
+// --- GLEW -----------------------------------------------------------------------------------------------------
+
+GLboolean glewExperimental = GL_FALSE, labHayGL31 = GL_FALSE, labHayAnisotropia = GL_FALSE;
+
+GLenum glewInit(void) {
+    labHayGL31 = GL_TRUE;
+    labHayAnisotropia = emscripten_webgl_enable_extension(emscripten_webgl_get_current_context(),
+                                                          "EXT_texture_filter_anisotropic");
+    return GLEW_OK;
+}
+
+const GLubyte *glewGetString(GLenum) {
+    return reinterpret_cast<const GLubyte *>("no hace falta: las funciones son del navegador");
+}
+
+} // extern "C"

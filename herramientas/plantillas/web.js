@@ -1,0 +1,634 @@
+'use strict';
+// La página de los programas. Un programa en marcha es una instancia de datos/lab.js, y todo lo que se le hace es una orden
+// del guion (las de la opción -guion): «tecla d», «arrastra 10 20», «espera 16»… Así lo que hace una persona se puede
+// repetir, y va en el enlace: #grua;tecla d;tecla d
+const todos = (selector, raiz = document) => [...raiz.querySelectorAll(selector)];
+const una = (selector, raiz = document) => raiz.querySelector(selector);
+const crea = (etiqueta, propiedades = {}, ...hijos) => {
+  const e = Object.assign(document.createElement(etiqueta), propiedades);
+  e.append(...hijos);
+  return e;
+};
+
+// --- los datos: datos/NOMBRE.js llama a llega(NOMBRE, bytes comprimidos en base64) -----------------------------------
+
+const pedidos = {}, llegados = {}, abiertos = {};
+const llega = (nombre, base64) => { llegados[nombre] = base64; };
+
+function pide(nombre) {
+  return pedidos[nombre] ??= new Promise((bien, mal) => {
+    const falta = () => { delete pedidos[nombre]; mal(new Error(`no se puede leer datos/${nombre}.js`)); };
+    document.head.append(crea('script', { src: `datos/${nombre}.js`, onload: bien, onerror: falta }));
+  });
+}
+
+const bytes = nombre => abiertos[nombre] ??= pide(nombre).then(async () => {
+  const comprimidos = Uint8Array.from(atob(llegados[nombre]), c => c.charCodeAt(0));
+  delete llegados[nombre];
+  const flujo = new Blob([comprimidos]).stream().pipeThrough(new DecompressionStream('deflate'));
+  return new Uint8Array(await new Response(flujo).arrayBuffer());
+});
+const json = async nombre => JSON.parse(new TextDecoder().decode(await bytes(nombre)));
+const compilado = () => compilado.hecho ??= bytes('wasm').then(b => WebAssembly.compile(b));
+
+/// Lo que dura mientras no se cierra la pestaña; un navegador puede no permitirlo.
+function recuerdo(texto) {
+  try {
+    return texto ? sessionStorage.setItem('cambios', texto) : sessionStorage.getItem('cambios');
+  } catch {
+    return null;
+  }
+}
+
+// --- un programa en marcha --------------------------------------------------------------------------------------------
+
+const LADO_MAXIMO = 4096, ESPERA_MAXIMA = 10000; // ms seguidos que lleva un enlace: se repiten de golpe
+const cambios = new Map(JSON.parse(recuerdo() ?? '[]')); // los shaders que se han tocado
+
+/// Arranca un programa en un lienzo. `di(línea)` recibe lo que escribe; `titulo(texto)`, el de la ventana; `ficheros`, los
+/// que se le dan además de los del laboratorio. Devuelve lo que se puede hacer con él.
+async function arranca(programa, { lienzo, ancho, alto, argumentos = [], ficheros = {}, suavizado = true, di = () => {}, titulo = () => {} }) {
+  const [modulo, shaders] = await Promise.all([compilado(), json('shaders'), pide('lab'), ...programa.texturas.map(bytes)]);
+  const lab = await Laboratorio({
+    canvas: lienzo, suavizado, thisProgram: programa.nombre, print: di, printErr: di, titulo,
+    instantiateWasm: (lo, recibe) => { WebAssembly.instantiate(modulo, lo).then(recibe); return {}; },
+  });
+  const escribe = (ruta, datos) => {
+    lab.FS.mkdirTree(ruta.replace(/\/[^/]*$/, ''));
+    lab.FS.writeFile(ruta, datos);
+  };
+  for (const [ruta, texto] of [...Object.entries(shaders), ...cambios]) escribe('/lab/' + ruta, texto);
+  for (const t of programa.texturas) escribe(`/lab/assets/${t}.rgb`, await bytes(t));
+  for (const [ruta, datos] of Object.entries(ficheros)) escribe(ruta, datos);
+  const leidos = new Set(), abre = lab.FS.open;
+  lab.FS.open = (ruta, ...resto) => { leidos.add(String(ruta)); return abre(ruta, ...resto); };
+
+  let estado = lab.callMain(['-geometry', `${ancho}x${alto}`, ...argumentos]) || 0;
+  return {
+    lienzo, leidos,
+    get vivo() { return !estado; },
+    get fallo() { return estado > 0; }, // −1: ha terminado bien
+    escribe: (ruta, texto) => escribe('/lab/' + ruta, texto),
+    lee: ruta => lab.FS.readFile(ruta),
+    /// Un trozo de guion. Si el programa termina, deja de estar vivo.
+    orden(texto) {
+      if (estado) return;
+      try {
+        if (lab.ccall('glutOrden', 'number', ['string'], [texto])) estado = -1;
+      } catch (error) {
+        if (error.name !== 'ExitStatus') di(String(error));
+        estado = error.status || 1;
+      }
+    },
+    opciones: () => estado ? [] : lab.ccall('glutOpciones', 'string').split('\n').filter(Boolean),
+    cierra() {
+      estado ||= -1;
+      lienzo.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext(); // solo puede haber 16 vivos
+      lienzo.remove();
+    },
+  };
+}
+
+// Los guiones de los casos y de los enlaces dan el ratón en una ventana de 240×180; si es de otra forma, en su centro.
+const RATON = /\b(boton \w+ \w+|arrastra|mueve|rueda [+-]?1) (-?\d+) (-?\d+)/g;
+const escala = lienzo => Math.min(lienzo.width / 240, lienzo.height / 180);
+const alLienzo = (texto, { width, height }, e) => texto.replace(RATON, (_, que, x, y) =>
+  `${que} ${Math.round(width / 2 + (x - 120) * e)} ${Math.round(height / 2 + (y - 90) * e)}`);
+const delLienzo = (texto, { width, height }, e) => texto.replace(RATON, (_, que, x, y) =>
+  `${que} ${Math.round(120 + (x - width / 2) / e)} ${Math.round(90 + (y - height / 2) / e)}`);
+
+// --- la página de un programa ------------------------------------------------------------------------------------------
+
+const pagina = una('#programa'), marco = una('.lienzo'), telon = una('.telon'), consola = una('.consola');
+let suavizado = true, actual, sesion, hecho = [], propias = [], turno = 0, errores = [], escrito = [];
+
+const avisa = texto => { una('.aviso').textContent = texto; };
+
+function cubre(texto) {
+  telon.hidden = false;
+  una('p', telon).textContent = texto;
+}
+
+const ERROR = /([\w./]+\.(?:vert|frag|glsl))(?::| no compila: ERROR: 0:)(\d+): (.*?)(?: — «.*»)?$/;
+
+/// Lo que escribe el programa: los errores de los shaders van al editor y lo demás se enseña.
+function di(linea) {
+  escrito = [...escrito.slice(-9), linea];
+  const mal = linea.match(ERROR);
+  if (mal) return errores.push({ ruta: mal[1].includes('/') ? mal[1] : `${actual.capitulo}/${mal[1]}`, linea: +mal[2], mensaje: mal[3] });
+  if (/no enlazan|#include/.test(linea)) return errores.push({ ruta: '', linea: 0, mensaje: linea });
+  consola.hidden = false;
+  consola.append((consola.textContent ? '\n' : '') + linea);
+  while (consola.childNodes.length > 200) consola.firstChild.remove();
+  consola.scrollTop = consola.scrollHeight;
+}
+
+const talla = () => {
+  const { width, height } = marco.getBoundingClientRect();
+  const e = Math.min(window.devicePixelRatio || 1, 2, LADO_MAXIMO / Math.max(width, height, 1));
+  return { ancho: Math.max(Math.round(width * e), 1), alto: Math.max(Math.round(height * e), 1) };
+};
+
+/// Empieza el programa actual y repite un guion.
+async function empieza(guionInicial = '', argumentos = []) {
+  const mio = ++turno, lienzo = crea('canvas', { tabIndex: 0 });
+  lienzo.style.touchAction = actual.raton ? 'none' : 'pan-y'; // si no se arrastra en él, el dedo pasa la página
+  lienzo.setAttribute('role', 'application');
+  lienzo.setAttribute('aria-label', `${actual.titulo}: las teclas van al programa`);
+  const teniaFoco = marco.contains(document.activeElement);
+  sesion?.cierra();
+  sesion = undefined;
+  todos('canvas', marco).forEach(c => c.remove());
+  marco.prepend(lienzo);
+  hecho = [];
+  errores = [];
+  escrito = [];
+  telon.hidden = true;
+  consola.hidden = true;
+  consola.replaceChildren();
+  una('.estado').textContent = '';
+  avisa('');
+  atiende(lienzo);
+  let nueva;
+  const ficheros = Object.fromEntries(propias.map(({ nombre, datos }) => ['/propias/' + nombre, datos]));
+  try {
+    nueva = await arranca(actual, {
+      lienzo, ...talla(), di, ficheros, suavizado, argumentos: [...argumentos, ...Object.keys(ficheros)],
+      titulo: texto => { una('.estado').textContent = texto; },
+    });
+  } catch (error) {
+    if (mio === turno) cubre(`No se puede arrancar el programa: ${error.message ?? error}`);
+    return;
+  }
+  if (mio !== turno) return nueva.cierra();
+  sesion = nueva;
+  performance.mark('imagen');
+  if (teniaFoco) lienzo.focus({ preventScroll: true });
+  if (guionInicial.trim() && sesion.vivo) manda(alLienzo(guionInicial, lienzo, escala(lienzo)));
+  mira();
+  anota();
+  antes = performance.now();
+  pulso();
+}
+
+/// Da una orden al programa y la anota para el enlace.
+function manda(orden) {
+  if (!sesion?.vivo) return;
+  sesion.orden(orden);
+  if (!sesion.vivo) return mira(); // lo que termina el programa no hay que repetirlo
+  const partes = delLienzo(orden, sesion.lienzo, escala(sesion.lienzo)).split(/[;\n]/).map(o => o.trim()).filter(Boolean);
+  for (const parte of partes) {
+    const [que, n] = parte.split(' '), [anterior, previo] = (hecho.at(-1) ?? '').split(' ');
+    if (/^(tamano|captura)$/.test(que) || parte === 'especial F5' || (que === 'espera' && !actual.anima)) continue;
+    if (que === anterior && que === 'espera') hecho[hecho.length - 1] = `espera ${Math.min(+previo + +n, ESPERA_MAXIMA)}`;
+    else if (que === anterior && /^(arrastra|mueve)$/.test(que)) hecho[hecho.length - 1] = parte;
+    else hecho.push(parte);
+  }
+}
+
+/// Si el programa ha terminado, lo dice.
+function mira() {
+  if (sesion.vivo || actual.consola) return;
+  cubre(sesion.fallo ? escrito.slice(-3).join('\n') || 'El programa ha fallado' : 'El programa ha terminado');
+}
+
+let antes = 0, pendiente = '', resto = 0;
+/// Una vez por cuadro: el ratón que se ha movido y, si el programa se anima, el tiempo que ha pasado.
+function pulso(ahora = performance.now()) {
+  if (!sesion?.vivo) return;
+  const ms = Math.min(ahora - antes, 100) + resto;
+  antes = ahora;
+  resto = ms - Math.floor(ms);
+  suelta();
+  if (actual.anima && ms >= 1) manda(`espera ${Math.floor(ms)}`);
+  cancelAnimationFrame(pulso.cuadro);
+  if (actual.anima) pulso.cuadro = requestAnimationFrame(pulso);
+}
+
+function suelta() {
+  const orden = pendiente;
+  pendiente = '';
+  if (orden) manda(orden);
+}
+
+// --- sucesos del navegador a órdenes -----------------------------------------------------------------------------------
+
+const TECLAS = { Escape: 'Esc', Enter: 'Intro', Backspace: 'Retroceso', Delete: 'Supr', ' ': 'Espacio', ';': 'PuntoYComa' };
+const ESPECIALES = { ArrowLeft: 'IZQUIERDA', ArrowRight: 'DERECHA', ArrowUp: 'ARRIBA', ArrowDown: 'ABAJO', Home: 'INICIO', End: 'FIN',
+  PageUp: 'REPAG', PageDown: 'AVPAG', Insert: 'INSERTAR' };
+
+function ordenDeTecla({ key, ctrlKey, metaKey, altKey }) {
+  if (ctrlKey || metaKey || (altKey && key.length > 1) || key === 'F12') return ''; // son del navegador
+  if (TECLAS[key]) return `tecla ${TECLAS[key]}`;
+  if (ESPECIALES[key]) return `especial ${ESPECIALES[key]}`;
+  if (/^F\d+$/.test(key)) return `especial ${key}`;
+  return /^[!-~]$/.test(key) ? `tecla ${key}` : '';
+}
+
+function atiende(lienzo) {
+  const NOMBRES = ['IZQUIERDO', 'CENTRAL', 'DERECHO'];
+  const dedos = new Map();
+  let pulsado = '', distancia = 0, giro = 0;
+  const lugar = suceso => {
+    const r = lienzo.getBoundingClientRect();
+    return `${Math.round((suceso.clientX - r.left) * lienzo.width / r.width)} ${Math.round((suceso.clientY - r.top) * lienzo.height / r.height)}`;
+  };
+  const levanta = suceso => {
+    if (!pulsado || !suceso) return;
+    suelta();
+    manda(`boton ${pulsado} arriba ${lugar(suceso)}`);
+    pulsado = '';
+  };
+  const separacion = () => {
+    const [a, b] = [...dedos.values()];
+    return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
+  };
+
+  lienzo.addEventListener('keydown', suceso => {
+    const orden = ordenDeTecla(suceso);
+    if (!orden) return;
+    suceso.preventDefault();
+    if (orden === 'especial F11') return completa();
+    if (orden === 'especial F5') return recarga();
+    manda(orden);
+  });
+  lienzo.addEventListener('pointerdown', suceso => {
+    lienzo.focus({ preventScroll: true });
+    levanta([...dedos.values()][0]); // con otro dedo ya no arrastra: es una pinza, la rueda
+    dedos.set(suceso.pointerId, suceso);
+    lienzo.setPointerCapture(suceso.pointerId);
+    if (dedos.size === 2) distancia = separacion();
+    if (dedos.size > 1 || pulsado) return;
+    suceso.preventDefault();
+    if (suceso.button === 2 && sesion?.opciones().length) return ensenaMenu(suceso.clientX, suceso.clientY);
+    suelta();
+    pulsado = NOMBRES[suceso.button] && (una('.derecho')?.getAttribute('aria-pressed') === 'true' ? 'DERECHO' : NOMBRES[suceso.button]);
+    if (pulsado) manda(`boton ${pulsado} abajo ${lugar(suceso)}`);
+  });
+  lienzo.addEventListener('pointermove', suceso => {
+    if (dedos.has(suceso.pointerId)) dedos.set(suceso.pointerId, suceso);
+    if (dedos.size === 2) {
+      const razon = separacion() / distancia;
+      if (razon > 1.12 || razon < 1 / 1.12) {
+        distancia = separacion();
+        manda(`rueda ${razon > 1 ? '+1' : '-1'} ${lugar(suceso)}`);
+      }
+    } else if (pulsado || (actual.sigue && !dedos.size)) {
+      if (!pendiente) requestAnimationFrame(suelta);
+      pendiente = `${pulsado ? 'arrastra' : 'mueve'} ${lugar(suceso)}`;
+    }
+  });
+  for (const fin of ['pointerup', 'pointercancel'])
+    lienzo.addEventListener(fin, suceso => {
+      dedos.delete(suceso.pointerId);
+      levanta(suceso);
+    });
+  lienzo.addEventListener('wheel', suceso => {
+    suceso.preventDefault();
+    giro += suceso.deltaY * [1, 33, 400][suceso.deltaMode]; // un panel táctil da muchos giros pequeños
+    if (Math.abs(giro) < 50) return;
+    manda(`rueda ${giro < 0 ? '+1' : '-1'} ${lugar(suceso)}`);
+    giro = 0;
+  }, { passive: false });
+  lienzo.addEventListener('contextmenu', suceso => suceso.preventDefault());
+
+  // El navegador puede quitar el contexto (se ha reiniciado la tarjeta, hay demasiadas páginas): al devolverlo, se repite todo.
+  lienzo.addEventListener('webglcontextlost', suceso => {
+    if (sesion?.lienzo !== lienzo) return;
+    suceso.preventDefault();
+    const repite = hecho.join('; ');
+    lienzo.addEventListener('webglcontextrestored', () => {
+      if (lienzo.isConnected) empieza(repite).then(() => avisa('El navegador ha devuelto la tarjeta gráfica: todo sigue donde estaba.'));
+    });
+    turno++;
+    sesion = undefined;
+    cubre('El navegador ha perdido la tarjeta gráfica. Cuando la recupere, el programa seguirá donde estaba.');
+  });
+}
+
+new ResizeObserver(() => {
+  const { ancho, alto } = talla();
+  if (sesion?.vivo && (sesion.lienzo.width !== ancho || sesion.lienzo.height !== alto)) manda(`tamano ${ancho} ${alto}`);
+}).observe(marco);
+
+function completa() {
+  if (document.fullscreenElement) document.exitFullscreen();
+  else marco.requestFullscreen?.().then(() => una('canvas', marco).focus());
+}
+
+// --- mandos, menú, acciones --------------------------------------------------------------------------------------------
+
+function boton(texto, hace, propiedades = {}) {
+  return crea('button', { type: 'button', textContent: texto, onclick: hace, ...propiedades });
+}
+
+/// Un botón que, pulsado sin soltar, repite como una tecla.
+function teclaDePantalla(texto, orden) {
+  let reloj;
+  const para = () => clearTimeout(reloj);
+  const repite = () => { manda(orden); reloj = setTimeout(repite, 60); };
+  return boton(texto, () => orden === 'especial F5' ? recarga() : manda(orden), {
+    onpointerdown: () => { para(); reloj = setTimeout(repite, 450); }, onpointerup: para, onpointerleave: para, onpointercancel: para });
+}
+
+function ponMandos() {
+  const mandos = actual.mandos.map(({ teclas, hace, menu }) => {
+    const texto = crea('span', { textContent: hace }), m = crea('span', { className: 'mando' });
+    for (const [nombre, orden] of teclas) m.append(Object.assign(teclaDePantalla(nombre, orden), { ariaLabel: `${nombre}: ${hace}` }));
+    if (menu) m.append(boton('Menú', suceso => {
+      const r = suceso.currentTarget.getBoundingClientRect();
+      ensenaMenu(r.left, r.bottom);
+    }));
+    else m.append(texto);
+    return m;
+  });
+  if (actual.derecho) mandos.push(crea('span', { className: 'mando' }, boton('Botón derecho', suceso => {
+    const b = suceso.currentTarget;
+    b.setAttribute('aria-pressed', b.getAttribute('aria-pressed') !== 'true');
+  }, { className: 'derecho' })));
+  una('.mandos').replaceChildren(...mandos);
+}
+
+const opciones = una('.opciones');
+function ensenaMenu(x, y) {
+  opciones.replaceChildren(...(sesion?.opciones() ?? []).map(opcion =>
+    boton(opcion.replaceAll('/', ' › '), () => { cierraMenu(); manda(`menu ${opcion}`); }, { role: 'menuitem' })));
+  opciones.hidden = !opciones.firstChild;
+  if (opciones.hidden) return;
+  opciones.style.left = `${Math.max(Math.min(x, innerWidth - opciones.offsetWidth - 8), 8)}px`;
+  opciones.style.top = `${Math.max(Math.min(y, innerHeight - opciones.offsetHeight - 8), 8)}px`;
+  opciones.firstChild.focus();
+}
+function cierraMenu() {
+  if (opciones.hidden) return;
+  opciones.hidden = true;
+  una('canvas', marco)?.focus({ preventScroll: true });
+}
+opciones.addEventListener('keydown', suceso => {
+  const paso = { ArrowDown: 1, ArrowUp: -1 }[suceso.key], lista = todos('button', opciones);
+  if (paso) lista[(lista.indexOf(document.activeElement) + paso + lista.length) % lista.length].focus();
+  else if (suceso.key === 'Escape') cierraMenu();
+  else return;
+  suceso.preventDefault();
+});
+document.addEventListener('pointerdown', suceso => {
+  if (!opciones.contains(suceso.target)) opciones.hidden = true;
+}, true);
+
+for (const b of todos('.otra-vez')) b.onclick = () => { propias = []; empieza(); };
+una('.completa').onclick = completa;
+una('.guarda').onclick = () => sesion?.lienzo.toBlob(png => {
+  const enlace = crea('a', { href: URL.createObjectURL(png), download: `${actual.nombre}.png` });
+  enlace.click();
+  setTimeout(() => URL.revokeObjectURL(enlace.href), 1000);
+});
+una('.enlace').onclick = async () => {
+  const hash = '#' + [actual.nombre, ...hecho.map(encodeURI)].join(';').replaceAll('#', '%23');
+  history.replaceState(null, '', hash);
+  ruta = location.hash;
+  try {
+    await navigator.clipboard.writeText(location.href);
+    avisa('Enlace copiado: lleva el programa y lo que se ha hecho con él.');
+  } catch {
+    avisa('El enlace está en la barra de direcciones.');
+  }
+};
+
+function ponCasos(conGuion) {
+  const miraDe = caso => { una('.mira').textContent = caso?.mira ?? ''; };
+  const botones = actual.casos.map(caso => boton(caso.titulo, suceso => {
+    propias = [];
+    empieza(caso.guion, caso.argumentos.split(' ').filter(Boolean));
+    miraDe(caso);
+    for (const b of botones) b.setAttribute('aria-pressed', b === suceso.currentTarget);
+  }));
+  una('.casos-botones').replaceChildren(...(botones.length > 1 ? botones : []));
+  if (conGuion) return miraDe();
+  botones[0]?.setAttribute('aria-pressed', true);
+  miraDe(actual.casos[0]);
+}
+
+// --- ficheros propios ---------------------------------------------------------------------------------------------------
+
+/// La imagen de un fichero como PPM, que es lo que leen los programas.
+async function aPpm(fichero) {
+  const datos = new Uint8Array(await fichero.arrayBuffer());
+  if (datos[0] === 0x50 && datos[1] === 0x36) return datos; // ya es un P6
+  const imagen = await createImageBitmap(fichero, { colorSpaceConversion: 'none' });
+  const e = Math.min(1, 2048 / Math.max(imagen.width, imagen.height));
+  const width = Math.max(Math.round(imagen.width * e), 1), height = Math.max(Math.round(imagen.height * e), 1);
+  const pincel = crea('canvas', { width, height }).getContext('2d');
+  pincel.drawImage(imagen, 0, 0, width, height);
+  const rgba = pincel.getImageData(0, 0, width, height).data;
+  const cabecera = new TextEncoder().encode(`P6\n${width} ${height}\n255\n`), ppm = new Uint8Array(cabecera.length + 3 * width * height);
+  ppm.set(cabecera);
+  for (let i = 0, j = cabecera.length; i < rgba.length; i += 4) ppm.set(rgba.subarray(i, i + 3), j), j += 3;
+  return ppm;
+}
+
+async function abreFicheros(ficheros) {
+  if (!actual?.admite || !ficheros.length) return;
+  const nuevas = [];
+  for (const fichero of ficheros) {
+    const nombre = `${++abreFicheros.cuenta}-` + fichero.name.replace(/[^\w.-]/g, '_');
+    try {
+      if (actual.admite === '.vf') nuevas.push({ nombre, datos: new Uint8Array(await fichero.arrayBuffer()) });
+      else nuevas.push({ nombre: nombre.replace(/\.[^.]*$/, '') + '.ppm', datos: await aPpm(fichero) });
+    } catch {
+      return avisa(`«${fichero.name}» no es una imagen que este navegador sepa leer.`);
+    }
+  }
+  propias = [...propias, ...nuevas].slice(-actual.cuantas);
+  if (propias.length < actual.cuantas) return avisa('Falta otra imagen: este programa usa dos.');
+  await empieza();
+}
+
+abreFicheros.cuenta = 0; // dos ficheros pueden llamarse igual
+
+const entrada = una('.fichero input');
+entrada.onchange = () => abreFicheros([...entrada.files]).then(() => { entrada.value = ''; });
+una('.fichero').addEventListener('keydown', suceso => {
+  if (suceso.key === 'Enter' || suceso.key === ' ') entrada.click();
+});
+addEventListener('dragover', suceso => suceso.preventDefault());
+addEventListener('drop', suceso => {
+  suceso.preventDefault();
+  if (actual && !actual.admite) avisa('Este programa no lee ficheros.');
+  else abreFicheros([...suceso.dataTransfer.files]);
+});
+
+// --- el editor ----------------------------------------------------------------------------------------------------------
+
+let editor, abierto = '', reloj = 0;
+const esShader = ruta => /\.(vert|frag|glsl)$/.test(ruta);
+const originales = async ruta => (await json(esShader(ruta) ? 'shaders' : 'codigo'))[ruta];
+
+async function ponEditor() {
+  if (!editor) {
+    const { css, js } = await json('editor');
+    if (editor) return;
+    document.head.prepend(crea('style', { textContent: css }));
+    document.head.append(crea('script', { textContent: js }));
+    editor = CodeMirror(una('.editor'), { theme: 'lab', lineNumbers: true, lineWrapping: true, indentUnit: 4, matchBrackets: true, extraKeys: { Tab: false, 'Shift-Tab': false },
+      screenReaderLabel: 'Editor' });
+    editor.on('change', (_, { origin }) => {
+      if (origin === 'setValue' || !esShader(abierto)) return;
+      clearTimeout(reloj);
+      reloj = setTimeout(aplicaYa, 250);
+    });
+  }
+}
+
+function anota() { // los ficheros del programa: los que nombra y los que ha leído
+  const leidos = [...sesion?.leidos ?? []].map(r => r.replace(/^\/lab\//, '')).filter(r => /^ch/.test(r) && esShader(r));
+  const puesto = ruta => ['frag', 'glsl', 'vert', 'cpp', 'h'].indexOf(ruta.split('.').pop()) + (esShader(ruta) && !ruta.startsWith(actual.capitulo) ? 2.5 : 0);
+  const rutas = [...new Set([...leidos, ...actual.fuentes])].sort((a, b) => puesto(a) - puesto(b));
+  const pestana = ruta => boton(ruta.startsWith(actual.capitulo) ? ruta.split('/')[1] : ruta, () => abre(ruta));
+  una('.pestanas').replaceChildren(...rutas.map(ruta => Object.assign(pestana(ruta), { ruta })));
+  if (!rutas.includes(abierto)) abierto = '';
+  abre(abierto || rutas[0]);
+}
+
+async function abre(ruta) {
+  await aplicaYa();
+  abierto = ruta;
+  for (const b of todos('.pestanas button')) b.setAttribute('aria-pressed', b.ruta === ruta);
+  await ponEditor();
+  const texto = cambios.get(ruta) ?? await originales(ruta);
+  if (ruta !== abierto) return;
+  if (editor.ruta !== ruta || editor.getValue() !== texto) {
+    editor.ruta = ruta;
+    editor.setOption('mode', esShader(ruta) ? 'x-shader/x-fragment' : 'text/x-c++src');
+    editor.setOption('readOnly', !esShader(ruta));
+    editor.swapDoc(CodeMirror.Doc(texto, editor.getOption('mode')));
+  }
+  marca();
+}
+
+/// Enseña en el editor los errores del último intento.
+function marca() {
+  const estado = una('.fichero-estado');
+  editor.operation(() => {
+    editor.eachLine(l => {
+      editor.removeLineClass(l, 'background', 'linea-mala');
+      for (const w of [...l.widgets ?? []]) w.clear();
+    });
+    for (const { ruta, linea, mensaje } of errores.filter(e => e.ruta === abierto && e.linea <= editor.lineCount())) {
+      editor.addLineClass(linea - 1, 'background', 'linea-mala');
+      editor.addLineWidget(linea - 1, crea('div', { className: 'mensaje-malo', textContent: mensaje }));
+    }
+  });
+  for (const b of todos('.pestanas button')) {
+    b.classList.toggle('cambiado', cambios.has(b.ruta));
+    b.classList.toggle('mal', errores.some(e => e.ruta === b.ruta));
+  }
+  const mal = errores[0];
+  estado.classList.toggle('mal', Boolean(mal));
+  estado.replaceChildren(mal ? (mal.ruta ? `${mal.ruta}, línea ${mal.linea}: ${mal.mensaje}` : mal.mensaje)
+    : !esShader(abierto) ? 'Solo para leer: lo que se puede cambiar aquí son los shaders.'
+    : cambios.has(abierto) ? 'Cambiado.' : 'Se aplica según se escribe.');
+  if (cambios.has(abierto)) estado.append(boton('Volver al original', vuelve));
+}
+
+function apunta(ruta, texto, original) {
+  if (texto === original) cambios.delete(ruta);
+  else cambios.set(ruta, texto);
+  recuerdo(JSON.stringify([...cambios]));
+}
+
+/// Lo que se acaba de escribir, sin esperar más: al cuarto de segundo o al irse a otro fichero.
+function aplicaYa() {
+  if (!reloj) return;
+  clearTimeout(reloj);
+  reloj = 0;
+  return aplica();
+}
+
+async function aplica() {
+  const programa = actual, ruta = abierto, texto = editor.getValue();
+  apunta(ruta, texto, await originales(ruta));
+  if (programa !== actual) return;
+  if (!sesion?.vivo) return empieza(hecho.join('; ')); // quizá no arrancaba por este error
+  sesion.escribe(ruta, texto);
+  recarga();
+}
+
+/// F5: el programa vuelve a leer sus shaders, y lo que diga de ellos se enseña.
+function recarga() {
+  errores = [];
+  manda('especial F5');
+  if (editor) marca();
+}
+
+async function vuelve() {
+  editor.setValue(await originales(abierto));
+  clearTimeout(reloj);
+  reloj = 0;
+  await aplica();
+}
+
+// --- el catálogo y las rutas ---------------------------------------------------------------------------------------------
+
+const llano = texto => texto.normalize('NFD').replace(/[\u0300-\u036f]/g, '').toLowerCase();
+const busca = una('input[type=search]');
+const fichas = new Map(todos('.tarjetas li').map(li => [li, llano(li.dataset.busca + ' ' + li.textContent)]));
+busca.addEventListener('input', () => {
+  const palabras = llano(busca.value).split(/\s+/);
+  for (const [li, contenido] of fichas) li.hidden = !palabras.every(palabra => contenido.includes(palabra));
+  for (const capitulo of todos('.capitulo')) capitulo.hidden = !una('li:not([hidden])', capitulo);
+  una('.nada').hidden = una('.tarjetas li:not([hidden])') !== null;
+});
+document.addEventListener('keydown', suceso => {
+  if (suceso.key === '/' && pagina.hidden && document.activeElement !== busca) {
+    suceso.preventDefault();
+    busca.focus();
+  }
+});
+
+function programaDe(nombre) {
+  const n = nombre.toLowerCase();
+  return PROGRAMAS.find(p => p.nombre === n) ?? PROGRAMAS.find(p => p.referencia.toLowerCase().split(' ').includes(n));
+}
+
+let ruta;
+function navega() {
+  if (location.hash === ruta) return;
+  ruta = location.hash;
+  aplicaYa();
+  const partes = ruta.slice(1).split(';'), nombre = decodeURIComponent(partes.shift());
+  actual = programaDe(nombre);
+  turno++;
+  sesion?.cierra();
+  sesion = undefined;
+  propias = [];
+  una('#catalogo').hidden = Boolean(actual);
+  pagina.hidden = !actual;
+  opciones.hidden = true;
+  if (!actual) {
+    document.title = 'Síntesis de imagen y animación';
+    const capitulo = nombre && PROGRAMAS.find(p => p.capitulo.split('_')[0] === nombre || p.capitulo === nombre)?.capitulo;
+    una('#no-esta').hidden = !nombre || Boolean(capitulo);
+    una('#no-esta').textContent = `No hay ningún programa «${nombre}».`;
+    if (capitulo) document.getElementById(capitulo).scrollIntoView();
+    return;
+  }
+  scrollTo(0, 0);
+  document.title = actual.titulo;
+  una('h1', pagina).textContent = actual.titulo;
+  una('.referencia', pagina).textContent = `${actual.referencia} · ${actual.nombre}`;
+  pagina.classList.toggle('de-consola', actual.consola);
+  const i = PROGRAMAS.indexOf(actual);
+  for (const [clase, vecino] of [['.anterior', PROGRAMAS[i - 1]], ['.siguiente', PROGRAMAS[i + 1]]]) {
+    una(clase).hidden = !vecino;
+    if (vecino) Object.assign(una(clase), { href: '#' + vecino.nombre, title: vecino.titulo });
+  }
+  una('.fichero').hidden = !actual.admite;
+  una('.fichero span').textContent = actual.admite === '.vf' ? 'Abrir un modelo .vf' : actual.cuantas > 1 ? 'Abrir dos imágenes' : 'Abrir una imagen';
+  entrada.accept = actual.admite === '.vf' ? '.vf' : 'image/*,.ppm';
+  abierto = '';
+  ponMandos();
+  ponCasos(partes.length > 0);
+  empieza(partes.map(decodeURIComponent).join(';'));
+}
+addEventListener('hashchange', navega);
+navega();

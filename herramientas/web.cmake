@@ -1,0 +1,59 @@
+# El enlace web: los mismos programas, en un solo binario para el navegador. Lo configura ./lab web con Emscripten, aparte.
+# Cada programa se compila a código intermedio con su main llamado main_NOMBRE; opt hace privado todo lo demás, para que dos
+# programas puedan tener tipos y funciones que se llamen igual; y se enlazan todos, con comun y con el GLUT sin ventana.
+
+# De las bibliotecas del sistema solo valen las cabeceras que no dependen de la máquina, y esas se toman por su nombre.
+find_path(CABECERAS NAMES GL/freeglut.h NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include /usr/local/include REQUIRED)
+find_path(CABECERAS_GLM NAMES glm/glm.hpp NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include /usr/local/include REQUIRED)
+set(enlaces ${CMAKE_BINARY_DIR}/cabeceras)
+file(MAKE_DIRECTORY ${enlaces})
+foreach(carpeta GL KHR)
+  file(CREATE_LINK ${CABECERAS}/${carpeta} ${enlaces}/${carpeta} SYMBOLIC)
+endforeach()
+file(CREATE_LINK ${CABECERAS_GLM}/glm ${enlaces}/glm SYMBOLIC)
+
+file(WRITE ${CMAKE_BINARY_DIR}/sin_ventana "web\n")
+set(LAB_FUENTES /lab) # donde la página pone los shaders, los modelos y las texturas
+add_compile_options(-Os)
+add_library(avisos INTERFACE) # los da la compilación corriente
+
+set(sin_ventana common/glut_sin_ventana)
+file(GLOB fuentes_comunes CONFIGURE_DEPENDS common/*.cpp)
+add_library(comun STATIC ${fuentes_comunes})
+target_include_directories(comun PUBLIC ${sin_ventana}/web common "${CMAKE_SOURCE_DIR}" ${enlaces})
+target_compile_definitions(comun PRIVATE LAB_FUENTES="${LAB_FUENTES}" LAB_GENERADO="${LAB_FUENTES}")
+target_link_libraries(comun PUBLIC avisos)
+add_library(glut_web STATIC ${sin_ventana}/glut.cpp ${sin_ventana}/guion.cpp ${sin_ventana}/contexto_web.cpp
+  ${sin_ventana}/gl_web.cpp)
+target_link_libraries(glut_web PUBLIC comun)
+
+set(LAB_DESTINOS "") # programa() solo los compila
+lee_capitulos()
+
+find_program(OPT NAMES opt opt-14 REQUIRED)
+get_property(programas GLOBAL PROPERTY LAB_PROGRAMAS)
+set(objetos "")
+set(indice "")
+foreach(nombre IN LISTS programas)
+  set(main main_${nombre})
+  target_compile_definitions(${nombre} PRIVATE main=${main})
+  target_compile_options(${nombre} PRIVATE -emit-llvm)
+  string(LENGTH ${main} largo)
+  set(objeto ${CMAKE_BINARY_DIR}/objetos/${nombre})
+  add_custom_command(OUTPUT ${objeto}.o DEPENDS ${nombre} $<TARGET_OBJECTS:${nombre}>
+    COMMAND ${OPT} -passes=internalize,globaldce -internalize-public-api-list=_Z${largo}${main}iPPc
+      $<TARGET_OBJECTS:${nombre}> -o ${objeto}.bc
+    COMMAND ${CMAKE_CXX_COMPILER} -Os -c ${objeto}.bc -o ${objeto}.o
+    COMMENT "Apartando ${nombre}" VERBATIM)
+  list(APPEND objetos ${objeto}.o)
+  string(APPEND indice "PROGRAMA(${nombre})\n")
+endforeach()
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/objetos)
+file(GENERATE OUTPUT ${enlaces}/programas.inc CONTENT "${indice}")
+
+add_executable(laboratorio ${sin_ventana}/programas_web.cpp ${objetos})
+target_link_libraries(laboratorio PRIVATE glut_web)
+set_target_properties(laboratorio PROPERTIES OUTPUT_NAME lab)
+target_link_options(laboratorio PRIVATE -Os -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH=1
+  -sMODULARIZE=1 -sEXPORT_NAME=Laboratorio -sINVOKE_RUN=0 -sEXIT_RUNTIME=0 -sFORCE_FILESYSTEM=1
+  -sENVIRONMENT=web -sEXPORTED_RUNTIME_METHODS=FS,callMain,ccall -sEXPORTED_FUNCTIONS=_main,_glutOrden,_glutOpciones)

@@ -1,0 +1,304 @@
+#!/usr/bin/env python3
+"""web.py RAÍZ BUILD WEB [caso… | persona]: la página de los programas (./lab web), en Chromium sobre llvmpipe y abierta con file://.
+
+Cada caso de casos.tsv se dibuja con su guion y se compara con su golden, con el comparador y la tolerancia de siempre. Después,
+lo que hace una persona: teclas, ratón, dedos, botones, menú y enlaces, también contra los golden; un shader cambiado bien y
+mal; ficheros buenos y malos; una ventana diminuta y una enorme; y el contexto perdido y devuelto.
+"""
+import base64
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import zlib
+from pathlib import Path
+
+import navegador
+from navegador import Navegador, espera, exige
+
+# SwiftShader no vale de juez: con polygon offset sus mallas cambian de una vez a otra.
+LLVMPIPE = ("--use-gl=angle", "--use-angle=gl", "--ignore-gpu-blocklist", "--window-size=1280,900", "--no-first-run")
+
+DIBUJA = """
+const [nombre, guion, argumentos, acaba] = arguments;
+(async () => {
+  const programa = PROGRAMAS.find(p => p.nombre === nombre), escrito = [];
+  const s = await arranca(programa, { lienzo: document.createElement('canvas'), ancho: 240, alto: 180, argumentos, suavizado: false,
+    di: linea => escrito.push(linea) });
+  s.orden(guion);
+  s.orden('captura /imagen.ppm');
+  const bien = s.vivo;
+  let texto = '';
+  if (bien) for (const b of s.lee('/imagen.ppm')) texto += String.fromCharCode(b);
+  s.cierra();
+  return { bien, escrito: escrito.join('\\n'), ppm: btoa(texto) };
+})().then(acaba, error => acaba({ bien: false, escrito: String(error), ppm: '' }));
+"""
+
+
+def lee_casos(build):
+    for fila in (build / "casos.tsv").read_text().splitlines():
+        yield ["" if campo == "-" else campo for campo in fila.split("\t")]
+
+
+def compara(raiz, build, capitulo, fichero, ppm, carpeta, tolerancia=""):
+    obtenida = carpeta / f"{fichero}.ppm"
+    obtenida.write_bytes(base64.b64decode(ppm))
+    fallos = build / "fallos/web"
+    fallos.mkdir(parents=True, exist_ok=True)
+    opciones = ["--tolerancia", tolerancia] if tolerancia else []
+    return subprocess.run([build / "tests/compara", raiz / "tests/golden" / capitulo / f"{fichero}.ppm", obtenida, "--amplia",
+                           "--deja", fallos / fichero, *opciones], capture_output=True, text=True)
+
+
+def compara_casos(n, raiz, build, carpeta, pedidos):
+    bien = total = 0
+    for capitulo, programa, _, guion, argumentos, tolerancia, fichero, *_ in lee_casos(build):
+        if pedidos and fichero not in pedidos and programa not in pedidos:
+            continue
+        total += 1
+        r = n.pide("/execute/async", script=DIBUJA, args=[programa, guion, argumentos.split()])
+        if not r["bien"]:
+            exige(False, f"{fichero} se dibuja: {r['escrito']}")
+            continue
+        c = compara(raiz, build, capitulo, fichero, r["ppm"], carpeta, tolerancia)
+        print(f"{fichero}: {(c.stdout + c.stderr).strip()}", flush=True)
+        bien += c.returncode == 0
+        exige(c.returncode == 0, f"{fichero} es como su golden")
+    print(f"{bien} de {total} casos como su golden")
+
+
+class Persona:
+    """Lo que se hace en la página con teclas, ratón y dedos. El lienzo mide 240×180, como los golden."""
+
+    def __init__(self, n, raiz, build, pagina, carpeta):
+        self.n, self.raiz, self.build, self.pagina, self.carpeta = n, raiz, build, pagina, carpeta
+
+    def abre(self, enlace, talla="width: 240px; height: 180px"):
+        self.n.pide("/url", url="about:blank")
+        self.n.pide("/url", url=self.pagina.as_uri())
+        self.n.js("""suavizado = false; // los golden no tienen muestras
+            const e = document.createElement('style'); e.textContent = `.lienzo { ${arguments[0]} !important }`;
+            document.head.append(e); location.hash = arguments[1]""", talla, enlace)
+        exige(self.espera("sesion?.vivo"), f"{enlace} arranca")
+
+    def espera(self, condicion):
+        return espera(self.n, f"return Boolean({condicion})")
+
+    def imagen(self):
+        self.n.js("suelta(); sesion.orden('captura /imagen.ppm')")
+        return self.n.js("let t = ''; for (const b of sesion.lee('/imagen.ppm')) t += String.fromCharCode(b); return btoa(t)")
+
+    def es(self, capitulo, fichero, que):
+        c = compara(self.raiz, self.build, capitulo, fichero, self.imagen(), self.carpeta)
+        exige(c.returncode == 0, f"{que} deja {fichero}: {c.stdout}")
+
+    def actua(self, tipo, *acciones, parametros=None):
+        self.n.pide("/actions", actions=[{"type": tipo, "id": f"{tipo}{i}{(parametros or {}).get('pointerType')}", "actions": list(a), **({"parameters": parametros} if parametros else {})}
+                                         for i, a in enumerate(acciones)])
+
+    def lienzo(self):
+        self.n.js("scrollTo(0, 0)")
+        return self.n.js("const r = una('canvas').getBoundingClientRect(); return [Math.round(r.left), Math.round(r.top)]")
+
+    def arrastra(self, puntos, boton=0, dedo=False):
+        x0, y0 = self.lienzo()
+        mueve = [{"type": "pointerMove", "duration": 40, "x": x0 + x, "y": y0 + y} for x, y in puntos]
+        acciones = [mueve[0], {"type": "pointerDown", "button": boton}, *mueve[1:], {"type": "pointerUp", "button": boton}]
+        self.actua("pointer", acciones, parametros={"pointerType": "touch" if dedo else "mouse"})
+
+    def pinza(self, antes, despues):
+        x0, y0 = self.lienzo()
+        dedos = [[{"type": "pointerMove", "duration": 0, "x": x0 + 120 + lado * antes, "y": y0 + 90}, {"type": "pointerDown", "button": 0},
+                  {"type": "pointerMove", "duration": 50, "x": x0 + 120 + lado * despues, "y": y0 + 90}, {"type": "pointerUp", "button": 0}]
+                 for lado in (-1, 1)]
+        self.actua("pointer", *dedos, parametros={"pointerType": "touch"})
+
+    def escribe(self, donde, texto):
+        """Como quien teclea al principio de la línea `donde` (desde 1) del editor."""
+        self.n.js("editor.replaceRange(arguments[1], { line: arguments[0] - 1, ch: 0 }, undefined, '+input')", donde, texto)
+
+    def suelta_fichero(self, nombre, base64_):
+        self.n.js("""const datos = new DataTransfer();
+            datos.items.add(new File([Uint8Array.from(atob(arguments[1]), c => c.charCodeAt(0))], arguments[0]));
+            marco.dispatchEvent(new DragEvent('drop', { dataTransfer: datos, bubbles: true, cancelable: true }))""", nombre, base64_)
+
+
+def trozo(tipo, datos):
+    return struct.pack(">I", len(datos)) + tipo + datos + struct.pack(">I", zlib.crc32(tipo + datos))
+
+
+# Un PNG de 2×2: rojo, verde, azul y blanco.
+PNG = base64.b64encode(b"\x89PNG\r\n\x1a\n" + trozo(b"IHDR", struct.pack(">IIBBBBB", 2, 2, 8, 2, 0, 0, 0)) + trozo(b"IDAT", zlib.compress(
+    b"\0\xff\0\0\0\xff\0" + b"\0\0\0\xff\xff\xff\xff")) + trozo(b"IEND", b"")).decode()
+
+
+def prueba_entradas(p):
+    n = p.n
+    p.abre("#grua")
+    n.js("una('canvas').focus()")
+    for _ in range(7):
+        n.tecla("d")
+    p.es("ch03_transformaciones", "grua-girada", "la tecla d, siete veces,")
+    n.js("una('.enlace').click()")
+    exige("tecla%20d;tecla%20d" in n.js("return location.hash"), "el enlace lleva lo que se ha hecho")
+    n.tecla("\ue004")  # Tab
+    exige(n.js("return document.activeElement.tagName") == "BUTTON", "con Tab se sale del lienzo a los botones")
+
+    p.abre("#E3.5" + ";tecla d;tecla%20d" * 3 + ";tecla d")
+    p.es("ch03_transformaciones", "grua-girada", "el enlace con su guion")
+    p.abre("#grua")
+    n.js("for (let i = 0; i < 7; ++i) todos('.mando button').find(b => b.textContent === 'd').click()")
+    p.es("ch03_transformaciones", "grua-girada", "el botón d, siete veces,")
+    n.js("todos('.casos-botones button').find(b => b.textContent === 'orbitada').click()")
+    exige(p.espera("hecho.length > 2 && sesion?.vivo"), "el botón de un caso lo repite")
+    p.es("ch03_transformaciones", "grua-orbitada", "el botón de un caso")
+
+    p.abre("#grua")
+    p.arrastra([(60, 90), (100, 80), (160, 60)])
+    x0, y0 = p.lienzo()
+    n.pide("/actions", actions=[{"type": "wheel", "id": "rueda", "actions": [
+        {"type": "scroll", "x": x0 + 160, "y": y0 + 60, "deltaX": 0, "deltaY": -100, "duration": 0}]}])
+    exige(p.espera("hecho.some(o => o.startsWith('rueda'))"), "la rueda llega")
+    p.es("ch03_transformaciones", "grua-orbitada", "el ratón y la rueda")
+    p.abre("#grua")
+    p.arrastra([(60, 90), (100, 80), (160, 60)], dedo=True)
+    p.pinza(40, 47)
+    exige(p.espera("hecho.some(o => o.startsWith('rueda'))"), "la pinza llega")
+    p.es("ch03_transformaciones", "grua-orbitada", "un dedo y una pinza")
+    p.abre("#sombras")
+    p.arrastra([(120, 20), (120, 330)], boton=2)
+    p.es("ch07_realismo", "sombras-luz_baja", "el botón derecho")
+
+    p.abre("#grua_vistas;tecla 1")
+    alzado = p.imagen()
+    p.abre("#grua_vistas")
+    n.js("todos('.mando button').find(b => b.textContent === 'Menú').click()")
+    opcion = n.js("const b = todos('.opciones button').find(b => /alzado/i.test(b.textContent)); b?.click(); return b?.textContent")
+    exige(opcion and p.imagen() == alzado, "la opción Alzado del menú hace lo que la tecla 1")
+
+    p.abre("#grua")
+    n.js("una('canvas').focus()")
+    n.tecla(navegador.ESC)
+    exige(p.espera("!telon.hidden && /ha terminado/.test(telon.textContent)"), "Esc termina y se dice")
+    n.js("una('.telon button').click()")
+    exige(p.espera("sesion?.vivo && telon.hidden"), "y se puede empezar de nuevo")
+    n.js("location.hash = '#grua;tecla nada'")
+    exige(p.espera("!telon.hidden && /tecla nada/.test(telon.textContent)"), "un guion mal escrito se dice")
+    n.js("location.hash = '#no_existe'")
+    exige(p.espera("!una('#no-esta').hidden"), "un programa que no existe se dice")
+
+
+def prueba_editor(p):
+    n = p.n
+    p.abre("#componentes_phong")
+    exige(p.espera("editor && editor.lineCount() > 5"), "el editor se abre")
+    n.js("abre('ch05_iluminacion/phong.glsl')")
+    exige(p.espera("editor.ruta === 'ch05_iluminacion/phong.glsl'"), "se ve phong.glsl")
+    original, linea = p.imagen(), n.js("return editor.getValue().split('\\n').findIndex(l => /^\\s*return /.test(l)) + 1")
+    p.escribe(linea, "esto no compila;\n")
+    exige(p.espera("una('.linea-mala')"), "un error se marca en el editor")
+    exige(n.js("return editor.lineInfo(arguments[0] - 1).bgClass", linea) == "linea-mala", f"se marca la línea {linea}, que es la mala")
+    exige(f"phong.glsl, línea {linea}: " in n.js("return una('.fichero-estado').textContent"), "y se dice cuál es")
+    exige(p.imagen() == original, "con un error sigue la imagen que había")
+    n.pide("/refresh")
+    exige(p.espera("!telon.hidden && una('.linea-mala')"), "al volver a abrir la página el cambio sigue, y su error se dice")
+    n.js("todos('.fichero-estado button').at(-1).click()")
+    exige(p.espera("sesion?.vivo && telon.hidden"), "vuelto al original, el programa arranca")
+    p.abre("#componentes_phong")
+    exige(p.espera("editor?.ruta"), "el editor se abre otra vez")
+    n.js("abre('ch05_iluminacion/phong.glsl')")
+    exige(p.espera("editor.ruta === 'ch05_iluminacion/phong.glsl'"), "se ve phong.glsl otra vez")
+    p.escribe(linea, "    return vec3(1.0, 0.0, 0.0);\n")
+    exige(p.espera("/Cambiado/.test(una('.fichero-estado').textContent)"), "un cambio bueno se aplica solo")
+    exige(p.imagen() != original, "y se ve")
+    n.js("una('.fichero-estado button').click()")
+    exige(p.espera("!cambios.size"), "se puede volver al original")
+    exige(p.imagen() == original, "y vuelve la imagen")
+    n.js("todos('.pestanas button').find(b => b.textContent.endsWith('.cpp')).click()")
+    exige(p.espera("editor.ruta.endsWith('.cpp') && editor.getOption('readOnly')"), "un .cpp se lee y no se cambia")
+
+
+def prueba_ficheros_y_tallas(p):
+    n = p.n
+    p.abre("#convolucion")
+    antes = p.imagen()
+    p.suelta_fichero("apuntes.txt", "aG9sYQ==")
+    exige(p.espera("/apuntes.txt.*no es una imagen/.test(una('.aviso').textContent)"), "un fichero que no es una imagen se dice")
+    exige(p.imagen() == antes, "y el programa sigue")
+    p.suelta_fichero("mal.ppm", "UDYgOTk5IDk5OSAyNTUKAAA=")
+    exige(p.espera("!telon.hidden && /mal.ppm/.test(telon.textContent)"), "un PPM cortado se dice")
+    n.js("una('.telon button').click()")
+    exige(p.espera("sesion?.vivo"), "y se puede seguir")
+    p.suelta_fichero("foto.png", PNG)
+    exige(p.espera("sesion?.leidos.size && [...sesion.leidos].some(r => r.startsWith('/propias/'))"), "una imagen propia se abre")
+    exige(p.imagen() != antes, "y se ve")
+    p.abre("#malla_vf")
+    p.suelta_fichero("nada.vf", "bm8=")
+    exige(p.espera("!telon.hidden && /nada.vf/.test(telon.textContent)"), "un modelo que no lo es se dice")
+    p.abre("#grua")
+    p.suelta_fichero("foto.png", PNG)
+    exige(p.espera("/no lee ficheros/.test(una('.aviso').textContent)"), "un programa que no lee ficheros lo dice")
+
+    for talla, ancho in (("width: 1px; height: 1px", 1), ("width: 9000px; height: 6750px", 4096)):
+        p.abre("#grua", talla)
+        exige(p.espera(f"sesion?.lienzo.width === {ancho}") and p.espera("sesion.vivo"), f"con {talla} el lienzo mide {ancho}")
+    p.abre("#grua" + ";tecla d" * 7)
+    n.js("window.quita = una('canvas').getContext('webgl2').getExtension('WEBGL_lose_context'); quita.loseContext()")
+    exige(p.espera("!telon.hidden && /perdido/.test(telon.textContent)"), "que se ha perdido el contexto se dice")
+    n.js("quita.restoreContext()")
+    exige(p.espera("sesion?.vivo && telon.hidden"), "y al volver, sigue")
+    p.es("ch03_transformaciones", "grua-girada", "el contexto devuelto")
+
+
+def prueba_pagina(p):
+    n = p.n
+    n.pide("/url", url="about:blank")
+    n.pide("/url", url=p.pagina.as_uri())
+    n.js("busca.value = 'INCLINACION camara'; busca.dispatchEvent(new Event('input'))")
+    visibles = n.js("return todos('.tarjetas li').filter(l => l.offsetParent).map(l => una('a', l).hash)")
+    exige("#camara" in visibles and "#tiras" not in visibles, "el buscador encuentra, sin acentos")
+    n.js("busca.value = ''; busca.dispatchEvent(new Event('input'))")
+    for ancho, alto in ((360, 740), (1280, 800), (1920, 1080)):
+        n.talla(ancho, alto)
+        for enlace in ("", "#grua", "#grua_zbuffer", "#convolucion_variable", "#info_opengl"):
+            n.js("location.hash = arguments[0]", enlace)
+            p.espera("!actual || editor && (sesion?.vivo || actual.consola)")
+            exige(n.js(f"return document.documentElement.scrollWidth <= {ancho}"), f"en {ancho} píxeles nada de «{enlace}» se sale")
+    exige("OpenGL: 3.1 (imitado" in n.js("return consola.textContent"), "info_opengl escribe lo que hay")
+    n.pide("/goog/cdp/execute", cmd="Emulation.clearDeviceMetricsOverride", params={})
+    fuera = n.js("return performance.getEntriesByType('resource').map(r => r.name).filter(r => !/^(file|data|blob):/.test(r))")
+    exige(not fuera, f"no se pide nada a otro servidor: {fuera[:3]}")
+
+
+def main():
+    raiz, build, web, *pedidos = sys.argv[1:]
+    raiz, build, web = Path(raiz).resolve(), Path(build).resolve(), Path(web).resolve()
+    fijo = dict(linea.split("=", 1) for linea in (raiz / "tests/entorno.txt").read_text().split())
+    pantalla = subprocess.Popen(["Xvfb", "-displayfd", "1", "-screen", "0", "1920x1200x24", "-nolisten", "tcp"], stdout=subprocess.PIPE,
+                                stderr=subprocess.DEVNULL, text=True)
+    try:
+        entorno = {**os.environ, **fijo, "DISPLAY": ":" + pantalla.stdout.readline().strip()}
+        with tempfile.TemporaryDirectory() as carpeta:
+            n = Navegador(Path(carpeta, "perfil"), LLVMPIPE, entorno)
+            try:
+                n.pide("/timeouts", script=60000)
+                n.pide("/url", url=(web / "index.html").as_uri())
+                if pedidos != ["persona"]:
+                    compara_casos(n, raiz, build, Path(carpeta), pedidos)
+                persona = Persona(n, raiz, build, web / "index.html", Path(carpeta))
+                for prueba in (prueba_entradas, prueba_editor, prueba_ficheros_y_tallas, prueba_pagina) if pedidos in ([], ["persona"]) else ():
+                    prueba(persona)
+                registro = [r["message"] for r in n.pide("/se/log", type="browser") if "CONTEXT_LOST_WEBGL" not in r["message"]]
+                exige(not registro, f"la consola está vacía: {registro[:3]}")
+            finally:
+                n.cierra()
+    finally:
+        pantalla.terminate()
+        pantalla.wait()
+    sys.exit(1 if navegador.fallos else 0)
+
+
+if __name__ == "__main__":
+    main()

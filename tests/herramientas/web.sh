@@ -1,0 +1,13 @@
+#!/usr/bin/env bash
+# web.sh RAIZ BUILD: compila los programas para el navegador, hace la página en una carpeta temporal y la prueba con web.py.
+set -euo pipefail
+cd "$1"
+build=$2
+carpeta=$(mktemp -d)
+trap 'rm -rf "$carpeta"' EXIT
+export NODE_PATH=/usr/share/nodejs
+{ cmake --preset web -B "$build/web" && cmake --build "$build/web" --target laboratorio; } >"$carpeta/registro" 2>&1 ||
+  { cat "$carpeta/registro"; exit 1; }
+pagina="$carpeta/página (1)"
+python3 -B herramientas/web.py . "$build/web" "$carpeta/sin galería" "$pagina" # sin miniaturas, que aquí no hacen falta
+python3 -B tests/herramientas/web.py . "$build" "$pagina"
