@@ -118,11 +118,33 @@ def escribe(raiz, destino, capitulos):
         programa.controles = controles((raiz / fichero).read_text())
         programa.fuentes = fuentes(raiz, fichero)
     todas = dict.fromkeys(f for capitulo in capitulos for p in capitulo.programas for f in p.fuentes)
+    _pagina(destino, "galeria.html", capitulos=capitulos, codigo={str(f): colorea(raiz, f) for f in todas},
+            colores_claros=CLARO.get_style_defs("pre"), colores_oscuros=OSCURO.get_style_defs("pre"))
+
+
+def cifra(x):
+    """Tres cifras significativas, como se leen: 0.0123, 12.3, 1 230 000; las muy pequeñas o muy grandes, 1.2·10⁻⁹."""
+    if x != x:
+        return "—"
+    if x in (0, float("inf")):
+        return "0" if x == 0 else "no vale"
+    if 1e-3 <= abs(x) < 1e7:
+        entera, _, decimal = (f"{x:.3g}" if abs(x) < 1000 else f"{x:.0f}").partition(".")
+        return re.sub(r"(?<=\d)(?=(\d{3})+$)", "\u202f", entera) + ("." + decimal if decimal else "")
+    mantisa, _, exponente = f"{x:.1e}".partition("e")
+    return f"{mantisa}·10{str(int(exponente)).translate(str.maketrans('-0123456789', '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
+
+
+def escribe_informe(destino, tecnicas, metas, costes, suelo, entorno):
+    """DESTINO/index.html: el informe de ./lab mide, al lado de sus gráficas e imágenes."""
+    _pagina(destino, "informe.html", tecnicas=tecnicas, metas=metas, costes=costes, suelo=suelo, entorno=entorno, lento=100,
+            graficas={t.nombre for t in tecnicas if (destino / f"{t.nombre}.svg").exists()})
+
+
+def _pagina(destino, plantilla, **datos):
     entorno = jinja2.Environment(loader=jinja2.FileSystemLoader(PLANTILLAS), autoescape=True, trim_blocks=True,
                                  lstrip_blocks=True, undefined=jinja2.StrictUndefined)
-    html = entorno.get_template("galeria.html").render(
-        capitulos=capitulos, codigo={str(f): colorea(raiz, f) for f in todas},
-        colores_claros=CLARO.get_style_defs("pre"), colores_oscuros=OSCURO.get_style_defs("pre"))
+    entorno.filters["cifra"] = cifra
     parcial = destino / "index.html.parcial"
-    parcial.write_text(html)
+    parcial.write_text(entorno.get_template(plantilla).render(**datos))
     parcial.replace(destino / "index.html")

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <initializer_list>
 #include <map>
 #include <string>
 #include <utility>
@@ -328,6 +329,59 @@ double milisegundosDe(void (*f)()) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - antes).count();
 }
 
+GLint sumaParametros(GLenum objetivo, GLint nivel, std::initializer_list<GLenum> cuales) {
+    GLint suma = 0;
+    for (const GLenum cual : cuales) {
+        GLint n = 0;
+        glGetTexLevelParameteriv(objetivo, nivel, cual, &n);
+        suma += n;
+    }
+    return suma;
+}
+
+/// Lo que ocupan los buffer objects y las texturas que hay, con sus mipmaps. Se pregunta por todos los nombres que Mesa ha podido
+/// dar, y a cada textura con qué objetivo se creó, que es el único con el que enlazarla no es un error.
+void cuentaBytes(long long &buferes, long long &texturas) {
+    const auto esBufer = funcionGL<PFNGLISBUFFERPROC>("glIsBuffer");
+    const auto enlazaBufer = funcionGL<PFNGLBINDBUFFERPROC>("glBindBuffer");
+    const auto pregunta = funcionGL<PFNGLGETBUFFERPARAMETERIVPROC>("glGetBufferParameteriv");
+    buferes = texturas = 0;
+    for (GLuint nombre = 1; nombre < 4096; ++nombre) {
+        if (esBufer(nombre)) {
+            GLint bytes = 0;
+            enlazaBufer(GL_COPY_READ_BUFFER, nombre);
+            pregunta(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &bytes);
+            buferes += bytes;
+        }
+        if (!glIsTexture(nombre))
+            continue;
+        for (const GLenum objetivo :
+             {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_RECTANGLE}) {
+            glBindTexture(objetivo, nombre);
+            if (glGetError() != GL_NO_ERROR)
+                continue;
+            const bool cubo = objetivo == GL_TEXTURE_CUBE_MAP;
+            const GLenum cara = cubo ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : objetivo;
+            for (GLint nivel = 0;; ++nivel) {
+                const GLint ancho = sumaParametros(cara, nivel, {GL_TEXTURE_WIDTH}),
+                            alto = sumaParametros(cara, nivel, {GL_TEXTURE_HEIGHT}),
+                            fondo = sumaParametros(cara, nivel, {GL_TEXTURE_DEPTH});
+                if (ancho == 0)
+                    break;
+                texturas += (cubo ? 6LL : 1LL) * ancho * alto * fondo *
+                            sumaParametros(cara, nivel,
+                                           {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
+                                            GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE}) /
+                            8;
+            }
+            break;
+        }
+    }
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    errorGL.clear(); // los de probar objetivos y niveles
+}
+
 /// La línea TSV de la opción -mide. `primera`: lo que costó la primera imagen, en ms.
 void mideCuadros(double primera) {
     const auto generaConsultas = funcionGL<PFNGLGENQUERIESPROC>("glGenQueries");
@@ -345,9 +399,12 @@ void mideCuadros(double primera) {
     for (int i = 0; i < g.mide; ++i)
         ms.push_back(milisegundosDe(g.dibuja));
     std::sort(ms.begin(), ms.end());
-    std::printf("%s\t%dx%d\t%.3f\t%.3f\t%.3f\t%.3f\t%u\t%s\n", nombrePrograma().c_str(), g.ancho, g.alto,
-                primera, ms[ms.size() / 2], ms.front(), ms.back(), primitivas, renderizador().c_str());
     compruebaGL("al medir");
+    long long buferes, texturas;
+    cuentaBytes(buferes, texturas);
+    std::printf("%s\t%dx%d\t%.3f\t%.3f\t%.3f\t%.3f\t%u\t%s\t%lld\t%lld\n", nombrePrograma().c_str(), g.ancho,
+                g.alto, primera, ms[ms.size() / 2], ms.front(), ms.back(), primitivas, renderizador().c_str(),
+                buferes, texturas);
 }
 
 [[noreturn]] void noEsta(const char *funcion, GLenum valor) {

@@ -14,7 +14,8 @@ const char *const AYUDA = R"(Opciones de la ventana sin pantalla:
   -guion "ORDEN; ORDEN"   sucesos, en orden; -guion @fichero los lee de un fichero
   -ppm FICHERO            dónde va la última imagen (<programa>.ppm, si no se da)
   -mide N                 dibuja N veces más y escribe una línea TSV: programa, tamaño, primera ms,
-                          mediana ms, mínimo ms, máximo ms, primitivas, renderizador
+                          mediana ms, mínimo ms, máximo ms, primitivas, renderizador, bytes de buffer objects
+                          y bytes de texturas
   -ayuda                  esta lista
 Órdenes del guion:
   tecla X                 un carácter, o Esc, Espacio, Intro, Tab, Retroceso, Supr, PuntoYComa

@@ -75,7 +75,7 @@ TEST(Opciones, MideEscribeUnaLineaTsv) {
     const Ejecucion e = ejecuta("ch01_intro/shader_basico", "", 240, 180, {"-mide", "5"});
     EXPECT_EQ(e.estado, 0) << e.errores;
     EXPECT_EQ(std::count(e.salida.begin(), e.salida.end(), '\n'), 1);
-    EXPECT_EQ(std::count(e.salida.begin(), e.salida.end(), '\t'), 7);
+    EXPECT_EQ(std::count(e.salida.begin(), e.salida.end(), '\t'), 9);
     EXPECT_EQ(e.salida.rfind("shader_basico\t240x180\t", 0), 0u) << e.salida;
     EXPECT_NE(e.salida.find("\t1\t"), std::string::npos) << "es un triángulo: " << e.salida;
 }

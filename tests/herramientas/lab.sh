@@ -38,6 +38,7 @@ espera 1 'falta lo que sigue a -R' "$lab" prueba -R
 espera 1 'falta el programa' "$lab" ver
 espera 1 'no hay ningún programa «gura»; los más parecidos: grua' "$lab" ver gura
 espera 1 'no hay ningún programa «E99.9»' "$lab" ver E99.9
+espera 1 'no hay ninguna técnica «ruedas»; hay curvas_cubicas' "$lab" mide ruedas
 espera 1 'di qué casos' "$lab" dora
 espera 1 '«grua-volando» no es un caso de grua' "$lab" dora grua-volando
 espera 1 'no hay ningún mutante en «gura»' "$lab" muta ch05 gura

@@ -1,0 +1,102 @@
+// Un plano con bultos: el mapa de normales según su talla, la normal calculada en el shader y el plano deformado de verdad,
+// frente a la normal exacta en cada punto del plano.
+#include "ch08_texturas_avanzadas/mapa_normales.h"
+#include "escena.h"
+#include "mide.h"
+#include <glm/gtc/constants.hpp>
+
+using namespace mide;
+
+static const int VECES = 6;
+static const double LADO = 2.6, ALTURA = LADO / VECES; // el mapa da alturas en lados de baldosa
+
+static double fraccion(double x) {
+    return x - std::floor(x);
+}
+
+static glm::dvec2 pendiente(double s, double t) { // en double, la de mapa_normales.h
+    const glm::dvec2 d = (glm::dvec2(fraccion(s), fraccion(t)) - 0.5) / double(RADIO_BULTO);
+    const double queda = 1 - glm::dot(d, d);
+    return queda > 0 ? d * (-4.0 * double(ALTO_BULTO) / double(RADIO_BULTO) * queda) : glm::dvec2(0);
+}
+
+static double altura(const glm::vec2 &st) {
+    const glm::dvec2 d = (glm::dvec2(fraccion(st.x), fraccion(st.y)) - 0.5) / double(RADIO_BULTO);
+    const double queda = 1 - glm::dot(d, d);
+    return queda > 0 ? double(ALTO_BULTO) * queda * queda : 0;
+}
+
+static void mideBump(Medidor &m) {
+    abreGpu();
+    glEnable(GL_DEPTH_TEST);
+    const Lienzo lienzo(m.talla(64, 480), m.talla(48, 360));
+    const glm::mat4 M = giroX(-0.6f) * escalado(float(LADO));
+    const oraculo::Mat4 colocado = oraculo::gira({1, 0, 0}, -0.6) * oraculo::escala(LADO),
+                        girado = oraculo::gira({1, 0, 0}, -0.6);
+    const oraculo::Vec3 fondo = {0.95, 0.96, 0.98};
+    const oraculo::ImagenRef ref = oraculo::render(
+        {oraculo::plano(colocado)}, camaraExacta(), lienzo.ancho, lienzo.alto,
+        [&](const oraculo::Impacto &i) {
+            const glm::dvec2 h = pendiente(VECES * i.s, VECES * i.t);
+            return i ? phongExacto(i.punto, oraculo::unitario(oraculo::direccion(girado, {-h.x, -h.y, 1})))
+                     : fondo;
+        });
+    m.referencia = oraculo::enBytes(ref);
+    const auto variante = [&](const std::string &nombre, GLuint programa, const Malla &malla,
+                              const Rango &espera, const std::string &nota) {
+        const Buferes b = creaBuferes(malla);
+        enviaEscena(programa, lienzo);
+        const auto dibuja = [&] {
+            lienzo.borra(0.95f, 0.96f, 0.98f);
+            dibujaObjeto(programa, b, M, camaraEscena(), CORAL);
+        };
+        dibuja();
+        const Imagen imagen = lienzo.lee();
+        m.variante(nombre, errorDeFrente(imagen, ref), 1, yEspera(dibuja), espera, nota, imagen);
+        borraBuferes(b);
+    };
+    const GLuint conMapa = creaPrograma("ch08_texturas_avanzadas/iluminado.vert",
+                                        "ch08_texturas_avanzadas/bump.frag"),
+                 calculado = creaPrograma("ch08_texturas_avanzadas/iluminado.vert",
+                                          "herramientas/mide/bump_calculado.frag");
+    for (const GLuint p : {conMapa, calculado}) {
+        glUseProgram(p);
+        envia(p, "nVeces", glm::vec2(VECES));
+        envia(p, "altura", float(ALTURA));
+    }
+    glUseProgram(conMapa);
+    envia(conMapa, "mapaNormales", 0);
+    for (const int n : m.talla<std::vector<int>>({16, 64}, {8, 16, 32, 64, 128, 256})) {
+        GLuint mapa;
+        glGenTextures(1, &mapa);
+        glBindTexture(GL_TEXTURE_2D, mapa);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, n, n, 0, GL_RGB, GL_UNSIGNED_BYTE, mapaNormales(n).data());
+        glGenerateMipmap(GL_TEXTURE_2D);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+        char nota[40];
+        std::snprintf(nota, sizeof nota, "%.3g kB", 4 * n * n / 1000.0);
+        variante("mapa de " + std::to_string(n) + "²", conMapa, plano(1), {0, 60}, nota);
+        glDeleteTextures(1, &mapa);
+    }
+    variante("calculada en el shader", calculado, plano(1), {0, 2}, "sin textura");
+    for (const int n : m.talla<std::vector<int>>({60}, {60, 240})) {
+        Malla malla = plano(n);
+        for (Vertice &v : malla.vertices) {
+            const glm::dvec2 h =
+                pendiente(VECES * double(v.coordTextura.x), VECES * double(v.coordTextura.y));
+            v.posicion.z += float(altura(float(VECES) * v.coordTextura)) / VECES;
+            v.normal = glm::normalize(glm::vec3(-h, 1));
+        }
+        variante("deformado, " + std::to_string(n) + "×" + std::to_string(n), creaSombreado("phong"), malla,
+                 CUALQUIERA,
+                 std::to_string(2 * n * n) + " triángulos; los bultos se tapan: es otra superficie");
+    }
+}
+
+static const Apunta
+    APUNTA({15, "bump", "Bultos con la normal", "ms por imagen de 480×360",
+            "niveles de 255 (RMSE), frente a la normal exacta", "mapa de 64²",
+            "Desde 64² no mejora: un mapa mayor de lo que se ve lo emborronan sus mipmaps. Deformar la malla "
+            "de verdad mueve además los puntos: eso no lo imita ningún mapa.",
+            mideBump});

@@ -1,0 +1,172 @@
+// Una gaussiana de 3×3 a 31×31 sobre la foto: directa o en dos pasadas, con el intermedio de 8 bits o de float.
+#include "ch09_imagen/nucleos.h"
+#include "gpu.h"
+#include "mide.h"
+#include "rutas.h"
+#include "textura.h"
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#ifdef LAB_PAR_OPENCV
+#include <opencv2/imgproc.hpp>
+#endif
+
+using namespace mide;
+
+static const int ANCHO = 250, ALTO = 190;
+
+/// Una pasada en double, por filas o por columnas, con el borde repetido.
+static std::vector<double> pasada(const std::vector<double> &v, const std::vector<float> &nucleo,
+                                  bool columnas) {
+    const int n = static_cast<int>(nucleo.size());
+    std::vector<double> r;
+    for (int y = 0; y < ALTO; ++y)
+        for (int x = 0; x < ANCHO; ++x)
+            for (int c = 0; c < 3; ++c) {
+                double suma = 0;
+                for (int i = 0; i < n; ++i) {
+                    const int d = i - (n - 1) / 2, u = std::clamp(x + (columnas ? 0 : d), 0, ANCHO - 1),
+                              w = std::clamp(y + (columnas ? d : 0), 0, ALTO - 1);
+                    suma += static_cast<double>(nucleo[static_cast<std::size_t>(i)]) *
+                            v[static_cast<std::size_t>(3 * (w * ANCHO + u) + c)];
+                }
+                r.push_back(suma);
+            }
+    return r;
+}
+
+/// Una textura sin mipmaps que repite el borde, y un framebuffer que dibuja en ella.
+struct Capa {
+    GLuint textura, framebuffer;
+    Capa(GLint formato, const void *rgb) {
+        glGenTextures(1, &textura);
+        glBindTexture(GL_TEXTURE_2D, textura);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        glTexImage2D(GL_TEXTURE_2D, 0, formato, ANCHO, ALTO, 0, GL_RGB, GL_UNSIGNED_BYTE, rgb);
+        for (const GLenum eje : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+            glTexParameteri(GL_TEXTURE_2D, eje, GL_CLAMP_TO_EDGE);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glGenFramebuffers(1, &framebuffer);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, textura, 0);
+    }
+};
+
+/// El filtro de m × n números, como textura en la unidad 1.
+static GLuint texturaFiltro(const std::vector<float> &valores, int m) {
+    GLuint textura;
+    glActiveTexture(GL_TEXTURE1);
+    glGenTextures(1, &textura);
+    glBindTexture(GL_TEXTURE_2D, textura);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, m, static_cast<int>(valores.size()) / m, 0, GL_RED, GL_FLOAT,
+                 valores.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    glActiveTexture(GL_TEXTURE0);
+    return textura;
+}
+
+/// ImageMagick, si está, con el mismo núcleo: lo que tarda una pasada más, sin el arranque ni los ficheros.
+static void parImageMagick(Medidor &m, const Imagen &foto, const Filtro &f,
+                           const std::vector<double> &exacta) {
+    const std::string entra = (std::filesystem::temp_directory_path() / "mide_entra.ppm").string(),
+                      sale = (std::filesystem::temp_directory_path() / "mide_sale.ppm").string();
+    std::string nucleo = std::to_string(f.talla) + "x" + std::to_string(f.talla) + ":";
+    for (const float v : f.valores)
+        nucleo += (nucleo.back() == ':' ? "" : ",") + std::to_string(v);
+    guardaPpm(entra, foto);
+    const auto ejecuta = [&](int veces) {
+        const auto antes = std::chrono::steady_clock::now();
+        const std::string orden = "convert '" + entra +
+                                  "' -virtual-pixel edge -morphology Convolve:" + std::to_string(veces) +
+                                  " '" + nucleo + "' -depth 8 '" + sale + "'";
+        const bool bien = std::system(orden.c_str()) == 0;
+        return bien ? std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - antes)
+                          .count()
+                    : NAN;
+    };
+    ejecuta(1);
+    const double e = rmse(leePpm(sale), exacta);
+    std::vector<double> ms;
+    for (int i = 0; i < 5; ++i)
+        ms.push_back((ejecuta(11) - ejecuta(1)) / 10);
+    m.yaMedida("par: ImageMagick " + std::to_string(f.talla) + "×" + std::to_string(f.talla), e, ms,
+               "directa, con todos los hilos");
+}
+
+static void mideConvolucion(Medidor &m) {
+    abreGpu();
+    glDisable(GL_DEPTH_TEST);
+    const Imagen foto = leeTextura(recurso("assets/foto.rgb"), ANCHO, ALTO);
+    const GLuint programa = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/convolucion_variable.frag");
+    const Capa entrada(GL_RGB8, foto.rgb.data()), en8(GL_RGBA8, nullptr), enFloat(GL_RGBA32F, nullptr),
+        salida(GL_RGBA8, nullptr);
+    glViewport(0, 0, ANCHO, ALTO);
+    glUseProgram(programa);
+    envia(programa, "imagen", 0);
+    envia(programa, "filtro", 1);
+    envia(programa, "sumaCero", 0);
+    envia(programa, "conSigno", 0);
+    const auto filtra = [](const Capa &de, const Capa &a, GLuint filtro) {
+        glBindFramebuffer(GL_FRAMEBUFFER, a.framebuffer);
+        glActiveTexture(GL_TEXTURE1);
+        glBindTexture(GL_TEXTURE_2D, filtro);
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, de.textura);
+        dibujaRectangulo();
+    };
+    for (const int talla : m.talla<std::vector<int>>({3, 5}, {3, 5, 9, 15, 31})) {
+        const Filtro f = creaFiltro(GAUSSIANA, talla);
+        const std::vector<double> exacta =
+            pasada(pasada({foto.rgb.begin(), foto.rgb.end()}, f.fila, false), f.columna, true);
+        m.referencia = redondeada(ANCHO, ALTO, exacta);
+        const GLuint entero = texturaFiltro(f.valores, talla), fila = texturaFiltro(f.fila, talla),
+                     columna = texturaFiltro(f.columna, 1);
+        const std::string lado = " " + std::to_string(talla) + "×" + std::to_string(talla);
+        m.grupo = lado.substr(1);
+        const auto variante = [&](const std::string &nombre, const std::function<void()> &dibuja,
+                                  const Rango &espera) {
+            dibuja();
+            Imagen imagen{ANCHO, ALTO, std::vector<unsigned char>(foto.rgb.size())};
+            glBindFramebuffer(GL_FRAMEBUFFER, salida.framebuffer);
+            glPixelStorei(GL_PACK_ALIGNMENT, 1);
+            glReadPixels(0, 0, ANCHO, ALTO, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());
+            m.variante(nombre + lado, rmse(imagen, exacta), 1, yEspera(dibuja), espera, "", imagen);
+        };
+        // guardar en 8 bits cuesta 1/√12 = 0.29 niveles; dos veces, algo más
+        variante("directa", [&] { filtra(entrada, salida, entero); }, {0.2, 0.32});
+        variante("separable, 8 bits",
+                 [&] {
+                     filtra(entrada, en8, fila);
+                     filtra(en8, salida, columna);
+                 },
+                 {0.2, 0.5});
+        variante("separable, float",
+                 [&] {
+                     filtra(entrada, enFloat, fila);
+                     filtra(enFloat, salida, columna);
+                 },
+                 {0.2, 0.32});
+#ifdef LAB_PAR_OPENCV
+        cv::Mat origen(ALTO, ANCHO, CV_8UC3, const_cast<unsigned char *>(foto.rgb.data())), destino;
+        cv::sepFilter2D(origen, destino, CV_8U, f.fila, f.columna, {-1, -1}, 0, cv::BORDER_REPLICATE);
+        const Imagen imagen{ANCHO, ALTO, {destino.datastart, destino.dataend}};
+        m.variante(
+            "par: OpenCV" + lado, rmse(imagen, exacta), 1,
+            [&] {
+                cv::sepFilter2D(origen, destino, CV_8U, f.fila, f.columna, {-1, -1}, 0, cv::BORDER_REPLICATE);
+            },
+            CUALQUIERA, "separable, en la CPU", imagen);
+#endif
+        if (!m.ensayo && m.pares && (talla == 3 || talla == 15))
+            parImageMagick(m, foto, f, exacta);
+    }
+}
+
+static const Apunta APUNTA({10, "convolucion", "Convolución gaussiana", "ms por imagen de 250×190",
+                            "niveles de 255 (RMSE), frente a double sin redondear", "separable, float",
+                            "En dos pasadas cuesta 2n lecturas por píxel y no n². Guardar lo de en medio en "
+                            "8 bits redondea dos veces: los "
+                            "programas usan float desde 3×3, y la directa solo si el filtro no es separable.",
+                            mideConvolucion});

@@ -1,0 +1,26 @@
+// La precisión con que se calcula lo exacto de curvas y superficies.
+#pragma once
+#include <glm/glm.hpp>
+
+__extension__ typedef __float128 Cuadruple;
+using PuntoExacto = glm::vec<3, Cuadruple>;
+
+/// |a − b| en double.
+template<class T>
+double separacion(const glm::vec<3, T> &a, const PuntoExacto &b) {
+    const PuntoExacto d(Cuadruple(a.x) - b.x, Cuadruple(a.y) - b.y, Cuadruple(a.z) - b.z);
+    return glm::length(
+        glm::dvec3(static_cast<double>(d.x), static_cast<double>(d.y), static_cast<double>(d.z)));
+}
+
+/// Q(u) de una curva de Bézier de cualquier grado, con de Casteljau.
+template<class Puntos>
+PuntoExacto bezierExacta(const Puntos &puntos, Cuadruple u) {
+    std::vector<PuntoExacto> q;
+    for (const auto &p : puntos)
+        q.push_back({Cuadruple(p.x), Cuadruple(p.y), Cuadruple(p.z)});
+    for (std::size_t n = q.size() - 1; n > 0; --n)
+        for (std::size_t i = 0; i < n; ++i)
+            q[i] = (1 - u) * q[i] + u * q[i + 1];
+    return q[0];
+}

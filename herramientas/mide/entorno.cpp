@@ -1,0 +1,92 @@
+// Un toro que refleja su entorno: lado de las caras del mapa, y reflexión por vértice o por fragmento, frente a trazar rayos.
+#include "escena.h"
+#include "mide.h"
+#include <glm/gtc/constants.hpp>
+
+using namespace mide;
+
+/// El entorno exacto: un cielo degradado y un damero de meridianos y paralelos, con bordes suaves.
+static oraculo::Vec3 entorno(const oraculo::Vec3 &d) {
+    const double l = oraculo::longitud(d), alto = d.y / l, giro = std::atan2(d.z, d.x);
+    const double dibujo = std::tanh(3 * std::sin(6 * giro) * std::cos(8 * alto)) *
+                          std::pow(1 - alto * alto, 2); // en los polos, nada
+    return {0.5 + 0.3 * dibujo, 0.55 + 0.2 * dibujo * alto, 0.6 + 0.3 * alto};
+}
+
+static GLuint creaMapa(int lado) {
+    GLuint mapa;
+    glGenTextures(1, &mapa);
+    glBindTexture(GL_TEXTURE_CUBE_MAP, mapa);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (int cara = 0; cara < 6; ++cara) {
+        std::vector<unsigned char> rgb;
+        for (int j = 0; j < lado; ++j)
+            for (int i = 0; i < lado; ++i) { // la tabla de la especificación, al revés
+                const double s = (2 * i + 1.0) / lado - 1, t = (2 * j + 1.0) / lado - 1;
+                const oraculo::Vec3 d[6] = {{1, -t, -s}, {-1, -t, s}, {s, 1, t},
+                                            {s, -1, -t}, {s, -t, 1},  {-s, -t, -1}};
+                const oraculo::Vec3 c = entorno(d[cara]);
+                for (int k = 0; k < 3; ++k)
+                    rgb.push_back(static_cast<unsigned char>(std::lround(255 * c[k])));
+            }
+        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(cara), 0, GL_RGB8, lado, lado, 0,
+                     GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
+    }
+    glGenerateMipmap(GL_TEXTURE_CUBE_MAP);
+    glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+    return mapa;
+}
+
+static void mideEntorno(Medidor &m) {
+    abreGpu();
+    glEnable(GL_DEPTH_TEST);
+    const Lienzo lienzo(m.talla(64, 320), m.talla(48, 240));
+    const oraculo::Vec3 METAL = {0.97, 0.91, 0.80}, fondo = {0.95, 0.96, 0.98};
+    const oraculo::ImagenRef ref =
+        oraculo::render({oraculo::toro({}, 1, 0.5)}, camaraExacta(), lienzo.ancho, lienzo.alto,
+                        [&](const oraculo::Impacto &i) {
+                            return i ? METAL * entorno(oraculo::refleja(i.rayo.direccion, i.normal)) : fondo;
+                        });
+    m.referencia = oraculo::enBytes(ref);
+    const GLuint programa =
+        creaPrograma("ch08_texturas_avanzadas/cubemap.vert", "ch08_texturas_avanzadas/cubemap.frag");
+    glUseProgram(programa);
+    envia(programa, "proyeccion", proyeccionEscena(lienzo));
+    envia(programa, "camara", camaraEscena());
+    envia(programa, "ojo", OJO);
+    envia(programa, "M", glm::mat4(1));
+    envia(programa, "N", glm::mat3(1));
+    envia(programa, "mapa", 0);
+    const auto variante = [&](const std::string &nombre, int lado, int segmentos, bool porVertice) {
+        GLuint mapa = creaMapa(lado);
+        const Buferes b = creaBuferes(toro(1, 0.5f, segmentos, segmentos / 2));
+        envia(programa, "porVertice", porVertice);
+        const auto dibuja = [&] {
+            lienzo.borra(0.95f, 0.96f, 0.98f);
+            ::dibuja(b);
+        };
+        dibuja();
+        const Imagen imagen = lienzo.lee();
+        char nota[60];
+        std::snprintf(nota, sizeof nota, "mapa de %.3g kB, toro de %d segmentos",
+                      6 * 3 * lado * lado * 4 / 3 / 1000.0, segmentos);
+        m.variante(nombre, errorDeFrente(imagen, ref), 1, yEspera(dibuja), {0, 80}, nota, imagen);
+        borraBuferes(b);
+        glDeleteTextures(1, &mapa);
+    };
+    const std::vector<int> lados = m.talla<std::vector<int>>({16, 64}, {16, 32, 64, 128, 256, 512});
+    for (const int lado : lados)
+        variante("por fragmento, caras de " + std::to_string(lado) + "²", lado, 180, false);
+    for (const int segmentos : {36, 90, 180})
+        variante("por vértice, " + std::to_string(segmentos) + " segmentos", lados.back() / 2, segmentos,
+                 true);
+}
+
+static const Apunta
+    APUNTA({14, "entorno", "Reflejar el entorno", "ms por imagen de 320×240",
+            "niveles de 255 (RMSE), frente a trazar rayos", "por fragmento, caras de 256²",
+            "Para el reflejo bastan caras de 64²: una superficie curva encoge el entorno. cubemap las tiene "
+            "de 256² porque son además el "
+            "fondo. Por vértice, el reflejo se interpola en línea recta y necesita mucha malla.",
+            mideEntorno});

@@ -1,0 +1,67 @@
+// Un sólido iluminado, dibujado con los shaders de los programas y trazado con el oráculo: la cámara y la luz, una sola vez.
+#pragma once
+#include "ch05_iluminacion/iluminacion.h"
+#include "gpu.h"
+#include "tests/oraculo/oraculo.h"
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace mide {
+
+const float ANGULO = 0.5f;
+const glm::vec3 OJO(1.5f, 1.2f, 5.2f);
+const ::Luz LUZ{{-3, 4, 6, 1}};
+const ::Material CORAL = {{0.20f, 0.08f, 0.05f}, {0.62f, 0.26f, 0.17f}, {0.70f, 0.70f, 0.70f}, 16};
+
+inline glm::mat4 camaraEscena() {
+    return glm::lookAt(OJO, glm::vec3(0), glm::vec3(0, 1, 0));
+}
+inline glm::mat4 proyeccionEscena(const Lienzo &lienzo) {
+    return glm::perspective(ANGULO, static_cast<float>(lienzo.ancho) / static_cast<float>(lienzo.alto), 0.5f,
+                            50.0f);
+}
+
+inline oraculo::Vec3 exacto(const glm::vec3 &v) {
+    return {v.x, v.y, v.z};
+}
+inline oraculo::Camara camaraExacta() {
+    return oraculo::perspectiva(oraculo::miraDesde(exacto(OJO), {}), ANGULO, 0.5, 50);
+}
+
+/// Lo que el programa en uso necesita saber de la cámara y la luz.
+inline void enviaEscena(GLuint programa, const Lienzo &lienzo) {
+    glUseProgram(programa);
+    envia(programa, "proyeccion", proyeccionEscena(lienzo));
+    envia(programa, "camara", camaraEscena());
+    envia(programa, "La", glm::vec3(1));
+    enviaLuz(programa, "luz", LUZ, camaraEscena());
+}
+
+inline oraculo::Vec3 phongExacto(const oraculo::Vec3 &P, const oraculo::Vec3 &N) {
+    const oraculo::Material material = {exacto(CORAL.Ka), exacto(CORAL.Kd), exacto(CORAL.Ks),
+                                        static_cast<double>(CORAL.alfa)};
+    const oraculo::Luz luz{exacto(glm::vec3(LUZ.Lp))};
+    return oraculo::phong(material, {1, 1, 1}, {luz}, P, N, oraculo::unitario(exacto(OJO) - P));
+}
+
+inline void borraBuferes(const Buferes &b) {
+    glDeleteVertexArrays(1, &b.vao);
+    glDeleteBuffers(1, &b.vertices);
+    glDeleteBuffers(1, &b.indices);
+}
+
+/// Raíz del error cuadrático medio, en niveles, donde la referencia ve algo casi de frente: el contorno se juzga aparte.
+inline double errorDeFrente(const Imagen &gpu, const oraculo::ImagenRef &ref) {
+    double suma = 0;
+    int n = 0;
+    for (int y = 0; y < ref.alto; ++y)
+        for (int x = 0; x < ref.ancho; ++x) {
+            const oraculo::PixelRef &p = ref.en(x, y);
+            if (p.objeto < 0 || oraculo::escalar(p.normal, oraculo::unitario(exacto(OJO) - p.punto)) < 0.5)
+                continue;
+            suma += std::pow(oraculo::diferencia(gpu, x, y, p.color), 2);
+            ++n;
+        }
+    return std::sqrt(suma / n);
+}
+
+} // namespace mide

@@ -1,0 +1,94 @@
+// La matriz que transforma la normal, con matrices de todas clases.
+#include "ch03_transformaciones/transformaciones.h"
+#include "mide.h"
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <glm/gtc/matrix_inverse.hpp>
+#include <random>
+
+using namespace mide;
+using Cuad = boost::multiprecision::cpp_bin_float_quad;
+using V = std::array<Cuad, 3>;
+
+static V cruz(const V &a, const V &b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Grados entre N·n y la normal exacta, la de la traspuesta de la adjunta con el signo del determinante.
+static double error(const glm::mat3 &N, const glm::mat3 &M, const glm::vec3 &n) {
+    const auto columna = [&](int j) { return V{Cuad(M[j].x), Cuad(M[j].y), Cuad(M[j].z)}; };
+    const V a = columna(0), b = columna(1), c = columna(2), f[3] = {cruz(b, c), cruz(c, a), cruz(a, b)};
+    const Cuad det = a[0] * f[0][0] + a[1] * f[0][1] + a[2] * f[0][2];
+    V e{};
+    Cuad l = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        e[i] = (det < 0 ? -1 : 1) * (f[0][i] * Cuad(n.x) + f[1][i] * Cuad(n.y) + f[2][i] * Cuad(n.z));
+        l += e[i] * e[i];
+    }
+    const glm::dvec3 exacta(static_cast<double>(e[0] / sqrt(l)), static_cast<double>(e[1] / sqrt(l)),
+                            static_cast<double>(e[2] / sqrt(l)));
+    glm::vec3 r = N * n;
+    const float mayor = std::max({std::fabs(r.x), std::fabs(r.y), std::fabs(r.z)});
+    if (!(mayor > 0) || !std::isfinite(mayor))
+        return 180; // sin normal: negro
+    const glm::dvec3 d = glm::normalize(glm::dvec3(r / mayor));
+    return glm::degrees(std::atan2(glm::length(glm::cross(d, exacta)), glm::dot(d, exacta)));
+}
+
+static glm::mat3 adjunta(const glm::mat3 &m) {
+    return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
+}
+static glm::mat3 adjuntaConSigno(const glm::mat3 &m) {
+    return glm::determinant(m) < 0 ? -1.0f * adjunta(m) : adjunta(m);
+}
+
+static void mideMatrizNormal(Medidor &m) {
+    std::mt19937 azar(2);
+    const auto al = [&] { return static_cast<float>(static_cast<double>(azar()) / 2147483648.0 - 1); };
+    enum { RIGIDA, DEFORMA, DIFICIL, CLASES };
+    std::vector<glm::mat3> clases[CLASES];
+    for (int i = 0; i < m.talla(20, 200); ++i) {
+        const glm::mat3 giro(giroEje({al(), al(), al()}, 3 * al()));
+        const float e = std::pow(10.0f, 2 * al());
+        const glm::mat3 deforma(escalado({e, std::pow(10.0f, al()), 1}));
+        clases[RIGIDA].push_back(e * giro);
+        clases[DEFORMA].push_back(giro * deforma * glm::mat3(giroX(al())));
+        const glm::mat3 dificiles[5] = {1e-20f * giro, 1e20f * giro, giro * glm::mat3(escalado({-1, e, 1})),
+                                        giro * glm::mat3(escalado({1, 1e-7f, 1})),
+                                        glm::mat3(escalado({1, 0, 1}))};
+        clases[DIFICIL].push_back(dificiles[i % 5]);
+    }
+    const auto variante = [&](const char *nombre, const auto &f, const Rango &espera) {
+        double peor[CLASES] = {};
+        for (int c = 0; c < CLASES; ++c)
+            for (const glm::mat3 &M : clases[c])
+                peor[c] = std::max(peor[c], error(f(M), M, glm::vec3(0.48f, 0.6f, 0.64f)));
+        char nota[120];
+        std::snprintf(nota, sizeof nota,
+                      "giros y escalas iguales: %.2g°; escalas distintas: %.2g°; casos difíciles: %.2g°",
+                      peor[0], peor[1], peor[2]);
+        m.variante(
+            nombre, std::max({peor[0], peor[1], peor[2]}), static_cast<double>(clases[DEFORMA].size()),
+            [&] {
+                for (const glm::mat3 &M : clases[DEFORMA])
+                    usa(f(M));
+            },
+            espera, nota);
+    };
+    variante("mat3(M)", [](const glm::mat3 &M) { return M; }, {10, 180});
+    variante("inversa traspuesta (GLM)", [](const glm::mat3 &M) { return glm::inverseTranspose(M); },
+             {10, 180});
+    variante("inversa traspuesta en double",
+             [](const glm::mat3 &M) { return glm::mat3(glm::inverseTranspose(glm::dmat3(M))); }, {10, 180});
+    variante("adjunta", adjunta, {10, 180});
+    variante("adjunta con signo", adjuntaConSigno, {10, 180});
+    variante("adjunta en double con signo y escala",
+             [](const glm::mat3 &M) { return matrizNormal(glm::mat4(M)); }, {0, 1e-4});
+}
+
+static const Apunta APUNTA({8, "matriz_normal", "La matriz de la normal", "ns por matriz",
+                            "grados, la peor normal, frente a cuádruple precisión",
+                            "adjunta en double con signo y escala",
+                            "Con giros y escalas iguales basta mat3(M). Solo la última vale siempre: "
+                            "aplastado, diminuto, enorme o en un espejo. "
+                            "Se calcula una vez por objeto, y lo que cuesta no se nota.",
+                            mideMatrizNormal});

@@ -1,0 +1,93 @@
+// Lo común de las técnicas de ./lab mide: cada una es un fichero de esta carpeta que compara maneras de hacer lo mismo, las
+// cronometra con Google Benchmark y dice el error de cada una frente a algo exacto.
+#pragma once
+#include "imagen.h"
+#include <benchmark/benchmark.h>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace mide {
+
+const double INFINITO = std::numeric_limits<double>::infinity();
+
+/// Dónde debe caer el error de una variante, en cualquier máquina: si no, mide acaba con estado 1.
+struct Rango {
+    double minimo, maximo;
+};
+const Rango CUALQUIERA = {0, INFINITO};
+
+struct Medida {
+    std::string variante, grupo;
+    double mediana, minimo, maximo, error;
+    Rango espera;
+    std::string nota;
+};
+
+/// Lo que recibe cada técnica: si es el ensayo, y a quién dar sus variantes.
+class Medidor {
+public:
+    const bool ensayo; // tallas diminutas y una sola vuelta: solo se comprueba que todo funciona
+    const bool pares;  // comparar también con otros programas (LAB_PARES=1)
+    std::string grupo; // de las variantes que sigan: solo se comparan entre sí las del mismo
+    Imagen referencia; // con ella y la imagen de una variante se hace la de su diferencia
+
+    Medidor(bool esEnsayo, double losNs, std::string elPrefijo)
+        : ensayo(esEnsayo), pares(std::getenv("LAB_PARES") != nullptr), ns(losNs),
+          prefijo(std::move(elPrefijo)) {
+    }
+    /// De lo que se haga en el ensayo y de lo que se haga al medir.
+    template<class T>
+    T talla(T enEnsayo, T alMedir) const {
+        return ensayo ? enEnsayo : alMedir;
+    }
+    /// Cronometra `trabajo`, que hace `unidades` de lo que dice la unidad de tiempo de la técnica.
+    void variante(const std::string &nombre, double error, double unidades,
+                  const std::function<void()> &trabajo, const Rango &espera = CUALQUIERA,
+                  const std::string &nota = "", const Imagen &imagen = {});
+    /// Lo mismo, con los tiempos ya tomados, en la unidad de la técnica.
+    void yaMedida(const std::string &nombre, double error, std::vector<double> tiempos,
+                  const std::string &nota);
+    const std::vector<Medida> &hechas() const {
+        return medidas;
+    }
+
+private:
+    double ns;           // los de una unidad de tiempo
+    std::string prefijo; // de los ficheros que deja
+    std::vector<Medida> medidas;
+};
+
+/// Cada fichero define la suya, que se apunta sola en la lista.
+struct Tecnica {
+    int orden; // el del informe
+    const char *nombre, *titulo;
+    const char *tiempo;  // «ns por punto»: la unidad (ns, µs o ms) y de qué
+    const char *error;   // la unidad del error y contra qué se mide
+    const char *elegida; // la variante que usan los programas; las demás que empiecen igual, también
+    const char *porQue;
+    void (*mide)(Medidor &);
+};
+std::vector<Tecnica> &tecnicas();
+struct Apunta {
+    Apunta(const Tecnica &tecnica) {
+        tecnicas().push_back(tecnica);
+    }
+};
+
+/// El valor que se calcula solo para cronometrarlo, que el compilador no puede quitar.
+template<class T>
+void usa(const T &valor) {
+    benchmark::DoNotOptimize(valor);
+}
+
+/// Raíz del error cuadrático medio entre dos imágenes, en niveles de 255. Con `exacta`, sin redondear, tres por píxel.
+double rmse(const Imagen &imagen, const Imagen &referencia);
+double rmse(const Imagen &imagen, const std::vector<double> &exacta);
+/// La imagen de esos valores (de 0 a 255), redondeados.
+Imagen redondeada(int ancho, int alto, const std::vector<double> &exacta);
+
+} // namespace mide

@@ -1,0 +1,149 @@
+// Un giro alrededor de un eje cualquiera: su matriz, y lo que se desvía tras muchos pasos.
+#include "ch03_transformaciones/transformaciones.h"
+#include "mide.h"
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <random>
+
+using namespace mide;
+using Cuad = boost::multiprecision::cpp_bin_float_quad;
+
+static const double RADIO_PX = 500; // a esta distancia del eje se ve el error
+
+struct Giro {
+    glm::vec3 eje;
+    float angulo;
+};
+
+/// Lo que se separa en píxeles, como mucho, un punto girado con M del girado con el giro exacto (Rodrigues, en cuádruple).
+static double error(const glm::mat3 &M, const glm::vec3 &eje, const Cuad &angulo) {
+    const Cuad x = eje.x, y = eje.y, z = eje.z, l = sqrt(x * x + y * y + z * z), c = cos(angulo),
+               s = sin(angulo), v = 2 * pow(sin(angulo / 2), 2);
+    const Cuad e[3] = {x / l, y / l, z / l};
+    const Cuad K[3][3] = {{0, -e[2], e[1]}, {e[2], 0, -e[0]}, {-e[1], e[0], 0}};
+    double suma = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            const Cuad exacto = (i == j ? c : Cuad(0)) + s * K[i][j] + v * e[i] * e[j];
+            suma += std::pow(static_cast<double>(Cuad(M[j][i]) - exacto), 2);
+        }
+    return RADIO_PX * std::sqrt(suma);
+}
+
+static glm::mat3 rodrigues(const Giro &g) { // con 1 − cos, que en un ángulo pequeño se queda sin cifras
+    const glm::vec3 e = glm::normalize(g.eje);
+    const float c = std::cos(g.angulo), s = std::sin(g.angulo);
+    return c * glm::mat3(1) + s * glm::mat3(0, e.z, -e.y, -e.z, 0, e.x, e.y, -e.x, 0) +
+           (1 - c) * glm::outerProduct(e, e);
+}
+
+static glm::mat3 baseSinRestar(const Giro &g) { // Rᵀ·Rx·R, la ecuación 3.10 tal cual
+    const glm::mat3 R = cambioDeBase(unitario(g.eje));
+    return glm::transpose(R) * glm::mat3(giroX(g.angulo)) * R;
+}
+
+static glm::mat3 conCuaternion(const Giro &g) {
+    return glm::mat3_cast(glm::angleAxis(g.angulo, glm::normalize(g.eje)));
+}
+
+static glm::mat3 ortonormal(const glm::mat3 &M) {
+    const glm::vec3 x = glm::normalize(M[0]), z = glm::normalize(glm::cross(x, M[1]));
+    return {x, glm::cross(z, x), z};
+}
+
+static void mideRotacion(Medidor &m) {
+    std::mt19937 azar(1);
+    std::vector<Giro> giros;
+    for (int i = 0; i < m.talla(60, 600); ++i) {
+        const auto al = [&] { return static_cast<float>(static_cast<double>(azar()) / 2147483648.0 - 1); };
+        giros.push_back({{al(), al(), al()}, i % 3 ? 3 * al() : 1e-4f * al()});
+    }
+    // también los ejes de los casos difíciles: muy cortos, muy largos y casi a lo largo de X
+    for (const glm::vec3 &e : {glm::vec3(1, 1e-20f, 0), glm::vec3(1, 1e-10f, 0),
+                               glm::vec3(2e-4f, 1e-4f, 3e-4f), glm::vec3(3e4f, 1e4f, -2e4f)})
+        giros.push_back({e, 1});
+    const auto matriz = [&](const char *nombre, const auto &f, const Rango &espera, const char *nota = "") {
+        double mayor = 0;
+        for (const Giro &g : giros)
+            mayor = std::max(mayor, error(f(g), g.eje, Cuad(g.angulo)));
+        m.variante(
+            nombre, mayor, static_cast<double>(giros.size()),
+            [&] {
+                for (const Giro &g : giros)
+                    usa(f(g));
+            },
+            espera, nota);
+    };
+    const Rango redondeo = {0, 0.001};
+    matriz(
+        "cambio de base", [](const Giro &g) { return glm::mat3(giroEje(g.eje, g.angulo)); }, redondeo,
+        "giroEje");
+    matriz("cambio de base sin restar I", baseSinRestar, redondeo, "ecuación 3.10 tal cual");
+    matriz("Rodrigues", rodrigues, redondeo);
+    matriz(
+        "glm::rotate", [](const Giro &g) { return glm::mat3(glm::rotate(glm::mat4(1), g.angulo, g.eje)); },
+        redondeo);
+    matriz("cuaternión a matriz", conCuaternion, redondeo);
+
+    m.grupo = "10⁶ pasos";
+    const int pasos = m.talla(1000, 1000000);
+    const Giro paso = {{1, 2, 3}, 0.001f};
+    const glm::mat3 unPaso(giroEje(paso.eje, paso.angulo));
+    const glm::quat unCuaternion = glm::angleAxis(paso.angulo, glm::normalize(paso.eje));
+    const auto deriva = [&](const char *nombre, const auto &recorre, const Rango &espera,
+                            const char *nota = "") {
+        // lo exacto: tantas veces el ángulo que de verdad tiene el float
+        const double e = error(recorre(pasos), paso.eje, Cuad(paso.angulo) * pasos);
+        const int pocos = m.talla(10, 1000);
+        m.variante(
+            "10⁶ pasos, " + std::string(nombre), e, pocos, [&] { usa(recorre(pocos)); }, espera, nota);
+    };
+    deriva(
+        "matriz",
+        [&](int n) {
+            glm::mat3 M(1);
+            for (int i = 0; i < n; ++i)
+                M = unPaso * M;
+            return M;
+        },
+        CUALQUIERA, "deja de ser un giro: deforma");
+    deriva(
+        "matriz ortonormalizada",
+        [&](int n) {
+            glm::mat3 M(1);
+            for (int i = 0; i < n; ++i)
+                M = ortonormal(unPaso * M);
+            return M;
+        },
+        CUALQUIERA, "no deforma, pero el ángulo se desvía");
+    deriva(
+        "cuaternión normalizado",
+        [&](int n) {
+            glm::quat q(1, 0, 0, 0);
+            for (int i = 0; i < n; ++i)
+                q = glm::normalize(unCuaternion * q);
+            return glm::mat3_cast(q);
+        },
+        CUALQUIERA);
+    deriva(
+        "recalculada",
+        [&](int n) {
+            glm::mat3 M;
+            for (int i = 1; i <= n; ++i) { // el ángulo, en double y reducido a una vuelta
+                const double t = i * static_cast<double>(paso.angulo);
+                M = glm::mat3(
+                    giroEje(paso.eje, static_cast<float>(std::remainder(t, 2 * 3.14159265358979323846))));
+                usa(M);
+            }
+            return M;
+        },
+        redondeo, "del ángulo total, cada vez");
+}
+
+static const Apunta APUNTA({7, "rotacion", "Girar alrededor de un eje", "ns por giro",
+                            "píxeles a 500 del eje, frente a cuádruple precisión", "cambio de base",
+                            "Todas son exactas a una milésima de píxel: los programas usan la del libro. Lo "
+                            "que importa es no acumular: los "
+                            "programas animados recalculan el giro con el ángulo total.",
+                            mideRotacion});
