@@ -59,9 +59,54 @@ struct CarpetaTemporal {
 
 std::string ultimoPrograma; // sin su capítulo
 
+/// La peor comparación de la prueba en curso: lo obtenido, la referencia y su diferencia (ampliada 8 veces), una al lado de otra.
+struct LadoALado : testing::EmptyTestEventListener {
+    double error = -1;
+    Imagen imagen;
+
+    void apunta(const oraculo::Comparacion &c, const Imagen &gpu, const oraculo::ImagenRef &ref) {
+        const double suyo = c.maximo + 255.0 * c.bandaLejos;
+        if (suyo <= error)
+            return;
+        error = suyo;
+        const Imagen esperada = oraculo::enBytes(ref);
+        imagen = {3 * gpu.ancho, gpu.alto, {}};
+        for (std::size_t fila = 0, largo = 3 * static_cast<std::size_t>(gpu.ancho); fila < gpu.rgb.size();
+             fila += largo) {
+            const auto a = gpu.rgb.begin() + static_cast<std::ptrdiff_t>(fila),
+                       b = esperada.rgb.begin() + static_cast<std::ptrdiff_t>(fila);
+            const auto n = static_cast<std::ptrdiff_t>(largo);
+            imagen.rgb.insert(imagen.rgb.end(), a, a + n);
+            imagen.rgb.insert(imagen.rgb.end(), b, b + n);
+            std::transform(a, a + n, b, std::back_inserter(imagen.rgb), [](int x, int y) {
+                return static_cast<unsigned char>(std::min(8 * std::abs(x - y), 255));
+            });
+        }
+    }
+    /// Si la prueba falla queda en BUILD/fallos/oraculo/; con LAB_COMPARACIONES=CARPETA quedan ahí las de todas.
+    void OnTestEnd(const testing::TestInfo &prueba) override {
+        const char *todas = std::getenv("LAB_COMPARACIONES");
+        if (error >= 0 && (todas || prueba.result()->Failed())) {
+            const fs::path carpeta = todas ? todas : LAB_BUILD "/fallos/oraculo";
+            fs::create_directories(carpeta);
+            std::string nombre = std::string(prueba.test_suite_name()) + "." + prueba.name();
+            std::replace(nombre.begin(), nombre.end(), '/', '_');
+            guardaPpm(carpeta / (nombre + ".ppm"), imagen);
+        }
+        error = -1;
+    }
+};
+LadoALado *creaLadoALado() {
+    auto *oyente = new LadoALado; // lo borra GoogleTest
+    testing::UnitTest::GetInstance()->listeners().Append(oyente);
+    return oyente;
+}
+LadoALado *const ladoALado = creaLadoALado();
+
 // Todo lo que compara el oráculo, al informe de la prueba. Su desvío es infinito si el color de algún píxel del borde no está a menos
 // de uno de distancia, lo que cada prueba admite en unos pocos: se cuentan aparte.
-void apuntaComparacion(const oraculo::Comparacion &c) {
+void apuntaComparacion(const oraculo::Comparacion &c, const Imagen &gpu, const oraculo::ImagenRef &ref) {
+    ladoALado->apunta(c, gpu, ref);
     apuntaDiferencia(c.maximo, c.rmse, std::min(c.desvio, 1.0), c.bandaLejos, c.banda);
 }
 const bool apunta = (oraculo::alComparar = apuntaComparacion);
@@ -75,7 +120,8 @@ void apuntaDiferencia(double maximo, double rmse, double borde, int lejos, int b
     if (prueba != deEsta)
         peores.clear();
     deEsta = prueba;
-    std::array<double, 5> &p = peores.try_emplace(ultimoPrograma, std::array<double, 5>{-1, -1, -1, 0, 0}).first->second;
+    std::array<double, 5> &p =
+        peores.try_emplace(ultimoPrograma, std::array<double, 5>{-1, -1, -1, 0, 0}).first->second;
     p = {std::max(p[0], maximo), std::max(p[1], rmse), std::max(p[2], borde), p[3] + lejos, p[4] + banda};
     std::ostringstream texto;
     for (const double x : p)

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """evidencia.py comprueba RAIZ BUILD   que docs/ dice la verdad de las pruebas: lo que no, se escribe y acaba con 1
-evidencia.py escribe RAIZ BUILD     ejecuta las pruebas y rehace las tablas de docs/exactitud.md (unos minutos)
+evidencia.py escribe RAIZ BUILD     ejecuta las pruebas y rehace las tablas de docs/exactitud.md (unos minutos); en
+                                    BUILD/exactitud/ deja cada imagen al lado de su referencia y de su diferencia
 
 Se comprueba que exista cada prueba nombrada en docs/*.md; que cada errata tenga la suya o diga por qué no; que no falte ninguna
 ecuación del libro en docs/ecuaciones.md y que esté donde dice; que cada programa tenga una comprobación independiente de su
@@ -115,7 +116,7 @@ class Documentos:
             self.mal(f"exactitud.tsv: no hay ningún programa «{programa}»")
 
     def comprueba_casos(self):
-        """Los casos difíciles: cada uno, con pruebas; y ninguna de un fichero dificil_* sin estar en la lista."""
+        """Los casos dificiles: cada uno, con pruebas; y ninguna de un fichero dificil_* sin estar en la lista."""
         nombradas = set()
         for tema, caso, *citas in filas(self.raiz / "tests/casos_dificiles/casos.tsv"):
             for cita in citas:
@@ -146,6 +147,7 @@ def ejecuta(build, citas, pruebas):
     for linea in (build / "entorno.txt").read_text().splitlines():
         nombre, _, valor = linea.partition("=")
         entorno.setdefault(nombre, valor)
+    entorno["LAB_COMPARACIONES"] = str(build / "exactitud")
     quiere = {}
     for cita in citas:
         for prueba in busca(cita, pruebas):
@@ -183,7 +185,7 @@ def numero(texto, cifras=2):
 def escribe(d):
     programas = filas(d.raiz / "docs/exactitud.tsv")
     casos = filas(d.raiz / "tests/casos_dificiles/casos.tsv")
-    # de los casos difíciles, las que miden: las otras solo se cuentan
+    # de los casos dificiles, las que miden: las otras solo se cuentan
     citas = {cita for fila in programas for cita in fila[2:]} | {c for fila in casos for c in fila[2:] if c.startswith("dificil_")}
     propiedades = ejecuta(d.build, sorted(citas), d.pruebas)
 
@@ -201,7 +203,7 @@ def escribe(d):
             peor[2] += f", salvo {lejos} de {banda}"
         de_pixeles += bool(medidas)
         tabla.append(f"| {programa} | {oraculo} | {' | '.join(peor)} | {', '.join(f'`{c}`' for c in citas)} |")
-    difíciles = ["| caso | pruebas | la peor: medida / cota | cuáles |", "|---|---|---|---|"]
+    dificiles = ["| caso | pruebas | la peor: medida / cota | cuáles |", "|---|---|---|---|"]
     cuantas = set()
     for tema, caso, *citas in casos:
         suyas = [prueba for cita in citas for prueba in busca(cita, d.pruebas)]
@@ -211,10 +213,10 @@ def escribe(d):
         if medidas:
             m, c, unidad = max(medidas, key=lambda m: float(m[0]) / float(m[1]) if float(m[1]) else float(m[0]))
             peor = f"{numero(m)} / {numero(c)} {unidad}"
-        difíciles.append(f"| {tema}: {caso} | {len(suyas)} | {peor} | {', '.join(f'`{c}`' for c in citas)} |")
+        dificiles.append(f"| {tema}: {caso} | {len(suyas)} | {peor} | {', '.join(f'`{c}`' for c in citas)} |")
     destino = d.raiz / "docs/exactitud.md"
     texto = destino.read_text()
-    for marca, contenido in [("programas", tabla), ("casos", difíciles)]:
+    for marca, contenido in [("programas", tabla), ("casos", dificiles)]:
         texto = re.sub(rf"(<!-- {marca} -->\n).*?(<!-- fin -->)", lambda m: m[1] + "\n".join(contenido) + "\n" + m[2], texto, flags=re.S)
     texto = re.sub(r"Son \d+ programas, \d+ de ellos píxel a píxel", f"Son {len(programas)} programas, {de_pixeles} de ellos píxel a píxel", texto)
     texto = re.sub(r"Son \d+ pruebas con nombre", f"Son {len(cuantas)} pruebas con nombre", texto)

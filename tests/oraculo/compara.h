@@ -45,7 +45,7 @@ ImagenRef render(const Escena &escena, const Camara &camara, int ancho, int alto
     return ref;
 }
 
-/// La referencia en 8 bits, para guardarla con guardaPpm y mirarla.
+/// La referencia en 8 bits.
 inline Imagen enBytes(const ImagenRef &ref) {
     Imagen imagen{ref.ancho, ref.alto, {}};
     for (const PixelRef &p : ref.pixeles)
@@ -83,7 +83,7 @@ inline std::ostream &operator<<(std::ostream &s, const Comparacion &c) {
 }
 
 /// A quien se le da cada comparación, si hay alguien.
-inline void (*alComparar)(const Comparacion &) = nullptr;
+inline void (*alComparar)(const Comparacion &, const Imagen &gpu, const ImagenRef &ref) = nullptr;
 
 /// Si entre dos píxeles vecinos hay un borde: otro objeto, otra cara, otra zona, o el mismo objeto más atrás
 /// (uno está lejos del plano tangente del otro).
@@ -145,7 +145,7 @@ Comparacion comparaCon(const Imagen &gpu, const ImagenRef &ref, double umbral, D
     if (c.interior == 0)
         c.maximo = c.rmse = INFINITO;
     if (alComparar)
-        alComparar(c);
+        alComparar(c, gpu, ref);
     return c;
 }
 
