@@ -163,7 +163,7 @@ def ejecuta(build, citas, pruebas):
             print(f"{ejecutable}: {len(nombres)} pruebas", file=sys.stderr)
             if subprocess.run([orden, f"--gtest_filter={':'.join(nombres)}", f"--gtest_output=json:{informe}"], env=entorno,
                               stdout=subprocess.DEVNULL).returncode:
-                informe.unlink()
+                informe.unlink(missing_ok=True)
                 sys.exit(f"{ejecutable}: no pasan sus pruebas")
             medidas = lee_informe(informe)
         propiedades.update({f"{ejecutable}.{nombre}": p for nombre, p in medidas.items()})
