@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <vector>
 
 namespace definicion {
 
@@ -47,6 +48,24 @@ inline double turbulencia(const glm::dvec3 &p, int octavas, const glm::ivec3 &pe
     for (int i = 0; i < octavas; ++i) {
         const int f = 1 << i;
         suma += ruido(p * double(f) + double(i) * glm::dvec3(5.375, 3.625, 7.75), periodo * f) / f;
+    }
+    return suma;
+}
+
+/// Una textura de 64³ bytes leída como GL_LINEAR y GL_REPEAT; (x, y, z), de 0 a 1 una vez la textura. De 0 a 1.
+template<class Punto>
+double trilineal(const std::vector<unsigned char> &texels, const Punto &p) {
+    double suma = 0;
+    for (int i = 0; i < 8; ++i) {
+        double peso = 1;
+        long long indice = 0;
+        for (int k = 2; k >= 0; --k) {
+            const double u = 64 * p[k] - 0.5, f = u - std::floor(u);
+            const int e = i >> k & 1;
+            peso *= e ? f : 1 - f;
+            indice = 64 * indice + modulo(static_cast<long long>(std::floor(u)) + e, 64);
+        }
+        suma += peso * texels[static_cast<std::size_t>(indice)] / 255;
     }
     return suma;
 }

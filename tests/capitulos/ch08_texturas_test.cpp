@@ -356,23 +356,6 @@ TEST(Enrejado, ConTallaUnoEstaEnteraYConCeroNoHayNada) {
 
 namespace {
 
-/// Trilineal con repetición de los 64³ texels; (x, y, z), de 0 a 1 una vez la textura.
-double trilineal(const std::vector<unsigned char> &texels, const Vec3 &p) {
-    double suma = 0;
-    for (int i = 0; i < 8; ++i) {
-        double peso = 1;
-        long long indice = 0;
-        for (int k = 2; k >= 0; --k) {
-            const double u = 64 * p[k] - 0.5, f = u - std::floor(u);
-            const int e = i >> k & 1;
-            peso *= e ? f : 1 - f;
-            indice = 64 * indice + definicion::modulo(static_cast<long long>(std::floor(u)) + e, 64);
-        }
-        suma += peso * texels[static_cast<std::size_t>(indice)] / 255;
-    }
-    return suma;
-}
-
 double escalon(double desde, double hasta, double x) { // smoothstep
     const double u = std::clamp((x - desde) / (hasta - desde), 0.0, 1.0);
     return u * u * (3 - 2 * u);
@@ -384,13 +367,13 @@ Vec3 mezcla(const Vec3 &a, const Vec3 &b, double t) {
 /// De qué color es el bloque en p: madera (0), mármol (1) o el ruido tal cual (2).
 Vec3 colorBloque(int elegido, const std::vector<unsigned char> &texels, const Vec3 &p) {
     const auto ruido = [&](double escala, double corre) {
-        return trilineal(texels, escala * p + Vec3{corre, corre, corre});
+        return definicion::trilineal(texels, escala * p + Vec3{corre, corre, corre});
     };
     if (elegido == 0) {
         const double x = p.x + 0.08 * p.y + 0.22 * (ruido(0.4, 0) - 0.5) + 0.22,
                      z = p.z + 0.08 * p.y + 0.22 * (ruido(0.4, 0.5) - 0.5) + 0.10, r = 13 * std::hypot(x, z),
                      anillo = r - std::floor(r), tardia = anillo * anillo * (1 - escalon(0.86, 1, anillo)),
-                     hebras = trilineal(texels, {6 * p.x, 0.35 * p.y, 6 * p.z});
+                     hebras = definicion::trilineal(texels, Vec3{6 * p.x, 0.35 * p.y, 6 * p.z});
         return mezcla({0.87, 0.63, 0.37}, {0.48, 0.25, 0.11},
                       std::clamp(1.15 * tardia + 0.9 * (hebras - 0.45), 0.0, 1.0));
     }

@@ -137,6 +137,10 @@ class Documentos:
         cabeceras = {"programa", "caso", "---"}
         for sobra in set(escritas) - set(programas) - set(casos) - cabeceras:
             self.mal(f"exactitud.md: sobra la fila «{sobra}»")
+        explicados = set(re.findall(r"`(\w+)`", re.search(r"^Pasan de 2 niveles.*?(?=^##)", texto, re.M | re.S)[0]))
+        pasan = {m[1] for m in re.finditer(r"^\| (\w+) \| [^|]+ \| ([\d.]+) \|", texto, re.M) if float(m[2]) > 2}
+        for programa in pasan ^ explicados:
+            self.mal(f"exactitud.md: de «{programa}» " + ("falta por qué pasa de 2 niveles" if programa in pasan else "ya no pasa de 2 niveles"))
         for falta in [f for f in programas + casos if f not in escritas]:
             self.mal(f"exactitud.md: falta la fila «{falta}»: tests/herramientas/evidencia.py escribe")
 
