@@ -5,8 +5,6 @@ set -euo pipefail
 build=$1
 aqui=$(cd "$(dirname "$0")" && pwd)
 carpeta=$(mktemp -d)
-unset MESA_SHADER_CACHE_DISABLE # cada shader se compila una vez y no una por caso
-export MESA_SHADER_CACHE_DIR=$carpeta/cache
 trap 'rm -rf "$carpeta"' EXIT
 
 dibuja() { # CAPITULO PROGRAMA GUION ARGUMENTOS
