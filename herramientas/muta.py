@@ -52,7 +52,7 @@ class Mutante:
 
     def sitio(self, fuente):
         """Dónde empieza y acaba en ese fuente lo que se cambia."""
-        antes, marcado, despues = re.fullmatch("(.*?)«(.*)»(.*)", self.texto).groups() if "«" in self.texto else ("", self.texto, "")
+        antes, marcado, despues = re.fullmatch("(?s)(.*?)«(.*)»(.*)", self.texto).groups() if "«" in self.texto else ("", self.texto, "")
         veces = fuente.count(antes + marcado + despues)
         if veces != 1:
             raise ValueError(f"«{self.texto}» está {veces} veces en {self.fichero}")
@@ -103,7 +103,7 @@ def lee(raiz):
     mutantes, fallos = [], []
     for n, lista in enumerate(sorted((raiz / "tests/mutantes").glob("*.tsv"))):
         for i, linea in enumerate(lista.read_text().splitlines(), 1):
-            columnas = linea.split("\t")
+            columnas = linea.replace("\\n", "\n").split("\t")
             if len(columnas) in (4, 5) and all(columnas):
                 mutantes.append(Mutante(lista.stem, i, 1000 * n + i, *columnas))
             else:
@@ -205,7 +205,7 @@ class Taller:
         grupos = por_fichero(self.mutantes)
         nuevos = {}
         for carpeta, carpetas, ficheros in os.walk(self.raiz):
-            carpetas[:] = [c for c in carpetas if c not in ("build", "galeria", ".git", "__pycache__")]
+            carpetas[:] = [c for c in carpetas if c not in ("build", "galeria", "informe", "web", ".git", "__pycache__")]
             for f in ficheros:
                 relativo = str((Path(carpeta) / f).relative_to(self.raiz))
                 nuevos[relativo] = (self.raiz / relativo).read_bytes()
