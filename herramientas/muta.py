@@ -146,15 +146,19 @@ def comprueba(raiz, mutantes, fallos):
         except OSError as error:
             fallos.append(f"{grupo[0].nombre}: no puedo leer {fichero}: {error.strerror}")
             continue
+        buenos = []
         for m in grupo:
             try:
                 m.sitio(fuente)
-                if fichero.endswith(SHADERS):
-                    fallos += compila_glsl(raiz, m, estropea(fuente, m))
+                buenos.append(m)
             except ValueError as error:
                 fallos.append(f"{m.nombre}: {error}")
+        if fichero.endswith(SHADERS):
+            for m in buenos:
+                fallos += compila_glsl(raiz, m, estropea(fuente, m))
+            continue
         try:
-            cambia(fuente, grupo)
+            cambia(fuente, buenos)
         except ValueError as error:
             fallos.append(f"{fichero}: {error}")
     if len(mutantes) < MINIMO:

@@ -153,7 +153,7 @@ add_executable(ch01_test capitulos/ch01_test.cpp)
 target_link_libraries(ch01_test PRIVATE comun)
 target_compile_definitions(ch01_test PRIVATE LAB_EJECUTABLES="${CMAKE_BINARY_DIR}/${LAB_SIN_VENTANA}")
 FIN
-bueno+=$'\n'$dos$'\treturn «0»;\t1\testado\n'$tres$'\tglDeleteShader(shader); // marcado\tvoid(); //\tno se borra\tno se ve'
+bueno+=$'\n'$dos$'\treturn «0»;\t1\testado\n'$tres$'\t«glDeleteShader(shader);» // marcado\t;\tno se borra\tno se ve'
 nadie=$uno$'\tcase \'d\': «glutPostRedisplay();»\t;\tno dibuja'
 mutantes "$bueno" "$nadie"
 espera 1 'primer_programa_dos.base: falla sin ningún mutante' $lab muta
@@ -165,7 +165,7 @@ sed -i 's/^META, .*/META, META_SIN_GOLDEN = 50, 26/' herramientas/muta.py
 espera 1 'se deben notar el 50 % y, sin golden, el 26 %' $lab muta
 $lab muta >"$carpeta/progreso" 2>&1 &
 until grep -q 'ejecuto' "$carpeta/progreso" || ! kill -0 $! 2>/dev/null; do sleep 0.02; done
-kill $!
+kill $! || mal 'muta no se deja interrumpir'
 wait $! && mal 'muta interrumpida acaba con 0'
 
 # la galería rehace lo que falta y solo eso
