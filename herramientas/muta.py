@@ -227,6 +227,7 @@ class Taller:
             destino = self.copia / relativo
             if not destino.is_file() or destino.read_bytes() != contenido:
                 destino.parent.mkdir(parents=True, exist_ok=True)
+                destino.unlink(missing_ok=True)  # puede ser de solo lectura, como el original
                 destino.write_bytes(contenido)
                 shutil.copymode(self.raiz / relativo, destino)
         shutil.rmtree(self.build / "glsl", ignore_errors=True)
