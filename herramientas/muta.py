@@ -293,7 +293,12 @@ class Taller:
                 prueba.vistos = set(Path(vistos.name).read_text().split("\n"))
             return pasa
 
-        malas = [p for p, pasa in zip(pruebas, hilos.map(ejecuta, pruebas)) if not pasa]
+        malas = []
+        for i, (p, pasa) in enumerate(zip(pruebas, hilos.map(ejecuta, pruebas)), 1):
+            if sys.stderr.isatty():
+                print(f"\r{i}/{len(pruebas)}", end="\n" if i == len(pruebas) else "", file=sys.stderr)
+            if not pasa:
+                malas.append(p)
         for p in malas:
             print(f"{p.nombre}: falla sin ningún mutante\n{p.salida[-1000:]}")
         if malas:

@@ -127,9 +127,11 @@ uno=ch01_intro/primer_programa.cpp dos=ch01_intro/primer_programa_dos.cpp tres=c
 rm tests/mutantes/*.tsv tests/*/*_test.cpp
 sed -i 's/^MINIMO = .*/MINIMO = 4/; s/^META, .*/META, META_SIN_GOLDEN = 50, 25/' herramientas/muta.py
 mutantes "$uno"$'\testo no está\tx\tsigno' "$dos"$'\tfalta una columna' "$tres"$'\t«3», GL_FLOAT\t3\tes igual' \
-  "$tres"$'\t2, GL_FLOAT\t3, GL_FLOAT\tse pisa' "$tres"$'\t«2», GL_FLOAT\t3\tcon este'
+  "$tres"$'\t2, GL_FLOAT\t3, GL_FLOAT\tse pisa' "$tres"$'\t«2», GL_FLOAT\t3\tcon este' \
+  $'ch01_intro/errores_shader.vert\t«nuevoColor» = color\tnoEsta\tno compila'
 for error in 'ch01:1: «esto no está» está 0 veces en '$uno 'ch01:2: son fichero, texto' 'ch01:3: ««3», GL_FLOAT» está 0 veces' \
-  "$tres: se pisa con otro" "ningún mutante en ch01_intro/primer_programa_dos"; do
+  "$tres: se pisa con otro" \
+  'ch01:6: no compila: ' 'ningún mutante en ch01_intro/primer_programa_dos'; do
   espera 1 "$error" $lab muta --comprueba
 done
 bueno=$uno$'\tglClearColor(1.0f, «1.0f», 0.0f\t0.0f\trojo por amarillo'
@@ -155,14 +157,20 @@ target_compile_definitions(ch01_test PRIVATE LAB_EJECUTABLES="${CMAKE_BINARY_DIR
 FIN
 bueno+=$'\n'$dos$'\treturn «0»;\t1\testado\n'$tres$'\t«glDeleteShader(shader);» // marcado\t;\tno se borra\tno se ve'
 nadie=$uno$'\tcase \'d\': «glutPostRedisplay();»\t;\tno dibuja'
+mutantes "$bueno" "${nadie/$'\t;'/$'\tnoEsta();'}"
+espera 1 "error: ‘noEsta’" $lab muta
 mutantes "$bueno" "$nadie"
 espera 1 'primer_programa_dos.base: falla sin ningún mutante' $lab muta
 cp $golden/primer_programa.ppm $golden/primer_programa_dos.ppm
-espera 1 "ch01:4      $uno, no dibuja: SOBREVIVE, nada lo ejecuta" $lab muta
+espera 1 "ch01:4      $uno, no dibuja: SOBREVIVE, nada lo ejecuta" $lab muta ch01:4
 mutantes "$bueno" "$nadie"$'\tnadie lo pulsa'
 espera 0 '| total | 4 | 2 | 50.0 | 1 | 25.0 |' $lab muta
-sed -i 's/^META, .*/META, META_SIN_GOLDEN = 50, 26/' herramientas/muta.py
-espera 1 'se deben notar el 50 % y, sin golden, el 26 %' $lab muta
+for metas in '51, 25' '50, 26'; do
+  sed -i "s/^META, .*/META, META_SIN_GOLDEN = $metas/" herramientas/muta.py
+  espera 1 "se deben notar el ${metas%,*} % y, sin golden, el ${metas#*, } %" $lab muta
+done
+sed -i 's/\testado$/&\tno se ve/' tests/mutantes/ch01.tsv
+espera 1 'o se notan y tienen uno: ch01:2' $lab muta ch01:2
 $lab muta >"$carpeta/progreso" 2>&1 &
 until grep -q 'ejecuto' "$carpeta/progreso" || ! kill -0 $! 2>/dev/null; do sleep 0.02; done
 kill $! || mal 'muta no se deja interrumpir'
