@@ -658,7 +658,7 @@ void compruebaSolenoide(const std::string &guion, int vueltas, bool segmentos, c
                 for (const double a : {corte.angulo - paso, corte.angulo + paso})
                     if (oraculo::longitud(corte.punto - helice(vueltas, a)) <
                         oraculo::longitud(corte.punto - helice(vueltas, corte.angulo)))
-                        corte.angulo = a;
+                        corte.angulo = std::clamp(a, 0.0, fin); // en las puntas, una esfera
             corte.normal = oraculo::unitario(corte.punto - helice(vueltas, corte.angulo));
             cortes.push_back(corte);
             const bool fondo = esColor(imagen, x, y, FONDO_OSCURO);
@@ -677,9 +677,10 @@ void compruebaSolenoide(const std::string &guion, int vueltas, bool segmentos, c
                     std::fabs(cortes[static_cast<std::size_t>((y + k / 3 - 1) * t.ancho + x + k % 3 - 1)].t -
                               corte.t) < 0.2;
             const double cuarto = corte.angulo / (M_PI / 2), enSegmento = cuarto - std::floor(cuarto);
-            if (!interior || enSegmento < 0.05 || enSegmento > 0.95)
+            const bool punta = corte.angulo <= 0 || corte.angulo >= fin;
+            if (!interior || (!punta && (enSegmento < 0.05 || enSegmento > 0.95)))
                 continue;
-            const bool gris = segmentos && static_cast<int>(cuarto) % 2 == 1;
+            const bool gris = segmentos && !punta && static_cast<int>(cuarto) % 2 == 1;
             const oraculo::Vec3 color =
                 oraculo::phong(gris ? acero : cobre, {1, 1, 1}, {luz}, corte.punto, corte.normal,
                                oraculo::unitario(camara.ojo - corte.punto));

@@ -4,6 +4,7 @@
 #include "ch12_animacion/reloj.h"
 #include "colores.h"
 #include "ejecuta.h"
+#include "encima.h"
 #include "oraculo/oraculo.h"
 #include "rotulos.h"
 #include <cmath>
@@ -140,6 +141,17 @@ Hallazgo centroDe(const Imagen &im, double x0, double y0, int radio) {
     h.x /= h.luz;
     h.y /= h.luz;
     return h;
+}
+
+/// Lo que recibe de más que el fondo, de media, un píxel por encima de los rótulos.
+double luzDe(const Imagen &im) {
+    double luz = 0;
+    for (int y = ROTULO * im.alto / ALTO; y < im.alto; ++y)
+        for (int x = 0; x < im.ancho; ++x) {
+            const Pixel p = pixel(im, x, y);
+            luz += p.r + p.g + p.b - 255.0 * (FONDO_OSCURO.r + FONDO_OSCURO.g + FONDO_OSCURO.b);
+        }
+    return luz / (im.ancho * im.alto);
 }
 
 /// El guion que lleva a ese modo y ese instante con 10 000 / 10^partes partículas.
@@ -279,19 +291,21 @@ TEST(Particulas, LaLuzNoDependeDeCuantas) {
                                    BLANCO)
                              .empty())
                 << modo;
-            luz[mas / 2] = 0;
-            for (int y = ROTULO; y < ALTO; ++y)
-                for (int x = 0; x < ANCHO; ++x) {
-                    const Pixel p = pixel(im, x, y);
-                    luz[mas / 2] +=
-                        p.r + p.g + p.b - 255.0 * (FONDO_OSCURO.r + FONDO_OSCURO.g + FONDO_OSCURO.b);
-                }
+            luz[mas / 2] = luzDe(im);
         }
         EXPECT_NEAR(luz[1] / luz[0], 1, 0.15) << modo;
     }
     EXPECT_FALSE(leeRotulo(ejecuta(PARTICULAS, "tecla -; tecla -; tecla -; tecla -", 480, 360).imagen,
                            "t = 0.00 s, 1 partícula", BLANCO)
                      .empty());
+}
+
+// Tampoco la de un millón de gotas que no llegan a un píxel: en una ventana de la mitad, cada píxel recibe lo mismo.
+TEST(Particulas, LaLuzDeLasQueNoLleganAUnPixel) {
+    const auto con = [](int ancho, int alto) {
+        return luzDe(ejecuta(PARTICULAS, "tecla s; tecla s; tecla s; tecla +; tecla +", ancho, alto).imagen);
+    };
+    EXPECT_NEAR(con(ANCHO / 2, ALTO / 2) / con(ANCHO, ALTO), 1, 0.15);
 }
 
 // La luz de fuente y fuego se suma y el humo tapa: donde hay humo denso no se pasa del gris claro.
@@ -447,6 +461,38 @@ TEST(Banderas, CadaUnaConSuAstaEnSuSitio) {
         EXPECT_GT(vivas + muertas, 200);
         EXPECT_GE(bien, 0.9 * vivas) << t;     // a alguna la tapa la de delante
         EXPECT_LE(deMas, 0.12 * muertas) << t; // donde no hay puede verse la de detrás
+    }
+}
+
+// La grada, cuando no queda ninguna bandera; y bajo la tela de las de la primera fila, el escalón que tienen detrás.
+TEST(Banderas, LaGrada) {
+    const oraculo::Camara camara =
+        oraculo::perspectiva(oraculo::orbita(0.35, 0.34, 43, {0.4, 3.9, -4.5}), 0.5, 1, 200);
+    oraculo::Escena escena;
+    for (int f = 0; f < 12; ++f) // hasta el suelo, que está un escalón por debajo de la primera fila
+        escena.push_back(oraculo::caja(oraculo::traslada({0, 0.4 * f - 0.4, -0.9 * f}) *
+                                       oraculo::escala({26.6, 0.8 * (f + 1), 0.9})));
+    const Vec3 cielo{CIELO.r, CIELO.g, CIELO.b};
+    const auto color = [&](const oraculo::Impacto &i) {
+        return i ? (0.58 + 0.42 * oraculo::escalar(i.normal, {0.20, 0.78, 0.593})) * Vec3{0.66, 0.68, 0.72}
+                 : cielo;
+    };
+    const oraculo::ImagenRef ref = oraculo::render(escena, camara, ANCHO, ALTO, color);
+    SinEncima vacia(ejecuta(BANDERAS, instante(9.5), ANCHO, ALTO).imagen, ref);
+    EXPECT_TRUE(vacia.rotulo("t = 9.50 s, no queda ninguna", OSCURO, 0, 0, ANCHO));
+    const oraculo::Comparacion c = oraculo::compara(vacia.limpia, ref);
+    EXPECT_LE(c.maximo, 1) << c;
+    EXPECT_LE(c.bandaLejos, c.banda / 500) << c;
+
+    const Imagen llena = ejecuta(BANDERAS, instante(5), ANCHO, ALTO).imagen;
+    for (int i = 0; i < 26; ++i) {
+        const double a = 0.7 * vaivenDe(i, 0, 5, 0), u = 0.5 * 0.9, v = 0.2 * 1.1;
+        const auto q =
+            oraculo::proyecta(camara, ANCHO, ALTO,
+                              {i - 12.75 + std::cos(a) * u - std::sin(a) * v,
+                               0.25 + 0.3 * vaivenDe(i, 0, 5, 40.7) + std::sin(a) * u + std::cos(a) * v, 0});
+        const Pixel p = pixel(llena, int(q.x), int(q.y));
+        EXPECT_NEAR(1.0 * p.r / p.g, 0.66 / 0.68, 0.03) << i;
     }
 }
 

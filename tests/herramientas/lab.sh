@@ -121,11 +121,60 @@ espera 0 'primer_programa: ' $lab dora primer_programa shader_basico
 build/tests/compara "$carpeta/golden.ppm" $golden/shader_basico.ppm --amplia >/dev/null || mal 'dora no rehace shader_basico'
 [ -s $golden/primer_programa.ppm ] && [ ! -s $golden/primer_programa_dos.ppm ] || mal 'dora primer_programa no rehace solo ese golden'
 
-# un defecto que ya no se puede plantar es un error, que dice cuál
-printf '%s\t' ch01_intro/shader_basico.cpp 'no está' x signo >tests/mutantes/ch01.tsv
-espera 1 'ch01:1: son fichero, texto' $lab muta --comprueba
-printf '%s\n' $'ch01_intro/shader_basico.cpp\tno está\tx\tsigno' >tests/mutantes/ch01.tsv
-espera 1 'ch01:1: «no está» está 0 veces en ch01_intro/shader_basico.cpp' $lab muta --comprueba
+# muta: un defecto que ya no se puede plantar, o que no lo es, es un error que dice cuál
+mutantes() { printf '%s\n' "$@" >tests/mutantes/ch01.tsv; } # LÍNEA…
+uno=ch01_intro/primer_programa.cpp dos=ch01_intro/primer_programa_dos.cpp tres=ch01_intro/shader_basico.cpp
+rm tests/mutantes/*.tsv tests/*/*_test.cpp
+sed -i 's/^MINIMO = .*/MINIMO = 4/; s/^META, .*/META, META_SIN_GOLDEN = 50, 25/' herramientas/muta.py
+mutantes "$uno"$'\testo no está\tx\tsigno' "$dos"$'\tfalta una columna' "$tres"$'\t«3», GL_FLOAT\t3\tes igual' \
+  "$tres"$'\t2, GL_FLOAT\t3, GL_FLOAT\tse pisa' "$tres"$'\t«2», GL_FLOAT\t3\tcon este' \
+  $'ch01_intro/errores_shader.vert\t«nuevoColor» = color\tnoEsta\tno compila'
+for error in 'ch01:1: «esto no está» está 0 veces en '$uno 'ch01:2: son fichero, texto' 'ch01:3: ««3», GL_FLOAT» está 0 veces' \
+  "$tres: se pisa con otro" \
+  'ch01:6: no compila: ' 'ningún mutante en ch01_intro/primer_programa_dos'; do
+  espera 1 "$error" $lab muta --comprueba
+done
+bueno=$uno$'\tglClearColor(1.0f, «1.0f», 0.0f\t0.0f\trojo por amarillo'
+mutantes "$bueno" "$uno"$'\treturn «0»\t0\tes igual' "$dos"$'\treturn «0»\t1\testado'
+espera 1 'ch01:2: no cambia nada' $lab muta --comprueba
+espera 1 'hay 3 mutantes, y deben ser 4' $lab muta --comprueba
+
+# y los planta: uno lo nota la prueba; otro, solo un golden; otro, nadie, y no dice por qué. La prueba deja un fichero temporal
+cat >tests/capitulos/ch01_test.cpp <<'FIN'
+#include <iostream>
+#include <string>
+#include <unistd.h>
+int main(int, char **argv) {
+    if (argv[1] == std::string("--gtest_list_tests"))
+        return std::cout << "Programa.\n  Acaba\n", 0;
+    return execl(LAB_EJECUTABLES "/ch01_intro/primer_programa_dos", "", "-ppm", (std::string(getenv("TMPDIR")) + "/p.ppm").c_str(), nullptr);
+}
+FIN
+cat >>tests/CMakeLists.txt <<'FIN'
+add_executable(ch01_test capitulos/ch01_test.cpp)
+target_link_libraries(ch01_test PRIVATE comun)
+target_compile_definitions(ch01_test PRIVATE LAB_EJECUTABLES="${CMAKE_BINARY_DIR}/${LAB_SIN_VENTANA}")
+FIN
+bueno+=$'\n'$dos$'\treturn «0»;\t1\testado\n'$tres$'\t«glDeleteShader(shader);» // marcado\t;\tno se borra\tno se ve'
+nadie=$uno$'\tcase \'d\': «glutPostRedisplay();»\t;\tno dibuja'
+mutantes "$bueno" "${nadie/$'\t;'/$'\tnoEsta();'}"
+espera 1 "error: ‘noEsta’" $lab muta
+mutantes "$bueno" "$nadie"
+espera 1 'primer_programa_dos.base: falla sin ningún mutante' $lab muta
+cp $golden/primer_programa.ppm $golden/primer_programa_dos.ppm
+espera 1 "ch01:4      $uno, no dibuja: SOBREVIVE, nada lo ejecuta" $lab muta ch01:4
+mutantes "$bueno" "$nadie"$'\tnadie lo pulsa'
+espera 0 '| total | 4 | 2 | 50.0 | 1 | 25.0 |' $lab muta
+for metas in '51, 25' '50, 26'; do
+  sed -i "s/^META, .*/META, META_SIN_GOLDEN = $metas/" herramientas/muta.py
+  espera 1 "se deben notar el ${metas%,*} % y, sin golden, el ${metas#*, } %" $lab muta
+done
+sed -i 's/\testado$/&\tno se ve/' tests/mutantes/ch01.tsv
+espera 1 'o se notan y tienen uno: ch01:2' $lab muta ch01:2
+$lab muta >"$carpeta/progreso" 2>&1 &
+until grep -q 'ejecuto' "$carpeta/progreso" || ! kill -0 $! 2>/dev/null; do sleep 0.02; done
+kill $! || mal 'muta no se deja interrumpir'
+wait $! && mal 'muta interrumpida acaba con 0'
 
 # la galería rehace lo que falta y solo eso
 espera 0 'Hecha: ' $lab galeria
