@@ -14,7 +14,7 @@ file(CREATE_LINK ${CABECERAS_GLM}/glm ${enlaces}/glm SYMBOLIC)
 
 file(WRITE ${CMAKE_BINARY_DIR}/sin_ventana "web\n")
 set(LAB_FUENTES /lab) # donde la página pone los shaders, los modelos y las texturas
-add_compile_options(-Os)
+add_compile_options(-Os -Wno-pointer-bool-conversion) # lo segundo: GLEW da punteros a función, que pueden ser nulos
 add_library(avisos INTERFACE) # los da la compilación corriente
 
 set(sin_ventana common/glut_sin_ventana)
