@@ -54,6 +54,6 @@ file(GENERATE OUTPUT ${enlaces}/programas.inc CONTENT "${indice}")
 add_executable(laboratorio ${sin_ventana}/programas_web.cpp ${objetos})
 target_link_libraries(laboratorio PRIVATE glut_web)
 set_target_properties(laboratorio PROPERTIES OUTPUT_NAME lab)
-target_link_options(laboratorio PRIVATE -Os -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH=1
+target_link_options(laboratorio PRIVATE -Oz -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH=1
   -sMODULARIZE=1 -sEXPORT_NAME=Laboratorio -sINVOKE_RUN=0 -sEXIT_RUNTIME=0 -sFORCE_FILESYSTEM=1
   -sENVIRONMENT=web -sEXPORTED_RUNTIME_METHODS=FS,callMain,ccall -sEXPORTED_FUNCTIONS=_main,_glutOrden,_glutOpciones)
