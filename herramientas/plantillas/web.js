@@ -483,8 +483,8 @@ function anota() { // los ficheros del programa: los que nombra y los que ha leÃ
   const rutas = [...new Set([...leidos, ...actual.fuentes])].sort((a, b) => puesto(a) - puesto(b));
   const pestana = ruta => boton(ruta.split('/').pop(), () => abre(ruta), { title: ruta });
   una('.pestanas').replaceChildren(...rutas.map(ruta => Object.assign(pestana(ruta), { ruta })));
-  if (!rutas.includes(abierto)) abierto = '';
-  abre(abierto || rutas[0]);
+  const [mal] = sesion.vivo ? [] : errores; // no ha podido arrancar
+  abre([mal?.ruta, abierto].find(r => rutas.includes(r)) ?? rutas[0]).then(() => mal && editor.scrollIntoView({ line: mal.linea, ch: 0 }, 99));
 }
 
 async function abre(ruta) {

@@ -196,6 +196,8 @@ def prueba_editor(p):
     exige(p.espera("editor && editor.lineCount() > 5"), "el editor se abre")
     n.js("abre('ch05_iluminacion/phong.glsl')")
     exige(p.espera("editor.ruta === 'ch05_iluminacion/phong.glsl'"), "se ve phong.glsl")
+    exige(n.js("return una('.casos-botones [aria-pressed=true]').textContent + ' ' + una('.mira').textContent").startswith("c La reflexión especular"),
+          "lo que hay que mirar es lo que se ve al empezar")
     original, linea = p.imagen(), n.js("return editor.getValue().split('\\n').findIndex(l => /^\\s*return /.test(l)) + 1")
     p.escribe(linea, "esto no compila;\n")
     exige(p.espera("una('.linea-mala')"), "un error se marca en el editor")
@@ -204,6 +206,8 @@ def prueba_editor(p):
     exige(p.imagen() == original, "con un error sigue la imagen que había")
     n.pide("/refresh")
     exige(p.espera("!telon.hidden && una('.linea-mala')"), "al volver a abrir la página el cambio sigue, y su error se dice")
+    exige(p.espera(f"editor.ruta.endsWith('phong.glsl') && editor.coordsChar({{ left: 0, top: editor.getScrollInfo().top }}, 'local').line > {linea - 30}"),
+          "abre el fichero por la línea del error")
     n.js("todos('.fichero-estado button').at(-1).click()")
     exige(p.espera("sesion?.vivo && telon.hidden"), "vuelto al original, el programa arranca")
     p.abre("#componentes_phong")
