@@ -11,6 +11,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import zlib
 from pathlib import Path
 
@@ -167,6 +168,11 @@ def prueba_entradas(p):
     p.pinza(40, 47)
     exige(p.espera("hecho.some(o => o.startsWith('rueda'))"), "la pinza llega")
     p.es("ch03_transformaciones", "grua-orbitada", "un dedo y una pinza")
+    p.abre("#grua", "width: 480px; height: 360px")
+    p.arrastra([(120, 180), (200, 160), (320, 120)])
+    n.js("manda('rueda +1 320 120'); una('.enlace').click()")
+    p.abre(n.js("return location.hash"))
+    p.es("ch03_transformaciones", "grua-orbitada", "el enlace de una ventana mayor")
     p.abre("#sombras")
     p.arrastra([(120, 20), (120, 330)], boton=2)
     p.es("ch07_realismo", "sombras-luz_baja", "el botón derecho")
@@ -177,6 +183,29 @@ def prueba_entradas(p):
     n.js("todos('.mando button').find(b => b.textContent === 'Menú').click()")
     opcion = n.js("const b = todos('.opciones button').find(b => /alzado/i.test(b.textContent)); b?.click(); return b?.textContent")
     exige(opcion and p.imagen() == alzado, "la opción Alzado del menú hace lo que la tecla 1")
+
+    p.abre("#luces_animadas")
+    antes = p.imagen()
+    time.sleep(0.5)
+    exige(p.imagen() != antes, "lo que se anima se mueve solo")
+    exige(n.js("return hecho.length === 1 && /^espera \\d+$/.test(hecho[0])"), "y el enlace lleva cuánto")
+    p.abre("#tiras")
+    botones = [*"123456789", *"0u"]
+    exige(n.js("return todos('.mando button').map(b => b.textContent)") == botones, "«1 a 9» son nueve botones")
+    p.abre("#bezier")
+    exige(n.js("return todos('.mando button').map(b => b.textContent).join('')") == "n←→↑↓uU", "«(o n y flechas)» son cinco botones")
+
+    p.abre("#grua;tecla d")
+    exige(n.js("return una('.estado').textContent").startswith("Grúa de obra: giro"), "el título de la ventana se ve")
+    n.js("HTMLAnchorElement.prototype.click = function () { fetch(this.href).then(r => r.blob()).then(b => { window.bajado = this.download + ' ' + b.type }) }")
+    n.js("una('.guarda').click()")
+    exige(p.espera("window.bajado === 'grua.png image/png'"), "la imagen se guarda")
+    x, y = n.js("una('.completa').scrollIntoView({ block: 'center' }); const r = una('.completa').getBoundingClientRect(); return [r.x + 9, r.y + 9].map(Math.round)")
+    p.actua("pointer", [{"type": "pointerMove", "duration": 0, "x": x, "y": y}, {"type": "pointerDown", "button": 0},
+                        {"type": "pointerUp", "button": 0}], parametros={"pointerType": "mouse"})
+    exige(p.espera("document.fullscreenElement === marco && sesion.lienzo.width === marco.clientWidth"), "la pantalla completa lo es")
+    n.js("document.exitFullscreen()")
+    exige(p.espera("sesion.lienzo.width === 240"), "y se sale de ella")
 
     p.abre("#grua")
     n.js("una('canvas').focus()")
@@ -237,6 +266,8 @@ def prueba_ficheros_y_tallas(p):
     exige(p.espera("sesion?.vivo"), "y se puede seguir")
     p.suelta_fichero("foto.png", PNG)
     exige(p.espera("sesion?.leidos.size && [...sesion.leidos].some(r => r.startsWith('/propias/'))"), "una imagen propia se abre")
+    exige(n.js("return [...sesion.lee([...sesion.leidos].find(r => r.startsWith('/propias/')))]") ==
+          [*b"P6\n2 2\n255\n", 255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255], "tal como es")
     exige(p.imagen() != antes, "y se ve")
     p.abre("#malla_vf")
     p.suelta_fichero("nada.vf", "bm8=")
