@@ -30,7 +30,8 @@ target_link_libraries(glut_web PUBLIC comun)
 set(LAB_DESTINOS "") # programa() solo los compila
 lee_capitulos()
 
-find_program(OPT NAMES opt opt-14 REQUIRED)
+string(REGEX MATCH "^[0-9]+" llvm ${CMAKE_CXX_COMPILER_VERSION}) # el de Emscripten, que no tiene por qué ser el único
+find_program(OPT NAMES opt-${llvm} opt REQUIRED)
 get_property(programas GLOBAL PROPERTY LAB_PROGRAMAS)
 set(objetos "")
 set(indice "")

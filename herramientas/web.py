@@ -38,7 +38,7 @@ def clase(tecla):
 
 
 def mando(control):
-    """Un control en botones y lo que hacen: «a d giran» son las teclas a y d; «1 a 9 resaltan», nueve; «arrastra (o n y flechas)», cinco."""
+    """Un control en botones y lo que hacen: «a d giran» son dos teclas; «1 a 9 resaltan», nueve; «arrastra (o n y flechas)», cinco."""
     palabras = control.replace(" o espacio ", " espacio ").split()
     hace, teclas = control, []
     if rango := re.match(r"(\d) a (\d) (.*)", control):

@@ -51,7 +51,8 @@ const cambios = new Map(JSON.parse(recuerdo() ?? '[]')); // los shaders que se h
 
 /// Arranca un programa en un lienzo. `di(línea)` recibe lo que escribe; `titulo(texto)`, el de la ventana; `ficheros`, los
 /// que se le dan además de los del laboratorio. Devuelve lo que se puede hacer con él.
-async function arranca(programa, { lienzo, ancho, alto, argumentos = [], ficheros = {}, suavizado = true, di = () => {}, titulo = () => {} }) {
+async function arranca(programa,
+  { lienzo, ancho, alto, argumentos = [], ficheros = {}, suavizado = true, di = () => {}, titulo = () => {} }) {
   const [modulo, shaders] = await Promise.all([laboratorio(), json('shaders'), ...programa.texturas.map(bytes)]);
   const lab = await Laboratorio({
     canvas: lienzo, suavizado, thisProgram: programa.nombre, print: di, printErr: di, titulo,
@@ -235,7 +236,8 @@ function atiende(lienzo) {
   let pulsado = '', distancia = 0, giro = 0;
   const lugar = suceso => {
     const r = lienzo.getBoundingClientRect();
-    return `${Math.round((suceso.clientX - r.left) * lienzo.width / r.width)} ${Math.round((suceso.clientY - r.top) * lienzo.height / r.height)}`;
+    const x = (suceso.clientX - r.left) * lienzo.width / r.width, y = (suceso.clientY - r.top) * lienzo.height / r.height;
+    return `${Math.round(x)} ${Math.round(y)}`;
   };
   const levanta = suceso => {
     if (!pulsado || !suceso) return;
@@ -467,8 +469,8 @@ async function ponEditor() {
     if (editor) return;
     document.head.prepend(crea('style', { textContent: css }));
     ejecuta(js);
-    editor = CodeMirror(una('.editor'), { theme: 'lab', lineNumbers: true, lineWrapping: true, indentUnit: 4, matchBrackets: true, extraKeys: { Tab: false, 'Shift-Tab': false },
-      screenReaderLabel: 'Editor' });
+    editor = CodeMirror(una('.editor'), { theme: 'lab', lineNumbers: true, lineWrapping: true, indentUnit: 4, matchBrackets: true,
+      extraKeys: { Tab: false, 'Shift-Tab': false }, screenReaderLabel: 'Editor' });
     editor.on('change', (_, { origin }) => {
       if (origin === 'setValue' || !esShader(abierto)) return;
       clearTimeout(reloj);
@@ -484,7 +486,8 @@ function anota() { // los ficheros del programa: los que nombra y los que ha le�
   const pestana = ruta => boton(ruta.split('/').pop(), () => abre(ruta), { title: ruta });
   una('.pestanas').replaceChildren(...rutas.map(ruta => Object.assign(pestana(ruta), { ruta })));
   const [mal] = sesion.vivo ? [] : errores; // no ha podido arrancar
-  abre([mal?.ruta, abierto].find(r => rutas.includes(r)) ?? rutas[0]).then(() => mal && editor.scrollIntoView({ line: mal.linea, ch: 0 }, 99));
+  abre([mal?.ruta, abierto].find(r => rutas.includes(r)) ?? rutas[0])
+    .then(() => mal && editor.scrollIntoView({ line: mal.linea, ch: 0 }, 99));
 }
 
 async function abre(ruta) {
@@ -624,7 +627,8 @@ function navega() {
     una(clase + ' span').textContent = vecino?.titulo ?? '';
   }
   una('.fichero').hidden = !actual.admite;
-  una('.fichero span').textContent = actual.admite === '.vf' ? 'Abrir un modelo .vf' : actual.cuantas > 1 ? 'Abrir dos imágenes' : 'Abrir una imagen';
+  una('.fichero span').textContent = actual.admite === '.vf' ? 'Abrir un modelo .vf'
+    : actual.cuantas > 1 ? 'Abrir dos imágenes' : 'Abrir una imagen';
   entrada.accept = actual.admite === '.vf' ? '.vf' : 'image/*,.ppm';
   abierto = '';
   ponMandos();
