@@ -22,6 +22,8 @@ void main() {
     vec2 p = crece * vec2(0.9, 1.1) * tela;
     p = mat2(cos(inclina), sin(inclina), -sin(inclina), cos(inclina)) * p; // gira con la mano que la lleva
     p += vec2(0.0, 0.25 + 0.3 * vaiven(40.7));
-    vec3 pie = vec3(separacion * (celda.x - 0.5 * (talla.x - 1.0)) - 0.25, 0.0, 0.0) + celda.y * asiento;
+    // dos vecinas se tapan: en un mismo plano, el redondeo decidiría en cada píxel cuál se ve
+    float adelante = 0.02 * mod(celda.x, 2.0);
+    vec3 pie = vec3(separacion * (celda.x - 0.5 * (talla.x - 1.0)) - 0.25, 0.0, adelante) + celda.y * asiento;
     gl_Position = proyeccion * camara * vec4(pie + vec3(p, 0.0), 1.0);
 }

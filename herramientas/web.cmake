@@ -14,7 +14,7 @@ file(CREATE_LINK ${CABECERAS_GLM}/glm ${enlaces}/glm SYMBOLIC)
 
 file(WRITE ${CMAKE_BINARY_DIR}/sin_ventana "web\n")
 set(LAB_FUENTES /lab) # donde la página pone los shaders, los modelos y las texturas
-add_compile_options(-Os)
+add_compile_options(-Os -Wno-pointer-bool-conversion) # lo segundo: GLEW da punteros a función, que pueden ser nulos
 add_library(avisos INTERFACE) # los da la compilación corriente
 
 set(sin_ventana common/glut_sin_ventana)
@@ -30,7 +30,8 @@ target_link_libraries(glut_web PUBLIC comun)
 set(LAB_DESTINOS "") # programa() solo los compila
 lee_capitulos()
 
-find_program(OPT NAMES opt opt-14 REQUIRED)
+string(REGEX MATCH "^[0-9]+" llvm ${CMAKE_CXX_COMPILER_VERSION}) # el de Emscripten, que no tiene por qué ser el único
+find_program(OPT NAMES opt-${llvm} opt REQUIRED)
 get_property(programas GLOBAL PROPERTY LAB_PROGRAMAS)
 set(objetos "")
 set(indice "")
@@ -54,6 +55,6 @@ file(GENERATE OUTPUT ${enlaces}/programas.inc CONTENT "${indice}")
 add_executable(laboratorio ${sin_ventana}/programas_web.cpp ${objetos})
 target_link_libraries(laboratorio PRIVATE glut_web)
 set_target_properties(laboratorio PROPERTIES OUTPUT_NAME lab)
-target_link_options(laboratorio PRIVATE -Os -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH=1
+target_link_options(laboratorio PRIVATE -Oz -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH=1
   -sMODULARIZE=1 -sEXPORT_NAME=Laboratorio -sINVOKE_RUN=0 -sEXIT_RUNTIME=0 -sFORCE_FILESYSTEM=1
   -sENVIRONMENT=web -sEXPORTED_RUNTIME_METHODS=FS,callMain,ccall -sEXPORTED_FUNCTIONS=_main,_glutOrden,_glutOpciones)

@@ -38,7 +38,7 @@ def clase(tecla):
 
 
 def mando(control):
-    """Un control en botones y lo que hacen: «a d giran» son las teclas a y d; «1 a 9 resaltan», nueve; «arrastra (o n y flechas)», cinco."""
+    """Un control en botones y lo que hacen: «a d giran» son dos teclas; «1 a 9 resaltan», nueve; «arrastra (o n y flechas)», cinco."""
     palabras = control.replace(" o espacio ", " espacio ").split()
     hace, teclas = control, []
     if rango := re.match(r"(\d) a (\d) (.*)", control):
@@ -104,9 +104,10 @@ class Pagina:
         return str(destino.relative_to(self.destino))
 
     def escribe(self, capitulos):
-        (self.destino / "datos").mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(self.build / "lab.js", self.destino / "datos" / "lab.js")
-        self.empaqueta("wasm", (self.build / "lab.wasm").read_bytes())
+        shutil.rmtree(self.destino / "datos", ignore_errors=True)
+        (self.destino / "datos").mkdir(parents=True)
+        for parte in ("js", "wasm"):
+            self.empaqueta(parte, (self.build / f"lab.{parte}").read_bytes())
         self.empaqueta("shaders", self.textos(*(f"c*/*{e}" for e in SHADERS), "assets/*.txt", "assets/*.vf"))
         self.empaqueta("codigo", self.textos("ch*/*.cpp", "ch*/*.h"))
         guiones = ("lib/codemirror.js", "mode/clike/clike.js", "addon/edit/matchbrackets.js")
@@ -118,6 +119,7 @@ class Pagina:
         programas = [p for capitulo in capitulos for p in capitulo.programas]
         entorno = jinja2.Environment(loader=jinja2.FileSystemLoader(pagina.PLANTILLAS), autoescape=True, trim_blocks=True,
                                      lstrip_blocks=True, undefined=jinja2.StrictUndefined)
+        entorno.policies["json.dumps_kwargs"] = {"ensure_ascii": False, "separators": (",", ":")}
         html = entorno.get_template("web.html").render(
             capitulos=capitulos, miniaturas={p.nombre: self.miniatura(p) for p in programas},
             programas=[describe(self.raiz, p, texturas) for p in programas])

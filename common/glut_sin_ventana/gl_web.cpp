@@ -88,6 +88,11 @@ void glReadPixels(GLint x, GLint y, GLsizei ancho, GLsizei alto, GLenum formato,
             std::copy_n(&rgba[4 * (j * w + i)], 3, static_cast<unsigned char *>(datos) + j * fila + 3 * i);
 }
 
+// WebGL no lo dice. Lo pregunta la opción -mide, que en la página no se usa.
+void glGetTexLevelParameteriv(GLenum, GLint, GLenum, GLint *valor) {
+    *valor = 0;
+}
+
 // --- GLEW -----------------------------------------------------------------------------------------------------
 
 GLboolean glewExperimental = GL_FALSE, labHayGL31 = GL_FALSE, labHayAnisotropia = GL_FALSE;

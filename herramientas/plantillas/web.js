@@ -1,5 +1,5 @@
 'use strict';
-// La página de los programas. Un programa en marcha es una instancia de datos/lab.js, y todo lo que se le hace es una orden
+// La página de los programas. Un programa en marcha es una instancia de lab.js, y todo lo que se le hace es una orden
 // del guion (las de la opción -guion): «tecla d», «arrastra 10 20», «espera 16»… Así lo que hace una persona se puede
 // repetir, y va en el enlace: #grua;tecla d;tecla d
 const todos = (selector, raiz = document) => [...raiz.querySelectorAll(selector)];
@@ -28,8 +28,12 @@ const bytes = nombre => abiertos[nombre] ??= pide(nombre).then(async () => {
   const flujo = new Blob([comprimidos]).stream().pipeThrough(new DecompressionStream('deflate'));
   return new Uint8Array(await new Response(flujo).arrayBuffer());
 });
-const json = async nombre => JSON.parse(new TextDecoder().decode(await bytes(nombre)));
-const compilado = () => compilado.hecho ??= bytes('wasm').then(b => WebAssembly.compile(b));
+const enTexto = async nombre => new TextDecoder().decode(await bytes(nombre));
+const json = async nombre => JSON.parse(await enTexto(nombre));
+const ejecuta = js => document.head.append(crea('script', { textContent: js }));
+/// El laboratorio, que son lab.js y lab.wasm: define Laboratorio y devuelve el módulo compilado.
+const laboratorio = () => laboratorio.hecho ??=
+  Promise.all([bytes('wasm').then(b => WebAssembly.compile(b)), enTexto('js').then(ejecuta)]).then(([modulo]) => modulo);
 
 /// Lo que dura mientras no se cierra la pestaña; un navegador puede no permitirlo.
 function recuerdo(texto) {
@@ -47,8 +51,9 @@ const cambios = new Map(JSON.parse(recuerdo() ?? '[]')); // los shaders que se h
 
 /// Arranca un programa en un lienzo. `di(línea)` recibe lo que escribe; `titulo(texto)`, el de la ventana; `ficheros`, los
 /// que se le dan además de los del laboratorio. Devuelve lo que se puede hacer con él.
-async function arranca(programa, { lienzo, ancho, alto, argumentos = [], ficheros = {}, suavizado = true, di = () => {}, titulo = () => {} }) {
-  const [modulo, shaders] = await Promise.all([compilado(), json('shaders'), pide('lab'), ...programa.texturas.map(bytes)]);
+async function arranca(programa,
+  { lienzo, ancho, alto, argumentos = [], ficheros = {}, suavizado = true, di = () => {}, titulo = () => {} }) {
+  const [modulo, shaders] = await Promise.all([laboratorio(), json('shaders'), ...programa.texturas.map(bytes)]);
   const lab = await Laboratorio({
     canvas: lienzo, suavizado, thisProgram: programa.nombre, print: di, printErr: di, titulo,
     instantiateWasm: (lo, recibe) => { WebAssembly.instantiate(modulo, lo).then(recibe); return {}; },
@@ -231,7 +236,8 @@ function atiende(lienzo) {
   let pulsado = '', distancia = 0, giro = 0;
   const lugar = suceso => {
     const r = lienzo.getBoundingClientRect();
-    return `${Math.round((suceso.clientX - r.left) * lienzo.width / r.width)} ${Math.round((suceso.clientY - r.top) * lienzo.height / r.height)}`;
+    const x = (suceso.clientX - r.left) * lienzo.width / r.width, y = (suceso.clientY - r.top) * lienzo.height / r.height;
+    return `${Math.round(x)} ${Math.round(y)}`;
   };
   const levanta = suceso => {
     if (!pulsado || !suceso) return;
@@ -352,30 +358,20 @@ function ponMandos() {
 const opciones = una('.opciones');
 function ensenaMenu(x, y) {
   opciones.replaceChildren(...(sesion?.opciones() ?? []).map(opcion =>
-    boton(opcion.replaceAll('/', ' › '), () => { cierraMenu(); manda(`menu ${opcion}`); }, { role: 'menuitem' })));
-  opciones.hidden = !opciones.firstChild;
-  if (opciones.hidden) return;
+    boton(opcion.replaceAll('/', ' › '), () => { opciones.hidePopover(); manda(`menu ${opcion}`); }, { role: 'menuitem' })));
+  opciones.showPopover();
   opciones.style.left = `${Math.max(Math.min(x, innerWidth - opciones.offsetWidth - 8), 8)}px`;
   opciones.style.top = `${Math.max(Math.min(y, innerHeight - opciones.offsetHeight - 8), 8)}px`;
   opciones.firstChild.focus();
 }
-function cierraMenu() {
-  if (opciones.hidden) return;
-  opciones.hidden = true;
-  una('canvas', marco)?.focus({ preventScroll: true });
-}
 opciones.addEventListener('keydown', suceso => {
   const paso = { ArrowDown: 1, ArrowUp: -1 }[suceso.key], lista = todos('button', opciones);
-  if (paso) lista[(lista.indexOf(document.activeElement) + paso + lista.length) % lista.length].focus();
-  else if (suceso.key === 'Escape') cierraMenu();
-  else return;
+  if (!paso) return;
+  lista[(lista.indexOf(document.activeElement) + paso + lista.length) % lista.length].focus();
   suceso.preventDefault();
 });
-document.addEventListener('pointerdown', suceso => {
-  if (!opciones.contains(suceso.target)) opciones.hidden = true;
-}, true);
 
-for (const b of todos('.otra-vez')) b.onclick = () => { propias = []; empieza(); };
+for (const b of todos('.otra-vez')) b.onclick = () => empiezaCaso();
 una('.completa').onclick = completa;
 una('.guarda').onclick = () => sesion?.lienzo.toBlob(png => {
   const enlace = crea('a', { href: URL.createObjectURL(png), download: `${actual.nombre}.png` });
@@ -394,18 +390,22 @@ una('.enlace').onclick = async () => {
   }
 };
 
-function ponCasos(conGuion) {
-  const miraDe = caso => { una('.mira').textContent = caso?.mira ?? ''; };
-  const botones = actual.casos.map(caso => boton(caso.titulo, suceso => {
-    propias = [];
-    empieza(caso.guion, caso.argumentos.split(' ').filter(Boolean));
-    miraDe(caso);
-    for (const b of botones) b.setAttribute('aria-pressed', b === suceso.currentTarget);
-  }));
+/// Empieza como un caso; si no se dice cuál, como lo hace el programa, que es lo que enseña el que no tiene guion.
+function empiezaCaso(caso = actual.casos.find(c => !c.guion && !c.argumentos)) {
+  propias = [];
+  caso ??= { ...actual.casos[0], ...actual.anima && { guion: '' } }; // lo que se anima, andando
+  ensenaCaso(caso);
+  return empieza(caso.guion, caso.argumentos.split(' ').filter(Boolean));
+}
+
+function ensenaCaso(caso) {
+  una('.mira').textContent = caso?.mira ?? '';
+  for (const b of todos('.casos-botones button')) b.setAttribute('aria-pressed', b.textContent === caso?.titulo);
+}
+
+function ponCasos() {
+  const botones = actual.casos.map(caso => boton(caso.titulo, () => empiezaCaso(caso)));
   una('.casos-botones').replaceChildren(...(botones.length > 1 ? botones : []));
-  if (conGuion) return miraDe();
-  botones[0]?.setAttribute('aria-pressed', true);
-  miraDe(actual.casos[0]);
 }
 
 // --- ficheros propios ---------------------------------------------------------------------------------------------------
@@ -468,9 +468,9 @@ async function ponEditor() {
     const { css, js } = await json('editor');
     if (editor) return;
     document.head.prepend(crea('style', { textContent: css }));
-    document.head.append(crea('script', { textContent: js }));
-    editor = CodeMirror(una('.editor'), { theme: 'lab', lineNumbers: true, lineWrapping: true, indentUnit: 4, matchBrackets: true, extraKeys: { Tab: false, 'Shift-Tab': false },
-      screenReaderLabel: 'Editor' });
+    ejecuta(js);
+    editor = CodeMirror(una('.editor'), { theme: 'lab', lineNumbers: true, lineWrapping: true, indentUnit: 4, matchBrackets: true,
+      extraKeys: { Tab: false, 'Shift-Tab': false }, screenReaderLabel: 'Editor' });
     editor.on('change', (_, { origin }) => {
       if (origin === 'setValue' || !esShader(abierto)) return;
       clearTimeout(reloj);
@@ -481,12 +481,13 @@ async function ponEditor() {
 
 function anota() { // los ficheros del programa: los que nombra y los que ha leído
   const leidos = [...sesion?.leidos ?? []].map(r => r.replace(/^\/lab\//, '')).filter(r => /^ch/.test(r) && esShader(r));
-  const puesto = ruta => ['frag', 'glsl', 'vert', 'cpp', 'h'].indexOf(ruta.split('.').pop()) + (esShader(ruta) && !ruta.startsWith(actual.capitulo) ? 2.5 : 0);
+  const puesto = ruta => ['frag', 'vert', 'glsl', 'cpp', 'h'].indexOf(ruta.split('.').pop()) + (ruta.startsWith(actual.capitulo) ? 0 : 9);
   const rutas = [...new Set([...leidos, ...actual.fuentes])].sort((a, b) => puesto(a) - puesto(b));
-  const pestana = ruta => boton(ruta.startsWith(actual.capitulo) ? ruta.split('/')[1] : ruta, () => abre(ruta));
+  const pestana = ruta => boton(ruta.split('/').pop(), () => abre(ruta), { title: ruta });
   una('.pestanas').replaceChildren(...rutas.map(ruta => Object.assign(pestana(ruta), { ruta })));
-  if (!rutas.includes(abierto)) abierto = '';
-  abre(abierto || rutas[0]);
+  const [mal] = sesion.vivo ? [] : errores; // no ha podido arrancar
+  abre([mal?.ruta, abierto].find(r => rutas.includes(r)) ?? rutas[0])
+    .then(() => mal && editor.scrollIntoView({ line: mal.linea, ch: 0 }, 99));
 }
 
 async function abre(ruta) {
@@ -571,7 +572,8 @@ async function vuelve() {
 
 const llano = texto => texto.normalize('NFD').replace(/[\u0300-\u036f]/g, '').toLowerCase();
 const busca = una('input[type=search]');
-const fichas = new Map(todos('.tarjetas li').map(li => [li, llano(li.dataset.busca + ' ' + li.textContent)]));
+const fichas = new Map(todos('.tarjetas li').map((li, i) => [li, llano([PROGRAMAS[i].nombre, una('h2', li.closest('section')).textContent,
+  li.textContent, ...PROGRAMAS[i].casos.map(c => c.mira)].join(' '))]));
 busca.addEventListener('input', () => {
   const palabras = llano(busca.value).split(/\s+/);
   for (const [li, contenido] of fichas) li.hidden = !palabras.every(palabra => contenido.includes(palabra));
@@ -603,7 +605,7 @@ function navega() {
   propias = [];
   una('#catalogo').hidden = Boolean(actual);
   pagina.hidden = !actual;
-  opciones.hidden = true;
+  opciones.hidePopover();
   if (!actual) {
     document.title = 'Síntesis de imagen y animación';
     const capitulo = nombre && PROGRAMAS.find(p => p.capitulo.split('_')[0] === nombre || p.capitulo === nombre)?.capitulo;
@@ -617,17 +619,22 @@ function navega() {
   una('h1', pagina).textContent = actual.titulo;
   una('.referencia', pagina).textContent = `${actual.referencia} · ${actual.nombre}`;
   pagina.classList.toggle('de-consola', actual.consola);
+  Object.assign(una('.de-capitulo'), { href: '#' + actual.capitulo, textContent: una(`#${actual.capitulo} h2`).textContent });
   const i = PROGRAMAS.indexOf(actual);
   for (const [clase, vecino] of [['.anterior', PROGRAMAS[i - 1]], ['.siguiente', PROGRAMAS[i + 1]]]) {
     una(clase).hidden = !vecino;
-    if (vecino) Object.assign(una(clase), { href: '#' + vecino.nombre, title: vecino.titulo });
+    if (vecino) una(clase).href = '#' + vecino.nombre;
+    una(clase + ' span').textContent = vecino?.titulo ?? '';
   }
   una('.fichero').hidden = !actual.admite;
-  una('.fichero span').textContent = actual.admite === '.vf' ? 'Abrir un modelo .vf' : actual.cuantas > 1 ? 'Abrir dos imágenes' : 'Abrir una imagen';
+  una('.fichero span').textContent = actual.admite === '.vf' ? 'Abrir un modelo .vf'
+    : actual.cuantas > 1 ? 'Abrir dos imágenes' : 'Abrir una imagen';
   entrada.accept = actual.admite === '.vf' ? '.vf' : 'image/*,.ppm';
   abierto = '';
   ponMandos();
-  ponCasos(partes.length > 0);
+  ponCasos();
+  if (!partes.length) return empiezaCaso();
+  ensenaCaso();
   empieza(partes.map(decodeURIComponent).join(';'));
 }
 addEventListener('hashchange', navega);
