@@ -91,7 +91,7 @@ static void parImageMagick(Medidor &m, const Imagen &foto, const Filtro &f,
     std::vector<double> ms;
     for (int i = 0; i < 5; ++i)
         ms.push_back((ejecuta(11) - ejecuta(1)) / 10);
-    m.yaMedida("par: ImageMagick " + std::to_string(f.talla) + "×" + std::to_string(f.talla), e, ms,
+    m.yaMedida("par: ImageMagick, " + std::to_string(f.talla) + "×" + std::to_string(f.talla), e, ms,
                "directa, con todos los hilos");
 }
 
@@ -141,8 +141,8 @@ static void mideConvolucion(Medidor &m) {
         m.referencia = redondeada(ANCHO, ALTO, exacta);
         const GLuint entero = texturaFiltro(f.valores, talla), fila = texturaFiltro(f.fila, talla),
                      columna = texturaFiltro(f.columna, 1);
-        const std::string lado = " " + std::to_string(talla) + "×" + std::to_string(talla);
-        m.grupo = lado.substr(1);
+        const std::string lado = ", " + std::to_string(talla) + "×" + std::to_string(talla);
+        m.grupo = lado.substr(2);
         const auto variante = [&](const std::string &nombre, const std::function<void()> &dibuja,
                                   const Rango &espera) {
             dibuja();

@@ -80,6 +80,7 @@ static void mideSeleccion(Medidor &m) {
             ::dibuja(b);
         }
     };
+    m.grupo = "cualquier forma";
     for (const int n : {12, 64}) {
         const Buferes b = creaBuferes(esfera(n));
         const std::string malla = ", esferas de " + std::to_string(n);
@@ -118,9 +119,11 @@ static void mideSeleccion(Medidor &m) {
                  },
                  leePixel, {0, 1.5});
         dibuja(b);
+        m.grupo = "sin dibujar";
         variante("leer un píxel ya dibujado", leePixel, leePixel, {0, 1.5}, "mientras nada se mueva");
         borraBuferes(b);
     }
+    m.grupo = "solo esferas";
     const auto conRayo = [&](auto cero) {
         using T = decltype(cero);
         return [&](const glm::ivec2 &c) {
