@@ -32,23 +32,24 @@ vec3 cielo(vec3 d) {
 void main() {
     // del centro del píxel, que es exacto: interpolada, la dirección se redondea, y las olas lejanas lo notan
     vec3 d = normalize(base * vec3(semitalla * (2.0 * gl_FragCoord.xy / ventana - 1.0), 1.0));
-    if (d.y >= 0.0) {
-        colorFragmento = vec4(cielo(d), 1.0);
-        return;
-    }
-    // Donde este rayo corta al plano y = 0, la superficie es y = ALTURA · turbulencia, y su normal (−∂y/∂x, 1, −∂y/∂z).
-    // Lejos, las olas son más pequeñas que un píxel: se alisan.
-    float lejos = -ojo.y / d.y;
-    vec2 P = ojo.xz + lejos * d.xz;
-    vec4 ola = turbulenciaConGradiente(vec3(FRECUENCIA * P, tiempo), OCTAVAS, ivec3(0, 0, PERIODO));
-    vec2 pendiente = ALTURA * FRECUENCIA * ola.xy / (1.0 + 0.0012 * lejos * lejos);
-    vec3 N = normalize(vec3(-pendiente.x, 1.0, -pendiente.y));
+    vec3 R = d, agua = vec3(0.0), brillo = vec3(0.0);
+    float fresnel = 1.0;
+    if (d.y < 0.0) {
+        // Donde este rayo corta al plano y = 0, la superficie es y = ALTURA · turbulencia, y su normal (−∂y/∂x, 1, −∂y/∂z).
+        // Lejos, las olas son más pequeñas que un píxel: se alisan.
+        float lejos = -ojo.y / d.y;
+        vec2 P = ojo.xz + lejos * d.xz;
+        vec4 ola = turbulenciaConGradiente(vec3(FRECUENCIA * P, tiempo), OCTAVAS, ivec3(0, 0, PERIODO));
+        vec2 pendiente = ALTURA * FRECUENCIA * ola.xy / (1.0 + 0.0012 * lejos * lejos);
+        vec3 N = normalize(vec3(-pendiente.x, 1.0, -pendiente.y));
 
-    // Lo que refleja depende del ángulo (Fresnel, según Schlick); lo demás es el color del agua.
-    vec3 R = reflect(d, N);
-    R.y = abs(R.y); // una ola que mirase hacia abajo reflejaría otra
-    float cosV = clamp(-dot(d, N), 0.0, 1.0), fresnel = 0.02 + 0.98 * pow(1.0 - cosV, 5.0);
-    vec3 agua = mix(vec3(0.02, 0.10, 0.16), vec3(0.05, 0.24, 0.28), clamp(0.5 + ola.w, 0.0, 1.0));
-    vec3 brillo = vec3(1.0, 0.75, 0.45) * pow(max(dot(R, HACIA_SOL), 0.0), 300.0);
-    colorFragmento = vec4(mix(agua, cielo(R), fresnel) + 0.8 * brillo, 1.0);
+        // Lo que refleja depende del ángulo (Fresnel, según Schlick); lo demás es el color del agua.
+        R = reflect(d, N);
+        R.y = abs(R.y); // una ola que mirase hacia abajo reflejaría otra
+        float cosV = clamp(-dot(d, N), 0.0, 1.0);
+        fresnel = 0.02 + 0.98 * pow(1.0 - cosV, 5.0);
+        agua = mix(vec3(0.02, 0.10, 0.16), vec3(0.05, 0.24, 0.28), clamp(0.5 + ola.w, 0.0, 1.0));
+        brillo = 0.8 * vec3(1.0, 0.75, 0.45) * pow(max(dot(R, HACIA_SOL), 0.0), 300.0);
+    }
+    colorFragmento = vec4(mix(agua, cielo(R), fresnel) + brillo, 1.0); // el cielo, una sola vez: es lo que más cuesta
 }

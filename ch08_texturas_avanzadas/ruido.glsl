@@ -6,9 +6,11 @@
 // eje en celdas; 0, ninguno (se repite a las 2^32). La parte decimal de p es la que tenga un float: más allá de
 // ±2^20 se ven escalones y desde ±2^23 todo son nodos, o sea 0. p debe ser finito, y periodo · 2^octavas, un int.
 
-vec3 gradienteRuido(ivec3 nodo) {
-    uvec3 n = uvec3(nodo);
-    uint h = (n.x * 0x8da6b343u) ^ (n.y * 0xd8163841u) ^ (n.z * 0xcb1ab31fu);
+const uvec3 PRIMOS_RUIDO = uvec3(0x8da6b343u, 0xd8163841u, 0xcb1ab31fu);
+
+// El gradiente de un nodo, de lo que aporta al hash cada una de sus coordenadas: la coordenada por su primo.
+vec3 gradienteRuido(uvec3 n) {
+    uint h = n.x ^ n.y ^ n.z;
     h = (h ^ (h >> 15)) * 0x2c1b3c6du;
     h = (h ^ (h >> 12)) * 0x297a2d39u;
     h ^= h >> 15;
@@ -31,11 +33,12 @@ ivec3 nodoRuido(ivec3 i, ivec3 periodo) {
 vec4 ruidoConGradiente(vec3 p, ivec3 periodo) {
     vec3 base = floor(p), f = p - base;
     ivec3 celda = ivec3(clamp(base, vec3(-1073741824.0), vec3(1073741824.0)));
-    ivec3 primero = nodoRuido(celda, periodo), ultimo = nodoRuido(celda + 1, periodo);
+    ivec3 nodo = nodoRuido(celda, periodo), siguiente = (nodo + 1) * ivec3(notEqual(nodo + 1, periodo));
+    uvec3 primero = uvec3(nodo) * PRIMOS_RUIDO, ultimo = uvec3(siguiente) * PRIMOS_RUIDO;
     vec3 u = f * f * f * (f * (f * 6.0 - 15.0) + 10.0), du = 30.0 * f * f * (f - 1.0) * (f - 1.0);
     vec4 suma = vec4(0.0);
     for (int i = 0; i < 8; ++i) {
-        ivec3 esquina = ivec3(i & 1, (i >> 1) & 1, i >> 2);
+        uvec3 esquina = uvec3(i & 1, (i >> 1) & 1, i >> 2);
         vec3 e = vec3(esquina), peso = mix(1.0 - u, u, e), dPeso = (2.0 * e - 1.0) * du;
         vec3 g = gradienteRuido(primero + esquina * (ultimo - primero));
         float rampa = dot(g, f - e), total = peso.x * peso.y * peso.z;

@@ -1,20 +1,21 @@
 // Filtros de tamaño variable, hasta 31×31 (ejercicio 9.2): el filtro es una textura de números y el shader pregunta su tamaño
 // (filtro.glsl). Uno separable se puede hacer de una vez, con talla² texels por píxel, o en dos pasadas, fila y columna, con
-// 2·talla, por un framebuffer intermedio; se elige lo más rápido: dos pasadas desde TALLA_SEPARABLE. El intermedio guarda
-// float: con 8 bits redondea dos veces y un filtro con negativos los pierde. Se filtra a la resolución de la imagen.
+// 2·talla (convolucion_separable.frag), por un framebuffer intermedio; se elige lo más rápido: dos pasadas, si se puede. El
+// intermedio guarda float: con 8 bits redondea dos veces y un filtro con negativos los pierde. Se filtra a la resolución de la
+// imagen.
 // Controles: 1 caja · 2 gaussiana · 3 disco · 4 derivada · + - talla · s automático, directo o separable ·
 // p intermedio de float o de 8 bits · a derivada con signo o absoluta · v compara con el original · r rótulos · Esc termina.
 #include "imagen_en_ventana.h"
 #include "nucleos.h"
 
-// Medido con llvmpipe en una imagen de 1024×1024: con 2 cuestan lo mismo, con 3 las dos pasadas tardan 0.8 veces lo que la
-// directa, con 9 la cuarta parte y con 31 la décima.
-static const int TALLA_SEPARABLE = 3;
+// Medido con llvmpipe en una imagen de 1024×1024: con 2 y con 3 las dos pasadas tardan la mitad que la directa, con 9 la octava
+// parte y con 31, ni la vigésima.
+static const int TALLA_SEPARABLE = 2;
 static const char *const NOMBRES[FAMILIAS] = {"Caja", "Gaussiana", "Disco", "Derivada"};
 static const char *const MODOS[3] = {"automático", "directo", "separable"};
 
 static struct {
-    GLuint programa, programaCopia, imagen, filtro;
+    GLuint directo, separable, copia, imagen, filtro;
     Lienzo intermedio[2], resultado; // el intermedio, en float y en 8 bits
     glm::ivec2 talla;
     Familia familia = CAJA;
@@ -23,8 +24,9 @@ static struct {
 } estado;
 
 static void inicia(const Imagen &imagen) {
-    estado.programa = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/convolucion_variable.frag");
-    estado.programaCopia = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/imagen.frag");
+    estado.directo = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/convolucion_variable.frag");
+    estado.separable = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/convolucion_separable.frag");
+    estado.copia = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/imagen.frag");
     estado.talla = tallaDe(imagen);
     estado.imagen = creaTexturaExacta(imagen);
     estado.intermedio[0] = creaLienzo(estado.talla, GL_RGBA32F);
@@ -33,26 +35,47 @@ static void inicia(const Imagen &imagen) {
     glGenTextures(1, &estado.filtro);
 }
 
-/// Una pasada con el filtro de m × n: de la textura al framebuffer, los dos del tamaño de la imagen.
-static void filtra(GLuint textura, GLuint framebuffer, const std::vector<float> &valores, int m,
-                   bool sumaCero) {
-    const int n = static_cast<int>(valores.size()) / m;
+/// Enlaza la textura, que se verá con ese filtro.
+static void enlaza(GLuint textura, GLint filtro) {
+    glBindTexture(GL_TEXTURE_2D, textura);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filtro);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filtro);
+}
+
+/// Con el programa en uso, de la textura al framebuffer, los dos del tamaño de la imagen.
+static void filtra(GLuint programa, GLuint textura, GLuint framebuffer, bool sumaCero) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     dibujaEn({0, 0, estado.talla.x, estado.talla.y});
-    glActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_2D, estado.filtro);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, m, n, 0, GL_RED, GL_FLOAT, valores.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, textura);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "imagen", 0);
-    envia(estado.programa, "filtro", 1);
-    envia(estado.programa, "sumaCero", sumaCero);
-    envia(estado.programa, "conSigno", estado.conSigno);
+    enlaza(textura, GL_NEAREST); // en el centro de un texel interpolar da lo mismo, y cuesta el cuádruple
+    envia(programa, "imagen", 0);
+    envia(programa, "sumaCero", sumaCero);
+    envia(programa, "conSigno", estado.conSigno);
     dibujaRectangulo();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+static void filtraDirecto(const Filtro &f, bool sumaCero) {
+    glActiveTexture(GL_TEXTURE1);
+    enlaza(estado.filtro, GL_NEAREST);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, f.talla, f.talla, 0, GL_RED, GL_FLOAT, f.valores.data());
+    glActiveTexture(GL_TEXTURE0);
+    glUseProgram(estado.directo);
+    envia(estado.directo, "filtro", 1);
+    filtra(estado.directo, estado.imagen, estado.resultado.framebuffer, sumaCero);
+}
+
+static void filtraSeparable(const Filtro &f, bool sumaCero) {
+    const Lienzo &intermedio = estado.intermedio[estado.en8Bits];
+    const auto pasada = [&](GLuint textura, GLuint framebuffer, const std::vector<float> &valores,
+                            const glm::vec2 &eje, bool conSuma) {
+        glUniform1fv(uniforme(estado.separable, "filtro"), f.talla, valores.data());
+        envia(estado.separable, "eje", eje);
+        filtra(estado.separable, textura, framebuffer, conSuma);
+    };
+    glUseProgram(estado.separable);
+    envia(estado.separable, "talla", f.talla);
+    pasada(estado.imagen, intermedio.framebuffer, f.fila, {1, 0}, false);
+    pasada(intermedio.textura, estado.resultado.framebuffer, f.columna, {0, 1}, sumaCero);
 }
 
 static bool enDosPasadas(const Filtro &f) {
@@ -61,9 +84,9 @@ static bool enDosPasadas(const Filtro &f) {
 
 static void dibujaTextura(GLuint textura, const Recuadro &panel, const std::string &rotulo) {
     dibujaEn(encaja(estado.talla, panel));
-    glUseProgram(estado.programaCopia);
-    glBindTexture(GL_TEXTURE_2D, textura);
-    envia(estado.programaCopia, "imagen", 0);
+    glUseProgram(estado.copia);
+    enlaza(textura, GL_LINEAR);
+    envia(estado.copia, "imagen", 0);
     dibujaRectangulo();
     if (estado.rotulos)
         rotulaImagen(rotulo);
@@ -72,13 +95,10 @@ static void dibujaTextura(GLuint textura, const Recuadro &panel, const std::stri
 static void dibuja() {
     const Filtro f = creaFiltro(estado.familia, estado.tallaFiltro);
     const bool dosPasadas = enDosPasadas(f), sumaCero = estado.familia == DERIVADA;
-    if (dosPasadas) {
-        const Lienzo &intermedio = estado.intermedio[estado.en8Bits];
-        filtra(estado.imagen, intermedio.framebuffer, f.fila, f.talla, false);
-        filtra(intermedio.textura, estado.resultado.framebuffer, f.columna, 1, sumaCero);
-    } else {
-        filtra(estado.imagen, estado.resultado.framebuffer, f.valores, f.talla, sumaCero);
-    }
+    if (dosPasadas)
+        filtraSeparable(f, sumaCero);
+    else
+        filtraDirecto(f, sumaCero);
 
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
     const std::string lado = std::to_string(f.talla),

@@ -91,7 +91,6 @@ static glm::mat4 proyeccion() {
 // Con el color de cada objeto o con el de su identificador.
 static void dibujaObjetos(bool conIdentificadores) {
     const GLuint p = conIdentificadores ? estado.programaIdentificador : estado.programa;
-    abreRecuadro(ventanaEntera(), conIdentificadores ? colorDe(NADA) : CIELO);
     glUseProgram(p);
     envia(p, "proyeccion", proyeccion());
     envia(p, "camara", camaraOrbita(estado.orbita));
@@ -124,6 +123,7 @@ static void nombraElegido(const glm::vec3 &color) {
 
 static void dibuja() {
     const glm::vec3 color = estado.conIdentificadores ? BLANCO : OSCURO;
+    abreRecuadro(ventanaEntera(), estado.conIdentificadores ? colorDe(NADA) : CIELO);
     dibujaObjetos(estado.conIdentificadores);
     if (estado.elegido != NADA)
         nombraElegido(color);
@@ -133,10 +133,15 @@ static void dibuja() {
 
 // Listado 10.3. GLUT cuenta las filas desde arriba, de 0 a alto − 1, y OpenGL desde abajo.
 static void selecciona(int x, int y) {
+    const int fila = glutGet(GLUT_WINDOW_HEIGHT) - 1 - y;
     glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
+    abreRecuadro(ventanaEntera(), colorDe(NADA));
+    glEnable(GL_SCISSOR_TEST); // se va a leer un píxel: los demás, ni dibujarlos
+    glScissor(x, fila, 1, 1);
     dibujaObjetos(true);
+    glDisable(GL_SCISSOR_TEST);
     unsigned char pixel[4] = {}; // lo que quede si el clic cae fuera
-    glReadPixels(x, glutGet(GLUT_WINDOW_HEIGHT) - 1 - y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    glReadPixels(x, fila, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
     glBindFramebuffer(GL_FRAMEBUFFER, 0); // el de dibujar y el de leer
 
     estado.elegido = identificadorDe({pixel[0], pixel[1], pixel[2]});

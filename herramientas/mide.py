@@ -9,7 +9,7 @@ import math
 import os
 import platform
 import re
-import shutil
+import resource
 import statistics
 import subprocess
 import sys
@@ -25,8 +25,8 @@ ANCHO, ALTO, MARGEN = 860, 480, (80, 20, 20, 60)  # del SVG: izquierda, derecha,
 TALLAS = ("960x720", "1920x1080")
 # Lo que deben ganar los programas: tiempo de la primera variante entre el de la segunda
 METAS = (("la superficie a 0.5 px, frente a GLU con no menos error", "superficies", "par: GLU, pidiendo 0.04 px", "cota de la tira, 0.5 px", 10),
-         ("separable de 15×15, frente a la directa", "convolucion", "directa 15×15", "separable, float 15×15", 5),
-         ("separable de 15×15, frente a ImageMagick", "convolucion", "par: ImageMagick 15×15", "separable, float 15×15", 1),
+         ("separable de 15×15, frente a la directa", "convolucion", "directa, 15×15", "separable, float, 15×15", 5),
+         ("separable de 15×15, frente a ImageMagick", "convolucion", "par: ImageMagick, 15×15", "separable, float, 15×15", 1),
          ("el volumen de ruido, frente a libnoise", "ruido_volumen", "par: libnoise, normal", "texelsRuido", 1),
          ("un millón de partículas, frente a los puntos pelados", "particulas", "suelo: un millón de puntos quietos", "un millón, fórmula en la GPU", 0.8))
 
@@ -45,7 +45,7 @@ class Variante:
     error: float
     nota: str
     elegida: bool = False
-    optima: bool = False  # en el frente de Pareto de su grupo: ninguna es a la vez más rápida y más exacta
+    optima: bool = False  # en el frente de Pareto de su grupo: ninguna tan exacta tarda menos que su mejor vuelta
     imagen: str = ""
 
     @property
@@ -101,10 +101,9 @@ def lee_variantes(fichero):
 def marca(tecnica):
     """Las del frente de Pareto, grupo a grupo, y las que usan los programas."""
     for v in tecnica.variantes:
-        v.elegida = bool(tecnica.elegida) and v.nombre.startswith(tecnica.elegida)
-        rivales = [r for r in tecnica.variantes if r.grupo == v.grupo and r is not v and not r.par]
-        v.optima = not math.isnan(v.error) and not any(
-            r.mediana <= v.mediana and r.error <= v.error and (r.mediana, r.error) != (v.mediana, v.error) for r in rivales)
+        v.elegida = bool(tecnica.elegida) and (v.nombre + ",").startswith(tecnica.elegida + ",")
+        rivales = [r for r in tecnica.variantes if r.grupo == v.grupo and not r.par]
+        v.optima = not math.isnan(v.error) and not any(r.mediana < v.minimo and r.error <= v.error for r in rivales)
 
 
 # --- La gráfica ---------------------------------------------------------------------------------------------------
@@ -236,19 +235,27 @@ def mide(ejecutable, tecnica, destino, ensayo):
 @dataclass
 class Coste:
     programa: str
-    capitulo: str
     arranque: float  # ms de arrancar a tener el PPM de 240×180
+    primera: float  # los de la primera imagen, con lo que se compila al dibujarla
     veces_suelo: float
     ms: list  # por imagen, en cada una de TALLAS
+    veces_llenar: float  # la mayor, entre llenarla de un color
     primitivas: int
     buferes: int
     texturas: int
+    errores: list  # máximo, RMSE y borde frente a su oráculo, como están en docs/exactitud.md
 
 
-def metas(tecnicas):
-    """(qué, cociente medido, el que se pide) de cada meta que se ha podido medir."""
+def metas(tecnicas, tabla):
+    """(qué, cifra, la que se pide, si debe ser mayor) de cada meta que se ha podido medir."""
     tiempo = {(t.nombre, v.nombre): v.mediana for t in tecnicas for v in t.variantes}
-    return [(que, tiempo[t, lenta] / tiempo[t, rapida], pide) for que, t, lenta, rapida, pide in METAS if (t, lenta) in tiempo and (t, rapida) in tiempo]
+    filas = [(f"{que}, veces más rápido", tiempo[t, lenta] / tiempo[t, rapida], pide, True)
+             for que, t, lenta, rapida, pide in METAS if (t, lenta) in tiempo and (t, rapida) in tiempo]
+    veces = [c.veces_suelo for c in tabla]
+    if veces and not math.isnan(veces[0]):
+        filas += [("arranque de un programa entre el suelo: mediana", statistics.median(veces), 1.25, False),
+                  ("arranque de un programa entre el suelo: el peor", max(veces), 2.5, False)]
+    return filas
 
 
 def cronometra(orden, carpeta):
@@ -257,35 +264,81 @@ def cronometra(orden, carpeta):
     return 1000 * (time.perf_counter() - antes)
 
 
-def costes(build, destino, vueltas=5):
+def avisa(texto, fin="\n"):
+    """Por dónde va: en una terminal, en la misma línea."""
+    print(f"\r\033[K{texto}" if sys.stderr.isatty() else texto, end=fin if sys.stderr.isatty() else "\n", file=sys.stderr, flush=True)
+
+
+def errores(raiz):
+    """De cada programa, el máximo, el RMSE y el borde que dice docs/exactitud.md; vacío, lo que no se mide."""
+    filas = (linea.split(" | ") for linea in (raiz / "docs/exactitud.md").read_text().splitlines() if linea.startswith("| "))
+    return {fila[0][2:]: [c.strip() for c in fila[2:5]] for fila in filas if len(fila) == 6}
+
+
+def costes(raiz, build, destino, llenar, vueltas=5):
     """Cada programa: lo que tarda en arrancar frente al suelo, alternados; y por imagen, con -mide."""
     sin_ventana = (build / "sin_ventana").read_text().strip()
     suelo = build / "tests" / "suelo_osmesa"
     programas = [p for capitulo in pagina.lee_catalogo(build) for p in capitulo.programas if not p.consola]
+    comprobado = errores(raiz)
     tabla, suelos = [], []
     with tempfile.TemporaryDirectory() as carpeta:
         for n, p in enumerate(programas, 1):
+            avisa(f"costes {n}/{len(programas)}: {p.nombre}", "")
             ejecutable = build / sin_ventana / p.capitulo / p.nombre
-            arranques = []
+            arranques, ms = [], []
             for _ in range(vueltas):
                 if suelo.exists():
                     suelos.append(cronometra([suelo, "x.ppm"], carpeta))
                 arranques.append(cronometra([ejecutable, "-geometry", "240x180", "-ppm", "x.ppm"], carpeta))
-            ms = []
             for talla in TALLAS:
                 campos = ejecuta([ejecutable, "-geometry", talla, "-mide", "5", "-ppm", "x.ppm"], cwd=carpeta).splitlines()[-1].split("\t")
                 ms.append(float(campos[3]))
-            tabla.append(Coste(p.nombre, p.capitulo, statistics.median(arranques), math.nan, ms, int(campos[6]), int(campos[8]), int(campos[9])))
-            print(f"\r\033[Kcostes {n}/{len(programas)}: {p.nombre}" if sys.stderr.isatty() else f"costes {n}/{len(programas)}: {p.nombre}",
-                  end="" if sys.stderr.isatty() else "\n", file=sys.stderr, flush=True)
-    if suelos:
-        for c in tabla:
-            c.veces_suelo = c.arranque / statistics.median(suelos)
+            tabla.append(Coste(p.nombre, statistics.median(arranques), float(campos[2]), math.nan, ms, ms[-1] / llenar, int(campos[6]), int(campos[8]),
+                               int(campos[9]), comprobado[p.nombre]))
+    avisa(f"costes: {len(tabla)} programas")
+    suelo = statistics.median(suelos) if suelos else math.nan
     with (destino / "costes.tsv").open("w") as f:
-        print("programa", "arranque ms", "veces el suelo", *(f"ms {t}" for t in TALLAS), "primitivas", "bytes de buffers", "bytes de texturas", sep="\t", file=f)
+        print("programa", "arranque ms", "primera ms", "veces el suelo", *(f"ms {t}" for t in TALLAS), "veces llenar", "primitivas", "bytes de buffers",
+              "bytes de texturas", "error máximo", "error RMSE", "borde px", sep="\t", file=f)
         for c in tabla:
-            print(c.programa, f"{c.arranque:.1f}", f"{c.veces_suelo:.2f}", *(f"{x:.1f}" for x in c.ms), c.primitivas, c.buferes, c.texturas, sep="\t", file=f)
-    return tabla, statistics.median(suelos) if suelos else math.nan
+            c.veces_suelo = c.arranque / suelo
+            print(c.programa, f"{c.arranque:.1f}", f"{c.primera:.1f}", f"{c.veces_suelo:.2f}", *(f"{x:.1f}" for x in c.ms), f"{c.veces_llenar:.1f}",
+                  c.primitivas, c.buferes, c.texturas, *(e or "-" for e in c.errores), sep="\t", file=f)
+    return tabla, suelo
+
+
+# --- Compilar y probar --------------------------------------------------------------------------------------------
+
+
+def segundos_de_cpu(orden, carpeta):
+    antes = resource.getrusage(resource.RUSAGE_CHILDREN)
+    ejecuta(orden, cwd=carpeta)
+    despues = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return despues.ru_utime + despues.ru_stime - antes.ru_utime - antes.ru_stime
+
+
+def compilacion(build):
+    """(qué, cifra con su unidad): compilar un programa, con la cabecera precompilada y sin ella; y pasar los golden."""
+    ordenes = {}
+    for linea in ejecuta(["ninja", "-C", build, "-t", "commands", "programas"]).splitlines():
+        if re.search(r"-c \S+/ch\d\d_\w+/\w+\.cpp$", linea):
+            ordenes[linea.split("/")[-1]] = [x for x in linea.split() if x != "ccache"]
+    con, sin = [], []
+    for orden in list(ordenes.values())[::9]:
+        con.append(segundos_de_cpu(orden, build))
+        i = orden.index("-include")
+        sin.append(segundos_de_cpu(orden[:i] + orden[i + 2:], build))
+    filas = [("compilar un programa", f"{statistics.median(con):.2f} s de procesador"),
+             ("sin la cabecera precompilada", f"{statistics.median(sin):.2f} s de procesador"),
+             ("fuentes de programas", f"{len(ordenes)}")]
+    if (build / "tests" / "compara").exists():
+        sin_ventana = (build / "sin_ventana").read_text().strip()
+        antes = time.perf_counter()
+        salida = ejecuta(["ctest", "--test-dir", build, "-j", str(os.cpu_count()), "-R", rf"^imagen\.{sin_ventana}\."])
+        segundos, casos = time.perf_counter() - antes, int(re.search(r"out of (\d+)", salida)[1])
+        filas.append((f"pasar los {casos} golden", f"{segundos:.1f} s, con {os.cpu_count()} núcleos: {1000 * segundos * os.cpu_count() / casos:.0f} ms de núcleo cada uno"))
+    return filas
 
 
 def entorno(build):
@@ -322,10 +375,15 @@ def main():
             fallos.append(t.nombre)
             print(f"[{n:2}/{len(tecnicas)}] {t.nombre} ha fallado: {fallo}", file=sys.stderr)
     if not ensayo:
-        tabla, suelo = ([], math.nan) if pedidas else costes(build, destino)
         medidas = [t for t in tecnicas if t.variantes]
-        pagina.escribe_informe(destino, medidas, metas(medidas), tabla, suelo, datos)
-        print(f"Hecho: {destino}/index.html", file=sys.stderr)
+        tabla, suelo, compilar = [], math.nan, []
+        if not pedidas:
+            llenar = next((v.mediana for t in medidas for v in t.variantes if v.nombre == f"llenar {TALLAS[-1].replace('x', '×')}"), math.nan)
+            tabla, suelo = costes(raiz, build, destino, llenar)
+            avisa("compilar y pasar los golden", "")
+            compilar = compilacion(build)
+        pagina.escribe_informe(destino, tecnicas=medidas, metas=metas(medidas, tabla), costes=tabla, suelo=suelo, compilar=compilar, entorno=datos)
+        avisa(f"Hecho: {destino}/index.html")
     if fallos:
         sys.exit(f"lab: no se ha podido medir todo: {', '.join(fallos)}")
 

@@ -135,10 +135,9 @@ def cifra(x):
     return f"{mantisa}·10{str(int(exponente)).translate(str.maketrans('-0123456789', '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'))}"
 
 
-def escribe_informe(destino, tecnicas, metas, costes, suelo, entorno):
+def escribe_informe(destino, tecnicas, **datos):
     """DESTINO/index.html: el informe de ./lab mide, al lado de sus gráficas e imágenes."""
-    _pagina(destino, "informe.html", tecnicas=tecnicas, metas=metas, costes=costes, suelo=suelo, entorno=entorno, lento=100,
-            graficas={t.nombre for t in tecnicas if (destino / f"{t.nombre}.svg").exists()})
+    _pagina(destino, "informe.html", tecnicas=tecnicas, lento=100, graficas={t.nombre for t in tecnicas if (destino / f"{t.nombre}.svg").exists()}, **datos)
 
 
 def _pagina(destino, plantilla, **datos):

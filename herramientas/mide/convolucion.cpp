@@ -91,7 +91,7 @@ static void parImageMagick(Medidor &m, const Imagen &foto, const Filtro &f,
     std::vector<double> ms;
     for (int i = 0; i < 5; ++i)
         ms.push_back((ejecuta(11) - ejecuta(1)) / 10);
-    m.yaMedida("par: ImageMagick " + std::to_string(f.talla) + "×" + std::to_string(f.talla), e, ms,
+    m.yaMedida("par: ImageMagick, " + std::to_string(f.talla) + "×" + std::to_string(f.talla), e, ms,
                "directa, con todos los hilos");
 }
 
@@ -99,22 +99,40 @@ static void mideConvolucion(Medidor &m) {
     abreGpu();
     glDisable(GL_DEPTH_TEST);
     const Imagen foto = leeTextura(recurso("assets/foto.rgb"), ANCHO, ALTO);
-    const GLuint programa = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/convolucion_variable.frag");
+    const GLuint directo = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/convolucion_variable.frag"),
+                 separable =
+                     creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/convolucion_separable.frag");
     const Capa entrada(GL_RGB8, foto.rgb.data()), en8(GL_RGBA8, nullptr), enFloat(GL_RGBA32F, nullptr),
         salida(GL_RGBA8, nullptr);
     glViewport(0, 0, ANCHO, ALTO);
-    glUseProgram(programa);
-    envia(programa, "imagen", 0);
-    envia(programa, "filtro", 1);
-    envia(programa, "sumaCero", 0);
-    envia(programa, "conSigno", 0);
-    const auto filtra = [](const Capa &de, const Capa &a, GLuint filtro) {
+    for (const GLuint programa : {directo, separable}) {
+        glUseProgram(programa);
+        envia(programa, "imagen", 0);
+        envia(programa, "sumaCero", 0);
+        envia(programa, "conSigno", 0);
+    }
+    const auto dibujaEn = [](const Capa &de, const Capa &a) {
         glBindFramebuffer(GL_FRAMEBUFFER, a.framebuffer);
+        glBindTexture(GL_TEXTURE_2D, de.textura);
+        dibujaRectangulo();
+    };
+    const auto filtra = [&](const Capa &de, const Capa &a, GLuint filtro) { // el filtro, en una textura
         glActiveTexture(GL_TEXTURE1);
         glBindTexture(GL_TEXTURE_2D, filtro);
         glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, de.textura);
-        dibujaRectangulo();
+        glUseProgram(directo);
+        envia(directo, "filtro", 1);
+        dibujaEn(de, a);
+    };
+    const auto enDosPasadas = [&](const Capa &de, const Capa &por, const Capa &a, const Filtro &f) {
+        glUseProgram(separable);
+        envia(separable, "talla", f.talla);
+        envia(separable, "eje", glm::vec2(1, 0));
+        glUniform1fv(uniforme(separable, "filtro"), f.talla, f.fila.data());
+        dibujaEn(de, por);
+        envia(separable, "eje", glm::vec2(0, 1));
+        glUniform1fv(uniforme(separable, "filtro"), f.talla, f.columna.data());
+        dibujaEn(por, a);
     };
     for (const int talla : m.talla<std::vector<int>>({3, 5}, {3, 5, 9, 15, 31})) {
         const Filtro f = creaFiltro(GAUSSIANA, talla);
@@ -123,8 +141,8 @@ static void mideConvolucion(Medidor &m) {
         m.referencia = redondeada(ANCHO, ALTO, exacta);
         const GLuint entero = texturaFiltro(f.valores, talla), fila = texturaFiltro(f.fila, talla),
                      columna = texturaFiltro(f.columna, 1);
-        const std::string lado = " " + std::to_string(talla) + "×" + std::to_string(talla);
-        m.grupo = lado.substr(1);
+        const std::string lado = ", " + std::to_string(talla) + "×" + std::to_string(talla);
+        m.grupo = lado.substr(2);
         const auto variante = [&](const std::string &nombre, const std::function<void()> &dibuja,
                                   const Rango &espera) {
             dibuja();
@@ -136,18 +154,23 @@ static void mideConvolucion(Medidor &m) {
         };
         // guardar en 8 bits cuesta 1/√12 = 0.29 niveles; dos veces, algo más
         variante("directa", [&] { filtra(entrada, salida, entero); }, {0.2, 0.32});
-        variante("separable, 8 bits",
-                 [&] {
-                     filtra(entrada, en8, fila);
-                     filtra(en8, salida, columna);
-                 },
-                 {0.2, 0.5});
-        variante("separable, float",
+        variante("separable, 8 bits", [&] { enDosPasadas(entrada, en8, salida, f); }, {0.2, 0.5});
+        variante("separable, float", [&] { enDosPasadas(entrada, enFloat, salida, f); }, {0.2, 0.32});
+        variante("separable, el filtro en una textura",
                  [&] {
                      filtra(entrada, enFloat, fila);
                      filtra(enFloat, salida, columna);
                  },
                  {0.2, 0.32});
+        const auto interpolando = [&](GLint como) {
+            for (const Capa *capa : {&entrada, &enFloat}) {
+                glBindTexture(GL_TEXTURE_2D, capa->textura);
+                glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, como);
+            }
+        };
+        interpolando(GL_LINEAR);
+        variante("separable, interpolando", [&] { enDosPasadas(entrada, enFloat, salida, f); }, {0.2, 0.32});
+        interpolando(GL_NEAREST);
 #ifdef LAB_PAR_OPENCV
         cv::Mat origen(ALTO, ANCHO, CV_8UC3, const_cast<unsigned char *>(foto.rgb.data())), destino;
         cv::sepFilter2D(origen, destino, CV_8U, f.fila, f.columna, {-1, -1}, 0, cv::BORDER_REPLICATE);
@@ -164,9 +187,11 @@ static void mideConvolucion(Medidor &m) {
     }
 }
 
-static const Apunta APUNTA({10, "convolucion", "Convolución gaussiana", "ms por imagen de 250×190",
-                            "niveles de 255 (RMSE), frente a double sin redondear", "separable, float",
-                            "En dos pasadas cuesta 2n lecturas por píxel y no n². Guardar lo de en medio en "
-                            "8 bits redondea dos veces: los "
-                            "programas usan float desde 3×3, y la directa solo si el filtro no es separable.",
-                            mideConvolucion});
+static const Apunta
+    APUNTA({10, "convolucion", "Convolución gaussiana", "ms por imagen de 250×190",
+            "niveles de 255 (RMSE), frente a double sin redondear", "separable, float",
+            "En dos pasadas cuesta 2n lecturas por píxel y no n². Guardar lo de en medio en "
+            "8 bits redondea dos veces: convolucion_variable usa float desde 3×3, y la directa solo si el "
+            "filtro no es separable. El filtro, en un uniform: leerlo de una textura cuesta tanto como "
+            "leer la imagen. Y sin interpolar, que en el centro de un texel da lo mismo.",
+            mideConvolucion});

@@ -72,11 +72,13 @@ static void mideEsferas(Medidor &m) {
         m.referencia = lienzo.lee();
         borraBuferes(b);
     }
+    m.grupo = "esfera";
     for (const int n : {16, 32, 64, 128, 256})
         variante("esfera de " + std::to_string(n), esfera(n), 1, true, flecha(n));
     const int justos = segmentosEsfera(RADIO_PX);
     variante("esfera, segmentosEsfera", esfera(justos), 1, true, {0, 0.25});
     m.referencia = {};
+    m.grupo = "toro";
     for (const int n : {32, 64, 128}) {
         const float tubo = 0.3f, radio = 1 - tubo;
         variante("toro de " + std::to_string(n) + "×" + std::to_string(n / 2), toro(radio, tubo, n, n / 2), 1,

@@ -75,7 +75,7 @@ static void mideMatrizNormal(Medidor &m) {
             espera, nota);
     };
     variante("mat3(M)", [](const glm::mat3 &M) { return M; }, {10, 180});
-    variante("inversa traspuesta (GLM)", [](const glm::mat3 &M) { return glm::inverseTranspose(M); },
+    variante("par: glm::inverseTranspose", [](const glm::mat3 &M) { return glm::inverseTranspose(M); },
              {10, 180});
     variante("inversa traspuesta en double",
              [](const glm::mat3 &M) { return glm::mat3(glm::inverseTranspose(glm::dmat3(M))); }, {10, 180});

@@ -67,7 +67,7 @@ struct Tecnica {
     const char *nombre, *titulo;
     const char *tiempo;  // «ns por punto»: la unidad (ns, µs o ms) y de qué
     const char *error;   // la unidad del error y contra qué se mide
-    const char *elegida; // la variante que usan los programas; las demás que empiecen igual, también
+    const char *elegida; // la variante que usan los programas, y las que la sigan de una coma
     const char *porQue;
     void (*mide)(Medidor &);
 };

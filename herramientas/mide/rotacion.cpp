@@ -63,28 +63,38 @@ static void mideRotacion(Medidor &m) {
     for (const glm::vec3 &e : {glm::vec3(1, 1e-20f, 0), glm::vec3(1, 1e-10f, 0),
                                glm::vec3(2e-4f, 1e-4f, 3e-4f), glm::vec3(3e4f, 1e4f, -2e4f)})
         giros.push_back({e, 1});
+    const std::size_t corrientes = giros.size();
+    for (const float l : {1e-23f, 1e20f}) // cuyo cuadrado no cabe en un float
+        giros.push_back({l * glm::vec3(1, 2, 3), 1});
     const auto matriz = [&](const char *nombre, const auto &f, const Rango &espera, const char *nota = "") {
-        double mayor = 0;
-        for (const Giro &g : giros)
-            mayor = std::max(mayor, error(f(g), g.eje, Cuad(g.angulo)));
+        double mayor = 0, corriente = 0;
+        for (const Giro &g : giros) {
+            const double e = error(f(g), g.eje, Cuad(g.angulo));
+            mayor = std::max(mayor, std::isfinite(e) ? e : INFINITO);
+            if (&g - giros.data() < static_cast<std::ptrdiff_t>(corrientes))
+                corriente = mayor;
+        }
+        char texto[80];
+        std::snprintf(texto, sizeof texto, "%scon ejes corrientes, %.2g px", nota, corriente);
         m.variante(
             nombre, mayor, static_cast<double>(giros.size()),
             [&] {
                 for (const Giro &g : giros)
                     usa(f(g));
             },
-            espera, nota);
+            espera, texto);
     };
     const Rango redondeo = {0, 0.001};
     matriz(
         "cambio de base", [](const Giro &g) { return glm::mat3(giroEje(g.eje, g.angulo)); }, redondeo,
-        "giroEje");
-    matriz("cambio de base sin restar I", baseSinRestar, redondeo, "ecuación 3.10 tal cual");
-    matriz("Rodrigues", rodrigues, redondeo);
+        "giroEje; ");
+    matriz("cambio de base sin restar I", baseSinRestar, redondeo, "ecuación 3.10 tal cual; ");
+    matriz("Rodrigues", rodrigues, {1, INFINITO}, "sin escalar el eje; ");
     matriz(
-        "glm::rotate", [](const Giro &g) { return glm::mat3(glm::rotate(glm::mat4(1), g.angulo, g.eje)); },
-        redondeo);
-    matriz("cuaternión a matriz", conCuaternion, redondeo);
+        "par: glm::rotate",
+        [](const Giro &g) { return glm::mat3(glm::rotate(glm::mat4(1), g.angulo, g.eje)); }, {1, INFINITO},
+        "Rodrigues; ");
+    matriz("cuaternión a matriz (GLM)", conCuaternion, {1, INFINITO});
 
     m.grupo = "10⁶ pasos";
     const int pasos = m.talla(1000, 1000000);
@@ -141,9 +151,10 @@ static void mideRotacion(Medidor &m) {
         redondeo, "del ángulo total, cada vez");
 }
 
-static const Apunta APUNTA({7, "rotacion", "Girar alrededor de un eje", "ns por giro",
-                            "píxeles a 500 del eje, frente a cuádruple precisión", "cambio de base",
-                            "Todas son exactas a una milésima de píxel: los programas usan la del libro. Lo "
-                            "que importa es no acumular: los "
-                            "programas animados recalculan el giro con el ángulo total.",
-                            mideRotacion});
+static const Apunta APUNTA(
+    {7, "rotacion", "Girar alrededor de un eje", "ns por giro",
+     "píxeles a 500 del eje, frente a cuádruple precisión", "cambio de base",
+     "Con un eje corriente todas son exactas a una milésima de píxel. Los programas usan la del libro, "
+     "con el eje escalado: vale también con uno de 10⁻²³ o de 10²⁰, en que las demás dan NaN. Lo "
+     "que importa es no acumular: los programas animados recalculan el giro con el ángulo total.",
+     mideRotacion});

@@ -80,6 +80,7 @@ static void mideSeleccion(Medidor &m) {
             ::dibuja(b);
         }
     };
+    m.grupo = "cualquier forma";
     for (const int n : {12, 64}) {
         const Buferes b = creaBuferes(esfera(n));
         const std::string malla = ", esferas de " + std::to_string(n);
@@ -118,9 +119,11 @@ static void mideSeleccion(Medidor &m) {
                  },
                  leePixel, {0, 1.5});
         dibuja(b);
+        m.grupo = "sin dibujar";
         variante("leer un píxel ya dibujado", leePixel, leePixel, {0, 1.5}, "mientras nada se mueva");
         borraBuferes(b);
     }
+    m.grupo = "solo esferas";
     const auto conRayo = [&](auto cero) {
         using T = decltype(cero);
         return [&](const glm::ivec2 &c) {
@@ -135,7 +138,7 @@ static void mideSeleccion(Medidor &m) {
 
 static const Apunta APUNTA(
     {19, "seleccion", "Elegir con el ratón", "µs por clic, con 40 esferas en 960×720",
-     "% de clics mal, frente al rayo en double con la forma exacta", "dibujar y leer un píxel, esferas de 64",
+     "% de clics mal, frente al rayo en double con la forma exacta", "dibujar solo ese píxel, esferas de 64",
      "Los identificadores aciertan en lo que se ve, sea cual sea la forma; solo difieren en el contorno, "
      "donde la malla no es la esfera. "
      "seleccion sigue el listado y dibuja la escena entera; con glScissor bastaría su píxel. "
