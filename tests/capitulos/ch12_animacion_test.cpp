@@ -216,7 +216,7 @@ TEST(RuidoVertices, LaNormalDeLaSuperficieDesplazada) {
         const auto desplazado = [&](double u, double v) {
             const glm::dvec3 p(std::cos(u) * std::sin(v), std::sin(u) * std::sin(v), std::cos(v));
             const auto canal = [&](double cual) {
-                return 0.5 * ::ruido(1.2 * p + glm::dvec3(cual, 4 * t / 5, cual), {0, 4, 0});
+                return 0.5 * definicion::ruido(1.2 * p + glm::dvec3(cual, 4 * t / 5, cual), {0, 4, 0});
             };
             return Vec3{p.x, p.y, p.z} + 0.7 * Vec3{canal(0), canal(11.5), canal(23.5)};
         };

@@ -1,6 +1,6 @@
 // Comprobaciones independientes de las partículas del capítulo 12. Dónde está cada una se calcula aquí, en doble precisión, y se
 // busca en la imagen en los dos sentidos: donde debe haber una la hay, y donde no, no.
-#include "ch08_texturas_avanzadas/ruido.h"
+#include "ch08_oraculo.h"
 #include "ch12_animacion/reloj.h"
 #include "colores.h"
 #include "ejecuta.h"
@@ -338,7 +338,7 @@ Vida vidaDe(int i) { // nacen entre 0 y 3.5 s y mueren entre 6 y 9.5
     return {3.5 * azarDe(n), mezcla(6, 9.5, azarDe(n + 1))};
 }
 double vaivenDe(int c, int f, double t, double cual) {
-    return ::ruido(glm::dvec3(0.31 * c + cual, 0.31 * f + cual, 2 * t), {0, 0, 20});
+    return definicion::ruido(glm::dvec3(0.31 * c + cual, 0.31 * f + cual, 2 * t), {0, 0, 20});
 }
 
 } // namespace
