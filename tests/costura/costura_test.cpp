@@ -111,6 +111,13 @@ static long memoriaDeLosHijos() {
     return uso.ru_maxrss / 1024;
 }
 
+// El programa que lee a un buffer lo tiene enlazado aunque en medio se capture.
+TEST(Imagen, CapturarDejaElBufferDelPrograma) {
+    const Ejecucion e = ejecuta(DEFECTUOSO, "captura a.ppm; tamano 9 8", 9, 9, {"lectura"});
+    EXPECT_EQ(e.estado, 0) << e.errores;
+    EXPECT_EQ(e.salida, "1\n1\n");
+}
+
 // 800 tamaños distintos ocupan como 200: cada framebuffer nuevo no se queda con la memoria del anterior.
 TEST(Imagen, CambiarDeTamanoNoOcupaMas) {
     const auto tamanos = [](int cuantos) {

@@ -29,6 +29,10 @@ static void dibuja() {
         glDrawArrays(GL_TRIANGLES, 0, 3);
         const Imagen imagen = leeVentana();
         std::printf("%d %d %d\n", imagen.rgb[0], imagen.rgb[1], imagen.rgb[2]);
+    } else if (defecto == "lectura") {
+        GLint bufer;
+        glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &bufer);
+        std::printf("%d\n", bufer);
     }
     glutSwapBuffers();
 }
@@ -96,6 +100,10 @@ int main(int argc, char **argv) {
         glUseProgram(creaPrograma("tests/costura/recarga.vert", "tests/costura/recarga.frag"));
         glutTimerFunc(10, edita, 1);
         glutTimerFunc(20, edita, 2);
+    } else if (defecto == "lectura") {
+        GLuint bufer;
+        glGenBuffers(1, &bufer);
+        glBindBuffer(GL_PIXEL_PACK_BUFFER, bufer);
     } else if (defecto == "tiempo") {
         glutTimerFunc(250, temporizador, 250);
         glutTimerFunc(100, temporizador, 100);
