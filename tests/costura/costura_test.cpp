@@ -217,6 +217,11 @@ TEST(Reloj, LosTemporizadoresVencenEnOrden) {
               "100 a 100 ms\n100 a 200 ms\n250 a 250 ms\nmenu 1 en el 0\n100 a 300 ms\n100 a 400 ms\n");
 }
 
+// Ni uno de 0 ms, que se pide otra vez al vencer, para el reloj.
+TEST(Reloj, ElDe0VenceAlMilisegundo) {
+    EXPECT_EQ(ejecuta(DEFECTUOSO, "espera 3", 9, 9, {"enseguida"}).salida, "1\n2\n3\n");
+}
+
 // Cada opción llama a la función del menú en que está, que es el actual mientras dura; después vuelve a serlo el de antes.
 TEST(Menu, SeEligePorSuRuta) {
     const Ejecucion e =

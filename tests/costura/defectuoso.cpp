@@ -53,6 +53,12 @@ static void temporizador(int valor) {
     glutPostRedisplay();
 }
 
+static void enseguida(int quedan) {
+    std::printf("%d\n", glutGet(GLUT_ELAPSED_TIME));
+    if (quedan > 0)
+        glutTimerFunc(0, enseguida, quedan - 1);
+}
+
 static void menu(int valor) {
     std::printf("menu %d en el %d\n", valor, glutGetMenu());
     if (valor == 4)
@@ -108,6 +114,8 @@ int main(int argc, char **argv) {
         glutTimerFunc(250, temporizador, 250);
         glutTimerFunc(100, temporizador, 100);
         glutTimerFunc(250, menu, 1); // vence a la vez que el primero y se pidió después
+    } else if (defecto == "enseguida") {
+        glutTimerFunc(0, enseguida, 9);
     } else if (defecto == "menu") {
         const int vistas = glutCreateMenu(submenu);
         glutAddMenuEntry("Planta", 1);
