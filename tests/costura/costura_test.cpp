@@ -283,6 +283,12 @@ TEST(Muestras, SePuedenPedirYNoLasHay) {
     EXPECT_EQ(e.salida, "0\n");
 }
 
+TEST(Opciones, GeometryPuedeMasQueElPrograma) {
+    const Ejecucion e = ejecuta("../tests/tipos_propios", "", 9, 7);
+    EXPECT_EQ(e.imagen.ancho, 9);
+    EXPECT_EQ(e.imagen.alto, 7);
+}
+
 TEST(EspacioDeNombres, UnProgramaPuedeTenerTiposYFuncionesQueSeLlamenIgual) {
     const Ejecucion e = ejecuta("../tests/tipos_propios", "tecla a; espera 3; tamano 8 8", 9, 9);
     EXPECT_EQ(e.estado, 0) << e.errores;
