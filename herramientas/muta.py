@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """muta.py RAÍZ CARPETA [--comprueba | QUÉ…]: defectos plantados, para saber si las pruebas los notan.
 
-Cada línea de tests/mutantes/*.tsv es un mutante: fichero, texto (que está una sola vez en él), texto estropeado, qué imita y, si
-no lo puede notar nadie, por qué. Con «…» dentro del texto, el resto solo sirve para encontrarlo y se cambia lo que va entre ellas.
+Cada línea de tests/mutantes/*.tsv es un mutante: fichero, texto (que está una sola vez en él; \\n, si pasa de línea), texto
+estropeado, qué imita y, si no lo puede notar nadie, por qué. Con «…» dentro del texto, el resto solo sirve para encontrarlo y se
+cambia lo que va entre ellas.
 
 Todos se compilan a la vez en una copia del árbol, en CARPETA: una expresión de C++ queda como (mutante(5012) ? (estropeada) :
 (original)), una instrucción como if/else, y un shader estropeado va en una carpeta que la copia mira antes que las demás;

@@ -163,12 +163,15 @@ TEST_F(Ayudas, ObedecenALaProfundidad) {
         glEnable(GL_DEPTH_TEST);
         pintaTriangulos({{-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, -1, 0}, {0, 1, 0}, {-1, 1, 0}}, GRIS);
         trazaSegmentos({{-0.8f, 0, 0.5f}, {0.8f, 0, 0.5f}}, UNO, ROJO, 30);
-        rotula("T", {0.25f, 0.25f}, OSCURO); // los rótulos, no
+        trazaSegmentos({{-0.9f, 0.5f, 0.5f}, {-0.1f, 0.5f, -0.5f}}, UNO, ROJO, 30); // asoma por la mitad
+        rotula("T", {0.25f, 0.25f}, OSCURO);                                        // los rótulos, no
         EXPECT_TRUE(glIsEnabled(GL_DEPTH_TEST));
         glDisable(GL_DEPTH_TEST);
     });
     EXPECT_EQ(color(imagen, 120, 180), glm::ivec3(255.0f * GRIS + 0.5f));
     EXPECT_EQ(color(imagen, 360, 180), glm::ivec3(255.0f * ROJO + 0.5f));
+    EXPECT_EQ(color(imagen, 60, 270), glm::ivec3(255.0f * GRIS + 0.5f));
+    EXPECT_EQ(color(imagen, 180, 270), glm::ivec3(255.0f * ROJO + 0.5f));
     EXPECT_EQ(color(imagen, 120, 90), glm::ivec3(255.0f * OSCURO + 0.5f));
 }
 

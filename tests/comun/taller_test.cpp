@@ -155,6 +155,27 @@ TEST(Shaders, F5MuchasVeces) {
     EXPECT_EQ(mitades(e.imagen), "verde blanco");
 }
 
+// Solo lo que se incluye a sí mismo no acaba; dos veces seguidas sí se puede.
+TEST(Shaders, IncluirDosVecesLoMismo) {
+    Ficheros dosVeces = version(ROJO, AZUL);
+    dosVeces["a.frag"] = "#version 140\n" + std::string(COLOR) +
+                         "void main() {\n    float x = 0.0;\n#include \"taller/c.glsl\"\n#include "
+                         "\"taller/c.glsl\"\n    colorFragmento = vec4(0, step(1.0, x), 0, 1);\n}\n";
+    dosVeces["c.glsl"] = "    x += 0.5;\n";
+    const Ejecucion e = taller({dosVeces}, "");
+    EXPECT_EQ(e.errores, "");
+    EXPECT_EQ(mitades(e.imagen), "verde azul");
+}
+
+// La normal está en su índice, el de los buffers, aunque el shader tenga antes otro atributo.
+TEST(Shaders, CadaAtributoEnSuIndice) {
+    Ficheros conNormal = version(frag("vec4(st, 0, 1)"), AZUL);
+    conNormal["a.vert"] = "#version 140\nin vec3 posicion, antes, vNormal;\nout vec2 st;\nvoid main() {\n"
+                          "    st = vec2(min(antes.x, 0.0), vNormal.z);\n"
+                          "    gl_Position = vec4(posicion.x - 0.5, 2.0 * posicion.y, 0.0, 1.0);\n}\n";
+    EXPECT_EQ(mitades(taller({conNormal}, "").imagen), "verde azul");
+}
+
 TEST(F12, DondeNoSePuedeEscribirAvisaYSigue) {
     const Ejecucion e = taller({version(ROJO, AZUL)}, "tecla n; especial F12; tecla v; especial F12");
     EXPECT_EQ(e.estado, 0);

@@ -111,6 +111,13 @@ static long memoriaDeLosHijos() {
     return uso.ru_maxrss / 1024;
 }
 
+// El programa que lee a un buffer lo tiene enlazado aunque en medio se capture.
+TEST(Imagen, CapturarDejaElBufferDelPrograma) {
+    const Ejecucion e = ejecuta(DEFECTUOSO, "captura a.ppm; tamano 9 8", 9, 9, {"lectura"});
+    EXPECT_EQ(e.estado, 0) << e.errores;
+    EXPECT_EQ(e.salida, "1\n1\n");
+}
+
 // 800 tamaños distintos ocupan como 200: cada framebuffer nuevo no se queda con la memoria del anterior.
 TEST(Imagen, CambiarDeTamanoNoOcupaMas) {
     const auto tamanos = [](int cuantos) {
@@ -210,6 +217,11 @@ TEST(Reloj, LosTemporizadoresVencenEnOrden) {
               "100 a 100 ms\n100 a 200 ms\n250 a 250 ms\nmenu 1 en el 0\n100 a 300 ms\n100 a 400 ms\n");
 }
 
+// Ni uno de 0 ms, que se pide otra vez al vencer, para el reloj.
+TEST(Reloj, ElDe0VenceAlMilisegundo) {
+    EXPECT_EQ(ejecuta(DEFECTUOSO, "espera 3", 9, 9, {"enseguida"}).salida, "1\n2\n3\n");
+}
+
 // Cada opción llama a la función del menú en que está, que es el actual mientras dura; después vuelve a serlo el de antes.
 TEST(Menu, SeEligePorSuRuta) {
     const Ejecucion e =
@@ -269,6 +281,12 @@ TEST(Muestras, SePuedenPedirYNoLasHay) {
     const Ejecucion e = ejecuta(DEFECTUOSO, "", 9, 9, {"muestras"});
     EXPECT_EQ(e.estado, 0) << e.errores;
     EXPECT_EQ(e.salida, "0\n");
+}
+
+TEST(Opciones, GeometryPuedeMasQueElPrograma) {
+    const Ejecucion e = ejecuta("../tests/tipos_propios", "", 9, 7);
+    EXPECT_EQ(e.imagen.ancho, 9);
+    EXPECT_EQ(e.imagen.alto, 7);
 }
 
 TEST(EspacioDeNombres, UnProgramaPuedeTenerTiposYFuncionesQueSeLlamenIgual) {

@@ -29,6 +29,10 @@ static void dibuja() {
         glDrawArrays(GL_TRIANGLES, 0, 3);
         const Imagen imagen = leeVentana();
         std::printf("%d %d %d\n", imagen.rgb[0], imagen.rgb[1], imagen.rgb[2]);
+    } else if (defecto == "lectura") {
+        GLint bufer;
+        glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &bufer);
+        std::printf("%d\n", bufer);
     }
     glutSwapBuffers();
 }
@@ -47,6 +51,12 @@ static void temporizador(int valor) {
     std::printf("%d a %d ms\n", valor, glutGet(GLUT_ELAPSED_TIME));
     glutTimerFunc(static_cast<unsigned>(valor), temporizador, valor);
     glutPostRedisplay();
+}
+
+static void enseguida(int quedan) {
+    std::printf("%d\n", glutGet(GLUT_ELAPSED_TIME));
+    if (quedan > 0)
+        glutTimerFunc(0, enseguida, quedan - 1);
 }
 
 static void menu(int valor) {
@@ -96,10 +106,16 @@ int main(int argc, char **argv) {
         glUseProgram(creaPrograma("tests/costura/recarga.vert", "tests/costura/recarga.frag"));
         glutTimerFunc(10, edita, 1);
         glutTimerFunc(20, edita, 2);
+    } else if (defecto == "lectura") {
+        GLuint bufer;
+        glGenBuffers(1, &bufer);
+        glBindBuffer(GL_PIXEL_PACK_BUFFER, bufer);
     } else if (defecto == "tiempo") {
         glutTimerFunc(250, temporizador, 250);
         glutTimerFunc(100, temporizador, 100);
         glutTimerFunc(250, menu, 1); // vence a la vez que el primero y se pidió después
+    } else if (defecto == "enseguida") {
+        glutTimerFunc(0, enseguida, 9);
     } else if (defecto == "menu") {
         const int vistas = glutCreateMenu(submenu);
         glutAddMenuEntry("Planta", 1);

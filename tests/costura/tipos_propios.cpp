@@ -53,6 +53,7 @@ static void dibuja() {
 
 int main(int argc, char **argv) {
     glutInit(&argc, argv);
+    glutInitWindowSize(50, 40); // después de glutInit, tampoco puede más que -geometry
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGBA);
     glutInitContextVersion(3, 1);
     glutCreateWindow("tipos propios");

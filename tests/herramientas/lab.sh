@@ -165,10 +165,8 @@ cp $golden/primer_programa.ppm $golden/primer_programa_dos.ppm
 espera 1 "ch01:4      $uno, no dibuja: SOBREVIVE, nada lo ejecuta" $lab muta ch01:4
 mutantes "$bueno" "$nadie"$'\tnadie lo pulsa'
 espera 0 '| total | 4 | 2 | 50.0 | 1 | 25.0 |' $lab muta
-for metas in '51, 25' '50, 26'; do
-  sed -i "s/^META, .*/META, META_SIN_GOLDEN = $metas/" herramientas/muta.py
-  espera 1 "se deben notar el ${metas%,*} % y, sin golden, el ${metas#*, } %" $lab muta
-done
+sed -i 's/^META, .*/META, META_SIN_GOLDEN = 50, 26/' herramientas/muta.py
+espera 1 'se deben notar el 50 % y, sin golden, el 26 %' $lab muta
 sed -i 's/\testado$/&\tno se ve/' tests/mutantes/ch01.tsv
 espera 1 'o se notan y tienen uno: ch01:2' $lab muta ch01:2
 $lab muta >"$carpeta/progreso" 2>&1 &
