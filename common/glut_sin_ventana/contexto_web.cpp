@@ -23,6 +23,7 @@ void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool mu
     // clang-format on
     emscripten_set_canvas_element_size(LIENZO, ancho, alto);
     EmscriptenWebGLContextAttributes atributos;
+    // trae puestas todas las extensiones, que los framebuffers de float necesitan
     emscripten_webgl_init_context_attributes(&atributos);
     atributos.majorVersion = 2;
     atributos.alpha = false;
@@ -33,8 +34,6 @@ void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool mu
     contexto = emscripten_webgl_create_context(LIENZO, &atributos);
     if (contexto <= 0 || emscripten_webgl_make_context_current(contexto) != EMSCRIPTEN_RESULT_SUCCESS)
         falla("este navegador no da WebGL 2");
-    emscripten_webgl_enable_extension(contexto, "EXT_color_buffer_float"); // framebuffers de float
-    emscripten_webgl_enable_extension(contexto, "OES_texture_float_linear");
 }
 
 void cambiaTallaContexto(int ancho, int alto) {

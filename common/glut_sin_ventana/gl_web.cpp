@@ -13,42 +13,22 @@ using namespace sin_ventana;
 extern "C" {
 
 void emscripten_glEnable(GLenum);
-void emscripten_glDisable(GLenum);
-GLboolean emscripten_glIsEnabled(GLenum);
 void emscripten_glDepthRangef(GLfloat, GLfloat);
-void emscripten_glClearDepthf(GLfloat);
 const GLubyte *emscripten_glGetString(GLenum);
 void emscripten_glShaderSource(GLuint, GLsizei, const GLchar *const *, const GLint *);
 void emscripten_glReadPixels(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *);
 
 // --- lo que en WebGL 2 está siempre puesto --------------------------------------------------------------------
 
-static bool siempre(GLenum que) {
-    return que == GL_MULTISAMPLE || que == GL_PROGRAM_POINT_SIZE || que == GL_TEXTURE_CUBE_MAP_SEAMLESS;
-}
-
 void glEnable(GLenum que) {
-    if (!siempre(que))
+    if (que != GL_MULTISAMPLE && que != GL_PROGRAM_POINT_SIZE && que != GL_TEXTURE_CUBE_MAP_SEAMLESS)
         emscripten_glEnable(que);
-}
-
-void glDisable(GLenum que) {
-    if (!siempre(que))
-        emscripten_glDisable(que);
-}
-
-GLboolean glIsEnabled(GLenum que) {
-    return siempre(que) ? GL_TRUE : emscripten_glIsEnabled(que);
 }
 
 // --- lo que cambia de tipo o de nombre ------------------------------------------------------------------------
 
 void glDepthRange(GLdouble cerca, GLdouble lejos) {
     emscripten_glDepthRangef(static_cast<GLfloat>(cerca), static_cast<GLfloat>(lejos));
-}
-
-void glClearDepth(GLdouble profundidad) {
-    emscripten_glClearDepthf(static_cast<GLfloat>(profundidad));
 }
 
 const GLubyte *glGetString(GLenum nombre) {

@@ -190,12 +190,10 @@ def prueba_entradas(p):
     p.arrastra([(120, 20), (120, 330)], boton=2)
     p.es("ch07_realismo", "sombras-luz_baja", "el botón derecho")
 
-    p.abre("#grua_vistas;tecla 1")
-    alzado = p.imagen()
-    p.abre("#grua_vistas")
+    p.abre("#menu")
     n.js("todos('.mando button').find(b => b.textContent === 'Menú').click()")
-    opcion = n.js("const b = todos('.opciones button').find(b => /alzado/i.test(b.textContent)); b?.click(); return b?.textContent")
-    exige(opcion and p.imagen() == alzado, "la opción Alzado del menú hace lo que la tecla 1")
+    n.js("todos('.opciones button').find(b => b.textContent === 'Paralela › Perfil').click()")
+    p.es("ch10_interaccion", "menu-perfil", "una opción del menú")
 
     p.abre("#luces_animadas")
     antes = p.imagen()
