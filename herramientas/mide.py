@@ -353,7 +353,7 @@ def entorno(build):
 
 
 def main():
-    raiz, build, destino = map(Path, sys.argv[1:4])
+    raiz, build, destino = (Path(a).resolve() for a in sys.argv[1:4])
     ensayo = "--ensayo" in sys.argv[4:]
     pedidas = [a for a in sys.argv[4:] if a != "--ensayo"]
     ejecutable = build / "herramientas" / "mide" / "mide"

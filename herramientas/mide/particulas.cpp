@@ -121,7 +121,7 @@ static void mideParticulas(Medidor &m) {
                yEspera([&] { dibujaPuntos(puntos, muchas); }), CUALQUIERA, "lo menos que puede costar");
 }
 
-static const Apunta APUNTA({18, "particulas", "Partículas", "µs por cada cien partículas dibujadas",
+static const Apunta APUNTA({19, "particulas", "Partículas", "µs por cada cien partículas dibujadas",
                             "píxeles que se desvían al final de su vida", "fórmula en la GPU",
                             "Con una fórmula no hay paso que elegir ni nada que enviar, y no se desvía nunca "
                             "si el tiempo se reduce en double. Euler se desvía "

@@ -137,7 +137,7 @@ static void mideSeleccion(Medidor &m) {
 }
 
 static const Apunta APUNTA(
-    {19, "seleccion", "Elegir con el ratón", "µs por clic, con 40 esferas en 960×720",
+    {20, "seleccion", "Elegir con el ratón", "µs por clic, con 40 esferas en 960×720",
      "% de clics mal, frente al rayo en double con la forma exacta", "dibujar solo ese píxel, esferas de 64",
      "Los identificadores aciertan en lo que se ve, sea cual sea la forma; solo difieren en el contorno, "
      "donde la malla no es la esfera. "
