@@ -101,8 +101,12 @@ static void mideEntorno(Medidor &m) {
         m.grupo = "el reflejo";
         reflejo("por fragmento, " + caras, nota, 180, false);
         if (lado == m.talla(64, 256))
-            for (const int segmentos : {36, 90, 180})
-                reflejo("por vértice, " + std::to_string(segmentos) + " segmentos", nota, segmentos, true);
+            for (const int segmentos : {36, 90, 180}) {
+                const std::string malla = ", toro de " + std::to_string(segmentos);
+                if (segmentos != 180)
+                    reflejo("por fragmento" + malla, nota, segmentos, false);
+                reflejo("por vértice" + malla, nota, segmentos, true);
+            }
         m.grupo = "el fondo";
         variante("el fondo, " + caras, nota, true, [&] {
             glUseProgram(fondo);
@@ -118,5 +122,5 @@ static const Apunta APUNTA(
      "niveles de 255 (RMSE), frente a trazar rayos", "el fondo, caras de 256²",
      "Al reflejo solo le bastan caras de 64²: una superficie curva encoge el entorno. cubemap las tiene "
      "de 256² porque son además el "
-     "fondo, que las agranda. Por vértice, el reflejo se interpola en línea recta y necesita mucha malla.",
+     "fondo, que con menos se queda a más de medio nivel. Por vértice, el reflejo se interpola en línea recta y necesita mucha malla.",
      mideEntorno});
