@@ -93,14 +93,14 @@ static void mideEntorno(Medidor &m) {
         });
         borraBuferes(b);
     };
-    for (const int lado : m.talla<std::vector<int>>({16, 64}, {16, 32, 64, 128, 256, 512})) {
+    for (const int lado : m.talla<std::vector<int>>({16, 256}, {16, 32, 64, 128, 256, 512})) {
         GLuint mapa = creaMapa(lado);
         char nota[40];
         std::snprintf(nota, sizeof nota, "%.3g kB", 6 * 3 * lado * lado * 4 / 3 / 1000.0);
         const std::string caras = "caras de " + std::to_string(lado) + "²";
         m.grupo = "el reflejo";
         reflejo("por fragmento, " + caras, nota, 180, false);
-        if (lado == m.talla(64, 256))
+        if (lado == 256)
             for (const int segmentos : {36, 90, 180}) {
                 const std::string malla = ", toro de " + std::to_string(segmentos);
                 if (segmentos != 180)
@@ -122,5 +122,6 @@ static const Apunta APUNTA(
      "niveles de 255 (RMSE), frente a trazar rayos", "el fondo, caras de 256²",
      "Al reflejo solo le bastan caras de 64²: una superficie curva encoge el entorno. cubemap las tiene "
      "de 256² porque son además el "
-     "fondo, que con menos se queda a más de medio nivel. Por vértice, el reflejo se interpola en línea recta y necesita mucha malla.",
+     "fondo, que con menos se queda a más de medio nivel. Por vértice, el reflejo se interpola en línea "
+     "recta y necesita mucha malla.",
      mideEntorno});

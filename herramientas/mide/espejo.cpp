@@ -51,7 +51,7 @@ static void mideEspejo(Medidor &m) {
     m.referencia = oraculo::enBytes(ref);
     const GLuint programa = creaSombreado("phong");
     enviaEscena(programa, lienzo);
-    for (const int n : m.talla<std::vector<int>>({12, 48}, {12, 24, 48, 96, 192})) {
+    for (const int n : m.talla<std::vector<int>>({12, 96}, {12, 24, 48, 96, 192})) {
         const Buferes b = creaBuferes(::esfera(n));
         const auto dibuja = [&] {
             lienzo.borra(0.95f, 0.96f, 0.98f);
