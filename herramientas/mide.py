@@ -271,7 +271,7 @@ class Coste:
     errores: list  # máximo, RMSE y borde frente a su oráculo, como están en docs/exactitud.md
 
 
-def metas(tecnicas, tabla):
+def metas(tecnicas, tabla, suelo, golden):
     """(qué, cifra, la que se pide, si debe ser mayor) de cada meta que se ha podido medir."""
     tiempo = {(t.nombre, v.nombre): v.mediana for t in tecnicas for v in t.variantes}
     filas = [(f"{que}, veces más rápido", tiempo[t, lenta] / tiempo[t, rapida], pide, True)
@@ -280,6 +280,8 @@ def metas(tecnicas, tabla):
     if veces and not math.isnan(veces[0]):
         filas += [("arranque de un programa entre el suelo: mediana", statistics.median(veces), 1.25, False),
                   ("arranque de un programa entre el suelo: el peor", max(veces), 2.5, False)]
+    if golden:
+        filas.append(("los golden, entre casos × suelo / núcleos", golden / suelo, 1.5, False))
     return filas
 
 
@@ -344,7 +346,8 @@ def segundos_de_cpu(orden, carpeta):
 
 
 def compilacion(build):
-    """(qué, cifra con su unidad): compilar un programa, con la cabecera precompilada y sin ella; y pasar los golden."""
+    """(qué, cifra con su unidad): compilar un programa, con la cabecera precompilada y sin ella; y pasar los golden. Además, los ms
+    de un núcleo por golden."""
     ordenes = {}
     for linea in ejecuta(["ninja", "-C", build, "-t", "commands", "programas"]).splitlines():
         if re.search(r"-c \S+/ch\d\d_\w+/\w+\.cpp$", linea):
@@ -357,13 +360,15 @@ def compilacion(build):
     filas = [("compilar un programa", f"{statistics.median(con):.2f} s de procesador"),
              ("sin la cabecera precompilada", f"{statistics.median(sin):.2f} s de procesador"),
              ("fuentes de programas", f"{len(ordenes)}")]
+    ms = None
     if (build / "tests" / "compara").exists():
         sin_ventana = (build / "sin_ventana").read_text().strip()
         antes = time.perf_counter()
         salida = ejecuta(["ctest", "--test-dir", build, "-j", str(os.cpu_count()), "-R", rf"^imagen\.{sin_ventana}\."])
         segundos, casos = time.perf_counter() - antes, int(re.search(r"out of (\d+)", salida)[1])
-        filas.append((f"pasar los {casos} golden", f"{segundos:.1f} s, con {os.cpu_count()} núcleos: {1000 * segundos * os.cpu_count() / casos:.0f} ms de núcleo cada uno"))
-    return filas
+        ms = 1000 * segundos * os.cpu_count() / casos
+        filas.append((f"pasar los {casos} golden", f"{segundos:.1f} s, con {os.cpu_count()} núcleos: {ms:.0f} ms de núcleo cada uno"))
+    return filas, ms
 
 
 def entorno(build):
@@ -409,13 +414,13 @@ def main():
             print(f"[{n:2}/{len(tecnicas)}] {t.nombre} ha fallado: {fallo}", file=sys.stderr)
     if not ensayo:
         medidas = [t for t in tecnicas if t.variantes]
-        tabla, suelo, compilar = [], math.nan, []
+        tabla, suelo, compilar, golden = [], math.nan, [], None
         if not pedidas:
             llenar = next((v.mediana for t in medidas for v in t.variantes if v.nombre == f"llenar {TALLAS[-1].replace('x', '×')}"), math.nan)
             tabla, suelo = costes(raiz, build, destino, llenar)
             avisa("compilar y pasar los golden", "")
-            compilar = compilacion(build)
-        pagina.escribe_informe(destino, tecnicas=medidas, metas=metas(medidas, tabla), costes=tabla, suelo=suelo, compilar=compilar, entorno=datos)
+            compilar, golden = compilacion(build)
+        pagina.escribe_informe(destino, tecnicas=medidas, metas=metas(medidas, tabla, suelo, golden), costes=tabla, suelo=suelo, compilar=compilar, entorno=datos)
         avisa(f"Hecho: {destino}/index.html")
     if apunta:
         (raiz / ESPERADOS).write_text("".join(f"{t.nombre}\t{v.nombre}\t{v.error:g}\n" for t in tecnicas for v in t.variantes
