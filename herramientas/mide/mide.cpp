@@ -92,7 +92,7 @@ void Medidor::variante(const std::string &nombre, double error, double unidades,
     if (ensayo)
         prueba->Iterations(1);
     else
-        prueba->MinTime(0.02)->Repetitions(segundos > 0.2 ? 3 : 9);
+        prueba->MinTime(0.04)->Repetitions(segundos > 0.2 ? 3 : 9);
     benchmark::RunSpecifiedBenchmarks(&tiempos);
     benchmark::ClearRegisteredBenchmarks();
     for (double &t : tiempos.ns)

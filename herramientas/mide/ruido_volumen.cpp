@@ -38,7 +38,6 @@ static void mideVolumen(Medidor &m) {
             nombre, std::sqrt(suma / muestras), muestras, [&] { usa(hace()); }, espera, nota);
     };
     variante("texelsRuido", texelsRuido, {0, 0.05}, "lo que llama el programa: el valor, en float");
-    variante("el valor, en float", [&] { return volumen<float>(n, valor(OCTAVAS)); }, {0, 0.05});
     variante("el valor, en double", [&] { return volumen<double>(n, valor(OCTAVAS)); }, {0, 0});
     variante(
         "con el gradiente",
