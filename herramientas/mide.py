@@ -2,8 +2,9 @@
 """mide.py RAÍZ BUILD DESTINO [--ensayo] [TÉCNICA…]: cronometra las técnicas de herramientas/mide y el coste de los programas, y
 escribe DESTINO/index.html, con un TSV y un SVG por técnica.
 
-Sin técnicas se miden todas y la tabla de costes. --ensayo: tallas diminutas; comprueba que cada una da lo que debe y
-que su TSV está bien formado, y no escribe nada más. LAB_PARES=1 añade los programas con los que se compara.
+Sin técnicas se miden todas y la tabla de costes. --ensayo: tallas diminutas; comprueba que cada TSV está bien formado y que
+los errores son los de herramientas/mide/ensayo.tsv, y no escribe nada; con --apunta, escribe ese fichero. LAB_PARES=1 añade los
+programas con los que se compara.
 """
 import math
 import os
@@ -23,6 +24,7 @@ import pagina
 CABECERA = "variante\tgrupo\tmediana\tmínimo\tmáximo\terror\tnota"
 ANCHO, ALTO, MARGEN = 860, 480, (80, 20, 20, 60)  # del SVG: izquierda, derecha, arriba, abajo
 TALLAS = ("960x720", "1920x1080")
+ESPERADOS = "herramientas/mide/ensayo.tsv"
 # Lo que deben ganar los programas: tiempo de la primera variante entre el de la segunda
 METAS = (("la superficie a 0.5 px, frente a GLU con no menos error", "superficies", "par: GLU, pidiendo 0.04 px", "cota de la tira, 0.5 px", 10),
          ("separable de 15×15, frente a la directa", "convolucion", "directa, 15×15", "separable, float, 15×15", 5),
@@ -220,13 +222,36 @@ def mide(ejecutable, tecnica, destino, ensayo):
         ejecuta([ejecutable, *(["--ensayo"] if ensayo else []), carpeta, tecnica.nombre])
         tecnica.variantes = lee_variantes(carpeta / f"{tecnica.nombre}.tsv")
         marca(tecnica)
-        if tecnica.elegida and not any(v.elegida for v in tecnica.variantes) and not ensayo:
+        if tecnica.elegida and not any(v.elegida for v in tecnica.variantes):
             raise Fallo(f"ninguna variante se llama «{tecnica.elegida}»")
         if ensayo:
             return
         (destino / f"{tecnica.nombre}.tsv").write_text(CABECERA + "\n" + (carpeta / f"{tecnica.nombre}.tsv").read_text())
         imagenes(tecnica, carpeta, destino)
         dibuja(tecnica, destino / f"{tecnica.nombre}.svg")
+
+
+# --- Ensayo -------------------------------------------------------------------------------------------------------
+
+
+def comprueba_marca():
+    def v(nombre, tiempo, error, grupo=""):
+        return Variante(nombre, grupo, tiempo, 0.9 * tiempo, 1.1 * tiempo, error, "")
+    t = Tecnica("", "", "", "", "b", "", [v("a", 1, 3), v("b", 2, 1), v("b, x", 3, 1), v("bc", 2.1, 1), v("par: d", 0.1, 0), v("e", 9, 9, "otro")])
+    marca(t)
+    if [x.nombre for x in t.variantes if x.elegida] != ["b", "b, x"] or [x.nombre for x in t.variantes if not x.optima] != ["b, x"]:
+        raise Fallo("el frente de Pareto o la variante elegida se marcan mal")
+
+
+def comprueba(tecnica, esperados):
+    """Los errores del ensayo son siempre los mismos, salvo el redondeo: si no, se ha roto una variante o la cuenta de su error."""
+    hay = {v.nombre: v.error for v in tecnica.variantes if v.nombre in esperados or not v.par}
+    if hay.keys() != esperados.keys():
+        raise Fallo(f"sobran o faltan variantes: {', '.join(hay.keys() ^ esperados.keys())}")
+    for nombre, error in hay.items():
+        e = esperados[nombre]
+        if error != e and not abs(error - e) <= 0.15 * e + 0.001 and not (math.isnan(error) and math.isnan(e)):
+            raise Fallo(f"«{nombre}» se equivoca {error:g} y se esperaba {e:g}")
 
 
 # --- Coste de los programas ---------------------------------------------------------------------------------------
@@ -246,7 +271,7 @@ class Coste:
     errores: list  # máximo, RMSE y borde frente a su oráculo, como están en docs/exactitud.md
 
 
-def metas(tecnicas, tabla):
+def metas(tecnicas, tabla, suelo, golden):
     """(qué, cifra, la que se pide, si debe ser mayor) de cada meta que se ha podido medir."""
     tiempo = {(t.nombre, v.nombre): v.mediana for t in tecnicas for v in t.variantes}
     filas = [(f"{que}, veces más rápido", tiempo[t, lenta] / tiempo[t, rapida], pide, True)
@@ -255,6 +280,8 @@ def metas(tecnicas, tabla):
     if veces and not math.isnan(veces[0]):
         filas += [("arranque de un programa entre el suelo: mediana", statistics.median(veces), 1.25, False),
                   ("arranque de un programa entre el suelo: el peor", max(veces), 2.5, False)]
+    if golden:
+        filas.append(("los golden, entre casos × suelo / núcleos", golden / suelo, 1.5, False))
     return filas
 
 
@@ -319,7 +346,8 @@ def segundos_de_cpu(orden, carpeta):
 
 
 def compilacion(build):
-    """(qué, cifra con su unidad): compilar un programa, con la cabecera precompilada y sin ella; y pasar los golden."""
+    """(qué, cifra con su unidad): compilar un programa, con la cabecera precompilada y sin ella; y pasar los golden. Además, los ms
+    de un núcleo por golden."""
     ordenes = {}
     for linea in ejecuta(["ninja", "-C", build, "-t", "commands", "programas"]).splitlines():
         if re.search(r"-c \S+/ch\d\d_\w+/\w+\.cpp$", linea):
@@ -332,13 +360,15 @@ def compilacion(build):
     filas = [("compilar un programa", f"{statistics.median(con):.2f} s de procesador"),
              ("sin la cabecera precompilada", f"{statistics.median(sin):.2f} s de procesador"),
              ("fuentes de programas", f"{len(ordenes)}")]
+    ms = None
     if (build / "tests" / "compara").exists():
         sin_ventana = (build / "sin_ventana").read_text().strip()
         antes = time.perf_counter()
         salida = ejecuta(["ctest", "--test-dir", build, "-j", str(os.cpu_count()), "-R", rf"^imagen\.{sin_ventana}\."])
         segundos, casos = time.perf_counter() - antes, int(re.search(r"out of (\d+)", salida)[1])
-        filas.append((f"pasar los {casos} golden", f"{segundos:.1f} s, con {os.cpu_count()} núcleos: {1000 * segundos * os.cpu_count() / casos:.0f} ms de núcleo cada uno"))
-    return filas
+        ms = 1000 * segundos * os.cpu_count() / casos
+        filas.append((f"pasar los {casos} golden", f"{segundos:.1f} s, con {os.cpu_count()} núcleos: {ms:.0f} ms de núcleo cada uno"))
+    return filas, ms
 
 
 def entorno(build):
@@ -353,9 +383,15 @@ def entorno(build):
 
 
 def main():
-    raiz, build, destino = map(Path, sys.argv[1:4])
-    ensayo = "--ensayo" in sys.argv[4:]
-    pedidas = [a for a in sys.argv[4:] if a != "--ensayo"]
+    raiz, build, destino = (Path(a).resolve() for a in sys.argv[1:4])
+    apunta, ensayo = "--apunta" in sys.argv[4:], "--ensayo" in sys.argv[4:]
+    pedidas = [a for a in sys.argv[4:] if a not in ("--ensayo", "--apunta")]
+    esperados = {}
+    if ensayo:
+        comprueba_marca()
+        for fila in (raiz / ESPERADOS).read_text().splitlines():
+            nombre, variante, error = fila.split("\t")
+            esperados.setdefault(nombre, {})[variante] = float(error)
     ejecutable = build / "herramientas" / "mide" / "mide"
     todas = [Tecnica(*fila.split("\t")) for fila in ejecuta([ejecutable, "--lista"]).splitlines()]
     for nombre in pedidas:
@@ -370,20 +406,25 @@ def main():
         antes = time.monotonic()
         try:
             mide(ejecutable, t, destino, ensayo)
+            if ensayo and not apunta:
+                comprueba(t, esperados.get(t.nombre, {}))
             print(f"[{n:2}/{len(tecnicas)}] {t.nombre}: {len(t.variantes)} variantes, {time.monotonic() - antes:.1f} s", file=sys.stderr)
         except Fallo as fallo:
             fallos.append(t.nombre)
             print(f"[{n:2}/{len(tecnicas)}] {t.nombre} ha fallado: {fallo}", file=sys.stderr)
     if not ensayo:
         medidas = [t for t in tecnicas if t.variantes]
-        tabla, suelo, compilar = [], math.nan, []
+        tabla, suelo, compilar, golden = [], math.nan, [], None
         if not pedidas:
             llenar = next((v.mediana for t in medidas for v in t.variantes if v.nombre == f"llenar {TALLAS[-1].replace('x', '×')}"), math.nan)
             tabla, suelo = costes(raiz, build, destino, llenar)
             avisa("compilar y pasar los golden", "")
-            compilar = compilacion(build)
-        pagina.escribe_informe(destino, tecnicas=medidas, metas=metas(medidas, tabla), costes=tabla, suelo=suelo, compilar=compilar, entorno=datos)
+            compilar, golden = compilacion(build)
+        pagina.escribe_informe(destino, tecnicas=medidas, metas=metas(medidas, tabla, suelo, golden), costes=tabla, suelo=suelo, compilar=compilar, entorno=datos)
         avisa(f"Hecho: {destino}/index.html")
+    if apunta:
+        (raiz / ESPERADOS).write_text("".join(f"{t.nombre}\t{v.nombre}\t{v.error:g}\n" for t in tecnicas for v in t.variantes
+                                               if not v.par or "glm::" in v.nombre))
     if fallos:
         sys.exit(f"lab: no se ha podido medir todo: {', '.join(fallos)}")
 

@@ -75,18 +75,17 @@ static void mideAntialiasing(Medidor &m) {
         glDeleteFramebuffers(1, &resuelto);
         glDeleteTextures(1, &textura);
     };
-    const std::string ms = " ×" + std::to_string(muestras);
     variante("sin nada", 1, 0, {5, 80});
-    variante("multimuestra" + ms, 1, muestras, {1, 40});
+    variante("multimuestra", 1, muestras, {1, 40});
     variante("sobremuestreo 2×2", 2, 0, {1, 40});
     variante("sobremuestreo 4×4", 4, 0, {0.5, 20});
     variante("sobremuestreo 8×8", 8, 0, {0.2, 10});
-    variante("multimuestra" + ms + " y 2×2", 2, muestras, {0.5, 20});
-    variante("multimuestra" + ms + " y 4×4", 4, muestras, {0.2, 10});
+    variante("multimuestra y 2×2", 2, muestras, {0.5, 20});
+    variante("multimuestra y 4×4", 4, muestras, {0.2, 10});
 }
 
 static const Apunta APUNTA({11, "antialiasing", "Antialiasing", "ms por imagen de 360×360",
-                            "niveles de 255 (RMSE), frente al área exacta", "multimuestra ×4",
+                            "niveles de 255 (RMSE), frente al área exacta", "multimuestra",
                             "Las ventanas piden multimuestra: quita tanta escalera como dibujar 2×2 veces "
                             "mayor, y cuesta menos. El error baja con "
                             "las muestras, y el tiempo sube con ellas.",

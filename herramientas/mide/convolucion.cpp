@@ -4,8 +4,6 @@
 #include "mide.h"
 #include "rutas.h"
 #include "textura.h"
-#include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #ifdef LAB_PAR_OPENCV
 #include <opencv2/imgproc.hpp>
@@ -77,14 +75,8 @@ static void parImageMagick(Medidor &m, const Imagen &foto, const Filtro &f,
         nucleo += (nucleo.back() == ':' ? "" : ",") + std::to_string(v);
     guardaPpm(entra, foto);
     const auto ejecuta = [&](int veces) {
-        const auto antes = std::chrono::steady_clock::now();
-        const std::string orden = "convert '" + entra +
-                                  "' -virtual-pixel edge -morphology Convolve:" + std::to_string(veces) +
-                                  " '" + nucleo + "' -depth 8 '" + sale + "'";
-        const bool bien = std::system(orden.c_str()) == 0;
-        return bien ? std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - antes)
-                          .count()
-                    : NAN;
+        return milisegundosDe("convert '" + entra + "' -virtual-pixel edge -morphology Convolve:" +
+                              std::to_string(veces) + " '" + nucleo + "' -depth 8 '" + sale + "'");
     };
     ejecuta(1);
     const double e = rmse(leePpm(sale), exacta);

@@ -69,46 +69,59 @@ static void mideEntorno(Medidor &m) {
     envia(programa, "M", glm::mat4(1));
     envia(programa, "N", glm::mat3(1));
     envia(programa, "mapa", 0);
-    const auto variante = [&](const std::string &nombre, int lado, int segmentos, bool porVertice) {
-        GLuint mapa = creaMapa(lado);
-        const Buferes b = creaBuferes(toro(1, 0.5f, segmentos, segmentos / 2));
+    GLuint vao;
+    glGenVertexArrays(1, &vao);
+    const auto variante = [&](const std::string &nombre, const char *nota, bool soloFondo,
+                              const std::function<void()> &pinta) {
         const auto dibuja = [&] {
             lienzo.borra(0, 0, 0);
-            glUseProgram(programa);
-            envia(programa, "porVertice", porVertice);
-            ::dibuja(b);
-            glUseProgram(fondo);
-            glDrawArrays(GL_TRIANGLES, 0, 3);
+            pinta();
         };
         dibuja();
         const Imagen imagen = lienzo.lee();
-        double suma = 0;
-        int n = 0;
-        for (int y = 0; y < lienzo.alto; ++y)
-            for (int x = 0; x < lienzo.ancho; ++x)
-                if (!oraculo::enBanda(ref, x, y)) {
-                    suma += std::pow(oraculo::diferencia(imagen, x, y, ref.en(x, y).color), 2);
-                    ++n;
-                }
-        char nota[100];
-        std::snprintf(nota, sizeof nota, "el reflejo solo, %.2g; mapa de %.3g kB, toro de %d segmentos",
-                      errorDeFrente(imagen, ref), 6 * 3 * lado * lado * 4 / 3 / 1000.0, segmentos);
-        m.variante(nombre, std::sqrt(suma / n), 1, yEspera(dibuja), {0, 80}, nota, imagen);
-        borraBuferes(b);
-        glDeleteTextures(1, &mapa);
+        const double error = soloFondo
+                                 ? errorSinContorno(imagen, ref, [](const auto &p) { return p.objeto < 0; })
+                                 : errorDeFrente(imagen, ref);
+        m.variante(nombre, error, 1, yEspera(dibuja), {0, 80}, nota, imagen);
     };
-    const std::vector<int> lados = m.talla<std::vector<int>>({16, 64}, {16, 32, 64, 128, 256, 512});
-    for (const int lado : lados)
-        variante("por fragmento, caras de " + std::to_string(lado) + "²", lado, 180, false);
-    for (const int segmentos : {36, 90, 180})
-        variante("por vértice, " + std::to_string(segmentos) + " segmentos", lados.back() / 2, segmentos,
-                 true);
+    const auto reflejo = [&](const std::string &nombre, const char *nota, int segmentos, bool porVertice) {
+        const Buferes b = creaBuferes(toro(1, 0.5f, segmentos, segmentos / 2));
+        variante(nombre, nota, false, [&] {
+            glUseProgram(programa);
+            envia(programa, "porVertice", porVertice);
+            ::dibuja(b);
+        });
+        borraBuferes(b);
+    };
+    for (const int lado : m.talla<std::vector<int>>({16, 256}, {16, 32, 64, 128, 256, 512})) {
+        GLuint mapa = creaMapa(lado);
+        char nota[40];
+        std::snprintf(nota, sizeof nota, "%.3g kB", 6 * 3 * lado * lado * 4 / 3 / 1000.0);
+        const std::string caras = "caras de " + std::to_string(lado) + "²";
+        m.grupo = "el reflejo";
+        reflejo("por fragmento, " + caras, nota, 180, false);
+        if (lado == 256)
+            for (const int segmentos : {36, 90, 180}) {
+                const std::string malla = ", toro de " + std::to_string(segmentos);
+                if (segmentos != 180)
+                    reflejo("por fragmento" + malla, nota, segmentos, false);
+                reflejo("por vértice" + malla, nota, segmentos, true);
+            }
+        m.grupo = "el fondo";
+        variante("el fondo, " + caras, nota, true, [&] {
+            glUseProgram(fondo);
+            glBindVertexArray(vao);
+            glDrawArrays(GL_TRIANGLES, 0, 3);
+        });
+        glDeleteTextures(1, &mapa);
+    }
 }
 
 static const Apunta APUNTA(
     {14, "entorno", "Reflejar el entorno", "ms por imagen de 320×240",
-     "niveles de 255 (RMSE), frente a trazar rayos", "por fragmento, caras de 256²",
+     "niveles de 255 (RMSE), frente a trazar rayos", "el fondo, caras de 256²",
      "Al reflejo solo le bastan caras de 64²: una superficie curva encoge el entorno. cubemap las tiene "
      "de 256² porque son además el "
-     "fondo, que las agranda. Por vértice, el reflejo se interpola en línea recta y necesita mucha malla.",
+     "fondo, que con menos se queda a más de medio nivel. Por vértice, el reflejo se interpola en línea "
+     "recta y necesita mucha malla.",
      mideEntorno});

@@ -36,11 +36,12 @@ inline void enviaEscena(GLuint programa, const Lienzo &lienzo) {
     enviaLuz(programa, "luz", LUZ, camaraEscena());
 }
 
-inline oraculo::Vec3 phongExacto(const oraculo::Vec3 &P, const oraculo::Vec3 &N) {
+inline oraculo::Vec3 phongExacto(const oraculo::Vec3 &P, const oraculo::Vec3 &N,
+                                 const oraculo::Vec3 &ojo = exacto(OJO)) {
     const oraculo::Material material = {exacto(CORAL.Ka), exacto(CORAL.Kd), exacto(CORAL.Ks),
                                         static_cast<double>(CORAL.alfa)};
     const oraculo::Luz luz{exacto(glm::vec3(LUZ.Lp))};
-    return oraculo::phong(material, {1, 1, 1}, {luz}, P, N, oraculo::unitario(exacto(OJO) - P));
+    return oraculo::phong(material, {1, 1, 1}, {luz}, P, N, oraculo::unitario(ojo - P));
 }
 
 inline void borraBuferes(const Buferes &b) {
@@ -61,6 +62,21 @@ inline double errorDeFrente(const Imagen &gpu, const oraculo::ImagenRef &ref) {
             suma += std::pow(oraculo::diferencia(gpu, x, y, p.color), 2);
             ++n;
         }
+    return std::sqrt(suma / n);
+}
+
+/// Lo mismo en los píxeles que se digan, o en todos, salvo a uno del contorno.
+inline double errorSinContorno(
+    const Imagen &gpu, const oraculo::ImagenRef &ref,
+    const std::function<bool(const oraculo::PixelRef &)> &cuenta = [](const auto &) { return true; }) {
+    double suma = 0;
+    int n = 0;
+    for (int y = 0; y < ref.alto; ++y)
+        for (int x = 0; x < ref.ancho; ++x)
+            if (!oraculo::enBanda(ref, x, y) && cuenta(ref.en(x, y))) {
+                suma += std::pow(oraculo::diferencia(gpu, x, y, ref.en(x, y).color), 2);
+                ++n;
+            }
     return std::sqrt(suma / n);
 }
 

@@ -15,6 +15,13 @@ std::vector<Tecnica> &tecnicas() {
     return todas;
 }
 
+double milisegundosDe(const std::string &orden) {
+    const auto antes = std::chrono::steady_clock::now();
+    const bool bien = std::system((orden + " >/dev/null 2>&1").c_str()) == 0;
+    return bien ? std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - antes).count()
+                : NAN;
+}
+
 double rmse(const Imagen &imagen, const std::vector<double> &exacta) {
     double suma = 0;
     for (std::size_t i = 0; i < exacta.size(); ++i)
@@ -85,7 +92,7 @@ void Medidor::variante(const std::string &nombre, double error, double unidades,
     if (ensayo)
         prueba->Iterations(1);
     else
-        prueba->MinTime(0.02)->Repetitions(segundos > 0.2 ? 3 : 9);
+        prueba->MinTime(0.04)->Repetitions(segundos > 0.2 ? 3 : 9);
     benchmark::RunSpecifiedBenchmarks(&tiempos);
     benchmark::ClearRegisteredBenchmarks();
     for (double &t : tiempos.ns)

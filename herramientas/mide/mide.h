@@ -84,6 +84,9 @@ void usa(const T &valor) {
     benchmark::DoNotOptimize(valor);
 }
 
+/// Lo que tarda otro programa, sin enseñar lo que escribe; NaN si falla.
+double milisegundosDe(const std::string &orden);
+
 /// Raíz del error cuadrático medio entre dos imágenes, en niveles de 255. Con `exacta`, sin redondear, tres por píxel.
 double rmse(const Imagen &imagen, const Imagen &referencia);
 double rmse(const Imagen &imagen, const std::vector<double> &exacta);

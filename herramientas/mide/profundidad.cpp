@@ -62,5 +62,6 @@ static void mideProfundidad(Medidor &m) {
 static const Apunta APUNTA({16, "profundidad", "El buffer de profundidad", "ms por 8 rectángulos de 480×360",
                             "% de pares a 10⁻⁴ de distancia que se confunden", "24 bits, 10²",
                             "Lo que importa es lejos/cerca, y no los bits: los programas lo dejan en 100 o "
-                            "menos. Un float solo gana si se le da la vuelta.",
+                            "menos. Un float solo gana si se le da la vuelta, "
+                            "y no tarda más, pero con OpenGL 3.1 hay que hacerlo en cada shader.",
                             mideProfundidad});

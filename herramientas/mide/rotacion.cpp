@@ -66,6 +66,7 @@ static void mideRotacion(Medidor &m) {
     const std::size_t corrientes = giros.size();
     for (const float l : {1e-23f, 1e20f}) // cuyo cuadrado no cabe en un float
         giros.push_back({l * glm::vec3(1, 2, 3), 1});
+    const Rango redondeo = {0, 0.001}, NINGUNO = {1, 0};
     const auto matriz = [&](const char *nombre, const auto &f, const Rango &espera, const char *nota = "") {
         double mayor = 0, corriente = 0;
         for (const Giro &g : giros) {
@@ -82,9 +83,8 @@ static void mideRotacion(Medidor &m) {
                 for (const Giro &g : giros)
                     usa(f(g));
             },
-            espera, texto);
+            corriente <= redondeo.maximo ? espera : NINGUNO, texto);
     };
-    const Rango redondeo = {0, 0.001};
     matriz(
         "cambio de base", [](const Giro &g) { return glm::mat3(giroEje(g.eje, g.angulo)); }, redondeo,
         "giroEje; ");

@@ -33,7 +33,7 @@ static void mideRuido(Medidor &m) {
         const Imagen imagen = lienzo.lee();
         m.variante(nombre, rmse(imagen, exacta), 1, yEspera(dibuja), espera, nota, imagen);
     };
-    for (const int n : m.talla<std::vector<int>>({8, 16}, {16, 32, 64, 128})) {
+    for (const int n : m.talla<std::vector<int>>({16, 64}, {16, 32, 64, 128})) {
         std::vector<unsigned char> texels;
         for (int i = 0; i < n * n * n; ++i) {
             const glm::vec3 p =

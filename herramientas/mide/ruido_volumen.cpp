@@ -21,7 +21,7 @@ static std::vector<unsigned char> volumen(int n, const Turbulencia &turbulencia)
 }
 
 static void mideVolumen(Medidor &m) {
-    const int n = m.talla(8, 64);
+    const int n = LADO_TEXTURA;
     const double muestras = double(n) * n * n;
     const auto valor = [](int octavas) {
         return [=](const auto &p) { return turbulencia(p, octavas, glm::ivec3(CELDAS)); };
@@ -37,9 +37,7 @@ static void mideVolumen(Medidor &m) {
         m.variante(
             nombre, std::sqrt(suma / muestras), muestras, [&] { usa(hace()); }, espera, nota);
     };
-    if (!m.ensayo)
-        variante("texelsRuido", texelsRuido, {0, 0.05}, "lo que llama el programa: el valor, en float");
-    variante("el valor, en float", [&] { return volumen<float>(n, valor(OCTAVAS)); }, {0, 0.05});
+    variante("texelsRuido", texelsRuido, {0, 0.05}, "lo que llama el programa: el valor, en float");
     variante("el valor, en double", [&] { return volumen<double>(n, valor(OCTAVAS)); }, {0, 0});
     variante(
         "con el gradiente",

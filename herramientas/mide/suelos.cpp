@@ -27,6 +27,6 @@ static void mideSuelos(Medidor &m) {
     }
 }
 
-static const Apunta APUNTA({20, "suelos", "Los suelos", "ms por imagen",
+static const Apunta APUNTA({21, "suelos", "Los suelos", "ms por imagen",
                             "sin error: no hay nada que calcular", "",
                             "Con ellos se comparan los programas en la tabla de costes.", mideSuelos});

@@ -1,0 +1,79 @@
+// Una esfera sobre un espejo: dibujarla otra vez, simétrica (ecuación 7.3), con más o menos malla. POV-Ray, que traza rayos, es el
+// par, con la misma escena (espejo.pov).
+#include "ch07_realismo/reflexion.h"
+#include "escena.h"
+#include "mide.h"
+#include "rutas.h"
+#include <filesystem>
+
+using namespace mide;
+
+static const float ALTO_ESFERA = 0.45f, RADIO_ESFERA = 0.55f, ALTO_ESPEJO = -0.15f;
+
+/// POV-Ray, si está: lo que tarda en esa talla, sin lo que tarda en arrancar y leer la escena.
+static void parPovRay(Medidor &m, int ancho, int alto, const oraculo::ImagenRef &ref) {
+    const std::string sale = (std::filesystem::temp_directory_path() / "mide_espejo.ppm").string();
+    const auto ejecuta = [&](int w, int h) {
+        return milisegundosDe("povray '+I" + recurso("herramientas/mide/espejo.pov") + "' '+O" + sale +
+                              "' +FP -D -GA File_Gamma=1.0 +W" + std::to_string(w) + " +H" +
+                              std::to_string(h));
+    };
+    std::vector<double> ms;
+    for (int i = 0; i < 5; ++i)
+        ms.push_back(ejecuta(ancho, alto) - ejecuta(4, 3));
+    ejecuta(ancho, alto);
+    const Imagen imagen = leePpm(sale);
+    m.yaMedida("par: POV-Ray", errorSinContorno(imagen, ref), ms,
+               "traza rayos, con todos los hilos; sin malla");
+}
+
+static void mideEspejo(Medidor &m) {
+    abreGpu();
+    glEnable(GL_DEPTH_TEST);
+    const Lienzo lienzo(m.talla(64, 960), m.talla(48, 720));
+    const glm::mat4 M = traslacion({0, ALTO_ESFERA, 0}) * escalado(RADIO_ESFERA),
+                    simetria = reflexion({{0, 1, 0}, -ALTO_ESPEJO});
+    const oraculo::Escena esfera = {oraculo::esfera(oraculo::traslada({0, double(ALTO_ESFERA), 0}) *
+                                                    oraculo::escala(double(RADIO_ESFERA)))};
+    oraculo::Escena escena = esfera;
+    escena.push_back(oraculo::plano(oraculo::traslada({0, double(ALTO_ESPEJO), 0}) *
+                                    oraculo::gira({1, 0, 0}, -0.5 * oraculo::PI) * oraculo::escala(400)));
+    const auto color = [](const oraculo::Impacto &i) {
+        return i ? phongExacto(i.punto, i.normal, i.rayo.origen) : oraculo::Vec3{0.95, 0.96, 0.98};
+    };
+    const oraculo::ImagenRef ref =
+        oraculo::render(escena, camaraExacta(), lienzo.ancho, lienzo.alto, [&](const oraculo::Impacto &i) {
+            if (i.objeto != 1)
+                return oraculo::Tono(color(i));
+            const oraculo::Impacto visto = oraculo::primerImpacto(esfera, oraculo::rebote(i));
+            return oraculo::Tono(color(visto), visto ? 1 : 0);
+        });
+    m.referencia = oraculo::enBytes(ref);
+    const GLuint programa = creaSombreado("phong");
+    enviaEscena(programa, lienzo);
+    for (const int n : m.talla<std::vector<int>>({12, 96}, {12, 24, 48, 96, 192})) {
+        const Buferes b = creaBuferes(::esfera(n));
+        const auto dibuja = [&] {
+            lienzo.borra(0.95f, 0.96f, 0.98f);
+            for (const glm::mat4 &mundo : {glm::mat4(1), simetria}) { // con su luz, también simétrica
+                glUseProgram(programa);
+                enviaLuz(programa, "luz", LUZ, camaraEscena() * mundo);
+                dibujaObjeto(programa, b, mundo * M, camaraEscena(), CORAL);
+            }
+        };
+        dibuja();
+        const Imagen imagen = lienzo.lee();
+        m.variante("simétrica, esferas de " + std::to_string(n), errorSinContorno(imagen, ref), 1,
+                   yEspera(dibuja), {0, n >= 96 ? 0.6 : 30}, "", imagen);
+        borraBuferes(b);
+    }
+    if (!m.ensayo && m.pares)
+        parPovRay(m, lienzo.ancho, lienzo.alto, ref);
+}
+
+static const Apunta
+    APUNTA({18, "espejo", "Un espejo plano", "ms por imagen de 960×720",
+            "niveles de 255 (RMSE), frente a trazar rayos, fuera del contorno", "simétrica, esferas de 96",
+            "Dibujar la escena otra vez da el mismo espejo que trazar rayos. La malla tiene los "
+            "segmentos de segmentosEsfera, unos cien.",
+            mideEspejo});
