@@ -97,6 +97,7 @@ static void mideSeleccion(Medidor &m) {
                 dibuja(b);
             return leePixel(c);
         };
+        lienzo.borra(0, 0, 0); // que no acierte por lo que había
         variante(
             "dibujar solo ese píxel" + malla,
             [&](const auto &c) {
