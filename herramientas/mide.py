@@ -423,8 +423,8 @@ def main():
         pagina.escribe_informe(destino, tecnicas=medidas, metas=metas(medidas, tabla, suelo, golden), costes=tabla, suelo=suelo, compilar=compilar, entorno=datos)
         avisa(f"Hecho: {destino}/index.html")
     if apunta:
-        (raiz / ESPERADOS).write_text("".join(f"{t.nombre}\t{v.nombre}\t{v.error:g}\n" for t in tecnicas for v in t.variantes
-                                               if not v.par or "glm::" in v.nombre))
+        esperados.update({t.nombre: {v.nombre: v.error for v in t.variantes if not v.par or "glm::" in v.nombre} for t in tecnicas})
+        (raiz / ESPERADOS).write_text("".join(f"{t}\t{v}\t{e:g}\n" for t in esperados for v, e in esperados[t].items()))
     if fallos:
         sys.exit(f"lab: no se ha podido medir todo: {', '.join(fallos)}")
 

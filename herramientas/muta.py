@@ -275,7 +275,7 @@ class Taller:
                     pruebas.append(Prueba(f"{ejecutable.name[:-5]}.{nombre}", [ejecutable, f"--gtest_filter={nombre}"], {}, False))
                 elif linea.endswith("."):
                     grupo = linea
-        entorno = dict(linea.split("=", 1) for linea in (self.build / "entorno.txt").read_text().splitlines())
+        entorno = dict(linea.split("=", 1) for linea in (self.copia / "tests/entorno.txt").read_text().split())
         for carpeta, programa, caso, *_ in self.casos:
             if not capitulos or capitulo(carpeta) in capitulos:
                 pruebas.append(Prueba(f"{capitulo(carpeta)} golden {programa}.{caso}", [

@@ -98,5 +98,5 @@ static const Apunta APUNTA({9, "filtrado", "Filtros de la textura", "ms por imag
                             "niveles de 255 (RMSE), frente a 16×16 muestras por píxel", "mipmap trilineal",
                             "Sin mipmaps el suelo lejano parpadea y el error es el mayor. creaTextura2D pone "
                             "el trilineal; el anisótropo "
-                            "se acerca más, pero es una extensión y, sin GPU, tarda cien veces más.",
+                            "se acerca más, pero es una extensión y, sin GPU, tarda veinte veces más.",
                             mideFiltrado});

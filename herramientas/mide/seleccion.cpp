@@ -33,7 +33,7 @@ static void mideSeleccion(Medidor &m) {
     std::mt19937 azar(4);
     const auto al = [&] { return static_cast<float>(static_cast<double>(azar()) / 2147483648.0 - 1); };
     std::vector<glm::vec4> bolas; // centro y radio
-    for (int i = 0; i < m.talla(8, 40); ++i)
+    for (int i = 0; i < 40; ++i)
         bolas.push_back({1.4f * al(), 1.1f * al(), al(), 0.12f + 0.08f * al()});
     const GLuint programa =
         creaPrograma("ch03_transformaciones/objeto.vert", "ch10_interaccion/identificador.frag");
@@ -97,6 +97,7 @@ static void mideSeleccion(Medidor &m) {
                 dibuja(b);
             return leePixel(c);
         };
+        lienzo.borra(0, 0, 0); // que no acierte por lo que había
         variante(
             "dibujar solo ese píxel" + malla,
             [&](const auto &c) {

@@ -94,6 +94,7 @@ programa(shader_basico REF "L1.2" TITULO "Tres")
 target_compile_definitions(shader_basico PRIVATE LAB_FUENTES="${CMAKE_SOURCE_DIR}")
   caso(shader_basico base)
 FIN
+: >herramientas/mide/CMakeLists.txt # usa programas que aquí no están
 cat >tests/CMakeLists.txt <<'FIN'
 add_executable(compara herramientas/compara.cpp)
 target_link_libraries(compara PRIVATE comun avisos)
