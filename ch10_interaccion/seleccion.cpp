@@ -1,6 +1,5 @@
-// Elegir un objeto con el ratón (listados 10.2 y 10.3): la escena se dibuja otra vez, en un framebuffer propio y con cada
-// objeto del color de su identificador (identificador.h), y se lee el píxel del clic. Lo que tapa también se dibuja, con
-// el 0. Como son sus listados, las llamadas a OpenGL del framebuffer están a la vista.
+// Elegir un objeto con el ratón (listados 10.2 y 10.3, con sus llamadas a OpenGL a la vista): la escena se dibuja otra vez, en
+// un framebuffer propio y cada objeto del color de su identificador (identificador.h; lo que solo tapa, el 0), y se lee el clic.
 // Controles: clic elige · v lo que hay en el framebuffer · arrastrar orbita · rueda acerca · Esc termina.
 #include "ch03_transformaciones/objeto.h"
 #include "colores.h"
@@ -55,7 +54,6 @@ static struct {
 static void creaFramebuffer(int ancho, int alto) {
     glDeleteFramebuffers(1, &estado.framebuffer); // si no había, borrar el 0 no hace nada
     glDeleteRenderbuffers(N_RENDERBUFFERS, estado.renderbuffers);
-
     glGenRenderbuffers(N_RENDERBUFFERS, estado.renderbuffers);
     glBindRenderbuffer(GL_RENDERBUFFER, estado.renderbuffers[COLOR]);
     glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, ancho, alto); // GL_RGBA a secas no promete 8 bits

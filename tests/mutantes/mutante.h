@@ -6,7 +6,8 @@
 #include <string>
 
 inline void apuntaVisto(const std::string &que) {
-    static std::FILE *const vistos = std::getenv("LAB_VISTOS") ? std::fopen(std::getenv("LAB_VISTOS"), "a") : nullptr;
+    static std::FILE *const vistos =
+        std::getenv("LAB_VISTOS") ? std::fopen(std::getenv("LAB_VISTOS"), "a") : nullptr;
     if (vistos) {
         std::fprintf(vistos, "%s\n", que.c_str());
         std::fflush(vistos); // el proceso puede acabar de cualquier manera
