@@ -80,7 +80,7 @@ struct Apunta {
 
 /// El valor que se calcula solo para cronometrarlo, que el compilador no puede quitar.
 template<class T>
-void usa(const T &valor) {
+void usa(T &&valor) {
     benchmark::DoNotOptimize(valor);
 }
 
