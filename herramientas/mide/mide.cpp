@@ -51,7 +51,7 @@ public:
     }
     void ReportRuns(const std::vector<Run> &vueltas) override {
         for (const Run &r : vueltas)
-            if (r.run_type == Run::RT_Iteration && !r.error_occurred)
+            if (r.run_type == Run::RT_Iteration)
                 ns.push_back(1e9 * r.real_accumulated_time / static_cast<double>(r.iterations));
     }
 };
