@@ -8,7 +8,7 @@
 using namespace mide;
 
 static void mideAntialiasing(Medidor &m) {
-    abreGpu();
+    abreContexto();
     const int lado = m.talla(48, 360);
     const std::vector<glm::dvec2> vertices = estrella();
     std::vector<double> exacta; // blanco donde hay estrella

@@ -27,7 +27,7 @@ static double altura(const glm::vec2 &st) {
 }
 
 static void mideBump(Medidor &m) {
-    abreGpu();
+    abreContexto();
     glEnable(GL_DEPTH_TEST);
     const Lienzo lienzo(m.talla(64, 480), m.talla(48, 360));
     const glm::mat4 M = giroX(-0.6f) * escalado(float(LADO));

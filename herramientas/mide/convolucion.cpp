@@ -88,7 +88,7 @@ static void parImageMagick(Medidor &m, const Imagen &foto, const Filtro &f,
 }
 
 static void mideConvolucion(Medidor &m) {
-    abreGpu();
+    abreContexto();
     glDisable(GL_DEPTH_TEST);
     const Imagen foto = leeTextura(recurso("assets/foto.rgb"), ANCHO, ALTO);
     const GLuint directo = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/convolucion_variable.frag"),

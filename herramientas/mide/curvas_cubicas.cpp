@@ -44,7 +44,7 @@ static void diferencias(const G3 &g, std::vector<glm::vec3> &puntos) {
 class EnShader {
 public:
     explicit EnShader(std::size_t n) : cuantos(static_cast<GLsizei>(n)) {
-        abreGpu();
+        abreContexto();
         programa = creaPrograma("herramientas/mide/bezier.vert", "herramientas/mide/nada.frag");
         const char *salida = "punto";
         glTransformFeedbackVaryings(programa, 1, &salida, GL_INTERLEAVED_ATTRIBS);

@@ -40,7 +40,7 @@ static GLuint creaMapa(int lado) {
 }
 
 static void mideEntorno(Medidor &m) {
-    abreGpu();
+    abreContexto();
     glEnable(GL_DEPTH_TEST);
     const Lienzo lienzo(m.talla(64, 320), m.talla(48, 240));
     const oraculo::Vec3 METAL = {0.97, 0.91, 0.80};

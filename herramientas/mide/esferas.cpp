@@ -38,7 +38,7 @@ static double hundimiento(const Malla &malla, const glm::mat4 &giro, double radi
 }
 
 static void mideEsferas(Medidor &m) {
-    abreGpu();
+    abreContexto();
     const int lado = m.talla(60, 600);
     const Lienzo lienzo(lado, lado);
     const GLuint programa = creaSombreado("phong");

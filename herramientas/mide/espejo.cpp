@@ -28,7 +28,7 @@ static void parPovRay(Medidor &m, int ancho, int alto, const oraculo::ImagenRef 
 }
 
 static void mideEspejo(Medidor &m) {
-    abreGpu();
+    abreContexto();
     glEnable(GL_DEPTH_TEST);
     const Lienzo lienzo(m.talla(64, 960), m.talla(48, 720));
     const glm::mat4 M = traslacion({0, ALTO_ESFERA, 0}) * escalado(RADIO_ESFERA),

@@ -53,7 +53,7 @@ static std::vector<double> exacto(const Imagen &textura, int ancho, int alto, in
 }
 
 static void mideFiltrado(Medidor &m) {
-    abreGpu();
+    abreContexto();
     const Lienzo lienzo(m.talla(64, 480), m.talla(48, 360));
     const Imagen imagen = leeTextura(recurso("assets/mosaico.rgb"), TALLA, TALLA);
     const std::vector<double> ref = exacto(imagen, lienzo.ancho, lienzo.alto, m.talla(4, MUESTRAS));

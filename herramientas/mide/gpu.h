@@ -2,24 +2,10 @@
 #pragma once
 #include "imagen.h"
 #include "shader.h"
-#include <GL/glew.h>
-#include <GL/freeglut.h>
+#include "tests/herramientas/contexto_suelto.h"
 #include <functional>
 
 namespace mide {
-
-inline void abreGpu() {
-    static char nombre[] = "mide";
-    char *argv[] = {nombre, nullptr};
-    int argc = 1;
-    glutInit(&argc, argv);
-    glutCreateWindow(nombre);
-    glewExperimental = GL_TRUE;
-    glewInit(); // su resultado no sirve: common/ventana.cpp
-    GLuint vao = 0;
-    glGenVertexArrays(1, &vao);
-    glBindVertexArray(vao);
-}
 
 /// Un framebuffer propio. Con profundidad siempre: sin ella llvmpipe se salta lo que un rectángulo opaco va a tapar.
 class Lienzo {

@@ -13,7 +13,7 @@ struct Particula {
 };
 
 static void mideParticulas(Medidor &m) {
-    abreGpu();
+    abreContexto();
     glDisable(GL_DEPTH_TEST);
     const Lienzo lienzo(m.talla(96, 960), m.talla(72, 720));
     const int n = m.talla(100, 100000), muchas = m.talla(1000, 1000000);

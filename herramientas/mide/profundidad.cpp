@@ -28,7 +28,7 @@ static double confundidos(double cerca, double lejos, int bits, bool alReves) {
 }
 
 static void mideProfundidad(Medidor &m) {
-    abreGpu();
+    abreContexto();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     const GLuint programa = creaPrograma("ch09_imagen/imagen.vert", "herramientas/mide/nada.frag");

@@ -6,7 +6,7 @@
 using namespace mide;
 
 static void mideRuido(Medidor &m) {
-    abreGpu();
+    abreContexto();
     glDisable(GL_DEPTH_TEST);
     const int lado = m.talla(32, 512);
     const Lienzo lienzo(lado, lado);

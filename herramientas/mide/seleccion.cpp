@@ -26,7 +26,7 @@ static unsigned cortaEsferas(const std::vector<glm::vec4> &bolas, const glm::vec
 static const std::size_t DIBUJADOS = 40; // clics que se comprueban dibujando: los demás, con lo dibujado
 
 static void mideSeleccion(Medidor &m) {
-    abreGpu();
+    abreContexto();
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_DITHER);
     const Lienzo lienzo(m.talla(96, 960), m.talla(72, 720));

@@ -15,7 +15,7 @@ static const double ANGULO_SOMBRAS = 0.45, RADIO = 0.5;
 static const glm::vec3 CENTRO(0.2f, 0.5f, 0);
 
 static void mideSombras(Medidor &m) {
-    abreGpu();
+    abreContexto();
     glEnable(GL_DEPTH_TEST);
     const Lienzo lienzo(m.talla(64, 400), m.talla(48, 300));
     const GLuint programa = creaPrograma("herramientas/mide/liso.vert", "ch07_realismo/liso.frag");

@@ -20,7 +20,7 @@ static Malla facetas(const Malla &malla) {
 }
 
 static void mideSombreado(Medidor &m) {
-    abreGpu();
+    abreContexto();
     const Lienzo lienzo(m.talla(64, 640), m.talla(48, 480));
     glEnable(GL_DEPTH_TEST);
     const oraculo::ImagenRef ref = oraculo::render(

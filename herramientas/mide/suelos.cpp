@@ -6,7 +6,7 @@
 using namespace mide;
 
 static void mideSuelos(Medidor &m) {
-    abreGpu();
+    abreContexto();
     glEnable(GL_DEPTH_TEST);
     const GLuint programa = creaPrograma("ch09_imagen/imagen.vert", "herramientas/mide/nada.frag");
     for (const auto &[ancho, alto] : {std::pair(960, 720), {1920, 1080}}) {

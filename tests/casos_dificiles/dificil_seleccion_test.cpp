@@ -7,16 +7,10 @@ namespace {
 
 /// Lo que se lee menos lo que se pintó.
 double errorDeIdentificador(unsigned identificador) {
-    static GLuint programa = 0, framebuffer = 0;
+    static GLuint programa = 0;
     if (programa == 0) {
         programa = creaSonda("ch10_interaccion/identificador.frag"); // que abre el contexto
-        GLuint color = 0;
-        glGenRenderbuffers(1, &color);
-        glBindRenderbuffer(GL_RENDERBUFFER, color);
-        glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, 1, 1);
-        glGenFramebuffers(1, &framebuffer);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+        enlazaUnPixel(GL_RGBA8);
     }
     glUseProgram(programa);
     envia(programa, "identificador", colorDe(identificador));

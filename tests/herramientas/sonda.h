@@ -1,31 +1,28 @@
 // Una sonda: un shader suelto que la GPU ejecuta en un único píxel y devuelve en float, sin recortar ni redondear.
 #pragma once
+#include "contexto_suelto.h"
 #include "shader.h"
-#include <GL/freeglut.h>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <string>
+
+/// Deja enlazado un framebuffer de un píxel de ese formato.
+inline void enlazaUnPixel(GLenum formato) {
+    GLuint color = 0, framebuffer = 0;
+    glGenRenderbuffers(1, &color);
+    glBindRenderbuffer(GL_RENDERBUFFER, color);
+    glRenderbufferStorage(GL_RENDERBUFFER, formato, 1, 1);
+    glGenFramebuffers(1, &framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+}
 
 /// Programa de un fragment shader para la sonda; la primera vez abre una ventana sin pantalla con un framebuffer de un píxel.
 inline GLuint creaSonda(const std::string &frag) {
     static bool abierta = false;
     if (!abierta) {
-        static char nombre[] = "sonda";
-        char *argv[] = {nombre, nullptr};
-        int argc = 1;
-        glutInit(&argc, argv);
-        glutCreateWindow(nombre);
-        glewExperimental = GL_TRUE;
-        glewInit(); // su resultado no sirve: common/ventana.cpp
-        GLuint vao = 0, color = 0, framebuffer = 0;
-        glGenVertexArrays(1, &vao);
-        glBindVertexArray(vao);
-        glGenRenderbuffers(1, &color);
-        glBindRenderbuffer(GL_RENDERBUFFER, color);
-        glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, 1, 1);
-        glGenFramebuffers(1, &framebuffer);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+        abreContexto();
+        enlazaUnPixel(GL_RGBA32F);
         glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
         abierta = true;
     }
