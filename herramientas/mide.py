@@ -305,7 +305,7 @@ def errores(raiz):
 def costes(raiz, build, destino, llenar, vueltas=5):
     """Cada programa: lo que tarda en arrancar frente al suelo, alternados; y por imagen, con -mide."""
     sin_ventana = (build / "sin_ventana").read_text().strip()
-    suelo = build / "tests" / "suelo_osmesa"
+    suelo = build / "herramientas/mide/suelo_osmesa"
     programas = [p for capitulo in pagina.lee_catalogo(build) for p in capitulo.programas if not p.consola]
     comprobado = errores(raiz)
     tabla, suelos = [], []

@@ -279,7 +279,7 @@ class Taller:
         for carpeta, programa, caso, *_ in self.casos:
             if not capitulos or capitulo(carpeta) in capitulos:
                 pruebas.append(Prueba(f"{capitulo(carpeta)} golden {programa}.{caso}", [
-                    self.copia / "tests/herramientas/caso.sh", self.build, self.sin_ventana, programa, caso], entorno, True))
+                    self.copia / "tests/casos/caso.sh", self.build, self.sin_ventana, programa, caso], entorno, True))
         return pruebas
 
     def sin_mutantes(self, pruebas, hilos):

@@ -106,7 +106,6 @@ function(caso programa nombre)
     set_property(GLOBAL APPEND PROPERTY LAB_CASOS_QUE_LLEGAN_AL_BORDE ${programa}.${nombre})
   endif()
   set_property(GLOBAL APPEND PROPERTY LAB_NOMBRES_DE_CASOS ${programa}.${nombre})
-  set_property(GLOBAL PROPERTY LAB_GUION_${programa}.${nombre} "${C_GUION}")
 endfunction()
 
 # Los índices de todos los capítulos, que quedan en la variable `capitulos`, y el catálogo que sale de ellos.

@@ -3,7 +3,7 @@
 #include "gpu.h"
 #include "malla.h"
 #include "mide.h"
-#include "tests/oraculo/oraculo.h"
+#include "herramientas/oraculo/oraculo.h"
 
 using namespace mide;
 

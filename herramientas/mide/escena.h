@@ -2,7 +2,7 @@
 #pragma once
 #include "ch05_iluminacion/iluminacion.h"
 #include "gpu.h"
-#include "tests/oraculo/oraculo.h"
+#include "herramientas/oraculo/oraculo.h"
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace mide {

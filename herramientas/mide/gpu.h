@@ -2,7 +2,7 @@
 #pragma once
 #include "imagen.h"
 #include "shader.h"
-#include "tests/herramientas/contexto_suelto.h"
+#include "herramientas/contexto_suelto.h"
 #include <functional>
 
 namespace mide {

@@ -6,7 +6,7 @@
 #include "malla.h"
 #include "mide.h"
 #include "orbita.h"
-#include "tests/oraculo/oraculo.h"
+#include "herramientas/oraculo/oraculo.h"
 #include <glm/gtc/matrix_transform.hpp>
 
 using namespace mide;

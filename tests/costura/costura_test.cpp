@@ -172,8 +172,8 @@ TEST(Shader, UnUniformQueNoEstaAvisaUnaVez) {
     EXPECT_EQ(e.estado, 0);
     EXPECT_EQ(
         e.errores,
-        "defectuoso: aviso: el uniform «noExiste» no está o no se usa en tests/herramientas/mutante.vert y "
-        "tests/herramientas/mutante.frag\n");
+        "defectuoso: aviso: el uniform «noExiste» no está o no se usa en tests/comparador/escena.vert y "
+        "tests/comparador/escena.frag\n");
 }
 
 // F5 con el shader roto conserva el que había y dice la línea; arreglado, lo usa.

@@ -89,15 +89,15 @@ int main(int argc, char **argv) {
     } else if (defecto == "dos_ventanas") {
         glutCreateWindow("otra");
     } else if (defecto == "glsl150") {
-        creaPrograma("tests/costura/glsl150.vert", "tests/herramientas/mutante.frag");
+        creaPrograma("tests/costura/glsl150.vert", "tests/comparador/escena.frag");
     } else if (defecto == "sin_shader") {
-        creaPrograma("tests/costura/no_esta.vert", "tests/herramientas/mutante.frag");
+        creaPrograma("tests/costura/no_esta.vert", "tests/comparador/escena.frag");
     } else if (defecto == "uniforme") {
-        const GLuint p = creaPrograma("tests/herramientas/mutante.vert", "tests/herramientas/mutante.frag");
+        const GLuint p = creaPrograma("tests/comparador/escena.vert", "tests/comparador/escena.frag");
         uniforme(p, "noExiste");
         uniforme(p, "noExiste");
     } else if (defecto == "inclusion") {
-        creaPrograma("tests/costura/inclusion.vert", "tests/herramientas/mutante.frag");
+        creaPrograma("tests/costura/inclusion.vert", "tests/comparador/escena.frag");
     } else if (defecto == "recarga") {
         GLuint vao;
         glGenVertexArrays(1, &vao);

@@ -3,8 +3,8 @@
 # dicen al programa debe ser igual, línea a línea.
 set -euo pipefail
 build=$1 sin_ventana=$2
-source "$(dirname "$0")/../herramientas/xdotool.sh"
-source "$(dirname "$0")/../herramientas/pantalla.sh"
+source "$(dirname "$0")/../ventana/xdotool.sh"
+source "$(dirname "$0")/../ventana/pantalla.sh"
 # Sin mayúsculas: con ellas FreeGLUT da además la pulsación de la tecla de mayúsculas, que el guion no tiene.
 # Antes de nada el ratón entra en la ventana, para que la posición de las teclas sea conocida.
 guion='mueve 20 30; tecla a; tecla z; tecla 5; tecla -; tecla PuntoYComa; tecla Espacio; tecla Intro; tecla Tab; tecla Retroceso; tecla Supr

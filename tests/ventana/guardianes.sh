@@ -13,7 +13,7 @@ fallos=0
 
 # Un build y unas pruebas de mentira, con un solo programa de verdad detrás.
 mkdir -p tests build/tests build/ventana/cap "build/$sin_ventana/cap" tests/golden/cap
-cp -r "$aqui" tests/herramientas
+cp -r "$aqui" "$aqui/../casos" tests
 ln -s "$build/tests/compara" build/tests/compara
 printf 'cap\tgrua\t%s\t%s\t-\t-\t%s\t-\t-\n' base - grua quieta 'espera 10' grua-quieta >build/casos.tsv
 "$build/$sin_ventana/ch03_transformaciones/grua" -geometry 240x180 -ppm bien.ppm
@@ -29,7 +29,7 @@ programa() { # CUERPO: el programa del caso es un script que lo ejecuta; en él,
 prueba() { # ESTADO QUÉ MENSAJE ORDEN…: si acaba con 0 o no, como dice ESTADO, y si lo explica
   local esperado=$1 que=$2 mensaje=$3 estado=0
   shift 3
-  "tests/herramientas/$@" >salida 2>&1 || estado=1
+  "tests/casos/$@" >salida 2>&1 || estado=1
   [ $estado = "$esperado" ] && grep -q "$mensaje" salida && return
   echo "$que: acaba con $estado y debía acabar con $esperado diciendo «$mensaje»:"
   cat salida
@@ -66,7 +66,7 @@ caso 1 "sin golden" 'falta el golden'
 
 # Interrumpida sin remedio (KILL), ni el Xvfb ni el programa la sobreviven.
 cp otro.ppm tests/golden/cap/grua.ppm
-PACIENCIA=600 tests/herramientas/ventana.sh "$carpeta/build" grua base >/dev/null 2>&1 &
+PACIENCIA=600 tests/casos/ventana.sh "$carpeta/build" grua base >/dev/null 2>&1 &
 prueba=$!
 hijos() { ps -o pid= --ppid "$1" | xargs; }
 for _ in $(seq 100); do [ "$(hijos $prueba | wc -w)" -ge 2 ] && break; sleep 0.05; done

@@ -10,4 +10,4 @@ export NODE_PATH=/usr/share/nodejs
   { cat "$carpeta/registro"; exit 1; }
 pagina="$carpeta/página (1)"
 python3 -B herramientas/web.py . "$build/web" "$carpeta/sin galería" "$pagina" # sin miniaturas, que aquí no hacen falta
-python3 -B tests/herramientas/web.py . "$build" "$pagina"
+python3 -B tests/paginas/comprueba_web.py . "$build" "$pagina"

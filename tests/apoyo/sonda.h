@@ -26,7 +26,7 @@ inline GLuint creaSonda(const std::string &frag) {
         glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
         abierta = true;
     }
-    return creaPrograma("tests/herramientas/sonda.vert", frag);
+    return creaPrograma("tests/apoyo/sonda.vert", frag);
 }
 
 /// El color que da el programa en uso; NaN en los cuatro si no dibuja nada.

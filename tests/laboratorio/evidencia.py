@@ -142,7 +142,7 @@ class Documentos:
         for programa in pasan ^ explicados:
             self.mal(f"exactitud.md: de «{programa}» " + ("falta por qué pasa de 2 niveles" if programa in pasan else "ya no pasa de 2 niveles"))
         for falta in [f for f in programas + casos if f not in escritas]:
-            self.mal(f"exactitud.md: falta la fila «{falta}»: tests/herramientas/evidencia.py escribe")
+            self.mal(f"exactitud.md: falta la fila «{falta}»: tests/laboratorio/evidencia.py escribe")
 
 
 def ejecuta(build, citas, pruebas):

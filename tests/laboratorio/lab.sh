@@ -96,9 +96,9 @@ target_compile_definitions(shader_basico PRIVATE LAB_FUENTES="${CMAKE_SOURCE_DIR
 FIN
 : >herramientas/mide/CMakeLists.txt # usa programas que aquí no están
 cat >tests/CMakeLists.txt <<'FIN'
-add_executable(compara herramientas/compara.cpp)
+add_executable(compara comparador/compara.cpp)
 target_link_libraries(compara PRIVATE comun avisos)
-add_test(NAME imagen COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/herramientas/caso.sh ${CMAKE_BINARY_DIR} ${LAB_SIN_VENTANA} shader_basico base)
+add_test(NAME imagen COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/casos/caso.sh ${CMAKE_BINARY_DIR} ${LAB_SIN_VENTANA} shader_basico base)
 FIN
 golden=tests/golden/ch01_intro
 cp $golden/primer_programa.ppm $golden/primer_programa_dos.ppm

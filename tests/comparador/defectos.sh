@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# mutaciones.sh BUILD: el comparador acepta lo que debe y rechaza lo demás. Primero, imágenes con una cosa estropeada al
-# dibujar (mutante); después, con unos píxeles cambiados (estropea), a uno y otro lado de cada límite.
+# defectos.sh BUILD: el comparador acepta lo que debe y rechaza lo demás. Primero, imágenes con una cosa estropeada al
+# dibujar (escena_comparador); después, con unos píxeles cambiados (estropea), a uno y otro lado de cada límite.
 set -euo pipefail
 build=$1/tests fallos=0
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
 cd "$carpeta"
-"$build/mutante" -geometry 240x180 -ppm buena.ppm
+"$build/escena_comparador" -geometry 240x180 -ppm buena.ppm
 
 # espera NOMBRE ESTADO TEXTO [opciones]: compara buena.ppm con mala.ppm; el resultado debe llevar TEXTO
 espera() {
@@ -18,11 +18,11 @@ espera() {
     { echo "ha salido con $estado y debía salir con $esperado y decir «$texto»"; fallos=1; }
 }
 
-for mutacion in nada luz textura pixel triangulo; do
-  "$build/mutante" -geometry 240x180 -ppm mala.ppm $mutacion
+for defecto in nada luz textura pixel triangulo; do
+  "$build/escena_comparador" -geometry 240x180 -ppm mala.ppm $defecto
   esperado=1
-  [ $mutacion != nada ] || esperado=0
-  for opcion in '' --amplia; do espera $mutacion $esperado '' $opcion; done
+  [ $defecto != nada ] || esperado=0
+  for opcion in '' --amplia; do espera $defecto $esperado '' $opcion; done
 done
 
 # Nombre, argumentos de estropea y los estados que deben dar el mismo OpenGL y otro. 43 píxeles son el 0.1 % de 240×180.

@@ -1,5 +1,5 @@
 // Una esfera con luz y textura a la que se puede estropear una cosa: con eso se prueba que el comparador la
-// nota (tests/herramientas/mutaciones.sh). Argumento: nada, luz (gira 3 grados), textura (falta), pixel (todo se corre
+// nota (tests/comparador/defectos.sh). Argumento: nada, luz (gira 3 grados), textura (falta), pixel (todo se corre
 // uno) o triangulo (falta uno de los 3968).
 #include "error.h"
 #include "malla.h"
@@ -14,13 +14,13 @@
 static struct {
     GLuint programa;
     Buferes esfera;
-    std::string mutacion = "nada";
+    std::string defecto = "nada";
 } estado;
 
 static void inicia() {
-    estado.programa = creaPrograma("tests/herramientas/mutante.vert", "tests/herramientas/mutante.frag");
+    estado.programa = creaPrograma("tests/comparador/escena.vert", "tests/comparador/escena.frag");
     Malla malla = esfera(64);
-    if (estado.mutacion == "triangulo") {
+    if (estado.defecto == "triangulo") {
         const auto centro = malla.indices.begin() + 3 * (64 + 15 * 128 + 96); // en medio de lo que se ve
         malla.indices.erase(centro, centro + 3);
     }
@@ -29,7 +29,7 @@ static void inicia() {
     for (int i = 0; i < 64; ++i)
         for (int c = 0; c < 3; ++c)
             ajedrez.rgb.push_back((i + i / 8) % 2 ? 230 : c == 2 ? 60 : 180);
-    if (estado.mutacion == "textura")
+    if (estado.defecto == "textura")
         ajedrez = {1, 1, {255, 255, 255}};
     creaTextura2D(ajedrez);
     glEnable(GL_DEPTH_TEST);
@@ -39,7 +39,7 @@ static void inicia() {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
-    const float giro = glm::radians(estado.mutacion == "luz" ? 43.0f : 40.0f);
+    const float giro = glm::radians(estado.defecto == "luz" ? 43.0f : 40.0f);
     const glm::vec3 luz(std::sin(giro), 0.3f, std::cos(giro));
     const glm::mat4 camara =
         perspectivaVentana(0.6f, 1, 10) * glm::lookAt(glm::vec3(0, -4, 0), glm::vec3(0), glm::vec3(0, 0, 1));
@@ -50,13 +50,13 @@ static void dibuja() {
 }
 
 static void cambiaTamano(int ancho, int alto) {
-    glViewport(estado.mutacion == "pixel" ? 1 : 0, 0, ancho, alto);
+    glViewport(estado.defecto == "pixel" ? 1 : 0, 0, ancho, alto);
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "mutante", GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH, "[MUTACION]");
+    abreVentana(argc, argv, "escena_comparador", GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH, "[DEFECTO]");
     if (argc > 1)
-        estado.mutacion = argv[1];
+        estado.defecto = argv[1];
     inicia();
     glutDisplayFunc(dibuja);
     glutReshapeFunc(cambiaTamano);

@@ -5,8 +5,8 @@
 set -euo pipefail
 build=$1 programa=$2 caso=$3
 aqui=$(cd "$(dirname "$0")" && pwd)
-source "$aqui/pantalla.sh"
-source "$aqui/xdotool.sh"
+source "$aqui/../ventana/pantalla.sh"
+source "$aqui/../ventana/xdotool.sh"
 
 IFS=$'\t' read -r capitulo _ _ guion argumentos tolerancia nombre _ \
   < <(awk -F'\t' -v p="$programa" -v c="$caso" '$2 == p && $3 == c' "$build/casos.tsv")
