@@ -1,3 +1,4 @@
+#include "../encima.h"
 #include "../error.h"
 #include "../imagen.h"
 #include "contexto.h"
@@ -152,12 +153,14 @@ std::string sello() {
 
 void guarda(const std::string &fichero) {
     guardaPpm(fichero, leeFramebuffer(), sello());
+    guardaEncima(fichero, g.ancho, g.alto);
 }
 
 void dibujaSiHaceFalta() {
     if (!g.repinta || g.termina)
         return;
     g.repinta = false;
+    empiezaCuadroEncima();
     if (g.dibuja)
         g.dibuja();
     compruebaGL("al dibujar");
