@@ -190,7 +190,7 @@ struct Teselacion {
 inline Teselacion teselaParches(const std::vector<Parche> &parches, double tolerancia) {
     Teselacion t;
     std::vector<Vertice> &vertices = t.malla.vertices;
-    const auto triangulo = [&](GLuint a, GLuint b, GLuint c) {
+    const auto triangulo = [&](unsigned a, unsigned b, unsigned c) {
         const glm::vec3 &p = vertices[a].posicion, &q = vertices[b].posicion, &r = vertices[c].posicion;
         if (p != q && q != r && r != p)
             t.malla.indices.insert(t.malla.indices.end(), {a, b, c});
@@ -198,7 +198,7 @@ inline Teselacion teselaParches(const std::vector<Parche> &parches, double toler
     const std::vector<Division> divisiones = divisionesPara(parches, tolerancia);
     for (std::size_t k = 0; k < parches.size(); ++k) {
         const int nu = divisiones[k].nu, nv = divisiones[k].nv;
-        const auto base = static_cast<GLuint>(vertices.size());
+        const auto base = static_cast<unsigned>(vertices.size());
         for (int j = 0; j <= nv; ++j)
             for (int i = 0; i <= nu; ++i) {
                 // 1 − i/n redondea distinto que (n − i)/n, y el parche vecino puede recorrer el lado al revés
@@ -211,8 +211,8 @@ inline Teselacion teselaParches(const std::vector<Parche> &parches, double toler
             }
         for (int j = 0; j < nv; ++j)
             for (int i = 0; i < nu; ++i) {
-                const GLuint a = base + static_cast<GLuint>(j * (nu + 1) + i), b = a + 1,
-                             d = a + static_cast<GLuint>(nu + 1), c = d + 1;
+                const unsigned a = base + static_cast<unsigned>(j * (nu + 1) + i), b = a + 1,
+                               d = a + static_cast<unsigned>(nu + 1), c = d + 1;
                 triangulo(a, b, c);
                 triangulo(a, c, d);
             }

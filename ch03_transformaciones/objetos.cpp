@@ -3,8 +3,8 @@
 // Como es su listado, aquí las llamadas a OpenGL están a la vista: es lo que hacen envia y dibuja (common/).
 // Controles: ratón orbita · rueda acerca · Esc termina.
 #include "objetos.h"
+#include "buferes.h"
 #include "colores.h"
-#include "malla.h"
 #include "orbita.h"
 #include "shader.h"
 #include "ventana.h"

@@ -4,10 +4,10 @@
 // GLUT_DEPTH no dice de cuántos bits es el buffer (24 o 32 según la ventana): se dibuja en uno propio de 24.
 // Controles: 1 2 3 lejos/cerca 1e2 1e4 1e6 · ratón orbita · Esc termina.
 #include "profundidad.h"
+#include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "imagen.h"
-#include "malla.h"
 #include "orbita.h"
 #include "rotulo.h"
 #include "shader.h"

@@ -4,9 +4,9 @@
 // misma; en las tapas es un círculo.
 // Controles: 1 cubo · 2 cilindro · 3 esfera · ratón orbita · Esc termina.
 #include "aspecto.h"
+#include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
-#include "malla.h"
 #include "orbita.h"
 #include "recuadro.h"
 #include "rotulo.h"

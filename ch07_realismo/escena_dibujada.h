@@ -1,8 +1,8 @@
 // Dibujar escena_espejo.h, tal cual o reflejada, y el espejo solo. Los programas espejo y espejo_plantilla.
 #pragma once
+#include "buferes.h"
 #include "ch05_iluminacion/iluminacion.h"
 #include "escena_espejo.h"
-#include "malla.h"
 #include <array>
 
 struct EscenaDibujada {

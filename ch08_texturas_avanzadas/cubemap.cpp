@@ -2,10 +2,10 @@
 // en que el entorno está fijo en el mundo, en que el vector de reflexión se calcula en cada fragmento, en el orden de las caras
 // y de sus filas, que es el de OpenGL, y en GL_CLAMP_TO_EDGE. El toro no se refleja a sí mismo: no está en el mapa.
 // Controles: c mapa desplegado · v por fragmento y por vértice · ratón orbita · Esc termina.
+#include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "imagen.h"
-#include "malla.h"
 #include "orbita.h"
 #include "recuadro.h"
 #include "rotulo.h"

@@ -1,5 +1,6 @@
 // Dibujar la malla de una imagen y llevarla a la GPU: lo que comparten warping y morphing.
 #pragma once
+#include "buferes.h"
 #include "imagen_en_ventana.h"
 #include "malla_imagen.h"
 #include "trazo.h"

@@ -1,6 +1,6 @@
 // La malla de puntos que deforma una imagen (§9.4): entre los puntos pasa una superficie suave (Catmull–Rom), sin los dobleces que
-// dejarían sus triángulos. Las posiciones van de (0, 0), abajo a la izquierda, a (1, 1). Sin OpenGL, salvo los tipos de
-// common/malla.h; la usan warping y morphing.
+// dejarían sus triángulos. Las posiciones van de (0, 0), abajo a la izquierda, a (1, 1). Sin OpenGL; la usan
+// warping y morphing.
 #pragma once
 #include "malla.h"
 #include <algorithm>
@@ -75,8 +75,8 @@ inline Malla triangula(const MallaImagen &a, const MallaImagen &b) {
         }
     for (int j = 0; j < filas; ++j)
         for (int i = 0; i < columnas; ++i) {
-            const GLuint k = static_cast<GLuint>(j * (columnas + 1) + i),
-                         arriba = k + static_cast<GLuint>(columnas) + 1;
+            const unsigned k = static_cast<unsigned>(j * (columnas + 1) + i),
+                           arriba = k + static_cast<unsigned>(columnas) + 1;
             malla.indices.insert(malla.indices.end(), {k, k + 1, arriba + 1, k, arriba + 1, arriba});
         }
     return malla;

@@ -47,7 +47,7 @@ inline Malla tuboSolenoide(int vueltas, int resto) {
             malla.vertices.push_back({centro + GRUESO_TUBO * normal, normal, {0, 0}});
             if (k == anillos || j == LADOS_TUBO || i % 2 != resto)
                 continue;
-            const GLuint p = static_cast<GLuint>(k * (LADOS_TUBO + 1) + j), q = p + LADOS_TUBO + 1;
+            const unsigned p = static_cast<unsigned>(k * (LADOS_TUBO + 1) + j), q = p + LADOS_TUBO + 1;
             malla.indices.insert(malla.indices.end(), {p, p + 1, q + 1, p, q + 1, q});
         }
     }

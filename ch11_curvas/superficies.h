@@ -108,7 +108,8 @@ inline Malla mallaSuperficie(Base base, const Geometria2<float> &G, const Segmen
             malla.vertices.push_back({superficie(base, G, u, v), normalSuperficie(base, G, u, v), {u, v}});
             if (i == n.u || j == n.v)
                 continue;
-            const GLuint a = static_cast<GLuint>(j * (n.u + 1) + i), d = a + static_cast<GLuint>(n.u + 1);
+            const unsigned a = static_cast<unsigned>(j * (n.u + 1) + i),
+                           d = a + static_cast<unsigned>(n.u + 1);
             malla.indices.insert(malla.indices.end(), {a, a + 1, d + 1, a, d + 1, d});
         }
     return malla;

@@ -2,7 +2,7 @@
 // que el fragment shader lee la imagen, a las que suma un seno. Es lo que se ve a través del agua.
 // Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · Esc termina.
 #include "animacion.h"
-#include "malla.h"
+#include "buferes.h"
 #include "shader.h"
 #include "textura.h"
 

@@ -1,9 +1,9 @@
 // La estrella de antialiasing.cpp: las muestras por píxel frente al área exacta.
+#include "buferes.h"
 #include "ch09_imagen/estrella.h"
 #include "gpu.h"
-#include "malla.h"
-#include "mide.h"
 #include "herramientas/oraculo/oraculo.h"
+#include "mide.h"
 
 using namespace mide;
 

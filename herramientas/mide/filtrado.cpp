@@ -1,8 +1,8 @@
 // El suelo de filtrado.cpp: los filtros de la textura frente a 16 × 16 muestras por píxel.
+#include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "escena.h"
-#include "malla.h"
 #include "mide.h"
 #include "orbita.h"
 #include "rutas.h"
