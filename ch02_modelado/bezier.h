@@ -125,7 +125,7 @@ inline Division divisionPara(const Parche &q, double tolerancia) {
                     muv, 9 * glm::length((q.p[i + 1][j + 1] - q.p[i + 1][j]) - (q.p[i][j + 1] - q.p[i][j])));
         }
     const auto segmentos = [tolerancia](double m) {
-        return static_cast<int>(std::clamp(std::ceil(std::sqrt(m / (4 * tolerancia))), 1.0, 1024.0));
+        return int(std::clamp(std::ceil(std::sqrt(m / (4 * tolerancia))), 1.0, 1024.0));
     };
     return {segmentos(muu + muv), segmentos(mvv + muv)};
 }
@@ -198,12 +198,12 @@ inline Teselacion teselaParches(const std::vector<Parche> &parches, double toler
     const std::vector<Division> divisiones = divisionesPara(parches, tolerancia);
     for (std::size_t k = 0; k < parches.size(); ++k) {
         const int nu = divisiones[k].nu, nv = divisiones[k].nv;
-        const auto base = static_cast<unsigned>(vertices.size());
+        const unsigned base = unsigned(vertices.size());
         for (int j = 0; j <= nv; ++j)
             for (int i = 0; i <= nu; ++i) {
                 // 1 − i/n redondea distinto que (n − i)/n, y el parche vecino puede recorrer el lado al revés
-                const double u = static_cast<double>(i) / nu, uc = static_cast<double>(nu - i) / nu,
-                             v = static_cast<double>(j) / nv, vc = static_cast<double>(nv - j) / nv;
+                const double u = double(i) / nu, uc = double(nu - i) / nu, v = double(j) / nv,
+                             vc = double(nv - j) / nv;
                 vertices.push_back({bezier::posicion(parches[k], bezier::pesos(u, uc), bezier::pesos(v, vc)),
                                     bezier::normal(parches[k], u, v),
                                     {u, v}});
@@ -211,8 +211,7 @@ inline Teselacion teselaParches(const std::vector<Parche> &parches, double toler
             }
         for (int j = 0; j < nv; ++j)
             for (int i = 0; i < nu; ++i) {
-                const unsigned a = base + static_cast<unsigned>(j * (nu + 1) + i), b = a + 1,
-                               d = a + static_cast<unsigned>(nu + 1), c = d + 1;
+                const unsigned a = base + j * (nu + 1) + i, b = a + 1, d = a + nu + 1, c = d + 1;
                 triangulo(a, b, c);
                 triangulo(a, c, d);
             }

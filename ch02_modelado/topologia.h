@@ -56,7 +56,7 @@ inline Vecindad buscaAristas(const MallaVf &malla, Topologia &t) {
     Vecindad v = {std::vector<std::vector<Vecina>>(malla.caras.size()),
                   std::vector<std::vector<unsigned>>(malla.caras.size())};
     for (const auto &[extremos, u] : usos) {
-        t.aristas.push_back({extremos.first, extremos.second, static_cast<int>(u.size())});
+        t.aristas.push_back({extremos.first, extremos.second, int(u.size())});
         t.deBorde += u.size() == 1;
         t.ramificadas += u.size() > 2;
         if (u.size() == 2) {

@@ -16,7 +16,7 @@ const unsigned TRIANGULOS_F[8][3] = {{0, 1, 2}, {2, 3, 4}, {2, 4, 5}, {0, 2, 5},
 inline Malla letraF() {
     Malla letra;
     for (float z : {MINIMO_F.z, MAXIMO_F.z}) {
-        const unsigned base = static_cast<unsigned>(letra.vertices.size());
+        const unsigned base = unsigned(letra.vertices.size());
         const bool delante = z > 0;
         for (const glm::vec2 &p : CONTORNO_F)
             letra.vertices.push_back({{p, z}, {0, 0, delante ? 1 : -1}, p});
@@ -27,7 +27,7 @@ inline Malla letraF() {
     for (int i = 0; i < LADOS_F; ++i) {
         const glm::vec2 p = CONTORNO_F[i], q = CONTORNO_F[(i + 1) % LADOS_F];
         const glm::vec3 normal = glm::normalize(glm::vec3(q.y - p.y, p.x - q.x, 0));
-        const unsigned base = static_cast<unsigned>(letra.vertices.size());
+        const unsigned base = unsigned(letra.vertices.size());
         for (const glm::vec3 &v : {glm::vec3(p, MINIMO_F.z), glm::vec3(q, MINIMO_F.z),
                                    glm::vec3(q, MAXIMO_F.z), glm::vec3(p, MAXIMO_F.z)})
             letra.vertices.push_back({v, normal, glm::vec2(v)});

@@ -34,7 +34,7 @@ static void enviaMatriz(const char *nombre, const glm::mat4 &valor) {
 }
 
 static void dibujaPieza(const PiezaObjeto &pieza) {
-    const Buferes &primitiva = estado.primitivas[static_cast<int>(pieza.primitiva)];
+    const Buferes &primitiva = estado.primitivas[int(pieza.primitiva)];
     const glm::mat3 N = matrizNormal(pieza.M);
     enviaMatriz("M", pieza.M);
     glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));

@@ -64,7 +64,7 @@ static void dibujaUnidades(const Recuadro &donde, bool conMusgo, bool conLuz) {
     const std::vector<Recuadro> paneles = rejilla(1, 4, donde);
     glUseProgram(estado.programaUnidad);
     for (int unidad = 0; unidad < 4; ++unidad) {
-        const Recuadro &panel = paneles[static_cast<std::size_t>(unidad)];
+        const Recuadro &panel = paneles[unidad];
         abreRecuadro(panel, FONDO_OSCURO);
         envia(estado.programaUnidad, "Img", unidad);
         dibujaPared(estado.programaUnidad, glm::mat4(1),

@@ -97,7 +97,7 @@ static void dibujaPanel(int tecnica, const Recuadro &panel) {
     dibujaEn(r);
     glUseProgram(estado.lupa);
     envia(estado.lupa, "imagen", 0);
-    const float texel = 1 / static_cast<float>(lado);
+    const float texel = 1 / float(lado);
     envia(estado.lupa, "primero", glm::floor(AUMENTADO / texel - DENTRO / 2.0f) * texel);
     envia(estado.lupa, "tramo", glm::vec2(DENTRO * texel));
     dibujaRectangulo();
@@ -111,7 +111,7 @@ static void dibuja() {
     if (estado.compara) {
         const std::vector<Recuadro> paneles = aspecto(ventanaEntera()) >= 1 ? rejilla(3, 1) : reparte(3);
         for (int tecnica = 0; tecnica < 3; ++tecnica)
-            dibujaPanel(tecnica, paneles[static_cast<std::size_t>(tecnica)]);
+            dibujaPanel(tecnica, paneles[tecnica]);
     } else {
         dibujaPanel(estado.elegido, ventanaEntera());
     }

@@ -49,7 +49,7 @@ static void dibuja() {
     const glm::vec3 Q = niveles[3][0], dentro = 0.5f * (estado.P[0] + estado.P[3]);
     rotulaPunto("Q(u)", glm::mix(Q, dentro, 0.16f), vista(), ROJO, Lado::CENTRO);
     char titulo[60];
-    std::snprintf(titulo, sizeof titulo, "Curva de Bézier: u = %.2f", static_cast<double>(estado.u));
+    std::snprintf(titulo, sizeof titulo, "Curva de Bézier: u = %.2f", estado.u);
     ponTitulo(titulo);
     glutSwapBuffers();
 }

@@ -25,7 +25,7 @@ static glm::mat4 vista() {
 }
 
 static std::vector<glm::vec3> tramo(const std::vector<glm::vec3> &P, std::size_t i) {
-    return polilineaCubica(Base::BSPLINE, geometriaBSpline(P, i), 0.2 / static_cast<double>(altoUtil()));
+    return polilineaCubica(Base::BSPLINE, geometriaBSpline(P, i), 0.2 / altoUtil());
 }
 
 /// El peine de curvatura: púas hacia fuera de la curva, tan largas como ella se curva. Donde se unen dos tramos no salta, porque la
@@ -34,7 +34,7 @@ static void dibujaPeine(std::size_t i) {
     const Geometria<float> G = geometriaBSpline(estado.P, i);
     std::vector<glm::vec3> puas, puntas;
     for (int k = 0; k <= PUAS; ++k) {
-        const float u = static_cast<float>(k) / PUAS;
+        const float u = float(k) / PUAS;
         puas.push_back(cubica(Base::BSPLINE, G, u));
         puas.push_back(puas.back() - LARGO_PUAS * curvatura(cubica(Base::BSPLINE, G, u, 1),
                                                             cubica(Base::BSPLINE, G, u, 2)));
@@ -47,7 +47,7 @@ static void dibujaPeine(std::size_t i) {
 /// Si el tramo i usa el punto elegido: es uno de los cuatro desde el i.
 static bool usaElegido(std::size_t i) {
     const std::size_t n = estado.P.size();
-    return editor.elegido >= 0 && (static_cast<std::size_t>(editor.elegido) + n - i) % n < 4;
+    return editor.elegido >= 0 && (editor.elegido + n - i) % n < 4;
 }
 
 static void dibuja() {

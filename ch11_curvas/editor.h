@@ -19,7 +19,7 @@ inline int masCercano(const std::vector<glm::vec3> &puntos, const glm::mat4 &tra
         const float d = glm::length((glm::vec2(p) / p.w - raton) * porUnidad);
         if (p.w > 0 && d < alcance) {
             alcance = d;
-            mejor = static_cast<int>(i);
+            mejor = int(i);
         }
     }
     return mejor;
@@ -45,17 +45,16 @@ inline Editor editor;
 
 /// El del nombre de un punto: el elegido, en rojo.
 inline glm::vec3 colorNombre(std::size_t i) {
-    return static_cast<int>(i) == editor.elegido ? ROJO : OSCURO;
+    return int(i) == editor.elegido ? ROJO : OSCURO;
 }
 
 inline glm::vec2 ratonNormalizado(int x, int y) {
-    const float ancho = static_cast<float>(glutGet(GLUT_WINDOW_WIDTH)),
-                alto = static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT));
-    return {(2 * static_cast<float>(x) + 1) / ancho - 1, 1 - (2 * static_cast<float>(y) + 1) / alto};
+    const float ancho = float(glutGet(GLUT_WINDOW_WIDTH)), alto = float(glutGet(GLUT_WINDOW_HEIGHT));
+    return {(2 * float(x) + 1) / ancho - 1, 1 - (2 * float(y) + 1) / alto};
 }
 
 inline void mueveElegido(const glm::vec2 &sitio) {
-    const auto i = static_cast<std::size_t>(editor.elegido);
+    const int i = editor.elegido;
     glm::vec3 &punto = (*editor.puntos)[i];
     const glm::vec3 antes = punto; // cerca del borde, que se pueda volver a coger
     punto = llevado(punto, editor.transformacion(), glm::clamp(sitio, -0.95f, 0.95f));
@@ -90,15 +89,14 @@ inline void arrastraEditor(int x, int y) {
 inline void especialEditor(int tecla, int, int) {
     if (teclaEspecialComun(tecla) || editor.elegido < 0)
         return;
-    const float dx = PASO_FLECHA * 4 / 3 * altoUtil() * 2 / static_cast<float>(glutGet(GLUT_WINDOW_WIDTH)),
-                dy = PASO_FLECHA * altoUtil() * 2 / static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT));
+    const float dx = PASO_FLECHA * 4 / 3 * altoUtil() * 2 / float(glutGet(GLUT_WINDOW_WIDTH)),
+                dy = PASO_FLECHA * altoUtil() * 2 / float(glutGet(GLUT_WINDOW_HEIGHT));
     const glm::vec2 paso = tecla == GLUT_KEY_LEFT    ? glm::vec2(-dx, 0)
                            : tecla == GLUT_KEY_RIGHT ? glm::vec2(dx, 0)
                            : tecla == GLUT_KEY_UP    ? glm::vec2(0, dy)
                            : tecla == GLUT_KEY_DOWN  ? glm::vec2(0, -dy)
                                                      : glm::vec2(0);
-    const glm::vec4 p =
-        editor.transformacion() * glm::vec4((*editor.puntos)[static_cast<std::size_t>(editor.elegido)], 1);
+    const glm::vec4 p = editor.transformacion() * glm::vec4((*editor.puntos)[editor.elegido], 1);
     mueveElegido(glm::vec2(p) / p.w + paso);
 }
 
@@ -106,7 +104,7 @@ inline void especialEditor(int tecla, int, int) {
 inline bool teclaEditor(unsigned char tecla) {
     if (tecla != 'n')
         return false;
-    editor.elegido = (editor.elegido + 1) % static_cast<int>(editor.puntos->size());
+    editor.elegido = (editor.elegido + 1) % int(editor.puntos->size());
     glutPostRedisplay();
     return true;
 }

@@ -46,7 +46,7 @@ static void dibujaTramo(const Geometria<float> &G, const glm::vec3 &color, const
                         const glm::vec3 &color1 = VERDE, const glm::vec3 &color4 = NARANJA) {
     // el nombre del final, al otro lado de su flecha
     const glm::vec3 final = G[1] + glm::vec3(0, G[3].y < 0 ? 0.05f : -0.05f, 0);
-    trazaPolilinea(polilineaCubica(Base::HERMITE, G, 0.2 / static_cast<double>(altoUtil())), vista(), color,
+    trazaPolilinea(polilineaCubica(Base::HERMITE, G, 0.2 / altoUtil()), vista(), color,
                    1.7f * GROSOR);
     trazaFlecha(G[0], G[0] + G[2], vista(), color1);
     trazaFlecha(G[1], G[1] + G[3], vista(), color4);
@@ -67,7 +67,7 @@ static void dibuja() {
     if (estado.segundo) {
         const auto &p = estado.puntos;
         char k[40];
-        std::snprintf(k, sizeof k, ": dos tramos G1, k = %.2f", static_cast<double>(estado.k));
+        std::snprintf(k, sizeof k, ": dos tramos G1, k = %.2f", estado.k);
         titulo += k;
         dibujaTramo(G, AZUL, NOMBRES);
         dibujaTramo({G[1], p[FIN], estado.k * G[3], p[PUNTA_FIN] - p[FIN]}, MORADO, SEGUNDOS);

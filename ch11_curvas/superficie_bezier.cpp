@@ -42,7 +42,7 @@ static void dibuja() {
         trazaPuntos(estado.P, vistaLamina(), ROJO, 3.5f * GROSOR);
         glEnable(GL_DEPTH_TEST);
         for (std::size_t k = 0; k < 16; ++k)
-            if (k == 0 || k == 3 || k == 12 || k == 15 || static_cast<int>(k) == editor.elegido)
+            if (k == 0 || k == 3 || k == 12 || k == 15 || int(k) == editor.elegido)
                 rotulaPunto("P" + std::to_string(k / 4) + std::to_string(k % 4), estado.P[k], vistaLamina(),
                             OSCURO, k == 0 || k == 12 ? Lado::DEBAJO : Lado::ENCIMA);
     }

@@ -15,7 +15,7 @@ static std::vector<glm::vec3> redInicial() {
     std::vector<glm::vec3> P;
     for (std::size_t i = 0; i < LADO; ++i)
         for (std::size_t j = 0; j < LADO; ++j) {
-            const float x = 0.8f * (static_cast<float>(i) - 2.5f), z = -0.8f * (static_cast<float>(j) - 2.5f);
+            const float x = 0.8f * (float(i) - 2.5f), z = -0.8f * (float(j) - 2.5f);
             const auto monte = [&](float cx, float cz) {
                 return std::exp(-1.6f * ((x - cx) * (x - cx) + (z - cz) * (z - cz)));
             };
@@ -52,7 +52,7 @@ static void dibuja() {
         glEnable(GL_DEPTH_TEST);
     }
     if (editor.elegido >= 0) {
-        const auto k = static_cast<std::size_t>(editor.elegido);
+        const int k = editor.elegido;
         rotulaPunto("P" + std::to_string(k / LADO) + std::to_string(k % LADO), estado.P[k], vistaLamina(),
                     OSCURO);
     }

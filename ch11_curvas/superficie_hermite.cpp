@@ -56,7 +56,7 @@ static void dibuja() {
         rotulaPunto(NOMBRES[i], estado.esquinas[i], vistaLamina(), OSCURO, LADOS[i]);
     char texto[40] = "";
     if (estado.segundo)
-        std::snprintf(texto, sizeof texto, "G1 con k = %.2f", static_cast<double>(estado.k));
+        std::snprintf(texto, sizeof texto, "G1 con k = %.2f", estado.k);
     rotula(texto, {0.5f, 0.08f}, OSCURO);
     ponTitulo("Superficie de Hermite " + std::string(texto));
     glutSwapBuffers();

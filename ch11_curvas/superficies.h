@@ -103,13 +103,11 @@ inline Malla mallaSuperficie(Base base, const Geometria2<float> &G, const Segmen
     Malla malla;
     for (int j = 0; j <= n.v; ++j)
         for (int i = 0; i <= n.u; ++i) {
-            const float u = static_cast<float>(i) / static_cast<float>(n.u),
-                        v = static_cast<float>(j) / static_cast<float>(n.v);
+            const float u = float(i) / float(n.u), v = float(j) / float(n.v);
             malla.vertices.push_back({superficie(base, G, u, v), normalSuperficie(base, G, u, v), {u, v}});
             if (i == n.u || j == n.v)
                 continue;
-            const unsigned a = static_cast<unsigned>(j * (n.u + 1) + i),
-                           d = a + static_cast<unsigned>(n.u + 1);
+            const unsigned a = j * (n.u + 1) + i, d = a + n.u + 1;
             malla.indices.insert(malla.indices.end(), {a, a + 1, d + 1, a, d + 1, d});
         }
     return malla;

@@ -6,7 +6,7 @@
 #include "ventana.h"
 #include <cstdio>
 
-const double PERIODO_CUADRO = 20;          // ms: 50 imágenes por segundo
+const unsigned PERIODO_CUADRO = 20;        // ms: 50 imágenes por segundo
 const double PASO = 0.5, PASO_CORTO = 0.1; // segundos
 const double SALTO = 36000; // segundos: diez horas, múltiplo de todos los periodos del capítulo
 
@@ -20,7 +20,7 @@ inline double tiempo() {
 inline void anima(int = 0) {
     if (reloj.parado < 0)
         glutPostRedisplay();
-    glutTimerFunc(static_cast<unsigned>(PERIODO_CUADRO), anima, 0);
+    glutTimerFunc(PERIODO_CUADRO, anima, 0);
 }
 
 /// Atiende las teclas comunes, espacio (pausa), s (adelanta medio segundo), d (una décima) y h (diez horas). Devuelve si la tecla era suya.

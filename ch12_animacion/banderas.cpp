@@ -23,7 +23,7 @@ static void dibujaGrada(const glm::mat4 &camara, const glm::mat4 &proyeccion) {
     envia(estado.programaObjeto, "camara", camara);
     envia(estado.programaObjeto, "proyeccion", proyeccion);
     for (int i = 0; i < FILAS; ++i) { // cada escalón, macizo hasta el suelo
-        const float alto = ASIENTO.y * static_cast<float>(i + 1), z = ASIENTO.z * static_cast<float>(i);
+        const float alto = ASIENTO.y * float(i + 1), z = ASIENTO.z * float(i);
         dibujaObjeto(estado.programaObjeto, estado.cubo,
                      traslacion({0, 0.5f * alto - ASIENTO.y, z}) *
                          escalado({COLUMNAS + 0.6f, alto, -ASIENTO.z}),
@@ -32,7 +32,7 @@ static void dibujaGrada(const glm::mat4 &camara, const glm::mat4 &proyeccion) {
 }
 
 static void dibuja() {
-    const float t = static_cast<float>(PERIODO_PIEZAS) * fase(tiempo(), PERIODO_PIEZAS);
+    const float t = float(PERIODO_PIEZAS) * fase(tiempo(), PERIODO_PIEZAS);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 200);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     dibujaGrada(camara, proyeccion);

@@ -46,7 +46,7 @@ static void dibuja() {
     glDepthFunc(GL_LESS);
 
     char ademas[32];
-    std::snprintf(ademas, sizeof ademas, ", α = %.2f", static_cast<double>(alfa));
+    std::snprintf(ademas, sizeof ademas, ", α = %.2f", alfa);
     rotulaTiempo(OSCURO, ademas);
     tituloAnimado(std::string("Aparecer y desvanecerse") + ademas);
     glutSwapBuffers();

@@ -45,7 +45,7 @@ static void dibuja() {
     solido(estado.esfera, traslacion(glm::vec3(FUENTE)) * escalado(0.16f), {luz.Ld / LA, {}, {}, 1});
 
     char ademas[32];
-    std::snprintf(ademas, sizeof ademas, ", I = %.2f", static_cast<double>(intensidad));
+    std::snprintf(ademas, sizeof ademas, ", I = %.2f", intensidad);
     rotulaTiempo(BLANCO, ademas);
     tituloAnimado(std::string("Luces animadas") + ademas);
     glutSwapBuffers();

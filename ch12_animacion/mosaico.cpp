@@ -15,7 +15,7 @@ static struct {
 } estado;
 
 static void dibuja() {
-    const float t = static_cast<float>(PERIODO_PIEZAS) * fase(tiempo(), PERIODO_PIEZAS);
+    const float t = float(PERIODO_PIEZAS) * fase(tiempo(), PERIODO_PIEZAS);
     glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     envia(estado.programa, "proyeccion", paralelaVentana(SEMIALTO));

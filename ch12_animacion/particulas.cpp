@@ -31,7 +31,7 @@ static void dibujaPila(const glm::mat4 &vista) {
     std::vector<glm::vec3> circulo;
     const float radio = MODOS[estado.elegido].pila;
     for (int i = 0; i < 72; ++i) {
-        const float a = glm::two_pi<float>() * static_cast<float>(i) / 72;
+        const float a = glm::two_pi<float>() * float(i) / 72;
         circulo.push_back({radio * std::cos(a), 0, radio * std::sin(a)});
     }
     trazaPolilinea(circulo, vista, GRIS, GROSOR, true);
@@ -47,7 +47,7 @@ static std::string nombraPartes(int n) { // 1 000 000 partículas
 static void dibuja() {
     const auto &modo = MODOS[estado.elegido];
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.55f, 0.5f, 50);
-    const float muchas = static_cast<float>(estado.cuantas) / static_cast<float>(NORMAL);
+    const float muchas = float(estado.cuantas) / float(NORMAL);
     glClear(GL_COLOR_BUFFER_BIT);
     dibujaPila(proyeccion * camara);
     glEnable(GL_BLEND);
@@ -57,10 +57,9 @@ static void dibuja() {
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "elegido", estado.elegido);
     envia(estado.programa, "grupos", modo.grupos);
-    envia(estado.programa, "vida", static_cast<float>(modo.vida));
+    envia(estado.programa, "vida", float(modo.vida));
     envia(estado.programa, "tau", fase(tiempo(), modo.vida));
-    envia(estado.programa, "talla",
-          0.5f * proyeccion[1][1] * static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT)));
+    envia(estado.programa, "talla", 0.5f * proyeccion[1][1] * float(glutGet(GLUT_WINDOW_HEIGHT)));
     // la superficie que cubren entre todas no cambia con su número; si son pocas, que se vean
     envia(estado.programa, "escala", std::min(1 / std::sqrt(muchas), 3.0f));
     glBindVertexArray(estado.vao);

@@ -46,7 +46,7 @@ static void dibujaModo(const Recuadro &r, int cual) {
     std::vector<glm::vec3> contorno; // de la esfera sin desplazar, de cara a la cámara
     const glm::mat4 haciaMundo = glm::inverse(camara);
     for (int i = 0; i < 90; ++i) {
-        const float a = glm::two_pi<float>() * static_cast<float>(i) / 90;
+        const float a = glm::two_pi<float>() * float(i) / 90;
         contorno.push_back(haciaMundo * glm::vec4(std::cos(a), std::sin(a), -estado.orbita.distancia, 1));
     }
     trazaPolilinea(contorno, proyeccion * camara, OSCURO, GROSOR / 2, true);
@@ -59,12 +59,12 @@ static void dibuja() {
         const std::vector<Recuadro> paneles = reparte(2);
         abreRecuadro(ventanaEntera(), GRIS);
         for (int i = 0; i < 2; ++i)
-            dibujaModo(paneles[static_cast<std::size_t>(i)], i);
+            dibujaModo(paneles[i], i);
     } else {
         dibujaModo(ventanaEntera(), estado.elegido);
     }
     char ademas[32];
-    std::snprintf(ademas, sizeof ademas, ", S2 = %.1f", static_cast<double>(estado.S2));
+    std::snprintf(ademas, sizeof ademas, ", S2 = %.1f", estado.S2);
     rotulaTiempo(OSCURO, ademas);
     tituloAnimado(std::string("Vértices desplazados por ruido: ") +
                   (estado.ambos ? "los dos" : MODOS[estado.elegido].nombre) + ademas);

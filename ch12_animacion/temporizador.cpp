@@ -22,22 +22,22 @@ static void dispara(int cual) {
     }
     // en pausa se vuelve a mirar al cabo de un cuadro
     const double falta = reloj.parado < 0 ? (disparos[cual] + 1) * periodo - ahora : PERIODO_CUADRO;
-    glutTimerFunc(static_cast<unsigned>(std::max(1L, std::lround(falta))), dispara, cual);
+    glutTimerFunc(unsigned(std::max(1L, std::lround(falta))), dispara, cual);
 }
 
 static void dibuja() {
     const glm::mat4 proyeccion = paralelaVentana(1);
     const double t = tiempo(), desde = std::max(0.0, t - VENTANA);
-    const auto x = [&](double s) { return static_cast<float>(-0.42 + 1.62 * (s - desde) / VENTANA); };
+    const auto x = [&](double s) { return float(-0.42 + 1.62 * (s - desde) / VENTANA); };
     glClear(GL_COLOR_BUFFER_BIT);
     trazaSegmentos({{x(t), -0.7f, 0}, {x(t), 0.85f, 0}}, proyeccion, NARANJA, GROSOR / 2); // ahora
     for (int i = 0; i < 3; ++i) {
         const auto &temporizador = TEMPORIZADORES[i];
         const double periodo = temporizador.periodo / 1000.0;
-        const float y = 0.6f - 0.55f * static_cast<float>(i);
+        const float y = 0.6f - 0.55f * float(i);
         trazaSegmentos({{x(desde), y, 0}, {x(desde + VENTANA), y, 0}}, proyeccion, GRIS);
         std::vector<glm::vec3> marcas;
-        for (int n = std::max(1, static_cast<int>(std::ceil(desde / periodo))); n <= disparos[i]; ++n)
+        for (int n = std::max(1, int(std::ceil(desde / periodo))); n <= disparos[i]; ++n)
             marcas.push_back({x(n * periodo), y, 0});
         trazaPuntos(marcas, proyeccion, temporizador.color, 30);
         rotulaPunto(std::to_string(disparos[i]), {-0.88f, y + 0.04f, 0}, proyeccion, temporizador.color,

@@ -4,6 +4,7 @@
 #include "animacion.h"
 #include "ch03_transformaciones/objeto.h"
 #include "ch08_texturas_avanzadas/ruido.h"
+#include "imagen.h"
 #include "orbita.h"
 
 static const double PERIODO = 4; // segundos
@@ -22,8 +23,7 @@ static GLuint creaTexturaRuido() {
     for (int i = 0; i < LADO * LADO * LADO; ++i) {
         const glm::vec3 p =
             (glm::vec3(i % LADO, i / LADO % LADO, i / (LADO * LADO)) + 0.5f) * (float(CELDAS) / LADO);
-        const float v = 0.5f + 0.5f * turbulencia(p, OCTAVAS, glm::ivec3(CELDAS));
-        texels.push_back(static_cast<unsigned char>(255 * glm::clamp(v, 0.0f, 1.0f) + 0.5f));
+        texels.push_back(enOchoBits(0.5f + 0.5f * turbulencia(p, OCTAVAS, glm::ivec3(CELDAS))));
     }
     GLuint textura;
     glGenTextures(1, &textura);

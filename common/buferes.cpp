@@ -4,14 +4,14 @@
 
 Buferes creaBuferes(const Malla &malla) {
     Buferes b{};
-    b.nIndices = static_cast<GLsizei>(malla.indices.size());
+    b.nIndices = GLsizei(malla.indices.size());
     glGenVertexArrays(1, &b.vao);
     glBindVertexArray(b.vao);
 
     glGenBuffers(1, &b.vertices);
     glBindBuffer(GL_ARRAY_BUFFER, b.vertices);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(malla.vertices.size() * sizeof(Vertice)),
-                 malla.vertices.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, malla.vertices.size() * sizeof(Vertice), malla.vertices.data(),
+                 GL_STATIC_DRAW);
     auto atributo = [](GLuint indice, GLint componentes, std::size_t desplazamiento) {
         glVertexAttribPointer(indice, componentes, GL_FLOAT, GL_FALSE, sizeof(Vertice),
                               reinterpret_cast<const void *>(desplazamiento));
@@ -23,8 +23,8 @@ Buferes creaBuferes(const Malla &malla) {
 
     glGenBuffers(1, &b.indices);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, b.indices);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(malla.indices.size() * sizeof(GLuint)),
-                 malla.indices.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, malla.indices.size() * sizeof(GLuint), malla.indices.data(),
+                 GL_STATIC_DRAW);
     return b;
 }
 

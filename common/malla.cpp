@@ -19,7 +19,7 @@ glm::vec2 enCirculo(int i, int n) {
 
 /// Rejilla de n×m cuadrados sobre (s,t) en [0,1]²; los triángulos que se quedan sin área se omiten.
 void rejilla(Malla &malla, int n, int m, const std::function<Vertice(int, int)> &vertice) {
-    const unsigned base = static_cast<unsigned>(malla.vertices.size());
+    const unsigned base = unsigned(malla.vertices.size());
     for (int j = 0; j <= m; ++j)
         for (int i = 0; i <= n; ++i)
             malla.vertices.push_back(vertice(i, j));
@@ -31,8 +31,7 @@ void rejilla(Malla &malla, int n, int m, const std::function<Vertice(int, int)> 
     };
     for (int j = 0; j < m; ++j)
         for (int i = 0; i < n; ++i) {
-            const unsigned a = base + static_cast<unsigned>(j * (n + 1) + i),
-                           b = a + static_cast<unsigned>(n + 1);
+            const unsigned a = base + j * (n + 1) + i, b = a + n + 1;
             triangulo(a, a + 1, b + 1);
             triangulo(a, b + 1, b);
         }
@@ -41,13 +40,13 @@ void rejilla(Malla &malla, int n, int m, const std::function<Vertice(int, int)> 
 /// Disco de radio 1 a la altura z, que mira hacia ±Z según `haciaArriba`.
 void tapa(Malla &malla, int n, float z, bool haciaArriba) {
     const glm::vec3 normal(0, 0, haciaArriba ? 1 : -1);
-    const unsigned centro = static_cast<unsigned>(malla.vertices.size());
+    const unsigned centro = unsigned(malla.vertices.size());
     malla.vertices.push_back({{0, 0, z}, normal, {0.5f, 0.5f}});
     for (int i = 0; i <= n; ++i) {
         const glm::vec2 c = enCirculo(i, n);
         malla.vertices.push_back({{c, z}, normal, 0.5f + 0.5f * c});
     }
-    for (unsigned i = centro + 1; i <= centro + static_cast<unsigned>(n); ++i)
+    for (unsigned i = centro + 1; i <= centro + n; ++i)
         malla.indices.insert(malla.indices.end(), {centro, haciaArriba ? i : i + 1, haciaArriba ? i + 1 : i});
 }
 
@@ -62,7 +61,7 @@ Malla cubo() {
             n[eje] = 2 * lado;
             u[(eje + 1) % 3] = 1;
             v[(eje + 2) % 3] = 2 * lado;
-            const unsigned base = static_cast<unsigned>(malla.vertices.size());
+            const unsigned base = unsigned(malla.vertices.size());
             for (const glm::vec2 st : {glm::vec2(0, 0), {1, 0}, {1, 1}, {0, 1}})
                 malla.vertices.push_back({0.5f * n + (st.s - 0.5f) * u + (st.t - 0.5f) * v, n, st});
             malla.indices.insert(malla.indices.end(), {base, base + 1, base + 2, base, base + 2, base + 3});
@@ -77,12 +76,9 @@ Malla esfera(int n) {
     rejilla(malla, n, m, [&](int i, int j) {
         // colatitud desde el polo sur; en los polos el radio es 0 exacto y la malla cierra
         const double a = glm::pi<double>() * j / m;
-        const float radio = j == 0 || j == m ? 0.0f : static_cast<float>(std::sin(a));
+        const float radio = j == 0 || j == m ? 0.0f : float(std::sin(a));
         const glm::vec3 p(enCirculo(i, n) * radio, -std::cos(a));
-        return Vertice{
-            p,
-            p,
-            {static_cast<float>(i) / static_cast<float>(n), static_cast<float>(j) / static_cast<float>(m)}};
+        return Vertice{p, p, {float(i) / float(n), float(j) / float(m)}};
     });
     return malla;
 }
@@ -92,8 +88,7 @@ Malla cilindro(int n) {
     Malla malla;
     rejilla(malla, n, 1, [&](int i, int j) {
         const glm::vec2 c = enCirculo(i, n);
-        return Vertice{
-            {c, static_cast<float>(j) - 0.5f}, {c, 0}, {static_cast<float>(i) / static_cast<float>(n), j}};
+        return Vertice{{c, float(j) - 0.5f}, {c, 0}, {float(i) / float(n), j}};
     });
     tapa(malla, n, 0.5f, true);
     tapa(malla, n, -0.5f, false);
@@ -106,9 +101,9 @@ Malla cono(int n) {
     rejilla(malla, n, 1, [&](int i, int j) {
         // la normal de la generatriz que baja 1 y sale 1 sube 45 grados
         const glm::vec2 c = enCirculo(i, n);
-        return Vertice{{c * static_cast<float>(1 - j), j},
+        return Vertice{{c * float(1 - j), j},
                        glm::vec3(c, 1) * glm::one_over_root_two<float>(),
-                       {static_cast<float>(i) / static_cast<float>(n), j}};
+                       {float(i) / float(n), j}};
     });
     tapa(malla, n, 0, false);
     return malla;
@@ -120,10 +115,9 @@ Malla toro(float radio, float radioTubo, int n, int m) {
     rejilla(malla, n, m, [&](int i, int j) {
         const glm::vec2 anillo = enCirculo(i, n), tubo = enCirculo(j, m);
         const glm::vec3 normal(anillo * tubo.x, tubo.y);
-        return Vertice{
-            glm::vec3(anillo * radio, 0) + radioTubo * normal,
-            normal,
-            {static_cast<float>(i) / static_cast<float>(n), static_cast<float>(j) / static_cast<float>(m)}};
+        return Vertice{glm::vec3(anillo * radio, 0) + radioTubo * normal,
+                       normal,
+                       {float(i) / float(n), float(j) / float(m)}};
     });
     return malla;
 }
@@ -132,7 +126,7 @@ Malla plano(int n) {
     n = std::max(n, 1);
     Malla malla;
     rejilla(malla, n, n, [&](int i, int j) {
-        const glm::vec2 st = glm::vec2(i, j) / static_cast<float>(n);
+        const glm::vec2 st = glm::vec2(i, j) / float(n);
         return Vertice{{st - 0.5f, 0}, {0, 0, 1}, st};
     });
     return malla;
@@ -197,9 +191,8 @@ int segmentosPara(float radioPx, float tolerPx) {
         return 3;
     // 1 − cos x = 2·sen²(x/2): el arcocoseno de un número casi 1 perdería todas las cifras
     const double n =
-        glm::pi<double>() /
-        (2.0 * std::asin(std::sqrt(0.5 * static_cast<double>(tolerPx) / static_cast<double>(radioPx))));
-    return static_cast<int>(std::clamp(std::ceil(n), 3.0, 1024.0));
+        glm::pi<double>() / (2.0 * std::asin(std::sqrt(0.5 * tolerPx / radioPx)));
+    return int(std::clamp(std::ceil(n), 3.0, 1024.0));
 }
 
 int segmentosEsfera(float radioPx) {

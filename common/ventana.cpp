@@ -50,7 +50,7 @@ std::string tituloParaGlut(const std::string &utf8) {
     for (std::size_t i = 0; i < s.size(); ++i) {
         const unsigned char c = static_cast<unsigned char>(s[i]);
         if ((c == 0xC2 || c == 0xC3) && i + 1 < s.size())
-            latin1 += static_cast<char>((c << 6 & 0xC0) | (static_cast<unsigned char>(s[++i]) & 0x3F));
+            latin1 += char((c << 6 & 0xC0) | (static_cast<unsigned char>(s[++i]) & 0x3F));
         else
             latin1 += c < 0x80 ? s[i] : '?';
     }
@@ -109,32 +109,32 @@ bool teclaEspecialComun(int tecla) {
 float relacionAspecto() {
     const int ancho = std::max(glutGet(GLUT_WINDOW_WIDTH), 1),
               alto = std::max(glutGet(GLUT_WINDOW_HEIGHT), 1);
-    return static_cast<float>(ancho) / static_cast<float>(alto);
+    return float(ancho) / float(alto);
 }
 
 float altoUtil() {
-    return static_cast<float>(std::min(std::max(glutGet(GLUT_WINDOW_HEIGHT), 1) * ASPECTO_COMPUESTO,
-                                       static_cast<double>(std::max(glutGet(GLUT_WINDOW_WIDTH), 1))) /
-                              ASPECTO_COMPUESTO);
+    return float(std::min(std::max(glutGet(GLUT_WINDOW_HEIGHT), 1) * ASPECTO_COMPUESTO,
+                          double(std::max(glutGet(GLUT_WINDOW_WIDTH), 1))) /
+                 ASPECTO_COMPUESTO);
 }
 
 glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos, float aspecto) {
-    return glm::perspective(static_cast<float>(anguloVertical(angulo, aspecto)), aspecto, cerca, lejos);
+    return glm::perspective(float(anguloVertical(angulo, aspecto)), aspecto, cerca, lejos);
 }
 
 glm::mat4 paralelaVentana(float semialto, float cerca, float lejos, float aspecto) {
-    const float y = semialto * static_cast<float>(ampliacionVertical(aspecto)), x = aspecto * y;
+    const float y = semialto * float(ampliacionVertical(aspecto)), x = aspecto * y;
     return glm::ortho(-x, x, -y, y, cerca, lejos);
 }
 
 Imagen leeVentana() {
     Imagen imagen{glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT), {}};
-    imagen.rgb.resize(3 * static_cast<std::size_t>(imagen.ancho) * static_cast<std::size_t>(imagen.alto));
+    imagen.rgb.resize(std::size_t(3) * imagen.ancho * imagen.alto);
     GLint anterior = 0;
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &anterior);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, imagen.ancho, imagen.alto, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(anterior));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, anterior);
     return imagen;
 }

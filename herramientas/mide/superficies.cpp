@@ -13,7 +13,7 @@ static const double PIXEL = 1 / 110.0; // la tetera mide 6.4 unidades
 static void tesela(const Parche &q, const Division &d, std::vector<Vertice> &vertices) {
     for (int j = 0; j <= d.nv; ++j)
         for (int i = 0; i <= d.nu; ++i) {
-            const double u = static_cast<double>(i) / d.nu, v = static_cast<double>(j) / d.nv;
+            const double u = double(i) / d.nu, v = double(j) / d.nv;
             vertices.push_back({bezier::posicion(q, bezier::pesos(u, 1 - u), bezier::pesos(v, 1 - v)),
                                 bezier::normal(q, u, v),
                                 {u, v}});
