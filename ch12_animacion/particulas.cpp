@@ -25,6 +25,7 @@ static struct {
     GLuint programa, vao;
     int elegido = 0, cuantas = NORMAL;
     Orbita orbita = {0.4f, 0.12f, 12, {0, 1.95f, 0}, 0.02f};
+    Reloj reloj;
 } estado;
 
 static void dibujaPila(const glm::mat4 &vista) {
@@ -58,7 +59,7 @@ static void dibuja() {
     envia(estado.programa, "elegido", estado.elegido);
     envia(estado.programa, "grupos", modo.grupos);
     envia(estado.programa, "vida", float(modo.vida));
-    envia(estado.programa, "tau", fase(tiempo(), modo.vida));
+    envia(estado.programa, "tau", fase(tiempo(estado.reloj), modo.vida));
     envia(estado.programa, "talla", 0.5f * proyeccion[1][1] * float(glutGet(GLUT_WINDOW_HEIGHT)));
     // la superficie que cubren entre todas no cambia con su número; si son pocas, que se vean
     envia(estado.programa, "escala", std::min(1 / std::sqrt(muchas), 3.0f));
@@ -67,13 +68,13 @@ static void dibuja() {
     glDisable(GL_BLEND);
 
     const std::string cuantas = nombraPartes(estado.cuantas);
-    rotulaTiempo(BLANCO, ", " + cuantas);
-    tituloAnimado(std::string(modo.nombre) + ": " + cuantas);
+    rotulaTiempo(estado.reloj, BLANCO, ", " + cuantas);
+    tituloAnimado(estado.reloj, std::string(modo.nombre) + ": " + cuantas);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaAnimacion(tecla))
+    if (teclaAnimacion(estado.reloj, tecla))
         return;
     if (tecla >= '1' && tecla <= '3')
         estado.elegido = tecla - '1';
@@ -86,6 +87,10 @@ static void teclado(unsigned char tecla, int, int) {
     glutPostRedisplay();
 }
 
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
+}
+
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Sistemas de partículas", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     estado.programa = creaPrograma("ch12_animacion/particulas.vert", "ch12_animacion/particulas.frag");
@@ -95,7 +100,7 @@ int main(int argc, char **argv) {
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima();
+    anima(0);
     glutMainLoop();
     return 0;
 }

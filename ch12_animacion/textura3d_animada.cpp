@@ -15,6 +15,7 @@ static struct {
     GLuint programa, textura;
     Buferes esfera, toro;
     Orbita orbita = {0.4f, 0.4f, 9.5f};
+    Reloj reloj;
 } estado;
 
 // De un canal, 64³: un cuarto de megabyte. El ruido, de −1 a 1, va de 0 a 255.
@@ -41,7 +42,7 @@ static void dibuja() {
     envia(estado.programa, "proyeccion", perspectivaVentana(0.4f, 1, 50));
     envia(estado.programa, "Ruido", 0);
     envia(estado.programa, "escala", ESCALA);
-    envia(estado.programa, "tau", fase(tiempo(), PERIODO));
+    envia(estado.programa, "tau", fase(tiempo(estado.reloj), PERIODO));
     glBindTexture(GL_TEXTURE_3D, estado.textura);
     for (const auto &[solido, M] :
          {std::pair(estado.esfera, glm::mat4(1)), std::pair(estado.toro, giroX(1.3f))}) {
@@ -49,9 +50,17 @@ static void dibuja() {
         envia(estado.programa, "N", matrizNormal(M));
         dibuja(solido);
     }
-    rotulaTiempo(BLANCO);
-    tituloAnimado("Textura 3D animada");
+    rotulaTiempo(estado.reloj, BLANCO);
+    tituloAnimado(estado.reloj, "Textura 3D animada");
     glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    teclaAnimacion(estado.reloj, tecla);
+}
+
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
 }
 
 int main(int argc, char **argv) {
@@ -65,9 +74,9 @@ int main(int argc, char **argv) {
     glEnable(GL_CULL_FACE);
     glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(tecladoAnimacion);
+    glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima();
+    anima(0);
     glutMainLoop();
     return 0;
 }
