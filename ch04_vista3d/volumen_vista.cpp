@@ -102,7 +102,7 @@ static void dibujaTintes(const std::array<glm::vec3, 8> &e) {
     glDepthMask(GL_FALSE);
     // primero el más lejano a quien mira
     const bool porDelante =
-        static_cast<double>(posicionCamara(estado.orbita).z) < OJO.z - (estado.cerca + estado.lejos) / 2;
+        posicionCamara(estado.orbita).z < OJO.z - (estado.cerca + estado.lejos) / 2;
     for (const std::size_t base : {porDelante ? 0u : 4u, porDelante ? 4u : 0u}) {
         const glm::vec3 x = e[base + 1] - e[base], y = e[base + 3] - e[base];
         envia(estado.deTintes, "M",
