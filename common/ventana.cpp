@@ -113,9 +113,7 @@ float relacionAspecto() {
 }
 
 float altoUtil() {
-    return static_cast<float>(std::min(std::max(glutGet(GLUT_WINDOW_HEIGHT), 1) * ASPECTO_COMPUESTO,
-                                       static_cast<double>(std::max(glutGet(GLUT_WINDOW_WIDTH), 1))) /
-                              ASPECTO_COMPUESTO);
+    return float(altoUtil(std::max(glutGet(GLUT_WINDOW_WIDTH), 1), std::max(glutGet(GLUT_WINDOW_HEIGHT), 1)));
 }
 
 glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos, float aspecto) {

@@ -258,31 +258,32 @@ void llevaRaton(int x, int y) {
 }
 
 void ejecuta(const Orden &o) {
+    const auto [x, y] = ratonEn(o, {g.ancho, g.alto});
     switch (o.tipo) {
     case Orden::TECLA:
         if (g.teclado)
-            g.teclado(static_cast<unsigned char>(o.a), g.xRaton, g.yRaton);
+            g.teclado(static_cast<unsigned char>(o.tecla), g.xRaton, g.yRaton);
         if (g.tecladoArriba && !g.termina)
-            g.tecladoArriba(static_cast<unsigned char>(o.a), g.xRaton, g.yRaton);
+            g.tecladoArriba(static_cast<unsigned char>(o.tecla), g.xRaton, g.yRaton);
         break;
     case Orden::ESPECIAL:
         if (g.especial)
-            g.especial(o.a, g.xRaton, g.yRaton);
+            g.especial(o.tecla, g.xRaton, g.yRaton);
         if (g.especialArriba && !g.termina)
-            g.especialArriba(o.a, g.xRaton, g.yRaton);
+            g.especialArriba(o.tecla, g.xRaton, g.yRaton);
         break;
     case Orden::BOTON:
-        llevaRaton(o.x, o.y);
-        if (g.pulsado[o.a] == (o.b == GLUT_DOWN))
-            falla(o.lugar + ": ese botón ya está " + (o.b == GLUT_DOWN ? "abajo" : "arriba"), 2);
-        g.pulsado[o.a] = o.b == GLUT_DOWN;
+        llevaRaton(x, y);
+        if (g.pulsado[o.boton] == (o.sentido == GLUT_DOWN))
+            falla(o.lugar + ": ese botón ya está " + (o.sentido == GLUT_DOWN ? "abajo" : "arriba"), 2);
+        g.pulsado[o.boton] = o.sentido == GLUT_DOWN;
         // De lo que abre o cierra un menú el programa no se entera; la opción la elige la orden menu.
-        if (g.menuAbierto || (g.menuDeBoton[o.a] && o.b == GLUT_DOWN)) {
-            g.menuAbierto = o.b == GLUT_UP || g.menuDeBoton[o.a];
+        if (g.menuAbierto || (g.menuDeBoton[o.boton] && o.sentido == GLUT_DOWN)) {
+            g.menuAbierto = o.sentido == GLUT_UP || g.menuDeBoton[o.boton];
             break;
         }
         if (g.raton)
-            g.raton(o.a, o.b, o.x, o.y);
+            g.raton(o.boton, o.sentido, x, y);
         break;
     case Orden::ARRASTRA:
     case Orden::MUEVE:
@@ -290,35 +291,38 @@ void ejecuta(const Orden &o) {
             falla(o.lugar + (botonPulsado() ? ": hay un botón pulsado; es arrastra"
                                             : ": no hay ningún botón pulsado; es mueve"),
                   2);
-        llevaRaton(o.x, o.y);
+        llevaRaton(x, y);
         break;
     case Orden::RUEDA:
-        llevaRaton(o.x, o.y);
+        llevaRaton(x, y);
         if (g.rueda) {
-            g.rueda(0, o.a, o.x, o.y);
+            g.rueda(0, o.giro, x, y);
         } else if (g.raton) { // sin función propia, la rueda son los botones 3 y 4
-            g.raton(o.a > 0 ? 3 : 4, GLUT_DOWN, o.x, o.y);
-            g.raton(o.a > 0 ? 3 : 4, GLUT_UP, o.x, o.y);
+            g.raton(o.giro > 0 ? 3 : 4, GLUT_DOWN, x, y);
+            g.raton(o.giro > 0 ? 3 : 4, GLUT_UP, x, y);
         }
         break;
     case Orden::MENU: eligeEnMenu(o); break;
-    case Orden::TAMANO: cambiaTamano(o.a, o.b); break;
-    case Orden::ESPERA: avanzaReloj(o.a); break;
+    case Orden::TAMANO: cambiaTamano(o.talla.ancho, o.talla.alto); break;
+    case Orden::ESPERA: avanzaReloj(o.ms); break;
     case Orden::CAPTURA: guarda(o.texto); break;
+    case Orden::ESCALA: break; // no está en lo que da leeGuion
     }
     compruebaGL("tras " + o.lugar);
 }
 
-/// Una orden del guion y lo que viene con ella: dibujar si hace falta y la función de ocio.
+/// Una orden del guion, las veces que diga, y lo que viene con cada una: dibujar si hace falta y la función de ocio.
 void atiende(const Orden &orden) {
-    if (g.termina)
-        falla(orden.lugar + ": el programa ya ha terminado", 2);
-    ejecuta(orden);
-    dibujaSiHaceFalta();
-    if (g.ocio && !g.termina) {
-        g.ocio();
-        compruebaGL("en la función de ocio");
+    for (int i = 0; i < orden.veces; ++i) {
+        if (g.termina)
+            falla(orden.lugar + ": el programa ya ha terminado", 2);
+        ejecuta(orden);
         dibujaSiHaceFalta();
+        if (g.ocio && !g.termina) {
+            g.ocio();
+            compruebaGL("en la función de ocio");
+            dibujaSiHaceFalta();
+        }
     }
 }
 
@@ -439,7 +443,9 @@ void glutInit(int *argc, char **argv) {
             return std::string(argv[++i]);
         };
         if (opcion == "-geometry") {
-            tallaDe(valor(), g.ancho, g.alto, opcion);
+            const Talla talla = tallaDe(valor(), opcion);
+            g.ancho = talla.ancho;
+            g.alto = talla.alto;
             g.tallaPedida = true;
         } else if (opcion == "-guion") {
             g.guion = leeGuion(valor());

@@ -1,9 +1,11 @@
 #include "guion.h"
+#include "../aspecto.h"
 #include "../error.h"
 #include "../numero.h"
 #include "../rutas.h"
 #include <GL/freeglut.h>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <sstream>
 
@@ -28,6 +30,9 @@ const char *const AYUDA = R"(Opciones de la ventana sin pantalla:
   tamano ANCHO ALTO       cambia el tamaño de la ventana
   espera MS               avanza el reloj virtual; los temporizadores vencen
   captura FICHERO         guarda la imagen de ese momento
+  escala ANCHO ALTO       el ratón de las órdenes que siguen es el de una ventana de ese tamaño
+  ORDEN ×N                cualquiera, N veces (hasta 10000). La última palabra, si empieza por ×, siempre es esto:
+                          la opción «A ×2» de un menú se elige con menu A ×2 ×1
 Estados de salida: 0 bien; 1 error del programa; 2 opción o guion mal escritos; 3 error de OpenGL.
 )";
 
@@ -53,7 +58,8 @@ const std::map<std::string, int> SENTIDOS = {{"abajo", GLUT_DOWN}, {"arriba", GL
 const std::map<std::string, int> RUEDA = {{"+1", 1}, {"1", 1}, {"-1", -1}};
 
 const char *const BLANCOS = " \t\r\v\f"; // los mismos que separan palabras
-const int LADO_MAXIMO = 16384, COORDENADA_MAXIMA = 100000, ESPERA_MAXIMA = 1000000000;
+const int LADO_MAXIMO = 16384, COORDENADA_MAXIMA = 100000, ESPERA_MAXIMA = 1000000000, VECES_MAXIMAS = 10000;
+const std::string POR = "×";
 
 /// Una orden partida en palabras, que se van tomando y comprobando.
 struct Palabras {
@@ -68,6 +74,32 @@ struct Palabras {
     }
     int entero(const char *que, int minimo, int maximo) {
         return enteroDe(toma(que), minimo, maximo, lugar);
+    }
+    Talla talla() {
+        const int ancho = entero("el ancho", 1, LADO_MAXIMO);
+        return {ancho, entero("el alto", 1, LADO_MAXIMO)};
+    }
+    Punto raton() {
+        const int x = entero("la x", -COORDENADA_MAXIMA, COORDENADA_MAXIMA);
+        return {x, entero("la y", -COORDENADA_MAXIMA, COORDENADA_MAXIMA)};
+    }
+    std::string resto(const char *que) {
+        std::string texto = toma(que);
+        while (siguiente < palabras.size())
+            texto += " " + toma(que);
+        return texto;
+    }
+    /// Quita el ×N del final. La primera palabra es la orden, empiece como empiece.
+    int veces() {
+        if (palabras.size() < 2 || palabras.back().rfind(POR, 0) != 0)
+            return 1;
+        const std::string palabra = palabras.back();
+        palabras.pop_back();
+        const std::optional<int> n = numeroDe<int>(palabra.substr(POR.size()));
+        if (!n || *n < 1 || *n > VECES_MAXIMAS)
+            falla(lugar + ": «" + palabra + "» no es ×N, con N entre 1 y " + std::to_string(VECES_MAXIMAS),
+                  2);
+        return *n;
     }
     int una(const std::map<std::string, int> &tabla, const char *que) {
         const std::string palabra = toma(que);
@@ -86,58 +118,48 @@ Orden analiza(const std::string &texto, const std::string &lugar) {
     Palabras p{{}, lugar};
     for (std::string palabra; entrada >> palabra;)
         p.palabras.push_back(palabra);
-    const std::string &nombre = p.palabras[0];
     Orden o{};
     o.lugar = lugar;
-    auto raton = [&] {
-        o.x = p.entero("la x", -COORDENADA_MAXIMA, COORDENADA_MAXIMA);
-        o.y = p.entero("la y", -COORDENADA_MAXIMA, COORDENADA_MAXIMA);
-    };
-    auto resto = [&](const char *que) {
-        o.texto = p.toma(que);
-        while (p.siguiente < p.palabras.size())
-            o.texto += " " + p.toma(que);
-    };
+    o.veces = p.veces();
+    o.palabras = p.palabras;
+    const std::string &nombre = p.palabras[0];
     if (nombre == "tecla") {
         o.tipo = Orden::TECLA;
         if (p.palabras.size() > 1 && p.palabras[1].size() == 1)
-            o.a = static_cast<unsigned char>(p.toma("la tecla")[0]);
+            o.tecla = static_cast<unsigned char>(p.toma("la tecla")[0]);
         else
-            o.a = p.una(TECLAS, "una tecla (un carácter ASCII o su nombre)");
+            o.tecla = p.una(TECLAS, "una tecla (un carácter ASCII o su nombre)");
     } else if (nombre == "especial") {
         o.tipo = Orden::ESPECIAL;
-        o.a = p.una(ESPECIALES, "una tecla especial");
+        o.tecla = p.una(ESPECIALES, "una tecla especial");
     } else if (nombre == "boton") {
         o.tipo = Orden::BOTON;
-        o.a = p.una(BOTONES, "un botón");
-        o.b = p.una(SENTIDOS, "un movimiento del botón");
-        raton();
-    } else if (nombre == "arrastra") {
-        o.tipo = Orden::ARRASTRA;
-        raton();
-    } else if (nombre == "mueve") {
-        o.tipo = Orden::MUEVE;
-        raton();
+        o.boton = p.una(BOTONES, "un botón");
+        o.sentido = p.una(SENTIDOS, "un movimiento del botón");
+        o.raton = p.raton();
+    } else if (nombre == "arrastra" || nombre == "mueve") {
+        o.tipo = nombre == "mueve" ? Orden::MUEVE : Orden::ARRASTRA;
+        o.raton = p.raton();
     } else if (nombre == "rueda") {
         o.tipo = Orden::RUEDA;
-        o.a = p.una(RUEDA, "un giro de la rueda");
-        raton();
+        o.giro = p.una(RUEDA, "un giro de la rueda");
+        o.raton = p.raton();
     } else if (nombre == "menu") {
         o.tipo = Orden::MENU;
-        resto("la ruta de la opción");
-    } else if (nombre == "tamano") {
-        o.tipo = Orden::TAMANO;
-        o.a = p.entero("el ancho", 1, LADO_MAXIMO);
-        o.b = p.entero("el alto", 1, LADO_MAXIMO);
+        o.texto = p.resto("la ruta de la opción");
+    } else if (nombre == "tamano" || nombre == "escala") {
+        o.tipo = nombre == "tamano" ? Orden::TAMANO : Orden::ESCALA;
+        o.talla = p.talla();
     } else if (nombre == "espera") {
         o.tipo = Orden::ESPERA;
-        o.a = p.entero("los milisegundos", 0, ESPERA_MAXIMA);
+        o.ms = p.entero("los milisegundos", 0, ESPERA_MAXIMA);
     } else if (nombre == "captura") {
         o.tipo = Orden::CAPTURA;
-        resto("el fichero");
+        o.texto = p.resto("el fichero");
     } else {
         falla(lugar + ": no conozco la orden «" + nombre +
-                  "»; hay tecla, especial, boton, arrastra, mueve, rueda, menu, tamano, espera y captura",
+                  "»; hay tecla, especial, boton, arrastra, mueve, rueda, menu, tamano, espera, captura y "
+                  "escala",
               2);
     }
     if (p.siguiente < p.palabras.size())
@@ -156,18 +178,32 @@ int enteroDe(const std::string &texto, int minimo, int maximo, const std::string
     return *n;
 }
 
-void tallaDe(const std::string &texto, int &ancho, int &alto, const std::string &lugar) {
+Talla tallaDe(const std::string &texto, const std::string &lugar) {
     // como en X, puede seguir la posición (+10-10), que aquí no significa nada
     const std::size_t x = std::min(texto.find_first_of("+-"), texto.size());
     const std::size_t y = std::min(texto.find_first_of("+-", x + 1), texto.size());
     const auto desde = [&](std::size_t i, std::size_t fin) { // lo que va tras el signo
         return i < fin ? numeroDe<int>(texto.substr(i + 1, fin - i - 1)) : std::nullopt;
     };
-    if (!leeTalla(texto.substr(0, x), ancho, alto) ||
+    Talla t;
+    if (!leeTalla(texto.substr(0, x), t.ancho, t.alto) ||
         (x < texto.size() && !(desde(x, y) && desde(y, texto.size()))))
         falla(lugar + ": «" + texto + "» no es un tamaño ANCHOxALTO", 2);
-    if (std::max(ancho, alto) > LADO_MAXIMO)
+    if (std::max(t.ancho, t.alto) > LADO_MAXIMO)
         falla(lugar + ": «" + texto + "» pasa de " + std::to_string(LADO_MAXIMO) + " píxeles de lado", 2);
+    return t;
+}
+
+Punto ratonEn(const Orden &orden, Talla ventana) {
+    if (orden.escala.ancho == 0)
+        return orden.raton;
+    const double k = altoUtil(ventana.ancho, ventana.alto) / altoUtil(orden.escala.ancho, orden.escala.alto);
+    const auto pixel = [&](int coordenada, int enEscala, int enVentana) {
+        const double p = std::round(enVentana / 2.0 + (coordenada - enEscala / 2.0) * k);
+        return int(std::clamp(p, -double(COORDENADA_MAXIMA), double(COORDENADA_MAXIMA)));
+    };
+    return {pixel(orden.raton.x, orden.escala.ancho, ventana.ancho),
+            pixel(orden.raton.y, orden.escala.alto, ventana.alto)};
 }
 
 std::vector<Orden> leeGuion(const std::string &guion) {
@@ -177,8 +213,10 @@ std::vector<Orden> leeGuion(const std::string &guion) {
         falla("-guion: " + error, 2);
     std::istringstream texto(contenido);
     std::vector<Orden> ordenes;
+    Talla escala;
     std::string linea, orden;
-    for (int numero = 1; std::getline(texto, linea); ++numero) {
+    int numeroOrden = 0;
+    for (int numeroLinea = 1; std::getline(texto, linea); ++numeroLinea) {
         if (deFichero && linea[std::min(linea.find_first_not_of(BLANCOS), linea.size())] == '#')
             continue;
         std::istringstream partes(linea);
@@ -187,9 +225,15 @@ std::vector<Orden> leeGuion(const std::string &guion) {
             if (inicio == std::string::npos)
                 continue;
             orden = orden.substr(inicio, orden.find_last_not_of(BLANCOS) - inicio + 1);
-            const std::string donde = deFichero ? guion.substr(1) + ":" + std::to_string(numero)
-                                                : "guion, orden " + std::to_string(ordenes.size() + 1);
-            ordenes.push_back(analiza(orden, donde + " «" + orden + "»"));
+            ++numeroOrden;
+            const std::string donde = deFichero ? guion.substr(1) + ":" + std::to_string(numeroLinea)
+                                                : "guion, orden " + std::to_string(numeroOrden);
+            Orden o = analiza(orden, donde + " «" + orden + "»");
+            o.escala = escala;
+            if (o.tipo == Orden::ESCALA)
+                escala = o.talla;
+            else
+                ordenes.push_back(o);
         }
     }
     return ordenes;

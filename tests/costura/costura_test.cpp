@@ -297,6 +297,25 @@ TEST(EspacioDeNombres, UnProgramaPuedeTenerTiposYFuncionesQueSeLlamenIgual) {
     EXPECT_EQ(pixel(e.imagen, 4, 4).g, 255);
 }
 
+// Una orden con ×N son N órdenes seguidas, cada una con su dibujo y su ocio.
+TEST(Guion, RepetirEsEscribirlaOtraVez) {
+    EXPECT_EQ(ejecuta(DEFECTUOSO, "tecla a ×2; espera 1 ×2", 9, 9, {"ocio"}).salida,
+              ejecuta(DEFECTUOSO, "tecla a; tecla a; espera 1; espera 1", 9, 9, {"ocio"}).salida);
+    EXPECT_EQ(ejecuta(GRUA, "tecla d ×7").imagen.rgb,
+              ejecuta(GRUA, "tecla d; tecla d; tecla d; tecla d; tecla d; tecla d; tecla d").imagen.rgb);
+    esperaFallo(ejecuta(GRUA, "tecla Esc ×2"), 2, "orden 1 «tecla Esc ×2»: el programa ya ha terminado");
+}
+
+// La escala es la de la ventana que haya al mover el ratón.
+TEST(Guion, EscalaCuandoSeMueve) {
+    const Ejecucion e =
+        ejecuta(DEFECTUOSO, "mueve 1 1; escala 8 6; mueve 1 1; tamano 16 24; mueve 1 1; rueda +1 4 3", 32, 24,
+                {"menu"});
+    EXPECT_EQ(e.estado, 0) << e.errores;
+    EXPECT_EQ(e.salida,
+              "movimiento 1 1\nmovimiento 4 4\nmovimiento 2 8\nmovimiento 8 12\nboton 3 0\nboton 3 1\n");
+}
+
 // Ni los procesadores ni la carpeta de trabajo (ejecuta usa una temporal) cambian la imagen.
 TEST(Determinismo, LosHilosNoCambianLaImagen) {
     const Ejecucion e = ejecuta(GRUA);

@@ -2,7 +2,7 @@
 #include "ejecuta.h"
 #include "glut_sin_ventana/guion.h"
 #include <GL/freeglut.h>
-#include <cstdio>
+#include <fstream>
 #include <gtest/gtest.h>
 
 using namespace sin_ventana;
@@ -11,46 +11,95 @@ using testing::ExitedWithCode;
 TEST(Guion, EntiendeCadaOrden) {
     const auto g =
         leeGuion("tecla a; tecla Esc;especial F5 ; boton DERECHO abajo 3 -4;arrastra 10 20; mueve 1 2;"
-                 "rueda -1 5 6; menu Vista/Planta baja; tamano 320 200; espera 250; captura una foto.ppm");
-    ASSERT_EQ(g.size(), 11u);
-    EXPECT_EQ(g[0].tipo, Orden::TECLA);
-    EXPECT_EQ(g[0].a, 'a');
-    EXPECT_EQ(g[1].a, 27);
-    EXPECT_EQ(g[2].a, GLUT_KEY_F5);
-    EXPECT_EQ(g[3].a, GLUT_RIGHT_BUTTON);
-    EXPECT_EQ(g[3].b, GLUT_DOWN);
-    EXPECT_EQ(g[3].x, 3);
-    EXPECT_EQ(g[3].y, -4);
-    EXPECT_EQ(g[4].tipo, Orden::ARRASTRA);
-    EXPECT_EQ(g[5].tipo, Orden::MUEVE);
-    EXPECT_EQ(g[6].a, -1);
+                 "rueda -1 5 6; menu Vista/Planta baja; tamano 320 200; espera 250; captura una foto.ppm;"
+                 "tecla PuntoYComa; tecla #");
+    ASSERT_EQ(g.size(), 13u);
+    const Orden::Tipo tipos[] = {Orden::TECLA,    Orden::TECLA,  Orden::ESPECIAL, Orden::BOTON,
+                                 Orden::ARRASTRA, Orden::MUEVE,  Orden::RUEDA,    Orden::MENU,
+                                 Orden::TAMANO,   Orden::ESPERA, Orden::CAPTURA,  Orden::TECLA,
+                                 Orden::TECLA};
+    for (std::size_t i = 0; i < g.size(); ++i)
+        EXPECT_EQ(g[i].tipo, tipos[i]) << g[i].lugar;
+    EXPECT_EQ(g[0].tecla, 'a');
+    EXPECT_EQ(g[1].tecla, 27);
+    EXPECT_EQ(g[2].tecla, GLUT_KEY_F5);
+    EXPECT_EQ(g[3].boton, GLUT_RIGHT_BUTTON);
+    EXPECT_EQ(g[3].sentido, GLUT_DOWN);
+    EXPECT_EQ(g[3].raton.x, 3);
+    EXPECT_EQ(g[3].raton.y, -4);
+    EXPECT_EQ(g[4].raton.y, 20);
+    EXPECT_EQ(g[6].giro, -1);
     EXPECT_EQ(g[7].texto, "Vista/Planta baja");
-    EXPECT_EQ(g[8].a, 320);
-    EXPECT_EQ(g[8].b, 200);
-    EXPECT_EQ(g[9].a, 250);
+    EXPECT_EQ(g[8].talla.ancho, 320);
+    EXPECT_EQ(g[8].talla.alto, 200);
+    EXPECT_EQ(g[9].ms, 250);
     EXPECT_EQ(g[10].texto, "una foto.ppm");
+    EXPECT_EQ(g[11].tecla, ';');
+    EXPECT_EQ(g[12].tecla, '#');
 }
 
 TEST(Guion, SinOrdenes) {
-    EXPECT_TRUE(leeGuion("").empty());
-    EXPECT_TRUE(leeGuion(" ; ;; ").empty());
-    EXPECT_TRUE(leeGuion("\v;\f; \t\r\v\f").empty());
+    for (const char *guion : {"", " ; ;; ", "\v;\f; \t\r\v\f", "escala 240 180"})
+        EXPECT_TRUE(leeGuion(guion).empty()) << guion;
 }
 
-TEST(Guion, TeclaPuntoYComaYAlmohadilla) {
-    const auto g = leeGuion("tecla PuntoYComa; tecla #");
-    EXPECT_EQ(g[0].a, ';');
-    EXPECT_EQ(g[1].a, '#');
+// La última palabra que empieza por × dice cuántas veces; lo de antes es la orden, aunque también lo lleve.
+TEST(Guion, CualquierOrdenSeRepite) {
+    const auto g = leeGuion(
+        "tecla d; tecla d ×7; captura ×9 ×1; menu A ×2; menu A ×2 ×1; captura f ×10000; espera 5 ×3");
+    const int veces[] = {1, 7, 1, 2, 1, 10000, 3};
+    ASSERT_EQ(g.size(), 7u);
+    for (std::size_t i = 0; i < g.size(); ++i)
+        EXPECT_EQ(g[i].veces, veces[i]) << g[i].lugar;
+    EXPECT_EQ(g[2].texto, "×9");
+    EXPECT_EQ(g[3].texto, "A");
+    EXPECT_EQ(g[4].texto, "A ×2");
+    EXPECT_EQ(g[5].texto, "f");
+}
+
+// Lo que está a d píxeles del centro de una escena de alto útil H está a d·k del centro de una ventana de alto útil kH.
+TEST(Guion, LaEscalaLlevaElRatonALoMismo) {
+    const struct {
+        const char *guion;
+        Talla ventana;
+        Punto raton;
+    } casos[] = {
+        {"mueve 7 9", {960, 720}, {7, 9}}, // sin escala, el píxel
+        {"escala 240 180; mueve 7 9", {240, 180}, {7, 9}},
+        {"escala 240 180; mueve 0 0", {960, 720}, {0, 0}},
+        {"escala 240 180; mueve 121 89", {960, 720}, {484, 356}},
+        {"escala 240 180; mueve 121 89", {1000, 720}, {504, 356}}, // más ancha: se ve más por los lados
+        {"escala 240 180; mueve 121 89", {960, 1080}, {484, 536}}, // más estrecha: por arriba y por abajo
+        {"escala 960 1080; mueve 484 536", {1920, 720}, {964, 356}},
+        {"escala 960 720; mueve 482 361", {240, 180}, {121, 90}}, // 120.5 y 90.25, al píxel
+        {"escala 1 1; mueve 100000 -100000", {16384, 16384}, {100000, -100000}},
+        {"escala 480 360; escala 240 180 ×2; mueve 121 89", {480, 360}, {242, 178}}, // la última
+    };
+    for (const auto &c : casos) {
+        const Punto raton = ratonEn(leeGuion(c.guion).at(0), c.ventana);
+        EXPECT_EQ(raton.x, c.raton.x) << c.guion;
+        EXPECT_EQ(raton.y, c.raton.y) << c.guion;
+    }
+    const auto ambas = leeGuion("mueve 1 1; escala 2 2; mueve 1 1");
+    EXPECT_EQ(ratonEn(ambas[0], {20, 20}).x, 1) << "vale para las que siguen";
+    EXPECT_EQ(ratonEn(ambas[1], {20, 20}).x, 10);
 }
 
 // Cada error termina con 2 y nombra la orden, su número y lo que se esperaba.
 TEST(GuionMal, DiceDondeYQue) {
+    std::ofstream(carpetaTemporal() / "prueba.guion") << "# un comentario\ntecla a; espera 10\n\n  gira 3\n";
+    const std::string fichero = "@" + (carpetaTemporal() / "prueba.guion").string();
     const struct {
-        const char *guion, *mensaje;
+        std::string guion;
+        const char *mensaje;
     } casos[] = {
         {"tecla a; teclas b", "guion, orden 2 «teclas b»: no conozco la orden «teclas»"},
+        {"escala 9 9; tecla d ×2;;teclas b ×2", "guion, orden 3 «teclas b ×2»: no conozco la orden «teclas»"},
+        {fichero, "prueba.guion:4 «gira 3»: no conozco la orden «gira»"},
+        {"×2", "no conozco la orden «×2»"},
         {"tecla", "orden 1 «tecla»: falta una tecla"},
         {"tecla ab", "«ab» no es una tecla"},
+        {"tecla é", "«é» no es una tecla"},
         {"tecla a b", "sobra «b»"},
         {"especial F13", "«F13» no es una tecla especial"},
         {"boton MEDIO abajo 1 2", "«MEDIO» no es un botón"},
@@ -60,13 +109,24 @@ TEST(GuionMal, DiceDondeYQue) {
         {"arrastra diez 2", "«diez» no es un número"},
         {"rueda 2 1 1", "«2» no es un giro de la rueda"},
         {"tamano 0 10", "«0» no es un número entre 1 y 16384"},
+        {"escala 10 16385", "«16385» no es un número entre 1 y 16384"},
+        {"escala 10", "falta el alto"},
         {"tamano 99999999999999999999 10", "no es un número entre 1 y 16384"},
         {"espera -1", "«-1» no es un número entre 0"},
         {"menu", "falta la ruta de la opción"},
+        {"menu ×2", "falta la ruta de la opción"},
         {"captura", "falta el fichero"},
         {"arrastra +1 2", "«[+]1» no es un número"},
         {"arrastra 1 0x10", "«0x10» no es un número"},
         {"tamano 1e2 10", "«1e2» no es un número"},
+        {"tecla ×", "«×» no es ×N, con N entre 1 y 10000"},
+        {"tecla d ×", "orden 1 «tecla d ×»: «×» no es ×N"},
+        {"tecla d ×0", "«×0» no es ×N"},
+        {"tecla d ×x", "«×x» no es ×N"},
+        {"tecla d ×10001", "«×10001» no es ×N"},
+        {"tecla d ×2.0", "«×2.0» no es ×N"},
+        {"tecla d × 2", "sobra «×»"},
+        {"tecla d ×2 ×3", "sobra «×2»"},
         {"@/no/existe.guion", "-guion: no puedo leer «/no/existe.guion»"},
         {"@/dev", "-guion: «/dev» es una carpeta, no un fichero"},
         {"@/dev/zero", "-guion: «/dev/zero» ocupa más de 256 MiB"},
@@ -75,24 +135,13 @@ TEST(GuionMal, DiceDondeYQue) {
         EXPECT_EXIT(leeGuion(c.guion), ExitedWithCode(2), c.mensaje) << c.guion;
 }
 
-TEST(GuionMal, EnUnFicheroDiceLaLinea) {
-    const std::string fichero = (carpetaTemporal() / "prueba.guion").string();
-    FILE *f = std::fopen(fichero.c_str(), "w");
-    std::fputs("# un comentario\ntecla a; espera 10\n\n  gira 3\n", f);
-    std::fclose(f);
-    EXPECT_EXIT(leeGuion("@" + fichero), ExitedWithCode(2),
-                "prueba.guion:4 «gira 3»: no conozco la orden «gira»");
-}
-
 TEST(Talla, AnchoPorAlto) {
-    int ancho = 0, alto = 0;
-    tallaDe("240x180", ancho, alto, "-geometry");
-    EXPECT_EQ(ancho, 240);
-    EXPECT_EQ(alto, 180);
-    tallaDe("300x200+10-20", ancho, alto, "-geometry"); // la posición de X se admite
-    EXPECT_EQ(alto, 200);
+    for (const char *bien : {"240x180", "240x180+10-20"}) { // la posición de X se admite
+        EXPECT_EQ(tallaDe(bien, "-geometry").ancho, 240) << bien;
+        EXPECT_EQ(tallaDe(bien, "-geometry").alto, 180) << bien;
+    }
     for (const char *mal :
          {"", "240", "240x", "x180", "0x10", "240x-5", "axb", "240x180z", "10x10+hola", "10x10+1", "10x10+1+",
-          "10x10+1+2+3", "10x10++", "+10x+10", " 10x10", "10x 10", "16385x1"})
-        EXPECT_EXIT(tallaDe(mal, ancho, alto, "-geometry"), ExitedWithCode(2), "-geometry: ") << mal;
+          "10x10+1+2+3", "10x10++", "+10x+10", " 10x10", "10x 10", "16385x1", "1x16385"})
+        EXPECT_EXIT(tallaDe(mal, "-geometry"), ExitedWithCode(2), "-geometry: ") << mal;
 }

@@ -13,7 +13,7 @@ especial FIN; especial REPAG; especial AVPAG; especial INSERTAR
 mueve 100 50; boton IZQUIERDO abajo 100 50; arrastra 120 60; arrastra 290 190; boton IZQUIERDO arriba 290 190
 boton DERECHO abajo 10 10; arrastra 11 12; boton DERECHO arriba 30 40; boton CENTRAL abajo 30 40; boton CENTRAL arriba 30 40
 rueda +1 50 60; rueda -1 50 60; rueda -1 70 80
-tamano 400 300; mueve 390 290; tamano 123 457; tamano 64 1; tecla q; tecla Esc'
+tecla q ×3; escala 150 100; mueve 70 90; tamano 400 300; mueve 138 98; tamano 123 457; tamano 64 1; tecla q; tecla Esc'
 # La rueda como botones, el ocio, y los menús: abrir y no elegir, el submenú, una opción que cambia, y la que termina.
 guion_menu='mueve 20 30; rueda +1 20 30; rueda -1 50 60; tecla o; tecla a; tecla o; tecla b
 boton DERECHO abajo 200 50; boton DERECHO arriba 200 50; mueve 100 50; boton IZQUIERDO abajo 100 50; boton IZQUIERDO arriba 100 50

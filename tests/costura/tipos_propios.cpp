@@ -20,6 +20,9 @@ struct Temporizador {
 struct Entrada {
     char texto[64] = "entrada";
 };
+struct Talla {
+    char cual = 'M';
+};
 struct Palabras {
     int cuantas = 2;
 };

@@ -1,6 +1,7 @@
 // Los guiones, dados en la línea de órdenes o, si la entrada empieza por @, en un fichero; y el tamaño de -geometry.
 #include "glut_sin_ventana/guion.h"
 #include "soporte.h"
+#include <cstdlib>
 
 namespace sin_ventana {}
 using namespace sin_ventana;
@@ -10,15 +11,19 @@ int LLVMFuzzerTestOneInput(const std::uint8_t *datos, std::size_t n) {
     const bool deFichero = n > 0 && datos[0] == '@';
     ficheros["g"] = deFichero ? texto.substr(1) : "";
     lee([&] {
-        for (const Orden &o : leeGuion(deFichero ? "@g" : texto))
-            exige(!o.lugar.empty());
+        for (const Orden &o : leeGuion(deFichero ? "@g" : texto)) {
+            exige(!o.lugar.empty() && o.veces >= 1 && o.veces <= 10000);
+            for (const Talla ventana : {Talla{1, 1}, Talla{240, 180}, Talla{16384, 16384}}) {
+                const Punto raton = ratonEn(o, ventana);
+                exige(std::abs(raton.x) <= 100000 && std::abs(raton.y) <= 100000);
+            }
+        }
     });
     // el mensaje cita el argumento, que en una línea de órdenes también puede llevar un fin de línea
     if (texto.find('\n') == std::string::npos)
         lee([&] {
-            int ancho = 0, alto = 0;
-            tallaDe(texto, ancho, alto, "-geometry");
-            exige(ancho >= 1 && alto >= 1 && ancho <= 16384 && alto <= 16384);
+            const Talla t = tallaDe(texto, "-geometry");
+            exige(t.ancho >= 1 && t.alto >= 1 && t.ancho <= 16384 && t.alto <= 16384);
         });
     return 0;
 }

@@ -1,5 +1,5 @@
 # Para incluir con `source`: un guion de glut_sin_ventana, hecho con xdotool sobre una ventana de verdad.
-# Necesita DISPLAY y deja en $ventana el identificador X de la del programa lanzado.
+# Necesita DISPLAY y $build, y deja en $ventana el identificador X de la del programa lanzado.
 
 # Espera a que el programa $1 (pid) tenga su ventana, y le da el teclado.
 espera_ventana() {
@@ -21,43 +21,38 @@ lleva_raton() {
 # Hace las órdenes del guion $1. Las de menú, con elige_en_menu, si quien llama la tiene. Las que no tienen sentido fuera
 # del reloj virtual se saltan.
 haz_guion() {
-  local orden palabras tecla
+  local ordenes x y orden resto a b WIDTH HEIGHT
   local -A especial=([IZQUIERDA]=Left [DERECHA]=Right [ARRIBA]=Up [ABAJO]=Down [INICIO]=Home [FIN]=End
     [REPAG]=Prior [AVPAG]=Next [INSERTAR]=Insert)
   local -A nombre=([Esc]=Escape [Espacio]=space [Intro]=Return [Tab]=Tab [Retroceso]=BackSpace [Supr]=Delete
     [PuntoYComa]=semicolon [+]=plus [-]=minus [,]=comma [.]=period)
   local -A boton=([IZQUIERDO]=1 [CENTRAL]=2 [DERECHO]=3)
-  while read -ra palabras; do
-    [ ${#palabras[@]} -gt 0 ] || continue
-    orden=${palabras[0]}
+  eval "$(xdotool getwindowgeometry --shell "$ventana" | grep -E '^(WIDTH|HEIGHT)=')"
+  ordenes=$("$build/tests/guion" "${WIDTH}x$HEIGHT" "$1") || return
+  while read -r x y orden resto; do
+    read -r a b _ <<<"$resto"
     case $orden in
-    tecla)
-      tecla=${palabras[1]}
-      xdotool key "${nombre[$tecla]:-$tecla}"
-      ;;
+    tecla) xdotool key "${nombre[$a]:-$a}" ;;
     especial)
-      tecla=${palabras[1]}
-      case $tecla in
+      case $a in
       # por su código: en mapas de teclado recientes (xkb-data 2.48) xdotool cree que F1 se escribe con Alt, y la pulsa
-      F[1-9] | F10) tecla=$((66 + ${tecla#F})) ;;
-      F1[12]) tecla=$((84 + ${tecla#F})) ;;
+      F[1-9] | F10) a=$((66 + ${a#F})) ;;
+      F1[12]) a=$((84 + ${a#F})) ;;
       esac
-      xdotool key "${especial[$tecla]:-$tecla}"
+      xdotool key "${especial[$a]:-$a}"
       ;;
-    mueve | arrastra) lleva_raton "${palabras[1]}" "${palabras[2]}" ;;
+    mueve | arrastra) lleva_raton "$x" "$y" ;;
     boton)
-      lleva_raton "${palabras[3]}" "${palabras[4]}"
-      if [ "${palabras[2]}" = abajo ]; then xdotool mousedown "${boton[${palabras[1]}]}"; else xdotool mouseup "${boton[${palabras[1]}]}"; fi
+      lleva_raton "$x" "$y"
+      if [ "$b" = abajo ]; then xdotool mousedown "${boton[$a]}"; else xdotool mouseup "${boton[$a]}"; fi
       ;;
     rueda)
-      lleva_raton "${palabras[2]}" "${palabras[3]}"
-      if [ "${palabras[1]}" = -1 ]; then xdotool click 5; else xdotool click 4; fi
+      lleva_raton "$x" "$y"
+      if [ "$a" = -1 ]; then xdotool click 5; else xdotool click 4; fi
       ;;
-    tamano) xdotool windowsize "$ventana" "${palabras[1]}" "${palabras[2]}" ;;
-    menu) if declare -F elige_en_menu >/dev/null; then elige_en_menu "${palabras[*]:1}"; fi ;;
-    espera | captura) ;;
-    *) echo "«$orden» no se puede hacer en una ventana" >&2; return 1 ;;
+    tamano) xdotool windowsize "$ventana" "$a" "$b" ;;
+    menu) if declare -F elige_en_menu >/dev/null; then elige_en_menu "$resto"; fi ;;
     esac
     sleep "${PAUSA:-0.02}"
-  done < <(tr ';' '\n' <<<"$1")
+  done <<<"$ordenes"
 }
