@@ -24,6 +24,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import catalogo
+import medidas
 
 MINIMO = 150  # mutantes en la lista
 META, META_SIN_GOLDEN = 98, 92  # por ciento
@@ -324,14 +325,23 @@ def cuenta(mutante):
     return f"{mutante.nombre:<11} {mutante.fichero}, {mutante.imita}: {resultado}{motivo}"
 
 
+def cuentas(mutantes):
+    """De cada lista, cuántos se han plantado, cuántos se notan y cuántos sin mirar los golden."""
+    de = defaultdict(list)
+    for m in sorted(mutantes, key=lambda m: m.lista):
+        de[m.lista].append(m)
+    return {lista: {"plantados": len(suyos), "notados": sum(bool(m.notado) for m in suyos),
+                    "sin_golden": sum(bool(m.notado) and not m.por_golden for m in suyos)} for lista, suyos in de.items()}
+
+
 def resume(mutantes):
     """La tabla por listas y los que sobreviven. Devuelve los porcentajes del total."""
+    listas = cuentas(mutantes)
+    total = {que: sum(c[que] for c in listas.values()) for que in ("plantados", "notados", "sin_golden")}
     print("\n| lista | plantados | notados | % | notados sin golden | % |\n|---|---|---|---|---|---|")
-    for lista in [*sorted({m.lista for m in mutantes}), "total"]:
-        suyos = [m for m in mutantes if lista in (m.lista, "total")]
-        notados = [sum(bool(m.notado) for m in suyos), sum(bool(m.notado) and not m.por_golden for m in suyos)]
-        por_ciento = [100 * n / len(suyos) for n in notados]
-        print(f"| {lista} | {len(suyos)} | {notados[0]} | {por_ciento[0]:.1f} | {notados[1]} | {por_ciento[1]:.1f} |")
+    for lista, c in {**listas, "total": total}.items():
+        por_ciento = [100 * c[que] / c["plantados"] for que in ("notados", "sin_golden")]
+        print(f"| {lista} | {c['plantados']} | {c['notados']} | {por_ciento[0]:.1f} | {c['sin_golden']} | {por_ciento[1]:.1f} |")
     print("", *(cuenta(m) for m in mutantes if not m.notado), sep="\n")
     return por_ciento
 
@@ -374,6 +384,10 @@ def main():
         sys.exit(f"muta: sobreviven sin motivo, o se notan y tienen uno: {', '.join(mal)}")
     if not pedidos and (notados < META or sin_golden < META_SIN_GOLDEN):
         sys.exit(f"muta: se deben notar el {META} % y, sin golden, el {META_SIN_GOLDEN} %")
+    if not pedidos:
+        medidas.apunta(raiz, defectos=cuentas(elegidos))
+        aviso("apuntado en docs/medidas.json; ./lab lista --docs lo lleva a docs/exactitud.md")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -62,28 +62,29 @@ class Programa:
         self.raiz, self.programa = raiz, programa
         self.controles = pagina.controles(raiz, programa)
         self.mandos = [mando(c) for c in self.controles if not c.startswith(("Esc ", "ninguno"))]
+        teclas = [orden for m in self.mandos for _, orden in m["teclas"] if orden and "termina" not in m["hace"]]
         self.rasgos, self.leidos = set(), set()
         if not programa.consola:
             sin_ventana = (build / "sin_ventana").read_text().strip()
-            self.prueba(build / sin_ventana / programa.capitulo.nombre / programa.nombre)
+            for guion in ("", "; ".join(teclas)):  # una tecla puede poner en marcha un temporizador, o quitarlo
+                self.ejecuta(build / sin_ventana / programa.capitulo.nombre / programa.nombre, guion)
 
-    def prueba(self, ejecutable):
-        """Qué sucesos atiende y qué ficheros del laboratorio lee, después de pulsar cada una de sus teclas."""
-        teclas = [orden for m in self.mandos for _, orden in m["teclas"] if orden and "termina" not in m["hace"]]
+    def ejecuta(self, ejecutable, guion):
+        """Añade los sucesos que atiende y los ficheros del laboratorio que lee."""
         with tempfile.TemporaryDirectory() as carpeta:
             leidos = Path(carpeta, "leidos")
             leidos.touch()
-            salida = subprocess.run([ejecutable, "-guion", "; ".join(teclas), "-rasgos"], cwd=carpeta, check=True, text=True,
-                                    stdout=subprocess.PIPE, env={**os.environ, "LAB_LEIDOS": str(leidos)}).stdout
-            self.rasgos = set(salida.splitlines())
-            self.leidos = set(leidos.read_text().splitlines())
+            salida = subprocess.run([ejecutable, "-guion", guion, "-rasgos"], cwd=carpeta, check=True, text=True, stdout=subprocess.PIPE,
+                                    stderr=subprocess.DEVNULL, env={**os.environ, "LAB_LEIDOS": str(leidos)}).stdout
+            self.rasgos |= {linea.split()[0] for linea in salida.splitlines() if linea}
+            self.leidos |= set(leidos.read_text().splitlines())
 
     def datos(self):
         p = self.programa
         return {
             "nombre": p.nombre, "capitulo": p.capitulo.nombre, "referencia": p.ref, "titulo": p.titulo, "consola": p.consola,
             "mandos": self.mandos,
-            "derecho": "menu" not in self.rasgos and any("derecho" in c for c in self.controles),
+            "derecho": "opcion" not in self.rasgos and any("derecho" in c for c in self.controles),
             "anima": bool(self.rasgos & {"temporizador", "ocio"}),
             "raton": bool(self.rasgos & {"raton", "rueda", "arrastre"}),
             "sigue": "movimiento" in self.rasgos,
