@@ -127,12 +127,27 @@ glm::mat4 paralelaVentana(float semialto, float cerca, float lejos, float aspect
 
 Imagen leeVentana() {
     Imagen imagen{glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT), {}};
-    imagen.rgb.resize(3 * static_cast<std::size_t>(imagen.ancho) * static_cast<std::size_t>(imagen.alto));
-    GLint anterior = 0;
-    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &anterior);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    imagen.rgb.resize(std::size_t{3} * imagen.ancho * imagen.alto);
+    const GLenum parametros[] = {GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS,
+                                 GL_PACK_SKIP_PIXELS};
+    const GLint normales[] = {1, 0, 0, 0};
+    GLint previos[4], framebuffer = 0, bufer = 0;
+    for (int i = 0; i < 4; ++i) {
+        glGetIntegerv(parametros[i], &previos[i]);
+        glPixelStorei(parametros[i], normales[i]);
+    }
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer);
+    glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &bufer);
+    const auto enlaza = [](GLint cualFramebuffer, GLint cualBufer) {
+        if (!glBindFramebuffer) // sin glewInit el programa no puede haber enlazado ninguno
+            return;
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(cualFramebuffer));
+        glBindBuffer(GL_PIXEL_PACK_BUFFER, GLuint(cualBufer));
+    };
+    enlaza(0, 0);
     glReadPixels(0, 0, imagen.ancho, imagen.alto, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(anterior));
+    enlaza(framebuffer, bufer);
+    for (int i = 0; i < 4; ++i)
+        glPixelStorei(parametros[i], previos[i]);
     return imagen;
 }

@@ -35,5 +35,5 @@ glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos, float aspec
 glm::mat4 paralelaVentana(float semialto, float cerca = -1, float lejos = 1,
                           float aspecto = relacionAspecto());
 
-/// Color de la ventana tal como está en el framebuffer, primera fila abajo.
+/// Color de la ventana tal como está en el framebuffer, primera fila abajo. Deja OpenGL como lo encuentra.
 struct Imagen leeVentana();

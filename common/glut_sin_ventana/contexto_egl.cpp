@@ -48,23 +48,18 @@ void abrePantalla() {
 void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool) {
     limitaMesa();
     abrePantalla();
-    const EGLint atributos[] = {EGL_SURFACE_TYPE,
-                                EGL_PBUFFER_BIT,
-                                EGL_RENDERABLE_TYPE,
-                                EGL_OPENGL_BIT,
-                                EGL_RED_SIZE,
-                                8,
-                                EGL_GREEN_SIZE,
-                                8,
-                                EGL_BLUE_SIZE,
-                                8,
-                                EGL_ALPHA_SIZE, // sin él elige uno de 24 bits por píxel, y ahí llvmpipe
-                                8,              // descoloca los componentes de un rectángulo liso
-                                EGL_DEPTH_SIZE,
-                                profundidad ? 24 : 0,
-                                EGL_STENCIL_SIZE,
-                                plantilla ? 8 : 0,
+    // clang-format off
+    const EGLint atributos[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
+                                EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                EGL_RED_SIZE, 8,
+                                EGL_GREEN_SIZE, 8,
+                                EGL_BLUE_SIZE, 8,
+                                EGL_ALPHA_SIZE, 8, // sin él elige uno de 24 bits por píxel, y ahí llvmpipe descoloca los
+                                                   // componentes de un rectángulo liso
+                                EGL_DEPTH_SIZE, profundidad ? 24 : 0,
+                                EGL_STENCIL_SIZE, plantilla ? 8 : 0,
                                 EGL_NONE};
+    // clang-format on
     // EGL ofrece primero las de más bits por componente: hay que buscar la de 8 exactos
     EGLConfig candidatas[64];
     EGLint cuantas = 0, bits = 0;

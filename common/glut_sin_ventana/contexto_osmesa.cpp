@@ -20,19 +20,15 @@ long long pixelesPerdidos = 0;
 
 void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool) {
     limitaMesa();
-    const int atributos[] = {OSMESA_FORMAT,
-                             OSMESA_RGBA,
-                             OSMESA_DEPTH_BITS,
-                             profundidad ? 24 : 0,
-                             OSMESA_STENCIL_BITS,
-                             plantilla ? 8 : 0,
-                             OSMESA_PROFILE,
-                             OSMESA_CORE_PROFILE,
-                             OSMESA_CONTEXT_MAJOR_VERSION,
-                             3,
-                             OSMESA_CONTEXT_MINOR_VERSION,
-                             1,
+    // clang-format off
+    const int atributos[] = {OSMESA_FORMAT, OSMESA_RGBA,
+                             OSMESA_DEPTH_BITS, profundidad ? 24 : 0,
+                             OSMESA_STENCIL_BITS, plantilla ? 8 : 0,
+                             OSMESA_PROFILE, OSMESA_CORE_PROFILE,
+                             OSMESA_CONTEXT_MAJOR_VERSION, 3,
+                             OSMESA_CONTEXT_MINOR_VERSION, 1,
                              0};
+    // clang-format on
     contexto = OSMesaCreateContextAttribs(atributos, nullptr);
     if (!contexto)
         falla("OSMesa no puede crear un contexto OpenGL 3.1");
@@ -48,14 +44,14 @@ void cambiaTallaContexto(int ancho, int alto) {
             return;
         const int holgado[] = {ancho > anchoMemoria ? std::max(ancho, 2 * anchoMemoria) : anchoMemoria,
                                alto > altoMemoria ? std::max(alto, 2 * altoMemoria) : altoMemoria};
-        if (static_cast<long long>(holgado[0]) * holgado[1] <= MAXIMO_HOLGURA)
+        if (1LL * holgado[0] * holgado[1] <= MAXIMO_HOLGURA)
             ancho = holgado[0], alto = holgado[1];
     }
-    std::vector<unsigned char> nueva(4 * static_cast<std::size_t>(ancho) * static_cast<std::size_t>(alto));
+    std::vector<unsigned char> nueva(std::size_t{4} * ancho * alto);
     if (!OSMesaMakeCurrent(contexto, nueva.data(), GL_UNSIGNED_BYTE, ancho, alto))
         falla("OSMesa no admite una imagen de " + std::to_string(ancho) + "×" + std::to_string(alto));
     memoria.swap(nueva); // OSMesa usa la vieja hasta que tiene la nueva
-    pixelesPerdidos += static_cast<long long>(anchoMemoria) * altoMemoria;
+    pixelesPerdidos += 1LL * anchoMemoria * altoMemoria;
     anchoMemoria = ancho;
     altoMemoria = alto;
 }

@@ -2,8 +2,6 @@
 // la página ha creado para este programa: en Module.canvas está el elemento y con Module.titulo se le dice el título.
 #include "../error.h"
 #include "contexto.h"
-#include <GL/glew.h>
-#include <cstring>
 #include <emscripten.h>
 #include <emscripten/html5.h>
 
@@ -44,13 +42,8 @@ void destruyeContexto() {
     emscripten_webgl_destroy_context(contexto);
 }
 
-void (*direccionGL(const char *nombre))() {
-    // las que pide glut.cpp; nombrar aquí todas las metería en el binario
-    if (!std::strcmp(nombre, "glBindFramebuffer"))
-        return reinterpret_cast<void (*)()>(glBindFramebuffer);
-    if (!std::strcmp(nombre, "glBindBuffer"))
-        return reinterpret_cast<void (*)()>(glBindBuffer);
-    return nullptr;
+void (*direccionGL(const char *))() {
+    return nullptr; // las de WebGL 2 están enlazadas, y de las demás no hay ninguna
 }
 
 void diTitulo(const char *titulo) {

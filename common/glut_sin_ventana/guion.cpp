@@ -6,6 +6,7 @@
 #include <GL/freeglut.h>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <sstream>
 
@@ -18,6 +19,8 @@ const char *const AYUDA = R"(Opciones de la ventana sin pantalla:
   -mide N                 dibuja N veces más y escribe una línea TSV: programa, tamaño, primera ms,
                           mediana ms, mínimo ms, máximo ms, primitivas, renderizador, bytes de buffer objects
                           y bytes de texturas
+  -rasgos                 en vez de guardar la imagen escribe de qué se entera el programa, un rasgo por línea: teclado,
+                          especial, raton, arrastre, movimiento, rueda, ocio, temporizador, opcion Ruta/Opción
   -ayuda                  esta lista
 Órdenes del guion:
   tecla X                 un carácter, o Esc, Espacio, Intro, Tab, Retroceso, Supr, PuntoYComa
@@ -37,6 +40,12 @@ Estados de salida: 0 bien; 1 error del programa; 2 opción o guion mal escritos;
 )";
 
 namespace {
+
+const std::map<std::string, int> ORDENES = {
+    {"tecla", Orden::TECLA},       {"especial", Orden::ESPECIAL}, {"boton", Orden::BOTON},
+    {"arrastra", Orden::ARRASTRA}, {"mueve", Orden::MUEVE},       {"rueda", Orden::RUEDA},
+    {"menu", Orden::MENU},         {"tamano", Orden::TAMANO},     {"espera", Orden::ESPERA},
+    {"captura", Orden::CAPTURA},   {"escala", Orden::ESCALA}};
 
 const std::map<std::string, int> TECLAS = {{"Esc", 27},      {"Espacio", 32}, {"Intro", 13},      {"Tab", 9},
                                            {"Retroceso", 8}, {"Supr", 127},   {"PuntoYComa", ';'}};
@@ -65,7 +74,7 @@ const std::string POR = "×";
 struct Palabras {
     std::vector<std::string> palabras;
     std::string lugar;
-    std::size_t siguiente = 1;
+    std::size_t siguiente = 0;
 
     std::string toma(const char *que) {
         if (siguiente >= palabras.size())
@@ -74,6 +83,11 @@ struct Palabras {
     }
     int entero(const char *que, int minimo, int maximo) {
         return enteroDe(toma(que), minimo, maximo, lugar);
+    }
+    int tecla() {
+        if (siguiente < palabras.size() && palabras[siguiente].size() == 1)
+            return static_cast<unsigned char>(toma("la tecla")[0]);
+        return una(TECLAS, "una tecla (un carácter ASCII o su nombre)");
     }
     Talla talla() {
         const int ancho = entero("el ancho", 1, LADO_MAXIMO);
@@ -115,52 +129,31 @@ struct Palabras {
 
 Orden analiza(const std::string &texto, const std::string &lugar) {
     std::istringstream entrada(texto);
-    Palabras p{{}, lugar};
-    for (std::string palabra; entrada >> palabra;)
-        p.palabras.push_back(palabra);
+    Palabras p{{std::istream_iterator<std::string>(entrada), {}}, lugar};
     Orden o{};
     o.lugar = lugar;
     o.veces = p.veces();
     o.palabras = p.palabras;
-    const std::string &nombre = p.palabras[0];
-    if (nombre == "tecla") {
-        o.tipo = Orden::TECLA;
-        if (p.palabras.size() > 1 && p.palabras[1].size() == 1)
-            o.tecla = static_cast<unsigned char>(p.toma("la tecla")[0]);
-        else
-            o.tecla = p.una(TECLAS, "una tecla (un carácter ASCII o su nombre)");
-    } else if (nombre == "especial") {
-        o.tipo = Orden::ESPECIAL;
-        o.tecla = p.una(ESPECIALES, "una tecla especial");
-    } else if (nombre == "boton") {
-        o.tipo = Orden::BOTON;
+    o.tipo = Orden::Tipo(p.una(ORDENES, "una orden"));
+    switch (o.tipo) {
+    case Orden::TECLA: o.tecla = p.tecla(); break;
+    case Orden::ESPECIAL: o.tecla = p.una(ESPECIALES, "una tecla especial"); break;
+    case Orden::BOTON:
         o.boton = p.una(BOTONES, "un botón");
         o.sentido = p.una(SENTIDOS, "un movimiento del botón");
         o.raton = p.raton();
-    } else if (nombre == "arrastra" || nombre == "mueve") {
-        o.tipo = nombre == "mueve" ? Orden::MUEVE : Orden::ARRASTRA;
-        o.raton = p.raton();
-    } else if (nombre == "rueda") {
-        o.tipo = Orden::RUEDA;
+        break;
+    case Orden::ARRASTRA:
+    case Orden::MUEVE: o.raton = p.raton(); break;
+    case Orden::RUEDA:
         o.giro = p.una(RUEDA, "un giro de la rueda");
         o.raton = p.raton();
-    } else if (nombre == "menu") {
-        o.tipo = Orden::MENU;
-        o.texto = p.resto("la ruta de la opción");
-    } else if (nombre == "tamano" || nombre == "escala") {
-        o.tipo = nombre == "tamano" ? Orden::TAMANO : Orden::ESCALA;
-        o.talla = p.talla();
-    } else if (nombre == "espera") {
-        o.tipo = Orden::ESPERA;
-        o.ms = p.entero("los milisegundos", 0, ESPERA_MAXIMA);
-    } else if (nombre == "captura") {
-        o.tipo = Orden::CAPTURA;
-        o.texto = p.resto("el fichero");
-    } else {
-        falla(lugar + ": no conozco la orden «" + nombre +
-                  "»; hay tecla, especial, boton, arrastra, mueve, rueda, menu, tamano, espera, captura y "
-                  "escala",
-              2);
+        break;
+    case Orden::MENU: o.texto = p.resto("la ruta de la opción"); break;
+    case Orden::CAPTURA: o.texto = p.resto("el fichero"); break;
+    case Orden::TAMANO:
+    case Orden::ESCALA: o.talla = p.talla(); break;
+    case Orden::ESPERA: o.ms = p.entero("los milisegundos", 0, ESPERA_MAXIMA); break;
     }
     if (p.siguiente < p.palabras.size())
         falla(lugar + ": sobra «" + p.palabras[p.siguiente] + "»", 2);

@@ -36,7 +36,7 @@ TEST(Opciones, LasMalEscritasAcabanCon2) {
                 "-geometry: «diez» no es un tamaño ANCHOxALTO");
     esperaFallo(ejecuta(GRUA, "", 240, 180, {"-mide", "0"}), 2, "-mide: «0» no es un número entre 1 y");
     esperaFallo(ejecuta(GRUA, "", 240, 180, {"-mide", "1e3"}), 2, "-mide: «1e3» no es un número");
-    esperaFallo(ejecuta(GRUA, "gira"), 2, "guion, orden 1 «gira»: no conozco la orden «gira»");
+    esperaFallo(ejecuta(GRUA, "gira"), 2, "guion, orden 1 «gira»: «gira» no es una orden");
     esperaFallo(ejecuta(GRUA, "tecla d; menu Vista/Planta"), 2,
                 "orden 2 «menu Vista/Planta»: no hay esa opción; el programa no tiene menú");
     esperaFallo(ejecuta(GRUA, "tecla Esc; tecla d"), 2, "orden 2 «tecla d»: el programa ya ha terminado");

@@ -93,10 +93,10 @@ TEST(GuionMal, DiceDondeYQue) {
         std::string guion;
         const char *mensaje;
     } casos[] = {
-        {"tecla a; teclas b", "guion, orden 2 «teclas b»: no conozco la orden «teclas»"},
-        {"escala 9 9; tecla d ×2;;teclas b ×2", "guion, orden 3 «teclas b ×2»: no conozco la orden «teclas»"},
-        {fichero, "prueba.guion:4 «gira 3»: no conozco la orden «gira»"},
-        {"×2", "no conozco la orden «×2»"},
+        {"tecla a; teclas b", "guion, orden 2 «teclas b»: «teclas» no es una orden; valen arrastra boton"},
+        {"escala 9 9; tecla d ×2;;teclas b ×2", "guion, orden 3 «teclas b ×2»: «teclas» no es una orden"},
+        {fichero, "prueba.guion:4 «gira 3»: «gira» no es una orden"},
+        {"×2", "«×2» no es una orden"},
         {"tecla", "orden 1 «tecla»: falta una tecla"},
         {"tecla ab", "«ab» no es una tecla"},
         {"tecla é", "«é» no es una tecla"},

@@ -1,0 +1,101 @@
+// La opción -mide: lo que cuesta dibujar una imagen y lo que ocupa lo que el programa ha enviado a la GPU.
+#include "../error.h"
+#include "interior.h"
+#include <GL/glew.h>
+#include <GL/freeglut.h>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+namespace sin_ventana {
+namespace {
+
+const GLuint NOMBRES = 4096; // Mesa los da seguidos: los de cualquier programa son menores
+
+GLint parametro(GLenum objetivo, GLint nivel, GLenum cual) {
+    GLint n = 0; // lo que queda si no hay ese nivel
+    glGetTexLevelParameteriv(objetivo, nivel, cual, &n);
+    return n;
+}
+
+void olvidaErrores() {
+    while (glGetError() != GL_NO_ERROR) {
+    }
+}
+
+/// Enlaza una textura con el objetivo con el que se creó, que es el único que no da un error.
+GLenum enlazaTextura(GLuint nombre) {
+    for (const GLenum objetivo :
+         {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_RECTANGLE}) {
+        glBindTexture(objetivo, nombre);
+        if (glGetError() == GL_NO_ERROR)
+            return objetivo;
+    }
+    return GL_NONE;
+}
+
+/// Con sus mipmaps.
+long long bytesDeTextura(GLuint nombre) {
+    const GLenum objetivo = enlazaTextura(nombre);
+    const bool cubo = objetivo == GL_TEXTURE_CUBE_MAP;
+    const GLenum cara = cubo ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : objetivo;
+    long long bytes = 0, texels = 1;
+    for (GLint nivel = 0; texels > 0; ++nivel) {
+        texels = cubo ? 6 : 1;
+        for (const GLenum lado : {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_DEPTH})
+            texels *= parametro(cara, nivel, lado);
+        GLint bits = 0;
+        for (const GLenum talla : {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
+                                   GL_TEXTURE_ALPHA_SIZE, GL_TEXTURE_DEPTH_SIZE})
+            bits += parametro(cara, nivel, talla);
+        bytes += texels * bits / 8;
+    }
+    olvidaErrores(); // el de pedir un nivel de más
+    return bytes;
+}
+
+long long bytesDeBufer(GLuint nombre) {
+    GLint bytes = 0;
+    glBindBuffer(GL_COPY_READ_BUFFER, nombre);
+    glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &bytes);
+    return bytes;
+}
+
+} // namespace
+
+double milisegundosDe(void (*f)()) {
+    const auto antes = std::chrono::steady_clock::now();
+    f();
+    glFinish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - antes).count();
+}
+
+void mideCuadros(int cuadros, double primera) {
+    glewExperimental = GL_TRUE;
+    glewInit(); // el programa puede no haberlo necesitado
+    GLuint consulta = 0, primitivas = 0;
+    glGenQueries(1, &consulta);
+    glBeginQuery(GL_PRIMITIVES_GENERATED, consulta);
+    dibujaCuadro();
+    glEndQuery(GL_PRIMITIVES_GENERATED);
+    glGetQueryObjectuiv(consulta, GL_QUERY_RESULT, &primitivas);
+
+    std::vector<double> ms;
+    for (int i = 0; i < cuadros; ++i)
+        ms.push_back(milisegundosDe(dibujaCuadro));
+    std::sort(ms.begin(), ms.end());
+    compruebaGL("al medir");
+    long long buferes = 0, texturas = 0;
+    glDisable(GL_DEBUG_OUTPUT); // para buscar los objetivos hay que equivocarse
+    for (GLuint nombre = 1; nombre < NOMBRES; ++nombre) {
+        buferes += glIsBuffer(nombre) ? bytesDeBufer(nombre) : 0;
+        texturas += glIsTexture(nombre) ? bytesDeTextura(nombre) : 0;
+    }
+    glEnable(GL_DEBUG_OUTPUT);
+    std::printf("%s\t%dx%d\t%.3f\t%.3f\t%.3f\t%.3f\t%u\t%s\t%lld\t%lld\n", nombrePrograma().c_str(),
+                glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT), primera, ms[ms.size() / 2],
+                ms.front(), ms.back(), primitivas, reinterpret_cast<const char *>(glGetString(GL_RENDERER)),
+                buferes, texturas);
+}
+
+} // namespace sin_ventana

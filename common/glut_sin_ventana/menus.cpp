@@ -1,0 +1,168 @@
+// Los menús: se hacen como en FreeGLUT, y en ellos elige el guion.
+#include "../error.h"
+#include "glut_sin_ventana.h"
+#include "interior.h"
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace sin_ventana {
+namespace {
+
+struct Entrada {
+    std::string texto;
+    int valor;   // lo que recibe la función del menú
+    int submenu; // 0 si es una opción
+};
+
+struct Menu {
+    void (*funcion)(int);
+    std::vector<Entrada> entradas;
+};
+
+struct {
+    std::map<int, Menu> todos;
+    int actual = 0, ultimo = 0, deBoton[3] = {};
+    bool abierto = false;
+} menus;
+
+Menu &actual(const char *funcion) {
+    if (!menus.actual)
+        falla(std::string(funcion) + ": no hay menú; falta glutCreateMenu");
+    return menus.todos.at(menus.actual);
+}
+
+void exigeMenu(const char *funcion, int menu) {
+    if (!menus.todos.count(menu))
+        falla(std::string(funcion) + "(" + std::to_string(menu) + "): no hay ese menú");
+}
+
+/// Su función se llama con él como menú actual, y puede cambiarlo.
+void elige(int menu, int valor) {
+    menus.abierto = false;
+    const int anterior = std::exchange(menus.actual, menu);
+    menus.todos.at(menu).funcion(valor);
+    menus.actual = menus.todos.count(anterior) ? anterior : 0;
+}
+
+/// Si en ese menú hay esa opción, la elige.
+bool eligeDesde(int menu, const std::string &ruta) {
+    const std::size_t barra = ruta.find('/');
+    for (const Entrada &e : menus.todos.at(menu).entradas) {
+        if (e.texto != ruta.substr(0, barra) || (e.submenu != 0) != (barra != std::string::npos))
+            continue;
+        if (e.submenu)
+            return eligeDesde(e.submenu, ruta.substr(barra + 1));
+        elige(menu, e.valor);
+        return true;
+    }
+    return false;
+}
+
+void enumera(int menu, const std::string &ruta, std::vector<std::string> &opciones) {
+    for (const Entrada &e : menus.todos.at(menu).entradas)
+        if (e.submenu)
+            enumera(e.submenu, ruta + e.texto + "/", opciones);
+        else
+            opciones.push_back(ruta + e.texto);
+}
+
+} // namespace
+
+void eligeEnMenu(const std::string &ruta, const std::string &lugar) {
+    std::string opciones;
+    for (const int raiz : menus.deBoton) {
+        if (!raiz)
+            continue;
+        if (eligeDesde(raiz, ruta))
+            return;
+        for (const Entrada &e : menus.todos.at(raiz).entradas)
+            opciones += " «" + e.texto + (e.submenu ? "/…»" : "»");
+    }
+    falla(lugar + ": no hay esa opción; " +
+              (opciones.empty() ? "el programa no tiene menú" : "el menú tiene" + opciones),
+          2);
+}
+
+std::vector<std::string> opcionesDeMenu() {
+    std::vector<std::string> opciones;
+    for (const int raiz : menus.deBoton)
+        if (raiz)
+            enumera(raiz, "", opciones);
+    return opciones;
+}
+
+bool hayMenuAbierto() {
+    return menus.abierto;
+}
+
+bool loAtiendeUnMenu(int boton, bool pulsado) {
+    const bool suyo = menus.deBoton[boton] != 0;
+    if (!menus.abierto && !(suyo && pulsado))
+        return false;
+    menus.abierto = suyo || !pulsado;
+    return true;
+}
+
+} // namespace sin_ventana
+
+using namespace sin_ventana;
+
+extern "C" {
+
+int glutCreateMenu(void (*f)(int)) {
+    menus.actual = ++menus.ultimo;
+    menus.todos[menus.actual] = {f, {}};
+    return menus.actual;
+}
+
+void glutDestroyMenu(int menu) {
+    menus.todos.erase(menu);
+    for (auto &[otro, suyo] : menus.todos)
+        for (Entrada &e : suyo.entradas)
+            if (e.submenu == menu)
+                e = {e.texto, -1, 0};
+    std::replace(std::begin(menus.deBoton), std::end(menus.deBoton), menu, 0);
+    if (menus.actual == menu)
+        menus.actual = 0;
+}
+
+int glutGetMenu(void) {
+    return menus.actual;
+}
+
+void glutSetMenu(int menu) {
+    exigeMenu("glutSetMenu", menu);
+    menus.actual = menu;
+}
+
+void glutAddMenuEntry(const char *texto, int valor) {
+    actual("glutAddMenuEntry").entradas.push_back({texto, valor, 0});
+}
+
+void glutAddSubMenu(const char *texto, int submenu) {
+    exigeMenu("glutAddSubMenu", submenu);
+    actual("glutAddSubMenu").entradas.push_back({texto, 0, submenu});
+}
+
+void glutChangeToMenuEntry(int entrada, const char *texto, int valor) {
+    auto &entradas = actual("glutChangeToMenuEntry").entradas;
+    if (entrada < 1 || entrada > int(entradas.size()))
+        falla("glutChangeToMenuEntry(" + std::to_string(entrada) + "): el menú tiene " +
+              std::to_string(entradas.size()) + " opciones");
+    entradas[entrada - 1] = {texto, valor, 0};
+}
+
+void glutAttachMenu(int boton) {
+    actual("glutAttachMenu");
+    if (boton < 0 || boton > 2)
+        falla("glutAttachMenu(" + std::to_string(boton) + "): no hay ese botón");
+    menus.deBoton[boton] = menus.actual;
+}
+
+void glutDetachMenu(int boton) {
+    if (boton >= 0 && boton <= 2)
+        menus.deBoton[boton] = 0;
+}
+
+} // extern "C"
