@@ -18,25 +18,20 @@ from pathlib import Path
 
 import catalogo
 import pagina
+import procesos
+from procesos import Fallo
 
 ANCHO, ALTO = 1920, 1440
 RITMO = "1", "10"  # segundos por cuadro, como fracción
 SEGUNDOS = 300  # un programa que no acaba no detiene la galería
 
 
-class Fallo(Exception):
-    pass
-
-
 def ejecuta(orden, **opciones):
+    """Del mensaje de un programa que falla, la primera línea."""
     try:
-        proceso = subprocess.run(orden, stdin=subprocess.DEVNULL, capture_output=True, timeout=SEGUNDOS, **opciones)
-    except subprocess.TimeoutExpired:
-        raise Fallo(f"no ha acabado en {SEGUNDOS} segundos") from None
-    if proceso.returncode:
-        mensaje = proceso.stderr.decode(errors="replace").strip().splitlines()
-        raise Fallo(mensaje[0] if mensaje else f"ha acabado con estado {proceso.returncode}")
-    return proceso.stdout
+        return procesos.ejecuta(orden, timeout=SEGUNDOS, **opciones)
+    except Fallo as fallo:
+        raise Fallo(str(fallo).splitlines()[0]) from None
 
 
 def a_la_mitad(ppm):

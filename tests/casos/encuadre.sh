@@ -7,16 +7,20 @@ build=$1 destino=$2 borde=$3 capitulo=$4 programa=$5 nombre=$6 guion=${8/#-/}
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
 cd "$carpeta"
-dibuja() { # ÓRDENES: tras el guion
-  "$build/$destino/$capitulo/$programa" -geometry 240x180 -guion "$guion; $1" -ppm "última" >/dev/null </dev/null
+dibuja() { # TALLA ÓRDENES: tras el guion
+  "$build/$destino/$capitulo/$programa" -geometry "$1" -guion "$guion; $2" -ppm "última" >/dev/null </dev/null
 }
 
 if [ "$borde" = libre ]; then
-  dibuja "$(for talla in 640x360 480x360 480x540 200x450; do printf 'tamano %s; captura %s;' "${talla/x/ }" "$nombre-$talla.ppm"; done)"
+  tallas=(640x360 480x360 480x540 200x450)
+  case $guion in
+  escala*) for talla in "${tallas[@]}"; do dibuja $talla "captura $nombre-$talla.ppm"; done ;; # adónde va el ratón depende de la talla
+  *) dibuja 240x180 "$(for talla in "${tallas[@]}"; do printf 'tamano %s; captura %s;' "${talla/x/ }" "$nombre-$talla.ppm"; done)" ;;
+  esac
   "$build/tests/borde" "$nombre"*.ppm
 fi
-dibuja 'rueda -1 9 9 ×40; captura alejada'
+dibuja 240x180 'rueda -1 9 9 ×40; captura alejada'
 pulsa='boton IZQUIERDO abajo 240 180' suelta='boton IZQUIERDO arriba'
-dibuja "$pulsa; arrastra 240 2180; $suelta 240 2180; captura desde_arriba
+dibuja 240x180 "$pulsa; arrastra 240 2180; $suelta 240 2180; captura desde_arriba
   $pulsa; arrastra 240 -3820; $suelta 240 -3820; captura desde_abajo"
 "$build/tests/borde" --queda alejada desde_arriba desde_abajo
