@@ -5,7 +5,7 @@
 // Controles: 1 sin nada · 2 multimuestra · 3 sobremuestreo · v los tres · Esc termina.
 #include "estrella.h"
 #include "imagen_en_ventana.h"
-#include "trazo.h"
+#include "malla.h"
 
 static const int VECES = 4, MUESTRAS = 4, DENTRO = 16;
 static const glm::vec2
@@ -13,12 +13,22 @@ static const glm::vec2
 static const char *const NOMBRES[3] = {"Sin antialiasing", "Multimuestra", "Sobremuestreo"};
 
 static struct {
-    GLuint reduce, copia, lupa, renderbuffer, multimuestra;
+    GLuint pinta, reduce, copia, lupa, renderbuffer, multimuestra;
+    Buferes estrella;
     GLint buffersVentana, muestrasVentana, muestras;
     Lienzo lienzo = {0, 0}, grande = {0, 0};
     int lado = 0, elegido = 0;
     bool compara = false;
 } estado;
+
+static Malla mallaEstrella() {
+    Malla malla;
+    for (const glm::dvec2 &v : estrella()) {
+        malla.indices.push_back(GLuint(malla.vertices.size()));
+        malla.vertices.push_back({glm::vec3(v, 0), {0, 0, 1}, {}});
+    }
+    return malla;
+}
 
 /// Los framebuffers de lado × lado; se rehacen si cambia.
 static void creaLienzos(int lado) {
@@ -43,10 +53,9 @@ static void creaLienzos(int lado) {
 static void dibujaEstrella(GLuint framebuffer, int lado) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     abreRecuadro({0, 0, lado, lado}, FONDO_CLARO);
-    std::vector<glm::vec3> vertices;
-    for (const glm::dvec2 &v : estrella())
-        vertices.push_back(glm::vec3(v, 0));
-    pintaTriangulos(vertices, OSCURO);
+    glUseProgram(estado.pinta);
+    envia(estado.pinta, "color", OSCURO);
+    dibuja(estado.estrella);
 }
 
 /// Deja la escena en estado.lienzo con esa técnica.
@@ -138,6 +147,8 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Antialiasing", GLUT_DOUBLE | GLUT_MULTISAMPLE);
+    estado.estrella = creaBuferes(mallaEstrella());
+    estado.pinta = creaPrograma("ch09_imagen/estrella.vert", "ch09_imagen/estrella.frag");
     estado.reduce = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/reduce.frag");
     estado.copia = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/imagen.frag");
     estado.lupa = creaPrograma("ch09_imagen/lupa.vert", "ch09_imagen/imagen.frag");

@@ -123,8 +123,7 @@ static void dibujaRaton() {
     const int lado = static_cast<int>(0.32f * altoUtil());
     glViewport(v.ancho - lado, (v.alto - lado) / 2, lado, lado);
     const auto caja = [](float x0, float y0, float x1, float y1, const glm::vec3 &color) {
-        pintaTriangulos({{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y0, 0}, {x1, y1, 0}, {x0, y1, 0}},
-                        color);
+        trazaPoligono({{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}}, glm::mat4(1), color);
     };
     caja(-0.55f, -0.8f, 0.55f, 0.8f, OSCURO);
     caja(-0.5f, -0.75f, 0.5f, 0.1f, BLANCO);

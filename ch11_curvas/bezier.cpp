@@ -23,12 +23,11 @@ static glm::mat4 vista() {
 
 /// Cada punto del casco convexo de unos puntos del plano está en un triángulo de tres de ellos.
 static void pintaCasco() {
-    std::vector<glm::vec3> triangulos;
-    for (std::size_t falta = 0; falta < 4; ++falta)
-        for (std::size_t i = 0; i < 4; ++i)
-            if (i != falta)
-                triangulos.push_back(vista() * glm::vec4(estado.P[i], 1));
-    pintaTriangulos(triangulos, COLOR_CASCO);
+    for (std::size_t falta = 0; falta < 4; ++falta) {
+        std::vector<glm::vec3> tres = estado.P;
+        tres.erase(tres.begin() + std::ptrdiff_t(falta));
+        trazaPoligono(tres, vista(), COLOR_CASCO);
+    }
 }
 
 static void dibuja() {

@@ -57,10 +57,7 @@ static void dibujaPanel(const Recuadro &panel, Continuidad c) {
     const glm::vec3 Q = recorrido(c, u), velocidad = recorrido(c, u, 1), F = glm::normalize(velocidad),
                     L(-F.y, F.x, 0);
     trazaFlecha(Q, Q + VELOCIDAD * velocidad, vista, VERDE);
-    std::vector<glm::vec3> coche = {Q + 0.10f * F, Q - 0.08f * F + 0.07f * L, Q - 0.08f * F - 0.07f * L};
-    for (glm::vec3 &p : coche)
-        p = vista * glm::vec4(p, 1);
-    pintaTriangulos(coche, NARANJA);
+    trazaPoligono({Q + 0.10f * F, Q - 0.08f * F + 0.07f * L, Q - 0.08f * F - 0.07f * L}, vista, NARANJA);
     rotulaPunto(NOMBRES[c], {-1.1f, 0.85f, 0}, vista, OSCURO, Lado::CENTRO, 1.3f * TALLA_ROTULO);
     rotulaPunto("|Q'|", {-0.88f, -0.25f, 0}, vista, VERDE, Lado::CENTRO);
     rotulaPunto("|Q''|", {-0.18f, -0.25f, 0}, vista, ROJO, Lado::CENTRO);

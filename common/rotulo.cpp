@@ -1,7 +1,7 @@
 #include "rotulo.h"
 #include "colores.h"
+#include "encima.h"
 #include "letra.h"
-#include "trazo.h"
 #include "ventana.h"
 #include <algorithm>
 #include <cmath>
@@ -9,15 +9,17 @@
 
 namespace {
 
-const int COLUMNAS = 5, FILAS = 7, PASO = COLUMNAS + 1, INTERLINEA = FILAS + 3; // en cuadrados
-const int SEPARACION = 3; // del punto al rótulo, en cuadrados
-const std::array<unsigned char, FILAS> DESCONOCIDO = {0x1F, 0x11, 0x11, 0x11, 0x11, 0x11, 0x1F};
+const float TEXELS_POR_NIVEL = 255 * ALCANCE / 127.0f; // de 0 a 1 en el atlas
+const float BORDE = 128 / 255.0f;
+// En altos de mayúscula.
+const float INTERLINEA = 1.5f, SEPARACION = 0.43f, HALO = 0.07f;
+const int ALTO_MINIMO = 7; // píxeles: con menos no se lee
 
 /// Los caracteres de un texto en UTF-8, línea a línea.
 std::vector<std::u32string> lineasDe(const std::string &texto) {
     std::vector<std::u32string> lineas(1);
     for (std::size_t i = 0; i < texto.size();) {
-        const unsigned char primero = static_cast<unsigned char>(texto[i++]);
+        const unsigned primero = static_cast<unsigned char>(texto[i++]);
         char32_t c = primero < 0x80 ? primero
                                     : primero & (primero < 0xE0   ? 0x1Fu
                                                  : primero < 0xF0 ? 0x0Fu
@@ -32,28 +34,39 @@ std::vector<std::u32string> lineasDe(const std::string &texto) {
     return lineas;
 }
 
+/// Un texto compuesto para el panel en que se dibuja. Las medidas son píxeles, desde la esquina de abajo a la izquierda del panel; el
+/// rectángulo va de la línea base de la última línea a lo alto de las mayúsculas de la primera.
 struct Rotulo {
     std::vector<std::u32string> lineas;
-    int ancho = 0, alto = 0, celda = 1, halo = 1; // en píxeles
-    GLint viewport[4];
+    int mayuscula, paso, interlinea, ancho = 0, alto = 0;
+    float halo;
+    GLint panel[4];
 
     Rotulo(const std::string &texto, float talla) : lineas(lineasDe(texto)) {
-        glGetIntegerv(GL_VIEWPORT, viewport);
+        glGetIntegerv(GL_VIEWPORT, panel);
+        mayuscula = int(std::lround(talla * altoUtil()));
+        mide();
+        while (mayuscula > ALTO_MINIMO && (ancho + 2 * paso > panel[2] || alto + 2 * paso > panel[3])) {
+            --mayuscula;
+            mide();
+        }
+    }
+
+    void mide() {
+        mayuscula = std::max(mayuscula, ALTO_MINIMO);
+        paso = int(std::lround(float(mayuscula) * AVANCE / MAYUSCULA));
+        halo = std::max(HALO * float(mayuscula), 1.0f);
+        interlinea = int(std::lround(INTERLINEA * float(mayuscula)));
         std::size_t letras = 1;
         for (const std::u32string &linea : lineas)
             letras = std::max(letras, linea.size());
-        const int columnas = PASO * static_cast<int>(letras) - 1,
-                  filas = INTERLINEA * static_cast<int>(lineas.size()) - (INTERLINEA - FILAS);
-        celda = static_cast<int>(std::lround(talla * altoUtil() / FILAS));
-        celda = std::max(std::min({celda, viewport[2] / (columnas + 2), viewport[3] / (filas + 2)}), 1);
-        halo = std::max(celda / 2, 1);
-        ancho = columnas * celda;
-        alto = filas * celda;
+        ancho = paso * int(letras);
+        alto = interlinea * (int(lineas.size()) - 1) + mayuscula;
     }
 
-    /// Esquina de abajo a la izquierda del rótulo, en píxeles del panel, cuando va a ese lado del punto.
+    /// Esquina de abajo a la izquierda cuando va a ese lado del punto.
     glm::ivec2 esquina(const glm::ivec2 &punto, Lado lado) const {
-        const int hueco = SEPARACION * celda;
+        const int hueco = int(std::lround(SEPARACION * float(mayuscula)));
         switch (lado) {
         case Lado::ENCIMA: return {punto.x - ancho / 2, punto.y + hueco};
         case Lado::DEBAJO: return {punto.x - ancho / 2, punto.y - hueco - alto};
@@ -63,65 +76,72 @@ struct Rotulo {
         }
     }
 
-    /// Esa esquina, corrida lo justo para que el rótulo no se salga del panel.
+    /// Esa esquina, corrida lo justo para que el rótulo quede a una letra del borde del panel.
     glm::ivec2 dentro(const glm::ivec2 &e) const {
-        const int margen = halo + 1;
-        return {std::clamp(e.x, margen, std::max(viewport[2] - ancho - margen, margen)),
-                std::clamp(e.y, margen, std::max(viewport[3] - alto - margen, margen))};
+        return {std::clamp(e.x, paso, std::max(panel[2] - ancho - paso, paso)),
+                std::clamp(e.y, paso, std::max(panel[3] - alto - paso, paso))};
     }
 
     bool tapa(const glm::ivec2 &e, const glm::ivec2 &punto) const {
         const glm::ivec2 d = punto - e;
-        return d.x >= -celda && d.y >= -celda && d.x <= ancho + celda && d.y <= alto + celda;
+        const int cerca = mayuscula / ALTO_MINIMO;
+        return d.x >= -cerca && d.y >= -cerca && d.x <= ancho + cerca && d.y <= alto + cerca;
     }
 
-    /// Los cuadrados de las letras, agrandados en `margen` píxeles por los cuatro lados.
-    void pinta(const glm::ivec2 &e, int margen, const glm::vec3 &color) const {
-        const glm::vec2 porPixel(2.0f / static_cast<float>(std::max(viewport[2], 1)),
-                                 2.0f / static_cast<float>(std::max(viewport[3], 1)));
-        std::vector<glm::vec3> vertices;
-        const auto vertice = [&](int x, int y) {
-            vertices.push_back(glm::vec3(glm::vec2(x, y) * porPixel - 1.0f, 0));
-        };
-        int arriba = e.y + alto;
+    /// Dos triángulos por letra, con su caja.
+    std::vector<VerticePintado> triangulos(const glm::ivec2 &e) const {
+        const float escala = float(mayuscula) / MAYUSCULA, margen = (halo + 0.5f) / escala;
+        const glm::vec2 porPixel(2 / float(std::max(panel[2], 1)), 2 / float(std::max(panel[3], 1))),
+            atlas(ANCHO_ATLAS, ALTO_ATLAS),
+            // el avance se redondea a píxeles, y lo que sobra va por igual a los dos lados
+            origen(ORIGEN_X - 0.5f * (float(paso) / escala - AVANCE), ORIGEN_Y);
+        std::vector<VerticePintado> vertices;
+        glm::vec2 pluma(e.x, e.y + alto - mayuscula);
         for (const std::u32string &linea : lineas) {
-            int izquierda = e.x;
-            for (const char32_t c : linea) {
-                const auto letra = LETRA.find(c);
-                for (int fila = 0; fila < FILAS; ++fila) {
-                    const unsigned bits = c == U' ' ? 0u
-                                          : letra != LETRA.end()
-                                              ? letra->second[static_cast<std::size_t>(fila)]
-                                              : DESCONOCIDO[static_cast<std::size_t>(fila)];
-                    for (int columna = 0; columna < COLUMNAS; ++columna) {
-                        if (!(bits >> (COLUMNAS - 1 - columna) & 1u))
-                            continue;
-                        const int x0 = izquierda + columna * celda - margen, x1 = x0 + celda + 2 * margen,
-                                  y1 = arriba - fila * celda + margen, y0 = y1 - celda - 2 * margen;
-                        vertice(x0, y0), vertice(x1, y0), vertice(x1, y1);
-                        vertice(x0, y0), vertice(x1, y1), vertice(x0, y1);
-                    }
-                }
-                izquierda += PASO * celda;
+            for (const char32_t signo : linea) {
+                const int i = int(std::min(SIGNOS.find(signo), SIGNOS.size() - 1));
+                const glm::vec2 celda(i % COLUMNAS_ATLAS * ANCHO_CELDA,
+                                      (FILAS_ATLAS - 1 - i / COLUMNAS_ATLAS) * ALTO_CELDA);
+                const CajaSigno caja = letra().caja(i);
+                const auto vertice = [&](float x, float y) {
+                    const glm::vec2 texel(x, y), pixel = pluma + (texel - origen) * escala;
+                    vertices.push_back({glm::vec3(pixel * porPixel - 1.0f, 0), (celda + texel) / atlas});
+                };
+                const float x0 = caja.x0 - margen, y0 = caja.y0 - margen, x1 = caja.x1 + margen,
+                            y1 = caja.y1 + margen;
+                vertice(x0, y0);
+                vertice(x1, y0);
+                vertice(x1, y1);
+                vertice(x0, y0);
+                vertice(x1, y1);
+                vertice(x0, y1);
+                pluma.x += float(paso);
             }
-            arriba -= INTERLINEA * celda;
+            pluma = {e.x, pluma.y - float(interlinea)};
         }
-        pintaTriangulos(vertices, color);
+        return vertices;
     }
 
-    void dibuja(const glm::ivec2 &punto, Lado lado, const glm::vec3 &color) const {
+    void dibuja(const std::string &texto, const glm::vec2 &lugar, Lado lado, const glm::vec3 &color) const {
+        const glm::vec2 enPanel = lugar * glm::vec2(panel[2], panel[3]);
+        const glm::ivec2 punto(enPanel);
         glm::ivec2 e = dentro(esquina(punto, lado));
         for (const Lado otro : {Lado::DEBAJO, Lado::ENCIMA, Lado::IZQUIERDA, Lado::DERECHA})
             if (lado != Lado::CENTRO && tapa(e, punto))
                 e = dentro(esquina(punto, otro));
 
         const bool claro = glm::dot(color, glm::vec3(0.3f, 0.6f, 0.1f)) > 0.5f;
-        const GLboolean profundidad = glIsEnabled(GL_DEPTH_TEST);
-        glDisable(GL_DEPTH_TEST);
-        pinta(e, halo, claro ? OSCURO : BLANCO);
-        pinta(e, 0, color);
-        if (profundidad)
-            glEnable(GL_DEPTH_TEST);
+        const float pixelesPorNivel = TEXELS_POR_NIVEL * float(mayuscula) / MAYUSCULA;
+        const glm::vec2 centro = 0.5f * glm::vec2(panel[2], panel[3]), abajo = glm::vec2(e) - centro;
+        pintaEncima({"rotulo",
+                     color,
+                     float(mayuscula),
+                     {{abajo, 0}, {abajo + glm::vec2(ancho, alto), 0}, {enPanel - centro, 0}},
+                     texto},
+                    triangulos(e),
+                    {{claro ? OSCURO : BLANCO, BORDE - halo / pixelesPorNivel, pixelesPorNivel},
+                     {color, BORDE, pixelesPorNivel}},
+                    false);
     }
 };
 
@@ -129,8 +149,7 @@ struct Rotulo {
 
 void rotula(const std::string &texto, const glm::vec2 &lugar, const glm::vec3 &color, Lado lado,
             float talla) {
-    const Rotulo r(texto, talla);
-    r.dibuja(glm::ivec2(lugar * glm::vec2(r.viewport[2], r.viewport[3])), lado, color);
+    Rotulo(texto, talla).dibuja(texto, lugar, lado, color);
 }
 
 void rotulaPunto(const std::string &texto, const glm::vec3 &punto, const glm::mat4 &transformacion,

@@ -1,6 +1,6 @@
-// Rótulos cortos, con una letra de 5×7 hecha de cuadrados (letra.h): nítidos a cualquier tamaño, con un halo que los separa del
-// fondo y siempre delante de todo. Letras españolas, π, √, ·, ×, °, θ, Φ, φ, α, δ, ² y flechas; `\n` parte el rótulo en
-// líneas. Nunca se salen del panel: si no caben, se corren o encogen. Dejan el programa y el VAO en uso como estaban.
+// Rótulos cortos, en DejaVu Sans Mono Bold: nítidos a cualquier tamaño, con un halo que los separa del fondo y siempre delante de
+// todo. Los signos que hay están en signos.h; `\n` parte el rótulo en líneas. Quedan siempre a una letra del borde del panel, como
+// poco: si no caben, se corren o encogen.
 #pragma once
 #include <glm/glm.hpp>
 #include <string>

@@ -3,8 +3,8 @@
 // menos de uno de los de la ventana.
 //
 // `transformacion` lleva los puntos a coordenadas de recortado (proyeccion * camara * M; mat4(1) si ya son las
-// normalizadas del panel). Lo que queda delante del plano cerca se corta. Obedecen al test de profundidad si está activo,
-// y dejan el programa y el VAO en uso como estaban.
+// normalizadas del panel). Lo que queda delante del plano cerca se corta, y el trazo que va por el borde del panel se mete
+// dentro. Obedecen al test de profundidad si está activo y no cambian el estado de OpenGL.
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>
@@ -27,5 +27,6 @@ void trazaPuntos(const std::vector<glm::vec3> &puntos, const glm::mat4 &transfor
 void trazaFlecha(const glm::vec3 &a, const glm::vec3 &b, const glm::mat4 &transformacion,
                  const glm::vec3 &color, float grosor = GROSOR);
 
-/// Triángulos de un color, dados por sus vértices en coordenadas normalizadas del dispositivo.
-void pintaTriangulos(const std::vector<glm::vec3> &vertices, const glm::vec3 &color);
+/// Un polígono convexo relleno.
+void trazaPoligono(const std::vector<glm::vec3> &puntos, const glm::mat4 &transformacion,
+                   const glm::vec3 &color);

@@ -1,3 +1,4 @@
+#include "../encima.h"
 #include "../error.h"
 #include "../imagen.h"
 #include "../ventana.h"
@@ -90,6 +91,7 @@ std::string sello() {
 
 void guarda(const std::string &fichero) {
     guardaPpm(fichero, leeVentana(), sello());
+    guardaEncima(fichero, glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
 }
 
 void dibujaSiHaceFalta() {
@@ -243,6 +245,7 @@ void escribeRasgos() {
 } // namespace
 
 void dibujaCuadro() {
+    empiezaCuadroEncima();
     g.dibuja();
 }
 

@@ -161,7 +161,7 @@ TEST_F(Ayudas, LosPuntosSonDiscos) {
 TEST_F(Ayudas, ObedecenALaProfundidad) {
     const Imagen imagen = pinta([] {
         glEnable(GL_DEPTH_TEST);
-        pintaTriangulos({{-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, -1, 0}, {0, 1, 0}, {-1, 1, 0}}, GRIS);
+        trazaPoligono({{-1, -1, 0}, {0, -1, 0}, {0, 1, 0}, {-1, 1, 0}}, UNO, GRIS);
         trazaSegmentos({{-0.8f, 0, 0.5f}, {0.8f, 0, 0.5f}}, UNO, ROJO, 30);
         trazaSegmentos({{-0.9f, 0.5f, 0.5f}, {-0.1f, 0.5f, -0.5f}}, UNO, ROJO, 30); // asoma por la mitad
         rotula("T", {0.25f, 0.25f}, OSCURO);                                        // los rótulos, no
