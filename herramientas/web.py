@@ -135,7 +135,11 @@ class Pagina:
         texturas = [f.stem for f in sorted((self.build.parent / "assets").glob("*.rgb"))]
         for textura in texturas:
             self.empaqueta(textura, (self.build.parent / "assets" / f"{textura}.rgb").read_bytes())
+        self.escribe_indice(capitulos)
+
+    def escribe_indice(self, capitulos):
         programas = [p for capitulo in capitulos for p in capitulo.programas]
+        self.destino.mkdir(parents=True, exist_ok=True)
         with ThreadPoolExecutor(os.cpu_count()) as hilos:
             datos = [p.datos() for p in hilos.map(lambda p: Programa(self.raiz, self.build.parent, p), programas)]
         pagina.escribe_pagina(self.destino, "web.html", capitulos=capitulos, programas=datos,
@@ -149,4 +153,5 @@ def main():
     print(f"Hecha: {destino}/index.html ({ocupa / 1e6:.1f} MB en total)", file=sys.stderr)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -162,6 +162,14 @@ Ejecucion ejecuta(const std::string &programa, const std::string &guion, int anc
     return e;
 }
 
+ConRaiz::ConRaiz(const fs::path &carpeta) : antes(std::getenv("LAB_RAIZ") ? std::getenv("LAB_RAIZ") : "") {
+    setenv("LAB_RAIZ", (carpeta.string() + ":" + antes).c_str(), 1);
+}
+
+ConRaiz::~ConRaiz() {
+    setenv("LAB_RAIZ", antes.c_str(), 1);
+}
+
 Pixel pixel(const Imagen &imagen, int x, int y) {
     const std::size_t i = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(imagen.ancho) +
                                static_cast<std::size_t>(x));
