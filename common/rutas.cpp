@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <vector>
 
 namespace fs = std::filesystem;
@@ -13,12 +14,27 @@ namespace {
 
 const std::size_t TAMANO_MAXIMO = 256 << 20; // /dev/zero no se acaba nunca
 
+/// Las carpetas de $LAB_RAIZ, separadas por «:» como en $PATH.
+std::vector<fs::path> raicesPedidas() {
+    std::vector<fs::path> raices;
+    const char *pedidas = std::getenv("LAB_RAIZ");
+    std::istringstream texto(pedidas ? pedidas : "");
+    for (std::string raiz; std::getline(texto, raiz, ':');)
+        if (!raiz.empty())
+            raices.emplace_back(raiz);
+    return raices;
+}
+
+/// Quien quiere saber qué lee un programa lo pide en $LAB_LEIDOS, el fichero en que se apunta.
+void apuntaLeido(const std::string &relativa) {
+    if (const char *fichero = std::getenv("LAB_LEIDOS"))
+        std::ofstream(fichero, std::ios::app) << relativa << '\n';
+}
+
 } // namespace
 
 bool intentaRecurso(const std::string &relativa, std::string &ruta, std::string &error) {
-    std::vector<fs::path> raices;
-    if (const char *raiz = std::getenv("LAB_RAIZ"))
-        raices.emplace_back(raiz);
+    std::vector<fs::path> raices = raicesPedidas();
     std::error_code sinEjecutable;
     const fs::path carpeta = fs::read_symlink("/proc/self/exe", sinEjecutable).parent_path();
     if (!sinEjecutable) {
@@ -32,8 +48,10 @@ bool intentaRecurso(const std::string &relativa, std::string &ruta, std::string 
     for (const fs::path &raiz : raices) {
         ruta = (raiz / relativa).string();
         std::error_code ec;
-        if (fs::is_regular_file(ruta, ec))
+        if (fs::is_regular_file(ruta, ec)) {
+            apuntaLeido(relativa);
             return true;
+        }
         lugares += (lugares.empty() ? "" : ", ") + ruta;
     }
     error = "no encuentro «" + relativa + "»; lo he buscado en " + lugares;

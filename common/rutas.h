@@ -3,9 +3,10 @@
 #include <string>
 
 /// Ruta completa de un fichero del laboratorio, dado por su ruta desde la raíz
-/// («ch03_transformaciones/objeto.vert»). Se busca, por este orden, en $LAB_RAIZ, en la carpeta del
-/// ejecutable y en la que la contiene (árbol instalado), en la carpeta en que se compiló (texturas) y en el
-/// árbol de fuentes. Si no está en ninguna, termina con un mensaje que las enumera todas.
+/// («ch03_transformaciones/objeto.vert»). Se busca, por este orden, en las carpetas de $LAB_RAIZ (separadas por
+/// «:»), en la del ejecutable y en la que la contiene (árbol instalado), en la carpeta en que se compiló
+/// (texturas) y en el árbol de fuentes. Si no está en ninguna, termina con un mensaje que las enumera todas.
+/// Lo que se encuentra se apunta en el fichero $LAB_LEIDOS, si se pide.
 std::string recurso(const std::string &relativa);
 
 /// Contenido completo de un fichero de 256 MiB a lo sumo; si no se puede leer, termina diciendo por qué.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""galeria.py RAÍZ BUILD DESTINO: dibuja cada caso de build/casos.tsv sin ventana y escribe DESTINO/index.html.
+"""galeria.py RAÍZ BUILD DESTINO: dibuja cada caso del catálogo sin ventana y escribe DESTINO/index.html.
 
 Cada imagen se dibuja al doble de tamaño y se reduce a la mitad, para que los bordes salgan suavizados. De los casos con
 ANIMA se hace, además de la imagen, un APNG de tantos cuadros, a la mitad de tamaño. Solo se rehace lo que ha cambiado:
@@ -9,7 +9,6 @@ caso falla, la página lleva los demás y el estado es 1.
 import hashlib
 import json
 import os
-import re
 import signal
 import subprocess
 import sys
@@ -17,32 +16,22 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
+import catalogo
 import pagina
+import procesos
+from procesos import Fallo
 
 ANCHO, ALTO = 1920, 1440
 RITMO = "1", "10"  # segundos por cuadro, como fracción
 SEGUNDOS = 300  # un programa que no acaba no detiene la galería
 
 
-class Fallo(Exception):
-    pass
-
-
 def ejecuta(orden, **opciones):
+    """Del mensaje de un programa que falla, la primera línea."""
     try:
-        proceso = subprocess.run(orden, stdin=subprocess.DEVNULL, capture_output=True, timeout=SEGUNDOS, **opciones)
-    except subprocess.TimeoutExpired:
-        raise Fallo(f"no ha acabado en {SEGUNDOS} segundos") from None
-    if proceso.returncode:
-        mensaje = proceso.stderr.decode(errors="replace").strip().splitlines()
-        raise Fallo(mensaje[0] if mensaje else f"ha acabado con estado {proceso.returncode}")
-    return proceso.stdout
-
-
-def a_escala(guion, ancho):
-    """Los guiones de los casos dan el ratón en una ventana de 240×180, la de los golden."""
-    return re.sub(r"\b(boton \w+ \w+|arrastra|mueve|rueda [+-]?1) (-?\d+) (-?\d+)",
-                  lambda m: f"{m[1]} {int(m[2]) * ancho // 240} {int(m[3]) * ancho // 240}", guion)
+        return procesos.ejecuta(orden, timeout=SEGUNDOS, **opciones)
+    except Fallo as fallo:
+        raise Fallo(str(fallo).splitlines()[0]) from None
 
 
 def a_la_mitad(ppm):
@@ -76,10 +65,10 @@ class Galeria:
 
     def dibuja(self, programa, caso, temporal):
         """Hace la imagen de un caso si no está al día. Dice si la ha hecho."""
-        ejecutable = self.build / self.sin_ventana / programa.capitulo / programa.nombre
+        ejecutable = self.build / self.sin_ventana / programa.capitulo.nombre / programa.nombre
         png = self.destino / caso.imagen
         ficheros = [] if programa.consola else [png, self.destino / caso.animada] if caso.anima else [png]
-        clave = hashlib.sha1(repr((self.comunes, caso.guion, caso.argumentos, caso.anima)).encode() +
+        clave = hashlib.sha1(repr((self.comunes, caso.guion, caso.anima)).encode() +
                              ejecutable.read_bytes()).hexdigest()
         anterior = self.hecho.get(caso.imagen, {})
         if anterior.get("clave") == clave and all(f.is_file() and f.stat().st_size for f in ficheros):
@@ -88,12 +77,12 @@ class Galeria:
         for fichero in ficheros:
             fichero.unlink(missing_ok=True)
         self.hecho.pop(caso.imagen, None)
-        orden = [ejecutable, *caso.argumentos.split()]
+        orden = [ejecutable]
         ppm = temporal / f"{caso.fichero}.ppm"
         if not programa.consola:
             orden += ["-geometry", f"{ANCHO}x{ALTO}", "-ppm", ppm]
         if caso.guion:
-            orden += ["-guion", a_escala(caso.guion, ANCHO)]
+            orden += ["-guion", caso.guion]
         caso.salida = ejecuta(orden, cwd=temporal).decode(errors="replace")
         if not programa.consola:
             mitad = a_la_mitad(ppm)
@@ -109,8 +98,8 @@ class Galeria:
         """El APNG de un caso: desde donde lo deja su guion, ANIMA dice cuántos cuadros y la orden que lleva al siguiente."""
         cuadros, paso = caso.anima.split(maxsplit=1)
         capturas = [carpeta / f"{i:03}.ppm" for i in range(int(cuadros))]
-        guion = "; ".join([a_escala(caso.guion, ANCHO // 2), *(f"captura {c.name}; {paso}" for c in capturas)])
-        ejecuta([ejecutable, *caso.argumentos.split(), "-geometry", f"{ANCHO // 2}x{ALTO // 2}", "-ppm", "x", "-guion", guion],
+        guion = "; ".join([caso.guion, *(f"captura {c.name}; {paso}" for c in capturas)])
+        ejecuta([ejecutable, "-geometry", f"{ANCHO // 2}x{ALTO // 2}", "-ppm", "x", "-guion", guion],
                 cwd=carpeta)
         for captura in capturas:
             captura.with_suffix(".png").write_bytes(ejecuta(["pnmtopng", "-quiet", a_la_mitad(captura)]))
@@ -135,7 +124,7 @@ class Galeria:
             try:
                 for n, pendiente in enumerate(as_completed(pendientes), 1):
                     programa = pendientes[pendiente]
-                    print(f"[{n:2}/{len(programas)}] {programa.capitulo}/{programa.nombre}: {pendiente.result()}",
+                    print(f"[{n:2}/{len(programas)}] {programa.capitulo.nombre}/{programa.nombre}: {pendiente.result()}",
                           file=sys.stderr)
             except BaseException:
                 hilos.shutdown(cancel_futures=True)
@@ -148,7 +137,7 @@ def main():
     raiz, build, destino = map(Path, sys.argv[1:])
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     destino.mkdir(parents=True, exist_ok=True)
-    capitulos = pagina.lee_catalogo(build)
+    capitulos = catalogo.lee(build)
     programas = [p for capitulo in capitulos for p in capitulo.programas]
     try:
         Galeria(raiz, build, destino).dibuja_todo(programas)

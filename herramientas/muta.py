@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""muta.py RAÍZ CARPETA [--comprueba | QUÉ…]: defectos plantados, para saber si las pruebas los notan.
+"""muta.py RAÍZ BUILD [--comprueba | QUÉ…]: defectos plantados, para saber si las pruebas los notan.
 
 Cada línea de tests/mutantes/*.tsv es un mutante: fichero, texto (que está una sola vez en él; \\n, si pasa de línea), texto
 estropeado, qué imita y, si no lo puede notar nadie, por qué. Con «…» dentro del texto, el resto solo sirve para encontrarlo y se
 cambia lo que va entre ellas.
 
-Todos se compilan a la vez en una copia del árbol, en CARPETA: una expresión de C++ queda como (mutante(5012) ? (estropeada) :
-(original)), una instrucción como if/else, y un shader estropeado va en una carpeta que la copia mira antes que las demás;
-$LAB_MUTANTE elige uno. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar y apuntan lo que usan; después,
+Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes: una expresión de C++ queda como (mutante(5012) ? (estropeada) :
+(original)), una instrucción como if/else, y $LAB_MUTANTE elige uno; un shader estropeado va en una carpeta, y $LAB_RAIZ hace que se
+mire antes que las demás. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar y apuntan lo que usan; después,
 con cada mutante, los que lo usan, hasta que uno falle: las pruebas de su capítulo, las demás y, si ninguna lo nota, los golden.
 """
 import os
@@ -22,6 +22,9 @@ from collections import defaultdict
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
+
+import catalogo
+import medidas
 
 MINIMO = 150  # mutantes en la lista
 META, META_SIN_GOLDEN = 98, 92  # por ciento
@@ -76,11 +79,11 @@ class Prueba:
     def capitulo(self):
         return capitulo(self.nombre)
 
-    def pasa(self, mutante, limite, **entorno):
-        """Si acaba bien y a tiempo con ese mutante puesto (0: ninguno). Lo que escribe queda en self.salida."""
+    def pasa(self, limite, **entorno):
+        """Si acaba bien y a tiempo en ese entorno. Lo que escribe queda en self.salida."""
         proceso = subprocess.run(["timeout", "-s", "KILL", f"{limite:.0f}", *self.orden], stdin=subprocess.DEVNULL,
                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                 env={**os.environ, **self.entorno, **entorno, "LAB_MUTANTE": str(mutante)})
+                                 env={**os.environ, **self.entorno, **entorno})
         self.salida = proceso.stdout.decode(errors="replace")
         return proceso.returncode == 0
 
@@ -139,7 +142,7 @@ def estropea(fuente, mutante):
     return fuente[:desde] + mutante.estropeado + fuente[hasta:]
 
 
-def comprueba(raiz, mutantes, fallos):
+def comprueba(raiz, programas, mutantes, fallos):
     """Que cada mutante se puede aplicar, que los shaders estropeados compilan y que no falta ningún programa."""
     for fichero, grupo in por_fichero(mutantes).items():
         try:
@@ -164,11 +167,9 @@ def comprueba(raiz, mutantes, fallos):
             fallos.append(f"{fichero}: {error}")
     if len(mutantes) < MINIMO:
         fallos.append(f"hay {len(mutantes)} mutantes, y deben ser {MINIMO}")
-    for lista in {m.lista for m in mutantes}:
-        for indice in raiz.glob(f"{lista}_*/CMakeLists.txt"):
-            for programa in re.findall(r"^programa\((\w+)", indice.read_text(), re.M):
-                if not any(Path(m.fichero).stem.startswith(programa) for m in mutantes):
-                    fallos.append(f"{lista}: ningún mutante en {indice.parent.name}/{programa}")
+    for p in programas:
+        if not any(m.lista == p.capitulo.nombre[:4] and Path(m.fichero).stem.startswith(p.nombre) for m in mutantes):
+            fallos.append(f"{p.capitulo.nombre[:4]}: ningún mutante en {p.capitulo.nombre}/{p.nombre}")
     return fallos
 
 
@@ -212,13 +213,8 @@ class Taller:
         fuentes = [f for f in grupos if not f.endswith(SHADERS)]
         for fichero in fuentes:
             nuevos[fichero] = cambia(nuevos[fichero].decode(), grupos[fichero]).encode()
-        rutas, sin_raices = nuevos["common/rutas.cpp"].decode(), "std::vector<fs::path> raices;"
-        if sin_raices not in rutas:
-            sys.exit(f"muta: en common/rutas.cpp ya no está «{sin_raices}», donde se pone la carpeta del mutante")
-        nuevos["common/rutas.cpp"] = rutas.replace(
-            sin_raices, "std::vector<fs::path> raices{raizMutante(LAB_GENERADO, relativa)};").encode()
         for relativo in nuevos:  # una prueba puede incluir un fuente dentro de un namespace
-            if relativo in {*fuentes, "common/rutas.cpp"} or re.match("tests/.*_test.cpp", relativo):
+            if relativo in fuentes or re.match("tests/.*_test.cpp", relativo):
                 mutante_h = os.path.relpath("tests/mutantes/mutante.h", Path(relativo).parent)
                 nuevos[relativo] = f'#include "{mutante_h}"\n'.encode() + nuevos[relativo]
         for viejo in self.copia.rglob("*"):
@@ -248,11 +244,10 @@ class Taller:
             shutil.rmtree(self.build)  # el laboratorio se ha movido
         self.orden("cmake", "--preset", "release", "-S", self.copia, "-B", self.build, *opciones)
         self.sin_ventana = (self.build / "sin_ventana").read_text().strip()
-        self.casos = [fila.split("\t") for fila in (self.build / "casos.tsv").read_text().splitlines()]
-        programas = {fila.split("\t")[1] for fila in (self.build / "catalogo.tsv").read_text().splitlines()}
+        self.programas = catalogo.lee_programas(self.build)
         pruebas = [f.stem for f in self.copia.glob("tests/*/*_test.cpp") if capitulo(f.name) in capitulos]
         self.orden("ninja", "-k", "0", "-C", self.build, *(pruebas if capitulos else ["tests/all"]), "compara",
-                   *(f"{p}_{self.sin_ventana}" for p in sorted(programas)))
+                   *(f"{p.nombre}_{self.sin_ventana}" for p in self.programas))
 
     def orden(self, *palabras):
         proceso = subprocess.run([str(p) for p in palabras], cwd=self.copia, text=True, stdout=subprocess.PIPE,
@@ -276,10 +271,12 @@ class Taller:
                 elif linea.endswith("."):
                     grupo = linea
         entorno = dict(linea.split("=", 1) for linea in (self.copia / "tests/entorno.txt").read_text().split())
-        for carpeta, programa, caso, *_ in self.casos:
-            if not capitulos or capitulo(carpeta) in capitulos:
-                pruebas.append(Prueba(f"{capitulo(carpeta)} golden {programa}.{caso}", [
-                    self.copia / "tests/casos/caso.sh", self.build, self.sin_ventana, programa, caso], entorno, True))
+        for programa in self.programas:
+            de = capitulo(programa.capitulo.nombre)
+            for caso in programa.casos:
+                if not programa.consola and (not capitulos or de in capitulos):
+                    orden = [self.copia / "tests/casos/caso.sh", self.build, self.sin_ventana, *caso.hechos]
+                    pruebas.append(Prueba(f"{de} golden {programa.nombre}.{caso.nombre}", orden, entorno, True))
         return pruebas
 
     def sin_mutantes(self, pruebas, hilos):
@@ -289,7 +286,7 @@ class Taller:
         def ejecuta(prueba):
             with tempfile.NamedTemporaryFile() as vistos:
                 principio = time.monotonic()
-                pasa = prueba.pasa(0, 600, LAB_VISTOS=vistos.name)
+                pasa = prueba.pasa(600, LAB_LEIDOS=vistos.name)
                 prueba.segundos = time.monotonic() - principio
                 prueba.vistos = set(Path(vistos.name).read_text().split("\n"))
             return pasa
@@ -310,8 +307,10 @@ class Taller:
                                key=lambda p: (p.golden, p.capitulo != capitulo(m.fichero), p.segundos))
 
     def prueba(self, mutante):
+        numero = str(mutante.numero)
+        entorno = {"LAB_RAIZ": str(self.build / "glsl" / numero)} if mutante.fichero.endswith(SHADERS) else {"LAB_MUTANTE": numero}
         for prueba in mutante.pruebas:
-            if not prueba.pasa(mutante.numero, 30 + 10 * prueba.segundos):
+            if not prueba.pasa(30 + 10 * prueba.segundos, **entorno):
                 mutante.notado, mutante.por_golden = prueba.nombre, prueba.golden
                 break
         return mutante
@@ -326,14 +325,23 @@ def cuenta(mutante):
     return f"{mutante.nombre:<11} {mutante.fichero}, {mutante.imita}: {resultado}{motivo}"
 
 
+def cuentas(mutantes):
+    """De cada lista, cuántos se han plantado, cuántos se notan y cuántos sin mirar los golden."""
+    de = defaultdict(list)
+    for m in sorted(mutantes, key=lambda m: m.lista):
+        de[m.lista].append(m)
+    return {lista: {"plantados": len(suyos), "notados": sum(bool(m.notado) for m in suyos),
+                    "sin_golden": sum(bool(m.notado) and not m.por_golden for m in suyos)} for lista, suyos in de.items()}
+
+
 def resume(mutantes):
     """La tabla por listas y los que sobreviven. Devuelve los porcentajes del total."""
+    listas = cuentas(mutantes)
+    total = {que: sum(c[que] for c in listas.values()) for que in ("plantados", "notados", "sin_golden")}
     print("\n| lista | plantados | notados | % | notados sin golden | % |\n|---|---|---|---|---|---|")
-    for lista in [*sorted({m.lista for m in mutantes}), "total"]:
-        suyos = [m for m in mutantes if lista in (m.lista, "total")]
-        notados = [sum(bool(m.notado) for m in suyos), sum(bool(m.notado) and not m.por_golden for m in suyos)]
-        por_ciento = [100 * n / len(suyos) for n in notados]
-        print(f"| {lista} | {len(suyos)} | {notados[0]} | {por_ciento[0]:.1f} | {notados[1]} | {por_ciento[1]:.1f} |")
+    for lista, c in {**listas, "total": total}.items():
+        por_ciento = [100 * c[que] / c["plantados"] for que in ("notados", "sin_golden")]
+        print(f"| {lista} | {c['plantados']} | {c['notados']} | {por_ciento[0]:.1f} | {c['sin_golden']} | {por_ciento[1]:.1f} |")
     print("", *(cuenta(m) for m in mutantes if not m.notado), sep="\n")
     return por_ciento
 
@@ -341,10 +349,10 @@ def resume(mutantes):
 def main():
     for interrupcion in (signal.SIGINT, signal.SIGTERM):  # también entonces se borra la carpeta temporal
         signal.signal(interrupcion, lambda cual, _: sys.exit(128 + cual))
-    raiz, carpeta = (Path(p).resolve() for p in sys.argv[1:3])
+    raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
     pedidos = sys.argv[3:]
     todos, fallos = lee(raiz)
-    fallos = comprueba(raiz, todos, fallos)
+    fallos = comprueba(raiz, catalogo.lee_programas(build), todos, fallos)
     if fallos:
         sys.exit("\n".join([*fallos, "muta: la lista de mutantes tiene errores"]))
     if pedidos == ["--comprueba"]:
@@ -353,7 +361,7 @@ def main():
         if not any(m.es_de(pedido) for m in todos):
             sys.exit(f"muta: no hay ningún mutante en «{pedido}»; vale un capítulo (ch05), un programa, un fichero o {todos[0].nombre}")
     elegidos = [m for m in todos if not pedidos or any(m.es_de(pedido) for pedido in pedidos)]
-    taller = Taller(raiz, carpeta, todos)
+    taller = Taller(raiz, build / "mutantes", todos)
     # de un capítulo que se pide, solo sus pruebas; lo de common/ lo usan todos
     capitulos = {capitulo(m.fichero) for m in elegidos} if pedidos else set()
     if "comun" in capitulos:
@@ -376,6 +384,10 @@ def main():
         sys.exit(f"muta: sobreviven sin motivo, o se notan y tienen uno: {', '.join(mal)}")
     if not pedidos and (notados < META or sin_golden < META_SIN_GOLDEN):
         sys.exit(f"muta: se deben notar el {META} % y, sin golden, el {META_SIN_GOLDEN} %")
+    if not pedidos:
+        medidas.apunta(raiz, defectos=cuentas(elegidos))
+        aviso("apuntado en docs/medidas.json; ./lab lista --docs lo lleva a docs/exactitud.md")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -1,26 +1,23 @@
 # capitulo("Transformaciones geométricas")
 #   El título del capítulo de esta carpeta; va el primero.
 #
-# programa(nombre REF "L1.2 E3.5" TITULO "…" [CONSOLA])
+# programa(nombre REF "L1.2 E3.5" TITULO "…" CONTRA "…" PRUEBAS a.B.C … [PASA "…"] [ADMITE modelo|imagen|imagenes] [CONSOLA])
 #   Compila <nombre>.cpp una sola vez y lo enlaza para cada destino de LAB_DESTINOS:
-#   build/<destino>/<capítulo>/<nombre>. CONSOLA: escribe texto y no tiene imagen.
+#   build/<destino>/<capítulo>/<nombre>. Van en el orden del libro.
+#   CONTRA: con qué, que no salga de él, se compara; PRUEBAS: las de GoogleTest que lo hacen.
+#   PASA: por qué se aparta de ello más de 2 niveles de 255.
+#   ADMITE: el fichero que se le puede dar: un modelo v/f, una imagen o dos. CONSOLA: escribe texto y no tiene imagen.
 #
-# caso(programa nombre [GUION "orden; orden"] [ARGUMENTOS a b …] [MIRA "…"] [BORDE "…"] [ANIMA "N orden"] [TOLERANCIA "…" MOTIVO "…"])
+# caso(programa nombre [GUION "orden; orden"] [BORDE "…"] [ANIMA "N orden"] [TOLERANCIA "…" MOTIVO "…"] MIRA "…")
 #   Una imagen de ese programa: tras el guion debe ser tests/golden/<capítulo>/<programa>[-nombre].ppm;
 #   el caso que se llama base no lleva sufijo.
-#   MIRA: una frase, a qué hay que mirar; es el pie de la imagen en la galería.
+#   MIRA: una frase, a qué hay que mirar; es el pie de la imagen en la galería. En su propio renglón.
 #   BORDE: por qué la escena llega al borde de la ventana; sin él, no debe llegar.
 #   ANIMA: en la galería se mueve: N cuadros, a diez por segundo, y la orden del guion que lleva de cada uno al siguiente.
 #   TOLERANCIA cambia la que usa el comparador cuando la imagen no es del mismo OpenGL que el golden, y exige un MOTIVO.
 #
-# Con esas funciones se escriben build/catalogo.tsv y build/casos.tsv, y todo lo demás (las pruebas, ./lab, la galería,
-# docs/programas.md) sale de ahí. Sus columnas, donde lo que falta es un guion y lo nuevo se añade al final:
-#   catalogo.tsv: capítulo, programa, referencia, título, consola, título del capítulo
-#   casos.tsv: capítulo, programa, caso, guion, argumentos, tolerancia, nombre del fichero, mira, borde, anima
-
-foreach(tabla CATALOGO CASOS NOMBRES_DE_CASOS)
-  define_property(GLOBAL PROPERTY LAB_${tabla} BRIEF_DOCS "Filas de los TSV" FULL_DOCS "-")
-endforeach()
+# Con todo ello se escribe build/catalogo.json, que solo lee herramientas/catalogo.py, y de ahí sale lo demás: ./lab, la galería,
+# las páginas, docs/. Las pruebas de cada caso reciben sus hechos como argumentos.
 
 # file(GLOB) en esta carpeta aunque se llame a[b]: esos corchetes no son del patrón.
 function(busca variable patron)
@@ -29,17 +26,17 @@ function(busca variable patron)
   set(${variable} "${ficheros}" PARENT_SCOPE)
 endfunction()
 
-# Añade a una tabla la fila de esos campos.
-function(anade_fila tabla)
-  set(fila "")
+# Añade a una de las listas del catálogo un objeto de JSON: sus campos son las variables <prefijo>_<CAMPO>.
+function(apunta lista prefijo)
+  set(objeto "")
   foreach(campo IN LISTS ARGN)
-    if("${${campo}}" STREQUAL "")
-      set(${campo} "-")
-    endif()
-    string(APPEND fila "\t${${campo}}")
+    string(REPLACE "\\" "\\\\" valor "${${prefijo}_${campo}}")
+    string(REPLACE "\"" "\\\"" valor "${valor}")
+    string(TOLOWER ${campo} nombre)
+    string(APPEND objeto ", \"${nombre}\": \"${valor}\"")
   endforeach()
-  string(SUBSTRING "${fila}" 1 -1 fila)
-  set_property(GLOBAL APPEND_STRING PROPERTY LAB_${tabla} "${fila}\n")
+  string(SUBSTRING "${objeto}" 2 -1 objeto)
+  set_property(GLOBAL APPEND_STRING PROPERTY LAB_CATALOGO_${lista} ",\n {${objeto}}")
 endfunction()
 
 function(exige_nombre nombre)
@@ -49,16 +46,21 @@ function(exige_nombre nombre)
 endfunction()
 
 function(capitulo titulo)
-  set(titulo_capitulo "${titulo}" PARENT_SCOPE)
+  get_filename_component(C_NOMBRE "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
+  set(C_TITULO "${titulo}")
+  apunta(CAPITULOS C NOMBRE TITULO)
+  set(capitulo ${C_NOMBRE} PARENT_SCOPE)
 endfunction()
 
 function(programa nombre)
-  cmake_parse_arguments(PARSE_ARGV 1 P "CONSOLA" "REF;TITULO" "")
-  if(P_UNPARSED_ARGUMENTS OR NOT P_REF OR NOT P_TITULO)
-    message(FATAL_ERROR "programa(${nombre}): faltan REF o TITULO, o sobra «${P_UNPARSED_ARGUMENTS}»")
+  cmake_parse_arguments(PARSE_ARGV 1 P "CONSOLA" "REF;TITULO;CONTRA;PASA;ADMITE" "PRUEBAS")
+  if(P_UNPARSED_ARGUMENTS OR NOT P_REF OR NOT P_TITULO OR NOT capitulo)
+    message(FATAL_ERROR "programa(${nombre}): faltan REF, TITULO o, antes, capitulo(…), o sobra «${P_UNPARSED_ARGUMENTS}»")
+  endif()
+  if(NOT "${P_ADMITE}" MATCHES "^(|modelo|imagen|imagenes)$")
+    message(FATAL_ERROR "programa(${nombre}): ADMITE modelo, imagen o imagenes, y no «${P_ADMITE}»")
   endif()
   exige_nombre(${nombre})
-  get_filename_component(capitulo "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
   add_library(${nombre} OBJECT ${nombre}.cpp)
   target_link_libraries(${nombre} PRIVATE comun avisos)
   if(TARGET precompilada)
@@ -76,17 +78,20 @@ function(programa nombre)
     add_dependencies(programas ${nombre}_ventana ${nombre}_${LAB_SIN_VENTANA})
     install(TARGETS ${nombre}_ventana DESTINATION ${capitulo})
   endif()
-  set(consola "")
-  if(P_CONSOLA)
-    set(consola "consola")
+  if(NOT P_CONSOLA)
+    set_property(GLOBAL APPEND PROPERTY LAB_CON_VENTANA ${capitulo}/${nombre})
   endif()
-  anade_fila(CATALOGO capitulo nombre P_REF P_TITULO consola titulo_capitulo)
+  set(P_CAPITULO ${capitulo})
+  set(P_NOMBRE ${nombre})
+  string(REPLACE ";" " " P_PRUEBAS "${P_PRUEBAS}")
+  string(REPLACE "FALSE" "" P_CONSOLA ${P_CONSOLA})
+  apunta(PROGRAMAS P CAPITULO NOMBRE REF TITULO CONTRA PRUEBAS PASA ADMITE CONSOLA)
 endfunction()
 
 function(caso programa nombre)
-  cmake_parse_arguments(PARSE_ARGV 2 C "" "GUION;MIRA;BORDE;ANIMA;TOLERANCIA;MOTIVO" "ARGUMENTOS")
-  if(C_UNPARSED_ARGUMENTS OR (C_TOLERANCIA AND NOT C_MOTIVO))
-    message(FATAL_ERROR "caso(${programa} ${nombre}): sobra «${C_UNPARSED_ARGUMENTS}» o falta el MOTIVO")
+  cmake_parse_arguments(PARSE_ARGV 2 C "" "GUION;MIRA;BORDE;ANIMA;TOLERANCIA;MOTIVO" "")
+  if(C_UNPARSED_ARGUMENTS OR NOT C_MIRA OR (C_TOLERANCIA AND NOT C_MOTIVO))
+    message(FATAL_ERROR "caso(${programa} ${nombre}): sobra «${C_UNPARSED_ARGUMENTS}» o falta MIRA o el MOTIVO")
   endif()
   if(C_ANIMA AND NOT C_ANIMA MATCHES "^[1-9][0-9]?[0-9]? ")
     message(FATAL_ERROR "caso(${programa} ${nombre}): ANIMA es el número de cuadros, hasta 999, y la orden que lleva al siguiente")
@@ -95,17 +100,26 @@ function(caso programa nombre)
   if(NOT TARGET ${programa})
     message(FATAL_ERROR "caso(${programa} ${nombre}): no hay ningún programa «${programa}»")
   endif()
-  get_filename_component(capitulo "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
-  string(REPLACE ";" " " argumentos "${C_ARGUMENTOS}")
-  set(fichero ${programa}-${nombre})
+  set(C_PROGRAMA ${programa})
+  set(C_NOMBRE ${nombre})
+  set(C_FICHERO ${programa}-${nombre})
   if(nombre STREQUAL "base")
-    set(fichero ${programa})
+    set(C_FICHERO ${programa})
   endif()
-  anade_fila(CASOS capitulo programa nombre C_GUION argumentos C_TOLERANCIA fichero C_MIRA C_BORDE C_ANIMA)
+  apunta(CASOS C PROGRAMA NOMBRE FICHERO GUION TOLERANCIA MIRA BORDE ANIMA)
+  set_property(GLOBAL APPEND PROPERTY LAB_NOMBRES_DE_CASOS ${programa}.${nombre})
   if(C_BORDE)
     set_property(GLOBAL APPEND PROPERTY LAB_CASOS_QUE_LLEGAN_AL_BORDE ${programa}.${nombre})
   endif()
-  set_property(GLOBAL APPEND PROPERTY LAB_NOMBRES_DE_CASOS ${programa}.${nombre})
+
+  # lo que de él reciben los scripts de tests/casos/, con un guion donde no hay nada
+  foreach(hecho TOLERANCIA GUION)
+    if(NOT C_${hecho})
+      set(C_${hecho} -)
+    endif()
+  endforeach()
+  string(REPLACE ";" "\\;" guion "${C_GUION}")
+  set_property(GLOBAL PROPERTY LAB_HECHOS_${programa}.${nombre} "${capitulo};${programa};${C_FICHERO};${C_TOLERANCIA};${guion}")
 endfunction()
 
 # Los índices de todos los capítulos, que quedan en la variable `capitulos`, y el catálogo que sale de ellos.
@@ -120,8 +134,13 @@ macro(lee_capitulos)
 endmacro()
 
 function(escribe_catalogo)
-  get_property(catalogo GLOBAL PROPERTY LAB_CATALOGO)
-  get_property(casos GLOBAL PROPERTY LAB_CASOS)
-  file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/catalogo.tsv" CONTENT "${catalogo}")
-  file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/casos.tsv" CONTENT "${casos}")
+  set(catalogo "")
+  foreach(lista CAPITULOS PROGRAMAS CASOS)
+    get_property(objetos GLOBAL PROPERTY LAB_CATALOGO_${lista})
+    string(SUBSTRING "${objetos}" 1 -1 objetos)
+    string(TOLOWER ${lista} nombre)
+    string(APPEND catalogo ",\n\"${nombre}\": [${objetos}]")
+  endforeach()
+  string(SUBSTRING "${catalogo}" 1 -1 catalogo)
+  file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/catalogo.json" CONTENT "{${catalogo}\n}\n")
 endfunction()

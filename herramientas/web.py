@@ -7,14 +7,17 @@ poco aunque el servidor no comprima.
 """
 import base64
 import json
+import os
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import zlib
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-import jinja2
+import catalogo
 import pagina
 
 CODEMIRROR = Path("/usr/share/javascript/codemirror")
@@ -52,29 +55,44 @@ def mando(control):
     return {"teclas": [(t, orden_de(t)) for t in teclas], "hace": hace, "menu": not teclas and "menú" in control}
 
 
-def describe(raiz, programa, texturas):
-    """Lo que la página tiene que saber de un programa."""
-    fuente = Path(programa.capitulo, f"{programa.nombre}.cpp")
-    texto = (raiz / fuente).read_text()
-    fuentes = pagina.fuentes(raiz, fuente)
-    todo = "".join((raiz / f).read_text() for f in fuentes)
-    nombrados = set(re.findall(r'"(assets/\w*)', todo))
-    ficheros = re.search(r'\[FICHERO\]', texto) and ".vf"
-    imagenes = len(set(re.findall(r'"assets/\w+\.rgb"', texto))) if re.search("imagenDeArg|ConImagenes", texto) else 0
-    return {
-        "nombre": programa.nombre, "capitulo": programa.capitulo, "referencia": programa.referencia,
-        "titulo": programa.titulo, "consola": bool(programa.consola),
-        "mandos": [mando(c) for c in map(str.strip, pagina.controles(texto)) if not c.startswith(("Esc ", "ninguno"))],
-        "derecho": "derecho" in texto and "glutAttachMenu" not in todo,
-        "anima": bool(re.search("glutTimerFunc|glutIdleFunc|GLUT_ELAPSED_TIME", todo)),
-        "raton": bool(re.search("ratón|rueda|clic|arrastra|botón", " ".join(pagina.controles(texto)))),
-        "sigue": "glutPassiveMotionFunc" in todo,
-        "casos": [{"titulo": c.titulo or "al empezar", "guion": c.guion, "argumentos": c.argumentos, "mira": c.mira}
-                  for c in programa.casos],
-        "fuentes": [str(f) for f in fuentes],
-        "texturas": [t for t in texturas if any(f"assets/{t}.rgb".startswith(n) for n in nombrados)],
-        "admite": ficheros or ("imagen" if imagenes else ""), "cuantas": imagenes or 1,
-    }
+class Programa:
+    """Lo que la página tiene que saber de un programa: lo dice el catálogo, lo dicen sus controles o lo dice él al ejecutarlo sin ventana."""
+
+    def __init__(self, raiz, build, programa):
+        self.raiz, self.programa = raiz, programa
+        self.controles = pagina.controles(raiz, programa)
+        self.mandos = [mando(c) for c in self.controles if not c.startswith(("Esc ", "ninguno"))]
+        teclas = [orden for m in self.mandos for _, orden in m["teclas"] if orden and "termina" not in m["hace"]]
+        self.rasgos, self.leidos = set(), set()
+        if not programa.consola:
+            sin_ventana = (build / "sin_ventana").read_text().strip()
+            for guion in ("", "; ".join(teclas)):  # una tecla puede poner en marcha un temporizador, o quitarlo
+                self.ejecuta(build / sin_ventana / programa.capitulo.nombre / programa.nombre, guion)
+
+    def ejecuta(self, ejecutable, guion):
+        """Añade los sucesos que atiende y los ficheros del laboratorio que lee."""
+        with tempfile.TemporaryDirectory() as carpeta:
+            leidos = Path(carpeta, "leidos")
+            leidos.touch()
+            salida = subprocess.run([ejecutable, "-guion", guion, "-rasgos"], cwd=carpeta, check=True, text=True, stdout=subprocess.PIPE,
+                                    stderr=subprocess.DEVNULL, env={**os.environ, "LAB_LEIDOS": str(leidos)}).stdout
+            self.rasgos |= {linea.split()[0] for linea in salida.splitlines() if linea}
+            self.leidos |= set(leidos.read_text().splitlines())
+
+    def datos(self):
+        p = self.programa
+        return {
+            "nombre": p.nombre, "capitulo": p.capitulo.nombre, "referencia": p.ref, "titulo": p.titulo, "consola": p.consola,
+            "mandos": self.mandos,
+            "derecho": "opcion" not in self.rasgos and any("derecho" in c for c in self.controles),
+            "anima": bool(self.rasgos & {"temporizador", "ocio"}),
+            "raton": bool(self.rasgos & {"raton", "rueda", "arrastre"}),
+            "sigue": "movimiento" in self.rasgos,
+            "casos": [{"titulo": c.titulo or "al empezar", "guion": c.guion, "mira": c.mira} for c in p.casos],
+            "fuentes": [str(f) for f in pagina.fuentes(self.raiz, p.fuente)],
+            "texturas": sorted(Path(f).stem for f in self.leidos if f.endswith(".rgb")),
+            "admite": p.admite,
+        }
 
 
 class Pagina:
@@ -93,13 +111,14 @@ class Pagina:
     def miniatura(self, programa):
         """La primera imagen de la galería, a la mitad: basta para el catálogo."""
         origen = self.galeria / programa.casos[0].imagen
-        destino = self.destino / programa.capitulo / f"{programa.nombre}.jpg"
+        destino = self.destino / programa.capitulo.nombre / f"{programa.nombre}.jpg"
         if programa.consola or not origen.is_file():
             return ""
         if not destino.is_file() or destino.stat().st_mtime < origen.stat().st_mtime:
             destino.parent.mkdir(exist_ok=True)
-            reducida = subprocess.run(f"pngtopnm '{origen}' | pamscale -linear 0.5 | pnmtojpeg -quality=85 -optimize", shell=True,
-                                      check=True, capture_output=True).stdout
+            reducida = None
+            for orden in (["pngtopnm", origen], ["pamscale", "-linear", "0.5"], ["pnmtojpeg", "-quality=85", "-optimize"]):
+                reducida = subprocess.run(orden, input=reducida, check=True, capture_output=True).stdout
             destino.write_bytes(reducida)
         return str(destino.relative_to(self.destino))
 
@@ -116,23 +135,23 @@ class Pagina:
         texturas = [f.stem for f in sorted((self.build.parent / "assets").glob("*.rgb"))]
         for textura in texturas:
             self.empaqueta(textura, (self.build.parent / "assets" / f"{textura}.rgb").read_bytes())
+        self.escribe_indice(capitulos)
+
+    def escribe_indice(self, capitulos):
         programas = [p for capitulo in capitulos for p in capitulo.programas]
-        entorno = jinja2.Environment(loader=jinja2.FileSystemLoader(pagina.PLANTILLAS), autoescape=True, trim_blocks=True,
-                                     lstrip_blocks=True, undefined=jinja2.StrictUndefined)
-        entorno.policies["json.dumps_kwargs"] = {"ensure_ascii": False, "separators": (",", ":")}
-        html = entorno.get_template("web.html").render(
-            capitulos=capitulos, miniaturas={p.nombre: self.miniatura(p) for p in programas},
-            programas=[describe(self.raiz, p, texturas) for p in programas])
-        parcial = self.destino / "index.html.parcial"
-        parcial.write_text(html)
-        parcial.replace(self.destino / "index.html")
+        self.destino.mkdir(parents=True, exist_ok=True)
+        with ThreadPoolExecutor(os.cpu_count()) as hilos:
+            datos = [p.datos() for p in hilos.map(lambda p: Programa(self.raiz, self.build.parent, p), programas)]
+        pagina.escribe_pagina(self.destino, "web.html", capitulos=capitulos, programas=datos,
+                              miniaturas={p.nombre: self.miniatura(p) for p in programas})
 
 
 def main():
     raiz, build, galeria, destino = map(Path, sys.argv[1:])
-    Pagina(raiz, build, galeria, destino).escribe(pagina.lee_catalogo(build))
+    Pagina(raiz, build, galeria, destino).escribe(catalogo.lee(build))
     ocupa = sum(f.stat().st_size for f in destino.rglob("*") if f.is_file())
     print(f"Hecha: {destino}/index.html ({ocupa / 1e6:.1f} MB en total)", file=sys.stderr)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -52,7 +52,7 @@ const cambios = new Map(JSON.parse(recuerdo() ?? '[]')); // los shaders que se h
 /// Arranca un programa en un lienzo. `di(línea)` recibe lo que escribe; `titulo(texto)`, el de la ventana; `ficheros`, los
 /// que se le dan además de los del laboratorio. Devuelve lo que se puede hacer con él.
 async function arranca(programa,
-  { lienzo, ancho, alto, argumentos = [], ficheros = {}, suavizado = true, di = () => {}, titulo = () => {} }) {
+  { lienzo, ancho, alto, ficheros = {}, suavizado = true, di = () => {}, titulo = () => {} }) {
   const [modulo, shaders] = await Promise.all([laboratorio(), json('shaders'), ...programa.texturas.map(bytes)]);
   const lab = await Laboratorio({
     canvas: lienzo, suavizado, thisProgram: programa.nombre, print: di, printErr: di, titulo,
@@ -68,7 +68,7 @@ async function arranca(programa,
   const leidos = new Set(), abre = lab.FS.open;
   lab.FS.open = (ruta, ...resto) => { leidos.add(String(ruta)); return abre(ruta, ...resto); };
 
-  let estado = lab.callMain(['-geometry', `${ancho}x${alto}`, ...argumentos]) || 0;
+  let estado = lab.callMain(['-geometry', `${ancho}x${alto}`, ...Object.keys(ficheros)]) || 0;
   return {
     lienzo, leidos,
     get vivo() { return !estado; },
@@ -93,14 +93,6 @@ async function arranca(programa,
     },
   };
 }
-
-// Los guiones de los casos y de los enlaces dan el ratón en una ventana de 240×180; si es de otra forma, en su centro.
-const RATON = /\b(boton \w+ \w+|arrastra|mueve|rueda [+-]?1) (-?\d+) (-?\d+)/g;
-const escala = lienzo => Math.min(lienzo.width / 240, lienzo.height / 180);
-const alLienzo = (texto, { width, height }, e) => texto.replace(RATON, (_, que, x, y) =>
-  `${que} ${Math.round(width / 2 + (x - 120) * e)} ${Math.round(height / 2 + (y - 90) * e)}`);
-const delLienzo = (texto, { width, height }, e) => texto.replace(RATON, (_, que, x, y) =>
-  `${que} ${Math.round(120 + (x - width / 2) / e)} ${Math.round(90 + (y - height / 2) / e)}`);
 
 // --- la página de un programa ------------------------------------------------------------------------------------------
 
@@ -135,7 +127,7 @@ const talla = () => {
 };
 
 /// Empieza el programa actual y repite un guion.
-async function empieza(guionInicial = '', argumentos = []) {
+async function empieza(guionInicial = '') {
   const mio = ++turno, lienzo = crea('canvas', { tabIndex: 0 });
   lienzo.style.touchAction = actual.raton ? 'none' : 'pan-y'; // si no se arrastra en él, el dedo pasa la página
   lienzo.setAttribute('role', 'application');
@@ -158,7 +150,7 @@ async function empieza(guionInicial = '', argumentos = []) {
   const ficheros = Object.fromEntries(propias.map(({ nombre, datos }) => ['/propias/' + nombre, datos]));
   try {
     nueva = await arranca(actual, {
-      lienzo, ...talla(), di, ficheros, suavizado, argumentos: [...argumentos, ...Object.keys(ficheros)],
+      lienzo, ...talla(), di, ficheros, suavizado,
       titulo: texto => { una('.estado').textContent = texto; },
     });
   } catch (error) {
@@ -169,23 +161,26 @@ async function empieza(guionInicial = '', argumentos = []) {
   sesion = nueva;
   performance.mark('imagen');
   if (teniaFoco) lienzo.focus({ preventScroll: true });
-  if (guionInicial.trim() && sesion.vivo) manda(alLienzo(guionInicial, lienzo, escala(lienzo)));
+  if (guionInicial.trim() && sesion.vivo) manda(guionInicial);
   mira();
   anota();
   antes = performance.now();
   pulso();
 }
 
-/// Da una orden al programa y la anota para el enlace.
-function manda(orden) {
+/// Da unas órdenes al programa y las anota para el enlace; delante de las del ratón, la ventana en que lo dan.
+function manda(ordenes) {
   if (!sesion?.vivo) return;
-  sesion.orden(orden);
+  sesion.orden(ordenes);
   if (!sesion.vivo) return mira(); // lo que termina el programa no hay que repetirlo
-  const partes = delLienzo(orden, sesion.lienzo, escala(sesion.lienzo)).split(/[;\n]/).map(o => o.trim()).filter(Boolean);
-  for (const parte of partes) {
+  let escala = `escala ${sesion.lienzo.width} ${sesion.lienzo.height}`;
+  for (const parte of ordenes.split(/[;\n]/).map(o => o.trim()).filter(Boolean)) {
     const [que, n] = parte.split(' '), [anterior, previo] = (hecho.at(-1) ?? '').split(' ');
     if (/^(tamano|captura)$/.test(que) || parte === 'especial F5' || (que === 'espera' && !actual.anima)) continue;
-    if (que === anterior && que === 'espera') hecho[hecho.length - 1] = `espera ${Math.min(+previo + +n, ESPERA_MAXIMA)}`;
+    if (que === 'escala') escala = parte;
+    else if (/^(boton|arrastra|mueve|rueda)$/.test(que) && hecho.findLast(o => o.startsWith('escala ')) !== escala) hecho.push(escala, parte);
+    else if (que === anterior && que === 'espera' && !/×/.test(parte + hecho.at(-1)))
+      hecho[hecho.length - 1] = `espera ${Math.min(+previo + +n, ESPERA_MAXIMA)}`;
     else if (que === anterior && /^(arrastra|mueve)$/.test(que)) hecho[hecho.length - 1] = parte;
     else hecho.push(parte);
   }
@@ -391,11 +386,11 @@ una('.enlace').onclick = async () => {
 };
 
 /// Empieza como un caso; si no se dice cuál, como lo hace el programa, que es lo que enseña el que no tiene guion.
-function empiezaCaso(caso = actual.casos.find(c => !c.guion && !c.argumentos)) {
+function empiezaCaso(caso = actual.casos.find(c => !c.guion)) {
   propias = [];
   caso ??= { ...actual.casos[0], ...actual.anima && { guion: '' } }; // lo que se anima, andando
   ensenaCaso(caso);
-  return empieza(caso.guion, caso.argumentos.split(' ').filter(Boolean));
+  return empieza(caso.guion);
 }
 
 function ensenaCaso(caso) {
@@ -432,14 +427,15 @@ async function abreFicheros(ficheros) {
   for (const fichero of ficheros) {
     const nombre = `${++abreFicheros.cuenta}-` + fichero.name.replace(/[^\w.-]/g, '_');
     try {
-      if (actual.admite === '.vf') nuevas.push({ nombre, datos: new Uint8Array(await fichero.arrayBuffer()) });
+      if (actual.admite === 'modelo') nuevas.push({ nombre, datos: new Uint8Array(await fichero.arrayBuffer()) });
       else nuevas.push({ nombre: nombre.replace(/\.[^.]*$/, '') + '.ppm', datos: await aPpm(fichero) });
     } catch {
       return avisa(`«${fichero.name}» no es una imagen que este navegador sepa leer.`);
     }
   }
-  propias = [...propias, ...nuevas].slice(-actual.cuantas);
-  if (propias.length < actual.cuantas) return avisa('Falta otra imagen: este programa usa dos.');
+  const cuantas = actual.admite === 'imagenes' ? 2 : 1;
+  propias = [...propias, ...nuevas].slice(-cuantas);
+  if (propias.length < cuantas) return avisa('Falta otra imagen: este programa usa dos.');
   await empieza();
 }
 
@@ -627,9 +623,9 @@ function navega() {
     una(clase + ' span').textContent = vecino?.titulo ?? '';
   }
   una('.fichero').hidden = !actual.admite;
-  una('.fichero span').textContent = actual.admite === '.vf' ? 'Abrir un modelo .vf'
-    : actual.cuantas > 1 ? 'Abrir dos imágenes' : 'Abrir una imagen';
-  entrada.accept = actual.admite === '.vf' ? '.vf' : 'image/*,.ppm';
+  una('.fichero span').textContent = actual.admite === 'modelo' ? 'Abrir un modelo .vf'
+    : actual.admite === 'imagenes' ? 'Abrir dos imágenes' : 'Abrir una imagen';
+  entrada.accept = actual.admite === 'modelo' ? '.vf' : 'image/*,.ppm';
   abierto = '';
   ponMandos();
   ponCasos();

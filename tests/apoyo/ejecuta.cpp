@@ -225,6 +225,14 @@ std::vector<Vista> vistasDe(const std::string &programa, const std::vector<std::
     return vistas;
 }
 
+ConRaiz::ConRaiz(const fs::path &carpeta) : antes(std::getenv("LAB_RAIZ") ? std::getenv("LAB_RAIZ") : "") {
+    setenv("LAB_RAIZ", (carpeta.string() + ":" + antes).c_str(), 1);
+}
+
+ConRaiz::~ConRaiz() {
+    setenv("LAB_RAIZ", antes.c_str(), 1);
+}
+
 Pixel pixel(const Imagen &imagen, int x, int y) {
     const std::size_t i = std::size_t(3 * (y * imagen.ancho + x));
     return {imagen.rgb.at(i), imagen.rgb.at(i + 1), imagen.rgb.at(i + 2)};

@@ -40,6 +40,18 @@ Vista vistaDe(const std::string &programa, const std::string &guion = "", int an
 std::vector<Vista> vistasDe(const std::string &programa, const std::vector<std::string> &guiones,
                             int ancho = 240, int alto = 180, const std::vector<std::string> &argumentos = {});
 
+/// Mientras existe, los programas buscan los ficheros del laboratorio antes en esa carpeta que en las demás ($LAB_RAIZ).
+class ConRaiz {
+public:
+    explicit ConRaiz(const std::filesystem::path &carpeta);
+    ~ConRaiz();
+    ConRaiz(const ConRaiz &) = delete;
+    ConRaiz &operator=(const ConRaiz &) = delete;
+
+private:
+    const std::string antes;
+};
+
 /// Los tres componentes (0 a 255) del píxel (x, y) contado desde ABAJO a la izquierda.
 struct Pixel {
     int r, g, b;

@@ -211,7 +211,7 @@ TEST(TodasLasTexturas, LaDeOmision) {
     for (const auto &t : texturas)
         escribeRgb(raiz / "assets" / (std::string(t.nombre) + ".rgb"),
                    imagen(t.lado, t.lado, [&](int, int) { return t.color; }));
-    setenv("LAB_RAIZ", raiz.c_str(), 1);
+    const ConRaiz conRaiz(raiz);
     const std::pair<std::string, Pixel> casos[] = {{TEXTURA_OBJETO, texturas[0].color},
                                                    {REPETICION, texturas[1].color},
                                                    {COORDENADAS, texturas[1].color},
@@ -228,7 +228,6 @@ TEST(TodasLasTexturas, LaDeOmision) {
             }
         EXPECT_GT(conTinte, 120 * 90 / 8) << programa;
     }
-    unsetenv("LAB_RAIZ");
 }
 
 // --- Argumentos ---
@@ -830,7 +829,7 @@ TEST(Multitextura, TodosLosValoresDeLaMascaraYLasCuatroUnidades) {
         {"ladrillo", &x.ladrillo}, {"musgo", &x.musgo}, {"mascara", &x.mascara}, {"luz", &x.luz}};
     for (const auto &[nombre, im] : unidades)
         escribeRgb(raiz / "assets" / (nombre + ".rgb"), *im);
-    setenv("LAB_RAIZ", raiz.c_str(), 1);
+    const ConRaiz conRaiz(raiz);
     comparaPared(x, 240, 180, 1);
     for (int tecla = 1; tecla <= 3; ++tecla) {
         const Ejecucion e = ejecuta(MULTITEXTURA, "tecla " + std::to_string(tecla));
@@ -853,5 +852,4 @@ TEST(Multitextura, TodosLosValoresDeLaMascaraYLasCuatroUnidades) {
             }
         }
     }
-    unsetenv("LAB_RAIZ");
 }

@@ -98,8 +98,10 @@ Vec3 colorDePrueba(const EnFoto &e) {
 
 /// Mientras vive, los programas leen las fotos de prueba.
 struct FotosDePrueba {
+    const fs::path raiz = carpetaTemporal() / "fotos";
+    const ConRaiz conRaiz{raiz};
+
     FotosDePrueba() {
-        const fs::path raiz = carpetaTemporal() / "fotos";
         fs::create_directories(raiz / "assets");
         const int n = 256;
         for (int i = 0; i < 6; ++i) {
@@ -112,10 +114,6 @@ struct FotosDePrueba {
                         f.put(static_cast<char>(std::lround(255 * c[k])));
                 }
         }
-        setenv("LAB_RAIZ", raiz.c_str(), 1);
-    }
-    ~FotosDePrueba() {
-        unsetenv("LAB_RAIZ");
     }
 };
 

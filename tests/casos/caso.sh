@@ -1,23 +1,16 @@
 #!/usr/bin/env bash
-# caso.sh BUILD DESTINO PROGRAMA CASO [opciones de compara]
-# Dibuja un caso de build/casos.tsv con un destino sin ventana y lo compara con su golden. El programa debe acabar con
-# 0 y no escribir nada en stderr. Si algo falla deja las imágenes en BUILD/fallos/.
+# caso.sh BUILD DESTINO CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION
+# Dibuja un caso del catálogo con un destino sin ventana y lo compara con su golden. El programa debe acabar con
+# 0 y no escribir nada en stderr. Si algo falla deja las imágenes en BUILD/fallos/. Con DORA, la imagen pasa a ser el golden.
 set -euo pipefail
-build=$1 destino=$2 programa=$3 caso=$4
-shift 4
-aqui=$(cd "$(dirname "$0")" && pwd)
-
-IFS=$'\t' read -r capitulo _ _ guion argumentos tolerancia nombre _ \
-  < <(awk -F'\t' -v p="$programa" -v c="$caso" '$2 == p && $3 == c' "$build/casos.tsv")
-golden=$aqui/../golden/$capitulo/$nombre.ppm
+build=$1 destino=$2 capitulo=$3 programa=$4 nombre=$5 tolerancia=$6 guion=$7
+golden=$(cd "$(dirname "$0")/../golden" && pwd)/$capitulo/$nombre.ppm
 
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
 cd "$carpeta" # ni el laboratorio ni su build: la carpeta de trabajo no importa
 opciones=(-geometry 240x180 -ppm "$nombre.ppm")
 [ "$guion" = - ] || opciones+=(-guion "$guion")
-[ "$argumentos" = - ] || read -ra argumentos <<<"$argumentos"
-[ "${argumentos[0]}" = - ] || opciones+=("${argumentos[@]}")
 
 estado=0
 "$build/$destino/$capitulo/$programa" "${opciones[@]}" >salida 2>errores </dev/null || estado=$?
@@ -28,6 +21,7 @@ if [ $estado -ne 0 ] || [ -s errores ]; then
 fi
 if [ "${DORA:-}" ]; then # ./lab dora: enseña lo que cambia y guarda la imagen como golden
   mkdir -p "$(dirname "$golden")"
+  printf '%s: ' "$nombre"
   if [ -e "$golden" ]; then "$build/tests/compara" "$golden" "$nombre.ppm" || true; else echo "nueva"; fi
   cp "$nombre.ppm" "$golden"
   exit 0
@@ -37,9 +31,10 @@ if [ ! -e "$golden" ]; then
   exit 1
 fi
 mkdir -p "$build/fallos/$destino"
+comparacion=(--deja "$build/fallos/$destino/$nombre")
 if [ "$tolerancia" != - ]; then
-  set -- --tolerancia "$tolerancia" "$@"
+  comparacion+=(--tolerancia "$tolerancia")
   # los golden son de OSMesa, que dibuja las filas al revés que EGL: donde eso se nota, el caso da su motivo y su tolerancia
-  [ "$destino" != egl ] || set -- --amplia "$@"
+  [ "$destino" != egl ] || comparacion+=(--amplia)
 fi
-"$build/tests/compara" "$golden" "$nombre.ppm" --deja "$build/fallos/$destino/$nombre" "$@"
+"$build/tests/compara" "$golden" "$nombre.ppm" "${comparacion[@]}"

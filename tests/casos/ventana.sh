@@ -1,20 +1,16 @@
 #!/usr/bin/env bash
-# ventana.sh BUILD PROGRAMA CASO: el mismo caso en una ventana de FreeGLUT, en un Xvfb para él solo, con teclado y ratón de
+# ventana.sh BUILD CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION: el mismo caso en una ventana de FreeGLUT, en un Xvfb para él solo, con teclado y ratón de
 # verdad; la ventana debe acabar igual que el golden (tolerancia amplia) y Esc debe terminar el programa con 0.
 # El reloj virtual y los menús no se pueden repetir aquí: de los casos que los usan se mira que dibuje algo.
 set -euo pipefail
-build=$1 programa=$2 caso=$3
+build=$1 capitulo=$2 programa=$3 nombre=$4 tolerancia=$5 guion=$6
 aqui=$(cd "$(dirname "$0")" && pwd)
 source "$aqui/../ventana/pantalla.sh"
 source "$aqui/../ventana/xdotool.sh"
 
-IFS=$'\t' read -r capitulo _ _ guion argumentos tolerancia nombre _ \
-  < <(awk -F'\t' -v p="$programa" -v c="$caso" '$2 == p && $3 == c' "$build/casos.tsv")
 golden=$aqui/../golden/$capitulo/$nombre.ppm
 opciones=(--amplia)
 [ "$tolerancia" = - ] || opciones+=(--tolerancia "$tolerancia")
-extra=()
-[ "$argumentos" = - ] || read -ra extra <<<"$argumentos"
 
 colores() { ppmhist -noheader "$1" 2>/dev/null | wc -l; }
 dibuja_algo() {
@@ -31,7 +27,7 @@ carpeta=$(mktemp -d)
 trap 'kill ${pid:-} 2>/dev/null || true; cierra_pantalla; rm -rf "$carpeta"' EXIT
 cd "$carpeta"
 abre_pantalla
-"$build/ventana/$capitulo/$programa" -geometry 240x180+10+10 "${extra[@]}" >salida 2>errores </dev/null &
+"$build/ventana/$capitulo/$programa" -geometry 240x180+10+10 >salida 2>errores </dev/null &
 pid=$!
 if ! espera_ventana $pid; then
   echo "no abre su ventana:"

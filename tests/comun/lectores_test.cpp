@@ -255,15 +255,19 @@ TEST(LeeParches, CadaErrorDiceFicheroYLinea) {
     unsetenv("LAB_RAIZ");
 }
 
-TEST(Recurso, SeBuscaPrimeroEnLabRaiz) {
-    const fs::path raiz = carpetaTemporal() / "raiz";
+TEST(Recurso, SeBuscaPrimeroEnLabRaizYSeApuntaEnLabLeidos) {
+    const fs::path raiz = carpetaTemporal() / "raiz", leidos = carpetaTemporal() / "leidos";
     fs::create_directories(raiz / "ch03_transformaciones");
     std::ofstream(raiz / "ch03_transformaciones/objeto.vert") << "otro";
-    setenv("LAB_RAIZ", raiz.c_str(), 1);
+    setenv("LAB_RAIZ", (":/no/existe:" + raiz.string()).c_str(), 1);
+    setenv("LAB_LEIDOS", leidos.c_str(), 1);
     EXPECT_EQ(leeFichero(recurso("ch03_transformaciones/objeto.vert")), "otro");
     EXPECT_NE(leeFichero(recurso("ch03_transformaciones/objeto.frag")),
               ""); // no está allí: el del árbol de fuentes
     EXPECT_EXIT(recurso("ch99/nada.vert"), ExitedWithCode(1),
-                "no encuentro «ch99/nada.vert»; lo he buscado en .*raiz/ch99.*, .*, ");
+                "no encuentro «ch99/nada.vert»; lo he buscado en /no/existe/ch99.*raiz/ch99.*, .*, ");
     unsetenv("LAB_RAIZ");
+    unsetenv("LAB_LEIDOS");
+    EXPECT_EQ(leeFichero(leidos.string()),
+              "ch03_transformaciones/objeto.vert\nch03_transformaciones/objeto.frag\n");
 }

@@ -1,17 +1,23 @@
 #!/usr/bin/env python3
 """evidencia.py comprueba RAIZ BUILD   que docs/ dice la verdad de las pruebas: lo que no, se escribe y acaba con 1
-evidencia.py escribe RAIZ BUILD     ejecuta las pruebas y rehace las tablas de docs/exactitud.md (unos minutos); en
-                                    BUILD/exactitud/ deja cada imagen al lado de su referencia y de su diferencia
+evidencia.py mide RAIZ BUILD        ejecuta las pruebas, apunta lo que miden en docs/medidas.json y rehace docs/exactitud.md (unos minutos);
+                                    en BUILD/exactitud/ deja cada imagen al lado de su referencia y de su diferencia
 
-Se comprueba que exista cada prueba nombrada en docs/*.md; que cada errata tenga la suya o diga por qué no; que no falte ninguna
-ecuación del libro en docs/ecuaciones.md y que esté donde dice; que cada programa tenga una comprobación independiente de su
-golden (docs/exactitud.tsv) cuyo fuente lo ejecute; y que las tablas de docs/exactitud.md sean las de esos programas y casos."""
+Se comprueba que exista cada prueba nombrada en docs/*.md; que cada errata tenga la suya o diga por qué no y cada ejercicio, su respuesta;
+que no falte ninguna ecuación del libro en docs/ecuaciones.md y que esté donde dice; que cada programa tenga una comprobación independiente
+de su golden (CONTRA y PRUEBAS, en el CMakeLists.txt de su capítulo) y docs/medidas.json sea de esas pruebas, que lo ejecutaron; que esté
+dicho por qué pasan de 2 niveles los que pasan; y lo mismo de los casos difíciles."""
 import json
 import os
 import pathlib
 import re
 import subprocess
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "herramientas"))
+import catalogo
+import medidas
+from documentos import filas
 
 # Las ecuaciones numeradas del libro: de la 1 a la n de cada capítulo.
 ECUACIONES = {3: 10, 4: 4, 5: 7, 7: 4, 8: 1, 9: 1, 11: 42}
@@ -39,22 +45,15 @@ def busca(cita, pruebas):
     return [p for p in pruebas if p == cita or p.startswith(cita + ".")]
 
 
-def filas(fichero):
-    """Las de un TSV, sin la cabecera ni los comentarios."""
-    return [linea.split("\t") for linea in fichero.read_text().splitlines() if linea and not linea.startswith("#")]
-
-
-def fuente(raiz, prueba):
-    """El fichero en que está esa prueba."""
-    return next((raiz / "tests").glob(f"*/{prueba.split('.')[0]}_test.cpp"))
-
-
 class Documentos:
     def __init__(self, raiz, build):
         self.raiz, self.build, self.fallos = raiz, build, 0
         self.pruebas = lista_pruebas(build)
         self.ejecutables = {p.split(".")[0] for p in self.pruebas}
-        self.catalogo = [linea.split("\t") for linea in (build / "catalogo.tsv").read_text().splitlines()]
+        self.capitulos = catalogo.lee(build)
+        self.programas = [p for capitulo in self.capitulos for p in capitulo.programas]
+        self.casos = [(f"{tema}: {caso}", citas) for tema, caso, *citas in filas(raiz / "tests/casos_dificiles/casos.tsv")]
+        self.medido = medidas.lee(raiz)
 
     def mal(self, que):
         print(que)
@@ -92,57 +91,53 @@ class Documentos:
                 self.mal(f"ecuaciones.md, {numero}: {donde} no tiene «{funcion}»")
             if not busca(prueba, self.pruebas):
                 self.mal(f"ecuaciones.md, {numero}: no hay ninguna prueba «{prueba}»")
-        capitulos = {int(fila[0][2:4]) for fila in self.catalogo}
+        capitulos = {capitulo.numero for capitulo in self.capitulos}
         todas = {f"{c}.{i}" for c, n in ECUACIONES.items() if c in capitulos for i in range(1, n + 1)}
         for numero in sorted(todas - vistas, key=lambda n: [int(x) for x in n.split(".")]):
             self.mal(f"ecuaciones.md: falta la ecuación {numero}")
         for numero in vistas - todas:
             self.mal(f"ecuaciones.md: el libro no tiene ecuación {numero}")
 
+    def comprueba_soluciones(self):
+        soluciones = (self.raiz / "docs/soluciones.md").read_text()
+        for codigo, *_ in filas(self.raiz / "docs/libro.tsv"):
+            if codigo.startswith("E") and f"- **{codigo[1:]}**" not in soluciones:
+                self.mal(f"soluciones.md: falta el ejercicio {codigo[1:]}")
+
     def comprueba_programas(self):
         """Cada programa, con una prueba que lo ejecute y que no sea su golden."""
-        evidencia = {fila[0]: fila[1:] for fila in filas(self.raiz / "docs/exactitud.tsv")}
-        for capitulo, programa, *_ in self.catalogo:
-            if programa not in evidencia:
-                self.mal(f"{capitulo}/{programa}: no tiene comprobación independiente en docs/exactitud.tsv")
-                continue
-            _, *citas = evidencia.pop(programa)
-            for cita in citas:
+        medido = dict(self.medido["programas"])
+        for p in self.programas:
+            medida = medido.pop(p.nombre, {})
+            if not p.contra or not p.pruebas:
+                self.mal(f"{p.fuente}: no tiene comprobación independiente: CONTRA y PRUEBAS")
+            elif medida.get("pruebas") != p.pruebas:
+                self.mal(f"medidas.json no es de las pruebas de «{p.nombre}»: tests/laboratorio/evidencia.py mide")
+            for cita in p.pruebas:
                 if not busca(cita, self.pruebas):
-                    self.mal(f"exactitud.tsv, {programa}: no hay ninguna prueba «{cita}»")
-                elif not re.search(rf'[/"]{programa}"', fuente(self.raiz, cita).read_text()):
-                    self.mal(f"exactitud.tsv, {programa}: «{cita}» no lo ejecuta")
-        for programa in evidencia:
-            self.mal(f"exactitud.tsv: no hay ningún programa «{programa}»")
+                    self.mal(f"{p.nombre}: no hay ninguna prueba «{cita}»")
+            if bool(p.pasa) != (medida.get("maximo", 0) > 2):
+                self.mal(f"{p.nombre}: " + ("ya no pasa de 2 niveles: sobra PASA" if p.pasa else "falta por qué pasa de 2 niveles: PASA"))
+        for programa in medido:
+            self.mal(f"medidas.json: no hay ningún programa «{programa}»")
 
     def comprueba_casos(self):
-        """Los casos dificiles: cada uno, con pruebas; y ninguna de un fichero dificil_* sin estar en la lista."""
+        """Los casos difíciles: cada uno, con pruebas; y ninguna de un fichero dificil_* sin estar en la lista."""
+        medido = dict(self.medido["casos"])
         nombradas = set()
-        for tema, caso, *citas in filas(self.raiz / "tests/casos_dificiles/casos.tsv"):
+        for caso, citas in self.casos:
             for cita in citas:
-                encontradas = busca(cita, self.pruebas)
-                nombradas.update(encontradas)
-                if not encontradas:
-                    self.mal(f"casos.tsv, {tema}, {caso}: no hay ninguna prueba «{cita}»")
+                if not busca(cita, self.pruebas):
+                    self.mal(f"casos.tsv, {caso}: no hay ninguna prueba «{cita}»")
+            suyas = [p for cita in citas for p in busca(cita, self.pruebas)]
+            nombradas.update(suyas)
+            if medido.pop(caso, {}).get("pruebas") != len(suyas):
+                self.mal(f"medidas.json no es de las pruebas de «{caso}»: tests/laboratorio/evidencia.py mide")
+        for caso in medido:
+            self.mal(f"medidas.json: no hay ningún caso «{caso}»")
         for prueba in self.pruebas:
             if prueba.startswith("dificil_") and prueba not in nombradas:
                 self.mal(f"casos.tsv: falta «{prueba}»")
-
-    def comprueba_tablas(self):
-        """docs/exactitud.md tiene una fila por programa y por caso difícil, y nada más."""
-        texto = (self.raiz / "docs/exactitud.md").read_text().partition("\n## Defectos plantados")[0]
-        programas = [fila[0] for fila in filas(self.raiz / "docs/exactitud.tsv")]
-        casos = [f"{fila[0]}: {fila[1]}" for fila in filas(self.raiz / "tests/casos_dificiles/casos.tsv")]
-        escritas = re.findall(r"^\| ([^|]+?) \|", texto, re.M)
-        cabeceras = {"programa", "caso", "---"}
-        for sobra in set(escritas) - set(programas) - set(casos) - cabeceras:
-            self.mal(f"exactitud.md: sobra la fila «{sobra}»")
-        explicados = set(re.findall(r"`(\w+)`", re.search(r"^Pasan de 2 niveles.*?(?=^##)", texto, re.M | re.S)[0]))
-        pasan = {m[1] for m in re.finditer(r"^\| (\w+) \| [^|]+ \| ([\d.]+) \|", texto, re.M) if float(m[2]) > 2}
-        for programa in pasan ^ explicados:
-            self.mal(f"exactitud.md: de «{programa}» " + ("falta por qué pasa de 2 niveles" if programa in pasan else "ya no pasa de 2 niveles"))
-        for falta in [f for f in programas + casos if f not in escritas]:
-            self.mal(f"exactitud.md: falta la fila «{falta}»: tests/laboratorio/evidencia.py escribe")
 
 
 def ejecuta(build, citas, pruebas):
@@ -162,15 +157,15 @@ def ejecuta(build, citas, pruebas):
     informes.mkdir(exist_ok=True)
     for ejecutable, nombres in sorted(quiere.items()):
         orden, informe = build / "tests" / f"{ejecutable}_test", informes / f"{ejecutable}.json"
-        medidas = lee_informe(informe) if informe.exists() and informe.stat().st_mtime > orden.stat().st_mtime else {}
-        if not set(nombres) <= set(medidas): # si no, vale lo que midió la otra vez
+        apuntado = lee_informe(informe) if informe.exists() and informe.stat().st_mtime > orden.stat().st_mtime else {}
+        if not set(nombres) <= set(apuntado):  # si no, vale lo que midió la otra vez
             print(f"{ejecutable}: {len(nombres)} pruebas", file=sys.stderr)
             if subprocess.run([orden, f"--gtest_filter={':'.join(nombres)}", f"--gtest_output=json:{informe}"], env=entorno,
                               stdout=subprocess.DEVNULL).returncode:
                 informe.unlink(missing_ok=True)
                 sys.exit(f"{ejecutable}: no pasan sus pruebas")
-            medidas = lee_informe(informe)
-        propiedades.update({f"{ejecutable}.{nombre}": p for nombre, p in medidas.items()})
+            apuntado = lee_informe(informe)
+        propiedades.update({f"{ejecutable}.{nombre}": p for nombre, p in apuntado.items()})
     return propiedades
 
 
@@ -181,69 +176,56 @@ def lee_informe(informe):
 
 
 def unidad(texto):
-    """La unidad de una medida, para una tabla. GoogleTest escribe en el JSON cada byte de UTF-8 como si fuera un carácter."""
+    """GoogleTest escribe en el JSON cada byte de UTF-8 como si fuera un carácter."""
     try:
-        texto = texto.encode("latin-1").decode()
+        return texto.encode("latin-1").decode()
     except UnicodeError:
-        pass  # esta versión no lo hace
-    return texto.replace("|", "\\|")
+        return texto  # esta versión no lo hace
 
 
-def numero(texto, cifras=2):
-    """Con pocas cifras: 0.51, 1.2e-07."""
-    x = float(texto)
-    return "0" if x == 0 else f"{x:.{cifras}g}" if abs(x) >= 1e-3 else f"{x:.1e}"
+def mide_programa(p, pruebas, propiedades):
+    """Lo peor que han medido sus pruebas."""
+    for cita in p.pruebas:
+        if not any(f"ejecuta_{p.nombre}" in propiedades[prueba] for prueba in busca(cita, pruebas)):
+            sys.exit(f"{p.nombre}: «{cita}» no lo ejecuta")
+    todas = [propiedades[prueba].get(f"pixeles_{p.nombre}") for cita in p.pruebas for prueba in busca(cita, pruebas)]
+    medido = [[float(x) for x in m.split()] for m in todas if m]
+    peor = {"pruebas": p.pruebas}
+    if medido:
+        *mayores, lejos, banda = zip(*medido)
+        peor.update({que: float(f"{max(m):.3g}") for que, m in zip(("maximo", "rmse", "borde"), mayores) if max(m) >= 0})
+        if sum(lejos):
+            peor.update(lejos=int(sum(lejos)), banda=int(sum(banda)))
+    return peor
 
 
-def escribe(d):
-    programas = filas(d.raiz / "docs/exactitud.tsv")
-    casos = filas(d.raiz / "tests/casos_dificiles/casos.tsv")
-    # de los casos dificiles, las que miden: las otras solo se cuentan
-    citas = {cita for fila in programas for cita in fila[2:]} | {c for fila in casos for c in fila[2:] if c.startswith("dificil_")}
+def mide_caso(citas, pruebas, propiedades):
+    """Cuántas pruebas tiene y la que más se acerca a su cota."""
+    suyas = [prueba for cita in citas for prueba in busca(cita, pruebas)]
+    miden = [p for p in (propiedades.get(prueba, {}) for prueba in suyas) if "medida" in p]
+    peor = {"pruebas": len(suyas)}
+    if miden:
+        p = max(miden, key=lambda p: float(p["medida"]) / float(p["cota"]) if float(p["cota"]) else float(p["medida"]))
+        peor.update(medida=float(p["medida"]), cota=float(p["cota"]), unidad=unidad(p["unidad"]))
+    return peor
+
+
+def mide(d):
+    # de los casos difíciles, las que miden: las otras solo se cuentan
+    citas = {cita for p in d.programas for cita in p.pruebas} | {c for _, suyas in d.casos for c in suyas if c.startswith("dificil_")}
     propiedades = ejecuta(d.build, sorted(citas), d.pruebas)
-
-    tabla = ["| programa | contra qué | máximo | RMSE | borde | prueba |", "|---|---|---|---|---|---|"]
-    de_pixeles = 0
-    for programa, oraculo, *citas in programas:
-        for cita in citas:
-            if not any(f"ejecuta_{programa}" in propiedades[prueba] for prueba in busca(cita, d.pruebas)):
-                sys.exit(f"exactitud.tsv, {programa}: «{cita}» no lo ejecuta")
-        medidas = [valor.split() for cita in citas for prueba in busca(cita, d.pruebas)
-                   for clave, valor in propiedades[prueba].items() if clave == f"pixeles_{programa}"]
-        peor = [numero(mayor) if medidas and (mayor := max(float(m[i]) for m in medidas)) >= 0 else "" for i in range(3)]
-        lejos, banda = (sum(int(float(m[i])) for m in medidas) for i in (3, 4))
-        if lejos:
-            peor[2] += f", salvo {lejos} de {banda}"
-        de_pixeles += bool(medidas)
-        tabla.append(f"| {programa} | {oraculo} | {' | '.join(peor)} | {', '.join(f'`{c}`' for c in citas)} |")
-    dificiles = ["| caso | pruebas | la peor: medida / cota | cuáles |", "|---|---|---|---|"]
-    cuantas = set()
-    for tema, caso, *citas in casos:
-        suyas = [prueba for cita in citas for prueba in busca(cita, d.pruebas)]
-        cuantas.update(suyas)
-        medidas = [(p["medida"], p["cota"], unidad(p["unidad"])) for p in (propiedades.get(x, {}) for x in suyas) if "medida" in p]
-        peor = ""
-        if medidas:
-            m, c, u = max(medidas, key=lambda m: float(m[0]) / float(m[1]) if float(m[1]) else float(m[0]))
-            peor = f"{numero(m)} / {numero(c)} {u}"
-        dificiles.append(f"| {tema}: {caso} | {len(suyas)} | {peor} | {', '.join(f'`{c}`' for c in citas)} |")
-    destino = d.raiz / "docs/exactitud.md"
-    texto = destino.read_text()
-    for marca, contenido in [("programas", tabla), ("casos", dificiles)]:
-        texto = re.sub(rf"(<!-- {marca} -->\n).*?(<!-- fin -->)", lambda m: m[1] + "\n".join(contenido) + "\n" + m[2], texto, flags=re.S)
-    texto = re.sub(r"Son \d+ programas, \d+ de ellos píxel a píxel", f"Son {len(programas)} programas, {de_pixeles} de ellos píxel a píxel", texto)
-    texto = re.sub(r"Son \d+ pruebas con nombre", f"Son {len(cuantas)} pruebas con nombre", texto)
-    destino.write_text(texto)
+    medidas.apunta(d.raiz, programas={p.nombre: mide_programa(p, d.pruebas, propiedades) for p in d.programas},
+                   casos={caso: mide_caso(suyas, d.pruebas, propiedades) for caso, suyas in d.casos})
+    return subprocess.run([sys.executable, "-B", d.raiz / "herramientas/documentos.py", d.raiz, d.build, "escribe"]).returncode
 
 
 def main():
     orden, raiz, build = sys.argv[1], *map(lambda r: pathlib.Path(r).resolve(), sys.argv[2:4])
     d = Documentos(raiz, build)
-    if orden == "escribe":
-        escribe(d)
-        return 0
-    for comprueba in (d.comprueba_citas, d.comprueba_erratas, d.comprueba_ecuaciones, d.comprueba_programas, d.comprueba_casos,
-                      d.comprueba_tablas):
+    if orden == "mide":
+        return mide(d)
+    for comprueba in (d.comprueba_citas, d.comprueba_erratas, d.comprueba_ecuaciones, d.comprueba_soluciones, d.comprueba_programas,
+                      d.comprueba_casos):
         comprueba()
     return 1 if d.fallos else 0
 

@@ -66,6 +66,7 @@ fi
 "$lab" lista --tsv >lista.tsv
 awk -F'\t' 'NF != 4 { print "lista --tsv: fila de " NF " columnas: " $0; mal = 1 } END { exit mal }' lista.tsv || fallos=1
 [ "$(wc -l <lista.tsv)" = "$(cat "$raiz"/ch*/CMakeLists.txt | grep -c '^programa(')" ] || mal 'lista --tsv no tiene todos los programas'
+espera 1 'no hay ningún programa «ch1»' "$lab" ver ch1 # que no es ch10
 
 # --- una copia con dos programas --------------------------------------------------------------------------------
 
@@ -76,7 +77,12 @@ tar -C "$raiz" --exclude=./build --exclude=./galeria --exclude=./web --exclude=.
 cd "$copia"
 # compila antes: sin optimizar, y sin lo que sus programas no usan de common/ y assets/
 sed -i 's/"Release"/"None"/' CMakePresets.json
-for f in malla orbita recuadro rotulo shader textura trazo ventana; do : >common/$f.cpp; done
+for f in letra malla orbita recuadro rotulo shader textura trazo ventana; do : >common/$f.cpp; done
+cat >common/encima.cpp <<'FIN'
+#include "encima.h"
+void empiezaCuadroEncima() {}
+void guardaEncima(const std::string &, int, int) {}
+FIN
 perl -0pi -e 's/set\(texturas[^)]*\)/set(texturas luz)/' assets/CMakeLists.txt
 cat >assets/genera_assets.cpp <<'FIN'
 #include <fstream>
@@ -87,26 +93,41 @@ cp ch01_intro/primer_programa.cpp ch01_intro/primer_programa_dos.cpp
 cat >ch01_intro/CMakeLists.txt <<'FIN'
 capitulo("Título; con punto y coma")
 programa(primer_programa REF "L1.1" TITULO "Uno")
-  caso(primer_programa base MIRA "Mira; y [remira]")
-programa(primer_programa_dos REF "L1.2" TITULO "Dos")
-  caso(primer_programa_dos base GUION "tecla a; tecla a" BORDE "llega" ANIMA "3 tecla i; tecla d")
+  caso(primer_programa base
+    MIRA "Mira; y \"[remira]\" \\")
+programa(primer_programa_dos REF "L1.2" TITULO "Dos" CONTRA "a; b" PRUEBAS ch01.A.B ch01.C)
+  caso(primer_programa_dos base GUION "tecla a ×2; tecla b" BORDE "llega" ANIMA "3 tecla i; tecla d"
+    MIRA "Dos")
 programa(shader_basico REF "L1.2" TITULO "Tres")
 target_compile_definitions(shader_basico PRIVATE LAB_FUENTES="${CMAKE_SOURCE_DIR}")
-  caso(shader_basico base)
+  caso(shader_basico base
+    MIRA "Tres")
 FIN
 : >herramientas/mide/CMakeLists.txt # usa programas que aquí no están
+mv tests/CMakeLists.txt "$carpeta/todas_las_pruebas"
 cat >tests/CMakeLists.txt <<'FIN'
 add_executable(compara comparador/compara.cpp)
 target_link_libraries(compara PRIVATE comun avisos)
-add_test(NAME imagen COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/casos/caso.sh ${CMAKE_BINARY_DIR} ${LAB_SIN_VENTANA} shader_basico base)
+get_property(hechos GLOBAL PROPERTY LAB_HECHOS_shader_basico.base)
+add_test(NAME imagen COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/casos/caso.sh ${CMAKE_BINARY_DIR} ${LAB_SIN_VENTANA} ${hechos})
 FIN
 golden=tests/golden/ch01_intro
 cp $golden/primer_programa.ppm $golden/primer_programa_dos.ppm
 
 # una prueba que falla da un estado distinto de 0 y deja sus imágenes; y ninguna prueba, también
 espera 0 '100% tests passed' $lab prueba
-[[ $(cat build/casos.tsv) == *$'\tprimer_programa\tMira; y [remira]\t-\t-\n'*$'tecla a; tecla a\t-\t-\tprimer_programa_dos\t-\tllega\t3 tecla i; tecla d\n'* ]] ||
-  mal "casos.tsv no dice lo que el CMakeLists.txt: $(cat build/casos.tsv)"
+python3 -B - <<'FIN' || mal "el catálogo no dice lo que el CMakeLists.txt: $(cat build/catalogo.json)"
+import sys
+sys.path.insert(0, "herramientas")
+import catalogo
+[capitulo] = catalogo.lee("build")
+uno, dos, tres = capitulo.programas
+assert capitulo.titulo == "Título; con punto y coma"
+assert uno.casos[0].mira == 'Mira; y "[remira]" \\' and uno.pruebas == []
+assert (dos.contra, dos.pruebas) == ("a; b", ["ch01.A.B", "ch01.C"])
+assert dos.casos[0].hechos == ["ch01_intro", "primer_programa_dos", "primer_programa_dos", "-", "tecla a ×2; tecla b"]
+assert (dos.casos[0].borde, dos.casos[0].anima) == ("llega", "3 tecla i; tecla d")
+FIN
 cp $golden/shader_basico.ppm "$carpeta/golden.ppm"
 cp $golden/primer_programa.ppm $golden/shader_basico.ppm
 espera 8 'las imágenes de lo que ha fallado están en' $lab prueba
@@ -235,9 +256,42 @@ espera 0 'espero a que acabe' $lab lista
 wait
 
 # se arregla de lo que le falte en build/
-for falta in CMakeCache.txt catalogo.tsv CMakeFiles/rules.ninja; do
+for falta in CMakeCache.txt catalogo.json CMakeFiles/rules.ninja; do
   rm -f build/$falta
   espera 0 'Tres' $lab lista
+done
+
+# --- un programa más, con lo que dice CONTRIBUTING.md -------------------------------------------------------------
+
+# 1, su fuente, con sus shaders; 2, sus líneas en el CMakeLists.txt del capítulo; 3, su prueba; 4, sus defectos plantados
+for f in ch01_intro/shader_basico.*; do sed 's/shader_basico/nuevo/g' $f >${f/shader_basico/nuevo}; done
+cat >>ch01_intro/CMakeLists.txt <<'FIN'
+programa(nuevo REF "E1.2" TITULO "Cuatro" CONTRA "una cuenta" PRUEBAS ch01.Nuevo.EsLoQueEs)
+target_compile_definitions(nuevo PRIVATE LAB_FUENTES="${CMAKE_SOURCE_DIR}")
+  caso(nuevo base
+    MIRA "Es nuevo")
+FIN
+sed -i 's/Acaba/&\\nNuevo.\\n  EsLoQueEs/' tests/capitulos/ch01_test.cpp
+espera 1 'ch01: ningún mutante en ch01_intro/nuevo' $lab muta --comprueba
+printf '%s\t' ch01_intro/nuevo.cpp '«glDeleteShader(shader);» // marcado' ';' 'no se borra' >>tests/mutantes/ch01.tsv
+echo 'no se ve' >>tests/mutantes/ch01.tsv
+espera 0 '5 mutantes, y todos se pueden plantar' $lab muta --comprueba
+
+# lo demás sale de ahí: su golden, la galería, docs/, la página y las pruebas
+espera 0 'nuevo: nueva' $lab dora nuevo
+espera 0 'ch01_intro/nuevo: 1 imagen' $lab galeria
+grep -q '<article id="nuevo">' galeria/index.html && grep -q 'Es nuevo' galeria/index.html || mal 'el programa nuevo no está en la galería'
+espera 0 '' $lab lista --docs
+grep -qF '| [nuevo](../ch01_intro/nuevo.cpp) | E1.2 | Cuatro |' docs/programas.md || mal 'el programa nuevo no está en docs/programas.md'
+PYTHONPATH=herramientas python3 -B -c 'import catalogo, pathlib, web
+pagina = web.Pagina(*map(pathlib.Path, (".", "build/web", "galeria", "web")))
+pagina.escribe_indice(catalogo.lee("build"))'
+grep -q '"nombre":"nuevo".*"mira":"Es nuevo".*"fuentes":\["ch01_intro/nuevo.cpp","ch01_intro/nuevo.vert","ch01_intro/nuevo.frag"\]' web/index.html ||
+  mal 'el programa nuevo no está en la página'
+cp "$carpeta/todas_las_pruebas" tests/CMakeLists.txt
+cmake -B build >/dev/null 2>&1 || mal 'con las pruebas de verdad no se configura'
+for nombre in imagen.$(cat build/sin_ventana) encuadre ventana; do
+  [[ $(ctest --test-dir build -N) == *": $nombre.nuevo.base"$'\n'* ]] || mal "el programa nuevo no tiene la prueba $nombre.nuevo.base"
 done
 
 # interrumpida no deja nada en la carpeta temporal: se mira al final

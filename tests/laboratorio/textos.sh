@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# textos.sh RAIZ BUILD BIBLIOTECA: lo que se puede comprobar sin ejecutar nada: docs/programas.md está al día y todo lo del libro
-# está en él, cada capítulo tiene título, cada programa dice sus controles y cada caso qué mirar, cada shader empieza por #version 140 y pasa
+# textos.sh RAIZ BUILD BIBLIOTECA: lo que se puede comprobar sin ejecutar nada: lo que sale del catálogo en docs/ está
+# al día y todo lo del libro está en él, cada programa dice sus controles, cada shader empieza por #version 140 y pasa
 # glslangValidator, también como GLSL ES 3.00 (el de ./lab web), glut_sin_ventana.h enumera lo que hay y
 # las cabeceras que dicen que son sin OpenGL no lo incluyen.
 set -euo pipefail
@@ -8,17 +8,12 @@ cd "$1"
 fallos=0
 mal() { echo "$*"; fallos=1; }
 
-export LAB_SIN_INSTALAR=1
-
-diff docs/programas.md <(./lab lista --md) || mal 'docs/programas.md no está al día: ./lab lista --docs'
+python3 -B herramientas/documentos.py . "$2" comprueba || fallos=1
 grep '|  |$' docs/programas.md && mal 'eso es del libro y no tiene programa, respuesta ni, en docs/libro.tsv, motivo'
-awk -F'\t' '$6 == "-" { print $1 }' "$2/catalogo.tsv" | sort -u | grep . && mal 'esos capítulos no tienen título: capitulo("…")'
-awk -F'\t' '$8 == "-" { print $7 }' "$2/casos.tsv" | grep . && mal 'esos casos no tienen MIRA: la frase que dice qué mirar'
 
 PYTHONPATH=herramientas python3 -B - "$2" <<'FIN' || fallos=1
-import sys, pathlib, pagina
-faltan = [f for capitulo in pagina.lee_catalogo(pathlib.Path(sys.argv[1])) for p in capitulo.programas
-          if not pagina.controles((f := pathlib.Path(p.capitulo, p.nombre + ".cpp")).read_text())]
+import sys, pathlib, catalogo, pagina
+faltan = [p.fuente for p in catalogo.lee_programas(sys.argv[1]) if not pagina.controles(pathlib.Path(), p)]
 for f in faltan:
     print(f"{f}: faltan los controles: «// Controles: … .», en las líneas que haga falta")
 sys.exit(bool(faltan))

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""web.py RAÍZ BUILD WEB [caso… | persona]: la página de los programas (./lab web), en Chromium sobre llvmpipe y abierta con file://.
+"""comprueba_web.py RAÍZ BUILD WEB [caso… | persona]: la página de los programas (./lab web), en Chromium sobre llvmpipe y abierta con file://.
 
-Cada caso de casos.tsv se dibuja con su guion y se compara con su golden, con el comparador y la tolerancia de siempre. Después,
+Cada caso del catálogo se dibuja con su guion y se compara con su golden, con el comparador y la tolerancia de siempre. Después,
 lo que hace una persona: teclas, ratón, dedos, botones, menú y enlaces, también contra los golden; un shader cambiado bien y
 mal; ficheros buenos y malos; una ventana diminuta y una enorme; y el contexto perdido y devuelto.
 """
@@ -15,17 +15,17 @@ import time
 import zlib
 from pathlib import Path
 
-import navegador
-from navegador import Navegador, espera, exige
+import navegador  # que sabe dónde está catalogo
+from navegador import Navegador, catalogo, espera, exige
 
 # SwiftShader no vale de juez: con polygon offset sus mallas cambian de una vez a otra.
 LLVMPIPE = ("--use-gl=angle", "--use-angle=gl", "--ignore-gpu-blocklist", "--window-size=1280,900", "--no-first-run")
 
 DIBUJA = """
-const [nombre, guion, argumentos, acaba] = arguments;
+const [nombre, guion, acaba] = arguments;
 (async () => {
   const programa = PROGRAMAS.find(p => p.nombre === nombre), escrito = [];
-  const s = await arranca(programa, { lienzo: document.createElement('canvas'), ancho: 240, alto: 180, argumentos, suavizado: false,
+  const s = await arranca(programa, { lienzo: document.createElement('canvas'), ancho: 240, alto: 180, suavizado: false,
     di: linea => escrito.push(linea) });
   s.orden(guion);
   s.orden('captura /imagen.ppm');
@@ -39,8 +39,7 @@ const [nombre, guion, argumentos, acaba] = arguments;
 
 
 def lee_casos(build):
-    for fila in (build / "casos.tsv").read_text().splitlines():
-        yield ["" if campo == "-" else campo for campo in fila.split("\t")]
+    return [caso for programa in catalogo.lee_programas(build) if not programa.consola for caso in programa.casos]
 
 
 def compara(raiz, build, capitulo, fichero, ppm, carpeta, tolerancia=""):
@@ -55,15 +54,16 @@ def compara(raiz, build, capitulo, fichero, ppm, carpeta, tolerancia=""):
 
 def compara_casos(n, raiz, build, carpeta, pedidos):
     bien = total = 0
-    for capitulo, programa, _, guion, argumentos, tolerancia, fichero, *_ in lee_casos(build):
+    for caso in lee_casos(build):
+        capitulo, programa, fichero, *_ = caso.hechos
         if pedidos and fichero not in pedidos and programa not in pedidos:
             continue
         total += 1
-        r = n.pide("/execute/async", script=DIBUJA, args=[programa, guion, argumentos.split()])
+        r = n.pide("/execute/async", script=DIBUJA, args=[programa, caso.guion])
         if not r["bien"]:
             exige(False, f"{fichero} se dibuja: {r['escrito']}")
             continue
-        c = compara(raiz, build, capitulo, fichero, r["ppm"], carpeta, tolerancia)
+        c = compara(raiz, build, capitulo, fichero, r["ppm"], carpeta, caso.tolerancia)
         print(f"{fichero}: {(c.stdout + c.stderr).strip()}", flush=True)
         bien += c.returncode == 0
         exige(c.returncode == 0, f"{fichero} es como su golden")
@@ -179,9 +179,9 @@ def prueba_entradas(p):
     p.abre("#seleccion")
     p.arrastra([(180, 112)])
     p.es("ch10_interaccion", "seleccion-esfera", "un clic")
-    p.abre("#eventos;" + next(c[3] for c in lee_casos(p.build) if c[1] == "eventos"))
+    p.abre("#eventos;" + next(c.guion for c in lee_casos(p.build) if c.fichero == "eventos"))
     p.es("ch10_interaccion", "eventos", "un enlace con ratón")  # la imagen dice dónde ha sido cada suceso
-    enlace = "#eventos;boton IZQUIERDO abajo 145 115;arrastra 175 108;tecla a;rueda -1 20 30"
+    enlace = "#eventos;escala 240 180;boton IZQUIERDO abajo 145 115;arrastra 175 108;tecla a;rueda -1 20 30"
     p.abre(enlace, "width: 480px; height: 270px")
     n.js("una('.enlace').click()")
     exige(n.js("return decodeURIComponent(location.hash)") == enlace, "el enlace de una ventana de otra forma vale para todas")

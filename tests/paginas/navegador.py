@@ -14,6 +14,9 @@ import time
 import urllib.request
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).parents[2] / "herramientas"))
+import catalogo
+
 ESC, IZQUIERDA, DERECHA = "\ue00c", "\ue012", "\ue014"  # teclas de WebDriver
 
 
@@ -150,8 +153,8 @@ def main():
             sys.exit("la galería no se ha dibujado entera")
         navegador = Navegador(Path(carpeta, "perfil"))
         try:
-            casos = (build / "casos.tsv").read_text().splitlines()
-            recorre(navegador, destino / "index.html", len(casos), sum(not caso.endswith("\t-") for caso in casos))
+            casos = [c for p in catalogo.lee_programas(build) if not p.consola for c in p.casos]
+            recorre(navegador, destino / "index.html", len(casos), sum(bool(caso.anima) for caso in casos))
         finally:
             navegador.cierra()
     sys.exit(1 if fallos else 0)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# web.sh RAIZ BUILD: compila los programas para el navegador, hace la página en una carpeta temporal y la prueba con web.py.
+# web.sh RAIZ BUILD: compila los programas para el navegador, hace la página en una carpeta temporal y la prueba con comprueba_web.py.
 set -euo pipefail
 cd "$1"
 build=$2

@@ -15,7 +15,6 @@ fallos=0
 mkdir -p tests build/tests build/ventana/cap "build/$sin_ventana/cap" tests/golden/cap
 cp -r "$aqui" "$aqui/../casos" tests
 ln -s "$build/tests/compara" "$build/tests/guion" build/tests
-printf 'cap\tgrua\t%s\t%s\t-\t-\t%s\t-\t-\n' base - grua quieta 'espera 10' grua-quieta >build/casos.tsv
 "$build/$sin_ventana/ch03_transformaciones/grua" -geometry 240x180 -ppm bien.ppm
 "$build/$sin_ventana/ch03_transformaciones/grua" -geometry 240x180 -ppm otro.ppm -guion 'tecla d; tecla d; tecla d'
 
@@ -35,15 +34,15 @@ prueba() { # ESTADO QUÉ MENSAJE ORDEN…: si acaba con 0 o no, como dice ESTADO
   cat salida
   fallos=1
 }
-caso() { prueba "$1" "caso.sh, $2" "$3" caso.sh "$carpeta/build" "$sin_ventana" grua base; }
-ventana() { prueba "$1" "ventana.sh, $2" "$3" ventana.sh "$carpeta/build" grua "${4:-base}"; }
+caso() { prueba "$1" "caso.sh, $2" "$3" caso.sh "$carpeta/build" "$sin_ventana" cap grua grua - -; }
+ventana() { prueba "$1" "ventana.sh, $2" "$3" ventana.sh "$carpeta/build" cap grua "${4:-grua}" - "${5:--}"; }
 
 cp bien.ppm tests/golden/cap/grua.ppm
 cp bien.ppm tests/golden/cap/grua-quieta.ppm
 programa 'grua "$@"'
 caso 0 "todo bien" '^bien'
 ventana 0 "todo bien" '^bien'
-ventana 0 "con espera" 'dibuja algo' quieta
+ventana 0 "con espera" 'dibuja algo' grua-quieta 'espera 10'
 programa 'grua "$@"; exit 3'
 caso 1 "acaba mal" 'estado 3'
 ventana 1 "acaba mal" 'estado 3'
@@ -56,7 +55,7 @@ ventana 1 "no abre su ventana" 'no abre su ventana'
 programa 'grua "$@"; sleep 5 >/dev/null 2>&1'
 ventana 1 "no atiende Esc" 'Esc no lo termina'
 programa "exec '$build/ventana/ch01_intro/primer_programa' \"\$@\""
-ventana 1 "de un solo color" 'un solo color' quieta
+ventana 1 "de un solo color" 'un solo color' grua-quieta 'espera 10'
 programa 'grua "$@"'
 cp otro.ppm tests/golden/cap/grua.ppm
 caso 1 "golden que no es" 'píxeles a más de 3'
@@ -66,7 +65,7 @@ caso 1 "sin golden" 'falta el golden'
 
 # Interrumpida sin remedio (KILL), ni el Xvfb ni el programa la sobreviven.
 cp otro.ppm tests/golden/cap/grua.ppm
-PACIENCIA=600 tests/casos/ventana.sh "$carpeta/build" grua base >/dev/null 2>&1 &
+PACIENCIA=600 tests/casos/ventana.sh "$carpeta/build" cap grua grua - - >/dev/null 2>&1 &
 prueba=$!
 hijos() { ps -o pid= --ppid "$1" | xargs; }
 for _ in $(seq 100); do [ "$(hijos $prueba | wc -w)" -ge 2 ] && break; sleep 0.05; done

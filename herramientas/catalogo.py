@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+"""El catálogo: los capítulos, con sus programas, con sus casos. Lo escribe CMake (herramientas/programa.cmake) en BUILD/catalogo.json
+y solo se lee aquí.
+
+catalogo.py BUILD lista [--tsv]   capítulo, programa, referencia y título
+catalogo.py BUILD resuelve QUÉ    los programas a que se refiere (su nombre, L1.2, E3.5, F3.3, ch05): capítulo, programa, imagen o texto,
+                                  y título, entre tabuladores
+catalogo.py BUILD casos QUÉ…      de cada caso que se nombra (grua, grua-girada), los argumentos de los scripts de tests/casos/
+"""
+import difflib
+import json
+import re
+import shlex
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+
+
+@dataclass
+class Caso:
+    programa: "Programa" = field(repr=False)
+    nombre: str
+    fichero: str  # el de su imagen, sin extensión
+    guion: str = ""
+    tolerancia: str = ""
+    mira: str = ""
+    borde: str = ""
+    anima: str = ""
+    salida: str = ""  # lo que escribe el programa al dibujarlo, y por qué no se ha podido
+    fallo: str = ""
+
+    @property
+    def imagen(self):
+        """El PNG de la galería."""
+        return f"{self.programa.capitulo.nombre}/{self.fichero}.png"
+
+    @property
+    def animada(self):
+        return f"{self.programa.capitulo.nombre}/{self.fichero}.anima.png"
+
+    @property
+    def hechos(self):
+        """Lo que de un caso reciben los scripts de tests/casos/."""
+        return [self.programa.capitulo.nombre, self.programa.nombre, self.fichero, self.tolerancia or "-", self.guion or "-"]
+
+    @property
+    def titulo(self):
+        return "" if self.nombre == "base" else self.nombre.replace("_", " ")
+
+
+@dataclass
+class Programa:
+    capitulo: "Capitulo" = field(repr=False)
+    nombre: str
+    ref: str
+    titulo: str
+    contra: str = ""
+    pruebas: list = field(default_factory=list)
+    pasa: str = ""
+    admite: str = ""
+    consola: bool = False
+    casos: list = field(default_factory=list)
+
+    @property
+    def referencias(self):
+        return self.ref.split()
+
+    @property
+    def fuente(self):
+        return Path(self.capitulo.nombre, f"{self.nombre}.cpp")
+
+    def es(self, pedido):
+        """Si es lo que se pide: su nombre, su capítulo o una de sus referencias."""
+        capitulo = self.capitulo.nombre
+        return pedido in (self.nombre, capitulo, capitulo.split("_")[0]) or pedido.lower() in self.ref.lower().split()
+
+
+@dataclass
+class Capitulo:
+    nombre: str
+    titulo: str
+    programas: list = field(default_factory=list)
+
+    @property
+    def numero(self):
+        return int(re.match(r"ch(\d+)", self.nombre)[1])
+
+
+def lee(build):
+    """Los capítulos."""
+    datos = json.loads(Path(build, "catalogo.json").read_text())
+    capitulos = {c["nombre"]: Capitulo(**c) for c in datos["capitulos"]}
+    programas = {}
+    for p in datos["programas"]:
+        capitulo = capitulos[p.pop("capitulo")]
+        programa = Programa(capitulo, **{**p, "pruebas": p["pruebas"].split(), "consola": bool(p["consola"])})
+        capitulo.programas.append(programa)
+        programas[programa.nombre] = programa
+    for c in datos["casos"]:
+        programa = programas[c.pop("programa")]
+        programa.casos.append(Caso(programa, **c))
+    for programa in programas.values():  # el de uno de consola es lo que escribe, sin imagen
+        if programa.consola:
+            programa.casos = [Caso(programa, "base", programa.nombre)]
+    return list(capitulos.values())
+
+
+def lee_programas(build):
+    return [p for capitulo in lee(build) for p in capitulo.programas]
+
+
+def resuelve(programas, pedido):
+    elegidos = [p for p in programas if p.es(pedido)]
+    if not elegidos:
+        parecidos = difflib.get_close_matches(pedido, [p.nombre for p in programas], 3, 0)
+        sys.exit(f"lab: no hay ningún programa «{pedido}»; los más parecidos: {', '.join(parecidos)}")
+    return elegidos
+
+
+def casos(programas, pedido):
+    hay = [c for p in programas for c in p.casos if not p.consola and pedido in (p.nombre, c.fichero)]
+    if not hay:
+        nombre = pedido.split("-")[0]
+        resuelve(programas, nombre)
+        sys.exit(f"lab: «{pedido}» no es un caso de {nombre}")
+    return hay
+
+
+def main():
+    build, orden, *resto = sys.argv[1:]
+    programas = lee_programas(build)
+    if orden == "lista":
+        formato = "{}\t{}\t{}\t{}" if resto == ["--tsv"] else "{:<22} {:<22} {:<14} {}"
+        for p in programas:
+            print(formato.format(p.capitulo.nombre, p.nombre, p.ref, p.titulo))
+    elif orden == "resuelve":
+        for p in resuelve(programas, *resto):
+            print(p.capitulo.nombre, p.nombre, "texto" if p.consola else "imagen", p.titulo, sep="\t")
+    elif orden == "casos":
+        for caso in [c for pedido in resto for c in casos(programas, pedido)]:
+            print(shlex.join(caso.hechos))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,34 @@
+"""docs/medidas.json: lo que midieron las pruebas la última vez que se midió todo, y de donde salen las tablas de docs/exactitud.md.
+
+programas: de cada uno, las pruebas que lo ejecutaron y lo peor que midieron frente a su referencia: máximo y RMSE, en niveles de 255, y
+borde, en píxeles, salvo `lejos` de los `banda` que hay en él (tests/laboratorio/evidencia.py mide).
+casos: de cada caso difícil, cuántas pruebas tiene y, de la que más se acerca a su cota, lo que mide (también).
+defectos: de cada lista de mutantes, cuántos se plantaron, se notan y se notan sin mirar los golden (./lab muta).
+"""
+import json
+
+
+def lee(raiz):
+    return json.loads((raiz / "docs/medidas.json").read_text())
+
+
+def apunta(raiz, **secciones):
+    """Cambia esas secciones, con una medida por línea."""
+    medidas = {**lee(raiz), **secciones}
+    texto = ",\n".join(f"{json.dumps(seccion)}: {{\n" + ",\n".join(f"  {json.dumps(nombre, ensure_ascii=False)}: {json.dumps(m, ensure_ascii=False)}"
+                                                                 for nombre, m in medidas[seccion].items()) + "\n}"
+                       for seccion in ("programas", "casos", "defectos"))
+    (raiz / "docs/medidas.json").write_text(f"{{\n{texto}\n}}\n")
+
+
+def numero(x):
+    """Con pocas cifras: 0.51, 1.2e-07."""
+    return "0" if x == 0 else f"{x:.2g}" if abs(x) >= 1e-3 else f"{x:.1e}"
+
+
+def errores(medida):
+    """Máximo, RMSE y borde de un programa, como se leen; vacío, lo que no se mide."""
+    maximo, rmse, borde = (numero(medida[m]) if m in medida else "" for m in ("maximo", "rmse", "borde"))
+    if medida.get("lejos"):
+        borde += f", salvo {medida['lejos']} de {medida['banda']}"
+    return [maximo, rmse, borde]
