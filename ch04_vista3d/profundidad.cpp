@@ -29,7 +29,7 @@ static struct {
 } estado;
 
 static void inicia() {
-    estado.programa = creaPrograma("ch04_vista3d/profundidad.vert", "common/trazo.frag");
+    estado.programa = creaPrograma("ch04_vista3d/profundidad.vert", "common/liso.frag");
     estado.plano = creaBuferes(plano(16));
     glGenFramebuffers(1, &estado.framebuffer);
     glGenRenderbuffers(1, &estado.color);
@@ -51,7 +51,7 @@ static void cambiaTamano(int ancho, int alto) {
 
 static void dibujaPlano(const glm::mat4 &M, const glm::vec3 &color) {
     envia(estado.programa, "M", M);
-    envia(estado.programa, "colorTrazo", color);
+    envia(estado.programa, "color", color);
     dibuja(estado.plano);
 }
 

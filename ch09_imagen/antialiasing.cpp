@@ -148,7 +148,7 @@ static void teclado(unsigned char tecla, int, int) {
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Antialiasing", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     estado.estrella = creaBuferes(mallaEstrella());
-    estado.pinta = creaPrograma("ch09_imagen/estrella.vert", "ch09_imagen/estrella.frag");
+    estado.pinta = creaPrograma("ch09_imagen/estrella.vert", "common/liso.frag");
     estado.reduce = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/reduce.frag");
     estado.copia = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/imagen.frag");
     estado.lupa = creaPrograma("ch09_imagen/lupa.vert", "ch09_imagen/imagen.frag");
