@@ -37,7 +37,7 @@ inline std::vector<glm::vec3> encuadra(const std::vector<glm::vec3> &vertices) {
 /// para sus números. `angulo` (radianes) es el de perspectivaVentana.
 inline float distanciaQueEncuadra(const std::vector<glm::vec3> &vertices, const Orbita &orbita,
                                   float angulo) {
-    const float margen = 1.17f, ty = std::tan(angulo / 2), tx = ty * 4 / 3;
+    const float margen = 1.22f, ty = std::tan(angulo / 2), tx = ty * 4 / 3;
     const glm::mat3 giro(camaraOrbita(orbita)); // a ejes de la cámara: derecha, arriba y hacia quien mira
     float distancia = 1.3f; // la malla cabe en la esfera de radio 1: al orbitar no llega a la cámara
     for (const glm::vec3 &v : vertices) {

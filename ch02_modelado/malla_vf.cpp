@@ -135,9 +135,9 @@ static void dibuja() {
     const glm::vec3 ojo = posicionCamara(estado.orbita);
     rotulaVertices(estado.vertices, estado.triangulos, ojo, transformacion);
     rotulaCaras(ojo, transformacion);
-    rotula("anverso", {0.02f, 0.16f}, AZUL, Lado::DERECHA);
-    rotula("reverso", {0.02f, 0.10f}, AMARILLO, Lado::DERECHA);
-    rotula("borde", {0.02f, 0.04f}, ROJO, Lado::DERECHA);
+    rotula("anverso", {0.02f, 0.185f}, AZUL, Lado::DERECHA);
+    rotula("reverso", {0.02f, 0.125f}, AMARILLO, Lado::DERECHA);
+    rotula("borde", {0.02f, 0.065f}, ROJO, Lado::DERECHA);
     glutSwapBuffers();
 }
 
