@@ -102,7 +102,6 @@ static void inicia(const std::string &fichero) {
     construye();
 
     glEnable(GL_DEPTH_TEST);
-    glPolygonOffset(4, 1); // las caras un poco más lejos: no tapan la mitad de las líneas
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
@@ -112,7 +111,6 @@ static bool seDibuja(std::size_t i) {
 }
 
 static void dibujaTiras() {
-    glEnable(GL_POLYGON_OFFSET_FILL);
     GLint primero = 0;
     for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
         const auto n = GLsizei(estado.tiras[i].size());
@@ -120,7 +118,6 @@ static void dibujaTiras() {
             glDrawArrays(GL_TRIANGLE_STRIP, primero, n);
         primero += n;
     }
-    glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 static void dibujaRecorridos(const glm::mat4 &transformacion) {
@@ -145,6 +142,7 @@ static void dibuja() {
     envia(estado.programa, "camara", camara);
     envia(estado.programa, "proyeccion", proyeccion);
     dibujaTiras();
+    alejaEnProfundidad(dibujaTiras);
     dibujaRecorridos(proyeccion * camara);
     rotulaVertices(estado.vertices, estado.triangulos, posicionCamara(estado.orbita), proyeccion * camara);
     // los de una sola, en varias líneas: a lo largo llegarían al número del vértice de más abajo
