@@ -12,6 +12,7 @@ const int ANCHO = 480, ALTO = 360; // de las imágenes que se comparan
 const glm::vec3 CAJA[8] = {{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0},
                            {0, 1, 0}, {0, 1, 1}, {1, 1, 1}, {1, 1, 0}};
 using T3 = std::array<unsigned, 3>; // vértices, desde el 1
+using Linea = std::vector<unsigned>;
 
 /// Un vértice llevado a la esfera de radio 1: la media diagonal de la caja mide √3/2.
 inline oraculo::Vec3 verticeCaja(unsigned i) {
@@ -30,11 +31,6 @@ inline oraculo::Camara camaraCaja(double azimut, double elevacion, double gira =
             std::max(distancia, 1.22 * (p.z + 100 + std::max(std::fabs(p.y), std::fabs(p.x) * 0.75) / t));
     }
     return oraculo::perspectiva(oraculo::orbita(azimut + gira, elevacion + sube, distancia), 0.6, 0.1, 100);
-}
-
-inline glm::dvec2 verticeEnPixeles(const oraculo::Camara &camara, unsigned i, int ancho = ANCHO,
-                                   int alto = ALTO) {
-    return enPixeles(camara, verticeCaja(i), ancho, alto);
 }
 
 /// La escena, contra unos triángulos de la caja, cada uno de un color, que puede depender de por dónde se vea.
@@ -58,6 +54,37 @@ void compruebaCaja(const std::string &que, const Imagen &escena, const std::vect
                0.012}); // los bordes, por la rejilla de 1/256 de píxel a la que OpenGL lleva cada vértice
 }
 
+/// Comprueba que los trazos de ese color son las líneas que unen esos vértices y nada más, que las caras los tapan y que son de ese
+/// grosor, en píxeles de una ventana de 1080 líneas.
+inline void compruebaTrazos(const Vista &vista, const oraculo::Camara &camara,
+                            const std::vector<Linea> &lineas, const glm::vec3 &color, double grosor) {
+    const int ancho = vista.escena.ancho, alto = vista.escena.alto;
+    double largo = 0;
+    for (const Linea &linea : lineas) {
+        std::vector<glm::dvec2> puntos;
+        for (const unsigned i : linea)
+            puntos.push_back(enPixeles(camara, verticeCaja(i), ancho, alto));
+        compruebaTrazo(vista.encima, puntos, color);
+        for (std::size_t i = 1; i < puntos.size(); ++i)
+            largo += glm::distance(puntos[i - 1], puntos[i]);
+    }
+    EXPECT_NEAR(vista.encima.largo(color), largo, 0.1);
+    for (const Pintado &p : vista.encima.trazos(color, "segmentos")) {
+        EXPECT_NEAR(p.talla, std::max(grosor * oraculo::altoUtil(ancho, alto) / 1080, 1.0), 1e-4);
+        EXPECT_TRUE(p.conProfundidad);
+    }
+}
+
+/// Los píxeles de ese color que se ven en la vertical de un punto de la arista, a un tercio de `a`: no los tapan sus propias caras.
+inline int grosorPintado(const Imagen &imagen, const oraculo::Camara &camara, unsigned a, unsigned b,
+                         const glm::vec3 &color) {
+    const glm::dvec2 p = enPixeles(camara, 2 / 3.0 * verticeCaja(a) + 1 / 3.0 * verticeCaja(b), ANCHO, ALTO);
+    int n = 0;
+    for (int d = -12; d <= 12; ++d)
+        n += oraculo::diferencia(imagen, int(p.x), int(p.y) + d, exacto(color)) <= 1;
+    return n;
+}
+
 /// Solo los rótulos de ese color.
 inline Encima rotulosDe(const Encima &encima, const glm::vec3 &color) {
     Encima rotulos;
@@ -66,26 +93,17 @@ inline Encima rotulosDe(const Encima &encima, const glm::vec3 &color) {
     return rotulos;
 }
 
-/// El número de cada uno de esos vértices, y de ninguno más, por fuera.
-inline void compruebaNumeros(const Encima &encima, const oraculo::Camara &camara,
+/// Comprueba que está, por fuera, el número de cada uno de esos vértices, y de ninguno más.
+inline void compruebaNumeros(const Vista &vista, const oraculo::Camara &camara,
                              const std::vector<unsigned> &vistos) {
-    std::vector<std::string> textos;
+    const Encima numeros = rotulosDe(vista.encima, OSCURO);
+    const glm::dvec2 talla(vista.escena.ancho, vista.escena.alto);
+    EXPECT_EQ(numeros.size(), vistos.size());
     for (const unsigned i : vistos) {
-        const glm::dvec2 p = verticeEnPixeles(camara, i, 960, 720), d = p / glm::dvec2(480, 360) - 1.0;
+        const glm::dvec2 p = enPixeles(camara, verticeCaja(i), int(talla.x), int(talla.y)),
+                         d = p / talla - 0.5;
         const Lado lado = std::fabs(d.x) > std::fabs(d.y) ? (d.x > 0 ? Lado::DERECHA : Lado::IZQUIERDA)
                                                           : (d.y > 0 ? Lado::ENCIMA : Lado::DEBAJO);
-        textos.push_back(std::to_string(i));
-        compruebaRotulo(rotulosDe(encima, OSCURO), textos.back(), p, OSCURO, lado);
+        compruebaRotulo(numeros, std::to_string(i), p, OSCURO, lado);
     }
-    EXPECT_EQ(encima.textos(OSCURO), textos);
-}
-
-/// Los píxeles de ese color que hay en la vertical de un punto de la arista, a un tercio de `a`: con las caras ya pintadas.
-inline int gruesoPintado(const Imagen &imagen, const oraculo::Camara &camara, unsigned a, unsigned b,
-                         const glm::vec3 &color) {
-    const glm::dvec2 p = enPixeles(camara, 2 / 3.0 * verticeCaja(a) + 1 / 3.0 * verticeCaja(b), ANCHO, ALTO);
-    int n = 0;
-    for (int d = -12; d <= 12; ++d)
-        n += oraculo::diferencia(imagen, int(p.x), int(p.y) + d, exacto(color)) <= 1;
-    return n;
 }

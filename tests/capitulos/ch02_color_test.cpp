@@ -3,9 +3,6 @@
 #include "colores.h"
 #include "guiones.h"
 #include "plana.h"
-#include <GL/glew.h>
-#include <GL/freeglut.h>
-#include <cstdlib>
 #include <gtest/gtest.h>
 #include <vector>
 
@@ -108,28 +105,6 @@ TEST(Primitivas, LaRejilla) {
     EXPECT_EQ(vistas[0].encima.size(), 7 * (N + 1) + 1u);
     EXPECT_EQ(vistas[1].encima.size(), 7 * (N + 1) + 1u);
     EXPECT_EQ(escena.rgb, vistas[1].escena.rgb);
-}
-
-// El listado 2.4 dibuja sin VAO: un contexto core lo rechaza. Con uno, aunque esté vacío, el mismo dibujo es
-// válido. (Cada caso en un proceso, que termina con 3 si hay un error de OpenGL.)
-TEST(ModeloPoligonal, SinVaoNoSeDibuja) {
-    const auto dibuja = [](bool conVao) {
-        char nombre[] = "prueba", *argv[] = {nombre, nullptr};
-        int argc = 1;
-        glutInit(&argc, argv);
-        glutInitContextVersion(3, 1);
-        glutCreateWindow("prueba");
-        glewExperimental = GL_TRUE;
-        glewInit();
-        GLuint vao;
-        glGenVertexArrays(1, &vao);
-        if (conVao)
-            glBindVertexArray(vao);
-        glDrawArrays(GL_POINTS, 0, 1);
-        std::exit(glGetError() == GL_NO_ERROR ? 0 : 3);
-    };
-    EXPECT_EXIT(dibuja(false), testing::ExitedWithCode(3), "");
-    EXPECT_EXIT(dibuja(true), testing::ExitedWithCode(0), "");
 }
 
 // Seis triángulos alrededor del centro; la rueda conserva su forma. El número de cada vértice, por fuera de ella; el 0, bajo el centro.
