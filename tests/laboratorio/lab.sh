@@ -77,12 +77,7 @@ tar -C "$raiz" --exclude=./build --exclude=./galeria --exclude=./web --exclude=.
 cd "$copia"
 # compila antes: sin optimizar, y sin lo que sus programas no usan de common/ y assets/
 sed -i 's/"Release"/"None"/' CMakePresets.json
-for f in letra malla orbita recuadro rotulo shader textura trazo ventana; do : >common/$f.cpp; done
-cat >common/encima.cpp <<'FIN'
-#include "encima.h"
-void empiezaCuadroEncima() {}
-void guardaEncima(const std::string &, int, int) {}
-FIN
+for f in malla orbita recuadro rotulo textura trazo; do : >common/$f.cpp; done
 perl -0pi -e 's/set\(texturas[^)]*\)/set(texturas luz)/' assets/CMakeLists.txt
 cat >assets/genera_assets.cpp <<'FIN'
 #include <fstream>
