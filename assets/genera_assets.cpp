@@ -60,12 +60,11 @@ double modulo(double x, double y, double z = 0) {
 
 /// Un número de 0 a 1 que parece al azar y depende solo de los argumentos.
 double azar(int x, int y, int semilla) {
-    std::uint32_t h = static_cast<std::uint32_t>(x) * 0x9E3779B1u ^
-                      static_cast<std::uint32_t>(y) * 0x85EBCA77u ^
-                      static_cast<std::uint32_t>(semilla) * 0xC2B2AE3Du;
+    std::uint32_t h = std::uint32_t(x) * 0x9E3779B1u ^ std::uint32_t(y) * 0x85EBCA77u ^
+                      std::uint32_t(semilla) * 0xC2B2AE3Du;
     h = (h ^ h >> 15) * 0x2C1B3C6Du;
     h = (h ^ h >> 12) * 0x297A2D39u;
-    return static_cast<double>((h ^ h >> 15) >> 8) / 16777216.0;
+    return double((h ^ h >> 15) >> 8) / 16777216.0;
 }
 
 int resto(int i, int n) {
@@ -75,7 +74,7 @@ int resto(int i, int n) {
 /// Ruido de valores, de 0 a 1, en una rejilla de lado 1 que se repite cada px × py (0: no se repite).
 double ruido(double x, double y, int px, int py, int semilla) {
     const double x0 = std::floor(x), y0 = std::floor(y), fx = x - x0, fy = y - y0;
-    const int i = static_cast<int>(x0), j = static_cast<int>(y0);
+    const int i = int(x0), j = int(y0);
     const double u = fx * fx * fx * (fx * (fx * 6 - 15) + 10), v = fy * fy * fy * (fy * (fy * 6 - 15) + 10);
     const auto nodo = [&](int a, int b) { return azar(resto(i + a, px), resto(j + b, py), semilla); };
     return mezcla(mezcla(nodo(0, 0), nodo(1, 0), u), mezcla(nodo(0, 1), nodo(1, 1), u), v);
@@ -107,7 +106,7 @@ Color metal(double x, double y) {
     const double hebras = 0.5 * ruido(x / 64, y, 4, 256, 11) + 0.3 * ruido(x / 16, y, 16, 256, 12) +
                           0.2 * ruido(x / 128, y / 2, 2, 128, 13);
     double luz = 0.66 + 0.34 * (hebras - 0.5) + 0.14 * (nubes(x / 64, y / 128, 3, 4, 2, 14) - 0.5);
-    if (azar(static_cast<int>(y), 0, 15) < 0.05) // algún arañazo más hondo, que no da toda la vuelta
+    if (azar(int(y), 0, 15) < 0.05) // algún arañazo más hondo, que no da toda la vuelta
         luz -= 0.12 * escalon(0.45, 0.75, ruido(x / 32, y, 8, 256, 16));
     // la junta con la plancha vecina: una ranura, y el canto iluminado por arriba y por la izquierda
     const double borde = std::min({x, 256 - x, y, 256 - y});
@@ -131,7 +130,7 @@ Color metal(double x, double y) {
 
 /// Cuatro tablas, cortadas cada una a su distancia del centro del tronco, que va casi paralelo a ellas.
 Color madera(double x, double y) {
-    const int tabla = static_cast<int>(x / 64);
+    const int tabla = int(x / 64);
     const double enTabla = x - 64 * tabla, junta = 256 * fraccion(0.17 + 0.37 * tabla);
     const double largo = 256 * fraccion((y - junta) / 256); // desde la junta: da la vuelta sin costura
     const double centro = 64 * azar(tabla, 1, 21), hondura = 1.0 + 2.5 * azar(tabla, 2, 21);
@@ -157,9 +156,9 @@ Color madera(double x, double y) {
 
 /// Ladrillos de 64 × 32 texels, a soga; la luz viene de arriba a la izquierda.
 Color ladrillo(double x, double y) {
-    const int fila = static_cast<int>(y / 32);
+    const int fila = int(y / 32);
     const double corrido = x + 32 * (fila % 2);
-    const int columna = resto(static_cast<int>(std::floor(corrido / 64)), 4);
+    const int columna = resto(int(std::floor(corrido / 64)), 4);
     const double grano = nubes(x / 4, y / 4, 3, 64, 64, 31), mancha = nubes(x / 32, y / 32, 3, 8, 8, 32);
     const double ondula = 2.2 * (nubes(x / 8, y / 8, 2, 32, 32, 33) - 0.5);
     const double u = 64 * fraccion(corrido / 64), v = y - 32 * fila;
@@ -180,8 +179,7 @@ Color ladrillo(double x, double y) {
 
 /// Suelo de baldosas de mármol, dos claras y dos oscuras.
 Color baldosas(double x, double y) {
-    const int columna = static_cast<int>(x / 128), fila = static_cast<int>(y / 128),
-              losa = 2 * fila + columna;
+    const int columna = int(x / 128), fila = int(y / 128), losa = 2 * fila + columna;
     const double u = x - 128 * columna, v = y - 128 * fila;
     const double torcido = nubes(u / 40, v / 40, 4, 0, 0, 111 + 9 * losa);
     const double veta = 1 - std::fabs(2 * fraccion((u + (losa % 2 ? v : -v)) / 110 + 1.5 * torcido) - 1);
@@ -195,7 +193,7 @@ Color baldosas(double x, double y) {
 
 /// Mosaico de 32 × 32 teselas, que son sus texels: losas claras y oscuras con un rombo y una junta de un texel.
 Color mosaico(double x, double y) {
-    const int i = static_cast<int>(x), j = static_cast<int>(y), u = i % 16, v = j % 16;
+    const int i = int(x), j = int(y), u = i % 16, v = j % 16;
     const bool clara = i / 16 == j / 16;
     const double tono = 0.9 + 0.1 * azar(i, j, 121);
     const int rombo = std::abs(2 * u - 16) + std::abs(2 * v - 16); // el centro, en el texel (8, 8)
@@ -260,7 +258,7 @@ bool enLetra(char nombre, double x, double y, double x0, double y0, double talla
         return false;
     for (const Letra &letra : LETRAS)
         if (letra.nombre == nombre)
-            return letra.filas[static_cast<int>(v)] >> (4 - static_cast<int>(u)) & 1;
+            return letra.filas[int(v)] >> (4 - int(u)) & 1;
     return false;
 }
 
@@ -269,7 +267,7 @@ Color carta(double x, double y) {
     const Color rojo{0.85, 0.20, 0.18}, verde{0.20, 0.62, 0.28}, oscuro{0.16, 0.17, 0.20},
         blanco{0.97, 0.97, 0.95};
     const Color tonos[4] = {{0.98, 0.78, 0.15}, {0.95, 0.55, 0.10}, {0.56, 0.24, 0.66}, {0.16, 0.38, 0.80}};
-    const int columna = static_cast<int>(x / 64), fila = static_cast<int>(y / 64);
+    const int columna = int(x / 64), fila = int(y / 64);
     const bool clara = (columna + fila) % 2 != 0;
     const Color tono = mezcla(tonos[columna], blanco, 0.10 * fila);
     // los ejes: una banda con su nombre y una flecha, que no llegan al borde porque GL_CLAMP_TO_EDGE lo
@@ -285,7 +283,7 @@ Color carta(double x, double y) {
     if (x < 16)
         return flecha(y, x) || enLetra('t', x, y, 4, 108, 2) ? blanco : verde;
     const double x0 = 64 * columna + (columna ? 10 : 18), y0 = 64 * fila + (fila ? 18 : 26);
-    const char letra = static_cast<char>('A' + columna), numero = static_cast<char>('1' + fila);
+    const char letra = char('A' + columna), numero = char('1' + fila);
     if (enLetra(letra, x, y, x0, y0, 4) || enLetra(numero, x, y, x0 + 24, y0, 4))
         return clara || columna < 2 ? oscuro : blanco;
     return clara ? mezcla(tono, blanco, 0.72) : tono;
@@ -341,7 +339,7 @@ Color prado(double x, double y) {
     Color c = mezcla({0.10, 0.17, 0.07}, {0.40, 0.44, 0.16}, entre01(1.7 * hebras * matas + 0.15));
     // flores: una en alguna de las casillas de una rejilla
     const double u = 34 * x, v = 46 * y, i = std::floor(u), j = std::floor(v);
-    const int I = static_cast<int>(i), J = static_cast<int>(j);
+    const int I = int(i), J = int(j);
     const double d = modulo((u - i - mezcla(0.3, 0.7, azar(I, J, 68))) / 34,
                             (v - j - mezcla(0.3, 0.7, azar(I, J, 69))) / 34);
     if (azar(I, J, 100) < 0.13)
@@ -398,7 +396,7 @@ void bodegon(double x, double y, Color &c) {
     const double X = x - 0.83, a = (y - 0.130 - 1.8 * X * X * (0.64 - y)) / 0.34;
     if (a > 0 && a < 1) {
         const double perfil[] = {0.070, 0.105, 0.132, 0.142, 0.132, 0.104, 0.070, 0.052, 0.053, 0.072, 0.076};
-        const int i = std::min(static_cast<int>(a * 10), 9);
+        const int i = std::min(int(a * 10), 9);
         const double f = a * 10 - i, t = f * f * (3 - 2 * f), radio = mezcla(perfil[i], perfil[i + 1], t);
         if (std::fabs(X) < radio) {
             const double pendiente = (perfil[i + 1] - perfil[i]) / 0.034;
@@ -665,7 +663,7 @@ std::vector<std::uint8_t> pinta(int ancho, int alto, const std::function<Color(d
                 suma = suma + Color{entre01(c.r), entre01(c.g), entre01(c.b)};
             }
             for (const double k : {suma.r, suma.g, suma.b})
-                rgb.push_back(static_cast<std::uint8_t>(k / (LADO * LADO) * 255 + 0.5));
+                rgb.push_back(std::uint8_t(k / (LADO * LADO) * 255 + 0.5));
         }
     return rgb;
 }

@@ -87,7 +87,7 @@ int main(int argc, char **argv) {
     GLfloat anisotropia = 1;
     if (GLEW_EXT_texture_filter_anisotropic)
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &anisotropia);
-    informa("Anisotropía máxima", std::to_string(static_cast<int>(anisotropia)));
+    informa("Anisotropía máxima", std::to_string(int(anisotropia)));
 
     exige("OpenGL", openGL, 301, true);
     exige("GLM", 100 * (100 * GLM_VERSION_MAJOR + GLM_VERSION_MINOR) + 10 * GLM_VERSION_PATCH, 990, false);

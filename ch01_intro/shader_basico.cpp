@@ -47,7 +47,7 @@ static GLuint compila(GLenum tipo, const std::string &fichero) {
     if (compilado)
         return shader;
     glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &longitud);
-    std::string informe(static_cast<std::size_t>(longitud), ' ');
+    std::string informe(longitud, ' ');
     glGetShaderInfoLog(shader, longitud, nullptr, informe.data());
     glDeleteShader(shader);
     return avisa(fichero + " no compila: " + informe.c_str());
@@ -66,7 +66,7 @@ static GLuint enlaza(GLuint vertexShader, GLuint fragmentShader) {
     if (enlazado)
         return programa;
     glGetProgramiv(programa, GL_INFO_LOG_LENGTH, &longitud);
-    std::string informe(static_cast<std::size_t>(longitud), ' ');
+    std::string informe(longitud, ' ');
     glGetProgramInfoLog(programa, longitud, nullptr, informe.data());
     glDeleteProgram(programa);
     return avisa(std::string("los shaders no enlazan: ") + informe.c_str());
@@ -96,8 +96,8 @@ static void iniciaShader() {
         glDeleteProgram(programa);
         return;
     }
-    glVertexAttribPointer(static_cast<GLuint>(posicion), 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-    glEnableVertexAttribArray(static_cast<GLuint>(posicion));
+    glVertexAttribPointer(posicion, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+    glEnableVertexAttribArray(posicion);
     glDeleteProgram(estado.programa);
     estado.programa = programa;
 }

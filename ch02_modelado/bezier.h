@@ -1,6 +1,7 @@
 // Parches de Bézier bicúbicos (figuras 2.1 y 2.2; la teoría es el capítulo 11): puntos, derivadas y normales,
 // y triangulación con un error de cuerda acotado. Sin OpenGL; la usan tetera y los programas que la dibujan.
 #pragma once
+#include "ch11_curvas/superficies.h"
 #include "error.h"
 #include "malla.h"
 #include "numero.h"
@@ -31,7 +32,7 @@ struct Division {
     int nu, nv;
 };
 
-namespace bezier {
+namespace parche {
 
 using Pesos = std::array<double, 4>;
 
@@ -69,40 +70,28 @@ inline glm::dvec3 derivada(const Parche &q, const Pesos &u, const Pesos &v) {
     return suma;
 }
 
-/// Normal unitaria. Donde du × dv se anula, porque una frontera del parche se reduce a un punto, vale su
-/// límite al llegar desde el centro del parche: el de su derivada en esa dirección, (du × dv)' = du' × dv +
-/// du × dv'. Si también se anula, la normal del primer punto que la tenga camino del centro; si no hay
-/// ninguno, +Z.
+/// Normal unitaria o, donde du × dv se anula porque una frontera del parche se reduce a un punto, su límite.
 inline glm::dvec3 normal(const Parche &q, double u, double v) {
     double talla = 0;
     for (const auto &fila : q.p)
         for (const glm::dvec3 &p : fila)
             talla = std::max(talla, glm::length(p - q.p[0][0]));
-    const double escala = talla > 0 ? 1 / talla : 0, nada = 1e-8; // en un parche de talla 1
-    const auto d = [&](const Pesos &pu, const Pesos &pv) { return escala * derivada(q, pu, pv); };
-    for (const double paso : {0.0, 1.0 / 64, 1.0 / 16, 1.0 / 4, 1.0 / 2}) {
-        const double s = u + paso * (0.5 - u), t = v + paso * (0.5 - v);
-        const Pesos u0 = pesos(s, 1 - s), u1 = pesos1(s, 1 - s), u2 = pesos2(s, 1 - s), v0 = pesos(t, 1 - t),
-                    v1 = pesos1(t, 1 - t), v2 = pesos2(t, 1 - t);
-        const glm::dvec3 du = d(u1, v0), dv = d(u0, v1), n = glm::cross(du, dv);
-        const double lu = glm::length(du), lv = glm::length(dv);
-        if (lu > nada && lv > nada && glm::length(n) > nada * lu * lv)
-            return glm::normalize(n);
-        const double a = 0.5 - s, b = 0.5 - t;
-        const glm::dvec3 duv = d(u1, v1), duc = a * d(u2, v0) + b * duv, dvc = a * duv + b * d(u0, v2);
-        const glm::dvec3 limite = glm::cross(duc, dv) + glm::cross(du, dvc);
-        if (glm::length(limite) > nada)
-            return glm::normalize(limite);
-    }
-    return {0, 0, 1};
+    const double escala = talla > 0 ? 1 / talla : 0;
+    const auto enT = [](double t, int veces) {
+        return veces == 0 ? pesos(t, 1 - t) : veces == 1 ? pesos1(t, 1 - t) : pesos2(t, 1 - t);
+    };
+    const auto d = [&](double s, double t, int du, int dv) -> glm::dvec3 {
+        return escala * derivada(q, enT(s, du), enT(t, dv));
+    };
+    return normalOLimite(d, u, v);
 }
 
-} // namespace bezier
+} // namespace parche
 
 /// Punto, derivadas y normal en (u, v), los dos entre 0 y 1, en doble precisión.
 inline PuntoParche evaluaParche(const Parche &q, double u, double v) {
-    using namespace bezier;
-    const Pesos u0 = pesos(u, 1 - u), v0 = pesos(v, 1 - v);
+    using namespace parche;
+    const auto u0 = pesos(u, 1 - u), v0 = pesos(v, 1 - v);
     return {posicion(q, u0, v0), derivada(q, pesos1(u, 1 - u), v0), derivada(q, u0, pesos1(v, 1 - v)),
             normal(q, u, v)};
 }
@@ -125,7 +114,7 @@ inline Division divisionPara(const Parche &q, double tolerancia) {
                     muv, 9 * glm::length((q.p[i + 1][j + 1] - q.p[i + 1][j]) - (q.p[i][j + 1] - q.p[i][j])));
         }
     const auto segmentos = [tolerancia](double m) {
-        return static_cast<int>(std::clamp(std::ceil(std::sqrt(m / (4 * tolerancia))), 1.0, 1024.0));
+        return int(std::clamp(std::ceil(std::sqrt(m / (4 * tolerancia))), 1.0, 1024.0));
     };
     return {segmentos(muu + muv), segmentos(mvv + muv)};
 }
@@ -190,7 +179,7 @@ struct Teselacion {
 inline Teselacion teselaParches(const std::vector<Parche> &parches, double tolerancia) {
     Teselacion t;
     std::vector<Vertice> &vertices = t.malla.vertices;
-    const auto triangulo = [&](GLuint a, GLuint b, GLuint c) {
+    const auto triangulo = [&](unsigned a, unsigned b, unsigned c) {
         const glm::vec3 &p = vertices[a].posicion, &q = vertices[b].posicion, &r = vertices[c].posicion;
         if (p != q && q != r && r != p)
             t.malla.indices.insert(t.malla.indices.end(), {a, b, c});
@@ -198,21 +187,20 @@ inline Teselacion teselaParches(const std::vector<Parche> &parches, double toler
     const std::vector<Division> divisiones = divisionesPara(parches, tolerancia);
     for (std::size_t k = 0; k < parches.size(); ++k) {
         const int nu = divisiones[k].nu, nv = divisiones[k].nv;
-        const auto base = static_cast<GLuint>(vertices.size());
+        const unsigned base = unsigned(vertices.size());
         for (int j = 0; j <= nv; ++j)
             for (int i = 0; i <= nu; ++i) {
                 // 1 − i/n redondea distinto que (n − i)/n, y el parche vecino puede recorrer el lado al revés
-                const double u = static_cast<double>(i) / nu, uc = static_cast<double>(nu - i) / nu,
-                             v = static_cast<double>(j) / nv, vc = static_cast<double>(nv - j) / nv;
-                vertices.push_back({bezier::posicion(parches[k], bezier::pesos(u, uc), bezier::pesos(v, vc)),
-                                    bezier::normal(parches[k], u, v),
+                const double u = double(i) / nu, uc = double(nu - i) / nu, v = double(j) / nv,
+                             vc = double(nv - j) / nv;
+                vertices.push_back({parche::posicion(parches[k], parche::pesos(u, uc), parche::pesos(v, vc)),
+                                    parche::normal(parches[k], u, v),
                                     {u, v}});
                 t.cuadricula.push_back({i, j});
             }
         for (int j = 0; j < nv; ++j)
             for (int i = 0; i < nu; ++i) {
-                const GLuint a = base + static_cast<GLuint>(j * (nu + 1) + i), b = a + 1,
-                             d = a + static_cast<GLuint>(nu + 1), c = d + 1;
+                const unsigned a = base + j * (nu + 1) + i, b = a + 1, d = a + nu + 1, c = d + 1;
                 triangulo(a, b, c);
                 triangulo(a, c, d);
             }

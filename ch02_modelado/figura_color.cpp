@@ -31,7 +31,7 @@ static Pieza sol() {
     const int SEGMENTOS = 24;
     Pieza p = {GL_TRIANGLE_FAN, {{{X_SOL, HORIZONTE}, {1.00f, 0.98f, 0.75f}}}};
     for (int i = 0; i <= SEGMENTOS; ++i) {
-        const float a = glm::pi<float>() * static_cast<float>(i) / SEGMENTOS;
+        const float a = glm::pi<float>() * float(i) / SEGMENTOS;
         p.vertices.push_back(
             {{X_SOL + RADIO_SOL * std::cos(a), HORIZONTE + RADIO_SOL * std::sin(a)}, {1.00f, 0.62f, 0.16f}});
     }
@@ -104,8 +104,7 @@ static void inicia() {
     glBindVertexArray(vao);
     glGenBuffers(1, &buffer);
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(VerticeColor)),
-                 vertices.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, vertices.size() * sizeof(VerticeColor), vertices.data(), GL_STATIC_DRAW);
     glVertexAttribPointer(ATRIBUTO_POSICION, 2, GL_FLOAT, GL_FALSE, sizeof(VerticeColor),
                           reinterpret_cast<const void *>(offsetof(VerticeColor, posicion)));
     glVertexAttribPointer(ATRIBUTO_COLOR, 3, GL_FLOAT, GL_FALSE, sizeof(VerticeColor),
@@ -119,7 +118,7 @@ static void dibuja() {
     glUseProgram(estado.programa);
     GLint primero = 0;
     for (const Pieza &p : estado.piezas) {
-        const auto n = static_cast<GLsizei>(p.vertices.size());
+        const auto n = GLsizei(p.vertices.size());
         glDrawArrays(p.primitiva, primero, n);
         primero += n;
     }

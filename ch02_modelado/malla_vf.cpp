@@ -32,8 +32,8 @@ static std::string sentidoVistoDesdeFuera(const Topologia &t) {
     static const char *const nombres[] = {"antihorario", "horario", "indefinido"};
     std::string texto;
     for (Sentido s : {Sentido::ANTIHORARIO, Sentido::HORARIO, Sentido::INDEFINIDO}) {
-        const auto n = static_cast<std::size_t>(std::count(t.sentidos.begin(), t.sentidos.end(), s));
-        const std::string nombre = nombres[static_cast<int>(s)];
+        const std::size_t n = std::count(t.sentidos.begin(), t.sentidos.end(), s);
+        const std::string nombre = nombres[int(s)];
         if (n == t.sentidos.size())
             return nombre;
         if (n > 0)
@@ -66,8 +66,7 @@ static void construye() {
     informa(malla, t);
 
     estado.triangulos = triangula(malla);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-                 static_cast<GLsizeiptr>(estado.triangulos.size() * sizeof(IndicesTriangulo)),
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, estado.triangulos.size() * sizeof(IndicesTriangulo),
                  estado.triangulos.data(), GL_STATIC_DRAW);
     for (std::vector<glm::vec3> &extremos : estado.aristas)
         extremos.clear();
@@ -91,8 +90,8 @@ static void inicia(const std::string &fichero) {
     glBindVertexArray(vao);
     glGenBuffers(2, buffers);
     glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(estado.vertices.size() * sizeof(glm::vec3)),
-                 estado.vertices.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, estado.vertices.size() * sizeof(glm::vec3), estado.vertices.data(),
+                 GL_STATIC_DRAW);
     glVertexAttribPointer(ATRIBUTO_POSICION, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
     glEnableVertexAttribArray(ATRIBUTO_POSICION);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
@@ -110,7 +109,7 @@ static void rotulaCaras(const glm::vec3 &ojo, const glm::mat4 &transformacion) {
     for (std::size_t c = 0; c < estado.malla.caras.size(); ++c) {
         glm::vec3 centro(0);
         for (GLuint i : estado.malla.caras[c])
-            centro += estado.vertices[i] / static_cast<float>(estado.malla.caras[c].size());
+            centro += estado.vertices[i] / float(estado.malla.caras[c].size());
         if (seVe(centro, ojo, estado.vertices, estado.triangulos))
             rotulaPunto(std::to_string(c + 1), centro, transformacion, BLANCO, Lado::CENTRO);
     }
@@ -127,8 +126,7 @@ static void dibuja() {
     envia(estado.programa, "colorAnverso", AZUL);
     envia(estado.programa, "colorReverso", AMARILLO);
     glEnable(GL_POLYGON_OFFSET_FILL);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * estado.triangulos.size()), GL_UNSIGNED_INT,
-                   nullptr);
+    glDrawElements(GL_TRIANGLES, GLsizei(3 * estado.triangulos.size()), GL_UNSIGNED_INT, nullptr);
     glDisable(GL_POLYGON_OFFSET_FILL);
 
     trazaSegmentos(estado.aristas[1], transformacion, OSCURO, GROSOR / 2);

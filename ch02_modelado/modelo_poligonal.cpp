@@ -58,12 +58,12 @@ static void inicia() {
     // Qué índice tiene cada atributo del shader y dónde está su dato dentro de cada vértice.
     const GLint iPosicion = glGetAttribLocation(estado.programa, "posicion"),
                 iColor = glGetAttribLocation(estado.programa, "color");
-    glVertexAttribPointer(static_cast<GLuint>(iPosicion), 3, GL_FLOAT, GL_FALSE, sizeof(VerticeColor),
+    glVertexAttribPointer(iPosicion, 3, GL_FLOAT, GL_FALSE, sizeof(VerticeColor),
                           reinterpret_cast<const void *>(offsetof(VerticeColor, coordenadas)));
-    glVertexAttribPointer(static_cast<GLuint>(iColor), 3, GL_FLOAT, GL_FALSE, sizeof(VerticeColor),
+    glVertexAttribPointer(iColor, 3, GL_FLOAT, GL_FALSE, sizeof(VerticeColor),
                           reinterpret_cast<const void *>(offsetof(VerticeColor, color)));
-    glEnableVertexAttribArray(static_cast<GLuint>(iPosicion));
-    glEnableVertexAttribArray(static_cast<GLuint>(iColor));
+    glEnableVertexAttribArray(iPosicion);
+    glEnableVertexAttribArray(iColor);
 
     glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
 }

@@ -58,13 +58,12 @@ static void inicia() {
 static void dibujaPanel(const Recuadro &panel, int i, const char *nombre, float altoFigura) {
     abreRecuadro(panel, FONDO_CLARO);
     rotula(nombre, {0.5f, 0.99f}, OSCURO, Lado::DEBAJO);
-    const int alto = static_cast<int>(altoFigura * static_cast<float>(panel.alto)),
-              lado = std::max(std::min(panel.ancho, alto), 1), x = panel.x + (panel.ancho - lado) / 2,
-              y = panel.y + (alto - lado) / 2;
+    const int alto = int(altoFigura * float(panel.alto)), lado = std::max(std::min(panel.ancho, alto), 1),
+              x = panel.x + (panel.ancho - lado) / 2, y = panel.y + (alto - lado) / 2;
     const GLenum primitiva = PRIMITIVAS[i].primitiva;
     const bool esLinea = primitiva == GL_LINES || primitiva == GL_LINE_STRIP || primitiva == GL_LINE_LOOP;
     const int pincel = esLinea ? lado / 72 : 0; // medio lado del pincel, en píxeles
-    envia(estado.programa, "diametroPunto", std::max(static_cast<float>(lado) / 14, 3.0f));
+    envia(estado.programa, "diametroPunto", std::max(float(lado) / 14, 3.0f));
     for (int dy = -pincel; dy <= pincel; ++dy)
         for (int dx = -pincel; dx <= pincel; ++dx) {
             glViewport(x + dx, y + dy, lado, lado);
@@ -73,7 +72,7 @@ static void dibujaPanel(const Recuadro &panel, int i, const char *nombre, float 
     glViewport(x, y, lado, lado);
     for (int k = 0; k < N_VERTICES; ++k)
         rotulaPunto(std::to_string(k), glm::vec3(VERTICES[k].posicion, 0), glm::mat4(1), OSCURO, LADOS[k],
-                    0.09f * static_cast<float>(lado) / altoUtil());
+                    0.09f * float(lado) / altoUtil());
 }
 
 static void dibuja() {
@@ -86,7 +85,7 @@ static void dibuja() {
     } else {
         const std::vector<Recuadro> paneles = reparte(N_PRIMITIVAS + 1, 0.8f);
         for (int i = 0; i < N_PRIMITIVAS; ++i)
-            dibujaPanel(paneles[static_cast<std::size_t>(i)], i, PRIMITIVAS[i].enLineas, 2.0f / 3);
+            dibujaPanel(paneles[i], i, PRIMITIVAS[i].enLineas, 2.0f / 3);
         abreRecuadro(paneles.back(), FONDO_CLARO);
         rotula("El color\nes el del\núltimo\nvértice", {0.5f, 0.5f}, OSCURO);
     }

@@ -3,8 +3,8 @@
 // la figura 2.1 se parten en dos triángulos, porque OpenGL 3.1 no tiene esa primitiva; las aristas las pinta el fragment shader.
 // Controles: m triángulos · c cuadriláteros · + más fina · - más basta · ratón orbita · Esc termina.
 #include "bezier.h"
+#include "buferes.h"
 #include "colores.h"
-#include "malla.h"
 #include "orbita.h"
 #include "rotulo.h"
 #include "shader.h"

@@ -71,14 +71,13 @@ static void construye() {
     std::vector<VerticeTira> enOrden;
     for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
         const Tira &tira = estado.tiras[i];
-        const float ultimo = std::max(static_cast<float>(tira.size()) - 3, 1.0f);
+        const float ultimo = std::max(float(tira.size()) - 3, 1.0f);
         for (std::size_t k = 0; k < tira.size(); ++k) {
-            const float t = (static_cast<float>(k) - 2) / ultimo; // da su color al triángulo k − 2
+            const float t = (float(k) - 2) / ultimo; // da su color al triángulo k − 2
             enOrden.push_back({estado.vertices[tira[k]], deClaroAOscuro(colorTira(i), t)});
         }
     }
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(enOrden.size() * sizeof(VerticeTira)),
-                 enOrden.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, enOrden.size() * sizeof(VerticeTira), enOrden.data(), GL_STATIC_DRAW);
     informa();
 }
 
@@ -108,14 +107,14 @@ static void inicia(const std::string &fichero) {
 
 // Al resaltar una tira, de las demás quedan las líneas, que no la tapan.
 static bool seDibuja(std::size_t i) {
-    return estado.elegido == TODAS || estado.elegido == static_cast<int>(i);
+    return estado.elegido == TODAS || estado.elegido == int(i);
 }
 
 static void dibujaTiras() {
     glEnable(GL_POLYGON_OFFSET_FILL);
     GLint primero = 0;
     for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
-        const auto n = static_cast<GLsizei>(estado.tiras[i].size());
+        const auto n = GLsizei(estado.tiras[i].size());
         if (seDibuja(i))
             glDrawArrays(GL_TRIANGLE_STRIP, primero, n);
         primero += n;
@@ -149,7 +148,7 @@ static void dibuja() {
     rotulaVertices(estado.vertices, estado.triangulos, posicionCamara(estado.orbita), proyeccion * camara);
     if (estado.tiras.size() <= MAXIMO_ESCRITO && estado.triangulos.size() <= MAXIMO_NUMERADO)
         for (std::size_t i = 0, n = estado.tiras.size(); i < n; ++i)
-            rotula(indicesEscritos(estado.tiras[i]), {0.02f, 0.04f + 0.05f * static_cast<float>(n - 1 - i)},
+            rotula(indicesEscritos(estado.tiras[i]), {0.02f, 0.04f + 0.05f * float(n - 1 - i)},
                    0.8f * colorTira(i), Lado::DERECHA, 0.03f);
     glutSwapBuffers();
 }
@@ -157,7 +156,7 @@ static void dibuja() {
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
-    if (tecla >= '0' && tecla <= '9' && tecla - '0' <= static_cast<int>(estado.tiras.size())) {
+    if (tecla >= '0' && tecla <= '9' && tecla - '0' <= int(estado.tiras.size())) {
         estado.elegido = tecla == '0' ? TODAS : tecla - '1';
     } else if (tecla == 'u' && estado.esLaCaja) {
         estado.unaSola = !estado.unaSola;

@@ -14,8 +14,8 @@
 enum class Sentido { ANTIHORARIO, HORARIO, INDEFINIDO };
 
 struct Arista {
-    GLuint a, b; // a < b
-    int caras;   // 1: de borde; 2: interior; 3 o más: la superficie se cruza o se ramifica ahí
+    unsigned a, b; // a < b
+    int caras;     // 1: de borde; 2: interior; 3 o más: la superficie se cruza o se ramifica ahí
 };
 
 struct Topologia {
@@ -36,7 +36,7 @@ struct Vecina {
 /// Con quién comparte cada cara una arista de dos caras, y los extremos de las demás aristas suyas, que no se cruzan.
 struct Vecindad {
     std::vector<std::vector<Vecina>> vecinas;
-    std::vector<std::vector<GLuint>> borde;
+    std::vector<std::vector<unsigned>> borde;
 };
 
 /// Pone en `t` las aristas de la malla.
@@ -45,18 +45,18 @@ inline Vecindad buscaAristas(const MallaVf &malla, Topologia &t) {
         std::size_t cara;
         bool directo; // la cara recorre la arista de a hacia b
     };
-    std::map<std::pair<GLuint, GLuint>, std::vector<Uso>> usos;
+    std::map<std::pair<unsigned, unsigned>, std::vector<Uso>> usos;
     for (std::size_t c = 0; c < malla.caras.size(); ++c) {
-        const std::vector<GLuint> &cara = malla.caras[c];
+        const std::vector<unsigned> &cara = malla.caras[c];
         for (std::size_t i = 0; i < cara.size(); ++i) {
-            const GLuint p = cara[i], q = cara[(i + 1) % cara.size()];
+            const unsigned p = cara[i], q = cara[(i + 1) % cara.size()];
             usos[std::minmax(p, q)].push_back({c, p < q});
         }
     }
     Vecindad v = {std::vector<std::vector<Vecina>>(malla.caras.size()),
-                  std::vector<std::vector<GLuint>>(malla.caras.size())};
+                  std::vector<std::vector<unsigned>>(malla.caras.size())};
     for (const auto &[extremos, u] : usos) {
-        t.aristas.push_back({extremos.first, extremos.second, static_cast<int>(u.size())});
+        t.aristas.push_back({extremos.first, extremos.second, int(u.size())});
         t.deBorde += u.size() == 1;
         t.ramificadas += u.size() > 2;
         if (u.size() == 2) {
@@ -104,11 +104,11 @@ inline Componente recorreComponente(std::size_t primera, const Vecindad &v, std:
 
 /// El centroide de los vértices de las listas de esas caras, cada uno tantas veces como salga.
 inline glm::dvec3 centroide(const MallaVf &malla, const std::vector<std::size_t> &caras,
-                            const std::vector<std::vector<GLuint>> &listas) {
+                            const std::vector<std::vector<unsigned>> &listas) {
     glm::dvec3 suma(0);
     double n = 0;
     for (std::size_t c : caras)
-        for (GLuint i : listas[c]) {
+        for (unsigned i : listas[c]) {
             suma += glm::dvec3(malla.vertices[i]);
             ++n;
         }
@@ -124,7 +124,7 @@ inline Sentido sentidoDesdeFuera(const MallaVf &malla, const Componente &compone
     const glm::dvec3 centro = centroide(malla, componente.caras, abierta ? v.borde : malla.caras);
     double volumen = 0, escala = 0;
     for (std::size_t k = 0; k < componente.caras.size(); ++k) {
-        const std::vector<GLuint> &cara = malla.caras[componente.caras[k]];
+        const std::vector<unsigned> &cara = malla.caras[componente.caras[k]];
         const auto p = [&](std::size_t i) { return glm::dvec3(malla.vertices[cara[i]]) - centro; };
         for (std::size_t i = 2; i < cara.size(); ++i) {
             const glm::dvec3 a = p(0), b = p(i - 1), d = p(i);
@@ -172,9 +172,9 @@ inline MallaVf concuerda(MallaVf malla, const Topologia &t) {
 
 /// Los triángulos de las caras, en su orden y con su giro; una cara de más de tres vértices (convexa) es un
 /// abanico desde el primero.
-inline std::vector<std::array<GLuint, 3>> triangula(const MallaVf &malla) {
-    std::vector<std::array<GLuint, 3>> triangulos;
-    for (const std::vector<GLuint> &cara : malla.caras)
+inline std::vector<std::array<unsigned, 3>> triangula(const MallaVf &malla) {
+    std::vector<std::array<unsigned, 3>> triangulos;
+    for (const std::vector<unsigned> &cara : malla.caras)
         for (std::size_t i = 2; i < cara.size(); ++i)
             triangulos.push_back({cara[0], cara[i - 1], cara[i]});
     return triangulos;

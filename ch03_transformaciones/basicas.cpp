@@ -64,7 +64,7 @@ static std::string escribe(const glm::mat4 &M) {
 static std::string nombre() {
     char texto[32];
     const Basica &b = BASICAS[estado.elegido];
-    std::snprintf(texto, sizeof texto, "%s%.4g%s", b.antes, static_cast<double>(estado.valor), b.despues);
+    std::snprintf(texto, sizeof texto, "%s%.4g%s", b.antes, estado.valor, b.despues);
     return texto;
 }
 
@@ -81,7 +81,7 @@ static void dibuja() {
 
     std::vector<glm::vec3> camino; // de la esquina, mientras el valor va del neutro al suyo
     for (int i = 0; i <= 20; ++i) {
-        const float valor = glm::mix(b.neutro, estado.valor, static_cast<float>(i) / 20);
+        const float valor = glm::mix(b.neutro, estado.valor, float(i) / 20);
         camino.push_back(b.matriz(b.unidad * valor) * glm::vec4(MAXIMO_F, 1));
     }
     trazaPolilinea({camino.begin(), camino.end() - 3}, transformacion, MORADO);

@@ -28,7 +28,7 @@ inline std::vector<glm::vec3> circunferencia() {
     const int TRAMOS = 64;
     std::vector<glm::vec3> puntos;
     for (int i = 0; i <= TRAMOS; ++i) {
-        const float a = glm::two_pi<float>() * static_cast<float>(i) / TRAMOS;
+        const float a = glm::two_pi<float>() * float(i) / TRAMOS;
         puntos.push_back({std::cos(a), std::sin(a), 0});
     }
     return puntos;

@@ -53,8 +53,7 @@ static std::vector<glm::vec3> recorrido(const glm::vec3 &d, float desde, float h
     const int TRAMOS = 64;
     std::vector<glm::vec3> puntos;
     for (int i = 0; i <= TRAMOS; ++i)
-        puntos.push_back(giroEje(d, glm::mix(desde, hasta, static_cast<float>(i) / TRAMOS)) *
-                         glm::vec4(SITIO, 1));
+        puntos.push_back(giroEje(d, glm::mix(desde, hasta, float(i) / TRAMOS)) * glm::vec4(SITIO, 1));
     return puntos;
 }
 
@@ -68,8 +67,7 @@ static std::string describe(const glm::vec3 &d) {
     char texto[80];
     const auto centesimas = [](float x) { return std::round(100 * x) / 100 + 0.0; }; // + 0: sin −0
     std::snprintf(texto, sizeof texto, "φ = %.0f°, d = (%.2g, %.2g, %.2g)",
-                  static_cast<double>(glm::degrees(estado.angulo)), centesimas(d.x), centesimas(d.y),
-                  centesimas(d.z));
+                  glm::degrees(estado.angulo), centesimas(d.x), centesimas(d.y), centesimas(d.z));
     return texto;
 }
 

@@ -73,8 +73,8 @@ static void teclado(unsigned char tecla, int, int) {
         return;
     char titulo[80];
     std::snprintf(titulo, sizeof titulo, "Grúa de obra: giro %.0f°, distancia %.1f, altura %.1f",
-                  static_cast<double>(glm::degrees(estado.postura.giro)),
-                  static_cast<double>(estado.postura.distancia), static_cast<double>(estado.postura.altura));
+                  glm::degrees(estado.postura.giro), estado.postura.distancia,
+                  estado.postura.altura);
     ponTitulo(titulo);
     glutPostRedisplay();
 }

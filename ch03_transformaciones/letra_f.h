@@ -10,13 +10,13 @@ const int LADOS_F = 10;
 const glm::vec2 CONTORNO_F[LADOS_F] = {{0.15f, 0.15f}, {0.55f, 0.15f}, {0.55f, 0.70f}, {1.05f, 0.70f},
                                        {1.05f, 1.05f}, {0.55f, 1.05f}, {0.55f, 1.30f}, {1.30f, 1.30f},
                                        {1.30f, 1.65f}, {0.15f, 1.65f}};
-const GLuint TRIANGULOS_F[8][3] = {{0, 1, 2}, {2, 3, 4}, {2, 4, 5}, {0, 2, 5},
-                                   {0, 5, 6}, {0, 6, 9}, {6, 7, 8}, {6, 8, 9}};
+const unsigned TRIANGULOS_F[8][3] = {{0, 1, 2}, {2, 3, 4}, {2, 4, 5}, {0, 2, 5},
+                                     {0, 5, 6}, {0, 6, 9}, {6, 7, 8}, {6, 8, 9}};
 
 inline Malla letraF() {
     Malla letra;
     for (float z : {MINIMO_F.z, MAXIMO_F.z}) {
-        const GLuint base = static_cast<GLuint>(letra.vertices.size());
+        const unsigned base = unsigned(letra.vertices.size());
         const bool delante = z > 0;
         for (const glm::vec2 &p : CONTORNO_F)
             letra.vertices.push_back({{p, z}, {0, 0, delante ? 1 : -1}, p});
@@ -27,7 +27,7 @@ inline Malla letraF() {
     for (int i = 0; i < LADOS_F; ++i) {
         const glm::vec2 p = CONTORNO_F[i], q = CONTORNO_F[(i + 1) % LADOS_F];
         const glm::vec3 normal = glm::normalize(glm::vec3(q.y - p.y, p.x - q.x, 0));
-        const GLuint base = static_cast<GLuint>(letra.vertices.size());
+        const unsigned base = unsigned(letra.vertices.size());
         for (const glm::vec3 &v : {glm::vec3(p, MINIMO_F.z), glm::vec3(q, MINIMO_F.z),
                                    glm::vec3(q, MAXIMO_F.z), glm::vec3(p, MAXIMO_F.z)})
             letra.vertices.push_back({v, normal, glm::vec2(v)});

@@ -39,14 +39,14 @@ static glm::vec3 normalLado(int i) {
 static Malla creaPrisma() {
     Malla malla;
     for (int i = 0; i < LADOS; ++i) {
-        const GLuint base = static_cast<GLuint>(malla.vertices.size());
+        const unsigned base = unsigned(malla.vertices.size());
         const glm::vec2 &a = POLIGONO[i], &b = POLIGONO[(i + 1) % LADOS];
         for (const glm::vec3 p : {glm::vec3(b, FONDO / 2), {a, FONDO / 2}, {a, -FONDO / 2}, {b, -FONDO / 2}})
             malla.vertices.push_back({p, normalLado(i), {0, 0}});
         malla.indices.insert(malla.indices.end(), {base, base + 1, base + 2, base, base + 2, base + 3});
     }
     for (float z : {FONDO / 2, -FONDO / 2}) {
-        const GLuint base = static_cast<GLuint>(malla.vertices.size());
+        const unsigned base = unsigned(malla.vertices.size());
         for (const glm::vec2 &p : POLIGONO)
             malla.vertices.push_back({{p, z}, {0, 0, z > 0 ? 1 : -1}, {0, 0}});
         for (GLuint i = base + 1; i + 1 < base + LADOS; ++i)

@@ -3,8 +3,8 @@
 // Como es su listado, aquí las llamadas a OpenGL están a la vista: es lo que hacen envia y dibuja (common/).
 // Controles: ratón orbita · rueda acerca · Esc termina.
 #include "objetos.h"
+#include "buferes.h"
 #include "colores.h"
-#include "malla.h"
 #include "orbita.h"
 #include "shader.h"
 #include "ventana.h"
@@ -34,7 +34,7 @@ static void enviaMatriz(const char *nombre, const glm::mat4 &valor) {
 }
 
 static void dibujaPieza(const PiezaObjeto &pieza) {
-    const Buferes &primitiva = estado.primitivas[static_cast<int>(pieza.primitiva)];
+    const Buferes &primitiva = estado.primitivas[int(pieza.primitiva)];
     const glm::mat3 N = matrizNormal(pieza.M);
     enviaMatriz("M", pieza.M);
     glUniformMatrix3fv(uniforme(estado.programa, "N"), 1, GL_FALSE, glm::value_ptr(N));

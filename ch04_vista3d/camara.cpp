@@ -106,10 +106,10 @@ static void dibuja() {
     const glm::mat4 proyeccion = perspectivaVentana(0.54f, 1, 100, aspecto(paneles[0])),
                     camara = camaraOrbita(estado.orbita);
     dibujaEscena(proyeccion, camara);
-    dibujaCamara(proyeccion * camara, v.p, UP, theta, static_cast<double>(aspectoPanel));
+    dibujaCamara(proyeccion * camara, v.p, UP, theta, aspectoPanel);
 
     abreRecuadro(paneles[1], CIELO);
-    dibujaEscena(glm::mat4(proyeccionPerspectiva(theta, static_cast<double>(aspectoPanel), CERCA, LEJOS)),
+    dibujaEscena(glm::mat4(proyeccionPerspectiva(theta, aspectoPanel, CERCA, LEJOS)),
                  glm::mat4(transformacionCamara(v.p, INTERES, UP)));
     rotula("lo que ve", {0.5f, 0.96f}, OSCURO);
     ponTitulo("La cámara: vista " + std::to_string(estado.elegido + 1));

@@ -162,7 +162,7 @@ inline std::string describe(const Etapas &e, double guardada, const std::vector<
     else
         texto += "fuera: se recorta\n";
     if (!poligono.empty())
-        texto += linea("lados", {static_cast<double>(poligono.size())}) +
+        texto += linea("lados", {double(poligono.size())}) +
                  linea("área en píxeles", {areaVentana(poligono, viewport)});
     return texto;
 }

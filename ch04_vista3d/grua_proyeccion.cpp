@@ -53,7 +53,7 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 static void eligeMenu(int tecla) {
-    teclado(static_cast<unsigned char>(tecla), 0, 0);
+    teclado(GLubyte(tecla), 0, 0);
 }
 
 int main(int argc, char **argv) {

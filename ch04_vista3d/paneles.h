@@ -41,7 +41,7 @@ inline std::array<Panel, PANELES> colocaPaneles(const std::vector<Recuadro> &don
 
 /// Las matrices de todas las etapas, para una ventana en ese recuadro.
 inline Matrices matricesEn(const Recuadro &ventana, const glm::dmat4 &M) {
-    const double aspecto = static_cast<double>(std::max(ventana.ancho, 1)) / std::max(ventana.alto, 1);
+    const double aspecto = double(std::max(ventana.ancho, 1)) / std::max(ventana.alto, 1);
     return {M, transformacionCamara(OJO, INTERES, {0, 1, 0}),
             proyeccionPerspectiva(anguloVertical(ANGULO, aspecto), aspecto, CERCA, LEJOS),
             transformacionViewport(ventana.x, ventana.y, ventana.ancho, ventana.alto)};
@@ -54,7 +54,7 @@ inline void colocaMatrices(std::array<Panel, PANELES> &paneles, const Matrices &
     paneles[CAMARA].delMundo = m.camara;
     paneles[NDC].delMundo = paneles[VENTANA].delMundo = m.proyeccion * m.camara;
     const auto mira = [&](Panel &p, const glm::vec3 &centro, float distancia) {
-        const double aspecto = static_cast<double>(std::max(p.escena.ancho, 1)) / std::max(p.escena.alto, 1);
+        const double aspecto = double(std::max(p.escena.ancho, 1)) / std::max(p.escena.alto, 1);
         p.proyeccion = proyeccionPerspectiva(anguloVertical(0.5, aspecto), aspecto, 0.5, 100);
         p.camara = camaraOrbita({orbita.azimut, orbita.elevacion, orbita.distancia * distancia, centro});
     };

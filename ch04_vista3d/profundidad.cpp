@@ -4,10 +4,10 @@
 // GLUT_DEPTH no dice de cuántos bits es el buffer (24 o 32 según la ventana): se dibuja en uno propio de 24.
 // Controles: 1 2 3 lejos/cerca 1e2 1e4 1e6 · ratón orbita · Esc termina.
 #include "profundidad.h"
+#include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "imagen.h"
-#include "malla.h"
 #include "orbita.h"
 #include "rotulo.h"
 #include "shader.h"
@@ -29,7 +29,7 @@ static struct {
 } estado;
 
 static void inicia() {
-    estado.programa = creaPrograma("ch04_vista3d/profundidad.vert", "common/trazo.frag");
+    estado.programa = creaPrograma("ch04_vista3d/profundidad.vert", "common/liso.frag");
     estado.plano = creaBuferes(plano(16));
     glGenFramebuffers(1, &estado.framebuffer);
     glGenRenderbuffers(1, &estado.color);
@@ -51,18 +51,18 @@ static void cambiaTamano(int ancho, int alto) {
 
 static void dibujaPlano(const glm::mat4 &M, const glm::vec3 &color) {
     envia(estado.programa, "M", M);
-    envia(estado.programa, "colorTrazo", color);
+    envia(estado.programa, "color", color);
     dibuja(estado.plano);
 }
 
 static float distanciaCartel(int i) {
-    return PRIMERO * std::pow(ULTIMO / PRIMERO, static_cast<float>(i) / (COLUMNAS * FILAS - 1));
+    return PRIMERO * std::pow(ULTIMO / PRIMERO, float(i) / (COLUMNAS * FILAS - 1));
 }
 
 // A distancia 1: de izquierda a derecha y de arriba abajo.
 static glm::vec3 centroCartel(int i) {
-    return {PASO_X * (static_cast<float>(i % COLUMNAS) - 0.5f * (COLUMNAS - 1)),
-            PASO_Y * (0.5f * (FILAS - 1) - static_cast<float>(i / COLUMNAS)) + 0.035f, -1};
+    return {PASO_X * (float(i % COLUMNAS) - 0.5f * (COLUMNAS - 1)),
+            PASO_Y * (0.5f * (FILAS - 1) - float(i / COLUMNAS)) + 0.035f, -1};
 }
 
 static glm::mat4 proyeccion() {
@@ -112,10 +112,10 @@ static int cuentaAmarillos() {
 // Dos maneras de contar pares: los píxeles de los cuadros, y el cálculo de profundidad.h para superficies
 // separadas una cienmilésima de su distancia. `amarillos`: los píxeles en que el cuadro debería verse.
 static void informa(int amarillos) {
-    const double cerca = static_cast<double>(CERCA[estado.elegido]), lejos = static_cast<double>(LEJOS);
+    const double cerca = CERCA[estado.elegido], lejos = LEJOS;
     GLint bits = 0;
     glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_DEPTH_SIZE, &bits);
-    const double mal = amarillos > 0 ? 1 - static_cast<double>(cuentaAmarillos()) / amarillos : 0;
+    const double mal = amarillos > 0 ? 1 - double(cuentaAmarillos()) / amarillos : 0;
     const ParesMal exacto = cuentaPares<double>(cerca, lejos, 1e-5, bits),
                    comoGpu = cuentaPares<float>(cerca, lejos, 1e-5, bits);
     std::printf("cerca %g m, lejos %g m, %d bits\n", cerca, lejos, bits);

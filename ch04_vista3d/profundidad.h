@@ -15,7 +15,7 @@ T profundidad(T d, T cerca, T lejos) {
 /// Entero que guarda un buffer de `bits` bits (de 1 a 32).
 template<class T>
 double enBuffer(T profundidad, int bits) {
-    return std::round(static_cast<double>(profundidad) * (std::ldexp(1.0, bits) - 1));
+    return std::round(double(profundidad) * (std::ldexp(1.0, bits) - 1));
 }
 
 /// Proporción (de 0 a 1) de pares mal ordenados: los dos con el mismo valor, o el de detrás con uno menor.
@@ -32,12 +32,11 @@ ParesMal cuentaPares(double cerca, double lejos, double separacion, int bits) {
     for (int i = 0; i < n; ++i) {
         const double d = cerca * std::pow(lejos / cerca, (i + 0.5) / n);
         const auto valor = [&](double distancia) {
-            return enBuffer(
-                profundidad(static_cast<T>(distancia), static_cast<T>(cerca), static_cast<T>(lejos)), bits);
+            return enBuffer(profundidad(T(distancia), T(cerca), T(lejos)), bits);
         };
         const double delante = valor(d), detras = valor(d * (1 + separacion));
         iguales += detras == delante;
         invertidos += detras < delante;
     }
-    return {static_cast<double>(iguales) / n, static_cast<double>(invertidos) / n};
+    return {double(iguales) / n, double(invertidos) / n};
 }

@@ -50,9 +50,9 @@ static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::dvec3 ojo(posicionCamara(estado.orbita)),
         F = baseCamara(ojo, estado.orbita.centro, {0, 1, 0}).F;
-    const double aspecto = static_cast<double>(relacionAspecto()), theta = anguloVertical(ANGULO, aspecto);
+    const double aspecto = relacionAspecto(), theta = anguloVertical(ANGULO, aspecto);
     // la paralela abarca lo mismo que la perspectiva a la distancia del centro
-    const double y = static_cast<double>(estado.orbita.distancia) * std::tan(theta / 2), x = aspecto * y;
+    const double y = estado.orbita.distancia * std::tan(theta / 2), x = aspecto * y;
     const glm::mat4 proyeccion(estado.enPerspectiva ? proyeccionPerspectiva(theta, aspecto, CERCA, LEJOS)
                                                     : proyeccionParalela(-x, x, -y, y, -LEJOS, LEJOS)),
         camara(transformacionCamara(ojo, estado.orbita.centro, {0, 1, 0})), aRecortado = proyeccion * camara;

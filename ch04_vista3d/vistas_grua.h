@@ -119,7 +119,7 @@ inline glm::dmat4 paralelaQueEncierra(const std::vector<glm::dvec3> &puntos, con
 /// ajustan a los puntos: un volumen más hondo gasta la profundidad en lo vacío, y de lejos se confunden las caras.
 inline glm::dmat4 perspectivaQueEncierra(const std::vector<glm::dvec3> &puntos, const glm::dmat4 &camara,
                                          const Recuadro &r) {
-    const double aspecto = static_cast<double>(r.ancho) / r.alto;
+    const double aspecto = double(r.ancho) / r.alto;
     double tangente = 0, cerca = INFINITY, lejos = 0;
     for (const glm::dvec3 &p : puntos) {
         const glm::dvec3 q(camara * glm::dvec4(p, 1));
@@ -134,8 +134,7 @@ inline glm::dmat4 perspectivaQueEncierra(const std::vector<glm::dvec3> &puntos, 
 struct VistasGrua {
     int elegido = LAS_CUATRO;
     bool europeo = false;
-    Orbita orbita = {glm::quarter_pi<float>(), 0.615480f, static_cast<float>(DISTANCIA_CAMARA), CENTRO_GRUA,
-                     0};
+    Orbita orbita = {glm::quarter_pi<float>(), 0.615480f, float(DISTANCIA_CAMARA), CENTRO_GRUA, 0};
 };
 
 /// Un panel con una vista. En `escena` va la grúa; lo que queda encima es para el rótulo.
@@ -189,7 +188,7 @@ inline void rotulaVista(const PanelVista &p, const std::string &detalle = "") {
     for (int eje = 0; eje < 3; ++eje)
         trazaFlecha({0, 0, 0}, glm::mat3(1)[eje], ejes, COLOR_EJE[eje]);
     for (int eje = 0; eje < 3; ++eje)
-        rotulaPunto(std::string(1, static_cast<char>('X' + eje)), glm::mat3(1.35f)[eje], ejes, COLOR_EJE[eje],
+        rotulaPunto(std::string(1, char('X' + eje)), glm::mat3(1.35f)[eje], ejes, COLOR_EJE[eje],
                     Lado::CENTRO, 0.03f);
 }
 

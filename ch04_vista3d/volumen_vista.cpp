@@ -29,7 +29,7 @@ static struct {
 static void inicia() {
     estado.deObjetos = creaProgramaObjeto();
     estado.deEscena = creaPrograma("ch04_vista3d/volumen_vista.vert", "ch04_vista3d/volumen_vista.frag");
-    estado.deTintes = creaPrograma("ch03_transformaciones/objeto.vert", "common/trazo.frag");
+    estado.deTintes = creaPrograma("ch03_transformaciones/objeto.vert", "common/liso.frag");
     estado.cubo = creaBuferes(cubo());
     estado.cilindro = creaBuferes(cilindro(24));
     estado.cono = creaBuferes(cono(48));
@@ -102,13 +102,13 @@ static void dibujaTintes(const std::array<glm::vec3, 8> &e) {
     glDepthMask(GL_FALSE);
     // primero el más lejano a quien mira
     const bool porDelante =
-        static_cast<double>(posicionCamara(estado.orbita).z) < OJO.z - (estado.cerca + estado.lejos) / 2;
+        posicionCamara(estado.orbita).z < OJO.z - (estado.cerca + estado.lejos) / 2;
     for (const std::size_t base : {porDelante ? 0u : 4u, porDelante ? 4u : 0u}) {
         const glm::vec3 x = e[base + 1] - e[base], y = e[base + 3] - e[base];
         envia(estado.deTintes, "M",
               glm::mat4(glm::vec4(x, 0), glm::vec4(y, 0), glm::vec4(0, 0, 1, 0),
                         glm::vec4(e[base] + 0.5f * (x + y), 1)));
-        envia(estado.deTintes, "colorTrazo", base ? AZUL : NARANJA);
+        envia(estado.deTintes, "color", base ? AZUL : NARANJA);
         dibuja(estado.plano);
     }
     glDepthMask(GL_TRUE);

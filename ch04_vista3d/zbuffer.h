@@ -30,13 +30,9 @@ struct VerticeZ {
 };
 using TrianguloZ = std::array<VerticeZ, 3>;
 
-inline unsigned char enOchoBits(float componente) {
-    return static_cast<unsigned char>(std::lround(255 * std::clamp(componente, 0.0f, 1.0f)));
-}
-
 /// Buffers del tamaño pedido, con el color de fondo y la profundidad MÁXIMA: el paso que no hay que olvidar.
 inline BufferZ creaBufferZ(int ancho, int alto, const glm::vec3 &fondo, bool test = true) {
-    const std::size_t pixeles = static_cast<std::size_t>(ancho) * static_cast<std::size_t>(alto);
+    const std::size_t pixeles = std::size_t(ancho) * alto;
     BufferZ b{{ancho, alto, {}}, std::vector<float>(pixeles, 1.0f), test};
     for (std::size_t i = 0; i < pixeles; ++i)
         for (int k = 0; k < 3; ++k)
@@ -46,13 +42,12 @@ inline BufferZ creaBufferZ(int ancho, int alto, const glm::vec3 &fondo, bool tes
 
 /// Listado 4.1: el fragmento solo se queda si está más cerca que lo pintado antes en su píxel.
 inline void pintaFragmento(BufferZ &b, int x, int y, float z, const glm::vec3 &color) {
-    const std::size_t i =
-        static_cast<std::size_t>(y) * static_cast<std::size_t>(b.color.ancho) + static_cast<std::size_t>(x);
+    const std::size_t i = std::size_t(y) * b.color.ancho + x;
     if (b.test && !(z < b.profundidad[i]))
         return;
     b.profundidad[i] = z;
     for (int k = 0; k < 3; ++k)
-        b.color.rgb[3 * i + static_cast<std::size_t>(k)] = enOchoBits(color[k]);
+        b.color.rgb[3 * i + k] = enOchoBits(color[k]);
 }
 
 /// Punto de la ventana en 1/256 de píxel, la rejilla de OpenGL: con enteros, decidir si un píxel está dentro
@@ -76,9 +71,8 @@ inline bool esLadoIzquierdoOSuperior(const PuntoRejilla &a, const PuntoRejilla &
 inline void rasteriza(BufferZ &buffer, TrianguloZ t) {
     const int ancho = buffer.color.ancho, alto = buffer.color.alto;
     const auto enVentana = [&](const VerticeZ &v) { // división perspectiva y transformación al área de dibujo
-        return PuntoRejilla{
-            std::llround(128.0f * static_cast<float>(ancho) * (v.posicion.x / v.posicion.w + 1)),
-            std::llround(128.0f * static_cast<float>(alto) * (v.posicion.y / v.posicion.w + 1))};
+        return PuntoRejilla{std::llround(128.0f * float(ancho) * (v.posicion.x / v.posicion.w + 1)),
+                            std::llround(128.0f * float(alto) * (v.posicion.y / v.posicion.w + 1))};
     };
     std::array<PuntoRejilla, 3> p = {enVentana(t[0]), enVentana(t[1]), enVentana(t[2])};
     if (dobleArea(p[0], p[1], p[2]) < 0) {
@@ -92,7 +86,7 @@ inline void rasteriza(BufferZ &buffer, TrianguloZ t) {
     const auto [izquierda, derecha] = std::minmax({p[0].x, p[1].x, p[2].x});
     const auto [abajo, arriba] = std::minmax({p[0].y, p[1].y, p[2].y});
     const auto pixelEn = [](std::int64_t v, int lado) {
-        return static_cast<int>(std::clamp<std::int64_t>(v / 256, 0, lado - 1));
+        return int(std::clamp<std::int64_t>(v / 256, 0, lado - 1));
     };
     for (int y = pixelEn(abajo, alto); y <= pixelEn(arriba, alto); ++y)
         for (int x = pixelEn(izquierda, ancho); x <= pixelEn(derecha, ancho); ++x) {
@@ -105,7 +99,7 @@ inline void rasteriza(BufferZ &buffer, TrianguloZ t) {
                 const std::int64_t e = dobleArea(a, b, centro);
                 dentro = dentro && (e > 0 || (e == 0 && esLadoIzquierdoOSuperior(a, b)));
                 // z/w es lineal en la ventana; el color no, hasta que se divide por w
-                const float peso = static_cast<float>(e) / static_cast<float>(area), w = t[i].posicion.w;
+                const float peso = float(e) / float(area), w = t[i].posicion.w;
                 z += peso * 0.5f * (t[i].posicion.z / w + 1);
                 color += peso / w * t[i].color;
                 suma += peso / w;

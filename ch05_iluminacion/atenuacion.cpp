@@ -55,11 +55,11 @@ static void dibujaCurvas(const glm::mat4 &vista) {
         const bool elegido = modo == estado.elegido;
         std::vector<glm::vec3> curva;
         for (int i = 0; i <= 60; ++i)
-            curva.push_back(enCurva(modo, D_MAXIMA * static_cast<float>(i) / 60));
+            curva.push_back(enCurva(modo, D_MAXIMA * float(i) / 60));
         trazaPolilinea(curva, vista, elegido ? AMARILLO : GRIS, elegido ? GROSOR : GROSOR / 2);
     }
     for (int d = 1; d <= ESFERAS; ++d) {
-        const glm::vec3 valor = enCurva(estado.elegido, static_cast<float>(d));
+        const glm::vec3 valor = enCurva(estado.elegido, float(d));
         trazaSegmentos({{valor.x, PIE, 0}, valor}, vista, AMARILLO, GROSOR / 2);
         trazaPuntos({valor}, vista, AMARILLO);
         rotulaPunto(std::to_string(d), {valor.x, -RADIO, 1}, vista, BLANCO, Lado::DEBAJO);

@@ -72,7 +72,7 @@ static std::string trazaAngulo(const std::string &nombre, const glm::vec3 &a, co
                                const glm::vec3 &color, const glm::mat4 &vista) {
     std::vector<glm::vec3> arco;
     for (int i = 0; i <= 16; ++i)
-        arco.push_back(estado.P + radio * unitario(glm::mix(a, b, static_cast<float>(i) / 16)));
+        arco.push_back(estado.P + radio * unitario(glm::mix(a, b, float(i) / 16)));
     trazaPolilinea(arco, vista, color);
     rotulaPunto(nombre, glm::mix(estado.P, arco[8], 1.25f), vista, color, Lado::CENTRO);
     const float angulo = std::acos(glm::clamp(glm::dot(a, b), -1.0f, 1.0f));
@@ -90,8 +90,7 @@ static void dibujaVectores(const Recuadro &panel, const glm::mat4 &vistaEscena) 
     abreRecuadro(panel, FONDO_OSCURO);
     const glm::vec3 deLado = unitario(glm::cross(N, L)), centro = P - 0.25f * N;
     // caben la esfera entera y los vectores: 3.6 de alto por 2.2 de ancho
-    const float semialto =
-        std::max(1.8f / static_cast<float>(ampliacionVertical(aspecto(panel))), 1.1f * 3 / 4);
+    const float semialto = std::max(1.8f / float(ampliacionVertical(aspecto(panel))), 1.1f * 3 / 4);
     const glm::mat4 camara = glm::lookAt(centro + 5.0f * deLado, centro, N),
                     proyeccion = paralelaVentana(semialto, 1, 10, aspecto(panel)),
                     vista = proyeccion * camara;
@@ -136,9 +135,8 @@ static void teclado(unsigned char tecla, int, int) {
 /// El punto de la esfera que se ve en (x, y), si hay alguno: el rayo cámara + t·d entra en ella con la menor t.
 static void eligePunto(int x, int y) {
     const Recuadro panel = panelEscena();
-    const glm::vec2 enPanel((static_cast<float>(x - panel.x) + 0.5f) / static_cast<float>(panel.ancho),
-                            (static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT) - y - panel.y) - 0.5f) /
-                                static_cast<float>(panel.alto));
+    const glm::vec2 enPanel((float(x - panel.x) + 0.5f) / float(panel.ancho),
+                            (float(glutGet(GLUT_WINDOW_HEIGHT) - y - panel.y) - 0.5f) / float(panel.alto));
     const glm::vec4 q = glm::inverse(proyeccionEscena() * camaraOrbita(estado.orbita)) *
                         glm::vec4(2.0f * enPanel - 1.0f, 1, 1);
     const glm::vec3 ojo = posicionCamara(estado.orbita), d = glm::normalize(glm::vec3(q) / q.w - ojo);

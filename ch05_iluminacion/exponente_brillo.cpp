@@ -45,8 +45,8 @@ static void dibuja() {
         material.alfa = e.alfa;
         dibujaObjeto(estado.programa, estado.esfera, traslacion(e.centro) * escalado(e.radio), camara,
                      material);
-        rotulaPunto("α = " + std::to_string(static_cast<int>(e.alfa)),
-                    e.centro - glm::vec3(0, 0.7f * e.radio, 0), proyeccion * camara, BLANCO, Lado::CENTRO);
+        rotulaPunto("α = " + std::to_string(int(e.alfa)), e.centro - glm::vec3(0, 0.7f * e.radio, 0),
+                    proyeccion * camara, BLANCO, Lado::CENTRO);
     }
     glutSwapBuffers();
 }

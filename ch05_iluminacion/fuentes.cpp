@@ -38,7 +38,7 @@ static struct {
 } estado;
 
 static float delta() {
-    return glm::radians(static_cast<float>(estado.delta));
+    return glm::radians(float(estado.delta));
 }
 
 static void inicia() {
@@ -57,7 +57,7 @@ static void dibujaCono(const glm::mat4 &vista) {
     const glm::mat3 base = glm::transpose(cambioDeBase(S)); // su primera columna es S
     std::vector<glm::vec3> borde, generatrices;
     for (int i = 0; i < 32; ++i) {
-        const float a = glm::two_pi<float>() * static_cast<float>(i) / 32;
+        const float a = glm::two_pi<float>() * float(i) / 32;
         borde.push_back(POSICION +
                         GENERATRIZ * (base * glm::vec3(std::cos(delta()), std::sin(delta()) * std::cos(a),
                                                        std::sin(delta()) * std::sin(a))));

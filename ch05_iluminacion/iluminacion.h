@@ -1,8 +1,8 @@
 // Materiales y fuentes de luz para los shaders que incluyen phong.glsl: los mismos campos, cómo se envían y cómo se
 // dibuja un sólido iluminado.
 #pragma once
+#include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
-#include "malla.h"
 #include "materiales.h"
 #include "shader.h"
 #include <string>

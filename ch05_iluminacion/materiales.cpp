@@ -47,8 +47,8 @@ static void dibuja() {
         muestra(estado.elegido, estado.esferaSola, glm::vec3(0), RADIO_SOLA);
     else
         for (int i = 0; i < COLUMNAS * FILAS; ++i) {
-            const glm::vec2 casilla(static_cast<float>(i % COLUMNAS) - 0.5f * (COLUMNAS - 1),
-                                    0.5f * (FILAS - 1) - static_cast<float>(i / COLUMNAS));
+            const glm::vec2 casilla(float(i % COLUMNAS) - 0.5f * (COLUMNAS - 1),
+                                    0.5f * (FILAS - 1) - float(i / COLUMNAS));
             muestra(i, estado.esfera, glm::vec3(SEPARACION * casilla, 0), 1);
         }
     glutSwapBuffers();

@@ -38,7 +38,7 @@ static Malla facetas(const Malla &malla) {
                       &r = malla.vertices[malla.indices[i + 2]];
         const glm::vec3 normal = glm::normalize(glm::cross(q.posicion - p.posicion, r.posicion - p.posicion));
         for (const Vertice &v : {q, r, p}) {
-            plana.indices.push_back(static_cast<GLuint>(plana.vertices.size()));
+            plana.indices.push_back(unsigned(plana.vertices.size()));
             plana.vertices.push_back({v.posicion, normal, v.coordTextura});
         }
     }
@@ -97,7 +97,7 @@ static void dibuja() {
         const std::vector<Recuadro> paneles =
             relacionAspecto() > 0.7f ? rejilla(MODELOS, 1) : rejilla(1, MODELOS);
         for (int modelo = 0; modelo < MODELOS; ++modelo)
-            dibujaPanel(paneles[static_cast<std::size_t>(modelo)], modelo);
+            dibujaPanel(paneles[modelo], modelo);
     } else
         dibujaPanel(ventanaEntera(), estado.elegido);
     ponTitulo("Modelos de sombreado: " + std::string(estado.compara ? "los tres" : NOMBRES[estado.elegido]) +

@@ -41,7 +41,7 @@ static void inicia() {
 
 /// Los tres focos salen de un círculo: hacia dónde, desde su centro.
 static glm::vec3 haciaFoco(int i) {
-    const float angulo = glm::radians(-150 + 120 * static_cast<float>(i));
+    const float angulo = glm::radians(-150 + 120 * float(i));
     return {std::cos(angulo), 0, -std::sin(angulo)};
 }
 

@@ -4,9 +4,9 @@
 // misma; en las tapas es un círculo.
 // Controles: 1 cubo · 2 cilindro · 3 esfera · ratón orbita · Esc termina.
 #include "aspecto.h"
+#include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
-#include "malla.h"
 #include "orbita.h"
 #include "recuadro.h"
 #include "rotulo.h"
@@ -81,7 +81,7 @@ static void dibujaMarcas(Superficie superficie, const glm::mat4 &transformacion)
     const auto flecha = [&](const glm::vec2 &fin, const glm::vec3 &color) {
         std::vector<glm::vec3> camino;
         for (int i = 0; i <= 9; ++i)
-            camino.push_back(encima(glm::mix(P, fin, 0.1f * static_cast<float>(i))));
+            camino.push_back(encima(glm::mix(P, fin, 0.1f * float(i))));
         trazaPolilinea(camino, transformacion, color, 10);
         trazaFlecha(camino.back(), encima(fin), transformacion, color, 10);
     };
@@ -123,7 +123,7 @@ static void dibuja() {
     rotula("s = 0.1\nt = 0.5", {0.5f, 0.22f}, OSCURO, Lado::CENTRO, 0.03f);
     abreRecuadro(derecha, FONDO_CLARO);
     // compuesta para un panel cuadrado
-    const float angulo = static_cast<float>(anguloVertical(0.5, ASPECTO_COMPUESTO * aspecto(derecha)));
+    const float angulo = float(anguloVertical(0.5, ASPECTO_COMPUESTO * aspecto(derecha)));
     dibujaObjeto(objeto, camaraOrbita(estado.orbita),
                  glm::perspective(angulo, aspecto(derecha), 1.0f, 100.0f));
     ponTitulo(std::string("Coordenadas de textura: ") + objeto.nombre);

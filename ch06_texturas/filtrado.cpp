@@ -3,9 +3,9 @@
 // GL_NEAREST y GL_LINEAR: cerca se distinguen, y lejos las dos parpadean; lo curan los mipmaps y, sin emborronar, el
 // filtro anisótropo (una extensión). La textura de omisión mide 32 × 32.
 // Controles: 1 vecino · 2 lineal · 3 mipmap · 4 anisótropo · v los cuatro a la vez · ratón orbita · Esc termina.
+#include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
-#include "malla.h"
 #include "orbita.h"
 #include "recuadro.h"
 #include "rotulo.h"

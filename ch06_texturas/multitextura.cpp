@@ -2,9 +2,9 @@
 // hay y la luz de dos apliques, calculada de antemano. Cada textura está en su unidad, a la izquierda, y cada
 // sampler2D recibe el número de una. Ladrillos y musgo se repiten; la máscara y la luz abarcan la pared entera.
 // Controles: 1 ladrillos y musgo · 2 ladrillos y luz · 3 las cuatro texturas · ratón orbita · Esc termina.
+#include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
-#include "malla.h"
 #include "orbita.h"
 #include "recuadro.h"
 #include "rotulo.h"
@@ -64,7 +64,7 @@ static void dibujaUnidades(const Recuadro &donde, bool conMusgo, bool conLuz) {
     const std::vector<Recuadro> paneles = rejilla(1, 4, donde);
     glUseProgram(estado.programaUnidad);
     for (int unidad = 0; unidad < 4; ++unidad) {
-        const Recuadro &panel = paneles[static_cast<std::size_t>(unidad)];
+        const Recuadro &panel = paneles[unidad];
         abreRecuadro(panel, FONDO_OSCURO);
         envia(estado.programaUnidad, "Img", unidad);
         dibujaPared(estado.programaUnidad, glm::mat4(1),

@@ -3,8 +3,8 @@
 // empiezan por arriba y OpenGL por abajo), en GL_UNPACK_ALIGNMENT, sin el que se tuercen los anchos no múltiplos
 // de 4, y en los mipmaps (filtrado).
 // Controles: ratón orbita · Esc termina.
+#include "buferes.h"
 #include "colores.h"
-#include "malla.h"
 #include "orbita.h"
 #include "shader.h"
 #include "textura.h"

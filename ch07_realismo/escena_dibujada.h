@@ -1,8 +1,8 @@
 // Dibujar escena_espejo.h, tal cual o reflejada, y el espejo solo. Los programas espejo y espejo_plantilla.
 #pragma once
+#include "buferes.h"
 #include "ch05_iluminacion/iluminacion.h"
 #include "escena_espejo.h"
-#include "malla.h"
 #include <array>
 
 struct EscenaDibujada {
@@ -18,7 +18,7 @@ inline Malla baldosas(bool oscuras) {
         for (int z = -3; z < 3; ++z) {
             if (((x + z) % 2 != 0) != oscuras)
                 continue;
-            const GLuint k = static_cast<GLuint>(malla.vertices.size());
+            const unsigned k = unsigned(malla.vertices.size());
             for (const glm::ivec2 e : {glm::ivec2(0, 1), {1, 1}, {1, 0}, {0, 0}})
                 malla.vertices.push_back({glm::vec3(x + e.x, 0, z + e.y), {0, 1, 0}, glm::vec2(e)});
             malla.indices.insert(malla.indices.end(), {k, k + 1, k + 2, k, k + 2, k + 3});

@@ -2,9 +2,9 @@
 // ordenan de atrás adelante, o se suma al color acumulado: entonces el orden da igual, pero todo brilla más. A la izquierda se
 // manda dibujar antes el rojo y a la derecha el azul.
 // Controles: 1 según llegan · 2 ordenados de atrás adelante · 3 aditivo · ratón orbita · Esc termina.
+#include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
-#include "malla.h"
 #include "orbita.h"
 #include "recuadro.h"
 #include "rotulo.h"

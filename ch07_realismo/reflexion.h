@@ -17,7 +17,7 @@ inline Plano planoPor(const glm::vec3 &P, const glm::vec3 &V) {
     if (!(longitud > 0) || !std::isfinite(longitud))
         falla("un plano necesita una perpendicular que no sea nula");
     const glm::dvec3 N = glm::dvec3(V) / longitud;
-    return {glm::vec3(N), static_cast<float>(-glm::dot(N, glm::dvec3(P)))};
+    return {glm::vec3(N), float(-glm::dot(N, glm::dvec3(P)))};
 }
 
 /// Distancia con signo de un punto al plano: positiva en el lado al que mira N.

@@ -141,8 +141,8 @@ static void raton(int boton, int sentido, int x, int y) {
 static void arrastra(int x, int y) {
     if (estado.moviendo) {
         const float porPixel = UNIDADES_POR_ALTO / altoUtil();
-        estado.luz.x = std::clamp(estado.luz.x + porPixel * static_cast<float>(x - estado.x), -3.0f, 3.0f);
-        estado.luz.y = std::clamp(estado.luz.y - porPixel * static_cast<float>(y - estado.y), -0.5f, 4.0f);
+        estado.luz.x = std::clamp(estado.luz.x + porPixel * float(x - estado.x), -3.0f, 3.0f);
+        estado.luz.y = std::clamp(estado.luz.y - porPixel * float(y - estado.y), -0.5f, 4.0f);
         estado.x = x;
         estado.y = y;
         glutPostRedisplay();

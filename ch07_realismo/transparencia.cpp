@@ -50,8 +50,7 @@ static void dibujaOpacos(const glm::mat4 &camara) {
                  pintura(AMARILLO));
     for (int i = 0; i < 5; ++i) // detrás, una valla
         dibujaObjeto(p, estado.cubo,
-                     traslacion({-1.8f + 0.55f * static_cast<float>(i), 0.9f, -1.4f}) *
-                         escalado({0.26f, 1.8f, 0.12f}),
+                     traslacion({-1.8f + 0.55f * float(i), 0.9f, -1.4f}) * escalado({0.26f, 1.8f, 0.12f}),
                      camara, pintura(i % 2 ? VERDE : NARANJA));
 }
 
@@ -80,7 +79,7 @@ static void dibujaVista(const Recuadro &r, float alfa) {
     glDepthMask(GL_TRUE);
 
     char texto[32];
-    std::snprintf(texto, sizeof texto, "α = %.1f", static_cast<double>(alfa));
+    std::snprintf(texto, sizeof texto, "α = %.1f", alfa);
     rotula(texto, {0.5f, 0.93f}, OSCURO, Lado::CENTRO, 0.055f);
 }
 
@@ -111,7 +110,7 @@ static void teclado(unsigned char tecla, int, int) {
     }
     estado.alfa = std::clamp(estado.alfa, 0.0f, 1.0f);
     char titulo[48];
-    std::snprintf(titulo, sizeof titulo, "Transparencia: alfa = %.1f", static_cast<double>(estado.alfa));
+    std::snprintf(titulo, sizeof titulo, "Transparencia: alfa = %.1f", estado.alfa);
     ponTitulo(estado.compara ? "Transparencia: alfa = 0.1, 0.4, 0.7 y 1" : titulo);
     glutPostRedisplay();
 }

@@ -26,7 +26,7 @@ static void dibuja() {
     envia(estado.programa, "semitalla", glm::vec2(1 / proyeccion[0][0], 1 / proyeccion[1][1]));
     envia(estado.programa, "ventana", glm::vec2(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT)));
     envia(estado.programa, "ojo", posicionCamara(estado.orbita));
-    envia(estado.programa, "tiempo", static_cast<float>(CELDAS_POR_SEGUNDO * estado.segundos));
+    envia(estado.programa, "tiempo", float(CELDAS_POR_SEGUNDO * estado.segundos));
     glBindVertexArray(estado.vao);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     char titulo[64];

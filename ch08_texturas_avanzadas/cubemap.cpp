@@ -2,10 +2,10 @@
 // en que el entorno está fijo en el mundo, en que el vector de reflexión se calcula en cada fragmento, en el orden de las caras
 // y de sus filas, que es el de OpenGL, y en GL_CLAMP_TO_EDGE. El toro no se refleja a sí mismo: no está en el mapa.
 // Controles: c mapa desplegado · v por fragmento y por vértice · ratón orbita · Esc termina.
+#include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "imagen.h"
-#include "malla.h"
 #include "orbita.h"
 #include "recuadro.h"
 #include "rotulo.h"
@@ -105,7 +105,7 @@ static void dibujaReflejo(const Recuadro &panel, const Buferes &objeto, bool por
 static void dibujaDesplegado() {
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
     const Recuadro v = ventanaEntera();
-    const int lado = static_cast<int>(0.95f * std::min(static_cast<float>(v.ancho) / 4, altoUtil() / 3));
+    const int lado = int(0.95f * std::min(float(v.ancho) / 4, altoUtil() / 3));
     for (const Cara &cara : CARAS) {
         abreRecuadro({v.ancho / 2 + lado * (cara.columna - 2),
                       v.alto / 2 + lado * (2 - cara.fila) - 3 * lado / 2, lado - 1, lado - 1},

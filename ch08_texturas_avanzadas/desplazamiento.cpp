@@ -36,7 +36,7 @@ static void inicia() {
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const float amplitud = static_cast<float>(estado.amplitud) / 20;
+    const float amplitud = float(estado.amplitud) / 20;
     const glm::mat4 camara = camaraOrbita(estado.orbita), M = giroX(-glm::half_pi<float>()) * escalado(2);
     glUseProgram(estado.programa);
     envia(estado.programa, "proyeccion", perspectivaVentana(0.5f, 0.5f, 50));
@@ -47,11 +47,11 @@ static void dibuja() {
     enviaLuz(estado.programa, "luz", {{-3, 2.2f, 1, 0}}, camara);
     envia(estado.programa, "alturas", 0);
     envia(estado.programa, "amplitud", amplitud);
-    envia(estado.programa, "lado", static_cast<float>(LADO_MAPA));
+    envia(estado.programa, "lado", float(LADO_MAPA));
     dibuja(estado.plano);
 
     char texto[40];
-    std::snprintf(texto, sizeof texto, "amplitud = %.2f", static_cast<double>(amplitud));
+    std::snprintf(texto, sizeof texto, "amplitud = %.2f", amplitud);
     rotula(texto, {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
     ponTitulo(std::string("Desplazamiento: ") + texto);
     glutSwapBuffers();

@@ -35,7 +35,7 @@ static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita),
                     M = giroX(-glm::half_pi<float>()); // los polos, en ±Y
-    const float talla = static_cast<float>(estado.talla) / 20;
+    const float talla = float(estado.talla) / 20;
     glUseProgram(estado.programa);
     envia(estado.programa, "proyeccion", perspectivaVentana(0.4f, 1, 100));
     envia(estado.programa, "camara", camara);
@@ -47,7 +47,7 @@ static void dibuja() {
     dibujaObjeto(estado.programa, estado.esfera, M, camara, FUERA);
 
     char texto[32];
-    std::snprintf(texto, sizeof texto, "talla = %.2f", static_cast<double>(talla));
+    std::snprintf(texto, sizeof texto, "talla = %.2f", talla);
     rotula(texto, {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
     ponTitulo(std::string("Enrejado: ") + texto);
     glutSwapBuffers();

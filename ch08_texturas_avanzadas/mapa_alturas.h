@@ -18,6 +18,6 @@ inline std::vector<float> mapaAlturas() {
     std::vector<float> alturas;
     for (int j = 0; j < LADO_MAPA; ++j)
         for (int i = 0; i < LADO_MAPA; ++i)
-            alturas.push_back(alturaIsla(glm::vec2(i, j) / static_cast<float>(LADO_MAPA - 1)));
+            alturas.push_back(alturaIsla(glm::vec2(i, j) / float(LADO_MAPA - 1)));
     return alturas;
 }

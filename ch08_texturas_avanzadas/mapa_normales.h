@@ -21,7 +21,7 @@ inline std::vector<unsigned char> mapaNormales(int lado) {
     std::vector<unsigned char> rgb;
     for (int y = 0; y < lado; ++y)
         for (int x = 0; x < lado; ++x) {
-            const glm::vec2 pendiente = pendienteBulto((glm::vec2(x, y) + 0.5f) / static_cast<float>(lado));
+            const glm::vec2 pendiente = pendienteBulto((glm::vec2(x, y) + 0.5f) / float(lado));
             const glm::vec3 n = glm::normalize(glm::vec3(-pendiente, 1));
             for (int k = 0; k < 3; ++k)
                 rgb.push_back(static_cast<unsigned char>(std::lround(127.5f * (n[k] + 1))));

@@ -13,7 +13,7 @@ const auto GRADIENTES = [] {
     std::array<glm::vec<3, T>, 24> g;
     for (unsigned i = 0; i < 24; ++i) {
         g[i] = {i & 1 ? -1 : 1, i & 2 ? -1 : 1, i & 4 ? -1 : 1};
-        g[i][static_cast<int>(i / 8)] = 0;
+        g[i][int(i / 8)] = 0;
     }
     return g;
 }();
@@ -33,11 +33,11 @@ struct Celda {
         const std::uint32_t PRIMO[3] = {0x8da6b343u, 0xd8163841u, 0xcb1ab31fu};
         for (int k = 0; k < 3; ++k) {
             const T x = glm::clamp(p[k], T(-1073741824), T(1073741824));
-            int suelo = static_cast<int>(x); // sin std::floor, que en muchos procesadores es una llamada
-            suelo -= x < static_cast<T>(suelo);
-            f[k] = x - static_cast<T>(suelo);
+            int suelo = int(x); // sin std::floor, que en muchos procesadores es una llamada
+            suelo -= x < T(suelo);
+            f[k] = x - T(suelo);
             const int primero = resto(suelo, periodo[k]);
-            lado[0][k] = static_cast<std::uint32_t>(primero) * PRIMO[k];
+            lado[0][k] = std::uint32_t(primero) * PRIMO[k];
             lado[1][k] = primero + 1 == periodo[k] ? 0 : lado[0][k] + PRIMO[k];
         }
     }
@@ -91,7 +91,7 @@ T ruido(const glm::vec<3, T> &p, const glm::ivec3 &periodo = glm::ivec3(0)) {
 /// Los nodos de cada octava de una turbulencia se corren: si no, en los enteros todas valdrían 0.
 template<class T>
 glm::vec<3, T> enOctava(const glm::vec<3, T> &p, int octava) {
-    return p * static_cast<T>(1 << octava) + glm::vec<3, T>(T(5.375), T(3.625), T(7.75)) * T(octava);
+    return p * T(1 << octava) + glm::vec<3, T>(T(5.375), T(3.625), T(7.75)) * T(octava);
 }
 
 /// Suma de `octavas` ruidos, cada uno del doble de frecuencia y la mitad de amplitud que el anterior.
@@ -101,7 +101,7 @@ glm::vec<4, T> turbulenciaConGradiente(const glm::vec<3, T> &p, int octavas,
     glm::vec<4, T> suma(0);
     for (int i = 0; i < octavas; ++i) {
         const glm::vec<4, T> r = ruidoConGradiente(enOctava(p, i), periodo << i);
-        suma += glm::vec<4, T>(glm::vec<3, T>(r), r.w / static_cast<T>(1 << i));
+        suma += glm::vec<4, T>(glm::vec<3, T>(r), r.w / T(1 << i));
     }
     return suma;
 }
@@ -110,6 +110,6 @@ template<class T>
 T turbulencia(const glm::vec<3, T> &p, int octavas, const glm::ivec3 &periodo = glm::ivec3(0)) {
     T suma = 0;
     for (int i = 0; i < octavas; ++i)
-        suma += ruido(enOctava(p, i), periodo << i) / static_cast<T>(1 << i);
+        suma += ruido(enOctava(p, i), periodo << i) / T(1 << i);
     return suma;
 }

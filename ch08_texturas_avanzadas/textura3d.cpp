@@ -77,8 +77,7 @@ static void dibuja() {
     pieza(estado.esfera, {1.15f, 0.78f, 0}, {0.52f, 0.52f, 0.52f});
 
     char texto[64];
-    std::snprintf(texto, sizeof texto, "%s, S1 = %g", NOMBRES[estado.elegido],
-                  static_cast<double>(estado.S1));
+    std::snprintf(texto, sizeof texto, "%s, S1 = %g", NOMBRES[estado.elegido], estado.S1);
     rotula(texto, {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
     rotula("64·64·64 = 262 kB", {0.98f, 0.98f}, OSCURO, Lado::IZQUIERDA);
     ponTitulo(std::string("Textura 3D: ") + texto);

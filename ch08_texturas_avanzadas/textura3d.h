@@ -1,7 +1,7 @@
 // El ruido que guarda la textura 3D de textura3d.cpp. Sin OpenGL.
 #pragma once
+#include "imagen.h"
 #include "ruido.h"
-#include <cmath>
 #include <vector>
 
 const int LADO_TEXTURA = 64, CELDAS = 4, OCTAVAS = 3; // la celda más pequeña mide cuatro texels
@@ -15,9 +15,7 @@ inline std::vector<unsigned char> texelsRuido() {
         for (int y = 0; y < LADO_TEXTURA; ++y)
             for (int x = 0; x < LADO_TEXTURA; ++x) {
                 const glm::vec3 p = (glm::vec3(x, y, z) + 0.5f) * (float(CELDAS) / LADO_TEXTURA);
-                const float valor = 0.5f + 0.5f * turbulencia(p, OCTAVAS, glm::ivec3(CELDAS));
-                texels.push_back(
-                    static_cast<unsigned char>(std::lround(255 * glm::clamp(valor, 0.0f, 1.0f))));
+                texels.push_back(enOchoBits(0.5f + 0.5f * turbulencia(p, OCTAVAS, glm::ivec3(CELDAS))));
             }
     return texels;
 }

@@ -16,7 +16,7 @@ static struct {
 } estado;
 
 static void dibujaAmpliada(const Recuadro &panel, bool conProporcion, const std::string &rotulo) {
-    const float factor = std::exp2(static_cast<float>(estado.pasos) / 2);
+    const float factor = std::exp2(float(estado.pasos) / 2);
     const Recuadro imagen = {0, 0, estado.talla.x, estado.talla.y};
     abreRecuadro(panel, FONDO_OSCURO);
     glUseProgram(estado.programa);

@@ -5,7 +5,7 @@
 // Controles: 1 sin nada · 2 multimuestra · 3 sobremuestreo · v los tres · Esc termina.
 #include "estrella.h"
 #include "imagen_en_ventana.h"
-#include "malla.h"
+#include "buferes.h"
 
 static const int VECES = 4, MUESTRAS = 4, DENTRO = 16;
 static const glm::vec2
@@ -106,7 +106,7 @@ static void dibujaPanel(int tecnica, const Recuadro &panel) {
     dibujaEn(r);
     glUseProgram(estado.lupa);
     envia(estado.lupa, "imagen", 0);
-    const float texel = 1 / static_cast<float>(lado);
+    const float texel = 1 / float(lado);
     envia(estado.lupa, "primero", glm::floor(AUMENTADO / texel - DENTRO / 2.0f) * texel);
     envia(estado.lupa, "tramo", glm::vec2(DENTRO * texel));
     dibujaRectangulo();
@@ -120,7 +120,7 @@ static void dibuja() {
     if (estado.compara) {
         const std::vector<Recuadro> paneles = aspecto(ventanaEntera()) >= 1 ? rejilla(3, 1) : reparte(3);
         for (int tecnica = 0; tecnica < 3; ++tecnica)
-            dibujaPanel(tecnica, paneles[static_cast<std::size_t>(tecnica)]);
+            dibujaPanel(tecnica, paneles[tecnica]);
     } else {
         dibujaPanel(estado.elegido, ventanaEntera());
     }
@@ -148,7 +148,7 @@ static void teclado(unsigned char tecla, int, int) {
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Antialiasing", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     estado.estrella = creaBuferes(mallaEstrella());
-    estado.pinta = creaPrograma("ch09_imagen/estrella.vert", "ch09_imagen/estrella.frag");
+    estado.pinta = creaPrograma("ch09_imagen/estrella.vert", "common/liso.frag");
     estado.reduce = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/reduce.frag");
     estado.copia = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/imagen.frag");
     estado.lupa = creaPrograma("ch09_imagen/lupa.vert", "ch09_imagen/imagen.frag");

@@ -43,7 +43,7 @@ static void dibujaGrua() {
 /// Listado 9.4: primero a memoria, después al fichero; y de vuelta.
 static void guardaYLee() {
     Imagen imagen{glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT), {}};
-    imagen.rgb.resize(3 * static_cast<std::size_t>(imagen.ancho) * static_cast<std::size_t>(imagen.alto));
+    imagen.rgb.resize(std::size_t(3) * imagen.ancho * imagen.alto);
     glPixelStorei(GL_PACK_ALIGNMENT, 1); // con 4, lo normal, cada fila acabaría en un múltiplo de 4 bytes
     glReadPixels(0, 0, imagen.ancho, imagen.alto, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());
     if (!intentaGuardarPpm(estado.fichero, imagen, "", estado.resultado)) {

@@ -58,7 +58,7 @@ static void dibuja() {
         if (estado.rotulos)
             rotulaImagen("Original");
         for (int elegido = 0; elegido < 3; ++elegido) {
-            dibujaEn(encaja(estado.talla, paneles[static_cast<std::size_t>(elegido) + 1]));
+            dibujaEn(encaja(estado.talla, paneles[elegido + 1]));
             convoluciona(elegido);
         }
     } else {

@@ -123,7 +123,7 @@ static void teclado(unsigned char tecla, int, int) {
     case '1':
     case '2':
     case '3':
-    case '4': estado.familia = static_cast<Familia>(tecla - '1'); break;
+    case '4': estado.familia = Familia(tecla - '1'); break;
     case '+': estado.tallaFiltro = std::min(estado.tallaFiltro + 1, TALLA_MAXIMA); break;
     case '-': estado.tallaFiltro = std::max(estado.tallaFiltro - 1, 1); break;
     case 's': estado.modo = (estado.modo + 1) % 3; break;

@@ -69,8 +69,8 @@ int main(int argc, char **argv) {
     estado.talla = tallaDe(imagenes[0]);
     estado.rotulos = !propias;
     for (int unidad = 0; unidad < 2; ++unidad) {
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unidad));
-        creaTexturaExacta(imagenes[static_cast<std::size_t>(unidad)]);
+        glActiveTexture(GL_TEXTURE0 + unidad);
+        creaTexturaExacta(imagenes[unidad]);
     }
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -33,7 +33,7 @@ static void dibuja() {
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagen", 0);
-    envia(estado.programa, "alfa", static_cast<float>(estado.decimas) / 10);
+    envia(estado.programa, "alfa", float(estado.decimas) / 10);
     if (estado.compara) {
         int efecto = 1;
         for (const Recuadro &panel : panelesPara(4, estado.talla))
@@ -79,7 +79,7 @@ int main(int argc, char **argv) {
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     glutCreateMenu(elige);
-    for (int efecto = 0; efecto < static_cast<int>(std::size(EFECTOS)); ++efecto)
+    for (int efecto = 0; efecto < int(std::size(EFECTOS)); ++efecto)
         glutAddMenuEntry(EFECTOS[efecto], efecto);
     glutAttachMenu(GLUT_RIGHT_BUTTON);
     glutMainLoop();

@@ -81,16 +81,15 @@ inline glm::ivec2 tallaDe(const Imagen &imagen) {
 
 /// El mayor rectángulo con la forma de la imagen que cabe en el panel, en su centro. Si miden lo mismo es el panel.
 inline Recuadro encaja(const glm::ivec2 &talla, const Recuadro &panel) {
-    const double escala =
-        std::min(static_cast<double>(panel.ancho) / talla.x, static_cast<double>(panel.alto) / talla.y);
-    const int ancho = std::max(static_cast<int>(std::lround(escala * talla.x)), 1),
-              alto = std::max(static_cast<int>(std::lround(escala * talla.y)), 1);
+    const double escala = std::min(double(panel.ancho) / talla.x, double(panel.alto) / talla.y);
+    const int ancho = std::max(int(std::lround(escala * talla.x)), 1),
+              alto = std::max(int(std::lround(escala * talla.y)), 1);
     return {panel.x + (panel.ancho - ancho) / 2, panel.y + (panel.alto - alto) / 2, ancho, alto};
 }
 
 /// `n` paneles para imágenes de esa forma; uno solo es la ventana entera, sin rayas.
 inline std::vector<Recuadro> panelesPara(int n, const glm::ivec2 &talla) {
-    return reparte(n, static_cast<float>(talla.x) / static_cast<float>(talla.y));
+    return reparte(n, float(talla.x) / float(talla.y));
 }
 
 /// Dibujar desde ahora en ese rectángulo de la ventana, sin borrarlo.

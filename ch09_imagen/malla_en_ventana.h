@@ -1,5 +1,6 @@
 // Dibujar la malla de una imagen y llevarla a la GPU: lo que comparten warping y morphing.
 #pragma once
+#include "buferes.h"
 #include "imagen_en_ventana.h"
 #include "malla_imagen.h"
 #include "trazo.h"
@@ -7,8 +8,8 @@
 /// Cambia los vértices de unos buffers que ya tienen esos índices.
 inline void cambiaVertices(const Buferes &buferes, const Malla &malla) {
     glBindBuffer(GL_ARRAY_BUFFER, buferes.vertices);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(malla.vertices.size() * sizeof(Vertice)),
-                 malla.vertices.data(), GL_DYNAMIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, malla.vertices.size() * sizeof(Vertice), malla.vertices.data(),
+                 GL_DYNAMIC_DRAW);
 }
 
 /// Sus curvas y sus puntos, en el área de dibujo.
@@ -17,13 +18,13 @@ inline void trazaMalla(const MallaImagen &m) {
     const auto curva = [&](int largo, const auto &punto) {
         std::vector<glm::vec3> puntos;
         for (int k = 0; k <= 8 * (largo - 1); ++k)
-            puntos.push_back(glm::vec3(punto(static_cast<float>(k) / 8), 0));
+            puntos.push_back(glm::vec3(punto(float(k) / 8), 0));
         trazaPolilinea(puntos, aRecortado, BLANCO, 3);
     };
     for (int j = 0; j < m.filas; ++j)
-        curva(m.columnas, [&](float u) { return evalua(m, u, static_cast<float>(j)); });
+        curva(m.columnas, [&](float u) { return evalua(m, u, float(j)); });
     for (int i = 0; i < m.columnas; ++i)
-        curva(m.filas, [&](float v) { return evalua(m, static_cast<float>(i), v); });
+        curva(m.filas, [&](float v) { return evalua(m, float(i), v); });
     std::vector<glm::vec3> puntos;
     for (const glm::vec2 &p : m.puntos)
         puntos.push_back(glm::vec3(p, 0));

@@ -1,6 +1,6 @@
 // La malla de puntos que deforma una imagen (§9.4): entre los puntos pasa una superficie suave (Catmull–Rom), sin los dobleces que
-// dejarían sus triángulos. Las posiciones van de (0, 0), abajo a la izquierda, a (1, 1). Sin OpenGL, salvo los tipos de
-// common/malla.h; la usan warping y morphing.
+// dejarían sus triángulos. Las posiciones van de (0, 0), abajo a la izquierda, a (1, 1). Sin OpenGL; la usan
+// warping y morphing.
 #pragma once
 #include "malla.h"
 #include <algorithm>
@@ -15,7 +15,7 @@ struct MallaImagen {
 
 /// La malla de esas abscisas y ordenadas.
 inline MallaImagen creaMallaImagen(const std::vector<float> &x, const std::vector<float> &y) {
-    MallaImagen malla{static_cast<int>(x.size()), static_cast<int>(y.size()), {}};
+    MallaImagen malla{int(x.size()), int(y.size()), {}};
     for (const float b : y)
         for (const float a : x)
             malla.puntos.push_back({a, b});
@@ -26,13 +26,13 @@ inline MallaImagen creaMallaImagen(const std::vector<float> &x, const std::vecto
 inline std::vector<float> repartidos(int n) {
     std::vector<float> x;
     for (int i = 0; i < n; ++i)
-        x.push_back(static_cast<float>(i) / static_cast<float>(n - 1));
+        x.push_back(float(i) / float(n - 1));
     return x;
 }
 
 /// Un punto de la malla o, más allá del borde, el que sigue en línea recta: así la malla regular no se deforma.
 inline glm::vec2 puntoOProlongado(const MallaImagen &m, int i, int j) {
-    const auto en = [&m](int a, int b) { return m.puntos[static_cast<std::size_t>(b * m.columnas + a)]; };
+    const auto en = [&m](int a, int b) { return m.puntos[b * m.columnas + a]; };
     const auto enFila = [&](int a, int b) {
         const int dentro = std::clamp(a, 0, m.columnas - 1);
         return a == dentro ? en(a, b) : 2.0f * en(dentro, b) - en(2 * dentro - a, b);
@@ -50,16 +50,15 @@ inline glm::vec2 catmullRom(const glm::vec2 (&p)[4], float t) {
 
 /// El punto de la superficie a (u, v) pasos de la malla: con enteros, el punto (u, v).
 inline glm::vec2 evalua(const MallaImagen &m, float u, float v) {
-    const int i = std::clamp(static_cast<int>(u), 0, m.columnas - 2),
-              j = std::clamp(static_cast<int>(v), 0, m.filas - 2);
+    const int i = std::clamp(int(u), 0, m.columnas - 2), j = std::clamp(int(v), 0, m.filas - 2);
     glm::vec2 columna[4];
     for (int b = 0; b < 4; ++b) {
         glm::vec2 fila[4];
         for (int a = 0; a < 4; ++a)
             fila[a] = puntoOProlongado(m, i + a - 1, j + b - 1);
-        columna[b] = catmullRom(fila, u - static_cast<float>(i));
+        columna[b] = catmullRom(fila, u - float(i));
     }
-    return catmullRom(columna, v - static_cast<float>(j));
+    return catmullRom(columna, v - float(j));
 }
 
 /// Triángulos de dos mallas iguales de puntos: en `posicion` va la primera y en `coordTextura`, la segunda. Van de abajo arriba y de
@@ -70,13 +69,12 @@ inline Malla triangula(const MallaImagen &a, const MallaImagen &b) {
     Malla malla;
     for (int j = 0; j <= filas; ++j)
         for (int i = 0; i <= columnas; ++i) {
-            const float u = static_cast<float>(i) / TRAMOS, v = static_cast<float>(j) / TRAMOS;
+            const float u = float(i) / TRAMOS, v = float(j) / TRAMOS;
             malla.vertices.push_back({glm::vec3(evalua(a, u, v), 0), {0, 0, 1}, evalua(b, u, v)});
         }
     for (int j = 0; j < filas; ++j)
         for (int i = 0; i < columnas; ++i) {
-            const GLuint k = static_cast<GLuint>(j * (columnas + 1) + i),
-                         arriba = k + static_cast<GLuint>(columnas) + 1;
+            const unsigned k = j * (columnas + 1) + i, arriba = k + columnas + 1;
             malla.indices.insert(malla.indices.end(), {k, k + 1, arriba + 1, k, arriba + 1, arriba});
         }
     return malla;
@@ -85,9 +83,8 @@ inline Malla triangula(const MallaImagen &a, const MallaImagen &b) {
 /// El punto más cercano a p; `talla`: la de la imagen, para medir en píxeles.
 inline std::size_t masCercano(const MallaImagen &m, const glm::vec2 &p, const glm::vec2 &talla) {
     const auto distancia = [&](const glm::vec2 &q) { return glm::length((q - p) * talla); };
-    return static_cast<std::size_t>(std::min_element(m.puntos.begin(), m.puntos.end(),
-                                                     [&](const glm::vec2 &q, const glm::vec2 &r) {
-                                                         return distancia(q) < distancia(r);
-                                                     }) -
-                                    m.puntos.begin());
+    return std::min_element(
+               m.puntos.begin(), m.puntos.end(),
+               [&](const glm::vec2 &q, const glm::vec2 &r) { return distancia(q) < distancia(r); }) -
+           m.puntos.begin();
 }

@@ -16,7 +16,7 @@ static struct {
 
 static void dibujaMezcla(int centesimas, const Recuadro &panel, const std::string &rotulo) {
     dibujaEn(encaja(estado.talla, panel));
-    envia(estado.programa, "alfa", static_cast<float>(centesimas) / 100);
+    envia(estado.programa, "alfa", float(centesimas) / 100);
     dibujaRectangulo();
     if (estado.rotulos)
         rotulaImagen(rotulo);
@@ -65,8 +65,8 @@ int main(int argc, char **argv) {
     estado.talla = tallaDe(imagenes[0]);
     estado.rotulos = !propias;
     for (int unidad = 0; unidad < 2; ++unidad) {
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unidad));
-        creaTexturaExacta(imagenes[static_cast<std::size_t>(unidad)]);
+        glActiveTexture(GL_TEXTURE0 + unidad);
+        creaTexturaExacta(imagenes[unidad]);
     }
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -34,9 +34,9 @@ static MallaImagen intermedia(float t) {
 
 static float tActual() {
     if (!estado.mueve)
-        return static_cast<float>(estado.vigesimos) / VIGESIMOS;
+        return float(estado.vigesimos) / VIGESIMOS;
     const int ms = (glutGet(GLUT_ELAPSED_TIME) - estado.comienzo) % VUELTA;
-    return 1 - std::fabs(static_cast<float>(2 * ms) / VUELTA - 1);
+    return 1 - std::fabs(float(2 * ms) / VUELTA - 1);
 }
 
 static void dibujaMorphing(float t, const Recuadro &panel, const std::string &rotulo) {
@@ -55,7 +55,7 @@ static void dibujaMorphing(float t, const Recuadro &panel, const std::string &ro
 static void dibuja() {
     const float t = tActual();
     char rotulo[32];
-    std::snprintf(rotulo, sizeof rotulo, "t = %.2f", static_cast<double>(t));
+    std::snprintf(rotulo, sizeof rotulo, "t = %.2f", t);
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
     cambiaVertices(estado.buferes, triangula(estado.a, estado.b));
     if (estado.compara) {
@@ -133,8 +133,8 @@ int main(int argc, char **argv) {
     estado.talla = tallaDe(imagenes[0]);
     estado.rotulos = !propias;
     for (int unidad = 0; unidad < 2; ++unidad) {
-        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unidad));
-        creaTexturaExacta(imagenes[static_cast<std::size_t>(unidad)]);
+        glActiveTexture(GL_TEXTURE0 + unidad);
+        creaTexturaExacta(imagenes[unidad]);
     }
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

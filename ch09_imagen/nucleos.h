@@ -22,9 +22,9 @@ struct Filtro {
 inline void normaliza(std::vector<float> &valores) {
     double suma = 0;
     for (const float v : valores)
-        suma += v > 0 ? static_cast<double>(v) : 0;
+        suma += v > 0 ? v : 0;
     for (float &v : valores)
-        v = suma > 0 ? static_cast<float>(static_cast<double>(v) / suma) : 0;
+        v = suma > 0 ? float(v / suma) : 0;
 }
 
 /// La caja promedia; la gaussiana pesa más el centro (σ = talla/5); el disco promedia un círculo, como un objetivo
@@ -35,16 +35,15 @@ inline Filtro creaFiltro(Familia familia, int talla) {
     Filtro f{talla, {}, {}, {}};
     for (int i = 0; i < talla && familia != DISCO; ++i) {
         const double x = i - centro, g = familia == CAJA ? 1 : gaussiana(x);
-        f.fila.push_back(static_cast<float>(familia == DERIVADA ? x * g : g));
-        f.columna.push_back(static_cast<float>(g));
+        f.fila.push_back(float(familia == DERIVADA ? x * g : g));
+        f.columna.push_back(float(g));
     }
     normaliza(f.fila);
     normaliza(f.columna);
     for (int j = 0; j < talla; ++j)
         for (int i = 0; i < talla; ++i)
-            f.valores.push_back(
-                f.esSeparable() ? f.fila[static_cast<std::size_t>(i)] * f.columna[static_cast<std::size_t>(j)]
-                                : static_cast<float>(std::hypot(i - centro, j - centro) <= radio));
+            f.valores.push_back(f.esSeparable() ? f.fila[i] * f.columna[j]
+                                                : float(std::hypot(i - centro, j - centro) <= radio));
     if (!f.esSeparable())
         normaliza(f.valores);
     return f;

@@ -14,7 +14,7 @@ static struct {
 
 static void dibujaRemolino(int grados, const Recuadro &panel) {
     dibujaEn(encaja(estado.talla, panel));
-    envia(estado.programa, "angulo", glm::radians(static_cast<float>(grados)));
+    envia(estado.programa, "angulo", glm::radians(float(grados)));
     dibujaRectangulo();
     if (estado.rotulos)
         rotulaImagen(std::to_string(grados) + "°");

@@ -52,7 +52,7 @@ static void teclado(unsigned char tecla, int x, int y) {
     const auto conNombre = TECLAS.find(tecla);
     anota("tecla " +
           (conNombre != TECLAS.end()   ? conNombre->second
-           : tecla > 32 && tecla < 127 ? std::string(1, static_cast<char>(tecla))
+           : tecla > 32 && tecla < 127 ? std::string(1, char(tecla))
                                        : std::to_string(tecla)) +
           en(x, y));
     teclaComun(tecla);
@@ -102,8 +102,7 @@ static void cambiaTamano(int ancho, int alto) {
 // El centro del píxel, en coordenadas normalizadas del dispositivo: la Y de GLUT crece hacia abajo.
 static glm::vec3 normalizado(const glm::vec2 &p) {
     const Recuadro v = ventanaEntera();
-    return {2 * (p.x + 0.5f) / static_cast<float>(v.ancho) - 1,
-            1 - 2 * (p.y + 0.5f) / static_cast<float>(v.alto), 0};
+    return {2 * (p.x + 0.5f) / float(v.ancho) - 1, 1 - 2 * (p.y + 0.5f) / float(v.alto), 0};
 }
 
 static void dibujaRastro() {
@@ -120,7 +119,7 @@ static void dibujaRastro() {
 // El ratón visto desde arriba, en un cuadrado a la derecha: los botones pulsados, en naranja.
 static void dibujaRaton() {
     const Recuadro v = ventanaEntera();
-    const int lado = static_cast<int>(0.32f * altoUtil());
+    const int lado = int(0.32f * altoUtil());
     glViewport(v.ancho - lado, (v.alto - lado) / 2, lado, lado);
     const auto caja = [](float x0, float y0, float x1, float y1, const glm::vec3 &color) {
         trazaPoligono({{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}}, glm::mat4(1), color);
@@ -128,7 +127,7 @@ static void dibujaRaton() {
     caja(-0.55f, -0.8f, 0.55f, 0.8f, OSCURO);
     caja(-0.5f, -0.75f, 0.5f, 0.1f, BLANCO);
     for (int i = 0; i < 3; ++i) {
-        const float x = -0.5f + 0.35f * static_cast<float>(i);
+        const float x = -0.5f + 0.35f * float(i);
         caja(x, 0.15f, x + 0.3f, 0.75f, estado.pulsado[i] ? NARANJA : BLANCO);
     }
     glViewport(0, 0, v.ancho, v.alto);

@@ -15,6 +15,7 @@ static const float PASO_U = 0.05f;
 static struct {
     std::vector<glm::vec3> P = PUNTOS_BEZIER;
     float u = 0.4f;
+    Editor editor;
 } estado;
 
 static glm::mat4 vista() {
@@ -42,19 +43,19 @@ static void dibuja() {
         trazaPuntos(niveles[k], vista(), COLOR_NIVEL[k], (k == 3 ? 5 : 2.5f) * GROSOR);
     trazaPuntos(estado.P, vista(), OSCURO, 4 * GROSOR);
     for (std::size_t i = 0; i < 4; ++i)
-        rotulaPunto("P" + std::to_string(i + 1), estado.P[i], vista(), colorNombre(i),
+        rotulaPunto("P" + std::to_string(i + 1), estado.P[i], vista(), colorNombre(estado.editor, i),
                     i % 3 == 0 ? Lado::DEBAJO : Lado::ENCIMA);
     // hacia dentro de la curva, para no taparla
     const glm::vec3 Q = niveles[3][0], dentro = 0.5f * (estado.P[0] + estado.P[3]);
     rotulaPunto("Q(u)", glm::mix(Q, dentro, 0.16f), vista(), ROJO, Lado::CENTRO);
     char titulo[60];
-    std::snprintf(titulo, sizeof titulo, "Curva de Bézier: u = %.2f", static_cast<double>(estado.u));
+    std::snprintf(titulo, sizeof titulo, "Curva de Bézier: u = %.2f", estado.u);
     ponTitulo(titulo);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || teclaEditor(tecla) || (tecla != 'u' && tecla != 'U'))
+    if (teclaComun(tecla) || teclaEditor(estado.editor, tecla) || (tecla != 'u' && tecla != 'U'))
         return;
     estado.u = glm::clamp(estado.u + (tecla == 'u' ? PASO_U : -PASO_U), 0.0f, 1.0f);
     glutPostRedisplay();
@@ -65,7 +66,11 @@ int main(int argc, char **argv) {
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
-    editaConRaton({&estado.P, vista});
+    estado.editor = {&estado.P, vista};
+    glutMouseFunc(
+        [](int boton, int pulsado, int x, int y) { botonEditor(estado.editor, boton, pulsado, x, y); });
+    glutMotionFunc([](int x, int y) { arrastraEditor(estado.editor, x, y); });
+    glutSpecialFunc([](int tecla, int, int) { especialEditor(estado.editor, tecla); });
     glutMainLoop();
     return 0;
 }

@@ -18,7 +18,7 @@ static struct {
 
 /// Del primero al último, de azul a rojo pasando por el naranja.
 static glm::vec3 colorDe(std::size_t i) {
-    const float t = 2 * static_cast<float>(i) / static_cast<float>(estado.n - 1);
+    const float t = 2 * float(i) / float(estado.n - 1);
     return t < 1 ? glm::mix(AZUL, NARANJA, t) : glm::mix(NARANJA, ROJO, t - 1);
 }
 
@@ -49,7 +49,7 @@ static void dibujaBernstein(const Recuadro &panel) {
     for (std::size_t k = 0; k < estado.n; ++k) {
         std::vector<glm::vec3> P;
         for (std::size_t i = 0; i < estado.n; ++i)
-            P.push_back({static_cast<float>(i) / static_cast<float>(estado.n - 1), i == k ? 1 : 0, 0});
+            P.push_back({float(i) / float(estado.n - 1), i == k ? 1 : 0, 0});
         trazaPolilinea(polilineaBezier(P, 0.2 * pixel(panel)), vista, colorDe(k), 0.8f * GROSOR);
     }
     rotulaPunto("0", {0, 0, 0}, vista, OSCURO, Lado::DEBAJO);

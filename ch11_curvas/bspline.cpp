@@ -18,6 +18,7 @@ static const int PUAS = 20; // en cada tramo
 static struct {
     std::vector<glm::vec3> P = PUNTOS_BSPLINE;
     bool cerrada = false, peine = false;
+    Editor editor;
 } estado;
 
 static glm::mat4 vista() {
@@ -25,7 +26,7 @@ static glm::mat4 vista() {
 }
 
 static std::vector<glm::vec3> tramo(const std::vector<glm::vec3> &P, std::size_t i) {
-    return polilineaCubica(Base::BSPLINE, geometriaBSpline(P, i), 0.2 / static_cast<double>(altoUtil()));
+    return polilineaCubica(Base::BSPLINE, geometriaBSpline(P, i), 0.2 / altoUtil());
 }
 
 /// El peine de curvatura: púas hacia fuera de la curva, tan largas como ella se curva. Donde se unen dos tramos no salta, porque la
@@ -34,7 +35,7 @@ static void dibujaPeine(std::size_t i) {
     const Geometria<float> G = geometriaBSpline(estado.P, i);
     std::vector<glm::vec3> puas, puntas;
     for (int k = 0; k <= PUAS; ++k) {
-        const float u = static_cast<float>(k) / PUAS;
+        const float u = float(k) / PUAS;
         puas.push_back(cubica(Base::BSPLINE, G, u));
         puas.push_back(puas.back() - LARGO_PUAS * curvatura(cubica(Base::BSPLINE, G, u, 1),
                                                             cubica(Base::BSPLINE, G, u, 2)));
@@ -47,7 +48,7 @@ static void dibujaPeine(std::size_t i) {
 /// Si el tramo i usa el punto elegido: es uno de los cuatro desde el i.
 static bool usaElegido(std::size_t i) {
     const std::size_t n = estado.P.size();
-    return editor.elegido >= 0 && (static_cast<std::size_t>(editor.elegido) + n - i) % n < 4;
+    return estado.editor.elegido >= 0 && (estado.editor.elegido + n - i) % n < 4;
 }
 
 static void dibuja() {
@@ -68,14 +69,14 @@ static void dibuja() {
     trazaPuntos(nudos, vista(), NARANJA, 3 * GROSOR);
     trazaPuntos(estado.P, vista(), OSCURO, 4 * GROSOR);
     for (std::size_t i = 0; i < estado.P.size(); ++i)
-        rotulaPunto("P" + std::to_string(i), estado.P[i], vista(), colorNombre(i), LADOS[i]);
+        rotulaPunto("P" + std::to_string(i), estado.P[i], vista(), colorNombre(estado.editor, i), LADOS[i]);
     ponTitulo("Curva B-Spline " + std::string(estado.cerrada ? "cerrada" : "abierta") + ": " +
               std::to_string(estado.P.size()) + " puntos, " + std::to_string(tramos) + " tramos");
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || teclaEditor(tecla))
+    if (teclaComun(tecla) || teclaEditor(estado.editor, tecla))
         return;
     if (tecla == 'c')
         estado.cerrada = !estado.cerrada;
@@ -89,7 +90,11 @@ int main(int argc, char **argv) {
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
-    editaConRaton({&estado.P, vista});
+    estado.editor = {&estado.P, vista};
+    glutMouseFunc(
+        [](int boton, int pulsado, int x, int y) { botonEditor(estado.editor, boton, pulsado, x, y); });
+    glutMotionFunc([](int x, int y) { arrastraEditor(estado.editor, x, y); });
+    glutSpecialFunc([](int tecla, int, int) { especialEditor(estado.editor, tecla); });
     glutMainLoop();
     return 0;
 }

@@ -21,7 +21,7 @@ static struct {
 
 static float parametro() {
     const int t = estado.recorridos + (estado.anda ? glutGet(GLUT_ELAPSED_TIME) - estado.desde : 0);
-    return 2 * static_cast<float>(t % PERIODO) / static_cast<float>(PERIODO);
+    return 2 * float(t % PERIODO) / float(PERIODO);
 }
 
 /// El módulo de la derivada a lo largo de cada tramo: el salto de la unión queda entre los dos.
@@ -31,7 +31,7 @@ static void dibujaGrafica(Continuidad c, int derivada, float maxima, const glm::
     for (int tramo = 0; tramo < 2; ++tramo) {
         const Geometria<float> G = tramo == 0 ? PRIMER_TRAMO : segundoTramo(c);
         const auto altura = [&](float u) {
-            return glm::vec3(1.1f * (u + static_cast<float>(tramo) - 1),
+            return glm::vec3(1.1f * (u + float(tramo) - 1),
                              -0.95f + 0.5f * glm::length(cubica(Base::HERMITE, G, u, derivada)) / maxima, 0);
         };
         trazaPolilinea(polilinea(altura, MUESTRAS), vista, color, GROSOR);
@@ -68,12 +68,12 @@ static void dibuja() {
     if (estado.compara) {
         const std::vector<Recuadro> paneles = reparte(CONTINUIDADES, 4.0f / 3);
         for (int c = 0; c < CONTINUIDADES; ++c)
-            dibujaPanel(paneles[static_cast<std::size_t>(c)], static_cast<Continuidad>(c));
+            dibujaPanel(paneles[c], Continuidad(c));
     } else
-        dibujaPanel(ventanaEntera(), static_cast<Continuidad>(estado.elegido));
+        dibujaPanel(ventanaEntera(), Continuidad(estado.elegido));
     char titulo[60];
     std::snprintf(titulo, sizeof titulo, "Continuidad: %s, u = %.2f",
-                  estado.compara ? "las cuatro" : NOMBRES[estado.elegido], static_cast<double>(parametro()));
+                  estado.compara ? "las cuatro" : NOMBRES[estado.elegido], parametro());
     ponTitulo(titulo);
     glutSwapBuffers();
 }

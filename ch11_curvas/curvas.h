@@ -129,7 +129,7 @@ std::vector<Punto<T>> derivadaBezier(const std::vector<Punto<T>> &puntos) {
         return {Punto<T>(T(0))};
     std::vector<Punto<T>> derivada;
     for (std::size_t i = 0; i + 1 < puntos.size(); ++i)
-        derivada.push_back(T(static_cast<double>(puntos.size() - 1)) * (puntos[i + 1] - puntos[i]));
+        derivada.push_back(T(double(puntos.size() - 1)) * (puntos[i + 1] - puntos[i]));
     return derivada;
 }
 
@@ -154,14 +154,13 @@ const int MITADES_MAXIMAS = 12, SEGMENTOS_MAXIMOS = 1 << MITADES_MAXIMAS;
 /// Segmentos iguales en u que no se separan de la curva más de `tolerancia`, si su segunda derivada no pasa de `M`: la
 /// cuerda de un intervalo h se separa como mucho M·h²/8.
 inline int segmentosDerivada(double M, double tolerancia) {
-    return static_cast<int>(
-        std::clamp(std::ceil(std::sqrt(M / (8 * tolerancia))), 1.0, static_cast<double>(SEGMENTOS_MAXIMOS)));
+    return int(std::clamp(std::ceil(std::sqrt(M / (8 * tolerancia))), 1.0, double(SEGMENTOS_MAXIMOS)));
 }
 
 /// La cota de Wang: la segunda derivada no pasa de n·(n − 1) por la mayor segunda diferencia de los puntos de control.
 template<typename T>
 int segmentosWang(const std::vector<Punto<T>> &puntos, double tolerancia) {
-    const double n = static_cast<double>(puntos.size()) - 1;
+    const double n = double(puntos.size()) - 1;
     double mayor = 0;
     for (std::size_t i = 0; i + 2 < puntos.size(); ++i)
         mayor = std::max(mayor, glm::length(glm::dvec3(puntos[i] - puntos[i + 1]) -
@@ -208,7 +207,7 @@ template<typename Curva>
 std::vector<glm::vec3> polilinea(const Curva &Q, int n) {
     std::vector<glm::vec3> puntos;
     for (int i = 0; i <= n; ++i)
-        puntos.push_back(Q(static_cast<float>(i) / static_cast<float>(n)));
+        puntos.push_back(Q(float(i) / float(n)));
     return puntos;
 }
 

@@ -1,5 +1,6 @@
 // Editar con el ratón los puntos de un programa del capítulo: se coge el más cercano en la pantalla y se mueve paralelo a
-// ella. Con el teclado, n elige el siguiente y las flechas lo mueven.
+// ella. Con el teclado, n elige el siguiente y las flechas lo mueven. El programa guarda su Editor y, desde sus funciones de
+// ratón y de teclas, llama a las de aquí.
 #pragma once
 #include "colores.h"
 #include "orbita.h"
@@ -19,7 +20,7 @@ inline int masCercano(const std::vector<glm::vec3> &puntos, const glm::mat4 &tra
         const float d = glm::length((glm::vec2(p) / p.w - raton) * porUnidad);
         if (p.w > 0 && d < alcance) {
             alcance = d;
-            mejor = static_cast<int>(i);
+            mejor = int(i);
         }
     }
     return mejor;
@@ -35,36 +36,32 @@ inline glm::vec3 llevado(const glm::vec3 &punto, const glm::mat4 &transformacion
 struct Editor {
     std::vector<glm::vec3> *puntos;
     glm::mat4 (*transformacion)();
-    void (*alMover)(std::size_t, const glm::vec3 &) = nullptr; // qué punto y cuánto se ha movido
     bool conOrbita = false;                                    // lejos de los puntos, el ratón orbita
+    void (*alMover)(std::size_t, const glm::vec3 &) = nullptr; // qué punto y cuánto se ha movido
     int elegido = -1;
     bool arrastrando = false;
 };
 
-inline Editor editor;
-
 /// El del nombre de un punto: el elegido, en rojo.
-inline glm::vec3 colorNombre(std::size_t i) {
-    return static_cast<int>(i) == editor.elegido ? ROJO : OSCURO;
+inline glm::vec3 colorNombre(const Editor &editor, std::size_t i) {
+    return int(i) == editor.elegido ? ROJO : OSCURO;
 }
 
 inline glm::vec2 ratonNormalizado(int x, int y) {
-    const float ancho = static_cast<float>(glutGet(GLUT_WINDOW_WIDTH)),
-                alto = static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT));
-    return {(2 * static_cast<float>(x) + 1) / ancho - 1, 1 - (2 * static_cast<float>(y) + 1) / alto};
+    const float ancho = float(glutGet(GLUT_WINDOW_WIDTH)), alto = float(glutGet(GLUT_WINDOW_HEIGHT));
+    return {(2 * float(x) + 1) / ancho - 1, 1 - (2 * float(y) + 1) / alto};
 }
 
-inline void mueveElegido(const glm::vec2 &sitio) {
-    const auto i = static_cast<std::size_t>(editor.elegido);
-    glm::vec3 &punto = (*editor.puntos)[i];
+inline void mueveElegido(const Editor &editor, const glm::vec2 &sitio) {
+    glm::vec3 &punto = (*editor.puntos)[editor.elegido];
     const glm::vec3 antes = punto; // cerca del borde, que se pueda volver a coger
     punto = llevado(punto, editor.transformacion(), glm::clamp(sitio, -0.95f, 0.95f));
     if (editor.alMover)
-        editor.alMover(i, punto - antes);
+        editor.alMover(editor.elegido, punto - antes);
     glutPostRedisplay();
 }
 
-inline void botonEditor(int boton, int pulsado, int x, int y) {
+inline void botonEditor(Editor &editor, int boton, int pulsado, int x, int y) {
     if (boton != GLUT_LEFT_BUTTON)
         return;
     editor.arrastrando = false;
@@ -80,44 +77,32 @@ inline void botonEditor(int boton, int pulsado, int x, int y) {
     glutPostRedisplay();
 }
 
-inline void arrastraEditor(int x, int y) {
+inline void arrastraEditor(const Editor &editor, int x, int y) {
     if (editor.arrastrando)
-        mueveElegido(ratonNormalizado(x, y));
+        mueveElegido(editor, ratonNormalizado(x, y));
     else if (editor.conOrbita)
         orbitaArrastra(x, y);
 }
 
-inline void especialEditor(int tecla, int, int) {
+inline void especialEditor(const Editor &editor, int tecla) {
     if (teclaEspecialComun(tecla) || editor.elegido < 0)
         return;
-    const float dx = PASO_FLECHA * 4 / 3 * altoUtil() * 2 / static_cast<float>(glutGet(GLUT_WINDOW_WIDTH)),
-                dy = PASO_FLECHA * altoUtil() * 2 / static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT));
+    const float dx = PASO_FLECHA * 4 / 3 * altoUtil() * 2 / float(glutGet(GLUT_WINDOW_WIDTH)),
+                dy = PASO_FLECHA * altoUtil() * 2 / float(glutGet(GLUT_WINDOW_HEIGHT));
     const glm::vec2 paso = tecla == GLUT_KEY_LEFT    ? glm::vec2(-dx, 0)
                            : tecla == GLUT_KEY_RIGHT ? glm::vec2(dx, 0)
                            : tecla == GLUT_KEY_UP    ? glm::vec2(0, dy)
                            : tecla == GLUT_KEY_DOWN  ? glm::vec2(0, -dy)
                                                      : glm::vec2(0);
-    const glm::vec4 p =
-        editor.transformacion() * glm::vec4((*editor.puntos)[static_cast<std::size_t>(editor.elegido)], 1);
-    mueveElegido(glm::vec2(p) / p.w + paso);
+    const glm::vec4 p = editor.transformacion() * glm::vec4((*editor.puntos)[editor.elegido], 1);
+    mueveElegido(editor, glm::vec2(p) / p.w + paso);
 }
 
 /// Atiende n (elige el siguiente punto). Devuelve si la tecla era suya.
-inline bool teclaEditor(unsigned char tecla) {
+inline bool teclaEditor(Editor &editor, unsigned char tecla) {
     if (tecla != 'n')
         return false;
-    editor.elegido = (editor.elegido + 1) % static_cast<int>(editor.puntos->size());
+    editor.elegido = (editor.elegido + 1) % int(editor.puntos->size());
     glutPostRedisplay();
     return true;
-}
-
-/// Instala las funciones del ratón y de las teclas especiales. Con `orbita`, arrastrar lejos de los puntos la gira.
-inline void editaConRaton(const Editor &nuevo, Orbita *orbita = nullptr) {
-    editor = nuevo;
-    editor.conOrbita = orbita != nullptr;
-    if (orbita)
-        orbitaConRaton(*orbita);
-    glutMouseFunc(botonEditor);
-    glutMotionFunc(arrastraEditor);
-    glutSpecialFunc(especialEditor);
 }

@@ -26,7 +26,7 @@ const float LARGO_PUAS = 0.035f; // la del peine donde la curvatura es 1
 inline std::vector<glm::vec3> puntosZigzag(std::size_t n) {
     std::vector<glm::vec3> P;
     for (std::size_t i = 0; i < n; ++i) {
-        const float t = static_cast<float>(i) / static_cast<float>(n - 1);
+        const float t = float(i) / float(n - 1);
         P.push_back({t, 0.42f * std::sin(glm::two_pi<float>() * t) + (i % 2 ? 0.42f : -0.42f), 0});
     }
     return P;

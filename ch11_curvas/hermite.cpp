@@ -20,6 +20,7 @@ static struct {
     std::vector<glm::vec3> puntos = PUNTOS_HERMITE;
     float k = K_HERMITE;
     bool segundo = false, transforma = false;
+    Editor editor;
 } estado;
 
 static glm::mat4 vista() {
@@ -46,14 +47,13 @@ static void dibujaTramo(const Geometria<float> &G, const glm::vec3 &color, const
                         const glm::vec3 &color1 = VERDE, const glm::vec3 &color4 = NARANJA) {
     // el nombre del final, al otro lado de su flecha
     const glm::vec3 final = G[1] + glm::vec3(0, G[3].y < 0 ? 0.05f : -0.05f, 0);
-    trazaPolilinea(polilineaCubica(Base::HERMITE, G, 0.2 / static_cast<double>(altoUtil())), vista(), color,
-                   1.7f * GROSOR);
+    trazaPolilinea(polilineaCubica(Base::HERMITE, G, 0.2 / altoUtil()), vista(), color, 1.7f * GROSOR);
     trazaFlecha(G[0], G[0] + G[2], vista(), color1);
     trazaFlecha(G[1], G[1] + G[3], vista(), color4);
     trazaPuntos({G[0], G[1]}, vista(), OSCURO, 4 * GROSOR);
     const glm::vec3 sitios[] = {G[0], final, G[0] + G[2], G[1] + G[3]};
     for (std::size_t i = 0; i < 4; ++i)
-        rotulaPunto(nombres[i].texto, sitios[i], vista(), colorNombre(nombres[i].punto),
+        rotulaPunto(nombres[i].texto, sitios[i], vista(), colorNombre(estado.editor, nombres[i].punto),
                     i == 0 ? Lado::DEBAJO : Lado::DERECHA);
 }
 
@@ -67,7 +67,7 @@ static void dibuja() {
     if (estado.segundo) {
         const auto &p = estado.puntos;
         char k[40];
-        std::snprintf(k, sizeof k, ": dos tramos G1, k = %.2f", static_cast<double>(estado.k));
+        std::snprintf(k, sizeof k, ": dos tramos G1, k = %.2f", estado.k);
         titulo += k;
         dibujaTramo(G, AZUL, NOMBRES);
         dibujaTramo({G[1], p[FIN], estado.k * G[3], p[PUNTA_FIN] - p[FIN]}, MORADO, SEGUNDOS);
@@ -100,11 +100,12 @@ static void ponSegundo(bool si) {
     estado.puntos.resize(FIN);
     if (si)
         estado.puntos.insert(estado.puntos.end(), SEGUNDO_HERMITE.begin(), SEGUNDO_HERMITE.end());
-    editor.elegido = -1;
+    estado.editor.elegido = -1; // el que se arrastraba puede haberse ido
+    estado.editor.arrastrando = false;
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || teclaEditor(tecla))
+    if (teclaComun(tecla) || teclaEditor(estado.editor, tecla))
         return;
     switch (tecla) {
     case 'g':
@@ -129,7 +130,11 @@ int main(int argc, char **argv) {
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
-    editaConRaton({&estado.puntos, vista, alMover});
+    estado.editor = {&estado.puntos, vista, false, alMover};
+    glutMouseFunc(
+        [](int boton, int pulsado, int x, int y) { botonEditor(estado.editor, boton, pulsado, x, y); });
+    glutMotionFunc([](int x, int y) { arrastraEditor(estado.editor, x, y); });
+    glutSpecialFunc([](int tecla, int, int) { especialEditor(estado.editor, tecla); });
     glutMainLoop();
     return 0;
 }

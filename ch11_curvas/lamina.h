@@ -14,22 +14,26 @@ const glm::vec4 LUZ_LAMINA = {-0.6f, 0.85f, 0.3f, 0};
 const float ANGULO_LAMINA = 0.5f, CERCA_LAMINA = 1, LEJOS_LAMINA = 100;
 const double TOLERANCIA_LAMINA = 0.2; // píxeles; con menos triángulos se notaría en los brillos
 
-inline GLuint programaLamina;
-inline Orbita orbitaLamina;
+/// Lo que guarda el programa.
+struct Lamina {
+    GLuint programa;
+    Orbita orbita;
+};
 
 inline glm::mat4 proyeccionLamina() {
     return perspectivaVentana(ANGULO_LAMINA, CERCA_LAMINA, LEJOS_LAMINA);
 }
 
 /// De coordenadas del mundo a las de recortado.
-inline glm::mat4 vistaLamina() {
-    return proyeccionLamina() * camaraOrbita(orbitaLamina);
+inline glm::mat4 vistaLamina(const Lamina &lamina) {
+    return proyeccionLamina() * camaraOrbita(lamina.orbita);
 }
 
 /// Los segmentos con que la superficie no se separa de sus triángulos más de `pixeles`. Lo que mide un píxel es lo que mide en el
 /// punto de control más cercano a la cámara: la superficie, dentro de su casco convexo, no está más cerca.
-inline Segmentos segmentosLamina(Base base, const Geometria2<float> &G, double pixeles) {
-    const glm::mat4 camara = camaraOrbita(orbitaLamina);
+inline Segmentos segmentosLamina(const Lamina &lamina, Base base, const Geometria2<float> &G,
+                                 double pixeles) {
+    const glm::mat4 camara = camaraOrbita(lamina.orbita);
     float distancia = LEJOS_LAMINA;
     for (const Geometria<float> &fila : aBezier2(base, G))
         for (const glm::vec3 &p : fila)
@@ -37,30 +41,29 @@ inline Segmentos segmentosLamina(Base base, const Geometria2<float> &G, double p
     return segmentosSuperficie(base, G, pixeles * 2 * std::tan(ANGULO_LAMINA / 2) * distancia / altoUtil());
 }
 
-inline void iniciaLamina(const Orbita &orbita) {
-    orbitaLamina = orbita;
-    programaLamina = creaSombreado("phong");
+inline Lamina creaLamina(const Orbita &orbita) {
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     glEnable(GL_POLYGON_OFFSET_FILL); // la superficie, un poco detrás de las líneas que van por ella
     glPolygonOffset(1, 1);
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    return {creaSombreado("phong"), orbita};
 }
 
 /// Dibuja la malla por las dos caras. La de detrás tiene la normal opuesta y otra luz, la opuesta: así ninguna queda a oscuras.
-inline void dibujaLamina(Malla malla, const Material &material) {
-    const glm::mat4 camara = camaraOrbita(orbitaLamina);
-    glUseProgram(programaLamina);
-    envia(programaLamina, "proyeccion", proyeccionLamina());
-    envia(programaLamina, "camara", camara);
-    envia(programaLamina, "La", glm::vec3(1));
+inline void dibujaLamina(const Lamina &lamina, Malla malla, const Material &material) {
+    const glm::mat4 camara = camaraOrbita(lamina.orbita);
+    glUseProgram(lamina.programa);
+    envia(lamina.programa, "proyeccion", proyeccionLamina());
+    envia(lamina.programa, "camara", camara);
+    envia(lamina.programa, "La", glm::vec3(1));
     for (const float cara : {-1.0f, 1.0f}) {
         for (Vertice &v : malla.vertices)
             v.normal *= -1;
-        enviaLuz(programaLamina, "luz", Luz{cara * LUZ_LAMINA}, camara);
+        enviaLuz(lamina.programa, "luz", Luz{cara * LUZ_LAMINA}, camara);
         glCullFace(cara < 0 ? GL_FRONT : GL_BACK);
         const Buferes buferes = creaBuferes(malla);
-        dibujaObjeto(programaLamina, buferes, glm::mat4(1), camara, material);
+        dibujaObjeto(lamina.programa, buferes, glm::mat4(1), camara, material);
         glDeleteVertexArrays(1, &buferes.vao);
         glDeleteBuffers(1, &buferes.vertices);
         glDeleteBuffers(1, &buferes.indices);

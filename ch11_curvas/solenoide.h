@@ -13,14 +13,14 @@ const int SEGMENTOS_VUELTA = 4, TROZOS_SEGMENTO = 16,
 /// que es su derivada y se quedaría un 1.5 % dentro.
 inline Geometria<float> segmentoSolenoide(int vueltas, int i) {
     const float paso = glm::two_pi<float>() / SEGMENTOS_VUELTA, largo = 4 * std::tan(paso / 4),
-                avance = LARGO_SOLENOIDE / static_cast<float>(SEGMENTOS_VUELTA * vueltas);
+                avance = LARGO_SOLENOIDE / float(SEGMENTOS_VUELTA * vueltas);
     const auto punto = [&](int k) {
-        const float a = paso * static_cast<float>(k);
-        return glm::vec3(avance * static_cast<float>(k) - LARGO_SOLENOIDE / 2, RADIO_SOLENOIDE * std::cos(a),
+        const float a = paso * float(k);
+        return glm::vec3(avance * float(k) - LARGO_SOLENOIDE / 2, RADIO_SOLENOIDE * std::cos(a),
                          RADIO_SOLENOIDE * std::sin(a));
     };
     const auto tangente = [&](int k) {
-        const float a = paso * static_cast<float>(k);
+        const float a = paso * float(k);
         return largo *
                glm::vec3(avance / paso, -RADIO_SOLENOIDE * std::sin(a), RADIO_SOLENOIDE * std::cos(a));
     };
@@ -35,19 +35,19 @@ inline Malla tuboSolenoide(int vueltas, int resto) {
     for (int k = 0; k <= anillos; ++k) {
         const int i = std::min(k / TROZOS_SEGMENTO, SEGMENTOS_VUELTA * vueltas - 1);
         const Geometria<float> G = segmentoSolenoide(vueltas, i);
-        const float u = static_cast<float>(k - i * TROZOS_SEGMENTO) / TROZOS_SEGMENTO;
+        const float u = float(k - i * TROZOS_SEGMENTO) / TROZOS_SEGMENTO;
         const glm::vec3 centro = cubica(Base::HERMITE, G, u),
                         tangente = glm::normalize(cubica(Base::HERMITE, G, u, 1)),
                         // la hélice nunca va a lo largo de su eje, así que el eje X orienta el anillo
             lado = glm::normalize(glm::cross(tangente, glm::vec3(1, 0, 0))),
                         otro = glm::cross(tangente, lado);
         for (int j = 0; j <= LADOS_TUBO; ++j) {
-            const float a = glm::two_pi<float>() * static_cast<float>(j) / LADOS_TUBO;
+            const float a = glm::two_pi<float>() * float(j) / LADOS_TUBO;
             const glm::vec3 normal = std::cos(a) * lado + std::sin(a) * otro;
             malla.vertices.push_back({centro + GRUESO_TUBO * normal, normal, {0, 0}});
             if (k == anillos || j == LADOS_TUBO || i % 2 != resto)
                 continue;
-            const GLuint p = static_cast<GLuint>(k * (LADOS_TUBO + 1) + j), q = p + LADOS_TUBO + 1;
+            const unsigned p = k * (LADOS_TUBO + 1) + j, q = p + LADOS_TUBO + 1;
             malla.indices.insert(malla.indices.end(), {p, p + 1, q + 1, p, q + 1, q});
         }
     }

@@ -18,13 +18,20 @@ static struct {
         {1.5f, -0.5f, 1.5f}, {1.5f, 0.2f, 0.5f},  {1.5f, 0.3f, -0.5f},  {1.5f, 0.7f, -1.5f}};
     double tolerancia = 0.5; // píxeles
     bool malla = false;
+    Lamina lamina;
+    Editor editor;
 } estado;
+
+static glm::mat4 vista() {
+    return vistaLamina(estado.lamina);
+}
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const Geometria2<float> G = geometriaDeRed(estado.P, 4);
-    const Malla malla = mallaSuperficie(Base::BEZIER, G, segmentosLamina(Base::BEZIER, G, estado.tolerancia));
-    dibujaLamina(malla, LAMINA_AZUL);
+    const Malla malla =
+        mallaSuperficie(Base::BEZIER, G, segmentosLamina(estado.lamina, Base::BEZIER, G, estado.tolerancia));
+    dibujaLamina(estado.lamina, malla, LAMINA_AZUL);
     char texto[60];
     std::snprintf(texto, sizeof texto, "hasta %g px: %zu triángulos", estado.tolerancia,
                   malla.indices.size() / 3);
@@ -34,24 +41,24 @@ static void dibuja() {
             for (std::size_t k = 0; k < 3; ++k)
                 for (const std::size_t extremo : {k, (k + 1) % 3})
                     lados.push_back(malla.vertices[malla.indices[i + extremo]].posicion);
-        trazaSegmentos(lados, vistaLamina(), BLANCO, 0.5f * GROSOR);
+        trazaSegmentos(lados, vista(), BLANCO, 0.5f * GROSOR);
         rotula(texto, {0.5f, 0.94f}, OSCURO);
     } else {
         glDisable(GL_DEPTH_TEST); // la red, entera, también por detrás de la superficie
-        trazaSegmentos(redDeControl(estado.P, 4), vistaLamina(), GRIS, 0.7f * GROSOR);
-        trazaPuntos(estado.P, vistaLamina(), ROJO, 3.5f * GROSOR);
+        trazaSegmentos(redDeControl(estado.P, 4), vista(), GRIS, 0.7f * GROSOR);
+        trazaPuntos(estado.P, vista(), ROJO, 3.5f * GROSOR);
         glEnable(GL_DEPTH_TEST);
         for (std::size_t k = 0; k < 16; ++k)
-            if (k == 0 || k == 3 || k == 12 || k == 15 || static_cast<int>(k) == editor.elegido)
-                rotulaPunto("P" + std::to_string(k / 4) + std::to_string(k % 4), estado.P[k], vistaLamina(),
-                            OSCURO, k == 0 || k == 12 ? Lado::DEBAJO : Lado::ENCIMA);
+            if (k == 0 || k == 3 || k == 12 || k == 15 || int(k) == estado.editor.elegido)
+                rotulaPunto("P" + std::to_string(k / 4) + std::to_string(k % 4), estado.P[k], vista(), OSCURO,
+                            k == 0 || k == 12 ? Lado::DEBAJO : Lado::ENCIMA);
     }
     ponTitulo("Superficie de Bézier: " + std::string(texto));
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || teclaEditor(tecla))
+    if (teclaComun(tecla) || teclaEditor(estado.editor, tecla))
         return;
     if (tecla == 'm')
         estado.malla = !estado.malla;
@@ -63,10 +70,15 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Superficie de Bézier", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
-    iniciaLamina({0.55f, 0.65f, 8, {0, -0.35f, 0}});
+    estado.lamina = creaLamina({0.55f, 0.65f, 8, {0, -0.35f, 0}});
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
-    editaConRaton({&estado.P, vistaLamina}, &orbitaLamina);
+    orbitaConRaton(estado.lamina.orbita);
+    estado.editor = {&estado.P, vista, true};
+    glutMouseFunc(
+        [](int boton, int pulsado, int x, int y) { botonEditor(estado.editor, boton, pulsado, x, y); });
+    glutMotionFunc([](int x, int y) { arrastraEditor(estado.editor, x, y); });
+    glutSpecialFunc([](int tecla, int, int) { especialEditor(estado.editor, tecla); });
     glutMainLoop();
     return 0;
 }

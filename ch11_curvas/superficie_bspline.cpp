@@ -15,7 +15,7 @@ static std::vector<glm::vec3> redInicial() {
     std::vector<glm::vec3> P;
     for (std::size_t i = 0; i < LADO; ++i)
         for (std::size_t j = 0; j < LADO; ++j) {
-            const float x = 0.8f * (static_cast<float>(i) - 2.5f), z = -0.8f * (static_cast<float>(j) - 2.5f);
+            const float x = 0.8f * (float(i) - 2.5f), z = -0.8f * (float(j) - 2.5f);
             const auto monte = [&](float cx, float cz) {
                 return std::exp(-1.6f * ((x - cx) * (x - cx) + (z - cz) * (z - cz)));
             };
@@ -27,7 +27,13 @@ static std::vector<glm::vec3> redInicial() {
 static struct {
     std::vector<glm::vec3> P = redInicial();
     bool red = true;
+    Lamina lamina;
+    Editor editor;
 } estado;
+
+static glm::mat4 vista() {
+    return vistaLamina(estado.lamina);
+}
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -39,22 +45,21 @@ static void dibuja() {
                 haz(geometriaDeRed(estado.P, LADO, i, j), (i + j) % 2 == 0 ? LAMINA_AZUL : LAMINA_NARANJA);
     };
     trozos([&](const Geometria2<float> &G, const Material &) {
-        const Segmentos s = segmentosLamina(Base::BSPLINE, G, TOLERANCIA_LAMINA);
+        const Segmentos s = segmentosLamina(estado.lamina, Base::BSPLINE, G, TOLERANCIA_LAMINA);
         n = {std::max(n.u, s.u), std::max(n.v, s.v)};
     });
     trozos([&](const Geometria2<float> &G, const Material &material) {
-        dibujaLamina(mallaSuperficie(Base::BSPLINE, G, n), material);
+        dibujaLamina(estado.lamina, mallaSuperficie(Base::BSPLINE, G, n), material);
     });
     if (estado.red) {
-        trazaSegmentos(redDeControl(estado.P, LADO), vistaLamina(), GRIS, 0.6f * GROSOR);
+        trazaSegmentos(redDeControl(estado.P, LADO), vista(), GRIS, 0.6f * GROSOR);
         glDisable(GL_DEPTH_TEST); // los puntos, todos, también por detrás de la superficie
-        trazaPuntos(estado.P, vistaLamina(), ROJO, 3 * GROSOR);
+        trazaPuntos(estado.P, vista(), ROJO, 3 * GROSOR);
         glEnable(GL_DEPTH_TEST);
     }
-    if (editor.elegido >= 0) {
-        const auto k = static_cast<std::size_t>(editor.elegido);
-        rotulaPunto("P" + std::to_string(k / LADO) + std::to_string(k % LADO), estado.P[k], vistaLamina(),
-                    OSCURO);
+    if (estado.editor.elegido >= 0) {
+        const int k = estado.editor.elegido;
+        rotulaPunto("P" + std::to_string(k / LADO) + std::to_string(k % LADO), estado.P[k], vista(), OSCURO);
     }
     ponTitulo("Superficie B-Spline: " + std::to_string(LADO * LADO) + " puntos, " +
               std::to_string((LADO - 3) * (LADO - 3)) + " trozos");
@@ -62,7 +67,7 @@ static void dibuja() {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || teclaEditor(tecla) || tecla != 'r')
+    if (teclaComun(tecla) || teclaEditor(estado.editor, tecla) || tecla != 'r')
         return;
     estado.red = !estado.red;
     glutPostRedisplay();
@@ -70,10 +75,15 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Superficie B-Spline", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
-    iniciaLamina({0.55f, 0.6f, 9.4f, {0, -0.1f, 0}});
+    estado.lamina = creaLamina({0.55f, 0.6f, 9.4f, {0, -0.1f, 0}});
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
-    editaConRaton({&estado.P, vistaLamina}, &orbitaLamina);
+    orbitaConRaton(estado.lamina.orbita);
+    estado.editor = {&estado.P, vista, true};
+    glutMouseFunc(
+        [](int boton, int pulsado, int x, int y) { botonEditor(estado.editor, boton, pulsado, x, y); });
+    glutMotionFunc([](int x, int y) { arrastraEditor(estado.editor, x, y); });
+    glutSpecialFunc([](int tecla, int, int) { especialEditor(estado.editor, tecla); });
     glutMainLoop();
     return 0;
 }

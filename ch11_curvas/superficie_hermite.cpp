@@ -18,33 +18,39 @@ static struct {
     std::vector<glm::vec3> esquinas = ESQUINAS_INICIALES;
     float k = 0.7f;
     bool segundo = false;
+    Lamina lamina;
+    Editor editor;
 } estado;
+
+static glm::mat4 vista() {
+    return vistaLamina(estado.lamina);
+}
 
 /// En las esquinas de las filas desde `fila`, las tangentes en u y en v.
 static void dibujaTangentes(const Geometria2<float> &G, std::size_t fila) {
     for (std::size_t i = fila; i < 2; ++i)
         for (std::size_t j = 0; j < 2; ++j) {
-            trazaFlecha(G[i][j], G[i][j] + LARGO_FLECHA * G[i + 2][j], vistaLamina(), VERDE);
-            trazaFlecha(G[i][j], G[i][j] + LARGO_FLECHA * G[i][j + 2], vistaLamina(), ROJO);
-            trazaPuntos({G[i][j]}, vistaLamina(), OSCURO);
+            trazaFlecha(G[i][j], G[i][j] + LARGO_FLECHA * G[i + 2][j], vista(), VERDE);
+            trazaFlecha(G[i][j], G[i][j] + LARGO_FLECHA * G[i][j + 2], vista(), ROJO);
+            trazaPuntos({G[i][j]}, vista(), OSCURO);
         }
 }
 
 static void dibuja() {
     static const char *const NOMBRES[] = {"g11", "g12", "g21", "g22"};
     static const Lado LADOS[] = {Lado::DEBAJO, Lado::IZQUIERDA, Lado::IZQUIERDA, Lado::ENCIMA};
-    orbitaLamina.centro = estado.segundo ? glm::vec3(1.25f, 0.1f, 0) : glm::vec3(0, -0.1f, 0);
+    estado.lamina.orbita.centro = estado.segundo ? glm::vec3(1.25f, 0.1f, 0) : glm::vec3(0, -0.1f, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const Geometria2<float> G = primerTrozo(estado.esquinas), G2 = segundoTrozo(estado.esquinas, estado.k);
-    Segmentos n = segmentosLamina(Base::HERMITE, G, TOLERANCIA_LAMINA);
+    Segmentos n = segmentosLamina(estado.lamina, Base::HERMITE, G, TOLERANCIA_LAMINA);
     if (estado.segundo) { // los mismos en los dos, para que casen en la unión
-        const Segmentos n2 = segmentosLamina(Base::HERMITE, G2, TOLERANCIA_LAMINA);
+        const Segmentos n2 = segmentosLamina(estado.lamina, Base::HERMITE, G2, TOLERANCIA_LAMINA);
         n = {std::max(n.u, n2.u), std::max(n.v, n2.v)};
     }
-    dibujaLamina(mallaSuperficie(Base::HERMITE, G, n), LAMINA_AZUL);
+    dibujaLamina(estado.lamina, mallaSuperficie(Base::HERMITE, G, n), LAMINA_AZUL);
     if (estado.segundo) {
-        dibujaLamina(mallaSuperficie(Base::HERMITE, G2, n), LAMINA_NARANJA);
-        trazaPolilinea(polilinea([&](float v) { return cubica(Base::HERMITE, G[1], v); }, n.v), vistaLamina(),
+        dibujaLamina(estado.lamina, mallaSuperficie(Base::HERMITE, G2, n), LAMINA_NARANJA);
+        trazaPolilinea(polilinea([&](float v) { return cubica(Base::HERMITE, G[1], v); }, n.v), vista(),
                        BLANCO);
     }
     glDisable(GL_DEPTH_TEST); // las flechas, enteras, también por detrás de la superficie
@@ -53,21 +59,21 @@ static void dibuja() {
         dibujaTangentes(G2, 1);
     glEnable(GL_DEPTH_TEST);
     for (std::size_t i = 0; i < 4; ++i)
-        rotulaPunto(NOMBRES[i], estado.esquinas[i], vistaLamina(), OSCURO, LADOS[i]);
+        rotulaPunto(NOMBRES[i], estado.esquinas[i], vista(), OSCURO, LADOS[i]);
     char texto[40] = "";
     if (estado.segundo)
-        std::snprintf(texto, sizeof texto, "G1 con k = %.2f", static_cast<double>(estado.k));
+        std::snprintf(texto, sizeof texto, "G1 con k = %.2f", estado.k);
     rotula(texto, {0.5f, 0.08f}, OSCURO);
     ponTitulo("Superficie de Hermite " + std::string(texto));
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || teclaEditor(tecla))
+    if (teclaComun(tecla) || teclaEditor(estado.editor, tecla))
         return;
     if (tecla == 'u') {
         estado.segundo = !estado.segundo;
-        orbitaLamina.distancia *= estado.segundo ? 1.3f : 1 / 1.3f;
+        estado.lamina.orbita.distancia *= estado.segundo ? 1.3f : 1 / 1.3f;
     } else if (tecla == '+' || tecla == '-')
         estado.k = glm::clamp(estado.k * (tecla == '+' ? FACTOR_K : 1 / FACTOR_K), K_MINIMA, K_MAXIMA);
     glutPostRedisplay();
@@ -75,10 +81,15 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Superficie de Hermite", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
-    iniciaLamina({0.45f, 0.6f, 8.4f});
+    estado.lamina = creaLamina({0.45f, 0.6f, 8.4f});
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
-    editaConRaton({&estado.esquinas, vistaLamina}, &orbitaLamina);
+    orbitaConRaton(estado.lamina.orbita);
+    estado.editor = {&estado.esquinas, vista, true};
+    glutMouseFunc(
+        [](int boton, int pulsado, int x, int y) { botonEditor(estado.editor, boton, pulsado, x, y); });
+    glutMotionFunc([](int x, int y) { arrastraEditor(estado.editor, x, y); });
+    glutSpecialFunc([](int tecla, int, int) { especialEditor(estado.editor, tecla); });
     glutMainLoop();
     return 0;
 }

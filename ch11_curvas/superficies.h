@@ -40,37 +40,51 @@ Geometria2<T> aBezier2(Base base, const Geometria2<T> &G) {
     return B;
 }
 
-/// Normal unitaria, hacia donde apunta Q_u × Q_v. Donde se anula, porque un lado se reduce a un punto o falta una tangente,
-/// su límite camino del centro: la derivada de Q_u × Q_v en esa dirección. Si también se anula, la del primer
-/// punto de ese camino que la tenga; y si no la tiene ninguno, porque no es una superficie, +Z.
+/// El largo de un vector: glm::length no admite la cuádruple precisión.
 template<typename T>
-Punto<T> normalSuperficie(Base base, const Geometria2<T> &G, const T &u, const T &v) {
+T largo(const Punto<T> &a) {
     using std::sqrt;
-    const auto largo = [](const Punto<T> &a) -> T { return sqrt(a.x * a.x + a.y * a.y + a.z * a.z); };
+    return sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
+}
+
+/// Normal unitaria, hacia donde apunta Q_u × Q_v, de una superficie de talla 1; `d(u, v, du, dv)` es su derivada, du veces con u
+/// y dv con v. Donde Q_u × Q_v se anula, porque un lado se reduce a un punto o falta una tangente, su límite camino del
+/// centro: su derivada en esa dirección. Si también se anula, la del primer punto de ese camino que la
+/// tenga; y si no la tiene ninguno, porque no es una superficie, +Z.
+template<typename T, typename Derivada>
+Punto<T> normalOLimite(const Derivada &d, const T &u, const T &v) {
+    using std::sqrt;
     const auto cruz = [](const Punto<T> &a, const Punto<T> &b) {
         return Punto<T>(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
     };
+    const T nada = sqrt(std::numeric_limits<T>::epsilon());
+    for (const double paso : {0.0, 1.0 / 64, 1.0 / 16, 1.0 / 4, 1.0 / 2}) {
+        const T a = T(0.5) - u, b = T(0.5) - v, s = u + T(paso) * a, t = v + T(paso) * b;
+        const Punto<T> qu = d(s, t, 1, 0), qv = d(s, t, 0, 1), n = cruz(qu, qv);
+        const T lu = largo(qu), lv = largo(qv);
+        if (lu > nada && lv > nada && largo(n) > nada * lu * lv)
+            return (T(1) / largo(n)) * n;
+        const Punto<T> quv = d(s, t, 1, 1),
+                       limite = cruz(a * d(s, t, 2, 0) + b * quv, qv) + cruz(qu, a * quv + b * d(s, t, 0, 2));
+        if (largo(limite) > nada)
+            return (T(1) / largo(limite)) * limite;
+    }
+    return Punto<T>(T(0), T(0), T(1));
+}
+
+/// La normal de la superficie, o su límite.
+template<typename T>
+Punto<T> normalSuperficie(Base base, const Geometria2<T> &G, const T &u, const T &v) {
     const Geometria2<T> B = aBezier2(base, G);
     T talla(0);
     for (const Geometria<T> &fila : B)
         for (const Punto<T> &p : fila)
             talla = std::max(talla, largo(p - B[0][0]));
-    if (!(talla > T(0)))
-        return Punto<T>(T(0), T(0), T(1));
-    const T nada = sqrt(std::numeric_limits<T>::epsilon()); // en una superficie de talla 1
-    for (const double paso : {0.0, 1.0 / 64, 1.0 / 16, 1.0 / 4, 1.0 / 2}) {
-        const T a = T(0.5) - u, b = T(0.5) - v, s = u + T(paso) * a, t = v + T(paso) * b;
-        const auto d = [&](int du, int dv) { return (T(1) / talla) * superficie(base, G, s, t, du, dv); };
-        const Punto<T> qu = d(1, 0), qv = d(0, 1), n = cruz(qu, qv);
-        const T lu = largo(qu), lv = largo(qv);
-        if (lu > nada && lv > nada && largo(n) > nada * lu * lv)
-            return (T(1) / largo(n)) * n;
-        const Punto<T> quv = d(1, 1),
-                       limite = cruz(a * d(2, 0) + b * quv, qv) + cruz(qu, a * quv + b * d(0, 2));
-        if (largo(limite) > nada)
-            return (T(1) / largo(limite)) * limite;
-    }
-    return Punto<T>(T(0), T(0), T(1));
+    const T escala = talla > T(0) ? T(1) / talla : T(0);
+    const auto d = [&](const T &s, const T &t, int du, int dv) -> Punto<T> {
+        return escala * superficie(base, G, s, t, du, dv);
+    };
+    return normalOLimite(d, u, v);
 }
 
 /// Segmentos de u y de v.
@@ -103,12 +117,11 @@ inline Malla mallaSuperficie(Base base, const Geometria2<float> &G, const Segmen
     Malla malla;
     for (int j = 0; j <= n.v; ++j)
         for (int i = 0; i <= n.u; ++i) {
-            const float u = static_cast<float>(i) / static_cast<float>(n.u),
-                        v = static_cast<float>(j) / static_cast<float>(n.v);
+            const float u = float(i) / float(n.u), v = float(j) / float(n.v);
             malla.vertices.push_back({superficie(base, G, u, v), normalSuperficie(base, G, u, v), {u, v}});
             if (i == n.u || j == n.v)
                 continue;
-            const GLuint a = static_cast<GLuint>(j * (n.u + 1) + i), d = a + static_cast<GLuint>(n.u + 1);
+            const unsigned a = j * (n.u + 1) + i, d = a + n.u + 1;
             malla.indices.insert(malla.indices.end(), {a, a + 1, d + 1, a, d + 1, d});
         }
     return malla;

@@ -1,4 +1,4 @@
-// El reloj en pantalla: un temporizador que pide otra imagen, las teclas que paran y adelantan el tiempo, y su rótulo.
+// El reloj de un programa en pantalla: el temporizador que pide otra imagen, las teclas que lo paran y lo adelantan, y su rótulo.
 #pragma once
 #include "colores.h"
 #include "reloj.h"
@@ -6,25 +6,23 @@
 #include "ventana.h"
 #include <cstdio>
 
-const double PERIODO_CUADRO = 20;          // ms: 50 imágenes por segundo
+const unsigned PERIODO_CUADRO = 20;        // ms: 50 imágenes por segundo
 const double PASO = 0.5, PASO_CORTO = 0.1; // segundos
 const double SALTO = 36000; // segundos: diez horas, múltiplo de todos los periodos del capítulo
 
-inline Reloj reloj;
-
-inline double tiempo() {
+inline double tiempo(const Reloj &reloj) {
     return segundos(reloj, glutGet(GLUT_ELAPSED_TIME));
 }
 
-/// Se llama una vez y desde entonces se vuelve a pedir a sí misma (§12.2).
-inline void anima(int = 0) {
+/// Pide otra imagen, si el reloj anda, y que `anima`, que es quien la llama, se vuelva a llamar (§12.2).
+inline void pideCuadro(const Reloj &reloj, void (*anima)(int)) {
     if (reloj.parado < 0)
         glutPostRedisplay();
-    glutTimerFunc(static_cast<unsigned>(PERIODO_CUADRO), anima, 0);
+    glutTimerFunc(PERIODO_CUADRO, anima, 0);
 }
 
 /// Atiende las teclas comunes, espacio (pausa), s (adelanta medio segundo), d (una décima) y h (diez horas). Devuelve si la tecla era suya.
-inline bool teclaAnimacion(unsigned char tecla) {
+inline bool teclaAnimacion(Reloj &reloj, unsigned char tecla) {
     if (tecla == ' ')
         conmutaPausa(reloj, glutGet(GLUT_ELAPSED_TIME));
     else if (tecla == 's')
@@ -39,18 +37,14 @@ inline bool teclaAnimacion(unsigned char tecla) {
     return true;
 }
 
-inline void tecladoAnimacion(unsigned char tecla, int, int) {
-    teclaAnimacion(tecla);
-}
-
 /// El título con el estado, y si el tiempo está parado.
-inline void tituloAnimado(const std::string &titulo) {
+inline void tituloAnimado(const Reloj &reloj, const std::string &titulo) {
     ponTitulo(titulo + (reloj.parado < 0 ? "" : " (en pausa)"));
 }
 
 /// El instante, abajo a la izquierda, con lo que el programa añada.
-inline void rotulaTiempo(const glm::vec3 &color, const std::string &ademas = "") {
+inline void rotulaTiempo(const Reloj &reloj, const glm::vec3 &color, const std::string &ademas = "") {
     char texto[48];
-    std::snprintf(texto, sizeof texto, "t = %.2f s", tiempo());
+    std::snprintf(texto, sizeof texto, "t = %.2f s", tiempo(reloj));
     rotula(texto + ademas, {0.03f, 0.06f}, color, Lado::DERECHA);
 }

@@ -16,6 +16,7 @@ static struct {
     BuferPiezas piezas;
     Buferes cubo;
     Orbita orbita = {0.35f, 0.34f, 43, {0.4f, 3.9f, -4.5f}, 0.03f};
+    Reloj reloj;
 } estado;
 
 static void dibujaGrada(const glm::mat4 &camara, const glm::mat4 &proyeccion) {
@@ -23,7 +24,7 @@ static void dibujaGrada(const glm::mat4 &camara, const glm::mat4 &proyeccion) {
     envia(estado.programaObjeto, "camara", camara);
     envia(estado.programaObjeto, "proyeccion", proyeccion);
     for (int i = 0; i < FILAS; ++i) { // cada escalón, macizo hasta el suelo
-        const float alto = ASIENTO.y * static_cast<float>(i + 1), z = ASIENTO.z * static_cast<float>(i);
+        const float alto = ASIENTO.y * float(i + 1), z = ASIENTO.z * float(i);
         dibujaObjeto(estado.programaObjeto, estado.cubo,
                      traslacion({0, 0.5f * alto - ASIENTO.y, z}) *
                          escalado({COLUMNAS + 0.6f, alto, -ASIENTO.z}),
@@ -32,7 +33,7 @@ static void dibujaGrada(const glm::mat4 &camara, const glm::mat4 &proyeccion) {
 }
 
 static void dibuja() {
-    const float t = static_cast<float>(PERIODO_PIEZAS) * fase(tiempo(), PERIODO_PIEZAS);
+    const float t = float(PERIODO_PIEZAS) * fase(tiempo(estado.reloj), PERIODO_PIEZAS);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 200);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     dibujaGrada(camara, proyeccion);
@@ -46,9 +47,17 @@ static void dibuja() {
     for (int i = 0; i < 3; ++i)
         envia(estado.programa, ("paleta[" + std::to_string(i) + "]").c_str(), PALETA[i]);
     dibuja(estado.piezas);
-    rotulaTiempo(OSCURO, std::string(", ") + etapa(t));
-    tituloAnimado("Banderas en una grada: " + std::string(etapa(t)));
+    rotulaTiempo(estado.reloj, OSCURO, std::string(", ") + etapa(t));
+    tituloAnimado(estado.reloj, "Banderas en una grada: " + std::string(etapa(t)));
     glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    teclaAnimacion(estado.reloj, tecla);
+}
+
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
 }
 
 int main(int argc, char **argv) {
@@ -60,9 +69,9 @@ int main(int argc, char **argv) {
     glEnable(GL_DEPTH_TEST);
     glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(tecladoAnimacion);
+    glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima();
+    anima(0);
     glutMainLoop();
     return 0;
 }

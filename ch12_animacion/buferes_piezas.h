@@ -11,15 +11,14 @@ struct BuferPiezas {
 
 inline BuferPiezas creaBuferPiezas(GLuint programa, int columnas, int filas) {
     const std::vector<VerticePieza> piezas = creaPiezas(columnas, filas);
-    BuferPiezas b{0, 0, static_cast<GLsizei>(piezas.size())};
+    BuferPiezas b{0, 0, GLsizei(piezas.size())};
     glGenVertexArrays(1, &b.vao);
     glBindVertexArray(b.vao);
     glGenBuffers(1, &b.vertices);
     glBindBuffer(GL_ARRAY_BUFFER, b.vertices);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(piezas.size() * sizeof piezas[0]), piezas.data(),
-                 GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, piezas.size() * sizeof piezas[0], piezas.data(), GL_STATIC_DRAW);
     const auto atributo = [&](const char *nombre, std::size_t lugar) {
-        const GLuint indice = static_cast<GLuint>(glGetAttribLocation(programa, nombre));
+        const GLuint indice = glGetAttribLocation(programa, nombre);
         glVertexAttribPointer(indice, 2, GL_FLOAT, GL_FALSE, sizeof(VerticePieza),
                               reinterpret_cast<const void *>(lugar));
         glEnableVertexAttribArray(indice);

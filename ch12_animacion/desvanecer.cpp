@@ -12,6 +12,7 @@ static struct {
     GLuint opaco, translucido;
     Buferes cubo, toro;
     Orbita orbita = {0.5f, 0.35f, 9.5f};
+    Reloj reloj;
 } estado;
 
 // De 0 a 1 y de vuelta a 0, sin tirones.
@@ -27,7 +28,7 @@ static void usa(GLuint programa, const glm::mat4 &camara) {
 
 static void dibuja() {
     const glm::mat4 camara = camaraOrbita(estado.orbita);
-    const float alfa = alfaEn(tiempo());
+    const float alfa = alfaEn(tiempo(estado.reloj));
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     usa(estado.opaco, camara);
     dibujaObjeto(estado.opaco, estado.cubo, escalado(1.5f), AMARILLO);
@@ -46,10 +47,18 @@ static void dibuja() {
     glDepthFunc(GL_LESS);
 
     char ademas[32];
-    std::snprintf(ademas, sizeof ademas, ", α = %.2f", static_cast<double>(alfa));
-    rotulaTiempo(OSCURO, ademas);
-    tituloAnimado(std::string("Aparecer y desvanecerse") + ademas);
+    std::snprintf(ademas, sizeof ademas, ", α = %.2f", alfa);
+    rotulaTiempo(estado.reloj, OSCURO, ademas);
+    tituloAnimado(estado.reloj, std::string("Aparecer y desvanecerse") + ademas);
     glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    teclaAnimacion(estado.reloj, tecla);
+}
+
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
 }
 
 int main(int argc, char **argv) {
@@ -62,9 +71,9 @@ int main(int argc, char **argv) {
     glEnable(GL_CULL_FACE);
     glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(tecladoAnimacion);
+    glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima();
+    anima(0);
     glutMainLoop();
     return 0;
 }

@@ -16,6 +16,7 @@ static struct {
     GLuint programa;
     Buferes plano, esfera, cubo;
     Orbita orbita = {0.4f, 0.42f, 12, {0.1f, 0.65f, 0}, 0.05f};
+    Reloj reloj;
 } estado;
 
 // De 0 a 1 y de vuelta a 0.
@@ -25,9 +26,9 @@ static float pulso(double t, double periodo) {
 
 static void dibuja() {
     const glm::mat4 camara = camaraOrbita(estado.orbita);
-    const float intensidad = pulso(tiempo(), PERIODO_INTENSIDAD);
+    const float intensidad = pulso(tiempo(estado.reloj), PERIODO_INTENSIDAD);
     Luz luz{FUENTE};
-    luz.Ld = luz.Ls = intensidad * glm::mix(CALIDO, FRIO, pulso(tiempo(), PERIODO_COLOR));
+    luz.Ld = luz.Ls = intensidad * glm::mix(CALIDO, FRIO, pulso(tiempo(estado.reloj), PERIODO_COLOR));
 
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
@@ -45,10 +46,18 @@ static void dibuja() {
     solido(estado.esfera, traslacion(glm::vec3(FUENTE)) * escalado(0.16f), {luz.Ld / LA, {}, {}, 1});
 
     char ademas[32];
-    std::snprintf(ademas, sizeof ademas, ", I = %.2f", static_cast<double>(intensidad));
-    rotulaTiempo(BLANCO, ademas);
-    tituloAnimado(std::string("Luces animadas") + ademas);
+    std::snprintf(ademas, sizeof ademas, ", I = %.2f", intensidad);
+    rotulaTiempo(estado.reloj, BLANCO, ademas);
+    tituloAnimado(estado.reloj, std::string("Luces animadas") + ademas);
     glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    teclaAnimacion(estado.reloj, tecla);
+}
+
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
 }
 
 int main(int argc, char **argv) {
@@ -60,9 +69,9 @@ int main(int argc, char **argv) {
     glEnable(GL_DEPTH_TEST);
     glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(tecladoAnimacion);
+    glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima();
+    anima(0);
     glutMainLoop();
     return 0;
 }

@@ -12,10 +12,11 @@ static const glm::vec3 PALETA[] = {ROJO, AMARILLO, NARANJA, OSCURO, {0.30f, 0.55
 static struct {
     GLuint programa;
     BuferPiezas piezas;
+    Reloj reloj;
 } estado;
 
 static void dibuja() {
-    const float t = static_cast<float>(PERIODO_PIEZAS) * fase(tiempo(), PERIODO_PIEZAS);
+    const float t = float(PERIODO_PIEZAS) * fase(tiempo(estado.reloj), PERIODO_PIEZAS);
     glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     envia(estado.programa, "proyeccion", paralelaVentana(SEMIALTO));
@@ -24,9 +25,17 @@ static void dibuja() {
     for (int i = 0; i < 5; ++i)
         envia(estado.programa, ("paleta[" + std::to_string(i) + "]").c_str(), PALETA[i]);
     dibuja(estado.piezas);
-    rotulaTiempo(OSCURO, std::string(", ") + etapa(t));
-    tituloAnimado("Mosaico de partículas: " + std::string(etapa(t)));
+    rotulaTiempo(estado.reloj, OSCURO, std::string(", ") + etapa(t));
+    tituloAnimado(estado.reloj, "Mosaico de partículas: " + std::string(etapa(t)));
     glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    teclaAnimacion(estado.reloj, tecla);
+}
+
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
 }
 
 int main(int argc, char **argv) {
@@ -35,8 +44,8 @@ int main(int argc, char **argv) {
     estado.piezas = creaBuferPiezas(estado.programa, COLUMNAS, FILAS);
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(tecladoAnimacion);
-    anima();
+    glutKeyboardFunc(teclado);
+    anima(0);
     glutMainLoop();
     return 0;
 }

@@ -25,13 +25,14 @@ static struct {
     GLuint programa, vao;
     int elegido = 0, cuantas = NORMAL;
     Orbita orbita = {0.4f, 0.12f, 12, {0, 1.95f, 0}, 0.02f};
+    Reloj reloj;
 } estado;
 
 static void dibujaPila(const glm::mat4 &vista) {
     std::vector<glm::vec3> circulo;
     const float radio = MODOS[estado.elegido].pila;
     for (int i = 0; i < 72; ++i) {
-        const float a = glm::two_pi<float>() * static_cast<float>(i) / 72;
+        const float a = glm::two_pi<float>() * float(i) / 72;
         circulo.push_back({radio * std::cos(a), 0, radio * std::sin(a)});
     }
     trazaPolilinea(circulo, vista, GRIS, GROSOR, true);
@@ -47,7 +48,7 @@ static std::string nombraPartes(int n) { // 1 000 000 partículas
 static void dibuja() {
     const auto &modo = MODOS[estado.elegido];
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.55f, 0.5f, 50);
-    const float muchas = static_cast<float>(estado.cuantas) / static_cast<float>(NORMAL);
+    const float muchas = float(estado.cuantas) / float(NORMAL);
     glClear(GL_COLOR_BUFFER_BIT);
     dibujaPila(proyeccion * camara);
     glEnable(GL_BLEND);
@@ -57,10 +58,9 @@ static void dibuja() {
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "elegido", estado.elegido);
     envia(estado.programa, "grupos", modo.grupos);
-    envia(estado.programa, "vida", static_cast<float>(modo.vida));
-    envia(estado.programa, "tau", fase(tiempo(), modo.vida));
-    envia(estado.programa, "talla",
-          0.5f * proyeccion[1][1] * static_cast<float>(glutGet(GLUT_WINDOW_HEIGHT)));
+    envia(estado.programa, "vida", float(modo.vida));
+    envia(estado.programa, "tau", fase(tiempo(estado.reloj), modo.vida));
+    envia(estado.programa, "talla", 0.5f * proyeccion[1][1] * float(glutGet(GLUT_WINDOW_HEIGHT)));
     // la superficie que cubren entre todas no cambia con su número; si son pocas, que se vean
     envia(estado.programa, "escala", std::min(1 / std::sqrt(muchas), 3.0f));
     glBindVertexArray(estado.vao);
@@ -68,13 +68,13 @@ static void dibuja() {
     glDisable(GL_BLEND);
 
     const std::string cuantas = nombraPartes(estado.cuantas);
-    rotulaTiempo(BLANCO, ", " + cuantas);
-    tituloAnimado(std::string(modo.nombre) + ": " + cuantas);
+    rotulaTiempo(estado.reloj, BLANCO, ", " + cuantas);
+    tituloAnimado(estado.reloj, std::string(modo.nombre) + ": " + cuantas);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaAnimacion(tecla))
+    if (teclaAnimacion(estado.reloj, tecla))
         return;
     if (tecla >= '1' && tecla <= '3')
         estado.elegido = tecla - '1';
@@ -87,6 +87,10 @@ static void teclado(unsigned char tecla, int, int) {
     glutPostRedisplay();
 }
 
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
+}
+
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Sistemas de partículas", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     estado.programa = creaPrograma("ch12_animacion/particulas.vert", "ch12_animacion/particulas.frag");
@@ -96,7 +100,7 @@ int main(int argc, char **argv) {
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima();
+    anima(0);
     glutMainLoop();
     return 0;
 }

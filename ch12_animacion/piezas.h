@@ -25,7 +25,7 @@ inline float azar(std::uint32_t n) {
     n = (n ^ (n >> 16)) * 0x7feb352du;
     n = (n ^ (n >> 15)) * 0x846ca68bu;
     n ^= n >> 16;
-    return static_cast<float>(n >> 8) / 16777216.0f;
+    return float(n >> 8) / 16777216.0f;
 }
 
 /// Seis vértices (dos triángulos) por pieza, por filas.
@@ -33,7 +33,7 @@ inline std::vector<VerticePieza> creaPiezas(int columnas, int filas) {
     const glm::vec2 esquinas[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};
     std::vector<VerticePieza> vertices;
     for (int i = 0; i < columnas * filas; ++i) {
-        const std::uint32_t n = 2 * static_cast<std::uint32_t>(i);
+        const std::uint32_t n = 2 * std::uint32_t(i);
         const glm::vec2 celda(i % columnas, i / columnas),
             vida(NACEN * azar(n), glm::mix(MUEREN, MUEREN_ANTES, azar(n + 1)));
         for (const glm::vec2 &esquina : esquinas)

@@ -30,6 +30,6 @@ inline void adelanta(Reloj &reloj, double s) {
 /// distingue los milisegundos pasadas unas horas (a las 100, salta de 31 en 31).
 inline float fase(double t, double periodo) {
     const double vueltas = t / periodo;
-    const float f = static_cast<float>(vueltas - std::floor(vueltas));
+    const float f = float(vueltas - std::floor(vueltas));
     return f < 1 ? f : 0;
 }

@@ -25,6 +25,7 @@ static struct {
     bool ambos = false;
     float S2 = 0.7f;
     Orbita orbita = {0.3f, 0.2f, 10};
+    Reloj reloj;
 } estado;
 
 static void dibujaModo(const Recuadro &r, int cual) {
@@ -36,7 +37,7 @@ static void dibujaModo(const Recuadro &r, int cual) {
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "M", glm::mat4(1));
     envia(estado.programa, "colorObjeto", cual == 0 ? VERDE : NARANJA);
-    envia(estado.programa, "tiempo", fase(tiempo(), PERIODO));
+    envia(estado.programa, "tiempo", fase(tiempo(estado.reloj), PERIODO));
     envia(estado.programa, "S1", S1);
     envia(estado.programa, "S2", estado.S2);
     envia(estado.programa, "centro", MODOS[cual].centro);
@@ -46,7 +47,7 @@ static void dibujaModo(const Recuadro &r, int cual) {
     std::vector<glm::vec3> contorno; // de la esfera sin desplazar, de cara a la cámara
     const glm::mat4 haciaMundo = glm::inverse(camara);
     for (int i = 0; i < 90; ++i) {
-        const float a = glm::two_pi<float>() * static_cast<float>(i) / 90;
+        const float a = glm::two_pi<float>() * float(i) / 90;
         contorno.push_back(haciaMundo * glm::vec4(std::cos(a), std::sin(a), -estado.orbita.distancia, 1));
     }
     trazaPolilinea(contorno, proyeccion * camara, OSCURO, GROSOR / 2, true);
@@ -59,20 +60,20 @@ static void dibuja() {
         const std::vector<Recuadro> paneles = reparte(2);
         abreRecuadro(ventanaEntera(), GRIS);
         for (int i = 0; i < 2; ++i)
-            dibujaModo(paneles[static_cast<std::size_t>(i)], i);
+            dibujaModo(paneles[i], i);
     } else {
         dibujaModo(ventanaEntera(), estado.elegido);
     }
     char ademas[32];
-    std::snprintf(ademas, sizeof ademas, ", S2 = %.1f", static_cast<double>(estado.S2));
-    rotulaTiempo(OSCURO, ademas);
-    tituloAnimado(std::string("Vértices desplazados por ruido: ") +
-                  (estado.ambos ? "los dos" : MODOS[estado.elegido].nombre) + ademas);
+    std::snprintf(ademas, sizeof ademas, ", S2 = %.1f", estado.S2);
+    rotulaTiempo(estado.reloj, OSCURO, ademas);
+    tituloAnimado(estado.reloj, std::string("Vértices desplazados por ruido: ") +
+                                    (estado.ambos ? "los dos" : MODOS[estado.elegido].nombre) + ademas);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaAnimacion(tecla))
+    if (teclaAnimacion(estado.reloj, tecla))
         return;
     switch (tecla) {
     case '1':
@@ -88,6 +89,10 @@ static void teclado(unsigned char tecla, int, int) {
     glutPostRedisplay();
 }
 
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
+}
+
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Vértices desplazados por ruido", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     estado.programa = creaPrograma("ch12_animacion/ruido_vertices.vert", "ch03_transformaciones/objeto.frag");
@@ -96,7 +101,7 @@ int main(int argc, char **argv) {
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima();
+    anima(0);
     glutMainLoop();
     return 0;
 }

@@ -12,50 +12,59 @@ static const struct {
 } TEMPORIZADORES[] = {{250, ROJO}, {400, VERDE}, {1000, AZUL}};
 static const double VENTANA = 3; // segundos que se ven
 
-static int disparos[3];
+static struct {
+    Reloj reloj;
+    int disparos[3];
+} estado;
 
 static void dispara(int cual) {
-    const double periodo = TEMPORIZADORES[cual].periodo, ahora = 1000 * tiempo();
-    if (ahora > (disparos[cual] + 1) * periodo - 0.5) {
-        ++disparos[cual];
+    const double periodo = TEMPORIZADORES[cual].periodo, ahora = 1000 * tiempo(estado.reloj);
+    if (ahora > (estado.disparos[cual] + 1) * periodo - 0.5) {
+        ++estado.disparos[cual];
         glutPostRedisplay();
     }
     // en pausa se vuelve a mirar al cabo de un cuadro
-    const double falta = reloj.parado < 0 ? (disparos[cual] + 1) * periodo - ahora : PERIODO_CUADRO;
-    glutTimerFunc(static_cast<unsigned>(std::max(1L, std::lround(falta))), dispara, cual);
+    const double falta =
+        estado.reloj.parado < 0 ? (estado.disparos[cual] + 1) * periodo - ahora : PERIODO_CUADRO;
+    glutTimerFunc(unsigned(std::max(1L, std::lround(falta))), dispara, cual);
 }
 
 static void dibuja() {
     const glm::mat4 proyeccion = paralelaVentana(1);
-    const double t = tiempo(), desde = std::max(0.0, t - VENTANA);
-    const auto x = [&](double s) { return static_cast<float>(-0.42 + 1.62 * (s - desde) / VENTANA); };
+    const double t = tiempo(estado.reloj), desde = std::max(0.0, t - VENTANA);
+    const auto x = [&](double s) { return float(-0.42 + 1.62 * (s - desde) / VENTANA); };
     glClear(GL_COLOR_BUFFER_BIT);
     trazaSegmentos({{x(t), -0.7f, 0}, {x(t), 0.85f, 0}}, proyeccion, NARANJA, GROSOR / 2); // ahora
     for (int i = 0; i < 3; ++i) {
         const auto &temporizador = TEMPORIZADORES[i];
         const double periodo = temporizador.periodo / 1000.0;
-        const float y = 0.6f - 0.55f * static_cast<float>(i);
+        const float y = 0.6f - 0.55f * float(i);
         trazaSegmentos({{x(desde), y, 0}, {x(desde + VENTANA), y, 0}}, proyeccion, GRIS);
         std::vector<glm::vec3> marcas;
-        for (int n = std::max(1, static_cast<int>(std::ceil(desde / periodo))); n <= disparos[i]; ++n)
+        for (int n = std::max(1, int(std::ceil(desde / periodo))); n <= estado.disparos[i]; ++n)
             marcas.push_back({x(n * periodo), y, 0});
         trazaPuntos(marcas, proyeccion, temporizador.color, 30);
-        rotulaPunto(std::to_string(disparos[i]), {-0.88f, y + 0.04f, 0}, proyeccion, temporizador.color,
-                    Lado::CENTRO, 0.12f);
+        rotulaPunto(std::to_string(estado.disparos[i]), {-0.88f, y + 0.04f, 0}, proyeccion,
+                    temporizador.color, Lado::CENTRO, 0.12f);
         rotulaPunto(std::to_string(temporizador.periodo) + " ms", {-0.88f, y - 0.17f, 0}, proyeccion, OSCURO,
                     Lado::CENTRO);
     }
-    rotulaTiempo(OSCURO);
-    tituloAnimado("Temporizadores: " + std::to_string(disparos[0]) + ", " + std::to_string(disparos[1]) +
-                  " y " + std::to_string(disparos[2]) + " disparos");
+    rotulaTiempo(estado.reloj, OSCURO);
+    tituloAnimado(estado.reloj, "Temporizadores: " + std::to_string(estado.disparos[0]) + ", " +
+                                    std::to_string(estado.disparos[1]) + " y " +
+                                    std::to_string(estado.disparos[2]) + " disparos");
     glutSwapBuffers();
 }
 
-static void teclado(unsigned char tecla, int x, int y) {
+static void teclado(unsigned char tecla, int, int) {
     if (tecla == ' ') // no s ni h: un temporizador no dispara por un tiempo que no ha pasado
-        tecladoAnimacion(tecla, x, y);
+        teclaAnimacion(estado.reloj, tecla);
     else
         teclaComun(tecla);
+}
+
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
 }
 
 int main(int argc, char **argv) {
@@ -65,7 +74,7 @@ int main(int argc, char **argv) {
     glutKeyboardFunc(teclado);
     for (int i = 0; i < 3; ++i)
         dispara(i);
-    anima();
+    anima(0);
     glutMainLoop();
     return 0;
 }

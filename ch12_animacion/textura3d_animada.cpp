@@ -4,6 +4,7 @@
 #include "animacion.h"
 #include "ch03_transformaciones/objeto.h"
 #include "ch08_texturas_avanzadas/ruido.h"
+#include "imagen.h"
 #include "orbita.h"
 
 static const double PERIODO = 4; // segundos
@@ -14,6 +15,7 @@ static struct {
     GLuint programa, textura;
     Buferes esfera, toro;
     Orbita orbita = {0.4f, 0.4f, 9.5f};
+    Reloj reloj;
 } estado;
 
 // De un canal, 64³: un cuarto de megabyte. El ruido, de −1 a 1, va de 0 a 255.
@@ -22,8 +24,7 @@ static GLuint creaTexturaRuido() {
     for (int i = 0; i < LADO * LADO * LADO; ++i) {
         const glm::vec3 p =
             (glm::vec3(i % LADO, i / LADO % LADO, i / (LADO * LADO)) + 0.5f) * (float(CELDAS) / LADO);
-        const float v = 0.5f + 0.5f * turbulencia(p, OCTAVAS, glm::ivec3(CELDAS));
-        texels.push_back(static_cast<unsigned char>(255 * glm::clamp(v, 0.0f, 1.0f) + 0.5f));
+        texels.push_back(enOchoBits(0.5f + 0.5f * turbulencia(p, OCTAVAS, glm::ivec3(CELDAS))));
     }
     GLuint textura;
     glGenTextures(1, &textura);
@@ -41,7 +42,7 @@ static void dibuja() {
     envia(estado.programa, "proyeccion", perspectivaVentana(0.4f, 1, 50));
     envia(estado.programa, "Ruido", 0);
     envia(estado.programa, "escala", ESCALA);
-    envia(estado.programa, "tau", fase(tiempo(), PERIODO));
+    envia(estado.programa, "tau", fase(tiempo(estado.reloj), PERIODO));
     glBindTexture(GL_TEXTURE_3D, estado.textura);
     for (const auto &[solido, M] :
          {std::pair(estado.esfera, glm::mat4(1)), std::pair(estado.toro, giroX(1.3f))}) {
@@ -49,9 +50,17 @@ static void dibuja() {
         envia(estado.programa, "N", matrizNormal(M));
         dibuja(solido);
     }
-    rotulaTiempo(BLANCO);
-    tituloAnimado("Textura 3D animada");
+    rotulaTiempo(estado.reloj, BLANCO);
+    tituloAnimado(estado.reloj, "Textura 3D animada");
     glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    teclaAnimacion(estado.reloj, tecla);
+}
+
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
 }
 
 int main(int argc, char **argv) {
@@ -65,9 +74,9 @@ int main(int argc, char **argv) {
     glEnable(GL_CULL_FACE);
     glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(tecladoAnimacion);
+    glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima();
+    anima(0);
     glutMainLoop();
     return 0;
 }

@@ -2,7 +2,7 @@
 // que el fragment shader lee la imagen, a las que suma un seno. Es lo que se ve a través del agua.
 // Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · Esc termina.
 #include "animacion.h"
-#include "malla.h"
+#include "buferes.h"
 #include "shader.h"
 #include "textura.h"
 
@@ -12,6 +12,7 @@ static const float AMPLITUD = 0.03f;
 static struct {
     GLuint programa, textura;
     Buferes plano;
+    Reloj reloj;
 } estado;
 
 static void dibuja() {
@@ -21,13 +22,21 @@ static void dibuja() {
     envia(estado.programa, "camara", glm::mat4(1));
     envia(estado.programa, "M", glm::mat4(1));
     envia(estado.programa, "Img", 0);
-    envia(estado.programa, "tau", fase(tiempo(), PERIODO));
+    envia(estado.programa, "tau", fase(tiempo(estado.reloj), PERIODO));
     envia(estado.programa, "amplitud", AMPLITUD);
     glBindTexture(GL_TEXTURE_2D, estado.textura);
     dibuja(estado.plano);
-    rotulaTiempo(OSCURO);
-    tituloAnimado("Textura ondulada");
+    rotulaTiempo(estado.reloj, OSCURO);
+    tituloAnimado(estado.reloj, "Textura ondulada");
     glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    teclaAnimacion(estado.reloj, tecla);
+}
+
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
 }
 
 int main(int argc, char **argv) {
@@ -41,8 +50,8 @@ int main(int argc, char **argv) {
     estado.plano = creaBuferes(plano(1));
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(tecladoAnimacion);
-    anima();
+    glutKeyboardFunc(teclado);
+    anima(0);
     glutMainLoop();
     return 0;
 }

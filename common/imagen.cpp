@@ -18,11 +18,10 @@ const int LADO_MAXIMO = 32768;
 
 Imagen desdeArriba(const char *bytes, int ancho, int alto) {
     Imagen imagen{ancho, alto, {}};
-    const std::size_t fila = 3 * static_cast<std::size_t>(ancho);
-    imagen.rgb.resize(fila * static_cast<std::size_t>(alto));
+    const std::size_t fila = std::size_t(3) * ancho;
+    imagen.rgb.resize(fila * alto);
     for (int y = 0; y < alto; ++y)
-        std::memcpy(&imagen.rgb[fila * static_cast<std::size_t>(alto - 1 - y)],
-                    bytes + fila * static_cast<std::size_t>(y), fila);
+        std::memcpy(&imagen.rgb[fila * (alto - 1 - y)], bytes + fila * y, fila);
     return imagen;
 }
 
@@ -51,7 +50,7 @@ int numeroDeCabecera(const std::string &datos, std::size_t &i, const std::string
 }
 
 void compruebaTalla(const std::string &fichero, int ancho, int alto, std::size_t encontrado) {
-    const std::size_t esperado = 3 * static_cast<std::size_t>(ancho) * static_cast<std::size_t>(alto);
+    const std::size_t esperado = std::size_t(3) * ancho * alto;
     if (encontrado != esperado)
         falla("«" + fichero + "»: una imagen RGB de " + std::to_string(ancho) + "×" + std::to_string(alto) +
               " ocupa " + std::to_string(esperado) + " bytes y hay " + std::to_string(encontrado));
@@ -123,7 +122,7 @@ std::vector<Imagen> imagenesDeArgumentos(int argc, char **argv,
     const auto esPpm = [](const std::string &fichero) {
         std::string extension = fs::path(fichero).extension().string();
         for (char &c : extension)
-            c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+            c = char(std::tolower(static_cast<unsigned char>(c)));
         return extension == ".ppm";
     };
     if (!talla.empty() && std::all_of(ficheros.begin(), ficheros.end(), esPpm))
@@ -158,9 +157,9 @@ bool intentaGuardarPpm(const std::string &fichero, const Imagen &imagen, const s
     if (!comentario.empty())
         std::fprintf(f, "# %s\n", comentario.c_str());
     std::fprintf(f, "%d %d\n255\n", imagen.ancho, imagen.alto);
-    const std::size_t fila = 3 * static_cast<std::size_t>(imagen.ancho);
+    const std::size_t fila = std::size_t(3) * imagen.ancho;
     for (int y = imagen.alto - 1; y >= 0; --y)
-        std::fwrite(&imagen.rgb[fila * static_cast<std::size_t>(y)], 1, fila, f);
+        std::fwrite(&imagen.rgb[fila * y], 1, fila, f);
     comprueba(std::fflush(f) == 0 && !std::ferror(f));
     comprueba(std::fclose(f) == 0);
     if (error.empty() && !dispositivo)

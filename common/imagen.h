@@ -1,5 +1,7 @@
 // Imágenes RGB de 8 bits por componente: lectura de texturas RGB (listado 6.1) y ficheros PPM.
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -10,6 +12,12 @@ struct Imagen {
     int ancho = 0, alto = 0;
     std::vector<unsigned char> rgb;
 };
+
+/// Una componente de 0 a 1 (si se sale, el extremo), en el byte más cercano.
+template<class T>
+unsigned char enOchoBits(T componente) {
+    return static_cast<unsigned char>(std::lround(255 * std::clamp(componente, T(0), T(1))));
+}
 
 /// Lee un fichero RGB sin cabecera (listado 6.1). Su tamaño debe ser exactamente ancho·alto·3 bytes:
 /// si no, termina diciendo el esperado y el encontrado.

@@ -2,10 +2,8 @@
 #include "error.h"
 #include "numero.h"
 #include "rutas.h"
-#include "shader.h"
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <glm/gtc/constants.hpp>
 #include <limits>
@@ -21,11 +19,11 @@ glm::vec2 enCirculo(int i, int n) {
 
 /// Rejilla de n×m cuadrados sobre (s,t) en [0,1]²; los triángulos que se quedan sin área se omiten.
 void rejilla(Malla &malla, int n, int m, const std::function<Vertice(int, int)> &vertice) {
-    const GLuint base = static_cast<GLuint>(malla.vertices.size());
+    const unsigned base = unsigned(malla.vertices.size());
     for (int j = 0; j <= m; ++j)
         for (int i = 0; i <= n; ++i)
             malla.vertices.push_back(vertice(i, j));
-    auto triangulo = [&](GLuint a, GLuint b, GLuint c) {
+    auto triangulo = [&](unsigned a, unsigned b, unsigned c) {
         const glm::vec3 &p = malla.vertices[a].posicion, &q = malla.vertices[b].posicion,
                         &r = malla.vertices[c].posicion;
         if (p != q && q != r && r != p)
@@ -33,7 +31,7 @@ void rejilla(Malla &malla, int n, int m, const std::function<Vertice(int, int)> 
     };
     for (int j = 0; j < m; ++j)
         for (int i = 0; i < n; ++i) {
-            const GLuint a = base + static_cast<GLuint>(j * (n + 1) + i), b = a + static_cast<GLuint>(n + 1);
+            const unsigned a = base + j * (n + 1) + i, b = a + n + 1;
             triangulo(a, a + 1, b + 1);
             triangulo(a, b + 1, b);
         }
@@ -42,48 +40,17 @@ void rejilla(Malla &malla, int n, int m, const std::function<Vertice(int, int)> 
 /// Disco de radio 1 a la altura z, que mira hacia ±Z según `haciaArriba`.
 void tapa(Malla &malla, int n, float z, bool haciaArriba) {
     const glm::vec3 normal(0, 0, haciaArriba ? 1 : -1);
-    const GLuint centro = static_cast<GLuint>(malla.vertices.size());
+    const unsigned centro = unsigned(malla.vertices.size());
     malla.vertices.push_back({{0, 0, z}, normal, {0.5f, 0.5f}});
     for (int i = 0; i <= n; ++i) {
         const glm::vec2 c = enCirculo(i, n);
         malla.vertices.push_back({{c, z}, normal, 0.5f + 0.5f * c});
     }
-    for (GLuint i = centro + 1; i <= centro + static_cast<GLuint>(n); ++i)
+    for (unsigned i = centro + 1; i <= centro + n; ++i)
         malla.indices.insert(malla.indices.end(), {centro, haciaArriba ? i : i + 1, haciaArriba ? i + 1 : i});
 }
 
 } // namespace
-
-Buferes creaBuferes(const Malla &malla) {
-    Buferes b{};
-    b.nIndices = static_cast<GLsizei>(malla.indices.size());
-    glGenVertexArrays(1, &b.vao);
-    glBindVertexArray(b.vao);
-
-    glGenBuffers(1, &b.vertices);
-    glBindBuffer(GL_ARRAY_BUFFER, b.vertices);
-    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(malla.vertices.size() * sizeof(Vertice)),
-                 malla.vertices.data(), GL_STATIC_DRAW);
-    auto atributo = [](GLuint indice, GLint componentes, std::size_t desplazamiento) {
-        glVertexAttribPointer(indice, componentes, GL_FLOAT, GL_FALSE, sizeof(Vertice),
-                              reinterpret_cast<const void *>(desplazamiento));
-        glEnableVertexAttribArray(indice);
-    };
-    atributo(ATRIBUTO_POSICION, 3, offsetof(Vertice, posicion));
-    atributo(ATRIBUTO_NORMAL, 3, offsetof(Vertice, normal));
-    atributo(ATRIBUTO_COORD_TEXTURA, 2, offsetof(Vertice, coordTextura));
-
-    glGenBuffers(1, &b.indices);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, b.indices);
-    glBufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(malla.indices.size() * sizeof(GLuint)),
-                 malla.indices.data(), GL_STATIC_DRAW);
-    return b;
-}
-
-void dibuja(const Buferes &buferes) {
-    glBindVertexArray(buferes.vao);
-    glDrawElements(GL_TRIANGLES, buferes.nIndices, GL_UNSIGNED_INT, nullptr);
-}
 
 Malla cubo() {
     Malla malla;
@@ -94,7 +61,7 @@ Malla cubo() {
             n[eje] = 2 * lado;
             u[(eje + 1) % 3] = 1;
             v[(eje + 2) % 3] = 2 * lado;
-            const GLuint base = static_cast<GLuint>(malla.vertices.size());
+            const unsigned base = unsigned(malla.vertices.size());
             for (const glm::vec2 st : {glm::vec2(0, 0), {1, 0}, {1, 1}, {0, 1}})
                 malla.vertices.push_back({0.5f * n + (st.s - 0.5f) * u + (st.t - 0.5f) * v, n, st});
             malla.indices.insert(malla.indices.end(), {base, base + 1, base + 2, base, base + 2, base + 3});
@@ -109,12 +76,9 @@ Malla esfera(int n) {
     rejilla(malla, n, m, [&](int i, int j) {
         // colatitud desde el polo sur; en los polos el radio es 0 exacto y la malla cierra
         const double a = glm::pi<double>() * j / m;
-        const float radio = j == 0 || j == m ? 0.0f : static_cast<float>(std::sin(a));
+        const float radio = j == 0 || j == m ? 0.0f : float(std::sin(a));
         const glm::vec3 p(enCirculo(i, n) * radio, -std::cos(a));
-        return Vertice{
-            p,
-            p,
-            {static_cast<float>(i) / static_cast<float>(n), static_cast<float>(j) / static_cast<float>(m)}};
+        return Vertice{p, p, {float(i) / float(n), float(j) / float(m)}};
     });
     return malla;
 }
@@ -124,8 +88,7 @@ Malla cilindro(int n) {
     Malla malla;
     rejilla(malla, n, 1, [&](int i, int j) {
         const glm::vec2 c = enCirculo(i, n);
-        return Vertice{
-            {c, static_cast<float>(j) - 0.5f}, {c, 0}, {static_cast<float>(i) / static_cast<float>(n), j}};
+        return Vertice{{c, float(j) - 0.5f}, {c, 0}, {float(i) / float(n), j}};
     });
     tapa(malla, n, 0.5f, true);
     tapa(malla, n, -0.5f, false);
@@ -138,9 +101,9 @@ Malla cono(int n) {
     rejilla(malla, n, 1, [&](int i, int j) {
         // la normal de la generatriz que baja 1 y sale 1 sube 45 grados
         const glm::vec2 c = enCirculo(i, n);
-        return Vertice{{c * static_cast<float>(1 - j), j},
+        return Vertice{{c * float(1 - j), j},
                        glm::vec3(c, 1) * glm::one_over_root_two<float>(),
-                       {static_cast<float>(i) / static_cast<float>(n), j}};
+                       {float(i) / float(n), j}};
     });
     tapa(malla, n, 0, false);
     return malla;
@@ -152,10 +115,9 @@ Malla toro(float radio, float radioTubo, int n, int m) {
     rejilla(malla, n, m, [&](int i, int j) {
         const glm::vec2 anillo = enCirculo(i, n), tubo = enCirculo(j, m);
         const glm::vec3 normal(anillo * tubo.x, tubo.y);
-        return Vertice{
-            glm::vec3(anillo * radio, 0) + radioTubo * normal,
-            normal,
-            {static_cast<float>(i) / static_cast<float>(n), static_cast<float>(j) / static_cast<float>(m)}};
+        return Vertice{glm::vec3(anillo * radio, 0) + radioTubo * normal,
+                       normal,
+                       {float(i) / float(n), float(j) / float(m)}};
     });
     return malla;
 }
@@ -164,7 +126,7 @@ Malla plano(int n) {
     n = std::max(n, 1);
     Malla malla;
     rejilla(malla, n, n, [&](int i, int j) {
-        const glm::vec2 st = glm::vec2(i, j) / static_cast<float>(n);
+        const glm::vec2 st = glm::vec2(i, j) / float(n);
         return Vertice{{st - 0.5f, 0}, {0, 0, 1}, st};
     });
     return malla;
@@ -200,9 +162,9 @@ MallaVf leeVf(const std::string &fichero) {
                 mal("un vértice son tres números");
             malla.vertices.emplace_back(*p);
         } else if (tipo == "f") {
-            std::vector<GLuint> cara;
+            std::vector<unsigned> cara;
             while (palabras >> palabra) {
-                const std::optional<GLuint> i = numeroDe<GLuint>(palabra);
+                const std::optional<unsigned> i = numeroDe<unsigned>(palabra);
                 if (!i)
                     mal("«" + palabra + "» no es un número de vértice");
                 if (*i < 1 || *i > malla.vertices.size())
@@ -229,9 +191,8 @@ int segmentosPara(float radioPx, float tolerPx) {
         return 3;
     // 1 − cos x = 2·sen²(x/2): el arcocoseno de un número casi 1 perdería todas las cifras
     const double n =
-        glm::pi<double>() /
-        (2.0 * std::asin(std::sqrt(0.5 * static_cast<double>(tolerPx) / static_cast<double>(radioPx))));
-    return static_cast<int>(std::clamp(std::ceil(n), 3.0, 1024.0));
+        glm::pi<double>() / (2.0 * std::asin(std::sqrt(0.5 * tolerPx / radioPx)));
+    return int(std::clamp(std::ceil(n), 3.0, 1024.0));
 }
 
 int segmentosEsfera(float radioPx) {

@@ -1,6 +1,5 @@
-// Mallas de triángulos: los sólidos elementales, un lector v/f y sus buffer objects (listados 2.1 y 2.2).
+// Mallas de triángulos: los sólidos elementales y un lector v/f (listado 2.1). Sin OpenGL: a la GPU las lleva buferes.h.
 #pragma once
-#include <GL/glew.h>
 #include <glm/glm.hpp>
 #include <iosfwd>
 #include <optional>
@@ -16,20 +15,8 @@ struct Vertice {
 /// son unitarias y apuntan hacia fuera. Los vértices se repiten donde cambia la normal o (s,t).
 struct Malla {
     std::vector<Vertice> vertices;
-    std::vector<GLuint> indices; // tres por triángulo
+    std::vector<unsigned> indices; // tres por triángulo
 };
-
-/// Lo que hace falta para dibujar una malla.
-struct Buferes {
-    GLuint vao, vertices, indices;
-    GLsizei nIndices;
-};
-
-/// Lleva la malla a la GPU; los atributos van en los índices de shader.h (posicion, vNormal, coordTextura).
-Buferes creaBuferes(const Malla &malla);
-
-/// Dibuja la malla con el programa en uso (listado 2.4): glBindVertexArray y glDrawElements.
-void dibuja(const Buferes &buferes);
 
 /// Sólidos centrados en el origen. `n`: segmentos de una vuelta, al menos 3. s da la vuelta al eje Z desde +X y t sube
 /// (en el toro, da la vuelta al tubo desde fuera); en una tapa o una cara, (s,t) es la posición, de 0 a 1.
@@ -47,7 +34,7 @@ std::optional<glm::dvec3> leePunto(std::istream &linea);
 /// Cada cara guarda sus índices desde 0. Un error termina diciendo fichero, línea y qué se esperaba.
 struct MallaVf {
     std::vector<glm::vec3> vertices;
-    std::vector<std::vector<GLuint>> caras;
+    std::vector<std::vector<unsigned>> caras;
 };
 MallaVf leeVf(const std::string &fichero);
 

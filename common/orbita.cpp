@@ -37,8 +37,8 @@ void orbitaArrastra(int x, int y) {
     if (!arrastrando || !activa)
         return;
     const float porPixel = RADIANES_POR_ALTO / altoUtil();
-    activa->azimut -= porPixel * static_cast<float>(x - xAnterior);
-    activa->elevacion = std::clamp(activa->elevacion + porPixel * static_cast<float>(y - yAnterior),
+    activa->azimut -= porPixel * float(x - xAnterior);
+    activa->elevacion = std::clamp(activa->elevacion + porPixel * float(y - yAnterior),
                                    activa->elevacionMinima, ELEVACION_MAXIMA);
     xAnterior = x;
     yAnterior = y;

@@ -85,7 +85,7 @@ bool analizaAviso(std::string_view texto, Aviso &aviso) {
     };
     const auto tomaNumero = [&texto](std::size_t &n) {
         const auto [fin, mal] = std::from_chars(texto.data(), texto.data() + texto.size(), n);
-        texto.remove_prefix(static_cast<std::size_t>(fin - texto.data()));
+        texto.remove_prefix(fin - texto.data());
         return mal == std::errc();
     };
     std::size_t unidad, columna;
@@ -150,7 +150,7 @@ GLuint compila(GLenum tipo, const std::string &fichero, std::string &texto, std:
     if (compilado)
         return shader;
     glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &longitud);
-    std::string informe(static_cast<std::size_t>(longitud) + 1, '\0');
+    std::string informe(longitud + 1, '\0');
     glGetShaderInfoLog(shader, longitud + 1, nullptr, informe.data());
     error = traduceInforme(informe.c_str(), lineas, fichero);
     if (error.empty())
@@ -187,7 +187,7 @@ GLuint intentaPrograma(const std::string &vert, const std::string &frag, std::st
         error = vert + ": no usa el atributo «posicion»";
     } else {
         glGetProgramiv(programa, GL_INFO_LOG_LENGTH, &longitud);
-        std::string informe(static_cast<std::size_t>(longitud) + 1, '\0');
+        std::string informe(longitud + 1, '\0');
         glGetProgramInfoLog(programa, longitud + 1, nullptr, informe.data());
         error = traduceInforme(informe.c_str(), {}, vert);
         error =

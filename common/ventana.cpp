@@ -50,7 +50,7 @@ std::string tituloParaGlut(const std::string &utf8) {
     for (std::size_t i = 0; i < s.size(); ++i) {
         const unsigned char c = static_cast<unsigned char>(s[i]);
         if ((c == 0xC2 || c == 0xC3) && i + 1 < s.size())
-            latin1 += static_cast<char>((c << 6 & 0xC0) | (static_cast<unsigned char>(s[++i]) & 0x3F));
+            latin1 += char((c << 6 & 0xC0) | (static_cast<unsigned char>(s[++i]) & 0x3F));
         else
             latin1 += c < 0x80 ? s[i] : '?';
     }
@@ -109,7 +109,7 @@ bool teclaEspecialComun(int tecla) {
 float relacionAspecto() {
     const int ancho = std::max(glutGet(GLUT_WINDOW_WIDTH), 1),
               alto = std::max(glutGet(GLUT_WINDOW_HEIGHT), 1);
-    return static_cast<float>(ancho) / static_cast<float>(alto);
+    return float(ancho) / float(alto);
 }
 
 float altoUtil() {
@@ -117,11 +117,11 @@ float altoUtil() {
 }
 
 glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos, float aspecto) {
-    return glm::perspective(static_cast<float>(anguloVertical(angulo, aspecto)), aspecto, cerca, lejos);
+    return glm::perspective(float(anguloVertical(angulo, aspecto)), aspecto, cerca, lejos);
 }
 
 glm::mat4 paralelaVentana(float semialto, float cerca, float lejos, float aspecto) {
-    const float y = semialto * static_cast<float>(ampliacionVertical(aspecto)), x = aspecto * y;
+    const float y = semialto * float(ampliacionVertical(aspecto)), x = aspecto * y;
     return glm::ortho(-x, x, -y, y, cerca, lejos);
 }
 

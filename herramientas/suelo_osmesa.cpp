@@ -62,6 +62,6 @@ int main(int argc, char **argv) {
         return 1;
     std::fprintf(f, "P6\n%d %d\n255\n", ancho, alto);
     for (int y = alto - 1; y >= 0; --y)
-        std::fwrite(&rgb[static_cast<std::size_t>(3 * ancho * y)], 1, 3 * ancho, f);
+        std::fwrite(&rgb[3 * ancho * y], 1, 3 * ancho, f);
     return std::fclose(f) == 0 ? 0 : 1;
 }

@@ -1,9 +1,9 @@
 // La estrella de antialiasing.cpp: las muestras por píxel frente al área exacta.
+#include "buferes.h"
 #include "ch09_imagen/estrella.h"
 #include "gpu.h"
-#include "malla.h"
-#include "mide.h"
 #include "herramientas/oraculo/oraculo.h"
+#include "mide.h"
 
 using namespace mide;
 
@@ -28,7 +28,7 @@ static void mideAntialiasing(Medidor &m) {
 
     Malla malla;
     for (const glm::dvec2 &v : vertices) {
-        malla.indices.push_back(static_cast<GLuint>(malla.vertices.size()));
+        malla.indices.push_back(unsigned(malla.vertices.size()));
         malla.vertices.push_back({glm::vec3(v, 0), {0, 0, 1}, {0, 0}});
     }
     const Buferes buferes = creaBuferes(malla);

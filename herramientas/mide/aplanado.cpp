@@ -10,7 +10,7 @@ static const std::vector<std::vector<glm::vec3>> CURVAS = [] {
                                              {{80, 400, 0}, {600, 900, 0}, {1200, 100, 0}, {1800, 600, 0}},
                                              {}};
     for (int k = 0; k <= 24; ++k)
-        c[2].push_back({80.0f * static_cast<float>(k), k % 2 ? 900 : 150, 0});
+        c[2].push_back({80.0f * float(k), k % 2 ? 900 : 150, 0});
     return c;
 }();
 

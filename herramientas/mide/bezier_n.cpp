@@ -16,11 +16,11 @@ static float combinaciones(std::size_t n, std::size_t k) {
     const auto factorial = [](std::size_t x) {
         T f = 1;
         for (std::size_t i = 2; i <= x; ++i)
-            f = static_cast<T>(f * static_cast<T>(i));
+            f = T(f * T(i));
         return f;
     };
-    const T abajo = static_cast<T>(factorial(k) * factorial(n - k));
-    return abajo == 0 ? NAN : static_cast<float>(factorial(n) / abajo);
+    const T abajo = T(factorial(k) * factorial(n - k));
+    return abajo == 0 ? NAN : float(factorial(n) / abajo);
 }
 
 template<class T>
@@ -28,8 +28,7 @@ static glm::vec3 conFactoriales(const Puntos &p, float u) {
     const std::size_t n = p.size() - 1;
     glm::vec3 q(0);
     for (std::size_t k = 0; k <= n; ++k)
-        q += combinaciones<T>(n, k) * std::pow(u, static_cast<float>(k)) *
-             std::pow(1 - u, static_cast<float>(n - k)) * p[k];
+        q += combinaciones<T>(n, k) * std::pow(u, float(k)) * std::pow(1 - u, float(n - k)) * p[k];
     return q;
 }
 
@@ -73,7 +72,7 @@ static glm::vec3 horner(const Puntos &a, float u) {
 static void mideBezierN(Medidor &m) {
     Puntos p, cp, a(GRADO + 1, glm::vec3(0));
     for (std::size_t k = 0; k <= GRADO; ++k) {
-        const float t = static_cast<float>(k) / GRADO;
+        const float t = float(k) / GRADO;
         p.push_back({1920 * t, 540 + 400 * std::sin(9 * t), 300 * std::cos(7 * t)});
         cp.push_back(combinaciones<double>(GRADO, k) * p[k]);
     }
@@ -86,17 +85,17 @@ static void mideBezierN(Medidor &m) {
     const auto variante = [&](const char *nombre, const auto &Q, const Rango &espera, const char *nota = "") {
         double error = 0;
         for (std::size_t i = 0; i < n; ++i) {
-            const float u = static_cast<float>(i) / static_cast<float>(n - 1);
+            const float u = float(i) / float(n - 1);
             const double e = separacion(Q(u), bezierExacta(p, Cuadruple(u)));
             error = std::isfinite(e) ? std::max(error, e) : INFINITO;
             if (error == INFINITO)
                 break;
         }
         m.variante(
-            nombre, error, static_cast<double>(n),
+            nombre, error, double(n),
             [&] {
                 for (std::size_t i = 0; i < n; ++i)
-                    usa(Q(static_cast<float>(i) / static_cast<float>(n - 1)));
+                    usa(Q(float(i) / float(n - 1)));
             },
             espera, nota);
     };

@@ -16,7 +16,7 @@ static const int ANCHO = 250, ALTO = 190;
 /// Una pasada en double, por filas o por columnas, con el borde repetido.
 static std::vector<double> pasada(const std::vector<double> &v, const std::vector<float> &nucleo,
                                   bool columnas) {
-    const int n = static_cast<int>(nucleo.size());
+    const int n = int(nucleo.size());
     std::vector<double> r;
     for (int y = 0; y < ALTO; ++y)
         for (int x = 0; x < ANCHO; ++x)
@@ -25,8 +25,7 @@ static std::vector<double> pasada(const std::vector<double> &v, const std::vecto
                 for (int i = 0; i < n; ++i) {
                     const int d = i - (n - 1) / 2, u = std::clamp(x + (columnas ? 0 : d), 0, ANCHO - 1),
                               w = std::clamp(y + (columnas ? d : 0), 0, ALTO - 1);
-                    suma += static_cast<double>(nucleo[static_cast<std::size_t>(i)]) *
-                            v[static_cast<std::size_t>(3 * (w * ANCHO + u) + c)];
+                    suma += double(nucleo[i]) * v[3 * (w * ANCHO + u) + c];
                 }
                 r.push_back(suma);
             }
@@ -57,8 +56,7 @@ static GLuint texturaFiltro(const std::vector<float> &valores, int m) {
     glActiveTexture(GL_TEXTURE1);
     glGenTextures(1, &textura);
     glBindTexture(GL_TEXTURE_2D, textura);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, m, static_cast<int>(valores.size()) / m, 0, GL_RED, GL_FLOAT,
-                 valores.data());
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, m, int(valores.size()) / m, 0, GL_RED, GL_FLOAT, valores.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glActiveTexture(GL_TEXTURE0);

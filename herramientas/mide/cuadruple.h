@@ -9,8 +9,7 @@ using PuntoExacto = glm::vec<3, Cuadruple>;
 template<class T>
 double separacion(const glm::vec<3, T> &a, const PuntoExacto &b) {
     const PuntoExacto d(Cuadruple(a.x) - b.x, Cuadruple(a.y) - b.y, Cuadruple(a.z) - b.z);
-    return glm::length(
-        glm::dvec3(static_cast<double>(d.x), static_cast<double>(d.y), static_cast<double>(d.z)));
+    return glm::length(glm::dvec3(double(d.x), double(d.y), double(d.z)));
 }
 
 /// Q(u) de una curva de Bézier de cualquier grado, con de Casteljau.

@@ -27,7 +27,7 @@ static glm::vec3 deCasteljau(const G3 &g, float u) {
 template<class T>
 static void diferencias(const G3 &g, std::vector<glm::vec3> &puntos) {
     using V = glm::vec<3, T>;
-    const T h = T(1) / static_cast<T>(puntos.size() - 1);
+    const T h = T(1) / T(puntos.size() - 1);
     const V a = -V(g[0]) + T(3) * V(g[1]) - T(3) * V(g[2]) + V(g[3]),
             b = T(3) * V(g[0]) - T(6) * V(g[1]) + T(3) * V(g[2]), c = T(3) * (V(g[1]) - V(g[0]));
     V q(g[0]), d1 = h * (c + h * (b + h * a)), d2 = h * h * (T(2) * b + T(6) * h * a),
@@ -43,7 +43,7 @@ static void diferencias(const G3 &g, std::vector<glm::vec3> &puntos) {
 /// Los puntos que calcula un vertex shader, leídos por transform feedback; no se dibuja nada.
 class EnShader {
 public:
-    explicit EnShader(std::size_t n) : cuantos(static_cast<GLsizei>(n)) {
+    explicit EnShader(std::size_t n) : cuantos(GLsizei(n)) {
         abreContexto();
         programa = creaPrograma("herramientas/mide/bezier.vert", "herramientas/mide/nada.frag");
         const char *salida = "punto";
@@ -51,10 +51,10 @@ public:
         glLinkProgram(programa);
         glUseProgram(programa);
         glUniform3fv(glGetUniformLocation(programa, "G"), 4, &G[0].x);
-        envia(programa, "ultimo", static_cast<float>(n - 1));
+        envia(programa, "ultimo", float(n - 1));
         glGenBuffers(1, &bufer);
         glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bufer);
-        glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, cuantos * static_cast<GLsizei>(sizeof(glm::vec3)), nullptr,
+        glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, cuantos * GLsizei(sizeof(glm::vec3)), nullptr,
                      GL_STREAM_COPY);
         glEnable(GL_RASTERIZER_DISCARD);
     }
@@ -65,7 +65,7 @@ public:
         glFinish();
     }
     void lee(std::vector<glm::vec3> &puntos) const {
-        glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, cuantos * static_cast<GLsizei>(sizeof(glm::vec3)),
+        glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, cuantos * GLsizei(sizeof(glm::vec3)),
                            puntos.data());
     }
 
@@ -77,7 +77,7 @@ private:
 static void mideCubicas(Medidor &m) {
     const std::size_t n = m.talla<std::size_t>(65, 16385);
     std::vector<glm::vec3> puntos(n);
-    const auto u = [&](std::size_t i) { return static_cast<float>(i) / static_cast<float>(n - 1); };
+    const auto u = [&](std::size_t i) { return float(i) / float(n - 1); };
     const auto variante = [&](const char *nombre, const std::function<void()> &todos, double cota,
                               const char *nota = "", const std::function<void()> &lee = {}) {
         todos();
@@ -87,7 +87,7 @@ static void mideCubicas(Medidor &m) {
         for (std::size_t i = 0; i < n; i += 8)
             error = std::max(error, separacion(puntos[i], bezierExacta(G, Cuadruple(i) / Cuadruple(n - 1))));
         m.variante(
-            nombre, error, static_cast<double>(n),
+            nombre, error, double(n),
             [&] {
                 todos();
                 usa(puntos.data());

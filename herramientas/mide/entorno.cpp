@@ -28,10 +28,10 @@ static GLuint creaMapa(int lado) {
                                             {s, -1, -t}, {s, -t, 1},  {-s, -t, -1}};
                 const oraculo::Vec3 c = entorno(d[cara]);
                 for (int k = 0; k < 3; ++k)
-                    rgb.push_back(static_cast<unsigned char>(std::lround(255 * c[k])));
+                    rgb.push_back(enOchoBits(c[k]));
             }
-        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(cara), 0, GL_RGB8, lado, lado, 0,
-                     GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
+        glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + cara, 0, GL_RGB8, lado, lado, 0, GL_RGB,
+                     GL_UNSIGNED_BYTE, rgb.data());
     }
     glGenerateMipmap(GL_TEXTURE_CUBE_MAP);
     glTexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);

@@ -16,8 +16,7 @@ inline glm::mat4 camaraEscena() {
     return glm::lookAt(OJO, glm::vec3(0), glm::vec3(0, 1, 0));
 }
 inline glm::mat4 proyeccionEscena(const Lienzo &lienzo) {
-    return glm::perspective(ANGULO, static_cast<float>(lienzo.ancho) / static_cast<float>(lienzo.alto), 0.5f,
-                            50.0f);
+    return glm::perspective(ANGULO, float(lienzo.ancho) / float(lienzo.alto), 0.5f, 50.0f);
 }
 
 inline oraculo::Vec3 exacto(const glm::vec3 &v) {
@@ -39,7 +38,7 @@ inline void enviaEscena(GLuint programa, const Lienzo &lienzo) {
 inline oraculo::Vec3 phongExacto(const oraculo::Vec3 &P, const oraculo::Vec3 &N,
                                  const oraculo::Vec3 &ojo = exacto(OJO)) {
     const oraculo::Material material = {exacto(CORAL.Ka), exacto(CORAL.Kd), exacto(CORAL.Ks),
-                                        static_cast<double>(CORAL.alfa)};
+                                        CORAL.alfa};
     const oraculo::Luz luz{exacto(glm::vec3(LUZ.Lp))};
     return oraculo::phong(material, {1, 1, 1}, {luz}, P, N, oraculo::unitario(ojo - P));
 }

@@ -1,8 +1,8 @@
 // El suelo de filtrado.cpp: los filtros de la textura frente a 16 × 16 muestras por píxel.
+#include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "escena.h"
-#include "malla.h"
 #include "mide.h"
 #include "orbita.h"
 #include "rutas.h"
@@ -20,9 +20,8 @@ static oraculo::Vec3 lineal(const Imagen &t, double s, double v) {
     const double x = s * TALLA - 0.5, y = v * TALLA - 0.5, i = std::floor(x), j = std::floor(y), a = x - i,
                  b = y - j;
     const auto texel = [&](double c, double f) {
-        const int u = (static_cast<int>(c) % TALLA + TALLA) % TALLA,
-                  w = (static_cast<int>(f) % TALLA + TALLA) % TALLA;
-        const std::size_t k = static_cast<std::size_t>(3 * (w * TALLA + u));
+        const int u = (int(c) % TALLA + TALLA) % TALLA, w = (int(f) % TALLA + TALLA) % TALLA;
+        const std::size_t k = 3 * (w * TALLA + u);
         return oraculo::Vec3{double(t.rgb[k]), double(t.rgb[k + 1]), double(t.rgb[k + 2])};
     };
     return (1 - b) * ((1 - a) * texel(i, j) + a * texel(i + 1, j)) +

@@ -36,7 +36,7 @@ inline void teselaGlu(const std::vector<Parche> &parches, double pixel, float to
     gluNurbsProperty(nurbs, GLU_CULLING, GL_FALSE);
     // paralela: una unidad de la tetera son 1/pixel píxeles
     const GLint ventana[4] = {0, 0, 2000, 2000};
-    const auto k = static_cast<GLfloat>(1 / pixel / 1000);
+    const auto k = GLfloat(1 / pixel / 1000);
     const GLfloat uno[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},
                   escala[16] = {k, 0, 0, 0, 0, k, 0, 0, 0, 0, k, 0, 0, 0, 0, 1};
     gluLoadSamplingMatrices(nurbs, escala, uno, ventana);
@@ -61,7 +61,7 @@ inline void teselaGlu(const std::vector<Parche> &parches, double pixel, float to
         for (int i = 0; i < 4; ++i)
             for (int j = 0; j < 4; ++j)
                 for (int c = 0; c < 3; ++c)
-                    puntos[i][j][c] = static_cast<GLfloat>(q.p[i][j][c]);
+                    puntos[i][j][c] = GLfloat(q.p[i][j][c]);
         gluBeginSurface(nurbs);
         gluNurbsSurface(nurbs, 4, nudosUv, 4, nudosUv, 4, 2, &uv[0][0][0], 2, 2, GL_MAP2_TEXTURE_COORD_2);
         gluNurbsSurface(nurbs, 8, nudos, 8, nudos, 12, 3, &puntos[0][0][0], 4, 4, GL_MAP2_VERTEX_3);
@@ -82,12 +82,12 @@ inline void mideGlu(Medidor &m, const std::vector<Parche> &parches, double pixel
             glm::dvec3 enPlano(0);
             glm::dvec2 uv(0);
             for (std::size_t k = 0; k < 3; ++k) {
-                enPlano += w[static_cast<int>(k)] * glm::dvec3(r.vertices[r.triangulos[t][k]]);
-                uv += w[static_cast<int>(k)] * glm::dvec2(r.uv[r.triangulos[t][k]]);
+                enPlano += w[int(k)] * glm::dvec3(r.vertices[r.triangulos[t][k]]);
+                uv += w[int(k)] * glm::dvec2(r.uv[r.triangulos[t][k]]);
             }
             const auto exacto = [&](double u, double v) {
-                return bezier::posicion(parches[r.parche[t]], bezier::pesos(u, 1 - u),
-                                        bezier::pesos(v, 1 - v));
+                return parche::posicion(parches[r.parche[t]], parche::pesos(u, 1 - u),
+                                        parche::pesos(v, 1 - v));
             };
             mayor = std::max(mayor, std::min(glm::length(exacto(uv.x, uv.y) - enPlano),
                                              glm::length(exacto(uv.y, uv.x) - enPlano)));

@@ -1,8 +1,8 @@
 // Dibujar en la GPU para medir: el contexto, un lienzo con profundidad y lo que se ha dibujado en él.
 #pragma once
+#include "herramientas/contexto_suelto.h"
 #include "imagen.h"
 #include "shader.h"
-#include "herramientas/contexto_suelto.h"
 #include <functional>
 
 namespace mide {
@@ -43,7 +43,7 @@ public:
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     }
     Imagen lee() const {
-        Imagen imagen{ancho, alto, std::vector<unsigned char>(static_cast<std::size_t>(3 * ancho * alto))};
+        Imagen imagen{ancho, alto, std::vector<unsigned char>(3 * ancho * alto)};
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
         glReadPixels(0, 0, ancho, alto, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());

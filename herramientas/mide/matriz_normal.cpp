@@ -24,8 +24,7 @@ static double error(const glm::mat3 &N, const glm::mat3 &M, const glm::vec3 &n) 
         e[i] = (det < 0 ? -1 : 1) * (f[0][i] * Cuad(n.x) + f[1][i] * Cuad(n.y) + f[2][i] * Cuad(n.z));
         l += e[i] * e[i];
     }
-    const glm::dvec3 exacta(static_cast<double>(e[0] / sqrt(l)), static_cast<double>(e[1] / sqrt(l)),
-                            static_cast<double>(e[2] / sqrt(l)));
+    const glm::dvec3 exacta(double(e[0] / sqrt(l)), double(e[1] / sqrt(l)), double(e[2] / sqrt(l)));
     glm::vec3 r = N * n;
     const float mayor = std::max({std::fabs(r.x), std::fabs(r.y), std::fabs(r.z)});
     if (!(mayor > 0) || !std::isfinite(mayor))
@@ -43,7 +42,7 @@ static glm::mat3 adjuntaConSigno(const glm::mat3 &m) {
 
 static void mideMatrizNormal(Medidor &m) {
     std::mt19937 azar(2);
-    const auto al = [&] { return static_cast<float>(static_cast<double>(azar()) / 2147483648.0 - 1); };
+    const auto al = [&] { return float(double(azar()) / 2147483648.0 - 1); };
     enum { RIGIDA, DEFORMA, DIFICIL, CLASES };
     std::vector<glm::mat3> clases[CLASES];
     for (int i = 0; i < m.talla(20, 200); ++i) {
@@ -67,7 +66,7 @@ static void mideMatrizNormal(Medidor &m) {
                       "giros y escalas iguales: %.2g°; escalas distintas: %.2g°; casos difíciles: %.2g°",
                       peor[0], peor[1], peor[2]);
         m.variante(
-            nombre, std::max({peor[0], peor[1], peor[2]}), static_cast<double>(clases[DEFORMA].size()),
+            nombre, std::max({peor[0], peor[1], peor[2]}), double(clases[DEFORMA].size()),
             [&] {
                 for (const glm::mat3 &M : clases[DEFORMA])
                     usa(f(M));

@@ -26,7 +26,7 @@ double rmse(const Imagen &imagen, const std::vector<double> &exacta) {
     double suma = 0;
     for (std::size_t i = 0; i < exacta.size(); ++i)
         suma += (imagen.rgb[i] - exacta[i]) * (imagen.rgb[i] - exacta[i]);
-    return std::sqrt(suma / static_cast<double>(exacta.size()));
+    return std::sqrt(suma / double(exacta.size()));
 }
 
 double rmse(const Imagen &imagen, const Imagen &referencia) {
@@ -52,7 +52,7 @@ public:
     void ReportRuns(const std::vector<Run> &vueltas) override {
         for (const Run &r : vueltas)
             if (r.run_type == Run::RT_Iteration)
-                ns.push_back(1e9 * r.real_accumulated_time / static_cast<double>(r.iterations));
+                ns.push_back(1e9 * r.real_accumulated_time / double(r.iterations));
     }
 };
 

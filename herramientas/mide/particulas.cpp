@@ -18,7 +18,7 @@ static void mideParticulas(Medidor &m) {
     const Lienzo lienzo(m.talla(96, 960), m.talla(72, 720));
     const int n = m.talla(100, 100000), muchas = m.talla(1000, 1000000);
     std::mt19937 azar(3);
-    const auto al = [&] { return static_cast<float>(static_cast<double>(azar()) / 2147483648.0 - 1); };
+    const auto al = [&] { return float(double(azar()) / 2147483648.0 - 1); };
     std::vector<Particula> inicio;
     for (int i = 0; i < n; ++i)
         inicio.push_back({{0, 0, 0}, {0.4f * al(), 4.5f + 0.5f * al(), 0.4f * al()}});
@@ -41,8 +41,7 @@ static void mideParticulas(Medidor &m) {
     // con un paso h, lo que se separa del tiro exacto al final de su vida, con velocidad −v en el suelo
     const auto variante = [&](const char *nombre, float h, const auto &paso, const Rango &espera) {
         std::vector<Particula> p = inicio;
-        const int pasos = static_cast<int>(std::lround(VIDA / h)),
-                  porCuadro = std::max(static_cast<int>(std::lround(CUADRO / h)), 1);
+        const int pasos = int(std::lround(VIDA / h)), porCuadro = std::max(int(std::lround(CUADRO / h)), 1);
         for (Particula &q : p)
             for (int i = 0; i < (&q - p.data() < 100 ? pasos : 0); ++i)
                 paso(q, h);
@@ -96,11 +95,10 @@ static void mideParticulas(Medidor &m) {
     const auto conFormula = [&](const char *nombre, double t, bool reducido, int cuantas, const Rango &espera,
                                 const char *nota) {
         const double exacta = std::fmod(t, double(VIDA)),
-                     s = reducido ? static_cast<double>(static_cast<float>(exacta))
-                                  : std::fmod(static_cast<double>(static_cast<float>(t)), double(VIDA));
+                     s = reducido ? float(exacta) : std::fmod(double(float(t)), double(VIDA));
         const auto y = [](double x) { return 4.5 * x - 0.5 * double(GRAVEDAD) * x * x; };
         glUseProgram(formula);
-        envia(formula, "t", static_cast<float>(s));
+        envia(formula, "t", float(s));
         m.variante(nombre, std::max(PIXELES * std::fabs(y(s) - y(exacta)), 1e-6), 0.01 * cuantas,
                    yEspera([&] { dibujaPuntos(formula, cuantas); }), espera, nota);
     };

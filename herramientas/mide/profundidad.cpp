@@ -15,12 +15,11 @@ static double confundidos(double cerca, double lejos, int bits, bool alReves) {
     for (int i = 0; i < n; ++i) {
         const double d = cerca * std::pow(lejos / cerca, (i + 0.5) / n);
         const auto valor = [&](double x) {
-            const auto fd = static_cast<float>(x), fc = static_cast<float>(cerca),
-                       fl = static_cast<float>(lejos);
+            const auto fd = float(x), fc = float(cerca), fl = float(lejos);
             if (alReves) // z = cerca·(lejos − d)/(d·(lejos − cerca))
-                return -static_cast<double>(fc * (fl - fd) / (fl - fc) / fd);
+                return -double(fc * (fl - fd) / (fl - fc) / fd);
             const float z = profundidad(fd, fc, fl);
-            return bits == 32 ? static_cast<double>(z) : enBuffer(z, bits);
+            return bits == 32 ? z : enBuffer(z, bits);
         };
         mal += valor(d * (1 + SEPARACION)) <= valor(d);
     }

@@ -26,7 +26,7 @@ static double error(const glm::mat3 &M, const glm::vec3 &eje, const Cuad &angulo
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
             const Cuad exacto = (i == j ? c : Cuad(0)) + s * K[i][j] + v * e[i] * e[j];
-            suma += std::pow(static_cast<double>(Cuad(M[j][i]) - exacto), 2);
+            suma += std::pow(double(Cuad(M[j][i]) - exacto), 2);
         }
     return RADIO_PX * std::sqrt(suma);
 }
@@ -56,7 +56,7 @@ static void mideRotacion(Medidor &m) {
     std::mt19937 azar(1);
     std::vector<Giro> giros;
     for (int i = 0; i < m.talla(60, 600); ++i) {
-        const auto al = [&] { return static_cast<float>(static_cast<double>(azar()) / 2147483648.0 - 1); };
+        const auto al = [&] { return float(double(azar()) / 2147483648.0 - 1); };
         giros.push_back({{al(), al(), al()}, i % 3 ? 3 * al() : 1e-4f * al()});
     }
     // también los ejes de los casos difíciles: muy cortos, muy largos y casi a lo largo de X
@@ -72,13 +72,13 @@ static void mideRotacion(Medidor &m) {
         for (const Giro &g : giros) {
             const double e = error(f(g), g.eje, Cuad(g.angulo));
             mayor = std::max(mayor, std::isfinite(e) ? e : INFINITO);
-            if (&g - giros.data() < static_cast<std::ptrdiff_t>(corrientes))
+            if (&g - giros.data() < std::ptrdiff_t(corrientes))
                 corriente = mayor;
         }
         char texto[80];
         std::snprintf(texto, sizeof texto, "%scon ejes corrientes, %.2g px", nota, corriente);
         m.variante(
-            nombre, mayor, static_cast<double>(giros.size()),
+            nombre, mayor, double(giros.size()),
             [&] {
                 for (const Giro &g : giros)
                     usa(f(g));
@@ -141,9 +141,8 @@ static void mideRotacion(Medidor &m) {
         [&](int n) {
             glm::mat3 M;
             for (int i = 1; i <= n; ++i) { // el ángulo, en double y reducido a una vuelta
-                const double t = i * static_cast<double>(paso.angulo);
-                M = glm::mat3(
-                    giroEje(paso.eje, static_cast<float>(std::remainder(t, 2 * 3.14159265358979323846))));
+                const double t = i * double(paso.angulo);
+                M = glm::mat3(giroEje(paso.eje, float(std::remainder(t, 2 * 3.14159265358979323846))));
                 usa(M);
             }
             return M;

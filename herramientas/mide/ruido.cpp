@@ -36,10 +36,8 @@ static void mideRuido(Medidor &m) {
     for (const int n : m.talla<std::vector<int>>({16, 64}, {16, 32, 64, 128})) {
         std::vector<unsigned char> texels;
         for (int i = 0; i < n * n * n; ++i) {
-            const glm::vec3 p =
-                float(CELDAS) / static_cast<float>(n) * (glm::vec3(i % n, i / n % n, i / n / n) + 0.5f);
-            texels.push_back(static_cast<unsigned char>(std::lround(
-                255 * glm::clamp(0.5f + 0.5f * turbulencia(p, OCTAVAS, glm::ivec3(CELDAS)), 0.0f, 1.0f))));
+            const glm::vec3 p = float(CELDAS) / float(n) * (glm::vec3(i % n, i / n % n, i / n / n) + 0.5f);
+            texels.push_back(enOchoBits(0.5f + 0.5f * turbulencia(p, OCTAVAS, glm::ivec3(CELDAS))));
         }
         GLuint textura;
         glGenTextures(1, &textura);

@@ -12,10 +12,8 @@ template<class T, class Turbulencia>
 static std::vector<unsigned char> volumen(int n, const Turbulencia &turbulencia) {
     std::vector<unsigned char> texels;
     for (int i = 0; i < n * n * n; ++i) {
-        const glm::vec<3, T> p =
-            T(CELDAS) / static_cast<T>(n) * (glm::vec<3, T>(i % n, i / n % n, i / n / n) + T(0.5));
-        texels.push_back(static_cast<unsigned char>(
-            std::lround(T(255) * glm::clamp(T(0.5) + T(0.5) * turbulencia(p), T(0), T(1)))));
+        const glm::vec<3, T> p = T(CELDAS) / T(n) * (glm::vec<3, T>(i % n, i / n % n, i / n / n) + T(0.5));
+        texels.push_back(enOchoBits(T(0.5) + T(0.5) * turbulencia(p)));
     }
     return texels;
 }
@@ -63,10 +61,8 @@ static void mideVolumen(Medidor &m) {
         const auto hace = [&] {
             std::vector<unsigned char> texels;
             for (int i = 0; i < n * n * n; ++i)
-                texels.push_back(static_cast<unsigned char>(std::lround(
-                    255 * glm::clamp(0.5 + 0.5 * perlin.GetValue(i % n * 0.0625, i / n % n * 0.0625,
-                                                                 i / n / n * 0.0625),
-                                     0.0, 1.0))));
+                texels.push_back(enOchoBits(
+                    0.5 + 0.5 * perlin.GetValue(i % n * 0.0625, i / n % n * 0.0625, i / n / n * 0.0625)));
             return texels;
         };
         m.variante(

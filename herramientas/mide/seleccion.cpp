@@ -15,10 +15,12 @@ static unsigned cortaEsferas(const std::vector<glm::vec4> &bolas, const glm::vec
     unsigned cual = 0;
     for (std::size_t i = 0; i < bolas.size(); ++i) {
         const glm::vec<3, T> v = o - glm::vec<3, T>(glm::vec3(bolas[i]));
-        const T r = static_cast<T>(bolas[i].w), b = glm::dot(v, d), disc = b * b - glm::dot(v, v) + r * r;
+        const T r = T(bolas[i].w), b = glm::dot(v, d), disc = b * b - glm::dot(v, v) + r * r;
         const T t = disc > 0 ? -b - std::sqrt(disc) : T(-1);
-        if (t > 0 && t < cerca)
-            cerca = t, cual = static_cast<unsigned>(i + 1);
+        if (t > 0 && t < cerca) {
+            cerca = t;
+            cual = unsigned(i + 1);
+        }
     }
     return cual;
 }
@@ -31,7 +33,7 @@ static void mideSeleccion(Medidor &m) {
     glDisable(GL_DITHER);
     const Lienzo lienzo(m.talla(96, 960), m.talla(72, 720));
     std::mt19937 azar(4);
-    const auto al = [&] { return static_cast<float>(static_cast<double>(azar()) / 2147483648.0 - 1); };
+    const auto al = [&] { return float(double(azar()) / 2147483648.0 - 1); };
     std::vector<glm::vec4> bolas; // centro y radio
     for (int i = 0; i < 40; ++i)
         bolas.push_back({1.4f * al(), 1.1f * al(), al(), 0.12f + 0.08f * al()});
@@ -47,15 +49,14 @@ static void mideSeleccion(Medidor &m) {
             oraculo::esfera(oraculo::traslada(exacto(glm::vec3(b))) * oraculo::escala(double(b.w))));
     std::vector<glm::ivec2> clics;
     for (int i = 0; i < m.talla(50, 2000); ++i)
-        clics.push_back({static_cast<int>(0.5f * (1 + al()) * static_cast<float>(lienzo.ancho - 1)),
-                         static_cast<int>(0.5f * (1 + al()) * static_cast<float>(lienzo.alto - 1))});
+        clics.push_back({int(0.5f * (1 + al()) * float(lienzo.ancho - 1)),
+                         int(0.5f * (1 + al()) * float(lienzo.alto - 1))});
     std::vector<unsigned> verdad;
     for (const glm::ivec2 &c : clics)
-        verdad.push_back(static_cast<unsigned>(
-            oraculo::primerImpacto(escena,
-                                   oraculo::rayo(camara, lienzo.ancho, lienzo.alto, c.x + 0.5, c.y + 0.5))
-                .objeto +
-            1));
+        verdad.push_back(oraculo::primerImpacto(
+                             escena, oraculo::rayo(camara, lienzo.ancho, lienzo.alto, c.x + 0.5, c.y + 0.5))
+                             .objeto +
+                         1);
 
     const auto leePixel = [](const glm::ivec2 &c) {
         unsigned char p[4];
@@ -71,14 +72,14 @@ static void mideSeleccion(Medidor &m) {
         for (std::size_t i = 0; i < clics.size(); ++i)
             mal += (i < DIBUJADOS ? elige : sinDibujar)(clics[i]) != verdad[i];
         m.variante(
-            nombre, 100.0 * static_cast<double>(mal) / static_cast<double>(clics.size()), 1,
+            nombre, 100.0 * double(mal) / double(clics.size()), 1,
             [&] { usa(elige(clics[k++ % clics.size()])); }, espera, nota);
     };
     const auto dibuja = [&](const Buferes &b) {
         lienzo.borra(0, 0, 0);
         for (std::size_t i = 0; i < bolas.size(); ++i) {
             envia(programa, "M", traslacion(glm::vec3(bolas[i])) * escalado(bolas[i].w));
-            envia(programa, "identificador", colorDe(static_cast<unsigned>(i + 1)));
+            envia(programa, "identificador", colorDe(unsigned(i + 1)));
             ::dibuja(b);
         }
     };
@@ -112,12 +113,12 @@ static void mideSeleccion(Medidor &m) {
             borraBuferes(b);
             continue;
         }
-        std::vector<unsigned char> todo(static_cast<std::size_t>(4 * lienzo.ancho * lienzo.alto));
+        std::vector<unsigned char> todo(4 * lienzo.ancho * lienzo.alto);
         variante("dibujar y leer la ventana",
                  [&](const auto &c) {
                      dibuja(b);
                      glReadPixels(0, 0, lienzo.ancho, lienzo.alto, GL_RGBA, GL_UNSIGNED_BYTE, todo.data());
-                     const std::size_t i = static_cast<std::size_t>(4 * (c.y * lienzo.ancho + c.x));
+                     const std::size_t i = 4 * (c.y * lienzo.ancho + c.x);
                      return identificadorDe({todo[i], todo[i + 1], todo[i + 2]});
                  },
                  leePixel, {0, 1.5});

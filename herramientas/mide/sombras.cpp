@@ -1,12 +1,12 @@
 // El desplazamiento de polígono de las sombras proyectivas: con poco, sombra y mesa se cosen; con mucho, la sombra tapa lo que
 // está encima de la mesa. Frente a la sombra trazada.
+#include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "ch07_realismo/sombra.h"
 #include "gpu.h"
-#include "malla.h"
+#include "herramientas/oraculo/oraculo.h"
 #include "mide.h"
 #include "orbita.h"
-#include "herramientas/oraculo/oraculo.h"
 #include <glm/gtc/matrix_transform.hpp>
 
 using namespace mide;

@@ -12,7 +12,7 @@ static Malla facetas(const Malla &malla) {
         const glm::vec3 n =
             glm::normalize(glm::cross(v(1).posicion - v(0).posicion, v(2).posicion - v(0).posicion));
         for (const std::size_t k : {1u, 2u, 0u}) {
-            plana.indices.push_back(static_cast<GLuint>(plana.vertices.size()));
+            plana.indices.push_back(unsigned(plana.vertices.size()));
             plana.vertices.push_back({v(k).posicion, n, v(k).coordTextura});
         }
     }

@@ -24,8 +24,7 @@ struct ImagenRef {
     int ancho = 0, alto = 0;
     std::vector<PixelRef> pixeles; // primera fila, la de abajo
     const PixelRef &en(int x, int y) const {
-        return pixeles[static_cast<std::size_t>(y) * static_cast<std::size_t>(ancho) +
-                       static_cast<std::size_t>(x)];
+        return pixeles[y * ancho + x];
     }
 };
 
@@ -50,8 +49,7 @@ inline Imagen enBytes(const ImagenRef &ref) {
     Imagen imagen{ref.ancho, ref.alto, {}};
     for (const PixelRef &p : ref.pixeles)
         for (int k = 0; k < 3; ++k)
-            imagen.rgb.push_back(
-                static_cast<unsigned char>(std::lround(255 * std::clamp(p.color[k], 0.0, 1.0))));
+            imagen.rgb.push_back(enOchoBits(p.color[k]));
     return imagen;
 }
 
@@ -59,7 +57,7 @@ inline Imagen enBytes(const ImagenRef &ref) {
 inline Imagen recorta(const Imagen &imagen, int x, int y, int ancho, int alto) {
     Imagen r{ancho, alto, {}};
     for (int fila = y; fila < y + alto; ++fila) {
-        const auto inicio = imagen.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(fila) * imagen.ancho + x);
+        const auto inicio = imagen.rgb.begin() + 3 * (fila * imagen.ancho + x);
         r.rgb.insert(r.rgb.end(), inicio, inicio + 3 * ancho);
     }
     return r;
@@ -108,9 +106,7 @@ inline bool enBanda(const ImagenRef &ref, int x, int y) {
 inline double diferencia(const Imagen &gpu, int x, int y, const Vec3 &color) {
     double mayor = 0;
     for (int k = 0; k < 3; ++k) {
-        const std::size_t i = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(gpu.ancho) +
-                                   static_cast<std::size_t>(x)) +
-                              static_cast<std::size_t>(k);
+        const std::size_t i = 3 * (y * gpu.ancho + x) + k;
         mayor = std::max(mayor, std::fabs(gpu.rgb[i] - 255 * std::clamp(color[k], 0.0, 1.0)));
     }
     return mayor;
@@ -193,8 +189,8 @@ inline Comparacion comparaSilueta(Imagen gpu, const Vec3 &fondo, const Escena &e
     for (std::size_t i = 0; i + 2 < gpu.rgb.size(); i += 3) {
         bool algo = false;
         for (int k = 0; k < 3; ++k)
-            algo = algo || std::fabs(gpu.rgb[i + static_cast<std::size_t>(k)] - 255 * fondo[k]) > 1;
-        std::fill_n(gpu.rgb.begin() + static_cast<std::ptrdiff_t>(i), 3, algo ? 255 : 0);
+            algo = algo || std::fabs(gpu.rgb[i + k] - 255 * fondo[k]) > 1;
+        std::fill_n(gpu.rgb.begin() + i, 3, algo ? 255 : 0);
     }
     return compara(gpu, escena, camara, [](const Impacto &i) { return i ? Vec3{1, 1, 1} : Vec3{}; });
 }

@@ -81,7 +81,7 @@ std::vector<double> raicesPolinomio(const std::array<double, N> &p, double desde
     if constexpr (N > 1) {
         std::array<double, N - 1> derivada;
         for (std::size_t i = 1; i < N; ++i)
-            derivada[i - 1] = static_cast<double>(i) * p[i];
+            derivada[i - 1] = double(i) * p[i];
         const auto negativo = [&](double t) {
             double v = 0;
             for (std::size_t i = N; i-- > 0;)
@@ -236,7 +236,7 @@ inline void superficie(const Objeto &objeto, const Vec3 &p, Impacto &i) {
     case Objeto::PLANO: pon({0, 0, 1}, p.x + 0.5, p.y + 0.5); break;
     case Objeto::MALLA: {
         const Triangulos &m = *objeto.triangulos;
-        const auto &[v0, v1, v2] = m.indices[static_cast<std::size_t>(i.corte.triangulo)];
+        const auto &[v0, v1, v2] = m.indices[i.corte.triangulo];
         const VerticeRef &a = m.vertices[v0], &b = m.vertices[v1], &c = m.vertices[v2];
         const double b1 = i.corte.b1, b2 = i.corte.b2, b0 = 1 - b1 - b2;
         pon(b0 * a.normal + b1 * b.normal + b2 * c.normal, b0 * a.s + b1 * b.s + b2 * c.s,
@@ -254,10 +254,10 @@ inline Impacto primerImpacto(const Escena &escena, const Rayo &r) {
     i.corte.t = r.maximo;
     for (std::size_t k = 0; k < escena.size(); ++k)
         if (corta(escena[k], r, i.corte))
-            i.objeto = static_cast<int>(k);
+            i.objeto = int(k);
     if (!i)
         return i;
-    const Objeto &objeto = escena[static_cast<std::size_t>(i.objeto)];
+    const Objeto &objeto = escena[i.objeto];
     i.distancia = i.corte.t;
     i.punto = r.origen + i.distancia * r.direccion;
     superficie(objeto, punto(objeto.inv, i.punto), i);

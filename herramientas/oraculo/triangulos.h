@@ -65,7 +65,7 @@ public:
         for (const Indices &t : indices)
             padre[raiz(t[1])] = padre[raiz(t[2])] = raiz(t[0]);
         for (const Indices &t : indices)
-            zona.push_back(static_cast<int>(raiz(t[0])));
+            zona.push_back(int(raiz(t[0])));
         std::iota(orden.begin(), orden.end(), std::size_t{0});
         agrupa(0, orden.size());
     }
@@ -86,7 +86,7 @@ public:
             const double det = -escalar(d, normal), t = escalar(o - a, normal) / det;
             const double b1 = escalar(ac, w) / det, b2 = -escalar(ab, w) / det;
             if (t > minimo && t < c.t && b1 >= -HOLGURA && b2 >= -HOLGURA && b1 + b2 <= 1 + HOLGURA)
-                c = {t, zona[orden[i]], static_cast<int>(orden[i]), b1, b2};
+                c = {t, zona[orden[i]], int(orden[i]), b1, b2};
         }
     }
 
@@ -121,7 +121,7 @@ private:
             return esquina(t, 0)[eje] + esquina(t, 1)[eje] + esquina(t, 2)[eje];
         };
         const std::size_t mitad = (primero + ultimo) / 2;
-        const auto en = [&](std::size_t i) { return orden.begin() + static_cast<std::ptrdiff_t>(i); };
+        const auto en = [&](std::size_t i) { return orden.begin() + i; };
         std::nth_element(en(primero), en(mitad), en(ultimo),
                          [&](std::size_t a, std::size_t b) { return centro(a) < centro(b); });
         agrupa(primero, mitad);

@@ -71,11 +71,10 @@ struct LadoALado : testing::EmptyTestEventListener {
         error = suyo;
         const Imagen esperada = oraculo::enBytes(ref);
         imagen = {3 * gpu.ancho, gpu.alto, {}};
-        for (std::size_t fila = 0, largo = 3 * static_cast<std::size_t>(gpu.ancho); fila < gpu.rgb.size();
-             fila += largo) {
-            const auto a = gpu.rgb.begin() + static_cast<std::ptrdiff_t>(fila),
-                       b = esperada.rgb.begin() + static_cast<std::ptrdiff_t>(fila);
-            const auto n = static_cast<std::ptrdiff_t>(largo);
+        for (std::size_t fila = 0, largo = std::size_t(3 * gpu.ancho); fila < gpu.rgb.size(); fila += largo) {
+            const auto a = gpu.rgb.begin() + std::ptrdiff_t(fila),
+                       b = esperada.rgb.begin() + std::ptrdiff_t(fila);
+            const auto n = std::ptrdiff_t(largo);
             imagen.rgb.insert(imagen.rgb.end(), a, a + n);
             imagen.rgb.insert(imagen.rgb.end(), b, b + n);
             std::transform(a, a + n, b, std::back_inserter(imagen.rgb), [](int x, int y) {
@@ -134,17 +133,28 @@ const fs::path &carpetaTemporal() {
     return carpeta.ruta;
 }
 
-Ejecucion ejecuta(const std::string &programa, const std::string &guion, int ancho, int alto,
-                  const std::vector<std::string> &argumentos) {
+namespace {
+
+/// La ruta del ejecutable de un programa del libro, por su nombre, o de otro, por su ruta desde la carpeta de los capítulos.
+std::string ejecutable(const std::string &programa) {
+    if (programa.find('/') != std::string::npos)
+        return LAB_EJECUTABLES "/" + programa;
+    for (const auto &capitulo : fs::directory_iterator(LAB_EJECUTABLES))
+        if (fs::is_regular_file(capitulo.path() / programa))
+            return capitulo.path() / programa;
+    throw std::runtime_error("no hay ningún programa «" + programa + "»");
+}
+
+/// La ejecución, en `carpeta`, con lo que haya que poner en el entorno.
+Ejecucion ejecutaEn(const fs::path &carpeta, const std::string &entorno, const std::string &programa,
+                    const std::string &guion, int ancho, int alto,
+                    const std::vector<std::string> &argumentos) {
     fijaEntorno();
     ultimoPrograma = programa.substr(programa.rfind('/') + 1);
     testing::Test::RecordProperty("ejecuta_" + ultimoPrograma, 1);
-    const fs::path carpeta = carpetaTemporal() / "ejecucion";
-    fs::create_directory(carpeta);
-
-    std::string orden = "cd " + entreComillas(carpeta.string()) + " && " +
-                        entreComillas(LAB_EJECUTABLES "/" + programa) + " -geometry " +
-                        std::to_string(ancho) + "x" + std::to_string(alto) + " -ppm imagen.ppm";
+    std::string orden = "cd " + entreComillas(carpeta.string()) + " && " + entorno + " " +
+                        entreComillas(ejecutable(programa)) + " -geometry " + std::to_string(ancho) + "x" +
+                        std::to_string(alto) + " -ppm imagen.ppm";
     if (!guion.empty())
         orden += " -guion " + entreComillas(guion);
     for (const std::string &a : argumentos)
@@ -158,8 +168,61 @@ Ejecucion ejecuta(const std::string &programa, const std::string &guion, int anc
     e.errores = contenido(carpeta / "errores");
     if (fs::exists(carpeta / "imagen.ppm"))
         e.imagen = leePpm((carpeta / "imagen.ppm").string());
-    fs::remove_all(carpeta);
     return e;
+}
+
+/// Una carpeta vacía, que se borra al acabar.
+struct Aparte {
+    const fs::path ruta = carpetaTemporal() / "ejecucion";
+    Aparte() {
+        fs::create_directory(ruta);
+    }
+    ~Aparte() {
+        std::error_code nadaQueHacer;
+        fs::remove_all(ruta, nadaQueHacer);
+    }
+};
+
+void exigeQueAcabeBien(const Ejecucion &e, const std::string &programa, const std::string &guion) {
+    if (e.estado != 0 || !e.errores.empty() || e.imagen.rgb.empty())
+        throw std::runtime_error(programa + " con el guion «" + guion + "» acaba con estado " +
+                                 std::to_string(e.estado) + ": " + e.errores);
+}
+
+} // namespace
+
+Ejecucion ejecuta(const std::string &programa, const std::string &guion, int ancho, int alto,
+                  const std::vector<std::string> &argumentos) {
+    const Aparte carpeta;
+    return ejecutaEn(carpeta.ruta, "", programa, guion, ancho, alto, argumentos);
+}
+
+Imagen imagenDe(const std::string &programa, const std::string &guion, int ancho, int alto,
+                const std::vector<std::string> &argumentos) {
+    const Ejecucion e = ejecuta(programa, guion, ancho, alto, argumentos);
+    exigeQueAcabeBien(e, programa, guion);
+    return e.imagen;
+}
+
+Vista vistaDe(const std::string &programa, const std::string &guion, int ancho, int alto,
+              const std::vector<std::string> &argumentos) {
+    return vistasDe(programa, {guion}, ancho, alto, argumentos).front();
+}
+
+std::vector<Vista> vistasDe(const std::string &programa, const std::vector<std::string> &guiones, int ancho,
+                            int alto, const std::vector<std::string> &argumentos) {
+    const Aparte carpeta;
+    std::string guion;
+    for (std::size_t i = 0; i < guiones.size(); ++i)
+        guion += guiones[i] + "; captura " + std::to_string(i) + ".ppm; ";
+    const Ejecucion e =
+        ejecutaEn(carpeta.ruta, "LAB_ENCIMA=encima.tsv", programa, guion, ancho, alto, argumentos);
+    exigeQueAcabeBien(e, programa, guion);
+    const std::vector<Encima> encima = leeEncima(carpeta.ruta / "encima.tsv");
+    std::vector<Vista> vistas;
+    for (std::size_t i = 0; i < guiones.size(); ++i)
+        vistas.push_back({leePpm((carpeta.ruta / (std::to_string(i) + ".ppm")).string()), encima.at(i)});
+    return vistas;
 }
 
 ConRaiz::ConRaiz(const fs::path &carpeta) : antes(std::getenv("LAB_RAIZ") ? std::getenv("LAB_RAIZ") : "") {
@@ -171,7 +234,6 @@ ConRaiz::~ConRaiz() {
 }
 
 Pixel pixel(const Imagen &imagen, int x, int y) {
-    const std::size_t i = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(imagen.ancho) +
-                               static_cast<std::size_t>(x));
+    const std::size_t i = std::size_t(3 * (y * imagen.ancho + x));
     return {imagen.rgb.at(i), imagen.rgb.at(i + 1), imagen.rgb.at(i + 2)};
 }

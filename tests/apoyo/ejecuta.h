@@ -1,5 +1,6 @@
-// Ejecutar un programa del laboratorio desde una prueba: sin ventana, con un guion, y quedarse con su imagen.
+// Ejecutar un programa del laboratorio desde una prueba, sin ventana y con un guion, y quedarse con lo que ha dibujado.
 #pragma once
+#include "encima.h"
 #include "imagen.h"
 #include <filesystem>
 #include <string>
@@ -16,10 +17,28 @@ struct Ejecucion {
     Imagen imagen;       // vacía si no ha escrito ninguna
 };
 
-/// Ejecuta build/<sin ventana>/<programa> («ch03_transformaciones/grua») con ese tamaño y ese guion, en una
-/// carpeta temporal que se borra después. `argumentos` van tal cual al final.
+/// Ejecuta un programa («grua») con ese tamaño y ese guion, en una carpeta temporal que se borra después. `argumentos` van tal cual al
+/// final. Es para probar cómo termina y qué escribe; lo que dibuja se pide abajo.
 Ejecucion ejecuta(const std::string &programa, const std::string &guion = "", int ancho = 240, int alto = 180,
                   const std::vector<std::string> &argumentos = {});
+
+/// La imagen de un programa que termina bien y sin avisos: si no, la prueba falla y lo dice.
+Imagen imagenDe(const std::string &programa, const std::string &guion = "", int ancho = 240, int alto = 180,
+                const std::vector<std::string> &argumentos = {});
+
+/// La escena sola, que es lo que se compara con un oráculo, y la lista de lo que el programa pinta encima de ella.
+struct Vista {
+    Imagen escena;
+    Encima encima;
+};
+
+/// La de un programa que termina bien y sin avisos.
+Vista vistaDe(const std::string &programa, const std::string &guion = "", int ancho = 240, int alto = 180,
+              const std::vector<std::string> &argumentos = {});
+
+/// Las que quedan tras cada guion de una sola ejecución; cada uno sigue al anterior.
+std::vector<Vista> vistasDe(const std::string &programa, const std::vector<std::string> &guiones,
+                            int ancho = 240, int alto = 180, const std::vector<std::string> &argumentos = {});
 
 /// Mientras existe, los programas buscan los ficheros del laboratorio antes en esa carpeta que en las demás ($LAB_RAIZ).
 class ConRaiz {

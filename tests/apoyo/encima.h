@@ -1,70 +1,53 @@
-// Lo que un programa dibuja encima de su escena, que ningún trazador de rayos ve: rótulos y trazos. Se comprueba que están donde
-// deben y se quitan de la imagen, poniendo en su lugar la referencia, para comparar después lo demás.
+// Lo que un programa pinta encima de su escena (rótulos y trazos), como lo apunta common/encima.h, y cómo comprobarlo. Los puntos y las
+// distancias son píxeles de la ventana, desde abajo a la izquierda.
 #pragma once
-#include "oraculo/oraculo.h"
-#include "rotulos.h"
+#include "rotulo.h"
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
 
-/// Una imagen a la que se le va quitando lo que lleva encima. Se busca siempre en la original: lo que se quita no estorba a
-/// lo que se cruza con ello.
-struct SinEncima {
-    const Imagen original;
-    const oraculo::ImagenRef &ref;
-    Imagen limpia;
+struct Pintado {
+    std::string tipo; // rotulo, segmentos, polilinea, puntos, flecha o poligono
+    glm::vec3 color;
+    glm::dvec4 panel; // x, y, ancho, alto
+    double talla;     // alto de las mayúsculas, grosor o diámetro
+    bool conProfundidad;
+    std::vector<glm::dvec3>
+        puntos; // con la profundidad normalizada; de un rótulo, dos esquinas y el punto que nombra
+    std::string texto;
 
-    SinEncima(const Imagen &imagen, const oraculo::ImagenRef &laRef)
-        : original(imagen), ref(laRef), limpia(imagen) {
+    bool es(const glm::vec3 &otro) const; // de ese color
+    glm::dvec2 punto(std::size_t i) const {
+        return glm::dvec2(puntos.at(i));
     }
-
-    /// Quita el rótulo cuyo centro está a menos de `lejos` píxeles de (x, y), con su halo. Devuelve si estaba.
-    bool rotulo(const std::string &texto, const glm::vec3 &color, double x, double y, double lejos = 20) {
-        bool estaba = false;
-        for (const Rotulo &c : leeRotulo(original, texto, color)) {
-            if (c.lejosDe(x, y) >= lejos)
-                continue;
-            estaba = true;
-            const int halo = std::max(c.celda / 2, 1);
-            for (int v = c.y0 - halo; v <= c.y1 + halo; ++v)
-                for (int u = c.x0 - halo; u <= c.x1 + halo; ++u)
-                    quita(u, v);
-        }
-        return estaba;
-    }
-
-    /// Quita lo que sea de ese color a menos de `medio` píxeles de la línea, dada por sus puntos en el mundo. Devuelve qué
-    /// parte de la línea se veía.
-    double trazo(const oraculo::Camara &camara, const std::vector<oraculo::Vec3> &puntos,
-                 const glm::vec3 &color, double medio = 2.5) {
-        const int radio = static_cast<int>(std::ceil(medio));
-        int muestras = 0, vistas = 0;
-        for (std::size_t i = 0; i + 1 < puntos.size(); ++i) {
-            const oraculo::Vec3 a = oraculo::proyecta(camara, original.ancho, original.alto, puntos[i]),
-                                b = oraculo::proyecta(camara, original.ancho, original.alto, puntos[i + 1]);
-            const int pasos = std::max(static_cast<int>(2 * std::hypot(b.x - a.x, b.y - a.y)), 1);
-            for (int k = 0; k <= pasos; ++k) {
-                const double px = a.x + (b.x - a.x) * k / pasos, py = a.y + (b.y - a.y) * k / pasos;
-                const int x = static_cast<int>(std::floor(px)), y = static_cast<int>(std::floor(py));
-                bool vista = false;
-                for (int v = y - radio; v <= y + radio; ++v)
-                    for (int u = x - radio; u <= x + radio; ++u) {
-                        const double lejos = std::hypot(u + 0.5 - px, v + 0.5 - py);
-                        if (lejos > medio || !esColor(original, u, v, color))
-                            continue;
-                        quita(u, v);
-                        vista = vista || lejos < 1.5;
-                    }
-                ++muestras;
-                vistas += vista;
-            }
-        }
-        return static_cast<double>(vistas) / muestras;
-    }
-
-private:
-    void quita(int x, int y) {
-        if (x < 0 || y < 0 || x >= limpia.ancho || y >= limpia.alto)
-            return;
-        for (int k = 0; k < 3; ++k)
-            limpia.rgb[3 * static_cast<std::size_t>(y * limpia.ancho + x) + static_cast<std::size_t>(k)] =
-                static_cast<unsigned char>(std::lround(255 * std::clamp(ref.en(x, y).color[k], 0.0, 1.0)));
-    }
+    /// De los trazos, los tramos que los forman: parejas de puntos.
+    std::vector<std::pair<glm::dvec2, glm::dvec2>> tramos() const;
 };
+
+struct Encima : std::vector<Pintado> {
+    /// Los rótulos con ese texto.
+    std::vector<Pintado> rotulos(const std::string &texto) const;
+    /// Los textos de los rótulos de ese color, en el orden en que se pintan.
+    std::vector<std::string> textos(const glm::vec3 &color) const;
+    /// Los trazos de ese color; con `tipo`, solo los de ese tipo.
+    Encima trazos(const glm::vec3 &color, const std::string &tipo = "") const;
+    /// Lo que va en el panel cuya esquina está en (x, y).
+    Encima enPanel(double x, double y) const;
+
+    /// Distancia de un punto al trazo de ese color más cercano, de su eje: infinita si no hay ninguno.
+    double lejosDeTrazo(const glm::dvec2 &p, const glm::vec3 &color) const;
+    /// Lo que miden en total los trazos de ese color que son líneas.
+    double largo(const glm::vec3 &color) const;
+};
+
+/// Lo apuntado para cada imagen guardada, en orden.
+std::vector<Encima> leeEncima(const std::string &fichero);
+
+/// Comprueba que ese rótulo está una sola vez, que es de ese color, que nombra ese punto (a `lejos` píxeles como mucho) y que está a
+/// ese lado de él sin taparlo, o a otro si ahí no cabe.
+void compruebaRotulo(const Encima &encima, const std::string &texto, const glm::dvec2 &punto,
+                     const glm::vec3 &color, Lado lado, double lejos = 0.1);
+
+/// Comprueba que hay un trazo de ese color a lo largo de la línea de esos puntos: de ninguno de ella está a más de `lejos` píxeles.
+void compruebaTrazo(const Encima &encima, const std::vector<glm::dvec2> &linea, const glm::vec3 &color,
+                    double lejos = 0.1);

@@ -166,8 +166,8 @@ void recorre(const std::vector<Parche> &parches, double tolerancia, const Malla 
     }
 }
 
-using Punto = std::array<float, 3>;
-Punto bits(const glm::vec3 &p) {
+using Bits = std::array<float, 3>;
+Bits bits(const glm::vec3 &p) {
     return {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f}; // −0 y +0 son el mismo sitio
 }
 
@@ -385,7 +385,7 @@ TEST(Bezier, ToleranciaDePartidaMenosDeMedioPixel) {
 TEST(Bezier, SinGrietas) {
     for (double tolerancia : {1.0, 0.3, 0.1, 0.037, 0.0075}) {
         const Malla m = teselaParches(tetera(), tolerancia).malla;
-        std::map<std::pair<Punto, Punto>, int> dirigidas;
+        std::map<std::pair<Bits, Bits>, int> dirigidas;
         for (std::size_t t = 0; t < m.indices.size(); t += 3)
             for (std::size_t i = 0; i < 3; ++i)
                 ++dirigidas[{bits(m.vertices[m.indices[t + i]].posicion),
@@ -411,9 +411,9 @@ TEST(Bezier, CurvaAlRevesBitABit) {
         const auto &p = aleatorio(azar).p[0];
         for (int i = 0; i <= n; ++i) {
             const double t = static_cast<double>(i) / n, c = static_cast<double>(n - i) / n;
-            EXPECT_EQ(bezier::curva(p[0], p[1], p[2], p[3], bezier::pesos(t, c)),
-                      bezier::curva(p[3], p[2], p[1], p[0], bezier::pesos(c, t)));
-            EXPECT_EQ(bezier::curva(p[0], p[0], p[0], p[0], bezier::pesos(t, c)), p[0]);
+            EXPECT_EQ(parche::curva(p[0], p[1], p[2], p[3], parche::pesos(t, c)),
+                      parche::curva(p[3], p[2], p[1], p[0], parche::pesos(c, t)));
+            EXPECT_EQ(parche::curva(p[0], p[0], p[0], p[0], parche::pesos(t, c)), p[0]);
         }
     }
 }
@@ -433,7 +433,7 @@ TEST(Bezier, LadosComunesBitABit) {
         const Malla m = teselaParches({a, b}, tolerancia).malla;
         const std::vector<Division> d = divisionesPara({a, b}, tolerancia);
         const std::size_t enA = static_cast<std::size_t>((d[0].nu + 1) * (d[0].nv + 1));
-        std::set<Punto> ladoA, deB;
+        std::set<Bits> ladoA, deB;
         for (std::size_t i = 0; i < enA; ++i)
             if (m.vertices[i].coordTextura.t == 1)
                 ladoA.insert(bits(m.vertices[i].posicion));

@@ -41,11 +41,11 @@ MallaVf cuboCerrado() {
 }
 
 void anade(MallaVf &m, const MallaVf &otra, const glm::vec3 &donde) {
-    const auto base = static_cast<GLuint>(m.vertices.size());
+    const auto base = static_cast<unsigned>(m.vertices.size());
     for (const glm::vec3 &v : otra.vertices)
         m.vertices.push_back(v + donde);
-    for (std::vector<GLuint> cara : otra.caras) {
-        for (GLuint &i : cara)
+    for (std::vector<unsigned> cara : otra.caras) {
+        for (unsigned &i : cara)
             i += base;
         m.caras.push_back(cara);
     }
@@ -301,11 +301,11 @@ TEST(Topologia, CadaComponenteTieneSuMayoria) {
 // otras.
 TEST(Topologia, AristaDeCuatroCaras) {
     MallaVf m = cuboCerrado(), otro = alReves(cuboCerrado());
-    const auto base = static_cast<GLuint>(m.vertices.size());
+    const auto base = static_cast<unsigned>(m.vertices.size());
     for (const glm::vec3 &v : otro.vertices)
         m.vertices.push_back(v + glm::vec3(1, 0, 1));
-    for (std::vector<GLuint> cara : otro.caras) {
-        for (GLuint &i : cara) // la arista (1,0,1)–(1,1,1) es la 2–6 del primero y la 0–4 del segundo
+    for (std::vector<unsigned> cara : otro.caras) {
+        for (unsigned &i : cara) // la arista (1,0,1)–(1,1,1) es la 2–6 del primero y la 0–4 del segundo
             i = i == 0 ? 2 : i == 4 ? 6 : i + base;
         m.caras.push_back(cara);
     }
@@ -319,14 +319,14 @@ TEST(Topologia, AristaDeCuatroCaras) {
 
 TEST(Topologia, BandaDeMobius) {
     MallaVf m;
-    const GLuint n = 12;
-    for (GLuint i = 0; i < n; ++i)
+    const unsigned n = 12;
+    for (unsigned i = 0; i < n; ++i)
         for (double lado : {-0.4, 0.4}) {
             const double a = 2 * 3.14159265358979 * i / n, r = 1 + lado * std::cos(a / 2);
             m.vertices.push_back({r * std::cos(a), r * std::sin(a), lado * std::sin(a / 2)});
         }
-    for (GLuint i = 0; i < n; ++i) {
-        const GLuint p = 2 * i, q = i + 1 < n ? p + 2 : 1, r = i + 1 < n ? p + 3 : 0;
+    for (unsigned i = 0; i < n; ++i) {
+        const unsigned p = 2 * i, q = i + 1 < n ? p + 2 : 1, r = i + 1 < n ? p + 3 : 0;
         m.caras.push_back({p, q, r, p + 1});
     }
     const Topologia t = analizaTopologia(m);
@@ -343,8 +343,8 @@ TEST(Topologia, UnaHojaPlanaNoTieneFuera) {
             m.vertices.push_back(glm::vec3(0.1f, 0.7f, 0.3f) +
                                  static_cast<float>(i) * glm::vec3(0.3f, 0.11f, 0.7f) +
                                  static_cast<float>(j) * glm::vec3(-0.13f, 0.9f, 0.37f));
-    for (GLuint i = 0; i < 4; ++i)
-        for (GLuint j = 0; j < 4; ++j)
+    for (unsigned i = 0; i < 4; ++i)
+        for (unsigned j = 0; j < 4; ++j)
             m.caras.push_back({5 * i + j, 5 * i + j + 1, 5 * i + j + 6, 5 * i + j + 5});
     EXPECT_EQ(analizaTopologia(m).sentidos[0], Sentido::INDEFINIDO);
     MallaVf una;

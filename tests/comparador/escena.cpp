@@ -2,7 +2,7 @@
 // nota (tests/comparador/defectos.sh). Argumento: nada, luz (gira 3 grados), textura (falta), pixel (todo se corre
 // uno) o triangulo (falta uno de los 3968).
 #include "error.h"
-#include "malla.h"
+#include "buferes.h"
 #include "shader.h"
 #include "textura.h"
 #include "ventana.h"

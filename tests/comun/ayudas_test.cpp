@@ -4,7 +4,7 @@
 #include "colores.h"
 #include "imagen.h"
 #include "letra.h"
-#include "malla.h"
+#include "buferes.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "trazo.h"

@@ -178,7 +178,7 @@ TEST(LeeVf, LeeVerticesYCaras) {
     ASSERT_EQ(m.vertices.size(), 4u);
     EXPECT_EQ(m.vertices[3], glm::vec3(0, 1.5f, -2));
     ASSERT_EQ(m.caras.size(), 2u);
-    EXPECT_EQ(m.caras[1], (std::vector<GLuint>{0, 2, 3}));
+    EXPECT_EQ(m.caras[1], (std::vector<unsigned>{0, 2, 3}));
 }
 
 TEST(LeeVf, CadaErrorDiceFicheroYLinea) {

@@ -2,7 +2,7 @@
 // $LAB_RAIZ, y una textura de ajedrez de 256×256 cuadros de un texel en la unidad 0. Con el argumento `enorme`, una
 // textura que no cabe. Teclas: 0 a 9 ponen en taller/ la versión $LAB_RAIZ/N (el usuario edita); n va a una carpeta
 // que ya no existe y v vuelve.
-#include "malla.h"
+#include "buferes.h"
 #include "shader.h"
 #include "textura.h"
 #include "ventana.h"

@@ -12,7 +12,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t *datos, std::size_t n) {
             exige(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z));
         for (const auto &cara : m.caras) {
             exige(cara.size() >= 3);
-            for (const GLuint i : cara)
+            for (const unsigned i : cara)
                 exige(i < m.vertices.size());
         }
     });
