@@ -21,7 +21,7 @@ import catalogo
 import pagina
 
 CODEMIRROR = Path("/usr/share/javascript/codemirror")
-SHADERS = (".vert", ".frag", ".glsl")
+SHADERS, TEXTURAS = (".vert", ".frag", ".glsl"), (".rgb", ".r8")
 ESPECIALES = {"←": "IZQUIERDA", "→": "DERECHA", "↑": "ARRIBA", "↓": "ABAJO"}
 
 
@@ -90,7 +90,7 @@ class Programa:
             "sigue": "movimiento" in self.rasgos,
             "casos": [{"titulo": c.titulo or "al empezar", "guion": c.guion, "mira": c.mira} for c in p.casos],
             "fuentes": [str(f) for f in pagina.fuentes(self.raiz, p.fuente)],
-            "texturas": sorted(Path(f).stem for f in self.leidos if f.endswith(".rgb")),
+            "texturas": sorted(Path(f).name for f in self.leidos if f.endswith(TEXTURAS)),
             "admite": p.admite,
         }
 
@@ -132,9 +132,9 @@ class Pagina:
         guiones = ("lib/codemirror.js", "mode/clike/clike.js", "addon/edit/matchbrackets.js")
         self.empaqueta("editor", {"css": (CODEMIRROR / "lib/codemirror.css").read_text(),
                                   "js": "\n".join((CODEMIRROR / g).read_text() for g in guiones)})
-        texturas = [f.stem for f in sorted((self.build.parent / "assets").glob("*.rgb"))]
-        for textura in texturas:
-            self.empaqueta(textura, (self.build.parent / "assets" / f"{textura}.rgb").read_bytes())
+        for textura in (self.build.parent / "assets").iterdir():
+            if textura.suffix in TEXTURAS:
+                self.empaqueta(textura.name, textura.read_bytes())
         self.escribe_indice(capitulos)
 
     def escribe_indice(self, capitulos):
@@ -147,7 +147,7 @@ class Pagina:
 
 
 def main():
-    raiz, build, galeria, destino = map(Path, sys.argv[1:])
+    raiz, build, galeria, destino = (Path(ruta).resolve() for ruta in sys.argv[1:])
     Pagina(raiz, build, galeria, destino).escribe(catalogo.lee(build))
     ocupa = sum(f.stat().st_size for f in destino.rglob("*") if f.is_file())
     print(f"Hecha: {destino}/index.html ({ocupa / 1e6:.1f} MB en total)", file=sys.stderr)

@@ -279,8 +279,8 @@ grep -q '<article id="nuevo">' galeria/index.html && grep -q 'Es nuevo' galeria/
 espera 0 '' $lab lista --docs
 grep -qF '| [nuevo](../ch01_intro/nuevo.cpp) | E1.2 | Cuatro |' docs/programas.md || mal 'el programa nuevo no está en docs/programas.md'
 PYTHONPATH=herramientas python3 -B -c 'import catalogo, pathlib, web
-pagina = web.Pagina(*map(pathlib.Path, (".", "build/web", "galeria", "web")))
-pagina.escribe_indice(catalogo.lee("build"))'
+aqui = pathlib.Path.cwd()
+web.Pagina(aqui, aqui / "build/web", aqui / "galeria", aqui / "web").escribe_indice(catalogo.lee("build"))'
 grep -q '"nombre":"nuevo".*"mira":"Es nuevo".*"fuentes":\["ch01_intro/nuevo.cpp","ch01_intro/nuevo.vert","ch01_intro/nuevo.frag"\]' web/index.html ||
   mal 'el programa nuevo no está en la página'
 cp "$carpeta/todas_las_pruebas" tests/CMakeLists.txt
