@@ -12,8 +12,8 @@ namespace {
 const float TEXELS_POR_NIVEL = 255 * ALCANCE / 127.0f; // de 0 a 1 en el atlas
 const float BORDE = 128 / 255.0f;
 // En altos de mayúscula.
-const float INTERLINEA = 1.5f, SEPARACION = 0.43f, HALO = 0.07f;
-const int ALTO_MINIMO = 7; // píxeles: con menos no se lee
+const float INTERLINEA = 1.5f, SEPARACION = 0.43f, HALO = 0.07f, BAJO = 0.3f; // de p, g, comas y paréntesis
+const int ALTO_MINIMO = 7;                                                    // píxeles: con menos no se lee
 
 /// Los caracteres de un texto en UTF-8, línea a línea.
 std::vector<std::u32string> lineasDe(const std::string &texto) {
@@ -38,7 +38,7 @@ std::vector<std::u32string> lineasDe(const std::string &texto) {
 /// rectángulo va de la línea base de la última línea a lo alto de las mayúsculas de la primera.
 struct Rotulo {
     std::vector<std::u32string> lineas;
-    int mayuscula, paso, interlinea, ancho = 0, alto = 0;
+    int mayuscula, paso, interlinea, bajo, ancho = 0, alto = 0;
     float halo;
     GLint panel[4];
 
@@ -55,6 +55,7 @@ struct Rotulo {
     void mide() {
         mayuscula = std::max(mayuscula, ALTO_MINIMO);
         paso = int(std::lround(float(mayuscula) * AVANCE / MAYUSCULA));
+        bajo = int(std::lround(BAJO * float(mayuscula)));
         halo = std::max(HALO * float(mayuscula), 1.0f);
         interlinea = int(std::lround(INTERLINEA * float(mayuscula)));
         std::size_t letras = 1;
@@ -68,7 +69,7 @@ struct Rotulo {
     glm::ivec2 esquina(const glm::ivec2 &punto, Lado lado) const {
         const int hueco = int(std::lround(SEPARACION * float(mayuscula)));
         switch (lado) {
-        case Lado::ENCIMA: return {punto.x - ancho / 2, punto.y + hueco};
+        case Lado::ENCIMA: return {punto.x - ancho / 2, punto.y + hueco + bajo};
         case Lado::DEBAJO: return {punto.x - ancho / 2, punto.y - hueco - alto};
         case Lado::IZQUIERDA: return {punto.x - hueco - ancho, punto.y - alto / 2};
         case Lado::DERECHA: return {punto.x + hueco, punto.y - alto / 2};
@@ -85,7 +86,7 @@ struct Rotulo {
     bool tapa(const glm::ivec2 &e, const glm::ivec2 &punto) const {
         const glm::ivec2 d = punto - e;
         const int cerca = mayuscula / ALTO_MINIMO;
-        return d.x >= -cerca && d.y >= -cerca && d.x <= ancho + cerca && d.y <= alto + cerca;
+        return d.x >= -cerca && d.y >= -bajo - cerca && d.x <= ancho + cerca && d.y <= alto + cerca;
     }
 
     /// Dos triángulos por letra, con su caja.

@@ -17,7 +17,7 @@ EGLSurface superficie = EGL_NO_SURFACE;
 
 [[noreturn]] void fallaEgl(const std::string &que) {
     char codigo[16];
-    std::snprintf(codigo, sizeof codigo, "0x%04X", static_cast<unsigned>(eglGetError()));
+    std::snprintf(codigo, sizeof codigo, "0x%04X", unsigned(eglGetError()));
     falla("EGL " + que + " (error " + codigo + ")");
 }
 

@@ -28,7 +28,7 @@ void glEnable(GLenum que) {
 // --- lo que cambia de tipo o de nombre ------------------------------------------------------------------------
 
 void glDepthRange(GLdouble cerca, GLdouble lejos) {
-    emscripten_glDepthRangef(static_cast<GLfloat>(cerca), static_cast<GLfloat>(lejos));
+    emscripten_glDepthRangef(GLfloat(cerca), GLfloat(lejos));
 }
 
 const GLubyte *glGetString(GLenum nombre) {
@@ -45,9 +45,8 @@ const GLubyte *glGetString(GLenum nombre) {
 void glShaderSource(GLuint shader, GLsizei cuantos, const GLchar *const *textos, const GLint *longitudes) {
     std::string texto;
     for (GLsizei i = 0; i < cuantos; ++i)
-        texto += longitudes && longitudes[i] >= 0
-                     ? std::string(textos[i], static_cast<std::size_t>(longitudes[i]))
-                     : std::string(textos[i]);
+        texto +=
+            longitudes && longitudes[i] >= 0 ? std::string(textos[i], longitudes[i]) : std::string(textos[i]);
     texto = enEssl(texto);
     const GLchar *uno = texto.c_str();
     emscripten_glShaderSource(shader, 1, &uno, nullptr);
@@ -57,10 +56,10 @@ void glShaderSource(GLuint shader, GLsizei cuantos, const GLchar *const *textos,
 void glReadPixels(GLint x, GLint y, GLsizei ancho, GLsizei alto, GLenum formato, GLenum tipo, void *datos) {
     if (formato != GL_RGB || tipo != GL_UNSIGNED_BYTE)
         return emscripten_glReadPixels(x, y, ancho, alto, formato, tipo, datos);
-    const std::size_t w = static_cast<std::size_t>(ancho), h = static_cast<std::size_t>(alto);
+    const std::size_t w = ancho, h = alto;
     GLint alineacion = 4;
     glGetIntegerv(GL_PACK_ALIGNMENT, &alineacion);
-    const std::size_t a = static_cast<std::size_t>(alineacion), fila = (3 * w + a - 1) / a * a;
+    const std::size_t a = alineacion, fila = (3 * w + a - 1) / a * a;
     std::vector<unsigned char> rgba(4 * w * h);
     emscripten_glReadPixels(x, y, ancho, alto, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
     for (std::size_t j = 0; j < h; ++j)

@@ -6,6 +6,9 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
+#include <map>
+#include <regex>
 #include <sstream>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -14,158 +17,115 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const char *const GRUA = "ch03_transformaciones/grua";
-const char *const DEFECTUOSO = "../tests/defectuoso";
+const std::string GRUA = "ch03_transformaciones/grua", DEFECTUOSO = "../tests/defectuoso",
+                  TIPOS_PROPIOS = "../tests/tipos_propios",
+                  REGISTRO = "../tests/registro_" + fs::path(LAB_EJECUTABLES).filename().string();
 
-/// Espera un fallo con ese estado, sin imagen y con una sola línea en stderr que contiene `mensaje`.
-void esperaFallo(const Ejecucion &e, int estado, const std::string &mensaje) {
-    EXPECT_EQ(e.estado, estado) << e.errores;
-    EXPECT_TRUE(e.imagen.rgb.empty());
-    EXPECT_NE(e.errores.find(mensaje), std::string::npos)
-        << "esperaba «" << mensaje << "» y ha dicho: " << e.errores;
-    EXPECT_EQ(std::count(e.errores.begin(), e.errores.end(), '\n'), 1) << e.errores;
+/// Una tabla de casos: «programa argumentos | guion | lo que dice». Cada uno empieza en su línea, y las que están más adentro lo
+/// siguen; con # empieza un comentario.
+struct Caso {
+    std::string programa, guion, dice;
+    std::vector<std::string> argumentos;
+};
+std::vector<Caso> casosDe(const std::string &tabla) {
+    const std::map<std::string, std::string> programas = {
+        {"grua", GRUA}, {"defectuoso", DEFECTUOSO}, {"tipos_propios", TIPOS_PROPIOS}, {"registro", REGISTRO}};
+    const std::regex fila(R"(\s*(\S+)\s*(.*?)\s*\|\s*(.*?)\s*\|\s*(.*))");
+    std::vector<Caso> casos;
+    std::istringstream lineas(std::regex_replace(tabla, std::regex("\\n {12}"), " "));
+    for (std::string linea; std::getline(lineas, linea);) {
+        if (std::regex_match(linea, std::regex(" *(#.*)?")))
+            continue;
+        std::smatch partes;
+        EXPECT_TRUE(std::regex_match(linea, partes, fila)) << linea;
+        std::istringstream argumentos(partes[2]);
+        casos.push_back({programas.at(partes[1]),
+                         partes[3],
+                         partes[4],
+                         {std::istream_iterator<std::string>(argumentos), {}}});
+    }
+    return casos;
+}
+
+/// Cada caso falla con ese estado, sin imagen y con una sola línea en stderr que contiene ese mensaje.
+void esperaFallos(const std::string &tabla) {
+    for (const Caso &c : casosDe(tabla)) {
+        const Ejecucion e = ejecuta(c.programa, c.guion, 9, 9, c.argumentos);
+        EXPECT_EQ(e.estado, std::stoi(c.dice)) << c.dice;
+        EXPECT_TRUE(e.imagen.rgb.empty()) << c.dice;
+        EXPECT_NE(e.errores.find(c.dice.substr(2)), std::string::npos)
+            << c.dice << ", y ha dicho " << e.errores;
+        EXPECT_EQ(std::count(e.errores.begin(), e.errores.end(), '\n'), 1) << e.errores;
+    }
+}
+
+/// Cada caso acaba bien, sin avisos, y escribe en stdout justo esas líneas, separadas por « / ». De registro, todas menos la
+/// primera y las dos últimas, que siempre son las mismas.
+void esperaSalidas(const std::string &tabla) {
+    for (const Caso &c : casosDe(tabla)) {
+        const Ejecucion e = ejecuta(c.programa, c.guion, 32, 24, c.argumentos);
+        std::string dice = std::regex_replace(c.dice, std::regex(" / "), "\n") + "\n";
+        if (c.programa == REGISTRO)
+            dice = "tamano 32 24 32 24\n" + dice + "cierre 1 0 0 0\nfin 0 0 0 0\n";
+        EXPECT_EQ(e.estado, 0) << c.guion;
+        EXPECT_EQ(e.errores, "") << c.guion;
+        EXPECT_EQ(e.salida, dice) << c.guion;
+    }
 }
 
 } // namespace
 
-TEST(Opciones, LasMalEscritasAcabanCon2) {
-    esperaFallo(ejecuta(GRUA, "", 240, 180, {"-nada"}), 2, "no entiendo «-nada»; uso: grua");
-    esperaFallo(ejecuta(GRUA, "", 240, 180, {"foto.ppm"}), 2, "no entiendo «foto.ppm»");
-    esperaFallo(ejecuta(GRUA, "", 240, 180, {"-geometry"}), 2, "-geometry: falta su valor");
-    esperaFallo(ejecuta(GRUA, "", 240, 180, {"-geometry", "diez"}), 2,
-                "-geometry: «diez» no es un tamaño ANCHOxALTO");
-    esperaFallo(ejecuta(GRUA, "", 240, 180, {"-mide", "0"}), 2, "-mide: «0» no es un número entre 1 y");
-    esperaFallo(ejecuta(GRUA, "", 240, 180, {"-mide", "1e3"}), 2, "-mide: «1e3» no es un número");
-    esperaFallo(ejecuta(GRUA, "gira"), 2, "guion, orden 1 «gira»: «gira» no es una orden");
-    esperaFallo(ejecuta(GRUA, "tecla d; menu Vista/Planta"), 2,
-                "orden 2 «menu Vista/Planta»: no hay esa opción; el programa no tiene menú");
-    esperaFallo(ejecuta(GRUA, "tecla Esc; tecla d"), 2, "orden 2 «tecla d»: el programa ya ha terminado");
-    esperaFallo(ejecuta(GRUA, "arrastra 1 1"), 2, "no hay ningún botón pulsado; es mueve");
-    esperaFallo(ejecuta(GRUA, "boton IZQUIERDO arriba 1 1"), 2, "ese botón ya está arriba");
-}
-
-TEST(Opciones, AyudaLasEnumera) {
-    const Ejecucion e = ejecuta(GRUA, "", 240, 180, {"-ayuda"});
-    EXPECT_EQ(e.estado, 0);
-    for (const char *que : {"-geometry", "-guion", "-ppm", "-mide", "-ayuda", "tecla", "especial", "boton",
-                            "arrastra", "mueve", "rueda", "menu", "tamano", "espera", "captura"})
-        EXPECT_NE(e.salida.find(que), std::string::npos) << que;
-    EXPECT_NE(e.salida.find("\nuso: grua [opciones de GLUT]"), std::string::npos) << e.salida;
-    EXPECT_TRUE(e.imagen.rgb.empty());
-}
-
-// También la de los programas que no saben nada de ella.
-TEST(Opciones, AyudaNoDibujaNunca) {
-    const Ejecucion e = ejecuta("../tests/tipos_propios", "", 9, 9, {"-ayuda"});
-    EXPECT_EQ(e.estado, 0);
-    EXPECT_NE(e.salida.find("-guion"), std::string::npos);
-    EXPECT_TRUE(e.imagen.rgb.empty());
-}
-
-// Lo que no cabe en el disco no se calla: texto, ayuda y medidas.
-TEST(Salida, LlenaEsUnError) {
-    const std::string grua = std::string("'" LAB_EJECUTABLES "/") + GRUA + "' -ppm /dev/null ";
-    for (const std::string &orden :
-         {grua + "-mide 1", grua + "-ayuda", std::string("'" LAB_EJECUTABLES "/ch01_intro/info_opengl'")}) {
-        const int estado = std::system((orden + " >/dev/full 2>/dev/null").c_str());
-        EXPECT_EQ(WIFEXITED(estado) ? WEXITSTATUS(estado) : -1, 1) << orden;
-    }
-}
-
-TEST(Opciones, MideEscribeUnaLineaTsv) {
-    const Ejecucion e = ejecuta("ch01_intro/shader_basico", "", 240, 180, {"-mide", "5"});
-    EXPECT_EQ(e.estado, 0) << e.errores;
-    EXPECT_EQ(std::count(e.salida.begin(), e.salida.end(), '\n'), 1);
-    EXPECT_EQ(std::count(e.salida.begin(), e.salida.end(), '\t'), 9);
-    EXPECT_EQ(e.salida.rfind("shader_basico\t240x180\t", 0), 0u) << e.salida;
-    EXPECT_NE(e.salida.find("\t1\t"), std::string::npos) << "es un triángulo: " << e.salida;
-}
-
-TEST(Imagen, SiNoSePuedeGuardarAcabaCon1YNoQuedaNada) {
-    esperaFallo(ejecuta(GRUA, "", 240, 180, {"-ppm", "/no/hay/x.ppm"}), 1,
-                "no puedo guardar «/no/hay/x.ppm»");
-    esperaFallo(ejecuta(GRUA, "", 240, 180, {"-ppm", "/dev/full"}), 1, "no puedo guardar «/dev/full»");
-    esperaFallo(ejecuta(GRUA, "captura /no/hay/y.ppm"), 1, "no puedo guardar «/no/hay/y.ppm»");
-}
-
-TEST(Imagen, CualquierTamano) {
-    for (const auto &[ancho, alto] : {std::pair(1, 1), {1, 300}, {300, 1}, {3, 2}, {1001, 13}}) {
-        const Ejecucion e = ejecuta(GRUA, "", ancho, alto);
-        EXPECT_EQ(e.estado, 0) << e.errores;
-        EXPECT_EQ(e.imagen.ancho, ancho);
-        EXPECT_EQ(e.imagen.alto, alto);
-    }
-}
-
-// Cambiar de tamaño y volver deja la misma imagen; capturar en medio no la toca.
-TEST(Imagen, CambiarDeTamanoYVolver) {
-    const Ejecucion e = ejecuta(GRUA),
-                    vuelta = ejecuta(GRUA, "tamano 1 1; tamano 500 20; captura c.ppm; tamano 240 180");
-    EXPECT_EQ(vuelta.estado, 0) << vuelta.errores;
-    EXPECT_EQ(e.imagen.rgb, vuelta.imagen.rgb);
-}
-
-/// Lo más que ha ocupado algún proceso que ha esperado éste, en MiB.
-static long memoriaDeLosHijos() {
-    rusage uso;
-    getrusage(RUSAGE_CHILDREN, &uso);
-    return uso.ru_maxrss / 1024;
-}
-
-// El programa que lee a un buffer lo tiene enlazado aunque en medio se capture.
-TEST(Imagen, CapturarDejaElBufferDelPrograma) {
-    const Ejecucion e = ejecuta(DEFECTUOSO, "captura a.ppm; tamano 9 8", 9, 9, {"lectura"});
-    EXPECT_EQ(e.estado, 0) << e.errores;
-    EXPECT_EQ(e.salida, "1\n1\n");
-}
-
-// 800 tamaños distintos ocupan como 200: cada framebuffer nuevo no se queda con la memoria del anterior.
-TEST(Imagen, CambiarDeTamanoNoOcupaMas) {
-    const auto tamanos = [](int cuantos) {
-        std::string guion;
-        for (int i = 0; i < cuantos; ++i)
-            guion += "tamano " + std::to_string(200 + i) + " " + std::to_string(600 - i / 2) + ";";
-        return guion;
-    };
-    EXPECT_EQ(ejecuta(GRUA, tamanos(200)).estado, 0);
-    const long antes = memoriaDeLosHijos();
-    EXPECT_EQ(ejecuta(GRUA, tamanos(800)).estado, 0);
-    EXPECT_LT(memoriaDeLosHijos() - antes, 200);
-}
-
-TEST(ErrorDeOpenGL, AcabaCon3YDiceDonde) {
-    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"enum"}), 3, "error de OpenGL al dibujar: GL_INVALID_ENUM");
-    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"callado"}), 3, "error de OpenGL al dibujar: GL_INVALID_ENUM");
-    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"inicio"}), 3,
-                "error de OpenGL antes de glutMainLoop: GL_INVALID_ENUM");
-    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"exit"}), 3, "error de OpenGL: GL_INVALID_ENUM");
+TEST(Fallos, CadaUnoConSuEstadoYSuMensaje) {
+    esperaFallos(R"(
+        grua -nada                       | | 2 no entiendo «-nada»; uso: grua
+        grua foto.ppm                    | | 2 no entiendo «foto.ppm»
+        grua -geometry                   | | 2 -geometry: falta su valor
+        grua -geometry diez              | | 2 -geometry: «diez» no es un tamaño ANCHOxALTO
+        grua -mide 0                     | | 2 -mide: «0» no es un número entre 1 y
+        grua -mide 1e3                   | | 2 -mide: «1e3» no es un número
+        grua            | gira                                 | 2 guion, orden 1 «gira»: «gira» no es una orden
+        grua            | tecla Esc; tecla d                   | 2 orden 2 «tecla d»: el programa ya ha terminado
+        grua            | tecla Esc ×2                         | 2 orden 1 «tecla Esc ×2»: el programa ya ha terminado
+        grua            | arrastra 1 1                         | 2 no hay ningún botón pulsado; es mueve
+        grua            | boton IZQUIERDO abajo 1 1; mueve 1 1 | 2 hay un botón pulsado; es arrastra
+        grua            | boton IZQUIERDO abajo 1 1 ×2         | 2 ese botón ya está abajo
+        grua            | boton IZQUIERDO arriba 1 1           | 2 ese botón ya está arriba
+        grua            | menu Vista/Planta                    | 2 «menu Vista/Planta»: no hay esa opción; el programa no tiene menú
+        registro menu   | menu Vista                           | 2 el menú tiene «Vista/…» «Ejes quitados» «Salir»
+        registro menu   | menu Vista/Alzado                    | 2 el menú tiene «Vista/…»
+        registro menu   | menu Salir/Perfil                    | 2 el menú tiene «Vista/…»
+        registro menu   | menu Perfil                          | 2 el menú tiene «Vista/…»
+        registro menu   | menu Ejes quitados ×2                | 2 el menú tiene «Vista/…» «Ejes puestos» «Salir»
+        grua            | captura /no/hay/y.ppm                | 1 no puedo guardar «/no/hay/y.ppm»
+        grua -ppm /no/hay/x.ppm          | | 1 no puedo guardar «/no/hay/x.ppm»
+        grua -ppm /dev/full              | | 1 no puedo guardar «/dev/full»
+        defectuoso dos_ventanas          | | 1 glut_sin_ventana solo tiene una ventana
+        defectuoso submenu_que_no_hay    | | 1 glutAddSubMenu(77): no hay ese menú
+        defectuoso shader no_esta.vert   | | 1 no encuentro «tests/costura/no_esta.vert»; lo he buscado en
+        # el error de un fichero incluido nombra ese fichero
+        defectuoso shader inclusion.vert | | 1 inclusion.glsl:3: error: `y' undeclared — «return 2.0 * y;»
+        defectuoso enum                  | | 3 error de OpenGL al dibujar: GL_INVALID_ENUM
+        defectuoso callado               | | 3 error de OpenGL al dibujar: GL_INVALID_ENUM
+        defectuoso inicio                | | 3 error de OpenGL antes de glutMainLoop: GL_INVALID_ENUM
+        defectuoso exit                  | | 3 error de OpenGL: GL_INVALID_ENUM)");
 }
 
 // Lo que no es OpenGL 3.1 con GLSL 1.40 no pasa.
 TEST(ErrorDeOpenGL, EsUn31Estricto) {
-    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"begin"}), 3, "error de OpenGL al dibujar");
-    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"sin_vao"}), 3,
-                "error de OpenGL al dibujar: GL_INVALID_OPERATION");
-    const Ejecucion e = ejecuta(DEFECTUOSO, "", 9, 9, {"glsl150"});
-    EXPECT_EQ(e.estado, 1);
-    EXPECT_NE(e.errores.find("tests/costura/glsl150.vert:1: error: GLSL 1.50 is not supported"),
-              std::string::npos)
-        << e.errores;
+    esperaFallos(R"(
+        defectuoso begin               | | 3 error de OpenGL al dibujar
+        defectuoso sin_vao             | | 3 error de OpenGL al dibujar: GL_INVALID_OPERATION
+        defectuoso shader glsl150.vert | | 1 tests/costura/glsl150.vert:1: error: GLSL 1.50 is not supported)");
 }
 
-TEST(ErrorDelPrograma, DosVentanas) {
-    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"dos_ventanas"}), 1,
-                "glut_sin_ventana solo tiene una ventana");
-}
-
-TEST(Shader, ElQueFaltaDiceDondeSeHaBuscado) {
-    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"sin_shader"}), 1,
-                "no encuentro «tests/costura/no_esta.vert»; lo he buscado en ");
-}
-
-TEST(Shader, ElErrorDeUnFicheroIncluidoNombraEseFichero) {
-    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"inclusion"}), 1,
-                "tests/costura/inclusion.glsl:3: error: `y' undeclared — «return 2.0 * y;»");
+// Lo que no cabe en el disco no se calla: texto, ayuda, medidas y rasgos.
+TEST(Salida, LlenaEsUnError) {
+    const std::string grua = "'" LAB_EJECUTABLES "/" + GRUA + "' -ppm /dev/null ";
+    for (const std::string &orden : {grua + "-mide 1", grua + "-ayuda", grua + "-rasgos",
+                                     std::string("'" LAB_EJECUTABLES "/ch01_intro/info_opengl'")}) {
+        const int estado = std::system((orden + " >/dev/full 2>/dev/null").c_str());
+        EXPECT_EQ(WIFEXITED(estado) ? WEXITSTATUS(estado) : -1, 1) << orden;
+    }
 }
 
 TEST(Shader, UnUniformQueNoEstaAvisaUnaVez) {
@@ -181,10 +141,11 @@ TEST(Shader, UnUniformQueNoEstaAvisaUnaVez) {
 TEST(Shader, F5LosVuelveALeer) {
     const fs::path raiz = carpetaTemporal() / "raiz_f5";
     fs::create_directories(raiz / "tests/costura");
-    std::ofstream(raiz / "tests/costura/recarga.vert")
-        << "#version 140\nvoid main() {\n    gl_Position = vec4(4 * "
-           "(gl_VertexID % 2) - 1, 4 * (gl_VertexID / 2) - 1, 0.0, "
-           "1.0);\n}\n";
+    std::ofstream(raiz / "tests/costura/recarga.vert") << R"(#version 140
+void main() {
+    gl_Position = vec4(4 * (gl_VertexID % 2) - 1, 4 * (gl_VertexID / 2) - 1, 0.0, 1.0);
+}
+)";
     setenv("LAB_RAIZ", raiz.c_str(), 1);
     const Ejecucion e =
         ejecuta(DEFECTUOSO, "espera 10; especial F5; espera 10; especial F5", 9, 9, {"recarga"});
@@ -195,126 +156,128 @@ TEST(Shader, F5LosVuelveALeer) {
         << e.errores;
 }
 
-TEST(TeclasComunes, F11LlenaLaPantallaYVuelve) {
-    const Ejecucion e = ejecuta(GRUA), llena = ejecuta(GRUA, "especial F11"),
-                    vuelta = ejecuta(GRUA, "especial F11; especial F11");
-    EXPECT_EQ(llena.imagen.ancho, 1920);
-    EXPECT_EQ(llena.imagen.alto, 1080);
-    EXPECT_EQ(vuelta.imagen.rgb, e.imagen.rgb);
+TEST(Guion, LeDiceAlPrograma) {
+    esperaSalidas(R"(
+        # el reloj solo avanza con espera; los temporizadores vencen en orden, y entre iguales el que antes se pidió
+        defectuoso tiempo | tecla a; espera 249; espera 1; espera 150
+            | 100 a 100 ms / 100 a 200 ms / 250 a 250 ms / menu 1 en el 0 / 100 a 300 ms / 100 a 400 ms
+        # uno de 0 ms vence al milisegundo: ni el que se pide otra vez al vencer para el reloj
+        defectuoso enseguida | espera 3 | 1 / 2 / 3
+        # el ocio, una vez tras cada orden, cuando ya se ha dibujado lo que ella pedía; luego se dibuja lo que pide él
+        defectuoso ocio | tecla a; espera 5; tamano 8 8; tecla b ×2
+            | dibuja / ocio 1 / dibuja / ocio 2 / dibuja / dibuja / ocio 3 / dibuja
+        # las muestras se pueden pedir, y no las hay
+        defectuoso muestras | | 0
+        # el programa que lee a un buffer lo tiene enlazado aunque en medio se capture
+        defectuoso lectura | captura a.ppm; tamano 9 8 | 1 / 1
+        # F12 no pisa lo guardado
+        grua | especial F12; tecla d; especial F12
+            | guardado grua-1.ppm / guardado grua-2.ppm
+        # sin función propia, la rueda son los botones 3 y 4
+        registro menu | rueda +1 5 5; rueda -1 5 5
+            | movimiento 5 5 0 0 / boton 3 0 5 5 / boton 3 1 5 5 / boton 4 0 5 5 / boton 4 1 5 5
+        # la escala es la de la ventana que haya cuando el ratón se mueve
+        registro | escala 8 6; mueve 1 1; tamano 16 24; mueve 1 1
+            | movimiento 4 4 0 0 / tamano 16 24 16 24 / movimiento 2 8 0 0
+        registro | escala 8 6; rueda +1 4 3
+            | movimiento 16 12 0 0 / rueda 0 1 16 12)");
 }
 
-TEST(TeclasComunes, F12GuardaLaVentanaSinPisarOtra) {
-    const Ejecucion e = ejecuta(GRUA, "especial F12; tecla d; especial F12", 24, 18);
-    EXPECT_EQ(e.estado, 0) << e.errores;
-    EXPECT_EQ(e.salida, "guardado grua-1.ppm\nguardado grua-2.ppm\n");
+TEST(Guion, LosMenus) {
+    esperaSalidas(R"(
+        # cada opción llama a la función del menú en que está, que es el actual mientras dura; luego, el que lo era
+        registro menu | menu Vista/Perfil ×2; menu Ejes quitados; tecla a
+            | submenu 2 1 0 0 / submenu 2 1 0 0 / menu 3 2 0 0 / tecla 97 0 0 1 / tecla arriba 97 0 0 0
+        registro menu | menu Ejes quitados; menu Ejes puestos; menu Salir
+            | menu 3 2 0 0 / menu 4 2 0 0 / menu 5 2 0 0
+        # abierto, el programa no ve el ratón, ni el clic que lo cierra; sí que el botón que eligió se suelta
+        registro menu | boton DERECHO abajo 1 1; boton DERECHO arriba 1 1; mueve 2 2; boton IZQUIERDO abajo 2 2;
+            boton IZQUIERDO arriba 2 2; boton IZQUIERDO abajo 3 3
+            | movimiento 1 1 0 0 / boton 0 1 2 2 / movimiento 3 3 0 0 / boton 0 0 3 3
+        registro menu | boton DERECHO abajo 1 1; menu Vista/Perfil; boton DERECHO arriba 1 1
+            | movimiento 1 1 0 0 / submenu 2 1 0 0 / boton 2 1 1 1
+        # el borrado deja su sitio vacío
+        defectuoso menu_borrado | menu Vista | menu -1 en el 2)");
 }
 
-// El reloj solo avanza con `espera`; los temporizadores vencen en orden, y entre iguales el que antes se
-// pidió.
-TEST(Reloj, LosTemporizadoresVencenEnOrden) {
-    const Ejecucion e = ejecuta(DEFECTUOSO, "tecla a; espera 249; espera 1; espera 150", 9, 9, {"tiempo"});
-    EXPECT_EQ(e.estado, 0) << e.errores;
-    EXPECT_EQ(e.salida,
-              "100 a 100 ms\n100 a 200 ms\n250 a 250 ms\nmenu 1 en el 0\n100 a 300 ms\n100 a 400 ms\n");
+TEST(Opciones, RasgosDiceDeQueSeEntera) {
+    esperaSalidas(R"(
+        tipos_propios -rasgos     |                    | 3 7 1.5 entrada 2 ninguna no hay
+        grua -rasgos              |                    | teclado / especial / raton / arrastre / rueda
+        defectuoso tiempo -rasgos |                    | teclado / especial / temporizador
+        registro -rasgos          |                    | teclado / especial / raton / arrastre / movimiento / rueda
+        registro menu -rasgos     | mueve 1 1; tecla o
+            | movimiento 1 1 0 0 / tecla 111 1 1 1 / tecla arriba 111 1 1 0 / ocio 1 0 0 0 / teclado / especial
+            / raton / arrastre / movimiento / ocio / opcion Vista/Planta, que es como se ve desde arriba
+            / opcion Vista/Perfil / opcion Ejes quitados / opcion Salir)");
+    EXPECT_TRUE(ejecuta(GRUA, "", 9, 9, {"-rasgos"}).imagen.rgb.empty());
 }
 
-// Ni uno de 0 ms, que se pide otra vez al vencer, para el reloj.
-TEST(Reloj, ElDe0VenceAlMilisegundo) {
-    EXPECT_EQ(ejecuta(DEFECTUOSO, "espera 3", 9, 9, {"enseguida"}).salida, "1\n2\n3\n");
+// También la de un programa que no sabe nada de ella.
+TEST(Opciones, AyudaLasEnumeraYNoDibuja) {
+    for (const std::string &programa : {GRUA, TIPOS_PROPIOS}) {
+        const Ejecucion e = ejecuta(programa, "", 9, 9, {"-ayuda"});
+        EXPECT_EQ(e.estado, 0) << e.errores;
+        EXPECT_TRUE(e.imagen.rgb.empty());
+        std::istringstream ordenes(
+            "-geometry -guion -ppm -mide -rasgos -ayuda tecla especial boton arrastra mueve rueda "
+            "menu tamano espera captura escala ORDEN");
+        for (std::string que; ordenes >> que;)
+            EXPECT_NE(e.salida.find("\n  " + que + " "), std::string::npos) << que;
+        EXPECT_EQ(e.salida.find("\nuso: grua [opciones de GLUT]") != std::string::npos, programa == GRUA);
+    }
 }
 
-// Cada opción llama a la función del menú en que está, que es el actual mientras dura; después vuelve a serlo el de antes.
-TEST(Menu, SeEligePorSuRuta) {
-    const Ejecucion e =
-        ejecuta(DEFECTUOSO, "menu Vista/Perfil; menu Vista/Planta; menu Salir; tecla a", 9, 9, {"menu"});
-    EXPECT_EQ(e.estado, 0) << e.errores;
-    EXPECT_EQ(e.salida, "submenu 2 en el 1\nsubmenu 1 en el 1\nmenu 3 en el 2\ntecla en el 1\n");
-    for (const char *mal : {"menu Vista", "menu Vista/Alzado", "menu Salir/Planta", "menu Planta"})
-        esperaFallo(ejecuta(DEFECTUOSO, mal, 9, 9, {"menu"}), 2,
-                    "no hay esa opción; el menú tiene «Vista/…» «Con ejes» «Salir»");
+// Un triángulo de tres vértices en el plano, y un mapa de cubo de seis caras RGB de 256 × 256 con sus mipmaps.
+TEST(Opciones, MideEscribeUnaLineaTsv) {
+    const std::string tiempos = "\t240x180(\t[0-9]+\\.[0-9]{3}){4}",
+                      bytesDelMapa = std::to_string(6 * 3 * 87381);
+    for (const auto &[programa, linea] :
+         {std::pair("ch01_intro/shader_basico", "shader_basico" + tiempos + "\t1\t[^\t]+\t24\t0\n"),
+          {"ch08_texturas_avanzadas/cubemap",
+           "cubemap" + tiempos + "\t[0-9]+\t[^\t]+\t[0-9]+\t" + bytesDelMapa + "\n"}}) {
+        const Ejecucion e = ejecuta(programa, "", 240, 180, {"-mide", "5"});
+        EXPECT_EQ(e.estado, 0) << e.errores;
+        EXPECT_TRUE(std::regex_match(e.salida, std::regex(linea))) << e.salida;
+    }
 }
 
-TEST(Menu, UnaOpcionPuedeCambiar) {
-    const Ejecucion e = ejecuta(DEFECTUOSO, "menu Con ejes; menu Sin ejes; menu Salir", 9, 9, {"menu"});
-    EXPECT_EQ(e.estado, 0) << e.errores;
-    EXPECT_EQ(e.salida, "menu 4 en el 2\nmenu 5 en el 2\nmenu 3 en el 2\n");
-    esperaFallo(ejecuta(DEFECTUOSO, "menu Con ejes; menu Con ejes", 9, 9, {"menu"}), 2,
-                "el menú tiene «Vista/…» «Sin ejes» «Salir»");
+TEST(Imagen, LaTallaEsLaDeGeometry) {
+    for (const std::string &programa : {GRUA, TIPOS_PROPIOS}) // el segundo pide otra
+        for (const auto &[ancho, alto] : {std::pair(1, 1), {1, 300}, {300, 1}, {3, 2}, {1001, 13}}) {
+            const Ejecucion e = ejecuta(programa, "", ancho, alto);
+            EXPECT_EQ(e.estado, 0) << e.errores;
+            EXPECT_EQ(e.imagen.ancho, ancho);
+            EXPECT_EQ(e.imagen.alto, alto);
+        }
 }
 
-// Mientras está abierto el programa no ve el ratón, ni el clic que lo cierra; sí que ese botón se suelta.
-TEST(Menu, AbiertoSeQuedaElRaton) {
-    const Ejecucion e =
-        ejecuta(DEFECTUOSO,
-                "mueve 1 1; boton DERECHO abajo 1 1; boton DERECHO arriba 1 1; mueve 2 2; "
-                "boton IZQUIERDO abajo 2 2; boton IZQUIERDO arriba 2 2; boton IZQUIERDO abajo 3 3",
-                9, 9, {"menu"});
-    EXPECT_EQ(e.estado, 0) << e.errores;
-    EXPECT_EQ(e.salida, "movimiento 1 1\nboton 0 1\nmovimiento 3 3\nboton 0 0\n");
-    EXPECT_EQ(
-        ejecuta(DEFECTUOSO, "boton DERECHO abajo 1 1; menu Salir; boton DERECHO arriba 1 1", 9, 9, {"menu"})
-            .salida,
-        "movimiento 1 1\nmenu 3 en el 2\nboton 2 1\n");
+// Cambiar de tamaño o llenar la pantalla y volver deja la misma imagen; capturar en medio no la toca.
+TEST(Imagen, CambiarDeTamanoYVolver) {
+    const Imagen imagen = ejecuta(GRUA).imagen, llena = ejecuta(GRUA, "especial F11").imagen;
+    EXPECT_EQ(llena.ancho, 1920);
+    EXPECT_EQ(llena.alto, 1080);
+    for (const char *guion : {"tamano 1 1; tamano 500 20; captura c.ppm; tamano 240 180", "especial F11 ×2"})
+        EXPECT_EQ(ejecuta(GRUA, guion).imagen.rgb, imagen.rgb) << guion;
 }
 
-TEST(Menu, ElBorradoDejaSuSitioVacio) {
-    const Ejecucion e = ejecuta(DEFECTUOSO, "menu Vista", 9, 9, {"menu_borrado"});
-    EXPECT_EQ(e.estado, 0) << e.errores;
-    EXPECT_EQ(e.salida, "menu -1 en el 2\n");
-    esperaFallo(ejecuta(DEFECTUOSO, "", 9, 9, {"submenu_que_no_hay"}), 1,
-                "glutAddSubMenu(77): no hay ese menú");
-}
-
-// Una vez tras cada orden, cuando ya se ha dibujado lo que ella pedía; luego se dibuja lo que pide el ocio.
-TEST(Ocio, TrasCadaOrdenYSePuedeQuitar) {
-    const Ejecucion e =
-        ejecuta(DEFECTUOSO, "tecla a; espera 5; tamano 8 8; tecla b; tecla c", 9, 9, {"ocio"});
-    EXPECT_EQ(e.estado, 0) << e.errores;
-    EXPECT_EQ(e.salida, "dibuja\nocio 1\ndibuja\nocio 2\ndibuja\ndibuja\nocio 3\ndibuja\n");
-}
-
-TEST(Rueda, SinFuncionPropiaSonLosBotones3Y4) {
-    EXPECT_EQ(ejecuta(DEFECTUOSO, "rueda +1 5 5; rueda -1 5 5", 9, 9, {"menu"}).salida,
-              "movimiento 5 5\nboton 3 0\nboton 3 1\nboton 4 0\nboton 4 1\n");
-}
-
-TEST(Muestras, SePuedenPedirYNoLasHay) {
-    const Ejecucion e = ejecuta(DEFECTUOSO, "", 9, 9, {"muestras"});
-    EXPECT_EQ(e.estado, 0) << e.errores;
-    EXPECT_EQ(e.salida, "0\n");
-}
-
-TEST(Opciones, GeometryPuedeMasQueElPrograma) {
-    const Ejecucion e = ejecuta("../tests/tipos_propios", "", 9, 7);
-    EXPECT_EQ(e.imagen.ancho, 9);
-    EXPECT_EQ(e.imagen.alto, 7);
-}
-
-TEST(EspacioDeNombres, UnProgramaPuedeTenerTiposYFuncionesQueSeLlamenIgual) {
-    const Ejecucion e = ejecuta("../tests/tipos_propios", "tecla a; espera 3; tamano 8 8", 9, 9);
-    EXPECT_EQ(e.estado, 0) << e.errores;
-    EXPECT_EQ(e.salida, "3 7 1.5 entrada 2 ninguna no hay\n");
-    ASSERT_EQ(e.imagen.ancho, 8);
-    EXPECT_EQ(pixel(e.imagen, 4, 4).g, 255);
-}
-
-// Una orden con ×N son N órdenes seguidas, cada una con su dibujo y su ocio.
-TEST(Guion, RepetirEsEscribirlaOtraVez) {
-    EXPECT_EQ(ejecuta(DEFECTUOSO, "tecla a ×2; espera 1 ×2", 9, 9, {"ocio"}).salida,
-              ejecuta(DEFECTUOSO, "tecla a; tecla a; espera 1; espera 1", 9, 9, {"ocio"}).salida);
-    EXPECT_EQ(ejecuta(GRUA, "tecla d ×7").imagen.rgb,
-              ejecuta(GRUA, "tecla d; tecla d; tecla d; tecla d; tecla d; tecla d; tecla d").imagen.rgb);
-    esperaFallo(ejecuta(GRUA, "tecla Esc ×2"), 2, "orden 1 «tecla Esc ×2»: el programa ya ha terminado");
-}
-
-// La escala es la de la ventana que haya al mover el ratón.
-TEST(Guion, EscalaCuandoSeMueve) {
-    const Ejecucion e =
-        ejecuta(DEFECTUOSO, "mueve 1 1; escala 8 6; mueve 1 1; tamano 16 24; mueve 1 1; rueda +1 4 3", 32, 24,
-                {"menu"});
-    EXPECT_EQ(e.estado, 0) << e.errores;
-    EXPECT_EQ(e.salida,
-              "movimiento 1 1\nmovimiento 4 4\nmovimiento 2 8\nmovimiento 8 12\nboton 3 0\nboton 3 1\n");
+// 800 tamaños distintos ocupan como 200: cada framebuffer nuevo no se queda con la memoria del anterior.
+TEST(Imagen, CambiarDeTamanoNoOcupaMas) {
+    const auto tamanos = [](int cuantos) {
+        std::string guion;
+        for (int i = 0; i < cuantos; ++i)
+            guion += "tamano " + std::to_string(200 + i) + " " + std::to_string(600 - i / 2) + ";";
+        return guion;
+    };
+    const auto mebibytes = [] { // lo más que ha ocupado algún proceso que ha esperado éste
+        rusage uso;
+        getrusage(RUSAGE_CHILDREN, &uso);
+        return uso.ru_maxrss / 1024;
+    };
+    EXPECT_EQ(ejecuta(GRUA, tamanos(200)).estado, 0);
+    const long antes = mebibytes();
+    EXPECT_EQ(ejecuta(GRUA, tamanos(800)).estado, 0);
+    EXPECT_LT(mebibytes() - antes, 200);
 }
 
 // Ni los procesadores ni la carpeta de trabajo (ejecuta usa una temporal) cambian la imagen.
@@ -325,6 +288,19 @@ TEST(Determinismo, LosHilosNoCambianLaImagen) {
         EXPECT_EQ(ejecuta(GRUA).imagen.rgb, e.imagen.rgb) << hilos;
     }
     unsetenv("LP_NUM_THREADS");
+}
+
+// Una orden con ×N son N órdenes seguidas.
+TEST(Imagen, RepetirEsEscribirlaOtraVez) {
+    EXPECT_EQ(ejecuta(GRUA, "tecla d ×3").imagen.rgb, ejecuta(GRUA, "tecla d; tecla d; tecla d").imagen.rgb);
+}
+
+TEST(EspacioDeNombres, UnProgramaPuedeTenerTiposYFuncionesQueSeLlamenIgual) {
+    const Ejecucion e = ejecuta(TIPOS_PROPIOS, "tecla a; espera 3; tamano 8 8", 9, 9);
+    EXPECT_EQ(e.estado, 0) << e.errores;
+    EXPECT_EQ(e.salida, "3 7 1.5 entrada 2 ninguna no hay\n");
+    ASSERT_EQ(e.imagen.ancho, 8);
+    EXPECT_EQ(pixel(e.imagen, 4, 4).g, 255);
 }
 
 // Todos los programas acaban con Esc, sin imagen a medias ni mensajes, y aguantan 1×1 y volver.

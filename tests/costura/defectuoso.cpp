@@ -61,12 +61,6 @@ static void enseguida(int quedan) {
 
 static void menu(int valor) {
     std::printf("menu %d en el %d\n", valor, glutGetMenu());
-    if (valor == 4)
-        glutChangeToMenuEntry(2, "Sin ejes", 5);
-}
-
-static void submenu(int valor) {
-    std::printf("submenu %d en el %d\n", valor, glutGetMenu());
 }
 
 static void ocio() {
@@ -78,7 +72,7 @@ static void ocio() {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "defectuoso", GLUT_DOUBLE | GLUT_RGBA, "DEFECTO");
+    abreVentana(argc, argv, "defectuoso", GLUT_DOUBLE | GLUT_RGBA, "DEFECTO [SHADER]");
     defecto = argc > 1 ? argv[1] : "";
     glutDisplayFunc(dibuja);
     if (defecto == "inicio") {
@@ -88,16 +82,12 @@ int main(int argc, char **argv) {
         std::exit(0);
     } else if (defecto == "dos_ventanas") {
         glutCreateWindow("otra");
-    } else if (defecto == "glsl150") {
-        creaPrograma("tests/costura/glsl150.vert", "tests/comparador/escena.frag");
-    } else if (defecto == "sin_shader") {
-        creaPrograma("tests/costura/no_esta.vert", "tests/comparador/escena.frag");
+    } else if (defecto == "shader") {
+        creaPrograma(std::string("tests/costura/") + argv[2], "tests/comparador/escena.frag");
     } else if (defecto == "uniforme") {
         const GLuint p = creaPrograma("tests/comparador/escena.vert", "tests/comparador/escena.frag");
         uniforme(p, "noExiste");
         uniforme(p, "noExiste");
-    } else if (defecto == "inclusion") {
-        creaPrograma("tests/costura/inclusion.vert", "tests/comparador/escena.frag");
     } else if (defecto == "recarga") {
         GLuint vao;
         glGenVertexArrays(1, &vao);
@@ -116,19 +106,6 @@ int main(int argc, char **argv) {
         glutTimerFunc(250, menu, 1); // vence a la vez que el primero y se pidió después
     } else if (defecto == "enseguida") {
         glutTimerFunc(0, enseguida, 9);
-    } else if (defecto == "menu") {
-        const int vistas = glutCreateMenu(submenu);
-        glutAddMenuEntry("Planta", 1);
-        glutAddMenuEntry("Perfil", 2);
-        glutCreateMenu(menu);
-        glutAddSubMenu("Vista", vistas);
-        glutAddMenuEntry("Con ejes", 4);
-        glutAddMenuEntry("Salir", 3);
-        glutAttachMenu(GLUT_RIGHT_BUTTON);
-        glutSetMenu(vistas);
-        glutMouseFunc([](int b, int e, int, int) { std::printf("boton %d %d\n", b, e); });
-        glutPassiveMotionFunc([](int x, int y) { std::printf("movimiento %d %d\n", x, y); });
-        glutKeyboardFunc([](unsigned char, int, int) { std::printf("tecla en el %d\n", glutGetMenu()); });
     } else if (defecto == "menu_borrado") {
         const int borrado = glutCreateMenu(menu);
         glutCreateMenu(menu);
