@@ -19,6 +19,7 @@ from pathlib import Path
 
 import catalogo
 import pagina
+from procesos import Fallo, ejecuta
 
 CODEMIRROR = Path("/usr/share/javascript/codemirror")
 SHADERS, TEXTURAS = (".vert", ".frag", ".glsl"), (".rgb", ".r8")
@@ -56,7 +57,7 @@ def mando(control):
 
 
 class Programa:
-    """Lo que la página tiene que saber de un programa: lo dice el catálogo, lo dicen sus controles o lo dice él al ejecutarlo sin ventana."""
+    """Lo que la página tiene que saber de un programa: lo dice el catálogo, lo dicen sus controles o lo dice él, ejecutado sin ventana."""
 
     def __init__(self, raiz, build, programa):
         self.raiz, self.programa = raiz, programa
@@ -74,9 +75,8 @@ class Programa:
         with tempfile.TemporaryDirectory() as carpeta:
             leidos = Path(carpeta, "leidos")
             leidos.touch()
-            salida = subprocess.run([ejecutable, "-guion", guion, "-rasgos"], cwd=carpeta, check=True, text=True, stdout=subprocess.PIPE,
-                                    stderr=subprocess.DEVNULL, env={**os.environ, "LAB_LEIDOS": str(leidos)}).stdout
-            self.rasgos |= {linea.split()[0] for linea in salida.splitlines() if linea}
+            salida = ejecuta([ejecutable, "-guion", guion, "-rasgos"], cwd=carpeta, text=True, env={**os.environ, "LAB_LEIDOS": str(leidos)})
+            self.rasgos |= {linea.split(" ")[0] for linea in salida.splitlines()}
             self.leidos |= set(leidos.read_text().splitlines())
 
     def datos(self):
@@ -148,7 +148,10 @@ class Pagina:
 
 def main():
     raiz, build, galeria, destino = (Path(ruta).resolve() for ruta in sys.argv[1:])
-    Pagina(raiz, build, galeria, destino).escribe(catalogo.lee(build))
+    try:
+        Pagina(raiz, build, galeria, destino).escribe(catalogo.lee(build))
+    except Fallo as fallo:
+        sys.exit(f"lab: {fallo}")
     ocupa = sum(f.stat().st_size for f in destino.rglob("*") if f.is_file())
     print(f"Hecha: {destino}/index.html ({ocupa / 1e6:.1f} MB en total)", file=sys.stderr)
 

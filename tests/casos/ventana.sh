@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# ventana.sh BUILD CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION: el mismo caso en una ventana de FreeGLUT, en un Xvfb para él solo, con teclado y ratón de
-# verdad; la ventana debe acabar igual que el golden (tolerancia amplia) y Esc debe terminar el programa con 0.
+# ventana.sh BUILD CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION: el mismo caso en una ventana de FreeGLUT, en un Xvfb para él solo, con
+# teclado y ratón de verdad; la ventana debe acabar igual que el golden (tolerancia amplia) y Esc debe terminar el programa con 0.
 # El reloj virtual y los menús no se pueden repetir aquí: de los casos que los usan se mira que dibuje algo.
 set -euo pipefail
 build=$1 capitulo=$2 programa=$3 nombre=$4 tolerancia=$5 guion=$6
