@@ -66,8 +66,8 @@ static void trazaVector(const char *nombre, const glm::vec3 &v, float largo, con
 static std::string describe(const glm::vec3 &d) {
     char texto[80];
     const auto centesimas = [](float x) { return std::round(100 * x) / 100 + 0.0; }; // + 0: sin −0
-    std::snprintf(texto, sizeof texto, "φ = %.0f°, d = (%.2g, %.2g, %.2g)",
-                  glm::degrees(estado.angulo), centesimas(d.x), centesimas(d.y), centesimas(d.z));
+    std::snprintf(texto, sizeof texto, "φ = %.0f°, d = (%.2g, %.2g, %.2g)", glm::degrees(estado.angulo),
+                  centesimas(d.x), centesimas(d.y), centesimas(d.z));
     return texto;
 }
 

@@ -3,9 +3,9 @@
 // dice qué pasa si UP es paralelo a F: aquí siempre hay base (vista.h), y la cuarta vista, con UP a 1e-7 de F, sale bien.
 // Controles: 1 2 3 vistas · 4 UP casi paralelo · i o inclinan · ratón orbita por fuera · Esc termina.
 #include "aspecto.h"
+#include "camara_fotos.h"
 #include "ch03_transformaciones/objeto.h"
 #include "orbita.h"
-#include "piezas.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "trazo.h"

@@ -5,7 +5,7 @@
 #include "buferes.h"
 #include "colores.h"
 #include "orbita.h"
-#include "paneles.h"
+#include "paneles_etapas.h"
 #include "rotulo.h"
 #include "shader.h"
 #include "trazo.h"

@@ -14,20 +14,20 @@
 #include <cmath>
 #include <cstring>
 
-struct Entrada {
+struct ImagenesPedidas {
     std::vector<Imagen> imagenes;
     bool propias; // del usuario, y no las que hay por omisión
 };
 
 /// Abre la ventana y lee las imágenes que se pidan: tantas como las que hay por omisión.
-inline Entrada abreVentanaConImagenes(int &argc, char **argv, const char *titulo,
-                                      const std::vector<ImagenPorOmision> &porOmision) {
+inline ImagenesPedidas abreVentanaConImagenes(int &argc, char **argv, const char *titulo,
+                                              const std::vector<ImagenPorOmision> &porOmision) {
     const bool conTalla =
         std::any_of(argv, argv + argc, [](const char *a) { return !std::strcmp(a, "-geometry"); });
     abreVentana(argc, argv, titulo, GLUT_DOUBLE | GLUT_MULTISAMPLE,
                 porOmision.size() == 1 ? "[FOTO.ppm | FOTO.rgb -talla ANCHOxALTO]"
                                        : "[A.ppm B.ppm | A.rgb B.rgb -talla ANCHOxALTO]");
-    const Entrada entrada = {imagenesDeArgumentos(argc, argv, porOmision), argc > 1};
+    const ImagenesPedidas entrada = {imagenesDeArgumentos(argc, argv, porOmision), argc > 1};
     if (entrada.propias && !conTalla)
         glutReshapeWindow(entrada.imagenes[0].ancho, entrada.imagenes[0].alto);
     return entrada;

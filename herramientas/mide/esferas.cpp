@@ -39,10 +39,10 @@ static double hundimiento(const Malla &malla, const glm::mat4 &giro, double radi
 
 static void mideEsferas(Medidor &m) {
     abreContexto();
-    const int lado = m.talla(60, 600);
-    const Lienzo lienzo(lado, lado);
+    const int lado = m.elige(60, 600);
+    const Framebuffer framebuffer(lado, lado);
     const GLuint programa = creaSombreado("phong");
-    enviaEscena(programa, lienzo);
+    enviaEscena(programa, framebuffer);
     glEnable(GL_DEPTH_TEST);
     const glm::mat4 M = escalado(1.08f); // unos 250 px de radio en 600
     const auto variante = [&](const std::string &nombre, const Malla &malla, double radio, bool convexo,
@@ -53,10 +53,10 @@ static void mideEsferas(Medidor &m) {
                 mayor = std::max(mayor, hundimiento(malla, giroX(g.x) * giroY(g.y), radio));
         const Buferes b = creaBuferes(malla);
         m.variante(nombre, RADIO_PX / radio * mayor, 1, yEspera([&] {
-                       lienzo.borra(0.95f, 0.96f, 0.98f);
+                       framebuffer.borra(0.95f, 0.96f, 0.98f);
                        dibujaObjeto(programa, b, M, camaraEscena(), CORAL);
                    }),
-                   espera, std::to_string(malla.indices.size() / 3) + " triángulos", lienzo.lee());
+                   espera, std::to_string(malla.indices.size() / 3) + " triángulos", framebuffer.lee());
         borraBuferes(b);
     };
     const auto flecha =
@@ -64,12 +64,12 @@ static void mideEsferas(Medidor &m) {
             const double f = RADIO_PX * (1 - std::cos(glm::pi<double>() / n));
             return Rango{0.9 * f, 2.1 * f};
         };
-    const Malla fina = esfera(m.talla(64, 512));
+    const Malla fina = esfera(m.elige(64, 512));
     {
         const Buferes b = creaBuferes(fina);
-        lienzo.borra(0.95f, 0.96f, 0.98f);
+        framebuffer.borra(0.95f, 0.96f, 0.98f);
         dibujaObjeto(programa, b, M, camaraEscena(), CORAL);
-        m.referencia = lienzo.lee();
+        m.referencia = framebuffer.lee();
         borraBuferes(b);
     }
     m.grupo = "esfera";

@@ -15,7 +15,7 @@ std::vector<Tecnica> &tecnicas() {
     return todas;
 }
 
-double milisegundosDe(const std::string &orden) {
+double milisegundosDeOrden(const std::string &orden) {
     const auto antes = std::chrono::steady_clock::now();
     const bool bien = std::system((orden + " >/dev/null 2>&1").c_str()) == 0;
     return bien ? std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - antes).count()

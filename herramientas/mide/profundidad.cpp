@@ -46,10 +46,10 @@ static void mideProfundidad(Medidor &m) {
         const double lejos = 1000, cerca = lejos / std::pow(10.0, cociente);
         m.grupo = std::string("lejos/cerca = ") + POTENCIA[cociente];
         for (const auto &f : FORMATOS) {
-            const Lienzo lienzo(m.talla(48, 480), m.talla(36, 360), 0, f.formato);
+            const Framebuffer framebuffer(m.elige(48, 480), m.elige(36, 360), 0, f.formato);
             m.variante(f.nombre + std::string(", ") + POTENCIA[cociente],
                        confundidos(cerca, lejos, f.bits, f.alReves), 1, yEspera([&] {
-                           lienzo.borra(0, 0, 0);
+                           framebuffer.borra(0, 0, 0);
                            for (int i = 0; i < 8; ++i)
                                dibujaRectangulo();
                        }),
