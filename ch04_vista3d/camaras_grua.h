@@ -1,5 +1,5 @@
-// Las cámaras de las cuatro vistas de la grúa (ejercicios 4.2 a 4.4) y el volumen de la vista que la encierra en cualquier postura.
-// Sin OpenGL; lo usa vistas_grua.h.
+// Las cámaras de las cuatro vistas de la grúa (ejercicios 4.2 a 4.4) y el volumen de la vista que la encierra en
+// cualquier postura. Sin OpenGL; lo usa vistas_grua.h.
 #pragma once
 #include "ch03_transformaciones/grua.h"
 #include "colores.h"

@@ -1,5 +1,5 @@
-// Las cuatro vistas de la grúa en la ventana: el panel de cada una, sus rótulos, sus teclas y su menú. Lo que cada ejercicio añade
-// está en su programa.
+// Las cuatro vistas de la grúa en la ventana: el panel de cada una, sus rótulos, sus teclas y su menú. Lo que cada
+// ejercicio añade está en su programa.
 #pragma once
 #include "camaras_grua.h"
 #include "orbita.h"

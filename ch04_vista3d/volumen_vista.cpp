@@ -1,7 +1,8 @@
-// El volumen de la vista visto desde fuera (figuras 4.3 y 4.4), con sus parámetros: la pirámide truncada de la perspectiva o la
-// caja de la paralela, entre el plano cerca (naranja) y el plano lejos (azul). Solo lo que está dentro conserva su
-// color: el fragment shader comprueba la condición del recortado, −w ≤ x, y, z ≤ w.
-// Controles: p cambia de proyección · , . mueven el plano cerca · - + mueven el plano lejos · ratón orbita · Esc termina.
+// El volumen de la vista visto desde fuera (figuras 4.3 y 4.4), con sus parámetros: la pirámide truncada de la
+// perspectiva o la caja de la paralela, entre el plano cerca (naranja) y el plano lejos (azul). Solo lo que está dentro
+// conserva su color: el fragment shader comprueba la condición del recortado, −w ≤ x, y, z ≤ w.
+// Controles: p cambia de proyección · , . mueven el plano cerca · - + mueven el plano lejos · ratón orbita ·
+// Esc termina.
 #include "camara_fotos.h"
 #include "ch03_transformaciones/objeto.h"
 #include "orbita.h"

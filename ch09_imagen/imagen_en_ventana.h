@@ -1,6 +1,7 @@
-// Lo que comparten los programas de este capítulo: la imagen es una textura pegada en un rectángulo que cabe en la ventana sin
-// deformarse. Con una imagen del usuario la ventana toma su tamaño, salvo que -geometry diga otro, y entonces el texel
-// (i, j) es el píxel (i, j): sin remuestrear y sin rótulos, para que se pueda comparar con lo que haga cualquier otra herramienta.
+// Lo que comparten los programas de este capítulo: la imagen es una textura pegada en un rectángulo que cabe en la
+// ventana sin deformarse. Con una imagen del usuario la ventana toma su tamaño, salvo que -geometry diga otro, y
+// entonces el texel (i, j) es el píxel (i, j): sin remuestrear y sin rótulos, para que se pueda comparar con lo que
+// haga cualquier otra herramienta.
 #pragma once
 #include "colores.h"
 #include "error.h"
@@ -33,8 +34,8 @@ inline ImagenesPedidas abreVentanaConImagenes(int &argc, char **argv, const char
     return entrada;
 }
 
-/// Textura sin mipmaps y con GL_CLAMP_TO_EDGE, en la unidad activa: en el centro de un texel el filtro lineal da ese texel y
-/// fuera de la imagen, el del borde.
+/// Textura sin mipmaps y con GL_CLAMP_TO_EDGE, en la unidad activa: en el centro de un texel el filtro lineal da ese
+/// texel y fuera de la imagen, el del borde.
 inline GLuint creaTexturaExacta(GLint formatoInterno, const glm::ivec2 &talla, GLenum formato, GLenum tipo,
                                 const void *datos) {
     GLuint textura;

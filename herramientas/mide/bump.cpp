@@ -1,5 +1,5 @@
-// Un plano con bultos: el mapa de normales según su talla, la normal calculada en el shader y el plano deformado de verdad,
-// frente a la normal exacta en cada punto del plano.
+// Un plano con bultos: el mapa de normales según su talla, la normal calculada en el shader y el plano deformado de
+// verdad, frente a la normal exacta en cada punto del plano.
 #include "ch08_texturas_avanzadas/mapa_normales.h"
 #include "escena.h"
 #include "mide.h"

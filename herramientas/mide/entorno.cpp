@@ -1,5 +1,5 @@
-// Un toro que refleja su entorno, delante de él: lado de las caras del mapa, y reflexión por vértice o por fragmento, frente a
-// trazar rayos.
+// Un toro que refleja su entorno, delante de él: lado de las caras del mapa, y reflexión por vértice o por fragmento,
+// frente a trazar rayos.
 #include "escena.h"
 #include "mide.h"
 #include <glm/gtc/constants.hpp>

@@ -1,4 +1,5 @@
-// Un sólido iluminado, dibujado con los shaders de los programas y trazado con el oráculo: la cámara y la luz, una sola vez.
+// Un sólido iluminado, dibujado con los shaders de los programas y trazado con el oráculo: la cámara y la luz, una sola
+// vez.
 #pragma once
 #include "ch05_iluminacion/iluminacion.h"
 #include "gpu.h"
@@ -48,7 +49,8 @@ inline void borraBuferes(const Buferes &b) {
     glDeleteBuffers(1, &b.indices);
 }
 
-/// Raíz del error cuadrático medio, en niveles, donde la referencia ve algo casi de frente: el contorno se juzga aparte.
+/// Raíz del error cuadrático medio, en niveles, donde la referencia ve algo casi de frente: el contorno se juzga
+/// aparte.
 inline double errorDeFrente(const Imagen &gpu, const oraculo::ImagenRef &ref) {
     double suma = 0;
     int n = 0;

@@ -1,5 +1,5 @@
-// Una esfera sobre un espejo: dibujarla otra vez, simétrica (ecuación 7.3), con más o menos malla. POV-Ray, que traza rayos, es el
-// par, con la misma escena (espejo.pov).
+// Una esfera sobre un espejo: dibujarla otra vez, simétrica (ecuación 7.3), con más o menos malla. POV-Ray, que traza
+// rayos, es el par, con la misma escena (espejo.pov).
 #include "ch07_realismo/reflexion.h"
 #include "escena.h"
 #include "mide.h"

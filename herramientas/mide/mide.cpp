@@ -1,6 +1,6 @@
-// mide [--ensayo] CARPETA TÉCNICA: deja CARPETA/TÉCNICA.tsv, con una fila por variante (nombre, grupo, mediana, mínimo y máximo del
-// tiempo, error, nota), y en CARPETA/TÉCNICA-variante.ppm y …-diferencia.ppm las imágenes que haya. mide --lista escribe
-// las técnicas: nombre, título, unidad de tiempo, unidad de error, variante elegida, por qué.
+// mide [--ensayo] CARPETA TÉCNICA: deja CARPETA/TÉCNICA.tsv, con una fila por variante (nombre, grupo, mediana, mínimo
+// y máximo del tiempo, error, nota), y en CARPETA/TÉCNICA-variante.ppm y …-diferencia.ppm las imágenes que haya. mide
+// --lista escribe las técnicas: nombre, título, unidad de tiempo, unidad de error, variante elegida, por qué.
 #include "mide.h"
 #include "error.h"
 #include <algorithm>

@@ -16,7 +16,8 @@ struct Giro {
     float angulo;
 };
 
-/// Lo que se separa en píxeles, como mucho, un punto girado con M del girado con el giro exacto (Rodrigues, en cuádruple).
+/// Lo que se separa en píxeles, como mucho, un punto girado con M del girado con el giro exacto (Rodrigues, en
+/// cuádruple).
 static double error(const glm::mat3 &M, const glm::vec3 &eje, const Cuad &angulo) {
     const Cuad x = eje.x, y = eje.y, z = eje.z, l = sqrt(x * x + y * y + z * z), c = cos(angulo),
                s = sin(angulo), v = 2 * pow(sin(angulo / 2), 2);

@@ -64,7 +64,8 @@ static void mideSeleccion(Medidor &m) {
         return identificadorDe({p[0], p[1], p[2]});
     };
     using Elige = std::function<unsigned(const glm::ivec2 &)>;
-    // el error, con todos los clics; los últimos con `sinDibujar`, que da lo mismo que `elige` con lo que ya está dibujado
+    // el error, con todos los clics; los últimos con `sinDibujar`, que da lo mismo que `elige` con lo que ya está
+    // dibujado
     const auto variante = [&](const std::string &nombre, const Elige &elige, const Elige &sinDibujar,
                               const Rango &espera, const char *nota = "") {
         std::size_t mal = 0, k = 0;

@@ -1,5 +1,5 @@
-// El desplazamiento de polígono de las sombras proyectivas: con poco, sombra y mesa se cosen; con mucho, la sombra tapa lo que
-// está encima de la mesa. Frente a la sombra trazada.
+// El desplazamiento de polígono de las sombras proyectivas: con poco, sombra y mesa se cosen; con mucho, la sombra tapa
+// lo que está encima de la mesa. Frente a la sombra trazada.
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "ch07_realismo/sombra.h"
