@@ -2,7 +2,7 @@
 // que completan la base, el objeto girado un ángulo φ, el de partida (pálido) y lo que recorre. El giro se calcula
 // siempre desde el ángulo: multiplicar un giro tras otro acumula error (ch03_giro_test.cpp).
 // Controles: a d giran · 1 2 3 4 ejes Y, diagonal, oblicuo y casi X · botón izquierdo mueve el eje, derecho orbita ·
-//            Esc termina.
+// Esc termina.
 #include "colores.h"
 #include "objeto.h"
 #include "orbita.h"
@@ -66,8 +66,8 @@ static void trazaVector(const char *nombre, const glm::vec3 &v, float largo, con
 static std::string describe(const glm::vec3 &d) {
     char texto[80];
     const auto centesimas = [](float x) { return std::round(100 * x) / 100 + 0.0; }; // + 0: sin −0
-    std::snprintf(texto, sizeof texto, "φ = %.0f°, d = (%.2g, %.2g, %.2g)",
-                  glm::degrees(estado.angulo), centesimas(d.x), centesimas(d.y), centesimas(d.z));
+    std::snprintf(texto, sizeof texto, "φ = %.0f°, d = (%.2g, %.2g, %.2g)", glm::degrees(estado.angulo),
+                  centesimas(d.x), centesimas(d.y), centesimas(d.z));
     return texto;
 }
 

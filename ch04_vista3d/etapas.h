@@ -100,8 +100,8 @@ struct Cuerpo {
     glm::dmat4 M;
 };
 
-/// Profundidad del triángulo abc (en coordenadas de ventana) en un punto, o 1, la máxima, si no cae en él: es lineal en la
-/// ventana.
+/// Profundidad del triángulo abc (en coordenadas de ventana) en un punto, o 1, la máxima, si no cae en él: es lineal en
+/// la ventana.
 inline double profundidadEn(const glm::dvec2 &punto, const glm::dvec3 &a, const glm::dvec3 &b,
                             const glm::dvec3 &c) {
     const auto cruz = [](const glm::dvec2 &u, const glm::dvec2 &v) { return u.x * v.y - u.y * v.x; };

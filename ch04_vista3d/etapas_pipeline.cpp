@@ -1,11 +1,12 @@
-// Un vértice y su fragmento (el punto rojo) por las etapas del pipeline (ejercicio 4.1, ecuación 4.4), un panel para cada una,
-// con sus números, que también se escriben. Con r, un triángulo que se sale del volumen y llega detrás del ojo:
-// etapas.h lo recorta, y el polígono que queda (morado) es justo lo que dibuja OpenGL. Con o, algo tapa el fragmento.
+// Un vértice y su fragmento (el punto rojo) por las etapas del pipeline (ejercicio 4.1, ecuación 4.4), un panel para
+// cada una, con sus números, que también se escriben. Con r, un triángulo que se sale del volumen y llega detrás del
+// ojo: etapas.h lo recorta, y el polígono que queda (morado) es justo lo que dibuja OpenGL. Con o, algo tapa el
+// fragmento.
 // Controles: clic elige vértice · r recortado · o oculto · arrastrar orbita por fuera · Esc termina.
 #include "buferes.h"
 #include "colores.h"
 #include "orbita.h"
-#include "paneles.h"
+#include "paneles_etapas.h"
 #include "rotulo.h"
 #include "shader.h"
 #include "trazo.h"

@@ -1,5 +1,5 @@
-// El mismo cubo en perspectiva y en paralela (ecuaciones 4.2 y 4.3, figura 4.2), con sus aristas prolongadas hacia el fondo.
-// En perspectiva todas las que son paralelas van a un punto de fuga, el de su dirección; los de las horizontales
+// El mismo cubo en perspectiva y en paralela (ecuaciones 4.2 y 4.3, figura 4.2), con sus aristas prolongadas hacia el
+// fondo. En perspectiva todas las que son paralelas van a un punto de fuga, el de su dirección; los de las horizontales
 // están en el horizonte, a la altura de los ojos. En paralela siguen paralelas y no hay punto de fuga.
 // Controles: p cambia de proyección · ratón orbita · Esc termina.
 #include "aspecto.h"

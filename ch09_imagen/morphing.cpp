@@ -1,9 +1,9 @@
-// Morphing (§9.4): una malla en cada imagen, con los mismos puntos sobre los mismos rasgos. Al pasar t de 0 a 1 los vértices van de
-// los sitios de una a los de la otra y, a la vez, los colores se mezclan: los ojos van a los ojos. Con t = 0 se ve A,
-// exacta, y con t = 1, B. Si las imágenes son del usuario, las mallas empiezan regulares y los puntos se arrastran: con
-// t < 0.5 los de A y, si no, los de B.
-// Controles: 1 2 3 t = 0, 0.5 y 1 · + - t · espacio lo mueve · m malla · v A, t y B · ratón arrastra un punto · r rótulos ·
-// Esc termina.
+// Morphing (§9.4): una malla en cada imagen, con los mismos puntos sobre los mismos rasgos. Al pasar t de 0 a 1 los
+// vértices van de los sitios de una a los de la otra y, a la vez, los colores se mezclan: los ojos van a los ojos. Con
+// t = 0 se ve A, exacta, y con t = 1, B. Si las imágenes son del usuario, las mallas empiezan regulares y los puntos se
+// arrastran: con t < 0.5 los de A y, si no, los de B.
+// Controles: 1 2 3 t = 0, 0.5 y 1 · + - t · espacio lo mueve · m malla · v A, t y B · ratón arrastra un punto ·
+// r rótulos · Esc termina.
 #include "malla_en_ventana.h"
 #include <cstdio>
 
