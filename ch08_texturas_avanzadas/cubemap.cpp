@@ -106,7 +106,7 @@ static void dibujaReflejo(const Recuadro &panel, const Buferes &objeto, bool por
 static void dibujaDesplegado() {
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
     const Recuadro v = ventanaEntera();
-    const int lado = int(0.95f * std::min(float(v.ancho) / 4, altoUtil() / 3));
+    const int lado = std::max(int(0.95f * std::min(float(v.ancho) / 4, altoUtil() / 3)), 2); // con la raya
     for (const Cara &cara : CARAS) {
         abreRecuadro({v.ancho / 2 + lado * (cara.columna - 2),
                       v.alto / 2 + lado * (2 - cara.fila) - 3 * lado / 2, lado - 1, lado - 1},

@@ -79,9 +79,8 @@ static void dibuja() {
 }
 
 static void avanza(int) {
-    if (!estado.anda)
-        return;
-    glutPostRedisplay();
+    if (estado.anda)
+        glutPostRedisplay();
     glutTimerFunc(CADA, avanza, 0);
 }
 
@@ -97,8 +96,6 @@ static void teclado(unsigned char tecla, int, int) {
         const int ahora = glutGet(GLUT_ELAPSED_TIME);
         if (estado.anda)
             estado.recorridos = (estado.recorridos + ahora - estado.desde) % PERIODO;
-        else
-            glutTimerFunc(CADA, avanza, 0);
         estado.desde = ahora;
         estado.anda = !estado.anda;
     }
@@ -109,6 +106,7 @@ int main(int argc, char **argv) {
     abreVentana(argc, argv, "Continuidad", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
+    glutTimerFunc(CADA, avanza, 0);
     glutMainLoop();
     return 0;
 }
