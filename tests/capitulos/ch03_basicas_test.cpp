@@ -179,7 +179,7 @@ TEST(ProgramaBasicas, LaFEstaDondeDicenLasEcuaciones) {
         {"tecla 2", 'S', 1.5, "S(1.5, 1, 1)"},
         {"tecla 2; tecla - ×6", 'S', APLASTADO, "S(0, 1, 1)"},
         {"tecla 2; tecla - ×20", 'S', -2, "S(-2, 1, 1)"},
-        {"tecla 3", 'X', 60, "Rx(60°)"},
+        {"tecla 3; tecla 6; tecla 0", 'X', 60, "Rx(60°)"},
         {"tecla 3; tecla + ×2", 'X', 90, "Rx(90°)"},
         {"tecla 4", 'Y', 60, "Ry(60°)"},
         {"tecla 4; tecla - ×8", 'Y', -60, "Ry(-60°)"},
@@ -371,7 +371,7 @@ void compruebaPasos(const std::string &programa, const Encuadre &encuadre, const
         productos.push_back("M = " + paso.producto);
     }
     for (const Mirada &mirada : MIRADAS) {
-        std::vector<std::string> guiones(M.size() + 1, "tecla t");
+        std::vector<std::string> guiones(M.size() + 1, "tecla t; tecla x");
         guiones[0] = mirada.guion;
         const std::vector<Vista> vistas = vistasDe(programa, guiones);
         EXPECT_EQ(vistas.back().escena.rgb, vistas[0].escena.rgb);
