@@ -28,6 +28,15 @@ struct Letrero {
     Lado lado;
 };
 
+/// De lo que cae fuera de la imagen no hay letrero.
+inline std::vector<Letrero> losQueSeVen(std::vector<Letrero> letreros, int ancho, int alto) {
+    const auto noSeVe = [=](const Letrero &l) {
+        return l.punto.x < 0 || l.punto.y < 0 || l.punto.x > ancho || l.punto.y > alto;
+    };
+    letreros.erase(std::remove_if(letreros.begin(), letreros.end(), noSeVe), letreros.end());
+    return letreros;
+}
+
 /// Comprueba que encima hay esos trazos, uno por uno y en el orden en que se pintan, esos letreros y nada más. `alto`: el útil de la
 /// ventana. Los puntos pasan por la GPU en float: en ventanas de mil píxeles, 0.1 es mil veces su redondeo.
 inline void compruebaEncima(const Encima &encima, int alto, const std::vector<Trazo> &trazos,
