@@ -9,10 +9,6 @@
 
 namespace {
 
-using Largo = long double; // con 11 bits más que double, sus redondeos no cuentan
-using Mat4Largo = glm::mat<4, 4, Largo>;
-const double U_DOBLE = 0x1p-53; // error de un redondeo
-
 const struct {
     double theta, aspecto, cerca, lejos;
 } PERSPECTIVAS[] = {{0.6, 1.5, 1, 100},     {1.2, 4.0 / 3, 0.1, 1e3},     {0.5, 1, 0.01, 1e4},
@@ -34,7 +30,7 @@ void compruebaMatriz(const glm::dmat4 &M, const Mat4Largo &exacta) {
 /// aspecto y la distancia, 1 u cada uno.
 void compruebaEsquinas(const Esquinas &e, const Mat4Largo &P) {
     for (std::size_t k = 0; k < 8; ++k) {
-        const glm::vec<4, Largo> v = P * glm::vec<4, Largo>(e[k], 1);
+        const Vec4Largo v = P * Vec4Largo(e[k], 1);
         const double esperadas[] = {k % 4 == 0 || k % 4 == 3 ? -1.0 : 1.0, k % 4 < 2 ? -1.0 : 1.0,
                                     k < 4 ? -1.0 : 1.0};
         for (int c = 0; c < 3; ++c)
@@ -132,18 +128,14 @@ TEST(Viewport, EsquinasYProfundidad) {
 
 // Parámetros imposibles: un mensaje en una línea y estado 1, nunca una matriz con NaN.
 TEST(ProyeccionDeathTest, ParametrosImposibles) {
-    const double noEs = std::nan("");
-    for (const auto &[theta, aspecto, cerca, lejos] : {std::array{0.0, 1.0, 1.0, 2.0},
-                                                       {3.2, 1, 1, 2},
-                                                       {1, 0, 1, 2},
-                                                       {1, 1, 0, 2},
-                                                       {1, 1, 2, 2},
-                                                       {noEs, 1, 1, 2}})
-        EXPECT_EXIT(proyeccionPerspectiva(theta, aspecto, cerca, lejos), testing::ExitedWithCode(1),
-                    "proyeccionPerspectiva: hace falta 0 < theta < π");
-    for (const auto &[i, d] : {std::pair(1.0, 1.0), {0, noEs}})
-        EXPECT_EXIT(proyeccionParalela(i, d, 0, 1, 0, 1), testing::ExitedWithCode(1),
-                    "proyeccionParalela: el volumen");
+    const auto acaba1 = testing::ExitedWithCode(1);
+    const double nan = std::nan("");
+    const std::array<double, 4> perspectivas[] = {{0, 1, 1, 2}, {3.2, 1, 1, 2}, {1, 0, 1, 2},
+                                                  {1, 1, 0, 2}, {1, 1, 2, 2},   {nan, 1, 1, 2}};
+    for (const auto &[theta, aspecto, cerca, lejos] : perspectivas)
+        EXPECT_EXIT(proyeccionPerspectiva(theta, aspecto, cerca, lejos), acaba1, "hace falta 0 < theta < π");
+    EXPECT_EXIT(proyeccionParalela(1, 1, 0, 1, 0, 1), acaba1, "proyeccionParalela: el volumen");
+    EXPECT_EXIT(proyeccionParalela(0, 1, 0, nan, 0, 1), acaba1, "proyeccionParalela: el volumen");
 }
 
 // En paralela, direcciones iguales dan direcciones iguales; en perspectiva todas las paralelas van al mismo punto, el
@@ -205,77 +197,63 @@ const struct {
     {"tecla p; " + veces(400, "rueda -1 9 9"), false, 0.50, 0.33, 7.5},
 };
 
-template<class Caso>
-Camara camaraDe(const Caso &c) {
-    const Camara o = orbita(c.azimut, c.elevacion, c.distancia, {0.1, 0.2, 0});
-    return c.enPerspectiva ? perspectiva(o, 1.0, 0.1, 2000)
-                           : paralela(o, c.distancia * std::tan(0.5), -2000, 2000);
+/// El punto que está en esas coordenadas, dando la vuelta a los ejes desde ese.
+Vec3 enEjes(int eje, double suya, double a, double b) {
+    const double v[] = {suya, a, b};
+    return {v[(3 - eje) % 3], v[(4 - eje) % 3], v[(5 - eje) % 3]};
+}
+
+/// Las aristas de cada eje y, de las horizontales, su prolongación 1000 unidades hacia el fondo. En paralela nada más. En perspectiva,
+/// los puntos de fuga, donde se proyectan sus direcciones, y por los dos el horizonte, de lado a lado.
+void compruebaLasRectas(const Vista &vista, const Hueco &h, const Camara &camara) {
+    const auto en = [&](const Vec3 &p) { return enPanel(camara, h, p); };
+    const glm::vec3 colores[] = {ROJO, VERDE, AZUL};
+    std::vector<Trazo> trazos;
+    std::vector<Vec3> fugas;
+    for (int eje = 0; eje < 3; ++eje) {
+        const double fondo = ejes(camara).z[eje] > 0 ? -1000 : 1000;
+        std::vector<glm::dvec2> aristas, rectas;
+        for (const double a : {-0.5, 0.5})
+            for (const double b : {-0.5, 0.5}) {
+                aristas.insert(aristas.end(), {en(enEjes(eje, -0.5, a, b)), en(enEjes(eje, 0.5, a, b))});
+                rectas.insert(rectas.end(), {en(enEjes(eje, 0, a, b)), en(enEjes(eje, fondo, a, b))});
+            }
+        if (eje != 1) {
+            trazos.push_back({"segmentos", colores[eje], 5, true, rectas});
+            fugas.push_back(camara.ojo + enEjes(eje, fondo, 0, 0));
+        }
+        trazos.push_back({"segmentos", colores[eje], 14, true, aristas});
+    }
+    std::vector<Letrero> letreros = {{"paralela", enPanel(h, 0.02, 0.05), OSCURO, Lado::DERECHA}};
+    if (!camara.esParalela) {
+        const glm::dvec2 fuga = en(fugas[0]), otra = en(fugas[1]);
+        letreros = {{"perspectiva", letreros[0].punto, OSCURO, Lado::DERECHA},
+                    {"punto de fuga", fuga, OSCURO, Lado::ENCIMA},
+                    {"punto de fuga", otra, OSCURO, Lado::ENCIMA},
+                    {"horizonte", en(0.4 * fugas[0] + 0.6 * fugas[1]), OSCURO, Lado::ENCIMA}};
+        trazos.push_back({"segmentos", OSCURO, 9, true, {}}); // el horizonte: lo corta el plano cerca
+        trazos.push_back({"puntos", OSCURO, 30, false, {fuga, otra}});
+        const Pintado horizonte = vista.encima.trazos(OSCURO, "segmentos").at(0);
+        const glm::dvec2 p = horizonte.punto(0), q = horizonte.punto(1);
+        EXPECT_LT(std::min(p.x, q.x), 0);
+        EXPECT_GT(std::max(p.x, q.x), h.ancho);
+        for (const double x : {0, h.ancho})
+            EXPECT_NEAR(p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y), fuga.y, 0.1);
+    }
+    compruebaEncima(vista, h, trazos, letreros);
 }
 
 } // namespace
 
-TEST(Proyecciones, ElCubo) {
-    for (const auto &c : CASOS)
-        comprueba("«" + c.guion + "»",
-                  comparaConLuzFija(vistaDe("proyecciones", c.guion, c.ancho, c.alto).escena,
-                                    {{caja({}), exacto(AMARILLO)}}, camaraDe(c), exacto(FONDO_CLARO)),
-                  EXACTA);
-}
-
-// Las aristas de cada eje y, de las horizontales, su prolongación 1000 unidades hacia el fondo. En paralela nada más. En perspectiva, las
-// del mismo color se juntan en su punto de fuga, que está donde se proyecta su dirección, y por los dos pasa el horizonte, a la
-// altura de los ojos y de lado a lado.
-TEST(Proyecciones, RectasPuntosDeFugaYHorizonte) {
+TEST(Proyecciones, ElCuboYSusRectas) {
     for (const auto &c : CASOS) {
         SCOPED_TRACE(c.guion);
-        const Encima encima = vistaDe("proyecciones", c.guion, c.ancho, c.alto).encima;
-        const int alto = int(altoUtil(c.ancho, c.alto));
-        const Camara camara = camaraDe(c);
-        const auto en = [&](const Vec3 &p) { return enPixeles(camara, p, c.ancho, c.alto); };
-        const glm::vec3 colores[] = {ROJO, VERDE, AZUL};
-        std::vector<Trazo> trazos;
-        std::vector<Vec3> fugas;
-        for (int eje = 0; eje < 3; ++eje) {
-            const auto enEjes = [eje](double suyo, double a, double b) {
-                double v[3];
-                v[eje] = suyo;
-                v[(eje + 1) % 3] = a;
-                v[(eje + 2) % 3] = b;
-                return Vec3{v[0], v[1], v[2]};
-            };
-            const double fondo = ejes(camara).z[eje] > 0 ? -1000 : 1000;
-            std::vector<glm::dvec2> aristas, rectas;
-            for (const double a : {-0.5, 0.5})
-                for (const double b : {-0.5, 0.5}) {
-                    aristas.insert(aristas.end(), {en(enEjes(-0.5, a, b)), en(enEjes(0.5, a, b))});
-                    rectas.insert(rectas.end(), {en(enEjes(0, a, b)), en(enEjes(fondo, a, b))});
-                }
-            if (eje != 1) {
-                trazos.push_back({"segmentos", colores[eje], 5, true, rectas});
-                fugas.push_back(camara.ojo + enEjes(fondo, 0, 0));
-            }
-            trazos.push_back({"segmentos", colores[eje], 14, true, aristas});
-        }
-        std::vector<Letrero> letreros = {{c.enPerspectiva ? "perspectiva" : "paralela",
-                                          {0.02 * c.ancho, 0.05 * c.alto},
-                                          OSCURO,
-                                          Lado::DERECHA}};
-        if (c.enPerspectiva) {
-            trazos.push_back({"segmentos", OSCURO, 9, true, {}});
-            trazos.push_back({"puntos", OSCURO, 30, false, {en(fugas[0]), en(fugas[1])}});
-            for (const Vec3 &fuga : fugas)
-                letreros.push_back({"punto de fuga", en(fuga), OSCURO, Lado::ENCIMA});
-            letreros.push_back(
-                {"horizonte", en(fugas[0] + 0.6 * (fugas[1] - fugas[0])), OSCURO, Lado::ENCIMA});
-        }
-        compruebaEncima(encima, alto, trazos, losQueSeVen(letreros, c.ancho, c.alto));
-        // el horizonte: se corta por el plano cerca, y sus extremos no son sus puntos
-        for (const Pintado &h : encima.trazos(OSCURO, "segmentos")) {
-            const glm::dvec2 p = h.punto(0), q = h.punto(1);
-            EXPECT_LT(std::min(p.x, q.x), 0);
-            EXPECT_GT(std::max(p.x, q.x), c.ancho);
-            for (const double x : {0, c.ancho})
-                EXPECT_NEAR(p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y), en(fugas[0]).y, 0.1);
-        }
+        const Vista vista = vistaDe("proyecciones", c.guion, c.ancho, c.alto);
+        const Camara desde = orbita(c.azimut, c.elevacion, c.distancia, {0.1, 0.2, 0});
+        const Camara camara = c.enPerspectiva ? perspectiva(desde, 1.0, 0.1, 2000)
+                                              : paralela(desde, c.distancia * std::tan(0.5), -2000, 2000);
+        const Hueco ventana = {0, 0, c.ancho, c.alto};
+        compruebaEscena(vista, ventana, {{caja({}), exacto(AMARILLO)}}, camara, FONDO_CLARO);
+        compruebaLasRectas(vista, ventana, camara);
     }
 }

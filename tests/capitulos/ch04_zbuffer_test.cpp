@@ -27,9 +27,9 @@ Camara camaraDe(double azimut = 0.55, double elevacion = 0.45, double distancia 
     return perspectiva(orbita(azimut, elevacion, distancia, {0, 1.1, 0}), 0.5, 1, 100);
 }
 
-Comparacion comparaEscena(const Imagen &imagen, const Camara &camara) {
-    return comparaConLuzFija(imagen, escena(), camara, exacto(CIELO));
-}
+// La CPU interpola el color con los vértices ya en la rejilla, a √2/512 píxeles como mucho de su sitio; en el tubo del toro cambia
+// todo, 0.42·255 niveles, en 3 píxeles: 0.1 más.
+const Cotas EN_CPU = {0.6, 500, 0.012};
 
 /// Píxeles en que dos imágenes difieren en más de un nivel.
 int distintos(const Imagen &a, const Imagen &b) {
@@ -41,66 +41,44 @@ int distintos(const Imagen &a, const Imagen &b) {
     return n;
 }
 
-// La CPU interpola el color con los vértices ya en la rejilla, a √2/512 píxeles como mucho de su sitio; en el tubo del toro cambia
-// todo, 0.42·255 niveles, en 3 píxeles: 0.1 más.
-const Cotas EN_CPU = {0.6, 500, 0.012};
-
-bool esVerde(const Pixel &p) {
-    return p.g > 2 * p.r && p.g > 2 * p.b;
-}
-
 } // namespace
 
-// La GPU y la CPU, cada una contra el trazado de rayos en doble, y una contra otra: en el interior no difieren, y en los bordes, donde
-// cada una puede fallar en un píxel de cada 500, en uno de cada 250. También tras girar y con la rueda en su tope.
+// Los cuatro paneles: por columnas sin test y con él, por filas GPU y CPU; y cada uno a solas. Con test, la escena trazada. Sin él gana
+// lo último que se pinta, el cono, que es lo más lejano: su silueta entera es verde, y lo demás no.
 TEST(ZBuffer, GpuYCpuContraTrazadoDeRayos) {
+    const std::vector<Vista> vistas = vistasDe(
+        "zbuffer", {"tecla v", "tecla v; tecla z", "tecla z", "tecla z; tecla c", "tecla z"}, 480, 360);
+    const char *const nombres[] = {"GPU sin test", "GPU con test", "CPU sin test", "CPU con test"};
+    for (int k = 0; k < 4; ++k)
+        for (const bool aSolas : {false, true}) {
+            SCOPED_TRACE(nombres[k]);
+            const Vista &vista = vistas[aSolas ? std::size_t(k + 1) : 0];
+            const Hueco h = aSolas ? Hueco{0, 0, 480, 360} : hueco(k % 2, 2, k / 2, 2, 480, 360);
+            const auto esVerde = [](const Pixel &p) { return p.g > 2 * p.r && p.g > 2 * p.b; };
+            if (k % 2 == 1)
+                compruebaEscena(vista, h, escena(), camaraDe(), CIELO, k == 1 ? EXACTA : EN_CPU);
+            else
+                compruebaSilueta(vista, h, esVerde, escena().back().objeto, camaraDe());
+            compruebaEncima(vista, h, {}, {{nombres[k], enPanel(h, 0.02, 0.06), OSCURO, Lado::DERECHA}});
+        }
+}
+
+// También tras girar y con la rueda en su tope, y la GPU contra la CPU: en el interior no difieren, y en los bordes, donde cada una
+// puede fallar en un píxel de cada 500, en uno de cada 250.
+TEST(ZBuffer, CpuYGpuCoinciden) {
     const struct {
         std::string guion;
         Camara camara;
     } casos[] = {{"", camaraDe()},
                  {arrastra({10, 50}, {160, 20}), camaraDe(0.55 - 1.5, 0.45 - 0.3)},
                  {veces(18, "rueda +1 120 90"), camaraDe(0.55, 0.45, 0.4 * 18.6)}};
-    for (const auto &c : casos) {
-        const std::vector<Vista> vistas = vistasDe("zbuffer", {c.guion, "tecla c"});
-        const Comparacion enGpu = comparaEscena(vistas[0].escena, c.camara);
-        comprueba("GPU, «" + c.guion + "»", enGpu, EXACTA);
-        comprueba("CPU, «" + c.guion + "»", comparaEscena(vistas[1].escena, c.camara), EN_CPU);
-        EXPECT_LE(distintos(vistas[0].escena, vistas[1].escena), enGpu.banda / 250);
-    }
-}
-
-// Sin test gana lo último que se pinta, el cono, que es lo más lejano: su silueta entera es verde. Con él, no.
-TEST(ZBuffer, SinTestGanaElUltimo) {
-    const std::vector<Vista> vistas = vistasDe("zbuffer", {"tecla z", "tecla c", "tecla z"});
-    const auto silueta = [](const Vista &v) {
-        return comparaSilueta(v.escena, esVerde, escena().back().objeto, camaraDe());
-    };
-    for (const Vista *sin : {&vistas[0], &vistas[1]})
-        comprueba("el cono", silueta(*sin), EXACTA);
-    EXPECT_EQ(silueta(vistas[2]).maximo, 255);
-    EXPECT_LE(distintos(vistas[0].escena, vistas[1].escena),
-              comparaEscena(vistas[2].escena, camaraDe()).banda / 250);
-}
-
-// Los cuatro paneles: por columnas sin test y con él, por filas GPU y CPU; y lo que dice cada rótulo, también a solas.
-TEST(ZBuffer, LosCuatroPaneles) {
-    const std::vector<Vista> vistas = vistasDe(
-        "zbuffer", {"tecla v", "tecla v; tecla z", "tecla z", "tecla z; tecla c", "tecla z"}, 480, 360);
-    const char *const nombres[] = {"GPU sin test", "GPU con test", "CPU sin test", "CPU con test"};
-    const Hueco ventana = {0, 0, 480, 360};
-    const auto compruebaNombre = [](const Encima &encima, const Hueco &h, const char *nombre) {
-        const glm::dvec2 donde(h.x + 0.02 * h.ancho, h.y + 0.06 * h.alto);
-        compruebaEncima(encima.enPanel(h.x, h.y), 360, {}, {{nombre, donde, OSCURO, Lado::DERECHA}});
-    };
-    for (int k = 0; k < 4; ++k) {
-        const Hueco h = hueco(k % 2, 2, k / 2, 2, 480, 360);
-        const Imagen panel = recorta(vistas[0].escena, h);
-        compruebaNombre(vistas[0].encima, h, nombres[k]);
-        compruebaNombre(vistas[k + 1].encima, ventana, nombres[k]);
-        if (k % 2 == 1)
-            comprueba(nombres[k], comparaEscena(panel, camaraDe()), k == 1 ? EXACTA : EN_CPU);
-        else
-            comprueba(nombres[k], comparaSilueta(panel, esVerde, escena().back().objeto, camaraDe()), EXACTA);
+    for (const auto &[guion, camara] : casos) {
+        SCOPED_TRACE(guion);
+        const std::vector<Vista> v = vistasDe("zbuffer", {guion, "tecla c", "tecla z", "tecla c"});
+        const int banda = compruebaEscena(v[0], {0, 0, 240, 180}, escena(), camara, CIELO).banda;
+        compruebaEscena(v[1], {0, 0, 240, 180}, escena(), camara, CIELO, EN_CPU);
+        EXPECT_LE(distintos(v[0].escena, v[1].escena), banda / 250);
+        EXPECT_LE(distintos(v[2].escena, v[3].escena), banda / 250) << "sin test";
     }
 }
 
