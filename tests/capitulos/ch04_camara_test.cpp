@@ -185,9 +185,9 @@ void compruebaLoSenalado(const Vista &vista, const Hueco &fuera, const Hueco &de
     const auto [S, U, Z] = ejes(camara);
     const Vec3 ojo = camara.ojo;
     std::vector<glm::dvec2> marco, lados;
-    for (const auto &[x, y] : {std::pair(1, 1), {0, 1}, {0, 0}, {1, 0}}) {
-        const Rayo r = rayo(camara, dentro.ancho, dentro.alto, x * dentro.ancho, y * dentro.alto);
-        marco.push_back(en(ojo + 3 / -escalar(r.direccion, Z) * r.direccion));
+    const std::vector<Vec3> esquinas = esquinasA({3}, camara, dentro);
+    for (const std::size_t k : {2, 3, 0, 1}) {
+        marco.push_back(en(esquinas[k]));
         lados.insert(lados.end(), {en(ojo), marco.back()});
     }
     marco.push_back(marco[0]);

@@ -45,6 +45,29 @@ inline glm::dvec2 enPanel(const Hueco &h, double x, double y) {
     return {h.x + x * h.ancho, h.y + y * h.alto};
 }
 
+/// Las esquinas de lo que abarca una cámara a esas distancias a lo largo de la vista: las cuatro de cada una, desde abajo a la izquierda
+/// y en sentido antihorario.
+inline std::vector<oraculo::Vec3> esquinasA(const std::vector<double> &distancias,
+                                            const oraculo::Camara &camara, const Hueco &h) {
+    std::vector<oraculo::Vec3> esquinas;
+    for (const double d : distancias)
+        for (const auto &[x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+            const oraculo::Rayo r = rayo(camara, h.ancho, h.alto, x * h.ancho, y * h.alto);
+            esquinas.push_back(r.origen + d / -escalar(r.direccion, ejes(camara).z) * r.direccion);
+        }
+    return esquinas;
+}
+/// Si un punto está entre los cuatro lados de lo que abarca.
+inline bool entreLosLados(const oraculo::Vec3 &p, const oraculo::Camara &camara, const Hueco &h) {
+    const oraculo::Vec3 v = oraculo::proyecta(camara, h.ancho, h.alto, p);
+    return v.x >= 0 && v.x <= h.ancho && v.y >= 0 && v.y <= h.alto;
+}
+/// Y si está además entre cerca y lejos.
+inline bool dentroDelVolumen(const oraculo::Vec3 &p, const oraculo::Camara &camara, const Hueco &h) {
+    const double d = -enCamara(camara, p).z;
+    return d >= camara.cerca && d <= camara.lejos && entreLosLados(p, camara, h);
+}
+
 /// Un trazo con sus puntos en píxeles de la ventana; sin ninguno, si se miran aparte.
 struct Trazo {
     const char *tipo;
