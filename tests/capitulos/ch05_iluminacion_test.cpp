@@ -5,8 +5,6 @@
 #include "contra_oraculo.h"
 #include "guiones.h"
 #include "tabla.h"
-#include <iomanip>
-#include <map>
 
 using namespace oraculo;
 
@@ -20,74 +18,110 @@ const Mat4 TUMBADO = gira(X, -PI / 2);
 // píxel a la que OpenGL lleva cada vértice. Con la forma exacta la silueta es otra, y los bordes no se exigen.
 const Cotas MISMA_MALLA = {0.51, 500, 0.012}, FORMA_EXACTA = {2, 0};
 
-/// Una escena con un material por objeto y luz ambiente (1, 1, 1): la ecuación 5.7 en cada píxel.
+enum Modelo { PLANO, GOURAUD, PHONG };
+const char *const MODELOS[] = {"Plano", "Gouraud", "Phong"};
+
+/// Un sólido, de qué está hecho y con cuántos segmentos lo dibuja el programa.
+struct Solido {
+    Objeto exacto;
+    Material material;
+    int n = 0, m = 0;
+
+    Objeto enMalla() const {
+        const Mat4 &M = exacto.M;
+        switch (exacto.forma) {
+        case Objeto::ESFERA: return malla(M, esfera(n));
+        case Objeto::TORO: return malla(M, toro(float(exacto.radio), float(exacto.radioTubo), n, m));
+        case Objeto::CILINDRO: return malla(M, cilindro(n));
+        case Objeto::CAJA: return malla(M, cubo());
+        default: return exacto;
+        }
+    }
+};
+
+/// Una escena con luz ambiente (1, 1, 1): la ecuación 5.7 en cada píxel, con la normal interpolada y normalizada, o los otros modelos de
+/// sombreado, sobre la malla: Gouraud con los tres colores interpolados, y plano con el color del primer vértice de cada triángulo
+/// (facetas lo pone el último, el que manda) y la normal del triángulo.
 struct Iluminada {
-    Escena escena;
-    std::vector<Material> materiales;
+    std::vector<Solido> solidos;
     std::vector<Luz> luces;
     Camara camara;
     Vec3 fondo = FONDO;
+    int modelo = PHONG;
 
-    /// Dentro y fuera del cono de un foco son zonas distintas.
-    Tono operator()(const Impacto &i) const {
+    Escena formas() const {
+        Escena e;
+        for (const Solido &s : solidos)
+            e.push_back(s.exacto);
+        return e;
+    }
+    Escena mallas() const {
+        Escena e;
+        for (const Solido &s : solidos)
+            e.push_back(s.enMalla());
+        return e;
+    }
+    Vec3 color(int objeto, const Vec3 &p, const Vec3 &normal) const {
+        return phong(solidos[objeto].material, BLANCA, luces, p, normal, unitario(camara.ojo - p));
+    }
+    Tono tono(const Escena &escena, const Impacto &i) const {
         if (!i)
             return fondo;
-        int zona = 0;
+        if (modelo != PHONG) {
+            const Objeto &o = escena[i.objeto];
+            const auto vertice = [&](int k) {
+                return o.triangulos->vertices[o.triangulos->indices[i.corte.triangulo][k]];
+            };
+            const auto enMundo = [&](int k) { return punto(o.M, vertice(k).posicion); };
+            // cada polígono, una zona: entre dos hay un salto de color
+            if (modelo == PLANO)
+                return {color(i.objeto, enMundo(0), i.normalCara), i.corte.triangulo / 2};
+            const double b[] = {1 - i.corte.b1 - i.corte.b2, i.corte.b1, i.corte.b2};
+            Vec3 suma;
+            for (int k = 0; k < 3; ++k)
+                suma = suma + b[k] * color(i.objeto, enMundo(k), transformaNormal(o.inv, vertice(k).normal));
+            return suma;
+        }
+        int zona = 0; // dentro y fuera del cono de un foco son zonas distintas
         for (const Luz &luz : luces) {
             const Vec3 v = i.punto - luz.posicion;
             const double angulo = std::atan2(longitud(vectorial(v, luz.S)), escalar(v, luz.S));
             zona = 2 * zona + (luz.foco && angulo <= luz.delta);
         }
-        return {phong(materiales[i.objeto], BLANCA, luces, i.punto, i.normal, haciaOjo(i)), zona};
+        return {color(i.objeto, i.punto, i.normal), zona};
+    }
+    ImagenRef traza(const Escena &escena, int ancho, int alto) const {
+        return render(escena, camara, ancho, alto, [&](const Impacto &i) { return tono(escena, i); });
+    }
+    void compara(const Imagen &gpu, const Escena &escena, const Cotas &cotas) const {
+        const auto sombrea = [&](const Impacto &i) { return tono(escena, i); };
+        comprueba(MODELOS[modelo], oraculo::compara(gpu, escena, camara, sombrea), cotas);
+    }
+    void comparaMallas(const Imagen &gpu) const {
+        compara(gpu, mallas(), MISMA_MALLA);
+    }
+    void comparaFormas(const Imagen &gpu) const {
+        compara(gpu, formas(), FORMA_EXACTA);
     }
 };
-
-/// `escena(true)`, con la misma malla que el programa, y `escena(false)`, con las formas exactas.
-template<class UnaEscena>
-void compruebaLasDos(const std::string &que, const Imagen &gpu, UnaEscena escena) {
-    for (const bool malla : {true, false}) {
-        const Iluminada e = escena(malla);
-        comprueba(que + (malla ? ", misma malla" : ", forma exacta"), compara(gpu, e.escena, e.camara, e),
-                  malla ? MISMA_MALLA : FORMA_EXACTA);
-    }
-}
-void compruebaMalla(const std::string &que, const Imagen &gpu, const Iluminada &e) {
-    comprueba(que, compara(gpu, e.escena, e.camara, e), MISMA_MALLA);
-}
-
-/// La malla de n segmentos o, con n = 0, la forma exacta.
-Objeto unaEsfera(const Mat4 &M, int n) {
-    static std::map<int, Objeto> mallas;
-    Objeto o = n == 0 ? esfera(M) : mallas.try_emplace(n, malla(Mat4(), esfera(n))).first->second;
-    o.M = M;
-    o.inv = inversa(M);
-    return o;
-}
-Objeto unToro(const Mat4 &M, double radio, double radioTubo, int n, int m) {
-    return n == 0 ? toro(M, radio, radioTubo) : malla(M, toro(float(radio), float(radioTubo), n, m));
-}
 
 // --- componentes_phong -------------------------------------------------------------------------------------
 
 const Vec3 LUZ_PHONG{-3.5, 4, 6};
 const Material CERAMICA = {{0.08, 0.20, 0.38}, {0.14, 0.36, 0.62}, {0.75, 0.75, 0.75}, 30},
                LATON = {{0.42, 0.23, 0.05}, {0.58, 0.36, 0.08}, {0.60, 0.55, 0.45}, 30};
-const Objeto ESFERA_PHONG = unaEsfera(Mat4(), segmentosEsfera(230));
+const Solido BOLA_PHONG = {esfera(Mat4()), CERAMICA, segmentosEsfera(230)};
 
 Camara camaraPhong(double azimut, double elevacion) {
     return perspectiva(orbita(azimut, elevacion, 10), 0.31, 1, 100);
 }
 
-Iluminada componentes(int cuantos, const Camara &camara, bool enMalla = true) {
+Iluminada componentes(int cuantos, const Camara &camara) {
     Luz luz = posicional(LUZ_PHONG);
     luz.Ld = cuantos >= 2 ? BLANCA : Vec3{};
     luz.Ls = cuantos >= 3 ? BLANCA : Vec3{};
-    return {{enMalla ? ESFERA_PHONG : esfera(Mat4()),
-             unToro(gira(Z, 0.35) * gira(X, -1.15), 1.55, 0.22, enMalla ? segmentosEsfera(400) : 0,
-                    segmentosEsfera(60))},
-            {CERAMICA, LATON},
-            {luz},
-            camara};
+    const Objeto anillo = toro(gira(Z, 0.35) * gira(X, -1.15), 1.55, 0.22);
+    return {{BOLA_PHONG, {anillo, LATON, segmentosEsfera(400), segmentosEsfera(60)}}, {luz}, camara};
 }
 const char *const COMPONENTES[] = {"", "ambiente", "ambiente\n+ difusa", "ambiente\n+ difusa\n+ especular"};
 
@@ -113,9 +147,9 @@ TEST(ComponentesPhong, ContraTrazadoDeRayos) {
         {"tecla 2; tecla n; tecla n", 2, -0.4, 0.3},
     };
     paraCada("componentes_phong", casos, 240, 180, [](const auto &c, const Vista &v) {
-        compruebaLasDos(COMPONENTES[c.cuantos], v.escena, [&](bool enMalla) {
-            return componentes(c.cuantos, camaraPhong(c.azimut, c.elevacion), enMalla);
-        });
+        const Iluminada e = componentes(c.cuantos, camaraPhong(c.azimut, c.elevacion));
+        e.comparaMallas(v.escena);
+        e.comparaFormas(v.escena);
         compruebaRotulos(v.encima, {{COMPONENTES[c.cuantos], {48, 180}, BLANCO, Lado::DEBAJO}});
     });
 }
@@ -152,8 +186,8 @@ TEST(ComponentesPhong, VectoresYAngulosEnElPuntoElegido) {
         // A la derecha, el plano de N y L: caben 3.6 unidades a lo alto, 100 píxeles por unidad
         const Camara deLado = paralela(miraDesde(centro + 5 * unitario(vectorial(N, L)), centro, N),
                                        0.5 * altoUtil(derecha.ancho, 360) / 100, 1, 10);
-        compruebaMalla("a la izquierda", recorta(v.escena, izquierda), componentes(3, camara));
-        compruebaMalla("a la derecha", recorta(v.escena, derecha), {{ESFERA_PHONG}, {CERAMICA}, {}, deLado});
+        componentes(3, camara).comparaMallas(recorta(v.escena, izquierda));
+        Iluminada{{BOLA_PHONG}, {}, deLado}.comparaMallas(recorta(v.escena, derecha));
 
         const auto enLado = [&](const Vec3 &p) {
             return enPixeles(deLado, p, derecha.ancho, 360) + glm::dvec2(derecha.x, 0);
@@ -192,21 +226,18 @@ TEST(ComponentesPhong, VectoresYAngulosEnElPuntoElegido) {
 
 namespace {
 
-const struct {
-    Vec3 centro;
-    double radio, alfa;
-} ESFERAS_BRILLO[] = {{{-2.12, 1.5, 0}, 1, 1},
-                      {{0, 1.5, 0}, 1, 5},
-                      {{2.12, 1.5, 0}, 1, 20},
-                      {{-1.5, -1.02, 0}, 1.45, 100},
-                      {{1.5, -1.02, 0}, 1.45, 500}};
-
-Iluminada esferasBrillo(bool enMalla) {
-    Iluminada e{{}, {}, {direccional({-0.45, 0.60, 1})}, perspectiva(orbita(0, 0, 17), 0.31, 1, 100)};
-    for (const auto &[centro, radio, alfa] : ESFERAS_BRILLO) {
-        e.escena.push_back(unaEsfera(traslada(centro) * escala(radio), enMalla ? segmentosEsfera(200) : 0));
-        e.materiales.push_back({{0.09, 0.02, 0.03}, {0.44, 0.07, 0.10}, {0.85, 0.85, 0.85}, alfa});
-    }
+/// Cinco esferas que solo se distinguen en su α.
+Iluminada esferasBrillo() {
+    Iluminada e{{}, {direccional({-0.45, 0.60, 1})}, perspectiva(orbita(0, 0, 17), 0.31, 1, 100)};
+    const auto bola = [&](const Vec3 &centro, double radio, double alfa) {
+        const Material m = {{0.09, 0.02, 0.03}, {0.44, 0.07, 0.10}, {0.85, 0.85, 0.85}, alfa};
+        e.solidos.push_back({esfera(traslada(centro) * escala(radio)), m, segmentosEsfera(200)});
+    };
+    bola({-2.12, 1.5, 0}, 1, 1);
+    bola({0, 1.5, 0}, 1, 5);
+    bola({2.12, 1.5, 0}, 1, 20);
+    bola({-1.5, -1.02, 0}, 1.45, 100);
+    bola({1.5, -1.02, 0}, 1.45, 500);
     return e;
 }
 
@@ -214,35 +245,37 @@ Iluminada esferasBrillo(bool enMalla) {
 
 // Cada esfera lleva escrita su α, 0.7 radios por debajo del centro.
 TEST(ExponenteBrillo, ContraTrazadoDeRayos) {
+    const Iluminada e = esferasBrillo();
     const Vista v = vistaDe("exponente_brillo");
-    compruebaLasDos("cinco alfas", v.escena, esferasBrillo);
+    e.comparaMallas(v.escena);
+    e.comparaFormas(v.escena);
     std::vector<Letrero> letreros;
-    for (const auto &[centro, radio, alfa] : ESFERAS_BRILLO)
-        letreros.push_back({"α = " + std::to_string(int(alfa)),
-                            enPixeles(esferasBrillo(false).camara, centro - 0.7 * radio * Y), BLANCO});
+    for (const Solido &s : e.solidos)
+        letreros.push_back({"α = " + std::to_string(int(s.material.alfa)),
+                            enPixeles(e.camara, punto(s.exacto.M, -0.7 * Y)), BLANCO});
     compruebaRotulos(v.encima, letreros);
 }
 
 // En cada esfera, además de la ambiente y la difusa, se ve Ks·cos^α, con la ecuación 5.4 escrita otra vez; y en todas hay dónde verlo: un
 // brillo de más de 0.9, que con la imagen a menos de 2 niveles es 0.91 en la referencia.
 TEST(ExponenteBrillo, PerfilContraCosenoElevadoAAlfa) {
-    const Iluminada e = esferasBrillo(false);
+    const Iluminada e = esferasBrillo();
     const Vec3 L = unitario({-0.45, 0.60, 1});
-    double brillo[5] = {};
+    double mayor[5] = {};
     const auto sombrea = [&](const Impacto &i) {
         if (!i)
             return FONDO;
+        const Material &m = e.solidos[i.objeto].material;
         const double NL = std::max(escalar(i.normal, L), 0.0),
                      RV = std::max(escalar(2 * NL * i.normal - L, haciaOjo(i)), 0.0),
-                     medido = NL > 0 ? std::pow(RV, ESFERAS_BRILLO[i.objeto].alfa) : 0;
-        brillo[i.objeto] = std::max(brillo[i.objeto], medido);
-        const Material &m = e.materiales[i.objeto];
-        return m.ka + NL * m.kd + medido * m.ks;
+                     brillo = NL > 0 ? std::pow(RV, m.alfa) : 0;
+        mayor[i.objeto] = std::max(mayor[i.objeto], brillo);
+        return m.ka + NL * m.kd + brillo * m.ks;
     };
-    comprueba("cos^α", compara(vistaDe("exponente_brillo", "", 480, 360).escena, e.escena, e.camara, sombrea),
-              FORMA_EXACTA);
-    for (const double b : brillo)
-        EXPECT_GT(b, 0.91);
+    const Imagen gpu = vistaDe("exponente_brillo", "", 480, 360).escena;
+    comprueba("cos^α", compara(gpu, e.formas(), e.camara, sombrea), FORMA_EXACTA);
+    for (const double m : mayor)
+        EXPECT_GT(m, 0.91);
 }
 
 // --- materiales --------------------------------------------------------------------------------------------
@@ -267,15 +300,14 @@ const struct {
                {"Goma", {{0.05, 0.05, 0.05}, {0.50, 0.50, 0.50}, {0.70, 0.70, 0.70}, 0.08}}};
 
 /// El material elegido, de radio 3 y en el centro, o, con −1, los doce, de radio 1 y en tres filas de cuatro.
-Iluminada muestra(int elegido, bool enMalla) {
-    Iluminada e{
-        {}, {}, {direccional({-0.9, 0.9, 1})}, perspectiva(orbita(0, 0, 26, {0, -0.3, 0}), 0.31, 1, 100)};
+Iluminada muestra(int elegido) {
+    Iluminada e{{}, {direccional({-0.9, 0.9, 1})}, perspectiva(orbita(0, 0, 26, {0, -0.3, 0}), 0.31, 1, 100)};
     for (int i = 0; i < 12; ++i)
         if (elegido < 0 || elegido == i) {
             const Mat4 M = elegido < 0 ? traslada(2.6 * Vec3{i % 4 - 1.5, double(1 - i / 4), 0}) : escala(3);
-            e.escena.push_back(unaEsfera(M, enMalla ? segmentosEsfera(elegido < 0 ? 95 : 290) : 0));
-            e.materiales.push_back(TABLA[i].material);
-            e.materiales.back().alfa *= 128;
+            Material m = TABLA[i].material;
+            m.alfa *= 128;
+            e.solidos.push_back({esfera(M), m, segmentosEsfera(elegido < 0 ? 95 : 290)});
         }
     return e;
 }
@@ -293,18 +325,18 @@ TEST(Materiales, ContraTrazadoDeRayos) {
     casos.push_back({"tecla t", -1});
     casos.push_back({"tecla n", 0}); // y tras la t también
     paraCada("materiales", casos, 240, 180, [](const Caso &c, const Vista &v) {
-        compruebaLasDos("material " + std::to_string(c.elegido), v.escena,
-                        [&](bool enMalla) { return muestra(c.elegido, enMalla); });
-        const Iluminada e = muestra(c.elegido, false);
+        const Iluminada e = muestra(c.elegido);
+        e.comparaMallas(v.escena);
+        e.comparaFormas(v.escena);
         std::vector<Letrero> letreros;
-        for (std::size_t k = 0; k < e.escena.size(); ++k) {
-            const Mat4 &M = e.escena[k].M;
-            const std::string nombre = TABLA[c.elegido < 0 ? int(k) : c.elegido].nombre;
+        for (std::size_t k = 0; k < e.solidos.size(); ++k) {
+            const Mat4 &M = e.solidos[k].exacto.M;
+            const char *const nombre = TABLA[c.elegido < 0 ? int(k) : c.elegido].nombre;
             letreros.push_back({nombre, enPixeles(e.camara, punto(M, -Y)), BLANCO, Lado::DEBAJO});
             // en el centro, donde la malla no se nota, ni un nivel
             const glm::ivec2 p(enPixeles(e.camara, punto(M, {})));
-            const Impacto centro = primerImpacto(e.escena, rayo(e.camara, 240, 180, p.x + 0.5, p.y + 0.5));
-            EXPECT_LE(diferencia(v.escena, p.x, p.y, e(centro).color), 1) << nombre;
+            const Impacto centro = primerImpacto(e.formas(), rayo(e.camara, 240, 180, p.x + 0.5, p.y + 0.5));
+            EXPECT_LE(diferencia(v.escena, p.x, p.y, e.tono({}, centro).color), 1) << nombre;
         }
         compruebaRotulos(v.encima, letreros);
     });
@@ -314,11 +346,11 @@ TEST(Materiales, ContraTrazadoDeRayos) {
 // esfera, también de la plata, sería brillo. Como fracción de 128 es una mancha, y la goma (0.08) sale con alfa 10, no 0.08.
 TEST(Materiales, ElBrilloDeLaTablaEsUnaFraccionDe128) {
     const auto parteBrillante = [&](double alfa) {
-        Iluminada e = muestra(0, false);
-        e.materiales = {{{}, {}, BLANCA, alfa}};
+        Iluminada e = muestra(0);
+        e.solidos[0].material = {{}, {}, BLANCA, alfa};
         e.fondo = {};
         int brillan = 0, total = 0;
-        for (const PixelRef &p : render(e.escena, e.camara, 240, 180, e).pixeles) {
+        for (const PixelRef &p : e.traza(e.formas(), 240, 180).pixeles) {
             total += p.objeto == 0;
             brillan += p.color.x > 0.5;
         }
@@ -360,31 +392,35 @@ struct Fuente {
     int grados = 30;
     double exponente = 4, azimut = 0.35, elevacion = 0.5;
 
-    Camara camara() const {
-        return perspectiva(orbita(azimut, elevacion, 19, {0, 0.75, 0}), 0.35, 1, 100);
+    double delta() const {
+        return grados * PI / 180;
     }
-    Iluminada operator()(bool enMalla) const {
+    Iluminada escena() const {
         const int n = segmentosEsfera(100);
         return {
-            {plano(TUMBADO * escala(6)), unaEsfera(traslada({0.3, 0.8, 0.2}) * escala(0.8), enMalla ? n : 0),
-             conoDeCaras(traslada({2.0, 0, -1.2}) * TUMBADO * escala({0.8, 0.8, 1.9}), n),
-             caja(traslada({-1.7, 0.6, -1.1}) * gira(Y, 0.5) * escala(1.2)),
-             unToro(traslada({1.5, 0.25, 1.9}) * TUMBADO, 0.7, 0.25, enMalla ? segmentosEsfera(400) : 0, n)},
-            {{{0.20, 0.21, 0.23}, {0.62, 0.64, 0.68}, {0.15, 0.15, 0.15}, 20},
-             {{0.18, 0.05, 0.05}, {0.75, 0.18, 0.16}, {0.60, 0.60, 0.60}, 50},
-             {{0.05, 0.15, 0.07}, {0.18, 0.62, 0.28}, {0.50, 0.50, 0.50}, 50},
-             {{0.05, 0.10, 0.20}, {0.16, 0.40, 0.80}, {0.60, 0.60, 0.60}, 50},
-             {{0.19, 0.11, 0.03}, {0.80, 0.46, 0.10}, {0.50, 0.50, 0.50}, 50}},
+            {{plano(TUMBADO * escala(6)), {{0.20, 0.21, 0.23}, {0.62, 0.64, 0.68}, {0.15, 0.15, 0.15}, 20}},
+             {esfera(traslada({0.3, 0.8, 0.2}) * escala(0.8)),
+              {{0.18, 0.05, 0.05}, {0.75, 0.18, 0.16}, {0.60, 0.60, 0.60}, 50},
+              n},
+             {conoDeCaras(traslada({2.0, 0, -1.2}) * TUMBADO * escala({0.8, 0.8, 1.9}), n),
+              {{0.05, 0.15, 0.07}, {0.18, 0.62, 0.28}, {0.50, 0.50, 0.50}, 50}},
+             {caja(traslada({-1.7, 0.6, -1.1}) * gira(Y, 0.5) * escala(1.2)),
+              {{0.05, 0.10, 0.20}, {0.16, 0.40, 0.80}, {0.60, 0.60, 0.60}, 50}},
+             {toro(traslada({1.5, 0.25, 1.9}) * TUMBADO, 0.7, 0.25),
+              {{0.19, 0.11, 0.03}, {0.80, 0.46, 0.10}, {0.50, 0.50, 0.50}, 50},
+              segmentosEsfera(400),
+              n}},
             {tipo == 1   ? posicional(FUENTE)
              : tipo == 2 ? direccional(-S)
-                         : foco(FUENTE, FUENTE + S, grados * PI / 180, exponente)},
-            camara()};
+                         : foco(FUENTE, FUENTE + S, delta(), exponente)},
+            perspectiva(orbita(azimut, elevacion, 19, {0, 0.75, 0}), 0.35, 1, 100)};
     }
 
     /// La fuente dibujada: un punto, tres flechas paralelas a S, o un punto, el cono de ese ángulo y S.
-    void compruebaDibujo(const Encima &encima, int ancho, int alto) const {
-        const auto en = [&](const Vec3 &p) { return enPixeles(camara(), p, ancho, alto); };
-        std::vector<Letrero> letreros = {{nombre, {ancho, 0.95 * alto}, BLANCO, Lado::IZQUIERDA}};
+    void compruebaDibujo(const Encima &encima) const {
+        const Camara camara = escena().camara;
+        const auto en = [&](const Vec3 &p) { return enPixeles(camara, p, 320, 240); };
+        std::vector<Letrero> letreros = {{nombre, {320, 228}, BLANCO, Lado::IZQUIERDA}};
         compruebaPuntos(encima, tipo == 2 ? std::vector<glm::dvec2>() : std::vector{en(FUENTE)}, AMARILLO);
         std::vector<Linea> amarillas, blancas;
         if (tipo == 2)
@@ -392,12 +428,11 @@ struct Fuente {
                 amarillas.push_back({en(FUENTE + d), en(FUENTE + d + 1.4 * S)});
         if (tipo == 3) {
             const Vec3 u = unitario(vectorial(Z, S)), v = vectorial(S, u); // la base de la ecuación 3.9
-            const double delta = grados * PI / 180;
             amarillas.emplace_back();
             for (int i = 0; i <= 32; ++i) {
                 const double a = i * PI / 16;
                 const Vec3 radio = std::cos(a) * u + std::sin(a) * v;
-                const glm::dvec2 p = en(FUENTE + 1.4 * (std::cos(delta) * S + std::sin(delta) * radio));
+                const glm::dvec2 p = en(FUENTE + 1.4 * (std::cos(delta()) * S + std::sin(delta()) * radio));
                 amarillas[0].push_back(p);
                 if (i % 4 == 0 && i < 32)
                     amarillas.push_back({en(FUENTE), p});
@@ -434,17 +469,17 @@ TEST(Fuentes, LosTresTiposContraTrazadoDeRayos) {
         {"tecla 3; " + arrastra({100, 200}, {20, -2000}), "foco, exponente 4", 3, 30, 4, 0.95, 0.05},
     };
     paraCada("fuentes", casos, 320, 240, [](const Fuente &f, const Vista &v) {
-        compruebaMalla(f.nombre, v.escena, f(true));
+        f.escena().comparaMallas(v.escena);
         if (f.exponente == 4 && f.elevacion == 0.5) // de canto o con un foco casi plano, la malla cuesta más
-            comprueba("forma exacta", compara(v.escena, f(false).escena, f.camara(), f(false)), FORMA_EXACTA);
-        f.compruebaDibujo(v.encima, 320, 240);
+            f.escena().comparaFormas(v.escena);
+        f.compruebaDibujo(v.encima);
     });
 }
 
 // El borde del cono en el suelo, contra el ángulo exacto con el eje: cada píxel está dentro si y solo si su centro lo está, o no dista de
 // él ni un centésimo.
 TEST(Fuentes, BordeDelConoContraElAnguloExacto) {
-    compruebaMalla("cono", vistaDe("fuentes", "tecla 3", 800, 600).escena, Fuente{"", "", 3}(true));
+    Fuente{"", "", 3}.escena().comparaMallas(vistaDe("fuentes", "tecla 3", 800, 600).escena);
 }
 
 // --- atenuacion --------------------------------------------------------------------------------------------
@@ -459,20 +494,20 @@ struct Atenuacion {
     Vec3 enCurva(double d) const {
         return {d, 0.8 + 2.2 / (1 + b * d + c * d * d), 0};
     }
-    Iluminada operator()(bool enMalla) const {
-        const int n = enMalla ? segmentosEsfera(70) : 0;
+    Iluminada escena() const {
+        const int n = segmentosEsfera(70);
         Luz luz = posicional({});
         luz.b = b;
         luz.c = c;
-        Iluminada e{
-            {plano(traslada({3, -0.42, 0}) * TUMBADO * escala({7.2, 2, 1})), unaEsfera(escala(0.2), n)},
-            {{{0.05, 0.05, 0.06}, {0.55, 0.57, 0.60}, {}, 1}, {{1.00, 0.93, 0.60}, {}, {}, 1}},
-            {luz},
-            perspectiva(orbita(-0.45, 0.3, 21, {3.0, 1.2, 0}), 0.28, 1, 100)};
-        for (int d = 1; d <= 6; ++d) {
-            e.escena.push_back(unaEsfera(traslada({double(d), 0, 0}) * escala(0.42), n));
-            e.materiales.push_back({{0.14, 0.08, 0.02}, {0.84, 0.50, 0.12}, {0.30, 0.30, 0.30}, 20});
-        }
+        const Mat4 suelo = traslada({3, -0.42, 0}) * TUMBADO * escala({7.2, 2, 1});
+        Iluminada e{{{plano(suelo), {{0.05, 0.05, 0.06}, {0.55, 0.57, 0.60}, {}, 1}},
+                     {esfera(escala(0.2)), {{1.00, 0.93, 0.60}, {}, {}, 1}, n}},
+                    {luz},
+                    perspectiva(orbita(-0.45, 0.3, 21, {3.0, 1.2, 0}), 0.28, 1, 100)};
+        for (int d = 1; d <= 6; ++d)
+            e.solidos.push_back({esfera(traslada({double(d), 0, 0}) * escala(0.42)),
+                                 {{0.14, 0.08, 0.02}, {0.84, 0.50, 0.12}, {0.30, 0.30, 0.30}, 20},
+                                 n});
         return e;
     }
 };
@@ -486,8 +521,10 @@ const Atenuacion ATENUACIONES[] = {{"tecla 1", "1", 0, 0},
 // Y encima, los ejes, las tres curvas (la elegida, amarilla), el valor sobre cada esfera, su distancia y la fórmula.
 TEST(Atenuacion, ContraTrazadoDeRayos) {
     paraCada("atenuacion", ATENUACIONES, 240, 180, [](const Atenuacion &elegida, const Vista &v) {
-        compruebaLasDos(elegida.formula, v.escena, elegida);
-        const auto en = [&](const Vec3 &p) { return enPixeles(elegida(false).camara, p); };
+        const Iluminada e = elegida.escena();
+        e.comparaMallas(v.escena);
+        e.comparaFormas(v.escena);
+        const auto en = [&](const Vec3 &p) { return enPixeles(e.camara, p); };
         std::vector<Linea> amarillas, grises;
         for (const char tecla : {'1', '2', '3'}) {
             const Atenuacion &a = ATENUACIONES[tecla - '1'];
@@ -526,13 +563,13 @@ struct VariasLuces {
         const double a = (-150 + 120 * i) * PI / 180;
         return {std::cos(a), 0, -std::sin(a)};
     }
-    Iluminada operator()(bool enMalla) const {
+    Iluminada escena() const {
         const Vec3 colores[] = {{1.0, 0.08, 0.05}, {0.08, 1.0, 0.10}, {0.06, 0.12, 1.0}};
+        const Material mate = {{0.13, 0.13, 0.14}, {0.80, 0.80, 0.80}, {}, 1},
+                       brillante = {{0.12, 0.12, 0.13}, {0.60, 0.60, 0.60}, {0.30, 0.30, 0.30}, 40};
         const Mat4 disco = traslada({0, -0.1, 0}) * TUMBADO * escala({3.7, 3.7, 0.2});
-        Iluminada e{{enMalla ? malla(disco, cilindro(segmentosEsfera(430))) : cilindro(disco),
-                     unaEsfera(traslada({0, 0.8, 0}) * escala(0.8), enMalla ? segmentosEsfera(100) : 0)},
-                    {{{0.13, 0.13, 0.14}, {0.80, 0.80, 0.80}, {}, 1},
-                     {{0.12, 0.12, 0.13}, {0.60, 0.60, 0.60}, {0.30, 0.30, 0.30}, 40}},
+        Iluminada e{{{cilindro(disco), mate, segmentosEsfera(430)},
+                     {esfera(traslada({0, 0.8, 0}) * escala(0.8)), brillante, segmentosEsfera(100)}},
                     {},
                     perspectiva(orbita(0, 0.8, 17.5, {0, -0.3, 0}), 0.36, 1, 100)};
         for (int i = 0; i < 3; ++i) {
@@ -560,13 +597,14 @@ TEST(VariasLuces, ContraTrazadoDeRayos) {
                                  {"tecla 2; tecla 3", {false, true, true}}};
     std::vector<std::vector<unsigned char>> rgb;
     paraCada("varias_luces", casos, 240, 180, [&](const VariasLuces &c, const Vista &v) {
-        compruebaLasDos("luces", v.escena, c);
+        const Iluminada e = c.escena();
+        e.comparaMallas(v.escena);
+        e.comparaFormas(v.escena);
         std::vector<Letrero> letreros;
         for (int i = 0; i < 3; ++i) { // en el disco, hacia su foco
             const std::string cual = std::to_string(i + 1) + " ", nombres[] = {"roja", "verde", "azul"};
             letreros.push_back({cual + (c.encendida[i] ? nombres[i] : "apagada"),
-                                enPixeles(c(false).camara, 2.5 * c.hacia(i)),
-                                c.encendida[i] ? BLANCO : GRIS});
+                                enPixeles(e.camara, 2.5 * c.hacia(i)), c.encendida[i] ? BLANCO : GRIS});
         }
         compruebaRotulos(v.encima, letreros);
         rgb.push_back(v.escena.rgb);
@@ -587,41 +625,13 @@ TEST(VariasLuces, ContraTrazadoDeRayos) {
 
 namespace {
 
-enum Modelo { PLANO, GOURAUD, PHONG };
-const char *const MODELOS[] = {"Plano", "Gouraud", "Phong"};
-
-/// Una escena con un modelo de sombreado sobre la MISMA malla, en doble precisión: Phong con la normal interpolada y normalizada; Gouraud
-/// con los tres colores interpolados; plano con el color del primer vértice de cada triángulo (facetas lo pone el último, el que manda)
-/// y la normal del triángulo.
-struct Sombreada {
-    int modelo;
-    Iluminada luz;
-
-    Tono operator()(const Impacto &i) const {
-        if (!i || modelo == PHONG)
-            return luz(i);
-        const Objeto &o = luz.escena[i.objeto];
-        const auto enVertice = [&](int k, const Vec3 *normal = nullptr) {
-            const VerticeRef &v = o.triangulos->vertices[o.triangulos->indices[i.corte.triangulo][k]];
-            const Vec3 p = punto(o.M, v.posicion);
-            return phong(luz.materiales[i.objeto], BLANCA, luz.luces, p,
-                         normal ? *normal : transformaNormal(o.inv, v.normal), unitario(luz.camara.ojo - p));
-        };
-        // cada polígono, una zona: entre dos hay un salto de color
-        if (modelo == PLANO)
-            return {enVertice(0, &i.normalCara), i.corte.triangulo / 2};
-        return (1 - i.corte.b1 - i.corte.b2) * enVertice(0) + i.corte.b1 * enVertice(1) +
-               i.corte.b2 * enVertice(2);
-    }
-    /// En ese panel, la escena y, en ese punto de él, el nombre del modelo.
-    void comprueba(const Vista &v, const Hueco &h, const glm::dvec2 &lugar, const glm::vec3 &color,
-                   Lado lado) const {
-        ::comprueba(MODELOS[modelo], compara(recorta(v.escena, h), luz.escena, luz.camara, *this),
-                    MISMA_MALLA);
-        compruebaRotulos(v.encima.enPanel(h.x, h.y),
-                         {{MODELOS[modelo], {h.x + lugar.x * h.ancho, h.y + lugar.y * h.alto}, color, lado}});
-    }
-};
+/// En ese panel, la escena y, en ese punto de él, el nombre del modelo.
+void compruebaPanel(const Vista &v, const Hueco &h, const Iluminada &e, const glm::dvec2 &lugar,
+                    const glm::vec3 &color, Lado lado) {
+    e.comparaMallas(recorta(v.escena, h));
+    compruebaRotulos(v.encima.enPanel(h.x, h.y),
+                     {{MODELOS[e.modelo], {h.x + lugar.x * h.ancho, h.y + lugar.y * h.alto}, color, lado}});
+}
 
 /// En un panel alto la esfera está encima del toro, y la vista abarca 0.142 radianes a lo alto de una ventana 4:3, es decir, 4/3 de su
 /// tangente a lo ancho.
@@ -630,18 +640,21 @@ struct Sombreado {
     int modelo, n;
     bool alto = false;
 
-    Sombreada operator()() const {
+    Iluminada escena() const {
         const Mat4 E = traslada(alto ? 0.8 * Y : Vec3{-0.95, 0.25, 0}) * gira(X, -1.2),
                    T = traslada(alto ? Vec3{0, -0.95, 0.5} : Vec3{0.98, -0.35, 0.5}) * gira(X, -0.7);
-        return {modelo,
-                {{malla(E, esfera(n)), malla(T, toro(0.68f, 0.30f, n, n / 2))},
-                 {{{0.05, 0.14, 0.14}, {0.12, 0.50, 0.50}, {0.75, 0.75, 0.75}, 16},
-                  {{0.20, 0.08, 0.05}, {0.62, 0.26, 0.17}, {0.70, 0.70, 0.70}, 16}},
-                 {posicional({-3, 4, 6})},
-                 perspectiva(orbita(0, 0, 12), alto ? 0.142 : 0.27, 1, 100)}};
+        return {{{esfera(E), {{0.05, 0.14, 0.14}, {0.12, 0.50, 0.50}, {0.75, 0.75, 0.75}, 16}, n},
+                 {toro(T, 0.68, 0.30),
+                  {{0.20, 0.08, 0.05}, {0.62, 0.26, 0.17}, {0.70, 0.70, 0.70}, 16},
+                  n,
+                  n / 2}},
+                {posicional({-3, 4, 6})},
+                perspectiva(orbita(0, 0, 12), alto ? 0.142 : 0.27, 1, 100),
+                FONDO,
+                modelo};
     }
     void comprueba(const Vista &v, const Hueco &h) const {
-        (*this)().comprueba(v, h, {0.5, 0}, BLANCO, Lado::ENCIMA);
+        compruebaPanel(v, h, escena(), {0.5, 0}, BLANCO, Lado::ENCIMA);
     }
 };
 
@@ -679,16 +692,11 @@ TEST(Sombreado, LosTresPanelesContraSuMallaEnDoble) {
 // la esfera y la de su malla, que con pocos segmentos queda dentro).
 TEST(Sombreado, ErrorContraLaEsferaAnalitica) {
     const int ancho = 320, alto = 240;
-    const auto referencia = [&](int n, bool exacta) {
-        Iluminada e = Sombreado{"", PHONG, n}().luz;
-        if (exacta)
-            e.escena[0] = esfera(e.escena[0].M);
-        return render(e.escena, e.camara, ancho, alto, e);
-    };
-    const ImagenRef ref = referencia(6, true);
+    const Iluminada suave = Sombreado{"", PHONG, 6}.escena();
+    const ImagenRef ref = suave.traza({suave.formas()[0]}, ancho, alto);
     double anterior[3] = {INFINITO, INFINITO, INFINITO}, maximo = 0;
     for (int n = 6; n <= 192; n *= 2) {
-        const ImagenRef enMalla = referencia(n, false);
+        const ImagenRef enMalla = suave.traza(Sombreado{"", PHONG, n}.escena().mallas(), ancho, alto);
         const auto esInterior = [&](int x, int y) {
             for (int v = y - 1; v <= y + 1; ++v)
                 for (int u = x - 1; u <= x + 1; ++u)
@@ -736,41 +744,35 @@ struct Grua {
     int modelo;
     double giro = 0, lejos = 5, altura = 4;
 
-    Sombreada operator()() const {
+    Iluminada escena() const {
         const Mat4 G = gira(Y, giro);
         const double cable = 10 - altura - 0.5;
-        const Material hormigon = {{0.12, 0.13, 0.14}, {0.45, 0.47, 0.50}, {0.05, 0.05, 0.05}, 5},
-                       pintura = {{0.25, 0.18, 0.03}, {0.68, 0.50, 0.08}, {0.60, 0.60, 0.60}, 15};
-        Sombreada s{modelo,
-                    {{},
-                     {},
-                     {posicional({3.5, 8.5, 5.5})},
-                     perspectiva(orbita(0.5, 0.25, 27, {1.0, 4.2, 0}), 0.6, 1, 100),
-                     {0.87, 0.93, 0.98}}};
-        const auto bloque = [&](const Mat4 &M, const Vec3 &talla, const Material &material) {
-            const Mat4 B = M * escala(talla);
-            s.luz.escena.push_back(modelo == PHONG ? caja(B) : malla(B, cubo()));
-            s.luz.materiales.push_back(material);
-        };
-        bloque(traslada({0, -0.1, 0}), {12, 0.2, 12},
-               {{0.13, 0.17, 0.12}, {0.46, 0.58, 0.42}, {0.25, 0.25, 0.25}, 12});
-        bloque(traslada({0, 0.2, 0}), {2.4, 0.4, 2.4}, hormigon);
-        bloque(traslada({0, 5, 0}), {0.8, 10, 0.8}, pintura);
-        bloque(G * traslada({2.5, 10.4, 0}), {10, 0.8, 0.8}, pintura);
-        bloque(G * traslada({-1.8, 9.3, 0}), {1.4, 1.4, 1.4}, hormigon);
-        bloque(G * traslada({lejos, 10 - cable / 2, 0}), {0.12, cable, 0.12},
-               {{0.06, 0.06, 0.07}, {0.20, 0.21, 0.24}, {0.70, 0.70, 0.70}, 80});
-        bloque(G * traslada({lejos, altura, 0}), BLANCA,
-               {{0.22, 0.05, 0.05}, {0.68, 0.14, 0.12}, {0.60, 0.60, 0.60}, 30});
-        return s;
+        const Material tierra = {{0.13, 0.17, 0.12}, {0.46, 0.58, 0.42}, {0.25, 0.25, 0.25}, 12},
+                       hormigon = {{0.12, 0.13, 0.14}, {0.45, 0.47, 0.50}, {0.05, 0.05, 0.05}, 5},
+                       pintura = {{0.25, 0.18, 0.03}, {0.68, 0.50, 0.08}, {0.60, 0.60, 0.60}, 15},
+                       acero = {{0.06, 0.06, 0.07}, {0.20, 0.21, 0.24}, {0.70, 0.70, 0.70}, 80},
+                       chapa = {{0.22, 0.05, 0.05}, {0.68, 0.14, 0.12}, {0.60, 0.60, 0.60}, 30};
+        return {{{caja(traslada({0, -0.1, 0}) * escala({12, 0.2, 12})), tierra},
+                 {caja(traslada({0, 0.2, 0}) * escala({2.4, 0.4, 2.4})), hormigon},
+                 {caja(traslada({0, 5, 0}) * escala({0.8, 10, 0.8})), pintura},
+                 {caja(G * traslada({2.5, 10.4, 0}) * escala({10, 0.8, 0.8})), pintura},
+                 {caja(G * traslada({-1.8, 9.3, 0}) * escala(1.4)), hormigon},
+                 {caja(G * traslada({lejos, 10 - cable / 2, 0}) * escala({0.12, cable, 0.12})), acero},
+                 {caja(G * traslada({lejos, altura, 0})), chapa}},
+                {posicional({3.5, 8.5, 5.5})},
+                perspectiva(orbita(0.5, 0.25, 27, {1.0, 4.2, 0}), 0.6, 1, 100),
+                {0.87, 0.93, 0.98},
+                modelo};
     }
 
     /// Y encima del suelo la cuadrícula, que la grúa tapa.
     void comprueba(const Vista &v, const Hueco &h) const {
-        const Sombreada s = (*this)();
-        s.comprueba(v, h, {0, 0.96}, OSCURO, Lado::DERECHA);
+        const Iluminada e = escena();
+        compruebaPanel(v, h, e, {0, 0.96}, OSCURO, Lado::DERECHA);
+        if (modelo == PHONG)
+            e.compara(recorta(v.escena, h), e.formas(), MISMA_MALLA);
         const auto en = [&](double x, double z) {
-            return glm::dvec2(h.x, h.y) + enPixeles(s.luz.camara, {x, 0.02, z}, h.ancho, h.alto);
+            return glm::dvec2(h.x, h.y) + enPixeles(e.camara, {x, 0.02, z}, h.ancho, h.alto);
         };
         std::vector<Linea> lineas;
         for (int k = -6; k <= 6; k += 2) {
