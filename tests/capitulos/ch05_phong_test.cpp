@@ -41,7 +41,7 @@ glm::vec3 listado(const Material &m, const Luz &luz, const glm::vec3 &P, const g
 
 /// Lo mismo, en doble precisión, con `delta` en radianes (negativo: no es un foco).
 Vec3 enDoble(const Material &m, const Luz &luz, const glm::vec3 &P, const glm::vec3 &N, double delta = -1) {
-    oraculo::Luz l = posicional(exacto(glm::vec3(luz.Lp)));
+    oraculo::Luz l = foco(exacto(glm::vec3(luz.Lp)), exacto(glm::vec3(luz.Lp) + luz.S), delta, luz.exponente);
     l.w = luz.Lp.w;
     l.Ld = exacto(luz.Ld);
     l.Ls = exacto(luz.Ls);
@@ -49,9 +49,6 @@ Vec3 enDoble(const Material &m, const Luz &luz, const glm::vec3 &P, const glm::v
     l.b = luz.atenuacion.y;
     l.c = luz.atenuacion.z;
     l.foco = delta >= 0;
-    l.delta = delta;
-    l.S = exacto(luz.S);
-    l.exponente = luz.exponente;
     return oraculo::phong({exacto(m.Ka), exacto(m.Kd), exacto(m.Ks), m.alfa}, exacto(LA), {l}, exacto(P),
                           unitario(exacto(N)), unitario(-exacto(P)));
 }
