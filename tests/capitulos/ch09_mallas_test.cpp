@@ -19,11 +19,7 @@ const Imagen A = alAzar(80, 60, 5), B = alAzar(80, 60, 6);
 /// El color dice de qué texel es.
 const Imagen RAMPA = imagen(221, 177, [](int x, int y) { return Pixel{x, y, 77}; });
 
-double separacion(const glm::vec2 &a, const glm::vec2 &b) {
-    return double(glm::length(a - b));
-}
-
-Panel solo(const Imagen &im, const std::string &rotulo, double cota = 0) {
+Panel solo(const Imagen &im, const std::string &rotulo, double cota = 0.51) {
     return {igualQue(im), rotulo, cota};
 }
 Panel mezcla(double t, const std::string &rotulo) {
@@ -34,19 +30,15 @@ Panel mezcla(double t, const std::string &rotulo) {
 void compruebaMallaRegular(const std::string &programa, const std::vector<Imagen> &imagenes, int columnas,
                            int filas) {
     const Encima encima = vistaDe(programa, "tecla m", 80, 60, enFicheros(imagenes)).encima;
-    const Encima lineas = encima.trazos(BLANCO, "polilinea"), puntos = encima.trazos(NARANJA, "puntos");
-    ASSERT_EQ(lineas.size(), std::size_t(columnas + filas));
-    ASSERT_EQ(puntos.size(), 1u);
-    ASSERT_EQ(puntos[0].puntos.size(), std::size_t(columnas * filas));
-    const auto punto = [&](int i, int j) {
-        return glm::dvec2(80.0 * i / (columnas - 1), 60.0 * j / (filas - 1));
-    };
-    for (int j = 0; j < filas; ++j)
-        compruebaTrazo(lineas, {punto(0, j), punto(columnas - 1, j)}, BLANCO, 0.7);
-    for (int i = 0; i < columnas; ++i)
-        compruebaTrazo(lineas, {punto(i, 0), punto(i, filas - 1)}, BLANCO, 0.7);
-    for (int k = 0; k < columnas * filas; ++k)
-        EXPECT_LE(glm::distance(puntos[0].punto(std::size_t(k)), punto(k % columnas, k / columnas)), 0.1);
+    const Pintado puntos = encima.trazos(NARANJA, "puntos").at(0);
+    ASSERT_EQ(puntos.puntos.size(), std::size_t(columnas * filas));
+    for (int k = 0; k < columnas * filas; ++k) {
+        const glm::dvec2 p(80.0 * (k % columnas) / (columnas - 1), 60.0 * (k / columnas) / (filas - 1));
+        EXPECT_LE(glm::distance(puntos.punto(std::size_t(k)), p), 0.1) << k;
+        EXPECT_LE(encima.lejosDeTrazo(p, BLANCO), 0.7) << k;
+    }
+    EXPECT_EQ(encima.trazos(BLANCO, "polilinea").size(), std::size_t(columnas + filas));
+    EXPECT_NEAR(encima.largo(BLANCO), 80 * filas + 60 * columnas, 0.7 * 2 * (columnas + filas));
 }
 
 } // namespace
@@ -57,13 +49,13 @@ TEST(MallaImagen, PasaPorSusPuntosYLaRegularNoDeforma) {
     MallaImagen m = creaMallaImagen(repartidos(5), repartidos(4));
     for (int k = 0; k < 100; ++k) {
         const float u = 4 * float(k % 10) / 9, v = 3 * float(k / 10) / 9;
-        EXPECT_LT(separacion(evalua(m, u, v), {u / 4, v / 3}), 2e-7);
+        EXPECT_LT(glm::distance(evalua(m, u, v), glm::vec2(u / 4, v / 3)), 2e-7f);
     }
     m.puntos[7] = {0.9f, 0.1f}; // columna 2, fila 1
-    EXPECT_LT(separacion(evalua(m, 2, 1), {0.9f, 0.1f}), 1e-7);
-    EXPECT_LT(separacion(evalua(m, 1, 2), {0.25f, 2 / 3.0f}), 1e-7);
-    EXPECT_GT(separacion(evalua(m, 2.5f, 1), {0.625f, 1 / 3.0f}), 0.1);
-    EXPECT_LT(separacion(evalua(m, 1.999f, 1.3f), evalua(m, 2.001f, 1.3f)), 0.005); // sin saltos
+    EXPECT_LT(glm::distance(evalua(m, 2, 1), {0.9f, 0.1f}), 1e-7f);
+    EXPECT_LT(glm::distance(evalua(m, 1, 2), {0.25f, 2 / 3.0f}), 1e-7f);
+    EXPECT_GT(glm::distance(evalua(m, 2.5f, 1), {0.625f, 1 / 3.0f}), 0.1f);
+    EXPECT_LT(glm::distance(evalua(m, 1.999f, 1.3f), evalua(m, 2.001f, 1.3f)), 0.005f); // sin saltos
     EXPECT_EQ(masCercano(m, {0.85f, 0.15f}, {80, 60}), 7u);
     EXPECT_EQ(masCercano(m, {0.02f, 0.9f}, {80, 60}), 15u);
     // la distancia es en píxeles: en una imagen muy ancha, lo que separa es x
@@ -78,18 +70,16 @@ TEST(MallaImagen, PasaPorSusPuntosYLaRegularNoDeforma) {
 // que en otro sitio de la ventana se redondea de otra manera: un nivel.
 TEST(Warping, LaMallaIdentidadEsElOriginal) {
     const Panel original = solo(A, "Original");
-    const std::string arrastrado = arrastra({40, 30}, {50, 20}), comparando = arrastra({121, 30}, {131, 20});
-    const Panel deformada = solo(procesa("warping", {A}, arrastrado), "Deformada", 1),
-                caricatura = solo(procesa("warping", {A}, "tecla 2"), "Deformada", 1);
+    const std::string mueve = arrastra({40, 30}, {50, 20}), mueveALaDerecha = arrastra({121, 30}, {131, 20}),
+                      conOtroBoton = clic({40, 30}) + "; " + arrastra({40, 30}, {50, 20}, "CENTRAL");
+    const auto deformada = [](const std::string &guion) {
+        return solo(procesa("warping", {A}, guion), "Deformada", 1);
+    };
     compruebaPaneles("warping", {A},
-                     {{"", {original}},
-                      {"tecla 2; tecla 1", {original}},
-                      {clic({40, 30}) + "; " + arrastra({40, 30}, {50, 20}, "CENTRAL"), {original}},
-                      {arrastra({1, 58}, {-500, 900}), {original}},
-                      {"tecla v; " + comparando, {original, deformada}, 2},
-                      {"tecla v; tecla 2", {original, caricatura}, 2}});
-    compruebaPaneles("warping", {lisa(1, 1, {9, 99, 199})},
-                     {{"", {solo(lisa(1, 1, {9, 99, 199}), "Original")}}});
+                     {{{"", "tecla 2; tecla 1", arrastra({1, 58}, {-500, 900}), conOtroBoton}, {original}},
+                      {{"tecla v; " + mueveALaDerecha}, {original, deformada(mueve)}, 2},
+                      {{"tecla v; tecla 2"}, {original, deformada("tecla 2")}, 2}});
+    EXPECT_EQ(procesa("warping", {lisa(1, 1, {9, 99, 199})}).rgb, lisa(1, 1, {9, 99, 199}).rgb);
     compruebaMallaRegular("warping", {A}, 11, 9);
 }
 
@@ -101,12 +91,10 @@ TEST(Warping, ElTexelVaConSuPunto) {
     const Imagen r = procesa("warping", {marca}, arrastra({112, 90}, {121, 76}));
     EXPECT_EQ(pixel(r, 121, 100).r, 255);
     EXPECT_LT(pixel(r, 106, 84).r, 255);
-    EXPECT_EQ(cuenta(r,
-                     [](int x, int y, const Pixel &p) {
-                         const bool lejos = std::abs(x - 110) > 46 || std::abs(y - 88) > 46;
-                         return lejos && distancia(p, texel(RAMPA, x, y)) > 1;
-                     }),
-              0);
+    const auto movido = [](int x, int y, const Pixel &p) {
+        return (std::abs(x - 110) > 46 || std::abs(y - 88) > 46) && distancia(p, texel(RAMPA, x, y)) > 1;
+    };
+    EXPECT_EQ(cuenta(r, movido), 0);
 }
 
 // El pliegue: el punto (4, 4) llevado más allá del (5, 4) y del (6, 4). Se ve siempre lo mismo, lo último de la fila, que es lo de
@@ -133,9 +121,9 @@ TEST(Warping, LaCaricatura) {
 // --- morphing ---
 
 TEST(Morphing, EnLosExtremosEsAYEsB) {
-    const Panel a = solo(A, "t = 0.00"), b = solo(B, "t = 1.00");
     compruebaPaneles("morphing", {A, B},
-                     {{"tecla 1", {a}}, {"tecla 3", {b}}, {"tecla - ×12", {a}}, {"tecla + ×12", {b}}});
+                     {{{"tecla 1", "tecla - ×12"}, {solo(A, "t = 0.00")}},
+                      {{"tecla 3", "tecla + ×12"}, {solo(B, "t = 1.00")}}});
     // también con las mallas de las dos caras, que no son regulares
     for (const auto &[tecla, nombre] : {std::pair("tecla 1", "cara.rgb"), {"tecla 3", "gato.rgb"}})
         EXPECT_EQ(vistaDe("morphing", tecla, 320, 240).escena.rgb,
@@ -145,13 +133,13 @@ TEST(Morphing, EnLosExtremosEsAYEsB) {
 
 // Con mallas regulares es la mezcla lineal. Al comparar no se arrastra.
 TEST(Morphing, SinDeformarEsUnaMezcla) {
-    compruebaPaneles("morphing", {A, B},
-                     {{"", {mezcla(0.5, "t = 0.50")}},
-                      {"tecla 2; tecla +", {mezcla(0.55, "t = 0.55")}},
-                      {"tecla 1; tecla +", {mezcla(0.05, "t = 0.05")}},
-                      {"tecla v; " + arrastra({40, 30}, {50, 20}),
-                       {solo(A, "A"), mezcla(0.5, "t = 0.50"), solo(B, "B")},
-                       3}});
+    const Panel enMedio = mezcla(0.5, "t = 0.50");
+    compruebaPaneles(
+        "morphing", {A, B},
+        {{{"", "tecla 3; tecla 2"}, {enMedio}},
+         {{"tecla 2; tecla +"}, {mezcla(0.55, "t = 0.55")}},
+         {{"tecla 1; tecla +"}, {mezcla(0.05, "t = 0.05")}},
+         {{"tecla v; " + arrastra({40, 30}, {50, 20})}, {solo(A, "A"), enMedio, solo(B, "B")}, 3}});
     compruebaMallaRegular("morphing", {A, B}, 7, 8);
 }
 
@@ -180,15 +168,12 @@ TEST(Morphing, ElPuntoIntermedioQuedaBajoElRaton) {
 // El movimiento depende solo del reloj: a los 1500 ms, t = 0.5; a los 3000, 1; a los 6000, 0 otra vez. El último cuadro es de hasta 33
 // ms antes: 4 niveles. Al parar vuelve a su t.
 TEST(Morphing, ElMovimientoSigueAlReloj) {
-    for (const auto &[ms, t] : {std::pair(1500, 0.5), {3000, 1.0}, {6000, 0.0}})
-        EXPECT_LE(diferenciaMaxima(
-                      procesa("morphing", {A, B}, "tecla 1; tecla Espacio; espera " + std::to_string(ms)),
-                      mezcla(t, "").esperado),
-                  4)
-            << ms;
-    EXPECT_EQ(
-        procesa("morphing", {A, B}, "tecla 1; tecla Espacio; espera 1500; tecla Espacio; espera 500").rgb,
-        A.rgb);
+    const auto tras = [](const std::string &guion) {
+        return procesa("morphing", {A, B}, "tecla 1; tecla Espacio; espera " + guion);
+    };
+    for (const auto &[guion, t] : {std::pair("1500", 0.5), {"3000", 1.0}, {"6000", 0.0}})
+        EXPECT_LE(diferenciaMaxima(tras(guion), mezcla(t, "").esperado), 4) << guion;
+    EXPECT_EQ(tras("1500; tecla Espacio; espera 500").rgb, A.rgb);
 }
 
 // --- antialiasing ---
@@ -211,52 +196,49 @@ TEST(Antialiasing, LaEstrella) {
 // Contra el área exacta, y las dos técnicas de muestras conocidas, muestra a muestra: el centro del píxel y los centros de sus
 // 4 × 4 partes. De las que caen a menos de una centésima de píxel de un lado no se dice nada.
 TEST(Antialiasing, CoberturaContraElAreaExacta) {
-    const int LADO = 180; // de una ventana de 200 × 200, desde (10, 20)
     const double fondo = std::round(color(FONDO_CLARO).x), tinta = std::round(color(OSCURO).x);
-    std::vector<oraculo::Poligono> rayos;
-    const std::vector<glm::dvec2> v = estrella();
-    for (std::size_t i = 0; i < v.size(); ++i) {
-        if (i % 3 == 0)
-            rayos.emplace_back();
-        rayos.back().push_back({90 + 90 * v[i].x, 90 + 90 * v[i].y});
-    }
-    double rmse[3];
-    for (int tecnica = 0; tecnica < 3; ++tecnica) {
-        const Imagen vista = vistaDe("antialiasing", "tecla " + std::to_string(tecnica + 1), 200, 200).escena;
-        double suma = 0, maximo = 0;
-        int n = 0, malos = 0;
-        const int lado = tecnica == 2 ? 4 : 1;
-        for (int y = 0; y < LADO; ++y)
-            for (int x = 0; x < LADO; ++x) {
-                if (std::hypot(x + 0.5 - 90, y + 0.5 - 90) < 0.44 * 90)
-                    continue; // la lupa
-                double area = 0, pocas = 0, muchas = 0;
-                for (const oraculo::Poligono &rayo : rayos) {
-                    if (std::hypot(rayo[0].x - x, rayo[0].y - y) > 60)
-                        continue;
-                    area += oraculo::coberturaPixel(rayo, x, y);
-                    for (int i = 0; i < lado * lado; ++i) {
-                        const double d = oraculo::distanciaDentro(rayo, x + (i % lado + 0.5) / lado,
-                                                                  y + (i / lado + 0.5) / lado);
-                        pocas += d > 0.01 ? 1.0 / (lado * lado) : 0;
-                        muchas += d > -0.01 ? 1.0 / (lado * lado) : 0;
-                    }
-                }
-                const double visto = (fondo - pixel(vista, 10 + x, 20 + y).r) / (fondo - tinta);
-                malos += tecnica != 1 && (visto < pocas - 0.006 || visto > muchas + 0.006);
-                suma += (visto - area) * (visto - area);
-                maximo = std::max(maximo, std::fabs(visto - area));
-                n += area > 0 && area < 1;
+    std::vector<oraculo::Poligono> rayos(24);
+    for (std::size_t i = 0; i < 72; ++i) // la escena son 180 × 180 píxeles desde (10, 20)
+        rayos[i / 3].push_back({90 + 90 * estrella()[i].x, 90 + 90 * estrella()[i].y});
+    const std::vector<Vista> vistas = vistasDe("antialiasing", {"tecla 1", "tecla 2", "tecla 3"}, 200, 200);
+    double suma[3] = {}, maximo[3] = {};
+    int n = 0, malos = 0;
+    for (int y = 0; y < 180; ++y)
+        for (int x = 0; x < 180; ++x) {
+            if (std::hypot(x + 0.5 - 90, y + 0.5 - 90) < 0.44 * 90)
+                continue; // la lupa
+            double area = 0;
+            for (const oraculo::Poligono &rayo : rayos)
+                area += oraculo::coberturaPixel(rayo, x, y);
+            n += area > 0 && area < 1;
+            const auto muestrasDentro = [&](int lado, double margen) {
+                int cuantas = 0;
+                for (int i = 0; i < lado * lado; ++i)
+                    for (const oraculo::Poligono &rayo : rayos)
+                        cuantas += oraculo::distanciaDentro(rayo, x + (i % lado + 0.5) / lado,
+                                                            y + (i / lado + 0.5) / lado) > margen;
+                return double(cuantas) / (lado * lado);
+            };
+            for (std::size_t tecnica = 0; tecnica < 3; ++tecnica) {
+                const double visto =
+                    (fondo - pixel(vistas[tecnica].escena, 10 + x, 20 + y).r) / (fondo - tinta);
+                const int lado = tecnica == 2 ? 4 : 1;
+                malos += tecnica != 1 && (visto < muestrasDentro(lado, 0.01) - 0.006 ||
+                                          visto > muestrasDentro(lado, -0.01) + 0.006);
+                suma[tecnica] += (visto - area) * (visto - area);
+                maximo[tecnica] = std::max(maximo[tecnica], std::fabs(visto - area));
             }
-        rmse[tecnica] = std::sqrt(suma / n);
-        EXPECT_EQ(malos, 0) << "técnica " << tecnica;
-        EXPECT_GT(n, 2000);
-        EXPECT_LE(maximo, tecnica == 0 ? 1 : tecnica == 1 ? 0.45 : 0.20);
-        std::cout << "técnica " << tecnica << ": RMSE " << rmse[tecnica] << " de cobertura en " << n
-                  << " píxeles de borde, máximo " << maximo << "\n";
-    }
-    EXPECT_LT(rmse[1], 0.6 * rmse[0]);
-    EXPECT_LT(rmse[2], 0.6 * rmse[1]);
+        }
+    EXPECT_EQ(malos, 0);
+    EXPECT_GT(n, 2000);
+    std::cout << "RMSE de cobertura en " << n << " píxeles de borde, y máximo:";
+    for (int tecnica = 0; tecnica < 3; ++tecnica)
+        std::cout << " " << std::sqrt(suma[tecnica] / n) << ", " << maximo[tecnica] << ";";
+    std::cout << "\n";
+    EXPECT_LE(maximo[1], 0.45);
+    EXPECT_LE(maximo[2], 0.20);
+    EXPECT_LT(std::sqrt(suma[1]), 0.6 * std::sqrt(suma[0]));
+    EXPECT_LT(std::sqrt(suma[2]), 0.6 * std::sqrt(suma[1]));
 }
 
 // La lupa son 16 × 16 píxeles de la propia imagen, también cuando aumentada entera no cabría en un área de dibujo.
@@ -311,14 +293,13 @@ TEST(Ampliacion, LaProporcionSeConserva) {
 
 // Un rectángulo rojo de 40 × 20 en ventanas de varias formas y factores, de ×16 a ×1/16: lo que mide en píxeles, y lo que se dice.
 TEST(Ampliacion, LoQueMideEnPixeles) {
-    const Pixel rojo{255, 0, 0};
-    const std::vector<std::string> roja = enFicheros({lisa(40, 20, rojo)});
-    const auto mide = [&](const Imagen &i, int ancho, int alto) {
-        const auto enElCentro = [&](int x, int y, const Pixel &p) {
-            return p == rojo && std::abs(2 * x + 1 - i.ancho) < ancho && std::abs(2 * y + 1 - i.alto) < alto;
+    const std::vector<std::string> roja = enFicheros({lisa(40, 20, {255, 0, 0})});
+    const auto mide = [](const Imagen &i, int ancho, int alto) {
+        const auto esperado = [&](int x, int y) {
+            const bool dentro = std::abs(2 * x + 1 - i.ancho) < ancho && std::abs(2 * y + 1 - i.alto) < alto;
+            return dentro ? Vec3{255, 0, 0} : color(FONDO_OSCURO);
         };
-        EXPECT_EQ(cuenta(i, enElCentro), ancho * alto);
-        EXPECT_EQ(cuenta(i, [&](int, int, const Pixel &p) { return p.r > 200; }), ancho * alto);
+        EXPECT_LE(diferenciaMaxima(i, esperado), 0.51);
     };
     const struct {
         int ancho, alto;

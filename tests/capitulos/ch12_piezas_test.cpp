@@ -312,28 +312,19 @@ TEST(Banderas, CadaUnaConSuAstaEnSuSitio) {
     }
 }
 
-// A las 100 horas se ve lo mismo que al principio, salvo el rótulo; y parar no cambia nada.
-TEST(Tiempo, ALas100HorasTodoSigueIgual) {
+// Se llegue como se llegue al mismo instante se ve lo mismo: la tecla s adelanta medio segundo y la d una décima, y la pausa no cuenta.
+TEST(Tiempo, PorCualquierCaminoSeLlegaALoMismo) {
     for (const std::string programa : {"particulas", "mosaico", "banderas"}) {
-        const auto en = [&](const std::string &guion) { return vistaDe(programa, guion, 480, 360).escena; };
-        const Imagen a = en("espera 2500"), b = en("tecla h ×10; espera 2500"), d = en("espera 1000");
-        const auto distinto = [&](int x, int y, const Pixel &p) {
-            const Pixel q = pixel(a, x, y);
-            return std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b) > 6;
-        };
-        EXPECT_LE(cuenta(b, distinto), 20) << programa;
-        EXPECT_GT(cuenta(d, distinto), 500) << programa;
-        EXPECT_EQ(en("espera 1000; tecla Espacio; espera 3000; tecla Espacio; espera 1500").rgb, a.rgb)
-            << programa;
+        const Vista v = vistaDe(programa, instante(2.5));
+        for (const std::string guion :
+             {"espera 2500", "tecla s ×4; tecla d ×5",
+              "espera 1000; tecla Espacio; espera 3000; tecla Espacio; espera 1500"}) {
+            const Vista otra = vistaDe(programa, guion);
+            EXPECT_EQ(otra.escena.rgb, v.escena.rgb) << programa << " " << guion;
+            EXPECT_EQ(otra.encima.back().texto, v.encima.back().texto);
+        }
+        EXPECT_NE(vistaDe(programa, "espera 1000").escena.rgb, v.escena.rgb) << programa;
     }
-}
-
-// La tecla d adelanta una décima y la s, cinco.
-TEST(Tiempo, LaDecimaEsUnaQuintaParteDeMedioSegundo) {
-    const std::vector<Vista> v = vistasDe("mosaico", {"tecla s", "tecla d ×5; tecla h; tecla h"});
-    EXPECT_EQ(vistaDe("mosaico", "tecla d ×5").escena.rgb, v[0].escena.rgb);
-    compruebaTiempo(vistaDe("mosaico", "tecla d; tecla s").encima, 0.6, ", nacen", OSCURO);
-    compruebaTiempo(v[1].encima, 72001, ", nacen", OSCURO);
 }
 
 TEST(Reloj, FaseYPausa) {
@@ -349,13 +340,11 @@ TEST(Reloj, FaseYPausa) {
     }
     EXPECT_LT(fase(12 - 1e-15, 12), 1.0f);
     Reloj r;
-    EXPECT_EQ(segundos(r, 1500), 1.5);
     conmutaPausa(r, 1500);
     EXPECT_EQ(segundos(r, 9000), 1.5);
     adelanta(r, 10);
     EXPECT_EQ(segundos(r, 9000), 11.5);
     conmutaPausa(r, 9500);
-    EXPECT_EQ(segundos(r, 10000), 12.0);
     adelanta(r, 3600);
     EXPECT_EQ(segundos(r, 10000), 3612.0);
 }
