@@ -136,6 +136,7 @@ TEST(Seleccion, TrasCambiarDeTamano) {
 TEST(Seleccion, SeVeCualEs) {
     const std::vector<Vista> v = vistasDe("seleccion", {"", clic({180, 112}), clic({9, 9})});
     const int elegidos[] = {0, 9, 0};
+    const std::string leidos[] = {"clic en un objeto", "color 192 0 0 → objeto 9", "color 0 0 0 → objeto 0"};
     for (std::size_t i = 0; i < 3; ++i) {
         std::vector<Cuerpo> cuerpos = CUERPOS;
         for (int k = 0; k < 10; ++k)
@@ -143,10 +144,8 @@ TEST(Seleccion, SeVeCualEs) {
                 cuerpos[std::size_t(k)].color = 0.3 * CUERPOS[std::size_t(k)].color + 0.7 * CUERPOS[0].color;
         comprueba("elegido " + std::to_string(elegidos[i]),
                   comparaConLuzFija(v[i].escena, cuerpos, CAMARA, exacto(CIELO)));
+        compruebaRotulo(v[i].encima, leidos[i], {120, 0.06 * 180}, OSCURO, Lado::CENTRO);
     }
-    compruebaRotulo(v[0].encima, "clic en un objeto", {120, 0.06 * 180}, OSCURO, Lado::CENTRO);
-    compruebaRotulo(v[1].encima, "color 192 0 0 → objeto 9", {120, 0.06 * 180}, OSCURO, Lado::CENTRO);
-    compruebaRotulo(v[2].encima, "color 0 0 0 → objeto 0", {120, 0.06 * 180}, OSCURO, Lado::CENTRO);
     compruebaRotulo(v[1].encima, "esfera morada", enPixeles(CAMARA, {2, 1.6, 2}), OSCURO, Lado::ENCIMA);
     EXPECT_EQ(v[0].encima.size(), 1u);
     EXPECT_EQ(v[2].encima.size(), 1u);

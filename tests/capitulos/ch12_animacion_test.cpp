@@ -36,12 +36,11 @@ TEST(Desvanecer, MezclaExacta) {
     comprueba("con él", comparaConLuzFija(con, {cubo, anillo}, camara, exacto(CIELO)));
     for (const double t : {0.5, 1.0, 1.5, 3.0, 5.5, HORAS + 0.5, HORAS + 1, HORAS + 3}) {
         const double alfa = pulso(t, 4);
+        const auto mezcla = [&](int x, int y) {
+            return (1 - alfa) * texel(sin, x, y) + alfa * texel(con, x, y);
+        };
         const Vista v = vistaDe("desvanecer", instante(t));
-        EXPECT_LE(diferenciaMaxima(
-                      v.escena,
-                      [&](int x, int y) { return (1 - alfa) * texel(sin, x, y) + alfa * texel(con, x, y); }),
-                  1.5)
-            << t;
+        EXPECT_LE(diferenciaMaxima(v.escena, mezcla), 1.5) << t;
         compruebaTiempo(v.encima, t, ", α = " + conDosCifras(alfa), OSCURO);
     }
 }
@@ -62,33 +61,31 @@ TEST(LucesAnimadas, ProporcionalALaLuz) {
         Luz luz = posicional(fuente);
         luz.Ld = luz.Ls = I * ((1 - f) * Vec3{1, 0.6, 0.25} + f * Vec3{0.3, 0.6, 1});
         const Material materiales[] = {piso, brillante, brillante, {2 * luz.Ld, {}, {}, 1}};
+        const auto iluminado = [&](const Impacto &i) {
+            if (!i)
+                return exacto(FONDO_OSCURO);
+            const Vec3 N = unitario(normalInterpolada(escena[std::size_t(i.objeto)], i));
+            return phong(materiales[i.objeto], La, {luz}, i.punto, N, haciaOjo(i));
+        };
         const Vista v = vistaDe("luces_animadas", instante(t));
-        comprueba("t = " + conDosCifras(t), compara(v.escena, escena, camara, [&](const Impacto &i) {
-                      const Objeto &o = escena[std::size_t(std::max(i.objeto, 0))];
-                      return i ? phong(materiales[i.objeto], La, {luz}, i.punto,
-                                       unitario(normalInterpolada(o, i)), haciaOjo(i))
-                               : exacto(FONDO_OSCURO);
-                  }));
+        comprueba("t = " + conDosCifras(t), compara(v.escena, escena, camara, iluminado));
         compruebaTiempo(v.encima, t, ", I = " + conDosCifras(I), BLANCO);
     }
 }
 
 // Cada píxel, lo que hay en la imagen donde dice el seno, con el filtro lineal; fuera de ella, su borde. El cuadrado no se deforma.
 TEST(TexturaOndulada, LeeDondeDiceElSeno) {
-    const int ANCHO = 480, ALTO = 360;
     const Imagen im = alAzar(64, 48); // menos de un texel por píxel
     for (const double t : {0.0, 0.5, 1.0, 2.5, HORAS + 3.5, HORAS + 6}) {
-        const Vista v = vistaDe("textura_ondulada", instante(t), ANCHO, ALTO, enFicheros({im}));
+        const Vista v = vistaDe("textura_ondulada", instante(t), 240, 180, enFicheros({im}));
+        const auto onda = [&](double s) { return 0.03 * std::sin(2 * PI * (3 * s - t / 4)); };
         const auto esperado = [&](int x, int y) {
-            const double k = ALTO / 2 / 0.64, s = (x + 0.5 - ANCHO / 2) / k + 0.5,
-                         u = (y + 0.5 - ALTO / 2) / k + 0.5;
-            if (std::min(s, u) < 0 || std::max(s, u) > 1)
-                return color(FONDO_CLARO);
-            return bilineal(im, 64 * (s + 0.03 * std::sin(2 * PI * (3 * u - t / 4))),
-                            48 * (u + 0.03 * std::sin(2 * PI * (3 * s - t / 4))));
+            const double k = 90 / 0.64, s = (x + 0.5 - 120) / k + 0.5, u = (y + 0.5 - 90) / k + 0.5;
+            const bool dentro = std::min(s, u) > 0 && std::max(s, u) < 1;
+            return dentro ? bilineal(im, 64 * (s + onda(u)), 48 * (u + onda(s))) : color(FONDO_CLARO);
         };
         EXPECT_LE(diferenciaMaxima(v.escena, esperado), 1) << t;
-        compruebaTiempo(v.encima, t, "", OSCURO, ANCHO, ALTO);
+        compruebaTiempo(v.encima, t, "", OSCURO);
     }
 }
 
@@ -116,50 +113,43 @@ Malla esferaDesplazada(double t, double S2, double centro) {
     return m;
 }
 
-void compruebaRuido(const std::string &que, const Imagen &escena, int modo, double t, double S2,
-                    double angulo) {
-    const Camara camara = perspectiva(orbita(0.3, 0.2, 10), angulo, 1, 50);
+/// El objeto de ese panel es, píxel a píxel, la esfera del programa con sus vértices desplazados aquí y su normal; el círculo, la de
+/// antes.
+void compruebaRuido(const Vista &v, const Hueco &h, int modo, double t, double S2) {
+    const Camara camara = perspectiva(orbita(0.3, 0.2, 10), h.ancho < h.alto ? 0.29 : 0.38, 1, 50);
     const Cuerpo cuerpo = {enElMundo(Mat4(), esferaDesplazada(t, S2, modo == 0 ? 0.5 : 0)),
                            exacto(modo == 0 ? VERDE : NARANJA)};
-    comprueba(que, comparaConLuzFija(escena, {cuerpo}, camara, exacto(FONDO_CLARO)));
+    comprueba("t = " + conDosCifras(t),
+              comparaConLuzFija(recorta(v.escena, h), {cuerpo}, camara, exacto(FONDO_CLARO)));
+    compruebaRotulo(v.encima, modo == 0 ? "centrado" : "listado 12.1",
+                    {h.x + 0.5 * h.ancho, h.y + 0.95 * h.alto}, OSCURO, Lado::CENTRO);
+    std::vector<glm::dvec2> circulo;
+    for (int i = 0; i <= 90; ++i) {
+        const Vec3 p = std::cos(i * PI / 45) * ejes(camara).x + std::sin(i * PI / 45) * ejes(camara).y;
+        circulo.push_back(glm::dvec2(h.x, h.y) + enPixeles(camara, p, h.ancho, h.alto));
+    }
+    compruebaTrazo(v.encima.enPanel(h.x, h.y), circulo, OSCURO);
 }
 
 } // namespace
 
-// El objeto es, píxel a píxel, la esfera del programa con sus vértices desplazados aquí y su normal. El círculo es la de antes.
+// Con más y menos amplitud; y los dos modos a la vez.
 TEST(RuidoVertices, CadaPixelDeLaMallaDesplazada) {
-    const char *const nombres[] = {"centrado", "listado 12.1"};
-    const struct {
-        double t, S2;
-        std::string amplitud;
-    } casos[] = {{0, 0.7, ""},
-                 {2.5, 0.7, ""},
-                 {HORAS + 7, 0.7, ""},
-                 {HORAS + 19.5, 0.7, ""},
-                 {2.5, 0.4, "tecla - ×3"},
-                 {2.5, 0.8, "tecla + ×3"},
-                 {2.5, 0.1, "tecla - ×9; tecla +"}};
-    for (const int modo : {0, 1})
+    for (const std::string modo : {"1", "2"}) {
+        const auto casos = {
+            std::tuple(0.0, 0.7, ""),         {2.5, 0.7, ""},           {HORAS + 7, 0.7, ""},
+            {HORAS + 19.5, 0.7, ""},          {2.5, 0.4, "tecla - ×3"}, {2.5, 0.8, "tecla + ×3"},
+            {2.5, 0.1, "tecla - ×9; tecla +"}};
         for (const auto &[t, S2, amplitud] : casos) {
-            const std::string guion =
-                "tecla v; tecla " + std::to_string(modo + 1) + "; " + amplitud + "; " + instante(t);
-            const Vista v = vistaDe("ruido_vertices", guion);
-            compruebaRuido(guion, v.escena, modo, t, S2, 0.38);
-            compruebaRotulo(v.encima, nombres[modo], {120, 0.95 * 180}, OSCURO, Lado::CENTRO);
+            const Vista v =
+                vistaDe("ruido_vertices", "tecla v; tecla " + modo + "; " + amplitud + "; " + instante(t));
+            compruebaRuido(v, {0, 0, 240, 180}, modo == "2", t, S2);
             compruebaTiempo(v.encima, t, ", S2 = " + conDosCifras(S2).substr(0, 3), OSCURO);
-            std::vector<glm::dvec2> circulo;
-            const Camara camara = perspectiva(orbita(0.3, 0.2, 10), 0.38, 1, 50);
-            for (int i = 0; i <= 90; ++i)
-                circulo.push_back(enPixeles(camara, std::cos(i * PI / 45) * ejes(camara).x +
-                                                        std::sin(i * PI / 45) * ejes(camara).y));
-            compruebaTrazo(v.encima, circulo, OSCURO);
         }
-    const Vista dos = vistaDe("ruido_vertices", "tecla v; " + instante(2.5));
-    for (const int modo : {0, 1}) {
-        const Hueco h = hueco(modo, 2, 0, 1, 240, 180);
-        compruebaRuido("los dos", recorta(dos.escena, h), modo, 2.5, 0.7, 0.29);
-        compruebaRotulo(dos.encima, nombres[modo], {h.x + 0.5 * h.ancho, 0.95 * 180}, OSCURO, Lado::CENTRO);
     }
+    const Vista dos = vistaDe("ruido_vertices", "tecla v; " + instante(2.5));
+    for (const int modo : {0, 1})
+        compruebaRuido(dos, hueco(modo, 2, 0, 1, 240, 180), modo, 2.5, 0.7);
 }
 
 // Los disparos de cada temporizador: los que se cuentan y una marca por cada uno de los tres últimos segundos, en su instante. En pausa

@@ -245,17 +245,11 @@ TEST(Mosaico, CadaTeselaVivaEstaEnSuSitio) {
 
 // El rótulo dice qué les pasa: los instantes, de la figura, se repiten cada diez segundos.
 TEST(Mosaico, DiceEnQueEtapaEstan) {
-    const std::pair<double, const char *> etapas[] = {{0, ", nacen"},
-                                                      {3, ", nacen"},
-                                                      {3.5, ", viven"},
-                                                      {5.5, ", viven"},
-                                                      {6, ", mueren"},
-                                                      {9, ", mueren"},
-                                                      {9.5, ", no queda ninguna"},
-                                                      {10, ", nacen"}};
+    const char *const etapas[] = {", nacen", ", viven", ", mueren", ", no queda ninguna"};
     for (const std::string programa : {"mosaico", "banderas"})
-        for (const auto &[t, texto] : etapas)
-            compruebaTiempo(vistaDe(programa, instante(t)).encima, t, texto, OSCURO);
+        for (const auto &[t, etapa] :
+             {std::pair(0.0, 0), {3, 0}, {3.5, 1}, {5.5, 1}, {6, 2}, {9, 2}, {9.5, 3}, {10, 0}})
+            compruebaTiempo(vistaDe(programa, instante(t)).encima, t, etapas[etapa], OSCURO);
 }
 
 namespace {
