@@ -87,7 +87,10 @@ double nubes(double x, double y, int octavas, int px, int py, int semilla) {
         suma += peso * ruido(x, y, px, py, semilla + k);
         total += peso;
         peso *= 0.5;
-        x *= 2, y *= 2, px *= 2, py *= 2;
+        x *= 2;
+        y *= 2;
+        px *= 2;
+        py *= 2;
     }
     return suma / total;
 }

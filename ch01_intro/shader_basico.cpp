@@ -1,6 +1,6 @@
-// El primer shader: un triángulo rojo (listados 1.2 y 1.3). Leer, compilar, enlazar y obtener índices, todo a la vista y sin
-// common/. Del libro se aparta en que los shaders son ficheros, en que un error al empezar termina el programa (con F5 se
-// queda el programa que había) y en el VAO, sin el que un contexto core no dibuja.
+// El primer shader: un triángulo rojo (listados 1.2 y 1.3). Leer, compilar, enlazar y obtener índices, todo a la vista
+// y sin common/. Del libro se aparta en que los shaders son ficheros, en que un error al empezar termina el programa
+// (con F5 se queda el programa que había) y en el VAO, sin el que un contexto core no dibuja.
 // Controles: F5 relee los shaders · Esc termina.
 #include <GL/glew.h>
 #include <GL/freeglut.h>
@@ -20,8 +20,8 @@ static GLuint avisa(const std::string &mensaje) {
     return 0;
 }
 
-// Los shaders están junto al ejecutable (árbol instalado) o en el árbol de fuentes, que dice CMake: LAB_FUENTES. La ruta
-// de __FILE__ no valdría: puede ser relativa a la carpeta en que se compiló.
+// Los shaders están junto al ejecutable (árbol instalado) o en el árbol de fuentes, que dice CMake: LAB_FUENTES. La
+// ruta de __FILE__ no valdría: puede ser relativa a la carpeta en que se compiló.
 static std::string lee(const std::string &fichero) {
     std::error_code sinEjecutable;
     const auto ejecutable = std::filesystem::read_symlink("/proc/self/exe", sinEjecutable);

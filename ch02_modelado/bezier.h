@@ -165,9 +165,9 @@ inline std::vector<Division> divisionesPara(const std::vector<Parche> &parches, 
     return divisiones;
 }
 
-/// Superficie triangulada; coordTextura es (u, v) en cada parche. `cuadricula` es, de cada vértice, su columna y su fila: los
-/// lados de los cuadriláteros están donde una de las dos es entera, y la diagonal que parte en dos cada uno, donde lo es su
-/// diferencia.
+/// Superficie triangulada; coordTextura es (u, v) en cada parche. `cuadricula` es, de cada vértice, su columna y su
+/// fila: los lados de los cuadriláteros están donde una de las dos es entera, y la diagonal que parte en dos cada uno,
+/// donde lo es su diferencia.
 struct Teselacion {
     Malla malla;
     std::vector<glm::vec2> cuadricula;

@@ -1,5 +1,5 @@
-// Que cualquier malla llene la ventana, sean cuales sean sus unidades, los números de sus vértices y las líneas de sus aristas. Lo
-// usan malla_vf y tiras.
+// Que cualquier malla llene la ventana, sean cuales sean sus unidades, los números de sus vértices y las líneas de sus
+// aristas. Lo usan malla_vf y tiras.
 #pragma once
 #include "colores.h"
 #include "orbita.h"
@@ -34,8 +34,8 @@ inline std::vector<glm::vec3> encuadra(const std::vector<glm::vec3> &vertices) {
     return encuadrados;
 }
 
-/// Distancia a la que la cámara, mirando al origen desde la dirección de `orbita`, ve a 4:3 todos los vértices con margen
-/// para sus números. `angulo` (radianes) es el de perspectivaVentana.
+/// Distancia a la que la cámara, mirando al origen desde la dirección de `orbita`, ve a 4:3 todos los vértices con
+/// margen para sus números. `angulo` (radianes) es el de perspectivaVentana.
 inline float distanciaQueEncuadra(const std::vector<glm::vec3> &vertices, const Orbita &orbita,
                                   float angulo) {
     const float margen = 1.22f, ty = std::tan(angulo / 2), tx = ty * 4 / 3;

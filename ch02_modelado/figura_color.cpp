@@ -1,5 +1,5 @@
 // Una figura plana con degradados (ejercicio 2.3, cuya ilustración no ha llegado al texto del libro): un
-// velero al atardecer. Todo sale de dar un color a cada vértice y dejar que OpenGL lo interpole; las piezas
+// velero al atardecer. Todo sale de dar un color a cada vértice y dejar que OpenGL lo interpole; los trozos
 // son tiras, abanicos y triángulos sueltos de un mismo buffer, dibujados de atrás hacia delante.
 // Controles: Esc termina.
 #include "shader.h"
@@ -14,7 +14,7 @@ struct VerticeColor {
     GLfloat posicion[2], color[3];
 };
 
-struct Pieza {
+struct Trozo {
     GLenum primitiva;
     std::vector<VerticeColor> vertices;
 };
@@ -23,13 +23,13 @@ static const float HORIZONTE = -0.20f, X_SOL = -0.28f, RADIO_SOL = 0.30f;
 
 static struct {
     GLuint programa;
-    std::vector<Pieza> piezas;
+    std::vector<Trozo> trozos;
 } estado;
 
 // Medio disco sobre el horizonte: un abanico que se aclara hacia el centro.
-static Pieza sol() {
+static Trozo sol() {
     const int SEGMENTOS = 24;
-    Pieza p = {GL_TRIANGLE_FAN, {{{X_SOL, HORIZONTE}, {1.00f, 0.98f, 0.75f}}}};
+    Trozo p = {GL_TRIANGLE_FAN, {{{X_SOL, HORIZONTE}, {1.00f, 0.98f, 0.75f}}}};
     for (int i = 0; i <= SEGMENTOS; ++i) {
         const float a = glm::pi<float>() * float(i) / SEGMENTOS;
         p.vertices.push_back(
@@ -38,7 +38,7 @@ static Pieza sol() {
     return p;
 }
 
-static std::vector<Pieza> piezas() {
+static std::vector<Trozo> trozos() {
     return {
         {GL_TRIANGLE_STRIP, // cielo: cuatro alturas, de la noche al horizonte
          {{{-1, 1}, {0.10f, 0.12f, 0.36f}},
@@ -94,9 +94,9 @@ static std::vector<Pieza> piezas() {
 
 static void inicia() {
     estado.programa = creaPrograma("ch02_modelado/plana.vert", "ch02_modelado/plana.frag");
-    estado.piezas = piezas();
+    estado.trozos = trozos();
     std::vector<VerticeColor> vertices;
-    for (const Pieza &p : estado.piezas)
+    for (const Trozo &p : estado.trozos)
         vertices.insert(vertices.end(), p.vertices.begin(), p.vertices.end());
 
     GLuint vao, buffer;
@@ -117,7 +117,7 @@ static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     GLint primero = 0;
-    for (const Pieza &p : estado.piezas) {
+    for (const Trozo &p : estado.trozos) {
         const auto n = GLsizei(p.vertices.size());
         glDrawArrays(p.primitiva, primero, n);
         primero += n;

@@ -1,6 +1,7 @@
-// Las siete primitivas de dibujo (§2.2.1) con los mismos seis vértices, enviados en el mismo orden: solo cambia el primer
-// argumento de glDrawArrays. Con `flat` cada punto, segmento o triángulo toma el color de su último vértice, y se ve cuáles
-// salen. Las líneas de OpenGL 3.1 miden un píxel: para que se vean de lejos se repiten corridas, como con un pincel.
+// Las siete primitivas de dibujo (§2.2.1) con los mismos seis vértices, enviados en el mismo orden: solo cambia el
+// primer argumento de glDrawArrays. Con `flat` cada punto, segmento o triángulo toma el color de su último vértice, y
+// se ve cuáles salen. Las líneas de OpenGL 3.1 miden un píxel: para que se vean de lejos se repiten corridas, como con
+// un pincel.
 // Controles: 1 puntos · 2 3 4 líneas · 5 6 7 triángulos · 0 todas · Esc termina.
 #include "colores.h"
 #include "recuadro.h"

@@ -1,6 +1,7 @@
-// La tetera de Utah (figuras 2.1 y 2.2): 32 parches de Bézier triangulados con la normal exacta en cada vértice. Se da el mayor
-// error de cuerda, en píxeles de la ventana de partida, y salen los triángulos que hacen falta (bezier.h). Los cuadriláteros de
-// la figura 2.1 se parten en dos triángulos, porque OpenGL 3.1 no tiene esa primitiva; las aristas las pinta el fragment shader.
+// La tetera de Utah (figuras 2.1 y 2.2): 32 parches de Bézier triangulados con la normal exacta en cada vértice. Se da
+// el mayor error de cuerda, en píxeles de la ventana de partida, y salen los triángulos que hacen falta (bezier.h). Los
+// cuadriláteros de la figura 2.1 se parten en dos triángulos, porque OpenGL 3.1 no tiene esa primitiva; las aristas las
+// pinta el fragment shader.
 // Controles: m triángulos · c cuadriláteros · + más fina · - más basta · ratón orbita · Esc termina.
 #include "bezier.h"
 #include "buferes.h"
@@ -17,8 +18,8 @@
 
 static const float ANGULO = 0.55f; // de la perspectiva, en radianes
 static const Orbita ORBITA = {0.22f, 0.38f, 9.5f, {0.43f, 1.42f, 0}};
-// Lado de un píxel a la distancia del centro, con 720 líneas. Con error de 1 el medido no llega a medio píxel (la prueba
-// ch02_bezier lo mide): en esta superficie es como mucho la mitad de lo que garantiza la cota.
+// Lado de un píxel a la distancia del centro, con 720 líneas. Con error de 1 el medido no llega a medio píxel (la
+// prueba ch02_bezier lo mide): en esta superficie es como mucho la mitad de lo que garantiza la cota.
 static const double PIXEL = 2 * std::tan(0.5 * ANGULO) * ORBITA.distancia / 720;
 static const double ERROR = 1, ERROR_MINIMO = 1.0 / 16, ERROR_MAXIMO = 64; // píxeles
 

@@ -20,7 +20,8 @@ vec3 esmalte() {
         n = -n; // el interior, que se ve por la boca y por el pitorro
     float difuso = 0.36 + 0.68 * max(dot(n, haciaLuz), 0.0) + 0.26 * n.y;
     float brillo = pow(max(dot(n, normalize(haciaLuz + haciaOjo)), 0.0), 70.0);
-    float borde = pow(clamp(1.0 - dot(n, haciaOjo), 0.0, 1.0), 4.0); // redondeado, N·V pasa de 1, y pow no admite negativos
+    // redondeado, N·V pasa de 1, y pow no admite negativos
+    float borde = pow(clamp(1.0 - dot(n, haciaOjo), 0.0, 1.0), 4.0);
     return colorObjeto * difuso + 0.7 * brillo + 0.35 * borde * vec3(0.75, 0.86, 1.0);
 }
 

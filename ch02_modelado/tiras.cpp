@@ -1,6 +1,7 @@
-// Una malla v/f como tiras de triángulos (ejercicio 2.2), cada una de un color que se oscurece en el orden en que se envían sus
-// vértices; la línea los une y el punto es el primero. Informa de cuántos índices ahorran frente a los triángulos sueltos. Sin
-// dar fichero, la malla del ejercicio 2.1, con las caras 5 y 6 ya invertidas: una tira gira toda en un sentido.
+// Una malla v/f como tiras de triángulos (ejercicio 2.2), cada una de un color que se oscurece en el orden en que se
+// envían sus vértices; la línea los une y el punto es el primero. Informa de cuántos índices ahorran frente a los
+// triángulos sueltos. Sin dar fichero, la malla del ejercicio 2.1, con las caras 5 y 6 ya invertidas: una tira gira
+// toda en un sentido.
 // Controles: 1 a 9 resaltan una tira · 0 todas · u la caja en una sola · ratón orbita · Esc termina.
 #include "tiras.h"
 #include "encuadre_malla.h"

@@ -115,8 +115,8 @@ inline glm::dvec3 centroide(const MallaVf &malla, const std::vector<std::size_t>
     return suma / n;
 }
 
-/// El signo del volumen que encierra la componente, con sus caras concordes. Si es abierta, el volumen que encerraría con
-/// una tapa en abanico desde el centroide de su borde.
+/// El signo del volumen que encierra la componente, con sus caras concordes. Si es abierta, el volumen que encerraría
+/// con una tapa en abanico desde el centroide de su borde.
 inline Sentido sentidoDesdeFuera(const MallaVf &malla, const Componente &componente, const Vecindad &v) {
     const bool abierta = std::any_of(componente.caras.begin(), componente.caras.end(),
                                      [&v](std::size_t c) { return !v.borde[c].empty(); });

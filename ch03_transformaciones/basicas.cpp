@@ -1,6 +1,6 @@
-// Las transformaciones básicas (§3.1) de una F, con su matriz escrita: traslación (ecuaciones 3.1 a 3.3), escalado (3.4 y 3.5) y
-// giros alrededor de X, Y y Z (3.6 a 3.8). Gris, la F original; la flecha es el camino de su esquina. Un giro de
-// ángulo positivo es antihorario visto desde la punta de su eje, mirando hacia el origen.
+// Las transformaciones básicas (§3.1) de una F, con su matriz escrita: traslación (ecuaciones 3.1 a 3.3), escalado (3.4
+// y 3.5) y giros alrededor de X, Y y Z (3.6 a 3.8). Gris, la F original; la flecha es el camino de su esquina. Un giro
+// de ángulo positivo es antihorario visto desde la punta de su eje, mirando hacia el origen.
 // Controles: 1 traslación · 2 escalado · 3 4 5 giro en X, Y, Z · + - cambian el valor · ratón orbita · Esc termina.
 #include "dibujos.h"
 #include "letra_f.h"
@@ -76,7 +76,10 @@ static void dibuja() {
     glUseProgram(estado.programa);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
+    if (glm::determinant(M) == 0) // aplastada, sus dos caras coinciden: solo se dibuja la que mira aquí
+        glEnable(GL_CULL_FACE);
     dibujaObjeto(estado.programa, estado.letra, M, NARANJA);
+    glDisable(GL_CULL_FACE);
     trazaOriginal(aristasF(), transformacion);
 
     std::vector<glm::vec3> camino; // de la esquina, mientras el valor va del neutro al suyo

@@ -1,5 +1,6 @@
-// Lo que comparten los dibujos del capítulo 3: los ejes rotulados, circunferencias y esferas de líneas, el objeto original y la leyenda de una
-// transformación hecha paso a paso. `transformacion` es proyeccion * camara * M, como en trazo.h.
+// Lo que comparten los dibujos del capítulo 3: los ejes rotulados, circunferencias y esferas de líneas, el objeto
+// original y la leyenda de una transformación hecha paso a paso. `transformacion` es proyeccion * camara * M, como en
+// trazo.h.
 #pragma once
 #include "colores.h"
 #include "pasos.h"

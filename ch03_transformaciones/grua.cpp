@@ -73,8 +73,7 @@ static void teclado(unsigned char tecla, int, int) {
         return;
     char titulo[80];
     std::snprintf(titulo, sizeof titulo, "Grúa de obra: giro %.0f°, distancia %.1f, altura %.1f",
-                  glm::degrees(estado.postura.giro), estado.postura.distancia,
-                  estado.postura.altura);
+                  glm::degrees(estado.postura.giro), estado.postura.distancia, estado.postura.altura);
     ponTitulo(titulo);
     glutPostRedisplay();
 }

@@ -1,5 +1,5 @@
-// La F de escalado y basicas: ni la simetría de una esfera ni la de un cubo, así que siempre se ve cómo está puesta. No pasa por
-// el origen: escalar o girar también la cambian de sitio. Sin OpenGL.
+// La F de escalado y basicas: ni la simetría de una esfera ni la de un cubo, así que siempre se ve cómo está puesta. No
+// pasa por el origen: escalar o girar también la cambian de sitio. Sin OpenGL.
 #pragma once
 #include "malla.h"
 

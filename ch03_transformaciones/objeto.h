@@ -1,5 +1,5 @@
-// Un sólido de un color con su transformación y la luz fija: objeto.vert y objeto.frag, los shaders de casi todos los programas
-// de los capítulos 3 y 4.
+// Un sólido de un color con su transformación y la luz fija: objeto.vert y objeto.frag, los shaders de casi todos los
+// programas de los capítulos 3 y 4.
 #pragma once
 #include "buferes.h"
 #include "shader.h"

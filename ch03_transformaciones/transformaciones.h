@@ -38,9 +38,10 @@ inline glm::mat4 giroZ(float phi) {
 }
 
 /// Vector unitario en la dirección de v, o `siNulo` si v es cero. Se divide antes por la mayor componente:
-/// el cuadrado de 1e-23 es cero en float y el de 1e20 infinito.
-inline glm::vec3 unitario(const glm::vec3 &v, const glm::vec3 &siNulo = glm::vec3(1, 0, 0)) {
-    const float mayor = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+/// el cuadrado de 1e-23 es cero en float y el de 1e20 infinito. En float o en double.
+template<typename T>
+glm::vec<3, T> unitario(const glm::vec<3, T> &v, const glm::vec<3, T> &siNulo = glm::vec<3, T>(1, 0, 0)) {
+    const T mayor = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
     return mayor > 0 ? glm::normalize(v / mayor) : siNulo;
 }
 

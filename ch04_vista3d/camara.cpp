@@ -1,11 +1,12 @@
-// La transformación de la cámara (ecuación 4.1, figura 4.1): en un panel, la cámara desde fuera, con su posición p, su punto de
-// interés i, su vector de inclinación UP y los ejes S, U y F que salen de ellos; en el otro, lo que ve. El libro no
-// dice qué pasa si UP es paralelo a F: aquí siempre hay base (vista.h), y la cuarta vista, con UP a 1e-7 de F, sale bien.
+// La transformación de la cámara (ecuación 4.1, figura 4.1): en un panel, la cámara desde fuera, con su posición p, su
+// punto de interés i, su vector de inclinación UP y los ejes S, U y F que salen de ellos; en el otro, lo que ve. El
+// libro no dice qué pasa si UP es paralelo a F: aquí siempre hay base (vista.h), y la cuarta vista, con UP a 1e-7 de F,
+// sale bien.
 // Controles: 1 2 3 vistas · 4 UP casi paralelo · i o inclinan · ratón orbita por fuera · Esc termina.
 #include "aspecto.h"
+#include "camara_fotos.h"
 #include "ch03_transformaciones/objeto.h"
 #include "orbita.h"
-#include "piezas.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "trazo.h"

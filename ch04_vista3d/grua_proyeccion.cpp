@@ -1,8 +1,8 @@
-// La grúa en paralela o en perspectiva, entera en las dos y sin tocar la matriz de la cámara (ejercicio 4.3): lo que cambia es
-// solo el volumen de la vista. En perspectiva, cuanto más cerca esté la cámara más se abre el ángulo para que siga entera: con
-// la rueda la grúa no cambia de tamaño, se deforma. Lo que se añade a grua_vistas está marcado.
+// La grúa en paralela o en perspectiva, entera en las dos y sin tocar la matriz de la cámara (ejercicio 4.3): lo que
+// cambia es solo el volumen de la vista. En perspectiva, cuanto más cerca esté la cámara más se abre el ángulo para que
+// siga entera: con la rueda la grúa no cambia de tamaño, se deforma. Lo que se añade a grua_vistas está marcado.
 // Controles: p paralela o perspectiva · 1 alzado · 2 planta · 3 perfil · 4 (1,1,1) · 0 las cuatro · u sistema · menú ·
-//            a d giran · q e desplazan la carga · w s la suben y bajan · ratón orbita la cuarta · Esc termina.
+// a d giran · q e desplazan la carga · w s la suben y bajan · ratón orbita la cuarta · Esc termina.
 #include "ch03_transformaciones/objeto.h"
 #include "vistas_grua.h"
 

@@ -1,7 +1,8 @@
-// Cuatro vistas de la grúa en proyección paralela (ejercicio 4.2): alzado, planta, perfil y dirección (1,1,1). El volumen de la
-// vista encierra la grúa en todas sus posturas y las cuatro tienen la misma escala, como en un plano (vistas_grua.h).
+// Cuatro vistas de la grúa en proyección paralela (ejercicio 4.2): alzado, planta, perfil y dirección (1,1,1). El
+// volumen de la vista encierra la grúa en todas sus posturas y las cuatro tienen la misma escala, como en un plano
+// (vistas_grua.h).
 // Controles: 1 alzado · 2 planta · 3 perfil · 4 (1,1,1) · 0 las cuatro · u sistema europeo o americano · menú ·
-//            a d giran · q e desplazan la carga · w s la suben y bajan · ratón orbita la cuarta · Esc termina.
+// a d giran · q e desplazan la carga · w s la suben y bajan · ratón orbita la cuarta · Esc termina.
 #include "ch03_transformaciones/objeto.h"
 #include "vistas_grua.h"
 

@@ -1,8 +1,8 @@
-// La grúa con eliminación de partes ocultas (ejercicio 4.4): hacen falta GLUT_DEPTH, GL_DEPTH_TEST y limpiar el buffer antes de
-// dibujar (abreRecuadro). Sin el test, lo que se pinta tapa lo pintado antes, esté delante o detrás; aquí se pinta de la carga
-// al suelo para que se note. Lo que se añade a grua_proyeccion está marcado.
-// Controles: z partes ocultas · v compara · p paralela o perspectiva · 1 2 3 4 vistas · 0 las cuatro · u sistema · menú ·
-//            a d giran · q e desplazan la carga · w s la suben y bajan · ratón orbita la cuarta · Esc termina.
+// La grúa con eliminación de partes ocultas (ejercicio 4.4): hacen falta GLUT_DEPTH, GL_DEPTH_TEST y limpiar el buffer
+// antes de dibujar (abreRecuadro). Sin el test, lo que se pinta tapa lo pintado antes, esté delante o detrás; aquí se
+// pinta de la carga al suelo para que se note. Lo que se añade a grua_proyeccion está marcado.
+// Controles: z partes ocultas · v compara · p paralela o perspectiva · 1 2 3 4 vistas · 0 las cuatro · u sistema ·
+// menú · a d giran · q e desplazan la carga · w s la suben y bajan · ratón orbita la cuarta · Esc termina.
 #include "ch03_transformaciones/objeto.h"
 #include "vistas_grua.h"
 

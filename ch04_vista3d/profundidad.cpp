@@ -38,7 +38,8 @@ static void inicia() {
 }
 
 static void cambiaTamano(int ancho, int alto) {
-    ancho = std::max(ancho, 1), alto = std::max(alto, 1);
+    ancho = std::max(ancho, 1);
+    alto = std::max(alto, 1);
     glViewport(0, 0, ancho, alto);
     glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
     glBindRenderbuffer(GL_RENDERBUFFER, estado.color);

@@ -1,5 +1,5 @@
-// El mismo cubo en perspectiva y en paralela (ecuaciones 4.2 y 4.3, figura 4.2), con sus aristas prolongadas hacia el fondo.
-// En perspectiva todas las que son paralelas van a un punto de fuga, el de su dirección; los de las horizontales
+// El mismo cubo en perspectiva y en paralela (ecuaciones 4.2 y 4.3, figura 4.2), con sus aristas prolongadas hacia el
+// fondo. En perspectiva todas las que son paralelas van a un punto de fuga, el de su dirección; los de las horizontales
 // están en el horizonte, a la altura de los ojos. En paralela siguen paralelas y no hay punto de fuga.
 // Controles: p cambia de proyección · ratón orbita · Esc termina.
 #include "aspecto.h"
@@ -25,7 +25,8 @@ static void inicia() {
     estado.programa = creaProgramaObjeto();
     estado.cubo = creaBuferes(cubo());
     glEnable(GL_DEPTH_TEST);
-    glPolygonOffset(8, 8); // las caras, por detrás de sus aristas
+    glPolygonOffset(8, 8);  // las caras, por detrás de sus aristas
+    glEnable(GL_CULL_FACE); // tan atrás, junto al contorno asomarían las del otro lado
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 

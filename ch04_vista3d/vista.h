@@ -4,17 +4,11 @@
 //   envia(programa, "camara", glm::mat4(transformacionCamara(p, i, UP)));
 // Ángulos en radianes; glm::dmat4 guarda columnas, así que aquí cada línea es una columna.
 #pragma once
+#include "ch03_transformaciones/transformaciones.h"
 #include "error.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
-
-/// Vector unitario en la dirección de v, o `siNulo` si v es cero. Se divide antes por la mayor componente:
-/// el cuadrado de 1e-200 es cero y el de 1e200 infinito.
-inline glm::dvec3 direccionDe(const glm::dvec3 &v, const glm::dvec3 &siNulo) {
-    const double mayor = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
-    return mayor > 0 ? glm::normalize(v / mayor) : siNulo;
-}
 
 /// Los ejes de la cámara en coordenadas del mundo, unitarios y perpendiculares: S a la derecha, U arriba y F
 /// hacia donde mira.
@@ -26,9 +20,9 @@ struct BaseCamara {
 /// si p = i, mira hacia −Z; si UP es nulo o paralelo a F, hace de UP el eje Y o, mirando a lo largo de Y, el
 /// eje Z que deja X a la derecha, como en una planta.
 inline BaseCamara baseCamara(const glm::dvec3 &p, const glm::dvec3 &i, const glm::dvec3 &UP) {
-    const glm::dvec3 F = direccionDe(i - p, {0, 0, -1});
+    const glm::dvec3 F = unitario(i - p, {0, 0, -1});
     const double paralelo = 1e-10; // seno del ángulo; por debajo, F × UP es casi todo redondeo
-    glm::dvec3 S = glm::cross(F, direccionDe(UP, F));
+    glm::dvec3 S = glm::cross(F, unitario(UP, F));
     if (glm::length(S) < paralelo)
         S = glm::cross(F, std::fabs(F.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, F.y < 0 ? -1 : 1));
     // El libro no normaliza S, que solo es unitario si UP y F son perpendiculares. Y con UP casi paralelo el

@@ -1,134 +1,11 @@
-// Las cuatro vistas de la grúa (ejercicios 4.2 a 4.4): la cámara de cada una, su sitio en la ventana, el volumen de la vista que
-// encierra la grúa en cualquier postura, sus rótulos y sus teclas. Lo que cada ejercicio añade está en su programa.
+// Las cuatro vistas de la grúa en la ventana: el panel de cada una, sus rótulos, sus teclas y su menú. Lo que cada
+// ejercicio añade está en su programa.
 #pragma once
-#include "ch03_transformaciones/grua.h"
-#include "colores.h"
+#include "camaras_grua.h"
 #include "orbita.h"
-#include "recuadro.h"
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"
-#include "vista.h"
-#include <algorithm>
-#include <glm/gtc/constants.hpp>
-#include <map>
-
-/// Una cámara que mira al centro de la grúa desde CENTRO_GRUA + haciaCamara.
-struct Vista {
-    const char *nombre;
-    glm::dvec3 haciaCamara, UP;
-    glm::vec3 color; // el del eje a lo largo del cual se mira
-};
-
-const glm::dvec3 CENTRO_GRUA(0, 4.7, 0);
-const double DISTANCIA_CAMARA = 26; // en paralela da igual; con la rueda no llega a entrar en la grúa
-
-/// Las tres vistas a lo largo de un eje (el perfil, el derecho) y la de dirección (1,1,1).
-enum { ALZADO, PLANTA, PERFIL, DIAGONAL, N_VISTAS, LAS_CUATRO = -1 };
-const Vista VISTAS[N_VISTAS] = {
-    {"Alzado", {0, 0, DISTANCIA_CAMARA}, {0, 1, 0}, COLOR_EJE[2]},
-    {"Planta", {0, DISTANCIA_CAMARA, 0}, {0, 0, -1}, COLOR_EJE[1]},
-    {"Perfil", {DISTANCIA_CAMARA, 0, 0}, {0, 1, 0}, COLOR_EJE[0]},
-    {"(1,1,1)", glm::dvec3(DISTANCIA_CAMARA / glm::root_three<double>()), {0, 1, 0}, OSCURO},
-};
-
-/// La cámara de una vista. No sabe de proyecciones: al cambiar de paralela a perspectiva es la misma.
-inline glm::dmat4 camaraVista(const Vista &v) {
-    return transformacionCamara(CENTRO_GRUA + v.haciaCamara, CENTRO_GRUA, v.UP);
-}
-
-/// La grúa sobre una losa que no sobresale de lo que barre el brazo.
-const float LADO_SUELO = 10.5f, GRUESO_SUELO = 0.3f;
-inline std::vector<Pieza> escenaGrua(const PosturaGrua &postura) {
-    std::vector<Pieza> piezas = piezasGrua(postura);
-    piezas.insert(
-        piezas.begin(),
-        {traslacion({0, -GRUESO_SUELO / 2, 0}) * escalado({LADO_SUELO, GRUESO_SUELO, LADO_SUELO}), SUELO});
-    return piezas;
-}
-
-/// Las ocho esquinas de una pieza, en el mundo.
-inline std::vector<glm::dvec3> esquinas(const Pieza &pieza) {
-    std::vector<glm::dvec3> puntos;
-    for (int i = 0; i < 8; ++i)
-        puntos.push_back(pieza.M *
-                         glm::vec4(i & 1 ? 0.5f : -0.5f, i & 2 ? 0.5f : -0.5f, i & 4 ? 0.5f : -0.5f, 1));
-    return puntos;
-}
-
-/// Puntos entre los que queda, convexamente, el suelo con la grúa en TODAS sus posturas: encuadrándolos la cámara no se
-/// mueve cuando se mueve la grúa. Cada esquina da vueltas alrededor del pie; basta, para cada altura, la que
-/// pasa más lejos en los extremos del recorrido de la carga, y un polígono que rodee su circunferencia.
-inline std::vector<glm::dvec3> envolventeGrua() {
-    std::map<double, double> radioEnAltura;
-    for (const float distancia : {DISTANCIA_MINIMA, DISTANCIA_MAXIMA})
-        for (const float altura : {ALTURA_MINIMA, ALTURA_MAXIMA})
-            for (const Pieza &pieza : piezasGrua({0, distancia, altura}))
-                for (const glm::dvec3 &p : esquinas(pieza)) {
-                    double &radio = radioEnAltura[p.y];
-                    radio = std::max(radio, std::hypot(p.x, p.z));
-                }
-    const int lados = 64;
-    const double paso = glm::two_pi<double>() / lados;
-    std::vector<glm::dvec3> puntos = esquinas(escenaGrua({})[0]);
-    for (const auto &[y, radio] : radioEnAltura)
-        for (int i = 0; i < lados; ++i) {
-            const double r = radio / std::cos(paso / 2); // circunscrito
-            puntos.push_back({r * std::cos(i * paso), y, r * std::sin(i * paso)});
-        }
-    return puntos;
-}
-
-const double HOLGURA = 1.06; // lo que se deja alrededor
-
-/// Caja que encierra los puntos en coordenadas de la cámara.
-struct Caja {
-    glm::dvec3 minimo, maximo;
-};
-inline Caja cajaEnCamara(const std::vector<glm::dvec3> &puntos, const glm::dmat4 &camara) {
-    Caja caja{glm::dvec3(INFINITY), glm::dvec3(-INFINITY)};
-    for (const glm::dvec3 &p : puntos) {
-        const glm::dvec3 q(camara * glm::dvec4(p, 1));
-        caja = {glm::min(caja.minimo, q), glm::max(caja.maximo, q)};
-    }
-    return caja;
-}
-
-/// Cuántas unidades del mundo debe abarcar un píxel del recuadro, como poco, para que los puntos quepan en
-/// paralelo. Varias vistas dibujadas con la mayor de las suyas tienen todas la misma escala.
-inline double unidadesPorPixel(const std::vector<glm::dvec3> &puntos, const glm::dmat4 &camara,
-                               const Recuadro &r) {
-    const Caja caja = cajaEnCamara(puntos, camara);
-    const glm::dvec3 lados = caja.maximo - caja.minimo;
-    return HOLGURA * std::max(lados.x / r.ancho, lados.y / r.alto);
-}
-
-/// Proyección paralela centrada en los puntos y con esa escala, sin deformar.
-inline glm::dmat4 paralelaQueEncierra(const std::vector<glm::dvec3> &puntos, const glm::dmat4 &camara,
-                                      const Recuadro &r, double unidadesPorPixel) {
-    const Caja caja = cajaEnCamara(puntos, camara);
-    const glm::dvec3 centro = 0.5 * (caja.minimo + caja.maximo);
-    const double x = 0.5 * unidadesPorPixel * r.ancho, y = 0.5 * unidadesPorPixel * r.alto,
-                 z = 0.5 * HOLGURA * (caja.maximo.z - caja.minimo.z);
-    return proyeccionParalela(centro.x - x, centro.x + x, centro.y - y, centro.y + y, -centro.z - z,
-                              -centro.z + z);
-}
-
-/// Proyección perspectiva que encierra los puntos, que han de estar todos delante de la cámara. La pirámide de
-/// la ecuación 4.3 no se puede descentrar: se abre hasta el punto que más se aparta del eje. Cerca y lejos se
-/// ajustan a los puntos: un volumen más hondo gasta la profundidad en lo vacío, y de lejos se confunden las caras.
-inline glm::dmat4 perspectivaQueEncierra(const std::vector<glm::dvec3> &puntos, const glm::dmat4 &camara,
-                                         const Recuadro &r) {
-    const double aspecto = double(r.ancho) / r.alto;
-    double tangente = 0, cerca = INFINITY, lejos = 0;
-    for (const glm::dvec3 &p : puntos) {
-        const glm::dvec3 q(camara * glm::dvec4(p, 1));
-        tangente = std::max({tangente, std::fabs(q.y / q.z), std::fabs(q.x / q.z) / aspecto});
-        cerca = std::min(cerca, -q.z), lejos = std::max(lejos, -q.z);
-    }
-    return proyeccionPerspectiva(2 * std::atan(HOLGURA * tangente), aspecto, cerca / HOLGURA,
-                                 HOLGURA * lejos);
-}
 
 /// Lo que el usuario elige de las vistas. El ratón aparta la cuarta de (1,1,1).
 struct VistasGrua {
@@ -160,7 +37,7 @@ inline std::vector<PanelVista> reparteVistas(const VistasGrua &v, const std::vec
         if (r.ancho == 0 || r.alto == 0)
             continue;
         const int i = lado == 1 ? v.elegido : (v.europeo ? EUROPEO : AMERICANO)[k];
-        Vista vista = VISTAS[i];
+        VistaGrua vista = VISTAS[i];
         if (i == DIAGONAL)
             vista.haciaCamara = glm::dvec3(posicionCamara(v.orbita)) - CENTRO_GRUA;
         paneles.push_back({i, r, escena, camaraVista(vista), 0});

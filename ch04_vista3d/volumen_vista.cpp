@@ -1,10 +1,11 @@
-// El volumen de la vista visto desde fuera (figuras 4.3 y 4.4), con sus parámetros: la pirámide truncada de la perspectiva o la
-// caja de la paralela, entre el plano cerca (naranja) y el plano lejos (azul). Solo lo que está dentro conserva su
-// color: el fragment shader comprueba la condición del recortado, −w ≤ x, y, z ≤ w.
-// Controles: p cambia de proyección · , . mueven el plano cerca · - + mueven el plano lejos · ratón orbita · Esc termina.
+// El volumen de la vista visto desde fuera (figuras 4.3 y 4.4), con sus parámetros: la pirámide truncada de la
+// perspectiva o la caja de la paralela, entre el plano cerca (naranja) y el plano lejos (azul). Solo lo que está dentro
+// conserva su color: el fragment shader comprueba la condición del recortado, −w ≤ x, y, z ≤ w.
+// Controles: p cambia de proyección · , . mueven el plano cerca · - + mueven el plano lejos · ratón orbita ·
+// Esc termina.
+#include "camara_fotos.h"
 #include "ch03_transformaciones/objeto.h"
 #include "orbita.h"
-#include "piezas.h"
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"
@@ -101,8 +102,7 @@ static void dibujaTintes(const std::array<glm::vec3, 8> &e) {
     glBlendColor(0, 0, 0, 0.35f);
     glDepthMask(GL_FALSE);
     // primero el más lejano a quien mira
-    const bool porDelante =
-        posicionCamara(estado.orbita).z < OJO.z - (estado.cerca + estado.lejos) / 2;
+    const bool porDelante = posicionCamara(estado.orbita).z < OJO.z - (estado.cerca + estado.lejos) / 2;
     for (const std::size_t base : {porDelante ? 0u : 4u, porDelante ? 4u : 0u}) {
         const glm::vec3 x = e[base + 1] - e[base], y = e[base + 3] - e[base];
         envia(estado.deTintes, "M",

@@ -1,5 +1,5 @@
-// El test de profundidad (listado 4.1, figura 4.5): sólidos que se tapan, se cruzan y se enlazan, pintados de más cerca a más
-// lejos. Sin él gana lo último que se pinta. El mismo algoritmo está hecho en la CPU (zbuffer.h), triángulo a
+// El test de profundidad (listado 4.1, figura 4.5): sólidos que se tapan, se cruzan y se enlazan, pintados de más cerca
+// a más lejos. Sin él gana lo último que se pinta. El mismo algoritmo está hecho en la CPU (zbuffer.h), triángulo a
 // triángulo; su imagen se copia en la ventana y no se distingue de la de la GPU.
 // Controles: z test de profundidad · c en la CPU o en la GPU · v compara los cuatro · ratón orbita · Esc termina.
 #include "zbuffer.h"

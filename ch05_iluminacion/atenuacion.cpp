@@ -1,6 +1,6 @@
-// La atenuación de la luz con la distancia d a la fuente, 1/(a + b·d + c·d²) (ecuación 5.3): constante (a), lineal (b) y
-// cuadrática (c). Sobre cada esfera, a distancia 1, 2… de la fuente, se alza la parte de luz que le llega; la curva las
-// une. Con estos coeficientes la lineal y la cuadrática se cruzan a distancia 3, donde valen ½.
+// La atenuación de la luz con la distancia d a la fuente, 1/(a + b·d + c·d²) (ecuación 5.3): constante (a), lineal (b)
+// y cuadrática (c). Sobre cada esfera, a distancia 1, 2… de la fuente, se alza la parte de luz que le llega; la curva
+// las une. Con estos coeficientes la lineal y la cuadrática se cruzan a distancia 3, donde valen ½.
 // Controles: 1 constante · 2 lineal · 3 cuadrática · ratón orbita · Esc termina.
 #include "colores.h"
 #include "iluminacion.h"

@@ -1,5 +1,5 @@
-// La grúa de obra con una fuente de luz y materiales (ejercicio 5.1). Con el sombreado de Gouraud las caras grandes, que
-// solo tienen cuatro vértices, pierden los brillos y lo que la luz cambia dentro de ellas; con el de Phong, no.
+// La grúa de obra con una fuente de luz y materiales (ejercicio 5.1). Con el sombreado de Gouraud las caras grandes,
+// que solo tienen cuatro vértices, pierden los brillos y lo que la luz cambia dentro de ellas; con el de Phong, no.
 // Controles: g Gouraud o Phong · v los dos a la vez · a d giran · q e desplazan la carga ·
 // w s la suben y bajan · ratón orbita · Esc termina.
 #include "ch03_transformaciones/grua.h"

@@ -29,8 +29,8 @@ static struct {
     bool compara = false;
 } estado;
 
-/// La misma malla con la normal de cada triángulo en sus tres vértices. Empieza en el segundo para que el último, el que
-/// da el color en el sombreado plano, sea el que comparten los dos triángulos de cada cuadrilátero.
+/// La misma malla con la normal de cada triángulo en sus tres vértices. Empieza en el segundo para que el último, el
+/// que da el color en el sombreado plano, sea el que comparten los dos triángulos de cada cuadrilátero.
 static Malla facetas(const Malla &malla) {
     Malla plana;
     for (std::size_t i = 0; i < malla.indices.size(); i += 3) {

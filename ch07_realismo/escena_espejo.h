@@ -1,5 +1,5 @@
-// La escena de espejo y espejo_plantilla: una F, una esfera y un cono sobre un suelo de baldosas, delante de un espejo con
-// marco. Sin OpenGL.
+// La escena de espejo y espejo_plantilla: una F, una esfera y un cono sobre un suelo de baldosas, delante de un espejo
+// con marco. Sin OpenGL.
 #pragma once
 #include "ch03_transformaciones/transformaciones.h"
 #include "ch05_iluminacion/materiales.h"

@@ -1,6 +1,6 @@
-// Un espejo plano con el buffer de plantilla (listado 7.2, ecuación 7.3, figura 7.2). El libro marca el espejo sin test de
-// profundidad y dibuja antes lo reflejado: lo que está detrás del espejo lo taparía. Aquí va antes la escena, se marca solo
-// lo que se ve del espejo, y ahí se borra la profundidad y se dibuja la escena simétrica.
+// Un espejo plano con el buffer de plantilla (listado 7.2, ecuación 7.3, figura 7.2). El libro marca el espejo sin test
+// de profundidad y dibuja antes lo reflejado: lo que está detrás del espejo lo taparía. Aquí va antes la escena, se
+// marca solo lo que se ve del espejo, y ahí se borra la profundidad y se dibuja la escena simétrica.
 // Controles: a d acercan la F al espejo, hasta cruzarlo, y la alejan · ratón orbita, también por detrás · Esc termina.
 #include "colores.h"
 #include "escena_dibujada.h"

@@ -1,5 +1,6 @@
-// Para qué sirve el buffer de plantilla en un espejo (figura 7.3): sin él, la escena simétrica se ve también fuera de los límites
-// del espejo; con él, solo dentro. Aquí se ve el mismo espejo de las dos maneras (espejo.cpp explica los pasos).
+// Para qué sirve el buffer de plantilla en un espejo (figura 7.3): sin él, la escena simétrica se ve también fuera de
+// los límites del espejo; con él, solo dentro. Aquí se ve el mismo espejo de las dos maneras (espejo.cpp explica los
+// pasos).
 // Controles: p con plantilla o sin ella · v las dos a la vez · ratón orbita · Esc termina.
 #include "colores.h"
 #include "escena_dibujada.h"

@@ -1,6 +1,6 @@
-// Dos cristales que se solapan (ecuación 7.2): con la mezcla de la ecuación 7.1 el color depende de cuál se dibuja antes. O se
-// ordenan de atrás adelante, o se suma al color acumulado: entonces el orden da igual, pero todo brilla más. A la izquierda se
-// manda dibujar antes el rojo y a la derecha el azul.
+// Dos cristales que se solapan (ecuación 7.2): con la mezcla de la ecuación 7.1 el color depende de cuál se dibuja
+// antes. O se ordenan de atrás adelante, o se suma al color acumulado: entonces el orden da igual, pero todo brilla
+// más. A la izquierda se manda dibujar antes el rojo y a la derecha el azul.
 // Controles: 1 según llegan · 2 ordenados de atrás adelante · 3 aditivo · ratón orbita · Esc termina.
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"

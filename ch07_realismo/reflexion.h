@@ -10,8 +10,8 @@ struct Plano {
     float d;
 };
 
-/// El plano que pasa por P con perpendicular V, que no tiene que ser unitaria. El libro no dice que V haya de serlo: con
-/// |V| = 2 su ecuación 7.3 no es una simetría. Si V es nula o no es finita, termina.
+/// El plano que pasa por P con perpendicular V, que no tiene que ser unitaria. El libro no dice que V haya de serlo:
+/// con |V| = 2 su ecuación 7.3 no es una simetría. Si V es nula o no es finita, termina.
 inline Plano planoPor(const glm::vec3 &P, const glm::vec3 &V) {
     const double longitud = glm::length(glm::dvec3(V)); // en doble no se desborda
     if (!(longitud > 0) || !std::isfinite(longitud))
@@ -25,8 +25,8 @@ inline float distancia(const Plano &plano, const glm::vec3 &punto) {
     return glm::dot(plano.N, punto) + plano.d;
 }
 
-/// Simetría respecto al plano, ecuación 7.3. Su determinante es −1: la figura reflejada gira al revés, y sus caras de delante
-/// son las de sentido horario.
+/// Simetría respecto al plano, ecuación 7.3. Su determinante es −1: la figura reflejada gira al revés, y sus caras de
+/// delante son las de sentido horario.
 inline glm::mat4 reflexion(const Plano &plano) {
     const glm::vec3 V = plano.N;
     return {{1 - 2 * V.x * V.x, -2 * V.x * V.y, -2 * V.x * V.z, 0},

@@ -1,6 +1,7 @@
-// Sombras proyectivas (ecuación 7.4, figura 7.4): cada objeto se dibuja otra vez, proyectado sobre la mesa desde la luz y de un color
-// oscuro. El desplazamiento de polígono evita que sombra y mesa se cosan; la plantilla, que la sombra salga de la mesa y que,
-// transparente, oscurezca dos veces donde dos se solapan. Lo que es más alto que la luz no da sombra (sombra.h).
+// Sombras proyectivas (ecuación 7.4, figura 7.4): cada objeto se dibuja otra vez, proyectado sobre la mesa desde la luz
+// y de un color oscuro. El desplazamiento de polígono evita que sombra y mesa se cosan; la plantilla, que la sombra
+// salga de la mesa y que, transparente, oscurezca dos veces donde dos se solapan. Lo que es más alto que la luz no da
+// sombra (sombra.h).
 // Controles: t transparente · o desplazamiento · p plantilla · arrastrar con el botón derecho mueve la luz
 // · ratón orbita · Esc termina.
 #include "ch05_iluminacion/iluminacion.h"

@@ -1,6 +1,6 @@
-// Un cilindro transparente (listado 7.1, ecuación 7.1, figura 7.1): primero lo opaco y después lo transparente, mezclado con lo que
-// hay y sin escribir su profundidad. El cilindro se ve también por dentro: antes sus caras de detrás y luego las de delante,
-// para que la mezcla vaya de atrás adelante.
+// Un cilindro transparente (listado 7.1, ecuación 7.1, figura 7.1): primero lo opaco y después lo transparente,
+// mezclado con lo que hay y sin escribir su profundidad. El cilindro se ve también por dentro: antes sus caras de
+// detrás y luego las de delante, para que la mezcla vaya de atrás adelante.
 // Controles: + - opacidad · 1 2 3 4 la ponen a 0.1, 0.4, 0.7 y 1 · v las cuatro a la vez · ratón orbita · Esc termina.
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"

@@ -35,8 +35,8 @@ void main() {
     vec3 R = d, agua = vec3(0.0), brillo = vec3(0.0);
     float fresnel = 1.0;
     if (d.y < 0.0) {
-        // Donde este rayo corta al plano y = 0, la superficie es y = ALTURA · turbulencia, y su normal (−∂y/∂x, 1, −∂y/∂z).
-        // Lejos, las olas son más pequeñas que un píxel: se alisan.
+        // Donde este rayo corta al plano y = 0, la superficie es y = ALTURA · turbulencia, y su normal (−∂y/∂x, 1,
+        // −∂y/∂z). Lejos, las olas son más pequeñas que un píxel: se alisan.
         float lejos = -ojo.y / d.y;
         vec2 P = ojo.xz + lejos * d.xz;
         vec4 ola = turbulenciaConGradiente(vec3(FRECUENCIA * P, tiempo), OCTAVAS, ivec3(0, 0, PERIODO));

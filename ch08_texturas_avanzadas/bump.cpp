@@ -1,6 +1,6 @@
-// Bump mapping (§8.4, figura 8.5): la superficie es lisa y solo cambia la normal con que se ilumina, que sale de un mapa de
-// normales (mapa_normales.h). Se nota en que el contorno sigue siendo liso. La esfera está aplastada y el plano estirado:
-// los bultos no dejan de ser redondos ni de tener la pendiente debida.
+// Bump mapping (§8.4, figura 8.5): la superficie es lisa y solo cambia la normal con que se ilumina, que sale de un
+// mapa de normales (mapa_normales.h). Se nota en que el contorno sigue siendo liso. La esfera está aplastada y el plano
+// estirado: los bultos no dejan de ser redondos ni de tener la pendiente debida.
 // Controles: b con bultos o sin ellos · v las dos cosas · ratón orbita · Esc termina.
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"

@@ -1,5 +1,6 @@
-// Agua: un plano cuya normal se perturba con ruido (§8.4, figura 8.6). Ni el plano ni las olas tienen geometría: cada fragmento
-// busca dónde corta su rayo al plano, y el gradiente del ruido, que se mueve con el tiempo, le da la normal (agua.frag).
+// Agua: un plano cuya normal se perturba con ruido (§8.4, figura 8.6). Ni el plano ni las olas tienen geometría: cada
+// fragmento busca dónde corta su rayo al plano, y el gradiente del ruido, que se mueve con el tiempo, le da la normal
+// (agua.frag).
 // Controles: espacio para y sigue · t medio segundo más · ratón orbita · Esc termina.
 #include "orbita.h"
 #include "shader.h"

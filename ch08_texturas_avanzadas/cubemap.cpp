@@ -1,6 +1,7 @@
-// Un objeto que refleja su entorno, guardado en un mapa de cubo (§8.1, listados 8.1 y 8.2, figura 8.1). Se aparta del libro
-// en que el entorno está fijo en el mundo, en que el vector de reflexión se calcula en cada fragmento, en el orden de las caras
-// y de sus filas, que es el de OpenGL, y en GL_CLAMP_TO_EDGE. El toro no se refleja a sí mismo: no está en el mapa.
+// Un objeto que refleja su entorno, guardado en un mapa de cubo (§8.1, listados 8.1 y 8.2, figura 8.1). Se aparta del
+// libro en que el entorno está fijo en el mundo, en que el vector de reflexión se calcula en cada fragmento, en el
+// orden de las caras y de sus filas, que es el de OpenGL, y en GL_CLAMP_TO_EDGE. El toro no se refleja a sí mismo: no
+// está en el mapa.
 // Controles: c mapa desplegado · v por fragmento y por vértice · ratón orbita · Esc termina.
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
@@ -42,8 +43,8 @@ static void creaMapa() {
     for (GLuint i = 0; i < 6; ++i) {
         Imagen foto =
             leeTextura(recurso(std::string("assets/entorno_") + CARAS[i].fichero + ".rgb"), LADO, LADO);
-        // OpenGL mira el cubo desde fuera: en las cuatro caras de los lados s va de derecha a izquierda de la foto y t, de
-        // arriba abajo. Es la foto dada media vuelta.
+        // OpenGL mira el cubo desde fuera: en las cuatro caras de los lados s va de derecha a izquierda de la foto y t,
+        // de arriba abajo. Es la foto dada media vuelta.
         if (CARAS[i].fila == 1)
             for (auto a = foto.rgb.begin(), b = foto.rgb.end() - 3; a < b; a += 3, b -= 3)
                 std::swap_ranges(a, a + 3, b);
@@ -105,7 +106,7 @@ static void dibujaReflejo(const Recuadro &panel, const Buferes &objeto, bool por
 static void dibujaDesplegado() {
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
     const Recuadro v = ventanaEntera();
-    const int lado = int(0.95f * std::min(float(v.ancho) / 4, altoUtil() / 3));
+    const int lado = std::max(int(0.95f * std::min(float(v.ancho) / 4, altoUtil() / 3)), 2); // con la raya
     for (const Cara &cara : CARAS) {
         abreRecuadro({v.ancho / 2 + lado * (cara.columna - 2),
                       v.alto / 2 + lado * (2 - cara.fila) - 3 * lado / 2, lado - 1, lado - 1},

@@ -1,5 +1,6 @@
 // Desplazamiento (§8.5, figura 8.7): el vertex shader lee un mapa de alturas y mueve cada vértice en la dirección de su
-// normal. Al contrario que con bump mapping, la geometría cambia de verdad: cambia el contorno y unas partes tapan a otras.
+// normal. Al contrario que con bump mapping, la geometría cambia de verdad: cambia el contorno y unas partes tapan a
+// otras.
 // Controles: + - amplitud · ratón orbita · Esc termina.
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"

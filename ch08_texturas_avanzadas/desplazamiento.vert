@@ -16,8 +16,8 @@ float lee(vec2 st) {
     return textureLod(alturas, (st * (lado - 1.0) + 0.5) / lado, 0.0).r;
 }
 
-// §8.5: cada vértice se desplaza en la dirección de su normal, y la normal se rehace con las alturas de sus vecinos: con la
-// del plano, la isla se iluminaría como si fuera llana. El plano mide 1, como s y t, y su normal es +Z.
+// §8.5: cada vértice se desplaza en la dirección de su normal, y la normal se rehace con las alturas de sus vecinos:
+// con la del plano, la isla se iluminaría como si fuera llana. El plano mide 1, como s y t, y su normal es +Z.
 void main() {
     float paso = 1.0 / (lado - 1.0);
     altura = lee(coordTextura);

@@ -1,6 +1,6 @@
-// Enrejado (§8.2, listado 8.3, figura 8.2): una textura procedural que no da un color sino huecos, con `discard`. De cada
-// periodo de (s, t) queda la parte `talla`; lo demás se descarta, y con ello su profundidad: por los huecos se ve el
-// interior, que se ilumina con la normal del revés.
+// Enrejado (§8.2, listado 8.3, figura 8.2): una textura procedural que no da un color sino huecos, con `discard`. De
+// cada periodo de (s, t) queda la parte `talla`; lo demás se descarta, y con ello su profundidad: por los huecos se ve
+// el interior, que se ilumina con la normal del revés.
 // Controles: + - anchura de los barrotes · ratón orbita · Esc termina.
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"

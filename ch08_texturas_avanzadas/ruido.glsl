@@ -1,6 +1,7 @@
 // Ruido de gradiente (Perlin) en tres dimensiones. GLSL tuvo `noise` y ya no la tiene (§8.3): esta da lo mismo en todas
 // partes, y lo mismo que ruido.h. Cada nodo de la rejilla de enteros tiene un gradiente que sale de un hash de sus
-// coordenadas; en un punto se mezclan las ocho rampas de su celda con una quíntica (derivadas primera y segunda continuas).
+// coordenadas; en un punto se mezclan las ocho rampas de su celda con una quíntica (derivadas primera y segunda
+// continuas).
 //
 // Vale 0 en los nodos y está entre −1.04 y 1.04. Una celda mide 1: a escala menor parece lisa. `periodo`, el de cada
 // eje en celdas; 0, ninguno (se repite a las 2^32). La parte decimal de p es la que tenga un float: más allá de

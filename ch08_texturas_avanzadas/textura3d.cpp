@@ -1,6 +1,6 @@
-// Texturas 3D (§8.3, listado 8.4, figuras 8.3 y 8.4): una textura de ruido da un valor a cada punto del espacio, y de él salen
-// la madera y el mármol. El peón está tallado en el bloque: la veta sigue por dentro. El libro guarda 512³ texels de tres
-// bytes, 402 MB; el ruido solo necesita un byte por texel y, como se repite sin costura, 64³ texels.
+// Texturas 3D (§8.3, listado 8.4, figuras 8.3 y 8.4): una textura de ruido da un valor a cada punto del espacio, y de
+// él salen la madera y el mármol. El peón está tallado en el bloque: la veta sigue por dentro. El libro guarda 512³
+// texels de tres bytes, 402 MB; el ruido solo necesita un byte por texel y, como se repite sin costura, 64³ texels.
 // Controles: 1 madera · 2 mármol · 3 el ruido · + - escala S1 · ratón orbita · Esc termina.
 #include "textura3d.h"
 #include "ch05_iluminacion/iluminacion.h"

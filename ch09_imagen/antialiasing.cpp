@@ -1,7 +1,8 @@
-// El efecto escalera y cómo se quita (§9.3, figura 9.4): sin nada, un píxel es del triángulo si lo es su centro; con multimuestra se
-// miran varios puntos de cada píxel y se promedian, con un solo color por triángulo; con sobremuestreo se dibuja todo VECES
-// × VECES mayor y se reduce. El libro pide las muestras a la ventana con GLUT_MULTISAMPLE y las cuenta con
-// GL_SAMPLE_BUFFERS (no GL_SAMPLES_BUFFERS); una ventana puede no darlas, y aquí se piden a un framebuffer propio.
+// El efecto escalera y cómo se quita (§9.3, figura 9.4): sin nada, un píxel es del triángulo si lo es su centro; con
+// multimuestra se miran varios puntos de cada píxel y se promedian, con un solo color por triángulo; con sobremuestreo
+// se dibuja todo VECES × VECES mayor y se reduce. El libro pide las muestras a la ventana con GLUT_MULTISAMPLE y las
+// cuenta con GL_SAMPLE_BUFFERS (no GL_SAMPLES_BUFFERS); una ventana puede no darlas, y aquí se piden a un framebuffer
+// propio.
 // Controles: 1 sin nada · 2 multimuestra · 3 sobremuestreo · v los tres · Esc termina.
 #include "estrella.h"
 #include "imagen_en_ventana.h"
@@ -87,7 +88,8 @@ static std::string nombre(int tecnica) {
                                               : std::string());
 }
 
-/// El cuadrado de la escena, píxel a píxel, y en su centro, que está vacío, parte de un rayo aumentada; debajo, el nombre.
+/// El cuadrado de la escena, píxel a píxel, y en su centro, que está vacío, parte de un rayo aumentada; debajo, el
+/// nombre.
 static void dibujaPanel(int tecnica, const Recuadro &panel) {
     const int lado = std::max(std::min(panel.ancho, panel.alto * 9 / 10), 1);
     creaLienzos(lado);

@@ -1,7 +1,7 @@
 // Convolución con los filtros 3×3 de la tabla 9.1 (listado 9.3, ecuación 9.1): la aplicación calcula una vez los
-// desplazamientos, divide el filtro por su suma y se lo manda todo al fragment shader. Se aparta del libro en que el paso de
-// un texel al siguiente es 1/ancho y no 1/(ancho − 1), en que no filtra la opacidad y en que el filtro de bordes,
-// que suma 0, enseña su signo alrededor del gris. Lo de fuera de la imagen es su borde (GL_CLAMP_TO_EDGE).
+// desplazamientos, divide el filtro por su suma y se lo manda todo al fragment shader. Se aparta del libro en que el
+// paso de un texel al siguiente es 1/ancho y no 1/(ancho − 1), en que no filtra la opacidad y en que el filtro de
+// bordes, que suma 0, enseña su signo alrededor del gris. Lo de fuera de la imagen es su borde (GL_CLAMP_TO_EDGE).
 // Controles: 1 suavizado · 2 nitidez · 3 bordes · s bordes con signo o en valor absoluto · v los compara · r rótulos ·
 // Esc termina.
 #include "imagen_en_ventana.h"

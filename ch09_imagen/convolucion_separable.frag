@@ -4,7 +4,8 @@
 const int TALLA_MAXIMA = 31; // nucleos.h
 
 uniform sampler2D imagen;
-uniform float filtro[TALLA_MAXIMA]; // no en una textura, que cuesta leer tanto como la imagen; los 31² de la directa no cabrían
+// no en una textura, que cuesta leer tanto como la imagen; los 31² de la directa no cabrían
+uniform float filtro[TALLA_MAXIMA];
 uniform int talla;
 uniform vec2 eje;                // (1, 0), la fila del filtro; (0, 1), su columna
 uniform bool sumaCero, conSigno; // en la última pasada de un filtro que suma 0

@@ -1,15 +1,15 @@
-// Filtros de tamaño variable, hasta 31×31 (ejercicio 9.2): el filtro es una textura de números y el shader pregunta su tamaño
-// (filtro.glsl). Uno separable se puede hacer de una vez, con talla² texels por píxel, o en dos pasadas, fila y columna, con
-// 2·talla (convolucion_separable.frag), por un framebuffer intermedio; se elige lo más rápido: dos pasadas, si se puede. El
-// intermedio guarda float: con 8 bits redondea dos veces y un filtro con negativos los pierde. Se filtra a la resolución de la
-// imagen.
-// Controles: 1 caja · 2 gaussiana · 3 disco · 4 derivada · + - talla · s automático, directo o separable ·
-// p intermedio de float o de 8 bits · a derivada con signo o absoluta · v compara con el original · r rótulos · Esc termina.
+// Filtros de tamaño variable, hasta 31×31 (ejercicio 9.2): el filtro es una textura de números y el shader pregunta su
+// tamaño (filtro.glsl). Uno separable se puede hacer de una vez, con talla² texels por píxel, o en dos pasadas, fila y
+// columna, con 2·talla (convolucion_separable.frag), por un framebuffer intermedio; se elige lo más rápido: dos
+// pasadas, si se puede. El intermedio guarda float: con 8 bits redondea dos veces y un filtro con negativos los pierde.
+// Se filtra a la resolución de la imagen.
+// Controles: 1 caja · 2 gaussiana · 3 disco · 4 derivada · + - talla · s automático, directo o separable · p intermedio de float o
+// de 8 bits · a derivada con signo o absoluta · v compara con el original · r rótulos · Esc termina.
 #include "imagen_en_ventana.h"
 #include "nucleos.h"
 
-// Medido con llvmpipe en una imagen de 1024×1024: con 2 y con 3 las dos pasadas tardan la mitad que la directa, con 9 la octava
-// parte y con 31, ni la vigésima.
+// Medido con llvmpipe en una imagen de 1024×1024: con 2 y con 3 las dos pasadas tardan la mitad que la directa, con 9
+// la octava parte y con 31, ni la vigésima.
 static const int TALLA_SEPARABLE = 2;
 static const char *const NOMBRES[FAMILIAS] = {"Caja", "Gaussiana", "Disco", "Derivada"};
 static const char *const MODOS[3] = {"automático", "directo", "separable"};

@@ -1,5 +1,5 @@
-// Diferencia de dos imágenes (ejercicio 9.1): |A − B| en cada componente, negro donde son iguales; o con signo, A − B a la mitad
-// alrededor del gris 128. Las dos tienen que medir lo mismo: si no, no hay píxeles que restar.
+// Diferencia de dos imágenes (ejercicio 9.1): |A − B| en cada componente, negro donde son iguales; o con signo, A − B a
+// la mitad alrededor del gris 128. Las dos tienen que medir lo mismo: si no, no hay píxeles que restar.
 // Controles: s con signo · v con A y B al lado · r rótulos · Esc termina.
 #include "imagen_en_ventana.h"
 

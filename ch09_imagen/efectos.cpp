@@ -1,7 +1,7 @@
 // Efectos de imagen (listado 9.1, figura 9.2): cada píxel sale solo de su texel, así que basta un fragment shader. La
-// escala de grises es la media del libro y, además, la luminancia: para la media el azul y el verde puros son el mismo gris,
-// aunque el verde se ve diez veces más claro. El libro lleva la imagen con glDrawPixels, que OpenGL 3.1 ya no tiene:
-// aquí es una textura.
+// escala de grises es la media del libro y, además, la luminancia: para la media el azul y el verde puros son el mismo
+// gris, aunque el verde se ve diez veces más claro. El libro lleva la imagen con glDrawPixels, que OpenGL 3.1 ya no
+// tiene: aquí es una textura.
 // Controles: 1 original · 2 brillo · 3 negativo · 4 grises, media · 5 grises, luminancia · + - brillo ·
 // v los cuatro a la vez · r rótulos · botón derecho menú · Esc termina.
 #include "imagen_en_ventana.h"

@@ -7,8 +7,8 @@ uniform float alfa; // brillo
 in vec2 coordenadaTextura;
 out vec4 colorFragmento;
 
-// Listado 9.1 y siguientes, sobre R, G y B: el libro multiplica o resta también la opacidad, y el negativo de una imagen
-// opaca sería transparente.
+// Listado 9.1 y siguientes, sobre R, G y B: el libro multiplica o resta también la opacidad, y el negativo de una
+// imagen opaca sería transparente.
 void main() {
     vec4 color = texture(imagen, coordenadaTextura);
     if (elegido == 1)

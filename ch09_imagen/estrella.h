@@ -1,5 +1,6 @@
-// La escena de antialiasing: rayos finos con todas las inclinaciones, en coordenadas normalizadas del dispositivo de una ventana
-// cuadrada. Sin OpenGL; la usan el programa y las pruebas, que calculan el área exacta que cubre en cada píxel.
+// La escena de antialiasing: rayos finos con todas las inclinaciones, en coordenadas normalizadas del dispositivo de
+// una ventana cuadrada. Sin OpenGL; la usan el programa y las pruebas, que calculan el área exacta que cubre en cada
+// píxel.
 #pragma once
 #include <cmath>
 #include <glm/glm.hpp>

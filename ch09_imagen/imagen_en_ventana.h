@@ -1,6 +1,7 @@
-// Lo que comparten los programas de este capítulo: la imagen es una textura pegada en un rectángulo que cabe en la ventana sin
-// deformarse. Con una imagen del usuario la ventana toma su tamaño, salvo que -geometry diga otro, y entonces el texel
-// (i, j) es el píxel (i, j): sin remuestrear y sin rótulos, para que se pueda comparar con lo que haga cualquier otra herramienta.
+// Lo que comparten los programas de este capítulo: la imagen es una textura pegada en un rectángulo que cabe en la
+// ventana sin deformarse. Con una imagen del usuario la ventana toma su tamaño, salvo que -geometry diga otro, y
+// entonces el texel (i, j) es el píxel (i, j): sin remuestrear y sin rótulos, para que se pueda comparar con lo que
+// haga cualquier otra herramienta.
 #pragma once
 #include "colores.h"
 #include "error.h"
@@ -14,27 +15,27 @@
 #include <cmath>
 #include <cstring>
 
-struct Entrada {
+struct ImagenesPedidas {
     std::vector<Imagen> imagenes;
     bool propias; // del usuario, y no las que hay por omisión
 };
 
 /// Abre la ventana y lee las imágenes que se pidan: tantas como las que hay por omisión.
-inline Entrada abreVentanaConImagenes(int &argc, char **argv, const char *titulo,
-                                      const std::vector<ImagenPorOmision> &porOmision) {
+inline ImagenesPedidas abreVentanaConImagenes(int &argc, char **argv, const char *titulo,
+                                              const std::vector<ImagenPorOmision> &porOmision) {
     const bool conTalla =
         std::any_of(argv, argv + argc, [](const char *a) { return !std::strcmp(a, "-geometry"); });
     abreVentana(argc, argv, titulo, GLUT_DOUBLE | GLUT_MULTISAMPLE,
                 porOmision.size() == 1 ? "[FOTO.ppm | FOTO.rgb -talla ANCHOxALTO]"
                                        : "[A.ppm B.ppm | A.rgb B.rgb -talla ANCHOxALTO]");
-    const Entrada entrada = {imagenesDeArgumentos(argc, argv, porOmision), argc > 1};
+    const ImagenesPedidas entrada = {imagenesDeArgumentos(argc, argv, porOmision), argc > 1};
     if (entrada.propias && !conTalla)
         glutReshapeWindow(entrada.imagenes[0].ancho, entrada.imagenes[0].alto);
     return entrada;
 }
 
-/// Textura sin mipmaps y con GL_CLAMP_TO_EDGE, en la unidad activa: en el centro de un texel el filtro lineal da ese texel y
-/// fuera de la imagen, el del borde.
+/// Textura sin mipmaps y con GL_CLAMP_TO_EDGE, en la unidad activa: en el centro de un texel el filtro lineal da ese
+/// texel y fuera de la imagen, el del borde.
 inline GLuint creaTexturaExacta(GLint formatoInterno, const glm::ivec2 &talla, GLenum formato, GLenum tipo,
                                 const void *datos) {
     GLuint textura;

@@ -1,6 +1,6 @@
-// La malla de puntos que deforma una imagen (§9.4): entre los puntos pasa una superficie suave (Catmull–Rom), sin los dobleces que
-// dejarían sus triángulos. Las posiciones van de (0, 0), abajo a la izquierda, a (1, 1). Sin OpenGL; la usan
-// warping y morphing.
+// La malla de puntos que deforma una imagen (§9.4): entre los puntos pasa una superficie suave (Catmull–Rom), sin los
+// dobleces que dejarían sus triángulos. Las posiciones van de (0, 0), abajo a la izquierda, a (1, 1). Sin OpenGL; la
+// usan warping y morphing.
 #pragma once
 #include "malla.h"
 #include <algorithm>
@@ -61,8 +61,9 @@ inline glm::vec2 evalua(const MallaImagen &m, float u, float v) {
     return catmullRom(columna, v - float(j));
 }
 
-/// Triángulos de dos mallas iguales de puntos: en `posicion` va la primera y en `coordTextura`, la segunda. Van de abajo arriba y de
-/// izquierda a derecha: donde la malla se pliega se ve lo último, lo de la fila más alta y, en ella, lo de más a la derecha.
+/// Triángulos de dos mallas iguales de puntos: en `posicion` va la primera y en `coordTextura`, la segunda. Van de
+/// abajo arriba y de izquierda a derecha: donde la malla se pliega se ve lo último, lo de la fila más alta y, en ella,
+/// lo de más a la derecha.
 inline Malla triangula(const MallaImagen &a, const MallaImagen &b) {
     const int TRAMOS = 8; // de un punto al siguiente
     const int columnas = TRAMOS * (a.columnas - 1), filas = TRAMOS * (a.filas - 1);

@@ -1,6 +1,6 @@
-// Mezcla lineal de dos imágenes (listado 9.2, figura 9.3): A·(1 − alfa) + B·alfa en cada píxel, con cada imagen en su unidad de
-// textura. Si no miden lo mismo, B se estira al tamaño de A. Dos caras mezcladas se ven las dos: para que una se
-// convierta en la otra hay que mover además sus rasgos (morphing).
+// Mezcla lineal de dos imágenes (listado 9.2, figura 9.3): A·(1 − alfa) + B·alfa en cada píxel, con cada imagen en su
+// unidad de textura. Si no miden lo mismo, B se estira al tamaño de A. Dos caras mezcladas se ven las dos: para que una
+// se convierta en la otra hay que mover además sus rasgos (morphing).
 // Controles: 1 A · 2 alfa 0.33 · 3 alfa 0.66 · 4 B · + - alfa · v con A y B al lado · r rótulos · Esc termina.
 #include "imagen_en_ventana.h"
 #include <cstdio>

@@ -1,9 +1,9 @@
-// Morphing (§9.4): una malla en cada imagen, con los mismos puntos sobre los mismos rasgos. Al pasar t de 0 a 1 los vértices van de
-// los sitios de una a los de la otra y, a la vez, los colores se mezclan: los ojos van a los ojos. Con t = 0 se ve A,
-// exacta, y con t = 1, B. Si las imágenes son del usuario, las mallas empiezan regulares y los puntos se arrastran: con
-// t < 0.5 los de A y, si no, los de B.
-// Controles: 1 2 3 t = 0, 0.5 y 1 · + - t · espacio lo mueve · m malla · v A, t y B · ratón arrastra un punto · r rótulos ·
-// Esc termina.
+// Morphing (§9.4): una malla en cada imagen, con los mismos puntos sobre los mismos rasgos. Al pasar t de 0 a 1 los
+// vértices van de los sitios de una a los de la otra y, a la vez, los colores se mezclan: los ojos van a los ojos. Con
+// t = 0 se ve A, exacta, y con t = 1, B. Si las imágenes son del usuario, las mallas empiezan regulares y los puntos se
+// arrastran: con t < 0.5 los de A y, si no, los de B.
+// Controles: 1 2 3 t = 0, 0.5 y 1 · + - t · espacio lo mueve · m malla · v A, t y B · ratón arrastra un punto ·
+// r rótulos · Esc termina.
 #include "malla_en_ventana.h"
 #include <cstdio>
 
@@ -13,7 +13,7 @@ static const MallaImagen CARA = creaMallaImagen({0, 0.29f, 0.406f, 0.5f, 0.594f,
                          GATO = creaMallaImagen({0, 0.208f, 0.369f, 0.5f, 0.631f, 0.792f, 1},
                                                 {0, 0.12f, 0.245f, 0.335f, 0.485f, 0.60f, 0.76f, 1}),
                          REGULAR = creaMallaImagen(repartidos(7), repartidos(8));
-static const int VIGESIMOS = 20, VUELTA = 6000; // de t, y ms que tarda en ir y volver
+static const int VIGESIMOS = 20, VUELTA = 6000, MS_CUADRO = 33; // de t, y ms que tarda en ir y volver
 
 static struct {
     GLuint programa;
@@ -71,10 +71,9 @@ static void dibuja() {
 }
 
 static void cuadro(int) {
-    if (!estado.mueve)
-        return;
-    glutPostRedisplay();
-    glutTimerFunc(33, cuadro, 0);
+    if (estado.mueve)
+        glutPostRedisplay();
+    glutTimerFunc(MS_CUADRO, cuadro, 0);
 }
 
 static glm::vec2 enImagen(int x, int y) {
@@ -113,7 +112,6 @@ static void teclado(unsigned char tecla, int, int) {
     case ' ':
         estado.mueve = !estado.mueve;
         estado.comienzo = glutGet(GLUT_ELAPSED_TIME);
-        cuadro(0);
         break;
     case 'm': estado.conMalla = !estado.conMalla; break;
     case 'v': estado.compara = !estado.compara; break;
@@ -140,6 +138,7 @@ int main(int argc, char **argv) {
     glutKeyboardFunc(teclado);
     glutMouseFunc(raton);
     glutMotionFunc(arrastra);
+    glutTimerFunc(MS_CUADRO, cuadro, 0);
     glutMainLoop();
     return 0;
 }

@@ -1,4 +1,5 @@
-// Los filtros de tamaño variable del ejercicio 9.2. Sin OpenGL; los usa convolucion_variable y los comprueban las pruebas.
+// Los filtros de tamaño variable del ejercicio 9.2. Sin OpenGL; los usa convolucion_variable y los comprueban las
+// pruebas.
 #pragma once
 #include <cmath>
 #include <cstddef>
@@ -18,7 +19,8 @@ struct Filtro {
     }
 };
 
-/// Divide por la suma de los positivos: la de todos, o en uno que suma 0 la mitad que aclara. Un filtro nulo se queda como está.
+/// Divide por la suma de los positivos: la de todos, o en uno que suma 0 la mitad que aclara. Un filtro nulo se queda
+/// como está.
 inline void normaliza(std::vector<float> &valores) {
     double suma = 0;
     for (const float v : valores)

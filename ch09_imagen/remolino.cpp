@@ -1,5 +1,5 @@
-// Remolino (figura 9.1): el fragment shader mira en la imagen el punto que el remolino ha llevado a cada píxel. Se pregunta de
-// dónde viene cada píxel y no adónde va cada texel: así no quedan huecos.
+// Remolino (figura 9.1): el fragment shader mira en la imagen el punto que el remolino ha llevado a cada píxel. Se
+// pregunta de dónde viene cada píxel y no adónde va cada texel: así no quedan huecos.
 // Controles: + - ángulo · v con el original al lado · r rótulos · Esc termina.
 #include "imagen_en_ventana.h"
 

@@ -1,5 +1,5 @@
-// Volteo horizontal y vertical (ejercicio 9.4): el vertex shader cambia el signo de x o de y a los vértices del rectángulo y
-// la textura va con ellos. Los dos a la vez son un giro de media vuelta.
+// Volteo horizontal y vertical (ejercicio 9.4): el vertex shader cambia el signo de x o de y a los vértices del
+// rectángulo y la textura va con ellos. Los dos a la vez son un giro de media vuelta.
 // Controles: h horizontal · v vertical · c los cuatro a la vez · r rótulos · Esc termina.
 #include "imagen_en_ventana.h"
 

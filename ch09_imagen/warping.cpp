@@ -1,8 +1,8 @@
-// Warping (figura 9.5): en vez de un rectángulo, una malla; cada vértice conserva su sitio en la imagen (s, t) y cambia el que
-// ocupa en la ventana. Los puntos se arrastran y entre ellos pasa una superficie suave (malla_imagen.h). Donde la malla se
-// pliega se ve lo de la fila más alta y, en ella, lo de más a la derecha: es lo último que se dibuja.
-// Controles: 1 sin deformar · 2 caricatura · m malla · v con el original al lado · ratón arrastra un punto · r rótulos ·
-// Esc termina.
+// Warping (figura 9.5): en vez de un rectángulo, una malla; cada vértice conserva su sitio en la imagen (s, t) y cambia
+// el que ocupa en la ventana. Los puntos se arrastran y entre ellos pasa una superficie suave (malla_imagen.h). Donde
+// la malla se pliega se ve lo de la fila más alta y, en ella, lo de más a la derecha: es lo último que se dibuja.
+// Controles: 1 sin deformar · 2 caricatura · m malla · v con el original al lado · ratón arrastra un punto ·
+// r rótulos · Esc termina.
 #include "malla_en_ventana.h"
 
 static const int COLUMNAS = 11, FILAS = 9;

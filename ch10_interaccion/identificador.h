@@ -1,4 +1,5 @@
-// El número de un objeto escrito como color (§10.3): 24 bits, y con el 0 para lo que no se elige, 2²⁴ − 1 objetos. Sin OpenGL.
+// El número de un objeto escrito como color (§10.3): 24 bits, y con el 0 para lo que no se elige, 2²⁴ − 1 objetos.
+// Sin OpenGL.
 #pragma once
 #include "error.h"
 #include <array>
@@ -9,8 +10,8 @@ using Rgb = std::array<unsigned char, 3>; // como se leen de un framebuffer de 8
 
 const unsigned NADA = 0, IDENTIFICADOR_MAXIMO = (1u << 24) - 1;
 
-/// Los bits van, desde el menor, al rojo, al verde y al azul por turno, y en cada uno desde el de más valor: los números
-/// seguidos dan colores que se distinguen también a la vista.
+/// Los bits van, desde el menor, al rojo, al verde y al azul por turno, y en cada uno desde el de más valor: los
+/// números seguidos dan colores que se distinguen también a la vista.
 inline Rgb rgbDe(unsigned identificador) {
     if (identificador > IDENTIFICADOR_MAXIMO)
         falla("el identificador " + std::to_string(identificador) + " no cabe en 24 bits");

@@ -1,5 +1,5 @@
-// Elegir un objeto con el ratón (listados 10.2 y 10.3, con sus llamadas a OpenGL a la vista): la escena se dibuja otra vez, en
-// un framebuffer propio y cada objeto del color de su identificador (identificador.h; lo que solo tapa, el 0), y se lee el clic.
+// Elegir un objeto con el ratón (listados 10.2 y 10.3, con sus llamadas a OpenGL a la vista): la escena se dibuja otra
+// vez, en un framebuffer propio y cada objeto del color de su identificador (identificador.h), y se lee el clic.
 // Controles: clic elige · v lo que hay en el framebuffer · arrastrar orbita · rueda acerca · Esc termina.
 #include "ch03_transformaciones/objeto.h"
 #include "colores.h"

@@ -1,5 +1,5 @@
-// La curva cúbica de Bézier (ecuaciones 11.12 a 11.19): su polígono de control, su casco convexo, de donde no sale, y la
-// construcción de de Casteljau, que halla Q(u) partiendo en u los lados del polígono, una y otra vez.
+// La curva cúbica de Bézier (ecuaciones 11.12 a 11.19): su polígono de control, su casco convexo, de donde no sale, y
+// la construcción de de Casteljau, que halla Q(u) partiendo en u los lados del polígono, una y otra vez.
 // Controles: arrastra los puntos (o n y flechas) · u U mueven u · Esc termina.
 #include "colores.h"
 #include "curvas.h"

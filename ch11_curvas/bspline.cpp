@@ -1,6 +1,6 @@
-// La curva B-Spline uniforme (ecuaciones 11.23 a 11.27), abierta o cerrada: no pasa por sus puntos de control y es C2 en los
-// nudos, que son los puntos donde acaba un tramo y empieza otro. El control es local: mover un punto cambia como mucho los
-// cuatro tramos que lo usan, en rojo (ejercicio 11.7); la curva de antes queda en gris.
+// La curva B-Spline uniforme (ecuaciones 11.23 a 11.27), abierta o cerrada: no pasa por sus puntos de control y es C2
+// en los nudos, que son los puntos donde acaba un tramo y empieza otro. El control es local: mover un punto cambia como
+// mucho los cuatro tramos que lo usan, en rojo (ejercicio 11.7); la curva de antes queda en gris.
 // Controles: arrastra los puntos (o n y flechas) · c abierta o cerrada · k peine de curvatura · Esc termina.
 #include "colores.h"
 #include "curvas.h"
@@ -29,8 +29,8 @@ static std::vector<glm::vec3> tramo(const std::vector<glm::vec3> &P, std::size_t
     return polilineaCubica(Base::BSPLINE, geometriaBSpline(P, i), 0.2 / altoUtil());
 }
 
-/// El peine de curvatura: púas hacia fuera de la curva, tan largas como ella se curva. Donde se unen dos tramos no salta, porque la
-/// curva es C2, pero cambia de dirección, porque no es C3.
+/// El peine de curvatura: púas hacia fuera de la curva, tan largas como ella se curva. Donde se unen dos tramos no
+/// salta, porque la curva es C2, pero cambia de dirección, porque no es C3.
 static void dibujaPeine(std::size_t i) {
     const Geometria<float> G = geometriaBSpline(estado.P, i);
     std::vector<glm::vec3> puas, puntas;

@@ -1,6 +1,6 @@
-// La continuidad en la unión de dos tramos (§11.1.2, ejercicio 11.5): un coche los recorre con el parámetro u proporcional al
-// tiempo. Debajo, el módulo de su velocidad, |Q'|, y el de su aceleración, |Q''|: con C0 salta hasta la dirección; con G1, el módulo
-// de la velocidad; con C1, la aceleración; con C2, nada.
+// La continuidad en la unión de dos tramos (§11.1.2, ejercicio 11.5): un coche los recorre con el parámetro u
+// proporcional al tiempo. Debajo, el módulo de su velocidad, |Q'|, y el de su aceleración, |Q''|: con C0 salta hasta la
+// dirección; con G1, el módulo de la velocidad; con C1, la aceleración; con C2, nada.
 // Controles: 1 C0 · 2 G1 · 3 C1 · 4 C2 · v los cuatro · t o espacio anda o para · Esc termina.
 #include "continuidad.h"
 #include "colores.h"
@@ -79,9 +79,8 @@ static void dibuja() {
 }
 
 static void avanza(int) {
-    if (!estado.anda)
-        return;
-    glutPostRedisplay();
+    if (estado.anda)
+        glutPostRedisplay();
     glutTimerFunc(CADA, avanza, 0);
 }
 
@@ -97,8 +96,6 @@ static void teclado(unsigned char tecla, int, int) {
         const int ahora = glutGet(GLUT_ELAPSED_TIME);
         if (estado.anda)
             estado.recorridos = (estado.recorridos + ahora - estado.desde) % PERIODO;
-        else
-            glutTimerFunc(CADA, avanza, 0);
         estado.desde = ahora;
         estado.anda = !estado.anda;
     }
@@ -109,6 +106,7 @@ int main(int argc, char **argv) {
     abreVentana(argc, argv, "Continuidad", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
+    glutTimerFunc(CADA, avanza, 0);
     glutMainLoop();
     return 0;
 }

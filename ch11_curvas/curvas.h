@@ -1,5 +1,5 @@
-// Curvas cúbicas de Hermite, Bézier y B-Spline y curvas de Bézier de cualquier grado (capítulo 11): puntos, derivadas y segmentos que
-// hacen falta. Para cualquier tipo real: float, double o de cuádruple precisión. Sin OpenGL.
+// Curvas cúbicas de Hermite, Bézier y B-Spline y curvas de Bézier de cualquier grado (capítulo 11): puntos, derivadas y
+// segmentos que hacen falta. Para cualquier tipo real: float, double o de cuádruple precisión. Sin OpenGL.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -48,8 +48,8 @@ Pesos<T> pesos(Base base, const T &u, int derivada = 0) {
     }
 }
 
-/// Q(u) = UMG (ecuación 11.4) o una derivada suya. Como los pesos de una derivada suman cero, restar antes un punto no la cambia,
-/// y un origen lejano no se come sus cifras.
+/// Q(u) = UMG (ecuación 11.4) o una derivada suya. Como los pesos de una derivada suman cero, restar antes un punto no
+/// la cambia, y un origen lejano no se come sus cifras.
 template<typename T>
 Punto<T> cubica(Base base, const Geometria<T> &G, const T &u, int derivada = 0) {
     const Pesos<T> w = pesos(base, u, derivada);
@@ -59,8 +59,8 @@ Punto<T> cubica(Base base, const Geometria<T> &G, const T &u, int derivada = 0) 
     return suma;
 }
 
-/// El vector de curvatura, de las dos primeras derivadas: hacia el centro de la circunferencia que más se parece a la curva y de
-/// largo 1/radio. Donde la curva se para no hay tal circunferencia, y vale 0.
+/// El vector de curvatura, de las dos primeras derivadas: hacia el centro de la circunferencia que más se parece a la
+/// curva y de largo 1/radio. Donde la curva se para no hay tal circunferencia, y vale 0.
 template<typename T>
 Punto<T> curvatura(const Punto<T> &primera, const Punto<T> &segunda) {
     const auto escalar = [](const Punto<T> &a, const Punto<T> &b) {
@@ -85,7 +85,8 @@ Geometria<T> aBezier(Base base, const Geometria<T> &G) {
 
 // ---- Curvas B-Spline de muchos puntos ----
 
-/// Los tramos de una B-Spline de n puntos de control: con menos de cuatro no hay ninguno. Cerrarla es repetir los tres primeros.
+/// Los tramos de una B-Spline de n puntos de control: con menos de cuatro no hay ninguno. Cerrarla es repetir los tres
+/// primeros.
 inline std::size_t tramosBSpline(std::size_t n, bool cerrada) {
     return n < 4 ? 0 : cerrada ? n : n - 3;
 }
@@ -101,8 +102,8 @@ Geometria<T> geometriaBSpline(const std::vector<Punto<T>> &puntos, std::size_t t
 
 // ---- Curvas de Bézier de cualquier grado ----
 
-/// La construcción de de Casteljau: cada nivel parte en u los lados del anterior; el último es el punto de la curva. Solo
-/// promedia, así que no pierde cifras por alto que sea el grado.
+/// La construcción de de Casteljau: cada nivel parte en u los lados del anterior; el último es el punto de la curva.
+/// Solo promedia, así que no pierde cifras por alto que sea el grado.
 template<typename T>
 std::vector<std::vector<Punto<T>>> casteljau(const std::vector<Punto<T>> &puntos, const T &u) {
     std::vector<std::vector<Punto<T>>> niveles = {puntos};
@@ -133,8 +134,8 @@ std::vector<Punto<T>> derivadaBezier(const std::vector<Punto<T>> &puntos) {
     return derivada;
 }
 
-/// Los polinomios de Bernstein b_{0,n} … b_{n,n} (ecuación 11.20) sin factoriales, que a grado 60 no caben en un entero:
-/// b_{k,n} = (1 − u)·b_{k,n−1} + u·b_{k−1,n−1}.
+/// Los polinomios de Bernstein b_{0,n} … b_{n,n} (ecuación 11.20) sin factoriales, que a grado 60 no caben en un
+/// entero: b_{k,n} = (1 − u)·b_{k,n−1} + u·b_{k−1,n−1}.
 template<typename T>
 std::vector<T> bernstein(std::size_t n, const T &u) {
     std::vector<T> b = {T(1)};
@@ -168,8 +169,8 @@ int segmentosWang(const std::vector<Punto<T>> &puntos, double tolerancia) {
     return segmentosDerivada(n * (n - 1) * mayor, tolerancia);
 }
 
-/// Parte la curva por la mitad, y cada mitad, mientras la cota de Wang diga que no basta una cuerda: así hay más segmentos donde más se
-/// curva. Los 1190 iguales que pide un zigzag de grado 60 se quedan en 70.
+/// Parte la curva por la mitad, y cada mitad, mientras la cota de Wang diga que no basta una cuerda: así hay más
+/// segmentos donde más se curva. Los 1190 iguales que pide un zigzag de grado 60 se quedan en 70.
 template<typename T>
 void parteBezier(const std::vector<Punto<T>> &puntos, double tolerancia, int veces,
                  std::vector<glm::vec3> &linea) {

@@ -1,6 +1,6 @@
-// Editar con el ratón los puntos de un programa del capítulo: se coge el más cercano en la pantalla y se mueve paralelo a
-// ella. Con el teclado, n elige el siguiente y las flechas lo mueven. El programa guarda su Editor y, desde sus funciones de
-// ratón y de teclas, llama a las de aquí.
+// Editar con el ratón los puntos de un programa del capítulo: se coge el más cercano en la pantalla y se mueve paralelo
+// a ella. Con el teclado, n elige el siguiente y las flechas lo mueven. El programa guarda su Editor y, desde sus
+// funciones de ratón y de teclas, llama a las de aquí.
 #pragma once
 #include "colores.h"
 #include "orbita.h"
@@ -10,8 +10,9 @@
 const float ALCANCE_RATON = 0.05f,
             PASO_FLECHA = 0.05f; // en partes del alto de la ventana, o del de una de 4:3 si es estrecha
 
-/// El punto cuya imagen está más cerca del ratón (coordenadas normalizadas), a menos de `alcance` unidades de `porUnidad`; −1
-/// si ninguno lo está. `porUnidad` iguala las medidas de X e Y, que en coordenadas normalizadas son distintas.
+/// El punto cuya imagen está más cerca del ratón (coordenadas normalizadas), a menos de `alcance` unidades de
+/// `porUnidad`; −1 si ninguno lo está. `porUnidad` iguala las medidas de X e Y, que en coordenadas normalizadas son
+/// distintas.
 inline int masCercano(const std::vector<glm::vec3> &puntos, const glm::mat4 &transformacion,
                       const glm::vec2 &raton, const glm::vec2 &porUnidad, float alcance) {
     int mejor = -1;

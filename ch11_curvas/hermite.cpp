@@ -1,6 +1,6 @@
-// La curva de Hermite (ecuaciones 11.5 a 11.11): sus extremos P1 y P4 y sus tangentes R1 y R4. Con un segundo tramo unido con
-// continuidad G1: empieza en P4 y con una tangente paralela a R4 (ejercicio 11.6). Y con una transformación T: transformar
-// los puntos de la curva (puntos) o sus cuatro restricciones (línea) da lo mismo.
+// La curva de Hermite (ecuaciones 11.5 a 11.11): sus extremos P1 y P4 y sus tangentes R1 y R4. Con un segundo tramo
+// unido con continuidad G1: empieza en P4 y con una tangente paralela a R4 (ejercicio 11.6). Y con una transformación
+// T: transformar los puntos de la curva (puntos) o sus cuatro restricciones (línea) da lo mismo.
 // Controles: arrastra puntos y puntas de flecha (o n y flechas) · g segundo tramo · + - su tangente ·
 // t transforma · Esc termina.
 #include "ch03_transformaciones/transformaciones.h"

@@ -18,8 +18,9 @@ inline Geometria2<float> primerTrozo(const std::vector<glm::vec3> &e) {
             Fila{glm::vec3(2.2f, -1.4f, 0), glm::vec3(2.2f, 0.6f, 0), torsion, torsion}};
 }
 
-/// Lo que coincide para que la unión sea G1: el borde entero, que es la segunda fila del primero y la primera del segundo; y, salvo
-/// un factor k, las tangentes que la cruzan, que son la cuarta fila y la tercera, torsiones incluidas.
+/// Lo que coincide para que la unión sea G1: el borde entero, que es la segunda fila del primero y la primera del
+/// segundo; y, salvo un factor k, las tangentes que la cruzan, que son la cuarta fila y la tercera, torsiones
+/// incluidas.
 inline Geometria2<float> segundoTrozo(const std::vector<glm::vec3> &e, float k) {
     const Geometria2<float> primero = primerTrozo(e);
     using Fila = Geometria<float>;

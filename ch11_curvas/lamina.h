@@ -1,4 +1,5 @@
-// Lo que tienen en común los programas de superficies: la cámara, la luz y dibujar una superficie que cambia mientras se edita.
+// Lo que tienen en común los programas de superficies: la cámara, la luz y dibujar una superficie que cambia mientras
+// se edita.
 #pragma once
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
@@ -29,8 +30,8 @@ inline glm::mat4 vistaLamina(const Lamina &lamina) {
     return proyeccionLamina() * camaraOrbita(lamina.orbita);
 }
 
-/// Los segmentos con que la superficie no se separa de sus triángulos más de `pixeles`. Lo que mide un píxel es lo que mide en el
-/// punto de control más cercano a la cámara: la superficie, dentro de su casco convexo, no está más cerca.
+/// Los segmentos con que la superficie no se separa de sus triángulos más de `pixeles`. Lo que mide un píxel es lo que
+/// mide en el punto de control más cercano a la cámara: la superficie, dentro de su casco convexo, no está más cerca.
 inline Segmentos segmentosLamina(const Lamina &lamina, Base base, const Geometria2<float> &G,
                                  double pixeles) {
     const glm::mat4 camara = camaraOrbita(lamina.orbita);
@@ -50,7 +51,8 @@ inline Lamina creaLamina(const Orbita &orbita) {
     return {creaSombreado("phong"), orbita};
 }
 
-/// Dibuja la malla por las dos caras. La de detrás tiene la normal opuesta y otra luz, la opuesta: así ninguna queda a oscuras.
+/// Dibuja la malla por las dos caras. La de detrás tiene la normal opuesta y otra luz, la opuesta: así ninguna queda a
+/// oscuras.
 inline void dibujaLamina(const Lamina &lamina, Malla malla, const Material &material) {
     const glm::mat4 camara = camaraOrbita(lamina.orbita);
     glUseProgram(lamina.programa);

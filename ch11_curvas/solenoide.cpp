@@ -1,5 +1,5 @@
-// Un solenoide (figura 11.1): una curva 3D hecha de una secuencia de segmentos cúbicos. Cada cuarto de vuelta es una curva de
-// Hermite con los extremos de la hélice y tangentes en su dirección; a lo largo de ella se tiende un tubo.
+// Un solenoide (figura 11.1): una curva 3D hecha de una secuencia de segmentos cúbicos. Cada cuarto de vuelta es una
+// curva de Hermite con los extremos de la hélice y tangentes en su dirección; a lo largo de ella se tiende un tubo.
 // Controles: + - una vuelta más o menos · s de dos colores los segmentos · ratón orbita · Esc termina.
 #include "solenoide.h"
 #include "ch05_iluminacion/iluminacion.h"

@@ -8,9 +8,9 @@ const float RADIO_SOLENOIDE = 1.25f, LARGO_SOLENOIDE = 5.2f, GRUESO_TUBO = 0.13f
 const int SEGMENTOS_VUELTA = 4, TROZOS_SEGMENTO = 16,
           LADOS_TUBO = 20; // a medio píxel de las suyas en 1080 líneas
 
-/// El segmento que recorre, de la hélice de eje X, el cuarto de vuelta i: los ángulos de i·π/2 a (i + 1)·π/2. Sus tangentes tienen la
-/// dirección de las de la hélice y el largo con que también el punto medio cae en ella: 4·tan(π/8) por el radio, y no π/2,
-/// que es su derivada y se quedaría un 1.5 % dentro.
+/// El segmento que recorre, de la hélice de eje X, el cuarto de vuelta i: los ángulos de i·π/2 a (i + 1)·π/2. Sus
+/// tangentes tienen la dirección de las de la hélice y el largo con que también el punto medio cae en ella: 4·tan(π/8)
+/// por el radio, y no π/2, que es su derivada y se quedaría un 1.5 % dentro.
 inline Geometria<float> segmentoSolenoide(int vueltas, int i) {
     const float paso = glm::two_pi<float>() / SEGMENTOS_VUELTA, largo = 4 * std::tan(paso / 4),
                 avance = LARGO_SOLENOIDE / float(SEGMENTOS_VUELTA * vueltas);
@@ -27,8 +27,8 @@ inline Geometria<float> segmentoSolenoide(int vueltas, int i) {
     return {punto(i), punto(i + 1), tangente(i), tangente(i + 1)};
 }
 
-/// Un anillo de vértices alrededor de cada punto de la curva, perpendicular a su tangente, y los triángulos de un segmento de
-/// cada dos: los pares o los impares.
+/// Un anillo de vértices alrededor de cada punto de la curva, perpendicular a su tangente, y los triángulos de un
+/// segmento de cada dos: los pares o los impares.
 inline Malla tuboSolenoide(int vueltas, int resto) {
     Malla malla;
     const int anillos = SEGMENTOS_VUELTA * vueltas * TROZOS_SEGMENTO;

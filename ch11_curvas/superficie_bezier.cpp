@@ -1,5 +1,5 @@
-// La superficie de Bézier (ecuaciones 11.40 y 11.41, figura 11.2) y los 16 puntos de control que la definen. Se parte en los
-// triángulos que bastan para no separarse de ella más de una tolerancia en píxeles.
+// La superficie de Bézier (ecuaciones 11.40 y 11.41, figura 11.2) y los 16 puntos de control que la definen. Se parte
+// en los triángulos que bastan para no separarse de ella más de una tolerancia en píxeles.
 // Controles: arrastra los puntos (o n y flechas) · m malla · + - mitad o doble de tolerancia · ratón orbita ·
 // Esc termina.
 #include "lamina.h"

@@ -1,5 +1,6 @@
-// La superficie B-Spline (ecuación 11.42): cada 4×4 puntos de control de la red definen un trozo, y los vecinos comparten
-// doce. Se unen con C2 sin pasar por los puntos, y mover uno cambia solo los trozos que lo usan, 16 como mucho.
+// La superficie B-Spline (ecuación 11.42): cada 4×4 puntos de control de la red definen un trozo, y los vecinos
+// comparten doce. Se unen con C2 sin pasar por los puntos, y mover uno cambia solo los trozos que lo usan, 16 como
+// mucho.
 // Controles: arrastra los puntos (o n y flechas) · r red de control · ratón orbita · Esc termina.
 #include "lamina.h"
 #include "rotulo.h"

@@ -1,6 +1,6 @@
-// La superficie de Hermite (ecuaciones 11.33 a 11.39): las esquinas, sus tangentes en u y en v y sus torsiones. Con un segundo
-// trozo unido por u = 1 con continuidad G1 (ejercicio 11.8): comparten el borde, y las tangentes que lo cruzan son
-// paralelas.
+// La superficie de Hermite (ecuaciones 11.33 a 11.39): las esquinas, sus tangentes en u y en v y sus torsiones. Con un
+// segundo trozo unido por u = 1 con continuidad G1 (ejercicio 11.8): comparten el borde, y las tangentes que lo cruzan
+// son paralelas.
 // Controles: arrastra las esquinas (o n y flechas) · u segundo trozo · + - su tangente · ratón orbita ·
 // Esc termina.
 #include "hermite_trozos.h"

@@ -1,6 +1,7 @@
-// Superficies bicúbicas de Hermite, Bézier y B-Spline (§11.5 a §11.8): puntos, derivadas, normales y triángulos. Sin OpenGL.
-// La tetera (ch02_modelado/bezier.h) evalúa sus parches con pesos que se suman en otro orden: allí un lado compartido
-// por dos parches que lo recorren al revés ha de dar los mismos puntos, bit a bit.
+// Superficies bicúbicas de Hermite, Bézier y B-Spline (§11.5 a §11.8): puntos, derivadas, normales y triángulos.
+// Sin OpenGL. La tetera (ch02_modelado/bezier.h) toma de aquí la normal, pero evalúa sus parches con pesos que se suman
+// en otro orden: allí un lado compartido por dos parches que lo recorren al revés ha de dar los mismos puntos, bit a
+// bit.
 #pragma once
 #include "curvas.h"
 #include "malla.h"
@@ -47,10 +48,10 @@ T largo(const Punto<T> &a) {
     return sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
 }
 
-/// Normal unitaria, hacia donde apunta Q_u × Q_v, de una superficie de talla 1; `d(u, v, du, dv)` es su derivada, du veces con u
-/// y dv con v. Donde Q_u × Q_v se anula, porque un lado se reduce a un punto o falta una tangente, su límite camino del
-/// centro: su derivada en esa dirección. Si también se anula, la del primer punto de ese camino que la
-/// tenga; y si no la tiene ninguno, porque no es una superficie, +Z.
+/// Normal unitaria, hacia donde apunta Q_u × Q_v, de una superficie de talla 1; `d(u, v, du, dv)` es su derivada, du
+/// veces con u y dv con v. Donde Q_u × Q_v se anula, porque un lado se reduce a un punto o falta una tangente, su
+/// límite camino del centro: su derivada en esa dirección. Si también se anula, la del primer punto de ese camino que
+/// la tenga; y si no la tiene ninguno, porque no es una superficie, +Z.
 template<typename T, typename Derivada>
 Punto<T> normalOLimite(const Derivada &d, const T &u, const T &v) {
     using std::sqrt;
@@ -92,9 +93,9 @@ struct Segmentos {
     int u, v;
 };
 
-/// Los que dejan la superficie a menos de `tolerancia` de sus triángulos: un triángulo rectángulo de catetos h y k se separa
-/// como mucho (Muu·h² + 2·Muv·h·k + Mvv·k²)/8 (Filip, Magedson y Markot, 1986), y 2hk ≤ h² + k². Se
-/// cumple mientras no hagan falta más de 256.
+/// Los que dejan la superficie a menos de `tolerancia` de sus triángulos: un triángulo rectángulo de catetos h y k se
+/// separa como mucho (Muu·h² + 2·Muv·h·k + Mvv·k²)/8 (Filip, Magedson y Markot, 1986), y 2hk ≤ h² + k². Se cumple
+/// mientras no hagan falta más de 256.
 inline Segmentos segmentosSuperficie(Base base, const Geometria2<float> &G, double tolerancia) {
     const Geometria2<float> B = aBezier2(base, G);
     double muu = 0, muv = 0, mvv = 0;
@@ -112,7 +113,8 @@ inline Segmentos segmentosSuperficie(Base base, const Geometria2<float> &G, doub
     return {n(muu + muv), n(mvv + muv)};
 }
 
-/// La superficie en triángulos, que giran en sentido antihorario vistos desde donde apunta la normal; coordTextura es (u, v).
+/// La superficie en triángulos, que giran en sentido antihorario vistos desde donde apunta la normal; coordTextura es
+/// (u, v).
 inline Malla mallaSuperficie(Base base, const Geometria2<float> &G, const Segmentos &n) {
     Malla malla;
     for (int j = 0; j <= n.v; ++j)

@@ -1,4 +1,5 @@
-// El reloj de un programa en pantalla: el temporizador que pide otra imagen, las teclas que lo paran y lo adelantan, y su rótulo.
+// El reloj de un programa en pantalla: el temporizador que pide otra imagen, las teclas que lo paran y lo adelantan, y
+// su rótulo.
 #pragma once
 #include "colores.h"
 #include "reloj.h"
@@ -21,7 +22,8 @@ inline void pideCuadro(const Reloj &reloj, void (*anima)(int)) {
     glutTimerFunc(PERIODO_CUADRO, anima, 0);
 }
 
-/// Atiende las teclas comunes, espacio (pausa), s (adelanta medio segundo), d (una décima) y h (diez horas). Devuelve si la tecla era suya.
+/// Atiende las teclas comunes, espacio (pausa), s (adelanta medio segundo), d (una décima) y h (diez horas). Devuelve
+/// si la tecla era suya.
 inline bool teclaAnimacion(Reloj &reloj, unsigned char tecla) {
     if (tecla == ' ')
         conmutaPausa(reloj, glutGet(GLUT_ELAPSED_TIME));

@@ -1,5 +1,5 @@
-// Banderas en una grada como sistema de partículas (figura 12.2): cada bandera es un cuadrado, que nace y muere en instantes
-// al azar, como en mosaico, y mientras vive la agita un ruido. Entre todas hacen un dibujo.
+// Banderas en una grada como sistema de partículas (figura 12.2): cada bandera es un cuadrado, que nace y muere en
+// instantes al azar, como en mosaico, y mientras vive la agita un ruido. Entre todas hacen un dibujo.
 // Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
 #include "buferes_piezas.h"

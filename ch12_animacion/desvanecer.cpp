@@ -1,5 +1,5 @@
-// Un objeto que aparece y se desvanece (§12.1): la opacidad alfa es una función del tiempo que el shader recibe en un uniform.
-// Con la mezcla, el color es alfa · el del objeto + (1 − alfa) · el que había.
+// Un objeto que aparece y se desvanece (§12.1): la opacidad alfa es una función del tiempo que el shader recibe en un
+// uniform. Con la mezcla, el color es alfa · el del objeto + (1 − alfa) · el que había.
 // Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
 #include "ch03_transformaciones/objeto.h"

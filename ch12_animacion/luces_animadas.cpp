@@ -1,5 +1,5 @@
-// Luces que cambian con el tiempo (§12.1): la intensidad crece y decae, y el color pasa suavemente del naranja al azul. La fuente
-// no se mueve: solo cambian Ld y Ls, dos uniform del modelo de Phong (capítulo 5).
+// Luces que cambian con el tiempo (§12.1): la intensidad crece y decae, y el color pasa suavemente del naranja al azul.
+// La fuente no se mueve: solo cambian Ld y Ls, dos uniform del modelo de Phong (capítulo 5).
 // Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
 #include "ch05_iluminacion/iluminacion.h"

@@ -1,6 +1,6 @@
-// Sistemas de partículas (§12.3): una fuente, humo y fuego. Toda la animación está en el vertex shader, sin carga para la CPU:
-// cada imagen son unos uniforms y una orden de dibujo, lo mismo con una partícula que con un millón. Tampoco hay
-// memoria: cada partícula es una función de su número y del instante, y no se desvía por mucho que pase el tiempo.
+// Sistemas de partículas (§12.3): una fuente, humo y fuego. Toda la animación está en el vertex shader, sin carga para
+// la CPU: cada imagen son unos uniforms y una orden de dibujo, lo mismo con una partícula que con un millón. Tampoco
+// hay memoria: cada partícula es una función de su número y del instante, y no se desvía por mucho que pase el tiempo.
 // Controles: 1 fuente · 2 humo · 3 fuego · + - diez veces más o menos · espacio pausa ·
 // s adelanta medio segundo · d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"

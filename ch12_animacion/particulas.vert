@@ -1,7 +1,7 @@
 #version 140
 
-// Sistema de partículas sin estado (§12.3): la posición y el aspecto de cada una salen de su número y del tiempo. No hay
-// nada que actualizar en la CPU, ni buffer object: sus atributos son un hash de gl_VertexID.
+// Sistema de partículas sin estado (§12.3): la posición y el aspecto de cada una salen de su número y del tiempo. No
+// hay nada que actualizar en la CPU, ni buffer object: sus atributos son un hash de gl_VertexID.
 uniform mat4 camara, proyeccion;
 uniform int elegido;   // 0 fuente, 1 humo, 2 fuego
 uniform float vida;    // segundos que vive cada una; al morir vuelve a nacer igual

@@ -14,8 +14,8 @@ float crecida() {
     return clamp(min(t - vida.x, vida.y - t) / BROTE, 0.0, 1.0);
 }
 
-// Ruido de -1 a 1 para la pieza: el instante es una de sus coordenadas, y así no lee siempre el mismo valor. Con periodo
-// 20 en el tiempo, al volver a empezar no salta.
+// Ruido de -1 a 1 para la pieza: el instante es una de sus coordenadas, y así no lee siempre el mismo valor. Con
+// periodo 20 en el tiempo, al volver a empezar no salta.
 float vaiven(float cual) {
     return ruido(vec3(0.31 * celda + cual, 2.0 * t), ivec3(0, 0, 20));
 }

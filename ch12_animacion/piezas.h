@@ -1,5 +1,5 @@
-// Las partículas de las figuras 12.1 y 12.2: cuadrados en una rejilla, y de cada uno, los instantes al azar en que nace y muere.
-// Van todas en un buffer object, y el vertex shader decide en qué estado está cada una. Sin OpenGL.
+// Las partículas de las figuras 12.1 y 12.2: cuadrados en una rejilla, y de cada uno, los instantes al azar en que nace
+// y muere. Van todas en un buffer object, y el vertex shader decide en qué estado está cada una. Sin OpenGL.
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>

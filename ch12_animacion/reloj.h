@@ -1,5 +1,5 @@
-// El tiempo de una animación, en segundos y en double, con pausa. El estado de cada objeto es una función de ese tiempo y
-// nunca se acumula de un cuadro a otro: va igual de rápido con cualquier número de cuadros por segundo. Sin OpenGL.
+// El tiempo de una animación, en segundos y en double, con pausa. El estado de cada objeto es una función de ese tiempo
+// y nunca se acumula de un cuadro a otro: va igual de rápido con cualquier número de cuadros por segundo. Sin OpenGL.
 #pragma once
 #include <cmath>
 

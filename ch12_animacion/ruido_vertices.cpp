@@ -1,6 +1,6 @@
-// Vértices desplazados por un ruido que cambia con el tiempo (listado 12.1). El listado suma el ruido tal cual, de 0 a 1, y el
-// objeto, además de ondular, se va de su sitio: restándole antes ½ se queda. El círculo es la esfera sin desplazar. El
-// tiempo llega al shader reducido a su periodo: a las 100 horas ondula igual de suave.
+// Vértices desplazados por un ruido que cambia con el tiempo (listado 12.1). El listado suma el ruido tal cual, de 0 a
+// 1, y el objeto, además de ondular, se va de su sitio: restándole antes ½ se queda. El círculo es la esfera sin
+// desplazar. El tiempo llega al shader reducido a su periodo: a las 100 horas ondula igual de suave.
 // Controles: 1 centrado · 2 como el listado · v los dos · + - amplitud S2 · espacio pausa · s adelanta medio segundo ·
 // d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"

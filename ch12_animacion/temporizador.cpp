@@ -1,5 +1,6 @@
-// Eventos de tiempo (§12.2): tres glutTimerFunc a la vez, cada uno con su periodo. Uno que se vuelve a pedir para dentro de un
-// periodo se retrasa un poco cada vez; aquí se pide lo que falta para el siguiente múltiplo, y el retraso no se acumula.
+// Eventos de tiempo (§12.2): tres glutTimerFunc a la vez, cada uno con su periodo. Uno que se vuelve a pedir para
+// dentro de un periodo se retrasa un poco cada vez; aquí se pide lo que falta para el siguiente múltiplo, y el retraso
+// no se acumula.
 // Controles: espacio pausa · Esc termina.
 #include "animacion.h"
 #include "trazo.h"

@@ -1,5 +1,6 @@
-// Una textura 3D que se traslada (§12.1): el ruido llena el espacio y el objeto, quieto, lo corta en cada instante por otro
-// sitio. La textura es periódica y en un periodo avanza justo una vez su lado: la animación no tiene principio ni fin.
+// Una textura 3D que se traslada (§12.1): el ruido llena el espacio y el objeto, quieto, lo corta en cada instante por
+// otro sitio. La textura es periódica y en un periodo avanza justo una vez su lado: la animación no tiene principio ni
+// fin.
 // Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
 #include "ch03_transformaciones/objeto.h"

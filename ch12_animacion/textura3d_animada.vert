@@ -7,8 +7,8 @@ uniform float escala, tau; // tau: qué parte del periodo ha pasado, de 0 a 1
 in vec3 posicion, vNormal;
 out vec3 coordTextura3D, normal;
 
-// La textura llena el espacio y el objeto la corta: sus coordenadas son las del punto, trasladadas con el tiempo. La textura se
-// repite cada 1, y al cabo de un periodo ha avanzado justo 1.
+// La textura llena el espacio y el objeto la corta: sus coordenadas son las del punto, trasladadas con el tiempo. La
+// textura se repite cada 1, y al cabo de un periodo ha avanzado justo 1.
 void main() {
     vec4 P = M * vec4(posicion, 1.0);
     coordTextura3D = escala * P.xyz - vec3(0.0, tau, 0.0);

@@ -1,5 +1,5 @@
-// Una textura que ondula (§12.1): la geometría es siempre el mismo cuadrado, y lo que cambia con el tiempo son las coordenadas con
-// que el fragment shader lee la imagen, a las que suma un seno. Es lo que se ve a través del agua.
+// Una textura que ondula (§12.1): la geometría es siempre el mismo cuadrado, y lo que cambia con el tiempo son las
+// coordenadas con que el fragment shader lee la imagen, a las que suma un seno. Es lo que se ve a través del agua.
 // Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · Esc termina.
 #include "animacion.h"
 #include "buferes.h"

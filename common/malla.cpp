@@ -17,8 +17,8 @@ glm::vec2 enCirculo(int i, int n) {
     return {std::cos(a), std::sin(a)};
 }
 
-/// Rejilla de n×m cuadrados sobre (s,t) en [0,1]²; los triángulos que se quedan sin área se omiten.
-void rejilla(Malla &malla, int n, int m, const std::function<Vertice(int, int)> &vertice) {
+/// Cuadrícula de n×m cuadrados sobre (s,t) en [0,1]²; los triángulos que se quedan sin área se omiten.
+void cuadricula(Malla &malla, int n, int m, const std::function<Vertice(int, int)> &vertice) {
     const unsigned base = unsigned(malla.vertices.size());
     for (int j = 0; j <= m; ++j)
         for (int i = 0; i <= n; ++i)
@@ -73,7 +73,7 @@ Malla esfera(int n) {
     n = std::max(n, 3);
     const int m = std::max(n / 2, 2);
     Malla malla;
-    rejilla(malla, n, m, [&](int i, int j) {
+    cuadricula(malla, n, m, [&](int i, int j) {
         // colatitud desde el polo sur; en los polos el radio es 0 exacto y la malla cierra
         const double a = glm::pi<double>() * j / m;
         const float radio = j == 0 || j == m ? 0.0f : float(std::sin(a));
@@ -86,7 +86,7 @@ Malla esfera(int n) {
 Malla cilindro(int n) {
     n = std::max(n, 3);
     Malla malla;
-    rejilla(malla, n, 1, [&](int i, int j) {
+    cuadricula(malla, n, 1, [&](int i, int j) {
         const glm::vec2 c = enCirculo(i, n);
         return Vertice{{c, float(j) - 0.5f}, {c, 0}, {float(i) / float(n), j}};
     });
@@ -98,7 +98,7 @@ Malla cilindro(int n) {
 Malla cono(int n) {
     n = std::max(n, 3);
     Malla malla;
-    rejilla(malla, n, 1, [&](int i, int j) {
+    cuadricula(malla, n, 1, [&](int i, int j) {
         // la normal de la generatriz que baja 1 y sale 1 sube 45 grados
         const glm::vec2 c = enCirculo(i, n);
         return Vertice{{c * float(1 - j), j},
@@ -110,9 +110,10 @@ Malla cono(int n) {
 }
 
 Malla toro(float radio, float radioTubo, int n, int m) {
-    n = std::max(n, 3), m = std::max(m, 3);
+    n = std::max(n, 3);
+    m = std::max(m, 3);
     Malla malla;
-    rejilla(malla, n, m, [&](int i, int j) {
+    cuadricula(malla, n, m, [&](int i, int j) {
         const glm::vec2 anillo = enCirculo(i, n), tubo = enCirculo(j, m);
         const glm::vec3 normal(anillo * tubo.x, tubo.y);
         return Vertice{glm::vec3(anillo * radio, 0) + radioTubo * normal,
@@ -125,7 +126,7 @@ Malla toro(float radio, float radioTubo, int n, int m) {
 Malla plano(int n) {
     n = std::max(n, 1);
     Malla malla;
-    rejilla(malla, n, n, [&](int i, int j) {
+    cuadricula(malla, n, n, [&](int i, int j) {
         const glm::vec2 st = glm::vec2(i, j) / float(n);
         return Vertice{{st - 0.5f, 0}, {0, 0, 1}, st};
     });
@@ -190,8 +191,7 @@ int segmentosPara(float radioPx, float tolerPx) {
     if (!(radioPx > tolerPx))
         return 3;
     // 1 − cos x = 2·sen²(x/2): el arcocoseno de un número casi 1 perdería todas las cifras
-    const double n =
-        glm::pi<double>() / (2.0 * std::asin(std::sqrt(0.5 * tolerPx / radioPx)));
+    const double n = glm::pi<double>() / (2.0 * std::asin(std::sqrt(0.5 * tolerPx / radioPx)));
     return int(std::clamp(std::ceil(n), 3.0, 1024.0));
 }
 

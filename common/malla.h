@@ -1,4 +1,5 @@
-// Mallas de triángulos: los sólidos elementales y un lector v/f (listado 2.1). Sin OpenGL: a la GPU las lleva buferes.h.
+// Mallas de triángulos: los sólidos elementales y un lector v/f (listado 2.1). Sin OpenGL: a la GPU las lleva
+// buferes.h.
 #pragma once
 #include <glm/glm.hpp>
 #include <iosfwd>
@@ -42,6 +43,6 @@ MallaVf leeVf(const std::string &fichero);
 /// la flecha de un arco de 2π/n es r·(1 − cos(π/n)). Entre 3 y 1024.
 int segmentosPara(float radioPx, float tolerPx = 0.5f);
 
-/// Segmentos con que `esfera` se separa menos de un cuarto de píxel de la exacta: en el centro de sus caras se hunde el doble
-/// que en sus arcos. Pares, porque de polo a polo van la mitad.
+/// Segmentos con que `esfera` se separa menos de un cuarto de píxel de la exacta: en el centro de sus caras se hunde el
+/// doble que en sus arcos. Pares, porque de polo a polo van la mitad.
 int segmentosEsfera(float radioPx);

@@ -10,7 +10,8 @@ struct Orbita {
 };
 
 /// Instala glutMouseFunc, glutMotionFunc y glutMouseWheelFunc: arrastrar con el botón izquierdo gira y
-/// la rueda acerca o aleja, sin que la escena se pierda de vista: de 0.4 a 2.5 veces la distancia que tenga ahora. `orbita` debe vivir tanto como la ventana.
+/// la rueda acerca o aleja, sin que la escena se pierda de vista: de 0.4 a 2.5 veces la distancia que tenga ahora.
+/// `orbita` debe vivir tanto como la ventana.
 void orbitaConRaton(Orbita &orbita);
 
 /// Las tres funciones que instala: un programa con las suyas propias las llama desde ellas.

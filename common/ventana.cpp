@@ -64,7 +64,6 @@ void abreVentana(int &argc, char **argv, const char *titulo, unsigned modo, cons
     glutInit(&argc, argv);
     glutInitDisplayMode(modo);
     glutInitContextVersion(3, 1);
-    glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
     const std::string uso =
         "uso: " + nombrePrograma() + " [opciones de GLUT] " + (argumentos ? argumentos : "");
     if (argc > 1 && std::string(argv[1]) == "-ayuda") {

@@ -4,7 +4,6 @@
 comprueba: acaba con 1 si alguna no está al día, y dice qué cambia.
 """
 import difflib
-import re
 import sys
 from pathlib import Path
 

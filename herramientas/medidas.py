@@ -12,13 +12,16 @@ def lee(raiz):
     return json.loads((raiz / "docs/medidas.json").read_text())
 
 
-def apunta(raiz, **secciones):
-    """Cambia esas secciones, con una medida por línea."""
-    medidas = {**lee(raiz), **secciones}
-    texto = ",\n".join(f"{json.dumps(seccion)}: {{\n" + ",\n".join(f"  {json.dumps(nombre, ensure_ascii=False)}: {json.dumps(m, ensure_ascii=False)}"
-                                                                 for nombre, m in medidas[seccion].items()) + "\n}"
-                       for seccion in ("programas", "casos", "defectos"))
-    (raiz / "docs/medidas.json").write_text(f"{{\n{texto}\n}}\n")
+def apunta(raiz, **nuevas):
+    """Cambia esas secciones. Una medida por línea, para que se vea qué ha cambiado."""
+    def texto(dato):
+        return json.dumps(dato, ensure_ascii=False)
+
+    secciones = []
+    for seccion, medidas in {**lee(raiz), **nuevas}.items():
+        lineas = ",\n".join(f"  {texto(nombre)}: {texto(medida)}" for nombre, medida in medidas.items())
+        secciones.append(f"{texto(seccion)}: {{\n{lineas}\n}}")
+    (raiz / "docs/medidas.json").write_text("{\n" + ",\n".join(secciones) + "\n}\n")
 
 
 def numero(x):

@@ -25,6 +25,7 @@ from pathlib import Path
 
 import catalogo
 import medidas
+from procesos import pruebas_de
 
 MINIMO = 150  # mutantes en la lista
 META, META_SIN_GOLDEN = 98, 92  # por ciento
@@ -262,14 +263,8 @@ class Taller:
         for ejecutable in sorted(self.build / "tests" / f.stem for f in self.copia.glob("tests/*/*_test.cpp")):
             if capitulos and capitulo(ejecutable.name) not in capitulos:
                 continue
-            lista = subprocess.run([ejecutable, "--gtest_list_tests"], text=True, stdout=subprocess.PIPE, check=True).stdout
-            for linea in lista.splitlines():
-                linea = linea.split("#")[0].rstrip()
-                if linea.startswith("  "):
-                    nombre = grupo + linea.strip()
-                    pruebas.append(Prueba(f"{ejecutable.name[:-5]}.{nombre}", [ejecutable, f"--gtest_filter={nombre}"], {}, False))
-                elif linea.endswith("."):
-                    grupo = linea
+            for nombre in pruebas_de(ejecutable):
+                pruebas.append(Prueba(f"{ejecutable.name[:-5]}.{nombre}", [ejecutable, f"--gtest_filter={nombre}"], {}, False))
         entorno = dict(linea.split("=", 1) for linea in (self.copia / "tests/entorno.txt").read_text().split())
         for programa in self.programas:
             de = capitulo(programa.capitulo.nombre)

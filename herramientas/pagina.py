@@ -38,9 +38,9 @@ def escribe(raiz, destino, capitulos):
     programas = [p for capitulo in capitulos for p in capitulo.programas]
     suyas = {p.nombre: fuentes(raiz, p.fuente) for p in programas}
     todas = dict.fromkeys(f for ficheros in suyas.values() for f in ficheros)
-    escribe_pagina(destino, "galeria.html", capitulos=capitulos, controles={p.nombre: controles(raiz, p) for p in programas}, fuentes=suyas,
-            codigo={str(f): colorea(raiz, f) for f in todas}, colores_claros=CLARO.get_style_defs("pre"),
-            colores_oscuros=OSCURO.get_style_defs("pre"))
+    escribe_pagina(destino, "galeria.html", capitulos=capitulos, fuentes=suyas, controles={p.nombre: controles(raiz, p) for p in programas},
+                   codigo={str(f): colorea(raiz, f) for f in todas},
+                   colores_claros=CLARO.get_style_defs("pre"), colores_oscuros=OSCURO.get_style_defs("pre"))
 
 
 def cifra(x):

@@ -1,4 +1,4 @@
-"""Ejecutar un programa y quedarse con lo que escribe."""
+"""Ejecutar un programa y quedarse con lo que escribe; qué pruebas hay en uno de GoogleTest."""
 import subprocess
 
 
@@ -16,3 +16,15 @@ def ejecuta(orden, **opciones):
         errores = proceso.stderr if opciones.get("text") else proceso.stderr.decode(errors="replace")
         raise Fallo(errores.strip() or f"{orden[0]} ha acabado con estado {proceso.returncode}")
     return proceso.stdout
+
+
+def pruebas_de(ejecutable):
+    """«GiroEje.AnguloPequeno» de cada TEST."""
+    grupo, pruebas = "", []
+    for linea in ejecuta([ejecutable, "--gtest_list_tests"], text=True).splitlines():
+        nombre = linea.split("#")[0].strip()
+        if linea.startswith(" "):
+            pruebas.append(grupo + nombre)
+        else:
+            grupo = nombre
+    return pruebas

@@ -19,9 +19,10 @@ from pathlib import Path
 
 import catalogo
 import pagina
+from procesos import Fallo, ejecuta
 
 CODEMIRROR = Path("/usr/share/javascript/codemirror")
-SHADERS = (".vert", ".frag", ".glsl")
+SHADERS, TEXTURAS = (".vert", ".frag", ".glsl"), (".rgb", ".r8")
 ESPECIALES = {"←": "IZQUIERDA", "→": "DERECHA", "↑": "ARRIBA", "↓": "ABAJO"}
 
 
@@ -56,7 +57,7 @@ def mando(control):
 
 
 class Programa:
-    """Lo que la página tiene que saber de un programa: lo dice el catálogo, lo dicen sus controles o lo dice él al ejecutarlo sin ventana."""
+    """Lo que la página tiene que saber de un programa: lo dice el catálogo, lo dicen sus controles o lo dice él, ejecutado sin ventana."""
 
     def __init__(self, raiz, build, programa):
         self.raiz, self.programa = raiz, programa
@@ -74,9 +75,8 @@ class Programa:
         with tempfile.TemporaryDirectory() as carpeta:
             leidos = Path(carpeta, "leidos")
             leidos.touch()
-            salida = subprocess.run([ejecutable, "-guion", guion, "-rasgos"], cwd=carpeta, check=True, text=True, stdout=subprocess.PIPE,
-                                    stderr=subprocess.DEVNULL, env={**os.environ, "LAB_LEIDOS": str(leidos)}).stdout
-            self.rasgos |= {linea.split()[0] for linea in salida.splitlines() if linea}
+            salida = ejecuta([ejecutable, "-guion", guion, "-rasgos"], cwd=carpeta, text=True, env={**os.environ, "LAB_LEIDOS": str(leidos)})
+            self.rasgos |= {linea.split(" ")[0] for linea in salida.splitlines()}
             self.leidos |= set(leidos.read_text().splitlines())
 
     def datos(self):
@@ -90,7 +90,7 @@ class Programa:
             "sigue": "movimiento" in self.rasgos,
             "casos": [{"titulo": c.titulo or "al empezar", "guion": c.guion, "mira": c.mira} for c in p.casos],
             "fuentes": [str(f) for f in pagina.fuentes(self.raiz, p.fuente)],
-            "texturas": sorted(Path(f).stem for f in self.leidos if f.endswith(".rgb")),
+            "texturas": sorted(Path(f).name for f in self.leidos if f.endswith(TEXTURAS)),
             "admite": p.admite,
         }
 
@@ -132,9 +132,9 @@ class Pagina:
         guiones = ("lib/codemirror.js", "mode/clike/clike.js", "addon/edit/matchbrackets.js")
         self.empaqueta("editor", {"css": (CODEMIRROR / "lib/codemirror.css").read_text(),
                                   "js": "\n".join((CODEMIRROR / g).read_text() for g in guiones)})
-        texturas = [f.stem for f in sorted((self.build.parent / "assets").glob("*.rgb"))]
-        for textura in texturas:
-            self.empaqueta(textura, (self.build.parent / "assets" / f"{textura}.rgb").read_bytes())
+        for textura in (self.build.parent / "assets").iterdir():
+            if textura.suffix in TEXTURAS:
+                self.empaqueta(textura.name, textura.read_bytes())
         self.escribe_indice(capitulos)
 
     def escribe_indice(self, capitulos):
@@ -147,8 +147,11 @@ class Pagina:
 
 
 def main():
-    raiz, build, galeria, destino = map(Path, sys.argv[1:])
-    Pagina(raiz, build, galeria, destino).escribe(catalogo.lee(build))
+    raiz, build, galeria, destino = (Path(ruta).resolve() for ruta in sys.argv[1:])
+    try:
+        Pagina(raiz, build, galeria, destino).escribe(catalogo.lee(build))
+    except Fallo as fallo:
+        sys.exit(f"lab: {fallo}")
     ocupa = sum(f.stat().st_size for f in destino.rglob("*") if f.is_file())
     print(f"Hecha: {destino}/index.html ({ocupa / 1e6:.1f} MB en total)", file=sys.stderr)
 

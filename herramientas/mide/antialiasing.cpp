@@ -9,7 +9,7 @@ using namespace mide;
 
 static void mideAntialiasing(Medidor &m) {
     abreContexto();
-    const int lado = m.talla(48, 360);
+    const int lado = m.elige(48, 360);
     const std::vector<glm::dvec2> vertices = estrella();
     std::vector<double> exacta; // blanco donde hay estrella
     for (int y = 0; y < lado; ++y)
@@ -35,7 +35,7 @@ static void mideAntialiasing(Medidor &m) {
     const GLuint programa = creaPrograma("herramientas/mide/plano.vert", "herramientas/mide/nada.frag"),
                  reduce = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/reduce.frag");
     const int muestras = 4; // las da cualquier OpenGL 3.1
-    const Lienzo destino(lado, lado);
+    const Framebuffer destino(lado, lado);
     const auto variante = [&](const std::string &nombre, int veces, int n, const Rango &espera) {
         const int talla = veces * lado;
         GLuint textura;
@@ -43,21 +43,21 @@ static void mideAntialiasing(Medidor &m) {
         glBindTexture(GL_TEXTURE_2D, textura);
         glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, talla, talla, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        const Lienzo grande(talla, talla, n);
+        const Framebuffer grande(talla, talla, n);
         GLuint resuelto;
         glGenFramebuffers(1, &resuelto);
         glBindFramebuffer(GL_FRAMEBUFFER, resuelto);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, textura, 0);
         const auto dibuja = [&] {
-            const Lienzo &lienzo = veces == 1 && n == 0 ? destino : grande;
-            lienzo.borra(0, 0, 0);
+            const Framebuffer &framebuffer = veces == 1 && n == 0 ? destino : grande;
+            framebuffer.borra(0, 0, 0);
             glUseProgram(programa);
             ::dibuja(buferes);
-            if (&lienzo == &destino)
+            if (&framebuffer == &destino)
                 return;
             const bool reducir = veces > 1;
-            glBindFramebuffer(GL_READ_FRAMEBUFFER, grande.framebuffer);
-            glBindFramebuffer(GL_DRAW_FRAMEBUFFER, reducir ? resuelto : destino.framebuffer);
+            glBindFramebuffer(GL_READ_FRAMEBUFFER, grande.nombre);
+            glBindFramebuffer(GL_DRAW_FRAMEBUFFER, reducir ? resuelto : destino.nombre);
             glBlitFramebuffer(0, 0, talla, talla, 0, 0, talla, talla, GL_COLOR_BUFFER_BIT, GL_NEAREST);
             if (!reducir)
                 return;

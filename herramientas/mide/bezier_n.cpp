@@ -81,7 +81,7 @@ static void mideBezierN(Medidor &m) {
             a[j] += ((i + j) % 2 ? -1.0f : 1.0f) * combinaciones<double>(GRADO, j) *
                     combinaciones<double>(j, i) * p[i];
 
-    const std::size_t n = m.talla<std::size_t>(33, 257);
+    const std::size_t n = m.elige<std::size_t>(33, 257);
     const auto variante = [&](const char *nombre, const auto &Q, const Rango &espera, const char *nota = "") {
         double error = 0;
         for (std::size_t i = 0; i < n; ++i) {

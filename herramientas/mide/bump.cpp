@@ -1,5 +1,5 @@
-// Un plano con bultos: el mapa de normales según su talla, la normal calculada en el shader y el plano deformado de verdad,
-// frente a la normal exacta en cada punto del plano.
+// Un plano con bultos: el mapa de normales según su talla, la normal calculada en el shader y el plano deformado de
+// verdad, frente a la normal exacta en cada punto del plano.
 #include "ch08_texturas_avanzadas/mapa_normales.h"
 #include "escena.h"
 #include "mide.h"
@@ -29,13 +29,13 @@ static double altura(const glm::vec2 &st) {
 static void mideBump(Medidor &m) {
     abreContexto();
     glEnable(GL_DEPTH_TEST);
-    const Lienzo lienzo(m.talla(64, 480), m.talla(48, 360));
+    const Framebuffer framebuffer(m.elige(64, 480), m.elige(48, 360));
     const glm::mat4 M = giroX(-0.6f) * escalado(float(LADO));
     const oraculo::Mat4 colocado = oraculo::gira({1, 0, 0}, -0.6) * oraculo::escala(LADO),
                         girado = oraculo::gira({1, 0, 0}, -0.6);
     const oraculo::Vec3 fondo = {0.95, 0.96, 0.98};
     const oraculo::ImagenRef ref = oraculo::render(
-        {oraculo::plano(colocado)}, camaraExacta(), lienzo.ancho, lienzo.alto,
+        {oraculo::plano(colocado)}, camaraExacta(), framebuffer.ancho, framebuffer.alto,
         [&](const oraculo::Impacto &i) {
             const glm::dvec2 h = pendiente(VECES * i.s, VECES * i.t);
             return i ? phongExacto(i.punto, oraculo::unitario(oraculo::direccion(girado, {-h.x, -h.y, 1})))
@@ -45,13 +45,13 @@ static void mideBump(Medidor &m) {
     const auto variante = [&](const std::string &nombre, GLuint programa, const Malla &malla,
                               const Rango &espera, const std::string &nota) {
         const Buferes b = creaBuferes(malla);
-        enviaEscena(programa, lienzo);
+        enviaEscena(programa, framebuffer);
         const auto dibuja = [&] {
-            lienzo.borra(0.95f, 0.96f, 0.98f);
+            framebuffer.borra(0.95f, 0.96f, 0.98f);
             dibujaObjeto(programa, b, M, camaraEscena(), CORAL);
         };
         dibuja();
-        const Imagen imagen = lienzo.lee();
+        const Imagen imagen = framebuffer.lee();
         m.variante(nombre, errorDeFrente(imagen, ref), 1, yEspera(dibuja), espera, nota, imagen);
         borraBuferes(b);
     };
@@ -66,7 +66,7 @@ static void mideBump(Medidor &m) {
     }
     glUseProgram(conMapa);
     envia(conMapa, "mapaNormales", 0);
-    for (const int n : m.talla<std::vector<int>>({16, 64}, {8, 16, 32, 64, 128, 256})) {
+    for (const int n : m.elige<std::vector<int>>({16, 64}, {8, 16, 32, 64, 128, 256})) {
         GLuint mapa;
         glGenTextures(1, &mapa);
         glBindTexture(GL_TEXTURE_2D, mapa);
@@ -80,7 +80,7 @@ static void mideBump(Medidor &m) {
         glDeleteTextures(1, &mapa);
     }
     variante("calculada en el shader", calculado, plano(1), {0, 2}, "sin textura");
-    for (const int n : m.talla<std::vector<int>>({60}, {60, 240})) {
+    for (const int n : m.elige<std::vector<int>>({60}, {60, 240})) {
         Malla malla = plano(n);
         for (Vertice &v : malla.vertices) {
             const glm::dvec2 h =

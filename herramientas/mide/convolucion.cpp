@@ -73,8 +73,8 @@ static void parImageMagick(Medidor &m, const Imagen &foto, const Filtro &f,
         nucleo += (nucleo.back() == ':' ? "" : ",") + std::to_string(v);
     guardaPpm(entra, foto);
     const auto ejecuta = [&](int veces) {
-        return milisegundosDe("convert '" + entra + "' -virtual-pixel edge -morphology Convolve:" +
-                              std::to_string(veces) + " '" + nucleo + "' -depth 8 '" + sale + "'");
+        return milisegundosDeOrden("convert '" + entra + "' -virtual-pixel edge -morphology Convolve:" +
+                                   std::to_string(veces) + " '" + nucleo + "' -depth 8 '" + sale + "'");
     };
     ejecuta(1);
     const double e = rmse(leePpm(sale), exacta);
@@ -124,7 +124,7 @@ static void mideConvolucion(Medidor &m) {
         glUniform1fv(uniforme(separable, "filtro"), f.talla, f.columna.data());
         dibujaEn(por, a);
     };
-    for (const int talla : m.talla<std::vector<int>>({3, 5}, {3, 5, 9, 15, 31})) {
+    for (const int talla : m.elige<std::vector<int>>({3, 5}, {3, 5, 9, 15, 31})) {
         const Filtro f = creaFiltro(GAUSSIANA, talla);
         const std::vector<double> exacta =
             pasada(pasada({foto.rgb.begin(), foto.rgb.end()}, f.fila, false), f.columna, true);

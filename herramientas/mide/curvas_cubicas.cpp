@@ -75,7 +75,7 @@ private:
 };
 
 static void mideCubicas(Medidor &m) {
-    const std::size_t n = m.talla<std::size_t>(65, 16385);
+    const std::size_t n = m.elige<std::size_t>(65, 16385);
     std::vector<glm::vec3> puntos(n);
     const auto u = [&](std::size_t i) { return float(i) / float(n - 1); };
     const auto variante = [&](const char *nombre, const std::function<void()> &todos, double cota,

@@ -1,5 +1,5 @@
-// Un toro que refleja su entorno, delante de él: lado de las caras del mapa, y reflexión por vértice o por fragmento, frente a
-// trazar rayos.
+// Un toro que refleja su entorno, delante de él: lado de las caras del mapa, y reflexión por vértice o por fragmento,
+// frente a trazar rayos.
 #include "escena.h"
 #include "mide.h"
 #include <glm/gtc/constants.hpp>
@@ -42,10 +42,10 @@ static GLuint creaMapa(int lado) {
 static void mideEntorno(Medidor &m) {
     abreContexto();
     glEnable(GL_DEPTH_TEST);
-    const Lienzo lienzo(m.talla(64, 320), m.talla(48, 240));
+    const Framebuffer framebuffer(m.elige(64, 320), m.elige(48, 240));
     const oraculo::Vec3 METAL = {0.97, 0.91, 0.80};
     const oraculo::ImagenRef ref =
-        oraculo::render({oraculo::toro({}, 1, 0.5)}, camaraExacta(), lienzo.ancho, lienzo.alto,
+        oraculo::render({oraculo::toro({}, 1, 0.5)}, camaraExacta(), framebuffer.ancho, framebuffer.alto,
                         [&](const oraculo::Impacto &i) {
                             return i ? METAL * entorno(oraculo::refleja(i.rayo.direccion, i.normal))
                                      : entorno(i.rayo.direccion);
@@ -56,7 +56,7 @@ static void mideEntorno(Medidor &m) {
     const GLuint fondo = creaPrograma("ch08_texturas_avanzadas/cubemap_fondo.vert",
                                       "ch08_texturas_avanzadas/cubemap_fondo.frag");
     const glm::mat3 ejes = glm::transpose(glm::mat3(camaraEscena()));
-    const glm::mat4 proyeccion = proyeccionEscena(lienzo);
+    const glm::mat4 proyeccion = proyeccionEscena(framebuffer);
     glDepthFunc(GL_LEQUAL); // el fondo está en el plano lejos
     glUseProgram(fondo);
     envia(fondo, "base", glm::mat3(ejes[0], ejes[1], -ejes[2]));
@@ -74,11 +74,11 @@ static void mideEntorno(Medidor &m) {
     const auto variante = [&](const std::string &nombre, const char *nota, bool soloFondo,
                               const std::function<void()> &pinta) {
         const auto dibuja = [&] {
-            lienzo.borra(0, 0, 0);
+            framebuffer.borra(0, 0, 0);
             pinta();
         };
         dibuja();
-        const Imagen imagen = lienzo.lee();
+        const Imagen imagen = framebuffer.lee();
         const double error = soloFondo
                                  ? errorSinContorno(imagen, ref, [](const auto &p) { return p.objeto < 0; })
                                  : errorDeFrente(imagen, ref);
@@ -93,7 +93,7 @@ static void mideEntorno(Medidor &m) {
         });
         borraBuferes(b);
     };
-    for (const int lado : m.talla<std::vector<int>>({16, 256}, {16, 32, 64, 128, 256, 512})) {
+    for (const int lado : m.elige<std::vector<int>>({16, 256}, {16, 32, 64, 128, 256, 512})) {
         GLuint mapa = creaMapa(lado);
         char nota[40];
         std::snprintf(nota, sizeof nota, "%.3g kB", 6 * 3 * lado * lado * 4 / 3 / 1000.0);

@@ -1,4 +1,5 @@
-// Un sólido iluminado, dibujado con los shaders de los programas y trazado con el oráculo: la cámara y la luz, una sola vez.
+// Un sólido iluminado, dibujado con los shaders de los programas y trazado con el oráculo: la cámara y la luz, una sola
+// vez.
 #pragma once
 #include "ch05_iluminacion/iluminacion.h"
 #include "gpu.h"
@@ -15,8 +16,8 @@ const ::Material CORAL = {{0.20f, 0.08f, 0.05f}, {0.62f, 0.26f, 0.17f}, {0.70f, 
 inline glm::mat4 camaraEscena() {
     return glm::lookAt(OJO, glm::vec3(0), glm::vec3(0, 1, 0));
 }
-inline glm::mat4 proyeccionEscena(const Lienzo &lienzo) {
-    return glm::perspective(ANGULO, float(lienzo.ancho) / float(lienzo.alto), 0.5f, 50.0f);
+inline glm::mat4 proyeccionEscena(const Framebuffer &framebuffer) {
+    return glm::perspective(ANGULO, float(framebuffer.ancho) / float(framebuffer.alto), 0.5f, 50.0f);
 }
 
 inline oraculo::Vec3 exacto(const glm::vec3 &v) {
@@ -27,9 +28,9 @@ inline oraculo::Camara camaraExacta() {
 }
 
 /// Lo que el programa en uso necesita saber de la cámara y la luz.
-inline void enviaEscena(GLuint programa, const Lienzo &lienzo) {
+inline void enviaEscena(GLuint programa, const Framebuffer &framebuffer) {
     glUseProgram(programa);
-    envia(programa, "proyeccion", proyeccionEscena(lienzo));
+    envia(programa, "proyeccion", proyeccionEscena(framebuffer));
     envia(programa, "camara", camaraEscena());
     envia(programa, "La", glm::vec3(1));
     enviaLuz(programa, "luz", LUZ, camaraEscena());
@@ -37,8 +38,7 @@ inline void enviaEscena(GLuint programa, const Lienzo &lienzo) {
 
 inline oraculo::Vec3 phongExacto(const oraculo::Vec3 &P, const oraculo::Vec3 &N,
                                  const oraculo::Vec3 &ojo = exacto(OJO)) {
-    const oraculo::Material material = {exacto(CORAL.Ka), exacto(CORAL.Kd), exacto(CORAL.Ks),
-                                        CORAL.alfa};
+    const oraculo::Material material = {exacto(CORAL.Ka), exacto(CORAL.Kd), exacto(CORAL.Ks), CORAL.alfa};
     const oraculo::Luz luz{exacto(glm::vec3(LUZ.Lp))};
     return oraculo::phong(material, {1, 1, 1}, {luz}, P, N, oraculo::unitario(ojo - P));
 }
@@ -49,7 +49,8 @@ inline void borraBuferes(const Buferes &b) {
     glDeleteBuffers(1, &b.indices);
 }
 
-/// Raíz del error cuadrático medio, en niveles, donde la referencia ve algo casi de frente: el contorno se juzga aparte.
+/// Raíz del error cuadrático medio, en niveles, donde la referencia ve algo casi de frente: el contorno se juzga
+/// aparte.
 inline double errorDeFrente(const Imagen &gpu, const oraculo::ImagenRef &ref) {
     double suma = 0;
     int n = 0;

@@ -1,4 +1,5 @@
-// Cuántos segmentos necesita una esfera o un toro para que su contorno no se separe del exacto, con 250 píxeles de radio.
+// Cuántos segmentos necesita una esfera o un toro para que su contorno no se separe del exacto, con 250 píxeles de
+// radio.
 #include "escena.h"
 #include "mide.h"
 #include <glm/gtc/constants.hpp>
@@ -11,8 +12,8 @@ static double cruz(const glm::dvec2 &o, const glm::dvec2 &a, const glm::dvec2 &b
     return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 
-/// Lo que se hunde el contorno de un convexo de radio `radio`, centrado, visto a lo largo de Z tras girarlo: el lado de su
-/// envolvente que pasa más cerca del centro.
+/// Lo que se hunde el contorno de un convexo de radio `radio`, centrado, visto a lo largo de Z tras girarlo: el lado de
+/// su envolvente que pasa más cerca del centro.
 static double hundimiento(const Malla &malla, const glm::mat4 &giro, double radio) {
     std::vector<glm::dvec2> p, h;
     for (const Vertice &v : malla.vertices)
@@ -39,10 +40,10 @@ static double hundimiento(const Malla &malla, const glm::mat4 &giro, double radi
 
 static void mideEsferas(Medidor &m) {
     abreContexto();
-    const int lado = m.talla(60, 600);
-    const Lienzo lienzo(lado, lado);
+    const int lado = m.elige(60, 600);
+    const Framebuffer framebuffer(lado, lado);
     const GLuint programa = creaSombreado("phong");
-    enviaEscena(programa, lienzo);
+    enviaEscena(programa, framebuffer);
     glEnable(GL_DEPTH_TEST);
     const glm::mat4 M = escalado(1.08f); // unos 250 px de radio en 600
     const auto variante = [&](const std::string &nombre, const Malla &malla, double radio, bool convexo,
@@ -53,10 +54,10 @@ static void mideEsferas(Medidor &m) {
                 mayor = std::max(mayor, hundimiento(malla, giroX(g.x) * giroY(g.y), radio));
         const Buferes b = creaBuferes(malla);
         m.variante(nombre, RADIO_PX / radio * mayor, 1, yEspera([&] {
-                       lienzo.borra(0.95f, 0.96f, 0.98f);
+                       framebuffer.borra(0.95f, 0.96f, 0.98f);
                        dibujaObjeto(programa, b, M, camaraEscena(), CORAL);
                    }),
-                   espera, std::to_string(malla.indices.size() / 3) + " triángulos", lienzo.lee());
+                   espera, std::to_string(malla.indices.size() / 3) + " triángulos", framebuffer.lee());
         borraBuferes(b);
     };
     const auto flecha =
@@ -64,12 +65,12 @@ static void mideEsferas(Medidor &m) {
             const double f = RADIO_PX * (1 - std::cos(glm::pi<double>() / n));
             return Rango{0.9 * f, 2.1 * f};
         };
-    const Malla fina = esfera(m.talla(64, 512));
+    const Malla fina = esfera(m.elige(64, 512));
     {
         const Buferes b = creaBuferes(fina);
-        lienzo.borra(0.95f, 0.96f, 0.98f);
+        framebuffer.borra(0.95f, 0.96f, 0.98f);
         dibujaObjeto(programa, b, M, camaraEscena(), CORAL);
-        m.referencia = lienzo.lee();
+        m.referencia = framebuffer.lee();
         borraBuferes(b);
     }
     m.grupo = "esfera";

@@ -1,5 +1,5 @@
-// Una esfera sobre un espejo: dibujarla otra vez, simétrica (ecuación 7.3), con más o menos malla. POV-Ray, que traza rayos, es el
-// par, con la misma escena (espejo.pov).
+// Una esfera sobre un espejo: dibujarla otra vez, simétrica (ecuación 7.3), con más o menos malla. POV-Ray, que traza
+// rayos, es el par, con la misma escena (espejo.pov).
 #include "ch07_realismo/reflexion.h"
 #include "escena.h"
 #include "mide.h"
@@ -14,9 +14,9 @@ static const float ALTO_ESFERA = 0.45f, RADIO_ESFERA = 0.55f, ALTO_ESPEJO = -0.1
 static void parPovRay(Medidor &m, int ancho, int alto, const oraculo::ImagenRef &ref) {
     const std::string sale = (std::filesystem::temp_directory_path() / "mide_espejo.ppm").string();
     const auto ejecuta = [&](int w, int h) {
-        return milisegundosDe("povray '+I" + recurso("herramientas/mide/espejo.pov") + "' '+O" + sale +
-                              "' +FP -D -GA File_Gamma=1.0 +W" + std::to_string(w) + " +H" +
-                              std::to_string(h));
+        return milisegundosDeOrden("povray '+I" + recurso("herramientas/mide/espejo.pov") + "' '+O" + sale +
+                                   "' +FP -D -GA File_Gamma=1.0 +W" + std::to_string(w) + " +H" +
+                                   std::to_string(h));
     };
     std::vector<double> ms;
     for (int i = 0; i < 5; ++i)
@@ -30,7 +30,7 @@ static void parPovRay(Medidor &m, int ancho, int alto, const oraculo::ImagenRef 
 static void mideEspejo(Medidor &m) {
     abreContexto();
     glEnable(GL_DEPTH_TEST);
-    const Lienzo lienzo(m.talla(64, 960), m.talla(48, 720));
+    const Framebuffer framebuffer(m.elige(64, 960), m.elige(48, 720));
     const glm::mat4 M = traslacion({0, ALTO_ESFERA, 0}) * escalado(RADIO_ESFERA),
                     simetria = reflexion({{0, 1, 0}, -ALTO_ESPEJO});
     const oraculo::Escena esfera = {oraculo::esfera(oraculo::traslada({0, double(ALTO_ESFERA), 0}) *
@@ -41,8 +41,8 @@ static void mideEspejo(Medidor &m) {
     const auto color = [](const oraculo::Impacto &i) {
         return i ? phongExacto(i.punto, i.normal, i.rayo.origen) : oraculo::Vec3{0.95, 0.96, 0.98};
     };
-    const oraculo::ImagenRef ref =
-        oraculo::render(escena, camaraExacta(), lienzo.ancho, lienzo.alto, [&](const oraculo::Impacto &i) {
+    const oraculo::ImagenRef ref = oraculo::render(
+        escena, camaraExacta(), framebuffer.ancho, framebuffer.alto, [&](const oraculo::Impacto &i) {
             if (i.objeto != 1)
                 return oraculo::Tono(color(i));
             const oraculo::Impacto visto = oraculo::primerImpacto(esfera, oraculo::rebote(i));
@@ -50,11 +50,11 @@ static void mideEspejo(Medidor &m) {
         });
     m.referencia = oraculo::enBytes(ref);
     const GLuint programa = creaSombreado("phong");
-    enviaEscena(programa, lienzo);
-    for (const int n : m.talla<std::vector<int>>({12, 96}, {12, 24, 48, 96, 192})) {
+    enviaEscena(programa, framebuffer);
+    for (const int n : m.elige<std::vector<int>>({12, 96}, {12, 24, 48, 96, 192})) {
         const Buferes b = creaBuferes(::esfera(n));
         const auto dibuja = [&] {
-            lienzo.borra(0.95f, 0.96f, 0.98f);
+            framebuffer.borra(0.95f, 0.96f, 0.98f);
             for (const glm::mat4 &mundo : {glm::mat4(1), simetria}) { // con su luz, también simétrica
                 glUseProgram(programa);
                 enviaLuz(programa, "luz", LUZ, camaraEscena() * mundo);
@@ -62,13 +62,13 @@ static void mideEspejo(Medidor &m) {
             }
         };
         dibuja();
-        const Imagen imagen = lienzo.lee();
+        const Imagen imagen = framebuffer.lee();
         m.variante("simétrica, esferas de " + std::to_string(n), errorSinContorno(imagen, ref), 1,
                    yEspera(dibuja), {0, n >= 96 ? 0.6 : 30}, "", imagen);
         borraBuferes(b);
     }
     if (!m.ensayo && m.pares)
-        parPovRay(m, lienzo.ancho, lienzo.alto, ref);
+        parPovRay(m, framebuffer.ancho, framebuffer.alto, ref);
 }
 
 static const Apunta

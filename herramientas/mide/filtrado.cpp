@@ -53,10 +53,10 @@ static std::vector<double> exacto(const Imagen &textura, int ancho, int alto, in
 
 static void mideFiltrado(Medidor &m) {
     abreContexto();
-    const Lienzo lienzo(m.talla(64, 480), m.talla(48, 360));
+    const Framebuffer framebuffer(m.elige(64, 480), m.elige(48, 360));
     const Imagen imagen = leeTextura(recurso("assets/mosaico.rgb"), TALLA, TALLA);
-    const std::vector<double> ref = exacto(imagen, lienzo.ancho, lienzo.alto, m.talla(4, MUESTRAS));
-    m.referencia = redondeada(lienzo.ancho, lienzo.alto, ref);
+    const std::vector<double> ref = exacto(imagen, framebuffer.ancho, framebuffer.alto, m.elige(4, MUESTRAS));
+    m.referencia = redondeada(framebuffer.ancho, framebuffer.alto, ref);
     const GLuint programa = creaPrograma("ch06_texturas/textura.vert", "ch06_texturas/textura.frag");
     Malla malla = plano(1);
     for (Vertice &v : malla.vertices)
@@ -66,12 +66,13 @@ static void mideFiltrado(Medidor &m) {
     glEnable(GL_DEPTH_TEST);
     glUseProgram(programa);
     envia(programa, "proyeccion",
-          glm::perspective(float(ANGULO_SUELO), float(lienzo.ancho) / float(lienzo.alto), 0.1f, 400.0f));
+          glm::perspective(float(ANGULO_SUELO), float(framebuffer.ancho) / float(framebuffer.alto), 0.1f,
+                           400.0f));
     envia(programa, "camara", camaraOrbita(ORBITA));
     envia(programa, "M", giroX(-glm::half_pi<float>()) * escalado(float(LARGO)));
     envia(programa, "Img", 0);
     const auto dibuja = [&] {
-        lienzo.borra(CIELO.r, CIELO.g, CIELO.b);
+        framebuffer.borra(CIELO.r, CIELO.g, CIELO.b);
         ::dibuja(suelo);
     };
     const auto variante = [&](const char *nombre, GLint ampliacion, GLint reduccion, float anisotropia,
@@ -80,7 +81,7 @@ static void mideFiltrado(Medidor &m) {
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, reduccion);
         glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropia);
         dibuja();
-        const Imagen i = lienzo.lee();
+        const Imagen i = framebuffer.lee();
         m.variante(nombre, rmse(i, ref), 1, yEspera(dibuja), {0, 80}, nota, i);
     };
     variante("vecino", GL_NEAREST, GL_NEAREST, 1);

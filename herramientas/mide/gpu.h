@@ -1,4 +1,4 @@
-// Dibujar en la GPU para medir: el contexto, un lienzo con profundidad y lo que se ha dibujado en él.
+// Dibujar en la GPU para medir: el contexto, un framebuffer con profundidad y lo que se ha dibujado en él.
 #pragma once
 #include "herramientas/contexto_suelto.h"
 #include "imagen.h"
@@ -8,15 +8,15 @@
 namespace mide {
 
 /// Un framebuffer propio. Con profundidad siempre: sin ella llvmpipe se salta lo que un rectángulo opaco va a tapar.
-class Lienzo {
+class Framebuffer {
 public:
     const int ancho, alto;
 
-    Lienzo(int elAncho, int elAlto, int muestras = 0, GLenum profundidad = GL_DEPTH_COMPONENT24)
+    Framebuffer(int elAncho, int elAlto, int muestras = 0, GLenum profundidad = GL_DEPTH_COMPONENT24)
         : ancho(elAncho), alto(elAlto) {
-        glGenFramebuffers(1, &framebuffer);
+        glGenFramebuffers(1, &nombre);
         glGenRenderbuffers(2, renderbuffers);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glBindFramebuffer(GL_FRAMEBUFFER, nombre);
         const GLenum formatos[2] = {GL_RGBA8, profundidad},
                      sitios[2] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
         for (int i = 0; i < 2; ++i) {
@@ -26,15 +26,15 @@ public:
         }
         abre();
     }
-    Lienzo(const Lienzo &) = delete;
-    ~Lienzo() {
+    Framebuffer(const Framebuffer &) = delete;
+    ~Framebuffer() {
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        glDeleteFramebuffers(1, &framebuffer);
+        glDeleteFramebuffers(1, &nombre);
         glDeleteRenderbuffers(2, renderbuffers);
     }
     /// Dibujar en él desde ahora.
     void abre() const {
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glBindFramebuffer(GL_FRAMEBUFFER, nombre);
         glViewport(0, 0, ancho, alto);
     }
     void borra(float r, float g, float b) const {
@@ -44,12 +44,12 @@ public:
     }
     Imagen lee() const {
         Imagen imagen{ancho, alto, std::vector<unsigned char>(3 * ancho * alto)};
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glBindFramebuffer(GL_FRAMEBUFFER, nombre);
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
         glReadPixels(0, 0, ancho, alto, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());
         return imagen;
     }
-    GLuint framebuffer = 0;
+    GLuint nombre = 0;
 
 private:
     GLuint renderbuffers[2] = {};

@@ -45,7 +45,7 @@ static void mideMatrizNormal(Medidor &m) {
     const auto al = [&] { return float(double(azar()) / 2147483648.0 - 1); };
     enum { RIGIDA, DEFORMA, DIFICIL, CLASES };
     std::vector<glm::mat3> clases[CLASES];
-    for (int i = 0; i < m.talla(20, 200); ++i) {
+    for (int i = 0; i < m.elige(20, 200); ++i) {
         const glm::mat3 giro(giroEje({al(), al(), al()}, 3 * al()));
         const float e = std::pow(10.0f, 2 * al());
         const glm::mat3 deforma(escalado({e, std::pow(10.0f, al()), 1}));

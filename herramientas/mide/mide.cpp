@@ -1,6 +1,6 @@
-// mide [--ensayo] CARPETA TÉCNICA: deja CARPETA/TÉCNICA.tsv, con una fila por variante (nombre, grupo, mediana, mínimo y máximo del
-// tiempo, error, nota), y en CARPETA/TÉCNICA-variante.ppm y …-diferencia.ppm las imágenes que haya. mide --lista escribe
-// las técnicas: nombre, título, unidad de tiempo, unidad de error, variante elegida, por qué.
+// mide [--ensayo] CARPETA TÉCNICA: deja CARPETA/TÉCNICA.tsv, con una fila por variante (nombre, grupo, mediana, mínimo
+// y máximo del tiempo, error, nota), y en CARPETA/TÉCNICA-variante.ppm y …-diferencia.ppm las imágenes que haya. mide
+// --lista escribe las técnicas: nombre, título, unidad de tiempo, unidad de error, variante elegida, por qué.
 #include "mide.h"
 #include "error.h"
 #include <algorithm>
@@ -15,7 +15,7 @@ std::vector<Tecnica> &tecnicas() {
     return todas;
 }
 
-double milisegundosDe(const std::string &orden) {
+double milisegundosDeOrden(const std::string &orden) {
     const auto antes = std::chrono::steady_clock::now();
     const bool bien = std::system((orden + " >/dev/null 2>&1").c_str()) == 0;
     return bien ? std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - antes).count()

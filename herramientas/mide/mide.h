@@ -1,5 +1,5 @@
-// Lo común de las técnicas de ./lab mide: cada una es un fichero de esta carpeta que compara maneras de hacer lo mismo, las
-// cronometra con Google Benchmark y dice el error de cada una frente a algo exacto.
+// Lo común de las técnicas de ./lab mide: cada una es un fichero de esta carpeta que compara maneras de hacer lo mismo,
+// las cronometra con Google Benchmark y dice el error de cada una frente a algo exacto.
 #pragma once
 #include "imagen.h"
 #include <benchmark/benchmark.h>
@@ -41,7 +41,7 @@ public:
     }
     /// De lo que se haga en el ensayo y de lo que se haga al medir.
     template<class T>
-    T talla(T enEnsayo, T alMedir) const {
+    T elige(T enEnsayo, T alMedir) const {
         return ensayo ? enEnsayo : alMedir;
     }
     /// Cronometra `trabajo`, que hace `unidades` de lo que dice la unidad de tiempo de la técnica.
@@ -85,7 +85,7 @@ void usa(T &&valor) {
 }
 
 /// Lo que tarda otro programa, sin enseñar lo que escribe; NaN si falla.
-double milisegundosDe(const std::string &orden);
+double milisegundosDeOrden(const std::string &orden);
 
 /// Raíz del error cuadrático medio entre dos imágenes, en niveles de 255. Con `exacta`, sin redondear, tres por píxel.
 double rmse(const Imagen &imagen, const Imagen &referencia);

@@ -15,8 +15,8 @@ struct Particula {
 static void mideParticulas(Medidor &m) {
     abreContexto();
     glDisable(GL_DEPTH_TEST);
-    const Lienzo lienzo(m.talla(96, 960), m.talla(72, 720));
-    const int n = m.talla(100, 100000), muchas = m.talla(1000, 1000000);
+    const Framebuffer framebuffer(m.elige(96, 960), m.elige(72, 720));
+    const int n = m.elige(100, 100000), muchas = m.elige(1000, 1000000);
     std::mt19937 azar(3);
     const auto al = [&] { return float(double(azar()) / 2147483648.0 - 1); };
     std::vector<Particula> inicio;
@@ -33,7 +33,7 @@ static void mideParticulas(Medidor &m) {
     glBindBuffer(GL_ARRAY_BUFFER, bufer);
     glEnableVertexAttribArray(ATRIBUTO_POSICION);
     const auto dibujaPuntos = [&](GLuint programa, int cuantas) {
-        lienzo.borra(0, 0, 0);
+        framebuffer.borra(0, 0, 0);
         glUseProgram(programa);
         glBindVertexArray(vao);
         glDrawArrays(GL_POINTS, 0, cuantas);

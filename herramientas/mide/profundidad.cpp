@@ -7,8 +7,8 @@ using namespace mide;
 
 static const double SEPARACION = 1e-4; // una diezmilésima de la distancia
 
-/// Porcentaje de pares mal ordenados con la profundidad que guarda el formato, calculada en float como la GPU. Al revés: 1
-/// cerca y 0 lejos, donde un float tiene más cifras.
+/// Porcentaje de pares mal ordenados con la profundidad que guarda el formato, calculada en float como la GPU. Al
+/// revés: 1 cerca y 0 lejos, donde un float tiene más cifras.
 static double confundidos(double cerca, double lejos, int bits, bool alReves) {
     const int n = 20000;
     int mal = 0;
@@ -46,10 +46,10 @@ static void mideProfundidad(Medidor &m) {
         const double lejos = 1000, cerca = lejos / std::pow(10.0, cociente);
         m.grupo = std::string("lejos/cerca = ") + POTENCIA[cociente];
         for (const auto &f : FORMATOS) {
-            const Lienzo lienzo(m.talla(48, 480), m.talla(36, 360), 0, f.formato);
+            const Framebuffer framebuffer(m.elige(48, 480), m.elige(36, 360), 0, f.formato);
             m.variante(f.nombre + std::string(", ") + POTENCIA[cociente],
                        confundidos(cerca, lejos, f.bits, f.alReves), 1, yEspera([&] {
-                           lienzo.borra(0, 0, 0);
+                           framebuffer.borra(0, 0, 0);
                            for (int i = 0; i < 8; ++i)
                                dibujaRectangulo();
                        }),

@@ -16,7 +16,8 @@ struct Giro {
     float angulo;
 };
 
-/// Lo que se separa en píxeles, como mucho, un punto girado con M del girado con el giro exacto (Rodrigues, en cuádruple).
+/// Lo que se separa en píxeles, como mucho, un punto girado con M del girado con el giro exacto (Rodrigues, en
+/// cuádruple).
 static double error(const glm::mat3 &M, const glm::vec3 &eje, const Cuad &angulo) {
     const Cuad x = eje.x, y = eje.y, z = eje.z, l = sqrt(x * x + y * y + z * z), c = cos(angulo),
                s = sin(angulo), v = 2 * pow(sin(angulo / 2), 2);
@@ -55,7 +56,7 @@ static glm::mat3 ortonormal(const glm::mat3 &M) {
 static void mideRotacion(Medidor &m) {
     std::mt19937 azar(1);
     std::vector<Giro> giros;
-    for (int i = 0; i < m.talla(60, 600); ++i) {
+    for (int i = 0; i < m.elige(60, 600); ++i) {
         const auto al = [&] { return float(double(azar()) / 2147483648.0 - 1); };
         giros.push_back({{al(), al(), al()}, i % 3 ? 3 * al() : 1e-4f * al()});
     }
@@ -97,7 +98,7 @@ static void mideRotacion(Medidor &m) {
     matriz("cuaternión a matriz (GLM)", conCuaternion, {1, INFINITO});
 
     m.grupo = "10⁶ pasos";
-    const int pasos = m.talla(1000, 1000000);
+    const int pasos = m.elige(1000, 1000000);
     const Giro paso = {{1, 2, 3}, 0.001f};
     const glm::mat3 unPaso(giroEje(paso.eje, paso.angulo));
     const glm::quat unCuaternion = glm::angleAxis(paso.angulo, glm::normalize(paso.eje));
@@ -105,7 +106,7 @@ static void mideRotacion(Medidor &m) {
                             const char *nota = "") {
         // lo exacto: tantas veces el ángulo que de verdad tiene el float
         const double e = error(recorre(pasos), paso.eje, Cuad(paso.angulo) * pasos);
-        const int pocos = m.talla(10, 1000);
+        const int pocos = m.elige(10, 1000);
         m.variante(
             "10⁶ pasos, " + std::string(nombre), e, pocos, [&] { usa(recorre(pocos)); }, espera, nota);
     };

@@ -8,8 +8,8 @@ using namespace mide;
 static void mideRuido(Medidor &m) {
     abreContexto();
     glDisable(GL_DEPTH_TEST);
-    const int lado = m.talla(32, 512);
-    const Lienzo lienzo(lado, lado);
+    const int lado = m.elige(32, 512);
+    const Framebuffer framebuffer(lado, lado);
     std::vector<double> exacta;
     for (int y = 0; y < lado; ++y)
         for (int x = 0; x < lado; ++x) {
@@ -26,14 +26,14 @@ static void mideRuido(Medidor &m) {
                               const std::string &nota) {
         envia(programa, "octavas", octavas);
         const auto dibuja = [&] {
-            lienzo.abre();
+            framebuffer.abre();
             dibujaRectangulo();
         };
         dibuja();
-        const Imagen imagen = lienzo.lee();
+        const Imagen imagen = framebuffer.lee();
         m.variante(nombre, rmse(imagen, exacta), 1, yEspera(dibuja), espera, nota, imagen);
     };
-    for (const int n : m.talla<std::vector<int>>({16, 64}, {16, 32, 64, 128})) {
+    for (const int n : m.elige<std::vector<int>>({16, 64}, {16, 32, 64, 128})) {
         std::vector<unsigned char> texels;
         for (int i = 0; i < n * n * n; ++i) {
             const glm::vec3 p = float(CELDAS) / float(n) * (glm::vec3(i % n, i / n % n, i / n / n) + 0.5f);

@@ -31,7 +31,7 @@ static void mideSeleccion(Medidor &m) {
     abreContexto();
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_DITHER);
-    const Lienzo lienzo(m.talla(96, 960), m.talla(72, 720));
+    const Framebuffer framebuffer(m.elige(96, 960), m.elige(72, 720));
     std::mt19937 azar(4);
     const auto al = [&] { return float(double(azar()) / 2147483648.0 - 1); };
     std::vector<glm::vec4> bolas; // centro y radio
@@ -40,7 +40,7 @@ static void mideSeleccion(Medidor &m) {
     const GLuint programa =
         creaPrograma("ch03_transformaciones/objeto.vert", "ch10_interaccion/identificador.frag");
     glUseProgram(programa);
-    envia(programa, "proyeccion", proyeccionEscena(lienzo));
+    envia(programa, "proyeccion", proyeccionEscena(framebuffer));
     envia(programa, "camara", camaraEscena());
     const oraculo::Camara camara = camaraExacta();
     oraculo::Escena escena;
@@ -48,13 +48,13 @@ static void mideSeleccion(Medidor &m) {
         escena.push_back(
             oraculo::esfera(oraculo::traslada(exacto(glm::vec3(b))) * oraculo::escala(double(b.w))));
     std::vector<glm::ivec2> clics;
-    for (int i = 0; i < m.talla(50, 2000); ++i)
-        clics.push_back({int(0.5f * (1 + al()) * float(lienzo.ancho - 1)),
-                         int(0.5f * (1 + al()) * float(lienzo.alto - 1))});
+    for (int i = 0; i < m.elige(50, 2000); ++i)
+        clics.push_back({int(0.5f * (1 + al()) * float(framebuffer.ancho - 1)),
+                         int(0.5f * (1 + al()) * float(framebuffer.alto - 1))});
     std::vector<unsigned> verdad;
     for (const glm::ivec2 &c : clics)
-        verdad.push_back(oraculo::primerImpacto(
-                             escena, oraculo::rayo(camara, lienzo.ancho, lienzo.alto, c.x + 0.5, c.y + 0.5))
+        verdad.push_back(oraculo::primerImpacto(escena, oraculo::rayo(camara, framebuffer.ancho,
+                                                                      framebuffer.alto, c.x + 0.5, c.y + 0.5))
                              .objeto +
                          1);
 
@@ -64,7 +64,8 @@ static void mideSeleccion(Medidor &m) {
         return identificadorDe({p[0], p[1], p[2]});
     };
     using Elige = std::function<unsigned(const glm::ivec2 &)>;
-    // el error, con todos los clics; los últimos con `sinDibujar`, que da lo mismo que `elige` con lo que ya está dibujado
+    // el error, con todos los clics; los últimos con `sinDibujar`, que da lo mismo que `elige` con lo que ya está
+    // dibujado
     const auto variante = [&](const std::string &nombre, const Elige &elige, const Elige &sinDibujar,
                               const Rango &espera, const char *nota = "") {
         std::size_t mal = 0, k = 0;
@@ -76,7 +77,7 @@ static void mideSeleccion(Medidor &m) {
             [&] { usa(elige(clics[k++ % clics.size()])); }, espera, nota);
     };
     const auto dibuja = [&](const Buferes &b) {
-        lienzo.borra(0, 0, 0);
+        framebuffer.borra(0, 0, 0);
         for (std::size_t i = 0; i < bolas.size(); ++i) {
             envia(programa, "M", traslacion(glm::vec3(bolas[i])) * escalado(bolas[i].w));
             envia(programa, "identificador", colorDe(unsigned(i + 1)));
@@ -98,7 +99,7 @@ static void mideSeleccion(Medidor &m) {
                 dibuja(b);
             return leePixel(c);
         };
-        lienzo.borra(0, 0, 0); // que no acierte por lo que había
+        framebuffer.borra(0, 0, 0); // que no acierte por lo que había
         variante(
             "dibujar solo ese píxel" + malla,
             [&](const auto &c) {
@@ -113,12 +114,13 @@ static void mideSeleccion(Medidor &m) {
             borraBuferes(b);
             continue;
         }
-        std::vector<unsigned char> todo(4 * lienzo.ancho * lienzo.alto);
+        std::vector<unsigned char> todo(4 * framebuffer.ancho * framebuffer.alto);
         variante("dibujar y leer la ventana",
                  [&](const auto &c) {
                      dibuja(b);
-                     glReadPixels(0, 0, lienzo.ancho, lienzo.alto, GL_RGBA, GL_UNSIGNED_BYTE, todo.data());
-                     const std::size_t i = 4 * (c.y * lienzo.ancho + c.x);
+                     glReadPixels(0, 0, framebuffer.ancho, framebuffer.alto, GL_RGBA, GL_UNSIGNED_BYTE,
+                                  todo.data());
+                     const std::size_t i = 4 * (c.y * framebuffer.ancho + c.x);
                      return identificadorDe({todo[i], todo[i + 1], todo[i + 2]});
                  },
                  leePixel, {0, 1.5});
@@ -131,7 +133,8 @@ static void mideSeleccion(Medidor &m) {
     const auto conRayo = [&](auto cero) {
         using T = decltype(cero);
         return [&](const glm::ivec2 &c) {
-            const oraculo::Rayo r = oraculo::rayo(camara, lienzo.ancho, lienzo.alto, c.x + 0.5, c.y + 0.5);
+            const oraculo::Rayo r =
+                oraculo::rayo(camara, framebuffer.ancho, framebuffer.alto, c.x + 0.5, c.y + 0.5);
             return cortaEsferas<T>(bolas, {r.origen.x, r.origen.y, r.origen.z},
                                    {r.direccion.x, r.direccion.y, r.direccion.z});
         };

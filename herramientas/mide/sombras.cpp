@@ -1,5 +1,5 @@
-// El desplazamiento de polígono de las sombras proyectivas: con poco, sombra y mesa se cosen; con mucho, la sombra tapa lo que
-// está encima de la mesa. Frente a la sombra trazada.
+// El desplazamiento de polígono de las sombras proyectivas: con poco, sombra y mesa se cosen; con mucho, la sombra tapa
+// lo que está encima de la mesa. Frente a la sombra trazada.
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "ch07_realismo/sombra.h"
@@ -17,7 +17,7 @@ static const glm::vec3 CENTRO(0.2f, 0.5f, 0);
 static void mideSombras(Medidor &m) {
     abreContexto();
     glEnable(GL_DEPTH_TEST);
-    const Lienzo lienzo(m.talla(64, 400), m.talla(48, 300));
+    const Framebuffer framebuffer(m.elige(64, 400), m.elige(48, 300));
     const GLuint programa = creaPrograma("herramientas/mide/liso.vert", "ch07_realismo/liso.frag");
     const Buferes mesa = creaBuferes(plano(1)), bola = creaBuferes(esfera(64));
     const glm::mat4 tablero = giroX(-1.57079633f) * escalado(5.0f),
@@ -37,10 +37,11 @@ static void mideSombras(Medidor &m) {
             envia(programa, "color", color);
             ::dibuja(b);
         };
-        lienzo.borra(1, 1, 1);
+        framebuffer.borra(1, 1, 1);
         glUseProgram(programa);
         envia(programa, "vista",
-              glm::perspective(float(ANGULO_SOMBRAS), float(lienzo.ancho) / float(lienzo.alto), 1.0f, 60.0f) *
+              glm::perspective(float(ANGULO_SOMBRAS), float(framebuffer.ancho) / float(framebuffer.alto),
+                               1.0f, 60.0f) *
                   camaraOrbita(v.orbita));
         pinta(mesa, tablero, {1, 1, 1, 1});
         pinta(bola, M, {1, 0, 0, 1});
@@ -59,8 +60,8 @@ static void mideSombras(Medidor &m) {
         luz.posicion = xyz(v.luz);
         const oraculo::Camara camara = oraculo::perspectiva(
             oraculo::orbita(v.orbita.azimut, v.orbita.elevacion, v.orbita.distancia), ANGULO_SOMBRAS, 1, 60);
-        refs.push_back(
-            oraculo::render(escena, camara, lienzo.ancho, lienzo.alto, [&](const oraculo::Impacto &i) {
+        refs.push_back(oraculo::render(
+            escena, camara, framebuffer.ancho, framebuffer.alto, [&](const oraculo::Impacto &i) {
                 const bool sombra = i.objeto == 0 && oraculo::enSombra({escena[1]}, i.punto, luz);
                 return oraculo::Tono(i.objeto == 1 ? oraculo::Vec3{1, 0, 0}
                                      : sombra      ? oraculo::Vec3{}
@@ -81,11 +82,11 @@ static void mideSombras(Medidor &m) {
         Imagen imagen;
         for (std::size_t k = 0; k < refs.size(); ++k) {
             dibuja(k, factor, unidades);
-            const Imagen gpu = lienzo.lee();
+            const Imagen gpu = framebuffer.lee();
             if (k == 0)
                 imagen = gpu;
-            for (int y = 0; y < lienzo.alto; ++y)
-                for (int x = 0; x < lienzo.ancho; ++x) {
+            for (int y = 0; y < framebuffer.alto; ++y)
+                for (int x = 0; x < framebuffer.ancho; ++x) {
                     if (oraculo::enBanda(refs[k], x, y))
                         continue;
                     const oraculo::PixelRef &p = refs[k].en(x, y);

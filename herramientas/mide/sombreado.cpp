@@ -21,12 +21,13 @@ static Malla facetas(const Malla &malla) {
 
 static void mideSombreado(Medidor &m) {
     abreContexto();
-    const Lienzo lienzo(m.talla(64, 640), m.talla(48, 480));
+    const Framebuffer framebuffer(m.elige(64, 640), m.elige(48, 480));
     glEnable(GL_DEPTH_TEST);
-    const oraculo::ImagenRef ref = oraculo::render(
-        {oraculo::esfera({})}, camaraExacta(), lienzo.ancho, lienzo.alto, [](const oraculo::Impacto &i) {
-            return i ? phongExacto(i.punto, i.normal) : oraculo::Vec3{0.95, 0.96, 0.98};
-        });
+    const oraculo::ImagenRef ref =
+        oraculo::render({oraculo::esfera({})}, camaraExacta(), framebuffer.ancho, framebuffer.alto,
+                        [](const oraculo::Impacto &i) {
+                            return i ? phongExacto(i.punto, i.normal) : oraculo::Vec3{0.95, 0.96, 0.98};
+                        });
     m.referencia = oraculo::enBytes(ref);
     const struct {
         const char *nombre, *modelo;
@@ -44,13 +45,13 @@ static void mideSombreado(Medidor &m) {
         for (const int n : modelo.segmentos) {
             const Buferes b =
                 creaBuferes(modelo.nombre == std::string("plano") ? facetas(esfera(n)) : esfera(n));
-            enviaEscena(modelo.programa, lienzo);
+            enviaEscena(modelo.programa, framebuffer);
             const auto dibuja = [&] {
-                lienzo.borra(0.95f, 0.96f, 0.98f);
+                framebuffer.borra(0.95f, 0.96f, 0.98f);
                 dibujaObjeto(modelo.programa, b, glm::mat4(1), camaraEscena(), CORAL);
             };
             dibuja();
-            const Imagen imagen = lienzo.lee();
+            const Imagen imagen = framebuffer.lee();
             m.variante(std::string(modelo.nombre) + " de " + std::to_string(n), errorDeFrente(imagen, ref), 1,
                        yEspera(dibuja), {0, n == 192 && modelo.modelo == std::string("phong") ? 2 : 100.0},
                        "", imagen);

@@ -20,8 +20,8 @@ static void tesela(const Parche &q, const Division &d, std::vector<Vertice> &ver
         }
 }
 
-/// Lo más que se separan, en píxeles, los triángulos de una división del punto de la superficie de la misma (u, v): en los
-/// lados y en el centro de cada triángulo.
+/// Lo más que se separan, en píxeles, los triángulos de una división del punto de la superficie de la misma (u, v): en
+/// los lados y en el centro de cada triángulo.
 static double error(const Parche &q, const Division &d) {
     const auto punto = [&](double u, double v) {
         return parche::posicion(q, parche::pesos(u, 1 - u), parche::pesos(v, 1 - v));
@@ -60,7 +60,7 @@ static void mideSuperficies(Medidor &m) {
             tesela(parches[k], d[k], vertices);
         usa(vertices.data());
     };
-    for (const int n : m.talla<std::vector<int>>({4, 8}, {4, 8, 16, 32, 64})) {
+    for (const int n : m.elige<std::vector<int>>({4, 8}, {4, 8, 16, 32, 64})) {
         const std::vector<Division> d(parches.size(), {n, n});
         variante(std::to_string(n) + "×" + std::to_string(n), d, CUALQUIERA, [&] { sueltos(d); });
     }
@@ -76,7 +76,7 @@ static void mideSuperficies(Medidor &m) {
                  divisionesPara(parches, t * PIXEL), {0, t}, [&] { usa(teselaParches(parches, t * PIXEL)); });
 #ifdef LAB_PAR_GLU
     mideGlu(m, parches, PIXEL, 0.5f, "par: GLU, pidiendo 0.5 px");
-    mideGlu(m, parches, PIXEL, m.talla(0.5f, 0.04f), "par: GLU, pidiendo 0.04 px");
+    mideGlu(m, parches, PIXEL, m.elige(0.5f, 0.04f), "par: GLU, pidiendo 0.04 px");
 #endif
 }
 

@@ -15,13 +15,15 @@ struct Rayo {
 struct Camara {
     Vec3 ojo, centro{0, 0, -1}, arriba{0, 1, 0};
     bool esParalela = true;
-    double semilado =
-        1; // mitad del alto de una ventana 4:3 o más ancha; en perspectiva, a distancia 1 del ojo
+    /// Mitad del alto de una ventana 4:3 o más ancha; en perspectiva, a distancia 1 del ojo.
+    double semilado = 1;
     double cerca = -1, lejos = 1;
 };
 inline Camara miraDesde(const Vec3 &ojo, const Vec3 &centro, const Vec3 &arriba = {0, 1, 0}) {
     Camara c;
-    c.ojo = ojo, c.centro = centro, c.arriba = arriba;
+    c.ojo = ojo;
+    c.centro = centro;
+    c.arriba = arriba;
     return c;
 }
 /// La de common/orbita.h: desde +Z, sube `elevacion` (alrededor de X) y luego gira `azimut` alrededor de Y.
@@ -31,12 +33,18 @@ inline Camara orbita(double azimut, double elevacion, double distancia, const Ve
 }
 /// perspectivaVentana: `angulo` abarca el alto útil.
 inline Camara perspectiva(Camara c, double angulo, double cerca, double lejos) {
-    c.esParalela = false, c.semilado = std::tan(angulo / 2), c.cerca = cerca, c.lejos = lejos;
+    c.esParalela = false;
+    c.semilado = std::tan(angulo / 2);
+    c.cerca = cerca;
+    c.lejos = lejos;
     return c;
 }
 /// paralelaVentana: [−semilado, semilado] en el alto útil.
 inline Camara paralela(Camara c, double semilado, double cerca = -1, double lejos = 1) {
-    c.esParalela = true, c.semilado = semilado, c.cerca = cerca, c.lejos = lejos;
+    c.esParalela = true;
+    c.semilado = semilado;
+    c.cerca = cerca;
+    c.lejos = lejos;
     return c;
 }
 

@@ -125,8 +125,11 @@ Comparacion comparaCon(const Imagen &gpu, const ImagenRef &ref, double umbral, D
             if (!enBanda(ref, x, y)) {
                 ++c.interior;
                 suma += d * d;
-                if (c.xMaximo < 0 || d > c.maximo)
-                    c.maximo = d, c.xMaximo = x, c.yMaximo = y;
+                if (c.xMaximo < 0 || d > c.maximo) {
+                    c.maximo = d;
+                    c.xMaximo = x;
+                    c.yMaximo = y;
+                }
                 continue;
             }
             ++c.banda;

@@ -37,7 +37,8 @@ inline Objeto plano(const Mat4 &M) { // lado 1 en XY, normal +Z
 }
 inline Objeto toro(const Mat4 &M, double radio, double radioTubo) { // anillo en el plano XY
     Objeto o{Objeto::TORO, M};
-    o.radio = radio, o.radioTubo = radioTubo;
+    o.radio = radio;
+    o.radioTubo = radioTubo;
     return o;
 }
 inline Objeto malla(const Mat4 &M, std::vector<VerticeRef> vertices,

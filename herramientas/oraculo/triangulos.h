@@ -18,8 +18,10 @@ struct Corte {
 
     /// Se queda con `otra` si está más cerca, pero más allá de `minimo`. Con NaN no pasa nada.
     void propon(double otra, double minimo, int laCara = 0) {
-        if (otra > minimo && otra < t)
-            t = otra, cara = laCara;
+        if (otra > minimo && otra < t) {
+            t = otra;
+            cara = laCara;
+        }
     }
 };
 

@@ -63,7 +63,7 @@ async function arranca(programa,
     lab.FS.writeFile(ruta, datos);
   };
   for (const [ruta, texto] of [...Object.entries(shaders), ...cambios]) escribe('/lab/' + ruta, texto);
-  for (const t of programa.texturas) escribe(`/lab/assets/${t}.rgb`, await bytes(t));
+  for (const t of programa.texturas) escribe(`/lab/assets/${t}`, await bytes(t));
   for (const [ruta, datos] of Object.entries(ficheros)) escribe(ruta, datos);
   const leidos = new Set(), abre = lab.FS.open;
   lab.FS.open = (ruta, ...resto) => { leidos.add(String(ruta)); return abre(ruta, ...resto); };

@@ -784,7 +784,7 @@ TEST(Solenoide, PuntosContraLaHelice) {
 TEST(Solenoide, TuboAlrededorDeLaHelice) {
     for (const int vueltas : {2, 7, 16}) {
         const Malla mallas[2] = {tuboSolenoide(vueltas, 0), tuboSolenoide(vueltas, 1)};
-        std::set<std::array<GLuint, 3>> triangulos;
+        std::set<std::array<unsigned, 3>> triangulos;
         const int trozos = TROZOS_SEGMENTO, lados = LADOS_TUBO;
         for (int resto = 0; resto < 2; ++resto) {
             const Malla &m = mallas[resto];

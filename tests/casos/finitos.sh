@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# finitos.sh BUILD CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION: dibuja el caso en una ventana de float y mira que todos sus colores sean finitos.
+# finitos.sh BUILD CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION: dibuja el caso en una ventana de float y mira que todos sus colores sean
+# finitos.
 # finitos.sh BUILD planta: planta un NaN y un infinito en un shader, y exige que se vean.
 set -euo pipefail
 build=$1

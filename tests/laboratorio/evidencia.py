@@ -18,6 +18,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "herramientas"))
 import catalogo
 import medidas
 from documentos import filas
+from procesos import pruebas_de
 
 # Las ecuaciones numeradas del libro: de la 1 a la n de cada capítulo.
 ECUACIONES = {3: 10, 4: 4, 5: 7, 7: 4, 8: 1, 9: 1, 11: 42}
@@ -26,16 +27,8 @@ SIN_PRUEBA = "Sin prueba:"
 
 
 def lista_pruebas(build):
-    """«ch03_giro.GiroEje.AnguloPequeno» de cada programa de GoogleTest, y lo que hay de cada uno."""
-    nombres = []
-    for ejecutable in sorted((build / "tests").glob("*_test")):
-        salida = subprocess.run([ejecutable, "--gtest_list_tests"], capture_output=True, text=True, check=True).stdout
-        for linea in salida.splitlines():
-            if not linea.startswith(" "):
-                grupo = linea.split("#")[0].strip()
-            else:
-                nombres.append(f"{ejecutable.name[:-5]}.{grupo}{linea.split('#')[0].strip()}")
-    return nombres
+    """«ch03_giro.GiroEje.AnguloPequeno» de cada TEST de cada programa de GoogleTest."""
+    return [f"{ejecutable.name[:-5]}.{nombre}" for ejecutable in sorted((build / "tests").glob("*_test")) for nombre in pruebas_de(ejecutable)]
 
 
 def busca(cita, pruebas):

@@ -155,8 +155,9 @@ def prueba_entradas(p):
     n.tecla("\ue004")  # Tab
     exige(n.js("return document.activeElement.tagName") == "BUTTON", "con Tab se sale del lienzo a los botones")
 
-    p.abre("#E3.5" + ";tecla d;tecla%20d" * 3 + ";tecla d")
-    p.es("ch03_transformaciones", "grua-girada", "el enlace con su guion")
+    for enlace in ("#E3.5" + ";tecla d;tecla%20d" * 3 + ";tecla d", "#grua;tecla d ×7"):
+        p.abre(enlace)
+        p.es("ch03_transformaciones", "grua-girada", "el enlace con su guion")
     p.abre("#grua")
     n.js("for (let i = 0; i < 7; ++i) todos('.mando button').find(b => b.textContent === 'd').click()")
     p.es("ch03_transformaciones", "grua-girada", "el botón d, siete veces,")

@@ -53,7 +53,7 @@ programa 'exit 0'
 caso 1 "no dibuja" 'grua.ppm'
 ventana 1 "no abre su ventana" 'no abre su ventana'
 programa 'grua "$@"; sleep 5 >/dev/null 2>&1'
-ventana 1 "no atiende Esc" 'Esc no lo termina'
+ventana 1 "no atiende Esc" 'no lo termina'
 programa "exec '$build/ventana/ch01_intro/primer_programa' \"\$@\""
 ventana 1 "de un solo color" 'un solo color' grua-quieta 'espera 10'
 programa 'grua "$@"'

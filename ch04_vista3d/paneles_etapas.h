@@ -1,5 +1,5 @@
-// Los seis paneles de etapas_pipeline: dónde están, qué matrices usan, qué números llevan al lado y qué vértice señala el ratón.
-// Sin OpenGL.
+// Los seis paneles de etapas_pipeline: dónde están, qué matrices usan, qué números llevan al lado y qué vértice señala
+// el ratón. Sin OpenGL.
 #pragma once
 #include "aspecto.h"
 #include "ch03_transformaciones/transformaciones.h"
@@ -13,8 +13,8 @@
 const double ANGULO = 0.62, CERCA = 3, LEJOS = 7.5; // el ángulo, en radianes
 const glm::dvec3 OJO(2.0, 3.4, 5.4), INTERES(0.1, 0.7, 0);
 
-/// `escena`: donde se dibuja; debajo, en lo que queda de `panel`, van los números. Lo del mundo pasa por `delMundo` a las
-/// coordenadas que el panel enseña, y de ellas lo dibujan `camara` y `proyeccion`.
+/// `escena`: donde se dibuja; debajo, en lo que queda de `panel`, van los números. Lo del mundo pasa por `delMundo` a
+/// las coordenadas que el panel enseña, y de ellas lo dibujan `camara` y `proyeccion`.
 struct Panel {
     Recuadro panel, escena;
     glm::dmat4 delMundo = glm::dmat4(1);
@@ -47,7 +47,8 @@ inline Matrices matricesEn(const Recuadro &ventana, const glm::dmat4 &M) {
             transformacionViewport(ventana.x, ventana.y, ventana.ancho, ventana.alto)};
 }
 
-/// Pone en cada panel sus tres matrices. `orbita` es la de quien mira desde fuera; su distancia multiplica la del panel.
+/// Pone en cada panel sus tres matrices. `orbita` es la de quien mira desde fuera; su distancia multiplica la del
+/// panel.
 inline void colocaMatrices(std::array<Panel, PANELES> &paneles, const Matrices &m, const Orbita &orbita,
                            float distanciaObjeto) {
     paneles[OBJETO].delMundo = glm::inverse(m.M);
@@ -110,7 +111,9 @@ inline std::string numerosPanel(std::size_t panel, const Etapas &e, double guard
     case OBJETO: return tres(e.objeto, "x ", "y ", "z ");
     case MUNDO: return tres(e.mundo, "x ", "y ", "z ");
     case CAMARA: return tres(e.camara, "x ", "y ", "z ");
-    case NDC: return e.dentro ? tres(e.ndc, "x/w ", "y/w ", "z/w ") : tres(e.recortado, "x ", "y ", "z ");
+    case NDC:
+        return conDosDecimales("w ", e.recortado.w) + "\n" +
+               (e.dentro ? tres(e.ndc, "x/w ", "y/w ", "z/w ") : tres(e.recortado, "x ", "y ", "z "));
     default:
         if (!e.dentro)
             return "no llega";
