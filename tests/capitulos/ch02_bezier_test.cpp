@@ -1,5 +1,5 @@
-// Comprobaciones independientes de la tetera y de ch02_modelado/bezier.h: normales contra derivadas en
-// cuádruple precisión, error de cuerda, grietas, fronteras de longitud cero y los datos de Newell.
+// Comprobaciones independientes de la tetera y de ch02_modelado/bezier.h: normales contra derivadas en cuádruple precisión, error de
+// cuerda, grietas, fronteras de longitud cero y los datos de Newell.
 #include "azar.h"
 #include "ch02_modelado/bezier.h"
 #include "colores.h"
@@ -99,10 +99,9 @@ double separacion(const glm::dvec3 &a, const V3<Quad> &b) { // |a − b/|b||
     return double(largo(V3<Quad>(a) - b / largo(b)));
 }
 
-// Cota del error de la normal en doble precisión. Cada derivada es una suma de 16 productos de pesos (menos
-// de 8 redondeos), diferencias (1) y la propia suma (15): 24 redondeos, relativos a la suma de valores
-// absolutos. El producto vectorial divide por el seno del ángulo entre las derivadas, y él y normalizar
-// añaden 8.
+// Cota del error de la normal en doble precisión. Cada derivada es una suma de 16 productos de pesos (menos de 8 redondeos), diferencias
+// (1) y la propia suma (15): 24 redondeos, relativos a la suma de valores absolutos. El producto vectorial divide por el seno del ángulo
+// entre las derivadas, y él y normalizar añaden 8.
 double cotaNormal(const Parche &q, const Exacto<Quad> &e, double u, double v) {
     using Pesos = std::array<double, 4>; // los de Bernstein, y cotas de los sumandos de los de sus derivadas
     const auto pesos = [](double t) {
@@ -123,8 +122,8 @@ double cotaNormal(const Parche &q, const Exacto<Quad> &e, double u, double v) {
     return U * (24 * (su / lu + sv / lv) + 8) * (lu * lv / ln);
 }
 
-// Lo más que se separan los triángulos de la superficie: en una rejilla de cada triángulo, del punto con los mismos (u, v). Se mide
-// donde `lleva` lleva los puntos.
+// Lo más que se separan los triángulos de la superficie: en una rejilla de cada triángulo, del punto con los mismos (u, v). Se mide donde
+// `lleva` lleva los puntos.
 template<class Lleva>
 double errorDeCuerda(const std::vector<Parche> &parches, double tolerancia, int paso, Lleva lleva) {
     const Malla malla = teselaParches(parches, tolerancia).malla;
@@ -227,8 +226,7 @@ TEST(DatosTetera, SonLosDeNewell) {
         }
 }
 
-// La posición y la normal, en una rejilla con las fronteras, contra la referencia. La cota es la de
-// cotaNormal.
+// La posición y la normal, en una rejilla con las fronteras, contra la referencia. La cota es la de cotaNormal.
 TEST(Bezier, NormalesContraDerivadasEnCuadruple) {
     double peor = 0;
     int comparadas = 0;
@@ -255,8 +253,8 @@ TEST(Bezier, NormalesContraDerivadasEnCuadruple) {
     RecordProperty("peor_error_normal", std::to_string(peor * 1e16) + "e-16");
 }
 
-// En el centro de la tapa y en el del fondo ∂u = 0: el límite de la normal, que la referencia toma a 1e-12
-// del borde, es ±Z; el camino desde dentro lo cruza sin saltos ni NaN.
+// En el centro de la tapa y en el del fondo ∂u = 0: el límite de la normal, que la referencia toma a 1e-12 del borde, es ±Z; el camino
+// desde dentro lo cruza sin saltos ni NaN.
 TEST(Bezier, FronterasDeLongitudCero) {
     for (const std::size_t primero : {20u, 28u})
         for (std::size_t k = primero; k < primero + 4; ++k)
@@ -327,9 +325,9 @@ TEST(Bezier, NuncaNaN) {
         EXPECT_LE(separacion(evaluaParche(lejano, u, 0.3).normal, evalua<Quad>(lejano, u, 0.3).n), 1e-14);
 }
 
-// La distancia de cada punto de un triángulo al punto de la superficie con los mismos (u, v) no pasa de la
-// tolerancia (más el redondeo a float de posiciones y parámetros: 4·2⁻²⁴ y, con derivadas de hasta 12,
-// 12·2⁻²⁴). Tampoco sobra demasiado: el peor parche llega a más de un cuarto de la tolerancia.
+// La distancia de cada punto de un triángulo al punto de la superficie con los mismos (u, v) no pasa de la tolerancia (más el redondeo a
+// float de posiciones y parámetros: 4·2⁻²⁴ y, con derivadas de hasta 12, 12·2⁻²⁴). Tampoco sobra demasiado: el peor parche llega a más de
+// un cuarto de la tolerancia.
 TEST(Bezier, ErrorDeCuerda) {
     const double redondeo = 16 * std::ldexp(1.0, -24);
     for (double tolerancia : {0.3, 0.12, 0.03, 0.0075}) {
@@ -342,15 +340,14 @@ TEST(Bezier, ErrorDeCuerda) {
         EXPECT_LE(errorDeCuerda({aleatorio(azar)}, 0.02, 4, dondeEsta), 0.02 + redondeo);
 }
 
-// Con la cámara del programa, a 960×720, medio píxel: el error de cuerda proyectado en cada punto, que acota
-// el de la silueta.
+// Con la cámara del programa, a 960×720, medio píxel: el error de cuerda proyectado en cada punto, que acota el de la silueta.
 TEST(Bezier, ToleranciaDePartidaMenosDeMedioPixel) {
     const auto enPixel = [](const glm::dvec3 &p) { return enPixeles(camaraTetera(), enPie(p), 960, 720); };
     EXPECT_LT(errorDeCuerda(tetera(), PIXEL, 6, enPixel), 0.5);
 }
 
-// Sin grietas: solo quedan sueltas las de los lados de parche que no comparte nadie: la boca y la tapa (4 cada una), los dos extremos
-// del asa y los del pitorro (2 cada uno).
+// Sin grietas: solo quedan sueltas las de los lados de parche que no comparte nadie: la boca y la tapa (4 cada una), los dos extremos del
+// asa y los del pitorro (2 cada uno).
 TEST(Bezier, SinGrietas) {
     for (double tolerancia : {1.0, 0.3, 0.1, 0.037, 0.0075}) {
         const std::vector<Division> d = divisionesPara(tetera(), tolerancia);
@@ -362,8 +359,8 @@ TEST(Bezier, SinGrietas) {
     }
 }
 
-// Lo que hace que no haya grietas, en doble precisión: recorrer una curva al revés da el mismo punto, y una
-// curva reducida a un punto da ese punto.
+// Lo que hace que no haya grietas, en doble precisión: recorrer una curva al revés da el mismo punto, y una curva reducida a un punto da
+// ese punto.
 TEST(Bezier, CurvaAlRevesBitABit) {
     Azar azar(4);
     for (int n = 1; n <= 60; ++n) {
@@ -377,8 +374,7 @@ TEST(Bezier, CurvaAlRevesBitABit) {
     }
 }
 
-// Dos parches cualesquiera con un lado común, recorrido en cada sentido y por u o por v: sus vértices
-// coinciden.
+// Dos parches cualesquiera con un lado común, recorrido en cada sentido y por u o por v: sus vértices coinciden.
 TEST(Bezier, LadosComunesBitABit) {
     Azar azar(3);
     for (int n = 0; n < 100; ++n) {
@@ -395,9 +391,8 @@ TEST(Bezier, LadosComunesBitABit) {
     }
 }
 
-// Los triángulos giran hacia donde apunta la normal, y la normal apunta hacia fuera: al dado por el parche
-// explorado desde el eje de cada pieza. El cuerpo, el borde, la tapa y el fondo encierran un volumen
-// positivo.
+// Los triángulos giran hacia donde apunta la normal, y la normal apunta hacia fuera: al dado por el parche explorado desde el eje de cada
+// pieza. El cuerpo, el borde, la tapa y el fondo encierran un volumen positivo.
 TEST(Bezier, GiroYNormalesHaciaFuera) {
     const Malla m = teselaParches(tetera(), 0.01).malla;
     for (std::size_t t = 0; t < m.indices.size(); t += 3) {
@@ -421,8 +416,8 @@ TEST(Bezier, GiroYNormalesHaciaFuera) {
         EXPECT_NEAR(glm::length(glm::dvec3(v.normal)), 1, 1.5 * std::ldexp(1.0, -24));
 }
 
-// La cuadrícula de cada parche: (u, v) por sus divisiones. Los triángulos de un cuadrilátero comparten la diagonal en que columna
-// menos fila es entera.
+// La cuadrícula de cada parche: (u, v) por sus divisiones. Los triángulos de un cuadrilátero comparten la diagonal en que columna menos
+// fila es entera.
 TEST(Bezier, Cuadricula) {
     const std::vector<Parche> cuerpo = {tetera()[4]}, tapa = {tetera()[20]};
     const Division d = divisionesPara(cuerpo, 0.05)[0], e = divisionesPara(tapa, 0.05)[0];
@@ -475,8 +470,7 @@ oraculo::Objeto teteraDensa() {
     return oraculo::malla(oraculo::Mat4(), vertices, indices);
 }
 
-// El esmalte que promete tetera.frag: difuso con la luz de la izquierda y el cielo de arriba, brillo de Blinn y reflejo en los
-// bordes.
+// El esmalte que promete tetera.frag: difuso con la luz de la izquierda y el cielo de arriba, brillo de Blinn y reflejo en los bordes.
 oraculo::Vec3 esmalte(const oraculo::Impacto &i, const oraculo::Vec3 &color) {
     using namespace oraculo;
     const Vec3 L{-0.62, 0.45, 0.643}, V = haciaOjo(i), N = escalar(i.normal, V) < 0 ? -i.normal : i.normal;
@@ -519,7 +513,7 @@ TEST(Tetera, MasFinaYMasBasta) {
         std::ostringstream texto;
         texto << "hasta " << errores[i] << " px de error\n"
               << teselaParches(tetera(), errores[i] * PIXEL).malla.indices.size() / 3 << " triángulos";
-        compruebaRotulo(vistas[i].encima, texto.str(), {480, 0.08 * 720}, OSCURO, Lado::CENTRO);
+        compruebaRotulos(vistas[i].encima, {{texto.str(), {480, 0.08 * 720}, OSCURO}});
     }
 }
 

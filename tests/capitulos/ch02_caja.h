@@ -1,26 +1,24 @@
 // La caja del ejercicio 2.1 vista como la ven malla_vf y tiras, en doble precisión.
 #pragma once
 #include "colores.h"
-#include "contra_oraculo.h"
+#include "panel.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <vector>
 
 const int ANCHO = 480, ALTO = 360; // de las imágenes que se comparan
 const glm::vec3 CAJA[8] = {{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0},
                            {0, 1, 0}, {0, 1, 1}, {1, 1, 1}, {1, 1, 0}};
 using T3 = std::array<unsigned, 3>; // vértices, desde el 1
-using Linea = std::vector<unsigned>;
 
 /// Un vértice llevado a la esfera de radio 1: la media diagonal de la caja mide √3/2.
 inline oraculo::Vec3 verticeCaja(unsigned i) {
     return exacto((glm::dvec3(CAJA[i - 1]) - 0.5) / (std::sqrt(3.0) / 2));
 }
 
-/// La cámara de los dos programas: a la menor distancia desde la que caben a 4:3 los ocho vértices, aumentados un 22 %; después la
-/// gira y la sube el ratón.
+/// La cámara de los dos programas: a la menor distancia desde la que caben a 4:3 los ocho vértices, aumentados un 22 %; después la gira y
+/// la sube el ratón.
 inline oraculo::Camara camaraCaja(double azimut, double elevacion, double gira = 0, double sube = 0) {
     const double t = std::tan(0.3);
     const oraculo::Camara lejana = oraculo::orbita(azimut, elevacion, 100);
@@ -54,23 +52,21 @@ void compruebaCaja(const std::string &que, const Imagen &escena, const std::vect
                0.012}); // los bordes, por la rejilla de 1/256 de píxel a la que OpenGL lleva cada vértice
 }
 
-/// Comprueba que los trazos de ese color son las líneas que unen esos vértices y nada más, que las caras los tapan y que son de ese
-/// grosor, en píxeles de una ventana de 1080 líneas.
-inline void compruebaTrazos(const Vista &vista, const oraculo::Camara &camara,
-                            const std::vector<Linea> &lineas, const glm::vec3 &color, double grosor) {
-    const int ancho = vista.escena.ancho, alto = vista.escena.alto;
-    double largo = 0;
-    for (const Linea &linea : lineas) {
-        std::vector<glm::dvec2> puntos;
-        for (const unsigned i : linea)
-            puntos.push_back(enPixeles(camara, verticeCaja(i), ancho, alto));
-        compruebaTrazo(vista.encima, puntos, color);
-        for (std::size_t i = 1; i < puntos.size(); ++i)
-            largo += glm::distance(puntos[i - 1], puntos[i]);
+/// Comprueba que los trazos de ese color unen esos vértices y nada más, que obedecen a la profundidad y que miden eso de ancho, en
+/// píxeles de una ventana de 1080 líneas.
+inline void compruebaCaminos(const Vista &vista, const oraculo::Camara &camara,
+                             const std::vector<std::vector<unsigned>> &caminos, const glm::vec3 &color,
+                             double grosor) {
+    std::vector<Linea> lineas;
+    for (const auto &camino : caminos) {
+        lineas.emplace_back();
+        for (const unsigned i : camino)
+            lineas.back().push_back(verticeCaja(i));
     }
-    EXPECT_NEAR(vista.encima.largo(color), largo, 0.1);
+    compruebaTrazos(vista.encima, {camara, vista.escena}, lineas, color);
+    const double unidad = oraculo::altoUtil(vista.escena.ancho, vista.escena.alto) / 1080;
     for (const Pintado &p : vista.encima.trazos(color, "segmentos")) {
-        EXPECT_NEAR(p.talla, std::max(grosor * oraculo::altoUtil(ancho, alto) / 1080, 1.0), 1e-4);
+        EXPECT_NEAR(p.talla, std::max(grosor * unidad, 1.0), 1e-4);
         EXPECT_TRUE(p.conProfundidad);
     }
 }
@@ -85,25 +81,14 @@ inline int grosorPintado(const Imagen &imagen, const oraculo::Camara &camara, un
     return n;
 }
 
-/// Solo los rótulos de ese color.
-inline Encima rotulosDe(const Encima &encima, const glm::vec3 &color) {
-    Encima rotulos;
-    std::copy_if(encima.begin(), encima.end(), std::back_inserter(rotulos),
-                 [&](const Pintado &p) { return p.tipo == "rotulo" && p.es(color); });
-    return rotulos;
-}
-
-/// Comprueba que está, por fuera, el número de cada uno de esos vértices, y de ninguno más.
-inline void compruebaNumeros(const Vista &vista, const oraculo::Camara &camara,
-                             const std::vector<unsigned> &vistos) {
-    const Encima numeros = rotulosDe(vista.encima, OSCURO);
-    const glm::dvec2 talla(vista.escena.ancho, vista.escena.alto);
-    EXPECT_EQ(numeros.size(), vistos.size());
+/// Los números de esos vértices en una ventana de 960×720, por fuera.
+inline std::vector<Letrero> numeros(const oraculo::Camara &camara, const std::vector<unsigned> &vistos) {
+    std::vector<Letrero> letreros;
     for (const unsigned i : vistos) {
-        const glm::dvec2 p = enPixeles(camara, verticeCaja(i), int(talla.x), int(talla.y)),
-                         d = p / talla - 0.5;
+        const glm::dvec2 p = enPixeles(camara, verticeCaja(i), 960, 720), d = p / glm::dvec2(960, 720) - 0.5;
         const Lado lado = std::fabs(d.x) > std::fabs(d.y) ? (d.x > 0 ? Lado::DERECHA : Lado::IZQUIERDA)
                                                           : (d.y > 0 ? Lado::ENCIMA : Lado::DEBAJO);
-        compruebaRotulo(numeros, std::to_string(i), p, OSCURO, lado);
+        letreros.push_back({std::to_string(i), p, OSCURO, lado});
     }
+    return letreros;
 }

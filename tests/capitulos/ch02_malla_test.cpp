@@ -3,6 +3,7 @@
 #include "ch02_modelado/encuadre_malla.h"
 #include "ch02_modelado/topologia.h"
 #include "guiones.h"
+#include "tabla.h"
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -57,8 +58,8 @@ MallaVf alReves(MallaVf m) {
 
 } // namespace
 
-// Sin topología ninguna: la caja es convexa, así que una cara gira en sentido antihorario vista desde fuera
-// si su normal se aleja del centro (½,½,½). Solo la 5 y la 6 no lo hacen.
+// Sin topología ninguna: la caja es convexa, así que una cara gira en sentido antihorario vista desde fuera si su normal se aleja del
+// centro (½,½,½). Solo la 5 y la 6 no lo hacen.
 TEST(MallaVf, LasCaras5y6EstanAlReves) {
     for (std::size_t c = 0; c < 10; ++c) {
         const glm::vec3 &p = CAJA[CARAS[c][0] - 1], &q = CAJA[CARAS[c][1] - 1], &r = CAJA[CARAS[c][2] - 1];
@@ -78,36 +79,35 @@ TEST(MallaVf, InformeDelEjercicio) {
     EXPECT_EQ(e.salida, al + derecho + al);
 }
 
-// Cada cara, con la cámara y la luz calculadas en doble precisión: azul si desde el ojo sus vértices giran en sentido
-// antihorario y amarilla si no. Los triángulos son los del enunciado; con f, la 5 y la 6 al revés.
+// Cada cara, con la cámara y la luz calculadas en doble precisión: azul si desde el ojo sus vértices giran en sentido antihorario y
+// amarilla si no. Los triángulos son los del enunciado; con f, la 5 y la 6 al revés.
 TEST(MallaVf, ElColorDiceElSentido) {
     std::vector<T3> arregladas = CARAS;
     for (const std::size_t c : {4u, 5u})
         std::swap(arregladas[c][1], arregladas[c][2]);
     const struct {
         std::string guion;
-        bool arreglada;
-        int ancho, alto;
+        const std::vector<T3> &caras;
         double gira, sube;
-    } casos[] = {{"", false, ANCHO, ALTO, 0, 0},
-                 {"tecla f", true, ANCHO, ALTO, 0, 0},
-                 {"tecla f; tecla x; tecla f", false, 120, 200, 0, 0},
-                 {arrastra({100, 100}, {300, 60}), false, ANCHO, ALTO, -1, -0.2}};
-    for (const auto &c : casos)
-        compruebaCaja("«" + c.guion + "»", vistaDe("malla_vf", c.guion, c.ancho, c.alto).escena,
-                      c.arreglada ? arregladas : CARAS, camaraCaja(0.55, 0.62, c.gira, c.sube),
+    } casos[] = {{"", CARAS, 0, 0},
+                 {"tecla f", arregladas, 0, 0},
+                 {"tecla x; tamano 120 200", arregladas, 0, 0},
+                 {arrastra({20, 20}, {70, 10}) + "; tecla f", CARAS, -1, -0.2}};
+    paraCada("malla_vf", casos, ANCHO, ALTO, [](const auto &c, const Vista &vista) {
+        compruebaCaja(c.guion, vista.escena, c.caras, camaraCaja(0.55, 0.62, c.gira, c.sube),
                       [](const oraculo::Impacto &i) {
                           return luzFija(i.frente ? i.normalCara : -i.normalCara) *
                                  exacto(i.frente ? AZUL : AMARILLO);
                       });
+    });
 }
 
 // Las de la boca, gruesas y rojas; las demás, finas y oscuras.
 TEST(MallaVf, Aristas) {
     const Vista vista = vistaDe("malla_vf", "", ANCHO, ALTO);
     const oraculo::Camara camara = camaraCaja(0.55, 0.62);
-    compruebaTrazos(vista, camara, {{5, 6, 7, 8, 5}}, ROJO, 12);
-    compruebaTrazos(vista, camara, {{5, 1, 2, 3, 4, 1, 3}, {5, 2, 6, 3, 7, 4, 8, 1}}, OSCURO, 3);
+    compruebaCaminos(vista, camara, {{5, 6, 7, 8, 5}}, ROJO, 12);
+    compruebaCaminos(vista, camara, {{5, 1, 2, 3, 4, 1, 3}, {5, 2, 6, 3, 7, 4, 8, 1}}, OSCURO, 3);
     const Imagen imagen = imagenDe("malla_vf", "", ANCHO, ALTO);
     for (const auto &[a, b] : {std::pair(5u, 6u), {6u, 7u}, {7u, 8u}, {8u, 5u}}) {
         const int n = grosorPintado(imagen, camara, a, b, ROJO);
@@ -119,20 +119,17 @@ TEST(MallaVf, Aristas) {
 
 // El número de cada vértice que se ve (todos menos el 1, el del fondo), y el de cada cara, en su centro.
 TEST(MallaVf, Numeros) {
-    const Vista vista = vistaDe("malla_vf", "", 960, 720);
     const oraculo::Camara camara = camaraCaja(0.55, 0.62);
-    compruebaNumeros(vista, camara, {2, 3, 4, 5, 6, 7, 8});
-    const Encima deCaras = rotulosDe(vista.encima, BLANCO);
-    EXPECT_EQ(deCaras.size(), 5u);
+    std::vector<Letrero> letreros = numeros(camara, {2, 3, 4, 5, 6, 7, 8});
     for (const unsigned cara : {5u, 6u, 7u, 8u, 10u}) {
         const auto &[a, b, c] = CARAS[cara - 1];
         const oraculo::Vec3 centro = 1 / 3.0 * (verticeCaja(a) + verticeCaja(b) + verticeCaja(c));
-        compruebaRotulo(deCaras, std::to_string(cara), enPixeles(camara, centro, 960, 720), BLANCO,
-                        Lado::CENTRO);
+        letreros.push_back({std::to_string(cara), enPixeles(camara, centro, 960, 720), BLANCO});
     }
-    compruebaRotulo(vista.encima, "anverso", {0.02 * 960, 0.185 * 720}, AZUL, Lado::DERECHA);
-    compruebaRotulo(vista.encima, "reverso", {0.02 * 960, 0.125 * 720}, AMARILLO, Lado::DERECHA);
-    compruebaRotulo(vista.encima, "borde", {0.02 * 960, 0.065 * 720}, ROJO, Lado::DERECHA);
+    letreros.push_back({"anverso", {0.02 * 960, 0.185 * 720}, AZUL, Lado::DERECHA});
+    letreros.push_back({"reverso", {0.02 * 960, 0.125 * 720}, AMARILLO, Lado::DERECHA});
+    letreros.push_back({"borde", {0.02 * 960, 0.065 * 720}, ROJO, Lado::DERECHA});
+    compruebaRotulos(vistaDe("malla_vf", "", 960, 720).encima, letreros);
 }
 
 // Un prisma de base pentagonal con caras de 4 y 5 vértices, enorme y lejos del origen: llena la ventana, con sitio para sus números.
@@ -196,8 +193,8 @@ TEST(MallaVf, ErroresDelUsuario) {
         }
 }
 
-// Un sólido cerrado, también lejos del origen. Con cualquier subconjunto de caras invertido, las contrarias son la minoría (en un
-// empate, las que no concuerdan con la primera), y arreglarla las deja todas concordes. Los 64 casos.
+// Un sólido cerrado, también lejos del origen. Con cualquier subconjunto de caras invertido, las contrarias son la minoría (en un empate,
+// las que no concuerdan con la primera), y arreglarla las deja todas concordes. Los 64 casos.
 TEST(Topologia, LaMayoriaManda) {
     for (unsigned invertidas = 0; invertidas < 64; ++invertidas)
         for (const glm::vec3 &donde : {glm::vec3(0), glm::vec3(-1e6f, 2e6f, 3e6f)}) {
@@ -243,8 +240,7 @@ TEST(Topologia, CadaComponenteTieneSuMayoria) {
     EXPECT_EQ(t.sentidos, (std::vector<Sentido>{Sentido::ANTIHORARIO, Sentido::HORARIO}));
 }
 
-// Dos cubos que comparten una arista: esa tiene cuatro caras y no dice nada de cómo giran unas respecto a
-// otras.
+// Dos cubos que comparten una arista: esa tiene cuatro caras y no dice nada de cómo giran unas respecto a otras.
 TEST(Topologia, AristaDeCuatroCaras) {
     MallaVf m = cuboCerrado();
     anade(m, alReves(cuboCerrado()), {1, 0, 1});
