@@ -2,7 +2,7 @@
 // que completan la base, el objeto girado un ángulo φ, el de partida (pálido) y lo que recorre. El giro se calcula
 // siempre desde el ángulo: multiplicar un giro tras otro acumula error (dificil_transformaciones_test.cpp).
 // Controles: a d giran · 1 2 3 4 ejes Y, diagonal, oblicuo y casi X · botón izquierdo mueve el eje, derecho orbita ·
-// Esc termina.
+//            Esc termina.
 #include "colores.h"
 #include "objeto.h"
 #include "orbita.h"
