@@ -56,7 +56,7 @@ inline std::vector<Pieza> triangulos(GLenum primitiva, const std::vector<Vertice
 /// bits. Si el centro está a menos de su holgura de un lado, vale también lo que hay debajo.
 inline void compruebaPlana(const std::string &que, const Imagen &escena, const std::vector<Pieza> &piezas,
                            const oraculo::Vec3 &fondo) {
-    double mayor = 0, holgura = 0;
+    double mayor = 0, holgura = -1; // no hay lados
     std::string donde;
     for (int y = 0; y < escena.alto; ++y)
         for (int x = 0; x < escena.ancho; ++x) {
