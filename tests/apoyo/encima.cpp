@@ -157,3 +157,31 @@ void compruebaTrazo(const Encima &encima, const std::vector<glm::dvec2> &linea, 
     }
     EXPECT_LE(mayor, lejos) << "no hay trazo en (" << donde.x << ", " << donde.y << ")";
 }
+
+void compruebaRotulos(const Encima &encima, const std::vector<Letrero> &letreros) {
+    std::string todos;
+    std::size_t cuantos = 0;
+    for (const Pintado &p : encima)
+        if (p.tipo == "rotulo") {
+            todos += "«" + p.texto + "» ";
+            ++cuantos;
+        }
+    EXPECT_EQ(cuantos, letreros.size()) << "hay " << todos;
+    for (const Letrero &l : letreros) {
+        Encima cerca;
+        for (const Pintado &p : encima.rotulos(l.texto))
+            if (glm::distance(p.punto(2), l.punto) <= 0.1)
+                cerca.push_back(p);
+        compruebaRotulo(cerca, l.texto, l.punto, l.color, l.lado);
+    }
+}
+
+void compruebaPuntos(const Encima &encima, const std::vector<glm::dvec2> &puntos, const glm::vec3 &color) {
+    std::vector<glm::dvec2> hallados;
+    for (const Pintado &p : encima.trazos(color, "puntos"))
+        for (std::size_t i = 0; i < p.puntos.size(); ++i)
+            hallados.push_back(p.punto(i));
+    ASSERT_EQ(hallados.size(), puntos.size());
+    for (std::size_t i = 0; i < puntos.size(); ++i)
+        EXPECT_LE(glm::distance(hallados[i], puntos[i]), 0.1) << "el punto " << i;
+}

@@ -51,3 +51,17 @@ void compruebaRotulo(const Encima &encima, const std::string &texto, const glm::
 /// Comprueba que hay un trazo de ese color a lo largo de la línea de esos puntos: de ninguno de ella está a más de `lejos` píxeles.
 void compruebaTrazo(const Encima &encima, const std::vector<glm::dvec2> &linea, const glm::vec3 &color,
                     double lejos = 0.1);
+
+/// Lo que compruebaRotulo comprueba de un rótulo.
+struct Letrero {
+    std::string texto;
+    glm::dvec2 punto;
+    glm::vec3 color;
+    Lado lado = Lado::CENTRO;
+};
+
+/// Comprueba que están esos rótulos, el mismo texto en otro punto es otro, y ninguno más.
+void compruebaRotulos(const Encima &encima, const std::vector<Letrero> &letreros);
+
+/// Comprueba que los puntos de ese color son esos, en ese orden.
+void compruebaPuntos(const Encima &encima, const std::vector<glm::dvec2> &puntos, const glm::vec3 &color);
