@@ -36,21 +36,20 @@ Imagen lee(const std::string &nombre) {
     return leeTextura(recurso("assets/" + nombre + ".rgb"), a.ancho, a.alto);
 }
 
-/// Los texels del rectángulo de esquinas (x0, y0) y (x1, y1), sin esta.
+glm::ivec3 texel(const Imagen &im, int x, int y) {
+    const Pixel p = pixel(im, x, y);
+    return {p.r, p.g, p.b};
+}
+/// Los del rectángulo de esquinas (x0, y0) y (x1, y1), sin esta.
 std::vector<glm::ivec3> texels(const Imagen &im, int x0, int y0, int x1, int y1) {
     std::vector<glm::ivec3> v;
     for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x) {
-            const Pixel p = pixel(im, x, y);
-            v.emplace_back(p.r, p.g, p.b);
-        }
+        for (int x = x0; x < x1; ++x)
+            v.push_back(texel(im, x, y));
     return v;
 }
 std::vector<glm::ivec3> texels(const Imagen &im) {
     return texels(im, 0, 0, im.ancho, im.alto);
-}
-glm::ivec3 texel(const Imagen &im, int x, int y) {
-    return texels(im, x, y, x + 1, y + 1)[0];
 }
 
 glm::dvec3 media(const std::vector<glm::ivec3> &v) {
@@ -61,11 +60,10 @@ glm::dvec3 media(const std::vector<glm::ivec3> &v) {
 }
 /// Desviación típica de cada componente.
 glm::dvec3 desviacion(const std::vector<glm::ivec3> &v) {
-    const glm::dvec3 m = media(v);
-    glm::dvec3 suma(0);
+    glm::dvec3 cuadrados(0);
     for (const glm::ivec3 &t : v)
-        suma += (glm::dvec3(t) - m) * (glm::dvec3(t) - m);
-    return glm::sqrt(suma / double(v.size()));
+        cuadrados += t * t;
+    return glm::sqrt(cuadrados / double(v.size()) - media(v) * media(v));
 }
 template<class Vector>
 auto mayor(const Vector &v) {
