@@ -348,11 +348,8 @@ struct Fuente {
     std::string guion, nombre;
     int tipo; // 1 posicional, 2 direccional, 3 foco
     int grados = 30;
-    double exponente = 4, azimut = 0.35, elevacion = 0.5;
+    double exponente = 4, azimut = 0.35, elevacion = 0.5, delta = grados * PI / 180;
 
-    double delta() const {
-        return grados * PI / 180;
-    }
     Iluminada escena() const {
         const int n = segmentosEsfera(100);
         return {{{plano(TUMBADO * escala(6)), pintura({0.20, 0.21, 0.23}, {0.62, 0.64, 0.68}, 0.15, 20)},
@@ -366,7 +363,7 @@ struct Fuente {
                   pintura({0.19, 0.11, 0.03}, {0.80, 0.46, 0.10}, 0.50, 50), segmentosEsfera(400), n}},
                 {tipo == 1   ? posicional(FUENTE)
                  : tipo == 2 ? direccional(-S)
-                             : foco(FUENTE, FUENTE + S, delta(), exponente)},
+                             : foco(FUENTE, FUENTE + S, delta, exponente)},
                 perspectiva(orbita(azimut, elevacion, 19, {0, 0.75, 0}), 0.35, 1, 100)};
     }
 
@@ -384,7 +381,7 @@ struct Fuente {
             for (int i = 0; i <= 32; ++i) {
                 const double a = i * PI / 16;
                 const Vec3 radio = std::cos(a) * e + std::sin(a) * f;
-                amarillas[0].push_back(FUENTE + 1.4 * (std::cos(delta()) * S + std::sin(delta()) * radio));
+                amarillas[0].push_back(FUENTE + 1.4 * (std::cos(delta) * S + std::sin(delta) * radio));
                 if (i % 4 == 0 && i < 32)
                     amarillas.push_back({FUENTE, amarillas[0].back()});
             }

@@ -116,16 +116,16 @@ TEST(Sonda, PerfilDelBrilloContraCosenoElevadoAAlfa) {
 // Con R·V = 0 exacto y con R·V < 0: 0 elevado a 0 es 1, y una base negativa cuenta como 0. Lo que hace el pow del listado 5.1 con (0, 0)
 // no está definido.
 TEST(Sonda, CeroElevadoACero) {
-    const glm::vec3 P(-1, 0, 0), N(0, 0, 1); // V = (1, 0, 0)
-    const Luz enfrente{{-1, 0, 1, 1}};       // L = R = (0, 0, 1): R·V = 0
-    const Luz detras{{0.6f, 0, 0.8f, 0}};    // R = (-0.6, 0, 0.8): R·V = -0.6
-    for (const float alfa : {0.0f, 1e-3f, 1.0f, 3.0f, 500.0f}) {
-        Material m = MATERIAL;
-        m.alfa = alfa;
-        const glm::vec3 brillo = alfa == 0 ? m.Ks : glm::vec3(0);
-        EXPECT_LE(niveles(phong(m, enfrente, P, N), exacto(AMBIENTE + m.Kd + brillo)), 1e-3) << alfa;
-        EXPECT_LE(niveles(phong(m, detras, P, N), exacto(AMBIENTE + 0.8f * m.Kd + brillo)), 1e-3) << alfa;
-    }
+    const glm::vec3 P(-1, 0, 0), N(0, 0, 1);  // V = (1, 0, 0)
+    const glm::vec4 enfrente(-1, 0, 1, 1);    // L = R = (0, 0, 1): R·V = 0
+    const glm::vec4 detras(0.6f, 0, 0.8f, 0); // R = (-0.6, 0, 0.8): R·V = -0.6
+    for (const float alfa : {0.0f, 1e-3f, 1.0f, 3.0f, 500.0f})
+        for (const glm::vec4 &Lp : {enfrente, detras}) {
+            Material m = MATERIAL;
+            m.alfa = alfa;
+            const glm::vec3 esperado = AMBIENTE + Lp.z * m.Kd + (alfa == 0 ? m.Ks : glm::vec3(0));
+            EXPECT_LE(niveles(phong(m, Luz{Lp}, P, N), exacto(esperado)), 1e-3) << alfa;
+        }
 }
 
 TEST(Sonda, AlfaCeroEsUnBrilloConstante) {
