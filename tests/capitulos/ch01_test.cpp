@@ -25,7 +25,7 @@ std::string llamadas;
 #define glClearColor(r, g, b, a) (llamadas += (b) > 0.5 ? "azul " : "amarillo ")
 #define glutSwapBuffers() (llamadas += "intercambia ")
 #define glutPostRedisplay() (llamadas += "pide ")
-#define glutSetWindowTitle(t) (llamadas += "titula ")
+#define glutSetWindowTitle(t) (llamadas += std::string("«") + (t) + "» ")
 #include "ch01_intro/primer_programa.cpp"
 #undef glClear
 #undef glClearColor
@@ -70,10 +70,13 @@ TEST(PrimerPrograma, LaTeclaSQuitaElIntercambio) {
     using namespace primer_programa;
     const struct {
         std::string teclas, llamadas;
-    } pasos[] = {
-        {"", "borra intercambia "}, {"d", "pide borra intercambia "},   {"s", "titula borra "},
-        {"i", "azul borra "},       {"s", "titula borra intercambia "}, {"i", "amarillo borra intercambia "},
-        {"x", "borra intercambia "}};
+    } pasos[] = {{"", "borra intercambia "},
+                 {"d", "pide borra intercambia "},
+                 {"s", "«Primer programa: sin glutSwapBuffers» borra "},
+                 {"i", "azul borra "},
+                 {"s", "«Primer programa» borra intercambia "},
+                 {"i", "amarillo borra intercambia "},
+                 {"x", "borra intercambia "}};
     for (const auto &paso : pasos) {
         llamadas.clear();
         for (const char tecla : paso.teclas)

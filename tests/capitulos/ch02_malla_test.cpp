@@ -102,9 +102,9 @@ TEST(MallaVf, ElColorDiceElSentido) {
     });
 }
 
-// Las de la boca, gruesas y rojas; las demás, finas y oscuras.
+// Las de la boca, gruesas y rojas; las demás, finas y oscuras. También después de volver a hacerlas.
 TEST(MallaVf, Aristas) {
-    const Vista vista = vistaDe("malla_vf", "", ANCHO, ALTO);
+    const Vista vista = vistaDe("malla_vf", "tecla f; tecla f", ANCHO, ALTO);
     const oraculo::Camara camara = camaraCaja(0.55, 0.62);
     compruebaCaminos(vista, camara, {{5, 6, 7, 8, 5}}, ROJO, 12);
     compruebaCaminos(vista, camara, {{5, 1, 2, 3, 4, 1, 3}, {5, 2, 6, 3, 7, 4, 8, 1}}, OSCURO, 3);
