@@ -2,6 +2,7 @@
 #include "colores.h"
 #include "guiones.h"
 #include "plana.h"
+#include "tabla.h"
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 #include <algorithm>
@@ -15,8 +16,8 @@
 #include <string>
 #include <unistd.h>
 
-// Los dos programas que no usan common/ se prueban también por dentro. A primer_programa se le cambian las funciones de OpenGL
-// por otras que apuntan a quién se llama.
+// Los dos programas que no usan common/ se prueban también por dentro. A primer_programa se le cambian las funciones de OpenGL por otras
+// que apuntan a quién se llama.
 namespace primer_programa {
 std::string llamadas;
 #define main mainDelPrograma
@@ -46,31 +47,25 @@ namespace info_opengl {
 #undef main
 } // namespace info_opengl
 
-// Todos los píxeles son (255, 255, 0), también después de cambiar de tamaño y mientras no se dibuje tras cambiar el estado.
+// Todos los píxeles son de él, también después de cambiar de tamaño; tras cambiar el estado, mientras no se dibuje son del de antes.
 TEST(PrimerPrograma, TodoDelColorDeBorradoAlDibujar) {
     const oraculo::Vec3 amarillo{1, 1, 0}, azul = exacto(AZUL);
     const struct {
         std::string guion;
         oraculo::Vec3 color;
-        int ancho, alto;
-    } casos[] = {{"", amarillo, 240, 180},
-                 {"tamano 333 77", amarillo, 333, 77},
-                 {"tamano 1 1", amarillo, 1, 1},
-                 {"tecla i", amarillo, 240, 180},
-                 {"tecla d", amarillo, 240, 180},
-                 {"tecla i; tecla d", azul, 240, 180},
-                 {"tecla i; tamano 333 77", azul, 333, 77},
-                 {"tecla i; tecla d; tecla i", azul, 240, 180},
-                 {"tecla i; tecla i; tecla d", amarillo, 240, 180}};
-    for (const auto &c : casos) {
-        const Imagen imagen = imagenDe("primer_programa", c.guion);
-        EXPECT_TRUE(imagen.ancho == c.ancho && imagen.alto == c.alto) << c.guion;
-        compruebaPlana(c.guion, imagen, {}, c.color);
-    }
+    } casos[] = {{"", amarillo},
+                 {"tecla d", amarillo},
+                 {"tecla i", amarillo},
+                 {"tecla d", azul},
+                 {"tecla i", azul},
+                 {"tamano 333 77", amarillo},
+                 {"tecla i; tamano 1 1", azul},
+                 {"tamano 240 180; tecla i; tecla i; tecla d", azul}};
+    paraCada("primer_programa", casos, 240, 180,
+             [](const auto &c, const Vista &vista) { compruebaPlana(c.guion, vista.escena, {}, c.color); });
 }
 
-// Sin glutSwapBuffers se dibuja igual, pero en una ventana no se vería; sin ventana no hay diferencia, así que se miran las
-// llamadas.
+// Sin glutSwapBuffers se dibuja igual, pero en una ventana no se vería; sin ventana no hay diferencia, así que se miran las llamadas.
 TEST(PrimerPrograma, LaTeclaSQuitaElIntercambio) {
     using namespace primer_programa;
     const struct {
@@ -111,19 +106,19 @@ namespace {
         else
             std::ofstream(fichero) << "#version 140\n" << texto;
     };
-    const std::string vertices = "in vec4 posicion;\nvoid main() { gl_Position = posicion; }\n",
-                      otraSalida = "in vec4 posicion;\nout vec3 c;\nvoid main() { gl_Position = posicion; c "
-                                   "= vec3(1.0); }\n",
-                      sinPosicion = "void main() { gl_Position = vec4(0.0); }\n",
-                      rojo = "out vec4 color;\nvoid main() { color = vec4(1.0, 0.0, 0.0, 1.0); }\n",
-                      verde = "out vec4 color;\nvoid main() { color = vec4(0.0, 1.0, 0.0, 1.0); }\n",
-                      roto = "out vec4 color;\nvoid main() { esto no compila\n",
-                      otraEntrada = "out vec4 color;\nin vec4 c;\nvoid main() { color = c; }\n";
+    const std::string
+        vertices = "in vec4 posicion;\nvoid main() { gl_Position = posicion; }",
+        otraSalida = "out vec3 c;\nin vec4 posicion;\nvoid main() { gl_Position = posicion; c = vec3(1.0); }",
+        sinPosicion = "void main() { gl_Position = vec4(0.0); }",
+        rojo = "out vec4 color;\nvoid main() { color = vec4(1.0, 0.0, 0.0, 1.0); }",
+        verde = "out vec4 color;\nvoid main() { color = vec4(0.0, 1.0, 0.0, 1.0); }",
+        roto = "out vec4 color;\nvoid main() { esto no compila",
+        otraEntrada = "out vec4 color;\nin vec4 c;\nvoid main() { color = c; }";
     const struct {
         std::string vert, frag;
-        GLubyte r, g; // de lo que se ve
-    } pasos[] = {{vertices, rojo, 255, 0}, {vertices, roto, 255, 0},     {otraSalida, otraEntrada, 255, 0},
-                 {vertices, "", 255, 0},   {sinPosicion, verde, 255, 0}, {vertices, verde, 0, 255}};
+        int nivelRojo;
+    } pasos[] = {{vertices, rojo, 255}, {vertices, roto, 255},     {otraSalida, otraEntrada, 255},
+                 {vertices, "", 255},   {sinPosicion, verde, 255}, {vertices, verde, 0}};
     char nombre[] = "shader_basico", opcion[] = "-geometry", talla[] = "200x200";
     char *argv[] = {nombre, opcion, talla, nullptr};
     int argc = 3, n = 10;
@@ -133,17 +128,15 @@ namespace {
     glewExperimental = GL_TRUE;
     glewInit();
     cambiaTamano(200, 200);
+    inicia(); // aún no hay shaders
     for (const auto &paso : pasos) {
         escribe("ch01_intro/shader_basico.vert", paso.vert);
         escribe("ch01_intro/shader_basico.frag", paso.frag);
-        if (n == 10)
-            inicia();
-        else
-            tecladoEspecial(GLUT_KEY_F5, 0, 0);
+        tecladoEspecial(GLUT_KEY_F5, 0, 0);
         dibuja();
         GLubyte centro[3];
         glReadPixels(100, 80, 1, 1, GL_RGB, GL_UNSIGNED_BYTE, centro);
-        if (centro[0] != paso.r || centro[1] != paso.g || glGetError() != GL_NO_ERROR)
+        if (centro[0] != paso.nivelRojo || centro[1] != 255 - paso.nivelRojo || glGetError() != GL_NO_ERROR)
             std::exit(n);
         ++n;
     }
@@ -228,24 +221,18 @@ TEST(ErroresShader, SigueVivoYDiceEnQueCasoEsta) {
     const std::string bien = "Compila y enlaza", sigue = ":\nsigue el programa de antes";
     const struct {
         std::string guion, texto;
-        bool error;
-        int ancho, alto;
-    } casos[] = {{"", bien, false, 240, 180},
-                 {"tecla 2", "Error de compilación" + sigue, true, 240, 180},
-                 {"tecla 2; especial F5; tecla 0; tecla 4", "Error de compilación" + sigue, true, 240, 180},
-                 {"tecla 3", "Error de enlazado" + sigue, true, 120, 200},
-                 {"tecla 2; tecla 3; especial F5; tecla 1", bien, false, 120, 200}};
-    for (const auto &c : casos) {
-        const Vista vista = vistaDe("errores_shader", c.guion, c.ancho, c.alto);
-        const Hueco h = cuadrado(c.ancho, c.alto);
-        compruebaPlana(
-            c.guion, vista.escena,
-            triangulos(
-                GL_TRIANGLES,
-                {{-0.95, -0.92, exacto(AMARILLO)}, {0.95, -0.92, exacto(VERDE)}, {0, 0.62, exacto(AZUL)}}, h),
-            exacto(c.error ? ROJO : FONDO_CLARO));
-        EXPECT_EQ(vista.encima.size(), 1u);
-        compruebaRotulo(vista.encima, c.texto, {h.x + 0.5 * h.ancho, h.y + 0.97 * h.alto},
-                        c.error ? BLANCO : OSCURO, Lado::DEBAJO);
-    }
+    } casos[] = {{"", bien},
+                 {"tecla 2", "Error de compilación" + sigue},
+                 {"especial F5; tecla 0; tecla 4", "Error de compilación" + sigue},
+                 {"tamano 120 200; tecla 3", "Error de enlazado" + sigue},
+                 {"especial F5; tecla 1", bien}};
+    const std::vector<VerticePlano> vertices = {
+        {-0.95, -0.92, exacto(AMARILLO)}, {0.95, -0.92, exacto(VERDE)}, {0, 0.62, exacto(AZUL)}};
+    paraCada("errores_shader", casos, 240, 180, [&](const auto &c, const Vista &vista) {
+        const Hueco h = cuadrado(vista.escena.ancho, vista.escena.alto);
+        compruebaPlana(c.guion, vista.escena, triangulos(GL_TRIANGLES, vertices, h),
+                       exacto(c.texto == bien ? FONDO_CLARO : ROJO));
+        const glm::dvec2 arriba(h.x + 0.5 * h.ancho, h.y + 0.97 * h.alto);
+        compruebaRotulos(vista.encima, {{c.texto, arriba, c.texto == bien ? OSCURO : BLANCO, Lado::DEBAJO}});
+    });
 }

@@ -1,11 +1,10 @@
 // La caja del ejercicio 2.1 vista como la ven malla_vf y tiras, en doble precisión.
 #pragma once
 #include "colores.h"
-#include "contra_oraculo.h"
+#include "panel.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <vector>
 
 const int ANCHO = 480, ALTO = 360; // de las imágenes que se comparan
@@ -18,8 +17,8 @@ inline oraculo::Vec3 verticeCaja(unsigned i) {
     return exacto((glm::dvec3(CAJA[i - 1]) - 0.5) / (std::sqrt(3.0) / 2));
 }
 
-/// La cámara de los dos programas: a la menor distancia desde la que caben a 4:3 los ocho vértices, aumentados un 22 %; después la
-/// gira y la sube el ratón.
+/// La cámara de los dos programas: a la menor distancia desde la que caben a 4:3 los ocho vértices, aumentados un 22 %; después la gira y
+/// la sube el ratón.
 inline oraculo::Camara camaraCaja(double azimut, double elevacion, double gira = 0, double sube = 0) {
     const double t = std::tan(0.3);
     const oraculo::Camara lejana = oraculo::orbita(azimut, elevacion, 100);
@@ -30,11 +29,6 @@ inline oraculo::Camara camaraCaja(double azimut, double elevacion, double gira =
             std::max(distancia, 1.22 * (p.z + 100 + std::max(std::fabs(p.y), std::fabs(p.x) * 0.75) / t));
     }
     return oraculo::perspectiva(oraculo::orbita(azimut + gira, elevacion + sube, distancia), 0.6, 0.1, 100);
-}
-
-inline glm::dvec2 verticeEnPixeles(const oraculo::Camara &camara, unsigned i, int ancho = ANCHO,
-                                   int alto = ALTO) {
-    return enPixeles(camara, verticeCaja(i), ancho, alto);
 }
 
 /// La escena, contra unos triángulos de la caja, cada uno de un color, que puede depender de por dónde se vea.
@@ -58,34 +52,43 @@ void compruebaCaja(const std::string &que, const Imagen &escena, const std::vect
                0.012}); // los bordes, por la rejilla de 1/256 de píxel a la que OpenGL lleva cada vértice
 }
 
-/// Solo los rótulos de ese color.
-inline Encima rotulosDe(const Encima &encima, const glm::vec3 &color) {
-    Encima rotulos;
-    std::copy_if(encima.begin(), encima.end(), std::back_inserter(rotulos),
-                 [&](const Pintado &p) { return p.tipo == "rotulo" && p.es(color); });
-    return rotulos;
-}
-
-/// El número de cada uno de esos vértices, y de ninguno más, por fuera.
-inline void compruebaNumeros(const Encima &encima, const oraculo::Camara &camara,
-                             const std::vector<unsigned> &vistos) {
-    std::vector<std::string> textos;
-    for (const unsigned i : vistos) {
-        const glm::dvec2 p = verticeEnPixeles(camara, i, 960, 720), d = p / glm::dvec2(480, 360) - 1.0;
-        const Lado lado = std::fabs(d.x) > std::fabs(d.y) ? (d.x > 0 ? Lado::DERECHA : Lado::IZQUIERDA)
-                                                          : (d.y > 0 ? Lado::ENCIMA : Lado::DEBAJO);
-        textos.push_back(std::to_string(i));
-        compruebaRotulo(rotulosDe(encima, OSCURO), textos.back(), p, OSCURO, lado);
+/// Comprueba que los trazos de ese color unen esos vértices y nada más, que obedecen a la profundidad y que miden eso de ancho, en
+/// píxeles de una ventana de 1080 líneas.
+inline void compruebaCaminos(const Vista &vista, const oraculo::Camara &camara,
+                             const std::vector<std::vector<unsigned>> &caminos, const glm::vec3 &color,
+                             double grosor) {
+    std::vector<Linea> lineas;
+    for (const auto &camino : caminos) {
+        lineas.emplace_back();
+        for (const unsigned i : camino)
+            lineas.back().push_back(verticeCaja(i));
     }
-    EXPECT_EQ(encima.textos(OSCURO), textos);
+    compruebaTrazos(vista.encima, {camara, vista.escena}, lineas, color);
+    const double unidad = oraculo::altoUtil(vista.escena.ancho, vista.escena.alto) / 1080;
+    for (const Pintado &p : vista.encima.trazos(color, "segmentos")) {
+        EXPECT_NEAR(p.talla, std::max(grosor * unidad, 1.0), 1e-4);
+        EXPECT_TRUE(p.conProfundidad);
+    }
 }
 
-/// Los píxeles de ese color que hay en la vertical de un punto de la arista, a un tercio de `a`: con las caras ya pintadas.
-inline int gruesoPintado(const Imagen &imagen, const oraculo::Camara &camara, unsigned a, unsigned b,
+/// Los píxeles de ese color que se ven en la vertical de un punto de la arista, a un tercio de `a`: no los tapan sus propias caras.
+inline int grosorPintado(const Imagen &imagen, const oraculo::Camara &camara, unsigned a, unsigned b,
                          const glm::vec3 &color) {
     const glm::dvec2 p = enPixeles(camara, 2 / 3.0 * verticeCaja(a) + 1 / 3.0 * verticeCaja(b), ANCHO, ALTO);
     int n = 0;
     for (int d = -12; d <= 12; ++d)
         n += oraculo::diferencia(imagen, int(p.x), int(p.y) + d, exacto(color)) <= 1;
     return n;
+}
+
+/// Los números de esos vértices en una ventana de 960×720, por fuera.
+inline std::vector<Letrero> numeros(const oraculo::Camara &camara, const std::vector<unsigned> &vistos) {
+    std::vector<Letrero> letreros;
+    for (const unsigned i : vistos) {
+        const glm::dvec2 p = enPixeles(camara, verticeCaja(i), 960, 720), d = p / glm::dvec2(960, 720) - 0.5;
+        const Lado lado = std::fabs(d.x) > std::fabs(d.y) ? (d.x > 0 ? Lado::DERECHA : Lado::IZQUIERDA)
+                                                          : (d.y > 0 ? Lado::ENCIMA : Lado::DEBAJO);
+        letreros.push_back({std::to_string(i), p, OSCURO, lado});
+    }
+    return letreros;
 }

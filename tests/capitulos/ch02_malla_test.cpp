@@ -3,11 +3,11 @@
 #include "ch02_modelado/encuadre_malla.h"
 #include "ch02_modelado/topologia.h"
 #include "guiones.h"
+#include "tabla.h"
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <set>
 #include <sstream>
 
 namespace {
@@ -58,8 +58,8 @@ MallaVf alReves(MallaVf m) {
 
 } // namespace
 
-// Sin topología ninguna: la caja es convexa, así que una cara gira en sentido antihorario vista desde fuera
-// si su normal se aleja del centro (½,½,½). Solo la 5 y la 6 no lo hacen.
+// Sin topología ninguna: la caja es convexa, así que una cara gira en sentido antihorario vista desde fuera si su normal se aleja del
+// centro (½,½,½). Solo la 5 y la 6 no lo hacen.
 TEST(MallaVf, LasCaras5y6EstanAlReves) {
     for (std::size_t c = 0; c < 10; ++c) {
         const glm::vec3 &p = CAJA[CARAS[c][0] - 1], &q = CAJA[CARAS[c][1] - 1], &r = CAJA[CARAS[c][2] - 1];
@@ -79,105 +79,77 @@ TEST(MallaVf, InformeDelEjercicio) {
     EXPECT_EQ(e.salida, al + derecho + al);
 }
 
-// Cada cara, con la cámara y la luz calculadas en doble precisión: azul si desde el ojo sus vértices giran en sentido
-// antihorario y amarilla si no. Los triángulos son los del enunciado; con f, la 5 y la 6 al revés.
+// Cada cara, con la cámara y la luz calculadas en doble precisión: azul si desde el ojo sus vértices giran en sentido antihorario y
+// amarilla si no. Los triángulos son los del enunciado; con f, la 5 y la 6 al revés.
 TEST(MallaVf, ElColorDiceElSentido) {
     std::vector<T3> arregladas = CARAS;
     for (const std::size_t c : {4u, 5u})
         std::swap(arregladas[c][1], arregladas[c][2]);
     const struct {
         std::string guion;
-        bool arreglada;
-        int ancho, alto;
+        const std::vector<T3> &caras;
         double gira, sube;
-    } casos[] = {{"", false, ANCHO, ALTO, 0, 0},
-                 {"tecla f", true, ANCHO, ALTO, 0, 0},
-                 {"tecla f; tecla x; tecla f", false, 120, 200, 0, 0},
-                 {arrastra({100, 100}, {300, 60}), false, ANCHO, ALTO, -1, -0.2}};
-    for (const auto &c : casos)
-        compruebaCaja("«" + c.guion + "»", vistaDe("malla_vf", c.guion, c.ancho, c.alto).escena,
-                      c.arreglada ? arregladas : CARAS, camaraCaja(0.55, 0.62, c.gira, c.sube),
+    } casos[] = {{"", CARAS, 0, 0},
+                 {"tecla f", arregladas, 0, 0},
+                 {"tecla x; tamano 120 200", arregladas, 0, 0},
+                 {arrastra({20, 20}, {70, 10}) + "; tecla f", CARAS, -1, -0.2}};
+    paraCada("malla_vf", casos, ANCHO, ALTO, [](const auto &c, const Vista &vista) {
+        compruebaCaja(c.guion, vista.escena, c.caras, camaraCaja(0.55, 0.62, c.gira, c.sube),
                       [](const oraculo::Impacto &i) {
                           return luzFija(i.frente ? i.normalCara : -i.normalCara) *
                                  exacto(i.frente ? AZUL : AMARILLO);
                       });
+    });
 }
 
-// Las de la boca, gruesas y rojas; las demás, finas y oscuras; y ninguna más.
+// Las de la boca, gruesas y rojas; las demás, finas y oscuras.
 TEST(MallaVf, Aristas) {
-    const Encima encima = vistaDe("malla_vf", "", ANCHO, ALTO).encima;
+    const Vista vista = vistaDe("malla_vf", "", ANCHO, ALTO);
     const oraculo::Camara camara = camaraCaja(0.55, 0.62);
-    const std::set<std::pair<unsigned, unsigned>> boca = {{5, 6}, {6, 7}, {7, 8}, {5, 8}};
-    std::set<std::pair<unsigned, unsigned>> aristas;
-    for (const T3 &c : CARAS)
-        for (const std::size_t i : {0u, 1u, 2u})
-            aristas.insert(std::minmax(c[i], c[(i + 1) % 3]));
-    EXPECT_EQ(aristas.size(), 17u);
-    double rojo = 0, oscuro = 0;
-    for (const auto &[a, b] : aristas) {
-        const glm::dvec2 p = verticeEnPixeles(camara, a), q = verticeEnPixeles(camara, b);
-        const bool deBorde = boca.count({a, b}) > 0;
-        compruebaTrazo(encima, {p, q}, deBorde ? ROJO : OSCURO);
-        (deBorde ? rojo : oscuro) += glm::distance(p, q);
-    }
-    EXPECT_NEAR(encima.largo(ROJO), rojo, 0.1);
-    EXPECT_NEAR(encima.largo(OSCURO), oscuro, 0.1);
-    ASSERT_TRUE(encima.trazos(ROJO).size() == 1 && encima.trazos(OSCURO).size() == 1);
-    EXPECT_EQ(encima.trazos(ROJO)[0].talla, 12 * 360 / 1080);
-    EXPECT_EQ(encima.trazos(OSCURO)[0].talla, 1);
-    EXPECT_TRUE(encima.trazos(ROJO)[0].conProfundidad && encima.trazos(OSCURO)[0].conProfundidad);
-    // y una cara no tapa la mitad de las suyas: a lo alto se ven enteras
+    compruebaCaminos(vista, camara, {{5, 6, 7, 8, 5}}, ROJO, 12);
+    compruebaCaminos(vista, camara, {{5, 1, 2, 3, 4, 1, 3}, {5, 2, 6, 3, 7, 4, 8, 1}}, OSCURO, 3);
     const Imagen imagen = imagenDe("malla_vf", "", ANCHO, ALTO);
-    for (const auto &[a, b] : boca) {
-        const int n = gruesoPintado(imagen, camara, a, b, ROJO);
+    for (const auto &[a, b] : {std::pair(5u, 6u), {6u, 7u}, {7u, 8u}, {8u, 5u}}) {
+        const int n = grosorPintado(imagen, camara, a, b, ROJO);
         EXPECT_TRUE(n >= 4 && n <= 9) << a << "-" << b << ": " << n;
     }
-    const int n = gruesoPintado(imagen, camara, 3, 6, OSCURO);
+    const int n = grosorPintado(imagen, camara, 3, 6, OSCURO);
     EXPECT_TRUE(n >= 1 && n <= 3) << n;
 }
 
 // El número de cada vértice que se ve (todos menos el 1, el del fondo), y el de cada cara, en su centro.
 TEST(MallaVf, Numeros) {
-    const Encima encima = vistaDe("malla_vf", "", 960, 720).encima;
     const oraculo::Camara camara = camaraCaja(0.55, 0.62);
-    compruebaNumeros(encima, camara, {2, 3, 4, 5, 6, 7, 8});
+    std::vector<Letrero> letreros = numeros(camara, {2, 3, 4, 5, 6, 7, 8});
     for (const unsigned cara : {5u, 6u, 7u, 8u, 10u}) {
-        oraculo::Vec3 centro;
-        for (const unsigned i : CARAS[cara - 1])
-            centro = centro + 1 / 3.0 * verticeCaja(i);
-        compruebaRotulo(rotulosDe(encima, BLANCO), std::to_string(cara), enPixeles(camara, centro, 960, 720),
-                        BLANCO, Lado::CENTRO);
+        const auto &[a, b, c] = CARAS[cara - 1];
+        const oraculo::Vec3 centro = 1 / 3.0 * (verticeCaja(a) + verticeCaja(b) + verticeCaja(c));
+        letreros.push_back({std::to_string(cara), enPixeles(camara, centro, 960, 720), BLANCO});
     }
-    EXPECT_EQ(encima.textos(BLANCO).size(), 5u);
-    compruebaRotulo(encima, "anverso", {0.02 * 960, 0.185 * 720}, AZUL, Lado::DERECHA);
-    compruebaRotulo(encima, "reverso", {0.02 * 960, 0.125 * 720}, AMARILLO, Lado::DERECHA);
-    compruebaRotulo(encima, "borde", {0.02 * 960, 0.065 * 720}, ROJO, Lado::DERECHA);
+    letreros.push_back({"anverso", {0.02 * 960, 0.185 * 720}, AZUL, Lado::DERECHA});
+    letreros.push_back({"reverso", {0.02 * 960, 0.125 * 720}, AMARILLO, Lado::DERECHA});
+    letreros.push_back({"borde", {0.02 * 960, 0.065 * 720}, ROJO, Lado::DERECHA});
+    compruebaRotulos(vistaDe("malla_vf", "", 960, 720).encima, letreros);
 }
 
-// Un prisma de base pentagonal con caras de 4 y 5 vértices, enorme y lejos del origen: llena la ventana sin
-// salirse.
+// Un prisma de base pentagonal con caras de 4 y 5 vértices, enorme y lejos del origen: llena la ventana, con sitio para sus números.
 TEST(MallaVf, CualquierMallaLlenaLaVentana) {
-    std::ostringstream texto, lados;
-    for (int k = 0; k < 10; ++k) {
-        const double a = 2 * oraculo::PI * (k % 5) / 5;
-        texto << "v " << 100000 + 3000 * std::cos(a) << (k < 5 ? " -70000 " : " -66000 ")
-              << 3000 * std::sin(a) << "\n";
+    std::ostringstream vertices, lados;
+    for (int k = 0; k < 5; ++k) {
+        const double a = 2 * oraculo::PI * k / 5, x = 100000 + 3000 * std::cos(a), z = 3000 * std::sin(a);
+        vertices << "v " << x << " -70000 " << z << "\nv " << x << " -66000 " << z << "\n";
+        const int s = (k + 1) % 5;
+        lados << "f " << 2 * k + 1 << " " << 2 * k + 2 << " " << 2 * s + 2 << " " << 2 * s + 1 << "\n";
     }
-    texto << "f 1 2 3 4 5\nf 10 9 8 7 6\n";
-    for (int k = 1; k <= 5; ++k)
-        texto << "f " << k << " " << k + 5 << " " << k % 5 + 6 << " " << k % 5 + 1 << "\n";
-    const std::string ruta = fichero(texto.str());
+    const std::string ruta = fichero(vertices.str() + "f 1 3 5 7 9\nf 10 8 6 4 2\n" + lados.str());
     EXPECT_EQ(ejecuta("malla_vf", "", 240, 180, {ruta}).salida, informe(10, 7, 0, "ninguna", "antihorario"));
-    const Imagen imagen = imagenDe("malla_vf", "", 240, 180, {ruta});
-    glm::ivec2 minimo(240, 180), maximo(0);
-    for (int y = 0; y < 180; ++y)
-        for (int x = 0; x < 240; ++x)
-            if (oraculo::diferencia(imagen, x, y, exacto(FONDO_CLARO)) > 1) {
-                minimo = glm::min(minimo, glm::ivec2(x, y));
-                maximo = glm::max(maximo, glm::ivec2(x, y));
-            }
-    EXPECT_GT(maximo.y - minimo.y, 180 * 8 / 10);
-    EXPECT_TRUE(minimo.x > 0 && minimo.y > 0 && maximo.x < 239 && maximo.y < 179);
+    double lejos = 0; // del centro al borde, el vértice que más se acerca a este
+    for (const Pintado &aristas : vistaDe("malla_vf", "", 240, 180, {ruta}).encima.trazos(OSCURO))
+        for (std::size_t i = 0; i < aristas.puntos.size(); ++i) {
+            const glm::dvec2 d = glm::abs(aristas.punto(i) / glm::dvec2(120, 90) - 1.0);
+            lejos = std::max({lejos, d.x, d.y});
+        }
+    EXPECT_NEAR(lejos, 1 / 1.22, 0.04); // a la distancia en que llegaría al borde aumentado un 22 %
 }
 
 // Una malla de un solo punto, o que se ve de canto, no estropea la cámara.
@@ -221,38 +193,29 @@ TEST(MallaVf, ErroresDelUsuario) {
         }
 }
 
-TEST(Topologia, SolidoCerradoEnLosDosSentidos) {
-    for (const glm::vec3 &donde : {glm::vec3(0), glm::vec3(-1e6f, 2e6f, 3e6f)}) {
-        MallaVf m;
-        anade(m, cuboCerrado(), donde);
-        const Topologia t = analizaTopologia(m), i = analizaTopologia(alReves(m));
-        EXPECT_EQ(t.aristas.size(), 12u);
-        EXPECT_EQ(t.deBorde, 0u);
-        EXPECT_TRUE(t.contrarias.empty() && i.contrarias.empty());
-        EXPECT_EQ(t.sentidos, std::vector<Sentido>{Sentido::ANTIHORARIO});
-        EXPECT_EQ(i.sentidos, std::vector<Sentido>{Sentido::HORARIO});
-    }
-}
-
-// Con cualquier subconjunto de caras invertido, las contrarias son la minoría (en un empate, las que no
-// concuerdan con la primera), y arreglarla las deja todas concordes. Los 64 casos.
+// Un sólido cerrado, también lejos del origen. Con cualquier subconjunto de caras invertido, las contrarias son la minoría (en un empate,
+// las que no concuerdan con la primera), y arreglarla las deja todas concordes. Los 64 casos.
 TEST(Topologia, LaMayoriaManda) {
-    for (unsigned invertidas = 0; invertidas < 64; ++invertidas) {
-        MallaVf m = cuboCerrado();
-        std::vector<std::size_t> si, no;
-        for (std::size_t c = 0; c < 6; ++c) {
-            if (invertidas >> c & 1)
-                std::reverse(m.caras[c].begin(), m.caras[c].end());
-            (invertidas >> c & 1 ? si : no).push_back(c);
+    for (unsigned invertidas = 0; invertidas < 64; ++invertidas)
+        for (const glm::vec3 &donde : {glm::vec3(0), glm::vec3(-1e6f, 2e6f, 3e6f)}) {
+            MallaVf m;
+            anade(m, cuboCerrado(), donde);
+            std::vector<std::size_t> si, no;
+            for (std::size_t c = 0; c < 6; ++c) {
+                if (invertidas >> c & 1)
+                    std::reverse(m.caras[c].begin(), m.caras[c].end());
+                (invertidas >> c & 1 ? si : no).push_back(c);
+            }
+            const bool ganaNo = no.size() > si.size() || (no.size() == si.size() && !(invertidas & 1));
+            const Topologia t = analizaTopologia(m);
+            EXPECT_TRUE(t.aristas.size() == 12 && t.deBorde == 0);
+            EXPECT_EQ(t.contrarias, ganaNo ? si : no) << invertidas;
+            EXPECT_EQ(t.sentidos, std::vector{ganaNo ? Sentido::ANTIHORARIO : Sentido::HORARIO})
+                << invertidas;
+            const Topologia despues = analizaTopologia(concuerda(m, t));
+            EXPECT_TRUE(despues.contrarias.empty());
+            EXPECT_EQ(despues.sentidos, t.sentidos);
         }
-        const bool ganaNo = no.size() > si.size() || (no.size() == si.size() && !(invertidas & 1));
-        const Topologia t = analizaTopologia(m);
-        EXPECT_EQ(t.contrarias, ganaNo ? si : no) << invertidas;
-        EXPECT_EQ(t.sentidos[0], ganaNo ? Sentido::ANTIHORARIO : Sentido::HORARIO) << invertidas;
-        const Topologia despues = analizaTopologia(concuerda(m, t));
-        EXPECT_TRUE(despues.contrarias.empty());
-        EXPECT_EQ(despues.sentidos, t.sentidos);
-    }
 }
 
 // Quitar cualquiera de las caras de un cubo no cambia el sentido: la tapa que falta se supone.
@@ -277,8 +240,7 @@ TEST(Topologia, CadaComponenteTieneSuMayoria) {
     EXPECT_EQ(t.sentidos, (std::vector<Sentido>{Sentido::ANTIHORARIO, Sentido::HORARIO}));
 }
 
-// Dos cubos que comparten una arista: esa tiene cuatro caras y no dice nada de cómo giran unas respecto a
-// otras.
+// Dos cubos que comparten una arista: esa tiene cuatro caras y no dice nada de cómo giran unas respecto a otras.
 TEST(Topologia, AristaDeCuatroCaras) {
     MallaVf m = cuboCerrado();
     anade(m, alReves(cuboCerrado()), {1, 0, 1});

@@ -1,8 +1,10 @@
-// Lo que el libro pone mal y no es de ningún programa (docs/erratas.md): lo que no compila, lo que OpenGL 3.1 ya no tiene y lo que
-// GLSL entiende de otra manera. Cada prueba dice de qué parte del libro es.
+// Lo que el libro pone mal y no es de ningún programa (docs/erratas.md): lo que no compila, lo que OpenGL 3.1 ya no tiene y lo que GLSL
+// entiende de otra manera. Cada prueba dice de qué parte del libro es.
 #include "ch03_transformaciones/transformaciones.h"
 #include "ch04_vista3d/vista.h"
+#include "ejecuta.h"
 #include "sonda.h"
+#include <fstream>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -11,37 +13,32 @@
 
 namespace {
 
-/// Si compila un fragment shader con esas declaraciones y ese main.
-GLuint compila(const std::string &declaraciones, const std::string &cuerpo) {
-    const std::string texto =
-        "#version 140\nout vec4 colorFragmento;\n" + declaraciones + "\nvoid main() {\n" + cuerpo + "\n}\n";
-    const char *fuente = texto.c_str();
-    const GLuint shader = glCreateShader(GL_FRAGMENT_SHADER);
-    glShaderSource(shader, 1, &fuente, nullptr);
-    glCompileShader(shader);
-    GLint bien = GL_FALSE;
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &bien);
-    return bien ? shader : 0;
-}
-
 class Gl : public testing::Test {
 protected:
-    static GLuint programa;
-    static void SetUpTestSuite() {
-        programa = creaSonda("tests/capitulos/erratas.frag");
-    }
+    GLint vao = 0; // el que usa la sonda
+
     void SetUp() override {
+        static const GLuint sonda =
+            creaSonda("tests/capitulos/ch05_listado.frag"); // una, para abrir la ventana
+        glUseProgram(sonda);
         glDebugMessageCallback(nullptr, nullptr); // estas pruebas buscan el error; que no acabe con ellas
-        glUseProgram(programa);
+        glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &vao);
     }
-    static glm::vec4 glsl(int cual, const glm::vec4 &v = glm::vec4(0), const glm::mat4 &M = glm::mat4(1)) {
-        envia(programa, "cual", cual);
-        envia(programa, "v", v);
-        envia(programa, "M", M);
-        return leeSonda();
+    /// La sonda con esas declaraciones y ese color, ya en uso; 0 si no compila.
+    static GLuint compila(const std::string &declaraciones, const std::string &color) {
+        const std::string fichero = carpetaTemporal() / "prueba.frag";
+        std::ofstream(fichero) << "#version 140\nout vec4 colorFragmento;\n"
+                               << declaraciones << "\nvoid main() {\n    colorFragmento = " << color
+                               << ";\n}\n";
+        std::string error;
+        const GLuint programa = intentaPrograma("tests/apoyo/sonda.vert", fichero, error);
+        glUseProgram(programa);
+        return programa;
+    }
+    static void esperaError(GLenum error) {
+        EXPECT_EQ(glGetError(), error);
     }
 };
-GLuint Gl::programa;
 
 } // namespace
 
@@ -50,7 +47,7 @@ GLuint Gl::programa;
 // Listado 1.3: std::string msgs(' ', len).
 TEST(Cpp, LosArgumentosDeStringDelListado13) {
     const int len = 65;
-    EXPECT_EQ(std::string(' ', static_cast<char>(len)), std::string(32, 'A'));
+    EXPECT_EQ(std::string(' ', char(len)), std::string(32, 'A'));
     EXPECT_EQ(std::string(len, ' ').size(), 65u);
 }
 
@@ -81,29 +78,36 @@ TEST(Cpp, LosNombresQueNoExisten) {
 
 // Listado 2.3 y listado 6.2: en un GLuint, el −1 de lo que no está no se ve.
 TEST_F(Gl, LoQueNoEstaEnElShaderValeMenosUno) {
+    const GLuint programa = compila("", "vec4(1.0)");
     EXPECT_EQ(glGetAttribLocation(programa, "noEsta"), -1);
     EXPECT_EQ(glGetUniformLocation(programa, "noEsta"), -1);
 }
 
+// Listado 2.4 dibuja sin VAO: un contexto core lo rechaza. Con uno, aunque esté vacío, el mismo dibujo es válido.
+TEST_F(Gl, SinVaoNoSeDibuja) {
+    glBindVertexArray(0);
+    glDrawArrays(GL_POINTS, 0, 1);
+    esperaError(GL_INVALID_OPERATION);
+    glBindVertexArray(GLuint(vao));
+    glDrawArrays(GL_POINTS, 0, 1);
+    esperaError(GL_NO_ERROR);
+}
+
 // Listado 2.4: con un VAO, desenlazar el buffer de índices antes que él se lo quita.
 TEST_F(Gl, DesenlazarLosIndicesLosQuitaDelVao) {
-    GLuint vao = 0, indices = 0;
-    GLint anterior = 0, enlazado = 0;
-    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &anterior);
-    glGenVertexArrays(1, &vao);
-    glBindVertexArray(vao);
+    GLuint otro = 0, indices = 0;
+    glGenVertexArrays(1, &otro);
     glGenBuffers(1, &indices);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
-    glBindVertexArray(0);
-    glBindVertexArray(vao);
-    glGetIntegerv(GL_ELEMENT_ARRAY_BUFFER_BINDING, &enlazado);
-    EXPECT_EQ(static_cast<GLuint>(enlazado), indices);
-    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0); // la última línea del listado
-    glBindVertexArray(0);
-    glBindVertexArray(vao);
-    glGetIntegerv(GL_ELEMENT_ARRAY_BUFFER_BINDING, &enlazado);
-    EXPECT_EQ(enlazado, 0);
-    glBindVertexArray(static_cast<GLuint>(anterior));
+    for (const GLuint enlazado : {indices, 0u}) { // el 0 es la última línea del listado
+        glBindVertexArray(otro);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, enlazado);
+        glBindVertexArray(GLuint(vao));
+        glBindVertexArray(otro);
+        GLint quedan = -1;
+        glGetIntegerv(GL_ELEMENT_ARRAY_BUFFER_BINDING, &quedan);
+        EXPECT_EQ(GLuint(quedan), enlazado);
+    }
+    glBindVertexArray(GLuint(vao));
 }
 
 // §6.2.2.
@@ -112,9 +116,9 @@ TEST_F(Gl, GlClampNoExiste) {
     glGenTextures(1, &textura);
     glBindTexture(GL_TEXTURE_2D, textura);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    esperaError(GL_NO_ERROR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP);
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+    esperaError(GL_INVALID_ENUM);
 }
 
 // §6.3: no 4, sino 16.
@@ -128,40 +132,24 @@ TEST_F(Gl, HayAlMenos16UnidadesDeTextura) {
 TEST_F(Gl, GlDrawPixelsNoExiste) {
     const unsigned char rgb[4] = {};
     glDrawPixels(1, 1, GL_RGB, GL_UNSIGNED_BYTE, rgb);
-    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+    esperaError(GL_INVALID_OPERATION);
 }
 
 // --- GLSL ---
 
 // Listado 9.3.
 TEST_F(Gl, ElListado93NoCompila) {
-    EXPECT_NE(compila("const int tallaFiltro = 9;", "colorFragmento = vec4(tallaFiltro);"), 0u);
-    EXPECT_EQ(compila("const int tallaFiltro 9;", "colorFragmento = vec4(tallaFiltro);"), 0u);
-    const std::string imagen = "uniform sampler2D imagen;";
-    EXPECT_NE(compila(imagen, "colorFragmento = texture(imagen, vec2(0.5));"), 0u);
-    EXPECT_EQ(compila(imagen, "colorFragmento = textura(imagen, vec2(0.5));"), 0u);
+    EXPECT_NE(compila("const int tallaFiltro = 9;", "vec4(tallaFiltro)"), 0u);
+    EXPECT_EQ(compila("const int tallaFiltro 9;", "vec4(tallaFiltro)"), 0u);
+    EXPECT_NE(compila("uniform sampler2D imagen;", "texture(imagen, vec2(0.5))"), 0u);
+    EXPECT_EQ(compila("uniform sampler2D imagen;", "textura(imagen, vec2(0.5))"), 0u);
 }
 
 // §8.3: donde aún compila, no es ruido.
 TEST_F(Gl, NoiseNoExisteODaCero) {
-    const GLuint shader = compila("uniform float x;",
-                                  "colorFragmento = vec4(noise1(x), noise1(2.0 * x), noise1(x + 0.3), 1.0);");
-    if (shader == 0)
-        return;
-    const GLuint ruido = creaSonda("tests/capitulos/erratas.frag"); // con el vertex shader de la sonda
-    GLuint partes[2];
-    GLsizei cuantas = 0;
-    glGetAttachedShaders(ruido, 2, &cuantas, partes);
-    for (GLsizei i = 0; i < cuantas; ++i) {
-        GLint tipo = 0;
-        glGetShaderiv(partes[i], GL_SHADER_TYPE, &tipo);
-        if (tipo == GL_FRAGMENT_SHADER)
-            glDetachShader(ruido, partes[i]);
-    }
-    glAttachShader(ruido, shader);
-    glLinkProgram(ruido);
-    glUseProgram(ruido);
-    for (float x = 0.1f; x < 20; x += 0.37f) {
+    const GLuint ruido =
+        compila("uniform float x;", "vec4(noise1(x), noise1(2.0 * x), noise1(x + 0.3), 1.0)");
+    for (float x = 0.1f; ruido && x < 20; x += 0.37f) {
         glUniform1f(glGetUniformLocation(ruido, "x"), x); // que puede haber desaparecido con ellas
         EXPECT_EQ(leeSonda(), glm::vec4(0, 0, 0, 1)) << x;
     }
@@ -171,15 +159,21 @@ TEST_F(Gl, NoiseNoExisteODaCero) {
 TEST_F(Gl, UnVectorPorUnaMatrizEsUnaFila) {
     const glm::mat4 M = giroZ(0.5f) * traslacion({1, 2, 3});
     const glm::vec4 v(1, 2, 3, 1);
-    const auto cerca = [](const glm::vec4 &a, const glm::vec4 &b) { return glm::distance(a, b) < 1e-5f; };
-    EXPECT_TRUE(cerca(glsl(0, v, M), glm::transpose(M) * v));
-    EXPECT_FALSE(cerca(glsl(0, v, M), M * v));
-    EXPECT_TRUE(cerca(glsl(1, v, M), M * v));
+    const auto da = [&](const std::string &producto, const glm::vec4 &esperado) {
+        const GLuint programa = compila("uniform vec4 v;\nuniform mat4 M;", producto);
+        envia(programa, "v", v);
+        envia(programa, "M", M);
+        return glm::distance(leeSonda(), esperado) < 1e-5f;
+    };
+    EXPECT_TRUE(da("v * M", glm::transpose(M) * v));
+    EXPECT_FALSE(da("v * M", M * v));
+    EXPECT_TRUE(da("M * v", M * v));
 }
 
 // §9.1.2: 1 − color hace transparente lo opaco.
 TEST_F(Gl, ElNegativoDelLibroEsTransparente) {
-    EXPECT_EQ(glsl(2, {0.2f, 0.5f, 1, 1}).w, 0);
+    EXPECT_NE(compila("", "1.0 - vec4(0.2, 0.5, 1.0, 1.0)"), 0u);
+    EXPECT_EQ(leeSonda().w, 0);
 }
 
 // Listado 5.1: suma también las opacidades; con las de la tabla 5.1, que valen 1, pasa de 1.
@@ -197,17 +191,14 @@ TEST_F(Gl, ElListado51SumaLasOpacidades) {
 
 // --- matemáticas ---
 
-// §4.2: «preservar longitudes y ángulos» solo lo hace la proyección paralela con lo que es paralelo al plano de proyección.
-// En la vista (1, 1, 1) un cubo tiene sus aristas acortadas a √(2/3) y a 120 grados.
+// §4.2: «preservar longitudes y ángulos» solo lo hace la proyección paralela con lo que es paralelo al plano de proyección. En la vista
+// (1, 1, 1) un cubo tiene sus aristas acortadas a √(2/3) y a 120 grados.
 TEST(Libro, LaParalelaNoConservaLongitudesNiAngulos) {
     const glm::dmat4 M =
         proyeccionParalela(-1, 1, -1, 1, -10, 10) * transformacionCamara({1, 1, 1}, {0, 0, 0}, {0, 1, 0});
-    glm::dvec2 aristas[3];
-    for (int i = 0; i < 3; ++i)
-        aristas[i] = glm::dvec2(M[i]);
     for (int i = 0; i < 3; ++i) {
-        EXPECT_NEAR(glm::length(aristas[i]), std::sqrt(2.0 / 3), 1e-12);
-        EXPECT_NEAR(glm::dot(aristas[i], aristas[(i + 1) % 3]), -0.5 * 2 / 3, 1e-12);
+        EXPECT_NEAR(glm::length(glm::dvec2(M[i])), std::sqrt(2.0 / 3), 1e-12);
+        EXPECT_NEAR(glm::dot(glm::dvec2(M[i]), glm::dvec2(M[(i + 1) % 3])), -0.5 * 2 / 3, 1e-12);
     }
 }
 
