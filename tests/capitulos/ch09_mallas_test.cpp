@@ -20,10 +20,10 @@ const Imagen A = alAzar(80, 60, 5), B = alAzar(80, 60, 6);
 /// El color dice de qué texel es.
 const Imagen RAMPA = imagen(221, 177, [](int x, int y) { return Pixel{x, y, 77}; });
 
-Panel solo(const Imagen &im, const std::string &rotulo, double cota = 0.51) {
+Cuadro solo(const Imagen &im, const std::string &rotulo, double cota = 0.51) {
     return {igualQue(im), rotulo, cota};
 }
-Panel mezcla(double t, const std::string &rotulo) {
+Cuadro mezcla(double t, const std::string &rotulo) {
     return {[t](int x, int y) { return (1 - t) * texel(A, x, y) + t * texel(B, x, y); }, rotulo};
 }
 
@@ -70,7 +70,7 @@ TEST(MallaImagen, PasaPorSusPuntosYLaRegularNoDeforma) {
 // No se arrastra con otro botón, ni una esquina fuera de la imagen. Al comparar se arrastra en la deformada,
 // que en otro sitio de la ventana se redondea de otra manera: un nivel.
 TEST(Warping, LaMallaIdentidadEsElOriginal) {
-    const Panel original = solo(A, "Original");
+    const Cuadro original = solo(A, "Original");
     const std::string mueve = arrastra({40, 30}, {50, 20}), mueveALaDerecha = arrastra({121, 30}, {131, 20}),
                       conOtroBoton = clic({40, 30}) + "; " + arrastra({40, 30}, {50, 20}, "CENTRAL");
     const auto deformada = [](const std::string &guion) {
@@ -134,7 +134,7 @@ TEST(Morphing, EnLosExtremosEsAYEsB) {
 
 // Con mallas regulares es la mezcla lineal. Al comparar no se arrastra.
 TEST(Morphing, SinDeformarEsUnaMezcla) {
-    const Panel enMedio = mezcla(0.5, "t = 0.50");
+    const Cuadro enMedio = mezcla(0.5, "t = 0.50");
     compruebaPaneles(
         "morphing", {A, B},
         {{{"", "tecla 3; tecla 2"}, {enMedio}},
