@@ -5,6 +5,7 @@
 #include "imagenes.h"
 #include "panel.h"
 #include "rutas.h"
+#include "tabla.h"
 #include <cstdlib>
 
 using namespace oraculo;
@@ -167,10 +168,10 @@ const struct {
 /// Todos los píxeles: fract o clamp de la coordenada y bilineal, y una franja blanca arriba, con el rótulo. 1 nivel: el redondeo (0.5) y
 /// el de los pesos del filtro en float. Una unidad de s y de t es el alto útil entre 2.8125, y el centro es (0.5, 0.5). El marco va de 0
 /// a 1, y junto a sus esquinas están los rótulos que lo dicen.
-void compruebaRepeticion(int modo, const Imagen &im, int ancho, int alto) {
+void compruebaRepeticion(int modo, const Imagen &im, const Vista &v) {
     const auto &[nombre, enS, enT] = MODOS[modo];
+    const int ancho = v.escena.ancho, alto = v.escena.alto;
     SCOPED_TRACE(std::string(nombre) + ", " + std::to_string(ancho) + "×" + std::to_string(alto));
-    const Vista v = vistaDe("repeticion", "tecla " + std::to_string(modo + 1), ancho, alto, enRgb(im));
     const double unidad = altoUtil(ancho, alto) / 2.8125;
     const int franja = alto / 9;
     const auto esperado = [&, s = enS, t = enT](int x, int y) {
@@ -194,21 +195,25 @@ void compruebaRepeticion(int modo, const Imagen &im, int ancho, int alto) {
     EXPECT_TRUE(alto < 135 || v.encima.rotulos(nombre).at(0).punto(0).y >= alto - franja);
 }
 
+// Los cuatro modos, y ventanas tres veces más largas: se ve más textura, no una textura deformada.
 TEST(Repeticion, FractOClamp) {
-    for (int modo = 0; modo < 4; ++modo)
-        compruebaRepeticion(modo, alAzar(5, 3), 240, 180);
-    compruebaRepeticion(2, alAzar(1, 17), 240, 180);
-    compruebaRepeticion(3, alAzar(17, 1), 240, 180);
-    compruebaRepeticion(2, alAzar(1, 1), 240, 180);
-    // en una ventana tres veces más larga se ve más textura, no una textura deformada
-    compruebaRepeticion(2, alAzar(5, 3), 270, 90);
-    compruebaRepeticion(2, alAzar(5, 3), 90, 270);
+    const Imagen im = alAzar(5, 3);
+    const auto vistas =
+        vistasDe("repeticion",
+                 {"", "tecla 1", "tecla 2", "tecla 4; tecla 5", "tecla 3; tamano 270 90", "tamano 90 270"},
+                 240, 180, enRgb(im));
+    const int modos[] = {2, 0, 1, 3, 2, 2};
+    for (int i = 0; i < 6; ++i)
+        compruebaRepeticion(modos[i], im, vistas[i]);
+    for (const Imagen &otra : {alAzar(1, 17), alAzar(17, 1), alAzar(1, 1)})
+        compruebaRepeticion(3, otra, vistaDe("repeticion", "tecla 4", 240, 180, enRgb(otra)));
 }
 
 // Una fotografía de 250 × 190, ampliada (256 píxeles). Son 750 bytes por fila: con GL_UNPACK_ALIGNMENT de 4, cada fila se torcería dos
 // tercios de texel más.
 TEST(Repeticion, UnAnchoQueNoEsMultiploDe4NoSeTuerce) {
-    compruebaRepeticion(2, alAzar(250, 190), 960, 720);
+    const Imagen im = alAzar(250, 190);
+    compruebaRepeticion(2, im, vistaDe("repeticion", "", 960, 720, enRgb(im)));
 }
 
 // En una ventana de 201 × 135 el cuadrado [0, 1]² mide 48 píxeles y el centro de cada uno de los 4 × 8 texels cae en el centro de un
@@ -256,7 +261,7 @@ TEST(Filtrado, CadaFiltroSeAcercaMasAlSobremuestreo) {
             referencia.push_back({{x, y}, 1.0 / (N * N) * suma});
         }
     ASSERT_GT(y, 140);
-    const auto gpu = vistasDe("filtrado", {"tecla 1", "tecla 2", "tecla 3", "tecla 4"}, ANCHO, ALTO);
+    const auto gpu = vistasDe("filtrado", {"", "tecla 2", "tecla 3", "tecla 4"}, ANCHO, ALTO);
     double error[4];
     for (int k = 0; k < 4; ++k) {
         double suma = 0;
@@ -277,7 +282,7 @@ TEST(Filtrado, CadaFiltroSeAcercaMasAlSobremuestreo) {
 // vecino, y el bilineal se desvía 1/1024 del salto entre vecinos.
 TEST(Filtrado, VecinoYLinealSonExactosEnElCentroDelPixel) {
     const Imagen im = lee("mosaico", 32, 32);
-    const auto gpu = vistasDe("filtrado", {"tecla 1", "tecla 2"}, ANCHO, ALTO);
+    const auto gpu = vistasDe("filtrado", {"tecla 2; tecla 1", "tecla 2"}, ANCHO, ALTO);
     const auto aLaFrontera = [](double u) { return std::fabs(u - std::round(u)); };
     const double h = 1.0 / 1024 / 32;
     int lejosDeLaFrontera = 0;
@@ -347,7 +352,6 @@ struct Solido {
     int cual; // 1, 2 o 3
     // arrastrar 1 píxel gira 0.01 rad: la derecha disminuye el azimut, y abajo aumenta la elevación
     int dx = 0, dy = 0;
-    std::string guion = "tecla " + std::to_string(cual) + "; " + arrastra({0, 0}, {dx, -dy});
     const Panel panel{perspectiva(orbita(0.6 - 0.01 * dx, 0.45 - 0.01 * dy, 5.6),
                                   2 * std::atan(0.75 * std::tan(0.25)), 1, 100),
                       Hueco{80, 0, 160, 180}};
@@ -384,8 +388,9 @@ TEST(Coordenadas, SeLeenEnLaImagenLasDeLaParametrizacion) {
     const Imagen im = imagen(256, 256, [](int x, int y) { return Pixel{x, y, 255}; });
     for (const Solido &s :
          {Solido{1}, Solido{2}, Solido{3}, Solido{1, 314, 90}, Solido{2, 314, 90}, Solido{3, 314, 90}}) {
+        const std::string guion = "tecla " + std::to_string(s.cual) + "; " + arrastra({0, 0}, {s.dx, -s.dy});
         const Imagen gpu =
-            recorta(vistaDe("coordenadas", s.guion, ANCHO, ALTO, enRgb(im)).escena, s.panel.hueco);
+            recorta(vistaDe("coordenadas", guion, ANCHO, ALTO, enRgb(im)).escena, s.panel.hueco);
         const Escena escena = {s.objeto()};
         const auto impacto = [&](double x, double y) {
             return primerImpacto(escena, rayo(s.panel.camara, 160, ALTO, x, y));
@@ -412,23 +417,31 @@ TEST(Coordenadas, SeLeenEnLaImagenLasDeLaParametrizacion) {
                 EXPECT_NEAR(255 * p.y / p.z, 256 * c.t - 0.5, cota) << x << "," << y;
                 ++comparados;
             }
-        EXPECT_GT(comparados, dentro / 2) << s.guion;
+        EXPECT_GT(comparados, dentro / 2) << guion;
     }
 }
 
 // El punto P = (0.1, 0.5) y, desde él, hacia dónde crecen s, hasta 0.24, y t, hasta 0.8, en la imagen y, algo por encima de la
 // superficie, en el objeto; por detrás, ahí, sin rótulos.
 TEST(Coordenadas, LosMismosPuntosEnLaImagenYEnElObjeto) {
-    for (const Solido &s :
-         {Solido{1}, Solido{2}, Solido{3}, Solido{1, 314}, Solido{2, 314}, Solido{3, 314}}) {
-        const Encima encima = vistaDe("coordenadas", s.guion, ANCHO, ALTO).encima;
+    const struct {
+        std::string guion;
+        Solido solido;
+    } casos[] = {{"", {1}},
+                 {"tecla 2", {2}},
+                 {"tecla 3", {3}},
+                 {arrastra({0, 0}, {314, 0}), {3, 314}},
+                 {"tecla 2", {2, 314}},
+                 {"tecla 1", {1, 314}}};
+    paraCada("coordenadas", casos, ANCHO, ALTO, [&](const auto &caso, const Vista &v) {
+        const Solido &s = caso.solido;
         for (const bool enImagen : {true, false}) {
-            SCOPED_TRACE(s.guion + (enImagen ? ", en la imagen" : ", en el objeto"));
+            SCOPED_TRACE(enImagen ? "en la imagen" : "en el objeto");
             const Panel &panel = enImagen ? IZQUIERDA : s.panel;
-            const Encima enPanel = encima.enPanel(panel.hueco.x, 0);
-            const auto en = [&](double u, double v, double alza) {
-                return enImagen ? Vec3{u - 0.5, v - 0.5, 0}
-                                : punto(s.objeto().M, alza * s.conCoordenadas(u, v));
+            const Encima enPanel = v.encima.enPanel(panel.hueco.x, 0);
+            const auto en = [&](double u, double w, double alza) {
+                return enImagen ? Vec3{u - 0.5, w - 0.5, 0}
+                                : punto(s.objeto().M, alza * s.conCoordenadas(u, w));
             };
             Linea haciaS, haciaT;
             for (int i = 0; i <= 10; ++i) {
@@ -447,7 +460,7 @@ TEST(Coordenadas, LosMismosPuntosEnLaImagenYEnElObjeto) {
                                                  {"t", panel(haciaT.back()), VERDE, Lado::DERECHA}});
             compruebaRotulos(enPanel, letreros);
         }
-    }
+    });
 }
 
 // A la izquierda, la imagen entera, derecha y sin deformar, con la luz de su cara.
