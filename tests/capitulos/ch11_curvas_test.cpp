@@ -27,13 +27,12 @@ double peor(const Error &error, int cada = 1) {
 /// Lo mayor de error(G, u) con veinte vectores de geometría en el cubo de lado 2.
 template<typename T, typename Error>
 double peorCubica(const Error &error) {
-    Azar azar(11);
-    double mayorDeTodas = 0;
-    for (int vez = 0; vez < 20; ++vez) {
-        const auto G = geometriaAlAzar<T>(azar);
-        mayorDeTodas = mayor(mayorDeTodas, peor<T>([&](const T &u) { return error(G, u); }, 4));
+    double peorDeTodas = 0;
+    for (unsigned semilla = 0; semilla < 20; ++semilla) {
+        const auto G = geometriaAlAzar<T>(semilla);
+        peorDeTodas = mayor(peorDeTodas, peor<T>([&](const T &u) { return error(G, u); }, 4));
     }
-    return mayorDeTodas;
+    return peorDeTodas;
 }
 
 std::vector<Cuadruple> bernsteinRef(std::size_t n, const Cuadruple &u) {
@@ -56,10 +55,7 @@ Punto<Cuadruple> bezierRef(const std::vector<Punto<T>> &P, const T &u) {
 }
 
 template<typename T>
-class Curvas : public testing::Test {
-protected:
-    Azar azar{11};
-};
+class Curvas : public testing::Test {};
 using Reales = testing::Types<float, double, Cuadruple>;
 TYPED_TEST_SUITE(Curvas, Reales);
 
@@ -121,7 +117,7 @@ TYPED_TEST(Curvas, PuntosA1e8DelOrigen) {
             };
             EXPECT_LE(peorCubica<T>(error), redondeos<T>(d == 0 ? 6 * 1e8 : 200 * 1000));
         }
-    auto P = puntosAlAzar<T>(this->azar, 61);
+    auto P = puntosAlAzar<T>(61);
     std::transform(P.begin(), P.end(), P.begin(), lejano);
     EXPECT_LE(peor<T>([&](const T &u) { return lejos(bezier(P, u), bezierRef(P, u)); }, 16),
               redondeos<T>(60 * 1e8));
@@ -129,8 +125,8 @@ TYPED_TEST(Curvas, PuntosA1e8DelOrigen) {
 
 TYPED_TEST(Curvas, ExtremosYTangentesExactos) {
     using T = TypeParam;
-    for (int vez = 0; vez < 50; ++vez) {
-        const auto G = geometriaAlAzar<T>(this->azar);
+    for (unsigned semilla = 0; semilla < 50; ++semilla) {
+        const auto G = geometriaAlAzar<T>(semilla);
         for (const std::size_t i : {0, 1}) {
             EXPECT_EQ(cubica(Base::HERMITE, G, T(i)), G[i]);
             EXPECT_EQ(cubica(Base::HERMITE, G, T(i), 1), G[i + 2]);
@@ -140,7 +136,7 @@ TYPED_TEST(Curvas, ExtremosYTangentesExactos) {
                       20 * ulp<T>());
         }
         for (const std::size_t n : {1, 2, 4, 11, 21, 41, 61}) {
-            const auto P = puntosAlAzar<T>(this->azar, n);
+            const auto P = puntosAlAzar<T>(n, semilla);
             EXPECT_EQ(bezier(P, T(0)), P.front());
             EXPECT_EQ(bezier(P, T(1)), P.back());
         }
@@ -200,10 +196,9 @@ TEST(Hermite, TransformarLasRestriccionesOLosPuntos) {
 
 // El segundo tramo G1 del ejercicio 11.6: (P4, P4', k·R4, R4').
 TEST(Hermite, DosTramosG1) {
-    Azar azar(11);
+    const auto G = geometriaAlAzar<float>();
     for (const float k : {0.2f, 0.5f, 1.0f, 3.0f}) {
-        const auto G = geometriaAlAzar<float>(azar);
-        const Geometria<float> G2 = {G[1], puntoAlAzar<float>(azar), k * G[3], puntoAlAzar<float>(azar)};
+        const Geometria<float> G2 = {G[1], G[2], k * G[3], G[0]};
         EXPECT_EQ(cubica(Base::HERMITE, G, 1.0f), cubica(Base::HERMITE, G2, 0.0f));
         EXPECT_EQ(k * cubica(Base::HERMITE, G, 1.0f, 1), cubica(Base::HERMITE, G2, 0.0f, 1));
     }
@@ -226,8 +221,8 @@ TYPED_TEST(Curvas, LaMismaCurvaEnBezier) {
 TYPED_TEST(Curvas, CascoConvexo) {
     using T = TypeParam;
     for (const std::size_t n : {4, 11, 61})
-        for (int vez = 0; vez < 5; ++vez) {
-            const auto P = puntosAlAzar<T>(this->azar, n);
+        for (unsigned semilla = 0; semilla < 5; ++semilla) {
+            const auto P = puntosAlAzar<T>(n, semilla);
             const auto sale = [&](const T &u) {
                 const glm::dvec3 Q(bezier(P, u));
                 double peor = -10;
@@ -249,7 +244,7 @@ TYPED_TEST(Curvas, CascoConvexo) {
 TYPED_TEST(Curvas, BezierDeGrado10_20_40_60) {
     using T = TypeParam;
     for (const std::size_t n : {1, 3, 10, 20, 40, 60}) {
-        const auto P = puntosAlAzar<T>(this->azar, n + 1);
+        const auto P = puntosAlAzar<T>(n + 1);
         const auto curva = [&](const T &u) { return lejos(bezier(P, u), bezierRef(P, u)); };
         const auto derivada =
             [&](const T &u) { // b'_{k,n} = n·(b_{k−1,n−1} − b_{k,n−1}), de la ecuación 11.20
@@ -276,9 +271,9 @@ TYPED_TEST(Curvas, BezierDeGrado10_20_40_60) {
         EXPECT_LE(peor<T>(curva, 8), cota);
         EXPECT_LE(peor<T>(derivada, 8), 4 * cota);
         EXPECT_LE(peor<T>(polinomios, 8), cota);
-        // en las tres precisiones hacen falta los mismos segmentos
-        EXPECT_EQ(polilineaBezier(P, 1e-3).size(),
-                  polilineaBezier(std::vector<glm::dvec3>(P.begin(), P.end()), 1e-3).size());
+        // en cuádruple hacen falta los mismos segmentos que en doble
+        const std::vector<glm::dvec3> enDoble(P.begin(), P.end());
+        EXPECT_TRUE((std::is_same_v<T, float>) || polilineaBezier(P, 1e-3) == polilineaBezier(enDoble, 1e-3));
     }
 }
 
@@ -306,8 +301,7 @@ TEST(CurvasN, BernsteinEnLosExtremos) {
 
 // Errata de §11.3: con k puntos la curva es de grado k − 1 (orden k), y la suma de la ecuación 11.22 tiene n + 1 sumandos.
 TEST(Erratas, GradoYOrden) {
-    Azar azar(11);
-    auto derivada = puntosAlAzar<double>(azar, 4);
+    auto derivada = puntosAlAzar<double>(4);
     for (int veces = 0; veces < 3; ++veces) {
         derivada = derivadaBezier(derivada);
         EXPECT_GT(glm::length(derivada[0]), 0);
@@ -343,8 +337,7 @@ TEST(BSpline, TramosAbiertaYCerrada) {
         // cerrada: la abierta de P0 … Pm, P0, P1, P2
         EXPECT_EQ(tramosBSpline(m + 1, true), tramosBSpline(m + 1 + 3, false));
     }
-    Azar azar(11);
-    std::vector<glm::vec3> P = puntosAlAzar<float>(azar, 9), repetidos = P;
+    std::vector<glm::vec3> P = puntosAlAzar<float>(9), repetidos = P;
     repetidos.insert(repetidos.end(), P.begin(), P.begin() + 3);
     for (std::size_t i = 0; i < 9; ++i)
         EXPECT_EQ(geometriaBSpline(P, i),
@@ -353,7 +346,7 @@ TEST(BSpline, TramosAbiertaYCerrada) {
 
 TYPED_TEST(Curvas, BSplineC2EnLosNudos) {
     using T = TypeParam;
-    const auto P = puntosAlAzar<T>(this->azar, 9);
+    const auto P = puntosAlAzar<T>(9);
     double salto = 0;
     for (std::size_t i = 0; i < 9; ++i) { // cerrada: también el último con el primero
         const Geometria<T> A = geometriaBSpline(P, i), B = geometriaBSpline(P, (i + 1) % 9);
@@ -369,8 +362,7 @@ TYPED_TEST(Curvas, BSplineC2EnLosNudos) {
 
 // Ejercicio 11.7: mover un punto cambia cuatro tramos, y los demás quedan iguales bit a bit.
 TEST(BSpline, MoverUnPuntoCambiaCuatroTramos) {
-    Azar azar(11);
-    const std::vector<glm::vec3> P = puntosAlAzar<float>(azar, 12);
+    const std::vector<glm::vec3> P = puntosAlAzar<float>(12);
     for (const bool cerrada : {false, true})
         for (std::size_t movido = 0; movido < 12; ++movido) {
             std::vector<glm::vec3> Q = P;
@@ -386,8 +378,7 @@ TEST(BSpline, MoverUnPuntoCambiaCuatroTramos) {
 
 // Errata de la ecuación 11.27: Q_i(u) con u entre los nudos i e i+1 es la fórmula en u − u_i; y en u = 1 vale también.
 TEST(Erratas, ArgumentoDeLaEcuacion1127) {
-    Azar azar(11);
-    const auto G = geometriaAlAzar<double>(azar);
+    const auto G = geometriaAlAzar<double>();
     for (const double nudo : {0.0, 1.0, 5.0})
         for (const double u : {0.0, 0.25, 1.0}) {
             // U de la ecuación 11.24 con el parámetro global
@@ -400,8 +391,7 @@ TEST(Erratas, ArgumentoDeLaEcuacion1127) {
 
 // Errata de §11.4: Q_i va de u_i a u_{i+1}, así que con Q_{i+1} se une en u_{i+1}, y no en u_i.
 TEST(Erratas, NudoEntreDosTramos) {
-    Azar azar(11);
-    const auto P = puntosAlAzar<double>(azar, 7);
+    const auto P = puntosAlAzar<double>(7);
     const auto tramo = [&](int i, int u) { // u_3 = 0 y de nudo a nudo hay 1
         return cubica(Base::BSPLINE, geometriaBSpline(P, std::size_t(i - 3)), double(u - (i - 3)));
     };
@@ -441,11 +431,10 @@ TEST(Teselacion, LaJustaEnUnaParabola) {
 }
 
 TEST(Teselacion, CubicasDentroDeLaTolerancia) {
-    Azar azar(11);
     double aprovechado = 0;
     for (const Base base : BASES)
-        for (int vez = 0; vez < 20; ++vez) {
-            const Geometria<double> G = geometriaAlAzar<double>(azar), B = aBezier(base, G);
+        for (unsigned semilla = 0; semilla < 20; ++semilla) {
+            const Geometria<double> G = geometriaAlAzar<double>(semilla), B = aBezier(base, G);
             const std::vector<glm::dvec3> P(B.begin(), B.end());
             const int n = segmentosCubica(base, G, 1e-3);
             EXPECT_LE(n, segmentosWang(P, 1e-3) + 1);

@@ -523,7 +523,9 @@ TEST(SolenoideVista, ContraLaHeliceTrazada) {
                                        oraculo::haciaOjo(i));
         };
         const auto camara = oraculo::perspectiva(oraculo::orbita(c.azimut, c.elevacion, 10.4), 0.45, 1, 100);
-        comprueba("solenoide, «" + c.guion + "»", oraculo::compara(vista.escena, escena, camara, color));
+        // en el brillo, elevado a 40, se notan los redondeos de la normal
+        comprueba("solenoide, «" + c.guion + "»", oraculo::compara(vista.escena, escena, camara, color),
+                  {0.51, 500, 0.012});
     }
 }
 

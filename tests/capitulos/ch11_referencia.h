@@ -93,22 +93,18 @@ double lejos(const Punto<T> &a, const Punto<R> &b) {
     return glm::length(glm::dvec3(Punto<Cuadruple>(a) - Punto<Cuadruple>(b)));
 }
 
-/// Cada coordenada, entre −1 y 1.
+/// Con cada coordenada entre −1 y 1: un float, el mismo en todas las precisiones.
 template<typename T>
-Punto<T> puntoAlAzar(Azar &azar) {
-    const auto uno = [&] { return T(azar.entre(-1.0, 1.0)); };
-    const T x = uno(), y = uno();
-    return {x, y, uno()};
-}
-template<typename T>
-Geometria<T> geometriaAlAzar(Azar &azar) {
-    Geometria<T> G;
-    std::generate(G.begin(), G.end(), [&] { return puntoAlAzar<T>(azar); });
-    return G;
-}
-template<typename T>
-std::vector<Punto<T>> puntosAlAzar(Azar &azar, std::size_t n) {
+std::vector<Punto<T>> puntosAlAzar(std::size_t n, unsigned semilla = 11) {
+    Azar azar(semilla);
     std::vector<Punto<T>> P(n);
-    std::generate(P.begin(), P.end(), [&] { return puntoAlAzar<T>(azar); });
+    for (Punto<T> &p : P)
+        for (int k = 0; k < 3; ++k)
+            p[k] = T(azar.entre(-1.0f, 1.0f));
     return P;
+}
+template<typename T>
+Geometria<T> geometriaAlAzar(unsigned semilla = 11) {
+    const auto P = puntosAlAzar<T>(4, semilla);
+    return {P[0], P[1], P[2], P[3]};
 }
