@@ -125,3 +125,7 @@ inline Hueco hueco(int columna, int columnas, int fila, int filas, int ancho, in
 inline Imagen recorta(const Imagen &imagen, const Hueco &h) {
     return oraculo::recorta(imagen, h.x, h.y, h.ancho, h.alto);
 }
+/// Un lugar de un panel, en píxeles de la ventana: (0, 0) es su esquina de abajo a la izquierda y (1, 1) la contraria.
+inline glm::dvec2 lugar(const Hueco &h, double x, double y) {
+    return {h.x + x * h.ancho, h.y + y * h.alto};
+}

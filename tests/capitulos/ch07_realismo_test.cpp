@@ -57,12 +57,6 @@ TEST(Reflexion, ContraCuadruplePrecision) {
     EXPECT_LE(peor, 1e-5); // unas 10 veces el redondeo de una coordenada de tamaño 8
 }
 
-TEST(Reflexion, SinPerpendicularNoHayPlano) {
-    const float infinito = HUGE_VALF, nan = NAN;
-    for (const glm::vec3 V : {glm::vec3(0), {0, infinito, 0}, {nan, 0, 0}, {0, 0, nan}, {1, nan, 0}})
-        EXPECT_EXIT(planoPor({1, 2, 3}, V), testing::ExitedWithCode(1), "perpendicular") << V.x << V.y << V.z;
-}
-
 // --- sombra.h ----------------------------------------------------------------------------------------------
 
 // La sombra de x es donde la recta que sale de la luz y pasa por x corta al plano; w es positiva solo si x está entre la luz
@@ -91,22 +85,6 @@ TEST(Sombra, ContraCuadruplePrecision) {
         peor = std::max(peor, aparta(y, X, t, haciaAbajo));
     }
     EXPECT_LE(peor, 1e-3); // rayos casi rasantes: la sombra llega a distancia 60
-}
-
-// Lo que está a la altura de la luz tiene la sombra en el infinito (w = 0) y lo que está más alto, w < 0: OpenGL lo recorta. La
-// luz en el plano o debajo no tiene altura positiva.
-TEST(Sombra, AlturaDeLaLuz) {
-    const Plano mesa{{0, 1, 0}, -1};
-    const glm::vec4 L(3, 4, 5, 1);
-    EXPECT_FLOAT_EQ(alturaLuz(L, mesa), 3);
-    const glm::mat4 M = proyeccionSombra(L, mesa);
-    EXPECT_FLOAT_EQ((M * glm::vec4(7, 4, 8, 1)).w, 0);
-    EXPECT_LT((M * glm::vec4(7, 4.5f, 8, 1)).w, 0);
-    EXPECT_GT((M * glm::vec4(7, 3.5f, 8, 1)).w, 0);
-    EXPECT_EQ(alturaLuz({3, 1, 5, 1}, mesa), 0);
-    EXPECT_LT(alturaLuz({3, 0.5f, 5, 1}, mesa), 0);
-    EXPECT_EQ(alturaLuz({3, 0, 5, 0}, mesa), 0);
-    EXPECT_LT(alturaLuz({3, -1, 5, 0}, mesa), 0);
 }
 
 // --- Los programas -----------------------------------------------------------------------------------------
@@ -288,7 +266,7 @@ TEST(EspejoPlantilla, ConYSin) {
                 render(e.escena, camara(c.azimut, 0.30, 17.5, {-0.7, 0.95, 0}, 0.5), h.ancho, h.alto,
                        [&](const Impacto &i) { return conEspejo(e, i, 0, c.conPlantilla[k]); });
             comprueba(texto, recorta(v.escena, h), ref, mezclando(0));
-            letreros.push_back({texto, {h.x + 0.5 * h.ancho, h.y + 0.94 * h.alto}, OSCURO});
+            letreros.push_back({texto, lugar(h, 0.5, 0.94), OSCURO});
             const int salidos =
                 cuenta(ref, [](const PixelRef &p) { return p.objeto != ESPEJO && p.zona >= REFLEJADO; });
             EXPECT_EQ(salidos > 100, !c.conPlantilla[k]) << "sin plantilla, se sale del espejo";
@@ -350,7 +328,7 @@ void compruebaVidrio(const CasoTransparencia &c, const Vista &v) {
         comprueba(texto.str(), recorta(v.escena, h),
                   vidrio(c.alfas[k], camara(c.azimut, c.elevacion, 9.2, {0, 0.95, 0}, 0.5), h.ancho, h.alto),
                   mezclando(2));
-        letreros.push_back({texto.str(), {h.x + 0.5 * h.ancho, h.y + 0.93 * h.alto}, OSCURO});
+        letreros.push_back({texto.str(), lugar(h, 0.5, 0.93), OSCURO});
     }
     compruebaRotulos(v.encima, letreros);
 }
@@ -432,9 +410,8 @@ TEST(OrdenTransparencia, ColoresExactos) {
                       cristales(k ? c.derecha : c.izquierda, c.aditivo, camara(c.azimut, 0.15, 6.5, {}, 0.36),
                                 h.ancho, h.alto),
                       mezclando(2));
-            letreros.push_back({c.modo, {h.x + 0.5 * h.ancho, 0.94 * h.alto}, AMARILLO});
-            letreros.push_back(
-                {k ? "antes el azul" : "antes el rojo", {h.x + 0.5 * h.ancho, 0.06 * h.alto}, BLANCO});
+            letreros.push_back({c.modo, lugar(h, 0.5, 0.94), AMARILLO});
+            letreros.push_back({k ? "antes el azul" : "antes el rojo", lugar(h, 0.5, 0.06), BLANCO});
         }
         compruebaRotulos(v.encima, letreros);
         int distintos = 0;

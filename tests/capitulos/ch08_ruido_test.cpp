@@ -59,24 +59,6 @@ TEST(Ruido, GradienteContraDiferenciasEnDoble) {
         }
 }
 
-// A los dos lados de un plano de la rejilla, valor, gradiente y su derivada son casi iguales: no hay costura.
-TEST(Ruido, SinCosturaEnLosPlanosDeLaRejilla) {
-    Azar azar(8);
-    const double d = 1e-6;
-    for (int i = 0; i < 3000; ++i) {
-        dvec3 p = azar.punto(9), q = p;
-        const double plano = std::round(p[i % 3]);
-        p[i % 3] = plano - d;
-        q[i % 3] = plano + d;
-        const auto a = ruidoConGradiente(p), b = ruidoConGradiente(q);
-        EXPECT_NEAR(a.w, b.w, 4 * d);
-        EXPECT_LE(glm::distance(a, b), 40 * d);
-    }
-    // el mayor float por debajo de 0 y los que tiene al lado un entero
-    for (const float x : {-1e-30f, -1e-9f, std::nextafter(3.0f, 0.0f), std::nextafter(-3.0f, 0.0f)})
-        EXPECT_NEAR(ruido(glm::vec3(x, 0.3f, 0.7f)), ruido(glm::vec3(std::round(x), 0.3f, 0.7f)), 2e-6f);
-}
-
 // Vale 0 en los nodos, no es constante y sin periodo no se repite ni es simétrico.
 TEST(Ruido, NoEsConstanteNiSimetrico) {
     std::set<double> valores;

@@ -10,7 +10,6 @@
 #include "rutas.h"
 #include "tabla.h"
 #include <fstream>
-#include <functional>
 
 using namespace oraculo;
 
@@ -31,17 +30,11 @@ Vec3 mezcla(const Vec3 &a, const Vec3 &b, double t) {
 }
 /// Un rótulo en una esquina de arriba de la ventana.
 Letrero arriba(const std::string &texto, const Imagen &ventana, bool derecha = false) {
-    return {texto,
-            {(derecha ? 0.98 : 0.02) * ventana.ancho, 0.98 * ventana.alto},
-            OSCURO,
+    const Hueco toda{0, 0, ventana.ancho, ventana.alto};
+    return {texto, lugar(toda, derecha ? 0.98 : 0.02, 0.98), OSCURO,
             derecha ? Lado::IZQUIERDA : Lado::DERECHA};
 }
 
-std::string conDosDecimales(double x) {
-    std::ostringstream texto;
-    texto << std::fixed << std::setprecision(2) << x;
-    return texto.str();
-}
 /// Lo que se apartan los píxeles que se comparan, en niveles.
 struct Diferencias {
     int comparados = 0, grandes = 0; // de más de 8
@@ -53,8 +46,12 @@ struct Diferencias {
         maximo = std::max(maximo, d);
         suma += d * d;
     }
-    double rmse() const {
-        return std::sqrt(suma / comparados);
+    void comprueba(int minimo, double cota, double cotaRmse) const {
+        const double rmse = std::sqrt(suma / comparados);
+        apuntaDiferencia(maximo, rmse);
+        EXPECT_GT(comparados, minimo);
+        EXPECT_LE(maximo, cota);
+        EXPECT_LE(rmse, cotaRmse);
     }
 };
 
@@ -171,16 +168,14 @@ TEST(Cubemap, PorVerticeYPorFragmento) {
     const Camara camara = camaraCubemap(0.35, 0.06, 0.4 * 4.7);
     std::vector<Letrero> letreros;
     for (const bool porVertice : {false, true}) {
+        const char *que = porVertice ? "por vértice" : "por fragmento";
         const Hueco h = hueco(porVertice, 2, 0, 1, 720, 360);
         const Imagen mitad = recorta(v.escena, h);
         const Comparacion d = comparaReflejo(mitad, t, camara, porVertice);
-        comprueba(porVertice ? "por vértice" : "por fragmento", d, {5, 0});
+        comprueba(que, d, {5, 0});
         EXPECT_LE(d.rmse, 1);
         EXPECT_GT(comparaReflejo(mitad, t, camara, !porVertice).rmse, 2);
-        letreros.push_back({porVertice ? "por vértice" : "por fragmento",
-                            {h.x + 0.5 * h.ancho, 0.02 * h.alto},
-                            OSCURO,
-                            Lado::ENCIMA});
+        letreros.push_back({que, lugar(h, 0.5, 0.02), OSCURO, Lado::ENCIMA});
     }
     compruebaRotulos(v.encima, letreros);
 }
@@ -191,21 +186,18 @@ TEST(Cubemap, Desplegado) {
     const int ancho = 960, alto = 720, lado = 228;
     const Vista v = vistaDe("cubemap", "tecla v; tecla c", ancho, alto);
     std::vector<Letrero> letreros;
-    std::vector<Vec3> esperado(ancho * alto, exacto(FONDO_OSCURO));
+    ImagenRef ref{ancho, alto, std::vector<PixelRef>(ancho * alto, {exacto(FONDO_OSCURO)})};
     for (const Foto &f : FOTOS) {
         const int x0 = ancho / 2 + lado * (f.columna - 2), y0 = (alto - 3 * lado) / 2 + lado * f.fila;
         const double n = lado - 1; // queda una raya entre ellas
         for (int y = 0; y < n; ++y)
             for (int x = 0; x < n; ++x)
-                esperado[(y0 + y) * ancho + x0 + x] =
-                    colorDePrueba(f.direccion((2 * x + 1) / n - 1, (2 * y + 1) / n - 1));
+                ref.pixeles[(y0 + y) * ancho + x0 + x] = {
+                    colorDePrueba(f.direccion((2 * x + 1) / n - 1, (2 * y + 1) / n - 1)), 0, 0,
+                    1 + f.columna};
         letreros.push_back({f.rotulo, {x0 + 0.5 * n, y0}, OSCURO, Lado::ENCIMA});
     }
-    Diferencias d;
-    for (int y = 0; y < alto; ++y)
-        for (int x = 0; x < ancho; ++x)
-            d.anade(diferencia(v.escena, x, y, esperado[y * ancho + x]));
-    EXPECT_LE(d.maximo, 3);
+    comprueba("desplegado", v.escena, ref, {3});
     compruebaRotulos(v.encima, letreros);
 }
 
@@ -274,24 +266,25 @@ TEST(Enrejado, HuecosContraFract) {
         EXPECT_LE(d.rmse, 0.6);
     };
     const struct {
-        std::string guion;
-        double talla, azimut, elevacion;
+        std::string guion, talla;
+        double azimut, elevacion;
     } casos[] = {
-        {"", 0.35, 0.4, 0.35},
-        {veces(4, "tecla -"), 0.15, 0.4, 0.35},
-        {veces(10, "tecla +"), 0.65, 0.4, 0.35},
-        {arrastra({100, 100}, {160, 500}), 0.65, 0.1, 1.55}, // los polos, en ±Y
-        {veces(9, "tecla +"), 1, 0.1, 1.55},
-        {veces(2, "tecla -"), 0.9, 0.1, 1.55},
-        {veces(20, "tecla -"), 0, 0.1, 1.55},
-        {veces(2, "tecla +"), 0.1, 0.1, 1.55},
+        {"", "0.35", 0.4, 0.35},
+        {veces(4, "tecla -"), "0.15", 0.4, 0.35},
+        {veces(10, "tecla +"), "0.65", 0.4, 0.35},
+        {arrastra({100, 100}, {160, 500}), "0.65", 0.1, 1.55}, // los polos, en ±Y
+        {veces(9, "tecla +"), "1.00", 0.1, 1.55},
+        {veces(2, "tecla -"), "0.90", 0.1, 1.55},
+        {veces(20, "tecla -"), "0.00", 0.1, 1.55},
+        {veces(2, "tecla +"), "0.10", 0.1, 1.55},
     };
     paraCada("enrejado", casos, 480, 360, [&](const auto &c, const Vista &v) {
+        const double talla = std::stod(c.talla);
         const Camara camara = perspectiva(orbita(c.azimut, c.elevacion, 6), 0.4, 1, 100);
-        compruebaBola(v.escena, malla(DE_PIE, esfera(segmentosEsfera(400))), camara, c.talla, MISMA_MALLA);
+        compruebaBola(v.escena, malla(DE_PIE, esfera(segmentosEsfera(400))), camara, talla, MISMA_MALLA);
         if (c.guion.empty())
-            compruebaBola(v.escena, esfera(DE_PIE), camara, c.talla, {3}); // la exacta
-        compruebaRotulos(v.encima, {arriba("talla = " + conDosDecimales(c.talla), v.escena)});
+            compruebaBola(v.escena, esfera(DE_PIE), camara, talla, {3}); // la exacta
+        compruebaRotulos(v.encima, {arriba("talla = " + c.talla, v.escena)});
     });
 }
 
@@ -428,40 +421,28 @@ double alturaBulto(double s, double t) {
     return q > 0 ? 0.15 * q * q : 0;
 }
 
-/// Normal de la superficie desplazada de verdad, P + h·N, por diferencias en doble. P(s, t) y N(s, t) en el mundo.
-Vec3 normalDesplazada(const std::function<Vec3(double, double)> &P,
-                      const std::function<Vec3(double, double)> &N,
-                      const std::function<double(double, double)> &h, double s, double t) {
-    const double d = 1e-5;
-    const auto Q = [&](double a, double b) { return P(a, b) + h(a, b) * N(a, b); };
-    const Vec3 n = unitario(vectorial(Q(s + d, t) - Q(s - d, t), Q(s, t + d) - Q(s, t - d)));
-    return escalar(n, N(s, t)) < 0 ? -n : n;
-}
+enum { SUELO_BUMP, BOLA_BUMP };
+const Escena ESCENA_BUMP = {plano(traslada({0, -1, 0}) * DE_PIE * escala({4.4, 3.6, 1})),
+                            esfera(DE_PIE *escala({1.2, 1.2, 0.96}))};
 
-const Mat4 M_SUELO = traslada({0, -1, 0}) * DE_PIE * escala({4.4, 3.6, 1}),
-           M_BOLA = DE_PIE * escala({1.2, 1.2, 0.96});
-const Escena ESCENA_BUMP = {plano(M_SUELO), esfera(M_BOLA)};
+/// La de la superficie desplazada de verdad, P + h·N, por diferencias.
+Vec3 normalDesplazada(const Impacto &i) {
+    const Objeto &o = ESCENA_BUMP[i.objeto];
+    const auto desplazada = [&](double s, double t) {
+        const bool bola = i.objeto == BOLA_BUMP;
+        const double a = PI * t, b = 2 * PI * s,
+                     h = bola ? 0.34 * alturaBulto(20 * s, 10 * t) : 0.4 * alturaBulto(11 * s, 9 * t);
+        const Vec3 p = bola ? Vec3{std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), -std::cos(a)}
+                            : Vec3{s - 0.5, t - 0.5, 0};
+        return punto(o.M, p) + h * transformaNormal(o.inv, bola ? p : Vec3{0, 0, 1});
+    };
+    const double d = 1e-5;
+    const Vec3 n = unitario(vectorial(desplazada(i.s + d, i.t) - desplazada(i.s - d, i.t),
+                                      desplazada(i.s, i.t + d) - desplazada(i.s, i.t - d)));
+    return escalar(n, i.normal) < 0 ? -n : n;
+}
 Camara camaraBump(double elevacion, double distancia) {
     return perspectiva(orbita(0.3, elevacion, distancia, {0, -0.35, 0}), 0.45, 1, 100);
-}
-Vec3 normalBump(const Impacto &i) {
-    if (i.objeto == 0)
-        return normalDesplazada(
-            [](double s, double t) {
-                return punto(M_SUELO, {s - 0.5, t - 0.5, 0});
-            },
-            [](double, double) {
-                return Vec3{0, 1, 0};
-            },
-            [](double s, double t) { return 0.4 * alturaBulto(11 * s, 9 * t); }, i.s, i.t);
-    const auto local = [](double s, double t) {
-        return Vec3{std::sin(PI * t) * std::cos(2 * PI * s), std::sin(PI * t) * std::sin(2 * PI * s),
-                    -std::cos(PI * t)};
-    };
-    return normalDesplazada(
-        [&](double s, double t) { return punto(M_BOLA, local(s, t)); },
-        [&](double s, double t) { return transformaNormal(ESCENA_BUMP[1].inv, local(s, t)); },
-        [](double s, double t) { return 0.34 * alturaBulto(20 * s, 10 * t); }, i.s, i.t);
 }
 
 } // namespace
@@ -479,6 +460,7 @@ TEST(Bump, LaLuzDeLaSuperficieDesplazada) {
                  {"tecla b", {false}},
                  {"tecla v; tamano 2558 960", {false, true}},
                  {"tecla b; tamano 1280 960", {true}}};
+    const Camara camara = camaraBump(0.55, 10.2);
     paraCada("bump", casos, 1280, 960, [&](const auto &c, const Vista &v) {
         std::vector<Letrero> letreros;
         const int paneles = int(c.conBultos.size());
@@ -486,34 +468,27 @@ TEST(Bump, LaLuzDeLaSuperficieDesplazada) {
             const bool con = c.conBultos[k];
             const Hueco h = hueco(k, paneles, 0, 1, v.escena.ancho, v.escena.alto);
             const Imagen panel = recorta(v.escena, h);
-            const ImagenRef ref =
-                render(ESCENA_BUMP, camaraBump(0.55, 10.2), h.ancho, h.alto, [&](const Impacto &i) {
-                    return i ? phong(material[i.objeto], UNO, {posicional({-5, 4, 2})}, i.punto,
-                                     con ? normalBump(i) : i.normal, haciaOjo(i))
-                             : exacto(FONDO_CLARO);
-                });
-            Diferencias de[2];
+            int zona = 0;
+            const auto sombrea = [&](const Impacto &i) -> Tono {
+                if (!i)
+                    return exacto(FONDO_CLARO);
+                const bool alisado = i.objeto == BOLA_BUMP &&
+                                     (escalar(haciaOjo(i), i.normal) < 0.3 || std::fabs(i.punto.y) > 0.93);
+                return {phong(material[i.objeto], UNO, {posicional({-5, 4, 2})}, i.punto,
+                              con ? normalDesplazada(i) : i.normal, haciaOjo(i)),
+                        alisado ? ++zona : 0};
+            };
+            const ImagenRef ref = render(ESCENA_BUMP, camara, h.ancho, h.alto, sombrea);
+            Diferencias d[2];
             for (int y = 0; y < h.alto; ++y)
-                for (int x = 0; x < h.ancho; ++x) {
-                    const PixelRef &p = ref.en(x, y);
-                    const bool enPolo = std::fabs(p.punto.y) > 0.93,
-                               deRefilon =
-                                   escalar(unitario(camaraBump(0.55, 10.2).ojo - p.punto), p.normal) < 0.3;
-                    if (!enBanda(ref, x, y) && p.objeto >= 0 && (p.objeto == 0 || (!enPolo && !deRefilon)))
-                        de[p.objeto].anade(diferencia(panel, x, y, p.color));
-                }
-            for (const Diferencias &d : de) {
-                apuntaDiferencia(d.maximo, d.rmse());
-                EXPECT_GT(d.comparados, 50000);
-            }
-            EXPECT_LE(de[0].maximo, con ? 9 : 2);
-            EXPECT_LE(de[0].rmse(), con ? 1.5 : 0.5);
-            EXPECT_LE(de[1].rmse(), con ? 3.5 : 0.8);
-            EXPECT_LE(de[1].grandes, con ? de[1].comparados / 20 : 0);
-            letreros.push_back({con ? "con el mapa" : "sin el mapa",
-                                {h.x + 0.02 * h.ancho, 0.98 * h.alto},
-                                OSCURO,
-                                Lado::DERECHA});
+                for (int x = 0; x < h.ancho; ++x)
+                    if (ref.en(x, y).objeto >= 0 && !enBanda(ref, x, y))
+                        d[ref.en(x, y).objeto].anade(diferencia(panel, x, y, ref.en(x, y).color));
+            d[SUELO_BUMP].comprueba(100000, con ? 9 : 2, con ? 1.5 : 0.5);
+            d[BOLA_BUMP].comprueba(100000, con ? 255 : 2, con ? 3.5 : 0.8);
+            EXPECT_LE(d[BOLA_BUMP].grandes, d[BOLA_BUMP].comparados / 20);
+            letreros.push_back(
+                {con ? "con el mapa" : "sin el mapa", lugar(h, 0.02, 0.98), OSCURO, Lado::DERECHA});
         }
         compruebaRotulos(v.encima, letreros);
     });
@@ -606,10 +581,7 @@ TEST(BumpRuido, ContraElLagoEnDoble) {
                 if (longitud(aqui - color(0.01, 0)) < 0.004 && longitud(aqui - color(0, 0.01)) < 0.004)
                     d.anade(diferencia(v.escena, x, y, aqui));
             }
-        apuntaDiferencia(d.maximo, d.rmse());
-        EXPECT_GT(d.comparados, 1400);
-        EXPECT_LE(d.maximo, 3);
-        EXPECT_LE(d.rmse(), 0.6);
+        d.comprueba(1400, 3, 0.6);
         EXPECT_TRUE(v.encima.empty());
     });
 }
@@ -629,30 +601,17 @@ Vec3 colorIsla(double h) {
     return mezcla(c, {0.97, 0.98, 1.00}, escalon(0.56, 0.68, h));
 }
 
-/// El plano desplazado, con la altura de cada vértice en `s`. Cada cuadrado se parte por la diagonal que elija plano().
-Objeto isla(double amplitud) {
-    const int n = 193;
-    std::vector<double> h;
-    for (int j = 0; j < n; ++j)
-        for (int i = 0; i < n; ++i)
-            h.push_back(alturaIslaExacta(i / (n - 1.0), j / (n - 1.0)));
-    const auto en = [&](int i, int j) { return h[std::clamp(j, 0, n - 1) * n + std::clamp(i, 0, n - 1)]; };
-    const Malla llano = plano(n - 1);
-    std::vector<VerticeRef> vertices;
-    for (const Vertice &v : llano.vertices) {
-        const int i = int(std::lround((v.posicion.x + 0.5) * (n - 1))),
-                  j = int(std::lround((v.posicion.y + 0.5) * (n - 1)));
-        const double dx = amplitud * (en(i + 1, j) - en(i - 1, j)) * (n - 1) / 2,
-                     dy = amplitud * (en(i, j + 1) - en(i, j - 1)) * (n - 1) / 2;
-        vertices.push_back({{i / (n - 1.0) - 0.5, j / (n - 1.0) - 0.5, amplitud * en(i, j)},
-                            unitario({-dx, -dy, 1}),
-                            en(i, j),
-                            0});
+/// El plano desplazado con amplitud 1, con las normales de las alturas de sus vecinos.
+Malla islaDeAmplitudUno() {
+    Malla m = plano(192);
+    const double paso = 1.0 / 192;
+    for (Vertice &v : m.vertices) {
+        const double s = v.coordTextura.x, t = v.coordTextura.y;
+        v.posicion.z = float(alturaIslaExacta(s, t));
+        v.normal = glm::dvec3(alturaIslaExacta(s - paso, t) - alturaIslaExacta(s + paso, t),
+                              alturaIslaExacta(s, t - paso) - alturaIslaExacta(s, t + paso), 2 * paso);
     }
-    std::vector<Triangulos::Indices> indices;
-    for (std::size_t k = 0; k + 2 < llano.indices.size(); k += 3)
-        indices.push_back({llano.indices[k], llano.indices[k + 1], llano.indices[k + 2]});
-    return malla(gira({1, 0, 0}, -PI / 2) * escala(2), std::move(vertices), std::move(indices));
+    return m;
 }
 
 } // namespace
@@ -666,31 +625,34 @@ TEST(Desplazamiento, ElMapaEsLaIsla) {
     EXPECT_GT(*std::max_element(mapa.begin(), mapa.end()), 0.7f);
 }
 
-// La isla con varias amplitudes, hasta sus topes: posiciones (el contorno y lo que tapa), normales y color.
+// La isla con varias amplitudes, hasta sus topes: posiciones (el contorno y lo que tapa), normales y color. La playa es tan estrecha que
+// su color se nota en la sexta cifra de la altura. Las caras que se ven de refilón, que asoman menos que un píxel, son zonas.
 TEST(Desplazamiento, ContraLaMallaDesplazadaEnLaCpu) {
+    const Malla unidad = islaDeAmplitudUno();
     const struct {
-        std::string guion;
-        double amplitud, azimut, elevacion;
+        std::string guion, amplitud;
+        double azimut, elevacion;
     } casos[] = {
-        {"", 0.25, 0.35, 0.42},
-        {veces(9, "tecla +"), 0.5, 0.35, 0.42},
-        {veces(2, "tecla -"), 0.4, 0.35, 0.42},
-        {arrastra({50, 60}, {150, -300}), 0.4, -0.15, 0.05},
-        {veces(20, "tecla -") + "; " + arrastra({50, 60}, {-50, 134}), 0, 0.35, 0.42},
-        {"tecla +", 0.05, 0.35, 0.42},
+        {"", "0.25", 0.35, 0.42},
+        {veces(9, "tecla +"), "0.50", 0.35, 0.42},
+        {veces(2, "tecla -"), "0.40", 0.35, 0.42},
+        {arrastra({50, 60}, {150, -300}), "0.40", -0.15, 0.05},
+        {veces(20, "tecla -") + "; " + arrastra({50, 60}, {-50, 134}), "0.00", 0.35, 0.42},
+        {"tecla +", "0.05", 0.35, 0.42},
     };
-    paraCada("desplazamiento", casos, 480, 360, [](const auto &c, const Vista &v) {
+    paraCada("desplazamiento", casos, 480, 360, [&](const auto &c, const Vista &v) {
+        const double lado = 2, alto = lado * std::max(std::stod(c.amplitud), 1e-6);
+        const Escena escena = {enElMundo(DE_PIE * escala({lado, lado, alto}), unidad)};
         const Camara camara = perspectiva(orbita(c.azimut, c.elevacion, 4.5, {-0.1, 0.04, 0}), 0.5, 0.5, 50);
-        const Comparacion d = compara(v.escena, {isla(c.amplitud)}, camara, [&](const Impacto &i) -> Tono {
+        const Comparacion d = compara(v.escena, escena, camara, [&](const Impacto &i) -> Tono {
             if (!i)
                 return exacto(CIELO);
-            const Vec3 color = colorIsla(i.s);
+            const Vec3 color = colorIsla(i.punto.y / alto);
             return {phong({0.35 * color, 0.85 * color, 0.06 * UNO, 15}, UNO, {direccional({-3, 2.2, 1})},
                           i.punto, i.normal, haciaOjo(i)),
                     escalar(haciaOjo(i), i.normalCara) < 0.2 ? i.corte.triangulo : -1};
         });
         comprueba(c.guion, d, {0.6, 500, 0.012});
-        EXPECT_LE(d.rmse, 0.6);
-        compruebaRotulos(v.encima, {arriba("amplitud = " + conDosDecimales(c.amplitud), v.escena)});
+        compruebaRotulos(v.encima, {arriba("amplitud = " + c.amplitud, v.escena)});
     });
 }
