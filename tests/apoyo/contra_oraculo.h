@@ -129,3 +129,15 @@ inline Imagen recorta(const Imagen &imagen, const Hueco &h) {
 inline glm::dvec2 lugar(const Hueco &h, double x, double y) {
     return {h.x + x * h.ancho, h.y + y * h.alto};
 }
+
+/// Todo lo que corta un rayo, lo más cercano primero.
+inline std::vector<oraculo::Impacto> impactos(const oraculo::Escena &escena, oraculo::Rayo r) {
+    std::vector<oraculo::Impacto> todos;
+    for (;;) {
+        const oraculo::Impacto i = oraculo::primerImpacto(escena, r);
+        if (!i)
+            return todos;
+        todos.push_back(i);
+        r.minimo = i.distancia + 1e-9;
+    }
+}

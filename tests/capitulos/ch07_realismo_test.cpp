@@ -292,23 +292,18 @@ ImagenRef vidrio(double alfa, const Camara &camara, int ancho, int alto) {
         enElMundo(traslada({0, 1.07, 0}) * DE_PIE * escala({1, 1, 2.1}), cilindro(segmentosPara(250)))};
     const Material cristal{{0.10, 0.28, 0.42}, {0.15, 0.50, 0.75}, {0.9, 0.9, 0.9}, 60};
     return render(opacos.escena, camara, ancho, alto, [&](const Impacto &fondo) -> Tono {
-        std::vector<Impacto> paredes;
         Rayo r = fondo.rayo;
         if (fondo)
             r.maximo = fondo.distancia;
-        int zona = 0;
-        for (Impacto i = primerImpacto(cilindros, r); i && paredes.size() < 2;
-             i = primerImpacto(cilindros, r)) {
-            paredes.push_back(i);
-            zona = 1000 * zona + 2 * (1 + i.corte.cara) + i.frente;
-            r.minimo = i.distancia + 1e-9;
-        }
+        const std::vector<Impacto> paredes = impactos(cilindros, r);
         Vec3 color = opacos.color(fondo);
-        for (auto i = paredes.rbegin(); i != paredes.rend(); ++i)
-            color = mezcla(color,
-                           phong(cristal, UNO, {posicional(opacos.luz)}, i->punto,
-                                 i->frente ? i->normal : -i->normal, haciaOjo(*i)),
-                           alfa);
+        int zona = 0;
+        for (auto i = paredes.rbegin(); i != paredes.rend(); ++i) {
+            const Vec3 normal = i->frente ? i->normal : -i->normal;
+            color = mezcla(
+                color, phong(cristal, UNO, {posicional(opacos.luz)}, i->punto, normal, haciaOjo(*i)), alfa);
+            zona = 1000 * zona + 2 * (1 + i->corte.cara) + i->frente;
+        }
         return {color, zona};
     });
 }
@@ -459,12 +454,9 @@ ImagenRef traza(const CasoSombras &c, int ancho = 240, int alto = 180) {
         if (c.luz.y <= 0 || t < 0 || (i && !enMesa && i.distancia < t) || (c.plantilla && !enMesa))
             return color;
         const Vec3 p = i.rayo.origen + t * i.rayo.direccion;
-        Rayo r = rayoDesde(p, c.luz - p, longitud(c.luz - p));
         int capas = 0;
-        for (Impacto tapa = primerImpacto(objetos, r); tapa; tapa = primerImpacto(objetos, r)) {
+        for (const Impacto &tapa : impactos(objetos, rayoDesde(p, c.luz - p, longitud(c.luz - p))))
             capas += !tapa.frente;
-            r.minimo = tapa.distancia + 1e-9;
-        }
         if (c.plantilla)
             capas = std::min(capas, 1);
         for (int k = 0; k < capas; ++k)
