@@ -1,9 +1,10 @@
-// Que cualquier malla llene la ventana, sean cuales sean sus unidades, y los números de sus vértices. Lo usan malla_vf
-// y tiras.
+// Que cualquier malla llene la ventana, sean cuales sean sus unidades, los números de sus vértices y las líneas de sus
+// aristas. Lo usan malla_vf y tiras.
 #pragma once
 #include "colores.h"
 #include "orbita.h"
 #include "rotulo.h"
+#include <GL/glew.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -37,7 +38,7 @@ inline std::vector<glm::vec3> encuadra(const std::vector<glm::vec3> &vertices) {
 /// margen para sus números. `angulo` (radianes) es el de perspectivaVentana.
 inline float distanciaQueEncuadra(const std::vector<glm::vec3> &vertices, const Orbita &orbita,
                                   float angulo) {
-    const float margen = 1.17f, ty = std::tan(angulo / 2), tx = ty * 4 / 3;
+    const float margen = 1.22f, ty = std::tan(angulo / 2), tx = ty * 4 / 3;
     const glm::mat3 giro(camaraOrbita(orbita)); // a ejes de la cámara: derecha, arriba y hacia quien mira
     float distancia = 1.3f; // la malla cabe en la esfera de radio 1: al orbitar no llega a la cámara
     for (const glm::vec3 &v : vertices) {
@@ -48,6 +49,19 @@ inline float distanciaQueEncuadra(const std::vector<glm::vec3> &vertices, const 
 }
 
 using IndicesTriangulo = std::array<std::uint32_t, 3>;
+
+/// Deja en el z-buffer las caras algo más lejos, para que no tapen la mitad de las líneas que van por sus lados. No se pueden
+/// pintar ya así: cuanto más de canto está una, más se aleja, y junto a su lado asomaría la de detrás.
+template<class DibujaCaras>
+void alejaEnProfundidad(DibujaCaras dibujaCaras) {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glEnable(GL_POLYGON_OFFSET_FILL);
+    glPolygonOffset(4, 1);
+    dibujaCaras();
+    glDisable(GL_POLYGON_OFFSET_FILL);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
 
 /// Si desde el ojo se ve el punto, o lo tapa algún triángulo: dónde corta cada uno a la recta que los une.
 inline bool seVe(const glm::vec3 &punto, const glm::vec3 &ojo, const std::vector<glm::vec3> &vertices,

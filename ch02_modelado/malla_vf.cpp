@@ -98,7 +98,6 @@ static void inicia(const std::string &fichero) {
     construye();
 
     glEnable(GL_DEPTH_TEST);
-    glPolygonOffset(4, 1); // las caras un poco más lejos: no tapan la mitad de sus propias aristas
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
@@ -115,6 +114,10 @@ static void rotulaCaras(const glm::vec3 &ojo, const glm::mat4 &transformacion) {
     }
 }
 
+static void dibujaCaras() {
+    glDrawElements(GL_TRIANGLES, GLsizei(3 * estado.triangulos.size()), GL_UNSIGNED_INT, nullptr);
+}
+
 static void dibuja() {
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(ANGULO, 0.1f, 100),
                     transformacion = proyeccion * camara;
@@ -125,9 +128,8 @@ static void dibuja() {
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "colorAnverso", AZUL);
     envia(estado.programa, "colorReverso", AMARILLO);
-    glEnable(GL_POLYGON_OFFSET_FILL);
-    glDrawElements(GL_TRIANGLES, GLsizei(3 * estado.triangulos.size()), GL_UNSIGNED_INT, nullptr);
-    glDisable(GL_POLYGON_OFFSET_FILL);
+    dibujaCaras();
+    alejaEnProfundidad(dibujaCaras);
 
     trazaSegmentos(estado.aristas[1], transformacion, OSCURO, GROSOR / 2);
     trazaSegmentos(estado.aristas[0], transformacion, ROJO, 2 * GROSOR);
@@ -135,9 +137,9 @@ static void dibuja() {
     const glm::vec3 ojo = posicionCamara(estado.orbita);
     rotulaVertices(estado.vertices, estado.triangulos, ojo, transformacion);
     rotulaCaras(ojo, transformacion);
-    rotula("anverso", {0.02f, 0.16f}, AZUL, Lado::DERECHA);
-    rotula("reverso", {0.02f, 0.10f}, AMARILLO, Lado::DERECHA);
-    rotula("borde", {0.02f, 0.04f}, ROJO, Lado::DERECHA);
+    rotula("anverso", {0.02f, 0.185f}, AZUL, Lado::DERECHA);
+    rotula("reverso", {0.02f, 0.125f}, AMARILLO, Lado::DERECHA);
+    rotula("borde", {0.02f, 0.065f}, ROJO, Lado::DERECHA);
     glutSwapBuffers();
 }
 

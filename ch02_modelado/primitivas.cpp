@@ -73,7 +73,7 @@ static void dibujaPanel(const Recuadro &panel, int i, const char *nombre, float 
     glViewport(x, y, lado, lado);
     for (int k = 0; k < N_VERTICES; ++k)
         rotulaPunto(std::to_string(k), glm::vec3(VERTICES[k].posicion, 0), glm::mat4(1), OSCURO, LADOS[k],
-                    0.09f * float(lado) / altoUtil());
+                    0.06f * float(lado) / (altoFigura * altoUtil()));
 }
 
 static void dibuja() {

@@ -45,10 +45,10 @@ static glm::vec3 deClaroAOscuro(const glm::vec3 &color, float t) {
                     : glm::mix(color, 0.35f * color, 2 * t - 1);
 }
 
-static std::string indicesEscritos(const Tira &tira) {
+static std::string indicesEscritos(const Tira &tira, std::size_t porLinea) {
     std::string texto;
-    for (GLuint v : tira)
-        texto += (texto.empty() ? "" : " ") + std::to_string(v + 1);
+    for (std::size_t k = 0; k < tira.size(); ++k)
+        texto += (k == 0 ? "" : k % porLinea ? " " : "\n") + std::to_string(tira[k] + 1);
     return texto;
 }
 
@@ -56,7 +56,8 @@ static void informa() {
     std::size_t nIndices = 0;
     for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
         nIndices += estado.tiras[i].size();
-        std::printf("Tira %zu: %s\n", i + 1, indicesEscritos(estado.tiras[i]).c_str());
+        std::printf("Tira %zu: %s\n", i + 1,
+                    indicesEscritos(estado.tiras[i], estado.tiras[i].size()).c_str());
     }
     std::printf("Triángulos: %zu\nTiras: %zu\nÍndices con tiras: %zu\nÍndices con triángulos sueltos: %zu\n",
                 estado.triangulos.size(), estado.tiras.size(), nIndices, 3 * estado.triangulos.size());
@@ -102,7 +103,6 @@ static void inicia(const std::string &fichero) {
     construye();
 
     glEnable(GL_DEPTH_TEST);
-    glPolygonOffset(4, 1); // las caras un poco más lejos: no tapan la mitad de las líneas
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
@@ -112,7 +112,6 @@ static bool seDibuja(std::size_t i) {
 }
 
 static void dibujaTiras() {
-    glEnable(GL_POLYGON_OFFSET_FILL);
     GLint primero = 0;
     for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
         const auto n = GLsizei(estado.tiras[i].size());
@@ -120,7 +119,6 @@ static void dibujaTiras() {
             glDrawArrays(GL_TRIANGLE_STRIP, primero, n);
         primero += n;
     }
-    glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
 static void dibujaRecorridos(const glm::mat4 &transformacion) {
@@ -145,11 +143,14 @@ static void dibuja() {
     envia(estado.programa, "camara", camara);
     envia(estado.programa, "proyeccion", proyeccion);
     dibujaTiras();
+    alejaEnProfundidad(dibujaTiras);
     dibujaRecorridos(proyeccion * camara);
     rotulaVertices(estado.vertices, estado.triangulos, posicionCamara(estado.orbita), proyeccion * camara);
-    if (estado.tiras.size() <= MAXIMO_ESCRITO && estado.triangulos.size() <= MAXIMO_NUMERADO)
-        for (std::size_t i = 0, n = estado.tiras.size(); i < n; ++i)
-            rotula(indicesEscritos(estado.tiras[i]), {0.02f, 0.04f + 0.05f * float(n - 1 - i)},
+    // los de una sola, en varias líneas: a lo largo llegarían al número del vértice de más abajo
+    const std::size_t n = estado.tiras.size(), porLinea = n == 1 ? 10 : 3 * MAXIMO_NUMERADO;
+    if (n <= MAXIMO_ESCRITO && estado.triangulos.size() <= MAXIMO_NUMERADO)
+        for (std::size_t i = 0; i < n; ++i)
+            rotula(indicesEscritos(estado.tiras[i], porLinea), {0.02f, 0.04f + 0.05f * float(n - 1 - i)},
                    0.8f * colorTira(i), Lado::DERECHA, 0.03f);
     glutSwapBuffers();
 }

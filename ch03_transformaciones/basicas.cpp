@@ -76,7 +76,10 @@ static void dibuja() {
     glUseProgram(estado.programa);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
+    if (glm::determinant(M) == 0) // aplastada, sus dos caras coinciden: solo se dibuja la que mira aquí
+        glEnable(GL_CULL_FACE);
     dibujaObjeto(estado.programa, estado.letra, M, NARANJA);
+    glDisable(GL_CULL_FACE);
     trazaOriginal(aristasF(), transformacion);
 
     std::vector<glm::vec3> camino; // de la esquina, mientras el valor va del neutro al suyo

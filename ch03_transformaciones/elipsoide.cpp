@@ -39,7 +39,7 @@ static void dibuja() {
     const glm::vec3 enLaRecta(4);
     trazaPolilinea({-0.3f * enLaRecta, enLaRecta}, transformacion, OSCURO);
     rotulaPunto("x=y=z", enLaRecta, transformacion, OSCURO, Lado::ENCIMA);
-    trazaEjes({4, 3.2f, 4}, transformacion);
+    trazaEjes({4, 2.6f, 4}, transformacion);
     rotulaPasos(estado.pasos, estado.aplicados, {0.02f, 0.67f});
     glutSwapBuffers();
 }

@@ -14,11 +14,10 @@
 static const struct {
     glm::vec3 factores;
     const char *nombre;
-} ESCALADOS[] = {{{2, 2, 2}, "S(2, 2, 2)"},     {{2, 0.5f, 1}, "S(2, .5, 1)"},
-                 {{1, 1, 0}, "S(1, 1, 0)"},     {{-1, 1, 1}, "S(-1, 1, 1)"},
-                 {{-1, -1, 1}, "S(-1, -1, 1)"}, {glm::vec3(0.5f), "S(.5, .5, .5)"}};
+} ESCALADOS[] = {{{2, 2, 2}, "S(2,2,2)"},   {{2, 0.5f, 1}, "S(2,.5,1)"}, {{1, 1, 0}, "S(1,1,0)"},
+                 {{-1, 1, 1}, "S(-1,1,1)"}, {{-1, -1, 1}, "S(-1,-1,1)"}, {glm::vec3(0.5f), "S(.5,.5,.5)"}};
 
-static const float ASPECTO_ESCENA = 0.85f, SEMIALTO = 0.24f; // a distancia 1 del ojo
+static const float ASPECTO_ESCENA = 0.85f, SEMIALTO = 0.26f; // a distancia 1 del ojo
 
 static struct {
     GLuint programa;
@@ -38,7 +37,7 @@ static void dibujaVista(const glm::vec3 &s, const char *nombre, const Recuadro &
     Orbita orbita = estado.orbita;
     orbita.centro = 0.5f * (glm::min(MINIMO_F, glm::min(s * MINIMO_F, s * MAXIMO_F)) +
                             glm::max(MAXIMO_F, glm::max(s * MINIMO_F, s * MAXIMO_F)));
-    orbita.centro.y -= 0.18f; // debajo va el rótulo
+    orbita.centro.y -= 0.28f; // debajo va el rótulo
     // vistas más altas que anchas: en perspectivaVentana, que es para 4:3, se quedarían pequeñas
     const float semialto = SEMIALTO * std::max(ASPECTO_ESCENA / aspecto(r), 1.0f);
     const glm::mat4 proyeccion = glm::perspective(2 * std::atan(semialto), aspecto(r), 1.0f, 100.0f),

@@ -1,8 +1,8 @@
 // Giro alrededor de un eje cualquiera por cambio de base (§3.4, ecuaciones 3.9 y 3.10): el eje d y los vectores e y f
 // que completan la base, el objeto girado un ángulo φ, el de partida (pálido) y lo que recorre. El giro se calcula
-// siempre desde el ángulo: multiplicar un giro tras otro acumula error (ch03_giro_test.cpp).
+// siempre desde el ángulo: multiplicar un giro tras otro acumula error (dificil_transformaciones_test.cpp).
 // Controles: a d giran · 1 2 3 4 ejes Y, diagonal, oblicuo y casi X · botón izquierdo mueve el eje, derecho orbita ·
-// Esc termina.
+//            Esc termina.
 #include "colores.h"
 #include "objeto.h"
 #include "orbita.h"
@@ -24,7 +24,7 @@ static struct {
     float angulo = 2;        // φ, radianes
     bool moviendoEje = false;
     int xAnterior = 0, yAnterior = 0;
-    Orbita orbita = {-0.5f, 0.4f, 7, {0, 0, 0}};
+    Orbita orbita = {-0.5f, 0.4f, 7.4f};
 } estado;
 
 static void inicia() {

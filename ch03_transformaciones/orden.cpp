@@ -15,7 +15,7 @@ static const float ALTURA_REGLA = -6.5f;
 static struct {
     GLuint programa;
     Buferes esfera;
-    Orbita orbita = {0, 0.3f, 21, {13.8f, -0.9f, 0}}; // en paralela, `distancia` es el semiancho de la vista
+    Orbita orbita = {0, 0.3f, 21, {13.8f, -1.4f, 0}}; // en paralela, `distancia` es el semiancho de la vista
 } estado;
 
 static void inicia() {

@@ -12,7 +12,7 @@
 #include <vector>
 
 /// Una cámara que mira al centro de la grúa desde CENTRO_GRUA + haciaCamara.
-struct Vista {
+struct VistaGrua {
     const char *nombre;
     glm::dvec3 haciaCamara, UP;
     glm::vec3 color; // el del eje a lo largo del cual se mira
@@ -23,7 +23,7 @@ const double DISTANCIA_CAMARA = 26; // en paralela da igual; con la rueda no lle
 
 /// Las tres vistas a lo largo de un eje (el perfil, el derecho) y la de dirección (1,1,1).
 enum { ALZADO, PLANTA, PERFIL, DIAGONAL, N_VISTAS, LAS_CUATRO = -1 };
-const Vista VISTAS[N_VISTAS] = {
+const VistaGrua VISTAS[N_VISTAS] = {
     {"Alzado", {0, 0, DISTANCIA_CAMARA}, {0, 1, 0}, COLOR_EJE[2]},
     {"Planta", {0, DISTANCIA_CAMARA, 0}, {0, 0, -1}, COLOR_EJE[1]},
     {"Perfil", {DISTANCIA_CAMARA, 0, 0}, {0, 1, 0}, COLOR_EJE[0]},
@@ -31,7 +31,7 @@ const Vista VISTAS[N_VISTAS] = {
 };
 
 /// La cámara de una vista. No sabe de proyecciones: al cambiar de paralela a perspectiva es la misma.
-inline glm::dmat4 camaraVista(const Vista &v) {
+inline glm::dmat4 camaraVista(const VistaGrua &v) {
     return transformacionCamara(CENTRO_GRUA + v.haciaCamara, CENTRO_GRUA, v.UP);
 }
 

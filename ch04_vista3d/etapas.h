@@ -94,7 +94,7 @@ inline double areaVentana(const std::vector<glm::dvec4> &poligono, const glm::dm
 }
 
 /// Una malla con la transformación del modelo.
-struct Cuerpo {
+struct Modelo {
     std::vector<glm::vec3> vertices;
     std::vector<unsigned> indices;
     glm::dmat4 M;
@@ -112,9 +112,9 @@ inline double profundidadEn(const glm::dvec2 &punto, const glm::dvec3 &a, const 
 
 /// Lo que guarda el buffer de profundidad en el píxel de un vértice cuando se han pintado los triángulos que no lo
 /// tocan: la menor de sus profundidades, o la máxima, 1, si ninguno cae ahí.
-inline double profundidadGuardada(const std::vector<Cuerpo> &cuerpos, const Matrices &m, const Etapas &e) {
+inline double profundidadGuardada(const std::vector<Modelo> &cuerpos, const Matrices &m, const Etapas &e) {
     double menor = 1;
-    for (const Cuerpo &c : cuerpos)
+    for (const Modelo &c : cuerpos)
         for (std::size_t i = 0; i < c.indices.size(); i += 3) {
             std::vector<glm::dvec4> poligono;
             bool toca = false;

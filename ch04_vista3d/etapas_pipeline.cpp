@@ -20,7 +20,7 @@ static const std::size_t PRIMERO[] = {14, 0}; // el vértice que se sigue al emp
 
 static struct {
     GLuint programa;
-    Cuerpo cuerpos[CUERPOS];
+    Modelo cuerpos[CUERPOS];
     Buferes buferes[CUERPOS];
     int cuerpo = CUBO;
     bool tapado = false;
@@ -104,19 +104,19 @@ static void dibujaProfundidad(const Etapas &e, double guardada) {
     trazaPuntos({enEscala(1)}, uno, AZUL);
     if (!e.dentro)
         return;
-    trazaFlecha(enEscala(guardada) - glm::vec3(0, 0.5f, 0), enEscala(guardada), uno, OSCURO);
+    trazaFlecha(enEscala(guardada) - glm::vec3(0, 0.3f, 0), enEscala(guardada), uno, OSCURO);
     trazaPuntos({enEscala(e.ventana.z)}, uno, ROJO, 22);
     rotulaPunto("fragmento", enEscala(e.ventana.z), uno, ROJO, Lado::ENCIMA, TALLA);
-    rotulaPunto("guardada", enEscala(guardada) - glm::vec3(0, 0.5f, 0), uno, OSCURO, Lado::DEBAJO, TALLA);
+    rotulaPunto("guardada", enEscala(guardada) - glm::vec3(0, 0.3f, 0), uno, OSCURO, Lado::DEBAJO, TALLA);
 }
 
 static void dibuja() {
-    const Cuerpo &c = estado.cuerpos[estado.cuerpo];
+    const Modelo &c = estado.cuerpos[estado.cuerpo];
     estado.paneles = colocaPaneles(reparte(PANELES));
     estado.m = matricesEn(estado.paneles[VENTANA].escena, c.M);
     colocaMatrices(estado.paneles, estado.m, estado.orbita, estado.cuerpo == CUBO ? 6.0f : 14.0f);
 
-    std::vector<Cuerpo> pintados = {c};
+    std::vector<Modelo> pintados = {c};
     if (estado.tapado)
         pintados.push_back(estado.cuerpos[TAPA]);
     const Etapas e = recorre(c.vertices[estado.elegido], estado.m);
@@ -140,8 +140,6 @@ static void dibuja() {
         glViewport(r.x, r.y, r.ancho, r.alto);
         rotula(TITULOS[k], {0.03f, 0.94f}, OSCURO, Lado::DERECHA, TALLA);
         rotula(numerosPanel(k, e, guardada), {0.03f, 0.175f}, ROJO, Lado::DERECHA, TALLA);
-        if (k == NDC)
-            rotula(conDosDecimales("w ", e.recortado.w), {0.03f, 0.83f}, ROJO, Lado::DERECHA, TALLA);
     }
     ponTitulo("Las etapas del pipeline: vértice " + std::to_string(estado.elegido));
     glutSwapBuffers();

@@ -111,7 +111,9 @@ inline std::string numerosPanel(std::size_t panel, const Etapas &e, double guard
     case OBJETO: return tres(e.objeto, "x ", "y ", "z ");
     case MUNDO: return tres(e.mundo, "x ", "y ", "z ");
     case CAMARA: return tres(e.camara, "x ", "y ", "z ");
-    case NDC: return e.dentro ? tres(e.ndc, "x/w ", "y/w ", "z/w ") : tres(e.recortado, "x ", "y ", "z ");
+    case NDC:
+        return conDosDecimales("w ", e.recortado.w) + "\n" +
+               (e.dentro ? tres(e.ndc, "x/w ", "y/w ", "z/w ") : tres(e.recortado, "x ", "y ", "z "));
     default:
         if (!e.dentro)
             return "no llega";

@@ -25,7 +25,8 @@ static void inicia() {
     estado.programa = creaProgramaObjeto();
     estado.cubo = creaBuferes(cubo());
     glEnable(GL_DEPTH_TEST);
-    glPolygonOffset(8, 8); // las caras, por detrás de sus aristas
+    glPolygonOffset(8, 8);  // las caras, por detrás de sus aristas
+    glEnable(GL_CULL_FACE); // tan atrás, junto al contorno asomarían las del otro lado
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 

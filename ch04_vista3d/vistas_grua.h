@@ -37,7 +37,7 @@ inline std::vector<PanelVista> reparteVistas(const VistasGrua &v, const std::vec
         if (r.ancho == 0 || r.alto == 0)
             continue;
         const int i = lado == 1 ? v.elegido : (v.europeo ? EUROPEO : AMERICANO)[k];
-        Vista vista = VISTAS[i];
+        VistaGrua vista = VISTAS[i];
         if (i == DIAGONAL)
             vista.haciaCamara = glm::dvec3(posicionCamara(v.orbita)) - CENTRO_GRUA;
         paneles.push_back({i, r, escena, camaraVista(vista), 0});

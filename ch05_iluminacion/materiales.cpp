@@ -9,8 +9,7 @@
 #include "ventana.h"
 
 static const int COLUMNAS = 4, FILAS = 3;
-static const glm::vec2 SEPARACION(2.6f, 2.65f);
-static const float RADIO_SOLA = 3;
+static const float SEPARACION = 2.6f, RADIO_SOLA = 3;
 static const glm::vec3 LA(1);
 static const Luz LUZ{{-0.9f, 0.9f, 1, 0}};
 static const std::string TITULO = "Los doce materiales";
@@ -18,7 +17,7 @@ static const std::string TITULO = "Los doce materiales";
 static struct {
     GLuint programa;
     Buferes esfera, esferaSola;
-    Orbita orbita = {0, 0, 26, {0, -0.25f, 0}};
+    Orbita orbita = {0, 0, 26, {0, -0.3f, 0}};
     int elegido = -1; // o -1 si son todos
 } estado;
 

@@ -20,21 +20,23 @@
 static const int SEGMENTOS = 128;
 static const glm::vec2 P(0.1f, 0.5f), FIN_S(0.24f, 0.5f), FIN_T(0.1f, 0.8f);
 
-/// El punto de la superficie que tiene esas coordenadas de textura, en coordenadas del objeto.
-using Superficie = glm::vec3 (*)(float s, float t);
-static glm::vec3 enImagen(float s, float t) { // un poco por delante
-    return {s - 0.5f, t - 0.5f, 0.1f};
+/// El punto de la superficie que tiene esas coordenadas de textura, en coordenadas del objeto y `alza` veces más lejos del centro; el de
+/// la imagen, por delante.
+using Superficie = glm::vec3 (*)(float s, float t, float alza);
+static glm::vec3 enImagen(float s, float t, float alza) {
+    return {s - 0.5f, t - 0.5f, alza - 1};
 }
-static glm::vec3 enCubo(float s, float t) { // en su cara +Z
-    return {s - 0.5f, t - 0.5f, 0.5f};
+static glm::vec3 enCubo(float s, float t, float alza) { // en su cara +Z
+    return alza * glm::vec3(s - 0.5f, t - 0.5f, 0.5f);
 }
-static glm::vec3 enCilindro(float s, float t) {
+static glm::vec3 enCilindro(float s, float t, float alza) {
     const float angulo = glm::two_pi<float>() * s;
-    return {std::cos(angulo), std::sin(angulo), t - 0.5f};
+    return alza * glm::vec3(std::cos(angulo), std::sin(angulo), t - 0.5f);
 }
-static glm::vec3 enEsfera(float s, float t) {
+static glm::vec3 enEsfera(float s, float t, float alza) {
     const float latitud = glm::pi<float>() * (t - 0.5f), radio = std::cos(latitud);
-    return {radio * enCilindro(s, t).x, radio * enCilindro(s, t).y, std::sin(latitud)};
+    const glm::vec3 p = enCilindro(s, t, alza);
+    return {radio * p.x, radio * p.y, alza * std::sin(latitud)};
 }
 
 struct Objeto {
@@ -77,7 +79,7 @@ static void inicia(const Imagen &imagen) {
 
 /// El punto P y, desde él, hacia dónde crecen s y t en la superficie.
 static void dibujaMarcas(Superficie superficie, const glm::mat4 &transformacion) {
-    const auto encima = [&](const glm::vec2 &st) { return 1.01f * superficie(st.s, st.t); };
+    const auto encima = [&](const glm::vec2 &st) { return superficie(st.s, st.t, 1.01f); };
     const auto flecha = [&](const glm::vec2 &fin, const glm::vec3 &color) {
         std::vector<glm::vec3> camino;
         for (int i = 0; i <= 9; ++i)
@@ -87,7 +89,7 @@ static void dibujaMarcas(Superficie superficie, const glm::mat4 &transformacion)
     };
     flecha(FIN_S, ROJO);
     flecha(FIN_T, VERDE);
-    trazaPuntos({1.02f * superficie(P.s, P.t)}, transformacion, OSCURO, 30);
+    trazaPuntos({superficie(P.s, P.t, 1.02f)}, transformacion, OSCURO, 30);
     const auto enVentana = [&](const glm::vec2 &st) {
         const glm::vec4 p = transformacion * glm::vec4(encima(st), 1);
         return glm::vec3(glm::vec2(p) / p.w, 0);

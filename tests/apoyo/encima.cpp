@@ -176,16 +176,6 @@ void compruebaRotulos(const Encima &encima, const std::vector<Letrero> &letreros
     }
 }
 
-void compruebaLineas(const Encima &encima, const std::vector<Linea> &lineas, const glm::vec3 &color) {
-    double largo = 0;
-    for (const Linea &linea : lineas) {
-        compruebaTrazo(encima, linea, color);
-        for (std::size_t i = 0; i + 1 < linea.size(); ++i)
-            largo += glm::distance(linea[i], linea[i + 1]);
-    }
-    EXPECT_NEAR(encima.largo(color), largo, 0.1) << "sobran o faltan líneas";
-}
-
 void compruebaPuntos(const Encima &encima, const std::vector<glm::dvec2> &puntos, const glm::vec3 &color) {
     std::vector<glm::dvec2> hallados;
     for (const Pintado &p : encima.trazos(color, "puntos"))

@@ -63,9 +63,5 @@ struct Letrero {
 /// Comprueba que están esos rótulos, el mismo texto en otro punto es otro, y ninguno más.
 void compruebaRotulos(const Encima &encima, const std::vector<Letrero> &letreros);
 
-/// Comprueba que las líneas de ese color son esas y no hay más.
-using Linea = std::vector<glm::dvec2>;
-void compruebaLineas(const Encima &encima, const std::vector<Linea> &lineas, const glm::vec3 &color);
-
 /// Comprueba que los puntos de ese color son esos, en ese orden.
 void compruebaPuntos(const Encima &encima, const std::vector<glm::dvec2> &puntos, const glm::vec3 &color);

@@ -1,117 +1,91 @@
 // La caja del ejercicio 2.1 vista como la ven malla_vf y tiras, en doble precisión.
 #pragma once
 #include "colores.h"
-#include "ejecuta.h"
-#include "oraculo/oraculo.h"
-#include "rotulos.h"
+#include "contra_oraculo.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/glm.hpp>
-#include <map>
+#include <iterator>
 #include <vector>
 
 const int ANCHO = 480, ALTO = 360; // de las imágenes que se comparan
-const double CAJA[8][3] = {{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0},
+const glm::vec3 CAJA[8] = {{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0},
                            {0, 1, 0}, {0, 1, 1}, {1, 1, 1}, {1, 1, 0}};
-const std::array<std::array<int, 3>, 10> CARAS = {{{1, 3, 2},
-                                                   {1, 4, 3},
-                                                   {1, 2, 5},
-                                                   {2, 6, 5},
-                                                   {3, 2, 6},
-                                                   {3, 6, 7},
-                                                   {3, 4, 7},
-                                                   {4, 8, 7},
-                                                   {4, 1, 8},
-                                                   {1, 5, 8}}};
+using T3 = std::array<unsigned, 3>; // vértices, desde el 1
 
-/// Un vértice (desde 1) llevado a la esfera de radio 1: la media diagonal de la caja mide √3/2.
-inline oraculo::Vec3 verticeCaja(int i) {
-    const double *p = CAJA[i - 1], r = std::sqrt(3.0) / 2;
-    return {(p[0] - 0.5) / r, (p[1] - 0.5) / r, (p[2] - 0.5) / r};
+/// Un vértice llevado a la esfera de radio 1: la media diagonal de la caja mide √3/2.
+inline oraculo::Vec3 verticeCaja(unsigned i) {
+    return exacto((glm::dvec3(CAJA[i - 1]) - 0.5) / (std::sqrt(3.0) / 2));
 }
 
-/// La cámara de los dos programas: a la menor distancia desde la que caben a 4:3 los ocho vértices, aumentados un 17 %.
-struct VistaCaja {
-    oraculo::Camara camara;
-    int ancho, alto;
+/// La cámara de los dos programas: a la menor distancia desde la que caben a 4:3 los ocho vértices, aumentados un 22 %; después la
+/// gira y la sube el ratón.
+inline oraculo::Camara camaraCaja(double azimut, double elevacion, double gira = 0, double sube = 0) {
+    const double t = std::tan(0.3);
+    const oraculo::Camara lejana = oraculo::orbita(azimut, elevacion, 100);
+    double distancia = 0;
+    for (unsigned i = 1; i <= 8; ++i) {
+        const oraculo::Vec3 p = oraculo::enCamara(lejana, verticeCaja(i));
+        distancia =
+            std::max(distancia, 1.22 * (p.z + 100 + std::max(std::fabs(p.y), std::fabs(p.x) * 0.75) / t));
+    }
+    return oraculo::perspectiva(oraculo::orbita(azimut + gira, elevacion + sube, distancia), 0.6, 0.1, 100);
+}
 
-    VistaCaja(double azimut, double elevacion, int elAncho = ANCHO, int elAlto = ALTO)
-        : ancho(elAncho), alto(elAlto) {
-        const double t = std::tan(0.3);
-        const oraculo::Camara lejana = oraculo::orbita(azimut, elevacion, 100);
-        double distancia = 0;
-        for (int i = 1; i <= 8; ++i) {
-            const oraculo::Vec3 p = oraculo::enCamara(lejana, verticeCaja(i));
-            distancia = std::max({distancia, 1.17 * (p.z + 100 + std::fabs(p.y) / t),
-                                  1.17 * (p.z + 100 + std::fabs(p.x) * 0.75 / t)});
-        }
-        camara = oraculo::perspectiva(oraculo::orbita(azimut, elevacion, distancia), 0.6, 0.1, 100);
-    }
-    oraculo::Vec3 vertice(int i) const {
-        return verticeCaja(i);
-    }
-    glm::dvec2 enPixel(const oraculo::Vec3 &p) const {
-        const oraculo::Vec3 q = oraculo::proyecta(camara, ancho, alto, p);
-        return {q.x, q.y};
-    }
-};
+inline glm::dvec2 verticeEnPixeles(const oraculo::Camara &camara, unsigned i, int ancho = ANCHO,
+                                   int alto = ALTO) {
+    return enPixeles(camara, verticeCaja(i), ancho, alto);
+}
 
-/// Unos triángulos de la caja, dados por sus vértices desde 1.
-inline oraculo::Objeto mallaCaja(const std::vector<std::array<int, 3>> &triangulos) {
+/// La escena, contra unos triángulos de la caja, cada uno de un color, que puede depender de por dónde se vea.
+template<class Color>
+void compruebaCaja(const std::string &que, const Imagen &escena, const std::vector<T3> &triangulos,
+                   const oraculo::Camara &camara, Color color) {
     std::vector<oraculo::VerticeRef> vertices;
-    for (int i = 1; i <= 8; ++i)
+    for (unsigned i = 1; i <= 8; ++i)
         vertices.push_back({verticeCaja(i), {0, 0, 1}});
     std::vector<oraculo::Triangulos::Indices> indices;
-    for (const auto &t : triangulos)
-        indices.push_back({static_cast<std::size_t>(t[0] - 1), static_cast<std::size_t>(t[1] - 1),
-                           static_cast<std::size_t>(t[2] - 1)});
-    return oraculo::malla(oraculo::escala({1, 1, 1}), vertices, indices);
+    for (const T3 &t : triangulos)
+        indices.push_back({t[0] - 1, t[1] - 1, t[2] - 1});
+    const oraculo::Escena caja = {oraculo::malla(oraculo::Mat4(), vertices, indices)};
+    comprueba(que,
+              oraculo::compara(escena, caja, camara,
+                               [&](const oraculo::Impacto &i) {
+                                   return i ? oraculo::Tono(color(i), i.corte.triangulo)
+                                            : oraculo::Tono(exacto(FONDO_CLARO));
+                               }),
+              {0.501, 500,
+               0.012}); // los bordes, por la rejilla de 1/256 de píxel a la que OpenGL lleva cada vértice
 }
 
-/// Cuánto se separa un píxel, en niveles, de un color de 0 a 1.
-inline double distanciaColor(const Imagen &imagen, int x, int y, const glm::dvec3 &color) {
-    const unsigned char *p = &imagen.rgb[3 * static_cast<std::size_t>(y * imagen.ancho + x)];
-    const glm::dvec3 d = glm::abs(glm::dvec3(p[0], p[1], p[2]) - 255.0 * color);
-    return std::max({d.r, d.g, d.b});
+/// Solo los rótulos de ese color.
+inline Encima rotulosDe(const Encima &encima, const glm::vec3 &color) {
+    Encima rotulos;
+    std::copy_if(encima.begin(), encima.end(), std::back_inserter(rotulos),
+                 [&](const Pintado &p) { return p.tipo == "rotulo" && p.es(color); });
+    return rotulos;
 }
 
-/// El color que más se repite en los píxeles en que la referencia ve ese triángulo (−1: ninguno), sin contar los de las líneas y
-/// los números, que van encima.
-struct Mayoria {
-    int pixeles = 0;
-    double parte = 0; // la de ese color
-    glm::dvec3 color{0};
-    oraculo::Impacto impacto; // uno cualquiera
-
-    double diferencia(const glm::dvec3 &esperado) const {
-        const glm::dvec3 d = glm::abs(color - 255.0 * esperado);
-        apuntaDiferencia(std::max({d.r, d.g, d.b}));
-        return std::max({d.r, d.g, d.b});
+/// El número de cada uno de esos vértices, y de ninguno más, por fuera.
+inline void compruebaNumeros(const Encima &encima, const oraculo::Camara &camara,
+                             const std::vector<unsigned> &vistos) {
+    std::vector<std::string> textos;
+    for (const unsigned i : vistos) {
+        const glm::dvec2 p = verticeEnPixeles(camara, i, 960, 720), d = p / glm::dvec2(480, 360) - 1.0;
+        const Lado lado = std::fabs(d.x) > std::fabs(d.y) ? (d.x > 0 ? Lado::DERECHA : Lado::IZQUIERDA)
+                                                          : (d.y > 0 ? Lado::ENCIMA : Lado::DEBAJO);
+        textos.push_back(std::to_string(i));
+        compruebaRotulo(rotulosDe(encima, OSCURO), textos.back(), p, OSCURO, lado);
     }
-};
-inline Mayoria mayoria(const Imagen &imagen, const oraculo::Escena &escena, const oraculo::Camara &camara,
-                       int triangulo) {
-    Mayoria m;
-    std::map<std::array<unsigned char, 3>, int> colores;
-    for (int y = 0; y < imagen.alto; ++y)
-        for (int x = 0; x < imagen.ancho; ++x) {
-            const oraculo::Impacto i = oraculo::primerImpacto(
-                escena, oraculo::rayo(camara, imagen.ancho, imagen.alto, x + 0.5, y + 0.5));
-            if ((i ? i.corte.triangulo : -1) != triangulo)
-                continue;
-            const unsigned char *p = &imagen.rgb[3 * static_cast<std::size_t>(y * imagen.ancho + x)];
-            if (distanciaColor(imagen, x, y, OSCURO) > 1 && distanciaColor(imagen, x, y, BLANCO) > 1)
-                ++colores[{p[0], p[1], p[2]}];
-            ++m.pixeles;
-            m.impacto = i;
-        }
-    int mas = 0;
-    for (const auto &[color, n] : colores)
-        if (n > mas) {
-            mas = n;
-            m.color = glm::dvec3(color[0], color[1], color[2]);
-        }
-    m.parte = m.pixeles ? static_cast<double>(mas) / m.pixeles : 0;
-    return m;
+    EXPECT_EQ(encima.textos(OSCURO), textos);
+}
+
+/// Los píxeles de ese color que hay en la vertical de un punto de la arista, a un tercio de `a`: con las caras ya pintadas.
+inline int gruesoPintado(const Imagen &imagen, const oraculo::Camara &camara, unsigned a, unsigned b,
+                         const glm::vec3 &color) {
+    const glm::dvec2 p = enPixeles(camara, 2 / 3.0 * verticeCaja(a) + 1 / 3.0 * verticeCaja(b), ANCHO, ALTO);
+    int n = 0;
+    for (int d = -12; d <= 12; ++d)
+        n += oraculo::diferencia(imagen, int(p.x), int(p.y) + d, exacto(color)) <= 1;
+    return n;
 }

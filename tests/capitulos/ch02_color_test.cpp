@@ -1,241 +1,120 @@
-// Comprobaciones independientes de primitivas, modelo_poligonal y figura_color: qué color debe haber en un
-// píxel, calculado en doble precisión con las coordenadas de los vértices.
+// Comprobaciones independientes de primitivas, modelo_poligonal y figura_color: qué color debe haber en cada píxel, calculado en
+// doble precisión con las coordenadas de los vértices.
 #include "colores.h"
-#include "ejecuta.h"
-#include "rotulos.h"
+#include "guiones.h"
+#include "plana.h"
 #include <GL/glew.h>
 #include <GL/freeglut.h>
-#include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
-#include <sstream>
 #include <vector>
 
 namespace {
 
-struct V {
-    double x, y, r, g, b;
-};
+enum { PUNTOS, SEGMENTOS, TIRA_SEGMENTOS, SECUENCIA_CERRADA, TRIANGULOS, TIRA, ABANICO };
+const char *const NOMBRES[][2] = {{"GL_POINTS", "GL_POINTS"},
+                                  {"GL_LINES", "GL_LINES"},
+                                  {"GL_LINE_STRIP", "GL_LINE_\nSTRIP"},
+                                  {"GL_LINE_LOOP", "GL_LINE_\nLOOP"},
+                                  {"GL_TRIANGLES", "GL_\nTRIANGLES"},
+                                  {"GL_TRIANGLE_STRIP", "GL_\nTRIANGLE_\nSTRIP"},
+                                  {"GL_TRIANGLE_FAN", "GL_\nTRIANGLE_\nFAN"}};
+const std::vector<VerticePlano> VERTICES = {{0, -0.62, exacto(NARANJA)},      {0.74, -0.38, exacto(ROJO)},
+                                            {0.31, -0.07, exacto(AZUL)},      {0, 0.64, exacto(VERDE)},
+                                            {-0.31, -0.07, exacto(AMARILLO)}, {-0.74, -0.38, exacto(MORADO)}};
+const Lado LADOS[] = {Lado::DEBAJO, Lado::DEBAJO, Lado::DERECHA, Lado::ENCIMA, Lado::IZQUIERDA, Lado::DEBAJO};
+const int N = 6;
 
-double area(const V &a, const V &b, double x, double y) {
-    return (b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x);
+/// Lo que barre un cuadrado de ese medio lado que va de un punto a otro.
+oraculo::Poligono barrido(const oraculo::Vec2 &a, const oraculo::Vec2 &b, double medio) {
+    const double dx = b.x < a.x ? -medio : medio, dy = b.y < a.y ? -medio : medio;
+    return {{a.x - dx, a.y - dy}, {a.x + dx, a.y - dy}, {b.x + dx, b.y - dy},
+            {b.x + dx, b.y + dy}, {b.x - dx, b.y + dy}, {a.x - dx, a.y + dy}};
 }
 
-// El color baricéntrico en (x, y), de 0 a 255; `dentro` es la menor coordenada baricéntrica.
-V baricentrico(const V &a, const V &b, const V &c, double x, double y, double &dentro) {
-    const double total = area(a, b, c.x, c.y), wa = area(b, c, x, y) / total, wb = area(c, a, x, y) / total,
-                 wc = 1 - wa - wb;
-    dentro = std::min(wa, std::min(wb, wc));
-    return {x, y, 255 * (wa * a.r + wb * b.r + wc * c.r), 255 * (wa * a.g + wb * b.g + wc * c.g),
-            255 * (wa * a.b + wb * b.b + wc * c.b)};
+/// Cada primitiva, en ese cuadrado: las piezas que salen de los seis vértices, del color del último de cada una.
+std::vector<Pieza> piezas(int primitiva, const Hueco &h) {
+    std::vector<Pieza> p;
+    if (primitiva >= TRIANGULOS) {
+        const GLenum deOpenGL[] = {GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN};
+        p = triangulos(deOpenGL[primitiva - TRIANGULOS], VERTICES, h);
+        for (Pieza &pieza : p)
+            pieza.colores = {pieza.colores.back()};
+    } else if (primitiva == PUNTOS) {
+        for (const VerticePlano &v : VERTICES)
+            p.push_back({barrido(v.en(h), v.en(h), h.ancho / 28.0), {v.color}});
+    } else {
+        const int n = primitiva == SECUENCIA_CERRADA ? N : N - 1, paso = primitiva == SEGMENTOS ? 2 : 1;
+        for (int i = 0; i < n; i += paso) {
+            const VerticePlano &a = VERTICES[i], &b = VERTICES[(i + 1) % N];
+            p.push_back({barrido(a.en(h), b.en(h), h.ancho / 72 + 0.5), {b.color}});
+        }
+    }
+    return p;
 }
 
-// El color esperado redondeado puede diferir en un nivel: el que pierde la GPU al interpolar en float.
-void esperaColor(const Imagen &imagen, int x, int y, const V &esperado) {
-    const Pixel p = pixel(imagen, x, y);
-    EXPECT_NEAR(p.r, esperado.r, 1) << x << "," << y;
-    EXPECT_NEAR(p.g, esperado.g, 1) << x << "," << y;
-    EXPECT_NEAR(p.b, esperado.b, 1) << x << "," << y;
-    apuntaDiferencia(
-        std::max({std::fabs(p.r - esperado.r), std::fabs(p.g - esperado.g), std::fabs(p.b - esperado.b)}));
-}
-
-const std::vector<V> VERTICES = {{0, -0.62, 0.95, 0.55, 0.10},     {0.74, -0.38, 0.85, 0.20, 0.18},
-                                 {0.31, -0.07, 0.16, 0.38, 0.80},  {0, 0.64, 0.20, 0.62, 0.28},
-                                 {-0.31, -0.07, 0.98, 0.78, 0.15}, {-0.74, -0.38, 0.56, 0.24, 0.66}};
-const char *const NOMBRES[] = {"GL_POINTS",    "GL_LINES",          "GL_LINE_STRIP",  "GL_LINE_LOOP",
-                               "GL_TRIANGLES", "GL_TRIANGLE_STRIP", "GL_TRIANGLE_FAN"};
-
-double diferencia(const Pixel &p, const V &v) { // en niveles, de un color de 0 a 255
-    return std::max({std::fabs(p.r - v.r), std::fabs(p.g - v.g), std::fabs(p.b - v.b)});
-}
-bool esDe(const Pixel &p, const V &v) {
-    return diferencia(p, {0, 0, 255 * v.r, 255 * v.g, 255 * v.b}) <= 1;
-}
-
-bool esFondo(const Pixel &p) {
-    return esDe(p, {0, 0, 0.95, 0.96, 0.98});
-}
-
-bool esDeRotulo(const Pixel &p) {
-    return esDe(p, {0, 0, 0.16, 0.17, 0.20}) || esDe(p, {0, 0, 1, 1, 1});
-}
-
-// La figura de una sola primitiva: un cuadrado de nueve décimos del alto, abajo en el centro.
-const int MEDIO = 81; // en 240×180
-
-// Las coordenadas de dispositivo del centro de un píxel en el cuadrado centrado de una ventana.
-double ndcX(int x, int ancho, int alto) {
-    return (x + 0.5 - (ancho - alto) / 2) / alto * 2 - 1;
-}
-double ndcY(int y, int alto) {
-    return (y + 0.5) / alto * 2 - 1;
+/// Sola, y en su panel de la rejilla: cada píxel, el nombre y el número de cada vértice.
+void comprueba(int primitiva) {
+    const std::vector<Vista> vistas =
+        vistasDe("primitivas", {"", "tecla " + std::to_string(primitiva + 1)}, 960, 720);
+    for (const bool sola : {false, true}) {
+        const Vista &vista = vistas[sola];
+        const Hueco panel =
+            sola ? Hueco{0, 0, 960, 720} : hueco(primitiva % 4, 4, primitiva / 4, 2, 960, 720);
+        const int alto = sola ? 648 : panel.alto * 2 / 3, cabe = std::min(panel.ancho, alto);
+        const Hueco figura = {(panel.ancho - cabe) / 2, (alto - cabe) / 2, cabe, cabe};
+        // OpenGL deja redondear el lado de un punto a un entero y su centro a medio píxel: ¼ + ½. Un segmento de un píxel se
+        // aparta medio en cada extremo y medio a lo ancho, y en los vértices que comparten dos vale el color de los dos
+        const double holgura = primitiva >= TRIANGULOS ? 1.0 / 256 : primitiva == PUNTOS ? 0.75 : 1;
+        const std::string nombre = NOMBRES[primitiva][sola ? 0 : 1];
+        compruebaPlana(nombre, recorta(vista.escena, panel), piezas(primitiva, figura), exacto(FONDO_CLARO),
+                       0.501, holgura, primitiva == PUNTOS || primitiva >= TRIANGULOS);
+        const Encima encima = vista.encima.enPanel(panel.x, panel.y),
+                     numeros = vista.encima.enPanel(panel.x + figura.x, panel.y + figura.y);
+        compruebaRotulo(encima, nombre, {panel.x + 0.5 * panel.ancho, panel.y + 0.99 * panel.alto}, OSCURO,
+                        Lado::DEBAJO);
+        for (int i = 0; i < N; ++i) {
+            const oraculo::Vec2 v = VERTICES[i].en(figura);
+            // en la rejilla el 3 no cabe entre su vértice y el nombre
+            const Lado lado = i == 3 && !sola ? Lado::DEBAJO : LADOS[i];
+            compruebaRotulo(numeros, std::to_string(i), {panel.x + v.x, panel.y + v.y}, OSCURO, lado);
+        }
+    }
 }
 
 } // namespace
 
-// Cada punto es un cuadrado del color de su vértice, y no hay más. El lado es 648/14 píxeles; OpenGL deja elegir el redondeo,
-// y el halo de su número le come algo.
-TEST(Primitivas, Puntos) {
-    const Ejecucion e = ejecuta("ch02_modelado/primitivas", "tecla 1", 960, 720);
-    ASSERT_EQ(e.estado, 0) << e.errores;
-    std::vector<int> cuantos(VERTICES.size(), 0);
-    int otros = 0;
-    for (int y = 0; y < 720; ++y)
-        for (int x = 0; x < 960; ++x) {
-            const Pixel p = pixel(e.imagen, x, y);
-            bool visto = esFondo(p) || esDeRotulo(p);
-            for (std::size_t i = 0; i < VERTICES.size(); ++i)
-                if (esDe(p, VERTICES[i])) {
-                    ++cuantos[i];
-                    visto = true;
-                    EXPECT_NEAR(x + 0.5, 480 + VERTICES[i].x * 324, 24);
-                    EXPECT_NEAR(y + 0.5, 324 + VERTICES[i].y * 324, 24);
-                }
-            otros += !visto;
-        }
-    EXPECT_EQ(otros, 0);
-    for (int n : cuantos)
-        EXPECT_NEAR(n, 648.0 / 14 * 648 / 14, 150);
+TEST(Primitivas, PuntosYSegmentos) {
+    for (int primitiva = PUNTOS; primitiva < TRIANGULOS; ++primitiva)
+        comprueba(primitiva);
 }
 
-// En el medio de cada segmento, el color de su último vértice; en el medio de los que no tocan, el fondo.
-TEST(Primitivas, Segmentos) {
-    const bool hay[3][6] = {{true, false, true, false, true, false}, // GL_LINES
-                            {true, true, true, true, true, false},   // GL_LINE_STRIP
-                            {true, true, true, true, true, true}};   // GL_LINE_LOOP
-    for (int k = 0; k < 3; ++k) {
-        const Ejecucion e = ejecuta("ch02_modelado/primitivas", "tecla " + std::to_string(k + 2), 960, 720);
-        ASSERT_EQ(e.estado, 0) << e.errores;
-        for (std::size_t i = 0; i < 6; ++i) {
-            const V &a = VERTICES[i], &b = VERTICES[(i + 1) % 6];
-            const double x = 480 + (a.x + b.x) / 2 * 324, y = 324 + (a.y + b.y) / 2 * 324;
-            // y a lo ancho: el pincel mide 19 píxeles, contados en vertical o en horizontal
-            const bool tendido = std::fabs(b.x - a.x) > std::fabs(b.y - a.y);
-            int ancho = 0;
-            for (int d = -30; d <= 30; ++d) {
-                const Pixel p = pixel(e.imagen, static_cast<int>(x) + (tendido ? 0 : d),
-                                      static_cast<int>(y) + (tendido ? d : 0));
-                ancho += esDe(p, b);
-            }
-            if (hay[k][i]) {
-                EXPECT_TRUE(ancho >= 19 && ancho <= 38)
-                    << "tecla " << k + 2 << " segmento " << i << ": " << ancho;
-                EXPECT_TRUE(esDe(pixel(e.imagen, static_cast<int>(x), static_cast<int>(y)), b));
-            } else {
-                EXPECT_TRUE(esFondo(pixel(e.imagen, static_cast<int>(x), static_cast<int>(y))))
-                    << "tecla " << k + 2 << " segmento " << i;
-            }
-        }
-    }
-}
-
-// Cada píxel, por la prueba de semiplanos: el triángulo que lo contiene (los de la tira y los del abanico no
-// se solapan) dice su color; a menos de 1/256 de píxel de un lado no se mira.
 TEST(Primitivas, Triangulos) {
-    const std::vector<std::vector<int>> triangulos[3] = {{{0, 1, 2}, {3, 4, 5}},
-                                                         {{0, 1, 2}, {2, 1, 3}, {2, 3, 4}, {4, 3, 5}},
-                                                         {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}};
-    for (int k = 0; k < 3; ++k) {
-        const Ejecucion e = ejecuta("ch02_modelado/primitivas", "tecla " + std::to_string(k + 5));
-        ASSERT_EQ(e.estado, 0) << e.errores;
-        int comparados = 0;
-        double maximo = 0;
-        for (int py = 0; py < 180; ++py)
-            for (int px = 0; px < 240; ++px) {
-                const double x = (px + 0.5 - 120) / MEDIO, y = (py + 0.5 - MEDIO) / MEDIO;
-                const V *esperado = nullptr;
-                bool dudoso = false;
-                int cuantos = 0;
-                for (const auto &t : triangulos[k]) {
-                    const V *v[3];
-                    for (std::size_t i = 0; i < 3; ++i)
-                        v[i] = &VERTICES[static_cast<std::size_t>(t[i])];
-                    const double giro = area(*v[0], *v[1], v[2]->x, v[2]->y) > 0 ? 1 : -1;
-                    double distancia = 1e9; // al lado más próximo, en píxeles; positiva dentro
-                    for (std::size_t i = 0; i < 3; ++i) {
-                        const V &a = *v[i], &b = *v[(i + 1) % 3];
-                        distancia = std::min(distancia, giro * area(a, b, x, y) /
-                                                            std::hypot(b.x - a.x, b.y - a.y) * MEDIO);
-                    }
-                    dudoso = dudoso || std::fabs(distancia) < 1.0 / 256;
-                    if (distancia > 0) {
-                        esperado =
-                            v[2]; // el último vértice es el mayor de los tres índices en las tres primitivas
-                        ++cuantos;
-                    }
-                }
-                if (dudoso)
-                    continue;
-                ASSERT_LE(cuantos, 1);
-                const Pixel p = pixel(e.imagen, px, py);
-                if (esDeRotulo(p))
-                    continue;
-                ASSERT_TRUE(esperado ? esDe(p, *esperado) : esFondo(p))
-                    << "tecla " << k + 5 << ": " << px << "," << py;
-                if (esperado)
-                    maximo = std::max(maximo, diferencia(p, {0, 0, 255 * esperado->r, 255 * esperado->g,
-                                                             255 * esperado->b}));
-                ++comparados;
-            }
-        apuntaDiferencia(maximo, -1, 1.0 / 256);
-        EXPECT_GT(comparados, 240 * 180 * 95 / 100);
-    }
+    for (int primitiva = TRIANGULOS; primitiva <= ABANICO; ++primitiva)
+        comprueba(primitiva);
 }
 
-// El nombre y el número de cada vértice, junto a él y por fuera de la figura.
-TEST(Primitivas, Rotulos) {
-    for (int k = 0; k < 7; ++k) {
-        const Ejecucion e = ejecuta("ch02_modelado/primitivas", "tecla " + std::to_string(k + 1), 960, 720);
-        const auto nombre = buscaRotulo(e.imagen, enLetras(NOMBRES[k]), OSCURO, 4);
-        ASSERT_EQ(nombre.size(), 1u) << NOMBRES[k];
-        EXPECT_GT(nombre[0].y, 660);
-        for (std::size_t i = 0; i < VERTICES.size(); ++i) {
-            const glm::dvec2 v(480 + VERTICES[i].x * 324, 324 + VERTICES[i].y * 324);
-            const glm::dvec2 r = rotuloJunto(e.imagen, enLetras(static_cast<int>(i)), OSCURO, 8, v);
-            EXPECT_LT(glm::distance(r, v), 64) << NOMBRES[k] << " vértice " << i;
-            EXPECT_GT(glm::distance(r, v), 28) << NOMBRES[k] << " vértice " << i;
-        }
-    }
-}
-
-// En la rejilla está cada primitiva con su nombre y los colores de lo que sale de ella: los del último vértice de cada punto,
-// segmento o triángulo.
-TEST(Primitivas, LaRejillaTieneSietePaneles) {
-    const Ejecucion e = ejecuta("ch02_modelado/primitivas", "", 960, 720);
-    ASSERT_EQ(e.estado, 0) << e.errores;
-    const std::u32string ultimaLinea[] = {U"GL_POINTS", U"GL_LINES", U"STRIP", U"LOOP",
-                                          U"TRIANGLES", U"STRIP",    U"FAN",   U"vértice"};
-    const bool sale[8][6] = {
-        {true, true, true, true, true, true},     {false, true, false, true, false, true},
-        {false, true, true, true, true, true},    {true, true, true, true, true, true},
-        {false, false, true, false, false, true}, {false, false, true, true, true, true},
-        {false, false, true, true, true, true},   {}};
-    for (int k = 0; k < 8; ++k) {
-        const int x0 = k % 4 * 240, y0 = k < 4 ? 360 : 0;
-        bool hayNombre = false;
-        for (const Rotulo &r : buscaRotulo(e.imagen, ultimaLinea[k], OSCURO, 4))
-            hayNombre = hayNombre || (r.x > x0 && r.x < x0 + 240 && r.y > y0 && r.y < y0 + 360);
-        EXPECT_TRUE(hayNombre) << k;
-        for (std::size_t i = 0; i < 6; ++i) {
-            int pixeles = 0;
-            for (int y = y0 + 3; y < y0 + 350; ++y)
-                for (int x = x0 + 3; x < x0 + 235; ++x)
-                    pixeles += esDe(pixel(e.imagen, x, y), VERTICES[i]);
-            EXPECT_EQ(pixeles > 0, sale[k][i]) << "panel " << k << " vértice " << i;
-        }
-    }
-    const Ejecucion vuelta =
-        ejecuta("ch02_modelado/primitivas", "tecla 6; tamano 1 1; tamano 960 720; tecla 0", 960, 720);
-    EXPECT_EQ(e.imagen.rgb, vuelta.imagen.rgb);
+// El octavo panel dice qué color toma cada una; entre ellos hay una raya. Y se vuelve a la rejilla desde cualquier sitio.
+TEST(Primitivas, LaRejilla) {
+    const std::vector<Vista> vistas = vistasDe(
+        "primitivas", {"", "tecla 6; tamano 1 1; tamano 960 720; tecla 0; tecla 8; tecla 9"}, 960, 720);
+    const Hueco ultimo = hueco(3, 4, 1, 2, 960, 720);
+    const Imagen &escena = vistas[0].escena;
+    compruebaPlana("el último panel", recorta(escena, ultimo), {}, exacto(FONDO_CLARO));
+    compruebaPlana("la raya a su izquierda", recorta(escena, {ultimo.x - 4, 0, 4, 720}), {}, exacto(GRIS));
+    compruebaPlana("la raya de encima", recorta(escena, {0, ultimo.alto, 960, 4}), {}, exacto(GRIS));
+    compruebaRotulo(vistas[0].encima, "El color\nes el del\núltimo\nvértice",
+                    {ultimo.x + 0.5 * ultimo.ancho, 0.5 * ultimo.alto}, OSCURO, Lado::CENTRO);
+    EXPECT_EQ(vistas[0].encima.size(), 7 * (N + 1) + 1u);
+    EXPECT_EQ(vistas[1].encima.size(), 7 * (N + 1) + 1u);
+    EXPECT_EQ(escena.rgb, vistas[1].escena.rgb);
 }
 
 // El listado 2.4 dibuja sin VAO: un contexto core lo rechaza. Con uno, aunque esté vacío, el mismo dibujo es
 // válido. (Cada caso en un proceso, que termina con 3 si hay un error de OpenGL.)
 TEST(ModeloPoligonal, SinVaoNoSeDibuja) {
     const auto dibuja = [](bool conVao) {
-        char nombre[] = "prueba";
-        char *argv[] = {nombre, nullptr};
+        char nombre[] = "prueba", *argv[] = {nombre, nullptr};
         int argc = 1;
         glutInit(&argc, argv);
         glutInitContextVersion(3, 1);
@@ -253,119 +132,95 @@ TEST(ModeloPoligonal, SinVaoNoSeDibuja) {
     EXPECT_EXIT(dibuja(true), testing::ExitedWithCode(0), "");
 }
 
-// Un píxel interior de cada uno de los seis triángulos, con el color baricéntrico exacto.
+// Seis triángulos alrededor del centro; la rueda conserva su forma. El número de cada vértice, por fuera de ella; el 0, bajo el centro.
 TEST(ModeloPoligonal, ColorBaricentrico) {
-    const std::vector<V> rueda = {{0, 0, 1, 1, 1},           {0, 0.850, 1, 0, 0},  {-0.736, 0.425, 1, 1, 0},
-                                  {-0.736, -0.425, 0, 1, 0}, {0, -0.850, 0, 1, 1}, {0.736, -0.425, 0, 0, 1},
-                                  {0.736, 0.425, 1, 0, 1}};
-    const Ejecucion e = ejecuta("ch02_modelado/modelo_poligonal");
-    ASSERT_EQ(e.estado, 0) << e.errores;
-    for (std::size_t t = 0; t < 6; ++t) {
-        const V &a = rueda[0], &b = rueda[t + 1], &c = rueda[t == 5 ? 1 : t + 2];
-        const int px = static_cast<int>(120 + (0.25 * a.x + 0.45 * b.x + 0.30 * c.x) * 90),
-                  py = static_cast<int>(90 + (0.25 * a.y + 0.45 * b.y + 0.30 * c.y) * 90);
-        double dentro;
-        const V esperado = baricentrico(a, b, c, ndcX(px, 240, 180), ndcY(py, 180), dentro);
-        ASSERT_GT(dentro, 0.1);
-        esperaColor(e.imagen, px, py, esperado);
-    }
-    const Pixel fondo = pixel(e.imagen, 5, 90);
-    EXPECT_TRUE(esDe(fondo, {0, 0, 0.16, 0.17, 0.20}));
-}
-
-// El número de cada vértice, por fuera de la rueda (el 0, bajo el centro).
-TEST(ModeloPoligonal, Numeros) {
-    const double vertices[7][2] = {{0, 0},      {0, 0.850},      {-0.736, 0.425}, {-0.736, -0.425},
-                                   {0, -0.850}, {0.736, -0.425}, {0.736, 0.425}};
-    const Ejecucion e = ejecuta("ch02_modelado/modelo_poligonal", "", 960, 720);
-    for (int i = 0; i < 7; ++i) {
-        const glm::dvec2 v(480 + 360 * vertices[i][0], 360 + 360 * vertices[i][1]);
-        const glm::dvec2 r = rotuloJunto(e.imagen, enLetras(i), BLANCO, 4, v);
-        EXPECT_LT(glm::distance(r, v), 30) << i;
-        if (i > 0) {
-            EXPECT_GT(glm::distance(r, glm::dvec2(480, 360)), 320) << i;
+    const std::vector<VerticePlano> rueda = {{0, 0, {1, 1, 1}},         {0, 0.78, {1, 0, 0}},
+                                             {-0.675, 0.39, {1, 1, 0}}, {-0.675, -0.39, {0, 1, 0}},
+                                             {0, -0.78, {0, 1, 1}},     {0.675, -0.39, {0, 0, 1}},
+                                             {0.675, 0.39, {1, 0, 1}},  {0, 0.78, {1, 0, 0}}};
+    const Lado lados[] = {Lado::DEBAJO, Lado::ENCIMA,  Lado::IZQUIERDA, Lado::IZQUIERDA,
+                          Lado::DEBAJO, Lado::DERECHA, Lado::DERECHA};
+    for (const glm::ivec2 t : {glm::ivec2(240, 180), {180, 240}, {960, 720}}) {
+        const Vista vista = vistaDe("modelo_poligonal", "", t.x, t.y);
+        const Hueco h = cuadrado(t.x, t.y);
+        compruebaPlana("la rueda", vista.escena, triangulos(GL_TRIANGLE_FAN, rueda, h), exacto(FONDO_OSCURO));
+        EXPECT_EQ(vista.encima.size(), 7u);
+        for (int i = 0; i < 7; ++i) {
+            const oraculo::Vec2 v = rueda[i].en(h);
+            compruebaRotulo(vista.encima, std::to_string(i), {v.x, v.y}, BLANCO, lados[i]);
         }
     }
 }
 
-// La forma se conserva: en una ventana alta la rueda es la misma, centrada.
-TEST(ModeloPoligonal, ConservaLaForma) {
-    const Ejecucion ancha = ejecuta("ch02_modelado/modelo_poligonal", "", 240, 180),
-                    alta = ejecuta("ch02_modelado/modelo_poligonal", "tamano 180 240", 240, 180);
-    ASSERT_EQ(alta.estado, 0) << alta.errores;
-    for (int y = 0; y < 180; y += 7)
-        for (int x = 0; x < 180; x += 7) {
-            const Pixel p = pixel(ancha.imagen, x + 30, y), q = pixel(alta.imagen, x, y + 30);
-            ASSERT_TRUE(p.r == q.r && p.g == q.g && p.b == q.b) << x << "," << y;
-        }
-}
-
-// Colores esperados en puntos dados, con los de los vértices interpolados en doble precisión. El cuadrado de
-// la figura es el ancho de la ventana: 240×240 centrado en 240×180.
-TEST(FiguraColor, DegradadosEnPuntosDados) {
-    const Ejecucion e = ejecuta("ch02_modelado/figura_color");
-    ASSERT_EQ(e.estado, 0) << e.errores;
-    struct Muestra {
-        double x, y;
-        V a, b, c;
-    };
-    const V noche1{-1, 1, 0.10, 0.12, 0.36}, noche2{1, 1, 0.10, 0.12, 0.36},
-        tarde1{-1, 0.45, 0.42, 0.24, 0.55}, tarde2{1, 0.45, 0.42, 0.24, 0.55},
-        ocaso1{-1, 0.10, 0.93, 0.42, 0.38}, ocaso2{1, 0.10, 0.93, 0.42, 0.38};
-    const V agua1{-1, -0.45, 0.36, 0.33, 0.60}, agua2{1, -0.45, 0.36, 0.33, 0.60},
-        hondo1{-1, -1, 0.05, 0.13, 0.33};
-    const std::vector<Muestra> muestras = {
-        {-0.8, 0.60, noche1, tarde1, tarde2}, // cielo, arriba a la izquierda
-        {0.7, 0.65, noche1, noche2, tarde2},  // cielo, arriba a la derecha
-        {-0.9, 0.30, tarde1, ocaso1, ocaso2}, // cielo, más abajo
-        {-0.9, -0.60, agua1, hondo1, agua2},  // mar
-        {0.20,
-         -0.10,
-         {0.30, -0.36, 0.98, 0.84, 0.70},
-         {0.30, 0.52, 1.00, 0.97, 0.92},
-         {-0.12, -0.36, 0.95, 0.55, 0.10}}, // vela
-        {0.275,
-         0.38,
-         {0.30, -0.36, 0.98, 0.84, 0.70},
-         {0.30, 0.52, 1.00, 0.97, 0.92},
-         {-0.12, -0.36, 0.95, 0.55, 0.10}}, // cerca del tope
-        {0.45,
-         -0.20,
-         {0.35, -0.36, 0.85, 0.20, 0.18},
-         {0.62, -0.34, 0.72, 0.10, 0.22},
-         {0.33, 0.40, 1.00, 0.62, 0.30}},
-        {0.30,
-         -0.50,
-         {0.27, -0.40, 0.55, 0.27, 0.20},
-         {-0.06, -0.56, 0.24, 0.11, 0.16},
-         {0.56, -0.56, 0.18, 0.08, 0.14}}, // casco
-    };
-    for (const Muestra &m : muestras) {
-        const int px = static_cast<int>(120 + m.x * 120), py = static_cast<int>(90 + m.y * 120);
-        double dentro;
-        const V esperado = baricentrico(m.a, m.b, m.c, (px + 0.5 - 120) / 120, (py + 0.5 - 90) / 120, dentro);
-        ASSERT_GT(dentro, 0.02) << m.x << "," << m.y;
-        esperaColor(e.imagen, px, py, esperado);
+// El velero, con sus vértices escritos otra vez. Llena cualquier ventana: el color de borrado, negro, no asoma.
+TEST(FiguraColor, DegradadosEnCadaPixel) {
+    const oraculo::Vec3 noche{0.10, 0.12, 0.36}, tarde{0.42, 0.24, 0.55}, ocaso{0.93, 0.42, 0.38},
+        dorado{1.00, 0.78, 0.38}, tierra{0.45, 0.24, 0.45}, cumbre{0.62, 0.36, 0.52},
+        orilla{0.93, 0.55, 0.40}, agua{0.36, 0.33, 0.60}, hondo{0.05, 0.13, 0.33}, fuera{0.96, 0.60, 0.36},
+        dentro{1.00, 0.90, 0.60};
+    const double horizonte = -0.20, x = -0.28, radio = 0.30; // del sol
+    std::vector<VerticePlano> sol = {{x, horizonte, {1.00, 0.98, 0.75}}};
+    for (int i = 0; i <= 24; ++i) {
+        const double a = oraculo::PI * i / 24;
+        sol.push_back({x + radio * std::cos(a), horizonte + radio * std::sin(a), {1.00, 0.62, 0.16}});
     }
-    // El sol: del centro al borde el color cambia con la distancia (los 24 lados del abanico la acortan un
-    // 0.2 % como mucho, menos de un nivel). La columna que sube desde su centro.
-    const int px = static_cast<int>(120 - 0.28 * 120);
-    for (int k = 2; k < 33; k += 3) {
-        const double x = (px + 0.5 - 120) / 120 + 0.28, y = (k + 66 + 0.5 - 90) / 120 + 0.20,
-                     t = std::hypot(x, y) / 0.30;
-        esperaColor(e.imagen, px, k + 66,
-                    {0, 0, 255, 255 * (0.98 + t * (0.62 - 0.98)), 255 * (0.75 + t * (0.16 - 0.75))});
-    }
-}
-
-TEST(FiguraColor, CubreCualquierVentana) {
-    for (const char *guion : {"tamano 300 60", "tamano 60 300", "tamano 1 1"}) {
-        const Ejecucion e = ejecuta("ch02_modelado/figura_color", guion);
-        ASSERT_EQ(e.estado, 0) << e.errores;
-        for (int y = 0; y < e.imagen.alto; ++y)
-            for (int x = 0; x < e.imagen.ancho; ++x) {
-                const Pixel p = pixel(e.imagen, x, y);
-                ASSERT_GT(p.r + p.g + p.b, 0) << guion; // el color de borrado es negro y no debe asomar
-            }
+    const struct {
+        GLenum primitiva;
+        std::vector<VerticePlano> vertices;
+    } partes[] = {{GL_TRIANGLE_STRIP, // cielo
+                   {{-1, 1, noche},
+                    {1, 1, noche},
+                    {-1, 0.45, tarde},
+                    {1, 0.45, tarde},
+                    {-1, 0.10, ocaso},
+                    {1, 0.10, ocaso},
+                    {-1, horizonte, dorado},
+                    {1, horizonte, dorado}}},
+                  {GL_TRIANGLE_FAN, sol},
+                  {GL_TRIANGLE_STRIP, // costa
+                   {{0.25, horizonte, tierra},
+                    {0.50, 0.02, cumbre},
+                    {0.68, horizonte, tierra},
+                    {0.80, 0.10, cumbre},
+                    {1.00, horizonte, tierra},
+                    {1.00, -0.02, cumbre}}},
+                  {GL_TRIANGLE_STRIP, // mar
+                   {{-1, horizonte, orilla},
+                    {1, horizonte, orilla},
+                    {-1, -0.45, agua},
+                    {1, -0.45, agua},
+                    {-1, -1, hondo},
+                    {1, -1, hondo}}},
+                  {GL_TRIANGLES, // reflejo
+                   {{x - radio, horizonte, fuera},
+                    {x + radio, horizonte, fuera},
+                    {x, -0.90, {0.24, 0.22, 0.46}},
+                    {x - 0.14, horizonte, dentro},
+                    {x + 0.14, horizonte, dentro},
+                    {x, -0.62, {0.62, 0.42, 0.52}}}},
+                  {GL_TRIANGLE_STRIP, // mástil
+                   {{0.303, -0.42, {0.30, 0.14, 0.16}},
+                    {0.327, -0.42, {0.20, 0.10, 0.14}},
+                    {0.303, 0.58, {0.52, 0.26, 0.22}},
+                    {0.327, 0.58, {0.36, 0.18, 0.20}}}},
+                  {GL_TRIANGLES, // velas
+                   {{0.30, -0.36, {0.98, 0.84, 0.70}},
+                    {0.30, 0.52, {1.00, 0.97, 0.92}},
+                    {-0.12, -0.36, {0.95, 0.55, 0.10}},
+                    {0.35, -0.36, {0.85, 0.20, 0.18}},
+                    {0.62, -0.34, {0.72, 0.10, 0.22}},
+                    {0.33, 0.40, {1.00, 0.62, 0.30}}}},
+                  {GL_TRIANGLE_FAN, // casco
+                   {{0.27, -0.40, {0.55, 0.27, 0.20}},
+                    {-0.20, -0.40, {0.70, 0.34, 0.20}},
+                    {-0.06, -0.56, {0.24, 0.11, 0.16}},
+                    {0.56, -0.56, {0.18, 0.08, 0.14}},
+                    {0.76, -0.38, {0.42, 0.18, 0.18}}}}};
+    for (const glm::ivec2 t : {glm::ivec2(240, 180), {960, 720}, {300, 60}, {60, 300}, {1, 1}}) {
+        std::vector<Pieza> piezas;
+        for (const auto &parte : partes)
+            for (const Pieza &p : triangulos(parte.primitiva, parte.vertices, cuadrado(t.x, t.y, true)))
+                piezas.push_back(p);
+        compruebaPlana(enGuion(t), imagenDe("figura_color", "", t.x, t.y), piezas, {0, 0, 0});
     }
 }

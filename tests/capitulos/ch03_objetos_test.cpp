@@ -1,10 +1,8 @@
 // objetos contra el oráculo: los juguetes, escritos aquí otra vez como sólidos exactos, y la cámara y el sombreado, en doble. De
 // objetos.h no se lee nada.
-#include "ch03_oraculo.h"
-#include "ejecuta.h"
-#include "malla.h"
+#include "guiones.h"
+#include "panel.h"
 #include <gtest/gtest.h>
-#include <sstream>
 
 namespace {
 
@@ -24,7 +22,7 @@ oraculo::Camara camaraObjetos(double azimut = 0.25, double elevacion = 0.32, dou
 /// Con n > 0, mallas de n segmentos (el toro, m en el tubo); si no, los sólidos exactos.
 struct Taller {
     int n, m;
-    std::vector<ch03::Cuerpo> cuerpos;
+    std::vector<Cuerpo> cuerpos;
 
     void bloque(const Mat4 &sitio, const Vec3 &lados, const Vec3 &color) {
         cuerpos.push_back({oraculo::caja(sitio * escala(lados)), color});
@@ -97,7 +95,7 @@ void ponAros(Taller &t, const Mat4 &A) {
     t.bola(A * traslada({0, base + 0.2, 0}), {0.36, 0.36, 0.36}, AZULADO);
 }
 
-std::vector<ch03::Cuerpo> escena(int n = 0, int m = 0) {
+std::vector<Cuerpo> escena(int n = 0, int m = 0) {
     const Vec3 Y{0, 1, 0};
     Taller t{n, m, {}};
     t.bloque(traslada({0, -0.15, 0}), {7.6, 0.3, 4.8}, {0.86, 0.72, 0.55}); // el tablero, en y = 0
@@ -107,22 +105,15 @@ std::vector<ch03::Cuerpo> escena(int n = 0, int m = 0) {
     return t.cuerpos;
 }
 
-void apunta(const char *clave, const oraculo::Comparacion &c) {
-    testing::Test::RecordProperty(clave, (std::ostringstream() << c).str());
-}
-
 } // namespace
 
 TEST(ProgramaObjetos, SiluetaContraLosSolidosExactos) {
     oraculo::Escena solidos;
-    for (const ch03::Cuerpo &c : escena())
+    for (const Cuerpo &c : escena())
         solidos.push_back(c.objeto);
-    const Ejecucion e = ejecuta("ch03_transformaciones/objetos");
-    ASSERT_EQ(e.estado, 0) << e.errores;
-    const oraculo::Comparacion c = comparaSilueta(e.imagen, FONDO, solidos, camaraObjetos());
-    EXPECT_EQ(c.maximo, 0) << c;
-    EXPECT_LE(c.desvio, 0.25) << c; // un píxel en 960x720: LosSegmentosBastan
-    apunta("silueta", c);
+    // un píxel en 960x720: LosSegmentosBastan
+    comprueba("silueta", comparaSilueta(vistaDe("objetos").escena, FONDO, solidos, camaraObjetos()),
+              {0, 0, 0.25});
 }
 
 // Una normal interpolada se acorta hasta cos(π/36) en la vuelta y cos(π/22) en el tubo, en total 0.014; y la faceta,
@@ -130,36 +121,21 @@ TEST(ProgramaObjetos, SiluetaContraLosSolidosExactos) {
 // los bordes, a 1.5 píxeles de la silueta de un tubo de ρ = 11 píxeles, tan θ = 1.7. Con el amarillo, el más claro:
 // 0.5 + 255·0.42·0.98·(0.014 + 0.0174) = 3.8 niveles.
 TEST(ProgramaObjetos, SombreadoContraLosSolidosExactos) {
-    const Ejecucion e = ejecuta("ch03_transformaciones/objetos");
-    ASSERT_EQ(e.estado, 0) << e.errores;
-    const oraculo::Comparacion c = ch03::compara(e.imagen, escena(), camaraObjetos(), FONDO, 3.8);
-    EXPECT_LE(c.maximo, 3.8) << c;
-    EXPECT_LE(c.desvio, 1) << c;
-    apunta("solidos", c);
+    comprueba("sólidos", comparaConLuzFija(vistaDe("objetos").escena, escena(), camaraObjetos(), FONDO, 3.8),
+              {3.8, 0, 1});
 }
 
+// También tras girar y acercar la cámara: 50 píxeles a la derecha son medio radián menos de azimut y 20 hacia arriba 0.2 menos de
+// elevación, de la que hay un tope: el suelo no se ve por debajo.
 TEST(ProgramaObjetos, SombreadoDeLaMismaMalla) {
-    const Ejecucion e = ejecuta("ch03_transformaciones/objetos");
-    ASSERT_EQ(e.estado, 0) << e.errores;
-    const oraculo::Comparacion c =
-        ch03::compara(e.imagen, escena(SEGMENTOS, SEGMENTOS_TUBO), camaraObjetos(), FONDO);
-    EXPECT_LE(c.maximo, 1) << c;
-    EXPECT_LE(c.desvio, ch03::DESVIO) << c;
-    apunta("malla", c);
-}
-
-// 50 píxeles a la derecha son medio radián menos de azimut, 20 hacia arriba 0.2 menos de elevación.
-TEST(ProgramaObjetos, ElRatonOrbita) {
-    const Ejecucion e =
-        ejecuta("ch03_transformaciones/objetos",
-                "boton IZQUIERDO abajo 100 100; arrastra 150 80; boton IZQUIERDO arriba 150 80; "
-                "rueda +1 120 90");
-    ASSERT_EQ(e.estado, 0) << e.errores;
-    const oraculo::Comparacion c = ch03::compara(e.imagen, escena(SEGMENTOS, SEGMENTOS_TUBO),
-                                                 camaraObjetos(-0.25, 0.12, 14.2 / 1.1), FONDO);
-    EXPECT_LE(c.maximo, 1) << c;
-    EXPECT_LE(c.desvio, ch03::DESVIO) << c;
-    apunta("orbitada", c);
+    const auto vistas = vistasDe("objetos", {"", arrastra({100, 100}, {150, 80}) + "; rueda +1 120 90",
+                                             "tamano 150 200; " + arrastra({100, 100}, {100, 50})});
+    const oraculo::Camara camaras[] = {camaraObjetos(), camaraObjetos(-0.25, 0.12, 14.2 / 1.1),
+                                       camaraObjetos(-0.25, 0.02, 14.2 / 1.1)};
+    for (int i = 0; i < 3; ++i)
+        comprueba("malla",
+                  comparaConLuzFija(vistas[i].escena, escena(SEGMENTOS, SEGMENTOS_TUBO), camaras[i], FONDO),
+                  LA_MISMA_MALLA);
 }
 
 // En 960x720 las facetas se separan del sólido menos de medio píxel en cada sentido de la malla: un píxel en total.

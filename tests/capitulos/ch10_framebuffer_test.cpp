@@ -77,9 +77,8 @@ TEST_F(Framebuffer, NadaCambiaElColor) {
          {GL_RENDERBUFFER_RED_SIZE, GL_RENDERBUFFER_GREEN_SIZE, GL_RENDERBUFFER_BLUE_SIZE})
         EXPECT_EQ(delRenderbuffer(COLOR, bits), 8);
     EXPECT_EQ(delRenderbuffer(PROFUNDIDAD, GL_RENDERBUFFER_DEPTH_SIZE), 24);
-    EXPECT_FALSE(glIsEnabled(GL_DITHER));
-    EXPECT_FALSE(glIsEnabled(GL_BLEND));
-    EXPECT_FALSE(glIsEnabled(GL_FRAMEBUFFER_SRGB));
+    for (const GLenum nada : {GL_DITHER, GL_BLEND, GL_FRAMEBUFFER_SRGB})
+        EXPECT_FALSE(glIsEnabled(nada));
     EXPECT_TRUE(glIsEnabled(GL_DEPTH_TEST));
 }
 

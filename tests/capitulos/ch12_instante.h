@@ -1,0 +1,23 @@
+// Llevar un programa del capítulo 12 a un instante, y el rótulo que lo dice.
+#pragma once
+#include "contra_oraculo.h"
+#include "guiones.h"
+#include "imagenes.h"
+
+const double HORAS = 360000; // segundos: cien horas, múltiplo de todos los periodos
+
+/// Con el reloj parado, el segundo t, múltiplo de medio; si pasa de HORAS, no de uno en uno.
+inline std::string instante(double t) {
+    return (t >= HORAS ? "tecla h ×10; " : "") + std::string("tecla Espacio; ") +
+           veces(int(std::lround(2 * std::fmod(t, HORAS))), "tecla s");
+}
+inline std::string conDosCifras(double x) {
+    char texto[16];
+    std::snprintf(texto, sizeof texto, "%.2f", x);
+    return texto;
+}
+inline void compruebaTiempo(const Encima &encima, double t, const std::string &ademas, const glm::vec3 &color,
+                            int ancho = 240, int alto = 180) {
+    compruebaRotulo(encima, "t = " + conDosCifras(t) + " s" + ademas, {0.03 * ancho, 0.06 * alto}, color,
+                    Lado::DERECHA);
+}
