@@ -234,29 +234,29 @@ std::string conDosDecimales(const std::string &nombre, double v) {
 
 /// El título de cada panel y sus números, que son los escritos.
 void compruebaNumeros(const Vista &vista, Escrito escrito) {
-    const auto tres = [&](const char *clave, const std::string &entre = " ") {
-        return conDosDecimales("x" + entre, escrito[clave][0]) +
-               conDosDecimales("\ny" + entre, escrito[clave][1]) +
-               conDosDecimales("\nz" + entre, escrito[clave][2]);
+    const auto dice = [&](const char *clave, const std::vector<std::string> &nombres) {
+        std::string texto;
+        for (std::size_t i = 0; i < nombres.size(); ++i)
+            texto += conDosDecimales((i > 0 ? "\n" : "") + nombres[i], escrito[clave].at(i));
+        return texto;
     };
-    const bool dentro = escrito.count("NDC"), pasa = escrito.count("se pinta");
-    const std::string w = conDosDecimales("w ", escrito["recortado"][3]) + "\n";
-    const std::pair<std::string, std::string> textos[] = {
-        {"1 objeto", tres("objeto")},
-        {"2 mundo", tres("mundo")},
-        {"3 cámara", tres("cámara")},
-        {"4 recortado", w + (dentro ? tres("NDC", "/w ") : tres("recortado"))},
-        {"5 ventana", !dentro ? "no llega"
-                              : conDosDecimales("x ", escrito["ventana"][0]) +
-                                    conDosDecimales("\ny ", escrito["ventana"][1])},
-        {"6 test de z", !dentro ? "no llega"
-                                : conDosDecimales("", escrito["profundidad"][0]) +
-                                      conDosDecimales(pasa ? " < " : " ≥ ", escrito["guardada"][0]) +
-                                      (pasa ? "\nse pinta" : "\nse descarta")}};
+    const std::vector<std::string> xyz = {"x ", "y ", "z "};
+    const std::string w = conDosDecimales("w ", escrito["recortado"].at(3)) + "\n";
+    std::string numeros[] = {dice("objeto", xyz),        dice("mundo", xyz), dice("cámara", xyz),
+                             w + dice("recortado", xyz), "no llega",         "no llega"};
+    if (escrito.count("NDC")) {
+        const bool pasa = escrito.count("se pinta");
+        numeros[NDC] = w + dice("NDC", {"x/w ", "y/w ", "z/w "});
+        numeros[VENTANA] = dice("ventana", {"x ", "y "});
+        numeros[PROFUNDIDAD] = dice("profundidad", {""}) + dice("guardada", {pasa ? " < " : " ≥ "}) +
+                               (pasa ? "\nse pinta" : "\nse descarta");
+    }
+    const char *const titulos[] = {"1 objeto",    "2 mundo",   "3 cámara",
+                                   "4 recortado", "5 ventana", "6 test de z"};
     for (int k = OBJETO; k < PANELES; ++k)
         compruebaEncima(vista, panel(k), {},
-                        {{textos[k].first, enPanel(panel(k), 0.03, 0.94), OSCURO, Lado::DERECHA},
-                         {textos[k].second, enPanel(panel(k), 0.03, 0.175), ROJO, Lado::DERECHA}});
+                        {{titulos[k], enPanel(panel(k), 0.03, 0.94), OSCURO, Lado::DERECHA},
+                         {numeros[k], enPanel(panel(k), 0.03, 0.175), ROJO, Lado::DERECHA}});
 }
 
 /// En cada panel, los ejes, el volumen de la vista, el rayo que va al punto y el punto, cada cosa donde la hay. En el sexto, la escala de
@@ -267,19 +267,11 @@ void compruebaLoSenalado(const Vista &vista, const Vec3 &mundo, double laGuardad
     for (int k = OBJETO; k < PROFUNDIDAD; ++k) {
         SCOPED_TRACE("panel " + std::to_string(k + 1));
         std::vector<Trazo> trazos;
-        const auto flecha = [&](const Vec3 &eje, const glm::vec3 &color) {
-            trazos.push_back(
-                {"flecha",
-                 color,
-                 6,
-                 true,
-                 {enPanel(camaraDe(k), escena(k), {}), enPanel(camaraDe(k), escena(k), 1.2 * eje)}});
-        };
-        if (k <= CAMARA) {
-            flecha({1, 0, 0}, ROJO);
-            flecha({0, 1, 0}, VERDE);
-            flecha({0, 0, 1}, AZUL);
-        }
+        const auto enEjes = [k](const Vec3 &p) { return enPanel(camaraDe(k), escena(k), p); };
+        if (k <= CAMARA)
+            trazos = {{"flecha", ROJO, 6, true, {enEjes({}), enEjes({1.2, 0, 0})}},
+                      {"flecha", VERDE, 6, true, {enEjes({}), enEjes({0, 1.2, 0})}},
+                      {"flecha", AZUL, 6, true, {enEjes({}), enEjes({0, 0, 1.2})}}};
         if (k == MUNDO || k == CAMARA || k == NDC) {
             std::vector<glm::dvec2> e;
             for (const Vec3 &p : volumen)
@@ -308,6 +300,23 @@ void compruebaLoSenalado(const Vista &vista, const Vec3 &mundo, double laGuardad
         {{"fragmento", fragmento, ROJO, Lado::ENCIMA}, {"guardada", debajo, OSCURO, Lado::DEBAJO}});
 }
 
+void compruebaEsquina(const std::string &guion, int esquina, bool tapado = false) {
+    SCOPED_TRACE(guion);
+    const Vec3 mundo = punto(MM, esquinaCubo(esquina));
+    const double laGuardada = guardada(mundo, tapado);
+    const Vista vista = vistaTras(guion);
+    const Escrito escrito = loEscritoTras(guion);
+    compruebaLoEscrito(escrito, esquina, laGuardada);
+    compruebaNumeros(vista, escrito);
+    compruebaLoSenalado(vista, mundo, laGuardada);
+    for (int k = OBJETO; k < PROFUNDIDAD; ++k) {
+        std::vector<Cuerpo> cuerpos = {cuboEn(k, MM, AMARILLO)};
+        if (tapado && k != OBJETO)
+            cuerpos.push_back(cuboEn(k, TAPA, VERDE));
+        compruebaEscena(vista, escena(k), cuerpos, camaraDe(k), k == VENTANA ? CIELO : FONDO_CLARO);
+    }
+}
+
 } // namespace
 
 // La que se sigue al empezar y las que se eligen con el ratón, en cualquier panel; lejos de todo vértice no cambia nada. Con algo
@@ -315,40 +324,15 @@ void compruebaLoSenalado(const Vista &vista, const Vec3 &mundo, double laGuardad
 // que se ve es el que se escribe (la ecuación 4.4 impresa lo aparta medio píxel).
 TEST(EtapasPipeline, EsquinasDelCubo) {
     const auto en = [](int k, int esquina) { return elige(enPanel(k, punto(MM, esquinaCubo(esquina)))); };
-    const struct {
-        std::string guion;
-        int esquina = 7;
-        bool tapado = false;
-    } casos[] = {{""},
-                 {en(VENTANA, 0), 0},
-                 {en(VENTANA, 3), 3},
-                 {en(VENTANA, 5), 5},
-                 {en(VENTANA, 6), 6},
-                 {en(OBJETO, 3), 3},
-                 {en(MUNDO, 3), 3},
-                 {en(CAMARA, 3), 3},
-                 {en(NDC, 3), 3},
-                 {elige({330, 10})},
-                 {"tecla r; tecla r"},
-                 {"tecla o", 7, true},
-                 {en(VENTANA, 3) + "; tecla o", 3, true},
-                 {"tecla o; tecla o"}};
-    for (const auto &[guion, esquina, tapado] : casos) {
-        SCOPED_TRACE(guion);
-        const Vec3 mundo = punto(MM, esquinaCubo(esquina));
-        const double laGuardada = guardada(mundo, tapado);
-        const Vista vista = vistaTras(guion);
-        const Escrito escrito = loEscritoTras(guion);
-        compruebaLoEscrito(escrito, esquina, laGuardada);
-        compruebaNumeros(vista, escrito);
-        compruebaLoSenalado(vista, mundo, laGuardada);
-        for (int k = OBJETO; k < PROFUNDIDAD; ++k) {
-            std::vector<Cuerpo> cuerpos = {cuboEn(k, MM, AMARILLO)};
-            if (tapado && k != OBJETO)
-                cuerpos.push_back(cuboEn(k, TAPA, VERDE));
-            compruebaEscena(vista, escena(k), cuerpos, camaraDe(k), k == VENTANA ? CIELO : FONDO_CLARO);
-        }
-    }
+    for (const int esquina : {0, 3, 5, 6})
+        compruebaEsquina(en(VENTANA, esquina), esquina);
+    for (const int k : {OBJETO, MUNDO, CAMARA, NDC})
+        compruebaEsquina(en(k, 3), 3);
+    for (const std::string &guion :
+         {std::string(), elige({330, 10}), veces(2, "tecla r"), veces(2, "tecla o")})
+        compruebaEsquina(guion, 7);
+    compruebaEsquina("tecla o", 7, true);
+    compruebaEsquina(en(VENTANA, 3) + "; tecla o", 3, true);
 }
 
 // El triángulo llega detrás del ojo. Los lados y el área de lo que queda, y la línea que lo rodea, contra el polígono exacto; y la
