@@ -8,6 +8,8 @@
 
 namespace {
 
+using namespace oraculo;
+
 // F y UP normalizados llevan unos 6 redondeos por componente; F × UP los suma y añade 3 (18 en total, por la
 // norma), y al normalizar se dividen por el seno. U y S añaden otros 12 sin dividir.
 double cotaBase(double seno) {
@@ -47,6 +49,65 @@ void compruebaBase(const glm::dvec3 &p, const glm::dvec3 &i, const glm::dvec3 &U
     const glm::dvec4 origen = transformacionCamara(p, i, UP) * glm::dvec4(p, 1);
     for (int k = 0; k < 3; ++k)
         ASSERT_NEAR(origen[k], 0, 8 * U_DOBLE * glm::length(p)) << UP.x << " " << UP.y;
+}
+
+const Vec3 I{0, 1.7, 0};
+
+/// La escena de camara.cpp, escrita otra vez; lo redondo, con las caras que tiene.
+std::vector<Cuerpo> escena() {
+    const Mat4 dePie = gira({1, 0, 0}, -PI / 2);
+    return {
+        {caja(traslada({0, -0.1, 0}) * escala({7, 0.2, 7})), exacto(SUELO)},
+        {caja(traslada({0, 0.75, 0}) * escala({0.3, 1.5, 0.3})), exacto(GRIS)},
+        {enElMundo(traslada(I) * escala(0.35), esfera(32)), exacto(AMARILLO)},
+        {caja(traslada({-2, 0.9, -1.2}) * escala(1.8)), exacto(ROJO)},
+        {enElMundo(traslada({2.2, 0, -1}) * dePie * escala({1, 1, 2.8}), porCaras(cono(32))), exacto(VERDE)},
+        {caja(traslada({0.9, 0.4, 2}) * gira({0, 1, 0}, 0.5) * escala({1.6, 0.8, 0.8})), exacto(AZUL)}};
+}
+
+struct Postura {
+    std::string guion;
+    Vec3 p, UP;
+    double inclinacion = 0; // radianes alrededor de F
+};
+const Vec3 P1{4.4, 4.6, 0.4}, P2{-4, 1.5, 0.9}, Y{0, 1, 0};
+const Postura POSTURAS[] = {
+    {"", P1, Y},
+    {"tecla 2; " + veces(3, "tecla i"), P2, Y, -0.3},
+    {"tecla 2; tecla o", P2, Y, 0.1},
+    {"tecla 2; tecla i; tecla 1", P1, Y}, // cada vista empieza derecha
+    {"tecla 3", {0.4, 7.2, 0.8}, {0, 0, -1}},
+    {"tecla 4", {2.4, 5.4, 2.0}, {-2.4, -3.7, -2.0 + 1e-7}}, // UP a 1e-7 de F
+};
+
+/// Desde fuera se señalan la pirámide de visión, que a 3 unidades del ojo llega a las esquinas de lo que se ve por `dentro`, la línea
+/// de p a i y los ejes, delante de todo y cada uno de su color y con su nombre más allá de la punta.
+void compruebaLoSenalado(const Vista &vista, const Panel &fuera, const Panel &dentro) {
+    const auto [S, U, Z] = ejes(dentro.camara);
+    const Vec3 ojo = dentro.camara.ojo;
+    std::vector<glm::dvec2> marco, lados;
+    const std::vector<Vec3> esquinas = esquinasA({3}, dentro);
+    for (const std::size_t k : {2, 3, 0, 1}) {
+        marco.push_back(fuera(esquinas[k]));
+        lados.insert(lados.end(), {fuera(ojo), marco.back()});
+    }
+    marco.push_back(marco[0]);
+    const glm::dvec2 p = fuera(ojo), i = fuera(I);
+    std::vector<Trazo> trazos = {{"segmentos", GRIS, 3, true, lados},
+                                 {"polilinea", GRIS, 4, true, marco},
+                                 {"segmentos", OSCURO, 3, true, {p, i}}};
+    std::vector<Letrero> letreros = {{"p", p, OSCURO, Lado::DEBAJO}, {"i", i, OSCURO, Lado::DERECHA}};
+    const auto flecha = [&](const char *nombre, const Vec3 &v, const glm::vec3 &color) {
+        trazos.push_back({"flecha", color, 8, false, {p, fuera(ojo + v)}});
+        letreros.push_back({nombre, fuera(ojo + 1.3 * v), color});
+    };
+    flecha("UP", 3.4 * unitario(dentro.camara.arriba), NARANJA);
+    flecha("S", 2.5 * S, ROJO);
+    flecha("U", 2.5 * U, VERDE);
+    flecha("F", -2.5 * Z, AZUL);
+    trazos.push_back({"puntos", OSCURO, 18, false, {p, i}});
+    compruebaEncima(vista, fuera.hueco, trazos, letreros);
+    compruebaEncima(vista, dentro.hueco, {}, {{"lo que ve", dentro.lugar(0.5, 0.96), OSCURO}});
 }
 
 } // namespace
@@ -131,88 +192,20 @@ TEST(TransformacionCamara, OjoLejosDelOrigen) {
         }
 }
 
-// --- El programa -------------------------------------------------------------------------------------------
-
-namespace {
-
-using namespace oraculo;
-
-const Vec3 I{0, 1.7, 0};
-const Camara FUERA = perspectiva(orbita(0.75, 0.32, 18.5, {-0.3, 2.7, 0}), 0.54, 1, 100);
-
-/// La escena de camara.cpp, escrita otra vez; lo redondo, con las caras que tiene.
-std::vector<Cuerpo> escena() {
-    const Mat4 dePie = gira({1, 0, 0}, -PI / 2);
-    return {
-        {caja(traslada({0, -0.1, 0}) * escala({7, 0.2, 7})), exacto(SUELO)},
-        {caja(traslada({0, 0.75, 0}) * escala({0.3, 1.5, 0.3})), exacto(GRIS)},
-        {enElMundo(traslada(I) * escala(0.35), esfera(32)), exacto(AMARILLO)},
-        {caja(traslada({-2, 0.9, -1.2}) * escala(1.8)), exacto(ROJO)},
-        {enElMundo(traslada({2.2, 0, -1}) * dePie * escala({1, 1, 2.8}), porCaras(cono(32))), exacto(VERDE)},
-        {caja(traslada({0.9, 0.4, 2}) * gira({0, 1, 0}, 0.5) * escala({1.6, 0.8, 0.8})), exacto(AZUL)}};
-}
-
-struct Postura {
-    std::string guion;
-    Vec3 p, UP;
-    double inclinacion = 0; // radianes alrededor de F
-};
-const Vec3 P1{4.4, 4.6, 0.4}, P2{-4, 1.5, 0.9}, Y{0, 1, 0};
-const Postura POSTURAS[] = {
-    {"", P1, Y},
-    {"tecla 2; " + veces(3, "tecla i"), P2, Y, -0.3},
-    {"tecla 2; tecla o", P2, Y, 0.1},
-    {"tecla 2; tecla i; tecla 1", P1, Y}, // cada vista empieza derecha
-    {"tecla 3", {0.4, 7.2, 0.8}, {0, 0, -1}},
-    {"tecla 4", {2.4, 5.4, 2.0}, {-2.4, -3.7, -2.0 + 1e-7}}, // UP a 1e-7 de F
-};
-
-/// Desde fuera se señalan la pirámide de visión, que a 3 unidades del ojo llega a las esquinas de lo que se ve en el panel `dentro`, la
-/// línea de p a i y los ejes, delante de todo y cada uno de su color y con su nombre más allá de la punta.
-void compruebaLoSenalado(const Vista &vista, const Hueco &fuera, const Hueco &dentro, const Camara &camara) {
-    const auto en = [&](const Vec3 &p) { return enPanel(FUERA, fuera, p); };
-    const auto [S, U, Z] = ejes(camara);
-    const Vec3 ojo = camara.ojo;
-    std::vector<glm::dvec2> marco, lados;
-    const std::vector<Vec3> esquinas = esquinasA({3}, camara, dentro);
-    for (const std::size_t k : {2, 3, 0, 1}) {
-        marco.push_back(en(esquinas[k]));
-        lados.insert(lados.end(), {en(ojo), marco.back()});
-    }
-    marco.push_back(marco[0]);
-    std::vector<Trazo> trazos = {{"segmentos", GRIS, 3, true, lados},
-                                 {"polilinea", GRIS, 4, true, marco},
-                                 {"segmentos", OSCURO, 3, true, {en(ojo), en(I)}}};
-    std::vector<Letrero> letreros = {{"p", en(ojo), OSCURO, Lado::DEBAJO},
-                                     {"i", en(I), OSCURO, Lado::DERECHA}};
-    const auto flecha = [&](const char *nombre, const Vec3 &v, const glm::vec3 &color) {
-        trazos.push_back({"flecha", color, 8, false, {en(ojo), en(ojo + v)}});
-        letreros.push_back({nombre, en(ojo + 1.3 * v), color, Lado::CENTRO});
-    };
-    flecha("UP", 3.4 * unitario(camara.arriba), NARANJA);
-    flecha("S", 2.5 * S, ROJO);
-    flecha("U", 2.5 * U, VERDE);
-    flecha("F", -2.5 * Z, AZUL);
-    trazos.push_back({"puntos", OSCURO, 18, false, {en(ojo), en(I)}});
-    compruebaEncima(vista, fuera, trazos, letreros);
-    compruebaEncima(vista, dentro, {}, {{"lo que ve", enPanel(dentro, 0.5, 0.96), OSCURO, Lado::CENTRO}});
-}
-
-} // namespace
-
 // En cada panel, la misma escena trazada: a la derecha, desde la cámara; a la izquierda, desde fuera y con la cámara en ella.
 TEST(Camara, LoQueVe) {
-    const Hueco fuera = hueco(0, 2, 0, 1, 240, 180), dentro = hueco(1, 2, 0, 1, 240, 180);
     for (const auto &[guion, p, UP, inclinacion] : POSTURAS) {
         SCOPED_TRACE(guion);
         const Vista vista = vistaDe("camara", guion);
         const Vec3 arriba = direccion(gira(I - p, inclinacion), UP);
-        const Camara camara = perspectiva(miraDesde(p, I, arriba), 0.85, 0.5, 60);
-        const auto [S, U, Z] = ejes(camara);
+        const Panel dentro(perspectiva(miraDesde(p, I, arriba), 0.85, 0.5, 60), hueco(1, 2, 0, 1, 240, 180)),
+            fuera(perspectiva(orbita(0.75, 0.32, 18.5, {-0.3, 2.7, 0}), 0.54, 1, 100),
+                  hueco(0, 2, 0, 1, 240, 180));
+        const auto [S, U, Z] = ejes(dentro.camara);
         const Mat4 alMundo = {
             {{S.x, U.x, Z.x, p.x}, {S.y, U.y, Z.y, p.y}, {S.z, U.z, Z.z, p.z}, {0, 0, 0, 1}}};
-        compruebaEscena(vista, dentro, escena(), camara, CIELO);
-        compruebaEscena(vista, fuera, conCamaraDeFotos(escena(), alMundo * escala(1.2)), FUERA, FONDO_CLARO);
-        compruebaLoSenalado(vista, fuera, dentro, camara);
+        compruebaEscena(vista, dentro, escena(), CIELO);
+        compruebaEscena(vista, fuera, conCamaraDeFotos(escena(), alMundo * escala(1.2)), FONDO_CLARO);
+        compruebaLoSenalado(vista, fuera, dentro);
     }
 }

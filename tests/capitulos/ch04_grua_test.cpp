@@ -1,7 +1,7 @@
 // grua_vistas, grua_proyeccion y grua_zbuffer: la grúa entera en cada vista, y las imágenes y sus rótulos contra el trazado de rayos
 // en doble.
 #include "ch04_oraculo.h"
-#include "ch04_vista3d/vistas_grua.h"
+#include "ch04_vista3d/camaras_grua.h"
 #include "guiones.h"
 
 namespace {
@@ -70,51 +70,7 @@ void compruebaEncuadre(const glm::dvec3 &haciaCamara, const glm::dvec3 &UP, cons
     }
 }
 
-} // namespace
-
-// Con todo tamaño de ventana, entera o en cuatro paneles. Y sin derrochar sitio: alguna postura llega a la holgura, salvo el
-// 0.12 % del polígono de 64 lados circunscrito y el 1 − cos(π/24) = 0.86 % que se puede perder entre dos giros.
-TEST(Encuadre, TodaPosturaEnteraEnCadaVista) {
-    const int tamanos[][2] = {{240, 180}, {800, 600}, {180, 240}, {333, 77},  {1, 200},
-                              {300, 1},   {1, 1},     {2, 3},     {5000, 40}, {3, 16384}};
-    for (const auto &[ancho, alto] : tamanos)
-        for (const VistaGrua &v : VISTAS)
-            for (const int lado : {1, 2})
-                if (const Hueco h = sinRotulo(hueco(0, lado, 0, lado, ancho, alto));
-                    h.ancho > 0 && h.alto > 0)
-                    compruebaEncuadre(v.haciaCamara, v.UP, h, 0.99);
-}
-
-// También con la cámara que mueve el ratón, desde cualquier lado de arriba y a las distancias que deja la rueda: de 10.4 a 65.
-TEST(Encuadre, TodaPosturaEnteraDesdeCualquierLado) {
-    for (const double distancia : {10.4, 26.0, 65.0})
-        for (int a = 0; a < 8; ++a)
-            for (const double elevacion : {0.0, 0.35, 0.7, 1.2, 1.55}) {
-                const Vec3 ojo = orbita(a * PI / 4, elevacion, distancia).ojo;
-                compruebaEncuadre({ojo.x, ojo.y, ojo.z}, {0, 1, 0}, {0, 0, 237, 171}, 0);
-            }
-}
-
-// De lejos, lo cercano se distingue de lo lejano: dos caras a un centímetro tienen profundidades distintas en 24 bits aunque la
-// GPU yerre media docena de pasos.
-TEST(Encuadre, LaProfundidadBastaTambienDeLejos) {
-    for (const double distancia : {26.0, 65.0}) {
-        const glm::dmat4 camara = camaraVista({"", glm::dvec3(distancia / std::sqrt(3.0)), {0, 1, 0}, {}}),
-                         proyeccion = perspectivaQueEncierra(envolventeGrua(), camara, {0, 0, 240, 180});
-        const auto pasos = [&](double d) {
-            const glm::dvec4 r = proyeccion * glm::dvec4(0, 0, -d, 1);
-            return (0.5 * r.z / r.w + 0.5) * 16777215;
-        };
-        for (double d = distancia - 8; d < distancia + 8; d += 0.5)
-            EXPECT_GT(pasos(d + 0.01) - pasos(d), 2500) << distancia << " " << d;
-    }
-}
-
-// --- Los programas -----------------------------------------------------------------------------------------
-
-namespace {
-
-/// La envolvente de vistas_grua.h, escrita otra vez: la losa y, en lo alto del brazo y en los de la carga, un polígono de 64
+/// La envolvente de camaras_grua.h, escrita otra vez: la losa y, en lo alto del brazo y en los de la carga, un polígono de 64
 /// lados alrededor de lo que más se aleja. (Pie y contrapeso quedan entre ellas.)
 std::vector<Vec3> envolvente() {
     std::vector<Vec3> puntos;
@@ -172,9 +128,9 @@ void compruebaPanel(const std::string &programa, const Vista &v, const Hueco &h,
     const Camara camara = camaraDe(vista, e.enPerspectiva, sinRotulo(h), e.distancia, escala);
     const auto esSuelo = [](const Pixel &p) { return p.g > p.r && p.r > p.b; };
     if (e.conTest)
-        compruebaEscena(v, sinRotulo(h), grua(e.postura), camara, CIELO);
+        compruebaEscena(v, {camara, sinRotulo(h)}, grua(e.postura), CIELO);
     else
-        compruebaSilueta(v, sinRotulo(h), esSuelo, grua(e.postura)[0].objeto, camara);
+        compruebaSilueta(v, {camara, sinRotulo(h)}, esSuelo, grua(e.postura)[0].objeto);
 
     const glm::vec3 colores[] = {AZUL, VERDE, ROJO, OSCURO}, deEjes[] = {ROJO, VERDE, AZUL};
     std::string nombre = NOMBRES[vista];
@@ -185,12 +141,12 @@ void compruebaPanel(const std::string &programa, const Vista &v, const Hueco &h,
     const int lado = std::min(h.ancho, h.alto) / 3;
     const glm::dvec2 origen = glm::dvec2(h.x, h.y) + 0.5 * lado;
     std::vector<Trazo> trazos;
-    std::vector<Letrero> letreros = {{nombre, enPanel(h, 0.02, 0.94), colores[vista], Lado::DERECHA}};
+    std::vector<Letrero> letreros = {
+        {nombre, Panel(camara, h).lugar(0.02, 0.94), colores[vista], Lado::DERECHA}};
     for (int eje = 0; eje < 3; ++eje) {
         const glm::dvec2 punta = 0.25 * lado * glm::dvec2(ejes(camara).x[eje], ejes(camara).y[eje]);
         trazos.push_back({"flecha", deEjes[eje], 6, programa != "grua_zbuffer", {origen, origen + punta}});
-        letreros.push_back(
-            {std::string(1, char('X' + eje)), origen + 1.35 * punta, deEjes[eje], Lado::CENTRO});
+        letreros.push_back({std::string(1, char('X' + eje)), origen + 1.35 * punta, deEjes[eje]});
     }
     compruebaEncima(v, h, trazos, letreros);
 }
@@ -229,6 +185,44 @@ void compruebaCasos(const std::string &programa, const std::vector<Caso> &casos)
 }
 
 } // namespace
+
+// Con todo tamaño de ventana, entera o en cuatro paneles. Y sin derrochar sitio: alguna postura llega a la holgura, salvo el
+// 0.12 % del polígono de 64 lados circunscrito y el 1 − cos(π/24) = 0.86 % que se puede perder entre dos giros.
+TEST(Encuadre, TodaPosturaEnteraEnCadaVista) {
+    const int tamanos[][2] = {{240, 180}, {800, 600}, {180, 240}, {333, 77},  {1, 200},
+                              {300, 1},   {1, 1},     {2, 3},     {5000, 40}, {3, 16384}};
+    for (const auto &[ancho, alto] : tamanos)
+        for (const VistaGrua &v : VISTAS)
+            for (const int lado : {1, 2})
+                if (const Hueco h = sinRotulo(hueco(0, lado, 0, lado, ancho, alto));
+                    h.ancho > 0 && h.alto > 0)
+                    compruebaEncuadre(v.haciaCamara, v.UP, h, 0.99);
+}
+
+// También con la cámara que mueve el ratón, desde cualquier lado de arriba y a las distancias que deja la rueda: de 10.4 a 65.
+TEST(Encuadre, TodaPosturaEnteraDesdeCualquierLado) {
+    for (const double distancia : {10.4, 26.0, 65.0})
+        for (int a = 0; a < 8; ++a)
+            for (const double elevacion : {0.0, 0.35, 0.7, 1.2, 1.55}) {
+                const Vec3 ojo = orbita(a * PI / 4, elevacion, distancia).ojo;
+                compruebaEncuadre({ojo.x, ojo.y, ojo.z}, {0, 1, 0}, {0, 0, 237, 171}, 0);
+            }
+}
+
+// De lejos, lo cercano se distingue de lo lejano: dos caras a un centímetro tienen profundidades distintas en 24 bits aunque la
+// GPU yerre media docena de pasos.
+TEST(Encuadre, LaProfundidadBastaTambienDeLejos) {
+    for (const double distancia : {26.0, 65.0}) {
+        const glm::dmat4 camara = camaraVista({"", glm::dvec3(distancia / std::sqrt(3.0)), {0, 1, 0}, {}}),
+                         proyeccion = perspectivaQueEncierra(envolventeGrua(), camara, {0, 0, 240, 180});
+        const auto pasos = [&](double d) {
+            const glm::dvec4 r = proyeccion * glm::dvec4(0, 0, -d, 1);
+            return (0.5 * r.z / r.w + 0.5) * 16777215;
+        };
+        for (double d = distancia - 8; d < distancia + 8; d += 0.5)
+            EXPECT_GT(pasos(d + 0.01) - pasos(d), 2500) << distancia << " " << d;
+    }
+}
 
 // Cada vista, con su tecla y con su opción del menú; la postura extrema, girada, en una ventana apaisada y en otra alta; y las cuatro,
 // en paneles de ancho par: el canto del pie no cae en centros de píxel.

@@ -9,10 +9,10 @@ using Vec4Largo = glm::vec<4, Largo>;
 using Mat4Largo = glm::mat<4, 4, Largo>;
 const double U_DOBLE = 0x1p-53, U_FLOAT = 0x1p-24; // error de un redondeo
 
-/// Las esquinas de lo que abarca una cámara a esas distancias a lo largo de la vista: las cuatro de cada una, desde abajo a la izquierda
-/// y en sentido antihorario.
-inline std::vector<oraculo::Vec3> esquinasA(const std::vector<double> &distancias,
-                                            const oraculo::Camara &camara, const Hueco &h) {
+/// Las esquinas de lo que se ve por un panel a esas distancias a lo largo de la vista: las cuatro de cada una, desde abajo a la
+/// izquierda y en sentido antihorario.
+inline std::vector<oraculo::Vec3> esquinasA(const std::vector<double> &distancias, const Panel &panel) {
+    const auto &[camara, h] = panel;
     std::vector<oraculo::Vec3> esquinas;
     for (const double d : distancias)
         for (const auto &[x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
@@ -21,15 +21,15 @@ inline std::vector<oraculo::Vec3> esquinasA(const std::vector<double> &distancia
         }
     return esquinas;
 }
-/// Si un punto está entre los cuatro lados de lo que abarca.
-inline bool entreLosLados(const oraculo::Vec3 &p, const oraculo::Camara &camara, const Hueco &h) {
-    const oraculo::Vec3 v = oraculo::proyecta(camara, h.ancho, h.alto, p);
-    return v.x >= 0 && v.x <= h.ancho && v.y >= 0 && v.y <= h.alto;
+/// Si un punto está entre los cuatro lados de lo que se ve.
+inline bool entreLosLados(const oraculo::Vec3 &p, const Panel &panel) {
+    const oraculo::Vec3 v = proyecta(panel.camara, panel.hueco.ancho, panel.hueco.alto, p);
+    return v.x >= 0 && v.x <= panel.hueco.ancho && v.y >= 0 && v.y <= panel.hueco.alto;
 }
 /// Y si está además entre cerca y lejos.
-inline bool dentroDelVolumen(const oraculo::Vec3 &p, const oraculo::Camara &camara, const Hueco &h) {
-    const double d = -enCamara(camara, p).z;
-    return d >= camara.cerca && d <= camara.lejos && entreLosLados(p, camara, h);
+inline bool dentroDelVolumen(const oraculo::Vec3 &p, const Panel &panel) {
+    const double d = -enCamara(panel.camara, p).z;
+    return d >= panel.camara.cerca && d <= panel.camara.lejos && entreLosLados(p, panel);
 }
 
 /// Esos cuerpos y la cámara de fotos, en los ejes que dé M. Su cilindro, con las caras que tiene.

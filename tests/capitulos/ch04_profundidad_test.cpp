@@ -6,7 +6,7 @@
 
 namespace {
 
-using Largo = long double; // con 40 bits más que float, sus redondeos no cuentan
+using namespace oraculo;
 
 const double CERCA[] = {10, 0.1, 0.001}, LEJOS = 1000, PASOS = 0x1p24 - 1;
 
@@ -21,58 +21,6 @@ double igualesSegunLaFormula(double n, double f, double e, double pasos) {
     const double K = pasosEntre(1, e, n, f, pasos), desde = std::max(n, K);
     return desde >= f ? 0 : (std::log(f / desde) - K * (1 / desde - 1 / f)) / std::log(f / n);
 }
-
-} // namespace
-
-// En doble los pares son los de la fórmula, salvo el azar de la fase: 5 desviaciones típicas de n = 100 000.
-TEST(ParesDeProfundidad, EnDobleContraLaFormula) {
-    for (const int bits : {16, 24, 32})
-        for (const double cerca : {500.0, 10.0, 0.1, 0.001, 1e-6, 1e-20}) {
-            const ParesMal p = cuentaPares<double>(cerca, LEJOS, 1e-5, bits);
-            const double q = igualesSegunLaFormula(cerca, LEJOS, 1e-5, std::ldexp(1.0, bits) - 1);
-            EXPECT_EQ(p.invertidos, 0);
-            EXPECT_NEAR(p.iguales, q, 5 * std::sqrt(q * (1 - q) / 100000) + 1e-9)
-                << bits << " bits, " << cerca;
-        }
-}
-
-// La profundidad en float contra la fórmula con más precisión. Con u = 2^-24: los coeficientes traen 3u, y el producto, la suma y
-// la división u cada uno. Como |z/d| ≤ 1 y 2·lejos·cerca/(d·(lejos − cerca)) ≤ 2 para lejos ≥ 100·cerca, el error
-// de z/d no pasa de 6u + 10u; la mitad y los dos redondeos finales, 9u: nueve pasos de 24 bits. El par que dista
-// más de 19 pasos (dos errores y un paso del redondeo) está siempre en orden.
-TEST(ParesDeProfundidad, EnFloatContraMasPrecision) {
-    for (const double cerca : CERCA)
-        for (int i = 0; i < 20000; ++i) {
-            const double d = cerca * std::pow(LEJOS / cerca, (i + 0.5) / 20000);
-            const float df = float(d), detras = float(d * (1 + 1e-5)), n = float(cerca), f = float(LEJOS);
-            const Largo exacta = Largo(f) / (Largo(f) - n) * (1 - Largo(n) / df);
-            ASSERT_NEAR(double((profundidad(df, n, f) - exacta) * PASOS), 0, 9) << cerca << " " << d;
-            const bool enOrden =
-                enBuffer(profundidad(detras, n, f), 24) > enBuffer(profundidad(df, n, f), 24);
-            ASSERT_TRUE(enOrden || pasosEntre(d, 1e-5, cerca, LEJOS, PASOS) <= 19) << cerca << " " << d;
-        }
-}
-
-TEST(ParesDeProfundidad, LosExtremos) {
-    for (const double n : {10.0, 0.1, 0.001, 1e-6}) {
-        EXPECT_NEAR(profundidad(n, n, LEJOS), 0, 1e-15); // nueve pasos de 2^-53
-        EXPECT_NEAR(profundidad(LEJOS, n, LEJOS), 1, 1e-15);
-        EXPECT_NEAR(profundidad(2 * n, n, LEJOS), 0.5,
-                    0.51 * n / (LEJOS - n) + 1e-15); // medio buffer: de n a 2n
-    }
-    EXPECT_EQ(enBuffer(0.0, 24), 0);
-    EXPECT_EQ(enBuffer(1.0f, 24), PASOS);
-    EXPECT_EQ(enBuffer(1.0, 16), 65535);
-    const ParesMal p = cuentaPares<float>(1e-30, LEJOS, 1e-5, 24); // ni NaN ni infinitos
-    EXPECT_GT(p.iguales + p.invertidos, 0.5);
-    EXPECT_LE(p.iguales + p.invertidos, 1);
-}
-
-// --- El programa -------------------------------------------------------------------------------------------
-
-namespace {
-
-using namespace oraculo;
 
 /// Los doce carteles o, con `delante` y `parte`, sus cuadros, escritos otra vez.
 double distanciaCartel(int i) {
@@ -152,6 +100,50 @@ void compruebaPares(int razon) {
 
 } // namespace
 
+// En doble los pares son los de la fórmula, salvo el azar de la fase: 5 desviaciones típicas de n = 100 000.
+TEST(ParesDeProfundidad, EnDobleContraLaFormula) {
+    for (const int bits : {16, 24, 32})
+        for (const double cerca : {500.0, 10.0, 0.1, 0.001, 1e-6, 1e-20}) {
+            const ParesMal p = cuentaPares<double>(cerca, LEJOS, 1e-5, bits);
+            const double q = igualesSegunLaFormula(cerca, LEJOS, 1e-5, std::ldexp(1.0, bits) - 1);
+            EXPECT_EQ(p.invertidos, 0);
+            EXPECT_NEAR(p.iguales, q, 5 * std::sqrt(q * (1 - q) / 100000) + 1e-9)
+                << bits << " bits, " << cerca;
+        }
+}
+
+// La profundidad en float contra la fórmula con más precisión. Con u = 2^-24: los coeficientes traen 3u, y el producto, la suma y
+// la división u cada uno. Como |z/d| ≤ 1 y 2·lejos·cerca/(d·(lejos − cerca)) ≤ 2 para lejos ≥ 100·cerca, el error
+// de z/d no pasa de 6u + 10u; la mitad y los dos redondeos finales, 9u: nueve pasos de 24 bits. El par que dista
+// más de 19 pasos (dos errores y un paso del redondeo) está siempre en orden.
+TEST(ParesDeProfundidad, EnFloatContraMasPrecision) {
+    for (const double cerca : CERCA)
+        for (int i = 0; i < 20000; ++i) {
+            const double d = cerca * std::pow(LEJOS / cerca, (i + 0.5) / 20000);
+            const float df = float(d), detras = float(d * (1 + 1e-5)), n = float(cerca), f = float(LEJOS);
+            const Largo exacta = Largo(f) / (Largo(f) - n) * (1 - Largo(n) / df);
+            ASSERT_NEAR(double((profundidad(df, n, f) - exacta) * PASOS), 0, 9) << cerca << " " << d;
+            const bool enOrden =
+                enBuffer(profundidad(detras, n, f), 24) > enBuffer(profundidad(df, n, f), 24);
+            ASSERT_TRUE(enOrden || pasosEntre(d, 1e-5, cerca, LEJOS, PASOS) <= 19) << cerca << " " << d;
+        }
+}
+
+TEST(ParesDeProfundidad, LosExtremos) {
+    for (const double n : {10.0, 0.1, 0.001, 1e-6}) {
+        EXPECT_NEAR(profundidad(n, n, LEJOS), 0, 1e-15); // nueve pasos de 2^-53
+        EXPECT_NEAR(profundidad(LEJOS, n, LEJOS), 1, 1e-15);
+        EXPECT_NEAR(profundidad(2 * n, n, LEJOS), 0.5,
+                    0.51 * n / (LEJOS - n) + 1e-15); // medio buffer: de n a 2n
+    }
+    EXPECT_EQ(enBuffer(0.0, 24), 0);
+    EXPECT_EQ(enBuffer(1.0f, 24), PASOS);
+    EXPECT_EQ(enBuffer(1.0, 16), 65535);
+    const ParesMal p = cuentaPares<float>(1e-30, LEJOS, 1e-5, 24); // ni NaN ni infinitos
+    EXPECT_GT(p.iguales + p.invertidos, 0.5);
+    EXPECT_LE(p.iguales + p.invertidos, 1);
+}
+
 TEST(Profundidad, Razon1e2TodoEnOrden) {
     compruebaPares(0);
 }
@@ -176,8 +168,8 @@ TEST(Profundidad, LosCartelesYSusDistancias) {
     } casos[] = {{"", camaraCarteles(10)},
                  {arrastra({240, 180}, {250, 175}), camaraCarteles(10, -1.8 * 10 / alto, -1.8 * 5 / alto)}};
     for (const auto &c : casos) {
-        const auto [escena, encima] = vistaDe("profundidad", c.guion, ancho, alto);
-        comprueba("«" + c.guion + "»", compara(escena, todo, c.camara, color), EXACTA);
+        const Vista vista = vistaDe("profundidad", c.guion, ancho, alto);
+        comprueba("«" + c.guion + "»", compara(vista.escena, todo, c.camara, color), EXACTA);
         std::vector<Letrero> letreros;
         for (int i = 0; i < 12; ++i) {
             const double d = distanciaCartel(i);
@@ -185,6 +177,6 @@ TEST(Profundidad, LosCartelesYSusDistancias) {
             letreros.push_back({std::to_string(std::lround(d)) + " m",
                                 enPixeles(c.camara, debajo, ancho, alto), OSCURO, Lado::DEBAJO});
         }
-        compruebaEncima(encima, alto, {}, losQueSeVen(letreros, ancho, alto));
+        compruebaEncima(vista, {0, 0, ancho, alto}, {}, letreros);
     }
 }

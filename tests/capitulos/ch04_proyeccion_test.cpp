@@ -8,6 +8,8 @@
 
 namespace {
 
+using namespace oraculo;
+
 const struct {
     double theta, aspecto, cerca, lejos;
 } PERSPECTIVAS[] = {{0.6, 1.5, 1, 100},     {1.2, 4.0 / 3, 0.1, 1e3},     {0.5, 1, 0.01, 1e4},
@@ -42,6 +44,71 @@ glm::dvec3 dividido(const glm::dvec4 &v) {
 }
 double profundidadDe(const glm::dmat4 &M, double d) {
     return dividido(M * glm::dvec4(0, 0, -d, 1)).z;
+}
+
+// Por mucho que se gire la rueda, la distancia va de 0.4 a 2.5 veces la del principio.
+const struct {
+    std::string guion;
+    bool enPerspectiva;
+    double azimut = 0.50, elevacion = 0.33, distancia = 3;
+    int ancho = 480, alto = 360;
+} CASOS[] = {
+    {"", true},
+    {"tecla p", false},
+    {"tecla p; tecla p", true},
+    {"", true, 0.50, 0.33, 3, 240, 360},
+    {"tecla p", false, 0.50, 0.33, 3, 240, 360},
+    {arrastra({20, 90}, {320, 70}), true, -1.0, 0.23},
+    {arrastra({400, 90}, {0, 70}) + "; tecla p", false, 2.5, 0.23},
+    {veces(400, "rueda +1 9 9"), true, 0.50, 0.33, 1.2},
+    {veces(400, "rueda +1 9 9") + "; tecla p", false, 0.50, 0.33, 1.2},
+    {veces(400, "rueda -1 9 9"), true, 0.50, 0.33, 7.5},
+    {"tecla p; " + veces(400, "rueda -1 9 9"), false, 0.50, 0.33, 7.5},
+};
+
+/// El punto que está en esas coordenadas, dando la vuelta a los ejes desde ese.
+Vec3 enEjes(int eje, double suya, double a, double b) {
+    const double v[] = {suya, a, b};
+    return {v[(3 - eje) % 3], v[(4 - eje) % 3], v[(5 - eje) % 3]};
+}
+
+/// Las aristas de cada eje y, de las horizontales, su prolongación 1000 unidades hacia el fondo. En paralela nada más. En perspectiva,
+/// los puntos de fuga, donde se proyectan sus direcciones, y por los dos el horizonte, de lado a lado.
+void compruebaLasRectas(const Vista &vista, const Panel &en) {
+    const glm::vec3 colores[] = {ROJO, VERDE, AZUL};
+    std::vector<Trazo> trazos;
+    std::vector<Vec3> fugas;
+    for (int eje = 0; eje < 3; ++eje) {
+        const double fondo = ejes(en.camara).z[eje] > 0 ? -1000 : 1000;
+        std::vector<glm::dvec2> aristas, rectas;
+        for (const double a : {-0.5, 0.5})
+            for (const double b : {-0.5, 0.5}) {
+                aristas.insert(aristas.end(), {en(enEjes(eje, -0.5, a, b)), en(enEjes(eje, 0.5, a, b))});
+                rectas.insert(rectas.end(), {en(enEjes(eje, 0, a, b)), en(enEjes(eje, fondo, a, b))});
+            }
+        if (eje != 1) {
+            trazos.push_back({"segmentos", colores[eje], 5, true, rectas});
+            fugas.push_back(en.camara.ojo + enEjes(eje, fondo, 0, 0));
+        }
+        trazos.push_back({"segmentos", colores[eje], 14, true, aristas});
+    }
+    std::vector<Letrero> letreros = {{"paralela", en.lugar(0.02, 0.05), OSCURO, Lado::DERECHA}};
+    if (!en.camara.esParalela) {
+        const glm::dvec2 fuga = en(fugas[0]), otra = en(fugas[1]);
+        letreros = {{"perspectiva", letreros[0].punto, OSCURO, Lado::DERECHA},
+                    {"punto de fuga", fuga, OSCURO, Lado::ENCIMA},
+                    {"punto de fuga", otra, OSCURO, Lado::ENCIMA},
+                    {"horizonte", en(0.4 * fugas[0] + 0.6 * fugas[1]), OSCURO, Lado::ENCIMA}};
+        trazos.push_back({"segmentos", OSCURO, 9, true, {}}); // el horizonte: lo corta el plano cerca
+        trazos.push_back({"puntos", OSCURO, 30, false, {fuga, otra}});
+        const Pintado horizonte = vista.encima.trazos(OSCURO, "segmentos").at(0);
+        const glm::dvec2 p = horizonte.punto(0), q = horizonte.punto(1);
+        EXPECT_LT(std::min(p.x, q.x), 0);
+        EXPECT_GT(std::max(p.x, q.x), en.hueco.ancho);
+        for (const double x : {0, en.hueco.ancho})
+            EXPECT_NEAR(p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y), fuga.y, 0.1);
+    }
+    compruebaEncima(vista, en.hueco, trazos, letreros);
 }
 
 } // namespace
@@ -135,80 +202,6 @@ TEST(ProyeccionDeathTest, ParametrosImposibles) {
     EXPECT_EXIT(proyeccionParalela(0, 1, 0, nan, 0, 1), acaba1, "proyeccionParalela: el volumen");
 }
 
-// --- El programa -------------------------------------------------------------------------------------------
-
-namespace {
-
-using namespace oraculo;
-
-// Por mucho que se gire la rueda, la distancia va de 0.4 a 2.5 veces la del principio.
-const struct {
-    std::string guion;
-    bool enPerspectiva;
-    double azimut = 0.50, elevacion = 0.33, distancia = 3;
-    int ancho = 480, alto = 360;
-} CASOS[] = {
-    {"", true},
-    {"tecla p", false},
-    {"tecla p; tecla p", true},
-    {"", true, 0.50, 0.33, 3, 240, 360},
-    {"tecla p", false, 0.50, 0.33, 3, 240, 360},
-    {arrastra({20, 90}, {320, 70}), true, -1.0, 0.23},
-    {arrastra({400, 90}, {0, 70}) + "; tecla p", false, 2.5, 0.23},
-    {veces(400, "rueda +1 9 9"), true, 0.50, 0.33, 1.2},
-    {veces(400, "rueda +1 9 9") + "; tecla p", false, 0.50, 0.33, 1.2},
-    {veces(400, "rueda -1 9 9"), true, 0.50, 0.33, 7.5},
-    {"tecla p; " + veces(400, "rueda -1 9 9"), false, 0.50, 0.33, 7.5},
-};
-
-/// El punto que está en esas coordenadas, dando la vuelta a los ejes desde ese.
-Vec3 enEjes(int eje, double suya, double a, double b) {
-    const double v[] = {suya, a, b};
-    return {v[(3 - eje) % 3], v[(4 - eje) % 3], v[(5 - eje) % 3]};
-}
-
-/// Las aristas de cada eje y, de las horizontales, su prolongación 1000 unidades hacia el fondo. En paralela nada más. En perspectiva,
-/// los puntos de fuga, donde se proyectan sus direcciones, y por los dos el horizonte, de lado a lado.
-void compruebaLasRectas(const Vista &vista, const Hueco &h, const Camara &camara) {
-    const auto en = [&](const Vec3 &p) { return enPanel(camara, h, p); };
-    const glm::vec3 colores[] = {ROJO, VERDE, AZUL};
-    std::vector<Trazo> trazos;
-    std::vector<Vec3> fugas;
-    for (int eje = 0; eje < 3; ++eje) {
-        const double fondo = ejes(camara).z[eje] > 0 ? -1000 : 1000;
-        std::vector<glm::dvec2> aristas, rectas;
-        for (const double a : {-0.5, 0.5})
-            for (const double b : {-0.5, 0.5}) {
-                aristas.insert(aristas.end(), {en(enEjes(eje, -0.5, a, b)), en(enEjes(eje, 0.5, a, b))});
-                rectas.insert(rectas.end(), {en(enEjes(eje, 0, a, b)), en(enEjes(eje, fondo, a, b))});
-            }
-        if (eje != 1) {
-            trazos.push_back({"segmentos", colores[eje], 5, true, rectas});
-            fugas.push_back(camara.ojo + enEjes(eje, fondo, 0, 0));
-        }
-        trazos.push_back({"segmentos", colores[eje], 14, true, aristas});
-    }
-    std::vector<Letrero> letreros = {{"paralela", enPanel(h, 0.02, 0.05), OSCURO, Lado::DERECHA}};
-    if (!camara.esParalela) {
-        const glm::dvec2 fuga = en(fugas[0]), otra = en(fugas[1]);
-        letreros = {{"perspectiva", letreros[0].punto, OSCURO, Lado::DERECHA},
-                    {"punto de fuga", fuga, OSCURO, Lado::ENCIMA},
-                    {"punto de fuga", otra, OSCURO, Lado::ENCIMA},
-                    {"horizonte", en(0.4 * fugas[0] + 0.6 * fugas[1]), OSCURO, Lado::ENCIMA}};
-        trazos.push_back({"segmentos", OSCURO, 9, true, {}}); // el horizonte: lo corta el plano cerca
-        trazos.push_back({"puntos", OSCURO, 30, false, {fuga, otra}});
-        const Pintado horizonte = vista.encima.trazos(OSCURO, "segmentos").at(0);
-        const glm::dvec2 p = horizonte.punto(0), q = horizonte.punto(1);
-        EXPECT_LT(std::min(p.x, q.x), 0);
-        EXPECT_GT(std::max(p.x, q.x), h.ancho);
-        for (const double x : {0, h.ancho})
-            EXPECT_NEAR(p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y), fuga.y, 0.1);
-    }
-    compruebaEncima(vista, h, trazos, letreros);
-}
-
-} // namespace
-
 TEST(Proyecciones, ElCuboYSusRectas) {
     for (const auto &c : CASOS) {
         SCOPED_TRACE(c.guion);
@@ -216,8 +209,8 @@ TEST(Proyecciones, ElCuboYSusRectas) {
         const Camara desde = orbita(c.azimut, c.elevacion, c.distancia, {0.1, 0.2, 0});
         const Camara camara = c.enPerspectiva ? perspectiva(desde, 1.0, 0.1, 2000)
                                               : paralela(desde, c.distancia * std::tan(0.5), -2000, 2000);
-        const Hueco ventana = {0, 0, c.ancho, c.alto};
-        compruebaEscena(vista, ventana, {{caja({}), exacto(AMARILLO)}}, camara, FONDO_CLARO);
-        compruebaLasRectas(vista, ventana, camara);
+        const Panel ventana(camara, vista.escena);
+        compruebaEscena(vista, ventana, {{caja({}), exacto(AMARILLO)}}, FONDO_CLARO);
+        compruebaLasRectas(vista, ventana);
     }
 }

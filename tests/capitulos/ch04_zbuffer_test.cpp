@@ -43,15 +43,24 @@ int distintos(const Imagen &a, const Imagen &b) {
 
 /// Con test, la escena trazada. Sin él gana lo último que se pinta, el cono, que es lo más lejano: su silueta entera es verde, y lo
 /// demás no.
-void compruebaPanel(const Vista &vista, const Hueco &h, bool enCpu, bool conTest,
-                    const Camara &camara = camaraDe()) {
+void compruebaPanel(const Vista &vista, const Panel &panel, bool enCpu, bool conTest) {
     const auto esVerde = [](const Pixel &p) { return p.g > 2 * p.r && p.g > 2 * p.b; };
     if (conTest)
-        compruebaEscena(vista, h, escena(), camara, CIELO, enCpu ? EN_CPU : EXACTA);
+        compruebaEscena(vista, panel, escena(), CIELO, enCpu ? EN_CPU : EXACTA);
     else
-        compruebaSilueta(vista, h, esVerde, escena().back().objeto, camara);
+        compruebaSilueta(vista, panel, esVerde, escena().back().objeto);
     const std::string nombre = std::string(enCpu ? "CPU " : "GPU ") + (conTest ? "con test" : "sin test");
-    compruebaEncima(vista, h, {}, {{nombre, enPanel(h, 0.02, 0.06), OSCURO, Lado::DERECHA}});
+    compruebaEncima(vista, panel.hueco, {}, {{nombre, panel.lugar(0.02, 0.06), OSCURO, Lado::DERECHA}});
+}
+
+const glm::vec3 NEGRO(0);
+
+/// Triángulo en el plano z = 0 de una ventana ancho × alto, dado por sus esquinas en píxeles.
+TrianguloZ trianguloEn(const std::array<glm::dvec2, 3> &p, int ancho, int alto) {
+    TrianguloZ t;
+    for (std::size_t i = 0; i < 3; ++i)
+        t[i] = {{2 * p[i].x / ancho - 1, 2 * p[i].y / alto - 1, 0, 1}, BLANCO};
+    return t;
 }
 
 } // namespace
@@ -67,7 +76,7 @@ TEST(ZBuffer, GpuYCpuContraTrazadoDeRayos) {
         SCOPED_TRACE(guion);
         const std::vector<Vista> v = vistasDe("zbuffer", {guion, "tecla c", "tecla z", "tecla c"});
         for (std::size_t k = 0; k < 4; ++k)
-            compruebaPanel(v[k], {0, 0, 240, 180}, k == 1 || k == 2, k < 2, camara);
+            compruebaPanel(v[k], {camara, v[k].escena}, k == 1 || k == 2, k < 2);
         EXPECT_LE(distintos(v[0].escena, v[1].escena), 12);
         EXPECT_LE(distintos(v[2].escena, v[3].escena), 12);
     }
@@ -77,22 +86,8 @@ TEST(ZBuffer, GpuYCpuContraTrazadoDeRayos) {
 TEST(ZBuffer, LosCuatroPaneles) {
     const Vista vista = vistaDe("zbuffer", "tecla v", 480, 360);
     for (const int k : {0, 1, 2, 3})
-        compruebaPanel(vista, hueco(k % 2, 2, k / 2, 2, 480, 360), k >= 2, k % 2 == 1);
+        compruebaPanel(vista, {camaraDe(), hueco(k % 2, 2, k / 2, 2, 480, 360)}, k >= 2, k % 2 == 1);
 }
-
-namespace {
-
-const glm::vec3 NEGRO(0);
-
-/// Triángulo en el plano z = 0 de una ventana ancho × alto, dado por sus esquinas en píxeles.
-TrianguloZ trianguloEn(const std::array<glm::dvec2, 3> &p, int ancho, int alto) {
-    TrianguloZ t;
-    for (std::size_t i = 0; i < 3; ++i)
-        t[i] = {{2 * p[i].x / ancho - 1, 2 * p[i].y / alto - 1, 0, 1}, BLANCO};
-    return t;
-}
-
-} // namespace
 
 // Cobertura contra los semiplanos en doble; lo que está a menos de 1/256 de un lado depende del redondeo.
 TEST(Rasteriza, CoberturaContraSemiplanos) {
