@@ -22,8 +22,8 @@ Poligono poligonoExacto(const std::vector<glm::dvec4> &triangulo) {
     Poligono poligono;
     for (std::size_t i = 0; i < semiplanos.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
-            const Vec3Largo recta = glm::cross(semiplanos[i], semiplanos[j]),
-                            corte = recta / recta.x; // (1, s, t)
+            Vec3Largo corte = glm::cross(semiplanos[i], semiplanos[j]); // (1, s, t)
+            corte /= Largo(corte.x);
             bool cumple = true;
             for (std::size_t k = 0; k < semiplanos.size(); ++k)
                 cumple = cumple && (k == i || k == j || glm::dot(semiplanos[k], corte) >= 0);
@@ -194,8 +194,7 @@ void compruebaNumeros(const Vista &vista, Escrito escrito) {
                          {numeros[k], Panel({}, entero(k)).lugar(0.03, 0.175), ROJO, Lado::DERECHA}});
 }
 
-/// En cada panel, los ejes, el volumen de la vista, el rayo que va al punto y el punto, cada cosa donde la hay. En el sexto, la escala de
-/// cerca a lejos con la profundidad del fragmento y la guardada.
+/// En cada panel, los ejes, el volumen, el rayo y el punto, si los hay. En el sexto, de cerca a lejos, lo del fragmento y lo guardado.
 void compruebaLoSenalado(const Vista &vista, const Vec3 &mundo, double laGuardada) {
     const std::vector<Vec3> volumen = esquinasA({CAMARA_REF.cerca, CAMARA_REF.lejos}, panel(VENTANA));
     for (int k = OBJETO; k < PROFUNDIDAD; ++k) {
@@ -365,12 +364,10 @@ TEST(EtapasPipeline, Recortado) {
         comprueba("panel " + std::to_string(k + 1),
                   compara(recorta(vista.escena, panel(k).hueco), enMundo, panel(k).camara, tono), EXACTA);
     }
-}
 
-// Un vértice de fuera del volumen llega hasta las coordenadas de recortado, y ahí se acaba.
-TEST(EtapasPipeline, VerticeDeFuera) {
+    // un vértice de fuera del volumen llega hasta las coordenadas de recortado, y ahí se acaba
     const std::string guion = "tecla r; " + elige(panel(OBJETO, 14)(TRIANGULO[2]));
-    const Escrito escrito = loEscritoTras(guion);
+    escrito = loEscritoTras(guion);
     std::string claves;
     for (const auto &[clave, valores] : escrito)
         claves += clave + ", ";

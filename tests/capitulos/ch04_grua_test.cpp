@@ -1,5 +1,4 @@
-// grua_vistas, grua_proyeccion y grua_zbuffer: la grúa entera en cada vista, y las imágenes y sus rótulos contra el trazado de rayos
-// en doble.
+// grua_vistas, grua_proyeccion y grua_zbuffer: la grúa entera en cada vista, y cada panel y sus rótulos contra el oráculo.
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/camaras_grua.h"
 #include "guiones.h"
@@ -98,17 +97,15 @@ Camara camaraDe(int vista, bool enPerspectiva, const Hueco &h, double distancia 
         x = std::max(x, std::fabs(q.x));
         desdeY = std::min(desdeY, q.y);
         hastaY = std::max(hastaY, q.y);
-        tangente =
-            std::max({tangente, std::fabs(q.y / q.z) * lado / h.alto, std::fabs(q.x / q.z) * lado / h.ancho});
+        tangente = std::max({tangente, std::fabs(q.y / q.z) / h.alto, std::fabs(q.x / q.z) / h.ancho});
     }
     if (enPerspectiva)
-        return perspectiva(c, 2 * std::atan(1.06 * tangente), 1, 1000);
+        return perspectiva(c, 2 * std::atan(1.06 * lado * tangente), 1, 1000);
     const Vec3 descentra = 0.5 * (desdeY + hastaY) * ejes(c).y;
     c.ojo = c.ojo + descentra;
     c.centro = c.centro + descentra;
-    return paralela(
-        c, 0.5 * lado * std::max({escala, 1.06 * 2 * x / h.ancho, 1.06 * (hastaY - desdeY) / h.alto}), -1000,
-        1000);
+    escala = std::max({escala, 1.06 * 2 * x / h.ancho, 1.06 * (hastaY - desdeY) / h.alto});
+    return paralela(c, 0.5 * lado * escala, -1000, 1000);
 }
 
 const std::string NOMBRES[] = {"Alzado", "Planta", "Perfil", "(1,1,1)"};
@@ -154,12 +151,10 @@ void compruebaPanel(const std::string &programa, const Vista &v, const Hueco &h,
 /// Una vista, o las cuatro a la misma escala: en el sistema americano la planta va sobre el alzado y el perfil derecho a su derecha;
 /// en el europeo, la planta debajo y el perfil a su izquierda.
 void compruebaEstado(const std::string &programa, const Vista &v, const Estado &e) {
-    const int americano[] = {PLANTA, DIAGONAL, ALZADO, PERFIL},
-              europeo[] = {PERFIL, ALZADO, DIAGONAL, PLANTA};
+    const int americano[] = {PLANTA, DIAGONAL, ALZADO, PERFIL}, // por filas
+        europeo[] = {PERFIL, ALZADO, DIAGONAL, PLANTA}, *orden = e.europeo ? europeo : americano;
     const int lado = e.vista == LAS_CUATRO ? 2 : 1;
-    const auto vista = [&](int k) {
-        return lado == 1 ? e.vista : (e.europeo ? europeo : americano)[k];
-    }; // por filas
+    const auto vista = [&](int k) { return lado == 1 ? e.vista : orden[k]; };
     const auto panel = [&](int k) {
         return hueco(k % lado, lado, k / lado, lado, v.escena.ancho, v.escena.alto);
     };
@@ -188,7 +183,7 @@ void compruebaCasos(const std::string &programa, const std::vector<Caso> &casos)
 
 // Con todo tamaño de ventana, entera o en cuatro paneles. Y sin derrochar sitio: alguna postura llega a la holgura, salvo el
 // 0.12 % del polígono de 64 lados circunscrito y el 1 − cos(π/24) = 0.86 % que se puede perder entre dos giros.
-TEST(Encuadre, TodaPosturaEnteraEnCadaVista) {
+TEST(Encuadre, TodaPosturaEntera) {
     const int tamanos[][2] = {{240, 180}, {800, 600}, {180, 240}, {333, 77},  {1, 200},
                               {300, 1},   {1, 1},     {2, 3},     {5000, 40}, {3, 16384}};
     for (const auto &[ancho, alto] : tamanos)
@@ -197,10 +192,7 @@ TEST(Encuadre, TodaPosturaEnteraEnCadaVista) {
                 if (const Hueco h = sinRotulo(hueco(0, lado, 0, lado, ancho, alto));
                     h.ancho > 0 && h.alto > 0)
                     compruebaEncuadre(v.haciaCamara, v.UP, h, 0.99);
-}
-
-// También con la cámara que mueve el ratón, desde cualquier lado de arriba y a las distancias que deja la rueda: de 10.4 a 65.
-TEST(Encuadre, TodaPosturaEnteraDesdeCualquierLado) {
+    // también con la cámara que mueve el ratón, desde cualquier lado de arriba y a las distancias que deja la rueda: de 10.4 a 65
     for (const double distancia : {10.4, 26.0, 65.0})
         for (int a = 0; a < 8; ++a)
             for (const double elevacion : {0.0, 0.35, 0.7, 1.2, 1.55}) {
@@ -229,11 +221,10 @@ TEST(Encuadre, LaProfundidadBastaTambienDeLejos) {
 TEST(GruaVistas, CadaVistaContraTrazadoDeRayos) {
     const std::string extrema =
         veces(7, "tecla a") + "; " + veces(6, "tecla e") + "; " + veces(12, "tecla w") + "; tecla 4";
-    const Postura enElTope = {0.58 + 0.7, 7, 9};
     const Estado lasCuatro = {LAS_CUATRO}, europeas = {LAS_CUATRO, false, {}, 26, true};
     std::vector<Caso> casos = {
-        {extrema, {DIAGONAL, false, enElTope}, 300, 70},
-        {extrema, {DIAGONAL, false, enElTope}, 70, 200},
+        {extrema, {DIAGONAL, false, {0.58 + 0.7, 7, 9}}, 300, 70},
+        {extrema, {DIAGONAL, false, {0.58 + 0.7, 7, 9}}, 70, 200},
         {"", lasCuatro, 482, 360},
         {"tecla 2; menu Las cuatro", lasCuatro, 482, 360},
         {"tecla u", europeas, 482, 360},

@@ -1,5 +1,4 @@
-// Las proyecciones y el área de dibujo (ecuaciones 4.2 a 4.4): vista.h y volumen.h contra GLM con más precisión, lo que el libro
-// imprime, y el programa proyecciones.
+// Las proyecciones y el área de dibujo (ecuaciones 4.2 a 4.4), contra GLM; las erratas del libro; y el programa proyecciones.
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/vista.h"
 #include "ch04_vista3d/volumen.h"
@@ -10,13 +9,10 @@ namespace {
 
 using namespace oraculo;
 
-const struct {
-    double theta, aspecto, cerca, lejos;
-} PERSPECTIVAS[] = {{0.6, 1.5, 1, 100},     {1.2, 4.0 / 3, 0.1, 1e3},     {0.5, 1, 0.01, 1e4},
-                    {2.9, 0.25, 1e-3, 1e6}, {0.01, 1.0 / 2000, 1, 1.001}, {1.57, 300, 1e-30, 1}};
-const struct {
-    double izquierda, derecha, abajo, arriba, cerca, lejos;
-} PARALELAS[] = {{-1, 3, -2, 0.5, 1, 100}, {0.1, 0.7, 1e6, 1e6 + 3, -5, 1e-3}};
+const std::array<double, 4> PERSPECTIVAS[] = {{0.6, 1.5, 1, 100},           {1.2, 4.0 / 3, 0.1, 1e3},
+                                              {0.5, 1, 0.01, 1e4},          {2.9, 0.25, 1e-3, 1e6},
+                                              {0.01, 1.0 / 2000, 1, 1.001}, {1.57, 300, 1e-30, 1}};
+const std::array<double, 6> PARALELAS[] = {{-1, 3, -2, 0.5, 1, 100}, {0.1, 0.7, 1e6, 1e6 + 3, -5, 1e-3}};
 
 /// Cada elemento, con 4 redondeos como mucho; los nulos, exactos.
 void compruebaMatriz(const glm::dmat4 &M, const Mat4Largo &exacta) {
@@ -66,12 +62,6 @@ const struct {
     {"tecla p; " + veces(400, "rueda -1 9 9"), false, 0.50, 0.33, 7.5},
 };
 
-/// El punto que está en esas coordenadas, dando la vuelta a los ejes desde ese.
-Vec3 enEjes(int eje, double suya, double a, double b) {
-    const double v[] = {suya, a, b};
-    return {v[(3 - eje) % 3], v[(4 - eje) % 3], v[(5 - eje) % 3]};
-}
-
 /// Las aristas de cada eje y, de las horizontales, su prolongación 1000 unidades hacia el fondo. En paralela nada más. En perspectiva,
 /// los puntos de fuga, donde se proyectan sus direcciones, y por los dos el horizonte, de lado a lado.
 void compruebaLasRectas(const Vista &vista, const Panel &en) {
@@ -80,15 +70,16 @@ void compruebaLasRectas(const Vista &vista, const Panel &en) {
     std::vector<Vec3> fugas;
     for (int eje = 0; eje < 3; ++eje) {
         const double fondo = ejes(en.camara).z[eje] > 0 ? -1000 : 1000;
+        const Mat4 M = gira({1, 1, 1}, 2 * PI / 3 * eje); // lleva X a ese eje
         std::vector<glm::dvec2> aristas, rectas;
         for (const double a : {-0.5, 0.5})
             for (const double b : {-0.5, 0.5}) {
-                aristas.insert(aristas.end(), {en(enEjes(eje, -0.5, a, b)), en(enEjes(eje, 0.5, a, b))});
-                rectas.insert(rectas.end(), {en(enEjes(eje, 0, a, b)), en(enEjes(eje, fondo, a, b))});
+                aristas.insert(aristas.end(), {en(punto(M, {-0.5, a, b})), en(punto(M, {0.5, a, b}))});
+                rectas.insert(rectas.end(), {en(punto(M, {0, a, b})), en(punto(M, {fondo, a, b}))});
             }
         if (eje != 1) {
             trazos.push_back({"segmentos", colores[eje], 5, true, rectas});
-            fugas.push_back(en.camara.ojo + enEjes(eje, fondo, 0, 0));
+            fugas.push_back(en.camara.ojo + punto(M, {fondo, 0, 0}));
         }
         trazos.push_back({"segmentos", colores[eje], 14, true, aristas});
     }
