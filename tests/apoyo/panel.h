@@ -26,13 +26,13 @@ struct Panel {
     }
 };
 
-using LineaDelMundo = std::vector<oraculo::Vec3>;
+using Linea = std::vector<oraculo::Vec3>;
 
 /// Comprueba que los trazos de ese color son esas líneas y nada más: están todas, y entre todas miden lo que ellos.
-inline void compruebaTrazos(const Encima &encima, const Panel &panel, const std::vector<LineaDelMundo> &lineas,
+inline void compruebaTrazos(const Encima &encima, const Panel &panel, const std::vector<Linea> &lineas,
                             const glm::vec3 &color) {
     double largo = 0;
-    for (const LineaDelMundo &linea : lineas) {
+    for (const Linea &linea : lineas) {
         std::vector<glm::dvec2> enVentana;
         for (const oraculo::Vec3 &p : linea)
             enVentana.push_back(panel(p));
