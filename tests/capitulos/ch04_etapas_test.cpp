@@ -318,7 +318,7 @@ TEST(EtapasPipeline, EsquinasDelCubo) {
     for (const int k : {OBJETO, MUNDO, CAMARA, NDC})
         compruebaEsquina(en(k, 3), 3);
     for (const std::string &guion :
-         {std::string(), elige({330, 10}), veces(2, "tecla r"), veces(2, "tecla o")})
+         {std::string(), elige(panel(OBJETO).lugar(0.1, 0.5)), veces(2, "tecla r"), veces(2, "tecla o")})
         compruebaEsquina(guion, 7);
     compruebaEsquina("tecla o", 7, true);
     // al orbitar por fuera no escribe nada
