@@ -36,7 +36,7 @@ static void dibujaVistas(const Recuadro &donde, bool test) {
         for (auto pieza = piezas.rbegin(); pieza != piezas.rend(); ++pieza)
             dibujaObjeto(estado.programa, estado.cubo, pieza->M, pieza->color);
         glDisable(GL_DEPTH_TEST);
-        rotulaVista(p, test ? " con Z-Buffer" : " sin Z-Buffer");
+        rotulaVista(p, test ? " con test" : " sin test");
     }
 }
 

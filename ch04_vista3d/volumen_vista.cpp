@@ -91,7 +91,7 @@ static void trazaVolumen(const std::array<glm::vec3, 8> &e, const glm::mat4 &aRe
         rotulaLado("izquierda", 0, 3, Lado::IZQUIERDA, OSCURO);
         rotulaLado("derecha", 5, 6, Lado::DERECHA, OSCURO);
         rotulaLado("abajo", 0, 1, Lado::DEBAJO, OSCURO);
-        rotulaLado("arriba", 3, 7, Lado::ENCIMA, OSCURO);
+        rotulaLado("arriba", 3, 6, Lado::ENCIMA, OSCURO);
     }
 }
 

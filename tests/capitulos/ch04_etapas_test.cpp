@@ -318,9 +318,12 @@ TEST(EtapasPipeline, EsquinasDelCubo) {
     for (const int k : {OBJETO, MUNDO, CAMARA, NDC})
         compruebaEsquina(en(k, 3), 3);
     for (const std::string &guion :
-         {std::string(), elige({330, 10}), veces(2, "tecla r"), veces(2, "tecla o")})
+         {std::string(), elige(panel(OBJETO).lugar(0.1, 0.5)), veces(2, "tecla r"), veces(2, "tecla o")})
         compruebaEsquina(guion, 7);
     compruebaEsquina("tecla o", 7, true);
+    // al orbitar por fuera no escribe nada
+    EXPECT_EQ(ejecuta("etapas_pipeline", arrastra({330, 349}, {380, 320}), 480, 360).salida,
+              ejecuta("etapas_pipeline", "", 480, 360).salida);
     compruebaEsquina(en(VENTANA, 3) + "; tecla o", 3, true);
 }
 
@@ -344,8 +347,7 @@ TEST(EtapasPipeline, Recortado) {
     Escrito escrito = loEscritoTras("tecla r");
     compruebaNumeros(vista, escrito);
     EXPECT_EQ(escrito["lados"], std::vector<double>{double(poligono.size())});
-    EXPECT_NEAR(escrito["área en píxeles"].at(0), area(poligono),
-                0.1); // 1e-4 píxeles por vértice y 500 de perímetro
+    EXPECT_NEAR(escrito["área en píxeles"].at(0), area(poligono), 0.1); // 1e-4 por vértice y 500 de lados
     const Hueco h = panel(VENTANA).hueco;
     const Encima rodea = vista.encima.enPanel(h.x, h.y).trazos(MORADO);
     compruebaTrazo(rodea, linea, MORADO);

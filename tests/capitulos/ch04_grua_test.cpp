@@ -134,7 +134,7 @@ void compruebaPanel(const std::string &programa, const Vista &v, const Hueco &h,
     if (programa == "grua_proyeccion")
         nombre += e.enPerspectiva ? " perspectiva" : " paralela";
     if (programa == "grua_zbuffer")
-        nombre += e.conTest ? " con Z-Buffer" : " sin Z-Buffer";
+        nombre += e.conTest ? " con test" : " sin test";
     const int lado = std::min(h.ancho, h.alto) / 3;
     const glm::dvec2 origen = glm::dvec2(h.x, h.y) + 0.5 * lado;
     std::vector<Trazo> trazos;

@@ -84,7 +84,7 @@ void compruebaAristasYParametros(const Vista &vista, const Camara &v, const Pane
         letreros = {{"izquierda", medio(0, 3), OSCURO, Lado::IZQUIERDA},
                     {"derecha", medio(5, 6), OSCURO, Lado::DERECHA},
                     {"abajo", medio(0, 1), OSCURO, Lado::DEBAJO},
-                    {"arriba", medio(3, 7), OSCURO, Lado::ENCIMA}};
+                    {"arriba", medio(3, 6), OSCURO, Lado::ENCIMA}};
     letreros.push_back({cerca.str(), e[3], NARANJA, Lado::ENCIMA});
     letreros.push_back({lejos.str(), e[6], AZUL, Lado::ENCIMA});
     compruebaEncima(vista, VENTANA, trazos, letreros);

@@ -170,11 +170,10 @@ TEST(ZBufferCpu, RecortadoColorYProfundidadContraElRayo) {
     const int lado = 60;
     const double cerca = 0.5, lejos = 21;
     const auto vertice = [&](double x, double z) { // el suelo es y = −1; el color, u de 0 a 1 a lo largo
-        const double zRecortado =
-            -(lejos + cerca) / (lejos - cerca) * z - 2 * lejos * cerca / (lejos - cerca);
-        return VerticeZ{{x, -1, zRecortado, -z}, {(x + 40) / 80, (30 - z) / 60, 0.5}};
+        const double zr = -(lejos + cerca) / (lejos - cerca) * z - 2 * lejos * cerca / (lejos - cerca);
+        return VerticeZ{{x, -1, zr, -z}, {(x + 40) / 80, (30 - z) / 60, 0.5}};
     };
-    BufferZ b = creaBufferZ(lado, lado, NEGRO);
+    BufferZ b = creaBufferZ(lado, lado, NEGRO, false); // ni sin test hay nada más allá de lejos
     pintaTriangulo(b, {vertice(-40, 30), vertice(40, 30), vertice(40, -30)});
     pintaTriangulo(b, {vertice(-40, 30), vertice(40, -30), vertice(-40, -30)});
     int pintados = 0;
