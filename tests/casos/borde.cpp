@@ -16,40 +16,31 @@ static bool esFondo(const unsigned char *rgb) {
     return false;
 }
 
-// Lo menos que debe verse de una escena de la que alguien se ha alejado: el 0.5 % de los píxeles.
-static bool quedaAlgo(const Imagen &imagen) {
-    std::size_t pintados = 0;
-    for (std::size_t i = 0; i < imagen.rgb.size(); i += 3)
-        pintados += !esFondo(&imagen.rgb[i]);
-    return 200 * 3 * pintados >= imagen.rgb.size();
-}
-
 int main(int argc, char **argv) {
     int estado = 0;
     const bool queda = argc > 1 && std::string(argv[1]) == "--queda";
     for (int i = queda ? 2 : 1; i < argc; ++i) {
         const Imagen imagen = leePpm(argv[i]);
-        if (queda) {
-            if (!quedaAlgo(imagen)) {
-                std::printf("%s: no se ve más que fondo\n", argv[i]);
-                estado = 1;
-            }
-            continue;
+        int pintados = 0, cortados[4] = {};
+        for (int y = 0; y < imagen.alto; ++y)
+            for (int x = 0; x < imagen.ancho; ++x)
+                if (!esFondo(&imagen.rgb[3 * (y * imagen.ancho + x)])) {
+                    ++pintados;
+                    cortados[0] += x == 0;
+                    cortados[1] += x == imagen.ancho - 1;
+                    cortados[2] += y == 0;
+                    cortados[3] += y == imagen.alto - 1;
+                }
+        // lo menos que debe verse de una escena de la que alguien se ha alejado: el 0.5 % de los píxeles
+        if (queda && 200 * pintados < imagen.ancho * imagen.alto) {
+            std::printf("%s: no se ve más que fondo\n", argv[i]);
+            estado = 1;
         }
-        const int n = imagen.ancho, m = imagen.alto;
-        int cortados[4] = {}; // izquierda, derecha, abajo, arriba
-        const auto mira = [&](int x, int y, int lado) {
-            cortados[lado] += !esFondo(&imagen.rgb[3 * static_cast<std::size_t>(y * n + x)]);
-        };
-        for (int y = 0; y < m; ++y)
-            mira(0, y, 0), mira(n - 1, y, 1);
-        for (int x = 0; x < n; ++x)
-            mira(x, 0, 2), mira(x, m - 1, 3);
+        const char *const LADOS[] = {"izquierdo", "derecho", "de abajo", "de arriba"};
         for (int lado = 0; lado < 4; ++lado)
-            if (cortados[lado]) {
-                const char *const nombres[] = {"izquierdo", "derecho", "de abajo", "de arriba"};
+            if (!queda && cortados[lado]) {
                 std::printf("%s: %d píxeles del borde %s no son fondo\n", argv[i], cortados[lado],
-                            nombres[lado]);
+                            LADOS[lado]);
                 estado = 1;
             }
     }

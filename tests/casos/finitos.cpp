@@ -51,7 +51,7 @@ extern "C" {
 
 GLboolean OSMesaMakeCurrent(OSMesaContext contexto, void *, GLenum, GLsizei ancho, GLsizei alto) {
     static std::deque<std::vector<GLfloat>> memorias; // OSMesa usa cada una hasta que tiene la siguiente
-    memorias.emplace_back(4 * static_cast<std::size_t>(ancho) * static_cast<std::size_t>(alto));
+    memorias.emplace_back(4 * std::size_t(ancho) * alto);
     static const auto original = laDeVerdad<decltype(&OSMesaMakeCurrent)>("OSMesaMakeCurrent");
     return original(contexto, memorias.back().data(), GL_FLOAT, ancho, alto);
 }
@@ -68,7 +68,7 @@ void glTexImage2D(GLenum objetivo, GLint nivel, GLint interno, GLsizei ancho, GL
                   GLenum formato, GLenum tipo, const void *datos) {
     static const auto original = laDeVerdad<decltype(&glTexImage2D)>("glTexImage2D");
     if (!datos) // sin datos: se va a dibujar en ella
-        interno = static_cast<GLint>(enFloat(static_cast<GLenum>(interno)));
+        interno = GLint(enFloat(GLenum(interno)));
     original(objetivo, nivel, interno, ancho, alto, borde, formato, tipo, datos);
 }
 
@@ -77,7 +77,7 @@ void glReadPixels(GLint x, GLint y, GLsizei ancho, GLsizei alto, GLenum formato,
     GLint framebuffer = 0;
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer);
     if (framebuffer == 0) {
-        std::vector<GLfloat> color(4 * static_cast<std::size_t>(ancho) * static_cast<std::size_t>(alto), NAN);
+        std::vector<GLfloat> color(4 * std::size_t(ancho) * alto, NAN);
         // OSMesa no dice que su framebuffer sea de float, y al leerlo se recortaría
         static const auto recorta =
             reinterpret_cast<PFNGLCLAMPCOLORPROC>(OSMesaGetProcAddress("glClampColor"));
@@ -86,8 +86,7 @@ void glReadPixels(GLint x, GLint y, GLsizei ancho, GLsizei alto, GLenum formato,
         recorta(GL_CLAMP_READ_COLOR, GL_FIXED_ONLY);
         for (std::size_t i = 0; i < color.size(); ++i)
             if (!std::isfinite(color[i]))
-                acaba("un color", static_cast<double>(color[i]), x + static_cast<GLint>(i) / 4 % ancho,
-                      y + static_cast<GLint>(i) / 4 / ancho);
+                acaba("un color", color[i], x + int(i) / 4 % ancho, y + int(i) / 4 / ancho);
     }
     original(x, y, ancho, alto, formato, tipo, datos);
 }

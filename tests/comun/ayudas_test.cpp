@@ -34,6 +34,10 @@ std::string enUtf8(char32_t c) {
     return {char(0xE0 | c >> 12), char(0x80 | (c >> 6 & 0x3F)), char(0x80 | (c & 0x3F))};
 }
 
+glm::ivec3 enNiveles(const glm::vec3 &color) {
+    return 255.0f * color + 0.5f;
+}
+
 class Ayudas : public testing::Test {
 protected:
     static void SetUpTestSuite() {
@@ -44,12 +48,15 @@ protected:
     }
 
     /// La ventana, de ese tamaño, tras dibujar sobre fondo blanco.
-    static Imagen pinta(const std::function<void()> &dibujo, int ancho = 480, int alto = 360) {
-        glutReshapeWindow(ancho, alto);
+    static Imagen pinta(const glm::ivec2 &talla, const std::function<void()> &dibujo) {
+        glutReshapeWindow(talla.x, talla.y);
         abreRecuadro(ventanaEntera(), BLANCO);
         dibujo();
         EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
         return leeVentana();
+    }
+    static Imagen pinta(const std::function<void()> &dibujo) {
+        return pinta({480, 360}, dibujo);
     }
 
     static glm::ivec3 color(const Imagen &i, int x, int y) {
@@ -85,19 +92,15 @@ TEST_F(Ayudas, ElGrosorEsEnPixelesDe1080Lineas) {
         const double altoUtil = std::min<double>(talla.y, 0.75 * talla.x);
         for (const float grosor : {6.0f, 30.0f, 60.0f}) {
             const double esperado = std::max(grosor * altoUtil / 1080, 1.0);
-            const Caja h = caja(pinta(
-                [&] {
-                    trazaPolilinea({{-0.5f, 0, 0}, {0.5f, 0, 0}}, UNO, ROJO, grosor);
-                },
-                talla.x, talla.y));
+            const Caja h = caja(pinta(talla, [&] {
+                trazaPolilinea({{-0.5f, 0, 0}, {0.5f, 0, 0}}, UNO, ROJO, grosor);
+            }));
             EXPECT_NEAR(h.maximo.y - h.minimo.y + 1, esperado, 1)
                 << talla.x << "×" << talla.y << " " << grosor;
             EXPECT_NEAR(h.maximo.x - h.minimo.x + 1, talla.x / 2, 1);
-            const Caja v = caja(pinta(
-                [&] {
-                    trazaPolilinea({{0, -0.5f, 0}, {0, 0.5f, 0}}, UNO, ROJO, grosor);
-                },
-                talla.x, talla.y));
+            const Caja v = caja(pinta(talla, [&] {
+                trazaPolilinea({{0, -0.5f, 0}, {0, 0.5f, 0}}, UNO, ROJO, grosor);
+            }));
             EXPECT_NEAR(v.maximo.x - v.minimo.x + 1, esperado, 1);
         }
     }
@@ -108,7 +111,7 @@ TEST_F(Ayudas, AreaYColorDeUnSegmentoInclinado) {
     const Imagen imagen = pinta([] { trazaPolilinea({{-0.5f, -0.5f, 0}, {0.5f, 0.43f, 0}}, UNO, AZUL, 30); });
     const double largo = std::hypot(1.0 * 240, 0.93 * 180);
     EXPECT_NEAR(caja(imagen).pixeles, largo * 10, largo * 0.2);
-    EXPECT_EQ(color(imagen, 240, 174), glm::ivec3(255.0f * AZUL + 0.5f));
+    EXPECT_EQ(color(imagen, 240, 174), enNiveles(AZUL));
 }
 
 // Con un extremo detrás de la cámara se ve lo que queda delante, y hacia donde va: (0, 0, −5) a (3, 0, 5) deja la
@@ -154,12 +157,12 @@ TEST_F(Ayudas, LosTramosEmpalmanSinMella) {
 }
 
 TEST_F(Ayudas, LaFlechaAcabaEnSuPunta) {
-    const Caja c = caja(pinta([] { trazaFlecha({-0.5f, 0, 0}, {0.5f, 0, 0}, UNO, ROJO, 12); }));
+    const Imagen f = pinta([] { trazaFlecha({-0.5f, 0, 0}, {0.5f, 0, 0}, UNO, ROJO, 12); });
+    const Caja c = caja(f);
     EXPECT_NEAR(c.maximo.x, 359, 2); // el último píxel de la punta es estrecho
     EXPECT_NEAR(c.minimo.x, 120, 1);
     EXPECT_GT(c.maximo.y - c.minimo.y, 12); // la punta es más ancha que el palo, de 4 píxeles
-    const Imagen f = pinta([] { trazaFlecha({-0.5f, 0, 0}, {0.5f, 0, 0}, UNO, ROJO, 12); });
-    EXPECT_TRUE(esBlanco(f, 130, 188)); // la punta está en b y no en a
+    EXPECT_TRUE(esBlanco(f, 130, 188));     // la punta está en b y no en a
     EXPECT_FALSE(esBlanco(f, 344, 185));
     // una flecha de largo nulo no pinta ni da NaN
     EXPECT_EQ(caja(pinta([] { trazaFlecha({0, 0, 0}, {0, 0, 0}, UNO, ROJO); })).pixeles, 0);
@@ -181,11 +184,11 @@ TEST_F(Ayudas, ObedecenALaProfundidad) {
         EXPECT_TRUE(glIsEnabled(GL_DEPTH_TEST));
         glDisable(GL_DEPTH_TEST);
     });
-    EXPECT_EQ(color(imagen, 120, 180), glm::ivec3(255.0f * GRIS + 0.5f));
-    EXPECT_EQ(color(imagen, 360, 180), glm::ivec3(255.0f * ROJO + 0.5f));
-    EXPECT_EQ(color(imagen, 60, 270), glm::ivec3(255.0f * GRIS + 0.5f));
-    EXPECT_EQ(color(imagen, 180, 270), glm::ivec3(255.0f * ROJO + 0.5f));
-    EXPECT_EQ(color(imagen, 120, 95), glm::ivec3(255.0f * OSCURO + 0.5f)); // el palo de la T
+    EXPECT_EQ(color(imagen, 120, 180), enNiveles(GRIS));
+    EXPECT_EQ(color(imagen, 360, 180), enNiveles(ROJO));
+    EXPECT_EQ(color(imagen, 60, 270), enNiveles(GRIS));
+    EXPECT_EQ(color(imagen, 180, 270), enNiveles(ROJO));
+    EXPECT_EQ(color(imagen, 120, 95), enNiveles(OSCURO)); // el palo de la T
 }
 
 // Nada de lo que un programa haya puesto cambia porque se pinte encima de su escena.
@@ -234,11 +237,9 @@ TEST_F(Ayudas, CadaSignoEsElDeLaLetra) {
             const glm::ivec2 origen(alto * 2 / 3 - paso / 2, alto / 2 - mayuscula / 2);
             const double escala = mayuscula / double(MAYUSCULA),
                          pluma = origen.x + (paso - AVANCE * escala) / 2;
-            const Imagen imagen = pinta(
-                [&] {
-                    rotula(enUtf8(signo), {0.5f, 0.5f}, {0, 0, 0});
-                },
-                alto * 4 / 3, alto);
+            const Imagen imagen = pinta({alto * 4 / 3, alto}, [&] {
+                rotula(enUtf8(signo), {0.5f, 0.5f}, {0, 0, 0});
+            });
 
             ASSERT_EQ(FT_Set_Char_Size(fuente, 0, FT_F26Dot6(std::lround(64 * CUADRATIN * escala)), 72, 72),
                       0);
@@ -277,16 +278,14 @@ TEST_F(Ayudas, ElHaloSeparaLaLetraDelFondo) {
     for (const auto &[tinta, halo] : {std::pair(OSCURO, BLANCO), {BLANCO, OSCURO}}) {
         const glm::vec3 fondo = tinta;
         for (const int alto : {180, 1080}) {
-            const Imagen imagen = pinta(
-                [&] {
-                    abreRecuadro(ventanaEntera(), fondo);
-                    rotula("□", {0.5f, 0.5f}, tinta);
-                },
-                alto * 4 / 3, alto);
+            const Imagen imagen = pinta({alto * 4 / 3, alto}, [&] {
+                abreRecuadro(ventanaEntera(), fondo);
+                rotula("□", {0.5f, 0.5f}, tinta);
+            });
             int distintos =
                 0; // en la fila del medio: el halo de los dos lados del cuadrado, por fuera y por dentro
             for (int x = 0; x < imagen.ancho; ++x)
-                distintos += color(imagen, x, alto / 2) != glm::ivec3(255.0f * fondo + 0.5f);
+                distintos += color(imagen, x, alto / 2) != enNiveles(fondo);
             EXPECT_GE(distintos, 4);
             EXPECT_LE(distintos, 4 * std::max(0.1 * 0.04 * alto + 1, 2.0));
             glm::ivec3 lejos(0);
@@ -303,11 +302,9 @@ TEST_F(Ayudas, UnRotuloNoTapaSuPuntoNiSeSale) {
         for (const Lado lado : {Lado::ENCIMA, Lado::DEBAJO, Lado::IZQUIERDA, Lado::DERECHA})
             for (float x = -0.9f; x < 1; x += 0.3f)
                 for (float y = -0.9f; y < 1; y += 0.3f) {
-                    const Imagen imagen = pinta(
-                        [&] {
-                            rotulaPunto("P(1,2)", {x, y, 0}, UNO, ROJO, lado);
-                        },
-                        talla.x, talla.y);
+                    const Imagen imagen = pinta(talla, [&] {
+                        rotulaPunto("P(1,2)", {x, y, 0}, UNO, ROJO, lado);
+                    });
                     const Caja c = caja(imagen);
                     EXPECT_GT(c.pixeles, 50);
                     // a una letra del borde, como poco; los palotes de la p y la coma bajan de la línea

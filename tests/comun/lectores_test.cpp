@@ -131,7 +131,7 @@ Imagen pedida(std::vector<std::string> argumentos) {
     std::vector<char *> argv;
     for (std::string &a : argumentos)
         argv.push_back(a.data());
-    return imagenDeArgumentos(static_cast<int>(argv.size()), argv.data(), "assets/metal.rgb", 256, 256);
+    return imagenDeArgumentos(int(argv.size()), argv.data(), "assets/metal.rgb", 256, 256);
 }
 
 } // namespace

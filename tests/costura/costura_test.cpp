@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string DEFECTUOSO = "../tests/defectuoso", TIPOS_PROPIOS = "../tests/tipos_propios",
+const std::string DEFECTUOSO = "../tests/defectuoso", SUELTO = "../tests/suelto",
                   REGISTRO = "../tests/registro_" + fs::path(LAB_EJECUTABLES).filename().string();
 
 using Orden = std::vector<std::string>; // un programa y sus argumentos
@@ -168,7 +168,7 @@ TEST(Guion, LeDiceAlPrograma) {
 TEST(Opciones, RasgosDiceDeQueSeEntera) {
     const std::string teclado = "teclado\nespecial\n", raton = teclado + "raton\narrastre\n";
     esperaSalidas({
-        {{TIPOS_PROPIOS, "-rasgos"}, "", "3 7 1.5 entrada 2 ninguna no hay\n"},
+        {{SUELTO, "-rasgos"}, "", ""},
         {{"grua", "-rasgos"}, "", raton + "rueda\n"},
         {{DEFECTUOSO, "tiempo", "-rasgos"}, "", teclado + "temporizador\n"},
         {{REGISTRO, "-rasgos"}, "", raton + "movimiento\nrueda\n"},
@@ -183,7 +183,7 @@ TEST(Opciones, RasgosDiceDeQueSeEntera) {
 
 // También la de un programa que no sabe nada de ella.
 TEST(Opciones, AyudaLasEnumeraYNoDibuja) {
-    for (const std::string &programa : {std::string("grua"), TIPOS_PROPIOS}) {
+    for (const std::string &programa : {std::string("grua"), SUELTO}) {
         const Ejecucion e = lanza({programa, "-ayuda"});
         EXPECT_EQ(e.estado, 0) << e.errores;
         EXPECT_TRUE(e.imagen.rgb.empty());
@@ -209,7 +209,7 @@ TEST(Opciones, MideEscribeUnaLineaTsv) {
 }
 
 TEST(Imagen, LaTallaEsLaDeGeometry) {
-    for (const std::string &programa : {std::string("grua"), TIPOS_PROPIOS}) // el segundo pide otra
+    for (const std::string &programa : {std::string("grua"), SUELTO}) // el segundo pide otra
         for (const auto &[ancho, alto] : {std::pair(1, 1), {1, 300}, {300, 1}, {3, 2}, {1001, 13}}) {
             const Ejecucion e = ejecuta(programa, "", ancho, alto);
             EXPECT_EQ(e.estado, 0) << e.errores;
@@ -252,14 +252,6 @@ TEST(Determinismo, LosHilosNoCambianLaImagen) {
         EXPECT_EQ(imagenDe("grua").rgb, imagen.rgb) << hilos;
     }
     unsetenv("LP_NUM_THREADS");
-}
-
-TEST(EspacioDeNombres, UnProgramaPuedeTenerTiposYFuncionesQueSeLlamenIgual) {
-    const Ejecucion e = ejecuta(TIPOS_PROPIOS, "tecla a; espera 3; tamano 8 8", 9, 9);
-    EXPECT_EQ(e.estado, 0) << e.errores;
-    EXPECT_EQ(e.salida, "3 7 1.5 entrada 2 ninguna no hay\n");
-    ASSERT_EQ(e.imagen.ancho, 8);
-    EXPECT_EQ(pixel(e.imagen, 4, 4).g, 255);
 }
 
 // Todos los programas acaban con Esc, sin imagen a medias ni mensajes, y aguantan 1×1 y volver.

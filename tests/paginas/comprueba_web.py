@@ -7,12 +7,10 @@ mal; ficheros buenos y malos; una ventana diminuta y una enorme; y el contexto p
 """
 import base64
 import os
-import struct
 import subprocess
 import sys
 import tempfile
 import time
-import zlib
 from pathlib import Path
 
 import navegador  # que sabe dónde está catalogo
@@ -134,13 +132,8 @@ class Persona:
             marco.dispatchEvent(new DragEvent('drop', { dataTransfer: datos, bubbles: true, cancelable: true }))""", nombre, base64_)
 
 
-def trozo(tipo, datos):
-    return struct.pack(">I", len(datos)) + tipo + datos + struct.pack(">I", zlib.crc32(tipo + datos))
-
-
-# Un PNG de 2×2: rojo, verde, azul y blanco.
-PNG = base64.b64encode(b"\x89PNG\r\n\x1a\n" + trozo(b"IHDR", struct.pack(">IIBBBBB", 2, 2, 8, 2, 0, 0, 0)) + trozo(b"IDAT", zlib.compress(
-    b"\0\xff\0\0\0\xff\0" + b"\0\0\0\xff\xff\xff\xff")) + trozo(b"IEND", b"")).decode()
+ROJO_VERDE_AZUL_BLANCO = b"P6\n2 2\n255\n" + bytes([255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255])
+PNG = base64.b64encode(subprocess.run("pnmtopng", input=ROJO_VERDE_AZUL_BLANCO, capture_output=True, check=True).stdout).decode()
 
 
 def prueba_entradas(p):
@@ -278,7 +271,7 @@ def prueba_ficheros_y_tallas(p):
     p.suelta_fichero("foto.png", PNG)
     exige(p.espera("sesion?.leidos.size && [...sesion.leidos].some(r => r.startsWith('/propias/'))"), "una imagen propia se abre")
     exige(n.js("return [...sesion.lee([...sesion.leidos].find(r => r.startsWith('/propias/')))]") ==
-          [*b"P6\n2 2\n255\n", 255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255], "tal como es")
+          [*ROJO_VERDE_AZUL_BLANCO], "tal como es")
     exige(p.imagen() != antes, "y se ve")
     p.abre("#malla_vf")
     p.suelta_fichero("nada.vf", "bm8=")
