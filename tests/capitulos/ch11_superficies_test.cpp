@@ -1,9 +1,11 @@
-// Las superficies del capítulo 11: superficies.h contra la definición (U·M·G·Mᵀ·Vᵀ con las matrices del libro) en cuádruple
-// precisión, y superficie_hermite, superficie_bezier y superficie_bspline contra una imagen de referencia y la lista de lo que pintan encima.
+// Las superficies del capítulo 11: superficies.h contra la definición (U·M·G·Mᵀ·Vᵀ con las matrices del libro) en
+// cuádruple precisión, y superficie_hermite, superficie_bezier y superficie_bspline contra una imagen de referencia y
+// la lista de lo que pintan encima.
 #include "ch11_curvas/hermite_trozos.h"
 #include "ch11_curvas/lamina.h"
 #include "ch11_lista.h"
 #include "ch11_referencia.h"
+#include "pintado.h"
 
 namespace {
 
@@ -17,16 +19,14 @@ Geometria2<T> redAlAzar(unsigned semilla) {
     return G;
 }
 /// La misma red en otra precisión, con cada punto en f(punto).
-template<typename T, typename Otro, typename F>
-Geometria2<T> lleva(const Geometria2<Otro> &G, const F &f) {
+using Cambio = std::function<glm::dvec3(const glm::dvec3 &)>;
+template<typename T, typename Otro>
+Geometria2<T> lleva(
+    const Geometria2<Otro> &G, const Cambio &f = [](const glm::dvec3 &p) { return p; }) {
     Geometria2<T> r;
     for (std::size_t k = 0; k < 16; ++k)
         r[k / 4][k % 4] = Punto<T>(f(G[k / 4][k % 4]));
     return r;
-}
-template<typename T, typename Otro>
-Geometria2<T> lleva(const Geometria2<Otro> &G) {
-    return lleva<T>(G, [](const Punto<Otro> &p) { return p; });
 }
 
 template<typename R>
@@ -168,8 +168,8 @@ TEST(Superficies, BezierNoSaleDelCascoConvexo) {
     }
 }
 
-// Los trozos vecinos de una red de 5 × 5, en u y en v: el punto y las derivadas primera y segunda casan, y la tercera no. También
-// con puntos duplicados, aunque el libro diga que no (§11.8): lo que se pierde es la tangente…
+// Los trozos vecinos de una red de 5 × 5, en u y en v: el punto y las derivadas primera y segunda casan, y la tercera
+// no. También con puntos duplicados, aunque el libro diga que no (§11.8): lo que se pierde es la tangente…
 TEST(Superficies, BSplineC2EntreTrozos) {
     for (const bool duplicados : {false, true}) {
         auto P = puntosAlAzar<double>(25);
@@ -203,7 +203,8 @@ TEST(Superficies, BSplineConFilasRepetidasPierdeLaTangente) {
               1e-15);
 }
 
-// Por qué la tetera no usa esta suma: con la red al revés cambia el redondeo, y sus parches comparten lados que recorren al revés.
+// Por qué la tetera no usa esta suma: con la red al revés cambia el redondeo, y sus parches comparten lados que
+// recorren al revés.
 TEST(Superficies, AlRevesNoDaLosMismosBits) {
     const auto G = redAlAzar<double>(1);
     const Geometria2<double> alReves = {G[3], G[2], G[1], G[0]};
@@ -214,8 +215,8 @@ TEST(Superficies, AlRevesNoDaLosMismosBits) {
               0);
 }
 
-// §11.7: que los puntos de los dos lados del borde estén alineados con los del borde no basta para G1: la proporción ha de ser la misma
-// en los cuatro.
+// §11.7: que los puntos de los dos lados del borde estén alineados con los del borde no basta para G1: la proporción ha
+// de ser la misma en los cuatro.
 TEST(Superficies, BezierAlineadosNoBastaParaG1) {
     const Geometria2<double> A = loma();
     const auto giro = [&](const std::array<double, 4> &k) { // el mayor ángulo entre las normales del borde
@@ -435,8 +436,8 @@ TEST(Triangulos, LosTrozosVecinosCasan) {
 
 // ---- Ejercicio 11.8 ----
 
-// El borde coincide entero y las tangentes que lo cruzan son k veces las otras: la normal no cambia en toda la unión, y con k ≠ 1
-// la derivada sí (G1 y no C1).
+// El borde coincide entero y las tangentes que lo cruzan son k veces las otras: la normal no cambia en toda la unión, y
+// con k ≠ 1 la derivada sí (G1 y no C1).
 TEST(HermiteUnidas, G1EnTodoElBorde) {
     for (const float k : {0.2f, 0.7f, 1.0f, 3.0f}) {
         const auto A = primerTrozo(ESQUINAS_INICIALES), B = segundoTrozo(ESQUINAS_INICIALES, k);
@@ -530,7 +531,7 @@ struct Escena : Lista {
         ::comprueba("la superficie", escena, referencia(), {2, 100});
     }
 };
-using Pasos = std::vector<std::pair<std::string, Escena>>;
+using Pasos = std::vector<Paso<Escena>>;
 
 /// La red de n×n puntos: de cada uno al siguiente de su fila y, cambiando filas por columnas, de su columna.
 Red ladosDeRed(const Red &P, std::size_t n) {
@@ -592,7 +593,7 @@ TEST(SuperficieBezier, LasTeclasYElRatonMuevenUnPunto) {
     const auto lleva = [&](std::size_t k, const glm::ivec2 &hasta) {
         const glm::ivec2 desde = e.raton(e.px(P[k])) + glm::ivec2(5, -4);
         P[k] = e.llevado(P[k], e.punto(hasta));
-        pasos.emplace_back(arrastra(desde, hasta), conRed(P, int(k)));
+        pasos.push_back({arrastra(desde, hasta), conRed(P, int(k))});
     };
     lleva(9, {200, 300});
     for (const std::size_t k : {1, 2, 3}) // y un borde entero, visto en un punto
@@ -701,11 +702,11 @@ TEST(SuperficieBSpline, LasTeclasYElRatonMuevenUnPunto) {
     P[28] = e.llevado(P[28], e.punto(hasta));
     Pasos pasos = {{arrastra(desde, hasta), nueveTrozos(P, 28)}};
     P[0] = e.llevado(P[0], e.px(P[0]) + glm::dvec2(24, 3 * 18));
-    pasos.emplace_back("tecla n ×8; especial ARRIBA ×3; especial DERECHA",
-                       nueveTrozos(P, 0)); // 35 y otra vez 0
-    pasos.emplace_back(
-        arrastra({20, 20}, {-40, -100}) + "; tecla r; rueda 1 9 9",
-        nueveTrozos(P, 0, false, camara(0.55 + 60 * 0.005, 0.6 - 120 * 0.005, 9.4 / 1.1, {0, -0.1, 0})));
+    pasos.push_back(
+        {"tecla n ×8; especial ARRIBA ×3; especial DERECHA", nueveTrozos(P, 0)}); // 35 y otra vez 0
+    pasos.push_back(
+        {arrastra({20, 20}, {-40, -100}) + "; tecla r; rueda 1 9 9",
+         nueveTrozos(P, 0, false, camara(0.55 + 60 * 0.005, 0.6 - 120 * 0.005, 9.4 / 1.1, {0, -0.1, 0}))});
     compruebaPasos<Escena>("superficie_bspline", pasos);
 }
 
@@ -768,8 +769,8 @@ TEST(SuperficieHermite, ElRatonMueveUnaEsquinaYGiraLaCamara) {
 
 // ---- Lo que se ve ----
 
-// Los píxeles son los de la lista sobre la escena, y la superficie tapa lo que va con profundidad y está detrás. Lo que va por ella se ve
-// casi todo.
+// Los píxeles son los de la lista sobre la escena, y la superficie tapa lo que va con profundidad y está detrás. Lo que
+// va por ella se ve casi todo.
 TEST(PintadoConProfundidad, LaListaSobreLaEscena) {
     const struct {
         std::string programa, guion;
