@@ -50,7 +50,7 @@ static void dibuja() {
     glEnable(GL_SCISSOR_TEST);
     glClear(GL_COLOR_BUFFER_BIT);
     glDisable(GL_SCISSOR_TEST);
-    rotulaPunto(modo.nombre, {0, 0.82f, 0}, glm::mat4(1), OSCURO);
+    rotula(modo.nombre, {0.5f, 1 - 0.5f / 9}, OSCURO);
     ponTitulo(modo.nombre);
     glutSwapBuffers();
 }

@@ -30,7 +30,7 @@ static double pixel(const Recuadro &panel) {
 static void dibujaCurva(const Recuadro &panel) {
     abreRecuadro(panel, FONDO_CLARO);
     // a lo ancho del panel, como los polinomios de abajo
-    const glm::mat4 vista(1.8f, 0, 0, 0, 0, 0.9f, 0, 0, 0, 0, 1, 0, -0.9f, 0, 0, 1);
+    const glm::mat4 vista(1.7f, 0, 0, 0, 0, 0.9f, 0, 0, 0, 0, 1, 0, -0.85f, 0, 0, 1);
     const std::vector<glm::vec3> P = puntosZigzag(estado.n);
     trazaPolilinea(P, vista, GRIS, 0.5f * GROSOR);
     trazaPolilinea(polilineaBezier(P, 0.2 * pixel(panel)), vista, AZUL, 1.7f * GROSOR);
@@ -43,7 +43,7 @@ static void dibujaCurva(const Recuadro &panel) {
 static void dibujaBernstein(const Recuadro &panel) {
     abreRecuadro(panel, FONDO_CLARO);
     // u de 0 a 1 en horizontal y b de 0 a 1 en vertical, con un margen
-    const glm::mat4 vista = glm::mat4(1.8f, 0, 0, 0, 0, 1.4f, 0, 0, 0, 0, 1, 0, -0.9f, -0.6f, 0, 1);
+    const glm::mat4 vista = glm::mat4(1.7f, 0, 0, 0, 0, 1.4f, 0, 0, 0, 0, 1, 0, -0.85f, -0.6f, 0, 1);
     trazaPolilinea({{0, 1, 0}, {0, 0, 0}, {1, 0, 0}}, vista, OSCURO, 0.6f * GROSOR);
     // la gráfica de b_{k,n} es la curva de Bézier de los puntos (i/n, 0), con el k subido a 1
     for (std::size_t k = 0; k < estado.n; ++k) {

@@ -67,8 +67,9 @@ inline void botonEditor(Editor &editor, int boton, int pulsado, int x, int y) {
         return;
     editor.arrastrando = false;
     if (pulsado == GLUT_DOWN) {
+        const glm::vec2 porUnidad(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
         const int cual = masCercano(*editor.puntos, editor.transformacion(), ratonNormalizado(x, y),
-                                    {relacionAspecto(), 1}, 2 * ALCANCE_RATON);
+                                    porUnidad / altoUtil(), 2 * ALCANCE_RATON);
         editor.arrastrando = cual >= 0;
         if (editor.arrastrando)
             editor.elegido = cual;

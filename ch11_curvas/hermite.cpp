@@ -24,7 +24,7 @@ static struct {
 } estado;
 
 static glm::mat4 vista() {
-    return estado.segundo ? paralelaVentana(1.38f) * traslacion({-0.46f, -0.12f, 0}) : paralelaVentana(1);
+    return estado.segundo ? paralelaVentana(1.38f) * traslacion({-0.55f, -0.12f, 0}) : paralelaVentana(1);
 }
 
 static Geometria<float> primero() {

@@ -8,7 +8,8 @@
 namespace oraculo {
 
 /// Lo que devuelve `sombrea`: basta el color; `zona` separa además lo que cambia dentro de una cara (sombra o
-/// no, lo que se ve en un espejo, las casillas de una textura).
+/// no, lo que se ve en un espejo, las casillas de una textura), o dice que ahí no se compara.
+const int SIN_COMPARAR = std::numeric_limits<int>::min();
 struct Tono {
     Vec3 color;
     int zona;
@@ -69,7 +70,7 @@ struct Comparacion {
     int interior = 0;               // píxeles sin borde alrededor (3×3)
     double maximo = 0, rmse = 0;    // en el interior; infinito si no hay interior: no se ha comprobado nada
     int xMaximo = -1, yMaximo = -1; // dónde está el máximo
-    int banda = 0;                  // los demás
+    int banda = 0;                  // los demás que se comparan
     int bandaDistintos = 0;         // … los que difieren más que el umbral
     int bandaLejos = 0;             // … y no se parecen a nada que la referencia vea a menos de un píxel
     double desvio = 0;              // de los distintos, lo más lejos (px) que hay que ir a buscar su color
@@ -121,6 +122,8 @@ Comparacion comparaCon(const Imagen &gpu, const ImagenRef &ref, double umbral, D
     double suma = 0;
     for (int y = 0; y < ref.alto; ++y)
         for (int x = 0; x < ref.ancho; ++x) {
+            if (ref.en(x, y).zona == SIN_COMPARAR)
+                continue;
             const double d = diferencia(gpu, x, y, ref.en(x, y).color);
             if (!enBanda(ref, x, y)) {
                 ++c.interior;

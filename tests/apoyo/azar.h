@@ -23,6 +23,10 @@ public:
         const float x = entre(-r, r), y = entre(-r, r);
         return {x, y, entre(-r, r)};
     }
+    glm::dvec3 punto(double r) { // lo mismo, en doble
+        const double x = entre(-r, r), y = entre(-r, r);
+        return {x, y, entre(-r, r)};
+    }
     /// Unitario, sin preferir ninguna dirección.
     glm::vec3 direccion() {
         glm::vec3 v(0);

@@ -76,16 +76,20 @@ inline oraculo::Objeto enElMundo(const oraculo::Mat4 &M, const Malla &m) {
 inline double luzFija(const oraculo::Vec3 &normal) {
     return 0.58 + 0.42 * oraculo::escalar(normal, {0.20, 0.78, 0.593});
 }
+/// Lo que vale en un punto de una malla lo que se interpola entre los vértices de su triángulo.
+template<class EnVertice>
+oraculo::Vec3 interpola(const oraculo::Objeto &objeto, const oraculo::Impacto &i, EnVertice enVertice) {
+    const oraculo::Triangulos &malla = *objeto.triangulos;
+    const auto &[a, b, c] = malla.indices[i.corte.triangulo];
+    return (1 - i.corte.b1 - i.corte.b2) * enVertice(malla.vertices[a]) +
+           i.corte.b1 * enVertice(malla.vertices[b]) + i.corte.b2 * enVertice(malla.vertices[c]);
+}
 /// En una malla, la interpolada entre las de los vértices, que son unitarias, sin volver a normalizarla.
 inline oraculo::Vec3 normalInterpolada(const oraculo::Objeto &objeto, const oraculo::Impacto &i) {
     if (objeto.forma != oraculo::Objeto::MALLA)
         return i.normal;
-    const oraculo::Triangulos &malla = *objeto.triangulos;
-    const auto &esquinas = malla.indices[std::size_t(i.corte.triangulo)];
-    const auto normal = [&](std::size_t k) {
-        return transformaNormal(objeto.inv, malla.vertices[esquinas[k]].normal);
-    };
-    return (1 - i.corte.b1 - i.corte.b2) * normal(0) + i.corte.b1 * normal(1) + i.corte.b2 * normal(2);
+    return interpola(objeto, i,
+                     [&](const oraculo::VerticeRef &v) { return transformaNormal(objeto.inv, v.normal); });
 }
 
 /// Una escena con un color por objeto y la luz fija, contra lo que dibuja el programa. Los bordes se buscan trazando más rayos.
@@ -124,4 +128,16 @@ inline Hueco hueco(int columna, int columnas, int fila, int filas, int ancho, in
 }
 inline Imagen recorta(const Imagen &imagen, const Hueco &h) {
     return oraculo::recorta(imagen, h.x, h.y, h.ancho, h.alto);
+}
+
+/// Todo lo que corta un rayo, lo más cercano primero.
+inline std::vector<oraculo::Impacto> impactos(const oraculo::Escena &escena, oraculo::Rayo r) {
+    std::vector<oraculo::Impacto> todos;
+    for (;;) {
+        const oraculo::Impacto i = oraculo::primerImpacto(escena, r);
+        if (!i)
+            return todos;
+        todos.push_back(i);
+        r.minimo = i.distancia + 1e-9;
+    }
 }

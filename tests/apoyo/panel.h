@@ -16,6 +16,11 @@ struct Panel {
     Panel(const oraculo::Camara &laCamara, const Imagen &ventana)
         : Panel(laCamara, Hueco{0, 0, ventana.ancho, ventana.alto}) {
     }
+    /// El k-ésimo de n, por filas desde arriba, de una rejilla de esas columnas que llena la ventana.
+    Panel(const oraculo::Camara &laCamara, const Imagen &ventana, int k, int n, int columnas)
+        : Panel(laCamara,
+                ::hueco(k % columnas, columnas, k / columnas, n / columnas, ventana.ancho, ventana.alto)) {
+    }
     /// Dónde se ve un punto, en píxeles de la ventana.
     glm::dvec2 operator()(const oraculo::Vec3 &p) const {
         return glm::dvec2(hueco.x, hueco.y) + enPixeles(camara, p, hueco.ancho, hueco.alto);
@@ -51,4 +56,13 @@ inline void compruebaFlecha(const Encima &encima, const Panel &panel, const orac
     for (const Pintado &p : encima.trazos(color, "flecha"))
         cuantas += glm::distance(p.punto(0), a) <= 0.1 && glm::distance(p.punto(1), b) <= 0.1;
     EXPECT_EQ(cuantas, 1) << "flechas de (" << a.x << ", " << a.y << ") a (" << b.x << ", " << b.y << ")";
+}
+
+/// Lo que debe verse por él, y lo que se ve.
+template<class Sombrea>
+oraculo::ImagenRef render(const oraculo::Escena &escena, const Panel &panel, Sombrea sombrea) {
+    return oraculo::render(escena, panel.camara, panel.hueco.ancho, panel.hueco.alto, sombrea);
+}
+inline Imagen recorta(const Imagen &ventana, const Panel &panel) {
+    return recorta(ventana, panel.hueco);
 }

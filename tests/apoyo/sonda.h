@@ -17,8 +17,8 @@ inline void enlazaUnPixel(GLenum formato) {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
 }
 
-/// Programa de un fragment shader para la sonda; la primera vez abre una ventana sin pantalla con un framebuffer de un píxel.
-inline GLuint creaSonda(const std::string &frag) {
+/// La primera vez abre una ventana sin pantalla con un framebuffer de un píxel.
+inline void abreSonda() {
     static bool abierta = false;
     if (!abierta) {
         abreContexto();
@@ -26,6 +26,11 @@ inline GLuint creaSonda(const std::string &frag) {
         glClampColor(GL_CLAMP_READ_COLOR, GL_FALSE);
         abierta = true;
     }
+}
+
+/// Programa de un fragment shader para la sonda, que queda abierta.
+inline GLuint creaSonda(const std::string &frag) {
+    abreSonda();
     return creaPrograma("tests/apoyo/sonda.vert", frag);
 }
 

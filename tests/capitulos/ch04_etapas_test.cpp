@@ -22,8 +22,8 @@ Poligono poligonoExacto(const std::vector<glm::dvec4> &triangulo) {
     Poligono poligono;
     for (std::size_t i = 0; i < semiplanos.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
-            const Vec3Largo recta = glm::cross(semiplanos[i], semiplanos[j]),
-                            corte = recta / recta.x; // (1, s, t)
+            Vec3Largo corte = glm::cross(semiplanos[i], semiplanos[j]); // (1, s, t)
+            corte /= Largo(corte.x);
             bool cumple = true;
             for (std::size_t k = 0; k < semiplanos.size(); ++k)
                 cumple = cumple && (k == i || k == j || glm::dot(semiplanos[k], corte) >= 0);
@@ -40,68 +40,6 @@ Poligono poligonoExacto(const std::vector<glm::dvec4> &triangulo) {
     return poligono;
 }
 
-} // namespace
-
-// Triángulos al azar delante, detrás y a los lados del ojo. Con cerca = 1, w ≥ 1 en lo que queda y las
-// coordenadas no pasan de 40: cada corte pierde unos 4 redondeos de 40 y son seis, 1e-13 por vértice; el área,
-// con un perímetro de 8, menos de 1e-12.
-TEST(Recortado, AreaContraElPoligonoExacto) {
-    Azar azar(45);
-    std::map<std::size_t, int> lados;
-    for (int n = 0; n < 150; ++n) {
-        std::vector<glm::dvec4> triangulo;
-        for (int k = 0; k < 3; ++k) { // perspectiva de 90 grados, cerca 1 y lejos 10
-            const double x = azar.entre(-8.0, 8.0), y = azar.entre(-8.0, 8.0), d = azar.entre(-5.0, 13.0);
-            triangulo.push_back({x, y, (11 * d - 20) / 9, d});
-        }
-        const std::vector<glm::dvec4> poligono = recorta(triangulo);
-        const Poligono exacto = poligonoExacto(triangulo);
-        ASSERT_EQ(poligono.size(), exacto.size()) << n;
-        ++lados[poligono.size()];
-        EXPECT_NEAR(areaVentana(poligono, glm::dmat4(1)), std::fabs(area(exacto)), 1e-12) << n;
-        for (const glm::dvec4 &v : poligono) {
-            EXPECT_GE(v.w, 1 - 1e-13);
-            EXPECT_LE(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}), v.w + 1e-12);
-        }
-    }
-    EXPECT_GT(lados[0], 5);
-    EXPECT_GT(lados[5] + lados[6] + lados[7], 10);
-}
-
-// A un lado y otro de cada uno de los seis planos, y con w negativo.
-TEST(Recortado, DentroYFueraDeCadaPlano) {
-    for (int eje = 0; eje < 3; ++eje)
-        for (const double signo : {-1.0, 1.0}) {
-            glm::dvec4 r(0, 0, 0, 2);
-            r[eje] = signo * 2;
-            EXPECT_TRUE(estaDentro(r)) << eje << " " << signo;
-            r[eje] = signo * 2.001;
-            EXPECT_FALSE(estaDentro(r)) << eje << " " << signo;
-            EXPECT_FALSE(estaDentro(-r)) << eje << " " << signo;
-        }
-}
-
-TEST(Recortado, CasosLimite) {
-    using Vertices = std::vector<glm::dvec4>;
-    const Vertices dentro = {{0, 0, 0, 1}, {1, -1, 1, 1}, {-2, 2, 0, 2}}, // dos, en el borde: están dentro
-        detrasDelOjo = {{0, 0, 0, -1}, {0.5, 0, 0, -1}, {0, 0.5, 0, -2}},
-                   aUnLado = {{3, 0, 0, 1}, {3, 1, 0, 1}, {4, 0, 0, 1}},
-                   alrededorDeTodo = {{-9, -9, 0, 1}, {9, -9, 0, 1}, {0, 9, 0, 1}},
-                   porElOjo = {{0, 0, 1, 3}, {2, 0, -5, -3}, {-1, 2, -5, -3}}; // w de un signo y de otro
-    EXPECT_EQ(recorta(dentro), dentro);
-    EXPECT_TRUE(recorta(detrasDelOjo).empty());
-    EXPECT_TRUE(recorta(aUnLado).empty());
-    EXPECT_NEAR(areaVentana(recorta(alrededorDeTodo), glm::dmat4(1)), 4, 1e-15);
-    for (const glm::dvec4 &v : recorta(porElOjo)) {
-        EXPECT_GT(v.w, 0);
-        EXPECT_TRUE(std::isfinite(divide(v).x));
-    }
-}
-
-// --- El programa -------------------------------------------------------------------------------------------
-
-namespace {
-
 enum { OBJETO, MUNDO, CAMARA, NDC, VENTANA, PROFUNDIDAD, PANELES };
 
 /// Los datos de etapas_pipeline, escritos otra vez.
@@ -110,44 +48,43 @@ const Mat4 MM = traslada({0.2, 0.8, 0.3}) * gira({0, 1, 0}, -0.35) * escala({2, 
 const Vec3 OJO{2.0, 3.4, 5.4}, TRIANGULO[] = {{-0.7, 0.8, -0.5}, {0.9, -0.2, 5}, {1.5, -0.6, -1.4}};
 const Camara CAMARA_REF = perspectiva(miraDesde(OJO, {0.1, 0.7, 0}), 0.62, 3, 7.5);
 
-/// Los paneles, en tres columnas y dos filas, y dónde dibujan: debajo quedan los números.
-Hueco panel(int k) {
+/// Los huecos, en tres columnas y dos filas.
+Hueco entero(int k) {
     return hueco(k % 3, 3, k / 3, 2, 480, 360);
 }
-Hueco escena(int k) {
-    const Hueco h = panel(k);
-    return {h.x, h.y + 7 * h.alto / 20, h.ancho, h.alto - 7 * h.alto / 20};
-}
-Vista vistaTras(const std::string &guion) {
-    return vistaDe("etapas_pipeline", guion, 480, 360);
-}
-
-/// Coordenadas normalizadas y de ventana.
-Vec3 enNdc(const Vec3 &mundo) {
-    const Vec3 v = proyecta(CAMARA_REF, escena(VENTANA).ancho, escena(VENTANA).alto, mundo);
-    return {2 * v.x / escena(VENTANA).ancho - 1, 2 * v.y / escena(VENTANA).alto - 1, 2 * v.z - 1};
-}
-Vec3 enVentana(const Vec3 &mundo) {
-    const glm::dvec2 v = enPanel(CAMARA_REF, escena(VENTANA), mundo);
-    return {v.x, v.y, 0.5 + 0.5 * enNdc(mundo).z};
-}
-
-/// Las coordenadas que enseña el panel k, y desde dónde. Las normalizadas son a izquierdas.
-Vec3 coordenadas(int k, const Vec3 &mundo) {
-    const Vec3 n = enNdc(mundo), c = enCamara(CAMARA_REF, mundo);
-    return k == OBJETO   ? punto(inversa(MM), mundo)
-           : k == CAMARA ? c
-           : k == NDC    ? Vec3{n.x, n.y, -n.z}
-                         : mundo;
-}
-Camara camaraDe(int k, double delObjeto = 6) {
+/// Desde dónde se ve lo que enseña cada panel, y el trozo en que se dibuja: debajo quedan los números.
+Panel panel(int k, double delObjeto = 6) {
     const double distancias[] = {delObjeto, 16, 17, 8};
     const Vec3 centros[] = {{0, 0.2, 0}, {0.6, 1.3, 1.4}, {0, 0, -3.7}, {}};
-    return k == VENTANA ? CAMARA_REF
-                        : perspectiva(orbita(0.95, 0.35, distancias[k], centros[k]), 0.5, 0.5, 100);
+    const Hueco h = entero(k), escena = {h.x, h.y + 7 * h.alto / 20, h.ancho, h.alto - 7 * h.alto / 20};
+    if (k >= VENTANA)
+        return {CAMARA_REF, escena};
+    return {perspectiva(orbita(0.95, 0.35, distancias[k], centros[k]), 0.5, 0.5, 100), escena};
+}
+
+/// Coordenadas de ventana y normalizadas.
+Vec3 enVentana(const Vec3 &mundo) {
+    const Panel ventana = panel(VENTANA);
+    const glm::dvec2 v = ventana(mundo);
+    return {v.x, v.y, proyecta(CAMARA_REF, ventana.hueco.ancho, ventana.hueco.alto, mundo).z};
+}
+Vec3 enNdc(const Vec3 &mundo) {
+    const Hueco h = panel(VENTANA).hueco;
+    const Vec3 v = enVentana(mundo);
+    return {2 * (v.x - h.x) / h.ancho - 1, 2 * (v.y - h.y) / h.alto - 1, 2 * v.z - 1};
+}
+
+/// Las coordenadas que enseña el panel k, y dónde se ven. Las normalizadas son a izquierdas.
+Vec3 coordenadas(int k, const Vec3 &mundo) {
+    if (k == OBJETO)
+        return punto(inversa(MM), mundo);
+    if (k == CAMARA)
+        return enCamara(CAMARA_REF, mundo);
+    const Vec3 n = enNdc(mundo);
+    return k == NDC ? Vec3{n.x, n.y, -n.z} : mundo;
 }
 glm::dvec2 enPanel(int k, const Vec3 &mundo) {
-    return enPanel(camaraDe(k), escena(k), coordenadas(k, mundo));
+    return panel(k)(coordenadas(k, mundo));
 }
 
 /// Un cubo del mundo en las coordenadas del panel k, con la luz del mundo.
@@ -169,9 +106,7 @@ std::string elige(const glm::dvec2 &p) {
 
 /// Lo que hay guardado en el píxel de una esquina del cubo: la profundidad de lo primero que encuentra su rayo aparte de ella.
 double guardada(const Vec3 &mundo, bool tapado) {
-    const Hueco h = escena(VENTANA);
-    const Vec3 v = proyecta(CAMARA_REF, h.ancho, h.alto, mundo);
-    Rayo r = rayo(CAMARA_REF, h.ancho, h.alto, v.x, v.y);
+    Rayo r = {OJO, unitario(mundo - OJO)};
     Escena cajas = {caja(MM)};
     if (tapado)
         cajas.push_back(caja(TAPA));
@@ -234,52 +169,42 @@ std::string conDosDecimales(const std::string &nombre, double v) {
 
 /// El título de cada panel y sus números, que son los escritos.
 void compruebaNumeros(const Vista &vista, Escrito escrito) {
-    const auto tres = [&](const char *clave, const std::string &entre = " ") {
-        return conDosDecimales("x" + entre, escrito[clave][0]) +
-               conDosDecimales("\ny" + entre, escrito[clave][1]) +
-               conDosDecimales("\nz" + entre, escrito[clave][2]);
+    const auto dice = [&](const char *clave, const std::vector<std::string> &nombres) {
+        std::string texto;
+        for (std::size_t i = 0; i < nombres.size(); ++i)
+            texto += conDosDecimales((i > 0 ? "\n" : "") + nombres[i], escrito[clave].at(i));
+        return texto;
     };
-    const bool dentro = escrito.count("NDC"), pasa = escrito.count("se pinta");
-    const std::string w = conDosDecimales("w ", escrito["recortado"][3]) + "\n";
-    const std::pair<std::string, std::string> textos[] = {
-        {"1 objeto", tres("objeto")},
-        {"2 mundo", tres("mundo")},
-        {"3 cámara", tres("cámara")},
-        {"4 recortado", w + (dentro ? tres("NDC", "/w ") : tres("recortado"))},
-        {"5 ventana", !dentro ? "no llega"
-                              : conDosDecimales("x ", escrito["ventana"][0]) +
-                                    conDosDecimales("\ny ", escrito["ventana"][1])},
-        {"6 test de z", !dentro ? "no llega"
-                                : conDosDecimales("", escrito["profundidad"][0]) +
-                                      conDosDecimales(pasa ? " < " : " ≥ ", escrito["guardada"][0]) +
-                                      (pasa ? "\nse pinta" : "\nse descarta")}};
+    const std::vector<std::string> xyz = {"x ", "y ", "z "};
+    const std::string w = conDosDecimales("w ", escrito["recortado"].at(3)) + "\n";
+    std::string numeros[] = {dice("objeto", xyz),        dice("mundo", xyz), dice("cámara", xyz),
+                             w + dice("recortado", xyz), "no llega",         "no llega"};
+    if (escrito.count("NDC")) {
+        const bool pasa = escrito.count("se pinta");
+        numeros[NDC] = w + dice("NDC", {"x/w ", "y/w ", "z/w "});
+        numeros[VENTANA] = dice("ventana", {"x ", "y "});
+        numeros[PROFUNDIDAD] = dice("profundidad", {""}) + dice("guardada", {pasa ? " < " : " ≥ "}) +
+                               (pasa ? "\nse pinta" : "\nse descarta");
+    }
+    const char *const titulos[] = {"1 objeto",    "2 mundo",   "3 cámara",
+                                   "4 recortado", "5 ventana", "6 test de z"};
     for (int k = OBJETO; k < PANELES; ++k)
-        compruebaEncima(vista, panel(k), {},
-                        {{textos[k].first, enPanel(panel(k), 0.03, 0.94), OSCURO, Lado::DERECHA},
-                         {textos[k].second, enPanel(panel(k), 0.03, 0.175), ROJO, Lado::DERECHA}});
+        compruebaEncima(vista, entero(k), {},
+                        {{titulos[k], Panel({}, entero(k)).lugar(0.03, 0.94), OSCURO, Lado::DERECHA},
+                         {numeros[k], Panel({}, entero(k)).lugar(0.03, 0.175), ROJO, Lado::DERECHA}});
 }
 
-/// En cada panel, los ejes, el volumen de la vista, el rayo que va al punto y el punto, cada cosa donde la hay. En el sexto, la escala de
-/// cerca a lejos con la profundidad del fragmento y la guardada.
+/// En cada panel, los ejes, el volumen, el rayo y el punto, si los hay. En el sexto, de cerca a lejos, lo del fragmento y lo guardado.
 void compruebaLoSenalado(const Vista &vista, const Vec3 &mundo, double laGuardada) {
-    const std::vector<Vec3> volumen =
-        esquinasA({CAMARA_REF.cerca, CAMARA_REF.lejos}, CAMARA_REF, escena(VENTANA));
+    const std::vector<Vec3> volumen = esquinasA({CAMARA_REF.cerca, CAMARA_REF.lejos}, panel(VENTANA));
     for (int k = OBJETO; k < PROFUNDIDAD; ++k) {
         SCOPED_TRACE("panel " + std::to_string(k + 1));
         std::vector<Trazo> trazos;
-        const auto flecha = [&](const Vec3 &eje, const glm::vec3 &color) {
-            trazos.push_back(
-                {"flecha",
-                 color,
-                 6,
-                 true,
-                 {enPanel(camaraDe(k), escena(k), {}), enPanel(camaraDe(k), escena(k), 1.2 * eje)}});
-        };
-        if (k <= CAMARA) {
-            flecha({1, 0, 0}, ROJO);
-            flecha({0, 1, 0}, VERDE);
-            flecha({0, 0, 1}, AZUL);
-        }
+        const Panel en = panel(k);
+        if (k <= CAMARA)
+            trazos = {{"flecha", ROJO, 6, true, {en({}), en({1.2, 0, 0})}},
+                      {"flecha", VERDE, 6, true, {en({}), en({0, 1.2, 0})}},
+                      {"flecha", AZUL, 6, true, {en({}), en({0, 0, 1.2})}}};
         if (k == MUNDO || k == CAMARA || k == NDC) {
             std::vector<glm::dvec2> e;
             for (const Vec3 &p : volumen)
@@ -292,14 +217,14 @@ void compruebaLoSenalado(const Vista &vista, const Vec3 &mundo, double laGuardad
         if (k == MUNDO || k == CAMARA)
             trazos.push_back({"segmentos", ROJO, 3, true, {enPanel(k, OJO), enPanel(k, mundo)}});
         trazos.push_back({"puntos", ROJO, 22, false, {enPanel(k, mundo)}});
-        compruebaEncima(vista, escena(k), trazos, {});
+        compruebaEncima(vista, en.hueco, trazos, {});
     }
     const auto enEscala = [&](double z, double y = 0.45) {
-        return enPanel(escena(PROFUNDIDAD), 0.275 + 0.45 * z, y);
+        return panel(PROFUNDIDAD).lugar(0.275 + 0.45 * z, y);
     };
     const glm::dvec2 fragmento = enEscala(enVentana(mundo).z), debajo = enEscala(laGuardada, 0.3);
     compruebaEncima(
-        vista, escena(PROFUNDIDAD),
+        vista, panel(PROFUNDIDAD).hueco,
         {{"segmentos", OSCURO, 6, false, {enEscala(0), enEscala(1)}},
          {"puntos", NARANJA, 18, false, {enEscala(0)}},
          {"puntos", AZUL, 18, false, {enEscala(1)}},
@@ -308,56 +233,101 @@ void compruebaLoSenalado(const Vista &vista, const Vec3 &mundo, double laGuardad
         {{"fragmento", fragmento, ROJO, Lado::ENCIMA}, {"guardada", debajo, OSCURO, Lado::DEBAJO}});
 }
 
+void compruebaEsquina(const std::string &guion, int esquina, bool tapado = false) {
+    SCOPED_TRACE(guion);
+    const Vec3 mundo = punto(MM, esquinaCubo(esquina));
+    const double laGuardada = guardada(mundo, tapado);
+    const Vista vista = vistaDe("etapas_pipeline", guion, 480, 360);
+    const Escrito escrito = loEscritoTras(guion);
+    compruebaLoEscrito(escrito, esquina, laGuardada);
+    compruebaNumeros(vista, escrito);
+    compruebaLoSenalado(vista, mundo, laGuardada);
+    for (int k = OBJETO; k < PROFUNDIDAD; ++k) {
+        std::vector<Cuerpo> cuerpos = {cuboEn(k, MM, AMARILLO)};
+        if (tapado && k != OBJETO)
+            cuerpos.push_back(cuboEn(k, TAPA, VERDE));
+        compruebaEscena(vista, panel(k), cuerpos, k == VENTANA ? CIELO : FONDO_CLARO);
+    }
+}
+
 } // namespace
+
+// Triángulos al azar delante, detrás y a los lados del ojo. Con cerca = 1, w ≥ 1 en lo que queda y las
+// coordenadas no pasan de 40: cada corte pierde unos 4 redondeos de 40 y son seis, 1e-13 por vértice; el área,
+// con un perímetro de 8, menos de 1e-12.
+TEST(Recortado, AreaContraElPoligonoExacto) {
+    Azar azar(45);
+    std::map<std::size_t, int> lados;
+    for (int n = 0; n < 150; ++n) {
+        std::vector<glm::dvec4> triangulo;
+        for (int k = 0; k < 3; ++k) { // perspectiva de 90 grados, cerca 1 y lejos 10
+            const double x = azar.entre(-8.0, 8.0), y = azar.entre(-8.0, 8.0), d = azar.entre(-5.0, 13.0);
+            triangulo.push_back({x, y, (11 * d - 20) / 9, d});
+        }
+        const std::vector<glm::dvec4> poligono = recorta(triangulo);
+        const Poligono exacto = poligonoExacto(triangulo);
+        ASSERT_EQ(poligono.size(), exacto.size()) << n;
+        ++lados[poligono.size()];
+        EXPECT_NEAR(areaVentana(poligono, glm::dmat4(1)), std::fabs(area(exacto)), 1e-12) << n;
+        for (const glm::dvec4 &v : poligono) {
+            EXPECT_GE(v.w, 1 - 1e-13);
+            EXPECT_LE(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}), v.w + 1e-12);
+        }
+    }
+    EXPECT_GT(lados[0], 5);
+    EXPECT_GT(lados[5] + lados[6] + lados[7], 10);
+}
+
+// A un lado y otro de cada uno de los seis planos, y con w negativo.
+TEST(Recortado, DentroYFueraDeCadaPlano) {
+    for (int eje = 0; eje < 3; ++eje)
+        for (const double signo : {-1.0, 1.0}) {
+            glm::dvec4 r(0, 0, 0, 2);
+            r[eje] = signo * 2;
+            EXPECT_TRUE(estaDentro(r)) << eje << " " << signo;
+            r[eje] = signo * 2.001;
+            EXPECT_FALSE(estaDentro(r)) << eje << " " << signo;
+            EXPECT_FALSE(estaDentro(-r)) << eje << " " << signo;
+        }
+}
+
+TEST(Recortado, CasosLimite) {
+    using Vertices = std::vector<glm::dvec4>;
+    const Vertices dentro = {{0, 0, 0, 1}, {1, -1, 1, 1}, {-2, 2, 0, 2}}, // dos, en el borde: están dentro
+        detrasDelOjo = {{0, 0, 0, -1}, {0.5, 0, 0, -1}, {0, 0.5, 0, -2}},
+                   aUnLado = {{3, 0, 0, 1}, {3, 1, 0, 1}, {4, 0, 0, 1}},
+                   alrededorDeTodo = {{-9, -9, 0, 1}, {9, -9, 0, 1}, {0, 9, 0, 1}},
+                   porElOjo = {{0, 0, 1, 3}, {2, 0, -5, -3}, {-1, 2, -5, -3}}; // w de un signo y de otro
+    EXPECT_EQ(recorta(dentro), dentro);
+    EXPECT_TRUE(recorta(detrasDelOjo).empty());
+    EXPECT_TRUE(recorta(aUnLado).empty());
+    EXPECT_NEAR(areaVentana(recorta(alrededorDeTodo), glm::dmat4(1)), 4, 1e-15);
+    for (const glm::dvec4 &v : recorta(porElOjo)) {
+        EXPECT_GT(v.w, 0);
+        EXPECT_TRUE(std::isfinite(divide(v).x));
+    }
+}
 
 // La que se sigue al empezar y las que se eligen con el ratón, en cualquier panel; lejos de todo vértice no cambia nada. Con algo
 // delante, lo guardado es su profundidad y el fragmento se descarta. En cada panel, la escena trazada en sus coordenadas: el vértice
 // que se ve es el que se escribe (la ecuación 4.4 impresa lo aparta medio píxel).
 TEST(EtapasPipeline, EsquinasDelCubo) {
     const auto en = [](int k, int esquina) { return elige(enPanel(k, punto(MM, esquinaCubo(esquina)))); };
-    const struct {
-        std::string guion;
-        int esquina = 7;
-        bool tapado = false;
-    } casos[] = {{""},
-                 {en(VENTANA, 0), 0},
-                 {en(VENTANA, 3), 3},
-                 {en(VENTANA, 5), 5},
-                 {en(VENTANA, 6), 6},
-                 {en(OBJETO, 3), 3},
-                 {en(MUNDO, 3), 3},
-                 {en(CAMARA, 3), 3},
-                 {en(NDC, 3), 3},
-                 {elige({330, 10})},
-                 {"tecla r; tecla r"},
-                 {"tecla o", 7, true},
-                 {en(VENTANA, 3) + "; tecla o", 3, true},
-                 {"tecla o; tecla o"}};
-    for (const auto &[guion, esquina, tapado] : casos) {
-        SCOPED_TRACE(guion);
-        const Vec3 mundo = punto(MM, esquinaCubo(esquina));
-        const double laGuardada = guardada(mundo, tapado);
-        const Vista vista = vistaTras(guion);
-        const Escrito escrito = loEscritoTras(guion);
-        compruebaLoEscrito(escrito, esquina, laGuardada);
-        compruebaNumeros(vista, escrito);
-        compruebaLoSenalado(vista, mundo, laGuardada);
-        for (int k = OBJETO; k < PROFUNDIDAD; ++k) {
-            std::vector<Cuerpo> cuerpos = {cuboEn(k, MM, AMARILLO)};
-            if (tapado && k != OBJETO)
-                cuerpos.push_back(cuboEn(k, TAPA, VERDE));
-            compruebaEscena(vista, escena(k), cuerpos, camaraDe(k), k == VENTANA ? CIELO : FONDO_CLARO);
-        }
-    }
+    for (const int esquina : {0, 3, 5, 6})
+        compruebaEsquina(en(VENTANA, esquina), esquina);
+    for (const int k : {OBJETO, MUNDO, CAMARA, NDC})
+        compruebaEsquina(en(k, 3), 3);
+    for (const std::string &guion :
+         {std::string(), elige({330, 10}), veces(2, "tecla r"), veces(2, "tecla o")})
+        compruebaEsquina(guion, 7);
+    compruebaEsquina("tecla o", 7, true);
+    compruebaEsquina(en(VENTANA, 3) + "; tecla o", 3, true);
 }
 
 // El triángulo llega detrás del ojo. Los lados y el área de lo que queda, y la línea que lo rodea, contra el polígono exacto; y la
 // imagen de la GPU, que recorta por su cuenta, contra el triángulo trazado entre cerca y lejos. En el mundo, gris lo que queda fuera.
 TEST(EtapasPipeline, Recortado) {
-    const Hueco h = escena(VENTANA);
     std::vector<glm::dvec4> triangulo;
-    Escena enMundo = {
-        oraculo::triangulo(punto(MM, TRIANGULO[0]), punto(MM, TRIANGULO[1]), punto(MM, TRIANGULO[2]))};
     for (const Vec3 &v : TRIANGULO) {
         const Vec3 n = enNdc(punto(MM, v));
         const double w = -enCamara(CAMARA_REF, punto(MM, v)).z;
@@ -366,42 +336,42 @@ TEST(EtapasPipeline, Recortado) {
     Poligono poligono;
     std::vector<glm::dvec2> linea;
     for (const Vec2 &v : poligonoExacto(triangulo)) {
-        linea.push_back(enPanel(h, 0.5 + 0.5 * v.x, 0.5 + 0.5 * v.y));
+        linea.push_back(panel(VENTANA).lugar(0.5 + 0.5 * v.x, 0.5 + 0.5 * v.y));
         poligono.push_back({linea.back().x, linea.back().y});
     }
     linea.push_back(linea[0]);
-    const Vista vista = vistaTras("tecla r");
+    const Vista vista = vistaDe("etapas_pipeline", "tecla r", 480, 360);
     Escrito escrito = loEscritoTras("tecla r");
     compruebaNumeros(vista, escrito);
     EXPECT_EQ(escrito["lados"], std::vector<double>{double(poligono.size())});
-    ASSERT_EQ(escrito["área en píxeles"].size(), 1u);
-    EXPECT_NEAR(escrito["área en píxeles"][0], area(poligono),
+    EXPECT_NEAR(escrito["área en píxeles"].at(0), area(poligono),
                 0.1); // 1e-4 píxeles por vértice y 500 de perímetro
+    const Hueco h = panel(VENTANA).hueco;
     const Encima rodea = vista.encima.enPanel(h.x, h.y).trazos(MORADO);
     compruebaTrazo(rodea, linea, MORADO);
     EXPECT_EQ(rodea.at(0).puntos.size(), linea.size());
     EXPECT_EQ(vista.encima.trazos(MORADO).size(), 5u); // uno por panel
+
+    const Escena enMundo = {
+        oraculo::triangulo(punto(MM, TRIANGULO[0]), punto(MM, TRIANGULO[1]), punto(MM, TRIANGULO[2]))};
     for (const int k : {MUNDO, VENTANA}) {
         const auto tono = [&](const Impacto &i) {
-            const bool dentro = i && dentroDelVolumen(i.punto, CAMARA_REF, h);
-            const Vec3 color = dentro ? exacto(AMARILLO) : Vec3{0.80, 0.82, 0.84};
-            return i ? Tono(luzFija({0, 1, 0}) * color, dentro)
-                     : Tono(exacto(k == VENTANA ? CIELO : FONDO_CLARO));
+            if (!i)
+                return Tono(exacto(k == VENTANA ? CIELO : FONDO_CLARO));
+            const bool dentro = dentroDelVolumen(i.punto, panel(VENTANA));
+            return Tono(luzFija({0, 1, 0}) * (dentro ? exacto(AMARILLO) : Vec3{0.80, 0.82, 0.84}), dentro);
         };
         comprueba("panel " + std::to_string(k + 1),
-                  compara(recorta(vista.escena, escena(k)), enMundo, camaraDe(k), tono), EXACTA);
+                  compara(recorta(vista.escena, panel(k).hueco), enMundo, panel(k).camara, tono), EXACTA);
     }
-}
 
-// Un vértice de fuera del volumen llega hasta las coordenadas de recortado, y ahí se acaba.
-TEST(EtapasPipeline, VerticeDeFuera) {
-    const std::string guion =
-        "tecla r; " + elige(enPanel(camaraDe(OBJETO, 14), escena(OBJETO), TRIANGULO[2]));
-    const Escrito escrito = loEscritoTras(guion);
+    // un vértice de fuera del volumen llega hasta las coordenadas de recortado, y ahí se acaba
+    const std::string guion = "tecla r; " + elige(panel(OBJETO, 14)(TRIANGULO[2]));
+    escrito = loEscritoTras(guion);
     std::string claves;
     for (const auto &[clave, valores] : escrito)
         claves += clave + ", ";
     EXPECT_EQ(claves, "cámara, fuera, lados, mundo, objeto, recortado, vértice, área en píxeles, ");
     EXPECT_EQ(escrito.at("vértice"), std::vector<double>{2});
-    compruebaNumeros(vistaTras(guion), escrito);
+    compruebaNumeros(vistaDe("etapas_pipeline", guion, 480, 360), escrito);
 }

@@ -1,7 +1,6 @@
-// grua_vistas, grua_proyeccion y grua_zbuffer: la grúa entera en cada vista, y las imágenes y sus rótulos contra el trazado de rayos
-// en doble.
+// grua_vistas, grua_proyeccion y grua_zbuffer: la grúa entera en cada vista, y cada panel y sus rótulos contra el oráculo.
 #include "ch04_oraculo.h"
-#include "ch04_vista3d/vistas_grua.h"
+#include "ch04_vista3d/camaras_grua.h"
 #include "guiones.h"
 
 namespace {
@@ -70,74 +69,7 @@ void compruebaEncuadre(const glm::dvec3 &haciaCamara, const glm::dvec3 &UP, cons
     }
 }
 
-// Hacia dónde van los ejes del mundo en cada vista: (derecha, arriba) de X, Y y Z.
-const double OBLICUO = std::sqrt(0.5), BAJA = std::sqrt(1.0 / 6), SUBE = std::sqrt(2.0 / 3);
-const glm::dvec2 EJES[N_VISTAS][3] = {
-    {{1, 0}, {0, 1}, {0, 0}},                         // alzado
-    {{1, 0}, {0, 0}, {0, -1}},                        // planta
-    {{0, 0}, {0, 1}, {-1, 0}},                        // perfil derecho
-    {{OBLICUO, -BAJA}, {0, SUBE}, {-OBLICUO, -BAJA}}, // (1,1,1): a 120° y del mismo largo
-};
-
-} // namespace
-
-// Con todo tamaño de ventana, entera o en cuatro paneles. Y sin derrochar sitio: alguna postura llega a la holgura, salvo el
-// 0.12 % del polígono de 64 lados circunscrito y el 1 − cos(π/24) = 0.86 % que se puede perder entre dos giros.
-TEST(Encuadre, TodaPosturaEnteraEnCadaVista) {
-    for (const auto &[ancho, alto] : {std::pair(240, 180),
-                                      {800, 600},
-                                      {180, 240},
-                                      {333, 77},
-                                      {1, 200},
-                                      {300, 1},
-                                      {1, 1},
-                                      {2, 3},
-                                      {5000, 40},
-                                      {3, 16384}})
-        for (const VistaGrua &v : VISTAS)
-            for (const int lado : {1, 2})
-                if (const Hueco h = sinRotulo(hueco(0, lado, 0, lado, ancho, alto));
-                    h.ancho > 0 && h.alto > 0)
-                    compruebaEncuadre(v.haciaCamara, v.UP, h, 0.99);
-}
-
-// También con la cámara que mueve el ratón, desde cualquier lado de arriba y a las distancias que deja la rueda: de 10.4 a 65.
-TEST(Encuadre, TodaPosturaEnteraDesdeCualquierLado) {
-    for (const double distancia : {10.4, 26.0, 65.0})
-        for (int a = 0; a < 8; ++a)
-            for (const double elevacion : {0.0, 0.35, 0.7, 1.2, 1.55}) {
-                const Vec3 ojo = orbita(a * PI / 4, elevacion, distancia).ojo;
-                compruebaEncuadre({ojo.x, ojo.y, ojo.z}, {0, 1, 0}, {0, 0, 237, 171}, 0);
-            }
-}
-
-TEST(Encuadre, LasDireccionesDeLasVistas) {
-    for (int v = 0; v < N_VISTAS; ++v)
-        for (int eje = 0; eje < 3; ++eje)
-            EXPECT_LE(glm::distance(glm::dvec2(camaraVista(VISTAS[v])[eje]), EJES[v][eje]), 2e-15)
-                << v << " " << eje;
-}
-
-// De lejos, lo cercano se distingue de lo lejano: dos caras a un centímetro tienen profundidades distintas en 24 bits aunque la
-// GPU yerre media docena de pasos.
-TEST(Encuadre, LaProfundidadBastaTambienDeLejos) {
-    for (const double distancia : {26.0, 65.0}) {
-        const glm::dmat4 camara = camaraVista({"", glm::dvec3(distancia / std::sqrt(3.0)), {0, 1, 0}, {}}),
-                         proyeccion = perspectivaQueEncierra(envolventeGrua(), camara, {0, 0, 240, 180});
-        const auto pasos = [&](double d) {
-            const glm::dvec4 r = proyeccion * glm::dvec4(0, 0, -d, 1);
-            return (0.5 * r.z / r.w + 0.5) * 16777215;
-        };
-        for (double d = distancia - 8; d < distancia + 8; d += 0.5)
-            EXPECT_GT(pasos(d + 0.01) - pasos(d), 2500) << distancia << " " << d;
-    }
-}
-
-// --- Los programas -----------------------------------------------------------------------------------------
-
-namespace {
-
-/// La envolvente de vistas_grua.h, escrita otra vez: la losa y, en lo alto del brazo y en los de la carga, un polígono de 64
+/// La envolvente de camaras_grua.h, escrita otra vez: la losa y, en lo alto del brazo y en los de la carga, un polígono de 64
 /// lados alrededor de lo que más se aleja. (Pie y contrapeso quedan entre ellas.)
 std::vector<Vec3> envolvente() {
     std::vector<Vec3> puntos;
@@ -165,18 +97,18 @@ Camara camaraDe(int vista, bool enPerspectiva, const Hueco &h, double distancia 
         x = std::max(x, std::fabs(q.x));
         desdeY = std::min(desdeY, q.y);
         hastaY = std::max(hastaY, q.y);
-        tangente =
-            std::max({tangente, std::fabs(q.y / q.z) * lado / h.alto, std::fabs(q.x / q.z) * lado / h.ancho});
+        tangente = std::max({tangente, std::fabs(q.y / q.z) / h.alto, std::fabs(q.x / q.z) / h.ancho});
     }
     if (enPerspectiva)
-        return perspectiva(c, 2 * std::atan(1.06 * tangente), 1, 1000);
+        return perspectiva(c, 2 * std::atan(1.06 * lado * tangente), 1, 1000);
     const Vec3 descentra = 0.5 * (desdeY + hastaY) * ejes(c).y;
     c.ojo = c.ojo + descentra;
     c.centro = c.centro + descentra;
-    return paralela(
-        c, 0.5 * lado * std::max({escala, 1.06 * 2 * x / h.ancho, 1.06 * (hastaY - desdeY) / h.alto}), -1000,
-        1000);
+    escala = std::max({escala, 1.06 * 2 * x / h.ancho, 1.06 * (hastaY - desdeY) / h.alto});
+    return paralela(c, 0.5 * lado * escala, -1000, 1000);
 }
+
+const std::string NOMBRES[] = {"Alzado", "Planta", "Perfil", "(1,1,1)"};
 
 struct Estado {
     int vista = DIAGONAL;
@@ -193,13 +125,12 @@ void compruebaPanel(const std::string &programa, const Vista &v, const Hueco &h,
     const Camara camara = camaraDe(vista, e.enPerspectiva, sinRotulo(h), e.distancia, escala);
     const auto esSuelo = [](const Pixel &p) { return p.g > p.r && p.r > p.b; };
     if (e.conTest)
-        compruebaEscena(v, sinRotulo(h), grua(e.postura), camara, CIELO);
+        compruebaEscena(v, {camara, sinRotulo(h)}, grua(e.postura), CIELO);
     else
-        compruebaSilueta(v, sinRotulo(h), esSuelo, grua(e.postura)[0].objeto, camara);
+        compruebaSilueta(v, {camara, sinRotulo(h)}, esSuelo, grua(e.postura)[0].objeto);
 
-    const std::string nombres[] = {"Alzado", "Planta", "Perfil", "(1,1,1)"}, letras[] = {"X", "Y", "Z"};
     const glm::vec3 colores[] = {AZUL, VERDE, ROJO, OSCURO}, deEjes[] = {ROJO, VERDE, AZUL};
-    std::string nombre = nombres[vista];
+    std::string nombre = NOMBRES[vista];
     if (programa == "grua_proyeccion")
         nombre += e.enPerspectiva ? " perspectiva" : " paralela";
     if (programa == "grua_zbuffer")
@@ -207,11 +138,12 @@ void compruebaPanel(const std::string &programa, const Vista &v, const Hueco &h,
     const int lado = std::min(h.ancho, h.alto) / 3;
     const glm::dvec2 origen = glm::dvec2(h.x, h.y) + 0.5 * lado;
     std::vector<Trazo> trazos;
-    std::vector<Letrero> letreros = {{nombre, enPanel(h, 0.02, 0.94), colores[vista], Lado::DERECHA}};
+    std::vector<Letrero> letreros = {
+        {nombre, Panel(camara, h).lugar(0.02, 0.94), colores[vista], Lado::DERECHA}};
     for (int eje = 0; eje < 3; ++eje) {
-        const glm::dvec2 punta = 0.25 * lado * EJES[vista][eje];
+        const glm::dvec2 punta = 0.25 * lado * glm::dvec2(ejes(camara).x[eje], ejes(camara).y[eje]);
         trazos.push_back({"flecha", deEjes[eje], 6, programa != "grua_zbuffer", {origen, origen + punta}});
-        letreros.push_back({letras[eje], origen + 1.35 * punta, deEjes[eje], Lado::CENTRO});
+        letreros.push_back({std::string(1, char('X' + eje)), origen + 1.35 * punta, deEjes[eje]});
     }
     compruebaEncima(v, h, trazos, letreros);
 }
@@ -219,12 +151,10 @@ void compruebaPanel(const std::string &programa, const Vista &v, const Hueco &h,
 /// Una vista, o las cuatro a la misma escala: en el sistema americano la planta va sobre el alzado y el perfil derecho a su derecha;
 /// en el europeo, la planta debajo y el perfil a su izquierda.
 void compruebaEstado(const std::string &programa, const Vista &v, const Estado &e) {
-    const int americano[] = {PLANTA, DIAGONAL, ALZADO, PERFIL},
-              europeo[] = {PERFIL, ALZADO, DIAGONAL, PLANTA};
+    const int americano[] = {PLANTA, DIAGONAL, ALZADO, PERFIL}, // por filas
+        europeo[] = {PERFIL, ALZADO, DIAGONAL, PLANTA}, *orden = e.europeo ? europeo : americano;
     const int lado = e.vista == LAS_CUATRO ? 2 : 1;
-    const auto vista = [&](int k) {
-        return lado == 1 ? e.vista : (e.europeo ? europeo : americano)[k];
-    }; // por filas
+    const auto vista = [&](int k) { return lado == 1 ? e.vista : orden[k]; };
     const auto panel = [&](int k) {
         return hueco(k % lado, lado, k / lado, lado, v.escena.ancho, v.escena.alto);
     };
@@ -251,30 +181,61 @@ void compruebaCasos(const std::string &programa, const std::vector<Caso> &casos)
 
 } // namespace
 
+// Con todo tamaño de ventana, entera o en cuatro paneles. Y sin derrochar sitio: alguna postura llega a la holgura, salvo el
+// 0.12 % del polígono de 64 lados circunscrito y el 1 − cos(π/24) = 0.86 % que se puede perder entre dos giros.
+TEST(Encuadre, TodaPosturaEntera) {
+    const int tamanos[][2] = {{240, 180}, {800, 600}, {180, 240}, {333, 77},  {1, 200},
+                              {300, 1},   {1, 1},     {2, 3},     {5000, 40}, {3, 16384}};
+    for (const auto &[ancho, alto] : tamanos)
+        for (const VistaGrua &v : VISTAS)
+            for (const int lado : {1, 2})
+                if (const Hueco h = sinRotulo(hueco(0, lado, 0, lado, ancho, alto));
+                    h.ancho > 0 && h.alto > 0)
+                    compruebaEncuadre(v.haciaCamara, v.UP, h, 0.99);
+    // también con la cámara que mueve el ratón, desde cualquier lado de arriba y a las distancias que deja la rueda: de 10.4 a 65
+    for (const double distancia : {10.4, 26.0, 65.0})
+        for (int a = 0; a < 8; ++a)
+            for (const double elevacion : {0.0, 0.35, 0.7, 1.2, 1.55}) {
+                const Vec3 ojo = orbita(a * PI / 4, elevacion, distancia).ojo;
+                compruebaEncuadre({ojo.x, ojo.y, ojo.z}, {0, 1, 0}, {0, 0, 237, 171}, 0);
+            }
+}
+
+// De lejos, lo cercano se distingue de lo lejano: dos caras a un centímetro tienen profundidades distintas en 24 bits aunque la
+// GPU yerre media docena de pasos.
+TEST(Encuadre, LaProfundidadBastaTambienDeLejos) {
+    for (const double distancia : {26.0, 65.0}) {
+        const glm::dmat4 camara = camaraVista({"", glm::dvec3(distancia / std::sqrt(3.0)), {0, 1, 0}, {}}),
+                         proyeccion = perspectivaQueEncierra(envolventeGrua(), camara, {0, 0, 240, 180});
+        const auto pasos = [&](double d) {
+            const glm::dvec4 r = proyeccion * glm::dvec4(0, 0, -d, 1);
+            return (0.5 * r.z / r.w + 0.5) * 16777215;
+        };
+        for (double d = distancia - 8; d < distancia + 8; d += 0.5)
+            EXPECT_GT(pasos(d + 0.01) - pasos(d), 2500) << distancia << " " << d;
+    }
+}
+
 // Cada vista, con su tecla y con su opción del menú; la postura extrema, girada, en una ventana apaisada y en otra alta; y las cuatro,
 // en paneles de ancho par: el canto del pie no cae en centros de píxel.
 TEST(GruaVistas, CadaVistaContraTrazadoDeRayos) {
     const std::string extrema =
-        veces(7, "tecla a") + "; " + veces(6, "tecla e") + "; " + veces(12, "tecla w");
-    const Postura enElTope = {0.58 + 0.7, 7, 9};
+        veces(7, "tecla a") + "; " + veces(6, "tecla e") + "; " + veces(12, "tecla w") + "; tecla 4";
     const Estado lasCuatro = {LAS_CUATRO}, europeas = {LAS_CUATRO, false, {}, 26, true};
-    compruebaCasos("grua_vistas", {
-                                      {"tecla 1", {ALZADO}},
-                                      {"tecla 2", {PLANTA}},
-                                      {"tecla 3", {PERFIL}},
-                                      {"tecla 4", {DIAGONAL}},
-                                      {"menu Alzado", {ALZADO}},
-                                      {"menu Planta", {PLANTA}},
-                                      {"menu Perfil", {PERFIL}},
-                                      {"menu (1,1,1)", {DIAGONAL}},
-                                      {extrema + "; tecla 4", {DIAGONAL, false, enElTope}, 300, 70},
-                                      {extrema + "; tecla 4", {DIAGONAL, false, enElTope}, 70, 200},
-                                      {"", lasCuatro, 482, 360},
-                                      {"tecla 2; menu Las cuatro", lasCuatro, 482, 360},
-                                      {"tecla u", europeas, 482, 360},
-                                      {"tecla 3; menu Europeo o americano; tecla 0", europeas, 482, 360},
-                                      {"tecla u; tecla u", lasCuatro, 482, 360},
-                                  });
+    std::vector<Caso> casos = {
+        {extrema, {DIAGONAL, false, {0.58 + 0.7, 7, 9}}, 300, 70},
+        {extrema, {DIAGONAL, false, {0.58 + 0.7, 7, 9}}, 70, 200},
+        {"", lasCuatro, 482, 360},
+        {"tecla 2; menu Las cuatro", lasCuatro, 482, 360},
+        {"tecla u", europeas, 482, 360},
+        {"tecla 3; menu Europeo o americano; tecla 0", europeas, 482, 360},
+        {"tecla u; tecla u", lasCuatro, 482, 360},
+    };
+    for (int vista = ALZADO; vista < N_VISTAS; ++vista) {
+        casos.push_back({"tecla " + std::to_string(vista + 1), {vista}});
+        casos.push_back({"menu " + NOMBRES[vista], {vista}});
+    }
+    compruebaCasos("grua_vistas", casos);
 }
 
 // Las dos proyecciones con la MISMA cámara, que camaraDe construye igual. Al acercarla, en paralela no cambia nada; en perspectiva la
@@ -315,18 +276,18 @@ TEST(GruaProyeccion, LasTeclasDeLaGrua) {
 // Con eliminación de partes ocultas, lo que ve el rayo, también con la carga delante y detrás del pie; y sin ella.
 TEST(GruaZBuffer, OrdenDeVisibilidadContraTrazadoDeRayos) {
     const std::string cerca = veces(7, "tecla q") + "; ";
-    compruebaCasos("grua_zbuffer",
-                   {
-                       {"", {DIAGONAL, true}},
-                       {"tecla z", {DIAGONAL, true, {}, 26, false, false}},
-                       {"tecla z; menu Con o sin partes ocultas", {DIAGONAL, true}},
-                       {"menu Comparar; tecla v; menu Paralela o perspectiva", {DIAGONAL, false}},
-                       {cerca + veces(14, "tecla d"), {DIAGONAL, true, {0.58 - 1.4, 1.5, 4}}},
-                       {cerca + veces(18, "tecla a") + "; tecla p", {DIAGONAL, false, {0.58 + 1.8, 1.5, 4}}},
-                       {"tecla 1", {ALZADO, true}},
-                       {"tecla 0; menu Europeo o americano", {LAS_CUATRO, true, {}, 26, true}, 482, 360},
-                       {veces(40, "rueda -1 9 9"), {DIAGONAL, true, {}, 2.5 * 26}},
-                   });
+    const std::vector<Caso> casos = {
+        {"", {DIAGONAL, true}},
+        {"tecla z", {DIAGONAL, true, {}, 26, false, false}},
+        {"tecla z; menu Con o sin partes ocultas", {DIAGONAL, true}},
+        {"menu Comparar; tecla v; menu Paralela o perspectiva", {DIAGONAL, false}},
+        {cerca + veces(14, "tecla d"), {DIAGONAL, true, {0.58 - 1.4, 1.5, 4}}},
+        {cerca + veces(18, "tecla a") + "; tecla p", {DIAGONAL, false, {0.58 + 1.8, 1.5, 4}}},
+        {"tecla 1", {ALZADO, true}},
+        {"tecla 0; menu Europeo o americano", {LAS_CUATRO, true, {}, 26, true}, 482, 360},
+        {veces(40, "rueda -1 9 9"), {DIAGONAL, true, {}, 2.5 * 26}},
+    };
+    compruebaCasos("grua_zbuffer", casos);
 }
 
 // A la izquierda sin el test y a la derecha con él, esté como esté.

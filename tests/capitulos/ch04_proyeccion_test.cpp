@@ -1,6 +1,4 @@
-// Las proyecciones y el área de dibujo (ecuaciones 4.2 a 4.4): vista.h y volumen.h contra GLM con más precisión, lo que el libro
-// imprime, y el programa proyecciones.
-#include "azar.h"
+// Las proyecciones y el área de dibujo (ecuaciones 4.2 a 4.4), contra GLM; las erratas del libro; y el programa proyecciones.
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/vista.h"
 #include "ch04_vista3d/volumen.h"
@@ -9,13 +7,12 @@
 
 namespace {
 
-const struct {
-    double theta, aspecto, cerca, lejos;
-} PERSPECTIVAS[] = {{0.6, 1.5, 1, 100},     {1.2, 4.0 / 3, 0.1, 1e3},     {0.5, 1, 0.01, 1e4},
-                    {2.9, 0.25, 1e-3, 1e6}, {0.01, 1.0 / 2000, 1, 1.001}, {1.57, 300, 1e-30, 1}};
-const struct {
-    double izquierda, derecha, abajo, arriba, cerca, lejos;
-} PARALELAS[] = {{-1, 3, -2, 0.5, 1, 100}, {0.1, 0.7, 1e6, 1e6 + 3, -5, 1e-3}};
+using namespace oraculo;
+
+const std::array<double, 4> PERSPECTIVAS[] = {{0.6, 1.5, 1, 100},           {1.2, 4.0 / 3, 0.1, 1e3},
+                                              {0.5, 1, 0.01, 1e4},          {2.9, 0.25, 1e-3, 1e6},
+                                              {0.01, 1.0 / 2000, 1, 1.001}, {1.57, 300, 1e-30, 1}};
+const std::array<double, 6> PARALELAS[] = {{-1, 3, -2, 0.5, 1, 100}, {0.1, 0.7, 1e6, 1e6 + 3, -5, 1e-3}};
 
 /// Cada elemento, con 4 redondeos como mucho; los nulos, exactos.
 void compruebaMatriz(const glm::dmat4 &M, const Mat4Largo &exacta) {
@@ -38,9 +35,71 @@ void compruebaEsquinas(const Esquinas &e, const Mat4Largo &P) {
     }
 }
 
+glm::dvec3 dividido(const glm::dvec4 &v) {
+    return glm::dvec3(v) / v.w;
+}
 double profundidadDe(const glm::dmat4 &M, double d) {
-    const glm::dvec4 v = M * glm::dvec4(0, 0, -d, 1);
-    return v.z / v.w;
+    return dividido(M * glm::dvec4(0, 0, -d, 1)).z;
+}
+
+// Por mucho que se gire la rueda, la distancia va de 0.4 a 2.5 veces la del principio.
+const struct {
+    std::string guion;
+    bool enPerspectiva;
+    double azimut = 0.50, elevacion = 0.33, distancia = 3;
+    int ancho = 480, alto = 360;
+} CASOS[] = {
+    {"", true},
+    {"tecla p", false},
+    {"tecla p; tecla p", true},
+    {"", true, 0.50, 0.33, 3, 240, 360},
+    {"tecla p", false, 0.50, 0.33, 3, 240, 360},
+    {arrastra({20, 90}, {320, 70}), true, -1.0, 0.23},
+    {arrastra({400, 90}, {0, 70}) + "; tecla p", false, 2.5, 0.23},
+    {veces(400, "rueda +1 9 9"), true, 0.50, 0.33, 1.2},
+    {veces(400, "rueda +1 9 9") + "; tecla p", false, 0.50, 0.33, 1.2},
+    {veces(400, "rueda -1 9 9"), true, 0.50, 0.33, 7.5},
+    {"tecla p; " + veces(400, "rueda -1 9 9"), false, 0.50, 0.33, 7.5},
+};
+
+/// Las aristas de cada eje y, de las horizontales, su prolongación 1000 unidades hacia el fondo. En paralela nada más. En perspectiva,
+/// los puntos de fuga, donde se proyectan sus direcciones, y por los dos el horizonte, de lado a lado.
+void compruebaLasRectas(const Vista &vista, const Panel &en) {
+    const glm::vec3 colores[] = {ROJO, VERDE, AZUL};
+    std::vector<Trazo> trazos;
+    std::vector<Vec3> fugas;
+    for (int eje = 0; eje < 3; ++eje) {
+        const double fondo = ejes(en.camara).z[eje] > 0 ? -1000 : 1000;
+        const Mat4 M = gira({1, 1, 1}, 2 * PI / 3 * eje); // lleva X a ese eje
+        std::vector<glm::dvec2> aristas, rectas;
+        for (const double a : {-0.5, 0.5})
+            for (const double b : {-0.5, 0.5}) {
+                aristas.insert(aristas.end(), {en(punto(M, {-0.5, a, b})), en(punto(M, {0.5, a, b}))});
+                rectas.insert(rectas.end(), {en(punto(M, {0, a, b})), en(punto(M, {fondo, a, b}))});
+            }
+        if (eje != 1) {
+            trazos.push_back({"segmentos", colores[eje], 5, true, rectas});
+            fugas.push_back(en.camara.ojo + punto(M, {fondo, 0, 0}));
+        }
+        trazos.push_back({"segmentos", colores[eje], 14, true, aristas});
+    }
+    std::vector<Letrero> letreros = {{"paralela", en.lugar(0.02, 0.05), OSCURO, Lado::DERECHA}};
+    if (!en.camara.esParalela) {
+        const glm::dvec2 fuga = en(fugas[0]), otra = en(fugas[1]);
+        letreros = {{"perspectiva", letreros[0].punto, OSCURO, Lado::DERECHA},
+                    {"punto de fuga", fuga, OSCURO, Lado::ENCIMA},
+                    {"punto de fuga", otra, OSCURO, Lado::ENCIMA},
+                    {"horizonte", en(0.4 * fugas[0] + 0.6 * fugas[1]), OSCURO, Lado::ENCIMA}};
+        trazos.push_back({"segmentos", OSCURO, 9, true, {}}); // el horizonte: lo corta el plano cerca
+        trazos.push_back({"puntos", OSCURO, 30, false, {fuga, otra}});
+        const Pintado horizonte = vista.encima.trazos(OSCURO, "segmentos").at(0);
+        const glm::dvec2 p = horizonte.punto(0), q = horizonte.punto(1);
+        EXPECT_LT(std::min(p.x, q.x), 0);
+        EXPECT_GT(std::max(p.x, q.x), en.hueco.ancho);
+        for (const double x : {0, en.hueco.ancho})
+            EXPECT_NEAR(p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y), fuga.y, 0.1);
+    }
+    compruebaEncima(vista, en.hueco, trazos, letreros);
 }
 
 } // namespace
@@ -76,17 +135,14 @@ TEST(Proyeccion, LaProfundidadCreceDeCercaALejos) {
 // El libro imprime 2/(lejos − cerca) en la ecuación 4.2 y la 4.3 con el signo contrario: de dos puntos que están
 // delante de la cámara, el lejano sale con menos profundidad que el cercano, y ninguno en [−1, 1].
 TEST(Erratas, Ecuacion42DelReves) {
-    const auto correcta = [](double cerca, double lejos) {
-        return proyeccionParalela(-1, 1, -1, 1, cerca, lejos);
-    };
-    const auto impresa = [&](double cerca, double lejos) {
-        glm::dmat4 M = correcta(cerca, lejos);
+    const auto impresa = [](double cerca, double lejos) {
+        glm::dmat4 M = proyeccionParalela(-1, 1, -1, 1, cerca, lejos);
         M[2][2] = 2 / (lejos - cerca);
         return M;
     };
-    const glm::dmat4 perspectiva = proyeccionPerspectiva(1, 1, 1, 100);
-    EXPECT_LT(profundidadDe(perspectiva, 2), profundidadDe(perspectiva, 50));
-    EXPECT_LT(profundidadDe(correcta(1, 100), 2), profundidadDe(correcta(1, 100), 50));
+    for (const glm::dmat4 &M :
+         {proyeccionPerspectiva(1, 1, 1, 100), proyeccionParalela(-1, 1, -1, 1, 1, 100)})
+        EXPECT_LT(profundidadDe(M, 2), profundidadDe(M, 50));
     EXPECT_GT(profundidadDe(impresa(1, 100), 2), profundidadDe(impresa(1, 100), 50));
     // no solo del revés: con 0 < cerca < lejos, todo lo que hay entre los dos planos queda fuera y se recorta
     for (int d = 1; d <= 100; ++d)
@@ -104,8 +160,7 @@ TEST(Erratas, Ecuacion43AspectoYAngulo) {
     impresa[0][0] = nx / ny / std::tan(theta);
     impresa[1][1] = 1 / std::tan(theta);
     const auto enVentana = [&](const glm::dmat4 &M, double x, double y) { // a 5 de la cámara
-        const glm::dvec4 r = M * glm::dvec4(x, y, -5, 1);
-        return glm::dvec2(transformacionViewport(0, 0, nx, ny) * (r / r.w));
+        return transformacionViewport(0, 0, nx, ny) * glm::dvec4(dividido(M * glm::dvec4(x, y, -5, 1)), 1);
     };
     const auto razon = [&](const glm::dmat4 &M) {
         return (enVentana(M, 1, 0).x - nx / 2) / (enVentana(M, 0, 1).y - ny / 2);
@@ -138,113 +193,6 @@ TEST(ProyeccionDeathTest, ParametrosImposibles) {
     EXPECT_EXIT(proyeccionParalela(0, 1, 0, nan, 0, 1), acaba1, "proyeccionParalela: el volumen");
 }
 
-// En paralela, direcciones iguales dan direcciones iguales; en perspectiva todas las paralelas van al mismo punto, el
-// de la proyección de (d, 0). Con matrices de vista.h y rectas al azar; el punto de fuga, con la cámara del oráculo.
-TEST(Proyecciones, RectasParalelasYPuntoDeFuga) {
-    Azar azar(44);
-    const oraculo::Ejes ejes = oraculo::ejes(oraculo::miraDesde({4, 3, 6}, {0, 0, 0}));
-    const glm::dmat4 V = transformacionCamara({4, 3, 6}, {0, 0, 0}, {0, 1, 0}),
-                     par = proyeccionParalela(-2, 2, -2, 2, 1, 20) * V,
-                     per = proyeccionPerspectiva(1, 1, 0.1, 2000) * V;
-    const auto en = [](const glm::dmat4 &M, const glm::dvec4 &p) {
-        const glm::dvec4 v = M * p;
-        return glm::dvec3(v) / v.w;
-    };
-    int comparadas = 0;
-    for (int n = 0; n < 1000; ++n) {
-        const glm::dvec4 d(azar.vector(1) - glm::vec3(0, 0, 1), 0), a(azar.vector(1), 1),
-            b(azar.vector(1), 1);
-        EXPECT_LE(glm::length((en(par, a + d) - en(par, a)) - (en(par, b + d) - en(par, b))), 16 * U_DOBLE);
-        const oraculo::Vec3 direccion = exacto(glm::dvec3(d));
-        const double fondo = -escalar(direccion, ejes.z), t = std::tan(0.5);
-        if (fondo < 0.3)
-            continue;
-        ++comparadas;
-        const glm::dvec2 fuga(escalar(direccion, ejes.x) / fondo / t, escalar(direccion, ejes.y) / fondo / t);
-        EXPECT_LE(glm::distance(glm::dvec2(en(per, d)), fuga), 1.4e-14);
-        // a 1e6 veces d, un punto que empezó a menos de 10 del ojo se aparta de la fuga menos de esto
-        for (const glm::dvec4 &p : {a, b})
-            for (int c = 0; c < 2; ++c)
-                EXPECT_NEAR(en(per, p + 1e6 * d)[c], fuga[c],
-                            10 * (1 / t + std::fabs(fuga[c])) / (1e6 * fondo - 10));
-    }
-    EXPECT_GT(comparadas, 300);
-}
-
-// --- El programa -------------------------------------------------------------------------------------------
-
-namespace {
-
-using namespace oraculo;
-
-// Por mucho que se gire la rueda, la distancia va de 0.4 a 2.5 veces la del principio.
-const struct {
-    std::string guion;
-    bool enPerspectiva;
-    double azimut = 0.50, elevacion = 0.33, distancia = 3;
-    int ancho = 480, alto = 360;
-} CASOS[] = {
-    {"", true},
-    {"tecla p", false},
-    {"tecla p; tecla p", true},
-    {"", true, 0.50, 0.33, 3, 240, 360},
-    {"tecla p", false, 0.50, 0.33, 3, 240, 360},
-    {arrastra({20, 90}, {320, 70}), true, -1.0, 0.23},
-    {arrastra({400, 90}, {0, 70}) + "; tecla p", false, 2.5, 0.23},
-    {veces(400, "rueda +1 9 9"), true, 0.50, 0.33, 1.2},
-    {veces(400, "rueda +1 9 9") + "; tecla p", false, 0.50, 0.33, 1.2},
-    {veces(400, "rueda -1 9 9"), true, 0.50, 0.33, 7.5},
-    {"tecla p; " + veces(400, "rueda -1 9 9"), false, 0.50, 0.33, 7.5},
-};
-
-/// El punto que está en esas coordenadas, dando la vuelta a los ejes desde ese.
-Vec3 enEjes(int eje, double suya, double a, double b) {
-    const double v[] = {suya, a, b};
-    return {v[(3 - eje) % 3], v[(4 - eje) % 3], v[(5 - eje) % 3]};
-}
-
-/// Las aristas de cada eje y, de las horizontales, su prolongación 1000 unidades hacia el fondo. En paralela nada más. En perspectiva,
-/// los puntos de fuga, donde se proyectan sus direcciones, y por los dos el horizonte, de lado a lado.
-void compruebaLasRectas(const Vista &vista, const Hueco &h, const Camara &camara) {
-    const auto en = [&](const Vec3 &p) { return enPanel(camara, h, p); };
-    const glm::vec3 colores[] = {ROJO, VERDE, AZUL};
-    std::vector<Trazo> trazos;
-    std::vector<Vec3> fugas;
-    for (int eje = 0; eje < 3; ++eje) {
-        const double fondo = ejes(camara).z[eje] > 0 ? -1000 : 1000;
-        std::vector<glm::dvec2> aristas, rectas;
-        for (const double a : {-0.5, 0.5})
-            for (const double b : {-0.5, 0.5}) {
-                aristas.insert(aristas.end(), {en(enEjes(eje, -0.5, a, b)), en(enEjes(eje, 0.5, a, b))});
-                rectas.insert(rectas.end(), {en(enEjes(eje, 0, a, b)), en(enEjes(eje, fondo, a, b))});
-            }
-        if (eje != 1) {
-            trazos.push_back({"segmentos", colores[eje], 5, true, rectas});
-            fugas.push_back(camara.ojo + enEjes(eje, fondo, 0, 0));
-        }
-        trazos.push_back({"segmentos", colores[eje], 14, true, aristas});
-    }
-    std::vector<Letrero> letreros = {{"paralela", enPanel(h, 0.02, 0.05), OSCURO, Lado::DERECHA}};
-    if (!camara.esParalela) {
-        const glm::dvec2 fuga = en(fugas[0]), otra = en(fugas[1]);
-        letreros = {{"perspectiva", letreros[0].punto, OSCURO, Lado::DERECHA},
-                    {"punto de fuga", fuga, OSCURO, Lado::ENCIMA},
-                    {"punto de fuga", otra, OSCURO, Lado::ENCIMA},
-                    {"horizonte", en(0.4 * fugas[0] + 0.6 * fugas[1]), OSCURO, Lado::ENCIMA}};
-        trazos.push_back({"segmentos", OSCURO, 9, true, {}}); // el horizonte: lo corta el plano cerca
-        trazos.push_back({"puntos", OSCURO, 30, false, {fuga, otra}});
-        const Pintado horizonte = vista.encima.trazos(OSCURO, "segmentos").at(0);
-        const glm::dvec2 p = horizonte.punto(0), q = horizonte.punto(1);
-        EXPECT_LT(std::min(p.x, q.x), 0);
-        EXPECT_GT(std::max(p.x, q.x), h.ancho);
-        for (const double x : {0, h.ancho})
-            EXPECT_NEAR(p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y), fuga.y, 0.1);
-    }
-    compruebaEncima(vista, h, trazos, letreros);
-}
-
-} // namespace
-
 TEST(Proyecciones, ElCuboYSusRectas) {
     for (const auto &c : CASOS) {
         SCOPED_TRACE(c.guion);
@@ -252,8 +200,8 @@ TEST(Proyecciones, ElCuboYSusRectas) {
         const Camara desde = orbita(c.azimut, c.elevacion, c.distancia, {0.1, 0.2, 0});
         const Camara camara = c.enPerspectiva ? perspectiva(desde, 1.0, 0.1, 2000)
                                               : paralela(desde, c.distancia * std::tan(0.5), -2000, 2000);
-        const Hueco ventana = {0, 0, c.ancho, c.alto};
-        compruebaEscena(vista, ventana, {{caja({}), exacto(AMARILLO)}}, camara, FONDO_CLARO);
-        compruebaLasRectas(vista, ventana, camara);
+        const Panel ventana(camara, vista.escena);
+        compruebaEscena(vista, ventana, {{caja({}), exacto(AMARILLO)}}, FONDO_CLARO);
+        compruebaLasRectas(vista, ventana);
     }
 }

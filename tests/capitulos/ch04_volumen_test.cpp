@@ -20,7 +20,7 @@ Camara volumen(bool enPerspectiva, double cerca, double lejos) {
 /// Distancia a la que el rayo cruza el plano que está a `d` de la cámara, entre los lados; infinita si no lo cruza.
 double cruza(const Rayo &r, const Camara &v, double d) {
     const double t = (OJO.z - d - r.origen.z) / r.direccion.z;
-    return t > 0 && entreLosLados(r.origen + t * r.direccion, v, VENTANA) ? t : INFINITO;
+    return t > 0 && entreLosLados(r.origen + t * r.direccion, {v, VENTANA}) ? t : INFINITO;
 }
 
 /// La escena del programa, escrita otra vez; lo redondo, con las caras que tiene. Lo último es la cámara de fotos, que no se recorta.
@@ -43,7 +43,7 @@ const int DE_CAMARA = 7;
 Tono sombrea(const Impacto &i, const std::vector<Cuerpo> &cuerpos, const Camara &v) {
     Vec3 color = exacto(FONDO_CLARO);
     const bool deCamara = i.objeto >= DE_CAMARA,
-               dentro = i && !deCamara && dentroDelVolumen(i.punto, v, VENTANA);
+               dentro = i && !deCamara && dentroDelVolumen(i.punto, {v, VENTANA});
     if (i) {
         const Cuerpo &c = cuerpos[std::size_t(i.objeto)];
         const Vec3 normal = normalInterpolada(c.objeto, i);
@@ -60,9 +60,8 @@ Tono sombrea(const Impacto &i, const std::vector<Cuerpo> &cuerpos, const Camara 
 }
 
 /// Las aristas del volumen, con las que van del ojo a la pirámide, y cada parámetro de las figuras 4.3 y 4.4 junto a lo que decide.
-void compruebaAristasYParametros(const Vista &vista, const Camara &v, const Camara &camara) {
-    const std::vector<Vec3> esquinas = esquinasA({v.cerca, v.lejos}, v, VENTANA);
-    const auto en = [&](const Vec3 &p) { return enPanel(camara, VENTANA, p); };
+void compruebaAristasYParametros(const Vista &vista, const Camara &v, const Panel &en) {
+    const std::vector<Vec3> esquinas = esquinasA({v.cerca, v.lejos}, {v, VENTANA});
     const auto medio = [&](std::size_t a, std::size_t b) { return en(0.5 * (esquinas[a] + esquinas[b])); };
     std::vector<Trazo> trazos;
     std::vector<glm::dvec2> e;
@@ -127,6 +126,6 @@ TEST(VolumenVista, ContraTrazadoDeRayos) {
         const Vista vista = vistaDe("volumen_vista", guion, VENTANA.ancho, VENTANA.alto);
         const auto tono = [&, &v = v](const Impacto &i) { return sombrea(i, cuerpos, v); };
         comprueba("la escena", compara(vista.escena, objetos, camara, tono), {1.75, 500, 0.012});
-        compruebaAristasYParametros(vista, v, camara);
+        compruebaAristasYParametros(vista, v, {camara, VENTANA});
     }
 }

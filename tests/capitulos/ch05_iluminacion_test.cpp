@@ -21,6 +21,18 @@ const Cotas MISMA_MALLA = {0.51, 500, 0.012}, FORMA_EXACTA = {2, 0};
 enum Modelo { PLANO, GOURAUD, PHONG };
 const char *const MODELOS[] = {"Plano", "Gouraud", "Phong"};
 
+/// De brillo gris.
+Material pintura(const Vec3 &ka, const Vec3 &kd, double ks, double alfa) {
+    return {ka, kd, {ks, ks, ks}, alfa};
+}
+
+Luz atenuada(Luz luz, double a, double b, double c) {
+    luz.a = a;
+    luz.b = b;
+    luz.c = c;
+    return luz;
+}
+
 /// Un sólido, de qué está hecho y con cuántos segmentos lo dibuja el programa.
 struct Solido {
     Objeto exacto;
@@ -87,14 +99,11 @@ struct Iluminada {
     ImagenRef traza(bool enMalla, int ancho, int alto) const {
         return render(escena(enMalla), camara, ancho, alto, [&](const Impacto &i) { return tono({}, i); });
     }
-    void compara(const Imagen &gpu, bool enMalla) const {
+    void compara(const Imagen &gpu, bool enMalla = true) const {
         const Escena e = escena(enMalla);
         const auto sombrea = [&](const Impacto &i) { return tono(e, i); };
         comprueba(MODELOS[modelo], oraculo::compara(gpu, e, camara, sombrea),
                   enMalla ? MISMA_MALLA : FORMA_EXACTA);
-    }
-    void comparaMallas(const Imagen &gpu) const {
-        compara(gpu, true);
     }
     void comparaLasDos(const Imagen &gpu) const {
         compara(gpu, true);
@@ -105,7 +114,7 @@ struct Iluminada {
 // --- componentes_phong -------------------------------------------------------------------------------------
 
 const Vec3 LUZ_PHONG{-3.5, 4, 6};
-const Material CERAMICA = {{0.08, 0.20, 0.38}, {0.14, 0.36, 0.62}, {0.75, 0.75, 0.75}, 30},
+const Material CERAMICA = pintura({0.08, 0.20, 0.38}, {0.14, 0.36, 0.62}, 0.75, 30),
                LATON = {{0.42, 0.23, 0.05}, {0.58, 0.36, 0.08}, {0.60, 0.55, 0.45}, 30};
 const Solido BOLA_PHONG = {esfera(Mat4()), CERAMICA, segmentosEsfera(230)};
 
@@ -180,8 +189,8 @@ TEST(ComponentesPhong, VectoresYAngulosEnElPuntoElegido) {
         const Panel lado(paralela(miraDesde(centro + 5 * unitario(vectorial(N, L)), centro, N),
                                   0.5 * altoUtil(derecha.ancho, 360) / 100, 1, 10),
                          derecha);
-        componentes(3, escena.camara).comparaMallas(recorta(v.escena, izquierda));
-        Iluminada{{BOLA_PHONG}, {}, lado.camara}.comparaMallas(recorta(v.escena, derecha));
+        componentes(3, escena.camara).compara(recorta(v.escena, izquierda));
+        Iluminada{{BOLA_PHONG}, {}, lado.camara}.compara(recorta(v.escena, derecha));
 
         std::vector<Letrero> letreros = {{COMPONENTES[3], escena.lugar(0.2, 1), BLANCO, Lado::DEBAJO},
                                          {"P", escena(P), OSCURO, Lado::DERECHA}};
@@ -275,32 +284,22 @@ Iluminada muestra(int elegido) {
     return e;
 }
 
+// La tecla n pasa al siguiente, y tras el duodécimo, o tras la t, que los enseña todos, al primero.
 TEST(Materiales, ContraTrazadoDeRayos) {
-    struct Caso {
-        std::string guion;
-        int elegido;
-    };
-    std::vector<Caso> casos = {{"", -1}};
-    for (int i = 0; i < 13; ++i) // el decimotercero vuelve a ser el primero
-        casos.push_back({"tecla n", i % 12});
-    casos.push_back({"tecla t", -1});
-    casos.push_back({"tecla n", 0}); // y tras la t también
-    paraCada("materiales", casos, 240, 180, [](const Caso &c, const Vista &v) {
-        const Iluminada e = muestra(c.elegido);
-        e.comparaLasDos(v.escena);
+    std::vector<std::string> guiones(16, "tecla n");
+    guiones[0] = "";
+    guiones[14] = "tecla t";
+    const auto vistas = vistasDe("materiales", guiones);
+    for (int i = 0; i < 16; ++i) {
+        const int elegido = i % 14 == 0 ? -1 : (i % 14 - 1) % 12;
+        const Iluminada e = muestra(elegido);
+        e.comparaLasDos(vistas[i].escena);
         std::vector<Letrero> letreros;
-        for (std::size_t k = 0; k < e.solidos.size(); ++k) {
-            const Mat4 &M = e.solidos[k].exacto.M;
-            const char *const nombre = TABLA[c.elegido < 0 ? int(k) : c.elegido].nombre;
-            letreros.push_back({nombre, enPixeles(e.camara, punto(M, -Y)), BLANCO, Lado::DEBAJO});
-            // en el centro, donde la malla no se nota, ni un nivel
-            const glm::ivec2 p(enPixeles(e.camara, punto(M, {})));
-            const Impacto centro =
-                primerImpacto(e.escena(false), rayo(e.camara, 240, 180, p.x + 0.5, p.y + 0.5));
-            EXPECT_LE(diferencia(v.escena, p.x, p.y, e.tono({}, centro).color), 1) << nombre;
-        }
-        compruebaRotulos(v.encima, letreros);
-    });
+        for (int k = 0; k < int(e.solidos.size()); ++k)
+            letreros.push_back({TABLA[elegido < 0 ? k : elegido].nombre,
+                                enPixeles(e.camara, punto(e.solidos[k].exacto.M, -Y)), BLANCO, Lado::DEBAJO});
+        compruebaRotulos(vistas[i].encima, letreros);
+    }
 }
 
 // El brillo de la tabla va de 0.08 a 0.6. Tomado por alfa, el especular cubre toda la mitad iluminada: más de la tercera parte de cada
@@ -349,30 +348,23 @@ struct Fuente {
     std::string guion, nombre;
     int tipo; // 1 posicional, 2 direccional, 3 foco
     int grados = 30;
-    double exponente = 4, azimut = 0.35, elevacion = 0.5;
+    double exponente = 4, azimut = 0.35, elevacion = 0.5, delta = grados * PI / 180;
 
-    double delta() const {
-        return grados * PI / 180;
-    }
     Iluminada escena() const {
         const int n = segmentosEsfera(100);
-        return {
-            {{plano(TUMBADO * escala(6)), {{0.20, 0.21, 0.23}, {0.62, 0.64, 0.68}, {0.15, 0.15, 0.15}, 20}},
-             {esfera(traslada({0.3, 0.8, 0.2}) * escala(0.8)),
-              {{0.18, 0.05, 0.05}, {0.75, 0.18, 0.16}, {0.60, 0.60, 0.60}, 50},
-              n},
-             {conoDeCaras(traslada({2.0, 0, -1.2}) * TUMBADO * escala({0.8, 0.8, 1.9}), n),
-              {{0.05, 0.15, 0.07}, {0.18, 0.62, 0.28}, {0.50, 0.50, 0.50}, 50}},
-             {caja(traslada({-1.7, 0.6, -1.1}) * gira(Y, 0.5) * escala(1.2)),
-              {{0.05, 0.10, 0.20}, {0.16, 0.40, 0.80}, {0.60, 0.60, 0.60}, 50}},
-             {toro(traslada({1.5, 0.25, 1.9}) * TUMBADO, 0.7, 0.25),
-              {{0.19, 0.11, 0.03}, {0.80, 0.46, 0.10}, {0.50, 0.50, 0.50}, 50},
-              segmentosEsfera(400),
-              n}},
-            {tipo == 1   ? posicional(FUENTE)
-             : tipo == 2 ? direccional(-S)
-                         : foco(FUENTE, FUENTE + S, delta(), exponente)},
-            perspectiva(orbita(azimut, elevacion, 19, {0, 0.75, 0}), 0.35, 1, 100)};
+        return {{{plano(TUMBADO * escala(6)), pintura({0.20, 0.21, 0.23}, {0.62, 0.64, 0.68}, 0.15, 20)},
+                 {esfera(traslada({0.3, 0.8, 0.2}) * escala(0.8)),
+                  pintura({0.18, 0.05, 0.05}, {0.75, 0.18, 0.16}, 0.60, 50), n},
+                 {conoDeCaras(traslada({2.0, 0, -1.2}) * TUMBADO * escala({0.8, 0.8, 1.9}), n),
+                  pintura({0.05, 0.15, 0.07}, {0.18, 0.62, 0.28}, 0.50, 50)},
+                 {caja(traslada({-1.7, 0.6, -1.1}) * gira(Y, 0.5) * escala(1.2)),
+                  pintura({0.05, 0.10, 0.20}, {0.16, 0.40, 0.80}, 0.60, 50)},
+                 {toro(traslada({1.5, 0.25, 1.9}) * TUMBADO, 0.7, 0.25),
+                  pintura({0.19, 0.11, 0.03}, {0.80, 0.46, 0.10}, 0.50, 50), segmentosEsfera(400), n}},
+                {tipo == 1   ? posicional(FUENTE)
+                 : tipo == 2 ? direccional(-S)
+                             : foco(FUENTE, FUENTE + S, delta, exponente)},
+                perspectiva(orbita(azimut, elevacion, 19, {0, 0.75, 0}), 0.35, 1, 100)};
     }
 
     /// La fuente dibujada: un punto, tres flechas paralelas a S, o un punto, el cono de ese ángulo y S.
@@ -389,7 +381,7 @@ struct Fuente {
             for (int i = 0; i <= 32; ++i) {
                 const double a = i * PI / 16;
                 const Vec3 radio = std::cos(a) * e + std::sin(a) * f;
-                amarillas[0].push_back(FUENTE + 1.4 * (std::cos(delta()) * S + std::sin(delta()) * radio));
+                amarillas[0].push_back(FUENTE + 1.4 * (std::cos(delta) * S + std::sin(delta) * radio));
                 if (i % 4 == 0 && i < 32)
                     amarillas.push_back({FUENTE, amarillas[0].back()});
             }
@@ -426,11 +418,10 @@ TEST(Fuentes, LosTresTiposContraTrazadoDeRayos) {
         {"tecla 3; " + arrastra({100, 200}, {20, -2000}), "foco, exponente 4", 3, 30, 4, 0.95, 0.05},
     };
     paraCada("fuentes", casos, 320, 240, [](const Fuente &f, const Vista &v) {
-        if (f.exponente == 0.5 ||
-            f.elevacion == 0.05) // con un foco casi plano o de canto, la malla cuesta más
-            f.escena().comparaMallas(v.escena);
-        else
-            f.escena().comparaLasDos(v.escena);
+        f.escena().compara(v.escena);
+        // con un foco casi plano o de canto, la malla cuesta más
+        if (f.exponente != 0.5 && f.elevacion != 0.05)
+            f.escena().compara(v.escena, false);
         f.compruebaDibujo(v);
     });
 }
@@ -438,7 +429,7 @@ TEST(Fuentes, LosTresTiposContraTrazadoDeRayos) {
 // El borde del cono en el suelo, contra el ángulo exacto con el eje: cada píxel está dentro si y solo si su centro lo está, o no dista de
 // él ni un centésimo.
 TEST(Fuentes, BordeDelConoContraElAnguloExacto) {
-    Fuente{"", "", 3}.escena().comparaMallas(vistaDe("fuentes", "tecla 3", 800, 600).escena);
+    Fuente{"", "", 3}.escena().compara(vistaDe("fuentes", "tecla 3", 800, 600).escena);
 }
 
 // --- atenuacion --------------------------------------------------------------------------------------------
@@ -453,18 +444,14 @@ struct Atenuacion {
     }
     Iluminada escena() const {
         const int n = segmentosEsfera(70);
-        Luz luz = posicional({});
-        luz.b = b;
-        luz.c = c;
         const Mat4 suelo = traslada({3, -0.42, 0}) * TUMBADO * escala({7.2, 2, 1});
         Iluminada e{{{plano(suelo), {{0.05, 0.05, 0.06}, {0.55, 0.57, 0.60}, {}, 1}},
                      {esfera(escala(0.2)), {{1.00, 0.93, 0.60}, {}, {}, 1}, n}},
-                    {luz},
+                    {atenuada(posicional({}), 1, b, c)},
                     perspectiva(orbita(-0.45, 0.3, 21, {3.0, 1.2, 0}), 0.28, 1, 100)};
         for (int d = 1; d <= 6; ++d)
             e.solidos.push_back({esfera(traslada({double(d), 0, 0}) * escala(0.42)),
-                                 {{0.14, 0.08, 0.02}, {0.84, 0.50, 0.12}, {0.30, 0.30, 0.30}, 20},
-                                 n});
+                                 pintura({0.14, 0.08, 0.02}, {0.84, 0.50, 0.12}, 0.30, 20), n});
         return e;
     }
 };
@@ -519,19 +506,16 @@ struct VariasLuces {
     Iluminada escena() const {
         const Vec3 colores[] = {{1.0, 0.08, 0.05}, {0.08, 1.0, 0.10}, {0.06, 0.12, 1.0}};
         const Material mate = {{0.13, 0.13, 0.14}, {0.80, 0.80, 0.80}, {}, 1},
-                       brillante = {{0.12, 0.12, 0.13}, {0.60, 0.60, 0.60}, {0.30, 0.30, 0.30}, 40};
+                       brillante = pintura({0.12, 0.12, 0.13}, {0.60, 0.60, 0.60}, 0.30, 40);
         const Mat4 disco = traslada({0, -0.1, 0}) * TUMBADO * escala({3.7, 3.7, 0.2});
         Iluminada e{{{cilindro(disco), mate, segmentosEsfera(430)},
                      {esfera(traslada({0, 0.8, 0}) * escala(0.8)), brillante, segmentosEsfera(100)}},
                     {},
                     perspectiva(orbita(0, 0.8, 17.5, {0, -0.3, 0}), 0.36, 1, 100)};
         for (int i = 0; i < 3; ++i) {
-            Luz luz = foco(3 * hacia(i) + 5 * Y, 1.1 * hacia(i), 0.40, 2 + i);
-            luz.Ld = luz.Ls = encendida[i] ? colores[i] : Vec3{};
-            luz.a = 0.6;
-            luz.b = 0.04;
-            luz.c = 0.01;
-            e.luces.push_back(luz);
+            e.luces.push_back(
+                atenuada(foco(3 * hacia(i) + 5 * Y, 1.1 * hacia(i), 0.40, 2 + i), 0.6, 0.04, 0.01));
+            e.luces[i].Ld = e.luces[i].Ls = encendida[i] ? colores[i] : Vec3{};
         }
         return e;
     }
@@ -576,7 +560,7 @@ TEST(VariasLuces, ContraTrazadoDeRayos) {
 /// En ese panel, la escena y, en ese lugar de él, el nombre del modelo.
 void compruebaPanel(const Vista &v, const Hueco &h, const Iluminada &e, const glm::dvec2 &lugar,
                     const glm::vec3 &color, Lado lado) {
-    e.comparaMallas(recorta(v.escena, h));
+    e.compara(recorta(v.escena, h));
     compruebaRotulos(v.encima.enPanel(h.x, h.y),
                      {{MODELOS[e.modelo], Panel(e.camara, h).lugar(lugar.x, lugar.y), color, lado}});
 }
@@ -591,11 +575,8 @@ struct Sombreado {
     Iluminada escena() const {
         const Mat4 E = traslada(alto ? 0.8 * Y : Vec3{-0.95, 0.25, 0}) * gira(X, -1.2),
                    T = traslada(alto ? Vec3{0, -0.95, 0.5} : Vec3{0.98, -0.35, 0.5}) * gira(X, -0.7);
-        return {{{esfera(E), {{0.05, 0.14, 0.14}, {0.12, 0.50, 0.50}, {0.75, 0.75, 0.75}, 16}, n},
-                 {toro(T, 0.68, 0.30),
-                  {{0.20, 0.08, 0.05}, {0.62, 0.26, 0.17}, {0.70, 0.70, 0.70}, 16},
-                  n,
-                  n / 2}},
+        return {{{esfera(E), pintura({0.05, 0.14, 0.14}, {0.12, 0.50, 0.50}, 0.75, 16), n},
+                 {toro(T, 0.68, 0.30), pintura({0.20, 0.08, 0.05}, {0.62, 0.26, 0.17}, 0.70, 16), n, n / 2}},
                 {posicional({-3, 4, 6})},
                 perspectiva(orbita(0, 0, 12), alto ? 0.142 : 0.27, 1, 100),
                 FONDO,
@@ -642,26 +623,26 @@ TEST(Sombreado, LosTresPanelesContraSuMallaEnDoble) {
 TEST(Sombreado, ErrorContraLaEsferaAnalitica) {
     const Iluminada e = Sombreado{"", PHONG, 6}.escena();
     const ImagenRef exacta = e.traza(false, 320, 240), tosca = e.traza(true, 320, 240);
-    double anterior[3] = {INFINITO, INFINITO, INFINITO};
+    const auto error = [&](const Vista &v) {
+        double suma = 0;
+        int pixeles = 0;
+        for (int y = 0; y < 240; ++y)
+            for (int x = 0; x < 320; ++x)
+                if (tosca.en(x, y).objeto == 0 && !enBanda(tosca, x, y)) {
+                    suma += std::pow(diferencia(v.escena, x, y, exacta.en(x, y).color), 2);
+                    ++pixeles;
+                }
+        EXPECT_GT(pixeles, 8000);
+        return std::sqrt(suma / pixeles);
+    };
+    double anterior[] = {INFINITO, INFINITO, INFINITO};
     for (int k = 0; k < 6; ++k) {
         const auto gpu =
             vistasDe("sombreado", {"tecla - ×4; " + veces(k, "tecla +"), "tecla 2", "tecla 3"}, 320, 240);
-        double rmse[3];
-        for (int modelo = 0; modelo < 3; ++modelo) {
-            double suma = 0;
-            int pixeles = 0;
-            for (int y = 0; y < 240; ++y)
-                for (int x = 0; x < 320; ++x)
-                    if (tosca.en(x, y).objeto == 0 && !enBanda(tosca, x, y)) {
-                        suma += std::pow(diferencia(gpu[modelo].escena, x, y, exacta.en(x, y).color), 2);
-                        ++pixeles;
-                    }
-            ASSERT_GT(pixeles, 8000);
-            rmse[modelo] = std::sqrt(suma / pixeles);
-            std::cout << (6 << k) << " segmentos, " << MODELOS[modelo] << ": " << rmse[modelo]
-                      << " niveles\n";
-            EXPECT_LT(rmse[modelo],
-                      std::max(anterior[modelo], 0.35)); // el redondeo a 8 bits es un suelo de 0.29
+        const double rmse[] = {error(gpu[PLANO]), error(gpu[GOURAUD]), error(gpu[PHONG])};
+        for (const int modelo : {PLANO, GOURAUD, PHONG}) {
+            // el redondeo a 8 bits es un suelo de 0.29
+            EXPECT_LT(rmse[modelo], std::max(anterior[modelo], 0.35)) << MODELOS[modelo] << " " << k;
             anterior[modelo] = rmse[modelo];
         }
         EXPECT_LT(rmse[PHONG], rmse[GOURAUD] + 0.01) << k;
@@ -680,15 +661,15 @@ struct Grua {
     Iluminada escena() const {
         const Mat4 G = gira(Y, giro);
         const double cable = 10 - altura - 0.5;
-        const Material tierra = {{0.13, 0.17, 0.12}, {0.46, 0.58, 0.42}, {0.25, 0.25, 0.25}, 12},
-                       hormigon = {{0.12, 0.13, 0.14}, {0.45, 0.47, 0.50}, {0.05, 0.05, 0.05}, 5},
-                       pintura = {{0.25, 0.18, 0.03}, {0.68, 0.50, 0.08}, {0.60, 0.60, 0.60}, 15},
-                       acero = {{0.06, 0.06, 0.07}, {0.20, 0.21, 0.24}, {0.70, 0.70, 0.70}, 80},
-                       chapa = {{0.22, 0.05, 0.05}, {0.68, 0.14, 0.12}, {0.60, 0.60, 0.60}, 30};
+        const Material tierra = pintura({0.13, 0.17, 0.12}, {0.46, 0.58, 0.42}, 0.25, 12),
+                       hormigon = pintura({0.12, 0.13, 0.14}, {0.45, 0.47, 0.50}, 0.05, 5),
+                       amarilla = pintura({0.25, 0.18, 0.03}, {0.68, 0.50, 0.08}, 0.60, 15),
+                       acero = pintura({0.06, 0.06, 0.07}, {0.20, 0.21, 0.24}, 0.70, 80),
+                       chapa = pintura({0.22, 0.05, 0.05}, {0.68, 0.14, 0.12}, 0.60, 30);
         return {{{caja(traslada({0, -0.1, 0}) * escala({12, 0.2, 12})), tierra},
                  {caja(traslada({0, 0.2, 0}) * escala({2.4, 0.4, 2.4})), hormigon},
-                 {caja(traslada({0, 5, 0}) * escala({0.8, 10, 0.8})), pintura},
-                 {caja(G * traslada({2.5, 10.4, 0}) * escala({10, 0.8, 0.8})), pintura},
+                 {caja(traslada({0, 5, 0}) * escala({0.8, 10, 0.8})), amarilla},
+                 {caja(G * traslada({2.5, 10.4, 0}) * escala({10, 0.8, 0.8})), amarilla},
                  {caja(G * traslada({-1.8, 9.3, 0}) * escala(1.4)), hormigon},
                  {caja(G * traslada({lejos, 10 - cable / 2, 0}) * escala({0.12, cable, 0.12})), acero},
                  {caja(G * traslada({lejos, altura, 0})), chapa}},

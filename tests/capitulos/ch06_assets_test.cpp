@@ -36,47 +36,41 @@ Imagen lee(const std::string &nombre) {
     return leeTextura(recurso("assets/" + nombre + ".rgb"), a.ancho, a.alto);
 }
 
-/// Los texels del rectángulo de esquinas (x0, y0) y (x1, y1), sin esta.
-std::vector<glm::ivec3> texels(const Imagen &im, int x0, int y0, int x1, int y1) {
-    std::vector<glm::ivec3> v;
+glm::dvec3 texel(const Imagen &im, int x, int y) {
+    const Pixel p = pixel(im, x, y);
+    return {p.r, p.g, p.b};
+}
+/// Los del rectángulo de esquinas (x0, y0) y (x1, y1), sin esta.
+std::vector<glm::dvec3> texels(const Imagen &im, int x0, int y0, int x1, int y1) {
+    std::vector<glm::dvec3> v;
     for (int y = y0; y < y1; ++y)
-        for (int x = x0; x < x1; ++x) {
-            const Pixel p = pixel(im, x, y);
-            v.emplace_back(p.r, p.g, p.b);
-        }
+        for (int x = x0; x < x1; ++x)
+            v.push_back(texel(im, x, y));
     return v;
 }
-std::vector<glm::ivec3> texels(const Imagen &im) {
+std::vector<glm::dvec3> texels(const Imagen &im) {
     return texels(im, 0, 0, im.ancho, im.alto);
 }
-glm::ivec3 texel(const Imagen &im, int x, int y) {
-    return texels(im, x, y, x + 1, y + 1)[0];
-}
-
-glm::dvec3 media(const std::vector<glm::ivec3> &v) {
-    glm::dvec3 suma(0);
-    for (const glm::ivec3 &t : v)
-        suma += t;
-    return suma / double(v.size());
-}
-/// Desviación típica de cada componente.
-glm::dvec3 desviacion(const std::vector<glm::ivec3> &v) {
-    const glm::dvec3 m = media(v);
-    glm::dvec3 suma(0);
-    for (const glm::ivec3 &t : v)
-        suma += (glm::dvec3(t) - m) * (glm::dvec3(t) - m);
-    return glm::sqrt(suma / double(v.size()));
-}
-template<class Vector>
-auto mayor(const Vector &v) {
+double mayor(const glm::dvec3 &v) {
     return std::max({v.x, v.y, v.z});
 }
-template<class Vector>
-auto menor(const Vector &v) {
+double menor(const glm::dvec3 &v) {
     return std::min({v.x, v.y, v.z});
 }
 
-const glm::ivec3 TINTA(41, 43, 51);
+/// La media y la desviación típica de cada componente.
+struct Estadistica {
+    glm::dvec3 media{0}, desviacion{0};
+    explicit Estadistica(const std::vector<glm::dvec3> &v) {
+        for (const glm::dvec3 &t : v)
+            media += t / double(v.size());
+        for (const glm::dvec3 &t : v)
+            desviacion += (t - media) * (t - media) / double(v.size());
+        desviacion = glm::sqrt(desviacion);
+    }
+};
+
+const glm::dvec3 TINTA(41, 43, 51);
 
 TEST(Assets, LosMismosBytesEnCualquierMaquina) {
     for (const auto &[nombre, a] : ASSETS) {
@@ -94,7 +88,7 @@ TEST(Assets, TienenDetalleYTonosMedios) {
     for (const char *nombre :
          {"baldosas", "carta", "foto", "ladrillo", "madera", "metal", "mosaico", "musgo"}) {
         const auto v = texels(lee(nombre));
-        EXPECT_GT(mayor(desviacion(v)), 12) << nombre;
+        EXPECT_GT(mayor(Estadistica(v).desviacion), 12) << nombre;
         const auto extremos =
             std::count_if(v.begin(), v.end(), [](const auto &t) { return mayor(t) == 0 || menor(t) == 255; });
         EXPECT_LT(extremos, int(v.size()) / 50) << nombre;
@@ -102,7 +96,7 @@ TEST(Assets, TienenDetalleYTonosMedios) {
 }
 
 TEST(Assets, SonDelColorQueDiceSuNombre) {
-    const auto deMedia = [](const char *nombre) { return media(texels(lee(nombre))); };
+    const auto deMedia = [](const char *nombre) { return Estadistica(texels(lee(nombre))).media; };
     const glm::dvec3 gris = deMedia("metal"), rojizo = deMedia("ladrillo"), pardo = deMedia("madera"),
                      verde = deMedia("musgo");
     EXPECT_LT(mayor(gris) - menor(gris), 15);
@@ -116,12 +110,11 @@ TEST(Assets, LasQueSeRepitenCasanConsigoMismas) {
     for (const char *nombre : {"baldosas", "ladrillo", "madera", "metal", "musgo"}) {
         const Imagen im = lee(nombre);
         for (const bool enX : {true, false}) {
-            std::vector<int> saltos(256); // de la fila o columna i a la siguiente, en total
+            std::vector<double> saltos(256); // de la fila o columna i a la siguiente, en total
+            const auto en = [&](int i, int j) { return enX ? texel(im, i % 256, j) : texel(im, j, i % 256); };
             for (int i = 0; i < 256; ++i)
                 for (int j = 0; j < 256; ++j) {
-                    const int k = (i + 1) % 256;
-                    const glm::ivec3 d =
-                        glm::abs(enX ? texel(im, i, j) - texel(im, k, j) : texel(im, j, i) - texel(im, j, k));
+                    const glm::dvec3 d = glm::abs(en(i, j) - en(i + 1, j));
                     saltos[i] += d.r + d.g + d.b;
                 }
             EXPECT_LE(saltos[255], *std::max_element(saltos.begin(), saltos.begin() + 255)) << nombre;
@@ -133,9 +126,9 @@ TEST(Assets, LasQueSeRepitenCasanConsigoMismas) {
 TEST(Assets, LaCartaTieneElOrigenAbajoALaIzquierda) {
     const Imagen im = lee("carta");
     EXPECT_EQ(texel(im, 2, 2), TINTA);
-    EXPECT_EQ(texel(im, 100, 2), glm::ivec3(217, 51, 46));
-    EXPECT_EQ(texel(im, 2, 100), glm::ivec3(51, 158, 71));
-    const glm::ivec3 a1 = texel(im, 60, 20), d4 = texel(im, 252, 252);
+    EXPECT_EQ(texel(im, 100, 2), glm::dvec3(217, 51, 46));
+    EXPECT_EQ(texel(im, 2, 100), glm::dvec3(51, 158, 71));
+    const glm::dvec3 a1 = texel(im, 60, 20), d4 = texel(im, 252, 252);
     EXPECT_TRUE(a1.r > 200 && a1.b < 100) << "A1, amarilla, abajo a la izquierda";
     EXPECT_TRUE(d4.b > 150 && d4.b > d4.r + 60) << "D4, azul, arriba a la derecha";
     // El 1 de B1: su serifa, que solo tiene abajo, es más ancha que su cabeza. Cabeza abajo o en espejo no lo sería.
@@ -152,21 +145,21 @@ TEST(Assets, LaCartaTieneElOrigenAbajoALaIzquierda) {
 // Cielo azulado arriba, prado abajo a la izquierda; sol y brillos casi blancos, y una piel anaranjada y suave.
 TEST(Assets, LaFotoTieneCieloFollajePielYBrillos) {
     const Imagen im = lee("foto");
-    const auto todos = texels(im), piel = texels(im, 206, 52, 216, 62);
-    const glm::dvec3 cielo = media(texels(im, 190, 160, 250, 190)), prado = media(texels(im, 20, 5, 110, 40)),
-                     tez = media(piel);
+    const Estadistica piel(texels(im, 206, 52, 216, 62));
+    const glm::dvec3 cielo = Estadistica(texels(im, 190, 160, 250, 190)).media,
+                     prado = Estadistica(texels(im, 20, 5, 110, 40)).media, tez = piel.media;
     EXPECT_GT(cielo.b, cielo.r);
     EXPECT_TRUE(prado.g > 1.3 * prado.b && prado.g > 0.9 * prado.r && prado.g < 120);
-    EXPECT_TRUE(tez.r > tez.g + 30 && tez.g > tez.b && desviacion(piel).r < 25);
-    const auto brillos =
-        std::count_if(todos.begin(), todos.end(), [](const auto &t) { return menor(t) > 200; });
+    EXPECT_TRUE(tez.r > tez.g + 30 && tez.g > tez.b && piel.desviacion.r < 25);
+    const auto todos = texels(im);
+    const auto brillos = std::count_if(todos.begin(), todos.end(), [](auto &t) { return menor(t) > 200; });
     EXPECT_TRUE(brillos > 60 && brillos < 250 * 190 / 50) << brillos;
 }
 
 // La máscara es gris y llega a los dos extremos; la luz nunca es cero y en algún sitio llega a 255.
 TEST(Assets, LaMascaraYLaLuz) {
     const Imagen mascara = lee("mascara"), luz = lee("luz");
-    for (const glm::ivec3 &t : texels(mascara))
+    for (const glm::dvec3 &t : texels(mascara))
         ASSERT_EQ(menor(t), mayor(t));
     const auto [nada, todo] = std::minmax_element(mascara.rgb.begin(), mascara.rgb.end());
     EXPECT_EQ(*nada, 0);

@@ -24,9 +24,6 @@ std::vector<std::string> enRgb(const Imagen &i) {
 Vec3 lineal(const Imagen &im, double s, double t, bool repiteS = true, bool repiteT = true) {
     return bilineal(im, s * im.ancho, t * im.alto, repiteS, repiteT);
 }
-Vec3 vecino(const Imagen &im, double s, double t) {
-    return texel(im, int(std::floor(s * im.ancho)), int(std::floor(t * im.alto)), true, true);
-}
 
 /// Comprueba un rectángulo de esa talla, en píxeles, que se ve de frente en el centro de un panel y tiene el color `en(s, t)`.
 template<class En>
@@ -171,10 +168,10 @@ const struct {
 /// Todos los píxeles: fract o clamp de la coordenada y bilineal, y una franja blanca arriba, con el rótulo. 1 nivel: el redondeo (0.5) y
 /// el de los pesos del filtro en float. Una unidad de s y de t es el alto útil entre 2.8125, y el centro es (0.5, 0.5). El marco va de 0
 /// a 1, y junto a sus esquinas están los rótulos que lo dicen.
-void compruebaRepeticion(int modo, const Imagen &im, int ancho, int alto) {
+void compruebaRepeticion(int modo, const Imagen &im, const Vista &v) {
     const auto &[nombre, enS, enT] = MODOS[modo];
+    const int ancho = v.escena.ancho, alto = v.escena.alto;
     SCOPED_TRACE(std::string(nombre) + ", " + std::to_string(ancho) + "×" + std::to_string(alto));
-    const Vista v = vistaDe("repeticion", "tecla " + std::to_string(modo + 1), ancho, alto, enRgb(im));
     const double unidad = altoUtil(ancho, alto) / 2.8125;
     const int franja = alto / 9;
     const auto esperado = [&, s = enS, t = enT](int x, int y) {
@@ -198,24 +195,25 @@ void compruebaRepeticion(int modo, const Imagen &im, int ancho, int alto) {
     EXPECT_TRUE(alto < 135 || v.encima.rotulos(nombre).at(0).punto(0).y >= alto - franja);
 }
 
+// Los cuatro modos, y ventanas tres veces más largas: se ve más textura, no una textura deformada.
 TEST(Repeticion, FractOClamp) {
-    for (int modo = 0; modo < 4; ++modo)
-        compruebaRepeticion(modo, alAzar(5, 3), 240, 180);
-    compruebaRepeticion(2, alAzar(1, 17), 240, 180);
-    compruebaRepeticion(3, alAzar(17, 1), 240, 180);
-    compruebaRepeticion(2, alAzar(1, 1), 240, 180);
+    const Imagen im = alAzar(5, 3);
+    const auto vistas =
+        vistasDe("repeticion",
+                 {"", "tecla 1", "tecla 2", "tecla 4; tecla 5", "tecla 3; tamano 270 90", "tamano 90 270"},
+                 240, 180, enRgb(im));
+    const int modos[] = {2, 0, 1, 3, 2, 2};
+    for (int i = 0; i < 6; ++i)
+        compruebaRepeticion(modos[i], im, vistas[i]);
+    for (const Imagen &otra : {alAzar(1, 17), alAzar(17, 1), alAzar(1, 1)})
+        compruebaRepeticion(3, otra, vistaDe("repeticion", "tecla 4", 240, 180, enRgb(otra)));
 }
 
 // Una fotografía de 250 × 190, ampliada (256 píxeles). Son 750 bytes por fila: con GL_UNPACK_ALIGNMENT de 4, cada fila se torcería dos
 // tercios de texel más.
 TEST(Repeticion, UnAnchoQueNoEsMultiploDe4NoSeTuerce) {
-    compruebaRepeticion(2, alAzar(250, 190), 960, 720);
-}
-
-// En una ventana tres veces más larga se ve más textura, no una textura deformada.
-TEST(Repeticion, LaVentanaNoDeforma) {
-    compruebaRepeticion(2, alAzar(5, 3), 270, 90);
-    compruebaRepeticion(2, alAzar(5, 3), 90, 270);
+    const Imagen im = alAzar(250, 190);
+    compruebaRepeticion(2, im, vistaDe("repeticion", "", 960, 720, enRgb(im)));
 }
 
 // En una ventana de 201 × 135 el cuadrado [0, 1]² mide 48 píxeles y el centro de cada uno de los 4 × 8 texels cae en el centro de un
@@ -243,10 +241,7 @@ Coordenadas enSuelo(double x, double y) {
     return {d > 0 && std::max(std::fabs(p.x), std::fabs(p.z)) < 100, p.x / 2, -p.z / 2};
 }
 
-const struct Filtro {
-    std::string guion, nombre;
-} FILTROS[] = {
-    {"tecla 1", "1 vecino"}, {"tecla 2", "2 lineal"}, {"tecla 3", "3 mipmap"}, {"tecla 4", "4 anisótropo"}};
+const std::string FILTROS[] = {"1 vecino", "2 lineal", "3 mipmap", "4 anisótropo"};
 
 // La verdad es la media de 16 × 16 muestras por píxel de la textura (bilineal), en las filas en que todo es suelo. Cada filtro se le
 // parece más que el anterior: medido en Mesa 22.3, 36.8, 23.0, 12.2 y 6.5 niveles. Es también lo que se exige del anisótropo, que en
@@ -266,16 +261,17 @@ TEST(Filtrado, CadaFiltroSeAcercaMasAlSobremuestreo) {
             referencia.push_back({{x, y}, 1.0 / (N * N) * suma});
         }
     ASSERT_GT(y, 140);
-    std::vector<double> error;
-    paraCada("filtrado", FILTROS, ANCHO, ALTO, [&](const Filtro &f, const Vista &v) {
+    const auto gpu = vistasDe("filtrado", {"", "tecla 2", "tecla 3", "tecla 4"}, ANCHO, ALTO);
+    double error[4];
+    for (int k = 0; k < 4; ++k) {
         double suma = 0;
         for (const auto &[p, esperado] : referencia) {
-            const Vec3 d = texel(v.escena, p.x, p.y) - esperado;
+            const Vec3 d = texel(gpu[k].escena, p.x, p.y) - esperado;
             suma += escalar(d, d) / 3;
         }
-        error.push_back(std::sqrt(suma / double(referencia.size())));
-        compruebaRotulos(v.encima, {{f.nombre, {ANCHO / 2, ALTO}, OSCURO, Lado::DEBAJO}});
-    });
+        error[k] = std::sqrt(suma / double(referencia.size()));
+        compruebaRotulos(gpu[k].encima, {{FILTROS[k], {ANCHO / 2, ALTO}, OSCURO, Lado::DEBAJO}});
+    }
     EXPECT_LT(error[1], 0.8 * error[0]); // poco: cuatro texels no curan nada donde un píxel abarca cientos
     EXPECT_LT(error[2], 0.6 * error[1]);
     EXPECT_LT(error[3], 0.6 * error[2]);
@@ -286,7 +282,7 @@ TEST(Filtrado, CadaFiltroSeAcercaMasAlSobremuestreo) {
 // vecino, y el bilineal se desvía 1/1024 del salto entre vecinos.
 TEST(Filtrado, VecinoYLinealSonExactosEnElCentroDelPixel) {
     const Imagen im = lee("mosaico", 32, 32);
-    const auto gpu = vistasDe("filtrado", {"tecla 1", "tecla 2"}, ANCHO, ALTO);
+    const auto gpu = vistasDe("filtrado", {"tecla 2; tecla 1", "tecla 2"}, ANCHO, ALTO);
     const auto aLaFrontera = [](double u) { return std::fabs(u - std::round(u)); };
     const double h = 1.0 / 1024 / 32;
     int lejosDeLaFrontera = 0;
@@ -295,13 +291,13 @@ TEST(Filtrado, VecinoYLinealSonExactosEnElCentroDelPixel) {
             const Coordenadas c = enSuelo(x + 0.5, y + 0.5);
             const Vec3 esperado = lineal(im, c.s, c.t);
             double salto = 0;
-            for (const auto &[ds, dt] : {std::pair(h, h), {h, -h}, {-h, h}, {-h, -h}}) {
-                const Vec3 d = lineal(im, c.s + ds, c.t + dt) - esperado;
-                salto = std::max({salto, std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
-            }
+            for (const auto &[ds, dt] : {std::pair(h, h), {h, -h}, {-h, h}, {-h, -h}})
+                salto = std::max(salto, distancia({0, 0, 0}, lineal(im, c.s + ds, c.t + dt) - esperado));
             EXPECT_LE(distancia(pixel(gpu[1].escena, x, y), esperado), 1 + salto) << x << "," << y;
             if (std::min(aLaFrontera(32 * c.s), aLaFrontera(32 * c.t)) >= 1.0 / 1024) {
-                EXPECT_EQ(distancia(pixel(gpu[0].escena, x, y), vecino(im, c.s, c.t)), 0) << x << "," << y;
+                const Vec3 vecino =
+                    texel(im, int(std::floor(32 * c.s)), int(std::floor(32 * c.t)), true, true);
+                EXPECT_EQ(distancia(pixel(gpu[0].escena, x, y), vecino), 0) << x << "," << y;
                 ++lejosDeLaFrontera;
             }
         }
@@ -321,10 +317,10 @@ TEST(Filtrado, LosCuatroALaVez) {
         vistasDe("filtrado", {"tecla 3", "tecla v", "tecla x", "tecla v", "tecla v; tecla 3"}, 243, 183);
     for (int k = 0; k < 4; ++k) {
         const Hueco h = hueco(k % 2, 2, k / 2, 2, 243, 183);
-        const Imagen uno = vistaDe("filtrado", FILTROS[k].guion, h.ancho, h.alto).escena;
+        const Imagen uno = vistaDe("filtrado", "tecla " + std::to_string(k + 1), h.ancho, h.alto).escena;
         EXPECT_LE(distintos(recorta(gpu[1].escena, h), uno, 0), h.ancho * h.alto / 100) << k;
         compruebaRotulos(gpu[1].encima.enPanel(h.x, h.y),
-                         {{FILTROS[k].nombre, {h.x + 0.5 * h.ancho, h.y + h.alto}, OSCURO, Lado::DEBAJO}});
+                         {{FILTROS[k], {h.x + 0.5 * h.ancho, h.y + h.alto}, OSCURO, Lado::DEBAJO}});
     }
     EXPECT_EQ(gpu[1].escena.rgb, gpu[2].escena.rgb);
     EXPECT_NE(gpu[2].escena.rgb, gpu[3].escena.rgb);
@@ -356,7 +352,6 @@ struct Solido {
     int cual; // 1, 2 o 3
     // arrastrar 1 píxel gira 0.01 rad: la derecha disminuye el azimut, y abajo aumenta la elevación
     int dx = 0, dy = 0;
-    std::string guion = "tecla " + std::to_string(cual) + "; " + arrastra({0, 0}, {dx, -dy});
     const Panel panel{perspectiva(orbita(0.6 - 0.01 * dx, 0.45 - 0.01 * dy, 5.6),
                                   2 * std::atan(0.75 * std::tan(0.25)), 1, 100),
                       Hueco{80, 0, 160, 180}};
@@ -393,8 +388,9 @@ TEST(Coordenadas, SeLeenEnLaImagenLasDeLaParametrizacion) {
     const Imagen im = imagen(256, 256, [](int x, int y) { return Pixel{x, y, 255}; });
     for (const Solido &s :
          {Solido{1}, Solido{2}, Solido{3}, Solido{1, 314, 90}, Solido{2, 314, 90}, Solido{3, 314, 90}}) {
+        const std::string guion = "tecla " + std::to_string(s.cual) + "; " + arrastra({0, 0}, {s.dx, -s.dy});
         const Imagen gpu =
-            recorta(vistaDe("coordenadas", s.guion, ANCHO, ALTO, enRgb(im)).escena, s.panel.hueco);
+            recorta(vistaDe("coordenadas", guion, ANCHO, ALTO, enRgb(im)).escena, s.panel.hueco);
         const Escena escena = {s.objeto()};
         const auto impacto = [&](double x, double y) {
             return primerImpacto(escena, rayo(s.panel.camara, 160, ALTO, x, y));
@@ -421,23 +417,31 @@ TEST(Coordenadas, SeLeenEnLaImagenLasDeLaParametrizacion) {
                 EXPECT_NEAR(255 * p.y / p.z, 256 * c.t - 0.5, cota) << x << "," << y;
                 ++comparados;
             }
-        EXPECT_GT(comparados, dentro / 2) << s.guion;
+        EXPECT_GT(comparados, dentro / 2) << guion;
     }
 }
 
 // El punto P = (0.1, 0.5) y, desde él, hacia dónde crecen s, hasta 0.24, y t, hasta 0.8, en la imagen y, algo por encima de la
 // superficie, en el objeto; por detrás, ahí, sin rótulos.
 TEST(Coordenadas, LosMismosPuntosEnLaImagenYEnElObjeto) {
-    for (const Solido &s :
-         {Solido{1}, Solido{2}, Solido{3}, Solido{1, 314}, Solido{2, 314}, Solido{3, 314}}) {
-        const Encima encima = vistaDe("coordenadas", s.guion, ANCHO, ALTO).encima;
+    const struct {
+        std::string guion;
+        Solido solido;
+    } casos[] = {{"", {1}},
+                 {"tecla 2", {2}},
+                 {"tecla 3", {3}},
+                 {arrastra({0, 0}, {314, 0}), {3, 314}},
+                 {"tecla 2", {2, 314}},
+                 {"tecla 1", {1, 314}}};
+    paraCada("coordenadas", casos, ANCHO, ALTO, [&](const auto &caso, const Vista &v) {
+        const Solido &s = caso.solido;
         for (const bool enImagen : {true, false}) {
-            SCOPED_TRACE(s.guion + (enImagen ? ", en la imagen" : ", en el objeto"));
+            SCOPED_TRACE(enImagen ? "en la imagen" : "en el objeto");
             const Panel &panel = enImagen ? IZQUIERDA : s.panel;
-            const Encima enPanel = encima.enPanel(panel.hueco.x, 0);
-            const auto en = [&](double u, double v, double alza) {
-                return enImagen ? Vec3{u - 0.5, v - 0.5, 0}
-                                : punto(s.objeto().M, alza * s.conCoordenadas(u, v));
+            const Encima enPanel = v.encima.enPanel(panel.hueco.x, 0);
+            const auto en = [&](double u, double w, double alza) {
+                return enImagen ? Vec3{u - 0.5, w - 0.5, 0}
+                                : punto(s.objeto().M, alza * s.conCoordenadas(u, w));
             };
             Linea haciaS, haciaT;
             for (int i = 0; i <= 10; ++i) {
@@ -456,7 +460,7 @@ TEST(Coordenadas, LosMismosPuntosEnLaImagenYEnElObjeto) {
                                                  {"t", panel(haciaT.back()), VERDE, Lado::DERECHA}});
             compruebaRotulos(enPanel, letreros);
         }
-    }
+    });
 }
 
 // A la izquierda, la imagen entera, derecha y sin deformar, con la luz de su cara.

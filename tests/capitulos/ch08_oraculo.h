@@ -8,7 +8,7 @@
 namespace definicion {
 
 inline double quintica(double t) {
-    return 6 * std::pow(t, 5) - 15 * std::pow(t, 4) + 10 * std::pow(t, 3);
+    return t * t * t * (6 * t * t - 15 * t + 10);
 }
 inline long long modulo(long long i, long long n) {
     return n ? ((i % n) + n) % n : i;
@@ -17,7 +17,7 @@ inline double rampa(const long long nodo[3], const double d[3], const glm::ivec3
     std::uint64_t h = 0;
     const std::uint64_t primos[3] = {0x8da6b343, 0xd8163841, 0xcb1ab31f}, M = 0xffffffff;
     for (int k = 0; k < 3; ++k)
-        h ^= (static_cast<std::uint64_t>(modulo(nodo[k], periodo[k])) & M) * primos[k] & M;
+        h ^= (std::uint64_t(modulo(nodo[k], periodo[k])) & M) * primos[k] & M;
     h = (h ^ h >> 15) * 0x2c1b3c6d & M;
     h = (h ^ h >> 12) * 0x297a2d39 & M;
     h = h ^ h >> 15;
@@ -29,18 +29,14 @@ inline double rampa(const long long nodo[3], const double d[3], const glm::ivec3
     return suma;
 }
 inline double ruido(const glm::dvec3 &p, const glm::ivec3 &periodo = glm::ivec3(0)) {
-    double valor[2][2][2];
     const glm::dvec3 base = glm::floor(p), f = p - base;
-    for (int i = 0; i < 8; ++i) {
-        const int e[3] = {i & 1, i >> 1 & 1, i >> 2};
-        const long long nodo[3] = {static_cast<long long>(base.x) + e[0],
-                                   static_cast<long long>(base.y) + e[1],
-                                   static_cast<long long>(base.z) + e[2]};
-        const double d[3] = {f.x - e[0], f.y - e[1], f.z - e[2]};
-        valor[e[0]][e[1]][e[2]] = rampa(nodo, d, periodo);
-    }
+    const auto enNodo = [&](int x, int y, int z) {
+        const long long nodo[3] = {(long long)(base.x) + x, (long long)(base.y) + y, (long long)(base.z) + z};
+        const double d[3] = {f.x - x, f.y - y, f.z - z};
+        return rampa(nodo, d, periodo);
+    };
     const auto mezcla = [](double a, double b, double t) { return a + (b - a) * quintica(t); };
-    const auto enZ = [&](int x, int y) { return mezcla(valor[x][y][0], valor[x][y][1], f.z); };
+    const auto enZ = [&](int x, int y) { return mezcla(enNodo(x, y, 0), enNodo(x, y, 1), f.z); };
     return mezcla(mezcla(enZ(0, 0), enZ(0, 1), f.y), mezcla(enZ(1, 0), enZ(1, 1), f.y), f.x);
 }
 inline double turbulencia(const glm::dvec3 &p, int octavas, const glm::ivec3 &periodo = glm::ivec3(0)) {
@@ -52,20 +48,21 @@ inline double turbulencia(const glm::dvec3 &p, int octavas, const glm::ivec3 &pe
     return suma;
 }
 
-/// Una textura de 64³ bytes leída como GL_LINEAR y GL_REPEAT; (x, y, z), de 0 a 1 una vez la textura. De 0 a 1.
+/// Una textura de n³ bytes leída como GL_LINEAR y GL_REPEAT; (x, y, z), de 0 a 1 una vez la textura. De 0 a 1.
 template<class Punto>
 double trilineal(const std::vector<unsigned char> &texels, const Punto &p) {
+    const long long n = std::llround(std::cbrt(texels.size()));
     double suma = 0;
     for (int i = 0; i < 8; ++i) {
         double peso = 1;
         long long indice = 0;
         for (int k = 2; k >= 0; --k) {
-            const double u = 64 * p[k] - 0.5, f = u - std::floor(u);
+            const double u = double(n) * p[k] - 0.5, suelo = std::floor(u), f = u - suelo;
             const int e = i >> k & 1;
             peso *= e ? f : 1 - f;
-            indice = 64 * indice + modulo(static_cast<long long>(std::floor(u)) + e, 64);
+            indice = n * indice + modulo((long long)(suelo) + e, n);
         }
-        suma += peso * texels[static_cast<std::size_t>(indice)] / 255;
+        suma += peso * texels[std::size_t(indice)] / 255;
     }
     return suma;
 }

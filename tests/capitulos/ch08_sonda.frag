@@ -1,15 +1,12 @@
 #version 140
 #include "ch08_texturas_avanzadas/ruido.glsl"
 
-uniform vec3 p;
-uniform int periodoX, periodoY, periodoZ, octavas;
+uniform vec3 p, periodo;
+uniform int octavas; // 0, el ruido
 
 out vec4 colorFragmento;
 
 void main() {
-    ivec3 periodo = ivec3(periodoX, periodoY, periodoZ);
-    if (octavas == 0)
-        colorFragmento = ruidoConGradiente(p, periodo);
-    else
-        colorFragmento = turbulenciaConGradiente(p, octavas, periodo);
+    colorFragmento = octavas == 0 ? ruidoConGradiente(p, ivec3(periodo))
+                                  : turbulenciaConGradiente(p, octavas, ivec3(periodo));
 }

@@ -23,14 +23,14 @@ Vec3 correla(const Imagen &im, const Nucleo &filtro, int x, int y) {
     return suma;
 }
 enum Signo { POSITIVO, CON_SIGNO, ABSOLUTO }; // con signo, el gris 128 es 0
-Panel con(const Imagen &im, const Nucleo &filtro, const std::string &rotulo, Signo signo = POSITIVO) {
+Cuadro con(const Imagen &im, const Nucleo &filtro, const std::string &rotulo, Signo signo = POSITIVO) {
     return {[=](int x, int y) {
                 const Vec3 c = correla(im, filtro, x, y);
                 return signo == CON_SIGNO ? Vec3{128, 128, 128} + c : signo == ABSOLUTO ? absoluto(c) : c;
             },
             rotulo};
 }
-const Panel ORIGINAL = {igualQue(A), "Original"};
+const Cuadro ORIGINAL = {igualQue(A), "Original"};
 
 const Nucleo SUAVIZADO = {3, std::vector<double>(9, 1.0 / 9)}, NITIDEZ = {3, {0, -1, 0, -1, 5, -1, 0, -1, 0}},
              BORDES = {3, {0, 1, 0, 1, -4, 1, 0, 1, 0}};
@@ -60,8 +60,8 @@ std::string pide(int familia, int m, int modo = AUTOMATICO) {
            veces(9 - m, "tecla -") + "; " + veces(modo, "tecla s") + "; ";
 }
 /// Qué filtro es y cómo se ha hecho: en dos pasadas, si se puede y no se pide otra cosa.
-Panel conNucleo(const Imagen &im, int familia, int m, int modo = AUTOMATICO,
-                const std::string &intermedio = "float", Signo signo = CON_SIGNO) {
+Cuadro conNucleo(const Imagen &im, int familia, int m, int modo = AUTOMATICO,
+                 const std::string &intermedio = "float", Signo signo = CON_SIGNO) {
     const char *const nombres[] = {"Caja ", "Gaussiana ", "Disco ", "Derivada "};
     const bool directo = familia == DISCO || modo == DIRECTO || (modo == AUTOMATICO && m == 1);
     const std::string lado = std::to_string(m);
@@ -76,9 +76,9 @@ Panel conNucleo(const Imagen &im, int familia, int m, int modo = AUTOMATICO,
 
 // Elegir uno deja de comparar.
 TEST(Convolucion, LosTresFiltrosDeLaTabla91) {
-    const Panel suavizado = con(A, SUAVIZADO, "Suavizado"), nitidez = con(A, NITIDEZ, "Nitidez"),
-                conSigno = con(A, BORDES, "Bordes con signo", CON_SIGNO),
-                absolutos = con(A, BORDES, "Bordes en valor absoluto", ABSOLUTO);
+    const Cuadro suavizado = con(A, SUAVIZADO, "Suavizado"), nitidez = con(A, NITIDEZ, "Nitidez"),
+                 conSigno = con(A, BORDES, "Bordes con signo", CON_SIGNO),
+                 absolutos = con(A, BORDES, "Bordes en valor absoluto", ABSOLUTO);
     compruebaPaneles("convolucion", {A},
                      {{{"", "tecla 2; tecla v; tecla 1"}, {suavizado}},
                       {{"tecla 2"}, {nitidez}},
@@ -113,8 +113,8 @@ TEST(ConvolucionVariable, CadaFamiliaYTallaDirectaYSeparable) {
                 compruebaPaneles("convolucion_variable", {im},
                                  {{{pide(familia, m, modo)}, {conNucleo(im, familia, m, modo)}}});
             }
-    const Panel caja9 = conNucleo(A, CAJA, 9);
-    const Panel absoluta = conNucleo(A, DERIVADA, 5, AUTOMATICO, "float", ABSOLUTO);
+    const Cuadro caja9 = conNucleo(A, CAJA, 9);
+    const Cuadro absoluta = conNucleo(A, DERIVADA, 5, AUTOMATICO, "float", ABSOLUTO);
     compruebaPaneles("convolucion_variable", {A},
                      {{{"", "tecla s ×3"}, {caja9}},
                       {{"tecla + ×99; tecla -"}, {conNucleo(A, CAJA, 30)}},
@@ -128,7 +128,7 @@ TEST(ConvolucionVariable, IntermedioDe8BitsContraFloat) {
     const auto error = [](int familia, const std::string &teclas, const std::string &intermedio) {
         const Vista v = vistaDe("convolucion_variable", "tecla r; " + pide(familia, 9, SEPARABLE) + teclas,
                                 A.ancho, A.alto, enFicheros({A}));
-        const Panel p = conNucleo(A, familia, 9, SEPARABLE, intermedio);
+        const Cuadro p = conNucleo(A, familia, 9, SEPARABLE, intermedio);
         EXPECT_EQ(v.encima.at(0).texto, p.rotulo);
         const double e = diferenciaMaxima(v.escena, p.esperado);
         std::cout << p.rotulo << ": " << e << " niveles\n";

@@ -11,18 +11,18 @@ const Vec3 UNO{1, 1, 1}, PESOS{0.2126, 0.7152, 0.0722};
 
 /// Lo que sale de cada texel de A y el suyo de B.
 template<class Efecto>
-Panel deTexels(const std::string &rotulo, Efecto efecto) {
+Cuadro deTexels(const std::string &rotulo, Efecto efecto) {
     return {[=](int x, int y) { return efecto(texel(A, x, y), texel(B, x, y)); }, rotulo};
 }
-Panel brillo(double alfa, const std::string &rotulo) {
+Cuadro brillo(double alfa, const std::string &rotulo) {
     return deTexels(rotulo, [=](auto a, auto) { return alfa * a; });
 }
-Panel mezcla(double alfa, const std::string &rotulo) {
+Cuadro mezcla(double alfa, const std::string &rotulo) {
     return deTexels(rotulo, [=](auto a, auto b) { return (1 - alfa) * a + alfa * b; });
 }
-const Panel ORIGINAL = mezcla(0, "Original"), SOLO_A = mezcla(0, "A"), SOLO_B = mezcla(1, "B");
+const Cuadro ORIGINAL = mezcla(0, "Original"), SOLO_A = mezcla(0, "A"), SOLO_B = mezcla(1, "B");
 
-Panel volteada(bool horizontal, bool vertical) {
+Cuadro volteada(bool horizontal, bool vertical) {
     const char *const nombres[] = {"Original", "Horizontal", "Vertical", "Los dos"};
     return {[=](int x, int y) {
                 return texel(A, horizontal ? A.ancho - 1 - x : x, vertical ? A.alto - 1 - y : y);
@@ -32,7 +32,7 @@ Panel volteada(bool horizontal, bool vertical) {
 
 /// Gira en el sentido contrario a las agujas del reloj; fuera del círculo que cabe en la imagen no cambia nada. Un nivel: la GPU
 /// interpola con fracciones de texel de 8 bits.
-Panel girada(const Imagen &im, int grados) {
+Cuadro girada(const Imagen &im, int grados) {
     return {[im, grados](int x, int y) {
                 const double cx = im.ancho / 2.0, cy = im.alto / 2.0, dx = x + 0.5 - cx, dy = y + 0.5 - cy,
                              cerca = std::max(1 - std::hypot(dx, dy) / std::min(cx, cy), 0.0),
@@ -47,10 +47,10 @@ Panel girada(const Imagen &im, int grados) {
 
 // Con su tecla y con el menú, que además deja de comparar. El negativo es exacto: hecho dos veces da el original.
 TEST(Efectos, CadaUnoContraLaCpu) {
-    const Panel brillo16 = brillo(1.6, "Brillo ×1.6"),
-                negativo = deTexels("Negativo", [](auto a, auto) { return 255 * UNO - a; }),
-                media = deTexels("Media", [](auto a, auto) { return escalar(a, UNO) / 3 * UNO; }),
-                luminancia = deTexels("Luminancia", [](auto a, auto) { return escalar(a, PESOS) * UNO; });
+    const Cuadro brillo16 = brillo(1.6, "Brillo ×1.6"),
+                 negativo = deTexels("Negativo", [](auto a, auto) { return 255 * UNO - a; }),
+                 media = deTexels("Media", [](auto a, auto) { return escalar(a, UNO) / 3 * UNO; }),
+                 luminancia = deTexels("Luminancia", [](auto a, auto) { return escalar(a, PESOS) * UNO; });
     compruebaPaneles("efectos", {A},
                      {{{"", "tecla v; tecla 1", "tecla 3; menu Original"}, {ORIGINAL}},
                       {{"tecla 2", "tecla v; menu Brillo"}, {brillo16}},
@@ -153,8 +153,8 @@ TEST(Mezcla, HacenFaltaDosImagenes) {
 // --- diferencia ---
 
 TEST(Diferencia, ContraLaCpu) {
-    const Panel sinSigno = deTexels("|A − B|", [](auto a, auto b) { return absoluto(a - b); }),
-                conSigno = deTexels("(A − B)/2", [](auto a, auto b) { return 128 * UNO + 0.5 * (a - b); });
+    const Cuadro sinSigno = deTexels("|A − B|", [](auto a, auto b) { return absoluto(a - b); }),
+                 conSigno = deTexels("(A − B)/2", [](auto a, auto b) { return 128 * UNO + 0.5 * (a - b); });
     compruebaPaneles("diferencia", {A, B},
                      {{{""}, {sinSigno}},
                       {{"tecla s"}, {conSigno}},
@@ -185,8 +185,8 @@ TEST(Diferencia, CincoSitios) {
 // --- volteo ---
 
 TEST(Volteo, ContraLaCpuYDosVecesEsElOriginal) {
-    const Panel original = volteada(false, false), horizontal = volteada(true, false),
-                vertical = volteada(false, true), losDos = volteada(true, true);
+    const Cuadro original = volteada(false, false), horizontal = volteada(true, false),
+                 vertical = volteada(false, true), losDos = volteada(true, true);
     compruebaPaneles("volteo", {A},
                      {{{"", "tecla h ×2; tecla v ×2"}, {original}},
                       {{"tecla h"}, {horizontal}},

@@ -6,6 +6,7 @@
 #include "contra_oraculo.h"
 #include "guiones.h"
 #include "oraculo/cobertura.h"
+#include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
@@ -19,10 +20,10 @@ const Imagen A = alAzar(80, 60, 5), B = alAzar(80, 60, 6);
 /// El color dice de qué texel es.
 const Imagen RAMPA = imagen(221, 177, [](int x, int y) { return Pixel{x, y, 77}; });
 
-Panel solo(const Imagen &im, const std::string &rotulo, double cota = 0.51) {
+Cuadro solo(const Imagen &im, const std::string &rotulo, double cota = 0.51) {
     return {igualQue(im), rotulo, cota};
 }
-Panel mezcla(double t, const std::string &rotulo) {
+Cuadro mezcla(double t, const std::string &rotulo) {
     return {[t](int x, int y) { return (1 - t) * texel(A, x, y) + t * texel(B, x, y); }, rotulo};
 }
 
@@ -69,7 +70,7 @@ TEST(MallaImagen, PasaPorSusPuntosYLaRegularNoDeforma) {
 // No se arrastra con otro botón, ni una esquina fuera de la imagen. Al comparar se arrastra en la deformada,
 // que en otro sitio de la ventana se redondea de otra manera: un nivel.
 TEST(Warping, LaMallaIdentidadEsElOriginal) {
-    const Panel original = solo(A, "Original");
+    const Cuadro original = solo(A, "Original");
     const std::string mueve = arrastra({40, 30}, {50, 20}), mueveALaDerecha = arrastra({121, 30}, {131, 20}),
                       conOtroBoton = clic({40, 30}) + "; " + arrastra({40, 30}, {50, 20}, "CENTRAL");
     const auto deformada = [](const std::string &guion) {
@@ -133,7 +134,7 @@ TEST(Morphing, EnLosExtremosEsAYEsB) {
 
 // Con mallas regulares es la mezcla lineal. Al comparar no se arrastra.
 TEST(Morphing, SinDeformarEsUnaMezcla) {
-    const Panel enMedio = mezcla(0.5, "t = 0.50");
+    const Cuadro enMedio = mezcla(0.5, "t = 0.50");
     compruebaPaneles(
         "morphing", {A, B},
         {{{"", "tecla 3; tecla 2"}, {enMedio}},
@@ -243,10 +244,8 @@ TEST(Antialiasing, CoberturaContraElAreaExacta) {
 
 // La lupa son 16 × 16 píxeles de la propia imagen, también cuando aumentada entera no cabría en un área de dibujo.
 TEST(Antialiasing, LaLupaSonPixelesDeLaImagen) {
-    const struct {
-        int ancho, alto, lado, x, y, aumento;
-    } casos[] = {{200, 200, 180, 10, 20, 3}, {960, 1080, 960, 0, 113, 18}};
-    for (const auto &[ancho, alto, lado, x, y, aumento] : casos)
+    const auto ventanas = {std::array{200, 200, 180, 10, 20, 3}, {960, 1080, 960, 0, 113, 18}};
+    for (const auto &[ancho, alto, lado, x, y, aumento] : ventanas)
         for (const std::string guion : {"tecla 1", "tecla 2", "tecla 3"}) {
             const Imagen vista = vistaDe("antialiasing", guion, ancho, alto).escena;
             const int lupa = 16 * aumento, esquina = (lado - lupa) / 2;
@@ -301,25 +300,20 @@ TEST(Ampliacion, LoQueMideEnPixeles) {
         };
         EXPECT_LE(diferenciaMaxima(i, esperado), 0.51);
     };
-    const struct {
-        int ancho, alto;
-        std::string guion;
-        int anchoRojo, altoRojo;
-        std::string factor;
-    } casos[] = {{80, 80, "tecla - ×2", 40, 20, "×0.5"},
-                 {160, 60, "tecla - ×2", 60, 30, "×0.5"},
-                 {80, 80, "", 80, 40, "×1"},
-                 {160, 160, "tecla - ×4", 40, 20, "×0.25"},
-                 {320, 320, "tecla - ×99", 20, 10, "×0.0625"},
-                 {80, 80, "tecla + ×99; tecla - ×10", 40, 20, "×0.5"},
-                 {80, 80, "tecla + ×2", 80, 80, "×2"}};
-    for (const auto &c : casos)
-        for (const bool vecino : {false, true}) {
-            SCOPED_TRACE(c.guion);
-            const Vista v = vistaDe("ampliacion", "tecla r; " + c.guion + (vecino ? "; tecla f" : ""),
-                                    c.ancho, c.alto, roja);
-            mide(v.escena, c.anchoRojo, c.altoRojo);
-            EXPECT_EQ(v.encima.at(0).texto, c.factor + (vecino ? ", vecino" : ", lineal"));
+    for (const auto &[ancho, alto, guion, anchoRojo, altoRojo, factor] :
+         {std::tuple(80, 80, "tecla - ×2", 40, 20, "×0.5"),
+          {160, 60, "tecla - ×2", 60, 30, "×0.5"},
+          {80, 80, "", 80, 40, "×1"},
+          {160, 160, "tecla - ×4", 40, 20, "×0.25"},
+          {320, 320, "tecla - ×99", 20, 10, "×0.0625"},
+          {80, 80, "tecla + ×99; tecla - ×10", 40, 20, "×0.5"},
+          {80, 80, "tecla + ×2", 80, 80, "×2"}})
+        for (const auto &[tecla, filtro] : {std::pair("", ", lineal"), {"; tecla f", ", vecino"}}) {
+            SCOPED_TRACE(guion);
+            const Vista v =
+                vistaDe("ampliacion", std::string("tecla r; ") + guion + tecla, ancho, alto, roja);
+            mide(v.escena, anchoRojo, altoRojo);
+            EXPECT_EQ(v.encima.at(0).texto, std::string(factor) + filtro);
         }
     const Vista v = vistaDe("ampliacion", "tecla r; tecla v", 161, 80, roja);
     mide(oraculo::recorta(v.escena, 0, 0, 80, 80), 80, 80);

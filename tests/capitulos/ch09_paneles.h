@@ -11,14 +11,14 @@ inline Vec3 absoluto(const Vec3 &v) {
     return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)};
 }
 
-struct Panel {
+struct Cuadro {
     Esperado esperado;
     std::string rotulo;
     double cota = 0.51; // el redondeo a 8 bits; con números enteros, exacto
 };
 struct Caso {
     std::vector<std::string> guiones; // dan lo mismo
-    std::vector<Panel> paneles;
+    std::vector<Cuadro> paneles;
     int columnas = 1;
 };
 
@@ -35,7 +35,7 @@ inline void compruebaPaneles(const std::string &programa, const std::vector<Imag
             ASSERT_EQ(v.encima.size(), paneles.size());
             for (int k = 0; k < n; ++k) {
                 const int x = k % columnas * (ancho + 1), y = (filas - 1 - k / columnas) * (alto + 1);
-                const Panel &p = paneles[std::size_t(k)];
+                const Cuadro &p = paneles[std::size_t(k)];
                 const Pintado &rotulo = v.encima[std::size_t(k)];
                 EXPECT_LE(diferenciaMaxima(oraculo::recorta(v.escena, x, y, ancho, alto), p.esperado), p.cota)
                     << k;

@@ -89,13 +89,13 @@ TEST(Eventos, LasTeclasComunesSiguen) {
 
 // En la ventana, los nueve últimos, de arriba abajo y el último en azul; los movimientos seguidos, como uno.
 TEST(Eventos, SeVenLosUltimos) {
-    const auto comprueba = [](const std::string &guion, std::vector<std::string> sucesos) {
-        const Encima encima = vistaDe("eventos", guion).encima;
-        for (std::size_t i = 0; i < sucesos.size(); ++i)
-            compruebaRotulo(encima, sucesos[i], {0.03 * 240, 180 * (0.92 - 0.1 * double(i))},
-                            i + 1 == sucesos.size() ? AZUL : OSCURO, Lado::DERECHA);
-        sucesos.pop_back();
-        EXPECT_EQ(encima.textos(OSCURO), sucesos);
+    const auto comprueba = [](const std::string &guion, const std::vector<std::string> &sucesos) {
+        std::vector<Letrero> letreros;
+        for (const std::string &suceso : sucesos)
+            letreros.push_back(
+                {suceso, {0.03 * 240, 180 * (0.92 - 0.1 * double(letreros.size()))}, OSCURO, Lado::DERECHA});
+        letreros.back().color = AZUL;
+        compruebaRotulos(vistaDe("eventos", guion).encima, letreros);
     };
     const std::string mueve = "mueve 199 175; mueve 198 170; ";
     comprueba(mueve, {"tamaño 240 180", "movimiento 198 170"});
@@ -117,7 +117,7 @@ TEST(Eventos, ElRastroYLosBotones) {
         compruebaTrazo(encima, {a, b}, GRIS);
         EXPECT_NEAR(encima.largo(GRIS), glm::distance(a, b), 0.1);
         compruebaTrazo(encima.trazos(NARANJA, "segmentos"), {b, c}, NARANJA);
-        EXPECT_LE(glm::distance(encima.trazos(ROJO, "puntos").at(0).punto(0), c), 0.1);
+        compruebaPuntos(encima, {c}, ROJO);
         const Imagen imagen = imagenDe("eventos", guion);
         EXPECT_LE(distancia(pixel(imagen, 60, 19), color(GRIS)), 1);
         EXPECT_LE(distancia(pixel(imagen, 110, 24), color(NARANJA)), 1);

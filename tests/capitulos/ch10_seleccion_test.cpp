@@ -3,6 +3,7 @@
 #include "colores.h"
 #include "contra_oraculo.h"
 #include "guiones.h"
+#include "panel.h"
 #include <gtest/gtest.h>
 #include <iostream>
 #include <set>
@@ -144,16 +145,15 @@ TEST(Seleccion, SeVeCualEs) {
                 cuerpos[std::size_t(k)].color = 0.3 * CUERPOS[std::size_t(k)].color + 0.7 * CUERPOS[0].color;
         comprueba("elegido " + std::to_string(elegidos[i]),
                   comparaConLuzFija(v[i].escena, cuerpos, CAMARA, exacto(CIELO)));
-        compruebaRotulo(v[i].encima, leidos[i], {120, 0.06 * 180}, OSCURO, Lado::CENTRO);
+        std::vector<Letrero> letreros = {{leidos[i], {120, 0.06 * 180}, OSCURO}};
+        if (elegidos[i] == 9)
+            letreros.push_back({"esfera morada", enPixeles(CAMARA, {2, 1.6, 2}), OSCURO, Lado::ENCIMA});
+        compruebaRotulos(v[i].encima, letreros);
     }
-    compruebaRotulo(v[1].encima, "esfera morada", enPixeles(CAMARA, {2, 1.6, 2}), OSCURO, Lado::ENCIMA);
-    EXPECT_EQ(v[0].encima.size(), 1u);
-    EXPECT_EQ(v[2].encima.size(), 1u);
-    std::vector<glm::dvec2> aro;
+    Linea aro;
     for (int k = 0; k <= 64; ++k)
-        aro.push_back(
-            enPixeles(CAMARA, {2 + 0.98 * std::cos(k * PI / 32), 0.02, 2 + 0.98 * std::sin(k * PI / 32)}));
-    compruebaTrazo(v[1].encima, aro, OSCURO);
+        aro.push_back({2 + 0.98 * std::cos(k * PI / 32), 0.02, 2 + 0.98 * std::sin(k * PI / 32)});
+    compruebaTrazos(v[1].encima, Panel(CAMARA, v[1].escena), {aro}, OSCURO);
     EXPECT_TRUE(v[1].encima.trazos(OSCURO).at(0).conProfundidad);
 }
 
@@ -167,8 +167,8 @@ TEST(Seleccion, ElFramebufferALaVista) {
                   return 1 / 255.0 * colores[std::max(i.objeto, 0)];
               }));
     EXPECT_EQ(v[1].escena.rgb, v[0].escena.rgb);
-    compruebaRotulo(v[1].encima, "color 64 0 0 → objeto 8", {120, 0.06 * 180}, BLANCO, Lado::CENTRO);
-    compruebaRotulo(v[1].encima, "toro azul", enPixeles(CAMARA, {0, 1.78, 2}), BLANCO, Lado::ENCIMA);
+    compruebaRotulos(v[1].encima, {{"color 64 0 0 → objeto 8", {120, 0.06 * 180}, BLANCO},
+                                   {"toro azul", enPixeles(CAMARA, {0, 1.78, 2}), BLANCO, Lado::ENCIMA}});
     EXPECT_EQ(v[2].escena.rgb, vistaDe("seleccion").escena.rgb);
     for (const std::string antes : {"", "tecla v; "})
         EXPECT_EQ(ejecuta("seleccion", antes + clic({100, 100})).salida,

@@ -3,10 +3,18 @@
 #pragma once
 #include <cmath>
 #include <functional>
+#include <glm/gtc/type_ptr.hpp>
 #include <gtest/gtest.h>
 #include <iostream>
+#include <numeric>
 #include <sstream>
 #include <string>
+#include <vector>
+
+using Largo = long double; // 64 bits de mantisa
+
+const double U_FLOAT = 0x1p-24; // el redondeo de float, en un número próximo a 1
+const double U_DOBLE = 0x1p-53; // y el de double
 
 class CasoDificil : public testing::Test {
     const double cota;
@@ -40,15 +48,9 @@ inline void caso(const std::string &grupo, const std::string &nombre, double cot
                           [=]() -> testing::Test * { return new CasoDificil(cota, unidad, mide); });
 }
 
-struct Casos {
-    template<class Registra>
-    explicit Casos(Registra registra) {
-        registra();
-    }
-};
-
-/// Un número en un nombre: «1em20» es 1e-20.
-inline std::string enNombre(double x) {
+/// Un número en un nombre: «1em20» es 1e-20. Los enteros, con todas sus cifras.
+template<class T>
+std::string enNombre(T x) {
     std::ostringstream s;
     s << x;
     std::string nombre;
@@ -57,10 +59,68 @@ inline std::string enNombre(double x) {
     return nombre;
 }
 
+/// Un valor con el nombre de su caso: el dado o, si es un número, él.
+template<class T>
+struct Con {
+    std::string nombre;
+    T valor;
+    Con(const T &x) : nombre(enNombre(x)), valor(x) {
+    }
+    Con(const std::string &comoSeLlama, const T &x) : nombre(comoSeLlama), valor(x) {
+    }
+};
+
+/// Un caso por valor, cuyo nombre va donde el * de `nombre`. La cota puede depender del valor.
+template<class T, class Cota, class Mide>
+void casos(const std::string &grupo, const std::string &nombre, const std::vector<Con<T>> &valores,
+           const Cota &cota, const std::string &unidad, const Mide &mide) {
+    const std::size_t donde = nombre.find('*');
+    for (const Con<T> &v : valores) {
+        double suya;
+        if constexpr (std::is_invocable_v<Cota, T>)
+            suya = cota(v.valor);
+        else
+            suya = cota;
+        caso(grupo, std::string(nombre).replace(donde, 1, v.nombre), suya, unidad,
+             [mide, x = v.valor] { return mide(x); });
+    }
+}
+
+struct Casos {
+    template<class Registra>
+    explicit Casos(Registra registra) {
+        registra();
+    }
+};
+
 /// La mayor de varias medidas; un NaN no se pierde.
 inline double mayor(double a, double b) {
     return std::isnan(a) || a > b ? a : b;
 }
 
-const double U_FLOAT = 0x1p-24; // el redondeo de float, en un número próximo a 1
-const double U_DOBLE = 0x1p-53; // y el de double
+/// La mayor medida de unos valores; de ninguno, NaN.
+template<class Valores, class Mide>
+double peorDe(const Valores &valores, const Mide &mide) {
+    double peor = std::empty(valores) ? NAN : -HUGE_VAL;
+    for (const auto &x : valores)
+        peor = mayor(double(mide(x)), peor);
+    return peor;
+}
+template<class T, class Mide>
+double peorDe(std::initializer_list<T> valores, const Mide &mide) {
+    return peorDe(std::vector<T>(valores), mide);
+}
+/// La de los enteros de 0 a n − 1.
+template<class Mide>
+double peorHasta(int n, const Mide &mide) {
+    std::vector<int> enteros(n);
+    std::iota(enteros.begin(), enteros.end(), 0);
+    return peorDe(enteros, mide);
+}
+
+/// El mayor componente, sin signo, de un vector o una matriz.
+template<class V>
+double mayorComponente(const V &v) {
+    const auto *const uno = glm::value_ptr(v);
+    return peorHasta(int(sizeof(V) / sizeof(*uno)), [&](int i) { return double(std::fabs(uno[i])); });
+}

@@ -17,18 +17,16 @@ double errorDeIdentificador(unsigned identificador) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
     unsigned char leido[4] = {};
     glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, leido);
-    return std::fabs(static_cast<double>(identificadorDe({leido[0], leido[1], leido[2]})) - identificador);
+    return std::fabs(double(identificadorDe({leido[0], leido[1], leido[2]})) - identificador);
 }
 
 const Casos IDENTIFICADORES([] {
-    for (const unsigned id : {0u, 1u, 127u, 128u, 255u, 256u, 65535u, 65536u, 8388608u, IDENTIFICADOR_MAXIMO})
-        caso("Identificador", "id_" + std::to_string(id), 0, "diferencia",
-             [=] { return errorDeIdentificador(id); });
+    casos<unsigned>("Identificador", "id_*",
+                    {0u, 1u, 127u, 128u, 255u, 256u, 65535u, 65536u, 8388608u, IDENTIFICADOR_MAXIMO}, 0,
+                    "diferencia", errorDeIdentificador);
     caso("Identificador", "todos_los_de_un_bit_menos", 0, "diferencia", [] {
-        double peor = 0;
-        for (unsigned bit = 0; bit < 24; ++bit)
-            peor = mayor(errorDeIdentificador(IDENTIFICADOR_MAXIMO ^ (1u << bit)), peor);
-        return peor;
+        return peorHasta(24,
+                         [](int bit) { return errorDeIdentificador(IDENTIFICADOR_MAXIMO ^ (1u << bit)); });
     });
 });
 

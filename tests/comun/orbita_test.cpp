@@ -47,7 +47,8 @@ TEST_F(Raton, ConSueloNoSeVeDesdeDebajo) {
 TEST_F(Raton, GiraLoMismoEnUnaVentanaMayor) {
     arrastra(60, 45);
     const Orbita pequena = orbita;
-    orbita.azimut = 0.3f, orbita.elevacion = 0;
+    orbita.azimut = 0.3f;
+    orbita.elevacion = 0;
     glutReshapeWindow(960, 720);
     arrastra(240, 180);
     EXPECT_NEAR(orbita.azimut, pequena.azimut, 1e-5);

@@ -18,7 +18,8 @@ static struct {
 } estado;
 
 static void edita(char version) {
-    const fs::path raiz = std::getenv("LAB_RAIZ");
+    const std::string carpetas = std::getenv("LAB_RAIZ");
+    const fs::path raiz = carpetas.substr(0, carpetas.find(':')); // la primera
     fs::remove_all(raiz / "taller");
     fs::copy(raiz / std::string(1, version), raiz / "taller");
 }
@@ -54,7 +55,7 @@ static void teclado(unsigned char tecla, int, int) {
     } else if (tecla == 'v') {
         fs::current_path(carpeta);
     } else if (!teclaComun(tecla)) {
-        edita(static_cast<char>(tecla));
+        edita(char(tecla));
     }
 }
 

@@ -11,29 +11,41 @@ namespace fs = std::filesystem;
 namespace {
 
 using Ficheros = std::map<std::string, std::string>; // nombre → contenido
-
-const char *const COLOR = "out vec4 colorFragmento;\n";
+const char *const BORRADO = "-";
 
 std::string vert(const std::string &x) {
-    return "#version 140\nin vec3 posicion;\nin vec2 coordTextura;\nout vec2 st;\nvoid main() {\n    st = "
-           "coordTextura;\n"
-           "    gl_Position = vec4(posicion.x + " +
+    return R"(#version 140
+in vec3 posicion;
+in vec2 coordTextura;
+out vec2 st;
+void main() {
+    st = coordTextura;
+    gl_Position = vec4(posicion.x + )" +
            x + ", 2.0 * posicion.y, 0.0, 1.0);\n}\n";
 }
 std::string frag(const std::string &color) {
-    return "#version 140\nin vec2 st;\nout vec4 colorFragmento;\nuniform sampler2D Img;\nvoid main() {\n    "
-           "colorFragmento = " +
+    return R"(#version 140
+in vec2 st;
+out vec4 colorFragmento;
+uniform sampler2D Img;
+void main() {
+    colorFragmento = )" +
            color + ";\n}\n";
 }
 const std::string ROJO = frag("vec4(1, 0, 0, 1)"), VERDE = frag("vec4(0, 1, 0, 1)"),
-                  AZUL = frag("vec4(0, 0, 1, 1)"), BLANCO = frag("vec4(1, 1, 1, 1)");
+                  AZUL = frag("vec4(0, 0, 1, 1)"), BLANCO = frag("vec4(1, 1, 1, 1)"),
+                  CABECERA = "#version 140\nout vec4 colorFragmento;\n";
 
 Ficheros version(const std::string &fragA, const std::string &fragB) {
     return {{"a.vert", vert("-0.5")}, {"a.frag", fragA}, {"b.vert", vert("0.5")}, {"b.frag", fragB}};
 }
+Ficheros con(Ficheros cambios, Ficheros buena) {
+    cambios.merge(buena);
+    return cambios;
+}
 
 /// Ejecuta tests/comun/taller.cpp con esas versiones de sus shaders en $LAB_RAIZ/0, /1…
-Ejecucion taller(const std::vector<Ficheros> &versiones, const std::string &guion,
+Ejecucion taller(const std::vector<Ficheros> &versiones, const std::string &guion = "",
                  const std::vector<std::string> &argumentos = {}) {
     static int n = 0;
     const fs::path raiz = carpetaTemporal() / ("raiz" + std::to_string(++n));
@@ -41,12 +53,11 @@ Ejecucion taller(const std::vector<Ficheros> &versiones, const std::string &guio
         const fs::path carpeta = raiz / std::to_string(v);
         fs::create_directories(carpeta);
         for (const auto &[nombre, contenido] : versiones[v])
-            std::ofstream(carpeta / nombre, std::ios::binary) << contenido;
+            if (contenido != BORRADO)
+                std::ofstream(carpeta / nombre, std::ios::binary) << contenido;
     }
-    setenv("LAB_RAIZ", raiz.c_str(), 1);
-    const Ejecucion e = ejecuta("../tests/taller", guion, 64, 32, argumentos);
-    unsetenv("LAB_RAIZ");
-    return e;
+    const ConRaiz conRaiz(raiz);
+    return ejecuta("../tests/taller", guion, 64, 32, argumentos);
 }
 
 /// El color de cada mitad de la imagen: «rojo azul».
@@ -62,84 +73,59 @@ std::string mitades(const Imagen &imagen) {
 
 /// Una manera de estropear los shaders del primer cuadrado, y lo que debe decirse de ella.
 struct Rotura {
-    const char *nombre;
-    Ficheros cambios; // sobre una versión buena; un contenido "-" quita el fichero
+    Ficheros cambios; // sobre una versión buena
     std::string mensaje;
 };
-
-std::vector<Rotura> roturas() {
-    const std::string incluye = "#version 140\n" + std::string(COLOR);
-    return {
-        {"sintaxis", {{"a.frag", frag("vec4(1.0, ,")}}, "taller/a.frag:6: error: "},
-        {"falta_un_include",
-         {{"a.frag", incluye + "#include \"taller/no_esta.glsl\"\n"}},
-         "taller/a.frag:3: no encuentro «taller/no_esta.glsl»; lo he buscado en "},
-        {"se_incluye",
-         {{"a.frag", incluye + "#include \"taller/a.frag\"\n"}},
-         "taller/a.frag:3: #include sin fin: taller/a.frag → taller/a.frag"},
-        {"ciclo",
-         {{"a.frag", incluye + "  #include  \"taller/c.glsl\" \n"},
-          {"c.glsl", "\n#include \"taller/a.frag\"\n"}},
-         "taller/a.frag:3: taller/c.glsl:2: #include sin fin: taller/a.frag → taller/c.glsl → taller/a.frag"},
-        {"error_en_lo_incluido",
-         {{"a.frag", incluye + "#include \"taller/c.glsl\"\n"}, {"c.glsl", "\nfloat x = y;\n"}},
-         "taller/c.glsl:2: error: "},
-        {"borrado", {{"a.vert", "-"}}, "no encuentro «taller/a.vert»; lo he buscado en "},
-        {"vertex_vacio", {{"a.vert", ""}}, "taller/a.vert"},
-        {"fragment_vacio", {{"a.frag", ""}}, "taller/a.frag"},
-        {"sin_posicion",
-         {{"a.vert", "#version 140\nout vec2 st;\nvoid main() {\n    st = vec2(0.0);\n    gl_Position = "
-                     "vec4(st, 0.0, 1.0);\n}\n"}},
-         "taller/a.vert: no usa el atributo «posicion»"},
-        {"no_enlaza",
-         {{"a.vert", "#version 140\nin vec3 posicion;\nout vec3 st;\nvoid main() {\n    st = posicion;\n    "
-                     "gl_Position = vec4(st, 1.0);\n}\n"},
-          {"a.frag", frag("vec4(st, 0, 1)")}},
-         "taller/a.vert y taller/a.frag no enlazan: "},
-        {"blancos",
-         {{"a.frag", "#version 140\n" + std::string(40000, ' ') + "x\n"}},
-         "taller/a.frag:2: error: "},
-        {"nombre_larguisimo",
-         {{"a.frag", incluye + "#include \"" + std::string(200000, 'x') + "\"\n"}},
-         "taller/a.frag:3: no encuentro «xxx"},
-    };
-}
-
-Ficheros estropeada(const Rotura &rotura, Ficheros buena) {
-    for (const auto &[nombre, contenido] : rotura.cambios)
-        buena[nombre] = contenido;
-    for (auto i = buena.begin(); i != buena.end();)
-        i = i->second == "-" ? buena.erase(i) : std::next(i);
-    return buena;
-}
+const Rotura ROTURAS[] = {
+    {{{"a.frag", frag("vec4(1.0, ,")}}, "taller/a.frag:6: error: "},
+    {{{"a.vert", "#version 150\nvoid main() {\n}\n"}}, "taller/a.vert:1: error: GLSL 1.50 is not supported"},
+    {{{"a.frag", CABECERA + "#include \"taller/no_esta.glsl\"\n"}},
+     "taller/a.frag:3: no encuentro «taller/no_esta.glsl»; lo he buscado en "},
+    {{{"a.frag", CABECERA + "#include \"taller/a.frag\"\n"}},
+     "taller/a.frag:3: #include sin fin: taller/a.frag → taller/a.frag"},
+    {{{"a.frag", CABECERA + "  #include  \"taller/c.glsl\" \n"},
+      {"c.glsl", "\n#include \"taller/a.frag\"\n"}},
+     "taller/a.frag:3: taller/c.glsl:2: #include sin fin: taller/a.frag → taller/c.glsl → taller/a.frag"},
+    // el error de un fichero incluido nombra ese fichero
+    {{{"a.frag", CABECERA + "#include \"taller/c.glsl\"\n"}, {"c.glsl", "\nfloat x = y;\n"}},
+     "taller/c.glsl:2: error: `y' undeclared — «float x = y;»"},
+    {{{"a.vert", BORRADO}}, "no encuentro «taller/a.vert»; lo he buscado en "},
+    {{{"a.vert", ""}}, "taller/a.vert"},
+    {{{"a.frag", ""}}, "taller/a.frag"},
+    {{{"a.vert",
+       "#version 140\nout vec2 st;\nvoid main() {\n    st = vec2(0.0);\n    gl_Position = vec4(1.0);\n}\n"}},
+     "taller/a.vert: no usa el atributo «posicion»"},
+    {{{"a.vert",
+       "#version 140\nin vec3 posicion;\nout vec3 st;\nvoid main() {\n    st = posicion;\n    gl_Position = "
+       "vec4(st, 1.0);\n}\n"},
+      {"a.frag", frag("vec4(st, 0, 1)")}},
+     "taller/a.vert y taller/a.frag no enlazan: "},
+    {{{"a.frag", "#version 140\n" + std::string(40000, ' ') + "x\n"}}, "taller/a.frag:2: error: "},
+    {{{"a.frag", CABECERA + "#include \"" + std::string(200000, 'x') + "\"\n"}},
+     "taller/a.frag:3: no encuentro «xxx"},
+};
 
 } // namespace
 
-// Al arrancar, un shader roto termina el programa con una línea que dice cuál es.
-TEST(Shaders, AlArrancarUnoRotoTermina) {
-    for (const Rotura &r : roturas()) {
-        const Ejecucion e = taller({estropeada(r, version(ROJO, AZUL))}, "");
-        EXPECT_EQ(e.estado, 1) << r.nombre;
-        EXPECT_TRUE(e.imagen.rgb.empty());
-        EXPECT_EQ(e.errores.rfind("taller: ", 0), 0u);
-        EXPECT_NE(e.errores.find(r.mensaje), std::string::npos)
-            << r.nombre << ": " << e.errores.substr(0, 500);
-    }
-}
-
-// Con la ventana abierta, F5 con el primero roto avisa y lo conserva, y relee el segundo; arreglado, se ve bien.
-TEST(Shaders, F5ConUnoRotoAvisaYSigue) {
-    EXPECT_EQ(mitades(taller({version(ROJO, AZUL)}, "").imagen), "rojo azul");
-    for (const Rotura &r : roturas()) {
-        SCOPED_TRACE(r.nombre);
-        const std::vector<Ficheros> versiones = {version(ROJO, AZUL), estropeada(r, version(ROJO, VERDE)),
+// Al arrancar, un shader roto termina el programa con una línea que dice cuál es. Con la ventana abierta, F5 con el primero roto avisa y lo
+// conserva, y relee el segundo; arreglado, se ve bien.
+TEST(Shaders, UnoRoto) {
+    EXPECT_EQ(mitades(taller({version(ROJO, AZUL)}).imagen), "rojo azul");
+    for (const Rotura &r : ROTURAS) {
+        SCOPED_TRACE(r.mensaje);
+        const std::vector<Ficheros> versiones = {version(ROJO, AZUL), con(r.cambios, version(ROJO, VERDE)),
                                                  version(BLANCO, BLANCO)};
-        const Ejecucion roto = taller(versiones, "tecla 1; especial F5"),
-                        bien = taller(versiones, "tecla 1; especial F5; especial F5; tecla 2; especial F5");
-        EXPECT_EQ(roto.estado, 0) << roto.errores.substr(0, 500);
-        EXPECT_EQ(roto.errores.rfind("taller: aviso: ", 0), 0u) << roto.errores.substr(0, 500);
-        EXPECT_NE(roto.errores.find(r.mensaje), std::string::npos) << roto.errores.substr(0, 500);
+        const Ejecucion alArrancar = taller({versiones[1]}), roto = taller(versiones, "tecla 1; especial F5"),
+                        bien = taller(versiones, "tecla 1; especial F5 ×2; tecla 2; especial F5");
+        EXPECT_EQ(alArrancar.estado, 1);
+        EXPECT_TRUE(alArrancar.imagen.rgb.empty());
+        EXPECT_EQ(roto.estado, 0);
         EXPECT_EQ(mitades(roto.imagen), "rojo verde");
+        for (const auto &[dice, principio] :
+             {std::pair(alArrancar.errores, "taller: "), {roto.errores, "taller: aviso: "}}) {
+            EXPECT_EQ(dice.rfind(principio, 0), 0u) << dice.substr(0, 500);
+            EXPECT_NE(dice.find(r.mensaje), std::string::npos) << dice.substr(0, 500);
+        }
         EXPECT_EQ(bien.estado, 0);
         EXPECT_EQ(mitades(bien.imagen), "blanco blanco");
     }
@@ -150,30 +136,38 @@ TEST(Shaders, F5MuchasVeces) {
     for (int i = 0; i < 40; ++i)
         guion += "tecla " + std::to_string(i % 2) + "; especial F5;";
     const Ejecucion e = taller({version(ROJO, AZUL), version(VERDE, BLANCO)}, guion);
-    EXPECT_EQ(e.estado, 0) << e.errores;
+    EXPECT_EQ(e.estado, 0);
     EXPECT_EQ(e.errores, "");
     EXPECT_EQ(mitades(e.imagen), "verde blanco");
 }
 
 // Solo lo que se incluye a sí mismo no acaba; dos veces seguidas sí se puede.
 TEST(Shaders, IncluirDosVecesLoMismo) {
-    Ficheros dosVeces = version(ROJO, AZUL);
-    dosVeces["a.frag"] = "#version 140\n" + std::string(COLOR) +
-                         "void main() {\n    float x = 0.0;\n#include \"taller/c.glsl\"\n#include "
-                         "\"taller/c.glsl\"\n    colorFragmento = vec4(0, step(1.0, x), 0, 1);\n}\n";
-    dosVeces["c.glsl"] = "    x += 0.5;\n";
-    const Ejecucion e = taller({dosVeces}, "");
+    const Ejecucion e = taller({con({{"a.frag", CABECERA + R"(
+void main() {
+    float x = 0.0;
+#include "taller/c.glsl"
+#include "taller/c.glsl"
+    colorFragmento = vec4(0, step(1.0, x), 0, 1);
+}
+)"},
+                                     {"c.glsl", "    x += 0.5;\n"}},
+                                    version(ROJO, AZUL))});
     EXPECT_EQ(e.errores, "");
     EXPECT_EQ(mitades(e.imagen), "verde azul");
 }
 
 // La normal está en su índice, el de los buffers, aunque el shader tenga antes otro atributo.
 TEST(Shaders, CadaAtributoEnSuIndice) {
-    Ficheros conNormal = version(frag("vec4(st, 0, 1)"), AZUL);
-    conNormal["a.vert"] = "#version 140\nin vec3 posicion, antes, vNormal;\nout vec2 st;\nvoid main() {\n"
-                          "    st = vec2(min(antes.x, 0.0), vNormal.z);\n"
-                          "    gl_Position = vec4(posicion.x - 0.5, 2.0 * posicion.y, 0.0, 1.0);\n}\n";
-    EXPECT_EQ(mitades(taller({conNormal}, "").imagen), "verde azul");
+    const Ficheros conNormal = {{"a.vert", R"(#version 140
+in vec3 posicion, antes, vNormal;
+out vec2 st;
+void main() {
+    st = vec2(min(antes.x, 0.0), vNormal.z);
+    gl_Position = vec4(posicion.x - 0.5, 2.0 * posicion.y, 0.0, 1.0);
+}
+)"}};
+    EXPECT_EQ(mitades(taller({con(conNormal, version(frag("vec4(st, 0, 1)"), AZUL))}).imagen), "verde azul");
 }
 
 TEST(F12, DondeNoSePuedeEscribirAvisaYSigue) {
@@ -188,7 +182,7 @@ TEST(F12, DondeNoSePuedeEscribirAvisaYSigue) {
 // Ocho texels por píxel: con mipmaps, el ajedrez se ve del gris de su media. Medio texel más allá, el centro de cada
 // píxel es el de un texel y sin mipmaps se vería blanco o negro.
 TEST(Textura, DeLejosSeVeSuMedia) {
-    const Ejecucion e = taller({version(frag("texture(Img, st + 0.5 / 256.0)"), AZUL)}, "");
+    const Ejecucion e = taller({version(frag("texture(Img, st + 0.5 / 256.0)"), AZUL)});
     ASSERT_EQ(e.estado, 0) << e.errores;
     for (int y = 0; y < 32; ++y)
         for (int x = 0; x < 32; ++x)

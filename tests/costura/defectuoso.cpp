@@ -1,11 +1,8 @@
 // Programas mal hechos, uno por argumento: lo que glut_sin_ventana debe notar (tests/costura/costura_test.cpp).
-#include "error.h"
-#include "imagen.h"
 #include "shader.h"
 #include "ventana.h"
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <string>
 
 static std::string defecto;
@@ -25,10 +22,6 @@ static void dibuja() {
         }
     } else if (defecto == "ocio") {
         std::printf("dibuja\n");
-    } else if (defecto == "recarga") {
-        glDrawArrays(GL_TRIANGLES, 0, 3);
-        const Imagen imagen = leeVentana();
-        std::printf("%d %d %d\n", imagen.rgb[0], imagen.rgb[1], imagen.rgb[2]);
     } else if (defecto == "lectura") {
         GLint bufer;
         glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &bufer);
@@ -37,19 +30,9 @@ static void dibuja() {
     glutSwapBuffers();
 }
 
-// El usuario edita el shader mientras el programa corre: primero se equivoca y luego lo arregla.
-static void edita(int version) {
-    const std::string cuerpo = version == 0   ? "1.0, 0.0, 0.0, 1.0"
-                               : version == 1 ? "1.0, ,"
-                                              : "0.0, 1.0, 0.0, 1.0";
-    std::ofstream(std::getenv("LAB_RAIZ") + std::string("/tests/costura/recarga.frag"))
-        << "#version 140\nout vec4 colorFragmento;\nvoid main() {\n    colorFragmento = vec4(" << cuerpo
-        << ");\n}\n";
-}
-
 static void temporizador(int valor) {
     std::printf("%d a %d ms\n", valor, glutGet(GLUT_ELAPSED_TIME));
-    glutTimerFunc(static_cast<unsigned>(valor), temporizador, valor);
+    glutTimerFunc(unsigned(valor), temporizador, valor);
     glutPostRedisplay();
 }
 
@@ -72,7 +55,7 @@ static void ocio() {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "defectuoso", GLUT_DOUBLE | GLUT_RGBA, "DEFECTO [SHADER]");
+    abreVentana(argc, argv, "defectuoso", GLUT_DOUBLE | GLUT_RGBA, "DEFECTO");
     defecto = argc > 1 ? argv[1] : "";
     glutDisplayFunc(dibuja);
     if (defecto == "inicio") {
@@ -82,20 +65,10 @@ int main(int argc, char **argv) {
         std::exit(0);
     } else if (defecto == "dos_ventanas") {
         glutCreateWindow("otra");
-    } else if (defecto == "shader") {
-        creaPrograma(std::string("tests/costura/") + argv[2], "tests/comparador/escena.frag");
     } else if (defecto == "uniforme") {
         const GLuint p = creaPrograma("tests/comparador/escena.vert", "tests/comparador/escena.frag");
         uniforme(p, "noExiste");
         uniforme(p, "noExiste");
-    } else if (defecto == "recarga") {
-        GLuint vao;
-        glGenVertexArrays(1, &vao);
-        glBindVertexArray(vao);
-        edita(0);
-        glUseProgram(creaPrograma("tests/costura/recarga.vert", "tests/costura/recarga.frag"));
-        glutTimerFunc(10, edita, 1);
-        glutTimerFunc(20, edita, 2);
     } else if (defecto == "lectura") {
         GLuint bufer;
         glGenBuffers(1, &bufer);

@@ -6,52 +6,30 @@
 #include <fstream>
 #include <iterator>
 #include <random>
+#include <sstream>
 #include <vector>
 
-static const std::vector<std::string> PALABRAS = {"1e300",
-                                                  "-1e39",
-                                                  "nan",
-                                                  "inf",
-                                                  "0x10",
-                                                  "1.5.2.3",
-                                                  "1-2-3",
-                                                  "+3",
-                                                  " -0",
-                                                  "99999999999999999999",
-                                                  "4294967296",
-                                                  "-1",
-                                                  "32769",
-                                                  "#",
-                                                  "\n",
-                                                  "\r\n",
-                                                  "\v",
-                                                  "\f",
-                                                  " ",
-                                                  ";",
-                                                  "@",
-                                                  "\"",
-                                                  "v ",
-                                                  "f ",
-                                                  "p ",
-                                                  "P6\n",
-                                                  "255\n",
-                                                  "x",
-                                                  "tecla ",
-                                                  "menu /",
-                                                  "#include \"a\"\n",
-                                                  "#include \"b\"\n",
-                                                  "ERROR: 0:1: ",
-                                                  "0:1(2): ",
-                                                  "0(99999999999999999999) : ",
-                                                  std::string(1, '\0'),
-                                                  std::string(5000, ' ')};
+using namespace std::literals;
+
+/// Lo que suele romper un lector. Es lo que va entre barras.
+static std::vector<std::string> palabras() {
+    std::istringstream todas("1e300|-1e39|nan|inf|0x10|1.5.2.3|1-2-3|+3| -0|4294967296|-1|32769"
+                             "|99999999999999999999|#|\n|\r\n|\v|\f| |;|@|\"|v |f |p |P6\n|255\n|x|tecla "
+                             "|menu /| ×9|escala |#include \"a\"\n|#include \"b\"\n|ERROR: 0:1: |0:1(2): "
+                             "|0(99999999999999999999) : |\0"s);
+    std::vector<std::string> lista;
+    for (std::string palabra; std::getline(todas, palabra, '|');)
+        lista.push_back(palabra);
+    return lista;
+}
 
 int main(int argc, char **argv) {
-    if (argc != 3)
-        return std::fprintf(stderr, "uso: conductor N SEMILLAS\n"), 2;
-    std::vector<std::filesystem::path> rutas;
-    for (const auto &f : std::filesystem::directory_iterator(argv[2]))
-        rutas.push_back(f.path());
+    if (argc != 3) {
+        std::fprintf(stderr, "uso: conductor N SEMILLAS\n");
+        return 2;
+    }
+    const std::vector<std::string> PALABRAS = palabras();
+    std::vector<std::filesystem::path> rutas(std::filesystem::directory_iterator(argv[2]), {});
     std::sort(rutas.begin(), rutas.end());
     std::vector<std::string> semillas;
     for (const auto &ruta : rutas) {
@@ -72,12 +50,13 @@ int main(int argc, char **argv) {
         for (std::size_t cambios = 1 + hasta(4); cambios > 0; --cambios) {
             const std::size_t i = hasta(s.size()), cuantos = hasta(std::min<std::size_t>(s.size() - i, 40));
             const std::string &otra = semillas[hasta(semillas.size() - 1)];
-            switch (hasta(4)) {
+            switch (hasta(5)) {
             case 0: s.insert(i, PALABRAS[hasta(PALABRAS.size() - 1)]); break;
             case 1: s.replace(i, cuantos, PALABRAS[hasta(PALABRAS.size() - 1)]); break;
             case 2: s.erase(i, cuantos); break;
             case 3: s.insert(i, otra, hasta(otra.size()), hasta(60)); break;
-            default: s.insert(i, 1, static_cast<char>(hasta(255)));
+            case 4: s.insert(i, 5000, ' '); break;
+            default: s.insert(i, 1, char(hasta(255)));
             }
         }
         prueba(s);

@@ -5,7 +5,7 @@
 
 static void esperaEntera(const Imagen &i) {
     exige(i.ancho >= 1 && i.alto >= 1);
-    exige(i.rgb.size() == 3 * static_cast<std::size_t>(i.ancho) * static_cast<std::size_t>(i.alto));
+    exige(i.rgb.size() == 3 * std::size_t(i.ancho) * i.alto);
 }
 
 int LLVMFuzzerTestOneInput(const std::uint8_t *datos, std::size_t n) {

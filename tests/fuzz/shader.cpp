@@ -17,10 +17,10 @@ static void fuente(GLuint, GLsizei, const GLchar *const *texto, const GLint *) {
 static void nada(GLuint) {
 }
 static void parametro(GLuint, GLenum cual, GLint *valor) {
-    *valor = cual == GL_INFO_LOG_LENGTH ? static_cast<GLint>(informe.size()) + 1 : GL_FALSE;
+    *valor = cual == GL_INFO_LOG_LENGTH ? GLint(informe.size()) + 1 : GL_FALSE;
 }
 static void daInforme(GLuint, GLsizei cabe, GLsizei *, GLchar *texto) {
-    exige(static_cast<std::size_t>(cabe) > informe.size());
+    exige(std::size_t(cabe) > informe.size());
     std::memcpy(texto, informe.c_str(), informe.size() + 1);
 }
 
