@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 #include <regex>
+#include <sstream>
 #include <string>
 #include <unistd.h>
 
@@ -39,11 +40,14 @@ namespace shader_basico {
 #include "ch01_intro/shader_basico.cpp"
 } // namespace shader_basico
 
-// Aquí no hay contexto de menos de 3.1: a info_opengl se le dice que el suyo lo es.
+// A info_opengl se le dice que su contexto es de otra versión, que aquí no hay, y que cada límite vale lo que su nombre.
 namespace info_opengl {
-#define glGetString(que) reinterpret_cast<const GLubyte *>((que) == GL_VERSION ? "3.0 Mesa" : "?")
+const char *otraVersion = nullptr;
+#define glGetString(que) reinterpret_cast<const GLubyte *>((que) == GL_VERSION ? otraVersion : "?")
+#define glGetIntegerv(que, valor) (*(valor) = GLint(que))
 #include "ch01_intro/info_opengl.cpp"
 #undef glGetString
+#undef glGetIntegerv
 #undef main
 } // namespace info_opengl
 
@@ -196,11 +200,24 @@ TEST(InfoOpengl, SinOpengl31NoSaleConCero) {
     EXPECT_NE(e.errores.find("OpenGL 3.1"), std::string::npos) << e.errores;
 }
 
-TEST(InfoOpengl, ConUnOpenglAntiguoDiceLoQueFalta) {
+TEST(InfoOpengl, ConOtroOpenglDiceLoQueFalta) {
     char nombre[] = "info_opengl", *argumentos[] = {nombre, nullptr};
-    EXPECT_EXIT((dup2(2, 1), std::exit(info_opengl::mainDelPrograma(1, argumentos))),
-                testing::ExitedWithCode(1),
+    const auto ejecutaAqui = [&](const char *version) {
+        dup2(2, 1);
+        info_opengl::otraVersion = version;
+        std::exit(info_opengl::mainDelPrograma(1, argumentos));
+    };
+    EXPECT_EXIT(ejecutaAqui("3.0 Mesa"), testing::ExitedWithCode(1),
                 "Falta: OpenGL 3.1 o posterior\n(.*\n)*Resultado: falta lo imprescindible");
+    std::ostringstream limites;
+    limites << "Textura 2D máxima: " << GL_MAX_TEXTURE_SIZE
+            << " .*\nTextura 3D máxima: " << GL_MAX_3D_TEXTURE_SIZE
+            << " .*\nMapa de cubo máximo: " << GL_MAX_CUBE_MAP_TEXTURE_SIZE
+            << " .*\nUnidades de textura: " << GL_MAX_TEXTURE_IMAGE_UNITS
+            << "\nUnidades de textura en el vertex shader: " << GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS
+            << "\nAtributos de vértice: " << GL_MAX_VERTEX_ATTRIBS
+            << "\nMuestras por píxel: " << GL_MAX_SAMPLES << "\n";
+    EXPECT_EXIT(ejecutaAqui("3.1 Mesa"), testing::ExitedWithCode(0), limites.str());
 }
 
 // Cada error nombra fichero y línea, o los dos shaders y la variable; F5 vuelve a intentarlo, y lo cuenta otra vez.
