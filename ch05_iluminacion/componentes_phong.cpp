@@ -89,8 +89,8 @@ static void dibujaVectores(const Recuadro &panel, const glm::mat4 &vistaEscena) 
 
     abreRecuadro(panel, FONDO_OSCURO);
     const glm::vec3 deLado = unitario(glm::cross(N, L)), centro = P - 0.25f * N;
-    // caben la esfera entera y los vectores: 3.6 de alto por 2.2 de ancho
-    const float semialto = std::max(1.8f / float(ampliacionVertical(aspecto(panel))), 1.1f * 3 / 4);
+    // caben la esfera entera y los vectores, con sus nombres: 3.9 de alto por 2.2 de ancho
+    const float semialto = std::max(1.95f / float(ampliacionVertical(aspecto(panel))), 1.1f * 3 / 4);
     const glm::mat4 camara = glm::lookAt(centro + 5.0f * deLado, centro, N),
                     proyeccion = paralelaVentana(semialto, 1, 10, aspecto(panel)),
                     vista = proyeccion * camara;
