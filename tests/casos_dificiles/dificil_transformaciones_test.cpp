@@ -102,9 +102,9 @@ const Casos GIROS([] {
     // su cuadrado y dos componentes del eje, que ya trae tres en cada uno.
     casos<float>("GiroEje", "angulo_*", {1e-3f, 1e-4f, 1e-6f, 1e-10f}, 13, "u relativos", giroPequeno);
 
-    // Cada paso redondea siempre igual dos cosas: el propio giro (u/2, en su diagonal) y su producto por lo que va casi solo (u/2 en
-    // cada componente de una columna unitaria). Los demás redondeos van al azar, y su suma no llega a mil. En un cuaternión, de
-    // cuatro componentes, lo mismo, y doble en su matriz.
+    // Cada paso redondea dos cosas siempre hacia el mismo lado: el propio giro (u/2, en su diagonal, que es casi 1) y su producto por
+    // lo que ya hay (u/2 en cada componente de una columna unitaria). Los demás redondeos van al azar, y suman mil veces menos. En un
+    // cuaternión, que tiene cuatro componentes, lo mismo, y en su matriz el doble.
     const double medio = PASOS * U_FLOAT / 2;
     caso("MillonDePasos", "deriva_matriz", (1 + std::sqrt(3)) * medio, "componente",
          [] { return deriva(matriz()); });

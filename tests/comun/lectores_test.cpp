@@ -35,7 +35,7 @@ void esperaQueTermine(const Lee &lee, const std::string &nombre,
 
 } // namespace
 
-// Todos los números que el laboratorio lee los lee él: es todo el texto o no es.
+// numeroDe lee todos los números de ficheros, guiones y opciones: es todo el texto o no es.
 TEST(Numero, SinNadaQueSobre) {
     for (const char *mal :
          {"", "-", "+1", " 1", "1 ", "1a", "0x10", "1.5", "1e2", "--1", "2147483648", "99999999999999999999"})
@@ -268,6 +268,8 @@ TEST(Recurso, SeBuscaPrimeroEnLabRaizYSeApuntaEnLabLeidos) {
                 "no encuentro «ch99/nada.vert»; lo he buscado en /no/existe/ch99.*raiz/ch99.*, .*, ");
     unsetenv("LAB_RAIZ");
     unsetenv("LAB_LEIDOS");
-    EXPECT_EQ(leeFichero(leidos.string()),
-              "ch03_transformaciones/objeto.vert\nch03_transformaciones/objeto.frag\n");
+    // entre lo apuntado puede haber más cosas: ./lab muta apunta ahí qué mutantes se usan
+    EXPECT_NE(leeFichero(leidos.string())
+                  .find("ch03_transformaciones/objeto.vert\nch03_transformaciones/objeto.frag\n"),
+              std::string::npos);
 }

@@ -1,7 +1,8 @@
 // Lo que common/ hace con una ventana abierta: F5 con shaders mal editados, F12 donde no se puede escribir, texturas.
 #include "ejecuta.h"
+#include "shader.h"
 #include <algorithm>
-#include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <map>
@@ -168,6 +169,34 @@ void main() {
 }
 )"}};
     EXPECT_EQ(mitades(taller({con(conNormal, version(frag("vec4(st, 0, 1)"), AZUL))}).imagen), "verde azul");
+}
+
+// Cada fabricante da a su manera la línea de un error, que se dice una vez: aquí los compiladores son de mentira.
+TEST(Shaders, ElInformeDeCadaFabricante) {
+    static std::string informe;
+    glCreateShader = [](GLenum) { return 1u; };
+    glShaderSource = [](GLuint, GLsizei, const GLchar *const *, const GLint *) {};
+    glCompileShader = glDeleteShader = [](GLuint) {};
+    glGetShaderiv = [](GLuint, GLenum que, GLint *valor) {
+        *valor = que == GL_INFO_LOG_LENGTH ? GLint(informe.size()) + 1 : GL_FALSE;
+    };
+    glGetShaderInfoLog = [](GLuint, GLsizei, GLsizei *, GLchar *texto) {
+        std::strcpy(texto, informe.c_str());
+    };
+    std::ofstream(carpetaTemporal() / "tres.frag") << "uno\ndos\n  tres\n";
+    const ConRaiz raiz(carpetaTemporal());
+    for (const auto &[dado, traducido] :
+         {std::pair("0:3(5): error: mal\n0:3(7): error: peor", "tres.frag:3: error: mal — «tres»"), // Mesa
+          {"0(2) : error C1008: mal\n0(1) : warning: bah",
+           "tres.frag:2: error C1008: mal — «dos»\ntres.frag:1: warning: bah — «uno»"}, // NVIDIA
+          {"ERROR: 0:1: 'y' : mal\nERROR: 1 compilation errors.",
+           "tres.frag:1: 'y' : mal — «uno»\nERROR: 1 compilation errors."}, // AMD
+          {"0:9(1): error: lejos", "tres.frag: error: lejos"}}) {
+        informe = dado;
+        std::string error;
+        EXPECT_EQ(intentaPrograma("tres.frag", "tres.frag", error), 0u);
+        EXPECT_EQ(error, traducido);
+    }
 }
 
 TEST(F12, DondeNoSePuedeEscribirAvisaYSigue) {
