@@ -246,14 +246,14 @@ TYPED_TEST(Curvas, BezierDeGrado10_20_40_60) {
     for (const std::size_t n : {1, 3, 10, 20, 40, 60}) {
         const auto P = puntosAlAzar<T>(n + 1);
         const auto curva = [&](const T &u) { return lejos(bezier(P, u), bezierRef(P, u)); };
-        const auto derivada =
-            [&](const T &u) { // b'_{k,n} = n·(b_{k−1,n−1} − b_{k,n−1}), de la ecuación 11.20
-                const std::vector<Cuadruple> b = bernsteinRef(n - 1, Cuadruple(u));
-                Punto<Cuadruple> d(Cuadruple(0));
-                for (std::size_t k = 0; k < n; ++k)
-                    d += b[k] * (Punto<Cuadruple>(P[k + 1]) - Punto<Cuadruple>(P[k]));
-                return lejos(T(1) / T(n) * bezier(derivadaBezier(P), u), d);
-            };
+        // b'_{k,n} = n·(b_{k−1,n−1} − b_{k,n−1}), de la ecuación 11.20
+        const auto derivada = [&](const T &u) {
+            const std::vector<Cuadruple> b = bernsteinRef(n - 1, Cuadruple(u));
+            Punto<Cuadruple> d(Cuadruple(0));
+            for (std::size_t k = 0; k < n; ++k)
+                d += b[k] * (Punto<Cuadruple>(P[k + 1]) - Punto<Cuadruple>(P[k]));
+            return lejos(T(1) / T(n) * bezier(derivadaBezier(P), u), d);
+        };
         const auto polinomios = [&](const T &u) {
             const std::vector<T> b = bernstein(n, u);
             const std::vector<Cuadruple> exactos = bernsteinRef(n, Cuadruple(u));

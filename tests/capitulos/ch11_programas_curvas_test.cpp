@@ -74,8 +74,8 @@ struct Bezier : ConPuntos {
     Lista lista(const glm::ivec2 &ventana = NORMAL) const {
         Lista l(ventana);
         l.paralela(1);
-        for (int falta = 0; falta < 4;
-             ++falta) { // el casco: cada punto suyo está en un triángulo de tres de ellos
+        // el casco: cada punto suyo está en un triángulo de tres de ellos
+        for (int falta = 0; falta < 4; ++falta) {
             Puntos tres = P;
             tres.erase(tres.begin() + falta);
             l.trazo("poligono", tres, glm::mix(FONDO_CLARO, AZUL, 0.1f));
@@ -121,9 +121,9 @@ TEST(Bezier, PuntosArrastradosYConElTeclado) {
         s.paso("especial ARRIBA");    // ninguno está elegido
         nadie({0.3, 0}, "IZQUIERDO"); // lejos de todos
         nadie(s.v.P[0], "DERECHO");
-        nadie(s.v.P[0] + glm::dvec2(0.11, 0),
-              "IZQUIERDO"); // el alcance es de una décima, también en horizontal
+        nadie(s.v.P[0] + glm::dvec2(0.11, 0), "IZQUIERDO"); // el alcance, una décima, también en horizontal
         s.lleva(1, {-0.3, 0.75});
+        nadie({0.3, 0}, "IZQUIERDO"); // y el de antes está suelto
         s.flechas(3, {-1, -2}, "tecla n ×2; especial IZQUIERDA; especial ABAJO ×2");
         s.flechas(0, {2, 1}, "tecla n; especial DERECHA ×2; especial ARRIBA; especial INICIO");
         s.v.P[0].y = 0.95 * ventana.y / oraculo::altoUtil(ventana.x, ventana.y); // hasta cerca del borde
@@ -334,11 +334,10 @@ Lista bezierN(std::size_t n, const glm::ivec2 &ventana = NORMAL) {
         const float t = 2 * float(i) / float(n - 1);
         return t < 1 ? AZUL + t * (NARANJA - AZUL) : NARANJA + (t - 1) * (ROJO - NARANJA);
     };
-    const auto polinomio = [m = double(n - 1)](std::size_t i,
-                                               double u) { // ecuación 11.20, con el binomio por logaritmos
-        const double k = double(i);
-        return std::exp(std::lgamma(m + 1) - std::lgamma(k + 1) - std::lgamma(m - k + 1)) * std::pow(u, k) *
-               std::pow(1 - u, m - k);
+    // ecuación 11.20, con el binomio por logaritmos
+    const auto polinomio = [m = double(n - 1)](std::size_t i, double u) {
+        const double k = double(i), lnC = std::lgamma(m + 1) - std::lgamma(k + 1) - std::lgamma(m - k + 1);
+        return std::exp(lnC) * std::pow(u, k) * std::pow(1 - u, m - k);
     };
     const Puntos P = planos(puntosZigzag(n));
     Lista l(ventana);
