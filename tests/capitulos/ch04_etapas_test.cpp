@@ -308,9 +308,9 @@ TEST(Recortado, CasosLimite) {
     }
 }
 
-// La que se sigue al empezar y las que se eligen con el ratón, en cualquier panel; lejos de todo vértice no cambia nada. Con algo
-// delante, lo guardado es su profundidad y el fragmento se descarta. En cada panel, la escena trazada en sus coordenadas: el vértice
-// que se ve es el que se escribe (la ecuación 4.4 impresa lo aparta medio píxel).
+// La que se sigue al empezar y las que se eligen con el ratón, en cualquier panel; lejos de todo vértice y al orbitar no cambia nada. Con
+// algo delante, lo guardado es su profundidad y el fragmento se descarta. En cada panel, la escena trazada en sus coordenadas: el
+// vértice que se ve es el que se escribe (la ecuación 4.4 impresa lo aparta medio píxel).
 TEST(EtapasPipeline, EsquinasDelCubo) {
     const auto en = [](int k, int esquina) { return elige(enPanel(k, punto(MM, esquinaCubo(esquina)))); };
     for (const int esquina : {0, 3, 5, 6})
@@ -321,7 +321,6 @@ TEST(EtapasPipeline, EsquinasDelCubo) {
          {std::string(), elige(panel(OBJETO).lugar(0.1, 0.5)), veces(2, "tecla r"), veces(2, "tecla o")})
         compruebaEsquina(guion, 7);
     compruebaEsquina("tecla o", 7, true);
-    // al orbitar por fuera no escribe nada
     EXPECT_EQ(ejecuta("etapas_pipeline", arrastra({330, 349}, {380, 320}), 480, 360).salida,
               ejecuta("etapas_pipeline", "", 480, 360).salida);
     compruebaEsquina(en(VENTANA, 3) + "; tecla o", 3, true);
@@ -346,6 +345,7 @@ TEST(EtapasPipeline, Recortado) {
     const Vista vista = vistaDe("etapas_pipeline", "tecla r", 480, 360);
     Escrito escrito = loEscritoTras("tecla r");
     compruebaNumeros(vista, escrito);
+    EXPECT_EQ(escrito["vértice"], std::vector<double>{0}); // el que se sigue al empezar
     EXPECT_EQ(escrito["lados"], std::vector<double>{double(poligono.size())});
     EXPECT_NEAR(escrito["área en píxeles"].at(0), area(poligono), 0.1); // 1e-4 por vértice y 500 de lados
     const Hueco h = panel(VENTANA).hueco;

@@ -174,8 +174,8 @@ TEST(ZBufferCpu, RecortadoColorYProfundidadContraElRayo) {
         return VerticeZ{{x, -1, zr, -z}, {(x + 40) / 80, (30 - z) / 60, 0.5}};
     };
     BufferZ b = creaBufferZ(lado, lado, NEGRO, false); // ni sin test hay nada más allá de lejos
-    pintaTriangulo(b, {vertice(-40, 30), vertice(40, 30), vertice(40, -30)});
-    pintaTriangulo(b, {vertice(-40, 30), vertice(40, -30), vertice(-40, -30)});
+    pintaTriangulo(b, {vertice(-40, 30), vertice(40, 30), vertice(40, -90)});
+    pintaTriangulo(b, {vertice(-40, 30), vertice(40, -90), vertice(-40, -90)});
     int pintados = 0;
     for (int y = 0; y < lado; ++y)
         for (int x = 0; x < lado; ++x) {
