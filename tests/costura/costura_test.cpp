@@ -49,7 +49,7 @@ void esperaSalidas(const std::vector<Caso> &casos) {
         EXPECT_EQ(e.estado, 0) << c.guion;
         EXPECT_EQ(e.errores, "") << c.guion;
         EXPECT_EQ(e.salida, c.orden[0] == REGISTRO
-                                ? "tamano 32 24 32 24\n" + c.dice + "cierre 1 0 0 0\nfin 0 0 0 0\n"
+                                ? "tamano 32 24 32 24\n" + c.dice + "cierre 1 0 0 0\n"
                                 : c.dice)
             << c.guion;
     }

@@ -84,6 +84,5 @@ int main(int argc, char **argv) {
             [](int rueda, int direccion, int x, int y) { escribe("rueda", rueda, direccion, x, y); });
     glutCloseFunc([] { escribe("cierre", dibujos > 0, 0, 0, 0); });
     glutMainLoop();
-    escribe("fin", 0, 0, 0, 0);
     return 0;
 }
