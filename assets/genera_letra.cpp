@@ -60,6 +60,7 @@ int main(int argc, char **argv) {
         if (FT_Render_Glyph(letra->glyph, FT_RENDER_MODE_SDF) || !copia(letra->glyph, i))
             return falla("no cabe en su celda " + cual);
     }
+    FT_Done_FreeType(freetype);
     FILE *f = std::fopen(argv[2], "wb");
     const bool escrito = f && std::fwrite(atlas.data(), 1, atlas.size(), f) == atlas.size() &&
                          std::fwrite(cajas.data(), sizeof(CajaSigno), cajas.size(), f) == cajas.size();
