@@ -399,6 +399,7 @@ TEST_F(Ayudas, RepartePorLaFormaDeLaVentana) {
     EXPECT_EQ(filas(640, 360, 4, 1.5f), 2u);
     EXPECT_EQ(filas(400, 900, 3, 1), 3u);
     EXPECT_EQ(filas(640, 360, 6, 1), 2u);
+    EXPECT_EQ(filas(400, 250, 3, 1), 1u); // con dos columnas harían falta dos filas
 }
 
 TEST_F(Ayudas, AbrirUnRecuadroSoloBorraElSuyo) {

@@ -225,6 +225,8 @@ TEST(LeeParches, CadaErrorDiceFicheroYLinea) {
 }
 
 TEST(Recurso, SeBuscaPrimeroEnLabRaizYSeApuntaEnLabLeidos) {
+    recurso(
+        "ch03_transformaciones/objeto.vert"); // ./lab muta apunta en el primer $LAB_LEIDOS: que no sea el de aquí
     const fs::path raiz = carpetaTemporal() / "raiz", leidos = carpetaTemporal() / "leidos";
     fs::create_directories(raiz / "ch03_transformaciones");
     std::ofstream(raiz / "ch03_transformaciones/objeto.vert") << "otro";
@@ -237,8 +239,6 @@ TEST(Recurso, SeBuscaPrimeroEnLabRaizYSeApuntaEnLabLeidos) {
                 "no encuentro «ch99/nada.vert»; lo he buscado en /no/existe/ch99.*raiz/ch99.*, .*, ");
     unsetenv("LAB_RAIZ");
     unsetenv("LAB_LEIDOS");
-    // entre lo apuntado puede haber más cosas: ./lab muta apunta ahí qué mutantes se usan
-    EXPECT_NE(leeFichero(leidos.string())
-                  .find("ch03_transformaciones/objeto.vert\nch03_transformaciones/objeto.frag\n"),
-              std::string::npos);
+    EXPECT_EQ(leeFichero(leidos.string()),
+              "ch03_transformaciones/objeto.vert\nch03_transformaciones/objeto.frag\n");
 }

@@ -135,12 +135,16 @@ TEST(Guion, LeDiceAlPrograma) {
         {{DEFECTUOSO, "muestras"}, "", "0\n"},
         // el programa que lee a un buffer lo tiene enlazado aunque en medio se capture
         {{DEFECTUOSO, "lectura"}, "captura a.ppm; tamano 9 8", "1\n1\n"},
+        // sin función propia, dibuja en la ventana entera
+        {{SUELTO}, "tamano 16 9", "32 24\n16 9\n"},
         // F12 no pisa lo guardado
         {{"grua"}, "especial F12; tecla d; especial F12", "guardado grua-1.ppm\nguardado grua-2.ppm\n"},
         // sin función propia, la rueda son los botones 3 y 4
         {{REGISTRO, "menu"},
          "rueda +1 5 5; rueda -1 5 5",
          "movimiento 5 5 0 0\nboton 3 0 5 5\nboton 3 1 5 5\nboton 4 0 5 5\nboton 4 1 5 5\n"},
+        // la tecla que lo termina no se suelta
+        {{REGISTRO}, "tecla Esc", "tecla 27 0 0 0\n"},
         // la escala es la de la ventana que haya cuando el ratón se mueve
         {{REGISTRO},
          "escala 8 6; mueve 1 1; tamano 16 24; mueve 1 1",
@@ -168,7 +172,7 @@ TEST(Guion, LeDiceAlPrograma) {
 TEST(Opciones, RasgosDiceDeQueSeEntera) {
     const std::string teclado = "teclado\nespecial\n", raton = teclado + "raton\narrastre\n";
     esperaSalidas({
-        {{SUELTO, "-rasgos"}, "", ""},
+        {{SUELTO, "-rasgos"}, "", "32 24\n"},
         {{"grua", "-rasgos"}, "", raton + "rueda\n"},
         {{DEFECTUOSO, "tiempo", "-rasgos"}, "", teclado + "temporizador\n"},
         {{REGISTRO, "-rasgos"}, "", raton + "movimiento\nrueda\n"},

@@ -1,5 +1,13 @@
-// Un programa de GLUT que no usa common/ ni mira sus argumentos.
+// Un programa de GLUT que no usa common/ ni mira sus argumentos. Escribe cuánto mide lo que dibuja.
 #include <GL/freeglut.h>
+#include <cstdio>
+
+static void dibuja() {
+    GLint v[4];
+    glGetIntegerv(GL_VIEWPORT, v);
+    std::printf("%d %d\n", v[2], v[3]);
+    glutSwapBuffers();
+}
 
 int main(int argc, char **argv) {
     glutInit(&argc, argv);
@@ -7,7 +15,7 @@ int main(int argc, char **argv) {
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_RGBA);
     glutInitContextVersion(3, 1);
     glutCreateWindow("suelto");
-    glutDisplayFunc(glutSwapBuffers);
+    glutDisplayFunc(dibuja);
     glutMainLoop();
     return 0;
 }
