@@ -45,7 +45,7 @@ static glm::vec3 deClaroAOscuro(const glm::vec3 &color, float t) {
                     : glm::mix(color, 0.35f * color, 2 * t - 1);
 }
 
-static std::string indicesEscritos(const Tira &tira, std::size_t porLinea) {
+static std::string indicesEscritos(const Tira &tira, std::size_t porLinea = std::string::npos) {
     std::string texto;
     for (std::size_t k = 0; k < tira.size(); ++k)
         texto += (k == 0 ? "" : k % porLinea ? " " : "\n") + std::to_string(tira[k] + 1);
@@ -56,8 +56,7 @@ static void informa() {
     std::size_t nIndices = 0;
     for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
         nIndices += estado.tiras[i].size();
-        std::printf("Tira %zu: %s\n", i + 1,
-                    indicesEscritos(estado.tiras[i], estado.tiras[i].size()).c_str());
+        std::printf("Tira %zu: %s\n", i + 1, indicesEscritos(estado.tiras[i]).c_str());
     }
     std::printf("Triángulos: %zu\nTiras: %zu\nÍndices con tiras: %zu\nÍndices con triángulos sueltos: %zu\n",
                 estado.triangulos.size(), estado.tiras.size(), nIndices, 3 * estado.triangulos.size());
@@ -147,7 +146,7 @@ static void dibuja() {
     dibujaRecorridos(proyeccion * camara);
     rotulaVertices(estado.vertices, estado.triangulos, posicionCamara(estado.orbita), proyeccion * camara);
     // los de una sola, en varias líneas: a lo largo llegarían al número del vértice de más abajo
-    const std::size_t n = estado.tiras.size(), porLinea = n == 1 ? 10 : 3 * MAXIMO_NUMERADO;
+    const std::size_t n = estado.tiras.size(), porLinea = n == 1 ? 10 : std::string::npos;
     if (n <= MAXIMO_ESCRITO && estado.triangulos.size() <= MAXIMO_NUMERADO)
         for (std::size_t i = 0; i < n; ++i)
             rotula(indicesEscritos(estado.tiras[i], porLinea), {0.02f, 0.04f + 0.05f * float(n - 1 - i)},
