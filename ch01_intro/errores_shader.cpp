@@ -32,7 +32,7 @@ static void intenta() {
     const GLuint nuevo = intentaPrograma("ch01_intro/errores_shader.vert", fragmentShader, error);
     estado.hayError = nuevo == 0;
     if (nuevo) {
-        glDeleteProgram(estado.programa);
+        borraPrograma(estado.programa);
         estado.programa = nuevo;
         std::printf("%s: compila y enlaza\n", fragmentShader);
     } else {

@@ -2,7 +2,7 @@
 // que completan la base, el objeto girado un ángulo φ, el de partida (pálido) y lo que recorre. El giro se calcula
 // siempre desde el ángulo: multiplicar un giro tras otro acumula error (dificil_transformaciones_test.cpp).
 // Controles: a d giran · 1 2 3 4 ejes Y, diagonal, oblicuo y casi X · botón izquierdo mueve el eje, derecho orbita ·
-//            Esc termina.
+// rueda acerca · Esc termina.
 #include "colores.h"
 #include "objeto.h"
 #include "orbita.h"
@@ -23,7 +23,8 @@ static struct {
     glm::vec3 eje = EJES[0]; // sin normalizar
     float angulo = 2;        // φ, radianes
     bool moviendoEje = false;
-    int xAnterior = 0, yAnterior = 0;
+    int xPulsado = 0, yPulsado = 0;
+    glm::vec3 ejePulsado; // el que había al pulsar
     Orbita orbita = {-0.5f, 0.4f, 7.4f};
 } estado;
 
@@ -117,24 +118,23 @@ static void teclado(unsigned char tecla, int, int) {
 
 static void boton(int cual, int pulsado, int x, int y) {
     estado.moviendoEje = cual == GLUT_LEFT_BUTTON && pulsado == GLUT_DOWN;
-    estado.xAnterior = x;
-    estado.yAnterior = y;
+    estado.xPulsado = x;
+    estado.yPulsado = y;
+    estado.ejePulsado = unitario(estado.eje);
     if (cual == GLUT_RIGHT_BUTTON)
         orbitaBoton(GLUT_LEFT_BUTTON, pulsado, x, y);
 }
 
 // El eje gira con el ratón alrededor de la vertical y de la horizontal de la pantalla, que en el mundo son
-// las dos primeras filas de la cámara.
+// las dos primeras filas de la cámara, lo mismo en un paso que en varios.
 static void arrastra(int x, int y) {
     if (!estado.moviendoEje)
         return orbitaArrastra(x, y);
     const glm::mat3 pantalla = glm::transpose(glm::mat3(camaraOrbita(estado.orbita)));
     const glm::vec2 angulos =
-        RADIANES_POR_ALTO / altoUtil() * glm::vec2(x - estado.xAnterior, y - estado.yAnterior);
+        RADIANES_POR_ALTO / altoUtil() * glm::vec2(x - estado.xPulsado, y - estado.yPulsado);
     estado.eje =
-        glm::mat3(giroEje(pantalla[0], angulos.y) * giroEje(pantalla[1], angulos.x)) * unitario(estado.eje);
-    estado.xAnterior = x;
-    estado.yAnterior = y;
+        glm::mat3(giroEje(pantalla[0], angulos.y) * giroEje(pantalla[1], angulos.x)) * estado.ejePulsado;
     cambia();
 }
 

@@ -2,7 +2,7 @@
 // cada una, con sus números, que también se escriben. Con r, un triángulo que se sale del volumen y llega detrás del
 // ojo: etapas.h lo recorta, y el polígono que queda (morado) es justo lo que dibuja OpenGL. Con o, algo tapa el
 // fragmento.
-// Controles: clic elige vértice · r recortado · o oculto · arrastrar orbita por fuera · Esc termina.
+// Controles: clic elige vértice · r recortado · o oculto · arrastrar orbita por fuera · rueda acerca · Esc termina.
 #include "buferes.h"
 #include "colores.h"
 #include "orbita.h"

@@ -89,9 +89,10 @@ static void dibuja() {
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
-    if (tecla == 'g')
+    if (tecla == 'g') {
         estado.elegido = 1 - estado.elegido;
-    else if (tecla == 'v')
+        estado.compara = false;
+    } else if (tecla == 'v')
         estado.compara = !estado.compara;
     else if (!mueve(estado.postura, tecla))
         return;

@@ -111,7 +111,10 @@ static void teclado(unsigned char tecla, int, int) {
     switch (tecla) {
     case '1':
     case '2':
-    case '3': estado.elegido = tecla - '1'; break;
+    case '3':
+        estado.elegido = tecla - '1';
+        estado.compara = false;
+        break;
     case 'v': estado.compara = !estado.compara; break;
     case '+': estado.subdivision = std::min(2 * estado.subdivision, SUBDIVISION_MAXIMA); break;
     case '-': estado.subdivision = std::max(estado.subdivision / 2, SUBDIVISION_MINIMA); break;

@@ -68,9 +68,10 @@ static void teclado(unsigned char tecla, int, int) {
         return;
     switch (tecla) {
     case 'p': estado.conPlantilla = !estado.conPlantilla; break;
-    case 'v': estado.compara = !estado.compara; break;
+    case 'v': break;
     default: return;
     }
+    estado.compara = tecla == 'v' && !estado.compara;
     ponTitulo(estado.compara
                   ? "Espejo sin plantilla y con ella"
                   : std::string("Espejo ") + (estado.conPlantilla ? "con plantilla" : "sin plantilla"));

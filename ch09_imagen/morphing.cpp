@@ -13,14 +13,15 @@ static const MallaImagen CARA = creaMallaImagen({0, 0.29f, 0.406f, 0.5f, 0.594f,
                          GATO = creaMallaImagen({0, 0.208f, 0.369f, 0.5f, 0.631f, 0.792f, 1},
                                                 {0, 0.12f, 0.245f, 0.335f, 0.485f, 0.60f, 0.76f, 1}),
                          REGULAR = creaMallaImagen(repartidos(7), repartidos(8));
-static const int VIGESIMOS = 20, VUELTA = 6000, MS_CUADRO = 33; // de t, y ms que tarda en ir y volver
+static const int VUELTA = 6000, VIGESIMO = VUELTA / 40; // ms que t tarda en ir y volver, y en pasar 1/20
+static const int MS_CUADRO = 33;
 
 static struct {
     GLuint programa;
     Buferes buferes;
     glm::ivec2 talla;
     MallaImagen a, b;
-    int vigesimos = VIGESIMOS / 2, comienzo = 0; // comienzo: del movimiento, en ms
+    int recorrido = VUELTA / 4, comienzo = 0; // ms andados, y reloj al echar a andar
     std::size_t punto = 0;
     bool mueve = false, arrastra = false, conMalla = false, compara = false, rotulos;
 } estado;
@@ -32,11 +33,22 @@ static MallaImagen intermedia(float t) {
     return m;
 }
 
+/// Los milisegundos que lleva t yendo de 0 a 1 y volviendo.
+static int andado() {
+    return (estado.recorrido + (estado.mueve ? glutGet(GLUT_ELAPSED_TIME) - estado.comienzo : 0)) % VUELTA;
+}
+
+static int deIda() {
+    return std::min(andado(), VUELTA - andado());
+}
+
 static float tActual() {
-    if (!estado.mueve)
-        return float(estado.vigesimos) / VIGESIMOS;
-    const int ms = (glutGet(GLUT_ELAPSED_TIME) - estado.comienzo) % VUELTA;
-    return 1 - std::fabs(float(2 * ms) / VUELTA - 1);
+    return float(deIda()) / float(VUELTA / 2);
+}
+
+static void sigueDesde(int ms) {
+    estado.recorrido = ms;
+    estado.comienzo = glutGet(GLUT_ELAPSED_TIME);
 }
 
 static void dibujaMorphing(float t, const Recuadro &panel, const std::string &rotulo) {
@@ -106,12 +118,12 @@ static void teclado(unsigned char tecla, int, int) {
     switch (tecla) {
     case '1':
     case '2':
-    case '3': estado.vigesimos = (tecla - '1') * VIGESIMOS / 2; break;
-    case '+': estado.vigesimos = std::min(estado.vigesimos + 1, VIGESIMOS); break;
-    case '-': estado.vigesimos = std::max(estado.vigesimos - 1, 0); break;
+    case '3': sigueDesde((tecla - '1') * VUELTA / 4); break;
+    case '+': sigueDesde(std::min(deIda() + VIGESIMO, VUELTA / 2)); break;
+    case '-': sigueDesde(std::max(deIda() - VIGESIMO, 0)); break;
     case ' ':
+        sigueDesde(andado());
         estado.mueve = !estado.mueve;
-        estado.comienzo = glutGet(GLUT_ELAPSED_TIME);
         break;
     case 'm': estado.conMalla = !estado.conMalla; break;
     case 'v': estado.compara = !estado.compara; break;

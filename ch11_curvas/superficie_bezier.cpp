@@ -50,8 +50,8 @@ static void dibuja() {
         glEnable(GL_DEPTH_TEST);
         for (std::size_t k = 0; k < 16; ++k)
             if (k == 0 || k == 3 || k == 12 || k == 15 || int(k) == estado.editor.elegido)
-                rotulaPunto("P" + std::to_string(k / 4) + std::to_string(k % 4), estado.P[k], vista(), OSCURO,
-                            k == 0 || k == 12 ? Lado::DEBAJO : Lado::ENCIMA);
+                rotulaPunto("P" + std::to_string(k / 4) + std::to_string(k % 4), estado.P[k], vista(),
+                            colorNombre(estado.editor, k), k == 0 || k == 12 ? Lado::DEBAJO : Lado::ENCIMA);
     }
     ponTitulo("Superficie de Bézier: " + std::string(texto));
     glutSwapBuffers();

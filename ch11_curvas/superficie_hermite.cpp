@@ -14,8 +14,11 @@
 static const float LARGO_FLECHA = 1 / 3.0f; // de una tangente: así acaba en el punto de control de Bézier
 static const float FACTOR_K = 1.25f, K_MINIMA = 0.2f, K_MAXIMA = 3;
 
+static const std::vector<glm::vec3> UN_TROZO(ESQUINAS_INICIALES.begin(),
+                                             ESQUINAS_INICIALES.begin() + FINAL_0);
+
 static struct {
-    std::vector<glm::vec3> esquinas = ESQUINAS_INICIALES;
+    std::vector<glm::vec3> esquinas = UN_TROZO;
     float k = 0.7f;
     bool segundo = false;
     Lamina lamina;
@@ -41,7 +44,8 @@ static void dibuja() {
     static const Lado LADOS[] = {Lado::DEBAJO, Lado::IZQUIERDA, Lado::IZQUIERDA, Lado::ENCIMA};
     estado.lamina.orbita.centro = estado.segundo ? glm::vec3(1.25f, 0.1f, 0) : glm::vec3(0, -0.1f, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const Geometria2<float> G = primerTrozo(estado.esquinas), G2 = segundoTrozo(estado.esquinas, estado.k);
+    const Geometria2<float> G = primerTrozo(estado.esquinas),
+                            G2 = estado.segundo ? segundoTrozo(estado.esquinas, estado.k) : G;
     Segmentos n = segmentosLamina(estado.lamina, Base::HERMITE, G, TOLERANCIA_LAMINA);
     if (estado.segundo) { // los mismos en los dos, para que casen en la unión
         const Segmentos n2 = segmentosLamina(estado.lamina, Base::HERMITE, G2, TOLERANCIA_LAMINA);
@@ -59,22 +63,38 @@ static void dibuja() {
         dibujaTangentes(G2, 1);
     glEnable(GL_DEPTH_TEST);
     for (std::size_t i = 0; i < 4; ++i)
-        rotulaPunto(NOMBRES[i], estado.esquinas[i], vista(), OSCURO, LADOS[i]);
-    char texto[40] = "";
-    if (estado.segundo)
-        std::snprintf(texto, sizeof texto, "G1 con k = %.2f", estado.k);
-    rotula(texto, {0.5f, 0.08f}, OSCURO);
-    ponTitulo("Superficie de Hermite " + std::string(texto));
+        rotulaPunto(NOMBRES[i], estado.esquinas[i], vista(), colorNombre(estado.editor, i), LADOS[i]);
+    if (estado.editor.elegido >= 0)
+        trazaPuntos({estado.esquinas[estado.editor.elegido]}, vista(), ROJO, 3.5f * GROSOR);
+    std::string titulo = "Superficie de Hermite";
+    if (estado.segundo) {
+        char union_[40];
+        std::snprintf(union_, sizeof union_, "G1 con k = %.2f", estado.k);
+        rotula(union_, {0.5f, 0.08f}, OSCURO);
+        titulo += std::string(": ") + union_;
+    }
+    ponTitulo(titulo);
     glutSwapBuffers();
+}
+
+/// Con el segundo trozo hay dos esquinas más que arrastrar.
+static void conmutaSegundo() {
+    estado.segundo = !estado.segundo;
+    estado.esquinas.resize(FINAL_0);
+    if (estado.segundo)
+        estado.esquinas.insert(estado.esquinas.end(), ESQUINAS_INICIALES.begin() + FINAL_0,
+                               ESQUINAS_INICIALES.end());
+    estado.editor.elegido = -1; // la que se arrastraba puede haberse ido
+    estado.editor.arrastrando = false;
+    estado.lamina.orbita.distancia *= estado.segundo ? 1.3f : 1 / 1.3f;
 }
 
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla) || teclaEditor(estado.editor, tecla))
         return;
-    if (tecla == 'u') {
-        estado.segundo = !estado.segundo;
-        estado.lamina.orbita.distancia *= estado.segundo ? 1.3f : 1 / 1.3f;
-    } else if (tecla == '+' || tecla == '-')
+    if (tecla == 'u')
+        conmutaSegundo();
+    else if (tecla == '+' || tecla == '-')
         estado.k = glm::clamp(estado.k * (tecla == '+' ? FACTOR_K : 1 / FACTOR_K), K_MINIMA, K_MAXIMA);
     glutPostRedisplay();
 }

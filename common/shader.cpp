@@ -193,10 +193,18 @@ GLuint intentaPrograma(const std::string &vert, const std::string &frag, std::st
         error =
             vert + " y " + frag + " no enlazan: " + (error.empty() ? "el enlazador no dice por qué" : error);
     }
-    glDeleteProgram(programa); // antes que sus shaders: WebGL no sabe borrarlos mientras están en uno
-    glDeleteShader(vertexShader);
-    glDeleteShader(fragmentShader);
+    borraPrograma(programa);
     return 0;
+}
+
+void borraPrograma(GLuint programa) {
+    GLuint shaders[2];
+    GLsizei n = 0;
+    if (programa)
+        glGetAttachedShaders(programa, 2, &n, shaders);
+    glDeleteProgram(programa); // antes que sus shaders: WebGL no sabe borrarlos mientras están en uno
+    for (GLsizei i = 0; i < n; ++i)
+        glDeleteShader(shaders[i]);
 }
 
 GLuint creaPrograma(const std::string &vert, const std::string &frag) {

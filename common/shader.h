@@ -22,6 +22,9 @@ GLuint creaPrograma(const std::string &vert, const std::string &frag);
 /// Como creaPrograma, pero si algo falla devuelve 0 y deja en `error` lo que ha pasado.
 GLuint intentaPrograma(const std::string &vert, const std::string &frag, std::string &error);
 
+/// Borra un programa y sus shaders; 0 se ignora.
+void borraPrograma(GLuint programa);
+
 /// Posición de un uniform; si el programa no lo usa avisa una vez y devuelve −1, que OpenGL ignora.
 /// Se pregunta al dibujar: cada vez que F5 vuelve a enlazar, posiciones y valores empiezan de nuevo.
 GLint uniforme(GLuint programa, const char *nombre);

@@ -7,14 +7,10 @@ from pygments import highlight
 from pygments.formatters import HtmlFormatter
 from pygments.lexers import CppLexer, GLShaderLexer
 
+import controles
+
 PLANTILLAS = Path(__file__).parent / "plantillas"
 CLARO, OSCURO = HtmlFormatter(style="xcode", nowrap=True), HtmlFormatter(style="github-dark", nowrap=True)
-
-
-def controles(raiz, programa):
-    """Los que enumera «// Controles:» hasta el punto final, aunque ocupe varias líneas."""
-    hallado = re.search(r"^// Controles: ((?:.*\n// )*?.*\.)$", (raiz / programa.fuente).read_text(), re.MULTILINE)
-    return [c.strip() for c in hallado[1].replace("\n// ", " ").rstrip(".").split(" · ")] if hallado else []
 
 
 def fuentes(raiz, fichero, vistas=None):
@@ -38,7 +34,7 @@ def escribe(raiz, destino, capitulos):
     programas = [p for capitulo in capitulos for p in capitulo.programas]
     suyas = {p.nombre: fuentes(raiz, p.fuente) for p in programas}
     todas = dict.fromkeys(f for ficheros in suyas.values() for f in ficheros)
-    escribe_pagina(destino, "galeria.html", capitulos=capitulos, fuentes=suyas, controles={p.nombre: controles(raiz, p) for p in programas},
+    escribe_pagina(destino, "galeria.html", capitulos=capitulos, fuentes=suyas, controles={p.nombre: [c.texto for c in controles.lee(raiz, p)] for p in programas},
                    codigo={str(f): colorea(raiz, f) for f in todas},
                    colores_claros=CLARO.get_style_defs("pre"), colores_oscuros=OSCURO.get_style_defs("pre"))
 

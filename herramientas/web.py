@@ -18,42 +18,12 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import catalogo
+import controles
 import pagina
 from procesos import Fallo, ejecuta
 
 CODEMIRROR = Path("/usr/share/javascript/codemirror")
 SHADERS, TEXTURAS = (".vert", ".frag", ".glsl"), (".rgb", ".r8")
-ESPECIALES = {"←": "IZQUIERDA", "→": "DERECHA", "↑": "ARRIBA", "↓": "ABAJO"}
-
-
-def orden_de(tecla):
-    """La orden del guion que da una tecla nombrada en «// Controles:», o nada si no es una tecla."""
-    if tecla in ESPECIALES:
-        return "especial " + ESPECIALES[tecla]
-    if re.fullmatch(r"F([1-9]|1[0-2])", tecla):
-        return "especial " + tecla
-    if tecla == "espacio":
-        return "tecla Espacio"
-    return "tecla " + ("PuntoYComa" if tecla == ";" else tecla) if len(tecla) == 1 and tecla.isascii() else ""
-
-
-def clase(tecla):
-    return "cifra" if tecla.isdigit() else "letra" if tecla.isalpha() else "otra"
-
-
-def mando(control):
-    """Un control en botones y lo que hacen: «a d giran» son dos teclas; «1 a 9 resaltan», nueve; «arrastra (o n y flechas)», cinco."""
-    palabras = control.replace(" o espacio ", " espacio ").split()
-    hace, teclas = control, []
-    if rango := re.match(r"(\d) a (\d) (.*)", control):
-        teclas, hace = [str(n) for n in range(int(rango[1]), int(rango[2]) + 1)], rango[3]
-    elif flechas := re.search(r" \(o (\w) y flechas\)$", control):
-        teclas, hace = [flechas[1], *ESPECIALES], control[:flechas.start()]
-    else:
-        while len(palabras) > 1 and orden_de(palabras[0]) and (not teclas or clase(teclas[0]) == clase(palabras[0])):
-            teclas.append(palabras.pop(0))
-        hace = " ".join(palabras)
-    return {"teclas": [(t, orden_de(t)) for t in teclas], "hace": hace, "menu": not teclas and "menú" in control}
 
 
 class Programa:
@@ -61,9 +31,8 @@ class Programa:
 
     def __init__(self, raiz, build, programa):
         self.raiz, self.programa = raiz, programa
-        self.controles = pagina.controles(raiz, programa)
-        self.mandos = [mando(c) for c in self.controles if not c.startswith(("Esc ", "ninguno"))]
-        teclas = [orden for m in self.mandos for _, orden in m["teclas"] if orden and "termina" not in m["hace"]]
+        self.controles = [c for c in controles.lee(raiz, programa) if c.teclas != ["Esc"] and c.texto != "ninguno"]
+        teclas = [orden for c in self.controles if not c.termina for orden in c.ordenes]
         self.rasgos, self.leidos = set(), set()
         if not programa.consola:
             sin_ventana = (build / "sin_ventana").read_text().strip()
@@ -83,8 +52,8 @@ class Programa:
         p = self.programa
         return {
             "nombre": p.nombre, "capitulo": p.capitulo.nombre, "referencia": p.ref, "titulo": p.titulo, "consola": p.consola,
-            "mandos": self.mandos,
-            "derecho": "opcion" not in self.rasgos and any("derecho" in c for c in self.controles),
+            "mandos": [{"teclas": list(zip(c.teclas, c.ordenes)), "hace": c.hace or c.texto, "menu": c.menu} for c in self.controles],
+            "derecho": "opcion" not in self.rasgos and any("derecho" in c.texto for c in self.controles),
             "anima": bool(self.rasgos & {"temporizador", "ocio"}),
             "raton": bool(self.rasgos & {"raton", "rueda", "arrastre"}),
             "sigue": "movimiento" in self.rasgos,

@@ -30,8 +30,9 @@ struct {
     std::vector<Orden> guion;
     std::string ppm;
     int mide = 0;
-    bool tallaPedida = false, rasgos = false;
+    bool tallaPedida = false, rasgos = false, diario = false, titulos = false;
     // ventana
+    std::string titulo;
     Talla talla = {300, 300}, tallaPrevia;
     unsigned modo = GLUT_RGBA;
     bool iniciado = false, ayuda = false, abierta = false, repinta = false, termina = false, completa = false;
@@ -238,6 +239,21 @@ void escribeRasgos() {
         std::printf("opcion %s\n", opcion.c_str());
 }
 
+void ponTituloVentana(const char *titulo) {
+    if (g.titulos && titulo != g.titulo)
+        std::printf("título: %s\n", titulo);
+    g.titulo = titulo;
+    diTitulo(titulo);
+}
+
+void apunta(const std::string &orden, bool haPasadoTiempo) {
+    if (!g.diario || g.termina)
+        return;
+    if (haPasadoTiempo) // el último cuadro es de hace unos milisegundos
+        dibujaCuadro();
+    apuntaEnElDiario(orden, g.titulo, g.temporizadores.size());
+}
+
 [[noreturn]] void noEsta(const char *funcion, GLenum valor) {
     falla(std::string(funcion) + "(" + std::to_string(valor) + ") no está en glut_sin_ventana");
 }
@@ -246,7 +262,7 @@ void escribeRasgos() {
 
 void dibujaCuadro() {
     empiezaCuadroEncima();
-    g.dibuja();
+    dibujaParaElDiario(g.dibuja);
 }
 
 void compruebaGL(const std::string &donde) {
@@ -294,6 +310,10 @@ void glutInit(int *argc, char **argv) {
             g.mide = enteroDe(valor(), 1, 1000000, opcion);
         } else if (opcion == "-rasgos") {
             g.rasgos = true;
+        } else if (opcion == "-titulos") {
+            g.titulos = true;
+        } else if (opcion == "-diario") {
+            g.diario = true;
         } else if (opcion == "-ayuda") {
             std::printf("%s", AYUDA);
             g.ayuda = true;
@@ -349,7 +369,7 @@ int glutCreateWindow(const char *titulo) {
         falla("glut_sin_ventana solo tiene una ventana");
     creaContexto(g.talla.ancho, g.talla.alto, (g.modo & GLUT_DEPTH) != 0, (g.modo & GLUT_STENCIL) != 0,
                  (g.modo & GLUT_MULTISAMPLE) != 0);
-    diTitulo(titulo);
+    ponTituloVentana(titulo);
     g.abierta = true;
     g.repinta = true;
     // el programa aún no ha llamado a glewInit
@@ -379,7 +399,7 @@ void glutSetWindow(int ventana) {
 }
 
 void glutSetWindowTitle(const char *titulo) {
-    diTitulo(titulo);
+    ponTituloVentana(titulo);
 }
 
 void glutSetCursor(int) {
@@ -453,9 +473,14 @@ void glutMainLoop(void) {
     if (g.cambiaTamano)
         g.cambiaTamano(g.talla.ancho, g.talla.alto);
     compruebaGL("al dar el tamaño");
+    if (g.diario)
+        empiezaDiario();
     const double primera = milisegundosDe(dibujaSiHaceFalta);
-    for (const Orden &orden : g.guion)
+    apunta("", false);
+    for (const Orden &orden : g.guion) {
         atiende(orden);
+        apunta(orden.lugar, orden.tipo == Orden::ESPERA);
+    }
     cedeAlNavegador();
     if (g.mide)
         mideCuadros(g.mide, primera);

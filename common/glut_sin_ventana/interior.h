@@ -29,10 +29,28 @@ bool loAtiendeUnMenu(int boton, bool pulsado);
 
 // medida.cpp
 
+/// Los objetos de OpenGL que hay y lo que ocupan. Deja todo como estaba.
+struct Ocupado {
+    int buferes = 0, texturas = 0, programas = 0, shaders = 0, framebuffers = 0, renderbuffers = 0, vaos = 0;
+    long long bytesBuferes = 0, bytesTexturas = 0;
+};
+Ocupado ocupado();
+
 /// Lo que tarda f, hasta que OpenGL ha acabado.
 double milisegundosDe(void (*f)());
 
 /// La línea TSV de la opción -mide, con `cuadros` imágenes más. `primera`: lo que costó la primera, en ms.
 void mideCuadros(int cuadros, double primera);
+
+// diario.cpp
+
+/// Desde ahora se apunta lo que queda tras cada orden.
+void empiezaDiario();
+
+/// Dibuja y, si hay diario, mira qué del estado de OpenGL no queda como estaba.
+void dibujaParaElDiario(void (*dibuja)());
+
+/// Si hay diario, vuelve a dibujar y escribe una línea. `temporizadores`: cuántos esperan.
+void apuntaEnElDiario(const std::string &orden, const std::string &titulo, std::size_t temporizadores);
 
 } // namespace sin_ventana

@@ -1,4 +1,4 @@
-// La opción -mide: lo que cuesta dibujar una imagen y lo que ocupa lo que el programa ha enviado a la GPU.
+// Lo que ocupa lo que el programa ha enviado a la GPU, y la opción -mide: eso y lo que cuesta dibujar una imagen.
 #include "../error.h"
 #include "interior.h"
 #include <GL/glew.h>
@@ -23,20 +23,16 @@ void olvidaErrores() {
     }
 }
 
-/// Enlaza una textura con el objetivo con el que se creó, que es el único que no da un error.
-GLenum enlazaTextura(GLuint nombre) {
-    for (const GLenum objetivo :
-         {GL_TEXTURE_1D, GL_TEXTURE_2D, GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_RECTANGLE}) {
-        glBindTexture(objetivo, nombre);
-        if (glGetError() == GL_NO_ERROR)
-            return objetivo;
-    }
-    return GL_NONE;
-}
+const struct {
+    GLenum objetivo, enlazada;
+} OBJETIVOS[] = {{GL_TEXTURE_1D, GL_TEXTURE_BINDING_1D},
+                 {GL_TEXTURE_2D, GL_TEXTURE_BINDING_2D},
+                 {GL_TEXTURE_3D, GL_TEXTURE_BINDING_3D},
+                 {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP},
+                 {GL_TEXTURE_RECTANGLE, GL_TEXTURE_BINDING_RECTANGLE}};
 
-/// Con sus mipmaps.
-long long bytesDeTextura(GLuint nombre) {
-    const GLenum objetivo = enlazaTextura(nombre);
+/// Con sus mipmaps. Es textura de ese objetivo.
+long long bytesDeNiveles(GLenum objetivo) {
     const bool cubo = objetivo == GL_TEXTURE_CUBE_MAP;
     const GLenum cara = cubo ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : objetivo;
     long long bytes = 0, texels = 1;
@@ -54,14 +50,53 @@ long long bytesDeTextura(GLuint nombre) {
     return bytes;
 }
 
+/// Solo el objetivo con el que se creó no da un error al enlazarla.
+long long bytesDeTextura(GLuint nombre) {
+    for (const auto &[objetivo, enlazada] : OBJETIVOS) {
+        GLint anterior = 0;
+        glGetIntegerv(enlazada, &anterior);
+        glBindTexture(objetivo, nombre);
+        if (glGetError() != GL_NO_ERROR)
+            continue;
+        const long long bytes = bytesDeNiveles(objetivo);
+        glBindTexture(objetivo, GLuint(anterior));
+        return bytes;
+    }
+    return 0;
+}
+
 long long bytesDeBufer(GLuint nombre) {
-    GLint bytes = 0;
+    GLint bytes = 0, anterior = 0;
+    glGetIntegerv(GL_COPY_READ_BUFFER_BINDING, &anterior);
     glBindBuffer(GL_COPY_READ_BUFFER, nombre);
     glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &bytes);
+    glBindBuffer(GL_COPY_READ_BUFFER, GLuint(anterior));
     return bytes;
 }
 
 } // namespace
+
+Ocupado ocupado() {
+    Ocupado o;
+    glDisable(GL_DEBUG_OUTPUT); // para buscar los objetivos hay que equivocarse
+    for (GLuint nombre = 1; nombre < NOMBRES; ++nombre) {
+        if (glIsBuffer(nombre)) {
+            ++o.buferes;
+            o.bytesBuferes += bytesDeBufer(nombre);
+        }
+        if (glIsTexture(nombre)) {
+            ++o.texturas;
+            o.bytesTexturas += bytesDeTextura(nombre);
+        }
+        o.programas += glIsProgram(nombre);
+        o.shaders += glIsShader(nombre);
+        o.framebuffers += glIsFramebuffer(nombre);
+        o.renderbuffers += glIsRenderbuffer(nombre);
+        o.vaos += glIsVertexArray(nombre);
+    }
+    glEnable(GL_DEBUG_OUTPUT);
+    return o;
+}
 
 double milisegundosDe(void (*f)()) {
     const auto antes = std::chrono::steady_clock::now();
@@ -85,17 +120,11 @@ void mideCuadros(int cuadros, double primera) {
         ms.push_back(milisegundosDe(dibujaCuadro));
     std::sort(ms.begin(), ms.end());
     compruebaGL("al medir");
-    long long buferes = 0, texturas = 0;
-    glDisable(GL_DEBUG_OUTPUT); // para buscar los objetivos hay que equivocarse
-    for (GLuint nombre = 1; nombre < NOMBRES; ++nombre) {
-        buferes += glIsBuffer(nombre) ? bytesDeBufer(nombre) : 0;
-        texturas += glIsTexture(nombre) ? bytesDeTextura(nombre) : 0;
-    }
-    glEnable(GL_DEBUG_OUTPUT);
+    const Ocupado o = ocupado();
     std::printf("%s\t%dx%d\t%.3f\t%.3f\t%.3f\t%.3f\t%u\t%s\t%lld\t%lld\n", nombrePrograma().c_str(),
                 glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT), primera, ms[ms.size() / 2],
                 ms.front(), ms.back(), primitivas, reinterpret_cast<const char *>(glGetString(GL_RENDERER)),
-                buferes, texturas);
+                o.bytesBuferes, o.bytesTexturas);
 }
 
 } // namespace sin_ventana

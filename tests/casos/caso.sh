@@ -1,15 +1,17 @@
 #!/usr/bin/env bash
 # caso.sh BUILD DESTINO CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION
-# Dibuja un caso del catálogo con un destino sin ventana y lo compara con su golden. El programa debe acabar con
-# 0 y no escribir nada en stderr. Si algo falla deja las imágenes en BUILD/fallos/. Con DORA, la imagen pasa a ser el golden.
+# Dibuja un caso del catálogo con un destino sin ventana y lo compara con su golden: la imagen y, en un .txt, los títulos que pone y lo
+# que escribe. El programa debe acabar con 0 y no escribir nada en stderr. Si algo falla deja las imágenes en BUILD/fallos/. Con
+# DORA, lo que sale pasa a ser el golden.
 set -euo pipefail
 build=$1 destino=$2 capitulo=$3 programa=$4 nombre=$5 tolerancia=$6 guion=$7
 golden=$(cd "$(dirname "$0")/../golden" && pwd)/$capitulo/$nombre.ppm
+texto=${golden%.ppm}.txt
 
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
 cd "$carpeta" # ni el laboratorio ni su build: la carpeta de trabajo no importa
-opciones=(-geometry 240x180 -ppm "$nombre.ppm")
+opciones=(-geometry 240x180 -ppm "$nombre.ppm" -titulos)
 [ "$guion" = - ] || opciones+=(-guion "$guion")
 
 estado=0
@@ -24,12 +26,14 @@ if [ "${DORA:-}" ]; then # ./lab dora: enseña lo que cambia y guarda la imagen 
   printf '%s: ' "$nombre"
   if [ -e "$golden" ]; then "$build/tests/compara" "$golden" "$nombre.ppm" || true; else echo "nueva"; fi
   cp "$nombre.ppm" "$golden"
+  diff -N "$texto" salida || cp salida "$texto"
   exit 0
 fi
 if [ ! -e "$golden" ]; then
   echo "falta el golden $golden: mira la imagen y hazlo con ./lab dora $nombre"
   exit 1
 fi
+diff -u "$texto" salida || exit 1
 mkdir -p "$build/fallos/$destino"
 comparacion=(--deja "$build/fallos/$destino/$nombre")
 # Los golden son de OSMesa. EGL dibuja las filas al revés, lo que se interpola redondea de otra manera y la tinta de un rótulo, que

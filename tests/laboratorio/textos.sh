@@ -12,8 +12,8 @@ python3 -B herramientas/documentos.py . "$2" comprueba || fallos=1
 grep '|  |$' docs/programas.md && mal 'eso es del libro y no tiene programa, respuesta ni, en docs/libro.tsv, motivo'
 
 PYTHONPATH=herramientas python3 -B - "$2" <<'FIN' || fallos=1
-import sys, pathlib, catalogo, pagina
-faltan = [p.fuente for p in catalogo.lee_programas(sys.argv[1]) if not pagina.controles(pathlib.Path(), p)]
+import sys, pathlib, catalogo, controles
+faltan = [p.fuente for p in catalogo.lee_programas(sys.argv[1]) if not controles.lee(pathlib.Path(), p)]
 for f in faltan:
     print(f"{f}: faltan los controles: «// Controles: … .», en las líneas que haga falta")
 sys.exit(bool(faltan))

@@ -1,0 +1,82 @@
+"""Los controles de un programa, según su línea «// Controles:», y sucesos al azar de entre ellos."""
+import random
+import re
+from dataclasses import dataclass, field
+
+ESPECIALES = {"←": "IZQUIERDA", "→": "DERECHA", "↑": "ARRIBA", "↓": "ABAJO"}
+COMUNES = ["especial F5"]  # las teclas de todos (common/ventana.h), salvo Esc y las que salen de la ventana
+
+
+@dataclass
+class Control:
+    texto: str
+    teclas: list = field(default_factory=list)  # como se leen: a, espacio, ←
+    hace: str = ""  # lo que dice de ellas
+
+    @property
+    def ordenes(self):
+        return [orden_de(tecla) for tecla in self.teclas]
+
+    @property
+    def termina(self):
+        return "termina" in self.hace
+
+    @property
+    def menu(self):
+        return not self.teclas and "menú" in self.texto
+
+
+def orden_de(tecla):
+    """La orden del guion que da una tecla como se nombra en «// Controles:», o nada si no es una tecla."""
+    if tecla in ESPECIALES:
+        return "especial " + ESPECIALES[tecla]
+    if re.fullmatch(r"F([1-9]|1[0-2])", tecla):
+        return "especial " + tecla
+    if tecla in ("espacio", "Esc"):
+        return "tecla " + tecla.capitalize()
+    return "tecla " + ("PuntoYComa" if tecla == ";" else tecla) if len(tecla) == 1 and tecla.isascii() else ""
+
+
+def clase(tecla):
+    return "cifra" if tecla.isdigit() else "letra" if tecla.isalpha() else "otra"
+
+
+def analiza(texto):
+    """Un control en teclas y lo que hacen: «a d giran» son dos teclas; «1 a 9 resaltan», nueve; «arrastra (o n y flechas)», cinco."""
+    palabras = texto.replace(" o espacio ", " espacio ").split()
+    if rango := re.match(r"(\d) a (\d) (.*)", texto):
+        return Control(texto, [str(n) for n in range(int(rango[1]), int(rango[2]) + 1)], rango[3])
+    if flechas := re.search(r" \(o (\w) y flechas\)$", texto):
+        return Control(texto, [flechas[1], *ESPECIALES], texto[:flechas.start()])
+    teclas = []
+    while len(palabras) > 1 and orden_de(palabras[0]) and (not teclas or clase(teclas[0]) == clase(palabras[0])):
+        teclas.append(palabras.pop(0))
+    return Control(texto, teclas, " ".join(palabras))
+
+
+def lee(raiz, programa):
+    """Los que enumera «// Controles:» hasta el punto final, aunque ocupe varias líneas; ninguno, si el fuente no la tiene."""
+    hallado = re.search(r"^// Controles: ((?:.*\n// )*?.*\.)$", (raiz / programa.fuente).read_text(), re.MULTILINE)
+    return [analiza(c.strip()) for c in hallado[1].replace("\n// ", " ").rstrip(".").split(" · ")] if hallado else []
+
+
+def raton_al_azar(azar, ancho, alto, rasgos):
+    """Un clic, un arrastre en varios pasos o un giro de la rueda, dentro de la ventana."""
+    def punto():
+        return f"{azar.randrange(ancho)} {azar.randrange(alto)}"
+    if "rueda" in rasgos and azar.random() < 0.3:
+        return [f"rueda {azar.choice(['+1', '-1'])} {punto()}"]
+    boton = azar.choice(["IZQUIERDO", "IZQUIERDO", "DERECHO"])
+    recorrido = [punto() for _ in range(azar.randint(1, 3))]
+    return [f"boton {boton} abajo {recorrido[0]}", *(f"arrastra {p}" for p in recorrido[1:]), f"boton {boton} arriba {recorrido[-1]}"]
+
+
+def sucesos_al_azar(azar, controles, rasgos, opciones, ancho, alto):
+    """Uno de lo que el programa dice que atiende, o de lo que atienden todos: órdenes del guion."""
+    posibles = [o for c in controles if not c.termina for o in c.ordenes] + COMUNES + [f"menu {o}" for o in opciones]
+    if rasgos & {"raton", "arrastre", "rueda", "movimiento"}:
+        posibles += ["raton"] * max(2, len(posibles) // 4)
+    if rasgos & {"temporizador", "ocio"}:
+        posibles += [f"espera {azar.choice([1, 20, 333, 1700])}"] * 2
+    elegido = azar.choice(posibles)
+    return raton_al_azar(azar, ancho, alto, rasgos) if elegido == "raton" else [elegido]
