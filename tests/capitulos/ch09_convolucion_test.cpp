@@ -141,19 +141,3 @@ TEST(ConvolucionVariable, IntermedioDe8BitsContraFloat) {
     EXPECT_LE(error(DERIVADA, "tecla p; tecla p", "float"), 0.51);
     EXPECT_GT(error(DERIVADA, "tecla p", "8 bits"), 20);
 }
-
-// Los núcleos en float contra los de arriba, y lo que suman.
-TEST(Nucleos, SumanUnoOCero) {
-    for (int familia = 0; familia < FAMILIAS; ++familia)
-        for (int m = 2; m <= TALLA_MAXIMA; ++m) {
-            const Filtro f = creaFiltro(Familia(familia), m);
-            const Nucleo exacto = nucleo(familia, m);
-            double suma = 0;
-            for (std::size_t k = 0; k < exacto.valores.size(); ++k) {
-                suma += double(f.valores.at(k));
-                EXPECT_NEAR(double(f.valores[k]), exacto.valores[k], 1e-7);
-            }
-            EXPECT_NEAR(suma, familia == DERIVADA ? 0 : 1, 1e-5) << familia << " " << m;
-            EXPECT_EQ(f.esSeparable(), familia != DISCO);
-        }
-}
