@@ -4,7 +4,7 @@
 #include "colores.h"
 #include "contra_oraculo.h"
 #include "guiones.h"
-#include "panel.h"
+#include "panel_entero.h"
 #include "tabla.h"
 
 using namespace oraculo;
@@ -338,22 +338,6 @@ TEST(Materiales, ElBrilloDeLaTablaEsUnaFraccionDe128) {
 // --- fuentes -----------------------------------------------------------------------------------------------
 const Vec3 FUENTE{-0.9, 3.3, 1.1}, S = unitario(Vec3{0.3, 0, 0} - FUENTE);
 
-/// El cono de radio y altura 1, con sus n caras y las normales de sus vértices, que suben 45 grados. En el vértice exacto no hay normal,
-/// y la que se interpola en una cara depende de cuántas haya: por eso no sirve oraculo::cono. Las caras no comparten vértices, y así
-/// son zonas distintas: de una a otra, la normal salta.
-Objeto conoDeCaras(const Mat4 &M, int n) {
-    std::vector<VerticeRef> vertices;
-    std::vector<Triangulos::Indices> indices;
-    for (int i = 0; i < n; ++i) {
-        const double a = 2 * PI * i / n, b = 2 * PI * (i + 1) / n;
-        const Vec3 p{std::cos(a), std::sin(a), 0}, q{std::cos(b), std::sin(b), 0};
-        const std::size_t k = vertices.size();
-        vertices.insert(vertices.end(), {{p, p + Z}, {q, q + Z}, {Z, q + Z}});
-        indices.push_back({k, k + 1, k + 2});
-    }
-    return malla(M, vertices, indices);
-}
-
 struct Fuente {
     std::string guion, nombre;
     int tipo; // 1 posicional, 2 direccional, 3 foco
@@ -365,7 +349,7 @@ struct Fuente {
         return {{{plano(TUMBADO * escala(6)), pintura({0.20, 0.21, 0.23}, {0.62, 0.64, 0.68}, 0.15, 20)},
                  {esfera(traslada({0.3, 0.8, 0.2}) * escala(0.8)),
                   pintura({0.18, 0.05, 0.05}, {0.75, 0.18, 0.16}, 0.60, 50), n},
-                 {conoDeCaras(traslada({2.0, 0, -1.2}) * TUMBADO * escala({0.8, 0.8, 1.9}), n),
+                 {malla(traslada({2.0, 0, -1.2}) * TUMBADO * escala({0.8, 0.8, 1.9}), porCaras(cono(n))),
                   pintura({0.05, 0.15, 0.07}, {0.18, 0.62, 0.28}, 0.50, 50)},
                  {caja(traslada({-1.7, 0.6, -1.1}) * gira(Y, 0.5) * escala(1.2)),
                   pintura({0.05, 0.10, 0.20}, {0.16, 0.40, 0.80}, 0.60, 50)},

@@ -55,26 +55,6 @@ TEST(Ruido, GradienteContraDiferenciasEnDoble) {
         }
 }
 
-// Lo más que puede valer en un punto de una celda es la media ponderada de la rampa más alta de cada esquina: la de un
-// gradiente que anula la menor de las tres distancias. Su máximo en la celda es la cota que dice ruido.glsl.
-TEST(Ruido, CotaDelValor) {
-    double cota = 0;
-    const int n = 64;
-    for (int i = 0; i < (n + 1) * (n + 1) * (n + 1); ++i) {
-        const dvec3 f = dvec3(i % (n + 1), i / (n + 1) % (n + 1), i / (n + 1) / (n + 1)) / double(n);
-        double suma = 0;
-        for (int k = 0; k < 8; ++k) {
-            const dvec3 e(k & 1, k >> 1 & 1, k >> 2), d = glm::abs(f - e);
-            const double peso =
-                definicion::quintica(1 - d.x) * definicion::quintica(1 - d.y) * definicion::quintica(1 - d.z);
-            suma += peso * (d.x + d.y + d.z - std::min({d.x, d.y, d.z}));
-        }
-        cota = std::max(cota, suma);
-    }
-    EXPECT_LT(cota, 1.04);
-    EXPECT_GT(cota, 1.03); // y no es una cota holgada
-}
-
 TEST(SondaRuido, GlslDaLoMismoQueCpp) {
     const GLuint programa = creaSonda("tests/capitulos/ch08_sonda.frag");
     glUseProgram(programa);

@@ -90,15 +90,8 @@ TEST(Convolucion, LosTresFiltrosDeLaTabla91) {
 
 // La errata de §9.2: con 1/(ancho − 1) el texel de al lado no es el de al lado, y con ancho 1 no hay ninguno.
 TEST(Convolucion, UnTexelEsUnoEntreElAncho) {
-    const Imagen fila = alAzar(9, 1);
-    for (const Imagen &i : {alAzar(1, 9), fila, alAzar(1, 1)})
+    for (const Imagen &i : {alAzar(1, 9), alAzar(9, 1), alAzar(1, 1)})
         compruebaPaneles("convolucion", {i}, {{{""}, {con(i, SUAVIZADO, "Suavizado")}}});
-    double peor = 0; // lo que daría el libro en una imagen de 9 de ancho
-    for (int x = 0; x < 9; ++x) {
-        const auto en = [&](double paso) { return bilineal(fila, x + 0.5 + paso * 9 / 8, 0.5).x; };
-        peor = std::max(peor, std::fabs((en(-1) + en(0) + en(1)) / 3 - correla(fila, SUAVIZADO, x, 0).x));
-    }
-    EXPECT_GT(peor, 5);
 }
 
 // --- convolucion_variable ---

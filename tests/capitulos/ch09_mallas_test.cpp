@@ -7,7 +7,6 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
-#include <iostream>
 #include <set>
 
 namespace fs = std::filesystem;
@@ -211,10 +210,6 @@ TEST(Antialiasing, CoberturaContraElAreaExacta) {
         }
     EXPECT_EQ(malos, 0);
     EXPECT_GT(n, 2000);
-    std::cout << "RMSE de cobertura en " << n << " píxeles de borde, y máximo:";
-    for (int tecnica = 0; tecnica < 3; ++tecnica)
-        std::cout << " " << std::sqrt(suma[tecnica] / n) << ", " << maximo[tecnica] << ";";
-    std::cout << "\n";
     EXPECT_LE(maximo[1], 0.45);
     EXPECT_LE(maximo[2], 0.20);
     EXPECT_LT(std::sqrt(suma[1]), 0.6 * std::sqrt(suma[0]));

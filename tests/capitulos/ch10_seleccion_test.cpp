@@ -92,20 +92,12 @@ std::size_t compruebaClics(const glm::ivec2 &talla, int paso, const std::string 
         ++dudosos;
     }
     std::cout << clics.size() << " clics, " << dudosos << " dudosos\n";
-    EXPECT_LT(dudosos, int(clics.size()) / 20);
+    EXPECT_LE(dudosos, int(clics.size()) / 100);
     return std::set<std::string>(elegidos.begin(), elegidos.end()).size();
 }
 const std::size_t TODOS = 10; // los nueve y nada
 
 } // namespace
-
-TEST(Identificador, LosBitsPorTurno) {
-    EXPECT_EQ(rgbDe(0), (Rgb{0, 0, 0}));
-    EXPECT_EQ(rgbDe((1u << 24) - 1), (Rgb{255, 255, 255}));
-    EXPECT_EQ(rgbDe(1), (Rgb{128, 0, 0}));
-    EXPECT_EQ(rgbDe(12), (Rgb{64, 0, 128})); // 1100: el bit 2 al azul y el 3 al rojo
-    EXPECT_EQ(rgbDe(256), (Rgb{0, 0, 32}));  // el bit 8, el tercero del azul
-}
 
 // Los 2²⁴ van y vuelven: ninguno repite color. Y lo que la GPU guarda del color (255·c redondeado) es el byte.
 TEST(Identificador, TodosSonDistintos) {
