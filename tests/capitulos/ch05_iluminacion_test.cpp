@@ -72,12 +72,11 @@ struct Iluminada {
     Vec3 fondo = FONDO;
     int modelo = PHONG;
 
-    /// Con las mallas del programa o con las formas exactas. Una caja es la misma, pero Gouraud necesita sus triángulos.
+    /// Con las mallas del programa o con las formas exactas.
     Escena escena(bool enMalla) const {
         Escena e;
         for (const Solido &s : solidos)
-            e.push_back(enMalla && (modelo != PHONG || s.exacto.forma != Objeto::CAJA) ? s.enMalla()
-                                                                                       : s.exacto);
+            e.push_back(enMalla ? s.enMalla() : s.exacto);
         return e;
     }
     Vec3 color(int objeto, const Vec3 &p, const Vec3 &normal) const {

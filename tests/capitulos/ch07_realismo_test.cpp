@@ -1,9 +1,8 @@
-// El capítulo 7: las matrices de reflexión y de sombra, y los cinco programas, contra trazado de rayos en doble
+// El capítulo 7: la matriz de la sombra y los cinco programas contra trazado de rayos en doble
 // precisión: un rebote en el espejo, rayos a la luz en las sombras y composición de atrás adelante en
 // lo transparente. Las escenas, los materiales y las luces están escritos otra vez; las formas curvas son las mallas de
 // common/malla.h, llevadas al mundo por el oráculo.
 #include "azar.h"
-#include "ch07_realismo/reflexion.h"
 #include "ch07_realismo/sombra.h"
 #include "colores.h"
 #include "contra_oraculo.h"
@@ -12,40 +11,6 @@
 #include "tabla.h"
 
 using namespace oraculo;
-
-namespace {
-
-/// Lo más que se aparta ese punto, coordenada a coordenada.
-double aparta(const glm::vec4 &de, const glm::dvec3 &p) {
-    const glm::dvec3 d = glm::abs(glm::dvec3(de) / double(de.w) - p);
-    return std::max({d.x, d.y, d.z});
-}
-
-} // namespace
-
-// --- reflexion.h -------------------------------------------------------------------------------------------
-
-// La perpendicular no tiene que ser unitaria: con longitud 1, 1.001, 2, 1e-20 y 1e20 la simetría es la misma. Cada
-// punto, contra x − 2·(V·(x − P))/(V·V)·V en doble.
-TEST(Reflexion, ContraDoblePrecision) {
-    Azar azar(7);
-    double peor = 0;
-    for (int n = 0; n < 5000; ++n) {
-        const float longitudes[] = {1, 1.001f, 2, 1e-20f, 1e20f};
-        const glm::vec3 V = azar.direccion() * longitudes[n % 5], P = azar.vector(5), x = azar.vector(5);
-        const Plano plano = planoPor(P, V);
-        const glm::vec4 y = reflexion(plano) * glm::vec4(x, 1);
-        ASSERT_EQ(y.w, 1);
-        const glm::dvec3 v(V), X(x);
-        peor = std::max(peor, aparta(y, X - 2 * glm::dot(v, X - glm::dvec3(P)) / glm::dot(v, v) * v));
-        // del lado al que mira V la distancia es positiva, y el simétrico está a la misma, del otro lado
-        EXPECT_NEAR(distancia(plano, P + plano.N), 1, 1e-5);
-        EXPECT_NEAR(distancia(plano, glm::vec3(y)), -distancia(plano, x), 2e-5);
-    }
-    EXPECT_LE(peor, 1e-5); // unas 10 veces el redondeo de una coordenada de tamaño 8
-}
-
-// --- sombra.h ----------------------------------------------------------------------------------------------
 
 // La sombra de x es donde la recta que sale de la luz y pasa por x corta al plano; w es positiva solo si x está entre
 // la luz y el plano o por debajo de él. Con la luz en un punto (L.w = 1 o 2) y en el infinito (L.w = 0).
@@ -67,7 +32,7 @@ TEST(Sombra, ContraDoblePrecision) {
         // x + t·(x − L) en el plano, con los números float tal como son
         const glm::dvec3 N(plano.N), X(x), haciaAbajo = X * double(w) - glm::dvec3(L);
         const double t = -(glm::dot(N, X) + double(plano.d)) / glm::dot(N, haciaAbajo);
-        peor = std::max(peor, aparta(y, X + t * haciaAbajo));
+        peor = std::max(peor, glm::distance(glm::dvec3(y) / double(y.w), X + t * haciaAbajo));
     }
     EXPECT_LE(peor, 1e-3); // rayos casi rasantes: la sombra llega a distancia 60
 }

@@ -1,11 +1,9 @@
-// Comprobaciones independientes de seleccion: el objeto elegido contra el que ve un rayo en doble, y los identificadores.
-#include "ch10_interaccion/identificador.h"
+// Comprobaciones independientes de seleccion: el objeto elegido contra el que ve un rayo en doble.
 #include "colores.h"
 #include "contra_oraculo.h"
 #include "guiones.h"
 #include "panel.h"
 #include <gtest/gtest.h>
-#include <iostream>
 #include <set>
 #include <sstream>
 
@@ -91,23 +89,12 @@ std::size_t compruebaClics(const glm::ivec2 &talla, int paso, const std::string 
             << clics[i].x << "," << clics[i].y << ": " << elegidos[i];
         ++dudosos;
     }
-    std::cout << clics.size() << " clics, " << dudosos << " dudosos\n";
     EXPECT_LE(dudosos, int(clics.size()) / 100);
     return std::set<std::string>(elegidos.begin(), elegidos.end()).size();
 }
 const std::size_t TODOS = 10; // los nueve y nada
 
 } // namespace
-
-// Los 2²⁴ van y vuelven: ninguno repite color. Y lo que la GPU guarda del color (255·c redondeado) es el byte.
-TEST(Identificador, TodosSonDistintos) {
-    for (unsigned id = 0; id < 1u << 24; ++id) {
-        const Rgb c = rgbDe(id);
-        ASSERT_EQ(identificadorDe(c), id);
-        for (int k = 0; k < 3 && id % 257 == 0; ++k)
-            ASSERT_EQ(std::lround(255 * double(colorDe(id)[k])), c[std::size_t(k)]);
-    }
-}
 
 // Cada píxel, linde con lo que linde; y de cerca, que hay objetos hasta en el marco de la ventana.
 TEST(Seleccion, CadaPixelDeBorde) {
