@@ -3,7 +3,6 @@
 #include "ch09_imagen/nucleos.h"
 #include "ch09_paneles.h"
 #include "guiones.h"
-#include <iostream>
 
 namespace {
 
@@ -123,9 +122,7 @@ TEST(ConvolucionVariable, IntermedioDe8BitsContraFloat) {
                                 A.ancho, A.alto, enFicheros({A}));
         const Cuadro p = conNucleo(A, familia, 9, SEPARABLE, intermedio);
         EXPECT_EQ(v.encima.at(0).texto, p.rotulo);
-        const double e = diferenciaMaxima(v.escena, p.esperado);
-        std::cout << p.rotulo << ": " << e << " niveles\n";
-        return e;
+        return diferenciaMaxima(v.escena, p.esperado);
     };
     const double enFloat = error(GAUSSIANA, "", "float"), en8Bits = error(GAUSSIANA, "tecla p", "8 bits");
     EXPECT_LE(enFloat, 0.51);

@@ -28,6 +28,15 @@ GLint delRenderbuffer(int cual, GLenum que) {
 
 } // namespace
 
+// Un framebuffer enlazado para leer, o un recorte, no se nota hasta que alguien lee o borra la ventana.
+TEST_F(Framebuffer, SeleccionarDejaEnlazadaLaVentana) {
+    selecciona(180, 112);
+    GLint leyendo = -1;
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &leyendo);
+    EXPECT_EQ(leyendo, 0);
+    EXPECT_FALSE(glIsEnabled(GL_SCISSOR_TEST));
+}
+
 // Cada identificador se guarda tal cual: ni muestras, ni mezcla, ni tramado.
 TEST_F(Framebuffer, NadaCambiaElColor) {
     EXPECT_EQ(delRenderbuffer(COLOR, GL_RENDERBUFFER_SAMPLES), 0);

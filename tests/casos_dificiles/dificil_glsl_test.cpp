@@ -165,8 +165,8 @@ const Casos FUNCIONES([] {
 /// Los shaders de los programas, sin comentarios.
 std::vector<std::pair<std::string, std::string>> shaders() {
     std::vector<std::pair<std::string, std::string>> textos;
-    const fs::path phong = recurso("ch05_iluminacion/phong.glsl");
-    for (const auto &carpeta : fs::directory_iterator(phong.parent_path().parent_path()))
+    const fs::path raiz = fs::path(recurso("CMakeLists.txt")).parent_path();
+    for (const auto &carpeta : fs::directory_iterator(raiz))
         if (std::regex_match(carpeta.path().filename().string(), std::regex("common|ch[0-9][0-9]_.*")))
             for (const auto &f : fs::directory_iterator(carpeta))
                 if (std::regex_match(f.path().extension().string(), std::regex("\\.(frag|vert|glsl)")))
