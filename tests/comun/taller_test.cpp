@@ -132,16 +132,6 @@ TEST(Shaders, UnoRoto) {
     }
 }
 
-TEST(Shaders, F5MuchasVeces) {
-    std::string guion;
-    for (int i = 0; i < 40; ++i)
-        guion += "tecla " + std::to_string(i % 2) + "; especial F5;";
-    const Ejecucion e = taller({version(ROJO, AZUL), version(VERDE, BLANCO)}, guion);
-    EXPECT_EQ(e.estado, 0);
-    EXPECT_EQ(e.errores, "");
-    EXPECT_EQ(mitades(e.imagen), "verde blanco");
-}
-
 // Solo lo que se incluye a sí mismo no acaba; dos veces seguidas sí se puede.
 TEST(Shaders, IncluirDosVecesLoMismo) {
     const Ejecucion e = taller({con({{"a.frag", CABECERA + R"(
