@@ -259,11 +259,6 @@ TEST(Continuidades, DerivadasALosDosLadosDeLaUnion) {
         comprueba(glm::distance(antes[2], despues[2]), c <= C1, 1e-5, 1);
         EXPECT_TRUE(c != G1 ||
                     std::fabs(glm::length(despues[1]) / glm::length(antes[1]) - double(FACTOR_G1)) < 1e-6);
-        // el recorrido entero: continuo, y de 0 a 2
-        EXPECT_EQ(recorrido(c, 0), PRIMER_TRAMO[0]);
-        EXPECT_EQ(recorrido(c, 1), PRIMER_TRAMO[1]);
-        EXPECT_EQ(recorrido(c, 2), FINAL);
-        EXPECT_LT(glm::distance(recorrido(c, 0.9999f), PRIMER_TRAMO[1]), 1e-3f);
         for (int k = 0; k <= 200; ++k) // el coche nunca se para, y siempre se sabe hacia dónde mira
             EXPECT_GT(glm::length(recorrido(c, float(k) / 100, 1)), 0.1f);
     }
