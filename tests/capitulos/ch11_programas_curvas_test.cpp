@@ -481,8 +481,7 @@ TEST(Pintado, LaListaSobreLaEscena) {
                  {"continuidad", "espera 0; tecla 4; tecla t; espera 1100", ALTA},
                  {"hermite", "tecla g", NORMAL},
                  {"hermite", "tecla t", ALTA},
-                 {"superficie_bezier", "tecla n ×6; especial ABAJO ×7", NORMAL},
-                 {"superficie_hermite", "", NORMAL}};
+                 {"superficie_bezier", "tecla n ×6; especial ABAJO ×7", NORMAL}};
     for (const auto &c : casos)
         compruebaPintado(c.programa, c.guion, c.ventana);
 }

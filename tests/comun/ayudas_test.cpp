@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 #include <set>
 #include <utility>

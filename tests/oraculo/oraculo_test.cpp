@@ -2,7 +2,6 @@
 #include "azar.h"
 #include "contra_oraculo.h"
 #include <algorithm>
-#include <array>
 #include <gtest/gtest.h>
 
 using namespace oraculo;
