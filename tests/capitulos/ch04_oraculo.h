@@ -1,7 +1,7 @@
 // Lo que comparten las pruebas del capítulo 4: más precisión, lo que abarca una cámara y la de fotos que dibujan dos programas.
 #pragma once
 #include "colores.h"
-#include "panel_entero.h"
+#include "panel.h"
 
 using Largo = long double; // con 11 bits más que double, sus redondeos no cuentan
 using Vec3Largo = glm::vec<3, Largo>;
