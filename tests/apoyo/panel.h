@@ -27,11 +27,11 @@ struct Panel {
     glm::dvec2 operator()(const oraculo::Vec3 &p) const {
         return glm::dvec2(hueco.x, hueco.y) + enPixeles(camara, p, hueco.ancho, hueco.alto);
     }
-    std::vector<glm::dvec2> operator()(const Linea &linea) const {
-        std::vector<glm::dvec2> puntos;
+    std::vector<glm::dvec2> puntos(const Linea &linea) const {
+        std::vector<glm::dvec2> enVentana;
         for (const oraculo::Vec3 &p : linea)
-            puntos.push_back((*this)(p));
-        return puntos;
+            enVentana.push_back((*this)(p));
+        return enVentana;
     }
     /// Y un lugar del panel: (0, 0) es su esquina de abajo a la izquierda y (1, 1) la contraria.
     glm::dvec2 lugar(double x, double y) const {
@@ -122,7 +122,7 @@ struct Dibujo {
 
     void traza(const char *tipo, const Linea &linea, const glm::vec3 &color, double grosor,
                bool conProfundidad = true) {
-        trazos.push_back({tipo, color, grosor, conProfundidad, en(linea)});
+        trazos.push_back({tipo, color, grosor, conProfundidad, en.puntos(linea)});
     }
     void rotula(const std::string &texto, const glm::dvec2 &p, const glm::vec3 &color,
                 Lado lado = Lado::CENTRO) {
@@ -138,7 +138,7 @@ inline void compruebaTrazos(const Encima &encima, const Panel &panel, const std:
                             const glm::vec3 &color) {
     double largo = 0;
     for (const Linea &linea : lineas) {
-        const std::vector<glm::dvec2> enVentana = panel(linea);
+        const std::vector<glm::dvec2> enVentana = panel.puntos(linea);
         compruebaTrazo(encima, enVentana, color);
         for (std::size_t i = 1; i < enVentana.size(); ++i)
             largo += glm::distance(enVentana[i - 1], enVentana[i]);

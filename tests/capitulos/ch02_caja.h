@@ -71,16 +71,6 @@ inline void compruebaCaminos(const Vista &vista, const oraculo::Camara &camara,
     }
 }
 
-/// Los píxeles de ese color que se ven en la vertical de un punto de la arista, a un tercio de `a`: no los tapan sus propias caras.
-inline int grosorPintado(const Imagen &imagen, const oraculo::Camara &camara, unsigned a, unsigned b,
-                         const glm::vec3 &color) {
-    const glm::dvec2 p = enPixeles(camara, 2 / 3.0 * verticeCaja(a) + 1 / 3.0 * verticeCaja(b), ANCHO, ALTO);
-    int n = 0;
-    for (int d = -12; d <= 12; ++d)
-        n += oraculo::diferencia(imagen, int(p.x), int(p.y) + d, exacto(color)) <= 1;
-    return n;
-}
-
 /// Los números de esos vértices en una ventana de 960×720, por fuera.
 inline std::vector<Letrero> numeros(const oraculo::Camara &camara, const std::vector<unsigned> &vistos) {
     std::vector<Letrero> letreros;

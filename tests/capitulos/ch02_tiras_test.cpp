@@ -147,8 +147,6 @@ TEST(Tiras, RotulosYRecorrido) {
     una.push_back({"2 1 3 4 8 1 5 2 6 3\n7 8", {0.02 * 960, 0.04 * 720}, 0.8f * NARANJA, Lado::DERECHA});
     compruebaRotulos(vistas[0].encima, dos);
     compruebaRotulos(vistas[1].encima, una);
-    const int grosor = grosorPintado(imagenDe("tiras", "", ANCHO, ALTO), camara, 3, 6, OSCURO);
-    EXPECT_TRUE(grosor >= 2 && grosor <= 4) << grosor; // dos píxeles, contados en vertical
 }
 
 TEST(Tiras, ConOtraMallaLaTeclaUNoHaceNada) {
@@ -170,34 +168,13 @@ TEST(Tiras, UnaSolaTiraNoBasta) {
     EXPECT_EQ(minimoDeTiras(todas), 2); // ni aunque dé igual en qué sentido giren
 }
 
-// La misma caja con las diagonales que se quieran, una por pared y la del fondo: de las 2⁵ maneras, en 10 sí hay una tira, y en 6 de
-// ellas sin descuidar el sentido. Basta cambiar una de las del ejercicio.
+// Basta cambiar una diagonal, 3–8 en lugar de 4–7: la tira de la tecla u es esa caja.
 TEST(Tiras, CambiandoUnaDiagonalSi) {
-    // en cada lado, la diagonal del ejercicio es la del primer vértice al tercero
-    const unsigned lados[5][4] = {{1, 4, 3, 2}, {2, 6, 5, 1}, {3, 7, 6, 2}, {4, 8, 7, 3}, {1, 5, 8, 4}};
-    int conUna = 0, conUnaOrientada = 0, conUnCambio = 0;
-    for (unsigned cambiadas = 0; cambiadas < 32; ++cambiadas) {
-        std::vector<T3> malla;
-        for (unsigned k = 0; k < 5; ++k) {
-            const unsigned *q = lados[k];
-            const unsigned a = cambiadas >> k & 1, c = a + 2;
-            malla.insert(malla.end(), {{q[a], q[a + 1], q[c]}, {q[a], q[c], q[(a + 3) % 4]}});
-        }
-        if (cambiadas == 0) {
-            EXPECT_EQ(canonicos(malla), canonicos(TRIANGULOS));
-        }
-        if (cambiadas == 8) { // 3–8 en lugar de 4–7
-            EXPECT_EQ(canonicos(malla), canonicos(expande(UNA)));
-        }
-        const bool una = minimoDeTiras(todasLasTiras(malla, false)) == 1,
-                   orientada = minimoDeTiras(todasLasTiras(malla, true)) == 1;
-        conUna += una;
-        conUnaOrientada += orientada;
-        conUnCambio += orientada && __builtin_popcount(cambiadas) == 1;
-    }
-    EXPECT_EQ(conUna, 10);
-    EXPECT_EQ(conUnaOrientada, 6);
-    EXPECT_GT(conUnCambio, 0);
+    std::vector<T3> malla = TRIANGULOS;
+    malla[6] = {3, 4, 8};
+    malla[7] = {3, 8, 7};
+    EXPECT_EQ(minimoDeTiras(todasLasTiras(malla, true)), 1);
+    EXPECT_EQ(canonicos(expande(UNA)), canonicos(malla));
 }
 
 // Repitiendo dos índices, las dos tiras se encadenan en una de 16 con dos uniones sin área.

@@ -56,6 +56,8 @@ TEST(ParesDeProfundidad, LosExtremos) {
     EXPECT_EQ(enBuffer(0.0, 24), 0);
     EXPECT_EQ(enBuffer(1.0f, 24), PASOS);
     EXPECT_EQ(enBuffer(1.0, 16), 65535);
+    const ParesMal p = cuentaPares<float>(1e-30, LEJOS, 1e-5, 24); // con un NaN no habría pares mal
+    EXPECT_GT(p.iguales + p.invertidos, 0.5);
 }
 
 // Los carteles de la imagen. Los pares son los píxeles cuyo centro ve, en doble, el cuadro con el cartel

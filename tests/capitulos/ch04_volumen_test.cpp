@@ -64,9 +64,7 @@ void compruebaAristasYParametros(const Vista &vista, const Camara &v, const Pane
     const std::vector<Vec3> esquinas = esquinasA({v.cerca, v.lejos}, {v, VENTANA});
     const auto medio = [&](std::size_t a, std::size_t b) { return en(0.5 * (esquinas[a] + esquinas[b])); };
     std::vector<Trazo> trazos;
-    std::vector<glm::dvec2> e;
-    for (const Vec3 &p : esquinas)
-        e.push_back(en(p));
+    const std::vector<glm::dvec2> e = en.puntos(esquinas);
     for (std::size_t k = 0; k < 4; ++k) {
         trazos.push_back({"segmentos", OSCURO, 5, true, {e[k], e[k + 4]}});
         if (!v.esParalela)
