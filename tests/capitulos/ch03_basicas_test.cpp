@@ -209,10 +209,6 @@ TEST(ProgramaBasicas, LaFEstaDondeDicenLasEcuaciones) {
         encima.rotula(escrita(M), panel.lugar(0.03, 0.78), OSCURO, Lado::DERECHA);
         encima.comprueba(v);
     }
-    EXPECT_EQ(escrita(basica('Y', 90)), "|     0     0     1     0 |\n|     0     1     0     0 |\n"
-                                        "|    -1     0     0     0 |\n|     0     0     0     1 |");
-    EXPECT_EQ(escrita(basica('X', 60)), "|     1     0     0     0 |\n|     0   0.5 -0.87     0 |\n"
-                                        "|     0  0.87   0.5     0 |\n|     0     0     0     1 |");
 }
 
 // --- escalado ---

@@ -29,28 +29,29 @@ std::vector<Cuerpo> escena() {
 void compruebaLoSenalado(const Vista &vista, const Panel &fuera, const Panel &dentro) {
     const auto [S, U, Z] = ejes(dentro.camara);
     const Vec3 ojo = dentro.camara.ojo;
-    std::vector<glm::dvec2> marco, lados;
+    Linea marco, lados;
     const std::vector<Vec3> esquinas = esquinasA({3}, dentro);
     for (const std::size_t k : {2, 3, 0, 1}) {
-        marco.push_back(fuera(esquinas[k]));
-        lados.insert(lados.end(), {fuera(ojo), marco.back()});
+        marco.push_back(esquinas[k]);
+        lados.insert(lados.end(), {ojo, esquinas[k]});
     }
     marco.push_back(marco[0]);
-    const glm::dvec2 p = fuera(ojo), i = fuera(I);
-    std::vector<Trazo> trazos = {{"segmentos", GRIS, 3, true, lados},
-                                 {"polilinea", GRIS, 4, true, marco},
-                                 {"segmentos", OSCURO, 3, true, {p, i}}};
-    std::vector<Letrero> letreros = {{"p", p, OSCURO, Lado::DEBAJO}, {"i", i, OSCURO, Lado::DERECHA}};
+    Dibujo encima = {fuera};
+    encima.traza("segmentos", lados, GRIS, 3);
+    encima.traza("polilinea", marco, GRIS, 4);
+    encima.traza("segmentos", {ojo, I}, OSCURO, 3);
     const auto flecha = [&](const char *nombre, const Vec3 &v, const glm::vec3 &color) {
-        trazos.push_back({"flecha", color, 8, false, {p, fuera(ojo + v)}});
-        letreros.push_back({nombre, fuera(ojo + 1.3 * v), color});
+        encima.traza("flecha", {ojo, ojo + v}, color, 8, false);
+        encima.rotula(nombre, fuera(ojo + 1.3 * v), color);
     };
     flecha("UP", 3.4 * unitario(dentro.camara.arriba), NARANJA);
     flecha("S", 2.5 * S, ROJO);
     flecha("U", 2.5 * U, VERDE);
     flecha("F", -2.5 * Z, AZUL);
-    trazos.push_back({"puntos", OSCURO, 18, false, {p, i}});
-    compruebaEncima(vista, fuera.hueco, trazos, letreros);
+    encima.traza("puntos", {ojo, I}, OSCURO, 18, false);
+    encima.rotula("p", fuera(ojo), OSCURO, Lado::DEBAJO);
+    encima.rotula("i", fuera(I), OSCURO, Lado::DERECHA);
+    encima.comprueba(vista);
     compruebaEncima(vista, dentro.hueco, {}, {{"lo que ve", dentro.lugar(0.5, 0.96), OSCURO}});
 }
 

@@ -199,25 +199,25 @@ void compruebaLoSenalado(const Vista &vista, const Vec3 &mundo, double laGuardad
     const std::vector<Vec3> volumen = esquinasA({CAMARA_REF.cerca, CAMARA_REF.lejos}, panel(VENTANA));
     for (int k = OBJETO; k < PROFUNDIDAD; ++k) {
         SCOPED_TRACE("panel " + std::to_string(k + 1));
-        std::vector<Trazo> trazos;
-        const Panel en = panel(k);
-        if (k <= CAMARA)
-            trazos = {{"flecha", ROJO, 6, true, {en({}), en({1.2, 0, 0})}},
-                      {"flecha", VERDE, 6, true, {en({}), en({0, 1.2, 0})}},
-                      {"flecha", AZUL, 6, true, {en({}), en({0, 0, 1.2})}}};
+        Dibujo encima = {panel(k)};
+        const auto ve = [k](const Vec3 &p) { return coordenadas(k, p); };
+        if (k <= CAMARA) {
+            encima.traza("flecha", {{}, {1.2, 0, 0}}, ROJO, 6);
+            encima.traza("flecha", {{}, {0, 1.2, 0}}, VERDE, 6);
+            encima.traza("flecha", {{}, {0, 0, 1.2}}, AZUL, 6);
+        }
         if (k == MUNDO || k == CAMARA || k == NDC) {
-            std::vector<glm::dvec2> e;
-            for (const Vec3 &p : volumen)
-                e.push_back(enPanel(k, p));
+            Linea e;
+            std::transform(volumen.begin(), volumen.end(), std::back_inserter(e), ve);
             for (std::size_t i = 0; i < 4; ++i)
-                trazos.push_back({"segmentos", OSCURO, 3, true, {e[i], e[i + 4]}});
-            trazos.push_back({"polilinea", NARANJA, 6, true, {e[0], e[1], e[2], e[3], e[0]}});
-            trazos.push_back({"polilinea", AZUL, 6, true, {e[4], e[5], e[6], e[7], e[4]}});
+                encima.traza("segmentos", {e[i], e[i + 4]}, OSCURO, 3);
+            encima.traza("polilinea", {e[0], e[1], e[2], e[3], e[0]}, NARANJA, 6);
+            encima.traza("polilinea", {e[4], e[5], e[6], e[7], e[4]}, AZUL, 6);
         }
         if (k == MUNDO || k == CAMARA)
-            trazos.push_back({"segmentos", ROJO, 3, true, {enPanel(k, OJO), enPanel(k, mundo)}});
-        trazos.push_back({"puntos", ROJO, 22, false, {enPanel(k, mundo)}});
-        compruebaEncima(vista, en.hueco, trazos, {});
+            encima.traza("segmentos", {ve(OJO), ve(mundo)}, ROJO, 3);
+        encima.traza("puntos", {ve(mundo)}, ROJO, 22, false);
+        encima.comprueba(vista);
     }
     const auto enEscala = [&](double z, double y = 0.45) {
         return panel(PROFUNDIDAD).lugar(0.275 + 0.45 * z, y);

@@ -66,32 +66,32 @@ const struct {
 /// los puntos de fuga, donde se proyectan sus direcciones, y por los dos el horizonte, de lado a lado.
 void compruebaLasRectas(const Vista &vista, const Panel &en) {
     const glm::vec3 colores[] = {ROJO, VERDE, AZUL};
-    std::vector<Trazo> trazos;
+    Dibujo encima = {en};
     std::vector<Vec3> fugas;
     for (int eje = 0; eje < 3; ++eje) {
         const double fondo = ejes(en.camara).z[eje] > 0 ? -1000 : 1000;
         const Mat4 M = gira({1, 1, 1}, 2 * PI / 3 * eje); // lleva X a ese eje
-        std::vector<glm::dvec2> aristas, rectas;
+        Linea aristas, rectas;
         for (const double a : {-0.5, 0.5})
             for (const double b : {-0.5, 0.5}) {
-                aristas.insert(aristas.end(), {en(punto(M, {-0.5, a, b})), en(punto(M, {0.5, a, b}))});
-                rectas.insert(rectas.end(), {en(punto(M, {0, a, b})), en(punto(M, {fondo, a, b}))});
+                aristas.insert(aristas.end(), {punto(M, {-0.5, a, b}), punto(M, {0.5, a, b})});
+                rectas.insert(rectas.end(), {punto(M, {0, a, b}), punto(M, {fondo, a, b})});
             }
         if (eje != 1) {
-            trazos.push_back({"segmentos", colores[eje], 5, true, rectas});
+            encima.traza("segmentos", rectas, colores[eje], 5);
             fugas.push_back(en.camara.ojo + punto(M, {fondo, 0, 0}));
         }
-        trazos.push_back({"segmentos", colores[eje], 14, true, aristas});
+        encima.traza("segmentos", aristas, colores[eje], 14);
     }
-    std::vector<Letrero> letreros = {{"paralela", en.lugar(0.02, 0.05), OSCURO, Lado::DERECHA}};
+    encima.rotula(en.camara.esParalela ? "paralela" : "perspectiva", en.lugar(0.02, 0.05), OSCURO,
+                  Lado::DERECHA);
     if (!en.camara.esParalela) {
-        const glm::dvec2 fuga = en(fugas[0]), otra = en(fugas[1]);
-        letreros = {{"perspectiva", letreros[0].punto, OSCURO, Lado::DERECHA},
-                    {"punto de fuga", fuga, OSCURO, Lado::ENCIMA},
-                    {"punto de fuga", otra, OSCURO, Lado::ENCIMA},
-                    {"horizonte", en(0.4 * fugas[0] + 0.6 * fugas[1]), OSCURO, Lado::ENCIMA}};
-        trazos.push_back({"segmentos", OSCURO, 9, true, {}}); // el horizonte: lo corta el plano cerca
-        trazos.push_back({"puntos", OSCURO, 30, false, {fuga, otra}});
+        const glm::dvec2 fuga = en(fugas[0]);
+        encima.rotula("punto de fuga", fuga, OSCURO, Lado::ENCIMA);
+        encima.rotula("punto de fuga", en(fugas[1]), OSCURO, Lado::ENCIMA);
+        encima.rotula("horizonte", en(0.4 * fugas[0] + 0.6 * fugas[1]), OSCURO, Lado::ENCIMA);
+        encima.traza("segmentos", {}, OSCURO, 9); // el horizonte: lo corta el plano cerca
+        encima.traza("puntos", fugas, OSCURO, 30, false);
         const Pintado horizonte = vista.encima.trazos(OSCURO, "segmentos").at(0);
         const glm::dvec2 p = horizonte.punto(0), q = horizonte.punto(1);
         EXPECT_LT(std::min(p.x, q.x), 0);
@@ -99,7 +99,7 @@ void compruebaLasRectas(const Vista &vista, const Panel &en) {
         for (const double x : {0, en.hueco.ancho})
             EXPECT_NEAR(p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y), fuga.y, 0.1);
     }
-    compruebaEncima(vista, en.hueco, trazos, letreros);
+    encima.comprueba(vista);
 }
 
 } // namespace

@@ -61,31 +61,30 @@ Tono sombrea(const Impacto &i, const std::vector<Cuerpo> &cuerpos, const Camara 
 
 /// Las aristas del volumen, con las que van del ojo a la pirámide, y cada parámetro de las figuras 4.3 y 4.4 junto a lo que decide.
 void compruebaAristasYParametros(const Vista &vista, const Camara &v, const Panel &en) {
-    const std::vector<Vec3> esquinas = esquinasA({v.cerca, v.lejos}, {v, VENTANA});
-    const auto medio = [&](std::size_t a, std::size_t b) { return en(0.5 * (esquinas[a] + esquinas[b])); };
-    std::vector<Trazo> trazos;
-    const std::vector<glm::dvec2> e = en.puntos(esquinas);
+    const std::vector<Vec3> e = esquinasA({v.cerca, v.lejos}, {v, VENTANA});
+    const auto medio = [&](std::size_t a, std::size_t b) { return en(0.5 * (e[a] + e[b])); };
+    Dibujo encima = {en};
     for (std::size_t k = 0; k < 4; ++k) {
-        trazos.push_back({"segmentos", OSCURO, 5, true, {e[k], e[k + 4]}});
+        encima.traza("segmentos", {e[k], e[k + 4]}, OSCURO, 5);
         if (!v.esParalela)
-            trazos.push_back({"segmentos", GRIS, 3, true, {en(OJO), e[k]}});
+            encima.traza("segmentos", {OJO, e[k]}, GRIS, 3);
     }
-    trazos.push_back({"polilinea", NARANJA, 8, true, {e[0], e[1], e[2], e[3], e[0]}});
-    trazos.push_back({"polilinea", AZUL, 8, true, {e[4], e[5], e[6], e[7], e[4]}});
+    encima.traza("polilinea", {e[0], e[1], e[2], e[3], e[0]}, NARANJA, 8);
+    encima.traza("polilinea", {e[4], e[5], e[6], e[7], e[4]}, AZUL, 8);
     std::ostringstream cerca, lejos;
     cerca << "cerca " << v.cerca;
     lejos << "lejos " << v.lejos;
-    std::vector<Letrero> letreros = {{"θ", en(OJO - Vec3{0, 0.4, 0}), OSCURO, Lado::DEBAJO},
-                                     {"ancho", medio(4, 5), OSCURO, Lado::DEBAJO},
-                                     {"alto", medio(5, 6), OSCURO, Lado::DERECHA}};
+    encima.letreros = {{"θ", en(OJO - Vec3{0, 0.4, 0}), OSCURO, Lado::DEBAJO},
+                       {"ancho", medio(4, 5), OSCURO, Lado::DEBAJO},
+                       {"alto", medio(5, 6), OSCURO, Lado::DERECHA}};
     if (v.esParalela)
-        letreros = {{"izquierda", medio(0, 3), OSCURO, Lado::IZQUIERDA},
-                    {"derecha", medio(5, 6), OSCURO, Lado::DERECHA},
-                    {"abajo", medio(0, 1), OSCURO, Lado::DEBAJO},
-                    {"arriba", medio(3, 6), OSCURO, Lado::ENCIMA}};
-    letreros.push_back({cerca.str(), e[3], NARANJA, Lado::ENCIMA});
-    letreros.push_back({lejos.str(), e[6], AZUL, Lado::ENCIMA});
-    compruebaEncima(vista, VENTANA, trazos, letreros);
+        encima.letreros = {{"izquierda", medio(0, 3), OSCURO, Lado::IZQUIERDA},
+                           {"derecha", medio(5, 6), OSCURO, Lado::DERECHA},
+                           {"abajo", medio(0, 1), OSCURO, Lado::DEBAJO},
+                           {"arriba", medio(3, 6), OSCURO, Lado::ENCIMA}};
+    encima.rotula(cerca.str(), en(e[3]), NARANJA, Lado::ENCIMA);
+    encima.rotula(lejos.str(), en(e[6]), AZUL, Lado::ENCIMA);
+    encima.comprueba(vista);
 }
 
 } // namespace
