@@ -2,8 +2,8 @@
 #pragma once
 #include "contra_oraculo.h"
 
-/// Con la misma malla y la misma luz solo se pierde el redondeo a 8 bits. En los bordes, la GPU lleva cada vértice a la rejilla de
-/// 1/256 de píxel, y un lado se mueve √2/256 como mucho por cada uno de los suyos: 0.011.
+/// Con la misma malla y la misma luz solo se pierde el redondeo a 8 bits. En los bordes, la GPU lleva cada vértice a la
+/// rejilla de 1/256 de píxel, y un lado se mueve √2/256 como mucho por cada uno de los suyos: 0.011.
 const Cotas EXACTA = {0.501, 500, 0.012};
 
 using Linea = std::vector<oraculo::Vec3>;
@@ -85,8 +85,9 @@ struct Trazo {
     std::vector<glm::dvec2> puntos;
 };
 
-/// Comprueba que encima de ese panel hay esos trazos, uno por uno y en el orden en que se pintan, los letreros que nombran puntos que
-/// caen en él y nada más. Los puntos pasan por float: en ventanas de mil píxeles, 0.1 es mil veces su redondeo.
+/// Comprueba que encima de ese panel hay esos trazos, uno por uno y en el orden en que se pintan, los letreros que
+/// nombran puntos que caen en él y nada más. Los puntos pasan por float: en ventanas de mil píxeles, 0.1 es mil veces
+/// su redondeo.
 inline void compruebaEncima(const Vista &vista, const Hueco &h, const std::vector<Trazo> &trazos,
                             std::vector<Letrero> letreros) {
     const auto fuera = [&](const Letrero &l) {
@@ -133,7 +134,8 @@ struct Dibujo {
     }
 };
 
-/// Comprueba que los trazos de ese color son esas líneas, en cualquier orden, y nada más: están todas, y entre todas miden lo que ellos.
+/// Comprueba que los trazos de ese color son esas líneas, en cualquier orden, y nada más: están todas, y entre todas
+/// miden lo que ellos.
 inline void compruebaTrazos(const Encima &encima, const Panel &panel, const std::vector<Linea> &lineas,
                             const glm::vec3 &color) {
     double largo = 0;

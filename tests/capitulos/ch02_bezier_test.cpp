@@ -1,5 +1,5 @@
-// Comprobaciones independientes de la tetera y de ch02_modelado/bezier.h: normales contra derivadas en cuádruple precisión, error de
-// cuerda, grietas, fronteras de longitud cero y los datos de Newell.
+// Comprobaciones independientes de la tetera y de ch02_modelado/bezier.h: normales contra derivadas en cuádruple
+// precisión, error de cuerda, grietas, fronteras de longitud cero y los datos de Newell.
 #include "azar.h"
 #include "ch02_modelado/bezier.h"
 #include "colores.h"
@@ -83,9 +83,9 @@ double separacion(const glm::dvec3 &a, const Punto<Cuadruple> &b) { // |a − b/
     return double(largo(Punto<Cuadruple>(a) - b / largo(b)));
 }
 
-// Cota del error de la normal en doble precisión. Cada derivada es una suma de 16 productos de pesos (menos de 8 redondeos), diferencias
-// (1) y la propia suma (15): 24 redondeos, relativos a la suma de valores absolutos. El producto vectorial divide por el seno del ángulo
-// entre las derivadas, y él y normalizar añaden 8.
+// Cota del error de la normal en doble precisión. Cada derivada es una suma de 16 productos de pesos (menos de 8
+// redondeos), diferencias (1) y la propia suma (15): 24 redondeos, relativos a la suma de valores absolutos. El
+// producto vectorial divide por el seno del ángulo entre las derivadas, y él y normalizar añaden 8.
 double cotaNormal(const Parche &q, const Exacto<Cuadruple> &e, double u, double v) {
     using Pesos = std::array<double, 4>; // los de Bernstein, y cotas de los sumandos de los de sus derivadas
     const auto pesos = [](double t) {
@@ -106,8 +106,8 @@ double cotaNormal(const Parche &q, const Exacto<Cuadruple> &e, double u, double 
     return U * (24 * (su / lu + sv / lv) + 8) * (lu * lv / ln);
 }
 
-// Lo más que se separan los triángulos de la superficie: en una rejilla de cada triángulo, del punto con los mismos (u, v). Se mide donde
-// `lleva` lleva los puntos.
+// Lo más que se separan los triángulos de la superficie: en una rejilla de cada triángulo, del punto con los mismos (u,
+// v). Se mide donde `lleva` lleva los puntos.
 template<class Lleva>
 double errorDeCuerda(const std::vector<Parche> &parches, double tolerancia, int paso, Lleva lleva) {
     const Malla malla = teselaParches(parches, tolerancia).malla;
@@ -137,8 +137,8 @@ glm::dvec3 dondeEsta(const glm::dvec3 &p) {
     return p;
 }
 
-// Cuántas aristas son de un solo triángulo, soldando los vértices que coinciden bit a bit. Las demás son de dos; si la malla está
-// orientada, que las recorren en sentidos opuestos.
+// Cuántas aristas son de un solo triángulo, soldando los vértices que coinciden bit a bit. Las demás son de dos; si la
+// malla está orientada, que las recorren en sentidos opuestos.
 int aristasSueltas(const Malla &m, bool orientada) {
     using Bits = std::array<float, 3>;
     std::map<std::pair<Bits, Bits>, std::vector<bool>> usos; // y en qué sentido
@@ -224,8 +224,8 @@ TEST(Bezier, NormalesContraDerivadasEnCuadruple) {
     EXPECT_EQ(comparadas, 32 * 64 - 8 * 8);
 }
 
-// En el centro de la tapa y en el del fondo ∂u = 0: el límite de la normal, que la referencia toma a 1e-12 del borde, es ±Z; el camino
-// desde dentro lo cruza sin saltos ni NaN.
+// En el centro de la tapa y en el del fondo ∂u = 0: el límite de la normal, que la referencia toma a 1e-12 del borde,
+// es ±Z; el camino desde dentro lo cruza sin saltos ni NaN.
 TEST(Bezier, FronterasDeLongitudCero) {
     for (const std::size_t primero : {20u, 28u})
         for (std::size_t k = primero; k < primero + 4; ++k)
@@ -284,15 +284,16 @@ TEST(Bezier, NuncaNaN) {
                 EXPECT_TRUE(std::isfinite(p.posicion.x + p.du.x + p.dv.x));
             }
     EXPECT_TRUE(teselaParches({punto}, 0.1).malla.indices.empty());
-    // A 1e8 del origen las derivadas no pierden nada, porque los puntos de control se restan antes, sin error; ni con talla 1e-100.
+    // A 1e8 del origen las derivadas no pierden nada, porque los puntos de control se restan antes, sin error; ni con
+    // talla 1e-100.
     for (const double u : {0.1, 0.5, 0.9})
         for (const Parche &q : {diminuto, lejano})
             EXPECT_LE(separacion(evaluaParche(q, u, 0.3).normal, evalua<Cuadruple>(lejano, u, 0.3).n), 1e-14);
 }
 
-// La distancia de cada punto de un triángulo al punto de la superficie con los mismos (u, v) no pasa de la tolerancia (más el redondeo a
-// float de posiciones y parámetros: 4·2⁻²⁴ y, con derivadas de hasta 12, 12·2⁻²⁴). Tampoco sobra demasiado: el peor parche llega a más de
-// un cuarto de la tolerancia.
+// La distancia de cada punto de un triángulo al punto de la superficie con los mismos (u, v) no pasa de la tolerancia
+// (más el redondeo a float de posiciones y parámetros: 4·2⁻²⁴ y, con derivadas de hasta 12, 12·2⁻²⁴). Tampoco sobra
+// demasiado: el peor parche llega a más de un cuarto de la tolerancia.
 TEST(Bezier, ErrorDeCuerda) {
     const double redondeo = 16 * std::ldexp(1.0, -24);
     for (double tolerancia : {0.3, 0.12, 0.03, 0.0075}) {
@@ -305,14 +306,15 @@ TEST(Bezier, ErrorDeCuerda) {
         EXPECT_LE(errorDeCuerda({aleatorio(azar)}, 0.02, 4, dondeEsta), 0.02 + redondeo);
 }
 
-// Con la cámara del programa, a 960×720, medio píxel: el error de cuerda proyectado en cada punto, que acota el de la silueta.
+// Con la cámara del programa, a 960×720, medio píxel: el error de cuerda proyectado en cada punto, que acota el de la
+// silueta.
 TEST(Bezier, ToleranciaDePartidaMenosDeMedioPixel) {
     const auto enPixel = [](const glm::dvec3 &p) { return enPixeles(camaraTetera(), enPie(p), 960, 720); };
     EXPECT_LT(errorDeCuerda(tetera(), PIXEL, 6, enPixel), 0.5);
 }
 
-// Sin grietas: solo quedan sueltas las de los lados de parche que no comparte nadie: la boca y la tapa (4 cada una), los dos extremos del
-// asa y los del pitorro (2 cada uno).
+// Sin grietas: solo quedan sueltas las de los lados de parche que no comparte nadie: la boca y la tapa (4 cada una),
+// los dos extremos del asa y los del pitorro (2 cada uno).
 TEST(Bezier, SinGrietas) {
     for (double tolerancia : {1.0, 0.3, 0.1, 0.037, 0.0075}) {
         const std::vector<Division> d = divisionesPara(tetera(), tolerancia);
@@ -341,8 +343,8 @@ TEST(Bezier, LadosComunesBitABit) {
     }
 }
 
-// Los triángulos giran hacia donde apunta la normal, y la normal apunta hacia fuera: al dado por el parche explorado desde el eje de cada
-// pieza. El cuerpo, el borde, la tapa y el fondo encierran un volumen positivo.
+// Los triángulos giran hacia donde apunta la normal, y la normal apunta hacia fuera: al dado por el parche explorado
+// desde el eje de cada pieza. El cuerpo, el borde, la tapa y el fondo encierran un volumen positivo.
 TEST(Bezier, GiroYNormalesHaciaFuera) {
     const Malla m = teselaParches(tetera(), 0.01).malla;
     for (std::size_t t = 0; t < m.indices.size(); t += 3) {
@@ -392,7 +394,8 @@ oraculo::Objeto teteraDensa() {
     return oraculo::malla(oraculo::Mat4(), vertices, indices);
 }
 
-// El esmalte que promete tetera.frag: difuso con la luz de la izquierda y el cielo de arriba, brillo de Blinn y reflejo en los bordes.
+// El esmalte que promete tetera.frag: difuso con la luz de la izquierda y el cielo de arriba, brillo de Blinn y reflejo
+// en los bordes.
 oraculo::Vec3 esmalte(const oraculo::Impacto &i, const oraculo::Vec3 &color) {
     using namespace oraculo;
     const Vec3 L{-0.62, 0.45, 0.643}, V = haciaOjo(i), N = escalar(i.normal, V) < 0 ? -i.normal : i.normal;
@@ -417,7 +420,8 @@ TEST(Tetera, SombreadoYSilueta) {
         const auto comparada = oraculo::compara(
             vistaDe("tetera", c.guion, c.ancho, c.alto).escena, escena, c.camara,
             [](const oraculo::Impacto &i) { return i ? esmalte(i, exacto(AZUL)) : exacto(FONDO_CLARO); });
-        // en el filo del borde el brillo cambia 200 niveles de un píxel al siguiente: el error se parte por dos con la tolerancia
+        // en el filo del borde el brillo cambia 200 niveles de un píxel al siguiente: el error se parte por dos con la
+        // tolerancia
         comprueba(c.guion, comparada, {4, 500, 0.7});
         EXPECT_LE(comparada.rmse, 0.35);
         EXPECT_GT(comparada.interior, c.ancho * c.alto * 8 / 10);
@@ -439,7 +443,8 @@ TEST(Tetera, MasFinaYMasBasta) {
     }
 }
 
-// Cada píxel de la malla: una línea de dos píxeles va por los lados de los cuadriláteros y, en la de triángulos, por sus diagonales.
+// Cada píxel de la malla: una línea de dos píxeles va por los lados de los cuadriláteros y, en la de triángulos, por
+// sus diagonales.
 TEST(Tetera, MallaYCuadrilateros) {
     const std::vector<Vista> vistas = vistasDe(
         "tetera", {"tecla - ×4", "tecla c; tecla m", "tecla c", "tecla c", "tecla m; tecla x; tecla m"}, 960,
@@ -483,7 +488,8 @@ TEST(Tetera, MallaYCuadrilateros) {
             return oraculo::Tono((1 - linea) * esmalte(i, exacto(GRIS)) + linea * exacto(OSCURO),
                                  linea > 0 ? 1 + i.corte.triangulo : 0);
         };
-        // los bordes, por la rejilla de 1/256 de píxel de los vértices y porque lo que cambia de un píxel a otro se mide en dos
+        // los bordes, por la rejilla de 1/256 de píxel de los vértices y porque lo que cambia de un píxel a otro se
+        // mide en dos
         comprueba(lineas == 3 ? "triángulos" : "cuadriláteros",
                   oraculo::compara(vistas[lineas == 3 ? 1 : 2].escena, escena, camara, sombrea, 12),
                   {4, 500, 1.0 / 128});

@@ -17,8 +17,8 @@ inline oraculo::Vec3 verticeCaja(unsigned i) {
     return exacto((glm::dvec3(CAJA[i - 1]) - 0.5) / (std::sqrt(3.0) / 2));
 }
 
-/// La cámara de los dos programas: a la menor distancia desde la que caben a 4:3 los ocho vértices, aumentados un 22 %; después la gira y
-/// la sube el ratón.
+/// La cámara de los dos programas: a la menor distancia desde la que caben a 4:3 los ocho vértices, aumentados un 22 %;
+/// después la gira y la sube el ratón.
 inline oraculo::Camara camaraCaja(double azimut, double elevacion, double gira = 0, double sube = 0) {
     const double t = std::tan(0.3);
     const oraculo::Camara lejana = oraculo::orbita(azimut, elevacion, 100);
@@ -52,8 +52,8 @@ void compruebaCaja(const std::string &que, const Imagen &escena, const std::vect
                0.012}); // los bordes, por la rejilla de 1/256 de píxel a la que OpenGL lleva cada vértice
 }
 
-/// Comprueba que los trazos de ese color unen esos vértices y nada más, que obedecen a la profundidad y que miden eso de ancho, en
-/// píxeles de una ventana de 1080 líneas.
+/// Comprueba que los trazos de ese color unen esos vértices y nada más, que obedecen a la profundidad y que miden eso
+/// de ancho, en píxeles de una ventana de 1080 líneas.
 inline void compruebaCaminos(const Vista &vista, const oraculo::Camara &camara,
                              const std::vector<std::vector<unsigned>> &caminos, const glm::vec3 &color,
                              double grosor) {

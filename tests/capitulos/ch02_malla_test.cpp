@@ -68,8 +68,8 @@ TEST(MallaVf, InformeDelEjercicio) {
     EXPECT_EQ(e.salida, al + derecho + al);
 }
 
-// Cada cara, con la cámara y la luz calculadas en doble precisión: azul si desde el ojo sus vértices giran en sentido antihorario y
-// amarilla si no. Los triángulos son los del enunciado; con f, la 5 y la 6 al revés.
+// Cada cara, con la cámara y la luz calculadas en doble precisión: azul si desde el ojo sus vértices giran en sentido
+// antihorario y amarilla si no. Los triángulos son los del enunciado; con f, la 5 y la 6 al revés.
 TEST(MallaVf, ElColorDiceElSentido) {
     std::vector<T3> arregladas = CARAS;
     for (const std::size_t c : {4u, 5u})
@@ -114,7 +114,8 @@ TEST(MallaVf, Numeros) {
     compruebaRotulos(vistaDe("malla_vf", "", 960, 720).encima, letreros);
 }
 
-// Un prisma de base pentagonal con caras de 4 y 5 vértices, enorme y lejos del origen: llena la ventana, con sitio para sus números.
+// Un prisma de base pentagonal con caras de 4 y 5 vértices, enorme y lejos del origen: llena la ventana, con sitio para
+// sus números.
 TEST(MallaVf, CualquierMallaLlenaLaVentana) {
     std::ostringstream vertices, lados;
     for (int k = 0; k < 5; ++k) {
@@ -175,8 +176,8 @@ TEST(MallaVf, ErroresDelUsuario) {
         }
 }
 
-// Un sólido cerrado, también lejos del origen. Con cualquier subconjunto de caras invertido, las contrarias son la minoría (en un empate,
-// las que no concuerdan con la primera), y arreglarla las deja todas concordes. Los 64 casos.
+// Un sólido cerrado, también lejos del origen. Con cualquier subconjunto de caras invertido, las contrarias son la
+// minoría (en un empate, las que no concuerdan con la primera), y arreglarla las deja todas concordes. Los 64 casos.
 TEST(Topologia, LaMayoriaManda) {
     for (unsigned invertidas = 0; invertidas < 64; ++invertidas)
         for (const glm::vec3 &donde : {glm::vec3(0), glm::vec3(-1e6f, 2e6f, 3e6f)}) {

@@ -1,5 +1,5 @@
-// Comprobaciones independientes de tiras (ch02_modelado/tiras.h): las tiras expandidas con la regla de la especificación de OpenGL son
-// los mismos triángulos, y la respuesta del ejercicio 2.2 por búsqueda exhaustiva.
+// Comprobaciones independientes de tiras (ch02_modelado/tiras.h): las tiras expandidas con la regla de la
+// especificación de OpenGL son los mismos triángulos, y la respuesta del ejercicio 2.2 por búsqueda exhaustiva.
 #include "azar.h"
 #include "ch02_caja.h"
 #include "ch02_modelado/tiras.h"
@@ -21,8 +21,8 @@ std::multiset<T3> canonicos(std::vector<T3> triangulos) {
     return {triangulos.begin(), triangulos.end()};
 }
 
-// Especificación de OpenGL 3.1, §2.6.1: el triángulo i de una tira (desde 1) es i, i+1, i+2 si i es impar y i+1, i, i+2 si es par. Los
-// que repiten un vértice no tienen área.
+// Especificación de OpenGL 3.1, §2.6.1: el triángulo i de una tira (desde 1) es i, i+1, i+2 si i es impar y i+1, i, i+2
+// si es par. Los que repiten un vértice no tienen área.
 std::vector<T3> expande(const std::vector<Tira> &tiras) {
     std::vector<T3> triangulos;
     for (const Tira &tira : tiras)
@@ -38,8 +38,8 @@ std::vector<T3> expande(const std::vector<Tira> &tiras) {
 const std::vector<T3> TRIANGULOS = {{1, 3, 2}, {1, 4, 3}, {1, 2, 5}, {2, 6, 5}, {3, 6, 2},
                                     {3, 7, 6}, {3, 4, 7}, {4, 8, 7}, {4, 1, 8}, {1, 5, 8}};
 
-// Todas las tiras sin índices repetidos, como máscaras de los triángulos que cubren. Una tira queda determinada por su principio: cada
-// vértice nuevo es el del otro triángulo que tiene los dos últimos.
+// Todas las tiras sin índices repetidos, como máscaras de los triángulos que cubren. Una tira queda determinada por su
+// principio: cada vértice nuevo es el del otro triángulo que tiene los dos últimos.
 std::set<unsigned> todasLasTiras(const std::vector<T3> &malla, bool orientadas) {
     std::set<unsigned> tiras;
     for (std::size_t primero = 0; primero < malla.size(); ++primero)
@@ -96,8 +96,8 @@ TEST(Tiras, ElProgramaDaLosMismosTriangulosConSuOrientacion) {
     EXPECT_EQ(e.salida, dos.str() + una.str() + dos.str());
 }
 
-// Cada triángulo, del color de su tira: de claro a oscuro según su lugar, y el del medio tal cual. Encima, el recorrido por la tira y un
-// punto en su primer vértice; de las que no se resaltan, solo el recorrido, más fino y gris.
+// Cada triángulo, del color de su tira: de claro a oscuro según su lugar, y el del medio tal cual. Encima, el recorrido
+// por la tira y un punto en su primer vértice; de las que no se resaltan, solo el recorrido, más fino y gris.
 TEST(Tiras, ColoresDeClaroAOscuroYResaltado) {
     const struct {
         std::string guion;
@@ -192,7 +192,8 @@ TEST(Tiras, CasosSinVecinos) {
         EXPECT_EQ(canonicos(expande(hazTiras(malla))), canonicos(malla));
 }
 
-// Y una cuadrícula grande de diagonales al azar, de muchas tiras cortas, en un tiempo que no crece con el cuadrado de sus triángulos.
+// Y una cuadrícula grande de diagonales al azar, de muchas tiras cortas, en un tiempo que no crece con el cuadrado de
+// sus triángulos.
 TEST(Tiras, MallasCualesquiera) {
     std::vector<std::vector<T3>> mallas;
     for (const Malla &m :

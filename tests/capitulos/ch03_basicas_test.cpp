@@ -1,6 +1,6 @@
-// basicas, escalado, tres_cubos, cono, elipsoide y orden (capítulo 3): sus matrices, cada píxel de la escena y lo que hay encima de
-// ella. La geometría esperada sale del enunciado; de los programas solo se repiten los datos: dónde está la cámara, de qué color es
-// cada cosa y qué elige cada uno donde falta la figura del libro.
+// basicas, escalado, tres_cubos, cono, elipsoide y orden (capítulo 3): sus matrices, cada píxel de la escena y lo que
+// hay encima de ella. La geometría esperada sale del enunciado; de los programas solo se repiten los datos: dónde está
+// la cámara, de qué color es cada cosa y qué elige cada uno donde falta la figura del libro.
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "guiones.h"
@@ -22,7 +22,8 @@ const double U = 0x1p-24; // error relativo de redondear a float
 const Vec3 FONDO{0.95, 0.96, 0.98}, ANARANJADO{0.95, 0.55, 0.10}, AMARILLENTO{0.98, 0.78, 0.15},
     GRISACEO{0.55, 0.58, 0.62}, MORADUZCO{0.56, 0.24, 0.66};
 
-/// De cómo se llega a una vista: lo que se hace y lo que con eso gira la cámara, 1.8 radianes de abajo arriba de la ventana.
+/// De cómo se llega a una vista: lo que se hace y lo que con eso gira la cámara, 1.8 radianes de abajo arriba de la
+/// ventana.
 struct Mirada {
     std::string guion;
     double azimut = 0, elevacion = 0;
@@ -111,8 +112,8 @@ void original(Dibujo &encima) {
 
 // --- basicas ---
 
-// Cada ecuación con números que no se redondean, y los giros en float: cada seno y coseno llega con 1.5·U como mucho, así que
-// c² + s² se separa de 1 menos de 2·1.5·√2·U, y el producto de float por float añade otro 2·U.
+// Cada ecuación con números que no se redondean, y los giros en float: cada seno y coseno llega con 1.5·U como mucho,
+// así que c² + s² se separa de 1 menos de 2·1.5·√2·U, y el producto de float por float añade otro 2·U.
 TEST(Basicas, EcuacionesYSentidoDeGiro) {
     const glm::vec3 p(0.5f, -1.25f, 2);
     EXPECT_TRUE(aplica(traslacion({1, 2, -3}), p) == dvec3(1.5, 0.75, -1));
@@ -159,8 +160,8 @@ std::string escrita(const Mat4 &M) {
 
 } // namespace
 
-// La F transformada por la ecuación, en cada píxel; el camino de su esquina mientras el valor va del que no hace nada al suyo, en
-// veinte tramos y con la flecha en los tres últimos; y la matriz, escrita con su nombre.
+// La F transformada por la ecuación, en cada píxel; el camino de su esquina mientras el valor va del que no hace nada
+// al suyo, en veinte tramos y con la flecha en los tres últimos; y la matriz, escrita con su nombre.
 TEST(ProgramaBasicas, LaFEstaDondeDicenLasEcuaciones) {
     const struct {
         std::string guion;
@@ -213,9 +214,10 @@ TEST(ProgramaBasicas, LaFEstaDondeDicenLasEcuaciones) {
 
 // --- escalado ---
 
-// Un factor negativo pone los vértices de una cara en el sentido contrario, y dos los dejan como estaban: con determinante negativo
-// se ve el lado de dentro, morado, pero siempre con la luz de la normal que sale del objeto. De frente y por detrás, y con los
-// paneles en tres columnas y en dos; en los del último tamaño, estrechos, se ve más por arriba y por abajo.
+// Un factor negativo pone los vértices de una cara en el sentido contrario, y dos los dejan como estaban: con
+// determinante negativo se ve el lado de dentro, morado, pero siempre con la luz de la normal que sale del objeto. De
+// frente y por detrás, y con los paneles en tres columnas y en dos; en los del último tamaño, estrechos, se ve más por
+// arriba y por abajo.
 TEST(Escalado, CarasYDeterminanteEnCadaVista) {
     const struct {
         dvec3 s;
@@ -300,8 +302,8 @@ namespace {
 int segmentos(double radioPx, double tolerPx) {
     return int(std::ceil(PI / std::acos(1 - tolerPx / radioPx)));
 }
-/// Las mallas se separan del sólido menos de medio píxel en una ventana de 1080 líneas, así que 1/12 en una de 180, más la rejilla
-/// de los vértices; el desvío se busca en círculos cada vez √2 veces mayores.
+/// Las mallas se separan del sólido menos de medio píxel en una ventana de 1080 líneas, así que 1/12 en una de 180, más
+/// la rejilla de los vértices; el desvío se busca en círculos cada vez √2 veces mayores.
 const double DESVIO_DEL_SOLIDO = std::sqrt(2.0) * (1.0 / 12 + 1.0 / 256);
 
 /// El sólido exacto, solo su silueta, y la misma malla, cada píxel.
@@ -322,8 +324,9 @@ struct Paso {
     std::string producto; // con las anteriores
 };
 
-/// Un programa que aplica sus transformaciones una a una, y tras la última empieza: el sólido en cada píxel, las líneas de dónde
-/// sale y adónde va, salvo donde ya está, la recta y la leyenda, desde esa parte del alto y oscura hasta donde se ha llegado.
+/// Un programa que aplica sus transformaciones una a una, y tras la última empieza: el sólido en cada píxel, las líneas
+/// de dónde sale y adónde va, salvo donde ya está, la recta y la leyenda, desde esa parte del alto y oscura hasta donde
+/// se ha llegado.
 void compruebaPasos(const std::string &programa, const Encuadre &encuadre, const Vec3 &largos, double abajo,
                     const Solido &solido, const std::vector<Paso> &pasos, const Linea &recta = {}) {
     const int n = int(pasos.size());
@@ -391,8 +394,8 @@ TEST(Elipsoide, SiluetaDeCadaPaso) {
 
 // --- orden ---
 
-// En cada panel, la esfera transformada y la inicial; en líneas, tras la primera transformación, que se nombra en ellas; y la regla,
-// con sus números y la plomada del centro.
+// En cada panel, la esfera transformada y la inicial; en líneas, tras la primera transformación, que se nombra en
+// ellas; y la regla, con sus números y la plomada del centro.
 TEST(Orden, DiscosEnLaImagen) {
     const Mat4 T = oraculo::traslada({5, 0, 0}), S = oraculo::escala(5);
     const struct {

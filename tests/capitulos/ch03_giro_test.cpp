@@ -1,5 +1,5 @@
-// Giro alrededor de un eje (§3.4): giroEje contra la fórmula de Rodrigues, y giro_eje contra el oráculo. Los ejes y los ángulos
-// difíciles y la deriva de un millón de giros están en dificil_transformaciones_test.cpp.
+// Giro alrededor de un eje (§3.4): giroEje contra la fórmula de Rodrigues, y giro_eje contra el oráculo. Los ejes y los
+// ángulos difíciles y la deriva de un millón de giros están en dificil_transformaciones_test.cpp.
 #include "azar.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
@@ -12,8 +12,8 @@ namespace {
 
 const double U = 0x1p-24; // el redondeo de float
 
-/// La mayor diferencia, componente a componente, con la fórmula de Rodrigues, que es lo que hace GLM, en doble; en la diagonal, si no
-/// se quita.
+/// La mayor diferencia, componente a componente, con la fórmula de Rodrigues, que es lo que hace GLM, en doble; en la
+/// diagonal, si no se quita.
 double contraRodrigues(const glm::mat3 &A, const glm::vec3 &eje, float t, bool sinDiagonal = false) {
     const glm::dmat3 exacta(glm::rotate(glm::dmat4(1), double(t), glm::dvec3(eje)));
     double mayor = 0;
@@ -28,10 +28,10 @@ double contraRodrigues(const glm::mat3 &A, const glm::vec3 &eje, float t, bool s
 
 } // namespace
 
-// Cota de giroEje, componente a componente. Con D = Rx(t) − I, de norma 2·|sen(t/2)|, el error de I + RᵀDR es el redondeo de la
-// suma (u, porque el resultado no pasa de 1) más 2·‖δR‖·‖D‖ más el de los dos productos de matrices y del seno. d y e llegan con 4u
-// (una división y una normalización) y f = d × e con 10u: ‖δR‖ ≤ √(4² + 4² + 10²)·u < 12u. Cada producto de tres términos añade
-// 3u·‖|R||D|‖ ≤ 6u·‖D‖ y el seno 2u.
+// Cota de giroEje, componente a componente. Con D = Rx(t) − I, de norma 2·|sen(t/2)|, el error de I + RᵀDR es el
+// redondeo de la suma (u, porque el resultado no pasa de 1) más 2·‖δR‖·‖D‖ más el de los dos productos de matrices y
+// del seno. d y e llegan con 4u (una división y una normalización) y f = d × e con 10u: ‖δR‖ ≤ √(4² + 4² + 10²)·u <
+// 12u. Cada producto de tres términos añade 3u·‖|R||D|‖ ≤ 6u·‖D‖ y el seno 2u.
 TEST(GiroEje, ContraRodrigues) {
     Azar azar(1);
     for (float t : {0.0f, 1e-6f, 1e-4f, 0.001f, 0.1f, 1.0f, -2.0f, 3.1415927f, 6.2831853f, 100.0f})
@@ -43,9 +43,9 @@ TEST(GiroEje, ContraRodrigues) {
         }
 }
 
-// En float 1 − cos(1e-4) es 0, y en RᵀRxR, la ecuación 3.10 al pie de la letra, lo que gira se suma a un RᵀR que solo es casi I.
-// giroEje calcula aparte lo que se aparta de I. Fuera de la diagonal no hay suma con 1: su error es el de la cota sin su primer
-// término, en proporción al ángulo.
+// En float 1 − cos(1e-4) es 0, y en RᵀRxR, la ecuación 3.10 al pie de la letra, lo que gira se suma a un RᵀR que solo
+// es casi I. giroEje calcula aparte lo que se aparta de I. Fuera de la diagonal no hay suma con 1: su error es el de la
+// cota sin su primer término, en proporción al ángulo.
 TEST(GiroEje, AnguloPequeno) {
     EXPECT_EQ(1 - std::cos(1e-4f), 0);
     Azar azar(2);
@@ -100,9 +100,10 @@ Vec3 vectorE(const Vec3 &d) {
 
 } // namespace
 
-// Los dos aviones, píxel a píxel; el eje y la base, con sus letras; lo que recorre el avión, y la leyenda: 2 radianes son 114.6° y
-// 1/√3 = 0.577. El botón izquierdo mueve el eje alrededor de los de la pantalla (50 píxeles a la derecha son medio radián alrededor
-// de la vertical de la cámara y 30 hacia abajo 0.3 alrededor de su horizontal), y el derecho, después, gira la cámara.
+// Los dos aviones, píxel a píxel; el eje y la base, con sus letras; lo que recorre el avión, y la leyenda: 2 radianes
+// son 114.6° y 1/√3 = 0.577. El botón izquierdo mueve el eje alrededor de los de la pantalla (50 píxeles a la derecha
+// son medio radián alrededor de la vertical de la cámara y 30 hacia abajo 0.3 alrededor de su horizontal), y el
+// derecho, después, gira la cámara.
 TEST(ProgramaGiroEje, CadaEjeContraElOraculo) {
     const auto camara = [](double azimut, double elevacion) {
         return perspectiva(oraculo::orbita(azimut, elevacion, 7.4), 0.6, 1, 30);

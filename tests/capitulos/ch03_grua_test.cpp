@@ -32,8 +32,8 @@ std::vector<Cuerpo> escenaGrua(double giro, double distancia, double altura) {
 
 } // namespace
 
-// Cada tecla hace lo suyo, con su tope, en el que se queda y del que vuelve a la primera. En el suelo, una línea cada dos unidades, de
-// borde a borde; y cada letrero nombra su pieza.
+// Cada tecla hace lo suyo, con su tope, en el que se queda y del que vuelve a la primera. En el suelo, una línea cada
+// dos unidades, de borde a borde; y cada letrero nombra su pieza.
 TEST(Grua, ContraTrazadoDeRayos) {
     const struct {
         std::string guion;

@@ -1,5 +1,5 @@
-// La matriz que transforma las normales (§3.3) y lo que dibuja normales. Las escalas difíciles, los ejes aplastados y las reflexiones,
-// una a una, están en dificil_transformaciones_test.cpp.
+// La matriz que transforma las normales (§3.3) y lo que dibuja normales. Las escalas difíciles, los ejes aplastados y
+// las reflexiones, una a una, están en dificil_transformaciones_test.cpp.
 #include "azar.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
@@ -31,10 +31,10 @@ Mat3 adjunta(const Mat3 &m) {
 
 } // namespace
 
-// Los menores se calculan en doble con productos exactos (24 + 24 bits) y una sola resta, así que cada componente de N llega bien
-// salvo el redondeo final a float: |δN| ≤ u·|N|. Una normal cualquiera es una combinación de las columnas: el redondeo de cada una
-// cuenta entero, y al cancelarse deja |n·t| ≤ u·‖|N||n₀|‖/‖N·n₀‖ (más el de multiplicar, aquí en doble). Da igual lo mal
-// condicionada que esté M.
+// Los menores se calculan en doble con productos exactos (24 + 24 bits) y una sola resta, así que cada componente de N
+// llega bien salvo el redondeo final a float: |δN| ≤ u·|N|. Una normal cualquiera es una combinación de las columnas:
+// el redondeo de cada una cuenta entero, y al cancelarse deja |n·t| ≤ u·‖|N||n₀|‖/‖N·n₀‖ (más el de multiplicar, aquí
+// en doble). Da igual lo mal condicionada que esté M.
 TEST(MatrizNormal, PerpendicularidadDeCualquierCara) {
     Azar azar(2);
     for (const float decadas : {0.0f, 1.0f, 10.0f})
@@ -49,8 +49,8 @@ TEST(MatrizNormal, PerpendicularidadDeCualquierCara) {
         }
 }
 
-// La adjunta del libro es det(M)·M⁻ᵀ: con det(M) < 0 mira hacia dentro. «Fuera» se decide sin normales: hacia donde va, transformado,
-// un punto que estaba delante de la cara.
+// La adjunta del libro es det(M)·M⁻ᵀ: con det(M) < 0 mira hacia dentro. «Fuera» se decide sin normales: hacia donde va,
+// transformado, un punto que estaba delante de la cara.
 TEST(MatrizNormal, ConDeterminanteNegativoSigueHaciaFuera) {
     Azar azar(3);
     int negativos = 0;
@@ -69,8 +69,8 @@ TEST(MatrizNormal, ConDeterminanteNegativoSigueHaciaFuera) {
     EXPECT_GT(negativos, 9000);
 }
 
-// transpose(inverse(M)) de §3.5 no existe si M aplasta, y en float ni con 1e-20, cuyo cubo es cero; ni la adjunta con 1e20, cuyo
-// cuadrado es infinito.
+// transpose(inverse(M)) de §3.5 no existe si M aplasta, y en float ni con 1e-20, cuyo cubo es cero; ni la adjunta con
+// 1e20, cuyo cuadrado es infinito.
 TEST(MatrizNormal, DondeLaDelLibroNoExiste) {
     const auto esFinita = [](const glm::mat3 &N) {
         return std::isfinite(glm::dot(N[0] + N[1] + N[2], glm::vec3(1)));
@@ -88,9 +88,9 @@ using oraculo::Vec3;
 
 const Vec3 COLOR{0.72, 0.82, 0.97};
 
-/// El prisma transformado y sus normales sin ninguna matriz de normales: las de los lados salen del producto vectorial de los lados
-/// ya transformados, puestas hacia fuera del centro. La adjunta del libro es ese producto vectorial tal cual, y la roja, la normal
-/// del lado original con su x y su y escaladas.
+/// El prisma transformado y sus normales sin ninguna matriz de normales: las de los lados salen del producto vectorial
+/// de los lados ya transformados, puestas hacia fuera del centro. La adjunta del libro es ese producto vectorial tal
+/// cual, y la roja, la normal del lado original con su x y su y escaladas.
 struct Prisma {
     std::vector<oraculo::VerticeRef> vertices;
     std::vector<oraculo::Triangulos::Indices> indices;

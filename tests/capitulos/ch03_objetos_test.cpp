@@ -1,5 +1,5 @@
-// objetos contra el oráculo: los juguetes, escritos aquí otra vez como sólidos exactos, y la cámara y el sombreado, en doble. De
-// objetos.h no se lee nada.
+// objetos contra el oráculo: los juguetes, escritos aquí otra vez como sólidos exactos, y la cámara y el sombreado, en
+// doble. De objetos.h no se lee nada.
 #include "guiones.h"
 #include "panel.h"
 #include <gtest/gtest.h>
@@ -111,14 +111,15 @@ TEST(ProgramaObjetos, SiluetaContraLosSolidosExactos) {
     oraculo::Escena solidos;
     for (const Cuerpo &c : escena())
         solidos.push_back(c.objeto);
-    // En 960×720 una unidad son 116 píxeles: las facetas se separan del sólido medio en cada sentido de la malla, uno en total: en la esfera
-    // mayor, de radio 1.05, 122·(1 − cos(π/36)) = 0.46, y en el tubo del toro mayor, 116·0.82·0.35·(1 − cos(π/22)) = 0.34
+    // En 960×720 una unidad son 116 píxeles: las facetas se separan del sólido medio en cada sentido de la malla, uno
+    // en total: en la esfera mayor, de radio 1.05, 122·(1 − cos(π/36)) = 0.46, y en el tubo del toro mayor,
+    // 116·0.82·0.35·(1 − cos(π/22)) = 0.34
     comprueba("silueta", comparaSilueta(vistaDe("objetos").escena, FONDO, solidos, camaraObjetos()),
               {0, 0, 0.25});
 }
 
-// También tras girar y acercar la cámara: 50 píxeles a la derecha son medio radián menos de azimut y 20 hacia arriba 0.2 menos de
-// elevación, de la que hay un tope: el suelo no se ve por debajo.
+// También tras girar y acercar la cámara: 50 píxeles a la derecha son medio radián menos de azimut y 20 hacia arriba
+// 0.2 menos de elevación, de la que hay un tope: el suelo no se ve por debajo.
 TEST(ProgramaObjetos, SombreadoDeLaMismaMalla) {
     const auto vistas = vistasDe("objetos", {"", arrastra({100, 100}, {150, 80}) + "; rueda +1 120 90",
                                              "tamano 150 200; " + arrastra({100, 100}, {100, 50})});

@@ -1,5 +1,5 @@
-// La transformación de la cámara (ecuación 4.1): vista.h contra GLM y lo que enseña el programa camara. Los casos difíciles están en
-// dificil_vista_test.cpp.
+// La transformación de la cámara (ecuación 4.1): vista.h contra GLM y lo que enseña el programa camara. Los casos
+// difíciles están en dificil_vista_test.cpp.
 #include "azar.h"
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/vista.h"
@@ -24,8 +24,8 @@ std::vector<Cuerpo> escena() {
         {caja(traslada({0.9, 0.4, 2}) * gira({0, 1, 0}, 0.5) * escala({1.6, 0.8, 0.8})), exacto(AZUL)}};
 }
 
-/// Desde fuera se señalan la pirámide de visión, que a 3 unidades del ojo llega a las esquinas de lo que se ve por `dentro`, la línea
-/// de p a i y los ejes, delante de todo y cada uno de su color y con su nombre más allá de la punta.
+/// Desde fuera se señalan la pirámide de visión, que a 3 unidades del ojo llega a las esquinas de lo que se ve por
+/// `dentro`, la línea de p a i y los ejes, delante de todo y cada uno de su color y con su nombre más allá de la punta.
 void compruebaLoSenalado(const Vista &vista, const Panel &fuera, const Panel &dentro) {
     const auto [S, U, Z] = ejes(dentro.camara);
     const Vec3 ojo = dentro.camara.ojo;
@@ -57,9 +57,9 @@ void compruebaLoSenalado(const Vista &vista, const Panel &fuera, const Panel &de
 
 } // namespace
 
-// Contra la de GLM con más precisión, que es la ecuación 4.1 con S normalizado. F y UP normalizados llevan unos 6 redondeos por
-// componente; F × UP los suma y añade 3 (18 en total, por la norma), y al normalizar se dividen por el seno de su ángulo. U y S
-// añaden otros 12 sin dividir.
+// Contra la de GLM con más precisión, que es la ecuación 4.1 con S normalizado. F y UP normalizados llevan unos 6
+// redondeos por componente; F × UP los suma y añade 3 (18 en total, por la norma), y al normalizar se dividen por el
+// seno de su ángulo. U y S añaden otros 12 sin dividir.
 TEST(TransformacionCamara, ContraGlmConMasPrecision) {
     Azar azar(4);
     for (int n = 0; n < 2000; ++n) {
@@ -84,8 +84,8 @@ TEST(TransformacionCamara, SinNormalizarSNoEsUnGiro) {
     EXPECT_NEAR(glm::length(baseCamara({0, 0, 0}, F, UP).S), 1, 8 * U_DOBLE);
 }
 
-// Con UP paralelo a la vista lookAt da NaN. Aquí, X queda a la derecha si se mira a lo largo de Y; si no, Y hacia arriba. Que la base lo
-// es, en dificil_vista_test.cpp.
+// Con UP paralelo a la vista lookAt da NaN. Aquí, X queda a la derecha si se mira a lo largo de Y; si no, Y hacia
+// arriba. Que la base lo es, en dificil_vista_test.cpp.
 TEST(TransformacionCamara, UpParaleloONulo) {
     EXPECT_TRUE(std::isnan(glm::lookAt(glm::vec3(0, 5, 0), glm::vec3(0), glm::vec3(0, 1, 0))[0][0]));
     const glm::dvec3 p(1, 2, 3), X(1, 0, 0), Y(0, 1, 0);
@@ -97,7 +97,8 @@ TEST(TransformacionCamara, UpParaleloONulo) {
         }
 }
 
-// En cada panel, la misma escena trazada: a la derecha, desde la cámara; a la izquierda, desde fuera y con la cámara en ella.
+// En cada panel, la misma escena trazada: a la derecha, desde la cámara; a la izquierda, desde fuera y con la cámara en
+// ella.
 TEST(Camara, LoQueVe) {
     const Vec3 p1{4.4, 4.6, 0.4}, p2{-4, 1.5, 0.9}, Y{0, 1, 0};
     const struct {

@@ -1,4 +1,5 @@
-// etapas_pipeline: el recortado contra el polígono exacto; lo que escribe y lo que enseña en cada panel, contra el oráculo.
+// etapas_pipeline: el recortado contra el polígono exacto; lo que escribe y lo que enseña en cada panel, contra el
+// oráculo.
 #include "azar.h"
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/etapas.h"
@@ -10,9 +11,9 @@ namespace {
 
 using namespace oraculo;
 
-/// El polígono exacto de un triángulo recortado, dividido por w. Un punto del triángulo es a + s·(b − a) + t·(c − a), y tanto las
-/// tres condiciones de estar en él como las seis del volumen son semiplanos p + q·s + r·t ≥ 0: los vértices son los cortes de sus
-/// rectas, de dos en dos, que cumplen los demás. En orden alrededor de su centro.
+/// El polígono exacto de un triángulo recortado, dividido por w. Un punto del triángulo es a + s·(b − a) + t·(c − a), y
+/// tanto las tres condiciones de estar en él como las seis del volumen son semiplanos p + q·s + r·t ≥ 0: los vértices
+/// son los cortes de sus rectas, de dos en dos, que cumplen los demás. En orden alrededor de su centro.
 Poligono poligonoExacto(const std::vector<glm::dvec4> &triangulo) {
     const Vec4Largo a = triangulo[0], ab = Vec4Largo(triangulo[1]) - a, ac = Vec4Largo(triangulo[2]) - a;
     std::vector<Vec3Largo> semiplanos = {{0, 1, 0}, {0, 0, 1}, {1, -1, -1}};
@@ -104,7 +105,8 @@ std::string elige(const glm::dvec2 &p) {
     return clic({int(p.x), 359 - int(p.y)});
 }
 
-/// Lo que hay guardado en el píxel de una esquina del cubo: la profundidad de lo primero que encuentra su rayo aparte de ella.
+/// Lo que hay guardado en el píxel de una esquina del cubo: la profundidad de lo primero que encuentra su rayo aparte
+/// de ella.
 double guardada(const Vec3 &mundo, bool tapado) {
     Rayo r = {OJO, unitario(mundo - OJO)};
     Escena cajas = {caja(MM)};
@@ -134,8 +136,8 @@ Escrito loEscritoTras(const std::string &guion) {
     return valores;
 }
 
-/// Una esquina del cubo en cada etapa. La matriz del modelo se hace en float: 4 redondeos de números menores que 2, 5e-7 en el mundo,
-/// y en la ventana por 1/tan(0.31)/4 y por 58 píxeles, 5e-5.
+/// Una esquina del cubo en cada etapa. La matriz del modelo se hace en float: 4 redondeos de números menores que 2,
+/// 5e-7 en el mundo, y en la ventana por 1/tan(0.31)/4 y por 58 píxeles, 5e-5.
 void compruebaLoEscrito(Escrito escrito, int esquina, double laGuardada) {
     const Vec3 objeto = esquinaCubo(esquina), mundo = punto(MM, objeto), c = enCamara(CAMARA_REF, mundo),
                n = enNdc(mundo), v = enVentana(mundo);
@@ -194,7 +196,8 @@ void compruebaNumeros(const Vista &vista, Escrito escrito) {
                          {numeros[k], Panel({}, entero(k)).lugar(0.03, 0.175), ROJO, Lado::DERECHA}});
 }
 
-/// En cada panel, los ejes, el volumen, el rayo y el punto, si los hay. En el sexto, de cerca a lejos, lo del fragmento y lo guardado.
+/// En cada panel, los ejes, el volumen, el rayo y el punto, si los hay. En el sexto, de cerca a lejos, lo del fragmento
+/// y lo guardado.
 void compruebaLoSenalado(const Vista &vista, const Vec3 &mundo, double laGuardada) {
     const std::vector<Vec3> volumen = esquinasA({CAMARA_REF.cerca, CAMARA_REF.lejos}, panel(VENTANA));
     for (int k = OBJETO; k < PROFUNDIDAD; ++k) {
@@ -308,9 +311,10 @@ TEST(Recortado, CasosLimite) {
     }
 }
 
-// La que se sigue al empezar y las que se eligen con el ratón, en cualquier panel; lejos de todo vértice y al orbitar no cambia nada. Con
-// algo delante, lo guardado es su profundidad y el fragmento se descarta. En cada panel, la escena trazada en sus coordenadas: el
-// vértice que se ve es el que se escribe (la ecuación 4.4 impresa lo aparta medio píxel).
+// La que se sigue al empezar y las que se eligen con el ratón, en cualquier panel; lejos de todo vértice y al orbitar
+// no cambia nada. Con algo delante, lo guardado es su profundidad y el fragmento se descarta. En cada panel, la escena
+// trazada en sus coordenadas: el vértice que se ve es el que se escribe (la ecuación 4.4 impresa lo aparta medio
+// píxel).
 TEST(EtapasPipeline, EsquinasDelCubo) {
     const auto en = [](int k, int esquina) { return elige(enPanel(k, punto(MM, esquinaCubo(esquina)))); };
     for (const int esquina : {0, 3, 5, 6})
@@ -326,8 +330,9 @@ TEST(EtapasPipeline, EsquinasDelCubo) {
     compruebaEsquina(en(VENTANA, 3) + "; tecla o", 3, true);
 }
 
-// El triángulo llega detrás del ojo. Los lados y el área de lo que queda, y la línea que lo rodea, contra el polígono exacto; y la
-// imagen de la GPU, que recorta por su cuenta, contra el triángulo trazado entre cerca y lejos. En el mundo, gris lo que queda fuera.
+// El triángulo llega detrás del ojo. Los lados y el área de lo que queda, y la línea que lo rodea, contra el polígono
+// exacto; y la imagen de la GPU, que recorta por su cuenta, contra el triángulo trazado entre cerca y lejos. En el
+// mundo, gris lo que queda fuera.
 TEST(EtapasPipeline, Recortado) {
     std::vector<glm::dvec4> triangulo;
     for (const Vec3 &v : TRIANGULO) {

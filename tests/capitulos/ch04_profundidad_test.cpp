@@ -1,4 +1,5 @@
-// Cuánta profundidad cabe en un buffer de 24 bits: las cuentas de profundidad.h, y lo que dibuja y escribe el programa profundidad.
+// Cuánta profundidad cabe en un buffer de 24 bits: las cuentas de profundidad.h, y lo que dibuja y escribe el programa
+// profundidad.
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/profundidad.h"
 #include "guiones.h"
@@ -10,8 +11,8 @@ using namespace oraculo;
 const int ANCHO = 480, ALTO = 360;
 const double CERCA[] = {10, 0.1, 0.001}, LEJOS = 1000, PASOS = 0x1p24 - 1;
 
-/// Entre d y d·(1 + e) hay s = K/d pasos del buffer: z(d) = f/(f − n)·(1 − n/d). Con la fase al azar, dos valores a s < 1 pasos se
-/// redondean al mismo con probabilidad 1 − s; se integra con el logaritmo de d uniforme.
+/// Entre d y d·(1 + e) hay s = K/d pasos del buffer: z(d) = f/(f − n)·(1 − n/d). Con la fase al azar, dos valores a s <
+/// 1 pasos se redondean al mismo con probabilidad 1 − s; se integra con el logaritmo de d uniforme.
 double igualesSegunLaFormula(double n, double f, double e, double pasos) {
     const double K = pasos * f * n / (f - n) * e / (1 + e), desde = std::max(n, K);
     return desde >= f ? 0 : (std::log(f / desde) - K * (1 / desde - 1 / f)) / std::log(f / n);
@@ -107,8 +108,9 @@ TEST(Profundidad, ParesMalOrdenados) {
     }
 }
 
-// Con todo en orden, la imagen entera, también al orbitar: el cuadro está 5 cm por delante, que en el cartel de 12 m se ve a 0.65
-// píxeles, cincuenta veces lo que se admite. Y bajo cada cartel, su distancia. El framebuffer propio cambia de tamaño con la ventana.
+// Con todo en orden, la imagen entera, también al orbitar: el cuadro está 5 cm por delante, que en el cartel de 12 m se
+// ve a 0.65 píxeles, cincuenta veces lo que se admite. Y bajo cada cartel, su distancia. El framebuffer propio cambia
+// de tamaño con la ventana.
 TEST(Profundidad, LosCartelesYSusDistancias) {
     Escena todo = CARTELES;
     todo.insert(todo.end(), CUADROS.begin(), CUADROS.end());

@@ -1,4 +1,5 @@
-// Las proyecciones y el área de dibujo (ecuaciones 4.2 a 4.4), contra GLM; las erratas del libro; y el programa proyecciones.
+// Las proyecciones y el área de dibujo (ecuaciones 4.2 a 4.4), contra GLM; las erratas del libro; y el programa
+// proyecciones.
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/vista.h"
 #include "ch04_vista3d/volumen.h"
@@ -23,8 +24,8 @@ void compruebaMatriz(const glm::dmat4 &M, const Mat4Largo &exacta) {
         }
 }
 
-/// Las ocho esquinas van a las de [−1, 1]³, en el orden de volumen.h, con 5 redondeos: la tangente yerra menos de 1 ulp (2 u), y el
-/// aspecto y la distancia, 1 u cada uno.
+/// Las ocho esquinas van a las de [−1, 1]³, en el orden de volumen.h, con 5 redondeos: la tangente yerra menos de 1 ulp
+/// (2 u), y el aspecto y la distancia, 1 u cada uno.
 void compruebaEsquinas(const Esquinas &e, const Mat4Largo &P) {
     for (std::size_t k = 0; k < 8; ++k) {
         const Vec4Largo v = P * Vec4Largo(e[k], 1);
@@ -62,8 +63,8 @@ const struct {
     {"tecla p; " + veces(400, "rueda -1 9 9"), false, 0.50, 0.33, 7.5},
 };
 
-/// Las aristas de cada eje y, de las horizontales, su prolongación 1000 unidades hacia el fondo. En paralela nada más. En perspectiva,
-/// los puntos de fuga, donde se proyectan sus direcciones, y por los dos el horizonte, de lado a lado.
+/// Las aristas de cada eje y, de las horizontales, su prolongación 1000 unidades hacia el fondo. En paralela nada más.
+/// En perspectiva, los puntos de fuga, donde se proyectan sus direcciones, y por los dos el horizonte, de lado a lado.
 void compruebaLasRectas(const Vista &vista, const Panel &en) {
     const glm::vec3 colores[] = {ROJO, VERDE, AZUL};
     Dibujo encima = {en};
@@ -105,7 +106,8 @@ void compruebaLasRectas(const Vista &vista, const Panel &en) {
 } // namespace
 
 // θ/2 es exacto, la tangente de la biblioteca yerra menos de 1 ulp (2 u) y el producto y el cociente 1 u cada uno;
-// la tercera fila, tres redondeos. En total no más de 4 u. Los lados de la paralela son tales que la resta no añade error.
+// la tercera fila, tres redondeos. En total no más de 4 u. Los lados de la paralela son tales que la resta no añade
+// error.
 TEST(Proyeccion, ContraGlmConMasPrecision) {
     for (const auto &[theta, aspecto, cerca, lejos] : PERSPECTIVAS) {
         const Mat4Largo exacta = glm::perspective<Largo>(theta, aspecto, cerca, lejos);

@@ -23,7 +23,8 @@ double cruza(const Rayo &r, const Camara &v, double d) {
     return t > 0 && entreLosLados(r.origen + t * r.direccion, {v, VENTANA}) ? t : INFINITO;
 }
 
-/// La escena del programa, escrita otra vez; lo redondo, con las caras que tiene. Lo último es la cámara de fotos, que no se recorta.
+/// La escena del programa, escrita otra vez; lo redondo, con las caras que tiene. Lo último es la cámara de fotos, que
+/// no se recorta.
 std::vector<Cuerpo> piezas() {
     const Mat4 dePie = gira({1, 0, 0}, -PI / 2);
     const Malla bola = esfera(48), pico = porCaras(cono(48));
@@ -59,7 +60,8 @@ Tono sombrea(const Impacto &i, const std::vector<Cuerpo> &cuerpos, const Camara 
     return {color, dentro + 2 * (cerca < tope) + 4 * (lejos < tope)};
 }
 
-/// Las aristas del volumen, con las que van del ojo a la pirámide, y cada parámetro de las figuras 4.3 y 4.4 junto a lo que decide.
+/// Las aristas del volumen, con las que van del ojo a la pirámide, y cada parámetro de las figuras 4.3 y 4.4 junto a lo
+/// que decide.
 void compruebaAristasYParametros(const Vista &vista, const Camara &v, const Panel &en) {
     const std::vector<Vec3> e = esquinasA({v.cerca, v.lejos}, {v, VENTANA});
     const auto medio = [&](std::size_t a, std::size_t b) { return en(0.5 * (e[a] + e[b])); };
@@ -89,9 +91,10 @@ void compruebaAristasYParametros(const Vista &vista, const Camara &v, const Pane
 
 } // namespace
 
-// Los topes: 1.5 ≤ cerca ≤ lejos − 0.5 y lejos ≤ 12; de ellos se vuelve a la primera. Casi de frente, y desde el otro lado, un plano se
-// ve a través del otro: el orden de los tintes cambia. Cada tinte pierde el redondeo de lo que tiñe (0.65·e), el suyo (0.35·0.5), el
-// de 0.35 a 8 bits (0.25 en 255) y el de la suma (0.5): de e = 0.5, con uno, 1.25; con los dos, 1.74.
+// Los topes: 1.5 ≤ cerca ≤ lejos − 0.5 y lejos ≤ 12; de ellos se vuelve a la primera. Casi de frente, y desde el otro
+// lado, un plano se ve a través del otro: el orden de los tintes cambia. Cada tinte pierde el redondeo de lo que tiñe
+// (0.65·e), el suyo (0.35·0.5), el de 0.35 a 8 bits (0.25 en 255) y el de la suma (0.5): de e = 0.5, con uno, 1.25; con
+// los dos, 1.74.
 TEST(VolumenVista, ContraTrazadoDeRayos) {
     const struct {
         std::string guion;

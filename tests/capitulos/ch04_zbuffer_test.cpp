@@ -27,8 +27,8 @@ Camara camaraDe(double azimut = 0.55, double elevacion = 0.45, double distancia 
     return perspectiva(orbita(azimut, elevacion, distancia, {0, 1.1, 0}), 0.5, 1, 100);
 }
 
-// La CPU interpola el color con los vértices ya en la rejilla, a √2/512 píxeles como mucho de su sitio; en el tubo del toro cambia
-// todo, 0.42·255 niveles, en 3 píxeles: 0.1 más.
+// La CPU interpola el color con los vértices ya en la rejilla, a √2/512 píxeles como mucho de su sitio; en el tubo del
+// toro cambia todo, 0.42·255 niveles, en 3 píxeles: 0.1 más.
 const Cotas EN_CPU = {0.6, 500, 0.012};
 
 /// Píxeles en que dos imágenes difieren en más de un nivel.
@@ -59,8 +59,8 @@ TrianguloZ trianguloEn(const std::array<glm::dvec2, 3> &p, int ancho, int alto) 
 
 } // namespace
 
-// También tras girar y con la rueda en su tope; y la GPU contra la CPU: en los bordes, que miden unos 3000 píxeles, cada una puede
-// fallar en uno de cada 500, y las dos juntas en 12.
+// También tras girar y con la rueda en su tope; y la GPU contra la CPU: en los bordes, que miden unos 3000 píxeles,
+// cada una puede fallar en uno de cada 500, y las dos juntas en 12.
 TEST(ZBuffer, GpuYCpuContraTrazadoDeRayos) {
     const std::pair<std::string, Camara> casos[] = {
         {"", camaraDe()},
