@@ -304,11 +304,8 @@ TEST(Bezier, ErrorDeCuerda) {
     Azar azar(2);
     for (int n = 0; n < 50; ++n)
         EXPECT_LE(errorDeCuerda({aleatorio(azar)}, 0.02, 4, dondeEsta), 0.02 + redondeo);
-}
-
-// Con la cámara del programa, a 960×720, medio píxel: el error de cuerda proyectado en cada punto, que acota el de la
-// silueta.
-TEST(Bezier, ToleranciaDePartidaMenosDeMedioPixel) {
+    // con la cámara del programa, a 960×720, la de partida es menos de medio píxel proyectada: acota el error de la
+    // silueta
     const auto enPixel = [](const glm::dvec3 &p) { return enPixeles(camaraTetera(), enPie(p), 960, 720); };
     EXPECT_LT(errorDeCuerda(tetera(), PIXEL, 6, enPixel), 0.5);
 }

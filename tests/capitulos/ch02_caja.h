@@ -48,27 +48,7 @@ void compruebaCaja(const std::string &que, const Imagen &escena, const std::vect
                                    return i ? oraculo::Tono(color(i), i.corte.triangulo)
                                             : oraculo::Tono(exacto(FONDO_CLARO));
                                }),
-              {0.501, 500,
-               0.012}); // los bordes, por la rejilla de 1/256 de píxel a la que OpenGL lleva cada vértice
-}
-
-/// Comprueba que los trazos de ese color unen esos vértices y nada más, que obedecen a la profundidad y que miden eso
-/// de ancho, en píxeles de una ventana de 1080 líneas.
-inline void compruebaCaminos(const Vista &vista, const oraculo::Camara &camara,
-                             const std::vector<std::vector<unsigned>> &caminos, const glm::vec3 &color,
-                             double grosor) {
-    std::vector<Linea> lineas;
-    for (const auto &camino : caminos) {
-        lineas.emplace_back();
-        for (const unsigned i : camino)
-            lineas.back().push_back(verticeCaja(i));
-    }
-    compruebaTrazos(vista.encima, {camara, vista.escena}, lineas, color);
-    const double unidad = oraculo::altoUtil(vista.escena.ancho, vista.escena.alto) / 1080;
-    for (const Pintado &p : vista.encima.trazos(color, "segmentos")) {
-        EXPECT_NEAR(p.talla, std::max(grosor * unidad, 1.0), 1e-4);
-        EXPECT_TRUE(p.conProfundidad);
-    }
+              EXACTA);
 }
 
 /// Los números de esos vértices en una ventana de 960×720, por fuera.

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <map>
 #include <sstream>
 
 namespace {
@@ -93,10 +94,18 @@ TEST(MallaVf, ElColorDiceElSentido) {
 
 // Las de la boca, gruesas y rojas; las demás, finas y oscuras. También después de volver a hacerlas.
 TEST(MallaVf, Aristas) {
+    std::map<std::pair<unsigned, unsigned>, int> caras; // de cada arista
+    for (const T3 &t : CARAS)
+        for (std::size_t k = 0; k < 3; ++k)
+            ++caras[{std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])}];
+    Linea aristas[2];
+    for (const auto &[arista, n] : caras)
+        aristas[n - 1].insert(aristas[n - 1].end(), {verticeCaja(arista.first), verticeCaja(arista.second)});
     const Vista vista = vistaDe("malla_vf", "tecla f; tecla f", ANCHO, ALTO);
-    const oraculo::Camara camara = camaraCaja(0.55, 0.62);
-    compruebaCaminos(vista, camara, {{5, 6, 7, 8, 5}}, ROJO, 12);
-    compruebaCaminos(vista, camara, {{5, 1, 2, 3, 4, 1, 3}, {5, 2, 6, 3, 7, 4, 8, 1}}, OSCURO, 3);
+    Dibujo encima = {{camaraCaja(0.55, 0.62), vista.escena}};
+    encima.traza("segmentos", aristas[1], OSCURO, 3);
+    encima.traza("segmentos", aristas[0], ROJO, 12);
+    compruebaTrazos(vista, encima.en.hueco, encima.trazos);
 }
 
 // El número de cada vértice que se ve (todos menos el 1, el del fondo), y el de cada cara, en su centro.

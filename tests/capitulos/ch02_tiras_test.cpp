@@ -115,7 +115,13 @@ TEST(Tiras, ColoresDeClaroAOscuroYResaltado) {
     paraCada("tiras", casos, ANCHO, ALTO, [](const auto &c, const Vista &vista) {
         const oraculo::Camara camara = camaraCaja(0.66, 0.80, c.gira, c.sube);
         std::vector<oraculo::Vec3> colores;
-        std::vector<glm::dvec2> principios;
+        Linea recorrido, apagado, principios;
+        const auto recorre = [](const Tira &tira, Linea &linea) {
+            for (std::size_t i = 1; i < tira.size(); ++i)
+                linea.insert(linea.end(), {verticeCaja(tira[i - 1]), verticeCaja(tira[i])});
+        };
+        for (const Tira &tira : c.apagadas)
+            recorre(tira, apagado);
         for (std::size_t k = 0; k < c.tiras.size(); ++k) {
             const Tira &tira = c.tiras[k];
             const glm::dvec3 color = COLORES[k], clara = 0.75 * glm::dvec3(1) + 0.25 * color;
@@ -123,17 +129,18 @@ TEST(Tiras, ColoresDeClaroAOscuroYResaltado) {
                 const double t = 2 * double(i - 2) / double(tira.size() - 3) - 1;
                 colores.push_back(exacto(t < 0 ? color + t * (color - clara) : color * (1 - 0.65 * t)));
             }
+            recorre(tira, recorrido);
             if (!tira.empty())
-                principios.push_back(
-                    enPixeles(camara, verticeCaja(tira[0]), vista.escena.ancho, vista.escena.alto));
+                principios.push_back(verticeCaja(tira[0]));
         }
         compruebaCaja(c.guion, vista.escena, expande(c.tiras), camara,
                       [&](const oraculo::Impacto &i) { return colores[std::size_t(i.corte.triangulo)]; });
-        compruebaCaminos(vista, camara, c.tiras, OSCURO, 6);
-        compruebaCaminos(vista, camara, c.apagadas, GRIS, 3);
-        compruebaPuntos(vista.encima, principios, OSCURO);
-        EXPECT_TRUE(vista.encima.trazos(OSCURO, "puntos")[0].conProfundidad);
-        EXPECT_NEAR(vista.encima.trazos(OSCURO, "puntos")[0].talla, vista.escena.alto == ALTO ? 8 : 2, 1e-4);
+        Dibujo encima = {{camara, vista.escena}};
+        if (!apagado.empty())
+            encima.traza("segmentos", apagado, GRIS, 3);
+        encima.traza("segmentos", recorrido, OSCURO, 6);
+        encima.traza("puntos", principios, OSCURO, 24);
+        compruebaTrazos(vista, encima.en.hueco, encima.trazos);
     });
 }
 
