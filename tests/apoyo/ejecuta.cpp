@@ -59,8 +59,7 @@ struct CarpetaTemporal {
 
 std::string ultimoPrograma; // sin su capítulo
 
-/// La peor comparación de la prueba en curso: lo obtenido, la referencia y su diferencia (ampliada 8 veces), una al
-/// lado de otra.
+/// La peor comparación de la prueba en curso: lo obtenido, la referencia y su diferencia (ampliada 8 veces), en fila.
 struct LadoALado : testing::EmptyTestEventListener {
     double error = -1;
     Imagen imagen;
@@ -136,8 +135,7 @@ const fs::path &carpetaTemporal() {
 
 namespace {
 
-/// La ruta del ejecutable de un programa del libro, por su nombre, o de otro, por su ruta desde la carpeta de los
-/// capítulos.
+/// La ruta del ejecutable de un programa del libro, por su nombre, o de otro, por su ruta.
 std::string ejecutable(const std::string &programa) {
     if (programa.find('/') != std::string::npos)
         return LAB_EJECUTABLES "/" + programa;

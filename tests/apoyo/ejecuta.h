@@ -40,8 +40,7 @@ Vista vistaDe(const std::string &programa, const std::string &guion = "", int an
 std::vector<Vista> vistasDe(const std::string &programa, const std::vector<std::string> &guiones,
                             int ancho = 240, int alto = 180, const std::vector<std::string> &argumentos = {});
 
-/// Mientras existe, los programas buscan los ficheros del laboratorio antes en esa carpeta que en las demás
-/// ($LAB_RAIZ).
+/// Mientras existe, los programas buscan los ficheros del laboratorio antes en esa carpeta ($LAB_RAIZ).
 class ConRaiz {
 public:
     explicit ConRaiz(const std::filesystem::path &carpeta);

@@ -138,8 +138,7 @@ struct Dibujo {
     }
 };
 
-/// Comprueba que los trazos de ese color son esas líneas, en cualquier orden, y nada más: están todas, y entre todas
-/// miden lo que ellos.
+/// Comprueba que los trazos de ese color son esas líneas, en cualquier orden, y nada más.
 inline void compruebaTrazos(const Encima &encima, const Panel &panel, const std::vector<Linea> &lineas,
                             const glm::vec3 &color) {
     double largo = 0;

@@ -22,8 +22,7 @@ const double U = 0x1p-24; // error relativo de redondear a float
 const Vec3 FONDO{0.95, 0.96, 0.98}, ANARANJADO{0.95, 0.55, 0.10}, AMARILLENTO{0.98, 0.78, 0.15},
     GRISACEO{0.55, 0.58, 0.62}, MORADUZCO{0.56, 0.24, 0.66};
 
-/// De cómo se llega a una vista: lo que se hace y lo que con eso gira la cámara, 1.8 radianes de abajo arriba de la
-/// ventana.
+/// De cómo se llega a una vista: lo que se hace y lo que con eso gira la cámara, 1.8 radianes por alto.
 struct Mirada {
     std::string guion;
     double azimut = 0, elevacion = 0;
@@ -40,12 +39,6 @@ Panel ventana(const Vista &v, const Encuadre &e, const Mirada &mirada) {
         perspectiva(oraculo::orbita(e.azimut + mirada.azimut, 0.35 + mirada.elevacion, e.distancia, e.centro),
                     0.5, 1, 100),
         v.escena};
-}
-
-dvec3 aplica(const glm::mat4 &M, const glm::vec3 &p) {
-    const glm::vec4 q = M * glm::vec4(p, 1);
-    EXPECT_EQ(q.w, 1.0f);
-    return dvec3(q);
 }
 
 Linea transformada(const Mat4 &M, Linea linea) {
@@ -115,9 +108,9 @@ void original(Dibujo &encima) {
 // Cada ecuación con números que no se redondean, y los giros en float: cada seno y coseno llega con 1.5·U como mucho,
 // así que c² + s² se separa de 1 menos de 2·1.5·√2·U, y el producto de float por float añade otro 2·U.
 TEST(Basicas, EcuacionesYSentidoDeGiro) {
-    const glm::vec3 p(0.5f, -1.25f, 2);
-    EXPECT_TRUE(aplica(traslacion({1, 2, -3}), p) == dvec3(1.5, 0.75, -1));
-    EXPECT_TRUE(aplica(escalado({2, -4, 0.5f}), p) == dvec3(1, 5, 1));
+    const glm::vec4 p(0.5f, -1.25f, 2, 1);
+    EXPECT_EQ(traslacion({1, 2, -3}) * p, glm::vec4(1.5f, 0.75f, -1, 1));
+    EXPECT_EQ(escalado({2, -4, 0.5f}) * p, glm::vec4(1, 5, 1, 1));
     for (int eje = 0; eje < 3; ++eje)
         for (float phi = -3; phi <= 3; phi += 0.25f) {
             const glm::mat4 M = eje == 0 ? giroX(phi) : eje == 1 ? giroY(phi) : giroZ(phi);
@@ -216,8 +209,7 @@ TEST(ProgramaBasicas, LaFEstaDondeDicenLasEcuaciones) {
 
 // Un factor negativo pone los vértices de una cara en el sentido contrario, y dos los dejan como estaban: con
 // determinante negativo se ve el lado de dentro, morado, pero siempre con la luz de la normal que sale del objeto. De
-// frente y por detrás, y con los paneles en tres columnas y en dos; en los del último tamaño, estrechos, se ve más por
-// arriba y por abajo.
+// frente y por detrás, y con los paneles en tres columnas y en dos; en los últimos, estrechos, se ve más a lo alto.
 TEST(Escalado, CarasYDeterminanteEnCadaVista) {
     const struct {
         dvec3 s;
@@ -325,8 +317,7 @@ struct Paso {
 };
 
 /// Un programa que aplica sus transformaciones una a una, y tras la última empieza: el sólido en cada píxel, las líneas
-/// de dónde sale y adónde va, salvo donde ya está, la recta y la leyenda, desde esa parte del alto y oscura hasta donde
-/// se ha llegado.
+/// de dónde sale y adónde va, salvo donde ya está, la recta y la leyenda, desde `abajo` y oscura hasta ese paso.
 void compruebaPasos(const std::string &programa, const Encuadre &encuadre, const Vec3 &largos, double abajo,
                     const Solido &solido, const std::vector<Paso> &pasos, const Linea &recta = {}) {
     const int n = int(pasos.size());

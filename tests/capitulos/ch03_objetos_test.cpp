@@ -42,16 +42,14 @@ const Vec3 ROJIZO{0.85, 0.20, 0.18}, VERDOSO{0.20, 0.62, 0.28}, AZULADO{0.16, 0.
     ANARANJADO{0.95, 0.55, 0.10}, AMARILLENTO{0.98, 0.78, 0.15}, NEGRUZCO{0.16, 0.17, 0.20},
     NIEVE{0.97, 0.98, 1}, MADERA{0.45, 0.30, 0.18}, CRISTAL{0.78, 0.90, 0.97}, METAL{0.72, 0.74, 0.78};
 
-Mat4 tumbado() { // el eje Z, vertical
-    return gira({1, 0, 0}, oraculo::PI / 2);
-}
+const Mat4 TUMBADO = gira({1, 0, 0}, oraculo::PI / 2); // el eje Z, vertical
 
 void ponMuneco(Taller &t, const Mat4 &A) {
     const auto en = [&](double x, double y, double z) { return A * traslada({x, y, z}); };
     t.bola(en(0, 0.92, 0), {1.05, 0.95, 1.05}, NIEVE);
     t.bola(en(0, 2.18, 0), {0.74, 0.74, 0.74}, NIEVE);
     t.bola(en(0, 3.14, 0), {0.52, 0.52, 0.52}, NIEVE);
-    t.anillo(en(0, 2.74, 0) * tumbado(), 0.4, 0.5, ROJIZO); // bufanda
+    t.anillo(en(0, 2.74, 0) * TUMBADO, 0.4, 0.5, ROJIZO); // bufanda
     t.bloque(en(0.32, 2.4, 0.62) * gira({1, 0, 0}, -0.35), {0.24, 0.75, 0.1}, ROJIZO);
     t.bloque(en(0, 3.55, 0), {1.15, 0.1, 1.15}, NEGRUZCO); // sombrero
     t.bloque(en(0, 3.88, 0), {0.7, 0.65, 0.7}, NEGRUZCO);
@@ -89,7 +87,7 @@ void ponAros(Taller &t, const Mat4 &A) {
     double base = 0.24;
     for (int i = 0; i < 5; ++i) {
         const double radio = 0.82 - 0.1 * i, alto = 2 * 0.9 * 0.35 * radio;
-        t.anillo(A * traslada({0, base + alto / 2, 0}) * tumbado(), radio, radio, colores[i]);
+        t.anillo(A * traslada({0, base + alto / 2, 0}) * TUMBADO, radio, radio, colores[i]);
         base += alto;
     }
     t.bola(A * traslada({0, base + 0.2, 0}), {0.36, 0.36, 0.36}, AZULADO);

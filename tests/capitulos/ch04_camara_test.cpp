@@ -97,8 +97,7 @@ TEST(TransformacionCamara, UpParaleloONulo) {
         }
 }
 
-// En cada panel, la misma escena trazada: a la derecha, desde la cámara; a la izquierda, desde fuera y con la cámara en
-// ella.
+// En cada panel, la misma escena trazada: a la derecha, desde la cámara; a la izquierda, desde fuera, con ella.
 TEST(Camara, LoQueVe) {
     const Vec3 p1{4.4, 4.6, 0.4}, p2{-4, 1.5, 0.9}, Y{0, 1, 0};
     const struct {

@@ -1,5 +1,4 @@
-// etapas_pipeline: el recortado contra el polígono exacto; lo que escribe y lo que enseña en cada panel, contra el
-// oráculo.
+// etapas_pipeline: el recortado contra el polígono exacto; lo escrito y cada panel, contra el oráculo.
 #include "azar.h"
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/etapas.h"
@@ -105,8 +104,7 @@ std::string elige(const glm::dvec2 &p) {
     return clic({int(p.x), 359 - int(p.y)});
 }
 
-/// Lo que hay guardado en el píxel de una esquina del cubo: la profundidad de lo primero que encuentra su rayo aparte
-/// de ella.
+/// Lo que hay guardado en el píxel de una esquina del cubo: la profundidad de lo primero que encuentra su rayo.
 double guardada(const Vec3 &mundo, bool tapado) {
     Rayo r = {OJO, unitario(mundo - OJO)};
     Escena cajas = {caja(MM)};
@@ -295,8 +293,7 @@ TEST(Recortado, CasosLimite) {
 
 // La que se sigue al empezar y las que se eligen con el ratón, en cualquier panel; lejos de todo vértice y al orbitar
 // no cambia nada. Con algo delante, lo guardado es su profundidad y el fragmento se descarta. En cada panel, la escena
-// trazada en sus coordenadas: el vértice que se ve es el que se escribe (la ecuación 4.4 impresa lo aparta medio
-// píxel).
+// trazada en sus coordenadas: el vértice que se ve es el que se escribe (la 4.4 impresa lo aparta medio píxel).
 TEST(EtapasPipeline, EsquinasDelCubo) {
     const auto en = [](int k, int esquina) { return elige(enPanel(k, punto(MM, esquinaCubo(esquina)))); };
     for (const int esquina : {0, 3, 5, 6})

@@ -1,5 +1,4 @@
-// grua_vistas, grua_proyeccion y grua_zbuffer: la grúa entera en cada vista, y cada panel y sus rótulos contra el
-// oráculo.
+// grua_vistas, grua_proyeccion y grua_zbuffer: la grúa entera en cada vista, y cada panel contra el oráculo.
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/camaras_grua.h"
 #include "guiones.h"
@@ -88,8 +87,7 @@ std::vector<Vec3> envolvente() {
     return puntos;
 }
 
-/// La cámara de una vista en un hueco. `escala`: la común de varias vistas, en unidades por píxel. La envolvente está
-/// centrada en X.
+/// La cámara de una vista en un hueco. `escala`: la común de varias vistas, en unidades por píxel. Está centrada en X.
 Camara camaraDe(int vista, bool enPerspectiva, const Hueco &h, double distancia = 26, double escala = 0) {
     const Vec3 centro{0, 4.7, 0}, hacia[] = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, unitario(Vec3{1, 1, 1})},
                                   arriba = vista == PLANTA ? Vec3{0, 0, -1} : Vec3{0, 1, 0};
@@ -123,8 +121,7 @@ struct Estado {
 };
 
 /// Un panel: la grúa o, sin el test de profundidad, el suelo, que se pinta lo último y lo tapa todo; el nombre y, en la
-/// esquina, los ejes, en un cuadrado de un tercio del lado menor que abarca 4 unidades, con su letra más allá de la
-/// punta.
+/// esquina, los ejes, en un cuadrado de un tercio del lado menor que abarca 4 unidades, con su letra.
 void compruebaPanel(const std::string &programa, const Vista &v, const Hueco &h, int vista, const Estado &e,
                     double escala = 0) {
     const Camara camara = camaraDe(vista, e.enPerspectiva, sinRotulo(h), e.distancia, escala);
@@ -187,8 +184,7 @@ void compruebaCasos(const std::string &programa, const std::vector<Caso> &casos)
 } // namespace
 
 // Con todo tamaño de ventana, entera o en cuatro paneles. Y sin derrochar sitio: alguna postura llega a la holgura,
-// salvo el 0.12 % del polígono de 64 lados circunscrito y el 1 − cos(π/24) = 0.86 % que se puede perder entre dos
-// giros.
+// salvo el 0.12 % del polígono de 64 lados circunscrito y el 1 − cos(π/24) = 0.86 % entre dos giros.
 TEST(Encuadre, TodaPosturaEntera) {
     const int tamanos[][2] = {{240, 180}, {800, 600}, {180, 240}, {333, 77},  {1, 200},
                               {300, 1},   {1, 1},     {2, 3},     {5000, 40}, {3, 16384}};
@@ -198,8 +194,7 @@ TEST(Encuadre, TodaPosturaEntera) {
                 if (const Hueco h = sinRotulo(hueco(0, lado, 0, lado, ancho, alto));
                     h.ancho > 0 && h.alto > 0)
                     compruebaEncuadre(v.haciaCamara, v.UP, h, 0.99);
-    // también con la cámara que mueve el ratón, desde cualquier lado de arriba y a las distancias que deja la rueda: de
-    // 10.4 a 65
+    // también con la cámara que mueve el ratón, desde cualquier lado y a las distancias de la rueda: de 10.4 a 65
     for (const double distancia : {10.4, 26.0, 65.0})
         for (int a = 0; a < 8; ++a)
             for (const double elevacion : {0.0, 0.35, 0.7, 1.2, 1.55}) {

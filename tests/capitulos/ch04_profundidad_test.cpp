@@ -1,5 +1,4 @@
-// Cuánta profundidad cabe en un buffer de 24 bits: las cuentas de profundidad.h, y lo que dibuja y escribe el programa
-// profundidad.
+// Cuánta profundidad cabe en un buffer de 24 bits: las cuentas de profundidad.h, y el programa profundidad.
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/profundidad.h"
 #include "guiones.h"

@@ -1,5 +1,4 @@
-// Las proyecciones y el área de dibujo (ecuaciones 4.2 a 4.4), contra GLM; las erratas del libro; y el programa
-// proyecciones.
+// Las proyecciones y el área de dibujo (ecuaciones 4.2 a 4.4), contra GLM; sus erratas, y el programa.
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/vista.h"
 #include "guiones.h"
@@ -93,8 +92,7 @@ void compruebaLasRectas(const Vista &vista, const Panel &en) {
 } // namespace
 
 // θ/2 es exacto, la tangente de la biblioteca yerra menos de 1 ulp (2 u) y el producto y el cociente 1 u cada uno;
-// la tercera fila, tres redondeos. En total no más de 4 u. Los lados de la paralela son tales que la resta no añade
-// error.
+// la tercera fila, tres redondeos. En total no más de 4 u. Los lados de la paralela se restan sin error.
 TEST(Proyeccion, ContraGlmConMasPrecision) {
     for (const auto &[theta, aspecto, cerca, lejos] : PERSPECTIVAS) {
         compruebaMatriz(proyeccionPerspectiva(theta, aspecto, cerca, lejos),

@@ -23,8 +23,7 @@ double cruza(const Rayo &r, const Camara &v, double d) {
     return t > 0 && entreLosLados(r.origen + t * r.direccion, {v, VENTANA}) ? t : INFINITO;
 }
 
-/// La escena del programa, escrita otra vez; lo redondo, con las caras que tiene. Lo último es la cámara de fotos, que
-/// no se recorta.
+/// La escena del programa, escrita otra vez; lo redondo, con las caras que tiene. Lo último, la cámara de fotos.
 std::vector<Cuerpo> piezas() {
     const Mat4 dePie = gira({1, 0, 0}, -PI / 2);
     const Malla bola = esfera(48), pico = porCaras(cono(48));
@@ -60,8 +59,7 @@ Tono sombrea(const Impacto &i, const std::vector<Cuerpo> &cuerpos, const Camara 
     return {color, dentro + 2 * (cerca < tope) + 4 * (lejos < tope)};
 }
 
-/// Las aristas del volumen, con las que van del ojo a la pirámide, y cada parámetro de las figuras 4.3 y 4.4 junto a lo
-/// que decide.
+/// Las aristas del volumen, con las que van del ojo a la pirámide, y cada parámetro de las figuras 4.3 y 4.4.
 void compruebaAristasYParametros(const Vista &vista, const Camara &v, const Panel &en) {
     const std::vector<Vec3> e = esquinasA({v.cerca, v.lejos}, {v, VENTANA});
     const auto medio = [&](std::size_t a, std::size_t b) { return en(0.5 * (e[a] + e[b])); };
