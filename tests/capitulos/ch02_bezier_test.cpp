@@ -314,6 +314,23 @@ TEST(Bezier, SinGrietas) {
     }
 }
 
+// Lo que hace que no haya grietas, en doble, que en float casi no se nota: recorrer una curva al revés da el mismo punto,
+// y una curva reducida a un punto da ese punto.
+TEST(Bezier, CurvaAlRevesBitABit) {
+    Azar azar(4);
+    for (int n = 1; n <= 60; ++n) {
+        const auto &p = aleatorio(azar).p[0];
+        for (int i = 0; i <= n; ++i) {
+            const parche::Pesos w = parche::pesos(double(i) / n, double(n - i) / n),
+                                alReves = {w[3], w[2], w[1], w[0]};
+            EXPECT_EQ(parche::pesos(double(n - i) / n, double(i) / n), alReves);
+            EXPECT_EQ(parche::curva(p[0], p[1], p[2], p[3], w),
+                      parche::curva(p[3], p[2], p[1], p[0], alReves));
+            EXPECT_EQ(parche::curva(p[0], p[0], p[0], p[0], w), p[0]);
+        }
+    }
+}
+
 // Dos parches cualesquiera con un lado común, recorrido en cada sentido y por u o por v: sus vértices coinciden.
 TEST(Bezier, LadosComunesBitABit) {
     Azar azar(3);
