@@ -41,8 +41,8 @@ struct VerticePlano {
     }
 };
 
-/// Los triángulos que salen de esos vértices, según la especificación de OpenGL 3.1, §2.6.1. El último vértice de cada uno es el que no
-/// tiene el anterior.
+/// Los triángulos que salen de esos vértices, según la especificación de OpenGL 3.1, §2.6.1. El último vértice de cada
+/// uno es el que no tiene el anterior.
 inline std::vector<Pieza> triangulos(GLenum primitiva, const std::vector<VerticePlano> &v, const Hueco &h) {
     std::vector<Pieza> piezas;
     for (std::size_t i = 0; i + 2 < v.size(); i += primitiva == GL_TRIANGLES ? 3 : 1) {
@@ -52,8 +52,8 @@ inline std::vector<Pieza> triangulos(GLenum primitiva, const std::vector<Vertice
     return piezas;
 }
 
-/// Comprueba que cada píxel es del color de la última pieza que cubre su centro o, si ninguna, del fondo; solo se pierde el redondeo a 8
-/// bits. Si el centro está a menos de su holgura de un lado, vale también lo que hay debajo.
+/// Comprueba que cada píxel es del color de la última pieza que cubre su centro o, si ninguna, del fondo; solo se
+/// pierde el redondeo a 8 bits. Si el centro está a menos de su holgura de un lado, vale también lo que hay debajo.
 inline void compruebaPlana(const std::string &que, const Imagen &escena, const std::vector<Pieza> &piezas,
                            const oraculo::Vec3 &fondo) {
     double mayor = 0, holgura = -1; // no hay lados
