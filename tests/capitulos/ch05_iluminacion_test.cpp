@@ -4,7 +4,7 @@
 #include "colores.h"
 #include "contra_oraculo.h"
 #include "guiones.h"
-#include "panel_entero.h"
+#include "panel.h"
 #include "tabla.h"
 
 using namespace oraculo;
