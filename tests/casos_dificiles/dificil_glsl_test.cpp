@@ -43,6 +43,9 @@ const Casos POTENCIAS([] {
                      {"negativa_a_3", {-0.5f, 3, 0}},
                      {"menos1em7_a_4", {-1e-7f, 4, 0}},
                      {"1_a_500", {1, 500, 1}},
+                     {"1_a_0", {1, 0, 1}},
+                     {"1em38_a_0", {1e-38f, 0, 1}},
+                     {"menos1_a_2", {-1, 2, 0}},
                      {"1em30_a_500", {1e-30f, 500, 0}},
                      {"alfa_0", {0.3f, 0, 1}}},
                     1e-6, "diferencia", [](const Potencia &p) {
