@@ -86,11 +86,13 @@ const Casos CAMARA([] {
                    {"up_1em300", {F, 1e-300 * F}},
                    {"up_1e300", {F, 1e300 * F}},
                    {"up_subnormal", {F, 1e-320 * F}},
+                   {"up_a_1em11_de_la_vista", {F, F + 1e-11 * Y}},
+                   {"up_a_1em15_de_la_vista", {F, F + 1e-15 * Y}},
+                   {"up_a_1em11_de_la_contraria", {F, 1e-11 * Y - F}},
                    {"mirando_hacia_arriba", {Y, Y}},
                    {"mirando_hacia_abajo", {-Y, Y}}},
                   8, "u", [p = dvec3(1, 2, 3)](const Mirada &m) { return baseTorcida(p, p + m.F, m.UP); });
-    casos<double>("Camara", "up_a_*_rad", {1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13}, 30, "u / seno",
-                  inclinacion);
+    casos<double>("Camara", "up_a_*_rad", {1e-3, 1e-5, 1e-7, 1e-8, 1e-9}, 30, "u / seno", inclinacion);
     casos<double>("Camara", "ojo_en_el_interes_a_*", {0, 1, 1e6, 1e15}, 8, "u",
                   [=](double lejos) { return baseTorcida(dvec3(lejos), dvec3(lejos), Y); });
     // unos 8 redondeos en float de números menores que 8, y en doble los de L
