@@ -17,7 +17,7 @@ import navegador  # que sabe dónde está catalogo
 from navegador import Navegador, catalogo, espera, exige
 
 # SwiftShader no vale de juez: con polygon offset sus mallas cambian de una vez a otra.
-LLVMPIPE = ("--use-gl=angle", "--use-angle=gl", "--ignore-gpu-blocklist", "--window-size=1280,900", "--no-first-run")
+LLVMPIPE = ("--use-gl=angle", "--use-angle=gl", "--ignore-gpu-blocklist", "--disable-gpu-watchdog", "--window-size=1280,900", "--no-first-run")
 
 DIBUJA = """
 const [nombre, guion, acaba] = arguments;
@@ -338,7 +338,7 @@ def main():
     finally:
         pantalla.terminate()
         pantalla.wait()
-    sys.exit(1 if navegador.fallos else 0)
+    navegador.acaba()
 
 
 if __name__ == "__main__":
