@@ -1,15 +1,16 @@
-// Lo que explica una imagen se pinta encima de ella en un solo sitio: ahí acaban los rótulos (rotulo.h) y los trazos (trazo.h),
-// con un solo programa de shaders. No cambia nada del estado de OpenGL.
+// Lo que explica una imagen se pinta encima de ella en un solo sitio: ahí acaban los rótulos (rotulo.h) y los trazos
+// (trazo.h), con un solo programa de shaders. No cambia nada del estado de OpenGL.
 //
-// Con LAB_ENCIMA=FICHERO en el entorno no se pinta nada: queda la escena sola, y lo que se habría pintado se escribe en el fichero,
-// para quien quiera comprobarlo. Por cada imagen guardada, una línea «imagen FICHERO ANCHO ALTO» y las de lo que llevaba, en orden.
-// Con tabuladores entre los campos y blancos dentro de ellos:
+// Con LAB_ENCIMA=FICHERO en el entorno no se pinta nada: queda la escena sola, y lo que se habría pintado se escribe en
+// el fichero, para quien quiera comprobarlo. Por cada imagen guardada, una línea «imagen FICHERO ANCHO ALTO» y las de
+// lo que llevaba, en orden. Con tabuladores entre los campos y blancos dentro de ellos:
 //   tipo        rotulo, segmentos, polilinea, puntos, flecha o poligono
 //   color       r g b, de 0 a 1
 //   panel       x y ancho alto, en píxeles desde abajo a la izquierda
 //   talla       alto de las mayúsculas, grosor o diámetro, en píxeles
 //   profundidad 1 si obedece al test de profundidad
-//   puntos      x y z de cada uno: píxeles de la ventana y profundidad normalizada. De un rótulo, las dos esquinas y su punto
+//   puntos      x y z de cada uno: píxeles de la ventana y profundidad normalizada. De un rótulo, sus dos
+//               esquinas y su punto
 //   texto       el del rótulo; el fin de línea es un \n
 #pragma once
 #include <glm/glm.hpp>
@@ -31,8 +32,8 @@ struct VerticePintado {
     glm::vec2 enAtlas;
 };
 
-/// Los triángulos se pintan del color de la pincelada donde el atlas pasa de `borde`, que crece `nitidez` por píxel. Lo que es todo
-/// tinta no mira el atlas: es lo que valen si no se dan.
+/// Los triángulos se pintan del color de la pincelada donde el atlas pasa de `borde`, que crece `nitidez` por píxel. Lo
+/// que es todo tinta no mira el atlas: es lo que valen si no se dan.
 struct Tinta {
     glm::vec3 color;
     float borde = -1, nitidez = 1;

@@ -1,6 +1,6 @@
-// La letra de los rótulos: los signos que hay y su atlas, que hace assets/genera_letra.cpp al compilar y está en assets/letra.r8. Es
-// una rejilla de celdas iguales, por filas desde arriba, con la distancia de cada texel al borde de su signo: 128 en él, más
-// dentro y menos fuera. Detrás de los texels, la caja de cada signo.
+// La letra de los rótulos: los signos que hay y su atlas, que hace assets/genera_letra.cpp al compilar y está en
+// assets/letra.r8. Es una rejilla de celdas iguales, por filas desde arriba, con la distancia de cada texel al borde de
+// su signo: 128 en él, más dentro y menos fuera. Detrás de los texels, la caja de cada signo.
 #pragma once
 #include <string>
 #include <string_view>

@@ -1,4 +1,4 @@
-// Comparar la escena de un programa con su referencia (oraculo/): qué se admite y por qué, y las escenas que usan varios capítulos.
+// Comparar la escena de un programa con su referencia (oraculo/): qué se admite y por qué.
 #pragma once
 #include "ejecuta.h"
 #include "malla.h"
@@ -7,8 +7,9 @@
 #include <iostream>
 #include <string>
 
-/// Lo que se admite. Con la misma forma que dibuja el programa, en los bordes solo pueden fallar los píxeles cuyo centro está a menos
-/// de 1/512 de uno, que la GPU redondea a una rejilla de 1/256: como la banda mide de 2 a 3 píxeles, uno de cada 500.
+/// Lo que se admite. Con la misma forma que dibuja el programa, en los bordes solo pueden fallar los píxeles cuyo
+/// centro está a menos de 1/512 de uno, que la GPU redondea a una rejilla de 1/256: como la banda mide de 2 a 3
+/// píxeles, uno de cada 500.
 struct Cotas {
     double maximo = 0.501; // niveles, en el interior: solo el redondeo a 8 bits
     int lejosDeCada =
@@ -59,7 +60,7 @@ inline oraculo::Luz foco(const oraculo::Vec3 &p, const oraculo::Vec3 &apunta, do
     return luz;
 }
 
-/// Una malla de common/malla.h con su transformación ya hecha: los vértices y sus normales unitarias, como salen del vertex shader.
+/// Una malla de common/malla.h con su transformación ya hecha: vértices y normales unitarias.
 inline oraculo::Objeto enElMundo(const oraculo::Mat4 &M, const Malla &m) {
     const oraculo::Mat4 inv = oraculo::inversa(M);
     std::vector<oraculo::VerticeRef> vertices;
@@ -92,7 +93,7 @@ inline oraculo::Vec3 normalInterpolada(const oraculo::Objeto &objeto, const orac
                      [&](const oraculo::VerticeRef &v) { return transformaNormal(objeto.inv, v.normal); });
 }
 
-/// Una escena con un color por objeto y la luz fija, contra lo que dibuja el programa. Los bordes se buscan trazando más rayos.
+/// Una escena con un color por objeto y la luz fija, contra lo que dibuja el programa.
 struct Cuerpo {
     oraculo::Objeto objeto;
     oraculo::Vec3 color;
@@ -118,7 +119,7 @@ inline oraculo::Comparacion comparaConLuzFija(const Imagen &escena, const std::v
 struct Hueco {
     int x, y, ancho, alto;
 };
-/// El de esa columna y esa fila (contada desde arriba) de una rejilla que llena la ventana, con rayas de una 180ª parte de su alto útil.
+/// El de esa columna y esa fila (contada desde arriba) de una rejilla con rayas de un 180º del alto útil de la ventana.
 inline Hueco hueco(int columna, int columnas, int fila, int filas, int ancho, int alto) {
     const int raya = std::max(int(oraculo::altoUtil(ancho, alto) / 180), 1);
     const auto corte = [raya](int i, int n, int largo) { return i * (largo + raya) / n; };

@@ -34,8 +34,8 @@ inline Cuadruple operator/(const Cuadruple &a, const Cuadruple &b) {
     return a.x / b.x;
 }
 inline Cuadruple sqrt(const Cuadruple &a) {
-    Cuadruple r(std::sqrt(double(a)));
-    for (int i = 0; i < 2 && a.x > 0; ++i) // dos pasos de Newton doblan dos veces las cifras
+    Cuadruple r(std::sqrt(static_cast<long double>(a.x))); // que tiene el mismo margen de exponentes
+    for (int i = 0; i < 2 && a.x > 0; ++i)                 // dos pasos de Newton doblan dos veces las cifras
         r = Cuadruple(0.5) * (r + a / r);
     return r;
 }

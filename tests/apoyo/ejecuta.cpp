@@ -59,7 +59,7 @@ struct CarpetaTemporal {
 
 std::string ultimoPrograma; // sin su capítulo
 
-/// La peor comparación de la prueba en curso: lo obtenido, la referencia y su diferencia (ampliada 8 veces), una al lado de otra.
+/// La peor comparación de la prueba en curso: lo obtenido, la referencia y su diferencia (ampliada 8 veces), en fila.
 struct LadoALado : testing::EmptyTestEventListener {
     double error = -1;
     Imagen imagen;
@@ -102,8 +102,8 @@ LadoALado *creaLadoALado() {
 }
 LadoALado *const ladoALado = creaLadoALado();
 
-// Todo lo que compara el oráculo, al informe de la prueba. Su desvío es infinito si el color de algún píxel del borde no está a menos
-// de uno de distancia, lo que cada prueba admite en unos pocos: se cuentan aparte.
+// Todo lo que compara el oráculo, al informe de la prueba. Su desvío es infinito si el color de algún píxel del borde
+// no está a menos de uno de distancia, lo que cada prueba admite en unos pocos: se cuentan aparte.
 void apuntaComparacion(const oraculo::Comparacion &c, const Imagen &gpu, const oraculo::ImagenRef &ref) {
     ladoALado->apunta(c, gpu, ref);
     apuntaDiferencia(c.maximo, c.rmse, std::min(c.desvio, 1.0), c.bandaLejos, c.banda);
@@ -135,7 +135,7 @@ const fs::path &carpetaTemporal() {
 
 namespace {
 
-/// La ruta del ejecutable de un programa del libro, por su nombre, o de otro, por su ruta desde la carpeta de los capítulos.
+/// La ruta del ejecutable de un programa del libro, por su nombre, o de otro, por su ruta.
 std::string ejecutable(const std::string &programa) {
     if (programa.find('/') != std::string::npos)
         return LAB_EJECUTABLES "/" + programa;

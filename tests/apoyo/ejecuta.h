@@ -17,8 +17,8 @@ struct Ejecucion {
     Imagen imagen;       // vacía si no ha escrito ninguna
 };
 
-/// Ejecuta un programa («grua») con ese tamaño y ese guion, en una carpeta temporal que se borra después. `argumentos` van tal cual al
-/// final. Es para probar cómo termina y qué escribe; lo que dibuja se pide abajo.
+/// Ejecuta un programa («grua») con ese tamaño y ese guion, en una carpeta temporal que se borra después. `argumentos`
+/// van tal cual al final. Es para probar cómo termina y qué escribe; lo que dibuja se pide abajo.
 Ejecucion ejecuta(const std::string &programa, const std::string &guion = "", int ancho = 240, int alto = 180,
                   const std::vector<std::string> &argumentos = {});
 
@@ -40,7 +40,7 @@ Vista vistaDe(const std::string &programa, const std::string &guion = "", int an
 std::vector<Vista> vistasDe(const std::string &programa, const std::vector<std::string> &guiones,
                             int ancho = 240, int alto = 180, const std::vector<std::string> &argumentos = {});
 
-/// Mientras existe, los programas buscan los ficheros del laboratorio antes en esa carpeta que en las demás ($LAB_RAIZ).
+/// Mientras existe, los programas buscan los ficheros del laboratorio antes en esa carpeta ($LAB_RAIZ).
 class ConRaiz {
 public:
     explicit ConRaiz(const std::filesystem::path &carpeta);
@@ -58,7 +58,8 @@ struct Pixel {
 };
 Pixel pixel(const Imagen &imagen, int x, int y);
 
-/// Apunta en el informe de la prueba, para docs/exactitud.md, lo que el último programa ejecutado se aparta de lo que debe: la mayor
-/// diferencia y la cuadrática media, en niveles de 255, y cuánto se desvían los bordes, en píxeles, salvo `lejos` de los `banda` que
-/// hay en ellos; negativo lo que no se mide. De varias queda la peor. El oráculo (oraculo::compara) lo hace solo.
+/// Apunta en el informe de la prueba, para docs/exactitud.md, lo que el último programa ejecutado se aparta de lo que
+/// debe: la mayor diferencia y la cuadrática media, en niveles de 255, y cuánto se desvían los bordes, en píxeles,
+/// salvo `lejos` de los `banda` que hay en ellos; negativo lo que no se mide. De varias queda la peor. El oráculo
+/// (oraculo::compara) lo hace solo.
 void apuntaDiferencia(double maximo, double rmse = -1, double borde = -1, int lejos = 0, int banda = 0);

@@ -53,34 +53,31 @@ std::vector<std::pair<glm::dvec2, glm::dvec2>> Pintado::tramos() const {
     return t;
 }
 
-std::vector<Pintado> Encima::rotulos(const std::string &texto) const {
-    std::vector<Pintado> hallados;
-    std::copy_if(begin(), end(), std::back_inserter(hallados),
-                 [&](const Pintado &p) { return p.tipo == "rotulo" && p.texto == texto; });
+Encima Encima::los(const std::function<bool(const Pintado &)> &queCumplan) const {
+    Encima hallados;
+    std::copy_if(begin(), end(), std::back_inserter(hallados), queCumplan);
     return hallados;
+}
+
+Encima Encima::rotulos(const std::string &texto) const {
+    return los([&](const Pintado &p) { return p.tipo == "rotulo" && p.texto == texto; });
 }
 
 std::vector<std::string> Encima::textos(const glm::vec3 &color) const {
     std::vector<std::string> hallados;
-    for (const Pintado &p : *this)
-        if (p.tipo == "rotulo" && p.es(color))
-            hallados.push_back(p.texto);
+    for (const Pintado &p : los([&](const Pintado &q) { return q.tipo == "rotulo" && q.es(color); }))
+        hallados.push_back(p.texto);
     return hallados;
 }
 
 Encima Encima::trazos(const glm::vec3 &color, const std::string &tipo) const {
-    Encima hallados;
-    std::copy_if(begin(), end(), std::back_inserter(hallados), [&](const Pintado &p) {
+    return los([&](const Pintado &p) {
         return p.tipo != "rotulo" && p.es(color) && (tipo.empty() || p.tipo == tipo);
     });
-    return hallados;
 }
 
 Encima Encima::enPanel(double x, double y) const {
-    Encima hallados;
-    std::copy_if(begin(), end(), std::back_inserter(hallados),
-                 [&](const Pintado &p) { return p.panel.x == x && p.panel.y == y; });
-    return hallados;
+    return los([&](const Pintado &p) { return p.panel.x == x && p.panel.y == y; });
 }
 
 double Encima::lejosDeTrazo(const glm::dvec2 &p, const glm::vec3 &color) const {
@@ -160,19 +157,13 @@ void compruebaTrazo(const Encima &encima, const std::vector<glm::dvec2> &linea, 
 
 void compruebaRotulos(const Encima &encima, const std::vector<Letrero> &letreros) {
     std::string todos;
-    std::size_t cuantos = 0;
-    for (const Pintado &p : encima)
-        if (p.tipo == "rotulo") {
-            todos += "«" + p.texto + "» ";
-            ++cuantos;
-        }
-    EXPECT_EQ(cuantos, letreros.size()) << "hay " << todos;
+    const Encima rotulos = encima.los([](const Pintado &p) { return p.tipo == "rotulo"; });
+    for (const Pintado &p : rotulos)
+        todos += "«" + p.texto + "» ";
+    EXPECT_EQ(rotulos.size(), letreros.size()) << "hay " << todos;
     for (const Letrero &l : letreros) {
-        Encima cerca;
-        for (const Pintado &p : encima.rotulos(l.texto))
-            if (glm::distance(p.punto(2), l.punto) <= 0.1)
-                cerca.push_back(p);
-        compruebaRotulo(cerca, l.texto, l.punto, l.color, l.lado);
+        const auto estaAhi = [&](const Pintado &p) { return glm::distance(p.punto(2), l.punto) <= 0.1; };
+        compruebaRotulo(encima.rotulos(l.texto).los(estaAhi), l.texto, l.punto, l.color, l.lado);
     }
 }
 

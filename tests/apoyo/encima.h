@@ -1,7 +1,8 @@
-// Lo que un programa pinta encima de su escena (rótulos y trazos), como lo apunta common/encima.h, y cómo comprobarlo. Los puntos y las
-// distancias son píxeles de la ventana, desde abajo a la izquierda.
+// Lo que un programa pinta encima de su escena (rótulos y trazos), como lo apunta common/encima.h, y cómo comprobarlo.
+// Los puntos y las distancias son píxeles de la ventana, desde abajo a la izquierda.
 #pragma once
 #include "rotulo.h"
+#include <functional>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
@@ -25,8 +26,9 @@ struct Pintado {
 };
 
 struct Encima : std::vector<Pintado> {
+    Encima los(const std::function<bool(const Pintado &)> &queCumplan) const;
     /// Los rótulos con ese texto.
-    std::vector<Pintado> rotulos(const std::string &texto) const;
+    Encima rotulos(const std::string &texto) const;
     /// Los textos de los rótulos de ese color, en el orden en que se pintan.
     std::vector<std::string> textos(const glm::vec3 &color) const;
     /// Los trazos de ese color; con `tipo`, solo los de ese tipo.
@@ -43,12 +45,12 @@ struct Encima : std::vector<Pintado> {
 /// Lo apuntado para cada imagen guardada, en orden.
 std::vector<Encima> leeEncima(const std::string &fichero);
 
-/// Comprueba que ese rótulo está una sola vez, que es de ese color, que nombra ese punto (a `lejos` píxeles como mucho) y que está a
-/// ese lado de él sin taparlo, o a otro si ahí no cabe.
+/// Comprueba que ese rótulo está una sola vez, que es de ese color, que nombra ese punto (a `lejos` píxeles como mucho)
+/// y que está a ese lado de él sin taparlo, o a otro si ahí no cabe.
 void compruebaRotulo(const Encima &encima, const std::string &texto, const glm::dvec2 &punto,
                      const glm::vec3 &color, Lado lado, double lejos = 0.1);
 
-/// Comprueba que hay un trazo de ese color a lo largo de la línea de esos puntos: de ninguno de ella está a más de `lejos` píxeles.
+/// Comprueba que hay un trazo de ese color a lo largo de la línea de esos puntos, a `lejos` píxeles como mucho.
 void compruebaTrazo(const Encima &encima, const std::vector<glm::dvec2> &linea, const glm::vec3 &color,
                     double lejos = 0.1);
 

@@ -1,5 +1,5 @@
-// Imágenes de prueba, lo que lee de ellas una textura y su comparación, píxel a píxel, con lo que se calcula en la CPU: en doble
-// precisión y en niveles de 0 a 255. Los texels se cuentan desde abajo a la izquierda.
+// Imágenes de prueba, lo que lee de ellas una textura y su comparación, píxel a píxel, con lo que se calcula en la CPU:
+// en doble precisión y en niveles de 0 a 255. Los texels se cuentan desde abajo a la izquierda.
 #pragma once
 #include "azar.h"
 #include "ejecuta.h"
@@ -58,7 +58,7 @@ int cuenta(const Imagen &imagen, Condicion condicion) {
     return n;
 }
 
-/// La escribe sin pasar por common/, con cabecera si el fichero acaba en .ppm: la fila de arriba, primero. Devuelve su ruta.
+/// La escribe sin pasar por common/, con cabecera si el fichero acaba en .ppm: desde arriba. Devuelve su ruta.
 inline std::string escribe(const Imagen &i, const std::filesystem::path &fichero) {
     std::filesystem::create_directories(fichero.parent_path());
     std::ofstream f(fichero, std::ios::binary);
@@ -86,7 +86,7 @@ inline Imagen procesa(const std::string &programa, const std::vector<Imagen> &im
     return vistaDe(programa, guion, imagenes[0].ancho, imagenes[0].alto, enFicheros(imagenes)).escena;
 }
 
-/// El texel (x, y) según la especificación de OpenGL 3.1 (§3.8.7): fuera de la imagen, el del borde o, si se repite, el que toque.
+/// El texel (x, y) según la especificación de OpenGL 3.1 (§3.8.7): fuera, el del borde o, si se repite, el que toque.
 inline oraculo::Vec3 texel(const Imagen &i, int x, int y, bool repiteS = false, bool repiteT = false) {
     const auto en = [](int k, int n, bool repite) {
         return repite ? (k % n + n) % n : std::clamp(k, 0, n - 1);

@@ -1,10 +1,12 @@
-// Lo que se ve del mundo por un panel de la ventana, y si los trazos que hay encima son los que deben y no hay más.
+// Lo que se ve del mundo por un panel de la ventana: la escena trazada y la lista de lo que se pinta encima.
 #pragma once
 #include "contra_oraculo.h"
 
-/// Para caras o mallas iguales que las del programa, que solo redondea a 8 bits y lleva los vértices a una rejilla de 1/256 de
-/// píxel: la punta donde se cortan dos lados que forman un ángulo agudo se mueve unas cuantas veces más.
-const Cotas LA_MISMA_MALLA = {0.501, 500, 1.0 / 32};
+/// Con la misma malla y la misma luz solo se pierde el redondeo a 8 bits. En los bordes, la GPU lleva cada vértice a la
+/// rejilla de 1/256 de píxel, y un lado se mueve √2/256 como mucho por cada uno de los suyos: 0.011.
+const Cotas EXACTA = {0.501, 500, 0.012};
+
+using Linea = std::vector<oraculo::Vec3>;
 
 struct Panel {
     oraculo::Camara camara;
@@ -25,38 +27,17 @@ struct Panel {
     glm::dvec2 operator()(const oraculo::Vec3 &p) const {
         return glm::dvec2(hueco.x, hueco.y) + enPixeles(camara, p, hueco.ancho, hueco.alto);
     }
+    std::vector<glm::dvec2> puntos(const Linea &linea) const {
+        std::vector<glm::dvec2> enVentana;
+        for (const oraculo::Vec3 &p : linea)
+            enVentana.push_back((*this)(p));
+        return enVentana;
+    }
     /// Y un lugar del panel: (0, 0) es su esquina de abajo a la izquierda y (1, 1) la contraria.
     glm::dvec2 lugar(double x, double y) const {
         return {hueco.x + x * hueco.ancho, hueco.y + y * hueco.alto};
     }
 };
-
-using Linea = std::vector<oraculo::Vec3>;
-
-/// Comprueba que los trazos de ese color son esas líneas y nada más: están todas, y entre todas miden lo que ellos.
-inline void compruebaTrazos(const Encima &encima, const Panel &panel, const std::vector<Linea> &lineas,
-                            const glm::vec3 &color) {
-    double largo = 0;
-    for (const Linea &linea : lineas) {
-        std::vector<glm::dvec2> enVentana;
-        for (const oraculo::Vec3 &p : linea)
-            enVentana.push_back(panel(p));
-        compruebaTrazo(encima, enVentana, color);
-        for (std::size_t i = 1; i < enVentana.size(); ++i)
-            largo += glm::distance(enVentana[i - 1], enVentana[i]);
-    }
-    EXPECT_NEAR(encima.largo(color), largo, 0.1) << "de trazos de ese color";
-}
-
-/// Comprueba que hay una flecha de ese color, y una sola, de un punto a otro.
-inline void compruebaFlecha(const Encima &encima, const Panel &panel, const oraculo::Vec3 &desde,
-                            const oraculo::Vec3 &hasta, const glm::vec3 &color) {
-    const glm::dvec2 a = panel(desde), b = panel(hasta);
-    int cuantas = 0;
-    for (const Pintado &p : encima.trazos(color, "flecha"))
-        cuantas += glm::distance(p.punto(0), a) <= 0.1 && glm::distance(p.punto(1), b) <= 0.1;
-    EXPECT_EQ(cuantas, 1) << "flechas de (" << a.x << ", " << a.y << ") a (" << b.x << ", " << b.y << ")";
-}
 
 /// Lo que debe verse por él, y lo que se ve.
 template<class Sombrea>
@@ -65,4 +46,107 @@ oraculo::ImagenRef render(const oraculo::Escena &escena, const Panel &panel, Som
 }
 inline Imagen recorta(const Imagen &ventana, const Panel &panel) {
     return recorta(ventana, panel.hueco);
+}
+
+/// Cada triángulo con sus vértices: en el del cono la normal salta de una cara a otra, y así sus aristas son bordes.
+inline Malla porCaras(const Malla &m) {
+    Malla suelta;
+    for (const unsigned i : m.indices) {
+        suelta.indices.push_back(unsigned(suelta.vertices.size()));
+        suelta.vertices.push_back(m.vertices[i]);
+    }
+    return suelta;
+}
+
+/// Compara un panel con la escena trazada con la luz fija.
+inline void compruebaEscena(const Vista &vista, const Panel &panel, const std::vector<Cuerpo> &cuerpos,
+                            const glm::vec3 &fondo, const Cotas &cotas = EXACTA) {
+    comprueba("el panel en " + std::to_string(panel.hueco.x) + ", " + std::to_string(panel.hueco.y),
+              comparaConLuzFija(recorta(vista.escena, panel), cuerpos, panel.camara, exacto(fondo)), cotas);
+}
+
+/// Compara los píxeles de un panel que son de un objeto, según `esSuyo`, con su silueta entera.
+template<class EsSuyo>
+void compruebaSilueta(const Vista &vista, const Panel &panel, EsSuyo esSuyo, const oraculo::Objeto &objeto) {
+    Imagen imagen = recorta(vista.escena, panel);
+    for (int i = 0; i < imagen.ancho * imagen.alto; ++i) {
+        const bool suyo = esSuyo(pixel(imagen, i % imagen.ancho, i / imagen.ancho));
+        std::fill_n(imagen.rgb.begin() + 3 * i, 3, suyo ? 255 : 0);
+    }
+    comprueba("la silueta", oraculo::comparaSilueta(imagen, {}, {objeto}, panel.camara), EXACTA);
+}
+
+/// Un trazo con sus puntos en píxeles de la ventana; sin ninguno, si se miran aparte.
+struct Trazo {
+    const char *tipo;
+    glm::vec3 color;
+    double grosor; // píxeles de 1080 líneas
+    bool conProfundidad;
+    std::vector<glm::dvec2> puntos;
+};
+
+/// Comprueba que los trazos de ese panel son esos, uno por uno y en el orden en que se pintan. Los puntos pasan por
+/// float: en ventanas de mil píxeles, 0.1 es mil veces su redondeo.
+inline void compruebaTrazos(const Vista &vista, const Hueco &h, const std::vector<Trazo> &trazos) {
+    std::size_t n = 0;
+    for (const Pintado &p : vista.encima.enPanel(h.x, h.y)) {
+        if (p.tipo == "rotulo")
+            continue;
+        SCOPED_TRACE("el trazo " + std::to_string(n) + ", " + p.tipo);
+        ASSERT_LT(n, trazos.size());
+        const Trazo &t = trazos[n++];
+        EXPECT_EQ(p.tipo, t.tipo);
+        EXPECT_TRUE(p.es(t.color));
+        EXPECT_EQ(p.conProfundidad, t.conProfundidad);
+        const double alto = oraculo::altoUtil(vista.escena.ancho, vista.escena.alto);
+        EXPECT_NEAR(p.talla, std::max(t.grosor * alto / 1080, 1.0), 1e-4);
+        EXPECT_TRUE(t.puntos.empty() || p.puntos.size() == t.puntos.size());
+        for (std::size_t k = 0; k < t.puntos.size(); ++k)
+            EXPECT_LE(glm::distance(p.punto(k), t.puntos[k]), 0.1) << "el punto " << k;
+    }
+    EXPECT_EQ(n, trazos.size());
+}
+
+/// Y los rótulos, los letreros que nombran puntos que caen en él; y que no hay nada más.
+inline void compruebaEncima(const Vista &vista, const Hueco &h, const std::vector<Trazo> &trazos,
+                            std::vector<Letrero> letreros) {
+    const auto fuera = [&](const Letrero &l) {
+        const double x = l.punto.x - h.x, y = l.punto.y - h.y;
+        return x < 0 || y < 0 || x > h.ancho || y > h.alto;
+    };
+    letreros.erase(std::remove_if(letreros.begin(), letreros.end(), fuera), letreros.end());
+    compruebaTrazos(vista, h, trazos);
+    compruebaRotulos(vista.encima.enPanel(h.x, h.y), letreros);
+}
+
+/// Lo mismo, según se va diciendo.
+struct Dibujo {
+    Panel en;
+    std::vector<Trazo> trazos = {};
+    std::vector<Letrero> letreros = {};
+
+    void traza(const char *tipo, const Linea &linea, const glm::vec3 &color, double grosor,
+               bool conProfundidad = true) {
+        trazos.push_back({tipo, color, grosor, conProfundidad, en.puntos(linea)});
+    }
+    void rotula(const std::string &texto, const glm::dvec2 &p, const glm::vec3 &color,
+                Lado lado = Lado::CENTRO) {
+        letreros.push_back({texto, p, color, lado});
+    }
+    void comprueba(const Vista &vista) const {
+        compruebaEncima(vista, en.hueco, trazos, letreros);
+    }
+};
+
+/// Comprueba que los trazos de ese color son esas líneas, en cualquier orden, y nada más.
+inline void compruebaTrazos(const Encima &encima, const Panel &panel, const std::vector<Linea> &lineas,
+                            const glm::vec3 &color) {
+    double largo = 0;
+    for (const Linea &linea : lineas) {
+        const std::vector<glm::dvec2> enVentana = panel.puntos(linea);
+        compruebaTrazo(encima, enVentana, color);
+        for (std::size_t i = 1; i < enVentana.size(); ++i)
+            largo += glm::distance(enVentana[i - 1], enVentana[i]);
+    }
+    EXPECT_NEAR(encima.largo(color), largo, 0.1) << "de trazos de ese color";
 }

@@ -79,8 +79,7 @@ inline std::vector<Cubierto> cubre(const Pintado &p, int ancho, int alto, double
     return pixeles;
 }
 
-/// Si lo que va con profundidad, de la dada, está delante de lo que se ve en un píxel (1), detrás (−1) o no se sabe
-/// (0).
+/// Si lo que va con profundidad, de la dada, está delante de lo que se ve en un píxel (1), detrás (−1) o a saber (0).
 using Delante = std::function<int(int x, int y, double profundidad)>;
 
 /// Comprueba que lo que pinta el programa es su escena con la lista encima: cada píxel es de lo último que lo cubre, y
@@ -89,8 +88,7 @@ using Delante = std::function<int(int x, int y, double profundidad)>;
 inline double compruebaPintado(const std::string &programa, const std::string &guion,
                                const glm::ivec2 &ventana, const Delante &delante = nullptr) {
     SCOPED_TRACE(programa + ": " + guion);
-    // los trazos se corren hasta 1/48 de píxel (trazo.cpp), y los discos, de veinte lados, se quedan a un 1 % de su
-    // radio
+    // los trazos se corren hasta 1/48 de píxel (trazo.cpp), y los discos, de 20 lados, un 1 % de su radio
     const double borde = 0.1;
     const Vista vista = vistaDe(programa, guion, ventana.x, ventana.y);
     const Imagen imagen = imagenDe(programa, guion, ventana.x, ventana.y);

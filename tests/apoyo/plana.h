@@ -2,6 +2,7 @@
 #pragma once
 #include "contra_oraculo.h"
 #include <GL/glew.h>
+#include <algorithm>
 
 /// Un polígono convexo, en píxeles desde abajo a la izquierda, de un color; o un triángulo, con uno en cada vértice.
 struct Pieza {
@@ -18,6 +19,11 @@ struct Pieza {
         const double total = oraculo::area(contorno), wa = oraculo::area({p, b, c}) / total,
                      wb = oraculo::area({a, p, c}) / total;
         return wa * colores[0] + wb * colores[1] + (1 - wa - wb) * colores[2];
+    }
+    bool llegaA(double y) const {
+        const auto [abajo, arriba] = std::minmax_element(
+            contorno.begin(), contorno.end(), [](const auto &a, const auto &b) { return a.y < b.y; });
+        return abajo->y - holgura <= y && y <= arriba->y + holgura;
     }
 };
 
@@ -41,8 +47,8 @@ struct VerticePlano {
     }
 };
 
-/// Los triángulos que salen de esos vértices, según la especificación de OpenGL 3.1, §2.6.1. El último vértice de cada uno es el que no
-/// tiene el anterior.
+/// Los triángulos que salen de esos vértices, según la especificación de OpenGL 3.1, §2.6.1. El último vértice de cada
+/// uno es el que no tiene el anterior.
 inline std::vector<Pieza> triangulos(GLenum primitiva, const std::vector<VerticePlano> &v, const Hueco &h) {
     std::vector<Pieza> piezas;
     for (std::size_t i = 0; i + 2 < v.size(); i += primitiva == GL_TRIANGLES ? 3 : 1) {
@@ -52,24 +58,30 @@ inline std::vector<Pieza> triangulos(GLenum primitiva, const std::vector<Vertice
     return piezas;
 }
 
-/// Comprueba que cada píxel es del color de la última pieza que cubre su centro o, si ninguna, del fondo; solo se pierde el redondeo a 8
-/// bits. Si el centro está a menos de su holgura de un lado, vale también lo que hay debajo.
+/// Comprueba que cada píxel es del color de la última pieza que cubre su centro o, si ninguna, del fondo; solo se
+/// pierde el redondeo a 8 bits. Si el centro está a menos de su holgura de un lado, vale también lo que hay debajo.
 inline void compruebaPlana(const std::string &que, const Imagen &escena, const std::vector<Pieza> &piezas,
                            const oraculo::Vec3 &fondo) {
     double mayor = 0, holgura = -1; // no hay lados
     std::string donde;
-    for (int y = 0; y < escena.alto; ++y)
+    for (int y = 0; y < escena.alto; ++y) {
+        std::vector<const Pieza *> deLaFila; // de arriba abajo
+        std::for_each(piezas.rbegin(), piezas.rend(), [&](const Pieza &p) {
+            if (p.llegaA(y + 0.5))
+                deLaFila.push_back(&p);
+        });
         for (int x = 0; x < escena.ancho; ++x) {
             const oraculo::Vec2 centro{x + 0.5, y + 0.5};
             const Pieza *tapa = nullptr;
             double diferencia = oraculo::INFINITO;
-            for (auto p = piezas.rbegin(); p != piezas.rend() && (!tapa || (tapa->suelta && p->suelta));
-                 ++p) {
+            for (const Pieza *p : deLaFila) {
+                if (tapa && !(tapa->suelta && p->suelta))
+                    break;
                 const double dentro = oraculo::distanciaDentro(p->contorno, centro.x, centro.y);
                 if (dentro > -p->holgura)
                     diferencia = std::min(diferencia, oraculo::diferencia(escena, x, y, p->color(centro)));
                 if (dentro > p->holgura)
-                    tapa = &*p;
+                    tapa = p;
             }
             if (!tapa)
                 diferencia = std::min(diferencia, oraculo::diferencia(escena, x, y, fondo));
@@ -78,6 +90,7 @@ inline void compruebaPlana(const std::string &que, const Imagen &escena, const s
                 donde = std::to_string(x) + ", " + std::to_string(y);
             }
         }
+    }
     EXPECT_LE(mayor, 0.501) << que << ", en (" << donde << ")";
     for (const Pieza &p : piezas)
         holgura = std::max(holgura, p.holgura);

@@ -1,5 +1,5 @@
-// Una tabla de casos, cada uno con su guion, que sigue al anterior, en una sola ejecución: la ventana se abre con otro tamaño y, antes
-// de nada, toma el que se pide.
+// Una tabla de casos, cada uno con su guion, que sigue al anterior, en una sola ejecución: la ventana se abre con otro
+// tamaño y, antes de nada, toma el que se pide.
 #pragma once
 #include "ejecuta.h"
 #include <gtest/gtest.h>

@@ -17,8 +17,8 @@
 #include <string>
 #include <unistd.h>
 
-// Los dos programas que no usan common/ se prueban también por dentro. A primer_programa se le cambian las funciones de OpenGL por otras
-// que apuntan a quién se llama.
+// Los dos programas que no usan common/ se prueban también por dentro. A primer_programa se le cambian las funciones de
+// OpenGL por otras que apuntan a quién se llama.
 namespace primer_programa {
 std::string llamadas;
 #define main mainDelPrograma
@@ -40,7 +40,7 @@ namespace shader_basico {
 #include "ch01_intro/shader_basico.cpp"
 } // namespace shader_basico
 
-// A info_opengl se le dice que su contexto es de otra versión, que aquí no hay, y que cada límite vale lo que su nombre.
+// A info_opengl se le dice que su contexto es de otra versión, que aquí no hay, y otros límites: su nombre.
 namespace info_opengl {
 const char *otraVersion = nullptr;
 #define glGetString(que) reinterpret_cast<const GLubyte *>((que) == GL_VERSION ? otraVersion : "?")
@@ -51,7 +51,7 @@ const char *otraVersion = nullptr;
 #undef main
 } // namespace info_opengl
 
-// Todos los píxeles son de él, también después de cambiar de tamaño; tras cambiar el estado, mientras no se dibuje son del de antes.
+// Todos los píxeles son de él, también después de cambiar de tamaño; tras cambiar el estado, hasta dibujar no cambian.
 TEST(PrimerPrograma, TodoDelColorDeBorradoAlDibujar) {
     const oraculo::Vec3 amarillo{1, 1, 0}, azul = exacto(AZUL);
     const struct {
@@ -69,7 +69,7 @@ TEST(PrimerPrograma, TodoDelColorDeBorradoAlDibujar) {
              [](const auto &c, const Vista &vista) { compruebaPlana(c.guion, vista.escena, {}, c.color); });
 }
 
-// Sin glutSwapBuffers se dibuja igual, pero en una ventana no se vería; sin ventana no hay diferencia, así que se miran las llamadas.
+// Sin glutSwapBuffers se dibuja igual, pero en una ventana no se vería: se miran las llamadas.
 TEST(PrimerPrograma, LaTeclaSQuitaElIntercambio) {
     using namespace primer_programa;
     const struct {
@@ -236,7 +236,7 @@ TEST(ErroresShader, NombraFicheroYLinea) {
         << e.salida;
 }
 
-// El fondo y el rótulo dicen en qué caso se está; el triángulo, con el color de cada vértice interpolado, sigue siempre.
+// El fondo y el rótulo dicen en qué caso se está; el triángulo, con sus colores, sigue siempre.
 TEST(ErroresShader, SigueVivoYDiceEnQueCasoEsta) {
     const std::string bien = "Compila y enlaza", sigue = ":\nsigue el programa de antes";
     const struct {

@@ -17,8 +17,8 @@ inline oraculo::Vec3 verticeCaja(unsigned i) {
     return exacto((glm::dvec3(CAJA[i - 1]) - 0.5) / (std::sqrt(3.0) / 2));
 }
 
-/// La cámara de los dos programas: a la menor distancia desde la que caben a 4:3 los ocho vértices, aumentados un 22 %; después la gira y
-/// la sube el ratón.
+/// La cámara de los dos programas: a la menor distancia desde la que caben a 4:3 los ocho vértices, aumentados un 22 %;
+/// después la gira y la sube el ratón.
 inline oraculo::Camara camaraCaja(double azimut, double elevacion, double gira = 0, double sube = 0) {
     const double t = std::tan(0.3);
     const oraculo::Camara lejana = oraculo::orbita(azimut, elevacion, 100);
@@ -48,37 +48,7 @@ void compruebaCaja(const std::string &que, const Imagen &escena, const std::vect
                                    return i ? oraculo::Tono(color(i), i.corte.triangulo)
                                             : oraculo::Tono(exacto(FONDO_CLARO));
                                }),
-              {0.501, 500,
-               0.012}); // los bordes, por la rejilla de 1/256 de píxel a la que OpenGL lleva cada vértice
-}
-
-/// Comprueba que los trazos de ese color unen esos vértices y nada más, que obedecen a la profundidad y que miden eso de ancho, en
-/// píxeles de una ventana de 1080 líneas.
-inline void compruebaCaminos(const Vista &vista, const oraculo::Camara &camara,
-                             const std::vector<std::vector<unsigned>> &caminos, const glm::vec3 &color,
-                             double grosor) {
-    std::vector<Linea> lineas;
-    for (const auto &camino : caminos) {
-        lineas.emplace_back();
-        for (const unsigned i : camino)
-            lineas.back().push_back(verticeCaja(i));
-    }
-    compruebaTrazos(vista.encima, {camara, vista.escena}, lineas, color);
-    const double unidad = oraculo::altoUtil(vista.escena.ancho, vista.escena.alto) / 1080;
-    for (const Pintado &p : vista.encima.trazos(color, "segmentos")) {
-        EXPECT_NEAR(p.talla, std::max(grosor * unidad, 1.0), 1e-4);
-        EXPECT_TRUE(p.conProfundidad);
-    }
-}
-
-/// Los píxeles de ese color que se ven en la vertical de un punto de la arista, a un tercio de `a`: no los tapan sus propias caras.
-inline int grosorPintado(const Imagen &imagen, const oraculo::Camara &camara, unsigned a, unsigned b,
-                         const glm::vec3 &color) {
-    const glm::dvec2 p = enPixeles(camara, 2 / 3.0 * verticeCaja(a) + 1 / 3.0 * verticeCaja(b), ANCHO, ALTO);
-    int n = 0;
-    for (int d = -12; d <= 12; ++d)
-        n += oraculo::diferencia(imagen, int(p.x), int(p.y) + d, exacto(color)) <= 1;
-    return n;
+              EXACTA);
 }
 
 /// Los números de esos vértices en una ventana de 960×720, por fuera.

@@ -1,5 +1,5 @@
-// Comprobaciones independientes de primitivas, modelo_poligonal y figura_color: qué color debe haber en cada píxel, calculado en doble
-// precisión con las coordenadas de los vértices.
+// Comprobaciones independientes de primitivas, modelo_poligonal y figura_color: qué color debe haber en cada píxel,
+// calculado en doble precisión con las coordenadas de los vértices.
 #include "colores.h"
 #include "guiones.h"
 #include "plana.h"
@@ -110,7 +110,7 @@ TEST(Primitivas, LaRejilla) {
     esperado.comprueba("tecla 6; tamano 1 1; tamano 960 720; tecla 0; tecla 8; tecla 9");
 }
 
-// Seis triángulos alrededor del centro; la rueda conserva su forma. El número de cada vértice, por fuera de ella; el 0, bajo el centro.
+// Seis triángulos alrededor del centro; la rueda conserva su forma. El número de cada vértice, por fuera; el 0, debajo.
 TEST(ModeloPoligonal, ColorBaricentrico) {
     const std::vector<VerticePlano> rueda = {{0, 0, {1, 1, 1}},         {0, 0.78, {1, 0, 0}},
                                              {-0.675, 0.39, {1, 1, 0}}, {-0.675, -0.39, {0, 1, 0}},

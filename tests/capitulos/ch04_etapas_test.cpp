@@ -1,4 +1,4 @@
-// etapas_pipeline: el recortado contra el polígono exacto; lo que escribe y lo que enseña en cada panel, contra el oráculo.
+// etapas_pipeline: el recortado contra el polígono exacto; lo escrito y cada panel, contra el oráculo.
 #include "azar.h"
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/etapas.h"
@@ -10,9 +10,9 @@ namespace {
 
 using namespace oraculo;
 
-/// El polígono exacto de un triángulo recortado, dividido por w. Un punto del triángulo es a + s·(b − a) + t·(c − a), y tanto las
-/// tres condiciones de estar en él como las seis del volumen son semiplanos p + q·s + r·t ≥ 0: los vértices son los cortes de sus
-/// rectas, de dos en dos, que cumplen los demás. En orden alrededor de su centro.
+/// El polígono exacto de un triángulo recortado, dividido por w. Un punto del triángulo es a + s·(b − a) + t·(c − a), y
+/// tanto las tres condiciones de estar en él como las seis del volumen son semiplanos p + q·s + r·t ≥ 0: los vértices
+/// son los cortes de sus rectas, de dos en dos, que cumplen los demás. En orden alrededor de su centro.
 Poligono poligonoExacto(const std::vector<glm::dvec4> &triangulo) {
     const Vec4Largo a = triangulo[0], ab = Vec4Largo(triangulo[1]) - a, ac = Vec4Largo(triangulo[2]) - a;
     std::vector<Vec3Largo> semiplanos = {{0, 1, 0}, {0, 0, 1}, {1, -1, -1}};
@@ -104,7 +104,7 @@ std::string elige(const glm::dvec2 &p) {
     return clic({int(p.x), 359 - int(p.y)});
 }
 
-/// Lo que hay guardado en el píxel de una esquina del cubo: la profundidad de lo primero que encuentra su rayo aparte de ella.
+/// Lo que hay guardado en el píxel de una esquina del cubo: la profundidad de lo primero que encuentra su rayo.
 double guardada(const Vec3 &mundo, bool tapado) {
     Rayo r = {OJO, unitario(mundo - OJO)};
     Escena cajas = {caja(MM)};
@@ -134,8 +134,8 @@ Escrito loEscritoTras(const std::string &guion) {
     return valores;
 }
 
-/// Una esquina del cubo en cada etapa. La matriz del modelo se hace en float: 4 redondeos de números menores que 2, 5e-7 en el mundo,
-/// y en la ventana por 1/tan(0.31)/4 y por 58 píxeles, 5e-5.
+/// Una esquina del cubo en cada etapa. La matriz del modelo se hace en float: 4 redondeos de números menores que 2,
+/// 5e-7 en el mundo, y en la ventana por 1/tan(0.31)/4 y por 58 píxeles, 5e-5.
 void compruebaLoEscrito(Escrito escrito, int esquina, double laGuardada) {
     const Vec3 objeto = esquinaCubo(esquina), mundo = punto(MM, objeto), c = enCamara(CAMARA_REF, mundo),
                n = enNdc(mundo), v = enVentana(mundo);
@@ -194,30 +194,31 @@ void compruebaNumeros(const Vista &vista, Escrito escrito) {
                          {numeros[k], Panel({}, entero(k)).lugar(0.03, 0.175), ROJO, Lado::DERECHA}});
 }
 
-/// En cada panel, los ejes, el volumen, el rayo y el punto, si los hay. En el sexto, de cerca a lejos, lo del fragmento y lo guardado.
+/// En cada panel, los ejes, el volumen, el rayo y el punto, si los hay. En el sexto, de cerca a lejos, lo del fragmento
+/// y lo guardado.
 void compruebaLoSenalado(const Vista &vista, const Vec3 &mundo, double laGuardada) {
     const std::vector<Vec3> volumen = esquinasA({CAMARA_REF.cerca, CAMARA_REF.lejos}, panel(VENTANA));
     for (int k = OBJETO; k < PROFUNDIDAD; ++k) {
         SCOPED_TRACE("panel " + std::to_string(k + 1));
-        std::vector<Trazo> trazos;
-        const Panel en = panel(k);
-        if (k <= CAMARA)
-            trazos = {{"flecha", ROJO, 6, true, {en({}), en({1.2, 0, 0})}},
-                      {"flecha", VERDE, 6, true, {en({}), en({0, 1.2, 0})}},
-                      {"flecha", AZUL, 6, true, {en({}), en({0, 0, 1.2})}}};
+        Dibujo encima = {panel(k)};
+        const auto ve = [k](const Vec3 &p) { return coordenadas(k, p); };
+        if (k <= CAMARA) {
+            encima.traza("flecha", {{}, {1.2, 0, 0}}, ROJO, 6);
+            encima.traza("flecha", {{}, {0, 1.2, 0}}, VERDE, 6);
+            encima.traza("flecha", {{}, {0, 0, 1.2}}, AZUL, 6);
+        }
         if (k == MUNDO || k == CAMARA || k == NDC) {
-            std::vector<glm::dvec2> e;
-            for (const Vec3 &p : volumen)
-                e.push_back(enPanel(k, p));
+            Linea e;
+            std::transform(volumen.begin(), volumen.end(), std::back_inserter(e), ve);
             for (std::size_t i = 0; i < 4; ++i)
-                trazos.push_back({"segmentos", OSCURO, 3, true, {e[i], e[i + 4]}});
-            trazos.push_back({"polilinea", NARANJA, 6, true, {e[0], e[1], e[2], e[3], e[0]}});
-            trazos.push_back({"polilinea", AZUL, 6, true, {e[4], e[5], e[6], e[7], e[4]}});
+                encima.traza("segmentos", {e[i], e[i + 4]}, OSCURO, 3);
+            encima.traza("polilinea", {e[0], e[1], e[2], e[3], e[0]}, NARANJA, 6);
+            encima.traza("polilinea", {e[4], e[5], e[6], e[7], e[4]}, AZUL, 6);
         }
         if (k == MUNDO || k == CAMARA)
-            trazos.push_back({"segmentos", ROJO, 3, true, {enPanel(k, OJO), enPanel(k, mundo)}});
-        trazos.push_back({"puntos", ROJO, 22, false, {enPanel(k, mundo)}});
-        compruebaEncima(vista, en.hueco, trazos, {});
+            encima.traza("segmentos", {ve(OJO), ve(mundo)}, ROJO, 3);
+        encima.traza("puntos", {ve(mundo)}, ROJO, 22, false);
+        encima.comprueba(vista);
     }
     const auto enEscala = [&](double z, double y = 0.45) {
         return panel(PROFUNDIDAD).lugar(0.275 + 0.45 * z, y);
@@ -278,39 +279,25 @@ TEST(Recortado, AreaContraElPoligonoExacto) {
     EXPECT_GT(lados[5] + lados[6] + lados[7], 10);
 }
 
-// A un lado y otro de cada uno de los seis planos, y con w negativo.
-TEST(Recortado, DentroYFueraDeCadaPlano) {
-    for (int eje = 0; eje < 3; ++eje)
+// Un triángulo en el borde está dentro, y de uno alrededor de todo queda todo.
+TEST(Recortado, CasosLimite) {
+    const std::vector<glm::dvec4> dentro = {{0, 0, 0, 1}, {1, -1, 1, 1}, {-2, 2, 0, 2}},
+                                  alrededor = {{-9, -9, 0, 1}, {9, -9, 0, 1}, {0, 9, 0, 1}};
+    EXPECT_EQ(recorta(dentro), dentro);
+    for (int eje = 0; eje < 3; ++eje) // a un lado y otro de cada plano
         for (const double signo : {-1.0, 1.0}) {
             glm::dvec4 r(0, 0, 0, 2);
             r[eje] = signo * 2;
             EXPECT_TRUE(estaDentro(r)) << eje << " " << signo;
             r[eje] = signo * 2.001;
-            EXPECT_FALSE(estaDentro(r)) << eje << " " << signo;
-            EXPECT_FALSE(estaDentro(-r)) << eje << " " << signo;
+            EXPECT_FALSE(estaDentro(r) || estaDentro(-r)) << eje << " " << signo;
         }
+    EXPECT_NEAR(areaVentana(recorta(alrededor), glm::dmat4(1)), 4, 1e-15);
 }
 
-TEST(Recortado, CasosLimite) {
-    using Vertices = std::vector<glm::dvec4>;
-    const Vertices dentro = {{0, 0, 0, 1}, {1, -1, 1, 1}, {-2, 2, 0, 2}}, // dos, en el borde: están dentro
-        detrasDelOjo = {{0, 0, 0, -1}, {0.5, 0, 0, -1}, {0, 0.5, 0, -2}},
-                   aUnLado = {{3, 0, 0, 1}, {3, 1, 0, 1}, {4, 0, 0, 1}},
-                   alrededorDeTodo = {{-9, -9, 0, 1}, {9, -9, 0, 1}, {0, 9, 0, 1}},
-                   porElOjo = {{0, 0, 1, 3}, {2, 0, -5, -3}, {-1, 2, -5, -3}}; // w de un signo y de otro
-    EXPECT_EQ(recorta(dentro), dentro);
-    EXPECT_TRUE(recorta(detrasDelOjo).empty());
-    EXPECT_TRUE(recorta(aUnLado).empty());
-    EXPECT_NEAR(areaVentana(recorta(alrededorDeTodo), glm::dmat4(1)), 4, 1e-15);
-    for (const glm::dvec4 &v : recorta(porElOjo)) {
-        EXPECT_GT(v.w, 0);
-        EXPECT_TRUE(std::isfinite(divide(v).x));
-    }
-}
-
-// La que se sigue al empezar y las que se eligen con el ratón, en cualquier panel; lejos de todo vértice y al orbitar no cambia nada. Con
-// algo delante, lo guardado es su profundidad y el fragmento se descarta. En cada panel, la escena trazada en sus coordenadas: el
-// vértice que se ve es el que se escribe (la ecuación 4.4 impresa lo aparta medio píxel).
+// La que se sigue al empezar y las que se eligen con el ratón, en cualquier panel; lejos de todo vértice y al orbitar
+// no cambia nada. Con algo delante, lo guardado es su profundidad y el fragmento se descarta. En cada panel, la escena
+// trazada en sus coordenadas: el vértice que se ve es el que se escribe (la 4.4 impresa lo aparta medio píxel).
 TEST(EtapasPipeline, EsquinasDelCubo) {
     const auto en = [](int k, int esquina) { return elige(enPanel(k, punto(MM, esquinaCubo(esquina)))); };
     for (const int esquina : {0, 3, 5, 6})
@@ -326,8 +313,9 @@ TEST(EtapasPipeline, EsquinasDelCubo) {
     compruebaEsquina(en(VENTANA, 3) + "; tecla o", 3, true);
 }
 
-// El triángulo llega detrás del ojo. Los lados y el área de lo que queda, y la línea que lo rodea, contra el polígono exacto; y la
-// imagen de la GPU, que recorta por su cuenta, contra el triángulo trazado entre cerca y lejos. En el mundo, gris lo que queda fuera.
+// El triángulo llega detrás del ojo. Los lados y el área de lo que queda, y la línea que lo rodea, contra el polígono
+// exacto; y la imagen de la GPU, que recorta por su cuenta, contra el triángulo trazado entre cerca y lejos. En el
+// mundo, gris lo que queda fuera.
 TEST(EtapasPipeline, Recortado) {
     std::vector<glm::dvec4> triangulo;
     for (const Vec3 &v : TRIANGULO) {

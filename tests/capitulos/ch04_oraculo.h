@@ -1,16 +1,16 @@
-// Lo que comparten las pruebas del capítulo 4: más precisión, lo que abarca una cámara y la de fotos que dibujan dos programas.
+// Lo que comparten las pruebas del capítulo 4: más precisión, lo que abarca una cámara y la de fotos de dos programas.
 #pragma once
 #include "colores.h"
-#include "panel_entero.h"
+#include "panel.h"
 
 using Largo = long double; // con 11 bits más que double, sus redondeos no cuentan
 using Vec3Largo = glm::vec<3, Largo>;
 using Vec4Largo = glm::vec<4, Largo>;
 using Mat4Largo = glm::mat<4, 4, Largo>;
-const double U_DOBLE = 0x1p-53, U_FLOAT = 0x1p-24; // error de un redondeo
+const double U_DOBLE = 0x1p-53; // error de un redondeo
 
-/// Las esquinas de lo que se ve por un panel a esas distancias a lo largo de la vista: las cuatro de cada una, desde abajo a la
-/// izquierda y en sentido antihorario.
+/// Las esquinas de lo que se ve por un panel a esas distancias a lo largo de la vista: las cuatro de cada una, desde
+/// abajo a la izquierda y en sentido antihorario.
 inline std::vector<oraculo::Vec3> esquinasA(const std::vector<double> &distancias, const Panel &panel) {
     const auto &[camara, h] = panel;
     std::vector<oraculo::Vec3> esquinas;

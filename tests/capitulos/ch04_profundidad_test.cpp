@@ -1,4 +1,4 @@
-// Cuánta profundidad cabe en un buffer de 24 bits: las cuentas de profundidad.h, y lo que dibuja y escribe el programa profundidad.
+// Cuánta profundidad cabe en un buffer de 24 bits: las cuentas de profundidad.h, y el programa profundidad.
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/profundidad.h"
 #include "guiones.h"
@@ -10,15 +10,10 @@ using namespace oraculo;
 const int ANCHO = 480, ALTO = 360;
 const double CERCA[] = {10, 0.1, 0.001}, LEJOS = 1000, PASOS = 0x1p24 - 1;
 
-/// Diferencia de profundidad, en pasos del buffer, entre d y d·(1 + e): z(d) = f/(f − n)·(1 − n/d).
-double pasosEntre(double d, double e, double n, double f, double pasos) {
-    return pasos * f * n / (f - n) * e / (1 + e) / d;
-}
-
-/// Con la fase al azar, dos valores a s < 1 pasos se redondean al mismo con probabilidad 1 − s. Se integra con
-/// el logaritmo de d uniforme: s = K/d.
+/// Entre d y d·(1 + e) hay s = K/d pasos del buffer: z(d) = f/(f − n)·(1 − n/d). Con la fase al azar, dos valores a s <
+/// 1 pasos se redondean al mismo con probabilidad 1 − s; se integra con el logaritmo de d uniforme.
 double igualesSegunLaFormula(double n, double f, double e, double pasos) {
-    const double K = pasosEntre(1, e, n, f, pasos), desde = std::max(n, K);
+    const double K = pasos * f * n / (f - n) * e / (1 + e), desde = std::max(n, K);
     return desde >= f ? 0 : (std::log(f / desde) - K * (1 / desde - 1 / f)) / std::log(f / n);
 }
 
@@ -51,34 +46,6 @@ double numeroTras(const std::string &salida, const std::string &texto) {
 
 } // namespace
 
-// En doble los pares son los de la fórmula, salvo el azar de la fase: 5 desviaciones típicas de n = 100 000.
-TEST(ParesDeProfundidad, EnDobleContraLaFormula) {
-    for (const int bits : {16, 24, 32})
-        for (const double cerca : {500.0, 10.0, 0.1, 0.001, 1e-6, 1e-20}) {
-            const ParesMal p = cuentaPares<double>(cerca, LEJOS, 1e-5, bits);
-            const double q = igualesSegunLaFormula(cerca, LEJOS, 1e-5, std::ldexp(1.0, bits) - 1);
-            EXPECT_EQ(p.invertidos, 0);
-            EXPECT_NEAR(p.iguales, q, 5 * std::sqrt(q * (1 - q) / 100000) + 1e-9)
-                << bits << " bits, " << cerca;
-        }
-}
-
-// La profundidad en float contra la fórmula con más precisión. Con u = 2^-24: los coeficientes traen 3u, y el producto, la suma y
-// la división u cada uno. Como |z/d| ≤ 1 y 2·lejos·cerca/(d·(lejos − cerca)) ≤ 2 para lejos ≥ 100·cerca, el error
-// de z/d no pasa de 6u + 10u; la mitad y los dos redondeos finales, 9u: nueve pasos de 24 bits. El par que dista
-// más de 19 pasos (dos errores y un paso del redondeo) está siempre en orden.
-TEST(ParesDeProfundidad, EnFloatContraMasPrecision) {
-    for (const double cerca : CERCA)
-        for (int i = 0; i < 20000; ++i) {
-            const double d = cerca * std::pow(LEJOS / cerca, (i + 0.5) / 20000);
-            const float df = float(d), detras = float(d * (1 + 1e-5)), n = float(cerca), f = float(LEJOS);
-            const Largo exacta = Largo(f) / (Largo(f) - n) * (1 - Largo(n) / df);
-            ASSERT_NEAR(double((profundidad(df, n, f) - exacta) * PASOS), 0, 9) << cerca << " " << d;
-            const bool bien = enBuffer(profundidad(detras, n, f), 24) > enBuffer(profundidad(df, n, f), 24);
-            ASSERT_TRUE(bien || pasosEntre(d, 1e-5, cerca, LEJOS, PASOS) <= 19) << cerca << " " << d;
-        }
-}
-
 TEST(ParesDeProfundidad, LosExtremos) {
     for (const double n : {10.0, 0.1, 0.001, 1e-6}) {
         EXPECT_NEAR(profundidad(n, n, LEJOS), 0, 1e-15); // nueve pasos de 2^-53
@@ -89,9 +56,8 @@ TEST(ParesDeProfundidad, LosExtremos) {
     EXPECT_EQ(enBuffer(0.0, 24), 0);
     EXPECT_EQ(enBuffer(1.0f, 24), PASOS);
     EXPECT_EQ(enBuffer(1.0, 16), 65535);
-    const ParesMal p = cuentaPares<float>(1e-30, LEJOS, 1e-5, 24); // ni NaN ni infinitos
+    const ParesMal p = cuentaPares<float>(1e-30, LEJOS, 1e-5, 24); // con un NaN no habría pares mal
     EXPECT_GT(p.iguales + p.invertidos, 0.5);
-    EXPECT_LE(p.iguales + p.invertidos, 1);
 }
 
 // Los carteles de la imagen. Los pares son los píxeles cuyo centro ve, en doble, el cuadro con el cartel
@@ -141,8 +107,9 @@ TEST(Profundidad, ParesMalOrdenados) {
     }
 }
 
-// Con todo en orden, la imagen entera, también al orbitar: el cuadro está 5 cm por delante, que en el cartel de 12 m se ve a 0.65
-// píxeles, cincuenta veces lo que se admite. Y bajo cada cartel, su distancia. El framebuffer propio cambia de tamaño con la ventana.
+// Con todo en orden, la imagen entera, también al orbitar: el cuadro está 5 cm por delante, que en el cartel de 12 m se
+// ve a 0.65 píxeles, cincuenta veces lo que se admite. Y bajo cada cartel, su distancia. El framebuffer propio cambia
+// de tamaño con la ventana.
 TEST(Profundidad, LosCartelesYSusDistancias) {
     Escena todo = CARTELES;
     todo.insert(todo.end(), CUADROS.begin(), CUADROS.end());

@@ -23,7 +23,7 @@ double cruza(const Rayo &r, const Camara &v, double d) {
     return t > 0 && entreLosLados(r.origen + t * r.direccion, {v, VENTANA}) ? t : INFINITO;
 }
 
-/// La escena del programa, escrita otra vez; lo redondo, con las caras que tiene. Lo último es la cámara de fotos, que no se recorta.
+/// La escena del programa, escrita otra vez; lo redondo, con las caras que tiene. Lo último, la cámara de fotos.
 std::vector<Cuerpo> piezas() {
     const Mat4 dePie = gira({1, 0, 0}, -PI / 2);
     const Malla bola = esfera(48), pico = porCaras(cono(48));
@@ -59,42 +59,40 @@ Tono sombrea(const Impacto &i, const std::vector<Cuerpo> &cuerpos, const Camara 
     return {color, dentro + 2 * (cerca < tope) + 4 * (lejos < tope)};
 }
 
-/// Las aristas del volumen, con las que van del ojo a la pirámide, y cada parámetro de las figuras 4.3 y 4.4 junto a lo que decide.
+/// Las aristas del volumen, con las que van del ojo a la pirámide, y cada parámetro de las figuras 4.3 y 4.4.
 void compruebaAristasYParametros(const Vista &vista, const Camara &v, const Panel &en) {
-    const std::vector<Vec3> esquinas = esquinasA({v.cerca, v.lejos}, {v, VENTANA});
-    const auto medio = [&](std::size_t a, std::size_t b) { return en(0.5 * (esquinas[a] + esquinas[b])); };
-    std::vector<Trazo> trazos;
-    std::vector<glm::dvec2> e;
-    for (const Vec3 &p : esquinas)
-        e.push_back(en(p));
+    const std::vector<Vec3> e = esquinasA({v.cerca, v.lejos}, {v, VENTANA});
+    const auto medio = [&](std::size_t a, std::size_t b) { return en(0.5 * (e[a] + e[b])); };
+    Dibujo encima = {en};
     for (std::size_t k = 0; k < 4; ++k) {
-        trazos.push_back({"segmentos", OSCURO, 5, true, {e[k], e[k + 4]}});
+        encima.traza("segmentos", {e[k], e[k + 4]}, OSCURO, 5);
         if (!v.esParalela)
-            trazos.push_back({"segmentos", GRIS, 3, true, {en(OJO), e[k]}});
+            encima.traza("segmentos", {OJO, e[k]}, GRIS, 3);
     }
-    trazos.push_back({"polilinea", NARANJA, 8, true, {e[0], e[1], e[2], e[3], e[0]}});
-    trazos.push_back({"polilinea", AZUL, 8, true, {e[4], e[5], e[6], e[7], e[4]}});
+    encima.traza("polilinea", {e[0], e[1], e[2], e[3], e[0]}, NARANJA, 8);
+    encima.traza("polilinea", {e[4], e[5], e[6], e[7], e[4]}, AZUL, 8);
     std::ostringstream cerca, lejos;
     cerca << "cerca " << v.cerca;
     lejos << "lejos " << v.lejos;
-    std::vector<Letrero> letreros = {{"θ", en(OJO - Vec3{0, 0.4, 0}), OSCURO, Lado::DEBAJO},
-                                     {"ancho", medio(4, 5), OSCURO, Lado::DEBAJO},
-                                     {"alto", medio(5, 6), OSCURO, Lado::DERECHA}};
+    encima.letreros = {{"θ", en(OJO - Vec3{0, 0.4, 0}), OSCURO, Lado::DEBAJO},
+                       {"ancho", medio(4, 5), OSCURO, Lado::DEBAJO},
+                       {"alto", medio(5, 6), OSCURO, Lado::DERECHA}};
     if (v.esParalela)
-        letreros = {{"izquierda", medio(0, 3), OSCURO, Lado::IZQUIERDA},
-                    {"derecha", medio(5, 6), OSCURO, Lado::DERECHA},
-                    {"abajo", medio(0, 1), OSCURO, Lado::DEBAJO},
-                    {"arriba", medio(3, 6), OSCURO, Lado::ENCIMA}};
-    letreros.push_back({cerca.str(), e[3], NARANJA, Lado::ENCIMA});
-    letreros.push_back({lejos.str(), e[6], AZUL, Lado::ENCIMA});
-    compruebaEncima(vista, VENTANA, trazos, letreros);
+        encima.letreros = {{"izquierda", medio(0, 3), OSCURO, Lado::IZQUIERDA},
+                           {"derecha", medio(5, 6), OSCURO, Lado::DERECHA},
+                           {"abajo", medio(0, 1), OSCURO, Lado::DEBAJO},
+                           {"arriba", medio(3, 6), OSCURO, Lado::ENCIMA}};
+    encima.rotula(cerca.str(), en(e[3]), NARANJA, Lado::ENCIMA);
+    encima.rotula(lejos.str(), en(e[6]), AZUL, Lado::ENCIMA);
+    encima.comprueba(vista);
 }
 
 } // namespace
 
-// Los topes: 1.5 ≤ cerca ≤ lejos − 0.5 y lejos ≤ 12; de ellos se vuelve a la primera. Casi de frente, y desde el otro lado, un plano se
-// ve a través del otro: el orden de los tintes cambia. Cada tinte pierde el redondeo de lo que tiñe (0.65·e), el suyo (0.35·0.5), el
-// de 0.35 a 8 bits (0.25 en 255) y el de la suma (0.5): de e = 0.5, con uno, 1.25; con los dos, 1.74.
+// Los topes: 1.5 ≤ cerca ≤ lejos − 0.5 y lejos ≤ 12; de ellos se vuelve a la primera. Casi de frente, y desde el otro
+// lado, un plano se ve a través del otro: el orden de los tintes cambia. Cada tinte pierde el redondeo de lo que tiñe
+// (0.65·e), el suyo (0.35·0.5), el de 0.35 a 8 bits (0.25 en 255) y el de la suma (0.5): de e = 0.5, con uno, 1.25; con
+// los dos, 1.74.
 TEST(VolumenVista, ContraTrazadoDeRayos) {
     const struct {
         std::string guion;

@@ -72,12 +72,11 @@ struct Iluminada {
     Vec3 fondo = FONDO;
     int modelo = PHONG;
 
-    /// Con las mallas del programa o con las formas exactas. Una caja es la misma, pero Gouraud necesita sus triángulos.
+    /// Con las mallas del programa o con las formas exactas.
     Escena escena(bool enMalla) const {
         Escena e;
         for (const Solido &s : solidos)
-            e.push_back(enMalla && (modelo != PHONG || s.exacto.forma != Objeto::CAJA) ? s.enMalla()
-                                                                                       : s.exacto);
+            e.push_back(enMalla ? s.enMalla() : s.exacto);
         return e;
     }
     Vec3 color(int objeto, const Vec3 &p, const Vec3 &normal) const {
@@ -252,7 +251,7 @@ Iluminada esferasBrillo() {
     return e;
 }
 
-// Cada esfera lleva escrita su α, 0.7 radios por debajo del centro. El perfil del brillo lo comprueba la sonda.
+// Cada esfera lleva escrita su α, 0.7 radios por debajo del centro. Con cada α, el brillo lo comprueba la sonda.
 TEST(ExponenteBrillo, ContraTrazadoDeRayos) {
     const Iluminada e = esferasBrillo();
     const Vista v = vistaDe("exponente_brillo", "", 480, 360);
@@ -338,22 +337,6 @@ TEST(Materiales, ElBrilloDeLaTablaEsUnaFraccionDe128) {
 // --- fuentes -----------------------------------------------------------------------------------------------
 const Vec3 FUENTE{-0.9, 3.3, 1.1}, S = unitario(Vec3{0.3, 0, 0} - FUENTE);
 
-/// El cono de radio y altura 1, con sus n caras y las normales de sus vértices, que suben 45 grados. En el vértice exacto no hay normal,
-/// y la que se interpola en una cara depende de cuántas haya: por eso no sirve oraculo::cono. Las caras no comparten vértices, y así
-/// son zonas distintas: de una a otra, la normal salta.
-Objeto conoDeCaras(const Mat4 &M, int n) {
-    std::vector<VerticeRef> vertices;
-    std::vector<Triangulos::Indices> indices;
-    for (int i = 0; i < n; ++i) {
-        const double a = 2 * PI * i / n, b = 2 * PI * (i + 1) / n;
-        const Vec3 p{std::cos(a), std::sin(a), 0}, q{std::cos(b), std::sin(b), 0};
-        const std::size_t k = vertices.size();
-        vertices.insert(vertices.end(), {{p, p + Z}, {q, q + Z}, {Z, q + Z}});
-        indices.push_back({k, k + 1, k + 2});
-    }
-    return malla(M, vertices, indices);
-}
-
 struct Fuente {
     std::string guion, nombre;
     int tipo; // 1 posicional, 2 direccional, 3 foco
@@ -365,7 +348,7 @@ struct Fuente {
         return {{{plano(TUMBADO * escala(6)), pintura({0.20, 0.21, 0.23}, {0.62, 0.64, 0.68}, 0.15, 20)},
                  {esfera(traslada({0.3, 0.8, 0.2}) * escala(0.8)),
                   pintura({0.18, 0.05, 0.05}, {0.75, 0.18, 0.16}, 0.60, 50), n},
-                 {conoDeCaras(traslada({2.0, 0, -1.2}) * TUMBADO * escala({0.8, 0.8, 1.9}), n),
+                 {malla(traslada({2.0, 0, -1.2}) * TUMBADO * escala({0.8, 0.8, 1.9}), porCaras(cono(n))),
                   pintura({0.05, 0.15, 0.07}, {0.18, 0.62, 0.28}, 0.50, 50)},
                  {caja(traslada({-1.7, 0.6, -1.1}) * gira(Y, 0.5) * escala(1.2)),
                   pintura({0.05, 0.10, 0.20}, {0.16, 0.40, 0.80}, 0.60, 50)},
@@ -529,8 +512,6 @@ struct VariasLuces {
     }
 };
 
-// Y la ecuación 5.7 en las imágenes: todas = roja + verde + azul − 2·ambiente, píxel a píxel. Cada una está redondeada a medio nivel, y
-// son seis sumandos contando dos veces la ambiente: la diferencia no puede pasar de 3.
 TEST(VariasLuces, ContraTrazadoDeRayos) {
     const VariasLuces casos[] = {{"", {true, true, true}},
                                  {"tecla 2; tecla 3", {true, false, false}},
@@ -538,8 +519,7 @@ TEST(VariasLuces, ContraTrazadoDeRayos) {
                                  {"tecla 2; tecla 3", {false, false, true}},
                                  {"tecla 3", {false, false, false}},
                                  {"tecla 2; tecla 3", {false, true, true}}};
-    std::vector<std::vector<unsigned char>> rgb;
-    paraCada("varias_luces", casos, 240, 180, [&](const VariasLuces &c, const Vista &v) {
+    paraCada("varias_luces", casos, 240, 180, [](const VariasLuces &c, const Vista &v) {
         const Iluminada e = c.escena();
         e.comparaLasDos(v.escena);
         std::vector<Letrero> letreros;
@@ -549,12 +529,7 @@ TEST(VariasLuces, ContraTrazadoDeRayos) {
                                 enPixeles(e.camara, 2.5 * c.hacia(i)), c.encendida[i] ? BLANCO : GRIS});
         }
         compruebaRotulos(v.encima, letreros);
-        rgb.push_back(v.escena.rgb);
     });
-    for (std::size_t i = 0; i < rgb[0].size(); ++i) {
-        ASSERT_LT(rgb[0][i], 255) << "saturado";
-        ASSERT_LE(std::abs(rgb[0][i] - (rgb[1][i] + rgb[2][i] + rgb[3][i] - 2 * rgb[4][i])), 3);
-    }
 }
 
 // --- sombreado ---------------------------------------------------------------------------------------------
@@ -615,38 +590,6 @@ TEST(Sombreado, LosTresPanelesContraSuMallaEnDoble) {
         const Vista v = vistaDe("sombreado", "tecla v", ancho, alto);
         for (int k = 0; k < 3; ++k)
             Sombreado{"", k, 12, ancho > alto}.comprueba(v, enTira(k, 3, v.escena));
-    }
-}
-
-// El error de cada modelo de sombreado contra la esfera exacta, por subdivisión, en los píxeles que no tocan la silueta de la malla más
-// tosca, que las demás contienen.
-TEST(Sombreado, ErrorContraLaEsferaAnalitica) {
-    const Iluminada e = Sombreado{"", PHONG, 6}.escena();
-    const ImagenRef exacta = e.traza(false, 320, 240), tosca = e.traza(true, 320, 240);
-    const auto error = [&](const Vista &v) {
-        double suma = 0;
-        int pixeles = 0;
-        for (int y = 0; y < 240; ++y)
-            for (int x = 0; x < 320; ++x)
-                if (tosca.en(x, y).objeto == 0 && !enBanda(tosca, x, y)) {
-                    suma += std::pow(diferencia(v.escena, x, y, exacta.en(x, y).color), 2);
-                    ++pixeles;
-                }
-        EXPECT_GT(pixeles, 8000);
-        return std::sqrt(suma / pixeles);
-    };
-    double anterior[] = {INFINITO, INFINITO, INFINITO};
-    for (int k = 0; k < 6; ++k) {
-        const auto gpu =
-            vistasDe("sombreado", {"tecla - ×4; " + veces(k, "tecla +"), "tecla 2", "tecla 3"}, 320, 240);
-        const double rmse[] = {error(gpu[PLANO]), error(gpu[GOURAUD]), error(gpu[PHONG])};
-        for (const int modelo : {PLANO, GOURAUD, PHONG}) {
-            // el redondeo a 8 bits es un suelo de 0.29
-            EXPECT_LT(rmse[modelo], std::max(anterior[modelo], 0.35)) << MODELOS[modelo] << " " << k;
-            anterior[modelo] = rmse[modelo];
-        }
-        EXPECT_LT(rmse[PHONG], rmse[GOURAUD] + 0.01) << k;
-        EXPECT_LT(rmse[GOURAUD], rmse[PLANO]) << k;
     }
 }
 

@@ -99,115 +99,11 @@ TEST(Sonda, ContraDobleEnMilesDePuntosAlAzar) {
     EXPECT_GT(comparados, 3900);
 }
 
-// El perfil del brillo, de 0 a 90 grados, para cada alfa de la figura 5.3. La cota: un error relativo e en R·V es alfa·e en su potencia,
-// y R·V lleva unos 8 redondeos de 2^-24.
-TEST(Sonda, PerfilDelBrilloContraCosenoElevadoAAlfa) {
-    for (const float alfa : {1.0f, 5.0f, 20.0f, 100.0f, 500.0f})
-        for (double grados = 0; grados <= 90; grados += 0.5) {
-            const double phi = grados * PI / 180; // entre R y V = (0, 0, 1)
-            const glm::vec3 N(std::sin(phi / 2), 0, std::cos(phi / 2));
-            const Material soloBrillo = {glm::vec3(0), glm::vec3(0), glm::vec3(1), alfa};
-            const double brillo = phong(soloBrillo, Luz{{0, 0, 1, 0}}, {0, 0, -4}, N).x;
-            EXPECT_LE(std::fabs(brillo - std::pow(std::cos(phi), alfa)), 8 * (1 + alfa) * 0x1p-24)
-                << "alfa " << alfa << " a " << grados;
-        }
-}
-
-// Con R·V = 0 exacto y con R·V < 0: 0 elevado a 0 es 1, y una base negativa cuenta como 0. Lo que hace el pow del listado 5.1 con (0, 0)
-// no está definido.
-TEST(Sonda, CeroElevadoACero) {
-    const glm::vec3 P(-1, 0, 0), N(0, 0, 1);  // V = (1, 0, 0)
-    const glm::vec4 enfrente(-1, 0, 1, 1);    // L = R = (0, 0, 1): R·V = 0
-    const glm::vec4 detras(0.6f, 0, 0.8f, 0); // R = (-0.6, 0, 0.8): R·V = -0.6
-    for (const float alfa : {0.0f, 1e-3f, 1.0f, 3.0f, 500.0f})
-        for (const glm::vec4 &Lp : {enfrente, detras}) {
-            Material m = MATERIAL;
-            m.alfa = alfa;
-            const glm::vec3 esperado = AMBIENTE + Lp.z * m.Kd + (alfa == 0 ? m.Ks : glm::vec3(0));
-            EXPECT_LE(niveles(phong(m, Luz{Lp}, P, N), exacto(esperado)), 1e-3) << alfa;
-        }
-}
-
-TEST(Sonda, AlfaCeroEsUnBrilloConstante) {
-    Material m = MATERIAL;
-    m.alfa = 0;
-    for (const double x : {0.0, 0.3, 0.9})
-        EXPECT_LE(lejosDelDoble(Luz{{x, 0, 1, 0}}, {0, 0, -3}, {0, 0, 1}, m), 1e-3) << x;
-}
-
 // De espaldas a la luz queda justo la luz ambiente. La ecuación 5.2 sin más restaría luz: L·N es negativo.
 TEST(Sonda, DeEspaldasALaLuzSoloHayAmbiente) {
     for (const glm::vec4 Lp : {glm::vec4(0, 0, -1, 0), {1, 0, -0.01f, 0}, {1, 0, 0, 0}, {0, 0, -9, 1}})
         EXPECT_EQ(phong(MATERIAL, Luz{Lp}, {0, 0, -3}, {0, 0, 1}), AMBIENTE) << Lp.z;
     EXPECT_LT(AMBIENTE.z - MATERIAL.Kd.z, 0) << "la ecuación 5.2 con L = (0, 0, -1)";
-}
-
-// En el propio punto de la luz no hay dirección L: queda la luz ambiente, también si a = 0.
-TEST(Sonda, LaFuenteEnElPropioPunto) {
-    const glm::vec3 P(0.3f, -0.2f, -3);
-    for (const glm::vec3 abc : {glm::vec3(1, 0, 0), {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}) {
-        Luz luz{glm::vec4(P, 1)};
-        luz.atenuacion = abc;
-        EXPECT_EQ(phong(MATERIAL, luz, P, {0, 0, 1}), AMBIENTE);
-        luz.cosDelta = 0.9f;
-        luz.exponente = 0;
-        EXPECT_EQ(phong(MATERIAL, luz, P, {0, 0, 1}), AMBIENTE);
-    }
-}
-
-// Cada vez más cerca, con a = 0: crece hasta saturar, sin infinitos; un coeficiente nulo sigue dando 0 y no NaN, tampoco cuando c·d² se
-// anula antes que d.
-TEST(Sonda, AtenuacionCuandoLaDistanciaTiendeACero) {
-    const auto aDistancia = [](float d, const glm::vec3 &abc) {
-        Luz luz{{0, 0, d, 1}};
-        luz.atenuacion = abc;
-        const glm::vec3 c = phong(MATERIAL, luz, {0, 0, 0}, {0, 0, 1});
-        EXPECT_TRUE(std::isfinite(c.x + c.z)) << d;
-        EXPECT_EQ(c.y, AMBIENTE.y) << d; // Kd.y = 0; en P = 0 no hay V, ni brillo
-        return c.x;
-    };
-    for (const glm::vec3 abc : {glm::vec3(0, 1, 0), {0, 0, 1}, {0, 0, 0.1f}}) {
-        float anterior = 0;
-        for (int e = 0; e >= -440; --e) {
-            const float d = float(std::pow(10, e / 10.0)), c = aDistancia(d, abc);
-            const double esperado = AMBIENTE.x + MATERIAL.Kd.x / (abc.y * d + abc.z * d * d);
-            EXPECT_TRUE(esperado > 1e4 || std::fabs(c / esperado - 1) < 1e-5) << d;
-            EXPECT_TRUE(d < 1e-18f || c >= anterior) << d; // por debajo, d al cuadrado es 0 en float
-            anterior = c;
-        }
-    }
-    EXPECT_GT(aDistancia(1, glm::vec3(0)), 1);
-}
-
-TEST(Sonda, AtenuacionMuyLejos) {
-    for (const float d : {1e3f, 1e6f, 1e10f, 1e18f})
-        for (const glm::vec3 abc : {glm::vec3(1, 0, 0), {0, 1, 0}, {0, 0, 1}}) {
-            Luz luz{{0, 0, d, 1}};
-            luz.atenuacion = abc;
-            EXPECT_LE(lejosDelDoble(luz, {0, 0, -2}, {0, 0, 1}), 1e-3) << d;
-        }
-}
-
-// Una luz direccional no se atenúa, y su vector puede tener cualquier longitud.
-TEST(Sonda, LaDireccionalNoSeAtenua) {
-    for (const float k : {1e-15f, 1e-6f, 1.0f, 1e6f, 1e15f})
-        for (const glm::vec3 abc : {glm::vec3(1, 0, 0), {0, 0, 0}, {9, 9, 9}})
-            for (const glm::vec3 P : {glm::vec3(0, 0, -2), {5, -7, -40}}) {
-                Luz luz{glm::vec4(k * glm::vec3(0.3f, 0.5f, 1), 0)};
-                luz.atenuacion = abc;
-                EXPECT_LE(lejosDelDoble(luz, P, {0, 0, 1}), 1e-2) << k;
-            }
-}
-
-// La normal interpolada no es unitaria: su longitud no cambia nada. Sin normal, o si el cuadrado de su longitud es 0 en float, queda la
-// luz ambiente.
-TEST(Sonda, LaNormalNoTieneQueSerUnitaria) {
-    const glm::vec3 P(0.5f, 0.2f, -3), N = glm::normalize(glm::vec3(0.2f, 0.3f, 1));
-    const Luz luz{{1, 2, 1, 1}};
-    for (const float k : {1e-15f, 0.1f, 0.707f, 1.001f, 2.0f, 1e15f})
-        EXPECT_LE(lejosDelDoble(luz, P, k * N), 1e-2) << k;
-    for (const float k : {0.0f, 1e-20f, 1e-30f, 1e-40f})
-        EXPECT_EQ(phong(MATERIAL, luz, P, k * N), AMBIENTE) << k;
 }
 
 // Listado 5.3: N, L y V llegan interpolados. A mitad de una arista cuyas normales forman 90 grados, N mide 0.71.
@@ -251,25 +147,6 @@ TEST(Sonda, BordeDelConoContraElAnguloExacto) {
         EXPECT_LE(niveles(phong(enElOrigen(delta, 0), delta - holgura), exacto(DE_CARA)), 1e-2) << grados;
         EXPECT_EQ(phong(enElOrigen(delta, 0), delta + holgura), AMBIENTE) << grados;
     }
-}
-
-// Con delta = 0 solo queda el eje (lo que mide un float: 3.5e-4 rad); nunca un NaN.
-TEST(Sonda, ConoDeCeroGrados) {
-    EXPECT_LE(niveles(phong(enElOrigen(0, 1), 0), exacto(DE_CARA)), 1e-2);
-    for (const double angulo : {1e-3, 1e-2, 0.5, PI / 2, PI - 1e-3, PI})
-        EXPECT_EQ(phong(enElOrigen(0, 1), angulo), AMBIENTE) << angulo;
-}
-
-// Con delta = 90 grados el coseno en float es -4.4e-8: sigue siendo un foco, que alumbra medio espacio, y con exponente llega a 0 sin
-// escalón.
-TEST(Sonda, ConoDeNoventaGrados) {
-    EXPECT_LT(std::cos(float(PI / 2)), 0);
-    for (const double exponente : {0.0, 1.0, 10.0})
-        for (const double angulo : {0.0, 0.7, 1.5, PI / 2 - 1e-5, PI / 2 + 1e-5, 2.0, PI}) {
-            const glm::vec3 P = aAngulo(angulo);
-            EXPECT_LE(lejosDelDoble(enElOrigen(PI / 2, exponente), P, -P), 1e-2)
-                << exponente << " a " << angulo;
-        }
 }
 
 // Lo que no es un foco alumbra también justo detrás de S, donde el coseno en float puede ser menor que -1.

@@ -3,7 +3,6 @@
 #include "ch09_imagen/nucleos.h"
 #include "ch09_paneles.h"
 #include "guiones.h"
-#include <iostream>
 
 namespace {
 
@@ -90,15 +89,8 @@ TEST(Convolucion, LosTresFiltrosDeLaTabla91) {
 
 // La errata de §9.2: con 1/(ancho − 1) el texel de al lado no es el de al lado, y con ancho 1 no hay ninguno.
 TEST(Convolucion, UnTexelEsUnoEntreElAncho) {
-    const Imagen fila = alAzar(9, 1);
-    for (const Imagen &i : {alAzar(1, 9), fila, alAzar(1, 1)})
+    for (const Imagen &i : {alAzar(1, 9), alAzar(9, 1), alAzar(1, 1)})
         compruebaPaneles("convolucion", {i}, {{{""}, {con(i, SUAVIZADO, "Suavizado")}}});
-    double peor = 0; // lo que daría el libro en una imagen de 9 de ancho
-    for (int x = 0; x < 9; ++x) {
-        const auto en = [&](double paso) { return bilineal(fila, x + 0.5 + paso * 9 / 8, 0.5).x; };
-        peor = std::max(peor, std::fabs((en(-1) + en(0) + en(1)) / 3 - correla(fila, SUAVIZADO, x, 0).x));
-    }
-    EXPECT_GT(peor, 5);
 }
 
 // --- convolucion_variable ---
@@ -130,9 +122,7 @@ TEST(ConvolucionVariable, IntermedioDe8BitsContraFloat) {
                                 A.ancho, A.alto, enFicheros({A}));
         const Cuadro p = conNucleo(A, familia, 9, SEPARABLE, intermedio);
         EXPECT_EQ(v.encima.at(0).texto, p.rotulo);
-        const double e = diferenciaMaxima(v.escena, p.esperado);
-        std::cout << p.rotulo << ": " << e << " niveles\n";
-        return e;
+        return diferenciaMaxima(v.escena, p.esperado);
     };
     const double enFloat = error(GAUSSIANA, "", "float"), en8Bits = error(GAUSSIANA, "tecla p", "8 bits");
     EXPECT_LE(enFloat, 0.51);
@@ -140,20 +130,4 @@ TEST(ConvolucionVariable, IntermedioDe8BitsContraFloat) {
     EXPECT_LE(en8Bits, 1.01);
     EXPECT_LE(error(DERIVADA, "tecla p; tecla p", "float"), 0.51);
     EXPECT_GT(error(DERIVADA, "tecla p", "8 bits"), 20);
-}
-
-// Los núcleos en float contra los de arriba, y lo que suman.
-TEST(Nucleos, SumanUnoOCero) {
-    for (int familia = 0; familia < FAMILIAS; ++familia)
-        for (int m = 2; m <= TALLA_MAXIMA; ++m) {
-            const Filtro f = creaFiltro(Familia(familia), m);
-            const Nucleo exacto = nucleo(familia, m);
-            double suma = 0;
-            for (std::size_t k = 0; k < exacto.valores.size(); ++k) {
-                suma += double(f.valores.at(k));
-                EXPECT_NEAR(double(f.valores[k]), exacto.valores[k], 1e-7);
-            }
-            EXPECT_NEAR(suma, familia == DERIVADA ? 0 : 1, 1e-5) << familia << " " << m;
-            EXPECT_EQ(f.esSeparable(), familia != DISCO);
-        }
 }

@@ -161,8 +161,6 @@ TEST(Diferencia, ContraLaCpu) {
                       {{"tecla s; tecla v"}, {SOLO_A, SOLO_B, conSigno}, 3},
                       {{"tecla s; tecla v; tecla s"}, {SOLO_A, SOLO_B, sinSigno}, 3}});
     compruebaPaneles("diferencia", {B, A}, {{{""}, {sinSigno}}});
-    EXPECT_EQ(procesa("diferencia", {A, A}).rgb, lisa(61, 47, {0, 0, 0}).rgb);
-    EXPECT_EQ(procesa("diferencia", {A, A}, "tecla s").rgb, lisa(61, 47, {128, 128, 128}).rgb);
 }
 
 // Las dos de por omisión se diferencian en cinco sitios y en nada más.
@@ -184,7 +182,7 @@ TEST(Diferencia, CincoSitios) {
 
 // --- volteo ---
 
-TEST(Volteo, ContraLaCpuYDosVecesEsElOriginal) {
+TEST(Volteo, ContraLaCpu) {
     const Cuadro original = volteada(false, false), horizontal = volteada(true, false),
                  vertical = volteada(false, true), losDos = volteada(true, true);
     compruebaPaneles("volteo", {A},
@@ -193,8 +191,6 @@ TEST(Volteo, ContraLaCpuYDosVecesEsElOriginal) {
                       {{"tecla v"}, {vertical}},
                       {{"tecla h; tecla v"}, {losDos}},
                       {{"tecla v; tecla c"}, {original, horizontal, vertical, losDos}, 2}});
-    for (const std::string tecla : {"tecla h", "tecla v"})
-        EXPECT_EQ(procesa("volteo", {procesa("volteo", {A}, tecla)}, tecla).rgb, A.rgb);
 }
 
 // --- remolino ---

@@ -2,7 +2,6 @@
 #include "colores.h"
 #include "ejecuta.h"
 #include "guiones.h"
-#include "imagenes.h"
 #include <gtest/gtest.h>
 
 // La escena de cada opción, y los ejes de su esquina, son los de grua_proyeccion, que ch04_grua comprueba contra rayos en doble. Se
@@ -118,10 +117,6 @@ TEST(Eventos, ElRastroYLosBotones) {
         EXPECT_NEAR(encima.largo(GRIS), glm::distance(a, b), 0.1);
         compruebaTrazo(encima.trazos(NARANJA, "segmentos"), {b, c}, NARANJA);
         compruebaPuntos(encima, {c}, ROJO);
-        const Imagen imagen = imagenDe("eventos", guion);
-        EXPECT_LE(distancia(pixel(imagen, 60, 19), color(GRIS)), 1);
-        EXPECT_LE(distancia(pixel(imagen, 110, 24), color(NARANJA)), 1);
-        EXPECT_LE(distancia(pixel(imagen, 140, 29), color(ROJO)), 1);
         // el cuadrado del ratón mide 57 píxeles y llega al borde derecho
         const Encima pulsados = encima.trazos(NARANJA, "poligono");
         ASSERT_EQ(pulsados.size(), 1u);

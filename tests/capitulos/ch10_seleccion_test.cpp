@@ -1,11 +1,9 @@
-// Comprobaciones independientes de seleccion: el objeto elegido contra el que ve un rayo en doble, y los identificadores.
-#include "ch10_interaccion/identificador.h"
+// Comprobaciones independientes de seleccion: el objeto elegido contra el que ve un rayo en doble.
 #include "colores.h"
 #include "contra_oraculo.h"
 #include "guiones.h"
 #include "panel.h"
 #include <gtest/gtest.h>
-#include <iostream>
 #include <set>
 #include <sstream>
 
@@ -80,51 +78,28 @@ std::size_t compruebaClics(const glm::ivec2 &talla, int paso, const std::string 
     EXPECT_EQ(elegidos.size(), clics.size());
     int dudosos = 0;
     for (std::size_t i = 0; i < std::min(clics.size(), elegidos.size()); ++i) {
-        std::set<std::string> valen;
-        for (const auto &[dx, dy] : {Vec2{0, 0}, Vec2{1, 1}, Vec2{1, -1}, Vec2{-1, 1}, Vec2{-1, -1}})
-            valen.insert(
-                NOMBRES[objetoEn(talla, clics[i].x + 0.5 + dx / 32, clics[i].y + 0.5 + dy / 32, camara)]);
-        EXPECT_TRUE(valen.count(elegidos[i])) << clics[i].x << "," << clics[i].y << ": " << elegidos[i];
-        dudosos += valen.size() > 1;
+        const auto vale = [&](double dx, double dy) {
+            const int objeto =
+                objetoEn(talla, clics[i].x + 0.5 + dx / 32, clics[i].y + 0.5 + dy / 32, camara);
+            return elegidos[i] == NOMBRES[objeto];
+        };
+        if (vale(0, 0))
+            continue;
+        EXPECT_TRUE(vale(1, 1) || vale(1, -1) || vale(-1, 1) || vale(-1, -1))
+            << clics[i].x << "," << clics[i].y << ": " << elegidos[i];
+        ++dudosos;
     }
-    std::cout << clics.size() << " clics, " << dudosos << " dudosos\n";
-    EXPECT_LT(dudosos, int(clics.size()) / 20);
+    EXPECT_LE(dudosos, int(clics.size()) / 100);
     return std::set<std::string>(elegidos.begin(), elegidos.end()).size();
 }
 const std::size_t TODOS = 10; // los nueve y nada
 
 } // namespace
 
-TEST(Identificador, LosBitsPorTurno) {
-    EXPECT_EQ(rgbDe(0), (Rgb{0, 0, 0}));
-    EXPECT_EQ(rgbDe((1u << 24) - 1), (Rgb{255, 255, 255}));
-    EXPECT_EQ(rgbDe(1), (Rgb{128, 0, 0}));
-    EXPECT_EQ(rgbDe(12), (Rgb{64, 0, 128})); // 1100: el bit 2 al azul y el 3 al rojo
-    EXPECT_EQ(rgbDe(256), (Rgb{0, 0, 32}));  // el bit 8, el tercero del azul
-}
-
-// Los 2²⁴ van y vuelven: ninguno repite color. Y lo que la GPU guarda del color (255·c redondeado) es el byte.
-TEST(Identificador, TodosSonDistintos) {
-    for (unsigned id = 0; id < 1u << 24; ++id) {
-        const Rgb c = rgbDe(id);
-        ASSERT_EQ(identificadorDe(c), id);
-        for (int k = 0; k < 3 && id % 257 == 0; ++k)
-            ASSERT_EQ(std::lround(255 * double(colorDe(id)[k])), c[std::size_t(k)]);
-    }
-}
-
-TEST(IdentificadorDeathTest, ElQueNoCabe) {
-    EXPECT_EXIT(rgbDe(1u << 24), testing::ExitedWithCode(1), "no cabe en 24 bits");
-}
-
-TEST(Seleccion, UnaRejillaDeClicsContraRayos) {
-    EXPECT_EQ(compruebaClics({240, 180}, 10, "", {240, 180}), TODOS);
-}
-
 // Cada píxel, linde con lo que linde; y de cerca, que hay objetos hasta en el marco de la ventana.
 TEST(Seleccion, CadaPixelDeBorde) {
     EXPECT_EQ(compruebaClics({48, 36}, 1, "", {48, 36}), TODOS);
-    EXPECT_GE(compruebaClics({48, 36}, 1, "rueda +1 20 20 ×20", {48, 36}, camaraA(0.4 * DISTANCIA)), 5u);
+    EXPECT_GE(compruebaClics({24, 18}, 1, "rueda +1 10 10 ×20", {24, 18}, camaraA(0.4 * DISTANCIA)), 5u);
 }
 
 // El framebuffer se rehace: mayor, menor, y de otra forma.

@@ -1,10 +1,8 @@
 // Comprobaciones independientes de las cabeceras de curvas del capítulo 11, contra las matrices del libro y los
 // coeficientes binomiales exactos en cuádruple precisión.
-#include "ch03_transformaciones/transformaciones.h"
 #include "ch11_curvas/continuidad.h"
 #include "ch11_curvas/solenoide.h"
 #include "ch11_referencia.h"
-#include <cstdint>
 #include <gtest/gtest.h>
 #include <set>
 
@@ -62,7 +60,7 @@ TYPED_TEST_SUITE(Curvas, Reales);
 // ---- Las tres bases ----
 
 // Ningún peso pierde cifras: el error es de unos pocos redondeos de sí mismo, y no de los sumandos de la matriz, que se
-// anulan (también en la referencia de la cuádruple). Los de los puntos suman 1; los de sus derivadas, 0.
+// anulan (también en la referencia de la cuádruple).
 TYPED_TEST(Curvas, PesosContraLasMatricesDelLibro) {
     using T = TypeParam;
     for (const Base base : BASES)
@@ -79,13 +77,7 @@ TYPED_TEST(Curvas, PesosContraLasMatricesDelLibro) {
                 }
                 return peor;
             };
-            const auto suma = [&](const T &u) {
-                const auto w = pesos(base, u, d);
-                const T total = w[0] + w[1] + (puntosDe(base) == 4 ? w[2] + w[3] : T(0));
-                return std::fabs(double(total - T(d == 0 ? 1 : 0)));
-            };
             EXPECT_LE(peor<T>(error), redondeos<T>(d == 0 ? 6 : 12));
-            EXPECT_LE(peor<T>(suma), 12 * ulp<T>());
         }
 }
 
@@ -99,99 +91,6 @@ TYPED_TEST(Curvas, CubicasContraCuadruplePrecision) {
             };
             EXPECT_LE(peorCubica<T>(error), redondeos<T>(cota[d]));
         }
-}
-
-// A 1e8 del origen, en float los puntos están a 8 unidades unos de otros. La curva se separa unos redondeos de 1e8; sus
-// derivadas, solo lo que las de esos mismos puntos traídos al origen: la resta es exacta.
-TYPED_TEST(Curvas, PuntosA1e8DelOrigen) {
-    using T = TypeParam;
-    const auto lejano = [](const Punto<T> &p) { return Punto<T>(T(1e8)) + T(1000) * p; };
-    for (const Base base : {Base::BEZIER, Base::BSPLINE})
-        for (int d = 0; d < 3; ++d) {
-            const auto error = [&](Geometria<T> G, const T &u) {
-                std::transform(G.begin(), G.end(), G.begin(), lejano);
-                Geometria<Cuadruple> traida;
-                for (std::size_t i = 0; i < 4; ++i)
-                    traida[i] = Punto<Cuadruple>(G[i]) - Punto<Cuadruple>(d > 0 ? G[0] : Punto<T>(T(0)));
-                return lejos(cubica(base, G, u, d), curvaRef(base, traida, Cuadruple(u), d));
-            };
-            EXPECT_LE(peorCubica<T>(error), redondeos<T>(d == 0 ? 6 * 1e8 : 200 * 1000));
-        }
-    auto P = puntosAlAzar<T>(61);
-    std::transform(P.begin(), P.end(), P.begin(), lejano);
-    EXPECT_LE(peor<T>([&](const T &u) { return lejos(bezier(P, u), bezierRef(P, u)); }, 16),
-              redondeos<T>(60 * 1e8));
-}
-
-TYPED_TEST(Curvas, ExtremosYTangentesExactos) {
-    using T = TypeParam;
-    for (unsigned semilla = 0; semilla < 50; ++semilla) {
-        const auto G = geometriaAlAzar<T>(semilla);
-        for (const std::size_t i : {0, 1}) {
-            EXPECT_EQ(cubica(Base::HERMITE, G, T(i)), G[i]);
-            EXPECT_EQ(cubica(Base::HERMITE, G, T(i), 1), G[i + 2]);
-            EXPECT_EQ(cubica(Base::BEZIER, G, T(i)), G[3 * i]);
-            // ecuación 11.12
-            EXPECT_LT(lejos(cubica(Base::BEZIER, G, T(i), 1), T(3) * (G[2 * i + 1] - G[2 * i])),
-                      20 * ulp<T>());
-        }
-        for (const std::size_t n : {1, 2, 4, 11, 21, 41, 61}) {
-            const auto P = puntosAlAzar<T>(n, semilla);
-            EXPECT_EQ(bezier(P, T(0)), P.front());
-            EXPECT_EQ(bezier(P, T(1)), P.back());
-        }
-    }
-}
-
-// Puntos repetidos y tangentes nulas: la curva es el punto, y su curvatura, 0; nunca un NaN.
-TYPED_TEST(Curvas, PuntosCoincidentesYTangentesNulas) {
-    using T = TypeParam;
-    const Punto<T> p(T(0.3), T(-0.7), T(1.1)), cero(T(0)), x(T(1), T(0), T(0)), y(T(0), T(1), T(0));
-    const std::vector<Punto<T>> repetido(61, p);
-    for (const Base base : BASES) {
-        const auto G = base == Base::HERMITE ? Geometria<T>{p, p, cero, cero} : Geometria<T>{p, p, p, p};
-        const auto derivadas = [&](const T &u) {
-            const Punto<T> d = cubica(base, G, u, 1), dd = cubica(base, G, u, 2);
-            return lejos(d, cero) + lejos(dd, cero) + lejos(curvatura(d, dd), cero);
-        };
-        EXPECT_LT(peor<T>([&](const T &u) { return lejos(cubica(base, G, u), p); }), 4 * ulp<T>());
-        EXPECT_EQ(peor<T>(derivadas), 0);
-        EXPECT_EQ(segmentosCubica(base, G, 1e-3), 1);
-    }
-    EXPECT_LT(peor<T>([&](const T &u) { return lejos(bezier(repetido, u), p); }), 61 * ulp<T>());
-    EXPECT_EQ(polilineaBezier(repetido, 1e-3).size(), 2u);
-    // P1 = P2: la curva arranca parada, y la tangente que se ve es la de la segunda derivada
-    const Geometria<T> G = {p, p, p + x, p + x + y};
-    const Punto<T> primera = cubica(Base::BEZIER, G, T(0), 1), segunda = cubica(Base::BEZIER, G, T(0), 2);
-    EXPECT_EQ(primera, cero);
-    EXPECT_LT(lejos(segunda, T(6) * x), 20 * ulp<T>());
-    EXPECT_EQ(curvatura(primera, segunda), cero);
-}
-
-// La parábola y = x²/2 tiene en x radio (1 + x²)^(3/2), y la curvatura mira hacia dentro.
-TYPED_TEST(Curvas, CurvaturaDeUnaParabola) {
-    using T = TypeParam;
-    const auto error = [](const T &u) {
-        const T x = T(4) * u - T(2), k = T(1) / ((T(1) + x * x) * (T(1) + x * x));
-        return lejos(curvatura(Punto<T>(T(7), T(7) * x, T(0)), Punto<T>(T(5), T(5) * x + T(49), T(0))),
-                     Punto<T>(T(0) - k * x, k, T(0)));
-    };
-    EXPECT_LE(peor<T>(error), 20 * ulp<T>());
-}
-
-// T(Q(u)) = Q(T)(u) para T afín: las tangentes, que son vectores, no se trasladan (ejercicio 11.6).
-TEST(Hermite, TransformarLasRestriccionesOLosPuntos) {
-    const glm::mat4 M = traslacion({0.3f, -0.2f, 0.7f}) * giroZ(-0.5f) * escalado({0.75f, 0.5f, 1.5f});
-    const auto separa = [&](float w) { // el de las tangentes
-        return peorCubica<float>([&](Geometria<float> G, float u) {
-            const glm::vec3 Q = M * glm::vec4(cubica(Base::HERMITE, G, u), 1);
-            for (std::size_t i = 0; i < 4; ++i)
-                G[i] = M * glm::vec4(G[i], i < 2 ? 1 : w);
-            return lejos(Q, cubica(Base::HERMITE, G, u));
-        });
-    };
-    EXPECT_LT(separa(0), 2e-6);
-    EXPECT_GT(separa(1), 0.05);
 }
 
 // El segundo tramo G1 del ejercicio 11.6: (P4, P4', k·R4, R4').
@@ -217,28 +116,6 @@ TYPED_TEST(Curvas, LaMismaCurvaEnBezier) {
     }
 }
 
-// La curva no sale del casco: en ninguna dirección del plano llega más lejos que sus puntos.
-TYPED_TEST(Curvas, CascoConvexo) {
-    using T = TypeParam;
-    for (const std::size_t n : {4, 11, 61})
-        for (unsigned semilla = 0; semilla < 5; ++semilla) {
-            const auto P = puntosAlAzar<T>(n, semilla);
-            const auto sale = [&](const T &u) {
-                const glm::dvec3 Q(bezier(P, u));
-                double peor = -10;
-                for (int k = 0; k < 64; ++k) {
-                    const glm::dvec3 d(std::cos(M_PI * k / 32), std::sin(M_PI * k / 32), 0);
-                    double tope = -10;
-                    for (const Punto<T> &p : P)
-                        tope = std::max(tope, glm::dot(glm::dvec3(p), d));
-                    peor = mayor(peor, glm::dot(Q, d) - tope);
-                }
-                return peor;
-            };
-            EXPECT_LE(peor<T>(sale, 8), 4 * std::max(ulp<T>(), ulp<double>()));
-        }
-}
-
 // ---- Grado n ----
 
 TYPED_TEST(Curvas, BezierDeGrado10_20_40_60) {
@@ -254,37 +131,13 @@ TYPED_TEST(Curvas, BezierDeGrado10_20_40_60) {
                 d += b[k] * (Punto<Cuadruple>(P[k + 1]) - Punto<Cuadruple>(P[k]));
             return lejos(T(1) / T(n) * bezier(derivadaBezier(P), u), d);
         };
-        const auto polinomios = [&](const T &u) {
-            const std::vector<T> b = bernstein(n, u);
-            const std::vector<Cuadruple> exactos = bernsteinRef(n, Cuadruple(u));
-            EXPECT_EQ(b.size(), n + 1);
-            Cuadruple suma(-1);
-            double peor = 0;
-            for (std::size_t k = 0; k <= n; ++k) {
-                suma += Cuadruple(b[k]);
-                peor = mayor(peor, std::fabs(double(Cuadruple(b[k]) - exactos[k])));
-            }
-            return mayor(peor, std::fabs(double(suma)));
-        };
         // cada nivel promedia y redondea: n niveles, tres redondeos en cada uno, de medio ulp y tres coordenadas
         const double cota = redondeos<T>(1.5 * std::sqrt(3.0) * double(n));
         EXPECT_LE(peor<T>(curva, 8), cota);
         EXPECT_LE(peor<T>(derivada, 8), 4 * cota);
-        EXPECT_LE(peor<T>(polinomios, 8), cota);
         // en cuádruple hacen falta los mismos segmentos que en doble
         const std::vector<glm::dvec3> enDoble(P.begin(), P.end());
         EXPECT_TRUE((std::is_same_v<T, float>) || polilineaBezier(P, 1e-3) == polilineaBezier(enDoble, 1e-3));
-    }
-}
-
-// Los factoriales de la ecuación 11.21 no caben (cuáles: dificil_curvas.BezierN.no_cabe_*); la recurrencia y de
-// Casteljau no los usan.
-TEST(CurvasN, FactorialesQueNoCaben) {
-    for (const std::size_t n : {13, 21, 35, 67}) {
-        const std::vector<float> b = bernstein(n, 0.5f);
-        const std::vector<Cuadruple> exactos = bernsteinRef(n, 0.5);
-        for (std::size_t k = 0; k <= n; ++k)
-            EXPECT_LT(std::fabs(double(Cuadruple(b[k]) / exactos[k]) - 1), double(n) * ulp<float>());
     }
 }
 
@@ -309,62 +162,12 @@ TEST(CurvasN, ConCuarentaPuntosElDelCentroNoPesaNi013) {
     EXPECT_GT(mayor, 0.12);
 }
 
-// De Casteljau, nivel a nivel.
-TEST(CurvasN, NivelesDeCasteljau) {
-    using Nivel = std::vector<glm::vec3>;
-    const Nivel P = {{0, 0, 0}, {4, 0, 0}, {4, 8, 0}, {0, 8, 4}}, primero = {{1, 0, 0}, {4, 2, 0}, {3, 8, 1}},
-                segundo = {{1.75f, 0.5f, 0}, {3.75f, 3.5f, 0.25f}}, punto = {{2.25f, 1.25f, 0.0625f}};
-    EXPECT_EQ(casteljau(P, 0.25f), (std::vector<Nivel>{P, primero, segundo, punto}));
-}
-
 // ---- B-Spline ----
 
-TEST(BSpline, TramosAbiertaYCerrada) {
+TEST(BSpline, ConMenosDeCuatroPuntosNoHayNingunTramo) {
     for (const bool cerrada : {false, true})
-        for (std::size_t n = 0; n < 4; ++n)
+        for (const std::size_t n : {0, 3})
             EXPECT_EQ(tramosBSpline(n, cerrada), 0u);
-    for (std::size_t m = 3; m < 12; ++m) {
-        EXPECT_EQ(tramosBSpline(m + 1, false), m - 2); // los que dice el libro
-        // cerrada: la abierta de P0 … Pm, P0, P1, P2
-        EXPECT_EQ(tramosBSpline(m + 1, true), tramosBSpline(m + 1 + 3, false));
-    }
-    std::vector<glm::vec3> P = puntosAlAzar<float>(9), repetidos = P;
-    repetidos.insert(repetidos.end(), P.begin(), P.begin() + 3);
-    for (std::size_t i = 0; i < 9; ++i)
-        EXPECT_EQ(geometriaBSpline(P, i),
-                  (Geometria<float>{repetidos[i], repetidos[i + 1], repetidos[i + 2], repetidos[i + 3]}));
-}
-
-TYPED_TEST(Curvas, BSplineC2EnLosNudos) {
-    using T = TypeParam;
-    const auto P = puntosAlAzar<T>(9);
-    double salto = 0;
-    for (std::size_t i = 0; i < 9; ++i) { // cerrada: también el último con el primero
-        const Geometria<T> A = geometriaBSpline(P, i), B = geometriaBSpline(P, (i + 1) % 9);
-        for (int d = 0; d < 3; ++d)
-            EXPECT_LT(lejos(cubica(Base::BSPLINE, A, T(1), d), cubica(Base::BSPLINE, B, T(0), d)),
-                      30 * ulp<T>());
-        salto = mayor(salto, lejos(curvaRef(Base::BSPLINE, A, T(1), 3), curvaRef(Base::BSPLINE, B, T(0), 3)));
-        const Punto<T> nudo = (T(1) / T(6)) * (A[0] + T(4) * A[1] + A[2]);
-        EXPECT_LT(lejos(cubica(Base::BSPLINE, A, T(0)), nudo), 4 * ulp<T>());
-    }
-    EXPECT_GT(salto, 0.1); // C2 y no C3
-}
-
-// Ejercicio 11.7: mover un punto cambia cuatro tramos, y los demás quedan iguales bit a bit.
-TEST(BSpline, MoverUnPuntoCambiaCuatroTramos) {
-    const std::vector<glm::vec3> P = puntosAlAzar<float>(12);
-    for (const bool cerrada : {false, true})
-        for (std::size_t movido = 0; movido < 12; ++movido) {
-            std::vector<glm::vec3> Q = P;
-            Q[movido] += glm::vec3(0.5f, 0.25f, 0);
-            for (std::size_t i = 0; i < tramosBSpline(12, cerrada); ++i) {
-                const Geometria<float> A = geometriaBSpline(P, i), B = geometriaBSpline(Q, i);
-                for (const float u : {0.125f, 0.25f, 0.5f, 0.75f, 0.875f})
-                    EXPECT_EQ(cubica(Base::BSPLINE, A, u) != cubica(Base::BSPLINE, B, u),
-                              (movido + 12 - i) % 12 < 4);
-            }
-        }
 }
 
 // Errata de la ecuación 11.27: Q_i(u) con u entre los nudos i e i+1 es la fórmula en u − u_i; y en u = 1 vale también.
@@ -435,33 +238,6 @@ TEST(Teselacion, CubicasDentroDeLaTolerancia) {
     EXPECT_GT(aprovechado, 0.7); // la cota no es de sobra
 }
 
-// Lo que bezier_n dibuja: se mide la distancia de la curva a la polilínea.
-TEST(Teselacion, GradoNAdaptativa) {
-    const double tolerancia = 1e-3;
-    for (const std::size_t n : {1, 2, 3, 10, 40, 60}) {
-        std::vector<glm::dvec3> P;
-        for (std::size_t i = 0; i <= n; ++i)
-            P.push_back({double(i) / double(n), i % 2 ? 0.8 : -0.8, 0});
-        const std::vector<glm::vec3> linea = polilineaBezier(P, tolerancia);
-        const auto aparta = [&](double u) {
-            const glm::dvec3 Q = bezier(P, u);
-            double cerca = INFINITY;
-            for (std::size_t i = 0; i + 1 < linea.size(); ++i) {
-                const glm::dvec3 a(linea[i]), d = glm::dvec3(linea[i + 1]) - a;
-                const double t = glm::clamp(glm::dot(Q - a, d) / glm::dot(d, d), 0.0, 1.0);
-                cerca = std::min(cerca, glm::distance(Q, a + t * d));
-            }
-            return cerca;
-        };
-        EXPECT_EQ(linea.front(), glm::vec3(P.front()));
-        EXPECT_EQ(linea.back(), glm::vec3(P.back()));
-        EXPECT_LE(peor<double>(aparta), tolerancia + 1e-7);
-        const int iguales = segmentosWang(P, tolerancia), suyos = int(linea.size());
-        EXPECT_LE(suyos, 2 * iguales);
-        EXPECT_TRUE(n < 40 || suyos * 8 < iguales) << suyos << " de " << iguales;
-    }
-}
-
 // ---- Los cuatro tipos de unión de continuidad ----
 
 TEST(Continuidades, DerivadasALosDosLadosDeLaUnion) {
@@ -482,11 +258,6 @@ TEST(Continuidades, DerivadasALosDosLadosDeLaUnion) {
         comprueba(glm::distance(antes[2], despues[2]), c <= C1, 1e-5, 1);
         EXPECT_TRUE(c != G1 ||
                     std::fabs(glm::length(despues[1]) / glm::length(antes[1]) - double(FACTOR_G1)) < 1e-6);
-        // el recorrido entero: continuo, y de 0 a 2
-        EXPECT_EQ(recorrido(c, 0), PRIMER_TRAMO[0]);
-        EXPECT_EQ(recorrido(c, 1), PRIMER_TRAMO[1]);
-        EXPECT_EQ(recorrido(c, 2), FINAL);
-        EXPECT_LT(glm::distance(recorrido(c, 0.9999f), PRIMER_TRAMO[1]), 1e-3f);
         for (int k = 0; k <= 200; ++k) // el coche nunca se para, y siempre se sabe hacia dónde mira
             EXPECT_GT(glm::length(recorrido(c, float(k) / 100, 1)), 0.1f);
     }
@@ -504,25 +275,6 @@ glm::dvec3 tangenteHelice(int vueltas, double a) {
 double lejosDeLaHelice(int vueltas, const glm::dvec3 &p, double a) {
     const glm::dvec3 d = p - helice(vueltas, a), T = tangenteHelice(vueltas, a);
     return glm::length(d - glm::dot(d, T) * T);
-}
-
-TEST(Solenoide, PuntosContraLaHelice) {
-    for (const int vueltas : {2, 7, 16})
-        for (int i = 0; i < 4 * vueltas; ++i) {
-            const Geometria<float> G = segmentoSolenoide(vueltas, i),
-                                   previo = segmentoSolenoide(vueltas, i - 1);
-            const double a = i * M_PI / 2;
-            for (int k = 0; k <= 16; ++k) // a menos de 0.2 píxeles a 720 líneas
-                EXPECT_LT(
-                    lejosDeLaHelice(vueltas, cubica(Base::HERMITE, G, float(k) / 16), a + k * M_PI / 32),
-                    1e-3);
-            EXPECT_LT(glm::distance(glm::dvec3(G[0]), helice(vueltas, a)), 1e-5);
-            EXPECT_LT(glm::distance(glm::dvec3(G[1]), helice(vueltas, a + M_PI / 2)), 1e-5);
-            // en float, un ángulo de 100 radianes tiene un error de 4e-6
-            EXPECT_LT(glm::distance(tangenteHelice(vueltas, a), glm::normalize(glm::dvec3(G[2]))), 1e-5);
-            EXPECT_EQ(previo[1], G[0]); // cada uno empieza como acaba el anterior
-            EXPECT_EQ(previo[3], G[2]);
-        }
 }
 
 TEST(Solenoide, TuboAlrededorDeLaHelice) {

@@ -468,24 +468,20 @@ TEST(Pintado, LaListaSobreLaEscena) {
     const struct {
         std::string programa, guion;
         glm::ivec2 ventana;
-    } casos[] = {{"bezier", "", NORMAL},
-                 {"bezier", "tecla n ×2; especial IZQUIERDA; especial ABAJO ×2; tecla u ×2", ANCHA},
+    } casos[] = {{"bezier", "tecla n ×2; especial IZQUIERDA; especial ABAJO ×2; tecla u ×2", ANCHA},
                  {"bezier", junta, NORMAL},
                  {"bezier_n", "", ALTA},
                  {"bezier_n", "tecla 2", NORMAL},
                  {"bezier_n", "tecla 3", {960, 720}},
-                 {"bspline", "", ANCHA},
                  {"bspline", "tecla c", ALTA},
                  {"bspline", "tecla c; tecla k", {640, 480}},
                  {"bspline", "tecla c; tecla n ×8; especial ARRIBA ×4", NORMAL},
                  {"continuidad", "", {640, 480}},
                  {"continuidad", "espera 0; tecla 1; tecla t; espera 1100", NORMAL},
                  {"continuidad", "espera 0; tecla 4; tecla t; espera 1100", ALTA},
-                 {"hermite", "", ANCHA},
                  {"hermite", "tecla g", NORMAL},
                  {"hermite", "tecla t", ALTA},
-                 {"superficie_bezier", "tecla n ×6; especial ABAJO ×7", NORMAL},
-                 {"superficie_hermite", "", NORMAL}};
+                 {"superficie_bezier", "tecla n ×6; especial ABAJO ×7", NORMAL}};
     for (const auto &c : casos)
         compruebaPintado(c.programa, c.guion, c.ventana);
 }

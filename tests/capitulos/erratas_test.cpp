@@ -1,5 +1,5 @@
-// Lo que el libro pone mal y no es de ningún programa (docs/erratas.md): lo que no compila, lo que OpenGL 3.1 ya no tiene y lo que GLSL
-// entiende de otra manera. Cada prueba dice de qué parte del libro es.
+// Lo que el libro pone mal y no es de ningún programa (docs/erratas.md): lo que no compila, lo que OpenGL 3.1 ya no
+// tiene y lo que GLSL entiende de otra manera. Cada prueba dice de qué parte del libro es.
 #include "ch03_transformaciones/transformaciones.h"
 #include "ch04_vista3d/vista.h"
 #include "ejecuta.h"
@@ -191,8 +191,8 @@ TEST_F(Gl, ElListado51SumaLasOpacidades) {
 
 // --- matemáticas ---
 
-// §4.2: «preservar longitudes y ángulos» solo lo hace la proyección paralela con lo que es paralelo al plano de proyección. En la vista
-// (1, 1, 1) un cubo tiene sus aristas acortadas a √(2/3) y a 120 grados.
+// §4.2: «preservar longitudes y ángulos» solo lo hace la proyección paralela con lo que es paralelo al plano de
+// proyección. En la vista (1, 1, 1) un cubo tiene sus aristas acortadas a √(2/3) y a 120 grados.
 TEST(Libro, LaParalelaNoConservaLongitudesNiAngulos) {
     const glm::dmat4 M =
         proyeccionParalela(-1, 1, -1, 1, -10, 10) * transformacionCamara({1, 1, 1}, {0, 0, 0}, {0, 1, 0});

@@ -43,6 +43,9 @@ const Casos POTENCIAS([] {
                      {"negativa_a_3", {-0.5f, 3, 0}},
                      {"menos1em7_a_4", {-1e-7f, 4, 0}},
                      {"1_a_500", {1, 500, 1}},
+                     {"1_a_0", {1, 0, 1}},
+                     {"1em38_a_0", {1e-38f, 0, 1}},
+                     {"menos1_a_2", {-1, 2, 0}},
                      {"1em30_a_500", {1e-30f, 500, 0}},
                      {"alfa_0", {0.3f, 0, 1}}},
                     1e-6, "diferencia", [](const Potencia &p) {
@@ -165,8 +168,8 @@ const Casos FUNCIONES([] {
 /// Los shaders de los programas, sin comentarios.
 std::vector<std::pair<std::string, std::string>> shaders() {
     std::vector<std::pair<std::string, std::string>> textos;
-    const fs::path phong = recurso("ch05_iluminacion/phong.glsl");
-    for (const auto &carpeta : fs::directory_iterator(phong.parent_path().parent_path()))
+    const fs::path raiz = fs::path(recurso("CMakeLists.txt")).parent_path();
+    for (const auto &carpeta : fs::directory_iterator(raiz))
         if (std::regex_match(carpeta.path().filename().string(), std::regex("common|ch[0-9][0-9]_.*")))
             for (const auto &f : fs::directory_iterator(carpeta))
                 if (std::regex_match(f.path().extension().string(), std::regex("\\.(frag|vert|glsl)")))

@@ -27,7 +27,7 @@ const Casos TIEMPO([] {
     // la fase en float, y en doble t: t·2⁻⁵³ segundos
     for (const double periodo : {10.0, 2.5})
         casos<double>(
-            "Tiempo", "fase_a_las_*_h_periodo_" + enNombre(periodo), {0, 1, 10, 100},
+            "Tiempo", "fase_a_las_*_h_periodo_" + enNombre(periodo), {0, 1, 10, 100, 1000},
             [=](double horas) { return U_FLOAT + (horas * 3600 + 20) * 4 * U_DOBLE / periodo; }, "vueltas",
             [=](double horas) { return errorDeFase(horas, periodo); });
     // por eso el tiempo no se guarda en un float: a las 100 h salta más que un cuadro de 20 ms

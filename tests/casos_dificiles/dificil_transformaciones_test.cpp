@@ -86,21 +86,22 @@ double deriva(const glm::mat3 &A) {
 
 const Casos GIROS([] {
     for (int i = 0; i < 3; ++i)
-        casos<float>("GiroEje", std::string("casi_") + "XYZ"[i] + "_*", {0, 1e-30f, 1e-20f, 1e-10f}, 1,
-                     "cotas", [i](float e) {
+        casos<float>("GiroEje", std::string("casi_") + "XYZ"[i] + "_*",
+                     {0, 1e-38f, 1e-30f, 1e-20f, 1e-10f, 1e-5f}, 1, "cotas", [i](float e) {
                          glm::vec3 eje(0);
                          eje[i] = 1;
                          eje[(i + 1) % 3] = e;
                          return giroEnCotas(eje);
                      });
-    casos<float>("GiroEje", "longitud_*", {1e-38f, 1e-23f, 1e-20f, 1e20f, 1e38f}, 1, "cotas",
+    casos<float>("GiroEje", "longitud_*", {1e-38f, 1e-30f, 1e-23f, 1e-20f, 1e20f, 1e30f, 1e38f}, 1, "cotas",
                  [](float largo) { return giroEnCotas(largo * glm::vec3(1, 2, -2)); });
     caso("GiroEje", "longitud_cero_no_gira", 0, "distancia a I", [] {
         return contraRodrigues(giroEje(glm::vec3(0), 1), {1, 0, 0}, 0);
     });
     // Relativo: quien calcule 1 − cos t restando se queda sin cifras en 1e-3 y con 0 en 1e-4. Unos 13 redondeos: el seno de la mitad,
     // su cuadrado y dos componentes del eje, que ya trae tres en cada uno.
-    casos<float>("GiroEje", "angulo_*", {1e-3f, 1e-4f, 1e-6f, 1e-10f}, 13, "u relativos", giroPequeno);
+    casos<float>("GiroEje", "angulo_*", {1e-3f, 1e-4f, 1e-5f, 1e-6f, 1e-10f, 1e-15f}, 13, "u relativos",
+                 giroPequeno);
 
     // Cada paso redondea dos cosas siempre hacia el mismo lado: el propio giro (u/2, en su diagonal, que es casi 1) y su producto por
     // lo que ya hay (u/2 en cada componente de una columna unitaria). Los demás redondeos van al azar, y suman mil veces menos. En un
@@ -156,8 +157,8 @@ double aplastada(int eje) {
 
 const Casos NORMALES([] {
     casos<float>("MatrizNormal", "uniforme_*",
-                 {1e-38f, -1e-38f, 1e-20f, -1e-20f, 1e-10f, -1e-10f, 1e-5f, -1e-5f, 1, -1, 1e5f, -1e5f, 1e10f,
-                  -1e10f, 1e20f, -1e20f, 1e38f, -1e38f},
+                 {1e-38f, -1e-38f, 1e-30f, -1e-30f, 1e-20f, -1e-20f, 1e-10f, -1e-10f, 1e-5f,  -1e-5f, 1,
+                  -1,     1e5f,    -1e5f,  1e10f,   -1e10f, 1e20f,   -1e20f, 1e30f,   -1e30f, 1e38f,  -1e38f},
                  1.001, "u", [](float s) { return torcida(escalado(s) * INCLINADA); });
     const std::vector<Con<int>> ejes = {{"X", 0}, {"Y", 1}, {"Z", 2}};
     casos<int>("MatrizNormal", "aplastada_*", ejes, 2, "u", aplastada);

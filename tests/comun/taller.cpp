@@ -1,7 +1,6 @@
 // Un programa para probar common/ por dentro: dos cuadrados, cada uno con sus shaders, taller/a.* y taller/b.* de
-// $LAB_RAIZ, y una textura de ajedrez de 256×256 cuadros de un texel en la unidad 0. Con el argumento `enorme`, una
-// textura que no cabe. Teclas: 0 a 9 ponen en taller/ la versión $LAB_RAIZ/N (el usuario edita); n va a una carpeta
-// que ya no existe y v vuelve.
+// $LAB_RAIZ. Con el argumento `enorme`, una textura que no cabe. Teclas: 0 a 9 ponen en taller/ la versión $LAB_RAIZ/N
+// (el usuario edita); n va a una carpeta que ya no existe y v vuelve.
 #include "buferes.h"
 #include "shader.h"
 #include "textura.h"
@@ -28,12 +27,8 @@ static void inicia(bool enorme) {
     edita('0');
     estado.programas[0] = creaPrograma("taller/a.vert", "taller/a.frag");
     estado.programas[1] = creaPrograma("taller/b.vert", "taller/b.frag");
-    Imagen ajedrez{256, 256, {}};
-    for (int i = 0; i < 256 * 256; ++i)
-        ajedrez.rgb.insert(ajedrez.rgb.end(), 3, (i + i / 256) % 2 ? 255 : 0);
     if (enorme)
-        ajedrez = {32768, 2, std::vector<unsigned char>(3 * 32768 * 2)};
-    creaTextura2D(ajedrez);
+        creaTextura2D({32768, 2, std::vector<unsigned char>(3 * 32768 * 2)});
     estado.cuadrado = creaBuferes(plano(1));
 }
 

@@ -48,9 +48,8 @@ void esperaSalidas(const std::vector<Caso> &casos) {
         const Ejecucion e = lanza(c.orden, c.guion);
         EXPECT_EQ(e.estado, 0) << c.guion;
         EXPECT_EQ(e.errores, "") << c.guion;
-        EXPECT_EQ(e.salida, c.orden[0] == REGISTRO
-                                ? "tamano 32 24 32 24\n" + c.dice + "cierre 1 0 0 0\n"
-                                : c.dice)
+        EXPECT_EQ(e.salida,
+                  c.orden[0] == REGISTRO ? "tamano 32 24 32 24\n" + c.dice + "cierre 1 0 0 0\n" : c.dice)
             << c.guion;
     }
 }
@@ -62,9 +61,7 @@ TEST(Fallos, CadaUnoConSuEstadoYSuMensaje) {
         {{"grua", "-nada"}, "", "no entiendo «-nada»; uso: grua", 2},
         {{"grua", "foto.ppm"}, "", "no entiendo «foto.ppm»", 2},
         {{"grua", "-geometry"}, "", "-geometry: falta su valor", 2},
-        {{"grua", "-geometry", "diez"}, "", "-geometry: «diez» no es un tamaño ANCHOxALTO", 2},
         {{"grua", "-mide", "0"}, "", "-mide: «0» no es un número entre 1 y", 2},
-        {{"grua", "-mide", "1e3"}, "", "-mide: «1e3» no es un número", 2},
         {{"grua"}, "gira", "guion, orden 1 «gira»: «gira» no es una orden", 2},
         {{"grua"}, "tecla Esc; tecla d", "orden 2 «tecla d»: el programa ya ha terminado", 2},
         {{"grua"}, "tecla Esc ×2", "orden 1 «tecla Esc ×2»: el programa ya ha terminado", 2},
@@ -212,16 +209,6 @@ TEST(Opciones, MideEscribeUnaLineaTsv) {
     }
 }
 
-TEST(Imagen, LaTallaEsLaDeGeometry) {
-    for (const std::string &programa : {std::string("grua"), SUELTO}) // el segundo pide otra
-        for (const auto &[ancho, alto] : {std::pair(1, 1), {1, 300}, {300, 1}, {3, 2}, {1001, 13}}) {
-            const Ejecucion e = ejecuta(programa, "", ancho, alto);
-            EXPECT_EQ(e.estado, 0) << e.errores;
-            EXPECT_EQ(e.imagen.ancho, ancho);
-            EXPECT_EQ(e.imagen.alto, alto);
-        }
-}
-
 // Cambiar de tamaño o llenar la pantalla y volver deja la misma imagen, y capturar en medio no la toca; una orden con ×N son N seguidas.
 TEST(Imagen, LoMismoDaLaMisma) {
     const Imagen llena = imagenDe("grua", "especial F11");
@@ -261,14 +248,16 @@ TEST(Determinismo, LosHilosNoCambianLaImagen) {
 // Todos los programas acaban con Esc, sin imagen a medias ni mensajes, y aguantan 1×1 y volver.
 TEST(TodosLosProgramas, TerminanConEscYAguantan1x1) {
     std::istringstream programas(LAB_PROGRAMAS);
+    const std::string antes = (carpetaTemporal() / "antes.ppm").string();
     int cuantos = 0;
     for (std::string programa; programas >> programa;) {
         ++cuantos;
-        const Imagen imagen =
-            imagenDe(programa, "tamano 1 1; tamano 1 200; tamano 300 1; tamano 240 180; tecla Esc");
+        const Imagen imagen = imagenDe(programa, "captura " + antes +
+                                                     "; tamano 1 1; tamano 1 200; tamano 300 1; "
+                                                     "tamano 240 180; tecla Esc");
         EXPECT_EQ(imagen.ancho, 240) << programa;
         if (programa != "ch10_interaccion/eventos") { // su imagen enseña los cambios de tamaño
-            EXPECT_EQ(imagen.rgb, imagenDe(programa).rgb) << programa << " no vuelve a su imagen";
+            EXPECT_EQ(imagen.rgb, leePpm(antes).rgb) << programa << " no vuelve a su imagen";
         }
     }
     EXPECT_GE(cuantos, 80);

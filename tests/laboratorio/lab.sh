@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# lab.sh RAIZ: las órdenes de ./lab y sus errores, desde otra carpeta; y en una copia con lo mínimo, cuya carpeta tiene el
-# peor nombre posible, que lo que se estropea se nota y lo que se puede arreglar se arregla.
+# lab.sh RAIZ: las órdenes de ./lab y sus errores, desde otra carpeta; y en una copia con lo mínimo, que lo que se estropea se nota y
+# lo que se puede arreglar se arregla, también cuando su carpeta pasa a tener el peor nombre posible.
 set -euo pipefail
 raiz=$1 lab=$1/lab fallos=0
 export LAB_SIN_INSTALAR=1
@@ -70,7 +70,7 @@ espera 1 'no hay ningún programa «ch1»' "$lab" ver ch1 # que no es ch10
 
 # --- una copia con dos programas --------------------------------------------------------------------------------
 
-copia="$carpeta/lab (1) a&b c'd e\$f g[h] ñ" lab=./lab
+copia="$carpeta/lab (1) g[h] ñ" lab=./lab
 mkdir "$copia"
 tar -C "$raiz" --exclude=./build --exclude=./galeria --exclude=./web --exclude=./.git --exclude='./ch0[2-9]*' --exclude='./ch1*' -cf - . |
   tar -C "$copia" -xf -
@@ -309,13 +309,16 @@ TMPDIR=/tmp espera 0 "trabajo en $carpeta/cache/laboratorio$copia" "${otro[@]}" 
 XDG_CACHE_HOME=/proc espera 1 'no puedo escribir en' "${otro[@]}" $lab lista
 chmod -R u+w .
 
-# movido, nada de lo compilado vale
+# movido, nada de lo compilado vale. Con & y ' en el nombre, Ninja no sabe de qué depende nada y lo compila todo cada vez: aquí, dos
 cd "$carpeta"
-mv "$copia" movido
-cd movido
+movido="lab (2) a&b c'd e\$f g[h] ñ"
+mv "$copia" "$movido"
+cd "$movido"
 espera 0 'Tres' $lab lista
-grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$carpeta/movido" build/CMakeCache.txt && [ ! -e build/ventana/ch01_intro/shader_basico ] ||
+grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$carpeta/$movido" build/CMakeCache.txt && [ ! -e build/ventana/ch01_intro/shader_basico ] ||
   mal 'movido, no se configura de nuevo'
+espera 0 'Hecha: ' $lab galeria
+espera 0 'nadie lo pulsa' $lab muta ch01:4
 
 [ -z "$(ls -A "$TMPDIR")" ] || mal "queda algo en la carpeta temporal: $(ls -AR "$TMPDIR")"
 exit $fallos

@@ -17,7 +17,7 @@ import navegador  # que sabe dónde está catalogo
 from navegador import Navegador, catalogo, espera, exige
 
 # SwiftShader no vale de juez: con polygon offset sus mallas cambian de una vez a otra.
-LLVMPIPE = ("--use-gl=angle", "--use-angle=gl", "--ignore-gpu-blocklist", "--window-size=1280,900", "--no-first-run")
+LLVMPIPE = ("--use-gl=angle", "--use-angle=gl", "--ignore-gpu-blocklist", "--disable-gpu-watchdog", "--window-size=1280,900", "--no-first-run")
 
 DIBUJA = """
 const [nombre, guion, acaba] = arguments;
@@ -223,12 +223,16 @@ def prueba_entradas(p):
     exige(p.espera("!una('#no-esta').hidden"), "un programa que no existe se dice")
 
 
+def edita_phong(p):
+    p.abre("#componentes_phong")
+    exige(p.espera("editor?.ruta && editor.lineCount() > 5"), "el editor se abre")
+    p.n.js("abre('ch05_iluminacion/phong.glsl')")
+    exige(p.espera("editor.ruta === 'ch05_iluminacion/phong.glsl'"), "se ve phong.glsl")
+
+
 def prueba_editor(p):
     n = p.n
-    p.abre("#componentes_phong")
-    exige(p.espera("editor && editor.lineCount() > 5"), "el editor se abre")
-    n.js("abre('ch05_iluminacion/phong.glsl')")
-    exige(p.espera("editor.ruta === 'ch05_iluminacion/phong.glsl'"), "se ve phong.glsl")
+    edita_phong(p)
     caso = n.js("return una('.casos-botones [aria-pressed=true]').textContent + ' ' + una('.mira').textContent")
     exige(caso.startswith("c La reflexión especular"), "lo que hay que mirar es lo que se ve al empezar")
     original, linea = p.imagen(), n.js("return editor.getValue().split('\\n').findLastIndex(l => /^\\s*return /.test(l)) + 1")
@@ -243,10 +247,7 @@ def prueba_editor(p):
     exige(p.espera(f"editor.ruta.endsWith('phong.glsl') && {primera} > 10"), "y el fichero se abre por esa línea")
     n.js("todos('.fichero-estado button').at(-1).click()")
     exige(p.espera("sesion?.vivo && telon.hidden"), "vuelto al original, el programa arranca")
-    p.abre("#componentes_phong")
-    exige(p.espera("editor?.ruta"), "el editor se abre otra vez")
-    n.js("abre('ch05_iluminacion/phong.glsl')")
-    exige(p.espera("editor.ruta === 'ch05_iluminacion/phong.glsl'"), "se ve phong.glsl otra vez")
+    edita_phong(p)
     p.escribe(linea, "    return vec3(1.0, 0.0, 0.0);\n")
     exige(p.espera("/Cambiado/.test(una('.fichero-estado').textContent)"), "un cambio bueno se aplica solo")
     exige(p.imagen() != original, "y se ve")
@@ -337,7 +338,7 @@ def main():
     finally:
         pantalla.terminate()
         pantalla.wait()
-    sys.exit(1 if navegador.fallos else 0)
+    navegador.acaba()
 
 
 if __name__ == "__main__":

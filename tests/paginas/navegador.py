@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import urllib.error
 import urllib.request
 from pathlib import Path
 
@@ -35,8 +36,11 @@ class Navegador:
     def pide(self, ruta, metodo="POST", **datos):
         cuerpo = json.dumps(datos).encode() if metodo == "POST" else None
         peticion = urllib.request.Request(self.sesion + ruta, cuerpo, {"Content-Type": "application/json"}, method=metodo)
-        with urllib.request.urlopen(peticion, timeout=60) as respuesta:
-            return json.load(respuesta)["value"]
+        try:
+            with urllib.request.urlopen(peticion, timeout=60) as respuesta:
+                return json.load(respuesta)["value"]
+        except urllib.error.HTTPError as error:  # chromedriver dice por qué en la respuesta
+            raise RuntimeError(f"{ruta}: {json.load(error)['value']['message']}") from None
 
     def js(self, codigo, *argumentos):
         return self.pide("/execute/sync", script=codigo, args=argumentos)
@@ -71,6 +75,11 @@ def exige(condicion, que):
     if not condicion:
         fallos.append(que)
         print(f"falla: {que}")
+
+
+def acaba():
+    """Con todo lo que ha fallado junto, al final de lo escrito."""
+    sys.exit("Ha fallado:\n" + "\n".join(fallos) if fallos else 0)
 
 
 def espera(navegador, codigo):
@@ -157,7 +166,7 @@ def main():
             recorre(navegador, destino / "index.html", len(casos), sum(bool(caso.anima) for caso in casos))
         finally:
             navegador.cierra()
-    sys.exit(1 if fallos else 0)
+    acaba()
 
 
 if __name__ == "__main__":
