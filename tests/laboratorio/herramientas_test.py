@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """herramientas_test.py: las cuentas de herramientas/ que se pueden comprobar sin compilar nada."""
 import json
+import random
 import sys
 import tempfile
 import unittest
@@ -8,6 +9,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "herramientas"))
 import catalogo
+import controles
 import medidas
 import tecnicas
 
@@ -25,6 +27,27 @@ class Mide(unittest.TestCase):
     def test_los_errores_de_un_programa(self):
         self.assertEqual(medidas.errores({"maximo": 0.512, "borde": 1, "lejos": 2, "banda": 90}), ["0.51", "", "1, salvo 2 de 90"])
         self.assertEqual(medidas.errores({"rmse": 1.23e-7}), ["", "1.2e-07", ""])
+
+
+class Controles(unittest.TestCase):
+    def test_las_teclas_de_cada_control(self):
+        for texto, ordenes, hace in (("a d giran", ["tecla a", "tecla d"], "giran"),
+                                     ("1 a 3 resaltan una tira", ["tecla 1", "tecla 2", "tecla 3"], "resaltan una tira"),
+                                     (", . mueven el plano", ["tecla ,", "tecla ."], "mueven el plano"),
+                                     ("t o espacio anda o para", ["tecla t", "tecla Espacio"], "anda o para"),
+                                     ("F5 relee", ["especial F5"], "relee"), ("; sigue", ["tecla PuntoYComa"], "sigue"),
+                                     ("1 A", ["tecla 1"], "A"), ("0 (1,1,1)", ["tecla 0"], "(1,1,1)"),
+                                     ("arrastra los puntos (o n y flechas)", ["tecla n", *(f"especial {f}" for f in controles.ESPECIALES.values())],
+                                      "arrastra los puntos"), ("ratón orbita", [], "ratón orbita")):
+            c = controles.analiza(texto)
+            self.assertEqual((c.ordenes, c.hace), (ordenes, hace))
+        self.assertTrue(controles.analiza("botón derecho menú").menu and not controles.analiza("a menú").menu)
+
+    def test_al_azar_solo_lo_suyo(self):
+        azar = random.Random(1)
+        suyos = {orden for _ in range(200) for orden in controles.sucesos_al_azar(
+            azar, [controles.analiza("a d giran"), controles.analiza("Esc termina")], {"temporizador"}, ["Vista/Perfil"], 120, 90)}
+        self.assertEqual(suyos, {"tecla a", "tecla d", "especial F5", "menu Vista/Perfil", *(f"espera {n}" for n in (1, 20, 333, 1700))})
 
 
 class Catalogo(unittest.TestCase):
