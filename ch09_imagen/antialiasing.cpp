@@ -4,9 +4,9 @@
 // cuenta con GL_SAMPLE_BUFFERS (no GL_SAMPLES_BUFFERS); una ventana puede no darlas, y aquí se piden a un framebuffer
 // propio.
 // Controles: 1 sin nada · 2 multimuestra · 3 sobremuestreo · v los tres · Esc termina.
+#include "buferes.h"
 #include "estrella.h"
 #include "imagen_en_ventana.h"
-#include "buferes.h"
 
 static const int VECES = 4, MUESTRAS = 4, DENTRO = 16;
 static const glm::vec2

@@ -1,5 +1,5 @@
 // Lo que explica una imagen se pinta encima de ella en un solo sitio: ahí acaban los rótulos (rotulo.h) y los trazos
-// (trazo.h), con un solo programa de shaders. No cambia nada del estado de OpenGL.
+// (trazo.h), con un solo programa de shaders. Deja OpenGL como estaba, salvo que en la unidad de textura 15 queda el atlas.
 //
 // Con LAB_ENCIMA=FICHERO en el entorno no se pinta nada: queda la escena sola, y lo que se habría pintado se escribe en
 // el fichero, para quien quiera comprobarlo. Por cada imagen guardada, una línea «imagen FICHERO ANCHO ALTO» y las de

@@ -13,8 +13,7 @@ struct Pintado {
     glm::dvec4 panel; // x, y, ancho, alto
     double talla;     // alto de las mayúsculas, grosor o diámetro
     bool conProfundidad;
-    std::vector<glm::dvec3>
-        puntos; // con la profundidad normalizada; de un rótulo, dos esquinas y el punto que nombra
+    std::vector<glm::dvec3> puntos; // con la profundidad normalizada; de un rótulo, dos esquinas y el suyo
     std::string texto;
 
     bool es(const glm::vec3 &otro) const; // de ese color

@@ -150,7 +150,8 @@ int aristasSueltas(const Malla &m, bool orientada) {
     return sueltas;
 }
 
-Parche traspuesto(const Parche &q) {
+// Por valor: con una referencia, g++ 14 con -O1 hace `q = traspuesto(q)` sobre la propia q.
+Parche traspuesto(Parche q) {
     return conPuntos([&](int i, int j) { return q.p[j][i]; });
 }
 

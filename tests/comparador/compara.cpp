@@ -1,9 +1,9 @@
-// compara ESPERADA.ppm OBTENIDA.ppm [--amplia] [--tolerancia "PORCENTAJE NIVELES MAXIMO"] [--deja PREFIJO]
+// compara ESPERADA.ppm OBTENIDA.ppm [--redondeo | --amplia] [--tolerancia "PORCENTAJE NIVELES MAXIMO"] [--deja PREFIJO]
 // Compara los tres componentes de dos imágenes y escribe siempre las cifras. Si las hizo el mismo OpenGL en el mismo
-// entorno (el sello de la cabecera es igual) deben ser idénticas. Si no, o con --amplia, a lo sumo un 0.1 % de los
-// píxeles puede diferir en más de 3 niveles de 255, y ninguno puede salirse en más de 32 de los valores que la
-// esperada tiene en los 3×3 píxeles de alrededor: en el borde de una figura un píxel entero puede ser de otro color
-// con solo que otro OpenGL redondee de otra manera, y ahí lo que se acota es cuántos.
+// entorno (el sello de la cabecera es igual) deben ser idénticas o, con --redondeo, a un nivel como mucho. Si no, o con
+// --amplia, a lo sumo un 0.1 % de los píxeles puede diferir en más de 3 niveles de 255, y ninguno puede salirse en más
+// de 32 de los valores que la esperada tiene en los 3×3 píxeles de alrededor: en el borde de una figura un píxel entero
+// puede ser de otro color con solo que otro OpenGL redondee de otra manera, y ahí lo que se acota es cuántos.
 // Estado: 0 iguales; 1 distintas; 2 no se pueden comparar, y la que no lleva sello tampoco (con --amplia, solo la
 // esperada). Si son distintas, --deja guarda PREFIJO-esperada, -obtenida y -diferencia (ampliada 8 veces).
 #include "error.h"
@@ -49,12 +49,14 @@ static Tolerancia leeTolerancia(const std::string &texto) {
 
 int main(int argc, char **argv) {
     std::string esperada, obtenida, deja;
-    bool amplia = false;
+    bool amplia = false, redondeo = false;
     Tolerancia tolerancia;
     for (int i = 1; i < argc; ++i) {
         const std::string a = argv[i];
         if (a == "--amplia")
             amplia = true;
+        else if (a == "--redondeo")
+            redondeo = true;
         else if (a == "--deja" && i + 1 < argc)
             deja = argv[++i];
         else if (a == "--tolerancia" && i + 1 < argc) {
@@ -67,9 +69,9 @@ int main(int argc, char **argv) {
             falla("sobra «" + a + "»", 2);
     }
     if (obtenida.empty())
-        falla(
-            "uso: compara ESPERADA OBTENIDA [--amplia] [--tolerancia \"% NIVELES MAXIMO\"] [--deja PREFIJO]",
-            2);
+        falla("uso: compara ESPERADA OBTENIDA [--redondeo | --amplia] [--tolerancia \"% NIVELES MAXIMO\"] "
+              "[--deja PREFIJO]",
+              2);
 
     std::string selloEsperada, selloObtenida;
     const Imagen e = leePpm(esperada, &selloEsperada), o = leePpm(obtenida, &selloObtenida);
@@ -104,8 +106,8 @@ int main(int argc, char **argv) {
     const double n = static_cast<double>(e.rgb.size()), rmse = std::sqrt(cuadrados / n);
     const double porcentaje = 100.0 * fuera / (n / 3);
     const bool exacta = !amplia && selloEsperada == selloObtenida;
-    const bool bien =
-        exacta ? maximo == 0 : porcentaje <= tolerancia.porcentaje && maximoExceso <= tolerancia.maximo;
+    const bool bien = exacta ? maximo <= redondeo
+                             : porcentaje <= tolerancia.porcentaje && maximoExceso <= tolerancia.maximo;
 
     char psnr[32] = "inf";
     if (rmse > 0)
@@ -114,7 +116,10 @@ int main(int argc, char **argv) {
                 "de %d niveles (%.3f %%); "
                 "%s; hecha con %s\n",
                 bien ? "bien" : "DISTINTAS", maximo, maximoExceso, suma / n, rmse, psnr, fuera,
-                tolerancia.niveles, porcentaje, exacta ? "deben ser idénticas" : "tolerancia amplia",
+                tolerancia.niveles, porcentaje,
+                !exacta    ? "tolerancia amplia"
+                : redondeo ? "a un nivel"
+                           : "deben ser idénticas",
                 selloObtenida.empty() ? "un renderizador sin sello" : selloObtenida.c_str());
     if (!bien && !deja.empty()) {
         guardaPpm(deja + "-esperada.ppm", e);

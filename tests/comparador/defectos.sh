@@ -48,6 +48,12 @@ un píxel a 33 niveles, azul|2 1 33|1|1
 un píxel enorme|1 1 120|1|1
 FIN
 
+# El mismo OpenGL, que redondea de otra manera: un nivel donde sea, y dos en ninguna parte.
+"$build/estropea" buena.ppm mala.ppm 0 43200 1
+espera 'todo a un nivel' 0 'a un nivel' --redondeo
+"$build/estropea" buena.ppm mala.ppm 0 1 2
+espera 'dos niveles en un píxel' 1 'a un nivel' --redondeo
+
 # La tolerancia de un caso cambia los límites, y solo ella.
 "$build/estropea" buena.ppm mala.ppm 1 86 10
 espera 'el 0.2 %, con permiso' 0 '' --amplia --tolerancia '0.2 3 32'

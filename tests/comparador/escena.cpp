@@ -1,8 +1,8 @@
 // Una esfera con luz y textura a la que se puede estropear una cosa: con eso se prueba que el comparador la
 // nota (tests/comparador/defectos.sh). Argumento: nada, luz (gira 3 grados), textura (falta), pixel (todo se corre
 // uno) o triangulo (falta uno de los 3968).
-#include "error.h"
 #include "buferes.h"
+#include "error.h"
 #include "shader.h"
 #include "textura.h"
 #include "ventana.h"
