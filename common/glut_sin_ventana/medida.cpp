@@ -10,8 +10,8 @@
 namespace sin_ventana {
 namespace {
 
-const GLuint HUECO =
-    64; // los nombres se dan seguidos y se vuelven a dar: tras tantos sin nada no queda ninguno
+// Mesa da los nombres seguidos, y los de shaders no los vuelve a dar: tras tantos sin nada no queda ninguno.
+const GLuint HUECO = 1024;
 
 GLint parametro(GLenum objetivo, GLint nivel, GLenum cual) {
     GLint n = 0; // lo que queda si no hay ese nivel
