@@ -219,8 +219,57 @@ def prueba_entradas(p):
     exige(p.espera("sesion?.vivo && telon.hidden"), "y se puede empezar de nuevo")
     n.js("location.hash = '#grua;tecla nada'")
     exige(p.espera("!telon.hidden && /tecla nada/.test(telon.textContent)"), "un guion mal escrito se dice")
-    n.js("location.hash = '#no_existe'")
-    exige(p.espera("!una('#no-esta').hidden"), "un programa que no existe se dice")
+    for enlace in ("#no_existe", "#%", "#%E0%A4%A", "#" + "a" * 100000):
+        n.js("location.hash = arguments[0]", enlace)
+        exige(p.espera("una('#no-esta').textContent.includes(corta(leeEnlace(location.hash).nombre, 60))"), f"{enlace[:9]} se dice que no está")
+
+
+def prueba_adversidades(p):
+    n = p.n
+    p.abre("#grua")
+    n.js("""window.rapido = arranca;
+        arranca = async (...todo) => { await new Promise(sigue => { window.carga = sigue }); return rapido(...todo) };
+        una('.otra-vez').click()""")
+    x, y = p.lienzo()
+    p.actua("mouse", [{"type": "pointerMove", "duration": 0, "x": x + 60, "y": y + 90}, {"type": "pointerDown", "button": 0}])
+    n.js("carga()")
+    exige(p.espera("sesion?.vivo"), "se carga con el ratón pulsado")
+    p.actua("mouse", [{"type": "pointerMove", "duration": 40, "x": x + 160, "y": y + 60}, {"type": "pointerUp", "button": 0}])
+    exige(n.js("gestos.suelta(); return sesion.vivo && !hecho.ordenes.length"), "y arrastrar entonces no hace nada")
+    n.js("arranca = rapido")
+
+    for orden in ("a" * 100000, "%25", "%"):
+        n.js("location.hash = '#grua;' + arguments[0]", orden)
+        exige(p.espera("!telon.hidden && telon.textContent.length < 2000 && /guion «[a%]/.test(telon.textContent)"), f"«{orden[:9]}…» se dice que no es una orden")
+    p.abre("#grua;captura /lab/ch03_transformaciones/objeto.frag;captura lab/ch03_transformaciones/objeto.vert;tecla d ×7")
+    exige(n.js("return ['frag', 'vert'].every(t => sesion.lee(`/lab/ch03_transformaciones/objeto.${t}`)[0] === 35)"), "un enlace no escribe ficheros")
+    p.es("ch03_transformaciones", "grua-girada", "y lo demás que dice se hace")
+    n.js("location.hash = '#banderas;espera 1000000000 ×10000;tecla r ×10000'")
+    lento = n.pide("/execute/async", script="""const acaba = arguments[0], tope = performance.now() + 3000;
+        let antes = performance.now(), lento = 0;
+        const mira = () => {
+          lento = Math.max(lento, performance.now() - antes);
+          antes = performance.now();
+          if (antes < tope) setTimeout(mira); else acaba(lento);
+        };
+        mira()""", args=[])
+    exige(lento < 1000, f"un guion larguísimo deja vivir a la página: {lento:.0f} ms sin responder")
+    p.abre("#menu")
+    n.js("una('canvas').focus()")
+    n.tecla(navegador.ESC)
+    exige(p.espera("!telon.hidden"), "el menú termina")
+    n.js("todos('.mando button').find(b => b.textContent === 'Menú').click()")
+    exige(n.js("return !opciones.matches(':popover-open')"), "y ya no se abre nada")
+
+    shaders = p.pagina.parent / "datos/shaders.js"
+    shaders.rename(f"{shaders}.fuera")
+    n.pide("/url", url="about:blank")
+    n.pide("/url", url=p.pagina.as_uri() + "#grua")
+    exige(p.espera("/no se puede leer datos.shaders.js/.test(telon.textContent)"), "lo que no se puede descargar se dice")
+    Path(f"{shaders}.fuera").rename(shaders)
+    n.js("una('.telon button').click()")
+    exige(p.espera("sesion?.vivo && telon.hidden"), "y se puede volver a intentar")
+    n.pide("/se/log", type="browser")  # ese error sí tiene que estar
 
 
 def edita_phong(p):
@@ -329,7 +378,7 @@ def main():
                     compara_casos(n, raiz, build, Path(carpeta), pedidos)
                 persona = Persona(n, raiz, build, web / "index.html", Path(carpeta))
                 if pedidos in ([], ["persona"]):
-                    for prueba in (prueba_entradas, prueba_editor, prueba_ficheros_y_tallas, prueba_pagina):
+                    for prueba in (prueba_entradas, prueba_adversidades, prueba_editor, prueba_ficheros_y_tallas, prueba_pagina):
                         prueba(persona)
                 registro = [r["message"] for r in n.pide("/se/log", type="browser") if "CONTEXT_LOST_WEBGL" not in r["message"]]
                 exige(not registro, f"la consola está vacía: {registro[:3]}")
