@@ -95,7 +95,7 @@ async function arranca(programa,
 // --- la página de un programa ------------------------------------------------------------------------------------------
 
 const pagina = una('#programa'), marco = una('.lienzo'), telon = una('.telon'), consola = una('.consola');
-let suavizado = true, actual, sesion, gestos, hecho, propias = [], turno = 0, errores = [], escrito = [];
+let suavizado = true, actual, sesion, gestos, tiempo, hecho, propias = [], turno = 0, errores = [], escrito = [];
 
 const avisa = texto => { una('.aviso').textContent = texto; };
 
@@ -142,8 +142,9 @@ async function empieza(guionInicial = '') {
   const ficheros = Object.fromEntries(propias.map(({ nombre, datos }) => ['/propias/' + nombre, datos]));
   try {
     nueva = await arranca(actual, {
-      lienzo, ...talla(), di, ficheros, suavizado,
-      titulo: texto => { una('.estado').textContent = texto; },
+      lienzo, ...talla(), ficheros, suavizado,
+      di: linea => { if (mio === turno) di(linea); },
+      titulo: texto => { if (mio === turno) una('.estado').textContent = texto; },
     });
   } catch (error) {
     if (mio === turno) cubre(`No se puede arrancar el programa: ${error.message ?? error}`);
@@ -163,7 +164,7 @@ async function empieza(guionInicial = '') {
   mira();
   ajusta();
   anota();
-  antes = performance.now();
+  tiempo = new Reloj(performance.now());
   pulso();
 }
 
@@ -188,15 +189,12 @@ function mira() {
   cubre(sesion.fallo ? escrito.slice(-3).join('\n') || 'El programa ha fallado' : 'El programa ha terminado');
 }
 
-let antes = 0, resto = 0;
 /// Una vez por cuadro: el ratón que se ha movido y, si el programa se anima, el tiempo que ha pasado.
 function pulso(ahora = performance.now()) {
   if (!sesion?.vivo) return;
-  const ms = Math.min(ahora - antes, 100) + resto;
-  antes = ahora;
-  resto = ms - Math.floor(ms);
   gestos.suelta();
-  if (actual.anima && ms >= 1) manda(`espera ${Math.floor(ms)}`);
+  const ms = tiempo.pasa(ahora);
+  if (actual.anima && ms) manda(`espera ${ms}`);
   cancelAnimationFrame(pulso.cuadro);
   if (actual.anima) pulso.cuadro = requestAnimationFrame(pulso);
 }

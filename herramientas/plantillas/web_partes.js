@@ -144,6 +144,22 @@ class Hecho {
   }
 }
 
+/// Para lo que se anima: los ms enteros que han pasado desde la vez anterior. Lo que sobra queda para la siguiente, y de una pausa de
+/// la página (otra pestaña delante) solo cuenta el principio.
+class Reloj {
+  #antes;
+  #resto = 0;
+
+  constructor(ahora) { this.#antes = ahora; }
+
+  pasa(ahora) {
+    const ms = Math.min(Math.max(ahora - this.#antes, 0), 100) + this.#resto;
+    this.#antes = ahora;
+    this.#resto = ms % 1;
+    return Math.floor(ms);
+  }
+}
+
 // --- lo que escribe un programa -----------------------------------------------------------------------------------------
 
 const ERROR = /([\w./]+\.(?:vert|frag|glsl))(?::| no compila: ERROR: 0:)(\d+): (.*?)(?: — «.*»)?$/;

@@ -228,15 +228,27 @@ def prueba_adversidades(p):
     n = p.n
     p.abre("#grua")
     n.js("""window.rapido = arranca;
-        arranca = async (...todo) => { await new Promise(sigue => { window.carga = sigue }); return rapido(...todo) };
-        una('.otra-vez').click()""")
+        window.lento = async (...todo) => { await new Promise(sigue => { window.carga = sigue }); return rapido(...todo) };
+        arranca = lento;
+        una('.otra-vez').click();
+        arranca = rapido;
+        location.hash = '#camara'""")
+    exige(p.espera("sesion?.vivo"), "se va a otro programa sin esperar a que acabe de cargar el primero")
+    titulo = n.js("const antes = una('.estado').textContent; carga(); return antes")
+    time.sleep(1)
+    exige(n.js("return una('.estado').textContent") == titulo and not titulo.startswith("Grúa"), "y el primero no escribe en la página del otro")
+    n.js("arranca = lento; location.hash = '#grua'")
+    exige(p.espera("actual.nombre === 'grua' && una('canvas')"), "vuelve")
     x, y = p.lienzo()
     p.actua("mouse", [{"type": "pointerMove", "duration": 0, "x": x + 60, "y": y + 90}, {"type": "pointerDown", "button": 0}])
-    n.js("carga()")
+    n.js("arranca = rapido; marco.style.setProperty('width', '260px', 'important'); carga()")
     exige(p.espera("sesion?.vivo"), "se carga con el ratón pulsado")
     p.actua("mouse", [{"type": "pointerMove", "duration": 40, "x": x + 160, "y": y + 60}, {"type": "pointerUp", "button": 0}])
     exige(n.js("gestos.suelta(); return sesion.vivo && !hecho.ordenes.length"), "y arrastrar entonces no hace nada")
-    n.js("arranca = rapido")
+    exige(n.js("return sesion.lienzo.width") == 260, "y se dibuja del tamaño que ha tomado la página mientras")
+
+    n.js("for (let i = 0; i < 20; ++i) una('.otra-vez').click()")
+    exige(p.espera("sesion?.lienzo.isConnected && sesion.vivo && todos('canvas').length === 1"), "empezar veinte veces seguidas es empezar una")
 
     for orden in ("a" * 100000, "%25", "%"):
         n.js("location.hash = '#grua;' + arguments[0]", orden)
@@ -301,7 +313,7 @@ def prueba_editor(p):
     exige(p.espera("/Cambiado/.test(una('.fichero-estado').textContent)"), "un cambio bueno se aplica solo")
     exige(p.imagen() != original, "y se ve")
     n.js("una('.fichero-estado button').click()")
-    exige(p.espera("!cambios.size"), "se puede volver al original")
+    exige(p.espera("!cambios.size && recuerdo() === '[]'"), "se puede volver al original")
     exige(p.imagen() == original, "y vuelve la imagen")
     n.js("todos('.pestanas button').find(b => b.textContent.endsWith('.cpp')).click()")
     exige(p.espera("editor.ruta.endsWith('.cpp') && editor.getOption('readOnly')"), "un .cpp se lee y no se cambia")
