@@ -247,8 +247,26 @@ def prueba_adversidades(p):
     exige(n.js("gestos.suelta(); return sesion.vivo && !hecho.ordenes.length"), "y arrastrar entonces no hace nada")
     exige(n.js("return sesion.lienzo.width") == 260, "y se dibuja del tamaño que ha tomado la página mientras")
 
-    n.js("for (let i = 0; i < 20; ++i) una('.otra-vez').click()")
+    n.js("window.viejo = gestos; for (let i = 0; i < 20; ++i) una('.otra-vez').click()")
     exige(p.espera("sesion?.lienzo.isConnected && sesion.vivo && todos('canvas').length === 1"), "empezar veinte veces seguidas es empezar una")
+
+    n.js("viejo.gira({ id: 1, x: 1, y: 1 }, 99, 0); todos('.mando button')[0].dispatchEvent(new Event('pointerdown'))")
+    time.sleep(0.6)
+    exige(n.js("return new Set(hecho.ordenes).size === 1 && hecho.ordenes[0] === 'tecla a'"), "una tecla de la pantalla se repite; un lienzo que ya no está no da nada")
+    n.js("location.hash = '#camara'")
+    exige(p.espera("actual.nombre === 'camara' && sesion?.vivo"), "se va a otro programa con esa tecla pulsada")
+    time.sleep(0.2)
+    exige(n.js("return !hecho.ordenes.length"), "y ya no le llega")
+
+    p.abre("#convolucion")
+    n.js("window.lee = aPpm; aPpm = async fichero => { await new Promise(sigue => { window.sigue = sigue }); return lee(fichero) }")
+    p.suelta_fichero("foto.png", PNG)
+    exige(p.espera("window.sigue"), "una imagen que tarda en leerse")
+    n.js("location.hash = '#grua'")
+    exige(p.espera("actual.nombre === 'grua' && sesion?.vivo"), "no impide irse")
+    n.js("sigue()")
+    time.sleep(0.5)
+    exige(n.js("return !propias.length && sesion?.vivo && ![...sesion.leidos].some(r => r.startsWith('/propias'))"), "y no es para el otro programa")
 
     for orden in ("a" * 100000, "%25", "%"):
         n.js("location.hash = '#grua;' + arguments[0]", orden)
@@ -256,9 +274,9 @@ def prueba_adversidades(p):
     p.abre("#grua;captura /lab/ch03_transformaciones/objeto.frag;captura lab/ch03_transformaciones/objeto.vert;tecla d ×7")
     exige(n.js("return ['frag', 'vert'].every(t => sesion.lee(`/lab/ch03_transformaciones/objeto.${t}`)[0] === 35)"), "un enlace no escribe ficheros")
     p.es("ch03_transformaciones", "grua-girada", "y lo demás que dice se hace")
-    n.js("location.hash = '#banderas;espera 1000000000 ×10000;tecla r ×10000'")
     lento = n.pide("/execute/async", script="""const acaba = arguments[0], tope = performance.now() + 3000;
         let antes = performance.now(), lento = 0;
+        location.hash = '#banderas;espera 1000000000 ×10000;tecla r ×10000';
         const mira = () => {
           lento = Math.max(lento, performance.now() - antes);
           antes = performance.now();
