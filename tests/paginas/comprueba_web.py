@@ -324,6 +324,10 @@ def prueba_editor(p):
     exige(n.js("return editor.lineInfo(arguments[0] - 1).bgClass", linea) == "linea-mala", f"se marca la línea {linea}, que es la mala")
     exige(f"phong.glsl, línea {linea}: " in n.js("return una('.fichero-estado').textContent"), "y se dice cuál es")
     exige(p.imagen() == original, "con un error sigue la imagen que había")
+    n.js("editor.undo()")
+    exige(p.espera("!una('.linea-mala') && !una('.fichero-estado').classList.contains('mal')"), "corregido, deja de decirse")
+    n.js("editor.redo()")
+    exige(p.espera("una('.linea-mala')"), "y estropeado otra vez, se vuelve a decir")
     n.pide("/refresh")
     exige(p.espera("!telon.hidden && una('.linea-mala')"), "al volver a abrir la página el cambio sigue, y su error se dice")
     primera = "editor.coordsChar({ left: 0, top: editor.getScrollInfo().top }, 'local').line"
