@@ -30,8 +30,8 @@ static void dibuja() {
     const glm::mat4 proyeccion = paralelaVentana(SEMIALTO);
     glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
-    glUniformMatrix4fv(glGetUniformLocation(estado.programa, "proyeccion"), 1, GL_FALSE, &proyeccion[0][0]);
-    glUniform1i(glGetUniformLocation(estado.programa, "Img"), 0);
+    envia(estado.programa, "proyeccion", proyeccion);
+    envia(estado.programa, "Img", 0);
     glBindTexture(GL_TEXTURE_2D, estado.textura);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, modo.enS);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, modo.enT);

@@ -37,9 +37,9 @@ static void convoluciona(int elegido) {
         filtro[i] = valores[i] / divisor;
     }
     glUseProgram(estado.programa);
-    glUniform2fv(glGetUniformLocation(estado.programa, "desplazamiento"), TALLA, &desplazamiento[0].x);
-    glUniform1fv(glGetUniformLocation(estado.programa, "filtro"), TALLA, filtro);
-    glUniform1i(glGetUniformLocation(estado.programa, "imagen"), 0);
+    glUniform2fv(uniforme(estado.programa, "desplazamiento"), TALLA, &desplazamiento[0].x);
+    glUniform1fv(uniforme(estado.programa, "filtro"), TALLA, filtro);
+    envia(estado.programa, "imagen", 0);
     envia(estado.programa, "sumaCero", elegido == BORDES);
     envia(estado.programa, "conSigno", estado.conSigno);
     dibujaRectangulo();

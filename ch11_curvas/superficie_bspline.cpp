@@ -9,7 +9,8 @@
 #include <cmath>
 #include <string>
 
-static const std::size_t LADO = 6; // puntos de control de un lado de la red
+static const std::size_t LADO = 6;                           // puntos de control de un lado de la red
+static const int SEGMENTOS_MAXIMOS_TROZO = 256 / (LADO - 3); // en la superficie entera, los de las demás
 
 /// Un monte junto a un hoyo.
 static std::vector<glm::vec3> redInicial() {
@@ -47,7 +48,7 @@ static void dibuja() {
     };
     trozos([&](const Geometria2<float> &G, const Material &) {
         const Segmentos s = segmentosLamina(estado.lamina, Base::BSPLINE, G, TOLERANCIA_LAMINA);
-        n = {std::max(n.u, s.u), std::max(n.v, s.v)};
+        n = {std::clamp(s.u, n.u, SEGMENTOS_MAXIMOS_TROZO), std::clamp(s.v, n.v, SEGMENTOS_MAXIMOS_TROZO)};
     });
     trozos([&](const Geometria2<float> &G, const Material &material) {
         dibujaLamina(estado.lamina, mallaSuperficie(Base::BSPLINE, G, n), material);

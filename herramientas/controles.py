@@ -1,7 +1,13 @@
-"""Los controles de un programa, según su línea «// Controles:», y sucesos al azar de entre ellos."""
+"""controles.py RAÍZ BUILD PROGRAMA SEMILLA N: un guion de unas N órdenes al azar para ese programa. Los controles de un programa, según su línea
+«// Controles:», y sucesos al azar de entre ellos."""
 import random
 import re
+import subprocess
+import sys
 from dataclasses import dataclass, field
+from pathlib import Path
+
+import catalogo
 
 ESPECIALES = {"←": "IZQUIERDA", "→": "DERECHA", "↑": "ARRIBA", "↓": "ABAJO"}
 COMUNES = ["especial F5"]  # las teclas de todos (common/ventana.h), salvo Esc y las que salen de la ventana
@@ -60,6 +66,15 @@ def lee(raiz, programa):
     return [analiza(c.strip()) for c in hallado[1].replace("\n// ", " ").rstrip(".").split(" · ")] if hallado else []
 
 
+def atiende(build, programa):
+    """De qué se entera: lo que dice -rasgos de él, y las opciones de sus menús, salvo la que lo termina."""
+    enlace = (build / "sin_ventana").read_text().strip()
+    ejecutable = build / enlace / programa.capitulo.nombre / programa.nombre
+    rasgos = subprocess.run([ejecutable, "-rasgos"], text=True, stdout=subprocess.PIPE, check=True).stdout.splitlines()
+    opciones = [r.removeprefix("opcion ") for r in rasgos if r.startswith("opcion ")]
+    return {r for r in rasgos if not r.startswith("opcion ")}, [o for o in opciones if o != "Salir"]
+
+
 def raton_al_azar(azar, ancho, alto, rasgos):
     """Un clic, un arrastre en varios pasos o un giro de la rueda, dentro de la ventana."""
     def punto():
@@ -80,3 +95,22 @@ def sucesos_al_azar(azar, controles, rasgos, opciones, ancho, alto):
         posibles += [f"espera {azar.choice([1, 20, 333, 1700])}"] * 2
     elegido = azar.choice(posibles)
     return raton_al_azar(azar, ancho, alto, rasgos) if elegido == "raton" else [elegido]
+
+
+def paseo(azar, n, controles, rasgos, opciones, ancho, alto):
+    """Al menos n órdenes, de suceso en suceso."""
+    guion = []
+    while len(guion) < n:
+        guion += sucesos_al_azar(azar, controles, rasgos, opciones, ancho, alto)
+    return guion
+
+
+def main():
+    raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
+    nombre, semilla, n = sys.argv[3:6]
+    programa = next(p for p in catalogo.lee_programas(build) if p.nombre == nombre)
+    print("; ".join(paseo(random.Random(f"{nombre} {semilla}"), int(n), lee(raiz, programa), *atiende(build, programa), 240, 180)))
+
+
+if __name__ == "__main__":
+    main()

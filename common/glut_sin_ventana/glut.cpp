@@ -95,12 +95,18 @@ void guarda(const std::string &fichero) {
     guardaEncima(fichero, glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
 }
 
-void dibujaSiHaceFalta() {
+void dibujaLoPedido() {
     if (!g.repinta || g.termina)
         return;
     g.repinta = false;
     dibujaCuadro();
     compruebaGL("al dibujar");
+}
+
+/// Con diario se dibuja al apuntar: como en una ventana, donde lo que llega junto se dibuja una vez.
+void dibujaSiHaceFalta() {
+    if (!g.diario)
+        dibujaLoPedido();
 }
 
 void cambiaTamano(Talla talla) {
@@ -249,8 +255,8 @@ void ponTituloVentana(const char *titulo) {
 void apunta(const std::string &orden, bool haPasadoTiempo) {
     if (!g.diario || g.termina)
         return;
-    if (haPasadoTiempo) // el último cuadro es de hace unos milisegundos
-        dibujaCuadro();
+    g.repinta |= haPasadoTiempo; // el último cuadro es de hace unos milisegundos
+    dibujaLoPedido();
     apuntaEnElDiario(orden, g.titulo, g.temporizadores.size());
 }
 
@@ -475,7 +481,7 @@ void glutMainLoop(void) {
     compruebaGL("al dar el tamaño");
     if (g.diario)
         empiezaDiario();
-    const double primera = milisegundosDe(dibujaSiHaceFalta);
+    const double primera = milisegundosDe(dibujaLoPedido);
     apunta("", false);
     for (const Orden &orden : g.guion) {
         atiende(orden);

@@ -33,6 +33,10 @@ bool loAtiendeUnMenu(int boton, bool pulsado);
 struct Ocupado {
     int buferes = 0, texturas = 0, programas = 0, shaders = 0, framebuffers = 0, renderbuffers = 0, vaos = 0;
     long long bytesBuferes = 0, bytesTexturas = 0;
+
+    int objetos() const {
+        return buferes + texturas + programas + shaders + framebuffers + renderbuffers + vaos;
+    }
 };
 Ocupado ocupado();
 

@@ -10,7 +10,8 @@
 namespace sin_ventana {
 namespace {
 
-const GLuint NOMBRES = 4096; // Mesa los da seguidos: los de cualquier programa son menores
+const GLuint HUECO =
+    64; // los nombres se dan seguidos y se vuelven a dar: tras tantos sin nada no queda ninguno
 
 GLint parametro(GLenum objetivo, GLint nivel, GLenum cual) {
     GLint n = 0; // lo que queda si no hay ese nivel
@@ -79,7 +80,9 @@ long long bytesDeBufer(GLuint nombre) {
 Ocupado ocupado() {
     Ocupado o;
     glDisable(GL_DEBUG_OUTPUT); // para buscar los objetivos hay que equivocarse
-    for (GLuint nombre = 1; nombre < NOMBRES; ++nombre) {
+    GLuint vacios = 0;
+    for (GLuint nombre = 1; vacios < HUECO; ++nombre) {
+        const int antes = o.objetos();
         if (glIsBuffer(nombre)) {
             ++o.buferes;
             o.bytesBuferes += bytesDeBufer(nombre);
@@ -93,6 +96,7 @@ Ocupado ocupado() {
         o.framebuffers += glIsFramebuffer(nombre);
         o.renderbuffers += glIsRenderbuffer(nombre);
         o.vaos += glIsVertexArray(nombre);
+        vacios = o.objetos() == antes ? vacios + 1 : 0;
     }
     glEnable(GL_DEBUG_OUTPUT);
     return o;

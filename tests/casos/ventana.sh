@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# ventana.sh BUILD CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION: el mismo caso en una ventana de FreeGLUT, en un Xvfb para él solo, con
+# ventana.sh BUILD CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION [paseo]: el mismo caso en una ventana de FreeGLUT, en un Xvfb para él solo, con
 # teclado y ratón de verdad; la ventana debe acabar igual que el golden (tolerancia amplia) y Esc, o cerrarla, debe terminar el programa con 0.
+# Con «paseo», antes aguanta sucesos al azar y cambios de tamaño bajo un gestor de ventanas.
 # El reloj virtual y los menús no se pueden repetir aquí: de los casos que los usan se mira que dibuje algo.
 set -euo pipefail
-build=$1 capitulo=$2 programa=$3 nombre=$4 tolerancia=$5 guion=$6
+build=$1 capitulo=$2 programa=$3 nombre=$4 tolerancia=$5 guion=$6 paseo=${7:-}
 aqui=$(cd "$(dirname "$0")" && pwd)
 source "$aqui/../ventana/pantalla.sh"
 source "$aqui/../ventana/xdotool.sh"
@@ -50,9 +51,15 @@ if [ "${resultado%%:*}" != bien ]; then
   exit 1
 fi
 
+if [ -n "$paseo" ]; then
+  setpriv --pdeathsig KILL twm -f /dev/null >/dev/null 2>&1 &
+  sucesos=$(python3 -B "$aqui/../../herramientas/controles.py" "$aqui/../.." "$build" "$programa" 1 25)
+  haz_guion "tamano 300 200; $sucesos; tamano 200 240; $sucesos"
+fi
+
 # Sin guion, o con animación, se cierra con la X de su marco: un temporizador puede vencer cuando la ventana ya no está. Si no, Esc.
-case $guion in
-- | *espera*) como='la X de la ventana' && "$build/tests/cierra" "$ventana" ;;
+case $guion$paseo in
+- | *espera* | *paseo) como='la X de la ventana' && "$build/tests/cierra" "$ventana" ;;
 *) como=Esc && xdotool key Escape ;;
 esac
 for _ in $(seq "${PACIENCIA:-200}"); do kill -0 $pid 2>/dev/null || break; sleep 0.05; done

@@ -20,6 +20,8 @@ import catalogo
 import controles
 
 TALLA, OTRAS = "120x90", ("150x90", "100x100")
+TAMANOS = ["120 90", "150 90", "100 100", "61 45", "4 90", "1 1", "200 2"]
+BYTES = 64 << 20  # lo que cabe en la GPU más modesta con otros programas abiertos
 CARACTERES = [c for c in string.printable if c.isprintable() and c not in " ;"]
 SIN_NOMBRE = [controles.orden_de(c) for c in CARACTERES] + [f"tecla {t}" for t in ("Espacio", "PuntoYComa", "Intro", "Tab", "Retroceso", "Supr")] + \
     [f"especial {t}" for t in ("F1", "F2", "F3", "F4", "F6", "F10", "IZQUIERDA", "DERECHA", "ARRIBA", "ABAJO", "INICIO", "FIN", "REPAG", "AVPAG")]
@@ -59,25 +61,25 @@ class Programa:
         self.dice = " · ".join(c.texto for c in self.controles)
         self.teclas = [o for c in self.controles if not c.termina for o in c.ordenes if o not in controles.COMUNES]
         self.cualquiera = "cualquier tecla" in self.dice  # atiende todo
-        rasgos = self.ejecuta(["-rasgos"]).splitlines()
-        self.opciones = [o for o in (r.removeprefix("opcion ") for r in rasgos if r.startswith("opcion ")) if o != "Salir"]
-        self.rasgos = {r for r in rasgos if not r.startswith("opcion ")}
+        self.rasgos, self.opciones = controles.atiende(build, programa)
         self.anima = bool({"temporizador", "ocio"} & self.rasgos)
         self.mandos = self.teclas + [f"menu {o}" for o in self.opciones]
+        finitos = build / "tests/libfinitos.so"
+        self.finitos = {"LD_PRELOAD": str(finitos)} if finitos.exists() and enlace == "osmesa" else {}
         self.previas = {}  # lo que ha dado antes_de
 
-    def ejecuta(self, opciones, talla=TALLA):
+    def ejecuta(self, opciones, talla=TALLA, **entorno):
         with tempfile.TemporaryDirectory() as carpeta:
-            r = subprocess.run([self.ejecutable, "-geometry", talla, "-ppm", "imagen.ppm", *opciones], cwd=carpeta, env=self.entorno, text=True,
-                               stdin=subprocess.DEVNULL, capture_output=True)
+            r = subprocess.run([self.ejecutable, "-geometry", talla, "-ppm", "imagen.ppm", *opciones], cwd=carpeta, env=self.entorno | entorno,
+                               text=True, stdin=subprocess.DEVNULL, capture_output=True)
         if r.returncode or r.stderr:
             raise Termina(f"estado {r.returncode}: {r.stderr.strip()[-2000:]}\n  con {opciones[-1]}")
         return r.stdout
 
-    def diario(self, ordenes, talla=TALLA):
+    def diario(self, ordenes, talla=TALLA, **entorno):
         """Una fila al empezar y una por orden."""
         filas, escrito = [], []
-        for linea in self.ejecuta(["-diario", "-guion", "; ".join(ordenes)], talla).split("\n"):
+        for linea in self.ejecuta(["-diario", "-guion", "; ".join(ordenes)], talla, **entorno).split("\n"):
             if not linea.startswith("diario\t"):
                 escrito += [linea] if linea else []
                 continue
@@ -101,11 +103,21 @@ class Programa:
         return self.diario([*antes, orden, "espera 500"])[-1].distinta(self.diario([*antes, "espera 500"])[-1])
 
     def antes_de(self, orden):
-        """Con qué mando delante hace algo esa orden: con ninguno, si basta; None, si con ninguno lo hace."""
+        """Tras qué hace algo esa orden: tras nada, si basta; None, si con ningún otro mando delante lo hace."""
         if orden not in self.previas:
-            previas = [[], *([otra] for otra in self.mandos if otra != orden)]
-            self.previas[orden] = next((antes for antes in previas if self.hace_algo(antes, orden)), None)
+            self.previas[orden] = self.busca_antes(orden)
         return self.previas[orden]
+
+    def busca_antes(self, orden):
+        if self.hace_algo([], orden):
+            return []
+        otras = [otra for otra in self.mandos if otra != orden]
+        cadena = [o for otra in otras for o in (otra, orden)]
+        filas = self.diario(cadena)
+        for i in range(2, len(filas), 2):
+            if filas[i].distinta(filas[i - 1]):
+                return cadena[:i - 1]
+        return next(([otra] for otra in otras if self.anima and self.hace_algo([otra], orden)), None)
 
 
 def arrastre(x0, y0, x1, y1, boton="IZQUIERDO", pasos=1):
@@ -117,7 +129,8 @@ def arrastre(x0, y0, x1, y1, boton="IZQUIERDO", pasos=1):
 
 
 def paseo(p, ordenes, semilla):
-    """Sucesos al azar, con tamaños, F5 y teclas que no son suyas entre ellos. El primer cuadro puede dejar puesto lo que es de todos."""
+    """Sucesos al azar, con tamaños, F5 y teclas que no son suyas entre ellos; en una ventana de float, ningún color deja de ser un número.
+    El primer cuadro puede dejar puesto lo que es de todos."""
     azar = random.Random(f"{p.nombre} {semilla}")
     ajenas = [] if p.cualquiera else [o for o in SIN_NOMBRE if o not in p.teclas]
     guion = []
@@ -127,8 +140,8 @@ def paseo(p, ordenes, semilla):
         if cual < 0.3 and ajenas:
             guion.append(azar.choice(ajenas))
         elif cual < 0.4:
-            guion += [f"tamano {azar.choice(['120 90', '150 90', '100 100', '61 45'])}", "especial F5"]
-    filas = p.diario(guion)
+            guion += [f"tamano {azar.choice(TAMANOS)}", "especial F5"]
+    filas = p.diario(guion, **p.finitos)
     hechas, temporizadores = set(), max(filas[0].temporizadores, 1)
     for i, (orden, antes, fila) in enumerate(zip(guion, filas, filas[1:])):
         donde = f"tras {'; '.join(guion[max(0, i - 3):i + 1])}"
@@ -142,6 +155,8 @@ def paseo(p, ordenes, semilla):
             yield "objetos", f"releer lo mismo deja otros objetos {donde}: {antes.objetos} → {fila.objetos}"
         if orden in ajenas and fila.distinta(antes):
             yield "ajena", f"«{orden}» hace algo y no está en «// Controles:», {donde}"
+        if fila.bytes > BYTES:
+            yield "bytes", f"ocupa {fila.bytes} bytes {donde}"
         if fila.distinta(antes):
             hechas.add(orden)
         if fila.temporizadores > temporizadores:
@@ -171,18 +186,21 @@ def limites(p):
     for c in p.controles:
         if set(c.teclas) not in CONTRARIAS or c.termina or None in map(p.antes_de, c.ordenes):
             continue
-        for mas, menos in (c.ordenes, c.ordenes[::-1]):
-            antes = p.antes_de(mas)
-            filas = p.diario([*antes, mas, menos, mas, menos, f"{mas} ×300", mas, menos, mas, f"{menos} ×600", f"{mas} ×600", menos])[len(antes):]
-            nada, sube, baja, _, vuelve, tope, otra, uno, torna, _, lejos, cerca = filas
-            if sube.distinta(nada) and (baja.imagen != nada.imagen or vuelve.se_ve() != baja.se_ve()):
-                yield mas, f"«{menos}» no deshace «{mas}»"
-            if otra.se_ve() != tope.se_ve():
-                continue  # da la vuelta
-            if uno.se_ve() == tope.se_ve():
-                yield mas, f"pasado el límite de «{mas}», «{menos}» no hace nada"
-            if not torna.se_ve() == lejos.se_ve() == tope.se_ve() or cerca.se_ve() != uno.se_ve():
-                yield mas, f"al límite de «{mas}» no se vuelve por donde se fue"
+        mas, menos = c.ordenes
+        antes = max(map(p.antes_de, c.ordenes), key=len)
+        filas = p.diario([*antes, mas, menos, mas, menos, f"{mas} ×300", mas, menos, mas, f"{menos} ×600", menos, mas, menos, f"{mas} ×600", menos])
+        nada, sube, baja, otra_vez, vuelve, *extremos, lejos, cerca = (f.se_ve() for f in filas[len(antes):])
+        if (sube != nada and (baja[0] != nada[0] or vuelve != baja)) or (sube == nada != baja and otra_vez[0] != nada[0]):
+            yield mas, f"de «{mas}» y «{menos}» una no deshace la otra"
+        limite = []
+        for hacia, desde, (tope, otra, uno, torna) in ((mas, menos, extremos[:4]), (menos, mas, extremos[4:])):
+            limite.append(otra == tope)  # si no, da la vuelta
+            if otra == tope == uno:
+                yield hacia, f"pasado el límite de «{hacia}», «{desde}» no hace nada"
+            if otra == tope != torna:
+                yield hacia, f"al límite de «{hacia}» no se vuelve por donde se fue"
+        if all(limite) and (lejos, cerca) != (extremos[0], extremos[2]):
+            yield mas, f"de un límite al otro de «{mas}» y «{menos}» no se llega donde se estaba"
 
 
 def comparacion(p):
@@ -190,8 +208,10 @@ def comparacion(p):
     if "tecla v" not in p.teclas:
         return
     for orden in p.teclas:
+        if orden == "tecla v" or p.hace_algo(["tecla v"], orden):
+            continue
         antes = p.antes_de(orden)
-        if orden == "tecla v" or antes is None or p.hace_algo([*antes, "tecla v"], orden):
+        if antes is None or p.hace_algo([*antes, "tecla v"], orden):
             continue
         if p.diario([*antes, "tecla v", orden])[-1].se_ve() != p.diario([*antes, orden])[-1].se_ve():
             yield orden, f"«{orden}» no hace nada en la comparación, ni la deja"
@@ -206,22 +226,21 @@ def tallas(p, semilla):
     """Lo hecho en una ventana y llevado a otra es lo mismo que hecho en esa. Sin las flechas, que mueven hasta cerca del borde de la que hay."""
     azar = random.Random(f"{p.nombre} {semilla}")
     mandos = [o for o in p.mandos if not o.startswith("especial ")]
-    for otra in OTRAS:
-        guion = azar.choices(mandos, k=8) if mandos else []
-        if not parecidas(p.ventana([*guion, "tamano " + otra.replace("x", " ")]), p.ventana(guion, otra)):
-            yield "talla", f"en una ventana de {TALLA} llevada a {otra} no se ve lo mismo que en una de {otra}, con {'; '.join(guion)}"
+    guion = azar.choices(mandos, k=8) if mandos else []
+    tamanos = [f"tamano {talla.replace('x', ' ')}" for talla in OTRAS]
+    if not parecidas(p.ventana([*guion, *tamanos]), p.ventana(guion, OTRAS[-1])):
+        yield "talla", f"en una ventana de {TALLA} llevada a {OTRAS} no se ve lo mismo que en una de {OTRAS[-1]}, con {'; '.join(guion)}"
 
 
 def arrastres(p):
     """Arrastrar en un paso o en tres deja lo mismo."""
     if "arrastre" not in p.rasgos or p.cualquiera:
         return
-    for boton in ("IZQUIERDO", "DERECHO"):
-        if boton == "DERECHO" and p.opciones:
-            continue  # abre el menú
-        for puntos in ((60, 45, 90, 60), (30, 60, 42, 30), (100, 45, 70, 60)):
-            if not parecidas(*(p.ventana(arrastre(*puntos, boton, pasos)) for pasos in (1, 3))):
-                yield boton, f"arrastrar con el botón {boton} por {puntos} en uno o en tres pasos no deja lo mismo"
+    botones = ["IZQUIERDO"] if p.opciones else ["IZQUIERDO", "DERECHO"]  # el derecho abre el menú
+    caminos = [(60, 45, 90, 60), (30, 60, 42, 30), (100, 45, 70, 60)]
+    una, tres = ([o for boton in botones for puntos in caminos for o in arrastre(*puntos, boton, pasos)] for pasos in (1, 3))
+    if not parecidas(p.ventana(una), p.ventana(tres)):
+        yield "pasos", f"arrastrar en uno o en tres pasos no deja lo mismo: {'; '.join(una)}"
 
 
 def pausa(p):
@@ -246,13 +265,14 @@ def rondas(p):
     ronda = [*p.mandos, "tamano 150 90", *p.mandos[::-1], "especial F5", "tamano 120 90", "especial F5"]
     if "arrastre" in p.rasgos:
         ronda += arrastre(40, 30, 70, 52)
-    filas = p.diario(ronda * 4)
-    una, cuatro = filas[len(ronda)], filas[-1]
+    quieta = ["tamano 150 90", "especial F5", "tamano 120 90", "especial F5"]
+    filas = p.diario(ronda * 4 + quieta * 2)
+    una, cuatro = filas[len(ronda)], filas[4 * len(ronda)]
     if una.objetos != cuatro.objetos:
         yield "objetos", f"tras una ronda hay {una.objetos} (buferes texturas programas shaders framebuffers renderbuffers vaos) y tras cuatro {cuatro.objetos}"
-    quieta = p.diario(["tamano 150 90", "especial F5", "tamano 120 90", "especial F5"] * 3)
-    if quieta[4].bytes != quieta[-1].bytes:
-        yield "bytes", f"cambiar de tamaño y releer ocupa más cada vez: {quieta[4].bytes} y {quieta[-1].bytes} bytes"
+    antes, despues = filas[-1 - len(quieta)].bytes, filas[-1].bytes
+    if antes != despues:
+        yield "bytes", f"cambiar de tamaño y releer ocupa más cada vez: {antes} y {despues} bytes"
 
 
 def vivos(p):
@@ -260,13 +280,11 @@ def vivos(p):
     if "especial ARRIBA" not in p.teclas or "tecla n" not in p.teclas:
         return
     modos = [o for o in p.teclas if not o.startswith("especial ") and o != "tecla n"]
-    for modo in ([], *([o] for o in modos)):
-        guion = [*modo, *["tecla n", "especial ARRIBA", "especial ABAJO"] * 10]
-        filas = p.diario(guion)[len(modo):]
-        for antes, fila in zip(filas, filas[1:]):
-            if not fila.distinta(antes):
-                yield "vivos", f"{fila.orden}, tras {modo}, no cambia nada: elige o mueve un punto que no se ve"
-                break
+    guion = [o for modo in ([], *([m] for m in modos)) for o in [*modo, *["tecla n", "especial ARRIBA", "especial ABAJO"] * 10]]
+    filas = p.diario(guion)
+    for antes, fila, orden in zip(filas, filas[1:], guion):
+        if orden not in modos and not fila.distinta(antes):
+            yield "vivos", f"{fila.orden} no cambia nada: elige o mueve un punto que no se ve"
 
 
 def propiedades(p, opciones):
