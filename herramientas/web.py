@@ -31,7 +31,7 @@ class Programa:
 
     def __init__(self, raiz, build, programa):
         self.raiz, self.programa = raiz, programa
-        self.controles = [c for c in controles.lee(raiz, programa) if c.teclas != ["Esc"] and c.texto != "ninguno"]
+        self.controles = [c for c in controles.lee(raiz, programa) if c.teclas != ["Esc"] and not c.texto.startswith("ninguno")]
         teclas = [orden for c in self.controles if not c.termina for orden in c.ordenes]
         self.rasgos, self.leidos = set(), set()
         if not programa.consola:

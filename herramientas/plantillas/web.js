@@ -1,7 +1,6 @@
-'use strict';
-// La página de los programas. Un programa en marcha es una instancia de lab.js, y todo lo que se le hace es una orden
-// del guion (las de la opción -guion): «tecla d», «arrastra 10 20», «espera 16»… Así lo que hace una persona se puede
-// repetir, y va en el enlace: #grua;tecla d;tecla d
+// La página de los programas; lo que no toca el documento está en web_partes.js. Un programa en marcha es una instancia de
+// lab.js, y todo lo que se le hace es una orden del guion (las de la opción -guion): «tecla d», «arrastra 10 20», «espera 16»… Así
+// lo que hace una persona se puede repetir, y va en el enlace: #grua;tecla d;tecla d
 const todos = (selector, raiz = document) => [...raiz.querySelectorAll(selector)];
 const una = (selector, raiz = document) => raiz.querySelector(selector);
 const crea = (etiqueta, propiedades = {}, ...hijos) => {
@@ -12,28 +11,28 @@ const crea = (etiqueta, propiedades = {}, ...hijos) => {
 
 // --- los datos: datos/NOMBRE.js llama a llega(NOMBRE, bytes comprimidos en base64) -----------------------------------
 
-const pedidos = {}, llegados = {}, abiertos = {};
+const llegados = {};
 const llega = (nombre, base64) => { llegados[nombre] = base64; };
 
-function pide(nombre) {
-  return pedidos[nombre] ??= new Promise((bien, mal) => {
-    const falta = () => { delete pedidos[nombre]; mal(new Error(`no se puede leer datos/${nombre}.js`)); };
-    document.head.append(crea('script', { src: `datos/${nombre}.js`, onload: bien, onerror: falta }));
-  });
-}
+const pide = nombre => new Promise((bien, mal) => {
+  const falta = () => mal(new Error(`no se puede leer datos/${nombre}.js`));
+  document.head.append(crea('script', { src: `datos/${nombre}.js`, onload: () => llegados[nombre] ? bien() : falta(), onerror: falta }));
+});
 
-const bytes = nombre => abiertos[nombre] ??= pide(nombre).then(async () => {
-  const comprimidos = Uint8Array.from(atob(llegados[nombre]), c => c.charCodeAt(0));
+const bytes = recuerda(async nombre => {
+  await pide(nombre);
+  const base64 = llegados[nombre];
   delete llegados[nombre];
-  const flujo = new Blob([comprimidos]).stream().pipeThrough(new DecompressionStream('deflate'));
-  return new Uint8Array(await new Response(flujo).arrayBuffer());
+  return descomprime(base64);
 });
 const enTexto = async nombre => new TextDecoder().decode(await bytes(nombre));
 const json = async nombre => JSON.parse(await enTexto(nombre));
 const ejecuta = js => document.head.append(crea('script', { textContent: js }));
 /// El laboratorio, que son lab.js y lab.wasm: define Laboratorio y devuelve el módulo compilado.
-const laboratorio = () => laboratorio.hecho ??=
-  Promise.all([bytes('wasm').then(b => WebAssembly.compile(b)), enTexto('js').then(ejecuta)]).then(([modulo]) => modulo);
+const laboratorio = recuerda(async () => {
+  const [modulo] = await Promise.all([bytes('wasm').then(b => WebAssembly.compile(b)), enTexto('js').then(ejecuta)]);
+  return modulo;
+});
 
 /// Lo que dura mientras no se cierra la pestaña; un navegador puede no permitirlo.
 function recuerdo(texto) {
@@ -46,8 +45,7 @@ function recuerdo(texto) {
 
 // --- un programa en marcha --------------------------------------------------------------------------------------------
 
-const LADO_MAXIMO = 4096, ESPERA_MAXIMA = 10000; // ms seguidos que lleva un enlace: se repiten de golpe
-const cambios = new Map(JSON.parse(recuerdo() ?? '[]')); // los shaders que se han tocado
+const cambios = new Map(leeCambios(recuerdo())); // los shaders que se han tocado
 
 /// Arranca un programa en un lienzo. `di(línea)` recibe lo que escribe; `titulo(texto)`, el de la ventana; `ficheros`, los
 /// que se le dan además de los del laboratorio. Devuelve lo que se puede hacer con él.
@@ -97,7 +95,7 @@ async function arranca(programa,
 // --- la página de un programa ------------------------------------------------------------------------------------------
 
 const pagina = una('#programa'), marco = una('.lienzo'), telon = una('.telon'), consola = una('.consola');
-let suavizado = true, actual, sesion, hecho = [], propias = [], turno = 0, errores = [], escrito = [];
+let suavizado = true, actual, sesion, gestos, tiempo, hecho, propias = [], turno = 0, errores = [], escrito = [];
 
 const avisa = texto => { una('.aviso').textContent = texto; };
 
@@ -106,25 +104,19 @@ function cubre(texto) {
   una('p', telon).textContent = texto;
 }
 
-const ERROR = /([\w./]+\.(?:vert|frag|glsl))(?::| no compila: ERROR: 0:)(\d+): (.*?)(?: — «.*»)?$/;
-
 /// Lo que escribe el programa: los errores de los shaders van al editor y lo demás se enseña.
 function di(linea) {
+  linea = linea.replace(/guion, orden \d+/, 'guion'); // las órdenes se dan de una en una
   escrito = [...escrito.slice(-9), linea];
-  const mal = linea.match(ERROR);
-  if (mal) return errores.push({ ruta: mal[1].includes('/') ? mal[1] : `${actual.capitulo}/${mal[1]}`, linea: +mal[2], mensaje: mal[3] });
-  if (/no enlazan|#include/.test(linea)) return errores.push({ ruta: '', linea: 0, mensaje: linea });
+  const error = leeError(linea, actual.capitulo);
+  if (error) return errores.push(error);
   consola.hidden = false;
   consola.append((consola.textContent ? '\n' : '') + linea);
   while (consola.childNodes.length > 200) consola.firstChild.remove();
   consola.scrollTop = consola.scrollHeight;
 }
 
-const talla = () => {
-  const { width, height } = marco.getBoundingClientRect();
-  const e = Math.min(window.devicePixelRatio || 1, 2, LADO_MAXIMO / Math.max(width, height, 1));
-  return { ancho: Math.max(Math.round(width * e), 1), alto: Math.max(Math.round(height * e), 1) };
-};
+const talla = () => tallaDe(marco.getBoundingClientRect(), devicePixelRatio);
 
 /// Empieza el programa actual y repite un guion.
 async function empieza(guionInicial = '') {
@@ -137,7 +129,7 @@ async function empieza(guionInicial = '') {
   sesion = undefined;
   todos('canvas', marco).forEach(c => c.remove());
   marco.prepend(lienzo);
-  hecho = [];
+  hecho = new Hecho(actual.anima);
   errores = [];
   escrito = [];
   telon.hidden = true;
@@ -150,40 +142,45 @@ async function empieza(guionInicial = '') {
   const ficheros = Object.fromEntries(propias.map(({ nombre, datos }) => ['/propias/' + nombre, datos]));
   try {
     nueva = await arranca(actual, {
-      lienzo, ...talla(), di, ficheros, suavizado,
-      titulo: texto => { una('.estado').textContent = texto; },
+      lienzo, ...talla(), ficheros, suavizado,
+      di: linea => { if (mio === turno) di(linea); },
+      titulo: texto => { if (mio === turno) una('.estado').textContent = texto; },
     });
   } catch (error) {
     if (mio === turno) cubre(`No se puede arrancar el programa: ${error.message ?? error}`);
     return;
   }
+  // hasta que no acaba de repetirse el guion no hay sesión: lo que se haga en la página no se mezcla con él
+  const { ordenes, recortado } = leeGuion(guionInicial);
+  await repite(ordenes, ({ orden, escala }) => mio === turno && atiendeOrden(nueva, orden, escala), () => {
+    avisa('Repitiendo el guion…');
+    return new Promise(sigue => setTimeout(sigue));
+  });
   if (mio !== turno) return nueva.cierra();
   sesion = nueva;
+  avisa(recortado ? 'El guion es demasiado largo: se ha repetido solo una parte.' : '');
   performance.mark('imagen');
   if (teniaFoco) lienzo.focus({ preventScroll: true });
-  if (guionInicial.trim() && sesion.vivo) manda(guionInicial);
   mira();
+  ajusta();
   anota();
-  antes = performance.now();
+  tiempo = new Reloj(performance.now());
   pulso();
 }
 
-/// Da unas órdenes al programa y las anota para el enlace; delante de las del ratón, la ventana en que lo dan.
-function manda(ordenes) {
-  if (!sesion?.vivo) return;
-  sesion.orden(ordenes);
-  if (!sesion.vivo) return mira(); // lo que termina el programa no hay que repetirlo
-  let escala = `escala ${sesion.lienzo.width} ${sesion.lienzo.height}`;
-  for (const parte of ordenes.split(/[;\n]/).map(o => o.trim()).filter(Boolean)) {
-    const [que, n] = parte.split(' '), [anterior, previo] = (hecho.at(-1) ?? '').split(' ');
-    if (/^(tamano|captura)$/.test(que) || parte === 'especial F5' || (que === 'espera' && !actual.anima)) continue;
-    if (que === 'escala') escala = parte;
-    else if (/^(boton|arrastra|mueve|rueda)$/.test(que) && hecho.findLast(o => o.startsWith('escala ')) !== escala) hecho.push(escala, parte);
-    else if (que === anterior && que === 'espera' && !/×/.test(parte + hecho.at(-1)))
-      hecho[hecho.length - 1] = `espera ${Math.min(+previo + +n, ESPERA_MAXIMA)}`;
-    else if (que === anterior && /^(arrastra|mueve)$/.test(que)) hecho[hecho.length - 1] = parte;
-    else hecho.push(parte);
-  }
+/// Da una orden a un programa y la anota para el enlace. Falso si con ella ha terminado: eso no hay que repetirlo.
+function atiendeOrden(programa, orden, escala) {
+  programa.orden(escala ? `${escala};${orden}` : orden);
+  if (programa.vivo) hecho.apunta(orden, escala || `escala ${programa.lienzo.width} ${programa.lienzo.height}`);
+  return programa.vivo;
+}
+
+/// Da una orden al programa en marcha, si lo hay.
+function manda(orden) {
+  if (!sesion?.vivo) return false;
+  const vive = atiendeOrden(sesion, orden);
+  if (!vive) mira();
+  return vive;
 }
 
 /// Si el programa ha terminado, lo dice.
@@ -192,57 +189,23 @@ function mira() {
   cubre(sesion.fallo ? escrito.slice(-3).join('\n') || 'El programa ha fallado' : 'El programa ha terminado');
 }
 
-let antes = 0, pendiente = '', resto = 0;
 /// Una vez por cuadro: el ratón que se ha movido y, si el programa se anima, el tiempo que ha pasado.
 function pulso(ahora = performance.now()) {
   if (!sesion?.vivo) return;
-  const ms = Math.min(ahora - antes, 100) + resto;
-  antes = ahora;
-  resto = ms - Math.floor(ms);
-  suelta();
-  if (actual.anima && ms >= 1) manda(`espera ${Math.floor(ms)}`);
+  gestos.suelta();
+  const ms = tiempo.pasa(ahora);
+  if (actual.anima && ms) manda(`espera ${ms}`);
   cancelAnimationFrame(pulso.cuadro);
   if (actual.anima) pulso.cuadro = requestAnimationFrame(pulso);
 }
 
-function suelta() {
-  const orden = pendiente;
-  pendiente = '';
-  if (orden) manda(orden);
-}
-
-// --- sucesos del navegador a órdenes -----------------------------------------------------------------------------------
-
-const TECLAS = { Escape: 'Esc', Enter: 'Intro', Backspace: 'Retroceso', Delete: 'Supr', ' ': 'Espacio', ';': 'PuntoYComa' };
-const ESPECIALES = { ArrowLeft: 'IZQUIERDA', ArrowRight: 'DERECHA', ArrowUp: 'ARRIBA', ArrowDown: 'ABAJO', Home: 'INICIO', End: 'FIN',
-  PageUp: 'REPAG', PageDown: 'AVPAG', Insert: 'INSERTAR' };
-
-function ordenDeTecla({ key, ctrlKey, metaKey, altKey }) {
-  if (ctrlKey || metaKey || (altKey && key.length > 1) || key === 'F12') return ''; // son del navegador
-  if (TECLAS[key]) return `tecla ${TECLAS[key]}`;
-  if (ESPECIALES[key]) return `especial ${ESPECIALES[key]}`;
-  if (/^F\d+$/.test(key)) return `especial ${key}`;
-  return /^[!-~]$/.test(key) ? `tecla ${key}` : '';
-}
-
+/// Los sucesos del lienzo, a órdenes.
 function atiende(lienzo) {
-  const NOMBRES = ['IZQUIERDO', 'CENTRAL', 'DERECHO'];
-  const dedos = new Map();
-  let pulsado = '', distancia = 0, giro = 0;
-  const lugar = suceso => {
+  const suyos = gestos = new Gestos({
+    da: orden => sesion?.lienzo === lienzo && manda(orden), luego: requestAnimationFrame.bind(window), sigue: actual.sigue });
+  const punto = suceso => {
     const r = lienzo.getBoundingClientRect();
-    const x = (suceso.clientX - r.left) * lienzo.width / r.width, y = (suceso.clientY - r.top) * lienzo.height / r.height;
-    return `${Math.round(x)} ${Math.round(y)}`;
-  };
-  const levanta = suceso => {
-    if (!pulsado || !suceso) return;
-    suelta();
-    manda(`boton ${pulsado} arriba ${lugar(suceso)}`);
-    pulsado = '';
-  };
-  const separacion = () => {
-    const [a, b] = [...dedos.values()];
-    return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
+    return { id: suceso.pointerId, x: (suceso.clientX - r.left) * lienzo.width / r.width, y: (suceso.clientY - r.top) * lienzo.height / r.height };
   };
 
   lienzo.addEventListener('keydown', suceso => {
@@ -255,41 +218,18 @@ function atiende(lienzo) {
   });
   lienzo.addEventListener('pointerdown', suceso => {
     lienzo.focus({ preventScroll: true });
-    levanta([...dedos.values()][0]); // con otro dedo ya no arrastra: es una pinza, la rueda
-    dedos.set(suceso.pointerId, suceso);
     lienzo.setPointerCapture(suceso.pointerId);
-    if (dedos.size === 2) distancia = separacion();
-    if (dedos.size > 1 || pulsado) return;
-    suceso.preventDefault();
-    if (suceso.button === 2 && sesion?.opciones().length) return ensenaMenu(suceso.clientX, suceso.clientY);
-    suelta();
-    pulsado = NOMBRES[suceso.button] && (una('.derecho')?.getAttribute('aria-pressed') === 'true' ? 'DERECHO' : NOMBRES[suceso.button]);
-    if (pulsado) manda(`boton ${pulsado} abajo ${lugar(suceso)}`);
+    if (suceso.isPrimary) suceso.preventDefault();
+    const menu = suceso.button === 2 && sesion?.opciones().length;
+    const derecho = una('.derecho')?.getAttribute('aria-pressed') === 'true';
+    suyos.baja(punto(suceso), menu ? '' : BOTONES[derecho && suceso.button < 3 ? 2 : suceso.button]);
+    if (menu) ensenaMenu(suceso.clientX, suceso.clientY);
   });
-  lienzo.addEventListener('pointermove', suceso => {
-    if (dedos.has(suceso.pointerId)) dedos.set(suceso.pointerId, suceso);
-    if (dedos.size === 2) {
-      const razon = separacion() / distancia;
-      if (razon > 1.12 || razon < 1 / 1.12) {
-        distancia = separacion();
-        manda(`rueda ${razon > 1 ? '+1' : '-1'} ${lugar(suceso)}`);
-      }
-    } else if (pulsado || (actual.sigue && !dedos.size)) {
-      if (!pendiente) requestAnimationFrame(suelta);
-      pendiente = `${pulsado ? 'arrastra' : 'mueve'} ${lugar(suceso)}`;
-    }
-  });
-  for (const fin of ['pointerup', 'pointercancel'])
-    lienzo.addEventListener(fin, suceso => {
-      dedos.delete(suceso.pointerId);
-      levanta(suceso);
-    });
+  lienzo.addEventListener('pointermove', suceso => suyos.mueve(punto(suceso)));
+  for (const fin of ['pointerup', 'pointercancel']) lienzo.addEventListener(fin, suceso => suyos.sube(punto(suceso)));
   lienzo.addEventListener('wheel', suceso => {
     suceso.preventDefault();
-    giro += suceso.deltaY * [1, 33, 400][suceso.deltaMode]; // un panel táctil da muchos giros pequeños
-    if (Math.abs(giro) < 50) return;
-    manda(`rueda ${giro < 0 ? '+1' : '-1'} ${lugar(suceso)}`);
-    giro = 0;
+    suyos.gira(punto(suceso), suceso.deltaY, suceso.deltaMode);
   }, { passive: false });
   lienzo.addEventListener('contextmenu', suceso => suceso.preventDefault());
 
@@ -297,9 +237,9 @@ function atiende(lienzo) {
   lienzo.addEventListener('webglcontextlost', suceso => {
     if (sesion?.lienzo !== lienzo) return;
     suceso.preventDefault();
-    const repite = hecho.join('; ');
+    const repetible = hecho.ordenes.join(';');
     lienzo.addEventListener('webglcontextrestored', () => {
-      if (lienzo.isConnected) empieza(repite).then(() => avisa('El navegador ha devuelto la tarjeta gráfica: todo sigue donde estaba.'));
+      if (lienzo.isConnected) empieza(repetible).then(() => avisa('El navegador ha devuelto la tarjeta gráfica: todo sigue donde estaba.'));
     });
     turno++;
     sesion = undefined;
@@ -307,10 +247,11 @@ function atiende(lienzo) {
   });
 }
 
-new ResizeObserver(() => {
+function ajusta() {
   const { ancho, alto } = talla();
   if (sesion?.vivo && (sesion.lienzo.width !== ancho || sesion.lienzo.height !== alto)) manda(`tamano ${ancho} ${alto}`);
-}).observe(marco);
+}
+new ResizeObserver(ajusta).observe(marco);
 
 function completa() {
   if (document.fullscreenElement) document.exitFullscreen();
@@ -327,9 +268,10 @@ function boton(texto, hace, propiedades = {}) {
 function teclaDePantalla(texto, orden) {
   let reloj;
   const para = () => clearTimeout(reloj);
-  const repite = () => { manda(orden); reloj = setTimeout(repite, 60); };
-  return boton(texto, () => orden === 'especial F5' ? recarga() : manda(orden), {
-    onpointerdown: () => { para(); reloj = setTimeout(repite, 450); }, onpointerup: para, onpointerleave: para, onpointercancel: para });
+  const otra = () => { if (b.isConnected && manda(orden)) reloj = setTimeout(otra, 60); };
+  const b = boton(texto, () => orden === 'especial F5' ? recarga() : manda(orden), {
+    onpointerdown: () => { para(); reloj = setTimeout(otra, 450); }, onpointerup: para, onpointerleave: para, onpointercancel: para });
+  return b;
 }
 
 function ponMandos() {
@@ -352,7 +294,9 @@ function ponMandos() {
 
 const opciones = una('.opciones');
 function ensenaMenu(x, y) {
-  opciones.replaceChildren(...(sesion?.opciones() ?? []).map(opcion =>
+  const rutas = sesion?.opciones() ?? [];
+  if (!rutas.length) return; // aún no hay programa, o ya no
+  opciones.replaceChildren(...rutas.map(opcion =>
     boton(opcion.replaceAll('/', ' › '), () => { opciones.hidePopover(); manda(`menu ${opcion}`); }, { role: 'menuitem' })));
   opciones.showPopover();
   opciones.style.left = `${Math.max(Math.min(x, innerWidth - opciones.offsetWidth - 8), 8)}px`;
@@ -374,8 +318,7 @@ una('.guarda').onclick = () => sesion?.lienzo.toBlob(png => {
   setTimeout(() => URL.revokeObjectURL(enlace.href), 1000);
 });
 una('.enlace').onclick = async () => {
-  const hash = '#' + [actual.nombre, ...hecho.map(encodeURI)].join(';').replaceAll('#', '%23');
-  history.replaceState(null, '', hash);
+  history.replaceState(null, '', hazEnlace(actual.nombre, hecho.ordenes));
   ruta = location.hash;
   try {
     await navigator.clipboard.writeText(location.href);
@@ -385,10 +328,8 @@ una('.enlace').onclick = async () => {
   }
 };
 
-/// Empieza como un caso; si no se dice cuál, como lo hace el programa, que es lo que enseña el que no tiene guion.
-function empiezaCaso(caso = actual.casos.find(c => !c.guion)) {
+function empiezaCaso(caso = casoInicial(actual)) {
   propias = [];
-  caso ??= { ...actual.casos[0], ...actual.anima && { guion: '' } }; // lo que se anima, andando
   ensenaCaso(caso);
   return empieza(caso.guion);
 }
@@ -408,24 +349,18 @@ function ponCasos() {
 /// La imagen de un fichero como PPM, que es lo que leen los programas.
 async function aPpm(fichero) {
   const datos = new Uint8Array(await fichero.arrayBuffer());
-  if (datos[0] === 0x50 && datos[1] === 0x36) return datos; // ya es un P6
+  if (esPpm(datos)) return datos;
   const imagen = await createImageBitmap(fichero, { colorSpaceConversion: 'none' });
-  const e = Math.min(1, 2048 / Math.max(imagen.width, imagen.height));
-  const width = Math.max(Math.round(imagen.width * e), 1), height = Math.max(Math.round(imagen.height * e), 1);
-  const pincel = crea('canvas', { width, height }).getContext('2d');
+  const { width, height } = quepa(imagen), pincel = crea('canvas', { width, height }).getContext('2d');
   pincel.drawImage(imagen, 0, 0, width, height);
-  const rgba = pincel.getImageData(0, 0, width, height).data;
-  const cabecera = new TextEncoder().encode(`P6\n${width} ${height}\n255\n`), ppm = new Uint8Array(cabecera.length + 3 * width * height);
-  ppm.set(cabecera);
-  for (let i = 0, j = cabecera.length; i < rgba.length; i += 4) ppm.set(rgba.subarray(i, i + 3), j), j += 3;
-  return ppm;
+  return ppmDe(pincel.getImageData(0, 0, width, height).data, width, height);
 }
 
 async function abreFicheros(ficheros) {
   if (!actual?.admite || !ficheros.length) return;
-  const nuevas = [];
+  const nuevas = [], programa = actual;
   for (const fichero of ficheros) {
-    const nombre = `${++abreFicheros.cuenta}-` + fichero.name.replace(/[^\w.-]/g, '_');
+    const nombre = `${++abreFicheros.cuenta}-` + nombreLlano(fichero.name);
     try {
       if (actual.admite === 'modelo') nuevas.push({ nombre, datos: new Uint8Array(await fichero.arrayBuffer()) });
       else nuevas.push({ nombre: nombre.replace(/\.[^.]*$/, '') + '.ppm', datos: await aPpm(fichero) });
@@ -433,6 +368,7 @@ async function abreFicheros(ficheros) {
       return avisa(`«${fichero.name}» no es una imagen que este navegador sepa leer.`);
     }
   }
+  if (programa !== actual) return; // mientras se leían se ha ido a otro
   const cuantas = actual.admite === 'imagenes' ? 2 : 1;
   propias = [...propias, ...nuevas].slice(-cuantas);
   if (propias.length < cuantas) return avisa('Falta otra imagen: este programa usa dos.');
@@ -477,13 +413,12 @@ async function ponEditor() {
 
 function anota() { // los ficheros del programa: los que nombra y los que ha leído
   const leidos = [...sesion?.leidos ?? []].map(r => r.replace(/^\/lab\//, '')).filter(r => /^ch/.test(r) && esShader(r));
-  const puesto = ruta => ['frag', 'vert', 'glsl', 'cpp', 'h'].indexOf(ruta.split('.').pop()) + (ruta.startsWith(actual.capitulo) ? 0 : 9);
-  const rutas = [...new Set([...leidos, ...actual.fuentes])].sort((a, b) => puesto(a) - puesto(b));
+  const rutas = ordenaFuentes([...leidos, ...actual.fuentes], actual.capitulo);
   const pestana = ruta => boton(ruta.split('/').pop(), () => abre(ruta), { title: ruta });
   una('.pestanas').replaceChildren(...rutas.map(ruta => Object.assign(pestana(ruta), { ruta })));
   const [mal] = sesion.vivo ? [] : errores; // no ha podido arrancar
   abre([mal?.ruta, abierto].find(r => rutas.includes(r)) ?? rutas[0])
-    .then(() => mal && editor.scrollIntoView({ line: mal.linea, ch: 0 }, 99));
+    .then(() => mal && editor.scrollIntoView({ line: mal.linea, ch: 0 }, 99), error => avisa(`No se pueden ver los ficheros: ${error.message}`));
 }
 
 async function abre(ruta) {
@@ -545,7 +480,7 @@ async function aplica() {
   const programa = actual, ruta = abierto, texto = editor.getValue();
   apunta(ruta, texto, await originales(ruta));
   if (programa !== actual) return;
-  if (!sesion?.vivo) return empieza(hecho.join('; ')); // quizá no arrancaba por este error
+  if (!sesion?.vivo) return empieza(hecho.ordenes.join(';')); // quizá no arrancaba por este error
   sesion.escribe(ruta, texto);
   recarga();
 }
@@ -566,13 +501,11 @@ async function vuelve() {
 
 // --- el catálogo y las rutas ---------------------------------------------------------------------------------------------
 
-const llano = texto => texto.normalize('NFD').replace(/[\u0300-\u036f]/g, '').toLowerCase();
 const busca = una('input[type=search]');
 const fichas = new Map(todos('.tarjetas li').map((li, i) => [li, llano([PROGRAMAS[i].nombre, una('h2', li.closest('section')).textContent,
   li.textContent, ...PROGRAMAS[i].casos.map(c => c.mira)].join(' '))]));
 busca.addEventListener('input', () => {
-  const palabras = llano(busca.value).split(/\s+/);
-  for (const [li, contenido] of fichas) li.hidden = !palabras.every(palabra => contenido.includes(palabra));
+  for (const [li, contenido] of fichas) li.hidden = !casa(contenido, busca.value);
   for (const capitulo of todos('.capitulo')) capitulo.hidden = !una('li:not([hidden])', capitulo);
   una('.nada').hidden = una('.tarjetas li:not([hidden])') !== null;
 });
@@ -583,18 +516,13 @@ document.addEventListener('keydown', suceso => {
   }
 });
 
-function programaDe(nombre) {
-  const n = nombre.toLowerCase();
-  return PROGRAMAS.find(p => p.nombre === n) ?? PROGRAMAS.find(p => p.referencia.toLowerCase().split(' ').includes(n));
-}
-
 let ruta;
 function navega() {
   if (location.hash === ruta) return;
   ruta = location.hash;
   aplicaYa();
-  const partes = ruta.slice(1).split(';'), nombre = decodeURIComponent(partes.shift());
-  actual = programaDe(nombre);
+  const { nombre, guion } = leeEnlace(ruta);
+  actual = programaDe(nombre, PROGRAMAS);
   turno++;
   sesion?.cierra();
   sesion = undefined;
@@ -606,7 +534,7 @@ function navega() {
     document.title = 'Síntesis de imagen y animación';
     const capitulo = nombre && PROGRAMAS.find(p => p.capitulo.split('_')[0] === nombre || p.capitulo === nombre)?.capitulo;
     una('#no-esta').hidden = !nombre || Boolean(capitulo);
-    una('#no-esta').textContent = `No hay ningún programa «${nombre}».`;
+    una('#no-esta').textContent = `No hay ningún programa «${corta(nombre, 60)}».`;
     if (capitulo) document.getElementById(capitulo).scrollIntoView();
     return;
   }
@@ -629,9 +557,9 @@ function navega() {
   abierto = '';
   ponMandos();
   ponCasos();
-  if (!partes.length) return empiezaCaso();
+  if (guion === undefined) return empiezaCaso();
   ensenaCaso();
-  empieza(partes.map(decodeURIComponent).join(';'));
+  empieza(guion);
 }
 addEventListener('hashchange', navega);
 navega();
