@@ -125,8 +125,10 @@ static void dibuja() {
         estado.cuerpo == TRIANGULO ? recorta(c.vertices, estado.m) : std::vector<glm::dvec4>();
     const std::string texto = "vértice: " + std::to_string(estado.elegido) + "\n" +
                               describe(e, guardada, poligono, estado.m.viewport);
-    if (texto != estado.escrito) // al orbitar por fuera no cambia nada
+    if (texto != estado.escrito) { // al orbitar por fuera no cambia nada
         std::fputs(texto.c_str(), stdout);
+        std::fflush(stdout);
+    }
     estado.escrito = texto;
 
     abreRecuadro(ventanaEntera(), GRIS);

@@ -96,6 +96,8 @@ inline void especialEditor(const Editor &editor, int tecla) {
                            : tecla == GLUT_KEY_UP    ? glm::vec2(0, dy)
                            : tecla == GLUT_KEY_DOWN  ? glm::vec2(0, -dy)
                                                      : glm::vec2(0);
+    if (paso == glm::vec2(0))
+        return;
     const glm::vec4 p = editor.transformacion() * glm::vec4((*editor.puntos)[editor.elegido], 1);
     mueveElegido(editor, glm::vec2(p) / p.w + paso);
 }

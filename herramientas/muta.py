@@ -273,6 +273,9 @@ class Taller:
         entorno = dict(linea.split("=", 1) for linea in (self.copia / "tests/entorno.txt").read_text().split())
         for programa in self.programas:
             de = capitulo(programa.capitulo.nombre)
+            if not programa.consola and (not capitulos or de in capitulos):
+                orden = ["python3", "-B", self.copia / "tests/propiedades/propiedades.py", self.copia, self.build, programa.nombre]
+                pruebas.append(Prueba(f"{de} propiedades.{programa.nombre}", orden, {}, False))
             for caso in programa.casos:
                 if not programa.consola and (not capitulos or de in capitulos):
                     orden = [self.copia / "tests/casos/caso.sh", self.build, self.sin_ventana, *caso.hechos]
