@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import grafica
-from procesos import Fallo, ejecuta
+from procesos import Fallo, ejecuta, escribe
 
 CABECERA = "variante\tgrupo\tmediana\tmínimo\tmáximo\terror\tnota"
 
@@ -90,7 +90,7 @@ def imagenes(tecnica, carpeta, destino):
             ppm = carpeta / f"{tecnica.nombre}-{n}{sufijo}.ppm"
             if ppm.exists():
                 png = destino / f"{ppm.stem}.png"
-                png.write_bytes(ejecuta(["pnmtopng", "-quiet", ppm]))
+                escribe(png, ejecuta(["pnmtopng", "-quiet", ppm]))
                 ficheros.append(png.name)
         tecnica.imagenes.append((papel, v, ficheros))
 
@@ -105,6 +105,6 @@ def mide(ejecutable, tecnica, destino, ensayo):
             raise Fallo(f"ninguna variante se llama «{tecnica.elegida}»")
         if ensayo:
             return
-        (destino / f"{tecnica.nombre}.tsv").write_text(CABECERA + "\n" + (carpeta / f"{tecnica.nombre}.tsv").read_text())
+        escribe(destino / f"{tecnica.nombre}.tsv", CABECERA + "\n" + (carpeta / f"{tecnica.nombre}.tsv").read_text())
         imagenes(tecnica, carpeta, destino)
         grafica.dibuja(tecnica, destino / f"{tecnica.nombre}.svg")
