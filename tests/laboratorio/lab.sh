@@ -258,7 +258,7 @@ done
 # --- un programa más, con lo que dice CONTRIBUTING.md -------------------------------------------------------------
 
 # 1, su fuente, con sus shaders; 2, sus líneas en el CMakeLists.txt del capítulo; 3, su prueba; 4, sus defectos plantados
-for f in ch01_intro/shader_basico.*; do sed 's/shader_basico/nuevo/g' $f >${f/shader_basico/nuevo}; done
+for f in ch01_intro/shader_basico.*; do sed 's/shader_basico/nuevo/g' "$f" >"${f/shader_basico/nuevo}"; done
 cat >>ch01_intro/CMakeLists.txt <<'FIN'
 programa(nuevo REF "E1.2" TITULO "Cuatro" CONTRA "una cuenta" PRUEBAS ch01.Nuevo.EsLoQueEs)
 target_compile_definitions(nuevo PRIVATE LAB_FUENTES="${CMAKE_SOURCE_DIR}")
