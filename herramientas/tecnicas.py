@@ -1,5 +1,6 @@
 """Las técnicas de ./lab mide: sus variantes, cuáles están en el frente de Pareto y cuál usan los programas."""
 import math
+import os
 import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -98,7 +99,7 @@ def imagenes(tecnica, carpeta, destino):
 def mide(ejecutable, tecnica, destino, ensayo):
     with tempfile.TemporaryDirectory() as temporal:
         carpeta = Path(temporal)
-        ejecuta([ejecutable, *(["--ensayo"] if ensayo else []), carpeta, tecnica.nombre])
+        ejecuta([ejecutable, *(["--ensayo"] if ensayo else []), carpeta, tecnica.nombre], env={**os.environ, "TMPDIR": temporal})
         tecnica.variantes = lee_variantes(carpeta / f"{tecnica.nombre}.tsv")
         marca(tecnica)
         if tecnica.elegida and not any(v.elegida for v in tecnica.variantes):
