@@ -5,7 +5,7 @@ import os
 import signal
 import subprocess
 import sys
-import threading
+from concurrent.futures import ThreadPoolExecutor, wait
 
 MOTIVOS = {errno.ENOSPC: "no queda sitio en el disco", errno.EDQUOT: "no queda sitio en el disco", errno.EACCES: "no hay permiso",
            errno.EROFS: "no se puede escribir ahí", errno.ENOENT: "no existe", errno.EISDIR: "es una carpeta", errno.EFBIG: "es demasiado grande"}
@@ -18,7 +18,7 @@ class Fallo(Exception):
 
 class Procesos:
     """Los que hay en marcha, cada uno en su grupo, y la señal que los acaba."""
-    vivos, lanzando, senal = set(), set(), 0
+    vivos, senal = set(), 0
 
 
 def motivo(error):
@@ -32,40 +32,32 @@ def mata(proceso, senal=signal.SIGTERM):
         pass
 
 
+def acaba(senal, _):
+    Procesos.senal = Procesos.senal or senal
+    for proceso in list(Procesos.vivos):
+        mata(proceso)
+
+
 def si_hay_senal():
     if Procesos.senal:
         raise SystemExit(128 + Procesos.senal)
 
 
-def acaba(senal, _):
-    for s in SENALES:
-        signal.signal(s, signal.SIG_IGN)
-    Procesos.senal = senal
-    for proceso in list(Procesos.vivos):
-        mata(proceso)
-    if threading.get_ident() not in Procesos.lanzando:  # si no, lo ve lanza
-        si_hay_senal()
-
-
 def lanza(orden, input=None, timeout=None, **opciones):
     """subprocess.run en un grupo suyo, que acaba con nosotros."""
-    yo = threading.get_ident()
     opciones = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "stdin": subprocess.DEVNULL if input is None else subprocess.PIPE, **opciones}
     si_hay_senal()
     try:
-        Procesos.lanzando.add(yo)
         proceso = subprocess.Popen([str(palabra) for palabra in orden], start_new_session=True, **opciones)
-        Procesos.vivos.add(proceso)
     except FileNotFoundError as error:
         raise Fallo(f"no encuentro {error.filename}") from None
-    finally:
-        Procesos.lanzando.discard(yo)
+    Procesos.vivos.add(proceso)
     try:
         if Procesos.senal:  # ha llegado mientras
             mata(proceso)
         salida, errores = proceso.communicate(input, timeout)
     except BaseException:
-        mata(proceso, signal.SIGTERM if Procesos.senal else signal.SIGKILL)
+        mata(proceso, signal.SIGKILL)
         proceso.wait()
         raise
     finally:
@@ -104,7 +96,14 @@ def principal(main):
     for senal in SENALES:
         signal.signal(senal, acaba)
     try:
-        sys.exit(main())
+        # En otro hilo, y aquí se espera a trozos: Python no atiende la señal que llega justo cuando se pone a esperar a un cerrojo.
+        with ThreadPoolExecutor(1) as hilo:
+            trabajo = hilo.submit(main)
+            while not trabajo.done():
+                wait([trabajo], 0.1)
+        resultado = trabajo.result()
+        si_hay_senal()
+        sys.exit(resultado)
     except Fallo as fallo:
         sys.exit(f"lab: {fallo}")
     except OSError as error:

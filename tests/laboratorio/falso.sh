@@ -12,7 +12,7 @@ etapa() {
     wait
   fi
   if [ "${FALLA:-}" = "$1" ]; then
-    printf 'falla %s\nmás\n' "$1" >&2
+    printf 'error: falla %s %s\nmás\n' "$1" "${PORQUE:-}" >&2
     exit 3
   fi
 }
