@@ -66,7 +66,6 @@ class Galeria:
             return False
         for fichero in ficheros:
             fichero.unlink(missing_ok=True)
-        self.hecho.pop(caso.imagen, None)
         orden = [ejecutable]
         ppm = temporal / f"{caso.fichero}.ppm"
         if not programa.consola:

@@ -252,7 +252,7 @@ def prueba_en_copia(raiz, temporal, mutante=None):
             if not mutante and not bien:
                 sys.exit(f"{prueba.salida[-1000:]}\nmuta: {nombre} falla sin ningún mutante")
             if not bien:
-                quien = re.search(r"^(?:FAILED|ERROR) \S*::(\S+)", prueba.salida, re.M)
+                quien = re.search(r"^(?:FAILED|ERROR) \S*::(.+?)(?: - .*)?$", prueba.salida, re.M)
                 mutante.notado = f"{Path(nombre).stem}.{quien[1]}" if quien else nombre
                 break
     return mutante

@@ -1,5 +1,6 @@
 """Cada orden de ./lab en un laboratorio de mentira, que no compila ni dibuja nada (falso.sh): lo que llama, lo que escribe y dónde, con
 qué estado acaba y qué deja cuando algo falla o llega una señal. Siempre en una carpeta con el peor nombre posible."""
+import base64
 import json
 import os
 import re
@@ -8,6 +9,7 @@ import shutil
 import signal
 import subprocess
 import time
+import zlib
 from pathlib import Path
 
 import pytest
@@ -199,7 +201,7 @@ def test_galeria(lab):
     # lo que no se puede dibujar no deja la imagen de antes, lo dice la página y se hace en cuanto se pueda
     programa = lab.build / "osmesa/ch01_uno/a"
     programa.unlink()
-    programa.write_text("#!/bin/sh\necho falla con esto >&2\necho y más\nexit 3\n")
+    programa.write_text("#!/bin/sh\necho falla con esto >&2\necho y más >&2\nexit 3\n")
     programa.chmod(0o755)
     assert hechas(1)["a"].startswith("a ha fallado: falla con esto") and not png.exists() and not animada.exists()
     assert "falla con esto" in (lab.raiz / "galeria/index.html").read_text()
@@ -213,6 +215,8 @@ def test_web(lab):
     web = lab.raiz / "web"
     datos = {f.name for f in (web / "datos").iterdir()}
     assert datos == {f"{n}.js" for n in ("js", "wasm", "shaders", "codigo", "editor", "t.rgb")}
+    empaquetado = (web / "datos/shaders.js").read_text().split('"')[3]
+    assert json.loads(zlib.decompress(base64.b64decode(empaquetado))) == {"ch01_uno/a.vert": "uno"}
     pagina = (web / "index.html").read_text()
     assert '"nombre":"a"' in pagina and '"anima":true' in pagina and (web / "ch01_uno/a.jpg").read_bytes()[:2] == b"\xff\xd8"
     miniatura = web / "ch01_uno/a.jpg"
