@@ -13,7 +13,7 @@ from pathlib import Path
 
 import catalogo
 import medidas
-from procesos import ejecuta
+from procesos import ejecuta, escribe
 
 TALLAS = ("960x720", "1920x1080")
 
@@ -66,14 +66,19 @@ def costes(raiz, build, destino, llenar, vueltas=5):
                                int(campos[9]), medidas.errores(comprobado.get(p.nombre, {}))))
     avisa(f"costes: {len(tabla)} programas")
     suelo = statistics.median(suelos) if suelos else math.nan
-    with (destino / "costes.tsv").open("w") as f:
-        print("programa", "arranque ms", "primera ms", "veces el suelo", *(f"ms {t}" for t in TALLAS), "veces llenar", "primitivas", "bytes de buffers",
-              "bytes de texturas", "error máximo", "error RMSE", "borde px", sep="\t", file=f)
-        for c in tabla:
-            c.veces_suelo = c.arranque / suelo
-            print(c.programa, f"{c.arranque:.1f}", f"{c.primera:.1f}", f"{c.veces_suelo:.2f}", *(f"{x:.1f}" for x in c.ms), f"{c.veces_llenar:.1f}",
-                  c.primitivas, c.buferes, c.texturas, *(e or "-" for e in c.errores), sep="\t", file=f)
+    for c in tabla:
+        c.veces_suelo = c.arranque / suelo
+    escribe(destino / "costes.tsv", en_tsv(tabla))
     return tabla, suelo
+
+
+def en_tsv(tabla):
+    filas = [("programa", "arranque ms", "primera ms", "veces el suelo", *(f"ms {t}" for t in TALLAS), "veces llenar", "primitivas", "bytes de buffers",
+              "bytes de texturas", "error máximo", "error RMSE", "borde px")]
+    for c in tabla:
+        filas.append((c.programa, f"{c.arranque:.1f}", f"{c.primera:.1f}", f"{c.veces_suelo:.2f}", *(f"{x:.1f}" for x in c.ms), f"{c.veces_llenar:.1f}",
+                      c.primitivas, c.buferes, c.texturas, *(e or "-" for e in c.errores)))
+    return "".join("\t".join(map(str, fila)) + "\n" for fila in filas)
 
 
 def segundos_de_cpu(orden, carpeta):

@@ -9,7 +9,6 @@ caso falla, la página lleva los demás y el estado es 1.
 import hashlib
 import json
 import os
-import signal
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor, as_completed
@@ -18,7 +17,7 @@ from pathlib import Path
 import catalogo
 import pagina
 import procesos
-from procesos import Fallo
+from procesos import Fallo, escribe
 
 ANCHO, ALTO = 1920, 1440
 RITMO = "1", "10"  # segundos por cuadro, como fracción
@@ -38,14 +37,6 @@ def a_la_mitad(ppm):
     mitad.write_bytes(ejecuta(["pamscale", "-linear", "0.5", ppm]))  # la media de cada 2×2
     ppm.unlink()
     return mitad
-
-
-def escribe(fichero, datos):
-    """Entero o nada."""
-    fichero.parent.mkdir(parents=True, exist_ok=True)
-    parcial = fichero.with_suffix(".parcial")
-    parcial.write_bytes(datos)
-    parcial.replace(fichero)
 
 
 class Galeria:
@@ -75,7 +66,6 @@ class Galeria:
             return False
         for fichero in ficheros:
             fichero.unlink(missing_ok=True)
-        self.hecho.pop(caso.imagen, None)
         orden = [ejecutable]
         ppm = temporal / f"{caso.fichero}.ppm"
         if not programa.consola:
@@ -111,37 +101,32 @@ class Galeria:
         for caso in programa.casos:
             try:
                 hechas += self.dibuja(programa, caso, temporal)
-            except (Fallo, OSError) as fallo:
+            except Fallo as fallo:
                 caso.fallo = str(fallo)
+            except OSError as error:
+                caso.fallo = f"{error.filename or caso.imagen}: {procesos.motivo(error)}"
         fallos = [f"{caso.fichero} ha fallado: {caso.fallo}" for caso in programa.casos if caso.fallo]
         hecho = f"{hechas} {'imagen' if hechas == 1 else 'imágenes'}" if hechas else "sin cambios"
         return "; ".join(fallos) or hecho
 
     def dibuja_todo(self, programas):
-        with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(os.cpu_count()) as hilos:
-            pendientes = {hilos.submit(self.dibuja_programa, p, Path(temporal)): p for p in programas}
-            try:
+        try:
+            with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(os.cpu_count()) as hilos:
+                pendientes = {hilos.submit(self.dibuja_programa, p, Path(temporal)): p for p in programas}
                 for n, pendiente in enumerate(as_completed(pendientes), 1):
                     programa = pendientes[pendiente]
                     print(f"[{n:2}/{len(programas)}] {programa.capitulo.nombre}/{programa.nombre}: {pendiente.result()}",
                           file=sys.stderr)
-            except BaseException:
-                hilos.shutdown(cancel_futures=True)
-                raise
-            finally:
-                self.registro.write_text(json.dumps(self.hecho, ensure_ascii=False))
+        finally:
+            escribe(self.registro, json.dumps(self.hecho, ensure_ascii=False))
 
 
 def main():
     raiz, build, destino = map(Path, sys.argv[1:])
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     destino.mkdir(parents=True, exist_ok=True)
     capitulos = catalogo.lee(build)
     programas = [p for capitulo in capitulos for p in capitulo.programas]
-    try:
-        Galeria(raiz, build, destino).dibuja_todo(programas)
-    except KeyboardInterrupt:
-        sys.exit(130)
+    Galeria(raiz, build, destino).dibuja_todo(programas)
     pagina.escribe(raiz, destino, capitulos)
     print(f"Hecha: {destino}/index.html", file=sys.stderr)
     fallidos = [p.nombre for p in programas if any(caso.fallo for caso in p.casos)]
@@ -149,4 +134,5 @@ def main():
         sys.exit(f"lab: no se ha podido dibujar todo: {', '.join(fallidos)}")
 
 
-main()
+if __name__ == "__main__":
+    procesos.principal(main)

@@ -1,6 +1,7 @@
 """La gráfica de una técnica: error frente a tiempo, con gnuplot."""
 import math
-import subprocess
+
+from procesos import ejecuta, escribe
 
 ANCHO, ALTO, MARGEN = 860, 480, (80, 20, 20, 60)  # del SVG: izquierda, derecha, arriba, abajo
 
@@ -63,7 +64,7 @@ def dibuja(tecnica, svg):
     lugares = coloca([en_pixeles(v) for v in con_error], [texto(v) for v in con_error])
     grupos = [[v for v in sorted(con_error, key=lambda v: v.mediana) if v.grupo == g and v.optima] for g in dict.fromkeys(v.grupo for v in con_error)]
     guion = [
-        f"set terminal svg size {ANCHO},{ALTO} font 'sans-serif,12' background rgb 'white'", f"set output '{svg}'",
+        f"set terminal svg size {ANCHO},{ALTO} font 'sans-serif,12' background rgb 'white'",
         f"set lmargin at screen {MARGEN[0] / ANCHO}", f"set rmargin at screen {1 - MARGEN[1] / ANCHO}",
         f"set bmargin at screen {MARGEN[3] / ALTO}", f"set tmargin at screen {1 - MARGEN[2] / ALTO}",
         "set logscale xy", "set format x '%g'", "set format y '10^{%T}'", f"set xrange [{izquierda}:{derecha}]", f"set yrange [{abajo}:{arriba}]",
@@ -81,5 +82,5 @@ def dibuja(tecnica, svg):
     for clase, color, tipo in (("otras", "#98a3af", 6), ("optimas", "#1f5f9e", 7), ("elegidas", "#a3260f", 7)):
         trozos.append(f"${clase} using 1:2:3:4 with xerrorbars pt {tipo} ps 0.8 lc rgb '{color}'")
     guion.append("plot " + ", ".join(trozos))
-    subprocess.run(["gnuplot"], input="\n".join(guion), text=True, check=True, capture_output=True)
+    escribe(svg, ejecuta(["gnuplot"], input="\n".join(guion), text=True))
     return True

@@ -7,6 +7,8 @@ defectos: de cada lista de mutantes, cuántos se plantaron, se notan y se notan 
 """
 import json
 
+from procesos import escribe
+
 
 def lee(raiz):
     return json.loads((raiz / "docs/medidas.json").read_text())
@@ -21,7 +23,7 @@ def apunta(raiz, **nuevas):
     for seccion, medidas in {**lee(raiz), **nuevas}.items():
         lineas = ",\n".join(f"  {texto(nombre)}: {texto(medida)}" for nombre, medida in medidas.items())
         secciones.append(f"{texto(seccion)}: {{\n{lineas}\n}}")
-    (raiz / "docs/medidas.json").write_text("{\n" + ",\n".join(secciones) + "\n}\n")
+    escribe(raiz / "docs/medidas.json", "{\n" + ",\n".join(secciones) + "\n}\n")
 
 
 def numero(x):

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import costes
 import pagina
-from procesos import Fallo, ejecuta
+from procesos import Fallo, ejecuta, escribe, principal
 from tecnicas import Tecnica, mide
 
 ESPERADOS = "herramientas/mide/ensayo.tsv"
@@ -92,14 +92,10 @@ def main():
         costes.avisa(f"Hecho: {destino}/index.html")
     if apunta:
         esperados.update({t.nombre: {v.nombre: v.error for v in t.variantes if not v.par or "glm::" in v.nombre} for t in tecnicas})
-        (raiz / ESPERADOS).write_text("".join(f"{t}\t{v}\t{e:g}\n" for t in esperados for v, e in esperados[t].items()))
+        escribe(raiz / ESPERADOS, "".join(f"{t}\t{v}\t{e:g}\n" for t in esperados for v, e in esperados[t].items()))
     if fallos:
         sys.exit(f"lab: no se ha podido medir todo: {', '.join(fallos)}")
 
 
-try:
-    main()
-except Fallo as fallo:
-    sys.exit(f"lab: {fallo}")
-except KeyboardInterrupt:
-    sys.exit(130)
+if __name__ == "__main__":
+    principal(main)

@@ -7,13 +7,14 @@ cambia lo que va entre ellas.
 
 Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes: una expresión de C++ queda como (mutante(5012) ? (estropeada) :
 (original)), una instrucción como if/else, y $LAB_MUTANTE elige uno; un shader estropeado va en una carpeta, y $LAB_RAIZ hace que se
-mire antes que las demás. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar y apuntan lo que usan; después,
+mire antes que las demás. Los de ./lab y herramientas/*.py se escriben en una copia de los dos, con lo demás enlazado, y los ven las
+pruebas de PRUEBAS_DE_COPIA. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar y apuntan lo que usan; después,
 con cada mutante, los que lo usan, hasta que uno falle: las pruebas de su capítulo, las demás y, si ninguna lo nota, los golden.
 """
+import itertools
 import os
 import re
 import shutil
-import signal
 import subprocess
 import sys
 import tempfile
@@ -25,11 +26,13 @@ from pathlib import Path
 
 import catalogo
 import medidas
-from procesos import pruebas_de
+from procesos import lanza, principal, pruebas_de
 
 MINIMO = 150  # mutantes en la lista
 META, META_SIN_GOLDEN = 98, 92  # por ciento
 SHADERS = (".vert", ".frag", ".glsl")
+SOBRA = "build", "galeria", "informe", "web", ".git", "__pycache__"  # de una copia del árbol
+PRUEBAS_DE_COPIA = "herramientas_test.py", "ordenes_test.py"  # de tests/laboratorio, de la que menos tarda a la que más
 
 
 @dataclass
@@ -49,6 +52,11 @@ class Mutante:
     @property
     def nombre(self):
         return f"{self.lista}:{self.linea}"
+
+    @property
+    def en_copia(self):
+        """Si es de ./lab o de Python: no se compila."""
+        return self.fichero == "lab" or self.fichero.endswith(".py")
 
     def es_de(self, pedido):
         """Si es lo que se pide: su lista, él, su fichero, su carpeta o el programa por el que empieza el nombre de su fichero."""
@@ -82,9 +90,11 @@ class Prueba:
 
     def pasa(self, limite, **entorno):
         """Si acaba bien y a tiempo en ese entorno. Lo que escribe queda en self.salida."""
-        proceso = subprocess.run(["timeout", "-s", "KILL", f"{limite:.0f}", *self.orden], stdin=subprocess.DEVNULL,
-                                 stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                                 env={**os.environ, **self.entorno, **entorno})
+        try:
+            proceso = lanza(self.orden, timeout=limite, stderr=subprocess.STDOUT, env={**os.environ, **self.entorno, **entorno})
+        except subprocess.TimeoutExpired:
+            self.salida = "no acaba"
+            return False
         self.salida = proceso.stdout.decode(errors="replace")
         return proceso.returncode == 0
 
@@ -163,6 +173,10 @@ def comprueba(raiz, programas, mutantes, fallos):
                 buenos.append(m)
             except ValueError as error:
                 fallos.append(f"{m.nombre}: {error}")
+        if grupo[0].en_copia:
+            for m in buenos:
+                fallos += compila_guion(m, estropea(fuente, m))
+            continue
         if fichero.endswith(SHADERS):
             for m in buenos:
                 fallos += compila_glsl(raiz, m, estropea(fuente, m))
@@ -200,6 +214,50 @@ def compila_glsl(raiz, mutante, estropeado):
     return fallos
 
 
+def compila_guion(mutante, estropeado):
+    """Uno estropeado de Python o de Bash debe poder leerse."""
+    if mutante.fichero == "lab":
+        informe = subprocess.run(["bash", "-n"], input=estropeado, text=True, capture_output=True).stderr
+    else:
+        try:
+            compile(estropeado, mutante.fichero, "exec")
+            informe = ""
+        except SyntaxError as error:
+            informe = f"línea {error.lineno}: {error.msg}"
+    return [f"{mutante.nombre}: no se puede leer: {informe.strip()}"] if informe else []
+
+
+def copia_de_trabajo(raiz, carpeta):
+    """El árbol: de verdad, lo que se estropea y sus pruebas; lo demás, enlazado."""
+    carpeta.mkdir()
+    for que in raiz.iterdir():
+        if que.name not in (*SOBRA, "lab", "herramientas", "tests"):
+            (carpeta / que.name).symlink_to(que)
+    shutil.copy2(raiz / "lab", carpeta)
+    for parte in ("herramientas", "tests/laboratorio"):
+        shutil.copytree(raiz / parte, carpeta / parte, ignore=shutil.ignore_patterns(*SOBRA))
+    return carpeta
+
+
+def prueba_en_copia(raiz, temporal, mutante=None):
+    """Las pruebas de PRUEBAS_DE_COPIA en una copia con ese mutante, hasta la que lo nota."""
+    with tempfile.TemporaryDirectory(dir=temporal) as sitio:
+        copia = copia_de_trabajo(raiz, Path(sitio, "lab"))
+        if mutante:
+            fichero = copia / mutante.fichero
+            fichero.write_text(estropea(fichero.read_text(), mutante))
+        for nombre in PRUEBAS_DE_COPIA:
+            prueba = Prueba(nombre, [shutil.which("pytest-3") or "pytest", "-xq", "-p", "no:cacheprovider", copia / "tests/laboratorio" / nombre], {}, False)
+            bien = prueba.pasa(120, TMPDIR=sitio)
+            if not mutante and not bien:
+                sys.exit(f"{prueba.salida[-1000:]}\nmuta: {nombre} falla sin ningún mutante")
+            if not bien:
+                quien = re.search(r"^(?:FAILED|ERROR) \S*::(.+?)(?: - .*)?$", prueba.salida, re.M)
+                mutante.notado = f"{Path(nombre).stem}.{quien[1]}" if quien else nombre
+                break
+    return mutante
+
+
 class Taller:
     """La copia del árbol con todos los mutantes, compilada."""
 
@@ -212,7 +270,7 @@ class Taller:
         grupos = por_fichero(self.mutantes)
         nuevos = {}
         for carpeta, carpetas, ficheros in os.walk(self.raiz):
-            carpetas[:] = [c for c in carpetas if c not in ("build", "galeria", "informe", "web", ".git", "__pycache__")]
+            carpetas[:] = [c for c in carpetas if c not in SOBRA]
             for f in ficheros:
                 relativo = str((Path(carpeta) / f).relative_to(self.raiz))
                 nuevos[relativo] = (self.raiz / relativo).read_bytes()
@@ -256,8 +314,7 @@ class Taller:
                    *(f"{p.nombre}_{self.sin_ventana}" for p in self.programas))
 
     def orden(self, *palabras):
-        proceso = subprocess.run([str(p) for p in palabras], cwd=self.copia, text=True, stdout=subprocess.PIPE,
-                                 stderr=subprocess.STDOUT)
+        proceso = lanza(palabras, cwd=self.copia, text=True, stderr=subprocess.STDOUT)
         if proceso.returncode:
             sys.exit("\n".join([linea for linea in proceso.stdout.splitlines() if not linea.startswith("[")] +
                                ["muta: no se ha podido compilar con los mutantes dentro"]))
@@ -323,7 +380,7 @@ def cuenta(mutante):
     if mutante.notado:
         resultado = f"solo {mutante.notado}" if mutante.por_golden else mutante.notado
     else:
-        resultado = "SOBREVIVE" if mutante.pruebas else "SOBREVIVE, nada lo ejecuta"
+        resultado = "SOBREVIVE" if mutante.pruebas or mutante.en_copia else "SOBREVIVE, nada lo ejecuta"
     motivo = f" ({mutante.motivo})" if mutante.motivo else ""
     return f"{mutante.nombre:<11} {mutante.fichero}, {mutante.imita}: {resultado}{motivo}"
 
@@ -350,8 +407,6 @@ def resume(mutantes):
 
 
 def main():
-    for interrupcion in (signal.SIGINT, signal.SIGTERM):  # también entonces se borra la carpeta temporal
-        signal.signal(interrupcion, lambda cual, _: sys.exit(128 + cual))
     raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
     pedidos = sys.argv[3:]
     todos, fallos = lee(raiz)
@@ -364,23 +419,26 @@ def main():
         if not any(m.es_de(pedido) for m in todos):
             sys.exit(f"muta: no hay ningún mutante en «{pedido}»; vale un capítulo (ch05), un programa, un fichero o {todos[0].nombre}")
     elegidos = [m for m in todos if not pedidos or any(m.es_de(pedido) for pedido in pedidos)]
-    taller = Taller(raiz, build / "mutantes", todos)
+    en_copia = [m for m in elegidos if m.en_copia]
+    compilados = [m for m in elegidos if not m.en_copia]
+    taller = Taller(raiz, build / "mutantes", [m for m in todos if not m.en_copia])
     # de un capítulo que se pide, solo sus pruebas; lo de common/ lo usan todos
-    capitulos = {capitulo(m.fichero) for m in elegidos} if pedidos else set()
+    capitulos = {capitulo(m.fichero) for m in compilados} if pedidos else set()
     if "comun" in capitulos:
         capitulos.clear()
-    aviso(f"compilo con {len(todos)} mutantes dentro…")
-    taller.copia_arbol()
-    taller.compila(capitulos)
+    if compilados:
+        aviso(f"compilo con {len(taller.mutantes)} mutantes dentro…")
+        taller.copia_arbol()
+        taller.compila(capitulos)
     with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(taller.procesos) as hilos:
         os.environ["TMPDIR"] = temporal  # lo que deje una prueba que no acaba bien
-        try:
+        if compilados:
             taller.sin_mutantes(taller.enumera(capitulos), hilos)
-            for i, m in enumerate(hilos.map(taller.prueba, elegidos), 1):
-                print(f"[{i}/{len(elegidos)}] {cuenta(m)}", flush=True)
-        except BaseException:
-            hilos.shutdown(cancel_futures=True)
-            raise
+        if en_copia:
+            prueba_en_copia(raiz, temporal)
+        vueltas = itertools.chain(hilos.map(taller.prueba, compilados), hilos.map(lambda m: prueba_en_copia(raiz, temporal, m), en_copia))
+        for i, m in enumerate(vueltas, 1):
+            print(f"[{i}/{len(elegidos)}] {cuenta(m)}", flush=True)
     notados, sin_golden = resume(elegidos)
     mal = [m.nombre for m in elegidos if bool(m.notado) == bool(m.motivo)]
     if mal:
@@ -393,4 +451,4 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    principal(main)

@@ -8,6 +8,7 @@ from pygments.formatters import HtmlFormatter
 from pygments.lexers import CppLexer, GLShaderLexer
 
 import controles
+import procesos
 
 PLANTILLAS = Path(__file__).parent / "plantillas"
 CLARO, OSCURO = HtmlFormatter(style="xcode", nowrap=True), HtmlFormatter(style="github-dark", nowrap=True)
@@ -68,6 +69,4 @@ def plantilla(nombre, texto=False):
 
 def escribe_pagina(destino, nombre, **datos):
     """DESTINO/index.html, entera o nada."""
-    parcial = destino / "index.html.parcial"
-    parcial.write_text(plantilla(nombre).render(**datos))
-    parcial.replace(destino / "index.html")
+    procesos.escribe(destino / "index.html", plantilla(nombre).render(**datos))

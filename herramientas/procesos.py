@@ -1,21 +1,113 @@
-"""Ejecutar un programa y quedarse con lo que escribe; qué pruebas hay en uno de GoogleTest."""
+"""Lo que comparten las órdenes: ejecutar un programa y quedarse con lo que escribe, dejar un fichero entero o nada, y acabar en una línea
+cuando algo falla y enseguida, con todo lo que se haya puesto en marcha, cuando llega una señal."""
+import errno
+import os
+import signal
 import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor, wait
+
+MOTIVOS = {errno.ENOSPC: "no queda sitio en el disco", errno.EDQUOT: "no queda sitio en el disco", errno.EACCES: "no hay permiso",
+           errno.EROFS: "no se puede escribir ahí", errno.ENOENT: "no existe", errno.EISDIR: "es una carpeta", errno.EFBIG: "es demasiado grande"}
+SENALES = signal.SIGINT, signal.SIGTERM, signal.SIGHUP
 
 
 class Fallo(Exception):
     pass
 
 
+class Procesos:
+    """Los que hay en marcha, cada uno en su grupo, y la señal que los acaba."""
+    vivos, senal = set(), 0
+
+
+def motivo(error):
+    return MOTIVOS.get(error.errno, error.strerror)
+
+
+def mata(proceso, senal=signal.SIGTERM):
+    try:
+        os.killpg(proceso.pid, senal)  # y a los que haya puesto en marcha
+    except ProcessLookupError:
+        pass
+
+
+def acaba(senal, _):
+    Procesos.senal = Procesos.senal or senal
+    for proceso in list(Procesos.vivos):
+        mata(proceso)
+
+
+def si_hay_senal():
+    if Procesos.senal:
+        raise SystemExit(128 + Procesos.senal)
+
+
+def lanza(orden, input=None, timeout=None, **opciones):
+    """subprocess.run en un grupo suyo, que acaba con nosotros."""
+    opciones = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "stdin": subprocess.DEVNULL if input is None else subprocess.PIPE, **opciones}
+    si_hay_senal()
+    try:
+        proceso = subprocess.Popen([str(palabra) for palabra in orden], start_new_session=True, **opciones)
+    except FileNotFoundError as error:
+        raise Fallo(f"no encuentro {error.filename}") from None
+    Procesos.vivos.add(proceso)
+    try:
+        if Procesos.senal:  # ha llegado mientras
+            mata(proceso)
+        salida, errores = proceso.communicate(input, timeout)
+    except BaseException:
+        mata(proceso, signal.SIGKILL)
+        proceso.wait()
+        raise
+    finally:
+        Procesos.vivos.discard(proceso)
+    si_hay_senal()
+    return subprocess.CompletedProcess(orden, proceso.returncode, salida, errores)
+
+
 def ejecuta(orden, **opciones):
     """Lo que escribe; si no acaba bien o, con timeout, a tiempo, un Fallo que lo dice."""
     try:
-        proceso = subprocess.run([str(palabra) for palabra in orden], stdin=subprocess.DEVNULL, capture_output=True, **opciones)
+        proceso = lanza(orden, **opciones)
     except subprocess.TimeoutExpired as lento:
         raise Fallo(f"no ha acabado en {lento.timeout} segundos") from None
     if proceso.returncode:
         errores = proceso.stderr if opciones.get("text") else proceso.stderr.decode(errors="replace")
         raise Fallo(errores.strip() or f"{orden[0]} ha acabado con estado {proceso.returncode}")
     return proceso.stdout
+
+
+def escribe(fichero, datos):
+    """Entero o nada: al lado, y en su sitio cuando ya está."""
+    parcial = fichero.with_name(fichero.name + ".parcial")
+    try:
+        fichero.parent.mkdir(parents=True, exist_ok=True)
+        parcial.write_bytes(datos if isinstance(datos, bytes) else datos.encode())
+        parcial.replace(fichero)
+    except OSError as error:
+        raise Fallo(f"no puedo escribir «{fichero}»: {motivo(error)}") from None
+    finally:
+        parcial.unlink(missing_ok=True)
+
+
+def principal(main):
+    """main(), de la que una señal, un Fallo o un disco lleno salen con su estado y, como mucho, una línea."""
+    for senal in SENALES:
+        signal.signal(senal, acaba)
+    try:
+        # En otro hilo, y aquí se espera a trozos: Python no atiende la señal que llega justo cuando se pone a esperar a un cerrojo.
+        with ThreadPoolExecutor(1) as hilo:
+            trabajo = hilo.submit(main)
+            while not trabajo.done():
+                wait([trabajo], 0.1)
+        resultado = trabajo.result()
+        si_hay_senal()
+        sys.exit(resultado)
+    except Fallo as fallo:
+        sys.exit(f"lab: {fallo}")
+    except OSError as error:
+        sys.exit(f"lab: {error.filename or 'no puedo escribir'}: {motivo(error)}")
 
 
 def pruebas_de(ejecutable):

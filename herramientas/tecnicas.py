@@ -1,11 +1,12 @@
 """Las técnicas de ./lab mide: sus variantes, cuáles están en el frente de Pareto y cuál usan los programas."""
 import math
+import os
 import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import grafica
-from procesos import Fallo, ejecuta
+from procesos import Fallo, ejecuta, escribe
 
 CABECERA = "variante\tgrupo\tmediana\tmínimo\tmáximo\terror\tnota"
 
@@ -90,7 +91,7 @@ def imagenes(tecnica, carpeta, destino):
             ppm = carpeta / f"{tecnica.nombre}-{n}{sufijo}.ppm"
             if ppm.exists():
                 png = destino / f"{ppm.stem}.png"
-                png.write_bytes(ejecuta(["pnmtopng", "-quiet", ppm]))
+                escribe(png, ejecuta(["pnmtopng", "-quiet", ppm]))
                 ficheros.append(png.name)
         tecnica.imagenes.append((papel, v, ficheros))
 
@@ -98,13 +99,13 @@ def imagenes(tecnica, carpeta, destino):
 def mide(ejecutable, tecnica, destino, ensayo):
     with tempfile.TemporaryDirectory() as temporal:
         carpeta = Path(temporal)
-        ejecuta([ejecutable, *(["--ensayo"] if ensayo else []), carpeta, tecnica.nombre])
+        ejecuta([ejecutable, *(["--ensayo"] if ensayo else []), carpeta, tecnica.nombre], env={**os.environ, "TMPDIR": temporal})
         tecnica.variantes = lee_variantes(carpeta / f"{tecnica.nombre}.tsv")
         marca(tecnica)
         if tecnica.elegida and not any(v.elegida for v in tecnica.variantes):
             raise Fallo(f"ninguna variante se llama «{tecnica.elegida}»")
         if ensayo:
             return
-        (destino / f"{tecnica.nombre}.tsv").write_text(CABECERA + "\n" + (carpeta / f"{tecnica.nombre}.tsv").read_text())
+        escribe(destino / f"{tecnica.nombre}.tsv", CABECERA + "\n" + (carpeta / f"{tecnica.nombre}.tsv").read_text())
         imagenes(tecnica, carpeta, destino)
         grafica.dibuja(tecnica, destino / f"{tecnica.nombre}.svg")

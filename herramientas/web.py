@@ -10,7 +10,6 @@ import json
 import os
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 import zlib
@@ -20,7 +19,7 @@ from pathlib import Path
 import catalogo
 import controles
 import pagina
-from procesos import Fallo, ejecuta
+from procesos import ejecuta, escribe, principal
 
 CODEMIRROR = Path("/usr/share/javascript/codemirror")
 SHADERS, TEXTURAS = (".vert", ".frag", ".glsl"), (".rgb", ".r8")
@@ -67,11 +66,12 @@ class Programa:
 class Pagina:
     def __init__(self, raiz, build, galeria, destino):
         self.raiz, self.build, self.galeria, self.destino = raiz, build, galeria, destino
+        self.nuevos = destino / "datos.parcial"  # hasta que están todos
 
     def empaqueta(self, nombre, datos):
         datos = datos if isinstance(datos, bytes) else json.dumps(datos, ensure_ascii=False).encode()
         comprimido = base64.b64encode(zlib.compress(datos, 9)).decode()
-        (self.destino / "datos" / f"{nombre}.js").write_text(f'llega("{nombre}","{comprimido}")\n')
+        escribe(self.nuevos / f"{nombre}.js", f'llega("{nombre}","{comprimido}")\n')
 
     def textos(self, *patrones):
         ficheros = sorted(f for patron in patrones for f in self.raiz.glob(patron))
@@ -84,16 +84,25 @@ class Pagina:
         if programa.consola or not origen.is_file():
             return ""
         if not destino.is_file() or destino.stat().st_mtime < origen.stat().st_mtime:
-            destino.parent.mkdir(exist_ok=True)
-            reducida = None
-            for orden in (["pngtopnm", origen], ["pamscale", "-linear", "0.5"], ["pnmtojpeg", "-quality=85", "-optimize"]):
-                reducida = subprocess.run(orden, input=reducida, check=True, capture_output=True).stdout
-            destino.write_bytes(reducida)
+            reducida = ejecuta(["pngtopnm", origen])
+            for orden in (["pamscale", "-linear", "0.5"], ["pnmtojpeg", "-quality=85", "-optimize"]):
+                reducida = ejecuta(orden, input=reducida)
+            escribe(destino, reducida)
         return str(destino.relative_to(self.destino))
 
     def escribe(self, capitulos):
+        try:
+            self.empaqueta_todo()
+            self.escribe_indice(capitulos, self.cambia_los_datos)
+        finally:
+            shutil.rmtree(self.nuevos, ignore_errors=True)
+
+    def cambia_los_datos(self):
         shutil.rmtree(self.destino / "datos", ignore_errors=True)
-        (self.destino / "datos").mkdir(parents=True)
+        self.nuevos.rename(self.destino / "datos")
+
+    def empaqueta_todo(self):
+        shutil.rmtree(self.nuevos, ignore_errors=True)
         for parte in ("js", "wasm"):
             self.empaqueta(parte, (self.build / f"lab.{parte}").read_bytes())
         self.empaqueta("shaders", self.textos(*(f"c*/*{e}" for e in SHADERS), "assets/*.txt", "assets/*.vf"))
@@ -104,26 +113,23 @@ class Pagina:
         for textura in (self.build.parent / "assets").iterdir():
             if textura.suffix in TEXTURAS:
                 self.empaqueta(textura.name, textura.read_bytes())
-        self.escribe_indice(capitulos)
 
-    def escribe_indice(self, capitulos):
+    def escribe_indice(self, capitulos, antes=lambda: None):
         programas = [p for capitulo in capitulos for p in capitulo.programas]
         self.destino.mkdir(parents=True, exist_ok=True)
         with ThreadPoolExecutor(os.cpu_count()) as hilos:
             datos = [p.datos() for p in hilos.map(lambda p: Programa(self.raiz, self.build.parent, p), programas)]
-        pagina.escribe_pagina(self.destino, "web.html", capitulos=capitulos, programas=datos,
-                              miniaturas={p.nombre: self.miniatura(p) for p in programas})
+        miniaturas = {p.nombre: self.miniatura(p) for p in programas}
+        antes()
+        pagina.escribe_pagina(self.destino, "web.html", capitulos=capitulos, programas=datos, miniaturas=miniaturas)
 
 
 def main():
     raiz, build, galeria, destino = (Path(ruta).resolve() for ruta in sys.argv[1:])
-    try:
-        Pagina(raiz, build, galeria, destino).escribe(catalogo.lee(build))
-    except Fallo as fallo:
-        sys.exit(f"lab: {fallo}")
+    Pagina(raiz, build, galeria, destino).escribe(catalogo.lee(build))
     ocupa = sum(f.stat().st_size for f in destino.rglob("*") if f.is_file())
     print(f"Hecha: {destino}/index.html ({ocupa / 1e6:.1f} MB en total)", file=sys.stderr)
 
 
 if __name__ == "__main__":
-    main()
+    principal(main)

@@ -73,8 +73,8 @@ static void parImageMagick(Medidor &m, const Imagen &foto, const Filtro &f,
         nucleo += (nucleo.back() == ':' ? "" : ",") + std::to_string(v);
     guardaPpm(entra, foto);
     const auto ejecuta = [&](int veces) {
-        return milisegundosDeOrden("convert '" + entra + "' -virtual-pixel edge -morphology Convolve:" +
-                                   std::to_string(veces) + " '" + nucleo + "' -depth 8 '" + sale + "'");
+        return milisegundosDeOrden({"convert", entra, "-virtual-pixel", "edge", "-morphology",
+                                    "Convolve:" + std::to_string(veces), nucleo, "-depth", "8", sale});
     };
     ejecuta(1);
     const double e = rmse(leePpm(sale), exacta);

@@ -14,9 +14,9 @@ static const float ALTO_ESFERA = 0.45f, RADIO_ESFERA = 0.55f, ALTO_ESPEJO = -0.1
 static void parPovRay(Medidor &m, int ancho, int alto, const oraculo::ImagenRef &ref) {
     const std::string sale = (std::filesystem::temp_directory_path() / "mide_espejo.ppm").string();
     const auto ejecuta = [&](int w, int h) {
-        return milisegundosDeOrden("povray '+I" + recurso("herramientas/mide/espejo.pov") + "' '+O" + sale +
-                                   "' +FP -D -GA File_Gamma=1.0 +W" + std::to_string(w) + " +H" +
-                                   std::to_string(h));
+        return milisegundosDeOrden({"povray", "+I" + recurso("herramientas/mide/espejo.pov"), "+O" + sale,
+                                    "+FP", "-D", "-GA", "File_Gamma=1.0", "+W" + std::to_string(w),
+                                    "+H" + std::to_string(h)});
     };
     std::vector<double> ms;
     for (int i = 0; i < 5; ++i)

@@ -7,6 +7,10 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace mide {
 
@@ -15,11 +19,24 @@ std::vector<Tecnica> &tecnicas() {
     return todas;
 }
 
-double milisegundosDeOrden(const std::string &orden) {
+double milisegundosDeOrden(std::vector<std::string> orden) {
+    std::vector<char *> argumentos; // sin shell: una ruta puede llevar cualquier carácter
+    for (std::string &palabra : orden)
+        argumentos.push_back(palabra.data());
+    argumentos.push_back(nullptr);
+    posix_spawn_file_actions_t callado;
+    posix_spawn_file_actions_init(&callado);
+    posix_spawn_file_actions_addopen(&callado, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&callado, STDOUT_FILENO, STDERR_FILENO);
     const auto antes = std::chrono::steady_clock::now();
-    const bool bien = std::system((orden + " >/dev/null 2>&1").c_str()) == 0;
-    return bien ? std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - antes).count()
-                : NAN;
+    pid_t hijo;
+    int estado = -1;
+    if (posix_spawnp(&hijo, argumentos[0], &callado, nullptr, argumentos.data(), environ) == 0)
+        waitpid(hijo, &estado, 0);
+    posix_spawn_file_actions_destroy(&callado);
+    return estado == 0
+               ? std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - antes).count()
+               : NAN;
 }
 
 double rmse(const Imagen &imagen, const std::vector<double> &exacta) {

@@ -84,8 +84,8 @@ void usa(T &&valor) {
     benchmark::DoNotOptimize(valor);
 }
 
-/// Lo que tarda otro programa, sin enseñar lo que escribe; NaN si falla.
-double milisegundosDeOrden(const std::string &orden);
+/// Lo que tarda otro programa con esos argumentos, sin enseñar lo que escribe; NaN si falla.
+double milisegundosDeOrden(std::vector<std::string> orden);
 
 /// Raíz del error cuadrático medio entre dos imágenes, en niveles de 255. Con `exacta`, sin redondear, tres por píxel.
 double rmse(const Imagen &imagen, const Imagen &referencia);

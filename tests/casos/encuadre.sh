@@ -14,7 +14,7 @@ dibuja() { # TALLA ÓRDENES: tras el guion
 if [ "$borde" = libre ]; then
   tallas=(640x360 480x360 480x540 200x450)
   case $guion in
-  escala*) for talla in "${tallas[@]}"; do dibuja $talla "captura $nombre-$talla.ppm"; done ;; # adónde va el ratón depende de la talla
+  escala*) for talla in "${tallas[@]}"; do dibuja "$talla" "captura $nombre-$talla.ppm"; done ;; # adónde va el ratón depende de la talla
   *) dibuja 240x180 "$(for talla in "${tallas[@]}"; do printf 'tamano %s; captura %s;' "${talla/x/ }" "$nombre-$talla.ppm"; done)" ;;
   esac
   "$build/tests/borde" "$nombre"*.ppm

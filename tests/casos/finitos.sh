@@ -23,5 +23,5 @@ for malo in '' 'sqrt(-1.0 - La.x)' '1.0 / (La.x - La.x)'; do
   sed "s|colorFragmento = .*|&${malo:+ colorFragmento.b = $malo;}|" "$aqui/../../$shader" >$shader
   estado=0
   LAB_RAIZ=$carpeta dibuja ch05_iluminacion materiales '' || estado=$?
-  [ $estado = $([ -z "$malo" ] && echo 0 || echo 4) ] || { echo "con «$malo» ha acabado con $estado:"; cat errores; exit 1; }
+  [ $estado = "$([ -z "$malo" ] && echo 0 || echo 4)" ] || { echo "con «$malo» ha acabado con $estado:"; cat errores; exit 1; }
 done

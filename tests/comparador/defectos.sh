@@ -28,10 +28,11 @@ done
 # Nombre, argumentos de estropea y los estados que deben dar el mismo OpenGL y otro. 43 píxeles son el 0.1 % de 240×180.
 # En la esquina el fondo es liso, y los 3×3 de alrededor no disculpan nada.
 while IFS='|' read -r nombre estropea igual otro; do
-  "$build/estropea" buena.ppm mala.ppm $estropea
-  read -r _ _ niveles <<<"$estropea"
-  espera "$nombre" $igual "máximo $niveles "
-  espera "$nombre" $otro "máximo $niveles " --amplia
+  read -ra estropea <<<"$estropea"
+  "$build/estropea" buena.ppm mala.ppm "${estropea[@]}"
+  niveles=${estropea[2]}
+  espera "$nombre" "$igual" "máximo $niveles "
+  espera "$nombre" "$otro" "máximo $niveles " --amplia
 done <<'FIN'
 un nivel en un píxel|0 1 1|1|0
 todo a 3 niveles, rojo|0 43200 3|1|0

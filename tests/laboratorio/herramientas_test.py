@@ -1,88 +1,357 @@
-#!/usr/bin/env python3
-"""herramientas_test.py: las cuentas de herramientas/ que se pueden comprobar sin compilar nada."""
+"""Los módulos de herramientas/, por lo que hacen: cada cuenta frente a un caso resuelto a mano, sin compilar nada."""
 import json
+import math
 import random
+import re
+import signal
+import subprocess
 import sys
-import tempfile
-import unittest
+import time
 from pathlib import Path
+from types import SimpleNamespace
 
-sys.path.insert(0, str(Path(__file__).parents[2] / "herramientas"))
+import pytest
+
+RAIZ = Path(__file__).parents[2]
+sys.path.insert(0, str(RAIZ / "herramientas"))
 import catalogo
 import controles
+import costes
+import documentos
+import grafica
 import medidas
+import mide
+import muta
+import pagina
+import procesos
 import tecnicas
+import web
 
 
-class Mide(unittest.TestCase):
-    def test_el_frente_de_pareto_y_la_elegida(self):
-        def v(nombre, tiempo, error, grupo=""):
-            return tecnicas.Variante(nombre, grupo, tiempo, 0.9 * tiempo, 1.1 * tiempo, error, "")
-        t = tecnicas.Tecnica("", "", "", "", "b", "", [v("a", 1, 3), v("b", 2, 1), v("b, x", 3, 1), v("bc", 2.1, 1), v("par: d", 0.1, 0),
-                                                      v("e", 9, 9, "otro")])
-        tecnicas.marca(t)
-        self.assertEqual([x.nombre for x in t.variantes if x.elegida], ["b", "b, x"])
-        self.assertEqual([x.nombre for x in t.variantes if not x.optima], ["b, x"])
+# --- procesos ---------------------------------------------------------------------------------------------------
 
-    def test_los_errores_de_un_programa(self):
-        self.assertEqual(medidas.errores({"maximo": 0.512, "borde": 1, "lejos": 2, "banda": 90}), ["0.51", "", "1, salvo 2 de 90"])
-        self.assertEqual(medidas.errores({"rmse": 1.23e-7}), ["", "1.2e-07", ""])
+def test_ejecuta_dice_por_que_falla():
+    assert procesos.ejecuta(["printf", "uno"]) == b"uno" and procesos.ejecuta(["cat"], input="ñ", text=True) == "ñ"
+    assert procesos.ejecuta(["sh", "-c", "echo dos; echo tres >&2"], text=True, stderr=subprocess.STDOUT) == "dos\ntres\n"
+    for orden, opciones, dice in ((["sh", "-c", "echo mal >&2; exit 3"], {}, "mal"), (["sh", "-c", "exit 3"], {"text": True}, "sh ha acabado con estado 3"),
+                                  (["noesta"], {}, "no encuentro noesta"), (["sleep", "9"], {"timeout": 0.1}, "no ha acabado en 0.1 segundos")):
+        with pytest.raises(procesos.Fallo, match=f"^{dice}$"):
+            procesos.ejecuta(orden, **opciones)
 
 
-class Controles(unittest.TestCase):
-    def test_las_teclas_de_cada_control(self):
-        for texto, ordenes, hace in (("a d giran", ["tecla a", "tecla d"], "giran"),
-                                     ("1 a 3 resaltan una tira", ["tecla 1", "tecla 2", "tecla 3"], "resaltan una tira"),
-                                     (", . mueven el plano", ["tecla ,", "tecla ."], "mueven el plano"),
-                                     ("t o espacio anda o para", ["tecla t", "tecla Espacio"], "anda o para"),
-                                     ("F5 relee", ["especial F5"], "relee"), ("; sigue", ["tecla PuntoYComa"], "sigue"),
-                                     ("1 A", ["tecla 1"], "A"), ("0 (1,1,1)", ["tecla 0"], "(1,1,1)"),
-                                     ("arrastra los puntos (o n y flechas)", ["tecla n", *(f"especial {f}" for f in controles.ESPECIALES.values())],
-                                      "arrastra los puntos"), ("ratón orbita", [], "ratón orbita")):
-            c = controles.analiza(texto)
-            self.assertEqual((c.ordenes, c.hace), (ordenes, hace))
-        self.assertTrue(controles.analiza("botón derecho menú").menu and not controles.analiza("a menú").menu)
-
-    def test_al_azar_solo_lo_suyo(self):
-        azar = random.Random(1)
-        suyos = {orden for _ in range(200) for orden in controles.sucesos_al_azar(
-            azar, [controles.analiza("a d giran"), controles.analiza("Esc termina")], {"temporizador"}, ["Vista/Perfil"], 120, 90)}
-        self.assertEqual(suyos, {"tecla a", "tecla d", "especial F5", "menu Vista/Perfil", *(f"espera {n}" for n in (1, 20, 333, 1700))})
+def test_lo_que_no_acaba_a_tiempo_no_deja_nietos(tmp_path):
+    with pytest.raises(procesos.Fallo):
+        procesos.ejecuta(["sh", "-c", f"sleep 20 & echo $! >{tmp_path}/nieto; wait"], timeout=0.3)
+    for _ in range(100):
+        if not Path(f"/proc/{(tmp_path / 'nieto').read_text().strip()}/cmdline").exists():
+            return
+        time.sleep(0.02)
+    pytest.fail("el nieto sigue en marcha")
 
 
-class Catalogo(unittest.TestCase):
-    def setUp(self):
-        texto = {"consola": "", "contra": "", "pruebas": "", "pasa": "", "admite": ""}
-        with tempfile.TemporaryDirectory() as build:
-            Path(build, "catalogo.json").write_text(json.dumps({
-                "capitulos": [{"nombre": "ch01_uno", "titulo": "Uno"}, {"nombre": "ch10_diez", "titulo": "Diez"}],
-                "programas": [{**texto, "capitulo": "ch01_uno", "nombre": "a", "ref": "L1.2 E1.1", "titulo": "A", "pruebas": "x.Y.z x.W"},
-                              {**texto, "capitulo": "ch10_diez", "nombre": "b", "ref": "§10.1", "titulo": "B", "consola": "TRUE"}],
-                "casos": [{"programa": "a", "nombre": "base", "fichero": "a", "guion": "", "tolerancia": "", "mira": "M", "borde": "", "anima": ""},
-                          {"programa": "a", "nombre": "dos", "fichero": "a-dos", "guion": "tecla d; tecla a", "tolerancia": "1 2 3", "mira": "M",
-                           "borde": "", "anima": ""}]}))
-            self.programas = catalogo.lee_programas(build)
-
-    def nombres(self, pedido):
-        return [p.nombre for p in catalogo.resuelve(self.programas, pedido)]
-
-    def test_a_que_se_refiere(self):
-        for pedido in ("a", "ch01", "ch01_uno", "l1.2", "E1.1"):
-            self.assertEqual(self.nombres(pedido), ["a"], pedido)
-        self.assertEqual(self.nombres("§10.1"), ["b"])
-        for pedido in ("ch1", "E1", "1.1", ""):  # ch1 no es ch10
-            with self.assertRaisesRegex(SystemExit, "no hay ningún programa"):
-                self.nombres(pedido)
-
-    def test_los_hechos_de_un_caso(self):
-        self.assertEqual([c.hechos for c in catalogo.casos(self.programas, "a")],
-                         [["ch01_uno", "a", "a", "-", "-"], ["ch01_uno", "a", "a-dos", "1 2 3", "tecla d; tecla a"]])
-        self.assertEqual([c.nombre for c in catalogo.casos(self.programas, "a-dos")], ["dos"])
-        for pedido in ("a-tres", "b"):  # b es de consola
-            with self.assertRaisesRegex(SystemExit, "no es un caso"):
-                catalogo.casos(self.programas, pedido)
-        self.assertEqual(self.programas[0].pruebas, ["x.Y.z", "x.W"])
-        self.assertEqual(self.programas[1].capitulo.numero, 10)
+def test_una_senal_borra_lo_temporal(tmp_path):
+    """También la que llega mientras un hilo trabaja; y el programa ha acabado antes de que se borre."""
+    guion = """import procesos, sys, tempfile, concurrent.futures as f
+def main():
+    with tempfile.TemporaryDirectory(dir=sys.argv[1]) as t, f.ThreadPoolExecutor(1) as hilo:
+        trabajos = [hilo.submit(procesos.ejecuta, ["sh", "-c", "trap 'sleep 0.3; touch fin; exit' TERM; touch ../ya; while :; do sleep 0.1; done"], cwd=t) for _ in range(3)]
+        trabajos[0].result()
+procesos.principal(main)"""
+    for senal in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        proceso = subprocess.Popen([sys.executable, "-B", "-c", guion, tmp_path], cwd=RAIZ / "herramientas", stderr=subprocess.PIPE)
+        while not (tmp_path / "ya").exists():
+            time.sleep(0.01)
+        proceso.send_signal(senal)
+        assert (proceso.communicate(timeout=5)[1], proceso.returncode) == (b"", 128 + senal)
+        (tmp_path / "ya").unlink()
+        assert not list(tmp_path.iterdir())
 
 
-unittest.main()
+def test_escribe_entero_o_nada(tmp_path):
+    fichero = tmp_path / "a" / "b.txt"
+    procesos.escribe(fichero, "ñ")
+    assert fichero.read_bytes() == "ñ".encode()
+    antes = fichero.stat().st_ino
+    procesos.escribe(fichero, b"dos")
+    assert fichero.read_bytes() == b"dos" and fichero.stat().st_ino != antes  # otro, puesto en su sitio
+    Path(f"{fichero}.parcial").symlink_to("/dev/full")
+    with pytest.raises(procesos.Fallo, match="no puedo escribir «.*b.txt»: no queda sitio en el disco"):
+        procesos.escribe(fichero, "x" * 99)
+    assert fichero.read_bytes() == b"dos" and len(list(fichero.parent.iterdir())) == 1
+
+
+def test_las_pruebas_de_googletest(tmp_path):
+    (tmp_path / "x").write_text("#!/bin/sh\nprintf 'G.\\n  Uno  # a\\n  Dos\\nH/0.\\n  Tres\\n'\n")
+    (tmp_path / "x").chmod(0o755)
+    assert procesos.pruebas_de(tmp_path / "x") == ["G.Uno", "G.Dos", "H/0.Tres"]
+
+
+# --- mide, técnicas, costes, gráfica ------------------------------------------------------------------------------
+
+def variante(nombre, tiempo, error, grupo=""):
+    return tecnicas.Variante(nombre, grupo, tiempo, 0.9 * tiempo, 1.1 * tiempo, error, "")
+
+
+def tecnica(*variantes, elegida="b", nombre="t"):
+    return tecnicas.Tecnica(nombre, "T", "ms", "e", elegida, "", list(variantes))
+
+
+def test_el_frente_de_pareto_y_la_elegida():
+    t = tecnica(variante("a", 1, 3), variante("b", 2, 1), variante("b, x", 3, 1), variante("bc", 2.1, 1), variante("par: d", 0.1, 0), variante("e", 9, 9, "otro"))
+    tecnicas.marca(t)
+    assert [x.nombre for x in t.variantes if x.elegida] == ["b", "b, x"]
+    assert [x.nombre for x in t.variantes if not x.optima] == ["b, x"]
+    assert [x.nombre for x in t.elegida_fuera] == ["b, x"]
+    assert [(v.nombre, tiempo, error) for _, v, tiempo, error in t.frente_a_pares] == [("b", 0.05, 0), ("b, x", 0.1 / 3, 0)]
+    t = tecnica(variante("b", 2, 4), variante("par: c", 10, 1))
+    tecnicas.marca(t)
+    assert [fila[2:] for fila in t.frente_a_pares] == [(5, 0.25)]  # tarda cinco veces lo que la elegida y se equivoca la cuarta parte
+
+
+def test_las_columnas_de_un_tsv(tmp_path):
+    f = tmp_path / "t.tsv"
+    f.write_text("a\t-\t2\t1\t3\t0.5\t-\nb\tg\t20\t10\t30\tnan\tnota\n")
+    a, b = tecnicas.lee_variantes(f)
+    assert (a.nombre, a.grupo, a.mediana, a.minimo, a.maximo, a.error, a.nota) == ("a", "", 2, 1, 3, 0.5, "") and (b.grupo, b.nota) == ("g", "nota")
+    for mal in ("a\t-\t2\t1\t3\t0.5", "a\t-\t1\t2\t3\t0\t-", "a\t-\t2\t0\t3\t0\t-", "a\t-\t2\t1\t3\t-1\t-", "", "a\t-\t2\t1\t3\t0\t-\n" * 2):
+        f.write_text(mal)
+        with pytest.raises(procesos.Fallo, match="t.tsv"):
+            tecnicas.lee_variantes(f)
+
+
+def test_las_imagenes_de_una_tecnica(tmp_path):
+    t = tecnica(variante("a", 1, 3), variante("b", 2, 1), variante("c", 3, 2))
+    tecnicas.marca(t)
+    for n in (1, 2, 3):
+        for sufijo in ("", "-diferencia"):
+            (tmp_path / f"t-{n}{sufijo}.ppm").write_text("P6 1 1 255\nabc")
+    tecnicas.imagenes(t, tmp_path, tmp_path)
+    assert [(papel, v.nombre, f) for papel, v, f in t.imagenes] == [
+        (papel, v, [f"t-{n}.png", f"t-{n}-diferencia.png"]) for papel, v, n in (("la mejor", "b", 2), ("la elegida", "b", 2), ("la peor", "a", 1))]
+
+
+def test_las_metas(tmp_path):
+    t = tecnica(variante("directa, 15×15", 60, 1), variante("separable, float, 15×15", 10, 1), nombre="convolucion")
+    tabla = [SimpleNamespace(veces_suelo=v) for v in (2, 1, 9)]
+    assert [fila[1:] for fila in mide.metas([t], tabla, 4, 6)] == [(6, 5, True), (2, 1.25, False), (9, 2.5, False), (1.5, 1.5, False)]
+    assert mide.metas([], [], math.nan, None) == []
+
+
+@pytest.mark.parametrize("error,esperado,mal", [(0.5, 0.5, ""), (0.57, 0.5, ""), (0.6, 0.5, "se equivoca 0.6 y se esperaba 0.5"), (0, 0.1, "se equivoca 0"),
+                                                (math.nan, math.nan, ""), (math.inf, math.inf, ""), (math.nan, 1, "se equivoca")])
+def test_el_error_de_un_ensayo(error, esperado, mal):
+    def comprueba(esperados, *variantes):
+        try:
+            mide.comprueba(tecnica(*variantes), esperados)
+            return ""
+        except procesos.Fallo as fallo:
+            return str(fallo)
+    a = variante("a", 1, error)
+    assert mal in comprueba({"a": esperado}, a) and bool(mal) == bool(comprueba({"a": esperado}, a))
+    assert "sobran o faltan variantes: b" in comprueba({"a": esperado}, a, variante("b", 1, 0)) and "faltan" in comprueba({"a": esperado, "b": 0}, a)
+
+
+def test_lo_que_cuesta_un_programa(tmp_path, monkeypatch):
+    """Con un suelo de 2 ms y un programa que arranca en 6; los campos de -mide, como los escribe common/glut_sin_ventana/medida.cpp."""
+    escrito = re.search(r'"([^"]*\\t[^"]*)\\n"', (RAIZ / "common/glut_sin_ventana/medida.cpp").read_text())
+    (tmp_path / "docs").mkdir()
+    (tmp_path / "docs/medidas.json").write_text('{"programas": {"a": {"maximo": 0.5, "rmse": 0.25, "borde": 0.125}}}')
+    suelo = tmp_path / "herramientas/mide/suelo_osmesa"
+    suelo.parent.mkdir(parents=True)
+    suelo.touch()
+    (tmp_path / "sin_ventana").write_text("osmesa\n")
+    monkeypatch.setattr(catalogo, "lee_programas", lambda _: [SimpleNamespace(nombre="a", consola="", capitulo=SimpleNamespace(nombre="ch01"))])
+    monkeypatch.setattr(costes, "cronometra", lambda orden, _: 2 if orden[0] == suelo else 6)
+    monkeypatch.setattr(costes, "ejecuta", lambda orden, **_: "otra\n" + "\t".join(["a", "960x720", "7", "10" if "960x720" in orden else "30", *map(str, range(104, 120))]))
+    tabla, base = costes.costes(tmp_path, tmp_path, tmp_path, 15)
+    cabecera, fila = (linea.split("\t") for linea in (tmp_path / "costes.tsv").read_text().splitlines())
+    assert escrito and base == 2 and dict(zip(cabecera, fila)) == {
+        "programa": "a", "arranque ms": "6.0", "primera ms": "7.0", "veces el suelo": "3.00", "ms 960x720": "10.0", "ms 1920x1080": "30.0", "veces llenar": "2.0",
+        "primitivas": "106", "bytes de buffers": "108", "bytes de texturas": "109", "error máximo": "0.5", "error RMSE": "0.25", "borde px": "0.12"}
+    pagina.escribe_informe(tmp_path, [], metas=[], costes=tabla, suelo=base, compilar=[], entorno={})
+    celdas = re.findall(r"<td[^>]*>(.*?)</td>", (tmp_path / "index.html").read_text())
+    assert celdas == ["a", "6", "7", "3", "10", "30", "2", "106", "0.108", "0.109", "0.5", "0.25", "0.12"]
+
+
+def test_el_tiempo_de_un_proceso(tmp_path):
+    assert 50 <= costes.cronometra(["sleep", "0.05"], tmp_path) < 5000
+    gasta = "import os, time\nwhile time.process_time() < 0.1: os.stat('.')"
+    assert 0.1 <= costes.segundos_de_cpu([sys.executable, "-S", "-c", gasta], tmp_path) < 2
+
+
+def test_la_grafica(tmp_path, monkeypatch):
+    assert grafica.decadas([3, 40]) == (1, 100) and grafica.decadas([1, 9]) == (0.1, 100)
+    uno, dos = grafica.coloca([(400, 200), (400, 200)], ["rótulo", "rótulo"])
+    assert abs(uno[1] - dos[1]) >= 12 or abs(uno[0] - dos[0]) >= 6 * 6.9
+    guion = []
+    monkeypatch.setattr(grafica, "ejecuta", lambda orden, input, **_: guion.extend(input.split("\n")) or "<svg>")
+    t = tecnica(variante("a", 1, 0.02), variante("b", 2, 0), variante("c", 4, 0.03))
+    tecnicas.marca(t)
+    assert grafica.dibuja(t, tmp_path / "x' y.svg") and (tmp_path / "x' y.svg").read_text() == "<svg>"
+    assert "1 0.02 0.9 1.1" in guion and "2 0.0015 1.8 2.2" in guion and "set yrange [0.001:0.1]" in guion
+    assert guion[guion.index("$otras << FIN") + 1] == "4 0.03 3.6 4.4" and guion[guion.index("$elegidas << FIN") + 1].startswith("2 ")
+    assert not grafica.dibuja(tecnica(variante("a", 1, math.nan)), tmp_path / "y.svg")
+
+
+# --- medidas, documentos, página ----------------------------------------------------------------------------------
+
+def test_los_errores_de_un_programa(tmp_path):
+    assert medidas.errores({"maximo": 0.512, "borde": 1, "lejos": 2, "banda": 90}) == ["0.51", "", "1, salvo 2 de 90"]
+    assert medidas.errores({"rmse": 1.23e-7}) == ["", "1.2e-07", ""]
+    (tmp_path / "docs").mkdir()
+    (tmp_path / "docs/medidas.json").write_text('{"uno": {"á": 1}, "dos": {}}')
+    medidas.apunta(tmp_path, dos={"b": [1, 2]})
+    assert (tmp_path / "docs/medidas.json").read_text() == '{\n"uno": {\n  "á": 1\n},\n"dos": {\n  "b": [1, 2]\n}\n}\n'
+
+
+@pytest.mark.parametrize("x,texto", [(math.nan, "—"), (0, "0"), (math.inf, "no vale"), (0.0123, "0.0123"), (12.345, "12.3"), (-1.5, "-1.5"), (999.4, "999"), (1000, "1\u202f000"),
+                                     (1234567, "1\u202f234\u202f567"), (1.23e-9, "1.2·10⁻⁹"), (2e7, "2.0·10⁷"), (0.001, "0.001")])
+def test_una_cifra(x, texto):
+    assert pagina.cifra(x) == texto
+
+
+def test_los_fuentes_de_un_programa(tmp_path):
+    for f, texto in (("ch01/a.cpp", '#include "b.h"\n"a.frag" "ch02/c.h" "nada.h"'), ("ch01/b.h", '"ch02/c.h"'), ("ch01/a.frag", ""), ("ch02/c.h", '"ch01/b.h"'),
+                     ("common/d.h", ""), ("ch01/nada.txt", "")):
+        (tmp_path / f).parent.mkdir(exist_ok=True)
+        (tmp_path / f).write_text(texto)
+    assert list(map(str, pagina.fuentes(tmp_path, Path("ch01/a.cpp")))) == ["ch01/a.cpp", "ch01/b.h", "ch02/c.h", "ch01/a.frag"]
+
+
+def test_las_filas_de_un_tsv_y_el_libro(tmp_path):
+    (tmp_path / "docs").mkdir()
+    (tmp_path / "docs/libro.tsv").write_text("# no\n\nL1.1\tuno\nE1.1\tejercicio\nF1\tfigura\tno hace falta\n")
+    capitulo = catalogo.Capitulo("ch01_x", "X")
+    capitulo.programas = [catalogo.Programa(capitulo, "a", "L1.10", "A"), catalogo.Programa(capitulo, "b", "E1.1 L1.1", "B")]
+    escrito = documentos.programas_md(tmp_path, [capitulo])
+    assert "| L1.1 | uno | [b](../ch01_x/b.cpp) |\n| E1.1 | ejercicio | [b](../ch01_x/b.cpp), [respuesta](soluciones.md) |\n| F1 | figura | no hace falta |\n" in escrito
+
+
+# --- controles, catálogo, web -------------------------------------------------------------------------------------
+
+@pytest.mark.parametrize("texto,ordenes,hace", [
+    ("a d giran", ["tecla a", "tecla d"], "giran"), ("1 a 3 resaltan una tira", ["tecla 1", "tecla 2", "tecla 3"], "resaltan una tira"),
+    (", . mueven el plano", ["tecla ,", "tecla ."], "mueven el plano"), ("t o espacio anda o para", ["tecla t", "tecla Espacio"], "anda o para"),
+    ("F5 relee", ["especial F5"], "relee"), ("F12 x", ["especial F12"], "x"), ("F13 x", [], "F13 x"), ("Esc termina", ["tecla Esc"], "termina"),
+    ("; sigue", ["tecla PuntoYComa"], "sigue"), ("1 A", ["tecla 1"], "A"), ("0 (1,1,1)", ["tecla 0"], "(1,1,1)"), ("ñ x", [], "ñ x"),
+    ("← → ↑ ↓ mueven", ["especial IZQUIERDA", "especial DERECHA", "especial ARRIBA", "especial ABAJO"], "mueven"), ("a", [], "a"), ("ratón orbita", [], "ratón orbita"),
+    ("arrastra los puntos (o n y flechas)", ["tecla n", *(f"especial {f}" for f in ("IZQUIERDA", "DERECHA", "ARRIBA", "ABAJO"))], "arrastra los puntos")])
+def test_las_teclas_de_cada_control(texto, ordenes, hace):
+    c = controles.analiza(texto)
+    assert (c.ordenes, c.hace) == (ordenes, hace)
+    assert controles.analiza("botón derecho menú").menu and not controles.analiza("a menú").menu
+
+
+def test_la_linea_de_controles(tmp_path):
+    programa = SimpleNamespace(fuente="a.cpp")
+    for fuente, textos in (("// x\n// Controles: a gira el\n// plano · Esc termina.\n// Otra.\n", ["a gira el plano", "Esc termina"]), ("// nada\n", []),
+                           ("// Controles: ninguno.\nint x;\n// y.\n", ["ninguno"])):
+        (tmp_path / "a.cpp").write_text(fuente)
+        assert [c.texto for c in controles.lee(tmp_path, programa)] == textos
+
+
+def test_al_azar_solo_lo_suyo():
+    azar = random.Random(1)
+    suyos = {orden for _ in range(200) for orden in controles.sucesos_al_azar(
+        azar, [controles.analiza("a d giran"), controles.analiza("Esc termina")], {"temporizador"}, ["Vista/Perfil"], 120, 90)}
+    assert suyos == {"tecla a", "tecla d", "especial F5", "menu Vista/Perfil", *(f"espera {n}" for n in (1, 20, 333, 1700))}
+    for _ in range(50):
+        baja, *pasos, sube = controles.raton_al_azar(azar, 120, 90, set())
+        assert sube.split()[1:] == [baja.split()[1], "arriba", *(pasos[-1] if pasos else baja).split()[-2:]]
+
+
+@pytest.fixture
+def programas(tmp_path):
+    texto = {"consola": "", "contra": "", "pruebas": "", "pasa": "", "admite": ""}
+    (tmp_path / "catalogo.json").write_text(json.dumps({
+        "capitulos": [{"nombre": "ch01_uno", "titulo": "Uno"}, {"nombre": "ch10_diez", "titulo": "Diez"}],
+        "programas": [{**texto, "capitulo": "ch01_uno", "nombre": "a", "ref": "L1.2 E1.1", "titulo": "A", "pruebas": "x.Y.z x.W"},
+                      {**texto, "capitulo": "ch10_diez", "nombre": "b", "ref": "§10.1", "titulo": "B", "consola": "TRUE"}],
+        "casos": [{"programa": "a", "nombre": "base", "fichero": "a", "guion": "", "tolerancia": "", "mira": "M", "borde": "", "anima": ""},
+                  {"programa": "a", "nombre": "dos_mas", "fichero": "a-dos", "guion": "tecla d; tecla a", "tolerancia": "1 2 3", "mira": "M",
+                   "borde": "", "anima": ""}]}))
+    return catalogo.lee_programas(tmp_path)
+
+
+@pytest.mark.parametrize("pedido,nombres", [("a", "a"), ("ch01", "a"), ("ch01_uno", "a"), ("l1.2", "a"), ("E1.1", "a"), ("§10.1", "b"), ("ch10", "b"),
+                                            ("ch1", ""), ("E1", ""), ("1.1", ""), ("uno", ""), ("", "")])  # ch1 no es ch10
+def test_a_que_se_refiere(programas, pedido, nombres):
+    try:
+        assert [p.nombre for p in catalogo.resuelve(programas, pedido)] == nombres.split()
+    except SystemExit as fin:
+        assert not nombres and f"no hay ningún programa «{pedido}»; los más parecidos: " in str(fin)
+
+
+def test_los_hechos_de_un_caso(programas):
+    assert [c.hechos for c in catalogo.casos(programas, "a")] == [["ch01_uno", "a", "a", "-", "-"], ["ch01_uno", "a", "a-dos", "1 2 3", "tecla d; tecla a"]]
+    assert [(c.nombre, c.titulo, c.imagen, c.animada) for c in catalogo.casos(programas, "a-dos")] == [
+        ("dos_mas", "dos mas", "ch01_uno/a-dos.png", "ch01_uno/a-dos.anima.png")]
+    for pedido in ("a-tres", "b"):  # b es de consola
+        with pytest.raises(SystemExit, match="no es un caso"):
+            catalogo.casos(programas, pedido)
+    assert programas[0].pruebas == ["x.Y.z", "x.W"] and programas[1].capitulo.numero == 10 and programas[0].casos[0].titulo == ""
+
+
+def test_lo_que_la_pagina_sabe_de_un_programa(tmp_path, programas, monkeypatch):
+    (tmp_path / "ch01_uno").mkdir()
+    (tmp_path / "ch01_uno/a.cpp").write_text("// Controles: a gira · botón derecho menú · ninguno · Esc termina.\n")
+    (tmp_path / "sin_ventana").write_text("osmesa\n")
+    guiones = []
+
+    def ejecuta(orden, env, **_):
+        guiones.append(orden[orden.index("-guion") + 1])
+        Path(env["LAB_LEIDOS"]).write_text("/x/b.rgb\n/x/a.r8\n/x/a.vert\n")
+        return rasgos
+    monkeypatch.setattr(web, "ejecuta", ejecuta)
+    for rasgos, anima, derecho, raton, sigue in (("ocio 1\n", True, True, False, False), ("temporizador\nrueda x\n", True, True, True, False),
+                                                 ("opcion Vista\nmovimiento\n", False, False, False, True)):
+        d = web.Programa(tmp_path, tmp_path, programas[0]).datos()
+        assert (d["anima"], d["derecho"], d["raton"], d["sigue"]) == (anima, derecho, raton, sigue)
+        assert guiones[-2:] == ["", "tecla a"] and d["texturas"] == ["a.r8", "b.rgb"]
+        assert [m["teclas"] for m in d["mandos"]] == [[("a", "tecla a")], []] and [m["menu"] for m in d["mandos"]] == [False, True]
+        assert [c["titulo"] for c in d["casos"]] == ["al empezar", "dos mas"] and d["nombre"] == "a"
+
+
+# --- muta ---------------------------------------------------------------------------------------------------------
+
+def mutante(texto, estropeado, numero=1, fichero="x.cpp"):
+    return muta.Mutante("ch01", numero, numero, fichero, texto, estropeado, "imita")
+
+
+def test_un_defecto_plantado():
+    assert muta.estropea("a = b + c;", mutante("b «+» c", "-")) == "a = b - c;"
+    for texto, mal in (("a", "está 2 veces"), ("x", "está 0 veces"), ("«b»", "no cambia nada")):
+        with pytest.raises(ValueError, match=mal):
+            mutante(texto, "b").sitio("a a b")
+    dos = [mutante("«b» + c", "1"), mutante("«b» + c", "2", 2), mutante("+ «c»", "d", 3), mutante("a = b + c;", "x();", 4)]
+    assert muta.cambia("a = b + c;", dos[:3]) == "a = (mutante(2) ? (2) : (mutante(1) ? (1) : (b))) + (mutante(3) ? (d) : (c));"
+    assert muta.cambia("a = b + c;", dos[3:]) == "if (mutante(4)) { x(); } else { a = b + c; }"
+    with pytest.raises(ValueError, match="se pisa con otro"):
+        muta.cambia("a = b + c;", dos)
+
+
+def test_las_cuentas_de_los_defectos():
+    todos = [mutante("a", "b", n) for n in range(4)]
+    todos[0].notado = todos[1].notado = "P"
+    todos[1].por_golden = True
+    assert muta.cuentas(todos) == {"ch01": {"plantados": 4, "notados": 2, "sin_golden": 1}} and muta.resume(todos) == [50, 25]
+    assert [muta.cuenta(m).split(": ")[1] for m in todos[:3]] == ["P", "solo P", "SOBREVIVE, nada lo ejecuta"]
+    for pedido, es in (("ch01", True), ("ch01:2", True), ("ch01:22", False), ("ch01_uno", True), ("ch01_uno/abc.cpp", True), ("ab", True), ("bc", False)):
+        assert mutante("a", "b", 2, "ch01_uno/abc.cpp").es_de(pedido) == es, pedido
+
+
+def test_un_defecto_en_lab_o_en_python(tmp_path):
+    """Se puede leer, y se planta en una copia que no toca nada más."""
+    for fichero, bien, mal in (("lab", "if a; then b; fi", "if a; then"), ("herramientas/x.py", "a = 1", "a = (")):
+        assert mutante("a", "b", fichero=fichero).en_copia and not muta.compila_guion(mutante("a", "b", fichero=fichero), bien)
+        [fallo] = muta.compila_guion(mutante("a", "b", fichero=fichero), mal)
+        assert fallo.startswith("ch01:1: no se puede leer: ")
+    for f, texto in (("lab", "uno"), ("herramientas/x.py", "uno"), ("tests/laboratorio/herramientas_test.py", "assert 'uno' in open('lab').read()"), ("build/x", ""),
+                     ("ch01/a.cpp", ""), ("tests/golden/x", "")):
+        (tmp_path / "r" / f).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "r" / f).write_text(texto)
+    copia = muta.copia_de_trabajo(tmp_path / "r", tmp_path / "c")
+    (copia / "lab").write_text("dos")
+    (copia / "herramientas/x.py").write_text("dos")
+    assert {f.name for f in copia.iterdir()} == {"lab", "herramientas", "tests", "ch01"} and (copia / "ch01/a.cpp").exists()
+    assert (tmp_path / "r/lab").read_text() == (tmp_path / "r/herramientas/x.py").read_text() == "uno"

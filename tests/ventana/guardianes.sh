@@ -28,7 +28,7 @@ programa() { # CUERPO: el programa del caso es un script que lo ejecuta; en él,
 prueba() { # ESTADO QUÉ MENSAJE ORDEN…: si acaba con 0 o no, como dice ESTADO, y si lo explica
   local esperado=$1 que=$2 mensaje=$3 estado=0
   shift 3
-  "tests/casos/$@" >salida 2>&1 || estado=1
+  "tests/casos/$1" "${@:2}" >salida 2>&1 || estado=1
   [ $estado = "$esperado" ] && grep -q "$mensaje" salida && return
   echo "$que: acaba con $estado y debía acabar con $esperado diciendo «$mensaje»:"
   cat salida

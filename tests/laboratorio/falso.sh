@@ -1,0 +1,84 @@
+#!/usr/bin/env bash
+# cmake, ninja, ctest, apt-get… y los programas, de mentira, según cómo se le llame: apunta con qué argumentos y, en la etapa $PARA, no
+# acaba, ni un hijo suyo, o en la etapa $FALLA falla.
+set -euo pipefail
+quien=${0##*/}
+printf '%s\0' "$quien" "$@" $'\n' >>"$APUNTES/llamadas"
+
+etapa() {
+  if [ "${PARA:-}" = "$1" ]; then
+    sleep 100 &
+    echo $! >"$APUNTES/nieto"
+    wait
+  fi
+  if [ "${FALLA:-}" = "$1" ]; then
+    printf 'error: falla %s %s\nmás\n' "$1" "${PORQUE:-}" >&2
+    exit 3
+  fi
+}
+
+valor() { # OPCIÓN ARGUMENTO…: lo que la sigue
+  local opcion=$1
+  shift
+  while [ $# -gt 1 ]; do
+    [ "$1" != "$opcion" ] || { echo "$2"; return; }
+    shift
+  done
+}
+
+configura() { # CARPETA
+  mkdir -p "$1/assets" "$1/tests" "$1/herramientas/mide" "$1"/{osmesa,ventana}/ch01_{uno,intro}
+  echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >"$1/CMakeCache.txt"
+  cp catalogo.json "$1"
+  echo osmesa >"$1/sin_ventana"
+  for f in assets/t.rgb lab.js lab.wasm; do echo "$f" >"$1/$f"; done
+  for f in {osmesa,ventana}/ch01_uno/{a,b} osmesa/ch01_intro/info_opengl tests/{compara,ch01_test} herramientas/mide/mide; do
+    ln -sf "$(command -v falso.sh)" "$1/$f"
+  done
+}
+
+case $quien in
+cmake)
+  if [ "$1" = --build ]; then
+    [ "$4" != build.ninja ] || exit 0
+    etapa compila
+    printf '[1/2] uno\nun aviso\nninja: nada\n'
+  else
+    etapa configura
+    configura "$(valor -B "$@")"
+  fi
+  ;;
+ninja) etapa compila ;;
+ctest)
+  etapa ctest
+  mkdir -p build/fallos
+  printf 'P6 1 1 255\nabc' >build/fallos/x.ppm
+  ;;
+caso.sh) etapa caso && printf '%s|' "$DORA" "${GALLIUM_DRIVER}" "$@" ;;
+gnuplot) printf '<svg>' && cat ;;
+id) echo "${FALSO_ID:-0}" ;;
+dpkg-query) printf '%s installed\n' g++ cmake ;;
+apt-get | apt-cache | sudo | em++) ;;
+mide)
+  if [ "$1" = --lista ]; then
+    printf 't\tT\tms por cosa\terror\ta\tporque sí\n'
+  else
+    etapa mide
+    printf 'a\t-\t2\t1\t3\t0.5\t-\n' >"${*: -2:1}/t.tsv"
+  fi
+  ;;
+ch01_test) if [ "$1" = --gtest_list_tests ]; then printf 'G.\n  Uno # x\n'; else etapa prueba; fi ;;
+*)
+  if [[ "$*" = *-rasgos* ]]; then etapa rasgos; else etapa programa; fi
+  [ -z "${DISPLAY:-}" ] || { echo "${ESCRIBE:-}" >&2; exit "${ESTADO:-0}"; }
+  [[ "$*" != *-rasgos* ]] || { printf 'ocio x\n'; exit; }
+  echo "salida de $quien"
+  ppm=$(valor -ppm "$@") talla=$(valor -geometry "$@")
+  talla=${talla:-40x40}
+  [ -n "$ppm" ] || exit 0
+  ancho=$((${talla%x*} / 40)) alto=$((${talla#*x} / 40))
+  for f in "$ppm" $(grep -oE '[0-9]+\.ppm' <<<"$*" || true); do # y lo que capture el guion
+    { printf 'P6 %d %d 255\n' $ancho $alto; head -c $((3 * ancho * alto)) /dev/zero; } >"$f"
+  done
+  ;;
+esac

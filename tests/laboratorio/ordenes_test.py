@@ -1,0 +1,359 @@
+"""Cada orden de ./lab en un laboratorio de mentira, que no compila ni dibuja nada (falso.sh): lo que llama, lo que escribe y dónde, con
+qué estado acaba y qué deja cuando algo falla o llega una señal. Siempre en una carpeta con el peor nombre posible."""
+import base64
+import json
+import os
+import re
+import shlex
+import shutil
+import signal
+import subprocess
+import time
+import zlib
+from pathlib import Path
+
+import pytest
+
+RAIZ = Path(__file__).parents[2]
+PEOR = "x';touch pwned;'y $(touch pwned) \"ñ\" [h] & (2)"
+
+
+class Lab:
+    def __init__(self, sitio):
+        self.sitio, self.raiz = sitio, sitio / PEOR
+        self.build, self.temporal = self.raiz / "build", sitio / "tmp"
+        for carpeta in ("bin", "tmp", "aqui", PEOR + "/ch01_uno", PEOR + "/docs", PEOR + "/assets", PEOR + "/tests/mutantes", PEOR + "/tests/casos",
+                        PEOR + "/tests/capitulos", PEOR + "/tests/golden", PEOR + "/tests/casos_dificiles", *(f"cm/{c}" for c in ("lib", "mode/clike", "addon/edit"))):
+            (sitio / carpeta).mkdir(parents=True)
+        for f in ("lib/codemirror.js", "mode/clike/clike.js", "addon/edit/matchbrackets.js", "lib/codemirror.css"):
+            (sitio / "cm" / f).write_text(f)
+        shutil.copy(RAIZ / "lab", self.raiz)
+        shutil.copytree(RAIZ / "herramientas", self.raiz / "herramientas", ignore=shutil.ignore_patterns("__pycache__"))
+        for f in ("lab", "herramientas/web.py"):
+            self.cambia(f, "/usr/share/javascript/codemirror", str(sitio / "cm"))
+        self.cambia("herramientas/muta.py", "MINIMO = 150", "MINIMO = 2")
+        for quien in ("cmake", "ninja", "ctest", "gnuplot", "id", "dpkg-query", "apt-get", "apt-cache", "sudo", "em++", "falso.sh"):
+            (sitio / "bin" / quien).symlink_to(RAIZ / "tests/laboratorio/falso.sh")
+        (self.raiz / "tests/casos/caso.sh").symlink_to(RAIZ / "tests/laboratorio/falso.sh")
+        for f, texto in (("tests/entorno.txt", "GALLIUM_DRIVER=llvmpipe\n"), ("tests/capitulos/ch01_test.cpp", ""), ("ch01_uno/a.vert", "uno"),
+                         ("ch01_uno/a.cpp", '// Controles: a gira · Esc termina.\n#include "a.vert"\n'), ("ch01_uno/b.cpp", "// Controles: ninguno.\n"),
+                         ("tests/mutantes/ch01.tsv", "ch01_uno/a.cpp\tgira\tx\ti\nch01_uno/b.cpp\tninguno\tx\ti\n"), ("tests/casos_dificiles/casos.tsv", ""),
+                         ("docs/libro.tsv", "L1.1\tuno\nL1.10\tdiez\nF1.1\tfigura\tsin motivo\n"),
+                         ("docs/medidas.json", '{"programas": {"a": {"maximo": 1}}, "casos": {}, "defectos": {"ch01": {"plantados": 2, "notados": 1, "sin_golden": 1}}}')):
+            (self.raiz / f).write_text(texto)
+        programa = {"capitulo": "ch01_uno", "contra": "", "pruebas": "", "pasa": "", "admite": "", "consola": ""}
+        caso = {"guion": "", "tolerancia": "", "mira": "M", "borde": "", "anima": ""}
+        self.catalogo = {"capitulos": [{"nombre": "ch01_uno", "titulo": "Uno"}],
+                         "programas": [{**programa, "nombre": "a", "ref": "L1.1 E1.2", "titulo": "A <b>"}, {**programa, "nombre": "b", "ref": "L1.10", "titulo": "B"}],
+                         "casos": [{**caso, "programa": "a", "nombre": "base", "fichero": "a"}, {**caso, "programa": "b", "nombre": "base", "fichero": "b"},
+                                   {**caso, "programa": "a", "nombre": "dos", "fichero": "a-dos", "guion": "tecla a; tecla '", "tolerancia": "1 2 3",
+                                    "anima": "2 tecla a"}]}
+        self.cataloga()
+        self.entorno = {c: v for c, v in os.environ.items() if not c.startswith("LAB_") and c not in ("DISPLAY", "WAYLAND_DISPLAY", "DORA")}
+        self.entorno |= {"PATH": f"{sitio}/bin:{os.environ['PATH']}", "APUNTES": str(sitio), "TMPDIR": str(self.temporal), "LAB_SIN_INSTALAR": "1",
+                         "PYTHONDONTWRITEBYTECODE": "1"}
+
+    def cataloga(self):
+        (self.raiz / "catalogo.json").write_text(json.dumps(self.catalogo))
+
+    def cambia(self, fichero, viejo, nuevo):
+        (self.raiz / fichero).write_text((self.raiz / fichero).read_text().replace(viejo, nuevo))
+
+    def __call__(self, orden, estado=0, dice="", salida=None, **entorno):
+        """Ejecuta ./lab ORDEN desde otra carpeta. Sin trazas de Python, con ese estado y, en lo que avisa, ese texto."""
+        (self.sitio / "llamadas").unlink(missing_ok=True)
+        r = subprocess.run([self.raiz / "lab", *shlex.split(orden)], cwd=self.sitio / "aqui", env={**self.entorno, **entorno}, text=True,
+                           capture_output=True, stdin=subprocess.DEVNULL, timeout=60)
+        assert (r.returncode, "Traceback" in r.stderr) == (estado, False) and dice in r.stderr, f"{orden}: {r.returncode}\n{r.stdout}\n{r.stderr}"
+        assert salida is None or r.stdout == salida
+        self.no_deja_nada()
+        return r
+
+    def llamadas(self, quien):
+        """Los argumentos de cada vez que se ha llamado."""
+        fichero = self.sitio / "llamadas"
+        todas = [ll.split("\0")[:-1] for ll in fichero.read_text().split("\n\0")[:-1]] if fichero.exists() else []
+        return [ll[1:] for ll in todas if ll[0] == quien]
+
+    def libre(self):
+        return subprocess.run(["flock", "-n", self.build / ".cerrojo", "true"]).returncode == 0
+
+    def no_deja_nada(self):
+        assert not list(self.temporal.iterdir()) and not list(self.raiz.rglob("*.parcial")) and not list(self.sitio.rglob("pwned"))
+
+    def empieza(self, orden, para, **entorno):
+        """Ejecuta ./lab ORDEN hasta que llega a esa etapa, de la que no pasa."""
+        proceso = subprocess.Popen([self.raiz / "lab", *shlex.split(orden)], cwd=self.sitio / "aqui", env={**self.entorno, "PARA": para, **entorno},
+                                   text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
+        limite = time.monotonic() + 20
+        while not (self.sitio / "nieto").exists() or not (self.sitio / "nieto").read_text().strip():
+            if proceso.poll() is not None or time.monotonic() > limite:
+                proceso.kill()
+                raise AssertionError(f"{orden} no llega a {para}: {proceso.communicate()}")
+            time.sleep(0.01)
+        return proceso
+
+    def interrumpe(self, proceso, senal):
+        """Como la terminal, INT va al grupo de ./lab; TERM, solo a él."""
+        (os.killpg if senal == signal.SIGINT else os.kill)(proceso.pid, senal)
+        try:
+            errores = proceso.communicate(timeout=10)[1]
+            assert proceso.returncode == 128 + senal and "Traceback" not in errores, f"{proceso.returncode} {errores}"
+        finally:
+            nieto = int((self.sitio / "nieto").read_text())
+            vive = vivo(nieto)
+            if vive:
+                os.kill(nieto, signal.SIGKILL)
+            proceso.kill()
+        assert not vive, "queda en marcha lo que había puesto en marcha"
+        assert self.libre(), "queda el cerrojo"
+        self.no_deja_nada()
+
+
+def vivo(pid):
+    for _ in range(50):
+        try:
+            if Path(f"/proc/{pid}/stat").read_text().split()[2] == "Z":
+                return False
+        except OSError:
+            return False
+        time.sleep(0.01)
+    return True
+
+
+@pytest.fixture
+def lab(tmp_path):
+    return Lab(tmp_path)
+
+
+def test_ayuda_y_errores(lab):
+    assert lab("", salida=lab("ayuda").stdout).stdout.startswith("./lab galeria")
+    for orden, estado, dice in (("nada", 2, "no conozco la orden «nada»"), ("lista --csv", 1, "no entiendo «--csv»"), ("lista --tsv x", 1, "no entiendo «x»"),
+                                ("galeria x", 1, "no entiendo «x»"), ("web x", 1, "no entiendo «x»"), ("ver", 1, "falta el programa"),
+                                ("ver ch1", 1, "no hay ningún programa «ch1»; los más parecidos: "), ("ver 1.1", 1, "no hay ningún programa"),
+                                ("dora", 1, "di qué casos"), ("dora a-x", 1, "«a-x» no es un caso de a"), ("prueba -R", 1, "falta lo que sigue a -R"),
+                                ("prueba a", 1, "para elegir pruebas, -R a"), ("prueba --x", 1, "no entiendo «--x»"), ("mide x", 1, "no hay ninguna técnica «x»; hay t"),
+                                ("muta x", 1, "no hay ningún mutante en «x»")):
+        lab(orden, estado, dice, salida="")
+
+
+def test_lista(lab):
+    lab("lista --tsv", salida="ch01_uno\ta\tL1.1 E1.2\tA <b>\nch01_uno\tb\tL1.10\tB\n")
+    assert lab("lista").stdout.startswith("ch01_uno               a                      L1.1 E1.2      A <b>\n")
+    lab("lista --docs", salida="")
+    programas = (lab.raiz / "docs/programas.md").read_text()
+    assert "| L1.1 | uno | [a](../ch01_uno/a.cpp) |" in programas and "| F1.1 | figura | sin motivo |" in programas
+    comprueba = ["python3", "-B", lab.raiz / "herramientas/documentos.py", lab.raiz, lab.build, "comprueba"]
+    assert subprocess.run(comprueba).returncode == 0
+    (lab.raiz / "docs/programas.md").write_text("otra cosa")
+    assert subprocess.run(comprueba, capture_output=True).returncode == 1
+    enlace = lab.sitio / "aqui" / "lab"
+    enlace.symlink_to(lab.raiz / "lab")
+    assert subprocess.run([enlace, "lista"], env=lab.entorno, capture_output=True, cwd=lab.sitio).returncode == 0
+
+
+def test_compila_lo_que_hace_falta(lab):
+    assert lab("galeria", dice="un aviso\n").stderr.count("uno\n") == 0  # por dónde va, solo en una terminal
+    assert lab.llamadas("cmake")[0] == ["--preset", "release", "-B", str(lab.build)]
+    lab("galeria")
+    assert [ll[0] for ll in lab.llamadas("cmake")] == ["--build", "--build"]  # ya está configurado
+    for falta in ("catalogo.json", "sin_ventana", "CMakeCache.txt"):
+        (lab.build / falta).unlink()
+        lab("lista")
+        assert len(lab.llamadas("cmake")) == 1, falta
+    lab("galeria", 1, "falla compila", FALLA="compila")
+    assert len(lab.llamadas("cmake")) == 2
+    lab("galeria", 1, "falla compila", FALLA="compila", PORQUE="-Werror")  # por los avisos: se compila otra vez sin que sean errores
+    assert [ll[-1] for ll in lab.llamadas("cmake")] == ["build.ninja", "programas", "-DLAB_AVISOS_SON_ERRORES=OFF", "programas"]
+    lab("lista", 0)
+    (lab.build / "CMakeCache.txt").write_text("CMAKE_HOME_DIRECTORY:INTERNAL=/otra\n")
+    (lab.build / "resto").touch()
+    lab("lista")
+    assert not (lab.build / "resto").exists() and (lab.build / ".cerrojo").exists()
+    (lab.build / "catalogo.json").unlink()
+    lab("lista", 1, "CMake no ha podido configurar", FALLA="configura")
+
+
+def test_galeria(lab):
+    destino = lab.raiz / "galeria/ch01_uno"
+    png, animada = destino / "a.png", destino / "a-dos.anima.png"
+
+    def hechas(estado=0, **entorno):
+        return dict(re.findall(r"ch01_uno/(\w+): (\d+|sin cambios|.*falla.*)", lab("galeria", estado, **entorno).stderr))
+
+    def talla(fichero):
+        return [int.from_bytes(fichero.read_bytes()[i:i + 4], "big") for i in (16, 20)]
+
+    assert hechas() == {"a": "2", "b": "1"} and talla(png) == [24, 18] and talla(animada) == [12, 9]
+    pagina = (lab.raiz / "galeria/index.html").read_text()
+    assert "A &lt;b&gt;" in pagina and "salida de a" in pagina
+    assert hechas() == {"a": "sin cambios", "b": "sin cambios"} and "salida de a" in (lab.raiz / "galeria/index.html").read_text()
+    png.unlink()
+    assert hechas() == {"a": "1", "b": "sin cambios"}
+    animada.write_bytes(b"")
+    assert hechas() == {"a": "1", "b": "sin cambios"} and animada.stat().st_size
+    lab.catalogo["casos"][1]["guion"] = "tecla b"
+    lab.cataloga()
+    (lab.build / "catalogo.json").unlink()
+    assert hechas() == {"a": "sin cambios", "b": "1"}
+    (lab.raiz / "ch01_uno/a.vert").write_text("dos")
+    assert hechas() == {"a": "2", "b": "1"}
+    # lo que no se puede dibujar no deja la imagen de antes, lo dice la página y se hace en cuanto se pueda
+    programa = lab.build / "osmesa/ch01_uno/a"
+    programa.unlink()
+    programa.write_text("#!/bin/sh\necho falla con esto >&2\necho y más >&2\nexit 3\n")
+    programa.chmod(0o755)
+    assert hechas(1)["a"].startswith("a ha fallado: falla con esto") and not png.exists() and not animada.exists()
+    assert "falla con esto" in (lab.raiz / "galeria/index.html").read_text()
+    programa.unlink()
+    programa.symlink_to(RAIZ / "tests/laboratorio/falso.sh")
+    assert hechas() == {"a": "2", "b": "sin cambios"}
+
+
+def test_web(lab):
+    lab("web", dice="Hecha: ")
+    web = lab.raiz / "web"
+    datos = {f.name for f in (web / "datos").iterdir()}
+    assert datos == {f"{n}.js" for n in ("js", "wasm", "shaders", "codigo", "editor", "t.rgb")}
+    empaquetado = (web / "datos/shaders.js").read_text().split('"')[3]
+    assert json.loads(zlib.decompress(base64.b64decode(empaquetado))) == {"ch01_uno/a.vert": "uno"}
+    pagina = (web / "index.html").read_text()
+    assert '"nombre":"a"' in pagina and '"anima":true' in pagina and (web / "ch01_uno/a.jpg").read_bytes()[:2] == b"\xff\xd8"
+    miniatura = web / "ch01_uno/a.jpg"
+    cuando = miniatura.stat().st_mtime_ns
+    lab("web")
+    assert miniatura.stat().st_mtime_ns == cuando
+    os.utime(lab.raiz / "galeria/ch01_uno/a.png", (2e9, 2e9))
+    lab("web")
+    assert miniatura.stat().st_mtime_ns != cuando
+    (web / "datos/viejo.js").touch()
+    lab("web", 1, "falla rasgos", FALLA="rasgos")
+    assert (web / "datos/viejo.js").exists()  # si no sale, queda la de antes entera
+    lab("web")
+    assert {f.name for f in (web / "datos").iterdir()} == datos
+
+
+def lleno(fichero):
+    """Un disco sin sitio para ese fichero: /dev/full."""
+    fichero.parent.mkdir(parents=True, exist_ok=True)
+    Path(f"{fichero}.parcial").symlink_to("/dev/full")
+
+
+@pytest.mark.parametrize("orden,fichero", [("galeria", "galeria/index.html"), ("galeria", "galeria/.hecho.json"), ("galeria", "galeria/ch01_uno/a.png"),
+                                           ("web", "web/index.html"), ("web", "web/ch01_uno/a.jpg"), ("mide t", "informe/index.html"),
+                                           ("mide t", "informe/t.tsv"), ("mide t", "informe/t.svg"), ("lista --docs", "docs/programas.md")])
+def test_disco_lleno(lab, orden, fichero):
+    lab(orden)
+    antes = (lab.raiz / fichero).read_bytes()
+    if fichero.endswith((".png", ".jpg")):  # para que se haga
+        (lab.raiz / fichero).unlink()
+        antes = None
+    lleno(lab.raiz / fichero)
+    lab(orden, 1, "no queda sitio en el disco")
+    assert ((lab.raiz / fichero).read_bytes() if (lab.raiz / fichero).exists() else None) == antes
+
+
+def test_mide(lab):
+    lab("mide t", dice="Hecho: ")
+    informe = lab.raiz / "informe"
+    assert (informe / "t.tsv").read_text() == "variante\tgrupo\tmediana\tmínimo\tmáximo\terror\tnota\na\t-\t2\t1\t3\t0.5\t-\n"
+    assert (informe / "t.svg").read_text().startswith("<svg>set terminal svg") and "T" in (informe / "index.html").read_text()
+    (lab.sitio / "bin/gnuplot").unlink()
+    if not shutil.which("gnuplot"):
+        lab("mide t", 1, "t ha fallado: no encuentro gnuplot")
+    lab("mide t", 1, "t ha fallado: error: falla mide", FALLA="mide")
+    (lab.raiz / "herramientas/mide/ensayo.tsv").write_text("t\ta\t0.7\n")
+    lab("mide --ensayo", 1, "«a» se equivoca 0.5 y se esperaba 0.7")
+    (lab.raiz / "herramientas/mide/ensayo.tsv").write_text("t\ta\t0.5\n")
+    shutil.rmtree(informe)
+    lab("mide --ensayo", dice="t: 1 variantes")
+    assert not informe.exists()
+
+
+def test_prueba(lab):
+    (lab.build / "fallos").mkdir(parents=True)
+    (lab.build / "fallos/viejo.ppm").write_text("P6")
+    lab("prueba -R 'uno|dos' -V")
+    assert lab.llamadas("cmake")[0][-1] == "-DLAB_AVISOS_SON_ERRORES=ON"
+    [opciones] = lab.llamadas("ctest")
+    assert opciones[:2] == ["--test-dir", str(lab.build)] and opciones[-3:] == ["-R", "uno|dos", "-V"]
+    assert {f.name for f in (lab.build / "fallos").iterdir()} == {"x.ppm", "x.png"}
+    lab("prueba", 3, "falla ctest", FALLA="ctest")
+    lab("prueba --asan")
+    assert lab.llamadas("cmake")[0][:4] == ["--preset", "asan", "-B", f"{lab.build}/asan"] and lab.llamadas("ctest")[0][1] == f"{lab.build}/asan"
+
+
+def test_ver(lab):
+    aqui = lab.sitio / "aqui"
+    lab("ver L1.1", dice="lo he dibujado en a.png", salida="salida de a\n")
+    assert (aqui / "a.png").read_bytes()[1:4] == b"PNG" and not (lab.raiz / "a.png").exists()
+    lab("ver ch01 -x 'y z'", dice="a: A <b>")
+    assert [ll[-2:] for ll in lab.llamadas("a") + lab.llamadas("b")] == [["-x", "y z"]] * 2
+    lab("ver ch01", 3, "falla programa", FALLA="programa")
+    (aqui / "a.png").unlink()
+    lab("ver a -x 'y z'", DISPLAY=":9")
+    assert lab.llamadas("a") == [["-x", "y z"]] and not (aqui / "a.png").exists()
+    lab("ver a", 4, "otra cosa", DISPLAY=":9", ESTADO="4", ESCRIBE="otra cosa")
+    lab("ver a -x", 1, "failed to open display", DISPLAY=":9", ESTADO="1", ESCRIBE="failed to open display")
+    assert len(lab.llamadas("a")) == 2  # y sin ventana
+    lab.catalogo["programas"][1]["consola"] = "TRUE"
+    lab.cataloga()
+    (lab.build / "catalogo.json").unlink()
+    (aqui / "b.png").unlink()
+    lab("ver b")
+    assert lab.llamadas("b") == [[]] and not (aqui / "b.png").exists()
+    proceso = lab.empieza("ver a", "programa")
+    assert lab.libre()  # con la ventana abierta se puede seguir trabajando
+    lab.interrumpe(proceso, signal.SIGTERM)
+
+
+def test_dora(lab):
+    assert lab("dora a b").stdout.count("1|llvmpipe|") == 3
+    assert lab.llamadas("caso.sh") == [[str(lab.build), "osmesa", "ch01_uno", p, f, t, g] for p, f, t, g in
+                                       (("a", "a", "-", "-"), ("a", "a-dos", "1 2 3", "tecla a; tecla '"), ("b", "b", "-", "-"))]
+    lab("dora a-dos")
+    assert lab.llamadas("cmake")[-1][3:] == ["compara", "a_osmesa"]
+    assert len(lab.llamadas("caso.sh")) == 1
+    (lab.raiz / "tests/golden").rmdir()
+    lab("dora a", 1, "no puedo escribir en")
+
+
+def test_de_uno_en_uno(lab):
+    lab("lista")
+    otro = subprocess.Popen(["flock", lab.build / ".cerrojo", "sleep", "0.5"])
+    while lab.libre():
+        time.sleep(0.01)
+    lab("lista", dice="Hay otro ./lab trabajando")
+    assert otro.wait() == 0
+    otro = subprocess.Popen(["flock", lab.build / ".cerrojo", "sleep", "20"])
+    while lab.libre():
+        time.sleep(0.01)
+    lab("lista", LAB_CERROJO=str(lab.build))  # lo tiene quien nos llama
+    espera = subprocess.Popen([lab.raiz / "lab", "lista"], env=lab.entorno, stderr=subprocess.PIPE)
+    assert b"espero a que acabe" in espera.stderr.readline()
+    espera.terminate()
+    assert espera.wait(10) == 143
+    otro.kill()
+
+
+def test_instala(lab):
+    lab("lista")
+    assert not lab.llamadas("apt-get") and not lab.llamadas("dpkg-query")
+    lab("prueba", dice="Instalo los paquetes que faltan: ", LAB_SIN_INSTALAR="")
+    ponen = lab.llamadas("apt-get")[-1]
+    assert "install" in ponen and {"python3-pytest", "shellcheck", "netpbm"} < set(ponen) and not {"g++", "cmake"} & set(ponen)
+    assert lab("lista", dice="Instalo con sudo", LAB_SIN_INSTALAR="", FALSO_ID="1000") and lab.llamadas("sudo")[-1][:3] == ["env", "DEBIAN_FRONTEND=noninteractive", "apt-get"]
+    (lab.sitio / "bin/sudo").unlink()
+    if not shutil.which("sudo"):
+        lab("lista", 1, "faltan paquetes y no hay sudo", LAB_SIN_INSTALAR="", FALSO_ID="1000")
+
+
+@pytest.mark.parametrize("orden,para,senal", [(orden, para, senal) for i, (orden, etapas) in enumerate((
+    ("galeria", "configura compila programa"), ("web", "configura programa rasgos"), ("mide t", "configura compila mide"),
+    ("prueba", "configura compila ctest"), ("ver a", "configura compila programa"), ("dora a", "configura compila caso"),
+    ("muta", "configura compila prueba"), ("lista", "configura"))) for j, para in enumerate(etapas.split())
+    for senal in [(signal.SIGINT, signal.SIGTERM)[(i + j) % 2]]])
+def test_una_senal_lo_acaba_todo(lab, orden, para, senal):
+    lab.interrumpe(lab.empieza(orden, para), senal)
+    if orden in ("galeria", "web"):  # y se puede seguir
+        lab(orden, dice="Hecha: ")
