@@ -111,7 +111,7 @@ class Lab:
 
 
 def vivo(pid):
-    for _ in range(50):
+    for _ in range(500):
         try:
             if Path(f"/proc/{pid}/stat").read_text().split()[2] == "Z":
                 return False
