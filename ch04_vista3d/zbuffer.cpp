@@ -106,8 +106,9 @@ static void dibuja() {
     } else {
         dibujaPanel(ventanaEntera(), estado.enCpu, estado.test);
     }
-    ponTitulo(std::string("Z-Buffer en la ") + (estado.enCpu ? "CPU" : "GPU") +
-              (estado.test ? "" : ", sin test de profundidad"));
+    ponTitulo(estado.compara ? "Z-Buffer: sin test y con él, en la GPU y en la CPU"
+                             : std::string("Z-Buffer en la ") + (estado.enCpu ? "CPU" : "GPU") +
+                                   (estado.test ? "" : ", sin test de profundidad"));
     glutSwapBuffers();
 }
 

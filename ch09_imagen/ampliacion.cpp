@@ -43,7 +43,7 @@ static void dibuja() {
     } else {
         dibujaAmpliada(ventanaEntera(), true, factor);
     }
-    ponTitulo(std::string("Ampliación ") + factor);
+    ponTitulo(std::string("Ampliación ") + factor + (estado.compara ? ": sin proporción y con ella" : ""));
     glutSwapBuffers();
 }
 
