@@ -116,8 +116,14 @@ static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
     switch (tecla) {
-    case 'z': estado.test = !estado.test; break;
-    case 'c': estado.enCpu = !estado.enCpu; break;
+    case 'z':
+        estado.test = !estado.test;
+        estado.compara = false;
+        break;
+    case 'c':
+        estado.enCpu = !estado.enCpu;
+        estado.compara = false;
+        break;
     case 'v': estado.compara = !estado.compara; break;
     default: return;
     }

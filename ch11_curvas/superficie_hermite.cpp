@@ -57,15 +57,15 @@ static void dibuja() {
         trazaPolilinea(polilinea([&](float v) { return cubica(Base::HERMITE, G[1], v); }, n.v), vista(),
                        BLANCO);
     }
-    glDisable(GL_DEPTH_TEST); // las flechas, enteras, también por detrás de la superficie
+    glDisable(GL_DEPTH_TEST); // las flechas y el punto, enteros, también por detrás de la superficie
     dibujaTangentes(G, 0);
     if (estado.segundo)
         dibujaTangentes(G2, 1);
+    if (estado.editor.elegido >= 0)
+        trazaPuntos({estado.esquinas[estado.editor.elegido]}, vista(), ROJO, 3.5f * GROSOR);
     glEnable(GL_DEPTH_TEST);
     for (std::size_t i = 0; i < 4; ++i)
         rotulaPunto(NOMBRES[i], estado.esquinas[i], vista(), colorNombre(estado.editor, i), LADOS[i]);
-    if (estado.editor.elegido >= 0)
-        trazaPuntos({estado.esquinas[estado.editor.elegido]}, vista(), ROJO, 3.5f * GROSOR);
     std::string titulo = "Superficie de Hermite";
     if (estado.segundo) {
         char union_[40];

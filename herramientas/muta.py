@@ -332,7 +332,7 @@ class Taller:
             de = capitulo(programa.capitulo.nombre)
             if not programa.consola and (not capitulos or de in capitulos):
                 orden = ["python3", "-B", self.copia / "tests/propiedades/propiedades.py", self.copia, self.build, programa.nombre]
-                pruebas.append(Prueba(f"{de} propiedades.{programa.nombre}", orden, {}, False))
+                pruebas.append(Prueba(f"{de} propiedades.{programa.nombre}", orden, entorno, False))
             for caso in programa.casos:
                 if not programa.consola and (not capitulos or de in capitulos):
                     orden = [self.copia / "tests/casos/caso.sh", self.build, self.sin_ventana, *caso.hechos]

@@ -198,7 +198,7 @@ TEST(EspejoPlantilla, ConYSin) {
         {"", {true}, 1, -0.30},
         {"tecla p", {false}, 1, -0.30},
         {"tecla v", {false, true}, 1, -0.30},
-        {"tecla p; tamano 361 180", {false, true}, 2, -0.30},
+        {"tecla p; tecla v; tamano 361 180", {false, true}, 2, -0.30},
         {"tecla v; tamano 240 181", {true}, 1, -0.30},
         {arrastra(-30, 0), {true}, 1, 0},
     };

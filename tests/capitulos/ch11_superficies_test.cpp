@@ -433,7 +433,8 @@ Escena conRed(const Red &P, int elegido = -1, const oraculo::Camara &c = CAMARA_
     e.trazo("puntos", e.px(P), ROJO, 3.5 * GROSOR);
     for (std::size_t k = 0; k < 16; ++k)
         if (k == 0 || k == 3 || k == 12 || k == 15 || int(k) == elegido)
-            e.rotulo(nombre(k, 4), e.px(P[k]), OSCURO, k == 0 || k == 12 ? Lado::DEBAJO : Lado::ENCIMA);
+            e.rotulo(nombre(k, 4), e.px(P[k]), int(k) == elegido ? ROJO : OSCURO,
+                     k == 0 || k == 12 ? Lado::DEBAJO : Lado::ENCIMA);
     return e;
 }
 
@@ -575,7 +576,8 @@ const Red ESQUINAS_REF(ESQUINAS_INICIALES.begin(), ESQUINAS_INICIALES.end());
 
 /// `k` es 0 si solo hay un trozo.
 Escena hermite(const Red &p, double k = 0, const std::string &texto = "",
-               const oraculo::Camara &c = CAMARA_HERMITE, const glm::ivec2 &ventana = NORMAL) {
+               const oraculo::Camara &c = CAMARA_HERMITE, const glm::ivec2 &ventana = NORMAL,
+               int elegido = -1) {
     const std::vector<glm::vec3> esquinas(p.begin(), p.end());
     const auto A = lleva<double>(primerTrozo(esquinas));
     Escena e(c, ventana);
@@ -594,10 +596,12 @@ Escena hermite(const Red &p, double k = 0, const std::string &texto = "",
                 e.trazo("flecha", e.px(Red{G[i][j], G[i][j] + G[i][j + 2] / 3.0}), ROJO);
                 e.trazo("puntos", {e.px(G[i][j])}, OSCURO, 3 * GROSOR);
             }
+    if (elegido >= 0)
+        e.trazo("puntos", {e.px(p[elegido])}, ROJO, 3.5 * GROSOR);
     const Lado lados[] = {Lado::DEBAJO, Lado::IZQUIERDA, Lado::IZQUIERDA, Lado::ENCIMA};
     const char *const nombres[] = {"g11", "g12", "g21", "g22"};
     for (std::size_t i = 0; i < 4; ++i)
-        e.rotulo(nombres[i], e.px(p[i]), OSCURO, lados[i]);
+        e.rotulo(nombres[i], e.px(p[i]), int(i) == elegido ? ROJO : OSCURO, lados[i]);
     if (k > 0)
         e.rotulo("G1 con k = " + texto, {0.5 * ventana.x, 0.08 * ventana.y}, OSCURO, Lado::CENTRO);
     return e;
@@ -621,9 +625,10 @@ TEST(SuperficieHermite, ElRatonMueveUnaEsquinaYGiraLaCamara) {
     const glm::ivec2 desde = e.raton(e.px(p[2])) + glm::ivec2(-3, 4), hasta(170, 265);
     p[2] = e.llevado(p[2], e.punto(hasta));
     const auto girada = camara(0.45 - 30 * 0.005, 0.6 + 50 * 0.005, 8.4, {0, -0.1, 0});
-    compruebaPasos<Escena>("superficie_hermite",
-                           {{"tecla u; " + arrastra(desde, hasta), hermite(p, 0.7, "0.70", CAMARA_UNION)},
-                            {"tecla u; " + arrastra({20, 20}, {50, 70}), hermite(p, 0, "", girada)}});
+    compruebaPasos<Escena>(
+        "superficie_hermite",
+        {{"tecla u; " + arrastra(desde, hasta), hermite(p, 0.7, "0.70", CAMARA_UNION, NORMAL, 2)},
+         {"tecla u; " + arrastra({20, 20}, {50, 70}), hermite(p, 0, "", girada)}});
 }
 
 // ---- Lo que se ve ----

@@ -33,9 +33,9 @@ raiz, build = map(Path, sys.argv[1:])
 sys.path.insert(0, str(raiz / "herramientas"))
 import catalogo, web
 with tempfile.TemporaryDirectory() as carpeta:
-    Path(carpeta, "datos").mkdir()
-    web.Pagina(raiz, build, None, Path(carpeta)).empaqueta("a.b", {"ñ": [1]})
-    paquete = Path(carpeta, "datos/a.b.js").read_text()
+    pagina = web.Pagina(raiz, build, None, Path(carpeta))
+    pagina.empaqueta("a.b", {"ñ": [1]})
+    paquete = (pagina.nuevos / "a.b.js").read_text()
 elegidos = "info_opengl malla_vf grua eventos sombras menu luces_animadas convolucion bezier"
 print(json.dumps([paquete, {p.nombre: web.Programa(raiz, build, p).datos() for p in catalogo.lee_programas(build) if p.nombre in elegidos.split()}]))`,
   raiz, build]));

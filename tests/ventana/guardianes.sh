@@ -39,6 +39,7 @@ ventana() { prueba "$1" "ventana.sh, $2" "$3" ventana.sh "$carpeta/build" cap gr
 
 cp bien.ppm tests/golden/cap/grua.ppm
 cp bien.ppm tests/golden/cap/grua-quieta.ppm
+"$build/$sin_ventana/ch03_transformaciones/grua" -titulos -ppm nada.ppm >tests/golden/cap/grua.txt
 programa 'grua "$@"'
 caso 0 "todo bien" '^bien'
 ventana 0 "todo bien" '^bien'
@@ -60,6 +61,9 @@ programa 'grua "$@"'
 cp otro.ppm tests/golden/cap/grua.ppm
 caso 1 "golden que no es" 'píxeles a más de 3'
 ventana 1 "golden que no es" 'píxeles a más de 3'
+cp bien.ppm tests/golden/cap/grua.ppm
+programa 'grua "$@"; echo otro texto'
+caso 1 "texto que no es" '^+otro texto'
 rm tests/golden/cap/grua.ppm
 caso 1 "sin golden" 'falta el golden'
 
