@@ -89,8 +89,9 @@ target_link_libraries(compara PRIVATE comun avisos)
 get_property(hechos GLOBAL PROPERTY LAB_HECHOS_shader_basico.base)
 add_test(NAME imagen COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/casos/caso.sh ${CMAKE_BINARY_DIR} ${LAB_SIN_VENTANA} ${hechos})
 FIN
+: >tests/propiedades/propiedades.py # las cumple todo
 golden=tests/golden/ch01_intro
-cp $golden/primer_programa.ppm $golden/primer_programa_dos.ppm
+for e in ppm txt; do cp $golden/primer_programa.$e $golden/primer_programa_dos.$e; done
 
 # una prueba que falla da un estado distinto de 0 y deja sus imágenes; y ninguna prueba, también
 espera 0 '100% tests passed' $lab prueba
