@@ -19,7 +19,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "herramientas"))
 import catalogo
 import controles
 
-TALLA, OTRAS = "120x90", ("150x90", "100x100")
+TALLA, OTRAS = "120x90", ("1 1", "200 2", "150 90", "100 100")
 TAMANOS = ["120 90", "150 90", "100 100", "61 45", "4 90", "1 1", "200 2"]
 BYTES = 64 << 20  # lo que cabe en la GPU más modesta con otros programas abiertos
 CARACTERES = [c for c in string.printable if c.isprintable() and c not in " ;"]
@@ -88,10 +88,10 @@ class Programa:
         return filas
 
     def ventana(self, ordenes, talla=TALLA):
-        """El título y los colores con que acaba."""
+        """El título y los colores con que acaba, con Esc."""
         with tempfile.TemporaryDirectory() as carpeta:
             fichero = Path(carpeta, "imagen.ppm")
-            titulos = self.ejecuta(["-titulos", "-guion", "; ".join([*ordenes, f"captura {fichero}"])], talla)
+            titulos = self.ejecuta(["-titulos", "-guion", "; ".join([*ordenes, f"captura {fichero}", "tecla Esc"])], talla)
             return [linea for linea in titulos.splitlines() if linea.startswith("título: ")][-1], fichero.read_bytes().split(b"\n255\n", 1)[1]
 
     def hace_algo(self, antes, orden):
@@ -226,9 +226,8 @@ def tallas(p, semilla):
     azar = random.Random(f"{p.nombre} {semilla}")
     mandos = [o for o in p.mandos if not o.startswith("especial ")]
     guion = azar.choices(mandos, k=8) if mandos else []
-    tamanos = [f"tamano {talla.replace('x', ' ')}" for talla in OTRAS]
-    if not parecidas(p.ventana([*guion, *tamanos]), p.ventana(guion, OTRAS[-1])):
-        yield "talla", f"en una ventana de {TALLA} llevada a {OTRAS} no se ve lo mismo que en una de {OTRAS[-1]}, con {'; '.join(guion)}"
+    if not parecidas(p.ventana([*guion, *(f"tamano {otra}" for otra in OTRAS)]), p.ventana(guion, OTRAS[-1].replace(" ", "x"))):
+        yield "talla", f"una ventana de {TALLA} llevada a {OTRAS} no se ve como una de {OTRAS[-1]}, con {'; '.join(guion)}"
 
 
 def arrastres(p):
