@@ -110,7 +110,7 @@ const Casos PROYECCION([] {
     // cada superficie: ocho veces, de varianza 1/12.
     const double EN_DOBLE = 1e-6, EN_FLOAT = std::sqrt(8.0 / 12);
     casos<double>(
-        "Profundidad", "pares_mal_en_doble_razon_*", {1e2, 1e4, 1e6},
+        "Profundidad", "pares_mal_en_doble_razon_*", {1e2, 1e3, 1e4, 1e6},
         [=](double razon) { return partesMal(1000 / razon, EN_DOBLE); }, "parte",
         [](double razon) { return paresMal<double>(1000 / razon); });
     casos<double>(

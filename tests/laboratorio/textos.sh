@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # textos.sh RAIZ BUILD BIBLIOTECA: lo que se puede comprobar sin ejecutar nada: lo que sale del catálogo en docs/ está
-# al día y todo lo del libro está en él, cada programa dice sus controles, cada shader empieza por #version 140 y pasa
+# al día y todo lo del libro está en él, cada shader empieza por #version 140 y pasa
 # glslangValidator, también como GLSL ES 3.00 (el de ./lab web), glut_sin_ventana.h enumera lo que hay, que no choca con lo que defina un
 # programa, y las cabeceras que dicen que son sin OpenGL no lo incluyen.
 set -euo pipefail
@@ -10,14 +10,6 @@ mal() { echo "$*"; fallos=1; }
 
 python3 -B herramientas/documentos.py . "$2" comprueba || fallos=1
 grep '|  |$' docs/programas.md && mal 'eso es del libro y no tiene programa, respuesta ni, en docs/libro.tsv, motivo'
-
-PYTHONPATH=herramientas python3 -B - "$2" <<'FIN' || fallos=1
-import sys, pathlib, catalogo, controles
-faltan = [p.fuente for p in catalogo.lee_programas(sys.argv[1]) if not controles.lee(pathlib.Path(), p)]
-for f in faltan:
-    print(f"{f}: faltan los controles: «// Controles: … .», en las líneas que haga falta")
-sys.exit(bool(faltan))
-FIN
 
 cabecera_essl=$(sed -n '/R"(/,/^)"/{s/.*R"(//;/^)"/!p}' common/glut_sin_ventana/essl.h)
 [ "${cabecera_essl%%$'\n'*}" = '#version 300 es' ] || mal 'no encuentro la cabecera de essl.h'

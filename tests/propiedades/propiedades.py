@@ -56,7 +56,9 @@ class Programa:
         self.nombre = programa.nombre
         enlace = (build / "sin_ventana").read_text().strip()
         self.ejecutable = build / enlace / programa.capitulo.nombre / programa.nombre
-        self.controles = [c for c in controles.lee(raiz, programa) if c.texto != "ninguno"]
+        leidos = controles.lee(raiz, programa)
+        self.controles = [c for c in leidos if c.texto != "ninguno"]
+        self.sin_linea = not leidos
         self.dice = " · ".join(c.texto for c in self.controles)
         self.teclas = [o for c in self.controles if not c.termina for o in c.ordenes if o not in controles.COMUNES]
         self.cualquiera = "cualquier tecla" in self.dice  # atiende todo
@@ -167,6 +169,8 @@ def paseo(p, ordenes, semilla):
 
 def nombres(p):
     """Lo que se nombra y lo que se atiende: el ratón, la rueda, el menú."""
+    if p.sin_linea:
+        yield "línea", "falta «// Controles: … .», en las líneas que haga falta"
     dice = p.dice.replace("botón derecho menú", "menú").replace("ratón orbita", "ratón orbita, rueda acerca")
     if p.cualquiera:
         dice += ", rueda"
