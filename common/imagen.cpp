@@ -31,7 +31,7 @@ bool esBlanco(char c) {
 
 /// El siguiente número de una cabecera PPM: antes lleva al menos un blanco, y quizá comentarios.
 int numeroDeCabecera(const std::string &datos, std::size_t &i, const std::string &fichero,
-                     std::string *comentario) {
+                     std::string *comentario, int mayor = LADO_MAXIMO) {
     const std::size_t principio = i;
     while (i < datos.size() && (esBlanco(datos[i]) || datos[i] == '#')) {
         if (datos[i++] != '#')
@@ -43,7 +43,7 @@ int numeroDeCabecera(const std::string &datos, std::size_t &i, const std::string
     }
     const std::size_t cifras = std::min(datos.find_first_not_of("0123456789", i), datos.size()) - i;
     const std::optional<int> n = numeroDe<int>(std::string_view(datos).substr(i, cifras));
-    if (i == principio || !n || *n < 1 || *n > LADO_MAXIMO)
+    if (i == principio || !n || *n < 1 || *n > mayor)
         falla("«" + fichero + "»: la cabecera del PPM no es válida");
     i += cifras;
     return *n;
@@ -73,10 +73,12 @@ Imagen leePpm(const std::string &fichero, std::string *comentario) {
     std::size_t i = 2;
     const int ancho = numeroDeCabecera(datos, i, fichero, comentario);
     const int alto = numeroDeCabecera(datos, i, fichero, comentario);
-    if (numeroDeCabecera(datos, i, fichero, comentario) != 255)
+    if (numeroDeCabecera(datos, i, fichero, comentario, 65535) != 255)
         falla("«" + fichero + "»: solo se leen PPM de 8 bits (máximo 255)");
     if (i == datos.size() || !esBlanco(datos[i++])) // uno solo separa la cabecera de los datos
         falla("«" + fichero + "»: la cabecera del PPM no es válida");
+    if (datos.compare(i - 1, 2, "\r\n") == 0 && datos.size() - i == std::size_t(3) * ancho * alto + 1)
+        ++i; // como acaban las líneas en Windows
     compruebaTalla(fichero, ancho, alto, datos.size() - i);
     return desdeArriba(datos.data() + i, ancho, alto);
 }

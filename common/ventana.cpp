@@ -66,7 +66,8 @@ void abreVentana(int &argc, char **argv, const char *titulo, unsigned modo, cons
     glutInitContextVersion(3, 1);
     const std::string uso =
         "uso: " + nombrePrograma() + " [opciones de GLUT] " + (argumentos ? argumentos : "");
-    if (argc > 1 && std::string(argv[1]) == "-ayuda") {
+    const std::string primero = argc > 1 ? argv[1] : "";
+    if (primero == "-ayuda" || primero == "-h" || primero == "--help") {
         std::puts(uso.c_str());
         std::exit(0);
     }

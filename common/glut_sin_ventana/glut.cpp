@@ -320,7 +320,7 @@ void glutInit(int *argc, char **argv) {
             g.titulos = true;
         } else if (opcion == "-diario") {
             g.diario = true;
-        } else if (opcion == "-ayuda") {
+        } else if (opcion == "-ayuda" || opcion == "-h" || opcion == "--help") {
             std::printf("%s", AYUDA);
             g.ayuda = true;
             argv[quedan++] = argv[i]; // el programa puede añadir su uso

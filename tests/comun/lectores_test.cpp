@@ -96,7 +96,7 @@ TEST(Ppm, RechazaLoQueNoEntiende) {
                       {"P6 1 1 255Xabc", CABECERA},
                       {"P6 1 1 255", CABECERA},
                       {"P6 1x1 255\nabc", CABECERA},
-                      {"P6 1 1 65535\nabcdef", CABECERA},
+                      {"P6 1 1 65535\nabcdef", "solo se leen PPM de 8 bits"},
                       {"P6 1 1 15\nabc", "solo se leen PPM de 8 bits"},
                       {"P6 2 2 255\nabc", "una imagen RGB de 2×2 ocupa 12 bytes y hay 3"},
                       {"P6 1 1 255\nabcd", "una imagen RGB de 1×1 ocupa 3 bytes y hay 4"},
@@ -108,7 +108,7 @@ TEST(Ppm, LosComentariosDeLaCabecera) {
     for (const auto &[cabecera, primero] : {std::pair("P6\n# uno\n1 1\n255\nabc", "uno"),
                                             {"P6 #uno\n#dos\n1 # tres\n1\n255\nabc", "uno"},
                                             {"P6\n#\n1 1 255\nabc", ""},
-                                            {"P6\r\n1 1 255 abc", ""}}) {
+                                            {"P6\r\n1 1\r\n255\r\nabc", ""}}) {
         comentario.clear();
         EXPECT_EQ(leePpm(escribe("c.ppm", cabecera), &comentario).rgb.size(), 3u);
         EXPECT_EQ(comentario, primero);

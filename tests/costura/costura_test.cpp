@@ -184,7 +184,7 @@ TEST(Opciones, RasgosDiceDeQueSeEntera) {
 // También la de un programa que no sabe nada de ella.
 TEST(Opciones, AyudaLasEnumeraYNoDibuja) {
     for (const std::string &programa : {std::string("grua"), SUELTO}) {
-        const Ejecucion e = lanza({programa, "-ayuda"});
+        const Ejecucion e = lanza({programa, programa == "grua" ? "--help" : "-ayuda"});
         EXPECT_EQ(e.estado, 0) << e.errores;
         EXPECT_TRUE(e.imagen.rgb.empty());
         for (const char *que :
