@@ -80,12 +80,6 @@ TEST(Eventos, CadaTeclaConSuNombre) {
     EXPECT_EQ(ejecuta("eventos", guion).salida, lineas);
 }
 
-// Esc termina y F12 guarda la ventana, además de verse.
-TEST(Eventos, LasTeclasComunesSiguen) {
-    EXPECT_EQ(ejecuta("eventos", "tecla Esc; tecla a").estado, 2); // la segunda sobra
-    EXPECT_NE(ejecuta("eventos", "especial F12").salida.find("guardado eventos-1.ppm"), std::string::npos);
-}
-
 // En la ventana, los nueve últimos, de arriba abajo y el último en azul; los movimientos seguidos, como uno.
 TEST(Eventos, SeVenLosUltimos) {
     const auto comprueba = [](const std::string &guion, const std::vector<std::string> &sucesos) {

@@ -57,6 +57,7 @@ if [ -n "$paseo" ]; then
   haz_guion "tamano 300 200; $sucesos; tamano 200 240; $sucesos"
 fi
 
+cp salida antes # lo escrito sale al escribirlo, no al terminar
 # Sin guion, o con animación, se cierra con la X de su marco: un temporizador puede vencer cuando la ventana ya no está. Si no, Esc.
 case $guion$paseo in
 - | *espera* | *paseo) como='la X de la ventana' && "$build/tests/cierra" "$ventana" ;;
@@ -66,6 +67,7 @@ for _ in $(seq "${PACIENCIA:-200}"); do kill -0 $pid 2>/dev/null || break; sleep
 kill -0 $pid 2>/dev/null && { echo "$como no lo termina"; exit 1; }
 estado=0
 wait $pid || estado=$?
+cmp antes salida || exit 1
 if [ $estado -ne 0 ] || [ -s errores ]; then
   echo "$como lo termina con estado $estado y ha escrito en stderr:"
   cat errores
