@@ -1,10 +1,11 @@
 // Comprobaciones independientes del capítulo 1.
 #include "colores.h"
-#include "glut_sin_ventana/glut_sin_ventana.h"
 #include "guiones.h"
 #include "plana.h"
 #include "tabla.h"
 #include <GL/glew.h>
+// después de glew.h
+#include "glut_sin_ventana/glut_sin_ventana.h"
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -133,7 +134,6 @@ namespace {
     glutCreateWindow("prueba");
     glewExperimental = GL_TRUE;
     glewInit();
-    cambiaTamano(200, 200);
     inicia(); // aún no hay shaders
     glutDisplayFunc(dibuja);
     glutSpecialFunc(tecladoEspecial);
