@@ -48,6 +48,7 @@ static void cambiaTamano(int ancho, int alto) {
     glBindRenderbuffer(GL_RENDERBUFFER, estado.profundidad);
     glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, ancho, alto);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, estado.profundidad);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 static void dibujaPlano(const glm::mat4 &M, const glm::vec3 &color) {

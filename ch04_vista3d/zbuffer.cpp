@@ -29,6 +29,7 @@ static void inicia() {
     estado.programa = creaProgramaObjeto();
     estado.programaCopia = creaPrograma("ch04_vista3d/copia.vert", "ch04_vista3d/copia.frag");
     glGenTextures(1, &estado.textura);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1); // las filas de lo que se copia no acaban en múltiplos de 4
 
     // El suelo y después los sólidos, de más cerca a más lejos.
     const glm::mat4 vertical = giroX(-glm::half_pi<float>()); // de pie: Z pasa a ser Y
@@ -76,7 +77,6 @@ static Imagen dibujaEnCpu(const glm::mat4 &proyeccion, const glm::mat4 &camara, 
 
 static void copia(const Imagen &imagen, const Recuadro &r) {
     glBindTexture(GL_TEXTURE_2D, estado.textura);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, imagen.ancho, imagen.alto, 0, GL_RGB, GL_UNSIGNED_BYTE,
                  imagen.rgb.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0); // no hay mipmaps

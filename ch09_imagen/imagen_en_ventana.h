@@ -41,7 +41,6 @@ inline GLuint creaTexturaExacta(GLint formatoInterno, const glm::ivec2 &talla, G
     GLuint textura;
     glGenTextures(1, &textura);
     glBindTexture(GL_TEXTURE_2D, textura);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glTexImage2D(GL_TEXTURE_2D, 0, formatoInterno, talla.x, talla.y, 0, formato, tipo, datos);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -50,6 +49,7 @@ inline GLuint creaTexturaExacta(GLint formatoInterno, const glm::ivec2 &talla, G
 }
 inline GLuint creaTexturaExacta(const Imagen &imagen) {
     compruebaQueCabe(imagen);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     return creaTexturaExacta(GL_RGB8, {imagen.ancho, imagen.alto}, GL_RGB, GL_UNSIGNED_BYTE,
                              imagen.rgb.data());
 }

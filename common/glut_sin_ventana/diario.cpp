@@ -21,11 +21,10 @@ struct Parametro {
 
 #define GL(nombre, valores)                                                                                  \
     { #nombre, GL_##nombre, valores }
-// Lo que un cuadro no puede dejar de otra manera sin que lo sufra el siguiente, o un rótulo. Casi todo vale 0 o 1.
+// Lo que un cuadro no puede dejar de otra manera sin que lo sufra el siguiente, o un rótulo. No el viewport, que pone abreRecuadro, ni
+// las funciones de mezcla, que no hacen nada sin ella. Casi todo vale 0 o 1.
 const Parametro PARAMETROS[] = {
     GL(BLEND, 1),
-    GL(BLEND_SRC_RGB, 1),
-    GL(BLEND_DST_RGB, 1),
     GL(BLEND_EQUATION_RGB, 1),
     GL(COLOR_LOGIC_OP, 1),
     GL(COLOR_WRITEMASK, 4),
@@ -49,7 +48,6 @@ const Parametro PARAMETROS[] = {
     GL(MULTISAMPLE, 1),
     GL(SAMPLE_ALPHA_TO_COVERAGE, 1),
     GL(RASTERIZER_DISCARD, 1),
-    GL(VIEWPORT, 4),
     GL(DRAW_FRAMEBUFFER_BINDING, 1),
     GL(READ_FRAMEBUFFER_BINDING, 1),
     GL(DRAW_BUFFER, 1),
@@ -78,8 +76,8 @@ std::string diferencia(const Estado &antes, const Estado &despues) {
     for (std::size_t i = 0; i < antes.size(); ++i)
         for (int k = 0; k < PARAMETROS[i].valores; ++k)
             if (antes[i][k] != despues[i][k])
-                texto += (texto.empty() ? "" : " ") + std::string(PARAMETROS[i].nombre) + " " +
-                         std::to_string(int(antes[i][k])) + "→" + std::to_string(int(despues[i][k]));
+                texto += std::string(PARAMETROS[i].nombre) + " " + std::to_string(int(antes[i][k])) + "→" +
+                         std::to_string(int(despues[i][k])) + " ";
     return texto;
 }
 
@@ -92,7 +90,7 @@ std::uint64_t resumen() {
 }
 
 bool seEscribe = false;
-std::string cambiado; // lo que el último cuadro no ha dejado como estaba
+std::string cambiado; // lo que los cuadros, desde la última línea, no han dejado como estaba
 
 } // namespace
 
@@ -107,7 +105,7 @@ void dibujaParaElDiario(void (*dibuja)()) {
         return dibuja();
     const Estado antes = estadoActual();
     dibuja();
-    cambiado = diferencia(antes, estadoActual());
+    cambiado += diferencia(antes, estadoActual());
 }
 
 void apuntaEnElDiario(const std::string &orden, const std::string &titulo, std::size_t temporizadores) {
@@ -123,6 +121,7 @@ void apuntaEnElDiario(const std::string &orden, const std::string &titulo, std::
                 o.programas, o.shaders, o.framebuffers, o.renderbuffers, o.vaos,
                 o.bytesBuferes + o.bytesTexturas, temporizadores);
     std::fflush(stdout);
+    cambiado.clear();
 }
 
 } // namespace sin_ventana
