@@ -61,10 +61,12 @@ static void teclado(unsigned char tecla, int, int) {
         return;
     if (tecla == 'p')
         estado.enPerspectiva = !estado.enPerspectiva;
-    else if (tecla == 'z' || tecla == 'v') { // nuevo en 4.4
-        estado.test = estado.test != (tecla == 'z');
-        estado.compara = tecla == 'v' && !estado.compara;
-    } else if (!mueve(estado.postura, tecla) && !eligeVista(estado.vistas, tecla))
+    else if (tecla == 'z') { // nuevo en 4.4
+        estado.test = !estado.test;
+        estado.compara = false;
+    } else if (tecla == 'v') // nuevo en 4.4
+        estado.compara = !estado.compara;
+    else if (!mueve(estado.postura, tecla) && !eligeVista(estado.vistas, tecla))
         return;
     glutPostRedisplay();
 }

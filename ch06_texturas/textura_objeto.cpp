@@ -56,7 +56,7 @@ static void dibuja() {
     envia(estado.programa, "N", N);
     envia(estado.programa, "repeticiones", REPETICIONES);
     // Final del listado 6.2: a Img, el número de la unidad, que no es el nombre de la textura
-    envia(estado.programa, "Img", 0);
+    glUniform1i(uniforme(estado.programa, "Img"), 0);
     dibuja(estado.toro);
     glutSwapBuffers();
 }

@@ -67,11 +67,13 @@ static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
     switch (tecla) {
-    case 'p': estado.conPlantilla = !estado.conPlantilla; break;
-    case 'v': break;
+    case 'p':
+        estado.conPlantilla = !estado.conPlantilla;
+        estado.compara = false;
+        break;
+    case 'v': estado.compara = !estado.compara; break;
     default: return;
     }
-    estado.compara = tecla == 'v' && !estado.compara;
     ponTitulo(estado.compara
                   ? "Espejo sin plantilla y con ella"
                   : std::string("Espejo ") + (estado.conPlantilla ? "con plantilla" : "sin plantilla"));

@@ -105,10 +105,11 @@ static void teclado(unsigned char tecla, int, int) {
     case '2':
     case '3':
     case '4': estado.alfa = ALFAS[tecla - '1']; break;
-    case 'v': break;
+    case 'v': estado.compara = !estado.compara; break;
     default: return;
     }
-    estado.compara = tecla == 'v' && !estado.compara;
+    if (tecla != 'v')
+        estado.compara = false;
     estado.alfa = std::clamp(estado.alfa, 0.0f, 1.0f);
     char titulo[48];
     std::snprintf(titulo, sizeof titulo, "Transparencia: alfa = %.1f", estado.alfa);

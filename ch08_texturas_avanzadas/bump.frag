@@ -17,7 +17,7 @@ out vec4 colorFragmento;
 vec3 perturba(vec3 N, vec2 dh) {
     vec3 Px = dFdx(ecPosicion), Py = dFdy(ecPosicion);
     float hx = dot(dh, dFdx(st)), hy = dot(dh, dFdy(st)), det = dot(Px, cross(Py, N));
-    if (det == 0.0) // de canto, o donde (s, t) no cambia: no hay ejes
+    if (det == 0.0) // de canto no hay ejes
         return N;
     vec3 gradiente = sign(det) * (hx * cross(Py, N) + hy * cross(N, Px));
     return normalize(abs(det) * N - gradiente);

@@ -71,6 +71,10 @@ class Programa:
     def fuente(self):
         return Path(self.capitulo.nombre, f"{self.nombre}.cpp")
 
+    def ejecutable(self, build):
+        """El que se usa sin ventana."""
+        return build / (build / "sin_ventana").read_text().strip() / self.capitulo.nombre / self.nombre
+
     def es(self, pedido):
         """Si es lo que se pide: su nombre, su capítulo o una de sus referencias."""
         capitulo = self.capitulo.nombre

@@ -1,13 +1,15 @@
 """controles.py RAÍZ BUILD PROGRAMA SEMILLA N: un guion de unas N órdenes al azar para ese programa. Los controles de un programa, según su línea
 «// Controles:», y sucesos al azar de entre ellos."""
+import os
 import random
 import re
-import subprocess
 import sys
+import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import catalogo
+from procesos import ejecuta
 
 ESPECIALES = {"←": "IZQUIERDA", "→": "DERECHA", "↑": "ARRIBA", "↓": "ABAJO"}
 COMUNES = ["especial F5"]  # las teclas de todos (common/ventana.h), salvo Esc y las que salen de la ventana
@@ -66,13 +68,13 @@ def lee(raiz, programa):
     return [analiza(c.strip()) for c in hallado[1].replace("\n// ", " ").rstrip(".").split(" · ")] if hallado else []
 
 
-def atiende(build, programa):
-    """De qué se entera: lo que dice -rasgos de él, y las opciones de sus menús, salvo la que lo termina."""
-    enlace = (build / "sin_ventana").read_text().strip()
-    ejecutable = build / enlace / programa.capitulo.nombre / programa.nombre
-    rasgos = subprocess.run([ejecutable, "-rasgos"], text=True, stdout=subprocess.PIPE, check=True).stdout.splitlines()
-    opciones = [r.removeprefix("opcion ") for r in rasgos if r.startswith("opcion ")]
-    return {r for r in rasgos if not r.startswith("opcion ")}, [o for o in opciones if o != "Salir"]
+def atiende(build, programa, guion="", **entorno):
+    """De qué se entera tras ese guion: lo que dice -rasgos de él, y las opciones de sus menús, salvo la que lo termina."""
+    with tempfile.TemporaryDirectory() as carpeta:
+        dice = ejecuta([programa.ejecutable(build), "-guion", guion, "-rasgos"], cwd=carpeta, text=True, env={**os.environ, **entorno})
+    rasgos = {linea for linea in dice.splitlines() if not linea.startswith("opcion ")}
+    opciones = [linea.removeprefix("opcion ") for linea in dice.splitlines() if linea.startswith("opcion ")]
+    return rasgos, [o for o in opciones if o != "Salir"]
 
 
 def raton_al_azar(azar, ancho, alto, rasgos):

@@ -45,7 +45,6 @@ def avisa(texto, fin="\n"):
 
 def costes(raiz, build, destino, llenar, vueltas=5):
     """Cada programa: lo que tarda en arrancar frente al suelo, alternados; y por imagen, con -mide."""
-    sin_ventana = (build / "sin_ventana").read_text().strip()
     suelo = build / "herramientas/mide/suelo_osmesa"
     programas = [p for p in catalogo.lee_programas(build) if not p.consola]
     comprobado = medidas.lee(raiz)["programas"]
@@ -53,7 +52,7 @@ def costes(raiz, build, destino, llenar, vueltas=5):
     with tempfile.TemporaryDirectory() as carpeta:
         for n, p in enumerate(programas, 1):
             avisa(f"costes {n}/{len(programas)}: {p.nombre}", "")
-            ejecutable = build / sin_ventana / p.capitulo.nombre / p.nombre
+            ejecutable = p.ejecutable(build)
             arranques, ms = [], []
             for _ in range(vueltas):
                 if suelo.exists():

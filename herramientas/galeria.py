@@ -42,7 +42,6 @@ def a_la_mitad(ppm):
 class Galeria:
     def __init__(self, raiz, build, destino):
         self.build, self.destino = build, destino
-        self.sin_ventana = (build / "sin_ventana").read_text().strip()
         self.registro = destino / ".hecho.json"
         try:
             self.hecho = json.loads(self.registro.read_text())
@@ -55,7 +54,7 @@ class Galeria:
 
     def dibuja(self, programa, caso, temporal):
         """Hace la imagen de un caso si no está al día. Dice si la ha hecho."""
-        ejecutable = self.build / self.sin_ventana / programa.capitulo.nombre / programa.nombre
+        ejecutable = programa.ejecutable(self.build)
         png = self.destino / caso.imagen
         ficheros = [] if programa.consola else [png, self.destino / caso.animada] if caso.anima else [png]
         clave = hashlib.sha1(repr((self.comunes, caso.guion, caso.anima)).encode() +

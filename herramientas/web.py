@@ -32,27 +32,19 @@ class Programa:
         self.raiz, self.programa = raiz, programa
         self.controles = [c for c in controles.lee(raiz, programa) if c.teclas != ["Esc"] and not c.texto.startswith("ninguno")]
         teclas = [orden for c in self.controles if not c.termina for orden in c.ordenes]
-        self.rasgos, self.leidos = set(), set()
-        if not programa.consola:
-            sin_ventana = (build / "sin_ventana").read_text().strip()
-            for guion in ("", "; ".join(teclas)):  # una tecla puede poner en marcha un temporizador, o quitarlo
-                self.ejecuta(build / sin_ventana / programa.capitulo.nombre / programa.nombre, guion)
-
-    def ejecuta(self, ejecutable, guion):
-        """Añade los sucesos que atiende y los ficheros del laboratorio que lee."""
-        with tempfile.TemporaryDirectory() as carpeta:
-            leidos = Path(carpeta, "leidos")
-            leidos.touch()
-            salida = ejecuta([ejecutable, "-guion", guion, "-rasgos"], cwd=carpeta, text=True, env={**os.environ, "LAB_LEIDOS": str(leidos)})
-            self.rasgos |= {linea.split(" ")[0] for linea in salida.splitlines()}
-            self.leidos |= set(leidos.read_text().splitlines())
+        self.rasgos, self.opciones = set(), []
+        with tempfile.NamedTemporaryFile("r") as leidos:  # los ficheros del laboratorio que lee
+            for guion in () if programa.consola else ("", "; ".join(teclas)):  # una tecla puede poner en marcha un temporizador, o quitarlo
+                rasgos, self.opciones = controles.atiende(build, programa, guion, LAB_LEIDOS=leidos.name)
+                self.rasgos |= rasgos
+            self.leidos = set(leidos.read().splitlines())
 
     def datos(self):
         p = self.programa
         return {
             "nombre": p.nombre, "capitulo": p.capitulo.nombre, "referencia": p.ref, "titulo": p.titulo, "consola": p.consola,
             "mandos": [{"teclas": list(zip(c.teclas, c.ordenes)), "hace": c.hace or c.texto, "menu": c.menu} for c in self.controles],
-            "derecho": "opcion" not in self.rasgos and any("derecho" in c.texto for c in self.controles),
+            "derecho": not self.opciones and any("derecho" in c.texto for c in self.controles),
             "anima": bool(self.rasgos & {"temporizador", "ocio"}),
             "raton": bool(self.rasgos & {"raton", "rueda", "arrastre"}),
             "sigue": "movimiento" in self.rasgos,

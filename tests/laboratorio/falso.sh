@@ -71,7 +71,7 @@ ch01_test) if [ "$1" = --gtest_list_tests ]; then printf 'G.\n  Uno # x\n'; else
 *)
   if [[ "$*" = *-rasgos* ]]; then etapa rasgos; else etapa programa; fi
   [ -z "${DISPLAY:-}" ] || { echo "${ESCRIBE:-}" >&2; exit "${ESTADO:-0}"; }
-  [[ "$*" != *-rasgos* ]] || { printf 'ocio x\n'; exit; }
+  [[ "$*" != *-rasgos* ]] || { printf 'ocio\n'; exit; }
   echo "salida de $quien"
   ppm=$(valor -ppm "$@") talla=$(valor -geometry "$@")
   talla=${talla:-40x40}

@@ -159,8 +159,7 @@ def test_lo_que_cuesta_un_programa(tmp_path, monkeypatch):
     suelo = tmp_path / "herramientas/mide/suelo_osmesa"
     suelo.parent.mkdir(parents=True)
     suelo.touch()
-    (tmp_path / "sin_ventana").write_text("osmesa\n")
-    monkeypatch.setattr(catalogo, "lee_programas", lambda _: [SimpleNamespace(nombre="a", consola="", capitulo=SimpleNamespace(nombre="ch01"))])
+    monkeypatch.setattr(catalogo, "lee_programas", lambda _: [SimpleNamespace(nombre="a", consola="", ejecutable=lambda b: b / "osmesa/ch01/a")])
     monkeypatch.setattr(costes, "cronometra", lambda orden, _: 2 if orden[0] == suelo else 6)
     monkeypatch.setattr(costes, "ejecuta", lambda orden, **_: "otra\n" + "\t".join(["a", "960x720", "7", "10" if "960x720" in orden else "30", *map(str, range(104, 120))]))
     tabla, base = costes.costes(tmp_path, tmp_path, tmp_path, 15)
@@ -302,8 +301,8 @@ def test_lo_que_la_pagina_sabe_de_un_programa(tmp_path, programas, monkeypatch):
         guiones.append(orden[orden.index("-guion") + 1])
         Path(env["LAB_LEIDOS"]).write_text("/x/b.rgb\n/x/a.r8\n/x/a.vert\n")
         return rasgos
-    monkeypatch.setattr(web, "ejecuta", ejecuta)
-    for rasgos, anima, derecho, raton, sigue in (("ocio 1\n", True, True, False, False), ("temporizador\nrueda x\n", True, True, True, False),
+    monkeypatch.setattr(controles, "ejecuta", ejecuta)
+    for rasgos, anima, derecho, raton, sigue in (("ocio\n", True, True, False, False), ("temporizador\nrueda\n", True, True, True, False),
                                                  ("opcion Vista\nmovimiento\n", False, False, False, True)):
         d = web.Programa(tmp_path, tmp_path, programas[0]).datos()
         assert (d["anima"], d["derecho"], d["raton"], d["sigue"]) == (anima, derecho, raton, sigue)

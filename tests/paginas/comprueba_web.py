@@ -83,6 +83,12 @@ class Persona:
             document.head.append(e); location.hash = arguments[1]""", talla, enlace)
         exige(self.espera("sesion?.vivo"), f"{enlace} arranca")
 
+    def termina(self, enlace):
+        self.abre(enlace)
+        self.n.js("una('canvas').focus()")
+        self.n.tecla(navegador.ESC)
+        exige(self.espera("!telon.hidden && /ha terminado/.test(telon.textContent)"), f"{enlace}: Esc termina y se dice")
+
     def espera(self, condicion):
         return espera(self.n, f"return Boolean({condicion})")
 
@@ -212,10 +218,7 @@ def prueba_entradas(p):
     n.js("document.exitFullscreen()")
     exige(p.espera("sesion.lienzo.width === 240"), "y se sale de ella")
 
-    p.abre("#grua")
-    n.js("una('canvas').focus()")
-    n.tecla(navegador.ESC)
-    exige(p.espera("!telon.hidden && /ha terminado/.test(telon.textContent)"), "Esc termina y se dice")
+    p.termina("#grua")
     n.js("una('.telon button').click()")
     exige(p.espera("sesion?.vivo && telon.hidden"), "y se puede empezar de nuevo")
     n.js("location.hash = '#grua;tecla nada'")
@@ -288,10 +291,7 @@ def prueba_adversidades(p):
         };
         mira()""", args=[])
     exige(lento < 5000, f"un guion larguísimo deja vivir a la página: {lento:.0f} ms sin responder")
-    p.abre("#menu")
-    n.js("una('canvas').focus()")
-    n.tecla(navegador.ESC)
-    exige(p.espera("!telon.hidden"), "el menú termina")
+    p.termina("#menu")
     n.js("todos('.mando button').find(b => b.textContent === 'Menú').click()")
     exige(n.js("return !opciones.matches(':popover-open')"), "y ya no se abre nada")
 
