@@ -218,6 +218,16 @@ def comparacion(p):
             yield orden, f"«{orden}» no hace nada en la comparación, ni la deja"
 
 
+def vuelta(p):
+    """De un modo se sale con la tecla con que se entró: pulsada otra vez, hace algo."""
+    letras = [o for c in p.controles if set(c.teclas) not in CONTRARIAS and not c.termina for o in c.ordenes if o in p.teclas and o[-1].isalpha()]
+    letras = [o for o in letras if not o.startswith("especial ")]
+    filas = p.diario([o for orden in letras for o in (orden, orden)])
+    for i, orden in enumerate(letras):
+        if filas[2 * i + 1].distinta(filas[2 * i]) and not filas[2 * i + 2].distinta(filas[2 * i + 1]) and not p.hace_algo([*(p.antes_de(orden) or []), orden], orden):
+            yield orden, f"«{orden}» hace algo la primera vez y la segunda no"
+
+
 def parecidas(una, otra):
     """El mismo título y, salvo lo que pueda mover el redondeo, la misma imagen: uno de cada cien colores, más de 3 niveles."""
     return una[0] == otra[0] and len(una[1]) == len(otra[1]) and 100 * sum(abs(a - b) > 3 for a, b in zip(una[1], otra[1])) <= len(una[1])
@@ -301,6 +311,7 @@ def propiedades(p, opciones):
     yield "nombres", nombres(p)
     yield "limites", limites(p)
     yield "comparacion", comparacion(p)
+    yield "vuelta", vuelta(p)
     yield "tallas", tallas(p, opciones.semilla)
     yield "arrastres", arrastres(p)
     yield "pausa", pausa(p)
@@ -313,10 +324,13 @@ def propiedades(p, opciones):
 EXCEPCIONES = {
     ("primer_programa", "paseo", "repetir|ajena|F5"): "i solo cambia el color de borrado: se ve al borrar otra vez, que es lo que enseña",
     ("primer_programa", "comunes", "F12"): "no usa common/: guardar sería más largo que él",
+    ("primer_programa", "vuelta", "tecla d"): "dibuja otra vez lo mismo, que es lo que enseña",
     ("shader_basico", "comunes", "F12"): "tampoco: es el listado del libro",
     ("errores_shader", "paseo", "F5"): "releer vuelve a escribir el error, o que no lo hay",
     ("tiras", "paseo", "tecla [3-9]"): "la malla que trae tiene dos tiras: son para la del usuario",
     ("eventos", "tallas", "talla"): "escribe el tamaño de cada suceso",
+    ("materiales", "vuelta", "tecla t"): "vuelve a los catorce: con n y p se ve uno",
+    ("captura", "vuelta", "tecla g"): "vuelve a guardar lo mismo",
     ("captura", "paseo", "estado"): "g deja en 1 la alineación, que es lo que enseña el listado",
     ("captura", "tallas", "talla"): "lo guardado es de cuando se guardó",
     ("superficie_bezier", "vivos", "vivos"): "con m la malla tapa la red, pero los puntos se mueven",
