@@ -329,7 +329,7 @@ EXCEPCIONES = {
     ("errores_shader", "paseo", "F5"): "releer vuelve a escribir el error, o que no lo hay",
     ("tiras", "paseo", "tecla [3-9]"): "la malla que trae tiene dos tiras: son para la del usuario",
     ("eventos", "tallas", "talla"): "escribe el tamaño de cada suceso",
-    ("materiales", "vuelta", "tecla t"): "vuelve a los catorce: con n y p se ve uno",
+    ("materiales", "vuelta", "tecla t"): "vuelve a todos: con n se ve uno",
     ("captura", "vuelta", "tecla g"): "vuelve a guardar lo mismo",
     ("captura", "paseo", "estado"): "g deja en 1 la alineación, que es lo que enseña el listado",
     ("captura", "tallas", "talla"): "lo guardado es de cuando se guardó",
