@@ -1,5 +1,6 @@
 #include "ventana.h"
 #include "aspecto.h"
+#include "ayuda.h"
 #include "error.h"
 #include "imagen.h"
 #include "shader.h"
@@ -10,6 +11,8 @@
 #include <cstring>
 #include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
+
+#undef glutSwapBuffers // aquí es la de GLUT
 
 namespace {
 
@@ -68,7 +71,7 @@ void abreVentana(int &argc, char **argv, const char *titulo, unsigned modo, cons
         "uso: " + nombrePrograma() + " [opciones de GLUT] " + (argumentos ? argumentos : "");
     const std::string primero = argc > 1 ? argv[1] : "";
     if (primero == "-ayuda" || primero == "-h" || primero == "--help") {
-        std::puts(uso.c_str());
+        std::printf("%s\n%s\n", uso.c_str(), controlesDelPrograma().c_str());
         std::exit(0);
     }
     for (int i = 1; i < argc; ++i)
@@ -96,6 +99,10 @@ bool teclaComun(unsigned char tecla) {
 
 bool teclaEspecialComun(int tecla) {
     switch (tecla) {
+    case GLUT_KEY_F1:
+        cambiaAyuda();
+        glutPostRedisplay();
+        return true;
     case GLUT_KEY_F5:
         recargaProgramas();
         glutPostRedisplay();
@@ -104,6 +111,11 @@ bool teclaEspecialComun(int tecla) {
     case GLUT_KEY_F12: guardaVentana(); return true;
     default: return false;
     }
+}
+
+void acabaCuadro() {
+    pintaAyuda();
+    glutSwapBuffers();
 }
 
 float relacionAspecto() {

@@ -1,4 +1,4 @@
-// Abrir la ventana y lo que todas las ventanas hacen igual: Esc, F5, F11, F12 y la relación de aspecto.
+// Abrir la ventana y lo que todas las ventanas hacen igual: Esc, F1, F5, F11, F12 y la relación de aspecto.
 #pragma once
 #include <GL/glew.h>
 #include <GL/freeglut.h>
@@ -17,9 +17,13 @@ void ponTitulo(const std::string &titulo);
 /// primero.
 bool teclaComun(unsigned char tecla);
 
-/// Atiende F5 (relee los shaders), F11 (pantalla completa) y F12 (guarda la ventana en <programa>-N.ppm).
+/// Atiende F1 (pone o quita la ayuda), F5 (relee los shaders), F11 (pantalla completa) y F12 (guarda la ventana en <programa>-N.ppm).
 /// Un programa con glutSpecialFunc propia la llama primero.
 bool teclaEspecialComun(int tecla);
+
+/// Acaba un cuadro: encima va la ayuda de F1, si está puesta, y luego glutSwapBuffers. Un programa escribe esta última, como el libro.
+void acabaCuadro();
+#define glutSwapBuffers acabaCuadro
 
 /// ancho/alto de la ventana, nunca 0 ni infinito.
 float relacionAspecto();

@@ -122,6 +122,17 @@ function(caso programa nombre)
   set_property(GLOBAL PROPERTY LAB_HECHOS_${programa}.${nombre} "${capitulo};${programa};${C_FICHERO};${C_TOLERANCIA};${guion}")
 endfunction()
 
+# Los controles de los programas, para common/ayuda.cpp, que está en esa biblioteca.
+function(recoge_controles biblioteca)
+  busca(fuentes ch*/*.cpp)
+  set(tabla "${CMAKE_BINARY_DIR}/generado/controles.inc")
+  set(guion "${CMAKE_SOURCE_DIR}/herramientas/controles.cmake")
+  add_custom_command(OUTPUT "${tabla}" DEPENDS ${fuentes} "${guion}"
+    COMMAND ${CMAKE_COMMAND} "-DRAIZ=${CMAKE_SOURCE_DIR}" "-DSALIDA=${tabla}" -P "${guion}" COMMENT "Recogiendo los controles" VERBATIM)
+  target_sources(${biblioteca} PRIVATE "${tabla}")
+  target_include_directories(${biblioteca} PRIVATE "${CMAKE_BINARY_DIR}/generado")
+endfunction()
+
 # Los índices de todos los capítulos, que quedan en la variable `capitulos`, y el catálogo que sale de ellos.
 macro(lee_capitulos)
   busca(indices ch*/CMakeLists.txt)

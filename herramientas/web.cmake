@@ -23,6 +23,7 @@ add_library(comun STATIC ${fuentes_comunes})
 target_include_directories(comun PUBLIC ${sin_ventana}/web common "${CMAKE_SOURCE_DIR}" ${enlaces})
 target_compile_definitions(comun PRIVATE LAB_FUENTES="${LAB_FUENTES}" LAB_GENERADO="${LAB_FUENTES}")
 target_link_libraries(comun PUBLIC avisos)
+recoge_controles(comun)
 add_library(glut_web STATIC ${sin_ventana}/glut.cpp ${sin_ventana}/guion.cpp ${sin_ventana}/diario.cpp ${sin_ventana}/medida.cpp ${sin_ventana}/menus.cpp
   ${sin_ventana}/contexto_web.cpp ${sin_ventana}/gl_web.cpp)
 target_link_libraries(glut_web PUBLIC comun)

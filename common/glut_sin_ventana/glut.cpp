@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#undef glutSwapBuffers // la de ventana.h es para los programas
+
 namespace sin_ventana {
 namespace {
 

@@ -24,7 +24,7 @@ TAMANOS = ["120 90", "150 90", "100 100", "61 45", "4 90", "1 1", "200 2"]
 BYTES = 64 << 20  # lo que cabe en la GPU más modesta con otros programas abiertos
 CARACTERES = [c for c in string.printable if c.isprintable() and c not in " ;"]
 SIN_NOMBRE = [controles.orden_de(c) for c in CARACTERES] + [f"tecla {t}" for t in ("Espacio", "PuntoYComa", "Intro", "Tab", "Retroceso", "Supr")] + \
-    [f"especial {t}" for t in ("F1", "F2", "F3", "F4", "F6", "F10", "IZQUIERDA", "DERECHA", "ARRIBA", "ABAJO", "INICIO", "FIN", "REPAG", "AVPAG")]
+    [f"especial {t}" for t in ("F2", "F3", "F4", "F6", "F10", "IZQUIERDA", "DERECHA", "ARRIBA", "ABAJO", "INICIO", "FIN", "REPAG", "AVPAG")]
 
 
 @dataclass
@@ -286,11 +286,13 @@ def rondas(p):
 
 
 def comunes(p):
-    """F12 guarda y lo dice, y Esc termina: tras él no hay fila."""
-    filas = p.diario(["especial F12", "tecla Esc"])
-    if not any(linea.startswith("guardado ") for linea in filas[1].escrito):
+    """F1 pone la ayuda y la quita, F12 guarda y lo dice, y Esc termina: tras él no hay fila."""
+    nada, puesta, quitada, guardada, *mas = p.diario(["especial F1", "especial F1", "especial F12", "tecla Esc"])
+    if puesta.imagen == nada.imagen or quitada.imagen != nada.imagen or puesta.titulo != nada.titulo:
+        yield "F1", "F1 no pone la ayuda, o no la quita"
+    if not any(linea.startswith("guardado ") for linea in guardada.escrito):
         yield "F12", "F12 no guarda la ventana, o no lo dice"
-    if len(filas) > 2:
+    if mas:
         yield "Esc", "Esc no termina"
 
 
@@ -323,9 +325,9 @@ def propiedades(p, opciones):
 # (programa, propiedad, en qué, expresión regular): por qué no
 EXCEPCIONES = {
     ("primer_programa", "paseo", "repetir|ajena|F5"): "i solo cambia el color de borrado: se ve al borrar otra vez, que es lo que enseña",
-    ("primer_programa", "comunes", "F12"): "no usa common/: guardar sería más largo que él",
+    ("primer_programa", "comunes", "F1|F12"): "no usa common/: la ayuda y guardar serían más largos que él",
     ("primer_programa", "vuelta", "tecla d"): "dibuja otra vez lo mismo, que es lo que enseña",
-    ("shader_basico", "comunes", "F12"): "tampoco: es el listado del libro",
+    ("shader_basico", "comunes", "F1|F12"): "tampoco: es el listado del libro",
     ("errores_shader", "paseo", "F5"): "releer vuelve a escribir el error, o que no lo hay",
     ("tiras", "paseo", "tecla [3-9]"): "la malla que trae tiene dos tiras: son para la del usuario",
     ("eventos", "tallas", "talla"): "escribe el tamaño de cada suceso",

@@ -1,0 +1,12 @@
+// F1: los controles del programa encima de su imagen, tal como los dice la línea «// Controles:» de su fuente.
+#pragma once
+#include <string>
+
+/// Los del programa que se ejecuta, uno por línea, y después los de todos.
+std::string controlesDelPrograma();
+
+/// La pone o la quita. Se ve al acabar cada cuadro.
+void cambiaAyuda();
+
+/// Lo último de cada cuadro, en el framebuffer de la ventana. Deja OpenGL como está.
+void pintaAyuda();

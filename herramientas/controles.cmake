@@ -1,0 +1,15 @@
+# cmake -DRAIZ=… -DSALIDA=… -P controles.cmake: los controles de cada programa, de la línea «// Controles:» de su fuente, como los
+# quiere common/ayuda.cpp: {"programa", "a d giran · Esc termina"},
+file(GLOB fuentes RELATIVE "${RAIZ}" "${RAIZ}/ch*/*.cpp")
+set(tabla "")
+foreach(fuente IN LISTS fuentes)
+  file(READ "${RAIZ}/${fuente}" texto)
+  if(texto MATCHES "\n// Controles: ([^\n]*[^.\n]\n// )*[^\n]*\\.\n")
+    set(controles "${CMAKE_MATCH_0}")
+    string(REGEX REPLACE "^\n// Controles: |\\.\n$" "" controles "${controles}")
+    string(REPLACE "\n// " " " controles "${controles}")
+    get_filename_component(nombre "${fuente}" NAME_WE)
+    string(APPEND tabla "{\"${nombre}\", R\"(${controles})\"},\n")
+  endif()
+endforeach()
+file(CONFIGURE OUTPUT "${SALIDA}" CONTENT "${tabla}" @ONLY)
