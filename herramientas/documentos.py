@@ -8,27 +8,23 @@ import sys
 from pathlib import Path
 
 import catalogo
+import libro
 import medidas
 import muta
 import pagina
 from procesos import escribe, principal
 
 
-def filas(fichero):
-    """Las de un TSV, sin los comentarios."""
-    return [linea.split("\t") for linea in fichero.read_text().splitlines() if linea and not linea.startswith("#")]
-
-
 def programas_md(raiz, capitulos):
-    """Los programas, y dónde está cada cosa del libro: docs/libro.tsv lo que hay en él y, si no tiene programa, por qué."""
+    """Los programas, y dónde está cada cosa del libro o, si no tiene programa, por qué."""
     programas = [p for capitulo in capitulos for p in capitulo.programas]
-    libro = []
-    for codigo, que, *motivo in filas(raiz / "docs/libro.tsv"):
-        donde = [f"[{p.nombre}](../{p.fuente})" for p in programas if codigo in p.referencias]
-        if codigo.startswith("E"):
+    tabla = []
+    for cosa in libro.cosas(raiz):
+        donde = [f"[{p.nombre}](../{p.fuente})" for p in programas if cosa.codigo in p.referencias]
+        if cosa.enunciado:
             donde.append("[respuesta](soluciones.md)")
-        libro.append((codigo, que, motivo[0] if motivo else ", ".join(donde)))
-    return pagina.plantilla("programas.md", texto=True).render(capitulos=capitulos, libro=libro)
+        tabla.append((cosa.codigo, cosa.que, cosa.motivo or ", ".join(donde)))
+    return pagina.plantilla("programas.md", texto=True).render(capitulos=capitulos, libro=tabla)
 
 
 def exactitud_md(raiz, capitulos):
@@ -38,7 +34,7 @@ def exactitud_md(raiz, capitulos):
     for p in programas:
         if p.pasa:
             pasan.setdefault(p.pasa, []).append(p.nombre)
-    casos = [(f"{tema}: {caso}", citas) for tema, caso, *citas in filas(raiz / "tests/casos_dificiles/casos.tsv")]
+    casos = [(f"{tema}: {caso}", citas) for tema, caso, *citas in libro.filas(raiz / "tests/casos_dificiles/casos.tsv")]
     de_pixeles = sum(any(medidas.errores(m)) for m in medido["programas"].values())
     return pagina.plantilla("exactitud.md", texto=True).render(
         programas=[p for p in programas if p.nombre in medido["programas"]], medido=medido, pasan=pasan, de_pixeles=de_pixeles,

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """galeria.py RAÍZ BUILD DESTINO: dibuja cada caso del catálogo sin ventana y escribe DESTINO/index.html.
 
-Cada imagen se dibuja al doble de tamaño y se reduce a la mitad, para que los bordes salgan suavizados. De los casos con
-ANIMA se hace, además de la imagen, un APNG de tantos cuadros, a la mitad de tamaño. Solo se rehace lo que ha cambiado:
+Cada imagen se dibuja al tamaño que tendría proyectada y así se deja, sin reducirla: los escalones que haya son los del programa. De los
+casos con ANIMA se hace además un APNG de tantos cuadros, más pequeño. Solo se rehace lo que ha cambiado:
 DESTINO/.hecho.json recuerda de qué (programa, shaders, guion) salió cada imagen y qué escribió entonces el programa. Si algún
 caso falla, la página lleva los demás y el estado es 1.
 """
@@ -19,7 +19,7 @@ import pagina
 import procesos
 from procesos import Fallo, escribe
 
-ANCHO, ALTO = 1920, 1440
+TALLA, ANIMADA = "1440x1080", "640x480"
 RITMO = "1", "10"  # segundos por cuadro, como fracción
 SEGUNDOS = 300  # un programa que no acaba no detiene la galería
 
@@ -30,13 +30,6 @@ def ejecuta(orden, **opciones):
         return procesos.ejecuta(orden, timeout=SEGUNDOS, **opciones)
     except Fallo as fallo:
         raise Fallo(str(fallo).splitlines()[0]) from None
-
-
-def a_la_mitad(ppm):
-    mitad = ppm.with_suffix(".mitad")
-    mitad.write_bytes(ejecuta(["pamscale", "-linear", "0.5", ppm]))  # la media de cada 2×2
-    ppm.unlink()
-    return mitad
 
 
 class Galeria:
@@ -68,14 +61,13 @@ class Galeria:
         orden = [ejecutable]
         ppm = temporal / f"{caso.fichero}.ppm"
         if not programa.consola:
-            orden += ["-geometry", f"{ANCHO}x{ALTO}", "-ppm", ppm]
+            orden += ["-geometry", TALLA, "-ppm", ppm]
         if caso.guion:
             orden += ["-guion", caso.guion]
         caso.salida = ejecuta(orden, cwd=temporal).decode(errors="replace")
         if not programa.consola:
-            mitad = a_la_mitad(ppm)
-            escribe(png, ejecuta(["pnmtopng", "-quiet", mitad]))
-            mitad.unlink()
+            escribe(png, ejecuta(["pnmtopng", "-quiet", ppm]))
+            ppm.unlink()
         if caso.anima:
             with tempfile.TemporaryDirectory(dir=temporal) as carpeta:
                 escribe(self.destino / caso.animada, self.anima(ejecutable, caso, Path(carpeta)))
@@ -87,10 +79,9 @@ class Galeria:
         cuadros, paso = caso.anima.split(maxsplit=1)
         capturas = [carpeta / f"{i:03}.ppm" for i in range(int(cuadros))]
         guion = "; ".join([caso.guion, *(f"captura {c.name}; {paso}" for c in capturas)])
-        ejecuta([ejecutable, "-geometry", f"{ANCHO // 2}x{ALTO // 2}", "-ppm", "x", "-guion", guion],
-                cwd=carpeta)
+        ejecuta([ejecutable, "-geometry", ANIMADA, "-ppm", "x", "-guion", guion], cwd=carpeta)
         for captura in capturas:
-            captura.with_suffix(".png").write_bytes(ejecuta(["pnmtopng", "-quiet", a_la_mitad(captura)]))
+            captura.with_suffix(".png").write_bytes(ejecuta(["pnmtopng", "-quiet", captura]))
         ejecuta(["apngasm", "animada.png", "000.png", *RITMO, "-z0"], cwd=carpeta)
         return (carpeta / "animada.png").read_bytes()
 

@@ -8,6 +8,7 @@ from pygments.formatters import HtmlFormatter
 from pygments.lexers import CppLexer, GLShaderLexer
 
 import controles
+import libro
 import procesos
 
 PLANTILLAS = Path(__file__).parent / "plantillas"
@@ -35,7 +36,7 @@ def escribe(raiz, destino, capitulos):
     programas = [p for capitulo in capitulos for p in capitulo.programas]
     suyas = {p.nombre: fuentes(raiz, p.fuente) for p in programas}
     todas = dict.fromkeys(f for ficheros in suyas.values() for f in ficheros)
-    escribe_pagina(destino, "galeria.html", capitulos=capitulos, fuentes=suyas, controles={p.nombre: [c.texto for c in controles.lee(raiz, p)] for p in programas},
+    escribe_pagina(destino, "galeria.html", capitulos=capitulos, libro=libro.Libro(raiz), fuentes=suyas, controles={p.nombre: [c.texto for c in controles.lee(raiz, p)] for p in programas},
                    codigo={str(f): colorea(raiz, f) for f in todas},
                    colores_claros=CLARO.get_style_defs("pre"), colores_oscuros=OSCURO.get_style_defs("pre"))
 

@@ -18,6 +18,7 @@ from pathlib import Path
 
 import catalogo
 import controles
+import libro
 import pagina
 from procesos import ejecuta, escribe, principal
 
@@ -70,14 +71,14 @@ class Pagina:
         return {str(f.relative_to(self.raiz)): f.read_text() for f in ficheros}
 
     def miniatura(self, programa):
-        """La primera imagen de la galería, a la mitad: basta para el catálogo."""
+        """La primera imagen de la galería, reducida: basta para el catálogo."""
         origen = self.galeria / programa.casos[0].imagen
         destino = self.destino / programa.capitulo.nombre / f"{programa.nombre}.jpg"
         if programa.consola or not origen.is_file():
             return ""
         if not destino.is_file() or destino.stat().st_mtime < origen.stat().st_mtime:
             reducida = ejecuta(["pngtopnm", origen])
-            for orden in (["pamscale", "-linear", "0.5"], ["pnmtojpeg", "-quality=85", "-optimize"]):
+            for orden in (["pamscale", "-width", "480"], ["pnmtojpeg", "-quality=85", "-optimize"]):
                 reducida = ejecuta(orden, input=reducida)
             escribe(destino, reducida)
         return str(destino.relative_to(self.destino))
@@ -113,7 +114,7 @@ class Pagina:
             datos = [p.datos() for p in hilos.map(lambda p: Programa(self.raiz, self.build.parent, p), programas)]
         miniaturas = {p.nombre: self.miniatura(p) for p in programas}
         antes()
-        pagina.escribe_pagina(self.destino, "web.html", capitulos=capitulos, programas=datos, miniaturas=miniaturas)
+        pagina.escribe_pagina(self.destino, "web.html", capitulos=capitulos, libro=libro.Libro(self.raiz), programas=datos, miniaturas=miniaturas)
 
 
 def main():

@@ -2,17 +2,18 @@
 const todos = (selector, raiz = document) => [...raiz.querySelectorAll(selector)];
 const una = (selector, raiz = document) => raiz.querySelector(selector);
 
-// La vista grande: una imagen en toda la ventana; ← y → pasan por las que se ven en la página.
+// La vista grande: una imagen en toda la ventana o, con p, en toda la pantalla; ← y → pasan por las que se ven en la página.
 const grande = una('dialog');
 let actual;
 
 function ensena(enlace) {
   actual = enlace;
-  const figura = enlace.closest('figure'), titulo = una('h3', enlace.closest('article')).textContent;
+  const figura = enlace.closest('figure'), articulo = enlace.closest('article'), titulo = una('h3', articulo).textContent;
   const nombre = una('b', figura)?.textContent;
   una('picture', grande).replaceWith(una('picture', enlace).cloneNode(true));
   una('h2', grande).textContent = nombre ? `${titulo}: ${nombre}` : titulo;
-  una('p', grande).textContent = una('.mira', figura)?.textContent ?? '';
+  una('.mira', grande).textContent = una('.mira', figura)?.textContent ?? '';
+  una('.mandos', grande).textContent = todos('.controles li', articulo).map(li => li.textContent).join(' · ');
   if (grande.open) return;
   grande.showModal();
   grande.focus(); // y no el botón de cerrar
@@ -22,6 +23,12 @@ function pasa(pasos) {
   const visibles = todos('figure a').filter(a => a.offsetParent || a === actual);
   const vecina = visibles[visibles.indexOf(actual) + pasos];
   if (vecina) ensena(vecina);
+}
+
+function proyecta() {
+  if (document.fullscreenElement) return document.exitFullscreen();
+  if (!grande.open) ensena(todos('figure a').find(a => a.offsetParent && a.getBoundingClientRect().bottom > 100) ?? una('figure a'));
+  grande.requestFullscreen?.();
 }
 
 for (const enlace of todos('figure a'))
@@ -58,8 +65,10 @@ busca.addEventListener('input', () => {
 });
 
 document.addEventListener('keydown', suceso => {
-  if (grande.open && suceso.key === 'ArrowRight') pasa(1);
-  else if (grande.open && suceso.key === 'ArrowLeft') pasa(-1);
+  if (suceso.ctrlKey || suceso.altKey || suceso.metaKey) return;
+  if (grande.open && ['ArrowRight', 'PageDown'].includes(suceso.key)) pasa(1); // AvPág y RePág: los mandos de presentación
+  else if (grande.open && ['ArrowLeft', 'PageUp'].includes(suceso.key)) pasa(-1);
+  else if (suceso.key === 'p' && document.activeElement !== busca) proyecta();
   else if (!grande.open && suceso.key === '/' && document.activeElement !== busca) {
     suceso.preventDefault();
     busca.focus();
@@ -70,9 +79,9 @@ document.addEventListener('keydown', suceso => {
 function abre(boton) {
   for (const otro of todos('button', boton.parentElement)) otro.setAttribute('aria-pressed', otro === boton);
   const fuente = document.getElementById('fuente:' + boton.dataset.fuente);
-  una('pre', boton.closest('details')).replaceChildren(fuente.content.cloneNode(true));
+  una('pre', boton.closest('.fuentes')).replaceChildren(fuente.content.cloneNode(true));
 }
-for (const detalle of todos('details'))
+for (const detalle of todos('.fuentes'))
   detalle.addEventListener('toggle', () => {
     if (detalle.open && !una('[aria-pressed]', detalle)) abre(una('button', detalle));
   });

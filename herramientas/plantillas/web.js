@@ -258,6 +258,35 @@ function completa() {
   else marco.requestFullscreen?.().then(() => una('canvas', marco).focus());
 }
 
+// --- proyectar: el programa, su título, a qué hay que mirar y sus mandos, a toda pantalla ---------------------------------
+
+let casoActual;
+const escena = una('.escena');
+
+function proyecta() {
+  if (document.fullscreenElement) document.exitFullscreen();
+  else escena.requestFullscreen?.().then(() => una('canvas', marco)?.focus());
+}
+
+/// Al caso que sigue o al que va delante; tras los de un programa, el programa vecino.
+function pasa(paso) {
+  const caso = actual.casos[actual.casos.indexOf(casoActual) + paso], vecino = PROGRAMAS[PROGRAMAS.indexOf(actual) + paso];
+  if (caso) empiezaCaso(caso);
+  else if (vecino) location.hash = vecino.nombre;
+}
+
+// Las flechas son del programa que las nombra; AvPág y RePág, que es lo que mandan los mandos de presentación, nunca.
+document.addEventListener('keydown', suceso => {
+  if (pagina.hidden || suceso.ctrlKey || suceso.altKey || suceso.metaKey) return;
+  const flechas = !actual.mandos.some(m => m.teclas.some(([, orden]) => orden === 'especial DERECHA'));
+  const paso = { PageDown: 1, PageUp: -1, ...flechas && { ArrowRight: 1, ArrowLeft: -1 } }[suceso.key];
+  if (document.fullscreenElement === escena && paso) {
+    suceso.preventDefault();
+    suceso.stopPropagation();
+    pasa(paso);
+  } else if (suceso.key === 'p' && !suceso.target.closest('canvas, input, .editor')) proyecta();
+}, { capture: true });
+
 // --- mandos, menú, acciones --------------------------------------------------------------------------------------------
 
 function boton(texto, hace, propiedades = {}) {
@@ -312,6 +341,7 @@ opciones.addEventListener('keydown', suceso => {
 
 for (const b of todos('.otra-vez')) b.onclick = () => empiezaCaso();
 una('.completa').onclick = completa;
+una('.proyecta').onclick = proyecta;
 una('.guarda').onclick = () => sesion?.lienzo.toBlob(png => {
   const enlace = crea('a', { href: URL.createObjectURL(png), download: `${actual.nombre}.png` });
   enlace.click();
@@ -335,7 +365,8 @@ function empiezaCaso(caso = casoInicial(actual)) {
 }
 
 function ensenaCaso(caso) {
-  una('.mira').textContent = caso?.mira ?? '';
+  casoActual = caso;
+  for (const p of todos('.mira', pagina)) p.textContent = caso?.mira ?? '';
   for (const b of todos('.casos-botones button')) b.setAttribute('aria-pressed', b.textContent === caso?.titulo);
 }
 
@@ -540,8 +571,10 @@ function navega() {
   }
   scrollTo(0, 0);
   document.title = actual.titulo;
-  una('h1', pagina).textContent = actual.titulo;
-  una('.referencia', pagina).textContent = `${actual.referencia} · ${actual.nombre}`;
+  for (const titulo of [una('h1', pagina), una('h2.proyectado')]) titulo.textContent = actual.titulo;
+  const [referencias, libro] = document.getElementById('libro:' + actual.nombre).content.cloneNode(true).children;
+  una('.de-que').replaceChildren(referencias);
+  una('.del-libro', pagina).replaceChildren(libro);
   pagina.classList.toggle('de-consola', actual.consola);
   Object.assign(una('.de-capitulo'), { href: '#' + actual.capitulo, textContent: una(`#${actual.capitulo} h2`).textContent });
   const i = PROGRAMAS.indexOf(actual);

@@ -1,0 +1,88 @@
+"""Lo que se sabe de cada cosa del libro: qué es y, de un ejercicio, qué pide (docs/libro.tsv); qué se contesta (docs/soluciones.md); y qué
+está mal en ella (docs/erratas.md)."""
+import html
+import re
+from dataclasses import dataclass
+
+CLASES = {"L": "listado", "E": "ejercicio", "F": "figura", "T": "tabla", "Ec": "ecuación", "§": "apartado"}
+
+
+@dataclass
+class Cosa:
+    codigo: str
+    que: str
+    motivo: str = ""  # por qué no tiene programa
+    enunciado: str = ""
+
+
+def filas(fichero):
+    """Las de un TSV, sin los comentarios."""
+    return [linea.split("\t") for linea in fichero.read_text().splitlines() if linea and not linea.startswith("#")]
+
+
+def cosas(raiz):
+    return [Cosa(*fila) for fila in filas(raiz / "docs/libro.tsv")]
+
+
+def nombre(codigo):
+    """E3.5: ejercicio 3.5."""
+    clase = re.match(r"\D+", codigo)[0]
+    return f"{CLASES[clase]} {codigo.removeprefix(clase)}"
+
+
+def codigos(titulo):
+    """Las referencias que nombra el título de una errata: «Listado 9.1 y los de §9.1.2», L9.1 y §9.1.2."""
+    de = {nombre: clase for clase, nombre in CLASES.items()}
+    hallados = re.findall(r"(listado|ejercicio|figura|tabla|ecuación) (\d+\.\d+)|§(\d+(?:\.\d+)+)", titulo, re.IGNORECASE)
+    return [de[clase.lower()] + numero if clase else "§" + apartado for clase, numero, apartado in hallados]
+
+
+def entradas(fichero):
+    """Las de una lista de Markdown: el título, que va en negrita, y lo que sigue, sin las pruebas que lo enseñan."""
+    for titulo, cuerpo in re.findall(r"^- \*\*(.+?)\*\*(.*(?:\n  .+)*)", fichero.read_text(), re.MULTILINE):
+        for citas in (r"\s*(?:Sin prueba|Pruebas?)(?: de [^:]*)?:\s.*", r"\s\(pruebas?:\s[^)]*\)", r"; pruebas?:\s[^)]*(?=\))"):
+            cuerpo = re.sub(citas, "", cuerpo, flags=re.DOTALL)
+        yield titulo, cuerpo
+
+
+def en_html(texto):
+    """Las marcas de Markdown que usan esas páginas: código, negrita y cursiva. De un enlace queda su texto."""
+    codigo = []
+
+    def aparta(trozo):
+        codigo.append(trozo[1])
+        return f"\0{len(codigo) - 1}\0"
+    texto = re.sub(r"`(.+?)`", aparta, html.escape(" ".join(texto.split()), quote=False))
+    for patron, pone in ((r"\*\*(.+?)\*\*", r"<b>\1</b>"), (r"\*(.+?)\*", r"<i>\1</i>"), (r"\[(.+?)\]\(.+?\)", r"\1"),
+                         (r"\0(\d+)\0", lambda trozo: f"<code>{codigo[int(trozo[1])]}</code>")):
+        texto = re.sub(patron, pone, texto)
+    return texto
+
+
+class Libro:
+    def __init__(self, raiz):
+        self.raiz = raiz
+        self.cosas = {c.codigo: c for c in cosas(raiz)}
+        self.respuestas = {f"E{titulo}": en_html(cuerpo.lstrip(": ")) for titulo, cuerpo in entradas(raiz / "docs/soluciones.md")}
+        self.erratas = [(codigos(titulo), en_html(f"**{titulo}**{cuerpo}")) for titulo, cuerpo in entradas(raiz / "docs/erratas.md")]
+
+    def referencias(self, programa):
+        """Cada una, con lo que es: E3.5, «ejercicio 3.5: la grúa de obra»."""
+        return [(r, nombre(r) + (f": {self.cosas[r].que}" if r in self.cosas else "")) for r in programa.referencias]
+
+    def explicacion(self, programa):
+        """El comentario con que empieza su fuente, hasta sus controles."""
+        comentario = re.match(r"(?:// (?!Controles: ).*\n)*", (self.raiz / programa.fuente).read_text())[0]
+        return " ".join(linea.removeprefix("// ") for linea in comentario.splitlines())
+
+    def ejercicios(self, programa):
+        """El número, lo que pide y lo que se contesta, esto último en HTML."""
+        return [(r[1:], en_html(self.cosas[r].enunciado), self.respuestas.get(r, "")) for r in programa.referencias if r in self.cosas and self.cosas[r].enunciado]
+
+    def erratas_de(self, programa):
+        return [texto for suyos, texto in self.erratas if set(suyos) & set(programa.referencias)]
+
+    def otras_erratas(self, capitulo):
+        """Las de ese capítulo que no son de ninguno de sus programas."""
+        de_programas = {r for p in capitulo.programas for r in p.referencias}
+        return [texto for suyos, texto in self.erratas if not set(suyos) & de_programas and re.match(rf"\D+{capitulo.numero}\.", suyos[0])]
