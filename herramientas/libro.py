@@ -40,7 +40,7 @@ def codigos(titulo):
 def entradas(fichero):
     """Las de una lista de Markdown: el título, que va en negrita, y lo que sigue, sin las pruebas que lo enseñan."""
     for titulo, cuerpo in re.findall(r"^- \*\*(.+?)\*\*(.*(?:\n  .+)*)", fichero.read_text(), re.MULTILINE):
-        for citas in (r"\s*(?:Sin prueba|Pruebas?)(?: de [^:]*)?:\s.*", r"\s\(pruebas?:\s[^)]*\)", r"; pruebas?:\s[^)]*(?=\))"):
+        for citas in (r"\s*(?:Sin prueba|Pruebas?)(?: de [^:]*)?:\s.*", r"\s+\(pruebas?:\s[^)]*\)", r"; pruebas?:\s[^)]*(?=\))"):
             cuerpo = re.sub(citas, "", cuerpo, flags=re.DOTALL)
         yield titulo, cuerpo
 

@@ -17,7 +17,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "herramientas"))
 import catalogo
 import medidas
-from documentos import filas
+from libro import filas
 from procesos import pruebas_de
 
 # Las ecuaciones numeradas del libro: de la 1 a la n de cada capítulo.

@@ -19,6 +19,7 @@ import controles
 import costes
 import documentos
 import grafica
+import libro
 import medidas
 import mide
 import muta
@@ -217,11 +218,39 @@ def test_los_fuentes_de_un_programa(tmp_path):
     assert list(map(str, pagina.fuentes(tmp_path, Path("ch01/a.cpp")))) == ["ch01/a.cpp", "ch01/b.h", "ch02/c.h", "ch01/a.frag"]
 
 
-def test_las_filas_de_un_tsv_y_el_libro(tmp_path):
-    (tmp_path / "docs").mkdir()
-    (tmp_path / "docs/libro.tsv").write_text("# no\n\nL1.1\tuno\nE1.1\tejercicio\nF1\tfigura\tno hace falta\n")
+@pytest.fixture
+def con_libro(tmp_path):
+    """Una carpeta con lo que se sabe de un libro, y un capítulo con dos programas."""
+    for f, texto in (("docs/libro.tsv", "# no\n\nL1.1\tuno\nE1.1\tejercicio\t\t¿Qué `a*b` hay?\nF1\tfigura\tno hace falta\n"),
+                     ("docs/soluciones.md", "# x\n\n- **1.1** (algo): *¿`x`?* Sí,\n  **y** más. Prueba:\n  `a.b`.\n- **§2** no\n"),
+                     ("docs/erratas.md", "- **Listado 1.1, `f(a * b)`**: mal & < [ahí](x.md)\n  (prueba: `t.u`); bien. Sin prueba: no.\n"
+                                         "- **§1.2.1 y ecuación 1.3**: otra.\n- **§10.1**: de otro.\n"),
+                     ("ch01_x/b.cpp", "// Qué es,\n// y por qué.\n// Controles: a · Esc termina.\n// No.\nint x; // ni esto\n")):
+        (tmp_path / f).parent.mkdir(exist_ok=True)
+        (tmp_path / f).write_text(texto)
     capitulo = catalogo.Capitulo("ch01_x", "X")
     capitulo.programas = [catalogo.Programa(capitulo, "a", "L1.10", "A"), catalogo.Programa(capitulo, "b", "E1.1 L1.1", "B")]
+    return capitulo
+
+
+def test_lo_que_se_sabe_del_libro(tmp_path, con_libro):
+    suyo, (a, b) = libro.Libro(tmp_path), con_libro.programas
+    assert suyo.explicacion(b) == "Qué es, y por qué."
+    assert suyo.ejercicios(b) == [("1.1", "¿Qué <code>a*b</code> hay?", "(algo): <i>¿<code>x</code>?</i> Sí, <b>y</b> más.")] and not suyo.ejercicios(a)
+    assert suyo.erratas_de(b) == ["<b>Listado 1.1, <code>f(a * b)</code></b>: mal &amp; &lt; ahí; bien."] and not suyo.erratas_de(a)
+    assert suyo.otras_erratas(con_libro) == ["<b>§1.2.1 y ecuación 1.3</b>: otra."]
+    assert suyo.referencias(b) == [("E1.1", "ejercicio 1.1: ejercicio"), ("L1.1", "listado 1.1: uno")] and suyo.referencias(a) == [("L1.10", "listado 1.10")]
+    assert libro.codigos("Listado 9.1, los de §9.1.2 y Ecuación 9.2") == ["L9.1", "§9.1.2", "Ec9.2"]
+
+
+def test_cada_ejercicio_con_lo_que_pide_y_su_respuesta():
+    suyo = libro.Libro(RAIZ)
+    for codigo, cosa in suyo.cosas.items():
+        assert codigo[0] != "E" or (len(cosa.enunciado) > 20 and suyo.respuestas.get(codigo)), codigo
+
+
+def test_el_indice_del_libro(tmp_path, con_libro):
+    capitulo = con_libro
     escrito = documentos.programas_md(tmp_path, [capitulo])
     assert "| L1.1 | uno | [b](../ch01_x/b.cpp) |\n| E1.1 | ejercicio | [b](../ch01_x/b.cpp), [respuesta](soluciones.md) |\n| F1 | figura | no hace falta |\n" in escrito
 

@@ -38,7 +38,7 @@ class Lab:
         for f, texto in (("tests/entorno.txt", "GALLIUM_DRIVER=llvmpipe\n"), ("tests/capitulos/ch01_test.cpp", ""), ("ch01_uno/a.vert", "uno"),
                          ("ch01_uno/a.cpp", '// Controles: a gira · Esc termina.\n#include "a.vert"\n'), ("ch01_uno/b.cpp", "// Controles: ninguno.\n"),
                          ("tests/mutantes/ch01.tsv", "ch01_uno/a.cpp\tgira\tx\ti\nch01_uno/b.cpp\tninguno\tx\ti\n"), ("tests/casos_dificiles/casos.tsv", ""),
-                         ("docs/libro.tsv", "L1.1\tuno\nL1.10\tdiez\nF1.1\tfigura\tsin motivo\n"),
+                         ("docs/libro.tsv", "L1.1\tuno\nL1.10\tdiez\nF1.1\tfigura\tsin motivo\n"), ("docs/soluciones.md", ""), ("docs/erratas.md", ""),
                          ("docs/medidas.json", '{"programas": {"a": {"maximo": 1}}, "casos": {}, "defectos": {"ch01": {"plantados": 2, "notados": 1, "sin_golden": 1}}}')):
             (self.raiz / f).write_text(texto)
         programa = {"capitulo": "ch01_uno", "contra": "", "pruebas": "", "pasa": "", "admite": "", "consola": ""}
