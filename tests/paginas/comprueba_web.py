@@ -217,6 +217,23 @@ def prueba_entradas(p):
     exige(p.espera("document.fullscreenElement === marco && sesion.lienzo.width === marco.clientWidth"), "la pantalla completa lo es")
     n.js("document.exitFullscreen()")
     exige(p.espera("sesion.lienzo.width === 240"), "y se sale de ella")
+    n.js("document.activeElement.blur()")
+    n.talla(1920, 1080)
+    n.tecla("p")
+    exige(p.espera("document.fullscreenElement === escena && sesion.lienzo.width === marco.clientWidth"), "p proyecta el programa")
+    navegador.proyectable(n, ".escena")
+    n.tecla("\ue00f")
+    exige(p.espera("sesion?.vivo && casoActual === actual.casos[0] && hecho.ordenes.length === 0"), "AvPág pasa al caso siguiente")
+    for _ in p.n.js("return actual.casos"):
+        n.tecla(navegador.DERECHA)
+    exige(p.espera("sesion?.vivo && actual === PROGRAMAS[PROGRAMAS.findIndex(q => q.nombre === 'grua') + 1] && document.fullscreenElement"),
+          "y tras el último, la flecha, que la grúa no usa, al programa siguiente")
+    n.js("document.exitFullscreen()")
+    p.abre("#grua")
+    exige("cubos de lado uno" in n.js("return una('.enunciado', pagina).textContent"), "el enunciado de su ejercicio")
+    navegador.accesible(n, "la página de un programa")
+    n.js("location.hash = ''")
+    navegador.accesible(n, "la página de todos")
 
     p.termina("#grua")
     n.js("una('.telon button').click()")

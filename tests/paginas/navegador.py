@@ -4,11 +4,14 @@
 Todas las imágenes cargan, y las animadas se mueven, salvo para quien pide menos movimiento; la vista grande se abre, pasa con las flechas y se cierra con Esc; el buscador encuentra con
 acentos y sin ellos; los fuentes se ven; nada se sale de un teléfono de 360 píxeles; la consola no da ningún error.
 """
+import hashlib
+import io
 import json
 import os
 import re
 import subprocess
 import sys
+import tarfile
 import tempfile
 import time
 import urllib.error
@@ -17,6 +20,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "herramientas"))
 import catalogo
+import procesos
 
 ESC, IZQUIERDA, DERECHA = "\ue00c", "\ue012", "\ue014"  # teclas de WebDriver
 
@@ -69,6 +73,7 @@ class Navegador:
 
 
 fallos = []
+AXE = "4.10.2", "444de6750ecfdc54527bb7aa096a1e43f67d417aed9e24a3a75c148ede67442dd6229cf9ad20af7baa377ec676682a49b6b663499823c170284cee64e2d108d3"
 
 
 def exige(condicion, que):
@@ -89,12 +94,41 @@ def espera(navegador, codigo):
     return navegador.js(codigo)
 
 
+def proyectable(n, selector):
+    """En una pantalla de 1080 líneas, los textos de ese elemento miden 28 píxeles o más: se leen desde la última fila."""
+    chicos = n.js("""return [...arguments[0].querySelectorAll('h2, p, output, .mando span')].filter(e => e.offsetParent && e.textContent.trim() &&
+        parseFloat(getComputedStyle(e).fontSize) < 28).map(e => e.className + ' ' + getComputedStyle(e).fontSize)""".replace(
+            "arguments[0]", f"document.querySelector('{selector}')"))
+    exige(not chicos, f"proyectado se lee todo: {chicos}")
+
+
+def axe():
+    """El guion de axe-core, que no es de Debian; se guarda en BUILD para otra vez."""
+    guardado = Path(sys.argv[2], f"axe-core-{AXE[0]}.js")
+    if not guardado.is_file():
+        with urllib.request.urlopen(f"https://registry.npmjs.org/axe-core/-/axe-core-{AXE[0]}.tgz", timeout=60) as respuesta:
+            paquete = respuesta.read()
+        assert hashlib.sha512(paquete).hexdigest() == AXE[1], "axe-core no es el que era"
+        with tarfile.open(fileobj=io.BytesIO(paquete)) as tar:
+            procesos.escribe(guardado, tar.extractfile("package/axe.min.js").read())
+    return guardado.read_text()
+
+
+def accesible(n, que):
+    """Sin nada que axe-core tenga por serio."""
+    n.js(axe())
+    hallado = n.pide("/execute/async", script="""const acaba = arguments[0];
+        axe.run().then(r => acaba(r.violations.filter(v => ['serious', 'critical'].includes(v.impact))
+          .map(v => `${v.id} (${v.nodes.length}): ${v.nodes[0].target} ${v.nodes[0].failureSummary}`)))""", args=[])
+    exige(not hallado, f"{que} es para todos: {hallado}")
+
+
 def recorre(n, pagina, casos, animados):
     n.talla(1440, 900)
     n.pide("/url", url=pagina.as_uri())
     n.js("for (const i of document.images) i.loading = 'eager'")
     exige(espera(n, "return [...document.querySelectorAll('figure img')].every(i => i.complete)"), "las imágenes acaban de cargar")
-    for anchura, cuantas, cuales in ((960, casos - animados, "quietas"), (480, animados, "animadas")):
+    for anchura, cuantas, cuales in ((1440, casos - animados, "quietas"), (640, animados, "animadas")):
         exige(n.js(f"return [...document.querySelectorAll('figure img')].filter(i => i.naturalWidth === {anchura}).length") == cuantas,
               f"hay {cuantas} imágenes {cuales} de {anchura} píxeles")
 
@@ -130,9 +164,27 @@ def recorre(n, pagina, casos, animados):
         exige(cambia, "una animada cambia con el tiempo")
         n.tecla(ESC)
         n.menos_movimiento(True)
-        exige(espera(n, "return [...document.querySelectorAll('figure img')].every(i => i.complete && i.naturalWidth === 960)"),
+        exige(espera(n, "return [...document.querySelectorAll('figure img')].every(i => i.complete && i.naturalWidth === 1440)"),
               "con menos movimiento, todas están quietas")
         n.menos_movimiento(False)
+
+    n.talla(1920, 1080)
+    n.js("document.querySelector('#grua').scrollIntoView()")
+    n.tecla("p")
+    exige(espera(n, "return document.fullscreenElement === document.querySelector('dialog')") and n.js(titulo) == "Grúa de obra", "p proyecta lo que se está viendo")
+    exige("giran" in n.js("return document.querySelector('dialog .mandos').textContent"), "con sus controles")
+    proyectable(n, "dialog")
+    n.tecla("\ue00f")  # AvPág, la de los mandos de presentación
+    exige(n.js(titulo) != "Grúa de obra", "AvPág pasa a la siguiente")
+    n.tecla("p")
+    exige(espera(n, "return !document.fullscreenElement"), "p deja la pantalla completa")
+    n.tecla(ESC)
+    n.talla(1440, 900)
+
+    libro = "return document.querySelector('#grua .{}').textContent"
+    exige("cubos de lado uno" in n.js(libro.format("enunciado")) and "Cinco cubos" in n.js(libro.format("respuesta")), "el ejercicio de la grúa y su respuesta")
+    exige(n.js("return document.querySelector('#shader_basico .erratas').textContent").count("Listado 1.3") == 3, "las erratas del listado 1.3")
+    exige(n.js("return document.querySelector('#grua abbr').title") == "ejercicio 3.5: la grúa de obra", "qué es E3.5")
 
     n.tecla("/")
     for letra in "grua obra":
@@ -143,9 +195,10 @@ def recorre(n, pagina, casos, animados):
     n.js(busca.format("INCLINACION"))
     exige("camara" in n.js(visibles) and "tiras" not in n.js(visibles), "«INCLINACION» encuentra «inclinación»")
     n.js(busca.format(""))
-    n.js("document.querySelector('#grua details').open = true")
+    n.js("document.querySelector('#grua .fuentes').open = true")
     exige(espera(n, "return document.querySelector('#grua pre').textContent.includes('glutMainLoop')"), "el fuente se ve")
 
+    accesible(n, "la galería")
     n.js("for (const d of document.querySelectorAll('details')) d.open = true")
     for ancho in (360, 800, 1920):
         n.talla(ancho, 800)
