@@ -5,6 +5,7 @@
 #include "ventana.h"
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/color_space.hpp>
 #include <vector>
 
 namespace {
@@ -13,7 +14,25 @@ const float TEXELS_POR_NIVEL = 255 * ALCANCE / 127.0f; // de 0 a 1 en el atlas
 const float BORDE = 128 / 255.0f;
 // En altos de mayúscula.
 const float INTERLINEA = 1.5f, SEPARACION = 0.43f, HALO = 0.07f, BAJO = 0.3f; // de p, g, comas y paréntesis
-const int ALTO_MINIMO = 7;                                                    // píxeles: con menos no se lee
+const float CONTRASTE = 4.5f; // el que WCAG 2 pide para leer un texto
+const int ALTO_MINIMO = 7;    // píxeles: con menos no se lee
+
+/// El contraste de dos colores, de 1 a 21, como lo define WCAG 2.
+float contraste(const glm::vec3 &a, const glm::vec3 &b) {
+    const auto luminancia = [](const glm::vec3 &color) {
+        return 0.05f + glm::dot(glm::convertSRGBToLinear(color), glm::vec3(0.2126f, 0.7152f, 0.0722f));
+    };
+    return std::max(luminancia(a), luminancia(b)) / std::min(luminancia(a), luminancia(b));
+}
+
+/// Ese color o, si no se lee junto a su halo, el primero que se lee de los que van de él al contrario del halo.
+glm::vec3 legible(const glm::vec3 &color, const glm::vec3 &halo) {
+    const glm::vec3 contrario = halo == BLANCO ? glm::vec3(0) : BLANCO;
+    float cuanto = 0;
+    while (contraste(glm::mix(color, contrario, cuanto), halo) < CONTRASTE)
+        cuanto += 0.01f;
+    return glm::mix(color, contrario, cuanto);
+}
 
 /// Los caracteres de un texto en UTF-8, línea a línea.
 std::vector<std::u32string> lineasDe(const std::string &texto) {
@@ -131,7 +150,7 @@ struct Rotulo {
             if (lado != Lado::CENTRO && tapa(e, punto))
                 e = dentro(esquina(punto, otro));
 
-        const bool claro = glm::dot(color, glm::vec3(0.3f, 0.6f, 0.1f)) > 0.5f;
+        const glm::vec3 colorHalo = glm::dot(color, glm::vec3(0.3f, 0.6f, 0.1f)) > 0.5f ? OSCURO : BLANCO;
         const float pixelesPorNivel = TEXELS_POR_NIVEL * float(mayuscula) / MAYUSCULA;
         const glm::vec2 centro = 0.5f * glm::vec2(panel[2], panel[3]), abajo = glm::vec2(e) - centro;
         pintaEncima({"rotulo",
@@ -140,8 +159,8 @@ struct Rotulo {
                      {{abajo, 0}, {abajo + glm::vec2(ancho, alto), 0}, {enPanel - centro, 0}},
                      texto},
                     triangulos(e),
-                    {{claro ? OSCURO : BLANCO, BORDE - halo / pixelesPorNivel, pixelesPorNivel},
-                     {color, BORDE, pixelesPorNivel}},
+                    {{colorHalo, BORDE - halo / pixelesPorNivel, pixelesPorNivel},
+                     {legible(color, colorHalo), BORDE, pixelesPorNivel}},
                     false);
     }
 };

@@ -10,9 +10,11 @@
 #include "trazo.h"
 #include "ventana.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
+#include <map>
 #include <set>
 #include <utility>
 // clang-format off
@@ -231,6 +233,43 @@ TEST_F(Ayudas, ElHaloSeparaLaLetraDelFondo) {
                     std::max(lejos[int(k % 3)], std::abs(imagen.rgb[k] - int(255 * fondo[int(k % 3)])));
             EXPECT_GT(lejos.g, 0.6 * 255 * std::fabs(halo.g - fondo.g)) << "el halo es del otro color";
         }
+    }
+}
+
+// Se lea quien se lea y sobre lo que sea: la letra, que es lo que más se pinta, y el halo, lo segundo, contrastan 4.5 (WCAG 2). El
+// color pedido se cambia solo si no llega.
+TEST_F(Ayudas, DeCualquierColorSeLee) {
+    const auto luminancia = [](const glm::ivec3 &c) {
+        const auto lineal = [](double v) {
+            return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+        };
+        return 0.05 + 0.2126 * lineal(c.r / 255.0) + 0.7152 * lineal(c.g / 255.0) +
+               0.0722 * lineal(c.b / 255.0);
+    };
+    const auto contraste = [&](const glm::ivec3 &a, const glm::ivec3 &b) {
+        return std::max(luminancia(a), luminancia(b)) / std::min(luminancia(a), luminancia(b));
+    };
+    const glm::vec3 fondo(0.2f, 0.8f, 0.6f);
+    for (int i = 0; i < 125; ++i) {
+        const glm::vec3 tinta = 0.25f * glm::vec3(i % 5, i / 5 % 5, i / 25);
+        const Imagen imagen = pinta({720, 540}, [&] {
+            abreRecuadro(ventanaEntera(), fondo);
+            rotula("□", {0.5f, 0.5f}, tinta, Lado::CENTRO, 0.3f);
+        });
+        std::map<std::array<int, 3>, int> cuantos;
+        for (int y = 0; y < imagen.alto; ++y)
+            for (int x = 0; x < imagen.ancho; ++x)
+                if (const glm::ivec3 c = color(imagen, x, y); c != enNiveles(fondo))
+                    ++cuantos[{c.r, c.g, c.b}];
+        std::vector<std::pair<int, glm::ivec3>> ordenados;
+        for (const auto &[c, n] : cuantos)
+            ordenados.push_back({-n, {c[0], c[1], c[2]}});
+        std::sort(ordenados.begin(), ordenados.end(),
+                  [](const auto &a, const auto &b) { return a.first < b.first; });
+        ASSERT_GE(ordenados.size(), 2u);
+        const glm::ivec3 letra = ordenados[0].second, halo = ordenados[1].second;
+        EXPECT_GE(contraste(letra, halo), 4.45) << i;
+        EXPECT_TRUE(letra == enNiveles(tinta) || contraste(enNiveles(tinta), halo) < 4.55) << i;
     }
 }
 
