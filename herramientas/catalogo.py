@@ -59,6 +59,7 @@ class Programa:
     contra: str = ""
     pruebas: list = field(default_factory=list)
     pasa: str = ""
+    captura: str = ""
     admite: str = ""
     consola: bool = False
     casos: list = field(default_factory=list)

@@ -117,6 +117,9 @@ def main():
     capitulos = catalogo.lee(build)
     programas = [p for capitulo in capitulos for p in capitulo.programas]
     Galeria(raiz, build, destino).dibuja_todo(programas)
+    for programa in programas:
+        if programa.captura:
+            escribe(destino / programa.fuente.with_suffix(".captura.png"), (raiz / programa.fuente.with_suffix(".png")).read_bytes())
     pagina.escribe(raiz, destino, capitulos)
     print(f"Hecha: {destino}/index.html", file=sys.stderr)
     fallidos = [p.nombre for p in programas if any(caso.fallo for caso in p.casos)]

@@ -1,11 +1,12 @@
 # capitulo("Transformaciones geométricas")
 #   El título del capítulo de esta carpeta; va el primero.
 #
-# programa(nombre REF "L1.2 E3.5" TITULO "…" CONTRA "…" PRUEBAS a.B.C … [PASA "…"] [ADMITE modelo|imagen|imagenes] [CONSOLA])
+# programa(nombre REF "L1.2 E3.5" TITULO "…" CONTRA "…" PRUEBAS a.B.C … [PASA "…"] [CAPTURA "…"] [ADMITE modelo|imagen|imagenes] [CONSOLA])
 #   Compila <nombre>.cpp una sola vez y lo enlaza para cada destino de LAB_DESTINOS:
 #   build/<destino>/<capítulo>/<nombre>. Van en el orden del libro.
 #   CONTRA: con qué, que no salga de él, se compara; PRUEBAS: las de GoogleTest que lo hacen.
 #   PASA: por qué se aparta de ello más de 2 niveles de 255.
+#   CAPTURA: el pie de <nombre>.png, una captura de pantalla de lo que no pinta OpenGL; va en la galería tras sus imágenes.
 #   ADMITE: el fichero que se le puede dar: un modelo v/f, una imagen o dos. CONSOLA: escribe texto y no tiene imagen.
 #
 # caso(programa nombre [GUION "orden; orden"] [BORDE "…"] [ANIMA "N orden"] [TOLERANCIA "…" MOTIVO "…"] MIRA "…")
@@ -53,7 +54,7 @@ function(capitulo titulo)
 endfunction()
 
 function(programa nombre)
-  cmake_parse_arguments(PARSE_ARGV 1 P "CONSOLA" "REF;TITULO;CONTRA;PASA;ADMITE" "PRUEBAS")
+  cmake_parse_arguments(PARSE_ARGV 1 P "CONSOLA" "REF;TITULO;CONTRA;PASA;CAPTURA;ADMITE" "PRUEBAS")
   if(P_UNPARSED_ARGUMENTS OR NOT P_REF OR NOT P_TITULO OR NOT capitulo)
     message(FATAL_ERROR "programa(${nombre}): faltan REF, TITULO o, antes, capitulo(…), o sobra «${P_UNPARSED_ARGUMENTS}»")
   endif()
@@ -85,7 +86,7 @@ function(programa nombre)
   set(P_NOMBRE ${nombre})
   string(REPLACE ";" " " P_PRUEBAS "${P_PRUEBAS}")
   string(REPLACE "FALSE" "" P_CONSOLA ${P_CONSOLA})
-  apunta(PROGRAMAS P CAPITULO NOMBRE REF TITULO CONTRA PRUEBAS PASA ADMITE CONSOLA)
+  apunta(PROGRAMAS P CAPITULO NOMBRE REF TITULO CONTRA PRUEBAS PASA CAPTURA ADMITE CONSOLA)
 endfunction()
 
 function(caso programa nombre)
