@@ -13,8 +13,9 @@ from types import SimpleNamespace
 import pytest
 
 RAIZ = Path(__file__).parents[2]
-sys.path.insert(0, str(RAIZ / "herramientas"))
+sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/propiedades")]
 import catalogo
+import colores
 import controles
 import costes
 import documentos
@@ -253,6 +254,28 @@ def test_el_indice_del_libro(tmp_path, con_libro):
     capitulo = con_libro
     escrito = documentos.programas_md(tmp_path, [capitulo])
     assert "| L1.1 | uno | [b](../ch01_x/b.cpp) |\n| E1.1 | ejercicio | [b](../ch01_x/b.cpp), [respuesta](soluciones.md) |\n| F1 | figura | no hace falta |\n" in escrito
+
+
+# --- colores ------------------------------------------------------------------------------------------------------
+
+@pytest.mark.parametrize("uno,otro,cuanto", [  # de la tabla de Sharma, Wu y Dalal (2005)
+    ((50, 2.6772, -79.7751), (50, 0, -82.7485), 2.0425), ((50, 2.49, -0.001), (50, -2.49, 0.0011), 7.2195), ((50, 2.5, 0), (73, 25, -18), 27.1492),
+    ((60.2574, -34.0099, 36.2677), (60.4626, -34.1751, 39.4387), 1.2644), ((2.0776, 0.0795, -1.135), (0.9033, -0.0636, -0.5514), 0.9082),
+    ((50, 0, 0), (50, -1, 2), 2.3669)])
+def test_ciede2000(uno, otro, cuanto):
+    assert colores.ciede2000(uno, otro) == pytest.approx(cuanto, abs=1e-4) == colores.ciede2000(otro, uno)
+
+
+def test_rotulos_que_alguien_confunde():
+    """Rojo y verde sueltos, sí; con su trazo al lado, o si se distinguen todos, no."""
+    rojo, verde, azul, lejos = (0.85, 0.2, 0.18), (0.2, 0.62, 0.28), (0.16, 0.38, 0.8), [(200, 150), (220, 160), (210, 155)]
+
+    def rotulo(color, texto):
+        return color, [(10, 10), (30, 20), (20, 15)], texto
+    assert "deuteranopia" in next(colores.confunden([rotulo(rojo, "a"), rotulo(verde, "b")], [(rojo, lejos, "")]))
+    assert not list(colores.confunden([rotulo(rojo, "a"), rotulo(verde, "b")], [(rojo, [(0, 0), (40, 30)], "")]))
+    assert not list(colores.confunden([rotulo(rojo, "a"), rotulo(azul, "b")], []))
+    assert colores.visto((1, 1, 1), colores.VISTAS["tritanopia"]) == pytest.approx((100, 0, 0), abs=0.1)
 
 
 # --- controles, catálogo, web -------------------------------------------------------------------------------------
