@@ -25,10 +25,13 @@ function pasa(pasos) {
   if (vecina) ensena(vecina);
 }
 
-function proyecta() {
+// Un diálogo no puede ponerse a toda pantalla: lo hace la página, y el diálogo se abre encima.
+async function proyecta() {
   if (document.fullscreenElement) return document.exitFullscreen();
-  if (!grande.open) ensena(todos('figure a').find(a => a.offsetParent && a.getBoundingClientRect().bottom > 100) ?? una('figure a'));
-  grande.requestFullscreen?.();
+  const primera = grande.open ? actual : todos('figure a').find(a => a.offsetParent && a.getBoundingClientRect().bottom > una('nav').offsetHeight + 50);
+  await document.documentElement.requestFullscreen?.();
+  if (grande.open) grande.close();
+  ensena(primera ?? una('figure a'));
 }
 
 for (const enlace of todos('figure a'))

@@ -171,7 +171,7 @@ def recorre(n, pagina, casos, animados):
     n.talla(1920, 1080)
     n.js("document.querySelector('#grua').scrollIntoView()")
     n.tecla("p")
-    exige(espera(n, "return document.fullscreenElement === document.querySelector('dialog')") and n.js(titulo) == "Grúa de obra", "p proyecta lo que se está viendo")
+    exige(espera(n, "return document.fullscreenElement && document.querySelector('dialog').open") and n.js(titulo) == "Grúa de obra", "p proyecta lo que se está viendo")
     exige("giran" in n.js("return document.querySelector('dialog .mandos').textContent"), "con sus controles")
     proyectable(n, "dialog")
     n.tecla("\ue00f")  # AvPág, la de los mandos de presentación
