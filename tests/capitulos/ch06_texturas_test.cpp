@@ -143,6 +143,7 @@ TEST(Argumentos, UnaLineaQueDiceQuePasa) {
         {{"-talla", "7x5"}, 2, "con -talla falta el fichero RGB"},
         {{"x.ppm", "-talla", "7x5"}, 2, "«x.ppm»: un PPM ya dice su tamaño, sobra -talla"},
         {{f, "x.ppm"}, 2, "sobra «x.ppm»: solo se lee una imagen"},
+        {{f, "-talla", "7x5", "-talla", "7x5"}, 2, "sobra «-talla»: solo se lee una imagen"},
         {{f, "-t", "7x5"}, 2, "sobra «-t»: solo se lee una imagen"},
         {{""}, 2, "«»"},
         {{"-foto"}, 2, "sobra «-foto»: solo se lee una imagen"},
