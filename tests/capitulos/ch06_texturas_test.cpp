@@ -132,6 +132,7 @@ TEST(Argumentos, UnaLineaQueDiceQuePasa) {
         {{f, "-talla", "7x6"}, 1, "una imagen RGB de 7×6 ocupa 126 bytes y hay 105"},
         {{f, "-talla", "7x4"}, 1, "una imagen RGB de 7×4 ocupa 84 bytes y hay 105"},
         {{f, "-talla", "99999x1"}, 1, "no hay texturas de 99999×1"},
+        {{f, "-talla", "1x99999"}, 1, "no hay texturas de 1×99999"},
         {{larga, "-talla", "32768x1"}, 1, "una textura de 32768×1 es demasiado grande"},
         {{f}, 2, "de un fichero RGB sin cabecera hay que decir -talla ANCHOxALTO"},
         {{f, "-talla"}, 2, "detrás de -talla va el tamaño, ANCHOxALTO"},
