@@ -292,10 +292,17 @@ def rondas(p):
 
 
 def comunes(p):
-    """F1 pone la ayuda y la quita, F12 guarda y lo dice, y Esc termina: tras él no hay fila."""
+    """F1 pone la ayuda, que es lo que dice «// Controles:», y la quita; F12 guarda y lo dice, y Esc termina: tras él no hay fila."""
     nada, puesta, quitada, guardada, *mas = p.diario(["especial F1", "especial F1", "especial F12", "tecla Esc"])
     if puesta.imagen == nada.imagen or quitada.imagen != nada.imagen or puesta.titulo != nada.titulo:
         yield "F1", "F1 no pone la ayuda, o no la quita"
+    with tempfile.NamedTemporaryFile("r") as encima:
+        p.ejecuta(["-guion", "especial F1"], LAB_ENCIMA=encima.name)
+        rotulos = [linea.split("\t")[-1].split("\\n") for linea in encima if linea.startswith("rotulo")]
+    suyos = p.dice.split(" · ")
+    for donde, lineas in (("F1", max(rotulos, key=len, default=[])), ("-ayuda", p.ejecuta(["-ayuda"]).splitlines()[-len(suyos) - 4:])):
+        if lineas[:len(suyos)] != suyos:
+            yield donde, f"{donde} no dice sus controles: {lineas}"
     if not any(linea.startswith("guardado ") for linea in guardada.escrito):
         yield "F12", "F12 no guarda la ventana, o no lo dice"
     if mas:
@@ -331,11 +338,12 @@ def propiedades(p, opciones):
 # (programa, propiedad, en qué, expresión regular): por qué no
 EXCEPCIONES = {
     ("primer_programa", "paseo", "repetir|ajena|F5"): "i solo cambia el color de borrado: se ve al borrar otra vez, que es lo que enseña",
-    ("primer_programa", "comunes", "F1|F12"): "no usa common/: la ayuda y guardar serían más largos que él",
+    ("primer_programa", "comunes", "F1|-ayuda|F12"): "no usa common/: la ayuda y guardar serían más largos que él",
     ("primer_programa", "vuelta", "tecla d"): "dibuja otra vez lo mismo, que es lo que enseña",
-    ("shader_basico", "comunes", "F1|F12"): "tampoco: es el listado del libro",
+    ("shader_basico", "comunes", "F1|-ayuda|F12"): "tampoco: es el listado del libro",
     ("errores_shader", "paseo", "F5"): "releer vuelve a escribir el error, o que no lo hay",
     ("tiras", "paseo", "tecla [3-9]"): "la malla que trae tiene dos tiras: son para la del usuario",
+    ("eventos", "comunes", "F1"): "también enseña esa tecla",
     ("eventos", "tallas", "talla"): "escribe el tamaño de cada suceso",
     ("materiales", "vuelta", "tecla t"): "vuelve a todos: con n se ve uno",
     ("captura", "vuelta", "tecla g"): "vuelve a guardar lo mismo",
