@@ -23,7 +23,39 @@ inline std::size_t puntosDe(Base base) {
     return base == Base::HERMITE ? 2 : 4;
 }
 
-/// UM (ecuaciones 11.11, 11.18 y 11.27), factorizado para que no se resten números casi iguales; o su primera o
+// ---- Las matrices base, como en el libro ----
+
+/// U (ecuación 11.3). Con él, Q(u) = U·M·G (ecuación 11.4) se escribe igual con las matrices que siguen y enFilas(G).
+inline glm::vec4 potencias(float u) {
+    return {u * u * u, u * u, u, 1};
+}
+/// El vector de geometría, un elemento en cada fila.
+inline glm::mat3x4 enFilas(const std::array<glm::vec3, 4> &G) {
+    return glm::transpose(glm::mat4x3(G[0], G[1], G[2], G[3]));
+}
+/// glm::mat4 se escribe por columnas; transpuesta, se lee como en el libro.
+// clang-format off
+const glm::mat4 M_H = glm::transpose(glm::mat4( // ecuación 11.10
+     2, -2,  1,  1,
+    -3,  3, -2, -1,
+     0,  0,  1,  0,
+     1,  0,  0,  0));
+const glm::mat4 M_HB = glm::transpose(glm::mat4( // ecuación 11.14: G_H = M_HB·G_B
+     1,  0,  0,  0,
+     0,  0,  0,  1,
+    -3,  3,  0,  0,
+     0,  0, -3,  3));
+const glm::mat4 M_B = M_H * M_HB; // ecuación 11.17
+const glm::mat4 M_BS = glm::transpose(glm::mat4( // ecuación 11.26
+    -1,  3, -3,  1,
+     3, -6,  3,  0,
+    -3,  0,  3,  0,
+     1,  4,  1,  0)) / 6.0f;
+// clang-format on
+
+// ---- Curvas cúbicas ----
+
+/// U·M (ecuaciones 11.11, 11.18 y 11.27), factorizado para que no se resten números casi iguales; o su primera o
 /// segunda derivada.
 template<typename T>
 Pesos<T> pesos(Base base, const T &u, int derivada = 0) {
@@ -135,9 +167,18 @@ std::vector<Punto<T>> derivadaBezier(const std::vector<Punto<T>> &puntos) {
 }
 
 /// Los polinomios de Bernstein b_{0,n} … b_{n,n} (ecuación 11.20) sin factoriales, que a grado 60 no caben en un
-/// entero: b_{k,n} = (1 − u)·b_{k,n−1} + u·b_{k−1,n−1}.
+/// entero: b_{k,n} = (1 − u)·b_{k,n−1} + u·b_{k−1,n−1}. O una derivada suya: b'_{k,n} = n·(b_{k−1,n−1} − b_{k,n−1}).
 template<typename T>
-std::vector<T> bernstein(std::size_t n, const T &u) {
+std::vector<T> bernstein(std::size_t n, const T &u, int derivada = 0) {
+    if (derivada > 0) {
+        std::vector<T> d(n + 1, T(0));
+        const std::vector<T> b = n > 0 ? bernstein(n - 1, u, derivada - 1) : std::vector<T>();
+        for (std::size_t k = 0; k < b.size(); ++k) {
+            d[k] -= T(double(n)) * b[k];
+            d[k + 1] += T(double(n)) * b[k];
+        }
+        return d;
+    }
     std::vector<T> b = {T(1)};
     for (std::size_t grado = 1; grado <= n; ++grado) {
         b.push_back(u * b.back());

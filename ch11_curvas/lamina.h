@@ -19,34 +19,31 @@ const double TOLERANCIA_LAMINA = 0.2; // píxeles; con menos triángulos se nota
 struct Lamina {
     GLuint programa;
     Orbita orbita;
+    float angulo = ANGULO_LAMINA; // de la vista: se abre si hay más que ver, y la rueda no cambia de límites
 };
 
-inline glm::mat4 proyeccionLamina() {
-    return perspectivaVentana(ANGULO_LAMINA, CERCA_LAMINA, LEJOS_LAMINA);
+inline glm::mat4 proyeccionLamina(const Lamina &lamina) {
+    return perspectivaVentana(lamina.angulo, CERCA_LAMINA, LEJOS_LAMINA);
 }
 
 /// De coordenadas del mundo a las de recortado.
 inline glm::mat4 vistaLamina(const Lamina &lamina) {
-    return proyeccionLamina() * camaraOrbita(lamina.orbita);
+    return proyeccionLamina(lamina) * camaraOrbita(lamina.orbita);
 }
 
 /// Los segmentos con que la superficie no se separa de sus triángulos más de `pixeles`. Lo que mide un píxel es lo que
 /// mide en el punto de control más cercano a la cámara: la superficie, dentro de su casco convexo, no está más cerca.
-inline Segmentos segmentosLamina(const Lamina &lamina, Base base, const Geometria2<float> &G,
-                                 double pixeles) {
+inline Segmentos segmentosLamina(const Lamina &lamina, const RedBezier<float> &red, double pixeles) {
     const glm::mat4 camara = camaraOrbita(lamina.orbita);
     float distancia = LEJOS_LAMINA;
-    for (const Geometria<float> &fila : aBezier2(base, G))
-        for (const glm::vec3 &p : fila)
-            distancia = std::min(distancia, std::max(CERCA_LAMINA, -(camara * glm::vec4(p, 1)).z));
-    return segmentosSuperficie(base, G, pixeles * 2 * std::tan(ANGULO_LAMINA / 2) * distancia / altoUtil());
+    for (const glm::vec3 &p : red.P)
+        distancia = std::min(distancia, std::max(CERCA_LAMINA, -(camara * glm::vec4(p, 1)).z));
+    return segmentosSuperficie(red, pixeles * 2 * std::tan(lamina.angulo / 2) * distancia / altoUtil());
 }
 
 inline Lamina creaLamina(const Orbita &orbita) {
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
-    glEnable(GL_POLYGON_OFFSET_FILL); // la superficie, un poco detrás de las líneas que van por ella
-    glPolygonOffset(1, 1);
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
     return {creaSombreado("phong"), orbita};
 }
@@ -56,9 +53,11 @@ inline Lamina creaLamina(const Orbita &orbita) {
 inline void dibujaLamina(const Lamina &lamina, Malla malla, const Material &material) {
     const glm::mat4 camara = camaraOrbita(lamina.orbita);
     glUseProgram(lamina.programa);
-    envia(lamina.programa, "proyeccion", proyeccionLamina());
+    envia(lamina.programa, "proyeccion", proyeccionLamina(lamina));
     envia(lamina.programa, "camara", camara);
     envia(lamina.programa, "La", glm::vec3(1));
+    glEnable(GL_POLYGON_OFFSET_FILL); // un poco detrás de las líneas que van por ella
+    glPolygonOffset(2, 2);
     for (const float cara : {-1.0f, 1.0f}) {
         for (Vertice &v : malla.vertices)
             v.normal *= -1;
@@ -70,15 +69,19 @@ inline void dibujaLamina(const Lamina &lamina, Malla malla, const Material &mate
         glDeleteBuffers(1, &buferes.vertices);
         glDeleteBuffers(1, &buferes.indices);
     }
+    glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-/// Los segmentos de la red de control de n×n puntos, dados por filas.
-inline std::vector<glm::vec3> redDeControl(const std::vector<glm::vec3> &P, std::size_t n) {
-    std::vector<glm::vec3> red;
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j + 1 < n; ++j)
-            red.insert(red.end(), {P[n * i + j], P[n * i + j + 1], P[n * j + i], P[n * (j + 1) + i]});
-    return red;
+/// Los lados de una red de control de `columnas` columnas, dada por filas.
+inline std::vector<glm::vec3> redDeControl(const std::vector<glm::vec3> &P, std::size_t columnas) {
+    std::vector<glm::vec3> lados;
+    for (std::size_t k = 0; k < P.size(); ++k) {
+        if ((k + 1) % columnas != 0)
+            lados.insert(lados.end(), {P[k], P[k + 1]});
+        if (k + columnas < P.size())
+            lados.insert(lados.end(), {P[k], P[k + columnas]});
+    }
+    return lados;
 }
 
 /// La matriz de geometría de los 16 puntos que empiezan en (fila, columna) de una red de n×n.

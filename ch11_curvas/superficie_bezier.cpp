@@ -1,23 +1,28 @@
-// La superficie de Bézier (ecuaciones 11.40 y 11.41, figura 11.2) y los 16 puntos de control que la definen. Se parte
-// en los triángulos que bastan para no separarse de ella más de una tolerancia en píxeles.
-// Controles: arrastra los puntos (o n y flechas) · m malla · + - mitad o doble de tolerancia · ratón orbita ·
-// Esc termina.
+// La superficie de Bézier (ecuaciones 11.40 y 11.41) y los (n + 1)×(m + 1) puntos de control que la definen, 16 en la
+// figura 11.2. Se ve también en los triángulos que bastan para no separarse de ella más de una tolerancia en píxeles;
+// como la familia de curvas Q(u, v) cuyos puntos de control G(v) se mueven con v (§11.5); y unida a otro trozo con C0,
+// con G1 y, como el libro dice que basta (§11.7), con los puntos solo alineados.
+// Controles: arrastra los puntos (o n y flechas) · m malla · f familia de curvas · u unión con otro trozo ·
+// + - grado, tolerancia de la malla o v de la familia · ratón orbita · Esc termina.
+#include "bezier_trozos.h"
 #include "lamina.h"
 #include "rotulo.h"
 #include "trazo.h"
 #include <cstdio>
 #include <string>
 
+static const int GRADOS_MINIMOS = 2, GRADOS_MAXIMOS = 14; // n + m
 static const double TOLERANCIA_MINIMA = 0.125, TOLERANCIA_MAXIMA = 64;
+static const int VECES_V = 20, CURVAS = 10, NORMALES = 12; // en que se parte v
+static const float FLECHA_CURVAS = 0.001f, LARGO_NORMAL = 0.55f, ANGULO_DE_DOS = 0.68f;
+enum Modo { RED, MALLA, FAMILIA, UNION_C0, UNION_G1, UNION_DESIGUAL, MODOS };
 
 static struct {
-    std::vector<glm::vec3> P = {
-        {-1.5f, 0.1f, 1.5f}, {-1.5f, 0.8f, 0.5f}, {-1.5f, 0.5f, -0.5f}, {-1.5f, -0.1f, -1.5f},
-        {-0.5f, 0.5f, 1.5f}, {-0.5f, 1.5f, 0.5f}, {-0.5f, 0.3f, -0.5f}, {-0.5f, -0.3f, -1.5f},
-        {0.5f, -0.2f, 1.5f}, {0.5f, -0.2f, 0.5f}, {0.5f, -1.3f, -0.5f}, {0.5f, 0.2f, -1.5f},
-        {1.5f, -0.5f, 1.5f}, {1.5f, 0.2f, 0.5f},  {1.5f, 0.3f, -0.5f},  {1.5f, 0.7f, -1.5f}};
-    double tolerancia = 0.5; // píxeles
-    bool malla = false;
+    int grados = 6; // n + m
+    RedBezier<float> red = redInicial(6);
+    int modo = RED;
+    double tolerancia = 32; // píxeles
+    int v = 8;              // de 0 a VECES_V
     Lamina lamina;
     Editor editor;
 } estado;
@@ -26,55 +31,146 @@ static glm::mat4 vista() {
     return vistaLamina(estado.lamina);
 }
 
-static void dibuja() {
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const Geometria2<float> G = geometriaDeRed(estado.P, 4);
-    const Malla malla =
-        mallaSuperficie(Base::BEZIER, G, segmentosLamina(estado.lamina, Base::BEZIER, G, estado.tolerancia));
-    dibujaLamina(estado.lamina, malla, LAMINA_AZUL);
-    char texto[60];
-    std::snprintf(texto, sizeof texto, "hasta %g px: %zu triángulos", estado.tolerancia,
-                  malla.indices.size() / 3);
-    if (estado.malla) {
-        std::vector<glm::vec3> lados;
-        for (std::size_t i = 0; i < malla.indices.size(); i += 3)
-            for (std::size_t k = 0; k < 3; ++k)
-                for (const std::size_t extremo : {k, (k + 1) % 3})
-                    lados.push_back(malla.vertices[malla.indices[i + extremo]].posicion);
-        trazaSegmentos(lados, vista(), BLANCO, 0.5f * GROSOR);
-        rotula(texto, {0.5f, 0.94f}, OSCURO);
-    } else {
-        glDisable(GL_DEPTH_TEST); // la red, entera, también por detrás de la superficie
-        trazaSegmentos(redDeControl(estado.P, 4), vista(), GRIS, 0.7f * GROSOR);
-        trazaPuntos(estado.P, vista(), ROJO, 3.5f * GROSOR);
-        glEnable(GL_DEPTH_TEST);
-        for (std::size_t k = 0; k < 16; ++k)
-            if (k == 0 || k == 3 || k == 12 || k == 15 || int(k) == estado.editor.elegido)
-                rotulaPunto("P" + std::to_string(k / 4) + std::to_string(k % 4), estado.P[k], vista(),
-                            colorNombre(estado.editor, k), k == 0 || k == 12 ? Lado::DEBAJO : Lado::ENCIMA);
+static void dibujaMalla(const Malla &malla) {
+    std::vector<glm::vec3> lados;
+    for (std::size_t i = 0; i < malla.indices.size(); i += 3)
+        for (std::size_t k = 0; k < 3; ++k)
+            for (const std::size_t extremo : {k, (k + 1) % 3})
+                lados.push_back(malla.vertices[malla.indices[i + extremo]].posicion);
+    trazaSegmentos(lados, vista(), BLANCO, 0.7f * GROSOR);
+}
+
+/// La curva de la familia que corta la superficie en v.
+static std::vector<glm::vec3> curvaEn(float v) {
+    return polilineaBezier(geometriaEn(estado.red, v), FLECHA_CURVAS);
+}
+
+/// G(v), naranja, recorre las curvas de las filas, grises, y Q(u, v), roja, va con él.
+static void dibujaFamilia(float v) {
+    const std::vector<glm::vec3> G = geometriaEn(estado.red, v);
+    for (int k = 0; k <= CURVAS; ++k)
+        trazaPolilinea(curvaEn(float(k) / CURVAS), vista(), BLANCO, 0.6f * GROSOR);
+    glDisable(GL_DEPTH_TEST);
+    for (std::size_t i = 0; i <= estado.red.n; ++i)
+        trazaPolilinea(polilineaBezier(estado.red.fila(i), FLECHA_CURVAS), vista(), GRIS);
+    trazaPolilinea(curvaEn(v), vista(), ROJO, 1.7f * GROSOR);
+    trazaPolilinea(G, vista(), NARANJA, 0.8f * GROSOR);
+    trazaPuntos(G, vista(), NARANJA, 4 * GROSOR);
+    glEnable(GL_DEPTH_TEST);
+    for (std::size_t i = 0; i < G.size(); ++i)
+        rotulaPunto("G" + std::to_string(i + 1), G[i], vista(), OSCURO);
+}
+
+/// Los puntos de los dos lados del borde, que es lo que se alinea, y las normales de los dos trozos a lo largo de él.
+/// Devuelve lo más que se separan las normales, en grados.
+static float dibujaUnion(const RedBezier<float> &otra) {
+    const RedBezier<float> &red = estado.red;
+    glDisable(GL_DEPTH_TEST);
+    for (std::size_t j = 0; j <= red.m; ++j) {
+        trazaPolilinea({red.en(red.n - 1, j), otra.en(0, j), otra.en(1, j)}, vista(), OSCURO);
+        trazaPuntos({otra.en(1, j)}, vista(), MORADO, 3.5f * GROSOR);
     }
+    float separadas = 0;
+    for (int k = 0; k <= NORMALES; ++k) {
+        const float v = float(k) / NORMALES;
+        const glm::vec3 Q = superficie(otra, 0.0f, v), n1 = normalSuperficie(red, 1.0f, v),
+                        n2 = normalSuperficie(otra, 0.0f, v);
+        trazaFlecha(Q, Q + LARGO_NORMAL * n1, vista(), AZUL, 0.8f * GROSOR);
+        trazaFlecha(Q, Q + LARGO_NORMAL * n2, vista(), NARANJA, 0.8f * GROSOR);
+        separadas = std::max(separadas, std::atan2(glm::length(glm::cross(n1, n2)), glm::dot(n1, n2)));
+    }
+    glEnable(GL_DEPTH_TEST);
+    return glm::degrees(separadas);
+}
+
+/// La red de control, también por detrás de la superficie, y los nombres de las esquinas y del punto elegido.
+static void dibujaRed() {
+    const std::size_t n = estado.red.n, m = estado.red.m;
+    glDisable(GL_DEPTH_TEST);
+    trazaSegmentos(redDeControl(estado.red.P, m + 1), vista(), GRIS, 0.7f * GROSOR);
+    trazaPuntos(estado.red.P, vista(), ROJO, 3.5f * GROSOR);
+    glEnable(GL_DEPTH_TEST);
+    for (std::size_t k = 0; k < estado.red.P.size(); ++k) {
+        const std::size_t i = k / (m + 1), j = k % (m + 1);
+        if ((estado.modo == RED && i % n == 0 && j % m == 0) || int(k) == estado.editor.elegido)
+            rotulaPunto("P" + std::to_string(i) + std::to_string(j), estado.red.P[k], vista(),
+                        colorNombre(estado.editor, k), i % n == 0 && j == 0 ? Lado::DEBAJO : Lado::ENCIMA);
+    }
+}
+
+static void dibuja() {
+    static const char *const UNIONES[] = {"C0", "G1", "alineados"};
+    const bool dos = estado.modo >= UNION_C0;
+    const RedBezier<float> &red = estado.red, otra = trozoUnido(red, Union(dos ? estado.modo - UNION_C0 : 0));
+    Lamina &lamina = estado.lamina;
+    lamina.orbita.centro = dos ? glm::vec3(1.5f, -0.2f, 0) : glm::vec3(0, -0.35f, 0);
+    lamina.angulo = dos ? ANGULO_DE_DOS : ANGULO_LAMINA;
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    Segmentos n = segmentosLamina(lamina, red, estado.modo == MALLA ? estado.tolerancia : TOLERANCIA_LAMINA);
+    if (dos) { // los mismos en los dos, para que casen en la unión
+        const Segmentos n2 = segmentosLamina(lamina, otra, TOLERANCIA_LAMINA);
+        n = {std::max(n.u, n2.u), std::max(n.v, n2.v)};
+        dibujaLamina(lamina, mallaSuperficie(otra, n), LAMINA_NARANJA);
+    }
+    const Malla malla = mallaSuperficie(red, n);
+    dibujaLamina(lamina, malla, LAMINA_AZUL);
+    if (estado.modo == RED || dos)
+        dibujaRed();
+    char texto[80];
+    if (estado.modo == MALLA) {
+        dibujaMalla(malla);
+        std::snprintf(texto, sizeof texto, "hasta %g px: %zu triángulos", estado.tolerancia,
+                      malla.indices.size() / 3);
+    } else if (estado.modo == FAMILIA) {
+        const float v = float(estado.v) / VECES_V;
+        dibujaFamilia(v);
+        std::snprintf(texto, sizeof texto, "Q(u, v), con v = %.2f", v);
+    } else if (dos)
+        std::snprintf(texto, sizeof texto, "%s: normales a %.0f°", UNIONES[estado.modo - UNION_C0],
+                      dibujaUnion(otra));
+    else
+        std::snprintf(texto, sizeof texto, "n = %zu, m = %zu", red.n, red.m);
+    rotula(texto, estado.modo == RED ? glm::vec2(0.2f, 0.06f) : glm::vec2(0.5f, 0.94f), OSCURO);
     ponTitulo("Superficie de Bézier: " + std::string(texto));
     glutSwapBuffers();
+}
+
+/// + y − cambian lo del modo en que se está.
+static void cambia(int paso) {
+    if (estado.modo == MALLA)
+        estado.tolerancia =
+            glm::clamp(estado.tolerancia * (paso > 0 ? 0.5 : 2), TOLERANCIA_MINIMA, TOLERANCIA_MAXIMA);
+    else if (estado.modo == FAMILIA)
+        estado.v = glm::clamp(estado.v + paso, 0, VECES_V);
+    else {
+        estado.grados = glm::clamp(estado.grados + paso, GRADOS_MINIMOS, GRADOS_MAXIMOS);
+        estado.red = redInicial(estado.grados);
+        estado.editor.elegido = -1; // el que se arrastraba puede haberse ido
+        estado.editor.arrastrando = false;
+    }
 }
 
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla) || teclaEditor(estado.editor, tecla))
         return;
     if (tecla == 'm')
-        estado.malla = !estado.malla;
+        estado.modo = estado.modo == MALLA ? RED : MALLA;
+    else if (tecla == 'f')
+        estado.modo = estado.modo == FAMILIA ? RED : FAMILIA;
+    else if (tecla == 'u') // la siguiente unión; tras la última, ninguna
+        estado.modo = estado.modo < UNION_C0 ? UNION_C0 : (estado.modo + 1) % MODOS;
     else if (tecla == '+' || tecla == '-')
-        estado.tolerancia =
-            glm::clamp(estado.tolerancia * (tecla == '+' ? 0.5 : 2), TOLERANCIA_MINIMA, TOLERANCIA_MAXIMA);
+        cambia(tecla == '+' ? 1 : -1);
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Superficie de Bézier", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
-    estado.lamina = creaLamina({0.55f, 0.65f, 8, {0, -0.35f, 0}});
+    estado.lamina = creaLamina({0.55f, 0.65f, 8});
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.lamina.orbita);
-    estado.editor = {&estado.P, vista, true};
+    estado.editor = {&estado.red.P, vista, true};
     glutMouseFunc(
         [](int boton, int pulsado, int x, int y) { botonEditor(estado.editor, boton, pulsado, x, y); });
     glutMotionFunc([](int x, int y) { arrastraEditor(estado.editor, x, y); });

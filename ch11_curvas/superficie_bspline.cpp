@@ -47,7 +47,7 @@ static void dibuja() {
                 haz(geometriaDeRed(estado.P, LADO, i, j), (i + j) % 2 == 0 ? LAMINA_AZUL : LAMINA_NARANJA);
     };
     trozos([&](const Geometria2<float> &G, const Material &) {
-        const Segmentos s = segmentosLamina(estado.lamina, Base::BSPLINE, G, TOLERANCIA_LAMINA);
+        const Segmentos s = segmentosLamina(estado.lamina, redDe(Base::BSPLINE, G), TOLERANCIA_LAMINA);
         n = {std::clamp(s.u, n.u, SEGMENTOS_MAXIMOS_TROZO), std::clamp(s.v, n.v, SEGMENTOS_MAXIMOS_TROZO)};
     });
     trozos([&](const Geometria2<float> &G, const Material &material) {

@@ -46,9 +46,9 @@ static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const Geometria2<float> G = primerTrozo(estado.esquinas),
                             G2 = estado.segundo ? segundoTrozo(estado.esquinas, estado.k) : G;
-    Segmentos n = segmentosLamina(estado.lamina, Base::HERMITE, G, TOLERANCIA_LAMINA);
+    Segmentos n = segmentosLamina(estado.lamina, redDe(Base::HERMITE, G), TOLERANCIA_LAMINA);
     if (estado.segundo) { // los mismos en los dos, para que casen en la unión
-        const Segmentos n2 = segmentosLamina(estado.lamina, Base::HERMITE, G2, TOLERANCIA_LAMINA);
+        const Segmentos n2 = segmentosLamina(estado.lamina, redDe(Base::HERMITE, G2), TOLERANCIA_LAMINA);
         n = {std::max(n.u, n2.u), std::max(n.v, n2.v)};
     }
     dibujaLamina(estado.lamina, mallaSuperficie(Base::HERMITE, G, n), LAMINA_AZUL);

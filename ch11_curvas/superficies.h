@@ -41,6 +41,54 @@ Geometria2<T> aBezier2(Base base, const Geometria2<T> &G) {
     return B;
 }
 
+// ---- Superficies de Bézier de cualquier grado ----
+
+/// Los (n + 1)×(m + 1) puntos de control, fila a fila: la fila va con u y la columna con v.
+template<typename T>
+struct RedBezier {
+    std::size_t n, m;
+    std::vector<Punto<T>> P;
+
+    const Punto<T> &en(std::size_t i, std::size_t j) const {
+        return P[i * (m + 1) + j];
+    }
+    std::vector<Punto<T>> fila(std::size_t i) const {
+        return {&en(i, 0), &en(i, 0) + m + 1};
+    }
+};
+
+/// Q(u, v) (ecuación 11.41) o una derivada suya.
+template<typename T>
+Punto<T> superficie(const RedBezier<T> &red, const T &u, const T &v, int du = 0, int dv = 0) {
+    const std::vector<T> bu = bernstein(red.n, u, du), bv = bernstein(red.m, v, dv);
+    Punto<T> suma(T(0));
+    for (std::size_t i = 0; i <= red.n; ++i)
+        for (std::size_t j = 0; j <= red.m; ++j)
+            suma += (bu[i] * bv[j]) * (du + dv > 0 ? red.en(i, j) - red.P[0] : red.en(i, j));
+    return suma;
+}
+
+/// G(v) (ecuación 11.28): la superficie es la familia de las curvas de Bézier en u cuyos puntos de control recorren, al
+/// cambiar v, las curvas de las filas de la red.
+template<typename T>
+std::vector<Punto<T>> geometriaEn(const RedBezier<T> &red, const T &v) {
+    std::vector<Punto<T>> G;
+    for (std::size_t i = 0; i <= red.n; ++i)
+        G.push_back(bezier(red.fila(i), v));
+    return G;
+}
+
+/// Los 16 puntos de control de Bézier de una superficie bicúbica, como red.
+template<typename T>
+RedBezier<T> redDe(Base base, const Geometria2<T> &G) {
+    RedBezier<T> red = {3, 3, {}};
+    for (const Geometria<T> &fila : aBezier2(base, G))
+        red.P.insert(red.P.end(), fila.begin(), fila.end());
+    return red;
+}
+
+// ---- Normales ----
+
 /// El largo de un vector: glm::length no admite la cuádruple precisión.
 template<typename T>
 T largo(const Punto<T> &a) {
@@ -73,20 +121,32 @@ Punto<T> normalOLimite(const Derivada &d, const T &u, const T &v) {
     return Punto<T>(T(0), T(0), T(1));
 }
 
+/// 1/talla de lo que ocupan los puntos de control.
+template<typename T>
+T escalaDe(const RedBezier<T> &red) {
+    T talla(0);
+    for (const Punto<T> &p : red.P)
+        talla = std::max(talla, largo(p - red.P[0]));
+    return talla > T(0) ? T(1) / talla : T(0);
+}
+
 /// La normal de la superficie, o su límite.
 template<typename T>
-Punto<T> normalSuperficie(Base base, const Geometria2<T> &G, const T &u, const T &v) {
-    const Geometria2<T> B = aBezier2(base, G);
-    T talla(0);
-    for (const Geometria<T> &fila : B)
-        for (const Punto<T> &p : fila)
-            talla = std::max(talla, largo(p - B[0][0]));
-    const T escala = talla > T(0) ? T(1) / talla : T(0);
-    const auto d = [&](const T &s, const T &t, int du, int dv) -> Punto<T> {
-        return escala * superficie(base, G, s, t, du, dv);
-    };
-    return normalOLimite(d, u, v);
+Punto<T> normalSuperficie(const RedBezier<T> &red, const T &u, const T &v) {
+    const T escala = escalaDe(red);
+    return normalOLimite([&](const T &s, const T &t, int du,
+                             int dv) -> Punto<T> { return escala * superficie(red, s, t, du, dv); },
+                         u, v);
 }
+template<typename T>
+Punto<T> normalSuperficie(Base base, const Geometria2<T> &G, const T &u, const T &v) {
+    const T escala = escalaDe(redDe(base, G));
+    return normalOLimite([&](const T &s, const T &t, int du,
+                             int dv) -> Punto<T> { return escala * superficie(base, G, s, t, du, dv); },
+                         u, v);
+}
+
+// ---- Triángulos ----
 
 /// Segmentos de u y de v.
 struct Segmentos {
@@ -96,35 +156,54 @@ struct Segmentos {
 /// Los que dejan la superficie a menos de `tolerancia` de sus triángulos: un triángulo rectángulo de catetos h y k se
 /// separa como mucho (Muu·h² + 2·Muv·h·k + Mvv·k²)/8 (Filip, Magedson y Markot, 1986), y 2hk ≤ h² + k². Se cumple
 /// mientras no hagan falta más de 256.
-inline Segmentos segmentosSuperficie(Base base, const Geometria2<float> &G, double tolerancia) {
-    const Geometria2<float> B = aBezier2(base, G);
+inline Segmentos segmentosSuperficie(const RedBezier<float> &red, double tolerancia) {
+    const double n = double(red.n), m = double(red.m);
     double muu = 0, muv = 0, mvv = 0;
-    const auto p = [&](std::size_t i, std::size_t j) { return glm::dvec3(B[i][j]); };
-    for (std::size_t i = 0; i < 4; ++i)
-        for (std::size_t j = 0; j < 4; ++j) {
-            if (i < 2)
-                muu = std::max(muu, 6 * glm::length(p(i + 2, j) - 2.0 * p(i + 1, j) + p(i, j)));
-            if (j < 2)
-                mvv = std::max(mvv, 6 * glm::length(p(i, j + 2) - 2.0 * p(i, j + 1) + p(i, j)));
-            if (i < 3 && j < 3)
-                muv = std::max(muv, 9 * glm::length(p(i + 1, j + 1) - p(i + 1, j) - p(i, j + 1) + p(i, j)));
+    const auto p = [&](std::size_t i, std::size_t j) { return glm::dvec3(red.en(i, j)); };
+    for (std::size_t i = 0; i <= red.n; ++i)
+        for (std::size_t j = 0; j <= red.m; ++j) {
+            if (i + 2 <= red.n)
+                muu = std::max(muu, n * (n - 1) * glm::length(p(i + 2, j) - 2.0 * p(i + 1, j) + p(i, j)));
+            if (j + 2 <= red.m)
+                mvv = std::max(mvv, m * (m - 1) * glm::length(p(i, j + 2) - 2.0 * p(i, j + 1) + p(i, j)));
+            if (i < red.n && j < red.m)
+                muv =
+                    std::max(muv, n * m * glm::length(p(i + 1, j + 1) - p(i + 1, j) - p(i, j + 1) + p(i, j)));
         }
-    const auto n = [&](double m) { return std::min(segmentosDerivada(2 * m, tolerancia), 256); };
-    return {n(muu + muv), n(mvv + muv)};
+    const auto segmentos = [&](double M) { return std::min(segmentosDerivada(2 * M, tolerancia), 256); };
+    return {segmentos(muu + muv), segmentos(mvv + muv)};
+}
+inline Segmentos segmentosSuperficie(Base base, const Geometria2<float> &G, double tolerancia) {
+    return segmentosSuperficie(redDe(base, G), tolerancia);
 }
 
-/// La superficie en triángulos, que giran en sentido antihorario vistos desde donde apunta la normal; coordTextura es
-/// (u, v).
-inline Malla mallaSuperficie(Base base, const Geometria2<float> &G, const Segmentos &n) {
+/// Los triángulos de vertice(u, v), que giran en sentido antihorario vistos desde donde apunta Q_u × Q_v.
+template<typename UnVertice>
+Malla mallaDe(const UnVertice &vertice, const Segmentos &n) {
     Malla malla;
     for (int j = 0; j <= n.v; ++j)
         for (int i = 0; i <= n.u; ++i) {
-            const float u = float(i) / float(n.u), v = float(j) / float(n.v);
-            malla.vertices.push_back({superficie(base, G, u, v), normalSuperficie(base, G, u, v), {u, v}});
+            malla.vertices.push_back(vertice(float(i) / float(n.u), float(j) / float(n.v)));
             if (i == n.u || j == n.v)
                 continue;
             const unsigned a = j * (n.u + 1) + i, d = a + n.u + 1;
             malla.indices.insert(malla.indices.end(), {a, a + 1, d + 1, a, d + 1, d});
         }
     return malla;
+}
+
+/// La superficie en triángulos; coordTextura es (u, v).
+inline Malla mallaSuperficie(const RedBezier<float> &red, const Segmentos &n) {
+    return mallaDe(
+        [&](float u, float v) -> Vertice {
+            return {superficie(red, u, v), normalSuperficie(red, u, v), {u, v}};
+        },
+        n);
+}
+inline Malla mallaSuperficie(Base base, const Geometria2<float> &G, const Segmentos &n) {
+    return mallaDe(
+        [&](float u, float v) -> Vertice {
+            return {superficie(base, G, u, v), normalSuperficie(base, G, u, v), {u, v}};
+        },
+        n);
 }

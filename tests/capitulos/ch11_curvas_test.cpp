@@ -33,16 +33,6 @@ double peorCubica(const Error &error) {
     return peorDeTodas;
 }
 
-std::vector<Cuadruple> bernsteinRef(std::size_t n, const Cuadruple &u) {
-    std::vector<Cuadruple> b;
-    Cuadruple C(1); // exacto: a grado 67, C(n,k) no llega a 2^64
-    for (std::size_t k = 0; k <= n; C = C * Cuadruple(n - k) / Cuadruple(k + 1), ++k) {
-        b.push_back(C);
-        for (std::size_t i = 0; i < n; ++i)
-            b.back() = b.back() * (i < k ? u : Cuadruple(1) - u);
-    }
-    return b;
-}
 template<typename T>
 Punto<Cuadruple> bezierRef(const std::vector<Punto<T>> &P, const T &u) {
     const std::vector<Cuadruple> b = bernsteinRef(P.size() - 1, Cuadruple(u));

@@ -67,3 +67,43 @@ Geometria<T> geometriaAlAzar(unsigned semilla = 11) {
     const auto P = puntosAlAzar<T>(4, semilla);
     return {P[0], P[1], P[2], P[3]};
 }
+
+/// La derivada `d` de x elevado a n.
+template<typename R>
+R potenciaRef(const R &x, std::size_t n, std::size_t d) {
+    R r(d <= n ? 1 : 0);
+    for (std::size_t i = 0; d <= n && i < n; ++i)
+        r = r * (i < d ? R(double(n - i)) : x);
+    return r;
+}
+/// C(n, k): exacto mientras quepa en R.
+template<typename R>
+R combinaciones(std::size_t n, std::size_t k) {
+    R C(1);
+    for (std::size_t i = 0; i < k; ++i)
+        C = C * R(double(n - i)) / R(double(i + 1));
+    return C;
+}
+/// Los polinomios de Bernstein (ecuación 11.20), o su derivada `d` como producto de dos potencias.
+template<typename R>
+std::vector<R> bernsteinRef(std::size_t n, const R &u, std::size_t d = 0) {
+    std::vector<R> b;
+    for (std::size_t k = 0; k <= n; ++k) {
+        R suma(0);
+        for (std::size_t r = 0; r <= d; ++r)
+            suma += R((d - r) % 2 ? -1 : 1) * combinaciones<R>(d, r) * potenciaRef(u, k, r) *
+                    potenciaRef(R(1) - u, n - k, d - r);
+        b.push_back(combinaciones<R>(n, k) * suma);
+    }
+    return b;
+}
+/// La ecuación 11.41, o una derivada suya.
+template<typename R, typename T>
+Punto<R> superficieRef(const RedBezier<T> &red, const R &u, const R &v, int du = 0, int dv = 0) {
+    const std::vector<R> bu = bernsteinRef(red.n, u, std::size_t(du)),
+                         bv = bernsteinRef(red.m, v, std::size_t(dv));
+    Punto<R> suma(R(0));
+    for (std::size_t k = 0; k < red.P.size(); ++k)
+        suma += bu[k / bv.size()] * bv[k % bv.size()] * Punto<R>(red.P[k]);
+    return suma;
+}

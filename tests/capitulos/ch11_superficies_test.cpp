@@ -1,5 +1,6 @@
 // Las superficies del capítulo 11: superficies.h contra la definición en cuádruple precisión, y sus programas contra una
 // imagen de referencia y la lista de lo que pintan encima.
+#include "ch11_curvas/bezier_trozos.h"
 #include "ch11_curvas/hermite_trozos.h"
 #include "ch11_curvas/lamina.h"
 #include "ch11_lista.h"
@@ -32,17 +33,22 @@ template<typename R>
 Punto<R> cruz(const Punto<R> &a, const Punto<R> &b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-/// La normal, o su límite camino del centro donde no la hay.
-template<typename R, typename T>
-Punto<R> normalRef(Base base, const Geometria2<T> &G, const R &u, const R &v) {
+/// La normal, o su límite camino del centro donde no la hay. `Q(u, v, du, dv)` es la superficie o una derivada suya.
+template<typename R, typename Derivada>
+Punto<R> normalDe(const Derivada &Q, const R &u, const R &v) {
     Punto<R> n(R(0));
     for (const double h : {0.0, 1e-17}) {
         const R s = u + R(h) * (R(0.5) - u), t = v + R(h) * (R(0.5) - v);
-        n = cruz(superficieRef(base, G, s, t, 1, 0), superficieRef(base, G, s, t, 0, 1));
+        n = cruz<R>(Q(s, t, 1, 0), Q(s, t, 0, 1));
         if (double(largo(n)) > 1e-24)
             break;
     }
     return (R(1) / largo(n)) * n;
+}
+template<typename R, typename T>
+Punto<R> normalRef(Base base, const Geometria2<T> &G, const R &u, const R &v) {
+    return normalDe(
+        [&](const R &s, const R &t, int du, int dv) { return superficieRef(base, G, s, t, du, dv); }, u, v);
 }
 
 const std::vector<double> PARAMETROS = {0, 0x1p-20, 0.125, 0.3125, 0.5, 0.75, 1 - 0x1p-20, 1},
@@ -107,9 +113,53 @@ TEST(Superficies, ErrorFrenteACuadruplePrecision) {
             }
 }
 
+/// Una red de esos grados, con el grado más alto en u o en v.
+template<typename T>
+RedBezier<T> redAlAzar(std::size_t n, std::size_t m, unsigned semilla) {
+    return {n, m, puntosAlAzar<T>((n + 1) * (m + 1), semilla)};
+}
+
+// Ecuación 11.41, con (n + 1)×(m + 1) puntos: la superficie y sus derivadas, que también se anulan cuando el grado no da
+// para más; y con 4×4 es la de la ecuación 11.40. Cada peso se equivoca en unos redondeos por grado.
+TEST(Superficies, BezierDeGradoNxM) {
+    for (const auto &[n, m] :
+         {std::pair<std::size_t, std::size_t>{1, 1}, {0, 2}, {3, 3}, {5, 2}, {1, 7}, {12, 9}}) {
+        const auto red = redAlAzar<double>(n, m, 7);
+        for (const auto &[du, dv] : {std::pair<int, int>{0, 0}, {1, 0}, {0, 1}, {1, 1}, {2, 0}, {0, 2}}) {
+            const double sumandos = std::pow(2.0 * double(n + 1), du) * std::pow(2.0 * double(m + 1), dv);
+            const double error = peor([&, i = du, j = dv](double u, double v) {
+                return lejos(superficie(red, u, v, i, j),
+                             superficieRef(red, Cuadruple(u), Cuadruple(v), i, j));
+            });
+            EXPECT_LT(error, 2 * double(n + m + 1) * sumandos * ulp<double>()) << n << m << du << dv;
+        }
+    }
+    const auto G = redAlAzar<double>(3);
+    const auto red = redDe(Base::BEZIER, G);
+    EXPECT_LT(peor([&](double u, double v) {
+                  return std::max(lejos(superficie(red, u, v), superficieRef(Base::BEZIER, G, u, v)),
+                                  lejos(normalSuperficie(red, u, v), normalRef(Base::BEZIER, G, u, v)));
+              }),
+              1e-13);
+}
+
+// §11.5: la superficie en v es la curva de Bézier de los puntos G(v), y cada uno va por la curva de su fila.
+TEST(Superficies, UnaFamiliaDeCurvas) {
+    const auto red = redAlAzar<double>(4, 6, 5);
+    EXPECT_LT(peor([&](double u, double v) {
+                  return lejos(bezier(geometriaEn(red, v), u),
+                               superficieRef(red, Cuadruple(u), Cuadruple(v)));
+              }),
+              4e-15);
+    for (std::size_t i = 0; i <= red.n; ++i)
+        EXPECT_EQ(geometriaEn(red, 1.0)[i], red.en(i, red.m));
+}
+
 // Los trozos vecinos de una red de 5 × 5, en u y en v: el punto y las derivadas primera y segunda casan, y la tercera
 // no. También con puntos duplicados, aunque el libro diga que no (§11.8): lo que se pierde es la tangente…
 TEST(Superficies, BSplineC2EntreTrozos) {
+    const auto enDoble = [](auto... a) { return superficie<double>(a...); };
+    const auto exacta = [](auto... a) { return superficieRef<double, double>(a...); };
     for (const bool duplicados : {false, true}) {
         auto P = puntosAlAzar<double>(25);
         if (duplicados)
@@ -120,10 +170,10 @@ TEST(Superficies, BSplineC2EntreTrozos) {
                             lejos(Q(Base::BSPLINE, A, t, 1.0, 0, d), Q(Base::BSPLINE, C, t, 0.0, 0, d)));
         };
         for (int k = 0; k <= 8; ++k) {
-            EXPECT_EQ(salto(k / 8.0, 0, superficie<double>), 0);
-            EXPECT_LT(salto(k / 8.0, 1, superficie<double>), 4e-15);
-            EXPECT_LT(salto(k / 8.0, 2, superficie<double>), 4e-15);
-            EXPECT_GT(salto(k / 8.0, 3, superficieRef<double, double>), 0.01);
+            EXPECT_EQ(salto(k / 8.0, 0, enDoble), 0);
+            EXPECT_LT(salto(k / 8.0, 1, enDoble), 4e-15);
+            EXPECT_LT(salto(k / 8.0, 2, enDoble), 4e-15);
+            EXPECT_GT(salto(k / 8.0, 3, exacta), 0.01);
         }
     }
 }
@@ -325,8 +375,9 @@ TEST(HermiteUnidas, G1EnTodoElBorde) {
 
 const glm::ivec2 NORMAL{480, 360};
 
-oraculo::Camara camara(double azimut, double elevacion, double distancia, const oraculo::Vec3 &centro) {
-    return oraculo::perspectiva(oraculo::orbita(azimut, elevacion, distancia, centro), 0.5, 1, 100);
+oraculo::Camara camara(double azimut, double elevacion, double distancia, const oraculo::Vec3 &centro,
+                       double angulo = 0.5) {
+    return oraculo::perspectiva(oraculo::orbita(azimut, elevacion, distancia, centro), angulo, 1, 100);
 }
 const oraculo::Camara CAMARA_BEZIER = camara(0.55, 0.65, 8, {0, -0.35, 0}),
                       CAMARA_BSPLINE = camara(0.55, 0.6, 9.4, {0, -0.1, 0}),
@@ -336,13 +387,22 @@ const oraculo::Camara CAMARA_BEZIER = camara(0.55, 0.65, 8, {0, -0.35, 0}),
 /// Lo que debe verse: unas superficies, de dos colores, y lo que va encima.
 struct Escena : Lista {
     const oraculo::Camara c;
+    using Superficie = std::function<glm::dvec3(double, double, int, int)>;
     struct Trozo {
-        Base base;
-        Geometria2<double> G;
+        Superficie Q;
         bool naranja = false;
         Segmentos n = {48, 48}; // tantos, que da igual
     };
     std::vector<Trozo> trozos;
+    void anade(Base base, const Geometria2<double> &G, bool naranja = false) {
+        trozos.push_back(
+            {[=](double u, double v, int du, int dv) { return superficieRef(base, G, u, v, du, dv); },
+             naranja});
+    }
+    void anade(const RedBezier<double> &red, bool naranja = false) {
+        trozos.push_back(
+            {[=](double u, double v, int du, int dv) { return superficieRef(red, u, v, du, dv); }, naranja});
+    }
 
     Escena(const oraculo::Camara &camara, const glm::ivec2 &laVentana) : Lista(laVentana), c(camara) {
     }
@@ -374,8 +434,7 @@ struct Escena : Lista {
                 for (std::size_t j = 0; j <= m; ++j) {
                     const double u = double(i) / double(n), v = double(j) / double(m);
                     const std::size_t a = i * (m + 1) + j, b = a + m + 1;
-                    vertices.push_back(
-                        {exacto(superficieRef(t.base, t.G, u, v)), exacto(normalRef(t.base, t.G, u, v))});
+                    vertices.push_back({exacto(t.Q(u, v, 0, 0)), exacto(normalDe(t.Q, u, v))});
                     if (i < n && j < m)
                         indices.insert(indices.end(), {{a, b, b + 1}, {a, b + 1, a + 1}});
                 }
@@ -399,42 +458,64 @@ struct Escena : Lista {
 };
 using Pasos = std::vector<Paso<Escena>>;
 
-/// La red de n×n puntos: de cada uno al siguiente de su fila y, cambiando filas por columnas, de su columna.
-Red ladosDeRed(const Red &P, std::size_t n) {
+/// De cada punto de una red al siguiente de su fila y al de su columna.
+Red ladosDeRed(const Red &P, std::size_t columnas) {
     Red lados;
-    for (std::size_t i = 0; i < n; ++i)
-        for (std::size_t j = 0; j + 1 < n; ++j)
-            lados.insert(lados.end(), {P[n * i + j], P[n * i + j + 1], P[n * j + i], P[n * (j + 1) + i]});
+    for (std::size_t i = 0, filas = P.size() / columnas; i < filas; ++i)
+        for (std::size_t j = 0; j < columnas; ++j) {
+            const glm::dvec3 &p = P[columnas * i + j];
+            if (j + 1 < columnas)
+                lados.insert(lados.end(), {p, P[columnas * i + j + 1]});
+            if (i + 1 < filas)
+                lados.insert(lados.end(), {p, P[columnas * (i + 1) + j]});
+        }
     return lados;
 }
-std::string nombre(std::size_t k, std::size_t n) {
-    return "P" + std::to_string(k / n) + std::to_string(k % n);
+std::string nombre(std::size_t k, std::size_t columnas) {
+    return "P" + std::to_string(k / columnas) + std::to_string(k % columnas);
 }
 // ---- superficie_bezier ----
 
-Red redBezier() {
+/// Los 16 puntos o, con otros grados, los de su red en los mismos sitios.
+RedBezier<double> redBezier(std::size_t n = 3, std::size_t m = 3) {
     const double y[] = {0.1, 0.8, 0.5, -0.1, 0.5, 1.5, 0.3, -0.3, -0.2, -0.2, -1.3, 0.2, -0.5, 0.2, 0.3, 0.7};
-    Red P;
-    for (std::size_t k = 0; k < 16; ++k)
-        P.push_back({double(k / 4) - 1.5, y[k], 1.5 - double(k % 4)});
-    return P;
+    RedBezier<double> red{n, m, {}};
+    for (std::size_t k = 0; k < (n + 1) * (m + 1); ++k) {
+        const double a = 3.0 * double(k / (m + 1)) / double(n), b = 3.0 * double(k % (m + 1)) / double(m);
+        double altura = 0;
+        for (int q = 0; q < 16; ++q) // lo que pesa cada uno baja hasta 0 en los que lo rodean
+            altura +=
+                y[q] * std::max(0.0, 1 - std::fabs(a - q / 4)) * std::max(0.0, 1 - std::fabs(b - q % 4));
+        red.P.push_back({a - 1.5, altura, 1.5 - b});
+    }
+    return red;
 }
+using RedD = RedBezier<double>;
 /// La superficie sola.
-Escena lamina(const Red &P, const oraculo::Camara &c = CAMARA_BEZIER, const glm::ivec2 &ventana = NORMAL) {
+Escena lamina(const RedD &red, const oraculo::Camara &c = CAMARA_BEZIER, const glm::ivec2 &ventana = NORMAL) {
     Escena e(c, ventana);
-    e.trozos.push_back({Base::BEZIER, trozoDe(P, 4)});
+    e.anade(red);
     return e;
 }
-/// Con su red, entera, y los nombres de las esquinas y del punto elegido.
-Escena conRed(const Red &P, int elegido = -1, const oraculo::Camara &c = CAMARA_BEZIER,
+void anadeRotulo(Escena &e, const std::string &texto, double x = 0.5, double y = 0.94) {
+    e.rotulo(texto, {x * e.ventana.x, y * e.ventana.y}, OSCURO, Lado::CENTRO);
+}
+/// Su red, entera, y los nombres de las esquinas y del punto elegido.
+void anadeRed(Escena &e, const RedD &red, int elegido = -1, bool esquinas = true) {
+    e.trazo("segmentos", e.px(ladosDeRed(red.P, red.m + 1)), GRIS, 0.7 * GROSOR);
+    e.trazo("puntos", e.px(red.P), ROJO, 3.5 * GROSOR);
+    for (std::size_t k = 0; k < red.P.size(); ++k) {
+        const std::size_t i = k / (red.m + 1), j = k % (red.m + 1);
+        if ((esquinas && i % red.n == 0 && j % red.m == 0) || int(k) == elegido)
+            e.rotulo(nombre(k, red.m + 1), e.px(red.P[k]), int(k) == elegido ? ROJO : OSCURO,
+                     i % red.n == 0 && j == 0 ? Lado::DEBAJO : Lado::ENCIMA);
+    }
+}
+Escena conRed(const RedD &red, int elegido = -1, const oraculo::Camara &c = CAMARA_BEZIER,
               const glm::ivec2 &ventana = NORMAL) {
-    Escena e = lamina(P, c, ventana);
-    e.trazo("segmentos", e.px(ladosDeRed(P, 4)), GRIS, 0.7 * GROSOR);
-    e.trazo("puntos", e.px(P), ROJO, 3.5 * GROSOR);
-    for (std::size_t k = 0; k < 16; ++k)
-        if (k == 0 || k == 3 || k == 12 || k == 15 || int(k) == elegido)
-            e.rotulo(nombre(k, 4), e.px(P[k]), int(k) == elegido ? ROJO : OSCURO,
-                     k == 0 || k == 12 ? Lado::DEBAJO : Lado::ENCIMA);
+    Escena e = lamina(red, c, ventana);
+    anadeRed(e, red, elegido);
+    anadeRotulo(e, "n = " + std::to_string(red.n) + ", m = " + std::to_string(red.m), 0.2, 0.06);
     return e;
 }
 
@@ -445,15 +526,27 @@ TEST(SuperficieBezier, PixelAPixel) {
     compruebaPasos<Escena>("superficie_bezier", {{"", conRed(redBezier(), -1, CAMARA_BEZIER, {640, 320})}});
 }
 
+// Sube primero el grado en u. Los puntos son otros: no queda ninguno elegido.
+TEST(SuperficieBezier, DeCualquierGrado) {
+    compruebaPasos<Escena>("superficie_bezier", {{"tecla n ×3; tecla +", conRed(redBezier(4, 3))},
+                                                 {"tecla +; especial ARRIBA", conRed(redBezier(4, 4))},
+                                                 {"tecla + ×9", conRed(redBezier(7, 7))},
+                                                 {"tecla -", conRed(redBezier(7, 6))},
+                                                 {"tecla - ×10", conRed(redBezier(2, 1))},
+                                                 {"tecla - ×4", conRed(redBezier(1, 1))},
+                                                 {"tecla + ×4", conRed(redBezier(3, 3))}});
+}
+
 TEST(SuperficieBezier, LasTeclasYElRatonMuevenUnPunto) {
-    Red P = redBezier();
-    const Escena e = lamina(P);
+    RedD red = redBezier();
+    Red &P = red.P;
+    const Escena e = lamina(red);
     P[5] = e.llevado(P[5], e.px(P[5]) + glm::dvec2(-1 * 24, -4 * 18)); // una vigésima de la ventana cada vez
-    Pasos pasos = {{"tecla n ×6; especial ABAJO ×4; especial IZQUIERDA", conRed(P, 5)}};
+    Pasos pasos = {{"tecla n ×6; especial ABAJO ×4; especial IZQUIERDA", conRed(red, 5)}};
     const auto lleva = [&](std::size_t k, const glm::ivec2 &hasta) {
         const glm::ivec2 desde = e.raton(e.px(P[k])) + glm::ivec2(5, -4);
         P[k] = e.llevado(P[k], e.punto(hasta));
-        pasos.push_back({arrastra(desde, hasta), conRed(P, int(k))});
+        pasos.push_back({arrastra(desde, hasta), conRed(red, int(k))});
     };
     lleva(9, {200, 300});
     for (const std::size_t k : {1, 2, 3}) // y un borde entero, visto en un punto
@@ -474,12 +567,12 @@ TEST(SuperficieBezier, LejosDeLosPuntosSeGiraYLaRuedaAcerca) {
 /// La superficie con sus triángulos, los que bastan para no separarse de ellos más de esos píxeles de la ventana.
 Escena conMalla(double tolerancia, const std::string &texto, double acercada = 1,
                 const glm::ivec2 &ventana = NORMAL) {
-    const Red P = redBezier();
-    Escena e = lamina(P, camara(0.55, 0.65, 8 / acercada, {0, -0.35, 0}), ventana);
+    const RedD red = redBezier();
+    Escena e = lamina(red, camara(0.55, 0.65, 8 / acercada, {0, -0.35, 0}), ventana);
     double cerca = 100;
-    for (const glm::dvec3 &p : P)
+    for (const glm::dvec3 &p : red.P)
         cerca = std::min(cerca, oraculo::tallaPixel(e.c, ventana.x, ventana.y, exacto(p)));
-    const auto G = lleva<float>(trozoDe(P, 4));
+    const auto G = lleva<float>(trozoDe(red.P, 4));
     const Segmentos n = segmentosSuperficie(Base::BEZIER, G, tolerancia * cerca);
     const double error = mayorSeparacion(Base::BEZIER, G, n, [&](const glm::dvec3 &a, const glm::dvec3 &b) {
         return glm::distance(e.px(a), e.px(b));
@@ -490,15 +583,15 @@ Escena conMalla(double tolerancia, const std::string &texto, double acercada = 1
     Red lados;
     for (int k = 0; k < n.u * n.v; ++k) {
         const auto esquina = [&, i = k % n.u, j = k / n.u](int di, int dj) {
-            return superficieRef(Base::BEZIER, trozoDe(P, 4), double(i + di) / n.u, double(j + dj) / n.v);
+            return superficieRef(red, double(i + di) / n.u, double(j + dj) / n.v);
         };
         const glm::dvec3 a = esquina(0, 0), b = esquina(1, 0), c = esquina(1, 1), d = esquina(0, 1);
         lados.insert(lados.end(), {a, b, b, c, c, a, a, c, c, d, d, a});
     }
     e.conProfundidad = true;
-    e.trazo("segmentos", e.px(lados), BLANCO, 0.5 * GROSOR);
-    e.rotulo("hasta " + texto + " px: " + std::to_string(2 * n.u * n.v) + " triángulos",
-             0.01 * glm::dvec2(50 * ventana.x, 94 * ventana.y), OSCURO, Lado::CENTRO);
+    e.trazo("segmentos", e.px(lados), BLANCO, 0.7 * GROSOR);
+    e.conProfundidad = false;
+    anadeRotulo(e, "hasta " + texto + " px: " + std::to_string(2 * n.u * n.v) + " triángulos");
     return e;
 }
 
@@ -506,14 +599,100 @@ Escena conMalla(double tolerancia, const std::string &texto, double acercada = 1
 TEST(SuperficieBezier, LaToleranciaEsEnPixeles) {
     compruebaPasos<Escena>(
         "superficie_bezier",
-        {{"tecla m", conMalla(0.5, "0.5")},
-         {"tecla + ×5", conMalla(0.125, "0.125")},
+        {{"tecla m", conMalla(32, "32")},
+         {"tecla + ×9", conMalla(0.125, "0.125")},
          {"tecla - ×6", conMalla(8, "8")},
          {"tecla - ×9", conMalla(64, "64")},
          {"tecla + ×6; rueda 1 9 9 ×4", conMalla(1, "1", std::pow(1.1, 4))},
          {"tamano 300 400", conMalla(1, "1", std::pow(1.1, 4), {300, 400})},
          {"tecla m; tamano 480 360",
           conRed(redBezier(), -1, camara(0.55, 0.65, 8 / std::pow(1.1, 4), {0, -0.35, 0}))}});
+}
+
+/// Las curvas en que v es constante, por la superficie; y los puntos de control de una, en las curvas de las filas.
+Escena conFamilia(const RedD &red, double v, const std::string &texto) {
+    Escena e = lamina(red);
+    const double tolerancia = 0.001 / oraculo::tallaPixel(e.c, NORMAL.x, NORMAL.y, exacto({0, 0, 1.5}));
+    const auto curva = [&](double laV, const glm::vec3 &color, double grosor) {
+        e.curva([&](double u) { return e.px(superficieRef(red, u, laV)); }, color, grosor, tolerancia);
+    };
+    e.conProfundidad = true;
+    for (int k = 0; k <= 10; ++k)
+        curva(k / 10.0, BLANCO, 0.6 * GROSOR);
+    e.conProfundidad = false;
+    Red G;
+    for (std::size_t i = 0; i <= red.n; ++i) {
+        const auto fila = [&](double t) {
+            const auto b = bernsteinRef(red.m, t);
+            glm::dvec3 suma(0);
+            for (std::size_t j = 0; j <= red.m; ++j)
+                suma += b[j] * red.P[(red.m + 1) * i + j];
+            return suma;
+        };
+        e.curva([&](double t) { return e.px(fila(t)); }, GRIS, GROSOR, tolerancia);
+        G.push_back(fila(v));
+    }
+    curva(v, ROJO, 1.7 * GROSOR);
+    e.trazo("polilinea", e.px(G), NARANJA, 0.8 * GROSOR);
+    e.trazo("puntos", e.px(G), NARANJA, 4 * GROSOR);
+    for (std::size_t i = 0; i < G.size(); ++i)
+        e.rotulo("G" + std::to_string(i + 1), e.px(G[i]), OSCURO, Lado::ENCIMA);
+    anadeRotulo(e, "Q(u, v), con v = " + texto);
+    return e;
+}
+
+TEST(SuperficieBezier, LaFamiliaDeCurvas) {
+    compruebaPasos<Escena>("superficie_bezier",
+                           {{"tecla f", conFamilia(redBezier(), 0.4, "0.40")},
+                            {"tecla +", conFamilia(redBezier(), 0.45, "0.45")},
+                            {"tecla + ×20", conFamilia(redBezier(), 1, "1.00")},
+                            {"tecla - ×30", conFamilia(redBezier(), 0, "0.00")},
+                            {"tecla f", conRed(redBezier())},
+                            {"tecla +; tecla f; tecla + ×14", conFamilia(redBezier(4, 3), 0.7, "0.70")}});
+}
+
+/// Con el trozo que se une: con los puntos de después del borde reflejados o, si se dan, a k veces lo que distan de él
+/// los de antes. `grados`, los que se separan las normales.
+Escena conUnion(const RedD &A, const std::vector<double> &k, const std::string &texto, double grados) {
+    RedD B = A;
+    const std::size_t columnas = A.m + 1;
+    for (std::size_t q = 0; q < A.P.size(); ++q) {
+        const std::size_t i = q / columnas, j = q % columnas;
+        const glm::dvec3 borde = A.en(A.n, j), p = A.en(A.n - i, j);
+        B.P[q] = i == 1 && !k.empty() ? borde + k[j] * (borde - p) : glm::dvec3(2 * borde.x - p.x, p.y, p.z);
+    }
+    Escena e(camara(0.55, 0.65, 8, {1.5, -0.2, 0}, 0.68), NORMAL);
+    e.anade(A);
+    e.anade(B, true);
+    e.trozos[1].n = {192, 48}; // con proporciones distintas se curva mucho junto al borde
+    anadeRed(e, A, -1, false);
+    for (std::size_t j = 0; j < columnas; ++j) {
+        e.trazo("polilinea", e.px(Red{A.en(A.n - 1, j), A.en(A.n, j), B.en(1, j)}), OSCURO);
+        e.trazo("puntos", {e.px(B.en(1, j))}, MORADO, 3.5 * GROSOR);
+    }
+    double separadas = 0;
+    for (int v = 0; v <= 12; ++v) {
+        const glm::dvec3 Q = superficieRef(A, 1.0, v / 12.0), a = normalDe(e.trozos[0].Q, 1.0, v / 12.0),
+                         b = normalDe(e.trozos[1].Q, 0.0, v / 12.0);
+        e.trazo("flecha", e.px(Red{Q, Q + 0.55 * a}), AZUL, 0.8 * GROSOR);
+        e.trazo("flecha", e.px(Red{Q, Q + 0.55 * b}), NARANJA, 0.8 * GROSOR);
+        separadas = std::max(separadas, 2 * std::asin(0.5 * glm::distance(a, b)) * 180 / M_PI);
+    }
+    EXPECT_NEAR(separadas, grados, 0.5) << texto;
+    anadeRotulo(e, texto + ": normales a " + std::to_string(std::lround(grados)) + "°");
+    return e;
+}
+
+// §11.7: C0, G1 y, con los puntos solo alineados, ni lo uno ni lo otro. De cualquier grado.
+TEST(SuperficieBezier, DosTrozosUnidos) {
+    const std::vector<double> iguales(9, 0.8), desiguales = {0.15, 2.2, 0.15, 2.2, 0.15};
+    compruebaPasos<Escena>("superficie_bezier",
+                           {{"tecla u", conUnion(redBezier(), {}, "C0", 84)},
+                            {"tecla u", conUnion(redBezier(), iguales, "G1", 0)},
+                            {"tecla u", conUnion(redBezier(), desiguales, "alineados", 19)},
+                            {"tecla u", conRed(redBezier())},
+                            {"tecla u ×2; tecla + ×2", conUnion(redBezier(4, 4), iguales, "G1", 0)},
+                            {"tecla f; tecla m; tecla m", conRed(redBezier(4, 4))}});
 }
 
 // ---- superficie_bspline ----
@@ -534,7 +713,7 @@ Escena nueveTrozos(const Red &P, int elegido = -1, bool red = true, const oracul
     Escena e(c, ventana);
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
-            e.trozos.push_back({Base::BSPLINE, trozoDe(P, 6, i, j), (i + j) % 2 == 1});
+            e.anade(Base::BSPLINE, trozoDe(P, 6, i, j), (i + j) % 2 == 1);
     if (red) {
         e.conProfundidad = true;
         e.trazo("segmentos", e.px(ladosDeRed(P, 6)), GRIS, 0.6 * GROSOR);
@@ -579,11 +758,11 @@ Escena hermite(const Red &p, double k = 0, const std::string &texto = "",
                const oraculo::Camara &c = CAMARA_HERMITE, const glm::ivec2 &ventana = NORMAL,
                int elegido = -1) {
     const std::vector<glm::vec3> esquinas(p.begin(), p.end());
-    const auto A = lleva<double>(primerTrozo(esquinas));
+    const auto A = lleva<double>(primerTrozo(esquinas)), B = lleva<double>(segundoTrozo(esquinas, float(k)));
     Escena e(c, ventana);
-    e.trozos.push_back({Base::HERMITE, A});
+    e.anade(Base::HERMITE, A);
     if (k > 0) {
-        e.trozos.push_back({Base::HERMITE, lleva<double>(segundoTrozo(esquinas, float(k))), true});
+        e.anade(Base::HERMITE, B, true);
         e.conProfundidad = true;
         e.curva([&](double v) { return e.px(superficieRef(Base::HERMITE, A, 1.0, v)); }, BLANCO, GROSOR, 0.2);
         e.conProfundidad = false;
@@ -591,7 +770,7 @@ Escena hermite(const Red &p, double k = 0, const std::string &texto = "",
     for (std::size_t t = 0; t < e.trozos.size(); ++t)
         for (std::size_t i = t; i < 2; ++i) // del segundo, las que no son del primero
             for (std::size_t j = 0; j < 2; ++j) {
-                const Geometria2<double> &G = e.trozos[t].G;
+                const Geometria2<double> &G = t ? B : A;
                 e.trazo("flecha", e.px(Red{G[i][j], G[i][j] + G[i + 2][j] / 3.0}), VERDE);
                 e.trazo("flecha", e.px(Red{G[i][j], G[i][j] + G[i][j + 2] / 3.0}), ROJO);
                 e.trazo("puntos", {e.px(G[i][j])}, OSCURO, 3 * GROSOR);
@@ -644,7 +823,7 @@ TEST(PintadoConProfundidad, LaListaSobreLaEscena) {
                  {"superficie_bspline", arrastra({20, 20}, {-40, -60}),
                   nueveTrozos(redBSpline(), -1, true, camara(0.85, 0.2, 9.4, {0, -0.1, 0})), 0.3},
                  {"superficie_hermite", "tecla u", hermite(ESQUINAS_REF, 0.7, "0.70", CAMARA_UNION), 0.5},
-                 {"superficie_bezier", "tecla m; tecla - ×5", conMalla(16, "16"), 0.9}};
+                 {"superficie_bezier", "tecla m; tecla +", conMalla(16, "16"), 0.9}};
     for (const auto &c : casos) {
         const oraculo::ImagenRef ref = c.escena.referencia();
         const auto delante = [&](int x, int y, double z) {
