@@ -2,32 +2,58 @@
 #pragma once
 #include "superficies.h"
 
-/// Las esquinas del primer trozo, (u,v) = 00, 01, 10 y 11, y el borde u = 1 del segundo.
-enum { ESQUINA_00, ESQUINA_01, ESQUINA_10, ESQUINA_11, FINAL_0, FINAL_1, ESQUINAS };
-const std::vector<glm::vec3> ESQUINAS_INICIALES = {{-1.5f, -0.5f, 1.4f}, {-1.5f, 0.1f, -1.4f},
-                                                   {1.3f, -0.2f, 1.4f},  {1.3f, 0.4f, -1.4f},
-                                                   {4.0f, 0.1f, 1.4f},   {4.0f, -0.4f, -1.4f}};
+const float LARGO_FLECHA = 1 / 3.0f; // de una tangente: así acaba en el punto de control de Bézier
+
+/// Los elementos que se dan: los 16 de la primera matriz y las filas segunda y cuarta de la segunda. De las columnas, las
+/// dos primeras son esquinas y sus tangentes en u; las otras, las tangentes en v y las torsiones.
+const std::vector<glm::vec3> ELEMENTOS_INICIALES = {
+    {-1.5f, -0.5f, 1.4f}, {-1.5f, 0.1f, -1.4f}, {0, 2.2f, -2.4f}, {0, -1.8f, -2.4f}, //
+    {1.3f, -0.2f, 1.4f},  {1.3f, 0.4f, -1.4f},  {0, 1.0f, -2.8f}, {0, -1.0f, -2.8f}, //
+    {2.0f, 2.6f, 0},      {2.0f, 2.2f, 0},      {0, 1.6f, 0},     {0, 1.6f, 0},      //
+    {2.2f, -1.4f, 0},     {2.2f, 0.6f, 0},      {0, 2.5f, 0},     {0, 2.5f, 0},      //
+    {4.0f, 0.1f, 1.4f},   {4.0f, -0.4f, -1.4f}, {0, 2.2f, -2.4f}, {0, -2.0f, -2.4f}, //
+    {1.6f, 1.5f, 0},      {1.6f, -1.5f, 0},     {0, -1.6f, 0},    {0, 1.6f, 0}};
+const std::size_t DEL_PRIMERO = 16;
+
+/// La esquina de la que sale el elemento; ella misma, si lo es.
+inline std::size_t esquinaDe(std::size_t k) {
+    return k < DEL_PRIMERO ? k / 4 % 2 * 4 + k % 2 : DEL_PRIMERO + k % 2;
+}
+
+/// Donde se dibuja y se arrastra cada elemento: una esquina, en su sitio, y un vector, en la punta de su flecha.
+inline std::vector<glm::vec3> puntas(std::vector<glm::vec3> elementos) {
+    for (std::size_t k = 0; k < elementos.size(); ++k)
+        if (esquinaDe(k) != k)
+            elementos[k] = elementos[esquinaDe(k)] + LARGO_FLECHA * elementos[k];
+    return elementos;
+}
+/// Al revés.
+inline std::vector<glm::vec3> elementosDe(const std::vector<glm::vec3> &puntas) {
+    std::vector<glm::vec3> elementos = puntas;
+    for (std::size_t k = 0; k < puntas.size(); ++k)
+        if (esquinaDe(k) != k)
+            elementos[k] = (puntas[k] - puntas[esquinaDe(k)]) / LARGO_FLECHA;
+    return elementos;
+}
 
 /// Arriba a la izquierda, las esquinas; a la derecha, sus tangentes en v; abajo, sus tangentes en u y las torsiones.
-inline Geometria2<float> primerTrozo(const std::vector<glm::vec3> &e) {
-    const glm::vec3 cero(0), torsion(0, 2.5f, 0);
-    using Fila = Geometria<float>;
-    return {Fila{e[ESQUINA_00], e[ESQUINA_01], glm::vec3(0, 2.2f, -2.4f), glm::vec3(0, -1.8f, -2.4f)},
-            Fila{e[ESQUINA_10], e[ESQUINA_11], glm::vec3(0, 1.0f, -2.8f), glm::vec3(0, -1.0f, -2.8f)},
-            Fila{glm::vec3(2.0f, 2.6f, 0), glm::vec3(2.0f, 2.2f, 0), cero, cero},
-            Fila{glm::vec3(2.2f, -1.4f, 0), glm::vec3(2.2f, 0.6f, 0), torsion, torsion}};
+inline Geometria2<float> primerTrozo(const std::vector<glm::vec3> &elementos) {
+    Geometria2<float> G;
+    for (std::size_t k = 0; k < DEL_PRIMERO; ++k)
+        G[k / 4][k % 4] = elementos[k];
+    return G;
 }
 
 /// Lo que coincide para que la unión sea G1: el borde entero, que es la segunda fila del primero y la primera del
 /// segundo; y, salvo un factor k, las tangentes que la cruzan, que son la cuarta fila y la tercera, torsiones
 /// incluidas.
-inline Geometria2<float> segundoTrozo(const std::vector<glm::vec3> &e, float k) {
-    const Geometria2<float> primero = primerTrozo(e);
-    using Fila = Geometria<float>;
-    Geometria2<float> G = {
-        primero[1], Fila{e[FINAL_0], e[FINAL_1], glm::vec3(0, 2.2f, -2.4f), glm::vec3(0, -2.0f, -2.4f)},
-        Fila{}, Fila{glm::vec3(1.6f, 1.5f, 0), glm::vec3(1.6f, -1.5f, 0), glm::vec3(0), glm::vec3(0)}};
-    for (std::size_t j = 0; j < 4; ++j)
+inline Geometria2<float> segundoTrozo(const std::vector<glm::vec3> &elementos, float k) {
+    const Geometria2<float> primero = primerTrozo(elementos);
+    Geometria2<float> G = {primero[1]};
+    for (std::size_t j = 0; j < 4; ++j) {
+        G[1][j] = elementos[DEL_PRIMERO + j];
         G[2][j] = k * primero[3][j];
+        G[3][j] = elementos[DEL_PRIMERO + 4 + j];
+    }
     return G;
 }

@@ -1,8 +1,8 @@
-// La superficie de Hermite (ecuaciones 11.33 a 11.39): las esquinas, sus tangentes en u y en v y sus torsiones. Con un
-// segundo trozo unido por u = 1 con continuidad G1 (ejercicio 11.8): comparten el borde, y las tangentes que lo cruzan
-// son paralelas.
-// Controles: arrastra las esquinas (o n y flechas) · u segundo trozo · + - su tangente · ratón orbita ·
-// Esc termina.
+// La superficie de Hermite (ecuaciones 11.33 a 11.39): las esquinas, sus tangentes en u (verde) y en v (rojo) y sus
+// torsiones (morado), que son los 16 elementos de la matriz de geometría. Con un segundo trozo unido por u = 1 con
+// continuidad G1 (ejercicio 11.8): comparten el borde, y las tangentes que lo cruzan son paralelas, torsiones incluidas.
+// Controles: arrastra las esquinas y las puntas de flecha (o n y flechas) · u segundo trozo · + - su tangente ·
+// ratón orbita · Esc termina.
 #include "hermite_trozos.h"
 #include "lamina.h"
 #include "rotulo.h"
@@ -11,14 +11,12 @@
 #include <cstdio>
 #include <string>
 
-static const float LARGO_FLECHA = 1 / 3.0f; // de una tangente: así acaba en el punto de control de Bézier
-static const float FACTOR_K = 1.25f, K_MINIMA = 0.2f, K_MAXIMA = 3;
+static const float FACTOR_K = 1.25f, K_MINIMA = 0.2f, K_MAXIMA = 3, ANGULO_DE_DOS = 0.65f;
 
-static const std::vector<glm::vec3> UN_TROZO(ESQUINAS_INICIALES.begin(),
-                                             ESQUINAS_INICIALES.begin() + FINAL_0);
+static const std::vector<glm::vec3> PUNTAS = puntas(ELEMENTOS_INICIALES);
 
 static struct {
-    std::vector<glm::vec3> esquinas = UN_TROZO;
+    std::vector<glm::vec3> puntas{PUNTAS.begin(), PUNTAS.begin() + DEL_PRIMERO}; // lo que se arrastra
     float k = 0.7f;
     bool segundo = false;
     Lamina lamina;
@@ -29,23 +27,38 @@ static glm::mat4 vista() {
     return vistaLamina(estado.lamina);
 }
 
-/// En las esquinas de las filas desde `fila`, las tangentes en u y en v.
-static void dibujaTangentes(const Geometria2<float> &G, std::size_t fila) {
-    for (std::size_t i = fila; i < 2; ++i)
-        for (std::size_t j = 0; j < 2; ++j) {
-            trazaFlecha(G[i][j], G[i][j] + LARGO_FLECHA * G[i + 2][j], vista(), VERDE);
-            trazaFlecha(G[i][j], G[i][j] + LARGO_FLECHA * G[i][j + 2], vista(), ROJO);
-            trazaPuntos({G[i][j]}, vista(), OSCURO);
-        }
+/// Los elementos de las matrices de geometría: esquinas, tangentes y torsiones. Los nombres, los de las esquinas y el
+/// del elegido.
+static void dibujaElementos() {
+    static const Lado LADOS[] = {Lado::DEBAJO, Lado::IZQUIERDA, Lado::IZQUIERDA, Lado::IZQUIERDA};
+    glDisable(GL_DEPTH_TEST); // las flechas y los puntos, enteros, también por detrás de la superficie
+    std::vector<glm::vec3> esquinas;
+    for (std::size_t k = 0; k < estado.puntas.size(); ++k) {
+        const std::size_t fila = k < DEL_PRIMERO ? k / 4 : k / 4 % 2 * 2 + 1;
+        const glm::vec3 &esquina = estado.puntas[esquinaDe(k)];
+        if (esquinaDe(k) == k)
+            esquinas.push_back(esquina);
+        else
+            trazaFlecha(esquina, estado.puntas[k], vista(), fila < 2 ? ROJO : k % 4 < 2 ? VERDE : MORADO);
+    }
+    trazaPuntos(esquinas, vista(), OSCURO);
+    if (estado.editor.elegido >= 0)
+        trazaPuntos({estado.puntas[estado.editor.elegido]}, vista(), ROJO, 3.5f * GROSOR);
+    glEnable(GL_DEPTH_TEST);
+    for (std::size_t k = 0; k < DEL_PRIMERO; ++k)
+        if (esquinaDe(k) == k || int(k) == estado.editor.elegido)
+            rotulaPunto("g" + std::to_string(k / 4 + 1) + std::to_string(k % 4 + 1), estado.puntas[k],
+                        vista(), colorNombre(estado.editor, k),
+                        esquinaDe(k) == k ? LADOS[k / 4 * 2 + k % 4] : Lado::DERECHA);
 }
 
 static void dibuja() {
-    static const char *const NOMBRES[] = {"g11", "g12", "g21", "g22"};
-    static const Lado LADOS[] = {Lado::DEBAJO, Lado::IZQUIERDA, Lado::IZQUIERDA, Lado::ENCIMA};
-    estado.lamina.orbita.centro = estado.segundo ? glm::vec3(1.25f, 0.1f, 0) : glm::vec3(0, -0.1f, 0);
+    estado.lamina.orbita.centro = estado.segundo ? glm::vec3(1.25f, -0.1f, 0) : glm::vec3(0, -0.2f, 0);
+    estado.lamina.angulo = estado.segundo ? ANGULO_DE_DOS : ANGULO_LAMINA;
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const Geometria2<float> G = primerTrozo(estado.esquinas),
-                            G2 = estado.segundo ? segundoTrozo(estado.esquinas, estado.k) : G;
+    const std::vector<glm::vec3> elementos = elementosDe(estado.puntas);
+    const Geometria2<float> G = primerTrozo(elementos),
+                            G2 = estado.segundo ? segundoTrozo(elementos, estado.k) : G;
     Segmentos n = segmentosLamina(estado.lamina, redDe(Base::HERMITE, G), TOLERANCIA_LAMINA);
     if (estado.segundo) { // los mismos en los dos, para que casen en la unión
         const Segmentos n2 = segmentosLamina(estado.lamina, redDe(Base::HERMITE, G2), TOLERANCIA_LAMINA);
@@ -57,15 +70,7 @@ static void dibuja() {
         trazaPolilinea(polilinea([&](float v) { return cubica(Base::HERMITE, G[1], v); }, n.v), vista(),
                        BLANCO);
     }
-    glDisable(GL_DEPTH_TEST); // las flechas y el punto, enteros, también por detrás de la superficie
-    dibujaTangentes(G, 0);
-    if (estado.segundo)
-        dibujaTangentes(G2, 1);
-    if (estado.editor.elegido >= 0)
-        trazaPuntos({estado.esquinas[estado.editor.elegido]}, vista(), ROJO, 3.5f * GROSOR);
-    glEnable(GL_DEPTH_TEST);
-    for (std::size_t i = 0; i < 4; ++i)
-        rotulaPunto(NOMBRES[i], estado.esquinas[i], vista(), colorNombre(estado.editor, i), LADOS[i]);
+    dibujaElementos();
     std::string titulo = "Superficie de Hermite";
     if (estado.segundo) {
         char union_[40];
@@ -77,16 +82,21 @@ static void dibuja() {
     glutSwapBuffers();
 }
 
-/// Con el segundo trozo hay dos esquinas más que arrastrar.
+/// Con una esquina van las puntas de sus flechas: los vectores no cambian.
+static void alMover(std::size_t esquina, const glm::vec3 &cuanto) {
+    for (std::size_t k = 0; k < estado.puntas.size(); ++k)
+        if (k != esquina && esquinaDe(k) == esquina)
+            estado.puntas[k] += cuanto;
+}
+
+/// Con el segundo trozo hay ocho elementos más que arrastrar.
 static void conmutaSegundo() {
     estado.segundo = !estado.segundo;
-    estado.esquinas.resize(FINAL_0);
+    estado.puntas.resize(DEL_PRIMERO);
     if (estado.segundo)
-        estado.esquinas.insert(estado.esquinas.end(), ESQUINAS_INICIALES.begin() + FINAL_0,
-                               ESQUINAS_INICIALES.end());
-    estado.editor.elegido = -1; // la que se arrastraba puede haberse ido
+        estado.puntas.insert(estado.puntas.end(), PUNTAS.begin() + DEL_PRIMERO, PUNTAS.end());
+    estado.editor.elegido = -1; // lo que se arrastraba puede haberse ido
     estado.editor.arrastrando = false;
-    estado.lamina.orbita.distancia *= estado.segundo ? 1.3f : 1 / 1.3f;
 }
 
 static void teclado(unsigned char tecla, int, int) {
@@ -105,7 +115,7 @@ int main(int argc, char **argv) {
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.lamina.orbita);
-    estado.editor = {&estado.esquinas, vista, true};
+    estado.editor = {&estado.puntas, vista, true, alMover};
     glutMouseFunc(
         [](int boton, int pulsado, int x, int y) { botonEditor(estado.editor, boton, pulsado, x, y); });
     glutMotionFunc([](int x, int y) { arrastraEditor(estado.editor, x, y); });

@@ -348,7 +348,7 @@ TEST(Triangulos, LosTrozosVecinosCasan) {
     };
     bordes(Base::BSPLINE, geometriaDeRed(P, 5), geometriaDeRed(P, 5, 1, 0), true);
     bordes(Base::BSPLINE, geometriaDeRed(P, 5), geometriaDeRed(P, 5, 0, 1), false);
-    bordes(Base::HERMITE, primerTrozo(ESQUINAS_INICIALES), segundoTrozo(ESQUINAS_INICIALES, 0.7f), true);
+    bordes(Base::HERMITE, primerTrozo(ELEMENTOS_INICIALES), segundoTrozo(ELEMENTOS_INICIALES, 0.7f), true);
 }
 
 // ---- Ejercicio 11.8 ----
@@ -357,7 +357,7 @@ TEST(Triangulos, LosTrozosVecinosCasan) {
 // con k ≠ 1 la derivada sí (G1 y no C1).
 TEST(HermiteUnidas, G1EnTodoElBorde) {
     for (const float k : {0.2f, 0.7f, 1.0f, 3.0f}) {
-        const auto A = primerTrozo(ESQUINAS_INICIALES), B = segundoTrozo(ESQUINAS_INICIALES, k);
+        const auto A = primerTrozo(ELEMENTOS_INICIALES), B = segundoTrozo(ELEMENTOS_INICIALES, k);
         const auto borde = [](const Geometria2<float> &G, int u, double v, int du, int dv) {
             return superficieRef(Base::HERMITE, G, Cuadruple(u), Cuadruple(v), du, dv);
         };
@@ -381,8 +381,8 @@ oraculo::Camara camara(double azimut, double elevacion, double distancia, const 
 }
 const oraculo::Camara CAMARA_BEZIER = camara(0.55, 0.65, 8, {0, -0.35, 0}),
                       CAMARA_BSPLINE = camara(0.55, 0.6, 9.4, {0, -0.1, 0}),
-                      CAMARA_HERMITE = camara(0.45, 0.6, 8.4, {0, -0.1, 0}),
-                      CAMARA_UNION = camara(0.45, 0.6, 8.4 * 1.3, {1.25, 0.1, 0});
+                      CAMARA_HERMITE = camara(0.45, 0.6, 8.4, {0, -0.2, 0}),
+                      CAMARA_UNION = camara(0.45, 0.6, 8.4, {1.25, -0.1, 0}, 0.65);
 
 /// Lo que debe verse: unas superficies, de dos colores, y lo que va encima.
 struct Escena : Lista {
@@ -751,63 +751,124 @@ TEST(SuperficieBSpline, LasTeclasYElRatonMuevenUnPunto) {
 
 // ---- superficie_hermite ----
 
-const Red ESQUINAS_REF(ESQUINAS_INICIALES.begin(), ESQUINAS_INICIALES.end());
+/// De cada elemento, la esquina de la que sale: los del primer trozo, por filas, y las filas segunda y cuarta del otro.
+const std::size_t ESQUINA[] = {0, 1, 0, 1, 4,  5,  4,  5,  0,  1,  0,  1,
+                               4, 5, 4, 5, 16, 17, 16, 17, 16, 17, 16, 17};
+
+/// Lo que se arrastra: las esquinas y las puntas de los vectores, que miden un tercio.
+struct Elementos {
+    Red p;
+    explicit Elementos(std::size_t n)
+        : p(ELEMENTOS_INICIALES.begin(), ELEMENTOS_INICIALES.begin() + long(n)) {
+        for (std::size_t k = 0; k < n; ++k)
+            if (ESQUINA[k] != k)
+                p[k] = p[ESQUINA[k]] + p[k] / 3.0;
+    }
+    /// La esquina se lleva sus vectores.
+    void lleva(std::size_t k, const glm::dvec3 &adonde) {
+        const glm::dvec3 cuanto = adonde - p[k];
+        for (std::size_t i = 0; i < p.size(); ++i)
+            p[i] += (i == k || ESQUINA[i] == k) ? cuanto : glm::dvec3(0);
+    }
+    glm::dvec3 vector(std::size_t k) const {
+        return ESQUINA[k] == k ? p[k] : 3.0 * (p[k] - p[ESQUINA[k]]);
+    }
+};
 
 /// `k` es 0 si solo hay un trozo.
-Escena hermite(const Red &p, double k = 0, const std::string &texto = "",
+Escena hermite(const Elementos &de, double k = 0, const std::string &texto = "",
                const oraculo::Camara &c = CAMARA_HERMITE, const glm::ivec2 &ventana = NORMAL,
                int elegido = -1) {
-    const std::vector<glm::vec3> esquinas(p.begin(), p.end());
-    const auto A = lleva<double>(primerTrozo(esquinas)), B = lleva<double>(segundoTrozo(esquinas, float(k)));
+    Geometria2<double> A, B;
+    for (std::size_t i = 0; i < 16; ++i)
+        A[i / 4][i % 4] = de.vector(i);
     Escena e(c, ventana);
     e.anade(Base::HERMITE, A);
     if (k > 0) {
+        for (std::size_t j = 0; j < 4; ++j) {
+            B[0][j] = A[1][j];
+            B[1][j] = de.vector(16 + j);
+            B[2][j] = k * A[3][j];
+            B[3][j] = de.vector(20 + j);
+        }
         e.anade(Base::HERMITE, B, true);
         e.conProfundidad = true;
         e.curva([&](double v) { return e.px(superficieRef(Base::HERMITE, A, 1.0, v)); }, BLANCO, GROSOR, 0.2);
         e.conProfundidad = false;
     }
-    for (std::size_t t = 0; t < e.trozos.size(); ++t)
-        for (std::size_t i = t; i < 2; ++i) // del segundo, las que no son del primero
-            for (std::size_t j = 0; j < 2; ++j) {
-                const Geometria2<double> &G = t ? B : A;
-                e.trazo("flecha", e.px(Red{G[i][j], G[i][j] + G[i + 2][j] / 3.0}), VERDE);
-                e.trazo("flecha", e.px(Red{G[i][j], G[i][j] + G[i][j + 2] / 3.0}), ROJO);
-                e.trazo("puntos", {e.px(G[i][j])}, OSCURO, 3 * GROSOR);
-            }
+    Red esquinas;
+    for (std::size_t i = 0; i < de.p.size(); ++i)
+        if (ESQUINA[i] == i)
+            esquinas.push_back(de.p[i]);
+        else { // en v, a la derecha; en u, abajo, o en la última fila del segundo
+            const bool conU = i >= 20 || (i >= 8 && i < 16), conV = i % 4 >= 2;
+            e.trazo("flecha", e.px(Red{de.p[ESQUINA[i]], de.p[i]}), !conU ? ROJO : conV ? MORADO : VERDE);
+        }
+    e.trazo("puntos", e.px(esquinas), OSCURO, 3 * GROSOR);
     if (elegido >= 0)
-        e.trazo("puntos", {e.px(p[elegido])}, ROJO, 3.5 * GROSOR);
-    const Lado lados[] = {Lado::DEBAJO, Lado::IZQUIERDA, Lado::IZQUIERDA, Lado::ENCIMA};
-    const char *const nombres[] = {"g11", "g12", "g21", "g22"};
-    for (std::size_t i = 0; i < 4; ++i)
-        e.rotulo(nombres[i], e.px(p[i]), int(i) == elegido ? ROJO : OSCURO, lados[i]);
+        e.trazo("puntos", {e.px(de.p[std::size_t(elegido)])}, ROJO, 3.5 * GROSOR);
+    for (const int i : {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15})
+        if (ESQUINA[i] == std::size_t(i) || i == elegido)
+            e.rotulo("g" + std::to_string(i / 4 + 1) + std::to_string(i % 4 + 1), e.px(de.p[std::size_t(i)]),
+                     i == elegido ? ROJO : OSCURO,
+                     i == 0                         ? Lado::DEBAJO
+                     : ESQUINA[i] == std::size_t(i) ? Lado::IZQUIERDA
+                                                    : Lado::DERECHA);
     if (k > 0)
         e.rotulo("G1 con k = " + texto, {0.5 * ventana.x, 0.08 * ventana.y}, OSCURO, Lado::CENTRO);
     return e;
 }
+const Elementos UNO(16), DOS(24);
 
 TEST(SuperficieHermite, PixelAPixel) {
     compruebaPasos<Escena>("superficie_hermite",
-                           {{"", hermite(ESQUINAS_REF)},
-                            {"tecla u", hermite(ESQUINAS_REF, 0.7, "0.70", CAMARA_UNION)},
-                            {"tecla +", hermite(ESQUINAS_REF, 0.875, "0.88", CAMARA_UNION)},
-                            {"tecla + ×20", hermite(ESQUINAS_REF, 3, "3.00", CAMARA_UNION)},
-                            {"tecla - ×20", hermite(ESQUINAS_REF, 0.2, "0.20", CAMARA_UNION)},
-                            {"tecla u", hermite(ESQUINAS_REF)},
-                            {"tamano 360 540", hermite(ESQUINAS_REF, 0, "", CAMARA_HERMITE, {360, 540})}});
+                           {{"", hermite(UNO)},
+                            {"tecla u", hermite(DOS, 0.7, "0.70", CAMARA_UNION)},
+                            {"tecla +", hermite(DOS, 0.875, "0.88", CAMARA_UNION)},
+                            {"tecla + ×20", hermite(DOS, 3, "3.00", CAMARA_UNION)},
+                            {"tecla - ×20", hermite(DOS, 0.2, "0.20", CAMARA_UNION)},
+                            {"tecla u", hermite(UNO)},
+                            {"tamano 360 540", hermite(UNO, 0, "", CAMARA_HERMITE, {360, 540})}});
 }
 
-// Una esquina de la unión, que es de los dos trozos.
-TEST(SuperficieHermite, ElRatonMueveUnaEsquinaYGiraLaCamara) {
-    Red p = ESQUINAS_REF;
-    const Escena e = hermite(p, 0.7, "0.70", CAMARA_UNION);
-    const glm::ivec2 desde = e.raton(e.px(p[2])) + glm::ivec2(-3, 4), hasta(170, 265);
-    p[2] = e.llevado(p[2], e.punto(hasta));
-    const auto girada = camara(0.45 - 30 * 0.005, 0.6 + 50 * 0.005, 8.4, {0, -0.1, 0});
+// Una esquina de la unión, que es de los dos trozos; una tangente y una torsión, del primero y del segundo.
+TEST(SuperficieHermite, ElRatonMueveCualquierElementoYGiraLaCamara) {
+    const auto girada = camara(0.45 - 30 * 0.005, 0.6 + 50 * 0.005, 8.4, {0, -0.2, 0});
+    for (const bool dos : {false, true}) {
+        Elementos p(dos ? 24 : 16);
+        const auto debe = [&](int elegido) {
+            return hermite(p, dos ? 0.7 : 0, "0.70", dos ? CAMARA_UNION : CAMARA_HERMITE, NORMAL, elegido);
+        };
+        Pasos pasos = {{dos ? "tecla u" : "", debe(-1)}};
+        const std::vector<std::pair<std::size_t, glm::ivec2>> van = {
+            {4, {150, 265}}, {14, {300, 120}}, {9, {200, 60}}, {2, {100, 140}}};
+        for (const auto &[k, hasta] : van) {
+            const Escena e = debe(-1);
+            const glm::ivec2 desde = e.raton(e.px(p.p[k])) + glm::ivec2(-3, 4);
+            p.lleva(k, e.llevado(p.p[k], e.punto(hasta)));
+            pasos.push_back({arrastra(desde, hasta), debe(int(k))});
+        }
+        compruebaPasos<Escena>("superficie_hermite", pasos);
+    }
+    compruebaPasos<Escena>("superficie_hermite",
+                           {{arrastra({20, 20}, {50, 70}), hermite(UNO, 0, "", girada)}});
+    Elementos p(24); // con el teclado, la última torsión y la esquina de la que sale
+    for (const std::size_t k : {23, 17})
+        p.lleva(k, hermite(p, 0.7, "0.70", CAMARA_UNION)
+                       .llevado(p.p[k],
+                                hermite(p, 0.7, "0.70", CAMARA_UNION).px(p.p[k]) + glm::dvec2(0, 2 * 18)));
+    compruebaPasos<Escena>("superficie_hermite",
+                           {{"tecla u; tecla n ×24; especial ARRIBA ×2; tecla n ×18; especial ARRIBA ×2",
+                             hermite(p, 0.7, "0.70", CAMARA_UNION, NORMAL, 17)}});
+}
+
+// La rueda se para donde se paraba, con un trozo y con dos.
+TEST(SuperficieHermite, LosLimitesDeLaRuedaNoCambianConElSegundoTrozo) {
     compruebaPasos<Escena>(
         "superficie_hermite",
-        {{"tecla u; " + arrastra(desde, hasta), hermite(p, 0.7, "0.70", CAMARA_UNION, NORMAL, 2)},
-         {"tecla u; " + arrastra({20, 20}, {50, 70}), hermite(p, 0, "", girada)}});
+        {{"rueda -1 9 9 ×30", hermite(UNO, 0, "", camara(0.45, 0.6, 21, {0, -0.2, 0}))},
+         {"tecla u; rueda -1 9 9", hermite(DOS, 0.7, "0.70", camara(0.45, 0.6, 21, {1.25, -0.1, 0}, 0.65))},
+         {"tecla u", hermite(UNO, 0, "", camara(0.45, 0.6, 21, {0, -0.2, 0}))}});
 }
 
 // ---- Lo que se ve ----
@@ -822,7 +883,7 @@ TEST(PintadoConProfundidad, LaListaSobreLaEscena) {
     } casos[] = {{"superficie_bspline", "", nueveTrozos(redBSpline()), 0.3},
                  {"superficie_bspline", arrastra({20, 20}, {-40, -60}),
                   nueveTrozos(redBSpline(), -1, true, camara(0.85, 0.2, 9.4, {0, -0.1, 0})), 0.3},
-                 {"superficie_hermite", "tecla u", hermite(ESQUINAS_REF, 0.7, "0.70", CAMARA_UNION), 0.5},
+                 {"superficie_hermite", "tecla u", hermite(DOS, 0.7, "0.70", CAMARA_UNION), 0.5},
                  {"superficie_bezier", "tecla m; tecla +", conMalla(16, "16"), 0.9}};
     for (const auto &c : casos) {
         const oraculo::ImagenRef ref = c.escena.referencia();
