@@ -1,14 +1,16 @@
 // La curva cúbica de Bézier (ecuaciones 11.12 a 11.19): su polígono de control, su casco convexo, de donde no sale, y
-// la construcción de de Casteljau, que halla Q(u) partiendo en u los lados del polígono, una y otra vez.
+// la construcción de de Casteljau, que halla Q(u) partiendo en u los lados del polígono, una y otra vez: el mismo punto
+// que U·M_B·G, en el que U·M_B es lo que pesa cada uno de control.
 // Controles: arrastra los puntos (o n y flechas) · u U mueven u · Esc termina.
 #include "colores.h"
 #include "curvas.h"
 #include "editor.h"
 #include "escenas_curvas.h"
+#include "matriz.h"
 #include "rotulo.h"
 #include "trazo.h"
 
-static const glm::vec3 COLOR_NIVEL[] = {GRIS, VERDE, NARANJA, ROJO},
+static const glm::vec3 COLOR_NIVEL[] = {GRIS, VERDE, NARANJA},
                        COLOR_CASCO = glm::mix(FONDO_CLARO, AZUL, 0.1f);
 static const float PASO_U = 0.05f;
 
@@ -39,15 +41,23 @@ static void dibuja() {
         trazaPolilinea(niveles[k], vista(), COLOR_NIVEL[k], 0.8f * GROSOR);
     const float pixel = 2 / altoUtil(); // el alto de la vista son dos unidades
     trazaPolilinea(polilineaBezier(estado.P, 0.1 * pixel), vista(), AZUL, 1.7f * GROSOR);
-    for (std::size_t k = 1; k < 4; ++k)
-        trazaPuntos(niveles[k], vista(), COLOR_NIVEL[k], (k == 3 ? 5 : 2.5f) * GROSOR);
+    for (std::size_t k = 1; k < 3; ++k)
+        trazaPuntos(niveles[k], vista(), COLOR_NIVEL[k], 2.5f * GROSOR);
+    const glm::vec4 UM = potencias(estado.u) * M_B;
+    const glm::vec3 Q = UM * enFilas({estado.P[0], estado.P[1], estado.P[2], estado.P[3]}); // ecuación 11.16
+    trazaPuntos({Q}, vista(), ROJO, 5 * GROSOR);
     trazaPuntos(estado.P, vista(), OSCURO, 4 * GROSOR);
     for (std::size_t i = 0; i < 4; ++i)
         rotulaPunto("P" + std::to_string(i + 1), estado.P[i], vista(), colorNombre(estado.editor, i),
                     i % 3 == 0 ? Lado::DEBAJO : Lado::ENCIMA);
-    // hacia dentro de la curva, para no taparla
-    const glm::vec3 Q = niveles[3][0], dentro = 0.5f * (estado.P[0] + estado.P[3]);
-    rotulaPunto("Q(u)", glm::mix(Q, dentro, 0.16f), vista(), ROJO, Lado::CENTRO);
+    // hacia dentro del casco, para no tapar la curva ni los nombres de los extremos
+    const glm::vec3 dentro = 0.25f * (estado.P[0] + estado.P[1] + estado.P[2] + estado.P[3]) - Q;
+    rotulaPunto("Q(u)", Q + 0.2f * dentro / std::max(glm::length(dentro), 0.01f), vista(), ROJO,
+                Lado::CENTRO);
+    char pesos[80];
+    std::snprintf(pesos, sizeof pesos, "\nU·M_B =\n%.2f %.2f %.2f %.2f", UM.x, UM.y, UM.z, UM.w);
+    rotulaPunto(escribe("M_B =", M_B) + pesos, {0.05f, -0.33f, 0}, vista(), OSCURO, Lado::CENTRO,
+                TALLA_MATRIZ);
     char titulo[60];
     std::snprintf(titulo, sizeof titulo, "Curva de Bézier: u = %.2f", estado.u);
     ponTitulo(titulo);

@@ -6,6 +6,7 @@
 #include "curvas.h"
 #include "editor.h"
 #include "escenas_curvas.h"
+#include "matriz.h"
 #include "rotulo.h"
 #include "trazo.h"
 
@@ -61,15 +62,16 @@ static void dibuja() {
     for (std::size_t i = 0; estado.peine && i < tramos; ++i)
         dibujaPeine(i);
     for (std::size_t i = 0; i < tramos; ++i) {
-        const std::vector<glm::vec3> puntos = tramo(estado.P, i);
-        trazaPolilinea(puntos, vista(), usaElegido(i) ? ROJO : AZUL, 1.7f * GROSOR);
-        nudos.push_back(puntos.front());
-        nudos.push_back(puntos.back());
+        trazaPolilinea(tramo(estado.P, i), vista(), usaElegido(i) ? ROJO : AZUL, 1.7f * GROSOR);
+        for (const float u : {0.0f, 1.0f}) // ecuación 11.25
+            nudos.push_back(potencias(u) * M_BS * enFilas(geometriaBSpline(estado.P, i)));
     }
     trazaPuntos(nudos, vista(), NARANJA, 3 * GROSOR);
     trazaPuntos(estado.P, vista(), OSCURO, 4 * GROSOR);
     for (std::size_t i = 0; i < estado.P.size(); ++i)
         rotulaPunto("P" + std::to_string(i), estado.P[i], vista(), colorNombre(estado.editor, i), LADOS[i]);
+    rotulaPunto(escribe("M_BS = 1/6", 6.0f * M_BS), {-0.47f, 0, 0}, vista(), OSCURO, Lado::CENTRO,
+                TALLA_MATRIZ);
     ponTitulo("Curva B-Spline " + std::string(estado.cerrada ? "cerrada" : "abierta") + ": " +
               std::to_string(estado.P.size()) + " puntos, " + std::to_string(tramos) + " tramos");
     glutSwapBuffers();

@@ -8,10 +8,11 @@
 #include "curvas.h"
 #include "editor.h"
 #include "escenas_curvas.h"
+#include "matriz.h"
 #include "rotulo.h"
 #include "trazo.h"
 
-static const float FACTOR_K = 1.25f, K_MINIMA = 0.2f, K_MAXIMA = 3;
+static const float PASO_K = 0.1f, K_MINIMA = 0.2f, K_MAXIMA = 1.5f;
 static const int PUNTOS_T = 16; // que se transforman de la curva
 
 enum { P1, P4, PUNTA1, PUNTA4, FIN, PUNTA_FIN, NINGUNO }; // los puntos que se arrastran
@@ -74,14 +75,17 @@ static void dibuja() {
     } else if (estado.transforma) {
         const glm::mat4 T = traslacion(T_TRASLACION) * giroZ(T_GIRO) * escalado(T_ESCALADO);
         std::vector<glm::vec3> transformados;
-        for (const glm::vec3 &p : polilinea([&](float u) { return cubica(Base::HERMITE, G, u); }, PUNTOS_T))
-            transformados.push_back(T * glm::vec4(p, 1));
+        for (int i = 0; i <= PUNTOS_T; ++i) {
+            const glm::vec3 Q = potencias(float(i) / PUNTOS_T) * M_H * enFilas(G); // ecuación 11.11
+            transformados.push_back(T * glm::vec4(Q, 1));
+        }
         dibujaTramo(G, GRIS, SIN_NOMBRE, GRIS, GRIS);
         dibujaTramo(transformada(T, G), AZUL, NOMBRES);
         trazaPuntos(transformados, vista(), ROJO);
         titulo += ": transformar las restricciones o los puntos";
     } else
         dibujaTramo(G, AZUL, NOMBRES);
+    rotulaPunto(escribe("M_H =", M_H), {-0.1f, -0.62f, 0}, vista(), OSCURO, Lado::CENTRO, TALLA_MATRIZ);
     ponTitulo(titulo);
     glutSwapBuffers();
 }
@@ -117,9 +121,7 @@ static void teclado(unsigned char tecla, int, int) {
         ponSegundo(false);
         break;
     case '+':
-    case '-':
-        estado.k = glm::clamp(estado.k * (tecla == '+' ? FACTOR_K : 1 / FACTOR_K), K_MINIMA, K_MAXIMA);
-        break;
+    case '-': estado.k = glm::clamp(estado.k + (tecla == '+' ? PASO_K : -PASO_K), K_MINIMA, K_MAXIMA); break;
     default: return;
     }
     glutPostRedisplay();

@@ -71,6 +71,29 @@ TYPED_TEST(Curvas, PesosContraLasMatricesDelLibro) {
         }
 }
 
+// Las del libro, y Q(u) = U·M·G escrito con ellas, que es la misma curva; G_H = M_HB·G_B (ecuaciones 11.12 y 11.14).
+TEST(Matrices, ComoEnElLibro) {
+    const glm::mat4 M[] = {M_H, M_B, M_BS};
+    for (const Base base : BASES)
+        for (unsigned semilla = 0; semilla < 20; ++semilla) {
+            const auto G = geometriaAlAzar<float>(semilla);
+            for (const float u : {0.0f, 0.125f, 0.4f, 0.75f, 1.0f})
+                EXPECT_LT(lejos(Punto<float>(potencias(u) * M[int(base)] * enFilas(G)),
+                                curvaRef(base, G, Cuadruple(u))),
+                          redondeos<float>(20));
+        }
+    const auto P = geometriaAlAzar<float>();
+    const glm::mat4x3 H = glm::transpose(M_HB * enFilas(P));
+    EXPECT_EQ(H[0], P[0]);
+    EXPECT_EQ(H[1], P[3]);
+    EXPECT_LT(glm::distance(H[2], 3.0f * (P[1] - P[0])), 1e-6f);
+    EXPECT_LT(glm::distance(H[3], 3.0f * (P[3] - P[2])), 1e-6f);
+    const float libro[4][4] = {{-1, 3, -3, 1}, {3, -6, 3, 0}, {-3, 3, 0, 0}, {1, 0, 0, 0}}; // ecuación 11.17
+    for (int fila = 0; fila < 4; ++fila)
+        for (int columna = 0; columna < 4; ++columna)
+            EXPECT_EQ(M_B[columna][fila], libro[fila][columna]);
+}
+
 TYPED_TEST(Curvas, CubicasContraCuadruplePrecision) {
     using T = TypeParam;
     const double cota[] = {4, 40, 160}; // sumas de cuatro productos de hasta 1, 6 y 24
@@ -143,6 +166,29 @@ TEST(Erratas, GradoYOrden) {
     EXPECT_EQ(derivadaBezier(derivada)[0], glm::dvec3(0));
     EXPECT_EQ(bernstein(4 - 1, 0.5).size(), 4u);
     EXPECT_EQ(bernstein(0, 0.5), std::vector<double>{1});
+}
+
+// Errata de la ecuación 11.19: suma b_{i,3}·P_i con i de 0 a 3, pero los puntos van de P1 a P4: es P_{i+1}.
+TEST(Erratas, LosPuntosDeLaEcuacion1119VanDe1A4) {
+    const auto P = puntosAlAzar<double>(5); // P[0], el que no hay
+    for (const double u : {0.0, 0.3, 1.0}) {
+        const std::vector<double> b = bernstein(3, u);
+        glm::dvec3 suma(0), impresa(0);
+        for (std::size_t i = 0; i <= 3; ++i) {
+            suma += b[i] * P[i + 1];
+            impresa += b[i] * P[i];
+        }
+        const auto Q = curvaRef(Base::BEZIER, Geometria<double>{P[1], P[2], P[3], P[4]}, u); // ecuación 11.18
+        EXPECT_LT(lejos(suma, Q), 1e-14);
+        EXPECT_GT(lejos(impresa, Q), 0.1);
+    }
+}
+
+// Errata de la ecuación 11.21: C(67, 33) pasa de 2^63 y no de 2^64, que ya pasa C(68, 34).
+TEST(Erratas, LoQueNoCabeEn64Bits) {
+    const auto C = [](std::size_t n, std::size_t k) { return combinaciones<Cuadruple>(n, k); };
+    EXPECT_TRUE(C(67, 33) > Cuadruple(0x1p63) && C(67, 33) < Cuadruple(0x1p64));
+    EXPECT_TRUE(C(66, 33) < Cuadruple(0x1p63) && C(68, 34) > Cuadruple(0x1p64));
 }
 
 // Lo que dice el pie de bezier_n con 40 puntos.

@@ -94,7 +94,14 @@ struct Bezier : ConPuntos {
         for (std::size_t i = 0; i < 4; ++i)
             l.rotulo("P" + std::to_string(i + 1), P[i], colorNombre(i),
                      i % 3 == 0 ? Lado::DEBAJO : Lado::ENCIMA);
-        l.rotulo("Q(u)", 0.84 * niveles[3][0] + 0.08 * (P[0] + P[3]), ROJO, Lado::CENTRO);
+        const glm::dvec2 Q = niveles[3][0], dentro = 0.25 * (P[0] + P[1] + P[2] + P[3]) - Q;
+        l.rotulo("Q(u)", Q + 0.2 * dentro / std::max(glm::length(dentro), 0.01), ROJO, Lado::CENTRO);
+        char pesos[80]; // ecuación 11.18
+        std::snprintf(pesos, sizeof pesos, "%.2f %.2f %.2f %.2f", std::pow(1 - u, 3),
+                      3 * u * std::pow(1 - u, 2), 3 * u * u * (1 - u), u * u * u);
+        l.rotulo(std::string("M_B =\n|-1  3 -3  1|\n| 3 -6  3  0|\n|-3  3  0  0|\n| 1  0  0  0|\nU·M_B =\n") +
+                     pesos,
+                 {0.05, -0.33}, OSCURO, Lado::CENTRO, 0.034);
         return l;
     }
 };
@@ -204,6 +211,8 @@ struct Hermite : ConPuntos {
             l.trazo("puntos", transformados, ROJO, 3 * GROSOR);
         if (k > 0)
             tramo({P[1], P[4], k * G[3], P[5] - P[4]}, MORADO, {"", "P4'", "k·R4", "R4'"}, {9, 4, 9, 5});
+        l.rotulo("M_H =\n| 2 -2  1  1|\n|-3  3 -2 -1|\n| 0  0  1  0|\n| 1  0  0  0|", {-0.1, -0.62}, OSCURO,
+                 Lado::CENTRO, 0.034);
         return l;
     }
 };
@@ -211,19 +220,32 @@ struct Hermite : ConPuntos {
 TEST(Hermite, CurvaTangentesYTransformada) {
     compruebaPasos<Lista>("hermite", {{"", Hermite().lista()},
                                       {"tecla g", Hermite(0.5).lista()},
-                                      {"tecla +", Hermite(0.625).lista()},
-                                      {"tecla + ×20", Hermite(3).lista()},
-                                      {"tecla -", Hermite(2.4).lista()},
+                                      {"tecla +", Hermite(0.6).lista()},
+                                      {"tecla + ×4", Hermite(1).lista()},
+                                      {"tecla + ×20", Hermite(1.5).lista()},
+                                      {"tecla -", Hermite(1.4).lista()},
                                       {"tecla - ×40", Hermite(0.2).lista()},
-                                      {"tecla + ×2", Hermite(0.3125).lista()},
+                                      {"tecla + ×2", Hermite(0.4).lista()},
                                       {"tecla t", Hermite::transformada().lista()},
-                                      {"tecla g", Hermite(0.3125).lista()},
+                                      {"tecla g", Hermite(0.4).lista()},
                                       {"tecla g", Hermite().lista()},
                                       {"tecla t ×2", Hermite().lista()}});
     for (const glm::ivec2 &ventana : {ANCHA, ALTA})
         compruebaPasos<Lista>("hermite", {{"", Hermite().lista(ventana)},
                                           {"tecla g", Hermite(0.5).lista(ventana)},
                                           {"tecla t", Hermite::transformada().lista(ventana)}});
+}
+
+// Con la mayor k, la flecha k·R4 y su nombre caben en la ventana.
+TEST(Hermite, ConLaMayorKNadaSeSale) {
+    for (const glm::ivec2 &ventana : {NORMAL, ANCHA, ALTA}) {
+        const Vista vista = vistaDe("hermite", "tecla g; tecla + ×40", ventana.x, ventana.y);
+        for (const Pintado &p : vista.encima)
+            for (std::size_t i = 0; i < p.puntos.size(); ++i)
+                EXPECT_TRUE(glm::all(glm::greaterThan(p.punto(i), glm::dvec2(4))) &&
+                            glm::all(glm::lessThan(p.punto(i), glm::dvec2(ventana) - 4.0)))
+                    << p.tipo << " " << p.texto;
+    }
 }
 
 TEST(Hermite, ArrastrarPuntosYPuntas) {
@@ -302,6 +324,8 @@ struct BSpline : ConPuntos {
                               Lado::DERECHA,   Lado::DEBAJO, Lado::ENCIMA, Lado::DEBAJO};
         for (std::size_t i = 0; i < 9; ++i)
             l.rotulo("P" + std::to_string(i), P[i], colorNombre(i), lados[i]);
+        l.rotulo("M_BS = 1/6\n|-1  3 -3  1|\n| 3 -6  3  0|\n|-3  0  3  0|\n| 1  4  1  0|", {-0.47, 0},
+                 OSCURO, Lado::CENTRO, 0.034);
         return l;
     }
 };
