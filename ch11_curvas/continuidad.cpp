@@ -1,6 +1,6 @@
 // La continuidad en la unión de dos tramos (§11.1.2, ejercicio 11.5): un coche los recorre con el parámetro u
-// proporcional al tiempo. Debajo, el módulo de su velocidad, |Q'|, y el de su aceleración, |Q''|: con C0 salta hasta la
-// dirección; con G1, el módulo de la velocidad; con C1, la aceleración; con C2, nada.
+// proporcional al tiempo, y con él una cámara. Debajo, el módulo de su velocidad, |Q'|, y el de su aceleración, |Q''|:
+// con C0 salta hasta la dirección; con G1, el módulo de la velocidad; con C1, la aceleración; con C2, nada.
 // Controles: 1 C0 · 2 G1 · 3 C1 · 4 C2 · v los cuatro · t o espacio anda o para · Esc termina.
 #include "continuidad.h"
 #include "colores.h"
@@ -8,10 +8,14 @@
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"
+#include <glm/gtc/constants.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 
 static const char *const NOMBRES[CONTINUIDADES] = {"C0", "G1", "C1", "C2"};
 static const int CADA = 16;     // milisegundos de una imagen a la siguiente
-static const int MUESTRAS = 48; // de cada tramo, para las gráficas
+static const int MUESTRAS = 48; // de cada tramo
+static const int MONTES = 16;
+static const float ALTURA_OJO = 0.07f, MEDIA_CARRETERA = 0.05f, TALLA_EJES = 0.032f;
 
 static struct {
     int elegido = C0;
@@ -24,53 +28,108 @@ static float parametro() {
     return 2 * float(t % PERIODO) / float(PERIODO);
 }
 
-/// El módulo de la derivada a lo largo de cada tramo: el salto de la unión queda entre los dos.
-static void dibujaGrafica(Continuidad c, int derivada, float maxima, const glm::vec3 &color,
-                          const glm::mat4 &vista) {
-    glm::vec3 junto[2];
-    for (int tramo = 0; tramo < 2; ++tramo) {
-        const Geometria<float> G = tramo == 0 ? PRIMER_TRAMO : segundoTramo(c);
-        const auto altura = [&](float u) {
-            return glm::vec3(1.1f * (u + float(tramo) - 1),
-                             -0.95f + 0.5f * glm::length(cubica(Base::HERMITE, G, u, derivada)) / maxima, 0);
-        };
-        trazaPolilinea(polilinea(altura, MUESTRAS), vista, color, GROSOR);
-        junto[tramo] = altura(tramo == 0 ? 1.0f : 0.0f);
-    }
-    if (glm::distance(junto[0], junto[1]) > 0.005f)
-        trazaPuntos({junto[0], junto[1]}, vista, color, 3 * GROSOR);
+/// Proyección paralela que abarca en el panel [−semiancho, semiancho]×[−semialto, semialto], como poco, desde un centro.
+static glm::mat4 abarca(const Recuadro &panel, float semiancho, float semialto, const glm::vec3 &centro) {
+    const float y = std::max(semialto, semiancho / aspecto(panel)), x = y * aspecto(panel);
+    return glm::translate(glm::ortho(-x, x, -y, y), -centro);
 }
 
-static void dibujaPanel(const Recuadro &panel, Continuidad c) {
+/// La trayectoria desde arriba, con el coche y su velocidad.
+static void dibujaPlano(const Recuadro &panel, Continuidad c) {
     abreRecuadro(panel, FONDO_CLARO);
-    const glm::mat4 vista = paralelaVentana(1.05f, -1, 1, aspecto(panel));
-    const float u = parametro();
-    trazaPolilinea({{-1.1f, -0.38f, 0}, {-1.1f, -0.95f, 0}, {1.1f, -0.95f, 0}}, vista, OSCURO, 0.6f * GROSOR);
-    trazaSegmentos({{1.1f * (u - 1), -0.95f, 0}, {1.1f * (u - 1), -0.4f, 0}}, vista, GRIS, 0.6f * GROSOR);
-    dibujaGrafica(c, 2, ACELERACION_MAXIMA, ROJO, vista);
-    dibujaGrafica(c, 1, RAPIDEZ_MAXIMA, VERDE, vista);
+    const glm::mat4 vista = abarca(panel, 1.3f, 0.7f, {0, 0.22f, 0});
     const double tolerancia = 0.4 / std::max(panel.alto, 1);
     trazaPolilinea(polilineaCubica(Base::HERMITE, PRIMER_TRAMO, tolerancia), vista, AZUL, 1.7f * GROSOR);
     trazaPolilinea(polilineaCubica(Base::HERMITE, segundoTramo(c), tolerancia), vista, MORADO, 1.7f * GROSOR);
     trazaPuntos({PRIMER_TRAMO[1]}, vista, OSCURO, 3 * GROSOR);
-
+    const float u = parametro();
     const glm::vec3 Q = recorrido(c, u), velocidad = recorrido(c, u, 1), F = glm::normalize(velocidad),
                     L(-F.y, F.x, 0);
     trazaFlecha(Q, Q + VELOCIDAD * velocidad, vista, VERDE);
     trazaPoligono({Q + 0.10f * F, Q - 0.08f * F + 0.07f * L, Q - 0.08f * F - 0.07f * L}, vista, NARANJA);
-    rotulaPunto(NOMBRES[c], {-1.1f, 0.85f, 0}, vista, OSCURO, Lado::CENTRO, 1.3f * TALLA_ROTULO);
-    rotulaPunto("|Q'|", {-0.88f, -0.25f, 0}, vista, VERDE, Lado::CENTRO);
-    rotulaPunto("|Q''|", {-0.18f, -0.25f, 0}, vista, ROJO, Lado::CENTRO);
+    rotula(NOMBRES[c], {0.12f, 0.2f}, OSCURO, Lado::CENTRO, 1.3f * TALLA_ROTULO);
+}
+
+/// El módulo de una derivada a lo largo de los dos tramos: el salto de la unión, u = 1, queda entre uno y otro.
+static void dibujaGrafica(const Recuadro &panel, Continuidad c, int derivada) {
+    abreRecuadro(panel, FONDO_CLARO);
+    const float maxima = derivada == 1 ? RAPIDEZ_MAXIMA : ACELERACION_MAXIMA, u = parametro();
+    const glm::vec3 color = derivada == 1 ? VERDE : ROJO;
+    // de 0 a 2 en horizontal y de 0 a la máxima en vertical
+    const glm::mat4 vista(0.78f, 0, 0, 0, 0, 1.45f / maxima, 0, 0, 0, 0, 1, 0, -0.86f, -0.75f, 0, 1);
+    trazaSegmentos({{u, 0, 0}, {u, maxima, 0}}, vista, GRIS, 0.6f * GROSOR);
+    trazaPolilinea({{0, maxima, 0}, {0, 0, 0}, {2, 0, 0}}, vista, OSCURO, 0.6f * GROSOR);
+    trazaPuntos({{1, 0, 0}}, vista, OSCURO);
+    glm::vec3 junto[2];
+    for (int tramo = 0; tramo < 2; ++tramo) {
+        const Geometria<float> G = tramo == 0 ? PRIMER_TRAMO : segundoTramo(c);
+        const auto altura = [&](float t) {
+            return glm::vec3(t + float(tramo), glm::length(cubica(Base::HERMITE, G, t, derivada)), 0);
+        };
+        trazaPolilinea(polilinea(altura, MUESTRAS), vista, color, 1.3f * GROSOR);
+        junto[tramo] = altura(tramo == 0 ? 1.0f : 0.0f);
+    }
+    if (glm::distance(junto[0], junto[1]) > 0.01f)
+        trazaPuntos({junto[0], junto[1]}, vista, color);
+    rotulaPunto(derivada == 1 ? "|Q'|" : "|Q''|", {0, maxima, 0}, vista, color, Lado::DERECHA, TALLA_EJES);
+    rotulaPunto("u", {2, 0, 0}, vista, OSCURO, Lado::DERECHA, TALLA_EJES);
+}
+
+/// Lo que se ve desde el coche: un suelo cuadriculado, con montes al fondo, y la carretera. Los saltos de la velocidad y
+/// de la aceleración se notan cuando anda.
+static void dibujaVista(const Recuadro &panel, Continuidad c) {
+    abreRecuadro(panel, CIELO);
+    const float u = parametro();
+    const glm::vec3 ojo = recorrido(c, u) + glm::vec3(0, 0, ALTURA_OJO);
+    const glm::mat4 vista = glm::perspective(1.0f, aspecto(panel), 0.05f, 100.0f) *
+                            glm::lookAt(ojo, ojo + recorrido(c, u, 1), {0, 0, 1});
+    for (int i = 0; i < MONTES; ++i) {
+        const auto en = [&](float k, float alto) {
+            const float a = glm::two_pi<float>() * (float(i) + k) / MONTES;
+            return glm::vec3(20 * std::cos(a), 20 * std::sin(a), alto);
+        };
+        trazaPoligono({en(-0.6f, 0), en(0.6f, 0), en(0, 1.5f + float(i * 5 % 7) * 0.5f)}, vista,
+                      glm::mix(CIELO, AZUL, 0.2f + 0.1f * float(i % 3)));
+    }
+    trazaPoligono({{-1, -1, 0}, {1, -1, 0}, {1, 0, 0}, {-1, 0, 0}}, glm::mat4(1), SUELO);
+    std::vector<glm::vec3> cuadricula;
+    for (int i = -8; i <= 8; ++i)
+        cuadricula.insert(cuadricula.end(), {{0.25f * float(i), -2, 0},
+                                             {0.25f * float(i), 2, 0},
+                                             {-2, 0.25f * float(i), 0},
+                                             {2, 0.25f * float(i), 0}});
+    trazaSegmentos(cuadricula, vista, glm::mix(SUELO, BLANCO, 0.45f), 0.5f * GROSOR);
+    for (const int tramo : {1, 0}) // lo de lejos, antes
+        for (int i = MUESTRAS - 1; i >= 0; --i) {
+            const Geometria<float> G = tramo == 0 ? PRIMER_TRAMO : segundoTramo(c);
+            const auto borde = [&](int k, float lado) {
+                const float t = float(k) / MUESTRAS;
+                const glm::vec3 F = glm::normalize(cubica(Base::HERMITE, G, t, 1));
+                return cubica(Base::HERMITE, G, t) + lado * MEDIA_CARRETERA * glm::vec3(-F.y, F.x, 0);
+            };
+            trazaPoligono({borde(i, -1), borde(i, 1), borde(i + 1, 1), borde(i + 1, -1)}, vista,
+                          glm::mix(tramo == 0 ? AZUL : MORADO, BLANCO, i % 4 < 2 ? 0.0f : 0.2f));
+        }
+    rotula("desde el coche", {0.5f, 0.9f}, OSCURO, Lado::CENTRO, TALLA_EJES);
 }
 
 static void dibuja() {
     abreRecuadro(ventanaEntera(), GRIS);
-    if (estado.compara) {
-        const std::vector<Recuadro> paneles = reparte(CONTINUIDADES, 4.0f / 3);
-        for (int c = 0; c < CONTINUIDADES; ++c)
-            dibujaPanel(paneles[c], Continuidad(c));
-    } else
-        dibujaPanel(ventanaEntera(), Continuidad(estado.elegido));
+    if (estado.compara) { // una en cada fila
+        const std::vector<Recuadro> celdas = rejilla(3, CONTINUIDADES);
+        for (int c = 0; c < CONTINUIDADES; ++c) {
+            dibujaPlano(celdas[3 * c], Continuidad(c));
+            for (const int derivada : {1, 2})
+                dibujaGrafica(celdas[3 * c + derivada], Continuidad(c), derivada);
+        }
+    } else {
+        const Continuidad c = Continuidad(estado.elegido);
+        const std::vector<Recuadro> celdas = rejilla(2, 2);
+        dibujaPlano(celdas[0], c);
+        dibujaVista(celdas[1], c);
+        for (const int derivada : {1, 2})
+            dibujaGrafica(celdas[1 + derivada], c, derivada);
+    }
     char titulo[60];
     std::snprintf(titulo, sizeof titulo, "Continuidad: %s, u = %.2f",
                   estado.compara ? "las cuatro" : NOMBRES[estado.elegido], parametro());

@@ -324,8 +324,8 @@ struct BSpline : ConPuntos {
                               Lado::DERECHA,   Lado::DEBAJO, Lado::ENCIMA, Lado::DEBAJO};
         for (std::size_t i = 0; i < 9; ++i)
             l.rotulo("P" + std::to_string(i), P[i], colorNombre(i), lados[i]);
-        l.rotulo("M_BS = 1/6\n|-1  3 -3  1|\n| 3 -6  3  0|\n|-3  0  3  0|\n| 1  4  1  0|", {-0.47, 0},
-                 OSCURO, Lado::CENTRO, 0.034);
+        l.rotulo("M_BS = 1/6\n|-1  3 -3  1|\n| 3 -6  3  0|\n|-3  0  3  0|\n| 1  4  1  0|", {-0.47, 0}, OSCURO,
+                 Lado::CENTRO, 0.034);
         return l;
     }
 };
@@ -410,63 +410,158 @@ TEST(BezierN, CurvaYPolinomiosDeBernstein) {
 
 // ---- continuidad ----
 
-void anadeContinuidad(Lista &l, Continuidad c, double u) {
-    const char *const nombres[] = {"C0", "G1", "C1", "C2"};
-    const auto enDoble = [](const Geometria<float> &G) { return cuatro({G[0], G[1], G[2], G[3]}); };
-    const G4 tramo[2] = {enDoble(PRIMER_TRAMO), enDoble(segundoTramo(c))};
-    l.paralela(1.05);
-    l.trazo("polilinea", {{-1.1, -0.38}, {-1.1, -0.95}, {1.1, -0.95}}, OSCURO, 0.6 * GROSOR);
-    l.trazo("segmentos", {{1.1 * (u - 1), -0.95}, {1.1 * (u - 1), -0.4}}, GRIS, 0.6 * GROSOR);
-    for (const int d : {2, 1}) {
-        const glm::vec3 color = d == 2 ? ROJO : VERDE;
-        const auto altura = [&](std::size_t i, double t) {
-            const double maximo = double(d == 2 ? ACELERACION_MAXIMA : RAPIDEZ_MAXIMA);
-            return glm::dvec2(1.1 * (double(i) + t - 1),
-                              -0.95 + 0.5 * glm::length(curvaDe(Base::HERMITE, tramo[i], d)(t)) / maximo);
-        };
-        for (const std::size_t i : {0, 1}) // de 48 cuerdas: |Q''| hace un pico donde casi se anula
-            l.curva([&](double t) { return altura(i, t); }, color, GROSOR, 0.25);
-        if (c <= G1 || (c == C1 && d == 2)) // donde salta
-            l.trazo("puntos", {altura(0, 1), altura(1, 0)}, color, 3 * GROSOR);
+const char *const NOMBRES_CONTINUIDAD[] = {"C0", "G1", "C1", "C2"};
+
+/// Los dos tramos y, en u, por dónde va el coche: su posición o una derivada.
+struct Recorrido {
+    G4 tramo[2];
+    double u;
+    Recorrido(Continuidad c, double elU) : u(elU) {
+        const Geometria<float> G[] = {PRIMER_TRAMO, segundoTramo(c)};
+        for (const int i : {0, 1})
+            tramo[i] = cuatro({G[i][0], G[i][1], G[i][2], G[i][3]});
     }
-    for (const std::size_t i : {0, 1})
-        l.curva(curvaDe(Base::HERMITE, tramo[i]), i ? MORADO : AZUL, 1.7 * GROSOR, 0.2);
-    l.trazo("puntos", {glm::dvec2(tramo[0][1])}, OSCURO, 3 * GROSOR);
-    const auto coche = [&, i = u >= 1](int d) { return curvaDe(Base::HERMITE, tramo[i], d)(u - i); };
-    const glm::dvec2 Q = coche(0), F = glm::normalize(coche(1)), L(-F.y, F.x);
-    l.trazo("flecha", {Q, Q + double(VELOCIDAD) * coche(1)}, VERDE);
+    auto curva(int i, int derivada = 0) const {
+        return curvaDe(Base::HERMITE, tramo[i], derivada);
+    }
+    glm::dvec2 coche(int derivada) const {
+        return curva(u >= 1, derivada)(u - (u >= 1));
+    }
+};
+
+void anadePlano(Lista &l, const Hueco &h, Continuidad c, const Recorrido &r) {
+    l.enPanel(h);
+    const double aspecto = double(h.ancho) / h.alto, y = std::max(0.7, 1.3 / aspecto);
+    const glm::dvec2 m(1 / (y * aspecto), 1 / y);
+    l.normalizadas(m, -glm::dvec2(0, 0.22) * m);
+    // 0.4/alto de tolerancia, en una vista de dos semialtos: en píxeles
+    for (const int i : {0, 1})
+        l.curva(r.curva(i), i ? MORADO : AZUL, 1.7 * GROSOR, 0.2 / y);
+    l.trazo("puntos", {glm::dvec2(r.tramo[0][1])}, OSCURO, 3 * GROSOR);
+    const glm::dvec2 Q = r.coche(0), F = glm::normalize(r.coche(1)), L(-F.y, F.x);
+    l.trazo("flecha", {Q, Q + double(VELOCIDAD) * r.coche(1)}, VERDE);
     l.trazo("poligono", {Q + 0.10 * F, Q - 0.08 * F + 0.07 * L, Q - 0.08 * F - 0.07 * L}, NARANJA);
-    l.rotulo(nombres[c], {-1.1, 0.85}, OSCURO, Lado::CENTRO, 1.3 * TALLA_ROTULO);
-    l.rotulo("|Q'|", {-0.88, -0.25}, VERDE, Lado::CENTRO);
-    l.rotulo("|Q''|", {-0.18, -0.25}, ROJO, Lado::CENTRO);
+    l.normalizadas({2, 2}, {-1, -1});
+    l.rotulo(NOMBRES_CONTINUIDAD[c], {0.12, 0.2}, OSCURO, Lado::CENTRO, 1.3 * TALLA_ROTULO);
 }
 
-/// Una unión, a los milisegundos que lleva andados el coche, y las cuatro en tantas columnas.
+void anadeGrafica(Lista &l, const Hueco &h, Continuidad c, const Recorrido &r, int d) {
+    const double maxima = double(d == 1 ? RAPIDEZ_MAXIMA : ACELERACION_MAXIMA);
+    const glm::vec3 color = d == 1 ? VERDE : ROJO;
+    l.enPanel(h);
+    l.normalizadas({0.78, 1.45 / maxima}, {-0.86, -0.75});
+    l.trazo("segmentos", {{r.u, 0}, {r.u, maxima}}, GRIS, 0.6 * GROSOR);
+    l.trazo("polilinea", {{0, maxima}, {0, 0}, {2, 0}}, OSCURO, 0.6 * GROSOR);
+    l.trazo("puntos", {{1, 0}}, OSCURO, 3 * GROSOR);
+    const auto altura = [&](int i, double t) { return glm::dvec2(i + t, glm::length(r.curva(i, d)(t))); };
+    for (const int i : {0, 1}) // de 48 cuerdas: |Q''| hace un pico donde casi se anula
+        l.curva([&](double t) { return altura(i, t); }, color, 1.3 * GROSOR, 0.6);
+    if (c <= G1 || (c == C1 && d == 2)) // donde salta
+        l.trazo("puntos", {altura(0, 1), altura(1, 0)}, color, 3 * GROSOR);
+    l.rotulo(d == 1 ? "|Q'|" : "|Q''|", {0, maxima}, color, Lado::DERECHA, 0.032);
+    l.rotulo("u", {2, 0}, OSCURO, Lado::DERECHA, 0.032);
+}
+
+/// La vista desde el coche: el ojo, a 0.07 del suelo, mira hacia donde va. Lo que queda a menos de 0.05 se corta.
+void anadeVista(Lista &l, const Hueco &h, const Recorrido &r) {
+    l.enPanel(h, CIELO);
+    const glm::dvec2 Q = r.coche(0), F = glm::normalize(r.coche(1)), derecha(F.y, -F.x);
+    const double cerca = 0.05, foco = 0.5 * h.alto / std::tan(0.5);
+    using Punto3 = glm::dvec3; // hacia la derecha, hacia arriba y hacia delante
+    const auto ver = [&](const glm::dvec2 &p, double z) {
+        return Punto3(glm::dot(p - Q, derecha), z - 0.07, glm::dot(p - Q, F));
+    };
+    const auto px = [&](const Punto3 &p) {
+        return glm::dvec2(h.x + 0.5 * h.ancho, h.y + 0.5 * h.alto) + foco * glm::dvec2(p) / p.z;
+    };
+    l.enPixeles();
+    const auto poligono = [&](const std::vector<Punto3> &P, const glm::vec3 &color) {
+        Puntos vistos;
+        for (const Punto3 &p : P) {
+            if (p.z < cerca)
+                return;
+            vistos.push_back(px(p));
+        }
+        l.trazo("poligono", vistos, color);
+    };
+    for (int i = 0; i < 16; ++i) {
+        const auto en = [&](double k, double alto) {
+            const double a = 2 * M_PI * (i + k) / 16;
+            return ver({20 * std::cos(a), 20 * std::sin(a)}, alto);
+        };
+        poligono({en(-0.6, 0), en(0.6, 0), en(0, 1.5 + i * 5 % 7 * 0.5)},
+                 CIELO + (0.2f + 0.1f * float(i % 3)) * (AZUL - CIELO));
+    }
+    l.trazo(
+        "poligono",
+        {{h.x, h.y}, {h.x + h.ancho, h.y}, {h.x + h.ancho, h.y + 0.5 * h.alto}, {h.x, h.y + 0.5 * h.alto}},
+        SUELO);
+    Puntos cuadricula;
+    const auto raya = [&](const glm::dvec2 &desde, const glm::dvec2 &hasta) {
+        Punto3 a = ver(desde, 0), b = ver(hasta, 0);
+        if (a.z < cerca && b.z < cerca)
+            return;
+        if (a.z < cerca)
+            a += (cerca - a.z) / (b.z - a.z) * (b - a);
+        if (b.z < cerca)
+            b += (cerca - b.z) / (a.z - b.z) * (a - b);
+        cuadricula.insert(cuadricula.end(), {px(a), px(b)});
+    };
+    for (int i = -8; i <= 8; ++i) {
+        raya({0.25 * i, -2}, {0.25 * i, 2});
+        raya({-2, 0.25 * i}, {2, 0.25 * i});
+    }
+    l.trazo("segmentos", cuadricula, SUELO + 0.45f * (BLANCO - SUELO), 0.5 * GROSOR);
+    for (int tramo : {1, 0})
+        for (int i = 47; i >= 0; --i) {
+            const auto borde = [&](int k, double lado) {
+                const glm::dvec2 T = glm::normalize(r.curva(tramo, 1)(k / 48.0));
+                return ver(r.curva(tramo)(k / 48.0) + lado * 0.05 * glm::dvec2(-T.y, T.x), 0);
+            };
+            const glm::vec3 color = tramo ? MORADO : AZUL;
+            poligono({borde(i, -1), borde(i, 1), borde(i + 1, 1), borde(i + 1, -1)},
+                     color + (i % 4 < 2 ? 0.0f : 0.2f) * (BLANCO - color));
+        }
+    l.normalizadas({2, 2}, {-1, -1});
+    l.rotulo("desde el coche", {0.5, 0.9}, OSCURO, Lado::CENTRO, 0.032);
+}
+
+/// Una unión, a los milisegundos que lleva andados el coche, y las cuatro, una en cada fila.
 Lista una(Continuidad c, int milisegundos = 1900, const glm::ivec2 &ventana = NORMAL) {
     Lista l(ventana);
-    anadeContinuidad(l, c, milisegundos % 4000 / 2000.0);
+    const Recorrido r(c, milisegundos % 4000 / 2000.0);
+    const auto celda = [&](int columna, int fila) {
+        return hueco(columna, 2, fila, 2, ventana.x, ventana.y);
+    };
+    anadePlano(l, celda(0, 0), c, r);
+    anadeVista(l, celda(1, 0), r);
+    for (const int d : {1, 2})
+        anadeGrafica(l, celda(d - 1, 1), c, r, d);
     return l;
 }
-Lista lasCuatro(const glm::ivec2 &ventana, int columnas) {
+Lista lasCuatro(const glm::ivec2 &ventana = NORMAL) {
     Lista l(ventana);
-    for (int c = 0; c < 4; ++c) {
-        l.enPanel(hueco(c % columnas, columnas, c / columnas, 4 / columnas, ventana.x, ventana.y));
-        anadeContinuidad(l, Continuidad(c), 0.95);
+    for (const Continuidad c : {C0, G1, C1, C2}) {
+        const Recorrido r(c, 0.95);
+        const auto celda = [&](int columna) { return hueco(columna, 3, c, 4, ventana.x, ventana.y); };
+        anadePlano(l, celda(0), c, r);
+        for (const int d : {1, 2})
+            anadeGrafica(l, celda(d), c, r, d);
     }
     return l;
 }
 
 TEST(ContinuidadVista, LasCuatroYCadaUna) {
-    compruebaPasos<Lista>("continuidad", {{"", lasCuatro(NORMAL, 2)},
+    compruebaPasos<Lista>("continuidad", {{"", lasCuatro()},
                                           {"tecla 1", una(C0)},
                                           {"tecla 2", una(G1)},
                                           {"tecla 3", una(C1)},
                                           {"tecla 4", una(C2)},
-                                          {"tecla v", lasCuatro(NORMAL, 2)},
+                                          {"tecla v", lasCuatro()},
                                           {"tecla v; tamano 640 360", una(C2, 1900, ANCHA)},
                                           {"tamano 480 640", una(C2, 1900, ALTA)},
-                                          {"tecla v; tamano 360 900", lasCuatro({360, 900}, 1)},
-                                          {"tamano 640 480", lasCuatro({640, 480}, 2)}});
+                                          {"tecla v; tamano 360 900", lasCuatro({360, 900})},
+                                          {"tamano 640 480", lasCuatro({640, 480})}});
 }
 
 // Se dibuja cada 16 ms desde que empieza el programa: lo que se ve es de la última vez.
