@@ -40,6 +40,65 @@ TEST(Desvanecer, MezclaExacta) {
     }
 }
 
+// La pirámide, con M(t) aplicada aquí; las cuatro anteriores, cada 0.35 s, más claras cuanto más antiguas; el camino de la punta; y la
+// matriz, escrita.
+TEST(ObjetoAnimado, LaMatrizDeCadaInstante) {
+    const Vec3 punta{1.7, 0, 0},
+        base[] = {{-1.2, -0.4, 1}, {-1.2, -0.4, -1}, {-1.2, 0.4, -1}, {-1.2, 0.4, 1}};
+    const Vec3 caras[6][3] = {{base[0], base[1], punta},   {base[1], base[2], punta},
+                              {base[2], base[3], punta},   {base[3], base[0], punta},
+                              {base[2], base[1], base[0]}, {base[3], base[2], base[0]}};
+    const auto matrizEn = [](int modo, double t) {
+        const double a = 2 * PI * t / 6;
+        return modo == 0   ? traslada({1.5 * std::cos(a), 0, -1.5 * std::sin(a)})
+               : modo == 1 ? escala((1 + 0.5 * std::sin(a)) * Vec3{1, 1, 1})
+                           : gira({0, 1, 0}, a);
+    };
+    const char *const formulas[] = {
+        "M = T(1.5 cos a, 0, −1.5 sen a) =", "M = S(s, s, s), s = 1 + 0.5 sen a =", "M = Ry(a) ="};
+    for (const int modo : {0, 1, 2})
+        for (const double t : {0.0, 0.5, 2.0, 3.5, 7.5, HORAS + 8.5}) {
+            SCOPED_TRACE(formulas[modo] + conDosCifras(t));
+            const Vista v =
+                vistaDe("objeto_animado", "tecla " + std::to_string(modo + 1) + "; " + instante(t));
+            const Mat4 M = matrizEn(modo, t);
+            Dibujo d{Panel(perspectiva(orbita(0.35, 0.5, 10.8, {0.1, 0.75, 0}), 0.5, 1, 50), v.escena)};
+            std::vector<Cuerpo> cuerpos;
+            for (const auto &cara : caras)
+                cuerpos.push_back(
+                    {triangulo(punto(M, cara[0]), punto(M, cara[1]), punto(M, cara[2])), exacto(NARANJA)});
+            compruebaEscena(v, d.en, cuerpos, FONDO_CLARO);
+
+            Linea camino;
+            for (int i = 0; i <= 90; ++i)
+                camino.push_back(punto(matrizEn(modo, 6 * i / 90.0), punta));
+            d.traza("polilinea", camino, MORADO, 6);
+            for (int k = 4; k > 0; --k) {
+                Linea aristas;
+                for (int i = 0; i < 4; ++i)
+                    for (const Vec3 &p : {base[i], base[(i + 1) % 4], base[i], punta})
+                        aristas.push_back(punto(matrizEn(modo, t - 0.35 * k), p));
+                d.traza("segmentos", aristas, glm::mix(GRIS, FONDO_CLARO, float(k - 1) / 4), 6);
+            }
+            d.traza("puntos", {punto(M, punta)}, MORADO, 18);
+            std::string filas;
+            for (int fila = 0; fila < 4; ++fila) {
+                filas += fila == 0 ? "|" : "\n|";
+                for (int columna = 0; columna < 4; ++columna) {
+                    char numero[16];
+                    std::snprintf(numero, sizeof numero, "%6g",
+                                  std::round(100 * M.f[fila][columna]) / 100 + 0.0);
+                    filas += numero;
+                }
+                filas += " |";
+            }
+            d.rotula(formulas[modo], d.en.lugar(0.03, 0.95), OSCURO, Lado::DERECHA);
+            d.rotula(filas, d.en.lugar(0.03, 0.79), OSCURO, Lado::DERECHA);
+            d.rotula("t = " + conDosCifras(t) + " s", d.en.lugar(0.03, 0.06), OSCURO, Lado::DERECHA);
+            d.comprueba(v);
+        }
+}
+
 // Cada sólido, con el modelo de Phong y una luz de intensidad I(t) y color C(t); la bombilla, que está donde la fuente, es de ese color.
 TEST(LucesAnimadas, ProporcionalALaLuz) {
     const Camara camara = perspectiva(orbita(0.4, 0.42, 12, {0.1, 0.65, 0}), 0.45, 1, 50);
