@@ -99,30 +99,59 @@ TEST(ObjetoAnimado, LaMatrizDeCadaInstante) {
         }
 }
 
-// Cada sólido, con el modelo de Phong y una luz de intensidad I(t) y color C(t); la bombilla, que está donde la fuente, es de ese color.
+// Cada sólido, con el modelo de Phong y una luz de intensidad I(t) y color C(t); la bombilla, que está donde la fuente, es de ese color, y
+// delante de lo que hay detrás de ella se suma su halo: son dos redondeos a 8 bits. En la gráfica, un periodo de los dos.
 TEST(LucesAnimadas, ProporcionalALaLuz) {
-    const Camara camara = perspectiva(orbita(0.4, 0.42, 12, {0.1, 0.65, 0}), 0.45, 1, 50);
+    const Camara camara = perspectiva(orbita(0.4, 0.38, 12.4, {0.1, 0.25, 0}), 0.45, 1, 50);
     const Vec3 fuente{-0.1, 2.3, 1.3}, La{0.5, 0.5, 0.5}, gris{0.25, 0.25, 0.25};
     const Malla bola = esfera(segmentosEsfera(150));
-    const Escena escena = {plano(gira({1, 0, 0}, -PI / 2) * escala({4.4, 4.4, 1})),
+    const Escena escena = {plano(gira({1, 0, 0}, -PI / 2) * escala({4.5, 4.5, 1})),
                            enElMundo(traslada({0.8, 0.7, -0.3}) * escala(0.7), bola),
                            caja(traslada({-1, 0.5, 0.3}) * gira({0, 1, 0}, 0.4)),
                            enElMundo(traslada(fuente) * escala(0.16), bola)};
     const Material brillante{gris, {0.80, 0.80, 0.80}, {0.15, 0.15, 0.15}, 30},
-        piso{gris, {0.85, 0.85, 0.85}, {}, 1};
-    for (const double t : {0.0, 0.5, 1.5, 2.0, 5.0, 6.0, HORAS + 9, HORAS + 9.5, HORAS + 13}) {
-        const double I = pulso(t, 4), f = pulso(t, 12);
+        clara{gris, {0.85, 0.85, 0.85}, {}, 1}, oscura{{0.12, 0.12, 0.12}, {0.40, 0.40, 0.40}, {}, 1};
+    const auto intensidad = [](double t) { return pulso(t + 2, 4); };
+    const auto colorDeLuz = [](double t) {
+        return pulso(t, 8) * Vec3{0.3, 0.6, 1} + (1 - pulso(t, 8)) * Vec3{1, 0.6, 0.25};
+    };
+    for (const double t : {0.0, 0.5, 1.5, 2.0, 4.0, 7.0, HORAS + 9, HORAS + 9.5, HORAS + 13}) {
+        const double I = intensidad(t);
         Luz luz = posicional(fuente);
-        luz.Ld = luz.Ls = I * ((1 - f) * Vec3{1, 0.6, 0.25} + f * Vec3{0.3, 0.6, 1});
-        const Material materiales[] = {piso, brillante, brillante, {2 * luz.Ld, {}, {}, 1}};
-        const auto iluminado = [&](const Impacto &i) {
+        luz.Ld = luz.Ls = I * colorDeLuz(t);
+        const Material bombilla{2 * luz.Ld, {}, {}, 1};
+        const auto iluminado = [&](const Impacto &i) -> Tono {
+            const Vec3 frente = ejes(camara).z, &d = i.rayo.direccion;
+            const double hasta = escalar(fuente - camara.ojo, frente) / escalar(d, frente),
+                         lejos = longitud(camara.ojo + hasta * d - fuente);
+            const double halo = !i || hasta < i.distancia ? 0.8 * std::pow(std::max(1 - lejos, 0.0), 2) : 0;
             if (!i)
-                return exacto(FONDO_OSCURO);
+                return exacto(FONDO_OSCURO) + halo * luz.Ld;
             const Vec3 N = unitario(normalInterpolada(escena[std::size_t(i.objeto)], i));
-            return phong(materiales[i.objeto], La, {luz}, i.punto, N, haciaOjo(i));
+            const bool par = (int(std::floor(i.punto.x / 0.75)) + int(std::floor(i.punto.z / 0.75))) % 2 == 0;
+            const Material &m = i.objeto == 3 ? bombilla : i.objeto ? brillante : par ? clara : oscura;
+            return {phong(m, La, {luz}, i.punto, N, haciaOjo(i)) + halo * luz.Ld, i.objeto == 0 && par};
         };
         const Vista v = vistaDe("luces_animadas", instante(t));
-        comprueba("t = " + conDosCifras(t), compara(v.escena, escena, camara, iluminado));
+        comprueba("t = " + conDosCifras(t), compara(v.escena, escena, camara, iluminado), {1.001});
+
+        std::vector<Trazo> trazos;
+        const auto en = [](double parte, double altura) {
+            return glm::dvec2(120 + 120 * (1.88 * parte - 0.94), 90 + 90 * (0.2 * altura - 0.76));
+        };
+        for (int k = 0; k < 64; ++k) {
+            const double enMedio = (k + 0.5) / 8, izquierda = k / 64.0, derecha = (k + 1) / 64.0;
+            const Vec3 c = colorDeLuz(enMedio);
+            trazos.push_back({"poligono",
+                              glm::vec3(c.x, c.y, c.z),
+                              0,
+                              false,
+                              {en(izquierda, 0), en(derecha, 0), en(derecha, intensidad(enMedio)),
+                               en(izquierda, intensidad(enMedio))}});
+        }
+        const double ahora = std::fmod(t, 8) / 8;
+        trazos.push_back({"segmentos", BLANCO, 6, false, {en(ahora, 0), en(ahora, 1)}});
+        compruebaTrazos(v, {0, 0, 240, 180}, trazos);
         compruebaTiempo(v.encima, t, ", I = " + conDosCifras(I), BLANCO);
     }
 }
