@@ -11,6 +11,7 @@
 
 static const double PERIODO = 6, ENTRE_ESTELAS = 0.35; // segundos
 static const int ESTELAS = 4;
+static const float TALLA = 0.034f; // de la matriz: que quepa en una ventana estrecha
 static const struct {
     const char *nombre, *matriz;
     glm::mat4 (*M)(float a); // a: de 0 a 2π en un periodo
@@ -96,8 +97,8 @@ static void dibuja() {
                        glm::mix(GRIS, FONDO_CLARO, float(k - 1) / ESTELAS));
     trazaPuntos({M * glm::vec4(PUNTA, 1)}, proyeccion * camara, MORADO);
 
-    rotula(modo.matriz, {0.03f, 0.95f}, OSCURO, Lado::DERECHA);
-    rotula(escribe(M), {0.03f, 0.79f}, OSCURO, Lado::DERECHA);
+    rotula(modo.matriz, {0.03f, 0.95f}, OSCURO, Lado::DERECHA, TALLA);
+    rotula(escribe(M), {0.03f, 0.81f}, OSCURO, Lado::DERECHA, TALLA);
     rotulaTiempo(estado.reloj, OSCURO);
     tituloAnimado(estado.reloj, std::string("Matriz del modelo: ") + modo.nombre);
     glutSwapBuffers();

@@ -93,7 +93,7 @@ TEST(ObjetoAnimado, LaMatrizDeCadaInstante) {
                 filas += " |";
             }
             d.rotula(formulas[modo], d.en.lugar(0.03, 0.95), OSCURO, Lado::DERECHA);
-            d.rotula(filas, d.en.lugar(0.03, 0.79), OSCURO, Lado::DERECHA);
+            d.rotula(filas, d.en.lugar(0.03, 0.81), OSCURO, Lado::DERECHA);
             d.rotula("t = " + conDosCifras(t) + " s", d.en.lugar(0.03, 0.06), OSCURO, Lado::DERECHA);
             d.comprueba(v);
         }
