@@ -11,18 +11,16 @@
 
 static const double PERIODO = 6, ENTRE_ESTELAS = 0.35; // segundos
 static const int ESTELAS = 4;
-static const float TALLA = 0.034f; // de la matriz: que quepa en una ventana estrecha
 static const struct {
     const char *nombre, *matriz;
     glm::mat4 (*M)(float a); // a: de 0 a 2π en un periodo
 } MODOS[] = {
-    {"posición", "M = T(1.5 cos a, 0, −1.5 sen a) =",
+    {"posición", "T(1.5 cos a, 0, −1.5 sen a) =",
      [](float a) {
          return traslacion({1.5f * std::cos(a), 0, -1.5f * std::sin(a)});
      }},
-    {"tamaño",
-     "M = S(s, s, s), s = 1 + 0.5 sen a =", [](float a) { return escalado(1 + 0.5f * std::sin(a)); }},
-    {"orientación", "M = Ry(a) =", giroY},
+    {"tamaño", "S(1 + 0.5 sen a) =", [](float a) { return escalado(1 + 0.5f * std::sin(a)); }},
+    {"orientación", "Ry(a) =", giroY},
 };
 static const glm::vec3 PUNTA(1.7f, 0, 0), BASE[4] = {{-1.2f, -0.4f, 1},
                                                      {-1.2f, -0.4f, -1},
@@ -97,8 +95,8 @@ static void dibuja() {
                        glm::mix(GRIS, FONDO_CLARO, float(k - 1) / ESTELAS));
     trazaPuntos({M * glm::vec4(PUNTA, 1)}, proyeccion * camara, MORADO);
 
-    rotula(modo.matriz, {0.03f, 0.95f}, OSCURO, Lado::DERECHA, TALLA);
-    rotula(escribe(M), {0.03f, 0.81f}, OSCURO, Lado::DERECHA, TALLA);
+    rotula(modo.matriz, {0.03f, 0.95f}, OSCURO, Lado::DERECHA);
+    rotula(escribe(M), {0.03f, 0.79f}, OSCURO, Lado::DERECHA);
     rotulaTiempo(estado.reloj, OSCURO);
     tituloAnimado(estado.reloj, std::string("Matriz del modelo: ") + modo.nombre);
     glutSwapBuffers();

@@ -60,7 +60,7 @@ static void dibujaModo(const Recuadro &r, int cual) {
     glEnable(GL_DEPTH_TEST);
     rotula(MODOS[cual].nombre, {0.5f, 0.95f}, OSCURO);
     char ademas[32];
-    std::snprintf(ademas, sizeof ademas, ", S2 = %.1f", estado.S2);
+    std::snprintf(ademas, sizeof ademas, "%sS2 = %.1f", estado.ambos ? "\n" : ", ", estado.S2);
     rotulaTiempo(estado.reloj, OSCURO, ademas);
 }
 

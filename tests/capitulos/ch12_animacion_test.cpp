@@ -54,8 +54,7 @@ TEST(ObjetoAnimado, LaMatrizDeCadaInstante) {
                : modo == 1 ? escala((1 + 0.5 * std::sin(a)) * Vec3{1, 1, 1})
                            : gira({0, 1, 0}, a);
     };
-    const char *const formulas[] = {
-        "M = T(1.5 cos a, 0, −1.5 sen a) =", "M = S(s, s, s), s = 1 + 0.5 sen a =", "M = Ry(a) ="};
+    const char *const formulas[] = {"T(1.5 cos a, 0, −1.5 sen a) =", "S(1 + 0.5 sen a) =", "Ry(a) ="};
     for (const int modo : {0, 1, 2})
         for (const double t : {0.0, 0.5, 2.0, 3.5, 7.5, HORAS + 8.5}) {
             SCOPED_TRACE(formulas[modo] + conDosCifras(t));
@@ -93,7 +92,7 @@ TEST(ObjetoAnimado, LaMatrizDeCadaInstante) {
                 filas += " |";
             }
             d.rotula(formulas[modo], d.en.lugar(0.03, 0.95), OSCURO, Lado::DERECHA);
-            d.rotula(filas, d.en.lugar(0.03, 0.81), OSCURO, Lado::DERECHA);
+            d.rotula(filas, d.en.lugar(0.03, 0.79), OSCURO, Lado::DERECHA);
             d.rotula("t = " + conDosCifras(t) + " s", d.en.lugar(0.03, 0.06), OSCURO, Lado::DERECHA);
             d.comprueba(v);
         }
@@ -208,7 +207,9 @@ void compruebaRuido(const Vista &v, const Hueco &h, int modo, double t, double S
     const Encima encima = v.encima.enPanel(h.x, h.y);
     compruebaRotulo(encima, modo == 0 ? "centrado" : "listado 12.1", panel.lugar(0.5, 0.95), OSCURO,
                     Lado::CENTRO);
-    compruebaRotulo(encima, "t = " + conDosCifras(t) + " s, S2 = " + conDosCifras(S2).substr(0, 3),
+    compruebaRotulo(encima,
+                    "t = " + conDosCifras(t) + (h.ancho < 240 ? " s\nS2 = " : " s, S2 = ") +
+                        conDosCifras(S2).substr(0, 3),
                     panel.lugar(0.03, 0.06), OSCURO, Lado::DERECHA);
     std::vector<Linea> circulos(2);
     for (int i = 0; i <= 90; ++i)
