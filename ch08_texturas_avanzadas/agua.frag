@@ -45,11 +45,13 @@ void main() {
 
         // Lo que refleja depende del ángulo (Fresnel, según Schlick); lo demás es el color del agua.
         R = reflect(d, N);
-        R.y = abs(R.y); // una ola que mirase hacia abajo reflejaría otra
+        // cuanto más baja el rayo reflejado de lo que iría en agua llana, más probable es que dé en otra ola: agua
+        float alCielo = smoothstep(-0.3, -0.1, R.y + d.y);
+        R.y = max(R.y, 0.0);
         float cosV = clamp(-dot(d, N), 0.0, 1.0);
-        fresnel = 0.02 + 0.98 * pow(1.0 - cosV, 5.0);
+        fresnel = alCielo * (0.02 + 0.98 * pow(1.0 - cosV, 5.0));
         agua = mix(vec3(0.02, 0.10, 0.16), vec3(0.05, 0.24, 0.28), clamp(0.5 + ola.w, 0.0, 1.0));
-        brillo = 0.8 * vec3(1.0, 0.75, 0.45) * pow(max(dot(R, HACIA_SOL), 0.0), 300.0);
+        brillo = alCielo * 0.8 * vec3(1.0, 0.75, 0.45) * pow(max(dot(R, HACIA_SOL), 0.0), 300.0);
     }
     colorFragmento = vec4(mix(agua, cielo(R), fresnel) + brillo, 1.0); // el cielo, una sola vez: es lo que más cuesta
 }

@@ -13,13 +13,13 @@
 
 static const Material BARRO = {{0.26f, 0.14f, 0.09f}, {0.80f, 0.42f, 0.26f}, {0.40f, 0.40f, 0.40f}, 40};
 static const Material PIEDRA = {{0.17f, 0.20f, 0.24f}, {0.50f, 0.58f, 0.68f}, {0.20f, 0.20f, 0.20f}, 20};
-static const float LADO_BALDOSA = 0.4f;
+static const float LADO_BALDOSA = 0.4f, AZIMUT = 0.3f; // con que empieza la cámara
 
 static struct {
     GLuint programa, mapa;
     Buferes esfera, plano;
     bool conBultos = true, comparando = false;
-    Orbita orbita = {0.3f, 0.55f, 10.2f, {0, -0.35f, 0}, 0.05f};
+    Orbita orbita = {AZIMUT, 0.5f, 8.8f, {0, -0.25f, 0}, 0.05f};
 } estado;
 
 static void inicia() {
@@ -50,12 +50,15 @@ static void dibujaEscena(const Recuadro &panel, bool conBultos) {
     envia(estado.programa, "proyeccion", perspectivaVentana(0.45f, 1, 100, aspecto(panel)));
     envia(estado.programa, "camara", camara);
     envia(estado.programa, "La", glm::vec3(1));
-    enviaLuz(estado.programa, "luz", {{-5, 4, 2, 1}}, camara);
+    enviaLuz(estado.programa, "luz", {{-4, 5, 4, 1}}, camara);
     envia(estado.programa, "mapaNormales", 0);
-    const glm::vec2 talla(4.4f, 3.6f);
+    const glm::vec2 talla(3.6f, 2.8f);
     objeto(estado.plano, traslacion({0, -1, 0}) * tumbado * escalado({talla.x, talla.y, 1}), PIEDRA,
            talla / LADO_BALDOSA, LADO_BALDOSA);
-    objeto(estado.esfera, tumbado * escalado({1.2f, 1.2f, 0.96f}), BARRO, {20, 10}, 0.34f);
+    // los polos, donde los bultos se aprietan, a los lados
+    const glm::mat4 bola =
+        traslacion({0, 0.25f, 0}) * giroY(glm::half_pi<float>() + AZIMUT) * escalado({1.25f, 1.25f, 1.125f});
+    objeto(estado.esfera, bola, BARRO, {20, 10}, 0.36f);
     rotula(conBultos ? "con el mapa" : "sin el mapa", {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
 }
 

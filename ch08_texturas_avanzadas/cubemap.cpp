@@ -31,7 +31,7 @@ static const int LADO = 256;
 
 static struct {
     GLuint programa, fondo, mapa, vao;
-    Buferes toro, basto; // el segundo, de pocas facetas: por vértice se nota más
+    Buferes toro, basto; // el segundo, de muy pocas caras: en ellas se ve la diferencia
     bool desplegado = false, comparando = false;
     Orbita orbita = {0.35f, 0.06f, 4.7f, {0, 0, 0}};
 } estado;
@@ -67,7 +67,7 @@ static void inicia() {
     estado.fondo = creaPrograma("ch08_texturas_avanzadas/cubemap_fondo.vert",
                                 "ch08_texturas_avanzadas/cubemap_fondo.frag");
     estado.toro = creaBuferes(toro(1, 0.5f, 90, 46)); // con el doble, el reflejo mejora 0.2 niveles
-    estado.basto = creaBuferes(toro(1, 0.5f, 36, 18));
+    estado.basto = creaBuferes(toro(1, 0.5f, 12, 6));
     creaMapa();
     glGenVertexArrays(1, &estado.vao);
     glEnable(GL_DEPTH_TEST);
@@ -84,10 +84,10 @@ static void dibujaMapa(const glm::mat3 &base, const glm::vec2 &semitalla) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-static void dibujaReflejo(const Recuadro &panel, const Buferes &objeto, bool porVertice) {
+static void dibujaReflejo(const Recuadro &panel, const Buferes &objeto, bool porVertice, float angulo) {
     abreRecuadro(panel, CIELO);
     const glm::mat4 camara = camaraOrbita(estado.orbita),
-                    proyeccion = perspectivaVentana(0.75f, 0.5f, 100, aspecto(panel));
+                    proyeccion = perspectivaVentana(angulo, 0.5f, 100, aspecto(panel));
     const glm::mat4 M = giroZ(0.35f) * giroX(-1.05f);
     glUseProgram(estado.programa);
     envia(estado.programa, "proyeccion", proyeccion);
@@ -123,11 +123,11 @@ static void dibuja() {
         abreRecuadro(ventanaEntera(), OSCURO);
         const std::vector<Recuadro> paneles = reparte(2);
         for (const bool porVertice : {false, true}) {
-            dibujaReflejo(paneles[porVertice], estado.basto, porVertice);
+            dibujaReflejo(paneles[porVertice], estado.basto, porVertice, 0.47f);
             rotula(porVertice ? "por vértice" : "por fragmento", {0.5f, 0.02f}, OSCURO, Lado::ENCIMA);
         }
     } else {
-        dibujaReflejo(ventanaEntera(), estado.toro, false);
+        dibujaReflejo(ventanaEntera(), estado.toro, false, 0.75f);
     }
     ponTitulo(estado.desplegado   ? "Mapa de cubo desplegado, visto desde el centro"
               : estado.comparando ? "Reflexión por fragmento y por vértice"

@@ -15,8 +15,8 @@
 static struct {
     GLuint programa, mapa;
     Buferes plano;
-    int amplitud = 5; // veinteavos del lado del plano
-    Orbita orbita = {0.35f, 0.42f, 4.5f, {-0.1f, 0.04f, 0}, 0.05f};
+    int amplitud = 7; // veinteavos del lado del plano
+    Orbita orbita = {0.12f, 0.5f, 4.1f, {-0.07f, 0.14f, 0}, 0.05f};
 } estado;
 
 static void inicia() {

@@ -1,13 +1,12 @@
 // Enrejado (§8.2, listado 8.3, figura 8.2): una textura procedural que no da un color sino huecos, con `discard`. De
-// cada periodo de (s, t) queda la parte `talla`; lo demás se descarta, y con ello su profundidad: por los huecos se ve
-// el interior, que se ilumina con la normal del revés.
-// Controles: + - anchura de los barrotes · ratón orbita · Esc termina.
+// cada periodo de (s, t) queda la parte `talla`, una en s y otra en t; lo demás se descarta, y con ello su profundidad:
+// por los huecos se ve el interior, que se ilumina con la normal del revés.
+// Controles: + - barrotes más anchos o más finos · a d la talla en s · w x la talla en t · ratón orbita · Esc termina.
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
 #include "orbita.h"
 #include "rotulo.h"
 #include "ventana.h"
-#include <algorithm>
 #include <cstdio>
 #include <glm/gtc/constants.hpp>
 
@@ -19,13 +18,13 @@ static const glm::vec3 DENTRO = AZUL;
 static struct {
     GLuint programa;
     Buferes esfera;
-    int talla = 7; // veinteavos
+    glm::ivec2 talla = glm::ivec2(7); // en s y en t, veinteavos
     Orbita orbita = {0.4f, 0.35f, 6, {0, 0, 0}};
 } estado;
 
 static void inicia() {
     estado.programa =
-        creaPrograma("ch08_texturas_avanzadas/iluminado.vert", "ch08_texturas_avanzadas/enrejado.frag");
+        creaPrograma("ch08_texturas_avanzadas/enrejado.vert", "ch08_texturas_avanzadas/enrejado.frag");
     estado.esfera = creaBuferes(esfera(segmentosEsfera(400)));
     glEnable(GL_DEPTH_TEST);
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
@@ -35,7 +34,7 @@ static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita),
                     M = giroX(-glm::half_pi<float>()); // los polos, en ±Y
-    const float talla = float(estado.talla) / 20;
+    const glm::vec2 talla = glm::vec2(estado.talla) / 20.0f;
     glUseProgram(estado.programa);
     envia(estado.programa, "proyeccion", perspectivaVentana(0.4f, 1, 100));
     envia(estado.programa, "camara", camara);
@@ -43,20 +42,30 @@ static void dibuja() {
     enviaLuz(estado.programa, "luz", {{-4, 6, 5, 1}}, camara);
     envia(estado.programa, "colorInterior", DENTRO);
     envia(estado.programa, "nVeces", VECES);
-    envia(estado.programa, "talla", glm::vec2(talla));
+    envia(estado.programa, "talla", talla);
     dibujaObjeto(estado.programa, estado.esfera, M, camara, FUERA);
 
-    char texto[32];
-    std::snprintf(texto, sizeof texto, "talla = %.2f", talla);
+    char texto[40];
+    std::snprintf(texto, sizeof texto, "talla = (%.2f, %.2f)", talla.s, talla.t);
     rotula(texto, {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
     ponTitulo(std::string("Enrejado: ") + texto);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || (tecla != '+' && tecla != '-'))
+    if (teclaComun(tecla))
         return;
-    estado.talla = std::clamp(estado.talla + (tecla == '+' ? 1 : -1), 0, 20);
+    glm::ivec2 cambio;
+    switch (tecla) {
+    case '+': cambio = {1, 1}; break;
+    case '-': cambio = {-1, -1}; break;
+    case 'a': cambio = {-1, 0}; break;
+    case 'd': cambio = {1, 0}; break;
+    case 'x': cambio = {0, -1}; break;
+    case 'w': cambio = {0, 1}; break;
+    default: return;
+    }
+    estado.talla = glm::clamp(estado.talla + cambio, 0, 20);
     glutPostRedisplay();
 }
 

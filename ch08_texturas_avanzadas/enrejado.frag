@@ -1,20 +1,21 @@
 #version 140
 #include "ch05_iluminacion/phong.glsl"
 
-uniform vec2 talla; // parte de cada periodo que es barrote
+uniform vec2 nVeces; // que se repite en s y en t
+uniform vec2 talla;  // parte de cada repetición que es barrote, en s y en t
 uniform Material material;
 uniform vec3 colorInterior; // mate
 uniform vec3 La;
 uniform Luz luz;
 
 in vec3 ecPosicion, normal;
-in vec2 st;
+in vec2 nuevaCoordTextura; // coordTextura en el listado, que ya es el atributo del vértice
 out vec4 colorFragmento;
 
 // Listado 8.3. Por los huecos se ve la otra cara de la superficie, que tiene la normal opuesta.
 void main() {
-    vec2 f = fract(st);
-    if (f.s > talla.s && f.t > talla.t)
+    float s = fract(nuevaCoordTextura.s * nVeces.s), t = fract(nuevaCoordTextura.t * nVeces.t);
+    if (s > talla.s && t > talla.t)
         discard;
     Material interior = Material(0.25 * colorInterior, 0.8 * colorInterior, vec3(0.0), 1.0);
     vec3 color = gl_FrontFacing ? phong(material, La, luz, ecPosicion, normal)

@@ -1,4 +1,4 @@
-// Ruido de gradiente (Perlin) en tres dimensiones. GLSL tuvo `noise` y ya no la tiene (§8.3): esta da lo mismo en todas
+// Ruido de gradiente (Perlin) en tres dimensiones. Las `noise` de GLSL dan 0 (§8.3): esta da lo mismo en todas
 // partes, y lo mismo que ruido.h. Cada nodo de la rejilla de enteros tiene un gradiente que sale de un hash de sus
 // coordenadas; en un punto se mezclan las ocho rampas de su celda con una quíntica (derivadas primera y segunda
 // continuas).

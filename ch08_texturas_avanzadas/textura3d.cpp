@@ -1,7 +1,7 @@
 // Texturas 3D (§8.3, listado 8.4, figuras 8.3 y 8.4): una textura de ruido da un valor a cada punto del espacio, y de
 // él salen la madera y el mármol. El peón está tallado en el bloque: la veta sigue por dentro. El libro guarda 512³
 // texels de tres bytes, 402 MB; el ruido solo necesita un byte por texel y, como se repite sin costura, 64³ texels.
-// Controles: 1 madera · 2 mármol · 3 el ruido · + - escala S1 · ratón orbita · Esc termina.
+// Controles: 1 madera · 2 mármol · 3 el ruido · + - frecuencia S1 · a d amplitud S2 · ratón orbita · Esc termina.
 #include "textura3d.h"
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
@@ -13,13 +13,13 @@
 #include <glm/gtc/constants.hpp>
 
 static const char *NOMBRES[3] = {"madera", "mármol", "el ruido"};
-static const float S1_MINIMA = 0.125f, S1_MAXIMA = 2;
+static const float S1_MINIMA = 0.125f, S1_MAXIMA = 2, PASO_S2 = 0.25f, S2_MAXIMA = 2;
 
 static struct {
     GLuint programa, textura;
     Buferes cubo, esfera, cilindro, cono, toro;
     int elegido = 0;
-    float S1 = 0.5f;
+    float S1 = 0.5f, S2 = 1;
     Orbita orbita = {0.45f, 0.32f, 9.9f, {0.05f, 0, 0}};
 } estado;
 
@@ -61,6 +61,7 @@ static void dibuja() {
     enviaLuz(estado.programa, "luz", {{-3, 6, 8, 1}}, camara);
     envia(estado.programa, "ruido", 0);
     envia(estado.programa, "S1", estado.S1);
+    envia(estado.programa, "S2", estado.S2);
     envia(estado.programa, "elegido", estado.elegido);
     const auto pieza = [&](const Buferes &solido, const glm::vec3 &donde, const glm::vec3 &talla) {
         const glm::mat4 M =
@@ -77,9 +78,9 @@ static void dibuja() {
     pieza(estado.esfera, {1.15f, 0.78f, 0}, {0.52f, 0.52f, 0.52f});
 
     char texto[64];
-    std::snprintf(texto, sizeof texto, "%s, S1 = %g", NOMBRES[estado.elegido], estado.S1);
+    std::snprintf(texto, sizeof texto, "%s, S1 = %g, S2 = %g", NOMBRES[estado.elegido], estado.S1, estado.S2);
     rotula(texto, {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
-    rotula("64·64·64 = 262 kB", {0.98f, 0.98f}, OSCURO, Lado::IZQUIERDA);
+    rotula("64·64·64 = 262 kB", {0.02f, 0.02f}, OSCURO, Lado::DERECHA);
     ponTitulo(std::string("Textura 3D: ") + texto);
     glutSwapBuffers();
 }
@@ -93,6 +94,8 @@ static void teclado(unsigned char tecla, int, int) {
     case '3': estado.elegido = tecla - '1'; break;
     case '+': estado.S1 = std::min(2 * estado.S1, S1_MAXIMA); break;
     case '-': estado.S1 = std::max(estado.S1 / 2, S1_MINIMA); break;
+    case 'a': estado.S2 = std::max(estado.S2 - PASO_S2, 0.0f); break;
+    case 'd': estado.S2 = std::min(estado.S2 + PASO_S2, S2_MAXIMA); break;
     default: return;
     }
     glutPostRedisplay();

@@ -1,10 +1,12 @@
 // Banderas en una grada como sistema de partículas (figura 12.2): cada bandera es un cuadrado, que nace y muere en
-// instantes al azar, como en mosaico, y mientras vive la agita un ruido. Entre todas hacen un dibujo.
+// instantes al azar, como en mosaico, y mientras vive la agita una textura de ruido. Entre todas hacen un dibujo.
 // Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
 #include "buferes_piezas.h"
 #include "ch03_transformaciones/objeto.h"
+#include "imagen_ruido.h"
 #include "orbita.h"
+#include "textura.h"
 
 static const int COLUMNAS = 26, FILAS = 12;
 static const float SEPARACION = 1.0f;
@@ -16,7 +18,7 @@ static struct {
     BuferPiezas piezas;
     Buferes cubo;
     Orbita orbita = {0.35f, 0.34f, 43, {0.4f, 3.9f, -4.5f}, 0.03f};
-    Reloj reloj;
+    Reloj reloj = {INICIO};
 } estado;
 
 static void dibujaGrada(const glm::mat4 &camara, const glm::mat4 &proyeccion) {
@@ -44,6 +46,7 @@ static void dibuja() {
     envia(estado.programa, "asiento", ASIENTO);
     envia(estado.programa, "separacion", SEPARACION);
     envia(estado.programa, "t", t);
+    envia(estado.programa, "ruido", 0);
     for (int i = 0; i < 3; ++i)
         envia(estado.programa, ("paleta[" + std::to_string(i) + "]").c_str(), PALETA[i]);
     dibuja(estado.piezas);
@@ -67,6 +70,7 @@ int main(int argc, char **argv) {
     estado.piezas = creaBuferPiezas(estado.programa, COLUMNAS, FILAS);
     estado.cubo = creaBuferes(cubo());
     glEnable(GL_DEPTH_TEST);
+    creaTextura2D(imagenRuido());
     glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

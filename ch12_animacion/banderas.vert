@@ -16,12 +16,13 @@ void main() {
     float franja = mod(floor(0.25 * (abs(celda.x - 0.5 * (talla.x - 1.0)) + 2.0 * celda.y)), 3.0);
     color = paleta[int(franja)];
     tela = 0.5 * posicion + 0.5;
-    onda = 6.0 * vaiven(15.1);
+    vec3 va = vaiven();
+    onda = 6.0 * va.y;
 
-    float crece = crecida(), inclina = 0.7 * vaiven(0.0);
+    float crece = crecida(), inclina = 0.7 * va.x;
     vec2 p = crece * vec2(0.9, 1.1) * tela;
     p = mat2(cos(inclina), sin(inclina), -sin(inclina), cos(inclina)) * p; // gira con la mano que la lleva
-    p += vec2(0.0, 0.25 + 0.3 * vaiven(40.7));
+    p += vec2(0.0, 0.25 + 0.3 * va.z);
     // dos vecinas se tapan: en un mismo plano, el redondeo decidiría en cada píxel cuál se ve
     float adelante = 0.02 * mod(celda.x, 2.0);
     vec3 pie = vec3(separacion * (celda.x - 0.5 * (talla.x - 1.0)) - 0.25, 0.0, adelante) + celda.y * asiento;

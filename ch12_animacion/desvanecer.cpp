@@ -15,9 +15,9 @@ static struct {
     Reloj reloj;
 } estado;
 
-// De 0 a 1 y de vuelta a 0, sin tirones.
+// Entre 0 y 1 y vuelta, sin tirones; empieza a medias.
 static float alfaEn(double t) {
-    return 0.5f - 0.5f * std::cos(glm::two_pi<float>() * fase(t, PERIODO));
+    return 0.5f + 0.5f * std::sin(glm::two_pi<float>() * fase(t, PERIODO));
 }
 
 static void usa(GLuint programa, const glm::mat4 &camara) {

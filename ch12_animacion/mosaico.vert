@@ -16,8 +16,9 @@ int dibujo(vec2 p) {
 void main() {
     vec2 centro = (2.0 * celda + 1.0 - talla) / talla.y; // y, de -1 a 1
     color = paleta[dibujo(centro)] * (1.0 + 0.12 * sin(91.0 * celda.x + 57.0 * celda.y)); // no hay dos teselas iguales
-    float lado = 0.9 * crecida(), giro = 0.5 * vaiven(7.3);
-    vec2 corrido = 0.9 * vec2(vaiven(0.0), vaiven(40.7)); // en medias celdas
+    vec3 va = vaiven();
+    float lado = 0.9 * crecida(), giro = 0.5 * va.z;
+    vec2 corrido = 0.9 * va.xy; // en medias celdas
     vec2 esquina = mat2(cos(giro), sin(giro), -sin(giro), cos(giro)) * posicion;
     gl_Position = proyeccion * vec4(centro + (lado * esquina + corrido) / talla.y, 0.0, 1.0);
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 const double PERIODO_PIEZAS = 10; // segundos: al acabar, todo vuelve a empezar
+const double INICIO = 2;          // al abrir el programa ya han nacido unas cuantas
 const float NACEN = 3.5f, MUEREN = 6,
             MUEREN_ANTES = 9.5f; // nacen en [0, NACEN) y mueren en [MUEREN, MUEREN_ANTES)
 

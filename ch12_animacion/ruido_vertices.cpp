@@ -1,36 +1,40 @@
-// Vértices desplazados por un ruido que cambia con el tiempo (listado 12.1). El listado suma el ruido tal cual, de 0 a
-// 1, y el objeto, además de ondular, se va de su sitio: restándole antes ½ se queda. El círculo es la esfera sin
-// desplazar. El tiempo llega al shader reducido a su periodo: a las 100 horas ondula igual de suave.
+// Vértices desplazados por una textura de ruido y el tiempo (listado 12.1): cada vértice lee sus tres componentes. El
+// listado las suma tal cual, de 0 a 1, y el objeto, además de ondular, se va de su sitio: restándoles antes ½ se queda.
+// Los círculos son los del toro sin desplazar. El tiempo llega al shader reducido a su periodo: a las 100 horas ondula
+// igual de suave. La textura es periódica y en cada vuelta del toro cabe S1 veces, entera: no hay costura.
 // Controles: 1 centrado · 2 como el listado · v los dos · + - amplitud S2 · espacio pausa · s adelanta medio segundo ·
 // d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
 #include "ch03_transformaciones/objeto.h"
+#include "imagen_ruido.h"
 #include "orbita.h"
 #include "recuadro.h"
+#include "textura.h"
 #include "trazo.h"
 #include <algorithm>
 #include <glm/gtc/constants.hpp>
 
 static const double PERIODO = 5; // segundos
-static const float S1 = 1.2f, PASO_S2 = 0.1f, S2_MAXIMA = 0.8f;
+static const float S1 = 1, PASO_S2 = 0.1f, S2_MAXIMA = 0.8f;
+static const float RADIO = 1, RADIO_TUBO = 0.42f; // el del tubo, como en ruido_vertices.vert
 static const struct {
     const char *nombre;
     float centro;
 } MODOS[] = {{"centrado", 0.5f}, {"listado 12.1", 0}};
 
 static struct {
-    GLuint programa;
-    Buferes esfera;
+    GLuint programa, textura;
+    Buferes toro;
     int elegido = 0;
     bool ambos = false;
-    float S2 = 0.7f;
-    Orbita orbita = {0.3f, 0.2f, 10};
+    float S2 = 0.6f;
+    Orbita orbita = {-0.3f, 0.35f, 10};
     Reloj reloj;
 } estado;
 
 static void dibujaModo(const Recuadro &r, int cual) {
     const glm::mat4 camara = camaraOrbita(estado.orbita),
-                    proyeccion = perspectivaVentana(aspecto(r) < 1 ? 0.29f : 0.38f, 1, 50, aspecto(r));
+                    proyeccion = perspectivaVentana(aspecto(r) < 1 ? 0.31f : 0.4f, 1, 50, aspecto(r));
     abreRecuadro(r, FONDO_CLARO);
     glUseProgram(estado.programa);
     envia(estado.programa, "camara", camara);
@@ -41,18 +45,23 @@ static void dibujaModo(const Recuadro &r, int cual) {
     envia(estado.programa, "S1", S1);
     envia(estado.programa, "S2", estado.S2);
     envia(estado.programa, "centro", MODOS[cual].centro);
-    dibuja(estado.esfera);
+    envia(estado.programa, "ruido", 0);
+    dibuja(estado.toro);
 
     glDisable(GL_DEPTH_TEST);
-    std::vector<glm::vec3> contorno; // de la esfera sin desplazar, de cara a la cámara
-    const glm::mat4 haciaMundo = glm::inverse(camara);
-    for (int i = 0; i < 90; ++i) {
-        const float a = glm::two_pi<float>() * float(i) / 90;
-        contorno.push_back(haciaMundo * glm::vec4(std::cos(a), std::sin(a), -estado.orbita.distancia, 1));
+    for (const float radio : {RADIO - RADIO_TUBO, RADIO + RADIO_TUBO}) {
+        std::vector<glm::vec3> circulo;
+        for (int i = 0; i < 90; ++i) {
+            const float a = glm::two_pi<float>() * float(i) / 90;
+            circulo.push_back({radio * std::cos(a), radio * std::sin(a), 0});
+        }
+        trazaPolilinea(circulo, proyeccion * camara, OSCURO, GROSOR / 2, true);
     }
-    trazaPolilinea(contorno, proyeccion * camara, OSCURO, GROSOR / 2, true);
     glEnable(GL_DEPTH_TEST);
     rotula(MODOS[cual].nombre, {0.5f, 0.95f}, OSCURO);
+    char ademas[32];
+    std::snprintf(ademas, sizeof ademas, "%sS2 = %.1f", estado.ambos ? "\n" : ", ", estado.S2);
+    rotulaTiempo(estado.reloj, OSCURO, ademas);
 }
 
 static void dibuja() {
@@ -66,7 +75,6 @@ static void dibuja() {
     }
     char ademas[32];
     std::snprintf(ademas, sizeof ademas, ", S2 = %.1f", estado.S2);
-    rotulaTiempo(estado.reloj, OSCURO, ademas);
     tituloAnimado(estado.reloj, std::string("Vértices desplazados por ruido: ") +
                                     (estado.ambos ? "los dos" : MODOS[estado.elegido].nombre) + ademas);
     glutSwapBuffers();
@@ -96,7 +104,8 @@ static void anima(int) {
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Vértices desplazados por ruido", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     estado.programa = creaPrograma("ch12_animacion/ruido_vertices.vert", "ch03_transformaciones/objeto.frag");
-    estado.esfera = creaBuferes(esfera(120));
+    estado.toro = creaBuferes(toro(RADIO, RADIO_TUBO, 128, 64));
+    estado.textura = creaTextura2D(imagenRuido());
     glEnable(GL_DEPTH_TEST);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -41,9 +41,10 @@ static void dibuja() {
         const double periodo = temporizador.periodo / 1000.0;
         const float y = 0.6f - 0.55f * float(i);
         trazaSegmentos({{x(desde), y, 0}, {x(desde + VENTANA), y, 0}}, proyeccion, GRIS);
-        std::vector<glm::vec3> marcas;
-        for (int n = std::max(1, int(std::ceil(desde / periodo))); n <= estado.disparos[i]; ++n)
-            marcas.push_back({x(n * periodo), y, 0});
+        std::vector<glm::vec3> marcas, previstas; // los disparos, y los que faltan
+        for (int n = std::max(1, int(std::ceil(desde / periodo))); n * periodo <= desde + VENTANA; ++n)
+            (n <= estado.disparos[i] ? marcas : previstas).push_back({x(n * periodo), y, 0});
+        trazaPuntos(previstas, proyeccion, GRIS, 20);
         trazaPuntos(marcas, proyeccion, temporizador.color, 30);
         rotulaPunto(std::to_string(estado.disparos[i]), {-0.88f, y + 0.04f, 0}, proyeccion,
                     temporizador.color, Lado::CENTRO, 0.12f);

@@ -2,6 +2,7 @@
 // calcula aquí, en doble precisión.
 #include "ch08_oraculo.h"
 #include "ch12_instante.h"
+#include "ch12_ruido.h"
 #include "colores.h"
 #include "oraculo/oraculo.h"
 #include "panel.h"
@@ -18,18 +19,18 @@ double pulso(double t, double periodo) {
 
 } // namespace
 
-// Sin anillo (t = 0) se ve el cubo y con él opaco (t = 2), los dos; en medio, la mezcla con alfa = (1 − cos(2πt/4))/2. Un nivel y
+// Con el anillo opaco (t = 1) se ve él y sin él (t = 3), el cubo entero; en medio, la mezcla con alfa = (1 + sen(2πt/4))/2. Un nivel y
 // medio: lo que hay, lo que llega y alfa se redondean a 8 bits.
 TEST(Desvanecer, MezclaExacta) {
     const Camara camara = perspectiva(orbita(0.5, 0.35, 9.5), 0.42, 1, 50);
     const Cuerpo cubo = {caja(escala(1.5)), exacto(AMARILLO)},
                  anillo = {enElMundo(gira({1, 0, 0}, 0.6), toro(1.45f, 0.35f, 90, 36)), exacto(AZUL)};
-    const Imagen sin = vistaDe("desvanecer", instante(0)).escena,
-                 con = vistaDe("desvanecer", instante(2)).escena;
+    const Imagen sin = vistaDe("desvanecer", instante(3)).escena,
+                 con = vistaDe("desvanecer", instante(1)).escena;
     comprueba("sin anillo", comparaConLuzFija(sin, {cubo}, camara, exacto(CIELO)));
     comprueba("con él", comparaConLuzFija(con, {cubo, anillo}, camara, exacto(CIELO)));
-    for (const double t : {0.5, 1.0, 1.5, 3.0, 5.5, HORAS + 0.5, HORAS + 1, HORAS + 3}) {
-        const double alfa = pulso(t, 4);
+    for (const double t : {0.0, 0.5, 1.5, 2.0, 3.5, 6.5, HORAS + 0.5, HORAS + 2, HORAS + 3}) {
+        const double alfa = pulso(t + 1, 4);
         const auto mezcla = [&](int x, int y) {
             return (1 - alfa) * texel(sin, x, y) + alfa * texel(con, x, y);
         };
@@ -39,30 +40,117 @@ TEST(Desvanecer, MezclaExacta) {
     }
 }
 
-// Cada sólido, con el modelo de Phong y una luz de intensidad I(t) y color C(t); la bombilla, que está donde la fuente, es de ese color.
+// La pirámide, con M(t) aplicada aquí; las cuatro anteriores, cada 0.35 s, más claras cuanto más antiguas; el camino de la punta; y la
+// matriz, escrita.
+TEST(ObjetoAnimado, LaMatrizDeCadaInstante) {
+    const Vec3 punta{1.7, 0, 0},
+        base[] = {{-1.2, -0.4, 1}, {-1.2, -0.4, -1}, {-1.2, 0.4, -1}, {-1.2, 0.4, 1}};
+    const Vec3 caras[6][3] = {{base[0], base[1], punta},   {base[1], base[2], punta},
+                              {base[2], base[3], punta},   {base[3], base[0], punta},
+                              {base[2], base[1], base[0]}, {base[3], base[2], base[0]}};
+    const auto matrizEn = [](int modo, double t) {
+        const double a = 2 * PI * t / 6;
+        return modo == 0   ? traslada({1.5 * std::cos(a), 0, -1.5 * std::sin(a)})
+               : modo == 1 ? escala((1 + 0.5 * std::sin(a)) * Vec3{1, 1, 1})
+                           : gira({0, 1, 0}, a);
+    };
+    const char *const formulas[] = {"T(1.5 cos a, 0, −1.5 sen a) =", "S(1 + 0.5 sen a) =", "Ry(a) ="};
+    for (const int modo : {0, 1, 2})
+        for (const double t : {0.0, 0.5, 2.0, 3.5, 7.5, HORAS + 8.5}) {
+            SCOPED_TRACE(formulas[modo] + conDosCifras(t));
+            const Vista v =
+                vistaDe("objeto_animado", "tecla " + std::to_string(modo + 1) + "; " + instante(t));
+            const Mat4 M = matrizEn(modo, t);
+            Dibujo d{Panel(perspectiva(orbita(0.35, 0.5, 10.8, {0.1, 0.75, 0}), 0.5, 1, 50), v.escena)};
+            std::vector<Cuerpo> cuerpos;
+            for (const auto &cara : caras)
+                cuerpos.push_back(
+                    {triangulo(punto(M, cara[0]), punto(M, cara[1]), punto(M, cara[2])), exacto(NARANJA)});
+            compruebaEscena(v, d.en, cuerpos, FONDO_CLARO);
+
+            Linea camino;
+            for (int i = 0; i <= 90; ++i)
+                camino.push_back(punto(matrizEn(modo, 6 * i / 90.0), punta));
+            d.traza("polilinea", camino, MORADO, 6);
+            for (int k = 4; k > 0; --k) {
+                Linea aristas;
+                for (int i = 0; i < 4; ++i)
+                    for (const Vec3 &p : {base[i], base[(i + 1) % 4], base[i], punta})
+                        aristas.push_back(punto(matrizEn(modo, t - 0.35 * k), p));
+                d.traza("segmentos", aristas, glm::mix(GRIS, FONDO_CLARO, float(k - 1) / 4), 6);
+            }
+            d.traza("puntos", {punto(M, punta)}, MORADO, 18);
+            std::string filas;
+            for (int fila = 0; fila < 4; ++fila) {
+                filas += fila == 0 ? "|" : "\n|";
+                for (int columna = 0; columna < 4; ++columna) {
+                    char numero[16];
+                    std::snprintf(numero, sizeof numero, "%6g",
+                                  std::round(100 * M.f[fila][columna]) / 100 + 0.0);
+                    filas += numero;
+                }
+                filas += " |";
+            }
+            d.rotula(formulas[modo], d.en.lugar(0.03, 0.95), OSCURO, Lado::DERECHA);
+            d.rotula(filas, d.en.lugar(0.03, 0.79), OSCURO, Lado::DERECHA);
+            d.rotula("t = " + conDosCifras(t) + " s", d.en.lugar(0.03, 0.06), OSCURO, Lado::DERECHA);
+            d.comprueba(v);
+        }
+}
+
+// Cada sólido, con el modelo de Phong y una luz de intensidad I(t) y color C(t); la bombilla, que está donde la fuente, es de ese color, y
+// delante de lo que hay detrás de ella se suma su halo: son dos redondeos a 8 bits. En la gráfica, un periodo de los dos.
 TEST(LucesAnimadas, ProporcionalALaLuz) {
-    const Camara camara = perspectiva(orbita(0.4, 0.42, 12, {0.1, 0.65, 0}), 0.45, 1, 50);
+    const Camara camara = perspectiva(orbita(0.4, 0.38, 12.4, {0.1, 0.25, 0}), 0.45, 1, 50);
     const Vec3 fuente{-0.1, 2.3, 1.3}, La{0.5, 0.5, 0.5}, gris{0.25, 0.25, 0.25};
     const Malla bola = esfera(segmentosEsfera(150));
-    const Escena escena = {plano(gira({1, 0, 0}, -PI / 2) * escala({4.4, 4.4, 1})),
+    const Escena escena = {plano(gira({1, 0, 0}, -PI / 2) * escala({4.5, 4.5, 1})),
                            enElMundo(traslada({0.8, 0.7, -0.3}) * escala(0.7), bola),
                            caja(traslada({-1, 0.5, 0.3}) * gira({0, 1, 0}, 0.4)),
                            enElMundo(traslada(fuente) * escala(0.16), bola)};
     const Material brillante{gris, {0.80, 0.80, 0.80}, {0.15, 0.15, 0.15}, 30},
-        piso{gris, {0.85, 0.85, 0.85}, {}, 1};
-    for (const double t : {0.0, 0.5, 1.5, 2.0, 5.0, 6.0, HORAS + 9, HORAS + 9.5, HORAS + 13}) {
-        const double I = pulso(t, 4), f = pulso(t, 12);
+        clara{gris, {0.85, 0.85, 0.85}, {}, 1}, oscura{{0.12, 0.12, 0.12}, {0.40, 0.40, 0.40}, {}, 1};
+    const auto intensidad = [](double t) { return pulso(t + 2, 4); };
+    const auto colorDeLuz = [](double t) {
+        return pulso(t, 8) * Vec3{0.3, 0.6, 1} + (1 - pulso(t, 8)) * Vec3{1, 0.6, 0.25};
+    };
+    for (const double t : {0.0, 0.5, 1.5, 2.0, 4.0, 7.0, HORAS + 9, HORAS + 9.5, HORAS + 13}) {
+        const double I = intensidad(t);
         Luz luz = posicional(fuente);
-        luz.Ld = luz.Ls = I * ((1 - f) * Vec3{1, 0.6, 0.25} + f * Vec3{0.3, 0.6, 1});
-        const Material materiales[] = {piso, brillante, brillante, {2 * luz.Ld, {}, {}, 1}};
-        const auto iluminado = [&](const Impacto &i) {
+        luz.Ld = luz.Ls = I * colorDeLuz(t);
+        const Material bombilla{2 * luz.Ld, {}, {}, 1};
+        const auto iluminado = [&](const Impacto &i) -> Tono {
+            const Vec3 frente = ejes(camara).z, &d = i.rayo.direccion;
+            const double hasta = escalar(fuente - camara.ojo, frente) / escalar(d, frente),
+                         lejos = longitud(camara.ojo + hasta * d - fuente);
+            const double halo = !i || hasta < i.distancia ? 0.8 * std::pow(std::max(1 - lejos, 0.0), 2) : 0;
             if (!i)
-                return exacto(FONDO_OSCURO);
+                return exacto(FONDO_OSCURO) + halo * luz.Ld;
             const Vec3 N = unitario(normalInterpolada(escena[std::size_t(i.objeto)], i));
-            return phong(materiales[i.objeto], La, {luz}, i.punto, N, haciaOjo(i));
+            const bool par = (int(std::floor(i.punto.x / 0.75)) + int(std::floor(i.punto.z / 0.75))) % 2 == 0;
+            const Material &m = i.objeto == 3 ? bombilla : i.objeto ? brillante : par ? clara : oscura;
+            return {phong(m, La, {luz}, i.punto, N, haciaOjo(i)) + halo * luz.Ld, i.objeto == 0 && par};
         };
         const Vista v = vistaDe("luces_animadas", instante(t));
-        comprueba("t = " + conDosCifras(t), compara(v.escena, escena, camara, iluminado));
+        comprueba("t = " + conDosCifras(t), compara(v.escena, escena, camara, iluminado), {1.001});
+
+        std::vector<Trazo> trazos;
+        const auto en = [](double parte, double altura) {
+            return glm::dvec2(120 + 120 * (1.88 * parte - 0.94), 90 + 90 * (0.2 * altura - 0.76));
+        };
+        for (int k = 0; k < 64; ++k) {
+            const double enMedio = (k + 0.5) / 8, izquierda = k / 64.0, derecha = (k + 1) / 64.0;
+            const Vec3 c = colorDeLuz(enMedio);
+            trazos.push_back({"poligono",
+                              glm::vec3(c.x, c.y, c.z),
+                              0,
+                              false,
+                              {en(izquierda, 0), en(derecha, 0), en(derecha, intensidad(enMedio)),
+                               en(izquierda, intensidad(enMedio))}});
+        }
+        const double ahora = std::fmod(t, 8) / 8;
+        trazos.push_back({"segmentos", BLANCO, 6, false, {en(ahora, 0), en(ahora, 1)}});
+        compruebaTrazos(v, {0, 0, 240, 180}, trazos);
         compruebaTiempo(v.encima, t, ", I = " + conDosCifras(I), BLANCO);
     }
 }
@@ -85,68 +173,76 @@ TEST(TexturaOndulada, LeeDondeDiceElSeno) {
 
 namespace {
 
-/// Dónde lleva el ruido al punto p, y la esfera del programa con sus vértices allí. La normal es la del producto vectorial de dos
-/// tangentes, que se miden con diferencias.
-glm::dvec3 desplazado(const glm::dvec3 &p, double t, double S2, double centro) {
-    const auto canal = [&](double cual) {
-        return 0.5 + 0.5 * definicion::ruido(1.2 * p + glm::dvec3(cual, 4 * t / 5, cual), {0, 4, 0});
+/// El toro del programa con sus vértices donde los lleva el ruido en el segundo t. La normal es la del producto vectorial de dos
+/// tangentes, que se miden con diferencias: las del toro, muy pequeñas, y las de la textura, de un texel a cada lado.
+Malla toroDesplazado(double t, double S2, double centro) {
+    const TexturaDeRuido ruido;
+    const auto enToro = [](double s, double u) {
+        const double radio = 1 + 0.42 * std::cos(2 * PI * u);
+        return glm::dvec3(radio * std::cos(2 * PI * s), radio * std::sin(2 * PI * s),
+                          0.42 * std::sin(2 * PI * u));
     };
-    return p + S2 * (glm::dvec3(canal(0), canal(11.5), canal(23.5)) - centro);
-}
-Malla esferaDesplazada(double t, double S2, double centro) {
-    Malla m = esfera(120);
+    const auto valor = [&](double s, double u) { return S2 * (ruido(s + t / 5, u + t / 5) - centro); };
+    Malla m = toro(1, 0.42f, 128, 64);
     for (Vertice &v : m.vertices) {
-        const glm::dvec3 p(v.posicion), a = glm::normalize(glm::cross(p, glm::dvec3(0.3, 0.5, 0.7))),
-                                        b = glm::cross(p, a);
-        const auto tangente = [&](const glm::dvec3 &d) {
-            return desplazado(p + 1e-4 * d, t, S2, centro) - desplazado(p - 1e-4 * d, t, S2, centro);
-        };
-        v.posicion = desplazado(p, t, S2, centro);
-        v.normal = glm::normalize(glm::cross(tangente(a), tangente(b)));
+        const double s = v.coordTextura.x, u = v.coordTextura.y, h = 1e-5, texel = 1 / 64.0;
+        const glm::dvec3 porS = (enToro(s + h, u) - enToro(s - h, u)) / h +
+                                (valor(s + texel, u) - valor(s - texel, u)) / texel,
+                         porT = (enToro(s, u + h) - enToro(s, u - h)) / h +
+                                (valor(s, u + texel) - valor(s, u - texel)) / texel;
+        v.posicion = enToro(s, u) + valor(s, u);
+        v.normal = glm::normalize(glm::cross(porS, porT));
     }
     return m;
 }
 
-/// El objeto de ese panel es, píxel a píxel, la esfera del programa con sus vértices desplazados aquí y su normal; el círculo, la de
+/// El objeto de ese panel es, píxel a píxel, el toro del programa con sus vértices desplazados aquí y su normal; los círculos, los de
 /// antes.
 void compruebaRuido(const Vista &v, const Hueco &h, int modo, double t, double S2) {
-    const Panel panel(perspectiva(orbita(0.3, 0.2, 10), h.ancho < h.alto ? 0.29 : 0.38, 1, 50), h);
-    const Cuerpo cuerpo = {enElMundo(Mat4(), esferaDesplazada(t, S2, modo == 0 ? 0.5 : 0)),
+    const Panel panel(perspectiva(orbita(-0.3, 0.35, 10), h.ancho < h.alto ? 0.31 : 0.4, 1, 50), h);
+    const Cuerpo cuerpo = {enElMundo(Mat4(), toroDesplazado(std::fmod(t, 5), S2, modo == 0 ? 0.5 : 0)),
                            exacto(modo == 0 ? VERDE : NARANJA)};
     comprueba("t = " + conDosCifras(t),
-              comparaConLuzFija(recorta(v.escena, h), {cuerpo}, panel.camara, exacto(FONDO_CLARO)));
-    compruebaRotulo(v.encima, modo == 0 ? "centrado" : "listado 12.1", panel.lugar(0.5, 0.95), OSCURO,
+              comparaConLuzFija(recorta(v.escena, h), {cuerpo}, panel.camara, exacto(FONDO_CLARO)), {1});
+    const Encima encima = v.encima.enPanel(h.x, h.y);
+    compruebaRotulo(encima, modo == 0 ? "centrado" : "listado 12.1", panel.lugar(0.5, 0.95), OSCURO,
                     Lado::CENTRO);
-    Linea circulo;
+    compruebaRotulo(encima,
+                    "t = " + conDosCifras(t) + (h.ancho < 240 ? " s\nS2 = " : " s, S2 = ") +
+                        conDosCifras(S2).substr(0, 3),
+                    panel.lugar(0.03, 0.06), OSCURO, Lado::DERECHA);
+    std::vector<Linea> circulos(2);
     for (int i = 0; i <= 90; ++i)
-        circulo.push_back(std::cos(i * PI / 45) * ejes(panel.camara).x +
-                          std::sin(i * PI / 45) * ejes(panel.camara).y);
-    compruebaTrazos(v.encima.enPanel(h.x, h.y), panel, {circulo}, OSCURO);
+        for (const int k : {0, 1}) {
+            const double radio = k ? 1.42 : 0.58;
+            circulos[std::size_t(k)].push_back(
+                {radio * std::cos(i * PI / 45), radio * std::sin(i * PI / 45), 0});
+        }
+    compruebaTrazos(encima, panel, circulos, OSCURO);
 }
 
 } // namespace
 
-// Con más y menos amplitud; y los dos modos a la vez.
+// Con más y menos amplitud; y los dos modos a la vez. Medio nivel más que lo exacto: en los pliegues hay triángulos de décimas de píxel
+// de ancho, y llevar sus vértices a la rejilla de 1/256 se nota en la normal que se interpola.
 TEST(RuidoVertices, CadaPixelDeLaMallaDesplazada) {
     for (const std::string modo : {"1", "2"}) {
         const auto casos = {
-            std::tuple(0.0, 0.7, ""),         {2.5, 0.7, ""},           {HORAS + 7, 0.7, ""},
-            {HORAS + 19.5, 0.7, ""},          {2.5, 0.4, "tecla - ×3"}, {2.5, 0.8, "tecla + ×3"},
+            std::tuple(0.0, 0.6, ""),         {2.5, 0.6, ""},           {HORAS + 7, 0.6, ""},
+            {HORAS + 19.5, 0.6, ""},          {2.5, 0.3, "tecla - ×3"}, {2.5, 0.8, "tecla + ×3"},
             {2.5, 0.1, "tecla - ×9; tecla +"}};
-        for (const auto &[t, S2, amplitud] : casos) {
-            const Vista v =
-                vistaDe("ruido_vertices", "tecla v; tecla " + modo + "; " + amplitud + "; " + instante(t));
-            compruebaRuido(v, {0, 0, 240, 180}, modo == "2", t, S2);
-            compruebaTiempo(v.encima, t, ", S2 = " + conDosCifras(S2).substr(0, 3), OSCURO);
-        }
+        for (const auto &[t, S2, amplitud] : casos)
+            compruebaRuido(
+                vistaDe("ruido_vertices", "tecla v; tecla " + modo + "; " + amplitud + "; " + instante(t)),
+                {0, 0, 240, 180}, modo == "2", t, S2);
     }
     const Vista dos = vistaDe("ruido_vertices", "tecla v; " + instante(2.5));
     for (const int modo : {0, 1})
-        compruebaRuido(dos, hueco(modo, 2, 0, 1, 240, 180), modo, 2.5, 0.7);
+        compruebaRuido(dos, hueco(modo, 2, 0, 1, 240, 180), modo, 2.5, 0.6);
 }
 
-// Los disparos de cada temporizador: los que se cuentan y una marca por cada uno de los tres últimos segundos, en su instante. En pausa
-// no dispara ninguno.
+// Los disparos de cada temporizador: los que se cuentan y una marca por cada uno de los tres últimos segundos, en su instante; los
+// que faltan de los tres primeros, en gris. En pausa no dispara ninguno.
 TEST(Temporizador, DisparosDeCadaUno) {
     const struct {
         std::string guion;
@@ -168,6 +264,7 @@ TEST(Temporizador, DisparosDeCadaUno) {
         compruebaTrazo(encima, {en(t, -0.7), en(t, 0.85)}, NARANJA);
         std::vector<Letrero> letreros = {
             {"t = " + conDosCifras(t) + " s", {0.03 * 240, 0.06 * 180}, OSCURO, Lado::DERECHA}};
+        std::vector<glm::dvec2> previstas;
         for (int i = 0; i < 3; ++i) {
             const double y = 0.6 - 0.55 * i;
             letreros.push_back(
@@ -176,11 +273,14 @@ TEST(Temporizador, DisparosDeCadaUno) {
                 {std::to_string(periodos[i]) + " ms", {120 - 90 * 0.88, 90 + 90 * (y - 0.17)}, OSCURO});
             compruebaTrazo(encima, {en(desde, y), en(desde + 3, y)}, GRIS);
             std::vector<glm::dvec2> marcas;
-            for (int n = 1; n <= disparos[i]; ++n)
-                if (n * periodos[i] >= 1000 * desde)
+            for (int n = 1; n * periodos[i] <= 1000 * (desde + 3); ++n)
+                if (n <= disparos[i] && n * periodos[i] >= 1000 * desde)
                     marcas.push_back(en(n * periodos[i] / 1000.0, y));
+                else if (n > disparos[i])
+                    previstas.push_back(en(n * periodos[i] / 1000.0, y));
             compruebaPuntos(encima, marcas, colores[i]);
         }
+        compruebaPuntos(encima, previstas, GRIS);
         compruebaRotulos(encima, letreros);
     }
 }

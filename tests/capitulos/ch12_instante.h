@@ -6,10 +6,10 @@
 
 const double HORAS = 360000; // segundos: cien horas, múltiplo de todos los periodos
 
-/// Con el reloj parado, el segundo t, múltiplo de medio; si pasa de HORAS, no de uno en uno.
-inline std::string instante(double t) {
+/// Con el reloj parado, el segundo t, múltiplo de medio; si pasa de HORAS, no de uno en uno. `inicio`, el del programa al abrirlo.
+inline std::string instante(double t, double inicio = 0) {
     return (t >= HORAS ? "tecla h ×10; " : "") + std::string("tecla Espacio; ") +
-           veces(int(std::lround(2 * std::fmod(t, HORAS))), "tecla s");
+           veces(int(std::lround(2 * std::fmod(t - inicio, HORAS))), "tecla s");
 }
 inline std::string conDosCifras(double x) {
     char texto[16];

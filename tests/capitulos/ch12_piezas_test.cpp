@@ -1,7 +1,7 @@
 // Comprobaciones independientes de las partículas del capítulo 12: la imagen entera, con cada una donde se calcula aquí, en doble
 // precisión, y del color que debe.
-#include "ch08_oraculo.h"
 #include "ch12_instante.h"
+#include "ch12_ruido.h"
 #include "colores.h"
 #include "oraculo/oraculo.h"
 #include "panel.h"
@@ -183,8 +183,14 @@ double crecida(int i, double t) {
     const double nace = 3.5 * azarDe(n), muere = 6 + 3.5 * azarDe(n + 1);
     return std::clamp(std::min(t - nace, muere - t) / 0.4, 0.0, 1.0);
 }
-double vaivenDe(int c, int f, double t, double cual) {
-    return definicion::ruido(glm::dvec3(0.31 * c + cual, 0.31 * f + cual, 2 * t), {0, 0, 20});
+/// Lo que lee de la textura de ruido la pieza de esa columna y esa fila, de −1 a 1.
+glm::dvec3 vaivenDe(int c, int f, double t) {
+    static const TexturaDeRuido ruido;
+    return 2.0 * ruido(0.08 * c + t / 2, 0.08 * f + t / 2) - 1.0;
+}
+/// Los dos programas se abren con dos segundos andados.
+std::string enSegundo(double t) {
+    return instante(t, 2);
 }
 glm::dvec2 girado(const glm::dvec2 &v, double a) {
     return {std::cos(a) * v.x - std::sin(a) * v.y, std::sin(a) * v.x + std::cos(a) * v.y};
@@ -207,15 +213,15 @@ glm::vec3 colorDeFlor(const glm::dvec2 &p) {
 TEST(Mosaico, CadaTeselaVivaEstaEnSuSitio) {
     const int C = 52, F = 39;
     const double k = 90 / 1.28; // píxeles por unidad
-    for (const double t : {0.0, 1.5, 5.0, 8.0, 9.5, HORAS + 3}) {
+    for (const double t : {2.0, 2.5, 5.0, 8.0, 9.5, 10.0, HORAS + 3}) {
         const double tt = std::fmod(t, 10);
         std::vector<Pieza> teselas;
         for (int i = 0; i < C * F; ++i) {
             const int c = i % C, f = i / C;
-            const double lado = 0.9 * crecida(i, tt) / F, giro = 0.5 * vaivenDe(c, f, tt, 7.3);
+            const glm::dvec3 va = vaivenDe(c, f, tt);
+            const double lado = 0.9 * crecida(i, tt) / F, giro = 0.5 * va.z;
             const glm::dvec2 centro = glm::dvec2(2 * c + 1 - C, 2 * f + 1 - F) / double(F),
-                             p = centro +
-                                 0.9 / F * glm::dvec2(vaivenDe(c, f, tt, 0), vaivenDe(c, f, tt, 40.7));
+                             p = centro + 0.9 / F * glm::dvec2(va);
             Pieza tesela = {{}, {(1 + 0.12 * std::sin(91.0 * c + 57.0 * f)) * exacto(colorDeFlor(centro))}};
             for (const glm::dvec2 &esquina : {glm::dvec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
                 const glm::dvec2 v = k * (p + lado * girado(esquina, giro));
@@ -224,7 +230,7 @@ TEST(Mosaico, CadaTeselaVivaEstaEnSuSitio) {
             if (lado > 0)
                 teselas.push_back(tesela);
         }
-        compruebaPlana("t = " + conDosCifras(t), vistaDe("mosaico", instante(t)).escena, teselas,
+        compruebaPlana("t = " + conDosCifras(t), vistaDe("mosaico", enSegundo(t)).escena, teselas,
                        exacto(FONDO_CLARO));
     }
 }
@@ -234,8 +240,8 @@ TEST(Mosaico, DiceEnQueEtapaEstan) {
     const char *const etapas[] = {", nacen", ", viven", ", mueren", ", no queda ninguna"};
     for (const std::string programa : {"mosaico", "banderas"})
         for (const auto &[t, etapa] :
-             {std::pair(0.0, 0), {3, 0}, {3.5, 1}, {5.5, 1}, {6, 2}, {9, 2}, {9.5, 3}, {10, 0}})
-            compruebaTiempo(vistaDe(programa, instante(t)).encima, t, etapas[etapa], OSCURO);
+             {std::pair(2.0, 0), {3, 0}, {3.5, 1}, {5.5, 1}, {6, 2}, {9, 2}, {9.5, 3}, {10, 0}})
+            compruebaTiempo(vistaDe(programa, enSegundo(t)).encima, t, etapas[etapa], OSCURO);
 }
 
 namespace {
@@ -269,19 +275,19 @@ TEST(Banderas, CadaUnaConSuAstaEnSuSitio) {
     Escena grada;
     for (int f = 0; f < F; ++f)
         grada.push_back(caja(traslada({0, 0.4 * f - 0.4, -0.9 * f}) * escala({26.6, 0.8 * (f + 1), 0.9})));
-    for (const double t : {1.5, 5.0, 8.0, 9.5, HORAS + 3}) {
+    for (const double t : {2.0, 5.0, 8.0, 9.5, 11.5, HORAS + 3}) {
         const double tt = std::fmod(t, 10);
         std::vector<Bandera> banderas;
         for (int i = 0; i < C * F; ++i) {
             const int c = i % C, f = i / C, franja = int(0.25 * (std::fabs(c - 12.5) + 2 * f)) % 3;
-            banderas.push_back(
-                {{c - 12.75, 0.8 * f + 0.25 + 0.3 * vaivenDe(c, f, tt, 40.7), -0.9 * f + 0.02 * (c % 2)},
-                 exacto(paleta[franja]),
-                 crecida(i, tt),
-                 0.7 * vaivenDe(c, f, tt, 0),
-                 6 * vaivenDe(c, f, tt, 15.1)});
+            const glm::dvec3 va = vaivenDe(c, f, tt);
+            banderas.push_back({{c - 12.75, 0.8 * f + 0.25 + 0.3 * va.z, -0.9 * f + 0.02 * (c % 2)},
+                                exacto(paleta[franja]),
+                                crecida(i, tt),
+                                0.7 * va.x,
+                                6 * va.y});
         }
-        const Imagen escena = vistaDe("banderas", instante(t), 480, 360).escena;
+        const Imagen escena = vistaDe("banderas", enSegundo(t), 480, 360).escena;
         comprueba("t = " + conDosCifras(t), compara(escena, grada, camara, [&](const Impacto &i) {
                       Tono tono = i ? Tono(luzFija(i.normal) * Vec3{0.66, 0.68, 0.72}) : Tono(exacto(CIELO));
                       double distancia = i ? i.distancia : INFINITO;
