@@ -87,7 +87,7 @@ static void dibujaVista(const Recuadro &r, bool rojoAntes) {
     ensenaColor(r, proyeccion * camara * glm::vec4(0, 0, 0, 1), rojoAntes);
     rotula(MODOS[estado.elegido], {0.5f, 0.95f}, AMARILLO);
     if (estado.escribeProfundidad)
-        rotula("escribe profundidad", {0.5f, 0.88f}, AMARILLO);
+        rotula("con profundidad", {0.5f, 0.88f}, AMARILLO);
     rotula(rojoAntes ? "antes el rojo" : "antes el azul", {0.5f, 0.06f}, BLANCO);
 }
 

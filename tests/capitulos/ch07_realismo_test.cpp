@@ -353,7 +353,7 @@ TEST(OrdenTransparencia, ColoresExactos) {
                       mezclando(2));
             letreros.push_back({c.modo, panel.lugar(0.5, 0.95), AMARILLO});
             if (c.escriben)
-                letreros.push_back({"escribe profundidad", panel.lugar(0.5, 0.88), AMARILLO});
+                letreros.push_back({"con profundidad", panel.lugar(0.5, 0.88), AMARILLO});
             letreros.push_back({k ? "antes el azul" : "antes el rojo", panel.lugar(0.5, 0.06), BLANCO});
 
             const Encima encima = v.encima.enPanel(panel.hueco.x, panel.hueco.y);
