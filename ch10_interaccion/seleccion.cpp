@@ -50,7 +50,8 @@ static struct {
     Orbita orbita = {0.25f, 0.55f, 11.5f, {-0.45f, 0.05f, 0}, 0.1f};
 } estado;
 
-// Listado 10.2. El tamaño es el de la ventana: cuando cambia hay que hacerlo otra vez.
+// Listado 10.2, initFramebuffer: renderbuffers[COLOR] y renderbuffers[PROFUNDIDAD] son renderbuffer[Color] y
+// renderbuffer[Depth]. El tamaño es el de la ventana: cuando cambia hay que hacerlo otra vez.
 static void creaFramebuffer(int ancho, int alto) {
     glDeleteFramebuffers(1, &estado.framebuffer); // si no había, borrar el 0 no hace nada
     glDeleteRenderbuffers(N_RENDERBUFFERS, estado.renderbuffers);
@@ -129,7 +130,7 @@ static void dibuja() {
     glutSwapBuffers();
 }
 
-// Listado 10.3. GLUT cuenta las filas desde arriba, de 0 a alto − 1, y OpenGL desde abajo.
+// Listado 10.3, renderToFramebuffer. GLUT cuenta las filas desde arriba, de 0 a alto − 1, y OpenGL desde abajo.
 static void selecciona(int x, int y) {
     const int fila = glutGet(GLUT_WINDOW_HEIGHT) - 1 - y;
     glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);

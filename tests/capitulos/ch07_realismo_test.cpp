@@ -441,6 +441,9 @@ TEST(Sombras, ContraRayosALaLuz) {
         {"tecla p; " + arrastra(-200, 0) + "; " + arrastra(-500, -500, derecho), {-3, 4, 0.8}},
         {arrastra(900, 0, derecho), {3, 4, 0.8}},
         {arrastra(0, 900, derecho), {3, -0.5, 0.8}},
+        {arrastra(-60, -180, derecho) + "; tecla w ×6", {2.4, 1.3, -0.4}},
+        {veces(99, "tecla w"), {2.4, 1.3, -2}},
+        {"tecla s ×99; tecla w", {2.4, 1.3, 1.8}},
     };
     paraCada("sombras", casos, 240, 180, [](const CasoSombras &c, const Vista &v) {
         const ImagenRef ref = traza(c);

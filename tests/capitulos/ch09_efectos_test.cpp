@@ -186,11 +186,11 @@ TEST(Volteo, ContraLaCpu) {
     const Cuadro original = volteada(false, false), horizontal = volteada(true, false),
                  vertical = volteada(false, true), losDos = volteada(true, true);
     compruebaPaneles("volteo", {A},
-                     {{{"", "tecla h ×2; tecla v ×2"}, {original}},
-                      {{"tecla h"}, {horizontal}},
-                      {{"tecla v"}, {vertical}},
-                      {{"tecla h; tecla v"}, {losDos}},
-                      {{"tecla v; tecla c"}, {original, horizontal, vertical, losDos}, 2}});
+                     {{{"", "tecla x ×2; tecla y ×2"}, {original}},
+                      {{"tecla x", "tecla v; tecla x"}, {horizontal}},
+                      {{"tecla y"}, {vertical}},
+                      {{"tecla x; tecla y"}, {losDos}},
+                      {{"tecla y; tecla v"}, {original, horizontal, vertical, losDos}, 2}});
 }
 
 // --- remolino ---
