@@ -125,7 +125,10 @@ TEST(Mezcla, ContraLaCpu) {
                       {{"tecla 3; tecla + ×2; tecla -"}, {mezcla(0.67, "alfa = 0.67")}},
                       {{"tecla 1", "tecla - ×99"}, {mezcla(0, "alfa = 0.00")}},
                       {{"tecla 4", "tecla + ×99"}, {mezcla(1, "alfa = 1.00")}},
-                      {{"tecla 3; tecla v"}, {SOLO_A, mezcla(0.66, "alfa = 0.66"), SOLO_B}, 3}});
+                      {{"tecla v; tecla 2", "tecla v; tecla -; tecla +"}, {mezcla(0.33, "alfa = 0.33")}},
+                      {{"tecla 4; tecla v"},
+                       {SOLO_A, mezcla(0.33, "alfa = 0.33"), mezcla(0.66, "alfa = 0.66"), SOLO_B},
+                       2}});
     EXPECT_EQ(procesa("mezcla", {A, lisa(5, 3, {10, 20, 30})}, "tecla 4").rgb,
               lisa(61, 47, {10, 20, 30}).rgb);
 }
@@ -158,8 +161,8 @@ TEST(Diferencia, ContraLaCpu) {
     compruebaPaneles("diferencia", {A, B},
                      {{{""}, {sinSigno}},
                       {{"tecla s"}, {conSigno}},
-                      {{"tecla s; tecla v"}, {SOLO_A, SOLO_B, conSigno}, 3},
-                      {{"tecla s; tecla v; tecla s"}, {SOLO_A, SOLO_B, sinSigno}, 3}});
+                      {{"tecla v", "tecla s; tecla v"}, {SOLO_A, SOLO_B, sinSigno, conSigno}, 2},
+                      {{"tecla v; tecla s"}, {conSigno}}});
     compruebaPaneles("diferencia", {B, A}, {{{""}, {sinSigno}}});
 }
 

@@ -125,13 +125,25 @@ TEST(Morphing, EnLosExtremosEsAYEsB) {
 // Con mallas regulares es la mezcla lineal. Al comparar no se arrastra.
 TEST(Morphing, SinDeformarEsUnaMezcla) {
     const Cuadro enMedio = mezcla(0.5, "t = 0.50");
-    compruebaPaneles(
-        "morphing", {A, B},
-        {{{"", "tecla 3; tecla 2"}, {enMedio}},
-         {{"tecla 2; tecla +"}, {mezcla(0.55, "t = 0.55")}},
-         {{"tecla 1; tecla +"}, {mezcla(0.05, "t = 0.05")}},
-         {{"tecla v; " + arrastra({40, 30}, {50, 20})}, {solo(A, "A"), enMedio, solo(B, "B")}, 3}});
+    compruebaPaneles("morphing", {A, B},
+                     {{{"", "tecla 3; tecla 2"}, {enMedio}},
+                      {{"tecla 2; tecla +"}, {mezcla(0.55, "t = 0.55")}},
+                      {{"tecla 1; tecla +"}, {mezcla(0.05, "t = 0.05")}},
+                      {{"tecla v; " + arrastra({40, 30}, {50, 20})},
+                       {solo(A, "A"), enMedio, solo(B, "B"), mezcla(0.5, "mezcla, t = 0.50")},
+                       2}});
     compruebaMallaRegular("morphing", {A, B}, 7, 8);
+}
+
+// La mezcla que se compara no deforma nada, y el morphing sí.
+TEST(Morphing, LaMezclaAlLado) {
+    const Vista v = vistaDe("morphing", "tecla 2; tecla - ×3; tecla v", 642, 482);
+    const Imagen cara = leeTextura(LAB_BUILD "/assets/cara.rgb", 320, 240),
+                 gato = leeTextura(LAB_BUILD "/assets/gato.rgb", 320, 240);
+    const auto mezclada = [&](int x, int y) { return 0.65 * texel(cara, x, y) + 0.35 * texel(gato, x, y); };
+    EXPECT_LE(diferenciaMaxima(oraculo::recorta(v.escena, 322, 0, 320, 240), mezclada), 0.51);
+    EXPECT_GT(diferenciaMaxima(oraculo::recorta(v.escena, 322, 242, 320, 240), mezclada), 50);
+    EXPECT_EQ(v.encima.at(3).texto, "mezcla, t = 0.35");
 }
 
 // A medio camino las pupilas de las dos caras están en el mismo sitio, la media.
