@@ -51,17 +51,19 @@ TEST(Efectos, CadaUnoContraLaCpu) {
                  negativo = deTexels("Negativo", [](auto a, auto) { return 255 * UNO - a; }),
                  media = deTexels("Media", [](auto a, auto) { return escalar(a, UNO) / 3 * UNO; }),
                  luminancia = deTexels("Luminancia", [](auto a, auto) { return escalar(a, PESOS) * UNO; });
-    compruebaPaneles("efectos", {A},
-                     {{{"", "tecla v; tecla 1", "tecla 3; menu Original"}, {ORIGINAL}},
-                      {{"tecla 2", "tecla v; menu Brillo"}, {brillo16}},
-                      {{"tecla 2; tecla + ×3"}, {brillo(1.9, "Brillo ×1.9")}},
-                      {{"tecla 2; tecla - ×11"}, {brillo(0.5, "Brillo ×0.5")}},
-                      {{"tecla 2; tecla + ×99"}, {brillo(4, "Brillo ×4.0")}},
-                      {{"tecla 2; tecla - ×99; tecla +"}, {brillo(0.1, "Brillo ×0.1")}},
-                      {{"tecla 3", "menu Negativo"}, {negativo}},
-                      {{"tecla 4", "menu Media"}, {media}},
-                      {{"tecla v; tecla v; tecla 5", "menu Luminancia"}, {luminancia}},
-                      {{"tecla v"}, {brillo16, negativo, media, luminancia}, 2}});
+    compruebaPaneles(
+        "efectos", {A},
+        {{{"", "tecla v; tecla 1", "tecla 3; menu Original", "tecla v; tecla c ×2", "tecla c; tecla +"},
+          {ORIGINAL}},
+         {{"tecla 2", "tecla v; menu Brillo"}, {brillo16}},
+         {{"tecla 2; tecla + ×3"}, {brillo(1.9, "Brillo ×1.9")}},
+         {{"tecla 2; tecla - ×11"}, {brillo(0.5, "Brillo ×0.5")}},
+         {{"tecla 2; tecla + ×99"}, {brillo(4, "Brillo ×4.0")}},
+         {{"tecla 2; tecla - ×99; tecla +"}, {brillo(0.1, "Brillo ×0.1")}},
+         {{"tecla 3", "menu Negativo"}, {negativo}},
+         {{"tecla 4", "menu Media"}, {media}},
+         {{"tecla v; tecla v; tecla 5", "menu Luminancia"}, {luminancia}},
+         {{"tecla v", "tecla c; tecla v"}, {ORIGINAL, brillo16, negativo, media}, 2}});
 }
 
 // La errata: verde y azul puros, igual de grises para la media.
@@ -71,6 +73,21 @@ TEST(Efectos, LaMediaNoDistingueElVerdeDelAzul) {
     EXPECT_EQ(pixel(media, 0, 0), pixel(media, 1, 0));
     EXPECT_EQ(pixel(luz, 0, 0).r, 18);
     EXPECT_EQ(pixel(luz, 1, 0).r, 182);
+}
+
+// Seis colores puros, y lo que dan en la media y en la luminancia: dos grises o seis.
+TEST(Efectos, LosDosGrisesDeSeisColores) {
+    const Vista v = vistaDe("efectos", "tecla v; tecla c", 60, 62);
+    const Vec3 puros[] = {{255, 0, 0}, {255, 255, 0}, {0, 255, 0}, {0, 255, 255}, {0, 0, 255}, {255, 0, 255}};
+    const auto esperado = [&](int x, int y) {
+        const Vec3 &c = puros[x / 10];
+        return y > 41 ? c : y > 20 ? escalar(c, UNO) / 3 * UNO : escalar(c, PESOS) * UNO;
+    };
+    EXPECT_EQ(v.encima.textos(BLANCO), (std::vector<std::string>{"Original", "Media", "Luminancia"}));
+    for (const int y : {0, 21, 42})
+        EXPECT_LE(diferenciaMaxima(oraculo::recorta(v.escena, 0, y, 60, 20),
+                                   [&](int x, int fila) { return esperado(x, y + fila); }),
+                  0.51);
 }
 
 // 1×1, una columna y 4096×4096: texel a texel.
