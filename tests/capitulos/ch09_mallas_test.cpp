@@ -255,19 +255,33 @@ TEST(Antialiasing, LaLupaSonPixelesDeLaImagen) {
         }
 }
 
-// Con v, cada técnica en su panel es la de una ventana así, también tras cambiar de tamaño.
+// Con v, la punta de un rayo, 16 × 32 píxeles de una escena de 240 de lado sea como sea la ventana, y lo que dice OpenGL de cada
+// framebuffer. También tras cambiar de tamaño.
 TEST(Antialiasing, LasTresALaVezYCambiarDeTamano) {
-    const Vista tres = vistaDe("antialiasing", "tecla v", 240, 180);
-    EXPECT_EQ(tres.encima.textos(OSCURO),
-              (std::vector<std::string>{"Sin antialiasing", "Multimuestra ×4", "Sobremuestreo ×16"}));
-    for (int k = 0; k < 3; ++k) {
-        const Hueco h = hueco(k, 3, 0, 1, 240, 180);
-        const Vista una = vistaDe("antialiasing", "tecla v; tecla " + std::to_string(k + 1), h.ancho, h.alto);
-        EXPECT_EQ(recorta(tres.escena, h).rgb, una.escena.rgb) << k;
-        EXPECT_EQ(una.encima.at(0).texto, tres.encima[std::size_t(k)].texto);
+    const struct {
+        std::string guion;
+        int ancho, alto, aumento, y; // de la esquina de abajo, en el panel
+    } casos[] = {{"tecla v", 240, 180, 4, 42}, {"tecla v; tamano 77 33; tamano 960 720", 90, 90, 17, 165}};
+    for (const auto &c : casos) {
+        const Vista tres = vistaDe("antialiasing", c.guion, c.ancho, c.alto);
+        const Imagen &v = tres.escena;
+        EXPECT_EQ(tres.encima.textos(OSCURO),
+                  (std::vector<std::string>{"Sin nada", "Multi ×4", "Sobre ×16"}));
+        EXPECT_EQ(tres.encima.textos(AZUL),
+                  (std::vector<std::string>{"0 y 0", "1 y 4", "0 y 0", "GL_SAMPLE_BUFFERS y GL_SAMPLES"}));
+        for (int k = 0; k < 3; ++k) {
+            const Hueco h = hueco(k, 3, 0, 1, v.ancho, v.alto);
+            const Imagen una =
+                vistaDe("antialiasing", "tecla " + std::to_string(k + 1), 240, 267).escena; // desde (0, 26)
+            const Imagen punta = imagen(16 * c.aumento, 32 * c.aumento, [&](int x, int y) {
+                return pixel(una, 155 + x / c.aumento, 26 + 194 + y / c.aumento);
+            });
+            EXPECT_EQ(
+                oraculo::recorta(v, h.x + (h.ancho - punta.ancho) / 2, c.y, punta.ancho, punta.alto).rgb,
+                punta.rgb)
+                << k;
+        }
     }
-    EXPECT_EQ(vistaDe("antialiasing", "tecla v; tamano 77 33; tamano 240 180", 90, 90).escena.rgb,
-              tres.escena.rgb);
 }
 
 // --- ampliacion ---
