@@ -207,13 +207,15 @@ TEST(EspejoPlantilla, ConYSin) {
         std::vector<Letrero> letreros;
         const int n = int(c.conPlantilla.size());
         for (int k = 0; k < n; ++k) {
-            const Panel panel(camara(c.azimut, 0.30, 17.5, {-0.7, 0.95, 0}, 0.5), v.escena, k, n, c.columnas);
+            const double angulo = c.columnas < n ? 0.36 : 0.5; // uno encima de otro, son muy anchos
+            const Panel panel(camara(c.azimut, 0.30, 17.5, {-0.7, 0.95, 0}, angulo), v.escena, k, n,
+                              c.columnas);
             const bool con = c.conPlantilla[k];
             const std::string texto = con ? "con plantilla" : "sin plantilla";
             const ImagenRef ref =
                 render(e.escena, panel, [&](const Impacto &i) { return conEspejo(e, i, 0, con); });
             comprueba(texto, recorta(v.escena, panel), ref, mezclando(0));
-            letreros.push_back({texto, panel.lugar(0.5, 0.94), OSCURO});
+            letreros.push_back({texto, panel.lugar(0.02, 0.9), OSCURO, Lado::DERECHA});
             const int salidos =
                 cuenta(ref, [](const PixelRef &p) { return p.objeto != ESPEJO && p.zona >= REFLEJADO; });
             EXPECT_EQ(salidos > 100, !con) << "sin plantilla, se sale del espejo";
