@@ -352,6 +352,18 @@ TEST(Captura, LaEsquinaEnsenaLoLeido) {
     compruebaRotulo(v.encima, "960×720, idéntica", {0.19 * 960, 0.62 * 720}, OSCURO, Lado::DEBAJO);
 }
 
+// Antes de guardar nada se ve dónde irá, y con qué tecla; y eso no se guarda, ni después se ve.
+TEST(Captura, ElSitioDeLoQueSeLeera) {
+    const Encima vacia = vistaDe("captura").encima;
+    compruebaRotulos(vacia, {{"g guarda\ny lee", {6 + 40, 175 - 30}, OSCURO}});
+    EXPECT_LE(glm::distance(vacia.trazos(NARANJA, "polilinea").at(0).punto(0), {6, 115}),
+              2); // metida en el panel
+    const std::string fichero = (carpetaTemporal() / "captura.ppm").string();
+    const Encima llena = vistaDe("captura", "tecla g", 240, 180, {fichero}).encima;
+    EXPECT_EQ(llena.textos(OSCURO), std::vector<std::string>{"240×180, idéntica"});
+    EXPECT_TRUE(llena.trazos(NARANJA).empty());
+}
+
 // Disco lleno o fichero que no cabe: se dice, y no queda nada a medias.
 TEST(Captura, DiscoLleno) {
     const Ejecucion e = ejecuta("captura", "tecla g", 240, 180, {"/dev/full"});
