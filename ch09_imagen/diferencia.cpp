@@ -65,9 +65,9 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    const auto [imagenes, propias] =
-        abreVentanaConImagenes(argc, argv, "Diferencia de dos imágenes",
-                               {{"assets/foto.rgb", 250, 190}, {"assets/foto_cambiada.rgb", 250, 190}});
+    const auto [imagenes, propias] = abreVentanaConImagenes(
+        argc, argv, "Diferencia de dos imágenes",
+        {{"assets/foto_grande.rgb", 1000, 760}, {"assets/foto_cambiada.rgb", 1000, 760}});
     if (tallaDe(imagenes[0]) != tallaDe(imagenes[1]))
         falla("las dos imágenes tienen que medir lo mismo");
     estado.programa = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/diferencia.frag");
@@ -76,7 +76,7 @@ int main(int argc, char **argv) {
     estado.rotulos = !propias;
     for (int unidad = 0; unidad < 2; ++unidad) {
         glActiveTexture(GL_TEXTURE0 + unidad);
-        creaTexturaExacta(imagenes[unidad]);
+        creaTexturaReducible(imagenes[unidad]);
     }
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

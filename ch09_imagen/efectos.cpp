@@ -87,11 +87,11 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     const auto [imagenes, propias] =
-        abreVentanaConImagenes(argc, argv, "Efectos de imagen", {{"assets/foto.rgb", 250, 190}});
+        abreVentanaConImagenes(argc, argv, "Efectos de imagen", {{"assets/foto_grande.rgb", 1000, 760}});
     estado.programa = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/efectos.frag");
     estado.talla = tallaDe(imagenes[0]);
     estado.rotulos = !propias;
-    creaTexturaExacta(imagenes[0]);
+    creaTexturaReducible(imagenes[0]);
     glActiveTexture(GL_TEXTURE1);
     creaTexturaExacta(COLORES_PUROS);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

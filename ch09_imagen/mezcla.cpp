@@ -66,13 +66,13 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     const auto [imagenes, propias] = abreVentanaConImagenes(
-        argc, argv, "Mezcla de dos imágenes", {{"assets/cara.rgb", 320, 240}, {"assets/gato.rgb", 320, 240}});
+        argc, argv, "Mezcla de dos imágenes", {{"assets/cara.rgb", 960, 720}, {"assets/gato.rgb", 960, 720}});
     estado.programa = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/mezcla.frag");
     estado.talla = tallaDe(imagenes[0]);
     estado.rotulos = !propias;
     for (int unidad = 0; unidad < 2; ++unidad) {
         glActiveTexture(GL_TEXTURE0 + unidad);
-        creaTexturaExacta(imagenes[unidad]);
+        creaTexturaReducible(imagenes[unidad]);
     }
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

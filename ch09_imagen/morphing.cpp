@@ -148,7 +148,7 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     const auto [imagenes, propias] = abreVentanaConImagenes(
-        argc, argv, "Morphing", {{"assets/cara.rgb", 320, 240}, {"assets/gato.rgb", 320, 240}});
+        argc, argv, "Morphing", {{"assets/cara.rgb", 960, 720}, {"assets/gato.rgb", 960, 720}});
     estado.programa = creaPrograma("ch09_imagen/morphing.vert", "ch09_imagen/morphing.frag");
     estado.programaMezcla = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/mezcla.frag");
     estado.a = propias ? REGULAR : CARA;

@@ -52,11 +52,11 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     const auto [imagenes, propias] =
-        abreVentanaConImagenes(argc, argv, "Volteo", {{"assets/foto.rgb", 250, 190}});
+        abreVentanaConImagenes(argc, argv, "Volteo", {{"assets/foto_grande.rgb", 1000, 760}});
     estado.programa = creaPrograma("ch09_imagen/volteo.vert", "ch09_imagen/imagen.frag");
     estado.talla = tallaDe(imagenes[0]);
     estado.rotulos = !propias;
-    creaTexturaExacta(imagenes[0]);
+    creaTexturaReducible(imagenes[0]);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     glutMainLoop();

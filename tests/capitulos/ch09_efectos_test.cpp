@@ -120,6 +120,24 @@ TEST(Efectos, LaVentanaTomaElTamanoDeLaImagen) {
     EXPECT_LE(diferenciaMaxima(centros, igualQue(i)), 1);
 }
 
+// Reducida a la cuarta parte, cada píxel es la media de 4 × 4 texels: dos redondeos a 8 bits, y el último, la mitad.
+TEST(Efectos, ReducidaPromedia) {
+    const Imagen i = alAzar(120, 80, 9), negra = lisa(120, 80, {0, 0, 0});
+    const auto media = [&](int x, int y) {
+        Vec3 suma;
+        for (int k = 0; k < 16; ++k)
+            suma = suma + 1 / 16.0 * texel(i, 4 * x + k % 4, 4 * y + k / 4);
+        return suma;
+    };
+    for (const std::string programa : {"efectos", "volteo", "mezcla", "diferencia"}) {
+        const bool dos = programa == "mezcla" || programa == "diferencia";
+        const std::string guion = programa == "mezcla" ? "tecla 1" : "";
+        const Vista v =
+            vistaDe(programa, guion, 30, 20, enFicheros(dos ? std::vector{i, negra} : std::vector{i}));
+        EXPECT_LE(diferenciaMaxima(v.escena, media), 1.5) << programa;
+    }
+}
+
 // Los rótulos están con las imágenes por omisión y no con las del usuario; y la r cambia lo que haya.
 TEST(Efectos, LaImagenDelUsuarioNoLlevaRotulos) {
     for (const std::string programa :

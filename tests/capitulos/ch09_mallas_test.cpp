@@ -117,8 +117,8 @@ TEST(Morphing, EnLosExtremosEsAYEsB) {
                       {{"tecla 3", "tecla + ×12"}, {solo(B, "t = 1.00")}}});
     // también con las mallas de las dos caras, que no son regulares
     for (const auto &[tecla, nombre] : {std::pair("tecla 1", "cara.rgb"), {"tecla 3", "gato.rgb"}})
-        EXPECT_EQ(vistaDe("morphing", tecla, 320, 240).escena.rgb,
-                  leeTextura(std::string(LAB_BUILD "/assets/") + nombre, 320, 240).rgb)
+        EXPECT_EQ(vistaDe("morphing", tecla, 960, 720).escena.rgb,
+                  leeTextura(std::string(LAB_BUILD "/assets/") + nombre, 960, 720).rgb)
             << nombre;
 }
 
@@ -137,12 +137,12 @@ TEST(Morphing, SinDeformarEsUnaMezcla) {
 
 // La mezcla que se compara no deforma nada, y el morphing sí.
 TEST(Morphing, LaMezclaAlLado) {
-    const Vista v = vistaDe("morphing", "tecla 2; tecla - ×3; tecla v", 642, 482);
-    const Imagen cara = leeTextura(LAB_BUILD "/assets/cara.rgb", 320, 240),
-                 gato = leeTextura(LAB_BUILD "/assets/gato.rgb", 320, 240);
+    const Vista v = vistaDe("morphing", "tecla 2; tecla - ×3; tecla v", 1928, 1448);
+    const Imagen cara = leeTextura(LAB_BUILD "/assets/cara.rgb", 960, 720),
+                 gato = leeTextura(LAB_BUILD "/assets/gato.rgb", 960, 720);
     const auto mezclada = [&](int x, int y) { return 0.65 * texel(cara, x, y) + 0.35 * texel(gato, x, y); };
-    EXPECT_LE(diferenciaMaxima(oraculo::recorta(v.escena, 322, 0, 320, 240), mezclada), 0.51);
-    EXPECT_GT(diferenciaMaxima(oraculo::recorta(v.escena, 322, 242, 320, 240), mezclada), 50);
+    EXPECT_LE(diferenciaMaxima(oraculo::recorta(v.escena, 968, 0, 960, 720), mezclada), 0.51);
+    EXPECT_GT(diferenciaMaxima(oraculo::recorta(v.escena, 968, 728, 960, 720), mezclada), 50);
     EXPECT_EQ(v.encima.at(3).texto, "mezcla, t = 0.35");
 }
 
