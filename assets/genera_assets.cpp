@@ -654,15 +654,17 @@ Color gato(double px, double py) {
 
 // --- Ficheros ----------------------------------------------------------------------------------------------
 
-/// Cada texel es la media de 4 × 4 muestras.
-std::vector<std::uint8_t> pinta(int ancho, int alto, const std::function<Color(double, double)> &color) {
-    const int LADO = 4;
+/// Cada texel es la media de LADO × LADO muestras. Con `veces`, `color` es una escena tantas veces menor, y bastan 2 × 2.
+std::vector<std::uint8_t> pinta(int ancho, int alto, const std::function<Color(double, double)> &color,
+                                int veces) {
+    const int LADO = veces == 1 ? 4 : 2;
     std::vector<std::uint8_t> rgb;
     for (int fila = 0; fila < alto; ++fila)
         for (int x = 0; x < ancho; ++x) {
             Color suma;
             for (int i = 0; i < LADO * LADO; ++i) {
-                const Color c = color(x + (i % LADO + 0.5) / LADO, alto - 1 - fila + (i / LADO + 0.5) / LADO);
+                const Color c = color((x + (i % LADO + 0.5) / LADO) / veces,
+                                      (alto - 1 - fila + (i / LADO + 0.5) / LADO) / veces);
                 suma = suma + Color{entre01(c.r), entre01(c.g), entre01(c.b)};
             }
             for (const double k : {suma.r, suma.g, suma.b})
@@ -675,6 +677,7 @@ struct Asset {
     const char *nombre;
     int ancho, alto;
     Color (*color)(double, double);
+    int veces = 1; // lo que se aumenta la escena
 };
 const Asset ASSETS[] = {{"metal", 256, 256, metal},
                         {"madera", 256, 256, madera},
@@ -692,9 +695,10 @@ const Asset ASSETS[] = {{"metal", 256, 256, metal},
                         {"entorno_abajo", 256, 256, fotoEntorno<0, -1, 0, 1, 0, 0, -1>},
                         {"entorno_detras", 256, 256, fotoEntorno<0, 0, 1, -1, 0, 1, 0>},
                         {"entorno_delante", 256, 256, fotoEntorno<0, 0, -1, 1, 0, 1, 0>},
-                        {"foto_cambiada", 250, 190, fotoCambiada},
-                        {"cara", 320, 240, cara},
-                        {"gato", 320, 240, gato}};
+                        {"foto_grande", 1000, 760, foto, 4},
+                        {"foto_cambiada", 1000, 760, fotoCambiada, 4},
+                        {"cara", 960, 720, cara, 3},
+                        {"gato", 960, 720, gato, 3}};
 
 } // namespace
 
@@ -705,7 +709,7 @@ int main(int argc, char **argv) {
     }
     for (const Asset &a : ASSETS) {
         const std::string ruta = std::string(argv[1]) + "/" + a.nombre + ".rgb";
-        const std::vector<std::uint8_t> rgb = pinta(a.ancho, a.alto, a.color);
+        const std::vector<std::uint8_t> rgb = pinta(a.ancho, a.alto, a.color, a.veces);
         FILE *f = std::fopen(ruta.c_str(), "wb");
         const bool escrito = f && std::fwrite(rgb.data(), 1, rgb.size(), f) == rgb.size();
         if (!f || std::fclose(f) != 0 || !escrito) {

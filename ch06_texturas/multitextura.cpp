@@ -16,13 +16,13 @@
 static const glm::vec3 TALLA(4, 3, 1); // de la pared
 static const glm::vec2 REPETICIONES(2, 1.5f);
 static const struct {
-    const char *nombre; // del fichero y del sampler2D
+    const char *nombre, *rotulo; // el nombre, del fichero y del sampler2D
     int ancho, alto;
     GLint borde;
-} TEXTURAS[4] = {{"ladrillo", 256, 256, GL_REPEAT},
-                 {"musgo", 256, 256, GL_REPEAT},
-                 {"mascara", 128, 96, GL_CLAMP_TO_EDGE},
-                 {"luz", 64, 48, GL_CLAMP_TO_EDGE}};
+} TEXTURAS[4] = {{"ladrillo", "ladrillo", 256, 256, GL_REPEAT},
+                 {"musgo", "musgo", 256, 256, GL_REPEAT},
+                 {"mascara", "máscara", 128, 96, GL_CLAMP_TO_EDGE},
+                 {"luz", "luz", 64, 48, GL_CLAMP_TO_EDGE}};
 static const struct {
     const char *titulo;
     bool conMusgo, conLuz;
@@ -69,7 +69,7 @@ static void dibujaUnidades(const Recuadro &donde, bool conMusgo, bool conLuz) {
         envia(estado.programaUnidad, "Img", unidad);
         dibujaPared(estado.programaUnidad, glm::mat4(1),
                     paralelaVentana(0.53f * TALLA.y, -1, 1, aspecto(panel)));
-        rotula("unidad " + std::to_string(unidad) + "\n" + TEXTURAS[unidad].nombre, {0.5f, 0.5f},
+        rotula("unidad " + std::to_string(unidad) + "\n" + TEXTURAS[unidad].rotulo, {0.5f, 0.5f},
                usadas[unidad] ? BLANCO : GRIS);
     }
 }

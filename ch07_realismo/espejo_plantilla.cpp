@@ -8,6 +8,10 @@
 #include "recuadro.h"
 #include "rotulo.h"
 #include "ventana.h"
+#include <algorithm>
+
+static const float ANGULO = 0.5f,
+                   ANGULO_MINIMO = 0.36f; // a 4:3, y en un panel tan ancho que sobra a los lados
 
 static struct {
     EscenaDibujada escena;
@@ -23,8 +27,9 @@ static void inicia() {
 
 static void dibujaVista(const Recuadro &r, bool conPlantilla) {
     abreRecuadro(r, CIELO);
+    const float angulo = std::clamp(ANGULO * 4 / (3 * aspecto(r)), ANGULO_MINIMO, ANGULO);
     const glm::mat4 camara = camaraOrbita(estado.orbita),
-                    proyeccion = perspectivaVentana(0.5f, 1, 60, aspecto(r));
+                    proyeccion = perspectivaVentana(angulo, 1, 60, aspecto(r));
     const std::vector<PiezaEscena> piezas = piezasEscena(0);
     dibujaEscena(estado.escena, piezas, camara, proyeccion);
 
@@ -47,7 +52,7 @@ static void dibujaVista(const Recuadro &r, bool conPlantilla) {
     dibujaEscena(estado.escena, piezas, camara, proyeccion, true);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_STENCIL_TEST);
-    rotula(conPlantilla ? "con plantilla" : "sin plantilla", {0.5f, 0.94f}, OSCURO);
+    rotula(conPlantilla ? "con plantilla" : "sin plantilla", {0.02f, 0.9f}, OSCURO, Lado::DERECHA);
 }
 
 static void dibuja() {

@@ -2,8 +2,8 @@
 // y de un color oscuro. El desplazamiento de polígono evita que sombra y mesa se cosan; la plantilla, que la sombra
 // salga de la mesa y que, transparente, oscurezca dos veces donde dos se solapan. Lo que es más alto que la luz no da
 // sombra (sombra.h).
-// Controles: t transparente · o desplazamiento · p plantilla · arrastrar con el botón derecho mueve la luz
-// · ratón orbita · Esc termina.
+// Controles: t transparente · o desplazamiento · p plantilla · arrastrar con el botón derecho mueve la luz ·
+// w s la alejan y la acercan · ratón orbita · Esc termina.
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
 #include "orbita.h"
@@ -16,6 +16,7 @@
 static const Plano MESA = {{0, 1, 0}, 0};
 static const glm::vec3 TALLA_MESA(6, 0.25f, 4.4f);
 static const float UNIDADES_POR_ALTO = 1.8f; // al arrastrar la luz de abajo arriba de la ventana
+static const float PASO = 0.2f, FONDO = 2;   // de la luz en profundidad: lo que anda y hasta dónde
 
 static Material pintura(const glm::vec3 &color) {
     return {0.35f * color, 0.75f * color, glm::vec3(0.3f), 30};
@@ -124,6 +125,8 @@ static void teclado(unsigned char tecla, int, int) {
     case 't': estado.transparente = !estado.transparente; break;
     case 'o': estado.desplaza = !estado.desplaza; break;
     case 'p': estado.plantilla = !estado.plantilla; break;
+    case 'w':
+    case 's': estado.luz.z = std::clamp(estado.luz.z + (tecla == 'w' ? -PASO : PASO), -FONDO, FONDO); break;
     default: return;
     }
     ponTitulo(std::string("Sombra ") + (estado.transparente ? "transparente" : "opaca") +

@@ -2,21 +2,24 @@
 // multimuestra se miran varios puntos de cada píxel y se promedian, con un solo color por triángulo; con sobremuestreo
 // se dibuja todo VECES × VECES mayor y se reduce. El libro pide las muestras a la ventana con GLUT_MULTISAMPLE y las
 // cuenta con GL_SAMPLE_BUFFERS (no GL_SAMPLES_BUFFERS); una ventana puede no darlas, y aquí se piden a un framebuffer
-// propio.
+// propio. Con los tres a la vez se ve solo la punta de un rayo, aumentada, y lo que OpenGL dice de cada framebuffer.
 // Controles: 1 sin nada · 2 multimuestra · 3 sobremuestreo · v los tres · Esc termina.
 #include "buferes.h"
 #include "estrella.h"
 #include "imagen_en_ventana.h"
 
 static const int VECES = 4, MUESTRAS = 4, DENTRO = 16;
-static const glm::vec2
-    AUMENTADO(0.895f, 0.530f); // centro de los DENTRO × DENTRO píxeles que se aumentan, en la escena
-static const char *const NOMBRES[3] = {"Sin antialiasing", "Multimuestra", "Sobremuestreo"};
+static const glm::vec2 AUMENTADO(0.895f,
+                                 0.530f); // en la escena, centro de los DENTRO × DENTRO que se aumentan
+static const int LADO_COMPARADO = 240; // de la escena de la que se compara una punta, sea como sea la ventana
+static const glm::vec2 PUNTA = glm::vec2(155, 194) / float(LADO_COMPARADO);
+static const char *const NOMBRES[3] = {"Sin antialiasing", "Multimuestra", "Sobremuestreo"},
+                         *const CORTOS[3] = {"Sin nada", "Multi", "Sobre"};
 
 static struct {
-    GLuint pinta, reduce, copia, lupa, renderbuffer, multimuestra;
+    GLuint pinta, reduce, lupa, renderbuffer, multimuestra;
     Buferes estrella;
-    GLint buffersVentana, muestrasVentana, muestras;
+    GLint buffersVentana, muestrasVentana, muestras, buffers, muestrasPorPixel;
     Lienzo lienzo = {0, 0}, grande = {0, 0};
     int lado = 0, elegido = 0;
     bool compara = false;
@@ -53,6 +56,8 @@ static void creaLienzos(int lado) {
 
 static void dibujaEstrella(GLuint framebuffer, int lado) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glGetIntegerv(GL_SAMPLE_BUFFERS, &estado.buffers);
+    glGetIntegerv(GL_SAMPLES, &estado.muestrasPorPixel);
     abreRecuadro({0, 0, lado, lado}, FONDO_CLARO);
     glUseProgram(estado.pinta);
     envia(estado.pinta, "color", OSCURO);
@@ -80,12 +85,25 @@ static void dibujaEscena(int tecnica) {
         dibujaRectangulo();
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glBindTexture(GL_TEXTURE_2D, estado.lienzo.textura);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-static std::string nombre(int tecnica) {
-    return NOMBRES[tecnica] + (tecnica == 1   ? " ×" + std::to_string(estado.muestras)
-                               : tecnica == 2 ? " ×" + std::to_string(VECES * VECES)
-                                              : std::string());
+/// En ese rectángulo, con un marco, los píxeles de la escena que hay a partir de `primero`, de 0 a 1.
+static void dibujaPixeles(const glm::vec2 &primero, const glm::ivec2 &pixeles, const Recuadro &r,
+                          const glm::vec3 &marco) {
+    abreRecuadro({r.x - 2, r.y - 2, r.ancho + 4, r.alto + 4}, marco);
+    dibujaEn(r);
+    glUseProgram(estado.lupa);
+    envia(estado.lupa, "imagen", 0);
+    envia(estado.lupa, "primero", primero);
+    envia(estado.lupa, "tramo", glm::vec2(pixeles) / float(estado.lado));
+    dibujaRectangulo();
+}
+
+static std::string conVeces(const char *nombre, int tecnica) {
+    const int veces[3] = {1, estado.muestras, VECES * VECES};
+    return nombre + (tecnica == 0 ? "" : " ×" + std::to_string(veces[tecnica]));
 }
 
 /// El cuadrado de la escena, píxel a píxel, y en su centro, que está vacío, parte de un rayo aumentada; debajo, el
@@ -95,55 +113,53 @@ static void dibujaPanel(int tecnica, const Recuadro &panel) {
     creaLienzos(lado);
     dibujaEscena(tecnica);
     const int x = panel.x + (panel.ancho - lado) / 2, y = panel.y + (panel.alto - lado + lado / 9) / 2;
-    glBindTexture(GL_TEXTURE_2D, estado.lienzo.textura);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glUseProgram(estado.copia);
-    envia(estado.copia, "imagen", 0);
-    dibujaEn({x, y, lado, lado});
-    dibujaRectangulo();
-
+    dibujaPixeles({0, 0}, {lado, lado}, {x, y, lado, lado}, FONDO_CLARO);
     const int lupa = std::max(lado * 3 / 10 / DENTRO, 1) * DENTRO;
-    const Recuadro r = {x + (lado - lupa) / 2, y + (lado - lupa) / 2, lupa, lupa};
-    abreRecuadro({r.x - 2, r.y - 2, lupa + 4, lupa + 4}, NARANJA);
-    dibujaEn(r);
-    glUseProgram(estado.lupa);
-    envia(estado.lupa, "imagen", 0);
-    const float texel = 1 / float(lado);
-    envia(estado.lupa, "primero", glm::floor(AUMENTADO / texel - DENTRO / 2.0f) * texel);
-    envia(estado.lupa, "tramo", glm::vec2(DENTRO * texel));
-    dibujaRectangulo();
-
+    dibujaPixeles(glm::floor(AUMENTADO * float(lado) - DENTRO / 2.0f) / float(lado), {DENTRO, DENTRO},
+                  {x + (lado - lupa) / 2, y + (lado - lupa) / 2, lupa, lupa}, NARANJA);
     dibujaEn({panel.x, y - lado / 9, panel.ancho, lado / 9});
-    rotula(nombre(tecnica), {0.5f, 0.5f}, OSCURO);
+    rotula(conVeces(NOMBRES[tecnica], tecnica), {0.5f, 0.5f}, OSCURO);
+}
+
+/// La punta, todo lo aumentada que quepa, y debajo lo que dice OpenGL de donde se ha dibujado.
+static void dibujaPunta(int tecnica, const Recuadro &panel) {
+    creaLienzos(LADO_COMPARADO);
+    dibujaEscena(tecnica);
+    const int pie = panel.alto * 9 / 40, libre = panel.alto - pie - 8;
+    const int ancho = std::max(std::min((panel.ancho - 4) / DENTRO, libre / (2 * DENTRO)), 1) * DENTRO;
+    dibujaPixeles(
+        PUNTA, {DENTRO, 2 * DENTRO},
+        {panel.x + (panel.ancho - ancho) / 2, panel.y + pie + (libre - 2 * ancho) / 2, ancho, 2 * ancho},
+        NARANJA);
+    dibujaEn(panel);
+    rotula(conVeces(CORTOS[tecnica], tecnica), {0.5f, 0.17f}, OSCURO);
+    rotula(std::to_string(estado.buffers) + " y " + std::to_string(estado.muestrasPorPixel), {0.5f, 0.11f},
+           AZUL);
 }
 
 static void dibuja() {
     abreRecuadro(ventanaEntera(), FONDO_CLARO);
     if (estado.compara) {
-        const std::vector<Recuadro> paneles = aspecto(ventanaEntera()) >= 1 ? rejilla(3, 1) : reparte(3);
+        const std::vector<Recuadro> paneles = rejilla(3, 1);
         for (int tecnica = 0; tecnica < 3; ++tecnica)
-            dibujaPanel(tecnica, paneles[tecnica]);
+            dibujaPunta(tecnica, paneles[tecnica]);
+        dibujaEn(ventanaEntera());
+        rotula("GL_SAMPLE_BUFFERS y GL_SAMPLES", {0.5f, 0.045f}, AZUL, Lado::CENTRO, 0.035f);
     } else {
         dibujaPanel(estado.elegido, ventanaEntera());
     }
     ponTitulo(std::string("Antialiasing: ") + (estado.compara ? "los tres" : NOMBRES[estado.elegido]) +
               " (ventana: GL_SAMPLE_BUFFERS " + std::to_string(estado.buffersVentana) + ", GL_SAMPLES " +
-              std::to_string(estado.muestrasVentana) + "; framebuffer: " + std::to_string(estado.muestras) +
-              " muestras)");
+              std::to_string(estado.muestrasVentana) + ")");
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaComun(tecla) || (tecla != 'v' && (tecla < '1' || tecla > '3')))
         return;
-    if (tecla >= '1' && tecla <= '3') {
+    estado.compara = tecla == 'v' && !estado.compara;
+    if (tecla != 'v')
         estado.elegido = tecla - '1';
-        estado.compara = false;
-    } else if (tecla == 'v') {
-        estado.compara = !estado.compara;
-    } else {
-        return;
-    }
     glutPostRedisplay();
 }
 
@@ -152,7 +168,6 @@ int main(int argc, char **argv) {
     estado.estrella = creaBuferes(mallaEstrella());
     estado.pinta = creaPrograma("ch09_imagen/estrella.vert", "common/liso.frag");
     estado.reduce = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/reduce.frag");
-    estado.copia = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/imagen.frag");
     estado.lupa = creaPrograma("ch09_imagen/lupa.vert", "ch09_imagen/imagen.frag");
     glGetIntegerv(GL_SAMPLE_BUFFERS, &estado.buffersVentana);
     glGetIntegerv(GL_SAMPLES, &estado.muestrasVentana);

@@ -8,6 +8,7 @@
 #include "ch03_transformaciones/objeto.h"
 #include "imagen_en_ventana.h"
 #include "orbita.h"
+#include "trazo.h"
 
 static const glm::mat4 SUELO_GRUA = traslacion({0, -0.1f, 0}) * escalado({14, 0.2f, 14});
 
@@ -59,11 +60,17 @@ static void guardaYLee() {
                        (leida.rgb == imagen.rgb ? ", idéntica" : ", distinta");
 }
 
-/// Lo leído, en la esquina de arriba a la izquierda, con un marco y debajo el resultado.
+/// Lo leído, en la esquina de arriba a la izquierda, con un marco; mientras no hay nada, el marco.
 static void dibujaLeida() {
     const Recuadro v = ventanaEntera(),
                    esquina = {v.ancho / 40, v.alto * 39 / 40 - v.alto / 3, v.ancho / 3, v.alto / 3},
-                   r = encaja(estado.talla, esquina);
+                   r = encaja(estado.textura ? estado.talla : glm::ivec2(4, 3), esquina);
+    if (!estado.textura) {
+        dibujaEn(r);
+        trazaPolilinea({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, glm::mat4(1), NARANJA, GROSOR, true);
+        rotula("g guarda\ny lee", {0.5f, 0.5f}, OSCURO);
+        return;
+    }
     const int marco = std::max(v.alto / 120, 1);
     abreRecuadro({r.x - marco, r.y - marco, r.ancho + 2 * marco, r.alto + 2 * marco}, NARANJA);
     dibujaEn(r);
@@ -77,12 +84,10 @@ static void dibuja() {
     if (estado.guarda)
         guardaYLee();
     estado.guarda = false;
-    if (!estado.resultado.empty()) {
-        if (estado.textura)
-            dibujaLeida();
-        dibujaEn(ventanaEntera());
+    dibujaLeida();
+    dibujaEn(ventanaEntera());
+    if (!estado.resultado.empty())
         rotula(estado.resultado, {0.19f, 0.62f}, OSCURO, Lado::DEBAJO, 0.03f);
-    }
     ponTitulo("Captura" + (estado.resultado.empty() ? "" : ": " + estado.resultado));
     glutSwapBuffers();
 }

@@ -1,9 +1,11 @@
 // Convolución con los filtros 3×3 de la tabla 9.1 (listado 9.3, ecuación 9.1): la aplicación calcula una vez los
 // desplazamientos, divide el filtro por su suma y se lo manda todo al fragment shader. Se aparta del libro en que el
-// paso de un texel al siguiente es 1/ancho y no 1/(ancho − 1), en que no filtra la opacidad y en que el filtro de
-// bordes, que suma 0, enseña su signo alrededor del gris. Lo de fuera de la imagen es su borde (GL_CLAMP_TO_EDGE).
-// Controles: 1 suavizado · 2 nitidez · 3 bordes · s bordes con signo o en valor absoluto · v los compara · r rótulos ·
-// Esc termina.
+// paso de un texel al siguiente es 1/ancho y no 1/(ancho − 1), en que no filtra la opacidad y en que del filtro de
+// bordes, que suma 0 y da números pequeños, se ve el valor absoluto, multiplicado, o su signo alrededor del gris. Lo de
+// fuera lo dicen los parámetros de la textura (§6.2.2): su borde o la imagen repetida; reflejada, con un texel fuera,
+// es su borde otra vez. El cero lo pone el shader: WebGL 2 no tiene GL_CLAMP_TO_BORDER.
+// Controles: 1 suavizado · 2 nitidez · 3 bordes · s bordes con signo o en valor absoluto · + - ganancia de los bordes ·
+// b lo de fuera es su borde, la imagen repetida o cero · v los compara · r rótulos · Esc termina.
 #include "imagen_en_ventana.h"
 
 static const int TALLA = 9;
@@ -13,19 +15,24 @@ static const struct {
 } FILTROS[3] = {{"Suavizado", {1, 1, 1, 1, 1, 1, 1, 1, 1}, 9},
                 {"Nitidez", {0, -1, 0, -1, 5, -1, 0, -1, 0}, 1},
                 {"Bordes", {0, 1, 0, 1, -4, 1, 0, 1, 0}, 1}};
-static const int BORDES = 2;
+static const int BORDES = 2, GANANCIA_MAXIMA = 9;
+static const struct {
+    const char *nombre;
+    GLint repeticion;
+} FUERA[3] = {{"", GL_CLAMP_TO_EDGE}, {", fuera repetida", GL_REPEAT}, {", fuera cero", GL_CLAMP_TO_EDGE}};
+static const int CERO = 2;
 
 static struct {
     GLuint programa, programaCopia;
     glm::ivec2 talla;
-    int elegido = 0;
-    bool conSigno = true, compara = false, rotulos;
+    int elegido = 0, fuera = 0, ganancia = 4;
+    bool conSigno = false, compara = false, rotulos;
 } estado;
 
 static std::string nombre(int elegido) {
-    return FILTROS[elegido].nombre + std::string(elegido != BORDES ? ""
-                                                 : estado.conSigno ? " con signo"
-                                                                   : " en valor absoluto");
+    const std::string ganancia = " ×" + std::to_string(estado.ganancia),
+                      bordes = (estado.conSigno ? " con signo" : " absolutos") + ganancia;
+    return FILTROS[elegido].nombre + (elegido == BORDES ? bordes : "") + FUERA[estado.fuera].nombre;
 }
 
 static void convoluciona(int elegido) {
@@ -42,12 +49,16 @@ static void convoluciona(int elegido) {
     envia(estado.programa, "imagen", 0);
     envia(estado.programa, "sumaCero", elegido == BORDES);
     envia(estado.programa, "conSigno", estado.conSigno);
+    envia(estado.programa, "ganancia", float(estado.ganancia));
+    envia(estado.programa, "ceroFuera", estado.fuera == CERO);
     dibujaRectangulo();
     if (estado.rotulos)
         rotulaImagen(::nombre(elegido));
 }
 
 static void dibuja() {
+    for (const GLenum sentido : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glTexParameteri(GL_TEXTURE_2D, sentido, FUERA[estado.fuera].repeticion);
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
     if (estado.compara) {
         const std::vector<Recuadro> paneles = panelesPara(4, estado.talla);
@@ -65,7 +76,9 @@ static void dibuja() {
         dibujaEn(encaja(estado.talla, ventanaEntera()));
         convoluciona(estado.elegido);
     }
-    ponTitulo("Convolución 3×3: " + (estado.compara ? "los tres filtros" : nombre(estado.elegido)));
+    ponTitulo("Convolución 3×3: " + (estado.compara
+                                         ? std::string("los tres filtros") + FUERA[estado.fuera].nombre
+                                         : nombre(estado.elegido)));
     glutSwapBuffers();
 }
 
@@ -80,6 +93,9 @@ static void teclado(unsigned char tecla, int, int) {
         estado.compara = false;
         break;
     case 's': estado.conSigno = !estado.conSigno; break;
+    case '+': estado.ganancia = std::min(estado.ganancia + 1, GANANCIA_MAXIMA); break;
+    case '-': estado.ganancia = std::max(estado.ganancia - 1, 1); break;
+    case 'b': estado.fuera = (estado.fuera + 1) % 3; break;
     case 'v': estado.compara = !estado.compara; break;
     case 'r': estado.rotulos = !estado.rotulos; break;
     default: return;

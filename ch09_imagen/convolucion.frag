@@ -5,7 +5,8 @@ const int tallaFiltro = 9;
 
 uniform vec2 desplazamiento[tallaFiltro];
 uniform float filtro[tallaFiltro];
-uniform bool sumaCero, conSigno;
+uniform bool sumaCero, conSigno, ceroFuera;
+uniform float ganancia; // de lo que suma 0
 uniform sampler2D imagen;
 
 in vec2 coordenadaTextura;
@@ -14,9 +15,13 @@ out vec4 colorFragmento;
 // Listado 9.3, que filtra también la opacidad: con un filtro que suma 0 quedaría todo transparente.
 void main() {
     vec3 suma = vec3(0.0);
-    for (int i = 0; i < tallaFiltro; i++)
-        suma += texture(imagen, coordenadaTextura + desplazamiento[i]).rgb * filtro[i];
+    for (int i = 0; i < tallaFiltro; i++) {
+        vec2 st = coordenadaTextura + desplazamiento[i];
+        bool dentro = st == clamp(st, 0.0, 1.0);
+        if (dentro || !ceroFuera)
+            suma += texture(imagen, st).rgb * filtro[i];
+    }
     if (sumaCero)
-        suma = muestraSigno(suma, conSigno);
+        suma = muestraSigno(ganancia * suma, conSigno);
     colorFragmento = vec4(suma, texture(imagen, coordenadaTextura).a);
 }

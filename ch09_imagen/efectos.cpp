@@ -3,26 +3,29 @@
 // gris, aunque el verde se ve diez veces más claro. El libro lleva la imagen con glDrawPixels, que OpenGL 3.1 ya no
 // tiene: aquí es una textura.
 // Controles: 1 original · 2 brillo · 3 negativo · 4 grises, media · 5 grises, luminancia · + - brillo ·
-// v los cuatro a la vez · r rótulos · botón derecho menú · Esc termina.
+// v los de la figura 9.2 · c los dos grises de seis colores puros · r rótulos · botón derecho menú · Esc termina.
 #include "imagen_en_ventana.h"
 
 static const char *const EFECTOS[] = {"Original", "Brillo", "Negativo", "Media", "Luminancia"};
+enum { ORIGINAL, BRILLO, NEGATIVO, MEDIA, LUMINANCIA };
 static const int BRILLO_MAXIMO = 40; // décimas
+static const Imagen COLORES_PUROS = {
+    6, 1, {255, 0, 0, 255, 255, 0, 0, 255, 0, 0, 255, 255, 0, 0, 255, 255, 0, 255}};
 
 static struct {
     GLuint programa;
     glm::ivec2 talla;
     int elegido = 0, decimas = 16; // alfa = 1.6, como en la figura 9.2
-    bool compara = false, rotulos;
+    bool compara = false, conColores = false, rotulos;
 } estado;
 
 static std::string nombre(int efecto) {
     const std::string alfa = std::to_string(estado.decimas / 10) + "." + std::to_string(estado.decimas % 10);
-    return EFECTOS[efecto] + (efecto == 1 ? " ×" + alfa : "");
+    return EFECTOS[efecto] + (efecto == BRILLO ? " ×" + alfa : "");
 }
 
-static void dibujaEfecto(int efecto, const Recuadro &panel) {
-    dibujaEn(encaja(estado.talla, panel));
+static void dibujaEfecto(int efecto, const Recuadro &donde) {
+    dibujaEn(donde);
     envia(estado.programa, "elegido", efecto);
     dibujaRectangulo();
     if (estado.rotulos)
@@ -32,22 +35,30 @@ static void dibujaEfecto(int efecto, const Recuadro &panel) {
 static void dibuja() {
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
     glUseProgram(estado.programa);
-    envia(estado.programa, "imagen", 0);
+    envia(estado.programa, "imagen", estado.conColores ? 1 : 0); // la unidad de cada textura
     envia(estado.programa, "alfa", float(estado.decimas) / 10);
+    std::string titulo = nombre(estado.elegido);
     if (estado.compara) {
-        int efecto = 1;
+        titulo = "los cuatro";
+        int efecto = ORIGINAL;
         for (const Recuadro &panel : panelesPara(4, estado.talla))
-            dibujaEfecto(efecto++, panel);
+            dibujaEfecto(efecto++, encaja(estado.talla, panel));
+    } else if (estado.conColores) {
+        titulo = "media y luminancia de seis colores puros";
+        const std::vector<Recuadro> franjas = rejilla(1, 3);
+        dibujaEfecto(ORIGINAL, franjas[0]);
+        dibujaEfecto(MEDIA, franjas[1]);
+        dibujaEfecto(LUMINANCIA, franjas[2]);
     } else {
-        dibujaEfecto(estado.elegido, ventanaEntera());
+        dibujaEfecto(estado.elegido, encaja(estado.talla, ventanaEntera()));
     }
-    ponTitulo("Efectos de imagen: " + (estado.compara ? "los cuatro" : nombre(estado.elegido)));
+    ponTitulo("Efectos de imagen: " + titulo);
     glutSwapBuffers();
 }
 
 static void elige(int efecto) {
     estado.elegido = efecto;
-    estado.compara = false;
+    estado.compara = estado.conColores = false;
     glutPostRedisplay();
 }
 
@@ -63,19 +74,27 @@ static void teclado(unsigned char tecla, int, int) {
     case '+': estado.decimas = std::min(estado.decimas + 1, BRILLO_MAXIMO); break;
     case '-': estado.decimas = std::max(estado.decimas - 1, 0); break;
     case 'v': estado.compara = !estado.compara; break;
+    case 'c': estado.conColores = !estado.conColores; break;
     case 'r': estado.rotulos = !estado.rotulos; break;
     default: return;
     }
+    if (tecla == 'c')
+        estado.compara = false;
+    else if (tecla != 'r')
+        estado.conColores = false;
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
     const auto [imagenes, propias] =
-        abreVentanaConImagenes(argc, argv, "Efectos de imagen", {{"assets/foto.rgb", 250, 190}});
+        abreVentanaConImagenes(argc, argv, "Efectos de imagen", {{"assets/foto_grande.rgb", 1000, 760}});
     estado.programa = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/efectos.frag");
     estado.talla = tallaDe(imagenes[0]);
     estado.rotulos = !propias;
-    creaTexturaExacta(imagenes[0]);
+    creaTexturaReducible(imagenes[0]);
+    glActiveTexture(GL_TEXTURE1);
+    creaTexturaExacta(COLORES_PUROS);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     glutCreateMenu(elige);

@@ -54,6 +54,14 @@ inline GLuint creaTexturaExacta(const Imagen &imagen) {
                              imagen.rgb.data());
 }
 
+/// La misma con mipmaps: reducida a la mitad o más, promedia; a su tamaño o mayor no cambia nada.
+inline GLuint creaTexturaReducible(const Imagen &imagen) {
+    const GLuint textura = creaTexturaExacta(imagen);
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+    return textura;
+}
+
 /// Un framebuffer cuyo color es una textura: lo que se dibuja en él se lee después.
 struct Lienzo {
     GLuint framebuffer, textura;

@@ -1,8 +1,9 @@
 // Morphing (§9.4): una malla en cada imagen, con los mismos puntos sobre los mismos rasgos. Al pasar t de 0 a 1 los
 // vértices van de los sitios de una a los de la otra y, a la vez, los colores se mezclan: los ojos van a los ojos. Con
-// t = 0 se ve A, exacta, y con t = 1, B. Si las imágenes son del usuario, las mallas empiezan regulares y los puntos se
+// t = 0 se ve A, exacta, y con t = 1, B. La mezcla del listado 9.2, con los mismos colores, no mueve nada: se ven las dos
+// caras. Si las imágenes son del usuario, las mallas empiezan regulares y los puntos se
 // arrastran: con t < 0.5 los de A y, si no, los de B.
-// Controles: 1 2 3 t = 0, 0.5 y 1 · + - t · espacio lo mueve · m malla · v A, t y B · ratón arrastra un punto ·
+// Controles: 1 2 3 t = 0, 0.5 y 1 · + - t · espacio lo mueve · m malla · v A, t, B y su mezcla · ratón arrastra un punto ·
 // r rótulos · Esc termina.
 #include "malla_en_ventana.h"
 #include <cstdio>
@@ -17,7 +18,7 @@ static const int VUELTA = 6000, VIGESIMO = VUELTA / 40; // ms que t tarda en ir 
 static const int MS_CUADRO = 33;
 
 static struct {
-    GLuint programa;
+    GLuint programa, programaMezcla;
     Buferes buferes;
     glm::ivec2 talla;
     MallaImagen a, b;
@@ -64,6 +65,17 @@ static void dibujaMorphing(float t, const Recuadro &panel, const std::string &ro
         rotulaImagen(rotulo);
 }
 
+static void dibujaMezcla(float t, const Recuadro &panel, const std::string &rotulo) {
+    dibujaEn(encaja(estado.talla, panel));
+    glUseProgram(estado.programaMezcla);
+    envia(estado.programaMezcla, "imagenA", 0);
+    envia(estado.programaMezcla, "imagenB", 1);
+    envia(estado.programaMezcla, "alfa", t);
+    dibujaRectangulo();
+    if (estado.rotulos)
+        rotulaImagen(rotulo);
+}
+
 static void dibuja() {
     const float t = tActual();
     char rotulo[32];
@@ -71,10 +83,11 @@ static void dibuja() {
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
     cambiaVertices(estado.buferes, triangula(estado.a, estado.b));
     if (estado.compara) {
-        const std::vector<Recuadro> paneles = panelesPara(3, estado.talla);
+        const std::vector<Recuadro> paneles = panelesPara(4, estado.talla);
         dibujaMorphing(0, paneles[0], "A");
         dibujaMorphing(t, paneles[1], rotulo);
         dibujaMorphing(1, paneles[2], "B");
+        dibujaMezcla(t, paneles[3], std::string("mezcla, ") + rotulo);
     } else {
         dibujaMorphing(t, ventanaEntera(), rotulo);
     }
@@ -135,8 +148,9 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     const auto [imagenes, propias] = abreVentanaConImagenes(
-        argc, argv, "Morphing", {{"assets/cara.rgb", 320, 240}, {"assets/gato.rgb", 320, 240}});
+        argc, argv, "Morphing", {{"assets/cara.rgb", 960, 720}, {"assets/gato.rgb", 960, 720}});
     estado.programa = creaPrograma("ch09_imagen/morphing.vert", "ch09_imagen/morphing.frag");
+    estado.programaMezcla = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/mezcla.frag");
     estado.a = propias ? REGULAR : CARA;
     estado.b = propias ? REGULAR : GATO;
     estado.buferes = creaBuferes(triangula(estado.a, estado.b));

@@ -50,7 +50,7 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     const auto [imagenes, propias] =
-        abreVentanaConImagenes(argc, argv, "Remolino", {{"assets/foto.rgb", 250, 190}});
+        abreVentanaConImagenes(argc, argv, "Remolino", {{"assets/foto_grande.rgb", 1000, 760}});
     estado.programa = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/remolino.frag");
     estado.talla = tallaDe(imagenes[0]);
     estado.rotulos = !propias;

@@ -1,6 +1,6 @@
 // Volteo horizontal y vertical (ejercicio 9.4): el vertex shader cambia el signo de x o de y a los vértices del
 // rectángulo y la textura va con ellos. Los dos a la vez son un giro de media vuelta.
-// Controles: h horizontal · v vertical · c los cuatro a la vez · r rótulos · Esc termina.
+// Controles: x horizontal · y vertical · v los cuatro a la vez · r rótulos · Esc termina.
 #include "imagen_en_ventana.h"
 
 static const char *const NOMBRES[4] = {"Original", "Horizontal", "Vertical", "Los dos"};
@@ -39,22 +39,24 @@ static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
     switch (tecla) {
-    case 'h': estado.horizontal = !estado.horizontal; break;
-    case 'v': estado.vertical = !estado.vertical; break;
-    case 'c': estado.compara = !estado.compara; break;
+    case 'x': estado.horizontal = !estado.horizontal; break;
+    case 'y': estado.vertical = !estado.vertical; break;
+    case 'v': estado.compara = !estado.compara; break;
     case 'r': estado.rotulos = !estado.rotulos; break;
     default: return;
     }
+    if (tecla == 'x' || tecla == 'y')
+        estado.compara = false;
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
     const auto [imagenes, propias] =
-        abreVentanaConImagenes(argc, argv, "Volteo", {{"assets/foto.rgb", 250, 190}});
+        abreVentanaConImagenes(argc, argv, "Volteo", {{"assets/foto_grande.rgb", 1000, 760}});
     estado.programa = creaPrograma("ch09_imagen/volteo.vert", "ch09_imagen/imagen.frag");
     estado.talla = tallaDe(imagenes[0]);
     estado.rotulos = !propias;
-    creaTexturaExacta(imagenes[0]);
+    creaTexturaReducible(imagenes[0]);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     glutMainLoop();

@@ -92,7 +92,7 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     const auto [imagenes, propias] =
-        abreVentanaConImagenes(argc, argv, "Warping", {{"assets/cara.rgb", 320, 240}});
+        abreVentanaConImagenes(argc, argv, "Warping", {{"assets/cara.rgb", 960, 720}});
     estado.programa = creaPrograma("ch09_imagen/warping.vert", "ch09_imagen/imagen.frag");
     estado.original = creaBuferes(triangula(REGULAR, REGULAR));
     estado.deformada = creaBuferes(triangula(REGULAR, REGULAR));

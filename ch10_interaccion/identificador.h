@@ -10,22 +10,21 @@ using Rgb = std::array<unsigned char, 3>; // como se leen de un framebuffer de 8
 
 const unsigned NADA = 0, IDENTIFICADOR_MAXIMO = (1u << 24) - 1;
 
-/// Los bits van, desde el menor, al rojo, al verde y al azul por turno, y en cada uno desde el de más valor: los
-/// números seguidos dan colores que se distinguen también a la vista.
+/// Los números seguidos, tal cual, son colores que no se distinguen: del 1 al 9, nueve casi negros. Multiplicarlos por
+/// uno impar, módulo 2²⁴, los reparte sin repetir ninguno y deja el 0 de negro; multiplicar por su inverso lo deshace.
+const unsigned REPARTE = 0xC66E35, RECOGE = 0xEFF41D;
+static_assert((REPARTE * RECOGE & IDENTIFICADOR_MAXIMO) == 1);
+
 inline Rgb rgbDe(unsigned identificador) {
     if (identificador > IDENTIFICADOR_MAXIMO)
         falla("el identificador " + std::to_string(identificador) + " no cabe en 24 bits");
-    Rgb rgb{};
-    for (unsigned bit = 0; bit < 24; ++bit)
-        rgb[bit % 3] = static_cast<unsigned char>(rgb[bit % 3] | (identificador >> bit & 1) << (7 - bit / 3));
-    return rgb;
+    const unsigned n = identificador * REPARTE;
+    const auto byte = [n](int cual) { return static_cast<unsigned char>(n >> 8 * cual & 255); };
+    return {byte(0), byte(1), byte(2)};
 }
 
 inline unsigned identificadorDe(const Rgb &rgb) {
-    unsigned identificador = 0;
-    for (unsigned bit = 0; bit < 24; ++bit)
-        identificador |= (rgb[bit % 3] >> (7 - bit / 3) & 1u) << bit;
-    return identificador;
+    return (rgb[0] | unsigned(rgb[1]) << 8 | unsigned(rgb[2]) << 16) * RECOGE & IDENTIFICADOR_MAXIMO;
 }
 
 /// El color con que pintarlo: k/255 se guarda en 8 bits como k, exacto.

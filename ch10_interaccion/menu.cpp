@@ -1,7 +1,7 @@
 // Un menú desplegable con un submenú (listado 10.1, figura 10.1): la grúa en perspectiva o en una de las tres vistas
 // paralelas (ch04_vista3d/vistas_grua.h). Elegir una opción es recibir su número, que se escribe en stdout.
 // Controles: botón derecho abre el menú · 1 perspectiva · 2 alzado · 3 planta · 4 perfil · 0 termina ·
-// ratón orbita la perspectiva · rueda acerca · Esc termina.
+// ratón orbita la perspectiva · rueda la exagera o la suaviza, siempre con la grúa entera · Esc termina.
 #include "ch03_transformaciones/objeto.h"
 #include "ch04_vista3d/vistas_grua.h"
 #include <cstdio>

@@ -42,7 +42,7 @@ static const float APAGADO = 0.7f, RADIO_ARO = 0.98f;
 enum { COLOR, PROFUNDIDAD, N_RENDERBUFFERS };
 static struct {
     GLuint programa, programaIdentificador;
-    GLuint framebuffer = 0, renderbuffers[N_RENDERBUFFERS] = {};
+    GLuint framebuffer = 0, renderbuffer[N_RENDERBUFFERS] = {};
     Buferes formas[N_FORMAS];
     unsigned elegido = NADA; // SOLIDOS[elegido]
     std::string leido = "clic en un objeto";
@@ -50,22 +50,22 @@ static struct {
     Orbita orbita = {0.25f, 0.55f, 11.5f, {-0.45f, 0.05f, 0}, 0.1f};
 } estado;
 
-// Listado 10.2. El tamaño es el de la ventana: cuando cambia hay que hacerlo otra vez.
+// Listado 10.2 (initFramebuffer, con renderbuffer[Color] y [Depth]). Si la ventana cambia de tamaño se hace otra vez.
 static void creaFramebuffer(int ancho, int alto) {
     glDeleteFramebuffers(1, &estado.framebuffer); // si no había, borrar el 0 no hace nada
-    glDeleteRenderbuffers(N_RENDERBUFFERS, estado.renderbuffers);
-    glGenRenderbuffers(N_RENDERBUFFERS, estado.renderbuffers);
-    glBindRenderbuffer(GL_RENDERBUFFER, estado.renderbuffers[COLOR]);
+    glDeleteRenderbuffers(N_RENDERBUFFERS, estado.renderbuffer);
+    glGenRenderbuffers(N_RENDERBUFFERS, estado.renderbuffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, estado.renderbuffer[COLOR]);
     glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, ancho, alto); // GL_RGBA a secas no promete 8 bits
-    glBindRenderbuffer(GL_RENDERBUFFER, estado.renderbuffers[PROFUNDIDAD]);
+    glBindRenderbuffer(GL_RENDERBUFFER, estado.renderbuffer[PROFUNDIDAD]);
     glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, ancho, alto);
 
     glGenFramebuffers(1, &estado.framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
-                              estado.renderbuffers[COLOR]);
+                              estado.renderbuffer[COLOR]);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                              estado.renderbuffers[PROFUNDIDAD]);
+                              estado.renderbuffer[PROFUNDIDAD]);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         falla("este OpenGL no admite el framebuffer de la selección");
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -129,7 +129,7 @@ static void dibuja() {
     glutSwapBuffers();
 }
 
-// Listado 10.3. GLUT cuenta las filas desde arriba, de 0 a alto − 1, y OpenGL desde abajo.
+// Listado 10.3, renderToFramebuffer. GLUT cuenta las filas desde arriba, de 0 a alto − 1, y OpenGL desde abajo.
 static void selecciona(int x, int y) {
     const int fila = glutGet(GLUT_WINDOW_HEIGHT) - 1 - y;
     glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);

@@ -20,6 +20,7 @@ const std::map<std::string, Asset> ASSETS = {
     {"entorno_detras", {256, 256, 0xae49f838ed34bfed}},
     {"entorno_izquierda", {256, 256, 0xf368182e7b1b0849}},
     {"foto", {250, 190, 0xf09d249e3c352a9b}},
+    {"foto_grande", {1000, 760, 0x7633944b363f3c1e}},
     {"ladrillo", {256, 256, 0xc9613647c73087fe}},
     {"luz", {64, 48, 0xab297e315418ba49}},
     {"madera", {256, 256, 0xd59efbf1c2a755e6}},
@@ -60,6 +61,20 @@ TEST(Assets, LasQueSeRepitenCasanConsigoMismas) {
             EXPECT_LE(saltos[255], *std::max_element(saltos.begin(), saltos.begin() + 255)) << nombre;
         }
     }
+}
+
+// La foto grande es la misma: cada 4 × 4 de sus texels dan, salvo el redondeo y lo fino, uno de la pequeña.
+TEST(Assets, LaFotoGrandeEsLaMisma) {
+    const Imagen grande = lee("foto_grande"), foto = lee("foto");
+    double suma = 0;
+    for (int y = 0; y < 190; ++y)
+        for (int x = 0; x < 250; ++x) {
+            oraculo::Vec3 media;
+            for (int k = 0; k < 16; ++k)
+                media = media + 1 / 16.0 * color(pixel(grande, 4 * x + k % 4, 4 * y + k / 4));
+            suma += distancia(pixel(foto, x, y), media);
+        }
+    EXPECT_LE(suma / (250 * 190), 2);
 }
 
 // La carta dice cuál es cada esquina: origen oscuro, eje s rojo abajo, eje t verde a la izquierda.

@@ -499,7 +499,7 @@ TEST(Multitextura, TodosLosValoresDeLaMascaraYLasCuatroUnidades) {
             const Hueco h = hueco(0, 1, k, 4, 72, 180);
             const bool usada = k == 0 || (k == 3 ? tecla != 1 : tecla != 2);
             compruebaRotulos(gpu[i].encima.enPanel(0, h.y),
-                             {{"unidad " + std::to_string(k) + "\n" + UNIDADES[k],
+                             {{"unidad " + std::to_string(k) + "\n" + (k == 2 ? "máscara" : UNIDADES[k]),
                                {36, h.y + 0.5 * h.alto},
                                usada ? BLANCO : GRIS}});
             // la textura, entera: 1.06 veces su alto es el del panel

@@ -207,13 +207,15 @@ TEST(EspejoPlantilla, ConYSin) {
         std::vector<Letrero> letreros;
         const int n = int(c.conPlantilla.size());
         for (int k = 0; k < n; ++k) {
-            const Panel panel(camara(c.azimut, 0.30, 17.5, {-0.7, 0.95, 0}, 0.5), v.escena, k, n, c.columnas);
+            const double angulo = c.columnas < n ? 0.36 : 0.5; // uno encima de otro, son muy anchos
+            const Panel panel(camara(c.azimut, 0.30, 17.5, {-0.7, 0.95, 0}, angulo), v.escena, k, n,
+                              c.columnas);
             const bool con = c.conPlantilla[k];
             const std::string texto = con ? "con plantilla" : "sin plantilla";
             const ImagenRef ref =
                 render(e.escena, panel, [&](const Impacto &i) { return conEspejo(e, i, 0, con); });
             comprueba(texto, recorta(v.escena, panel), ref, mezclando(0));
-            letreros.push_back({texto, panel.lugar(0.5, 0.94), OSCURO});
+            letreros.push_back({texto, panel.lugar(0.02, 0.9), OSCURO, Lado::DERECHA});
             const int salidos =
                 cuenta(ref, [](const PixelRef &p) { return p.objeto != ESPEJO && p.zona >= REFLEJADO; });
             EXPECT_EQ(salidos > 100, !con) << "sin plantilla, se sale del espejo";
@@ -296,22 +298,24 @@ TEST(Transparencia, DeAtrasAdelanteEnDoble) {
 namespace {
 
 /// Un panel: las barras opacas y los dos cristales, lisos, en el orden dado (0, el rojo). Con `aditivo`, la ecuación
-/// 7.2.
-ImagenRef cristales(std::array<int, 2> orden, bool aditivo, const Panel &panel) {
+/// 7.2; si `escriben` su profundidad, el que está detrás de uno ya dibujado no se dibuja.
+ImagenRef cristales(std::array<int, 2> orden, bool aditivo, bool escriben, const Panel &panel) {
     Escena barras;
-    for (const double x : {-0.9, 0.0, 0.9})
-        barras.push_back(caja(traslada({x, 0, -1}) * escala({0.12, 2, 0.12})));
-    const Escena cristal[2] = {{plano(traslada({-0.35, 0.15, 0.5}) * escala({1.5, 2.4, 1}))},
-                               {plano(traslada({0.35, -0.15, -0.5}) * escala({1.5, 2.4, 1}))}};
+    for (const double x : {-1.25, -0.36, 0.3})
+        barras.push_back(caja(traslada({x, -0.2, -1}) * escala({0.16, 3.5, 0.16})));
+    const Escena cristal[2] = {{plano(traslada({-0.2, 0.15, 0.35}) * escala({1.5, 2.4, 1}))},
+                               {plano(traslada({0.2, -0.15, -0.35}) * escala({1.5, 2.4, 1}))}};
     const Vec3 colores[2] = {{1, 0.25, 0.2}, {0.25, 0.6, 1}};
     const double alfa = 0.55;
     return render(barras, panel, [&](const Impacto &i) -> Tono {
         Vec3 color = exacto(i ? GRIS : FONDO_OSCURO);
         int zona = 0;
+        double delante = i ? i.distancia : 1e9;
         for (const int k : orden) {
             const Impacto c = primerImpacto(cristal[k], i.rayo);
-            if (!c || (i && c.distancia > i.distancia))
+            if (!c || c.distancia > delante)
                 continue;
+            delante = escriben ? c.distancia : delante;
             zona += 1 + k;
             color = aditivo ? recortado(color + alfa * colores[k]) : mezcla(color, colores[k], alfa);
         }
@@ -322,34 +326,48 @@ ImagenRef cristales(std::array<int, 2> orden, bool aditivo, const Panel &panel) 
 } // namespace
 
 // Ecuaciones 7.1 y 7.2 con los colores exactos. Según llegan, los dos lados difieren donde se solapan; ordenados o
-// sumando, no. Por detrás el más lejano es el otro: el orden no es fijo.
+// sumando, no. Por detrás el más lejano es el otro: el orden no es fijo. Si escriben su profundidad, sumar depende
+// también del orden, y ordenarlos lo arregla. El color que se enseña es el del centro, junto al otro panel.
 TEST(OrdenTransparencia, ColoresExactos) {
     const struct {
         std::string guion;
         const char *modo;
         std::array<int, 2> izquierda, derecha;
-        bool aditivo;
-        double azimut;
+        bool aditivo, escriben, iguales;
+        double azimut = 0.55;
     } casos[] = {
-        {"", "según llegan", {0, 1}, {1, 0}, false, 0.35},
-        {"tecla 2", "ordenados", {1, 0}, {1, 0}, false, 0.35},
-        {"tecla 3", "aditivo", {0, 1}, {1, 0}, true, 0.35},
-        {"tecla 2; " + arrastra(300, 0), "ordenados", {0, 1}, {0, 1}, false, 0.35 - 3},
-        {"tecla 1", "según llegan", {0, 1}, {1, 0}, false, 0.35 - 3},
+        {"", "según llegan", {0, 1}, {1, 0}, false, false, false},
+        {"tecla 2", "ordenados", {1, 0}, {1, 0}, false, false, true},
+        {"tecla 3", "aditivo", {0, 1}, {1, 0}, true, false, true},
+        {"tecla d", "aditivo", {0, 1}, {1, 0}, true, true, false},
+        {"tecla 1", "según llegan", {0, 1}, {1, 0}, false, true, false},
+        {"tecla 2", "ordenados", {1, 0}, {1, 0}, false, true, true},
+        {"tecla d; " + arrastra(300, 0), "ordenados", {0, 1}, {0, 1}, false, false, true, 0.55 - 3},
+        {"tecla 1", "según llegan", {0, 1}, {1, 0}, false, false, false, 0.55 - 3},
     };
     paraCada("orden_transparencia", casos, 241, 180, [](const auto &c, const Vista &v) {
         std::vector<Letrero> letreros;
         Imagen lados[2];
         for (const int k : {0, 1}) {
-            const Panel panel(camara(c.azimut, 0.15, 6.5, {}, 0.36), v.escena, k, 2, 2);
+            const Panel panel(camara(c.azimut, 0.25, 6.6, {}, 0.36), v.escena, k, 2, 2);
             lados[k] = recorta(v.escena, panel);
-            comprueba(c.modo, lados[k], cristales(k ? c.derecha : c.izquierda, c.aditivo, panel),
+            comprueba(c.modo, lados[k], cristales(k ? c.derecha : c.izquierda, c.aditivo, c.escriben, panel),
                       mezclando(2));
-            letreros.push_back({c.modo, panel.lugar(0.5, 0.94), AMARILLO});
+            letreros.push_back({c.modo, panel.lugar(0.5, 0.95), AMARILLO});
+            if (c.escriben)
+                letreros.push_back({"con profundidad", panel.lugar(0.5, 0.88), AMARILLO});
             letreros.push_back({k ? "antes el azul" : "antes el rojo", panel.lugar(0.5, 0.06), BLANCO});
+
+            const Encima encima = v.encima.enPanel(panel.hueco.x, panel.hueco.y);
+            const glm::dvec2 centro = panel({0, 0, 0});
+            compruebaPuntos(encima, {centro}, BLANCO);
+            const Pixel leido = pixel(v.escena, int(centro.x), int(centro.y));
+            const Encima muestra = encima.trazos(glm::vec3(leido.r, leido.g, leido.b) / 255.0f, "poligono");
+            ASSERT_EQ(muestra.size(), 1u);
+            EXPECT_LE(glm::distance(muestra[0].punto(k ? 0 : 1), panel.lugar(k ? 0 : 1, 0.11)), 0.1);
         }
         compruebaRotulos(v.encima, letreros);
-        EXPECT_EQ(lados[0].rgb == lados[1].rgb, c.modo != std::string("según llegan"));
+        EXPECT_EQ(lados[0].rgb == lados[1].rgb, c.iguales);
     });
 }
 
@@ -425,6 +443,9 @@ TEST(Sombras, ContraRayosALaLuz) {
         {"tecla p; " + arrastra(-200, 0) + "; " + arrastra(-500, -500, derecho), {-3, 4, 0.8}},
         {arrastra(900, 0, derecho), {3, 4, 0.8}},
         {arrastra(0, 900, derecho), {3, -0.5, 0.8}},
+        {arrastra(-60, -180, derecho) + "; tecla w ×6", {2.4, 1.3, -0.4}},
+        {veces(99, "tecla w"), {2.4, 1.3, -2}},
+        {"tecla s ×99; tecla w", {2.4, 1.3, 1.8}},
     };
     paraCada("sombras", casos, 240, 180, [](const CasoSombras &c, const Vista &v) {
         const ImagenRef ref = traza(c);

@@ -13,18 +13,25 @@ struct Nucleo {
     std::vector<double> valores; // por filas, hacia arriba
 };
 
-/// Ecuación 9.1 con (m − 1)/2 redondeado hacia abajo; fuera de la imagen, el borde.
-Vec3 correla(const Imagen &im, const Nucleo &filtro, int x, int y) {
+/// Ecuación 9.1 con (m − 1)/2 redondeado hacia abajo; fuera de la imagen, el borde, la imagen repetida o cero.
+enum Fuera { BORDE, REPETIDA, CERO };
+Vec3 correla(const Imagen &im, const Nucleo &filtro, int x, int y, Fuera fuera) {
     Vec3 suma;
     const int m = filtro.m, centro = (m - 1) / 2;
-    for (int k = 0; k < m * m; ++k)
-        suma = suma + filtro.valores[std::size_t(k)] * texel(im, x + k % m - centro, y + k / m - centro);
+    for (int k = 0; k < m * m; ++k) {
+        const int i = x + k % m - centro, j = y + k / m - centro;
+        const bool dentro = i >= 0 && i < im.ancho && j >= 0 && j < im.alto;
+        if (dentro || fuera != CERO)
+            suma =
+                suma + filtro.valores[std::size_t(k)] * texel(im, i, j, fuera == REPETIDA, fuera == REPETIDA);
+    }
     return suma;
 }
 enum Signo { POSITIVO, CON_SIGNO, ABSOLUTO }; // con signo, el gris 128 es 0
-Cuadro con(const Imagen &im, const Nucleo &filtro, const std::string &rotulo, Signo signo = POSITIVO) {
+Cuadro con(const Imagen &im, const Nucleo &filtro, const std::string &rotulo, Signo signo = POSITIVO,
+           double ganancia = 1, Fuera fuera = BORDE) {
     return {[=](int x, int y) {
-                const Vec3 c = correla(im, filtro, x, y);
+                const Vec3 c = ganancia * correla(im, filtro, x, y, fuera);
                 return signo == CON_SIGNO ? Vec3{128, 128, 128} + c : signo == ABSOLUTO ? absoluto(c) : c;
             },
             rotulo};
@@ -76,15 +83,36 @@ Cuadro conNucleo(const Imagen &im, int familia, int m, int modo = AUTOMATICO,
 // Elegir uno deja de comparar.
 TEST(Convolucion, LosTresFiltrosDeLaTabla91) {
     const Cuadro suavizado = con(A, SUAVIZADO, "Suavizado"), nitidez = con(A, NITIDEZ, "Nitidez"),
-                 conSigno = con(A, BORDES, "Bordes con signo", CON_SIGNO),
-                 absolutos = con(A, BORDES, "Bordes en valor absoluto", ABSOLUTO);
+                 conSigno = con(A, BORDES, "Bordes con signo ×4", CON_SIGNO, 4),
+                 absolutos = con(A, BORDES, "Bordes absolutos ×4", ABSOLUTO, 4);
     compruebaPaneles("convolucion", {A},
                      {{{"", "tecla 2; tecla v; tecla 1"}, {suavizado}},
                       {{"tecla 2"}, {nitidez}},
-                      {{"tecla 3", "tecla s ×2; tecla v; tecla 3"}, {conSigno}},
-                      {{"tecla 3; tecla s"}, {absolutos}},
-                      {{"tecla v"}, {ORIGINAL, suavizado, nitidez, conSigno}, 2},
-                      {{"tecla v; tecla s"}, {ORIGINAL, suavizado, nitidez, absolutos}, 2}});
+                      {{"tecla 3", "tecla s ×2; tecla v; tecla 3"}, {absolutos}},
+                      {{"tecla 3; tecla s"}, {conSigno}},
+                      {{"tecla v"}, {ORIGINAL, suavizado, nitidez, absolutos}, 2},
+                      {{"tecla v; tecla s"}, {ORIGINAL, suavizado, nitidez, conSigno}, 2}});
+}
+
+// La ganancia, de 1 a 9, solo de los bordes; y lo de fuera, en los tres filtros y al comparar.
+TEST(Convolucion, GananciaYLoDeFuera) {
+    const auto bordes = [](int ganancia, Fuera fuera = BORDE, const std::string &sufijo = "") {
+        return con(A, BORDES, "Bordes absolutos ×" + std::to_string(ganancia) + sufijo, ABSOLUTO, ganancia,
+                   fuera);
+    };
+    const Cuadro repetido = con(A, SUAVIZADO, "Suavizado, fuera repetida", POSITIVO, 1, REPETIDA),
+                 cero = con(A, SUAVIZADO, "Suavizado, fuera cero", POSITIVO, 1, CERO),
+                 nitidez = con(A, NITIDEZ, "Nitidez, fuera cero", POSITIVO, 1, CERO);
+    compruebaPaneles(
+        "convolucion", {A},
+        {{{"tecla 3; tecla - ×99"}, {bordes(1)}},
+         {{"tecla 3; tecla + ×99; tecla -"}, {bordes(8)}},
+         {{"tecla 3; tecla s; tecla - ×2"}, {con(A, BORDES, "Bordes con signo ×2", CON_SIGNO, 2)}},
+         {{"tecla +; tecla b"}, {repetido}},
+         {{"tecla b ×2"}, {cero}},
+         {{"tecla b ×3"}, {con(A, SUAVIZADO, "Suavizado")}},
+         {{"tecla 3; tecla b; tecla +"}, {bordes(5, REPETIDA, ", fuera repetida")}},
+         {{"tecla v; tecla b ×2"}, {ORIGINAL, cero, nitidez, bordes(4, CERO, ", fuera cero")}, 2}});
 }
 
 // La errata de §9.2: con 1/(ancho − 1) el texel de al lado no es el de al lado, y con ancho 1 no hay ninguno.

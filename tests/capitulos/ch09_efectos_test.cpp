@@ -51,17 +51,19 @@ TEST(Efectos, CadaUnoContraLaCpu) {
                  negativo = deTexels("Negativo", [](auto a, auto) { return 255 * UNO - a; }),
                  media = deTexels("Media", [](auto a, auto) { return escalar(a, UNO) / 3 * UNO; }),
                  luminancia = deTexels("Luminancia", [](auto a, auto) { return escalar(a, PESOS) * UNO; });
-    compruebaPaneles("efectos", {A},
-                     {{{"", "tecla v; tecla 1", "tecla 3; menu Original"}, {ORIGINAL}},
-                      {{"tecla 2", "tecla v; menu Brillo"}, {brillo16}},
-                      {{"tecla 2; tecla + ×3"}, {brillo(1.9, "Brillo ×1.9")}},
-                      {{"tecla 2; tecla - ×11"}, {brillo(0.5, "Brillo ×0.5")}},
-                      {{"tecla 2; tecla + ×99"}, {brillo(4, "Brillo ×4.0")}},
-                      {{"tecla 2; tecla - ×99; tecla +"}, {brillo(0.1, "Brillo ×0.1")}},
-                      {{"tecla 3", "menu Negativo"}, {negativo}},
-                      {{"tecla 4", "menu Media"}, {media}},
-                      {{"tecla v; tecla v; tecla 5", "menu Luminancia"}, {luminancia}},
-                      {{"tecla v"}, {brillo16, negativo, media, luminancia}, 2}});
+    compruebaPaneles(
+        "efectos", {A},
+        {{{"", "tecla v; tecla 1", "tecla 3; menu Original", "tecla v; tecla c ×2", "tecla c; tecla +"},
+          {ORIGINAL}},
+         {{"tecla 2", "tecla v; menu Brillo"}, {brillo16}},
+         {{"tecla 2; tecla + ×3"}, {brillo(1.9, "Brillo ×1.9")}},
+         {{"tecla 2; tecla - ×11"}, {brillo(0.5, "Brillo ×0.5")}},
+         {{"tecla 2; tecla + ×99"}, {brillo(4, "Brillo ×4.0")}},
+         {{"tecla 2; tecla - ×99; tecla +"}, {brillo(0.1, "Brillo ×0.1")}},
+         {{"tecla 3", "menu Negativo"}, {negativo}},
+         {{"tecla 4", "menu Media"}, {media}},
+         {{"tecla v; tecla v; tecla 5", "menu Luminancia"}, {luminancia}},
+         {{"tecla v", "tecla c; tecla v"}, {ORIGINAL, brillo16, negativo, media}, 2}});
 }
 
 // La errata: verde y azul puros, igual de grises para la media.
@@ -71,6 +73,21 @@ TEST(Efectos, LaMediaNoDistingueElVerdeDelAzul) {
     EXPECT_EQ(pixel(media, 0, 0), pixel(media, 1, 0));
     EXPECT_EQ(pixel(luz, 0, 0).r, 18);
     EXPECT_EQ(pixel(luz, 1, 0).r, 182);
+}
+
+// Seis colores puros, y lo que dan en la media y en la luminancia: dos grises o seis.
+TEST(Efectos, LosDosGrisesDeSeisColores) {
+    const Vista v = vistaDe("efectos", "tecla v; tecla c", 60, 62);
+    const Vec3 puros[] = {{255, 0, 0}, {255, 255, 0}, {0, 255, 0}, {0, 255, 255}, {0, 0, 255}, {255, 0, 255}};
+    const auto esperado = [&](int x, int y) {
+        const Vec3 &c = puros[x / 10];
+        return y > 41 ? c : y > 20 ? escalar(c, UNO) / 3 * UNO : escalar(c, PESOS) * UNO;
+    };
+    EXPECT_EQ(v.encima.textos(BLANCO), (std::vector<std::string>{"Original", "Media", "Luminancia"}));
+    for (const int y : {0, 21, 42})
+        EXPECT_LE(diferenciaMaxima(oraculo::recorta(v.escena, 0, y, 60, 20),
+                                   [&](int x, int fila) { return esperado(x, y + fila); }),
+                  0.51);
 }
 
 // 1×1, una columna y 4096×4096: texel a texel.
@@ -103,6 +120,24 @@ TEST(Efectos, LaVentanaTomaElTamanoDeLaImagen) {
     EXPECT_LE(diferenciaMaxima(centros, igualQue(i)), 1);
 }
 
+// Reducida a la cuarta parte, cada píxel es la media de 4 × 4 texels: dos redondeos a 8 bits, y el último, la mitad.
+TEST(Efectos, ReducidaPromedia) {
+    const Imagen i = alAzar(120, 80, 9), negra = lisa(120, 80, {0, 0, 0});
+    const auto media = [&](int x, int y) {
+        Vec3 suma;
+        for (int k = 0; k < 16; ++k)
+            suma = suma + 1 / 16.0 * texel(i, 4 * x + k % 4, 4 * y + k / 4);
+        return suma;
+    };
+    for (const std::string programa : {"efectos", "volteo", "mezcla", "diferencia"}) {
+        const bool dos = programa == "mezcla" || programa == "diferencia";
+        const std::string guion = programa == "mezcla" ? "tecla 1" : "";
+        const Vista v =
+            vistaDe(programa, guion, 30, 20, enFicheros(dos ? std::vector{i, negra} : std::vector{i}));
+        EXPECT_LE(diferenciaMaxima(v.escena, media), 1.5) << programa;
+    }
+}
+
 // Los rótulos están con las imágenes por omisión y no con las del usuario; y la r cambia lo que haya.
 TEST(Efectos, LaImagenDelUsuarioNoLlevaRotulos) {
     for (const std::string programa :
@@ -125,7 +160,10 @@ TEST(Mezcla, ContraLaCpu) {
                       {{"tecla 3; tecla + ×2; tecla -"}, {mezcla(0.67, "alfa = 0.67")}},
                       {{"tecla 1", "tecla - ×99"}, {mezcla(0, "alfa = 0.00")}},
                       {{"tecla 4", "tecla + ×99"}, {mezcla(1, "alfa = 1.00")}},
-                      {{"tecla 3; tecla v"}, {SOLO_A, mezcla(0.66, "alfa = 0.66"), SOLO_B}, 3}});
+                      {{"tecla v; tecla 2", "tecla v; tecla -; tecla +"}, {mezcla(0.33, "alfa = 0.33")}},
+                      {{"tecla 4; tecla v"},
+                       {SOLO_A, mezcla(0.33, "alfa = 0.33"), mezcla(0.66, "alfa = 0.66"), SOLO_B},
+                       2}});
     EXPECT_EQ(procesa("mezcla", {A, lisa(5, 3, {10, 20, 30})}, "tecla 4").rgb,
               lisa(61, 47, {10, 20, 30}).rgb);
 }
@@ -158,8 +196,8 @@ TEST(Diferencia, ContraLaCpu) {
     compruebaPaneles("diferencia", {A, B},
                      {{{""}, {sinSigno}},
                       {{"tecla s"}, {conSigno}},
-                      {{"tecla s; tecla v"}, {SOLO_A, SOLO_B, conSigno}, 3},
-                      {{"tecla s; tecla v; tecla s"}, {SOLO_A, SOLO_B, sinSigno}, 3}});
+                      {{"tecla v", "tecla s; tecla v"}, {SOLO_A, SOLO_B, sinSigno, conSigno}, 2},
+                      {{"tecla v; tecla s"}, {conSigno}}});
     compruebaPaneles("diferencia", {B, A}, {{{""}, {sinSigno}}});
 }
 
@@ -186,11 +224,11 @@ TEST(Volteo, ContraLaCpu) {
     const Cuadro original = volteada(false, false), horizontal = volteada(true, false),
                  vertical = volteada(false, true), losDos = volteada(true, true);
     compruebaPaneles("volteo", {A},
-                     {{{"", "tecla h ×2; tecla v ×2"}, {original}},
-                      {{"tecla h"}, {horizontal}},
-                      {{"tecla v"}, {vertical}},
-                      {{"tecla h; tecla v"}, {losDos}},
-                      {{"tecla v; tecla c"}, {original, horizontal, vertical, losDos}, 2}});
+                     {{{"", "tecla x ×2; tecla y ×2"}, {original}},
+                      {{"tecla x", "tecla v; tecla x"}, {horizontal}},
+                      {{"tecla y"}, {vertical}},
+                      {{"tecla x; tecla y"}, {losDos}},
+                      {{"tecla y; tecla v"}, {original, horizontal, vertical, losDos}, 2}});
 }
 
 // --- remolino ---

@@ -117,21 +117,33 @@ TEST(Morphing, EnLosExtremosEsAYEsB) {
                       {{"tecla 3", "tecla + ×12"}, {solo(B, "t = 1.00")}}});
     // también con las mallas de las dos caras, que no son regulares
     for (const auto &[tecla, nombre] : {std::pair("tecla 1", "cara.rgb"), {"tecla 3", "gato.rgb"}})
-        EXPECT_EQ(vistaDe("morphing", tecla, 320, 240).escena.rgb,
-                  leeTextura(std::string(LAB_BUILD "/assets/") + nombre, 320, 240).rgb)
+        EXPECT_EQ(vistaDe("morphing", tecla, 960, 720).escena.rgb,
+                  leeTextura(std::string(LAB_BUILD "/assets/") + nombre, 960, 720).rgb)
             << nombre;
 }
 
 // Con mallas regulares es la mezcla lineal. Al comparar no se arrastra.
 TEST(Morphing, SinDeformarEsUnaMezcla) {
     const Cuadro enMedio = mezcla(0.5, "t = 0.50");
-    compruebaPaneles(
-        "morphing", {A, B},
-        {{{"", "tecla 3; tecla 2"}, {enMedio}},
-         {{"tecla 2; tecla +"}, {mezcla(0.55, "t = 0.55")}},
-         {{"tecla 1; tecla +"}, {mezcla(0.05, "t = 0.05")}},
-         {{"tecla v; " + arrastra({40, 30}, {50, 20})}, {solo(A, "A"), enMedio, solo(B, "B")}, 3}});
+    compruebaPaneles("morphing", {A, B},
+                     {{{"", "tecla 3; tecla 2"}, {enMedio}},
+                      {{"tecla 2; tecla +"}, {mezcla(0.55, "t = 0.55")}},
+                      {{"tecla 1; tecla +"}, {mezcla(0.05, "t = 0.05")}},
+                      {{"tecla v; " + arrastra({40, 30}, {50, 20})},
+                       {solo(A, "A"), enMedio, solo(B, "B"), mezcla(0.5, "mezcla, t = 0.50")},
+                       2}});
     compruebaMallaRegular("morphing", {A, B}, 7, 8);
+}
+
+// La mezcla que se compara no deforma nada, y el morphing sí.
+TEST(Morphing, LaMezclaAlLado) {
+    const Vista v = vistaDe("morphing", "tecla 2; tecla - ×3; tecla v", 1928, 1448);
+    const Imagen cara = leeTextura(LAB_BUILD "/assets/cara.rgb", 960, 720),
+                 gato = leeTextura(LAB_BUILD "/assets/gato.rgb", 960, 720);
+    const auto mezclada = [&](int x, int y) { return 0.65 * texel(cara, x, y) + 0.35 * texel(gato, x, y); };
+    EXPECT_LE(diferenciaMaxima(oraculo::recorta(v.escena, 968, 0, 960, 720), mezclada), 0.51);
+    EXPECT_GT(diferenciaMaxima(oraculo::recorta(v.escena, 968, 728, 960, 720), mezclada), 50);
+    EXPECT_EQ(v.encima.at(3).texto, "mezcla, t = 0.35");
 }
 
 // A medio camino las pupilas de las dos caras están en el mismo sitio, la media.
@@ -243,19 +255,33 @@ TEST(Antialiasing, LaLupaSonPixelesDeLaImagen) {
         }
 }
 
-// Con v, cada técnica en su panel es la de una ventana así, también tras cambiar de tamaño.
+// Con v, la punta de un rayo, 16 × 32 píxeles de una escena de 240 de lado sea como sea la ventana, y lo que dice OpenGL de cada
+// framebuffer. También tras cambiar de tamaño.
 TEST(Antialiasing, LasTresALaVezYCambiarDeTamano) {
-    const Vista tres = vistaDe("antialiasing", "tecla v", 240, 180);
-    EXPECT_EQ(tres.encima.textos(OSCURO),
-              (std::vector<std::string>{"Sin antialiasing", "Multimuestra ×4", "Sobremuestreo ×16"}));
-    for (int k = 0; k < 3; ++k) {
-        const Hueco h = hueco(k, 3, 0, 1, 240, 180);
-        const Vista una = vistaDe("antialiasing", "tecla v; tecla " + std::to_string(k + 1), h.ancho, h.alto);
-        EXPECT_EQ(recorta(tres.escena, h).rgb, una.escena.rgb) << k;
-        EXPECT_EQ(una.encima.at(0).texto, tres.encima[std::size_t(k)].texto);
+    const struct {
+        std::string guion;
+        int ancho, alto, aumento, y; // de la esquina de abajo, en el panel
+    } casos[] = {{"tecla v", 240, 180, 4, 42}, {"tecla v; tamano 77 33; tamano 960 720", 90, 90, 17, 165}};
+    for (const auto &c : casos) {
+        const Vista tres = vistaDe("antialiasing", c.guion, c.ancho, c.alto);
+        const Imagen &v = tres.escena;
+        EXPECT_EQ(tres.encima.textos(OSCURO),
+                  (std::vector<std::string>{"Sin nada", "Multi ×4", "Sobre ×16"}));
+        EXPECT_EQ(tres.encima.textos(AZUL),
+                  (std::vector<std::string>{"0 y 0", "1 y 4", "0 y 0", "GL_SAMPLE_BUFFERS y GL_SAMPLES"}));
+        for (int k = 0; k < 3; ++k) {
+            const Hueco h = hueco(k, 3, 0, 1, v.ancho, v.alto);
+            const Imagen una =
+                vistaDe("antialiasing", "tecla " + std::to_string(k + 1), 240, 267).escena; // desde (0, 26)
+            const Imagen punta = imagen(16 * c.aumento, 32 * c.aumento, [&](int x, int y) {
+                return pixel(una, 155 + x / c.aumento, 26 + 194 + y / c.aumento);
+            });
+            EXPECT_EQ(
+                oraculo::recorta(v, h.x + (h.ancho - punta.ancho) / 2, c.y, punta.ancho, punta.alto).rgb,
+                punta.rgb)
+                << k;
+        }
     }
-    EXPECT_EQ(vistaDe("antialiasing", "tecla v; tamano 77 33; tamano 240 180", 90, 90).escena.rgb,
-              tres.escena.rgb);
 }
 
 // --- ampliacion ---
@@ -324,6 +350,18 @@ TEST(Captura, LaEsquinaEnsenaLoLeido) {
                                [&](int x, int y) { return texel(leida, 3 * x + 1, 3 * y + 1); }),
               2);
     compruebaRotulo(v.encima, "960×720, idéntica", {0.19 * 960, 0.62 * 720}, OSCURO, Lado::DEBAJO);
+}
+
+// Antes de guardar nada se ve dónde irá, y con qué tecla; y eso no se guarda, ni después se ve.
+TEST(Captura, ElSitioDeLoQueSeLeera) {
+    const Encima vacia = vistaDe("captura").encima;
+    compruebaRotulos(vacia, {{"g guarda\ny lee", {6 + 40, 175 - 30}, OSCURO}});
+    EXPECT_LE(glm::distance(vacia.trazos(NARANJA, "polilinea").at(0).punto(0), {6, 115}),
+              2); // metida en el panel
+    const std::string fichero = (carpetaTemporal() / "captura.ppm").string();
+    const Encima llena = vistaDe("captura", "tecla g", 240, 180, {fichero}).encima;
+    EXPECT_EQ(llena.textos(OSCURO), std::vector<std::string>{"240×180, idéntica"});
+    EXPECT_TRUE(llena.trazos(NARANJA).empty());
 }
 
 // Disco lleno o fichero que no cabe: se dice, y no queda nada a medias.

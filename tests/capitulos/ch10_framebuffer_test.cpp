@@ -21,7 +21,7 @@ protected:
 
 GLint delRenderbuffer(int cual, GLenum que) {
     GLint valor = -1;
-    glBindRenderbuffer(GL_RENDERBUFFER, estado.renderbuffers[cual]);
+    glBindRenderbuffer(GL_RENDERBUFFER, estado.renderbuffer[cual]);
     glGetRenderbufferParameteriv(GL_RENDERBUFFER, que, &valor);
     return valor;
 }

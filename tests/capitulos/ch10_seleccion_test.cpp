@@ -112,7 +112,8 @@ TEST(Seleccion, TrasCambiarDeTamano) {
 TEST(Seleccion, SeVeCualEs) {
     const std::vector<Vista> v = vistasDe("seleccion", {"", clic({180, 112}), clic({9, 9})});
     const int elegidos[] = {0, 9, 0};
-    const std::string leidos[] = {"clic en un objeto", "color 192 0 0 → objeto 9", "color 0 0 0 → objeto 0"};
+    const std::string leidos[] = {"clic en un objeto", "color 221 223 249 → objeto 9",
+                                  "color 0 0 0 → objeto 0"};
     for (std::size_t i = 0; i < 3; ++i) {
         std::vector<Cuerpo> cuerpos = CUERPOS;
         for (int k = 0; k < 10; ++k)
@@ -134,20 +135,20 @@ TEST(Seleccion, SeVeCualEs) {
 
 // Con el framebuffer a la vista se elige igual, y cada píxel es del color que dice qué objeto se ve en él.
 TEST(Seleccion, ElFramebufferALaVista) {
-    const Vec3 colores[] = {{0, 0, 0},     {128, 0, 0},   {0, 128, 0},     {128, 128, 0}, {0, 0, 128},
-                            {128, 0, 128}, {0, 128, 128}, {128, 128, 128}, {64, 0, 0},    {192, 0, 0}};
+    const Vec3 colores[] = {{0, 0, 0},    {53, 110, 198}, {106, 220, 140}, {159, 74, 83},  {212, 184, 25},
+                            {9, 39, 224}, {62, 149, 166}, {115, 3, 109},   {168, 113, 51}, {221, 223, 249}};
     const std::vector<Vista> v =
         vistasDe("seleccion", {"tecla v", clic({100, 100}), clic({9, 9}) + "; tecla v"});
     comprueba("identificadores", compara(v[0].escena, ESCENA, CAMARA, [&](const Impacto &i) {
                   return 1 / 255.0 * colores[std::max(i.objeto, 0)];
               }));
     EXPECT_EQ(v[1].escena.rgb, v[0].escena.rgb);
-    compruebaRotulos(v[1].encima, {{"color 64 0 0 → objeto 8", {120, 0.06 * 180}, BLANCO},
+    compruebaRotulos(v[1].encima, {{"color 168 113 51 → objeto 8", {120, 0.06 * 180}, BLANCO},
                                    {"toro azul", enPixeles(CAMARA, {0, 1.78, 2}), BLANCO, Lado::ENCIMA}});
     EXPECT_EQ(v[2].escena.rgb, vistaDe("seleccion").escena.rgb);
     for (const std::string antes : {"", "tecla v; "})
         EXPECT_EQ(ejecuta("seleccion", antes + clic({100, 100})).salida,
-                  "(100, 100) color 64 0 0 → objeto 8: toro azul\n");
+                  "(100, 100) color 168 113 51 → objeto 8: toro azul\n");
 }
 
 // Otro botón no elige, soltar tampoco, y un clic fuera de la ventana no es nada.
@@ -155,5 +156,5 @@ TEST(Seleccion, SoloElBotonIzquierdo) {
     EXPECT_EQ(ejecuta("seleccion", clic({180, 112}, "DERECHO")).salida, "");
     EXPECT_EQ(elige({{-5, -5}}, "", {240, 180}), std::vector<std::string>{"nada"});
     EXPECT_EQ(ejecuta("seleccion", arrastra({180, 112}, {20, 20})).salida,
-              "(180, 112) color 192 0 0 → objeto 9: esfera morada\n"); // al pulsar, no al soltar
+              "(180, 112) color 221 223 249 → objeto 9: esfera morada\n"); // al pulsar, no al soltar
 }
