@@ -1,6 +1,6 @@
 // La curva cúbica de Bézier (ecuaciones 11.12 a 11.19): su polígono de control, su casco convexo, de donde no sale, y
 // la construcción de de Casteljau, que halla Q(u) partiendo en u los lados del polígono, una y otra vez: el mismo punto
-// que U·M_B·G, en el que U·M_B es lo que pesa cada uno de control.
+// que U·M_B·G, en el que UM_B es lo que pesa cada uno de control.
 // Controles: arrastra los puntos (o n y flechas) · u U mueven u · Esc termina.
 #include "colores.h"
 #include "curvas.h"
@@ -54,10 +54,10 @@ static void dibuja() {
     const glm::vec3 dentro = 0.25f * (estado.P[0] + estado.P[1] + estado.P[2] + estado.P[3]) - Q;
     rotulaPunto("Q(u)", Q + 0.2f * dentro / std::max(glm::length(dentro), 0.01f), vista(), ROJO,
                 Lado::CENTRO);
+    rotulaPunto(escribe("M_B =", M_B), {0.05f, -0.28f, 0}, vista(), OSCURO, Lado::CENTRO, TALLA_MATRIZ);
     char pesos[80];
-    std::snprintf(pesos, sizeof pesos, "\nU·M_B =\n%.2f %.2f %.2f %.2f", UM.x, UM.y, UM.z, UM.w);
-    rotulaPunto(escribe("M_B =", M_B) + pesos, {0.05f, -0.33f, 0}, vista(), OSCURO, Lado::CENTRO,
-                TALLA_MATRIZ);
+    std::snprintf(pesos, sizeof pesos, "UM_B = %.2f %.2f %.2f %.2f", UM.x, UM.y, UM.z, UM.w);
+    rotulaPunto(pesos, {0.05f, -0.79f, 0}, vista(), OSCURO, Lado::CENTRO, TALLA_MATRIZ);
     char titulo[60];
     std::snprintf(titulo, sizeof titulo, "Curva de Bézier: u = %.2f", estado.u);
     ponTitulo(titulo);

@@ -25,7 +25,7 @@ public:
         esquina = {h.x, h.y};
         tamano = {h.ancho, h.alto};
     }
-    void enPixeles() {
+    void pixeles() {
         escala = {1, 1};
         origen = {0, 0};
     }

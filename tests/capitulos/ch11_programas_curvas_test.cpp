@@ -96,12 +96,12 @@ struct Bezier : ConPuntos {
                      i % 3 == 0 ? Lado::DEBAJO : Lado::ENCIMA);
         const glm::dvec2 Q = niveles[3][0], dentro = 0.25 * (P[0] + P[1] + P[2] + P[3]) - Q;
         l.rotulo("Q(u)", Q + 0.2 * dentro / std::max(glm::length(dentro), 0.01), ROJO, Lado::CENTRO);
+        l.rotulo("M_B =\n|-1  3 -3  1|\n| 3 -6  3  0|\n|-3  3  0  0|\n| 1  0  0  0|", {0.05, -0.28}, OSCURO,
+                 Lado::CENTRO, 0.034);
         char pesos[80]; // ecuación 11.18
-        std::snprintf(pesos, sizeof pesos, "%.2f %.2f %.2f %.2f", std::pow(1 - u, 3),
+        std::snprintf(pesos, sizeof pesos, "UM_B = %.2f %.2f %.2f %.2f", std::pow(1 - u, 3),
                       3 * u * std::pow(1 - u, 2), 3 * u * u * (1 - u), u * u * u);
-        l.rotulo(std::string("M_B =\n|-1  3 -3  1|\n| 3 -6  3  0|\n|-3  3  0  0|\n| 1  0  0  0|\nU·M_B =\n") +
-                     pesos,
-                 {0.05, -0.33}, OSCURO, Lado::CENTRO, 0.034);
+        l.rotulo(pesos, {0.05, -0.79}, OSCURO, Lado::CENTRO, 0.034);
         return l;
     }
 };
@@ -474,7 +474,7 @@ void anadeVista(Lista &l, const Hueco &h, const Recorrido &r) {
     const auto px = [&](const Punto3 &p) {
         return glm::dvec2(h.x + 0.5 * h.ancho, h.y + 0.5 * h.alto) + foco * glm::dvec2(p) / p.z;
     };
-    l.enPixeles();
+    l.pixeles();
     const auto poligono = [&](const std::vector<Punto3> &P, const glm::vec3 &color) {
         Puntos vistos;
         for (const Punto3 &p : P) {

@@ -862,13 +862,13 @@ TEST(SuperficieHermite, ElRatonMueveCualquierElementoYGiraLaCamara) {
                              hermite(p, 0.7, "0.70", CAMARA_UNION, NORMAL, 17)}});
 }
 
-// La rueda se para donde se paraba, con un trozo y con dos.
+// La rueda se para donde se paraba, con un trozo y con dos; y al quitar el segundo no queda nada elegido.
 TEST(SuperficieHermite, LosLimitesDeLaRuedaNoCambianConElSegundoTrozo) {
     compruebaPasos<Escena>(
         "superficie_hermite",
         {{"rueda -1 9 9 ×30", hermite(UNO, 0, "", camara(0.45, 0.6, 21, {0, -0.2, 0}))},
          {"tecla u; rueda -1 9 9", hermite(DOS, 0.7, "0.70", camara(0.45, 0.6, 21, {1.25, -0.1, 0}, 0.65))},
-         {"tecla u", hermite(UNO, 0, "", camara(0.45, 0.6, 21, {0, -0.2, 0}))}});
+         {"tecla n ×3; tecla u", hermite(UNO, 0, "", camara(0.45, 0.6, 21, {0, -0.2, 0}))}});
 }
 
 // ---- Lo que se ve ----
