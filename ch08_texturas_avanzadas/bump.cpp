@@ -1,7 +1,8 @@
 // Bump mapping (§8.4, figura 8.5): la superficie es lisa y solo cambia la normal con que se ilumina, que sale de un
-// mapa de normales (mapa_normales.h). Se nota en que el contorno sigue siendo liso. La esfera está aplastada y el plano
-// estirado: los bultos no dejan de ser redondos ni de tener la pendiente debida.
+// mapa de normales (mapa_normales.h). Se nota en que el contorno, ampliado arriba a la derecha, sigue siendo liso. La
+// esfera está aplastada y el plano estirado: los bultos no dejan de ser redondos ni de tener la pendiente debida.
 // Controles: b con bultos o sin ellos · v las dos cosas · ratón orbita · Esc termina.
+#include "ch04_vista3d/vista.h"
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
 #include "mapa_normales.h"
@@ -9,10 +10,12 @@
 #include "recuadro.h"
 #include "rotulo.h"
 #include "ventana.h"
+#include <algorithm>
 #include <glm/gtc/constants.hpp>
 
 static const Material BARRO = {{0.26f, 0.14f, 0.09f}, {0.80f, 0.42f, 0.26f}, {0.40f, 0.40f, 0.40f}, 40};
 static const Material PIEDRA = {{0.17f, 0.20f, 0.24f}, {0.50f, 0.58f, 0.68f}, {0.20f, 0.20f, 0.20f}, 20};
+static const glm::vec3 CENTRO(0, 0.25f, 0);            // el de la bola
 static const float LADO_BALDOSA = 0.4f, AZIMUT = 0.3f; // con que empieza la cámara
 
 static struct {
@@ -37,9 +40,9 @@ static void inicia() {
     glEnable(GL_DEPTH_TEST);
 }
 
-static void dibujaEscena(const Recuadro &panel, bool conBultos) {
+static void dibujaEscena(const Recuadro &panel, const glm::mat4 &camara, float angulo, bool conBultos) {
     abreRecuadro(panel, FONDO_CLARO);
-    const glm::mat4 camara = camaraOrbita(estado.orbita), tumbado = giroX(-glm::half_pi<float>());
+    const glm::mat4 tumbado = giroX(-glm::half_pi<float>());
     const auto objeto = [&](const Buferes &solido, const glm::mat4 &M, const Material &material,
                             const glm::vec2 &nVeces, float altura) {
         envia(estado.programa, "nVeces", nVeces);
@@ -47,7 +50,7 @@ static void dibujaEscena(const Recuadro &panel, bool conBultos) {
         dibujaObjeto(estado.programa, solido, M, camara, material);
     };
     glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", perspectivaVentana(0.45f, 1, 100, aspecto(panel)));
+    envia(estado.programa, "proyeccion", perspectivaVentana(angulo, 1, 100, aspecto(panel)));
     envia(estado.programa, "camara", camara);
     envia(estado.programa, "La", glm::vec3(1));
     enviaLuz(estado.programa, "luz", {{-4, 5, 4, 1}}, camara);
@@ -57,19 +60,33 @@ static void dibujaEscena(const Recuadro &panel, bool conBultos) {
            talla / LADO_BALDOSA, LADO_BALDOSA);
     // los polos, donde los bultos se aprietan, a los lados
     const glm::mat4 bola =
-        traslacion({0, 0.25f, 0}) * giroY(glm::half_pi<float>() + AZIMUT) * escalado({1.25f, 1.25f, 1.125f});
+        traslacion(CENTRO) * giroY(glm::half_pi<float>() + AZIMUT) * escalado({1.25f, 1.25f, 1.125f});
     objeto(estado.esfera, bola, BARRO, {20, 10}, 0.36f);
+}
+
+static void dibujaPanel(const Recuadro &panel, bool conBultos) {
+    const glm::mat4 camara = camaraOrbita(estado.orbita);
+    dibujaEscena(panel, camara, 0.45f, conBultos);
     rotula(conBultos ? "con el mapa" : "sin el mapa", {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
+
+    // desde el mismo sitio, con un ángulo menor y hacia el borde de arriba a la izquierda
+    const int lado = 3 * std::min(panel.ancho, panel.alto) / 10, margen = lado / 10, raya = lado / 60 + 1;
+    const int x = panel.x + panel.ancho - lado - margen, y = panel.y + panel.alto - lado - margen;
+    const glm::mat3 ejes = glm::transpose(glm::mat3(camara));
+    const glm::vec3 borde = CENTRO + 0.83f * (ejes[1] - ejes[0]);
+    abreRecuadro({x - raya, y - raya, lado + 2 * raya, lado + 2 * raya}, GRIS);
+    dibujaEscena({x, y, lado, lado}, transformacionCamara(posicionCamara(estado.orbita), borde, {0, 1, 0}),
+                 0.07f, conBultos);
 }
 
 static void dibuja() {
     if (estado.comparando) {
         abreRecuadro(ventanaEntera(), GRIS);
         const std::vector<Recuadro> paneles = reparte(2);
-        dibujaEscena(paneles[0], false);
-        dibujaEscena(paneles[1], true);
+        dibujaPanel(paneles[0], false);
+        dibujaPanel(paneles[1], true);
     } else {
-        dibujaEscena(ventanaEntera(), estado.conBultos);
+        dibujaPanel(ventanaEntera(), estado.conBultos);
     }
     ponTitulo(estado.comparando  ? "Bump mapping: sin y con el mapa de normales"
               : estado.conBultos ? "Bump mapping: con el mapa de normales"

@@ -394,7 +394,8 @@ Camara camaraBump(double azimut, double elevacion, double distancia) {
 
 // En cada objeto, la luz sobre la superficie desplazada de verdad (con su normal, en el punto sin desplazar). En el
 // plano no hay más error que el mapa de 8 bits y su filtro; en la bola, además, lo que §8.4 desprecia: que al alejarse
-// de ella, h, la superficie se agranda (h llega al 5 % del radio). De refilón, el mipmap alisa.
+// de ella, h, la superficie se agranda (h llega al 5 % del radio). De refilón, el mipmap alisa. El contorno ampliado
+// es en los dos casos el de la bola lisa.
 TEST(Bump, LaLuzDeLaSuperficieDesplazada) {
     const Material material[2] = {{{0.17, 0.20, 0.24}, {0.50, 0.58, 0.68}, {0.20, 0.20, 0.20}, 20},
                                   {{0.26, 0.14, 0.09}, {0.80, 0.42, 0.26}, {0.40, 0.40, 0.40}, 40}};
@@ -430,6 +431,16 @@ TEST(Bump, LaLuzDeLaSuperficieDesplazada) {
             }
             letreros.push_back(
                 {con ? "con el mapa" : "sin el mapa", panel.lugar(0.02, 0.98), OSCURO, Lado::DERECHA});
+
+            const Ejes ejes = oraculo::ejes(panel.camara);
+            const Vec3 borde = CENTRO_BUMP + 0.83 * (ejes.y - ejes.x);
+            const int lado = 288; // tres décimas del alto; el margen, una décima de eso
+            const Hueco h = panel.hueco,
+                        contorno{h.x + h.ancho - lado - 28, h.y + h.alto - lado - 28, lado, lado};
+            compruebaSilueta(
+                v, {perspectiva(miraDesde(panel.camara.ojo, borde), 0.07, 1, 100), contorno},
+                [](const Pixel &p) { return p.r > p.b + 20; },
+                malla(ESCENA_BUMP[BOLA_BUMP].M, esfera(segmentosEsfera(300))));
         }
         compruebaRotulos(v.encima, letreros);
     });
