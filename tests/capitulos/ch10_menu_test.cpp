@@ -98,6 +98,15 @@ TEST(Eventos, SeVenLosUltimos) {
                "tecla f 198 170", "especial F3 198 170", "tecla g 198 170", "movimiento 195 170"});
 }
 
+// El rastro son los últimos 400 puntos: con uno más, el primero, que está lejos, ya no se ve.
+TEST(Eventos, ElRastroNoCreceSinFin) {
+    std::string guion = "mueve 10 10";
+    for (int i = 1; i < 400; ++i)
+        guion += i % 2 ? "; mueve 100 100" : "; mueve 101 100";
+    EXPECT_NEAR(vistaDe("eventos", guion).encima.largo(GRIS), std::hypot(90, 90) + 398, 0.1);
+    EXPECT_NEAR(vistaDe("eventos", guion + "; mueve 101 100").encima.largo(GRIS), 399, 0.1);
+}
+
 // El rastro pasa por donde ha ido el puntero, contado desde arriba; y solo el botón pulsado está en naranja.
 TEST(Eventos, ElRastroYLosBotones) {
     const std::string botones[] = {"IZQUIERDO", "CENTRAL", "DERECHO"};

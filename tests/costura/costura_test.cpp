@@ -215,6 +215,9 @@ TEST(Imagen, LoMismoDaLaMisma) {
     EXPECT_EQ(llena.alto, 1080);
     for (const auto &[uno, otro] : {std::pair("tamano 1 1; tamano 500 20; captura c.ppm; tamano 240 180", ""),
                                     {"especial F11 ×2", ""},
+                                    // pasado de lo que se deja perder, ni más ancha ni más alta sale cortada
+                                    {"tamano 3000 3000; tamano 64 64; tamano 40 500", "tamano 40 500"},
+                                    {"tamano 3000 3000; tamano 64 64; tamano 500 40", "tamano 500 40"},
                                     {"tecla d ×3", "tecla d; tecla d; tecla d"}})
         EXPECT_EQ(imagenDe("grua", uno).rgb, imagenDe("grua", otro).rgb) << uno;
 }
@@ -232,6 +235,12 @@ TEST(Imagen, CambiarDeTamanoNoOcupaMas) {
     };
     const long antes = mebibytes(200);
     EXPECT_LT(mebibytes(800) - antes, 200);
+}
+
+// De un valor de varios números, el diario los mira todos: aquí cambia el último.
+TEST(Diario, DiceLoQueElCuadroDejaCambiado) {
+    const Ejecucion e = lanza({DEFECTUOSO, "estado", "-diario", "-ppm", "x.ppm"});
+    EXPECT_NE(e.salida.find("\tCOLOR_WRITEMASK 1→0 \t"), std::string::npos) << e.salida << e.errores;
 }
 
 // Ni los procesadores ni la carpeta de trabajo (ejecuta usa una temporal) cambian la imagen.

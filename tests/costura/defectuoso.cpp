@@ -22,6 +22,8 @@ static void dibuja() {
         }
     } else if (defecto == "ocio") {
         std::printf("dibuja\n");
+    } else if (defecto == "estado") {
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
     } else if (defecto == "lectura") {
         GLint bufer;
         glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &bufer);

@@ -77,11 +77,11 @@ TEST(GuionMal, DiceDondeYQue) {
     const std::string fichero = "@" + (carpetaTemporal() / "prueba.guion").string();
     const struct {
         std::string guion;
-        const char *mensaje;
+        std::string mensaje;
     } casos[] = {
         {"tecla a; teclas b", "guion, orden 2 «teclas b»: «teclas» no es una orden; valen arrastra boton"},
         {"escala 9 9; tecla d ×2;;teclas b ×2", "guion, orden 3 «teclas b ×2»: «teclas» no es una orden"},
-        {fichero, "prueba.guion:4 «gira 3»: «gira» no es una orden"},
+        {fichero, ": " + fichero.substr(1) + ":4 «gira 3»: «gira» no es una orden"},
         {"×2", "«×2» no es una orden"},
         {"tecla", "orden 1 «tecla»: falta una tecla"},
         {"tecla ab", "«ab» no es una tecla"},

@@ -36,7 +36,8 @@ def test_ejecuta_dice_por_que_falla():
     assert procesos.ejecuta(["printf", "uno"]) == b"uno" and procesos.ejecuta(["cat"], input="ñ", text=True) == "ñ"
     assert procesos.ejecuta(["sh", "-c", "echo dos; echo tres >&2"], text=True, stderr=subprocess.STDOUT) == "dos\ntres\n"
     for orden, opciones, dice in ((["sh", "-c", "echo mal >&2; exit 3"], {}, "mal"), (["sh", "-c", "exit 3"], {"text": True}, "sh ha acabado con estado 3"),
-                                  (["noesta"], {}, "no encuentro noesta"), (["sleep", "9"], {"timeout": 0.1}, "no ha acabado en 0.1 segundos")):
+                                  (["sh", "-c", "exit 1"], {}, "sh ha acabado con estado 1"),
+                                  (["sh", "-c", "kill -9 $$"], {}, "sh ha acabado con estado -9"), (["noesta"], {}, "no encuentro noesta"), (["sleep", "9"], {"timeout": 0.1}, "no ha acabado en 0.1 segundos")):
         with pytest.raises(procesos.Fallo, match=f"^{dice}$"):
             procesos.ejecuta(orden, **opciones)
 
