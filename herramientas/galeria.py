@@ -19,7 +19,7 @@ import pagina
 import procesos
 from procesos import Fallo, escribe
 
-TALLA, ANIMADA = "1440x1080", "640x480"
+TALLA, ANIMADA = "1440x1080", "480x360"
 RITMO = "1", "10"  # segundos por cuadro, como fracción
 SEGUNDOS = 300  # un programa que no acaba no detiene la galería
 

@@ -128,7 +128,7 @@ def recorre(n, pagina, casos, animados):
     n.pide("/url", url=pagina.as_uri())
     n.js("for (const i of document.images) i.loading = 'eager'")
     exige(espera(n, "return [...document.querySelectorAll('figure img')].every(i => i.complete)"), "las imágenes acaban de cargar")
-    for anchura, cuantas, cuales in ((1440, casos - animados, "quietas"), (640, animados, "animadas")):
+    for anchura, cuantas, cuales in ((1440, casos - animados, "quietas"), (480, animados, "animadas")):
         exige(n.js(f"return [...document.querySelectorAll('figure img')].filter(i => i.naturalWidth === {anchura}).length") == cuantas,
               f"hay {cuantas} imágenes {cuales} de {anchura} píxeles")
 
