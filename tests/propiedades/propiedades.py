@@ -310,7 +310,7 @@ def comunes(p):
         p.ejecuta(["-guion", "especial F1"], LAB_ENCIMA=encima.name)
         rotulos = [linea.split("\t")[-1].split("\\n") for linea in encima if linea.startswith("rotulo")]
     suyos = p.dice.split(" · ")
-    for donde, lineas in (("F1", max(rotulos, key=len, default=[])), ("-ayuda", p.ejecuta(["-ayuda"]).splitlines()[-len(suyos) - 4:])):
+    for donde, lineas in (("F1", rotulos[-1] if rotulos else []), ("-ayuda", p.ejecuta(["-ayuda"]).splitlines()[-len(suyos) - 4:])):
         if lineas[:len(suyos)] != suyos:
             yield donde, f"{donde} no dice sus controles: {lineas}"
     if not any(linea.startswith("guardado ") for linea in guardada.escrito):
@@ -361,7 +361,7 @@ EXCEPCIONES = {
     ("captura", "tallas", "talla"): "lo guardado es de cuando se guardó",
     ("morphing", "pausa", "título"): "así empieza: lo que se ve es que t no cambia",
     ("continuidad", "pausa", "título"): "así empieza: lo que se ve es que u no cambia",
-    ("superficie_bezier", "vivos", "vivos"): "con m la malla tapa la red, pero los puntos se mueven",
+    ("superficie_bezier", "vivos", "vivos"): "con m y con f la superficie tapa la red, pero los puntos se mueven",
 }
 
 
