@@ -84,10 +84,9 @@ int main(int argc, char **argv) {
         informa("Atributos de vértice", std::to_string(limite(GL_MAX_VERTEX_ATTRIBS)));
         informa("Muestras por píxel", std::to_string(limite(GL_MAX_SAMPLES)));
     }
-    GLfloat anisotropia = 1;
-    if (GLEW_EXT_texture_filter_anisotropic)
-        glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &anisotropia);
-    informa("Anisotropía máxima", std::to_string(int(anisotropia)));
+    const bool hayAnisotropia = GLEW_EXT_texture_filter_anisotropic;
+    informa("Anisotropía máxima",
+            std::to_string(hayAnisotropia ? limite(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT) : 1));
 
     exige("OpenGL", openGL, 301, true);
     exige("GLM", 100 * (100 * GLM_VERSION_MAJOR + GLM_VERSION_MINOR) + 10 * GLM_VERSION_PATCH, 990, false);

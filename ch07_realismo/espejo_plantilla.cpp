@@ -1,6 +1,5 @@
 // Para qué sirve el buffer de plantilla en un espejo (figura 7.3): sin él, la escena simétrica se ve también fuera de
-// los límites del espejo; con él, solo dentro. Aquí se ve el mismo espejo de las dos maneras (espejo.cpp explica los
-// pasos).
+// los límites del espejo; con él, solo dentro. Los pasos están en espejo.cpp.
 // Controles: p con plantilla o sin ella · v las dos a la vez · ratón orbita · Esc termina.
 #include "colores.h"
 #include "escena_dibujada.h"
@@ -10,8 +9,7 @@
 #include "ventana.h"
 #include <algorithm>
 
-static const float ANGULO = 0.5f,
-                   ANGULO_MINIMO = 0.36f; // a 4:3, y en un panel tan ancho que sobra a los lados
+static const float ANGULO = 0.5f, ANGULO_MINIMO = 0.36f; // a 4:3, y en un panel con sitio a los lados
 
 static struct {
     EscenaDibujada escena;
