@@ -77,10 +77,7 @@ int main(int argc, char **argv) {
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     estado.editor = {&estado.P, vista};
-    glutMouseFunc(
-        [](int boton, int pulsado, int x, int y) { botonEditor(estado.editor, boton, pulsado, x, y); });
-    glutMotionFunc([](int x, int y) { arrastraEditor(estado.editor, x, y); });
-    glutSpecialFunc([](int tecla, int, int) { especialEditor(estado.editor, tecla); });
+    editaConRaton(estado.editor);
     glutMainLoop();
     return 0;
 }

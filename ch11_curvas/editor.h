@@ -1,6 +1,6 @@
 // Editar con el ratón los puntos de un programa del capítulo: se coge el más cercano en la pantalla y se mueve paralelo
-// a ella. Con el teclado, n elige el siguiente y las flechas lo mueven. El programa guarda su Editor y, desde sus
-// funciones de ratón y de teclas, llama a las de aquí.
+// a ella. Con el teclado, n elige el siguiente y las flechas lo mueven. El programa guarda su Editor, lo da a
+// editaConRaton y, desde su función de teclado, llama a teclaEditor.
 #pragma once
 #include "colores.h"
 #include "orbita.h"
@@ -100,6 +100,15 @@ inline void especialEditor(const Editor &editor, int tecla) {
         return;
     const glm::vec4 p = editor.transformacion() * glm::vec4((*editor.puntos)[editor.elegido], 1);
     mueveElegido(editor, glm::vec2(p) / p.w + paso);
+}
+
+/// Pone las funciones del ratón y de las teclas especiales.
+inline void editaConRaton(Editor &editor) {
+    static Editor *activo;
+    activo = &editor;
+    glutMouseFunc([](int boton, int pulsado, int x, int y) { botonEditor(*activo, boton, pulsado, x, y); });
+    glutMotionFunc([](int x, int y) { arrastraEditor(*activo, x, y); });
+    glutSpecialFunc([](int tecla, int, int) { especialEditor(*activo, tecla); });
 }
 
 /// Atiende n (elige el siguiente punto). Devuelve si la tecla era suya.

@@ -133,10 +133,7 @@ int main(int argc, char **argv) {
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     estado.editor = {&estado.puntos, vista, false, alMover};
-    glutMouseFunc(
-        [](int boton, int pulsado, int x, int y) { botonEditor(estado.editor, boton, pulsado, x, y); });
-    glutMotionFunc([](int x, int y) { arrastraEditor(estado.editor, x, y); });
-    glutSpecialFunc([](int tecla, int, int) { especialEditor(estado.editor, tecla); });
+    editaConRaton(estado.editor);
     glutMainLoop();
     return 0;
 }

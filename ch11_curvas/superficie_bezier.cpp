@@ -171,10 +171,7 @@ int main(int argc, char **argv) {
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.lamina.orbita);
     estado.editor = {&estado.red.P, vista, true};
-    glutMouseFunc(
-        [](int boton, int pulsado, int x, int y) { botonEditor(estado.editor, boton, pulsado, x, y); });
-    glutMotionFunc([](int x, int y) { arrastraEditor(estado.editor, x, y); });
-    glutSpecialFunc([](int tecla, int, int) { especialEditor(estado.editor, tecla); });
+    editaConRaton(estado.editor);
     glutMainLoop();
     return 0;
 }
