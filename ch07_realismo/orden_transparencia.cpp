@@ -70,7 +70,8 @@ static void dibujaVista(const Recuadro &r, bool rojoAntes) {
     envia(estado.programa, "camara", camara);
     envia(estado.programa, "proyeccion", proyeccion);
     for (const float x : {-1.25f, -0.36f, 0.3f}) // lo opaco, antes
-        dibujaPieza(estado.cubo, traslacion({x, -0.2f, -1}) * escalado({0.16f, 3.5f, 0.16f}), glm::vec4(GRIS, 1));
+        dibujaPieza(estado.cubo, traslacion({x, -0.2f, -1}) * escalado({0.16f, 3.5f, 0.16f}),
+                    glm::vec4(GRIS, 1));
 
     std::array<int, 2> orden = {!rojoAntes, rojoAntes};
     if (estado.elegido == 1) { // antes el que está más lejos de la cámara
