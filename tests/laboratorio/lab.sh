@@ -61,7 +61,7 @@ tar -C "$raiz" --exclude=./build --exclude=./galeria --exclude=./web --exclude=.
 cd "$copia"
 # compila antes: sin optimizar, y sin lo que sus programas no usan de common/ y assets/
 sed -i 's/"Release"/"None"/' CMakePresets.json
-for f in malla orbita recuadro rotulo textura trazo; do : >common/$f.cpp; done
+for f in malla orbita recuadro textura trazo; do : >common/$f.cpp; done
 perl -0pi -e 's/set\(texturas[^)]*\)/set(texturas luz)/' assets/CMakeLists.txt
 cat >assets/genera_assets.cpp <<'FIN'
 #include <fstream>
