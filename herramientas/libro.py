@@ -37,9 +37,9 @@ def codigos(titulo):
     return [de[clase.lower()] + numero if clase else "§" + apartado for clase, numero, apartado in hallados]
 
 
-def entradas(fichero):
+def entradas(texto):
     """Las de una lista de Markdown: el título, que va en negrita, y lo que sigue, sin las pruebas que lo enseñan."""
-    for titulo, cuerpo in re.findall(r"^- \*\*(.+?)\*\*(.*(?:\n  .+)*)", fichero.read_text(), re.MULTILINE):
+    for titulo, cuerpo in re.findall(r"^- \*\*(.+?)\*\*(.*(?:\n  .+)*)", texto, re.MULTILINE):
         for citas in (r"\s*(?:Sin prueba|Pruebas?)(?: de [^:]*)?:\s.*", r"\s+\(pruebas?:\s[^)]*\)", r"; pruebas?:\s[^)]*(?=\))"):
             cuerpo = re.sub(citas, "", cuerpo, flags=re.DOTALL)
         yield titulo, cuerpo
@@ -63,8 +63,10 @@ class Libro:
     def __init__(self, raiz):
         self.raiz = raiz
         self.cosas = {c.codigo: c for c in cosas(raiz)}
-        self.respuestas = {f"E{titulo}": en_html(cuerpo.lstrip(": ")) for titulo, cuerpo in entradas(raiz / "docs/soluciones.md")}
-        self.erratas = [(codigos(titulo), en_html(f"**{titulo}**{cuerpo}")) for titulo, cuerpo in entradas(raiz / "docs/erratas.md")]
+        self.respuestas = {f"E{titulo}": en_html(cuerpo.lstrip(": ")) for titulo, cuerpo in entradas((raiz / "docs/soluciones.md").read_text())}
+        capitulos = re.split(r"^## Capítulo (\d+)$", (raiz / "docs/erratas.md").read_text(), flags=re.MULTILINE)[1:]
+        self.erratas = [(int(numero), set(codigos(titulo)), en_html(f"**{titulo}**{cuerpo}"))
+                        for numero, texto in zip(capitulos[::2], capitulos[1::2]) for titulo, cuerpo in entradas(texto)]
 
     def referencias(self, programa):
         """Cada una, con lo que es: E3.5, «ejercicio 3.5: la grúa de obra»."""
@@ -80,9 +82,9 @@ class Libro:
         return [(r[1:], en_html(self.cosas[r].enunciado), self.respuestas.get(r, "")) for r in programa.referencias if r in self.cosas and self.cosas[r].enunciado]
 
     def erratas_de(self, programa):
-        return [texto for suyos, texto in self.erratas if set(suyos) & set(programa.referencias)]
+        return [texto for _, suyos, texto in self.erratas if suyos & set(programa.referencias)]
 
     def otras_erratas(self, capitulo):
         """Las de ese capítulo que no son de ninguno de sus programas."""
         de_programas = {r for p in capitulo.programas for r in p.referencias}
-        return [texto for suyos, texto in self.erratas if not set(suyos) & de_programas and re.match(rf"\D+{capitulo.numero}\.", suyos[0])]
+        return [texto for numero, suyos, texto in self.erratas if numero == capitulo.numero and not suyos & de_programas]

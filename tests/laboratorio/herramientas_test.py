@@ -225,8 +225,8 @@ def con_libro(tmp_path):
     """Una carpeta con lo que se sabe de un libro, y un capítulo con dos programas."""
     for f, texto in (("docs/libro.tsv", "# no\n\nL1.1\tuno\nE1.1\tejercicio\t\t¿Qué `a*b` hay?\nF1\tfigura\tno hace falta\n"),
                      ("docs/soluciones.md", "# x\n\n- **1.1** (algo): *¿`x`?* Sí,\n  **y** más. Prueba:\n  `a.b`.\n- **§2** no\n"),
-                     ("docs/erratas.md", "- **Listado 1.1, `f(a * b)`**: mal & < [ahí](x.md)\n  (prueba: `t.u`); bien. Sin prueba: no.\n"
-                                         "- **§1.2.1 y ecuación 1.3**: otra.\n- **§10.1**: de otro.\n"),
+                     ("docs/erratas.md", "# E\n\n## Capítulo 1\n\n- **Listado 1.1, `f(a * b)`**: mal & < [ahí](x.md)\n  (prueba: `t.u`); bien. Sin prueba: no.\n"
+                                         "- **§1.2.1 y ecuación 1.3**: otra.\n\n## Capítulo 10\n\n- **Lo que no nombra nada**: de otro.\n"),
                      ("ch01_x/b.cpp", "// Qué es,\n// y por qué.\n// Controles: a · Esc termina.\n// No.\nint x; // ni esto\n")):
         (tmp_path / f).parent.mkdir(exist_ok=True)
         (tmp_path / f).write_text(texto)
