@@ -182,7 +182,7 @@ espera 0 'primer_programa: sin cambios' $lab galeria
 rm -f galeria/ch01_intro/primer_programa.png
 : >galeria/ch01_intro/shader_basico.png
 espera 0 'primer_programa: 1 imagen' $lab galeria
-[[ $(pngtopnm galeria/ch01_intro/shader_basico.png | head -c 11) == *'960 720'* ]] || mal 'shader_basico.png no se ha rehecho'
+[[ $(pngtopnm galeria/ch01_intro/shader_basico.png | head -c 12) == *'1440 1080'* ]] || mal 'shader_basico.png no se ha rehecho'
 
 # un caso con ANIMA tiene además un APNG, que se rehace si falta o si cambia ANIMA
 decimas() { # lo que dura; apngasm junta los cuadros iguales
