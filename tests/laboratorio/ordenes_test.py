@@ -76,7 +76,7 @@ class Lab:
         return [ll[1:] for ll in todas if ll[0] == quien]
 
     def libre(self):
-        return subprocess.run(["flock", "-n", self.build / ".cerrojo", "true"]).returncode == 0
+        return subprocess.run(["flock", "-w", "5", self.build / ".cerrojo", "true"]).returncode == 0
 
     def no_deja_nada(self):
         assert not list(self.temporal.iterdir()) and not list(self.raiz.rglob("*.parcial")) and not list(self.sitio.rglob("pwned"))
