@@ -184,7 +184,7 @@ def test_galeria(lab):
     def talla(fichero):
         return [int.from_bytes(fichero.read_bytes()[i:i + 4], "big") for i in (16, 20)]
 
-    assert hechas() == {"a": "2", "b": "1"} and talla(png) == [24, 18] and talla(animada) == [12, 9]
+    assert hechas() == {"a": "2", "b": "1"} and talla(png) == [36, 27] and talla(animada) == [12, 9]
     pagina = (lab.raiz / "galeria/index.html").read_text()
     assert "A &lt;b&gt;" in pagina and "salida de a" in pagina
     assert hechas() == {"a": "sin cambios", "b": "sin cambios"} and "salida de a" in (lab.raiz / "galeria/index.html").read_text()
