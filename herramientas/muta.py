@@ -236,6 +236,9 @@ def copia_de_trabajo(raiz, carpeta):
     shutil.copy2(raiz / "lab", carpeta)
     for parte in ("herramientas", "tests/laboratorio"):
         shutil.copytree(raiz / parte, carpeta / parte, ignore=shutil.ignore_patterns(*SOBRA))
+    for que in (raiz / "tests").iterdir():
+        if que.name != "laboratorio":
+            (carpeta / "tests" / que.name).symlink_to(que)
     return carpeta
 
 
