@@ -4,6 +4,7 @@
 // Controles: 1 traslación · 2 escalado · 3 4 5 giro en X, Y, Z · + - cambian el valor · ratón orbita · Esc termina.
 #include "dibujos.h"
 #include "letra_f.h"
+#include "matriz.h"
 #include "objeto.h"
 #include "orbita.h"
 #include "ventana.h"
@@ -46,21 +47,6 @@ static void inicia() {
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
 }
 
-static std::string escribe(const glm::mat4 &M) {
-    std::string filas;
-    for (int fila = 0; fila < 4; ++fila) {
-        filas += "|";
-        for (int columna = 0; columna < 4; ++columna) {
-            char texto[16]; // a centésimas, que cos 90° no sea −4.4e−8; y + 0 quita el signo de −0
-            std::snprintf(texto, sizeof texto, "%6.3g", std::round(100 * M[columna][fila]) / 100 + 0.0);
-            filas += texto;
-        }
-        filas += " |\n";
-    }
-    filas.pop_back();
-    return filas;
-}
-
 static std::string nombre() {
     char texto[32];
     const Basica &b = BASICAS[estado.elegido];
@@ -91,7 +77,7 @@ static void dibuja() {
     trazaFlecha(camino[17], camino[20], transformacion, MORADO);
     trazaEjes(glm::vec3(1.85f), transformacion);
     rotula(nombre() + " =", {0.03f, 0.94f}, OSCURO, Lado::DERECHA);
-    rotula(escribe(M), {0.03f, 0.78f}, OSCURO, Lado::DERECHA);
+    rotula(filasDe(M), {0.03f, 0.78f}, OSCURO, Lado::DERECHA);
     glutSwapBuffers();
 }
 

@@ -54,7 +54,7 @@ static void dibuja() {
     const glm::vec3 dentro = 0.25f * (estado.P[0] + estado.P[1] + estado.P[2] + estado.P[3]) - Q;
     rotulaPunto("Q(u)", Q + 0.2f * dentro / std::max(glm::length(dentro), 0.01f), vista(), ROJO,
                 Lado::CENTRO);
-    rotulaPunto(escribe("M_B =", M_B), {0.05f, -0.28f, 0}, vista(), OSCURO, Lado::CENTRO, TALLA_MATRIZ);
+    rotulaPunto("M_B =\n" + filasDe(M_B, 3), {0.05f, -0.28f, 0}, vista(), OSCURO, Lado::CENTRO, TALLA_MATRIZ);
     char pesos[80];
     std::snprintf(pesos, sizeof pesos, "UM_B = %.2f %.2f %.2f %.2f", UM.x, UM.y, UM.z, UM.w);
     rotulaPunto(pesos, {0.05f, -0.79f, 0}, vista(), OSCURO, Lado::CENTRO, TALLA_MATRIZ);

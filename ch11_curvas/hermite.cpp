@@ -85,7 +85,7 @@ static void dibuja() {
         titulo += ": transformar las restricciones o los puntos";
     } else
         dibujaTramo(G, AZUL, NOMBRES);
-    rotulaPunto(escribe("M_H =", M_H), {-0.1f, -0.62f, 0}, vista(), OSCURO, Lado::CENTRO, TALLA_MATRIZ);
+    rotulaPunto("M_H =\n" + filasDe(M_H, 3), {-0.1f, -0.62f, 0}, vista(), OSCURO, Lado::CENTRO, TALLA_MATRIZ);
     ponTitulo(titulo);
     glutSwapBuffers();
 }

@@ -45,18 +45,19 @@ static std::vector<glm::vec3> curvaEn(float v) {
     return polilineaBezier(geometriaEn(estado.red, v), FLECHA_CURVAS);
 }
 
+static void dibujaCurvas() {
+    for (int k = 0; k <= CURVAS; ++k)
+        trazaPolilinea(curvaEn(float(k) / CURVAS), vista(), BLANCO, 0.6f * GROSOR);
+}
+
 /// G(v), naranja, recorre las curvas de las filas, grises, y Q(u, v), roja, va con él.
 static void dibujaFamilia(float v) {
     const std::vector<glm::vec3> G = geometriaEn(estado.red, v);
-    for (int k = 0; k <= CURVAS; ++k)
-        trazaPolilinea(curvaEn(float(k) / CURVAS), vista(), BLANCO, 0.6f * GROSOR);
-    glDisable(GL_DEPTH_TEST);
     for (std::size_t i = 0; i <= estado.red.n; ++i)
         trazaPolilinea(polilineaBezier(estado.red.fila(i), FLECHA_CURVAS), vista(), GRIS);
     trazaPolilinea(curvaEn(v), vista(), ROJO, 1.7f * GROSOR);
     trazaPolilinea(G, vista(), NARANJA, 0.8f * GROSOR);
     trazaPuntos(G, vista(), NARANJA, 4 * GROSOR);
-    glEnable(GL_DEPTH_TEST);
     for (std::size_t i = 0; i < G.size(); ++i)
         rotulaPunto("G" + std::to_string(i + 1), G[i], vista(), OSCURO);
 }
@@ -65,7 +66,6 @@ static void dibujaFamilia(float v) {
 /// Devuelve lo más que se separan las normales, en grados.
 static float dibujaUnion(const RedBezier<float> &otra) {
     const RedBezier<float> &red = estado.red;
-    glDisable(GL_DEPTH_TEST);
     for (std::size_t j = 0; j <= red.m; ++j) {
         trazaPolilinea({red.en(red.n - 1, j), otra.en(0, j), otra.en(1, j)}, vista(), OSCURO);
         trazaPuntos({otra.en(1, j)}, vista(), MORADO, 3.5f * GROSOR);
@@ -79,17 +79,14 @@ static float dibujaUnion(const RedBezier<float> &otra) {
         trazaFlecha(Q, Q + LARGO_NORMAL * n2, vista(), NARANJA, 0.8f * GROSOR);
         separadas = std::max(separadas, std::atan2(glm::length(glm::cross(n1, n2)), glm::dot(n1, n2)));
     }
-    glEnable(GL_DEPTH_TEST);
     return glm::degrees(separadas);
 }
 
-/// La red de control, también por detrás de la superficie, y los nombres de las esquinas y del punto elegido.
+/// La red de control y los nombres de las esquinas y del punto elegido.
 static void dibujaRed() {
     const std::size_t n = estado.red.n, m = estado.red.m;
-    glDisable(GL_DEPTH_TEST);
     trazaSegmentos(redDeControl(estado.red.P, m + 1), vista(), GRIS, 0.7f * GROSOR);
     trazaPuntos(estado.red.P, vista(), ROJO, 3.5f * GROSOR);
-    glEnable(GL_DEPTH_TEST);
     for (std::size_t k = 0; k < estado.red.P.size(); ++k) {
         const std::size_t i = k / (m + 1), j = k % (m + 1);
         if ((estado.modo == RED && i % n == 0 && j % m == 0) || int(k) == estado.editor.elegido)
@@ -114,11 +111,16 @@ static void dibuja() {
     }
     const Malla malla = mallaSuperficie(red, n);
     dibujaLamina(lamina, malla, LAMINA_AZUL);
+    if (estado.modo == MALLA)
+        dibujaMalla(malla);
+    if (estado.modo == FAMILIA)
+        dibujaCurvas();
+
+    glDisable(GL_DEPTH_TEST); // lo demás se ve también por detrás de la superficie
     if (estado.modo == RED || dos)
         dibujaRed();
     char texto[80];
     if (estado.modo == MALLA) {
-        dibujaMalla(malla);
         std::snprintf(texto, sizeof texto, "hasta %g px: %zu triángulos", estado.tolerancia,
                       malla.indices.size() / 3);
     } else if (estado.modo == FAMILIA) {
@@ -130,6 +132,7 @@ static void dibuja() {
                       dibujaUnion(otra));
     else
         std::snprintf(texto, sizeof texto, "n = %zu, m = %zu", red.n, red.m);
+    glEnable(GL_DEPTH_TEST);
     rotula(texto, estado.modo == RED ? glm::vec2(0.2f, 0.06f) : glm::vec2(0.5f, 0.94f), OSCURO);
     ponTitulo("Superficie de Bézier: " + std::string(texto));
     glutSwapBuffers();

@@ -5,6 +5,7 @@
 // h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
 #include "ch03_transformaciones/objeto.h"
+#include "matriz.h"
 #include "orbita.h"
 #include "trazo.h"
 #include <glm/gtc/constants.hpp>
@@ -61,20 +62,6 @@ static glm::mat4 matrizEn(double t) {
     return MODOS[estado.elegido].M(glm::two_pi<float>() * fase(t, PERIODO));
 }
 
-static std::string escribe(const glm::mat4 &M) {
-    std::string filas;
-    for (int fila = 0; fila < 4; ++fila) {
-        filas += fila ? "\n|" : "|";
-        for (int columna = 0; columna < 4; ++columna) {
-            char texto[16]; // a centésimas, y + 0 quita el signo de −0
-            std::snprintf(texto, sizeof texto, "%6.3g", std::round(100 * M[columna][fila]) / 100 + 0.0);
-            filas += texto;
-        }
-        filas += " |";
-    }
-    return filas;
-}
-
 static void dibuja() {
     const auto &modo = MODOS[estado.elegido];
     const double t = tiempo(estado.reloj);
@@ -96,7 +83,7 @@ static void dibuja() {
     trazaPuntos({M * glm::vec4(PUNTA, 1)}, proyeccion * camara, MORADO);
 
     rotula(modo.matriz, {0.03f, 0.95f}, OSCURO, Lado::DERECHA);
-    rotula(escribe(M), {0.03f, 0.79f}, OSCURO, Lado::DERECHA);
+    rotula(filasDe(M), {0.03f, 0.79f}, OSCURO, Lado::DERECHA);
     rotulaTiempo(estado.reloj, OSCURO);
     tituloAnimado(estado.reloj, std::string("Matriz del modelo: ") + modo.nombre);
     glutSwapBuffers();
