@@ -56,7 +56,8 @@ inline std::vector<Cubierto> cubre(const Pintado &p, int ancho, int alto, double
     if (p.tipo == "poligono")
         convexo(std::vector<glm::dvec2>(v.begin(), v.end()), v[0], v[0]);
     if (p.tipo == "rotulo") { // con su halo y lo que baja de la línea base
-        const glm::dvec2 a = p.punto(0) - 0.4 * p.talla, b = p.punto(1) + 0.4 * p.talla;
+        const double margen = 0.3 * p.talla + std::max(0.07 * p.talla, 1.0) + 0.5; // rotulo.cpp
+        const glm::dvec2 a = p.punto(0) - margen, b = p.punto(1) + margen;
         convexo({a, {b.x, a.y}, b, {a.x, b.y}}, v[0], v[0]);
     }
     for (std::size_t i = 0; p.tipo == "puntos" && i < v.size(); ++i)

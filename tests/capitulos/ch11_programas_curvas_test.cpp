@@ -96,8 +96,8 @@ struct Bezier : ConPuntos {
                      i % 3 == 0 ? Lado::DEBAJO : Lado::ENCIMA);
         const glm::dvec2 Q = niveles[3][0], dentro = 0.25 * (P[0] + P[1] + P[2] + P[3]) - Q;
         l.rotulo("Q(u)", Q + 0.2 * dentro / std::max(glm::length(dentro), 0.01), ROJO, Lado::CENTRO);
-        l.rotulo("M_B =\n|-1  3 -3  1|\n| 3 -6  3  0|\n|-3  3  0  0|\n| 1  0  0  0|", {0.05, -0.28}, OSCURO,
-                 Lado::CENTRO, 0.034);
+        l.rotulo("M_B =\n| -1  3 -3  1 |\n|  3 -6  3  0 |\n| -3  3  0  0 |\n|  1  0  0  0 |", {0.05, -0.28},
+                 OSCURO, Lado::CENTRO, 0.034);
         char pesos[80]; // ecuación 11.18
         std::snprintf(pesos, sizeof pesos, "UM_B = %.2f %.2f %.2f %.2f", std::pow(1 - u, 3),
                       3 * u * std::pow(1 - u, 2), 3 * u * u * (1 - u), u * u * u);
@@ -211,8 +211,8 @@ struct Hermite : ConPuntos {
             l.trazo("puntos", transformados, ROJO, 3 * GROSOR);
         if (k > 0)
             tramo({P[1], P[4], k * G[3], P[5] - P[4]}, MORADO, {"", "P4'", "k·R4", "R4'"}, {9, 4, 9, 5});
-        l.rotulo("M_H =\n| 2 -2  1  1|\n|-3  3 -2 -1|\n| 0  0  1  0|\n| 1  0  0  0|", {-0.1, -0.62}, OSCURO,
-                 Lado::CENTRO, 0.034);
+        l.rotulo("M_H =\n|  2 -2  1  1 |\n| -3  3 -2 -1 |\n|  0  0  1  0 |\n|  1  0  0  0 |", {-0.1, -0.62},
+                 OSCURO, Lado::CENTRO, 0.034);
         return l;
     }
 };
@@ -324,8 +324,8 @@ struct BSpline : ConPuntos {
                               Lado::DERECHA,   Lado::DEBAJO, Lado::ENCIMA, Lado::DEBAJO};
         for (std::size_t i = 0; i < 9; ++i)
             l.rotulo("P" + std::to_string(i), P[i], colorNombre(i), lados[i]);
-        l.rotulo("M_BS = 1/6\n|-1  3 -3  1|\n| 3 -6  3  0|\n|-3  0  3  0|\n| 1  4  1  0|", {-0.47, 0}, OSCURO,
-                 Lado::CENTRO, 0.034);
+        l.rotulo("M_BS = 1/6\n| -1  3 -3  1 |\n|  3 -6  3  0 |\n| -3  0  3  0 |\n|  1  4  1  0 |",
+                 {-0.46, 0.04}, OSCURO, Lado::CENTRO, 0.9 * 0.034);
         return l;
     }
 };
