@@ -409,7 +409,7 @@ def prueba_pagina(p):
         for enlace in ("", "#grua", "#grua_zbuffer", "#convolucion_variable", "#info_opengl"):
             n.js("location.hash = arguments[0]", enlace)
             p.espera("!actual || editor && (sesion?.vivo || actual.consola)")
-            exige(n.js(f"return document.documentElement.scrollWidth <= {ancho}"), f"en {ancho} píxeles nada de «{enlace}» se sale")
+            navegador.nada_se_sale(n, f"nada de «{enlace}»", ancho)
     exige("OpenGL: 3.1 (imitado" in n.js("return consola.textContent"), "info_opengl escribe lo que hay")
     n.pide("/goog/cdp/execute", cmd="Emulation.clearDeviceMetricsOverride", params={})
     fuera = n.js("return performance.getEntriesByType('resource').map(r => r.name).filter(r => !/^(file|data|blob):/.test(r))")

@@ -2,7 +2,7 @@
 """navegador.py RAÍZ BUILD: dibuja la galería en una carpeta temporal y la recorre en Chromium, abierta con file://.
 
 Todas las imágenes cargan, y las animadas se mueven, salvo para quien pide menos movimiento; la vista grande se abre, pasa con las flechas y se cierra con Esc; el buscador encuentra con
-acentos y sin ellos; los fuentes se ven; nada se sale de un teléfono de 360 píxeles; la consola no da ningún error.
+acentos y sin ellos; los fuentes se ven; nada se sale de un teléfono de 360 píxeles, ni con el texto al doble; la consola no da ningún error.
 """
 import hashlib
 import io
@@ -123,6 +123,14 @@ def accesible(n, que):
     exige(not hallado, f"{que} es para todos: {hallado}")
 
 
+def nada_se_sale(n, que, ancho):
+    """Ni con el texto del navegador al doble, que es lo que cambia quien ve poco."""
+    for texto in ("200%", "100%"):
+        letra = n.js("document.documentElement.style.fontSize = arguments[0]; return getComputedStyle(document.body).fontSize", texto)
+        exige(letra == ("32px" if texto == "200%" else "16px"), f"el texto, al {texto}, es de {letra}")
+        exige(n.js(f"return document.documentElement.scrollWidth <= {ancho}"), f"{que} se sale de {ancho} píxeles, con el texto al {texto}")
+
+
 def recorre(n, pagina, casos, animados):
     n.talla(1440, 900)
     n.pide("/url", url=pagina.as_uri())
@@ -202,7 +210,7 @@ def recorre(n, pagina, casos, animados):
     n.js("for (const d of document.querySelectorAll('details')) d.open = true")
     for ancho in (360, 800, 1920):
         n.talla(ancho, 800)
-        exige(n.js(f"return document.documentElement.scrollWidth <= {ancho}"), f"nada se sale de {ancho} píxeles")
+        nada_se_sale(n, "nada", ancho)
     registro = n.pide("/se/log", type="browser")
     exige(not registro, f"la consola está vacía: {registro[:1]}")
 
