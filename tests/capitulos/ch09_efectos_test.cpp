@@ -90,14 +90,6 @@ TEST(Efectos, LosDosGrisesDeSeisColores) {
                   0.51);
 }
 
-// 1×1, una columna y 4096×4096: texel a texel.
-TEST(Efectos, TallasExtremas) {
-    for (const auto &[ancho, alto] : {std::pair(1, 1), {1, 300}, {300, 1}, {4096, 4096}}) {
-        const Imagen i = alAzar(ancho, alto);
-        EXPECT_TRUE(procesa("efectos", {i}).rgb == i.rgb) << ancho << "×" << alto;
-    }
-}
-
 // Sin -geometry la ventana toma el tamaño de la imagen; con ella, no, y la imagen cabe entera sin deformarse.
 TEST(Efectos, LaVentanaTomaElTamanoDeLaImagen) {
     const Imagen i = alAzar(30, 20);
@@ -135,20 +127,6 @@ TEST(Efectos, ReducidaPromedia) {
         const Vista v =
             vistaDe(programa, guion, 30, 20, enFicheros(dos ? std::vector{i, negra} : std::vector{i}));
         EXPECT_LE(diferenciaMaxima(v.escena, media), 1.5) << programa;
-    }
-}
-
-// Los rótulos están con las imágenes por omisión y no con las del usuario; y la r cambia lo que haya.
-TEST(Efectos, LaImagenDelUsuarioNoLlevaRotulos) {
-    for (const std::string programa :
-         {"efectos", "remolino", "mezcla", "diferencia", "convolucion", "convolucion_variable", "ampliacion",
-          "volteo", "warping", "morphing"}) {
-        const bool dos = programa == "mezcla" || programa == "diferencia" || programa == "morphing";
-        const std::vector<std::string> suyas = enFicheros(dos ? std::vector{A, B} : std::vector{A});
-        for (const auto &[guion, rotulos] : {std::pair("", 1u), {"tecla r", 0u}}) {
-            EXPECT_EQ(vistaDe(programa, guion).encima.size(), rotulos) << programa;
-            EXPECT_EQ(vistaDe(programa, guion, 61, 47, suyas).encima.size(), 1 - rotulos) << programa;
-        }
     }
 }
 

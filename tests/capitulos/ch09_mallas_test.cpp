@@ -5,11 +5,7 @@
 #include "guiones.h"
 #include "oraculo/cobertura.h"
 #include <array>
-#include <cstdlib>
-#include <filesystem>
 #include <set>
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -125,25 +121,15 @@ TEST(Morphing, EnLosExtremosEsAYEsB) {
 // Con mallas regulares es la mezcla lineal. Al comparar no se arrastra.
 TEST(Morphing, SinDeformarEsUnaMezcla) {
     const Cuadro enMedio = mezcla(0.5, "t = 0.50");
-    compruebaPaneles("morphing", {A, B},
-                     {{{"", "tecla 3; tecla 2"}, {enMedio}},
-                      {{"tecla 2; tecla +"}, {mezcla(0.55, "t = 0.55")}},
-                      {{"tecla 1; tecla +"}, {mezcla(0.05, "t = 0.05")}},
-                      {{"tecla v; " + arrastra({40, 30}, {50, 20})},
-                       {solo(A, "A"), enMedio, solo(B, "B"), mezcla(0.5, "mezcla, t = 0.50")},
-                       2}});
+    compruebaPaneles(
+        "morphing", {A, B},
+        {{{"", "tecla 3; tecla 2"}, {enMedio}},
+         {{"tecla 2; tecla +"}, {mezcla(0.55, "t = 0.55")}},
+         {{"tecla 1; tecla +"}, {mezcla(0.05, "t = 0.05")}},
+         {{"tecla 2; tecla - ×3; tecla v; " + arrastra({40, 30}, {50, 20})},
+          {solo(A, "A"), mezcla(0.35, "t = 0.35"), solo(B, "B"), mezcla(0.35, "mezcla, t = 0.35")},
+          2}});
     compruebaMallaRegular("morphing", {A, B}, 7, 8);
-}
-
-// La mezcla que se compara no deforma nada, y el morphing sí.
-TEST(Morphing, LaMezclaAlLado) {
-    const Vista v = vistaDe("morphing", "tecla 2; tecla - ×3; tecla v", 1928, 1448);
-    const Imagen cara = leeTextura(LAB_BUILD "/assets/cara.rgb", 960, 720),
-                 gato = leeTextura(LAB_BUILD "/assets/gato.rgb", 960, 720);
-    const auto mezclada = [&](int x, int y) { return 0.65 * texel(cara, x, y) + 0.35 * texel(gato, x, y); };
-    EXPECT_LE(diferenciaMaxima(oraculo::recorta(v.escena, 968, 0, 960, 720), mezclada), 0.51);
-    EXPECT_GT(diferenciaMaxima(oraculo::recorta(v.escena, 968, 728, 960, 720), mezclada), 50);
-    EXPECT_EQ(v.encima.at(3).texto, "mezcla, t = 0.35");
 }
 
 // A medio camino las pupilas de las dos caras están en el mismo sitio, la media.
@@ -169,16 +155,12 @@ TEST(Morphing, ElPuntoIntermedioQuedaBajoElRaton) {
 }
 
 // El movimiento depende solo del reloj: a los 1500 ms, t = 0.5; a los 3000, 1; a los 6000, 0 otra vez. El último cuadro es de hasta 33
-// ms antes: 4 niveles. Parado, se queda donde está, y sigue desde ahí.
+// ms antes: 4 niveles.
 TEST(Morphing, ElMovimientoSigueAlReloj) {
     const auto tras = [](const std::string &guion) {
         return procesa("morphing", {A, B}, "tecla 1; tecla Espacio; espera " + guion);
     };
-    for (const auto &[guion, t] : {std::pair("1500", 0.5),
-                                   {"3000", 1.0},
-                                   {"6000", 0.0},
-                                   {"1500; tecla Espacio; espera 5000", 0.5},
-                                   {"1500; tecla Espacio; espera 5000; tecla Espacio; espera 1500", 1.0}})
+    for (const auto &[guion, t] : {std::pair("1500", 0.5), {"3000", 1.0}, {"6000", 0.0}})
         EXPECT_LE(diferenciaMaxima(tras(guion), mezcla(t, "").esperado), 4) << guion;
 }
 
@@ -364,17 +346,8 @@ TEST(Captura, ElSitioDeLoQueSeLeera) {
     EXPECT_TRUE(llena.trazos(NARANJA).empty());
 }
 
-// Disco lleno o fichero que no cabe: se dice, y no queda nada a medias.
+// Con el disco lleno se dice; que no quede nada a medias, en lectores_test.cpp.
 TEST(Captura, DiscoLleno) {
     const Ejecucion e = ejecuta("captura", "tecla g", 240, 180, {"/dev/full"});
     EXPECT_NE(e.errores.find("no puedo guardar «/dev/full»"), std::string::npos) << e.errores;
-    const fs::path carpeta = carpetaTemporal() / "sin_sitio";
-    fs::create_directory(carpeta);
-    const std::string orden =
-        "cd " + carpeta.string() +
-        " && bash -c 'trap \"\" XFSZ; ulimit -f 8; exec " LAB_EJECUTABLES
-        "/ch09_imagen/captura -guion \"tecla g\" -ppm imagen.ppm c.ppm' 2>errores >salida";
-    EXPECT_NE(std::system(orden.c_str()), 0); // tampoco cabe la imagen final
-    for (const auto &f : fs::directory_iterator(carpeta))
-        EXPECT_TRUE(f.path().filename() == "errores" || f.path().filename() == "salida") << f.path();
 }

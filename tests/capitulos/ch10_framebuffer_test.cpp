@@ -49,22 +49,6 @@ TEST_F(Framebuffer, NadaCambiaElColor) {
     EXPECT_TRUE(glIsEnabled(GL_DEPTH_TEST));
 }
 
-// Al arrastrar el borde de la ventana llegan cientos de tamaños: se guarda un framebuffer, no cientos.
-TEST_F(Framebuffer, RehacerloNoDejaElAnterior) {
-    for (int lado = 1; lado <= 300; ++lado) {
-        creaFramebuffer(lado, 301 - lado);
-        for (const int cual : {COLOR, PROFUNDIDAD}) {
-            ASSERT_EQ(delRenderbuffer(cual, GL_RENDERBUFFER_WIDTH), lado);
-            ASSERT_EQ(delRenderbuffer(cual, GL_RENDERBUFFER_HEIGHT), 301 - lado);
-        }
-    }
-    int vivos = 0; // los nombres se dan seguidos
-    for (GLuint nombre = 1; nombre < 2000; ++nombre)
-        vivos += glIsRenderbuffer(nombre) + glIsFramebuffer(nombre);
-    EXPECT_EQ(vivos, 3);
-    creaFramebuffer(240, 180);
-}
-
 // Si OpenGL no lo da, se dice.
 TEST_F(Framebuffer, SiNoEstaCompletoSeDice) {
     testing::FLAGS_gtest_death_test_style = "threadsafe";

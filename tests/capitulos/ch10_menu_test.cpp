@@ -34,21 +34,14 @@ TEST(Menu, CadaOpcionDaSuMatriz) {
     EXPECT_NE(vistaDe("menu").escena.rgb, vistaDe("menu", gira).escena.rgb);
 }
 
-// Lo que se recibe es el número, venga del menú, del submenú o de la tecla.
+// Lo que se recibe es el número, venga del menú, del submenú o de la tecla; y tras Salir el programa ha terminado: la orden siguiente
+// sobra.
 TEST(Menu, EscribeElNumero) {
-    EXPECT_EQ(ejecuta("menu", "menu Paralela/Perfil; menu Paralela/Alzado; menu Perspectiva; "
-                              "menu Paralela/Planta; tecla 2; tecla 5; menu Salir")
-                  .salida,
-              "opción 4\nopción 2\nopción 1\nopción 3\nopción 2\nopción 0\n");
-}
-
-// Tras Salir (y tras la tecla 0) el programa ha terminado: la orden siguiente sobra.
-TEST(Menu, SalirTermina) {
-    for (const std::string orden : {"menu Salir", "tecla 0"}) {
-        EXPECT_EQ(ejecuta("menu", orden).estado, 0);
-        EXPECT_EQ(ejecuta("menu", orden + "; tecla 1").estado, 2) << orden;
-    }
-    EXPECT_EQ(ejecuta("menu", "menu Alzado").estado, 2); // está en el submenú
+    const Ejecucion e = ejecuta("menu", "menu Paralela/Perfil; menu Paralela/Alzado; menu Perspectiva; "
+                                        "menu Paralela/Planta; tecla 2; tecla 5; menu Salir; tecla 1");
+    EXPECT_EQ(e.salida, "opción 4\nopción 2\nopción 1\nopción 3\nopción 2\nopción 0\n");
+    EXPECT_EQ(e.estado, 2);
+    EXPECT_EQ(ejecuta("menu", "tecla 0").salida, "opción 0\n");
 }
 
 TEST(Eventos, ElGuionDaJustoSusLineas) {

@@ -537,33 +537,6 @@ TEST(SuperficieBezier, DeCualquierGrado) {
                                                  {"tecla + ×4", conRed(redBezier(3, 3))}});
 }
 
-TEST(SuperficieBezier, LasTeclasYElRatonMuevenUnPunto) {
-    RedD red = redBezier();
-    Red &P = red.P;
-    const Escena e = lamina(red);
-    P[5] = e.llevado(P[5], e.px(P[5]) + glm::dvec2(-1 * 24, -4 * 18)); // una vigésima de la ventana cada vez
-    Pasos pasos = {{"tecla n ×6; especial ABAJO ×4; especial IZQUIERDA", conRed(red, 5)}};
-    const auto lleva = [&](std::size_t k, const glm::ivec2 &hasta) {
-        const glm::ivec2 desde = e.raton(e.px(P[k])) + glm::ivec2(5, -4);
-        P[k] = e.llevado(P[k], e.punto(hasta));
-        pasos.push_back({arrastra(desde, hasta), conRed(red, int(k))});
-    };
-    lleva(9, {200, 300});
-    for (const std::size_t k : {1, 2, 3}) // y un borde entero, visto en un punto
-        lleva(k, e.raton(e.px(P[0])));
-    compruebaPasos<Escena>("superficie_bezier", pasos);
-}
-
-// Lejos de los puntos, arrastrar gira la cámara: 1.8 radianes por alto de ventana. Se ve la otra cara, con su luz.
-TEST(SuperficieBezier, LejosDeLosPuntosSeGiraYLaRuedaAcerca) {
-    const auto vista = [](double azimut, double elevacion, double distancia) {
-        return conRed(redBezier(), -1, camara(azimut, elevacion, distancia, {0, -0.35, 0}));
-    };
-    compruebaPasos<Escena>("superficie_bezier", {{"rueda -1 9 9 ×2", vista(0.55, 0.65, 8 * 1.21)},
-                                                 {arrastra({20, 340}, {60, 50}),
-                                                  vista(0.55 - 40 * 0.005, 0.65 - 290 * 0.005, 8 * 1.21)}});
-}
-
 /// La superficie con sus triángulos, los que bastan para no separarse de ellos más de esos píxeles de la ventana.
 Escena conMalla(double tolerancia, const std::string &texto, double acercada = 1,
                 const glm::ivec2 &ventana = NORMAL) {
@@ -827,7 +800,7 @@ TEST(SuperficieHermite, PixelAPixel) {
                             {"tecla +", hermite(DOS, 0.875, "0.88", CAMARA_UNION)},
                             {"tecla + ×20", hermite(DOS, 3, "3.00", CAMARA_UNION)},
                             {"tecla - ×20", hermite(DOS, 0.2, "0.20", CAMARA_UNION)},
-                            {"tecla u", hermite(UNO)},
+                            {"tecla n ×3; tecla u", hermite(UNO)}, // y el elegido se suelta
                             {"tamano 360 540", hermite(UNO, 0, "", CAMARA_HERMITE, {360, 540})}});
 }
 
@@ -860,15 +833,6 @@ TEST(SuperficieHermite, ElRatonMueveCualquierElementoYGiraLaCamara) {
     compruebaPasos<Escena>("superficie_hermite",
                            {{"tecla u; tecla n ×24; especial ARRIBA ×2; tecla n ×18; especial ARRIBA ×2",
                              hermite(p, 0.7, "0.70", CAMARA_UNION, NORMAL, 17)}});
-}
-
-// La rueda se para donde se paraba, con un trozo y con dos; y al quitar el segundo no queda nada elegido.
-TEST(SuperficieHermite, LosLimitesDeLaRuedaNoCambianConElSegundoTrozo) {
-    compruebaPasos<Escena>(
-        "superficie_hermite",
-        {{"rueda -1 9 9 ×30", hermite(UNO, 0, "", camara(0.45, 0.6, 21, {0, -0.2, 0}))},
-         {"tecla u; rueda -1 9 9", hermite(DOS, 0.7, "0.70", camara(0.45, 0.6, 21, {1.25, -0.1, 0}, 0.65))},
-         {"tecla n ×3; tecla u", hermite(UNO, 0, "", camara(0.45, 0.6, 21, {0, -0.2, 0}))}});
 }
 
 // ---- Lo que se ve ----

@@ -29,7 +29,7 @@ TEST(Desvanecer, MezclaExacta) {
                  con = vistaDe("desvanecer", instante(1)).escena;
     comprueba("sin anillo", comparaConLuzFija(sin, {cubo}, camara, exacto(CIELO)));
     comprueba("con él", comparaConLuzFija(con, {cubo, anillo}, camara, exacto(CIELO)));
-    for (const double t : {0.0, 0.5, 1.5, 2.0, 3.5, 6.5, HORAS + 0.5, HORAS + 2, HORAS + 3}) {
+    for (const double t : {0.0, 0.5, 1.7, 2.0, 3.5, 6.5, HORAS + 0.5, HORAS + 2, HORAS + 3}) {
         const double alfa = pulso(t + 1, 4);
         const auto mezcla = [&](int x, int y) {
             return (1 - alfa) * texel(sin, x, y) + alfa * texel(con, x, y);

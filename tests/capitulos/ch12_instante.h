@@ -6,10 +6,11 @@
 
 const double HORAS = 360000; // segundos: cien horas, múltiplo de todos los periodos
 
-/// Con el reloj parado, el segundo t, múltiplo de medio; si pasa de HORAS, no de uno en uno. `inicio`, el del programa al abrirlo.
+/// Con el reloj parado, el segundo t, en décimas; si pasa de HORAS, no de uno en uno. `inicio`, el del programa al abrirlo.
 inline std::string instante(double t, double inicio = 0) {
+    const int decimas = int(std::lround(10 * std::fmod(t - inicio, HORAS)));
     return (t >= HORAS ? "tecla h ×10; " : "") + std::string("tecla Espacio; ") +
-           veces(int(std::lround(2 * std::fmod(t - inicio, HORAS))), "tecla s");
+           veces(decimas / 5, "tecla s") + "; " + veces(decimas % 5, "tecla d");
 }
 inline std::string conDosCifras(double x) {
     char texto[16];
