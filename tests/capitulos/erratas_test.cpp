@@ -44,22 +44,15 @@ protected:
 
 // --- lo que no es C++ ---
 
-// Listado 1.3: std::string msgs(' ', len).
-TEST(Cpp, LosArgumentosDeStringDelListado13) {
+// Listado 1.3: std::string msgs(' ', len) y un GLuint * donde se pide un GLint *; listado 6.2: leeTextura(char *) no admite un literal;
+// y §10.2, los menús.
+TEST(Cpp, LosArgumentosQueNoSon) {
     const int len = 65;
     EXPECT_EQ(std::string(' ', char(len)), std::string(32, 'A'));
     EXPECT_EQ(std::string(len, ' ').size(), 65u);
-}
-
-// Listado 1.3: glGetShaderiv pide un GLint *; listado 6.2: leeTextura(char *) no admite un literal.
-TEST(Cpp, LosPunterosDeLosListados13y61) {
     EXPECT_FALSE((std::is_convertible_v<GLuint *, GLint *>));
     EXPECT_FALSE((std::is_convertible_v<const char(&)[10], char *>));
     EXPECT_TRUE((std::is_convertible_v<const char(&)[10], const char *>));
-}
-
-// §10.2.
-TEST(Cpp, LosMenusDelListado101) {
     EXPECT_TRUE((std::is_same_v<decltype(&glutAddMenuEntry), void (*)(const char *, int)>));
     EXPECT_TRUE((std::is_same_v<decltype(&glutAddSubMenu), void (*)(const char *, int)>));
 }

@@ -1,6 +1,6 @@
 // estropea ENTRADA.ppm SALIDA.ppm COMPONENTE PÍXELES NIVELES [sin_sello]
 // Copia un PPM con los primeros PÍXELES (desde abajo a la izquierda) NIVELES más allá en un componente (0, 1 o 2): con
-// eso se prueba que el comparador lo nota (mutaciones.sh).
+// eso se prueba que el comparador lo nota (defectos.sh).
 #include "error.h"
 #include "imagen.h"
 #include "numero.h"

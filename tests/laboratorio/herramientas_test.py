@@ -18,7 +18,6 @@ import catalogo
 import colores
 import controles
 import costes
-import documentos
 import grafica
 import libro
 import medidas
@@ -251,12 +250,6 @@ def test_cada_ejercicio_con_lo_que_pide_y_su_respuesta():
         assert codigo[0] != "E" or (len(cosa.enunciado) > 20 and suyo.respuestas.get(codigo)), codigo
 
 
-def test_el_indice_del_libro(tmp_path, con_libro):
-    capitulo = con_libro
-    escrito = documentos.programas_md(tmp_path, [capitulo])
-    assert "| L1.1 | uno | [b](../ch01_x/b.cpp) |\n| E1.1 | ejercicio | [b](../ch01_x/b.cpp), [respuesta](soluciones.md) |\n| F1 | figura | no hace falta |\n" in escrito
-
-
 # --- colores ------------------------------------------------------------------------------------------------------
 
 @pytest.mark.parametrize("uno,otro,cuanto", [  # de la tabla de Sharma, Wu y Dalal (2005)
@@ -323,25 +316,6 @@ def programas(tmp_path):
                   {"programa": "a", "nombre": "dos_mas", "fichero": "a-dos", "guion": "tecla d; tecla a", "tolerancia": "1 2 3", "mira": "M",
                    "borde": "", "anima": ""}]}))
     return catalogo.lee_programas(tmp_path)
-
-
-@pytest.mark.parametrize("pedido,nombres", [("a", "a"), ("ch01", "a"), ("ch01_uno", "a"), ("l1.2", "a"), ("E1.1", "a"), ("§10.1", "b"), ("ch10", "b"),
-                                            ("ch1", ""), ("E1", ""), ("1.1", ""), ("uno", ""), ("", "")])  # ch1 no es ch10
-def test_a_que_se_refiere(programas, pedido, nombres):
-    try:
-        assert [p.nombre for p in catalogo.resuelve(programas, pedido)] == nombres.split()
-    except SystemExit as fin:
-        assert not nombres and re.search(f"no hay ningún programa «{pedido}»; los más parecidos: (a, b|b, a)$", str(fin))
-
-
-def test_los_hechos_de_un_caso(programas):
-    assert [c.hechos for c in catalogo.casos(programas, "a")] == [["ch01_uno", "a", "a", "-", "-"], ["ch01_uno", "a", "a-dos", "1 2 3", "tecla d; tecla a"]]
-    assert [(c.nombre, c.titulo, c.imagen, c.animada) for c in catalogo.casos(programas, "a-dos")] == [
-        ("dos_mas", "dos mas", "ch01_uno/a-dos.png", "ch01_uno/a-dos.anima.png")]
-    for pedido in ("a-tres", "b"):  # b es de consola
-        with pytest.raises(SystemExit, match="no es un caso"):
-            catalogo.casos(programas, pedido)
-    assert programas[0].pruebas == ["x.Y.z", "x.W"] and programas[1].capitulo.numero == 10 and programas[0].casos[0].titulo == ""
 
 
 def test_lo_que_la_pagina_sabe_de_un_programa(tmp_path, programas, monkeypatch):

@@ -130,7 +130,7 @@ def test_ayuda_y_errores(lab):
     assert lab("", salida=lab("ayuda").stdout).stdout.startswith("./lab galeria")
     for orden, estado, dice in (("nada", 2, "no conozco la orden «nada»"), ("lista --csv", 1, "no entiendo «--csv»"), ("lista --tsv x", 1, "no entiendo «x»"),
                                 ("galeria x", 1, "no entiendo «x»"), ("web x", 1, "no entiendo «x»"), ("ver", 1, "falta el programa"),
-                                ("ver ch1", 1, "no hay ningún programa «ch1»; los más parecidos: "), ("ver 1.1", 1, "no hay ningún programa"),
+                                ("ver ch1", 1, "no hay ningún programa «ch1»; los más parecidos: b, a"), ("ver 1.1", 1, "no hay ningún programa"),
                                 ("dora", 1, "di qué casos"), ("dora a-x", 1, "«a-x» no es un caso de a"), ("prueba -R", 1, "falta lo que sigue a -R"),
                                 ("prueba a", 1, "para elegir pruebas, -R a"), ("prueba --x", 1, "no entiendo «--x»"), ("mide x", 1, "no hay ninguna técnica «x»; hay t"),
                                 ("muta x", 1, "no hay ningún mutante en «x»")):
@@ -286,7 +286,7 @@ def test_prueba(lab):
 
 def test_ver(lab):
     aqui = lab.sitio / "aqui"
-    lab("ver L1.1", dice="lo he dibujado en a.png", salida="salida de a\n")
+    lab("ver l1.1", dice="lo he dibujado en a.png", salida="salida de a\n")
     assert (aqui / "a.png").read_bytes()[1:4] == b"PNG" and not (lab.raiz / "a.png").exists()
     lab("ver ch01 -x 'y z'", dice="a: A <b>")
     assert [ll[-2:] for ll in lab.llamadas("a") + lab.llamadas("b")] == [["-x", "y z"]] * 2
