@@ -61,12 +61,14 @@ TEST(Eventos, ElGuionDaJustoSusLineas) {
 
 TEST(Eventos, CadaTeclaConSuNombre) {
     std::string guion = "mueve 5 6", lineas = "tamaño 240 180\nmovimiento 5 6\n";
-    for (const std::string tecla :
-         {"especial ARRIBA", "especial ABAJO",  "especial IZQUIERDA", "especial DERECHA",  "especial INICIO",
-          "especial FIN",    "especial REPAG",  "especial AVPAG",     "especial INSERTAR", "especial F1",
-          "especial F2",     "especial F9",     "especial F10",       "tecla Espacio",     "tecla Intro",
-          "tecla Tab",       "tecla Retroceso", "tecla Supr",         "tecla Z",           "tecla z",
-          "tecla 0",         "tecla ~"}) {
+    for (const std::string tecla : {"especial ARRIBA",  "especial ABAJO",  "especial IZQUIERDA",
+                                    "especial DERECHA", "especial INICIO", "especial FIN",
+                                    "especial REPAG",   "especial AVPAG",  "especial INSERTAR",
+                                    "especial F1",      "especial F2",     "especial F9",
+                                    "especial F10",     "tecla Espacio",   "tecla Intro",
+                                    "tecla Tab",        "tecla Retroceso", "tecla Supr",
+                                    "tecla Z",          "tecla z",         "tecla 0",
+                                    "tecla #",          "tecla ~"}) {
         guion += "; " + tecla;
         lineas += tecla + " 5 6\n";
     }

@@ -493,21 +493,19 @@ Escena lamina(const RedD &red, const oraculo::Camara &c = CAMARA_BEZIER, const g
 void anadeRotulo(Escena &e, const std::string &texto, double x = 0.5, double y = 0.94) {
     e.rotulo(texto, {x * e.ventana.x, y * e.ventana.y}, OSCURO, Lado::CENTRO);
 }
-/// Su red, entera, y los nombres de las esquinas y del punto elegido.
-void anadeRed(Escena &e, const RedD &red, int elegido = -1, bool esquinas = true) {
+/// Su red, entera, y los nombres de las esquinas.
+void anadeRed(Escena &e, const RedD &red, bool esquinas = true) {
     e.trazo("segmentos", e.px(ladosDeRed(red.P, red.m + 1)), GRIS, 0.7 * GROSOR);
     e.trazo("puntos", e.px(red.P), ROJO, 3.5 * GROSOR);
     for (std::size_t k = 0; k < red.P.size(); ++k) {
         const std::size_t i = k / (red.m + 1), j = k % (red.m + 1);
-        if ((esquinas && i % red.n == 0 && j % red.m == 0) || int(k) == elegido)
-            e.rotulo(nombre(k, red.m + 1), e.px(red.P[k]), int(k) == elegido ? ROJO : OSCURO,
-                     i % red.n == 0 && j == 0 ? Lado::DEBAJO : Lado::ENCIMA);
+        if (esquinas && i % red.n == 0 && j % red.m == 0)
+            e.rotulo(nombre(k, red.m + 1), e.px(red.P[k]), OSCURO, j == 0 ? Lado::DEBAJO : Lado::ENCIMA);
     }
 }
-Escena conRed(const RedD &red, int elegido = -1, const oraculo::Camara &c = CAMARA_BEZIER,
-              const glm::ivec2 &ventana = NORMAL) {
+Escena conRed(const RedD &red, const oraculo::Camara &c = CAMARA_BEZIER, const glm::ivec2 &ventana = NORMAL) {
     Escena e = lamina(red, c, ventana);
-    anadeRed(e, red, elegido);
+    anadeRed(e, red);
     anadeRotulo(e, "n = " + std::to_string(red.n) + ", m = " + std::to_string(red.m), 0.2, 0.06);
     return e;
 }
@@ -515,8 +513,8 @@ Escena conRed(const RedD &red, int elegido = -1, const oraculo::Camara &c = CAMA
 TEST(SuperficieBezier, PixelAPixel) {
     compruebaPasos<Escena>(
         "superficie_bezier",
-        {{"", conRed(redBezier())}, {"tamano 360 480", conRed(redBezier(), -1, CAMARA_BEZIER, {360, 480})}});
-    compruebaPasos<Escena>("superficie_bezier", {{"", conRed(redBezier(), -1, CAMARA_BEZIER, {640, 320})}});
+        {{"", conRed(redBezier())}, {"tamano 360 480", conRed(redBezier(), CAMARA_BEZIER, {360, 480})}});
+    compruebaPasos<Escena>("superficie_bezier", {{"", conRed(redBezier(), CAMARA_BEZIER, {640, 320})}});
 }
 
 // Sube primero el grado en u. Los puntos son otros: no queda ninguno elegido.
@@ -563,16 +561,15 @@ Escena conMalla(double tolerancia, const std::string &texto, double acercada = 1
 
 // Los triángulos que dice el rótulo son los que bastan, y la malla blanca va por sus lados; no hay red ni puntos.
 TEST(SuperficieBezier, LaToleranciaEsEnPixeles) {
-    compruebaPasos<Escena>(
-        "superficie_bezier",
-        {{"tecla m", conMalla(32, "32")},
-         {"tecla + ×9", conMalla(0.125, "0.125")},
-         {"tecla - ×6", conMalla(8, "8")},
-         {"tecla - ×9", conMalla(64, "64")},
-         {"tecla + ×6; rueda 1 9 9 ×4", conMalla(1, "1", std::pow(1.1, 4))},
-         {"tamano 300 400", conMalla(1, "1", std::pow(1.1, 4), {300, 400})},
-         {"tecla m; tamano 480 360",
-          conRed(redBezier(), -1, camara(0.55, 0.65, 8 / std::pow(1.1, 4), {0, -0.35, 0}))}});
+    compruebaPasos<Escena>("superficie_bezier",
+                           {{"tecla m", conMalla(32, "32")},
+                            {"tecla + ×9", conMalla(0.125, "0.125")},
+                            {"tecla - ×6", conMalla(8, "8")},
+                            {"tecla - ×9", conMalla(64, "64")},
+                            {"tecla + ×6; rueda 1 9 9 ×4", conMalla(1, "1", std::pow(1.1, 4))},
+                            {"tamano 300 400", conMalla(1, "1", std::pow(1.1, 4), {300, 400})},
+                            {"tecla m; tamano 480 360",
+                             conRed(redBezier(), camara(0.55, 0.65, 8 / std::pow(1.1, 4), {0, -0.35, 0}))}});
 }
 
 /// Las curvas en que v es constante, por la superficie; y los puntos de control de una, en las curvas de las filas.
@@ -631,7 +628,7 @@ Escena conUnion(const RedD &A, const std::vector<double> &k, const std::string &
     e.anade(A);
     e.anade(B, true);
     e.trozos[1].n = {192, 48}; // con proporciones distintas se curva mucho junto al borde
-    anadeRed(e, A, -1, false);
+    anadeRed(e, A, false);
     for (std::size_t j = 0; j < columnas; ++j) {
         e.trazo("polilinea", e.px(Red{A.en(A.n - 1, j), A.en(A.n, j), B.en(1, j)}), OSCURO);
         e.trazo("puntos", {e.px(B.en(1, j))}, MORADO, 3.5 * GROSOR);
@@ -674,7 +671,7 @@ Red redBSpline() {
     }
     return P;
 }
-Escena nueveTrozos(const Red &P, int elegido = -1, bool red = true, const oraculo::Camara &c = CAMARA_BSPLINE,
+Escena nueveTrozos(const Red &P, bool red = true, const oraculo::Camara &c = CAMARA_BSPLINE,
                    const glm::ivec2 &ventana = NORMAL) {
     Escena e(c, ventana);
     for (std::size_t i = 0; i < 3; ++i)
@@ -686,8 +683,6 @@ Escena nueveTrozos(const Red &P, int elegido = -1, bool red = true, const oracul
         e.conProfundidad = false;
         e.trazo("puntos", e.px(P), ROJO, 3 * GROSOR);
     }
-    if (elegido >= 0)
-        e.rotulo(nombre(std::size_t(elegido), 6), e.px(P[std::size_t(elegido)]), OSCURO, Lado::ENCIMA);
     return e;
 }
 
@@ -695,24 +690,8 @@ TEST(SuperficieBSpline, PixelAPixel) {
     compruebaPasos<Escena>(
         "superficie_bspline",
         {{"", nueveTrozos(redBSpline())},
-         {"tecla r", nueveTrozos(redBSpline(), -1, false)},
-         {"tamano 360 480", nueveTrozos(redBSpline(), -1, false, CAMARA_BSPLINE, {360, 480})}});
-}
-
-// El más cercano en la pantalla aunque esté detrás de la superficie; y lejos de los puntos, el ratón gira la cámara.
-TEST(SuperficieBSpline, LasTeclasYElRatonMuevenUnPunto) {
-    Red P = redBSpline();
-    const Escena e = nueveTrozos(P);
-    const glm::ivec2 desde = e.raton(e.px(P[28])) + glm::ivec2(-4, 3), hasta(330, 120);
-    P[28] = e.llevado(P[28], e.punto(hasta));
-    Pasos pasos = {{arrastra(desde, hasta), nueveTrozos(P, 28)}};
-    P[0] = e.llevado(P[0], e.px(P[0]) + glm::dvec2(24, 3 * 18));
-    pasos.push_back(
-        {"tecla n ×8; especial ARRIBA ×3; especial DERECHA", nueveTrozos(P, 0)}); // 35 y otra vez 0
-    pasos.push_back(
-        {arrastra({20, 20}, {-40, -100}) + "; tecla r; rueda 1 9 9",
-         nueveTrozos(P, 0, false, camara(0.55 + 60 * 0.005, 0.6 - 120 * 0.005, 9.4 / 1.1, {0, -0.1, 0}))});
-    compruebaPasos<Escena>("superficie_bspline", pasos);
+         {"tecla r", nueveTrozos(redBSpline(), false)},
+         {"tamano 360 480", nueveTrozos(redBSpline(), false, CAMARA_BSPLINE, {360, 480})}});
 }
 
 // ---- superficie_hermite ----
@@ -818,14 +797,6 @@ TEST(SuperficieHermite, ElRatonMueveCualquierElementoYGiraLaCamara) {
     }
     compruebaPasos<Escena>("superficie_hermite",
                            {{arrastra({20, 20}, {50, 70}), hermite(UNO, 0, "", girada)}});
-    Elementos p(24); // con el teclado, la última torsión y la esquina de la que sale
-    for (const std::size_t k : {23, 17})
-        p.lleva(k, hermite(p, 0.7, "0.70", CAMARA_UNION)
-                       .llevado(p.p[k],
-                                hermite(p, 0.7, "0.70", CAMARA_UNION).px(p.p[k]) + glm::dvec2(0, 2 * 18)));
-    compruebaPasos<Escena>("superficie_hermite",
-                           {{"tecla u; tecla n ×24; especial ARRIBA ×2; tecla n ×18; especial ARRIBA ×2",
-                             hermite(p, 0.7, "0.70", CAMARA_UNION, NORMAL, 17)}});
 }
 
 // ---- Lo que se ve ----
@@ -839,7 +810,7 @@ TEST(PintadoConProfundidad, LaListaSobreLaEscena) {
         double visto;
     } casos[] = {{"superficie_bspline", "", nueveTrozos(redBSpline()), 0.3},
                  {"superficie_bspline", arrastra({20, 20}, {-40, -60}),
-                  nueveTrozos(redBSpline(), -1, true, camara(0.85, 0.2, 9.4, {0, -0.1, 0})), 0.3},
+                  nueveTrozos(redBSpline(), true, camara(0.85, 0.2, 9.4, {0, -0.1, 0})), 0.3},
                  {"superficie_hermite", "tecla u", hermite(DOS, 0.7, "0.70", CAMARA_UNION), 0.5},
                  {"superficie_bezier", "tecla m; tecla +", conMalla(16, "16"), 0.9}};
     for (const auto &c : casos) {

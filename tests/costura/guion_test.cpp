@@ -1,29 +1,13 @@
 // El guion de glut_sin_ventana: lo que entiende, y qué dice de lo que no.
 #include "ejecuta.h"
 #include "glut_sin_ventana/guion.h"
-#include <GL/freeglut.h>
 #include <fstream>
 #include <gtest/gtest.h>
 
 using namespace sin_ventana;
 using testing::ExitedWithCode;
 
-// Lo que las órdenes hacen, en costura_test.cpp.
-TEST(Guion, SeparaCadaOrdenDeSusDatos) {
-    const auto g = leeGuion("tecla Esc;especial F5 ; boton DERECHO abajo 3 -4; menu Vista/Planta baja;"
-                            "captura una foto.ppm; tecla PuntoYComa; tecla #");
-    ASSERT_EQ(g.size(), 7u);
-    EXPECT_EQ(g[0].tecla, 27);
-    EXPECT_EQ(g[1].tecla, GLUT_KEY_F5);
-    EXPECT_EQ(g[2].boton, GLUT_RIGHT_BUTTON);
-    EXPECT_EQ(g[2].raton.x, 3);
-    EXPECT_EQ(g[2].raton.y, -4);
-    EXPECT_EQ(g[3].texto, "Vista/Planta baja");
-    EXPECT_EQ(g[4].texto, "una foto.ppm");
-    EXPECT_EQ(g[5].tecla, ';');
-    EXPECT_EQ(g[6].tecla, '#');
-}
-
+// Lo que las órdenes hacen, en costura_test.cpp y ch10_menu_test.cpp.
 TEST(Guion, SinOrdenes) {
     for (const char *guion : {"", " ; ;; ", "\v;\f; \t\r\v\f", "escala 240 180"})
         EXPECT_TRUE(leeGuion(guion).empty()) << guion;

@@ -20,11 +20,6 @@ Rayo rayoAlAzar(const Mat4 &M, double talla) {
     return {origen, unitario(punto(M, exacto(azar.punto(talla))) - origen), 0, INFINITO};
 }
 
-void esperaCerca(const Vec3 &a, const Vec3 &b, double tolerancia) {
-    EXPECT_LE(longitud(a - b), tolerancia) << "(" << a.x << ", " << a.y << ", " << a.z << ") y debía (" << b.x
-                                           << ", " << b.y << ", " << b.z << ")";
-}
-
 /// Cada forma con su ecuación implícita en coordenadas del objeto: negativa dentro, 0 en la superficie.
 struct Caso {
     const char *nombre;
@@ -62,7 +57,7 @@ TEST(Cortes, EcuacionesImplicitasYGradientes) {
         double peorF = 0, peorNormal = 0;
         const auto comprueba = [&](const Impacto &i) {
             EXPECT_NEAR(longitud(i.normal), 1, 1e-15);
-            esperaCerca(i.punto, i.rayo.origen + i.distancia * i.rayo.direccion, 1e-14);
+            EXPECT_LE(longitud(i.punto - (i.rayo.origen + i.distancia * i.rayo.direccion)), 1e-14);
             peorF = std::max(peorF, std::fabs(F(i.punto)));
             const double h = 1e-6;
             const Vec3 gradiente = {F(i.punto + Vec3{h, 0, 0}) - F(i.punto - Vec3{h, 0, 0}),
