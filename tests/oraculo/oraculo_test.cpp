@@ -1,5 +1,5 @@
-// El oráculo contra ecuaciones implícitas y fórmulas escritas aquí. La cámara, las sombras y la luz no se prueban solas: un error suyo
-// lo notan los programas que se comparan con ellas.
+// El oráculo contra ecuaciones implícitas y fórmulas escritas aquí. El alto útil de la ventana, la órbita, el modelo
+// de Phong y las sombras no se prueban solos: un error suyo lo notan los programas que se comparan con ellos.
 #include "azar.h"
 #include "contra_oraculo.h"
 #include <algorithm>
@@ -91,6 +91,32 @@ TEST(Cortes, EcuacionesImplicitasYGradientes) {
         EXPECT_LT(peorF, 1e-13) << caso.nombre;
         EXPECT_LT(peorNormal, 1e-8) << caso.nombre;
     }
+}
+
+// --- Cámara ------------------------------------------------------------------------------------------------
+
+TEST(Camara, IdaYVuelta) {
+    const Camara base = orbita(0.7, -0.4, 12, {1, 2, 3});
+    for (const Camara &c : {perspectiva(base, 0.9, 0.5, 80), paralela(base, 3, 1, 30)})
+        for (const auto &[ancho, alto] : {std::pair(240, 180), {180, 240}, {1, 1}, {333, 7}})
+            for (int n = 0; n < 50; ++n) {
+                const double px = azar.entre(0.0, double(ancho)), py = azar.entre(0.0, double(alto));
+                const Rayo r = rayo(c, ancho, alto, px, py);
+                const auto enVentana = [&](double t) {
+                    return proyecta(c, ancho, alto, r.origen + t * r.direccion);
+                };
+                EXPECT_NEAR(longitud(r.direccion), 1, 1e-15);
+                const Vec3 v = enVentana(azar.entre(r.minimo, r.maximo));
+                EXPECT_NEAR(v.x, px, 1e-11);
+                EXPECT_NEAR(v.y, py, 1e-11);
+                EXPECT_NEAR(enVentana(r.minimo).z, 0, 1e-13);
+                EXPECT_NEAR(enVentana(r.maximo).z, 1, 1e-13);
+                const auto seVe = [&](double t) { // lo que hay a esa distancia
+                    return bool(primerImpacto({plano(traslada(r.origen + t * r.direccion))}, r));
+                };
+                EXPECT_TRUE(seVe(r.minimo + 1e-6) && seVe(r.maximo - 1e-6));
+                EXPECT_FALSE(seVe(r.minimo - 1e-6) || seVe(r.maximo + 1e-6));
+            }
 }
 
 // --- Luz ---------------------------------------------------------------------------------------------------
