@@ -778,7 +778,7 @@ TEST(SuperficieHermite, PixelAPixel) {
 
 // Una esquina de la unión, que es de los dos trozos; una tangente y una torsión, del primero y del segundo.
 TEST(SuperficieHermite, ElRatonMueveCualquierElementoYGiraLaCamara) {
-    const auto girada = camara(0.45 - 30 * 0.005, 0.6 + 50 * 0.005, 8.4, {0, -0.2, 0});
+    const auto girada = camara(0.45 - 40 * 0.005, 0.6 - 290 * 0.005, 8.4, {0, -0.2, 0}); // la otra cara
     for (const bool dos : {false, true}) {
         Elementos p(dos ? 24 : 16);
         const auto debe = [&](int elegido) {
@@ -796,7 +796,7 @@ TEST(SuperficieHermite, ElRatonMueveCualquierElementoYGiraLaCamara) {
         compruebaPasos<Escena>("superficie_hermite", pasos);
     }
     compruebaPasos<Escena>("superficie_hermite",
-                           {{arrastra({20, 20}, {50, 70}), hermite(UNO, 0, "", girada)}});
+                           {{arrastra({20, 340}, {60, 50}), hermite(UNO, 0, "", girada)}});
 }
 
 // ---- Lo que se ve ----
