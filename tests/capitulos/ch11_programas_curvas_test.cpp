@@ -237,8 +237,6 @@ TEST(Hermite, ArrastrarPuntosYPuntas) {
             s.lleva(0, {-0.6, -0.4});
             s.lleva(3, {0.9, -0.1});  // la punta va sola
             s.lleva(2, {-0.6, -0.4}); // aunque quede sin tangente
-            s.flechas(1, (k > 0 ? 1.38 : 1) * glm::dvec2(-2, 2),
-                      veces(k > 0 ? 5 : 3, "tecla n") + "; especial IZQUIERDA ×2; especial ARRIBA ×2");
             if (k > 0) {
                 s.lleva(4, {1.5, 0.1});
                 s.lleva(5, {1.6, 0.9});
@@ -326,7 +324,6 @@ TEST(BSpline, ControlLocal) {
     s.paso("tecla c; tecla k");
     for (const std::size_t i : {0, 4, 7})
         s.lleva(i, 0.6 * s.v.P[i]);
-    s.flechas(1, {0, -2}, "tecla n ×3; especial ABAJO ×2"); // 8, 0 y 1
     s.v.cerrada = false;
     s.paso("tecla c");
     compruebaPasos("bspline", s.pasos);

@@ -285,8 +285,7 @@ TEST(Temporizador, DisparosDeCadaUno) {
     }
 }
 
-// El color del punto de la esfera o del anillo que ve cada rayo, con la textura hecha otra vez según la definición del ruido: tras un
-// periodo entero, el mismo.
+// El color del punto de la esfera o del anillo que ve cada rayo, con la textura hecha otra vez según la definición del ruido.
 TEST(Textura3dAnimada, ElRuidoEnCadaPuntoYPeriodica) {
     const Camara camara = perspectiva(orbita(0.4, 0.4, 9.5), 0.4, 1, 50);
     const Escena escena = {enElMundo(Mat4(), esfera(segmentosEsfera(250))),
@@ -296,9 +295,7 @@ TEST(Textura3dAnimada, ElRuidoEnCadaPuntoYPeriodica) {
         const glm::dvec3 texel(i % 64 + 0.5, i / 64 % 64 + 0.5, i / 4096 + 0.5);
         texels.push_back(enOchoBits(0.5 + 0.5 * definicion::turbulencia(texel / 16.0, 3, glm::ivec3(4))));
     }
-    const Imagen inicio = vistaDe("textura3d_animada", instante(0)).escena;
-    EXPECT_EQ(vistaDe("textura3d_animada", instante(4)).escena.rgb, inicio.rgb);
-    for (const double t : {0.0, 1.0, HORAS + 4.5, HORAS + 13}) {
+    for (const double t : {0.0, 1.0, 4.0, HORAS + 4.5, HORAS + 13}) {
         const Vista v = vistaDe("textura3d_animada", instante(t));
         const Comparacion c = compara(v.escena, escena, camara, [&](const Impacto &i) {
             if (!i)

@@ -3,10 +3,9 @@
 #include "ch08_oraculo.h"
 #include "imagenes.h"
 
-class TexturaDeRuido {
+struct TexturaDeRuido {
     Imagen imagen{64, 64, {}};
 
-public:
     TexturaDeRuido() {
         for (int i = 0; i < 64 * 64; ++i)
             for (int canal = 0; canal < 3; ++canal) { // tres cortes del mismo ruido, de 4×4 celdas
