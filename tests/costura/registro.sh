@@ -19,24 +19,17 @@ guion_menu='mueve 20 30; rueda +1 20 30; rueda -1 50 60; tecla o; tecla a; tecla
 boton DERECHO abajo 200 50; boton DERECHO arriba 200 50; mueve 100 50; boton IZQUIERDO abajo 100 50; boton IZQUIERDO arriba 100 50
 mueve 290 150; menu Vista/Perfil; mueve 21 31; tecla c; mueve 290 150; menu Ejes quitados; mueve 22 32; tecla d
 mueve 290 150; menu Ejes puestos; mueve 23 33; tecla e; mueve 290 150; menu Salir'
-# Los programas del capítulo 10 que escriben lo que reciben. De dos en dos, para que cada opción llegue tras otra distinta.
-guion_opciones='mueve 290 150; menu Paralela/Perfil; mueve 20 30; tecla 3; mueve 290 150; menu Paralela/Alzado; mueve 21 31; tecla 1
-mueve 290 150; menu Paralela/Planta; mueve 22 32; tecla 4; mueve 290 150; menu Perspectiva; mueve 23 33; tecla 2; mueve 290 150; menu Salir'
-
 # El menú se abre donde está el ratón y sale por la derecha de la ventana: al soltar sobre él, el programa no se entera.
-# Cada opción mide 24 píxeles de alto; el submenú sale a la altura de la suya, y su x está dentro de él en los dos programas.
+# Cada opción mide 24 píxeles de alto; el submenú sale a la altura de la suya, y su x está dentro de él.
 elige_en_menu() {
-  local -A fila=([Vista/Perfil]=0 [Ejes quitados]=1 [Ejes puestos]=1 [Salir]=2
-    [Perspectiva]=0 [Paralela/Alzado]=1 [Paralela/Planta]=1 [Paralela/Perfil]=1)
-  local -A en_submenu=([Vista/Perfil]='300 1' [Paralela/Alzado]='145 1' [Paralela/Planta]='145 2' [Paralela/Perfil]='145 3')
-  local x=${raton% *} y=${raton#* } sub
+  local -A fila=([Vista/Perfil]=0 [Ejes quitados]=1 [Ejes puestos]=1 [Salir]=2)
+  local x=${raton% *} y=${raton#* }
   xdotool click 3
   sleep "$PAUSA"
   lleva_raton $((x + 20)) $((y + 14 + 24 * fila[$1]))
   sleep "$PAUSA"
-  if [ -n "${en_submenu[$1]:-}" ]; then
-    sub=${en_submenu[$1]}
-    lleva_raton $((x + ${sub% *})) $((y + 14 + 24 * ${sub#* }))
+  if [ "$1" = Vista/Perfil ]; then
+    lleva_raton $((x + 300)) $((y + 14 + 24))
     sleep "$PAUSA"
   fi
   xdotool click 1
@@ -70,5 +63,3 @@ compara() { # PROGRAMA GUION [ARGUMENTO]: a los dos, y la diferencia; en PROGRAM
 }
 compara tests/registro_DESTINO "$guion"
 compara tests/registro_DESTINO "$guion_menu" menu
-compara DESTINO/ch10_interaccion/eventos "$guion"
-compara DESTINO/ch10_interaccion/menu "$guion_opciones"
