@@ -3,7 +3,8 @@
 
 Cada caso del catálogo se dibuja con su guion y se compara con su golden, con el comparador y la tolerancia de siempre. Después,
 lo que hace una persona: teclas, ratón, dedos, botones, menú y enlaces, también contra los golden; un shader cambiado bien y
-mal; ficheros buenos y malos; enlaces hostiles, descargas que fallan y lo que se hace mientras se carga; una ventana enorme; y el contexto perdido y devuelto.
+mal; ficheros buenos y malos; enlaces hostiles, descargas que fallan y lo que se hace mientras se carga; una ventana diminuta y una
+enorme; y el contexto perdido y devuelto.
 """
 import base64
 import os
@@ -154,8 +155,9 @@ def prueba_entradas(p):
     n.tecla("\ue004")  # Tab
     exige(n.js("return document.activeElement.tagName") == "BUTTON", "con Tab se sale del lienzo a los botones")
 
-    p.abre("#E3.5" + ";tecla d;tecla%20d" * 3 + ";tecla d")
-    p.es("ch03_transformaciones", "grua-girada", "el enlace con su guion")
+    for enlace in ("#E3.5" + ";tecla d;tecla%20d" * 3 + ";tecla d", "#grua;tecla d ×7"):
+        p.abre(enlace)
+        p.es("ch03_transformaciones", "grua-girada", "el enlace con su guion")
     p.abre("#grua")
     n.js("for (let i = 0; i < 7; ++i) todos('.mando button').find(b => b.textContent === 'd').click()")
     p.es("ch03_transformaciones", "grua-girada", "el botón d, siete veces,")
@@ -180,6 +182,11 @@ def prueba_entradas(p):
     p.es("ch10_interaccion", "seleccion-esfera", "un clic")
     p.abre("#eventos;" + next(c.guion for c in lee_casos(p.build) if c.fichero == "eventos"))
     p.es("ch10_interaccion", "eventos", "un enlace con ratón")  # la imagen dice dónde ha sido cada suceso
+    enlace = "#eventos;escala 240 180;boton IZQUIERDO abajo 145 115;arrastra 175 108;tecla a;rueda -1 20 30"
+    p.abre(enlace, "width: 480px; height: 270px")
+    n.js("una('.enlace').click()")
+    exige(n.js("return decodeURIComponent(location.hash)") == enlace, "el enlace de una ventana de otra forma vale para todas")
+    exige(n.js("return una('.estado').textContent").endswith("-1 90 45"), "y en ella el ratón está donde debe")
     p.abre("#sombras")
     p.arrastra([(120, 20), (120, 330)], boton=2)
     p.es("ch07_realismo", "sombras-luz_baja", "el botón derecho")
@@ -194,6 +201,11 @@ def prueba_entradas(p):
     time.sleep(0.5)
     exige(p.imagen() != antes, "lo que se anima se mueve solo")
     exige(n.js("return /^espera \\d+$/.test(hecho.ordenes.join())"), "y el enlace lleva cuánto")
+    p.abre("#tiras")
+    botones = [*"123456789", *"0u"]
+    exige(n.js("return todos('.mando button').map(b => b.textContent)") == botones, "«1 a 9» son nueve botones")
+    p.abre("#bezier")
+    exige(n.js("return todos('.mando button').map(b => b.textContent).join('')") == "n←→↑↓uU", "«(o n y flechas)» son cinco botones")
 
     p.abre("#grua;tecla d")
     exige(n.js("return una('.estado').textContent").startswith("Grúa de obra: giro"), "el título de la ventana se ve")
@@ -280,9 +292,22 @@ def prueba_adversidades(p):
     time.sleep(0.5)
     exige(n.js("return !propias.length && sesion?.vivo && ![...sesion.leidos].some(r => r.startsWith('/propias'))"), "y no es para el otro programa")
 
+    for orden in ("a" * 100000, "%25", "%"):
+        n.js("location.hash = '#grua;' + arguments[0]", orden)
+        exige(p.espera("!telon.hidden && telon.textContent.length < 2000 && /guion «[a%]/.test(telon.textContent)"), f"«{orden[:9]}…» se dice que no es una orden")
     p.abre("#grua;captura /lab/ch03_transformaciones/objeto.frag;captura lab/ch03_transformaciones/objeto.vert;tecla d ×7")
     exige(n.js("return ['frag', 'vert'].every(t => sesion.lee(`/lab/ch03_transformaciones/objeto.${t}`)[0] === 35)"), "un enlace no escribe ficheros")
     p.es("ch03_transformaciones", "grua-girada", "y lo demás que dice se hace")
+    lento = n.pide("/execute/async", script="""const acaba = arguments[0], tope = performance.now() + 3000;
+        let antes = performance.now(), lento = 0;
+        location.hash = '#banderas;espera 1000000000 ×10000;tecla r ×10000';
+        const mira = () => {
+          lento = Math.max(lento, performance.now() - antes);
+          antes = performance.now();
+          if (antes < tope) setTimeout(mira); else acaba(lento);
+        };
+        mira()""", args=[])
+    exige(lento < 5000, f"un guion larguísimo deja vivir a la página: {lento:.0f} ms sin responder")
     p.termina("#menu")
     n.js("todos('.mando button').find(b => b.textContent === 'Menú').click()")
     exige(n.js("return !opciones.matches(':popover-open')"), "y ya no se abre nada")
@@ -360,8 +385,9 @@ def prueba_ficheros_y_tallas(p):
     p.suelta_fichero("foto.png", PNG)
     exige(p.espera("/no lee ficheros/.test(una('.aviso').textContent)"), "un programa que no lee ficheros lo dice")
 
-    p.abre("#grua", "width: 9000px; height: 6750px")
-    exige(p.espera("sesion?.lienzo.width === 4096") and p.espera("sesion.vivo"), "ni en una ventana enorme el lienzo pasa de 4096")
+    for talla, ancho in (("width: 1px; height: 1px", 1), ("width: 9000px; height: 6750px", 4096)):
+        p.abre("#grua", talla)
+        exige(p.espera(f"sesion?.lienzo.width === {ancho}") and p.espera("sesion.vivo"), f"con {talla} el lienzo mide {ancho}")
     p.abre("#grua" + ";tecla d" * 7)
     n.js("window.quita = una('canvas').getContext('webgl2').getExtension('WEBGL_lose_context'); quita.loseContext()")
     exige(p.espera("!telon.hidden && /perdido/.test(telon.textContent)"), "que se ha perdido el contexto se dice")
