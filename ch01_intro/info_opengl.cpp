@@ -10,19 +10,17 @@
 #include <glm/glm.hpp>
 #include <string>
 
-static int faltas = 0;
-
 static void informa(const char *clave, const std::string &valor) {
     std::printf("%s: %s\n", clave, valor.c_str());
 }
 
-// Una versión encontrada y la menor que vale, ambas como mayor·100 + menor.
-static void exige(const char *que, int encontrada, int minima, bool imprescindible) {
+// Si la versión encontrada llega a la menor que vale, ambas como mayor·100 + menor. Si no llega, lo dice.
+static bool basta(const char *que, int encontrada, int minima, const char *siNo) {
     if (encontrada >= minima)
-        return;
-    informa(imprescindible ? "Falta" : "Anticuado", std::string(que) + " " + std::to_string(minima / 100) +
-                                                        "." + std::to_string(minima % 100) + " o posterior");
-    faltas += imprescindible;
+        return true;
+    informa(siNo, std::string(que) + " " + std::to_string(minima / 100) + "." + std::to_string(minima % 100) +
+                      " o posterior");
+    return false;
 }
 
 static std::string cadena(GLenum nombre) {
@@ -88,9 +86,10 @@ int main(int argc, char **argv) {
     informa("Anisotropía máxima",
             std::to_string(hayAnisotropia ? limite(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT) : 1));
 
-    exige("OpenGL", openGL, 301, true);
-    exige("GLM", 100 * (100 * GLM_VERSION_MAJOR + GLM_VERSION_MINOR) + 10 * GLM_VERSION_PATCH, 990, false);
-    exige("FreeGLUT", glut / 100, 300, false);
-    informa("Resultado", faltas ? "falta lo imprescindible" : "se puede hacer todo el curso");
-    return faltas ? 1 : 0;
+    const bool hayOpenGL = basta("OpenGL", openGL, 301, "Falta");
+    basta("GLM", 100 * (100 * GLM_VERSION_MAJOR + GLM_VERSION_MINOR) + 10 * GLM_VERSION_PATCH, 990,
+          "Anticuado");
+    basta("FreeGLUT", glut / 100, 300, "Anticuado");
+    informa("Resultado", hayOpenGL ? "se puede hacer todo el curso" : "falta lo imprescindible");
+    return hayOpenGL ? 0 : 1;
 }

@@ -9,10 +9,10 @@
 #include "orbita.h"
 #include "rotulo.h"
 #include "shader.h"
+#include "texto.h"
 #include "ventana.h"
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -35,19 +35,15 @@ static struct {
 } estado;
 
 static std::string texto(const char *separador) {
-    char s[100];
-    std::snprintf(s, sizeof s, "hasta %.3g px de error%s%d triángulos", estado.error, separador,
-                  estado.tetera.nIndices / 3);
-    return s;
+    return formatea("hasta %.3g px de error%s%d triángulos", estado.error, separador,
+                    estado.tetera.nIndices / 3);
 }
 
 static void construye() {
     Teselacion t = teselaParches(estado.parches, estado.error * PIXEL);
     for (std::size_t i = 0; i < t.cuadricula.size(); ++i)
         t.malla.vertices[i].coordTextura = t.cuadricula[i];
-    glDeleteVertexArrays(1, &estado.tetera.vao); // la primera vez son 0, que se ignora
-    glDeleteBuffers(1, &estado.tetera.vertices);
-    glDeleteBuffers(1, &estado.tetera.indices);
+    borraBuferes(estado.tetera);
     estado.tetera = creaBuferes(t.malla);
     ponTitulo("Tetera: " + texto(", "));
 }
@@ -65,10 +61,8 @@ static void dibuja() {
     const glm::mat4 M = glm::rotate(glm::mat4(1), -glm::half_pi<float>(), glm::vec3(1, 0, 0));
     const bool hayLineas = estado.lineas != NINGUNA;
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glUseProgram(estado.programa);
+    usaPrograma(estado.programa, camaraOrbita(estado.orbita), perspectivaVentana(ANGULO, 0.5f, 50));
     envia(estado.programa, "M", M);
-    envia(estado.programa, "camara", camaraOrbita(estado.orbita));
-    envia(estado.programa, "proyeccion", perspectivaVentana(ANGULO, 0.5f, 50));
     envia(estado.programa, "ojo", posicionCamara(estado.orbita));
     envia(estado.programa, "colorObjeto", hayLineas ? GRIS : AZUL);
     envia(estado.programa, "colorLinea", OSCURO);

@@ -7,8 +7,8 @@
 #include "matriz.h"
 #include "objeto.h"
 #include "orbita.h"
+#include "texto.h"
 #include "ventana.h"
-#include <cstdio>
 #include <glm/gtc/constants.hpp>
 
 static const float GRADO = glm::pi<float>() / 180;
@@ -17,16 +17,8 @@ static const struct Basica {
     glm::mat4 (*matriz)(float);
     float unidad, neutro, inicial, paso, tope; // `unidad`, en la que se escribe el valor; los demás, en ella
 } BASICAS[] = {
-    {"T(", ", 0, 0)",
-     [](float t) {
-         return traslacion({t, 0, 0});
-     },
-     1, 0, 1.5f, 0.25f, 2},
-    {"S(", ", 1, 1)",
-     [](float s) {
-         return escalado({s, 1, 1});
-     },
-     1, 1, 1.5f, 0.25f, 2},
+    {"T(", ", 0, 0)", [](float t) { return traslacion(glm::vec3(t, 0, 0)); }, 1, 0, 1.5f, 0.25f, 2},
+    {"S(", ", 1, 1)", [](float s) { return escalado(glm::vec3(s, 1, 1)); }, 1, 1, 1.5f, 0.25f, 2},
     {"Rx(", "°)", giroX, GRADO, 0, 60, 15, 360},
     {"Ry(", "°)", giroY, GRADO, 0, 60, 15, 360},
     {"Rz(", "°)", giroZ, GRADO, 0, 60, 15, 360},
@@ -48,10 +40,8 @@ static void inicia() {
 }
 
 static std::string nombre() {
-    char texto[32];
     const Basica &b = BASICAS[estado.elegido];
-    std::snprintf(texto, sizeof texto, "%s%.4g%s", b.antes, estado.valor, b.despues);
-    return texto;
+    return formatea("%s%.4g%s", b.antes, estado.valor, b.despues);
 }
 
 static void dibuja() {
@@ -59,9 +49,7 @@ static void dibuja() {
     const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100), camara = camaraOrbita(estado.orbita),
                     transformacion = proyeccion * camara, M = b.matriz(b.unidad * estado.valor);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "camara", camara);
+    usaPrograma(estado.programa, camara, proyeccion);
     if (glm::determinant(M) == 0) // aplastada, sus dos caras coinciden: solo se dibuja la que mira aquí
         glEnable(GL_CULL_FACE);
     dibujaObjeto(estado.programa, estado.letra, M, NARANJA);

@@ -10,8 +10,8 @@
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"
+#include <glm/gtc/constants.hpp>
 
-static const glm::vec3 LA(1);
 static const Luz LUZ{{3.5f, 8.5f, 5.5f, 1}};
 static const float LADO_SUELO = 12, CASILLA = 2;
 static const char *const NOMBRES[] = {"Gouraud", "Phong"};
@@ -40,18 +40,7 @@ static void inicia() {
     glEnable(GL_CULL_FACE);
 }
 
-/// La cuadrícula del suelo, por encima de él lo justo para que se vea.
-static void trazaCuadricula(const glm::mat4 &vista) {
-    std::vector<glm::vec3> lineas;
-    for (float p = -LADO_SUELO / 2; p <= LADO_SUELO / 2; p += CASILLA)
-        lineas.insert(lineas.end(), {{p, 0.02f, -LADO_SUELO / 2},
-                                     {p, 0.02f, LADO_SUELO / 2},
-                                     {-LADO_SUELO / 2, 0.02f, p},
-                                     {LADO_SUELO / 2, 0.02f, p}});
-    trazaSegmentos(lineas, vista, OSCURO, GROSOR / 3);
-}
-
-static void dibujaPanel(const Recuadro &panel, int modelo) {
+static void dibujaPanel(int modelo, const Recuadro &panel) {
     const GLuint programa = estado.programas[modelo];
     const glm::mat4 camara = camaraOrbita(estado.orbita),
                     proyeccion = perspectivaVentana(0.6f, 1, 100, aspecto(panel));
@@ -59,28 +48,20 @@ static void dibujaPanel(const Recuadro &panel, int modelo) {
         dibujaObjeto(programa, estado.cubo, M, camara, material);
     };
     abreRecuadro(panel, CIELO);
-    glUseProgram(programa);
-    envia(programa, "proyeccion", proyeccion);
-    envia(programa, "camara", camara);
-    envia(programa, "La", LA);
-    enviaLuz(programa, "luz", LUZ, camara);
+    usaPrograma(programa, camara, proyeccion, LUZ);
     caja(traslacion({0, -0.1f, 0}) * escalado({LADO_SUELO, 0.2f, LADO_SUELO}), TERRENO);
     caja(traslacion({0, 0.2f, 0}) * escalado({2.4f, 0.4f, 2.4f}), HORMIGON); // la zapata
     int i = 0;
     for (const Pieza &pieza : piezasGrua(estado.postura))
         caja(pieza.M, MATERIALES[i++]);
-    trazaCuadricula(proyeccion * camara);
+    // por encima del suelo lo justo para que se vea
+    const glm::mat4 enSuelo = traslacion({0, 0.02f, 0}) * giroX(glm::half_pi<float>());
+    trazaSegmentos(cuadricula(LADO_SUELO, CASILLA), proyeccion * camara * enSuelo, OSCURO, GROSOR / 3);
     rotula(NOMBRES[modelo], {0, 0.96f}, OSCURO, Lado::DERECHA);
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), GRIS);
-    if (estado.compara) {
-        const std::vector<Recuadro> paneles = reparte(2);
-        dibujaPanel(paneles[0], 0);
-        dibujaPanel(paneles[1], 1);
-    } else
-        dibujaPanel(ventanaEntera(), estado.elegido);
+    dibujaModos(estado.compara, 2, estado.elegido, dibujaPanel);
     ponTitulo(std::string("Grúa iluminada: ") +
               (estado.compara ? "Gouraud y Phong" : NOMBRES[estado.elegido]));
     glutSwapBuffers();

@@ -46,6 +46,14 @@ inline void enviaLuz(GLuint programa, const std::string &nombre, const Luz &luz,
     campo("exponente", luz.exponente);
 }
 
+/// Pone en uso un programa de sombreado con esa vista y esa luz, y con luz ambiente blanca.
+inline void usaPrograma(GLuint programa, const glm::mat4 &camara, const glm::mat4 &proyeccion,
+                        const Luz &luz) {
+    usaPrograma(programa, camara, proyeccion);
+    envia(programa, "La", glm::vec3(1));
+    enviaLuz(programa, "luz", luz, camara);
+}
+
 /// Dibuja el sólido de ese material con el programa en uso, que tiene ya `camara`, `proyeccion` y la luz.
 inline void dibujaObjeto(GLuint programa, const Buferes &solido, const glm::mat4 &M, const glm::mat4 &camara,
                          const Material &material) {

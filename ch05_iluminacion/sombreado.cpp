@@ -46,9 +46,7 @@ static Malla facetas(const Malla &malla) {
 }
 
 static void cambiaBuferes(Buferes &buferes, const Malla &malla) {
-    glDeleteVertexArrays(1, &buferes.vao);
-    glDeleteBuffers(1, &buferes.vertices);
-    glDeleteBuffers(1, &buferes.indices);
+    borraBuferes(buferes);
     buferes = creaBuferes(malla);
 }
 

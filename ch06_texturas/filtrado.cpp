@@ -18,12 +18,11 @@
 // El suelo, y lo que abarca una vez la textura. Con uno mucho mayor, un píxel del horizonte abarcaría miles de texels
 // aun en el último mipmap, y el filtro anisótropo de Mesa tarda lo que tarda en recorrerlos.
 static const float LARGO = 200, LADO_MOSAICO = 2;
-struct Filtro {
+static const struct {
     const char *nombre, *titulo;
     GLint ampliacion, reduccion;
     bool anisotropo;
-};
-static const Filtro FILTROS[4] = {
+} FILTROS[4] = {
     {"1 vecino", "Vecino: GL_NEAREST", GL_NEAREST, GL_NEAREST, false},
     {"2 lineal", "Lineal: GL_LINEAR", GL_LINEAR, GL_LINEAR, false},
     {"3 mipmap", "Mipmap: GL_LINEAR_MIPMAP_LINEAR", GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, false},
@@ -53,7 +52,8 @@ static void inicia(const Imagen &imagen) {
     glEnable(GL_DEPTH_TEST);
 }
 
-static void dibujaSuelo(const Filtro &filtro, const Recuadro &panel) {
+static void dibujaSuelo(int elegido, const Recuadro &panel) {
+    const auto &filtro = FILTROS[elegido];
     abreRecuadro(panel, CIELO);
     glBindTexture(GL_TEXTURE_2D, estado.textura);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filtro.ampliacion);
@@ -61,8 +61,8 @@ static void dibujaSuelo(const Filtro &filtro, const Recuadro &panel) {
     if (GLEW_EXT_texture_filter_anisotropic)
         glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT,
                         filtro.anisotropo ? estado.anisotropia : 1);
-    envia(estado.programa, "proyeccion", perspectivaVentana(0.8f, 0.1f, 2 * LARGO, aspecto(panel)));
-    envia(estado.programa, "camara", camaraOrbita(estado.orbita));
+    usaPrograma(estado.programa, camaraOrbita(estado.orbita),
+                perspectivaVentana(0.8f, 0.1f, 2 * LARGO, aspecto(panel)));
     envia(estado.programa, "M", giroX(-glm::half_pi<float>()) * escalado(LARGO));
     envia(estado.programa, "Img", 0);
     dibuja(estado.suelo);
@@ -70,15 +70,7 @@ static void dibujaSuelo(const Filtro &filtro, const Recuadro &panel) {
 }
 
 static void dibuja() {
-    glUseProgram(estado.programa);
-    if (estado.comparando) {
-        abreRecuadro(ventanaEntera(), GRIS);
-        const std::vector<Recuadro> paneles = reparte(4, 4.0f / 3);
-        for (std::size_t i = 0; i < 4; ++i)
-            dibujaSuelo(FILTROS[i], paneles[i]);
-    } else {
-        dibujaSuelo(FILTROS[estado.elegido], ventanaEntera());
-    }
+    dibujaModos(estado.comparando, 4, estado.elegido, dibujaSuelo, 4.0f / 3);
     ponTitulo(estado.comparando ? "Los cuatro filtros" : FILTROS[estado.elegido].titulo);
     glutSwapBuffers();
 }

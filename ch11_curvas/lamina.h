@@ -65,9 +65,7 @@ inline void dibujaLamina(const Lamina &lamina, Malla malla, const Material &mate
         glCullFace(cara < 0 ? GL_FRONT : GL_BACK);
         const Buferes buferes = creaBuferes(malla);
         dibujaObjeto(lamina.programa, buferes, glm::mat4(1), camara, material);
-        glDeleteVertexArrays(1, &buferes.vao);
-        glDeleteBuffers(1, &buferes.vertices);
-        glDeleteBuffers(1, &buferes.indices);
+        borraBuferes(buferes);
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
 }

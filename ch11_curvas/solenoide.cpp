@@ -22,9 +22,7 @@ static struct {
 
 static void construye() {
     for (int i = 0; i < 2; ++i) {
-        glDeleteVertexArrays(1, &estado.tubo[i].vao);
-        glDeleteBuffers(1, &estado.tubo[i].vertices);
-        glDeleteBuffers(1, &estado.tubo[i].indices);
+        borraBuferes(estado.tubo[i]);
         estado.tubo[i] = creaBuferes(tuboSolenoide(estado.vueltas, i));
     }
 }

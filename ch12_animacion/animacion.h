@@ -4,8 +4,8 @@
 #include "colores.h"
 #include "reloj.h"
 #include "rotulo.h"
+#include "texto.h"
 #include "ventana.h"
-#include <cstdio>
 
 const unsigned PERIODO_CUADRO = 20;        // ms: 50 imágenes por segundo
 const double PASO = 0.5, PASO_CORTO = 0.1; // segundos
@@ -15,11 +15,15 @@ inline double tiempo(const Reloj &reloj) {
     return segundos(reloj, glutGet(GLUT_ELAPSED_TIME));
 }
 
-/// Pide otra imagen, si el reloj anda, y que `anima`, que es quien la llama, se vuelva a llamar (§12.2).
-inline void pideCuadro(const Reloj &reloj, void (*anima)(int)) {
+/// Pide otra imagen, si el reloj anda, y vuelve a hacerlo cada PERIODO_CUADRO (§12.2). `reloj` debe vivir tanto como la
+/// ventana.
+inline void anima(const Reloj &reloj) {
+    static const Reloj *elReloj;
+    elReloj = &reloj;
     if (reloj.parado < 0)
         glutPostRedisplay();
-    glutTimerFunc(PERIODO_CUADRO, anima, 0);
+    glutTimerFunc(
+        PERIODO_CUADRO, [](int) { anima(*elReloj); }, 0);
 }
 
 /// Atiende las teclas comunes, espacio (pausa), s (adelanta medio segundo), d (una décima) y h (diez horas). Devuelve
@@ -46,7 +50,5 @@ inline void tituloAnimado(const Reloj &reloj, const std::string &titulo) {
 
 /// El instante, abajo a la izquierda, con lo que el programa añada.
 inline void rotulaTiempo(const Reloj &reloj, const glm::vec3 &color, const std::string &ademas = "") {
-    char texto[48];
-    std::snprintf(texto, sizeof texto, "t = %.2f s", tiempo(reloj));
-    rotula(texto + ademas, {0.03f, 0.06f}, color, Lado::DERECHA);
+    rotula(formatea("t = %.2f s", tiempo(reloj)) + ademas, {0.03f, 0.06f}, color, Lado::DERECHA);
 }

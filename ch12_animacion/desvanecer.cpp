@@ -57,10 +57,6 @@ static void teclado(unsigned char tecla, int, int) {
     teclaAnimacion(estado.reloj, tecla);
 }
 
-static void anima(int) {
-    pideCuadro(estado.reloj, anima);
-}
-
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Aparecer y desvanecerse", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     estado.opaco = creaProgramaObjeto();
@@ -73,7 +69,7 @@ int main(int argc, char **argv) {
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(0);
+    anima(estado.reloj);
     glutMainLoop();
     return 0;
 }

@@ -17,9 +17,7 @@ static const struct {
     glm::mat4 (*M)(float a); // a: de 0 a 2π en un periodo
 } MODOS[] = {
     {"posición", "T(1.5 cos a, 0, −1.5 sen a) =",
-     [](float a) {
-         return traslacion({1.5f * std::cos(a), 0, -1.5f * std::sin(a)});
-     }},
+     [](float a) { return traslacion(glm::vec3(1.5f * std::cos(a), 0, -1.5f * std::sin(a))); }},
     {"tamaño", "S(1 + 0.5 sen a) =", [](float a) { return escalado(1 + 0.5f * std::sin(a)); }},
     {"orientación", "Ry(a) =", giroY},
 };
@@ -68,9 +66,7 @@ static void dibuja() {
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 50),
                     M = matrizEn(t);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "camara", camara);
-    envia(estado.programa, "proyeccion", proyeccion);
+    usaPrograma(estado.programa, camara, proyeccion);
     dibujaObjeto(estado.programa, estado.piramide, M, NARANJA);
 
     std::vector<glm::vec3> camino;
@@ -96,17 +92,13 @@ static void teclado(unsigned char tecla, int, int) {
     glutPostRedisplay();
 }
 
-static void anima(int) {
-    pideCuadro(estado.reloj, anima);
-}
-
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Matriz del modelo", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(0);
+    anima(estado.reloj);
     glutMainLoop();
     return 0;
 }

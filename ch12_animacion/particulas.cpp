@@ -4,6 +4,7 @@
 // Controles: 1 fuente · 2 humo · 3 fuego · + - diez veces más o menos · espacio pausa ·
 // s adelanta medio segundo · d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "orbita.h"
 #include "shader.h"
 #include "trazo.h"
@@ -28,16 +29,6 @@ static struct {
     Reloj reloj;
 } estado;
 
-static void dibujaPila(const glm::mat4 &vista) {
-    std::vector<glm::vec3> circulo;
-    const float radio = MODOS[estado.elegido].pila;
-    for (int i = 0; i < 72; ++i) {
-        const float a = glm::two_pi<float>() * float(i) / 72;
-        circulo.push_back({radio * std::cos(a), 0, radio * std::sin(a)});
-    }
-    trazaPolilinea(circulo, vista, GRIS, GROSOR, true);
-}
-
 static std::string nombraPartes(int n) { // 1 000 000 partículas
     std::string cifras = std::to_string(n);
     for (std::size_t i = cifras.size(); i > 3; i -= 3)
@@ -50,12 +41,11 @@ static void dibuja() {
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.55f, 0.5f, 50);
     const float muchas = float(estado.cuantas) / float(NORMAL);
     glClear(GL_COLOR_BUFFER_BIT);
-    dibujaPila(proyeccion * camara);
+    trazaPolilinea(circunferencia(modo.pila, 72), proyeccion * camara * giroX(glm::half_pi<float>()), GRIS,
+                   GROSOR, true);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, modo.destino); // lo que da luz se suma; el humo tapa
-    glUseProgram(estado.programa);
-    envia(estado.programa, "camara", camara);
-    envia(estado.programa, "proyeccion", proyeccion);
+    usaPrograma(estado.programa, camara, proyeccion);
     envia(estado.programa, "elegido", estado.elegido);
     envia(estado.programa, "grupos", modo.grupos);
     envia(estado.programa, "vida", float(modo.vida));
@@ -87,10 +77,6 @@ static void teclado(unsigned char tecla, int, int) {
     glutPostRedisplay();
 }
 
-static void anima(int) {
-    pideCuadro(estado.reloj, anima);
-}
-
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Sistemas de partículas", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     estado.programa = creaPrograma("ch12_animacion/particulas.vert", "ch12_animacion/particulas.frag");
@@ -100,7 +86,7 @@ int main(int argc, char **argv) {
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(0);
+    anima(estado.reloj);
     glutMainLoop();
     return 0;
 }

@@ -32,13 +32,11 @@ static struct {
     Reloj reloj;
 } estado;
 
-static void dibujaModo(const Recuadro &r, int cual) {
+static void dibujaModo(int cual, const Recuadro &r) {
     const glm::mat4 camara = camaraOrbita(estado.orbita),
                     proyeccion = perspectivaVentana(aspecto(r) < 1 ? 0.31f : 0.4f, 1, 50, aspecto(r));
     abreRecuadro(r, FONDO_CLARO);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "camara", camara);
-    envia(estado.programa, "proyeccion", proyeccion);
+    usaPrograma(estado.programa, camara, proyeccion);
     envia(estado.programa, "M", glm::mat4(1));
     envia(estado.programa, "colorObjeto", cual == 0 ? VERDE : NARANJA);
     envia(estado.programa, "tiempo", fase(tiempo(estado.reloj), PERIODO));
@@ -49,34 +47,17 @@ static void dibujaModo(const Recuadro &r, int cual) {
     dibuja(estado.toro);
 
     glDisable(GL_DEPTH_TEST);
-    for (const float radio : {RADIO - RADIO_TUBO, RADIO + RADIO_TUBO}) {
-        std::vector<glm::vec3> circulo;
-        for (int i = 0; i < 90; ++i) {
-            const float a = glm::two_pi<float>() * float(i) / 90;
-            circulo.push_back({radio * std::cos(a), radio * std::sin(a), 0});
-        }
-        trazaPolilinea(circulo, proyeccion * camara, OSCURO, GROSOR / 2, true);
-    }
+    for (const float radio : {RADIO - RADIO_TUBO, RADIO + RADIO_TUBO})
+        trazaPolilinea(circunferencia(radio, 90), proyeccion * camara, OSCURO, GROSOR / 2, true);
     glEnable(GL_DEPTH_TEST);
     rotula(MODOS[cual].nombre, {0.5f, 0.95f}, OSCURO);
-    char ademas[32];
-    std::snprintf(ademas, sizeof ademas, "%sS2 = %.1f", estado.ambos ? "\n" : ", ", estado.S2);
-    rotulaTiempo(estado.reloj, OSCURO, ademas);
+    rotulaTiempo(estado.reloj, OSCURO, formatea("%sS2 = %.1f", estado.ambos ? "\n" : ", ", estado.S2));
 }
 
 static void dibuja() {
-    if (estado.ambos) {
-        const std::vector<Recuadro> paneles = reparte(2);
-        abreRecuadro(ventanaEntera(), GRIS);
-        for (int i = 0; i < 2; ++i)
-            dibujaModo(paneles[i], i);
-    } else {
-        dibujaModo(ventanaEntera(), estado.elegido);
-    }
-    char ademas[32];
-    std::snprintf(ademas, sizeof ademas, ", S2 = %.1f", estado.S2);
-    tituloAnimado(estado.reloj, std::string("Vértices desplazados por ruido: ") +
-                                    (estado.ambos ? "los dos" : MODOS[estado.elegido].nombre) + ademas);
+    dibujaModos(estado.ambos, 2, estado.elegido, dibujaModo);
+    tituloAnimado(estado.reloj, formatea("Vértices desplazados por ruido: %s, S2 = %.1f",
+                                         estado.ambos ? "los dos" : MODOS[estado.elegido].nombre, estado.S2));
     glutSwapBuffers();
 }
 
@@ -97,10 +78,6 @@ static void teclado(unsigned char tecla, int, int) {
     glutPostRedisplay();
 }
 
-static void anima(int) {
-    pideCuadro(estado.reloj, anima);
-}
-
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Vértices desplazados por ruido", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     estado.programa = creaPrograma("ch12_animacion/ruido_vertices.vert", "ch03_transformaciones/objeto.frag");
@@ -110,7 +87,7 @@ int main(int argc, char **argv) {
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(0);
+    anima(estado.reloj);
     glutMainLoop();
     return 0;
 }

@@ -65,10 +65,6 @@ static void teclado(unsigned char tecla, int, int) {
         teclaComun(tecla);
 }
 
-static void anima(int) {
-    pideCuadro(estado.reloj, anima);
-}
-
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Temporizadores", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
@@ -76,7 +72,7 @@ int main(int argc, char **argv) {
     glutKeyboardFunc(teclado);
     for (int i = 0; i < 3; ++i)
         dispara(i);
-    anima(0);
+    anima(estado.reloj);
     glutMainLoop();
     return 0;
 }

@@ -28,6 +28,12 @@ Buferes creaBuferes(const Malla &malla) {
     return b;
 }
 
+void borraBuferes(const Buferes &buferes) {
+    glDeleteVertexArrays(1, &buferes.vao);
+    glDeleteBuffers(1, &buferes.vertices);
+    glDeleteBuffers(1, &buferes.indices);
+}
+
 void dibuja(const Buferes &buferes) {
     glBindVertexArray(buferes.vao);
     glDrawElements(GL_TRIANGLES, buferes.nIndices, GL_UNSIGNED_INT, nullptr);

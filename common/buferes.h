@@ -12,5 +12,8 @@ struct Buferes {
 /// Lleva la malla a la GPU; los atributos van en los índices de shader.h (posicion, vNormal, coordTextura).
 Buferes creaBuferes(const Malla &malla);
 
+/// Borra sus objetos de OpenGL. Los que no se han creado son 0, que se ignora.
+void borraBuferes(const Buferes &buferes);
+
 /// Dibuja la malla con el programa en uso: glBindVertexArray y glDrawElements.
 void dibuja(const Buferes &buferes);

@@ -251,6 +251,12 @@ void envia(GLuint programa, const char *nombre, const glm::mat4 &valor) {
     glUniformMatrix4fv(uniforme(programa, nombre), 1, GL_FALSE, glm::value_ptr(valor));
 }
 
+void usaPrograma(GLuint programa, const glm::mat4 &camara, const glm::mat4 &proyeccion) {
+    glUseProgram(programa);
+    envia(programa, "camara", camara);
+    envia(programa, "proyeccion", proyeccion);
+}
+
 void recargaProgramas() {
     for (const Registrado &r : registrados) {
         std::string error;

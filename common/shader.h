@@ -38,6 +38,9 @@ void envia(GLuint programa, const char *nombre, const glm::vec4 &valor);
 void envia(GLuint programa, const char *nombre, const glm::mat3 &valor);
 void envia(GLuint programa, const char *nombre, const glm::mat4 &valor);
 
+/// Pone en uso un programa cuyos shaders tienen esas dos matrices y se las envía (capítulo 4).
+void usaPrograma(GLuint programa, const glm::mat4 &camara, const glm::mat4 &proyeccion);
+
 /// Vuelve a leer los shaders de todos los programas creados con creaPrograma. El que falla conserva los que tenía, su
 /// error se escribe en stderr y los demás programas se releen igual.
 void recargaProgramas();

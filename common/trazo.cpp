@@ -129,6 +129,23 @@ void trazaPolilinea(const std::vector<glm::vec3> &puntos, const glm::mat4 &trans
     t.pinta();
 }
 
+std::vector<glm::vec3> circunferencia(float radio, int tramos) {
+    std::vector<glm::vec3> puntos;
+    for (int i = 0; i < tramos; ++i) {
+        const float angulo = glm::two_pi<float>() * float(i) / float(tramos);
+        puntos.push_back({radio * std::cos(angulo), radio * std::sin(angulo), 0});
+    }
+    return puntos;
+}
+
+std::vector<glm::vec3> cuadricula(float lado, float casilla) {
+    std::vector<glm::vec3> extremos;
+    const float borde = lado / 2;
+    for (float p = -borde; p <= borde; p += casilla)
+        extremos.insert(extremos.end(), {{p, -borde, 0}, {p, borde, 0}, {-borde, p, 0}, {borde, p, 0}});
+    return extremos;
+}
+
 void trazaPuntos(const std::vector<glm::vec3> &puntos, const glm::mat4 &transformacion,
                  const glm::vec3 &color, float diametro) {
     Trazo t("puntos", color, diametro);

@@ -19,6 +19,12 @@ void trazaSegmentos(const std::vector<glm::vec3> &extremos, const glm::mat4 &tra
 void trazaPolilinea(const std::vector<glm::vec3> &puntos, const glm::mat4 &transformacion,
                     const glm::vec3 &color, float grosor = GROSOR, bool cerrada = false);
 
+/// Los puntos de una circunferencia centrada en el origen, en el plano XY, para una polilínea cerrada.
+std::vector<glm::vec3> circunferencia(float radio, int tramos = 64);
+
+/// Los segmentos de una cuadrícula centrada en el origen, en el plano XY.
+std::vector<glm::vec3> cuadricula(float lado, float casilla);
+
 /// Un disco en cada punto.
 void trazaPuntos(const std::vector<glm::vec3> &puntos, const glm::mat4 &transformacion,
                  const glm::vec3 &color, float diametro = 3 * GROSOR);
