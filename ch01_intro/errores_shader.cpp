@@ -1,6 +1,7 @@
 // Cómo se ve un error de compilación y uno de enlazado (§1.6, listado 1.3): fichero, línea y texto de la línea, en la
 // consola. El programa sigue vivo con los shaders que tenía y el fondo se pone rojo; F5 vuelve a intentarlo.
 // Controles: 1 sin error · 2 error de compilación · 3 error de enlazado · F5 relee · Esc termina.
+#include "buferes.h"
 #include "colores.h"
 #include "rotulo.h"
 #include "shader.h"
@@ -15,10 +16,8 @@ static const struct {
              {"ch01_intro/errores_shader_compila.frag", "Error de compilación"},
              {"ch01_intro/errores_shader_enlaza.frag", "Error de enlazado"}};
 
-static const GLfloat VERTICES[3][6] = { // posición y color
-    {-0.95f, -0.92f, 0, 0.98f, 0.78f, 0.15f},
-    {0.95f, -0.92f, 0, 0.20f, 0.62f, 0.28f},
-    {0.0f, 0.62f, 0, 0.16f, 0.38f, 0.80f}};
+static const std::vector<VerticeColor> VERTICES = {
+    {{-0.95f, -0.92f, 0}, AMARILLO}, {{0.95f, -0.92f, 0}, VERDE}, {{0, 0.62f, 0}, AZUL}};
 
 static struct {
     GLuint programa = 0;
@@ -41,21 +40,6 @@ static void intenta() {
     std::fflush(stdout);
     ponTitulo(CASOS[estado.elegido].titulo);
     glutPostRedisplay();
-}
-
-static void inicia() {
-    GLuint vao, buffer;
-    glGenVertexArrays(1, &vao);
-    glBindVertexArray(vao);
-    glGenBuffers(1, &buffer);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, sizeof VERTICES, VERTICES, GL_STATIC_DRAW);
-    glVertexAttribPointer(ATRIBUTO_POSICION, 3, GL_FLOAT, GL_FALSE, sizeof VERTICES[0], nullptr);
-    glVertexAttribPointer(ATRIBUTO_COLOR, 3, GL_FLOAT, GL_FALSE, sizeof VERTICES[0],
-                          reinterpret_cast<const void *>(3 * sizeof(GLfloat)));
-    glEnableVertexAttribArray(ATRIBUTO_POSICION);
-    glEnableVertexAttribArray(ATRIBUTO_COLOR);
-    intenta();
 }
 
 static void dibuja() {
@@ -90,7 +74,8 @@ static void tecladoEspecial(int tecla, int, int) {
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Errores en los shaders", GLUT_DOUBLE | GLUT_MULTISAMPLE);
-    inicia();
+    creaVerticesColor(VERTICES);
+    intenta();
     glutDisplayFunc(dibuja);
     glutReshapeFunc(cambiaTamano);
     glutKeyboardFunc(teclado);

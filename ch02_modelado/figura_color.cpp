@@ -10,13 +10,13 @@
 #include <glm/gtc/constants.hpp>
 #include <vector>
 
-struct VerticeColor {
+struct VerticePlano {
     GLfloat posicion[2], color[3];
 };
 
 struct Trozo {
     GLenum primitiva;
-    std::vector<VerticeColor> vertices;
+    std::vector<VerticePlano> vertices;
 };
 
 static const float HORIZONTE = -0.20f, X_SOL = -0.28f, RADIO_SOL = 0.30f;
@@ -95,7 +95,7 @@ static std::vector<Trozo> trozos() {
 static void inicia() {
     estado.programa = creaPrograma("ch02_modelado/plana.vert", "ch02_modelado/plana.frag");
     estado.trozos = trozos();
-    std::vector<VerticeColor> vertices;
+    std::vector<VerticePlano> vertices;
     for (const Trozo &p : estado.trozos)
         vertices.insert(vertices.end(), p.vertices.begin(), p.vertices.end());
 
@@ -104,11 +104,11 @@ static void inicia() {
     glBindVertexArray(vao);
     glGenBuffers(1, &buffer);
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, vertices.size() * sizeof(VerticeColor), vertices.data(), GL_STATIC_DRAW);
-    glVertexAttribPointer(ATRIBUTO_POSICION, 2, GL_FLOAT, GL_FALSE, sizeof(VerticeColor),
-                          reinterpret_cast<const void *>(offsetof(VerticeColor, posicion)));
-    glVertexAttribPointer(ATRIBUTO_COLOR, 3, GL_FLOAT, GL_FALSE, sizeof(VerticeColor),
-                          reinterpret_cast<const void *>(offsetof(VerticeColor, color)));
+    glBufferData(GL_ARRAY_BUFFER, vertices.size() * sizeof(VerticePlano), vertices.data(), GL_STATIC_DRAW);
+    glVertexAttribPointer(ATRIBUTO_POSICION, 2, GL_FLOAT, GL_FALSE, sizeof(VerticePlano),
+                          reinterpret_cast<const void *>(offsetof(VerticePlano, posicion)));
+    glVertexAttribPointer(ATRIBUTO_COLOR, 3, GL_FLOAT, GL_FALSE, sizeof(VerticePlano),
+                          reinterpret_cast<const void *>(offsetof(VerticePlano, color)));
     glEnableVertexAttribArray(ATRIBUTO_POSICION);
     glEnableVertexAttribArray(ATRIBUTO_COLOR);
 }

@@ -3,24 +3,22 @@
 // se ve cuáles salen. Las líneas de OpenGL 3.1 miden un píxel: para que se vean de lejos se repiten corridas, como con
 // un pincel.
 // Controles: 1 puntos · 2 3 4 líneas · 5 6 7 triángulos · 0 todas · Esc termina.
+#include "buferes.h"
 #include "colores.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "shader.h"
 #include "ventana.h"
 #include <algorithm>
-#include <cstddef>
 
 // El vértice 0 abajo en el centro y los demás a su alrededor, con radio grande y pequeño alternos: así no
 // se solapan ni los triángulos de la tira ni los del abanico.
-static const struct {
-    glm::vec2 posicion;
-    glm::vec3 color;
-} VERTICES[] = {{{0.00f, -0.62f}, NARANJA}, {{0.74f, -0.38f}, ROJO},      {{0.31f, -0.07f}, AZUL},
-                {{0.00f, 0.64f}, VERDE},    {{-0.31f, -0.07f}, AMARILLO}, {{-0.74f, -0.38f}, MORADO}};
+static const std::vector<VerticeColor> VERTICES = {
+    {{0.00f, -0.62f, 0}, NARANJA}, {{0.74f, -0.38f, 0}, ROJO},      {{0.31f, -0.07f, 0}, AZUL},
+    {{0.00f, 0.64f, 0}, VERDE},    {{-0.31f, -0.07f, 0}, AMARILLO}, {{-0.74f, -0.38f, 0}, MORADO}};
 static const Lado LADOS[] = {Lado::DEBAJO, Lado::DEBAJO,    Lado::DERECHA,
                              Lado::ENCIMA, Lado::IZQUIERDA, Lado::DEBAJO};
-static const GLsizei N_VERTICES = sizeof VERTICES / sizeof VERTICES[0];
+static const int N_VERTICES = 6;
 
 static const struct {
     GLenum primitiva;
@@ -39,22 +37,6 @@ static struct {
     int elegido = TODAS;
 } estado;
 
-static void inicia() {
-    estado.programa = creaPrograma("ch02_modelado/sin_interpolar.vert", "ch02_modelado/sin_interpolar.frag");
-    GLuint vao, buffer;
-    glGenVertexArrays(1, &vao);
-    glBindVertexArray(vao);
-    glGenBuffers(1, &buffer);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, sizeof VERTICES, VERTICES, GL_STATIC_DRAW);
-    glVertexAttribPointer(ATRIBUTO_POSICION, 2, GL_FLOAT, GL_FALSE, sizeof VERTICES[0], nullptr);
-    glVertexAttribPointer(ATRIBUTO_COLOR, 3, GL_FLOAT, GL_FALSE, sizeof VERTICES[0],
-                          reinterpret_cast<const void *>(sizeof VERTICES[0].posicion));
-    glEnableVertexAttribArray(ATRIBUTO_POSICION);
-    glEnableVertexAttribArray(ATRIBUTO_COLOR);
-    glEnable(GL_PROGRAM_POINT_SIZE);
-}
-
 // `altoFigura`: la parte del alto que ocupa; encima va el nombre.
 static void dibujaPanel(const Recuadro &panel, int i, const char *nombre, float altoFigura) {
     abreRecuadro(panel, FONDO_CLARO);
@@ -72,15 +54,14 @@ static void dibujaPanel(const Recuadro &panel, int i, const char *nombre, float 
         }
     glViewport(x, y, lado, lado);
     for (int k = 0; k < N_VERTICES; ++k)
-        rotulaPunto(std::to_string(k), glm::vec3(VERTICES[k].posicion, 0), glm::mat4(1), OSCURO, LADOS[k],
+        rotulaPunto(std::to_string(k), VERTICES[k].posicion, glm::mat4(1), OSCURO, LADOS[k],
                     0.06f * float(lado) / (altoFigura * altoUtil()));
 }
 
 static void dibuja() {
     abreRecuadro(ventanaEntera(), GRIS);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "camara", glm::mat4(1)); // los vértices ya están en las coordenadas del panel
-    envia(estado.programa, "proyeccion", glm::mat4(1));
+    usaPrograma(estado.programa, glm::mat4(1),
+                glm::mat4(1)); // los vértices ya están en las coordenadas del panel
     if (estado.elegido != TODAS) {
         dibujaPanel(ventanaEntera(), estado.elegido, PRIMITIVAS[estado.elegido].nombre, 0.9f);
     } else {
@@ -103,7 +84,9 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Primitivas", GLUT_DOUBLE | GLUT_MULTISAMPLE);
-    inicia();
+    estado.programa = creaPrograma("ch02_modelado/sin_interpolar.vert", "ch02_modelado/sin_interpolar.frag");
+    creaVerticesColor(VERTICES);
+    glEnable(GL_PROGRAM_POINT_SIZE);
     glutDisplayFunc(dibuja);
     glutReshapeFunc([](int, int) { glutPostRedisplay(); }); // cada panel pone su glViewport
     glutKeyboardFunc(teclado);

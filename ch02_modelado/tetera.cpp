@@ -11,7 +11,6 @@
 #include "shader.h"
 #include "texto.h"
 #include "ventana.h"
-#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -48,25 +47,16 @@ static void construye() {
     ponTitulo("Tetera: " + texto(", "));
 }
 
-static void inicia() {
-    estado.programa = creaPrograma("ch02_modelado/tetera.vert", "ch02_modelado/tetera.frag");
-    estado.parches = leeParches("assets/tetera.txt");
-    construye();
-    glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
-}
-
 static void dibuja() {
-    // En los datos la vertical es Z, y en la cámara Y.
-    const glm::mat4 M = glm::rotate(glm::mat4(1), -glm::half_pi<float>(), glm::vec3(1, 0, 0));
     const bool hayLineas = estado.lineas != NINGUNA;
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     usaPrograma(estado.programa, camaraOrbita(estado.orbita), perspectivaVentana(ANGULO, 0.5f, 50));
-    envia(estado.programa, "M", M);
+    // en los datos la vertical es Z, y en la cámara Y
+    envia(estado.programa, "M", glm::rotate(glm::mat4(1), -glm::half_pi<float>(), glm::vec3(1, 0, 0)));
     envia(estado.programa, "ojo", posicionCamara(estado.orbita));
     envia(estado.programa, "colorObjeto", hayLineas ? GRIS : AZUL);
     envia(estado.programa, "colorLinea", OSCURO);
-    envia(estado.programa, "grosor", hayLineas ? std::max(altoUtil() / 360, 1.0f) : 0.0f);
+    envia(estado.programa, "grosor", hayLineas ? glm::max(altoUtil() / 360, 1.0f) : 0.0f);
     envia(estado.programa, "hayDiagonales", estado.lineas == TRIANGULOS);
     dibuja(estado.tetera);
     rotula(texto("\n"), {0.5f, 0.08f}, OSCURO);
@@ -81,7 +71,7 @@ static void teclado(unsigned char tecla, int, int) {
     case 'c': estado.lineas = estado.lineas == CUADRILATEROS ? NINGUNA : CUADRILATEROS; break;
     case '+':
     case '-':
-        estado.error = std::clamp(estado.error * (tecla == '+' ? 0.5 : 2), ERROR_MINIMO, ERROR_MAXIMO);
+        estado.error = glm::clamp(estado.error * (tecla == '+' ? 0.5 : 2), ERROR_MINIMO, ERROR_MAXIMO);
         construye();
         break;
     default: return;
@@ -91,7 +81,11 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Tetera", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
-    inicia();
+    estado.programa = creaPrograma("ch02_modelado/tetera.vert", "ch02_modelado/tetera.frag");
+    estado.parches = leeParches("assets/tetera.txt");
+    construye();
+    glEnable(GL_DEPTH_TEST);
+    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);

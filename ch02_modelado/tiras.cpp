@@ -4,6 +4,7 @@
 // toda en un sentido.
 // Controles: 1 a 9 resaltan una tira · 0 todas · u la caja en una sola · ratón orbita · Esc termina.
 #include "tiras.h"
+#include "buferes.h"
 #include "encuadre_malla.h"
 #include "error.h"
 #include "malla.h"
@@ -20,10 +21,6 @@ static const glm::vec3 PALETA[] = {NARANJA, AZUL, VERDE, ROJO, MORADO, AMARILLO,
 static const float ANGULO = 0.6f; // de la perspectiva, en radianes
 static const int TODAS = -1;
 static const std::size_t MAXIMO_ESCRITO = 3; // tiras cuyos índices caben en la ventana
-
-struct VerticeTira {
-    glm::vec3 posicion, color;
-};
 
 static struct {
     GLuint programa;
@@ -69,7 +66,7 @@ static void informa() {
 static void construye() {
     estado.tiras = estado.unaSola ? std::vector<Tira>{TIRA_UNICA} : hazTiras(estado.triangulos);
     estado.elegido = TODAS;
-    std::vector<VerticeTira> enOrden;
+    std::vector<VerticeColor> enOrden;
     for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
         const Tira &tira = estado.tiras[i];
         const float ultimo = std::max(float(tira.size()) - 3, 1.0f);
@@ -78,7 +75,7 @@ static void construye() {
             enOrden.push_back({estado.vertices[tira[k]], deClaroAOscuro(colorTira(i), t)});
         }
     }
-    glBufferData(GL_ARRAY_BUFFER, enOrden.size() * sizeof(VerticeTira), enOrden.data(), GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, enOrden.size() * sizeof(VerticeColor), enOrden.data(), GL_STATIC_DRAW);
     informa();
 }
 
@@ -89,16 +86,7 @@ static void inicia(const std::string &fichero) {
     estado.vertices = encuadra(malla.vertices);
     estado.orbita.distancia = distanciaQueEncuadra(estado.vertices, estado.orbita, ANGULO);
 
-    GLuint vao, buffer;
-    glGenVertexArrays(1, &vao);
-    glBindVertexArray(vao);
-    glGenBuffers(1, &buffer);
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glVertexAttribPointer(ATRIBUTO_POSICION, 3, GL_FLOAT, GL_FALSE, sizeof(VerticeTira), nullptr);
-    glVertexAttribPointer(ATRIBUTO_COLOR, 3, GL_FLOAT, GL_FALSE, sizeof(VerticeTira),
-                          reinterpret_cast<const void *>(sizeof(glm::vec3)));
-    glEnableVertexAttribArray(ATRIBUTO_POSICION);
-    glEnableVertexAttribArray(ATRIBUTO_COLOR);
+    creaVerticesColor({});
     construye();
 
     glEnable(GL_DEPTH_TEST);

@@ -25,9 +25,9 @@ static void inicia() {
 }
 
 static void trazaCono(const glm::mat4 &transformacion) {
-    const std::vector<glm::vec3> base = circunferencia();
-    trazaPolilinea(base, transformacion, GRIS, 0.7f * GROSOR);
-    for (std::size_t i = 0; i + 1 < base.size(); i += 8)
+    const std::vector<glm::vec3> base = circunferencia(1);
+    trazaPolilinea(base, transformacion, GRIS, 0.7f * GROSOR, true);
+    for (std::size_t i = 0; i < base.size(); i += 8)
         trazaPolilinea({base[i], {0, 0, 1}}, transformacion, GRIS, 0.7f * GROSOR);
 }
 

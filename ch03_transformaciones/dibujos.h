@@ -1,4 +1,4 @@
-// Lo que comparten los dibujos del capítulo 3: los ejes rotulados, circunferencias y esferas de líneas, el objeto
+// Lo que comparten los dibujos del capítulo 3: los ejes rotulados, esferas de líneas, el objeto
 // original y la leyenda de una transformación hecha paso a paso. `transformacion` es proyeccion * camara * M, como en
 // trazo.h.
 #pragma once
@@ -24,22 +24,11 @@ inline void trazaEjes(const glm::vec3 &largos, const glm::mat4 &transformacion) 
     }
 }
 
-/// De radio 1, en el plano XY.
-inline std::vector<glm::vec3> circunferencia() {
-    const int TRAMOS = 64;
-    std::vector<glm::vec3> puntos;
-    for (int i = 0; i <= TRAMOS; ++i) {
-        const float a = glm::two_pi<float>() * float(i) / TRAMOS;
-        puntos.push_back({std::cos(a), std::sin(a), 0});
-    }
-    return puntos;
-}
-
 /// La esfera de radio 1: sus tres circunferencias perpendiculares a los ejes.
 inline void trazaEsfera(const glm::mat4 &transformacion, const glm::vec3 &color) {
     const float recto = glm::half_pi<float>();
     for (const glm::mat4 &giro : {glm::mat4(1), giroX(recto), giroY(recto)})
-        trazaPolilinea(circunferencia(), transformacion * giro, color, 0.7f * GROSOR);
+        trazaPolilinea(circunferencia(1), transformacion * giro, color, 0.7f * GROSOR, true);
 }
 
 /// Las aristas del objeto sin transformar, que se ven, tenues, también a través del transformado.

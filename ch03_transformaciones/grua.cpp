@@ -9,6 +9,7 @@
 #include "trazo.h"
 #include "ventana.h"
 #include <cstdio>
+#include <glm/gtc/constants.hpp>
 
 static const float LADO_SUELO = 14, LADO_CUADRICULA = 2;
 static const glm::vec3 COLOR_ZAPATA(0.80f, 0.80f, 0.78f);
@@ -41,12 +42,9 @@ static void inicia() {
 static void dibujaSuelo(const glm::mat4 &transformacion) {
     dibujaObjeto(estado.programa, estado.cubo,
                  traslacion({0, -0.1f, 0}) * escalado({LADO_SUELO, 0.2f, LADO_SUELO}), SUELO);
-    std::vector<glm::vec3> lineas;
-    const float borde = LADO_SUELO / 2;
-    for (float x = -borde; x <= borde; x += LADO_CUADRICULA)
-        lineas.insert(lineas.end(), {{x, 0, -borde}, {x, 0, borde}, {-borde, 0, x}, {borde, 0, x}});
     glDisable(GL_DEPTH_TEST); // están en el suelo, y lo demás aún no se ha dibujado
-    trazaSegmentos(lineas, transformacion, 0.8f * SUELO, 0.5f * GROSOR);
+    trazaSegmentos(cuadricula(LADO_SUELO, LADO_CUADRICULA), transformacion * giroX(glm::half_pi<float>()),
+                   0.8f * SUELO, 0.5f * GROSOR);
     glEnable(GL_DEPTH_TEST);
     dibujaObjeto(estado.programa, estado.cubo, escalado({3, 0.1f, 3}), COLOR_ZAPATA);
 }

@@ -57,9 +57,7 @@ static void dibuja() {
     const glm::mat4 proyeccion(estado.enPerspectiva ? proyeccionPerspectiva(theta, aspecto, CERCA, LEJOS)
                                                     : proyeccionParalela(-x, x, -y, y, -LEJOS, LEJOS)),
         camara(transformacionCamara(ojo, estado.orbita.centro, {0, 1, 0})), aRecortado = proyeccion * camara;
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "camara", camara);
+    usaPrograma(estado.programa, camara, proyeccion);
     glEnable(GL_POLYGON_OFFSET_FILL);
     dibujaObjeto(estado.programa, estado.cubo, glm::mat4(1), AMARILLO);
     glDisable(GL_POLYGON_OFFSET_FILL);

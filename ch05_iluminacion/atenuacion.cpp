@@ -4,6 +4,7 @@
 // Controles: 1 constante · 2 lineal · 3 cuadrática · ratón orbita · Esc termina.
 #include "colores.h"
 #include "iluminacion.h"
+#include "modos.h"
 #include "orbita.h"
 #include "rotulo.h"
 #include "trazo.h"
@@ -13,7 +14,6 @@
 static const int ESFERAS = 6;
 static const float RADIO = 0.42f, D_MAXIMA = ESFERAS + 0.6f;
 static const float PIE = 0.8f, ALTO = 2.2f; // el eje vertical de la curva
-static const glm::vec3 LA(1);               // la fuente está en el origen
 static const struct {
     const char *nombre, *formula;
     glm::vec3 abc;
@@ -68,7 +68,7 @@ static void dibujaCurvas(const glm::mat4 &vista) {
 }
 
 static void dibuja() {
-    Luz luz{{0, 0, 0, 1}};
+    Luz luz{{0, 0, 0, 1}}; // la fuente, en el origen
     luz.atenuacion = MODOS[estado.elegido].abc;
 
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -76,11 +76,7 @@ static void dibuja() {
     const auto solido = [&](const Buferes &buferes, const glm::mat4 &M, const Material &material) {
         dibujaObjeto(estado.programa, buferes, M, camara, material);
     };
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "camara", camara);
-    envia(estado.programa, "La", LA);
-    enviaLuz(estado.programa, "luz", luz, camara);
+    usaPrograma(estado.programa, camara, proyeccion, luz);
     solido(estado.plano,
            traslacion({D_MAXIMA / 2 - 0.3f, -RADIO, 0}) * giroX(-glm::half_pi<float>()) *
                escalado({D_MAXIMA + 0.6f, 2, 1}),
@@ -94,10 +90,8 @@ static void dibuja() {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || tecla < '1' || tecla > '3')
-        return;
-    estado.elegido = tecla - '1';
-    glutPostRedisplay();
+    if (!teclaComun(tecla))
+        eligeModo(estado.elegido, 3, tecla);
 }
 
 int main(int argc, char **argv) {

@@ -5,8 +5,8 @@
 #include "ch03_transformaciones/grua.h"
 #include "colores.h"
 #include "iluminacion.h"
+#include "modos.h"
 #include "orbita.h"
-#include "recuadro.h"
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"
@@ -28,8 +28,7 @@ static struct {
     Buferes cubo;
     PosturaGrua postura;
     Orbita orbita = {0.5f, 0.25f, 27, {1.0f, 4.2f, 0}, 0.02f};
-    int elegido = 0;
-    bool compara = false;
+    Modos modos = {2};
 } estado;
 
 static void inicia() {
@@ -61,9 +60,9 @@ static void dibujaPanel(int modelo, const Recuadro &panel) {
 }
 
 static void dibuja() {
-    dibujaModos(estado.compara, 2, estado.elegido, dibujaPanel);
+    dibujaModos(estado.modos, dibujaPanel);
     ponTitulo(std::string("Grúa iluminada: ") +
-              (estado.compara ? "Gouraud y Phong" : NOMBRES[estado.elegido]));
+              (estado.modos.todos ? "Gouraud y Phong" : NOMBRES[estado.modos.elegido]));
     glutSwapBuffers();
 }
 
@@ -71,10 +70,10 @@ static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
     if (tecla == 'g') {
-        estado.elegido = 1 - estado.elegido;
-        estado.compara = false;
+        estado.modos.elegido = 1 - estado.modos.elegido;
+        estado.modos.todos = false;
     } else if (tecla == 'v')
-        estado.compara = !estado.compara;
+        estado.modos.todos = !estado.modos.todos;
     else if (!mueve(estado.postura, tecla))
         return;
     glutPostRedisplay();

@@ -12,7 +12,6 @@
 
 static const int LUCES = 3;
 static const float DELTA = 0.40f; // radianes
-static const glm::vec3 LA(1);
 static const struct {
     const char *nombre;
     glm::vec3 color;
@@ -60,10 +59,8 @@ static Luz foco(int i) {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.36f, 1, 100);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "camara", camara);
-    envia(estado.programa, "La", LA);
+    usaPrograma(estado.programa, camara, proyeccion);
+    envia(estado.programa, "La", glm::vec3(1));
     for (int i = 0; i < LUCES; ++i)
         enviaLuz(estado.programa, "luces[" + std::to_string(i) + "]", foco(i), camara);
     dibujaObjeto(estado.programa, estado.disco,

@@ -6,8 +6,8 @@
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
+#include "modos.h"
 #include "orbita.h"
-#include "recuadro.h"
 #include "rotulo.h"
 #include "shader.h"
 #include "textura.h"
@@ -31,8 +31,7 @@ static const struct {
 static struct {
     GLuint programa, textura;
     Buferes suelo;
-    int elegido = 0;
-    bool comparando = false;
+    Modos modos = {4};
     GLfloat anisotropia = 1; // la mayor que da el contexto; 1 es ninguna
     Orbita orbita = {0.12f, 0.3f, 3, {0, 0, 0}, 0.05f};
 } estado;
@@ -66,25 +65,18 @@ static void dibujaSuelo(int elegido, const Recuadro &panel) {
     envia(estado.programa, "M", giroX(-glm::half_pi<float>()) * escalado(LARGO));
     envia(estado.programa, "Img", 0);
     dibuja(estado.suelo);
-    rotula(filtro.nombre, {0.5f, 1}, OSCURO, Lado::DEBAJO, estado.comparando ? 0.03f : 0.05f);
+    rotula(filtro.nombre, {0.5f, 1}, OSCURO, Lado::DEBAJO, estado.modos.todos ? 0.03f : 0.05f);
 }
 
 static void dibuja() {
-    dibujaModos(estado.comparando, 4, estado.elegido, dibujaSuelo, 4.0f / 3);
-    ponTitulo(estado.comparando ? "Los cuatro filtros" : FILTROS[estado.elegido].titulo);
+    dibujaModos(estado.modos, dibujaSuelo, 4.0f / 3);
+    ponTitulo(estado.modos.todos ? "Los cuatro filtros" : FILTROS[estado.modos.elegido].titulo);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
-        return;
-    if (tecla == 'v') {
-        estado.comparando = !estado.comparando;
-    } else if (tecla >= '1' && tecla <= '4') {
-        estado.elegido = tecla - '1';
-        estado.comparando = false;
-    }
-    glutPostRedisplay();
+    if (!teclaComun(tecla))
+        teclaModos(estado.modos, tecla);
 }
 
 int main(int argc, char **argv) {

@@ -5,11 +5,12 @@
 #include "textura3d.h"
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
+#include "modos.h"
 #include "orbita.h"
 #include "rotulo.h"
+#include "texto.h"
 #include "ventana.h"
 #include <algorithm>
-#include <cstdio>
 #include <glm/gtc/constants.hpp>
 
 static const char *NOMBRES[3] = {"madera", "mármol", "el ruido"};
@@ -54,11 +55,7 @@ static void inicia() {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", perspectivaVentana(0.4f, 1, 100));
-    envia(estado.programa, "camara", camara);
-    envia(estado.programa, "La", glm::vec3(1));
-    enviaLuz(estado.programa, "luz", {{-3, 6, 8, 1}}, camara);
+    usaPrograma(estado.programa, camara, perspectivaVentana(0.4f, 1, 100), {{-3, 6, 8, 1}});
     envia(estado.programa, "ruido", 0);
     envia(estado.programa, "S1", estado.S1);
     envia(estado.programa, "S2", estado.S2);
@@ -77,21 +74,17 @@ static void dibuja() {
     pieza(estado.toro, {1.15f, 0.28f, 0}, {0.85f, 0.85f, 0.6f});
     pieza(estado.esfera, {1.15f, 0.78f, 0}, {0.52f, 0.52f, 0.52f});
 
-    char texto[64];
-    std::snprintf(texto, sizeof texto, "%s, S1 = %g, S2 = %g", NOMBRES[estado.elegido], estado.S1, estado.S2);
+    const std::string texto = formatea("%s, S1 = %g, S2 = %g", NOMBRES[estado.elegido], estado.S1, estado.S2);
     rotula(texto, {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
     rotula("64·64·64 = 262 kB", {0.02f, 0.02f}, OSCURO, Lado::DERECHA);
-    ponTitulo(std::string("Textura 3D: ") + texto);
+    ponTitulo("Textura 3D: " + texto);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaComun(tecla) || eligeModo(estado.elegido, 3, tecla))
         return;
     switch (tecla) {
-    case '1':
-    case '2':
-    case '3': estado.elegido = tecla - '1'; break;
     case '+': estado.S1 = std::min(2 * estado.S1, S1_MAXIMA); break;
     case '-': estado.S1 = std::max(estado.S1 / 2, S1_MINIMA); break;
     case 'a': estado.S2 = std::max(estado.S2 - PASO_S2, 0.0f); break;

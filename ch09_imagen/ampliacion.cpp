@@ -4,69 +4,63 @@
 // Controles: + - factor · f filtro lineal o vecino · v sin la proporción y con ella · r rótulos · Esc termina.
 #include "imagen_en_ventana.h"
 #include "proporcion.h"
-#include <cstdio>
+#include "texto.h"
 
 static const int PASOS = 8; // hasta ×2⁴ y ×2⁻⁴: dos pasos duplican
 
 static struct {
     GLuint programa;
-    glm::ivec2 talla;
+    Muestra muestra;
     int pasos = 0;
-    bool vecino = false, compara = false, rotulos;
+    bool vecino = false;
 } estado;
 
 static void dibujaAmpliada(const Recuadro &panel, bool conProporcion, const std::string &rotulo) {
     const float factor = std::exp2(float(estado.pasos) / 2);
-    const Recuadro imagen = {0, 0, estado.talla.x, estado.talla.y};
+    const Recuadro imagen = {0, 0, estado.muestra.talla.x, estado.muestra.talla.y};
     abreRecuadro(panel, FONDO_OSCURO);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagen", 0);
     envia(estado.programa, "escala",
           factor * (conProporcion ? proporcion(aspecto(imagen), aspecto(panel)) : glm::vec2(1)));
     dibujaRectangulo();
-    if (estado.rotulos)
-        rotulaImagen(rotulo);
+    rotulaImagen(estado.muestra, rotulo);
 }
 
 static void dibuja() {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, estado.vecino ? GL_NEAREST : GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
                     estado.vecino ? GL_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
-    char factor[32];
-    std::snprintf(factor, sizeof factor, "×%.3g, %s", std::exp2(estado.pasos / 2.0),
-                  estado.vecino ? "vecino" : "lineal");
+    const std::string factor =
+        formatea("×%.3g, %s", std::exp2(estado.pasos / 2.0), estado.vecino ? "vecino" : "lineal");
     abreRecuadro(ventanaEntera(), GRIS);
-    if (estado.compara) {
+    if (estado.muestra.compara) {
         const std::vector<Recuadro> paneles = rejilla(2, 1);
         dibujaAmpliada(paneles[0], false, "sin proporción");
         dibujaAmpliada(paneles[1], true, "con proporción");
     } else {
         dibujaAmpliada(ventanaEntera(), true, factor);
     }
-    ponTitulo(std::string("Ampliación ") + factor + (estado.compara ? ": sin proporción y con ella" : ""));
+    ponTitulo("Ampliación " + factor + (estado.muestra.compara ? ": sin proporción y con ella" : ""));
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaMuestra(estado.muestra, tecla))
         return;
     switch (tecla) {
     case '+': estado.pasos = std::min(estado.pasos + 1, PASOS); break;
     case '-': estado.pasos = std::max(estado.pasos - 1, -PASOS); break;
     case 'f': estado.vecino = !estado.vecino; break;
-    case 'v': estado.compara = !estado.compara; break;
-    case 'r': estado.rotulos = !estado.rotulos; break;
     default: return;
     }
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
-    const auto [imagenes, propias] =
-        abreVentanaConImagenes(argc, argv, "Ampliación", {{"assets/foto.rgb", 250, 190}});
+    const std::vector<Imagen> imagenes =
+        abreVentanaConImagenes(argc, argv, "Ampliación", {{"assets/foto.rgb", 250, 190}}, estado.muestra);
     estado.programa = creaPrograma("ch09_imagen/ampliacion.vert", "ch09_imagen/imagen.frag");
-    estado.talla = tallaDe(imagenes[0]);
-    estado.rotulos = !propias;
     creaTextura2D(imagenes[0]);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);

@@ -24,9 +24,9 @@ static const int CERO = 2;
 
 static struct {
     GLuint programa, programaCopia;
-    glm::ivec2 talla;
+    Muestra muestra;
     int elegido = 0, fuera = 0, ganancia = 4;
-    bool conSigno = false, compara = false, rotulos;
+    bool conSigno = false;
 } estado;
 
 static std::string nombre(int elegido) {
@@ -40,7 +40,7 @@ static void convoluciona(int elegido) {
     glm::vec2 desplazamiento[TALLA];
     float filtro[TALLA];
     for (int i = 0; i < TALLA; ++i) {
-        desplazamiento[i] = glm::vec2(i % 3 - 1, i / 3 - 1) / glm::vec2(estado.talla);
+        desplazamiento[i] = glm::vec2(i % 3 - 1, i / 3 - 1) / glm::vec2(estado.muestra.talla);
         filtro[i] = valores[i] / divisor;
     }
     glUseProgram(estado.programa);
@@ -52,64 +52,58 @@ static void convoluciona(int elegido) {
     envia(estado.programa, "ganancia", float(estado.ganancia));
     envia(estado.programa, "ceroFuera", estado.fuera == CERO);
     dibujaRectangulo();
-    if (estado.rotulos)
-        rotulaImagen(::nombre(elegido));
+    rotulaImagen(estado.muestra, ::nombre(elegido));
 }
 
 static void dibuja() {
     for (const GLenum sentido : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         glTexParameteri(GL_TEXTURE_2D, sentido, FUERA[estado.fuera].repeticion);
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
-    if (estado.compara) {
-        const std::vector<Recuadro> paneles = panelesPara(4, estado.talla);
-        dibujaEn(encaja(estado.talla, paneles[0]));
+    const std::vector<Recuadro> paneles = recuadros(estado.muestra, 4);
+    if (estado.muestra.compara) {
+        dibujaEn(paneles[0]);
         glUseProgram(estado.programaCopia);
         envia(estado.programaCopia, "imagen", 0);
         dibujaRectangulo();
-        if (estado.rotulos)
-            rotulaImagen("Original");
+        rotulaImagen(estado.muestra, "Original");
         for (int elegido = 0; elegido < 3; ++elegido) {
-            dibujaEn(encaja(estado.talla, paneles[elegido + 1]));
+            dibujaEn(paneles[elegido + 1]);
             convoluciona(elegido);
         }
     } else {
-        dibujaEn(encaja(estado.talla, ventanaEntera()));
+        dibujaEn(paneles[0]);
         convoluciona(estado.elegido);
     }
-    ponTitulo("Convolución 3×3: " + (estado.compara
+    ponTitulo("Convolución 3×3: " + (estado.muestra.compara
                                          ? std::string("los tres filtros") + FUERA[estado.fuera].nombre
                                          : nombre(estado.elegido)));
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaMuestra(estado.muestra, tecla))
         return;
     switch (tecla) {
     case '1':
     case '2':
     case '3':
         estado.elegido = tecla - '1';
-        estado.compara = false;
+        estado.muestra.compara = false;
         break;
     case 's': estado.conSigno = !estado.conSigno; break;
     case '+': estado.ganancia = std::min(estado.ganancia + 1, GANANCIA_MAXIMA); break;
     case '-': estado.ganancia = std::max(estado.ganancia - 1, 1); break;
     case 'b': estado.fuera = (estado.fuera + 1) % 3; break;
-    case 'v': estado.compara = !estado.compara; break;
-    case 'r': estado.rotulos = !estado.rotulos; break;
     default: return;
     }
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
-    const auto [imagenes, propias] =
-        abreVentanaConImagenes(argc, argv, "Convolución 3×3", {{"assets/foto.rgb", 250, 190}});
+    const std::vector<Imagen> imagenes = abreVentanaConImagenes(
+        argc, argv, "Convolución 3×3", {{"assets/foto.rgb", 250, 190}}, estado.muestra);
     estado.programa = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/convolucion.frag");
     estado.programaCopia = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/imagen.frag");
-    estado.talla = tallaDe(imagenes[0]);
-    estado.rotulos = !propias;
     creaTexturaExacta(imagenes[0]);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

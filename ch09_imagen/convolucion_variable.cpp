@@ -17,21 +17,20 @@ static const char *const MODOS[3] = {"automático", "directo", "separable"};
 static struct {
     GLuint directo, separable, copia, imagen, filtro;
     Lienzo intermedio[2], resultado; // el intermedio, en float y en 8 bits
-    glm::ivec2 talla;
+    Muestra muestra;
     Familia familia = CAJA;
     int tallaFiltro = 9, modo = 0;
-    bool en8Bits = false, conSigno = true, compara = false, rotulos;
+    bool en8Bits = false, conSigno = true;
 } estado;
 
 static void inicia(const Imagen &imagen) {
     estado.directo = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/convolucion_variable.frag");
     estado.separable = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/convolucion_separable.frag");
     estado.copia = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/imagen.frag");
-    estado.talla = tallaDe(imagen);
     estado.imagen = creaTexturaExacta(imagen);
-    estado.intermedio[0] = creaLienzo(estado.talla, GL_RGBA32F);
-    estado.intermedio[1] = creaLienzo(estado.talla);
-    estado.resultado = creaLienzo(estado.talla);
+    estado.intermedio[0] = creaLienzo(estado.muestra.talla, GL_RGBA32F);
+    estado.intermedio[1] = creaLienzo(estado.muestra.talla);
+    estado.resultado = creaLienzo(estado.muestra.talla);
     glGenTextures(1, &estado.filtro);
 }
 
@@ -45,7 +44,7 @@ static void enlaza(GLuint textura, GLint filtro) {
 /// Con el programa en uso, de la textura al framebuffer, los dos del tamaño de la imagen.
 static void filtra(GLuint programa, GLuint textura, GLuint framebuffer, bool sumaCero) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    dibujaEn({0, 0, estado.talla.x, estado.talla.y});
+    dibujaEn({0, 0, estado.muestra.talla.x, estado.muestra.talla.y});
     enlaza(textura, GL_NEAREST); // en el centro de un texel interpolar da lo mismo, y cuesta el cuádruple
     envia(programa, "imagen", 0);
     envia(programa, "sumaCero", sumaCero);
@@ -83,13 +82,12 @@ static bool enDosPasadas(const Filtro &f) {
 }
 
 static void dibujaTextura(GLuint textura, const Recuadro &panel, const std::string &rotulo) {
-    dibujaEn(encaja(estado.talla, panel));
+    dibujaEn(panel);
     glUseProgram(estado.copia);
     enlaza(textura, GL_LINEAR);
     envia(estado.copia, "imagen", 0);
     dibujaRectangulo();
-    if (estado.rotulos)
-        rotulaImagen(rotulo);
+    rotulaImagen(estado.muestra, rotulo);
 }
 
 static void dibuja() {
@@ -105,19 +103,19 @@ static void dibuja() {
                       nombre = NOMBRES[estado.familia] + std::string(" ") + lado + "×" + lado,
                       como = !dosPasadas ? "directo"
                                          : std::string("separable, ") + (estado.en8Bits ? "8 bits" : "float");
-    if (estado.compara) {
-        const std::vector<Recuadro> paneles = panelesPara(2, estado.talla);
+    const std::vector<Recuadro> paneles = recuadros(estado.muestra, 2);
+    if (estado.muestra.compara) {
         dibujaTextura(estado.imagen, paneles[0], "Original");
         dibujaTextura(estado.resultado.textura, paneles[1], nombre);
     } else {
-        dibujaTextura(estado.resultado.textura, ventanaEntera(), nombre + "\n" + como);
+        dibujaTextura(estado.resultado.textura, paneles[0], nombre + "\n" + como);
     }
     ponTitulo(nombre + ", " + como + " (" + MODOS[estado.modo] + ")");
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaMuestra(estado.muestra, tecla))
         return;
     switch (tecla) {
     case '1':
@@ -129,18 +127,15 @@ static void teclado(unsigned char tecla, int, int) {
     case 's': estado.modo = (estado.modo + 1) % 3; break;
     case 'p': estado.en8Bits = !estado.en8Bits; break;
     case 'a': estado.conSigno = !estado.conSigno; break;
-    case 'v': estado.compara = !estado.compara; break;
-    case 'r': estado.rotulos = !estado.rotulos; break;
     default: return;
     }
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
-    const auto [imagenes, propias] =
-        abreVentanaConImagenes(argc, argv, "Filtros de tamaño variable", {{"assets/foto.rgb", 250, 190}});
+    const std::vector<Imagen> imagenes = abreVentanaConImagenes(
+        argc, argv, "Filtros de tamaño variable", {{"assets/foto.rgb", 250, 190}}, estado.muestra);
     inicia(imagenes[0]);
-    estado.rotulos = !propias;
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     glutMainLoop();

@@ -14,9 +14,9 @@ static const Imagen COLORES_PUROS = {
 
 static struct {
     GLuint programa;
-    glm::ivec2 talla;
+    Muestra muestra;
     int elegido = 0, decimas = 16; // alfa = 1.6, como en la figura 9.2
-    bool compara = false, conColores = false, rotulos;
+    bool conColores = false;
 } estado;
 
 static std::string nombre(int efecto) {
@@ -28,8 +28,7 @@ static void dibujaEfecto(int efecto, const Recuadro &donde) {
     dibujaEn(donde);
     envia(estado.programa, "elegido", efecto);
     dibujaRectangulo();
-    if (estado.rotulos)
-        rotulaImagen(nombre(efecto));
+    rotulaImagen(estado.muestra, nombre(efecto));
 }
 
 static void dibuja() {
@@ -37,20 +36,17 @@ static void dibuja() {
     glUseProgram(estado.programa);
     envia(estado.programa, "imagen", estado.conColores ? 1 : 0); // la unidad de cada textura
     envia(estado.programa, "alfa", float(estado.decimas) / 10);
-    std::string titulo = nombre(estado.elegido);
-    if (estado.compara) {
-        titulo = "los cuatro";
-        int efecto = ORIGINAL;
-        for (const Recuadro &panel : panelesPara(4, estado.talla))
-            dibujaEfecto(efecto++, encaja(estado.talla, panel));
-    } else if (estado.conColores) {
+    std::string titulo = estado.muestra.compara ? "los cuatro" : nombre(estado.elegido);
+    if (estado.conColores) {
         titulo = "media y luminancia de seis colores puros";
         const std::vector<Recuadro> franjas = rejilla(1, 3);
         dibujaEfecto(ORIGINAL, franjas[0]);
         dibujaEfecto(MEDIA, franjas[1]);
         dibujaEfecto(LUMINANCIA, franjas[2]);
     } else {
-        dibujaEfecto(estado.elegido, encaja(estado.talla, ventanaEntera()));
+        int efecto = estado.muestra.compara ? ORIGINAL : estado.elegido;
+        for (const Recuadro &panel : recuadros(estado.muestra, 4))
+            dibujaEfecto(efecto++, panel);
     }
     ponTitulo("Efectos de imagen: " + titulo);
     glutSwapBuffers();
@@ -58,39 +54,31 @@ static void dibuja() {
 
 static void elige(int efecto) {
     estado.elegido = efecto;
-    estado.compara = estado.conColores = false;
+    estado.muestra.compara = estado.conColores = false;
     glutPostRedisplay();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaMuestra(estado.muestra, tecla)) {
+        estado.conColores = estado.conColores && !estado.muestra.compara;
         return;
+    }
+    if (tecla >= '1' && tecla <= '5')
+        return elige(tecla - '1');
     switch (tecla) {
-    case '1':
-    case '2':
-    case '3':
-    case '4':
-    case '5': return elige(tecla - '1');
     case '+': estado.decimas = std::min(estado.decimas + 1, BRILLO_MAXIMO); break;
     case '-': estado.decimas = std::max(estado.decimas - 1, 0); break;
-    case 'v': estado.compara = !estado.compara; break;
-    case 'c': estado.conColores = !estado.conColores; break;
-    case 'r': estado.rotulos = !estado.rotulos; break;
+    case 'c': estado.muestra.compara = false; break;
     default: return;
     }
-    if (tecla == 'c')
-        estado.compara = false;
-    else if (tecla != 'r')
-        estado.conColores = false;
+    estado.conColores = tecla == 'c' && !estado.conColores;
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
-    const auto [imagenes, propias] =
-        abreVentanaConImagenes(argc, argv, "Efectos de imagen", {{"assets/foto_grande.rgb", 1000, 760}});
+    const std::vector<Imagen> imagenes = abreVentanaConImagenes(
+        argc, argv, "Efectos de imagen", {{"assets/foto_grande.rgb", 1000, 760}}, estado.muestra);
     estado.programa = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/efectos.frag");
-    estado.talla = tallaDe(imagenes[0]);
-    estado.rotulos = !propias;
     creaTexturaReducible(imagenes[0]);
     glActiveTexture(GL_TEXTURE1);
     creaTexturaExacta(COLORES_PUROS);

@@ -15,23 +15,32 @@
 #include <cmath>
 #include <cstring>
 
-struct ImagenesPedidas {
-    std::vector<Imagen> imagenes;
-    bool propias; // del usuario, y no las que hay por omisión
+/// Cómo se ve un programa del capítulo.
+struct Muestra {
+    glm::ivec2 talla; // de la imagen
+    bool rotulos, compara = false;
 };
 
-/// Abre la ventana y lee las imágenes que se pidan: tantas como las que hay por omisión.
-inline ImagenesPedidas abreVentanaConImagenes(int &argc, char **argv, const char *titulo,
-                                              const std::vector<ImagenPorOmision> &porOmision) {
+inline glm::ivec2 tallaDe(const Imagen &imagen) {
+    return {imagen.ancho, imagen.alto};
+}
+
+/// Abre la ventana y lee las imágenes que se pidan, tantas como las que hay por omisión. Se muestran con la forma de la
+/// primera y, si no son del usuario, con rótulos.
+inline std::vector<Imagen> abreVentanaConImagenes(int &argc, char **argv, const char *titulo,
+                                                  const std::vector<ImagenPorOmision> &porOmision,
+                                                  Muestra &muestra) {
     const bool conTalla =
         std::any_of(argv, argv + argc, [](const char *a) { return !std::strcmp(a, "-geometry"); });
     abreVentana(argc, argv, titulo, GLUT_DOUBLE | GLUT_MULTISAMPLE,
                 porOmision.size() == 1 ? "[FOTO.ppm | FOTO.rgb -talla ANCHOxALTO]"
                                        : "[A.ppm B.ppm | A.rgb B.rgb -talla ANCHOxALTO]");
-    const ImagenesPedidas entrada = {imagenesDeArgumentos(argc, argv, porOmision), argc > 1};
-    if (entrada.propias && !conTalla)
-        glutReshapeWindow(entrada.imagenes[0].ancho, entrada.imagenes[0].alto);
-    return entrada;
+    const std::vector<Imagen> imagenes = imagenesDeArgumentos(argc, argv, porOmision);
+    const bool propias = argc > 1;
+    muestra = {tallaDe(imagenes[0]), !propias};
+    if (propias && !conTalla)
+        glutReshapeWindow(muestra.talla.x, muestra.talla.y);
+    return imagenes;
 }
 
 /// Textura sin mipmaps y con GL_CLAMP_TO_EDGE, en la unidad activa: en el centro de un texel el filtro lineal da ese
@@ -84,10 +93,6 @@ inline Lienzo creaLienzo(const glm::ivec2 &talla, GLint formatoInterno = GL_RGBA
     return lienzo;
 }
 
-inline glm::ivec2 tallaDe(const Imagen &imagen) {
-    return {imagen.ancho, imagen.alto};
-}
-
 /// El mayor rectángulo con la forma de la imagen que cabe en el panel, en su centro. Si miden lo mismo es el panel.
 inline Recuadro encaja(const glm::ivec2 &talla, const Recuadro &panel) {
     const double escala = std::min(double(panel.ancho) / talla.x, double(panel.alto) / talla.y);
@@ -96,9 +101,13 @@ inline Recuadro encaja(const glm::ivec2 &talla, const Recuadro &panel) {
     return {panel.x + (panel.ancho - ancho) / 2, panel.y + (panel.alto - alto) / 2, ancho, alto};
 }
 
-/// `n` paneles para imágenes de esa forma; uno solo es la ventana entera, sin rayas.
-inline std::vector<Recuadro> panelesPara(int n, const glm::ivec2 &talla) {
-    return reparte(n, float(talla.x) / float(talla.y));
+/// Dónde va la imagen: en la ventana entera o, si se compara, en `n` paneles.
+inline std::vector<Recuadro> recuadros(const Muestra &muestra, int n) {
+    std::vector<Recuadro> sitios =
+        reparte(muestra.compara ? n : 1, float(muestra.talla.x) / float(muestra.talla.y));
+    for (Recuadro &sitio : sitios)
+        sitio = encaja(muestra.talla, sitio);
+    return sitios;
 }
 
 /// Dibujar desde ahora en ese rectángulo de la ventana, sin borrarlo.
@@ -115,7 +124,20 @@ inline void dibujaRectangulo() {
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-/// Rótulo en la esquina de abajo de lo que se dibuja.
-inline void rotulaImagen(const std::string &texto) {
-    rotula(texto, {0, 0.02f}, BLANCO, Lado::ENCIMA);
+/// Rótulo en la esquina de abajo de lo que se dibuja, si se piden.
+inline void rotulaImagen(const Muestra &muestra, const std::string &texto) {
+    if (muestra.rotulos)
+        rotula(texto, {0, 0.02f}, BLANCO, Lado::ENCIMA);
+}
+
+/// Atiende las teclas comunes, v (compara) y r (rótulos). Devuelve si la tecla era suya.
+inline bool teclaMuestra(Muestra &muestra, unsigned char tecla) {
+    if (tecla == 'v')
+        muestra.compara = !muestra.compara;
+    else if (tecla == 'r')
+        muestra.rotulos = !muestra.rotulos;
+    else
+        return teclaComun(tecla);
+    glutPostRedisplay();
+    return true;
 }

@@ -3,29 +3,25 @@
 // se convierta en la otra hay que mover además sus rasgos (morphing).
 // Controles: 1 A · 2 alfa 0.33 · 3 alfa 0.66 · 4 B · + - alfa · v los cuatro a la vez · r rótulos · Esc termina.
 #include "imagen_en_ventana.h"
-#include <cstdio>
+#include "texto.h"
 
 static const int CENTESIMAS[4] = {0, 33, 66, 100};
 
 static struct {
     GLuint programa;
-    glm::ivec2 talla;
+    Muestra muestra;
     int centesimas = CENTESIMAS[1];
-    bool compara = false, rotulos;
 } estado;
 
 static std::string nombre(int centesimas) {
-    char alfa[32];
-    std::snprintf(alfa, sizeof alfa, "alfa = %d.%02d", centesimas / 100, centesimas % 100);
-    return alfa;
+    return formatea("alfa = %d.%02d", centesimas / 100, centesimas % 100);
 }
 
 static void dibujaMezcla(int centesimas, const Recuadro &panel, const std::string &rotulo) {
-    dibujaEn(encaja(estado.talla, panel));
+    dibujaEn(panel);
     envia(estado.programa, "alfa", float(centesimas) / 100);
     dibujaRectangulo();
-    if (estado.rotulos)
-        rotulaImagen(rotulo);
+    rotulaImagen(estado.muestra, rotulo);
 }
 
 static void dibuja() {
@@ -33,20 +29,20 @@ static void dibuja() {
     glUseProgram(estado.programa);
     envia(estado.programa, "imagenA", 0);
     envia(estado.programa, "imagenB", 1);
-    if (estado.compara) {
-        const std::vector<Recuadro> paneles = panelesPara(4, estado.talla);
+    const std::vector<Recuadro> paneles = recuadros(estado.muestra, 4);
+    if (estado.muestra.compara) {
         const std::string rotulos[4] = {"A", nombre(CENTESIMAS[1]), nombre(CENTESIMAS[2]), "B"};
         for (std::size_t k = 0; k < 4; ++k)
             dibujaMezcla(CENTESIMAS[k], paneles[k], rotulos[k]);
     } else {
-        dibujaMezcla(estado.centesimas, ventanaEntera(), nombre(estado.centesimas));
+        dibujaMezcla(estado.centesimas, paneles[0], nombre(estado.centesimas));
     }
-    ponTitulo("Mezcla de dos imágenes: " + (estado.compara ? "de A a B" : nombre(estado.centesimas)));
+    ponTitulo("Mezcla de dos imágenes: " + (estado.muestra.compara ? "de A a B" : nombre(estado.centesimas)));
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaMuestra(estado.muestra, tecla))
         return;
     switch (tecla) {
     case '1':
@@ -55,21 +51,17 @@ static void teclado(unsigned char tecla, int, int) {
     case '4': estado.centesimas = CENTESIMAS[tecla - '1']; break;
     case '+': estado.centesimas = std::min(estado.centesimas + 1, 100); break;
     case '-': estado.centesimas = std::max(estado.centesimas - 1, 0); break;
-    case 'v': estado.compara = !estado.compara; break;
-    case 'r': estado.rotulos = !estado.rotulos; break;
     default: return;
     }
-    if (tecla != 'v' && tecla != 'r')
-        estado.compara = false;
+    estado.muestra.compara = false;
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
-    const auto [imagenes, propias] = abreVentanaConImagenes(
-        argc, argv, "Mezcla de dos imágenes", {{"assets/cara.rgb", 960, 720}, {"assets/gato.rgb", 960, 720}});
+    const std::vector<Imagen> imagenes = abreVentanaConImagenes(
+        argc, argv, "Mezcla de dos imágenes", {{"assets/cara.rgb", 960, 720}, {"assets/gato.rgb", 960, 720}},
+        estado.muestra);
     estado.programa = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/mezcla.frag");
-    estado.talla = tallaDe(imagenes[0]);
-    estado.rotulos = !propias;
     for (int unidad = 0; unidad < 2; ++unidad) {
         glActiveTexture(GL_TEXTURE0 + unidad);
         creaTexturaReducible(imagenes[unidad]);

@@ -20,11 +20,11 @@ static const int MS_CUADRO = 33;
 static struct {
     GLuint programa, programaMezcla;
     Buferes buferes;
-    glm::ivec2 talla;
+    Muestra muestra;
     MallaImagen a, b;
     int recorrido = VUELTA / 4, comienzo = 0; // ms andados, y reloj al echar a andar
     std::size_t punto = 0;
-    bool mueve = false, arrastra = false, conMalla = false, compara = false, rotulos;
+    bool mueve = false, arrastra = false, conMalla = false;
 } estado;
 
 static MallaImagen intermedia(float t) {
@@ -53,7 +53,7 @@ static void sigueDesde(int ms) {
 }
 
 static void dibujaMorphing(float t, const Recuadro &panel, const std::string &rotulo) {
-    dibujaEn(encaja(estado.talla, panel));
+    dibujaEn(panel);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagenA", 0);
     envia(estado.programa, "imagenB", 1);
@@ -61,19 +61,17 @@ static void dibujaMorphing(float t, const Recuadro &panel, const std::string &ro
     dibuja(estado.buferes);
     if (estado.conMalla)
         trazaMalla(intermedia(t));
-    if (estado.rotulos)
-        rotulaImagen(rotulo);
+    rotulaImagen(estado.muestra, rotulo);
 }
 
 static void dibujaMezcla(float t, const Recuadro &panel, const std::string &rotulo) {
-    dibujaEn(encaja(estado.talla, panel));
+    dibujaEn(panel);
     glUseProgram(estado.programaMezcla);
     envia(estado.programaMezcla, "imagenA", 0);
     envia(estado.programaMezcla, "imagenB", 1);
     envia(estado.programaMezcla, "alfa", t);
     dibujaRectangulo();
-    if (estado.rotulos)
-        rotulaImagen(rotulo);
+    rotulaImagen(estado.muestra, rotulo);
 }
 
 static void dibuja() {
@@ -82,14 +80,14 @@ static void dibuja() {
     std::snprintf(rotulo, sizeof rotulo, "t = %.2f", t);
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
     cambiaVertices(estado.buferes, triangula(estado.a, estado.b));
-    if (estado.compara) {
-        const std::vector<Recuadro> paneles = panelesPara(4, estado.talla);
+    const std::vector<Recuadro> paneles = recuadros(estado.muestra, 4);
+    if (estado.muestra.compara) {
         dibujaMorphing(0, paneles[0], "A");
         dibujaMorphing(t, paneles[1], rotulo);
         dibujaMorphing(1, paneles[2], "B");
         dibujaMezcla(t, paneles[3], std::string("mezcla, ") + rotulo);
     } else {
-        dibujaMorphing(t, ventanaEntera(), rotulo);
+        dibujaMorphing(t, paneles[0], rotulo);
     }
     ponTitulo(std::string("Morphing: ") + rotulo);
     glutSwapBuffers();
@@ -102,13 +100,13 @@ static void cuadro(int) {
 }
 
 static glm::vec2 enImagen(int x, int y) {
-    return enRecuadro(encaja(estado.talla, ventanaEntera()), x, y);
+    return enRecuadro(recuadros(estado.muestra, 4)[0], x, y);
 }
 
 static void raton(int boton, int pulsado, int x, int y) {
-    estado.arrastra = boton == GLUT_LEFT_BUTTON && pulsado == GLUT_DOWN && !estado.compara;
+    estado.arrastra = boton == GLUT_LEFT_BUTTON && pulsado == GLUT_DOWN && !estado.muestra.compara;
     if (estado.arrastra)
-        estado.punto = masCercano(intermedia(tActual()), enImagen(x, y), estado.talla);
+        estado.punto = masCercano(intermedia(tActual()), enImagen(x, y), estado.muestra.talla);
 }
 
 /// Mueve el punto de la imagen de la que más se ve, de modo que el intermedio quede bajo el ratón.
@@ -126,7 +124,7 @@ static void arrastra(int x, int y) {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaMuestra(estado.muestra, tecla))
         return;
     switch (tecla) {
     case '1':
@@ -139,23 +137,21 @@ static void teclado(unsigned char tecla, int, int) {
         estado.mueve = !estado.mueve;
         break;
     case 'm': estado.conMalla = !estado.conMalla; break;
-    case 'v': estado.compara = !estado.compara; break;
-    case 'r': estado.rotulos = !estado.rotulos; break;
     default: return;
     }
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
-    const auto [imagenes, propias] = abreVentanaConImagenes(
-        argc, argv, "Morphing", {{"assets/cara.rgb", 960, 720}, {"assets/gato.rgb", 960, 720}});
+    const std::vector<Imagen> imagenes = abreVentanaConImagenes(
+        argc, argv, "Morphing", {{"assets/cara.rgb", 960, 720}, {"assets/gato.rgb", 960, 720}},
+        estado.muestra);
     estado.programa = creaPrograma("ch09_imagen/morphing.vert", "ch09_imagen/morphing.frag");
     estado.programaMezcla = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/mezcla.frag");
+    const bool propias = argc > 1;
     estado.a = propias ? REGULAR : CARA;
     estado.b = propias ? REGULAR : GATO;
     estado.buferes = creaBuferes(triangula(estado.a, estado.b));
-    estado.talla = tallaDe(imagenes[0]);
-    estado.rotulos = !propias;
     for (int unidad = 0; unidad < 2; ++unidad) {
         glActiveTexture(GL_TEXTURE0 + unidad);
         creaTexturaExacta(imagenes[unidad]);

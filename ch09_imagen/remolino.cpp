@@ -7,53 +7,44 @@ static const int PASO = 15, MAXIMO = 720; // grados
 
 static struct {
     GLuint programa;
-    glm::ivec2 talla;
+    Muestra muestra;
     int grados = 240;
-    bool compara = false, rotulos;
 } estado;
 
 static void dibujaRemolino(int grados, const Recuadro &panel) {
-    dibujaEn(encaja(estado.talla, panel));
+    dibujaEn(panel);
     envia(estado.programa, "angulo", glm::radians(float(grados)));
     dibujaRectangulo();
-    if (estado.rotulos)
-        rotulaImagen(std::to_string(grados) + "°");
+    rotulaImagen(estado.muestra, std::to_string(grados) + "°");
 }
 
 static void dibuja() {
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagen", 0);
-    if (estado.compara) {
-        const std::vector<Recuadro> paneles = panelesPara(2, estado.talla);
+    const std::vector<Recuadro> paneles = recuadros(estado.muestra, 2);
+    if (estado.muestra.compara)
         dibujaRemolino(0, paneles[0]);
-        dibujaRemolino(estado.grados, paneles[1]);
-    } else {
-        dibujaRemolino(estado.grados, ventanaEntera());
-    }
+    dibujaRemolino(estado.grados, paneles.back());
     ponTitulo("Remolino de " + std::to_string(estado.grados) + "°");
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaMuestra(estado.muestra, tecla))
         return;
     switch (tecla) {
     case '+': estado.grados = std::min(estado.grados + PASO, MAXIMO); break;
     case '-': estado.grados = std::max(estado.grados - PASO, -MAXIMO); break;
-    case 'v': estado.compara = !estado.compara; break;
-    case 'r': estado.rotulos = !estado.rotulos; break;
     default: return;
     }
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
-    const auto [imagenes, propias] =
-        abreVentanaConImagenes(argc, argv, "Remolino", {{"assets/foto_grande.rgb", 1000, 760}});
+    const std::vector<Imagen> imagenes = abreVentanaConImagenes(
+        argc, argv, "Remolino", {{"assets/foto_grande.rgb", 1000, 760}}, estado.muestra);
     estado.programa = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/remolino.frag");
-    estado.talla = tallaDe(imagenes[0]);
-    estado.rotulos = !propias;
     creaTexturaExacta(imagenes[0]);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -7,55 +7,49 @@ static const char *const NOMBRES[4] = {"Original", "Horizontal", "Vertical", "Lo
 
 static struct {
     GLuint programa;
-    glm::ivec2 talla;
-    bool horizontal = false, vertical = false, compara = false, rotulos;
+    Muestra muestra;
+    bool horizontal = false, vertical = false;
 } estado;
 
 static void dibujaVolteo(bool horizontal, bool vertical, const Recuadro &panel) {
-    dibujaEn(encaja(estado.talla, panel));
+    dibujaEn(panel);
     envia(estado.programa, "sentido", glm::vec2(horizontal ? -1 : 1, vertical ? -1 : 1));
     dibujaRectangulo();
-    if (estado.rotulos)
-        rotulaImagen(NOMBRES[horizontal + 2 * vertical]);
+    rotulaImagen(estado.muestra, NOMBRES[horizontal + 2 * vertical]);
 }
 
 static void dibuja() {
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagen", 0);
-    if (estado.compara) {
-        const std::vector<Recuadro> paneles = panelesPara(4, estado.talla);
+    const std::vector<Recuadro> paneles = recuadros(estado.muestra, 4);
+    if (estado.muestra.compara) {
         for (std::size_t k = 0; k < 4; ++k)
             dibujaVolteo(k % 2 == 1, k >= 2, paneles[k]);
     } else {
-        dibujaVolteo(estado.horizontal, estado.vertical, ventanaEntera());
+        dibujaVolteo(estado.horizontal, estado.vertical, paneles[0]);
     }
     ponTitulo(std::string("Volteo: ") +
-              (estado.compara ? "los cuatro" : NOMBRES[estado.horizontal + 2 * estado.vertical]));
+              (estado.muestra.compara ? "los cuatro" : NOMBRES[estado.horizontal + 2 * estado.vertical]));
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaMuestra(estado.muestra, tecla))
         return;
     switch (tecla) {
     case 'x': estado.horizontal = !estado.horizontal; break;
     case 'y': estado.vertical = !estado.vertical; break;
-    case 'v': estado.compara = !estado.compara; break;
-    case 'r': estado.rotulos = !estado.rotulos; break;
     default: return;
     }
-    if (tecla == 'x' || tecla == 'y')
-        estado.compara = false;
+    estado.muestra.compara = false;
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
-    const auto [imagenes, propias] =
-        abreVentanaConImagenes(argc, argv, "Volteo", {{"assets/foto_grande.rgb", 1000, 760}});
+    const std::vector<Imagen> imagenes =
+        abreVentanaConImagenes(argc, argv, "Volteo", {{"assets/foto_grande.rgb", 1000, 760}}, estado.muestra);
     estado.programa = creaPrograma("ch09_imagen/volteo.vert", "ch09_imagen/imagen.frag");
-    estado.talla = tallaDe(imagenes[0]);
-    estado.rotulos = !propias;
     creaTexturaReducible(imagenes[0]);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

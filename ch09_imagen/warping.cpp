@@ -10,11 +10,11 @@ static const MallaImagen REGULAR = creaMallaImagen(repartidos(COLUMNAS), reparti
 
 static struct {
     GLuint programa;
-    Buferes original, deformada;
-    glm::ivec2 talla;
+    Buferes buferes;
+    Muestra muestra;
     MallaImagen malla = REGULAR;
     std::size_t punto = 0; // el que se arrastra
-    bool arrastra = false, conMalla = false, compara = false, rotulos;
+    bool arrastra = false, conMalla = false;
 } estado;
 
 /// Ensancha la mandíbula, estrecha la frente y alza las comisuras; el borde de la imagen no se mueve.
@@ -31,42 +31,36 @@ static MallaImagen caricatura() {
     return malla;
 }
 
-static void dibujaMalla(const Buferes &buferes, const MallaImagen &malla, const Recuadro &panel,
-                        const char *rotulo) {
-    dibujaEn(encaja(estado.talla, panel));
+static void dibujaMalla(const MallaImagen &malla, const Recuadro &panel, const char *rotulo) {
+    dibujaEn(panel);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagen", 0);
-    dibuja(buferes);
+    cambiaVertices(estado.buferes, triangula(malla, REGULAR));
+    dibuja(estado.buferes);
     if (estado.conMalla)
         trazaMalla(malla);
-    if (estado.rotulos)
-        rotulaImagen(rotulo);
+    rotulaImagen(estado.muestra, rotulo);
 }
 
 static void dibuja() {
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
-    cambiaVertices(estado.deformada, triangula(estado.malla, REGULAR));
     const char *rotulo = estado.malla.puntos == REGULAR.puntos ? "Original" : "Deformada";
-    if (estado.compara) {
-        const std::vector<Recuadro> paneles = panelesPara(2, estado.talla);
-        dibujaMalla(estado.original, REGULAR, paneles[0], "Original");
-        dibujaMalla(estado.deformada, estado.malla, paneles[1], rotulo);
-    } else {
-        dibujaMalla(estado.deformada, estado.malla, ventanaEntera(), rotulo);
-    }
+    const std::vector<Recuadro> paneles = recuadros(estado.muestra, 2);
+    if (estado.muestra.compara)
+        dibujaMalla(REGULAR, paneles[0], "Original");
+    dibujaMalla(estado.malla, paneles.back(), rotulo);
     ponTitulo(std::string("Warping: ") + rotulo);
     glutSwapBuffers();
 }
 
 static glm::vec2 enImagen(int x, int y) {
-    return enRecuadro(
-        encaja(estado.talla, estado.compara ? panelesPara(2, estado.talla)[1] : ventanaEntera()), x, y);
+    return enRecuadro(recuadros(estado.muestra, 2).back(), x, y);
 }
 
 static void raton(int boton, int pulsado, int x, int y) {
     estado.arrastra = boton == GLUT_LEFT_BUTTON && pulsado == GLUT_DOWN;
     if (estado.arrastra)
-        estado.punto = masCercano(estado.malla, enImagen(x, y), estado.talla);
+        estado.punto = masCercano(estado.malla, enImagen(x, y), estado.muestra.talla);
 }
 
 static void arrastra(int x, int y) {
@@ -77,27 +71,22 @@ static void arrastra(int x, int y) {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaMuestra(estado.muestra, tecla))
         return;
     switch (tecla) {
     case '1': estado.malla = REGULAR; break;
     case '2': estado.malla = caricatura(); break;
     case 'm': estado.conMalla = !estado.conMalla; break;
-    case 'v': estado.compara = !estado.compara; break;
-    case 'r': estado.rotulos = !estado.rotulos; break;
     default: return;
     }
     glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
-    const auto [imagenes, propias] =
-        abreVentanaConImagenes(argc, argv, "Warping", {{"assets/cara.rgb", 960, 720}});
+    const std::vector<Imagen> imagenes =
+        abreVentanaConImagenes(argc, argv, "Warping", {{"assets/cara.rgb", 960, 720}}, estado.muestra);
     estado.programa = creaPrograma("ch09_imagen/warping.vert", "ch09_imagen/imagen.frag");
-    estado.original = creaBuferes(triangula(REGULAR, REGULAR));
-    estado.deformada = creaBuferes(triangula(REGULAR, REGULAR));
-    estado.talla = tallaDe(imagenes[0]);
-    estado.rotulos = !propias;
+    estado.buferes = creaBuferes(triangula(REGULAR, REGULAR));
     creaTexturaExacta(imagenes[0]);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

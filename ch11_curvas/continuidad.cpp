@@ -92,13 +92,7 @@ static void dibujaVista(const Recuadro &panel, Continuidad c) {
                       glm::mix(CIELO, AZUL, 0.2f + 0.1f * float(i % 3)));
     }
     trazaPoligono({{-1, -1, 0}, {1, -1, 0}, {1, 0, 0}, {-1, 0, 0}}, glm::mat4(1), SUELO);
-    std::vector<glm::vec3> cuadricula;
-    for (int i = -8; i <= 8; ++i)
-        cuadricula.insert(cuadricula.end(), {{0.25f * float(i), -2, 0},
-                                             {0.25f * float(i), 2, 0},
-                                             {-2, 0.25f * float(i), 0},
-                                             {2, 0.25f * float(i), 0}});
-    trazaSegmentos(cuadricula, vista, glm::mix(SUELO, BLANCO, 0.45f), 0.5f * GROSOR);
+    trazaSegmentos(cuadricula(4, 0.25f), vista, glm::mix(SUELO, BLANCO, 0.45f), 0.5f * GROSOR);
     for (const int tramo : {1, 0}) // lo de lejos, antes
         for (int i = MUESTRAS - 1; i >= 0; --i) {
             const Geometria<float> G = tramo == 0 ? PRIMER_TRAMO : segundoTramo(c);

@@ -6,6 +6,7 @@
 #include "animacion.h"
 #include "ch03_transformaciones/objeto.h"
 #include "matriz.h"
+#include "modos.h"
 #include "orbita.h"
 #include "trazo.h"
 #include <glm/gtc/constants.hpp>
@@ -86,10 +87,8 @@ static void dibuja() {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaAnimacion(estado.reloj, tecla) || tecla < '1' || tecla > '3')
-        return;
-    estado.elegido = tecla - '1';
-    glutPostRedisplay();
+    if (!teclaAnimacion(estado.reloj, tecla))
+        eligeModo(estado.elegido, 3, tecla);
 }
 
 int main(int argc, char **argv) {

@@ -7,8 +7,8 @@
 #include "animacion.h"
 #include "ch03_transformaciones/objeto.h"
 #include "imagen_ruido.h"
+#include "modos.h"
 #include "orbita.h"
-#include "recuadro.h"
 #include "textura.h"
 #include "trazo.h"
 #include <algorithm>
@@ -25,8 +25,7 @@ static const struct {
 static struct {
     GLuint programa, textura;
     Buferes toro;
-    int elegido = 0;
-    bool ambos = false;
+    Modos modos = {2};
     float S2 = 0.6f;
     Orbita orbita = {-0.3f, 0.35f, 10};
     Reloj reloj;
@@ -51,26 +50,21 @@ static void dibujaModo(int cual, const Recuadro &r) {
         trazaPolilinea(circunferencia(radio, 90), proyeccion * camara, OSCURO, GROSOR / 2, true);
     glEnable(GL_DEPTH_TEST);
     rotula(MODOS[cual].nombre, {0.5f, 0.95f}, OSCURO);
-    rotulaTiempo(estado.reloj, OSCURO, formatea("%sS2 = %.1f", estado.ambos ? "\n" : ", ", estado.S2));
+    rotulaTiempo(estado.reloj, OSCURO, formatea("%sS2 = %.1f", estado.modos.todos ? "\n" : ", ", estado.S2));
 }
 
 static void dibuja() {
-    dibujaModos(estado.ambos, 2, estado.elegido, dibujaModo);
-    tituloAnimado(estado.reloj, formatea("Vértices desplazados por ruido: %s, S2 = %.1f",
-                                         estado.ambos ? "los dos" : MODOS[estado.elegido].nombre, estado.S2));
+    dibujaModos(estado.modos, dibujaModo);
+    tituloAnimado(estado.reloj,
+                  formatea("Vértices desplazados por ruido: %s, S2 = %.1f",
+                           estado.modos.todos ? "los dos" : MODOS[estado.modos.elegido].nombre, estado.S2));
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaAnimacion(estado.reloj, tecla))
+    if (teclaAnimacion(estado.reloj, tecla) || teclaModos(estado.modos, tecla))
         return;
     switch (tecla) {
-    case '1':
-    case '2':
-        estado.elegido = tecla - '1';
-        estado.ambos = false;
-        break;
-    case 'v': estado.ambos = !estado.ambos; break;
     case '+': estado.S2 = std::min(estado.S2 + PASO_S2, S2_MAXIMA); break;
     case '-': estado.S2 = std::max(estado.S2 - PASO_S2, 0.0f); break;
     default: return;

@@ -2,6 +2,13 @@
 #include "shader.h"
 #include <cstddef>
 
+// Un atributo que ocupa un sitio en cada vértice del buffer enlazado.
+static void ponAtributo(GLuint indice, GLint componentes, std::size_t vertice, std::size_t desplazamiento) {
+    glVertexAttribPointer(indice, componentes, GL_FLOAT, GL_FALSE, GLsizei(vertice),
+                          reinterpret_cast<const void *>(desplazamiento));
+    glEnableVertexAttribArray(indice);
+}
+
 Buferes creaBuferes(const Malla &malla) {
     Buferes b{};
     b.nIndices = GLsizei(malla.indices.size());
@@ -12,14 +19,9 @@ Buferes creaBuferes(const Malla &malla) {
     glBindBuffer(GL_ARRAY_BUFFER, b.vertices);
     glBufferData(GL_ARRAY_BUFFER, malla.vertices.size() * sizeof(Vertice), malla.vertices.data(),
                  GL_STATIC_DRAW);
-    auto atributo = [](GLuint indice, GLint componentes, std::size_t desplazamiento) {
-        glVertexAttribPointer(indice, componentes, GL_FLOAT, GL_FALSE, sizeof(Vertice),
-                              reinterpret_cast<const void *>(desplazamiento));
-        glEnableVertexAttribArray(indice);
-    };
-    atributo(ATRIBUTO_POSICION, 3, offsetof(Vertice, posicion));
-    atributo(ATRIBUTO_NORMAL, 3, offsetof(Vertice, normal));
-    atributo(ATRIBUTO_COORD_TEXTURA, 2, offsetof(Vertice, coordTextura));
+    ponAtributo(ATRIBUTO_POSICION, 3, sizeof(Vertice), offsetof(Vertice, posicion));
+    ponAtributo(ATRIBUTO_NORMAL, 3, sizeof(Vertice), offsetof(Vertice, normal));
+    ponAtributo(ATRIBUTO_COORD_TEXTURA, 2, sizeof(Vertice), offsetof(Vertice, coordTextura));
 
     glGenBuffers(1, &b.indices);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, b.indices);
@@ -32,6 +34,17 @@ void borraBuferes(const Buferes &buferes) {
     glDeleteVertexArrays(1, &buferes.vao);
     glDeleteBuffers(1, &buferes.vertices);
     glDeleteBuffers(1, &buferes.indices);
+}
+
+void creaVerticesColor(const std::vector<VerticeColor> &vertices) {
+    GLuint vao, buffer;
+    glGenVertexArrays(1, &vao);
+    glBindVertexArray(vao);
+    glGenBuffers(1, &buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBufferData(GL_ARRAY_BUFFER, vertices.size() * sizeof(VerticeColor), vertices.data(), GL_STATIC_DRAW);
+    ponAtributo(ATRIBUTO_POSICION, 3, sizeof(VerticeColor), offsetof(VerticeColor, posicion));
+    ponAtributo(ATRIBUTO_COLOR, 3, sizeof(VerticeColor), offsetof(VerticeColor, color));
 }
 
 void dibuja(const Buferes &buferes) {

@@ -15,5 +15,13 @@ Buferes creaBuferes(const Malla &malla);
 /// Borra sus objetos de OpenGL. Los que no se han creado son 0, que se ignora.
 void borraBuferes(const Buferes &buferes);
 
+/// Un vértice suelto, para glDrawArrays.
+struct VerticeColor {
+    glm::vec3 posicion, color;
+};
+
+/// Crea un VAO y un buffer con esos vértices, en los índices de posicion y color de shader.h, y los deja enlazados.
+void creaVerticesColor(const std::vector<VerticeColor> &vertices);
+
 /// Dibuja la malla con el programa en uso: glBindVertexArray y glDrawElements.
 void dibuja(const Buferes &buferes);

@@ -1,5 +1,4 @@
 #include "recuadro.h"
-#include "colores.h"
 #include "ventana.h"
 #include <algorithm>
 
@@ -42,16 +41,6 @@ std::vector<Recuadro> reparte(int n, float aspectoEscena, const Recuadro &donde)
     std::vector<Recuadro> paneles = rejilla(mejor, (n + mejor - 1) / mejor, donde);
     paneles.resize(static_cast<std::size_t>(n));
     return paneles;
-}
-
-void dibujaModos(bool todos, int n, int elegido, void (*dibuja)(int modo, const Recuadro &panel),
-                 float aspectoEscena) {
-    if (!todos)
-        return dibuja(elegido, ventanaEntera());
-    abreRecuadro(ventanaEntera(), GRIS);
-    const std::vector<Recuadro> paneles = reparte(n, aspectoEscena);
-    for (int modo = 0; modo < n; ++modo)
-        dibuja(modo, paneles[static_cast<std::size_t>(modo)]);
 }
 
 void abreRecuadro(const Recuadro &r, const glm::vec3 &fondo) {

@@ -21,10 +21,5 @@ std::vector<Recuadro> rejilla(int columnas, int filas, const Recuadro &donde = v
 /// al lado de otro; en una alta, uno encima de otro.
 std::vector<Recuadro> reparte(int n, float aspectoEscena = 1, const Recuadro &donde = ventanaEntera());
 
-/// Si `todos`, llama a `dibuja` con los `n` modos, cada uno en su panel de los de reparte; si no, solo con el elegido, en la
-/// ventana entera.
-void dibujaModos(bool todos, int n, int elegido, void (*dibuja)(int modo, const Recuadro &panel),
-                 float aspectoEscena = 1);
-
 /// Dibujar desde ahora en ese panel, que se borra (color y profundidad) con el color del fondo.
 void abreRecuadro(const Recuadro &r, const glm::vec3 &fondo);
