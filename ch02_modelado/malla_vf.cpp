@@ -123,9 +123,7 @@ static void dibuja() {
                     transformacion = proyeccion * camara;
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
-    glUseProgram(estado.programa);
-    envia(estado.programa, "camara", camara);
-    envia(estado.programa, "proyeccion", proyeccion);
+    usaPrograma(estado.programa, camara, proyeccion);
     envia(estado.programa, "colorAnverso", AZUL);
     envia(estado.programa, "colorReverso", AMARILLO);
     dibujaCaras();

@@ -126,9 +126,7 @@ static void dibujaRecorridos(const glm::mat4 &transformacion) {
 static void dibuja() {
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(ANGULO, 0.1f, 100);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "camara", camara);
-    envia(estado.programa, "proyeccion", proyeccion);
+    usaPrograma(estado.programa, camara, proyeccion);
     dibujaTiras();
     alejaEnProfundidad(dibujaTiras);
     dibujaRecorridos(proyeccion * camara);

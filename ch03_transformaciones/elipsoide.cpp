@@ -29,9 +29,7 @@ static void dibuja() {
     const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100), camara = camaraOrbita(estado.orbita),
                     transformacion = proyeccion * camara;
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "camara", camara);
+    usaPrograma(estado.programa, camara, proyeccion);
     dibujaObjeto(estado.programa, estado.esfera, concatena(estado.pasos, estado.aplicados), NARANJA);
     for (std::size_t extremo : {std::size_t(0), estado.pasos.size()})
         if (extremo != estado.aplicados) // donde está la esfera no hacen falta líneas

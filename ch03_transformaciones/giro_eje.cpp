@@ -77,9 +77,7 @@ static void dibuja() {
                     transformacion = proyeccion * camara;
     const glm::vec3 d = unitario(estado.eje);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "camara", camara);
+    usaPrograma(estado.programa, camara, proyeccion);
     dibujaAvion(traslacion(SITIO), 0.3f);
     dibujaAvion(giroEje(d, estado.angulo) * traslacion(SITIO), 1);
 

@@ -54,9 +54,7 @@ static void dibuja() {
                     transformacion = proyeccion * camara;
     const std::vector<Pieza> piezas = piezasGrua(estado.postura);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "camara", camara);
+    usaPrograma(estado.programa, camara, proyeccion);
     dibujaSuelo(transformacion);
     for (const Pieza &pieza : piezas)
         dibujaObjeto(estado.programa, estado.cubo, pieza.M, pieza.color);

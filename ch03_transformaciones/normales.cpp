@@ -70,9 +70,7 @@ static void dibuja() {
     const glm::mat3 N = matrizNormal(M);
     const bool esReflexion = glm::determinant(glm::mat3(M)) < 0;
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "camara", camara);
+    usaPrograma(estado.programa, camara, proyeccion);
     glFrontFace(esReflexion ? GL_CW : GL_CCW); // una reflexión cambia el sentido de giro de las caras
     dibujaObjeto(estado.programa, estado.prisma, M, COLOR_PRISMA);
     glFrontFace(GL_CCW);

@@ -28,9 +28,7 @@ static void dibuja() {
                     transformacion = proyeccion * camara;
     const std::array<glm::mat4, 3> cubos = tresCubos();
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "camara", camara);
+    usaPrograma(estado.programa, camara, proyeccion);
     for (std::size_t i = 0; i < cubos.size(); ++i)
         dibujaObjeto(estado.programa, estado.cubo, cubos[i], COLOR_CUBO[i]);
     trazaEjes(glm::vec3(1.5f), transformacion);

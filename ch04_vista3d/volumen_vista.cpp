@@ -41,9 +41,7 @@ static void inicia() {
 }
 
 static void empieza(GLuint programa, const glm::mat4 &proyeccion, const glm::mat4 &camara) {
-    glUseProgram(programa);
-    envia(programa, "proyeccion", proyeccion);
-    envia(programa, "camara", camara);
+    usaPrograma(programa, camara, proyeccion);
 }
 
 static void dibujaEscena(const glm::mat4 &volumen) {

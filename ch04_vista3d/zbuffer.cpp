@@ -48,9 +48,7 @@ static void inicia() {
 static void dibujaEnGpu(const glm::mat4 &proyeccion, const glm::mat4 &camara, bool test) {
     if (test)
         glEnable(GL_DEPTH_TEST);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "camara", camara);
+    usaPrograma(estado.programa, camara, proyeccion);
     for (const Solido &s : estado.solidos)
         dibujaObjeto(estado.programa, s.buferes, s.M, s.color);
     glDisable(GL_DEPTH_TEST);

@@ -53,9 +53,7 @@ static void preparaVista(const glm::mat4 &proyeccion, const glm::mat4 &camara, i
     Luz luz{glm::vec4(POSICION, 1)};
     luz.Ld = glm::vec3(componentes >= 1 ? 1 : 0);
     luz.Ls = glm::vec3(componentes >= 2 ? 1 : 0);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "camara", camara);
+    usaPrograma(estado.programa, camara, proyeccion);
     envia(estado.programa, "La", LA);
     enviaLuz(estado.programa, "luz", luz, camara);
 }

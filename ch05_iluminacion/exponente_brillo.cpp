@@ -16,7 +16,6 @@ static const struct {
     {{1.5f, -1.02f, 0}, 1.45f, 500},
 };
 static const Material ESMALTE = {{0.09f, 0.02f, 0.03f}, {0.44f, 0.07f, 0.10f}, {0.85f, 0.85f, 0.85f}, 1};
-static const glm::vec3 LA(1);
 static const Luz LUZ{{-0.45f, 0.60f, 1, 0}}; // en el infinito: el brillo cae en el mismo sitio de cada esfera
 
 static struct {
@@ -35,11 +34,7 @@ static void inicia() {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.31f, 1, 100);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "camara", camara);
-    envia(estado.programa, "La", LA);
-    enviaLuz(estado.programa, "luz", LUZ, camara);
+    usaPrograma(estado.programa, camara, proyeccion, LUZ);
     for (const auto &e : ESFERAS) {
         Material material = ESMALTE;
         material.alfa = e.alfa;

@@ -16,7 +16,7 @@
 
 enum Tipo { POSICIONAL, DIRECCIONAL, FOCO };
 
-static const glm::vec3 LA(1), POSICION(-0.9f, 3.3f, 1.1f), APUNTA(0.3f, 0, 0);
+static const glm::vec3 POSICION(-0.9f, 3.3f, 1.1f), APUNTA(0.3f, 0, 0);
 static const glm::vec3 S = glm::normalize(APUNTA - POSICION);
 static const float EXPONENTE_MINIMO = 0.5f, EXPONENTE_MAXIMO = 64;
 static const int DELTA_MAXIMO = 90, PASO_DELTA = 5; // grados
@@ -97,11 +97,7 @@ static void dibuja() {
         dibujaObjeto(estado.programa, buferes, M, camara, material);
     };
     const glm::mat4 tumbado = giroX(-glm::half_pi<float>());
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "camara", camara);
-    envia(estado.programa, "La", LA);
-    enviaLuz(estado.programa, "luz", luz, camara);
+    usaPrograma(estado.programa, camara, proyeccion, luz);
     solido(estado.plano, tumbado * escalado(6), SUELO_GRIS);
     solido(estado.esfera, traslacion({0.3f, 0.8f, 0.2f}) * escalado(0.8f), ROJA);
     solido(estado.cono, traslacion({2.0f, 0, -1.2f}) * tumbado * escalado({0.8f, 0.8f, 1.9f}), VERDOSO);

@@ -10,7 +10,6 @@
 
 static const int COLUMNAS = 4, FILAS = 3;
 static const float SEPARACION = 2.6f, RADIO_SOLA = 3;
-static const glm::vec3 LA(1);
 static const Luz LUZ{{-0.9f, 0.9f, 1, 0}};
 static const std::string TITULO = "Los doce materiales";
 
@@ -32,11 +31,7 @@ static void inicia() {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.31f, 1, 100);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "camara", camara);
-    envia(estado.programa, "La", LA);
-    enviaLuz(estado.programa, "luz", LUZ, camara);
+    usaPrograma(estado.programa, camara, proyeccion, LUZ);
     const auto muestra = [&](int cual, const Buferes &esfera, const glm::vec3 &centro, float radio) {
         const auto &[nombre, material] = TABLA_MATERIALES[cual];
         dibujaObjeto(estado.programa, esfera, traslacion(centro) * escalado(radio), camara, material);

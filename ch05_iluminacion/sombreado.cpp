@@ -15,7 +15,6 @@ enum Sombreado { PLANO, GOURAUD, PHONG, MODELOS };
 
 static const char *const NOMBRES[MODELOS] = {"Plano", "Gouraud", "Phong"};
 static const int SUBDIVISION_MINIMA = 6, SUBDIVISION_MAXIMA = 192;
-static const glm::vec3 LA(1);
 static const Luz LUZ{{-3, 4, 6, 1}};
 static const Material TURQUESA = {{0.05f, 0.14f, 0.14f}, {0.12f, 0.50f, 0.50f}, {0.75f, 0.75f, 0.75f}, 16};
 static const Material CORAL = {{0.20f, 0.08f, 0.05f}, {0.62f, 0.26f, 0.17f}, {0.70f, 0.70f, 0.70f}, 16};
@@ -74,11 +73,7 @@ static void dibujaPanel(const Recuadro &panel, int modelo) {
     const glm::mat4 camara = camaraOrbita(estado.orbita),
                     proyeccion = perspectivaVentana(alto ? 0.142f : 0.27f, 1, 100, aspecto(panel));
     abreRecuadro(panel, FONDO_OSCURO);
-    glUseProgram(programa);
-    envia(programa, "proyeccion", proyeccion);
-    envia(programa, "camara", camara);
-    envia(programa, "La", LA);
-    enviaLuz(programa, "luz", LUZ, camara);
+    usaPrograma(programa, camara, proyeccion, LUZ);
     dibujaObjeto(programa, plano ? estado.esferaPlana : estado.esfera,
                  traslacion(alto ? glm::vec3(0, 0.8f, 0) : glm::vec3(-0.95f, 0.25f, 0)) * giroX(-1.2f),
                  camara, TURQUESA);

@@ -41,11 +41,7 @@ inline void dibujaEscena(const EscenaDibujada &e, const std::vector<PiezaEscena>
     const glm::mat4 simetria = reflejada ? reflexion(espejo) : glm::mat4(1);
     Luz luz{{2.5f, 6, 5, 1}};
     luz.Lp = simetria * luz.Lp;
-    glUseProgram(e.programa);
-    envia(e.programa, "camara", camara);
-    envia(e.programa, "proyeccion", proyeccion);
-    envia(e.programa, "La", glm::vec3(1));
-    enviaLuz(e.programa, "luz", luz, camara);
+    usaPrograma(e.programa, camara, proyeccion, luz);
     // el plano, en coordenadas de la cámara; uno nulo no corta nada
     envia(e.programa, "corte",
           reflejada ? glm::transpose(glm::inverse(camara)) * glm::vec4(espejo.N, espejo.d) : glm::vec4(0));
@@ -57,9 +53,7 @@ inline void dibujaEscena(const EscenaDibujada &e, const std::vector<PiezaEscena>
 
 inline void dibujaEspejo(const EscenaDibujada &e, const glm::mat4 &camara, const glm::mat4 &proyeccion,
                          const glm::vec4 &color) {
-    glUseProgram(e.programaEspejo);
-    envia(e.programaEspejo, "camara", camara);
-    envia(e.programaEspejo, "proyeccion", proyeccion);
+    usaPrograma(e.programaEspejo, camara, proyeccion);
     envia(e.programaEspejo, "M", colocaEspejo());
     envia(e.programaEspejo, "color", color);
     dibuja(e.espejo);

@@ -64,9 +64,7 @@ static void dibujaSombras(const glm::mat4 &camara, const glm::mat4 &proyeccion) 
     if (alturaLuz(L, MESA) <= 0)
         return; // la luz está en el plano de la mesa o debajo
     const GLuint p = estado.deSombras;
-    glUseProgram(p);
-    envia(p, "proyeccion", proyeccion);
-    envia(p, "camara", camara);
+    usaPrograma(p, camara, proyeccion);
     envia(p, "color", estado.transparente ? glm::vec4(0, 0, 0, 0.5f) : glm::vec4(OSCURO, 1));
     if (estado.plantilla) { // solo sobre la mesa (1), y una vez en cada píxel
         glStencilFunc(GL_EQUAL, 1, 0xff);
@@ -94,11 +92,7 @@ static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.45f, 1, 60);
     const GLuint p = estado.deObjetos;
-    glUseProgram(p);
-    envia(p, "proyeccion", proyeccion);
-    envia(p, "camara", camara);
-    envia(p, "La", glm::vec3(1));
-    enviaLuz(p, "luz", {glm::vec4(estado.luz, 1)}, camara);
+    usaPrograma(p, camara, proyeccion, {glm::vec4(estado.luz, 1)});
     // Lo que se ve del tablero queda a 1 en la plantilla; los objetos que lo tapan lo devuelven a 0
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     dibujaObjeto(p, estado.cubo, traslacion({0, -TALLA_MESA.y / 2 - 0.01f, 0}) * escalado(TALLA_MESA), camara,

@@ -58,11 +58,7 @@ static void dibujaVista(const Recuadro &r, float alfa) {
     abreRecuadro(r, CIELO);
     const glm::mat4 camara = camaraOrbita(estado.orbita);
     const GLuint p = estado.programa;
-    glUseProgram(p);
-    envia(p, "proyeccion", perspectivaVentana(0.5f, 1, 60, aspecto(r)));
-    envia(p, "camara", camara);
-    envia(p, "La", glm::vec3(1));
-    enviaLuz(p, "luz", luz, camara);
+    usaPrograma(p, camara, perspectivaVentana(0.5f, 1, 60, aspecto(r)), luz);
     dibujaOpacos(camara);
 
     // Listado 7.1

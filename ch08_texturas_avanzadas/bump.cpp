@@ -49,11 +49,7 @@ static void dibujaEscena(const Recuadro &panel, const glm::mat4 &camara, float a
         envia(estado.programa, "altura", conBultos ? altura : 0);
         dibujaObjeto(estado.programa, solido, M, camara, material);
     };
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", perspectivaVentana(angulo, 1, 100, aspecto(panel)));
-    envia(estado.programa, "camara", camara);
-    envia(estado.programa, "La", glm::vec3(1));
-    enviaLuz(estado.programa, "luz", {{-4, 5, 4, 1}}, camara);
+    usaPrograma(estado.programa, camara, perspectivaVentana(angulo, 1, 100, aspecto(panel)), {{-4, 5, 4, 1}});
     envia(estado.programa, "mapaNormales", 0);
     const glm::vec2 talla(3.6f, 2.8f);
     objeto(estado.plano, traslacion({0, -1, 0}) * tumbado * escalado({talla.x, talla.y, 1}), PIEDRA,

@@ -89,9 +89,7 @@ static void dibujaReflejo(const Recuadro &panel, const Buferes &objeto, bool por
     const glm::mat4 camara = camaraOrbita(estado.orbita),
                     proyeccion = perspectivaVentana(angulo, 0.5f, 100, aspecto(panel));
     const glm::mat4 M = giroZ(0.35f) * giroX(-1.05f);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "camara", camara);
+    usaPrograma(estado.programa, camara, proyeccion);
     envia(estado.programa, "ojo", posicionCamara(estado.orbita));
     envia(estado.programa, "M", M);
     envia(estado.programa, "N", matrizNormal(M));

@@ -39,9 +39,7 @@ static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const float amplitud = float(estado.amplitud) / 20;
     const glm::mat4 camara = camaraOrbita(estado.orbita), M = giroX(-glm::half_pi<float>()) * escalado(2);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", perspectivaVentana(0.5f, 0.5f, 50));
-    envia(estado.programa, "camara", camara);
+    usaPrograma(estado.programa, camara, perspectivaVentana(0.5f, 0.5f, 50));
     envia(estado.programa, "M", M);
     envia(estado.programa, "N", matrizNormal(camara * M));
     envia(estado.programa, "La", glm::vec3(1));

@@ -11,7 +11,6 @@
 #include <glm/gtc/constants.hpp>
 
 static const glm::vec2 VECES(24, 12);
-static const glm::vec3 LA(1);
 static const Material FUERA = {0.22f * NARANJA, 0.80f * NARANJA, {0.55f, 0.55f, 0.55f}, 50};
 static const glm::vec3 DENTRO = AZUL;
 
@@ -35,11 +34,7 @@ static void dibuja() {
     const glm::mat4 camara = camaraOrbita(estado.orbita),
                     M = giroX(-glm::half_pi<float>()); // los polos, en ±Y
     const glm::vec2 talla = glm::vec2(estado.talla) / 20.0f;
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", perspectivaVentana(0.4f, 1, 100));
-    envia(estado.programa, "camara", camara);
-    envia(estado.programa, "La", LA);
-    enviaLuz(estado.programa, "luz", {{-4, 6, 5, 1}}, camara);
+    usaPrograma(estado.programa, camara, perspectivaVentana(0.4f, 1, 100), {{-4, 6, 5, 1}});
     envia(estado.programa, "colorInterior", DENTRO);
     envia(estado.programa, "nVeces", VECES);
     envia(estado.programa, "talla", talla);

@@ -89,9 +89,7 @@ static glm::mat4 proyeccion() {
 // Con el color de cada objeto o con el de su identificador.
 static void dibujaObjetos(bool conIdentificadores) {
     const GLuint p = conIdentificadores ? estado.programaIdentificador : estado.programa;
-    glUseProgram(p);
-    envia(p, "proyeccion", proyeccion());
-    envia(p, "camara", camaraOrbita(estado.orbita));
+    usaPrograma(p, camaraOrbita(estado.orbita), proyeccion());
     unsigned identificador = NADA;
     for (const auto &s : SOLIDOS) {
         const glm::mat4 M = traslacion(s.lugar) * POSADA[s.forma].M;

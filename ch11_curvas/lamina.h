@@ -52,9 +52,7 @@ inline Lamina creaLamina(const Orbita &orbita) {
 /// oscuras.
 inline void dibujaLamina(const Lamina &lamina, Malla malla, const Material &material) {
     const glm::mat4 camara = camaraOrbita(lamina.orbita);
-    glUseProgram(lamina.programa);
-    envia(lamina.programa, "proyeccion", proyeccionLamina(lamina));
-    envia(lamina.programa, "camara", camara);
+    usaPrograma(lamina.programa, camara, proyeccionLamina(lamina));
     envia(lamina.programa, "La", glm::vec3(1));
     glEnable(GL_POLYGON_OFFSET_FILL); // un poco detrás de las líneas que van por ella
     glPolygonOffset(2, 2);

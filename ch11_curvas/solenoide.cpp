@@ -38,11 +38,7 @@ static void inicia() {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", perspectivaVentana(0.45f, 1, 100));
-    envia(estado.programa, "camara", camara);
-    envia(estado.programa, "La", glm::vec3(1));
-    enviaLuz(estado.programa, "luz", LUZ, camara);
+    usaPrograma(estado.programa, camara, perspectivaVentana(0.45f, 1, 100), LUZ);
     for (int i = 0; i < 2; ++i)
         dibujaObjeto(estado.programa, estado.tubo[i], glm::mat4(1), camara,
                      estado.segmentos && i == 1 ? ACERO : COBRE);

@@ -20,10 +20,10 @@ inline double tiempo(const Reloj &reloj) {
 inline void anima(const Reloj &reloj) {
     static const Reloj *elReloj;
     elReloj = &reloj;
+    const auto otraVez = [](int) { anima(*elReloj); };
     if (reloj.parado < 0)
         glutPostRedisplay();
-    glutTimerFunc(
-        PERIODO_CUADRO, [](int) { anima(*elReloj); }, 0);
+    glutTimerFunc(PERIODO_CUADRO, otraVez, 0);
 }
 
 /// Atiende las teclas comunes, espacio (pausa), s (adelanta medio segundo), d (una décima) y h (diez horas). Devuelve

@@ -22,9 +22,7 @@ static struct {
 } estado;
 
 static void dibujaGrada(const glm::mat4 &camara, const glm::mat4 &proyeccion) {
-    glUseProgram(estado.programaObjeto);
-    envia(estado.programaObjeto, "camara", camara);
-    envia(estado.programaObjeto, "proyeccion", proyeccion);
+    usaPrograma(estado.programaObjeto, camara, proyeccion);
     for (int i = 0; i < FILAS; ++i) { // cada escalón, macizo hasta el suelo
         const float alto = ASIENTO.y * float(i + 1), z = ASIENTO.z * float(i);
         dibujaObjeto(estado.programaObjeto, estado.cubo,
@@ -39,9 +37,7 @@ static void dibuja() {
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 200);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     dibujaGrada(camara, proyeccion);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "camara", camara);
-    envia(estado.programa, "proyeccion", proyeccion);
+    usaPrograma(estado.programa, camara, proyeccion);
     envia(estado.programa, "talla", glm::vec2(COLUMNAS, FILAS));
     envia(estado.programa, "asiento", ASIENTO);
     envia(estado.programa, "separacion", SEPARACION);

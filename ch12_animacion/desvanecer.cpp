@@ -21,9 +21,7 @@ static float alfaEn(double t) {
 }
 
 static void usa(GLuint programa, const glm::mat4 &camara) {
-    glUseProgram(programa);
-    envia(programa, "camara", camara);
-    envia(programa, "proyeccion", perspectivaVentana(0.42f, 1, 50));
+    usaPrograma(programa, camara, perspectivaVentana(0.42f, 1, 50));
 }
 
 static void dibuja() {

@@ -41,9 +41,7 @@ static glm::vec3 colorEn(double t) {
 static void dibujaHalo(const glm::mat4 &camara, const glm::mat4 &proyeccion, const glm::vec3 &color) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
-    glUseProgram(estado.halo);
-    envia(estado.halo, "camara", camara);
-    envia(estado.halo, "proyeccion", proyeccion);
+    usaPrograma(estado.halo, camara, proyeccion);
     envia(estado.halo, "centro", glm::vec3(FUENTE));
     envia(estado.halo, "radio", RADIO_HALO);
     envia(estado.halo, "colorLuz", color);
@@ -77,9 +75,7 @@ static void dibuja() {
     luz.Ld = luz.Ls = intensidad * colorEn(t);
 
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", proyeccion);
-    envia(estado.programa, "camara", camara);
+    usaPrograma(estado.programa, camara, proyeccion);
     envia(estado.programa, "La", LA);
     enviaLuz(estado.programa, "luz", luz, camara);
     const auto solido = [&](const Buferes &buferes, const glm::mat4 &M, const Material &material) {

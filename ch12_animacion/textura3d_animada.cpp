@@ -38,9 +38,7 @@ static GLuint creaTexturaRuido() {
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "camara", camaraOrbita(estado.orbita));
-    envia(estado.programa, "proyeccion", perspectivaVentana(0.4f, 1, 50));
+    usaPrograma(estado.programa, camaraOrbita(estado.orbita), perspectivaVentana(0.4f, 1, 50));
     envia(estado.programa, "Ruido", 0);
     envia(estado.programa, "escala", ESCALA);
     envia(estado.programa, "tau", fase(tiempo(estado.reloj), PERIODO));

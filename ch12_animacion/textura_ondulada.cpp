@@ -17,9 +17,7 @@ static struct {
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT);
-    glUseProgram(estado.programa);
-    envia(estado.programa, "proyeccion", paralelaVentana(0.64f));
-    envia(estado.programa, "camara", glm::mat4(1));
+    usaPrograma(estado.programa, glm::mat4(1), paralelaVentana(0.64f));
     envia(estado.programa, "M", glm::mat4(1));
     envia(estado.programa, "Img", 0);
     envia(estado.programa, "tau", fase(tiempo(estado.reloj), PERIODO));
