@@ -60,8 +60,8 @@ static void dibujaPanel(const Recuadro &panel, int i, const char *nombre, float 
 
 static void dibuja() {
     abreRecuadro(ventanaEntera(), GRIS);
-    usaPrograma(estado.programa, glm::mat4(1),
-                glm::mat4(1)); // los vértices ya están en las coordenadas del panel
+    const glm::mat4 I(1); // los vértices ya están en las coordenadas del panel
+    usaPrograma(estado.programa, I, I);
     if (estado.elegido != TODAS) {
         dibujaPanel(ventanaEntera(), estado.elegido, PRIMITIVAS[estado.elegido].nombre, 0.9f);
     } else {

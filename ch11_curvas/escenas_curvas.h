@@ -21,7 +21,7 @@ const std::vector<glm::vec3> PUNTOS_BSPLINE = {{-1.05f, -0.05f, 0}, {-0.88f, 0.6
                                                {0.12f, 0.76f, 0},   {0.86f, 0.66f, 0},  {1.06f, -0.10f, 0},
                                                {0.50f, -0.70f, 0},  {0.02f, -0.30f, 0}, {-0.62f, -0.72f, 0}};
 const float TALLA_MATRIZ = 0.034f; // la de las matrices base rotuladas
-const float LARGO_PUAS = 0.035f; // la del peine donde la curvatura es 1
+const float LARGO_PUAS = 0.035f;   // la del peine donde la curvatura es 1
 
 /// Una onda con un zigzag encima, de x = 0 a x = 1.
 inline std::vector<glm::vec3> puntosZigzag(std::size_t n) {

@@ -15,15 +15,11 @@ inline double tiempo(const Reloj &reloj) {
     return segundos(reloj, glutGet(GLUT_ELAPSED_TIME));
 }
 
-/// Pide otra imagen, si el reloj anda, y vuelve a hacerlo cada PERIODO_CUADRO (§12.2). `reloj` debe vivir tanto como la
-/// ventana.
-inline void anima(const Reloj &reloj) {
-    static const Reloj *elReloj;
-    elReloj = &reloj;
-    const auto otraVez = [](int) { anima(*elReloj); };
+/// Pide otra imagen, si el reloj anda, y que `anima`, que es quien la llama, se vuelva a llamar (§12.2).
+inline void pideCuadro(const Reloj &reloj, void (*anima)(int)) {
     if (reloj.parado < 0)
         glutPostRedisplay();
-    glutTimerFunc(PERIODO_CUADRO, otraVez, 0);
+    glutTimerFunc(PERIODO_CUADRO, anima, 0);
 }
 
 /// Atiende las teclas comunes, espacio (pausa), s (adelanta medio segundo), d (una décima) y h (diez horas). Devuelve

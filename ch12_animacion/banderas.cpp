@@ -55,6 +55,10 @@ static void teclado(unsigned char tecla, int, int) {
     teclaAnimacion(estado.reloj, tecla);
 }
 
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
+}
+
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Banderas en una grada", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     estado.programa = creaPrograma("ch12_animacion/banderas.vert", "ch12_animacion/banderas.frag");
@@ -67,7 +71,7 @@ int main(int argc, char **argv) {
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(estado.reloj);
+    anima(0);
     glutMainLoop();
     return 0;
 }

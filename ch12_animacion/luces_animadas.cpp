@@ -106,6 +106,10 @@ static void teclado(unsigned char tecla, int, int) {
     teclaAnimacion(estado.reloj, tecla);
 }
 
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
+}
+
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Luces animadas", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     estado.programa = creaSombreado("phong");
@@ -118,7 +122,7 @@ int main(int argc, char **argv) {
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(estado.reloj);
+    anima(0);
     glutMainLoop();
     return 0;
 }

@@ -37,6 +37,10 @@ static void teclado(unsigned char tecla, int, int) {
     teclaAnimacion(estado.reloj, tecla);
 }
 
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
+}
+
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Mosaico de partículas", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     estado.programa = creaPrograma("ch12_animacion/mosaico.vert", "ch12_animacion/mosaico.frag");
@@ -45,7 +49,7 @@ int main(int argc, char **argv) {
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
-    anima(estado.reloj);
+    anima(0);
     glutMainLoop();
     return 0;
 }

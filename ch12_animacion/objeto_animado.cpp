@@ -91,13 +91,17 @@ static void teclado(unsigned char tecla, int, int) {
         eligeModo(estado.elegido, 3, tecla);
 }
 
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
+}
+
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Matriz del modelo", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(estado.reloj);
+    anima(0);
     glutMainLoop();
     return 0;
 }

@@ -77,6 +77,10 @@ static void teclado(unsigned char tecla, int, int) {
     glutPostRedisplay();
 }
 
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
+}
+
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Sistemas de partículas", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     estado.programa = creaPrograma("ch12_animacion/particulas.vert", "ch12_animacion/particulas.frag");
@@ -86,7 +90,7 @@ int main(int argc, char **argv) {
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(estado.reloj);
+    anima(0);
     glutMainLoop();
     return 0;
 }

@@ -72,6 +72,10 @@ static void teclado(unsigned char tecla, int, int) {
     glutPostRedisplay();
 }
 
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
+}
+
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Vértices desplazados por ruido", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     estado.programa = creaPrograma("ch12_animacion/ruido_vertices.vert", "ch03_transformaciones/objeto.frag");
@@ -81,7 +85,7 @@ int main(int argc, char **argv) {
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(estado.reloj);
+    anima(0);
     glutMainLoop();
     return 0;
 }

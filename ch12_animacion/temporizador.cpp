@@ -65,6 +65,10 @@ static void teclado(unsigned char tecla, int, int) {
         teclaComun(tecla);
 }
 
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
+}
+
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Temporizadores", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
@@ -72,7 +76,7 @@ int main(int argc, char **argv) {
     glutKeyboardFunc(teclado);
     for (int i = 0; i < 3; ++i)
         dispara(i);
-    anima(estado.reloj);
+    anima(0);
     glutMainLoop();
     return 0;
 }

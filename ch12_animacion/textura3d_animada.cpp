@@ -58,6 +58,10 @@ static void teclado(unsigned char tecla, int, int) {
     teclaAnimacion(estado.reloj, tecla);
 }
 
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
+}
+
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Textura 3D animada", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     estado.programa =
@@ -71,7 +75,7 @@ int main(int argc, char **argv) {
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(estado.reloj);
+    anima(0);
     glutMainLoop();
     return 0;
 }

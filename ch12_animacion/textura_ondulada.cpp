@@ -33,6 +33,10 @@ static void teclado(unsigned char tecla, int, int) {
     teclaAnimacion(estado.reloj, tecla);
 }
 
+static void anima(int) {
+    pideCuadro(estado.reloj, anima);
+}
+
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Textura ondulada", GLUT_DOUBLE | GLUT_MULTISAMPLE,
                 "[FOTO.ppm | FOTO.rgb -talla ANCHOxALTO]");
@@ -45,7 +49,7 @@ int main(int argc, char **argv) {
     glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
-    anima(estado.reloj);
+    anima(0);
     glutMainLoop();
     return 0;
 }
