@@ -143,17 +143,6 @@ TEST(MallaVf, CualquierMallaLlenaLaVentana) {
     EXPECT_NEAR(lejos, 1 / 1.22, 0.04); // a la distancia en que llegaría al borde aumentado un 22 %
 }
 
-// Una malla de un solo punto, o que se ve de canto, no estropea la cámara.
-TEST(MallaVf, MallasSinTalla) {
-    for (const char *texto :
-         {"v 5 5 5\nv 5 5 5\nv 5 5 5\nf 1 2 3\n", "v 1 1 1\nv 2 2 2\nv 3 3 3\nf 1 2 3\n"}) {
-        const Ejecucion e = ejecuta("malla_vf", "tecla f", 60, 45, {fichero(texto)});
-        EXPECT_EQ(e.estado, 0) << e.errores;
-        EXPECT_EQ(e.salida,
-                  informe(3, 1, 3, "ninguna", "indefinido") + informe(3, 1, 3, "ninguna", "indefinido"));
-    }
-}
-
 // La arista de tres caras, en morado.
 TEST(MallaVf, AristaDeTresCaras) {
     const std::string ruta =

@@ -153,12 +153,6 @@ TEST(Viewport, EsquinasYProfundidad) {
     EXPECT_EQ(transformacionViewport(0, 0, 1, 1) * glm::dvec4(0, 0, 0, 1), glm::dvec4(0.5, 0.5, 0.5, 1));
 }
 
-// Los demás parámetros imposibles, en dificil_vista_test.cpp.
-TEST(ProyeccionDeathTest, UnNaN) {
-    EXPECT_EXIT(proyeccionPerspectiva(NAN, 1, 1, 2), testing::ExitedWithCode(1), "hace falta 0 < theta < π");
-    EXPECT_EXIT(proyeccionParalela(0, 1, 0, NAN, 0, 1), testing::ExitedWithCode(1), "el volumen");
-}
-
 TEST(Proyecciones, ElCuboYSusRectas) {
     for (const auto &c : CASOS) {
         SCOPED_TRACE(c.guion);

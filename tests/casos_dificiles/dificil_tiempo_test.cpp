@@ -53,23 +53,9 @@ const Casos TIEMPO([] {
     });
 });
 
-/// Lo que crece una pieza (piezas.glsl), de 0 a 1.
-float crecida(float nace, float muere, float t) {
-    return glm::clamp(std::min(t - nace, muere - t) / 0.4f, 0.0f, 1.0f);
-}
-
 const Casos PIEZAS([] {
-    casos<float>("Piezas", "nacer_y_morir_a_la_vez_en_*", {0, 3.5f, 10}, 0, "tamaño", [](float instante) {
-        return peorDe({0.0f, 3.5f, 5.0f, 10.0f}, [=](float t) { return crecida(instante, instante, t); });
-    });
     caso("Piezas", "ninguna_muere_antes_de_nacer", -2.5, "nacer − morir", [] {
         return peorDe(creaPiezas(200, 100), [](const VerticePieza &v) { return v.vida.x - v.vida.y; });
-    });
-    caso("Piezas", "al_volver_a_empezar_no_queda_ninguna", 0, "tamaño", [] {
-        return peorDe(creaPiezas(200, 100), [](const VerticePieza &v) {
-            return std::max(crecida(v.vida.x, v.vida.y, 0),
-                            crecida(v.vida.x, v.vida.y, float(PERIODO_PIEZAS)));
-        });
     });
     caso("Piezas", "azar_menor_que_1", 1 - U_FLOAT, "azar",
          [] { return mayor(peorHasta(2000000, [](int n) { return azar(n); }), azar(0xffffffffu)); });
