@@ -166,21 +166,6 @@ TEST(DatosTetera, SonLosDeNewell) {
     EXPECT_EQ(maximo, glm::dvec3(3.525, 2, 3.15)); // el pitorro, el cuerpo y el pomo
     for (const auto &p : puntos)
         EXPECT_TRUE(puntos.count({p[0], -p[1], p[2]})) << "no es simétrica en y";
-    // Alturas y radios de lo que se cierra en redondo, y que cada cuarto acaba donde empieza el siguiente.
-    const struct {
-        std::size_t parche;
-        int fila;
-        double radio, altura;
-    } redondos[] = {{0, 0, 1.4, 2.4},  {0, 3, 1.5, 2.4},  {4, 3, 2.0, 0.9},  // boca, borde, cuerpo,
-                    {8, 3, 1.5, 0.15}, {20, 3, 0.2, 2.7}, {24, 3, 1.3, 2.4}, // pie, pomo, tapa
-                    {28, 3, 1.5, 0.15}};                                     // y fondo
-    for (const auto &r : redondos)
-        for (std::size_t cuarto = 0; cuarto < 4; ++cuarto) {
-            const auto &fila = tetera()[r.parche + cuarto].p[r.fila];
-            EXPECT_NEAR(std::hypot(fila[0].x, fila[0].y), r.radio, 1e-15);
-            EXPECT_EQ(fila[0].z, r.altura);
-            EXPECT_EQ(fila[3], tetera()[r.parche + (cuarto + 1) % 4].p[r.fila][0]);
-        }
 }
 
 // La posición y la normal, en una rejilla con las fronteras, contra la referencia. La cota es la de cotaNormal.
@@ -348,11 +333,7 @@ TEST(Tetera, MasFinaYMasBasta) {
 
 // Cada píxel de la malla: una línea de dos píxeles va por los lados de los cuadriláteros o triángulos.
 TEST(Tetera, MallaYCuadrilateros) {
-    const std::vector<Vista> vistas = vistasDe(
-        "tetera", {"tecla - ×4", "tecla c; tecla m", "tecla c", "tecla c", "tecla m; tecla x; tecla m"}, 960,
-        720);
-    EXPECT_EQ(vistas[0].escena.rgb, vistas[3].escena.rgb);
-    EXPECT_EQ(vistas[0].escena.rgb, vistas[4].escena.rgb);
+    const std::vector<Vista> vistas = vistasDe("tetera", {"tecla - ×4; tecla m", "tecla c"}, 960, 720);
     const Teselacion t = teselaParches(tetera(), 16 * PIXEL);
     std::vector<glm::dvec2> enCuadricula; // columna y fila de cada vértice en su parche
     for (const Division &d : divisionesPara(tetera(), 16 * PIXEL))
@@ -392,7 +373,7 @@ TEST(Tetera, MallaYCuadrilateros) {
         };
         // los bordes, por la rejilla de 1/256 de píxel de los vértices y porque el cambio se mide en dos
         comprueba(lineas == 3 ? "triángulos" : "cuadriláteros",
-                  oraculo::compara(vistas[lineas == 3 ? 1 : 2].escena, escena, camara, sombrea, 12),
+                  oraculo::compara(vistas[lineas == 3 ? 0 : 1].escena, escena, camara, sombrea, 12),
                   {4, 500, 1.0 / 128});
     }
 }

@@ -182,13 +182,6 @@ TEST(Tiras, CambiandoUnaDiagonalSi) {
     EXPECT_EQ(canonicos(expande(UNA)), canonicos(malla));
 }
 
-// Repitiendo dos índices, las dos tiras se encadenan en una de 16 con dos uniones sin área.
-TEST(Tiras, ConIndicesRepetidosSi) {
-    const Tira encadenadas = {5, 2, 6, 3, 7, 4, 8, 1, 5, 2, 2, 2, 2, 1, 3, 4};
-    EXPECT_EQ(encadenadas.size(), 16u);
-    EXPECT_EQ(canonicos(expande({encadenadas})), canonicos(TRIANGULOS));
-}
-
 // Triángulos sin vecinos, repetidos o con una arista de tres caras, las mallas de common/ y una cuadrícula grande de diagonales al
 // azar, de muchas tiras cortas: cada triángulo, una vez.
 TEST(Tiras, MallasCualesquiera) {

@@ -60,7 +60,6 @@ TEST(ProgramaGiroEje, CadaEjeContraElOraculo) {
         {"tecla 2; tamano 150 200", {1, 1, 1}, 2, "φ = 115°, d = (0.58, 0.58, 0.58)"},
         {"tecla 3", oblicuo, 2, "φ = 115°, d = (-0.6, 0.7, 0.4)"},
         {"tecla 4; tecla d", {1, 1e-10, 0}, 1.9, "φ = 109°, d = (1, 0, 0)"},
-        {"tecla 4; tecla 1; tecla 5", Y, 2, "φ = 115°, d = (0, 1, 0)"},
         {"tecla 3; tecla a ×3", oblicuo, 2.3, "φ = 132°, d = (-0.6, 0.7, 0.4)"},
         {"tecla 2; tecla d ×30", {1, 1, 1}, -1, "φ = -57°, d = (0.58, 0.58, 0.58)"},
         {"tecla 3; tecla a ×15", oblicuo, 3.5 - 2 * PI, "φ = -159°, d = (-0.6, 0.7, 0.4)"},

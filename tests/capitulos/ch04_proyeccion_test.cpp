@@ -38,14 +38,11 @@ const struct {
 } CASOS[] = {
     {"", true},
     {"tecla p", false},
-    {"tecla p; tecla p", true},
     {"", true, 0.50, 0.33, 3, 240, 360},
     {"tecla p", false, 0.50, 0.33, 3, 240, 360},
     {arrastra({20, 90}, {320, 70}), true, -1.0, 0.23},
     {arrastra({400, 90}, {0, 70}) + "; tecla p", false, 2.5, 0.23},
-    {veces(400, "rueda +1 9 9"), true, 0.50, 0.33, 1.2},
     {veces(400, "rueda +1 9 9") + "; tecla p", false, 0.50, 0.33, 1.2},
-    {veces(400, "rueda -1 9 9"), true, 0.50, 0.33, 7.5},
     {"tecla p; " + veces(400, "rueda -1 9 9"), false, 0.50, 0.33, 7.5},
 };
 

@@ -133,12 +133,6 @@ const Casos FUNCIONES([] {
                    1;
         });
     });
-    // reflect con una normal que no es unitaria se sale del círculo: hay que normalizarla
-    casos<float>("GlslReflect", "normal_de_longitud_*_normalizada", {1.001f, 2}, 8 * U_FLOAT, "diferencia",
-                 [](float k) {
-                     const glm::vec3 d(0.6f, -0.8f, 0), n = glsl("unitario(a)", k * glm::vec3(0, 1, 0));
-                     return glm::distance(glm::dvec3(glsl("reflect(a, b)", d, n)), glm::dvec3(0.6f, 0.8f, 0));
-                 });
 });
 
 /// Los shaders de los programas, sin comentarios.

@@ -2,7 +2,6 @@
 #include "caso.h"
 #include "ch04_vista3d/profundidad.h"
 #include "ch04_vista3d/vista.h"
-#include "ejecuta.h"
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace {
@@ -119,15 +118,6 @@ const Casos PROYECCION([] {
         [](double razon) { return paresMal<float>(1000 / razon); });
     caso("Profundidad", "cerca_casi_cero_en_float", partesMal(1e-30, EN_FLOAT), "parte",
          [] { return paresMal<float>(1e-30); });
-
-    for (const char *programa : {"proyecciones", "grua_proyeccion"})
-        casos<glm::ivec2>("Ventana", programa + std::string("_*"),
-                          {{"1x180", {1, 180}}, {"1x1", {1, 1}}, {"240x1", {240, 1}}, {"3x500", {3, 500}}}, 0,
-                          "estado", [=](const glm::ivec2 &talla) {
-                              const Ejecucion e = ejecuta(programa, "", talla.x, talla.y);
-                              EXPECT_EQ(e.errores, "");
-                              return e.estado + (e.imagen.ancho != talla.x || e.imagen.alto != talla.y);
-                          });
 });
 
 } // namespace

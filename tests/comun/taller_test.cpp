@@ -90,7 +90,6 @@ const Rotura ROTURAS[] = {
      "taller/c.glsl:2: error: `y' undeclared — «float x = y;»"},
     {{{"a.vert", BORRADO}}, "no encuentro «taller/a.vert»; lo he buscado en "},
     {{{"a.vert", ""}}, "taller/a.vert"},
-    {{{"a.frag", ""}}, "taller/a.frag"},
     {{{"a.vert",
        "#version 140\nout vec2 st;\nvoid main() {\n    st = vec2(0.0);\n    gl_Position = vec4(1.0);\n}\n"}},
      "taller/a.vert: no usa el atributo «posicion»"},
@@ -99,9 +98,6 @@ const Rotura ROTURAS[] = {
        "vec4(st, 1.0);\n}\n"},
       {"a.frag", frag("vec4(st, 0, 1)")}},
      "taller/a.vert y taller/a.frag no enlazan: "},
-    {{{"a.frag", "#version 140\n" + std::string(40000, ' ') + "x\n"}}, "taller/a.frag:2: error: "},
-    {{{"a.frag", CABECERA + "#include \"" + std::string(200000, 'x') + "\"\n"}},
-     "taller/a.frag:3: no encuentro «xxx"},
 };
 
 } // namespace
