@@ -113,12 +113,6 @@ const Casos ATENUACIONES([] {
 });
 
 const Casos FUNCIONES([] {
-    // a −1e-9, el float más próximo es 1
-    casos<float>("GlslFract", "de_*", {-1e-9f, -1e-30f, -0.25f, 8388607.5f, 16777216, -16777217.0f, 1e30f},
-                 U_FLOAT, "diferencia", [](float x) {
-                     return error("fract(a.x)", {x, 0, 0}, double(x) - std::floor(double(x)));
-                 });
-
     // Dos vectores normalizados: su producto pasa de 1 en el redondeo, y 1 − N·V puede ser negativo. De ahí el max de tetera.frag.
     caso("GlslDot", "de_dos_unitarios_pasa_de_1", 4 * U_FLOAT, "lo que pasa de 1", [] {
         Azar azar(1);

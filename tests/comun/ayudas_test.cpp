@@ -224,4 +224,11 @@ TEST_F(Ayudas, UnRotuloLargoEncogeYLaLineaNuevaBaja) {
                 1); // de una línea a otra, una mayúscula y media
 }
 
+// En dos columnas, tres paneles son dos filas: en una ventana así se ven mejor los tres en una.
+TEST_F(Ayudas, TresPanelesEnUnaFila) {
+    glutReshapeWindow(400, 250);
+    const std::vector<Recuadro> paneles = reparte(3, 1);
+    EXPECT_EQ(paneles[0].y, paneles[2].y);
+}
+
 } // namespace
