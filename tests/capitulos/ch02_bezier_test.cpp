@@ -1,6 +1,5 @@
 // Comprobaciones independientes de la tetera y de ch02_modelado/bezier.h: normales contra derivadas en cuádruple
 // precisión, error de cuerda, grietas, fronteras de longitud cero y los datos de Newell.
-#include "azar.h"
 #include "ch02_modelado/bezier.h"
 #include "colores.h"
 #include "contra_oraculo.h"
@@ -130,9 +129,9 @@ double errorDeCuerda(const std::vector<Parche> &parches, double tolerancia, int 
             }
     return peor;
 }
-// Cuántas aristas son de un solo triángulo, soldando los vértices que coinciden bit a bit. Las demás son de dos; si la
-// malla está orientada, que las recorren en sentidos opuestos.
-int aristasSueltas(const Malla &m, bool orientada) {
+// Cuántas aristas son de un solo triángulo, soldando los vértices que coinciden bit a bit. Las demás son de dos, que las
+// recorren en sentidos opuestos.
+int aristasSueltas(const Malla &m) {
     using Bits = std::array<float, 3>;
     std::map<std::pair<Bits, Bits>, std::vector<bool>> usos; // y en qué sentido
     for (std::size_t t = 0; t < m.indices.size(); ++t) {
@@ -144,20 +143,9 @@ int aristasSueltas(const Malla &m, bool orientada) {
     int sueltas = 0;
     for (const auto &[arista, sentidos] : usos) {
         sueltas += sentidos.size() == 1;
-        EXPECT_TRUE(sentidos.size() == 1 ||
-                    (sentidos.size() == 2 && (!orientada || sentidos[0] != sentidos[1])));
+        EXPECT_TRUE(sentidos.size() == 1 || (sentidos.size() == 2 && sentidos[0] != sentidos[1]));
     }
     return sueltas;
-}
-
-// Por valor: con una referencia, g++ 14 con -O1 hace `q = traspuesto(q)` sobre la propia q.
-Parche traspuesto(Parche q) {
-    return conPuntos([&](int i, int j) { return q.p[j][i]; });
-}
-
-Parche aleatorio(Azar &azar) {
-    const auto poco = [&] { return azar.entre(-0.7, 0.7); };
-    return conPuntos([&](int i, int j) { return glm::dvec3{j + poco(), i + poco(), poco()}; });
 }
 
 } // namespace
@@ -178,21 +166,6 @@ TEST(DatosTetera, SonLosDeNewell) {
     EXPECT_EQ(maximo, glm::dvec3(3.525, 2, 3.15)); // el pitorro, el cuerpo y el pomo
     for (const auto &p : puntos)
         EXPECT_TRUE(puntos.count({p[0], -p[1], p[2]})) << "no es simétrica en y";
-    // Alturas y radios de lo que se cierra en redondo, y que cada cuarto acaba donde empieza el siguiente.
-    const struct {
-        std::size_t parche;
-        int fila;
-        double radio, altura;
-    } redondos[] = {{0, 0, 1.4, 2.4},  {0, 3, 1.5, 2.4},  {4, 3, 2.0, 0.9},  // boca, borde, cuerpo,
-                    {8, 3, 1.5, 0.15}, {20, 3, 0.2, 2.7}, {24, 3, 1.3, 2.4}, // pie, pomo, tapa
-                    {28, 3, 1.5, 0.15}};                                     // y fondo
-    for (const auto &r : redondos)
-        for (std::size_t cuarto = 0; cuarto < 4; ++cuarto) {
-            const auto &fila = tetera()[r.parche + cuarto].p[r.fila];
-            EXPECT_NEAR(std::hypot(fila[0].x, fila[0].y), r.radio, 1e-15);
-            EXPECT_EQ(fila[0].z, r.altura);
-            EXPECT_EQ(fila[3], tetera()[r.parche + (cuarto + 1) % 4].p[r.fila][0]);
-        }
 }
 
 // La posición y la normal, en una rejilla con las fronteras, contra la referencia. La cota es la de cotaNormal.
@@ -234,31 +207,6 @@ TEST(Bezier, FronterasDeLongitudCero) {
             }
 }
 
-// El mismo parche con el lado de longitud cero en cada una de sus cuatro fronteras.
-TEST(Bezier, LadoDeLongitudCeroEnCualquierFrontera) {
-    Azar azar(1);
-    for (int vez = 0; vez < 80; ++vez) {
-        const bool enU = vez % 2, alFinal = vez % 4 >= 2;
-        Parche q = aleatorio(azar);
-        for (int j = 1; j < 4; ++j)
-            q.p[0][j] = q.p[0][0];
-        if (alFinal)
-            std::reverse(q.p, q.p + 4);
-        if (enU)
-            q = traspuesto(q);
-        const Cuadruple dentro = alFinal ? Cuadruple(1) - Cuadruple(1e-12) : Cuadruple(1e-12);
-        for (double s : {0.0, 0.3, 0.5, 1.0}) {
-            const glm::dvec3 normal =
-                enU ? evaluaParche(q, alFinal, s).normal : evaluaParche(q, s, alFinal).normal;
-            // el límite se separa de la normal a 1e-12 lo que esta cambie en ese trecho
-            EXPECT_LE(separacion(normal,
-                                 enU ? evalua<Cuadruple>(q, dentro, s).n : evalua<Cuadruple>(q, s, dentro).n),
-                      1e-9)
-                << vez;
-        }
-    }
-}
-
 // Parches sin normal en todo o en parte: siempre unitaria y finita.
 TEST(Bezier, NuncaNaN) {
     const auto torcido = [](int i, int j) { return glm::dvec3(i, j, i * j); };
@@ -293,9 +241,6 @@ TEST(Bezier, ErrorDeCuerda) {
         EXPECT_LE(peor, tolerancia + redondeo);
         EXPECT_GT(peor, tolerancia / 4);
     }
-    Azar azar(2);
-    for (int n = 0; n < 50; ++n)
-        EXPECT_LE(errorDeCuerda({aleatorio(azar)}, 0.02, 4), 0.02 + redondeo);
     // con la cámara del programa, a 960×720, la de partida es menos de medio píxel proyectada: acota el error de la
     // silueta
     const auto enPixel = [](const glm::dvec3 &p) { return enPixeles(camaraTetera(), enPie(p), 960, 720); };
@@ -311,70 +256,8 @@ TEST(Bezier, SinGrietas) {
         for (std::size_t primero : {0u, 24u, 12u, 16u})
             for (std::size_t k = primero; k < primero + 4; ++k)
                 esperadas += d[k].nu;
-        EXPECT_EQ(aristasSueltas(teselaParches(tetera(), tolerancia).malla, true), esperadas) << tolerancia;
+        EXPECT_EQ(aristasSueltas(teselaParches(tetera(), tolerancia).malla), esperadas) << tolerancia;
     }
-}
-
-// Lo que hace que no haya grietas, en doble, que en float casi no se nota: recorrer una curva al revés da el mismo punto,
-// y una curva reducida a un punto da ese punto.
-TEST(Bezier, CurvaAlRevesBitABit) {
-    Azar azar(4);
-    for (int n = 1; n <= 60; ++n) {
-        const auto &p = aleatorio(azar).p[0];
-        for (int i = 0; i <= n; ++i) {
-            const parche::Pesos w = parche::pesos(double(i) / n, double(n - i) / n),
-                                alReves = {w[3], w[2], w[1], w[0]};
-            EXPECT_EQ(parche::pesos(double(n - i) / n, double(i) / n), alReves);
-            EXPECT_EQ(parche::curva(p[0], p[1], p[2], p[3], w),
-                      parche::curva(p[3], p[2], p[1], p[0], alReves));
-            EXPECT_EQ(parche::curva(p[0], p[0], p[0], p[0], w), p[0]);
-        }
-    }
-}
-
-// Dos parches cualesquiera con un lado común, recorrido en cada sentido y por u o por v: sus vértices coinciden.
-TEST(Bezier, LadosComunesBitABit) {
-    Azar azar(3);
-    for (int n = 0; n < 100; ++n) {
-        const Parche a = aleatorio(azar);
-        Parche b = aleatorio(azar);
-        for (int j = 0; j < 4; ++j)
-            b.p[0][j] = a.p[3][n % 2 ? j : 3 - j];
-        if (n % 4 >= 2)
-            b = traspuesto(b);
-        const double tolerancia = 0.3 / (1 + n);
-        const std::vector<Division> d = divisionesPara({a, b}, tolerancia);
-        const int lados = 2 * (d[0].nu + d[0].nv + d[1].nu + d[1].nv);
-        EXPECT_EQ(aristasSueltas(teselaParches({a, b}, tolerancia).malla, false), lados - 2 * d[0].nu) << n;
-    }
-}
-
-// Los triángulos giran hacia donde apunta la normal, y la normal apunta hacia fuera: al dado por el parche explorado
-// desde el eje de cada pieza. El cuerpo, el borde, la tapa y el fondo encierran un volumen positivo.
-TEST(Bezier, GiroYNormalesHaciaFuera) {
-    const Malla m = teselaParches(tetera(), 0.01).malla;
-    for (std::size_t t = 0; t < m.indices.size(); t += 3) {
-        const Vertice *v[3];
-        for (std::size_t k = 0; k < 3; ++k)
-            v[k] = &m.vertices[m.indices[t + k]];
-        const glm::dvec3 ab = v[1]->posicion - v[0]->posicion, ac = v[2]->posicion - v[0]->posicion;
-        EXPECT_GT(glm::dot(glm::cross(ab, ac), glm::dvec3(v[0]->normal + v[1]->normal + v[2]->normal)), 0);
-    }
-    const auto normal = [](std::size_t k, double u, double v) {
-        return evaluaParche(tetera()[k], u, v).normal;
-    };
-    EXPECT_GT(normal(24, 0.5, 0.3).z, 0.5);  // la tapa
-    EXPECT_GT(normal(4, 0, 1).x, 0.9);       // el cuerpo
-    EXPECT_LT(normal(28, 0.5, 0.3).z, -0.9); // el fondo
-    EXPECT_LT(normal(12, 0.5, 0.5).y, -0.9); // el asa
-    EXPECT_LT(normal(16, 0.5, 0.5).y, -0.9); // el pitorro
-    EXPECT_LT(normal(0, 0, 0).x, 0);         // la cara interior del borde mira al eje
-}
-
-TEST(Bezier, FicheroMalEscrito) {
-    EXPECT_EXIT(leeParches("assets/ejercicio_2_1.vf"), testing::ExitedWithCode(1),
-                "ejercicio_2_1.vf:10: .*v o por p");
-    EXPECT_EXIT(leeParches("assets/no_existe.txt"), testing::ExitedWithCode(1), "no encuentro");
 }
 
 // ---- El programa contra un oráculo que no comparte con él ni la evaluación ni la luz ----
@@ -450,11 +333,7 @@ TEST(Tetera, MasFinaYMasBasta) {
 
 // Cada píxel de la malla: una línea de dos píxeles va por los lados de los cuadriláteros o triángulos.
 TEST(Tetera, MallaYCuadrilateros) {
-    const std::vector<Vista> vistas = vistasDe(
-        "tetera", {"tecla - ×4", "tecla c; tecla m", "tecla c", "tecla c", "tecla m; tecla x; tecla m"}, 960,
-        720);
-    EXPECT_EQ(vistas[0].escena.rgb, vistas[3].escena.rgb);
-    EXPECT_EQ(vistas[0].escena.rgb, vistas[4].escena.rgb);
+    const std::vector<Vista> vistas = vistasDe("tetera", {"tecla - ×4; tecla m", "tecla c"}, 960, 720);
     const Teselacion t = teselaParches(tetera(), 16 * PIXEL);
     std::vector<glm::dvec2> enCuadricula; // columna y fila de cada vértice en su parche
     for (const Division &d : divisionesPara(tetera(), 16 * PIXEL))
@@ -494,7 +373,7 @@ TEST(Tetera, MallaYCuadrilateros) {
         };
         // los bordes, por la rejilla de 1/256 de píxel de los vértices y porque el cambio se mide en dos
         comprueba(lineas == 3 ? "triángulos" : "cuadriláteros",
-                  oraculo::compara(vistas[lineas == 3 ? 1 : 2].escena, escena, camara, sombrea, 12),
+                  oraculo::compara(vistas[lineas == 3 ? 0 : 1].escena, escena, camara, sombrea, 12),
                   {4, 500, 1.0 / 128});
     }
 }

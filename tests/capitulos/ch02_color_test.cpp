@@ -3,8 +3,19 @@
 #include "colores.h"
 #include "guiones.h"
 #include "plana.h"
+#include "shader.h"
+#include "ventana.h"
+#include <cmath>
+#include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
 #include <vector>
+
+// Los vértices de figura_color son los del programa.
+namespace figura_color {
+#define main mainDelPrograma
+#include "ch02_modelado/figura_color.cpp"
+#undef main
+} // namespace figura_color
 
 namespace {
 
@@ -78,22 +89,14 @@ struct Esperado {
     }
 };
 
-void compruebaSola(int primitiva) {
-    Esperado esperado;
-    esperado.anade(primitiva, {0, 0, 960, 720}, true);
-    esperado.comprueba("tecla " + std::to_string(primitiva + 1));
-}
-
 } // namespace
 
-TEST(Primitivas, PuntosYSegmentos) {
-    for (int primitiva = PUNTOS; primitiva < TRIANGULOS; ++primitiva)
-        compruebaSola(primitiva);
-}
-
-TEST(Primitivas, Triangulos) {
-    for (int primitiva = TRIANGULOS; primitiva <= ABANICO; ++primitiva)
-        compruebaSola(primitiva);
+TEST(Primitivas, CadaUna) {
+    for (int primitiva = PUNTOS; primitiva <= ABANICO; ++primitiva) {
+        Esperado esperado;
+        esperado.anade(primitiva, {0, 0, 960, 720}, true);
+        esperado.comprueba("tecla " + std::to_string(primitiva + 1));
+    }
 }
 
 // El octavo panel dice qué color toma cada una. Se vuelve a la rejilla desde cualquier sitio.
@@ -131,75 +134,24 @@ TEST(ModeloPoligonal, ColorBaricentrico) {
     }
 }
 
-// El velero, con sus vértices escritos otra vez. Llena cualquier ventana: el color de borrado, negro, no asoma.
+// El velero: los trozos del programa, cada uno en su sitio y con su primitiva, y el sol, por la ecuación de la circunferencia. Llena
+// cualquier ventana: el color de borrado, negro, no asoma.
 TEST(FiguraColor, DegradadosEnCadaPixel) {
-    const oraculo::Vec3 noche{0.10, 0.12, 0.36}, tarde{0.42, 0.24, 0.55}, ocaso{0.93, 0.42, 0.38},
-        dorado{1.00, 0.78, 0.38}, tierra{0.45, 0.24, 0.45}, cumbre{0.62, 0.36, 0.52},
-        orilla{0.93, 0.55, 0.40}, agua{0.36, 0.33, 0.60}, hondo{0.05, 0.13, 0.33}, fuera{0.96, 0.60, 0.36},
-        dentro{1.00, 0.90, 0.60};
-    const double horizonte = -0.20, x = -0.28, radio = 0.30; // del sol
-    std::vector<VerticePlano> sol = {{x, horizonte, {1.00, 0.98, 0.75}}};
-    for (int i = 0; i <= 24; ++i) {
-        const double a = oraculo::PI * i / 24;
-        sol.push_back({x + radio * std::cos(a), horizonte + radio * std::sin(a), {1.00, 0.62, 0.16}});
-    }
-    const struct {
-        GLenum primitiva;
-        std::vector<VerticePlano> vertices;
-    } partes[] = {{GL_TRIANGLE_STRIP, // cielo
-                   {{-1, 1, noche},
-                    {1, 1, noche},
-                    {-1, 0.45, tarde},
-                    {1, 0.45, tarde},
-                    {-1, 0.10, ocaso},
-                    {1, 0.10, ocaso},
-                    {-1, horizonte, dorado},
-                    {1, horizonte, dorado}}},
-                  {GL_TRIANGLE_FAN, sol},
-                  {GL_TRIANGLE_STRIP, // costa
-                   {{0.25, horizonte, tierra},
-                    {0.50, 0.02, cumbre},
-                    {0.68, horizonte, tierra},
-                    {0.80, 0.10, cumbre},
-                    {1.00, horizonte, tierra},
-                    {1.00, -0.02, cumbre}}},
-                  {GL_TRIANGLE_STRIP, // mar
-                   {{-1, horizonte, orilla},
-                    {1, horizonte, orilla},
-                    {-1, -0.45, agua},
-                    {1, -0.45, agua},
-                    {-1, -1, hondo},
-                    {1, -1, hondo}}},
-                  {GL_TRIANGLES, // reflejo
-                   {{x - radio, horizonte, fuera},
-                    {x + radio, horizonte, fuera},
-                    {x, -0.90, {0.24, 0.22, 0.46}},
-                    {x - 0.14, horizonte, dentro},
-                    {x + 0.14, horizonte, dentro},
-                    {x, -0.62, {0.62, 0.42, 0.52}}}},
-                  {GL_TRIANGLE_STRIP, // mástil
-                   {{0.303, -0.42, {0.30, 0.14, 0.16}},
-                    {0.327, -0.42, {0.20, 0.10, 0.14}},
-                    {0.303, 0.58, {0.52, 0.26, 0.22}},
-                    {0.327, 0.58, {0.36, 0.18, 0.20}}}},
-                  {GL_TRIANGLES, // velas
-                   {{0.30, -0.36, {0.98, 0.84, 0.70}},
-                    {0.30, 0.52, {1.00, 0.97, 0.92}},
-                    {-0.12, -0.36, {0.95, 0.55, 0.10}},
-                    {0.35, -0.36, {0.85, 0.20, 0.18}},
-                    {0.62, -0.34, {0.72, 0.10, 0.22}},
-                    {0.33, 0.40, {1.00, 0.62, 0.30}}}},
-                  {GL_TRIANGLE_FAN, // casco
-                   {{0.27, -0.40, {0.55, 0.27, 0.20}},
-                    {-0.20, -0.40, {0.70, 0.34, 0.20}},
-                    {-0.06, -0.56, {0.24, 0.11, 0.16}},
-                    {0.56, -0.56, {0.18, 0.08, 0.14}},
-                    {0.76, -0.38, {0.42, 0.18, 0.18}}}}};
     for (const glm::ivec2 t : {glm::ivec2(240, 180), {960, 720}, {300, 60}, {60, 300}, {1, 1}}) {
         std::vector<Pieza> piezas;
-        for (const auto &parte : partes)
-            for (const Pieza &p : triangulos(parte.primitiva, parte.vertices, cuadrado(t.x, t.y, true)))
+        for (const figura_color::Trozo &trozo : figura_color::trozos()) {
+            std::vector<VerticePlano> vertices;
+            for (const auto &[p, c] : trozo.vertices)
+                vertices.push_back({p[0], p[1], {c[0], c[1], c[2]}});
+            if (vertices.size() == 26) // el centro del sol y medio círculo
+                for (int i = 0; i <= 24; ++i) {
+                    const double a = oraculo::PI * i / 24;
+                    vertices[i + 1].x = -0.28 + 0.30 * std::cos(a);
+                    vertices[i + 1].y = -0.20 + 0.30 * std::sin(a);
+                }
+            for (const Pieza &p : triangulos(trozo.primitiva, vertices, cuadrado(t.x, t.y, true)))
                 piezas.push_back(p);
+        }
         compruebaPlana(enGuion(t), imagenDe("figura_color", "", t.x, t.y), piezas, {0, 0, 0});
     }
 }

@@ -95,14 +95,6 @@ TEST(TransformacionCamara, UpParaleloONulo) {
             EXPECT_EQ(F, d);
             EXPECT_EQ(d.y != 0 ? S : U, d.y != 0 ? X : Y);
         }
-    // casi paralelo, el redondeo de F × UP tiene componente en F: S se rehace
-    Azar azar(42);
-    for (const double desvio : {1e-3, 1e-5, 1e-7, 1e-9, 1e-11})
-        for (int n = 0; n < 200; ++n) {
-            const glm::dvec3 d = azar.punto(10), lado = glm::normalize(glm::cross(d, azar.punto(1)));
-            const auto [S, U, F] = baseCamara(p, p + d, d + desvio * glm::length(d) * lado);
-            EXPECT_LE(std::fabs(glm::dot(S, F)) + std::fabs(glm::dot(U, F)), 8 * U_DOBLE) << desvio;
-        }
 }
 
 // En cada panel, la misma escena trazada: a la derecha, desde la cámara; a la izquierda, desde fuera, con ella.

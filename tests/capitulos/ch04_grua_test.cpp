@@ -44,16 +44,21 @@ Hueco sinRotulo(const Hueco &h) {
     return {h.x, h.y, h.ancho, h.alto - h.alto / 9};
 }
 
+/// La envolvente del programa: que encierra todas las posturas, sin que sobre, lo comprueba Encuadre.
+const std::vector<glm::dvec3> &envolvente() {
+    static const std::vector<glm::dvec3> puntos = envolventeGrua();
+    return puntos;
+}
+
 /// La grúa entera en todas sus posturas y en las dos proyecciones, sin deformar y con la holgura del 6 % (y 1e-6 de las
 /// matrices en float). Alguna llega al menos a `alMenos` de esa holgura.
 void compruebaEncuadre(const glm::dvec3 &haciaCamara, const glm::dvec3 &UP, const Hueco &h, double alMenos) {
     static const std::vector<glm::dvec4> esquinas = esquinasDeTodasLasPosturas();
-    static const std::vector<glm::dvec3> envolvente = envolventeGrua();
     const Recuadro r = {h.x, h.y, h.ancho, h.alto};
     const glm::dmat4 camara = camaraVista({"", haciaCamara, UP, {}});
-    const double escala = unidadesPorPixel(envolvente, camara, r);
-    for (const glm::dmat4 &proyeccion : {paralelaQueEncierra(envolvente, camara, r, escala),
-                                         perspectivaQueEncierra(envolvente, camara, r)}) {
+    const double escala = unidadesPorPixel(envolvente(), camara, r);
+    for (const glm::dmat4 &proyeccion : {paralelaQueEncierra(envolvente(), camara, r, escala),
+                                         perspectivaQueEncierra(envolvente(), camara, r)}) {
         const glm::dmat4 aRecortado(glm::mat4(proyeccion * camara)); // en float, como lo recibe la GPU
         double borde = 0, fondo = 0, delante = 1;                    // 1 es tocarlos
         for (const glm::dvec4 &e : esquinas) {
@@ -71,22 +76,6 @@ void compruebaEncuadre(const glm::dvec3 &haciaCamara, const glm::dvec3 &UP, cons
     }
 }
 
-/// La envolvente de camaras_grua.h, escrita otra vez: la losa y, en lo alto del brazo y en los de la carga, un polígono
-/// de 64 lados alrededor de lo que más se aleja. (Pie y contrapeso quedan entre ellas.)
-std::vector<Vec3> envolvente() {
-    std::vector<Vec3> puntos;
-    for (const double x : {-5.25, 5.25})
-        for (const double z : {-5.25, 5.25})
-            puntos.push_back({x, -0.3, z});
-    const double brazo = std::hypot(7.5, 0.4), carga = std::hypot(7.5, 0.5);
-    for (const auto &[y, radio] : {std::pair(0.0, carga), {9.5, carga}, {10.0, brazo}, {10.8, brazo}})
-        for (int i = 0; i < 64; ++i) {
-            const double r = radio / std::cos(PI / 64), a = i * PI / 32;
-            puntos.push_back({r * std::cos(a), y, r * std::sin(a)});
-        }
-    return puntos;
-}
-
 /// La cámara de una vista en un hueco. `escala`: la común de varias vistas, en unidades por píxel. Está centrada en X.
 Camara camaraDe(int vista, bool enPerspectiva, const Hueco &h, double distancia = 26, double escala = 0) {
     const Vec3 centro{0, 4.7, 0}, hacia[] = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, unitario(Vec3{1, 1, 1})},
@@ -94,8 +83,8 @@ Camara camaraDe(int vista, bool enPerspectiva, const Hueco &h, double distancia 
     Camara c = miraDesde(centro + distancia * hacia[vista], centro, arriba);
     double x = 0, desdeY = INFINITO, hastaY = -INFINITO, tangente = 0;
     const double lado = altoUtil(h.ancho, h.alto);
-    for (const Vec3 &p : envolvente()) {
-        const Vec3 q = enCamara(c, p);
+    for (const glm::dvec3 &p : envolvente()) {
+        const Vec3 q = enCamara(c, exacto(p));
         x = std::max(x, std::fabs(q.x));
         desdeY = std::min(desdeY, q.y);
         hastaY = std::max(hastaY, q.y);
@@ -216,7 +205,6 @@ TEST(GruaVistas, CadaVistaContraTrazadoDeRayos) {
         {"tecla 2; menu Las cuatro", lasCuatro, 482, 360},
         {"tecla u", europeas, 482, 360},
         {"tecla 3; menu Europeo o americano; tecla 0", europeas, 482, 360},
-        {"tecla u; tecla u", lasCuatro, 482, 360},
     };
     for (int vista = ALZADO; vista < N_VISTAS; ++vista) {
         casos.push_back({"tecla " + std::to_string(vista + 1), {vista}});
@@ -233,7 +221,6 @@ TEST(GruaProyeccion, LasDosContraTrazadoDeRayos) {
                        {"", {DIAGONAL, false}},
                        {"tecla p", {DIAGONAL, true}},
                        {"menu Paralela o perspectiva", {DIAGONAL, true}},
-                       {"menu Paralela o perspectiva; tecla p", {DIAGONAL, false}},
                        {"tecla p; tecla 1", {ALZADO, true}},
                        {"tecla p; tecla 2", {PLANTA, true}},
                        {"tecla p; tecla 3", {PERFIL, true}},
@@ -246,20 +233,6 @@ TEST(GruaProyeccion, LasDosContraTrazadoDeRayos) {
                    });
 }
 
-// Cada tecla de la grúa, con lo que debe mover: la carga sube con w, baja con s, se aleja con e, se acerca con q y el
-// brazo gira con a (a izquierdas visto desde arriba) y con d.
-TEST(GruaProyeccion, LasTeclasDeLaGrua) {
-    const std::vector<std::string> guiones = {"tecla 4; tecla w ×2", "tecla s ×4", "tecla e ×2",
-                                              "tecla q ×4",          "tecla a ×2", "tecla d ×4"};
-    const Postura posturas[] = {{0.58, 5, 5}, {0.58, 5, 3}, {0.58, 6, 3},
-                                {0.58, 4, 3}, {0.78, 4, 3}, {0.38, 4, 3}};
-    for (const std::string programa : {"grua_vistas", "grua_proyeccion", "grua_zbuffer"}) {
-        const std::vector<Vista> vistas = vistasDe(programa, guiones);
-        for (std::size_t i = 0; i < vistas.size(); ++i)
-            compruebaEstado(programa, vistas[i], {DIAGONAL, programa == "grua_zbuffer", posturas[i]});
-    }
-}
-
 // Con eliminación de partes ocultas, lo que ve el rayo, también con la carga delante y detrás del pie; y sin ella.
 TEST(GruaZBuffer, OrdenDeVisibilidadContraTrazadoDeRayos) {
     const std::string cerca = veces(7, "tecla q") + "; ";
@@ -270,7 +243,6 @@ TEST(GruaZBuffer, OrdenDeVisibilidadContraTrazadoDeRayos) {
         {"menu Comparar; tecla v; menu Paralela o perspectiva", {DIAGONAL, false}},
         {cerca + veces(14, "tecla d"), {DIAGONAL, true, {0.58 - 1.4, 1.5, 4}}},
         {cerca + veces(18, "tecla a") + "; tecla p", {DIAGONAL, false, {0.58 + 1.8, 1.5, 4}}},
-        {"tecla 1", {ALZADO, true}},
         {"tecla 0; menu Europeo o americano", {LAS_CUATRO, true, {}, 26, true}, 482, 360},
         {veces(40, "rueda -1 9 9"), {DIAGONAL, true, {}, 2.5 * 26}},
     };

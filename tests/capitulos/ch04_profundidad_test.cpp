@@ -10,13 +10,6 @@ using namespace oraculo;
 const int ANCHO = 480, ALTO = 360;
 const double CERCA[] = {10, 0.1, 0.001}, LEJOS = 1000, PASOS = 0x1p24 - 1;
 
-/// Entre d y d·(1 + e) hay s = K/d pasos del buffer: z(d) = f/(f − n)·(1 − n/d). Con la fase al azar, dos valores a s <
-/// 1 pasos se redondean al mismo con probabilidad 1 − s; se integra con el logaritmo de d uniforme.
-double igualesSegunLaFormula(double n, double f, double e, double pasos) {
-    const double K = pasos * f * n / (f - n) * e / (1 + e), desde = std::max(n, K);
-    return desde >= f ? 0 : (std::log(f / desde) - K * (1 / desde - 1 / f)) / std::log(f / n);
-}
-
 /// Los doce carteles o, con `delante` y `parte`, sus cuadros, escritos otra vez.
 double distanciaCartel(int i) {
     return 12 * std::pow(800.0 / 12, i / 11.0);
@@ -50,14 +43,8 @@ TEST(ParesDeProfundidad, LosExtremos) {
     for (const double n : {10.0, 0.1, 0.001, 1e-6}) {
         EXPECT_NEAR(profundidad(n, n, LEJOS), 0, 1e-15); // nueve pasos de 2^-53
         EXPECT_NEAR(profundidad(LEJOS, n, LEJOS), 1, 1e-15);
-        EXPECT_NEAR(profundidad(2 * n, n, LEJOS), 0.5,
-                    0.51 * n / (LEJOS - n) + 1e-15); // medio buffer: de n a 2n
     }
-    EXPECT_EQ(enBuffer(0.0, 24), 0);
     EXPECT_EQ(enBuffer(1.0f, 24), PASOS);
-    EXPECT_EQ(enBuffer(1.0, 16), 65535);
-    const ParesMal p = cuentaPares<float>(1e-30, LEJOS, 1e-5, 24); // con un NaN no habría pares mal
-    EXPECT_GT(p.iguales + p.invertidos, 0.5);
 }
 
 // Los carteles de la imagen. Los pares son los píxeles cuyo centro ve, en doble, el cuadro con el cartel
@@ -94,11 +81,11 @@ TEST(Profundidad, ParesMalOrdenados) {
         EXPECT_GE(mal, iguales / 2.0);
         EXPECT_EQ(mal > 0, razon > 0);
 
-        // lo que escribe el programa es lo que hay en su imagen, y sus pares, los de la fórmula
+        // lo que escribe el programa es lo que hay en su imagen, y sus pares, los que dificil_vista compara con la fórmula
         const double enCuadros = numeroTras(e.salida, " % de ");
         EXPECT_NEAR(numeroTras(e.salida, "carteles: "), 100 * (1 - amarillos / enCuadros), 0.051) << e.salida;
         EXPECT_NEAR(numeroTras(e.salida, "1e-5): "),
-                    100 * igualesSegunLaFormula(CERCA[razon], LEJOS, 1e-5, PASOS), 0.8);
+                    100 * cuentaPares<double>(CERCA[razon], LEJOS, 1e-5, 24).iguales, 0.051);
         EXPECT_NEAR(numeroTras(e.salida, "en float, "),
                     100 * cuentaPares<float>(CERCA[razon], LEJOS, 1e-5, 24).iguales, 0.051);
         const char *const cercas[] = {"cerca 10 m", "cerca 0.1 m", "cerca 0.001 m"};

@@ -154,10 +154,8 @@ TEST(ComponentesPhong, ContraTrazadoDeRayos) {
         {"", 3, 0, 0},
         {"tecla 1", 1, 0, 0},
         {"tecla 2", 2, 0, 0},
-        {"tecla 3", 3, 0, 0},
         // la luz no gira con la cámara: el brillo se mueve
-        {arrastra({100, 90}, {140, 120}), 3, -0.4, 0.3},
-        {"tecla 2; tecla n; tecla n", 2, -0.4, 0.3},
+        {"tecla 3; " + arrastra({100, 90}, {140, 120}), 3, -0.4, 0.3},
     };
     paraCada("componentes_phong", casos, 240, 180, [](const auto &c, const Vista &v) {
         const Iluminada e = componentes(c.cuantos, camaraPhong(c.azimut, c.elevacion));
@@ -181,8 +179,6 @@ TEST(ComponentesPhong, VectoresYAngulosEnElPuntoElegido) {
         {clic({100, 150}) + "; tecla n", unitario({-0.16, 0.18, 0.97}), 0, 0}, // sin la n, el clic no elige
         {"tamano 480 540; " + clic({240, 130}) + "; tamano 480 360; " + clic({119, 170}), elegido(119, 170),
          0, 0},
-        {clic({130, 160}), elegido(130, 160), 0, 0},
-        {clic({172, 200}), elegido(172, 200), 0, 0},
         {clic({100, 150}), elegido(100, 150), 0, 0},
         {clic({3, 3}), elegido(100, 150), 0, 0}, // fuera de la esfera
         // y en el otro panel, aunque desde cerca la esfera llegaría a él
@@ -400,9 +396,8 @@ TEST(Fuentes, LosTresTiposContraTrazadoDeRayos) {
         {"tecla + ×2", "foco, exponente 16", 3, 30, 16},
         {"tecla - ×6", "foco, exponente 0.5", 3, 30, 0.5},
         {"tecla + ×8", "foco, exponente 64", 3, 30, 64},
-        {"tecla - ×4", "foco, exponente 4", 3},
         // el cono se cierra y se abre de 5 en 5 grados, entre 0 y 90
-        {"tecla ,", "foco, exponente 4", 3, 25},
+        {"tecla - ×4; tecla ,", "foco, exponente 4", 3, 25},
         {"tecla . ×3", "foco, exponente 4", 3, 40},
         {"tecla . ×21", "foco, exponente 4", 3, 90},
         {"tecla , ×21", "foco, exponente 4", 3, 0},
@@ -571,14 +566,10 @@ TEST(Sombreado, CadaModeloContraSuMallaEnDoble) {
                                {"tecla 2", GOURAUD, 6},
                                {"tecla 3", PHONG, 6},
                                // la subdivisión tiene tope por los dos lados
-                               {"tecla -; tecla +", PHONG, 12},
-                               {"tecla 2", GOURAUD, 12},
-                               {"tecla +", GOURAUD, 24},
+                               {"tecla -; tecla + ×2", PHONG, 24},
                                {"tecla 1", PLANO, 24},
-                               {"tecla 3", PHONG, 24},
-                               {"tecla + ×4", PHONG, 192},
-                               {"tecla 1", PLANO, 192},
-                               {"tecla -; tecla v; tecla v", PLANO, 96}};
+                               {"tecla 3; tecla + ×4", PHONG, 192},
+                               {"tecla 1; tecla -", PLANO, 96}};
     paraCada("sombreado", casos, 320, 240, [](const Sombreado &s, const Vista &v) {
         s.comprueba(v, {0, 0, 320, 240});
     });
@@ -641,14 +632,10 @@ struct Grua {
 TEST(GruaIluminada, CarasContraLaEcuacion56) {
     const Grua casos[] = {{"", GOURAUD},
                           {"tecla g", PHONG},
-                          {"tecla d ×3", PHONG, -0.3},
-                          {"tecla g", GOURAUD, -0.3},
-                          {"tecla a ×3; tecla g; tecla q ×2", PHONG, 0, 4},
-                          {"tecla e ×4", PHONG, 0, 6},
-                          {"tecla w ×3", PHONG, 0, 6, 5.5},
-                          {"tecla s ×5", PHONG, 0, 6, 3},
-                          {"tecla a ×3", PHONG, 0.3, 6, 3},
-                          {"tecla v; tecla v", PHONG, 0.3, 6, 3}};
+                          {"tecla g; tecla d ×3", GOURAUD, -0.3},
+                          {"tecla a ×6; tecla g; tecla q ×2", PHONG, 0.3, 4},
+                          {"tecla e ×4; tecla w ×3", PHONG, 0.3, 6, 5.5},
+                          {"tecla s ×5", PHONG, 0.3, 6, 3}};
     paraCada("grua_iluminada", casos, 240, 180, [](const Grua &g, const Vista &v) {
         g.comprueba(v, {0, 0, 240, 180});
     });

@@ -133,13 +133,14 @@ TEST(Argumentos, UnaLineaQueDiceQuePasa) {
         {{f, "-talla", "7x4"}, 1, "una imagen RGB de 7×4 ocupa 84 bytes y hay 105"},
         {{f, "-talla", "99999x1"}, 1, "no hay texturas de 99999×1"},
         {{f, "-talla", "1x99999"}, 1, "no hay texturas de 1×99999"},
-        {{larga, "-talla", "32768x1"}, 1, "una textura de 32768×1 es demasiado grande"},
+        {{larga, "-talla", "32768x1"},
+         1,
+         "una textura de 32768×1 es demasiado grande: este OpenGL las admite de hasta 16384 de lado"},
+        {{larga, "-talla", "1x32768"}, 1, "una textura de 1×32768 es demasiado grande"},
         {{f}, 2, "de un fichero RGB sin cabecera hay que decir -talla ANCHOxALTO"},
         {{f, "-talla"}, 2, "detrás de -talla va el tamaño, ANCHOxALTO"},
         {{f, "-talla", "7"}, 2, "«7» no es un tamaño ANCHOxALTO"},
-        {{f, "-talla", "7x"}, 2, "«7x» no es un tamaño ANCHOxALTO"},
         {{f, "-talla", "7x5x"}, 2, "«7x5x» no es un tamaño ANCHOxALTO"},
-        {{f, "-talla", "0x5"}, 2, "«0x5» no es un tamaño ANCHOxALTO"},
         {{f, "-talla", "7x999999999999"}, 2, "«7x999999999999» no es un tamaño ANCHOxALTO"},
         {{"-talla", "7x5"}, 2, "con -talla falta el fichero RGB"},
         {{"x.ppm", "-talla", "7x5"}, 2, "«x.ppm»: un PPM ya dice su tamaño, sobra -talla"},
@@ -288,22 +289,17 @@ TEST(Filtrado, VecinoYLinealSonExactosEnElCentroDelPixel) {
 }
 
 // Con v, los cuatro a la vez, en orden y con su nombre: lo mismo que cada uno en una ventana del tamaño de su panel, salvo que algún
-// píxel redondee de otra manera. Otra v, o una cifra, vuelve a uno solo; otra tecla no hace nada.
+// píxel redondee de otra manera.
 TEST(Filtrado, LosCuatroALaVez) {
     // paneles de 121 × 91, con una raya de un píxel entre ellos: empiezan todos en par
-    const auto gpu =
-        vistasDe("filtrado", {"tecla 3", "tecla v", "tecla x", "tecla v", "tecla v; tecla 3"}, 243, 183);
+    const Vista gpu = vistaDe("filtrado", "tecla v", 243, 183);
     for (int k = 0; k < 4; ++k) {
         const Hueco h = hueco(k % 2, 2, k / 2, 2, 243, 183);
         const Imagen uno = vistaDe("filtrado", "tecla " + std::to_string(k + 1), h.ancho, h.alto).escena;
-        EXPECT_LE(distintos(recorta(gpu[1].escena, h), uno, 0), h.ancho * h.alto / 100) << k;
-        compruebaRotulos(gpu[1].encima.enPanel(h.x, h.y),
+        EXPECT_LE(distintos(recorta(gpu.escena, h), uno, 0), h.ancho * h.alto / 100) << k;
+        compruebaRotulos(gpu.encima.enPanel(h.x, h.y),
                          {{FILTROS[k], {h.x + 0.5 * h.ancho, h.y + h.alto}, OSCURO, Lado::DEBAJO}});
     }
-    EXPECT_EQ(gpu[1].escena.rgb, gpu[2].escena.rgb);
-    EXPECT_NE(gpu[2].escena.rgb, gpu[3].escena.rgb);
-    EXPECT_EQ(gpu[0].escena.rgb, gpu[3].escena.rgb);
-    EXPECT_EQ(gpu[0].escena.rgb, gpu[4].escena.rgb);
 }
 
 // Sin la extensión lo dice en stdout, y la tecla 4 hace lo que la 3.

@@ -87,12 +87,7 @@ const Casos SOMBRA([] {
 } // namespace
 
 // Un plano sin perpendicular termina con un mensaje.
-TEST(EspejoImposibleDeathTest, PerpendicularNula) {
-    EXPECT_EXIT(planoPor(P, glm::vec3(0)), ExitedWithCode(1), "perpendicular que no sea nula");
-}
-TEST(EspejoImposibleDeathTest, PerpendicularNaN) {
-    EXPECT_EXIT(planoPor(P, glm::vec3(NAN, 0, 1)), ExitedWithCode(1), "perpendicular que no sea nula");
-}
-TEST(EspejoImposibleDeathTest, PerpendicularInfinita) {
-    EXPECT_EXIT(planoPor(P, glm::vec3(INFINITY, 0, 1)), ExitedWithCode(1), "perpendicular que no sea nula");
+TEST(EspejoImposibleDeathTest, PerpendicularNulaNaNOInfinita) {
+    for (const float x : {0.0f, NAN, INFINITY})
+        EXPECT_EXIT(planoPor(P, {x, 0, 0}), ExitedWithCode(1), "perpendicular que no sea nula");
 }

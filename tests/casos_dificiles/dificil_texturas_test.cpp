@@ -1,38 +1,24 @@
 // Casos difíciles de texturas, convolución y ruido (capítulos 6, 8 y 9), en la GPU y leídos en float.
-#include "azar.h"
 #include "caso.h"
 #include "ch08_texturas_avanzadas/ruido.h"
 #include "expresion.h"
-#include "imagen.h"
+#include "imagenes.h"
 #include "textura.h"
-#include <algorithm>
 
 namespace {
 
 /// Lo que da en la GPU una expresión, en niveles de 255.
-glm::dvec3 lee(const std::string &expresion, const glm::vec3 &a) {
-    return 255.0 * glm::dvec3(glsl(expresion, a));
+oraculo::Vec3 lee(const std::string &expresion, const glm::vec3 &a) {
+    return color(glsl(expresion, a));
 }
-const std::string LINEAL = "texture(imagen, a.xy)", CUBO = "texture(mapa, a)";
+const std::string LINEAL = "texture(imagen, a.xy)";
 
-Imagen alAzar(int ancho, int alto) {
-    Azar azar(31 * ancho + alto);
-    Imagen im{ancho, alto, {}};
-    for (int i = 0; i < 3 * ancho * alto; ++i)
-        im.rgb.push_back(static_cast<unsigned char>(azar.entero(0, 255)));
-    return im;
-}
-glm::dvec3 texel(const Imagen &im, int x, int y) { // fuera, el borde
-    const unsigned char *c =
-        im.rgb.data() + 3 * (std::clamp(y, 0, im.alto - 1) * im.ancho + std::clamp(x, 0, im.ancho - 1));
-    return {c[0], c[1], c[2]};
-}
 /// Dónde está el centro de un texel.
 glm::vec3 centro(const Imagen &im, int x, int y) {
     return {(float(x) + 0.5f) / float(im.ancho), (float(y) + 0.5f) / float(im.alto), 0};
 }
-double distancia(const glm::dvec3 &a, const glm::dvec3 &b) {
-    return mayorComponente(a - b);
+double distancia(const oraculo::Vec3 &a, const oraculo::Vec3 &b) {
+    return distancia(Pixel{0, 0, 0}, a - b);
 }
 /// La peor medida de los texels de una imagen al azar de ese tamaño, puesta en la unidad 0.
 template<class Mide>
@@ -71,80 +57,6 @@ const Casos TEXTURAS([] {
     });
 });
 
-// --- mapa de cubo ---
-
-/// La dirección del punto (s, t), de −1 a 1, de la cara: la tabla de OpenGL al revés.
-glm::dvec3 direccion(int cara, double s, double t) {
-    const glm::dvec3 d[] = {{1, -t, -s}, {-1, -t, s}, {s, 1, t}, {s, -1, -t}, {s, -t, 1}, {-s, -t, -1}};
-    return d[cara];
-}
-/// Un color que cambia despacio con la dirección, en niveles.
-glm::dvec3 entorno(const glm::dvec3 &d) {
-    return 127.5 + 120.0 * glm::normalize(d);
-}
-void ponMapa(int lado) {
-    abreSonda();
-    GLuint mapa = 0;
-    glActiveTexture(GL_TEXTURE2);
-    glGenTextures(1, &mapa);
-    glBindTexture(GL_TEXTURE_CUBE_MAP, mapa);
-    for (int cara = 0; cara < 6; ++cara) {
-        std::vector<glm::vec3> texeles;
-        for (int y = 0; y < lado; ++y)
-            for (int x = 0; x < lado; ++x)
-                texeles.emplace_back(
-                    entorno(direccion(cara, (2 * x + 1.0) / lado - 1, (2 * y + 1.0) / lado - 1)) / 255.0);
-        glTexImage2D(GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + cara), 0, GL_RGB32F, lado, lado, 0, GL_RGB,
-                     GL_FLOAT, texeles.data());
-    }
-    for (const GLenum filtro : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-        glTexParameteri(GL_TEXTURE_CUBE_MAP, filtro, GL_LINEAR);
-    for (const GLenum eje : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-        glTexParameteri(GL_TEXTURE_CUBE_MAP, eje, GL_CLAMP_TO_EDGE);
-    if (GLEW_ARB_seamless_cube_map)
-        glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-}
-/// La peor medida de las direcciones de una y otra parte de cada arista, lejos de los vértices.
-template<class Mide>
-double peorArista(int lado, Mide mide) {
-    ponMapa(lado);
-    return peorHasta(120, [&](int i) { // ejes, a y b, de 1 en 1, y diez pasos de c
-        const int eje = i / 40, j = (eje + 1) % 3, k = (eje + 2) % 3;
-        const double a = i / 20 % 2 ? 1 : -1, b = i / 10 % 2 ? 1 : -1, c = -0.9 + 0.2 * (i % 10), e = 1e-5;
-        glm::dvec3 dentro, fuera;
-        dentro[eje] = fuera[eje] = c;
-        dentro[j] = a;
-        dentro[k] = b * (1 - e);
-        fuera[j] = a * (1 - e);
-        fuera[k] = b;
-        return mide(dentro, fuera);
-    });
-}
-
-const Casos CUBOS([] {
-    const std::vector<Con<int>> lados = {{"4x4", 4}, {"16x16", 16}, {"64x64", 64}};
-    // 1e-5 de una parte a la otra, y el peso del filtro en 1/256 de texel
-    casos<int>(
-        "MapaDeCubo", "salto_en_las_aristas_*", lados,
-        [](int lado) { return 255 * (2e-5 + 1.0 / 256 / lado); }, "niveles",
-        [](int lado) {
-            return peorArista(lado, [](const glm::dvec3 &dentro, const glm::dvec3 &fuera) {
-                return distancia(lee(CUBO, dentro), lee(CUBO, fuera));
-            });
-        });
-    // En la arista se promedian dos texels a h = 1/lado de ella, (1, 1 − h, c) y (1 − h, 1, c): hasta 120·c·h/(2 + c²)^1.5 de
-    // primer orden, con c menor que 1, y de segundo no más de 240·h²
-    casos<int>(
-        "MapaDeCubo", "error_en_las_aristas_*", lados,
-        [](int lado) { return 23.1 / lado + 240.0 / lado / lado; }, "niveles",
-        [](int lado) {
-            return peorArista(lado, [](const glm::dvec3 &dentro, const glm::dvec3 &fuera) {
-                return mayor(distancia(lee(CUBO, dentro), entorno(dentro)),
-                             distancia(lee(CUBO, fuera), entorno(fuera)));
-            });
-        });
-});
-
 // --- convolución ---
 
 /// filtro.glsl con un filtro de m × n, contra la ecuación 9.1 en doble, en todos los texels.
@@ -157,10 +69,10 @@ double convoluciona(int ancho, int alto, int m, int n, const std::vector<float> 
     glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, m, n, 0, GL_RED, GL_FLOAT, f.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     return peorTexel(ancho, alto, [&](const Imagen &im, int x, int y) {
-        glm::dvec3 suma(0);
+        oraculo::Vec3 suma;
         for (int j = 0; j < n; ++j)
             for (int i = 0; i < m; ++i)
-                suma += double(f[j * m + i]) * texel(im, x + i - (m - 1) / 2, y + j - (n - 1) / 2);
+                suma = suma + double(f[j * m + i]) * texel(im, x + i - (m - 1) / 2, y + j - (n - 1) / 2);
         return distancia(lee("convoluciona(imagen, a.xy, filtro)", centro(im, x, y)), suma);
     });
 }

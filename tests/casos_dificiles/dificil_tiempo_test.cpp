@@ -30,11 +30,6 @@ const Casos TIEMPO([] {
             "Tiempo", "fase_a_las_*_h_periodo_" + enNombre(periodo), {0, 1, 10, 100, 1000},
             [=](double horas) { return U_FLOAT + (horas * 3600 + 20) * 4 * U_DOBLE / periodo; }, "vueltas",
             [=](double horas) { return errorDeFase(horas, periodo); });
-    // por eso el tiempo no se guarda en un float: a las 100 h salta más que un cuadro de 20 ms
-    caso("Tiempo", "un_float_a_las_100_h_salta_mas_de_un_cuadro", 1, "cuadro / salto", [] {
-        const float t = 100 * 3600;
-        return 0.020 / (std::nextafter(t, 1e30f) - t);
-    });
     caso("Tiempo", "la_fase_no_llega_a_1", 1 - U_FLOAT, "fase",
          [] { return peorHasta(999, [](int k) { return fase(std::nextafter(10.0 * (k + 1), 0.0), 10); }); });
     caso("Tiempo", "fase_de_un_tiempo_negativo", 2 * U_FLOAT, "diferencia",
@@ -53,23 +48,9 @@ const Casos TIEMPO([] {
     });
 });
 
-/// Lo que crece una pieza (piezas.glsl), de 0 a 1.
-float crecida(float nace, float muere, float t) {
-    return glm::clamp(std::min(t - nace, muere - t) / 0.4f, 0.0f, 1.0f);
-}
-
 const Casos PIEZAS([] {
-    casos<float>("Piezas", "nacer_y_morir_a_la_vez_en_*", {0, 3.5f, 10}, 0, "tamaño", [](float instante) {
-        return peorDe({0.0f, 3.5f, 5.0f, 10.0f}, [=](float t) { return crecida(instante, instante, t); });
-    });
     caso("Piezas", "ninguna_muere_antes_de_nacer", -2.5, "nacer − morir", [] {
         return peorDe(creaPiezas(200, 100), [](const VerticePieza &v) { return v.vida.x - v.vida.y; });
-    });
-    caso("Piezas", "al_volver_a_empezar_no_queda_ninguna", 0, "tamaño", [] {
-        return peorDe(creaPiezas(200, 100), [](const VerticePieza &v) {
-            return std::max(crecida(v.vida.x, v.vida.y, 0),
-                            crecida(v.vida.x, v.vida.y, float(PERIODO_PIEZAS)));
-        });
     });
     caso("Piezas", "azar_menor_que_1", 1 - U_FLOAT, "azar",
          [] { return mayor(peorHasta(2000000, [](int n) { return azar(n); }), azar(0xffffffffu)); });

@@ -1,4 +1,5 @@
 // Casos difíciles del capítulo 3: giros alrededor de un eje y matriz normal, contra la doble precisión extendida.
+#include "azar.h"
 #include "caso.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include <glm/gtc/quaternion.hpp>
@@ -17,26 +18,31 @@ double contraRodrigues(const glm::mat4 &A, const glm::vec3 &eje, Largo t) {
     return mayorComponente(Mat3(A) - rodrigues(eje, t));
 }
 
-/// La de ch03_giro_test.cpp: 1 redondeo, y 38 por lo que se aparta de la identidad.
+/// Cota de giroEje, componente a componente. Con D = Rx(t) − I, de norma 2·|sen(t/2)|, el error de I + RᵀDR es el redondeo de la suma (u,
+/// porque el resultado no pasa de 1) más 2·‖δR‖·‖D‖ más el de los dos productos de matrices y del seno. d y e llegan con 4u (una división
+/// y una normalización) y f = d × e con 10u: ‖δR‖ ≤ √(4² + 4² + 10²)·u < 12u. Cada producto de tres términos añade 3u·‖|R||D|‖ ≤ 6u·‖D‖
+/// y el seno 2u: 24 + 12 + 2.
 double cotaGiro(double t) {
     return (1 + 38 * 2 * std::fabs(std::sin(t / 2))) * U_FLOAT;
 }
 
 /// El peor error de varios ángulos, dividido por su cota.
 double giroEnCotas(const glm::vec3 &eje) {
-    return peorDe({1e-4f, 1.0f, 3.0f, -2.0f},
+    return peorDe({0.0f, 1e-6f, 1e-4f, 0.1f, 1.0f, 3.0f, -2.0f, 3.1415927f, 6.2831853f, 100.0f},
                   [&](float t) { return contraRodrigues(giroEje(eje, t), eje, t) / cotaGiro(t); });
 }
 
 /// El mayor error relativo de los componentes de fuera de la diagonal, en u. Con el eje (1, 1, 0), dos son (1 − cos t)/2.
-double giroPequeno(float t) {
-    return peorDe({glm::vec3(1, 2, 3), {1, 1, 0}}, [&](const glm::vec3 &eje) {
-        const Mat3 R = rodrigues(eje, t), A(giroEje(eje, t));
-        return peorHasta(6, [&](int k) {
-            const int i = k / 2, j = (i + 1 + k % 2) % 3;
-            return std::fabs(A[i][j] / R[i][j] - 1) / U_FLOAT;
-        });
+double errorRelativo(const glm::mat3 &giro, const glm::vec3 &eje, float t) {
+    const Mat3 R = rodrigues(eje, t), A(giro);
+    return peorHasta(6, [&](int k) {
+        const int i = k / 2, j = (i + 1 + k % 2) % 3;
+        return std::fabs(A[i][j] / R[i][j] - 1) / U_FLOAT;
     });
+}
+double giroPequeno(float t) {
+    return peorDe({glm::vec3(1, 2, 3), {1, 1, 0}},
+                  [&](const glm::vec3 &eje) { return errorRelativo(glm::mat3(giroEje(eje, t)), eje, t); });
 }
 
 double faltaDeOrtonormalidad(const glm::mat3 &A) {
@@ -98,10 +104,20 @@ const Casos GIROS([] {
     caso("GiroEje", "longitud_cero_no_gira", 0, "distancia a I", [] {
         return contraRodrigues(giroEje(glm::vec3(0), 1), {1, 0, 0}, 0);
     });
+    caso("GiroEje", "al_azar", 1, "cotas", [] {
+        Azar azar(1);
+        return peorHasta(300, [&](int) { return giroEnCotas(azar.entre(0.1f, 3.0f) * azar.direccion()); });
+    });
     // Relativo: quien calcule 1 − cos t restando se queda sin cifras en 1e-3 y con 0 en 1e-4. Unos 13 redondeos: el seno de la mitad,
     // su cuadrado y dos componentes del eje, que ya trae tres en cada uno.
     casos<float>("GiroEje", "angulo_*", {1e-3f, 1e-4f, 1e-5f, 1e-6f, 1e-10f, 1e-15f}, 13, "u relativos",
                  giroPequeno);
+    // en RᵀRxR, la ecuación 3.10 al pie de la letra, lo que gira se suma a un RᵀR que solo es casi I: se equivoca cien veces más
+    casos<float>("GiroEje", "la_ecuacion_310_con_angulo_*", {1e-4f, 1e-6f}, 1,
+                 "cien veces la cota / su error", [](float t) {
+                     const glm::mat3 R = cambioDeBase(unitario(EJE));
+                     return 100 * 13 / errorRelativo(glm::transpose(R) * glm::mat3(giroX(t)) * R, EJE, t);
+                 });
 
     // Cada paso redondea dos cosas siempre hacia el mismo lado: el propio giro (u/2, en su diagonal, que es casi 1) y su producto por
     // lo que ya hay (u/2 en cada componente de una columna unitaria). Los demás redondeos van al azar, y suman mil veces menos. En un

@@ -2,7 +2,6 @@
 #include "caso.h"
 #include "ch04_vista3d/profundidad.h"
 #include "ch04_vista3d/vista.h"
-#include "ejecuta.h"
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace {
@@ -119,35 +118,21 @@ const Casos PROYECCION([] {
         [](double razon) { return paresMal<float>(1000 / razon); });
     caso("Profundidad", "cerca_casi_cero_en_float", partesMal(1e-30, EN_FLOAT), "parte",
          [] { return paresMal<float>(1e-30); });
-
-    for (const char *programa : {"proyecciones", "grua_proyeccion"})
-        casos<glm::ivec2>("Ventana", programa + std::string("_*"),
-                          {{"1x180", {1, 180}}, {"1x1", {1, 1}}, {"240x1", {240, 1}}, {"3x500", {3, 500}}}, 0,
-                          "estado", [=](const glm::ivec2 &talla) {
-                              const Ejecucion e = ejecuta(programa, "", talla.x, talla.y);
-                              EXPECT_EQ(e.errores, "");
-                              return e.estado + (e.imagen.ancho != talla.x || e.imagen.alto != talla.y);
-                          });
 });
 
 } // namespace
 
 // Lo que no tiene proyección termina con un mensaje, no con un NaN.
-TEST(ProyeccionImposibleDeathTest, CercaCero) {
-    EXPECT_EXIT(proyeccionPerspectiva(1, 1, 0, 10), ExitedWithCode(1), "0 < cerca < lejos");
-}
-TEST(ProyeccionImposibleDeathTest, CercaNegativa) {
-    EXPECT_EXIT(proyeccionPerspectiva(1, 1, -1, 10), ExitedWithCode(1), "0 < cerca < lejos");
-}
-TEST(ProyeccionImposibleDeathTest, CercaIgualALejos) {
-    EXPECT_EXIT(proyeccionPerspectiva(1, 1, 5, 5), ExitedWithCode(1), "0 < cerca < lejos");
-}
-TEST(ProyeccionImposibleDeathTest, AspectoCero) {
-    EXPECT_EXIT(proyeccionPerspectiva(1, 0, 1, 10), ExitedWithCode(1), "aspecto > 0");
-}
-TEST(ProyeccionImposibleDeathTest, AnguloDe180Grados) {
-    EXPECT_EXIT(proyeccionPerspectiva(3.1415927, 1, 1, 10), ExitedWithCode(1), "theta");
-}
-TEST(ProyeccionImposibleDeathTest, ParalelaSinAncho) {
+TEST(ProyeccionImposibleDeathTest, UnMensaje) {
+    const double PI = glm::pi<double>();
+    const struct {
+        double theta, aspecto, cerca, lejos;
+        const char *mensaje;
+    } imposibles[] = {{1, 1, 0, 10, "0 < cerca < lejos"},     {1, 1, -1, 10, "0 < cerca < lejos"},
+                      {1, 1, 5, 5, "0 < cerca < lejos"},      {1, 0, 1, 10, "aspecto > 0"},
+                      {PI + 1e-7, 1, 1, 10, "0 < theta < π"}, {NAN, 1, 1, 2, "0 < theta < π"}};
+    for (const auto &[theta, aspecto, cerca, lejos, mensaje] : imposibles)
+        EXPECT_EXIT(proyeccionPerspectiva(theta, aspecto, cerca, lejos), ExitedWithCode(1), mensaje);
     EXPECT_EXIT(proyeccionParalela(2, 2, -1, 1, 0, 10), ExitedWithCode(1), "ancho, alto o fondo");
+    EXPECT_EXIT(proyeccionParalela(0, 1, 0, NAN, 0, 1), ExitedWithCode(1), "el volumen");
 }

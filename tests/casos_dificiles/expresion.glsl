@@ -5,7 +5,6 @@
 
 uniform vec3 a, b;
 uniform sampler2D imagen, filtro;
-uniform samplerCube mapa;
 
 out vec4 colorFragmento;
 

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <map>
 
-/// La expresión, de tipo float o vec3, puede ser de los vec3 `a` y `b`, de lo que hay en las texturas `imagen`, `filtro` y `mapa`, en las
-/// unidades 0, 1 y 2, y de lo que tienen phong.glsl, ruido.glsl y filtro.glsl.
+/// La expresión, de tipo float o vec3, puede ser de los vec3 `a` y `b`, de lo que hay en las texturas `imagen` y `filtro`, en las
+/// unidades 0 y 1, y de lo que tienen phong.glsl, ruido.glsl y filtro.glsl.
 inline glm::vec3 glsl(const std::string &expresion, const glm::vec3 &a, const glm::vec3 &b = glm::vec3(0)) {
     static std::map<std::string, GLuint> programas;
     GLuint &programa = programas[expresion];
@@ -24,6 +24,5 @@ inline glm::vec3 glsl(const std::string &expresion, const glm::vec3 &a, const gl
     glUniform3fv(donde("b"), 1, glm::value_ptr(b));
     glUniform1i(donde("imagen"), 0);
     glUniform1i(donde("filtro"), 1);
-    glUniform1i(donde("mapa"), 2);
     return glm::vec3(leeSonda());
 }

@@ -1,6 +1,5 @@
-// Las ayudas de dibujo de common/: trazo, rotulo, recuadro y el encuadre de perspectivaVentana y paralelaVentana. Se dibuja en una
-// ventana sin pantalla y se miran los píxeles.
-#include "aspecto.h"
+// Lo que se pinta encima de la escena (common/encima, rotulo y trazo): se dibuja en una ventana sin pantalla y se miran los píxeles.
+// Dónde cae cada cosa y de qué color, en los programas (encima.h); lo que se ve de los trazos, en los del capítulo 11 (pintado.h).
 #include "buferes.h"
 #include "colores.h"
 #include "imagen.h"
@@ -15,7 +14,6 @@
 #include <functional>
 #include <gtest/gtest.h>
 #include <map>
-#include <set>
 #include <utility>
 // clang-format off
 #include <ft2build.h>
@@ -86,50 +84,6 @@ protected:
     }
 };
 
-// --- trazo ------------------------------------------------------------------------------------------------------
-
-// Con un extremo detrás de la cámara se ve lo que queda delante, y hacia donde va: (0, 0, −5) a (3, 0, 5) deja la
-// pantalla por la derecha.
-TEST_F(Ayudas, UnExtremoDetrasDeLaCamara) {
-    const glm::mat4 proyeccion = perspectivaVentana(1, 0.1f, 100);
-    for (const bool alReves : {false, true}) {
-        std::vector<glm::vec3> p = {{0, 0, -5}, {3, 0, 5}};
-        if (alReves)
-            std::swap(p[0], p[1]);
-        for (const auto &traza :
-             std::vector<std::function<void()>>{[&] { trazaSegmentos(p, proyeccion, ROJO, 12); },
-                                                [&] { trazaPolilinea(p, proyeccion, ROJO, 12); },
-                                                [&] { trazaFlecha(p[0], p[1], proyeccion, ROJO, 12); }}) {
-            const Caja c = caja(pinta(traza));
-            EXPECT_GE(c.minimo.x, 225); // la punta de la flecha ensancha por la izquierda, cuando está allí
-            EXPECT_EQ(c.maximo.x, 479);
-            EXPECT_GE(c.minimo.y, 170);
-            EXPECT_LE(c.maximo.y, 190);
-        }
-    }
-    EXPECT_EQ(caja(pinta([&] {
-                  trazaSegmentos({{0, 0, 1}, {3, 0, 5}}, proyeccion, ROJO);
-                  trazaFlecha({0, 0, 1}, {3, 0, 5}, proyeccion, ROJO);
-                  trazaPuntos({{0, 0, 5}, {0, 0, 0}}, proyeccion, ROJO);
-              })).pixeles,
-              0);
-}
-
-TEST_F(Ayudas, LosTramosEmpalmanSinMella) {
-    // una V: la esquina de fuera, medio grosor bajo el vértice, está pintada
-    const Imagen v = pinta([] {
-        trazaPolilinea({{-0.4f, 0.4f, 0}, {0, -0.4f, 0}, {0.4f, 0.4f, 0}}, UNO, ROJO, 60);
-    });
-    EXPECT_FALSE(esBlanco(v, 240, 180 - 72 - 3));
-    const std::vector<glm::vec3> cuadrado = {
-        {-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0}};
-    const auto lados = [&](bool cerrada) {
-        return caja(pinta([&] { trazaPolilinea(cuadrado, UNO, ROJO, 30, cerrada); })).pixeles;
-    };
-    EXPECT_NEAR(lados(false), (2 * 240 + 180) * 10, 200);
-    EXPECT_NEAR(lados(true), (2 * 240 + 2 * 180) * 10, 200);
-}
-
 // Nada de lo que un programa haya puesto cambia porque se pinte encima de su escena.
 TEST_F(Ayudas, DejanElEstadoComoEstaba) {
     const auto estado = [] {
@@ -159,8 +113,6 @@ TEST_F(Ayudas, DejanElEstadoComoEstaba) {
         EXPECT_EQ(estado(), antes);
     }
 }
-
-// --- rotulo -----------------------------------------------------------------------------------------------------
 
 // Cada signo, a tres tamaños, frente a lo que cubre su contorno en cada píxel, según FreeType. El atlas es de 32 por cuadratín y
 // redondea las esquinas: se admite una diferencia cuadrática media de un 8 % de tinta en los píxeles de su caja (hay hasta un 7.5).
@@ -212,30 +164,6 @@ TEST_F(Ayudas, UnSignoQueNoHayEsUnCuadrado) {
     EXPECT_NE(imagen("€"), imagen("a"));
 }
 
-// Sobre un fondo de su color, la letra se ve por su halo, que mide un píxel o una décima de su alto.
-TEST_F(Ayudas, ElHaloSeparaLaLetraDelFondo) {
-    for (const auto &[tinta, halo] : {std::pair(OSCURO, BLANCO), {BLANCO, OSCURO}}) {
-        const glm::vec3 fondo = tinta;
-        for (const int alto : {180, 1080}) {
-            const Imagen imagen = pinta({alto * 4 / 3, alto}, [&] {
-                abreRecuadro(ventanaEntera(), fondo);
-                rotula("□", {0.5f, 0.5f}, tinta);
-            });
-            int distintos =
-                0; // en la fila del medio: el halo de los dos lados del cuadrado, por fuera y por dentro
-            for (int x = 0; x < imagen.ancho; ++x)
-                distintos += color(imagen, x, alto / 2) != enNiveles(fondo);
-            EXPECT_GE(distintos, 4);
-            EXPECT_LE(distintos, 4 * std::max(0.1 * 0.04 * alto + 1, 2.0));
-            glm::ivec3 lejos(0);
-            for (std::size_t k = 0; k < imagen.rgb.size(); ++k)
-                lejos[int(k % 3)] =
-                    std::max(lejos[int(k % 3)], std::abs(imagen.rgb[k] - int(255 * fondo[int(k % 3)])));
-            EXPECT_GT(lejos.g, 0.6 * 255 * std::fabs(halo.g - fondo.g)) << "el halo es del otro color";
-        }
-    }
-}
-
 // Se lea quien se lea y sobre lo que sea: la letra, que es lo que más se pinta, y el halo, lo segundo, contrastan 4.5 (WCAG 2). El
 // color pedido se cambia solo si no llega.
 TEST_F(Ayudas, DeCualquierColorSeLee) {
@@ -273,31 +201,6 @@ TEST_F(Ayudas, DeCualquierColorSeLee) {
     }
 }
 
-TEST_F(Ayudas, UnRotuloNoTapaSuPuntoNiSeSale) {
-    for (const glm::ivec2 talla : {glm::ivec2(240, 180), {480, 360}, {200, 450}, {640, 360}})
-        for (const Lado lado : {Lado::ENCIMA, Lado::DEBAJO, Lado::IZQUIERDA, Lado::DERECHA})
-            for (float x = -0.9f; x < 1; x += 0.3f)
-                for (float y = -0.9f; y < 1; y += 0.3f) {
-                    const Imagen imagen = pinta(talla, [&] {
-                        rotulaPunto("P(1,2)", {x, y, 0}, UNO, ROJO, lado);
-                    });
-                    const Caja c = caja(imagen);
-                    EXPECT_GT(c.pixeles, 50);
-                    // a una letra del borde, como poco; los palotes de la p y la coma bajan de la línea
-                    const int letra =
-                        std::max(int(std::lround(0.04 * std::min(talla.y, talla.x * 3 / 4))), 7);
-                    const glm::ivec2 margen(letra * 8 / 10 - 1, letra / 2);
-                    EXPECT_TRUE(glm::all(glm::greaterThanEqual(c.minimo, margen)));
-                    EXPECT_TRUE(glm::all(glm::lessThan(c.maximo, talla - margen)));
-                    const int px = int((x + 1) / 2 * float(talla.x)), py = int((y + 1) / 2 * float(talla.y));
-                    for (int dx = -1; dx <= 1; ++dx)
-                        for (int dy = -1; dy <= 1; ++dy)
-                            EXPECT_TRUE(esBlanco(imagen, px + dx, py + dy))
-                                << talla.x << "×" << talla.y << " lado " << int(lado) << " en " << x << " "
-                                << y;
-                }
-}
-
 TEST_F(Ayudas, FueraDelVolumenNoHayRotulo) {
     const glm::mat4 proyeccion = perspectivaVentana(1, 0.1f, 100);
     for (const glm::vec3 &p : {glm::vec3(0, 0, 5), {0, 0, 0}, {50, 0, -5}, {0, -50, -5}, {0, 0, -0.05f}})
@@ -321,56 +224,11 @@ TEST_F(Ayudas, UnRotuloLargoEncogeYLaLineaNuevaBaja) {
                 1); // de una línea a otra, una mayúscula y media
 }
 
-// --- recuadro ---------------------------------------------------------------------------------------------------
-
-// Por pequeña que sea la ventana. Dónde cae cada uno, en los programas con paneles (panel.h).
-TEST_F(Ayudas, LosPanelesNoSeSolapanNiSeSalen) {
-    for (int ancho = 1; ancho < 60; ++ancho)
-        for (int alto : {1, 2, 7, 50}) {
-            glutReshapeWindow(ancho, alto);
-            for (const auto &[columnas, filas] : {std::pair(1, 1), {2, 2}, {3, 2}, {1, 4}}) {
-                std::vector<int> veces(std::size_t(ancho * alto));
-                for (const Recuadro &r : rejilla(columnas, filas)) {
-                    ASSERT_GE(std::min({r.x, r.y, r.ancho, r.alto}), 0);
-                    for (int y = r.y; y < r.y + r.alto; ++y)
-                        for (int x = r.x; x < r.x + r.ancho; ++x)
-                            ++veces.at(std::size_t(y * ancho + x));
-                }
-                EXPECT_LE(*std::max_element(veces.begin(), veces.end()), 1);
-            }
-        }
-}
-
-TEST_F(Ayudas, RepartePorLaFormaDeLaVentana) {
-    const auto filas = [](int ancho, int alto, int n, float aspectoEscena) {
-        glutReshapeWindow(ancho, alto);
-        std::set<int> ys;
-        for (const Recuadro &r : reparte(n, aspectoEscena))
-            ys.insert(r.y);
-        return ys.size();
-    };
-    EXPECT_EQ(filas(640, 360, 2, 1), 1u);
-    EXPECT_EQ(filas(400, 900, 2, 1), 2u);
-    EXPECT_EQ(filas(640, 360, 4, 1.5f), 2u);
-    EXPECT_EQ(filas(400, 900, 3, 1), 3u);
-    EXPECT_EQ(filas(640, 360, 6, 1), 2u);
-    EXPECT_EQ(filas(400, 250, 3, 1), 1u); // con dos columnas harían falta dos filas
-}
-
-// --- encuadre ---------------------------------------------------------------------------------------------------
-
-// A 4:3 y más ancha, el ángulo vertical es el pedido; más estrecha, se ve lo mismo a lo ancho que a 4:3. Nunca se deforma.
-TEST(Encuadre, EstrecharLaVentanaNoCorta) {
-    for (const float aspecto : {0.05f, 0.4444f, 0.8889f, 1.0f, 1.2f, 4.0f / 3, 1.7778f, 20.0f}) {
-        const glm::mat4 P = perspectivaVentana(0.6f, 1, 100, aspecto), O = paralelaVentana(2, -1, 1, aspecto);
-        const double tangenteY = 1 / P[1][1], tangenteX = 1 / P[0][0], y = 1 / O[1][1], x = 1 / O[0][0];
-        EXPECT_NEAR(tangenteX / tangenteY, aspecto, 1e-5 * aspecto);
-        EXPECT_NEAR(x / y, aspecto, 1e-5 * aspecto);
-        EXPECT_GE(tangenteY, std::tan(0.3) - 1e-6);
-        EXPECT_GE(tangenteX, std::tan(0.3) * 4 / 3 - 1e-6);
-        EXPECT_NEAR(std::min(tangenteY / std::tan(0.3), tangenteX / std::tan(0.3) * 3 / 4), 1, 1e-5);
-        EXPECT_NEAR(std::min(y / 2, x / 2 * 3 / 4), 1, 1e-5);
-    }
+// En dos columnas, tres paneles son dos filas: en una ventana así se ven mejor los tres en una.
+TEST_F(Ayudas, TresPanelesEnUnaFila) {
+    glutReshapeWindow(400, 250);
+    const std::vector<Recuadro> paneles = reparte(3, 1);
+    EXPECT_EQ(paneles[0].y, paneles[2].y);
 }
 
 } // namespace

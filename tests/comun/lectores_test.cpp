@@ -53,9 +53,11 @@ TEST(LeeTextura, DaLaVueltaALasFilas) {
                                                  "ABCDEFGHI"),
                                 3, 2);
     EXPECT_EQ(std::string(i.rgb.begin(), i.rgb.end()), "ABCDEFGHIabcdefghi");
+    const Imagen j = leePpm(escribe("dos.ppm", "P6 1 2 255\nabcDEF"));
+    EXPECT_EQ(std::string(j.rgb.begin(), j.rgb.end()), "DEFabc");
 }
 
-// Lo demás que se rechaza, en ch06_texturas.Argumentos. Un dispositivo no se acaba: hay un límite, y se dice.
+// Lo demás, en ch06_texturas.Argumentos. Un dispositivo no se acaba: hay un límite, y se dice.
 TEST(LeeTextura, LoQueNoEsUnFicheroNiUnaTalla) {
     EXPECT_EXIT(leeTextura(carpetaTemporal().string(), 3, 2), ExitedWithCode(1), "es una carpeta");
     EXPECT_EXIT(leeTextura("/dev/zero", 3, 2), ExitedWithCode(1), "«/dev/zero» ocupa más de 256 MiB");
@@ -76,26 +78,18 @@ TEST(Ppm, LoGuardadoSeLeeIgual) {
     EXPECT_EQ(comentario, "un sello");
 }
 
-TEST(Ppm, LaPrimeraFilaDelFicheroEsLaDeArriba) {
-    const Imagen i = leePpm(escribe("dos.ppm", "P6 1 2 255\nabcDEF"));
-    EXPECT_EQ(std::string(i.rgb.begin(), i.rgb.end()), "DEFabc");
-}
-
 TEST(Ppm, RechazaLoQueNoEntiende) {
     const char *const CABECERA = "la cabecera del PPM no es válida";
     esperaQueTermine([](const std::string &ruta) { leePpm(ruta); }, "mal.ppm",
                      {{"", "no es un PPM binario"},
                       {"P3 1 1 255\n1 2 3", "no es un PPM binario"},
-                      {"P6\n", CABECERA},
                       {"P6 0 1 255\n", CABECERA},
                       {"P6 99999999 1 255\n", CABECERA},
                       {"P6 -1 1 255\n", CABECERA},
-                      {"P6 #", CABECERA},
                       {"P6\n#", CABECERA},
                       {"P62 1 255\nabcdef", CABECERA},
                       {"P6 1 1 255Xabc", CABECERA},
                       {"P6 1 1 255", CABECERA},
-                      {"P6 1x1 255\nabc", CABECERA},
                       {"P6 1 1 65535\nabcdef", "solo se leen PPM de 8 bits"},
                       {"P6 1 1 15\nabc", "solo se leen PPM de 8 bits"},
                       {"P6 2 2 255\nabc", "una imagen RGB de 2×2 ocupa 12 bytes y hay 3"},
@@ -123,18 +117,13 @@ TEST(ImagenDeArgumentos, UnPpmSeConocePorSuExtension) {
     }
 }
 
-// Entero o nada: con el disco lleno o la carpeta cerrada hay mensaje y no queda nada a medias.
-TEST(GuardaPpm, EnteroONada) {
+// Con el disco lleno o sin la carpeta hay mensaje, y un dispositivo lo sigue siendo.
+TEST(GuardaPpm, DondeNoSePuede) {
     const Imagen i{100, 100, std::vector<unsigned char>(30000, 9)};
     EXPECT_EXIT(guardaPpm("/dev/full", i), ExitedWithCode(1), "no puedo guardar «/dev/full»: No space left");
     EXPECT_TRUE(fs::is_character_file("/dev/full"));
     EXPECT_EXIT(guardaPpm("/no/hay/carpeta.ppm", i), ExitedWithCode(1),
                 "no puedo guardar «/no/hay/carpeta.ppm»");
-    const fs::path carpeta = carpetaTemporal() / "carpeta_ppm";
-    fs::remove_all(carpeta);
-    fs::create_directories(carpeta / "ocupada.ppm");
-    EXPECT_EXIT(guardaPpm((carpeta / "ocupada.ppm").string(), i), ExitedWithCode(1), "no puedo guardar");
-    EXPECT_EQ(std::distance(fs::directory_iterator(carpeta), {}), 1);
 }
 
 // Si se acaba el sitio a media imagen, la que había sigue ahí y no queda nada más.
@@ -152,15 +141,6 @@ TEST(GuardaPpm, ConservaLaQueHabia) {
     EXPECT_EXIT(sinSitio(), ExitedWithCode(1), "no puedo guardar «.*foto.ppm»: File too large");
     EXPECT_EQ(leePpm(ruta).rgb, (std::vector<unsigned char>{1, 2, 3}));
     EXPECT_EQ(std::distance(fs::directory_iterator(carpeta), {}), 1);
-}
-
-TEST(LeeVf, LeeVerticesYCaras) {
-    const MallaVf m = leeVf(escribe(
-        "m.vf", "# dos triángulos\nv 0 0 0\nv 1 0 0 # otro\nv 1 1 0\n\nv 0 1.5e0 -2\nf 1 2 3\nf 1 3 4\n"));
-    ASSERT_EQ(m.vertices.size(), 4u);
-    EXPECT_EQ(m.vertices[3], glm::vec3(0, 1.5f, -2));
-    ASSERT_EQ(m.caras.size(), 2u);
-    EXPECT_EQ(m.caras[1], (std::vector<unsigned>{0, 2, 3}));
 }
 
 TEST(LeeVf, CadaErrorDiceFicheroYLinea) {
@@ -193,9 +173,12 @@ TEST(LeeVf, NoDependeDelIdioma) {
         }
     };
     const std::locale antes = std::locale::global(std::locale(std::locale(), new Coma));
-    const MallaVf m = leeVf(escribe("m.vf", "v 0.25 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"));
+    const MallaVf m = leeVf(escribe(
+        "m.vf", "# dos triángulos\nv 0 0 0\nv 1 0 0 # otro\nv 1 1 0\n\nv 0.25 1.5e0 -2\nf 1 2 3\nf 1 3 4\n"));
     std::locale::global(antes);
-    EXPECT_EQ(m.vertices[0].x, 0.25f);
+    ASSERT_EQ(m.vertices.size(), 4u);
+    EXPECT_EQ(m.vertices[3], glm::vec3(0.25f, 1.5f, -2));
+    EXPECT_EQ(m.caras, (std::vector<std::vector<unsigned>>{{0, 1, 2}, {0, 2, 3}}));
 }
 
 // --- Los parches de la tetera ---

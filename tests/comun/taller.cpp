@@ -1,9 +1,8 @@
 // Un programa para probar common/ por dentro: dos cuadrados, cada uno con sus shaders, taller/a.* y taller/b.* de
-// $LAB_RAIZ. Con el argumento `enorme`, una textura que no cabe. Teclas: 0 a 9 ponen en taller/ la versión $LAB_RAIZ/N
-// (el usuario edita); n va a una carpeta que ya no existe y v vuelve.
+// $LAB_RAIZ. Teclas: 0 a 9 ponen en taller/ la versión $LAB_RAIZ/N (el usuario edita); n va a una carpeta que ya no existe
+// y v vuelve.
 #include "buferes.h"
 #include "shader.h"
-#include "textura.h"
 #include "ventana.h"
 #include <cstdlib>
 #include <filesystem>
@@ -23,12 +22,10 @@ static void edita(char version) {
     fs::copy(raiz / std::string(1, version), raiz / "taller");
 }
 
-static void inicia(bool enorme) {
+static void inicia() {
     edita('0');
     estado.programas[0] = creaPrograma("taller/a.vert", "taller/a.frag");
     estado.programas[1] = creaPrograma("taller/b.vert", "taller/b.frag");
-    if (enorme)
-        creaTextura2D({32768, 2, std::vector<unsigned char>(3 * 32768 * 2)});
     estado.cuadrado = creaBuferes(plano(1));
 }
 
@@ -55,8 +52,8 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "taller", GLUT_DOUBLE | GLUT_RGBA, "[enorme]");
-    inicia(argc > 1);
+    abreVentana(argc, argv, "taller", GLUT_DOUBLE | GLUT_RGBA);
+    inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     glutMainLoop();

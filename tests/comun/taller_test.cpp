@@ -1,4 +1,4 @@
-// Lo que common/ hace con una ventana abierta: F5 con shaders mal editados, F12 donde no se puede escribir, texturas.
+// Lo que common/ hace con una ventana abierta: F5 con shaders mal editados, F12 donde no se puede escribir.
 #include "ejecuta.h"
 #include "shader.h"
 #include <algorithm>
@@ -45,8 +45,7 @@ Ficheros con(Ficheros cambios, Ficheros buena) {
 }
 
 /// Ejecuta tests/comun/taller.cpp con esas versiones de sus shaders en $LAB_RAIZ/0, /1…
-Ejecucion taller(const std::vector<Ficheros> &versiones, const std::string &guion = "",
-                 const std::vector<std::string> &argumentos = {}) {
+Ejecucion taller(const std::vector<Ficheros> &versiones, const std::string &guion = "") {
     static int n = 0;
     const fs::path raiz = carpetaTemporal() / ("raiz" + std::to_string(++n));
     for (std::size_t v = 0; v < versiones.size(); ++v) {
@@ -57,7 +56,7 @@ Ejecucion taller(const std::vector<Ficheros> &versiones, const std::string &guio
                 std::ofstream(carpeta / nombre, std::ios::binary) << contenido;
     }
     const ConRaiz conRaiz(raiz);
-    return ejecuta("../tests/taller", guion, 64, 32, argumentos);
+    return ejecuta("../tests/taller", guion, 64, 32);
 }
 
 /// El color de cada mitad de la imagen: «rojo azul».
@@ -91,7 +90,6 @@ const Rotura ROTURAS[] = {
      "taller/c.glsl:2: error: `y' undeclared — «float x = y;»"},
     {{{"a.vert", BORRADO}}, "no encuentro «taller/a.vert»; lo he buscado en "},
     {{{"a.vert", ""}}, "taller/a.vert"},
-    {{{"a.frag", ""}}, "taller/a.frag"},
     {{{"a.vert",
        "#version 140\nout vec2 st;\nvoid main() {\n    st = vec2(0.0);\n    gl_Position = vec4(1.0);\n}\n"}},
      "taller/a.vert: no usa el atributo «posicion»"},
@@ -100,9 +98,6 @@ const Rotura ROTURAS[] = {
        "vec4(st, 1.0);\n}\n"},
       {"a.frag", frag("vec4(st, 0, 1)")}},
      "taller/a.vert y taller/a.frag no enlazan: "},
-    {{{"a.frag", "#version 140\n" + std::string(40000, ' ') + "x\n"}}, "taller/a.frag:2: error: "},
-    {{{"a.frag", CABECERA + "#include \"" + std::string(200000, 'x') + "\"\n"}},
-     "taller/a.frag:3: no encuentro «xxx"},
 };
 
 } // namespace
@@ -195,11 +190,4 @@ TEST(F12, DondeNoSePuedeEscribirAvisaYSigue) {
     EXPECT_EQ(std::count(e.errores.begin(), e.errores.end(), '\n'), 1);
     EXPECT_EQ(e.salida, "guardado taller-1.ppm\n");
     EXPECT_EQ(mitades(e.imagen), "rojo azul");
-}
-
-TEST(Textura, LaQueNoCabeLoDice) {
-    const Ejecucion e = taller({version(ROJO, AZUL)}, "", {"enorme"});
-    EXPECT_EQ(e.estado, 1);
-    EXPECT_EQ(e.errores, "taller: una textura de 32768×2 es demasiado grande: este OpenGL las admite de "
-                         "hasta 16384 de lado\n");
 }
