@@ -43,12 +43,6 @@ inline oraculo::Vec3 phongExacto(const oraculo::Vec3 &P, const oraculo::Vec3 &N,
     return oraculo::phong(material, {1, 1, 1}, {luz}, P, N, oraculo::unitario(ojo - P));
 }
 
-inline void borraBuferes(const Buferes &b) {
-    glDeleteVertexArrays(1, &b.vao);
-    glDeleteBuffers(1, &b.vertices);
-    glDeleteBuffers(1, &b.indices);
-}
-
 /// Raíz del error cuadrático medio, en niveles, donde la referencia ve algo casi de frente: el contorno se juzga
 /// aparte.
 inline double errorDeFrente(const Imagen &gpu, const oraculo::ImagenRef &ref) {
