@@ -338,8 +338,11 @@ TEST(Captura, LaEsquinaEnsenaLoLeido) {
 TEST(Captura, ElSitioDeLoQueSeLeera) {
     const Encima vacia = vistaDe("captura").encima;
     compruebaRotulos(vacia, {{"g guarda\ny lee", {6 + 40, 175 - 30}, OSCURO}});
-    EXPECT_LE(glm::distance(vacia.trazos(NARANJA, "polilinea").at(0).punto(0), {6, 115}),
-              2); // metida en el panel
+    const Pintado marco = vacia.trazos(NARANJA, "polilinea").at(0); // metido en el panel
+    ASSERT_EQ(marco.puntos.size(), 5u);
+    for (const auto &[i, x, y] :
+         {std::tuple(0u, 6, 115), {1u, 86, 115}, {2u, 86, 175}, {3u, 6, 175}, {4u, 6, 115}})
+        EXPECT_LE(glm::distance(marco.punto(i), {x, y}), 2) << i;
     const std::string fichero = (carpetaTemporal() / "captura.ppm").string();
     const Encima llena = vistaDe("captura", "tecla g", 240, 180, {fichero}).encima;
     EXPECT_EQ(llena.textos(OSCURO), std::vector<std::string>{"240×180, idéntica"});

@@ -216,17 +216,31 @@ struct Hermite : ConPuntos {
 };
 
 TEST(Hermite, CurvaTangentesYTransformada) {
-    compruebaPasos<Lista>("hermite", {{"", Hermite().lista()},
-                                      {"tecla g", Hermite(0.5).lista()},
-                                      {"tecla + ×2", Hermite(0.7).lista()},
-                                      {"tecla + ×20", Hermite(1.5).lista()},
-                                      {"tecla - ×40", Hermite(0.2).lista()},
-                                      {"tecla t", Hermite::transformada().lista()},
-                                      {"tecla g", Hermite(0.2).lista()}});
+    compruebaPasos<Lista>("hermite",
+                          {{"", Hermite().lista()},
+                           {"tecla g", Hermite(0.5).lista()},
+                           {"tecla + ×2", Hermite(0.7).lista()},
+                           {"tecla + ×20", Hermite(1.5).lista()},
+                           {"tecla - ×40", Hermite(0.2).lista()},
+                           {"tecla t", Hermite::transformada().lista()},
+                           {"tecla g", Hermite(0.2).lista()},
+                           {"tecla g", Hermite().lista()}}); // y no la transformada, que se ha dejado
     for (const glm::ivec2 &ventana : {ANCHA, ALTA})
         compruebaPasos<Lista>("hermite", {{"", Hermite().lista(ventana)},
                                           {"tecla g", Hermite(0.5).lista(ventana)},
                                           {"tecla t", Hermite::transformada().lista(ventana)}});
+}
+
+// Con la mayor k, la flecha k·R4 y su nombre caben en la ventana.
+TEST(Hermite, ConLaMayorKNadaSeSale) {
+    for (const glm::ivec2 &ventana : {NORMAL, ANCHA, ALTA}) {
+        const Vista vista = vistaDe("hermite", "tecla g; tecla + ×40", ventana.x, ventana.y);
+        for (const Pintado &p : vista.encima)
+            for (std::size_t i = 0; i < p.puntos.size(); ++i)
+                EXPECT_TRUE(glm::all(glm::greaterThan(p.punto(i), glm::dvec2(4))) &&
+                            glm::all(glm::lessThan(p.punto(i), glm::dvec2(ventana) - 4.0)))
+                    << p.tipo << " " << p.texto;
+    }
 }
 
 TEST(Hermite, ArrastrarPuntosYPuntas) {

@@ -268,10 +268,14 @@ def arrastres(p):
 
 
 def pausa(p):
-    """Con el reloj parado no pasa nada, y al seguir, el tiempo de la pausa no ha contado. Hay programas que empiezan parados."""
-    if not p.anima or "tecla Espacio" not in p.teclas:
+    """Lo que se anima sigue; con el reloj parado no pasa nada, y al seguir, el tiempo de la pausa no ha contado. Hay programas que empiezan parados."""
+    if not p.anima:
         return
     nada, luego = p.diario(["espera 960"])
+    if luego.temporizadores < nada.temporizadores:
+        yield "temporizador", "el temporizador no se vuelve a pedir"
+    if "tecla Espacio" not in p.teclas:
+        return
     anda = [] if luego.distinta(nada) else ["tecla Espacio"]
     seguido = p.diario([*anda, "espera 960"])[-1]
     filas = p.diario([*anda, "espera 640", "tecla Espacio", "espera 4960", "tecla Espacio", "espera 320"])[len(anda):]
