@@ -268,14 +268,12 @@ def arrastres(p):
 
 
 def pausa(p):
-    """Lo que se anima sigue; con el reloj parado no pasa nada, y al seguir, el tiempo de la pausa no ha contado. Hay programas que empiezan parados."""
-    if not p.anima:
+    """Lo que se anima, sigue; con el reloj parado no pasa nada, y al seguir, el tiempo de la pausa no ha contado. Hay programas que empiezan parados."""
+    if not p.anima or "tecla Espacio" not in p.teclas:
         return
     nada, luego = p.diario(["espera 960"])
     if luego.temporizadores < nada.temporizadores:
         yield "temporizador", "el temporizador no se vuelve a pedir"
-    if "tecla Espacio" not in p.teclas:
-        return
     anda = [] if luego.distinta(nada) else ["tecla Espacio"]
     seguido = p.diario([*anda, "espera 960"])[-1]
     filas = p.diario([*anda, "espera 640", "tecla Espacio", "espera 4960", "tecla Espacio", "espera 320"])[len(anda):]
@@ -306,8 +304,10 @@ def rondas(p):
 
 
 def comunes(p):
-    """F1 pone la ayuda, que es lo que dice «// Controles:», y la quita; F12 guarda y lo dice, y Esc termina: tras él no hay fila."""
-    nada, puesta, quitada, guardada, *mas = p.diario(["especial F1", "especial F1", "especial F12", "tecla Esc"])
+    """Lo que cambia con el tiempo se anima; F1 pone la ayuda, que es lo que dice «// Controles:», y la quita; F12 guarda y lo dice, y Esc termina: tras él no hay fila."""
+    antes, nada, puesta, quitada, guardada, *mas = p.diario(["espera 960", "especial F1", "especial F1", "especial F12", "tecla Esc"])
+    if nada.distinta(antes) and not p.anima:
+        yield "tiempo", "cambia con el tiempo y nadie pide que se vuelva a dibujar"
     if puesta.imagen == nada.imagen or quitada.imagen != nada.imagen or puesta.titulo != nada.titulo:
         yield "F1", "F1 no pone la ayuda, o no la quita"
     with tempfile.NamedTemporaryFile("r") as encima:
