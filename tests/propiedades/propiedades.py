@@ -274,6 +274,11 @@ def pausa(p):
     nada, luego = p.diario(["espera 960"])
     if luego.temporizadores < nada.temporizadores:
         yield "temporizador", "el temporizador no se vuelve a pedir"
+    with tempfile.TemporaryDirectory() as carpeta:  # sin diario no se dibuja si nadie lo pide
+        for i, guion in enumerate(("espera 960", "espera 960; especial F5")):
+            p.ejecuta(["-guion", guion, "-ppm", f"{carpeta}/{i}"])
+        if Path(carpeta, "0").read_bytes() != Path(carpeta, "1").read_bytes():
+            yield "temporizador", "el temporizador no pide que se vuelva a dibujar"
     anda = [] if luego.distinta(nada) else ["tecla Espacio"]
     seguido = p.diario([*anda, "espera 960"])[-1]
     filas = p.diario([*anda, "espera 640", "tecla Espacio", "espera 4960", "tecla Espacio", "espera 320"])[len(anda):]
