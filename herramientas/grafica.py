@@ -16,14 +16,14 @@ def coloca(puntos, textos):
     lugares = []
     for (x, y), texto in zip(puntos, textos):
         largo = 6.9 * len(texto)
-        opciones = [(x + dx, y + dy) for dy in (13, -13, 26, -26, 39, -39, 52, -52, 65, -65) for dx in (-4, -largo / 2, 4 - largo)]
+        opciones = [(x + dx, y + dy) for dy in (13, -13, 26, -26, 39, -39, 52, -52, 65, -65) for dx in (3, -largo / 2, -largo - 3)]
 
         def cajas(lugar):
-            return lugar[0], lugar[1] - 6, lugar[0] + largo, lugar[1] + 6
+            return lugar[0] - 3, lugar[1] - 6, lugar[0] + largo + 3, lugar[1] + 6
 
         def estorbo(lugar):
             a, b, c, d = cajas(lugar)
-            fuera = a < MARGEN[0] or c > ANCHO or b < MARGEN[3] or d > ALTO
+            fuera = a < MARGEN[0] or c > ANCHO - MARGEN[1] or b < MARGEN[3] or d > ALTO - MARGEN[2]
             return 100 * fuera + sum(a < o[2] and o[0] < c and b < o[3] and o[1] < d for o in ocupado)
 
         mejor = min(opciones, key=estorbo)
@@ -62,7 +62,7 @@ def dibuja(tecnica, svg):
         return [f"${nombre} << FIN", *(filas or ["NaN NaN NaN NaN"]), "FIN"]
 
     lugares = coloca([en_pixeles(v) for v in con_error], [texto(v) for v in con_error])
-    grupos = [[v for v in sorted(con_error, key=lambda v: v.mediana) if v.grupo == g and v.optima] for g in dict.fromkeys(v.grupo for v in con_error)]
+    grupos = [[v for v in sorted(con_error, key=lambda v: v.mediana) if v.grupo == g and v.optima is not False] for g in dict.fromkeys(v.grupo for v in con_error)]
     guion = [
         f"set terminal svg size {ANCHO},{ALTO} font 'sans-serif,12' background rgb 'white'",
         f"set lmargin at screen {MARGEN[0] / ANCHO}", f"set rmargin at screen {1 - MARGEN[1] / ANCHO}",
@@ -70,9 +70,9 @@ def dibuja(tecnica, svg):
         "set logscale xy", "set format x '%g'", "set format y '10^{%T}'", f"set xrange [{izquierda}:{derecha}]", f"set yrange [{abajo}:{arriba}]",
         f'set xlabel "{tecnica.tiempo}"', f'set ylabel "{tecnica.error}"', "set grid lc rgb '#e2dfd9'", "unset key"]
     for v, (px, py) in zip(con_error, lugares):
-        color = "#a3260f" if v.elegida else "#1f5f9e" if v.optima else "#5f6b78"
+        color = "#a3260f" if v.elegida else "#1f5f9e" if v.optima is not False else "#5f6b78"
         guion.append(f'set label "{texto(v)}" at screen {px / ANCHO},{py / ALTO} noenhanced textcolor rgb "{color}"')
-    for clase, elige in (("otras", lambda v: not v.optima and not v.elegida), ("optimas", lambda v: v.optima and not v.elegida),
+    for clase, elige in (("otras", lambda v: v.optima is False and not v.elegida), ("optimas", lambda v: v.optima is not False and not v.elegida),
                          ("elegidas", lambda v: v.elegida)):
         guion += datos(clase, [v for v in con_error if elige(v)])
     trozos = []

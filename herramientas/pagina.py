@@ -1,5 +1,6 @@
 """Las páginas del laboratorio, a partir del catálogo y de las plantillas."""
 import re
+import statistics
 from pathlib import Path
 
 import jinja2
@@ -64,6 +65,7 @@ def plantilla(nombre, texto=False):
     entorno = jinja2.Environment(loader=jinja2.FileSystemLoader(PLANTILLAS), autoescape=not texto, trim_blocks=True, lstrip_blocks=True,
                                  undefined=jinja2.StrictUndefined, keep_trailing_newline=texto)
     entorno.filters["cifra"] = cifra
+    entorno.filters["median"] = statistics.median
     entorno.policies["json.dumps_kwargs"] = {"ensure_ascii": False, "separators": (",", ":")}
     return entorno.get_template(nombre)
 

@@ -1,28 +1,31 @@
 """Las técnicas de ./lab mide: sus variantes, cuáles están en el frente de Pareto y cuál usan los programas."""
 import math
 import os
+import statistics
 import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import grafica
+from cocientes import cociente, mas_lento
 from procesos import Fallo, ejecuta, escribe
 
-CABECERA = "variante\tgrupo\tmediana\tmínimo\tmáximo\terror\tnota"
+CABECERA = "variante\tgrupo\terror\tnota\ttiempo en cada ronda"
 
 
 @dataclass
 class Variante:
     nombre: str
     grupo: str
-    mediana: float
-    minimo: float
-    maximo: float
     error: float
     nota: str
+    tiempos: list  # uno por ronda, las mismas para todas las de su técnica
     elegida: bool = False
-    optima: bool = False  # en el frente de Pareto de su grupo: ninguna tan exacta tarda menos que su mejor vuelta
+    optima: bool | None = False  # en el frente de Pareto de su grupo: no hay otra tan exacta que tarde menos; None: no se distingue
     imagen: str = ""
+
+    def __post_init__(self):
+        self.mediana, self.minimo, self.maximo = statistics.median(self.tiempos), min(self.tiempos), max(self.tiempos)
 
     @property
     def par(self):
@@ -42,24 +45,25 @@ class Tecnica:
 
     @property
     def frente_a_pares(self):
-        """(par, elegida, cuántas veces tarda el par lo que la elegida, cuántas veces se equivoca)."""
-        return [(par, v, par.mediana / v.mediana, par.error / v.error if v.error else math.nan)
+        """(par, elegida, Cociente de lo que tarda el par entre lo que tarda la elegida, cuántas veces se equivoca)."""
+        return [(par, v, cociente(par.tiempos, v.tiempos), par.error / v.error if v.error else math.nan)
                 for par in self.variantes if par.par for v in self.variantes if v.elegida and v.grupo == par.grupo]
 
     @property
     def elegida_fuera(self):
-        return [v for v in self.variantes if v.elegida and not v.optima]
+        return [v for v in self.variantes if v.elegida and v.optima is False]
 
 
 def lee_variantes(fichero):
-    """Una fila por variante, con siete columnas: si no, el TSV está mal formado."""
+    """Una fila por variante, con cinco columnas: si no, el TSV está mal formado."""
     variantes = []
     for fila in fichero.read_text().splitlines():
         campos = fila.split("\t")
-        if len(campos) != 7 or "" in campos:
-            raise Fallo(f"{fichero.name}: una fila no tiene siete columnas: «{fila}»")
-        v = Variante(campos[0], "" if campos[1] == "-" else campos[1], *map(float, campos[2:6]), "" if campos[6] == "-" else campos[6])
-        if not 0 < v.minimo <= v.mediana <= v.maximo < math.inf or v.error < 0:
+        if len(campos) != 5 or "" in campos:
+            raise Fallo(f"{fichero.name}: una fila no tiene cinco columnas: «{fila}»")
+        grupo, nota = ("" if c == "-" else c for c in (campos[1], campos[3]))
+        v = Variante(campos[0], grupo, float(campos[2]), nota, [float(t) for t in campos[4].split(" ")])
+        if not all(0 < t < math.inf for t in v.tiempos) or v.error < 0 or variantes and len(v.tiempos) != len(variantes[0].tiempos):
             raise Fallo(f"{fichero.name}: los números de «{v.nombre}» no tienen sentido")
         variantes.append(v)
     if len({v.nombre for v in variantes}) != len(variantes) or not variantes:
@@ -71,8 +75,8 @@ def marca(tecnica):
     """Las del frente de Pareto, grupo a grupo, y las que usan los programas."""
     for v in tecnica.variantes:
         v.elegida = bool(tecnica.elegida) and (v.nombre + ",").startswith(tecnica.elegida + ",")
-        rivales = [r for r in tecnica.variantes if r.grupo == v.grupo and not r.par]
-        v.optima = not math.isnan(v.error) and not any(r.mediana < v.minimo and r.error <= v.error for r in rivales)
+        pierde = [mas_lento(v.tiempos, r.tiempos) for r in tecnica.variantes if r.grupo == v.grupo and r is not v and not r.par and r.error <= v.error]
+        v.optima = False if math.isnan(v.error) or True in pierde else None if None in pierde else True
 
 
 def imagenes(tecnica, carpeta, destino):

@@ -73,16 +73,15 @@ static void parImageMagick(Medidor &m, const Imagen &foto, const Filtro &f,
         nucleo += (nucleo.back() == ':' ? "" : ",") + std::to_string(v);
     guardaPpm(entra, foto);
     const auto ejecuta = [&](int veces) {
-        return milisegundosDeOrden({"convert", entra, "-virtual-pixel", "edge", "-morphology",
-                                    "Convolve:" + std::to_string(veces), nucleo, "-depth", "8", sale});
+        return milisegundosDeOrden({"convert", "-limit", "thread", "1", entra, "-virtual-pixel", "edge",
+                                    "-morphology", "Convolve:" + std::to_string(veces), nucleo, "-depth", "8",
+                                    sale});
     };
     ejecuta(1);
     const double e = rmse(leePpm(sale), exacta);
-    std::vector<double> ms;
-    for (int i = 0; i < 5; ++i)
-        ms.push_back((ejecuta(11) - ejecuta(1)) / 10);
-    m.yaMedida("par: ImageMagick, " + std::to_string(f.talla) + "×" + std::to_string(f.talla), e, ms,
-               "directa, con todos los hilos");
+    m.cronometrada(
+        "par: ImageMagick, " + std::to_string(f.talla) + "×" + std::to_string(f.talla), e,
+        [&] { return (ejecuta(11) - ejecuta(1)) / 10; }, "directa");
 }
 
 static void mideConvolucion(Medidor &m) {
@@ -162,6 +161,7 @@ static void mideConvolucion(Medidor &m) {
         variante("separable, interpolando", [&] { enDosPasadas(entrada, enFloat, salida, f); }, {0.2, 0.32});
         interpolando(GL_NEAREST);
 #ifdef LAB_PAR_OPENCV
+        cv::setNumThreads(1);
         cv::Mat origen(ALTO, ANCHO, CV_8UC3, const_cast<unsigned char *>(foto.rgb.data())), destino;
         cv::sepFilter2D(origen, destino, CV_8U, f.fila, f.columna, {-1, -1}, 0, cv::BORDER_REPLICATE);
         const Imagen imagen{ANCHO, ALTO, {destino.datastart, destino.dataend}};

@@ -1,14 +1,18 @@
-// mide [--ensayo] CARPETA TÉCNICA: deja CARPETA/TÉCNICA.tsv, con una fila por variante (nombre, grupo, mediana, mínimo
-// y máximo del tiempo, error, nota), y en CARPETA/TÉCNICA-variante.ppm y …-diferencia.ppm las imágenes que haya. mide
+// mide [--ensayo] CARPETA TÉCNICA: deja CARPETA/TÉCNICA.tsv, con una fila por variante (nombre, grupo, error, nota y lo
+// que tarda en cada ronda), y en CARPETA/TÉCNICA-variante.ppm y …-diferencia.ppm las imágenes que haya. mide
 // --lista escribe las técnicas: nombre, título, unidad de tiempo, unidad de error, variante elegida, por qué.
 #include "mide.h"
 #include "error.h"
 #include <algorithm>
-#include <chrono>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <fcntl.h>
+#include <numeric>
+#include <random>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -28,15 +32,14 @@ double milisegundosDeOrden(std::vector<std::string> orden) {
     posix_spawn_file_actions_init(&callado);
     posix_spawn_file_actions_addopen(&callado, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_adddup2(&callado, STDOUT_FILENO, STDERR_FILENO);
-    const auto antes = std::chrono::steady_clock::now();
     pid_t hijo;
     int estado = -1;
+    rusage gasto = {};
     if (posix_spawnp(&hijo, argumentos[0], &callado, nullptr, argumentos.data(), environ) == 0)
-        waitpid(hijo, &estado, 0);
+        wait4(hijo, &estado, 0, &gasto);
     posix_spawn_file_actions_destroy(&callado);
-    return estado == 0
-               ? std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - antes).count()
-               : NAN;
+    const auto ms = [](const timeval &t) { return 1e3 * double(t.tv_sec) + 1e-3 * double(t.tv_usec); };
+    return estado == 0 ? ms(gasto.ru_utime) + ms(gasto.ru_stime) : NAN;
 }
 
 double rmse(const Imagen &imagen, const std::vector<double> &exacta) {
@@ -59,18 +62,76 @@ Imagen redondeada(int ancho, int alto, const std::vector<double> &exacta) {
 
 namespace {
 
-/// Se queda con los nanosegundos por vuelta de cada repetición.
-class Tiempos : public benchmark::BenchmarkReporter {
-public:
-    std::vector<double> ns;
-    bool ReportContext(const Context &) override {
-        return true;
+const int RONDAS = 25, INTENTOS = 4 * RONDAS;
+const double RODAJA = 5e6; // ns que dura como poco el turno de una variante
+const double OTRO_PASO = 1.2;
+
+/// Los de procesador: no cuentan los ratos en que corre otro.
+double nsDe(const std::function<void()> &trabajo) {
+    timespec antes, despues;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &antes);
+    trabajo();
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &despues);
+    return 1e9 * double(despues.tv_sec - antes.tv_sec) + double(despues.tv_nsec - antes.tv_nsec);
+}
+
+/// Lo que tarda siempre lo mismo: a qué paso va ahora el procesador.
+double paso() {
+    return nsDe([] {
+        std::uint32_t x = 1;
+        for (int i = 0; i < 200000; ++i) {
+            x ^= x << 13;
+            x ^= x >> 17;
+            x ^= x << 5;
+        }
+        usa(x);
+    });
+}
+
+double mediana(std::vector<double> v) {
+    std::nth_element(v.begin(), v.begin() + std::ptrdiff_t(v.size() / 2), v.end());
+    return v[v.size() / 2];
+}
+
+/// Lo que hace el hijo hasta que el padre cierra la tubería.
+[[noreturn]] void atiende(const Corredor &c, const std::function<double()> &tarda) {
+    char turno;
+    while (read(c.pide, &turno, 1) == 1) {
+        const double ns = tarda();
+        if (write(c.responde, &ns, sizeof ns) != sizeof ns)
+            break;
     }
-    void ReportRuns(const std::vector<Run> &vueltas) override {
-        for (const Run &r : vueltas)
-            if (r.run_type == Run::RT_Iteration)
-                ns.push_back(1e9 * r.real_accumulated_time / double(r.iterations));
+    _exit(0); // sin deshacer nada: es una copia de lo del padre
+}
+
+Corredor aparta(const std::function<double()> &tarda) {
+    int ida[2], vuelta[2];
+    if (pipe2(ida, O_CLOEXEC) || pipe2(vuelta, O_CLOEXEC))
+        falla("no hay tuberías para otra variante");
+    std::fflush(nullptr);
+    const pid_t hijo = fork();
+    if (hijo < 0)
+        falla("no hay procesos para otra variante");
+    if (hijo == 0) {
+        close(ida[1]);
+        close(vuelta[0]);
+        atiende({ida[0], vuelta[1]}, tarda);
     }
+    close(ida[0]);
+    close(vuelta[1]);
+    return {ida[1], vuelta[0]};
+}
+
+double turno(const Corredor &c) {
+    double ns;
+    if (write(c.pide, "", 1) != 1 || read(c.responde, &ns, sizeof ns) != sizeof ns)
+        falla("una variante ha acabado antes de tiempo");
+    return ns;
+}
+
+/// Lo que tarda cada una en una ronda, y a qué paso iba el procesador antes de cada una.
+struct Ronda {
+    std::vector<double> ns, pasos;
 };
 
 double nanosegundos(const char *unidad) { // los de una unidad de tiempo
@@ -87,41 +148,76 @@ Imagen diferencia(const Imagen &a, const Imagen &b) {
 
 } // namespace
 
-void Medidor::yaMedida(const std::string &nombre, double error, std::vector<double> tiempos,
-                       const std::string &nota) {
-    std::sort(tiempos.begin(), tiempos.end());
-    medidas.push_back({nombre, grupo, tiempos[tiempos.size() / 2], tiempos.front(), tiempos.back(), error,
-                       CUALQUIERA, nota});
+Medidor::~Medidor() {
+    for (const Corredor &c : corredores) { // sin quien le pida nada, el hijo acaba
+        close(c.pide);
+        close(c.responde);
+    }
+}
+
+void Medidor::cronometrada(const std::string &nombre, double error, const std::function<double()> &tarda,
+                           const std::string &nota) {
+    medidas.push_back({nombre, grupo, error, CUALQUIERA, nota, {}});
+    corredores.push_back(aparta([&] { return 1e6 * tarda() / ns; }));
 }
 
 void Medidor::variante(const std::string &nombre, double error, double unidades,
                        const std::function<void()> &trabajo, const Rango &espera, const std::string &nota,
                        const Imagen &imagen) {
-    const auto antes = std::chrono::steady_clock::now();
-    trabajo(); // en caliente
-    const double segundos = std::chrono::duration<double>(std::chrono::steady_clock::now() - antes).count();
-    Tiempos tiempos;
-    auto *prueba = benchmark::RegisterBenchmark(nombre.c_str(), [&](benchmark::State &estado) {
-        for ([[maybe_unused]] auto vuelta : estado)
-            trabajo();
-    });
-    prueba->UseRealTime();
-    if (ensayo)
-        prueba->Iterations(1);
-    else
-        prueba->MinTime(0.04)->Repetitions(segundos > 0.2 ? 3 : 9);
-    benchmark::RunSpecifiedBenchmarks(&tiempos);
-    benchmark::ClearRegisteredBenchmarks();
-    for (double &t : tiempos.ns)
-        t /= ns * unidades;
-    yaMedida(nombre, error, tiempos.ns, nota);
-    medidas.back().espera = espera;
+    medidas.push_back({nombre, grupo, error, espera, nota, {}});
+    long vueltas = ensayo ? 1 : 0; // las que llenan una rodaja, que se saben al acabar la primera
+    corredores.push_back(aparta([&] {
+        if (vueltas == 0) {
+            trabajo(); // en caliente
+            vueltas = std::max(1L, std::lround(RODAJA / nsDe(trabajo)));
+        }
+        return nsDe([&] {
+                   for (long i = 0; i < vueltas; ++i)
+                       trabajo();
+               }) /
+               double(vueltas) / ns / unidades;
+    }));
     if (imagen.rgb.empty())
         return;
     const std::string base = prefijo + "-" + std::to_string(medidas.size());
     guardaPpm(base + ".ppm", imagen);
     if (referencia.rgb.size() == imagen.rgb.size())
         guardaPpm(base + "-diferencia.ppm", diferencia(imagen, referencia));
+}
+
+/// Con ensayo basta una ronda. Una a otro paso que las demás se tira y se repite, y si no hay bastantes a uno, valen
+/// las que menos se apartan.
+const std::vector<Medida> &Medidor::corre() {
+    std::vector<std::size_t> orden(corredores.size());
+    std::iota(orden.begin(), orden.end(), 0);
+    std::mt19937 azar(1);
+    std::vector<Ronda> rondas;
+    const auto seAparta = [&](const Ronda &r, double normal) {
+        const auto [menor, mayor] = std::minmax_element(r.pasos.begin(), r.pasos.end());
+        return std::max(*mayor / normal, normal / *menor);
+    };
+    for (int buenas = 0; buenas < (ensayo ? 1 : RONDAS) && int(rondas.size()) < INTENTOS;) {
+        std::shuffle(orden.begin(), orden.end(), azar);
+        Ronda ronda{std::vector<double>(corredores.size()), {}};
+        for (const std::size_t i : orden) {
+            ronda.pasos.push_back(paso());
+            ronda.ns[i] = turno(corredores[i]);
+        }
+        rondas.push_back(ronda);
+        std::vector<double> pasos;
+        for (const Ronda &r : rondas)
+            pasos.push_back(mediana(r.pasos));
+        const double normal = mediana(pasos);
+        std::sort(rondas.begin(), rondas.end(),
+                  [&](const Ronda &a, const Ronda &b) { return seAparta(a, normal) < seAparta(b, normal); });
+        buenas = int(std::count_if(rondas.begin(), rondas.end(),
+                                   [&](const Ronda &r) { return seAparta(r, normal) <= OTRO_PASO; }));
+    }
+    rondas.resize(std::min(rondas.size(), std::size_t(RONDAS)));
+    for (std::size_t i = 0; i < medidas.size(); ++i)
+        for (const Ronda &r : rondas)
+            medidas[i].tiempos.push_back(r.ns[i]);
+    return medidas;
 }
 
 } // namespace mide
@@ -136,10 +232,12 @@ static int corre(const Tecnica &t, bool ensayo, const std::string &carpeta) {
     if (!f)
         falla("no puedo escribir «" + base + ".tsv»");
     int mal = 0;
-    for (const Medida &v : medidor.hechas()) {
-        std::fprintf(f, "%s\t%s\t%.6g\t%.6g\t%.6g\t%.6g\t%s\n", v.variante.c_str(),
-                     v.grupo.empty() ? "-" : v.grupo.c_str(), v.mediana, v.minimo, v.maximo, v.error,
-                     v.nota.empty() ? "-" : v.nota.c_str());
+    for (const Medida &v : medidor.corre()) {
+        std::fprintf(f, "%s\t%s\t%.6g\t%s\t", v.variante.c_str(), v.grupo.empty() ? "-" : v.grupo.c_str(),
+                     v.error, v.nota.empty() ? "-" : v.nota.c_str());
+        for (std::size_t i = 0; i < v.tiempos.size(); ++i)
+            std::fprintf(f, "%s%.6g", i ? " " : "", v.tiempos[i]);
+        std::fprintf(f, "\n");
         if (std::isnan(v.error) ||
             (v.error >= v.espera.minimo && v.error <= v.espera.maximo)) // NaN: no se mide
             continue;
@@ -153,6 +251,10 @@ static int corre(const Tecnica &t, bool ensayo, const std::string &carpeta) {
 }
 
 int main(int argc, char **argv) {
+    // los hijos no heredan hilos: ni los de llvmpipe ni el de su caché
+    setenv("LP_NUM_THREADS", "0", 1);
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    setenv("LIBGL_ALWAYS_SOFTWARE", "true", 1); // ni el estado de una GPU de verdad
     const bool ensayo = argc > 1 && !std::strcmp(argv[1], "--ensayo");
     std::sort(tecnicas().begin(), tecnicas().end(),
               [](const Tecnica &a, const Tecnica &b) { return a.orden < b.orden; });

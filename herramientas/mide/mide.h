@@ -2,7 +2,6 @@
 // las cronometra con Google Benchmark y dice el error de cada una frente a algo exacto.
 #pragma once
 #include "imagen.h"
-#include <benchmark/benchmark.h>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -22,12 +21,20 @@ const Rango CUALQUIERA = {0, INFINITO};
 
 struct Medida {
     std::string variante, grupo;
-    double mediana, minimo, maximo, error;
+    double error;
     Rango espera;
     std::string nota;
+    std::vector<double> tiempos; // uno por ronda
 };
 
-/// Lo que recibe cada técnica: si es el ensayo, y a quién dar sus variantes.
+/// Una variante que espera en su proceso a que le toque: lee un byte y escribe lo que tarda (double, en nanosegundos).
+struct Corredor {
+    int pide, responde; // los extremos de sus tuberías
+};
+
+/// Lo que recibe cada técnica: si es el ensayo, y a quién dar sus variantes. Cronometradas una detrás de otra no se
+/// podrían comparar: el procesador cambia de paso. Cada una queda en un proceso hijo, con la memoria y el estado de
+/// OpenGL que tenía, y al final corren todas por rondas, un rato corto cada una y en otro orden cada vez.
 class Medidor {
 public:
     const bool ensayo; // tallas diminutas y una sola vuelta: solo se comprueba que todo funciona
@@ -44,21 +51,23 @@ public:
     T elige(T enEnsayo, T alMedir) const {
         return ensayo ? enEnsayo : alMedir;
     }
-    /// Cronometra `trabajo`, que hace `unidades` de lo que dice la unidad de tiempo de la técnica.
+    Medidor(const Medidor &) = delete;
+    ~Medidor();
+    /// Cronometrará `trabajo`, que hace `unidades` de lo que dice la unidad de tiempo de la técnica.
     void variante(const std::string &nombre, double error, double unidades,
                   const std::function<void()> &trabajo, const Rango &espera = CUALQUIERA,
                   const std::string &nota = "", const Imagen &imagen = {});
-    /// Lo mismo, con los tiempos ya tomados, en la unidad de la técnica.
-    void yaMedida(const std::string &nombre, double error, std::vector<double> tiempos,
-                  const std::string &nota);
-    const std::vector<Medida> &hechas() const {
-        return medidas;
-    }
+    /// Lo mismo, de lo que se cronometra solo: `tarda` da milisegundos.
+    void cronometrada(const std::string &nombre, double error, const std::function<double()> &tarda,
+                      const std::string &nota);
+    /// Las rondas, y lo medido.
+    const std::vector<Medida> &corre();
 
 private:
     double ns;           // los de una unidad de tiempo
     std::string prefijo; // de los ficheros que deja
     std::vector<Medida> medidas;
+    std::vector<Corredor> corredores;
 };
 
 /// Cada fichero define la suya, que se apunta sola en la lista.
@@ -80,11 +89,11 @@ struct Apunta {
 
 /// El valor que se calcula solo para cronometrarlo, que el compilador no puede quitar.
 template<class T>
-void usa(T &&valor) {
-    benchmark::DoNotOptimize(valor);
+void usa(const T &valor) {
+    asm volatile("" : : "r,m"(valor) : "memory");
 }
 
-/// Lo que tarda otro programa con esos argumentos, sin enseñar lo que escribe; NaN si falla.
+/// El tiempo de procesador de otro programa con esos argumentos, sin enseñar lo que escribe; NaN si falla.
 double milisegundosDeOrden(std::vector<std::string> orden);
 
 /// Raíz del error cuadrático medio entre dos imágenes, en niveles de 255. Con `exacta`, sin redondear, tres por píxel.

@@ -15,6 +15,7 @@ import pytest
 RAIZ = Path(__file__).parents[2]
 sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/propiedades")]
 import catalogo
+import cocientes
 import colores
 import controles
 import costes
@@ -91,31 +92,60 @@ def test_las_pruebas_de_googletest(tmp_path):
 # --- mide, técnicas, costes, gráfica ------------------------------------------------------------------------------
 
 def variante(nombre, tiempo, error, grupo=""):
-    return tecnicas.Variante(nombre, grupo, tiempo, 0.9 * tiempo, 1.1 * tiempo, error, "")
+    return tecnicas.Variante(nombre, grupo, error, "", [tiempo * paso for paso in (1, 0.9, 1.1, 1, 2, 0.95, 1)])
 
 
 def tecnica(*variantes, elegida="b", nombre="t"):
     return tecnicas.Tecnica(nombre, "T", "ms", "e", elegida, "", list(variantes))
 
 
+def test_a_otro_paso_desde_la_mitad_el_cociente_es_el_mismo():
+    """Un procesador que a media medida va la mitad de rápido: cada mediana es de un paso, y el cociente no."""
+    azar = random.Random(3)
+    paso = [1] * 12 + [2] * 13
+    lenta, rapida = ([t * p * azar.uniform(0.97, 1.03) for p in paso] for t in (3, 2))
+    c = cocientes.cociente(lenta, rapida)
+    assert abs(c.mediana - 1.5) < 0.03 and c.menor < c.mediana < c.mayor and c.mayor / c.menor < 1.05
+    assert cocientes.mas_lento(lenta, rapida) is True and cocientes.mas_lento(rapida, lenta) is False
+    assert cocientes.mas_lento(lenta, [1.05 * t for t in lenta]) is None
+    a_destiempo = [2 * t for t in rapida[:9]] + rapida[9:]  # cuando el intervalo no lo dice, tampoco
+    assert cocientes.mas_lento(lenta, a_destiempo) is None and cocientes.cociente(lenta, a_destiempo).menor < 1
+    with pytest.raises(ValueError):
+        cocientes.cociente([1, 2], [1])
+
+
+def test_el_intervalo_de_una_mediana():
+    """Los estadísticos de orden de siempre: con 15, del 4.º al 12.º; con 25, del 8.º al 18.º; y cubre el 95 % de las veces."""
+    assert [(c.menor, c.mediana, c.mayor) for c in (cocientes.intervalo(range(1, n + 1)) for n in (1, 5, 9, 15, 25))] == [
+        (1, 1, 1), (1, 3, 5), (2, 5, 8), (4, 8, 12), (8, 13, 18)]
+    azar = random.Random(1)
+    dentro = sum(c.menor <= 0 <= c.mayor for c in (cocientes.intervalo([azar.gauss(0, 1) for _ in range(15)]) for _ in range(2000)))
+    assert 0.945 <= dentro / 2000 <= 0.98
+
+
+@pytest.mark.parametrize("pide,mayor,llega", [(0.9, True, True), (1.1, True, None), (1.4, True, False), (0.9, False, False), (1.1, False, None), (1.4, False, True)])
+def test_si_se_llega_a_una_meta(pide, mayor, llega):
+    assert cocientes.Cociente(1, 1.2, 1.3).cumple(pide, mayor) is llega
+
+
 def test_el_frente_de_pareto_y_la_elegida():
     t = tecnica(variante("a", 1, 3), variante("b", 2, 1), variante("b, x", 3, 1), variante("bc", 2.1, 1), variante("par: d", 0.1, 0), variante("e", 9, 9, "otro"))
     tecnicas.marca(t)
     assert [x.nombre for x in t.variantes if x.elegida] == ["b", "b, x"]
-    assert [x.nombre for x in t.variantes if not x.optima] == ["b, x"]
+    assert [(x.nombre, x.optima) for x in t.variantes if not x.par] == [("a", True), ("b", None), ("b, x", False), ("bc", None), ("e", True)]
     assert [x.nombre for x in t.elegida_fuera] == ["b, x"]
-    assert [(v.nombre, tiempo, error) for _, v, tiempo, error in t.frente_a_pares] == [("b", 0.05, 0), ("b, x", 0.1 / 3, 0)]
+    assert [(v.nombre, pytest.approx(tiempo.mediana), error) for _, v, tiempo, error in t.frente_a_pares] == [("b", 0.05, 0), ("b, x", 0.1 / 3, 0)]
     t = tecnica(variante("b", 2, 4), variante("par: c", 10, 1))
     tecnicas.marca(t)
-    assert [fila[2:] for fila in t.frente_a_pares] == [(5, 0.25)]  # tarda cinco veces lo que la elegida y se equivoca la cuarta parte
+    assert [(tiempo.mediana, error) for _, _, tiempo, error in t.frente_a_pares] == [(5, 0.25)]  # tarda cinco veces lo que la elegida y se equivoca la cuarta parte
 
 
 def test_las_columnas_de_un_tsv(tmp_path):
     f = tmp_path / "t.tsv"
-    f.write_text("a\t-\t2\t1\t3\t0.5\t-\nb\tg\t20\t10\t30\tnan\tnota\n")
+    f.write_text("a\t-\t0.5\t-\t3 1 2\nb\tg\tnan\tnota\t30 10 20\n")
     a, b = tecnicas.lee_variantes(f)
     assert (a.nombre, a.grupo, a.mediana, a.minimo, a.maximo, a.error, a.nota) == ("a", "", 2, 1, 3, 0.5, "") and (b.grupo, b.nota) == ("g", "nota")
-    for mal in ("a\t-\t2\t1\t3\t0.5", "a\t-\t1\t2\t3\t0\t-", "a\t-\t2\t0\t3\t0\t-", "a\t-\t2\t1\t3\t-1\t-", "", "a\t-\t2\t1\t3\t0\t-\n" * 2):
+    for mal in ("a\t-\t0.5\t-", "a\t-\t0\t-\t1 0", "a\t-\t0\t-\tinf", "a\t-\t-1\t-\t1", "", "a\t-\t0\t-\t1\n" * 2, "a\t-\t0\t-\t1 2\nb\t-\t0\t-\t1"):
         f.write_text(mal)
         with pytest.raises(procesos.Fallo, match="t.tsv"):
             tecnicas.lee_variantes(f)
@@ -134,9 +164,10 @@ def test_las_imagenes_de_una_tecnica(tmp_path):
 
 def test_las_metas(tmp_path):
     t = tecnica(variante("directa, 15×15", 60, 1), variante("separable, float, 15×15", 10, 1), nombre="convolucion")
-    tabla = [SimpleNamespace(veces_suelo=v) for v in (2, 1, 9)]
-    assert [fila[1:] for fila in mide.metas([t], tabla, 4, 6)] == [(6, 5, True), (2, 1.25, False), (9, 2.5, False), (1.5, 1.5, False)]
-    assert mide.metas([], [], math.nan, None) == []
+    tabla = [SimpleNamespace(programa=p, veces_suelo=v) for p, v in (("a", [2, 3]), ("b", [1, 1]), ("c", [9, 7]))]
+    filas = mide.metas([t], tabla, cocientes.Cociente(1, 2, 3))
+    assert [(c.mediana, *resto) for _, c, *resto in filas] == [(6, 5, True), (2.5, 1.15, False), (8, 2.5, False), (2, 1.5, False)] and "peor, c" in filas[2][0]
+    assert mide.metas([], [], None) == []
 
 
 @pytest.mark.parametrize("error,esperado,mal", [(0.5, 0.5, ""), (0.57, 0.5, ""), (0.6, 0.5, "se equivoca 0.6 y se esperaba 0.5"), (0, 0.1, "se equivoca 0"),
@@ -162,34 +193,38 @@ def test_lo_que_cuesta_un_programa(tmp_path, monkeypatch):
     suelo.parent.mkdir(parents=True)
     suelo.touch()
     monkeypatch.setattr(catalogo, "lee_programas", lambda _: [SimpleNamespace(nombre="a", consola="", ejecutable=lambda b: b / "osmesa/ch01/a")])
-    monkeypatch.setattr(costes, "cronometra", lambda orden, _: 2 if orden[0] == suelo else 6)
+    monkeypatch.setattr(costes, "milisegundos", lambda orden, _: 2 if orden[0] == suelo else 6)
     monkeypatch.setattr(costes, "ejecuta", lambda orden, **_: "otra\n" + "\t".join(["a", "960x720", "7", "10" if "960x720" in orden else "30", *map(str, range(104, 120))]))
     tabla, base = costes.costes(tmp_path, tmp_path, tmp_path, 15)
     cabecera, fila = (linea.split("\t") for linea in (tmp_path / "costes.tsv").read_text().splitlines())
-    assert escrito and base == 2 and dict(zip(cabecera, fila)) == {
+    assert escrito and base == [2] * 9 and dict(zip(cabecera, fila)) == {
         "programa": "a", "arranque ms": "6.0", "primera ms": "7.0", "veces el suelo": "3.00", "ms 960x720": "10.0", "ms 1920x1080": "30.0", "veces llenar": "2.0",
         "primitivas": "106", "bytes de buffers": "108", "bytes de texturas": "109", "error máximo": "0.5", "error RMSE": "0.25", "borde px": "0.12"}
-    pagina.escribe_informe(tmp_path, [], metas=[], costes=tabla, suelo=base, compilar=[], entorno={})
+    pagina.escribe_informe(tmp_path, [], metas=[], costes=tabla, suelo=2, compilar=[], entorno={})
     celdas = re.findall(r"<td[^>]*>(.*?)</td>", (tmp_path / "index.html").read_text())
     assert celdas == ["a", "6", "7", "3", "10", "30", "2", "106", "0.108", "0.109", "0.5", "0.25", "0.12"]
 
 
 def test_el_tiempo_de_un_proceso(tmp_path):
-    assert 50 <= costes.cronometra(["sleep", "0.05"], tmp_path) < 5000
+    assert costes.milisegundos(["sleep", "0.2"], tmp_path) < 150
     gasta = "import os, time\nwhile time.process_time() < 0.1: os.stat('.')"
-    assert 0.1 <= costes.segundos_de_cpu([sys.executable, "-S", "-c", gasta], tmp_path) < 2
+    assert 100 <= costes.milisegundos([sys.executable, "-S", "-c", gasta], tmp_path) < 2000
 
 
 def test_la_grafica(tmp_path, monkeypatch):
     assert grafica.decadas([3, 40]) == (1, 100) and grafica.decadas([1, 9]) == (0.1, 100)
     uno, dos = grafica.coloca([(400, 200), (400, 200)], ["rótulo", "rótulo"])
     assert abs(uno[1] - dos[1]) >= 12 or abs(uno[0] - dos[0]) >= 6 * 6.9
+    (a, b, c, d), largo = grafica.MARGEN, 6.9 * len("rótulo")
+    for x, y in [(x, y) for x in (a, grafica.ANCHO - b) for y in (d, grafica.ALTO - c)]:  # en una esquina, dentro del marco
+        ((rx, ry),) = grafica.coloca([(x, y)], ["rótulo"])
+        assert a <= rx and rx + largo <= grafica.ANCHO - b and d <= ry - 6 and ry + 6 <= grafica.ALTO - c
     guion = []
     monkeypatch.setattr(grafica, "ejecuta", lambda orden, input, **_: guion.extend(input.split("\n")) or "<svg>")
     t = tecnica(variante("a", 1, 0.02), variante("b", 2, 0), variante("c", 4, 0.03))
     tecnicas.marca(t)
     assert grafica.dibuja(t, tmp_path / "x' y.svg") and (tmp_path / "x' y.svg").read_text() == "<svg>"
-    assert "1 0.02 0.9 1.1" in guion and "2 0.0015 1.8 2.2" in guion and "set yrange [0.001:0.1]" in guion
+    assert "1 0.02 0.9 2" in guion and "2 0.0015 1.8 4" in guion and "set yrange [0.001:0.1]" in guion
     assert guion[guion.index("$otras << FIN") + 1] == "4 0.03 3.6 4.4" and guion[guion.index("$elegidas << FIN") + 1].startswith("2 ")
     assert not grafica.dibuja(tecnica(variante("a", 1, math.nan)), tmp_path / "y.svg")
 

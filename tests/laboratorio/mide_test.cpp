@@ -3,35 +3,63 @@
 #include "mide/mide.cpp"
 #undef main
 #include "ejecuta.h"
+#include <ctime>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <thread>
 
-/// Mil unidades en 20 ms son 20 µs cada una; otra cuenta se aparta mil veces, o más.
+static void gasta(double ms) {
+    for (const std::clock_t antes = std::clock(); double(std::clock() - antes) < 1e-3 * ms * CLOCKS_PER_SEC;)
+        continue;
+}
+
+/// Mil unidades en 20 ms de procesador son 20 µs cada una, y lo que se espera sin gastarlo no cuenta.
 TEST(Mide, ElTiempoDeUnaUnidad) {
-    int veces = 0;
     Medidor m(true, nanosegundos("µs por punto"), carpetaTemporal() / "t");
     m.grupo = "g";
     m.variante("a", 0.5, 1000, [&] {
-        ++veces;
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        gasta(20);
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
     });
-    ASSERT_EQ(m.hechas().size(), 1u);
-    const Medida &v = m.hechas()[0];
-    EXPECT_GE(v.minimo, 20);
-    EXPECT_LT(v.mediana, 2000);
-    EXPECT_EQ(v.error, 0.5);
-    EXPECT_EQ(v.grupo, "g");
-    EXPECT_EQ(veces, 2); // una en caliente y, en el ensayo, otra
+    const std::vector<Medida> v = m.corre();
+    ASSERT_EQ(v.size(), 1u);
+    ASSERT_EQ(v[0].tiempos.size(), 1u); // en el ensayo, una ronda
+    EXPECT_NEAR(v[0].tiempos[0], 20, 10);
+    EXPECT_EQ(v[0].error, 0.5);
+    EXPECT_EQ(v[0].grupo, "g");
     EXPECT_EQ(nanosegundos("ns por punto"), 1);
     EXPECT_EQ(nanosegundos("ms por imagen"), 1e6);
 }
 
-TEST(Mide, MedianaMinimoYMaximo) {
-    Medidor m(true, 1, "");
-    m.yaMedida("a", 1, {9, 2, 4}, "n");
-    const Medida &v = m.hechas()[0];
-    EXPECT_EQ(std::vector<double>({v.mediana, v.minimo, v.maximo}), std::vector<double>({4, 2, 9}));
+/// Al medir, todas en cada ronda, cada una en su proceso: lo que una cambie no lo ve otra, ni quien mide.
+TEST(Mide, PorRondasYCadaUnaEnSuProceso) {
+    Medidor m(false, 1e6, carpetaTemporal() / "t");
+    int cuantas = 1;
+    for (const double ms : {1, 3})
+        m.variante(std::to_string(ms), 0, 1, [&cuantas, ms] {
+            gasta(ms * cuantas);
+            cuantas = 1;
+        });
+    cuantas = 100; // ya no es de ninguna
+    const std::vector<Medida> v = m.corre();
+    ASSERT_EQ(v.size(), 2u);
+    ASSERT_EQ(v[0].tiempos.size(), std::size_t(RONDAS));
+    for (std::size_t i = 0; i < v[0].tiempos.size(); ++i) {
+        EXPECT_NEAR(v[0].tiempos[i], 1, 0.3);
+        EXPECT_NEAR(v[1].tiempos[i], 3, 0.5);
+    }
+    EXPECT_EQ(cuantas, 100);
+}
+
+/// Una que ya sabe lo que tarda; y una que se muere no es un tiempo.
+TEST(Mide, LaQueSeCronometraSola) {
+    Medidor m(true, 1e3, "");
+    m.cronometrada(
+        "a", 1, [] { return 7; }, "n");
+    EXPECT_EQ(m.corre()[0].tiempos, std::vector<double>({7000}));
+    m.cronometrada(
+        "b", 1, []() -> double { std::abort(); }, "");
+    EXPECT_EXIT(m.corre(), testing::ExitedWithCode(1), "ha acabado antes de tiempo");
 }
 
 TEST(Mide, ErrorYDiferenciaDeDosImagenes) {
@@ -47,19 +75,22 @@ TEST(Mide, LoQueTardaOtroPrograma) {
     const auto peor = carpetaTemporal() / "x';touch pwned;'y $(touch pwned)";
     EXPECT_GE(milisegundosDeOrden({"touch", peor}), 0);
     EXPECT_TRUE(std::filesystem::exists(peor));
-    EXPECT_GE(milisegundosDeOrden({"sleep", "0.02"}), 20);
+    EXPECT_GE(milisegundosDeOrden({"python3", "-c", "while __import__('time').process_time() < 0.1: pass"}),
+              100);
+    EXPECT_LT(milisegundosDeOrden({"sleep", "0.2"}), 150);
     EXPECT_TRUE(std::isnan(milisegundosDeOrden({"false"})));
     EXPECT_TRUE(std::isnan(milisegundosDeOrden({"noesta"})));
 }
 
 TEST(Mide, LaFilaDeUnaVariante) {
     const Tecnica t{1, "t", "", "ms", "", "", "", [](Medidor &m) {
-                        m.yaMedida("a", 0.5, {3, 1, 2}, "");
+                        m.cronometrada(
+                            "a", 0.5, [] { return 3; }, "");
                         m.grupo = "g";
-                        m.yaMedida("b", NAN, {4}, "nota");
+                        m.cronometrada(
+                            "b", NAN, [] { return 4.5; }, "nota");
                     }};
     EXPECT_EQ(corre(t, true, carpetaTemporal()), 0);
     std::ifstream f(carpetaTemporal() / "t.tsv");
-    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(f), {}),
-              "a\t-\t2\t1\t3\t0.5\t-\nb\tg\t4\t4\t4\tnan\tnota\n");
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(f), {}), "a\t-\t0.5\t-\t3\nb\tg\tnan\tnota\t4.5\n");
 }
