@@ -225,7 +225,7 @@ def test_la_grafica(tmp_path, monkeypatch):
     tecnicas.marca(t)
     assert grafica.dibuja(t, tmp_path / "x' y.svg") and (tmp_path / "x' y.svg").read_text() == "<svg>"
     assert "1 0.02 0.9 2" in guion and "2 0.0015 1.8 4" in guion and "set yrange [0.001:0.1]" in guion
-    assert guion[guion.index("$otras << FIN") + 1] == "4 0.03 3.6 4.4" and guion[guion.index("$elegidas << FIN") + 1].startswith("2 ")
+    assert guion[guion.index("$otras << FIN") + 1] == "4 0.03 3.6 8" and guion[guion.index("$elegidas << FIN") + 1].startswith("2 ")
     assert not grafica.dibuja(tecnica(variante("a", 1, math.nan)), tmp_path / "y.svg")
 
 
