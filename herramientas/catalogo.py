@@ -30,6 +30,7 @@ class Caso:
     anima: str = ""
     salida: str = ""  # lo que escribe el programa al dibujarlo, y por qué no se ha podido
     fallo: str = ""
+    hecho: bool = False  # en la galería que se está dibujando
 
     @property
     def imagen(self):

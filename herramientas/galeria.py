@@ -1,17 +1,22 @@
 #!/usr/bin/env python3
-"""galeria.py RAÍZ BUILD DESTINO: dibuja cada caso del catálogo sin ventana y escribe DESTINO/index.html.
+"""galeria.py RAÍZ BUILD DESTINO: compila los programas, dibuja cada caso del catálogo sin ventana en cuanto se puede y escribe
+DESTINO/index.html, que se puede mirar desde el primero. Si no compila, el estado es 3.
 
 Cada imagen se dibuja al tamaño que tendría proyectada y así se deja, sin reducirla: los escalones que haya son los del programa. De los
-casos con ANIMA se hace además un APNG de tantos cuadros, más pequeño. Solo se rehace lo que ha cambiado:
-DESTINO/.hecho.json recuerda de qué (programa, shaders, guion) salió cada imagen y qué escribió entonces el programa. Si algún
-caso falla, la página lleva los demás y el estado es 1.
+casos con ANIMA se hace además un APNG de tantos cuadros, más pequeño. Solo se rehace lo que ha cambiado: DESTINO/.hecho.json recuerda de
+qué (programa, guion y los ficheros que leyó) salió cada imagen y qué escribió entonces el programa. Si algún caso falla, la página lleva
+los demás y el estado es 1.
 """
+import functools
 import hashlib
 import json
 import os
+import re
 import sys
 import tempfile
-from concurrent.futures import ThreadPoolExecutor, as_completed
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import catalogo
@@ -22,6 +27,8 @@ from procesos import Fallo, escribe
 TALLA, ANIMADA = "1440x1080", "480x360"
 RITMO = "1", "10"  # segundos por cuadro, como fracción
 SEGUNDOS = 300  # un programa que no acaba no detiene la galería
+CADA = 4  # segundos entre una página a medias y la siguiente
+NO_COMPILA = 3
 
 
 def ejecuta(orden, **opciones):
@@ -32,46 +39,73 @@ def ejecuta(orden, **opciones):
         raise Fallo(str(fallo).splitlines()[0]) from None
 
 
+def en_png(ppm, compresion):
+    """La compresión, de 1 a 9: con la de siempre cuesta tanto como dibujar."""
+    return ejecuta(["pnmtopng", "-quiet", "-compression", compresion, ppm])
+
+
+def compila(build):
+    """Los programas, según quedan enlazados. Lo que diga el compilador, en stderr, y todo en BUILD/compila.log."""
+    with open(build / "compila.log", "w") as registro:
+        for linea in procesos.lineas(["cmake", "--build", build, "--target", "sin_ventana"]):
+            registro.write(linea)
+            if enlazado := re.match(r"\[\d+/\d+\] Linking CXX executable (\S+)$", linea):
+                yield build / enlazado[1]
+            elif not linea.startswith(("[", "ninja: ")):
+                print(linea, end="", file=sys.stderr)
+
+
 class Galeria:
-    def __init__(self, raiz, build, destino):
-        self.build, self.destino = build, destino
+    def __init__(self, raiz, build, destino, capitulos):
+        self.raiz, self.build, self.destino = raiz, build, destino
+        self.pagina = pagina.Galeria(raiz, destino, capitulos)
+        self.programas = [p for capitulo in capitulos for p in capitulo.programas]
         self.registro = destino / ".hecho.json"
+        self.turno, self.escrita, self.dibujados = threading.Lock(), 0, 0
         try:
             self.hecho = json.loads(self.registro.read_text())
         except (OSError, ValueError):
             self.hecho = {}
-        leidos = [*(raiz.glob(f"*/*.{tipo}") for tipo in ("vert", "frag", "glsl")), raiz.glob("assets/*"),
-                  build.glob("assets/*.rgb")]
-        ficheros = sorted(f for grupo in leidos for f in grupo if f.is_file())
-        self.comunes = hashlib.sha1(b"".join(f.name.encode() + f.read_bytes() for f in ficheros)).hexdigest()
+
+    @functools.cache
+    def suma(self, ruta):
+        """La de un fichero que leen los programas, de los hechos al compilar o de los fuentes; vacía, si ya no está."""
+        for carpeta in (self.build, self.raiz):
+            if (carpeta / ruta).is_file():
+                return hashlib.sha1((carpeta / ruta).read_bytes()).hexdigest()
+        return ""
+
+    def al_dia(self, caso, clave, ficheros):
+        anterior = self.hecho.get(caso.imagen, {})
+        return (anterior.get("clave") == clave and all(self.suma(ruta) == suma for ruta, suma in anterior["leidos"].items()) and
+                all(f.is_file() and f.stat().st_size for f in ficheros))
 
     def dibuja(self, programa, caso, temporal):
         """Hace la imagen de un caso si no está al día. Dice si la ha hecho."""
         ejecutable = programa.ejecutable(self.build)
         png = self.destino / caso.imagen
         ficheros = [] if programa.consola else [png, self.destino / caso.animada] if caso.anima else [png]
-        clave = hashlib.sha1(repr((self.comunes, caso.guion, caso.anima)).encode() +
-                             ejecutable.read_bytes()).hexdigest()
-        anterior = self.hecho.get(caso.imagen, {})
-        if anterior.get("clave") == clave and all(f.is_file() and f.stat().st_size for f in ficheros):
-            caso.salida = anterior["salida"]
+        clave = hashlib.sha1(repr((TALLA, ANIMADA, RITMO, caso.guion, caso.anima)).encode() + ejecutable.read_bytes()).hexdigest()
+        if self.al_dia(caso, clave, ficheros):
+            caso.salida = self.hecho[caso.imagen]["salida"]
             return False
         for fichero in ficheros:
             fichero.unlink(missing_ok=True)
         orden = [ejecutable]
-        ppm = temporal / f"{caso.fichero}.ppm"
+        ppm, leidos = temporal / f"{caso.fichero}.ppm", temporal / f"{caso.fichero}.leidos"
         if not programa.consola:
             orden += ["-geometry", TALLA, "-ppm", ppm]
         if caso.guion:
             orden += ["-guion", caso.guion]
-        caso.salida = ejecuta(orden, cwd=temporal).decode(errors="replace")
+        caso.salida = ejecuta(orden, cwd=temporal, env={**os.environ, "LAB_LEIDOS": leidos}).decode(errors="replace")
         if not programa.consola:
-            escribe(png, ejecuta(["pnmtopng", "-quiet", ppm]))
+            escribe(png, en_png(ppm, 3))
             ppm.unlink()
         if caso.anima:
             with tempfile.TemporaryDirectory(dir=temporal) as carpeta:
                 escribe(self.destino / caso.animada, self.anima(ejecutable, caso, Path(carpeta)))
-        self.hecho[caso.imagen] = {"clave": clave, "salida": caso.salida}
+        rutas = leidos.read_text().splitlines() if leidos.exists() else []
+        self.hecho[caso.imagen] = {"clave": clave, "leidos": {ruta: self.suma(ruta) for ruta in rutas}, "salida": caso.salida}
         return True
 
     def anima(self, ejecutable, caso, carpeta):
@@ -81,12 +115,12 @@ class Galeria:
         guion = "; ".join([caso.guion, *(f"captura {c.name}; {paso}" for c in capturas)])
         ejecuta([ejecutable, "-geometry", ANIMADA, "-ppm", "x", "-guion", guion], cwd=carpeta)
         for captura in capturas:
-            captura.with_suffix(".png").write_bytes(ejecuta(["pnmtopng", "-quiet", captura]))
+            captura.with_suffix(".png").write_bytes(en_png(captura, 1))  # apngasm lo comprime otra vez
         ejecuta(["apngasm", "animada.png", "000.png", *RITMO, "-z0"], cwd=carpeta)
         return (carpeta / "animada.png").read_bytes()
 
     def dibuja_programa(self, programa, temporal):
-        """Todos los casos de un programa. Devuelve la línea que lo cuenta; cada caso recuerda su fallo."""
+        """Todos los casos de un programa, y cuenta lo que ha hecho; cada caso recuerda su fallo."""
         hechas = 0
         for caso in programa.casos:
             try:
@@ -95,18 +129,35 @@ class Galeria:
                 caso.fallo = str(fallo)
             except OSError as error:
                 caso.fallo = f"{error.filename or caso.imagen}: {procesos.motivo(error)}"
+            caso.hecho = True
         fallos = [f"{caso.fichero} ha fallado: {caso.fallo}" for caso in programa.casos if caso.fallo]
         hecho = f"{hechas} {'imagen' if hechas == 1 else 'imágenes'}" if hechas else "sin cambios"
-        return "; ".join(fallos) or hecho
+        with self.turno:
+            self.dibujados += 1
+            n, todos = self.dibujados, len(self.programas)
+            print(f"[{n:2}/{todos}] {programa.capitulo.nombre}/{programa.nombre}: {'; '.join(fallos) or hecho}", file=sys.stderr)
+            if n < todos and time.monotonic() > self.escrita + CADA:
+                self.pagina.escribe(todos - n)
+                self.escrita = time.monotonic()
 
-    def dibuja_todo(self, programas):
+    def dibuja_todo(self):
+        """Cada programa, en cuanto se enlaza; los que ya lo estaban, al acabar de compilar."""
+        if (self.destino / "index.html").exists():
+            self.escrita = time.monotonic()
+        por_compilar = {p.ejecutable(self.build): p for p in self.programas}
         try:
             with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(os.cpu_count()) as hilos:
-                pendientes = {hilos.submit(self.dibuja_programa, p, Path(temporal)): p for p in programas}
-                for n, pendiente in enumerate(as_completed(pendientes), 1):
-                    programa = pendientes[pendiente]
-                    print(f"[{n:2}/{len(programas)}] {programa.capitulo.nombre}/{programa.nombre}: {pendiente.result()}",
-                          file=sys.stderr)
+                trabajos = []
+                try:
+                    for enlazado in compila(self.build):
+                        if programa := por_compilar.pop(enlazado, None):
+                            trabajos.append(hilos.submit(self.dibuja_programa, programa, Path(temporal)))
+                except Fallo:
+                    hilos.shutdown(cancel_futures=True)
+                    sys.exit(NO_COMPILA)
+                trabajos += [hilos.submit(self.dibuja_programa, p, Path(temporal)) for p in por_compilar.values()]
+                for trabajo in trabajos:
+                    trabajo.result()
         finally:
             escribe(self.registro, json.dumps(self.hecho, ensure_ascii=False))
 
@@ -114,15 +165,14 @@ class Galeria:
 def main():
     raiz, build, destino = map(Path, sys.argv[1:])
     destino.mkdir(parents=True, exist_ok=True)
-    capitulos = catalogo.lee(build)
-    programas = [p for capitulo in capitulos for p in capitulo.programas]
-    Galeria(raiz, build, destino).dibuja_todo(programas)
-    for programa in programas:
+    galeria = Galeria(raiz, build, destino, catalogo.lee(build))
+    for programa in galeria.programas:
         if programa.captura:
             escribe(destino / programa.fuente.with_suffix(".captura.png"), (raiz / programa.fuente.with_suffix(".png")).read_bytes())
-    pagina.escribe(raiz, destino, capitulos)
+    galeria.dibuja_todo()
+    galeria.pagina.escribe()
     print(f"Hecha: {destino}/index.html", file=sys.stderr)
-    fallidos = [p.nombre for p in programas if any(caso.fallo for caso in p.casos)]
+    fallidos = [p.nombre for p in galeria.programas if any(caso.fallo for caso in p.casos)]
     if fallidos:
         sys.exit(f"lab: no se ha podido dibujar todo: {', '.join(fallidos)}")
 

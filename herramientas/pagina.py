@@ -32,14 +32,22 @@ def colorea(raiz, fichero):
     return highlight((raiz / fichero).read_text(), lexico, CLARO)
 
 
-def escribe(raiz, destino, capitulos):
-    """DESTINO/index.html: la galería entera en un fichero, al lado de sus imágenes."""
-    programas = [p for capitulo in capitulos for p in capitulo.programas]
-    suyas = {p.nombre: fuentes(raiz, p.fuente) for p in programas}
-    todas = dict.fromkeys(f for ficheros in suyas.values() for f in ficheros)
-    escribe_pagina(destino, "galeria.html", capitulos=capitulos, libro=libro.Libro(raiz), fuentes=suyas, controles={p.nombre: [c.texto for c in controles.lee(raiz, p)] for p in programas},
-                   codigo={str(f): colorea(raiz, f) for f in todas},
-                   colores_claros=CLARO.get_style_defs("pre"), colores_oscuros=OSCURO.get_style_defs("pre"))
+class Galeria:
+    """La galería entera en un fichero, al lado de sus imágenes. Mientras no están todas se escribe con las que hay, y se vuelve a cargar sola."""
+
+    def __init__(self, raiz, destino, capitulos):
+        programas = [p for capitulo in capitulos for p in capitulo.programas]
+        suyas = {p.nombre: fuentes(raiz, p.fuente) for p in programas}
+        todas = dict.fromkeys(f for ficheros in suyas.values() for f in ficheros)
+        self.destino = destino
+        self.datos = {"capitulos": capitulos, "libro": libro.Libro(raiz), "fuentes": suyas,
+                      "controles": {p.nombre: [c.texto for c in controles.lee(raiz, p)] for p in programas},
+                      "codigo": {str(f): colorea(raiz, f) for f in todas},
+                      "colores_claros": CLARO.get_style_defs("pre"), "colores_oscuros": OSCURO.get_style_defs("pre")}
+
+    def escribe(self, faltan=0):
+        """DESTINO/index.html, cuando aún no se han dibujado tantos programas."""
+        escribe_pagina(self.destino, "galeria.html", faltan=faltan, **self.datos)
 
 
 def cifra(x):

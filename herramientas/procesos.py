@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor, wait
+from contextlib import contextmanager
 
 MOTIVOS = {errno.ENOSPC: "no queda sitio en el disco", errno.EDQUOT: "no queda sitio en el disco", errno.EACCES: "no hay permiso",
            errno.EROFS: "no se puede escribir ahí", errno.ENOENT: "no existe", errno.EISDIR: "es una carpeta", errno.EFBIG: "es demasiado grande"}
@@ -43,9 +44,9 @@ def si_hay_senal():
         raise SystemExit(128 + Procesos.senal)
 
 
-def lanza(orden, input=None, timeout=None, **opciones):
-    """subprocess.run en un grupo suyo, que acaba con nosotros."""
-    opciones = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "stdin": subprocess.DEVNULL if input is None else subprocess.PIPE, **opciones}
+@contextmanager
+def arranca(orden, **opciones):
+    """Un proceso en un grupo suyo, que acaba con nosotros."""
     si_hay_senal()
     try:
         proceso = subprocess.Popen([str(palabra) for palabra in orden], start_new_session=True, **opciones)
@@ -55,7 +56,7 @@ def lanza(orden, input=None, timeout=None, **opciones):
     try:
         if Procesos.senal:  # ha llegado mientras
             mata(proceso)
-        salida, errores = proceso.communicate(input, timeout)
+        yield proceso
     except BaseException:
         mata(proceso, signal.SIGKILL)
         proceso.wait()
@@ -63,7 +64,23 @@ def lanza(orden, input=None, timeout=None, **opciones):
     finally:
         Procesos.vivos.discard(proceso)
     si_hay_senal()
+
+
+def lanza(orden, input=None, timeout=None, **opciones):
+    """subprocess.run con arranca."""
+    opciones = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "stdin": subprocess.DEVNULL if input is None else subprocess.PIPE, **opciones}
+    with arranca(orden, **opciones) as proceso:
+        salida, errores = proceso.communicate(input, timeout)
     return subprocess.CompletedProcess(orden, proceso.returncode, salida, errores)
+
+
+def lineas(orden, **opciones):
+    """Lo que va escribiendo, también en stderr, línea a línea; si no acaba bien, después, un Fallo."""
+    with arranca(orden, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **opciones) as proceso:
+        yield from proceso.stdout
+        proceso.wait()
+    if proceso.returncode:
+        raise Fallo(f"{orden[0]} ha acabado con estado {proceso.returncode}")
 
 
 def ejecuta(orden, **opciones):

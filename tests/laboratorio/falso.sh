@@ -42,7 +42,7 @@ cmake)
   if [ "$1" = --build ]; then
     [ "$4" != build.ninja ] || exit 0
     etapa compila
-    printf '[1/2] uno\nun aviso\nninja: nada\n'
+    printf '[1/2] Linking CXX executable osmesa/ch01_uno/a\nun aviso\nninja: nada\n'
   else
     etapa configura
     configura "$(valor -B "$@")"
@@ -64,7 +64,7 @@ mide)
     printf 't\tT\tms por cosa\terror\ta\tporque sí\n'
   else
     etapa mide
-    printf 'a\t-\t2\t1\t3\t0.5\t-\n' >"${*: -2:1}/t.tsv"
+    printf 'a\t-\t0.5\t-\t2 1 3\n' >"${*: -2:1}/t.tsv"
   fi
   ;;
 ch01_test) if [ "$1" = --gtest_list_tests ]; then printf 'G.\n  Uno # x\n'; else etapa prueba; fi ;;
@@ -73,6 +73,7 @@ ch01_test) if [ "$1" = --gtest_list_tests ]; then printf 'G.\n  Uno # x\n'; else
   [ -z "${DISPLAY:-}" ] || { echo "${ESCRIBE:-}" >&2; exit "${ESTADO:-0}"; }
   [[ "$*" != *-rasgos* ]] || { printf 'ocio\n'; exit; }
   echo "salida de $quien"
+  [ "$quien" != a ] || [ -z "${LAB_LEIDOS:-}" ] || echo ch01_uno/a.vert >>"$LAB_LEIDOS"
   ppm=$(valor -ppm "$@") talla=$(valor -geometry "$@")
   talla=${talla:-40x40}
   [ -n "$ppm" ] || exit 0

@@ -164,7 +164,7 @@ def test_compila_lo_que_hace_falta(lab):
     lab("galeria", 1, "falla compila", FALLA="compila")
     assert len(lab.llamadas("cmake")) == 2
     lab("galeria", 1, "falla compila", FALLA="compila", PORQUE="-Werror")  # por los avisos: se compila otra vez sin que sean errores
-    assert [ll[-1] for ll in lab.llamadas("cmake")] == ["build.ninja", "programas", "-DLAB_AVISOS_SON_ERRORES=OFF", "programas"]
+    assert [ll[-1] for ll in lab.llamadas("cmake")] == ["build.ninja", "sin_ventana", "-DLAB_AVISOS_SON_ERRORES=OFF", "sin_ventana"]
     lab("lista", 0)
     (lab.build / "CMakeCache.txt").write_text("CMAKE_HOME_DIRECTORY:INTERNAL=/otra\n")
     (lab.build / "resto").touch()
@@ -196,8 +196,10 @@ def test_galeria(lab):
     lab.cataloga()
     (lab.build / "catalogo.json").unlink()
     assert hechas() == {"a": "sin cambios", "b": "1"}
-    (lab.raiz / "ch01_uno/a.vert").write_text("dos")
-    assert hechas() == {"a": "2", "b": "1"}
+    (lab.raiz / "ch01_uno/a.vert").write_text("dos")  # que solo lo lee a
+    assert hechas() == {"a": "2", "b": "sin cambios"}
+    (lab.raiz / "ch01_uno/a.vert").unlink()
+    assert hechas() == {"a": "2", "b": "sin cambios"}
     # lo que no se puede dibujar no deja la imagen de antes, lo dice la página y se hace en cuanto se pueda
     programa = lab.build / "osmesa/ch01_uno/a"
     programa.unlink()
@@ -208,6 +210,20 @@ def test_galeria(lab):
     programa.unlink()
     programa.symlink_to(RAIZ / "tests/laboratorio/falso.sh")
     assert hechas() == {"a": "2", "b": "sin cambios"}
+
+
+def test_la_galeria_se_puede_mirar_mientras_se_dibuja(lab):
+    """b no acaba hasta que ve la página, con a."""
+    pagina, vista = lab.raiz / "galeria/index.html", lab.sitio / "vista.html"
+    lab("lista")
+    programa = lab.build / "osmesa/ch01_uno/b"
+    programa.unlink()
+    programa.write_text(f"#!/bin/sh\nuntil [ -e {shlex.quote(str(pagina))} ]; do sleep 0.02; done\ncp {shlex.quote(str(pagina))} {vista}\necho acabo >&2\nexit 3\n")
+    programa.chmod(0o755)
+    lab("galeria", 1, dice="b ha fallado: acabo")
+    a_medias, entera = vista.read_text(), pagina.read_text()
+    assert 'http-equiv="refresh"' in a_medias and "falta un programa" in a_medias and "ch01_uno/a.png" in a_medias and a_medias.count("Aún no está dibujada") == 1
+    assert "refresh" not in entera and "falta un programa" not in entera and "Aún no está" not in entera
 
 
 def test_web(lab):
@@ -257,7 +273,7 @@ def test_disco_lleno(lab, orden, fichero):
 def test_mide(lab):
     lab("mide t", dice="Hecho: ")
     informe = lab.raiz / "informe"
-    assert (informe / "t.tsv").read_text() == "variante\tgrupo\tmediana\tmínimo\tmáximo\terror\tnota\na\t-\t2\t1\t3\t0.5\t-\n"
+    assert (informe / "t.tsv").read_text() == "variante\tgrupo\terror\tnota\ttiempo en cada ronda\na\t-\t0.5\t-\t2 1 3\n"
     assert (informe / "t.svg").read_text().startswith("<svg>set terminal svg") and "T" in (informe / "index.html").read_text()
     (lab.sitio / "bin/gnuplot").unlink()
     if not shutil.which("gnuplot"):
