@@ -2,6 +2,7 @@
 #include "oraculo/compara.h"
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -37,6 +38,7 @@ void fijaEntorno() {
         const std::size_t igual = linea.find('=');
         setenv(linea.substr(0, igual).c_str(), linea.substr(igual + 1).c_str(), 0);
     }
+    setenv("LAB_LEIDOS", (std::string(LAB_BUILD "/leidos/") + program_invocation_short_name).c_str(), 0);
 }
 
 /// Se borra con el proceso que la hizo; los que EXPECT_EXIT desdobla también terminan, y no deben tocarla.
@@ -152,8 +154,10 @@ Ejecucion ejecutaEn(const fs::path &carpeta, const std::string &entorno, const s
     fijaEntorno();
     ultimoPrograma = programa.substr(programa.rfind('/') + 1);
     testing::Test::RecordProperty("ejecuta_" + ultimoPrograma, 1);
+    const std::string ruta = ejecutable(programa);
+    std::ofstream(std::getenv("LAB_LEIDOS"), std::ios::app) << ruta << '\n'; // para ./lab prueba --cambios
     std::string orden = "cd " + entreComillas(carpeta.string()) + " && " + entorno + " " +
-                        entreComillas(ejecutable(programa)) + " -geometry " + std::to_string(ancho) + "x" +
+                        entreComillas(ruta) + " -geometry " + std::to_string(ancho) + "x" +
                         std::to_string(alto) + " -ppm imagen.ppm";
     if (!guion.empty())
         orden += " -guion " + entreComillas(guion);

@@ -11,16 +11,16 @@ dibuja() { # TALLA ÓRDENES: tras el guion
   "$build/$destino/$capitulo/$programa" -geometry "$1" -guion "$guion; $2" -ppm "última" >/dev/null </dev/null
 }
 
-if [ "$borde" = libre ]; then
-  tallas=(640x360 480x360 480x540 200x450)
-  case $guion in
-  escala*) for talla in "${tallas[@]}"; do dibuja "$talla" "captura $nombre-$talla.ppm"; done ;; # adónde va el ratón depende de la talla
-  *) dibuja 240x180 "$(for talla in "${tallas[@]}"; do printf 'tamano %s; captura %s;' "${talla/x/ }" "$nombre-$talla.ppm"; done)" ;;
-  esac
-  "$build/tests/borde" "$nombre"*.ppm
-fi
-dibuja 240x180 'rueda -1 9 9 ×40; captura alejada'
-pulsa='boton IZQUIERDO abajo 240 180' suelta='boton IZQUIERDO arriba'
-dibuja 240x180 "$pulsa; arrastra 240 2180; $suelta 240 2180; captura desde_arriba
-  $pulsa; arrastra 240 -3820; $suelta 240 -3820; captura desde_abajo"
+pulsa='boton IZQUIERDO abajo 240 180' suelta='boton IZQUIERDO arriba' tallas=()
+[ "$borde" = llega ] || tallas=(640x360 480x360 480x540 200x450)
+ordenes="$pulsa; arrastra 240 2180; $suelta 240 2180; captura desde_arriba; $pulsa; arrastra 240 -3820; $suelta 240 -3820; captura desde_abajo
+  rueda -1 9 9 ×40; captura alejada"
+case $guion in
+escala*) # adónde va el ratón depende de la talla
+  for talla in "${tallas[@]}"; do dibuja "$talla" "captura $nombre-$talla.ppm"; done
+  dibuja 240x180 "$ordenes"
+  ;;
+*) dibuja 240x180 "$(for talla in "${tallas[@]}"; do printf 'tamano %s; captura %s;' "${talla/x/ }" "$nombre-$talla.ppm"; done) tamano 240 180; $ordenes" ;;
+esac
+[ ${#tallas[@]} = 0 ] || "$build/tests/borde" "$nombre"*.ppm
 "$build/tests/borde" --queda alejada desde_arriba desde_abajo

@@ -1,17 +1,14 @@
 #!/usr/bin/env bash
-# ventana.sh BUILD CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION [paseo]: el mismo caso en una ventana de FreeGLUT, en un Xvfb para él solo, con
-# teclado y ratón de verdad; la ventana debe acabar igual que el golden (tolerancia amplia) y Esc, o cerrarla, debe terminar el programa con 0.
-# Con «paseo», antes aguanta sucesos al azar y cambios de tamaño bajo un gestor de ventanas.
+# ventana.sh BUILD paseo|- {CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION}…: cada caso en una ventana de FreeGLUT, uno detrás de otro en un
+# Xvfb para ellos solos, con teclado y ratón de verdad; la ventana debe acabar igual que el golden (tolerancia amplia) y Esc, o cerrarla,
+# debe terminar el programa con 0. Con «paseo», el último aguanta además sucesos al azar y cambios de tamaño bajo un gestor de ventanas.
 # El reloj virtual y los menús no se pueden repetir aquí: de los casos que los usan se mira que dibuje algo.
 set -euo pipefail
-build=$1 capitulo=$2 programa=$3 nombre=$4 tolerancia=$5 guion=$6 paseo=${7:-}
+build=$1 paseo=$2
+shift 2
 aqui=$(cd "$(dirname "$0")" && pwd)
 source "$aqui/../ventana/pantalla.sh"
 source "$aqui/../ventana/xdotool.sh"
-
-golden=$aqui/../golden/$capitulo/$nombre.ppm
-opciones=(--amplia)
-[ "$tolerancia" = - ] || opciones+=(--tolerancia "$tolerancia")
 
 colores() { ppmhist -noheader "$1" 2>/dev/null | wc -l; }
 dibuja_algo() {
@@ -23,53 +20,64 @@ mira() {
   *) "$build/tests/compara" "$golden" ventana.ppm "${opciones[@]}" "$@" 2>&1 || true ;;
   esac
 }
+pasea() { # PROGRAMA
+  local sucesos
+  setpriv --pdeathsig KILL twm -f /dev/null >/dev/null 2>&1 &
+  sucesos=$(python3 -B "$aqui/../../herramientas/controles.py" "$aqui/../.." "$build" "$1" 1 25)
+  haz_guion "tamano 300 200; $sucesos; tamano 200 240; $sucesos"
+}
+mal() { # MENSAJE: con lo que haya escrito el programa
+  echo "$nombre: $1"
+  cat errores
+  exit 1
+}
+
+caso() { # CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION
+  local capitulo=$1 programa=$2 tolerancia=$4 guion=$5 resultado='' estado=0 como _
+  nombre=$3
+  golden=$aqui/../golden/$capitulo/$nombre.ppm opciones=(--amplia)
+  [ "$tolerancia" = - ] || opciones+=(--tolerancia "$tolerancia")
+  xdotool mousemove 1000 900 # lejos de la ventana
+  "$build/ventana/$capitulo/$programa" -geometry 240x180+10+10 >salida 2>errores </dev/null &
+  pid=$!
+  espera_ventana $pid || mal "no abre su ventana"
+  [ "$guion" = - ] || haz_guion "$guion"
+
+  # La ventana tarda en dibujarse: se mira hasta que coincide, quince segundos como mucho.
+  for _ in $(seq "${PACIENCIA:-150}"); do
+    xwd -silent -id "$ventana" 2>/dev/null | xwdtopnm -quiet >ventana.ppm 2>/dev/null || true
+    resultado=$(mira)
+    [ "${resultado%%:*}" = bien ] && break
+    sleep 0.1
+  done
+  echo "$nombre: $resultado"
+  if [ "${resultado%%:*}" != bien ]; then
+    mkdir -p "$build/fallos/ventana"
+    mira --deja "$build/fallos/ventana/$nombre"
+    exit 1
+  fi
+  [ "$paseo" = - ] || pasea "$programa"
+
+  cp salida antes # lo escrito sale al escribirlo, no al terminar
+  # Sin guion, o con animación, se cierra con la X de su marco: un temporizador puede vencer cuando la ventana ya no está. Si no, Esc.
+  case $guion$paseo in
+  - | *espera* | *paseo) como='la X de la ventana' && "$build/tests/cierra" "$ventana" ;;
+  *) como=Esc && xdotool key Escape ;;
+  esac
+  for _ in $(seq "${PACIENCIA:-200}"); do kill -0 $pid 2>/dev/null || break; sleep 0.05; done
+  ! kill -0 $pid 2>/dev/null || mal "$como no lo termina"
+  wait $pid || estado=$?
+  cmp antes salida || exit 1
+  [ $estado = 0 ] && [ ! -s errores ] || mal "$como lo termina con estado $estado y ha escrito en stderr:"
+}
 
 carpeta=$(mktemp -d)
 trap 'kill ${pid:-} 2>/dev/null || true; cierra_pantalla; rm -rf "$carpeta"' EXIT
 cd "$carpeta"
 abre_pantalla
-"$build/ventana/$capitulo/$programa" -geometry 240x180+10+10 >salida 2>errores </dev/null &
-pid=$!
-if ! espera_ventana $pid; then
-  echo "no abre su ventana:"
-  cat errores
-  exit 1
-fi
-[ "$guion" = - ] || haz_guion "$guion"
-
-# La ventana tarda en dibujarse: se mira hasta que coincide, quince segundos como mucho.
-for _ in $(seq "${PACIENCIA:-150}"); do
-  xwd -silent -id "$ventana" 2>/dev/null | xwdtopnm -quiet >ventana.ppm 2>/dev/null || true
-  resultado=$(mira)
-  [ "${resultado%%:*}" = bien ] && break
-  sleep 0.1
+con=$paseo paseo=-
+while [ $# -gt 0 ]; do
+  [ $# -gt 5 ] || paseo=$con
+  caso "${@:1:5}"
+  shift 5
 done
-echo "$resultado"
-if [ "${resultado%%:*}" != bien ]; then
-  mkdir -p "$build/fallos/ventana"
-  mira --deja "$build/fallos/ventana/$nombre"
-  exit 1
-fi
-
-if [ -n "$paseo" ]; then
-  setpriv --pdeathsig KILL twm -f /dev/null >/dev/null 2>&1 &
-  sucesos=$(python3 -B "$aqui/../../herramientas/controles.py" "$aqui/../.." "$build" "$programa" 1 25)
-  haz_guion "tamano 300 200; $sucesos; tamano 200 240; $sucesos"
-fi
-
-cp salida antes # lo escrito sale al escribirlo, no al terminar
-# Sin guion, o con animación, se cierra con la X de su marco: un temporizador puede vencer cuando la ventana ya no está. Si no, Esc.
-case $guion$paseo in
-- | *espera* | *paseo) como='la X de la ventana' && "$build/tests/cierra" "$ventana" ;;
-*) como=Esc && xdotool key Escape ;;
-esac
-for _ in $(seq "${PACIENCIA:-200}"); do kill -0 $pid 2>/dev/null || break; sleep 0.05; done
-kill -0 $pid 2>/dev/null && { echo "$como no lo termina"; exit 1; }
-estado=0
-wait $pid || estado=$?
-cmp antes salida || exit 1
-if [ $estado -ne 0 ] || [ -s errores ]; then
-  echo "$como lo termina con estado $estado y ha escrito en stderr:"
-  cat errores
-  exit 1
-fi

@@ -50,7 +50,13 @@ cmake)
   ;;
 ninja) etapa compila ;;
 ctest)
+  if [[ "$*" = *--show-only* ]]; then
+    echo '{"tests": [{"name": "uno", "command": ["x"]}, {"name": "dos", "command": ["y"]}]}'
+    exit
+  fi
+  rm -f "$(valor --output-junit "$@")"
   etapa ctest
+  echo '<t><testcase name="uno" status="run"/><testcase name="dos" status="run"/></t>' >"$(valor --output-junit "$@")"
   mkdir -p build/fallos
   printf 'P6 1 1 255\nabc' >build/fallos/x.ppm
   ;;

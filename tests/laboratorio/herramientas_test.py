@@ -14,6 +14,7 @@ import pytest
 
 RAIZ = Path(__file__).parents[2]
 sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/propiedades")]
+import cambios
 import catalogo
 import cocientes
 import colores
@@ -209,6 +210,48 @@ def test_el_tiempo_de_un_proceso(tmp_path):
     assert costes.milisegundos(["sleep", "0.2"], tmp_path) < 150
     gasta = "import os, time\nwhile time.process_time() < 0.1: os.stat('.')"
     assert 100 <= costes.milisegundos([sys.executable, "-S", "-c", gasta], tmp_path) < 2000
+
+
+def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
+    """Lo que se toca, y qué pruebas dejan de valer: las que usan eso y ninguna más; una que falla o no se conoce, siempre."""
+    raiz, build = tmp_path / "raiz", tmp_path / "raiz/build"
+    ficheros = ["raiz/ch01_uno/a.cpp", "raiz/ch01_uno/b.cpp", "raiz/ch01_uno/a.vert", "raiz/tests/casos/caso.sh", "raiz/tests/golden/ch01_uno/a-dos.ppm", "raiz/lab",
+                "raiz/docs/x.md", "raiz/assets/x.txt", "raiz/build/osmesa/ch01_uno/a", "raiz/build/osmesa/ch01_uno/b", "raiz/build/osmesa/ch01_intro/x",
+                "raiz/build/tests/compara", "raiz/build/tests/ch01_test", "raiz/build/leidos/ch01_test", "raiz/build/leidos/imagen.a"]
+    for f in ficheros:
+        (tmp_path / f).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / f).write_text(f)
+    (build / "leidos/imagen.a").write_text("ch01_uno/a.vert\n")
+    (build / "leidos/ch01_test").write_text(f"{build}/osmesa/ch01_uno/b\n")
+    ordenes = {"imagen.a": [f"{raiz}/tests/casos/caso.sh", str(build), "a"], "imagen.b": [f"{raiz}/tests/casos/caso.sh", str(build), "b"],
+               "ch01.G.uno": [f"{build}/tests/ch01_test", "--gtest_filter=G.uno"], "textos": [f"{raiz}/tests/textos.sh"], "lab": [f"{raiz}/tests/lab.sh"], "otra": ["x"]}
+    monkeypatch.setattr(cambios, "ejecuta", lambda *_, **__: json.dumps({"tests": [{"name": n, "command": o} for n, o in ordenes.items()]}))
+    monkeypatch.setattr(catalogo, "lee_programas", lambda _: [SimpleNamespace(nombre=n, capitulo=SimpleNamespace(nombre="ch01_uno"), fuente=Path(f"ch01_uno/{n}.cpp"))
+                                                              for n in "ab"])
+    informe = tmp_path / "pruebas.xml"
+
+    def informa():
+        casos = "".join(f'<testcase name="{n}" status="{"fail" if n == "otra" else "run"}"/>' for n in ordenes)
+        informe.write_text(f"<testsuite>{casos}</testsuite>")
+        llama("apunta", str(informe))
+
+    def llama(*argumentos):
+        monkeypatch.setattr(sys, "argv", ["cambios.py", str(raiz), str(build), *argumentos])
+        cambios.main()
+        return capsys.readouterr().out.strip().replace("\\", "")
+
+    assert llama("elige") == ".*"
+    informa()
+    assert llama("elige") == "otra"
+    ordenes |= {str(n): [f"{build}/tests/x_test"] for n in range(9)}  # que las que cambian no sean más de la mitad
+    informa()
+    for toca, esperadas in (("raiz/ch01_uno/a.vert", "imagen.a|textos"), ("raiz/build/osmesa/ch01_uno/b", "imagen.b|ch01.G.uno"), ("raiz/build/osmesa/ch01_uno/a", "imagen.a"),
+                            ("raiz/tests/golden/ch01_uno/a-dos.ppm", "imagen.a"), ("raiz/docs/x.md", "textos"), ("raiz/lab", "textos|lab"),
+                            ("raiz/build/tests/ch01_test", "ch01.G.uno"), ("raiz/assets/x.txt", ".*"), ("raiz/build/tests/compara", ".*")):
+        antes = (tmp_path / toca).read_text()
+        (tmp_path / toca).write_text("otra cosa")
+        assert set(llama("elige").split("|")) - {"otra"} == set(esperadas.split("|")), toca
+        (tmp_path / toca).write_text(antes)
 
 
 def test_la_grafica(tmp_path, monkeypatch):

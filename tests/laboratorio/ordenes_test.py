@@ -292,9 +292,15 @@ def test_prueba(lab):
     (lab.build / "fallos/viejo.ppm").write_text("P6")
     lab("prueba -R 'uno|dos' -V")
     assert lab.llamadas("cmake")[0][-1] == "-DLAB_AVISOS_SON_ERRORES=ON"
-    [opciones] = lab.llamadas("ctest")
+    opciones = lab.llamadas("ctest")[0]
     assert opciones[:2] == ["--test-dir", str(lab.build)] and opciones[-3:] == ["-R", "uno|dos", "-V"]
     assert {f.name for f in (lab.build / "fallos").iterdir()} == {"x.ppm", "x.png"}
+    lab("prueba --cambios", dice="Todas las pruebas han pasado ya con lo que hay")
+    assert not any("--parallel" in ll for ll in lab.llamadas("ctest"))
+    (lab.raiz / "docs/soluciones.md").write_text("otra")
+    lab("prueba --cambios")
+    assert lab.llamadas("ctest")[1][-2:] == ["-R", "^(.*)$"]
+    lab("prueba --cambios -R x", 1, "sobra -R")
     lab("prueba", 3, "falla ctest", FALLA="ctest")
     lab("prueba --asan")
     assert lab.llamadas("cmake")[0][:4] == ["--preset", "asan", "-B", f"{lab.build}/asan"] and lab.llamadas("ctest")[0][1] == f"{lab.build}/asan"

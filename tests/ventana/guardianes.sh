@@ -35,7 +35,7 @@ prueba() { # ESTADO QUÉ MENSAJE ORDEN…: si acaba con 0 o no, como dice ESTADO
   fallos=1
 }
 caso() { prueba "$1" "caso.sh, $2" "$3" caso.sh "$carpeta/build" "$sin_ventana" cap grua grua - -; }
-ventana() { prueba "$1" "ventana.sh, $2" "$3" ventana.sh "$carpeta/build" cap grua "${4:-grua}" - "${5:--}"; }
+ventana() { prueba "$1" "ventana.sh, $2" "$3" ventana.sh "$carpeta/build" - cap grua "${4:-grua}" - "${5:--}"; }
 
 cp bien.ppm tests/golden/cap/grua.ppm
 cp bien.ppm tests/golden/cap/grua-quieta.ppm
@@ -69,7 +69,7 @@ caso 1 "sin golden" 'falta el golden'
 
 # Interrumpida sin remedio (KILL), ni el Xvfb ni el programa la sobreviven.
 cp otro.ppm tests/golden/cap/grua.ppm
-PACIENCIA=600 tests/casos/ventana.sh "$carpeta/build" cap grua grua - - >/dev/null 2>&1 &
+PACIENCIA=600 tests/casos/ventana.sh "$carpeta/build" - cap grua grua - - >/dev/null 2>&1 &
 prueba=$!
 hijos() { ps -o pid= --ppid "$1" | xargs; }
 for _ in $(seq 100); do [ "$(hijos $prueba | wc -w)" -ge 2 ] && break; sleep 0.05; done

@@ -4,6 +4,7 @@
 # Espera a que el programa $1 (pid) tenga su ventana, y le da el teclado.
 espera_ventana() {
   local _
+  raton= # aún no se sabe dónde está
   for _ in $(seq 600); do
     ventana=$(xdotool search --onlyvisible --name . 2>/dev/null | head -n 1) && [ -n "$ventana" ] && break
     kill -0 "$1" 2>/dev/null || return 1
