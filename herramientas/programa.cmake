@@ -75,7 +75,7 @@ function(programa nombre)
     set_target_properties(${ejecutable} PROPERTIES OUTPUT_NAME ${nombre}
       RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/${destino}/${capitulo}")
   endforeach()
-  if(TARGET programas)
+  if(TARGET ${nombre}_ventana)
     add_dependencies(programas ${nombre}_ventana ${nombre}_${LAB_SIN_VENTANA})
     add_dependencies(sin_ventana ${nombre}_${LAB_SIN_VENTANA})
     install(TARGETS ${nombre}_ventana DESTINATION ${capitulo})

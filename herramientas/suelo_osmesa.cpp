@@ -1,5 +1,5 @@
 // El suelo con que se compara el arranque de los programas: lo menos que se puede hacer con OSMesa para dejar
-// en un PPM un triángulo de 240×180. Sin GLUT, sin GLEW y sin common/. Argumento: el fichero.
+// en un PPM un triángulo iluminado de 240×180. Sin GLUT, sin GLEW y sin common/. Argumento: el fichero.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -33,24 +33,49 @@ int main(int argc, char **argv) {
         return 1;
 
     const GLuint programa = glCreateProgram();
-    glAttachShader(programa,
-                   compila(GL_VERTEX_SHADER, "#version 140\nin vec2 posicion;\n"
-                                             "void main() { gl_Position = vec4(posicion, 0.0, 1.0); }\n"));
-    glAttachShader(programa,
-                   compila(GL_FRAGMENT_SHADER, "#version 140\nout vec4 color;\n"
-                                               "void main() { color = vec4(1.0, 0.0, 0.0, 1.0); }\n"));
+    glAttachShader(programa, compila(GL_VERTEX_SHADER, R"(#version 140
+in vec3 posicion, normal;
+uniform mat4 camara, proyeccion;
+out vec3 N, P;
+void main() {
+    vec4 p = camara * vec4(posicion, 1.0);
+    P = p.xyz;
+    N = mat3(camara) * normal;
+    gl_Position = proyeccion * p;
+})"));
+    glAttachShader(programa, compila(GL_FRAGMENT_SHADER, R"(#version 140
+uniform vec3 luz, color;
+in vec3 N, P;
+out vec4 colorFragmento;
+void main() {
+    vec3 n = normalize(N), L = normalize(luz - P), V = normalize(-P);
+    float brillo = pow(max(dot(reflect(-L, n), V), 0.0), 16.0);
+    colorFragmento = vec4(color * (0.2 + max(dot(n, L), 0.0)) + vec3(brillo), 1.0);
+})"));
+    glBindAttribLocation(programa, 0, "posicion");
+    glBindAttribLocation(programa, 1, "normal");
     glLinkProgram(programa);
     glUseProgram(programa);
+    const GLfloat identidad[] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    glUniformMatrix4fv(glGetUniformLocation(programa, "camara"), 1, GL_FALSE, identidad);
+    glUniformMatrix4fv(glGetUniformLocation(programa, "proyeccion"), 1, GL_FALSE, identidad);
+    glUniform3f(glGetUniformLocation(programa, "luz"), -0.5f, 0.5f, 2);
+    glUniform3f(glGetUniformLocation(programa, "color"), 0.7f, 0.2f, 0.1f);
+    glEnable(GL_DEPTH_TEST);
 
-    const GLfloat vertices[] = {-0.8f, -0.7f, 0.8f, -0.7f, 0.0f, 0.8f};
+    const GLfloat vertices[] = {-0.8f, -0.7f, -0.5f, 0,    0,    1,     0.8f, -0.7f, -0.5f,
+                                0,     0,     1,     0.0f, 0.8f, -0.5f, 0,    0,     1};
     GLuint vao, buffer;
     glGenVertexArrays(1, &vao);
     glBindVertexArray(vao);
     glGenBuffers(1, &buffer);
     glBindBuffer(GL_ARRAY_BUFFER, buffer);
     glBufferData(GL_ARRAY_BUFFER, sizeof vertices, vertices, GL_STATIC_DRAW);
-    glVertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-    glEnableVertexAttribArray(0);
+    for (GLuint i = 0; i < 2; ++i) {
+        glVertexAttribPointer(i, 3, GL_FLOAT, GL_FALSE, 6 * sizeof(GLfloat),
+                              reinterpret_cast<const void *>(3 * i * sizeof(GLfloat)));
+        glEnableVertexAttribArray(i);
+    }
     glClearColor(1, 1, 1, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glDrawArrays(GL_TRIANGLES, 0, 3);
