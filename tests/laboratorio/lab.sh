@@ -230,8 +230,8 @@ mv tests pocas
 cp -r "$raiz/tests" tests # las de verdad, que no hace falta compilar
 cmake --preset release -B todas >todas.log 2>&1 || { mal 'con las pruebas de verdad no se configura'; cat todas.log; }
 pruebas=$(ctest --test-dir todas -N)
-for nombre in imagen.$(cat build/sin_ventana) encuadre ventana; do
-  [[ $pruebas == *": $nombre.nuevo.base"$'\n'* ]] || mal "el programa nuevo no tiene la prueba $nombre.nuevo.base"
+for nombre in "imagen.$(cat build/sin_ventana).nuevo.base" encuadre.nuevo.base ventana.nuevo; do
+  [[ $pruebas == *": $nombre"$'\n'* ]] || mal "el programa nuevo no tiene la prueba $nombre"
 done
 rm -rf tests todas todas.log
 mv pocas tests

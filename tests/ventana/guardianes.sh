@@ -42,7 +42,7 @@ cp bien.ppm tests/golden/cap/grua-quieta.ppm
 "$build/$sin_ventana/ch03_transformaciones/grua" -titulos -ppm nada.ppm >tests/golden/cap/grua.txt
 programa 'grua "$@"'
 caso 0 "todo bien" '^bien'
-ventana 0 "todo bien" '^bien'
+ventana 0 "todo bien" '^grua: bien'
 ventana 0 "con espera" 'dibuja algo' grua-quieta 'espera 10'
 programa 'grua "$@"; exit 3'
 caso 1 "acaba mal" 'estado 3'
