@@ -20,6 +20,7 @@ from procesos import ejecuta, escribe, principal
 DEL_LABORATORIO = "lab", "CMakeLists.txt", "CMakePresets.json", "herramientas", "tests/laboratorio", "common"
 MIRAN = {"lab": DEL_LABORATORIO, "ordenes": DEL_LABORATORIO, "herramientas": DEL_LABORATORIO, "enlace_web": DEL_LABORATORIO,
          "shellcheck": ("lab", "tests"), "comparador.defectos": ("tests/comparador",)}
+DE_TODAS = "tests/entorno.txt", "tests/casos", "tests/ventana", "tests/fuzz", "assets"  # y los ejecutables que no son de ninguna
 SIN_MIRAR = "build", "galeria", "informe", "web", ".git", "__pycache__", "golden", "mutantes"
 
 
@@ -28,8 +29,7 @@ class Sumas:
         self.raiz, self.build = raiz, build
         self.destinos = [d.name for d in build.iterdir() if (d / "ch01_intro").is_dir()]
         self.programas = {p.nombre: p for p in catalogo.lee_programas(build)}
-        self.comunes = self.carpetas(*(str(f.relative_to(raiz)) for f in (raiz / "tests").glob("*/*.*") if f.suffix not in (".cpp", ".h")), "tests/entorno.txt",
-                                     "assets") + self.ficheros([f for f in (build / "tests").iterdir() if f.is_file() and "_test" not in f.name])
+        self.comunes = self.carpetas(*DE_TODAS) + self.ficheros([f for f in (build / "tests").iterdir() if f.is_file() and "_test" not in f.name])
 
     @functools.cache
     def fichero(self, ruta):
@@ -60,7 +60,10 @@ class Sumas:
         ejecutable = Path(orden[0])
         if not argumentos and self.build not in ejecutable.parents:  # mira el laboratorio entero
             return self.carpetas(".")
-        suyos = [ejecutable, *self.leidos(ejecutable.name if ejecutable.name.endswith("_test") else nombre)]
+        guiones = [Path(a) for a in orden if a.endswith(".py")]
+        if guiones:
+            guiones += (self.raiz / "herramientas").glob("*.py")
+        suyos = [ejecutable, *guiones, *self.leidos(ejecutable.name if ejecutable.name.endswith("_test") else nombre)]
         for a in argumentos:
             capitulo = self.programas[a].capitulo.nombre
             suyos += [self.build / destino / capitulo / a for destino in self.destinos]
