@@ -73,6 +73,10 @@ class Programa:
     def fuente(self):
         return Path(self.capitulo.nombre, f"{self.nombre}.cpp")
 
+    def ficheros(self, raiz):
+        """Su fuente y sus shaders: los lee siempre, aunque no lo apunte en $LAB_LEIDOS porque no usa common/."""
+        return sorted(raiz.glob(f"{self.fuente.with_suffix('')}.*"))
+
     def ejecutable(self, build):
         """El que se usa sin ventana."""
         return build / (build / "sin_ventana").read_text().strip() / self.capitulo.nombre / self.nombre

@@ -104,7 +104,7 @@ class Galeria:
         if caso.anima:
             with tempfile.TemporaryDirectory(dir=temporal) as carpeta:
                 escribe(self.destino / caso.animada, self.anima(ejecutable, caso, Path(carpeta)))
-        rutas = [str(f.relative_to(self.raiz)) for f in self.raiz.glob(f"{programa.fuente.with_suffix('')}.*")]  # hay quien no los lee con common/
+        rutas = [str(f.relative_to(self.raiz)) for f in programa.ficheros(self.raiz)]
         rutas += leidos.read_text().splitlines() if leidos.exists() else []
         self.hecho[caso.imagen] = {"clave": clave, "leidos": {ruta: self.suma(ruta) for ruta in rutas}, "salida": caso.salida}
         return True

@@ -226,8 +226,8 @@ def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
     ordenes = {"imagen.a": [f"{raiz}/tests/casos/caso.sh", str(build), "a"], "imagen.b": [f"{raiz}/tests/casos/caso.sh", str(build), "b"],
                "ch01.G.uno": [f"{build}/tests/ch01_test", "--gtest_filter=G.uno"], "textos": [f"{raiz}/tests/textos.sh"], "lab": [f"{raiz}/tests/lab.sh"], "otra": ["x"]}
     monkeypatch.setattr(cambios, "ejecuta", lambda *_, **__: json.dumps({"tests": [{"name": n, "command": o} for n, o in ordenes.items()]}))
-    monkeypatch.setattr(catalogo, "lee_programas", lambda _: [SimpleNamespace(nombre=n, capitulo=SimpleNamespace(nombre="ch01_uno"), fuente=Path(f"ch01_uno/{n}.cpp"))
-                                                              for n in "ab"])
+    capitulo = catalogo.Capitulo("ch01_uno", "Uno")
+    monkeypatch.setattr(catalogo, "lee_programas", lambda _: [catalogo.Programa(capitulo, n, "", "") for n in "ab"])
     informe = tmp_path / "pruebas.xml"
 
     def informa():
