@@ -33,16 +33,16 @@ mal() { # MENSAJE: con lo que haya escrito el programa
 }
 
 caso() { # CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION
-  local capitulo=$1 programa=$2 tolerancia=$4 guion=$5 resultado='' estado=0 como _
+  local capitulo=$1 programa=$2 tolerancia=$4 guion=$5 resultado='' estado=0 como i
   nombre=$3
   golden=$aqui/../golden/$capitulo/$nombre.ppm opciones=(--amplia)
   [ "$tolerancia" = - ] || opciones+=(--tolerancia "$tolerancia")
-  xdotool mousemove 1000 900 # lejos de la ventana
+  [ -z "${raton:-}" ] || xdotool mousemove 1000 900 # lejos de la ventana
   abre "$build/ventana/$capitulo/$programa" -geometry 240x180+10+10 >salida 2>errores || mal "no abre su ventana"
   [ "$guion" = - ] || haz_guion 240x180 "$guion"
 
   # La ventana tarda en dibujarse: se mira hasta que coincide, quince segundos como mucho.
-  for _ in $(seq "${PACIENCIA:-150}"); do
+  for ((i = ${PACIENCIA:-150}; i > 0; --i)); do
     xwd -silent -id "$ventana" 2>/dev/null | xwdtopnm -quiet >ventana.ppm 2>/dev/null || true
     resultado=$(mira)
     [ "${resultado%%:*}" = bien ] && break

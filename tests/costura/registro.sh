@@ -44,7 +44,7 @@ compara() { # PROGRAMA GUION [ARGUMENTO]: a los dos, y la diferencia; en PROGRAM
   shift 2
   "${programa/DESTINO/$sin_ventana}" -geometry 300x200+10+10 -guion "$ordenes" -ppm x.ppm "$@" >sin_ventana
   # Con la máquina ocupada X junta sucesos que el guion separa: si algo difiere se repite más despacio.
-  for PAUSA in 0.1 0.3 1; do
+  for PAUSA in 0.03 0.1 0.3 1; do
     rm -f ./*.ppm # F12 las numera
     xdotool mousemove 1200 1000
     abre "${programa/DESTINO/ventana}" -geometry 300x200+10+10 "$@" >freeglut
