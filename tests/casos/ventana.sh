@@ -63,7 +63,7 @@ caso() { # CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION
   *) como=Esc && xdotool key Escape ;;
   esac
   ! sigue $((${PACIENCIA:-150} / 10)) || mal "$como no lo termina"
-  wait $pid || estado=$?
+  wait "$pid" || estado=$?
   cmp antes salida || exit 1
   [ $estado = 0 ] && [ ! -s errores ] || mal "$como lo termina con estado $estado y ha escrito en stderr:"
 }

@@ -49,8 +49,8 @@ compara() { # PROGRAMA GUION [ARGUMENTO]: a los dos, y la diferencia; en PROGRAM
     xdotool mousemove 1200 1000
     abre "${programa/DESTINO/ventana}" -geometry 300x200+10+10 "$@" >freeglut
     haz_guion 300x200 "$ordenes"
-    ! sigue 5 || kill $pid
-    wait $pid && diff freeglut sin_ventana >diferencia && { echo "iguales: $(wc -l <freeglut) líneas"; return; }
+    ! sigue 5 || kill "$pid"
+    wait "$pid" && diff freeglut sin_ventana >diferencia && { echo "iguales: $(wc -l <freeglut) líneas"; return; }
   done
   cat diferencia 2>/dev/null || echo "${programa##*/} no acaba con 0"
   echo "(< FreeGLUT, > sin ventana)"

@@ -4,6 +4,7 @@
 # Lanza un programa y espera a que tenga su ventana, con el teclado: $pid y $ventana. De $vive no se lee nada: se acaba con él.
 abre() { # PROGRAMA [opciones]
   { exec {vive}< <(exec "$@" 3>&1 >&4 4>&- </dev/null); } 4>&1
+  # shellcheck disable=SC2034 # $pid es para quien llama
   pid=$! raton= # aún no se sabe dónde está
   ventana=$("$build/tests/ventana" espera <&"$vive")
 }
