@@ -24,7 +24,7 @@ pasea() { # PROGRAMA
   local sucesos
   setpriv --pdeathsig KILL twm -f /dev/null >/dev/null 2>&1 &
   sucesos=$(python3 -B "$aqui/../../herramientas/controles.py" "$aqui/../.." "$build" "$1" 1 25)
-  haz_guion "tamano 300 200; $sucesos; tamano 200 240; $sucesos"
+  haz_guion 240x180 "tamano 300 200; $sucesos; tamano 200 240; $sucesos"
 }
 mal() { # MENSAJE: con lo que haya escrito el programa
   echo "$nombre: $1"
@@ -33,22 +33,20 @@ mal() { # MENSAJE: con lo que haya escrito el programa
 }
 
 caso() { # CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION
-  local capitulo=$1 programa=$2 tolerancia=$4 guion=$5 resultado='' estado=0 como _
+  local capitulo=$1 programa=$2 tolerancia=$4 guion=$5 resultado='' estado=0 como i
   nombre=$3
   golden=$aqui/../golden/$capitulo/$nombre.ppm opciones=(--amplia)
   [ "$tolerancia" = - ] || opciones+=(--tolerancia "$tolerancia")
-  xdotool mousemove 1000 900 # lejos de la ventana
-  "$build/ventana/$capitulo/$programa" -geometry 240x180+10+10 >salida 2>errores </dev/null &
-  pid=$!
-  espera_ventana $pid || mal "no abre su ventana"
-  [ "$guion" = - ] || haz_guion "$guion"
+  [ -z "${raton:-}" ] || xdotool mousemove 1000 900 # lejos de la ventana
+  abre "$build/ventana/$capitulo/$programa" -geometry 240x180+10+10 >salida 2>errores || mal "no abre su ventana"
+  [ "$guion" = - ] || haz_guion 240x180 "$guion"
 
   # La ventana tarda en dibujarse: se mira hasta que coincide, quince segundos como mucho.
-  for _ in $(seq "${PACIENCIA:-150}"); do
+  for ((i = ${PACIENCIA:-150}; i > 0; --i)); do
     xwd -silent -id "$ventana" 2>/dev/null | xwdtopnm -quiet >ventana.ppm 2>/dev/null || true
     resultado=$(mira)
     [ "${resultado%%:*}" = bien ] && break
-    sleep 0.1
+    sigue 0.1 || break
   done
   echo "$nombre: $resultado"
   if [ "${resultado%%:*}" != bien ]; then
@@ -61,12 +59,11 @@ caso() { # CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION
   cp salida antes # lo escrito sale al escribirlo, no al terminar
   # Sin guion, o con animación, se cierra con la X de su marco: un temporizador puede vencer cuando la ventana ya no está. Si no, Esc.
   case $guion$paseo in
-  - | *espera* | *paseo) como='la X de la ventana' && "$build/tests/cierra" "$ventana" ;;
+  - | *espera* | *paseo) como='la X de la ventana' && "$build/tests/ventana" cierra "$ventana" ;;
   *) como=Esc && xdotool key Escape ;;
   esac
-  for _ in $(seq "${PACIENCIA:-200}"); do kill -0 $pid 2>/dev/null || break; sleep 0.05; done
-  ! kill -0 $pid 2>/dev/null || mal "$como no lo termina"
-  wait $pid || estado=$?
+  ! sigue $((${PACIENCIA:-150} / 10)) || mal "$como no lo termina"
+  wait "$pid" || estado=$?
   cmp antes salida || exit 1
   [ $estado = 0 ] && [ ! -s errores ] || mal "$como lo termina con estado $estado y ha escrito en stderr:"
 }

@@ -24,15 +24,14 @@ mueve 290 150; menu Ejes puestos; mueve 23 33; tecla e; mueve 290 150; menu Sali
 elige_en_menu() {
   local -A fila=([Vista/Perfil]=0 [Ejes quitados]=1 [Ejes puestos]=1 [Salir]=2)
   local x=${raton% *} y=${raton#* }
-  xdotool click 3
-  sleep "$PAUSA"
+  pasos+=(click 3 sleep "$PAUSA")
   lleva_raton $((x + 20)) $((y + 14 + 24 * fila[$1]))
-  sleep "$PAUSA"
+  pasos+=(sleep "$PAUSA")
   if [ "$1" = Vista/Perfil ]; then
     lleva_raton $((x + 300)) $((y + 14 + 24))
-    sleep "$PAUSA"
+    pasos+=(sleep "$PAUSA")
   fi
-  xdotool click 1
+  pasos+=(click 1)
 }
 
 carpeta=$(mktemp -d)
@@ -45,17 +44,13 @@ compara() { # PROGRAMA GUION [ARGUMENTO]: a los dos, y la diferencia; en PROGRAM
   shift 2
   "${programa/DESTINO/$sin_ventana}" -geometry 300x200+10+10 -guion "$ordenes" -ppm x.ppm "$@" >sin_ventana
   # Con la máquina ocupada X junta sucesos que el guion separa: si algo difiere se repite más despacio.
-  for PAUSA in 0.1 0.3 1; do
+  for PAUSA in 0.03 0.1 0.3 1; do
     rm -f ./*.ppm # F12 las numera
-    raton=
     xdotool mousemove 1200 1000
-    "${programa/DESTINO/ventana}" -geometry 300x200+10+10 "$@" >freeglut </dev/null &
-    pid=$!
-    espera_ventana $pid
-    haz_guion "$ordenes"
-    for _ in $(seq 100); do kill -0 $pid 2>/dev/null || break; sleep 0.05; done
-    kill $pid 2>/dev/null || true
-    wait $pid && diff freeglut sin_ventana >diferencia && { echo "iguales: $(wc -l <freeglut) líneas"; return; }
+    abre "${programa/DESTINO/ventana}" -geometry 300x200+10+10 "$@" >freeglut
+    haz_guion 300x200 "$ordenes"
+    ! sigue 5 || kill "$pid"
+    wait "$pid" && diff freeglut sin_ventana >diferencia && { echo "iguales: $(wc -l <freeglut) líneas"; return; }
   done
   cat diferencia 2>/dev/null || echo "${programa##*/} no acaba con 0"
   echo "(< FreeGLUT, > sin ventana)"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# lab.sh RAIZ: las órdenes de ./lab que compilan y dibujan de verdad (lo demás, en ordenes_test.py), desde otra carpeta; y en una copia con lo mínimo, que lo que se estropea se nota y
+# lab.sh RAIZ BUILD: las órdenes de ./lab que compilan y dibujan de verdad (lo demás, en ordenes_test.py), desde otra carpeta; y en una copia con lo mínimo, que lo que se estropea se nota y
 # lo que se puede arreglar se arregla, también cuando su carpeta pasa a tener el peor nombre posible.
 set -euo pipefail
-raiz=$1 lab=$1/lab fallos=0
+raiz=$1 hecho=$2 lab=$1/lab fallos=0
 export LAB_SIN_INSTALAR=1
 unset DISPLAY WAYLAND_DISPLAY
 carpeta=$(mktemp -d)
@@ -12,13 +12,13 @@ export TMPDIR=$carpeta/temporal # al acabar debe estar vacía
 cd "$carpeta/aqui"
 
 mal() { echo "$*"; fallos=1; }
-espera() { # ESTADO TEXTO ORDEN…: la orden sale con ese estado y su salida (las dos) contiene el texto
-  local estado=0 salida esperado=$1 texto=$2
-  shift 2
-  salida=$("$@" 2>&1) || estado=$?
-  if [ $estado != "$esperado" ] || [[ $salida != *"$texto"* ]]; then
-    mal "$*: estado $estado (debía ser $esperado); debía decir «$texto» y ha dicho: $(tail -n 5 <<<"$salida" | tail -c 600)"
-  fi
+espera() { # ESTADO TEXTO ORDEN…: la orden sale con ese estado y su salida (las dos) contiene cada línea del texto
+  local estado=0 salida esperado=$1 texto
+  salida=$("${@:3}" 2>&1) || estado=$?
+  while IFS= read -r texto; do
+    [ $estado = "$esperado" ] && [[ $salida = *"$texto"* ]] && continue
+    mal "${*:3}: estado $estado (debía ser $esperado); debía decir «$texto» y ha dicho: $(tail -n 5 <<<"$salida" | tail -c 600)"
+  done <<<"$2"
 }
 
 # --- órdenes y errores ------------------------------------------------------------------------------------------
@@ -47,9 +47,12 @@ mkdir "$copia"
 tar -C "$raiz" --exclude=./build --exclude=./galeria --exclude=./web --exclude=./.git --exclude='./ch0[2-9]*' --exclude='./ch1*' -cf - . |
   tar -C "$copia" -xf -
 cd "$copia"
-# compila antes: sin optimizar, y sin lo que sus programas no usan de common/ y assets/
+# compila antes: sin optimizar, con lo que de common/ hay en BUILD, salvo lo que sabe en qué carpeta está, y con pocos assets/
 sed -i 's/"Release"/"None"/' CMakePresets.json
-for f in malla orbita recuadro textura trazo; do : >common/$f.cpp; done
+HECHO=$hecho/CMakeFiles perl -0pi -e 's|common/(?!rutas)(\w+\.cpp)|"$ENV{HECHO}/comun.dir/common/$1.o"|g;
+  s|glut_sin_ventana OBJECT|$& EXCLUDE_FROM_ALL|; s|\$<TARGET_OBJECTS:glut_sin_ventana>|\${glut}|g;
+  s|(?=add_library\(glut_egl)|file(GLOB glut "$ENV{HECHO}/glut_sin_ventana.dir/common/glut_sin_ventana/*.o")\n|;
+  s|(target_precompile_headers\(precompilada PRIVATE)[^)]*|$1 <cstdio>|' CMakeLists.txt
 perl -0pi -e 's/set\(texturas[^)]*\)/set(texturas luz)/' assets/CMakeLists.txt
 cat >assets/genera_assets.cpp <<'FIN'
 #include <fstream>
@@ -116,15 +119,15 @@ sed -i 's/^MINIMO = .*/MINIMO = 4/; s/^META, .*/META, META_SIN_GOLDEN = 50, 25/'
 mutantes "$uno"$'\testo no está\tx\tsigno' "$dos"$'\tfalta una columna' "$tres"$'\t«3», GL_FLOAT\t3\tes igual' \
   "$tres"$'\t2, GL_FLOAT\t3, GL_FLOAT\tse pisa' "$tres"$'\t«2», GL_FLOAT\t3\tcon este' \
   $'ch01_intro/errores_shader.vert\t«nuevoColor» = color\tnoEsta\tno compila'
-for error in 'ch01:1: «esto no está» está 0 veces en '$uno 'ch01:2: son fichero, texto' 'ch01:3: ««3», GL_FLOAT» está 0 veces' \
-  "$tres: se pisa con otro" \
-  'ch01:6: no compila: ' 'ningún mutante en ch01_intro/primer_programa_dos'; do
-  espera 1 "$error" $lab muta --comprueba
-done
+espera 1 "ch01:1: «esto no está» está 0 veces en $uno
+ch01:2: son fichero, texto
+ch01:3: ««3», GL_FLOAT» está 0 veces
+$tres: se pisa con otro
+ch01:6: no compila: 
+ningún mutante en ch01_intro/primer_programa_dos" $lab muta --comprueba
 bueno=$uno$'\tglClearColor(1.0f, «1.0f», 0.0f\t0.0f\trojo por amarillo'
 mutantes "$bueno" "$uno"$'\treturn «0»\t0\tes igual' "$dos"$'\treturn «0»\t1\testado'
-espera 1 'ch01:2: no cambia nada' $lab muta --comprueba
-espera 1 'hay 3 mutantes, y deben ser 4' $lab muta --comprueba
+espera 1 $'ch01:2: no cambia nada\nhay 3 mutantes, y deben ser 4' $lab muta --comprueba
 
 # y los planta: uno lo nota la prueba; otro, solo un golden; otro, nadie, y no dice por qué. La prueba deja un fichero temporal
 cat >tests/capitulos/ch01_test.cpp <<'FIN'

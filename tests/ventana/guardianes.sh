@@ -8,13 +8,12 @@ aqui=$(cd "$(dirname "$0")" && pwd)
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
 cd "$carpeta"
-export PACIENCIA=20 # décimas de segundo que se espera a una imagen
 fallos=0
 
 # Un build y unas pruebas de mentira, con un solo programa de verdad detrás.
 mkdir -p tests build/tests build/ventana/cap "build/$sin_ventana/cap" tests/golden/cap
 cp -r "$aqui" "$aqui/../casos" tests
-ln -s "$build/tests/compara" "$build/tests/guion" "$build/tests/cierra" build/tests
+ln -s "$build/tests/compara" "$build/tests/guion" "$build/tests/ventana" build/tests
 "$build/$sin_ventana/ch03_transformaciones/grua" -geometry 240x180 -ppm bien.ppm
 "$build/$sin_ventana/ch03_transformaciones/grua" -geometry 240x180 -ppm otro.ppm -guion 'tecla d; tecla d; tecla d'
 
@@ -53,14 +52,14 @@ ventana 1 "escribe en stderr" 'estado 0 y ha escrito'
 programa 'exit 0'
 caso 1 "no dibuja" 'grua.ppm'
 ventana 1 "no abre su ventana" 'no abre su ventana'
-programa 'grua "$@"; sleep 5 >/dev/null 2>&1'
-ventana 1 "no atiende Esc" 'no lo termina'
+programa 'grua "$@"; exec sleep 60 >/dev/null 2>&1'
+PACIENCIA=30 ventana 1 "no atiende Esc" 'no lo termina'
 programa "exec '$build/ventana/ch01_intro/primer_programa' \"\$@\""
-ventana 1 "de un solo color" 'un solo color' grua-quieta 'espera 10'
+PACIENCIA=5 ventana 1 "de un solo color" 'un solo color' grua-quieta 'espera 10'
 programa 'grua "$@"'
 cp otro.ppm tests/golden/cap/grua.ppm
 caso 1 "golden que no es" 'píxeles a más de 3'
-ventana 1 "golden que no es" 'píxeles a más de 3'
+PACIENCIA=5 ventana 1 "golden que no es" 'píxeles a más de 3'
 cp bien.ppm tests/golden/cap/grua.ppm
 programa 'grua "$@"; echo otro texto'
 caso 1 "texto que no es" '^+otro texto'

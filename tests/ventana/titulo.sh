@@ -8,14 +8,12 @@ source "$(dirname "$0")/pantalla.sh"
 source "$(dirname "$0")/xdotool.sh"
 trap 'kill ${pid:-} 2>/dev/null || true; cierra_pantalla' EXIT
 abre_pantalla
-"$build/$programa" &
-pid=$!
-espera_ventana $pid
+abre "$build/$programa"
 # Manda _NET_WM_NAME, si está, sobre WM_NAME. El programa puede ponerlo con su primera imagen: se mira diez segundos como mucho.
-for _ in $(seq 100); do
+for _ in {1..100}; do
   obtenido=$(LC_ALL=C.UTF-8 xprop -id "$ventana" -notype WM_NAME _NET_WM_NAME | sed -n 's/.* = "\(.*\)"$/\1/p' | tail -n 1)
   for titulo in "$@"; do [ "$obtenido" != "$titulo" ] || { echo "bien: «$obtenido»"; exit 0; }; done
-  sleep 0.1
+  sigue 0.1 || break
 done
 echo "el título es «$obtenido» y debía ser «$1»"
 exit 1
