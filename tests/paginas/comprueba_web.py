@@ -356,7 +356,7 @@ def prueba_editor(p):
     exige(p.espera("/Cambiado/.test(una('.fichero-estado').textContent)"), "un cambio bueno se aplica solo")
     exige(p.imagen() != original, "y se ve")
     n.js("una('.fichero-estado button').click()")
-    exige(p.espera("!cambios.size && recuerdo() === '[]'"), "se puede volver al original")
+    exige(p.espera("!taller.cambios.size && recuerdo('sessionStorage', 'cambios') === '[]'"), "se puede volver al original")
     exige(p.imagen() == original, "y vuelve la imagen")
     n.js("todos('.pestanas button').find(b => b.textContent.endsWith('.cpp')).click()")
     exige(p.espera("editor.ruta.endsWith('.cpp') && editor.getOption('readOnly')"), "un .cpp se lee y no se cambia")
