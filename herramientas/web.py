@@ -74,10 +74,9 @@ class Pagina:
     def shaders(self):
         return self.textos(*(f"c*/*{e}" for e in SHADERS))
 
-    def ejercicios(self, programa, cosas):
-        """Los listados que se pueden hacer en la página: qué es cada uno, y qué pide en cada fichero."""
-        piden = ejercicios.que_piden(self.shaders())
-        return [{"codigo": c, "que": cosas[c].que, "pide": piden[c]} for c in programa.referencias if c in piden]
+    def listados(self):
+        """Los que se pueden hacer en la página: qué pide cada uno en cada shader."""
+        return {codigo: pide for codigo, pide in ejercicios.que_piden(self.shaders()).items() if codigo.startswith("L")}
 
     def miniatura(self, programa):
         """La primera imagen de la galería, reducida: basta para el catálogo."""
@@ -110,7 +109,7 @@ class Pagina:
         shaders = self.shaders()
         self.empaqueta("shaders", {**shaders, **self.textos("assets/*.txt", "assets/*.vf")})
         self.empaqueta("esqueletos", {codigo: {f: ejercicios.esqueleto(shaders[f], codigo) for f in pide}
-                                      for codigo, pide in ejercicios.que_piden(shaders).items()})
+                                      for codigo, pide in self.listados().items()})
         self.empaqueta("codigo", self.textos("ch*/*.cpp", "ch*/*.h"))
         guiones = ("lib/codemirror.js", "mode/clike/clike.js", "addon/edit/matchbrackets.js")
         self.empaqueta("editor", {"css": (CODEMIRROR / "lib/codemirror.css").read_text(),
@@ -122,10 +121,11 @@ class Pagina:
     def escribe_indice(self, capitulos, antes=lambda: None):
         programas = [p for capitulo in capitulos for p in capitulo.programas]
         self.destino.mkdir(parents=True, exist_ok=True)
-        del_libro = libro.Libro(self.raiz)
+        del_libro, listados = libro.Libro(self.raiz), self.listados()
         with ThreadPoolExecutor(os.cpu_count()) as hilos:
-            datos = [{**p.datos(), "ejercicios": self.ejercicios(p.programa, del_libro.cosas)}
-                     for p in hilos.map(lambda p: Programa(self.raiz, self.build.parent, p), programas)]
+            datos = [p.datos() for p in hilos.map(lambda p: Programa(self.raiz, self.build.parent, p), programas)]
+        for p, d in zip(programas, datos):
+            d["ejercicios"] = [{"codigo": c, "que": del_libro.cosas[c].que, "pide": listados[c]} for c in p.referencias if c in listados]
         miniaturas = {p.nombre: self.miniatura(p) for p in programas}
         antes()
         pagina.escribe_pagina(self.destino, "web.html", capitulos=capitulos, libro=del_libro, programas=datos, miniaturas=miniaturas,

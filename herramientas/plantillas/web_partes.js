@@ -183,7 +183,7 @@ function compara(lograda, objetivo, diferencia) {
 }
 
 /// Hacia abajo: el 100 % es que coinciden todos.
-const porciento = parte => `${Math.floor(parte * 1000) / 10} %`;
+const porciento = parte => `${Math.floor(parte * 1000) / 10}\u00a0%`;
 
 /// Los shaders que se enseñan en un ejercicio: los suyos, su pareja y los que se incluyen.
 function delEjercicio(suyos, rutas) {

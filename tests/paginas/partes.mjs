@@ -201,7 +201,7 @@ test('dos imágenes: qué parte coincide, y dónde no', () => {
   for (const i of [0, 1]) assert.ok(pixel(i)[0] === pixel(i)[1] && pixel(i)[1] === pixel(i)[2] && pixel(i)[3] === 255, 'gris');
   for (const i of [2, 3]) assert.ok(pixel(i)[0] > pixel(i)[1] + 60 && pixel(i)[3] === 255, 'rojo');
   assert.ok(pixel(3)[1] < pixel(2)[1], 'más rojo lo que más se aparta');
-  assert.deepEqual([1, 0.99999, 0.9, 0].map(porciento), ['100 %', '99.9 %', '90 %', '0 %']);
+  assert.deepEqual([1, 0.99999, 0.9, 0].map(porciento), ['100', '99.9', '90', '0'].map(n => n + '\u00a0%'));
 });
 
 test('los ejercicios: lo guardado y sus ficheros', () => {
