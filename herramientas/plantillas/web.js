@@ -71,7 +71,7 @@ let taller = libre;
 /// que se le dan además de los del laboratorio; `textos`, los shaders que no son los originales. Devuelve lo que se puede hacer con él.
 async function arranca(programa,
   { lienzo, ancho, alto, textos = {}, ficheros = {}, suavizado = true, di = () => {}, titulo = () => {} }) {
-  const [modulo, shaders] = await Promise.all([laboratorio(), json('shaders'), ...programa.texturas.map(bytes)]);
+  const [modulo, shaders, suyos] = await Promise.all([laboratorio(), json('shaders'), textos, ...programa.texturas.map(bytes)]);
   const lab = await Laboratorio({
     canvas: lienzo, suavizado, thisProgram: programa.nombre, print: di, printErr: di, titulo,
     instantiateWasm: (lo, recibe) => { WebAssembly.instantiate(modulo, lo).then(recibe); return {}; },
@@ -80,7 +80,7 @@ async function arranca(programa,
     lab.FS.mkdirTree(ruta.replace(/\/[^/]*$/, ''));
     lab.FS.writeFile(ruta, datos);
   };
-  for (const [ruta, texto] of Object.entries({ ...shaders, ...textos })) escribe('/lab/' + ruta, texto);
+  for (const [ruta, texto] of Object.entries({ ...shaders, ...suyos })) escribe('/lab/' + ruta, texto);
   for (const t of programa.texturas) escribe(`/lab/assets/${t}`, await bytes(t));
   for (const [ruta, datos] of Object.entries(ficheros)) escribe(ruta, datos);
   const leidos = new Set(), abre = lab.FS.open;
@@ -162,9 +162,8 @@ async function empieza(guionInicial = '') {
   let nueva;
   const ficheros = Object.fromEntries(propias.map(({ nombre, datos }) => ['/propias/' + nombre, datos]));
   try {
-    const textos = await taller.textos();
     nueva = await arranca(actual, {
-      lienzo, ...talla(), textos, ficheros, suavizado,
+      lienzo, ...talla(), textos: taller.textos(), ficheros, suavizado,
       di: linea => { if (mio === turno) di(linea); },
       titulo: texto => { if (mio === turno) una('.estado').textContent = texto; },
     });
@@ -364,7 +363,7 @@ async function imagenDe({ guion }, textos) {
 
 /// Lo escrito coincide en lo que se está viendo: falta saber si coincide en todos los casos. Se deja si se escribe otra cosa.
 async function revisa() {
-  const esta = revision = {}, textos = await taller.textos(), { casos } = actual, fallan = [];
+  const esta = revision = {}, textos = taller.textos(), { casos } = actual, fallan = [];
   dictamina('Comparando cada caso…');
   for (const caso of casos) {
     const objetivo = await objetivos(caso), lograda = revision === esta && await imagenDe(caso, textos);
