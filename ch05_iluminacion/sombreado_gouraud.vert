@@ -13,6 +13,9 @@ out vec3 nuevoColor;
 // Listado 5.2: se ilumina el vértice y se interpola su color.
 void main() {
     vec4 P = camara * M * vec4(posicion, 1.0);
+    // L5.2: el color del vértice: phong, en su punto y con su normal
     nuevoColor = phong(material, La, luz, P.xyz, N * vNormal);
+    // de partida: nuevoColor = material.Ka * La;
+    // fin de L5.2
     gl_Position = proyeccion * P;
 }

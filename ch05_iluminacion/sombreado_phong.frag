@@ -9,5 +9,8 @@ in vec3 ecPosicion, normal;
 out vec4 colorFragmento;
 
 void main() {
+    // L5.3: el color del fragmento: phong, con lo que llega interpolado
     colorFragmento = vec4(phong(material, La, luz, ecPosicion, normal), 1.0);
+    // de partida: colorFragmento = vec4(material.Ka * La, 1.0);
+    // fin de L5.3
 }

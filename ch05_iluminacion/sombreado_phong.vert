@@ -11,7 +11,11 @@ out vec3 ecPosicion, normal; // en coordenadas de la cámara
 // son unitarios ni llevan la dirección debida.
 void main() {
     vec4 P = camara * M * vec4(posicion, 1.0);
+    // L5.3: el punto y la normal, en coordenadas de la cámara, para que se interpolen
     ecPosicion = P.xyz;
     normal = unitario(N * vNormal);
+    // de partida: ecPosicion = posicion;
+    // de partida: normal = vNormal;
+    // fin de L5.3
     gl_Position = proyeccion * P;
 }

@@ -15,6 +15,9 @@ out vec4 colorFragmento;
 
 // La textura (listado 6.3) tiñe lo que la superficie refleja en todas direcciones; el brillo es del color de la luz.
 void main() {
+    // L6.3: el color de la textura en las coordenadas del fragmento
     vec3 texel = texture(Img, nuevaCoordTextura).rgb;
+    // de partida: vec3 texel = vec3(1.0);
+    // fin de L6.3
     colorFragmento = vec4(phong(Material(KA * texel, KD * texel, KS, ALFA), LA, LUZ, ecPosicion, normal), 1.0);
 }

@@ -14,9 +14,11 @@ out vec4 colorFragmento;
 
 // Listado 8.3. Por los huecos se ve la otra cara de la superficie, que tiene la normal opuesta.
 void main() {
+    // L8.3: de cada una de las nVeces repeticiones se descarta lo que no es barrote
     float s = fract(nuevaCoordTextura.s * nVeces.s), t = fract(nuevaCoordTextura.t * nVeces.t);
     if (s > talla.s && t > talla.t)
         discard;
+    // fin de L8.3
     Material interior = Material(0.25 * colorInterior, 0.8 * colorInterior, vec3(0.0), 1.0);
     vec3 color = gl_FrontFacing ? phong(material, La, luz, ecPosicion, normal)
                                 : phong(interior, La, luz, ecPosicion, -normal);

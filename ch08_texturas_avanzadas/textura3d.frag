@@ -12,7 +12,10 @@ out vec4 colorFragmento;
 
 // §8.3: con S2 = 0 el ruido no tuerce nada.
 float lee(vec3 p) {
+    // L8.4: el ruido en el punto p de la textura 3D, multiplicado por S2
     return texture(ruido, p).r * S2;
+    // de partida: return 0.0;
+    // fin de L8.4
 }
 
 // Anillos alrededor de un eje casi vertical: cada uno se oscurece poco a poco y acaba de golpe.

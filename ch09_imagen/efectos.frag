@@ -11,6 +11,7 @@ out vec4 colorFragmento;
 // imagen opaca sería transparente.
 void main() {
     vec4 color = texture(imagen, coordenadaTextura);
+    // L9.1: según elegido: 1, brillo (por alfa); 2, negativo; 3, la media; 4, la luminancia
     if (elegido == 1)
         color.rgb *= alfa;
     else if (elegido == 2)
@@ -19,5 +20,6 @@ void main() {
         color.rgb = vec3((color.r + color.g + color.b) / 3.0);
     else if (elegido == 4)
         color.rgb = vec3(dot(color.rgb, vec3(0.2126, 0.7152, 0.0722))); // luminancia, ITU-R BT.709
+    // fin de L9.1
     colorFragmento = color;
 }

@@ -14,7 +14,10 @@ out vec3 normal;
 
 // Listado 12.1.
 vec3 lee(vec2 coordTextura) {
+    // L12.1: los tres ruidos, S1 veces y corridos con el tiempo, menos el centro y por S2
     return (texture(ruido, coordTextura * S1 + tiempo).rgb - centro) * S2;
+    // de partida: return vec3(0.0);
+    // fin de L12.1
 }
 
 // Lo que cambian la superficie y el ruido con s y con t son dos tangentes de la superficie desplazada, y su producto

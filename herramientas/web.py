@@ -18,6 +18,7 @@ from pathlib import Path
 
 import catalogo
 import controles
+import ejercicios
 import libro
 import pagina
 from procesos import ejecuta, escribe, principal
@@ -70,6 +71,13 @@ class Pagina:
         ficheros = sorted(f for patron in patrones for f in self.raiz.glob(patron))
         return {str(f.relative_to(self.raiz)): f.read_text() for f in ficheros}
 
+    def shaders(self):
+        return self.textos(*(f"c*/*{e}" for e in SHADERS))
+
+    def listados(self):
+        """Los que se pueden hacer en la página: qué pide cada uno en cada shader."""
+        return {codigo: pide for codigo, pide in ejercicios.que_piden(self.shaders()).items() if codigo.startswith("L")}
+
     def miniatura(self, programa):
         """La primera imagen de la galería, reducida: basta para el catálogo."""
         origen = self.galeria / programa.casos[0].imagen
@@ -98,7 +106,10 @@ class Pagina:
         shutil.rmtree(self.nuevos, ignore_errors=True)
         for parte in ("js", "wasm"):
             self.empaqueta(parte, (self.build / f"lab.{parte}").read_bytes())
-        self.empaqueta("shaders", self.textos(*(f"c*/*{e}" for e in SHADERS), "assets/*.txt", "assets/*.vf"))
+        shaders = self.shaders()
+        self.empaqueta("shaders", {**shaders, **self.textos("assets/*.txt", "assets/*.vf")})
+        self.empaqueta("esqueletos", {codigo: {f: ejercicios.esqueleto(shaders[f], codigo) for f in pide}
+                                      for codigo, pide in self.listados().items()})
         self.empaqueta("codigo", self.textos("ch*/*.cpp", "ch*/*.h"))
         guiones = ("lib/codemirror.js", "mode/clike/clike.js", "addon/edit/matchbrackets.js")
         self.empaqueta("editor", {"css": (CODEMIRROR / "lib/codemirror.css").read_text(),
@@ -110,11 +121,15 @@ class Pagina:
     def escribe_indice(self, capitulos, antes=lambda: None):
         programas = [p for capitulo in capitulos for p in capitulo.programas]
         self.destino.mkdir(parents=True, exist_ok=True)
+        del_libro, listados = libro.Libro(self.raiz), self.listados()
         with ThreadPoolExecutor(os.cpu_count()) as hilos:
             datos = [p.datos() for p in hilos.map(lambda p: Programa(self.raiz, self.build.parent, p), programas)]
+        for p, d in zip(programas, datos):
+            d["ejercicios"] = [{"codigo": c, "que": del_libro.cosas[c].que, "pide": listados[c]} for c in p.referencias if c in listados]
         miniaturas = {p.nombre: self.miniatura(p) for p in programas}
         antes()
-        pagina.escribe_pagina(self.destino, "web.html", capitulos=capitulos, libro=libro.Libro(self.raiz), programas=datos, miniaturas=miniaturas)
+        pagina.escribe_pagina(self.destino, "web.html", capitulos=capitulos, libro=del_libro, programas=datos, miniaturas=miniaturas,
+                              ejercicios={p["nombre"]: p["ejercicios"] for p in datos})
 
 
 def main():

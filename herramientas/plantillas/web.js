@@ -34,24 +34,44 @@ const laboratorio = recuerda(async () => {
   return modulo;
 });
 
-/// Lo que dura mientras no se cierra la pestaña; un navegador puede no permitirlo.
-function recuerdo(texto) {
+/// Lo que guarda el navegador en sessionStorage, mientras no se cierra la pestaña, o en localStorage; puede no permitirlo.
+function recuerdo(almacen, clave, texto) {
   try {
-    return texto ? sessionStorage.setItem('cambios', texto) : sessionStorage.getItem('cambios');
+    return texto === undefined ? window[almacen].getItem(clave) : window[almacen].setItem(clave, texto);
   } catch {
     return null;
   }
 }
 
+/// Los shaders que se tocan: los de la pestaña o, en un ejercicio, los suyos, que parten de su esqueleto.
+class Taller {
+  constructor(almacen, clave, codigo) {
+    Object.assign(this, { almacen, clave, codigo, cambios: new Map(leeCambios(recuerdo(almacen, clave))) });
+  }
+
+  async esqueleto() { return this.codigo ? (await json('esqueletos'))[this.codigo] : {}; }
+  async textos() { return { ...await this.esqueleto(), ...Object.fromEntries(this.cambios) }; }
+  async original(ruta) { return (await this.esqueleto())[ruta] ?? solucion(ruta); }
+
+  apunta(ruta, texto, original) {
+    if (texto === original) this.cambios.delete(ruta);
+    else this.cambios.set(ruta, texto);
+    recuerdo(this.almacen, this.clave, JSON.stringify([...this.cambios]));
+  }
+}
+
+const esShader = ruta => /\.(vert|frag|glsl)$/.test(ruta);
+const solucion = async ruta => (await json(esShader(ruta) ? 'shaders' : 'codigo'))[ruta];
+const libre = new Taller('sessionStorage', 'cambios');
+let taller = libre;
+
 // --- un programa en marcha --------------------------------------------------------------------------------------------
 
-const cambios = new Map(leeCambios(recuerdo())); // los shaders que se han tocado
-
 /// Arranca un programa en un lienzo. `di(línea)` recibe lo que escribe; `titulo(texto)`, el de la ventana; `ficheros`, los
-/// que se le dan además de los del laboratorio. Devuelve lo que se puede hacer con él.
+/// que se le dan además de los del laboratorio; `textos`, los shaders que no son los originales. Devuelve lo que se puede hacer con él.
 async function arranca(programa,
-  { lienzo, ancho, alto, ficheros = {}, suavizado = true, di = () => {}, titulo = () => {} }) {
-  const [modulo, shaders] = await Promise.all([laboratorio(), json('shaders'), ...programa.texturas.map(bytes)]);
+  { lienzo, ancho, alto, textos = {}, ficheros = {}, suavizado = true, di = () => {}, titulo = () => {} }) {
+  const [modulo, shaders, suyos] = await Promise.all([laboratorio(), json('shaders'), textos, ...programa.texturas.map(bytes)]);
   const lab = await Laboratorio({
     canvas: lienzo, suavizado, thisProgram: programa.nombre, print: di, printErr: di, titulo,
     instantiateWasm: (lo, recibe) => { WebAssembly.instantiate(modulo, lo).then(recibe); return {}; },
@@ -60,7 +80,7 @@ async function arranca(programa,
     lab.FS.mkdirTree(ruta.replace(/\/[^/]*$/, ''));
     lab.FS.writeFile(ruta, datos);
   };
-  for (const [ruta, texto] of [...Object.entries(shaders), ...cambios]) escribe('/lab/' + ruta, texto);
+  for (const [ruta, texto] of Object.entries({ ...shaders, ...suyos })) escribe('/lab/' + ruta, texto);
   for (const t of programa.texturas) escribe(`/lab/assets/${t}`, await bytes(t));
   for (const [ruta, datos] of Object.entries(ficheros)) escribe(ruta, datos);
   const leidos = new Set(), abre = lab.FS.open;
@@ -108,6 +128,7 @@ function cubre(texto) {
 function di(linea) {
   linea = linea.replace(/guion, orden \d+/, 'guion'); // las órdenes se dan de una en una
   escrito = [...escrito.slice(-9), linea];
+  if (ejercicio && linea.includes('el uniform «')) return; // lo que aún no se usa
   const error = leeError(linea, actual.capitulo);
   if (error) return errores.push(error);
   consola.hidden = false;
@@ -142,10 +163,11 @@ async function empieza(guionInicial = '') {
   const ficheros = Object.fromEntries(propias.map(({ nombre, datos }) => ['/propias/' + nombre, datos]));
   try {
     nueva = await arranca(actual, {
-      lienzo, ...talla(), ficheros, suavizado,
+      lienzo, ...talla(), textos: taller.textos(), ficheros, suavizado,
       di: linea => { if (mio === turno) di(linea); },
       titulo: texto => { if (mio === turno) una('.estado').textContent = texto; },
     });
+    if (ejercicio && mio === turno) nueva = await conObjetivo(nueva, ficheros);
   } catch (error) {
     if (mio === turno) cubre(`No se puede arrancar el programa: ${error.message ?? error}`);
     return;
@@ -166,6 +188,7 @@ async function empieza(guionInicial = '') {
   anota();
   tiempo = new Reloj(performance.now());
   pulso();
+  if (ejercicio) comparaPronto();
 }
 
 /// Da una orden a un programa y la anota para el enlace. Falso si con ella ha terminado: eso no hay que repetirlo.
@@ -258,6 +281,141 @@ function completa() {
   else marco.requestFullscreen?.().then(() => una('canvas', marco).focus());
 }
 
+// --- ejercicios: el programa con el shader de quien lo hace y, al lado, el original. Lo que se hace con uno se hace con el otro --------
+
+const EJERCICIOS = PROGRAMAS.flatMap(programa => programa.ejercicios.map(e => ({ ...e, programa, enlace: `ejercicio/${e.codigo}` })));
+const veredicto = una('.veredicto');
+let ejercicio, viendo = false, recien = false, revision, objetivos, pendiente, resueltos = new Set();
+
+function enlazaEjercicio(e) {
+  return crea('a', { className: 'a-ejercicio', href: `#ejercicio/${e.codigo}`, title: e.que });
+}
+
+/// Los resueltos, que quizá lo han sido en otra pestaña, en todos los enlaces.
+function ponResueltos(...nuevos) {
+  resueltos = new Set([...resueltos, ...leeResueltos(recuerdo('localStorage', 'resueltos')), ...nuevos]);
+  if (nuevos.length) recuerdo('localStorage', 'resueltos', [...resueltos].join(' '));
+  for (const a of todos('a.a-ejercicio[href*="/"]')) {
+    const codigo = a.hash.split('/')[1];
+    a.textContent = `Ejercicio ${codigo}${resueltos.has(codigo) ? ' ✓' : ''}`;
+    a.ariaLabel = `Ejercicio ${codigo}${resueltos.has(codigo) ? ', resuelto' : ''}`;
+  }
+  una('.cuenta').textContent = `hay ${EJERCICIOS.length}, y has resuelto ${EJERCICIOS.filter(e => resueltos.has(e.codigo)).length}`;
+}
+
+/// Un programa en marcha que son dos: el que se ve y el de los shaders originales.
+async function conObjetivo(suyo, ficheros) {
+  const lienzo = crea('canvas', { role: 'img', ariaLabel: 'El objetivo' });
+  una('.objetivo').replaceChildren(lienzo);
+  const original = await arranca(actual, { lienzo, ancho: suyo.lienzo.width, alto: suyo.lienzo.height, ficheros, suavizado });
+  return Object.assign(Object.create(suyo), {
+    objetivo: lienzo,
+    orden(texto) {
+      suyo.orden(texto);
+      if (texto !== 'especial F5') original.orden(texto);
+      comparaPronto();
+    },
+    cierra() {
+      suyo.cierra();
+      original.cierra();
+    },
+  });
+}
+
+function pixeles(lienzo) {
+  const { width, height } = lienzo, pincel = crea('canvas', { width, height }).getContext('2d', { willReadFrequently: true });
+  pincel.drawImage(lienzo, 0, 0);
+  return pincel.getImageData(0, 0, width, height).data;
+}
+
+function comparaPronto() {
+  pendiente ??= setTimeout(comparaYa, 150);
+}
+
+function comparaYa() {
+  pendiente = undefined;
+  if (!ejercicio || !sesion?.vivo) return;
+  const { width, height } = sesion.lienzo, imagen = new ImageData(width, height);
+  const parte = compara(pixeles(sesion.lienzo), pixeles(sesion.objetivo), imagen.data);
+  const lienzo = crea('canvas', { width, height, role: 'img', ariaLabel: 'En qué se diferencian' });
+  lienzo.getContext('2d').putImageData(imagen, 0, 0);
+  una('.diferencia').replaceChildren(lienzo);
+  const dice = una('.parecido output');
+  if (dice.textContent !== porciento(parte)) dice.textContent = porciento(parte);
+  if (errores.length) dictamina('El shader tiene un error: la imagen es la de antes.', 'mal');
+  else if (!revision && parte >= BASTA) revisa();
+  else if (!revision) dictamina('');
+}
+
+function dictamina(texto, clase = '') {
+  if (veredicto.textContent !== texto) veredicto.textContent = texto;
+  veredicto.className = `veredicto ${clase}`;
+}
+
+/// Lo que dibuja un caso con esos shaders; nada, si no arranca.
+async function imagenDe({ guion }, textos) {
+  const lienzo = crea('canvas'), programa = await arranca(actual, { lienzo, ancho: 240, alto: 180, textos });
+  programa.orden(guion);
+  const imagen = programa.vivo && pixeles(lienzo);
+  programa.cierra();
+  return imagen;
+}
+
+/// Lo escrito coincide en lo que se está viendo: falta saber si coincide en todos los casos. Se deja si se escribe otra cosa.
+async function revisa() {
+  const esta = revision = {}, textos = taller.textos(), { casos } = actual, fallan = [];
+  dictamina('Comparando cada caso…');
+  for (const caso of casos) {
+    const objetivo = await objetivos(caso), lograda = revision === esta && await imagenDe(caso, textos);
+    if (revision !== esta) return;
+    const coincide = lograda && compara(lograda, objetivo) >= BASTA;
+    if (!coincide && recien) { // se empieza por donde hay algo que hacer
+      olvidaRevision();
+      return empiezaCaso(caso);
+    }
+    if (!coincide) fallan.push(caso);
+    const b = todos('.casos-botones button')[casos.indexOf(caso)];
+    if (b) b.dataset.coincide = coincide ? 'si' : 'no';
+  }
+  recien = false;
+  if (fallan.length) return dictamina(casos.length > 1 ? `Falta que coincida en ${fallan.length} de los ${casos.length} casos.` : 'Falta que coincida al empezar.');
+  ponResueltos(ejercicio.codigo);
+  dictamina(casos.length > 1 ? `Resuelto: coincide en los ${casos.length} casos.` : 'Resuelto.', 'bien');
+}
+
+/// Lo escrito ha cambiado.
+function olvidaRevision() {
+  recien = false;
+  revision = undefined;
+  for (const b of todos('.casos-botones button')) delete b.dataset.coincide;
+}
+
+function ponEjercicio(guion) {
+  pagina.classList.toggle('en-ejercicio', Boolean(ejercicio));
+  taller = ejercicio ? new Taller('localStorage', `ejercicio ${ejercicio.codigo}`, ejercicio.codigo) : libre;
+  viendo = false;
+  const salir = ejercicio && crea('a', { className: 'a-ejercicio', href: '#' + actual.nombre, textContent: `Salir a «${actual.titulo}»` });
+  una('.a-ejercicios', pagina).replaceChildren(...salir ? [salir] : actual.ejercicios.map(enlazaEjercicio));
+  ponResueltos();
+  if (!ejercicio) return;
+  olvidaRevision();
+  recien = guion === undefined;
+  objetivos = recuerda(caso => imagenDe(caso, {}));
+  dictamina('');
+  una('.parecido output').textContent = '…';
+  for (const cuadro of todos('.cuadro')) cuadro.replaceChildren();
+  const pide = Object.entries(ejercicio.pide).map(([fichero, que]) =>
+    crea('p', { className: 'enunciado' }, crea('code', { textContent: fichero.split('/').pop() }), `: ${que}.`));
+  const ver = boton('Ver la solución', async () => {
+    await aplicaYa();
+    viendo = !viendo;
+    ver.setAttribute('aria-pressed', viendo);
+    await abre(abierto);
+  });
+  ver.setAttribute('aria-pressed', false);
+  una('.tarea').replaceChildren(crea('div', {}, ...pide), ver);
+}
+
 // --- proyectar: el programa, su título, a qué hay que mirar y sus mandos, a toda pantalla ---------------------------------
 
 let casoActual;
@@ -348,7 +506,7 @@ una('.guarda').onclick = () => sesion?.lienzo.toBlob(png => {
   setTimeout(() => URL.revokeObjectURL(enlace.href), 1000);
 });
 una('.enlace').onclick = async () => {
-  history.replaceState(null, '', hazEnlace(actual.nombre, hecho.ordenes));
+  history.replaceState(null, '', hazEnlace(ejercicio?.enlace ?? actual.nombre, hecho.ordenes));
   ruta = location.hash;
   try {
     await navigator.clipboard.writeText(location.href);
@@ -423,9 +581,6 @@ addEventListener('drop', suceso => {
 // --- el editor ----------------------------------------------------------------------------------------------------------
 
 let editor, abierto = '', reloj = 0;
-const esShader = ruta => /\.(vert|frag|glsl)$/.test(ruta);
-const originales = async ruta => (await json(esShader(ruta) ? 'shaders' : 'codigo'))[ruta];
-
 async function ponEditor() {
   if (!editor) {
     const { css, js } = await json('editor');
@@ -435,7 +590,7 @@ async function ponEditor() {
     editor = CodeMirror(una('.editor'), { theme: 'lab', lineNumbers: true, lineWrapping: true, indentUnit: 4, matchBrackets: true,
       extraKeys: { Tab: false, 'Shift-Tab': false }, screenReaderLabel: 'Editor' });
     editor.on('change', (_, { origin }) => {
-      if (origin === 'setValue' || !esShader(abierto)) return;
+      if (origin === 'setValue' || viendo || !esShader(abierto)) return;
       clearTimeout(reloj);
       reloj = setTimeout(aplicaYa, 250);
     });
@@ -444,7 +599,8 @@ async function ponEditor() {
 
 function anota() { // los ficheros del programa: los que nombra y los que ha leído
   const leidos = [...sesion?.leidos ?? []].map(r => r.replace(/^\/lab\//, '')).filter(r => /^ch/.test(r) && esShader(r));
-  const rutas = ordenaFuentes([...leidos, ...actual.fuentes], actual.capitulo);
+  const todas = ordenaFuentes([...leidos, ...actual.fuentes], actual.capitulo);
+  const rutas = ejercicio ? delEjercicio(Object.keys(ejercicio.pide), todas) : todas;
   const pestana = ruta => boton(ruta.split('/').pop(), () => abre(ruta), { title: ruta });
   una('.pestanas').replaceChildren(...rutas.map(ruta => Object.assign(pestana(ruta), { ruta })));
   const [mal] = sesion.vivo ? [] : errores; // no ha podido arrancar
@@ -457,16 +613,24 @@ async function abre(ruta) {
   abierto = ruta;
   for (const b of todos('.pestanas button')) b.setAttribute('aria-pressed', b.ruta === ruta);
   await ponEditor();
-  const texto = cambios.get(ruta) ?? await originales(ruta);
+  const texto = viendo ? await solucion(ruta) : taller.cambios.get(ruta) ?? await taller.original(ruta);
   if (ruta !== abierto) return;
+  editor.setOption('readOnly', viendo || !esShader(ruta));
   if (editor.ruta !== ruta || editor.getValue() !== texto) {
     editor.ruta = ruta;
     editor.setOption('mode', esShader(ruta) ? 'x-shader/x-fragment' : 'text/x-c++src');
-    editor.setOption('readOnly', !esShader(ruta));
     editor.swapDoc(CodeMirror.Doc(texto, editor.getOption('mode')));
+    const marca = ejercicio && texto.split('\n').findIndex(l => esMarca(l));
+    if (marca > 0) {
+      editor.setCursor(marca + 1, 99, { scroll: false });
+      editor.scrollTo(0, editor.heightAtLine(marca, 'local') - 60);
+    }
   }
   marca();
 }
+
+/// Si esa línea es una de las dos entre las que se escribe el ejercicio.
+const esMarca = linea => RegExp(`^ *// (fin de ${ejercicio?.codigo}$|${ejercicio?.codigo}: )`).test(linea);
 
 /// Enseña en el editor los errores del último intento.
 function marca() {
@@ -474,6 +638,7 @@ function marca() {
   editor.operation(() => {
     editor.eachLine(l => {
       editor.removeLineClass(l, 'background', 'linea-mala');
+      if (ejercicio && esMarca(l.text)) editor.addLineClass(l, 'background', 'linea-marca');
       for (const w of [...l.widgets ?? []]) w.clear();
     });
     for (const { ruta, linea, mensaje } of errores.filter(e => e.ruta === abierto && e.linea <= editor.lineCount())) {
@@ -482,21 +647,16 @@ function marca() {
     }
   });
   for (const b of todos('.pestanas button')) {
-    b.classList.toggle('cambiado', cambios.has(b.ruta));
+    b.classList.toggle('cambiado', taller.cambios.has(b.ruta));
     b.classList.toggle('mal', errores.some(e => e.ruta === b.ruta));
   }
   const mal = errores[0];
   estado.classList.toggle('mal', Boolean(mal));
-  estado.replaceChildren(mal ? (mal.ruta ? `${mal.ruta}, línea ${mal.linea}: ${mal.mensaje}` : mal.mensaje)
+  estado.replaceChildren(viendo ? 'Así está en el programa. Lo que has escrito sigue guardado.'
+    : mal ? (mal.ruta ? `${mal.ruta}, línea ${mal.linea}: ${mal.mensaje}` : mal.mensaje)
     : !esShader(abierto) ? 'Solo para leer: lo que se puede cambiar aquí son los shaders.'
-    : cambios.has(abierto) ? 'Cambiado.' : 'Se aplica según se escribe.');
-  if (cambios.has(abierto)) estado.append(boton('Volver al original', vuelve));
-}
-
-function apunta(ruta, texto, original) {
-  if (texto === original) cambios.delete(ruta);
-  else cambios.set(ruta, texto);
-  recuerdo(JSON.stringify([...cambios]));
+    : taller.cambios.has(abierto) ? 'Cambiado.' : 'Se aplica según se escribe.');
+  if (!viendo && taller.cambios.has(abierto)) estado.append(boton(ejercicio ? 'Borrar lo escrito' : 'Volver al original', vuelve));
 }
 
 /// Lo que se acaba de escribir, sin esperar más: al cuarto de segundo o al irse a otro fichero.
@@ -508,9 +668,10 @@ function aplicaYa() {
 }
 
 async function aplica() {
-  const programa = actual, ruta = abierto, texto = editor.getValue();
-  apunta(ruta, texto, await originales(ruta));
-  if (programa !== actual) return;
+  olvidaRevision();
+  const programa = actual, suyo = taller, ruta = abierto, texto = editor.getValue();
+  suyo.apunta(ruta, texto, await suyo.original(ruta));
+  if (programa !== actual || suyo !== taller) return;
   if (!sesion?.vivo) return empieza(hecho.ordenes.join(';')); // quizá no arrancaba por este error
   sesion.escribe(ruta, texto);
   recarga();
@@ -524,7 +685,7 @@ function recarga() {
 }
 
 async function vuelve() {
-  editor.setValue(await originales(abierto));
+  editor.setValue(await taller.original(abierto));
   clearTimeout(reloj);
   reloj = 0;
   await aplica();
@@ -552,8 +713,9 @@ function navega() {
   if (location.hash === ruta) return;
   ruta = location.hash;
   aplicaYa();
-  const { nombre, guion } = leeEnlace(ruta);
-  actual = programaDe(nombre, PROGRAMAS);
+  const { ejercicio: pedido, nombre, guion } = leeEnlace(ruta);
+  ejercicio = pedido ? EJERCICIOS.find(e => e.codigo.toLowerCase() === nombre.toLowerCase()) : undefined;
+  actual = pedido ? ejercicio?.programa : programaDe(nombre, PROGRAMAS);
   turno++;
   sesion?.cierra();
   sesion = undefined;
@@ -562,26 +724,27 @@ function navega() {
   pagina.hidden = !actual;
   opciones.hidePopover();
   if (!actual) {
+    ponResueltos();
     document.title = 'Síntesis de imagen y animación';
     const capitulo = nombre && PROGRAMAS.find(p => p.capitulo.split('_')[0] === nombre || p.capitulo === nombre)?.capitulo;
     una('#no-esta').hidden = !nombre || Boolean(capitulo);
-    una('#no-esta').textContent = `No hay ningún programa «${corta(nombre, 60)}».`;
+    una('#no-esta').textContent = `No hay ningún ${pedido ? 'ejercicio' : 'programa'} «${corta(nombre, 60)}».`;
     if (capitulo) document.getElementById(capitulo).scrollIntoView();
     return;
   }
   scrollTo(0, 0);
-  document.title = actual.titulo;
-  for (const titulo of [una('h1', pagina), una('h2.proyectado')]) titulo.textContent = actual.titulo;
+  document.title = ejercicio ? `Ejercicio ${ejercicio.codigo}: ${ejercicio.que}` : actual.titulo;
+  for (const titulo of [una('h1', pagina), una('h2.proyectado')]) titulo.textContent = document.title;
   const [referencias, libro] = document.getElementById('libro:' + actual.nombre).content.cloneNode(true).children;
   una('.de-que').replaceChildren(referencias);
   una('.del-libro', pagina).replaceChildren(libro);
   pagina.classList.toggle('de-consola', actual.consola);
   Object.assign(una('.de-capitulo'), { href: '#' + actual.capitulo, textContent: una(`#${actual.capitulo} h2`).textContent });
-  const i = PROGRAMAS.indexOf(actual);
-  for (const [clase, vecino] of [['.anterior', PROGRAMAS[i - 1]], ['.siguiente', PROGRAMAS[i + 1]]]) {
+  const lista = ejercicio ? EJERCICIOS : PROGRAMAS, i = lista.indexOf(ejercicio ?? actual);
+  for (const [clase, vecino] of [['.anterior', lista[i - 1]], ['.siguiente', lista[i + 1]]]) {
     una(clase).hidden = !vecino;
-    if (vecino) una(clase).href = '#' + vecino.nombre;
-    una(clase + ' span').textContent = vecino?.titulo ?? '';
+    if (vecino) una(clase).href = '#' + (vecino.enlace ?? vecino.nombre);
+    una(clase + ' span').textContent = vecino?.titulo ?? vecino?.que ?? '';
   }
   una('.fichero').hidden = !actual.admite;
   una('.fichero span').textContent = actual.admite === 'modelo' ? 'Abrir un modelo .vf'
@@ -590,6 +753,7 @@ function navega() {
   abierto = '';
   ponMandos();
   ponCasos();
+  ponEjercicio(guion);
   if (guion === undefined) return empiezaCaso();
   ensenaCaso();
   empieza(guion);

@@ -62,10 +62,10 @@ const descifra = texto => texto.replace(/(?:%[\da-f]{2})+/gi, cifrado => {
   }
 });
 
-/// #grua;tecla d;tecla d. Sin punto y coma no lleva guion.
+/// #grua;tecla d;tecla d. Sin punto y coma no lleva guion. Y #ejercicio/L5.1, que puede llevarlo.
 function leeEnlace(hash) {
-  const [, nombre, guion] = descifra(hash.slice(1)).match(/^([^;]*)(?:;(.*))?$/s);
-  return { nombre, guion };
+  const [, ejercicio, nombre, guion] = descifra(hash.slice(1)).match(/^(ejercicio\/)?([^;]*)(?:;(.*))?$/s);
+  return { ejercicio: Boolean(ejercicio), nombre, guion };
 }
 
 function hazEnlace(nombre, ordenes) {
@@ -159,6 +159,40 @@ class Reloj {
     return Math.floor(ms);
   }
 }
+
+// --- ejercicios -------------------------------------------------------------------------------------------------------
+
+const TOLERA = 3;    // niveles, de 255, en que pueden diferir dos píxeles que coinciden: el redondeo de otra manera de escribirlo
+const BASTA = 0.999; // la parte de la imagen que tiene que coincidir: en un contorno, ese redondeo decide píxeles enteros
+
+/// La parte de dos imágenes RGBA de igual talla que coincide. En `diferencia`, si se da, gris lo que coincide y rojo lo que no.
+function compara(lograda, objetivo, diferencia) {
+  let iguales = 0;
+  for (let i = 0; i < objetivo.length; i += 4) {
+    const [r, g, b] = [objetivo[i], objetivo[i + 1], objetivo[i + 2]];
+    const error = Math.max(Math.abs(lograda[i] - r), Math.abs(lograda[i + 1] - g), Math.abs(lograda[i + 2] - b));
+    if (error <= TOLERA) ++iguales;
+    if (!diferencia) continue;
+    const gris = 150 + 0.35 * (0.3 * r + 0.6 * g + 0.1 * b), rojo = error > TOLERA ? Math.min(0.5 + error / 128, 1) : 0;
+    diferencia[i] = gris + rojo * (214 - gris);
+    diferencia[i + 1] = gris + rojo * (40 - gris);
+    diferencia[i + 2] = gris + rojo * (20 - gris);
+    diferencia[i + 3] = 255;
+  }
+  return 4 * iguales / objetivo.length;
+}
+
+/// Hacia abajo: el 100 % es que coinciden todos.
+const porciento = parte => `${Math.floor(parte * 1000) / 10}\u00a0%`;
+
+/// Los shaders que se enseñan en un ejercicio: los suyos, su pareja y los que se incluyen.
+function delEjercicio(suyos, rutas) {
+  const tallo = ruta => ruta.replace(/\.\w+$/, '');
+  return [...new Set([...suyos, ...rutas.filter(r => r.endsWith('.glsl') || (!/\.(h|cpp)$/.test(r) && suyos.some(s => tallo(s) === tallo(r))))])];
+}
+
+/// Los códigos de los ejercicios resueltos que guarda el navegador.
+const leeResueltos = texto => new Set((texto ?? '').split(' ').filter(codigo => /^[EL]\d+\.\d+$/.test(codigo)));
 
 // --- lo que escribe un programa -----------------------------------------------------------------------------------------
 

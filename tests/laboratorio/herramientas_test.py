@@ -20,6 +20,7 @@ import cocientes
 import colores
 import controles
 import costes
+import ejercicios
 import grafica
 import libro
 import medidas
@@ -414,6 +415,29 @@ def test_lo_que_la_pagina_sabe_de_un_programa(tmp_path, programas, monkeypatch):
         assert guiones[-2:] == ["", "tecla a"] and d["texturas"] == ["a.r8", "b.rgb"]
         assert [m["teclas"] for m in d["mandos"]] == [[("a", "tecla a")], []] and [m["menu"] for m in d["mandos"]] == [False, True]
         assert [c["titulo"] for c in d["casos"]] == ["al empezar", "dos mas"] and d["nombre"] == "a"
+
+
+# --- ejercicios -----------------------------------------------------------------------------------------------------
+
+def test_un_ejercicio_entre_sus_marcas():
+    texto = "uno;\n  // L1.2: esto y aquello\n  dos;\n  tres;\n  // fin de L1.2\n// E3.5: lo otro\ncuatro;\n// de partida: 4;\n//   y 5;\n// fin de E3.5\ncinco;\n"
+    hecho_uno = "uno;\n  // L1.2: esto y aquello\n\n  // fin de L1.2\n"
+    assert ejercicios.esqueleto(texto, "L1.2") == hecho_uno + texto[texto.index("// E3.5"):]
+    assert ejercicios.esqueleto(texto) == hecho_uno + "// E3.5: lo otro\n4;\n// fin de E3.5\ncinco;\n"
+    assert ejercicios.esqueleto(texto, "L1.20") == texto
+    assert ejercicios.que_piden({"a": texto, "b": "// L1.2: más\n// fin de L1.2\n"}) == {"L1.2": {"a": "esto y aquello", "b": "más"}, "E3.5": {"a": "lo otro"}}
+
+
+def test_las_marcas_que_hay():
+    """Cada una se cierra, y en lo que queda de un ejercicio no está lo que pide."""
+    for fichero in (f for f in RAIZ.glob("c*/*.*") if f.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl")):
+        texto = fichero.read_text()
+        sueltas = re.findall(r"// fin de [EL]\d|// de partida:|// [EL]\d+\.\d+: ", ejercicios.TROZO.sub("", texto))
+        assert not sueltas, f"{fichero}: {sueltas}"
+        for trozo in ejercicios.TROZO.finditer(texto):
+            quedan = ejercicios.esqueleto(trozo[0], trozo["codigo"])
+            hecho = [linea for linea in trozo["hecho"].splitlines() if linea.strip() and not linea.lstrip().startswith("// de partida: ")]
+            assert hecho and not any(linea in quedan.splitlines() for linea in hecho), fichero
 
 
 # --- muta ---------------------------------------------------------------------------------------------------------

@@ -15,21 +15,26 @@ cabecera_essl=$(sed -n '/R"(/,/^)"/{s/.*R"(//;/^)"/!p}' common/glut_sin_ventana/
 [ "${cabecera_essl%%$'\n'*}" = '#version 300 es' ] || mal 'no encuentro la cabecera de essl.h'
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
-for shader in common/*.vert common/*.frag ch*/*.vert ch*/*.frag; do
-  [ "$(head -n 1 "$shader")" = '#version 140' ] || mal "$shader no empieza por #version 140"
-  [[ $shader != *errores_shader_compila.frag ]] || continue # está mal a propósito
-  # los #include del laboratorio se sustituyen como lo hace common/shader.cpp
-  awk 'function vuelca(f,  linea, partes) {
-         while ((getline linea < f) > 0)
-           if (split(linea, partes, "\"") == 3 && partes[1] == "#include ") vuelca(partes[2]); else print linea
-         close(f)
-       }
-       BEGIN { vuelca(ARGV[1]) }' "$shader" \
-    >"$carpeta/${shader##*/}"
-  { echo "$cabecera_essl"; tail -n +2 "$carpeta/${shader##*/}"; } >"$carpeta/es-${shader##*/}"
-  for version in "$carpeta/${shader##*/}" "$carpeta/es-${shader##*/}"; do
-    glslangValidator "$version" >"$carpeta/informe" || { mal "$shader no pasa glslangValidator"; cat "$carpeta/informe"; }
+python3 -B herramientas/ejercicios.py . "$carpeta/por hacer"
+for arbol in . "$carpeta/por hacer"; do # también con los ejercicios por hacer
+  pushd "$arbol" >/dev/null
+  for shader in common/*.vert common/*.frag ch*/*.vert ch*/*.frag; do
+    [ "$(head -n 1 "$shader")" = '#version 140' ] || mal "$shader no empieza por #version 140"
+    [[ $shader != *errores_shader_compila.frag ]] || continue # está mal a propósito
+    # los #include del laboratorio se sustituyen como lo hace common/shader.cpp
+    awk 'function vuelca(f,  linea, partes) {
+           while ((getline linea < f) > 0)
+             if (split(linea, partes, "\"") == 3 && partes[1] == "#include ") vuelca(partes[2]); else print linea
+           close(f)
+         }
+         BEGIN { vuelca(ARGV[1]) }' "$shader" \
+      >"$carpeta/${shader##*/}"
+    { echo "$cabecera_essl"; tail -n +2 "$carpeta/${shader##*/}"; } >"$carpeta/es-${shader##*/}"
+    for version in "$carpeta/${shader##*/}" "$carpeta/es-${shader##*/}"; do
+      glslangValidator "$version" >"$carpeta/informe" || { mal "$shader no pasa glslangValidator"; cat "$carpeta/informe"; }
+    done
   done
+  popd >/dev/null
 done
 
 diff <(grep -oE '\bglut[A-Z][A-Za-z]+' <(sed '/Cualquier otra/,$d' common/glut_sin_ventana/glut_sin_ventana.h) | sort) \

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""comprueba_web.py RAÍZ BUILD WEB [caso… | persona]: la página de los programas (./lab web), en Chromium sobre llvmpipe y abierta con file://.
+"""comprueba_web.py RAÍZ BUILD WEB [caso… | persona | ejercicios]: la página de los programas (./lab web), en Chromium sobre llvmpipe y abierta con file://.
 
 Cada caso del catálogo se dibuja con su guion y se compara con su golden, con el comparador y la tolerancia de siempre. Después,
 lo que hace una persona: teclas, ratón, dedos, botones, menú y enlaces, también contra los golden; un shader cambiado bien y
-mal; ficheros buenos y malos; enlaces hostiles, descargas que fallan y lo que se hace mientras se carga; una ventana diminuta y una
+mal; los ejercicios; ficheros buenos y malos; enlaces hostiles, descargas que fallan y lo que se hace mientras se carga; una ventana diminuta y una
 enorme; y el contexto perdido y devuelto.
 """
 import base64
@@ -356,10 +356,110 @@ def prueba_editor(p):
     exige(p.espera("/Cambiado/.test(una('.fichero-estado').textContent)"), "un cambio bueno se aplica solo")
     exige(p.imagen() != original, "y se ve")
     n.js("una('.fichero-estado button').click()")
-    exige(p.espera("!cambios.size && recuerdo() === '[]'"), "se puede volver al original")
+    exige(p.espera("!taller.cambios.size && recuerdo('sessionStorage', 'cambios') === '[]'"), "se puede volver al original")
     exige(p.imagen() == original, "y vuelve la imagen")
     n.js("todos('.pestanas button').find(b => b.textContent.endsWith('.cpp')).click()")
     exige(p.espera("editor.ruta.endsWith('.cpp') && editor.getOption('readOnly')"), "un .cpp se lee y no se cambia")
+
+
+# De cada ejercicio, algo mal hecho que compila. Los de L8.4, L9.1, L9.3 y L12.1 solo se notan en uno de los casos.
+MAL_HECHO = {
+    "L1.2": ("1.0, 0.0, 0.0", "0.0, 0.0, 1.0"), "L3.1": ("N * vNormal", "vNormal"), "L5.1": ("2.0 * N * NdotL", "N * NdotL"),
+    "L5.2": ("N * vNormal", "vNormal"), "L5.3": ("ecPosicion, normal)", "ecPosicion, -normal)"), "L6.3": ("nuevaCoordTextura)", "nuevaCoordTextura.ts)"),
+    "L8.1": ("reflect(haciaPunto, normalize", "reflect(-haciaPunto, normalize"), "L8.3": ("&&", "||"), "L8.4": ("p).r * S2", "p * S2).r"),
+    "L9.1": ("/ 3.0", "/ 2.0"), "L9.2": ("colorA, colorB", "colorB, colorA"), "L9.3": ("dentro || !ceroFuera", "true"), "L12.1": ("- centro", "- 0.5")}
+
+ESCRIBE = """
+const [mal, bien, acaba] = arguments;
+(async () => {
+  for (const ruta of Object.keys(ejercicio.pide)) {
+    await abre(ruta);
+    editor.replaceRange((await solucion(ruta)).replace(bien, mal), { line: 0, ch: 0 }, { line: editor.lineCount(), ch: 0 }, '+input');
+    await aplicaYa();
+  }
+})().then(acaba, error => acaba(String(error)));
+"""
+
+
+def parecido(p):
+    """La parte que coincide de lo que se ve, cuando ya se ha mirado si también lo demás; y lo que se dice."""
+    p.n.js("comparaYa()")
+    p.espera("sesion?.vivo && !veredicto.textContent.startsWith('Comparando')")
+    p.n.js("comparaYa()")
+    texto, dicho = p.n.js("return [una('.parecido output').textContent, veredicto.textContent]")
+    return float(texto.removesuffix("\xa0%")), dicho
+
+
+def prueba_ejercicio(p, codigo):
+    n, resuelto = p.n, "return leeResueltos(localStorage.getItem('resueltos')).has(arguments[0])"
+    p.abre("#ejercicio/" + codigo)
+    p.espera("/%/.test(una('.parecido output').textContent) && editor?.ruta")
+    n.js("if (actual.anima) manda('tecla Espacio')")
+    antes, dicho = parecido(p)
+    exige(antes < 90, f"{codigo}, sin hacer, coincide el {antes} %: {dicho}")
+
+    imagen, linea = p.imagen(), n.js("return editor.getValue().split('\\n').findIndex(l => esMarca(l)) + 2")
+    p.escribe(linea, "esto no compila;\n")
+    exige(p.espera("una('.linea-mala')"), f"{codigo}: un error se marca en el editor")
+    exige(f"línea {linea}: " in n.js("return una('.fichero-estado').textContent"), f"{codigo}: y se dice en qué línea")
+    exige(parecido(p) == (antes, "El shader tiene un error: la imagen es la de antes."), f"{codigo}: con un error no cambia nada")
+    exige(p.imagen() == imagen, f"{codigo}: y sigue la imagen que había")
+
+    n.pide("/execute/async", script=ESCRIBE, args=[MAL_HECHO[codigo][1], MAL_HECHO[codigo][0]])
+    coincide, dicho = parecido(p)
+    exige(n.js("return !errores.length"), f"{codigo}: lo mal hecho compila")
+    exige(coincide < 99.9 or dicho.startswith("Falta"), f"{codigo}: lo mal hecho coincide el {coincide} %: {dicho}")
+    exige(not n.js(resuelto, codigo), f"{codigo}: y no está resuelto")
+
+    n.pide("/execute/async", script=ESCRIBE, args=["", ""])
+    coincide, dicho = parecido(p)
+    exige(coincide == 100 and dicho.startswith("Resuelto"), f"{codigo}: hecho, coincide el {coincide} %: {dicho}")
+    exige(n.js(resuelto, codigo), f"{codigo}: y el navegador lo recuerda")
+    for caso in n.js("return actual.casos.map(c => c.titulo)"):
+        n.pide("/execute/async", script="empiezaCaso(actual.casos.find(c => c.titulo === arguments[0])).then(arguments[1])", args=[caso])
+        exige(parecido(p)[0] == 100, f"{codigo}: hecho, «{caso}» es igual")
+    n.js("[...'dv2+'].forEach(t => manda('tecla ' + t))")
+    exige(parecido(p)[0] == 100, f"{codigo}: y con las mismas teclas, también")
+
+
+def prueba_ejercicios(p):
+    n = p.n
+    n.js("localStorage.clear()")
+    exige(sorted(n.js("return EJERCICIOS.map(e => e.codigo)")) == sorted(MAL_HECHO), "están todos los ejercicios")
+    for codigo in MAL_HECHO:
+        prueba_ejercicio(p, codigo)
+    n.pide("/refresh")
+    exige(p.espera("sesion?.vivo ") and parecido(p)[0] == 100, "al volver, lo escrito sigue")
+    n.js("location.hash = ''")
+    exige(n.js("return todos('.tarjetas .a-ejercicio').every(a => a.textContent.endsWith('✓') && /resuelto/.test(a.ariaLabel))"), "y en la lista se ve que están resueltos")
+    exige(n.js("return una('.cuenta').textContent").endswith(f"resuelto {len(MAL_HECHO)}"), "todos")
+    p.abre("#sombreado")
+    exige(n.js("return todos('.a-ejercicio', pagina).map(a => a.textContent).join()") == "Ejercicio L5.1 ✓,Ejercicio L5.2 ✓,Ejercicio L5.3 ✓", "desde el programa se va a los suyos")
+    exige(n.js("return todos('canvas').length === 1 && !pendiente"), "y fuera de ellos no hay más que el programa")
+
+    p.abre("#ejercicio/L9.2")
+    exige(p.espera("editor?.ruta"), "el editor se abre")
+    p.escribe(1, "// lo mío\n")
+    ver = "todos('.tarea button')[0].click()"
+    n.js(ver)
+    exige(p.espera("editor.getOption('readOnly') && /mix\\(/.test(editor.getValue()) && !/lo mío/.test(editor.getValue())"), "la solución se ve, y no se cambia")
+    n.js(ver)
+    exige(p.espera("!editor.getOption('readOnly') && /lo mío/.test(editor.getValue())"), "y lo de uno sigue")
+    n.js("todos('.fichero-estado button')[0].click()")
+    exige(p.espera("!taller.cambios.size && !/mix\\(/.test(editor.getValue())") and parecido(p)[0] < 90, "se puede volver a empezar")
+    p.abre("#ejercicio/L5.2;tecla v")
+    exige(n.js("return casoActual === undefined && hecho.ordenes.join() === 'tecla v'"), "un enlace lleva lo que se hace")
+    navegador.accesible(n, "la página de un ejercicio")
+    n.js("location.hash = '#ejercicio/L99.1'")
+    exige(p.espera("una('#no-esta').textContent === 'No hay ningún ejercicio «L99.1».'"), "el que no está se dice")
+
+    sin = n.pide("/goog/cdp/execute", cmd="Page.addScriptToEvaluateOnNewDocument", params={"source":
+        "for (const a of ['localStorage', 'sessionStorage']) Object.defineProperty(window, a, { get() { throw new DOMException('no', 'SecurityError') } })"})
+    p.abre("#ejercicio/L9.2")
+    p.espera("editor?.ruta")
+    n.pide("/execute/async", script=ESCRIBE, args=["", ""])
+    exige(parecido(p)[1].startswith("Resuelto") and n.js("return resueltos.has('L9.2')"), "donde no se puede guardar nada, también se resuelve")
+    n.pide("/goog/cdp/execute", cmd="Page.removeScriptToEvaluateOnNewDocument", params=sin)
 
 
 def prueba_ficheros_y_tallas(p):
@@ -406,10 +506,13 @@ def prueba_pagina(p):
     n.js("busca.value = ''; busca.dispatchEvent(new Event('input'))")
     for ancho, alto in ((360, 740), (1280, 800), (1920, 1080)):
         n.talla(ancho, alto)
-        for enlace in ("", "#grua", "#grua_zbuffer", "#convolucion_variable", "#info_opengl"):
+        for enlace in ("", "#grua", "#grua_zbuffer", "#convolucion_variable", "#ejercicio/L5.3", "#info_opengl"):
             n.js("location.hash = arguments[0]", enlace)
             p.espera("!actual || editor && (sesion?.vivo || actual.consola)")
             navegador.nada_se_sale(n, f"nada de «{enlace}»", ancho)
+            if enlace.startswith("#ejercicio"):
+                exige(n.js("return scrollY === 0 && todos('.lienzo, .cuadro, .parecido').every(e => e.getBoundingClientRect().bottom < innerHeight)"),
+                      f"en una ventana de {ancho}×{alto} se ven las tres imágenes y cuánto coinciden")
     exige("OpenGL: 3.1 (imitado" in n.js("return consola.textContent"), "info_opengl escribe lo que hay")
     n.pide("/goog/cdp/execute", cmd="Emulation.clearDeviceMetricsOverride", params={})
     fuera = n.js("return performance.getEntriesByType('resource').map(r => r.name).filter(r => !/^(file|data|blob):/.test(r))")
@@ -429,12 +532,15 @@ def main():
             try:
                 n.pide("/timeouts", script=60000)
                 n.pide("/url", url=(web / "index.html").as_uri())
-                if pedidos != ["persona"]:
+                if pedidos not in (["persona"], ["ejercicios"]):
                     compara_casos(n, raiz, build, Path(carpeta), pedidos)
                 persona = Persona(n, raiz, build, web / "index.html", Path(carpeta))
                 if pedidos in ([], ["persona"]):
-                    for prueba in (prueba_entradas, prueba_adversidades, prueba_editor, prueba_ficheros_y_tallas, prueba_pagina):
+                    for prueba in (prueba_entradas, prueba_adversidades, prueba_editor, prueba_ejercicios, prueba_ficheros_y_tallas, prueba_pagina):
                         prueba(persona)
+                if pedidos == ["ejercicios"]:
+                    prueba_ejercicios(persona)
+                    prueba_pagina(persona)
                 registro = [r["message"] for r in n.pide("/se/log", type="browser") if "CONTEXT_LOST_WEBGL" not in r["message"]]
                 exige(not registro, f"la consola está vacía: {registro[:3]}")
             finally:

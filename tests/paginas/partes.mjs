@@ -69,7 +69,10 @@ test('los enlaces: van y vuelven, y de los malos no se queja la página', () => 
   for (const [hash, nombre, guion] of [['', '', undefined], ['#grua', 'grua', undefined], ['#grua;', 'grua', ''], ['#grua;a;b', 'grua', 'a;b'],
     ['#E3.5%3Btecla%20d', 'E3.5', 'tecla d'], ['#%', '%', undefined], ['#%E0%A4%A', '%E0%A4%A', undefined], ['#grua;tecla %;%C3%B1', 'grua', 'tecla %;ñ'],
     ['#grua;a%0Ab', 'grua', 'a\nb']])
-    assert.deepEqual(leeEnlace(hash), { nombre, guion }, hash);
+    assert.deepEqual(leeEnlace(hash), { ejercicio: false, nombre, guion }, hash);
+  assert.deepEqual([leeEnlace('#ejercicio/L5.1;tecla v'), leeEnlace('#ejercicio%2FL5.1'), leeEnlace('#ejercicio')],
+    [{ ejercicio: true, nombre: 'L5.1', guion: 'tecla v' }, { ejercicio: true, nombre: 'L5.1', guion: undefined },
+      { ejercicio: false, nombre: 'ejercicio', guion: undefined }]);
   const posibles = ['tecla %', 'tecla #', 'tecla +', 'tecla &', 'menu Vista/Perfil ñ', 'rueda +1 3 4', 'tecla d', 'menu A ×2 ×1'];
   for (let vez = 0; vez < 200; ++vez) {
     const ordenes = Array.from({ length: azar(9) }, () => posibles[azar(azar(2) ? 2 : posibles.length)]);
@@ -187,6 +190,24 @@ test('haga lo que haga, y arranque el programa cuando sea, no se le da nada impo
       assert.doesNotMatch(orden, /undefined|NaN/);
     }
   }
+});
+
+test('dos imágenes: qué parte coincide, y dónde no', () => {
+  const objetivo = Uint8ClampedArray.of(0, 0, 0, 255, 9, 9, 9, 255, 200, 200, 200, 255, 200, 200, 200, 255);
+  const lograda = Uint8ClampedArray.of(0, 0, 0, 255, 9, 9 + TOLERA, 9, 255, 200, 200, 200 - TOLERA - 1, 255, 0, 200, 200, 255);
+  const diferencia = new Uint8ClampedArray(16), pixel = i => diferencia.subarray(4 * i, 4 * i + 4);
+  assert.equal(compara(lograda, objetivo, diferencia), 0.5);
+  assert.deepEqual([compara(lograda, objetivo), compara(objetivo, lograda), compara(objetivo, objetivo)], [0.5, 0.5, 1]);
+  for (const i of [0, 1]) assert.ok(pixel(i)[0] === pixel(i)[1] && pixel(i)[1] === pixel(i)[2] && pixel(i)[3] === 255, 'gris');
+  for (const i of [2, 3]) assert.ok(pixel(i)[0] > pixel(i)[1] + 60 && pixel(i)[3] === 255, 'rojo');
+  assert.ok(pixel(3)[1] < pixel(2)[1], 'más rojo lo que más se aparta');
+  assert.deepEqual([1, 0.99999, 0.9, 0].map(porciento), ['100', '99.9', '90', '0'].map(n => n + '\u00a0%'));
+});
+
+test('los ejercicios: lo guardado y sus ficheros', () => {
+  for (const [texto, codigos] of [['L5.1 L12.1', ['L5.1', 'L12.1']], ['', []], [null, []], ['{"a": 1} L5 <b> L5.1', ['L5.1']]])
+    assert.deepEqual([...leeResueltos(texto)], codigos);
+  assert.deepEqual(delEjercicio(['c/a.vert'], ['c/b.frag', 'c/a.frag', 'c/a.vert', 'c/p.glsl', 'c/a.cpp', 'c/a.h']), ['c/a.vert', 'c/a.frag', 'c/p.glsl']);
 });
 
 test('los errores de los shaders', () => {
