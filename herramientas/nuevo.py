@@ -1,0 +1,190 @@
+#!/usr/bin/env python3
+"""nuevo.py RAÍZ BUILD MIOS QUÉ [NOMBRE]: una carpeta de quien aprende, MIOS/NOMBRE. Con un ejercicio (E3.5), su esqueleto: los ficheros de la
+solución sin lo que se pide. Con un programa, una copia para jugar con ella.
+
+Lo que se pide está marcado en los propios fuentes, entre dos comentarios: «// E3.5: qué va aquí» y «// fin de E3.5». El esqueleto conserva
+los dos y pierde lo que hay entre ellos, salvo las líneas que empiezan por «//!», que son suyas: lo que hace falta para que compile y
+dibuje algo. Una marca vale para varios ejercicios: «// E3.3 E3.4: …».
+"""
+import re
+import shutil
+import sys
+from pathlib import Path
+
+import catalogo
+import controles
+import libro
+import pagina
+from procesos import Fallo, principal
+
+EJERCICIO = "ejercicio.txt"  # en la carpeta: «E3.5 ch03_transformaciones/grua», o solo el programa si no se corrige
+REFERENCIAS = r"(?P<de>[EL]\d+\.\d+(?: [EL]\d+\.\d+)*)"
+PRINCIPIO = re.compile(rf"(?P<sangria> *)// {REFERENCIAS}: (?P<que>.+)")
+FIN = re.compile(rf" *// fin de {REFERENCIAS}")
+DEL_ESQUELETO = re.compile(r"(?P<sangria> *)//! ?(?P<linea>.*)")
+
+
+def deja(texto, referencia=None):
+    """Un fuente sin lo que pide ese ejercicio. Las marcas de los demás, o todas si no es ninguno, desaparecen y lo suyo se queda."""
+    lineas, abierta = [], ""
+    for linea in texto.splitlines():
+        suya = referencia in abierta.split()
+        if marca := PRINCIPIO.fullmatch(linea):
+            if abierta:
+                raise Fallo(f"falta «// fin de {abierta}» antes de «{linea.strip()}»")
+            abierta = marca["de"]
+            if referencia in abierta.split():
+                lineas.append(f"{marca['sangria']}// {referencia}: {marca['que']}")
+        elif marca := FIN.fullmatch(linea):
+            if marca["de"] != abierta:
+                raise Fallo(f"«{linea.strip()}» cierra lo que no está abierto")
+            if suya:
+                lineas.append(linea.replace(abierta, referencia))
+            abierta = ""
+        elif marca := DEL_ESQUELETO.fullmatch(linea):
+            if suya:
+                lineas.append(marca["sangria"] + marca["linea"])
+        elif not suya:
+            lineas.append(linea)
+    if abierta:
+        raise Fallo(f"falta «// fin de {abierta}»")
+    return "\n".join(lineas) + "\n"
+
+
+def pide(texto, referencia):
+    """Lo que dicen sus marcas que va en cada sitio."""
+    return [marca["que"] for marca in map(PRINCIPIO.fullmatch, texto.splitlines()) if marca and referencia in marca["de"].split()]
+
+
+def del_capitulo(raiz, programa):
+    """Los ficheros de su capítulo que usa, cada uno con su texto y los que nombra."""
+    carpeta = raiz / programa.capitulo.nombre
+    textos, nombrados, por_leer = {}, {}, [f.name for f in programa.ficheros(raiz)]
+    while por_leer:
+        fichero = por_leer.pop()
+        if fichero not in textos and (carpeta / fichero).is_file():
+            textos[fichero] = (carpeta / fichero).read_text()
+            nombrados[fichero] = re.findall(rf'"(?:{carpeta.name}/)?([\w.]+\.(?:h|vert|frag|glsl))"', textos[fichero])
+            por_leer += nombrados[fichero]
+    return textos, nombrados
+
+
+def de_la_carpeta(raiz, programa, referencia=None):
+    """Los que van a la carpeta de quien aprende: los suyos, los marcados y los que llevan de unos a otros, que si no incluirían los del
+    capítulo."""
+    textos, nombrados = del_capitulo(raiz, programa)
+    propios = {f.name for f in programa.ficheros(raiz)} | {f for f in textos if pide(textos[f], referencia)}
+
+    def lleva(fichero):
+        return fichero in propios or any(lleva(f) for f in nombrados.get(fichero, ()) if f != fichero)
+    return {f: textos[f] for f in sorted(textos) if lleva(f)}
+
+
+def aqui(textos, programa):
+    """Los mismos, con los shaders que van con ellos buscados al lado."""
+    capitulo = programa.capitulo.nombre
+    nuevos = {}
+    for fichero, texto in textos.items():
+        for otro in textos:
+            texto = texto.replace(f'"{capitulo}/{otro}"', f'"{otro}"')
+        nuevos[fichero] = texto.replace(f'"/{capitulo}"', '""')  # shader_basico, que no usa common/
+    return nuevos
+
+
+def esqueleto(raiz, programa, referencia):
+    """De cada fichero, su texto sin lo que se pide."""
+    textos = de_la_carpeta(raiz, programa, referencia)
+    try:
+        return aqui({f: deja(texto, referencia) for f, texto in textos.items()}, programa)
+    except Fallo as fallo:
+        raise Fallo(f"{programa.capitulo.nombre}, {referencia}: {fallo}") from None
+
+
+def solucion(raiz, programa, referencia):
+    """Los mismos, enteros."""
+    return aqui({f: deja(texto) for f, texto in de_la_carpeta(raiz, programa, referencia).items()}, programa)
+
+
+def privados(raiz, programa, referencia):
+    """Los ficheros del laboratorio en que está lo que se pide."""
+    return [programa.fuente.with_name(f) for f, texto in del_capitulo(raiz, programa)[0].items() if pide(texto, referencia)]
+
+
+def ejercicios(raiz, programas):
+    """El programa de cada ejercicio que se puede corregir: los que tienen alguna marca."""
+    return {r: p for p in programas for r in p.referencias if r.startswith("E") and privados(raiz, p, r)}
+
+
+def ejercicio_de(carpeta, programas):
+    """Lo que dice la carpeta de alguien: la referencia, vacía si solo es una copia, y el programa del que viene."""
+    try:
+        *referencia, origen = (carpeta / EJERCICIO).read_text().split()
+        programa = next(p for p in programas if f"{p.capitulo.nombre}/{p.nombre}" == origen)
+    except (OSError, UnicodeDecodeError, ValueError, StopIteration):
+        raise Fallo(f"{carpeta / EJERCICIO} no dice de qué ejercicio es") from None
+    return "".join(referencia), programa
+
+
+def enunciado(raiz, programa, referencia, nombre, ficheros):
+    cosa = next(c for c in libro.cosas(raiz) if c.codigo == referencia)
+    textos = del_capitulo(raiz, programa)[0]
+    huecos = [(f"{nombre}.cpp" if f == programa.fuente.name else f, que) for f in ficheros for que in pide(textos[f], referencia)]
+    return pagina.plantilla("enunciado.md", texto=True).render(
+        cosa=cosa, programa=programa, nombre=nombre, huecos=huecos, controles=[c.texto for c in controles.lee(raiz, programa)])
+
+
+def elige(raiz, programas, pedido):
+    """La referencia, vacía si no es un ejercicio, y el programa."""
+    elegidos = catalogo.resuelve(programas, pedido)
+    if len(elegidos) > 1:
+        raise Fallo(f"nuevo: «{pedido}» son varios programas; elige uno: {', '.join(p.nombre for p in elegidos)}")
+    referencia = pedido.upper()
+    hay = ejercicios(raiz, programas)
+    if referencia in elegidos[0].referencias and referencia.startswith("E") and not referencia.startswith("EC"):
+        if referencia not in hay:
+            raise Fallo(f"nuevo: el {libro.nombre(referencia)} no tiene programa que corregir; para jugar con el que más se le acerca, "
+                        f"./lab nuevo {elegidos[0].nombre}. Se corrigen {', '.join(hay)}")
+        return referencia, elegidos[0]
+    return "", elegidos[0]
+
+
+def crea(raiz, programas, mios, pedido, nombre=""):
+    """MIOS/NOMBRE, entera o nada."""
+    referencia, programa = elige(raiz, programas, pedido)
+    nombre = nombre or programa.nombre
+    if not re.fullmatch("[a-z0-9_]+", nombre):
+        raise Fallo(f"nuevo: «{nombre}» no vale de nombre: solo minúsculas sin acento, cifras y _")
+    carpeta = mios / nombre
+    if carpeta.exists():
+        raise Fallo(f"nuevo: ya existe {carpeta}, y no se toca: ponle otro nombre a la nueva, ./lab nuevo {pedido} NOMBRE")
+    textos = esqueleto(raiz, programa, referencia) if referencia else solucion(raiz, programa, None)
+    origen = f"{programa.capitulo.nombre}/{programa.nombre}"
+    ficheros = {f"{nombre}.cpp" if f == programa.fuente.name else f: texto for f, texto in textos.items()}
+    ficheros[EJERCICIO] = f"{referencia} {origen}\n".lstrip()
+    if referencia:
+        ficheros["ENUNCIADO.md"] = enunciado(raiz, programa, referencia, nombre, textos)
+    parcial = mios / f".{nombre}.parcial"
+    shutil.rmtree(parcial, ignore_errors=True)
+    try:
+        parcial.mkdir(parents=True)
+        for fichero, texto in ficheros.items():
+            (parcial / fichero).write_text(texto)
+        parcial.rename(carpeta)
+    finally:
+        shutil.rmtree(parcial, ignore_errors=True)
+    return referencia, carpeta
+
+
+def main():
+    raiz, build, mios, *resto = sys.argv[1:]
+    if not 1 <= len(resto) <= 2:
+        raise Fallo("nuevo: hace falta un ejercicio o un programa y, si acaso, el nombre de la carpeta: ./lab nuevo E3.5 mi_grua")
+    referencia, carpeta = crea(Path(raiz), catalogo.lee_programas(build), Path(mios), *resto)
+    if referencia:
+        print(f"{carpeta}: lo que se pide está en ENUNCIADO.md. Para verlo, ./lab ver {carpeta.name}; para corregirlo, ./lab corrige {carpeta.name}")
+    else:
+        print(f"{carpeta}: una copia, para jugar con ella. Para verla, ./lab ver {carpeta.name}")
+
+
+if __name__ == "__main__":
+    principal(main)
