@@ -151,9 +151,9 @@ def main():
         raise Fallo("nuevo: hace falta un ejercicio o un programa y, si acaso, el nombre de la carpeta: ./lab nuevo E3.5 mi_grua")
     referencia, carpeta = crea(Path(raiz), catalogo.lee_programas(build), Path(mios), *resto)
     if referencia:
-        print(f"{carpeta}: lo que se pide está en ENUNCIADO.md. Para verlo, ./lab ver {carpeta.name}; para corregirlo, ./lab corrige {carpeta.name}")
+        print(f"{carpeta}: lo que se pide está en ENUNCIADO.md. Para verlo, ./lab ver mios/{carpeta.name}; para corregirlo, ./lab corrige {carpeta.name}")
     else:
-        print(f"{carpeta}: una copia, para jugar con ella. Para verla, ./lab ver {carpeta.name}")
+        print(f"{carpeta}: una copia, para jugar con ella. Para verla, ./lab ver mios/{carpeta.name}")
 
 
 if __name__ == "__main__":
