@@ -525,7 +525,7 @@ def test_una_carpeta_se_hace_entera_y_no_se_toca(arbol):
     assert sorted(f.name for f in (mios / "mi_a").iterdir()) == ["ENUNCIADO.md", "a.vert", "ejercicio.txt", "fin.h", "medio.h", "mi_a.cpp"]
     assert nuevo.ejercicio_de(mios / "mi_a", programas) == ("E1.1", programas[0])
     enunciado = (mios / "mi_a/ENUNCIADO.md").read_text()
-    for dice in ("# Ejercicio 1.1: la cuenta", "Haz la cuenta.", "- `fin.h`: cuánto es\n", "- a gira\n", "- Mira.\n", "- girada (`tecla a`): Gira.\n", "./lab corrige mi_a"):
+    for dice in ("# Ejercicio 1.1: la cuenta", "Haz la cuenta.", "- `fin.h`: cuánto es\n", "- a gira\n", "- al abrirlo: Mira.\n", "- girada (`tecla a`): Gira.\n", "./lab corrige mi_a"):
         assert dice in enunciado, dice
     (mios / "mi_a/mi_a.cpp").write_text("mío")
     with pytest.raises(nuevo.Fallo, match="ya existe .*mi_a, y no se toca: .*./lab nuevo E1.2 NOMBRE"):
