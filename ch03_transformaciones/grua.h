@@ -51,9 +51,11 @@ struct Pieza {
     glm::vec3 color;
 };
 
-/// Pie, brazo, contrapeso, cable y carga. El pie se apoya en el origen; Y es la vertical y, sin giro, el
-/// brazo apunta a +X.
+/// Pie, brazo, contrapeso, cable y carga, en este orden. El pie se apoya en el origen; Y es la vertical y, sin giro, el
+/// brazo, que se apoya en él y sobresale VOLADIZO_ATRAS por detrás, apunta a +X. El contrapeso cuelga de ese extremo, al
+/// ras, y de la carga tira el cable, que va de la cara de abajo del brazo a la de arriba de ella.
 inline std::vector<Pieza> piezasGrua(const PosturaGrua &postura) {
+    // E3.5: los cinco cubos de lado uno, cada uno con su transformación y su color; el giro mueve todos menos el pie
     const PosturaGrua p = limita(postura);
     const float alturaBrazo = LARGO_PIE + GRUESO / 2;
     const float largoCable = LARGO_PIE - p.altura - LADO_CARGA / 2;
@@ -73,4 +75,7 @@ inline std::vector<Pieza> piezasGrua(const PosturaGrua &postura) {
          OSCURO},
         {carro * traslacion({0, p.altura, 0}) * escalado(LADO_CARGA), ROJO},
     };
+    // de partida: (void)postura; // de la que salen el giro, la distancia y la altura de la carga
+    // de partida: return {{traslacion({0, LARGO_PIE / 2, 0}) * escalado({GRUESO, LARGO_PIE, GRUESO}), AMARILLO}};
+    // fin de E3.5
 }
