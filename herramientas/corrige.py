@@ -54,7 +54,7 @@ FICHEROS, BYTES = 40, 1 << 20  # de una entrega, y de cada fichero
 SALE = 96 << 20  # bytes que se leen de una jaula
 NADIE = 65534  # de root no valen los límites: se ejecuta como nobody
 COMPILA = {"segundos": 60, "memoria": 3 << 30, "procesos": 16}
-JUEGA = {"segundos": 20, "memoria": 1 << 30, "procesos": 8}
+JUEGA = {"segundos": 10, "memoria": 1 << 30, "procesos": 8}
 DISCO = 64 << 20  # de la carpeta temporal, que está en memoria
 
 # Lo que se ejecuta en la jaula: SEGUNDOS ORDEN…; lo que deja sale en un tar
@@ -746,19 +746,28 @@ def clase(banco, carpetas, destino, a_la_vez):
     return correcciones, fallos
 
 
+class Analizador(argparse.ArgumentParser):
+    def error(self, message):
+        raise Fallo(f"corrige: no entiendo «{' '.join(self.palabras)}»; ./lab ayuda dice sus opciones")
+
+
 def opciones(palabras):
-    analizador = argparse.ArgumentParser(prog="./lab corrige", description="Corrige mios/ENTREGA, una carpeta o una clase entera.")
+    """Las de docs/corrige.md."""
+    analizador = Analizador(add_help=False, allow_abbrev=False)
+    analizador.palabras = palabras
     analizador.add_argument("entrega")
-    analizador.add_argument("ejercicio", nargs="?", help="E3.5; de lo hecho con ./lab nuevo se sabe cuál es")
-    analizador.add_argument("--semilla", default="1", help="de los guiones al azar")
-    analizador.add_argument("--guiones", type=int, default=GUIONES, help="cuántos, además de los casos")
-    analizador.add_argument("--deja", type=Path, help="dónde dejar la página y, de una clase, un JSON por entrega y notas.csv")
-    analizador.add_argument("--json", type=Path, help="la corrección, en ese fichero; si ya es la de lo mismo, no se repite")
-    analizador.add_argument("--junit", type=Path, help="para una integración continua")
-    analizador.add_argument("--vpl", action="store_true", help="escribe lo que lee el VPL de Moodle")
-    analizador.add_argument("--sin-jaula", action="store_true", help="no encierra lo entregado")
-    analizador.add_argument("-j", type=int, default=os.cpu_count(), help="entregas a la vez, de una clase")
-    return analizador.parse_args(palabras)
+    analizador.add_argument("ejercicio", nargs="?")
+    analizador.add_argument("--semilla", default="1")
+    analizador.add_argument("--guiones", type=int, default=GUIONES)
+    for opcion in ("--deja", "--json", "--junit"):
+        analizador.add_argument(opcion, type=Path)
+    analizador.add_argument("-j", type=int, default=os.cpu_count())
+    for opcion in ("--vpl", "--sin-jaula", "--programa"):  # --programa: solo escribe cuál es
+        analizador.add_argument(opcion, action="store_true")
+    que = analizador.parse_args(palabras)
+    if que.guiones < 0 or que.j < 1:
+        analizador.error("")
+    return que
 
 
 def busca(raiz, entrega):
@@ -789,6 +798,8 @@ def main():
     ref, programa = ejercicio(raiz, programas, que.ejercicio) if que.ejercicio or dentro else nuevo.ejercicio_de(carpeta, programas)
     if not ref:
         raise Fallo(f"{que.entrega} es una copia de {programa.nombre}: no hay ejercicio que corregir")
+    if que.programa:
+        return print(programa.nombre)
     jaula = None if que.sin_jaula else Jaula(raiz)
     if jaula:
         jaula.comprueba()
