@@ -99,6 +99,7 @@ static bool seDibuja(std::size_t i) {
 }
 
 static void dibujaTiras() {
+    // E2.2: las tiras que se ven (seDibuja); sus vértices están en el buffer, los de una tras los de otra
     GLint primero = 0;
     for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
         const auto n = GLsizei(estado.tiras[i].size());
@@ -106,6 +107,7 @@ static void dibujaTiras() {
             glDrawArrays(GL_TRIANGLE_STRIP, primero, n);
         primero += n;
     }
+    // fin de E2.2
 }
 
 static void dibujaRecorridos(const glm::mat4 &transformacion) {

@@ -109,6 +109,7 @@ private:
     /// La tira que empieza por el triángulo t girado i lugares.
     Recorrido recorre(std::size_t t, std::size_t i) {
         Recorrido r = {{triangulos[t][i], triangulos[t][(i + 1) % 3], triangulos[t][(i + 2) % 3]}, {}};
+        // E2.2: alarga la tira mientras haya un triángulo libre que la siga; los que pone en ella dejan de estarlo
         while (t != triangulos.size()) {
             libre[t] = false;
             r.usados.push_back(t);
@@ -121,6 +122,8 @@ private:
                 r.tira.push_back(*std::find_if(triangulos[t].begin(), triangulos[t].end(),
                                                [a, b](std::uint32_t v) { return v != a && v != b; }));
         }
+        // de partida: r.usados.push_back(t);
+        // fin de E2.2
         for (std::size_t usado : r.usados)
             libre[usado] = true;
         return r;

@@ -47,11 +47,13 @@ inline Vecindad buscaAristas(const MallaVf &malla, Topologia &t) {
     };
     std::map<std::pair<unsigned, unsigned>, std::vector<Uso>> usos;
     for (std::size_t c = 0; c < malla.caras.size(); ++c) {
+        // E2.1: apunta en usos cada arista de la cara c, y si la recorre desde el vértice de menor número
         const std::vector<unsigned> &cara = malla.caras[c];
         for (std::size_t i = 0; i < cara.size(); ++i) {
             const unsigned p = cara[i], q = cara[(i + 1) % cara.size()];
             usos[std::minmax(p, q)].push_back({c, p < q});
         }
+        // fin de E2.1
     }
     Vecindad v = {std::vector<std::vector<Vecina>>(malla.caras.size()),
                   std::vector<std::vector<unsigned>>(malla.caras.size())};
@@ -60,7 +62,10 @@ inline Vecindad buscaAristas(const MallaVf &malla, Topologia &t) {
         t.deBorde += u.size() == 1;
         t.ramificadas += u.size() > 2;
         if (u.size() == 2) {
+            // E2.1: si las dos caras de la arista giran en el mismo sentido
             const bool concorde = u[0].directo != u[1].directo;
+            // de partida: const bool concorde = true;
+            // fin de E2.1
             v.vecinas[u[0].cara].push_back({u[1].cara, concorde});
             v.vecinas[u[1].cara].push_back({u[0].cara, concorde});
         } else {
@@ -128,7 +133,9 @@ inline Sentido sentidoDesdeFuera(const MallaVf &malla, const Componente &compone
         const auto p = [&](std::size_t i) { return glm::dvec3(malla.vertices[cara[i]]) - centro; };
         for (std::size_t i = 2; i < cara.size(); ++i) {
             const glm::dvec3 a = p(0), b = p(i - 1), d = p(i);
+            // E2.1: suma el volumen, con signo, de a, b y d con el centro; una cara al revés lo cuenta del otro signo
             volumen += componente.giros[k] * glm::dot(a, glm::cross(b, d));
+            // fin de E2.1
             escala += glm::length(a) * glm::length(b) * glm::length(d);
         }
     }

@@ -41,12 +41,18 @@ static void dibujaVista(const glm::vec3 &s, const char *nombre, const Recuadro &
     // vistas más altas que anchas: en perspectivaVentana, que es para 4:3, se quedarían pequeñas
     const float semialto = SEMIALTO * std::max(ASPECTO_ESCENA / aspecto(r), 1.0f);
     const glm::mat4 proyeccion = glm::perspective(2 * std::atan(semialto), aspecto(r), 1.0f, 100.0f),
-                    camara = camaraOrbita(orbita), transformacion = proyeccion * camara, M = escalado(s);
+                    camara = camaraOrbita(orbita), transformacion = proyeccion * camara;
+    // E3.1: el escalado de factores s, y cómo cambia la normal con él
+    const glm::mat4 M = escalado(s);
+    const glm::mat3 N = matrizNormal(M);
+    // de partida: const glm::mat4 M(1);
+    // de partida: const glm::mat3 N(1);
+    // fin de E3.1
     abreRecuadro(r, FONDO_CLARO);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
     envia(estado.programa, "M", M);
-    envia(estado.programa, "N", matrizNormal(M));
+    envia(estado.programa, "N", N);
     envia(estado.programa, "colorFuera", AMARILLO);
     envia(estado.programa, "colorDentro", MORADO);
     // Con un factor cero la cara de delante y la de atrás coinciden: se descartan las que miran hacia atrás,

@@ -75,7 +75,7 @@ inline std::vector<Pieza> piezasGrua(const PosturaGrua &postura) {
          OSCURO},
         {carro * traslacion({0, p.altura, 0}) * escalado(LADO_CARGA), ROJO},
     };
-    //! (void)postura; // de la que salen el giro, la distancia y la altura de la carga
-    //! return {{traslacion({0, LARGO_PIE / 2, 0}) * escalado({GRUESO, LARGO_PIE, GRUESO}), AMARILLO}};
+    // de partida: (void)postura; // de la que salen el giro, la distancia y la altura de la carga
+    // de partida: return {{traslacion({0, LARGO_PIE / 2, 0}) * escalado({GRUESO, LARGO_PIE, GRUESO}), AMARILLO}};
     // fin de E3.5
 }

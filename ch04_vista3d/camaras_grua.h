@@ -25,9 +25,14 @@ const double DISTANCIA_CAMARA = 26; // en paralela da igual; con la rueda no lle
 enum { ALZADO, PLANTA, PERFIL, DIAGONAL, N_VISTAS, LAS_CUATRO = -1 };
 const VistaGrua VISTAS[N_VISTAS] = {
     {"Alzado", {0, 0, DISTANCIA_CAMARA}, {0, 1, 0}, COLOR_EJE[2]},
+    // E4.2: hacia dónde está la cámara en cada una, y qué queda arriba
     {"Planta", {0, DISTANCIA_CAMARA, 0}, {0, 0, -1}, COLOR_EJE[1]},
     {"Perfil", {DISTANCIA_CAMARA, 0, 0}, {0, 1, 0}, COLOR_EJE[0]},
     {"(1,1,1)", glm::dvec3(DISTANCIA_CAMARA / glm::root_three<double>()), {0, 1, 0}, OSCURO},
+    // de partida: {"Planta", {0, 0, DISTANCIA_CAMARA}, {0, 1, 0}, COLOR_EJE[1]},
+    // de partida: {"Perfil", {0, 0, DISTANCIA_CAMARA}, {0, 1, 0}, COLOR_EJE[0]},
+    // de partida: {"(1,1,1)", {0, 0, DISTANCIA_CAMARA}, {0, 1, 0}, OSCURO},
+    // fin de E4.2
 };
 
 /// La cámara de una vista. No sabe de proyecciones: al cambiar de paralela a perspectiva es la misma.
@@ -105,11 +110,15 @@ inline double unidadesPorPixel(const std::vector<glm::dvec3> &puntos, const glm:
 inline glm::dmat4 paralelaQueEncierra(const std::vector<glm::dvec3> &puntos, const glm::dmat4 &camara,
                                       const Recuadro &r, double unidadesPorPixel) {
     const Caja caja = cajaEnCamara(puntos, camara);
+    // E4.2: un volumen de la vista centrado en la caja, con esa escala a lo ancho y a lo alto y HOLGURA a lo hondo
     const glm::dvec3 centro = 0.5 * (caja.minimo + caja.maximo);
     const double x = 0.5 * unidadesPorPixel * r.ancho, y = 0.5 * unidadesPorPixel * r.alto,
                  z = 0.5 * HOLGURA * (caja.maximo.z - caja.minimo.z);
     return proyeccionParalela(centro.x - x, centro.x + x, centro.y - y, centro.y + y, -centro.z - z,
                               -centro.z + z);
+    // de partida: const double x = unidadesPorPixel * r.ancho, y = unidadesPorPixel * r.alto;
+    // de partida: return proyeccionParalela(-x, x, -y, y, -caja.maximo.z, -caja.minimo.z);
+    // fin de E4.2
 }
 
 /// Proyección perspectiva que encierra los puntos, que han de estar todos delante de la cámara. La pirámide de
@@ -121,7 +130,10 @@ inline glm::dmat4 perspectivaQueEncierra(const std::vector<glm::dvec3> &puntos, 
     double tangente = 0, cerca = INFINITY, lejos = 0;
     for (const glm::dvec3 &p : puntos) {
         const glm::dvec3 q(camara * glm::dvec4(p, 1));
+        // E4.3: la tangente del mayor ángulo con que, desde la cámara, un punto se aparta del eje
         tangente = std::max({tangente, std::fabs(q.y / q.z), std::fabs(q.x / q.z) / aspecto});
+        // de partida: tangente = 0.2;
+        // fin de E4.3
         cerca = std::min(cerca, -q.z);
         lejos = std::max(lejos, -q.z);
     }

@@ -28,10 +28,13 @@ static void dibuja() {
     glUseProgram(estado.programa);
     for (const PanelVista &p : reparteVistas(estado.vistas, estado.envolvente)) {
         abreVista(p);
+        // E4.3: la proyección de cada vista, la que diga estado.enPerspectiva
         const glm::mat4 proyeccion( // nuevo en 4.3
             estado.enPerspectiva
                 ? perspectivaQueEncierra(estado.envolvente, p.camara, p.escena)
                 : paralelaQueEncierra(estado.envolvente, p.camara, p.escena, p.unidadesPorPixel));
+        // de partida: const glm::mat4 proyeccion(proyeccionParalela(-14, 14, -14, 14, 1, 100));
+        // fin de E4.3
         envia(estado.programa, "proyeccion", proyeccion);
         envia(estado.programa, "camara", glm::mat4(p.camara));
         for (const Pieza &pieza : escenaGrua(estado.postura))

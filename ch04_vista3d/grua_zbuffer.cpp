@@ -30,8 +30,10 @@ static void dibujaVistas(const Recuadro &donde, bool test) {
                 : paralelaQueEncierra(estado.envolvente, p.camara, p.escena, p.unidadesPorPixel));
         envia(estado.programa, "proyeccion", proyeccion);
         envia(estado.programa, "camara", glm::mat4(p.camara));
+        // E4.4: activa el test de profundidad, si se pide
         if (test) // nuevo en 4.4
             glEnable(GL_DEPTH_TEST);
+        // fin de E4.4
         const std::vector<Pieza> piezas = escenaGrua(estado.postura);
         for (auto pieza = piezas.rbegin(); pieza != piezas.rend(); ++pieza)
             dibujaObjeto(estado.programa, estado.cubo, pieza->M, pieza->color);

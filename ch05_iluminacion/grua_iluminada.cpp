@@ -32,8 +32,11 @@ static struct {
 } estado;
 
 static void inicia() {
+    // E5.1: el programa de cada modelo de sombreado
     estado.programas[0] = creaSombreado("gouraud");
     estado.programas[1] = creaSombreado("phong");
+    // de partida: estado.programas[0] = estado.programas[1] = creaSombreado("plano");
+    // fin de E5.1
     estado.cubo = creaBuferes(cubo());
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);

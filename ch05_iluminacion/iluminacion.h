@@ -51,14 +51,21 @@ inline void usaPrograma(GLuint programa, const glm::mat4 &camara, const glm::mat
                         const Luz &luz) {
     usaPrograma(programa, camara, proyeccion);
     envia(programa, "La", glm::vec3(1));
+    // E5.1: la luz, como la quiere phong.glsl
     enviaLuz(programa, "luz", luz, camara);
+    // de partida: (void)luz;
+    // fin de E5.1
 }
 
 /// Dibuja el sólido de ese material con el programa en uso, que tiene ya `camara`, `proyeccion` y la luz.
 inline void dibujaObjeto(GLuint programa, const Buferes &solido, const glm::mat4 &M, const glm::mat4 &camara,
                          const Material &material) {
     envia(programa, "M", M);
+    // E5.1: la matriz de la normal, que va a coordenadas de la cámara, y el material
     envia(programa, "N", matrizNormal(camara * M));
     enviaMaterial(programa, material);
+    // de partida: envia(programa, "N", glm::mat3(camara));
+    // de partida: envia(programa, "material.Ka", material.Kd);
+    // fin de E5.1
     dibuja(solido);
 }

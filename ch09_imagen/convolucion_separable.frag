@@ -15,11 +15,14 @@ out vec4 colorFragmento;
 
 // Una pasada de un filtro separable: la ecuación 9.1 con un filtro de talla × 1 o de 1 × talla.
 void main() {
+    // E9.2: la suma, con filtro, de los `talla` texels que hay a lo largo de eje
     vec2 paso = eje / vec2(textureSize(imagen, 0));
     int centro = (talla - 1) / 2;
     vec3 suma = vec3(0.0);
     for (int i = -centro; i < talla - centro; i++) // desde 0, Mesa desenrolla el bucle: siempre 31 vueltas
         suma += filtro[i + centro] * texture(imagen, coordenadaTextura + float(i) * paso).rgb;
+    // de partida: vec3 suma = texture(imagen, coordenadaTextura).rgb;
+    // fin de E9.2
     if (sumaCero)
         suma = muestraSigno(suma, conSigno);
     colorFragmento = vec4(suma, texture(imagen, coordenadaTextura).a);

@@ -13,7 +13,9 @@ static struct {
 
 static void dibujaVolteo(bool horizontal, bool vertical, const Recuadro &panel) {
     dibujaEn(panel);
+    // E9.4: envía sentido
     envia(estado.programa, "sentido", glm::vec2(horizontal ? -1 : 1, vertical ? -1 : 1));
+    // fin de E9.4
     dibujaRectangulo();
     rotulaImagen(estado.muestra, NOMBRES[horizontal + 2 * vertical]);
 }

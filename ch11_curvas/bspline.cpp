@@ -46,10 +46,14 @@ static void dibujaPeine(std::size_t i) {
     trazaPolilinea(puntas, vista(), VERDE, 0.8f * GROSOR);
 }
 
-/// Si el tramo i usa el punto elegido: es uno de los cuatro desde el i.
+/// Si el tramo i usa el punto elegido.
 static bool usaElegido(std::size_t i) {
+    // E11.7: si el punto estado.editor.elegido, que es −1 cuando no hay ninguno, es de los del tramo i
     const std::size_t n = estado.P.size();
+    // los cuatro desde el i
     return estado.editor.elegido >= 0 && (estado.editor.elegido + n - i) % n < 4;
+    // de partida: return estado.editor.elegido == int(i);
+    // fin de E11.7
 }
 
 static void dibuja() {

@@ -117,18 +117,24 @@ Geometria<T> aBezier(Base base, const Geometria<T> &G) {
 
 // ---- Curvas B-Spline de muchos puntos ----
 
-/// Los tramos de una B-Spline de n puntos de control: con menos de cuatro no hay ninguno. Cerrarla es repetir los tres
-/// primeros.
+/// Los tramos de una B-Spline de n puntos de control. Cerrarla es repetir los tres primeros.
 inline std::size_t tramosBSpline(std::size_t n, bool cerrada) {
-    return n < 4 ? 0 : cerrada ? n : n - 3;
+    // E11.7: cuántos son, abierta y cerrada
+    return n < 4 ? 0 : cerrada ? n : n - 3; // con menos de cuatro puntos no hay ninguno
+    // de partida: return n < 4 || cerrada ? 0 : 1;
+    // fin de E11.7
 }
 
 /// El vector de geometría (ecuación 11.23) del tramo, contado desde 0.
 template<typename T>
 Geometria<T> geometriaBSpline(const std::vector<Punto<T>> &puntos, std::size_t tramo) {
     Geometria<T> G;
-    for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t k = 0; k < 4; ++k) {
+        // E11.7: el punto de control k de ese tramo; en el último de una cerrada, tras el último punto va el primero
         G[k] = puntos[(tramo + k) % puntos.size()];
+        // de partida: G[k] = puntos[tramo];
+        // fin de E11.7
+    }
     return G;
 }
 

@@ -30,12 +30,19 @@ static glm::mat4 vista() {
 
 static Geometria<float> primero() {
     const auto &p = estado.puntos;
+    // E11.6: el vector de geometría: los extremos y las tangentes, que van de cada extremo a la punta de su flecha
     return {p[P1], p[P4], p[PUNTA1] - p[P1], p[PUNTA4] - p[P4]};
+    // de partida: return {p[P1], p[P4], glm::vec3(0), glm::vec3(0)};
+    // fin de E11.6
 }
 
-/// Las restricciones transformadas: los puntos con w = 1 y las tangentes, que son vectores, con w = 0.
+/// Las restricciones transformadas.
 static Geometria<float> transformada(const glm::mat4 &T, const Geometria<float> &G) {
+    // E11.6: las cuatro restricciones transformadas con T
+    // los puntos con w = 1 y las tangentes, que son vectores, con w = 0
     return {T * glm::vec4(G[0], 1), T * glm::vec4(G[1], 1), T * glm::vec4(G[2], 0), T * glm::vec4(G[3], 0)};
+    // de partida: return {T * glm::vec4(G[0], 1), G[1], G[2], G[3]};
+    // fin de E11.6
 }
 
 struct Nombre {
@@ -71,7 +78,11 @@ static void dibuja() {
         std::snprintf(k, sizeof k, ": dos tramos G1, k = %.2f", estado.k);
         titulo += k;
         dibujaTramo(G, AZUL, NOMBRES);
-        dibujaTramo({G[1], p[FIN], estado.k * G[3], p[PUNTA_FIN] - p[FIN]}, MORADO, SEGUNDOS);
+        // E11.6: el vector de geometría del segundo tramo, que acaba en P4' con R4' y se une al primero con G1
+        const Geometria<float> G2 = {G[1], p[FIN], estado.k * G[3], p[PUNTA_FIN] - p[FIN]};
+        // de partida: const Geometria<float> G2 = {p[FIN], p[FIN], glm::vec3(0), glm::vec3(0)};
+        // fin de E11.6
+        dibujaTramo(G2, MORADO, SEGUNDOS);
     } else if (estado.transforma) {
         const glm::mat4 T = traslacion(T_TRASLACION) * giroZ(T_GIRO) * escalado(T_ESCALADO);
         std::vector<glm::vec3> transformados;

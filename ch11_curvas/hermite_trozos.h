@@ -39,21 +39,29 @@ inline std::vector<glm::vec3> elementosDe(const std::vector<glm::vec3> &puntas) 
 /// Arriba a la izquierda, las esquinas; a la derecha, sus tangentes en v; abajo, sus tangentes en u y las torsiones.
 inline Geometria2<float> primerTrozo(const std::vector<glm::vec3> &elementos) {
     Geometria2<float> G;
-    for (std::size_t k = 0; k < DEL_PRIMERO; ++k)
+    for (std::size_t k = 0; k < DEL_PRIMERO; ++k) {
+        // E11.8: el sitio del elemento k en la matriz de geometría, por filas
         G[k / 4][k % 4] = elementos[k];
+        // de partida: G[k / 4][k % 4] = esquinaDe(k) == k ? elementos[k] : glm::vec3(0);
+        // fin de E11.8
+    }
     return G;
 }
 
-/// Lo que coincide para que la unión sea G1: el borde entero, que es la segunda fila del primero y la primera del
-/// segundo; y, salvo un factor k, las tangentes que la cruzan, que son la cuarta fila y la tercera, torsiones
-/// incluidas.
+/// El segundo, que empieza donde acaba el primero. De los elementos, los cuatro siguientes son su segunda fila y los
+/// cuatro últimos, la cuarta; con k se alarga lo que cruza la unión.
 inline Geometria2<float> segundoTrozo(const std::vector<glm::vec3> &elementos, float k) {
     const Geometria2<float> primero = primerTrozo(elementos);
-    Geometria2<float> G = {primero[1]};
+    Geometria2<float> G;
     for (std::size_t j = 0; j < 4; ++j) {
+        // E11.8: la columna j, con lo que ha de coincidir con el primero para que la unión sea G1
+        G[0][j] = primero[1][j]; // el borde entero
         G[1][j] = elementos[DEL_PRIMERO + j];
-        G[2][j] = k * primero[3][j];
+        G[2][j] = k * primero[3][j]; // las tangentes que lo cruzan, torsiones incluidas
         G[3][j] = elementos[DEL_PRIMERO + 4 + j];
+        // de partida: G[0][j] = G[1][j] = elementos[DEL_PRIMERO + j];
+        // de partida: G[2][j] = G[3][j] = k * (primero[0][j] - primero[0][j]);
+        // fin de E11.8
     }
     return G;
 }

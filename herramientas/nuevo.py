@@ -1,11 +1,6 @@
 #!/usr/bin/env python3
 """nuevo.py RAÍZ BUILD MIOS QUÉ [NOMBRE]: una carpeta de quien aprende, MIOS/NOMBRE. Con un ejercicio (E3.5), su esqueleto: los ficheros de la
-solución sin lo que se pide. Con un programa, una copia para jugar con ella.
-
-Lo que se pide está marcado en los propios fuentes, entre dos comentarios: «// E3.5: qué va aquí» y «// fin de E3.5». El esqueleto conserva
-los dos y pierde lo que hay entre ellos, salvo las líneas que empiezan por «//!», que son suyas: lo que hace falta para que compile y
-dibuje algo. Una marca vale para varios ejercicios: «// E3.3 E3.4: …».
-"""
+solución sin lo que se pide, que dicen las marcas de ejercicios.py. Con un programa, una copia para jugar con ella."""
 import re
 import shutil
 import sys
@@ -13,47 +8,26 @@ from pathlib import Path
 
 import catalogo
 import controles
+import ejercicios as marcas
 import libro
 import pagina
 from procesos import Fallo, principal
 
 EJERCICIO = "ejercicio.txt"  # en la carpeta: «E3.5 ch03_transformaciones/grua», o solo el programa si no se corrige
-REFERENCIAS = r"(?P<de>[EL]\d+\.\d+(?: [EL]\d+\.\d+)*)"
-PRINCIPIO = re.compile(rf"(?P<sangria> *)// {REFERENCIAS}: (?P<que>.+)")
-FIN = re.compile(rf" *// fin de {REFERENCIAS}")
-DEL_ESQUELETO = re.compile(r"(?P<sangria> *)//! ?(?P<linea>.*)")
 
 
-def deja(texto, referencia=None):
-    """Un fuente sin lo que pide ese ejercicio. Las marcas de los demás, o todas si no es ninguno, desaparecen y lo suyo se queda."""
-    lineas, abierta = [], ""
-    for linea in texto.splitlines():
-        suya = referencia in abierta.split()
-        if marca := PRINCIPIO.fullmatch(linea):
-            if abierta:
-                raise Fallo(f"falta «// fin de {abierta}» antes de «{linea.strip()}»")
-            abierta = marca["de"]
-            if referencia in abierta.split():
-                lineas.append(f"{marca['sangria']}// {referencia}: {marca['que']}")
-        elif marca := FIN.fullmatch(linea):
-            if marca["de"] != abierta:
-                raise Fallo(f"«{linea.strip()}» cierra lo que no está abierto")
-            if suya:
-                lineas.append(linea.replace(abierta, referencia))
-            abierta = ""
-        elif marca := DEL_ESQUELETO.fullmatch(linea):
-            if suya:
-                lineas.append(marca["sangria"] + marca["linea"])
-        elif not suya:
-            lineas.append(linea)
-    if abierta:
-        raise Fallo(f"falta «// fin de {abierta}»")
-    return "\n".join(lineas) + "\n"
+def deja(texto, referencia=""):
+    """Un fuente sin lo que pide ese ejercicio. De los demás, o de todos si no es ninguno, desaparecen las marcas y se queda lo suyo."""
+    def trozo(marcado):
+        if marcado["codigo"] == referencia:
+            return marcas.esqueleto(marcado[0], referencia)
+        return marcas.PARTIDA.sub("", marcado["hecho"])
+    return marcas.TROZO.sub(trozo, texto)
 
 
 def pide(texto, referencia):
     """Lo que dicen sus marcas que va en cada sitio."""
-    return [marca["que"] for marca in map(PRINCIPIO.fullmatch, texto.splitlines()) if marca and referencia in marca["de"].split()]
+    return [marcado["pide"] for marcado in marcas.TROZO.finditer(texto) if marcado["codigo"] == referencia]
 
 
 def del_capitulo(raiz, programa):
@@ -69,7 +43,7 @@ def del_capitulo(raiz, programa):
     return textos, nombrados
 
 
-def de_la_carpeta(raiz, programa, referencia=None):
+def de_la_carpeta(raiz, programa, referencia=""):
     """Los que van a la carpeta de quien aprende: los suyos, los marcados y los que llevan de unos a otros, que si no incluirían los del
     capítulo."""
     textos, nombrados = del_capitulo(raiz, programa)
@@ -93,14 +67,10 @@ def aqui(textos, programa):
 
 def esqueleto(raiz, programa, referencia):
     """De cada fichero, su texto sin lo que se pide."""
-    textos = de_la_carpeta(raiz, programa, referencia)
-    try:
-        return aqui({f: deja(texto, referencia) for f, texto in textos.items()}, programa)
-    except Fallo as fallo:
-        raise Fallo(f"{programa.capitulo.nombre}, {referencia}: {fallo}") from None
+    return aqui({f: deja(texto, referencia) for f, texto in de_la_carpeta(raiz, programa, referencia).items()}, programa)
 
 
-def solucion(raiz, programa, referencia):
+def solucion(raiz, programa, referencia=""):
     """Los mismos, enteros."""
     return aqui({f: deja(texto) for f, texto in de_la_carpeta(raiz, programa, referencia).items()}, programa)
 
@@ -157,7 +127,7 @@ def crea(raiz, programas, mios, pedido, nombre=""):
     carpeta = mios / nombre
     if carpeta.exists():
         raise Fallo(f"nuevo: ya existe {carpeta}, y no se toca: ponle otro nombre a la nueva, ./lab nuevo {pedido} NOMBRE")
-    textos = esqueleto(raiz, programa, referencia) if referencia else solucion(raiz, programa, None)
+    textos = esqueleto(raiz, programa, referencia) if referencia else solucion(raiz, programa)
     origen = f"{programa.capitulo.nombre}/{programa.nombre}"
     ficheros = {f"{nombre}.cpp" if f == programa.fuente.name else f: texto for f, texto in textos.items()}
     ficheros[EJERCICIO] = f"{referencia} {origen}\n".lstrip()
@@ -181,9 +151,9 @@ def main():
         raise Fallo("nuevo: hace falta un ejercicio o un programa y, si acaso, el nombre de la carpeta: ./lab nuevo E3.5 mi_grua")
     referencia, carpeta = crea(Path(raiz), catalogo.lee_programas(build), Path(mios), *resto)
     if referencia:
-        print(f"{carpeta}: lo que se pide está en ENUNCIADO.md. Para verlo, ./lab ver {carpeta.name}; para corregirlo, ./lab corrige {carpeta.name}")
+        print(f"{carpeta}: lo que se pide está en ENUNCIADO.md. Para verlo, ./lab ver mios/{carpeta.name}; para corregirlo, ./lab corrige {carpeta.name}")
     else:
-        print(f"{carpeta}: una copia, para jugar con ella. Para verla, ./lab ver {carpeta.name}")
+        print(f"{carpeta}: una copia, para jugar con ella. Para verla, ./lab ver mios/{carpeta.name}")
 
 
 if __name__ == "__main__":
