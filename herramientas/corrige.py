@@ -36,6 +36,7 @@ from xml.sax.saxutils import quoteattr
 
 import catalogo
 import controles
+import ejercicios as marcas
 import muta
 import nuevo
 import pagina
@@ -53,8 +54,8 @@ FUENTES = ".cpp", ".h", ".vert", ".frag", ".glsl"
 FICHEROS, BYTES = 40, 1 << 20  # de una entrega, y de cada fichero
 SALE = 96 << 20  # bytes que se leen de una jaula
 NADIE = 65534  # de root no valen los límites: se ejecuta como nobody
-COMPILA = {"segundos": 60, "memoria": 3 << 30, "procesos": 16}
-JUEGA = {"segundos": 10, "memoria": 1 << 30, "procesos": 8}
+COMPILA = {"segundos": 120, "procesador": 60, "memoria": 3 << 30, "procesos": 16}
+JUEGA = {"segundos": 30, "procesador": 10, "memoria": 1 << 30, "procesos": 8}
 DISCO = 64 << 20  # de la carpeta temporal, que está en memoria
 
 # Lo que se ejecuta en la jaula: SEGUNDOS ORDEN…; lo que deja sale en un tar
@@ -282,12 +283,19 @@ class Banco:
         self.todos = [*self.casos(), *self.al_azar(n)]
         self.turno, self.iguales_ya, self.mutantes_hechos = threading.Lock(), {}, None
         sello = self.juega_de_nuevo(self.solucion, Guion("", ()))
-        self.cache = build / "corrige" / ref / suma(self.version, self.solucion.programa.read_bytes(), sello)
-        if self.cache.parent.is_dir():
-            for vieja in self.cache.parent.iterdir():
-                if vieja != self.cache:
-                    shutil.rmtree(vieja, ignore_errors=True)
-        self.cache.mkdir(parents=True, exist_ok=True)
+        self.cache = self.elige_cache(suma(self.version, self.solucion.programa.read_bytes(), sello))
+
+    def elige_cache(self, clave):
+        """Donde se guardan las partidas de la solución y de los mutantes; las de antes se borran. Si no se puede escribir, no duran."""
+        cache = self.build / "corrige" / self.ref / clave
+        try:
+            cache.mkdir(parents=True, exist_ok=True)
+            for vieja in set(cache.parent.iterdir()) - {cache}:
+                shutil.rmtree(vieja, ignore_errors=True)
+        except OSError:
+            cache = self.temporal / "cache"
+            cache.mkdir()
+        return cache
 
     # --- lo que se ve y con qué se compila ---
 
@@ -350,7 +358,7 @@ class Banco:
 
     def primer_error(self, hecho, suya):
         if int(hecho.get("estado", b"").strip() or -1) in NO_ACABA:
-            return f"no compila: el compilador no acaba en {COMPILA['segundos']} s"
+            return f"no compila: el compilador no acaba en {COMPILA['procesador']} s"
         errores = hecho.get("errores", b"")[:1 << 20].decode(errors="replace").replace(f"{suya}/", "").replace(f"{suya.parent}/", "")
         if error := re.search(r"^([^:\n]+):(\d+):(?:\d+:)? (?:fatal )?error: (.*)$", errores, re.M):
             return f"no compila: {error[1]}:{error[2]}: {error[3]}"
@@ -362,7 +370,7 @@ class Banco:
 
     def encierra(self, orden, carpeta, limites, ajena, **entorno):
         """Lo que deja una orden, en un tar: en la jaula, si es ajena, o en una carpeta temporal."""
-        prlimit = ["prlimit", f"--cpu={limites['segundos']}", f"--as={limites['memoria']}", f"--nproc={limites['procesos']}",
+        prlimit = ["prlimit", f"--cpu={limites['procesador']}", f"--as={limites['memoria']}", f"--nproc={limites['procesos']}",
                    f"--fsize={DISCO}", "--core=0", "--"] if ajena else []
         dentro = [*prlimit, "sh", "-c", ENCIERRA, "sh", limites["segundos"], *orden]
         jaula = self.jaula if ajena else None
@@ -372,7 +380,7 @@ class Banco:
                 dentro = [*jaula.orden([carpeta, *self.compilador[2]]), *dentro]
                 opciones |= jaula.opciones | {"cwd": "/"}
             try:  # de lo ajeno se lee hasta un límite, aunque escriba donde no debe
-                return lanza(["sh", "-c", f'"$@" | head -c {SALE}', "sh", *dentro], timeout=2 * limites["segundos"] + 10, stderr=subprocess.DEVNULL, **opciones).stdout
+                return lanza(["sh", "-c", f'"$@" | head -c {SALE}', "sh", *dentro], timeout=limites["segundos"] + 10, stderr=subprocess.DEVNULL, **opciones).stdout
             except subprocess.TimeoutExpired:
                 return b""
 
@@ -438,11 +446,20 @@ class Banco:
         suyos = {f"{self.carpeta}/{f}" for f in nuevo.de_la_carpeta(self.raiz, self.programa, self.ref)}
         return [m for m in muta.lee(self.raiz)[0] if m.fichero in suyos]
 
+    def huecos(self):
+        """De cada cosa que pide el ejercicio, si son varias: qué es, y los ficheros con todo menos eso."""
+        textos = nuevo.de_la_carpeta(self.raiz, self.programa, self.ref)
+        trozos = [(f, t) for f in textos for t in marcas.TROZO.finditer(textos[f]) if t["codigo"] == self.ref]
+        return [(t["pide"], {**textos, f: textos[f][:t.start()] + marcas.esqueleto(t[0]) + textos[f][t.end():]}) for f, t in trozos if len(trozos) > 1]
+
     def variantes(self):
         """(qué se le diría a quien la entregara, Variante): el esqueleto y la solución con cada defecto, todos en un binario."""
         with self.turno:
             if self.mutantes_hechos is None:
-                self.mutantes_hechos = self.compila_variantes()
+                try:
+                    self.mutantes_hechos = self.compila_variantes()
+                except (ValueError, Rechazo) as error:
+                    raise Fallo(f"los defectos plantados de {self.ref} no valen: {error}") from None
         return self.mutantes_hechos
 
     def compila_variantes(self):
@@ -450,6 +467,11 @@ class Banco:
         if not sitio.is_dir():
             parcial = Path(tempfile.mkdtemp(dir=self.cache))
             self.compila(nuevo.esqueleto(self.raiz, self.programa, self.ref), parcial / "esqueleto", ajena=False)
+            for i, (_, con_hueco) in enumerate(self.huecos()):
+                try:
+                    self.compila(self.limpio(con_hueco), parcial / f"hueco{i}", ajena=False)
+                except Rechazo:  # lo demás lo necesita
+                    shutil.rmtree(parcial / f"hueco{i}")
             textos = nuevo.de_la_carpeta(self.raiz, self.programa, self.ref)
             for fichero, suyos in muta.por_fichero(self.mutantes()).items():
                 nombre, fuente = Path(fichero).name, (self.raiz / fichero).read_text()
@@ -468,6 +490,7 @@ class Banco:
             return sitio / nombre / self.programa.nombre, [sitio / nombre / "fuentes/mios", sitio / nombre / "fuentes"]
 
         variantes = [("", Variante("esqueleto", *en("esqueleto")))]
+        variantes += [(f"falta {pide}", Variante(f"hueco{i}", *en(f"hueco{i}"))) for i, (pide, _) in enumerate(self.huecos()) if (sitio / f"hueco{i}").is_dir()]
         programa, raices = en("mutantes")
         for m in self.mutantes():
             suyas = [sitio / str(m.numero), *raices]  # si es de un shader, el estropeado; si no, no hay nada
@@ -510,7 +533,7 @@ def no_responden(partidas, esperadas):
     cambia, responde = {}, set()
     for guion, p in partidas.items():
         e = esperadas[guion]
-        for i, orden in enumerate(guion.ordenes[:len(p.imagenes) - 1]):
+        for i, orden in enumerate(guion.ordenes[:max(len(p.imagenes) - 1, 0)]):
             if e.imagenes[i] != e.imagenes[i + 1]:
                 cambia.setdefault(sin_veces(orden))
                 if p.imagenes[i] != p.imagenes[i + 1]:
@@ -581,7 +604,7 @@ class Correccion:
         porque = self.banco.por_que(self.partidas, fallan)
         if porque == [""]:
             return ["aún es el punto de partida: no hay nada del ejercicio"]
-        dice = [f"lo mismo se ve si {' o '.join(porque[:2])}" if False else f"parece que {' o que '.join(p for p in porque[:2] if p)}"] if porque else []
+        dice = [f"parece este error: {' o '.join(filter(None, porque[:2]))}"] if porque else []
         callan, alguna = no_responden(self.partidas, self.esperadas)
         if callan and not alguna:
             dice.append("no responde a nada de lo que debería")
@@ -594,15 +617,17 @@ class Correccion:
 
     def enseña(self, fallan):
         """De los guiones que antes fallan, sin repetir: qué órdenes bastan, en palabras y en imágenes."""
-        vistos, fallos = set(), []
-        for guion in sorted(fallan, key=lambda g: (fallan[g], not g.caso)):
-            if len(fallos) == ENSEÑA:
+        vistos, fallos = [], []
+        for guion in sorted(fallan, key=lambda g: (fallan[g], not g.caso))[:4 * ENSEÑA]:
+            if len(fallos) == ENSEÑA or [] in vistos:
                 break
-            tras, esperada, obtenida = self.acortado(guion, fallan[guion])
-            if tras in vistos or any(set(map(sin_veces, f["tras"])) == set(map(sin_veces, tras)) for f in fallos):
+            if [sin_veces(o) for o in guion.ordenes[:fallan[guion]][-1:]] in vistos:  # ya se sabe que con eso basta
                 continue
-            vistos.add(tras)
-            fallos.append({"guion": guion.nombre, "tras": list(tras), "que": self.que(tras, esperada, obtenida), "imagenes": self.imagenes(esperada, obtenida)})
+            tras, esperada, obtenida = self.acortado(guion, fallan[guion])
+            bastan = [sin_veces(o) for o in tras]
+            if bastan not in vistos:
+                vistos.append(bastan)
+                fallos.append({"guion": guion.nombre, "tras": list(tras), "que": self.que(tras, esperada, obtenida), "imagenes": self.imagenes(esperada, obtenida)})
         return fallos
 
     def acortado(self, guion, hasta):
@@ -770,9 +795,9 @@ def opciones(palabras):
     return que
 
 
-def busca(raiz, entrega):
+def busca(build, entrega):
     """Su carpeta y, si es una clase, las de dentro."""
-    carpeta = next((c for c in (raiz / "mios" / entrega, Path(entrega)) if c.is_dir()), None)
+    carpeta = next((c for c in (build.parent / "mios" / entrega, Path(entrega)) if c.is_dir()), None)
     if not carpeta:
         raise Fallo(f"no hay ninguna carpeta «{entrega}», ni mios/{entrega}")
     carpeta = carpeta.absolute()
@@ -793,7 +818,7 @@ def ejercicio(raiz, programas, pedido):
 def main():
     raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
     que = opciones(sys.argv[3:])
-    carpeta, dentro = busca(raiz, que.entrega)
+    carpeta, dentro = busca(build, que.entrega)
     programas = catalogo.lee_programas(build)
     ref, programa = ejercicio(raiz, programas, que.ejercicio) if que.ejercicio or dentro else nuevo.ejercicio_de(carpeta, programas)
     if not ref:
