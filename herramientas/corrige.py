@@ -502,14 +502,18 @@ class Banco:
         return nuevo.aqui({fichero: nuevo.deja(texto) for fichero, texto in textos.items()}, self.programa)
 
     def por_que(self, partidas, fallan):
-        """Lo que deja en todos los guiones lo mismo que la entrega: sus palabras; del esqueleto, ninguna. Si nada, None."""
-        vivas = self.variantes()
-        for guion in sorted(partidas, key=lambda g: g not in fallan):
-            vivas = [v for v in vivas if self.difiere(self.juega(v[1], guion), partidas[guion]) is None]
-            if not vivas:
-                return None
+        """Lo que deja en todos los guiones lo mismo que la entrega, en palabras; del esqueleto, ninguna."""
+        def las_que_dan_lo_mismo(vivas):
+            for guion in sorted(partidas, key=lambda g: g not in fallan):
+                vivas = [v for v in vivas if self.difiere(self.juega(v[1], guion), partidas[guion]) is None]
+                if not vivas:
+                    break
+            return vivas
+
+        esqueleto, *otras = self.variantes()
+        vivas = las_que_dan_lo_mismo([esqueleto]) or las_que_dan_lo_mismo(otras)
         exactas = [v for v in vivas if all(self.juega(v[1], g).imagenes == p.imagenes for g, p in partidas.items())]
-        return list(dict.fromkeys(dice for dice, _ in exactas or vivas))
+        return list(dict.fromkeys(dice for dice, _ in exactas or vivas))  # vacío, si no hay ninguna
 
 
 def suma(*partes):
