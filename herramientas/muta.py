@@ -2,7 +2,8 @@
 """muta.py RAÍZ BUILD [--comprueba | QUÉ…]: defectos plantados, para saber si las pruebas los notan.
 
 Cada línea de tests/mutantes/*.tsv es un mutante: fichero, texto (que está una sola vez en él; \\n, si pasa de línea), texto
-estropeado, qué imita y, si no lo puede notar nadie, por qué. Con «…» dentro del texto, el resto solo sirve para encontrarlo y se
+estropeado, qué imita y, si no lo puede notar nadie, por qué; la sexta, en lo que pide un ejercicio, qué le dice ./lab corrige a quien ha hecho
+lo mismo. Con «…» dentro del texto, el resto solo sirve para encontrarlo y se
 cambia lo que va entre ellas.
 
 Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes: una expresión de C++ queda como (mutante(5012) ? (estropeada) :
@@ -45,6 +46,7 @@ class Mutante:
     estropeado: str
     imita: str
     motivo: str = ""
+    dice: str = ""
     pruebas: list = field(default_factory=list)  # las que lo usan
     notado: str = ""
     por_golden: bool = False
@@ -119,10 +121,10 @@ def lee(raiz):
     for n, lista in enumerate(sorted((raiz / "tests/mutantes").glob("*.tsv"))):
         for i, linea in enumerate(lista.read_text().splitlines(), 1):
             columnas = linea.replace("\\n", "\n").split("\t")
-            if len(columnas) in (4, 5) and all(columnas):
+            if len(columnas) in (4, 5, 6) and all(columnas[:4]) and columnas[-1]:
                 mutantes.append(Mutante(lista.stem, i, 1000 * n + i, *columnas))
             else:
-                fallos.append(f"{lista.stem}:{i}: son fichero, texto, texto estropeado, qué imita y, si acaso, motivo")
+                fallos.append(f"{lista.stem}:{i}: son fichero, texto, texto estropeado, qué imita y, si acaso, motivo y qué se le dice a un alumno")
     return mutantes, fallos
 
 

@@ -30,10 +30,15 @@ def pide(texto, referencia):
     return [marcado["pide"] for marcado in marcas.TROZO.finditer(texto) if marcado["codigo"] == referencia]
 
 
+def suyos(raiz, programa):
+    """Su fuente, su cabecera y sus shaders."""
+    return [f.name for f in programa.ficheros(raiz) if f.suffix in (".cpp", ".h", ".vert", ".frag")]
+
+
 def del_capitulo(raiz, programa):
     """Los ficheros de su capítulo que usa, cada uno con su texto y los que nombra."""
     carpeta = raiz / programa.capitulo.nombre
-    textos, nombrados, por_leer = {}, {}, [f.name for f in programa.ficheros(raiz)]
+    textos, nombrados, por_leer = {}, {}, suyos(raiz, programa)
     while por_leer:
         fichero = por_leer.pop()
         if fichero not in textos and (carpeta / fichero).is_file():
@@ -44,10 +49,10 @@ def del_capitulo(raiz, programa):
 
 
 def de_la_carpeta(raiz, programa, referencia=""):
-    """Los que van a la carpeta de quien aprende: los suyos, los marcados y los que llevan de unos a otros, que si no incluirían los del
-    capítulo."""
+    """Los que van a la carpeta de quien aprende: los suyos, los marcados o, si no es un ejercicio, sus shaders, y los que llevan de unos a
+    otros, que si no incluirían los del capítulo."""
     textos, nombrados = del_capitulo(raiz, programa)
-    propios = {f.name for f in programa.ficheros(raiz)} | {f for f in textos if pide(textos[f], referencia)}
+    propios = {*suyos(raiz, programa), *(f for f in textos if (pide(textos[f], referencia) if referencia else f.endswith((".vert", ".frag"))))}
 
     def lleva(fichero):
         return fichero in propios or any(lleva(f) for f in nombrados.get(fichero, ()) if f != fichero)
@@ -66,8 +71,11 @@ def aqui(textos, programa):
 
 
 def esqueleto(raiz, programa, referencia):
-    """De cada fichero, su texto sin lo que se pide."""
-    return aqui({f: deja(texto, referencia) for f, texto in de_la_carpeta(raiz, programa, referencia).items()}, programa)
+    """De cada fichero, su texto sin lo que se pide; del principal, tampoco lo que cuenta del resultado."""
+    textos = {f: deja(texto, referencia) for f, texto in de_la_carpeta(raiz, programa, referencia).items()}
+    principio = f"// {programa.titulo}: el {libro.nombre(referencia)}, que cuenta ENUNCIADO.md.\n"
+    textos[programa.fuente.name] = re.sub(r"\A(?:// (?!Controles: ).*\n)+", principio, textos[programa.fuente.name])
+    return aqui(textos, programa)
 
 
 def solucion(raiz, programa, referencia=""):
