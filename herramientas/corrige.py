@@ -53,7 +53,7 @@ CUELGUES = 2  # tras los que no se juega más
 FUENTES = ".cpp", ".h", ".vert", ".frag", ".glsl"
 FICHEROS, BYTES = 40, 1 << 20  # de una entrega, y de cada fichero
 SALE = 96 << 20  # bytes que se leen de una jaula
-NADIE = 65534  # de root no valen los límites: se ejecuta como nobody
+NADIE = range(61184, 65520)  # de root no valen los límites: se ejecuta como uno de estos, que no son nadie
 COMPILA = {"segundos": 120, "procesador": 60, "memoria": 3 << 30, "procesos": 16}
 JUEGA = {"segundos": 30, "procesador": 10, "memoria": 1 << 30, "procesos": 8}
 DISCO = 64 << 20  # de la carpeta temporal, que está en memoria
@@ -114,7 +114,9 @@ class Jaula:
     def __init__(self, raiz):
         self.raiz = raiz
         sistema = ["/usr", "/etc/alternatives", "/etc/ld.so.cache"]
-        self.prefijo = ["bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--proc", "/proc", "--dev", "/dev"]
+        self.root = os.geteuid() == 0
+        aparte = [f"--unshare-{que}" for que in ("ipc", "pid", "net", "uts", "cgroup-try")] if self.root else ["--unshare-all"]
+        self.prefijo = ["bwrap", *aparte, "--die-with-parent", "--new-session", "--proc", "/proc", "--dev", "/dev", "--dir", "/etc"]
         for carpeta in map(Path, ("/bin", "/lib", "/lib32", "/lib64", "/libx32")):
             if carpeta.is_symlink():
                 self.prefijo += ["--symlink", os.readlink(carpeta), carpeta]
@@ -124,12 +126,11 @@ class Jaula:
             self.prefijo += ["--ro-bind-try", que, que]
         if raiz.is_relative_to("/usr"):  # el laboratorio no es del sistema
             self.prefijo += ["--tmpfs", raiz]
-        self.prefijo += ["--size", DISCO, "--tmpfs", "/trabajo", "--chdir", "/trabajo"]
-        self.opciones = {"user": NADIE, "group": NADIE, "extra_groups": []} if os.geteuid() == 0 else {}
+        self.prefijo += ["--perms", "1777", "--size", DISCO, "--tmpfs", "/trabajo", "--chdir", "/trabajo"]
 
     def comprueba(self):
         try:
-            prueba = lanza([*self.prefijo, "true"], text=True, **self.opciones)
+            prueba = lanza([*self.orden([]), "true"], text=True)
             dice = prueba.stderr.strip() if prueba.returncode else ""
         except Fallo as fallo:
             dice = str(fallo)
@@ -138,7 +139,11 @@ class Jaula:
                         "si la máquina es para eso o lo entregado es tuyo")
 
     def orden(self, ve):
-        return [*self.prefijo, *(p for que in ve for p in ("--ro-bind", que, que))]
+        quien = random.SystemRandom().choice(NADIE)
+        otro = ["setpriv", f"--reuid={quien}", f"--regid={quien}", "--clear-groups", "--bounding-set=-all", "--inh-caps=-all", "--no-new-privs", "--"]
+        padres = dict.fromkeys(str(p) for que in ve for p in list(Path(que).parents)[-2::-1])  # las que hace bwrap solo las ve su dueño
+        monta = [*(p for que in padres for p in ("--dir", que)), *(p for que in ve for p in ("--ro-bind", que, que))]
+        return [*self.prefijo, *monta, "--", *(otro if self.root else [])]
 
 
 def desempaqueta(datos):
@@ -378,7 +383,7 @@ class Banco:
             opciones = {"cwd": aqui, "env": {**self.entorno, "HOME": "/trabajo" if jaula else aqui, "TMPDIR": "/trabajo" if jaula else aqui, **entorno}}
             if jaula:
                 dentro = [*jaula.orden([carpeta, *self.compilador[2]]), *dentro]
-                opciones |= jaula.opciones | {"cwd": "/"}
+                opciones["cwd"] = "/"
             try:  # de lo ajeno se lee hasta un límite, aunque escriba donde no debe
                 return lanza(["sh", "-c", f'"$@" | head -c {SALE}', "sh", *dentro], timeout=limites["segundos"] + 10, stderr=subprocess.DEVNULL, **opciones).stdout
             except subprocess.TimeoutExpired:

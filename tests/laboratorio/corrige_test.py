@@ -153,8 +153,10 @@ def test_sin_bwrap_no_se_corrige(tmp_path):
 SALE = "#include <cstdlib>\nstatic const int sale = [] { std::exit(0); return 0; }();\n"
 MATA = "#include <csignal>\n#include <unistd.h>\nstatic const int mata = [] { kill(getppid(), 9); kill(-1, 9); return 0; }();\n"
 # acaba mal si ve o hace algo de lo que no debe
-MIRA = '#include <cstdlib>\nstatic const int mira = std::system("for f in /etc/passwd %s/ch03_transformaciones/grua.h %s/tests %s/build; do if [ -e $f ]; then exit 1; fi; done; ' \
-    'if touch /usr/x /x || echo >/dev/tcp/127.0.0.1/22; then exit 1; fi") ? (std::abort(), 0) : 0;\n'
+MIRA = '''#include <cstdlib>
+static const int mira = std::system("for f in /etc/passwd /root /home %s/tests %s/lab %s/ch03_transformaciones/grua.h %s/ch03_transformaciones/grua.cpp %s/corrige; do "
+    "if [ -e $f ]; then exit 1; fi; done; if touch /usr/x /x || [ $(grep -c : /proc/net/dev) != 1 ]; then exit 1; fi") ? (std::abort(), 0) : 0;
+''' % (RAIZ, RAIZ, RAIZ, RAIZ, BUILD)
 
 
 def jaula():
@@ -189,7 +191,7 @@ def clase(tmp_path_factory):
     entrega(sitio / "e_no_compila", bien, "grua.h", "return {\n", "retorna {\n")
     entrega(sitio / "f_sale", bien, "grua.cpp", "#include", SALE + "#include")
     entrega(sitio / "g_mata", bien, "grua.cpp", "#include", MATA + "#include")
-    entrega(sitio / "h_mira", bien, "grua.cpp", "#include", MIRA % (RAIZ, RAIZ, RAIZ) + "#include")
+    entrega(sitio / "h_mira", bien, "grua.cpp", "#include", MIRA + "#include")
     entrega(sitio / "i_passwd", bien, "grua.cpp", "#include", '#include "/etc/passwd"\n#include')
     entrega(sitio / "j_solucion", bien, "grua.cpp", '#include "grua.h"', f'#include "{RAIZ}/ch03_transformaciones/grua.h"')
     (sitio / "k_enlace").mkdir()
@@ -201,7 +203,7 @@ def clase(tmp_path_factory):
 def test_una_clase_se_para_y_se_sigue(clase):
     destino, temporal = clase.with_name("hecho"), clase.with_name("temporal")
     temporal.mkdir()
-    pide = orden(clase, REF, "--deja", destino, "--guiones", "3", "-j", "2")
+    pide = orden(clase, REF, "--deja", destino, "--guiones", "1", "-j", "2")
     entorno = {**os.environ, "TMPDIR": str(temporal)}
     antes = {f: f.read_bytes() for f in clase.rglob("*") if f.is_file() and not f.is_symlink()}
     with subprocess.Popen(pide, stderr=subprocess.PIPE, text=True, env=entorno) as proceso:
@@ -248,7 +250,7 @@ def test_una_clase_se_para_y_se_sigue(clase):
 
 @con_jaula
 def test_una_entrega_da_lo_mismo_sin_jaula(clase):
-    salida = [subprocess.run(orden(clase / "c_gira_al_reves", REF, "--vpl", "--guiones", "3", *mas), text=True, capture_output=True).stdout for mas in ([], ["--sin-jaula"])]
+    salida = [subprocess.run(orden(clase / "c_gira_al_reves", REF, "--vpl", "--guiones", "0", *mas), text=True, capture_output=True).stdout for mas in ([], ["--sin-jaula"])]
     assert salida[0] == salida[1] and salida[0].splitlines()[-1].startswith("Grade :=>> ") and salida[0].count("Grade") == 1
 
 
