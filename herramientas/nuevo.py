@@ -106,9 +106,10 @@ def ejercicio_de(carpeta, programas):
 def enunciado(raiz, programa, referencia, nombre, ficheros):
     cosa = next(c for c in libro.cosas(raiz) if c.codigo == referencia)
     textos = del_capitulo(raiz, programa)[0]
+    dados = sorted({h for f in ficheros if pide(textos[f], referencia) for h in re.findall(r'^#include "(.+)"$', textos[f], re.MULTILINE)} - {*ficheros})
     huecos = [(f"{nombre}.cpp" if f == programa.fuente.name else f, que) for f in ficheros for que in pide(textos[f], referencia)]
     return pagina.plantilla("enunciado.md", texto=True).render(
-        cosa=cosa, programa=programa, nombre=nombre, huecos=huecos, controles=[c.texto for c in controles.lee(raiz, programa)])
+        cosa=cosa, programa=programa, nombre=nombre, huecos=huecos, dados=", ".join(f"`{h}`" for h in dados), controles=[c.texto for c in controles.lee(raiz, programa)])
 
 
 def elige(raiz, programas, pedido):

@@ -78,7 +78,7 @@ ch01_test) if [ "$1" = --gtest_list_tests ]; then printf 'G.\n  Uno # x\n'; else
   if [[ "$*" = *-rasgos* ]]; then etapa rasgos; else etapa programa; fi
   [ -z "${DISPLAY:-}" ] || { echo "${ESCRIBE:-}" >&2; exit "${ESTADO:-0}"; }
   [[ "$*" != *-rasgos* ]] || { printf 'ocio\n'; exit; }
-  echo "salida de $quien"
+  echo "salida de $quien${LAB_RAIZ:+ con $LAB_RAIZ}"
   [ "$quien" != a ] || [ -z "${LAB_LEIDOS:-}" ] || echo ch01_uno/a.vert >>"$LAB_LEIDOS"
   ppm=$(valor -ppm "$@") talla=$(valor -geometry "$@")
   talla=${talla:-40x40}

@@ -25,6 +25,7 @@ import libro
 import medidas
 import mide
 import muta
+import nuevo
 import pagina
 import procesos
 import tecnicas
@@ -459,3 +460,103 @@ def test_un_defecto_en_lab_o_en_python(tmp_path):
     (copia / "herramientas/x.py").write_text("dos")
     assert {f.name for f in copia.iterdir()} == {"lab", "herramientas", "tests", "ch01"} and (copia / "ch01/a.cpp").exists()
     assert (tmp_path / "r/lab").read_text() == (tmp_path / "r/herramientas/x.py").read_text() == "uno"
+
+
+def test_lo_que_se_le_dice_a_un_alumno(tmp_path):
+    lista = tmp_path / "tests/mutantes/ch01.tsv"
+    lista.parent.mkdir(parents=True)
+    lista.write_text("f\ta\tb\ti\nf\ta\tb\ti\tm\nf\ta\tb\ti\t\td\n")
+    mutantes, fallos = muta.lee(tmp_path)
+    assert [(m.motivo, m.dice) for m in mutantes] == [("", ""), ("m", ""), ("", "d")] and not fallos
+    lista.write_text("f\ta\tb\nf\ta\tb\ti\t\nf\t\tb\ti\nf\ta\tb\ti\tm\td\t7\n")
+    assert len(muta.lee(tmp_path)[1]) == 4
+
+
+# --- nuevo ------------------------------------------------------------------------------------------------------
+
+MARCADO = """int f() {
+    // E1.1: cuánto es
+    int x = 40 + 2;
+    return x;
+    // de partida: return 0;
+    // fin de E1.1
+}
+// E1.2: lo del otro
+int g = 43;
+// de partida: int g = 0;
+// fin de E1.2
+"""
+
+
+@pytest.fixture
+def arbol(tmp_path):
+    """Un programa con dos ejercicios, y lo suyo en tres ficheros: uno marcado, el que lleva a él y uno que no hace falta."""
+    capitulo = catalogo.Capitulo("ch01_x", "X")
+    capitulo.programas = [catalogo.Programa(capitulo, "a", "E1.1 E1.2 E1.3 Ec1.1", "La A"), catalogo.Programa(capitulo, "b", "L1.1", "B")]
+    capitulo.programas[0].casos = [catalogo.Caso(capitulo.programas[0], "base", "a", mira="Mira"), catalogo.Caso(capitulo.programas[0], "girada", "a-girada", "tecla a", mira="Gira")]
+    for f, texto in (("ch01_x/a.cpp", '// Cuenta la solución.\n// y más.\n// Controles: a gira · Esc termina.\n#include "medio.h"\n#include "otra.h"\nf("ch01_x/a.vert", "ch01_x/b.frag");\n'),
+                     ("ch01_x/medio.h", '#include "fin.h"\n'), ("ch01_x/fin.h", MARCADO), ("ch01_x/otra.h", ""), ("ch01_x/a.vert", '#include "ch01_x/c.glsl"\n'), ("ch01_x/c.glsl", ""),
+                     ("ch01_x/b.frag", ""), ("ch01_x/a.png", ""), ("ch01_x/b.cpp", ""), ("docs/libro.tsv", "E1.1\tla cuenta\t\tHaz la cuenta.\nE1.2\totra\t\tY la otra.\n")):
+        (tmp_path / f).parent.mkdir(exist_ok=True)
+        (tmp_path / f).write_text(texto)
+    return tmp_path, capitulo.programas
+
+
+def test_un_esqueleto_es_la_solucion_sin_lo_que_se_pide(arbol):
+    raiz, programas = arbol
+    assert nuevo.ejercicios(raiz, programas) == {"E1.1": programas[0], "E1.2": programas[0]}
+    assert nuevo.privados(raiz, programas[0], "E1.1") == [Path("ch01_x/fin.h")]
+    uno = nuevo.esqueleto(raiz, programas[0], "E1.1")
+    assert sorted(uno) == ["a.cpp", "a.vert", "fin.h", "medio.h"]
+    assert uno["fin.h"] == "int f() {\n    // E1.1: cuánto es\n    return 0;\n    // fin de E1.1\n}\nint g = 43;\n"
+    assert uno["a.cpp"] == ('// La A: el ejercicio 1.1, que cuenta ENUNCIADO.md.\n// Controles: a gira · Esc termina.\n#include "medio.h"\n#include "otra.h"\n'
+                            'f("a.vert", "ch01_x/b.frag");\n')
+    solucion = nuevo.solucion(raiz, programas[0], "E1.1")
+    assert sorted(solucion) == sorted(uno) and solucion["fin.h"] == "int f() {\n    int x = 40 + 2;\n    return x;\n}\nint g = 43;\n"
+    assert solucion["a.cpp"].startswith("// Cuenta la solución.")
+    copia = nuevo.solucion(raiz, programas[0])
+    assert sorted(copia) == ["a.cpp", "a.vert", "b.frag"] and 'f("a.vert", "b.frag")' in copia["a.cpp"]
+
+
+def test_una_carpeta_se_hace_entera_y_no_se_toca(arbol):
+    raiz, programas = arbol
+    mios = raiz / "mios"
+    assert nuevo.crea(raiz, programas, mios, "e1.1", "mi_a") == ("E1.1", mios / "mi_a")
+    assert sorted(f.name for f in (mios / "mi_a").iterdir()) == ["ENUNCIADO.md", "a.vert", "ejercicio.txt", "fin.h", "medio.h", "mi_a.cpp"]
+    assert nuevo.ejercicio_de(mios / "mi_a", programas) == ("E1.1", programas[0])
+    enunciado = (mios / "mi_a/ENUNCIADO.md").read_text()
+    for dice in ("# Ejercicio 1.1: la cuenta", "Haz la cuenta.", "- `fin.h`: cuánto es\n", "- a gira\n", "- al abrirlo: Mira.\n", "- girada (`tecla a`): Gira.\n", "./lab corrige mi_a"):
+        assert dice in enunciado, dice
+    (mios / "mi_a/mi_a.cpp").write_text("mío")
+    with pytest.raises(nuevo.Fallo, match="ya existe .*mi_a, y no se toca: .*./lab nuevo E1.2 NOMBRE"):
+        nuevo.crea(raiz, programas, mios, "E1.2", "mi_a")
+    assert (mios / "mi_a/mi_a.cpp").read_text() == "mío"
+    assert nuevo.crea(raiz, programas, mios, "a") == ("", mios / "a") and nuevo.ejercicio_de(mios / "a", programas) == ("", programas[0])
+    assert not (mios / "a/ENUNCIADO.md").exists()
+    for nombre in ("Mi_a", "../a", "a b", "ñ", "a.b", "-a"):
+        with pytest.raises(nuevo.Fallo, match="no vale de nombre"):
+            nuevo.crea(raiz, programas, mios, "E1.1", nombre)
+    (raiz / "docs/libro.tsv").unlink()
+    with pytest.raises(OSError):
+        nuevo.crea(raiz, programas, mios, "E1.2", "z")
+    (mios / "a/ejercicio.txt").write_text("E1.1 no/esta")
+    with pytest.raises(nuevo.Fallo, match="ejercicio.txt no dice de qué ejercicio es"):
+        nuevo.ejercicio_de(mios / "a", programas)
+    assert sorted(f.name for f in mios.iterdir()) == ["a", "mi_a"]
+
+
+def test_de_lo_que_no_se_corrige_dice_que_hacer(arbol):
+    raiz, programas = arbol
+    for pedido, dice in (("E1.3", "el ejercicio 1.3 no tiene programa que corregir; .* ./lab nuevo a. Se corrigen E1.1, E1.2"), ("ch01", "elige uno: a, b")):
+        with pytest.raises(nuevo.Fallo, match=dice):
+            nuevo.crea(raiz, programas, raiz / "mios", pedido)
+    for pedido in ("Ec1.1", "L1.1"):
+        assert nuevo.crea(raiz, programas, raiz / "mios", pedido)[0] == ""
+
+
+def test_las_marcas_van_de_dos_en_dos():
+    """Y no se anidan: si no, de un fichero saldría un esqueleto con la solución."""
+    marca = re.compile(r"^ *// (?:fin de )?[EL]\d+\.\d+(?::.*)?$|^ *// de partida: ", re.MULTILINE)
+    for fichero in RAIZ.glob("ch*/*.*"):
+        if fichero.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl"):
+            assert not marca.search(nuevo.deja(fichero.read_text())), fichero

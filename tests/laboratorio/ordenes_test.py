@@ -330,6 +330,23 @@ def test_ver(lab):
     lab.interrumpe(proceso, signal.SIGTERM)
 
 
+def test_lo_de_mios_se_ve_como_lo_demas(lab):
+    lab("nuevo l1.1 mi_a", salida=f"{lab.raiz}/mios/mi_a: una copia, para jugar con ella. Para verla, ./lab ver mios/mi_a\n")
+    lab("nuevo l1.1 mi_a", 1, "ya existe")
+    suyo = lab.build / "osmesa/mios/mi_a/a"
+    suyo.parent.mkdir(parents=True)
+    suyo.symlink_to(RAIZ / "tests/laboratorio/falso.sh")
+    lab("ver mi_a", dice="lo he dibujado en mi_a.png", salida=f"salida de a con {lab.raiz}/mios/mi_a\n")
+    assert (lab.sitio / "aqui/mi_a.png").exists() and "mio_mi_a_osmesa" in lab.llamadas("cmake")[-1]
+    lab("ver mios/mi_a/", 1, "mios/mi_a no compila", FALLA="compila")
+    (lab.raiz / "mios/b").mkdir()  # se llama como un programa, que va antes
+    lab("ver b", salida="salida de b\n")
+    lab("ver mios/b", 1, "no encuentro")
+    lab("ver mios/c", 1, "no encuentro")
+    (lab.raiz / "mios/mi_a/ejercicio.txt").unlink()
+    lab("ver mi_a", 1, "falta")
+
+
 def test_dora(lab):
     assert lab("dora a b").stdout.count("1|llvmpipe|") == 3
     assert lab.llamadas("caso.sh") == [[str(lab.build), "osmesa", "ch01_uno", p, f, t, g] for p, f, t, g in

@@ -1,0 +1,55 @@
+"""El esqueleto de cada ejercicio, como lo da ./lab nuevo: compila sin avisos, dibuja algo y no es todavía la solución, que entera da lo que
+el programa. Con las bibliotecas de $LAB_BUILD, que ya están compiladas."""
+import os
+import shlex
+import sys
+from pathlib import Path
+
+import pytest
+
+RAIZ = Path(__file__).parents[2]
+BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
+sys.path[:0] = [str(RAIZ / "herramientas")]
+import catalogo
+import nuevo
+from procesos import ejecuta
+
+EJERCICIOS = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))
+ENTORNO = dict(linea.split("=", 1) for linea in (RAIZ / "tests/entorno.txt").read_text().split())
+
+
+def compila(programa, textos, carpeta):
+    """Lo de esa carpeta, con las mismas órdenes que el programa."""
+    carpeta.mkdir()
+    for fichero, texto in textos.items():
+        (carpeta / fichero).write_text(texto)
+    sin_ventana = (BUILD / "sin_ventana").read_text().strip()
+    ordenes = ejecuta(["ninja", "-C", BUILD, "-t", "commands", f"{programa.nombre}_{sin_ventana}"], text=True).splitlines()
+    compilar = shlex.split(next(o for o in ordenes if o.endswith(f" -c {RAIZ / programa.fuente}")))
+    objeto = compilar[compilar.index("-o") + 1]
+    cambios = {objeto: carpeta / "programa.o", f"{objeto}.d": carpeta / "programa.d", str(RAIZ / programa.fuente): carpeta / programa.fuente.name,
+               f"{sin_ventana}/{programa.fuente.with_suffix('')}": carpeta / "programa"}
+    ejecuta([*(cambios.get(p, p) for p in compilar), "-Werror", f"-I{RAIZ / programa.capitulo.nombre}"], cwd=BUILD, text=True)
+    enlazar = shlex.split(ordenes[-1].removeprefix(": && ").removesuffix(" && :"))
+    ejecuta([cambios.get(p, p) for p in enlazar], cwd=BUILD, text=True)
+
+
+def dibuja(programa, carpeta, caso):
+    """La imagen, y lo que escribe."""
+    guion = ["-guion", caso.guion] if caso.guion else []
+    escrito = ejecuta([carpeta / "programa", "-geometry", "240x180", "-ppm", carpeta / "p.ppm", *guion],
+                      env={**os.environ, **ENTORNO, "LAB_RAIZ": str(carpeta)})
+    return (carpeta / "p.ppm").read_bytes(), escrito
+
+
+@pytest.mark.parametrize("referencia", EJERCICIOS)
+def test_se_empieza_por_algo_que_compila_y_dibuja(referencia, tmp_path):
+    programa = EJERCICIOS[referencia]
+    compila(programa, nuevo.esqueleto(RAIZ, programa, referencia), tmp_path / "esqueleto")
+    compila(programa, nuevo.solucion(RAIZ, programa, referencia), tmp_path / "solucion")
+    distintos = 0
+    for caso in programa.casos:
+        imagen, escrito = dibuja(programa, tmp_path / "esqueleto", caso)
+        assert len({imagen[i:i + 3] for i in range(15, len(imagen), 3)}) > 2, f"{caso.nombre}: no dibuja nada"
+        distintos += (imagen, escrito) != dibuja(programa, tmp_path / "solucion", caso)
+    assert distintos > len(programa.casos) / 2, "el esqueleto ya hace lo que se pide"
