@@ -154,9 +154,9 @@ SALE = "#include <cstdlib>\nstatic const int sale = [] { std::exit(0); return 0;
 MATA = "#include <csignal>\n#include <unistd.h>\nstatic const int mata = [] { kill(getppid(), 9); kill(-1, 9); return 0; }();\n"
 # acaba mal si ve o hace algo de lo que no debe
 MIRA = '''#include <cstdlib>
-static const int mira = std::system("for f in /etc/passwd /root /home %s/tests %s/lab %s/ch03_transformaciones/grua.h %s/ch03_transformaciones/grua.cpp %s/corrige; do "
+static const int mira = std::system("for f in /etc/passwd /root /home %s/tests %s/lab %s/ch03_transformaciones/grua.h %s/ch03_transformaciones/grua.cpp %s/corrige/*/*/variantes %s/osmesa; do "
     "if [ -e $f ]; then exit 1; fi; done; if touch /usr/x /x || [ $(grep -c : /proc/net/dev) != 1 ]; then exit 1; fi") ? (std::abort(), 0) : 0;
-''' % (RAIZ, RAIZ, RAIZ, RAIZ, BUILD)
+''' % (RAIZ, RAIZ, RAIZ, RAIZ, BUILD, BUILD)
 
 
 def jaula():
