@@ -233,7 +233,9 @@ def guiones_al_azar(clave, n, mandos, sucesos):
         azar = random.Random(f"{clave} {i}")
         ordenes = repite(azar, [mandos[i % len(mandos)]]) if mandos else []
         while len(ordenes) < LARGO:
-            ordenes += [f"tamano {azar.choice(TALLAS)}"] if azar.random() < 0.08 else repite(azar, sucesos(azar))
+            ordenes += repite(azar, sucesos(azar))
+        if i % 2:
+            ordenes.insert(azar.randint(1, LARGO), f"tamano {azar.choice(TALLAS)}")
         yield Guion(f"al azar {i + 1}", tuple(ordenes))
 
 
@@ -463,9 +465,13 @@ class Banco:
     # --- por qué ---
 
     def mutantes(self):
-        """Los defectos plantados en los ficheros que tiene quien hace el ejercicio."""
-        suyos = {f"{self.carpeta}/{f}" for f in nuevo.de_la_carpeta(self.raiz, self.programa, self.ref)}
-        return [m for m in muta.lee(self.raiz)[0] if m.fichero in suyos]
+        """Los defectos plantados en los ficheros que tiene quien hace el ejercicio, salvo en lo que pide otro."""
+        textos = {f"{self.carpeta}/{f}": texto for f, texto in nuevo.de_la_carpeta(self.raiz, self.programa, self.ref).items()}
+        ajenos = {f: [t.span() for t in marcas.TROZO.finditer(texto) if t["codigo"][0] == "E" and t["codigo"] != self.ref] for f, texto in textos.items()}
+
+        def es_de_otro(m):
+            return any(desde <= m.sitio(textos[m.fichero])[0] < hasta for desde, hasta in ajenos[m.fichero])
+        return [m for m in muta.lee(self.raiz)[0] if m.fichero in textos and not es_de_otro(m)]
 
     def huecos(self):
         """De cada cosa que pide el ejercicio, si son varias: qué es, y los ficheros con todo menos eso."""
@@ -511,11 +517,12 @@ class Banco:
             return sitio / nombre / self.programa.nombre, [sitio / nombre / "fuentes/mios", sitio / nombre / "fuentes"]
 
         variantes = [("", Variante("esqueleto", *en("esqueleto")))]
-        variantes += [(f"falta {pide}", Variante(f"hueco{i}", *en(f"hueco{i}"))) for i, (pide, _) in enumerate(self.huecos()) if (sitio / f"hueco{i}").is_dir()]
+        variantes += [(f"parece que falta: {pide}", Variante(f"hueco{i}", *en(f"hueco{i}"))) for i, (pide, _) in enumerate(self.huecos()) if (sitio / f"hueco{i}").is_dir()]
         programa, raices = en("mutantes")
         for m in self.mutantes():
             suyas = [sitio / str(m.numero), *raices]  # si es de un shader, el estropeado; si no, no hay nada
-            variantes.append((getattr(m, "dice", "") or m.imita, Variante(m.nombre, programa, suyas, {"LAB_MUTANTE": str(m.numero)})))
+            dice = f"parece que {m.dice}" if m.dice else f"parece este error: {m.imita}"
+            variantes.append((dice, Variante(m.nombre, programa, suyas, {"LAB_MUTANTE": str(m.numero)})))
         return variantes
 
     def limpio(self, textos):
@@ -629,7 +636,7 @@ class Correccion:
         porque = self.banco.por_que(self.partidas, fallan)
         if porque == [""]:
             return ["aún es el punto de partida: no hay nada del ejercicio"]
-        dice = [f"parece este error: {' o '.join(filter(None, porque[:2]))}"] if porque else []
+        dice = ["; o ".join(filter(None, porque[:2]))] if porque else []
         callan, alguna = no_responden(self.partidas, self.esperadas)
         if callan and not alguna:
             dice.append("no responde a nada de lo que debería")
@@ -665,7 +672,9 @@ class Correccion:
             jugadas[g.ordenes] = Partida.lee(banco.juega_de_nuevo(banco.solucion, g), g), banco.juega(self.variante, g)
             return banco.difiere(*jugadas[g.ordenes]) is not None
 
-        if ordenes and not self.partidas[guion].cuelga:
+        if self.partidas[guion].cuelga:
+            return ordenes, *jugadas[guion.ordenes]
+        if ordenes:
             ordenes = acorta(ordenes, falla)
         if ordenes not in jugadas:
             falla(ordenes)
@@ -782,18 +791,20 @@ def fichero_de(carpeta):
 
 def clase(banco, carpetas, destino, a_la_vez):
     """Cada carpeta, una entrega. Lo que no se pueda corregir por algo que no es suyo se dice y queda para la próxima vez."""
+    correcciones, fallos = {}, []
+
     def una(carpeta):
         try:
-            return corrige(banco, carpeta, destino / fichero_de(carpeta))
+            c = correcciones[carpeta] = corrige(banco, carpeta, destino / fichero_de(carpeta))
+            dice = f"{c['entrega']}: {c['nota']:g}; {en_una_linea(lineas(c)[0])}"
         except (Fallo, OSError) as fallo:
-            return f"{carpeta.name}: {motivo(fallo) if isinstance(fallo, OSError) else fallo}"
+            dice = f"{carpeta.name}: {motivo(fallo) if isinstance(fallo, OSError) else fallo}"
+            fallos.append(dice)
+        print(f"[{len(correcciones) + len(fallos):3}/{len(carpetas)}] {dice}", file=sys.stderr)
 
-    correcciones, fallos = [], []
     with ThreadPoolExecutor(a_la_vez) as hilos:
-        for i, c in enumerate(hilos.map(una, carpetas), 1):
-            (fallos if isinstance(c, str) else correcciones).append(c)
-            print(f"[{i:3}/{len(carpetas)}] " + (c if isinstance(c, str) else f"{c['entrega']}: {c['nota']:g}; {lineas(c)[0]}"), file=sys.stderr)
-    return correcciones, fallos
+        list(hilos.map(una, carpetas))
+    return [correcciones[carpeta] for carpeta in carpetas if carpeta in correcciones], fallos
 
 
 class Analizador(argparse.ArgumentParser):

@@ -227,7 +227,7 @@ def test_una_clase_se_para_y_se_sigue(clase):
     assert notas["b_esqueleto"] < 50 and notas["c_gira_al_reves"] < 100 and notas["d_orden"] < 100
     primera = {nombre: corrige.lineas(c)[0] for nombre, c in todas.items()}
     assert "punto de partida" in primera["b_esqueleto"]
-    assert primera["c_gira_al_reves"].startswith("parece este error: ") and primera["d_orden"].startswith("parece este error: ")
+    assert primera["c_gira_al_reves"].startswith("parece ") and primera["d_orden"].startswith("parece que ")
     assert primera["c_gira_al_reves"] != primera["d_orden"]
     assert any(f["tras"] in (["tecla a"], ["tecla d"]) and len(f["imagenes"]) == 3 for f in todas["c_gira_al_reves"]["fallos"])
     assert primera["e_no_compila"].startswith("no compila: grua.h:") and "acaba por su cuenta" in primera["f_sale"] and notas["g_mata"] == 0
