@@ -471,7 +471,10 @@ class Banco:
 
         def es_de_otro(m):
             return any(desde <= m.sitio(textos[m.fichero])[0] < hasta for desde, hasta in ajenos[m.fichero])
-        return [m for m in muta.lee(self.raiz)[0] if m.fichero in textos and not es_de_otro(m)]
+        try:
+            return [m for m in muta.lee(self.raiz)[0] if m.fichero in textos and not es_de_otro(m)]
+        except ValueError as error:
+            raise Fallo(f"tests/mutantes: {error}") from None
 
     def huecos(self):
         """De cada cosa que pide el ejercicio, si son varias: qué es, y los ficheros con todo menos eso."""
