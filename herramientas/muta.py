@@ -32,7 +32,7 @@ from procesos import lanza, principal, pruebas_de
 MINIMO = 150  # mutantes en la lista
 META, META_SIN_GOLDEN = 98, 92  # por ciento
 SHADERS = (".vert", ".frag", ".glsl")
-SOBRA = "build", "galeria", "informe", "web", ".git", "__pycache__"  # de una copia del árbol
+SOBRA = "build", "galeria", "informe", "web", "mios", ".git", "__pycache__"  # de una copia del árbol
 PRUEBAS_DE_COPIA = "herramientas_test.py", "ordenes_test.py"  # de tests/laboratorio, de la que menos tarda a la que más
 
 
