@@ -270,6 +270,15 @@ def test_disco_lleno(lab, orden, fichero):
     assert ((lab.raiz / fichero).read_bytes() if (lab.raiz / fichero).exists() else None) == antes
 
 
+def test_corrige(lab):
+    clase = lab.sitio / "aqui/clase"
+    (clase / "ana").mkdir(parents=True)
+    for orden, dice in (("", "no entiendo"), ("noesta E3.5", "no hay ninguna carpeta «noesta»"), ("clase", "di qué ejercicio es"),
+                        ("clase E9.9", "«E9.9» no es un ejercicio"), ("clase/ana", "no dice de qué ejercicio es"), ("clase E1.2 --guiones x", "no entiendo")):
+        lab(f"corrige {orden}", 1, dice)
+    assert [f.name for f in clase.rglob("*")] == ["ana"] and not lab.llamadas("bwrap")
+
+
 def test_mide(lab):
     lab("mide t", dice="Hecho: ")
     informe = lab.raiz / "informe"

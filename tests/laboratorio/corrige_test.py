@@ -1,0 +1,285 @@
+"""./lab corrige: sus partes, frente a lo que daría cualquiera, y una clase pequeña de verdad, con quien se equivoca y quien lo hace a propósito."""
+import csv
+import io
+import json
+import os
+import random
+import shutil
+import signal
+import subprocess
+import sys
+import tarfile
+import tempfile
+import time
+import xml.etree.ElementTree as xml
+from pathlib import Path
+
+import pytest
+
+RAIZ = Path(__file__).parents[2]
+BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
+sys.path.insert(0, str(RAIZ / "herramientas"))
+import catalogo
+import corrige
+import nuevo
+import procesos
+
+REF = "E3.5"
+
+
+def orden(*palabras):
+    return [sys.executable, "-B", RAIZ / "herramientas/corrige.py", RAIZ, BUILD, *palabras]
+
+
+# --- las partes -------------------------------------------------------------------------------------------------
+
+
+def test_acorta_un_guion():
+    azar = random.Random(1)
+    for _ in range(200):
+        ordenes = tuple(f"tecla {azar.choice('abcdef')}" for _ in range(azar.randint(1, 12)))
+        bastan = {azar.choice(ordenes), azar.choice(ordenes)}
+        pruebas = []
+
+        def falla(candidatas):
+            pruebas.append(candidatas)
+            return bastan <= set(candidatas)
+        assert sorted(corrige.acorta(ordenes, falla, 1000)) == sorted(bastan)
+        pruebas.clear()
+        corrige.acorta(ordenes, falla, 5)
+        assert len(pruebas) <= 5
+    assert corrige.acorta(("tecla a", "tecla d ×30", "tecla w"), lambda o: "tecla d ×30" in o or "tecla d ×7" in o) == ("tecla d ×7",)
+    assert corrige.acorta(("tecla a ×30",), lambda o: True) == ("tecla a",)
+
+
+def test_los_guiones_al_azar_son_los_mismos_y_usan_todos_los_mandos():
+    mandos = [f"tecla {c}" for c in "abcdefg"]
+    hechos = [list(corrige.guiones_al_azar(clave, 20, mandos, lambda azar: [azar.choice(mandos)])) for clave in ("E1 1", "E1 1", "E1 2")]
+    assert hechos[0] == hechos[1] != hechos[2] and len(set(g.ordenes for g in hechos[0])) == 20
+    assert {corrige.sin_veces(g.ordenes[0]) for g in hechos[0]} == set(mandos)
+    assert corrige.Guion("", ("tecla a", "tecla b")).texto == "captura 000.ppm; tecla a; captura 001.ppm; tecla b; captura 002.ppm"
+
+
+def ppm(ancho, alto, sobra=b"", comentario=b"# sello\n"):
+    return b"P6\n" + comentario + b"%d %d\n255\n" % (ancho, alto) + bytes(3 * ancho * alto) + sobra
+
+
+def test_una_imagen_de_otro():
+    assert corrige.lee_ppm(ppm(4, 3)) == (4, 3, bytes(36))
+    malas = [b"", b"P6", ppm(4, 3)[:-1], ppm(4, 3, b"x"), ppm(4, 3).replace(b"P6", b"P5"), ppm(4, 3).replace(b"255", b"65535"), b"P6\n-4 3\n255\n" + bytes(36),
+             b"P6\n99999 99999\n255\n", b"P6\n0 0\n255\n", ppm(4, 3, comentario=b"#" * 10000 + b"\n"), b"P6\n4 3 255\n" + bytes(36)]
+    assert [corrige.lee_ppm(m) for m in malas] == [None] * len(malas)
+
+
+def en_tar(*miembros):
+    datos = io.BytesIO()
+    with tarfile.open(fileobj=datos, mode="w") as tar:
+        for nombre, contenido, tipo in miembros:
+            m = tarfile.TarInfo(nombre)
+            m.type, m.size, m.linkname = tipo, len(contenido), "/etc/passwd"
+            tar.addfile(m, io.BytesIO(contenido))
+    return datos.getvalue()
+
+
+def test_de_un_tar_solo_sale_lo_que_debe():
+    bueno = en_tar(("./000.ppm", b"a", tarfile.REGTYPE), ("./estado", b"0", tarfile.REGTYPE))
+    assert corrige.desempaqueta(bueno) == {"000.ppm": b"a", "estado": b"0"}
+    raros = [("000.ppm", b"", t) for t in (tarfile.SYMTYPE, tarfile.LNKTYPE, tarfile.FIFOTYPE, tarfile.CHRTYPE, tarfile.DIRTYPE)]
+    fuera = [(n, b"x", tarfile.REGTYPE) for n in ("../000.ppm", "/etc/000.ppm", "a/000.ppm", "0000.ppm", "otro")]
+    assert not corrige.desempaqueta(en_tar(*raros, *fuera))
+    assert corrige.desempaqueta(en_tar(("estado", b"0", tarfile.REGTYPE), ("estado", b"1", tarfile.REGTYPE))) == {"estado": b"0"}
+    azar = random.Random(1)
+    for _ in range(300):  # estropeado de cualquier manera, no rompe nada
+        malo = bytearray(bueno)
+        for _ in range(azar.randint(1, 40)):
+            malo[azar.randrange(1100)] = azar.randrange(256)
+        corrige.desempaqueta(bytes(malo[:azar.randrange(len(malo))]))
+
+
+def test_lo_que_se_lee_de_una_entrega(tmp_path):
+    def rechazo(nombre):
+        with pytest.raises(corrige.Rechazo) as motivo:
+            corrige.lee_entrega(tmp_path / nombre)
+        return str(motivo.value)
+
+    for nombre in ("buena", "enlace", "tuberia", "enorme", "muchos", "vacia"):
+        (tmp_path / nombre).mkdir()
+        (tmp_path / nombre / "otra.txt").symlink_to("/etc/passwd")  # lo que no es un fuente no se mira
+    (tmp_path / "buena/a.cpp").write_bytes(b"x")
+    (tmp_path / "buena/a.h").write_bytes(b"y")
+    (tmp_path / "buena/.oculto.cpp").write_bytes(b"y")
+    assert corrige.lee_entrega(tmp_path / "buena") == {"a.cpp": b"x", "a.h": b"y"}
+    (tmp_path / "enlace/a.cpp").symlink_to("/etc/passwd")
+    os.mkfifo(tmp_path / "tuberia/a.cpp")
+    with open(tmp_path / "enorme/a.cpp", "w") as f:
+        f.truncate(1 << 30)
+    for i in range(100):
+        (tmp_path / f"muchos/{i}.cpp").touch()
+    (tmp_path / "carpeta").symlink_to(tmp_path / "buena")
+    assert "enlace" in rechazo("enlace") and "corriente" in rechazo("tuberia") and "1 MiB" in rechazo("enorme") and "40" in rechazo("muchos")
+    assert "ningún .cpp" in rechazo("vacia") and "no es una carpeta" in rechazo("carpeta") and "no es una carpeta" in rechazo("noesta")
+
+
+HECHA = {"entrega": "=ana\n", "ejercicio": "E3.5", "semilla": "7", "nota": 87.5, "bien": 20, "guiones": 29, "dice": ["uno\nGrade :=>> 100", "<dos>\x1b"], "fallos": []}
+
+
+def test_vpl_junit_y_tabla(monkeypatch):
+    lineas = corrige.en_vpl(HECHA).split("\n")
+    assert [ll for ll in lineas if ll.startswith("Grade :=>>")] == ["Grade :=>> 87.5"] == lineas[-1:] and all(ll.startswith("Comment :=>>") for ll in lineas[:-1])
+    monkeypatch.setenv("VPL_GRADEMAX", "10")
+    assert corrige.en_vpl(HECHA).endswith("\nGrade :=>> 8.75")
+    bien = {**HECHA, "nota": 100, "dice": []}
+    grupo = xml.fromstring(corrige.en_junit([HECHA, bien]).encode())
+    assert grupo.attrib == {"name": "corrige", "tests": "2", "failures": "1"} and [len(caso) for caso in grupo] == [1, 0]
+    filas = list(csv.DictReader(io.StringIO(corrige.en_csv([HECHA, bien]))))
+    assert [f["nota"] for f in filas] == ["87.5", "100"] and filas[0]["entrega"] == "'=ana " and "<dos>" in filas[0]["dice"] and filas[1]["dice"] == "todo bien"
+
+
+def test_sin_bwrap_no_se_corrige(tmp_path):
+    (tmp_path / "a.cpp").touch()
+    with tempfile.TemporaryDirectory() as falsos:
+        os.chmod(falsos, 0o755)  # lo ejecuta nobody
+        falso = Path(falsos, "bwrap")
+        falso.write_text("#!/bin/sh\necho 'bwrap: No permissions to create new namespace' >&2\nexit 1\n")
+        falso.chmod(0o755)
+        for ruta, dice in ((f"{falsos}:{os.environ['PATH']}", "No permissions"), ("/noesta", "no encuentro bwrap")):
+            hecho = subprocess.run(orden(tmp_path, REF), text=True, capture_output=True, env={"PATH": ruta})
+            assert hecho.returncode == 1 and dice in hecho.stderr and "--sin-jaula" in hecho.stderr and "Traceback" not in hecho.stderr
+    assert [f.name for f in tmp_path.iterdir()] == ["a.cpp"]
+
+
+# --- una clase --------------------------------------------------------------------------------------------------
+
+SALE = "#include <cstdlib>\nstatic const int sale = [] { std::exit(0); return 0; }();\n"
+MATA = "#include <csignal>\n#include <unistd.h>\nstatic const int mata = [] { kill(getppid(), 9); kill(-1, 9); return 0; }();\n"
+# acaba mal si ve o hace algo de lo que no debe
+MIRA = '''#include <cstdlib>
+static const int mira = std::system("for f in /etc/passwd /root /home %s/tests %s/lab %s/ch03_transformaciones/grua.h %s/ch03_transformaciones/grua.cpp %s/corrige/*/*/variantes %s/osmesa; do "
+    "if [ -e $f ]; then exit 1; fi; done; if touch /usr/x /x || [ $(grep -c : /proc/net/dev) != 1 ]; then exit 1; fi") ? (std::abort(), 0) : 0;
+''' % (RAIZ, RAIZ, RAIZ, RAIZ, BUILD, BUILD)
+
+
+def jaula():
+    try:
+        corrige.Jaula(RAIZ).comprueba()
+        return True
+    except procesos.Fallo:
+        return False
+
+
+con_jaula = pytest.mark.skipif(not jaula() or not (BUILD / "catalogo.json").exists(), reason="aquí no se puede encerrar nada, o no está compilado")
+
+
+def entrega(carpeta, ficheros, fichero="", viejo="", nuevo_texto=""):
+    carpeta.mkdir(parents=True)
+    if fichero:
+        assert viejo in ficheros[fichero]
+        ficheros = {**ficheros, fichero: ficheros[fichero].replace(viejo, nuevo_texto, 1)}
+    for nombre, texto in ficheros.items():
+        (carpeta / nombre).write_text(texto)
+
+
+@pytest.fixture(scope="module")
+def clase(tmp_path_factory):
+    sitio = tmp_path_factory.mktemp("clase") / "grupo"
+    programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
+    bien = nuevo.solucion(RAIZ, programa, REF)
+    entrega(sitio / "a_bien", bien)
+    entrega(sitio / "b_esqueleto", nuevo.esqueleto(RAIZ, programa, REF))
+    entrega(sitio / "c_gira_al_reves", bien, "grua.h", "p.giro += PASO_GIRO", "p.giro -= PASO_GIRO")
+    entrega(sitio / "d_orden", bien, "grua.h", "giro * traslacion({p.distancia, 0, 0})", "traslacion({p.distancia, 0, 0}) * giro")
+    entrega(sitio / "e_no_compila", bien, "grua.h", "return {\n", "retorna {\n")
+    entrega(sitio / "f_sale", bien, "grua.cpp", "#include", SALE + "#include")
+    entrega(sitio / "g_mata", bien, "grua.cpp", "#include", MATA + "#include")
+    entrega(sitio / "h_mira", bien, "grua.cpp", "#include", MIRA + "#include")
+    entrega(sitio / "i_passwd", bien, "grua.cpp", "#include", '#include "/etc/passwd"\n#include')
+    entrega(sitio / "j_solucion", bien, "grua.cpp", '#include "grua.h"', f'#include "{RAIZ}/ch03_transformaciones/grua.h"')
+    (sitio / "k_enlace").mkdir()
+    (sitio / "k_enlace/grua.cpp").symlink_to("/etc/passwd")
+    return sitio
+
+
+@con_jaula
+def test_una_clase_se_para_y_se_sigue(clase):
+    destino, temporal = clase.with_name("hecho"), clase.with_name("temporal")
+    temporal.mkdir()
+    pide = orden(clase, REF, "--deja", destino, "--guiones", "1", "-j", "2")
+    entorno = {**os.environ, "TMPDIR": str(temporal)}
+    antes = {f: f.read_bytes() for f in clase.rglob("*") if f.is_file() and not f.is_symlink()}
+    with subprocess.Popen(pide, stderr=subprocess.PIPE, text=True, env=entorno) as proceso:
+        while proceso.poll() is None and len(list(destino.glob("*.json"))) < 2:
+            time.sleep(0.02)
+        proceso.send_signal(signal.SIGTERM)
+        dice = proceso.communicate(timeout=60)[1]
+    assert proceso.returncode == 128 + signal.SIGTERM and "Traceback" not in dice
+    assert not list(temporal.iterdir()) and not list(destino.glob("*.parcial")) and not (destino / "index.html").exists()
+    hechas = {f: f.stat().st_mtime_ns for f in destino.glob("*.json")}
+    assert 0 < len(hechas) < 11
+
+    seguido = subprocess.run(pide, stderr=subprocess.PIPE, text=True, env=entorno)
+    assert seguido.returncode == 1 and "Traceback" not in seguido.stderr, seguido.stderr
+    assert {f: f.stat().st_mtime_ns for f in hechas} == hechas, "lo hecho se ha hecho otra vez"
+    assert not list(temporal.iterdir()) and antes == {f: f.read_bytes() for f in antes}
+    todas = {f.stem: json.loads(f.read_text()) for f in destino.glob("*.json")}
+    assert sorted(todas) == sorted(c.name for c in clase.iterdir())
+    notas = {nombre: c["nota"] for nombre, c in todas.items()}
+    assert sorted(n for n, nota in notas.items() if nota == 100) == ["a_bien", "h_mira"]
+    assert notas["b_esqueleto"] < 50 and notas["c_gira_al_reves"] < 100 and notas["d_orden"] < 100
+    primera = {nombre: corrige.lineas(c)[0] for nombre, c in todas.items()}
+    assert "punto de partida" in primera["b_esqueleto"]
+    assert primera["c_gira_al_reves"].startswith("parece ") and primera["d_orden"].startswith("parece que ")
+    assert primera["c_gira_al_reves"] != primera["d_orden"]
+    assert any(f["tras"] in (["tecla a"], ["tecla d"]) and len(f["imagenes"]) == 3 for f in todas["c_gira_al_reves"]["fallos"])
+    assert primera["e_no_compila"].startswith("no compila: grua.h:") and "acaba por su cuenta" in primera["f_sale"] and notas["g_mata"] == 0
+    assert "/etc/passwd" in primera["i_passwd"] and primera["j_solucion"].startswith("no compila: grua.cpp:") and "enlace" in primera["k_enlace"]
+    assert "root:" not in "".join(map(json.dumps, todas.values()))
+    filas = list(csv.DictReader(io.StringIO((destino / "notas.csv").read_text())))
+    assert {f["entrega"]: float(f["nota"]) for f in filas} == notas
+    pagina = (destino / "index.html").read_text()
+    assert all(f'">{nombre}</a>' in pagina for nombre in todas) and pagina.count("data:image/png") >= 6
+
+    veces = {f: f.stat().st_mtime_ns for f in destino.glob("*.json")}
+    subprocess.run([*pide, "--junit", destino / "junit.xml"], stderr=subprocess.DEVNULL, env=entorno)
+    assert {f: f.stat().st_mtime_ns for f in destino.glob("*.json")} == veces
+    assert xml.parse(destino / "junit.xml").getroot().attrib["failures"] == "9"
+    (clase / "a_bien/notas.h").write_text("// otra entrega\n")
+    subprocess.run(pide, stderr=subprocess.DEVNULL, env=entorno)
+    otras = {f: f.stat().st_mtime_ns for f in destino.glob("*.json")}
+    assert [f.stem for f in otras if otras[f] != veces[f]] == ["a_bien"]
+
+
+@con_jaula
+def test_una_entrega_da_lo_mismo_sin_jaula(clase):
+    salida = [subprocess.run(orden(clase / "c_gira_al_reves", REF, "--vpl", "--guiones", "0", *mas), text=True, capture_output=True).stdout for mas in ([], ["--sin-jaula"])]
+    assert salida[0] == salida[1] and salida[0].splitlines()[-1].startswith("Grade :=>> ") and salida[0].count("Grade") == 1
+
+
+@pytest.mark.skipif(os.environ.get("LAB_COLA") != "1" or not shutil.which("parallel") or not os.path.exists("/usr/sbin/sshd"), reason="con LAB_COLA=1, GNU Parallel y sshd")
+@con_jaula
+def test_dos_maquinas_dan_la_misma_tabla(clase, tmp_path):
+    """GNU Parallel con dos sshd de esta máquina, y la página de los JSON que dejan."""
+    claves = [tmp_path / nombre for nombre in ("maquina", "usuario")]
+    for clave in claves:
+        subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", clave], check=True)
+    shutil.copy(f"{claves[1]}.pub", tmp_path / "autorizadas")
+    Path("/run/sshd").mkdir(exist_ok=True)
+    demonios, maquinas = [], []
+    for puerto in (22921, 22922):
+        demonios.append(subprocess.Popen(["/usr/sbin/sshd", "-D", "-q", "-f", "/dev/null", "-p", str(puerto), "-h", claves[0], "-o", "ListenAddress=127.0.0.1", "-o", "StrictModes=no",
+                                          "-o", f"AuthorizedKeysFile={tmp_path}/autorizadas", "-o", "PermitRootLogin=yes", "-o", "PidFile=none"]))
+        maquinas.append(f"1/ssh -p {puerto} -i {claves[1]} -o StrictHostKeyChecking=no -o UserKnownHostsFile=/dev/null -o LogLevel=ERROR 127.0.0.1")
+    try:
+        time.sleep(1)
+        for carpeta in ("cola", "aqui"):
+            (tmp_path / carpeta).mkdir()
+        una = " ".join(map(str, orden("{}", REF, "--guiones", "2", "--json", f"{tmp_path}/cola/{{/}}.json")))
+        hecho = subprocess.run(["parallel", *(p for m in maquinas for p in ("--sshlogin", m)), "--joblog", tmp_path / "log", una, ":::", *sorted(clase.iterdir())], text=True, capture_output=True)
+        filas = [linea.split("\t") for linea in (tmp_path / "log").read_text().splitlines()[1:]]
+        assert len(filas) == 11 and len({f[1] for f in filas}) == 2, hecho.stderr
+        for carpeta in ("cola", "aqui"):
+            subprocess.run(orden(clase, REF, "--guiones", "2", "--deja", tmp_path / carpeta), stderr=subprocess.DEVNULL)
+        assert (tmp_path / "cola/notas.csv").read_text() == (tmp_path / "aqui/notas.csv").read_text()
+    finally:
+        for demonio in demonios:
+            demonio.terminate()
+            demonio.wait()
