@@ -298,8 +298,8 @@ class Banco:
         self.todos = [*self.casos(), *self.al_azar(n)]
         self.turno, self.iguales_ya, self.mutantes_hechos = threading.Lock(), {}, None
         self.cache = temporal
-        sello = self.juega_de_nuevo(self.solucion, Guion("", ()))
-        self.cache = self.elige_cache(suma(self.version, self.solucion.programa.read_bytes(), sello))
+        primera = desempaqueta(self.juega_de_nuevo(self.solucion, Guion("", ()))).get("000.ppm", b"")  # con el sello de quién dibuja
+        self.cache = self.elige_cache(suma(self.version, self.solucion.programa.read_bytes(), primera))
 
     def elige_cache(self, clave):
         """Donde se guardan las partidas de la solución y de los mutantes; las de antes se borran. Si no se puede escribir, no duran."""
