@@ -47,7 +47,7 @@ TALLA = 240, 180
 TALLAS = "320 180", "180 180", "120 160", "240 180"
 GUIONES, LARGO = 24, 10  # al azar, y órdenes de cada uno, al menos
 VECES = 1, 1, 1, 2, 5, 30  # que se repite una tecla: a veces, hasta sus límites
-ENSEÑA = 3  # guiones que fallan, con sus imágenes
+MUESTRA = 3  # guiones que fallan, con sus imágenes
 INTENTOS = 24  # para acortar un guion
 CUELGUES = 2  # tras los que no se juega más
 VIEJA = 86400  # segundos que se guarda lo jugado por otra versión
@@ -629,13 +629,13 @@ class Correccion:
         nota = 100 * sum(valen[g] for g in bien) / sum(valen.values())
         acaban = list(dict.fromkeys(filter(None, (como_acaba(p, g) for g, p in self.partidas.items()))))
         dice = acaban[:3]
-        enseña = self.enseña(fallan)
+        muestra = self.muestra(fallan)
         if fallan and not acaban:
-            dice += self.explica(fallan, enseña)
+            dice += self.explica(fallan, muestra)
         return {"nota": min(round(nota, 1), 100 if len(bien) == len(banco.todos) else 99.9), "bien": len(bien), "guiones": len(banco.todos), "dice": dice,
-                "fallos": enseña}
+                "fallos": muestra}
 
-    def explica(self, fallan, enseña):
+    def explica(self, fallan, muestra):
         porque = self.banco.por_que(self.partidas, fallan)
         if porque == [""]:
             return ["se ve lo mismo que en el punto de partida: no hay nada del ejercicio"]
@@ -645,16 +645,16 @@ class Correccion:
             dice.append("no responde a nada de lo que debería")
         else:
             dice += [f"«{orden}» no hace nada" for orden in callan[:5]]
-        for fallo in enseña:
+        for fallo in muestra:
             if fallo["tras"] and fallo["tras"][-1].startswith("tamano"):
                 dice.append("está mal al cambiar el tamaño de la ventana")
         return list(dict.fromkeys(dice))
 
-    def enseña(self, fallan):
+    def muestra(self, fallan):
         """De los guiones que antes fallan, sin repetir: qué órdenes bastan, en palabras y en imágenes."""
         vistos, fallos = [], []
-        for guion in sorted(fallan, key=lambda g: (fallan[g], not g.caso))[:4 * ENSEÑA]:
-            if len(fallos) == ENSEÑA or [] in vistos:
+        for guion in sorted(fallan, key=lambda g: (fallan[g], not g.caso))[:4 * MUESTRA]:
+            if len(fallos) == MUESTRA or [] in vistos:
                 break
             if [sin_veces(o) for o in guion.ordenes[:fallan[guion]][-1:]] in vistos:  # ya se sabe que con eso basta
                 continue
