@@ -1,8 +1,9 @@
-# El enlace de Windows: los mismos programas, con FreeGLUT y GLEW en DLL. Lo configura ./lab windows con herramientas/mingw.cmake, y
-# entonces FreeGLUT y GLEW son los fuentes de Debian que deja en LAB_BIBLIOTECAS; en MSYS2, los paquetes de MSYS2.
+# El enlace de Windows: los mismos programas, con FreeGLUT y GLEW en DLL. Desde Debian (herramientas/mingw.cmake) las compila de los
+# fuentes que ./lab windows deja al lado; en Windows, con MSYS2, son sus paquetes.
 enable_language(C RC)
 find_package(OpenGL REQUIRED)
-if(LAB_BIBLIOTECAS)
+if(CMAKE_CROSSCOMPILING)
+  get_filename_component(fuentes "${CMAKE_BINARY_DIR}/../fuentes" ABSOLUTE)
   set(LAB_FUENTES "") # los shaders están junto a la carpeta del ejecutable
   set(LAB_GENERADO "")
   set(CMAKE_POLICY_DEFAULT_CMP0077 NEW) # estas opciones valen como variables
@@ -10,8 +11,8 @@ if(LAB_BIBLIOTECAS)
   foreach(opcion FREEGLUT_BUILD_STATIC_LIBS FREEGLUT_BUILD_DEMOS BUILD_UTILS)
     set(${opcion} OFF)
   endforeach()
-  add_subdirectory("${LAB_BIBLIOTECAS}/freeglut" freeglut EXCLUDE_FROM_ALL)
-  add_subdirectory("${LAB_BIBLIOTECAS}/glew/build/cmake" glew EXCLUDE_FROM_ALL)
+  add_subdirectory("${fuentes}/freeglut" freeglut EXCLUDE_FROM_ALL)
+  add_subdirectory("${fuentes}/glew/build/cmake" glew EXCLUDE_FROM_ALL)
   foreach(biblioteca freeglut glew)
     target_compile_options(${biblioteca} PRIVATE -w)
     set_target_properties(${biblioteca} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/dll")
@@ -19,7 +20,7 @@ if(LAB_BIBLIOTECAS)
   set(bibliotecas freeglut glew)
   find_path(CABECERAS_GLM NAMES glm/glm.hpp NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include /usr/local/include REQUIRED)
   file(COPY "${CABECERAS_GLM}/glm" DESTINATION "${CMAKE_BINARY_DIR}/cabeceras") # y no las demás del sistema
-  include_directories("${CMAKE_BINARY_DIR}/cabeceras" "${LAB_BIBLIOTECAS}/freeglut/include" "${LAB_BIBLIOTECAS}/glew/include")
+  include_directories("${CMAKE_BINARY_DIR}/cabeceras" "${fuentes}/freeglut/include" "${fuentes}/glew/include")
 else()
   set(LAB_FUENTES "${CMAKE_SOURCE_DIR}")
   set(LAB_GENERADO "${CMAKE_BINARY_DIR}")
@@ -47,7 +48,7 @@ target_include_directories(comun PUBLIC common "${CMAKE_SOURCE_DIR}")
 target_compile_definitions(comun PRIVATE LAB_FUENTES="${LAB_FUENTES}" LAB_GENERADO="${LAB_GENERADO}")
 target_link_libraries(comun PUBLIC ${bibliotecas} OpenGL::GL)
 recoge_controles(comun)
-if(NOT LAB_BIBLIOTECAS) # si no, las texturas son las de la compilación corriente
+if(NOT CMAKE_CROSSCOMPILING) # si no, las texturas son las de la compilación corriente
   add_subdirectory(assets)
 endif()
 
