@@ -1,0 +1,25 @@
+# Para incluir con `source`: los programas de Windows tal como salen del zip, que prepara.sh ha descomprimido, bajo Wine. Necesita
+# $build y DISPLAY. Cada uno tiene su servidor de Wine y su registro, y así varias pruebas van a la vez; el disco C:, de 700 MB, es el
+# mismo para todas.
+laboratorio="$build/windows/prueba/Prácticas de la señora Núñez (1)"
+export WINEPREFIX='' WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml,winemenubuilder.exe=' LC_ALL=C.UTF-8
+wine=$(command -v wine64 /usr/lib/wine/wine64 wine | head -n 1)
+
+abre_wine() { # CARPETA en que dejar lo suyo
+  local molde=$build/windows/prueba/wine
+  WINEPREFIX=$1/wine
+  mkdir "$WINEPREFIX"
+  cp -a "$molde"/*.reg "$molde/dosdevices" "$molde/.update-timestamp" "$WINEPREFIX"
+  ln -s "$molde/drive_c" "$WINEPREFIX"
+  # Sin un gestor de ventanas que las active, como openbox, la del menú de FreeGLUT se queda con las teclas.
+  setpriv --pdeathsig KILL openbox >/dev/null 2>&1 &
+}
+
+cierra_wine() {
+  [ -z "$WINEPREFIX" ] || "$(dirname "$(readlink -f "$wine")")/wineserver" -k >/dev/null 2>&1 || true
+}
+
+# FreeGLUT toma de DISPLAY, que es de X, el nombre de la pantalla, y avisa de que no existe; la de Windows se llama así.
+ejecuta_en_wine() { # PROGRAMA [opciones]
+  exec "$wine" "$laboratorio/programas/$1.exe" -display DISPLAY "${@:2}"
+}
