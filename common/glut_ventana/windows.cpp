@@ -5,6 +5,8 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <fcntl.h>
+#include <io.h>
 #include <windows.h>
 
 namespace {
@@ -26,6 +28,8 @@ bool consolaPropia() {
 void despide() {
     // cerrar la ventana o Esc deshacen lo que hizo glutInit; si no, el programa no ha podido seguir o era de consola
     if (glutGet(GLUT_INIT_STATE) && consolaPropia()) {
+        if (HDC ventana = wglGetCurrentDC())
+            ShowWindow(WindowFromDC(ventana), SW_HIDE); // ya no atiende
         std::fprintf(stderr, "\nPulsa Intro para cerrar esta ventana.\n");
         std::fflush(nullptr);
         std::getchar();
@@ -36,9 +40,11 @@ void despide() {
 [[maybe_unused]] const bool preparada = [] {
     paginaDeAntes = GetConsoleOutputCP();
     SetConsoleOutputCP(CP_UTF8);
-    // sin búfer, printf de MinGW escribe byte a byte y la consola no junta los de una letra
-    std::setvbuf(stdout, nullptr, _IOFBF, BUFSIZ);
-    std::setvbuf(stderr, nullptr, _IOFBF, BUFSIZ);
+    for (FILE *salida : {stdout, stderr}) {
+        _setmode(_fileno(salida), _O_BINARY); // en modo texto los bytes no llegan tal cual a la consola
+        std::setvbuf(salida, nullptr, _IOFBF,
+                     BUFSIZ); // sin búfer van de uno en uno, y no junta los de una letra
+    }
     glutInitErrorFunc(fallaFreeglut);
     return std::atexit(despide) == 0 && std::atexit(compruebaSalida) == 0;
 }();

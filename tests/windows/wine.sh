@@ -13,6 +13,7 @@ abre_wine() { # CARPETA en que dejar lo suyo
   ln -s "$molde/drive_c" "$WINEPREFIX"
   # Sin un gestor de ventanas que las active, como openbox, la del menú de FreeGLUT se queda con las teclas.
   setpriv --pdeathsig KILL openbox >/dev/null 2>&1 &
+  "$wine" wineboot </dev/null >/dev/null 2>&1 # lo que digan los servicios de Wine no es del programa
 }
 
 cierra_wine() {
