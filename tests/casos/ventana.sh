@@ -11,9 +11,11 @@ aqui=$(cd "$(dirname "$0")" && pwd)
 source "$aqui/../ventana/pantalla.sh"
 source "$aqui/../ventana/xdotool.sh"
 lanza() { exec "$build/ventana/$1/$2" "${@:3}"; } # CAPÍTULO PROGRAMA [opciones]
+ventana_de=(--name .)
 if [ "$modo" = windows ]; then
   source "$aqui/../windows/wine.sh"
   lanza() { ejecuta_en_wine "${@:2}"; }
+  ventana_de=(--classname '^PROGRAMA\.exe$') # y no una de Wine
   PAUSA=${PAUSA:-0.1} # Wine junta los movimientos del ratón que van más seguidos
 fi
 
@@ -55,7 +57,7 @@ caso() { # CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION
   xdotool mousemove 1000 900 # lejos de la ventana
   lanza "$capitulo" "$programa" -geometry 240x180+10+10 >salida 2>errores </dev/null &
   pid=$!
-  espera_ventana $pid || mal "no abre su ventana"
+  espera_ventana $pid "${ventana_de[@]/PROGRAMA/$programa}" || mal "no abre su ventana"
   [ "$modo" != windows ] || espera_dibujo
   [ "$guion" = - ] || haz_guion "$guion"
 

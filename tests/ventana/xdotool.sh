@@ -1,13 +1,16 @@
 # Para incluir con `source`: un guion de glut_sin_ventana, hecho con xdotool sobre una ventana de verdad.
 # Necesita DISPLAY y $build, y deja en $ventana el identificador X de la del programa lanzado.
 
-# Espera a que el programa $1 (pid) tenga su ventana, y le da el teclado.
+# Espera a que el programa $1 (pid) tenga su ventana, y le da el teclado. Lo que siga dice cuál es, a xdotool search.
 espera_ventana() {
+  local pid=$1
+  shift
+  [ $# -gt 0 ] || set -- --name .
   local _
   raton= # aún no se sabe dónde está
   for _ in $(seq 600); do
-    ventana=$(xdotool search --onlyvisible --name . 2>/dev/null | head -n 1) && [ -n "$ventana" ] && break
-    kill -0 "$1" 2>/dev/null || return 1
+    ventana=$(xdotool search --onlyvisible "$@" 2>/dev/null | head -n 1) && [ -n "$ventana" ] && break
+    kill -0 "$pid" 2>/dev/null || return 1
     sleep 0.05
   done
   [ -n "$ventana" ] && xdotool windowfocus --sync "$ventana"

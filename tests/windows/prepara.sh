@@ -8,7 +8,8 @@ mal() { echo "$*"; fallos=1; }
 
 rm -rf "$prueba"
 mkdir -p "$prueba/wine"
-source "$(dirname "$0")/wine.sh"
+aqui=$(cd "$(dirname "$0")" && pwd)
+source "$aqui/wine.sh"
 python3 -B "$raiz/herramientas/windows.py" "$raiz" "$build" "$prueba/sin galería" "$prueba" # sin miniaturas, que aquí no hacen falta
 [ "$(stat -c %s "$prueba/laboratorio-windows.zip")" -lt 20000000 ] || mal 'el zip pasa de 20 MB'
 python3 -m zipfile -e "$prueba/laboratorio-windows.zip" "$prueba"
@@ -22,6 +23,8 @@ for licencia in dejavu freeglut gcc glew glm laboratorio mingw-w64; do [ -s "lic
 while read -r dll; do
   [ -e "programas/$dll" ] || [[ ${dll,,} =~ ^(advapi32|gdi32|kernel32|msvcrt|opengl32|user32|winmm)\.dll$ ]] || mal "falta $dll"
 done < <(x86_64-w64-mingw32-objdump -p programas/*.exe programas/*.dll | sed -n 's/.*DLL Name: //p' | sort -u)
+
+x86_64-w64-mingw32-g++-posix -std=c++17 -O1 -static "$aqui/consola.cpp" -o "$prueba/consola.exe"
 
 WINEPREFIX=$prueba/wine WINEARCH=win64 DISPLAY='' "$wine" wineboot -i </dev/null >"$prueba/wine.log" 2>&1
 WINEPREFIX=$prueba/wine "$(dirname "$(readlink -f "$wine")")/wineserver" -w
