@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # uso.sh BUILD: los programas de Windows como los usa un alumno, bajo Wine y en una carpeta suya con espacios y eñes: los títulos, F12,
 # F5 tras cambiar un shader y tras estropearlo, los mensajes de error y la consola que abre un doble clic.
+# shellcheck disable=SC2317 # «pronto» llama a las funciones que se le dan
 set -euo pipefail
 build=$1
 aqui=$(cd "$(dirname "$0")" && pwd)
@@ -34,7 +35,7 @@ abre() { # PROGRAMA: en una ventana de 240x180
 }
 tiene_color() { xwd -silent -id "$ventana" | xwdtopnm -quiet | ppmhist -noheader | grep -E "^ *$1 +$2 +$3[[:space:]]"; } # R G B
 dibujado() { [ "$(xwd -silent -id "$ventana" | xwdtopnm -quiet | ppmhist -noheader | wc -l)" -gt 1 ]; }
-acabado() { ! kill -0 $pid; }
+acabado() { ! kill -0 "$pid"; }
 cierra() { # con Esc
   local estado=0
   xdotool key Escape
