@@ -24,7 +24,7 @@ while read -r dll; do
   [ -e "programas/$dll" ] || [[ ${dll,,} =~ ^(advapi32|gdi32|kernel32|msvcrt|opengl32|user32|winmm)\.dll$ ]] || mal "falta $dll"
 done < <(x86_64-w64-mingw32-objdump -p programas/*.exe programas/*.dll | sed -n 's/.*DLL Name: //p' | sort -u)
 
-x86_64-w64-mingw32-g++-posix -std=c++17 -O1 -static "$aqui/consola.cpp" -o "$prueba/consola.exe"
+x86_64-w64-mingw32-g++-posix -std=c++17 -O1 -static "$aqui/ejecuta.cpp" -o "$prueba/ejecuta.exe"
 
 WINEPREFIX=$prueba/wine WINEARCH=win64 DISPLAY='' "$wine" wineboot -i </dev/null >"$prueba/wine.log" 2>&1
 WINEPREFIX=$prueba/wine "$(dirname "$(readlink -f "$wine")")/wineserver" -w

@@ -101,7 +101,7 @@ grep -q 'Año 2º de Íñigo' errores || mal "no dice dónde lo ha buscado: $(ca
 
 consola() { # ESTADO PROGRAMA
   local estado=0
-  (cd "$laboratorio/programas" && exec "$wine" "$build/windows/prueba/consola.exe" -- "$2.exe" -display DISPLAY) >/dev/null 2>&1 </dev/null || estado=$?
+  (cd "$laboratorio/programas" && exec "$wine" "$build/windows/prueba/ejecuta.exe" consola -- "$2.exe" -display DISPLAY) >/dev/null 2>&1 </dev/null || estado=$?
   mv "$laboratorio/programas/consola.txt" .
   [ $estado = "$1" ] || mal "$2, con doble clic, acaba con $estado y debía acabar con $1: $(cat consola.txt)"
 }

@@ -22,5 +22,5 @@ cierra_wine() {
 
 # FreeGLUT toma de DISPLAY, que es de X, el nombre de la pantalla, y avisa de que no existe; la de Windows se llama así.
 ejecuta_en_wine() { # PROGRAMA [opciones]
-  exec "$wine" "$laboratorio/programas/$1.exe" -display DISPLAY "${@:2}"
+  exec "$wine" "$build/windows/prueba/ejecuta.exe" aqui -- "$laboratorio/programas/$1.exe" -display DISPLAY "${@:2}"
 }

@@ -1,5 +1,6 @@
-// consola -- ORDEN…: la ejecuta en una consola nueva, como un doble clic, y deja en consola.txt lo último que se ha leído en ella. Si dice
-// que se pulse Intro, lo pulsa. Acaba con el estado de ORDEN, o con 250 si no termina en veinte segundos.
+// ejecuta aqui|consola -- ORDEN…: la ejecuta y acaba con su estado, que Wine no da de un programa que tarda en descargar OpenGL: lo mata.
+// Con «consola», en una nueva, como un doble clic; deja en consola.txt lo último que se ha leído en ella y, si dice que se pulse Intro, lo
+// pulsa. Acaba con 250 si ORDEN no termina en veinte segundos.
 #include <cstdio>
 #include <string>
 #include <windows.h>
@@ -38,13 +39,20 @@ static void pulsaIntro() {
 
 int main() {
     std::wstring orden = GetCommandLineW();
-    orden.erase(0, orden.find(L"-- ") + 3);
+    const bool nueva = orden.find(L" consola -- ") != std::wstring::npos;
+    orden.erase(0, orden.find(L" -- ") + 4);
     STARTUPINFOW como{};
     como.cb = sizeof como;
     PROCESS_INFORMATION proceso{};
-    if (!CreateProcessW(nullptr, orden.data(), nullptr, nullptr, FALSE, CREATE_NEW_CONSOLE, nullptr, nullptr,
-                        &como, &proceso))
+    if (!CreateProcessW(nullptr, orden.data(), nullptr, nullptr, !nueva, nueva ? CREATE_NEW_CONSOLE : 0,
+                        nullptr, nullptr, &como, &proceso))
         return 249;
+    DWORD estado = 250;
+    if (!nueva) {
+        WaitForSingleObject(proceso.hProcess, INFINITE);
+        GetExitCodeProcess(proceso.hProcess, &estado);
+        return int(estado);
+    }
     // Mientras se mira, la consola no es solo suya: se hace de tarde en tarde y un instante.
     std::wstring texto;
     for (int i = 0; i < 10 && WaitForSingleObject(proceso.hProcess, 2000) == WAIT_TIMEOUT; ++i) {
@@ -61,7 +69,6 @@ int main() {
     std::FILE *fichero = std::fopen("consola.txt", "wb");
     std::fwrite(utf8, 1, std::size_t(largo), fichero);
     std::fclose(fichero);
-    DWORD estado = 250;
     if (WaitForSingleObject(proceso.hProcess, 0) == WAIT_OBJECT_0)
         GetExitCodeProcess(proceso.hProcess, &estado);
     else
