@@ -13,20 +13,23 @@
 
 static const GLfloat VERTICES[3][2] = {{-0.95f, -0.82f}, {0.95f, -0.82f}, {0.0f, 0.82f}};
 
-static struct { GLuint programa = 0, vao = 0, bufferVertices = 0; } estado;
+static struct {
+    std::filesystem::path ejecutable;
+    GLuint programa = 0, vao = 0, bufferVertices = 0;
+} estado;
 
 static GLuint avisa(const std::string &mensaje) {
     std::fprintf(stderr, "shader_basico: %s\n", mensaje.c_str());
+    std::fflush(stderr);
     return 0;
 }
 
-// Los shaders están junto al ejecutable (árbol instalado) o en el árbol de fuentes, que dice CMake: LAB_FUENTES. La
-// ruta de __FILE__ no valdría: puede ser relativa a la carpeta en que se compiló.
+// Los shaders están en ch01_intro, junto a la carpeta del ejecutable (árbol instalado) o en el árbol de fuentes, que dice
+// CMake: LAB_FUENTES. La ruta de __FILE__ no valdría: puede ser relativa a la carpeta en que se compiló.
 static std::string lee(const std::string &fichero) {
-    std::error_code sinEjecutable;
-    const auto ejecutable = std::filesystem::read_symlink("/proc/self/exe", sinEjecutable);
-    for (const std::filesystem::path &carpeta : {ejecutable.parent_path(), {LAB_FUENTES "/ch01_intro"}})
-        if (std::ifstream f{carpeta / fichero})
+    using std::filesystem::u8path;
+    for (const auto &raiz : {estado.ejecutable.parent_path() / "..", u8path(LAB_FUENTES)})
+        if (std::ifstream f{raiz / "ch01_intro" / fichero})
             return {std::istreambuf_iterator<char>(f), {}};
     return "";
 }
@@ -36,7 +39,8 @@ static GLuint compila(GLenum tipo, const std::string &fichero) {
     const std::string fuente = lee(fichero);
     if (fuente.empty())
         return avisa("«" + fichero +
-                     "» no está, o está vacío, junto al ejecutable ni en " LAB_FUENTES "/ch01_intro");
+                     "» no está, o está vacío, en la carpeta ch01_intro: ni junto a la del ejecutable ni "
+                     "en " LAB_FUENTES);
     const GLchar *texto = fuente.c_str();
     const GLuint shader = glCreateShader(tipo);
     glShaderSource(shader, 1, &texto, nullptr);
@@ -155,6 +159,7 @@ int main(int argc, char **argv) {
         avisa("hace falta OpenGL 3.1");
         return 1;
     }
+    estado.ejecutable = std::filesystem::u8path(argv[0]);
     inicia();
     if (!estado.programa)
         return 1;

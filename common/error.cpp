@@ -1,27 +1,29 @@
 #include "error.h"
-#include <cerrno> // program_invocation_short_name, de glibc
+#include "sistema/sistema.h"
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 
 std::string nombrePrograma() {
-    return program_invocation_short_name;
+    return nombreDelEjecutable();
 }
 
 void avisa(const std::string &mensaje) {
-    std::fprintf(stderr, "%s: aviso: %s\n", program_invocation_short_name, mensaje.c_str());
+    std::fprintf(stderr, "%s: aviso: %s\n", nombrePrograma().c_str(), mensaje.c_str());
+    std::fflush(stderr); // en Windows se guarda hasta que se pide
 }
 
 void falla(const std::string &mensaje, int estado) {
     std::fflush(stdout);
-    std::fprintf(stderr, "%s: %s\n", program_invocation_short_name, mensaje.c_str());
+    std::fprintf(stderr, "%s: %s\n", nombrePrograma().c_str(), mensaje.c_str());
     std::exit(estado);
 }
 
 void compruebaSalida() {
     if (std::fflush(stdout) == 0 && !std::ferror(stdout))
         return;
-    std::fprintf(stderr, "%s: no puedo escribir en la salida: %s\n", program_invocation_short_name,
+    std::fprintf(stderr, "%s: no puedo escribir en la salida: %s\n", nombrePrograma().c_str(),
                  std::strerror(errno));
     std::_Exit(1);
 }

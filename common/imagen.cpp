@@ -2,13 +2,13 @@
 #include "error.h"
 #include "numero.h"
 #include "rutas.h"
+#include "sistema/sistema.h"
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -122,7 +122,7 @@ std::vector<Imagen> imagenesDeArgumentos(int argc, char **argv,
                   std::to_string(ficheros.size()),
               2);
     const auto esPpm = [](const std::string &fichero) {
-        std::string extension = fs::path(fichero).extension().string();
+        std::string extension = fs::u8path(fichero).extension().u8string();
         for (char &c : extension)
             c = char(std::tolower(static_cast<unsigned char>(c)));
         return extension == ".ppm";
@@ -141,18 +141,21 @@ bool intentaGuardarPpm(const std::string &fichero, const Imagen &imagen, const s
                        std::string &error) {
     // Renombrar solo vale entre ficheros corrientes; un enlace se sigue hasta el fichero al que apunta.
     std::error_code ec;
-    const bool dispositivo = fs::exists(fichero, ec) && !fs::is_regular_file(fichero, ec);
-    const fs::path destino = dispositivo ? fs::path(fichero) : fs::weakly_canonical(fichero, ec);
-    const std::string parcial =
-        dispositivo ? fichero : destino.string() + "." + std::to_string(getpid()) + ".parcial";
+    const fs::path pedido = fs::u8path(fichero);
+    const bool dispositivo = fs::exists(pedido, ec) && !fs::is_regular_file(pedido, ec);
+    const fs::path destino = dispositivo ? pedido : fs::weakly_canonical(pedido, ec);
+    fs::path parcial = destino;
+    if (!dispositivo)
+        parcial += "." + std::to_string(numeroDeProceso()) + ".parcial";
     error.clear();
+    ec.clear();
     const auto comprueba = [&](bool bien) {
         if (!bien && error.empty()) // el motivo es el del primer fallo
-            error = "no puedo guardar «" + fichero + "»: " + std::strerror(errno);
+            error = "no puedo guardar «" + fichero + "»: " + (ec ? ec.message() : std::strerror(errno));
         return bien;
     };
 
-    FILE *f = std::fopen(parcial.c_str(), "wb");
+    FILE *f = std::fopen(parcial.u8string().c_str(), "wb");
     if (!comprueba(f != nullptr))
         return false;
     std::fprintf(f, "P6\n");
@@ -164,10 +167,12 @@ bool intentaGuardarPpm(const std::string &fichero, const Imagen &imagen, const s
         std::fwrite(&imagen.rgb[fila * y], 1, fila, f);
     comprueba(std::fflush(f) == 0 && !std::ferror(f));
     comprueba(std::fclose(f) == 0);
-    if (error.empty() && !dispositivo)
-        comprueba(std::rename(parcial.c_str(), destino.c_str()) == 0);
+    if (error.empty() && !dispositivo) {
+        fs::rename(parcial, destino, ec); // std::rename no sustituye en Windows
+        comprueba(!ec);
+    }
     if (!error.empty() && !dispositivo)
-        std::remove(parcial.c_str());
+        fs::remove(parcial, ec);
     return error.empty();
 }
 

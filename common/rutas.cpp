@@ -1,5 +1,6 @@
 #include "rutas.h"
 #include "error.h"
+#include "sistema/sistema.h"
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -14,41 +15,39 @@ namespace {
 
 const std::size_t TAMANO_MAXIMO = 256 << 20; // /dev/zero no se acaba nunca
 
-/// Las carpetas de $LAB_RAIZ, separadas por «:» como en $PATH.
+/// Las carpetas de $LAB_RAIZ, separadas como en $PATH.
 std::vector<fs::path> raicesPedidas() {
     std::vector<fs::path> raices;
     const char *pedidas = std::getenv("LAB_RAIZ");
     std::istringstream texto(pedidas ? pedidas : "");
-    for (std::string raiz; std::getline(texto, raiz, ':');)
+    for (std::string raiz; std::getline(texto, raiz, SEPARADOR_DE_CARPETAS);)
         if (!raiz.empty())
-            raices.emplace_back(raiz);
+            raices.push_back(fs::u8path(raiz));
     return raices;
 }
 
 /// Quien quiere saber qué lee un programa lo pide en $LAB_LEIDOS, el fichero en que se apunta.
 void apuntaLeido(const std::string &relativa) {
     if (const char *fichero = std::getenv("LAB_LEIDOS"))
-        std::ofstream(fichero, std::ios::app) << relativa << '\n';
+        std::ofstream(fs::u8path(fichero), std::ios::app) << relativa << '\n';
 }
 
 } // namespace
 
 bool intentaRecurso(const std::string &relativa, std::string &ruta, std::string &error) {
     std::vector<fs::path> raices = raicesPedidas();
-    std::error_code sinEjecutable;
-    const fs::path carpeta = fs::read_symlink("/proc/self/exe", sinEjecutable).parent_path();
-    if (!sinEjecutable) {
-        raices.push_back(carpeta);
-        raices.push_back(carpeta.parent_path());
-    }
-    raices.emplace_back(LAB_GENERADO);
-    raices.emplace_back(LAB_FUENTES);
+    const fs::path carpeta = ejecutable().parent_path();
+    for (const fs::path &raiz :
+         {carpeta, carpeta.parent_path(), fs::u8path(LAB_GENERADO), fs::u8path(LAB_FUENTES)})
+        if (!raiz.empty())
+            raices.push_back(raiz);
 
     std::string lugares;
     for (const fs::path &raiz : raices) {
-        ruta = (raiz / relativa).string();
+        const fs::path candidata = raiz / fs::u8path(relativa);
+        ruta = candidata.u8string();
         std::error_code ec;
-        if (fs::is_regular_file(ruta, ec)) {
+        if (fs::is_regular_file(candidata, ec)) {
             apuntaLeido(relativa);
             return true;
         }
@@ -60,11 +59,11 @@ bool intentaRecurso(const std::string &relativa, std::string &ruta, std::string 
 
 bool intentaLeer(const std::string &ruta, std::string &contenido, std::string &error) {
     std::error_code ec;
-    if (fs::is_directory(ruta, ec)) {
+    if (fs::is_directory(fs::u8path(ruta), ec)) {
         error = "«" + ruta + "» es una carpeta, no un fichero";
         return false;
     }
-    std::ifstream fichero(ruta, std::ios::binary);
+    std::ifstream fichero(fs::u8path(ruta), std::ios::binary);
     contenido.clear();
     char trozo[1 << 16];
     while (fichero && contenido.size() <= TAMANO_MAXIMO) {

@@ -4,6 +4,7 @@
 #include "error.h"
 #include "imagen.h"
 #include "shader.h"
+#include "sistema/sistema.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -32,15 +33,15 @@ void guardaVentana() {
     for (int n = 1; fichero.empty() || std::filesystem::exists(fichero, nadie); ++n)
         fichero = nombrePrograma() + "-" + std::to_string(n) + ".ppm";
     std::string error;
-    if (intentaGuardarPpm(fichero, leeVentana(), "", error))
-        std::printf("guardado %s\n", fichero.c_str());
-    else
-        avisa(error);
+    if (!intentaGuardarPpm(fichero, leeVentana(), "", error))
+        return avisa(error);
+    std::printf("guardado %s\n", fichero.c_str());
+    std::fflush(stdout);
 }
 
-/// FreeGLUT anterior a 3.8 da a X11 los títulos como Latin-1: lo que no está en él va con sus letras, α como «alfa».
+/// Donde los títulos van en Latin-1, lo que no está en él va con sus letras, α como «alfa».
 std::string tituloParaGlut(const std::string &utf8) {
-    if (glutGet(GLUT_VERSION) >= 30800)
+    if (glutGet(GLUT_VERSION) >= FREEGLUT_CON_UTF8)
         return utf8;
     static const std::pair<const char *, const char *> FUERA[] = {
         {"−", "-"},     {"√", "raiz "}, {"π", "pi"},  {"α", "alfa"},

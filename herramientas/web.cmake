@@ -19,7 +19,7 @@ add_library(avisos INTERFACE) # los da la compilación corriente
 
 set(sin_ventana common/glut_sin_ventana)
 file(GLOB fuentes_comunes CONFIGURE_DEPENDS common/*.cpp)
-add_library(comun STATIC ${fuentes_comunes})
+add_library(comun STATIC ${fuentes_comunes} common/sistema/posix.cpp)
 target_include_directories(comun PUBLIC ${sin_ventana}/web common "${CMAKE_SOURCE_DIR}" ${enlaces})
 target_compile_definitions(comun PRIVATE LAB_FUENTES="${LAB_FUENTES}" LAB_GENERADO="${LAB_FUENTES}")
 target_link_libraries(comun PUBLIC avisos)

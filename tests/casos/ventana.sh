@@ -1,18 +1,33 @@
 #!/usr/bin/env bash
-# ventana.sh BUILD paseo|- {CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION}…: cada caso en una ventana de FreeGLUT, uno detrás de otro en un
+# ventana.sh BUILD paseo|windows|- {CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION}…: cada caso en una ventana de FreeGLUT, uno detrás de otro en un
 # Xvfb para ellos solos, con teclado y ratón de verdad; la ventana debe acabar igual que el golden (tolerancia amplia) y Esc, o cerrarla,
 # debe terminar el programa con 0. Con «paseo», el último aguanta además sucesos al azar y cambios de tamaño bajo un gestor de ventanas.
 # El reloj virtual y los menús no se pueden repetir aquí: de los casos que los usan se mira que dibuje algo.
+# Con «windows», lo mismo con los ejecutables de Windows, bajo Wine.
 set -euo pipefail
-build=$1 paseo=$2
+build=$1 modo=$2
 shift 2
 aqui=$(cd "$(dirname "$0")" && pwd)
 source "$aqui/../ventana/pantalla.sh"
 source "$aqui/../ventana/xdotool.sh"
+lanza() { abre "$build/ventana/$1/$2" "${@:3}"; } # CAPÍTULO PROGRAMA [opciones]
+if [ "$modo" = windows ]; then
+  source "$aqui/../windows/wine.sh"
+  lanza() { abre_en_wine "${@:2}"; }
+  PAUSA=${PAUSA:-0.1} # Wine junta los movimientos del ratón que van más seguidos
+fi
 
 colores() { ppmhist -noheader "$1" 2>/dev/null | wc -l; }
 dibuja_algo() {
   if [ "$(colores ventana.ppm)" -gt 1 ] || [ "$(colores "$golden")" = 1 ]; then echo "bien: dibuja algo"; else echo "la ventana es de un solo color"; fi
+}
+espera_dibujo() { # dos segundos como mucho; en Windows, lo que llega antes se atiende antes de saber el tamaño
+  local i
+  for ((i = 20; i > 0; --i)); do
+    xwd -silent -id "$ventana" 2>/dev/null | xwdtopnm -quiet >ventana.ppm 2>/dev/null || true
+    [ "$(colores ventana.ppm)" -le 1 ] || return 0
+    sleep 0.1
+  done
 }
 mira() {
   case $guion in
@@ -38,7 +53,8 @@ caso() { # CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION
   golden=$aqui/../golden/$capitulo/$nombre.ppm opciones=(--amplia)
   [ "$tolerancia" = - ] || opciones+=(--tolerancia "$tolerancia")
   [ -z "${raton:-}" ] || xdotool mousemove 1000 900 # lejos de la ventana
-  abre "$build/ventana/$capitulo/$programa" -geometry 240x180+10+10 >salida 2>errores || mal "no abre su ventana"
+  lanza "$capitulo" "$programa" -geometry 240x180+10+10 >salida 2>errores || mal "no abre su ventana"
+  [ "$modo" != windows ] || espera_dibujo
   [ "$guion" = - ] || haz_guion 240x180 "$guion"
 
   # La ventana tarda en dibujarse: se mira hasta que coincide, quince segundos como mucho.
@@ -54,12 +70,12 @@ caso() { # CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION
     mira --deja "$build/fallos/ventana/$nombre"
     exit 1
   fi
-  [ "$paseo" = - ] || pasea "$programa"
+  [ "$paseo" != paseo ] || pasea "$programa"
 
   cp salida antes # lo escrito sale al escribirlo, no al terminar
-  # Sin guion, o con animación, se cierra con la X de su marco: un temporizador puede vencer cuando la ventana ya no está. Si no, Esc.
+  # El último caso, sin guion o con animación, se cierra con la X de su marco: un temporizador puede vencer cuando la ventana ya no está. Si no, Esc.
   case $guion$paseo in
-  - | *espera* | *paseo) como='la X de la ventana' && "$build/tests/ventana" cierra "$ventana" ;;
+  - | *espera* | *paseo | *windows) como='la X de la ventana' && "$build/tests/ventana" cierra "$ventana" ;;
   *) como=Esc && xdotool key Escape ;;
   esac
   ! sigue $((${PACIENCIA:-150} / 10)) || mal "$como no lo termina"
@@ -69,12 +85,13 @@ caso() { # CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION
 }
 
 carpeta=$(mktemp -d)
-trap 'kill ${pid:-} 2>/dev/null || true; cierra_pantalla; rm -rf "$carpeta"' EXIT
+trap 'kill ${pid:-} 2>/dev/null || true; [ "$modo" != windows ] || cierra_wine; cierra_pantalla; rm -rf "$carpeta"' EXIT
 cd "$carpeta"
 abre_pantalla
-con=$paseo paseo=-
+[ "$modo" != windows ] || abre_wine "$carpeta"
+paseo=-
 while [ $# -gt 0 ]; do
-  [ $# -gt 5 ] || paseo=$con
+  [ $# -gt 5 ] || paseo=$modo
   caso "${@:1:5}"
   shift 5
 done

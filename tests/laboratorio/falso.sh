@@ -31,7 +31,8 @@ configura() { # CARPETA
   echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >"$1/CMakeCache.txt"
   cp catalogo.json "$1"
   echo osmesa >"$1/sin_ventana"
-  for f in assets/t.rgb lab.js lab.wasm; do echo "$f" >"$1/$f"; done
+  mkdir -p "$1/dll"
+  for f in assets/t.rgb lab.js lab.wasm dll/uno.dll ventana/ch01_uno/{a,b}.exe; do echo "$f" >"$1/$f"; done
   for f in {osmesa,ventana}/ch01_uno/{a,b} osmesa/ch01_intro/info_opengl tests/{compara,ch01_test} herramientas/mide/mide; do
     ln -sf "$(command -v falso.sh)" "$1/$f"
   done
@@ -64,7 +65,14 @@ caso.sh) etapa caso && printf '%s|' "$DORA" "${GALLIUM_DRIVER}" "$@" ;;
 gnuplot) printf '<svg>' && cat ;;
 id) echo "${FALSO_ID:-0}" ;;
 dpkg-query) printf '%s installed\n' g++ cmake ;;
-apt-get | apt-cache | sudo | em++) ;;
+apt-get)
+  [[ " $* " != *' source '* ]] || { etapa fuentes && mkdir freeglut-3 glew-2 && echo licencia | tee freeglut-3/COPYING >glew-2/LICENSE.txt; }
+  [ "$1" != indextargets ] || echo "$APUNTES/debian.sources:1"
+  ;;
+apt-cache) echo 'libglew-dev | 2 | http://archivo bookworm/main amd64 Packages' ;;
+x86_64-w64-mingw32-g++-posix) echo "/${1#-print-file-name=}" ;;
+x86_64-w64-mingw32-strip) echo aligerada >"$2" ;;
+sudo | em++) ;;
 mide)
   if [ "$1" = --lista ]; then
     printf 't\tT\tms por cosa\terror\ta\tporque sí\n'

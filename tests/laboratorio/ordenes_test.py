@@ -9,6 +9,7 @@ import shutil
 import signal
 import subprocess
 import time
+import zipfile
 import zlib
 from pathlib import Path
 
@@ -31,8 +32,14 @@ class Lab:
         shutil.copytree(RAIZ / "herramientas", self.raiz / "herramientas", ignore=shutil.ignore_patterns("__pycache__"))
         for f in ("lab", "herramientas/web.py"):
             self.cambia(f, "/usr/share/javascript/codemirror", str(sitio / "cm"))
+        self.cambia("herramientas/windows.py", "/usr/share/doc", str(sitio / "doc"))
+        for paquete in ("g++-mingw-w64-x86-64-posix", "mingw-w64-common", "libglm-dev", "fonts-dejavu-core"):
+            (sitio / "doc" / paquete).mkdir(parents=True)
+            (sitio / "doc" / paquete / "copyright").touch()
+        (self.raiz / "LICENSE").touch()
         self.cambia("herramientas/muta.py", "MINIMO = 150", "MINIMO = 2")
-        for quien in ("cmake", "ninja", "ctest", "gnuplot", "id", "dpkg-query", "apt-get", "apt-cache", "sudo", "em++", "falso.sh"):
+        for quien in ("cmake", "ninja", "ctest", "gnuplot", "id", "dpkg-query", "apt-get", "apt-cache", "sudo", "em++", "falso.sh",
+                      "x86_64-w64-mingw32-g++-posix", "x86_64-w64-mingw32-strip"):
             (sitio / "bin" / quien).symlink_to(RAIZ / "tests/laboratorio/falso.sh")
         (self.raiz / "tests/casos/caso.sh").symlink_to(RAIZ / "tests/laboratorio/falso.sh")
         for f, texto in (("tests/entorno.txt", "GALLIUM_DRIVER=llvmpipe\n"), ("tests/capitulos/ch01_test.cpp", ""), ("ch01_uno/a.vert", "uno"),
@@ -49,6 +56,7 @@ class Lab:
                                    {**caso, "programa": "a", "nombre": "dos", "fichero": "a-dos", "guion": "tecla a; tecla '", "tolerancia": "1 2 3",
                                     "anima": "2 tecla a"}]}
         self.cataloga()
+        (sitio / "debian.sources").write_text("Types: deb\nURIs: http://archivo\n")
         self.entorno = {c: v for c, v in os.environ.items() if not c.startswith("LAB_") and c not in ("DISPLAY", "WAYLAND_DISPLAY", "DORA")}
         self.entorno |= {"PATH": f"{sitio}/bin:{os.environ['PATH']}", "APUNTES": str(sitio), "TMPDIR": str(self.temporal), "LAB_SIN_INSTALAR": "1",
                          "PYTHONDONTWRITEBYTECODE": "1"}
@@ -250,6 +258,27 @@ def test_web(lab):
     assert {f.name for f in (web / "datos").iterdir()} == datos
 
 
+def test_windows(lab):
+    lab("windows", 1, "faltan los fuentes de FreeGLUT y GLEW")
+    lab("windows", 1, "falla fuentes", FALLA="fuentes", LAB_SIN_INSTALAR="")
+    fuentes = lab.build / "windows/fuentes"
+    assert not fuentes.exists()  # o todos o ninguno
+    lab("windows", dice="Hecho: ", LAB_SIN_INSTALAR="")
+    assert "source" in lab.llamadas("apt-get")[-1] and not (lab.build / "windows/apt").exists()
+    assert "Descargo" not in lab("windows", dice="Hecho: ").stderr
+    with zipfile.ZipFile(lab.raiz / "windows/laboratorio-windows.zip") as contenido:
+        ficheros = {f.removeprefix("laboratorio/") for f in contenido.namelist()}
+        pagina = contenido.read("laboratorio/index.html").decode()
+        assert b"\r\n" in contenido.read("laboratorio/LEEME.txt") and contenido.read("laboratorio/programas/libstdc++-6.dll") == b"aligerada\n"
+    assert ficheros == {"LEEME.txt", "index.html", "imagenes/ch01_uno/a.jpg", "imagenes/ch01_uno/b.jpg", "ch01_uno/a.vert", "assets/t.rgb",
+                        *(f"programas/{f}" for f in ("a.exe", "b.exe", "uno.dll", "libstdc++-6.dll", "libgcc_s_seh-1.dll", "libwinpthread-1.dll")),
+                        *(f"licencias/{n}.txt" for n in ("dejavu", "freeglut", "gcc", "glew", "glm", "laboratorio", "mingw-w64"))}
+    assert "A &lt;b&gt;" in pagina and 'src="imagenes/ch01_uno/a.jpg"' in pagina and "a.exe" in pagina and "<li>a gira</li>" in pagina
+    antes = (lab.raiz / "windows/laboratorio-windows.zip").read_bytes()
+    lab("windows", 1, "no compila", FALLA="compila")
+    assert (lab.raiz / "windows/laboratorio-windows.zip").read_bytes() == antes
+
+
 def lleno(fichero):
     """Un disco sin sitio para ese fichero: /dev/full."""
     fichero.parent.mkdir(parents=True, exist_ok=True)
@@ -401,12 +430,28 @@ def test_instala(lab):
         lab("lista", 1, "faltan paquetes y no hay sudo", LAB_SIN_INSTALAR="", FALSO_ID="1000")
 
 
+def test_en_otros_sistemas(lab):
+    """Sin apt-get, ni con qué compilar, dice cómo se llaman los paquetes; y los dice todos."""
+    tabla = [fila.split("\t") for fila in (RAIZ / "herramientas/paquetes.tsv").read_text().splitlines()]
+    assert {len(fila) for fila in tabla} == {3}
+    texto = (RAIZ / "lab").read_text()
+    listas = [re.search(rf"^{lista}=\(?([^)#\n]+(?:\n  [^)]+)*)", texto, re.M)[1] for lista in ("PAQUETES", "PAQUETES_PRUEBAS", "PAQUETES_MEDIDAS", "OPCIONAL")]
+    assert {p for lista in listas for p in lista.split()} == {fila[0] for fila in tabla[1:]}
+    lab("lista")
+    (lab.sitio / "solo").mkdir()
+    for quien in ("bash", "dirname", "readlink", "find", "mkdir", "flock", "awk"):
+        (lab.sitio / "solo" / quien).symlink_to(shutil.which(quien))
+    dicho = lab("lista", 1, "solo sé instalar en Debian y derivados", LAB_SIN_INSTALAR="", PATH=str(lab.sitio / "solo")).stderr
+    assert re.search(r"libglew-dev +glew-devel +glew\n", dicho) and "libosmesa6-dev" in dicho and "shellcheck" not in dicho
+
+
 @pytest.mark.parametrize("orden,para,senal", [(orden, para, senal) for i, (orden, etapas) in enumerate((
     ("galeria", "configura compila programa"), ("web", "configura programa rasgos"), ("mide t", "configura compila mide"),
     ("prueba", "configura compila ctest"), ("ver a", "configura compila programa"), ("dora a", "configura compila caso"),
-    ("muta", "configura compila prueba"), ("lista", "configura"))) for j, para in enumerate(etapas.split())
+    ("muta", "configura compila prueba"), ("windows", "configura fuentes compila programa"), ("lista", "configura"))) for j, para in enumerate(etapas.split())
     for senal in [(signal.SIGINT, signal.SIGTERM)[(i + j) % 2]]])
 def test_una_senal_lo_acaba_todo(lab, orden, para, senal):
-    lab.interrumpe(lab.empieza(orden, para), senal)
+    descarga = {"LAB_SIN_INSTALAR": ""} if orden == "windows" else {}
+    lab.interrumpe(lab.empieza(orden, para, **descarga), senal)
     if orden in ("galeria", "web"):  # y se puede seguir
         lab(orden, dice="Hecha: ")

@@ -1,0 +1,69 @@
+# El enlace de Windows: los mismos programas, con FreeGLUT y GLEW en DLL. Desde Debian (herramientas/mingw.cmake) las compila de los
+# fuentes que ./lab windows deja al lado; en Windows, con MSYS2, son sus paquetes.
+enable_language(C RC)
+find_package(OpenGL REQUIRED)
+if(CMAKE_CROSSCOMPILING)
+  get_filename_component(fuentes "${CMAKE_BINARY_DIR}/../fuentes" ABSOLUTE)
+  set(LAB_FUENTES "") # los shaders están junto a la carpeta del ejecutable
+  set(LAB_GENERADO "")
+  set(CMAKE_POLICY_DEFAULT_CMP0077 NEW) # estas opciones valen como variables
+  set(CMAKE_POLICY_VERSION_MINIMUM 3.5) # piden una que CMake 4 ya no tiene
+  foreach(opcion FREEGLUT_BUILD_STATIC_LIBS FREEGLUT_BUILD_DEMOS BUILD_UTILS)
+    set(${opcion} OFF)
+  endforeach()
+  add_subdirectory("${fuentes}/freeglut" freeglut EXCLUDE_FROM_ALL)
+  add_subdirectory("${fuentes}/glew/build/cmake" glew EXCLUDE_FROM_ALL)
+  foreach(biblioteca freeglut glew)
+    target_compile_options(${biblioteca} PRIVATE -w)
+    set_target_properties(${biblioteca} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/dll")
+  endforeach()
+  set(bibliotecas freeglut glew)
+  find_path(CABECERAS_GLM NAMES glm/glm.hpp NO_CMAKE_FIND_ROOT_PATH PATHS /usr/include /usr/local/include REQUIRED)
+  file(COPY "${CABECERAS_GLM}/glm" DESTINATION "${CMAKE_BINARY_DIR}/cabeceras") # y no las demás del sistema
+  include_directories("${CMAKE_BINARY_DIR}/cabeceras" "${fuentes}/freeglut/include" "${fuentes}/glew/include")
+else()
+  set(LAB_FUENTES "${CMAKE_SOURCE_DIR}")
+  set(LAB_GENERADO "${CMAKE_BINARY_DIR}")
+  find_package(GLEW REQUIRED)
+  find_package(glm REQUIRED)
+  find_package(Freetype REQUIRED)
+  find_package(FreeGLUT CONFIG QUIET)
+  if(TARGET FreeGLUT::freeglut)
+    set(glut FreeGLUT::freeglut)
+  elseif(TARGET FreeGLUT::freeglut_static)
+    set(glut FreeGLUT::freeglut_static)
+  else()
+    find_library(FREEGLUT_BIBLIOTECA NAMES freeglut glut REQUIRED)
+    set(glut "${FREEGLUT_BIBLIOTECA}")
+  endif()
+  set(bibliotecas ${glut} GLEW::GLEW glm::glm)
+endif()
+
+file(WRITE "${CMAKE_BINARY_DIR}/sin_ventana" "ventana\n")
+add_library(avisos INTERFACE) # los da la compilación corriente
+add_compile_definitions(NOMINMAX WIN32_LEAN_AND_MEAN)
+file(GLOB fuentes_comunes CONFIGURE_DEPENDS common/*.cpp)
+add_library(comun STATIC ${fuentes_comunes} common/sistema/windows.cpp)
+target_include_directories(comun PUBLIC common "${CMAKE_SOURCE_DIR}")
+target_compile_definitions(comun PRIVATE LAB_FUENTES="${LAB_FUENTES}" LAB_GENERADO="${LAB_GENERADO}")
+target_link_libraries(comun PUBLIC ${bibliotecas} OpenGL::GL)
+recoge_controles(comun)
+if(NOT CMAKE_CROSSCOMPILING) # si no, las texturas son las de la compilación corriente
+  add_subdirectory(assets)
+endif()
+
+add_library(consola OBJECT common/glut_ventana/windows.cpp common/glut_ventana/windows.rc)
+target_link_libraries(consola PRIVATE comun)
+add_library(glut_ventana INTERFACE)
+target_sources(glut_ventana INTERFACE $<TARGET_OBJECTS:consola>)
+
+add_library(precompilada OBJECT herramientas/precompilada.cpp)
+target_link_libraries(precompilada PRIVATE comun avisos)
+target_precompile_headers(precompilada PRIVATE <GL/glew.h> <GL/freeglut.h> <glm/glm.hpp> <glm/gtc/matrix_transform.hpp>
+  <glm/gtc/type_ptr.hpp> <algorithm> <array> <cmath> <cstdio> <cstdlib> <string> <vector>)
+
+set(LAB_DESTINOS ventana)
+set(LAB_SIN_VENTANA ventana) # no hay otro
+add_custom_target(programas)
+add_custom_target(sin_ventana)
+lee_capitulos()

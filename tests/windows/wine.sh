@@ -1,0 +1,40 @@
+# Para incluir con `source`: los programas de Windows tal como salen del zip, que prepara.sh ha descomprimido, bajo Wine. Necesita
+# $build y DISPLAY. Cada uno tiene su servidor de Wine y su registro, y así varias pruebas van a la vez; el disco C:, de 700 MB, es el
+# mismo para todas.
+laboratorio="$build/windows/prueba/Prácticas de la señora Núñez (1)"
+export WINEPREFIX='' WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml,winemenubuilder.exe=' LC_ALL=C.UTF-8
+wine=$(command -v wine64 /usr/lib/wine/wine64 wine | head -n 1)
+
+abre_wine() { # CARPETA en que dejar lo suyo
+  local molde=$build/windows/prueba/wine
+  WINEPREFIX=$1/wine
+  mkdir "$WINEPREFIX"
+  cp -a "$molde"/*.reg "$molde/dosdevices" "$molde/.update-timestamp" "$WINEPREFIX"
+  ln -s "$molde/drive_c" "$WINEPREFIX"
+  # Sin un gestor de ventanas que las active, como openbox, la del menú de FreeGLUT se queda con las teclas.
+  setpriv --pdeathsig KILL openbox >/dev/null 2>&1 &
+  "$wine" wineboot </dev/null >/dev/null 2>&1 # lo que digan los servicios de Wine no es del programa
+}
+
+cierra_wine() {
+  [ -z "$WINEPREFIX" ] || "$(dirname "$(readlink -f "$wine")")/wineserver" -k >/dev/null 2>&1 || true
+}
+
+# FreeGLUT toma de DISPLAY, que es de X, el nombre de la pantalla, y avisa de que no existe; la de Windows se llama así.
+ejecuta_en_wine() { # PROGRAMA [opciones]
+  exec "$wine" "$build/windows/prueba/ejecuta.exe" aqui -- "$laboratorio/programas/$1.exe" -display DISPLAY "${@:2}"
+}
+
+# Como abre y sigue, de xdotool.sh: la ventana es la de su clase, y no una de Wine.
+abre_en_wine() { # PROGRAMA [opciones]
+  local i
+  ejecuta_en_wine "$@" </dev/null &
+  pid=$! raton=
+  for ((i = 600; i > 0; --i)); do
+    ventana=$(xdotool search --onlyvisible --classname "^$1\\.exe\$" 2>/dev/null | head -n 1) && [ -n "$ventana" ] && break
+    kill -0 "$pid" 2>/dev/null || return 1
+    sleep 0.05
+  done
+  [ -n "$ventana" ] && xdotool windowfocus --sync "$ventana"
+}
+sigue() { ! timeout "$1" tail --pid="$pid" -s 0.05 -f /dev/null; }
