@@ -51,4 +51,9 @@ elif [ "$destino" = egl ]; then
   comparacion+=(--redondeo)
 fi
 "$build/tests/compara" "$golden" "$nombre.ppm" "${comparacion[@]}"
-diff -u "$texto" salida
+# lo que cuenta en sus píxeles un programa que sale distinto también lo es: queda el texto
+if [ "${OTRO:-}" ] && [ "$tolerancia" != - ]; then
+  diff -u <(tr -d 0-9 <"$texto") <(tr -d 0-9 <salida)
+else
+  diff -u "$texto" salida
+fi

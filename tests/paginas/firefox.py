@@ -60,8 +60,9 @@ class Firefox:
         return resultado
 
     def js(self, codigo, *argumentos):
-        # sin sandbox: se ven las variables de la página
-        return self.pide("WebDriver:ExecuteScript", script=codigo, args=argumentos, sandbox=None)["value"]
+        # con eval: un guion de Marionette no ve las variables de la página
+        llamada = f"(function () {{ {codigo} }})(...{json.dumps(argumentos)})"
+        return self.pide("WebDriver:ExecuteScript", script="return window.eval(arguments[0])", args=[llamada])["value"]
 
     def captura(self, selector):
         elemento = self.pide("WebDriver:FindElement", using="css selector", value=selector)["value"]
@@ -78,7 +79,7 @@ def compara(f, raiz, build, pagina, programa, carpeta):
     f.pide("WebDriver:Navigate", url=pagina.as_uri())
     f.js("""suavizado = false; // los golden no tienen muestras
         const e = document.createElement('style');
-        e.textContent = '.lienzo { width: 240px !important; height: 180px !important } canvas { border-radius: 0 !important }';
+        e.textContent = '.lienzo { position: fixed; inset: 0 auto auto 0; z-index: 9; width: 240px !important; height: 180px !important; border: 0; border-radius: 0 }';
         document.head.append(e); location.hash = arguments[0]""", ";".join(["#" + programa.nombre, *filter(None, [caso.guion])]))
     if not espera(f, "return Boolean(sesion?.vivo)"):
         return exige(False, f"{programa.nombre} arranca")
