@@ -25,6 +25,7 @@ class Caso:
     fichero: str  # el de su imagen, sin extensión
     guion: str = ""
     tolerancia: str = ""
+    otro: str = ""
     mira: str = ""
     borde: str = ""
     anima: str = ""

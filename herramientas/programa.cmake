@@ -9,13 +9,14 @@
 #   CAPTURA: el pie de <nombre>.png, una captura de pantalla de lo que no pinta OpenGL; va en la galería tras sus imágenes.
 #   ADMITE: el fichero que se le puede dar: un modelo v/f, una imagen o dos. CONSOLA: escribe texto y no tiene imagen.
 #
-# caso(programa nombre [GUION "orden; orden"] [BORDE "…"] [ANIMA "N orden"] [TOLERANCIA "…" MOTIVO "…"] MIRA "…")
+# caso(programa nombre [GUION "orden; orden"] [BORDE "…"] [ANIMA "N orden"] [TOLERANCIA "…"] [OTRO "…"] [MOTIVO "…"] MIRA "…")
 #   Una imagen de ese programa: tras el guion debe ser tests/golden/<capítulo>/<programa>[-nombre].ppm;
 #   el caso que se llama base no lleva sufijo.
 #   MIRA: una frase, a qué hay que mirar; es el pie de la imagen en la galería. En su propio renglón.
 #   BORDE: por qué la escena llega al borde de la ventana; sin él, no debe llegar.
 #   ANIMA: en la galería se mueve: N cuadros, a diez por segundo, y la orden del guion que lleva de cada uno al siguiente.
-#   TOLERANCIA cambia la que usa el comparador cuando la imagen no es del mismo OpenGL que el golden, y exige un MOTIVO.
+#   TOLERANCIA cambia la que usa el comparador cuando la imagen no es del mismo OpenGL que el golden, y OTRO la de su --otro; las dos
+#   exigen un MOTIVO.
 #
 # Con todo ello se escribe build/catalogo.json, que solo lee herramientas/catalogo.py, y de ahí sale lo demás: ./lab, la galería,
 # las páginas, docs/. Las pruebas de cada caso reciben sus hechos como argumentos.
@@ -91,8 +92,8 @@ function(programa nombre)
 endfunction()
 
 function(caso programa nombre)
-  cmake_parse_arguments(PARSE_ARGV 2 C "" "GUION;MIRA;BORDE;ANIMA;TOLERANCIA;MOTIVO" "")
-  if(C_UNPARSED_ARGUMENTS OR NOT C_MIRA OR (C_TOLERANCIA AND NOT C_MOTIVO))
+  cmake_parse_arguments(PARSE_ARGV 2 C "" "GUION;MIRA;BORDE;ANIMA;TOLERANCIA;OTRO;MOTIVO" "")
+  if(C_UNPARSED_ARGUMENTS OR NOT C_MIRA OR ((C_TOLERANCIA OR C_OTRO) AND NOT C_MOTIVO))
     message(FATAL_ERROR "caso(${programa} ${nombre}): sobra «${C_UNPARSED_ARGUMENTS}» o falta MIRA o el MOTIVO")
   endif()
   if(C_ANIMA AND NOT C_ANIMA MATCHES "^[1-9][0-9]?[0-9]? ")
@@ -108,20 +109,21 @@ function(caso programa nombre)
   if(nombre STREQUAL "base")
     set(C_FICHERO ${programa})
   endif()
-  apunta(CASOS C PROGRAMA NOMBRE FICHERO GUION TOLERANCIA MIRA BORDE ANIMA)
+  apunta(CASOS C PROGRAMA NOMBRE FICHERO GUION TOLERANCIA OTRO MIRA BORDE ANIMA)
   set_property(GLOBAL APPEND PROPERTY LAB_NOMBRES_DE_CASOS ${programa}.${nombre})
   if(C_BORDE)
     set_property(GLOBAL APPEND PROPERTY LAB_CASOS_QUE_LLEGAN_AL_BORDE ${programa}.${nombre})
   endif()
 
   # lo que de él reciben los scripts de tests/casos/, con un guion donde no hay nada
-  foreach(hecho TOLERANCIA GUION)
+  foreach(hecho TOLERANCIA OTRO GUION)
     if(NOT C_${hecho})
       set(C_${hecho} -)
     endif()
   endforeach()
   string(REPLACE ";" "\\;" guion "${C_GUION}")
   set_property(GLOBAL PROPERTY LAB_HECHOS_${programa}.${nombre} "${capitulo};${programa};${C_FICHERO};${C_TOLERANCIA};${guion}")
+  set_property(GLOBAL PROPERTY LAB_OTRO_${programa}.${nombre} "${C_OTRO}")
 endfunction()
 
 # Los controles de los programas, para common/ayuda.cpp, que está en esa biblioteca.

@@ -47,6 +47,8 @@ void abrePantalla() {
 
 void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool) {
     limitaMesa();
+    // en un pbuffer, el rasterizador lineal de llvmpipe descoloca los componentes de los rectángulos lisos y pequeños
+    setenv("LP_PERF", "no_rast_linear", 0);
     abrePantalla();
     // clang-format off
     const EGLint atributos[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
@@ -54,8 +56,7 @@ void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool) {
                                 EGL_RED_SIZE, 8,
                                 EGL_GREEN_SIZE, 8,
                                 EGL_BLUE_SIZE, 8,
-                                EGL_ALPHA_SIZE, 8, // sin él elige uno de 24 bits por píxel, y ahí llvmpipe descoloca los
-                                                   // componentes de un rectángulo liso
+                                EGL_ALPHA_SIZE, 8,
                                 EGL_DEPTH_SIZE, profundidad ? 24 : 0,
                                 EGL_STENCIL_SIZE, plantilla ? 8 : 0,
                                 EGL_NONE};

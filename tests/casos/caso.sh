@@ -16,6 +16,8 @@ opciones=(-geometry 240x180 -ppm "$nombre.ppm" -titulos)
 
 estado=0
 "$build/$destino/$capitulo/$programa" "${opciones[@]}" >salida 2>errores </dev/null || estado=$?
+# a SwiftShader le falta glLogicOp, que aquí no usa nadie, y lo que pide zink para los uniforms en array (28), que dibuja bien
+[ -z "${OTRO:-}" ] || sed -i -e '/base Zink requirements: feats.features.logicOp/d' -e '/Unsupported capability 28$/d' errores
 if [ $estado -ne 0 ] || [ -s errores ]; then
   echo "$programa ha acabado con estado $estado y ha escrito en stderr:"
   cat errores
@@ -34,15 +36,24 @@ for falta in "$golden" "$texto"; do
   echo "falta el golden $falta: mira la imagen y hazlo con ./lab dora $nombre"
   exit 1
 done
-mkdir -p "$build/fallos/$destino"
-comparacion=(--deja "$build/fallos/$destino/$nombre")
+fallos=$build/fallos/${OTRO:-$destino}
+mkdir -p "$fallos"
+comparacion=(--deja "$fallos/$nombre")
 # Los golden son de OSMesa. EGL dibuja las filas al revés, lo que se interpola redondea de otra manera y la tinta de un rótulo, que
 # se mezcla, cambia un nivel en unos pocos píxeles: ninguno más. Donde se nota más, el caso da su motivo y su tolerancia.
-if [ "$tolerancia" != - ]; then
+if [ "${OTRO:-}" ]; then
+  comparacion+=(--otro)
+  [ "$tolerancia" = - ] || comparacion+=(--tolerancia "$tolerancia")
+elif [ "$tolerancia" != - ]; then
   comparacion+=(--tolerancia "$tolerancia")
   [ "$destino" != egl ] || comparacion+=(--amplia)
 elif [ "$destino" = egl ]; then
   comparacion+=(--redondeo)
 fi
 "$build/tests/compara" "$golden" "$nombre.ppm" "${comparacion[@]}"
-diff -u "$texto" salida
+# lo que cuenta en sus píxeles un programa que sale distinto también lo es: queda el texto
+if [ "${OTRO:-}" ] && [ "$tolerancia" != - ]; then
+  diff -u <(tr -d 0-9 <"$texto") <(tr -d 0-9 <salida)
+else
+  diff -u "$texto" salida
+fi

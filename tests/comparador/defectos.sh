@@ -18,11 +18,11 @@ espera() {
     { echo "ha salido con $estado y debía salir con $esperado y decir «$texto»"; fallos=1; }
 }
 
-for defecto in nada luz textura pixel triangulo; do
+for defecto in nada luz textura pixel medio triangulo raya colores oscura; do
   "$build/escena_comparador" -geometry 240x180 -ppm mala.ppm $defecto
   esperado=1
   [ $defecto != nada ] || esperado=0
-  for opcion in '' --amplia; do espera $defecto $esperado '' $opcion; done
+  for opcion in '' --amplia --otro; do espera $defecto $esperado '' $opcion; done
 done
 
 # Nombre, argumentos de estropea y los estados que deben dar el mismo OpenGL y otro. 43 píxeles son el 0.1 % de 240×180.
@@ -63,6 +63,28 @@ espera 'el 0.2 %, con permiso' 1 '' --amplia --tolerancia '0.2 3 9'
 for mal in '0.2 3' '0.2 3 32 1' '0,2 3 32' '0.2 3.5 32' '-1 3 32' 'nan 3 32' ''; do
   espera "tolerancia «$mal»" 2 'son PORCENTAJE NIVELES MAXIMO' --amplia --tolerancia "$mal"
 done
+
+# Otro OpenGL: lo que sobra o falta, a uno y otro lado de cada límite, y una mancha de 3×3, pero no de 2×3.
+while IFS='|' read -r nombre estropea estado; do
+  read -ra estropea <<<"$estropea"
+  "$build/estropea" buena.ppm mala.ppm "${estropea[@]}"
+  espera "$nombre" "$estado" 'otro OpenGL' --otro
+done <<'FIN'
+todo a 3 niveles|0 43200 3|0
+el 1 % a 4 niveles|1 432 4|0
+algo más del 1 % a 4 niveles|1 433 4|1
+el 0.1 % a 33 niveles|2 43 33|0
+algo más del 0.1 % a 33 niveles|2 44 33|1
+FIN
+for lado in 2 3; do
+  ppmmake black 3 $lado >mancha.ppm
+  pnmpaste mancha.ppm 5 5 buena.ppm >mala.ppm
+  espera "una mancha de 3×$lado" $((lado - 2)) 'otro OpenGL' --otro
+done
+"$build/estropea" buena.ppm mala.ppm 2 86 60
+espera 'el 0.2 % a 60 niveles, con permiso' 0 '' --otro --tolerancia '2 3 32'
+espera 'el 0.2 % a 60 niveles, con permiso' 0 '' --otro --tolerancia '1 3 60'
+espera 'el 0.2 % a 60 niveles, con permiso' 1 '' --otro --tolerancia '1 3 59'
 
 # Sin sello no se sabe qué exigir. Una captura de una ventana de verdad no lo lleva, y se compara con --amplia.
 "$build/estropea" buena.ppm mala.ppm 0 0 0 sin_sello

@@ -57,9 +57,18 @@ ctest)
   fi
   rm -f "$(valor --output-junit "$@")"
   etapa ctest
-  echo '<t><testcase name="uno" status="run"/><testcase name="dos" status="run"/></t>' >"$(valor --output-junit "$@")"
-  mkdir -p build/fallos
-  printf 'P6 1 1 255\nabc' >build/fallos/x.ppm
+  xml=$(valor --output-junit "$@")
+  echo '<t><testcase name="uno" status="run"/><testcase name="dos" status="run"/></t>' >"$xml"
+  [ -n "${MAL:-}" ] || exit 0
+  fallos=${xml%/*}/fallos
+  mkdir -p "$fallos/osmesa"
+  for f in esperada obtenida diferencia; do printf 'P6 1 1 255\nabc' >"$fallos/osmesa/a-$f.ppm"; done
+  python3 - "$fallos/osmesa/a-*.ppm" >"$xml" <<'FIN'
+import html, sys
+print('<t><testcase name="uno" status="run"/><testcase name="imagen.osmesa.a" status="fail" time="0.5">',
+      f'<system-out>DISTINTAS: &lt;b&gt;\nimágenes en {html.escape(sys.argv[1])}\n</system-out></testcase></t>')
+FIN
+  exit 8
   ;;
 caso.sh) etapa caso && printf '%s|' "$DORA" "${GALLIUM_DRIVER}" "$@" ;;
 gnuplot) printf '<svg>' && cat ;;

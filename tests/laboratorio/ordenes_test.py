@@ -332,7 +332,16 @@ def test_prueba(lab):
     assert lab.llamadas("cmake")[0][-1] == "-DLAB_AVISOS_SON_ERRORES=ON"
     opciones = lab.llamadas("ctest")[0]
     assert opciones[:2] == ["--test-dir", str(lab.build)] and opciones[-3:] == ["-R", "uno|dos", "-V"]
-    assert {f.name for f in (lab.build / "fallos").iterdir()} == {"x.ppm", "x.png"}
+    assert not (lab.build / "fallos").exists()
+    lab("prueba --junit resultados.xml -I 2,,3")
+    assert lab.llamadas("ctest")[0][-2:] == ["-I", "2,,3"] and 'name="uno"' in (lab.sitio / "aqui/resultados.xml").read_text()
+    lab("prueba --junit no/existe.xml", 1, "no puedo escribir")
+    lab("prueba --junit mal.xml", 8, f"está en {lab.build}/fallos/index.html\n", MAL="1")
+    assert 'status="fail"' in (lab.sitio / "aqui/mal.xml").read_text()
+    assert {f.name for f in (lab.build / "fallos/osmesa").iterdir()} == {f"a-{que}.{tipo}" for que in ("esperada", "obtenida", "diferencia") for tipo in ("ppm", "png")}
+    pagina = (lab.build / "fallos/index.html").read_text()
+    assert 'src="osmesa/a-obtenida.png"' in pagina and "DISTINTAS: &lt;b&gt;" in pagina and 'id="uno"' not in pagina
+    lab("prueba -N", 1, "LAB_OPENGL: no conozco «otra»", LAB_OPENGL="otra")
     lab("prueba --cambios", dice="Todas las pruebas han pasado ya con lo que hay")
     assert not any("--parallel" in ll for ll in lab.llamadas("ctest"))
     (lab.raiz / "docs/soluciones.md").write_text("otra")

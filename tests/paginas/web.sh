@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# web.sh RAIZ BUILD: compila los programas para el navegador, hace la página en una carpeta temporal y la prueba con comprueba_web.py.
+# web.sh RAIZ BUILD: compila los programas para el navegador, hace la página en una carpeta temporal y la prueba con comprueba_web.py, en
+# Chromium, y con firefox.py; con LAB_OPENGL=swiftshader, solo los casos y solo en Chromium.
 set -euo pipefail
 cd "$1"
 build=$2
@@ -11,3 +12,4 @@ export NODE_PATH=/usr/share/nodejs
 pagina="$carpeta/página (1)"
 python3 -B herramientas/web.py . "$build/web" "$carpeta/sin galería" "$pagina" # sin miniaturas, que aquí no hacen falta
 python3 -B tests/paginas/comprueba_web.py . "$build" "$pagina"
+[ "${LAB_OPENGL:-}" = swiftshader ] || python3 -B tests/paginas/firefox.py . "$build" "$pagina"

@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+"""fallos.py RAÍZ BUILD: BUILD/fallos/index.html, con lo que dice cada prueba de BUILD/pruebas.xml que ha fallado y las imágenes que ha dejado,
+también en PNG: la esperada, la obtenida y su diferencia ampliada. Solo enlaza a lo que tiene al lado: la carpeta se puede guardar aparte.
+"""
+import re
+import sys
+import xml.etree.ElementTree as xml
+from dataclasses import dataclass
+from pathlib import Path
+
+import pagina
+from procesos import ejecuta, escribe, principal
+
+MUCHO = 20000  # letras de lo que escribe una prueba
+
+
+@dataclass
+class Fallo:
+    prueba: str
+    segundos: float
+    dice: str
+    comparaciones: list  # los nombres de sus imágenes, sin «-esperada.png»
+    oraculo: str  # o la suya, con las tres una al lado de otra
+
+
+def lee(build):
+    """Las pruebas que han fallado. El comparador dice dónde ha dejado las imágenes; las del oráculo se llaman como la prueba."""
+    fallos, carpeta = [], build / "fallos"
+    for caso in xml.parse(build / "pruebas.xml").getroot().iter("testcase"):
+        if caso.get("status") != "fail":
+            continue
+        dice = (caso.findtext("system-out") or "").strip()
+        dejadas = dict.fromkeys(re.findall(r"imágenes en (.+)-\*\.ppm", dice))
+        oraculo = f"oraculo/{caso.get('name').partition('.')[2].replace('/', '_')}"
+        fallos.append(Fallo(caso.get("name"), float(caso.get("time", 0)), dice[-MUCHO:],
+                            [str(Path(d).relative_to(carpeta)) for d in dejadas if Path(f"{d}-esperada.ppm").exists()],
+                            oraculo if (carpeta / f"{oraculo}.ppm").exists() else ""))
+    return fallos
+
+
+def main():
+    build = Path(sys.argv[2]).resolve()
+    fallos = lee(build)
+    if not fallos:
+        return
+    for ppm in (build / "fallos").rglob("*.ppm"):
+        escribe(ppm.with_suffix(".png"), ejecuta(["pnmtopng", "-quiet", ppm]))
+    pagina.escribe_pagina(build / "fallos", "fallos.html", fallos=fallos)
+    print(f"lab: lo que ha fallado, con sus imágenes, está en {build}/fallos/index.html", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    principal(main)

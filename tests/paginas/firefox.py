@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+"""firefox.py RAÍZ BUILD WEB: abre la página de los programas (./lab web) con file:// en Firefox y compara con el golden, con --otro, lo que
+se ve al abrir diez programas: una captura de su lienzo.
+
+En una pantalla de Xvfb: sin ninguna (--headless), Firefox no tiene WebGL 2.
+"""
+import base64
+import json
+import os
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import navegador
+from navegador import catalogo, espera, exige
+
+PROGRAMAS = "grua", "sombreado", "tetera", "volumen_vista", "sombras", "textura3d", "convolucion", "bezier", "superficie_bspline", "cubemap"
+AJUSTES = """user_pref("webgl.force-enabled", true);
+user_pref("gfx.x11-egl.force-enabled", true);
+user_pref("marionette.port", 0);
+"""
+
+
+class Firefox:
+    """Lo poco que hace falta de Marionette, su WebDriver de siempre: en un socket, con la longitud delante de cada mensaje de JSON."""
+
+    def __init__(self, perfil, entorno):
+        perfil.mkdir()
+        (perfil / "user.js").write_text(AJUSTES)
+        self.proceso = subprocess.Popen(["firefox-esr", "--no-remote", "--marionette", "--profile", perfil, "--window-size", "1280,900"],
+                                        env={**entorno, "HOME": str(perfil), "LIBGL_ALWAYS_SOFTWARE": "1"}, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.pedidos = 0
+        puerto, limite = perfil / "MarionetteActivePort", time.monotonic() + 120
+        while not (puerto.exists() and puerto.read_text()):
+            if self.proceso.poll() is not None or time.monotonic() > limite:
+                self.proceso.kill()
+                sys.exit("Firefox no arranca")
+            time.sleep(0.1)
+        self.canal = socket.create_connection(("127.0.0.1", int(puerto.read_text())), timeout=120).makefile("rwb")
+        self.lee()  # el saludo
+        self.pide("WebDriver:NewSession")
+
+    def lee(self):
+        cifras = b""
+        while (letra := self.canal.read(1)) != b":":
+            cifras += letra
+        return json.loads(self.canal.read(int(cifras)))
+
+    def pide(self, orden, **datos):
+        self.pedidos += 1
+        mensaje = json.dumps([0, self.pedidos, orden, datos]).encode()
+        self.canal.write(b"%d:%s" % (len(mensaje), mensaje))
+        self.canal.flush()
+        _, _, error, resultado = self.lee()
+        if error:
+            raise RuntimeError(f"{orden}: {error['message']}")
+        return resultado
+
+    def js(self, codigo, *argumentos):
+        # con eval: un guion de Marionette no ve las variables de la página
+        llamada = f"(function () {{ {codigo} }})(...{json.dumps(argumentos)})"
+        return self.pide("WebDriver:ExecuteScript", script="return window.eval(arguments[0])", args=[llamada])["value"]
+
+    def captura(self, selector):
+        elemento = self.pide("WebDriver:FindElement", using="css selector", value=selector)["value"]
+        return base64.b64decode(self.pide("WebDriver:TakeScreenshot", id=next(iter(elemento.values())), full=False)["value"])
+
+    def cierra(self):
+        self.proceso.terminate()
+        self.proceso.wait()
+
+
+def compara(f, raiz, build, pagina, programa, carpeta):
+    caso = programa.casos[0]
+    f.pide("WebDriver:Navigate", url="about:blank")
+    f.pide("WebDriver:Navigate", url=pagina.as_uri())
+    f.js("""suavizado = false; // los golden no tienen muestras
+        const e = document.createElement('style');
+        e.textContent = '.lienzo { position: fixed; inset: 0 auto auto 0; z-index: 9; width: 240px !important; height: 180px !important; border: 0; border-radius: 0 }';
+        document.head.append(e); location.hash = arguments[0]""", ";".join(["#" + programa.nombre, *filter(None, [caso.guion])]))
+    if not espera(f, "return Boolean(sesion?.vivo)"):
+        return exige(False, f"{programa.nombre} arranca")
+    time.sleep(0.5)  # lo que tarda el navegador en enseñarlo
+    obtenida = carpeta / f"{caso.fichero}.ppm"
+    obtenida.write_bytes(subprocess.run("pngtopnm", input=f.captura("canvas"), capture_output=True, check=True).stdout)
+    fallos = build / "fallos/firefox"
+    fallos.mkdir(parents=True, exist_ok=True)
+    opciones = ["--tolerancia", caso.otro] if caso.otro else []
+    c = subprocess.run([build / "tests/compara", raiz / "tests/golden" / programa.capitulo.nombre / f"{caso.fichero}.ppm", obtenida, "--otro",
+                        "--deja", fallos / caso.fichero, *opciones], capture_output=True, text=True)
+    print(f"{caso.fichero}: {(c.stdout + c.stderr).strip()}", flush=True)
+    exige(c.returncode == 0, f"{caso.fichero} es como su golden")
+
+
+def main():
+    raiz, build, web = (Path(ruta).resolve() for ruta in sys.argv[1:])
+    programas = {p.nombre: p for p in catalogo.lee_programas(build)}
+    pantalla = subprocess.Popen(["Xvfb", "-displayfd", "1", "-screen", "0", "1920x1200x24", "-nolisten", "tcp"], stdout=subprocess.PIPE,
+                                stderr=subprocess.DEVNULL, text=True)
+    try:
+        entorno = {**os.environ, "DISPLAY": ":" + pantalla.stdout.readline().strip()}
+        with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as carpeta:
+            f = Firefox(Path(carpeta, "perfil"), entorno)
+            try:
+                for nombre in PROGRAMAS:
+                    compara(f, raiz, build, web / "index.html", programas[nombre], Path(carpeta))
+            finally:
+                f.cierra()
+    finally:
+        pantalla.terminate()
+        pantalla.wait()
+    navegador.acaba()
+
+
+if __name__ == "__main__":
+    main()
