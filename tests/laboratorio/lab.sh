@@ -100,7 +100,7 @@ assert (dos.casos[0].borde, dos.casos[0].anima) == ("llega", "3 tecla i; tecla d
 FIN
 cp $golden/shader_basico.ppm "$carpeta/golden.ppm"
 cp $golden/primer_programa.ppm $golden/shader_basico.ppm
-espera 8 'las imágenes de lo que ha fallado están en' $lab prueba
+espera 8 'lo que ha fallado, con sus imágenes, está en' $lab prueba
 [ -n "$(find build -path '*/fallos/*' -name '*.png')" ] || mal 'una imagen distinta no deja sus PNG'
 espera 8 'No tests were found' $lab prueba -R nada
 
