@@ -342,6 +342,8 @@ def test_prueba(lab):
     pagina = (lab.build / "fallos/index.html").read_text()
     assert 'src="osmesa/a-obtenida.png"' in pagina and "DISTINTAS: &lt;b&gt;" in pagina and 'id="uno"' not in pagina
     lab("prueba -N", 1, "LAB_OPENGL: no conozco «otra»", LAB_OPENGL="otra")
+    paquetes = [set(lab("paquetes", LAB_OPENGL=opengl).stdout.split()) for opengl in ("", "zink")]
+    assert "g++" in paquetes[0] and paquetes[1] - paquetes[0] == {"mesa-vulkan-drivers"} and not lab.llamadas("cmake")
     lab("prueba --cambios", dice="Todas las pruebas han pasado ya con lo que hay")
     assert not any("--parallel" in ll for ll in lab.llamadas("ctest"))
     (lab.raiz / "docs/soluciones.md").write_text("otra")
