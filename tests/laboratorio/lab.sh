@@ -44,7 +44,7 @@ fi
 
 copia="$carpeta/lab (1) g[h] ñ" lab=./lab
 mkdir "$copia"
-tar -C "$raiz" --exclude=./build --exclude=./galeria --exclude=./web --exclude=./.git --exclude='./ch0[2-9]*' --exclude='./ch1*' -cf - . |
+tar -C "$raiz" --exclude=./build --exclude=./galeria --exclude=./web --exclude=./informe --exclude=./mios --exclude=./windows --exclude=./.git --exclude='./ch0[2-9]*' --exclude='./ch1*' -cf - . |
   tar -C "$copia" -xf -
 cd "$copia"
 # compila antes: sin optimizar, con lo que de common/ hay en BUILD, salvo lo que sabe en qué carpeta está, y con pocos assets/

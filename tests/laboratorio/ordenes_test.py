@@ -239,7 +239,7 @@ def test_web(lab):
     assert "irá sin" not in lab("web", dice="Hecha: ").stderr
     web = lab.raiz / "web"
     datos = {f.name for f in (web / "datos").iterdir()}
-    assert datos == {f"{n}.js" for n in ("js", "wasm", "shaders", "codigo", "editor", "t.rgb")}
+    assert datos == {f"{n}.js" for n in ("js", "wasm", "shaders", "esqueletos", "codigo", "editor", "t.rgb")}
     empaquetado = (web / "datos/shaders.js").read_text().split('"')[3]
     assert json.loads(zlib.decompress(base64.b64decode(empaquetado))) == {"ch01_uno/a.vert": "uno"}
     pagina = (web / "index.html").read_text()

@@ -38,7 +38,7 @@ cierra() { # con Esc
   local estado=0
   xdotool key Escape
   pronto acabado || mal 'Esc no lo termina'
-  wait $pid || estado=$?
+  wait "$pid" || estado=$?
   [ $estado = 0 ] || mal "Esc lo termina con estado $estado"
 }
 cambia() { # FICHERO PROGRAMA-DE-SED: con los fines de línea del Bloc de notas

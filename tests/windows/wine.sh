@@ -29,6 +29,7 @@ ejecuta_en_wine() { # PROGRAMA [opciones]
 abre_en_wine() { # PROGRAMA [opciones]
   local i
   ejecuta_en_wine "$@" </dev/null &
+  # shellcheck disable=SC2034 # son para quien llama
   pid=$! raton=
   for ((i = 600; i > 0; --i)); do
     ventana=$(xdotool search --onlyvisible --classname "^$1\\.exe\$" 2>/dev/null | head -n 1) && [ -n "$ventana" ] && break
