@@ -638,7 +638,7 @@ class Correccion:
     def explica(self, fallan, muestra):
         porque = self.banco.por_que(self.partidas, fallan)
         if porque == [""]:
-            return ["se ve lo mismo que en el punto de partida: no hay nada del ejercicio"]
+            return ["se ve lo mismo que en el punto de partida"]
         dice = ["; o ".join(filter(None, porque[:2]))] if porque else []
         callan, alguna = no_responden(self.partidas, self.esperadas)
         if callan and not alguna:
