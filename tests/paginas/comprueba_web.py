@@ -429,6 +429,7 @@ def prueba_ejercicio(p, codigo):
 
 def prueba_ejercicios(p):
     n = p.n
+    n.talla(1280, 800)  # la de un portátil: cuánto hay de fondo, que siempre coincide, depende de ella
     n.js("localStorage.clear()")
     exige(sorted(n.js("return EJERCICIOS.map(e => e.codigo)")) == sorted(MAL_HECHO), "están todos los ejercicios")
     for codigo in MAL_HECHO:
