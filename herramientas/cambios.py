@@ -9,6 +9,7 @@ De cada prueba cuentan su orden, los programas que nombra, su golden, los ficher
 import functools
 import hashlib
 import json
+import os
 import re
 import sys
 import xml.etree.ElementTree as xml
@@ -29,7 +30,8 @@ class Sumas:
         self.raiz, self.build = raiz, build
         self.destinos = [d.name for d in build.iterdir() if (d / "ch01_intro").is_dir()]
         self.programas = {p.nombre: p for p in catalogo.lee_programas(build)}
-        self.comunes = self.carpetas(*DE_TODAS) + self.ficheros([f for f in (build / "tests").iterdir() if f.is_file() and "_test" not in f.name])
+        self.comunes = self.carpetas(*DE_TODAS) + self.ficheros(
+            [f for f in (build / "tests").iterdir() if f.is_file() and os.access(f, os.X_OK) and "_test" not in f.name])
 
     @functools.cache
     def fichero(self, ruta):

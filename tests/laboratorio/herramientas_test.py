@@ -219,10 +219,11 @@ def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
     raiz, build = tmp_path / "raiz", tmp_path / "raiz/build"
     ficheros = ["raiz/ch01_uno/a.cpp", "raiz/ch01_uno/b.cpp", "raiz/ch01_uno/a.vert", "raiz/tests/casos/caso.sh", "raiz/tests/golden/ch01_uno/a-dos.ppm", "raiz/lab",
                 "raiz/docs/x.md", "raiz/assets/x.txt", "raiz/build/osmesa/ch01_uno/a", "raiz/build/osmesa/ch01_uno/b", "raiz/build/osmesa/ch01_intro/x",
-                "raiz/build/tests/compara", "raiz/build/tests/ch01_test", "raiz/build/leidos/ch01_test", "raiz/build/leidos/imagen.a"]
+                "raiz/build/tests/compara", "raiz/build/tests/CTestTestfile.cmake", "raiz/build/tests/ch01_test", "raiz/build/leidos/ch01_test", "raiz/build/leidos/imagen.a"]
     for f in ficheros:
         (tmp_path / f).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / f).write_text(f)
+    (build / "tests/compara").chmod(0o755)
     (build / "leidos/imagen.a").write_text("ch01_uno/a.vert\n")
     (build / "leidos/ch01_test").write_text(f"{build}/osmesa/ch01_uno/b\n")
     ordenes = {"imagen.a": [f"{raiz}/tests/casos/caso.sh", str(build), "a"], "imagen.b": [f"{raiz}/tests/casos/caso.sh", str(build), "b"],
@@ -254,6 +255,8 @@ def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
         (tmp_path / toca).write_text("otra cosa")
         assert set(llama("elige").split("|")) - {"otra"} == set(esperadas.split("|")), toca
         (tmp_path / toca).write_text(antes)
+    (build / "tests/CTestTestfile.cmake").write_text("otra lista de pruebas")
+    assert llama("elige") == "otra"
 
 
 def test_la_grafica(tmp_path, monkeypatch):
