@@ -7,11 +7,18 @@
 #include "trazo.h"
 #include "ventana.h"
 
+/// La órbita que empieza en la cámara de la vista.
+inline Orbita orbitaDe(const VistaGrua &v) {
+    const glm::dvec3 d = v.haciaCamara;
+    const double distancia = glm::length(d);
+    return {float(std::atan2(d.x, d.z)), float(std::asin(d.y / distancia)), float(distancia), CENTRO_GRUA, 0};
+}
+
 /// Lo que el usuario elige de las vistas. El ratón aparta la cuarta de (1,1,1).
 struct VistasGrua {
     int elegido = LAS_CUATRO;
     bool europeo = false;
-    Orbita orbita = {glm::quarter_pi<float>(), 0.615480f, float(DISTANCIA_CAMARA), CENTRO_GRUA, 0};
+    Orbita orbita = orbitaDe(VISTAS[DIAGONAL]);
 };
 
 /// Un panel con una vista. En `escena` va la grúa; lo que queda encima es para el rótulo.

@@ -59,8 +59,8 @@ inline Geometria2<float> segundoTrozo(const std::vector<glm::vec3> &elementos, f
         G[1][j] = elementos[DEL_PRIMERO + j];
         G[2][j] = k * primero[3][j]; // las tangentes que lo cruzan, torsiones incluidas
         G[3][j] = elementos[DEL_PRIMERO + 4 + j];
-        // de partida: G[0][j] = G[1][j] = elementos[DEL_PRIMERO + j];
-        // de partida: G[2][j] = G[3][j] = k * (primero[0][j] - primero[0][j]);
+        // de partida: G[0][j] = G[1][j] = primero[1][j];
+        // de partida: G[2][j] = G[3][j] = k * glm::vec3(0);
         // fin de E11.8
     }
     return G;
