@@ -41,7 +41,7 @@ import ejercicios as marcas
 import muta
 import nuevo
 import pagina
-from procesos import Fallo, ejecuta, escribe, lanza, motivo, principal
+from procesos import Fallo, ejecuta, en_png, escribe, lanza, motivo, principal
 
 TALLA = 240, 180
 TALLAS = "320 180", "180 180", "120 160", "240 180"
@@ -596,7 +596,7 @@ def como_acaba(p, guion):
 def png(imagen, deja):
     ancho, alto, pixeles = imagen
     (deja / "i.ppm").write_bytes(b"P6\n%d %d\n255\n" % (ancho, alto) + pixeles)
-    return base64.b64encode(ejecuta(["pnmtopng", "-quiet", "-compression", "9", deja / "i.ppm"])).decode()
+    return base64.b64encode(en_png(deja / "i.ppm", 9)).decode()
 
 
 class Correccion:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pagina
-from procesos import ejecuta, escribe, principal
+from procesos import en_png, escribe, principal
 
 MUCHO = 20000  # letras de lo que escribe una prueba
 
@@ -44,7 +44,7 @@ def main():
     if not fallos:
         return
     for ppm in (build / "fallos").rglob("*.ppm"):
-        escribe(ppm.with_suffix(".png"), ejecuta(["pnmtopng", "-quiet", ppm]))
+        escribe(ppm.with_suffix(".png"), en_png(ppm))
     pagina.escribe_pagina(build / "fallos", "fallos.html", fallos=fallos)
     print(f"lab: lo que ha fallado, con sus imágenes, está en {build}/fallos/index.html", file=sys.stderr)
 

@@ -39,11 +39,6 @@ def ejecuta(orden, **opciones):
         raise Fallo(str(fallo).splitlines()[0]) from None
 
 
-def en_png(ppm, compresion):
-    """La compresión, de 1 a 9: con la de siempre cuesta tanto como dibujar."""
-    return ejecuta(["pnmtopng", "-quiet", "-compression", compresion, ppm])
-
-
 def compila(build):
     """Los programas, según quedan enlazados. Lo que diga el compilador, en stderr, y todo en BUILD/compila.log."""
     with open(build / "compila.log", "w") as registro:
@@ -99,7 +94,7 @@ class Galeria:
             orden += ["-guion", caso.guion]
         caso.salida = ejecuta(orden, cwd=temporal, env={**os.environ, "LAB_LEIDOS": leidos}).decode(errors="replace")
         if not programa.consola:
-            escribe(png, en_png(ppm, 3))
+            escribe(png, procesos.en_png(ppm, 3))
             ppm.unlink()
         if caso.anima:
             with tempfile.TemporaryDirectory(dir=temporal) as carpeta:
@@ -116,7 +111,7 @@ class Galeria:
         guion = "; ".join([caso.guion, *(f"captura {c.name}; {paso}" for c in capturas)])
         ejecuta([ejecutable, "-geometry", ANIMADA, "-ppm", "x", "-guion", guion], cwd=carpeta)
         for captura in capturas:
-            captura.with_suffix(".png").write_bytes(en_png(captura, 1))  # apngasm lo comprime otra vez
+            captura.with_suffix(".png").write_bytes(procesos.en_png(captura, 1))  # apngasm lo comprime otra vez
         ejecuta(["apngasm", "animada.png", "000.png", *RITMO, "-z0"], cwd=carpeta)
         return (carpeta / "animada.png").read_bytes()
 

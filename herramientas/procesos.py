@@ -95,6 +95,11 @@ def ejecuta(orden, **opciones):
     return proceso.stdout
 
 
+def en_png(ppm, compresion=6):
+    """El de un PPM. La compresión, de 1 a 9: con la de siempre cuesta tanto como dibujar."""
+    return ejecuta(["pnmtopng", "-quiet", "-compression", compresion, ppm])
+
+
 def escribe(fichero, datos):
     """Entero o nada: al lado, y en su sitio cuando ya está."""
     parcial = fichero.with_name(fichero.name + ".parcial")

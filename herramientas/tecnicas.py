@@ -8,7 +8,7 @@ from pathlib import Path
 
 import grafica
 from cocientes import cociente, mas_lento
-from procesos import Fallo, ejecuta, escribe
+from procesos import Fallo, ejecuta, en_png, escribe
 
 CABECERA = "variante\tgrupo\terror\tnota\ttiempo en cada ronda"
 
@@ -95,7 +95,7 @@ def imagenes(tecnica, carpeta, destino):
             ppm = carpeta / f"{tecnica.nombre}-{n}{sufijo}.ppm"
             if ppm.exists():
                 png = destino / f"{ppm.stem}.png"
-                escribe(png, ejecuta(["pnmtopng", "-quiet", ppm]))
+                escribe(png, en_png(ppm))
                 ficheros.append(png.name)
         tecnica.imagenes.append((papel, v, ficheros))
 

@@ -63,7 +63,7 @@ ctest)
   fallos=${xml%/*}/fallos
   mkdir -p "$fallos/osmesa"
   for f in esperada obtenida diferencia; do printf 'P6 1 1 255\nabc' >"$fallos/osmesa/a-$f.ppm"; done
-  python3 - "$fallos/osmesa/a-*.ppm" >"$xml" <<'FIN'
+  /usr/bin/python3 - "$fallos/osmesa/a-*.ppm" >"$xml" <<'FIN'
 import html, sys
 print('<t><testcase name="uno" status="run"/><testcase name="imagen.osmesa.a" status="fail" time="0.5">',
       f'<system-out>DISTINTAS: &lt;b&gt;\nimágenes en {html.escape(sys.argv[1])}\n</system-out></testcase></t>')

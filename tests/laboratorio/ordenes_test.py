@@ -41,6 +41,9 @@ class Lab:
         for quien in ("cmake", "ninja", "ctest", "gnuplot", "id", "dpkg-query", "apt-get", "apt-cache", "sudo", "em++", "falso.sh",
                       "x86_64-w64-mingw32-g++-posix", "x86_64-w64-mingw32-strip"):
             (sitio / "bin" / quien).symlink_to(RAIZ / "tests/laboratorio/falso.sh")
+        otro_python = sitio / "bin/python3"  # como el de conda, que no tiene los paquetes del sistema
+        otro_python.write_text("#!/bin/sh\necho 'este Python no es el del sistema' >&2\nexit 1\n")
+        otro_python.chmod(0o755)
         (self.raiz / "tests/casos/caso.sh").symlink_to(RAIZ / "tests/laboratorio/falso.sh")
         for f, texto in (("tests/entorno.txt", "GALLIUM_DRIVER=llvmpipe\n"), ("tests/capitulos/ch01_test.cpp", ""), ("ch01_uno/a.vert", "uno"),
                          ("ch01_uno/a.cpp", '// Controles: a gira · Esc termina.\n#include "a.vert"\n'), ("ch01_uno/b.cpp", "// Controles: ninguno.\n"),
@@ -151,7 +154,7 @@ def test_lista(lab):
     lab("lista --docs", salida="")
     programas = (lab.raiz / "docs/programas.md").read_text()
     assert "| L1.1 | uno | [a](../ch01_uno/a.cpp) |" in programas and "| F1.1 | figura | sin motivo |" in programas
-    comprueba = ["python3", "-B", lab.raiz / "herramientas/documentos.py", lab.raiz, lab.build, "comprueba"]
+    comprueba = ["/usr/bin/python3", "-B", lab.raiz / "herramientas/documentos.py", lab.raiz, lab.build, "comprueba"]
     assert subprocess.run(comprueba).returncode == 0
     (lab.raiz / "docs/programas.md").write_text("otra cosa")
     assert subprocess.run(comprueba, capture_output=True).returncode == 1

@@ -429,7 +429,6 @@ def prueba_ejercicio(p, codigo):
 
 def prueba_ejercicios(p):
     n = p.n
-    n.talla(1280, 800)  # la de un portátil: cuánto hay de fondo, que siempre coincide, depende de ella
     n.js("localStorage.clear()")
     exige(sorted(n.js("return EJERCICIOS.map(e => e.codigo)")) == sorted(MAL_HECHO), "están todos los ejercicios")
     for codigo in MAL_HECHO:
@@ -525,35 +524,31 @@ def prueba_pagina(p):
     exige(not fuera, f"no se pide nada a otro servidor: {fuera[:3]}")
 
 
+PRUEBAS = {"ejercicios": (prueba_ejercicios, prueba_pagina)}
+PRUEBAS["persona"] = prueba_entradas, prueba_adversidades, prueba_editor, prueba_ejercicios, prueba_ficheros_y_tallas, prueba_pagina
+PRUEBAS[""] = PRUEBAS["persona"]
+
+
 def main():
     raiz, build, web, *pedidos = sys.argv[1:]
     raiz, build, web = Path(raiz).resolve(), Path(build).resolve(), Path(web).resolve()
     fijo = dict(linea.split("=", 1) for linea in (raiz / "tests/entorno.txt").read_text().split())
-    pantalla = subprocess.Popen(["Xvfb", "-displayfd", "1", "-screen", "0", "1920x1200x24", "-nolisten", "tcp"], stdout=subprocess.PIPE,
-                                stderr=subprocess.DEVNULL, text=True)
-    try:
-        entorno = {**os.environ, **fijo, "DISPLAY": ":" + pantalla.stdout.readline().strip()}
-        with tempfile.TemporaryDirectory() as carpeta:
-            n = Navegador(Path(carpeta, "perfil"), OPCIONES, entorno)
-            try:
-                n.pide("/timeouts", script=60000)
-                n.pide("/url", url=(web / "index.html").as_uri())
-                if pedidos not in (["persona"], ["ejercicios"]):
-                    compara_casos(n, raiz, build, Path(carpeta), pedidos)
-                persona = Persona(n, raiz, build, web / "index.html", Path(carpeta))
-                if pedidos in ([], ["persona"]) and not SWIFTSHADER:
-                    for prueba in (prueba_entradas, prueba_adversidades, prueba_editor, prueba_ejercicios, prueba_ficheros_y_tallas, prueba_pagina):
-                        prueba(persona)
-                if pedidos == ["ejercicios"]:
-                    prueba_ejercicios(persona)
-                    prueba_pagina(persona)
-                registro = [r["message"] for r in n.pide("/se/log", type="browser") if "CONTEXT_LOST_WEBGL" not in r["message"]]
-                exige(not registro, f"la consola está vacía: {registro[:3]}")
-            finally:
-                n.cierra()
-    finally:
-        pantalla.terminate()
-        pantalla.wait()
+    with navegador.pantalla({**os.environ, **fijo}) as entorno, tempfile.TemporaryDirectory() as carpeta:
+        n = Navegador(Path(carpeta, "perfil"), OPCIONES, entorno)
+        try:
+            n.pide("/timeouts", script=60000)
+            n.pide("/url", url=(web / "index.html").as_uri())
+            if pedidos not in (["persona"], ["ejercicios"]):
+                compara_casos(n, raiz, build, Path(carpeta), pedidos)
+            persona = Persona(n, raiz, build, web / "index.html", Path(carpeta))
+            if not SWIFTSHADER:
+                for prueba in PRUEBAS.get(" ".join(pedidos), ()):
+                    n.talla(1280, 800)  # cada una empieza en un portátil, y no como dejó la ventana la de antes
+                    prueba(persona)
+            registro = [r["message"] for r in n.pide("/se/log", type="browser") if "CONTEXT_LOST_WEBGL" not in r["message"]]
+            exige(not registro, f"la consola está vacía: {registro[:3]}")
+        finally:
+            n.cierra()
     navegador.acaba()
 
 

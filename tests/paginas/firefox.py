@@ -98,20 +98,13 @@ def compara(f, raiz, build, pagina, programa, carpeta):
 def main():
     raiz, build, web = (Path(ruta).resolve() for ruta in sys.argv[1:])
     programas = {p.nombre: p for p in catalogo.lee_programas(build)}
-    pantalla = subprocess.Popen(["Xvfb", "-displayfd", "1", "-screen", "0", "1920x1200x24", "-nolisten", "tcp"], stdout=subprocess.PIPE,
-                                stderr=subprocess.DEVNULL, text=True)
-    try:
-        entorno = {**os.environ, "DISPLAY": ":" + pantalla.stdout.readline().strip()}
-        with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as carpeta:
-            f = Firefox(Path(carpeta, "perfil"), entorno)
-            try:
-                for nombre in PROGRAMAS:
-                    compara(f, raiz, build, web / "index.html", programas[nombre], Path(carpeta))
-            finally:
-                f.cierra()
-    finally:
-        pantalla.terminate()
-        pantalla.wait()
+    with navegador.pantalla(os.environ) as entorno, tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as carpeta:
+        f = Firefox(Path(carpeta, "perfil"), entorno)
+        try:
+            for nombre in PROGRAMAS:
+                compara(f, raiz, build, web / "index.html", programas[nombre], Path(carpeta))
+        finally:
+            f.cierra()
     navegador.acaba()
 
 

@@ -16,6 +16,7 @@ import tempfile
 import time
 import urllib.error
 import urllib.request
+from contextlib import contextmanager
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "herramientas"))
@@ -70,6 +71,18 @@ class Navegador:
         finally:
             self.chromedriver.terminate()
             self.chromedriver.wait()
+
+
+@contextmanager
+def pantalla(entorno):
+    """El entorno con una pantalla de Xvfb, que se cierra al acabar."""
+    xvfb = subprocess.Popen(["Xvfb", "-displayfd", "1", "-screen", "0", "1920x1200x24", "-nolisten", "tcp"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                            text=True)
+    try:
+        yield {**entorno, "DISPLAY": ":" + xvfb.stdout.readline().strip()}
+    finally:
+        xvfb.terminate()
+        xvfb.wait()
 
 
 fallos = []
