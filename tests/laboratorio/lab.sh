@@ -49,7 +49,8 @@ tar -C "$raiz" --exclude=./build --exclude=./galeria --exclude=./web --exclude=.
 cd "$copia"
 # compila antes: sin optimizar, con lo que de common/ hay en BUILD, salvo lo que sabe en qué carpeta está, y con pocos assets/
 sed -i 's/"Release"/"None"/' CMakePresets.json
-HECHO=$hecho/CMakeFiles perl -0pi -e 's|common/(?!rutas)(\w+\.cpp)|"$ENV{HECHO}/comun.dir/common/$1.o"|g;
+cp -r "$hecho"/CMakeFiles/{comun,glut_sin_ventana}.dir "$carpeta" # en BUILD, otro usuario puede no poder leer
+HECHO=$carpeta perl -0pi -e 's|common/(?!rutas)(\w+\.cpp)|"$ENV{HECHO}/comun.dir/common/$1.o"|g;
   s|glut_sin_ventana OBJECT|$& EXCLUDE_FROM_ALL|; s|\$<TARGET_OBJECTS:glut_sin_ventana>|\${glut}|g;
   s|(?=add_library\(glut_egl)|file(GLOB glut "$ENV{HECHO}/glut_sin_ventana.dir/common/glut_sin_ventana/*.o")\n|;
   s|(target_precompile_headers\(precompilada PRIVATE)[^)]*|$1 <cstdio>|' CMakeLists.txt
