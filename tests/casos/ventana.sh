@@ -39,7 +39,7 @@ pasea() { # PROGRAMA
   local sucesos
   setpriv --pdeathsig KILL twm -f /dev/null >/dev/null 2>&1 &
   sucesos=$(python3 -B "$aqui/../../herramientas/controles.py" "$aqui/../.." "$build" "$1" 1 25)
-  haz_guion 240x180 "tamano 300 200; $sucesos; tamano 200 240; $sucesos"
+  PAUSA=0.002 haz_guion 240x180 "tamano 300 200; $sucesos; tamano 200 240; $sucesos" # seguidos: no se mira qué hace cada uno
 }
 mal() { # MENSAJE: con lo que haya escrito el programa
   echo "$nombre: $1"
