@@ -505,6 +505,8 @@ void glutMainLoop(void) {
     if (g.cambiaTamano)
         g.cambiaTamano(g.talla.ancho, g.talla.alto);
     compruebaGL("al dar el tamaño");
+    if (g.diario || g.sesion)
+        preparaDiario();
     if (g.sesion)
         sigueEnSesion();
     if (g.diario)

@@ -48,6 +48,9 @@ void mideCuadros(int cuadros, double primera);
 
 // diario.cpp
 
+/// Lo que hace falta para el diario; con una sesión, antes de abrirla.
+void preparaDiario();
+
 /// Desde ahora se apunta lo que queda tras cada orden.
 void empiezaDiario();
 
