@@ -40,6 +40,7 @@ pasea() { # PROGRAMA
   setpriv --pdeathsig KILL twm -f /dev/null >/dev/null 2>&1 &
   sucesos=$(python3 -B "$aqui/../../herramientas/controles.py" "$aqui/../.." "$build" "$1" 1 25)
   PAUSA=0.002 haz_guion 240x180 "tamano 300 200; $sucesos; tamano 200 240; $sucesos" # seguidos: no se mira qué hace cada uno
+  while cp salida antes && sigue 0.2 && ! cmp -s antes salida; do :; done # hasta que los haya atendido
 }
 mal() { # MENSAJE: con lo que haya escrito el programa
   echo "$nombre: $1"
