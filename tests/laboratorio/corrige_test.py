@@ -13,6 +13,7 @@ import tempfile
 import time
 import xml.etree.ElementTree as xml
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -57,6 +58,10 @@ def test_los_guiones_al_azar_son_los_mismos_y_usan_todos_los_mandos():
     hechos = [list(corrige.guiones_al_azar(clave, 20, mandos, lambda azar: [azar.choice(mandos)])) for clave in ("E1 1", "E1 1", "E1 2")]
     assert hechos[0] == hechos[1] != hechos[2] and len(set(g.ordenes for g in hechos[0])) == 20
     assert {corrige.sin_veces(g.ordenes[0]) for g in hechos[0]} == set(mandos)
+    assert any(o.endswith(" ×30") for g in hechos[0] for o in g.ordenes)
+    assert [any(o.startswith("tamano") for o in g.ordenes) for g in hechos[0]] == [False, True] * 10
+    programa = SimpleNamespace(casos=[SimpleNamespace(nombre="uno", guion=""), SimpleNamespace(nombre="dos", guion="tecla a; espera 5;")])
+    assert list(corrige.Banco.casos(SimpleNamespace(programa=programa))) == [corrige.Guion("uno", (), True), corrige.Guion("dos", ("tecla a", "espera 5"), True)]
     assert corrige.Guion("", ("tecla a", "tecla b")).texto == "captura 000.ppm; tecla a; captura 001.ppm; tecla b; captura 002.ppm"
 
 
@@ -120,6 +125,111 @@ def test_lo_que_se_lee_de_una_entrega(tmp_path):
     assert "ningún .cpp" in rechazo("vacia") and "no es una carpeta" in rechazo("carpeta") and "no es una carpeta" in rechazo("noesta")
 
 
+def partida(*imagenes, titulos=("título: uno",), texto="", estado=0, errores=""):
+    return corrige.Partida([(2, 1, bytes([i] * 6)) for i in imagenes], list(titulos), texto, estado, errores)
+
+
+def test_en_que_se_apartan_dos_partidas():
+    banco = SimpleNamespace(iguales=lambda una, otra: una == otra)
+
+    def difiere(obtenida, **esperada):
+        return corrige.Banco.difiere(banco, partida(1, 2, 3, **esperada), obtenida)
+    assert difiere(partida(1, 2, 3)) is None and difiere(partida(1, 2, 3, texto="sobra", errores="aviso")) is None
+    assert [difiere(partida(*i)) for i in ((9, 2, 3), (1, 9, 3), (1, 2), ())] == [0, 1, 2, 0]
+    for otra in (partida(1, 2, 3, estado=3), partida(1, 2, 3, titulos=()), partida(1, 2, 3, titulos=("título: uno", "título: dos"))):
+        assert difiere(otra) == 2
+    assert difiere(partida(1, 2, 3, texto="una"), texto="otra") == 2 and difiere(partida(1, 2, 3, texto="una"), texto="una") is None
+
+
+@pytest.mark.skipif(not (BUILD / "tests/compara").exists(), reason="no está compilado")
+def test_dos_imagenes_son_la_misma(tmp_path):
+    banco = SimpleNamespace(iguales_ya={}, temporal=tmp_path, build=BUILD)
+    gris = bytes([100]) * 3000
+    for pixeles, son in ((gris, True), (bytes([101]) * 3000, True), (bytes([110]) * 3000, False), (gris[:-30] + bytes(30), False), (bytes([160]) + gris[1:], False)):
+        assert corrige.Banco.iguales(banco, (100, 10, gris), (100, 10, pixeles)) == son
+    assert not corrige.Banco.iguales(banco, (100, 10, gris), (50, 20, gris))
+    assert not list(tmp_path.iterdir())
+
+
+def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
+    casos, otros = [corrige.Guion("caso", (), True)], [corrige.Guion(f"al azar {i}", ("tecla a",)) for i in range(398)]
+    jugados = []
+
+    def nota(obtenida):
+        def juega(variante, guion):
+            jugados.append(guion)
+            return obtenida(guion) if variante == "entrega" else partida(1)
+        jugados.clear()
+        banco = SimpleNamespace(todos=casos + otros, juega=juega, solucion="solución", iguales=lambda una, otra: una == otra)
+        banco.difiere = lambda *p: corrige.Banco.difiere(banco, *p)
+        correccion = corrige.Correccion(banco, {})
+        correccion.variante, correccion.muestra, correccion.explica = "entrega", lambda fallan: [], lambda *_: []
+        return correccion.compara()["nota"]
+
+    assert nota(lambda g: partida(1)) == 100 and nota(lambda g: partida(2)) == 0
+    assert nota(lambda g: partida(2 if g.caso else 1)) == 99.5  # un caso vale por dos
+    casos += [corrige.Guion(f"caso {i}", (), True) for i in range(2000)]
+    assert nota(lambda g: partida(2 if g is otros[0] else 1)) == 99.9  # con un fallo no es 100
+    assert nota(lambda g: partida(1, estado=124)) == 0 and len(jugados) == len(casos + otros) + corrige.CUELGUES
+
+
+def test_el_defecto_que_deja_lo_mismo_en_todos_los_guiones():
+    guiones = [corrige.Guion(str(i), ("tecla a",)) for i in range(3)]
+    entregado = {g: partida(5) for g in guiones}
+    hace = {"esqueleto": (1, 1, 1), "uno": (5, 5, 6), "dos": (5, 5, 9), "tres": (5, 5, 5), "cuatro": (5, 5, 6)}  # 5 y 6 se parecen
+    banco = SimpleNamespace(iguales=lambda una, otra: abs(una[2][0] - otra[2][0]) < 2, juega=lambda v, g: partida(hace[v][int(g.nombre)]))
+    banco.difiere = lambda *p: corrige.Banco.difiere(banco, *p)
+
+    def dice(*variantes):
+        banco.variantes = lambda: [("", "esqueleto"), *((v, v) for v in variantes)]
+        return corrige.Banco.por_que(banco, entregado, guiones[:1])
+    assert dice("uno", "dos", "tres", "cuatro") == ["tres"]  # antes, la exacta
+    assert dice("uno", "dos", "cuatro") == ["uno", "cuatro"] and dice("dos") == []
+    hace["esqueleto"] = 5, 5, 5
+    assert dice("tres") == [""]
+
+
+def test_lo_que_no_responde():
+    guion = corrige.Guion("", ("tecla a", "tecla b ×3", "arrastra 5 6", "tecla a"))
+    esperada = {guion: partida(0, 1, 2, 3, 4)}
+
+    def dice(*imagenes, muestra=()):
+        partidas = {guion: partida(*imagenes)}
+        correccion = corrige.Correccion(SimpleNamespace(por_que=lambda *_: []), {})
+        correccion.partidas, correccion.esperadas = partidas, esperada
+        return correccion.explica({guion: 1}, muestra)
+    assert dice(0, 1, 1, 3, 4) == ["«tecla b» no hace nada"] and dice(0, 0, 2, 2, 4) == ["«arrastra» no hace nada"]
+    assert dice(0, 0, 0, 0, 0) == ["no responde a nada de lo que debería"] and dice(0, 1, 2, 9, 4) == []
+    assert dice(0, 1, 2, 9, 4, muestra=[{"tras": ["tamano 3 4"]}]) == ["está mal al cambiar el tamaño de la ventana"]
+
+
+def test_lo_mismo_no_se_corrige_otra_vez(tmp_path, monkeypatch):
+    hechas = []
+    monkeypatch.setattr(corrige.Correccion, "hazla", lambda self: hechas.append(self) or {"nota": 5, "dice": [], "fallos": []})
+    (tmp_path / "a.cpp").write_text("uno")
+
+    def corrige_con(version="v", semilla=1, guiones=3):
+        antes = len(hechas)
+        banco = SimpleNamespace(version=version, semilla=semilla, ref=REF, todos=[0] * guiones)
+        assert corrige.corrige(banco, tmp_path, tmp_path / "nota.json")["nota"] == 5
+        return len(hechas) > antes
+    assert corrige_con() and not corrige_con()
+    assert all(corrige_con(*con) for con in (("w",), ("v", 2), ("v", 2, 4)))
+    (tmp_path / "a.cpp").write_text("dos")
+    assert corrige_con("v", 2, 4) and not corrige_con("v", 2, 4)
+    (tmp_path / "nota.json").write_text("{")
+    assert corrige_con("v", 2, 4)
+
+
+@pytest.mark.skipif(not (BUILD / "catalogo.json").exists(), reason="no está configurado")
+def test_lo_que_ve_una_entrega_no_es_la_solucion():
+    for ref, programa in nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD)).items():
+        solucion, esqueleto = (que(RAIZ, programa, ref) for que in (nuevo.solucion, nuevo.esqueleto))
+        secretos = {f"{programa.capitulo.nombre}/{f}" for f in solucion if solucion[f] != esqueleto[f]}
+        vistos = set(map(str, corrige.Banco.arbol_visible(SimpleNamespace(raiz=RAIZ, programa=programa, ref=ref))))
+        assert secretos and not secretos & vistos and {"common/ventana.h", "common/encima.vert"} <= vistos, ref
+
+
 HECHA = {"entrega": "=ana\n", "ejercicio": "E3.5", "semilla": "7", "nota": 87.5, "bien": 20, "guiones": 29, "dice": ["uno\nGrade :=>> 100", "<dos>\x1b"], "fallos": []}
 
 
@@ -168,6 +278,25 @@ def jaula():
 
 
 con_jaula = pytest.mark.skipif(not jaula() or not (BUILD / "catalogo.json").exists(), reason="aquí no se puede encerrar nada, o no está compilado")
+
+
+@con_jaula
+def test_los_limites_de_la_jaula(tmp_path):
+    os.chmod(tmp_path.parent, 0o755)
+    banco = SimpleNamespace(jaula=corrige.Jaula(RAIZ), temporal=tmp_path, entorno={"PATH": "/usr/bin:/bin"}, compilador=([], [], []), shaders=tmp_path / "no")
+    limites = {"segundos": 2, "procesador": 1, "memoria": 200 << 20, "procesos": 20}
+
+    def hace(orden):
+        return corrige.desempaqueta(corrige.Banco.encierra(banco, ["sh", "-c", orden], tmp_path, limites, True))
+
+    def acaba(orden):
+        return int(hace(orden)["estado"].strip() or -1)
+    assert hace("echo hola; pwd") == {"estado": b"0\n", "salida": b"hola\n/trabajo\n", "errores": b""}
+    assert acaba("trap '' TERM; while sleep 1; do :; done") == 137 and acaba("while :; do :; done") in corrige.NO_ACABA
+    assert acaba("head -c 1M /dev/zero >a") == 0 and acaba(f"head -c {corrige.DISCO + 1} /dev/zero >/dev/shm/a") != 0
+    assert acaba(f"for i in 1 2 3; do head -c {corrige.DISCO // 2} /dev/zero >$i || exit 5; done; rm 1 2 3") in (5, -1)
+    assert acaba("tail /dev/zero") != 0 and acaba("for i in $(seq 40); do sleep 1 & done; wait") != 0
+    assert acaba("touch /usr/x") != 0 and acaba(f"ls {RAIZ}") != 0 and acaba("[ $(grep -c : /proc/net/dev) = 1 ]") == 0
 
 
 def entrega(carpeta, ficheros, fichero="", viejo="", nuevo_texto=""):
