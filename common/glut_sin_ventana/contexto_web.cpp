@@ -2,7 +2,6 @@
 // la página ha creado para este programa: en Module.canvas está el elemento y con Module.titulo se le dice el título.
 #include "../error.h"
 #include "contexto.h"
-#include "interior.h"
 #include <emscripten.h>
 #include <emscripten/html5.h>
 
@@ -55,15 +54,6 @@ void diTitulo(const char *titulo) {
 
 void cedeAlNavegador() {
     emscripten_exit_with_live_runtime();
-}
-
-// no hay procesos
-void preparaSesion() {
-    falla("en el navegador no hay -sesion", 2);
-}
-
-std::vector<std::string> abreSesion() {
-    return {};
 }
 
 } // namespace sin_ventana

@@ -94,13 +94,10 @@ std::string cambiado; // lo que los cuadros, desde la última línea, no han dej
 
 } // namespace
 
-void preparaDiario() {
-    glewExperimental = GL_TRUE;
-    glewInit(); // el programa puede no haberlo necesitado; en un proceso desdoblado, libGLX suelta el contexto
-}
-
 void empiezaDiario() {
     seEscribe = true;
+    glewExperimental = GL_TRUE;
+    glewInit(); // el programa puede no haberlo necesitado
 }
 
 void dibujaParaElDiario(void (*dibuja)()) {

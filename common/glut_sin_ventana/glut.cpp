@@ -32,7 +32,7 @@ struct {
     std::vector<Orden> guion;
     std::string ppm;
     int mide = 0;
-    bool tallaPedida = false, rasgos = false, diario = false, titulos = false, sesion = false;
+    bool tallaPedida = false, rasgos = false, diario = false, titulos = false;
     // ventana
     std::string titulo;
     Talla talla = {300, 300}, tallaPrevia;
@@ -254,56 +254,6 @@ void ponTituloVentana(const char *titulo) {
     diTitulo(titulo);
 }
 
-/// Lee las opciones de la ventana y da dónde están las demás, que son del programa.
-std::vector<std::size_t> leeOpciones(const std::vector<std::string> &opciones) {
-    std::vector<std::size_t> ajenas;
-    for (std::size_t i = 0; i < opciones.size(); ++i) {
-        const std::string &opcion = opciones[i];
-        auto valor = [&] {
-            if (i + 1 >= opciones.size())
-                falla(opcion + ": falta su valor", 2);
-            return opciones[++i];
-        };
-        if (opcion == "-geometry") {
-            g.talla = tallaDe(valor(), opcion);
-            g.tallaPedida = true;
-        } else if (opcion == "-guion") {
-            g.guion = leeGuion(valor());
-        } else if (opcion == "-ppm") {
-            g.ppm = valor();
-        } else if (opcion == "-mide") {
-            g.mide = enteroDe(valor(), 1, 1000000, opcion);
-        } else if (opcion == "-rasgos") {
-            g.rasgos = true;
-        } else if (opcion == "-titulos") {
-            g.titulos = true;
-        } else if (opcion == "-diario") {
-            g.diario = true;
-        } else if (opcion == "-sesion") {
-            g.sesion = true;
-        } else {
-            if (opcion == "-ayuda" || opcion == "-h" || opcion == "--help") {
-                std::printf("%s", AYUDA);
-                g.ayuda = true; // y el programa puede añadir su uso
-            }
-            ajenas.push_back(i);
-        }
-    }
-    return ajenas;
-}
-
-/// Lo que sigue es de cada proceso de la sesión: con la primera imagen ya dibujada y sus opciones.
-void sigueEnSesion() {
-    dibujaLoPedido();
-    const bool seSabe = g.titulos; // el título
-    leeOpciones(abreSesion());
-    if (g.titulos && !seSabe)
-        std::printf("título: %s\n", g.titulo.c_str());
-    g.repinta = g.diario; // que apunta también cómo deja OpenGL ese cuadro
-    std::atexit(compruebaSalida);
-    std::atexit(compruebaErroresAlSalir);
-}
-
 void apunta(const std::string &orden, bool haPasadoTiempo) {
     if (!g.diario || g.termina)
         return;
@@ -350,10 +300,36 @@ void glutInit(int *argc, char **argv) {
     std::atexit(compruebaSalida);
     g.ppm = nombrePrograma() + ".ppm";
     int quedan = 1;
-    for (const std::size_t i : leeOpciones({argv + 1, argv + *argc}))
-        argv[quedan++] = argv[i + 1];
-    if (g.sesion)
-        preparaSesion();
+    for (int i = 1; i < *argc; ++i) {
+        const std::string opcion = argv[i];
+        auto valor = [&] {
+            if (i + 1 >= *argc)
+                falla(opcion + ": falta su valor", 2);
+            return std::string(argv[++i]);
+        };
+        if (opcion == "-geometry") {
+            g.talla = tallaDe(valor(), opcion);
+            g.tallaPedida = true;
+        } else if (opcion == "-guion") {
+            g.guion = leeGuion(valor());
+        } else if (opcion == "-ppm") {
+            g.ppm = valor();
+        } else if (opcion == "-mide") {
+            g.mide = enteroDe(valor(), 1, 1000000, opcion);
+        } else if (opcion == "-rasgos") {
+            g.rasgos = true;
+        } else if (opcion == "-titulos") {
+            g.titulos = true;
+        } else if (opcion == "-diario") {
+            g.diario = true;
+        } else if (opcion == "-ayuda" || opcion == "-h" || opcion == "--help") {
+            std::printf("%s", AYUDA);
+            g.ayuda = true;
+            argv[quedan++] = argv[i]; // el programa puede añadir su uso
+        } else {
+            argv[quedan++] = argv[i];
+        }
+    }
     *argc = quedan;
     argv[quedan] = nullptr;
 }
@@ -505,10 +481,6 @@ void glutMainLoop(void) {
     if (g.cambiaTamano)
         g.cambiaTamano(g.talla.ancho, g.talla.alto);
     compruebaGL("al dar el tamaño");
-    if (g.diario || g.sesion)
-        preparaDiario();
-    if (g.sesion)
-        sigueEnSesion();
     if (g.diario)
         empiezaDiario();
     const double primera = milisegundosDe(dibujaLoPedido);
@@ -527,8 +499,7 @@ void glutMainLoop(void) {
     compruebaGL("al leer la imagen");
     if (g.cierre)
         g.cierre();
-    if (!g.sesion)
-        destruyeContexto();
+    destruyeContexto();
     g.abierta = false;
 }
 

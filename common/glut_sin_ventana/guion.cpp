@@ -26,9 +26,6 @@ const char *const AYUDA = R"(Opciones de la ventana sin pantalla:
                           repetir el cuadro sale otra, título, lo que el cuadro no deja como estaba en OpenGL, cuántos
                           buffer objects, texturas, programas, shaders, framebuffers, renderbuffers y vertex arrays hay, bytes
                           que ocupan y temporizadores que esperan. Tras espera se dibuja antes el cuadro de ese momento
-  -sesion                 arranca una vez y espera; por cada línea que le llega, una carpeta y otras opciones separadas por
-                          tabuladores, sigue ahí en un proceso nuevo, deja en ella salida y errores y contesta con su estado.
-                          Lee y contesta por la entrada, que es un socket
   -ayuda                  esta lista
 Órdenes del guion:
   tecla X                 un carácter, o Esc, Espacio, Intro, Tab, Retroceso, Supr, PuntoYComa

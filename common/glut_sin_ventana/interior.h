@@ -48,9 +48,6 @@ void mideCuadros(int cuadros, double primera);
 
 // diario.cpp
 
-/// Lo que hace falta para el diario; con una sesión, antes de abrirla.
-void preparaDiario();
-
 /// Desde ahora se apunta lo que queda tras cada orden.
 void empiezaDiario();
 
@@ -59,14 +56,5 @@ void dibujaParaElDiario(void (*dibuja)());
 
 /// Si hay diario, vuelve a dibujar y escribe una línea. `temporizadores`: cuántos esperan.
 void apuntaEnElDiario(const std::string &orden, const std::string &titulo, std::size_t temporizadores);
-
-// sesion.cpp
-
-/// Antes de crear el contexto de un programa con la opción -sesion.
-void preparaSesion();
-
-/// Por cada línea de la entrada desdobla el programa, que sigue desde aquí en la carpeta y con las opciones de esa línea, y contesta
-/// con su estado de salida. Solo vuelve en esos procesos, y da las opciones; el que la llama termina con la entrada.
-std::vector<std::string> abreSesion();
 
 } // namespace sin_ventana

@@ -4,6 +4,8 @@ color dicen de qué hablan (no están junto a un trazo de ese color), los colore
 tritanopia: ΔE de CIEDE2000 de 20 o más. Si no, en EXCEPCIONES está qué otra cosa los distingue."""
 import itertools
 import math
+import os
+import subprocess
 import sys
 import tempfile
 from functools import cache
@@ -11,7 +13,6 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "herramientas"))
 import catalogo
-from sesion import Sesion
 
 MINIMO = 20
 CERCA = 14  # píxeles de un rótulo a lo que nombra, en una imagen de 240×180
@@ -71,13 +72,13 @@ def se_distinguen(uno, otro):
     return min((ciede2000(visto(uno, m), visto(otro, m)), quien) for quien, m in VISTAS.items())
 
 
-def encima(sesion, caso, carpeta):
+def encima(build, caso, carpeta):
     """Los rótulos y los trazos de un caso (common/encima.h): color, puntos y texto."""
-    estado, _, errores = sesion.sigue(carpeta, ["-guion", caso.guion])
-    if estado:
-        sys.exit(f"{caso.fichero}: estado {estado}: {errores}")
+    fichero = carpeta / "encima"
+    subprocess.run([caso.programa.ejecutable(build), "-geometry", "240x180", "-ppm", "x.ppm", "-guion", caso.guion], cwd=carpeta, check=True,
+                   env={**os.environ, "LAB_ENCIMA": str(fichero)}, stdout=subprocess.DEVNULL)
     rotulos, trazos = [], []
-    for linea in Path(carpeta, "encima").read_text().split("imagen\t")[-1].splitlines()[1:]:
+    for linea in fichero.read_text().split("imagen\t")[-1].splitlines()[1:]:
         tipo, color, _, _, _, puntos, texto = linea.split("\t")
         xyz = [float(v) for v in puntos.split()]
         (rotulos if tipo == "rotulo" else trazos).append((tuple(map(float, color.split())), list(zip(xyz[::3], xyz[1::3])), texto))
@@ -108,14 +109,10 @@ def main():
     fallos, confusos = [], set()
     with tempfile.TemporaryDirectory() as carpeta:
         for programa in catalogo.lee_programas(build):
-            if programa.consola:
-                continue
-            sesion = Sesion([programa.ejecutable(build), "-geometry", "240x180", "-ppm", "x.ppm"], LAB_ENCIMA="encima")
-            for caso in programa.casos:
-                for que in confunden(*encima(sesion, caso, carpeta)):
+            for caso in () if programa.consola else programa.casos:
+                for que in confunden(*encima(build, caso, Path(carpeta))):
                     confusos.add(programa.nombre)
                     fallos += [] if programa.nombre in EXCEPCIONES else [f"{caso.fichero}: {que}"]
-            sesion.cierra()
     fallos += [f"{nombre} ya no confunde a nadie y sigue en EXCEPCIONES" for nombre in sorted(set(EXCEPCIONES) - confusos)]
     print(*fallos, sep="\n")
     sys.exit(bool(fallos))

@@ -18,7 +18,6 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parents[2] / "herramientas"))
 import catalogo
 import controles
-from sesion import Sesion
 
 TALLA, OTRAS = "120x90", ("1 1", "200 2", "150 90", "100 100")
 TAMANOS = ["120 90", "150 90", "100 100", "61 45", "4 90", "1 1", "200 2"]
@@ -68,33 +67,21 @@ class Programa:
         self.ajenas = [] if self.cualquiera else [o for o in SIN_NOMBRE if not any(o in c.ordenes for c in self.controles)]
         finitos = build / "tests/libfinitos.so"
         self.finitos = {"LD_PRELOAD": str(finitos)} if finitos.exists() else {}
-        self.sesiones = {}  # de cada talla
         self.previas = {}  # lo que ha dado antes_de
         self.titulo = ""  # el del primer cuadro
 
-    def ejecuta(self, opciones, talla=TALLA, entorno=None):
-        """Lo que escribe. Si se da el entorno, arrancado para esto y no en una sesión."""
-        orden = [self.ejecutable, "-geometry", talla, "-ppm", "imagen.ppm"]
+    def ejecuta(self, opciones, talla=TALLA, **entorno):
         with tempfile.TemporaryDirectory() as carpeta:
-            if entorno is None:
-                if talla not in self.sesiones:
-                    self.sesiones[talla] = Sesion(orden)
-                estado, salida, errores = self.sesiones[talla].sigue(carpeta, opciones)
-            else:
-                r = subprocess.run([*orden, *opciones], cwd=carpeta, env=os.environ | entorno, text=True, stdin=subprocess.DEVNULL, capture_output=True)
-                estado, salida, errores = r.returncode, r.stdout, r.stderr
-        if estado or errores:
-            raise Termina(f"estado {estado}: {errores.strip()[-2000:]}\n  con {opciones[-1]}")
-        return salida
+            r = subprocess.run([self.ejecutable, "-geometry", talla, "-ppm", "imagen.ppm", *opciones], cwd=carpeta, env=os.environ | entorno,
+                               text=True, stdin=subprocess.DEVNULL, capture_output=True)
+        if r.returncode or r.stderr:
+            raise Termina(f"estado {r.returncode}: {r.stderr.strip()[-2000:]}\n  con {opciones[-1]}")
+        return r.stdout
 
-    def cierra(self):
-        for sesion in self.sesiones.values():
-            sesion.cierra()
-
-    def diario(self, ordenes, talla=TALLA, entorno=None):
+    def diario(self, ordenes, talla=TALLA, **entorno):
         """Una fila al empezar y una por orden."""
         filas, escrito = [], []
-        for linea in self.ejecuta(["-diario", "-guion", "; ".join(ordenes)], talla, entorno).split("\n"):
+        for linea in self.ejecuta(["-diario", "-guion", "; ".join(ordenes)], talla, **entorno).split("\n"):
             if not linea.startswith("diario\t"):
                 escrito += [linea] if linea else []
                 continue
@@ -162,7 +149,7 @@ def paseo(p, ordenes, semilla):
             guion.append(azar.choice(p.ajenas))
         elif cual < 0.4:
             guion += [f"tamano {azar.choice(TAMANOS)}", "especial F5"]
-    filas = p.diario(guion, entorno=p.finitos)
+    filas = p.diario(guion, **p.finitos)
     p.titulo = filas[0].titulo
     hechas, temporizadores = set(), max(filas[0].temporizadores, 1)
     for i, (orden, antes, fila) in enumerate(zip(["", *guion], filas[:1] + filas, filas)):
@@ -329,10 +316,10 @@ def comunes(p):
     if puesta.imagen == nada.imagen or quitada.imagen != nada.imagen or puesta.titulo != nada.titulo:
         yield "F1", "F1 no pone la ayuda, o no la quita"
     with tempfile.NamedTemporaryFile("r") as encima:
-        p.ejecuta(["-guion", "especial F1"], entorno={"LAB_ENCIMA": encima.name})
+        p.ejecuta(["-guion", "especial F1"], LAB_ENCIMA=encima.name)
         rotulos = [linea.split("\t")[-1].split("\\n") for linea in encima if linea.startswith("rotulo")]
     suyos = p.dice.split(" · ")
-    for donde, lineas in (("F1", rotulos[-1] if rotulos else []), ("-ayuda", p.ejecuta(["-ayuda"], entorno={}).splitlines()[-len(suyos) - 4:])):
+    for donde, lineas in (("F1", rotulos[-1] if rotulos else []), ("-ayuda", p.ejecuta(["-ayuda"]).splitlines()[-len(suyos) - 4:])):
         if lineas[:len(suyos)] != suyos:
             yield donde, f"{donde} no dice sus controles: {lineas}"
     if not any(linea.startswith("guardado ") for linea in guardada.escrito):
@@ -402,7 +389,6 @@ def comprueba(p, opciones):
         except Termina as error:
             fallos.append(f"{p.nombre}, {nombre}: {error}")
         fallos += [f"{p.nombre}, {nombre}: ya cumple «{a}» y sigue en EXCEPCIONES" for a in sobran]
-    p.cierra()
     print("\n".join(fallos[:20]) + ("\n…" if len(fallos) > 20 else ""))
     return bool(fallos)
 
