@@ -150,7 +150,8 @@ class Jaula:
         otro = ["setpriv", f"--reuid={quien}", f"--regid={quien}", "--clear-groups", "--bounding-set=-all", "--inh-caps=-all", "--no-new-privs", "--"]
         padres = dict.fromkeys(str(p) for que in ve for p in list(Path(que).parents)[-2::-1])  # las que hace bwrap solo las ve su dueño
         monta = [*(p for que in padres for p in ("--dir", que)), *(p for que in ve for p in ("--ro-bind", que, que))]
-        return [*self.prefijo, *monta, "--", *(otro if self.root else [])]
+        # sin ser root, lo que bwrap hace para montar es de quien lo ejecuta, y podría llenar la memoria
+        return [*self.prefijo, *monta, "--remount-ro", "/dev", "--remount-ro", "/", "--", *(otro if self.root else [])]
 
 
 def desempaqueta(datos):

@@ -147,7 +147,7 @@ def cambia(fuente, mutantes):
     for desde, hasta in reversed(ordenados):
         nuevo = fuente[desde:hasta]
         instruccion = nuevo.endswith((";", "}"))
-        if instruccion and re.search(r"(return|[=(,])\s*$", fuente[:desde]):
+        if instruccion and not re.search(r"(^|[;{}):]|\belse|//.*)\s*$", fuente[:desde]):
             raise ValueError(f"no es una instrucción entera: «{nuevo}»")
         nuevo = f"{{ {nuevo} }}" if instruccion else f"({nuevo})"
         for m in sitios[desde, hasta]:

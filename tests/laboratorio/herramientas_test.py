@@ -460,6 +460,12 @@ def test_un_defecto_plantado():
     assert muta.cambia("a = b + c;", dos[3:]) == "if (mutante(4)) { x(); } else { a = b + c; }"
     with pytest.raises(ValueError, match="se pisa con otro"):
         muta.cambia("a = b + c;", dos)
+    for antes, entera in (("", True), ("if (d)\n    ", True), ("else ", True), ("// por qué\n", True), ("case 1: ", True), ("return ", False), ("d = ", False), ("f(", False)):
+        if entera:
+            assert "mutante(1)" in muta.cambia(f"{antes}a();", [mutante("a();", ";")])
+        else:
+            with pytest.raises(ValueError, match="no es una instrucción entera"):
+                muta.cambia(f"{antes}a();", [mutante("a();", ";")])
 
 
 def test_las_cuentas_de_los_defectos():
