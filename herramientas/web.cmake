@@ -28,6 +28,7 @@ add_library(glut_web STATIC ${sin_ventana}/glut.cpp ${sin_ventana}/guion.cpp ${s
   ${sin_ventana}/contexto_web.cpp ${sin_ventana}/gl_web.cpp)
 target_link_libraries(glut_web PUBLIC comun)
 
+precompila_cabeceras()
 set(LAB_DESTINOS "") # programa() solo los compila
 lee_capitulos()
 

@@ -57,10 +57,7 @@ target_link_libraries(consola PRIVATE comun)
 add_library(glut_ventana INTERFACE)
 target_sources(glut_ventana INTERFACE $<TARGET_OBJECTS:consola>)
 
-add_library(precompilada OBJECT herramientas/precompilada.cpp)
-target_link_libraries(precompilada PRIVATE comun avisos)
-target_precompile_headers(precompilada PRIVATE <GL/glew.h> <GL/freeglut.h> <glm/glm.hpp> <glm/gtc/matrix_transform.hpp>
-  <glm/gtc/type_ptr.hpp> <algorithm> <array> <cmath> <cstdio> <cstdlib> <string> <vector>)
+precompila_cabeceras()
 
 set(LAB_DESTINOS ventana)
 set(LAB_SIN_VENTANA ventana) # no hay otro
