@@ -68,6 +68,7 @@ class Programa:
         finitos = build / "tests/libfinitos.so"
         self.finitos = {"LD_PRELOAD": str(finitos)} if finitos.exists() else {}
         self.previas = {}  # lo que ha dado antes_de
+        self.hechas = set()  # las órdenes que en algún diario han hecho algo
         self.titulo = ""  # el del primer cuadro
 
     def ejecuta(self, opciones, talla=TALLA, **entorno):
@@ -88,6 +89,7 @@ class Programa:
             _, orden, imagen, repetida, titulo, cambiado, objetos, ocupa, esperan = linea.split("\t")
             filas.append(Fila(orden, imagen, repetida, titulo, cambiado, objetos, int(ocupa), int(esperan), tuple(escrito)))
             escrito = []
+        self.hechas |= {orden for orden, antes, fila in zip(ordenes, filas, filas[1:]) if fila.distinta(antes)}
         return filas
 
     def ventana(self, ordenes, talla=TALLA):
@@ -151,7 +153,7 @@ def paseo(p, ordenes, semilla):
             guion += [f"tamano {azar.choice(TAMANOS)}", "especial F5"]
     filas = p.diario(guion, **p.finitos)
     p.titulo = filas[0].titulo
-    hechas, temporizadores = set(), max(filas[0].temporizadores, 1)
+    temporizadores = max(filas[0].temporizadores, 1)
     for i, (orden, antes, fila) in enumerate(zip(["", *guion], filas[:1] + filas, filas)):
         donde = f"tras {'; '.join(guion[max(0, i - 4):i])}"
         if fila.repetida:
@@ -166,13 +168,8 @@ def paseo(p, ordenes, semilla):
             yield "ajena", f"«{orden}» hace algo y no está en «// Controles:», {donde}"
         if fila.bytes > BYTES:
             yield "bytes", f"ocupa {fila.bytes} bytes {donde}"
-        if fila.distinta(antes):
-            hechas.add(orden)
         if fila.temporizadores > temporizadores:
             yield "temporizadores", f"esperan {fila.temporizadores} temporizadores {donde}"
-    for orden in p.mandos:
-        if orden not in hechas and p.antes_de(orden) is None:
-            yield orden, f"«{orden}» no hace nada, ni tras ninguna otra"
 
 
 def nombres(p):
@@ -340,6 +337,13 @@ def vivos(p):
             yield "vivos", f"{fila.orden} no cambia nada: elige o mueve un punto que no se ve"
 
 
+def mandos(p):
+    """Todo lo que se nombra hace algo: lo ha hecho ya en algo de lo anterior o se busca tras qué."""
+    for orden in p.mandos:
+        if orden not in p.hechas and p.antes_de(orden) is None:
+            yield orden, f"«{orden}» no hace nada, ni tras ninguna otra"
+
+
 def propiedades(p, opciones):
     yield "paseo", paseo(p, opciones.ordenes, opciones.semilla)
     yield "nombres", nombres(p)
@@ -352,6 +356,7 @@ def propiedades(p, opciones):
     yield "rondas", rondas(p)
     yield "comunes", comunes(p)
     yield "vivos", vivos(p)
+    yield "mandos", mandos(p)
 
 
 # (programa, propiedad, en qué, expresión regular): por qué no
@@ -361,7 +366,7 @@ EXCEPCIONES = {
     ("primer_programa", "vuelta", "tecla d"): "dibuja otra vez lo mismo, que es lo que enseña",
     ("shader_basico", "comunes", "F1|-ayuda|F12"): "tampoco: es el listado del libro",
     ("errores_shader", "paseo", "F5"): "releer vuelve a escribir el error, o que no lo hay",
-    ("tiras", "paseo", "tecla [3-9]"): "la malla que trae tiene dos tiras: son para la del usuario",
+    ("tiras", "mandos", "tecla [3-9]"): "la malla que trae tiene dos tiras: son para la del usuario",
     ("eventos", "comunes", "F1"): "también enseña esa tecla",
     ("eventos", "tallas", "talla"): "escribe el tamaño de cada suceso",
     ("materiales", "vuelta", "tecla t"): "vuelve a todos: con n se ve uno",
