@@ -21,6 +21,7 @@ for arbol in . "$carpeta/por hacer"; do # también con los ejercicios por hacer
   for shader in common/*.vert common/*.frag ch*/*.vert ch*/*.frag; do
     [ "$(head -n 1 "$shader")" = '#version 140' ] || mal "$shader no empieza por #version 140"
     [[ $shader != *errores_shader_compila.frag ]] || continue # está mal a propósito
+    llano=${shader/\//-} # hay dos que se llaman igual
     # los #include del laboratorio se sustituyen como lo hace common/shader.cpp
     awk 'function vuelca(f,  linea, partes) {
            while ((getline linea < f) > 0)
@@ -28,12 +29,11 @@ for arbol in . "$carpeta/por hacer"; do # también con los ejercicios por hacer
            close(f)
          }
          BEGIN { vuelca(ARGV[1]) }' "$shader" \
-      >"$carpeta/${shader##*/}"
-    { echo "$cabecera_essl"; tail -n +2 "$carpeta/${shader##*/}"; } >"$carpeta/es-${shader##*/}"
-    for version in "$carpeta/${shader##*/}" "$carpeta/es-${shader##*/}"; do
-      glslangValidator "$version" >"$carpeta/informe" || { mal "$shader no pasa glslangValidator"; cat "$carpeta/informe"; }
-    done
+      >"$carpeta/$llano"
+    { echo "$cabecera_essl"; tail -n +2 "$carpeta/$llano"; } >"$carpeta/es-$llano"
   done
+  glslangValidator "$carpeta"/*.vert "$carpeta"/*.frag >"$carpeta/informe" ||
+    mal "en $arbol no pasan glslangValidator: $(awk '/^(ERROR|WARNING)/ { print fichero ": " $0; next } { fichero = $0 }' "$carpeta/informe")"
   popd >/dev/null
 done
 
