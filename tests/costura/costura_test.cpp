@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <regex>
+#include <sstream>
 #include <sys/resource.h>
 #include <sys/wait.h>
 
@@ -206,6 +207,13 @@ TEST(Opciones, MideEscribeUnaLineaTsv) {
         EXPECT_EQ(e.estado, 0) << e.errores;
         EXPECT_TRUE(std::regex_match(e.salida, std::regex(linea))) << e.salida;
     }
+    // de 31 cuadros no tardan 16 lo mismo
+    std::istringstream campos(lanza({"cubemap", "-mide", "31"}).salida);
+    std::string programa, talla;
+    double primera = 0, mediana = 0, menor = 0, mayor = 0;
+    campos >> programa >> talla >> primera >> mediana >> menor >> mayor;
+    EXPECT_LT(menor, mediana);
+    EXPECT_LT(mediana, mayor);
 }
 
 // Cambiar de tamaño o llenar la pantalla y volver deja la misma imagen, y capturar en medio no la toca; una orden con ×N son N seguidas.
@@ -241,6 +249,23 @@ TEST(Imagen, CambiarDeTamanoNoOcupaMas) {
 TEST(Diario, DiceLoQueElCuadroDejaCambiado) {
     const Ejecucion e = lanza({DEFECTUOSO, "estado", "-diario", "-ppm", "x.ppm"});
     EXPECT_NE(e.salida.find("\tCOLOR_WRITEMASK 1→0 \t"), std::string::npos) << e.salida << e.errores;
+}
+
+TEST(Diario, DiceQueElCuadroRepetidoEsOtro) {
+    const Ejecucion e = lanza({DEFECTUOSO, "repetido", "-diario", "-ppm", "x.ppm"});
+    EXPECT_NE(e.salida.find("\totra\t"), std::string::npos) << e.salida << e.errores;
+}
+
+// De shader_basico, el triángulo y su programa de dos shaders. Lo que ocupa son los búferes y las texturas que dice -mide.
+TEST(Diario, CuentaLoQueHayYLoQueOcupa) {
+    EXPECT_NE(lanza({"shader_basico", "-diario", "-ppm", "x.ppm"}).salida.find("\t1 0 1 2 0 0 1\t24\t0\n"),
+              std::string::npos);
+    std::smatch bytes, ocupa;
+    const std::string mide = lanza({"cubemap", "-mide", "1"}).salida,
+                      diario = lanza({"cubemap", "-diario", "-ppm", "x.ppm"}).salida;
+    ASSERT_TRUE(std::regex_search(mide, bytes, std::regex("\t([0-9]+)\t([0-9]+)\n$"))) << mide;
+    ASSERT_TRUE(std::regex_search(diario, ocupa, std::regex("\t([0-9]+)\t[0-9]+\n$"))) << diario;
+    EXPECT_EQ(std::stol(ocupa[1]), std::stol(bytes[1]) + std::stol(bytes[2]));
 }
 
 // Ni los procesadores ni la carpeta de trabajo (ejecuta usa una temporal) cambian la imagen.

@@ -24,6 +24,8 @@ static void dibuja() {
         std::printf("dibuja\n");
     } else if (defecto == "estado") {
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    } else if (defecto == "repetido") { // se ve en el cuadro siguiente
+        glClearColor(1, 0, 0, 0);
     } else if (defecto == "lectura") {
         GLint bufer;
         glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &bufer);
