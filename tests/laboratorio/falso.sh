@@ -8,7 +8,7 @@ printf '%s\0' "$quien" "$@" $'\n' >>"$APUNTES/llamadas"
 etapa() {
   if [ "${PARA:-}" = "$1" ]; then
     sleep 100 &
-    echo $! >"$APUNTES/nieto"
+    echo $! >>"$APUNTES/nietos" # pueden ser varios a la vez
     wait
   fi
   if [ "${FALLA:-}" = "$1" ]; then

@@ -97,12 +97,17 @@ class Lab:
         proceso = subprocess.Popen([self.raiz / "lab", *shlex.split(orden)], cwd=self.sitio / "aqui", env={**self.entorno, "PARA": para, **entorno},
                                    text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
         limite = time.monotonic() + 20
-        while not (self.sitio / "nieto").exists() or not (self.sitio / "nieto").read_text().strip():
+        while not self.nietos():
             if proceso.poll() is not None or time.monotonic() > limite:
                 proceso.kill()
                 raise AssertionError(f"{orden} no llega a {para}: {proceso.communicate()}")
             time.sleep(0.01)
         return proceso
+
+    def nietos(self):
+        """Los procesos que han puesto en marcha los que no acaban."""
+        fichero = self.sitio / "nietos"
+        return [int(pid) for pid in fichero.read_text().split()] if fichero.exists() else []
 
     def interrumpe(self, proceso, senal):
         """Como la terminal, INT va al grupo de ./lab; TERM, solo a él."""
@@ -111,12 +116,11 @@ class Lab:
             errores = proceso.communicate(timeout=10)[1]
             assert proceso.returncode == 128 + senal and "Traceback" not in errores, f"{proceso.returncode} {errores}"
         finally:
-            nieto = int((self.sitio / "nieto").read_text())
-            vive = vivo(nieto)
-            if vive:
+            vivos = [nieto for nieto in self.nietos() if vivo(nieto)]
+            for nieto in vivos:
                 os.kill(nieto, signal.SIGKILL)
             proceso.kill()
-        assert not vive, "queda en marcha lo que había puesto en marcha"
+        assert not vivos, "queda en marcha lo que había puesto en marcha"
         assert self.libre(espera=5), "queda el cerrojo"  # quien lo hereda puede tardar un momento en morir
         self.no_deja_nada()
 
