@@ -41,6 +41,7 @@ import ejercicios as marcas
 import muta
 import nuevo
 import pagina
+import procesos
 from procesos import Fallo, ejecuta, en_png, escribe, lanza, motivo, principal
 
 TALLA = 240, 180
@@ -289,7 +290,7 @@ class Banco:
         self.raiz, self.build, self.ref, self.temporal, self.jaula, self.semilla = raiz, build, ref, temporal, jaula, semilla
         self.programa = programa
         self.carpeta = programa.capitulo.nombre
-        self.entorno = {linea.partition("=")[0]: linea.partition("=")[2] for linea in (raiz / "tests/entorno.txt").read_text().splitlines() if linea}
+        self.entorno = procesos.entorno(raiz / "tests")
         del self.entorno["MESA_SHADER_CACHE_DISABLE"]
         self.entorno |= {"LP_NUM_THREADS": "0", "LANG": "C.UTF-8", "PATH": "/usr/bin:/bin"}
         self.solucion = Variante("la solución", self.programa.ejecutable(build), [])

@@ -27,6 +27,7 @@ from pathlib import Path
 
 import catalogo
 import medidas
+import procesos
 from procesos import lanza, principal, pruebas_de
 
 MINIMO = 150  # mutantes en la lista
@@ -334,7 +335,7 @@ class Taller:
                 continue
             for nombre in pruebas_de(ejecutable):
                 pruebas.append(Prueba(f"{ejecutable.name[:-5]}.{nombre}", [ejecutable, f"--gtest_filter={nombre}"], {}, False))
-        entorno = dict(linea.split("=", 1) for linea in (self.copia / "tests/entorno.txt").read_text().split())
+        entorno = procesos.entorno(self.build)
         for programa in self.programas:
             de = capitulo(programa.capitulo.nombre)
             if not programa.consola and (not capitulos or de in capitulos):

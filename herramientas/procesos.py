@@ -95,6 +95,11 @@ def ejecuta(orden, **opciones):
     return proceso.stdout
 
 
+def entorno(carpeta):
+    """Las variables de su entorno.txt: el de tests/ fija la imagen; el de build/ tiene además la caché de shaders de las pruebas."""
+    return dict(linea.split("=", 1) for linea in (carpeta / "entorno.txt").read_text().split())
+
+
 def en_png(ppm, compresion=6):
     """El de un PPM. La compresión, de 1 a 9: con la de siempre cuesta tanto como dibujar."""
     return ejecuta(["pnmtopng", "-quiet", "-compression", compresion, ppm])

@@ -12,10 +12,10 @@ BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
 sys.path[:0] = [str(RAIZ / "herramientas")]
 import catalogo
 import nuevo
-from procesos import ejecuta
+from procesos import ejecuta, entorno
 
 EJERCICIOS = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))
-ENTORNO = dict(linea.split("=", 1) for linea in (RAIZ / "tests/entorno.txt").read_text().split())
+ENTORNO = entorno(BUILD)
 
 
 def compila(programa, textos, carpeta):

@@ -76,6 +76,7 @@ target_compile_definitions(shader_basico PRIVATE LAB_FUENTES="${CMAKE_SOURCE_DIR
 FIN
 : >herramientas/mide/CMakeLists.txt # usa programas que aquí no están
 cat >tests/CMakeLists.txt <<'FIN'
+configure_file(entorno.txt ${CMAKE_BINARY_DIR}/entorno.txt COPYONLY)
 add_executable(compara comparador/compara.cpp)
 target_link_libraries(compara PRIVATE comun avisos)
 get_property(hechos GLOBAL PROPERTY LAB_HECHOS_shader_basico.base)

@@ -16,7 +16,7 @@ import time
 from pathlib import Path
 
 import navegador  # que sabe dónde está catalogo
-from navegador import Navegador, catalogo, espera, exige
+from navegador import Navegador, catalogo, espera, exige, procesos
 
 # De lo demás, SwiftShader no vale de juez: con polygon offset sus mallas cambian de una vez a otra.
 SWIFTSHADER = os.environ.get("LAB_OPENGL") == "swiftshader"
@@ -532,7 +532,7 @@ PRUEBAS[""] = PRUEBAS["persona"]
 def main():
     raiz, build, web, *pedidos = sys.argv[1:]
     raiz, build, web = Path(raiz).resolve(), Path(build).resolve(), Path(web).resolve()
-    fijo = dict(linea.split("=", 1) for linea in (raiz / "tests/entorno.txt").read_text().split())
+    fijo = procesos.entorno(build)
     with navegador.pantalla({**os.environ, **fijo}) as entorno, tempfile.TemporaryDirectory() as carpeta:
         n = Navegador(Path(carpeta, "perfil"), OPCIONES, entorno)
         try:
