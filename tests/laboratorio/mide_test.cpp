@@ -24,7 +24,8 @@ TEST(Mide, ElTiempoDeUnaUnidad) {
     const std::vector<Medida> v = m.corre();
     ASSERT_EQ(v.size(), 1u);
     ASSERT_EQ(v[0].tiempos.size(), 1u); // en el ensayo, una ronda
-    EXPECT_NEAR(v[0].tiempos[0], 20, 10);
+    EXPECT_GE(v[0].tiempos[0], 19.9);
+    EXPECT_LT(v[0].tiempos[0], 60);
     EXPECT_EQ(v[0].error, 0.5);
     EXPECT_EQ(v[0].grupo, "g");
     EXPECT_EQ(nanosegundos("ns por punto"), 1);
@@ -43,10 +44,12 @@ TEST(Mide, PorRondasYCadaUnaEnSuProceso) {
     cuantas = 100; // ya no es de ninguna
     const std::vector<Medida> v = m.corre();
     ASSERT_EQ(v.size(), 2u);
-    ASSERT_EQ(v[0].tiempos.size(), std::size_t(RONDAS));
-    for (std::size_t i = 0; i < v[0].tiempos.size(); ++i) {
-        EXPECT_NEAR(v[0].tiempos[i], 1, 0.3);
-        EXPECT_NEAR(v[1].tiempos[i], 3, 0.5);
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const double ms = i ? 3 : 1;
+        ASSERT_EQ(v[i].tiempos.size(), std::size_t(RONDAS));
+        EXPECT_GE(*std::min_element(v[i].tiempos.begin(), v[i].tiempos.end()), 0.99 * ms);
+        // no todos: el reloj del procesador cuenta también lo que se le quita a una máquina virtual
+        EXPECT_LT(mediana(v[i].tiempos), 1.3 * ms);
     }
     EXPECT_EQ(cuantas, 100);
 }
