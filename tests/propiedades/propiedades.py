@@ -5,6 +5,7 @@ para ninguno. Lo que se puede hacer con él lo dice su línea «// Controles:»,
 Lo que un programa no cumple está en EXCEPCIONES con su motivo; una que ya no haga falta también es un fallo.
 """
 import argparse
+import itertools
 import os
 import random
 import re
@@ -19,7 +20,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "herramientas"))
 import catalogo
 import controles
 
-TALLA, OTRAS = "120x90", ("1 1", "200 2", "150 90", "100 100")
+TALLA, OTRAS = "120x90", ("1 1", "200 2", "100 130", "100 100")  # de la última solo cambia el alto, y encoge
 TAMANOS = ["120 90", "150 90", "100 100", "61 45", "4 90", "1 1", "200 2"]
 BYTES = 64 << 20  # lo que cabe en la GPU más modesta con otros programas abiertos
 CARACTERES = [c for c in string.printable if c.isprintable() and c not in " ;"]
@@ -245,23 +246,36 @@ def parecidas(una, otra):
 
 
 def tallas(p, semilla):
-    """Lo hecho en una ventana y llevado a otra es lo mismo que hecho en esa. Sin las flechas, que mueven hasta cerca del borde de la que hay."""
+    """Lo hecho en una ventana y llevado a otra es lo mismo que hecho en esa y en el orden contrario; o de dos teclas manda la última."""
     azar = random.Random(f"{p.nombre} {semilla}")
-    mandos = [o for o in p.mandos if not o.startswith("especial ")]
-    guion = azar.choices(mandos, k=8) if mandos else []
-    if not parecidas(p.ventana([*guion, *(f"tamano {otra}" for otra in OTRAS)]), p.ventana(guion, OTRAS[-1].replace(" ", "x"))):
-        yield "talla", f"una ventana de {TALLA} llevada a {OTRAS} no se ve como una de {OTRAS[-1]}, con {'; '.join(guion)}"
+    otra = OTRAS[-1].replace(" ", "x")
+    grupos = [c.ordenes for c in p.controles if c.teclas and not c.termina and set(c.ordenes) <= set(p.teclas) and "↑" not in c.teclas and "v" not in c.teclas]
+    cifras = [o for grupo in grupos for o in grupo if o[-1] in "234567890"]  # eligen entre sí, y suelen empezar con 1
+    guion = [azar.choice(grupo) for grupo in [*(g for g in grupos if not g[0][-1].isdigit()), cifras] if grupo]
+    llevada, hecha = p.ventana([*guion, *(f"tamano {otra}" for otra in OTRAS)]), p.ventana(guion[::-1], otra)
+    if parecidas(llevada, hecha):
+        return
+    if not parecidas(llevada, p.ventana(guion, otra)):
+        yield "talla", f"una ventana de {TALLA} llevada a {OTRAS} no se ve como una de {otra}, con {'; '.join(guion)}"
+    for una, otra in itertools.combinations(guion, 2):
+        (_, a, ab), (_, b, ba) = ([f.se_ve() for f in p.diario(par)] for par in ((una, otra), (otra, una)))
+        relativa = any({una, otra} & set(c.ordenes) for c in p.controles if set(c.teclas) in CONTRARIAS)
+        if ab != ba and (ab, ba) != (b, a) and not (relativa and (ab == b or ba == a)):
+            yield f"{una}, {otra}", f"de «{una}» y «{otra}», ni da igual el orden ni manda la última"
 
 
 def arrastres(p):
-    """Arrastrar en un paso o en tres deja lo mismo."""
+    """Arrastrar en un paso o en tres deja lo mismo; y en horizontal, de una vez o soltando a la mitad."""
     if "arrastre" not in p.rasgos or p.cualquiera:
         return
     botones = ["IZQUIERDO"] if p.opciones else ["IZQUIERDO", "DERECHO"]  # el derecho abre el menú
     caminos = [(60, 45, 90, 60), (30, 60, 42, 30), (100, 45, 70, 60)]
     una, tres = ([o for boton in botones for puntos in caminos for o in arrastre(*puntos, boton, pasos)] for pasos in (1, 3))
+    for boton in [] if "clic" in p.dice else botones:
+        una += arrastre(40, 45, 80, 45, boton)
+        tres += arrastre(40, 45, 60, 45, boton) + arrastre(60, 45, 80, 45, boton)
     if not parecidas(p.ventana(una), p.ventana(tres)):
-        yield "pasos", f"arrastrar en uno o en tres pasos no deja lo mismo: {'; '.join(una)}"
+        yield "pasos", f"arrastrar en uno o en tres pasos, o soltando a la mitad, no deja lo mismo: {'; '.join(una)}"
 
 
 def pausa(p):
@@ -364,6 +378,7 @@ EXCEPCIONES = {
     ("primer_programa", "paseo", "repetir|ajena|F5"): "i solo cambia el color de borrado: se ve al borrar otra vez, que es lo que enseña",
     ("primer_programa", "comunes", "F1|-ayuda|F12"): "no usa common/: la ayuda y guardar serían más largos que él",
     ("primer_programa", "vuelta", "tecla d"): "dibuja otra vez lo mismo, que es lo que enseña",
+    ("primer_programa", "tallas", "tecla i, tecla [ds]"): "lo mismo: se ve al borrar otra vez",
     ("shader_basico", "comunes", "F1|-ayuda|F12"): "tampoco: es el listado del libro",
     ("errores_shader", "paseo", "F5"): "releer vuelve a escribir el error, o que no lo hay",
     ("tiras", "mandos", "tecla [3-9]"): "la malla que trae tiene dos tiras: son para la del usuario",
@@ -372,9 +387,10 @@ EXCEPCIONES = {
     ("materiales", "vuelta", "tecla t"): "vuelve a todos: con n se ve uno",
     ("captura", "vuelta", "tecla g"): "vuelve a guardar lo mismo",
     ("captura", "paseo", "estado"): "g deja en 1 la alineación, que es lo que enseña el listado",
-    ("captura", "tallas", "talla"): "lo guardado es de cuando se guardó",
+    ("captura", "tallas", "talla|tecla g, .*"): "lo guardado es de cuando se guardó",
     ("morphing", "pausa", "título"): "así empieza: lo que se ve es que t no cambia",
     ("continuidad", "pausa", "título"): "así empieza: lo que se ve es que u no cambia",
+    ("superficie_bezier", "tallas", "tecla [mf], tecla [-+]"): "cambian una cosa distinta en cada modo",
     ("superficie_bezier", "vivos", "vivos"): "con m y con f la superficie tapa la red, pero los puntos se mueven",
 }
 
