@@ -138,6 +138,7 @@ TEST(ProgramaNormales, CadaCasoContraElOraculo) {
         {"tecla 2", 2, 1, "M = S(2, 1, 1)"},
         {"tecla 3", -2, 1, "M = S(−2, 1, 1)"},
         {"tecla 3; tecla 2; " + arrastra({100, 100}, {130, 120}), 2, 1, "M = S(2, 1, 1)", 1, -0.14, 0.52},
+        {"tecla 1; " + arrastra({0, 100}, {200, 100}), 1, 1, "M = I", 1, 0.16 - 2, 0.32}, // por detrás
         {"tecla 3; tecla 4", 2, 0, "M = S(2, 0, 1)", 2}};
     for (const auto &caso : casos) {
         SCOPED_TRACE("«" + caso.guion + "»");

@@ -20,7 +20,8 @@ Cuadro mezcla(double t, const std::string &rotulo) {
     return {[t](int x, int y) { return (1 - t) * texel(A, x, y) + t * texel(B, x, y); }, rotulo};
 }
 
-/// Con m se ven los puntos de una malla regular y las líneas que los unen, a 0.7 píxeles: las del borde se meten dentro.
+/// Con m se ven los puntos de una malla regular, el que se arrastra donde el ratón, y las líneas que los unen, a 0.7 píxeles: las del
+/// borde se meten dentro.
 void compruebaMallaRegular(const std::string &programa, const std::vector<Imagen> &imagenes, int columnas,
                            int filas) {
     const Encima encima = vistaDe(programa, "tecla m", 80, 60, enFicheros(imagenes)).encima;
@@ -33,6 +34,15 @@ void compruebaMallaRegular(const std::string &programa, const std::vector<Imagen
     }
     EXPECT_EQ(encima.trazos(BLANCO, "polilinea").size(), std::size_t(columnas + filas));
     EXPECT_NEAR(encima.largo(BLANCO), 80 * filas + 60 * columnas, 0.7 * 2 * (columnas + filas));
+
+    const std::string arrastrado =
+        arrastra({20, 15}, {31, 22}) + "; tecla m"; // al centro del píxel del ratón
+    const Pintado movidos =
+        vistaDe(programa, arrastrado, 80, 60, enFicheros(imagenes)).encima.trazos(NARANJA, "puntos").at(0);
+    double lejos = 100;
+    for (std::size_t k = 0; k < movidos.puntos.size(); ++k)
+        lejos = std::min(lejos, glm::distance(movidos.punto(k), glm::dvec2(31.5, 60 - 22.5)));
+    EXPECT_LE(lejos, 0.1);
 }
 
 } // namespace

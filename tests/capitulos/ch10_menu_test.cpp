@@ -71,7 +71,8 @@ TEST(Eventos, CadaTeclaConSuNombre) {
         guion += "; " + tecla;
         lineas += tecla + " 5 6\n";
     }
-    EXPECT_EQ(ejecuta("eventos", guion).salida, lineas);
+    EXPECT_EQ(ejecuta("eventos", guion + "; especial F12").salida,
+              lineas + "especial F12 5 6\nguardado eventos-1.ppm\n");
 }
 
 // En la ventana, los nueve últimos, de arriba abajo y el último en azul; los movimientos seguidos, como uno.

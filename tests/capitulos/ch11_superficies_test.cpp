@@ -785,8 +785,10 @@ TEST(SuperficieHermite, ElRatonMueveCualquierElementoYGiraLaCamara) {
             return hermite(p, dos ? 0.7 : 0, "0.70", dos ? CAMARA_UNION : CAMARA_HERMITE, NORMAL, elegido);
         };
         Pasos pasos = {{dos ? "tecla u" : "", debe(-1)}};
-        const std::vector<std::pair<std::size_t, glm::ivec2>> van = {
+        std::vector<std::pair<std::size_t, glm::ivec2>> van = {
             {4, {150, 265}}, {14, {300, 120}}, {9, {200, 60}}, {2, {100, 140}}};
+        if (dos)
+            van.push_back({16, {420, 240}});
         for (const auto &[k, hasta] : van) {
             const Escena e = debe(-1);
             const glm::ivec2 desde = e.raton(e.px(p.p[k])) + glm::ivec2(-3, 4);

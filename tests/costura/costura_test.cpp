@@ -223,6 +223,7 @@ TEST(Imagen, LoMismoDaLaMisma) {
     EXPECT_EQ(llena.alto, 1080);
     for (const auto &[uno, otro] : {std::pair("tamano 1 1; tamano 500 20; captura c.ppm; tamano 240 180", ""),
                                     {"especial F11 ×2", ""},
+                                    {"especial F11 ×2; tamano 60 50; especial F11 ×2", "tamano 60 50"},
                                     // pasado de lo que se deja perder, ni más ancha ni más alta sale cortada
                                     {"tamano 3000 3000; tamano 64 64; tamano 40 500", "tamano 40 500"},
                                     {"tamano 3000 3000; tamano 64 64; tamano 500 40", "tamano 500 40"},

@@ -40,6 +40,9 @@ TEST(Guion, LaEscalaLlevaElRatonALoMismo) {
         {"escala 240 180; mueve 121 89", {960, 720}, {484, 356}},
         {"escala 240 180; mueve 121 89", {1000, 720}, {504, 356}}, // más ancha: se ve más por los lados
         {"escala 240 180; mueve 121 89", {960, 1080}, {484, 536}}, // más estrecha: por arriba y por abajo
+        {"escala 241 181; mueve 121 90",
+         {964, 724},
+         {484, 360}}, // de lado impar, el centro es de medio píxel
         {"escala 960 1080; mueve 484 536", {1920, 720}, {964, 356}},
         {"escala 960 720; mueve 482 361", {240, 180}, {121, 90}}, // 120.5 y 90.25, al píxel
         {"escala 1 1; mueve 100000 -100000", {16384, 16384}, {100000, -100000}},

@@ -337,6 +337,12 @@ def comunes(p):
         yield "F12", "F12 no guarda la ventana, o no lo dice"
     if mas:
         yield "Esc", "Esc no termina"
+    for dados in (["uno"], ["uno", "dos"], ["uno", "dos", "tres"]):
+        r = subprocess.run([p.ejecutable, *dados, "-ppm", "/dev/null"], text=True, stdin=subprocess.DEVNULL, capture_output=True)
+        if re.search("sobra|no entiendo", r.stderr):
+            break
+    if r.returncode != 2 or [dado for dado in dados if f"«{dado}»" in r.stderr] != dados[-1:]:
+        yield "argumentos", f"con {' '.join(dados)} no dice que sobra lo último: {r.returncode}, {r.stderr}"
 
 
 def vivos(p):
@@ -376,10 +382,10 @@ def propiedades(p, opciones):
 # (programa, propiedad, en qué, expresión regular): por qué no
 EXCEPCIONES = {
     ("primer_programa", "paseo", "repetir|ajena|F5"): "i solo cambia el color de borrado: se ve al borrar otra vez, que es lo que enseña",
-    ("primer_programa", "comunes", "F1|-ayuda|F12"): "no usa common/: la ayuda y guardar serían más largos que él",
+    ("primer_programa", "comunes", "F1|-ayuda|F12|argumentos"): "no usa common/: la ayuda, guardar y decir qué sobra serían más largos que él",
     ("primer_programa", "vuelta", "tecla d"): "dibuja otra vez lo mismo, que es lo que enseña",
     ("primer_programa", "tallas", "tecla i, tecla [ds]"): "lo mismo: se ve al borrar otra vez",
-    ("shader_basico", "comunes", "F1|-ayuda|F12"): "tampoco: es el listado del libro",
+    ("shader_basico", "comunes", "F1|-ayuda|F12|argumentos"): "tampoco: es el listado del libro",
     ("errores_shader", "paseo", "F5"): "releer vuelve a escribir el error, o que no lo hay",
     ("tiras", "mandos", "tecla [3-9]"): "la malla que trae tiene dos tiras: son para la del usuario",
     ("eventos", "comunes", "F1"): "también enseña esa tecla",
