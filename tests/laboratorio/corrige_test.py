@@ -238,6 +238,8 @@ def test_vpl_junit_y_tabla(monkeypatch):
     assert [ll for ll in lineas if ll.startswith("Grade :=>>")] == ["Grade :=>> 87.5"] == lineas[-1:] and all(ll.startswith("Comment :=>>") for ll in lineas[:-1])
     monkeypatch.setenv("VPL_GRADEMAX", "10")
     assert corrige.en_vpl(HECHA).endswith("\nGrade :=>> 8.75")
+    monkeypatch.setenv("VPL_GRADEMIN", "2")
+    assert corrige.en_vpl(HECHA).endswith("\nGrade :=>> 9")
     bien = {**HECHA, "nota": 100, "dice": []}
     grupo = xml.fromstring(corrige.en_junit([HECHA, bien]).encode())
     assert grupo.attrib == {"name": "corrige", "tests": "2", "failures": "1"} and [len(caso) for caso in grupo] == [1, 0]
