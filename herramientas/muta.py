@@ -20,7 +20,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections import defaultdict
+from collections import Counter, defaultdict
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -272,6 +272,7 @@ class Taller:
     def __init__(self, raiz, carpeta, mutantes):
         self.raiz, self.copia, self.build, self.mutantes = raiz, carpeta / "fuente", carpeta / "build", mutantes
         self.procesos = os.cpu_count()
+        self.notan = Counter()  # de (fichero, prueba), cuántos defectos
 
     def copia_arbol(self):
         """Solo se escribe lo que cambia: así se vuelve a compilar solo eso."""
@@ -377,9 +378,11 @@ class Taller:
     def prueba(self, mutante):
         numero = str(mutante.numero)
         entorno = {"LAB_RAIZ": str(self.build / "glsl" / numero)} if mutante.fichero.endswith(SHADERS) else {"LAB_MUTANTE": numero}
-        for prueba in mutante.pruebas:
+        # antes, las que ya han notado otros de su fichero
+        for prueba in sorted(mutante.pruebas, key=lambda p: (p.golden, -self.notan[mutante.fichero, p.nombre])):
             if not prueba.pasa(30 + 10 * prueba.segundos, **entorno):
                 mutante.notado, mutante.por_golden = prueba.nombre, prueba.golden
+                self.notan[mutante.fichero, prueba.nombre] += 1
                 break
         return mutante
 
@@ -453,8 +456,10 @@ def main():
         sys.exit(f"muta: sobreviven sin motivo, o se notan y tienen uno: {', '.join(mal)}")
     if not pedidos and (notados < META or sin_golden < META_SIN_GOLDEN):
         sys.exit(f"muta: se deben notar el {META} % y, sin golden, el {META_SIN_GOLDEN} %")
-    if not pedidos:
-        medidas.apunta(raiz, defectos=cuentas(elegidos))
+    hay = Counter(m.lista for m in todos)
+    enteras = {lista: c for lista, c in cuentas(elegidos).items() if c["plantados"] == hay[lista]}
+    if enteras:
+        medidas.apunta(raiz, defectos={lista: c for lista, c in sorted({**medidas.lee(raiz)["defectos"], **enteras}.items()) if lista in hay})
         aviso("apuntado en docs/medidas.json; ./lab lista --docs lo lleva a docs/exactitud.md")
 
 
