@@ -156,9 +156,9 @@ espera 1 'primer_programa_dos.base: falla sin ningún mutante' $lab muta
 cp $golden/primer_programa.ppm $golden/primer_programa_dos.ppm
 espera 1 "ch01:4      $uno, no dibuja: SOBREVIVE, nada lo ejecuta" $lab muta ch01:4
 mutantes "$bueno" "$nadie"$'\tnadie lo pulsa'
-cp docs/medidas.json antes
+cp docs/medidas.json "$carpeta/antes"
 espera 0 'nadie lo pulsa' $lab muta ch01:4
-cmp -s docs/medidas.json antes || mal 'muta apunta una lista que no ha plantado entera'
+cmp -s docs/medidas.json "$carpeta/antes" || mal 'muta apunta una lista que no ha plantado entera'
 espera 0 '| total | 4 | 2 | 50.0 | 1 | 25.0 |' $lab muta
 [ "$(grep plantados docs/medidas.json)" = '  "ch01": {"plantados": 4, "notados": 2, "sin_golden": 1}' ] || mal 'muta no apunta lo que se nota de cada lista'
 sed -i 's/^META, .*/META, META_SIN_GOLDEN = 50, 26/' herramientas/muta.py
