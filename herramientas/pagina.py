@@ -57,7 +57,7 @@ def cifra(x):
     if x in (0, float("inf")):
         return "0" if x == 0 else "no vale"
     if 1e-3 <= abs(x) < 1e7:
-        entera, _, decimal = (f"{x:.3g}" if abs(x) < 1000 else f"{x:.0f}").partition(".")
+        entera, _, decimal = (f"{x:.3g}" if abs(x) < 999.5 else f"{x:.0f}").partition(".")
         return re.sub(r"(?<=\d)(?=(\d{3})+$)", "\u202f", entera) + ("." + decimal if decimal else "")
     mantisa, _, exponente = f"{x:.1e}".partition("e")
     return f"{mantisa}·10{str(int(exponente)).translate(str.maketrans('-0123456789', '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'))}"

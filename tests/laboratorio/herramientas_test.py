@@ -288,7 +288,7 @@ def test_los_errores_de_un_programa(tmp_path):
     assert (tmp_path / "docs/medidas.json").read_text() == '{\n"uno": {\n  "á": 1\n},\n"dos": {\n  "b": [1, 2]\n}\n}\n'
 
 
-@pytest.mark.parametrize("x,texto", [(math.nan, "—"), (0, "0"), (math.inf, "no vale"), (0.0123, "0.0123"), (12.345, "12.3"), (-1.5, "-1.5"), (999.4, "999"), (1000, "1\u202f000"),
+@pytest.mark.parametrize("x,texto", [(math.nan, "—"), (0, "0"), (math.inf, "no vale"), (0.0123, "0.0123"), (12.345, "12.3"), (-1.5, "-1.5"), (999.4, "999"), (999.6, "1\u202f000"),
                                      (1234567, "1\u202f234\u202f567"), (1.23e-9, "1.2·10⁻⁹"), (2e7, "2.0·10⁷"), (0.001, "0.001")])
 def test_una_cifra(x, texto):
     assert pagina.cifra(x) == texto
