@@ -213,6 +213,19 @@ TEST(GruaVistas, CadaVistaContraTrazadoDeRayos) {
     compruebaCasos("grua_vistas", casos);
 }
 
+// Al orbitar la cuarta, los ejes de la esquina giran con la grúa.
+TEST(GruaVistas, LosEjesGiranConLaCamara) {
+    const Encima encima = vistaDe("grua_vistas", "tecla 4; " + arrastra({50, 90}, {150, 90})).encima;
+    const auto girados = ejes(orbita(PI / 4 - 1, std::asin(1 / std::sqrt(3)), 26));
+    const glm::vec3 colores[] = {ROJO, VERDE, AZUL};
+    for (int eje = 0; eje < 3; ++eje) {
+        const Pintado flecha = encima.trazos(colores[eje], "flecha").at(0);
+        EXPECT_LT(glm::distance(flecha.punto(1) - flecha.punto(0),
+                                15.0 * glm::dvec2(girados.x[eje], girados.y[eje])),
+                  0.1);
+    }
+}
+
 // Las dos proyecciones con la MISMA cámara, que camaraDe construye igual. Al acercarla, en paralela no cambia nada; en
 // perspectiva la grúa sigue entera, hasta los topes de la rueda.
 TEST(GruaProyeccion, LasDosContraTrazadoDeRayos) {

@@ -164,13 +164,14 @@ TEST(Morphing, ElPuntoIntermedioQuedaBajoElRaton) {
     }
 }
 
-// El movimiento depende solo del reloj: a los 1500 ms, t = 0.5; a los 3000, 1; a los 6000, 0 otra vez. El último cuadro es de hasta 33
+// El movimiento depende solo del reloj: a los 1500 ms, t = 0.5; a los 3000, 1; a los 6000, 0 otra vez. También de vuelta, - lo disminuye. El último cuadro es de hasta 33
 // ms antes: 4 niveles.
 TEST(Morphing, ElMovimientoSigueAlReloj) {
     const auto tras = [](const std::string &guion) {
         return procesa("morphing", {A, B}, "tecla 1; tecla Espacio; espera " + guion);
     };
-    for (const auto &[guion, t] : {std::pair("1500", 0.5), {"3000", 1.0}, {"6000", 0.0}})
+    for (const auto &[guion, t] :
+         {std::pair("1500", 0.5), {"3000", 1.0}, {"6000", 0.0}, {"4500; tecla -", 0.45}})
         EXPECT_LE(diferenciaMaxima(tras(guion), mezcla(t, "").esperado), 4) << guion;
 }
 
@@ -336,7 +337,8 @@ TEST(Captura, ElFicheroEsElFramebuffer) {
 // Lo que hay en la esquina es lo leído, tres veces menor: de cada 3 × 3 píxeles, el de en medio.
 TEST(Captura, LaEsquinaEnsenaLoLeido) {
     const std::string fichero = (carpetaTemporal() / "captura.ppm").string();
-    const Vista v = vistaDe("captura", "tecla g", 960, 720, {fichero});
+    const Vista v =
+        vistaDe("captura", "tamano 300 500; tecla g; tamano 960 720; tecla g", 960, 720, {fichero});
     const Imagen leida = leePpm(fichero);
     EXPECT_LE(diferenciaMaxima(oraculo::recorta(v.escena, 24, 702 - 240, 320, 240),
                                [&](int x, int y) { return texel(leida, 3 * x + 1, 3 * y + 1); }),

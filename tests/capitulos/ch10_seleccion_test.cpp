@@ -42,8 +42,8 @@ const Escena ESCENA = [] {
 }();
 
 const double DISTANCIA = 11.5;
-Camara camaraA(double distancia) {
-    return perspectiva(orbita(0.25, 0.55, distancia, {-0.45, 0.05, 0}), 0.6, 1, 60);
+Camara camaraA(double distancia, double azimut = 0.25) {
+    return perspectiva(orbita(azimut, 0.55, distancia, {-0.45, 0.05, 0}), 0.6, 1, 60);
 }
 const Camara CAMARA = camaraA(DISTANCIA);
 
@@ -63,6 +63,8 @@ std::vector<std::string> elige(const std::vector<glm::ivec2> &clics, std::string
     std::istringstream salida(e.salida);
     for (std::string linea; std::getline(salida, linea);)
         elegidos.push_back(linea.substr(linea.rfind(": ") + 2));
+    if (elegidos.size() > clics.size()) // antes de ellos, lo que se pulsa para orbitar
+        elegidos.erase(elegidos.begin(), elegidos.end() - long(clics.size()));
     return elegidos;
 }
 
@@ -96,10 +98,13 @@ const std::size_t TODOS = 10; // los nueve y nada
 
 } // namespace
 
-// Cada píxel, linde con lo que linde; y de cerca, que hay objetos hasta en el marco de la ventana.
+// Cada píxel, linde con lo que linde; de cerca, que hay objetos hasta en el marco de la ventana; y por detrás, donde el que se dibuja
+// después no es el que está delante.
 TEST(Seleccion, CadaPixelDeBorde) {
     EXPECT_EQ(compruebaClics({48, 36}, 1, "", {48, 36}), TODOS);
     EXPECT_GE(compruebaClics({24, 18}, 1, "rueda +1 10 10 ×20", {24, 18}, camaraA(0.4 * DISTANCIA)), 5u);
+    EXPECT_EQ(compruebaClics({48, 36}, 1, arrastra({0, 9}, {60, 9}), {48, 36}, camaraA(DISTANCIA, 0.25 - 3)),
+              TODOS);
 }
 
 // El framebuffer se rehace: mayor, menor, y de otra forma.
