@@ -5,6 +5,7 @@ comprueba: acaba con 1 si alguna no está al día, y dice qué cambia.
 """
 import difflib
 import sys
+from collections import Counter
 from pathlib import Path
 
 import catalogo
@@ -30,6 +31,7 @@ def programas_md(raiz, capitulos):
 def exactitud_md(raiz, capitulos):
     programas = [p for capitulo in capitulos for p in capitulo.programas]
     medido = medidas.lee(raiz)
+    mutantes, _ = muta.lee(raiz)
     pasan = {}
     for p in programas:
         if p.pasa:
@@ -38,7 +40,7 @@ def exactitud_md(raiz, capitulos):
     de_pixeles = sum(any(medidas.errores(m)) for m in medido["programas"].values())
     return pagina.plantilla("exactitud.md", texto=True).render(
         programas=[p for p in programas if p.nombre in medido["programas"]], medido=medido, pasan=pasan, de_pixeles=de_pixeles,
-        casos=[c for c in casos if c[0] in medido["casos"]], sobreviven=[m for m in muta.lee(raiz)[0] if m.motivo],
+        casos=[c for c in casos if c[0] in medido["casos"]], listas=Counter(m.lista for m in mutantes), sobreviven=[m for m in mutantes if m.motivo],
         errores=medidas.errores, numero=medidas.numero)
 
 

@@ -114,13 +114,6 @@ class Documentos:
         for programa in medido:
             self.mal(f"medidas.json: no hay ningún programa «{programa}»")
 
-    def comprueba_defectos(self):
-        """Las cuentas de los plantados, de las listas que hay."""
-        listas = {f.stem: len(f.read_text().splitlines()) for f in (self.raiz / "tests/mutantes").glob("*.tsv")}
-        plantados = {lista: c["plantados"] for lista, c in self.medido["defectos"].items()}
-        for lista in sorted(lista for lista in listas | plantados if listas.get(lista) != plantados.get(lista)):
-            self.mal(f"medidas.json no es de los defectos de {lista}: ./lab muta {lista} y ./lab lista --docs")
-
     def comprueba_casos(self):
         """Los casos difíciles: cada uno, con pruebas; y ninguna de un fichero dificil_* sin estar en la lista."""
         medido = dict(self.medido["casos"])
@@ -225,7 +218,7 @@ def main():
     if orden == "mide":
         return mide(d)
     for comprueba in (d.comprueba_citas, d.comprueba_erratas, d.comprueba_ecuaciones, d.comprueba_soluciones, d.comprueba_programas,
-                      d.comprueba_casos, d.comprueba_defectos):
+                      d.comprueba_casos):
         comprueba()
     return 1 if d.fallos else 0
 
