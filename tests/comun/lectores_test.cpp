@@ -126,7 +126,7 @@ TEST(GuardaPpm, DondeNoSePuede) {
                 "no puedo guardar «/no/hay/carpeta.ppm»");
 }
 
-// Si se acaba el sitio a media imagen, la que había sigue ahí y no queda nada más.
+// Si se acaba el sitio a media imagen, la que había sigue ahí y no queda nada más. Por un enlace se guarda donde apunta.
 TEST(GuardaPpm, ConservaLaQueHabia) {
     const fs::path carpeta = carpetaTemporal() / "medias";
     fs::create_directory(carpeta);
@@ -141,6 +141,10 @@ TEST(GuardaPpm, ConservaLaQueHabia) {
     EXPECT_EXIT(sinSitio(), ExitedWithCode(1), "no puedo guardar «.*foto.ppm»: File too large");
     EXPECT_EQ(leePpm(ruta).rgb, (std::vector<unsigned char>{1, 2, 3}));
     EXPECT_EQ(std::distance(fs::directory_iterator(carpeta), {}), 1);
+
+    fs::create_symlink(ruta, carpeta / "enlace.ppm");
+    guardaPpm((carpeta / "enlace.ppm").string(), {1, 1, {4, 5, 6}});
+    EXPECT_EQ(leePpm(ruta).rgb, (std::vector<unsigned char>{4, 5, 6}));
 }
 
 TEST(LeeVf, CadaErrorDiceFicheroYLinea) {

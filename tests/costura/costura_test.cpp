@@ -81,6 +81,7 @@ TEST(Fallos, CadaUnoConSuEstadoYSuMensaje) {
         {{"grua"}, "captura /no/hay/y.ppm", "no puedo guardar «/no/hay/y.ppm»", 1},
         {{"grua", "-ppm", "/no/hay/x.ppm"}, "", "no puedo guardar «/no/hay/x.ppm»", 1},
         {{"grua", "-ppm", "/dev/full"}, "", "no puedo guardar «/dev/full»", 1},
+        {{DEFECTUOSO, "version"}, "", "glut_sin_ventana da OpenGL 3.1 y el programa pide 3.3", 1},
         {{DEFECTUOSO, "dos_ventanas"}, "", "glut_sin_ventana solo tiene una ventana", 1},
         {{DEFECTUOSO, "submenu_que_no_hay"}, "", "glutAddSubMenu(77): no hay ese menú", 1},
         {{DEFECTUOSO, "enum"}, "", "error de OpenGL al dibujar: GL_INVALID_ENUM", 3},

@@ -67,6 +67,8 @@ int main(int argc, char **argv) {
     } else if (defecto == "exit") {
         glEnable(GL_TEXTURE_2D);
         std::exit(0);
+    } else if (defecto == "version") {
+        glutInitContextVersion(3, 3);
     } else if (defecto == "dos_ventanas") {
         glutCreateWindow("otra");
     } else if (defecto == "uniforme") {
