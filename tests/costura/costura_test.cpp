@@ -129,6 +129,9 @@ TEST(Guion, LeDiceAlPrograma) {
         {{DEFECTUOSO, "ocio"},
          "tecla a; espera 5; tamano 8 8; tecla b ×2",
          "dibuja\nocio 1\ndibuja\nocio 2\ndibuja\ndibuja\nocio 3\ndibuja\n"},
+        // también lo que pide quien dibuja
+        {{DEFECTUOSO, "se_pide"}, "espera 5; espera 5", "dibuja\ndibuja\ndibuja\n"},
+        {{DEFECTUOSO, "profundidad"}, "", "24 bits\n"},
         // las muestras se pueden pedir, y no las hay
         {{DEFECTUOSO, "muestras"}, "", "0\n"},
         // el programa que lee a un buffer lo tiene enlazado aunque en medio se capture
@@ -249,8 +252,10 @@ TEST(Imagen, CambiarDeTamanoNoOcupaMas) {
 
 // De un valor de varios números, el diario los mira todos: aquí cambia el último.
 TEST(Diario, DiceLoQueElCuadroDejaCambiado) {
-    const Ejecucion e = lanza({DEFECTUOSO, "estado", "-diario", "-ppm", "x.ppm"});
-    EXPECT_NE(e.salida.find("\tCOLOR_WRITEMASK 1→0 \t"), std::string::npos) << e.salida << e.errores;
+    const Ejecucion e = lanza({DEFECTUOSO, "estado", "-diario", "-ppm", "x.ppm", "-guion", "tecla a"});
+    const std::size_t donde = e.salida.find("\tCOLOR_WRITEMASK 1→0 \t");
+    EXPECT_NE(donde, std::string::npos) << e.salida << e.errores;
+    EXPECT_EQ(e.salida.find("COLOR_WRITEMASK", donde + 20), std::string::npos) << "el siguiente ya no lo cambia";
 }
 
 TEST(Diario, DiceQueElCuadroRepetidoEsOtro) {

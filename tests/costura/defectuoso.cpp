@@ -24,6 +24,16 @@ static void dibuja() {
         std::printf("dibuja\n");
     } else if (defecto == "estado") {
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    } else if (defecto == "se_pide") { // tres cuadros
+        static int veces = 0;
+        std::printf("dibuja\n");
+        if (++veces < 3)
+            glutPostRedisplay();
+    } else if (defecto == "profundidad") {
+        GLint bits;
+        glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_DEPTH, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE,
+                                              &bits);
+        std::printf("%d bits\n", bits);
     } else if (defecto == "repetido") { // se ve en el cuadro siguiente
         glClearColor(1, 0, 0, 0);
     } else if (defecto == "lectura") {
@@ -59,7 +69,7 @@ static void ocio() {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "defectuoso", GLUT_DOUBLE | GLUT_RGBA, "DEFECTO");
+    abreVentana(argc, argv, "defectuoso", GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH, "DEFECTO");
     defecto = argc > 1 ? argv[1] : "";
     glutDisplayFunc(dibuja);
     if (defecto == "inicio") {

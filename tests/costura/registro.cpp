@@ -56,7 +56,7 @@ static void ponMenus() {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Registro, así: θ → π", GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH, "[menu]");
+    abreVentana(argc, argv, "Registro, así: θ · 2° → π", GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH, "[menu]");
     const bool conMenu = argc > 1;
     glutDisplayFunc(dibuja);
     glutReshapeFunc(cambiaTamano);
