@@ -255,7 +255,8 @@ TEST(Diario, DiceLoQueElCuadroDejaCambiado) {
     const Ejecucion e = lanza({DEFECTUOSO, "estado", "-diario", "-ppm", "x.ppm", "-guion", "tecla a"});
     const std::size_t donde = e.salida.find("\tCOLOR_WRITEMASK 1→0 \t");
     EXPECT_NE(donde, std::string::npos) << e.salida << e.errores;
-    EXPECT_EQ(e.salida.find("COLOR_WRITEMASK", donde + 20), std::string::npos) << "el siguiente ya no lo cambia";
+    EXPECT_EQ(e.salida.find("COLOR_WRITEMASK", donde + 20), std::string::npos)
+        << "el siguiente ya no lo cambia";
 }
 
 TEST(Diario, DiceQueElCuadroRepetidoEsOtro) {
