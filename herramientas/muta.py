@@ -10,7 +10,8 @@ Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes: una expre
 (original)), una instrucción como if/else, y $LAB_MUTANTE elige uno; un shader estropeado va en una carpeta, y $LAB_RAIZ hace que se
 mire antes que las demás. Los de ./lab y herramientas/*.py se escriben en una copia de los dos, con lo demás enlazado, y los ven las
 pruebas de PRUEBAS_DE_COPIA. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar y apuntan lo que usan; después,
-con cada mutante, los que lo usan, hasta que uno falle: las pruebas de su capítulo, las demás y, si ninguna lo nota, los golden.
+con cada mutante, los que lo usan, hasta que uno falle: las que han notado otro de su fichero, las de su capítulo, las demás y, si ninguna lo
+nota, los golden. Lo que se nota de cada lista entera queda en docs/medidas.json.
 """
 import itertools
 import os
@@ -378,7 +379,6 @@ class Taller:
     def prueba(self, mutante):
         numero = str(mutante.numero)
         entorno = {"LAB_RAIZ": str(self.build / "glsl" / numero)} if mutante.fichero.endswith(SHADERS) else {"LAB_MUTANTE": numero}
-        # antes, las que ya han notado otros de su fichero
         for prueba in sorted(mutante.pruebas, key=lambda p: (p.golden, -self.notan[mutante.fichero, p.nombre])):
             if not prueba.pasa(30 + 10 * prueba.segundos, **entorno):
                 mutante.notado, mutante.por_golden = prueba.nombre, prueba.golden
