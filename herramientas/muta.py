@@ -257,7 +257,7 @@ def prueba_en_copia(raiz, temporal, mutante=None):
             fichero.write_text(estropea(fichero.read_text(), mutante))
         for nombre in PRUEBAS_DE_COPIA:
             prueba = Prueba(nombre, [shutil.which("pytest-3") or "pytest", "-xq", "-p", "no:cacheprovider", copia / "tests/laboratorio" / nombre], {}, False)
-            bien = prueba.pasa(120, TMPDIR=sitio)
+            bien = prueba.pasa(400, TMPDIR=sitio)  # tardan un minuto, y con la máquina ocupada, varios
             if not mutante and not bien:
                 sys.exit(f"{prueba.salida[-1000:]}\nmuta: {nombre} falla sin ningún mutante")
             if not bien:
