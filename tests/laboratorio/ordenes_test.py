@@ -96,7 +96,7 @@ class Lab:
         """Ejecuta ./lab ORDEN hasta que llega a esa etapa, de la que no pasa."""
         proceso = subprocess.Popen([self.raiz / "lab", *shlex.split(orden)], cwd=self.sitio / "aqui", env={**self.entorno, "PARA": para, **entorno},
                                    text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
-        limite = time.monotonic() + 20
+        limite = time.monotonic() + 60
         while not self.nietos():
             if proceso.poll() is not None or time.monotonic() > limite:
                 proceso.kill()
@@ -113,7 +113,7 @@ class Lab:
         """Como la terminal, INT va al grupo de ./lab; TERM, solo a él."""
         (os.killpg if senal == signal.SIGINT else os.kill)(proceso.pid, senal)
         try:
-            errores = proceso.communicate(timeout=10)[1]
+            errores = proceso.communicate(timeout=60)[1]
             assert proceso.returncode == 128 + senal and "Traceback" not in errores, f"{proceso.returncode} {errores}"
         finally:
             vivos = [nieto for nieto in self.nietos() if vivo(nieto)]
@@ -121,12 +121,12 @@ class Lab:
                 os.kill(nieto, signal.SIGKILL)
             proceso.kill()
         assert not vivos, "queda en marcha lo que había puesto en marcha"
-        assert self.libre(espera=5), "queda el cerrojo"  # quien lo hereda puede tardar un momento en morir
+        assert self.libre(espera=30), "queda el cerrojo"  # quien lo hereda puede tardar un momento en morir
         self.no_deja_nada()
 
 
 def vivo(pid):
-    for _ in range(500):
+    for _ in range(3000):
         try:
             if Path(f"/proc/{pid}/stat").read_text().split()[2] == "Z":
                 return False
