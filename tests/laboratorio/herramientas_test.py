@@ -294,6 +294,11 @@ def test_una_cifra(x, texto):
     assert pagina.cifra(x) == texto
 
 
+def test_las_marcas_de_una_respuesta():
+    assert libro.en_html("`a*b` y `c<d`, **uno** y **dos**, *tres* y *cuatro*, [x](y) y [z](t)") == \
+        "<code>a*b</code> y <code>c&lt;d</code>, <b>uno</b> y <b>dos</b>, <i>tres</i> y <i>cuatro</i>, x y z"
+
+
 def test_los_fuentes_de_un_programa(tmp_path):
     for f, texto in (("ch01/a.cpp", '#include "b.h"\n"a.frag" "ch02/c.h" "nada.h"'), ("ch01/b.h", '"ch02/c.h"'), ("ch01/a.frag", ""), ("ch02/c.h", '"ch01/b.h"'),
                      ("common/d.h", ""), ("ch01/nada.txt", "")):
