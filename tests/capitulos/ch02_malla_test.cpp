@@ -179,8 +179,7 @@ TEST(MallaVf, ErroresDelUsuario) {
         std::vector<std::string> argumentos;
         int estado;
         std::string error;
-    } casos[] = {{{"a.vf", "b.vf"}, 2, "sobra «b.vf»"},
-                 {{"no_existe.vf"}, 1, "no_existe.vf"},
+    } casos[] = {{{"no_existe.vf"}, 1, "no_existe.vf"},
                  {{fichero("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n")}, 1, ":4: "}};
     for (const std::string programa : {"malla_vf", "tiras"})
         for (const auto &c : casos) {

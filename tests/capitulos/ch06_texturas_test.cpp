@@ -144,7 +144,6 @@ TEST(Argumentos, UnaLineaQueDiceQuePasa) {
         {{f, "-talla", "7x999999999999"}, 2, "«7x999999999999» no es un tamaño ANCHOxALTO"},
         {{"-talla", "7x5"}, 2, "con -talla falta el fichero RGB"},
         {{"x.ppm", "-talla", "7x5"}, 2, "«x.ppm»: un PPM ya dice su tamaño, sobra -talla"},
-        {{f, "x.ppm"}, 2, "sobra «x.ppm»: solo se lee una imagen"},
         {{f, "-talla", "7x5", "-talla", "7x5"}, 2, "sobra «-talla»: solo se lee una imagen"},
         {{f, "-t", "7x5"}, 2, "sobra «-t»: solo se lee una imagen"},
         {{""}, 2, "«»"},

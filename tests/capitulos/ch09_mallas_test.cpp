@@ -164,8 +164,8 @@ TEST(Morphing, ElPuntoIntermedioQuedaBajoElRaton) {
     }
 }
 
-// El movimiento depende solo del reloj: a los 1500 ms, t = 0.5; a los 3000, 1; a los 6000, 0 otra vez. También de vuelta, - lo disminuye. El último cuadro es de hasta 33
-// ms antes: 4 niveles.
+// El movimiento depende solo del reloj: a los 1500 ms, t = 0.5; a los 3000, 1; a los 6000, 0 otra vez. También de vuelta, - lo
+// disminuye. El último cuadro es de hasta 33 ms antes: 4 niveles.
 TEST(Morphing, ElMovimientoSigueAlReloj) {
     const auto tras = [](const std::string &guion) {
         return procesa("morphing", {A, B}, "tecla 1; tecla Espacio; espera " + guion);

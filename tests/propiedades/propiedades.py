@@ -248,15 +248,20 @@ def parecidas(una, otra):
 def tallas(p, semilla):
     """Lo hecho en una ventana y llevado a otra es lo mismo que hecho en esa y en el orden contrario; o de dos teclas manda la última."""
     azar = random.Random(f"{p.nombre} {semilla}")
-    otra = OTRAS[-1].replace(" ", "x")
+    final = OTRAS[-1].replace(" ", "x")
     grupos = [c.ordenes for c in p.controles if c.teclas and not c.termina and set(c.ordenes) <= set(p.teclas) and "↑" not in c.teclas and "v" not in c.teclas]
     cifras = [o for grupo in grupos for o in grupo if o[-1] in "234567890"]  # eligen entre sí, y suelen empezar con 1
     guion = [azar.choice(grupo) for grupo in [*(g for g in grupos if not g[0][-1].isdigit()), cifras] if grupo]
-    llevada, hecha = p.ventana([*guion, *(f"tamano {otra}" for otra in OTRAS)]), p.ventana(guion[::-1], otra)
-    if parecidas(llevada, hecha):
+    mandan = [o for o in [*p.teclas, *(f"menu {o}" for o in p.opciones)] if o == "tecla v" or o.startswith("menu ")]  # siempre al final
+    conmutan = True
+    for cola in [[], *([[azar.choice(mandan)]] if mandan else [])]:
+        llevada, hecha = p.ventana([*guion, *cola, *(f"tamano {talla}" for talla in OTRAS)]), p.ventana([*guion[::-1], *cola], final)
+        if not parecidas(llevada, hecha):
+            conmutan = False
+            if not parecidas(llevada, p.ventana([*guion, *cola], final)):
+                yield "talla", f"una ventana de {TALLA} llevada a {OTRAS} no se ve como una de {final}, con {'; '.join(guion + cola)}"
+    if conmutan:
         return
-    if not parecidas(llevada, p.ventana(guion, otra)):
-        yield "talla", f"una ventana de {TALLA} llevada a {OTRAS} no se ve como una de {otra}, con {'; '.join(guion)}"
     for una, otra in itertools.combinations(guion, 2):
         (_, a, ab), (_, b, ba) = ([f.se_ve() for f in p.diario(par)] for par in ((una, otra), (otra, una)))
         relativa = any({una, otra} & set(c.ordenes) for c in p.controles if set(c.teclas) in CONTRARIAS)
@@ -271,7 +276,7 @@ def arrastres(p):
     botones = ["IZQUIERDO"] if p.opciones else ["IZQUIERDO", "DERECHO"]  # el derecho abre el menú
     caminos = [(60, 45, 90, 60), (30, 60, 42, 30), (100, 45, 70, 60)]
     una, tres = ([o for boton in botones for puntos in caminos for o in arrastre(*puntos, boton, pasos)] for pasos in (1, 3))
-    for boton in [] if "clic" in p.dice else botones:
+    for boton in [] if "clic" in p.dice else botones:  # pulsar otra vez elegiría otra cosa
         una += arrastre(40, 45, 80, 45, boton)
         tres += arrastre(40, 45, 60, 45, boton) + arrastre(60, 45, 80, 45, boton)
     if not parecidas(p.ventana(una), p.ventana(tres)):
