@@ -12,7 +12,7 @@ namespace {
 bool puesta = false;
 
 const std::map<std::string, const char *> CONTROLES = {
-#include "controles.inc" // lo escribe herramientas/controles.cmake
+#include "controles.inc" // lo escribe herramientas/base/controles.py
 };
 
 const char *const DE_TODOS =

@@ -1,11 +1,11 @@
-#!/usr/bin/env python3
-"""El catálogo: los capítulos, con sus programas, con sus casos. Lo escribe CMake (herramientas/programa.cmake) en BUILD/catalogo.json
-y solo se lee aquí.
+"""El catálogo: los capítulos, con sus programas, con sus casos. Lo escribe CMake (herramientas/cmake/programa.cmake)
+en BUILD/catalogo.json y solo se lee aquí.
 
 catalogo.py BUILD lista [--tsv]   capítulo, programa, referencia y título
-catalogo.py BUILD resuelve QUÉ    los programas a que se refiere (su nombre, L1.2, E3.5, F3.3, ch05): capítulo, programa, imagen o texto,
-                                  y título, entre tabuladores
-catalogo.py BUILD casos QUÉ…      de cada caso que se nombra (grua, grua-girada), los argumentos de los scripts de tests/casos/
+catalogo.py BUILD resuelve QUÉ    los programas a que se refiere (su nombre, L1.2, E3.5, F3.3, ch05): capítulo, programa,
+                                  imagen o texto, y título, entre tabuladores
+catalogo.py BUILD casos QUÉ…      de cada caso que se nombra (grua, grua-girada), los argumentos de los scripts de
+                                  tests/casos/
 """
 import difflib
 import json
@@ -15,7 +15,7 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from procesos import principal
+from base.procesos import principal
 
 
 @dataclass
@@ -45,7 +45,13 @@ class Caso:
     @property
     def hechos(self):
         """Lo que de un caso reciben los scripts de tests/casos/."""
-        return [self.programa.capitulo.nombre, self.programa.nombre, self.fichero, self.tolerancia or "-", self.guion or "-"]
+        return [
+            self.programa.capitulo.nombre,
+            self.programa.nombre,
+            self.fichero,
+            self.tolerancia or "-",
+            self.guion or "-",
+        ]
 
     @property
     def titulo(self):

@@ -1,5 +1,9 @@
-"""controles.py RAÍZ BUILD PROGRAMA SEMILLA N: un guion de unas N órdenes al azar para ese programa. Los controles de un programa, según su línea
-«// Controles:», y sucesos al azar de entre ellos."""
+"""Los controles de un programa, según su línea «// Controles:», y sucesos al azar de entre ellos.
+
+controles.py tabla RAÍZ FICHERO                    los de todos, como los incluye common/ayuda.cpp:
+                                                   {"programa", R"(a d giran · Esc termina)"},
+controles.py guion RAÍZ BUILD PROGRAMA SEMILLA N   un guion de unas N órdenes al azar para ese programa
+"""
 import os
 import random
 import re
@@ -8,8 +12,8 @@ import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import catalogo
-from procesos import ejecuta
+from base import catalogo
+from base.procesos import ejecuta, escribe, principal
 
 ESPECIALES = {"←": "IZQUIERDA", "→": "DERECHA", "↑": "ARRIBA", "↓": "ABAJO"}
 COMUNES = ["especial F5"]  # las teclas de todos (common/ventana.h), salvo Esc y las que salen de la ventana
@@ -50,28 +54,45 @@ def clase(tecla):
 
 
 def analiza(texto):
-    """Un control en teclas y lo que hacen: «a d giran» son dos teclas; «1 a 9 resaltan», nueve; «arrastra (o n y flechas)», cinco."""
+    """Un control en teclas y lo que hacen: «a d giran» son dos teclas; «1 a 9 resaltan», nueve; «arrastra (o n y
+    flechas)», cinco."""
     palabras = texto.replace(" o espacio ", " espacio ").split()
     if rango := re.match(r"(\d) a (\d) (.*)", texto):
         return Control(texto, [str(n) for n in range(int(rango[1]), int(rango[2]) + 1)], rango[3])
     if flechas := re.search(r" \(o (\w) y flechas\)$", texto):
-        return Control(texto, [flechas[1], *ESPECIALES], texto[:flechas.start()])
+        return Control(texto, [flechas[1], *ESPECIALES], texto[: flechas.start()])
     teclas = []
     while len(palabras) > 1 and orden_de(palabras[0]) and (not teclas or clase(teclas[0]) == clase(palabras[0])):
         teclas.append(palabras.pop(0))
     return Control(texto, teclas, " ".join(palabras))
 
 
+def linea(fuente):
+    """Lo que dice «// Controles:» hasta el punto final, aunque ocupe varias líneas; nada, si el fuente no la tiene."""
+    hallado = re.search(r"^// Controles: ((?:.*\n// )*?.*)\.$", fuente.read_text(), re.MULTILINE)
+    return hallado[1].replace("\n// ", " ") if hallado else ""
+
+
 def lee(raiz, programa):
-    """Los que enumera «// Controles:» hasta el punto final, aunque ocupe varias líneas; ninguno, si el fuente no la tiene."""
-    hallado = re.search(r"^// Controles: ((?:.*\n// )*?.*\.)$", (raiz / programa.fuente).read_text(), re.MULTILINE)
-    return [analiza(c.strip()) for c in hallado[1].replace("\n// ", " ").rstrip(".").split(" · ")] if hallado else []
+    """Los que enumera esa línea."""
+    return [analiza(c.strip()) for c in linea(raiz / programa.fuente).split(" · ") if c]
+
+
+def tabla(raiz):
+    fuentes = sorted(raiz.glob("ch*/*.cpp"))
+    return "".join(f'{{"{f.stem}", R"({linea(f)})"}},\n' for f in fuentes if linea(f))
 
 
 def atiende(build, programa, guion="", **entorno):
-    """De qué se entera tras ese guion: lo que dice -rasgos de él, y las opciones de sus menús, salvo la que lo termina."""
+    """De qué se entera tras ese guion: lo que dice -rasgos de él, y las opciones de sus menús, salvo la que lo
+    termina."""
     with tempfile.TemporaryDirectory() as carpeta:
-        dice = ejecuta([programa.ejecutable(build), "-guion", guion, "-rasgos"], cwd=carpeta, text=True, env={**os.environ, **entorno})
+        dice = ejecuta(
+            [programa.ejecutable(build), "-guion", guion, "-rasgos"],
+            cwd=carpeta,
+            text=True,
+            env={**os.environ, **entorno},
+        )
     rasgos = {linea for linea in dice.splitlines() if not linea.startswith("opcion ")}
     opciones = [linea.removeprefix("opcion ") for linea in dice.splitlines() if linea.startswith("opcion ")]
     return rasgos, [o for o in opciones if o != "Salir"]
@@ -79,13 +100,19 @@ def atiende(build, programa, guion="", **entorno):
 
 def raton_al_azar(azar, ancho, alto, rasgos):
     """Un clic, un arrastre en varios pasos o un giro de la rueda, dentro de la ventana."""
+
     def punto():
         return f"{azar.randrange(ancho)} {azar.randrange(alto)}"
+
     if "rueda" in rasgos and azar.random() < 0.3:
         return [f"rueda {azar.choice(['+1', '-1'])} {punto()}"]
     boton = azar.choice(["IZQUIERDO", "IZQUIERDO", "DERECHO"])
     recorrido = [punto() for _ in range(azar.randint(1, 3))]
-    return [f"boton {boton} abajo {recorrido[0]}", *(f"arrastra {p}" for p in recorrido[1:]), f"boton {boton} arriba {recorrido[-1]}"]
+    return [
+        f"boton {boton} abajo {recorrido[0]}",
+        *(f"arrastra {p}" for p in recorrido[1:]),
+        f"boton {boton} arriba {recorrido[-1]}",
+    ]
 
 
 def sucesos_al_azar(azar, controles, rasgos, opciones, ancho, alto):
@@ -108,11 +135,16 @@ def paseo(azar, n, controles, rasgos, opciones, ancho, alto):
 
 
 def main():
-    raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
-    nombre, semilla, n = sys.argv[3:6]
+    que, raiz, *resto = sys.argv[1:]
+    raiz = Path(raiz).resolve()
+    if que == "tabla":
+        return escribe(Path(*resto), tabla(raiz))
+    build, nombre, semilla, n = resto
+    build = Path(build).resolve()
     programa = next(p for p in catalogo.lee_programas(build) if p.nombre == nombre)
-    print("; ".join(paseo(random.Random(f"{nombre} {semilla}"), int(n), lee(raiz, programa), *atiende(build, programa), 240, 180)))
+    azar = random.Random(f"{nombre} {semilla}")
+    print("; ".join(paseo(azar, int(n), lee(raiz, programa), *atiende(build, programa), 240, 180)))
 
 
 if __name__ == "__main__":
-    main()
+    principal(main)

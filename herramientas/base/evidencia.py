@@ -1,21 +1,26 @@
-"""docs/medidas.json: lo que midieron las pruebas la última vez que se midió todo, y de donde salen las tablas de docs/exactitud.md.
+"""docs/evidencia.json: lo que midieron las pruebas la última vez que se midió todo, y de donde salen las tablas de
+docs/exactitud.md.
 
-programas: de cada uno, las pruebas que lo ejecutaron y lo peor que midieron frente a su referencia: máximo y RMSE, en niveles de 255, y
-borde, en píxeles, salvo `lejos` de los `banda` que hay en él (tests/laboratorio/evidencia.py mide).
-casos: de cada caso difícil, cuántas pruebas tiene y, de la que más se acerca a su cota, lo que mide (también).
-defectos: de cada lista de mutantes, cuántos se plantaron, se notan y se notan sin mirar los golden (./lab muta).
+programas: de cada uno, las pruebas que lo ejecutaron y lo peor que midieron frente a su referencia: máximo y RMSE, en
+niveles de 255, y borde, en píxeles, salvo `lejos` de los `banda` que hay en él (herramientas/pruebas/evidencia.py
+mide).
+casos: de cada caso difícil, sus pruebas (citas), cuántas son y, de la que más se acerca a su cota, lo que mide
+(también).
+defectos: de cada lista, cuántos se plantaron, se notan y se notan sin mirar los golden (./lab muta).
+listas, sobreviven: cuántos hay en cada lista, y los que no nota nadie, con su motivo (./lab lista --docs).
 """
 import json
 
-from procesos import escribe
+from base.procesos import escribe
 
 
 def lee(raiz):
-    return json.loads((raiz / "docs/medidas.json").read_text())
+    return json.loads((raiz / "docs/evidencia.json").read_text())
 
 
 def apunta(raiz, **nuevas):
     """Cambia esas secciones. Una medida por línea, para que se vea qué ha cambiado."""
+
     def texto(dato):
         return json.dumps(dato, ensure_ascii=False)
 
@@ -23,7 +28,7 @@ def apunta(raiz, **nuevas):
     for seccion, medidas in {**lee(raiz), **nuevas}.items():
         lineas = ",\n".join(f"  {texto(nombre)}: {texto(medida)}" for nombre, medida in medidas.items())
         secciones.append(f"{texto(seccion)}: {{\n{lineas}\n}}")
-    escribe(raiz / "docs/medidas.json", "{\n" + ",\n".join(secciones) + "\n}\n")
+    escribe(raiz / "docs/evidencia.json", "{\n" + ",\n".join(secciones) + "\n}\n")
 
 
 def numero(x):

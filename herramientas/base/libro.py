@@ -1,5 +1,5 @@
-"""Lo que se sabe de cada cosa del libro: qué es y, de un ejercicio, qué pide (docs/libro.tsv); qué se contesta (docs/soluciones.md); y qué
-está mal en ella (docs/erratas.md)."""
+"""Lo que se sabe de cada cosa del libro: qué es y, de un ejercicio, qué pide (docs/libro.tsv); qué se contesta
+(docs/soluciones.md); y qué está mal en ella (docs/erratas.md)."""
 import html
 import re
 from dataclasses import dataclass
@@ -33,14 +33,20 @@ def nombre(codigo):
 def codigos(titulo):
     """Las referencias que nombra el título de una errata: «Listado 9.1 y los de §9.1.2», L9.1 y §9.1.2."""
     de = {nombre: clase for clase, nombre in CLASES.items()}
-    hallados = re.findall(r"(listado|ejercicio|figura|tabla|ecuación) (\d+\.\d+)|§(\d+(?:\.\d+)+)", titulo, re.IGNORECASE)
+    hallados = re.findall(
+        r"(listado|ejercicio|figura|tabla|ecuación) (\d+\.\d+)|§(\d+(?:\.\d+)+)", titulo, re.IGNORECASE
+    )
     return [de[clase.lower()] + numero if clase else "§" + apartado for clase, numero, apartado in hallados]
 
 
 def entradas(texto):
     """Las de una lista de Markdown: el título, que va en negrita, y lo que sigue, sin las pruebas que lo enseñan."""
     for titulo, cuerpo in re.findall(r"^- \*\*(.+?)\*\*(.*(?:\n  .+)*)", texto, re.MULTILINE):
-        for citas in (r"\s*(?:Sin prueba|Pruebas?)(?: de [^:]*)?:\s.*", r"\s+\(pruebas?:\s[^)]*\)", r"; pruebas?:\s[^)]*(?=\))"):
+        for citas in (
+            r"\s*(?:Sin prueba|Pruebas?)(?: de [^:]*)?:\s.*",
+            r"\s+\(pruebas?:\s[^)]*\)",
+            r"; pruebas?:\s[^)]*(?=\))",
+        ):
             cuerpo = re.sub(citas, "", cuerpo, flags=re.DOTALL)
         yield titulo, cuerpo
 
@@ -52,9 +58,14 @@ def en_html(texto):
     def aparta(trozo):
         codigo.append(trozo[1])
         return f"\0{len(codigo) - 1}\0"
+
     texto = re.sub(r"`(.+?)`", aparta, html.escape(" ".join(texto.split()), quote=False))
-    for patron, pone in ((r"\*\*(.+?)\*\*", r"<b>\1</b>"), (r"\*(.+?)\*", r"<i>\1</i>"), (r"\[(.+?)\]\(.+?\)", r"\1"),
-                         (r"\0(\d+)\0", lambda trozo: f"<code>{codigo[int(trozo[1])]}</code>")):
+    for patron, pone in (
+        (r"\*\*(.+?)\*\*", r"<b>\1</b>"),
+        (r"\*(.+?)\*", r"<i>\1</i>"),
+        (r"\[(.+?)\]\(.+?\)", r"\1"),
+        (r"\0(\d+)\0", lambda trozo: f"<code>{codigo[int(trozo[1])]}</code>"),
+    ):
         texto = re.sub(patron, pone, texto)
     return texto
 
@@ -63,10 +74,16 @@ class Libro:
     def __init__(self, raiz):
         self.raiz = raiz
         self.cosas = {c.codigo: c for c in cosas(raiz)}
-        self.respuestas = {f"E{titulo}": en_html(cuerpo.lstrip(": ")) for titulo, cuerpo in entradas((raiz / "docs/soluciones.md").read_text())}
+        self.respuestas = {
+            f"E{titulo}": en_html(cuerpo.lstrip(": "))
+            for titulo, cuerpo in entradas((raiz / "docs/soluciones.md").read_text())
+        }
         capitulos = re.split(r"^## Capítulo (\d+)$", (raiz / "docs/erratas.md").read_text(), flags=re.MULTILINE)[1:]
-        self.erratas = [(int(numero), set(codigos(titulo)), en_html(f"**{titulo}**{cuerpo}"))
-                        for numero, texto in zip(capitulos[::2], capitulos[1::2]) for titulo, cuerpo in entradas(texto)]
+        self.erratas = [
+            (int(numero), set(codigos(titulo)), en_html(f"**{titulo}**{cuerpo}"))
+            for numero, texto in zip(capitulos[::2], capitulos[1::2])
+            for titulo, cuerpo in entradas(texto)
+        ]
 
     def referencias(self, programa):
         """Cada una, con lo que es: E3.5, «ejercicio 3.5: la grúa de obra»."""
@@ -79,7 +96,11 @@ class Libro:
 
     def ejercicios(self, programa):
         """El número, lo que pide y lo que se contesta, esto último en HTML."""
-        return [(r[1:], en_html(self.cosas[r].enunciado), self.respuestas.get(r, "")) for r in programa.referencias if r in self.cosas and self.cosas[r].enunciado]
+        return [
+            (r[1:], en_html(self.cosas[r].enunciado), self.respuestas.get(r, ""))
+            for r in programa.referencias
+            if r in self.cosas and self.cosas[r].enunciado
+        ]
 
     def erratas_de(self, programa):
         return [texto for _, suyos, texto in self.erratas if suyos & set(programa.referencias)]
@@ -87,4 +108,6 @@ class Libro:
     def otras_erratas(self, capitulo):
         """Las de ese capítulo que no son de ninguno de sus programas."""
         de_programas = {r for p in capitulo.programas for r in p.referencias}
-        return [texto for numero, suyos, texto in self.erratas if numero == capitulo.numero and not suyos & de_programas]
+        return [
+            texto for numero, suyos, texto in self.erratas if numero == capitulo.numero and not suyos & de_programas
+        ]

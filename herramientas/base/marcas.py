@@ -1,20 +1,26 @@
-#!/usr/bin/env python3
-"""Los ejercicios que se hacen dentro de un fichero del laboratorio: lo que hay que escribir va entre dos marcas, con lo que pide.
+"""Los ejercicios que se hacen dentro de un fichero del laboratorio: lo que hay que escribir va entre dos marcas, con
+lo que pide.
 
     // L5.2: el color del vértice: phong, en su punto y con su normal
     nuevoColor = phong(material, La, luz, P.xyz, N * vNormal);
     // de partida: nuevoColor = material.Ka * La;
     // fin de L5.2
 
-El punto de partida de quien lo hace es el mismo fichero sin lo de en medio, salvo lo que dice «de partida», si hace falta algo en su lugar.
+El punto de partida de quien lo hace es el mismo fichero sin lo de en medio, salvo lo que dice «de partida», si hace
+falta algo en su lugar.
 
-ejercicios.py RAÍZ CARPETA: deja en CARPETA los shaders de RAÍZ, con todos sus ejercicios por hacer.
+marcas.py RAÍZ CARPETA: deja en CARPETA los shaders de RAÍZ, con todos sus ejercicios por hacer.
 """
 import re
 import sys
 from pathlib import Path
 
-TROZO = re.compile(r"^(?P<abre> *// (?P<codigo>[EL]\d+\.\d+): (?P<pide>.+)\n)(?P<hecho>(?:.*\n)*?)(?P<cierra> *// fin de (?P=codigo)\n)", re.MULTILINE)
+TROZO = re.compile(
+    r"^(?P<abre> *// (?P<codigo>[EL]\d+\.\d+): (?P<pide>.+)\n)"
+    r"(?P<hecho>(?:.*\n)*?)"
+    r"(?P<cierra> *// fin de (?P=codigo)\n)",
+    re.MULTILINE,
+)
 PARTIDA = re.compile(r"^( *)// de partida: (.+\n)", re.MULTILINE)
 
 
@@ -29,11 +35,13 @@ def que_piden(textos):
 
 def esqueleto(texto, *codigos):
     """El fichero con esos ejercicios por hacer; sin decir cuáles, todos."""
+
     def vacia(trozo):
         if codigos and trozo["codigo"] not in codigos:
             return trozo[0]
         partida = "".join(sangria + linea for sangria, linea in PARTIDA.findall(trozo["hecho"]))
         return trozo["abre"] + (partida or "\n") + trozo["cierra"]
+
     return TROZO.sub(vacia, texto)
 
 

@@ -1,5 +1,5 @@
-"""Lo que comparten las órdenes: ejecutar un programa y quedarse con lo que escribe, dejar un fichero entero o nada, y acabar en una línea
-cuando algo falla y enseguida, con todo lo que se haya puesto en marcha, cuando llega una señal."""
+"""Lo que comparten las órdenes: ejecutar un programa y quedarse con lo que escribe, dejar un fichero entero o nada, y
+acabar en una línea cuando algo falla y enseguida, con todo lo que se haya puesto en marcha, cuando llega una señal."""
 import errno
 import os
 import signal
@@ -7,9 +7,17 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import contextmanager
+from pathlib import Path
 
-MOTIVOS = {errno.ENOSPC: "no queda sitio en el disco", errno.EDQUOT: "no queda sitio en el disco", errno.EACCES: "no hay permiso",
-           errno.EROFS: "no se puede escribir ahí", errno.ENOENT: "no existe", errno.EISDIR: "es una carpeta", errno.EFBIG: "es demasiado grande"}
+MOTIVOS = {
+    errno.ENOSPC: "no queda sitio en el disco",
+    errno.EDQUOT: "no queda sitio en el disco",
+    errno.EACCES: "no hay permiso",
+    errno.EROFS: "no se puede escribir ahí",
+    errno.ENOENT: "no existe",
+    errno.EISDIR: "es una carpeta",
+    errno.EFBIG: "es demasiado grande",
+}
 SENALES = signal.SIGINT, signal.SIGTERM, signal.SIGHUP
 
 
@@ -19,6 +27,7 @@ class Fallo(Exception):
 
 class Procesos:
     """Los que hay en marcha, cada uno en su grupo, y la señal que los acaba."""
+
     vivos, senal = set(), 0
 
 
@@ -68,7 +77,12 @@ def arranca(orden, **opciones):
 
 def lanza(orden, input=None, timeout=None, **opciones):
     """subprocess.run con arranca."""
-    opciones = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "stdin": subprocess.DEVNULL if input is None else subprocess.PIPE, **opciones}
+    opciones = {
+        "stdout": subprocess.PIPE,
+        "stderr": subprocess.PIPE,
+        "stdin": subprocess.DEVNULL if input is None else subprocess.PIPE,
+        **opciones,
+    }
     with arranca(orden, **opciones) as proceso:
         salida, errores = proceso.communicate(input, timeout)
     return subprocess.CompletedProcess(orden, proceso.returncode, salida, errores)
@@ -76,7 +90,9 @@ def lanza(orden, input=None, timeout=None, **opciones):
 
 def lineas(orden, **opciones):
     """Lo que va escribiendo, también en stderr, línea a línea; si no acaba bien, después, un Fallo."""
-    with arranca(orden, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **opciones) as proceso:
+    with arranca(
+        orden, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **opciones
+    ) as proceso:
         yield from proceso.stdout
         proceso.wait()
     if proceso.returncode:
@@ -95,8 +111,9 @@ def ejecuta(orden, **opciones):
     return proceso.stdout
 
 
-def entorno(carpeta):
-    """Las variables de su entorno.txt: el de tests/ fija la imagen; el de build/ tiene además la caché de shaders de las pruebas."""
+def entorno(carpeta=Path(__file__).parent):
+    """Las variables de su entorno.txt: el de aquí fija la imagen; el de build/ tiene además la caché de shaders de
+    las pruebas."""
     return dict(linea.split("=", 1) for linea in (carpeta / "entorno.txt").read_text().split())
 
 
@@ -123,7 +140,8 @@ def principal(main):
     for senal in SENALES:
         signal.signal(senal, acaba)
     try:
-        # En otro hilo, y aquí se espera a trozos: Python no atiende la señal que llega justo cuando se pone a esperar a un cerrojo.
+        # En otro hilo, y aquí se espera a trozos: Python no atiende la señal que llega justo cuando se pone a esperar
+        # a un cerrojo.
         with ThreadPoolExecutor(1) as hilo:
             trabajo = hilo.submit(main)
             while not trabajo.done():
@@ -135,15 +153,3 @@ def principal(main):
         sys.exit(f"lab: {fallo}")
     except OSError as error:
         sys.exit(f"lab: {error.filename or 'no puedo escribir'}: {motivo(error)}")
-
-
-def pruebas_de(ejecutable):
-    """«GiroEje.AnguloPequeno» de cada TEST."""
-    grupo, pruebas = "", []
-    for linea in ejecuta([ejecutable, "--gtest_list_tests"], text=True).splitlines():
-        nombre = linea.split("#")[0].strip()
-        if linea.startswith(" "):
-            pruebas.append(grupo + nombre)
-        else:
-            grupo = nombre
-    return pruebas

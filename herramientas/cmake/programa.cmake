@@ -18,7 +18,7 @@
 #   TOLERANCIA cambia la que usa el comparador cuando la imagen no es del mismo OpenGL que el golden, y OTRO la de su --otro; las dos
 #   exigen un MOTIVO.
 #
-# Con todo ello se escribe build/catalogo.json, que solo lee herramientas/catalogo.py, y de ahí sale lo demás: ./lab, la galería,
+# Con todo ello se escribe build/catalogo.json, que solo lee herramientas/base/catalogo.py, y de ahí sale lo demás: ./lab, la galería,
 # las páginas, docs/. Las pruebas de cada caso reciben sus hechos como argumentos.
 
 # file(GLOB) en esta carpeta aunque se llame a[b]: esos corchetes no son del patrón.
@@ -56,7 +56,7 @@ endfunction()
 
 # Las bibliotecas que incluyen todos los programas, analizadas una vez.
 function(precompila_cabeceras)
-  add_library(precompilada OBJECT herramientas/precompilada.cpp)
+  add_library(precompilada OBJECT herramientas/cmake/precompilada.cpp)
   target_link_libraries(precompilada PRIVATE comun avisos)
   target_precompile_headers(precompilada PRIVATE <GL/glew.h> <GL/freeglut.h> <glm/glm.hpp> <glm/gtc/matrix_transform.hpp>
     <glm/gtc/type_ptr.hpp> <algorithm> <array> <cmath> <cstdio> <cstdlib> <string> <vector>)
@@ -143,13 +143,16 @@ function(caso programa nombre)
   set_property(GLOBAL PROPERTY LAB_OTRO_${programa}.${nombre} "${C_OTRO}")
 endfunction()
 
+# python3 en esta máquina: ejecuta los módulos de herramientas/.
+find_program(PYTHON NAMES python3 python HINTS /usr/bin NO_CMAKE_FIND_ROOT_PATH REQUIRED)
+
 # Los controles de los programas, para common/ayuda.cpp, que está en esa biblioteca.
 function(recoge_controles biblioteca)
   busca(fuentes ch*/*.cpp)
   set(tabla "${CMAKE_BINARY_DIR}/generado/controles.inc")
-  set(guion "${CMAKE_SOURCE_DIR}/herramientas/controles.cmake")
-  add_custom_command(OUTPUT "${tabla}" DEPENDS ${fuentes} "${guion}"
-    COMMAND ${CMAKE_COMMAND} "-DRAIZ=${CMAKE_SOURCE_DIR}" "-DSALIDA=${tabla}" -P "${guion}" COMMENT "Recogiendo los controles" VERBATIM)
+  add_custom_command(OUTPUT "${tabla}" DEPENDS ${fuentes} herramientas/base/controles.py
+    COMMAND "${PYTHON}" -B herramientas base.controles tabla . "${tabla}"
+    WORKING_DIRECTORY "${CMAKE_SOURCE_DIR}" COMMENT "Recogiendo los controles" VERBATIM)
   target_sources(${biblioteca} PRIVATE "${tabla}")
   target_include_directories(${biblioteca} PRIVATE "${CMAKE_BINARY_DIR}/generado")
 endfunction()

@@ -1,4 +1,4 @@
-# El enlace de Windows: los mismos programas, con FreeGLUT y GLEW en DLL. Desde Debian (herramientas/mingw.cmake) las compila de los
+# El enlace de Windows: los mismos programas, con FreeGLUT y GLEW en DLL. Desde Debian (herramientas/cmake/mingw.cmake) las compila de los
 # fuentes que ./lab windows deja al lado; en Windows, con MSYS2, son sus paquetes.
 enable_language(C RC)
 find_package(OpenGL REQUIRED)

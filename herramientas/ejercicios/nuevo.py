@@ -1,27 +1,26 @@
-#!/usr/bin/env python3
-"""nuevo.py RAÍZ BUILD MIOS QUÉ [NOMBRE]: una carpeta de quien aprende, MIOS/NOMBRE. Con un ejercicio (E3.5), su esqueleto: los ficheros de la
-solución sin lo que se pide, que dicen las marcas de ejercicios.py. Con un programa, una copia para jugar con ella."""
+"""nuevo.py RAÍZ BUILD MIOS QUÉ [NOMBRE]: una carpeta de quien aprende, MIOS/NOMBRE. Con un ejercicio (E3.5), su
+esqueleto: los ficheros de la solución sin lo que se pide, que dicen las marcas (base/marcas.py). Con un programa, una
+copia para jugar con ella."""
 import re
 import shutil
 import sys
 from pathlib import Path
 
-import catalogo
-import controles
-import ejercicios as marcas
-import libro
-import pagina
-from procesos import Fallo, principal
+from base import catalogo, controles, fuentes, libro, marcas, paginas
+from base.procesos import Fallo, principal
 
 EJERCICIO = "ejercicio.txt"  # en la carpeta: «E3.5 ch03_transformaciones/grua», o solo el programa si no se corrige
 
 
 def deja(texto, referencia=""):
-    """Un fuente sin lo que pide ese ejercicio. De los demás, o de todos si no es ninguno, desaparecen las marcas y se queda lo suyo."""
+    """Un fuente sin lo que pide ese ejercicio. De los demás, o de todos si no es ninguno, desaparecen las marcas y se
+    queda lo suyo."""
+
     def trozo(marcado):
         if marcado["codigo"] == referencia:
             return marcas.esqueleto(marcado[0], referencia)
         return marcas.PARTIDA.sub("", marcado["hecho"])
+
     return marcas.TROZO.sub(trozo, texto)
 
 
@@ -37,25 +36,32 @@ def suyos(raiz, programa):
 
 def del_capitulo(raiz, programa):
     """Los ficheros de su capítulo que usa, cada uno con su texto y los que nombra."""
-    carpeta = raiz / programa.capitulo.nombre
+    carpeta = Path(programa.capitulo.nombre)
     textos, nombrados, por_leer = {}, {}, suyos(raiz, programa)
     while por_leer:
         fichero = por_leer.pop()
-        if fichero not in textos and (carpeta / fichero).is_file():
-            textos[fichero] = (carpeta / fichero).read_text()
-            nombrados[fichero] = re.findall(rf'"(?:{carpeta.name}/)?([\w.]+\.(?:h|vert|frag|glsl))"', textos[fichero])
+        if fichero not in textos:
+            textos[fichero] = (raiz / carpeta / fichero).read_text()
+            nombrados[fichero] = [
+                f.name for f in fuentes.nombra(raiz, carpeta / fichero) if f.parent == carpeta and f.suffix != ".cpp"
+            ]
             por_leer += nombrados[fichero]
     return textos, nombrados
 
 
 def de_la_carpeta(raiz, programa, referencia=""):
-    """Los que van a la carpeta de quien aprende: los suyos, los marcados o, si no es un ejercicio, sus shaders, y los que llevan de unos a
-    otros, que si no incluirían los del capítulo."""
+    """Los que van a la carpeta de quien aprende: los suyos, los marcados o, si no es un ejercicio, sus shaders, y los
+    que llevan de unos a otros, que si no incluirían los del capítulo."""
     textos, nombrados = del_capitulo(raiz, programa)
-    propios = {*suyos(raiz, programa), *(f for f in textos if (pide(textos[f], referencia) if referencia else f.endswith((".vert", ".frag"))))}
+
+    def es_propio(fichero):
+        return bool(pide(textos[fichero], referencia)) if referencia else fichero.endswith((".vert", ".frag"))
+
+    propios = {*suyos(raiz, programa), *filter(es_propio, textos)}
 
     def lleva(fichero):
         return fichero in propios or any(lleva(f) for f in nombrados.get(fichero, ()) if f != fichero)
+
     return {f: textos[f] for f in sorted(textos) if lleva(f)}
 
 
@@ -85,7 +91,9 @@ def solucion(raiz, programa, referencia=""):
 
 def privados(raiz, programa, referencia):
     """Los ficheros del laboratorio en que está lo que se pide."""
-    return [programa.fuente.with_name(f) for f, texto in del_capitulo(raiz, programa)[0].items() if pide(texto, referencia)]
+    return [
+        programa.fuente.with_name(f) for f, texto in del_capitulo(raiz, programa)[0].items() if pide(texto, referencia)
+    ]
 
 
 def ejercicios(raiz, programas):
@@ -106,10 +114,28 @@ def ejercicio_de(carpeta, programas):
 def enunciado(raiz, programa, referencia, nombre, ficheros):
     cosa = next(c for c in libro.cosas(raiz) if c.codigo == referencia)
     textos = del_capitulo(raiz, programa)[0]
-    dados = sorted({h for f in ficheros if pide(textos[f], referencia) for h in re.findall(r'^#include "(.+)"$', textos[f], re.MULTILINE)} - {*ficheros})
-    huecos = [(f"{nombre}.cpp" if f == programa.fuente.name else f, que) for f in ficheros for que in pide(textos[f], referencia)]
-    return pagina.plantilla("enunciado.md", texto=True).render(
-        cosa=cosa, programa=programa, nombre=nombre, huecos=huecos, dados=", ".join(f"`{h}`" for h in dados), controles=[c.texto for c in controles.lee(raiz, programa)])
+    dados = sorted(
+        {
+            h
+            for f in ficheros
+            if pide(textos[f], referencia)
+            for h in re.findall(r'^#include "(.+)"$', textos[f], re.MULTILINE)
+        }
+        - {*ficheros}
+    )
+    huecos = [
+        (f"{nombre}.cpp" if f == programa.fuente.name else f, que)
+        for f in ficheros
+        for que in pide(textos[f], referencia)
+    ]
+    return paginas.plantilla(Path(__file__).with_name("enunciado.md")).render(
+        cosa=cosa,
+        programa=programa,
+        nombre=nombre,
+        huecos=huecos,
+        dados=", ".join(f"`{h}`" for h in dados),
+        controles=[c.texto for c in controles.lee(raiz, programa)],
+    )
 
 
 def elige(raiz, programas, pedido):
@@ -121,8 +147,11 @@ def elige(raiz, programas, pedido):
     hay = ejercicios(raiz, programas)
     if referencia in elegidos[0].referencias and referencia.startswith("E") and not referencia.startswith("EC"):
         if referencia not in hay:
-            raise Fallo(f"nuevo: el {libro.nombre(referencia)} no tiene programa que corregir; para jugar con el que más se le acerca, "
-                        f"./lab nuevo {elegidos[0].nombre}. Se corrigen {', '.join(hay)}")
+            raise Fallo(
+                f"nuevo: el {libro.nombre(referencia)} no tiene programa que corregir; para jugar con el que más "
+                "se le acerca, "
+                f"./lab nuevo {elegidos[0].nombre}. Se corrigen {', '.join(hay)}"
+            )
         return referencia, elegidos[0]
     return "", elegidos[0]
 
@@ -135,7 +164,9 @@ def crea(raiz, programas, mios, pedido, nombre=""):
         raise Fallo(f"nuevo: «{nombre}» no vale de nombre: solo minúsculas sin acento, cifras y _")
     carpeta = mios / nombre
     if carpeta.exists():
-        raise Fallo(f"nuevo: ya existe {carpeta}, y no se toca: ponle otro nombre a la nueva, ./lab nuevo {pedido} NOMBRE")
+        raise Fallo(
+            f"nuevo: ya existe {carpeta}, y no se toca: ponle otro nombre a la nueva, ./lab nuevo {pedido} NOMBRE"
+        )
     textos = esqueleto(raiz, programa, referencia) if referencia else solucion(raiz, programa)
     origen = f"{programa.capitulo.nombre}/{programa.nombre}"
     ficheros = {f"{nombre}.cpp" if f == programa.fuente.name else f: texto for f, texto in textos.items()}
@@ -157,10 +188,16 @@ def crea(raiz, programas, mios, pedido, nombre=""):
 def main():
     raiz, build, mios, *resto = sys.argv[1:]
     if not 1 <= len(resto) <= 2:
-        raise Fallo("nuevo: hace falta un ejercicio o un programa y, si acaso, el nombre de la carpeta: ./lab nuevo E3.5 mi_grua")
+        raise Fallo(
+            "nuevo: hace falta un ejercicio o un programa y, si acaso, el nombre de la carpeta: "
+            "./lab nuevo E3.5 mi_grua"
+        )
     referencia, carpeta = crea(Path(raiz), catalogo.lee_programas(build), Path(mios), *resto)
     if referencia:
-        print(f"{carpeta}: lo que se pide está en ENUNCIADO.md. Para verlo, ./lab ver mios/{carpeta.name}; para corregirlo, ./lab corrige {carpeta.name}")
+        print(
+            f"{carpeta}: lo que se pide está en ENUNCIADO.md. Para verlo, ./lab ver mios/{carpeta.name}; "
+            f"para corregirlo, ./lab corrige {carpeta.name}"
+        )
     else:
         print(f"{carpeta}: una copia, para jugar con ella. Para verla, ./lab ver mios/{carpeta.name}")
 

@@ -1,11 +1,10 @@
-#!/usr/bin/env python3
-"""galeria.py RAÍZ BUILD DESTINO: compila los programas, dibuja cada caso del catálogo sin ventana en cuanto se puede y escribe
-DESTINO/index.html, que se puede mirar desde el primero. Si no compila, el estado es 3.
+"""dibuja.py RAÍZ BUILD DESTINO: compila los programas, dibuja cada caso del catálogo sin ventana en cuanto se puede y
+escribe DESTINO/index.html, que se puede mirar desde el primero. Si no compila, el estado es 3.
 
-Cada imagen se dibuja al tamaño que tendría proyectada y así se deja, sin reducirla: los escalones que haya son los del programa. De los
-casos con ANIMA se hace además un APNG de tantos cuadros, más pequeño. Solo se rehace lo que ha cambiado: DESTINO/.hecho.json recuerda de
-qué (programa, guion y los ficheros que leyó) salió cada imagen y qué escribió entonces el programa. Si algún caso falla, la página lleva
-los demás y el estado es 1.
+Cada imagen se dibuja al tamaño que tendría proyectada y así se deja, sin reducirla: los escalones que haya son los
+del programa. De los casos con ANIMA se hace además un APNG de tantos cuadros, más pequeño. Solo se rehace lo que ha
+cambiado: DESTINO/.hecho.json recuerda de qué (programa, guion y los ficheros que leyó) salió cada imagen y qué
+escribió entonces el programa. Si algún caso falla, la página lleva los demás y el estado es 1.
 """
 import functools
 import hashlib
@@ -19,10 +18,9 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-import catalogo
-import pagina
-import procesos
-from procesos import Fallo, escribe
+from base import catalogo, procesos
+from base.procesos import Fallo, escribe
+from galeria.pagina import Pagina
 
 TALLA, ANIMADA = "1440x1080", "480x360"
 RITMO = "1", "10"  # segundos por cuadro, como fracción
@@ -53,7 +51,7 @@ def compila(build):
 class Galeria:
     def __init__(self, raiz, build, destino, capitulos):
         self.raiz, self.build, self.destino = raiz, build, destino
-        self.pagina = pagina.Galeria(raiz, destino, capitulos)
+        self.pagina = Pagina(raiz, destino, capitulos)
         self.programas = [p for capitulo in capitulos for p in capitulo.programas]
         self.registro = destino / ".hecho.json"
         self.turno, self.escrita, self.dibujados = threading.Lock(), 0, 0
@@ -72,15 +70,20 @@ class Galeria:
 
     def al_dia(self, caso, clave, ficheros):
         anterior = self.hecho.get(caso.imagen, {})
-        return (anterior.get("clave") == clave and all(self.suma(ruta) == suma for ruta, suma in anterior["leidos"].items()) and
-                all(f.is_file() and f.stat().st_size for f in ficheros))
+        return (
+            anterior.get("clave") == clave
+            and all(self.suma(ruta) == suma for ruta, suma in anterior["leidos"].items())
+            and all(f.is_file() and f.stat().st_size for f in ficheros)
+        )
 
     def dibuja(self, programa, caso, temporal):
         """Hace la imagen de un caso si no está al día. Dice si la ha hecho."""
         ejecutable = programa.ejecutable(self.build)
         png = self.destino / caso.imagen
         ficheros = [] if programa.consola else [png, self.destino / caso.animada] if caso.anima else [png]
-        clave = hashlib.sha1(repr((TALLA, ANIMADA, RITMO, caso.guion, caso.anima)).encode() + ejecutable.read_bytes()).hexdigest()
+        clave = hashlib.sha1(
+            repr((TALLA, ANIMADA, RITMO, caso.guion, caso.anima)).encode() + ejecutable.read_bytes()
+        ).hexdigest()
         if self.al_dia(caso, clave, ficheros):
             caso.salida = self.hecho[caso.imagen]["salida"]
             return False
@@ -101,11 +104,16 @@ class Galeria:
                 escribe(self.destino / caso.animada, self.anima(ejecutable, caso, Path(carpeta)))
         rutas = [str(f.relative_to(self.raiz)) for f in programa.ficheros(self.raiz)]
         rutas += leidos.read_text().splitlines() if leidos.exists() else []
-        self.hecho[caso.imagen] = {"clave": clave, "leidos": {ruta: self.suma(ruta) for ruta in rutas}, "salida": caso.salida}
+        self.hecho[caso.imagen] = {
+            "clave": clave,
+            "leidos": {ruta: self.suma(ruta) for ruta in rutas},
+            "salida": caso.salida,
+        }
         return True
 
     def anima(self, ejecutable, caso, carpeta):
-        """El APNG de un caso: desde donde lo deja su guion, ANIMA dice cuántos cuadros y la orden que lleva al siguiente."""
+        """El APNG de un caso: desde donde lo deja su guion, ANIMA dice cuántos cuadros y la orden que lleva al
+        siguiente."""
         cuadros, paso = caso.anima.split(maxsplit=1)
         capturas = [carpeta / f"{i:03}.ppm" for i in range(int(cuadros))]
         guion = "; ".join([caso.guion, *(f"captura {c.name}; {paso}" for c in capturas)])
@@ -131,7 +139,10 @@ class Galeria:
         with self.turno:
             self.dibujados += 1
             n, todos = self.dibujados, len(self.programas)
-            print(f"[{n:2}/{todos}] {programa.capitulo.nombre}/{programa.nombre}: {'; '.join(fallos) or hecho}", file=sys.stderr)
+            print(
+                f"[{n:2}/{todos}] {programa.capitulo.nombre}/{programa.nombre}: {'; '.join(fallos) or hecho}",
+                file=sys.stderr,
+            )
             if n < todos and time.monotonic() > self.escrita + CADA:
                 self.pagina.escribe(todos - n)
                 self.escrita = time.monotonic()
@@ -164,7 +175,10 @@ def main():
     galeria = Galeria(raiz, build, destino, catalogo.lee(build))
     for programa in galeria.programas:
         if programa.captura:
-            escribe(destino / programa.fuente.with_suffix(".captura.png"), (raiz / programa.fuente.with_suffix(".png")).read_bytes())
+            escribe(
+                destino / programa.fuente.with_suffix(".captura.png"),
+                (raiz / programa.fuente.with_suffix(".png")).read_bytes(),
+            )
     galeria.dibuja_todo()
     galeria.pagina.escribe()
     print(f"Hecha: {destino}/index.html", file=sys.stderr)

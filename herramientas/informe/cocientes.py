@@ -1,17 +1,21 @@
 """Cocientes de tiempos tomados por rondas: su mediana con su intervalo, y lo que se puede decir de ellos.
 
-Un procesador compartido o portátil cambia de paso al doble en segundos: dos tiempos solo se comparan dentro de una ronda.
+Un procesador compartido o portátil cambia de paso al doble en segundos: dos tiempos solo se comparan dentro de una
+ronda.
 """
 import math
 from dataclasses import dataclass
 from statistics import median
 
-IGUALES = 1.1  # lo que cambia un tiempo de una ejecución a otra según dónde caiga en la memoria: con menos no se distinguen
+IGUALES = (
+    1.1  # lo que cambia un tiempo de una ejecución a otra según dónde caiga en la memoria: con menos no se distinguen
+)
 
 
 @dataclass
 class Cociente:
     """La mediana y los extremos de su intervalo del 95 %."""
+
     menor: float
     mediana: float
     mayor: float
@@ -24,11 +28,12 @@ class Cociente:
 
 
 def intervalo(valores):
-    """Cociente de esos valores, uno por ronda. Los extremos son los estadísticos de orden entre los que cae la mediana con probabilidad
-    0.95 (binomial, sin suponer ninguna distribución ni remuestrear); con menos de seis, el menor y el mayor."""
+    """Cociente de esos valores, uno por ronda. Los extremos son los estadísticos de orden entre los que cae la
+    mediana con probabilidad 0.95 (binomial, sin suponer ninguna distribución ni remuestrear); con menos de seis, el
+    menor y el mayor."""
     v, n = sorted(valores), len(valores)
     fuera = 0
-    while fuera < (n - 1) // 2 and sum(math.comb(n, k) for k in range(fuera + 1)) <= 0.025 * 2 ** n:
+    while fuera < (n - 1) // 2 and sum(math.comb(n, k) for k in range(fuera + 1)) <= 0.025 * 2**n:
         fuera += 1
     fuera = max(fuera - 1, 0)
     return Cociente(v[fuera], median(v), v[n - 1 - fuera])

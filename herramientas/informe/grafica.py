@@ -1,7 +1,7 @@
 """La gráfica de una técnica: error frente a tiempo, con gnuplot."""
 import math
 
-from procesos import ejecuta, escribe
+from base.procesos import ejecuta, escribe
 
 ANCHO, ALTO, MARGEN = 860, 480, (80, 20, 20, 60)  # del SVG: izquierda, derecha, arriba, abajo
 
@@ -16,7 +16,11 @@ def coloca(puntos, textos):
     lugares = []
     for (x, y), texto in zip(puntos, textos):
         largo = 6.9 * len(texto)
-        opciones = [(x + dx, y + dy) for dy in (13, -13, 26, -26, 39, -39, 52, -52, 65, -65) for dx in (3, -largo / 2, -largo - 3)]
+        opciones = [
+            (x + dx, y + dy)
+            for dy in (13, -13, 26, -26, 39, -39, 52, -52, 65, -65)
+            for dx in (3, -largo / 2, -largo - 3)
+        ]
 
         def cajas(lugar):
             return lugar[0] - 3, lugar[1] - 6, lugar[0] + largo + 3, lugar[1] + 6
@@ -51,8 +55,11 @@ def dibuja(tecnica, svg):
     def en_pixeles(v):
         def parte(x, a, b):
             return math.log(x / a) / math.log(b / a)
-        return (MARGEN[0] + parte(v.mediana, izquierda, derecha) * (ANCHO - MARGEN[0] - MARGEN[1]),
-                MARGEN[3] + parte(y(v), abajo, arriba) * (ALTO - MARGEN[2] - MARGEN[3]))
+
+        return (
+            MARGEN[0] + parte(v.mediana, izquierda, derecha) * (ANCHO - MARGEN[0] - MARGEN[1]),
+            MARGEN[3] + parte(y(v), abajo, arriba) * (ALTO - MARGEN[2] - MARGEN[3]),
+        )
 
     def texto(v):
         return v.nombre + (" (0)" if v.error == 0 else " (no vale)" if v.error == math.inf else "")
@@ -62,18 +69,34 @@ def dibuja(tecnica, svg):
         return [f"${nombre} << FIN", *(filas or ["NaN NaN NaN NaN"]), "FIN"]
 
     lugares = coloca([en_pixeles(v) for v in con_error], [texto(v) for v in con_error])
-    grupos = [[v for v in sorted(con_error, key=lambda v: v.mediana) if v.grupo == g and v.optima is not False] for g in dict.fromkeys(v.grupo for v in con_error)]
+    grupos = [
+        [v for v in sorted(con_error, key=lambda v: v.mediana) if v.grupo == g and v.optima is not False]
+        for g in dict.fromkeys(v.grupo for v in con_error)
+    ]
     guion = [
         f"set terminal svg size {ANCHO},{ALTO} font 'sans-serif,12' background rgb 'white'",
-        f"set lmargin at screen {MARGEN[0] / ANCHO}", f"set rmargin at screen {1 - MARGEN[1] / ANCHO}",
-        f"set bmargin at screen {MARGEN[3] / ALTO}", f"set tmargin at screen {1 - MARGEN[2] / ALTO}",
-        "set logscale xy", "set format x '%g'", "set format y '10^{%T}'", f"set xrange [{izquierda}:{derecha}]", f"set yrange [{abajo}:{arriba}]",
-        f'set xlabel "{tecnica.tiempo}"', f'set ylabel "{tecnica.error}"', "set grid lc rgb '#e2dfd9'", "unset key"]
+        f"set lmargin at screen {MARGEN[0] / ANCHO}",
+        f"set rmargin at screen {1 - MARGEN[1] / ANCHO}",
+        f"set bmargin at screen {MARGEN[3] / ALTO}",
+        f"set tmargin at screen {1 - MARGEN[2] / ALTO}",
+        "set logscale xy",
+        "set format x '%g'",
+        "set format y '10^{%T}'",
+        f"set xrange [{izquierda}:{derecha}]",
+        f"set yrange [{abajo}:{arriba}]",
+        f'set xlabel "{tecnica.tiempo}"',
+        f'set ylabel "{tecnica.error}"',
+        "set grid lc rgb '#e2dfd9'",
+        "unset key",
+    ]
     for v, (px, py) in zip(con_error, lugares):
         color = "#a3260f" if v.elegida else "#1f5f9e" if v.optima is not False else "#5f6b78"
         guion.append(f'set label "{texto(v)}" at screen {px / ANCHO},{py / ALTO} noenhanced textcolor rgb "{color}"')
-    for clase, elige in (("otras", lambda v: v.optima is False and not v.elegida), ("optimas", lambda v: v.optima is not False and not v.elegida),
-                         ("elegidas", lambda v: v.elegida)):
+    for clase, elige in (
+        ("otras", lambda v: v.optima is False and not v.elegida),
+        ("optimas", lambda v: v.optima is not False and not v.elegida),
+        ("elegidas", lambda v: v.elegida),
+    ):
         guion += datos(clase, [v for v in con_error if elige(v)])
     trozos = []
     for n, grupo in enumerate(grupos):

@@ -1,10 +1,9 @@
-#!/usr/bin/env python3
-"""mide.py RAÍZ BUILD DESTINO [--ensayo] [TÉCNICA…]: cronometra las técnicas de herramientas/mide y el coste de los programas, y
-escribe DESTINO/index.html, con un TSV y un SVG por técnica.
+"""informe.py RAÍZ BUILD DESTINO [--ensayo] [TÉCNICA…]: cronometra las técnicas de herramientas/mide y el coste de los
+programas, y escribe DESTINO/index.html, con un TSV y un SVG por técnica.
 
-Sin técnicas se miden todas y la tabla de costes. --ensayo: tallas diminutas; comprueba que cada TSV está bien formado y que
-los errores son los de herramientas/mide/ensayo.tsv, y no escribe nada; con --apunta, escribe ese fichero. LAB_PARES=1 añade los
-programas con los que se compara.
+Sin técnicas se miden todas y la tabla de costes. --ensayo: tallas diminutas; comprueba que cada TSV está bien formado
+y que los errores son los de herramientas/mide/ensayo.tsv, y no escribe nada; con --apunta, escribe ese fichero.
+LAB_PARES=1 añade los programas con los que se compara.
 """
 import math
 import statistics
@@ -12,23 +11,44 @@ import sys
 import time
 from pathlib import Path
 
-import costes
-import pagina
-from cocientes import cociente, intervalo
-from procesos import Fallo, ejecuta, escribe, principal
-from tecnicas import Tecnica, mide
+from base import paginas
+from base.procesos import Fallo, ejecuta, escribe, principal
+from informe import costes
+from informe.cocientes import cociente, intervalo
+from informe.tecnicas import Tecnica, mide
 
 ESPERADOS = "herramientas/mide/ensayo.tsv"
 # Lo que deben ganar los programas: tiempo de la primera variante entre el de la segunda
-METAS = (("la superficie a 0.5 px, frente a GLU con no menos error", "superficies", "par: GLU, pidiendo 0.04 px", "cota de la tira, 0.5 px", 10),
-         ("separable de 15×15, frente a la directa", "convolucion", "directa, 15×15", "separable, float, 15×15", 5),
-         ("separable de 15×15, frente a ImageMagick", "convolucion", "par: ImageMagick, 15×15", "separable, float, 15×15", 1),
-         ("el volumen de ruido, frente a libnoise", "ruido_volumen", "par: libnoise, normal", "texelsRuido", 1),
-         ("un millón de partículas, frente a los puntos pelados", "particulas", "suelo: un millón de puntos quietos", "un millón, fórmula en la GPU", 0.8))
+METAS = (
+    (
+        "la superficie a 0.5 px, frente a GLU con no menos error",
+        "superficies",
+        "par: GLU, pidiendo 0.04 px",
+        "cota de la tira, 0.5 px",
+        10,
+    ),
+    ("separable de 15×15, frente a la directa", "convolucion", "directa, 15×15", "separable, float, 15×15", 5),
+    (
+        "separable de 15×15, frente a ImageMagick",
+        "convolucion",
+        "par: ImageMagick, 15×15",
+        "separable, float, 15×15",
+        1,
+    ),
+    ("el volumen de ruido, frente a libnoise", "ruido_volumen", "par: libnoise, normal", "texelsRuido", 1),
+    (
+        "un millón de partículas, frente a los puntos pelados",
+        "particulas",
+        "suelo: un millón de puntos quietos",
+        "un millón, fórmula en la GPU",
+        0.8,
+    ),
+)
 
 
 def comprueba(tecnica, esperados):
-    """Los errores del ensayo son siempre los mismos, salvo el redondeo: si no, se ha roto una variante o la cuenta de su error."""
+    """Los errores del ensayo son siempre los mismos, salvo el redondeo: si no, se ha roto una variante o la cuenta de
+    su error."""
     hay = {v.nombre: v.error for v in tecnica.variantes if v.nombre in esperados or not v.par}
     if hay.keys() != esperados.keys():
         raise Fallo(f"sobran o faltan variantes: {', '.join(hay.keys() ^ esperados.keys())}")
@@ -41,16 +61,39 @@ def comprueba(tecnica, esperados):
 def metas(tecnicas, tabla, golden):
     """(qué, Cociente, lo que se pide, si debe ser mayor) de cada meta que se ha podido medir."""
     tiempos = {(t.nombre, v.nombre): v.tiempos for t in tecnicas for v in t.variantes}
-    filas = [(f"{que}, veces más rápido", cociente(tiempos[t, lenta], tiempos[t, rapida]), pide, True)
-             for que, t, lenta, rapida, pide in METAS if (t, lenta) in tiempos and (t, rapida) in tiempos]
+    filas = [
+        (f"{que}, veces más rápido", cociente(tiempos[t, lenta], tiempos[t, rapida]), pide, True)
+        for que, t, lenta, rapida, pide in METAS
+        if (t, lenta) in tiempos and (t, rapida) in tiempos
+    ]
     rondas = list(zip(*(c.veces_suelo for c in tabla)))  # de cada ronda, lo de todos los programas
     if rondas:
         peor = max(tabla, key=lambda c: statistics.median(c.veces_suelo))
-        filas += [("arranque de un programa entre el suelo: mediana", intervalo([statistics.median(r) for r in rondas]), 1.15, False),
-                  (f"arranque de un programa entre el suelo: el peor, {peor.programa}", intervalo(peor.veces_suelo), 2.5, False)]
+        filas += [
+            (
+                "arranque de un programa entre el suelo: mediana",
+                intervalo([statistics.median(r) for r in rondas]),
+                1.15,
+                False,
+            ),
+            (
+                f"arranque de un programa entre el suelo: el peor, {peor.programa}",
+                intervalo(peor.veces_suelo),
+                2.5,
+                False,
+            ),
+        ]
     if golden:
         filas.append(("los golden, entre casos × suelo", golden, 1.5, False))
     return filas
+
+
+def escribe_pagina(destino, tecnicas, **datos):
+    """DESTINO/index.html, al lado de sus gráficas e imágenes."""
+    graficas = {t.nombre for t in tecnicas if (destino / f"{t.nombre}.svg").exists()}
+    paginas.escribe_pagina(
+        destino, Path(__file__).with_name("informe.html"), tecnicas=tecnicas, lento=100, graficas=graficas, **datos
+    )
 
 
 def main():
@@ -78,7 +121,10 @@ def main():
             mide(ejecutable, t, destino, ensayo)
             if ensayo and not apunta:
                 comprueba(t, esperados.get(t.nombre, {}))
-            print(f"[{n:2}/{len(tecnicas)}] {t.nombre}: {len(t.variantes)} variantes, {time.monotonic() - antes:.1f} s", file=sys.stderr)
+            print(
+                f"[{n:2}/{len(tecnicas)}] {t.nombre}: {len(t.variantes)} variantes, {time.monotonic() - antes:.1f} s",
+                file=sys.stderr,
+            )
         except Fallo as fallo:
             fallos.append(t.nombre)
             print(f"[{n:2}/{len(tecnicas)}] {t.nombre} ha fallado: {fallo}", file=sys.stderr)
@@ -86,14 +132,32 @@ def main():
         medidas = [t for t in tecnicas if t.variantes]
         tabla, suelo, compilar, golden = [], [], [], None
         if not pedidas:
-            llenar = next((v.mediana for t in medidas for v in t.variantes if v.nombre == f"llenar {costes.TALLAS[-1].replace('x', '×')}"), math.nan)
+            llenar = next(
+                (
+                    v.mediana
+                    for t in medidas
+                    for v in t.variantes
+                    if v.nombre == f"llenar {costes.TALLAS[-1].replace('x', '×')}"
+                ),
+                math.nan,
+            )
             tabla, suelo = costes.costes(raiz, build, destino, llenar)
             costes.avisa("compilar y pasar los golden", "")
             compilar, golden = costes.compilacion(build, suelo)
-        pagina.escribe_informe(destino, tecnicas=medidas, metas=metas(medidas, tabla, golden), costes=tabla, suelo=statistics.median(suelo or [math.nan]), compilar=compilar, entorno=datos)
+        escribe_pagina(
+            destino,
+            medidas,
+            metas=metas(medidas, tabla, golden),
+            costes=tabla,
+            suelo=statistics.median(suelo or [math.nan]),
+            compilar=compilar,
+            entorno=datos,
+        )
         costes.avisa(f"Hecho: {destino}/index.html")
     if apunta:
-        esperados.update({t.nombre: {v.nombre: v.error for v in t.variantes if not v.par or "glm::" in v.nombre} for t in tecnicas})
+        esperados.update(
+            {t.nombre: {v.nombre: v.error for v in t.variantes if not v.par or "glm::" in v.nombre} for t in tecnicas}
+        )
         escribe(raiz / ESPERADOS, "".join(f"{t}\t{v}\t{e:g}\n" for t in esperados for v, e in esperados[t].items()))
     if fallos:
         sys.exit(f"lab: no se ha podido medir todo: {', '.join(fallos)}")

@@ -6,9 +6,9 @@ import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import grafica
-from cocientes import cociente, mas_lento
-from procesos import Fallo, ejecuta, en_png, escribe
+from base.procesos import Fallo, ejecuta, en_png, escribe
+from informe import grafica
+from informe.cocientes import cociente, mas_lento
 
 CABECERA = "variante\tgrupo\terror\tnota\ttiempo en cada ronda"
 
@@ -21,7 +21,9 @@ class Variante:
     nota: str
     tiempos: list  # uno por ronda, las mismas para todas las de su técnica
     elegida: bool = False
-    optima: bool | None = False  # en el frente de Pareto de su grupo: no hay otra tan exacta que tarde menos; None: no se distingue
+    optima: bool | None = (
+        False  # en el frente de Pareto de su grupo: no hay otra tan exacta que tarde menos; None: no se distingue
+    )
     imagen: str = ""
 
     def __post_init__(self):
@@ -46,8 +48,13 @@ class Tecnica:
     @property
     def frente_a_pares(self):
         """(par, elegida, Cociente de lo que tarda el par entre lo que tarda la elegida, cuántas veces se equivoca)."""
-        return [(par, v, cociente(par.tiempos, v.tiempos), par.error / v.error if v.error else math.nan)
-                for par in self.variantes if par.par for v in self.variantes if v.elegida and v.grupo == par.grupo]
+        return [
+            (par, v, cociente(par.tiempos, v.tiempos), par.error / v.error if v.error else math.nan)
+            for par in self.variantes
+            if par.par
+            for v in self.variantes
+            if v.elegida and v.grupo == par.grupo
+        ]
 
     @property
     def elegida_fuera(self):
@@ -63,7 +70,12 @@ def lee_variantes(fichero):
             raise Fallo(f"{fichero.name}: una fila no tiene cinco columnas: «{fila}»")
         grupo, nota = ("" if c == "-" else c for c in (campos[1], campos[3]))
         v = Variante(campos[0], grupo, float(campos[2]), nota, [float(t) for t in campos[4].split(" ")])
-        if not all(0 < t < math.inf for t in v.tiempos) or v.error < 0 or variantes and len(v.tiempos) != len(variantes[0].tiempos):
+        if (
+            not all(0 < t < math.inf for t in v.tiempos)
+            or v.error < 0
+            or variantes
+            and len(v.tiempos) != len(variantes[0].tiempos)
+        ):
             raise Fallo(f"{fichero.name}: los números de «{v.nombre}» no tienen sentido")
         variantes.append(v)
     if len({v.nombre for v in variantes}) != len(variantes) or not variantes:
@@ -75,7 +87,11 @@ def marca(tecnica):
     """Las del frente de Pareto, grupo a grupo, y las que usan los programas."""
     for v in tecnica.variantes:
         v.elegida = bool(tecnica.elegida) and (v.nombre + ",").startswith(tecnica.elegida + ",")
-        pierde = [mas_lento(v.tiempos, r.tiempos) for r in tecnica.variantes if r.grupo == v.grupo and r is not v and not r.par and r.error <= v.error]
+        pierde = [
+            mas_lento(v.tiempos, r.tiempos)
+            for r in tecnica.variantes
+            if r.grupo == v.grupo and r is not v and not r.par and r.error <= v.error
+        ]
         v.optima = False if math.isnan(v.error) or True in pierde else None if None in pierde else True
 
 
@@ -88,7 +104,11 @@ def imagenes(tecnica, carpeta, destino):
     if not con_imagen:
         return
     por_error = sorted(con_imagen, key=lambda vn: vn[0].error)
-    ensena = {"la mejor": por_error[0], "la elegida": next((vn for vn in con_imagen if vn[0].elegida), por_error[0]), "la peor": por_error[-1]}
+    ensena = {
+        "la mejor": por_error[0],
+        "la elegida": next((vn for vn in con_imagen if vn[0].elegida), por_error[0]),
+        "la peor": por_error[-1],
+    }
     for papel, (v, n) in ensena.items():
         ficheros = []
         for sufijo in ("", "-diferencia"):
@@ -103,7 +123,10 @@ def imagenes(tecnica, carpeta, destino):
 def mide(ejecutable, tecnica, destino, ensayo):
     with tempfile.TemporaryDirectory() as temporal:
         carpeta = Path(temporal)
-        ejecuta([ejecutable, *(["--ensayo"] if ensayo else []), carpeta, tecnica.nombre], env={**os.environ, "TMPDIR": temporal})
+        ejecuta(
+            [ejecutable, *(["--ensayo"] if ensayo else []), carpeta, tecnica.nombre],
+            env={**os.environ, "TMPDIR": temporal},
+        )
         tecnica.variantes = lee_variantes(carpeta / f"{tecnica.nombre}.tsv")
         marca(tecnica)
         if tecnica.elegida and not any(v.elegida for v in tecnica.variantes):

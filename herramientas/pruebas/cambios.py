@@ -3,8 +3,8 @@
 cambios.py RAÍZ BUILD elige            las que no han pasado con lo que hay ahora, con | entre ellas
 cambios.py RAÍZ BUILD apunta FICHERO   en BUILD/pasadas.json, con qué ha pasado cada una: las del informe JUnit de ctest
 
-De cada prueba cuentan su orden, los programas que nombra, su golden, los ficheros que leyeron sus programas la última vez
-(BUILD/leidos/PRUEBA) y lo que usan todas; y de las que miran el laboratorio y no los programas, lo que miran.
+De cada prueba cuentan su orden, los programas que nombra, su golden, los ficheros que leyeron sus programas la última
+vez (BUILD/leidos/PRUEBA) y lo que usan todas; y de las que miran el laboratorio y no los programas, lo que miran.
 """
 import functools
 import hashlib
@@ -15,14 +15,35 @@ import sys
 import xml.etree.ElementTree as xml
 from pathlib import Path
 
-import catalogo
-from procesos import ejecuta, escribe, principal
+from base import catalogo
+from base.procesos import ejecuta, escribe, principal
 
-DEL_LABORATORIO = "lab", "CMakeLists.txt", "CMakePresets.json", "herramientas", "tests/laboratorio", "common"
-MIRAN = {"lab": DEL_LABORATORIO, "ordenes": DEL_LABORATORIO, "herramientas": DEL_LABORATORIO, "enlace_web": DEL_LABORATORIO,
-         "shellcheck": ("lab", "tests"), "comparador.defectos": ("tests/comparador",)}
-DE_TODAS = "tests/entorno.txt", "tests/casos", "tests/ventana", "tests/fuzz", "assets"  # y los ejecutables que no son de ninguna
-SIN_MIRAR = "build", "galeria", "informe", "web", ".git", "__pycache__", "golden", "mutantes"
+DEL_LABORATORIO = (
+    "lab",
+    "CMakeLists.txt",
+    "CMakePresets.json",
+    "herramientas",
+    "tests/ordenes",
+    "tests/herramientas",
+    "common",
+)
+MIRAN = {
+    "lab": DEL_LABORATORIO,
+    "ordenes": DEL_LABORATORIO,
+    "herramientas": DEL_LABORATORIO,
+    "enlace_web": DEL_LABORATORIO,
+    "shellcheck": ("lab", "tests"),
+    "comparador.defectos": ("tests/comparador", "herramientas/comparador"),
+}
+DE_TODAS = (
+    "herramientas/base/entorno.txt",
+    "tests/casos",
+    "tests/ventana",
+    "tests/fuzz",
+    "assets",
+)  # y los ejecutables que no son de ninguna
+SALE = "build", "galeria", "informe", "web", "windows", "mios", ".git"  # de la raíz, lo que no es del laboratorio
+SIN_MIRAR = "__pycache__", "golden", "mutantes"
 
 
 class Sumas:
@@ -31,7 +52,8 @@ class Sumas:
         self.destinos = [d.name for d in build.iterdir() if (d / "ch01_intro").is_dir()]
         self.programas = {p.nombre: p for p in catalogo.lee_programas(build)}
         self.comunes = self.carpetas(*DE_TODAS) + self.ficheros(
-            [f for f in (build / "tests").iterdir() if f.is_file() and os.access(f, os.X_OK) and "_test" not in f.name])
+            [f for f in (build / "tests").iterdir() if f.is_file() and os.access(f, os.X_OK) and "_test" not in f.name]
+        )
 
     @functools.cache
     def fichero(self, ruta):
@@ -43,8 +65,15 @@ class Sumas:
     @functools.cache
     def carpetas(self, *nombres):
         """Los fuentes que hay en esas carpetas, y esos ficheros."""
-        dentro = (f for nombre in nombres for f in ([self.raiz / nombre] if (self.raiz / nombre).is_file() else (self.raiz / nombre).rglob("*")))
-        return self.ficheros(f for f in dentro if f.is_file() and not any(parte in SIN_MIRAR for parte in f.relative_to(self.raiz).parts))
+        dentro = (
+            f
+            for nombre in nombres
+            for f in ([self.raiz / nombre] if (self.raiz / nombre).is_file() else (self.raiz / nombre).rglob("*"))
+        )
+        return self.ficheros(f for f in dentro if f.is_file() and self.se_mira(f.relative_to(self.raiz)))
+
+    def se_mira(self, ruta):
+        return ruta.parts[0] not in SALE and not any(parte in SIN_MIRAR for parte in ruta.parts)
 
     def leidos(self, nombre):
         """Lo que leyeron sus programas: rutas de los fuentes o de BUILD."""
@@ -64,7 +93,7 @@ class Sumas:
             return self.carpetas(".")
         guiones = [Path(a) for a in orden if a.endswith(".py")]
         if guiones:
-            guiones += (self.raiz / "herramientas").glob("*.py")
+            guiones += (self.raiz / "herramientas").rglob("*.py")
         suyos = [ejecutable, *guiones, *self.leidos(ejecutable.name if ejecutable.name.endswith("_test") else nombre)]
         for a in argumentos:
             capitulo = self.programas[a].capitulo.nombre
@@ -77,12 +106,16 @@ def main():
     raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
     registro = build / "pasadas.json"
     pasadas = json.loads(registro.read_text()) if registro.exists() else {}
-    ordenes = {t["name"]: t.get("command", ["NOT_BUILT"])
-               for t in json.loads(ejecuta(["ctest", "--test-dir", build, "--show-only=json-v1"], text=True))["tests"]}
+    ordenes = {
+        t["name"]: t.get("command", ["NOT_BUILT"])
+        for t in json.loads(ejecuta(["ctest", "--test-dir", build, "--show-only=json-v1"], text=True))["tests"]
+    }
     sumas = Sumas(raiz, build)
     if sys.argv[3] == "elige":
         elegidas = [re.escape(n) for n, orden in ordenes.items() if pasadas.get(n) != sumas.prueba(n, orden)]
-        print("|".join(elegidas) if 2 * len(elegidas) < len(ordenes) else ".*")  # ctest no admite una expresión con todas
+        print(
+            "|".join(elegidas) if 2 * len(elegidas) < len(ordenes) else ".*"
+        )  # ctest no admite una expresión con todas
         return
     for caso in xml.parse(sys.argv[4]).getroot().iter("testcase"):
         nombre = caso.get("name")

@@ -1,6 +1,6 @@
-#!/usr/bin/env python3
-"""fallos.py RAÍZ BUILD: BUILD/fallos/index.html, con lo que dice cada prueba de BUILD/pruebas.xml que ha fallado y las imágenes que ha dejado,
-también en PNG: la esperada, la obtenida y su diferencia ampliada. Solo enlaza a lo que tiene al lado: la carpeta se puede guardar aparte.
+"""fallos.py RAÍZ BUILD: BUILD/fallos/index.html, con lo que dice cada prueba de BUILD/pruebas.xml que ha fallado y
+las imágenes que ha dejado, también en PNG: la esperada, la obtenida y su diferencia ampliada. Solo enlaza a lo que
+tiene al lado: la carpeta se puede guardar aparte.
 """
 import re
 import sys
@@ -8,14 +8,14 @@ import xml.etree.ElementTree as xml
 from dataclasses import dataclass
 from pathlib import Path
 
-import pagina
-from procesos import en_png, escribe, principal
+from base import paginas
+from base.procesos import en_png, escribe, principal
 
 MUCHO = 20000  # letras de lo que escribe una prueba
 
 
 @dataclass
-class Fallo:
+class PruebaFallida:
     prueba: str
     segundos: float
     dice: str
@@ -24,7 +24,8 @@ class Fallo:
 
 
 def lee(build):
-    """Las pruebas que han fallado. El comparador dice dónde ha dejado las imágenes; las del oráculo se llaman como la prueba."""
+    """Las pruebas que han fallado. El comparador dice dónde ha dejado las imágenes; las del oráculo se llaman como la
+    prueba."""
     fallos, carpeta = [], build / "fallos"
     for caso in xml.parse(build / "pruebas.xml").getroot().iter("testcase"):
         if caso.get("status") != "fail":
@@ -32,9 +33,15 @@ def lee(build):
         dice = (caso.findtext("system-out") or "").strip()
         dejadas = dict.fromkeys(re.findall(r"imágenes en (.+)-\*\.ppm", dice))
         oraculo = f"oraculo/{caso.get('name').partition('.')[2].replace('/', '_')}"
-        fallos.append(Fallo(caso.get("name"), float(caso.get("time", 0)), dice[-MUCHO:],
-                            [str(Path(d).relative_to(carpeta)) for d in dejadas if Path(f"{d}-esperada.ppm").exists()],
-                            oraculo if (carpeta / f"{oraculo}.ppm").exists() else ""))
+        fallos.append(
+            PruebaFallida(
+                caso.get("name"),
+                float(caso.get("time", 0)),
+                dice[-MUCHO:],
+                [str(Path(d).relative_to(carpeta)) for d in dejadas if Path(f"{d}-esperada.ppm").exists()],
+                oraculo if (carpeta / f"{oraculo}.ppm").exists() else "",
+            )
+        )
     return fallos
 
 
@@ -45,7 +52,7 @@ def main():
         return
     for ppm in (build / "fallos").rglob("*.ppm"):
         escribe(ppm.with_suffix(".png"), en_png(ppm))
-    pagina.escribe_pagina(build / "fallos", "fallos.html", fallos=fallos)
+    paginas.escribe_pagina(build / "fallos", Path(__file__).with_name("fallos.html"), fallos=fallos)
     print(f"lab: lo que ha fallado, con sus imágenes, está en {build}/fallos/index.html", file=sys.stderr)
 
 

@@ -1,17 +1,12 @@
-#!/usr/bin/env python3
-"""muta.py RAÍZ BUILD [--comprueba | QUÉ…]: defectos plantados, para saber si las pruebas los notan.
+"""muta.py RAÍZ BUILD [--comprueba | QUÉ…]: defectos plantados (base/defectos.py dice cómo son las listas), para saber
+si las pruebas los notan.
 
-Cada línea de tests/mutantes/*.tsv es un mutante: fichero, texto (que está una sola vez en él; \\n, si pasa de línea), texto
-estropeado, qué imita y, si no lo puede notar nadie, por qué; la sexta, en lo que pide un ejercicio, qué le dice ./lab corrige a quien ha hecho
-lo mismo. Con «…» dentro del texto, el resto solo sirve para encontrarlo y se
-cambia lo que va entre ellas.
-
-Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes: una expresión de C++ queda como (mutante(5012) ? (estropeada) :
-(original)), una instrucción como if/else, y $LAB_MUTANTE elige uno; un shader estropeado va en una carpeta, y $LAB_RAIZ hace que se
-mire antes que las demás. Los de ./lab y herramientas/*.py se escriben en una copia de los dos, con lo demás enlazado, y los ven las
-pruebas de PRUEBAS_DE_COPIA. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar y apuntan lo que usan; después,
-con cada mutante, los que lo usan, hasta que uno falle: las que han notado otro de su fichero, las de su capítulo, las demás y, si ninguna lo
-nota, los golden. Lo que se nota de cada lista entera queda en docs/medidas.json.
+Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes; un shader estropeado va en una carpeta, y
+$LAB_RAIZ hace que se mire antes que las demás. Los de ./lab y herramientas/ se escriben en una copia de los dos, con
+lo demás enlazado, y los ven las pruebas de PRUEBAS_DE_COPIA. Primero se ejecutan sin ninguno las pruebas y los casos,
+que deben pasar y apuntan lo que usan; después, con cada mutante, los que lo usan, hasta que uno falle: las que han
+notado otro de su fichero, las de su capítulo, las demás y, si ninguna lo nota, los golden. Lo que se nota de cada
+lista entera queda en docs/evidencia.json.
 """
 import itertools
 import os
@@ -26,57 +21,19 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import catalogo
-import medidas
-import procesos
-from procesos import lanza, principal, pruebas_de
+from base import catalogo, evidencia, procesos
+from base.defectos import MUTANTE_H, cambia, estropea, lee, por_fichero
+from base.fuentes import SHADERS, con_inclusiones
+from base.procesos import lanza, principal
+from pruebas.googletest import pruebas_de
 
 MINIMO = 150  # mutantes en la lista
 META, META_SIN_GOLDEN = 98, 92  # por ciento
-SHADERS = (".vert", ".frag", ".glsl")
-SOBRA = "build", "galeria", "informe", "web", "mios", ".git", "__pycache__"  # de una copia del árbol
-PRUEBAS_DE_COPIA = "herramientas_test.py", "ordenes_test.py"  # de tests/laboratorio, de la que menos tarda a la que más
-
-
-@dataclass
-class Mutante:
-    lista: str
-    linea: int
-    numero: int  # el de $LAB_MUTANTE
-    fichero: str
-    texto: str
-    estropeado: str
-    imita: str
-    motivo: str = ""
-    dice: str = ""
-    pruebas: list = field(default_factory=list)  # las que lo usan
-    notado: str = ""
-    por_golden: bool = False
-
-    @property
-    def nombre(self):
-        return f"{self.lista}:{self.linea}"
-
-    @property
-    def en_copia(self):
-        """Si es de ./lab o de Python: no se compila."""
-        return self.fichero == "lab" or self.fichero.endswith(".py")
-
-    def es_de(self, pedido):
-        """Si es lo que se pide: su lista, él, su fichero, su carpeta o el programa por el que empieza el nombre de su fichero."""
-        fichero = Path(self.fichero)
-        return pedido in (self.lista, self.nombre, self.fichero, fichero.parts[0]) or fichero.stem.startswith(pedido)
-
-    def sitio(self, fuente):
-        """Dónde empieza y acaba en ese fuente lo que se cambia."""
-        antes, marcado, despues = re.fullmatch("(?s)(.*?)«(.*)»(.*)", self.texto).groups() if "«" in self.texto else ("", self.texto, "")
-        veces = fuente.count(antes + marcado + despues)
-        if veces != 1:
-            raise ValueError(f"«{self.texto}» está {veces} veces en {self.fichero}")
-        if marcado == self.estropeado:
-            raise ValueError("no cambia nada")
-        desde = fuente.index(antes + marcado + despues) + len(antes)
-        return desde, desde + len(marcado)
+SOBRA = "build", "galeria", "informe", "web", "windows", "mios", ".git"  # de una copia del árbol
+PRUEBAS_DE_COPIA = (
+    "tests/herramientas/herramientas_test.py",
+    "tests/ordenes/ordenes_test.py",
+)  # de la que menos tarda a la que más
 
 
 @dataclass
@@ -95,7 +52,9 @@ class Prueba:
     def pasa(self, limite, **entorno):
         """Si acaba bien y a tiempo en ese entorno. Lo que escribe queda en self.salida."""
         try:
-            proceso = lanza(self.orden, timeout=limite, stderr=subprocess.STDOUT, env={**os.environ, **self.entorno, **entorno})
+            proceso = lanza(
+                self.orden, timeout=limite, stderr=subprocess.STDOUT, env={**os.environ, **self.entorno, **entorno}
+            )
         except subprocess.TimeoutExpired:
             self.salida = "no acaba"
             return False
@@ -117,51 +76,9 @@ def es_de(prueba, capitulos):
     return not capitulos or capitulo(prueba) in capitulos or prueba.startswith("dificil_")
 
 
-def lee(raiz):
-    """Los mutantes de todas las listas."""
-    mutantes, fallos = [], []
-    for n, lista in enumerate(sorted((raiz / "tests/mutantes").glob("*.tsv"))):
-        for i, linea in enumerate(lista.read_text().splitlines(), 1):
-            columnas = linea.replace("\\n", "\n").split("\t")
-            if len(columnas) in (4, 5, 6) and all(columnas[:4]) and columnas[-1]:
-                mutantes.append(Mutante(lista.stem, i, 1000 * n + i, *columnas))
-            else:
-                fallos.append(f"{lista.stem}:{i}: son fichero, texto, texto estropeado, qué imita y, si acaso, motivo y qué se le dice a un alumno")
-    return mutantes, fallos
-
-
-def por_fichero(mutantes):
-    grupos = defaultdict(list)
-    for m in mutantes:
-        grupos[m.fichero].append(m)
-    return grupos
-
-
-def cambia(fuente, mutantes):
-    """El fuente de C++ con todos sus mutantes dentro. Los que estropean lo mismo van en cadena."""
-    sitios = defaultdict(list)
-    for m in mutantes:
-        sitios[m.sitio(fuente)].append(m)
-    ordenados = sorted(sitios)
-    for (_, fin), (principio, _) in zip(ordenados, ordenados[1:]):
-        if principio < fin:
-            raise ValueError(f"se pisa con otro: «{fuente[principio:fin]}»")
-    for desde, hasta in reversed(ordenados):
-        nuevo = fuente[desde:hasta]
-        instruccion = nuevo.endswith((";", "}"))
-        if instruccion and not re.search(r"(^|[;{}):]|\belse|//.*)\s*$", fuente[:desde]):
-            raise ValueError(f"no es una instrucción entera: «{nuevo}»")
-        nuevo = f"{{ {nuevo} }}" if instruccion else f"({nuevo})"
-        for m in sitios[desde, hasta]:
-            nuevo = (f"if (mutante({m.numero})) {{ {m.estropeado} }} else {nuevo}" if instruccion else
-                     f"(mutante({m.numero}) ? ({m.estropeado}) : {nuevo})")
-        fuente = fuente[:desde] + nuevo + fuente[hasta:]
-    return fuente
-
-
-def estropea(fuente, mutante):
-    desde, hasta = mutante.sitio(fuente)
-    return fuente[:desde] + mutante.estropeado + fuente[hasta:]
+def lee_listas(raiz):
+    """Todos: los de un estudiante y los de las pruebas."""
+    return lee(raiz / "herramientas/ejercicios/errores", raiz / "tests/mutantes")
 
 
 def comprueba(raiz, programas, mutantes, fallos):
@@ -183,7 +100,7 @@ def comprueba(raiz, programas, mutantes, fallos):
             for m in buenos:
                 fallos += compila_guion(m, estropea(fuente, m))
             continue
-        if fichero.endswith(SHADERS):
+        if grupo[0].en_shader:
             for m in buenos:
                 fallos += compila_glsl(raiz, m, estropea(fuente, m))
             continue
@@ -194,30 +111,26 @@ def comprueba(raiz, programas, mutantes, fallos):
     if len(mutantes) < MINIMO:
         fallos.append(f"hay {len(mutantes)} mutantes, y deben ser {MINIMO}")
     for p in programas:
-        if not any(m.lista == p.capitulo.nombre[:4] and Path(m.fichero).stem.startswith(p.nombre) for m in mutantes):
-            fallos.append(f"{p.capitulo.nombre[:4]}: ningún mutante en {p.capitulo.nombre}/{p.nombre}")
+        if not any(m.fichero.startswith(f"{p.capitulo.nombre}/{p.nombre}") for m in mutantes):
+            fallos.append(f"ningún mutante en {p.capitulo.nombre}/{p.nombre}")
     return fallos
 
 
 def compila_glsl(raiz, mutante, estropeado):
-    """Un shader estropeado debe compilar: si no, cualquiera lo notaría. Con lo que incluye ya dentro, como en common/shader.cpp."""
-    def incluye(fichero):
-        texto = estropeado if fichero == mutante.fichero else (raiz / fichero).read_text()
-        return re.sub(r'^#include "(.*)"$', lambda m: incluye(m[1]), texto, flags=re.M)
-
+    """Un shader estropeado debe compilar: si no, cualquiera lo notaría."""
+    quien = mutante.fichero
+    if quien.endswith(".glsl"):
+        incluyen = [
+            f for f in sorted(raiz.glob("ch*/*.*")) if f.suffix in SHADERS[:2] and f'"{quien}"' in f.read_text()
+        ]
+        quien = str(incluyen[0].relative_to(raiz))
     if not shutil.which("glslangValidator"):
         return []
-    quienes = [mutante.fichero]
-    if mutante.fichero.endswith(".glsl"):
-        quienes = [str(f.relative_to(raiz)) for f in sorted(raiz.glob("ch*/*.*"))
-                   if f.suffix in SHADERS[:2] and f'"{mutante.fichero}"' in f.read_text()][:1]
-    fallos = []
-    for quien in quienes:
-        informe = subprocess.run(["glslangValidator", "--stdin", "-S", quien[-4:]], input=incluye(quien), text=True,
-                                 capture_output=True)
-        if informe.returncode:
-            fallos.append(f"{mutante.nombre}: no compila: {informe.stdout.splitlines()[-3:]}")
-    return fallos
+    texto = con_inclusiones(raiz, quien, {mutante.fichero: estropeado})
+    informe = subprocess.run(
+        ["glslangValidator", "--stdin", "-S", quien[-4:]], input=texto, text=True, capture_output=True
+    )
+    return [f"{mutante.nombre}: no compila: {informe.stdout.splitlines()[-3:]}"] if informe.returncode else []
 
 
 def compila_guion(mutante, estropeado):
@@ -240,10 +153,11 @@ def copia_de_trabajo(raiz, carpeta):
         if que.name not in (*SOBRA, "lab", "herramientas", "tests"):
             (carpeta / que.name).symlink_to(que)
     shutil.copy2(raiz / "lab", carpeta)
-    for parte in ("herramientas", "tests/laboratorio"):
-        shutil.copytree(raiz / parte, carpeta / parte, ignore=shutil.ignore_patterns(*SOBRA))
+    suyas = {str(Path(prueba).parent) for prueba in PRUEBAS_DE_COPIA}
+    for parte in ("herramientas", *suyas):
+        shutil.copytree(raiz / parte, carpeta / parte, ignore=shutil.ignore_patterns("__pycache__"))
     for que in (raiz / "tests").iterdir():
-        if que.name != "laboratorio":
+        if f"tests/{que.name}" not in suyas:
             (carpeta / "tests" / que.name).symlink_to(que)
     return carpeta
 
@@ -256,7 +170,12 @@ def prueba_en_copia(raiz, temporal, mutante=None):
             fichero = copia / mutante.fichero
             fichero.write_text(estropea(fichero.read_text(), mutante))
         for nombre in PRUEBAS_DE_COPIA:
-            prueba = Prueba(nombre, [shutil.which("pytest-3") or "pytest", "-xq", "-p", "no:cacheprovider", copia / "tests/laboratorio" / nombre], {}, False)
+            prueba = Prueba(
+                nombre,
+                [shutil.which("pytest-3") or "pytest", "-xq", "-p", "no:cacheprovider", copia / nombre],
+                {},
+                False,
+            )
             bien = prueba.pasa(400, TMPDIR=sitio)  # tardan un minuto, y con la máquina ocupada, varios
             if not mutante and not bien:
                 sys.exit(f"{prueba.salida[-1000:]}\nmuta: {nombre} falla sin ningún mutante")
@@ -267,7 +186,7 @@ def prueba_en_copia(raiz, temporal, mutante=None):
     return mutante
 
 
-class Taller:
+class Vivero:
     """La copia del árbol con todos los mutantes, compilada."""
 
     def __init__(self, raiz, carpeta, mutantes):
@@ -280,16 +199,17 @@ class Taller:
         grupos = por_fichero(self.mutantes)
         nuevos = {}
         for carpeta, carpetas, ficheros in os.walk(self.raiz):
-            carpetas[:] = [c for c in carpetas if c not in SOBRA]
+            sobra = SOBRA if carpeta == str(self.raiz) else ["__pycache__"]
+            carpetas[:] = [c for c in carpetas if c not in sobra]
             for f in ficheros:
                 relativo = str((Path(carpeta) / f).relative_to(self.raiz))
                 nuevos[relativo] = (self.raiz / relativo).read_bytes()
-        fuentes = [f for f in grupos if not f.endswith(SHADERS)]
+        fuentes = [f for f, suyos in grupos.items() if not suyos[0].en_shader]
         for fichero in fuentes:
             nuevos[fichero] = cambia(nuevos[fichero].decode(), grupos[fichero]).encode()
         for relativo in nuevos:  # una prueba puede incluir un fuente dentro de un namespace
             if relativo in fuentes or re.match("tests/.*_test.cpp", relativo):
-                mutante_h = os.path.relpath("tests/mutantes/mutante.h", Path(relativo).parent)
+                mutante_h = os.path.relpath(MUTANTE_H, Path(relativo).parent)
                 nuevos[relativo] = f'#include "{mutante_h}"\n'.encode() + nuevos[relativo]
         for viejo in self.copia.rglob("*"):
             if viejo.is_file() and str(viejo.relative_to(self.copia)) not in nuevos:
@@ -303,13 +223,14 @@ class Taller:
                 shutil.copymode(self.raiz / relativo, destino)
         shutil.rmtree(self.build / "glsl", ignore_errors=True)
         for m in self.mutantes:
-            if m.fichero.endswith(SHADERS):
+            if m.en_shader:
                 destino = self.build / "glsl" / str(m.numero) / m.fichero
                 destino.parent.mkdir(parents=True)
                 destino.write_text(estropea(nuevos[m.fichero].decode(), m))
 
     def compila(self, capitulos):
-        """Las pruebas de esos capítulos, o todas, y los programas sin ventana. Con -O1, que da las mismas imágenes y tarda la mitad."""
+        """Las pruebas de esos capítulos, o todas, y los programas sin ventana. Con -O1, que da las mismas imágenes y
+        tarda la mitad."""
         opciones = ["-DCMAKE_CXX_FLAGS_RELEASE=-O1 -w", "-DLAB_AVISOS_SON_ERRORES=OFF"]
         if shutil.which("ccache"):
             opciones.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
@@ -320,14 +241,26 @@ class Taller:
         self.sin_ventana = (self.build / "sin_ventana").read_text().strip()
         self.programas = catalogo.lee_programas(self.build)
         pruebas = [f.stem for f in self.copia.glob("tests/*/*_test.cpp") if es_de(f.name, capitulos)]
-        self.orden("ninja", "-k", "0", "-C", self.build, *(pruebas if capitulos else ["tests/all"]), "compara",
-                   *(f"{p.nombre}_{self.sin_ventana}" for p in self.programas))
+        self.orden(
+            "ninja",
+            "-k",
+            "0",
+            "-C",
+            self.build,
+            *(pruebas if capitulos else ["tests/all"]),
+            "compara",
+            *(f"{p.nombre}_{self.sin_ventana}" for p in self.programas),
+        )
 
     def orden(self, *palabras):
         proceso = lanza(palabras, cwd=self.copia, text=True, stderr=subprocess.STDOUT)
         if proceso.returncode:
-            sys.exit("\n".join([linea for linea in proceso.stdout.splitlines() if not linea.startswith("[")] +
-                               ["muta: no se ha podido compilar con los mutantes dentro"]))
+            sys.exit(
+                "\n".join(
+                    [linea for linea in proceso.stdout.splitlines() if not linea.startswith("[")]
+                    + ["muta: no se ha podido compilar con los mutantes dentro"]
+                )
+            )
 
     def enumera(self, capitulos):
         """Cada TEST y cada caso de esos capítulos, o todos, que son lo que se ejecuta."""
@@ -336,12 +269,21 @@ class Taller:
             if not es_de(ejecutable.name, capitulos):
                 continue
             for nombre in pruebas_de(ejecutable):
-                pruebas.append(Prueba(f"{ejecutable.name[:-5]}.{nombre}", [ejecutable, f"--gtest_filter={nombre}"], {}, False))
+                pruebas.append(
+                    Prueba(f"{ejecutable.name[:-5]}.{nombre}", [ejecutable, f"--gtest_filter={nombre}"], {}, False)
+                )
         entorno = procesos.entorno(self.build)
         for programa in self.programas:
             de = capitulo(programa.capitulo.nombre)
             if not programa.consola and (not capitulos or de in capitulos):
-                orden = ["python3", "-B", self.copia / "tests/propiedades/propiedades.py", self.copia, self.build, programa.nombre]
+                orden = [
+                    "python3",
+                    "-B",
+                    self.copia / "tests/propiedades/propiedades.py",
+                    self.copia,
+                    self.build,
+                    programa.nombre,
+                ]
                 pruebas.append(Prueba(f"{de} propiedades.{programa.nombre}", orden, entorno, False))
             for caso in programa.casos:
                 if not programa.consola and (not capitulos or de in capitulos):
@@ -372,13 +314,15 @@ class Taller:
         if malas:
             sys.exit(f"muta: {len(malas)} pruebas fallan sin ningún mutante")
         for m in self.mutantes:
-            visto = m.fichero if m.fichero.endswith(SHADERS) else str(m.numero)
-            m.pruebas = sorted((p for p in pruebas if visto in p.vistos),
-                               key=lambda p: (p.golden, p.capitulo != capitulo(m.fichero), p.segundos))
+            visto = m.fichero if m.en_shader else str(m.numero)
+            m.pruebas = sorted(
+                (p for p in pruebas if visto in p.vistos),
+                key=lambda p: (p.golden, p.capitulo != capitulo(m.fichero), p.segundos),
+            )
 
     def prueba(self, mutante):
         numero = str(mutante.numero)
-        entorno = {"LAB_RAIZ": str(self.build / "glsl" / numero)} if mutante.fichero.endswith(SHADERS) else {"LAB_MUTANTE": numero}
+        entorno = {"LAB_RAIZ": str(self.build / "glsl" / numero)} if mutante.en_shader else {"LAB_MUTANTE": numero}
         for prueba in sorted(mutante.pruebas, key=lambda p: (p.golden, -self.notan[mutante.fichero, p.nombre])):
             if not prueba.pasa(30 + 10 * prueba.segundos, **entorno):
                 mutante.notado, mutante.por_golden = prueba.nombre, prueba.golden
@@ -401,8 +345,14 @@ def cuentas(mutantes):
     de = defaultdict(list)
     for m in sorted(mutantes, key=lambda m: m.lista):
         de[m.lista].append(m)
-    return {lista: {"plantados": len(suyos), "notados": sum(bool(m.notado) for m in suyos),
-                    "sin_golden": sum(bool(m.notado) and not m.por_golden for m in suyos)} for lista, suyos in de.items()}
+    return {
+        lista: {
+            "plantados": len(suyos),
+            "notados": sum(bool(m.notado) for m in suyos),
+            "sin_golden": sum(bool(m.notado) and not m.por_golden for m in suyos),
+        }
+        for lista, suyos in de.items()
+    }
 
 
 def resume(mutantes):
@@ -412,7 +362,10 @@ def resume(mutantes):
     print("\n| lista | plantados | notados | % | notados sin golden | % |\n|---|---|---|---|---|---|")
     for lista, c in {**listas, "total": total}.items():
         por_ciento = [100 * c[que] / c["plantados"] for que in ("notados", "sin_golden")]
-        print(f"| {lista} | {c['plantados']} | {c['notados']} | {por_ciento[0]:.1f} | {c['sin_golden']} | {por_ciento[1]:.1f} |")
+        print(
+            f"| {lista} | {c['plantados']} | {c['notados']} | {por_ciento[0]:.1f} "
+            f"| {c['sin_golden']} | {por_ciento[1]:.1f} |"
+        )
     print("", *(cuenta(m) for m in mutantes if not m.notado), sep="\n")
     return por_ciento
 
@@ -420,7 +373,7 @@ def resume(mutantes):
 def main():
     raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
     pedidos = sys.argv[3:]
-    todos, fallos = lee(raiz)
+    todos, fallos = lee_listas(raiz)
     fallos = comprueba(raiz, catalogo.lee_programas(build), todos, fallos)
     if fallos:
         sys.exit("\n".join([*fallos, "muta: la lista de mutantes tiene errores"]))
@@ -428,26 +381,31 @@ def main():
         return print(f"{len(todos)} mutantes, y todos se pueden plantar")
     for pedido in pedidos:
         if not any(m.es_de(pedido) for m in todos):
-            sys.exit(f"muta: no hay ningún mutante en «{pedido}»; vale un capítulo (ch05), un programa, un fichero o {todos[0].nombre}")
+            sys.exit(
+                f"muta: no hay ningún mutante en «{pedido}»; vale un capítulo (ch05), un programa, un fichero o "
+                f"{todos[0].nombre}"
+            )
     elegidos = [m for m in todos if not pedidos or any(m.es_de(pedido) for pedido in pedidos)]
     en_copia = [m for m in elegidos if m.en_copia]
     compilados = [m for m in elegidos if not m.en_copia]
-    taller = Taller(raiz, build / "mutantes", [m for m in todos if not m.en_copia])
+    vivero = Vivero(raiz, build / "mutantes", [m for m in todos if not m.en_copia])
     # de un capítulo que se pide, solo sus pruebas; lo de common/ lo usan todos
     capitulos = {capitulo(m.fichero) for m in compilados} if pedidos else set()
     if "comun" in capitulos:
         capitulos.clear()
     if compilados:
-        aviso(f"compilo con {len(taller.mutantes)} mutantes dentro…")
-        taller.copia_arbol()
-        taller.compila(capitulos)
-    with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(taller.procesos) as hilos:
+        aviso(f"compilo con {len(vivero.mutantes)} mutantes dentro…")
+        vivero.copia_arbol()
+        vivero.compila(capitulos)
+    with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(vivero.procesos) as hilos:
         os.environ["TMPDIR"] = temporal  # lo que deje una prueba que no acaba bien
         if compilados:
-            taller.sin_mutantes(taller.enumera(capitulos), hilos)
+            vivero.sin_mutantes(vivero.enumera(capitulos), hilos)
         if en_copia:
             prueba_en_copia(raiz, temporal)
-        vueltas = itertools.chain(hilos.map(taller.prueba, compilados), hilos.map(lambda m: prueba_en_copia(raiz, temporal, m), en_copia))
+        vueltas = itertools.chain(
+            hilos.map(vivero.prueba, compilados), hilos.map(lambda m: prueba_en_copia(raiz, temporal, m), en_copia)
+        )
         for i, m in enumerate(vueltas, 1):
             print(f"[{i}/{len(elegidos)}] {cuenta(m)}", flush=True)
     notados, sin_golden = resume(elegidos)
@@ -459,8 +417,13 @@ def main():
     hay = Counter(m.lista for m in todos)
     enteras = {lista: c for lista, c in cuentas(elegidos).items() if c["plantados"] == hay[lista]}
     if enteras:
-        medidas.apunta(raiz, defectos={lista: c for lista, c in sorted({**medidas.lee(raiz)["defectos"], **enteras}.items()) if lista in hay})
-        aviso("apuntado en docs/medidas.json; ./lab lista --docs lo lleva a docs/exactitud.md")
+        evidencia.apunta(
+            raiz,
+            defectos={
+                lista: c for lista, c in sorted({**evidencia.lee(raiz)["defectos"], **enteras}.items()) if lista in hay
+            },
+        )
+        aviso("apuntado en docs/evidencia.json; ./lab lista --docs lo lleva a docs/exactitud.md")
 
 
 if __name__ == "__main__":

@@ -1,14 +1,13 @@
-#!/usr/bin/env python3
-"""web.py RAÍZ BUILD GALERÍA DESTINO: la página con todos los programas, en ficheros estáticos que valen sin servidor.
+"""pagina.py RAÍZ BUILD GALERÍA DESTINO: la página con todos los programas, en ficheros estáticos que valen sin
+servidor.
 
-BUILD es el del enlace web (herramientas/web.cmake). Lo que no es texto de la página va en DESTINO/datos/NOMBRE.js, que
-llama a llega("NOMBRE", "…") con los bytes comprimidos y en base64: así un navegador lo lee también de file://, y ocupa
-poco aunque el servidor no comprima.
+BUILD es el del enlace web (herramientas/cmake/web.cmake). Lo que no es texto de la página va en
+DESTINO/datos/NOMBRE.js, que llama a llega("NOMBRE", "…") con los bytes comprimidos y en base64: así un navegador lo
+lee también de file://, y ocupa poco aunque el servidor no comprima.
 """
 import base64
 import json
 import os
-import re
 import shutil
 import sys
 import tempfile
@@ -16,27 +15,29 @@ import zlib
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-import catalogo
-import controles
-import ejercicios
-import libro
-import pagina
-from procesos import ejecuta, escribe, principal
+from base import catalogo, controles, fuentes, libro, marcas, paginas
+from base.procesos import ejecuta, escribe, principal
 
+PLANTILLA = Path(__file__).with_name("web.html")
 CODEMIRROR = Path("/usr/share/javascript/codemirror")
 SHADERS, TEXTURAS = (".vert", ".frag", ".glsl"), (".rgb", ".r8")
 
 
-class Programa:
-    """Lo que la página tiene que saber de un programa: lo dice el catálogo, lo dicen sus controles o lo dice él, ejecutado sin ventana."""
+class ProgramaVivo:
+    """Lo que la página tiene que saber de un programa: lo dice el catálogo, lo dicen sus controles o lo dice él,
+    ejecutado sin ventana."""
 
     def __init__(self, raiz, build, programa):
         self.raiz, self.programa = raiz, programa
-        self.controles = [c for c in controles.lee(raiz, programa) if c.teclas != ["Esc"] and not c.texto.startswith("ninguno")]
+        self.controles = [
+            c for c in controles.lee(raiz, programa) if c.teclas != ["Esc"] and not c.texto.startswith("ninguno")
+        ]
         teclas = [orden for c in self.controles if not c.termina for orden in c.ordenes]
         self.rasgos, self.opciones = set(), []
         with tempfile.NamedTemporaryFile("r") as leidos:  # los ficheros del laboratorio que lee
-            for guion in () if programa.consola else ("", "; ".join(teclas)):  # una tecla puede poner en marcha un temporizador, o quitarlo
+            for guion in (
+                () if programa.consola else ("", "; ".join(teclas))
+            ):  # una tecla puede poner en marcha un temporizador, o quitarlo
                 rasgos, self.opciones = controles.atiende(build, programa, guion, LAB_LEIDOS=leidos.name)
                 self.rasgos |= rasgos
             self.leidos = set(leidos.read().splitlines())
@@ -44,14 +45,21 @@ class Programa:
     def datos(self):
         p = self.programa
         return {
-            "nombre": p.nombre, "capitulo": p.capitulo.nombre, "referencia": p.ref, "titulo": p.titulo, "consola": p.consola,
-            "mandos": [{"teclas": list(zip(c.teclas, c.ordenes)), "hace": c.hace or c.texto, "menu": c.menu} for c in self.controles],
+            "nombre": p.nombre,
+            "capitulo": p.capitulo.nombre,
+            "referencia": p.ref,
+            "titulo": p.titulo,
+            "consola": p.consola,
+            "mandos": [
+                {"teclas": list(zip(c.teclas, c.ordenes)), "hace": c.hace or c.texto, "menu": c.menu}
+                for c in self.controles
+            ],
             "derecho": not self.opciones and any("derecho" in c.texto for c in self.controles),
             "anima": bool(self.rasgos & {"temporizador", "ocio"}),
             "raton": bool(self.rasgos & {"raton", "rueda", "arrastre"}),
             "sigue": "movimiento" in self.rasgos,
             "casos": [{"titulo": c.titulo or "al empezar", "guion": c.guion, "mira": c.mira} for c in p.casos],
-            "fuentes": [str(f) for f in pagina.fuentes(self.raiz, p.fuente)],
+            "fuentes": [str(f) for f in fuentes.alcanza(self.raiz, p.fuente)],
             "texturas": sorted(Path(f).name for f in self.leidos if f.endswith(TEXTURAS)),
             "admite": p.admite,
         }
@@ -76,7 +84,7 @@ class Pagina:
 
     def listados(self):
         """Los que se pueden hacer en la página: qué pide cada uno en cada shader."""
-        return {codigo: pide for codigo, pide in ejercicios.que_piden(self.shaders()).items() if codigo.startswith("L")}
+        return {codigo: pide for codigo, pide in marcas.que_piden(self.shaders()).items() if codigo.startswith("L")}
 
     def miniatura(self, programa):
         """La primera imagen de la galería, reducida: basta para el catálogo."""
@@ -108,12 +116,22 @@ class Pagina:
             self.empaqueta(parte, (self.build / f"lab.{parte}").read_bytes())
         shaders = self.shaders()
         self.empaqueta("shaders", {**shaders, **self.textos("assets/*.txt", "assets/*.vf")})
-        self.empaqueta("esqueletos", {codigo: {f: ejercicios.esqueleto(shaders[f], codigo) for f in pide}
-                                      for codigo, pide in self.listados().items()})
+        self.empaqueta(
+            "esqueletos",
+            {
+                codigo: {f: marcas.esqueleto(shaders[f], codigo) for f in pide}
+                for codigo, pide in self.listados().items()
+            },
+        )
         self.empaqueta("codigo", self.textos("ch*/*.cpp", "ch*/*.h"))
         guiones = ("lib/codemirror.js", "mode/clike/clike.js", "addon/edit/matchbrackets.js")
-        self.empaqueta("editor", {"css": (CODEMIRROR / "lib/codemirror.css").read_text(),
-                                  "js": "\n".join((CODEMIRROR / g).read_text() for g in guiones)})
+        self.empaqueta(
+            "editor",
+            {
+                "css": (CODEMIRROR / "lib/codemirror.css").read_text(),
+                "js": "\n".join((CODEMIRROR / g).read_text() for g in guiones),
+            },
+        )
         for textura in (self.build.parent / "assets").iterdir():
             if textura.suffix in TEXTURAS:
                 self.empaqueta(textura.name, textura.read_bytes())
@@ -123,13 +141,24 @@ class Pagina:
         self.destino.mkdir(parents=True, exist_ok=True)
         del_libro, listados = libro.Libro(self.raiz), self.listados()
         with ThreadPoolExecutor(os.cpu_count()) as hilos:
-            datos = [p.datos() for p in hilos.map(lambda p: Programa(self.raiz, self.build.parent, p), programas)]
+            datos = [p.datos() for p in hilos.map(lambda p: ProgramaVivo(self.raiz, self.build.parent, p), programas)]
         for p, d in zip(programas, datos):
-            d["ejercicios"] = [{"codigo": c, "que": del_libro.cosas[c].que, "pide": listados[c]} for c in p.referencias if c in listados]
+            d["ejercicios"] = [
+                {"codigo": c, "que": del_libro.cosas[c].que, "pide": listados[c]}
+                for c in p.referencias
+                if c in listados
+            ]
         miniaturas = {p.nombre: self.miniatura(p) for p in programas}
         antes()
-        pagina.escribe_pagina(self.destino, "web.html", capitulos=capitulos, libro=del_libro, programas=datos, miniaturas=miniaturas,
-                              ejercicios={p["nombre"]: p["ejercicios"] for p in datos})
+        paginas.escribe_pagina(
+            self.destino,
+            PLANTILLA,
+            capitulos=capitulos,
+            libro=del_libro,
+            programas=datos,
+            miniaturas=miniaturas,
+            ejercicios={p["nombre"]: p["ejercicios"] for p in datos},
+        )
 
 
 def main():

@@ -1,8 +1,9 @@
-#!/usr/bin/env python3
-"""windows.py RAÍZ BUILD GALERÍA DESTINO: DESTINO/laboratorio-windows.zip, que se descomprime y se usa: los programas con sus DLL en una
-carpeta y, a su lado, los shaders, los modelos y las texturas, un LEEME.txt, una página con la imagen de cada programa y las licencias.
+"""paquete.py RAÍZ BUILD GALERÍA DESTINO: DESTINO/laboratorio-windows.zip, que se descomprime y se usa: los programas
+con sus DLL en una carpeta y, a su lado, los shaders, los modelos y las texturas, un LEEME.txt, una página con la
+imagen de cada programa y las licencias.
 
-Los programas son los de BUILD/windows/programas (herramientas/windows.cmake); lo demás, el de la compilación corriente.
+Los programas son los de BUILD/windows/programas (herramientas/cmake/windows.cmake); lo demás, el de la compilación
+corriente.
 """
 import io
 import sys
@@ -10,23 +11,27 @@ import tempfile
 import zipfile
 from pathlib import Path
 
-import catalogo
-import controles
-import pagina
-import web
-from procesos import ejecuta, escribe, principal
+from base import catalogo, controles, paginas
+from base.procesos import ejecuta, escribe, principal
+from web.pagina import TEXTURAS, Pagina
 
+AQUI = Path(__file__).parent
 MINGW = "x86_64-w64-mingw32-"
 DLL = "libstdc++-6.dll", "libgcc_s_seh-1.dll", "libwinpthread-1.dll"
 DOC = Path("/usr/share/doc")
-LICENCIAS = {"gcc": DOC / "g++-mingw-w64-x86-64-posix", "mingw-w64": DOC / "mingw-w64-common", "glm": DOC / "libglm-dev", "dejavu": DOC / "fonts-dejavu-core"}
+LICENCIAS = {
+    "gcc": DOC / "g++-mingw-w64-x86-64-posix",
+    "mingw-w64": DOC / "mingw-w64-common",
+    "glm": DOC / "libglm-dev",
+    "dejavu": DOC / "fonts-dejavu-core",
+}
 
 
 class Paquete:
     def __init__(self, raiz, build, galeria):
         self.raiz, self.build = raiz, build
         self.programas = catalogo.lee_programas(build)
-        self.web = web.Pagina(raiz, build, galeria, build / "windows/pagina")  # donde se quedan las miniaturas
+        self.web = Pagina(raiz, build, galeria, build / "windows/pagina")  # donde se quedan las miniaturas
         self.contenido = io.BytesIO()
         self.zip = zipfile.ZipFile(self.contenido, "w", zipfile.ZIP_DEFLATED, compresslevel=9)
 
@@ -42,7 +47,14 @@ class Paquete:
         with tempfile.TemporaryDirectory() as carpeta:
             for nombre in DLL:
                 aligerada = Path(carpeta, nombre)  # las de GCC llevan veinte megas para depurar
-                ejecuta([MINGW + "strip", "-o", aligerada, ejecuta([MINGW + "g++-posix", f"-print-file-name={nombre}"], text=True).strip()])
+                ejecuta(
+                    [
+                        MINGW + "strip",
+                        "-o",
+                        aligerada,
+                        ejecuta([MINGW + "g++-posix", f"-print-file-name={nombre}"], text=True).strip(),
+                    ]
+                )
                 self.mete(f"programas/{nombre}", aligerada)
 
     def mete_datos(self):
@@ -51,23 +63,32 @@ class Paquete:
                 if fichero.name != "CMakeLists.txt":
                     self.mete(fichero.relative_to(self.raiz), fichero)
         for fichero in sorted((self.build / "assets").iterdir()):
-            if fichero.suffix in web.TEXTURAS:
+            if fichero.suffix in TEXTURAS:
                 self.mete(f"assets/{fichero.name}", fichero)
 
     def mete_licencias(self):
         fuentes = self.build / "windows/fuentes"
-        for nombre, fichero in {"laboratorio": self.raiz / "LICENSE", "freeglut": fuentes / "freeglut/COPYING", "glew": fuentes / "glew/LICENSE.txt",
-                                **{n: paquete / "copyright" for n, paquete in LICENCIAS.items()}}.items():
+        for nombre, fichero in {
+            "laboratorio": self.raiz / "LICENSE",
+            "freeglut": fuentes / "freeglut/COPYING",
+            "glew": fuentes / "glew/LICENSE.txt",
+            **{n: paquete / "copyright" for n, paquete in LICENCIAS.items()},
+        }.items():
             self.mete(f"licencias/{nombre}.txt", fichero)
 
     def mete_pagina(self):
         miniaturas = {p.nombre: self.web.miniatura(p) for p in self.programas}
         for miniatura in filter(None, miniaturas.values()):
             self.mete(f"imagenes/{miniatura}", self.web.destino / miniatura)
-        pagina.escribe_pagina(self.web.destino, "windows.html", capitulos=catalogo.lee(self.build), miniaturas=miniaturas,
-                              controles={p.nombre: [c.texto for c in controles.lee(self.raiz, p)] for p in self.programas})
+        paginas.escribe_pagina(
+            self.web.destino,
+            AQUI / "windows.html",
+            capitulos=catalogo.lee(self.build),
+            miniaturas=miniaturas,
+            controles={p.nombre: [c.texto for c in controles.lee(self.raiz, p)] for p in self.programas},
+        )
         self.mete("index.html", self.web.destino / "index.html")
-        leeme = (pagina.PLANTILLAS / "windows_leeme.txt").read_text().replace("\n", "\r\n")  # para el Bloc de notas
+        leeme = (AQUI / "windows_leeme.txt").read_text().replace("\n", "\r\n")  # para el Bloc de notas
         self.zip.writestr("laboratorio/LEEME.txt", leeme)
 
     def escribe(self, fichero):

@@ -26,7 +26,7 @@ fi
 if [ "${DORA:-}" ]; then # ./lab dora: enseña lo que cambia y guarda la imagen como golden
   mkdir -p "$(dirname "$golden")"
   printf '%s: ' "$nombre"
-  if [ -e "$golden" ]; then "$build/tests/compara" "$golden" "$nombre.ppm" || true; else echo "nueva"; fi
+  if [ -e "$golden" ]; then "$build/herramientas/comparador/compara" "$golden" "$nombre.ppm" || true; else echo "nueva"; fi
   cp "$nombre.ppm" "$golden"
   diff -N "$texto" salida || cp salida "$texto"
   exit 0
@@ -50,7 +50,7 @@ elif [ "$tolerancia" != - ]; then
 elif [ "$destino" = egl ]; then
   comparacion+=(--redondeo)
 fi
-"$build/tests/compara" "$golden" "$nombre.ppm" "${comparacion[@]}"
+"$build/herramientas/comparador/compara" "$golden" "$nombre.ppm" "${comparacion[@]}"
 # lo que cuenta en sus píxeles un programa que sale distinto también lo es: queda el texto
 if [ "${OTRO:-}" ] && [ "$tolerancia" != - ]; then
   diff -u <(tr -d 0-9 <"$texto") <(tr -d 0-9 <salida)

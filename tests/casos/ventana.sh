@@ -32,13 +32,13 @@ espera_dibujo() { # dos segundos como mucho; en Windows, lo que llega antes se a
 mira() {
   case $guion in
   *espera* | *menu*) dibuja_algo ;;
-  *) "$build/tests/compara" "$golden" ventana.ppm "${opciones[@]}" "$@" 2>&1 || true ;;
+  *) "$build/herramientas/comparador/compara" "$golden" ventana.ppm "${opciones[@]}" "$@" 2>&1 || true ;;
   esac
 }
 pasea() { # PROGRAMA
   local sucesos
   setpriv --pdeathsig KILL twm -f /dev/null >/dev/null 2>&1 &
-  sucesos=$(python3 -B "$aqui/../../herramientas/controles.py" "$aqui/../.." "$build" "$1" 1 25)
+  sucesos=$(python3 -B "$aqui/../../herramientas" base.controles guion "$aqui/../.." "$build" "$1" 1 25)
   PAUSA=0.002 haz_guion 240x180 "tamano 300 200; $sucesos; tamano 200 240; $sucesos" # seguidos: no se mira qué hace cada uno
   while cp salida antes && sigue 0.2 && ! cmp -s antes salida; do :; done # hasta que los haya atendido
 }

@@ -2,7 +2,7 @@
 # defectos.sh BUILD: el comparador acepta lo que debe y rechaza lo demás. Primero, imágenes con una cosa estropeada al
 # dibujar (escena_comparador); después, con unos píxeles cambiados (estropea), a uno y otro lado de cada límite.
 set -euo pipefail
-build=$1/tests fallos=0
+build=$1/tests compara=$1/herramientas/comparador/compara fallos=0
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
 cd "$carpeta"
@@ -12,7 +12,7 @@ cd "$carpeta"
 espera() {
   local nombre=$1 esperado=$2 texto=$3 estado=0 resultado
   shift 3
-  resultado=$("$build/compara" buena.ppm mala.ppm "$@" 2>&1) || estado=$?
+  resultado=$("$compara" buena.ppm mala.ppm "$@" 2>&1) || estado=$?
   printf '%-34s %-8s %s\n' "$nombre" "$*" "${resultado%%; hecha*}"
   [[ $estado = "$esperado" && $resultado = *"$texto"* ]] ||
     { echo "ha salido con $estado y debía salir con $esperado y decir «$texto»"; fallos=1; }

@@ -13,7 +13,8 @@ fallos=0
 # Un build y unas pruebas de mentira, con un solo programa de verdad detrás.
 mkdir -p tests build/tests build/ventana/cap "build/$sin_ventana/cap" tests/golden/cap
 cp -r "$aqui" "$aqui/../casos" tests
-ln -s "$build/tests/compara" "$build/tests/guion" "$build/tests/ventana" build/tests
+ln -s "$build/tests/guion" "$build/tests/ventana" build/tests
+ln -s "$build/herramientas" build
 "$build/$sin_ventana/ch03_transformaciones/grua" -geometry 240x180 -ppm bien.ppm
 "$build/$sin_ventana/ch03_transformaciones/grua" -geometry 240x180 -ppm otro.ppm -guion 'tecla d; tecla d; tecla d'
 

@@ -60,7 +60,7 @@ pronto dibujado || mal 'figura_color no dibuja'
 for n in 1 2; do # cada una con su número
   xdotool key 96 # F12
   pronto grep -qx "guardado figura_color-$n.ppm" salida || mal "F12 no dice que ha guardado la imagen $n: $(cat salida)"
-  "$build/tests/compara" "$aqui/../golden/ch02_modelado/figura_color.ppm" figura_color-$n.ppm --amplia || fallos=1
+  "$build/herramientas/comparador/compara" "$aqui/../golden/ch02_modelado/figura_color.ppm" figura_color-$n.ppm --amplia || fallos=1
 done
 cambia $plana 's/= nuevoColor/= vec4(1.0, 0.0, 1.0, 1.0)/'
 xdotool key 71 # F5

@@ -198,7 +198,7 @@ int main(int argc, char **argv) {
         guardaPpm(deja + "-esperada.ppm", e);
         guardaPpm(deja + "-obtenida.ppm", o);
         guardaPpm(deja + "-diferencia.ppm", diferencia);
-        std::printf("imágenes en %s-*.ppm\n", deja.c_str()); // las busca herramientas/fallos.py
+        std::printf("imágenes en %s-*.ppm\n", deja.c_str()); // las busca herramientas/pruebas/fallos.py
     }
     return bien ? 0 : 1;
 }

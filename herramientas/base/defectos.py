@@ -1,0 +1,131 @@
+"""Defectos que se pueden plantar en los fuentes: los que conoce ./lab corrige (herramientas/ejercicios/errores/) y
+los demás de ./lab muta (tests/mutantes/). Una lista por fichero y, en cada línea, entre tabuladores: fichero, texto
+(que está una sola vez en él; \\n, si pasa de línea), texto estropeado, qué imita y, si no lo puede notar nadie, por
+qué; la sexta columna, en lo que pide un ejercicio, qué se le dice a quien ha hecho lo mismo. Con «…» dentro del
+texto, el resto solo sirve para encontrarlo y se cambia lo que va entre ellas.
+
+En C++ una expresión queda como (mutante(5012) ? (estropeada) : (original)), una instrucción como if/else, y
+$LAB_MUTANTE elige una (mutante.h): se compilan todos a la vez."""
+import re
+from collections import defaultdict
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from base.fuentes import SHADERS
+
+MUTANTE_H = Path("herramientas/base/mutante.h")
+
+
+@dataclass
+class Mutante:
+    lista: str
+    linea: int
+    numero: int  # el de $LAB_MUTANTE
+    fichero: str
+    texto: str
+    estropeado: str
+    imita: str
+    motivo: str = ""
+    dice: str = ""
+    pruebas: list = field(default_factory=list)  # las que lo usan
+    notado: str = ""
+    por_golden: bool = False
+
+    @property
+    def nombre(self):
+        return f"{self.lista}:{self.linea}"
+
+    @property
+    def en_shader(self):
+        return self.fichero.endswith(SHADERS)
+
+    @property
+    def en_copia(self):
+        """Si es de ./lab o de Python: no se compila."""
+        return self.fichero == "lab" or self.fichero.endswith(".py")
+
+    def es_de(self, pedido):
+        """Si es lo que se pide: su lista, él, su fichero, su carpeta o el capítulo o el programa por los que empiezan
+        sus nombres."""
+        fichero = Path(self.fichero)
+        carpeta = fichero.parts[0]
+        return pedido in (
+            self.lista,
+            self.nombre,
+            self.fichero,
+            carpeta,
+            carpeta.split("_")[0],
+        ) or fichero.stem.startswith(pedido)
+
+    def sitio(self, fuente):
+        """Dónde empieza y acaba en ese fuente lo que se cambia."""
+        antes, marcado, despues = "", self.texto, ""
+        if "«" in self.texto:
+            antes, marcado, despues = re.fullmatch("(?s)(.*?)«(.*)»(.*)", self.texto).groups()
+        veces = fuente.count(antes + marcado + despues)
+        if veces != 1:
+            raise ValueError(f"«{self.texto}» está {veces} veces en {self.fichero}")
+        if marcado == self.estropeado:
+            raise ValueError("no cambia nada")
+        desde = fuente.index(antes + marcado + despues) + len(antes)
+        return desde, desde + len(marcado)
+
+
+def lee(*carpetas):
+    """Los mutantes de todas las listas de esas carpetas, y los fallos que haya en ellas."""
+    mutantes, fallos = [], []
+    listas = sorted(lista for carpeta in carpetas for lista in carpeta.glob("*.tsv"))
+    for n, lista in enumerate(listas):
+        for i, linea in enumerate(lista.read_text().splitlines(), 1):
+            columnas = linea.replace("\\n", "\n").split("\t")
+            if len(columnas) in (4, 5, 6) and all(columnas[:4]) and columnas[-1]:
+                mutantes.append(Mutante(lista.stem, i, 1000 * n + i, *columnas))
+            else:
+                fallos.append(
+                    f"{lista.stem}:{i}: son fichero, texto, texto estropeado, qué imita y, si acaso, motivo y qué se le dice "
+                    "a un alumno"
+                )
+    return mutantes, fallos
+
+
+def por_fichero(mutantes):
+    grupos = defaultdict(list)
+    for m in mutantes:
+        grupos[m.fichero].append(m)
+    return grupos
+
+
+def cambia(fuente, mutantes):
+    """El fuente de C++ con todos sus mutantes dentro. Los que estropean lo mismo van en cadena."""
+    sitios = defaultdict(list)
+    for m in mutantes:
+        sitios[m.sitio(fuente)].append(m)
+    ordenados = sorted(sitios)
+    for (_, fin), (principio, _) in zip(ordenados, ordenados[1:]):
+        if principio < fin:
+            raise ValueError(f"se pisa con otro: «{fuente[principio:fin]}»")
+    for desde, hasta in reversed(ordenados):
+        fuente = (
+            fuente[:desde] + con_mutantes(fuente[:desde], fuente[desde:hasta], sitios[desde, hasta]) + fuente[hasta:]
+        )
+    return fuente
+
+
+def con_mutantes(antes, texto, mutantes):
+    """Ese trozo de C++, que va detrás de ANTES, con los suyos."""
+    if not texto.endswith((";", "}")):
+        nuevo = f"({texto})"
+        for m in mutantes:
+            nuevo = f"(mutante({m.numero}) ? ({m.estropeado}) : {nuevo})"
+        return nuevo
+    if not re.search(r"(^|[;{}):]|\belse|//.*)\s*$", antes):
+        raise ValueError(f"no es una instrucción entera: «{texto}»")
+    nuevo = f"{{ {texto} }}"
+    for m in mutantes:
+        nuevo = f"if (mutante({m.numero})) {{ {m.estropeado} }} else {nuevo}"
+    return nuevo
+
+
+def estropea(fuente, mutante):
+    desde, hasta = mutante.sitio(fuente)
+    return fuente[:desde] + mutante.estropeado + fuente[hasta:]

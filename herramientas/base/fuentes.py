@@ -1,0 +1,41 @@
+"""De qué ficheros está hecho un programa: los que nombra cada uno, y un shader con lo que incluye ya dentro. Todas
+las rutas, desde RAÍZ."""
+import re
+from pathlib import Path
+
+SHADERS = ".vert", ".frag", ".glsl"
+NOMBRADO = re.compile(r'"([\w./]+\.(?:h|cpp|vert|frag|glsl))"')
+INCLUYE = re.compile(r'^#include "(.*)"$', re.MULTILINE)  # de GLSL, como lo hace common/shader.cpp
+
+
+def nombra(raiz, fichero):
+    """Los de los capítulos que ese nombra entre comillas, cabeceras y shaders, a su lado o desde RAÍZ."""
+    for nombre in NOMBRADO.findall((raiz / fichero).read_text()):
+        for candidato in (fichero.parent / nombre, Path(nombre)):
+            if candidato.parts[0].startswith("ch") and (raiz / candidato).is_file():
+                yield candidato
+
+
+def alcanza(raiz, *ficheros):
+    """Esos, los que nombran, y así con cada uno, en ese orden."""
+    vistos = {}
+
+    def ve(fichero):
+        if fichero not in vistos:
+            vistos[fichero] = True
+            for otro in nombra(raiz, fichero):
+                ve(otro)
+
+    for fichero in ficheros:
+        ve(fichero)
+    return list(vistos)
+
+
+def con_inclusiones(raiz, shader, textos=None):
+    """Su texto, con el de cada #include en su sitio. De los que estén en TEXTOS vale ese, y no el del fichero."""
+
+    def lee(fichero):
+        texto = (textos or {}).get(fichero) or (raiz / fichero).read_text()
+        return INCLUYE.sub(lambda hallado: lee(hallado[1]).rstrip("\n"), texto)
+
+    return lee(str(shader))

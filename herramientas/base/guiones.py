@@ -1,0 +1,46 @@
+"""Guiones como listas de órdenes: lo que se les puede quitar o repetir sin saber de qué programa son."""
+import re
+
+
+def sin_veces(orden):
+    """«tecla d ×7» es «tecla d», y de lo del ratón basta qué es."""
+    palabras = re.sub(" ×\\d+$", "", orden).split()
+    return " ".join(palabras) if palabras[0] in ("tecla", "especial", "menu") else palabras[0]
+
+
+def menos_veces(orden):
+    """La misma orden, repetida menos veces: de menos a más."""
+    una, por, n = orden.rpartition(" ×")
+    if not por or not n.isdigit():
+        return []
+    veces = sorted({1, 2, int(n) // 4, int(n) // 2} - {0, int(n)})
+    return [f"{una} ×{v}" if v > 1 else una for v in veces]
+
+
+def acorta(ordenes, falla, intentos):
+    """Las menos órdenes con las que aún falla(ordenes), que con todas falla (delta debugging); después, repetidas
+    menos veces. Como mucho se prueba esas veces."""
+
+    def prueba(candidatas):
+        nonlocal intentos
+        intentos -= 1
+        return intentos >= 0 and falla(candidatas)
+
+    ordenes = tuple(ordenes)
+    if len(ordenes) > 1 and prueba(ordenes[-1:]):  # casi siempre basta la última
+        ordenes = ordenes[-1:]
+    trozos = 2
+    while len(ordenes) > 1 and intentos > 0:
+        largo = -(-len(ordenes) // trozos)
+        quitadas = (ordenes[:i] + ordenes[i + largo :] for i in range(0, len(ordenes), largo))
+        menos = next((q for q in quitadas if prueba(q)), None)
+        if menos is not None:
+            ordenes, trozos = menos, max(trozos - 1, 2)
+        elif largo == 1:
+            break
+        else:
+            trozos = min(2 * trozos, len(ordenes))
+    for i, orden in enumerate(ordenes):
+        candidatas = ((*ordenes[:i], menos, *ordenes[i + 1 :]) for menos in menos_veces(orden))
+        ordenes = next((c for c in candidatas if prueba(c)), ordenes)
+    return ordenes

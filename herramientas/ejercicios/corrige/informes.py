@@ -1,0 +1,65 @@
+"""Una corrección, o las de una clase, como se escriben: en texto, para VPL, en JUnit, en una tabla y en una página."""
+import csv
+import io
+import os
+from pathlib import Path
+from xml.sax.saxutils import quoteattr
+
+from base import paginas
+
+
+def lineas(c):
+    """Lo que hay que decirle a quien la entregó."""
+    return [*c["dice"], *(f["que"] for f in c["fallos"])] or ["todo bien"]
+
+
+def en_texto(c):
+    frases = "\n".join(f"  {linea}" for linea in lineas(c))
+    cuantos = f"{c['bien']} de {c['guiones']} guiones; semilla {c['semilla']}"
+    return f"{c['entrega']}, {c['ejercicio']}: {c['nota']:g} de 100 ({cuantos})\n{frases}"
+
+
+def en_una_linea(texto):
+    return "".join(letra if letra.isprintable() else " " for letra in texto)
+
+
+def en_vpl(c):
+    """Como lo lee el Virtual Programming Lab de Moodle: los comentarios y, la última, la nota, en la escala que tenga
+    la actividad."""
+    desde, hasta = (float(os.environ.get(f"VPL_GRADE{que}") or vale) for que, vale in (("MIN", 0), ("MAX", 100)))
+    titulo = f"-{c['ejercicio']}: {c['bien']} de {c['guiones']} guiones, semilla {c['semilla']}"
+    comentarios = [f"Comment :=>>{en_una_linea(linea)}" for linea in (titulo, *lineas(c))]
+    return "\n".join([*comentarios, f"Grade :=>> {desde + (hasta - desde) * c['nota'] / 100:.5g}"])
+
+
+def en_junit(correcciones):
+    """Una prueba por entrega, que falla si no está todo bien."""
+    pruebas = []
+    for c in correcciones:
+        mal = "" if c["nota"] == 100 else f"<failure message={quoteattr(en_una_linea('; '.join(lineas(c))))}/>"
+        clase, nombre = f"corrige.{c['ejercicio']}", quoteattr(en_una_linea(c["entrega"]))
+        pruebas.append(f'  <testcase classname="{clase}" name={nombre}>{mal}</testcase>')
+    fallan = sum(c["nota"] < 100 for c in correcciones)
+    suma = f'<testsuite name="corrige" tests="{len(correcciones)}" failures="{fallan}">'
+    return "\n".join(['<?xml version="1.0" encoding="UTF-8"?>', suma, *pruebas, "</testsuite>\n"])
+
+
+def celda(texto):
+    """La de una tabla: si empieza como una fórmula, que no lo sea."""
+    texto = en_una_linea(texto)
+    return "'" + texto if texto[:1] in tuple("=+-@") else texto
+
+
+def en_csv(correcciones):
+    tabla = io.StringIO()
+    filas = csv.writer(tabla)
+    filas.writerow(["entrega", "ejercicio", "nota", "bien", "guiones", "semilla", "dice"])
+    for c in correcciones:
+        numeros = (c["nota"], c["bien"], c["guiones"], c["semilla"])
+        filas.writerow([celda(c["entrega"]), c["ejercicio"], *numeros, celda("; ".join(lineas(c)))])
+    return tabla.getvalue()
+
+
+def escribe_pagina(destino, correcciones, programa, ref):
+    plantilla = Path(__file__).with_name("corrige.html")
+    paginas.escribe_pagina(destino, plantilla, correcciones=correcciones, lineas=lineas, programa=programa, ref=ref)

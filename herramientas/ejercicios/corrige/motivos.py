@@ -1,0 +1,174 @@
+"""Por qué falla una entrega: qué defecto conocido, plantado en la solución, deja en todos los guiones lo mismo; qué
+no responde; cómo acaba."""
+import shutil
+import tempfile
+import threading
+from pathlib import Path
+
+from base import defectos, marcas
+from base.guiones import sin_veces
+from base.procesos import Fallo, escribe
+from ejercicios import nuevo
+from ejercicios.corrige.entrega import Rechazo
+from ejercicios.corrige.partidas import Jugador
+
+ERRORES = "herramientas/ejercicios/errores"
+SENALES = {
+    132: "instrucción ilegal",
+    134: "abort",
+    135: "memoria mal alineada",
+    136: "división por cero",
+    139: "acceso a memoria que no es suya",
+}
+
+
+def conocidos(raiz, programa, ref):
+    """Los defectos de los ficheros que tiene quien hace el ejercicio, salvo en lo que pide otro."""
+    textos = {f"{programa.capitulo.nombre}/{f}": texto for f, texto in nuevo.de_la_carpeta(raiz, programa, ref).items()}
+    ajenos = {
+        f: [t.span() for t in marcas.TROZO.finditer(texto) if t["codigo"][0] == "E" and t["codigo"] != ref]
+        for f, texto in textos.items()
+    }
+
+    def es_de_otro(m):
+        return any(desde <= m.sitio(textos[m.fichero])[0] < hasta for desde, hasta in ajenos[m.fichero])
+
+    try:
+        return [m for m in defectos.lee(raiz / ERRORES)[0] if m.fichero in textos and not es_de_otro(m)]
+    except ValueError as error:
+        raise Fallo(f"{ERRORES}: {error}") from None
+
+
+class Motivos:
+    """El esqueleto y la solución con cada defecto, que juegan como una entrega. Se compilan cuando hacen falta."""
+
+    def __init__(self, raiz, programa, ref, compilador, arbitro):
+        self.raiz, self.programa, self.ref, self.compilador, self.arbitro = raiz, programa, ref, compilador, arbitro
+        self.defectos = conocidos(raiz, programa, ref)
+        self.turno, self.hechas = threading.Lock(), None
+
+    def textos(self):
+        return nuevo.de_la_carpeta(self.raiz, self.programa, self.ref)
+
+    def limpio(self, textos):
+        """Los ficheros de quien hace el ejercicio, sin las marcas, con esos textos."""
+        return nuevo.aqui({fichero: nuevo.deja(texto) for fichero, texto in textos.items()}, self.programa)
+
+    def huecos(self):
+        """De cada cosa que pide el ejercicio, si son varias: qué es, y los ficheros con todo menos eso."""
+        textos = self.textos()
+        trozos = [(f, t) for f in textos for t in marcas.TROZO.finditer(textos[f]) if t["codigo"] == self.ref]
+
+        def sin(f, t):
+            return {**textos, f: textos[f][: t.start()] + marcas.esqueleto(t[0]) + textos[f][t.end() :]}
+
+        return [(t["pide"], sin(f, t)) for f, t in trozos if len(trozos) > 1]
+
+    def variantes(self):
+        """(qué se le diría a quien la entregara, Jugador): el esqueleto y la solución con cada defecto, todos en un
+        binario."""
+        with self.turno:
+            if self.hechas is None:
+                try:
+                    self.hechas = self.enumera(self.compiladas())
+                except (ValueError, Rechazo) as error:
+                    raise Fallo(f"los defectos plantados de {self.ref} no valen: {error}") from None
+        return self.hechas
+
+    def compiladas(self):
+        """Dónde están."""
+        sitio = self.arbitro.cache / "variantes"
+        if not sitio.is_dir():
+            parcial = Path(tempfile.mkdtemp(dir=self.arbitro.cache))
+            self.compila(parcial)
+            try:
+                parcial.replace(sitio)
+            except OSError:  # otro lo ha hecho mientras
+                shutil.rmtree(parcial)
+        return sitio
+
+    def compila(self, sitio):
+        self.compilador.compila(nuevo.esqueleto(self.raiz, self.programa, self.ref), sitio / "esqueleto", ajena=False)
+        for i, (_, con_hueco) in enumerate(self.huecos()):
+            try:
+                self.compilador.compila(self.limpio(con_hueco), sitio / f"hueco{i}", ajena=False)
+            except Rechazo:  # lo demás lo necesita
+                shutil.rmtree(sitio / f"hueco{i}")
+        textos = self.textos()
+        for fichero, suyos in defectos.por_fichero(self.defectos).items():
+            nombre, fuente = Path(fichero).name, (self.raiz / fichero).read_text()
+            if not suyos[0].en_shader:
+                textos[nombre] = f'#include "{self.raiz / defectos.MUTANTE_H}"\n{defectos.cambia(fuente, suyos)}'
+                continue
+            for m in suyos:
+                estropeado = {**textos, nombre: defectos.estropea(fuente, m)}
+                escribe(sitio / str(m.numero) / nombre, self.limpio(estropeado)[nombre])
+        self.compilador.compila(self.limpio(textos), sitio / "mutantes", ajena=False)
+
+    def enumera(self, sitio):
+        def jugador(nombre, carpeta, *antes, **entorno):
+            raices = [*antes, sitio / carpeta / "fuentes/mios", sitio / carpeta / "fuentes"]
+            return Jugador(nombre, sitio / carpeta / self.programa.nombre, raices, entorno)
+
+        variantes = [("", jugador("esqueleto", "esqueleto"))]
+        for i, (pide, _) in enumerate(self.huecos()):
+            if (sitio / f"hueco{i}").is_dir():
+                variantes.append((f"parece que falta: {pide}", jugador(f"hueco{i}", f"hueco{i}")))
+        for m in self.defectos:
+            dice = f"parece que {m.dice}" if m.dice else f"parece este error: {m.imita}"
+            # si es de un shader, en su carpeta está el estropeado; si no, no hay nada
+            variantes.append((dice, jugador(m.nombre, "mutantes", sitio / str(m.numero), LAB_MUTANTE=str(m.numero))))
+        return variantes
+
+    def por_que(self, partidas, fallan):
+        """Lo que deja en todos los guiones lo mismo que la entrega, en palabras; del esqueleto, ninguna."""
+        arbitro = self.arbitro
+
+        def las_que_dan_lo_mismo(vivas):
+            for guion in sorted(partidas, key=lambda g: g not in fallan):
+                vivas = [v for v in vivas if arbitro.difiere(arbitro.juega(v[1], guion), partidas[guion]) is None]
+                if not vivas:
+                    break
+            return vivas
+
+        esqueleto, *otras = self.variantes()
+        vivas = las_que_dan_lo_mismo([esqueleto]) or las_que_dan_lo_mismo(otras)
+        exactas = [v for v in vivas if all(arbitro.juega(v[1], g).imagenes == p.imagenes for g, p in partidas.items())]
+        return list(dict.fromkeys(dice for dice, _ in exactas or vivas))  # vacío, si no hay ninguna
+
+
+def no_responden(partidas, esperadas):
+    """Las órdenes que en la solución cambian la imagen y en lo entregado, nunca."""
+    cambia, responde = {}, set()
+    for guion, p in partidas.items():
+        e = esperadas[guion]
+        for i, orden in enumerate(guion.ordenes[: max(len(p.imagenes) - 1, 0)]):
+            if e.imagenes[i] != e.imagenes[i + 1]:
+                cambia.setdefault(sin_veces(orden))
+                if p.imagenes[i] != p.imagenes[i + 1]:
+                    responde.add(sin_veces(orden))
+    return [o for o in cambia if o not in responde], bool(responde)
+
+
+def tras(p, guion):
+    """Hasta dónde ha llegado una partida que no llega al final."""
+    if not p.imagenes:
+        return " sin dibujar nada"
+    return f" tras «{guion.ordenes[len(p.imagenes) - 2]}»" if 1 < len(p.imagenes) <= len(guion.ordenes) else ""
+
+
+def como_acaba(p, guion):
+    """Lo que hay que decir de una partida que no ha acabado como debe."""
+    donde = tras(p, guion)
+    dice = next((linea for linea in p.errores.splitlines() if linea.strip()), "")
+    if p.cuelga:
+        return f"se queda colgado{donde}"
+    if p.estado == 3:
+        return dice.partition(": ")[2] or "error de OpenGL"
+    if p.estado == -1:
+        return "no ha dejado nada: ha llenado su disco o ha acabado con quien lo ejecutaba"
+    if p.estado > 128:
+        return f"se cae{donde}: {SENALES.get(p.estado, f'señal {p.estado - 128}')}"
+    if p.estado:
+        return f"acaba con un error{donde}: {dice or f'estado {p.estado}'}"
+    return f"acaba por su cuenta{donde}" if len(p.imagenes) <= len(guion.ordenes) else ""

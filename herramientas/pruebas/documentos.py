@@ -1,0 +1,139 @@
+"""documentos.py RAÍZ BUILD: que docs/ dice la verdad de las pruebas; lo que no, se escribe y acaba con 1.
+
+Se comprueba que exista cada prueba nombrada en docs/*.md; que cada errata tenga la suya o diga por qué no y cada
+ejercicio, su respuesta; que no falte ninguna ecuación del libro en docs/ecuaciones.md y que esté donde dice; que cada
+programa tenga una comprobación independiente de su golden (CONTRA y PRUEBAS, en el CMakeLists.txt de su capítulo) y
+docs/evidencia.json sea de esas pruebas, que lo ejecutaron; que esté dicho por qué pasan de 2 niveles los que pasan;
+lo mismo de los casos difíciles; y que sea de los defectos que hay."""
+import re
+import sys
+from pathlib import Path
+
+from base import catalogo, evidencia
+from base.libro import filas
+from pruebas import googletest
+from pruebas.evidencia import casos_dificiles, listas
+from pruebas.googletest import busca
+
+# Las ecuaciones numeradas del libro: de la 1 a la n de cada capítulo.
+ECUACIONES = {3: 10, 4: 4, 5: 7, 7: 4, 8: 1, 9: 1, 11: 42}
+CITA = re.compile(r"`([a-z0-9_]+(?:\.[\w/]+)+\*?)`")
+SIN_PRUEBA = "Sin prueba:"
+APUNTA = "./lab prueba --apunta"
+
+
+class Documentos:
+    def __init__(self, raiz, build):
+        self.raiz, self.fallos = raiz, 0
+        self.pruebas = googletest.todas(build)
+        self.ejecutables = {p.split(".")[0] for p in self.pruebas}
+        self.capitulos = catalogo.lee(build)
+        self.programas = [p for capitulo in self.capitulos for p in capitulo.programas]
+        self.medido = evidencia.lee(raiz)
+
+    def mal(self, que):
+        print(que)
+        self.fallos += 1
+
+    def citas(self, texto):
+        return [c for c in CITA.findall(texto) if c.split(".")[0] in self.ejecutables]
+
+    def comprueba_citas(self):
+        for fichero in sorted((self.raiz / "docs").glob("*.md")):
+            for cita in self.citas(fichero.read_text()):
+                if not busca(cita, self.pruebas):
+                    self.mal(f"{fichero.name}: no hay ninguna prueba «{cita}»")
+
+    def comprueba_erratas(self):
+        entradas = re.split(r"\n(?=- \*\*|## )", (self.raiz / "docs/erratas.md").read_text())
+        for entrada in entradas:
+            if entrada.startswith("- **") and not self.citas(entrada) and SIN_PRUEBA not in entrada:
+                self.mal(f"erratas.md: sin prueba ni «{SIN_PRUEBA} …»: {entrada.splitlines()[0]}")
+
+    def comprueba_ecuaciones(self):
+        vistas = set()
+        for linea in (self.raiz / "docs/ecuaciones.md").read_text().splitlines():
+            fila = re.fullmatch(r"\| (\d+\.\d+) \| ([^|]+) \| `([^`]+)` \| `([^`]+)` \| `([^`]+)` \|", linea)
+            if fila:
+                vistas.add(fila[1])
+                self.comprueba_ecuacion(fila[1], *fila.groups()[2:])
+            elif re.match(r"\| \d", linea):
+                self.mal(f"ecuaciones.md: no entiendo «{linea}»")
+        capitulos = {capitulo.numero for capitulo in self.capitulos}
+        todas = {f"{c}.{i}" for c, n in ECUACIONES.items() if c in capitulos for i in range(1, n + 1)}
+        for numero in sorted(todas - vistas, key=lambda n: [int(x) for x in n.split(".")]):
+            self.mal(f"ecuaciones.md: falta la ecuación {numero}")
+        for numero in vistas - todas:
+            self.mal(f"ecuaciones.md: el libro no tiene ecuación {numero}")
+
+    def comprueba_ecuacion(self, numero, donde, funcion, prueba):
+        sitio = self.raiz / donde
+        if not sitio.is_file():
+            self.mal(f"ecuaciones.md, {numero}: no existe {donde}")
+        elif not re.search(rf"\b{re.escape(funcion)}\b", sitio.read_text()):
+            self.mal(f"ecuaciones.md, {numero}: {donde} no tiene «{funcion}»")
+        if not busca(prueba, self.pruebas):
+            self.mal(f"ecuaciones.md, {numero}: no hay ninguna prueba «{prueba}»")
+
+    def comprueba_soluciones(self):
+        soluciones = (self.raiz / "docs/soluciones.md").read_text()
+        for codigo, *_ in filas(self.raiz / "docs/libro.tsv"):
+            if codigo.startswith("E") and f"- **{codigo[1:]}**" not in soluciones:
+                self.mal(f"soluciones.md: falta el ejercicio {codigo[1:]}")
+
+    def comprueba_programas(self):
+        """Cada programa, con una prueba que lo ejecute y que no sea su golden."""
+        medido = dict(self.medido["programas"])
+        for p in self.programas:
+            medida = medido.pop(p.nombre, {})
+            if not p.contra or not p.pruebas:
+                self.mal(f"{p.fuente}: no tiene comprobación independiente: CONTRA y PRUEBAS")
+            elif medida.get("pruebas") != p.pruebas:
+                self.mal(f"evidencia.json no es de las pruebas de «{p.nombre}»: {APUNTA}")
+            for cita in p.pruebas:
+                if not busca(cita, self.pruebas):
+                    self.mal(f"{p.nombre}: no hay ninguna prueba «{cita}»")
+            if bool(p.pasa) != (medida.get("maximo", 0) > 2):
+                que = "ya no pasa de 2 niveles: sobra PASA" if p.pasa else "falta por qué pasa de 2 niveles: PASA"
+                self.mal(f"{p.nombre}: {que}")
+        for programa in medido:
+            self.mal(f"evidencia.json: no hay ningún programa «{programa}»")
+
+    def comprueba_casos(self):
+        """Los casos difíciles: cada uno, con pruebas; y ninguna de un fichero dificil_* sin estar en la lista."""
+        medido = dict(self.medido["casos"])
+        nombradas = set()
+        for caso, citas in casos_dificiles(self.raiz).items():
+            for cita in citas:
+                if not busca(cita, self.pruebas):
+                    self.mal(f"casos.tsv, {caso}: no hay ninguna prueba «{cita}»")
+            suyas = [p for cita in citas for p in busca(cita, self.pruebas)]
+            nombradas.update(suyas)
+            medida = medido.pop(caso, {})
+            if (medida.get("pruebas"), medida.get("citas")) != (len(suyas), citas):
+                self.mal(f"evidencia.json no es de las pruebas de «{caso}»: {APUNTA}")
+        for caso in medido:
+            self.mal(f"evidencia.json: no hay ningún caso «{caso}»")
+        for prueba in self.pruebas:
+            if prueba.startswith("dificil_") and prueba not in nombradas:
+                self.mal(f"casos.tsv: falta «{prueba}»")
+
+    def comprueba_defectos(self):
+        if any(self.medido.get(seccion) != hay for seccion, hay in listas(self.raiz).items()):
+            self.mal("evidencia.json no es de los defectos que hay: ./lab lista --docs")
+
+
+def main():
+    d = Documentos(*(Path(ruta).resolve() for ruta in sys.argv[1:]))
+    d.comprueba_citas()
+    d.comprueba_erratas()
+    d.comprueba_ecuaciones()
+    d.comprueba_soluciones()
+    d.comprueba_programas()
+    d.comprueba_casos()
+    d.comprueba_defectos()
+    return 1 if d.fallos else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
