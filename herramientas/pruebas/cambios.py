@@ -51,9 +51,9 @@ class Sumas:
         self.raiz, self.build = raiz, build
         self.destinos = [d.name for d in build.iterdir() if (d / "ch01_intro").is_dir()]
         self.programas = {p.nombre: p for p in catalogo.lee_programas(build)}
-        self.comunes = self.carpetas(*DE_TODAS) + self.ficheros(
-            [f for f in (build / "tests").iterdir() if f.is_file() and os.access(f, os.X_OK) and "_test" not in f.name]
-        )
+        de_las_pruebas = [*(build / "tests").iterdir(), build / "herramientas/comparador/compara"]
+        ejecutables = [f for f in de_las_pruebas if f.is_file() and os.access(f, os.X_OK) and "_test" not in f.name]
+        self.comunes = self.carpetas(*DE_TODAS) + self.ficheros(ejecutables)
 
     @functools.cache
     def fichero(self, ruta):

@@ -1,4 +1,4 @@
-"""El enlace web (herramientas/web.cmake) con compiladores de mentira: lo que se les pide, en una carpeta con mal nombre."""
+"""El enlace web (herramientas/cmake/web.cmake) con compiladores de mentira: lo que se les pide, en una carpeta con mal nombre."""
 import shutil
 import subprocess
 from pathlib import Path

@@ -1,7 +1,6 @@
 """El esqueleto de cada ejercicio, como lo da ./lab nuevo: compila sin avisos, dibuja algo y no es todavía lo que se pide. Con lo que ya está
 compilado en $LAB_BUILD."""
 import os
-import shlex
 import sys
 from pathlib import Path
 
@@ -10,9 +9,9 @@ import pytest
 RAIZ = Path(__file__).parents[2]
 BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
 sys.path[:0] = [str(RAIZ / "herramientas")]
-import catalogo
-import nuevo
-from procesos import ejecuta, entorno
+from base import catalogo, compilacion
+from base.procesos import ejecuta, entorno
+from ejercicios import nuevo
 
 EJERCICIOS = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))
 ENTORNO = entorno(BUILD)
@@ -23,15 +22,12 @@ def compila(programa, textos, carpeta):
     carpeta.mkdir()
     for fichero, texto in textos.items():
         (carpeta / fichero).write_text(texto)
-    sin_ventana = (BUILD / "sin_ventana").read_text().strip()
-    ordenes = ejecuta(["ninja", "-C", BUILD, "-t", "commands", f"{programa.nombre}_{sin_ventana}"], text=True).splitlines()
-    compilar = shlex.split(next(o for o in ordenes if o.endswith(f" -c {RAIZ / programa.fuente}")))
-    objeto = compilar[compilar.index("-o") + 1]
-    cambios = {objeto: carpeta / "programa.o", f"{objeto}.d": carpeta / "programa.d", str(RAIZ / programa.fuente): carpeta / programa.fuente.name,
-               f"{sin_ventana}/{programa.fuente.with_suffix('')}": carpeta / "programa"}
+    compilar = compilacion.compila(BUILD, RAIZ / programa.fuente)
+    ejecutable = programa.ejecutable(BUILD)
+    cambios = {compilar[compilar.index("-o") + 1]: carpeta / "programa.o", str(RAIZ / programa.fuente): carpeta / programa.fuente.name,
+               str(ejecutable.relative_to(BUILD)): carpeta / "programa"}
     ejecuta([*(cambios.get(p, p) for p in compilar), "-Werror", f"-I{RAIZ / programa.capitulo.nombre}"], cwd=BUILD, text=True)
-    enlazar = shlex.split(ordenes[-1].removeprefix(": && ").removesuffix(" && :"))
-    ejecuta([cambios.get(p, p) for p in enlazar], cwd=BUILD, text=True)
+    ejecuta([cambios.get(p, p) for p in compilacion.enlaza(BUILD, ejecutable)], cwd=BUILD, text=True)
 
 
 def dibuja(ejecutable, carpeta, caso):

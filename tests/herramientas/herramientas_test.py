@@ -14,23 +14,12 @@ import pytest
 
 RAIZ = Path(__file__).parents[2]
 sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/propiedades")]
-import cambios
-import catalogo
-import cocientes
+from base import catalogo, compilacion, controles, defectos, evidencia, fuentes, libro, marcas, paginas, procesos
+from ejercicios import nuevo
+from informe import cocientes, costes, grafica, informe, tecnicas
+from pruebas import cambios, googletest, muta
+from web.pagina import ProgramaVivo
 import colores
-import controles
-import costes
-import ejercicios
-import grafica
-import libro
-import medidas
-import mide
-import muta
-import nuevo
-import pagina
-import procesos
-import tecnicas
-import web
 
 
 # --- procesos ---------------------------------------------------------------------------------------------------
@@ -57,7 +46,8 @@ def test_lo_que_no_acaba_a_tiempo_no_deja_nietos(tmp_path):
 
 def test_una_senal_borra_lo_temporal(tmp_path):
     """También la que llega mientras un hilo trabaja; y el programa ha acabado antes de que se borre."""
-    guion = """import procesos, sys, tempfile, concurrent.futures as f
+    guion = """from base import procesos
+import sys, tempfile, concurrent.futures as f
 def main():
     with tempfile.TemporaryDirectory(dir=sys.argv[1]) as t, f.ThreadPoolExecutor(1) as hilo:
         trabajos = [hilo.submit(procesos.ejecuta, ["sh", "-c", "trap 'sleep 0.3; touch fin; exit' TERM; touch ../ya; while :; do sleep 0.1; done"], cwd=t) for _ in range(3)]
@@ -89,7 +79,7 @@ def test_escribe_entero_o_nada(tmp_path):
 def test_las_pruebas_de_googletest(tmp_path):
     (tmp_path / "x").write_text("#!/bin/sh\nprintf 'G.\\n  Uno  # a\\n  Dos\\nH/0.\\n  Tres\\n'\n")
     (tmp_path / "x").chmod(0o755)
-    assert procesos.pruebas_de(tmp_path / "x") == ["G.Uno", "G.Dos", "H/0.Tres"]
+    assert googletest.pruebas_de(tmp_path / "x") == ["G.Uno", "G.Dos", "H/0.Tres"]
 
 
 # --- mide, técnicas, costes, gráfica ------------------------------------------------------------------------------
@@ -168,9 +158,9 @@ def test_las_imagenes_de_una_tecnica(tmp_path):
 def test_las_metas(tmp_path):
     t = tecnica(variante("directa, 15×15", 60, 1), variante("separable, float, 15×15", 10, 1), nombre="convolucion")
     tabla = [SimpleNamespace(programa=p, veces_suelo=v) for p, v in (("a", [2, 3]), ("b", [1, 1]), ("c", [9, 7]))]
-    filas = mide.metas([t], tabla, cocientes.Cociente(1, 2, 3))
+    filas = informe.metas([t], tabla, cocientes.Cociente(1, 2, 3))
     assert [(c.mediana, *resto) for _, c, *resto in filas] == [(6, 5, True), (2.5, 1.15, False), (8, 2.5, False), (2, 1.5, False)] and "peor, c" in filas[2][0]
-    assert mide.metas([], [], None) == []
+    assert informe.metas([], [], None) == []
 
 
 @pytest.mark.parametrize("error,esperado,mal", [(0.5, 0.5, ""), (0.57, 0.5, ""), (0.6, 0.5, "se equivoca 0.6 y se esperaba 0.5"), (0, 0.1, "se equivoca 0"),
@@ -178,7 +168,7 @@ def test_las_metas(tmp_path):
 def test_el_error_de_un_ensayo(error, esperado, mal):
     def comprueba(esperados, *variantes):
         try:
-            mide.comprueba(tecnica(*variantes), esperados)
+            informe.comprueba(tecnica(*variantes), esperados)
             return ""
         except procesos.Fallo as fallo:
             return str(fallo)
@@ -191,7 +181,7 @@ def test_lo_que_cuesta_un_programa(tmp_path, monkeypatch):
     """Con un suelo de 2 ms y un programa que arranca en 6; los campos de -mide, como los escribe common/glut_sin_ventana/medida.cpp."""
     escrito = re.search(r'"([^"]*\\t[^"]*)\\n"', (RAIZ / "common/glut_sin_ventana/medida.cpp").read_text())
     (tmp_path / "docs").mkdir()
-    (tmp_path / "docs/medidas.json").write_text('{"programas": {"a": {"maximo": 0.5, "rmse": 0.25, "borde": 0.125}}}')
+    (tmp_path / "docs/evidencia.json").write_text('{"programas": {"a": {"maximo": 0.5, "rmse": 0.25, "borde": 0.125}}}')
     suelo = tmp_path / "herramientas/mide/suelo_osmesa"
     suelo.parent.mkdir(parents=True)
     suelo.touch()
@@ -203,7 +193,7 @@ def test_lo_que_cuesta_un_programa(tmp_path, monkeypatch):
     assert escrito and base == [2] * 9 and dict(zip(cabecera, fila)) == {
         "programa": "a", "arranque ms": "6.0", "primera ms": "7.0", "veces el suelo": "3.00", "ms 960x720": "10.0", "ms 1920x1080": "30.0", "veces llenar": "2.0",
         "primitivas": "106", "bytes de buffers": "108", "bytes de texturas": "109", "error máximo": "0.5", "error RMSE": "0.25", "borde px": "0.12"}
-    pagina.escribe_informe(tmp_path, [], metas=[], costes=tabla, suelo=2, compilar=[], entorno={})
+    informe.escribe_pagina(tmp_path, [], metas=[], costes=tabla, suelo=2, compilar=[], entorno={})
     celdas = re.findall(r"<td[^>]*>(.*?)</td>", (tmp_path / "index.html").read_text())
     assert celdas == ["a", "6", "7", "3", "10", "30", "2", "106", "0.108", "0.109", "0.5", "0.25", "0.12"]
 
@@ -219,11 +209,11 @@ def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
     raiz, build = tmp_path / "raiz", tmp_path / "raiz/build"
     ficheros = ["raiz/ch01_uno/a.cpp", "raiz/ch01_uno/b.cpp", "raiz/ch01_uno/a.vert", "raiz/tests/casos/caso.sh", "raiz/tests/golden/ch01_uno/a-dos.ppm", "raiz/lab",
                 "raiz/docs/x.md", "raiz/assets/x.txt", "raiz/build/osmesa/ch01_uno/a", "raiz/build/osmesa/ch01_uno/b", "raiz/build/osmesa/ch01_intro/x",
-                "raiz/build/tests/compara", "raiz/build/tests/CTestTestfile.cmake", "raiz/build/tests/ch01_test", "raiz/build/leidos/ch01_test", "raiz/build/leidos/imagen.a"]
+                "raiz/build/herramientas/comparador/compara", "raiz/build/tests/CTestTestfile.cmake", "raiz/build/tests/ch01_test", "raiz/build/leidos/ch01_test", "raiz/build/leidos/imagen.a"]
     for f in ficheros:
         (tmp_path / f).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / f).write_text(f)
-    (build / "tests/compara").chmod(0o755)
+    (build / "herramientas/comparador/compara").chmod(0o755)
     (build / "leidos/imagen.a").write_text("ch01_uno/a.vert\n")
     (build / "leidos/ch01_test").write_text(f"{build}/osmesa/ch01_uno/b\n")
     ordenes = {"imagen.a": [f"{raiz}/tests/casos/caso.sh", str(build), "a"], "imagen.b": [f"{raiz}/tests/casos/caso.sh", str(build), "b"],
@@ -250,7 +240,7 @@ def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
     informa()
     for toca, esperadas in (("raiz/ch01_uno/a.vert", "imagen.a|textos"), ("raiz/build/osmesa/ch01_uno/b", "imagen.b|ch01.G.uno"), ("raiz/build/osmesa/ch01_uno/a", "imagen.a"),
                             ("raiz/tests/golden/ch01_uno/a-dos.ppm", "imagen.a"), ("raiz/docs/x.md", "textos"), ("raiz/lab", "textos|lab"),
-                            ("raiz/build/tests/ch01_test", "ch01.G.uno"), ("raiz/assets/x.txt", ".*"), ("raiz/build/tests/compara", ".*")):
+                            ("raiz/build/tests/ch01_test", "ch01.G.uno"), ("raiz/assets/x.txt", ".*"), ("raiz/build/herramientas/comparador/compara", ".*")):
         antes = (tmp_path / toca).read_text()
         (tmp_path / toca).write_text("otra cosa")
         assert set(llama("elige").split("|")) - {"otra"} == set(esperadas.split("|")), toca
@@ -280,18 +270,18 @@ def test_la_grafica(tmp_path, monkeypatch):
 # --- medidas, documentos, página ----------------------------------------------------------------------------------
 
 def test_los_errores_de_un_programa(tmp_path):
-    assert medidas.errores({"maximo": 0.512, "borde": 1, "lejos": 2, "banda": 90}) == ["0.51", "", "1, salvo 2 de 90"]
-    assert medidas.errores({"rmse": 1.23e-7}) == ["", "1.2e-07", ""]
+    assert evidencia.errores({"maximo": 0.512, "borde": 1, "lejos": 2, "banda": 90}) == ["0.51", "", "1, salvo 2 de 90"]
+    assert evidencia.errores({"rmse": 1.23e-7}) == ["", "1.2e-07", ""]
     (tmp_path / "docs").mkdir()
-    (tmp_path / "docs/medidas.json").write_text('{"uno": {"á": 1}, "dos": {}}')
-    medidas.apunta(tmp_path, dos={"b": [1, 2]})
-    assert (tmp_path / "docs/medidas.json").read_text() == '{\n"uno": {\n  "á": 1\n},\n"dos": {\n  "b": [1, 2]\n}\n}\n'
+    (tmp_path / "docs/evidencia.json").write_text('{"uno": {"á": 1}, "dos": {}}')
+    evidencia.apunta(tmp_path, dos={"b": [1, 2]})
+    assert (tmp_path / "docs/evidencia.json").read_text() == '{\n"uno": {\n  "á": 1\n},\n"dos": {\n  "b": [1, 2]\n}\n}\n'
 
 
 @pytest.mark.parametrize("x,texto", [(math.nan, "—"), (0, "0"), (math.inf, "no vale"), (0.0123, "0.0123"), (12.345, "12.3"), (-1.5, "-1.5"), (999.4, "999"), (999.6, "1\u202f000"),
                                      (1234567, "1\u202f234\u202f567"), (1.23e-9, "1.2·10⁻⁹"), (2e7, "2.0·10⁷"), (0.001, "0.001")])
 def test_una_cifra(x, texto):
-    assert pagina.cifra(x) == texto
+    assert paginas.cifra(x) == texto
 
 
 def test_las_marcas_de_una_respuesta():
@@ -304,7 +294,7 @@ def test_los_fuentes_de_un_programa(tmp_path):
                      ("common/d.h", ""), ("ch01/nada.txt", "")):
         (tmp_path / f).parent.mkdir(exist_ok=True)
         (tmp_path / f).write_text(texto)
-    assert list(map(str, pagina.fuentes(tmp_path, Path("ch01/a.cpp")))) == ["ch01/a.cpp", "ch01/b.h", "ch02/c.h", "ch01/a.frag"]
+    assert list(map(str, fuentes.alcanza(tmp_path, Path("ch01/a.cpp")))) == ["ch01/a.cpp", "ch01/b.h", "ch02/c.h", "ch01/a.frag"]
 
 
 @pytest.fixture
@@ -419,7 +409,7 @@ def test_lo_que_la_pagina_sabe_de_un_programa(tmp_path, programas, monkeypatch):
     monkeypatch.setattr(controles, "ejecuta", ejecuta)
     for rasgos, anima, derecho, raton, sigue in (("ocio\n", True, True, False, False), ("temporizador\nrueda\n", True, True, True, False),
                                                  ("opcion Vista\nmovimiento\n", False, False, False, True)):
-        d = web.Programa(tmp_path, tmp_path, programas[0]).datos()
+        d = ProgramaVivo(tmp_path, tmp_path, programas[0]).datos()
         assert (d["anima"], d["derecho"], d["raton"], d["sigue"]) == (anima, derecho, raton, sigue)
         assert guiones[-2:] == ["", "tecla a"] and d["texturas"] == ["a.r8", "b.rgb"]
         assert [m["teclas"] for m in d["mandos"]] == [[("a", "tecla a")], []] and [m["menu"] for m in d["mandos"]] == [False, True]
@@ -431,20 +421,20 @@ def test_lo_que_la_pagina_sabe_de_un_programa(tmp_path, programas, monkeypatch):
 def test_un_ejercicio_entre_sus_marcas():
     texto = "uno;\n  // L1.2: esto y aquello\n  dos;\n  tres;\n  // fin de L1.2\n// E3.5: lo otro\ncuatro;\n// de partida: 4;\n//   y 5;\n// fin de E3.5\ncinco;\n"
     hecho_uno = "uno;\n  // L1.2: esto y aquello\n\n  // fin de L1.2\n"
-    assert ejercicios.esqueleto(texto, "L1.2") == hecho_uno + texto[texto.index("// E3.5"):]
-    assert ejercicios.esqueleto(texto) == hecho_uno + "// E3.5: lo otro\n4;\n// fin de E3.5\ncinco;\n"
-    assert ejercicios.esqueleto(texto, "L1.20") == texto
-    assert ejercicios.que_piden({"a": texto, "b": "// L1.2: más\n// fin de L1.2\n"}) == {"L1.2": {"a": "esto y aquello", "b": "más"}, "E3.5": {"a": "lo otro"}}
+    assert marcas.esqueleto(texto, "L1.2") == hecho_uno + texto[texto.index("// E3.5"):]
+    assert marcas.esqueleto(texto) == hecho_uno + "// E3.5: lo otro\n4;\n// fin de E3.5\ncinco;\n"
+    assert marcas.esqueleto(texto, "L1.20") == texto
+    assert marcas.que_piden({"a": texto, "b": "// L1.2: más\n// fin de L1.2\n"}) == {"L1.2": {"a": "esto y aquello", "b": "más"}, "E3.5": {"a": "lo otro"}}
 
 
 def test_las_marcas_que_hay():
     """Cada una se cierra, y en lo que queda de un ejercicio no está lo que pide."""
     for fichero in (f for f in RAIZ.glob("c*/*.*") if f.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl")):
         texto = fichero.read_text()
-        sueltas = re.findall(r"// fin de [EL]\d|// de partida:|// [EL]\d+\.\d+: ", ejercicios.TROZO.sub("", texto))
+        sueltas = re.findall(r"// fin de [EL]\d|// de partida:|// [EL]\d+\.\d+: ", marcas.TROZO.sub("", texto))
         assert not sueltas, f"{fichero}: {sueltas}"
-        for trozo in ejercicios.TROZO.finditer(texto):
-            quedan = ejercicios.esqueleto(trozo[0], trozo["codigo"])
+        for trozo in marcas.TROZO.finditer(texto):
+            quedan = marcas.esqueleto(trozo[0], trozo["codigo"])
             hecho = [linea for linea in trozo["hecho"].splitlines() if linea.strip() and not linea.lstrip().startswith("// de partida: ")]
             assert hecho and not any(linea in quedan.splitlines() for linea in hecho), fichero
 
@@ -452,25 +442,25 @@ def test_las_marcas_que_hay():
 # --- muta ---------------------------------------------------------------------------------------------------------
 
 def mutante(texto, estropeado, numero=1, fichero="x.cpp"):
-    return muta.Mutante("ch01", numero, numero, fichero, texto, estropeado, "imita")
+    return defectos.Mutante("ch01", numero, numero, fichero, texto, estropeado, "imita")
 
 
 def test_un_defecto_plantado():
-    assert muta.estropea("a = b + c;", mutante("b «+» c", "-")) == "a = b - c;"
+    assert defectos.estropea("a = b + c;", mutante("b «+» c", "-")) == "a = b - c;"
     for texto, mal in (("a", "está 2 veces"), ("x", "está 0 veces"), ("«b»", "no cambia nada")):
         with pytest.raises(ValueError, match=mal):
             mutante(texto, "b").sitio("a a b")
     dos = [mutante("«b» + c", "1"), mutante("«b» + c", "2", 2), mutante("+ «c»", "d", 3), mutante("a = b + c;", "x();", 4)]
-    assert muta.cambia("a = b + c;", dos[:3]) == "a = (mutante(2) ? (2) : (mutante(1) ? (1) : (b))) + (mutante(3) ? (d) : (c));"
-    assert muta.cambia("a = b + c;", dos[3:]) == "if (mutante(4)) { x(); } else { a = b + c; }"
+    assert defectos.cambia("a = b + c;", dos[:3]) == "a = (mutante(2) ? (2) : (mutante(1) ? (1) : (b))) + (mutante(3) ? (d) : (c));"
+    assert defectos.cambia("a = b + c;", dos[3:]) == "if (mutante(4)) { x(); } else { a = b + c; }"
     with pytest.raises(ValueError, match="se pisa con otro"):
-        muta.cambia("a = b + c;", dos)
+        defectos.cambia("a = b + c;", dos)
     for antes, entera in (("", True), ("if (d)\n    ", True), ("else ", True), ("// por qué\n", True), ("case 1: ", True), ("return ", False), ("d = ", False), ("f(", False)):
         if entera:
-            assert "mutante(1)" in muta.cambia(f"{antes}a();", [mutante("a();", ";")])
+            assert "mutante(1)" in defectos.cambia(f"{antes}a();", [mutante("a();", ";")])
         else:
             with pytest.raises(ValueError, match="no es una instrucción entera"):
-                muta.cambia(f"{antes}a();", [mutante("a();", ";")])
+                defectos.cambia(f"{antes}a();", [mutante("a();", ";")])
 
 
 def test_las_cuentas_de_los_defectos():
@@ -489,7 +479,7 @@ def test_un_defecto_en_lab_o_en_python(tmp_path):
         assert mutante("a", "b", fichero=fichero).en_copia and not muta.compila_guion(mutante("a", "b", fichero=fichero), bien)
         [fallo] = muta.compila_guion(mutante("a", "b", fichero=fichero), mal)
         assert fallo.startswith("ch01:1: no se puede leer: ")
-    for f, texto in (("lab", "uno"), ("herramientas/x.py", "uno"), ("tests/laboratorio/herramientas_test.py", "assert 'uno' in open('lab').read()"), ("build/x", ""),
+    for f, texto in (("lab", "uno"), ("herramientas/x.py", "uno"), ("tests/herramientas/herramientas_test.py", "assert 'uno' in open('lab').read()"), ("tests/ordenes/x", ""), ("build/x", ""),
                      ("ch01/a.cpp", ""), ("tests/golden/x", "")):
         (tmp_path / "r" / f).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "r" / f).write_text(texto)
@@ -504,10 +494,10 @@ def test_lo_que_se_le_dice_a_un_alumno(tmp_path):
     lista = tmp_path / "tests/mutantes/ch01.tsv"
     lista.parent.mkdir(parents=True)
     lista.write_text("f\ta\tb\ti\nf\ta\tb\ti\tm\nf\ta\tb\ti\t\td\n")
-    mutantes, fallos = muta.lee(tmp_path)
+    mutantes, fallos = defectos.lee(lista.parent)
     assert [(m.motivo, m.dice) for m in mutantes] == [("", ""), ("m", ""), ("", "d")] and not fallos
     lista.write_text("f\ta\tb\nf\ta\tb\ti\t\nf\t\tb\ti\nf\ta\tb\ti\tm\td\t7\n")
-    assert len(muta.lee(tmp_path)[1]) == 4
+    assert len(defectos.lee(lista.parent)[1]) == 4
 
 
 # --- nuevo ------------------------------------------------------------------------------------------------------

@@ -27,13 +27,13 @@ valor() { # OPCIÓN ARGUMENTO…: lo que la sigue
 }
 
 configura() { # CARPETA
-  mkdir -p "$1/assets" "$1/tests" "$1/herramientas/mide" "$1"/{osmesa,ventana}/ch01_{uno,intro}
+  mkdir -p "$1/assets" "$1/tests" "$1"/herramientas/{mide,comparador} "$1"/{osmesa,ventana}/ch01_{uno,intro}
   echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >"$1/CMakeCache.txt"
-  cp catalogo.json tests/entorno.txt "$1"
+  cp catalogo.json herramientas/base/entorno.txt "$1"
   echo osmesa >"$1/sin_ventana"
   mkdir -p "$1/dll"
   for f in assets/t.rgb lab.js lab.wasm dll/uno.dll ventana/ch01_uno/{a,b}.exe; do echo "$f" >"$1/$f"; done
-  for f in {osmesa,ventana}/ch01_uno/{a,b} osmesa/ch01_intro/info_opengl tests/{compara,ch01_test} herramientas/mide/mide; do
+  for f in {osmesa,ventana}/ch01_uno/{a,b} osmesa/ch01_intro/info_opengl tests/ch01_test herramientas/{comparador/compara,mide/mide}; do
     ln -sf "$(command -v falso.sh)" "$1/$f"
   done
 }

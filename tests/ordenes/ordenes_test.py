@@ -30,26 +30,26 @@ class Lab:
             (sitio / "cm" / f).write_text(f)
         shutil.copy(RAIZ / "lab", self.raiz)
         shutil.copytree(RAIZ / "herramientas", self.raiz / "herramientas", ignore=shutil.ignore_patterns("__pycache__"))
-        for f in ("lab", "herramientas/web.py"):
+        for f in ("lab", "herramientas/web/pagina.py"):
             self.cambia(f, "/usr/share/javascript/codemirror", str(sitio / "cm"))
-        self.cambia("herramientas/windows.py", "/usr/share/doc", str(sitio / "doc"))
+        self.cambia("herramientas/windows/paquete.py", "/usr/share/doc", str(sitio / "doc"))
         for paquete in ("g++-mingw-w64-x86-64-posix", "mingw-w64-common", "libglm-dev", "fonts-dejavu-core"):
             (sitio / "doc" / paquete).mkdir(parents=True)
             (sitio / "doc" / paquete / "copyright").touch()
         (self.raiz / "LICENSE").touch()
-        self.cambia("herramientas/muta.py", "MINIMO = 150", "MINIMO = 2")
+        self.cambia("herramientas/pruebas/muta.py", "MINIMO = 150", "MINIMO = 2")
         for quien in ("cmake", "ninja", "ctest", "gnuplot", "id", "dpkg-query", "apt-get", "apt-cache", "sudo", "em++", "falso.sh",
                       "x86_64-w64-mingw32-g++-posix", "x86_64-w64-mingw32-strip"):
-            (sitio / "bin" / quien).symlink_to(RAIZ / "tests/laboratorio/falso.sh")
+            (sitio / "bin" / quien).symlink_to(RAIZ / "tests/ordenes/falso.sh")
         otro_python = sitio / "bin/python3"  # como el de conda, que no tiene los paquetes del sistema
         otro_python.write_text("#!/bin/sh\necho 'este Python no es el del sistema' >&2\nexit 1\n")
         otro_python.chmod(0o755)
-        (self.raiz / "tests/casos/caso.sh").symlink_to(RAIZ / "tests/laboratorio/falso.sh")
-        for f, texto in (("tests/entorno.txt", "GALLIUM_DRIVER=llvmpipe\n"), ("tests/capitulos/ch01_test.cpp", ""), ("ch01_uno/a.vert", "uno"),
+        (self.raiz / "tests/casos/caso.sh").symlink_to(RAIZ / "tests/ordenes/falso.sh")
+        for f, texto in (("herramientas/base/entorno.txt", "GALLIUM_DRIVER=llvmpipe\n"), ("tests/capitulos/ch01_test.cpp", ""), ("ch01_uno/a.vert", "uno"),
                          ("ch01_uno/a.cpp", '// Controles: a gira · Esc termina.\n#include "a.vert"\n'), ("ch01_uno/b.cpp", "// Controles: ninguno.\n"),
                          ("tests/mutantes/ch01.tsv", "ch01_uno/a.cpp\tgira\tx\ti\nch01_uno/b.cpp\tninguno\tx\ti\n"), ("tests/casos_dificiles/casos.tsv", ""),
                          ("docs/libro.tsv", "L1.1\tuno\nL1.10\tdiez\nF1.1\tfigura\tsin motivo\n"), ("docs/soluciones.md", ""), ("docs/erratas.md", ""),
-                         ("docs/medidas.json", '{"programas": {"a": {"maximo": 1}}, "casos": {}, "defectos": {"ch01": {"plantados": 2, "notados": 1, "sin_golden": 1}}}')):
+                         ("docs/evidencia.json", '{"programas": {"a": {"maximo": 1}}, "casos": {}, "defectos": {"ch01": {"plantados": 2, "notados": 1, "sin_golden": 1}}}')):
             (self.raiz / f).write_text(texto)
         programa = {"capitulo": "ch01_uno", "contra": "", "pruebas": "", "pasa": "", "admite": "", "consola": ""}
         caso = {"guion": "", "tolerancia": "", "mira": "M", "borde": "", "anima": ""}
@@ -158,7 +158,7 @@ def test_lista(lab):
     lab("lista --docs", salida="")
     programas = (lab.raiz / "docs/programas.md").read_text()
     assert "| L1.1 | uno | [a](../ch01_uno/a.cpp) |" in programas and "| F1.1 | figura | sin motivo |" in programas
-    comprueba = ["/usr/bin/python3", "-B", lab.raiz / "herramientas/documentos.py", lab.raiz, lab.build, "comprueba"]
+    comprueba = ["/usr/bin/python3", "-B", lab.raiz / "herramientas", "documentos.escribe", lab.raiz, lab.build, "comprueba"]
     assert subprocess.run(comprueba).returncode == 0
     (lab.raiz / "docs/programas.md").write_text("otra cosa")
     assert subprocess.run(comprueba, capture_output=True).returncode == 1
@@ -223,7 +223,7 @@ def test_galeria(lab):
     assert hechas(1)["a"].startswith("a ha fallado: falla con esto") and not png.exists() and not animada.exists()
     assert "falla con esto" in (lab.raiz / "galeria/index.html").read_text()
     programa.unlink()
-    programa.symlink_to(RAIZ / "tests/laboratorio/falso.sh")
+    programa.symlink_to(RAIZ / "tests/ordenes/falso.sh")
     assert hechas() == {"a": "2", "b": "sin cambios"}
 
 
@@ -391,7 +391,7 @@ def test_lo_de_mios_se_ve_como_lo_demas(lab):
     lab("nuevo l1.1 mi_a", 1, "ya existe")
     suyo = lab.build / "osmesa/mios/mi_a/a"
     suyo.parent.mkdir(parents=True)
-    suyo.symlink_to(RAIZ / "tests/laboratorio/falso.sh")
+    suyo.symlink_to(RAIZ / "tests/ordenes/falso.sh")
     lab("ver mi_a", dice="lo he dibujado en mi_a.png", salida=f"salida de a con {lab.raiz}/mios/mi_a\n")
     assert (lab.sitio / "aqui/mi_a.png").exists() and "mio_mi_a_osmesa" in lab.llamadas("cmake")[-1]
     lab("ver mios/mi_a/", 1, "mios/mi_a no compila", FALLA="compila")
@@ -450,7 +450,7 @@ def test_instala(lab):
 
 def test_en_otros_sistemas(lab):
     """Sin apt-get, ni con qué compilar, dice cómo se llaman los paquetes; y los dice todos."""
-    tabla = [fila.split("\t") for fila in (RAIZ / "herramientas/paquetes.tsv").read_text().splitlines()]
+    tabla = [fila.split("\t") for fila in (RAIZ / "herramientas/base/paquetes.tsv").read_text().splitlines()]
     assert {len(fila) for fila in tabla} == {3}
     texto = (RAIZ / "lab").read_text()
     listas = [re.search(rf"^{lista}=\(?([^)#\n]+(?:\n  [^)]+)*)", texto, re.M)[1] for lista in ("PAQUETES", "PAQUETES_PRUEBAS", "PAQUETES_MEDIDAS", "OPCIONAL")]

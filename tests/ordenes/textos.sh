@@ -8,14 +8,14 @@ cd "$1"
 fallos=0
 mal() { echo "$*"; fallos=1; }
 
-python3 -B herramientas/documentos.py . "$2" comprueba || fallos=1
+python3 -B herramientas documentos.escribe . "$2" comprueba || fallos=1
 grep '|  |$' docs/programas.md && mal 'eso es del libro y no tiene programa, respuesta ni, en docs/libro.tsv, motivo'
 
 cabecera_essl=$(sed -n '/R"(/,/^)"/{s/.*R"(//;/^)"/!p}' common/glut_sin_ventana/essl.h)
 [ "${cabecera_essl%%$'\n'*}" = '#version 300 es' ] || mal 'no encuentro la cabecera de essl.h'
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
-python3 -B herramientas/ejercicios.py . "$carpeta/por hacer"
+python3 -B herramientas base.marcas . "$carpeta/por hacer"
 for arbol in . "$carpeta/por hacer"; do # también con los ejercicios por hacer
   pushd "$arbol" >/dev/null
   for shader in common/*.vert common/*.frag ch*/*.vert ch*/*.frag; do

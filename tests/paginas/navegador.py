@@ -20,8 +20,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "herramientas"))
-import catalogo
-import procesos
+from base import catalogo, procesos
 
 ESC, IZQUIERDA, DERECHA = "\ue00c", "\ue012", "\ue014"  # teclas de WebDriver
 
@@ -234,7 +233,7 @@ def main():
     raiz, build = map(Path, sys.argv[1:])
     with tempfile.TemporaryDirectory() as carpeta:
         destino = Path(carpeta, "galería (1)")
-        if subprocess.run([sys.executable, "-B", raiz / "herramientas/galeria.py", raiz, build, destino]).returncode:
+        if subprocess.run([sys.executable, "-B", raiz / "herramientas", "galeria.dibuja", raiz, build, destino]).returncode:
             sys.exit("la galería no se ha dibujado entera")
         navegador = Navegador(Path(carpeta, "perfil"))
         try:

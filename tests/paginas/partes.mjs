@@ -8,7 +8,7 @@ import { runInThisContext } from 'node:vm';
 
 const [raiz, build] = process.argv.slice(2);
 const lee = ruta => readFileSync(`${raiz}/${ruta}`, 'utf8');
-runInThisContext(lee('herramientas/plantillas/web_partes.js')); // como en la página, lo suyo queda a la vista
+runInThisContext(lee('herramientas/web/web_partes.js')); // como en la página, lo suyo queda a la vista
 const { casos, programas } = JSON.parse(readFileSync(`${build}/catalogo.json`));
 const ordenesDe = guion => leeGuion(guion).ordenes.map(o => o.orden);
 
@@ -31,7 +31,8 @@ import json, sys, tempfile
 from pathlib import Path
 raiz, build = map(Path, sys.argv[1:])
 sys.path.insert(0, str(raiz / "herramientas"))
-import catalogo, web
+from base import catalogo
+from web import pagina as web
 with tempfile.TemporaryDirectory() as carpeta:
     pagina = web.Pagina(raiz, build, None, Path(carpeta))
     pagina.empaqueta("a.b", {"ñ": [1]})

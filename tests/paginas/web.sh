@@ -10,6 +10,6 @@ export NODE_PATH=/usr/share/nodejs
 { cmake --preset web -B "$build/web" && cmake --build "$build/web" --target laboratorio; } >"$carpeta/registro" 2>&1 ||
   { cat "$carpeta/registro"; exit 1; }
 pagina="$carpeta/página (1)"
-python3 -B herramientas/web.py . "$build/web" "$carpeta/sin galería" "$pagina" # sin miniaturas, que aquí no hacen falta
+python3 -B herramientas web.pagina . "$build/web" "$carpeta/sin galería" "$pagina" # sin miniaturas, que aquí no hacen falta
 python3 -B tests/paginas/comprueba_web.py . "$build" "$pagina"
 [ "${LAB_OPENGL:-}" = swiftshader ] || python3 -B tests/paginas/firefox.py . "$build" "$pagina"

@@ -12,7 +12,7 @@ from functools import cache
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "herramientas"))
-import catalogo
+from base import catalogo
 
 MINIMO = 20
 CERCA = 14  # píxeles de un rótulo a lo que nombra, en una imagen de 240×180

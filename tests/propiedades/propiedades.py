@@ -17,8 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "herramientas"))
-import catalogo
-import controles
+from base import catalogo, controles
 
 TALLA, OTRAS = "120x90", ("1 1", "200 2", "100 130", "100 100")  # de la última solo cambia el alto, y encoge
 TAMANOS = ["120 90", "150 90", "100 100", "61 45", "4 90", "1 1", "200 2"]

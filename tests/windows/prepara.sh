@@ -10,7 +10,7 @@ rm -rf "$prueba"
 mkdir -p "$prueba/wine"
 aqui=$(cd "$(dirname "$0")" && pwd)
 source "$aqui/wine.sh"
-python3 -B "$raiz/herramientas/windows.py" "$raiz" "$build" "$prueba/sin galería" "$prueba" # sin miniaturas, que aquí no hacen falta
+python3 -B "$raiz/herramientas" windows.paquete "$raiz" "$build" "$prueba/sin galería" "$prueba" # sin miniaturas, que aquí no hacen falta
 [ "$(stat -c %s "$prueba/laboratorio-windows.zip")" -lt 20000000 ] || mal 'el zip pasa de 20 MB'
 python3 -m zipfile -e "$prueba/laboratorio-windows.zip" "$prueba"
 mv "$prueba/laboratorio" "$laboratorio"
