@@ -20,16 +20,19 @@ import pytest
 RAIZ = Path(__file__).parents[2]
 BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
 sys.path.insert(0, str(RAIZ / "herramientas"))
-import catalogo
-import corrige
-import nuevo
-import procesos
+from base import catalogo, guiones, procesos
+from ejercicios import nuevo
+from ejercicios.corrige import clase as de_clase
+from ejercicios.corrige import compilador, informes, jaula, motivos, partidas, veredicto
+from ejercicios.corrige.arbitro import Arbitro
+from ejercicios.corrige.entrega import Rechazo, lee_entrega
+from ejercicios.corrige.partidas import Guion, Partida
 
 REF = "E3.5"
 
 
 def orden(*palabras):
-    return [sys.executable, "-B", RAIZ / "herramientas/corrige.py", RAIZ, BUILD, *palabras]
+    return [sys.executable, "-B", RAIZ / "herramientas", "ejercicios.corrige.orden", RAIZ, BUILD, *palabras]
 
 
 # --- las partes -------------------------------------------------------------------------------------------------
@@ -45,24 +48,24 @@ def test_acorta_un_guion():
         def falla(candidatas):
             pruebas.append(candidatas)
             return bastan <= set(candidatas)
-        assert sorted(corrige.acorta(ordenes, falla, 1000)) == sorted(bastan)
+        assert sorted(guiones.acorta(ordenes, falla, 1000)) == sorted(bastan)
         pruebas.clear()
-        corrige.acorta(ordenes, falla, 5)
+        guiones.acorta(ordenes, falla, 5)
         assert len(pruebas) <= 5
-    assert corrige.acorta(("tecla a", "tecla d ×30", "tecla w"), lambda o: "tecla d ×30" in o or "tecla d ×7" in o) == ("tecla d ×7",)
-    assert corrige.acorta(("tecla a ×30",), lambda o: True) == ("tecla a",)
+    assert guiones.acorta(("tecla a", "tecla d ×30", "tecla w"), lambda o: "tecla d ×30" in o or "tecla d ×7" in o, 24) == ("tecla d ×7",)
+    assert guiones.acorta(("tecla a ×30",), lambda o: True, 24) == ("tecla a",)
 
 
 def test_los_guiones_al_azar_son_los_mismos_y_usan_todos_los_mandos():
     mandos = [f"tecla {c}" for c in "abcdefg"]
-    hechos = [list(corrige.guiones_al_azar(clave, 20, mandos, lambda azar: [azar.choice(mandos)])) for clave in ("E1 1", "E1 1", "E1 2")]
+    hechos = [list(partidas.guiones_al_azar(clave, 20, mandos, lambda azar: [azar.choice(mandos)])) for clave in ("E1 1", "E1 1", "E1 2")]
     assert hechos[0] == hechos[1] != hechos[2] and len(set(g.ordenes for g in hechos[0])) == 20
-    assert {corrige.sin_veces(g.ordenes[0]) for g in hechos[0]} == set(mandos)
+    assert {guiones.sin_veces(g.ordenes[0]) for g in hechos[0]} == set(mandos)
     assert any(o.endswith(" ×30") for g in hechos[0] for o in g.ordenes)
     assert [any(o.startswith("tamano") for o in g.ordenes) for g in hechos[0]] == [False, True] * 10
     programa = SimpleNamespace(casos=[SimpleNamespace(nombre="uno", guion=""), SimpleNamespace(nombre="dos", guion="tecla a; espera 5;")])
-    assert list(corrige.Banco.casos(SimpleNamespace(programa=programa))) == [corrige.Guion("uno", (), True), corrige.Guion("dos", ("tecla a", "espera 5"), True)]
-    assert corrige.Guion("", ("tecla a", "tecla b")).texto == "captura 000.ppm; tecla a; captura 001.ppm; tecla b; captura 002.ppm"
+    assert list(partidas.de_los_casos(programa)) == [Guion("uno", (), True), Guion("dos", ("tecla a", "espera 5"), True)]
+    assert Guion("", ("tecla a", "tecla b")).texto == "captura 000.ppm; tecla a; captura 001.ppm; tecla b; captura 002.ppm"
 
 
 def ppm(ancho, alto, sobra=b"", comentario=b"# sello\n"):
@@ -70,10 +73,10 @@ def ppm(ancho, alto, sobra=b"", comentario=b"# sello\n"):
 
 
 def test_una_imagen_de_otro():
-    assert corrige.lee_ppm(ppm(4, 3)) == (4, 3, bytes(36))
+    assert partidas.lee_ppm(ppm(4, 3)) == (4, 3, bytes(36))
     malas = [b"", b"P6", ppm(4, 3)[:-1], ppm(4, 3, b"x"), ppm(4, 3).replace(b"P6", b"P5"), ppm(4, 3).replace(b"255", b"65535"), b"P6\n-4 3\n255\n" + bytes(36),
              b"P6\n99999 99999\n255\n", b"P6\n0 0\n255\n", ppm(4, 3, comentario=b"#" * 10000 + b"\n"), b"P6\n4 3 255\n" + bytes(36)]
-    assert [corrige.lee_ppm(m) for m in malas] == [None] * len(malas)
+    assert [partidas.lee_ppm(m) for m in malas] == [None] * len(malas)
 
 
 def en_tar(*miembros):
@@ -88,23 +91,23 @@ def en_tar(*miembros):
 
 def test_de_un_tar_solo_sale_lo_que_debe():
     bueno = en_tar(("./000.ppm", b"a", tarfile.REGTYPE), ("./estado", b"0", tarfile.REGTYPE))
-    assert corrige.desempaqueta(bueno) == {"000.ppm": b"a", "estado": b"0"}
+    assert jaula.desempaqueta(bueno) == {"000.ppm": b"a", "estado": b"0"}
     raros = [("000.ppm", b"", t) for t in (tarfile.SYMTYPE, tarfile.LNKTYPE, tarfile.FIFOTYPE, tarfile.CHRTYPE, tarfile.DIRTYPE)]
     fuera = [(n, b"x", tarfile.REGTYPE) for n in ("../000.ppm", "/etc/000.ppm", "a/000.ppm", "0000.ppm", "otro")]
-    assert not corrige.desempaqueta(en_tar(*raros, *fuera))
-    assert corrige.desempaqueta(en_tar(("estado", b"0", tarfile.REGTYPE), ("estado", b"1", tarfile.REGTYPE))) == {"estado": b"0"}
+    assert not jaula.desempaqueta(en_tar(*raros, *fuera))
+    assert jaula.desempaqueta(en_tar(("estado", b"0", tarfile.REGTYPE), ("estado", b"1", tarfile.REGTYPE))) == {"estado": b"0"}
     azar = random.Random(1)
     for _ in range(300):  # estropeado de cualquier manera, no rompe nada
         malo = bytearray(bueno)
         for _ in range(azar.randint(1, 40)):
             malo[azar.randrange(1100)] = azar.randrange(256)
-        corrige.desempaqueta(bytes(malo[:azar.randrange(len(malo))]))
+        jaula.desempaqueta(bytes(malo[:azar.randrange(len(malo))]))
 
 
 def test_lo_que_se_lee_de_una_entrega(tmp_path):
     def rechazo(nombre):
-        with pytest.raises(corrige.Rechazo) as motivo:
-            corrige.lee_entrega(tmp_path / nombre)
+        with pytest.raises(Rechazo) as motivo:
+            lee_entrega(tmp_path / nombre)
         return str(motivo.value)
 
     for nombre in ("buena", "enlace", "tuberia", "enorme", "muchos", "vacia"):
@@ -113,7 +116,7 @@ def test_lo_que_se_lee_de_una_entrega(tmp_path):
     (tmp_path / "buena/a.cpp").write_bytes(b"x")
     (tmp_path / "buena/a.h").write_bytes(b"y")
     (tmp_path / "buena/.oculto.cpp").write_bytes(b"y")
-    assert corrige.lee_entrega(tmp_path / "buena") == {"a.cpp": b"x", "a.h": b"y"}
+    assert lee_entrega(tmp_path / "buena") == {"a.cpp": b"x", "a.h": b"y"}
     (tmp_path / "enlace/a.cpp").symlink_to("/etc/passwd")
     os.mkfifo(tmp_path / "tuberia/a.cpp")
     with open(tmp_path / "enorme/a.cpp", "w") as f:
@@ -126,14 +129,14 @@ def test_lo_que_se_lee_de_una_entrega(tmp_path):
 
 
 def partida(*imagenes, titulos=("título: uno",), texto="", estado=0, errores=""):
-    return corrige.Partida([(2, 1, bytes([i] * 6)) for i in imagenes], list(titulos), texto, estado, errores)
+    return Partida([(2, 1, bytes([i] * 6)) for i in imagenes], list(titulos), texto, estado, errores)
 
 
 def test_en_que_se_apartan_dos_partidas():
-    banco = SimpleNamespace(iguales=lambda una, otra: una == otra)
+    arbitro = SimpleNamespace(iguales=lambda una, otra: una == otra)
 
     def difiere(obtenida, **esperada):
-        return corrige.Banco.difiere(banco, partida(1, 2, 3, **esperada), obtenida)
+        return Arbitro.difiere(arbitro, partida(1, 2, 3, **esperada), obtenida)
     assert difiere(partida(1, 2, 3)) is None and difiere(partida(1, 2, 3, texto="sobra", errores="aviso")) is None
     assert [difiere(partida(*i)) for i in ((9, 2, 3), (1, 9, 3), (1, 2), ())] == [0, 1, 2, 0]
     for otra in (partida(1, 2, 3, estado=3), partida(1, 2, 3, titulos=()), partida(1, 2, 3, titulos=("título: uno", "título: dos"))):
@@ -141,18 +144,19 @@ def test_en_que_se_apartan_dos_partidas():
     assert difiere(partida(1, 2, 3, texto="una"), texto="otra") == 2 and difiere(partida(1, 2, 3, texto="una"), texto="una") is None
 
 
-@pytest.mark.skipif(not (BUILD / "tests/compara").exists(), reason="no está compilado")
+@pytest.mark.skipif(not (BUILD / "herramientas/comparador/compara").exists(), reason="no está compilado")
 def test_dos_imagenes_son_la_misma(tmp_path):
-    banco = SimpleNamespace(iguales_ya={}, temporal=tmp_path, build=BUILD)
+    arbitro = Arbitro.__new__(Arbitro)
+    arbitro.iguales_ya, arbitro.temporal, arbitro.build = {}, tmp_path, BUILD
     gris = bytes([100]) * 3000
     for pixeles, son in ((gris, True), (bytes([101]) * 3000, True), (bytes([110]) * 3000, False), (gris[:-30] + bytes(30), False), (bytes([160]) + gris[1:], False)):
-        assert corrige.Banco.iguales(banco, (100, 10, gris), (100, 10, pixeles)) == son
-    assert not corrige.Banco.iguales(banco, (100, 10, gris), (50, 20, gris))
+        assert arbitro.iguales((100, 10, gris), (100, 10, pixeles)) == son
+    assert not arbitro.iguales((100, 10, gris), (50, 20, gris))
     assert not list(tmp_path.iterdir())
 
 
 def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
-    casos, otros = [corrige.Guion("caso", (), True)], [corrige.Guion(f"al azar {i}", ("tecla a",)) for i in range(398)]
+    casos, otros = [Guion("caso", (), True)], [Guion(f"al azar {i}", ("tecla a",)) for i in range(398)]
     jugados = []
 
     def nota(obtenida):
@@ -160,29 +164,30 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
             jugados.append(guion)
             return obtenida(guion) if variante == "entrega" else partida(1)
         jugados.clear()
-        banco = SimpleNamespace(todos=casos + otros, juega=juega, solucion="solución", iguales=lambda una, otra: una == otra)
-        banco.difiere = lambda *p: corrige.Banco.difiere(banco, *p)
-        correccion = corrige.Correccion(banco, {})
-        correccion.variante, correccion.muestra, correccion.explica = "entrega", lambda fallan: [], lambda *_: []
+        arbitro = SimpleNamespace(juega=juega, iguales=lambda una, otra: una == otra)
+        arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
+        banco = SimpleNamespace(todos=casos + otros, arbitro=arbitro, compilador=SimpleNamespace(solucion="solución"))
+        correccion = veredicto.Correccion(banco, {})
+        correccion.jugador, correccion.muestra, correccion.explica = "entrega", lambda fallan: [], lambda *_: []
         return correccion.compara()["nota"]
 
     assert nota(lambda g: partida(1)) == 100 and nota(lambda g: partida(2)) == 0
     assert nota(lambda g: partida(2 if g.caso else 1)) == 99.5  # un caso vale por dos
-    casos += [corrige.Guion(f"caso {i}", (), True) for i in range(2000)]
+    casos += [Guion(f"caso {i}", (), True) for i in range(2000)]
     assert nota(lambda g: partida(2 if g is otros[0] else 1)) == 99.9  # con un fallo no es 100
-    assert nota(lambda g: partida(1, estado=124)) == 0 and len(jugados) == len(casos + otros) + corrige.CUELGUES
+    assert nota(lambda g: partida(1, estado=124)) == 0 and len(jugados) == len(casos + otros) + veredicto.CUELGUES
 
 
 def test_el_defecto_que_deja_lo_mismo_en_todos_los_guiones():
-    guiones = [corrige.Guion(str(i), ("tecla a",)) for i in range(3)]
-    entregado = {g: partida(5) for g in guiones}
+    jugados = [Guion(str(i), ("tecla a",)) for i in range(3)]
+    entregado = {g: partida(5) for g in jugados}
     hace = {"esqueleto": (1, 1, 1), "uno": (5, 5, 6), "dos": (5, 5, 9), "tres": (5, 5, 5), "cuatro": (5, 5, 6)}  # 5 y 6 se parecen
-    banco = SimpleNamespace(iguales=lambda una, otra: abs(una[2][0] - otra[2][0]) < 2, juega=lambda v, g: partida(hace[v][int(g.nombre)]))
-    banco.difiere = lambda *p: corrige.Banco.difiere(banco, *p)
+    arbitro = SimpleNamespace(iguales=lambda una, otra: abs(una[2][0] - otra[2][0]) < 2, juega=lambda v, g: partida(hace[v][int(g.nombre)]))
+    arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
 
     def dice(*variantes):
-        banco.variantes = lambda: [("", "esqueleto"), *((v, v) for v in variantes)]
-        return corrige.Banco.por_que(banco, entregado, guiones[:1])
+        todos = SimpleNamespace(arbitro=arbitro, variantes=lambda: [("", "esqueleto"), *((v, v) for v in variantes)])
+        return motivos.Motivos.por_que(todos, entregado, jugados[:1])
     assert dice("uno", "dos", "tres", "cuatro") == ["tres"]  # antes, la exacta
     assert dice("uno", "dos", "cuatro") == ["uno", "cuatro"] and dice("dos") == []
     hace["esqueleto"] = 5, 5, 5
@@ -190,13 +195,13 @@ def test_el_defecto_que_deja_lo_mismo_en_todos_los_guiones():
 
 
 def test_lo_que_no_responde():
-    guion = corrige.Guion("", ("tecla a", "tecla b ×3", "arrastra 5 6", "tecla a"))
+    guion = Guion("", ("tecla a", "tecla b ×3", "arrastra 5 6", "tecla a"))
     esperada = {guion: partida(0, 1, 2, 3, 4)}
 
     def dice(*imagenes, muestra=()):
-        partidas = {guion: partida(*imagenes)}
-        correccion = corrige.Correccion(SimpleNamespace(por_que=lambda *_: []), {})
-        correccion.partidas, correccion.esperadas = partidas, esperada
+        banco = SimpleNamespace(arbitro=None, motivos=SimpleNamespace(por_que=lambda *_: []))
+        correccion = veredicto.Correccion(banco, {})
+        correccion.partidas, correccion.esperadas = {guion: partida(*imagenes)}, esperada
         return correccion.explica({guion: 1}, muestra)
     assert dice(0, 1, 1, 3, 4) == ["«tecla b» no hace nada"] and dice(0, 0, 2, 2, 4) == ["«arrastra» no hace nada"]
     assert dice(0, 0, 0, 0, 0) == ["no responde a nada de lo que debería"] and dice(0, 1, 2, 9, 4) == []
@@ -205,13 +210,13 @@ def test_lo_que_no_responde():
 
 def test_lo_mismo_no_se_corrige_otra_vez(tmp_path, monkeypatch):
     hechas = []
-    monkeypatch.setattr(corrige.Correccion, "hazla", lambda self: hechas.append(self) or {"nota": 5, "dice": [], "fallos": []})
+    monkeypatch.setattr(de_clase.Correccion, "hazla", lambda self: hechas.append(self) or {"nota": 5, "dice": [], "fallos": []})
     (tmp_path / "a.cpp").write_text("uno")
 
     def corrige_con(version="v", semilla=1, guiones=3):
         antes = len(hechas)
-        banco = SimpleNamespace(version=version, semilla=semilla, ref=REF, todos=[0] * guiones)
-        assert corrige.corrige(banco, tmp_path, tmp_path / "nota.json")["nota"] == 5
+        banco = SimpleNamespace(version=version, semilla=semilla, ref=REF, todos=[0] * guiones, arbitro=None)
+        assert de_clase.corrige(banco, tmp_path, tmp_path / "nota.json")["nota"] == 5
         return len(hechas) > antes
     assert corrige_con() and not corrige_con()
     assert all(corrige_con(*con) for con in (("w",), ("v", 2), ("v", 2, 4)))
@@ -226,7 +231,7 @@ def test_lo_que_ve_una_entrega_no_es_la_solucion():
     for ref, programa in nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD)).items():
         solucion, esqueleto = (que(RAIZ, programa, ref) for que in (nuevo.solucion, nuevo.esqueleto))
         secretos = {f"{programa.capitulo.nombre}/{f}" for f in solucion if solucion[f] != esqueleto[f]}
-        vistos = set(map(str, corrige.Banco.arbol_visible(SimpleNamespace(raiz=RAIZ, programa=programa, ref=ref))))
+        vistos = set(map(str, compilador.arbol_visible(RAIZ, programa, ref)))
         assert secretos and not secretos & vistos and {"common/ventana.h", "common/encima.vert"} <= vistos, ref
 
 
@@ -234,16 +239,16 @@ HECHA = {"entrega": "=ana\n", "ejercicio": "E3.5", "semilla": "7", "nota": 87.5,
 
 
 def test_vpl_junit_y_tabla(monkeypatch):
-    lineas = corrige.en_vpl(HECHA).split("\n")
+    lineas = informes.en_vpl(HECHA).split("\n")
     assert [ll for ll in lineas if ll.startswith("Grade :=>>")] == ["Grade :=>> 87.5"] == lineas[-1:] and all(ll.startswith("Comment :=>>") for ll in lineas[:-1])
     monkeypatch.setenv("VPL_GRADEMAX", "10")
-    assert corrige.en_vpl(HECHA).endswith("\nGrade :=>> 8.75")
+    assert informes.en_vpl(HECHA).endswith("\nGrade :=>> 8.75")
     monkeypatch.setenv("VPL_GRADEMIN", "2")
-    assert corrige.en_vpl(HECHA).endswith("\nGrade :=>> 9")
+    assert informes.en_vpl(HECHA).endswith("\nGrade :=>> 9")
     bien = {**HECHA, "nota": 100, "dice": []}
-    grupo = xml.fromstring(corrige.en_junit([HECHA, bien]).encode())
+    grupo = xml.fromstring(informes.en_junit([HECHA, bien]).encode())
     assert grupo.attrib == {"name": "corrige", "tests": "2", "failures": "1"} and [len(caso) for caso in grupo] == [1, 0]
-    filas = list(csv.DictReader(io.StringIO(corrige.en_csv([HECHA, bien]))))
+    filas = list(csv.DictReader(io.StringIO(informes.en_csv([HECHA, bien]))))
     assert [f["nota"] for f in filas] == ["87.5", "100"] and filas[0]["entrega"] == "'=ana " and "<dos>" in filas[0]["dice"] and filas[1]["dice"] == "todo bien"
 
 
@@ -271,15 +276,15 @@ static const int mira = std::system("for f in /etc/passwd /root /home %s/tests %
 ''' % (RAIZ, RAIZ, RAIZ, RAIZ, BUILD, BUILD)
 
 
-def jaula():
+def hay_jaula():
     try:
-        corrige.Jaula(RAIZ).comprueba()
+        jaula.Jaula(RAIZ).comprueba()
         return True
     except procesos.Fallo:
         return False
 
 
-con_jaula = pytest.mark.skipif(not jaula() or not (BUILD / "catalogo.json").exists(), reason="aquí no se puede encerrar nada, o no está compilado")
+con_jaula = pytest.mark.skipif(not hay_jaula() or not (BUILD / "catalogo.json").exists(), reason="aquí no se puede encerrar nada, o no está compilado")
 
 
 @con_jaula
@@ -287,7 +292,7 @@ con_jaula = pytest.mark.skipif(not jaula() or not (BUILD / "catalogo.json").exis
 def test_en_la_jaula_solo_se_escribe_en_su_carpeta(monkeypatch, quien):
     como = {"user": quien, "group": quien, "extra_groups": []} if os.geteuid() == 0 != quien else {}
     monkeypatch.setattr(os, "geteuid", lambda: quien)
-    encerrado = list(map(str, corrige.Jaula(RAIZ).orden([])))
+    encerrado = list(map(str, jaula.Jaula(RAIZ).orden([])))
     if subprocess.run([*encerrado, "true"], cwd="/", stderr=subprocess.DEVNULL, **como).returncode:
         pytest.skip("aquí no se puede encerrar nada sin ser root")
     busca = """find / -path /proc -prune -o -type d -writable -exec sh -c 'touch "$1/x" && echo "$1"' sh {} ';'"""
@@ -297,18 +302,18 @@ def test_en_la_jaula_solo_se_escribe_en_su_carpeta(monkeypatch, quien):
 @con_jaula
 def test_los_limites_de_la_jaula(tmp_path):
     os.chmod(tmp_path.parent, 0o755)
-    banco = SimpleNamespace(jaula=corrige.Jaula(RAIZ), temporal=tmp_path, entorno={"PATH": "/usr/bin:/bin"}, compilador=([], [], []), shaders=tmp_path / "no")
+    recinto = jaula.Recinto(tmp_path, jaula.Jaula(RAIZ), {"PATH": "/usr/bin:/bin"})
     limites = {"segundos": 2, "procesador": 1, "memoria": 200 << 20, "procesos": 20}
 
     def hace(orden):
-        return corrige.desempaqueta(corrige.Banco.encierra(banco, ["sh", "-c", orden], tmp_path, limites, True))
+        return jaula.desempaqueta(recinto.ajeno(["sh", "-c", orden], limites, []))
 
     def acaba(orden):
         return int(hace(orden)["estado"].strip() or -1)
     assert hace("echo hola; pwd") == {"estado": b"0\n", "salida": b"hola\n/trabajo\n", "errores": b""}
-    assert acaba("trap '' TERM; while sleep 1; do :; done") == 137 and acaba("while :; do :; done") in corrige.NO_ACABA
+    assert acaba("trap '' TERM; while sleep 1; do :; done") == 137 and acaba("while :; do :; done") in jaula.NO_ACABA
     assert acaba("head -c 1M /dev/zero >a") == 0
-    assert acaba(f"for i in 1 2 3; do head -c {corrige.DISCO // 2} /dev/zero >$i || exit 5; done; rm 1 2 3") in (5, -1)
+    assert acaba(f"for i in 1 2 3; do head -c {jaula.DISCO // 2} /dev/zero >$i || exit 5; done; rm 1 2 3") in (5, -1)
     assert acaba("tail /dev/zero") != 0 and acaba("for i in $(seq 40); do sleep 1 & done; wait") != 0
 
 
@@ -367,7 +372,7 @@ def test_una_clase_se_para_y_se_sigue(clase):
     notas = {nombre: c["nota"] for nombre, c in todas.items()}
     assert sorted(n for n, nota in notas.items() if nota == 100) == ["a_bien", "h_mira"]
     assert notas["b_esqueleto"] < 50 and notas["c_gira_al_reves"] < 100 and notas["d_orden"] < 100
-    primera = {nombre: corrige.lineas(c)[0] for nombre, c in todas.items()}
+    primera = {nombre: informes.lineas(c)[0] for nombre, c in todas.items()}
     assert "punto de partida" in primera["b_esqueleto"]
     assert primera["c_gira_al_reves"].startswith("parece ") and primera["d_orden"].startswith("parece que ")
     assert primera["c_gira_al_reves"] != primera["d_orden"]

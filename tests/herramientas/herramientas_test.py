@@ -14,7 +14,7 @@ import pytest
 
 RAIZ = Path(__file__).parents[2]
 sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/propiedades")]
-from base import catalogo, compilacion, controles, defectos, evidencia, fuentes, libro, marcas, paginas, procesos
+from base import catalogo, controles, defectos, evidencia, fuentes, libro, marcas, paginas, procesos
 from ejercicios import nuevo
 from informe import cocientes, costes, grafica, informe, tecnicas
 from pruebas import cambios, googletest, muta
