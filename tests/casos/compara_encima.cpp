@@ -64,6 +64,8 @@ std::string distinto(const Pintado &debe, const Pintado &es) {
             todo += (todo.empty() ? "" : "; ") + que + " debía ser " + a + " y es " + b;
     };
     apunta(nombre(debe) != nombre(es), "el trazo", nombre(debe), nombre(es));
+    if (debe.tipo != es.tipo) // lo demás no se parece en nada
+        return todo;
     const glm::vec3 c = glm::abs(debe.color - es.color);
     apunta(lejos(c.r, 0, DE_COLOR) || lejos(c.g, 0, DE_COLOR) || lejos(c.b, 0, DE_COLOR), "el color",
            color(debe), color(es));
@@ -147,6 +149,8 @@ int main(int argc, char **argv) try {
     const bool dora = argc > 1 && std::string(argv[1]) == "--escribe";
     const std::string golden = argv[argc - 2];
     const std::vector<Encima> deben = lee(golden), son = lee(argv[argc - 1]);
+    if (leeEncima(argv[argc - 1]).empty())
+        throw std::runtime_error("el programa no ha apuntado ninguna imagen");
     bool mal = deben.size() != son.size();
     if (mal)
         std::cout << golden.substr(golden.rfind('/') + 1) << ": debía haber " << deben.size()
