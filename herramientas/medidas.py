@@ -3,7 +3,8 @@
 programas: de cada uno, las pruebas que lo ejecutaron y lo peor que midieron frente a su referencia: máximo y RMSE, en niveles de 255, y
 borde, en píxeles, salvo `lejos` de los `banda` que hay en él (tests/laboratorio/evidencia.py mide).
 casos: de cada caso difícil, cuántas pruebas tiene y, de la que más se acerca a su cota, lo que mide (también).
-defectos: de cada lista de mutantes, cuántos se plantaron, se notan y se notan sin mirar los golden (./lab muta).
+defectos: de cada lista de mutantes, cuántos se plantaron, se notan, se notan sin mirar los golden y, además, por lo que se
+pinta encima (./lab muta).
 """
 import json
 
