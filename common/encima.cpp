@@ -13,6 +13,7 @@ namespace {
 const GLuint UNIDAD_ATLAS = 15; // ningún programa usa tantas
 
 const char *const fichero = std::getenv("LAB_ENCIMA");
+const bool sinPintar = std::getenv("LAB_SIN_ENCIMA");
 std::ostringstream apuntado; // en este cuadro
 
 struct Pincel {
@@ -98,7 +99,9 @@ void apunta(const Pincelada &p, bool conProfundidad) {
 void pintaEncima(const Pincelada &pincelada, const std::vector<VerticePintado> &triangulos,
                  const std::vector<Tinta> &tintas, bool conProfundidad) {
     if (fichero)
-        return apunta(pincelada, conProfundidad && glIsEnabled(GL_DEPTH_TEST));
+        apunta(pincelada, conProfundidad && glIsEnabled(GL_DEPTH_TEST));
+    if (sinPintar)
+        return;
     const EstadoGuardado estado;
     glActiveTexture(GL_TEXTURE0 + UNIDAD_ATLAS);
     static const Pincel pincel = creaPincel();

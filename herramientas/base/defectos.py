@@ -29,7 +29,7 @@ class Mutante:
     dice: str = ""
     pruebas: list = field(default_factory=list)  # las que lo usan
     notado: str = ""
-    por_golden: bool = False
+    por: str = ""  # encima o golden, si no lo nota nada más
 
     @property
     def nombre(self):

@@ -5,7 +5,8 @@ Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes; un shader
 $LAB_RAIZ hace que se mire antes que las demás. Los de ./lab y herramientas/ se escriben en una copia de los dos, con
 lo demás enlazado, y los ven las pruebas de PRUEBAS_DE_COPIA. Primero se ejecutan sin ninguno las pruebas y los casos,
 que deben pasar y apuntan lo que usan; después, con cada mutante, los que lo usan, hasta que uno falle: las que han
-notado otro de su fichero, las de su capítulo, las demás y, si ninguna lo nota, los golden. Lo que se nota de cada
+notado otro de su fichero, las de su capítulo, las demás y, si ninguna lo nota, los pasos y los casos: por lo que
+pintan encima (los .encima) o, si no, solo por su imagen. Lo que se nota de cada
 lista entera queda en docs/evidencia.json.
 """
 import itertools
@@ -29,6 +30,7 @@ from pruebas.googletest import pruebas_de
 
 MINIMO = 150  # mutantes en la lista
 META, META_SIN_GOLDEN = 98, 92  # por ciento
+ENCIMA = 4  # con que acaba caso.sh si es distinto lo que se pinta encima
 SOBRA = "build", "galeria", "informe", "web", "windows", "mios", ".git"  # de una copia del árbol
 PRUEBAS_DE_COPIA = (
     "tests/herramientas/herramientas_test.py",
@@ -49,17 +51,17 @@ class Prueba:
     def capitulo(self):
         return capitulo(self.nombre)
 
-    def pasa(self, limite, **entorno):
-        """Si acaba bien y a tiempo en ese entorno. Lo que escribe queda en self.salida."""
+    def falla(self, limite, **entorno):
+        """Con qué estado acaba en ese entorno: 0 si bien y a tiempo. Lo que escribe queda en self.salida."""
         try:
             proceso = lanza(
                 self.orden, timeout=limite, stderr=subprocess.STDOUT, env={**os.environ, **self.entorno, **entorno}
             )
         except subprocess.TimeoutExpired:
             self.salida = "no acaba"
-            return False
+            return 1
         self.salida = proceso.stdout.decode(errors="replace")
-        return proceso.returncode == 0
+        return proceso.returncode
 
 
 def aviso(texto):
@@ -176,7 +178,7 @@ def prueba_en_copia(raiz, temporal, mutante=None):
                 {},
                 False,
             )
-            bien = prueba.pasa(400, TMPDIR=sitio)  # tardan un minuto, y con la máquina ocupada, varios
+            bien = not prueba.falla(400, TMPDIR=sitio)  # tardan un minuto, y con la máquina ocupada, varios
             if not mutante and not bien:
                 sys.exit(f"{prueba.salida[-1000:]}\nmuta: {nombre} falla sin ningún mutante")
             if not bien:
@@ -249,6 +251,7 @@ class Vivero:
             self.build,
             *(pruebas if capitulos else ["tests/all"]),
             "compara",
+            "compara_encima",
             *(f"{p.nombre}_{self.sin_ventana}" for p in self.programas),
         )
 
@@ -285,6 +288,11 @@ class Vivero:
                     programa.nombre,
                 ]
                 pruebas.append(Prueba(f"{de} propiedades.{programa.nombre}", orden, entorno, False))
+            hay_pasos = (self.copia / f"tests/golden/{programa.capitulo.nombre}/{programa.nombre}.pasos").exists()
+            if hay_pasos and (not capitulos or de in capitulos):
+                guion = self.copia / "tests/casos/pasos.sh"
+                orden = [guion, self.build, self.sin_ventana, programa.capitulo.nombre, programa.nombre]
+                pruebas.append(Prueba(f"{de} pasos.{programa.nombre}", orden, entorno, True))
             for caso in programa.casos:
                 if not programa.consola and (not capitulos or de in capitulos):
                     orden = [self.copia / "tests/casos/caso.sh", self.build, self.sin_ventana, *caso.hechos]
@@ -298,7 +306,7 @@ class Vivero:
         def ejecuta(prueba):
             with tempfile.NamedTemporaryFile() as vistos:
                 principio = time.monotonic()
-                pasa = prueba.pasa(600, LAB_LEIDOS=vistos.name)
+                pasa = not prueba.falla(600, LAB_LEIDOS=vistos.name)
                 prueba.segundos = time.monotonic() - principio
                 prueba.vistos = set(Path(vistos.name).read_text().split("\n"))
             return pasa
@@ -324,16 +332,19 @@ class Vivero:
         numero = str(mutante.numero)
         entorno = {"LAB_RAIZ": str(self.build / "glsl" / numero)} if mutante.en_shader else {"LAB_MUTANTE": numero}
         for prueba in sorted(mutante.pruebas, key=lambda p: (p.golden, -self.notan[mutante.fichero, p.nombre])):
-            if not prueba.pasa(30 + 10 * prueba.segundos, **entorno):
-                mutante.notado, mutante.por_golden = prueba.nombre, prueba.golden
+            estado = prueba.falla(30 + 10 * prueba.segundos, **entorno)
+            por = "" if not prueba.golden else "encima" if estado == ENCIMA else "golden"
+            if estado and not (mutante.notado and por == "golden"):
+                mutante.notado, mutante.por = prueba.nombre, por
                 self.notan[mutante.fichero, prueba.nombre] += 1
+            if estado and por != "golden":  # a otro caso puede notársele encima
                 break
         return mutante
 
 
 def cuenta(mutante):
     if mutante.notado:
-        resultado = f"solo {mutante.notado}" if mutante.por_golden else mutante.notado
+        resultado = {"": "", "encima": "encima, ", "golden": "solo "}[mutante.por] + mutante.notado
     else:
         resultado = "SOBREVIVE" if mutante.pruebas or mutante.en_copia else "SOBREVIVE, nada lo ejecuta"
     motivo = f" ({mutante.motivo})" if mutante.motivo else ""
@@ -341,7 +352,8 @@ def cuenta(mutante):
 
 
 def cuentas(mutantes):
-    """De cada lista, cuántos se han plantado, cuántos se notan y cuántos sin mirar los golden."""
+    """De cada lista, cuántos se han plantado, cuántos se notan, cuántos sin mirar los golden y cuántos más por lo que se
+    pinta encima."""
     de = defaultdict(list)
     for m in sorted(mutantes, key=lambda m: m.lista):
         de[m.lista].append(m)
@@ -349,7 +361,8 @@ def cuentas(mutantes):
         lista: {
             "plantados": len(suyos),
             "notados": sum(bool(m.notado) for m in suyos),
-            "sin_golden": sum(bool(m.notado) and not m.por_golden for m in suyos),
+            "sin_golden": sum(bool(m.notado) and not m.por for m in suyos),
+            "encima": sum(m.por == "encima" for m in suyos),
         }
         for lista, suyos in de.items()
     }
@@ -358,16 +371,17 @@ def cuentas(mutantes):
 def resume(mutantes):
     """La tabla por listas y los que sobreviven. Devuelve los porcentajes del total."""
     listas = cuentas(mutantes)
-    total = {que: sum(c[que] for c in listas.values()) for que in ("plantados", "notados", "sin_golden")}
-    print("\n| lista | plantados | notados | % | notados sin golden | % |\n|---|---|---|---|---|---|")
+    total = {que: sum(c[que] for c in listas.values()) for que in ("plantados", "notados", "sin_golden", "encima")}
+    print(
+        "\n| lista | plantados | notados | % | notados sin golden | % | y con lo de encima | % |\n" + "|---" * 8 + "|"
+    )
     for lista, c in {**listas, "total": total}.items():
-        por_ciento = [100 * c[que] / c["plantados"] for que in ("notados", "sin_golden")]
-        print(
-            f"| {lista} | {c['plantados']} | {c['notados']} | {por_ciento[0]:.1f} "
-            f"| {c['sin_golden']} | {por_ciento[1]:.1f} |"
-        )
+        cuantos = (c["notados"], c["sin_golden"], c["sin_golden"] + c["encima"])
+        por_ciento = [100 * n / c["plantados"] for n in cuantos]
+        celdas = [f"{n} | {p:.1f}" for n, p in zip(cuantos, por_ciento)]
+        print(f"| {lista} | {c['plantados']} | {' | '.join(celdas)} |")
     print("", *(cuenta(m) for m in mutantes if not m.notado), sep="\n")
-    return por_ciento
+    return por_ciento[:2]
 
 
 def main():

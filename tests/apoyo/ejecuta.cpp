@@ -223,8 +223,8 @@ std::vector<Vista> vistasDe(const std::string &programa, const std::vector<std::
     std::string guion;
     for (std::size_t i = 0; i < guiones.size(); ++i)
         guion += guiones[i] + "; captura " + std::to_string(i) + ".ppm; ";
-    const Ejecucion e =
-        ejecutaEn(carpeta.ruta, "LAB_ENCIMA=encima.tsv", programa, guion, ancho, alto, argumentos);
+    const Ejecucion e = ejecutaEn(carpeta.ruta, "LAB_SIN_ENCIMA=1 LAB_ENCIMA=encima.tsv", programa, guion,
+                                  ancho, alto, argumentos);
     exigeQueAcabeBien(e, programa, guion);
     const std::vector<Encima> encima = leeEncima(carpeta.ruta / "encima.tsv");
     std::vector<Vista> vistas;

@@ -25,6 +25,8 @@ struct Pintado {
 };
 
 struct Encima : std::vector<Pintado> {
+    std::string imagen; // su nombre, ancho y alto, con tabuladores
+
     Encima los(const std::function<bool(const Pintado &)> &queCumplan) const;
     /// Los rótulos con ese texto.
     Encima rotulos(const std::string &texto) const;

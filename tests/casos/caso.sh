@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # caso.sh BUILD DESTINO CAPÍTULO PROGRAMA FICHERO TOLERANCIA GUION
 # Dibuja un caso del catálogo con un destino sin ventana y lo compara con su golden: la imagen y, en un .txt, los títulos que pone y lo
-# que escribe. El programa debe acabar con 0 y no escribir nada en stderr. Si algo falla deja las imágenes en BUILD/fallos/. Con
-# DORA, lo que sale pasa a ser el golden.
+# que escribe; y en un .encima, lo que pinta encima (common/encima.h), que no está si no pinta nada. El programa debe acabar con 0 y no
+# escribir nada en stderr. Si algo falla deja las imágenes en BUILD/fallos/. Con DORA, lo que sale pasa a ser el golden. Estado: 0 bien, 4
+# si es distinto lo que pinta encima, aunque no sea lo único; 1 lo demás.
 set -euo pipefail
 build=$1 destino=$2 capitulo=$3 programa=$4 nombre=$5 tolerancia=$6 guion=$7
 golden=$(cd "$(dirname "$0")/../golden" && pwd)/$capitulo/$nombre.ppm
-texto=${golden%.ppm}.txt
+texto=${golden%.ppm}.txt encima=${golden%.ppm}.encima
 
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
@@ -15,7 +16,7 @@ opciones=(-geometry 240x180 -ppm "$nombre.ppm" -titulos)
 [ "$guion" = - ] || opciones+=(-guion "$guion")
 
 estado=0
-"$build/$destino/$capitulo/$programa" "${opciones[@]}" >salida 2>errores </dev/null || estado=$?
+LAB_ENCIMA=lista "$build/$destino/$capitulo/$programa" "${opciones[@]}" >salida 2>errores </dev/null || estado=$?
 # a SwiftShader le falta glLogicOp, que aquí no usa nadie, y lo que pide zink para los uniforms en array (28), que dibuja bien
 [ -z "${OTRO:-}" ] || sed -i -e '/base Zink requirements: feats.features.logicOp/d' -e '/Unsupported capability 28$/d' errores
 if [ $estado -ne 0 ] || [ -s errores ]; then
@@ -29,6 +30,7 @@ if [ "${DORA:-}" ]; then # ./lab dora: enseña lo que cambia y guarda la imagen 
   if [ -e "$golden" ]; then "$build/herramientas/comparador/compara" "$golden" "$nombre.ppm" || true; else echo "nueva"; fi
   cp "$nombre.ppm" "$golden"
   diff -N "$texto" salida || cp salida "$texto"
+  "$build/tests/compara_encima" --escribe "$encima" lista || [ $? = 4 ]
   exit 0
 fi
 for falta in "$golden" "$texto"; do
@@ -50,10 +52,12 @@ elif [ "$tolerancia" != - ]; then
 elif [ "$destino" = egl ]; then
   comparacion+=(--redondeo)
 fi
-"$build/herramientas/comparador/compara" "$golden" "$nombre.ppm" "${comparacion[@]}"
+"$build/herramientas/comparador/compara" "$golden" "$nombre.ppm" "${comparacion[@]}" || estado=1
 # lo que cuenta en sus píxeles un programa que sale distinto también lo es: queda el texto
 if [ "${OTRO:-}" ] && [ "$tolerancia" != - ]; then
-  diff -u <(tr -d 0-9 <"$texto") <(tr -d 0-9 <salida)
+  diff -u <(tr -d 0-9 <"$texto") <(tr -d 0-9 <salida) || estado=1
 else
-  diff -u "$texto" salida
+  diff -u "$texto" salida || estado=1
 fi
+"$build/tests/compara_encima" "$encima" lista || estado=4
+exit $estado

@@ -466,8 +466,8 @@ def test_un_defecto_plantado():
 def test_las_cuentas_de_los_defectos():
     todos = [mutante("a", "b", n) for n in range(4)]
     todos[0].notado = todos[1].notado = todos[3].notado = "P"
-    todos[1].por_golden = True
-    assert muta.cuentas(todos) == {"ch01": {"plantados": 4, "notados": 3, "sin_golden": 2}} and muta.resume(todos) == [75, 50]
+    todos[1].por, todos[3].por = "golden", "encima"
+    assert muta.cuentas(todos) == {"ch01": {"plantados": 4, "notados": 3, "sin_golden": 1, "encima": 1}} and muta.resume(todos) == [75, 25]
     assert [muta.cuenta(m).split(": ")[1] for m in todos[:3]] == ["P", "solo P", "SOBREVIVE, nada lo ejecuta"]
     for pedido, es in (("ch01", True), ("ch01:2", True), ("ch01:22", False), ("ch01_uno", True), ("ch01_uno/abc.cpp", True), ("ab", True), ("bc", False)):
         assert mutante("a", "b", 2, "ch01_uno/abc.cpp").es_de(pedido) == es, pedido

@@ -159,8 +159,8 @@ mutantes "$bueno" "$nadie"$'\tnadie lo pulsa'
 cp docs/medidas.json "$carpeta/antes"
 espera 0 'nadie lo pulsa' $lab muta ch01:4
 cmp -s docs/medidas.json "$carpeta/antes" || mal 'muta apunta una lista que no ha plantado entera'
-espera 0 '| total | 4 | 2 | 50.0 | 1 | 25.0 |' $lab muta
-[ "$(grep plantados docs/medidas.json)" = '  "ch01": {"plantados": 4, "notados": 2, "sin_golden": 1}' ] || mal 'muta no apunta lo que se nota de cada lista'
+espera 0 '| total | 4 | 2 | 50.0 | 1 | 25.0 | 1 | 25.0 |' $lab muta
+[ "$(grep plantados docs/medidas.json)" = '  "ch01": {"plantados": 4, "notados": 2, "sin_golden": 1, "encima": 0}' ] || mal 'muta no apunta lo que se nota de cada lista'
 sed -i 's/^META, .*/META, META_SIN_GOLDEN = 50, 26/' herramientas/muta.py
 espera 1 'se deben notar el 50 % y, sin golden, el 26 %' $lab muta
 sed -i 's/\testado$/&\tno se ve/' tests/mutantes/ch01.tsv
