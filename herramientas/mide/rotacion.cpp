@@ -1,13 +1,12 @@
 // Un giro alrededor de un eje cualquiera: su matriz, y lo que se desvía tras muchos pasos.
 #include "ch03_transformaciones/transformaciones.h"
 #include "mide.h"
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <random>
 
 using namespace mide;
-using Cuad = boost::multiprecision::cpp_bin_float_quad;
+using Largo = long double;
 
 static const double RADIO_PX = 500; // a esta distancia del eje se ve el error
 
@@ -17,17 +16,17 @@ struct Giro {
 };
 
 /// Lo que se separa en píxeles, como mucho, un punto girado con M del girado con el giro exacto (Rodrigues, en
-/// cuádruple).
-static double error(const glm::mat3 &M, const glm::vec3 &eje, const Cuad &angulo) {
-    const Cuad x = eje.x, y = eje.y, z = eje.z, l = sqrt(x * x + y * y + z * z), c = cos(angulo),
-               s = sin(angulo), v = 2 * pow(sin(angulo / 2), 2);
-    const Cuad e[3] = {x / l, y / l, z / l};
-    const Cuad K[3][3] = {{0, -e[2], e[1]}, {e[2], 0, -e[0]}, {-e[1], e[0], 0}};
+/// doble extendida).
+static double error(const glm::mat3 &M, const glm::vec3 &eje, Largo angulo) {
+    const Largo x = eje.x, y = eje.y, z = eje.z, l = std::sqrt(x * x + y * y + z * z), c = std::cos(angulo),
+                s = std::sin(angulo), v = 2 * std::pow(std::sin(angulo / 2), Largo(2));
+    const Largo e[3] = {x / l, y / l, z / l};
+    const Largo K[3][3] = {{0, -e[2], e[1]}, {e[2], 0, -e[0]}, {-e[1], e[0], 0}};
     double suma = 0;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
-            const Cuad exacto = (i == j ? c : Cuad(0)) + s * K[i][j] + v * e[i] * e[j];
-            suma += std::pow(double(Cuad(M[j][i]) - exacto), 2);
+            const Largo exacto = (i == j ? c : 0) + s * K[i][j] + v * e[i] * e[j];
+            suma += std::pow(double(Largo(M[j][i]) - exacto), 2);
         }
     return RADIO_PX * std::sqrt(suma);
 }
@@ -71,7 +70,7 @@ static void mideRotacion(Medidor &m) {
     const auto matriz = [&](const char *nombre, const auto &f, const Rango &espera, const char *nota = "") {
         double mayor = 0, corriente = 0;
         for (const Giro &g : giros) {
-            const double e = error(f(g), g.eje, Cuad(g.angulo));
+            const double e = error(f(g), g.eje, Largo(g.angulo));
             mayor = std::max(mayor, std::isfinite(e) ? e : INFINITO);
             if (&g - giros.data() < std::ptrdiff_t(corrientes))
                 corriente = mayor;
@@ -105,7 +104,7 @@ static void mideRotacion(Medidor &m) {
     const auto deriva = [&](const char *nombre, const auto &recorre, const Rango &espera,
                             const char *nota = "") {
         // lo exacto: tantas veces el ángulo que de verdad tiene el float
-        const double e = error(recorre(pasos), paso.eje, Cuad(paso.angulo) * pasos);
+        const double e = error(recorre(pasos), paso.eje, Largo(paso.angulo) * pasos);
         const int pocos = m.elige(10, 1000);
         m.variante(
             "10⁶ pasos, " + std::string(nombre), e, pocos, [&] { usa(recorre(pocos)); }, espera, nota);
@@ -153,7 +152,7 @@ static void mideRotacion(Medidor &m) {
 
 static const Apunta APUNTA(
     {7, "rotacion", "Girar alrededor de un eje", "ns por giro",
-     "píxeles a 500 del eje, frente a cuádruple precisión", "cambio de base",
+     "píxeles a 500 del eje, frente a doble extendida", "cambio de base",
      "Con un eje corriente todas son exactas a una milésima de píxel. Los programas usan la del libro, "
      "con el eje escalado: vale también con uno de 10⁻²³ o de 10²⁰, en que las demás dan NaN. Lo "
      "que importa es no acumular: los programas animados recalculan el giro con el ángulo total.",
