@@ -2,6 +2,7 @@
 #include "../error.h"
 #include "contexto.h"
 #include <algorithm>
+#include <string_view>
 #include <vector>
 // clang-format off
 #include <GL/gl.h>
@@ -73,12 +74,27 @@ void (*direccionGL(const char *nombre))() {
 
 } // namespace sin_ventana
 
-// El GLEW de Debian busca las funciones con glXGetProcAddress: estas definiciones, que se enlazan
-// antes que las de libGL, lo llevan a OSMesa.
-extern "C" void (*glXGetProcAddressARB(const GLubyte *nombre))() {
-    return OSMesaGetProcAddress(reinterpret_cast<const char *>(nombre));
+// El GLEW de Debian busca las funciones con glXGetProcAddress: estas definiciones, que se enlazan antes que las de libGL,
+// lo llevan a OSMesa. De lo demás de GLX solo nombra dos funciones, y aquí, donde no hay pantalla, no las llama: con ellas
+// el GLEW estático no necesita libGL. Las que acaban en dos mayúsculas (ARB, EXT, NV) son de extensiones: pide dos mil, y
+// por cada una que no conoce, aunque sea de GLX, Mesa prepara otra que da un error.
+extern "C" {
+void (*glXGetProcAddressARB(const GLubyte *nombre))() {
+    const std::string_view funcion = reinterpret_cast<const char *>(nombre);
+    const auto esMayuscula = [](char c) { return 'A' <= c && c <= 'Z'; };
+    const bool esDeExtension = esMayuscula(*funcion.rbegin()) && esMayuscula(*std::next(funcion.rbegin()));
+    return esDeExtension || funcion.substr(0, 3) == "glX" ? nullptr : OSMesaGetProcAddress(funcion.data());
 }
 
-extern "C" void (*glXGetProcAddress(const GLubyte *nombre))() {
-    return OSMesaGetProcAddress(reinterpret_cast<const char *>(nombre));
+void (*glXGetProcAddress(const GLubyte *nombre))() {
+    return glXGetProcAddressARB(nombre);
+}
+
+int glXQueryVersion(void *, int *, int *) {
+    return 0;
+}
+
+const char *glXGetClientString(void *, int) {
+    return "";
+}
 }

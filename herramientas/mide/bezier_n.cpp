@@ -1,6 +1,6 @@
 // Un punto de una curva de Bézier de grado 30, en float.
+#include "bezier_exacta.h"
 #include "ch11_curvas/curvas.h"
-#include "cuadruple.h"
 #include "mide.h"
 #include <cstdint>
 

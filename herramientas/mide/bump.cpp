@@ -26,22 +26,57 @@ static double altura(const glm::vec2 &st) {
     return queda > 0 ? double(ALTO_BULTO) * queda * queda : 0;
 }
 
-static void mideBump(Medidor &m) {
-    abreContexto();
-    glEnable(GL_DEPTH_TEST);
-    const Framebuffer framebuffer(m.elige(64, 480), m.elige(48, 360));
-    const glm::mat4 M = giroX(-0.6f) * escalado(float(LADO));
-    const oraculo::Mat4 colocado = oraculo::gira({1, 0, 0}, -0.6) * oraculo::escala(LADO),
-                        girado = oraculo::gira({1, 0, 0}, -0.6);
+static const float INCLINACION = -0.6f;
+
+/// El plano con la normal exacta en cada punto.
+static oraculo::ImagenRef trazaBultos(const Framebuffer &framebuffer) {
+    const oraculo::Mat4 girado = oraculo::gira({1, 0, 0}, -0.6);
     const oraculo::Vec3 fondo = {0.95, 0.96, 0.98};
-    const oraculo::ImagenRef ref = oraculo::render(
-        {oraculo::plano(colocado)}, camaraExacta(), framebuffer.ancho, framebuffer.alto,
+    return oraculo::render(
+        {oraculo::plano(girado * oraculo::escala(LADO))}, camaraExacta(), framebuffer.ancho, framebuffer.alto,
         [&](const oraculo::Impacto &i) {
             const glm::dvec2 h = pendiente(VECES * i.s, VECES * i.t);
             return i ? phongExacto(i.punto, oraculo::unitario(oraculo::direccion(girado, {-h.x, -h.y, 1})))
                      : fondo;
         });
+}
+
+static GLuint creaMapa(int n) {
+    GLuint mapa;
+    glGenTextures(1, &mapa);
+    glBindTexture(GL_TEXTURE_2D, mapa);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, n, n, 0, GL_RGB, GL_UNSIGNED_BYTE, mapaNormales(n).data());
+    glGenerateMipmap(GL_TEXTURE_2D);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    return mapa;
+}
+
+static GLuint creaProgramaBultos(const char *fragmentos) {
+    const GLuint programa = creaPrograma("ch08_texturas_avanzadas/iluminado.vert", fragmentos);
+    glUseProgram(programa);
+    envia(programa, "nVeces", glm::vec2(VECES));
+    envia(programa, "altura", float(ALTURA));
+    return programa;
+}
+
+static Malla planoDeformado(int n) {
+    Malla malla = plano(n);
+    for (Vertice &v : malla.vertices) {
+        const glm::dvec2 h = pendiente(VECES * double(v.coordTextura.x), VECES * double(v.coordTextura.y));
+        v.posicion.z += float(altura(float(VECES) * v.coordTextura)) / VECES;
+        v.normal = glm::normalize(glm::vec3(-h, 1));
+    }
+    return malla;
+}
+
+static void mideBump(Medidor &m) {
+    abreContexto();
+    glEnable(GL_DEPTH_TEST);
+    const Framebuffer framebuffer(m.elige(64, 480), m.elige(48, 360));
+    const oraculo::ImagenRef ref = trazaBultos(framebuffer);
     m.referencia = oraculo::enBytes(ref);
+    const glm::mat4 M = giroX(INCLINACION) * escalado(float(LADO));
     const auto variante = [&](const std::string &nombre, GLuint programa, const Malla &malla,
                               const Rango &espera, const std::string &nota) {
         const Buferes b = creaBuferes(malla);
@@ -55,43 +90,21 @@ static void mideBump(Medidor &m) {
         m.variante(nombre, errorDeFrente(imagen, ref), 1, yEspera(dibuja), espera, nota, imagen);
         borraBuferes(b);
     };
-    const GLuint conMapa = creaPrograma("ch08_texturas_avanzadas/iluminado.vert",
-                                        "ch08_texturas_avanzadas/bump.frag"),
-                 calculado = creaPrograma("ch08_texturas_avanzadas/iluminado.vert",
-                                          "herramientas/mide/bump_calculado.frag");
-    for (const GLuint p : {conMapa, calculado}) {
-        glUseProgram(p);
-        envia(p, "nVeces", glm::vec2(VECES));
-        envia(p, "altura", float(ALTURA));
-    }
-    glUseProgram(conMapa);
+    const GLuint calculado = creaProgramaBultos("herramientas/mide/bump_calculado.frag"),
+                 conMapa = creaProgramaBultos("ch08_texturas_avanzadas/bump.frag");
     envia(conMapa, "mapaNormales", 0);
     for (const int n : m.elige<std::vector<int>>({16, 64}, {8, 16, 32, 64, 128, 256})) {
-        GLuint mapa;
-        glGenTextures(1, &mapa);
-        glBindTexture(GL_TEXTURE_2D, mapa);
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, n, n, 0, GL_RGB, GL_UNSIGNED_BYTE, mapaNormales(n).data());
-        glGenerateMipmap(GL_TEXTURE_2D);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+        const GLuint mapa = creaMapa(n);
         char nota[40];
         std::snprintf(nota, sizeof nota, "%.3g kB", 4 * n * n / 1000.0);
         variante("mapa de " + std::to_string(n) + "²", conMapa, plano(1), {0, 60}, nota);
         glDeleteTextures(1, &mapa);
     }
     variante("calculada en el shader", calculado, plano(1), {0, 2}, "sin textura");
-    for (const int n : m.elige<std::vector<int>>({60}, {60, 240})) {
-        Malla malla = plano(n);
-        for (Vertice &v : malla.vertices) {
-            const glm::dvec2 h =
-                pendiente(VECES * double(v.coordTextura.x), VECES * double(v.coordTextura.y));
-            v.posicion.z += float(altura(float(VECES) * v.coordTextura)) / VECES;
-            v.normal = glm::normalize(glm::vec3(-h, 1));
-        }
-        variante("deformado, " + std::to_string(n) + "×" + std::to_string(n), creaSombreado("phong"), malla,
-                 CUALQUIERA,
+    for (const int n : m.elige<std::vector<int>>({60}, {60, 240}))
+        variante("deformado, " + std::to_string(n) + "×" + std::to_string(n), creaSombreado("phong"),
+                 planoDeformado(n), CUALQUIERA,
                  std::to_string(2 * n * n) + " triángulos; los bultos se tapan: es otra superficie");
-    }
 }
 
 static const Apunta

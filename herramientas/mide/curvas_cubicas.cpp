@@ -1,6 +1,6 @@
 // Un punto de una cúbica de Bézier: la matriz del libro, Bernstein, de Casteljau, diferencias o el vertex shader.
+#include "bezier_exacta.h"
 #include "ch11_curvas/curvas.h"
-#include "cuadruple.h"
 #include "gpu.h"
 #include "mide.h"
 

@@ -39,29 +39,29 @@ static GLuint creaMapa(int lado) {
     return mapa;
 }
 
-static void mideEntorno(Medidor &m) {
-    abreContexto();
-    glEnable(GL_DEPTH_TEST);
-    const Framebuffer framebuffer(m.elige(64, 320), m.elige(48, 240));
+static oraculo::ImagenRef trazaReflejo(const Framebuffer &framebuffer) {
     const oraculo::Vec3 METAL = {0.97, 0.91, 0.80};
-    const oraculo::ImagenRef ref =
-        oraculo::render({oraculo::toro({}, 1, 0.5)}, camaraExacta(), framebuffer.ancho, framebuffer.alto,
-                        [&](const oraculo::Impacto &i) {
-                            return i ? METAL * entorno(oraculo::refleja(i.rayo.direccion, i.normal))
-                                     : entorno(i.rayo.direccion);
-                        });
-    m.referencia = oraculo::enBytes(ref);
+    return oraculo::render({oraculo::toro({}, 1, 0.5)}, camaraExacta(), framebuffer.ancho, framebuffer.alto,
+                           [&](const oraculo::Impacto &i) {
+                               return i ? METAL * entorno(oraculo::refleja(i.rayo.direccion, i.normal))
+                                        : entorno(i.rayo.direccion);
+                           });
+}
+
+static GLuint creaProgramaFondo(const glm::mat4 &proyeccion) {
+    const GLuint programa = creaPrograma("ch08_texturas_avanzadas/cubemap_fondo.vert",
+                                         "ch08_texturas_avanzadas/cubemap_fondo.frag");
+    const glm::mat3 ejes = glm::transpose(glm::mat3(camaraEscena()));
+    glUseProgram(programa);
+    envia(programa, "base", glm::mat3(ejes[0], ejes[1], -ejes[2]));
+    envia(programa, "semitalla", glm::vec2(1 / proyeccion[0][0], 1 / proyeccion[1][1]));
+    envia(programa, "mapa", 0);
+    return programa;
+}
+
+static GLuint creaProgramaReflejo(const glm::mat4 &proyeccion) {
     const GLuint programa =
         creaPrograma("ch08_texturas_avanzadas/cubemap.vert", "ch08_texturas_avanzadas/cubemap.frag");
-    const GLuint fondo = creaPrograma("ch08_texturas_avanzadas/cubemap_fondo.vert",
-                                      "ch08_texturas_avanzadas/cubemap_fondo.frag");
-    const glm::mat3 ejes = glm::transpose(glm::mat3(camaraEscena()));
-    const glm::mat4 proyeccion = proyeccionEscena(framebuffer);
-    glDepthFunc(GL_LEQUAL); // el fondo está en el plano lejos
-    glUseProgram(fondo);
-    envia(fondo, "base", glm::mat3(ejes[0], ejes[1], -ejes[2]));
-    envia(fondo, "semitalla", glm::vec2(1 / proyeccion[0][0], 1 / proyeccion[1][1]));
-    envia(fondo, "mapa", 0);
     glUseProgram(programa);
     envia(programa, "proyeccion", proyeccion);
     envia(programa, "camara", camaraEscena());
@@ -69,6 +69,18 @@ static void mideEntorno(Medidor &m) {
     envia(programa, "M", glm::mat4(1));
     envia(programa, "N", glm::mat3(1));
     envia(programa, "mapa", 0);
+    return programa;
+}
+
+static void mideEntorno(Medidor &m) {
+    abreContexto();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL); // el fondo está en el plano lejos
+    const Framebuffer framebuffer(m.elige(64, 320), m.elige(48, 240));
+    const oraculo::ImagenRef ref = trazaReflejo(framebuffer);
+    m.referencia = oraculo::enBytes(ref);
+    const GLuint programa = creaProgramaReflejo(proyeccionEscena(framebuffer)),
+                 fondo = creaProgramaFondo(proyeccionEscena(framebuffer));
     GLuint vao;
     glGenVertexArrays(1, &vao);
     const auto variante = [&](const std::string &nombre, const char *nota, bool soloFondo,
@@ -94,19 +106,18 @@ static void mideEntorno(Medidor &m) {
         borraBuferes(b);
     };
     for (const int lado : m.elige<std::vector<int>>({16, 256}, {16, 32, 64, 128, 256, 512})) {
-        GLuint mapa = creaMapa(lado);
+        const GLuint mapa = creaMapa(lado);
         char nota[40];
         std::snprintf(nota, sizeof nota, "%.3g kB", 6 * 3 * lado * lado * 4 / 3 / 1000.0);
         const std::string caras = "caras de " + std::to_string(lado) + "²";
         m.grupo = "el reflejo";
         reflejo("por fragmento, " + caras, nota, 180, false);
-        if (lado == 256)
-            for (const int segmentos : {36, 90, 180}) {
-                const std::string malla = ", toro de " + std::to_string(segmentos);
-                if (segmentos != 180)
-                    reflejo("por fragmento" + malla, nota, segmentos, false);
-                reflejo("por vértice" + malla, nota, segmentos, true);
-            }
+        for (const int segmentos : lado == 256 ? std::vector<int>{36, 90, 180} : std::vector<int>{}) {
+            const std::string malla = ", toro de " + std::to_string(segmentos);
+            if (segmentos != 180)
+                reflejo("por fragmento" + malla, nota, segmentos, false);
+            reflejo("por vértice" + malla, nota, segmentos, true);
+        }
         m.grupo = "el fondo";
         variante("el fondo, " + caras, nota, true, [&] {
             glUseProgram(fondo);

@@ -1,6 +1,6 @@
 // Dibujar en la GPU para medir: el contexto, un framebuffer con profundidad y lo que se ha dibujado en él.
 #pragma once
-#include "herramientas/contexto_suelto.h"
+#include "contexto_suelto.h"
 #include "imagen.h"
 #include "shader.h"
 #include <functional>

@@ -1,13 +1,12 @@
 // La matriz que transforma la normal, con matrices de todas clases.
 #include "ch03_transformaciones/transformaciones.h"
+#include "herramientas/oraculo/cuadruple.h"
 #include "mide.h"
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <random>
 
 using namespace mide;
-using Cuad = boost::multiprecision::cpp_bin_float_quad;
-using V = std::array<Cuad, 3>;
+using V = std::array<Cuadruple, 3>;
 
 static V cruz(const V &a, const V &b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -15,13 +14,14 @@ static V cruz(const V &a, const V &b) {
 
 /// Grados entre N·n y la normal exacta, la de la traspuesta de la adjunta con el signo del determinante.
 static double error(const glm::mat3 &N, const glm::mat3 &M, const glm::vec3 &n) {
-    const auto columna = [&](int j) { return V{Cuad(M[j].x), Cuad(M[j].y), Cuad(M[j].z)}; };
+    const auto columna = [&](int j) { return V{Cuadruple(M[j].x), Cuadruple(M[j].y), Cuadruple(M[j].z)}; };
     const V a = columna(0), b = columna(1), c = columna(2), f[3] = {cruz(b, c), cruz(c, a), cruz(a, b)};
-    const Cuad det = a[0] * f[0][0] + a[1] * f[0][1] + a[2] * f[0][2];
+    const Cuadruple det = a[0] * f[0][0] + a[1] * f[0][1] + a[2] * f[0][2];
     V e{};
-    Cuad l = 0;
+    Cuadruple l = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-        e[i] = (det < 0 ? -1 : 1) * (f[0][i] * Cuad(n.x) + f[1][i] * Cuad(n.y) + f[2][i] * Cuad(n.z));
+        e[i] = Cuadruple(det < 0 ? -1 : 1) *
+               (f[0][i] * Cuadruple(n.x) + f[1][i] * Cuadruple(n.y) + f[2][i] * Cuadruple(n.z));
         l += e[i] * e[i];
     }
     const glm::dvec3 exacta(double(e[0] / sqrt(l)), double(e[1] / sqrt(l)), double(e[2] / sqrt(l)));

@@ -1,13 +1,12 @@
 // Un giro alrededor de un eje cualquiera: su matriz, y lo que se desvía tras muchos pasos.
 #include "ch03_transformaciones/transformaciones.h"
 #include "mide.h"
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <random>
 
 using namespace mide;
-using Cuad = boost::multiprecision::cpp_bin_float_quad;
+using Largo = long double;
 
 static const double RADIO_PX = 500; // a esta distancia del eje se ve el error
 
@@ -17,17 +16,17 @@ struct Giro {
 };
 
 /// Lo que se separa en píxeles, como mucho, un punto girado con M del girado con el giro exacto (Rodrigues, en
-/// cuádruple).
-static double error(const glm::mat3 &M, const glm::vec3 &eje, const Cuad &angulo) {
-    const Cuad x = eje.x, y = eje.y, z = eje.z, l = sqrt(x * x + y * y + z * z), c = cos(angulo),
-               s = sin(angulo), v = 2 * pow(sin(angulo / 2), 2);
-    const Cuad e[3] = {x / l, y / l, z / l};
-    const Cuad K[3][3] = {{0, -e[2], e[1]}, {e[2], 0, -e[0]}, {-e[1], e[0], 0}};
+/// doble extendida).
+static double error(const glm::mat3 &M, const glm::vec3 &eje, Largo angulo) {
+    const Largo x = eje.x, y = eje.y, z = eje.z, l = std::sqrt(x * x + y * y + z * z), c = std::cos(angulo),
+                s = std::sin(angulo), v = 2 * std::pow(std::sin(angulo / 2), Largo(2));
+    const Largo e[3] = {x / l, y / l, z / l};
+    const Largo K[3][3] = {{0, -e[2], e[1]}, {e[2], 0, -e[0]}, {-e[1], e[0], 0}};
     double suma = 0;
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
-            const Cuad exacto = (i == j ? c : Cuad(0)) + s * K[i][j] + v * e[i] * e[j];
-            suma += std::pow(double(Cuad(M[j][i]) - exacto), 2);
+            const Largo exacto = (i == j ? c : 0) + s * K[i][j] + v * e[i] * e[j];
+            suma += std::pow(double(Largo(M[j][i]) - exacto), 2);
         }
     return RADIO_PX * std::sqrt(suma);
 }
@@ -53,107 +52,118 @@ static glm::mat3 ortonormal(const glm::mat3 &M) {
     return {x, glm::cross(z, x), z};
 }
 
-static void mideRotacion(Medidor &m) {
+static std::vector<Giro> girosCorrientes(int cuantos) {
     std::mt19937 azar(1);
+    const auto al = [&] { return float(double(azar()) / 2147483648.0 - 1); };
     std::vector<Giro> giros;
-    for (int i = 0; i < m.elige(60, 600); ++i) {
-        const auto al = [&] { return float(double(azar()) / 2147483648.0 - 1); };
+    for (int i = 0; i < cuantos; ++i)
         giros.push_back({{al(), al(), al()}, i % 3 ? 3 * al() : 1e-4f * al()});
-    }
     // también los ejes de los casos difíciles: muy cortos, muy largos y casi a lo largo de X
     for (const glm::vec3 &e : {glm::vec3(1, 1e-20f, 0), glm::vec3(1, 1e-10f, 0),
                                glm::vec3(2e-4f, 1e-4f, 3e-4f), glm::vec3(3e4f, 1e4f, -2e4f)})
         giros.push_back({e, 1});
-    const std::size_t corrientes = giros.size();
+    return giros;
+}
+
+static const Rango REDONDEO = {0, 0.001}, NINGUNO = {1, 0};
+
+template<class Matriz>
+static double peorError(const std::vector<Giro> &giros, const Matriz &matriz) {
+    double peor = 0;
+    for (const Giro &g : giros) {
+        const double e = error(matriz(g), g.eje, Largo(g.angulo));
+        peor = std::max(peor, std::isfinite(e) ? e : INFINITO);
+    }
+    return peor;
+}
+
+static void mideMatrices(Medidor &m) {
+    const std::vector<Giro> corrientes = girosCorrientes(m.elige(60, 600));
+    std::vector<Giro> todos = corrientes;
     for (const float l : {1e-23f, 1e20f}) // cuyo cuadrado no cabe en un float
-        giros.push_back({l * glm::vec3(1, 2, 3), 1});
-    const Rango redondeo = {0, 0.001}, NINGUNO = {1, 0};
+        todos.push_back({l * glm::vec3(1, 2, 3), 1});
     const auto matriz = [&](const char *nombre, const auto &f, const Rango &espera, const char *nota = "") {
-        double mayor = 0, corriente = 0;
-        for (const Giro &g : giros) {
-            const double e = error(f(g), g.eje, Cuad(g.angulo));
-            mayor = std::max(mayor, std::isfinite(e) ? e : INFINITO);
-            if (&g - giros.data() < std::ptrdiff_t(corrientes))
-                corriente = mayor;
-        }
+        const double corriente = peorError(corrientes, f);
         char texto[80];
         std::snprintf(texto, sizeof texto, "%scon ejes corrientes, %.2g px", nota, corriente);
         m.variante(
-            nombre, mayor, double(giros.size()),
+            nombre, peorError(todos, f), double(todos.size()),
             [&] {
-                for (const Giro &g : giros)
+                for (const Giro &g : todos)
                     usa(f(g));
             },
-            corriente <= redondeo.maximo ? espera : NINGUNO, texto);
+            corriente <= REDONDEO.maximo ? espera : NINGUNO, texto);
     };
     matriz(
-        "cambio de base", [](const Giro &g) { return glm::mat3(giroEje(g.eje, g.angulo)); }, redondeo,
+        "cambio de base", [](const Giro &g) { return glm::mat3(giroEje(g.eje, g.angulo)); }, REDONDEO,
         "giroEje; ");
-    matriz("cambio de base sin restar I", baseSinRestar, redondeo, "ecuación 3.10 tal cual; ");
+    matriz("cambio de base sin restar I", baseSinRestar, REDONDEO, "ecuación 3.10 tal cual; ");
     matriz("Rodrigues", rodrigues, {1, INFINITO}, "sin escalar el eje; ");
     matriz(
         "par: glm::rotate",
         [](const Giro &g) { return glm::mat3(glm::rotate(glm::mat4(1), g.angulo, g.eje)); }, {1, INFINITO},
         "Rodrigues; ");
     matriz("cuaternión a matriz (GLM)", conCuaternion, {1, INFINITO});
+}
 
+static const Giro PASO = {{1, 2, 3}, 0.001f};
+
+/// El giro tras n pasos, de cada manera.
+static glm::mat3 conMatriz(int n) {
+    const glm::mat3 unPaso(giroEje(PASO.eje, PASO.angulo));
+    glm::mat3 M(1);
+    for (int i = 0; i < n; ++i)
+        M = unPaso * M;
+    return M;
+}
+static glm::mat3 conMatrizOrtonormal(int n) {
+    const glm::mat3 unPaso(giroEje(PASO.eje, PASO.angulo));
+    glm::mat3 M(1);
+    for (int i = 0; i < n; ++i)
+        M = ortonormal(unPaso * M);
+    return M;
+}
+static glm::mat3 conCuaternionNormalizado(int n) {
+    const glm::quat unPaso = glm::angleAxis(PASO.angulo, glm::normalize(PASO.eje));
+    glm::quat q(1, 0, 0, 0);
+    for (int i = 0; i < n; ++i)
+        q = glm::normalize(unPaso * q);
+    return glm::mat3_cast(q);
+}
+static glm::mat3 recalculada(int n) {
+    glm::mat3 M;
+    for (int i = 1; i <= n; ++i) { // el ángulo, en double y reducido a una vuelta
+        const double t = i * double(PASO.angulo);
+        M = glm::mat3(giroEje(PASO.eje, float(std::remainder(t, 2 * 3.14159265358979323846))));
+        usa(M);
+    }
+    return M;
+}
+
+static void mideDerivas(Medidor &m) {
     m.grupo = "10⁶ pasos";
-    const int pasos = m.elige(1000, 1000000);
-    const Giro paso = {{1, 2, 3}, 0.001f};
-    const glm::mat3 unPaso(giroEje(paso.eje, paso.angulo));
-    const glm::quat unCuaternion = glm::angleAxis(paso.angulo, glm::normalize(paso.eje));
-    const auto deriva = [&](const char *nombre, const auto &recorre, const Rango &espera,
+    const int pasos = m.elige(1000, 1000000), pocos = m.elige(10, 1000);
+    const auto deriva = [&](const char *nombre, glm::mat3 (*recorre)(int), const Rango &espera,
                             const char *nota = "") {
         // lo exacto: tantas veces el ángulo que de verdad tiene el float
-        const double e = error(recorre(pasos), paso.eje, Cuad(paso.angulo) * pasos);
-        const int pocos = m.elige(10, 1000);
+        const double e = error(recorre(pasos), PASO.eje, Largo(PASO.angulo) * pasos);
         m.variante(
             "10⁶ pasos, " + std::string(nombre), e, pocos, [&] { usa(recorre(pocos)); }, espera, nota);
     };
-    deriva(
-        "matriz",
-        [&](int n) {
-            glm::mat3 M(1);
-            for (int i = 0; i < n; ++i)
-                M = unPaso * M;
-            return M;
-        },
-        CUALQUIERA, "deja de ser un giro: deforma");
-    deriva(
-        "matriz ortonormalizada",
-        [&](int n) {
-            glm::mat3 M(1);
-            for (int i = 0; i < n; ++i)
-                M = ortonormal(unPaso * M);
-            return M;
-        },
-        CUALQUIERA, "no deforma, pero el ángulo se desvía");
-    deriva(
-        "cuaternión normalizado",
-        [&](int n) {
-            glm::quat q(1, 0, 0, 0);
-            for (int i = 0; i < n; ++i)
-                q = glm::normalize(unCuaternion * q);
-            return glm::mat3_cast(q);
-        },
-        CUALQUIERA);
-    deriva(
-        "recalculada",
-        [&](int n) {
-            glm::mat3 M;
-            for (int i = 1; i <= n; ++i) { // el ángulo, en double y reducido a una vuelta
-                const double t = i * double(paso.angulo);
-                M = glm::mat3(giroEje(paso.eje, float(std::remainder(t, 2 * 3.14159265358979323846))));
-                usa(M);
-            }
-            return M;
-        },
-        redondeo, "del ángulo total, cada vez");
+    deriva("matriz", conMatriz, CUALQUIERA, "deja de ser un giro: deforma");
+    deriva("matriz ortonormalizada", conMatrizOrtonormal, CUALQUIERA, "no deforma, pero el ángulo se desvía");
+    deriva("cuaternión normalizado", conCuaternionNormalizado, CUALQUIERA);
+    deriva("recalculada", recalculada, REDONDEO, "del ángulo total, cada vez");
+}
+
+static void mideRotacion(Medidor &m) {
+    mideMatrices(m);
+    mideDerivas(m);
 }
 
 static const Apunta APUNTA(
     {7, "rotacion", "Girar alrededor de un eje", "ns por giro",
-     "píxeles a 500 del eje, frente a cuádruple precisión", "cambio de base",
+     "píxeles a 500 del eje, frente a doble extendida", "cambio de base",
      "Con un eje corriente todas son exactas a una milésima de píxel. Los programas usan la del libro, "
      "con el eje escalado: vale también con uno de 10⁻²³ o de 10²⁰, en que las demás dan NaN. Lo "
      "que importa es no acumular: los programas animados recalculan el giro con el ángulo total.",

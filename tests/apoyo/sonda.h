@@ -1,6 +1,6 @@
 // Una sonda: un shader suelto que la GPU ejecuta en un único píxel y devuelve en float, sin recortar ni redondear.
 #pragma once
-#include "contexto_suelto.h"
+#include "mide/contexto_suelto.h"
 #include "shader.h"
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>

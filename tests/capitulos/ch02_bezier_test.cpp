@@ -3,8 +3,8 @@
 #include "ch02_modelado/bezier.h"
 #include "colores.h"
 #include "contra_oraculo.h"
-#include "cuadruple.h"
 #include "guiones.h"
+#include "oraculo/cuadruple.h"
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -3,7 +3,7 @@
 #pragma once
 #include "azar.h"
 #include "ch11_curvas/superficies.h"
-#include "cuadruple.h"
+#include "oraculo/cuadruple.h"
 
 template<typename T>
 double ulp() {

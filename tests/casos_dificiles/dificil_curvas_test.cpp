@@ -1,6 +1,6 @@
 // Casos difíciles de las curvas y superficies (capítulo 11), contra la doble precisión extendida.
-#include "caso.h"
 #include "ch11_curvas/superficies.h"
+#include "cota.h"
 
 namespace {
 
@@ -50,28 +50,28 @@ double errorDeCasteljau(int n) {
     });
 }
 
-const Casos GRADO_N([] {
+const Cotas GRADO_N([] {
     // n niveles de 1 − u, un producto y una suma de números positivos: no más de 3 redondeos por nivel, que no se cancelan
     const auto porNivel = [](int n) { return 3 * n; };
     const std::vector<Con<int>> grados = {10, 20, 40, 60};
-    casos<int>("BezierN", "bernstein_float_grado_*", grados, porNivel, "u relativos",
-               [](int n) { return errorDeBernstein<float>(n, U_FLOAT); });
-    casos<int>("BezierN", "bernstein_doble_grado_*", grados, porNivel, "u relativos",
-               [](int n) { return errorDeBernstein<double>(n, U_DOBLE); });
-    casos<int>("BezierN", "suma_1_grado_*", grados, porNivel, "u", [](int n) {
+    acotaCada<int>("BezierN", "bernstein_float_grado_*", grados, porNivel, "u relativos",
+                   [](int n) { return errorDeBernstein<float>(n, U_FLOAT); });
+    acotaCada<int>("BezierN", "bernstein_doble_grado_*", grados, porNivel, "u relativos",
+                   [](int n) { return errorDeBernstein<double>(n, U_DOBLE); });
+    acotaCada<int>("BezierN", "suma_1_grado_*", grados, porNivel, "u", [](int n) {
         return peorDe({0.0f, 0.1f, 0.3f, 0.7f, 0.99f, 1.0f}, [=](float u) {
             const std::vector<float> b = bernstein(n, u);
             return std::fabs(std::accumulate(b.begin(), b.end(), Largo(-1))) / U_FLOAT;
         });
     });
-    casos<int>(
+    acotaCada<int>(
         "BezierN", "casteljau_float_grado_*", grados, [](int n) { return 7 * 3 * n * U_FLOAT; }, "unidades",
         errorDeCasteljau);
-    casos<int>("BezierN", "extremos_exactos_grado_*", grados, 0, "unidades", [](int n) {
+    acotaCada<int>("BezierN", "extremos_exactos_grado_*", grados, 0, "unidades", [](int n) {
         const std::vector<Punto<float>> P = puntos(n);
         return mayor(lejos(bezier(P, 0.0f), P.front()), lejos(bezier(P, 1.0f), P.back()));
     });
-    casos<int>("BezierN", "extremos_de_bernstein_grado_*", grados, 0, "diferencia", [](int n) {
+    acotaCada<int>("BezierN", "extremos_de_bernstein_grado_*", grados, 0, "diferencia", [](int n) {
         const std::vector<double> a = bernstein(n, 0.0), b = bernstein(n, 1.0);
         return peorHasta(
             n + 1, [&](int k) { return mayor(std::fabs(a[k] - (k == 0)), std::fabs(b[k] - (k == n))); });
@@ -80,12 +80,12 @@ const Casos GRADO_N([] {
     struct Desborde {
         Largo cabe, valor;
     };
-    casos<Desborde>("BezierN", "no_cabe_*",
-                    {{"factorial_13_en_int32", {2147483647.0L, std::tgamma(14.0L)}},
-                     {"factorial_21_en_int64", {9223372036854775807.0L, std::tgamma(22.0L)}},
-                     {"factorial_35_en_float", {3.4028235e38L, std::tgamma(36.0L)}},
-                     {"combinatorio_67_33_en_int64", {9223372036854775807.0L, combinatorio(67, 33)}}},
-                    1, "lo mayor / valor", [](const Desborde &d) { return d.cabe / d.valor; });
+    acotaCada<Desborde>("BezierN", "no_cabe_*",
+                        {{"factorial_13_en_int32", {2147483647.0L, std::tgamma(14.0L)}},
+                         {"factorial_21_en_int64", {9223372036854775807.0L, std::tgamma(22.0L)}},
+                         {"factorial_35_en_float", {3.4028235e38L, std::tgamma(36.0L)}},
+                         {"combinatorio_67_33_en_int64", {9223372036854775807.0L, combinatorio(67, 33)}}},
+                        1, "lo mayor / valor", [](const Desborde &d) { return d.cabe / d.valor; });
 });
 
 // --- cúbicas ---
@@ -104,21 +104,21 @@ double corre(Base base, float salto, int derivada) {
     });
 }
 
-const Casos CUBICAS([] {
+const Cotas CUBICAS([] {
     const std::vector<Con<Base>> bases = {
         {"hermite", Base::HERMITE}, {"bezier", Base::BEZIER}, {"bspline", Base::BSPLINE}};
     const auto cotaDelExtremo = [](Base base) { return base == Base::BSPLINE ? 8 * U_FLOAT : 0; };
-    casos<Base>("Cubica", "*_en_u_0", bases, cotaDelExtremo, "unidades", [](Base base) {
+    acotaCada<Base>("Cubica", "*_en_u_0", bases, cotaDelExtremo, "unidades", [](Base base) {
         return lejos(cubica(base, G, 0.0f),
                      base == Base::BSPLINE ? (G[0] + 4.0f * G[1] + G[2]) / 6.0f : G[0]);
     });
-    casos<Base>("Cubica", "*_en_u_1", bases, cotaDelExtremo, "unidades", [](Base base) {
+    acotaCada<Base>("Cubica", "*_en_u_1", bases, cotaDelExtremo, "unidades", [](Base base) {
         return lejos(cubica(base, G, 1.0f), base == Base::HERMITE  ? G[1]
                                             : base == Base::BEZIER ? G[3]
                                                                    : (G[1] + 4.0f * G[2] + G[3]) / 6.0f);
     });
     // los cuatro, el mismo punto (o sin tangentes): la curva es ese punto, y no se mueve
-    casos<Base>("Cubica", "*_puntos_coincidentes", bases, 4 * 4 * U_FLOAT, "unidades", [](Base base) {
+    acotaCada<Base>("Cubica", "*_puntos_coincidentes", bases, 4 * 4 * U_FLOAT, "unidades", [](Base base) {
         const Punto<float> P(1.5f, -2.25f, 3), otro = base == Base::HERMITE ? CERO : P;
         const Geometria<float> g = {P, P, otro, otro};
         return peorDe({0.0f, 0.3f, 0.7f, 1.0f}, [&](float u) {
@@ -127,28 +127,29 @@ const Casos CUBICAS([] {
     });
     // puntos a 1e8: en float, de 8 en 8. Los puntos se redondean; las derivadas, no, si el salto es exacto: los puntos son múltiplos
     // de 1/4, y con 2²⁰ se suman sin redondear
-    casos<Base>("Cubica", "*_puntos_a_1e8", bases, 4 * 8.0 * std::sqrt(3.0), "unidades",
-                [](Base base) { return corre(base, 1e8f, 0); });
+    acotaCada<Base>("Cubica", "*_puntos_a_1e8", bases, 4 * 8.0 * std::sqrt(3.0), "unidades",
+                    [](Base base) { return corre(base, 1e8f, 0); });
     for (const int derivada : {1, 2})
-        casos<Base>("Cubica", "*_derivada_" + std::to_string(derivada) + "_de_puntos_a_2a20", bases, 0,
-                    "unidades", [=](Base base) { return corre(base, 1048576, derivada); });
+        acotaCada<Base>("Cubica", "*_derivada_" + std::to_string(derivada) + "_de_puntos_a_2a20", bases, 0,
+                        "unidades", [=](Base base) { return corre(base, 1048576, derivada); });
     const Geometria<float> parada = {G[0], G[1], CERO, CERO};
-    caso("Cubica", "hermite_tangentes_nulas", 0, "velocidad en los extremos", [=] {
+    acota("Cubica", "hermite_tangentes_nulas", 0, "velocidad en los extremos", [=] {
         return peorDe({0.0f, 1.0f},
                       [&](float u) { return lejos(cubica(Base::HERMITE, parada, u, 1), CERO); });
     });
-    caso("Cubica", "curvatura_donde_se_para", 0, "curvatura", [=] {
+    acota("Cubica", "curvatura_donde_se_para", 0, "curvatura", [=] {
         return lejos(
             curvatura(cubica(Base::HERMITE, parada, 0.0f, 1), cubica(Base::HERMITE, parada, 0.0f, 2)), CERO);
     });
     // C2 en los nudos: u = 1 de un tramo y u = 0 del siguiente
-    casos<int>("Cubica", "bspline_nudo_derivada_*", {0, 1, 2}, 64 * U_FLOAT, "unidades", [](int derivada) {
-        const std::vector<Punto<float>> P = puntos(9);
-        return peorHasta(int(tramosBSpline(P.size(), false)) - 1, [&](int t) {
-            return lejos(cubica(Base::BSPLINE, geometriaBSpline(P, t), 1.0f, derivada),
-                         cubica(Base::BSPLINE, geometriaBSpline(P, t + 1), 0.0f, derivada));
-        });
-    });
+    acotaCada<int>("Cubica", "bspline_nudo_derivada_*", {0, 1, 2}, 64 * U_FLOAT, "unidades",
+                   [](int derivada) {
+                       const std::vector<Punto<float>> P = puntos(9);
+                       return peorHasta(int(tramosBSpline(P.size(), false)) - 1, [&](int t) {
+                           return lejos(cubica(Base::BSPLINE, geometriaBSpline(P, t), 1.0f, derivada),
+                                        cubica(Base::BSPLINE, geometriaBSpline(P, t + 1), 0.0f, derivada));
+                       });
+                   });
 });
 
 // --- superficies ---
@@ -166,7 +167,7 @@ Punto<float> ondulado(int i, int j) {
     return {i, j, i * j % 3};
 }
 
-const Casos SUPERFICIES([] {
+const Cotas SUPERFICIES([] {
     std::vector<Con<Geometria2<float>>> trozos = {
         {"normal_de_un_trozo", trozo(ondulado)},
         {"un_solo_punto", trozo([](int, int) { return Punto<float>(1, 2, 3); })},
@@ -179,14 +180,14 @@ const Casos SUPERFICIES([] {
     for (const float talla : {1e-15f, 1e15f})
         trozos.emplace_back("de_talla_" + enNombre(talla),
                             trozo([=](int i, int j) { return talla * ondulado(i, j); }));
-    casos<Geometria2<float>>(
+    acotaCada<Geometria2<float>>(
         "Superficie", "*", trozos, 8 * U_FLOAT, "|n| − 1", [](const Geometria2<float> &g) {
             return peorHasta(17 * 17, [&](int k) {
                 const glm::dvec3 n(normalSuperficie(Base::BEZIER, g, float(k / 17) / 16, float(k % 17) / 16));
                 return std::fabs(glm::length(n) - 1);
             });
         });
-    caso("Superficie", "corrida_2a20_normal", 0, "diferencia", [] {
+    acota("Superficie", "corrida_2a20_normal", 0, "diferencia", [] {
         const auto corrida = trozo([](int i, int j) { return ondulado(i, j) + 1048576.0f; });
         return peorDe({0.0f, 0.25f, 0.5f, 1.0f}, [&](float u) {
             return lejos(normalSuperficie(Base::BEZIER, corrida, u, 0.75f),

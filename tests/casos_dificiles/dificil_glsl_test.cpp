@@ -1,7 +1,7 @@
 // Casos difíciles de GLSL: lo que el lenguaje deja sin definir, en la GPU y leído en float. Lo que los shaders del laboratorio
 // guardan tiene que dar lo que debe; y los que usan una función a secas, no pueden llegar a donde no está definida.
 #include "azar.h"
-#include "caso.h"
+#include "cota.h"
 #include "expresion.h"
 #include "rutas.h"
 #include <algorithm>
@@ -27,56 +27,57 @@ double faltaDeUnitario(const glm::vec3 &v) {
 
 const double PI = glm::pi<double>();
 
-const Casos POTENCIAS([] {
+const Cotas POTENCIAS([] {
     struct Potencia {
         float x, y;
         double esperado;
     };
-    casos<Potencia>("GlslPow", "*",
-                    {{"0_a_0", {0, 0, 1}},
-                     {"menos0_a_0", {-0.0f, 0, 1}},
-                     {"0_a_1", {0, 1, 0}},
-                     {"0_a_1em30", {0, 1e-30f, 0}},
-                     {"0_a_500", {0, 500, 0}},
-                     {"negativa_a_0", {-0.5f, 0, 1}},
-                     {"negativa_a_1", {-0.5f, 1, 0}},
-                     {"negativa_a_3", {-0.5f, 3, 0}},
-                     {"menos1em7_a_4", {-1e-7f, 4, 0}},
-                     {"1_a_500", {1, 500, 1}},
-                     {"1_a_0", {1, 0, 1}},
-                     {"1em38_a_0", {1e-38f, 0, 1}},
-                     {"menos1_a_2", {-1, 2, 0}},
-                     {"1em30_a_500", {1e-30f, 500, 0}},
-                     {"alfa_0", {0.3f, 0, 1}}},
-                    1e-6, "diferencia", [](const Potencia &p) {
-                        return error("potencia(a.x, a.y)", {p.x, p.y, 0}, p.esperado);
-                    });
-    caso("GlslPow", "casi_1_a_500", 500 * 8 * U_FLOAT, "diferencia", [] {
+    acotaCada<Potencia>("GlslPow", "*",
+                        {{"0_a_0", {0, 0, 1}},
+                         {"menos0_a_0", {-0.0f, 0, 1}},
+                         {"0_a_1", {0, 1, 0}},
+                         {"0_a_1em30", {0, 1e-30f, 0}},
+                         {"0_a_500", {0, 500, 0}},
+                         {"negativa_a_0", {-0.5f, 0, 1}},
+                         {"negativa_a_1", {-0.5f, 1, 0}},
+                         {"negativa_a_3", {-0.5f, 3, 0}},
+                         {"menos1em7_a_4", {-1e-7f, 4, 0}},
+                         {"1_a_500", {1, 500, 1}},
+                         {"1_a_0", {1, 0, 1}},
+                         {"1em38_a_0", {1e-38f, 0, 1}},
+                         {"menos1_a_2", {-1, 2, 0}},
+                         {"1em30_a_500", {1e-30f, 500, 0}},
+                         {"alfa_0", {0.3f, 0, 1}}},
+                        1e-6, "diferencia", [](const Potencia &p) {
+                            return error("potencia(a.x, a.y)", {p.x, p.y, 0}, p.esperado);
+                        });
+    acota("GlslPow", "casi_1_a_500", 500 * 8 * U_FLOAT, "diferencia", [] {
         return error("potencia(a.x, a.y)", {0.99999f, 500, 0}, std::pow(double(0.99999f), 500));
     });
 });
 
-const Casos UNITARIOS([] {
-    caso("GlslNormalize", "de_0", 0, "longitud",
-         [] { return glm::length(glsl("unitario(a)", glm::vec3(0))); });
-    casos<float>("GlslNormalize", "de_*",
-                 {1e-38f, 1e-30f, 1e-22f, 1e-20f, 2e-19f, 1e-15f, 1.001f, 2, 1e15f, 1e18f, 1e20f, 1e38f},
-                 8 * U_FLOAT, "diferencia", [](float k) { return faltaDeUnitario(k * glm::vec3(1, -2, 2)); });
+const Cotas UNITARIOS([] {
+    acota("GlslNormalize", "de_0", 0, "longitud",
+          [] { return glm::length(glsl("unitario(a)", glm::vec3(0))); });
+    acotaCada<float>("GlslNormalize", "de_*",
+                     {1e-38f, 1e-30f, 1e-22f, 1e-20f, 2e-19f, 1e-15f, 1.001f, 2, 1e15f, 1e18f, 1e20f, 1e38f},
+                     8 * U_FLOAT, "diferencia",
+                     [](float k) { return faltaDeUnitario(k * glm::vec3(1, -2, 2)); });
     // todo el margen de float, de 2⁻¹⁴⁹ a 2¹²⁶: o es unitario o es cero, nunca otra cosa
-    caso("GlslNormalize", "todo_el_margen_de_float", 8 * U_FLOAT, "diferencia", [] {
+    acota("GlslNormalize", "todo_el_margen_de_float", 8 * U_FLOAT, "diferencia", [] {
         return peorHasta(
             276, [](int e) { return faltaDeUnitario(std::ldexp(1.0f, e - 149) * glm::vec3(0.6f, 0, 0.8f)); });
     });
 });
 
-const Casos ATENUACIONES([] {
+const Cotas ATENUACIONES([] {
     struct Atenuacion {
         glm::vec3 abc;
         float d;
         double esperada;
     };
     // phong.glsl acota el denominador a 1e-6: 1/0 da 1e6, no infinito
-    casos<Atenuacion>(
+    acotaCada<Atenuacion>(
         "GlslAtenuacion", "*",
         {{"d_0_constante", {{1, 0, 0}, 0, 1}},
          {"d_0_lineal", {{0, 1, 0}, 0, 1e6}},
@@ -94,34 +95,34 @@ const Casos ATENUACIONES([] {
     struct Cono {
         double grados, exponente, angulo, esperado;
     };
-    casos<Cono>("GlslCono", "*",
-                {{"0_grados_en_el_eje", {0, 1, 0, 1}},
-                 {"0_grados_fuera", {0, 1, 0.05, 0}},
-                 {"0_grados_exponente_0", {0, 0, 0, 1}},
-                 {"90_grados_en_el_eje", {90, 1, 0, 1}},
-                 {"90_grados_a_89_9", {90, 1, 89.9, std::cos(89.9 * PI / 180)}},
-                 {"90_grados_a_89_9_exponente_0", {90, 0, 89.9, 1}},
-                 {"90_grados_a_90_1", {90, 0, 90.1, 0}},
-                 {"90_grados_de_espaldas", {90, 5, 180, 0}},
-                 {"45_grados_exponente_500", {45, 500, 44, std::pow(std::cos(44 * PI / 180), 500)}}},
-                1e-5, "diferencia", [](const Cono &c) {
-                    const glm::vec3 a(std::cos(float(c.grados * PI / 180)), c.exponente, c.angulo * PI / 180);
-                    return error(
-                        "atenuada(vec3(1.0, 0.0, 0.0), a.x, a.y, 3.0 * vec3(sin(a.z), 0.0, -cos(a.z)))", a,
-                        c.esperado);
-                });
+    acotaCada<Cono>(
+        "GlslCono", "*",
+        {{"0_grados_en_el_eje", {0, 1, 0, 1}},
+         {"0_grados_fuera", {0, 1, 0.05, 0}},
+         {"0_grados_exponente_0", {0, 0, 0, 1}},
+         {"90_grados_en_el_eje", {90, 1, 0, 1}},
+         {"90_grados_a_89_9", {90, 1, 89.9, std::cos(89.9 * PI / 180)}},
+         {"90_grados_a_89_9_exponente_0", {90, 0, 89.9, 1}},
+         {"90_grados_a_90_1", {90, 0, 90.1, 0}},
+         {"90_grados_de_espaldas", {90, 5, 180, 0}},
+         {"45_grados_exponente_500", {45, 500, 44, std::pow(std::cos(44 * PI / 180), 500)}}},
+        1e-5, "diferencia", [](const Cono &c) {
+            const glm::vec3 a(std::cos(float(c.grados * PI / 180)), c.exponente, c.angulo * PI / 180);
+            return error("atenuada(vec3(1.0, 0.0, 0.0), a.x, a.y, 3.0 * vec3(sin(a.z), 0.0, -cos(a.z)))", a,
+                         c.esperado);
+        });
 });
 
-const Casos FUNCIONES([] {
+const Cotas FUNCIONES([] {
     // Dos vectores normalizados: su producto pasa de 1 en el redondeo, y 1 − N·V puede ser negativo. De ahí el max de tetera.frag.
-    caso("GlslDot", "de_dos_unitarios_pasa_de_1", 4 * U_FLOAT, "lo que pasa de 1", [] {
+    acota("GlslDot", "de_dos_unitarios_pasa_de_1", 4 * U_FLOAT, "lo que pasa de 1", [] {
         Azar azar(1);
         return peorHasta(2000, [&](int) {
             const glm::vec3 v = azar.vector(1);
             return numero("dot(normalize(a), normalize(b))", v, v) - 1;
         });
     });
-    caso("GlslSeno", "no_pasa_de_1", 4 * U_FLOAT, "lo que pasa de 1", [] {
+    acota("GlslSeno", "no_pasa_de_1", 4 * U_FLOAT, "lo que pasa de 1", [] {
         return peorHasta(4001, [](int i) {
             return numero("abs(sin(a.x))", {((i - 2000) / 100 + 0.5) * PI + (i - 2000) % 100 * 1e-5, 0, 0}) -
                    1;

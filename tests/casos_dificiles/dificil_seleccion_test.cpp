@@ -1,6 +1,6 @@
 // Casos difíciles de la selección por color (capítulo 10): cada identificador, pintado en un framebuffer de 8 bits y leído.
-#include "caso.h"
 #include "ch10_interaccion/identificador.h"
+#include "cota.h"
 #include "sonda.h"
 
 namespace {
@@ -20,11 +20,11 @@ double errorDeIdentificador(unsigned identificador) {
     return std::fabs(double(identificadorDe({leido[0], leido[1], leido[2]})) - identificador);
 }
 
-const Casos IDENTIFICADORES([] {
-    casos<unsigned>("Identificador", "id_*",
-                    {0u, 1u, 127u, 128u, 255u, 256u, 65535u, 65536u, 8388608u, IDENTIFICADOR_MAXIMO}, 0,
-                    "diferencia", errorDeIdentificador);
-    caso("Identificador", "todos_los_de_un_bit_menos", 0, "diferencia", [] {
+const Cotas IDENTIFICADORES([] {
+    acotaCada<unsigned>("Identificador", "id_*",
+                        {0u, 1u, 127u, 128u, 255u, 256u, 65535u, 65536u, 8388608u, IDENTIFICADOR_MAXIMO}, 0,
+                        "diferencia", errorDeIdentificador);
+    acota("Identificador", "todos_los_de_un_bit_menos", 0, "diferencia", [] {
         return peorHasta(24,
                          [](int bit) { return errorDeIdentificador(IDENTIFICADOR_MAXIMO ^ (1u << bit)); });
     });

@@ -1,6 +1,6 @@
 // Casos difíciles de texturas, convolución y ruido (capítulos 6, 8 y 9), en la GPU y leídos en float.
-#include "caso.h"
 #include "ch08_texturas_avanzadas/ruido.h"
+#include "cota.h"
 #include "expresion.h"
 #include "imagenes.h"
 #include "textura.h"
@@ -33,15 +33,16 @@ double peorTexel(int ancho, int alto, Mide mide) {
     return peorHasta(ancho * alto, [&](int i) { return mide(im, i % ancho, i / ancho); });
 }
 
-const Casos TEXTURAS([] {
+const Cotas TEXTURAS([] {
     // con la alineación a 4 bytes, las filas de 3·ancho se tuercen
-    casos<int>("Textura", "ancho_*_sin_torcer", {1, 2, 3, 5, 6, 7, 9, 13}, 1e-4, "niveles", [](int ancho) {
-        return peorTexel(ancho, 5, [](const Imagen &im, int x, int y) {
-            return distancia(lee("texelFetch(imagen, ivec2(a.xy), 0)", {x, y, 0}), texel(im, x, y));
+    acotaCada<int>(
+        "Textura", "ancho_*_sin_torcer", {1, 2, 3, 5, 6, 7, 9, 13}, 1e-4, "niveles", [](int ancho) {
+            return peorTexel(ancho, 5, [](const Imagen &im, int x, int y) {
+                return distancia(lee("texelFetch(imagen, ivec2(a.xy), 0)", {x, y, 0}), texel(im, x, y));
+            });
         });
-    });
     // (x + 0.5)/ancho se redondea: una parte en 2²⁴ de 255·ancho niveles, y 2 del filtro
-    casos<int>(
+    acotaCada<int>(
         "Textura", "centros_de_texel_de_*", {1, 3, 5, 7, 16, 61},
         [](int ancho) { return 255 * ancho * 4 * U_FLOAT + 1e-4; }, "niveles",
         [](int ancho) {
@@ -49,7 +50,7 @@ const Casos TEXTURAS([] {
                 return distancia(lee(LINEAL, centro(im, x, y)), texel(im, x, y));
             });
         });
-    caso("Textura", "de_1x1_en_cualquier_sitio", 1e-4, "niveles", [] {
+    acota("Textura", "de_1x1_en_cualquier_sitio", 1e-4, "niveles", [] {
         return peorTexel(1, 1, [](const Imagen &im, int, int) {
             return peorDe({glm::vec3(0), glm::vec3(0.5f), glm::vec3(1), {-3.25f, 7.5f, 0}, {1e9f, -1e9f, 0}},
                           [&](const glm::vec3 &st) { return distancia(lee(LINEAL, st), texel(im, 0, 0)); });
@@ -85,12 +86,12 @@ std::vector<float> filtroAlAzar(int n) {
     return f;
 }
 
-const Casos CONVOLUCIONES([] {
+const Cotas CONVOLUCIONES([] {
     struct Convolucion {
         int ancho, alto, m, n;
     };
     // Leer junto al centro de un texel: 4u·ancho·255; y m·n sumas: m·n·u·255.
-    casos<Convolucion>(
+    acotaCada<Convolucion>(
         "Convolucion", "*",
         {{"filtro_par_2x2", {11, 7, 2, 2}},
          {"filtro_par_4x4", {11, 7, 4, 4}},
@@ -111,11 +112,11 @@ const Casos CONVOLUCIONES([] {
                 filtro[12] -= std::accumulate(filtro.begin(), filtro.end(), 0.0f);
             return convoluciona(c.ancho, c.alto, c.m, c.n, filtro);
         });
-    caso("Convolucion", "delta", 1e-3, "niveles", [] {
+    acota("Convolucion", "delta", 1e-3, "niveles", [] {
         return convoluciona(11, 7, 3, 3, {0, 0, 0, 0, 1, 0, 0, 0, 0});
     });
     // lo que haría el libro, con 1/(ancho − 1), en 9 texels: el de al lado cae a 9/8; un octavo del siguiente
-    caso("Convolucion", "paso_del_libro_se_nota", 0.05, "1 / niveles", [] {
+    acota("Convolucion", "paso_del_libro_se_nota", 0.05, "1 / niveles", [] {
         return 1 / peorTexel(9, 1, [](const Imagen &im, int x, int) {
                    const glm::vec3 alLado = centro(im, x, 0) + glm::vec3(1.0f / 8, 0, 0);
                    return x == 0 || x == 8 ? 0 : distancia(lee(LINEAL, alLado), texel(im, x + 1, 0));
@@ -129,25 +130,25 @@ double ruidoGlsl(const glm::vec3 &p, int periodo = 0) {
     return glsl("ruidoConGradiente(a, ivec3(b)).w", p, glm::vec3(float(periodo))).x;
 }
 
-const Casos RUIDOS([] {
+const Cotas RUIDOS([] {
     // GPU en float contra CPU en doble
-    casos<glm::vec3>("Ruido", "*",
-                     {{"negativas", {-0.3f, -7.6f, -2.5f}},
-                      {"menos_cero", {-0.0f, 0.3f, -0.0f}},
-                      {"casi_cero_por_debajo", {-1e-9f, 0.3f, 0.7f}},
-                      {"en_un_plano", {5, 0.3f, 0.7f}},
-                      {"en_un_plano_negativo", {-5, 0.3f, 0.7f}},
-                      {"en_un_nodo", {3, -2, 7}},
-                      {"x_2_a_la_24", {16777216, 0.3f, 0.7f}},
-                      {"x_menos_2_a_la_24", {-16777218, 0.3f, 0.7f}},
-                      {"x_2_a_la_31", {2147483648.0f, 0.3f, 0.7f}},
-                      {"x_1e20", {1e20f, 0.3f, 0.7f}},
-                      {"x_menos_3e38", {-3e38f, 0.3f, 0.7f}}},
-                     1e-5, "diferencia",
-                     [](const glm::vec3 &p) { return std::fabs(ruidoGlsl(p) - ruido(glm::dvec3(p))); });
+    acotaCada<glm::vec3>("Ruido", "*",
+                         {{"negativas", {-0.3f, -7.6f, -2.5f}},
+                          {"menos_cero", {-0.0f, 0.3f, -0.0f}},
+                          {"casi_cero_por_debajo", {-1e-9f, 0.3f, 0.7f}},
+                          {"en_un_plano", {5, 0.3f, 0.7f}},
+                          {"en_un_plano_negativo", {-5, 0.3f, 0.7f}},
+                          {"en_un_nodo", {3, -2, 7}},
+                          {"x_2_a_la_24", {16777216, 0.3f, 0.7f}},
+                          {"x_menos_2_a_la_24", {-16777218, 0.3f, 0.7f}},
+                          {"x_2_a_la_31", {2147483648.0f, 0.3f, 0.7f}},
+                          {"x_1e20", {1e20f, 0.3f, 0.7f}},
+                          {"x_menos_3e38", {-3e38f, 0.3f, 0.7f}}},
+                         1e-5, "diferencia",
+                         [](const glm::vec3 &p) { return std::fabs(ruidoGlsl(p) - ruido(glm::dvec3(p))); });
     // pendiente menor que 4: de una parte a otra del plano, 4 por el salto
     const auto salto = [](float x) { return 1e-4f * std::max(1.0f, std::fabs(x)); };
-    casos<float>(
+    acotaCada<float>(
         "Ruido", "a_los_dos_lados_del_plano_*", {0, 1, -1, -4, 1000},
         [=](float x) { return 4 * 2 * salto(x) + 1e-5; }, "diferencia",
         [=](float x) {
@@ -155,10 +156,10 @@ const Casos RUIDOS([] {
         });
     // p y p + periodo son exactos en float: lo mismo, bit a bit
     for (const auto &[nombre, x] : {std::pair("periodo_*", 0.25f), {"periodo_*_negativo", -3.25f}})
-        casos<int>("Ruido", nombre, {1, 4, 7, 64}, 0, "diferencia",
-                   [p = glm::vec3(x, 0.5f, -0.75f)](int periodo) {
-                       return std::fabs(ruidoGlsl(p, periodo) - ruidoGlsl(p + float(periodo), periodo));
-                   });
+        acotaCada<int>("Ruido", nombre, {1, 4, 7, 64}, 0, "diferencia",
+                       [p = glm::vec3(x, 0.5f, -0.75f)](int periodo) {
+                           return std::fabs(ruidoGlsl(p, periodo) - ruidoGlsl(p + float(periodo), periodo));
+                       });
 });
 
 } // namespace

@@ -1,7 +1,7 @@
 // Casos difíciles del capítulo 3: giros alrededor de un eje y matriz normal, contra la doble precisión extendida.
 #include "azar.h"
-#include "caso.h"
 #include "ch03_transformaciones/transformaciones.h"
+#include "cota.h"
 #include <glm/gtc/quaternion.hpp>
 
 namespace {
@@ -90,59 +90,59 @@ double deriva(const glm::mat3 &A) {
     return contraRodrigues(glm::mat4(A), EJE, ANGULO);
 }
 
-const Casos GIROS([] {
+const Cotas GIROS([] {
     for (int i = 0; i < 3; ++i)
-        casos<float>("GiroEje", std::string("casi_") + "XYZ"[i] + "_*",
-                     {0, 1e-38f, 1e-30f, 1e-20f, 1e-10f, 1e-5f}, 1, "cotas", [i](float e) {
-                         glm::vec3 eje(0);
-                         eje[i] = 1;
-                         eje[(i + 1) % 3] = e;
-                         return giroEnCotas(eje);
-                     });
-    casos<float>("GiroEje", "longitud_*", {1e-38f, 1e-30f, 1e-23f, 1e-20f, 1e20f, 1e30f, 1e38f}, 1, "cotas",
-                 [](float largo) { return giroEnCotas(largo * glm::vec3(1, 2, -2)); });
-    caso("GiroEje", "longitud_cero_no_gira", 0, "distancia a I", [] {
+        acotaCada<float>("GiroEje", std::string("casi_") + "XYZ"[i] + "_*",
+                         {0, 1e-38f, 1e-30f, 1e-20f, 1e-10f, 1e-5f}, 1, "cotas", [i](float e) {
+                             glm::vec3 eje(0);
+                             eje[i] = 1;
+                             eje[(i + 1) % 3] = e;
+                             return giroEnCotas(eje);
+                         });
+    acotaCada<float>("GiroEje", "longitud_*", {1e-38f, 1e-30f, 1e-23f, 1e-20f, 1e20f, 1e30f, 1e38f}, 1,
+                     "cotas", [](float largo) { return giroEnCotas(largo * glm::vec3(1, 2, -2)); });
+    acota("GiroEje", "longitud_cero_no_gira", 0, "distancia a I", [] {
         return contraRodrigues(giroEje(glm::vec3(0), 1), {1, 0, 0}, 0);
     });
-    caso("GiroEje", "al_azar", 1, "cotas", [] {
+    acota("GiroEje", "al_azar", 1, "cotas", [] {
         Azar azar(1);
         return peorHasta(300, [&](int) { return giroEnCotas(azar.entre(0.1f, 3.0f) * azar.direccion()); });
     });
     // Relativo: quien calcule 1 − cos t restando se queda sin cifras en 1e-3 y con 0 en 1e-4. Unos 13 redondeos: el seno de la mitad,
     // su cuadrado y dos componentes del eje, que ya trae tres en cada uno.
-    casos<float>("GiroEje", "angulo_*", {1e-3f, 1e-4f, 1e-5f, 1e-6f, 1e-10f, 1e-15f}, 13, "u relativos",
-                 giroPequeno);
+    acotaCada<float>("GiroEje", "angulo_*", {1e-3f, 1e-4f, 1e-5f, 1e-6f, 1e-10f, 1e-15f}, 13, "u relativos",
+                     giroPequeno);
     // en RᵀRxR, la ecuación 3.10 al pie de la letra, lo que gira se suma a un RᵀR que solo es casi I: se equivoca cien veces más
-    casos<float>("GiroEje", "la_ecuacion_310_con_angulo_*", {1e-4f, 1e-6f}, 1,
-                 "cien veces la cota / su error", [](float t) {
-                     const glm::mat3 R = cambioDeBase(unitario(EJE));
-                     return 100 * 13 / errorRelativo(glm::transpose(R) * glm::mat3(giroX(t)) * R, EJE, t);
-                 });
+    acotaCada<float>("GiroEje", "la_ecuacion_310_con_angulo_*", {1e-4f, 1e-6f}, 1,
+                     "cien veces la cota / su error", [](float t) {
+                         const glm::mat3 R = cambioDeBase(unitario(EJE));
+                         return 100 * 13 / errorRelativo(glm::transpose(R) * glm::mat3(giroX(t)) * R, EJE, t);
+                     });
 
     // Cada paso redondea dos cosas siempre hacia el mismo lado: el propio giro (u/2, en su diagonal, que es casi 1) y su producto por
     // lo que ya hay (u/2 en cada componente de una columna unitaria). Los demás redondeos van al azar, y suman mil veces menos. En un
     // cuaternión, que tiene cuatro componentes, lo mismo, y en su matriz el doble.
     const double medio = PASOS * U_FLOAT / 2;
-    caso("MillonDePasos", "deriva_matriz", (1 + std::sqrt(3)) * medio, "componente",
-         [] { return deriva(matriz()); });
-    caso("MillonDePasos", "deriva_cuaternion", 2 * (1 + 2) * medio, "componente",
-         [] { return deriva(cuaternion()); });
+    acota("MillonDePasos", "deriva_matriz", (1 + std::sqrt(3)) * medio, "componente",
+          [] { return deriva(matriz()); });
+    acota("MillonDePasos", "deriva_cuaternion", 2 * (1 + 2) * medio, "componente",
+          [] { return deriva(cuaternion()); });
     // normalizar quita de esa deriva la parte que no es giro: no la aumenta
-    caso("MillonDePasos", "deriva_reortonormalizada", 1, "de la de la matriz",
-         [] { return deriva(reortonormalizada()) / deriva(matriz()); });
-    caso("MillonDePasos", "deriva_cuaternion_unitario", 1, "de la del cuaternión",
-         [] { return deriva(cuaternionUnitario()) / deriva(cuaternion()); });
-    caso("MillonDePasos", "deriva_recalculada", cotaGiro(ANGULO) + glm::pi<double>() * U_FLOAT, "componente",
-         [] { return deriva(recalculada()); });
-    casos<glm::mat3 (*)()>(
+    acota("MillonDePasos", "deriva_reortonormalizada", 1, "de la de la matriz",
+          [] { return deriva(reortonormalizada()) / deriva(matriz()); });
+    acota("MillonDePasos", "deriva_cuaternion_unitario", 1, "de la del cuaternión",
+          [] { return deriva(cuaternionUnitario()) / deriva(cuaternion()); });
+    acota("MillonDePasos", "deriva_recalculada", cotaGiro(ANGULO) + glm::pi<double>() * U_FLOAT, "componente",
+          [] { return deriva(recalculada()); });
+    acotaCada<glm::mat3 (*)()>(
         "MillonDePasos", "forma_*",
         {{"reortonormalizada", reortonormalizada}, {"cuaternion_unitario", cuaternionUnitario}}, 16 * U_FLOAT,
         "AᵀA − I", [](auto gira) { return faltaDeOrtonormalidad(gira()); });
-    caso("MillonDePasos", "forma_recalculada", 2 * std::sqrt(3) * cotaGiro(ANGULO), "AᵀA − I",
-         [] { return faltaDeOrtonormalidad(recalculada()); });
+    acota("MillonDePasos", "forma_recalculada", 2 * std::sqrt(3) * cotaGiro(ANGULO), "AᵀA − I",
+          [] { return faltaDeOrtonormalidad(recalculada()); });
     // la matriz sola se deforma al menos cien veces más que la que se reortonormaliza
-    caso("MillonDePasos", "la_matriz_sola_se_deforma", 0.01, "razón",
-         [] { return faltaDeOrtonormalidad(reortonormalizada()) / faltaDeOrtonormalidad(matriz()); });
+    acota("MillonDePasos", "la_matriz_sola_se_deforma", 0.01, "razón",
+          [] { return faltaDeOrtonormalidad(reortonormalizada()) / faltaDeOrtonormalidad(matriz()); });
 });
 
 // --- matriz normal ---
@@ -171,29 +171,30 @@ double aplastada(int eje) {
     return sobra ? HUGE_VAL : glm::distance(glm::normalize(glm::dvec3(N[eje])), n) / U_FLOAT;
 }
 
-const Casos NORMALES([] {
-    casos<float>("MatrizNormal", "uniforme_*",
-                 {1e-38f, -1e-38f, 1e-30f, -1e-30f, 1e-20f, -1e-20f, 1e-10f, -1e-10f, 1e-5f,  -1e-5f, 1,
-                  -1,     1e5f,    -1e5f,  1e10f,   -1e10f, 1e20f,   -1e20f, 1e30f,   -1e30f, 1e38f,  -1e38f},
-                 1.001, "u", [](float s) { return torcida(escalado(s) * INCLINADA); });
+const Cotas NORMALES([] {
+    acotaCada<float>("MatrizNormal", "uniforme_*",
+                     {1e-38f, -1e-38f, 1e-30f, -1e-30f, 1e-20f, -1e-20f, 1e-10f, -1e-10f,
+                      1e-5f,  -1e-5f,  1,      -1,      1e5f,   -1e5f,   1e10f,  -1e10f,
+                      1e20f,  -1e20f,  1e30f,  -1e30f,  1e38f,  -1e38f},
+                     1.001, "u", [](float s) { return torcida(escalado(s) * INCLINADA); });
     const std::vector<Con<int>> ejes = {{"X", 0}, {"Y", 1}, {"Z", 2}};
-    casos<int>("MatrizNormal", "aplastada_*", ejes, 2, "u", aplastada);
-    casos<int>("MatrizNormal", "reflejada_*", ejes, 1.001, "u", [](int eje) {
+    acotaCada<int>("MatrizNormal", "aplastada_*", ejes, 2, "u", aplastada);
+    acotaCada<int>("MatrizNormal", "reflejada_*", ejes, 1.001, "u", [](int eje) {
         glm::vec3 espejo(2, 3, 0.5f);
         espejo[eje] *= -1;
         return torcida(INCLINADA * escalado(espejo));
     });
-    casos<int>("MatrizNormal", "casi_aplastada_*", ejes, 1.001, "u", [](int eje) {
+    acotaCada<int>("MatrizNormal", "casi_aplastada_*", ejes, 1.001, "u", [](int eje) {
         glm::vec3 fina(1);
         fina[eje] = 1e-30f;
         return torcida(INCLINADA * escalado(fina));
     });
-    casos<glm::vec3>("MatrizNormal", "aplastada_en_*", {{"una_recta", {1, 0, 0}}, {"un_punto", glm::vec3(0)}},
-                     0, "mayor componente", [](const glm::vec3 &s) {
-                         return mayorComponente(matrizNormal(INCLINADA * escalado(s)));
-                     });
+    acotaCada<glm::vec3>(
+        "MatrizNormal", "aplastada_en_*", {{"una_recta", {1, 0, 0}}, {"un_punto", glm::vec3(0)}}, 0,
+        "mayor componente",
+        [](const glm::vec3 &s) { return mayorComponente(matrizNormal(INCLINADA * escalado(s))); });
     // se escala por la mayor componente: la columna menor de N queda en 1e-36, que aún es un float normal
-    caso("MatrizNormal", "columnas_de_1e18_a_1em18", 1.001, "u", [] {
+    acota("MatrizNormal", "columnas_de_1e18_a_1em18", 1.001, "u", [] {
         return torcida(INCLINADA * escalado({1e18f, 1, 1e-18f}));
     });
 });

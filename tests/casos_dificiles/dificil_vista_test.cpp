@@ -1,7 +1,7 @@
 // Casos difíciles del capítulo 4: la cámara, la proyección y la profundidad.
-#include "caso.h"
 #include "ch04_vista3d/profundidad.h"
 #include "ch04_vista3d/vista.h"
+#include "cota.h"
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace {
@@ -73,51 +73,52 @@ double profundidadDeLaMatriz(double cerca, double lejos) {
     });
 }
 
-const Casos CAMARA([] {
+const Cotas CAMARA([] {
     const dvec3 F(0.5, -1, 2), Y(0, 1, 0);
     struct Mirada {
         dvec3 F, UP;
     };
-    casos<Mirada>("Camara", "*",
-                  {{"up_paralelo", {F, F}},
-                   {"up_opuesto", {F, -F}},
-                   {"up_nulo", {F, dvec3(0)}},
-                   {"up_1em300", {F, 1e-300 * F}},
-                   {"up_1e300", {F, 1e300 * F}},
-                   {"up_subnormal", {F, 1e-320 * F}},
-                   {"up_a_1em11_de_la_vista", {F, F + 1e-11 * Y}},
-                   {"up_a_1em15_de_la_vista", {F, F + 1e-15 * Y}},
-                   {"up_a_1em11_de_la_contraria", {F, 1e-11 * Y - F}},
-                   {"mirando_hacia_arriba", {Y, Y}},
-                   {"mirando_hacia_abajo", {-Y, Y}}},
-                  8, "u", [p = dvec3(1, 2, 3)](const Mirada &m) { return baseTorcida(p, p + m.F, m.UP); });
-    casos<double>("Camara", "up_a_*_rad", {1e-3, 1e-5, 1e-7, 1e-8, 1e-9}, 30, "u / seno", inclinacion);
-    casos<double>("Camara", "ojo_en_el_interes_a_*", {0, 1, 1e6, 1e15}, 8, "u",
-                  [=](double lejos) { return baseTorcida(dvec3(lejos), dvec3(lejos), Y); });
+    acotaCada<Mirada>("Camara", "*",
+                      {{"up_paralelo", {F, F}},
+                       {"up_opuesto", {F, -F}},
+                       {"up_nulo", {F, dvec3(0)}},
+                       {"up_1em300", {F, 1e-300 * F}},
+                       {"up_1e300", {F, 1e300 * F}},
+                       {"up_subnormal", {F, 1e-320 * F}},
+                       {"up_a_1em11_de_la_vista", {F, F + 1e-11 * Y}},
+                       {"up_a_1em15_de_la_vista", {F, F + 1e-15 * Y}},
+                       {"up_a_1em11_de_la_contraria", {F, 1e-11 * Y - F}},
+                       {"mirando_hacia_arriba", {Y, Y}},
+                       {"mirando_hacia_abajo", {-Y, Y}}},
+                      8, "u",
+                      [p = dvec3(1, 2, 3)](const Mirada &m) { return baseTorcida(p, p + m.F, m.UP); });
+    acotaCada<double>("Camara", "up_a_*_rad", {1e-3, 1e-5, 1e-7, 1e-8, 1e-9}, 30, "u / seno", inclinacion);
+    acotaCada<double>("Camara", "ojo_en_el_interes_a_*", {0, 1, 1e6, 1e15}, 8, "u",
+                      [=](double lejos) { return baseTorcida(dvec3(lejos), dvec3(lejos), Y); });
     // unos 8 redondeos en float de números menores que 8, y en doble los de L
-    casos<double>(
+    acotaCada<double>(
         "Camara", "ojo_a_*", {0, 1e3, 1e5, 1e6, 1e9},
         [](double L) { return 8 * 8 * U_FLOAT + 100 * L * U_DOBLE; }, "unidades", ojoLejos);
 });
 
-const Casos PROYECCION([] {
-    casos<double>("Profundidad", "matriz_razon_*", {1e2, 1e4, 1e6, 1e9, 1e15}, 8, "u",
-                  [](double razon) { return profundidadDeLaMatriz(1000 / razon, 1000); });
-    casos<double>("Profundidad", "matriz_cerca_*", {1e-3, 1e-6, 1e-30, 1e-100, 1e-300}, 8, "u",
-                  [](double cerca) { return profundidadDeLaMatriz(cerca, 1000); });
+const Cotas PROYECCION([] {
+    acotaCada<double>("Profundidad", "matriz_razon_*", {1e2, 1e4, 1e6, 1e9, 1e15}, 8, "u",
+                      [](double razon) { return profundidadDeLaMatriz(1000 / razon, 1000); });
+    acotaCada<double>("Profundidad", "matriz_cerca_*", {1e-3, 1e-6, 1e-30, 1e-100, 1e-300}, 8, "u",
+                      [](double cerca) { return profundidadDeLaMatriz(cerca, 1000); });
     // En doble el redondeo no aparta nada. En float, medio paso como mucho en el producto, la suma, el cociente y el paso a [0, 1] de
     // cada superficie: ocho veces, de varianza 1/12.
     const double EN_DOBLE = 1e-6, EN_FLOAT = std::sqrt(8.0 / 12);
-    casos<double>(
+    acotaCada<double>(
         "Profundidad", "pares_mal_en_doble_razon_*", {1e2, 1e3, 1e4, 1e6},
         [=](double razon) { return partesMal(1000 / razon, EN_DOBLE); }, "parte",
         [](double razon) { return paresMal<double>(1000 / razon); });
-    casos<double>(
+    acotaCada<double>(
         "Profundidad", "pares_mal_en_float_razon_*", {1e2, 1e4, 1e6},
         [=](double razon) { return partesMal(1000 / razon, EN_FLOAT); }, "parte",
         [](double razon) { return paresMal<float>(1000 / razon); });
-    caso("Profundidad", "cerca_casi_cero_en_float", partesMal(1e-30, EN_FLOAT), "parte",
-         [] { return paresMal<float>(1e-30); });
+    acota("Profundidad", "cerca_casi_cero_en_float", partesMal(1e-30, EN_FLOAT), "parte",
+          [] { return paresMal<float>(1e-30); });
 });
 
 } // namespace

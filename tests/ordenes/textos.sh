@@ -2,7 +2,7 @@
 # textos.sh RAIZ BUILD BIBLIOTECA: lo que se puede comprobar sin ejecutar nada: lo que sale del catálogo en docs/ está
 # al día y todo lo del libro está en él, cada shader empieza por #version 140 y pasa
 # glslangValidator, también como GLSL ES 3.00 (el de ./lab web), glut_sin_ventana.h enumera lo que hay, que no choca con lo que defina un
-# programa, y las cabeceras que dicen que son sin OpenGL no lo incluyen.
+# programa, que los de osmesa no cargan libGL, y las cabeceras que dicen que son sin OpenGL no lo incluyen.
 set -euo pipefail
 cd "$1"
 fallos=0
@@ -41,8 +41,13 @@ diff <(grep -oE '\bglut[A-Z][A-Za-z]+' <(sed '/Cualquier otra/,$d' common/glut_s
   <(nm -C --defined-only "$3" | awk '$2 == "T" && $3 ~ /^glut[A-Z]/ { print $3 }' | sort) ||
   mal 'glut_sin_ventana.h no enumera justo las funciones que hay'
 # sus demás nombres van en su espacio: los que defina un programa no chocan con ellos
-nm -C --defined-only "$3" | awk '$2 ~ /^[TDBRC]$/ && $3 !~ /^(glut[A-Z]|glXGetProcAddress|sin_ventana::)/ { print $3; mal = 1 } END { exit mal }' ||
+nm -C --defined-only "$3" | awk '$2 ~ /^[TDBRC]$/ && $3 !~ /^(glut[A-Z]|glX[A-Z]|sin_ventana::)/ { print $3; mal = 1 } END { exit mal }' ||
   mal 'glut_sin_ventana tiene nombres fuera de sin_ventana'
+
+# con el GLEW estático, arrancar no carga libGL ni X11 (con OSMesa viene lo que Mesa quiera)
+if grep -q '^GLEW_ESTATICO:FILEPATH=.*libGLEW\.a$' "$2/CMakeCache.txt"; then
+  readelf -d "$2"/osmesa/ch*/* | grep -oE 'NEEDED.*\[lib(GL|OpenGL|EGL|X|xcb).*' | sort -u | grep . && mal 'los programas de osmesa las cargan'
+fi
 
 while read -r cabecera; do
   incluidas=$(g++ -std=c++17 -Icommon -I. -M -x c++ "$cabecera") && [[ $incluidas != */GL/* ]] ||

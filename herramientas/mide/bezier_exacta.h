@@ -1,8 +1,9 @@
-// La precisión con que se calcula lo exacto de curvas y superficies.
+// Lo exacto de una curva de Bézier, en cuádruple precisión, y lo que se separa de ello lo que se mide.
 #pragma once
+#include "herramientas/oraculo/cuadruple.h"
 #include <glm/glm.hpp>
+#include <vector>
 
-__extension__ typedef __float128 Cuadruple;
 using PuntoExacto = glm::vec<3, Cuadruple>;
 
 /// |a − b| en double.
@@ -20,6 +21,6 @@ PuntoExacto bezierExacta(const Puntos &puntos, Cuadruple u) {
         q.push_back({Cuadruple(p.x), Cuadruple(p.y), Cuadruple(p.z)});
     for (std::size_t n = q.size() - 1; n > 0; --n)
         for (std::size_t i = 0; i < n; ++i)
-            q[i] = (1 - u) * q[i] + u * q[i + 1];
+            q[i] = (Cuadruple(1) - u) * q[i] + u * q[i + 1];
     return q[0];
 }

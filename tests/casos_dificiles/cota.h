@@ -16,7 +16,7 @@ using Largo = long double; // 64 bits de mantisa
 const double U_FLOAT = 0x1p-24; // el redondeo de float, en un número próximo a 1
 const double U_DOBLE = 0x1p-53; // y el de double
 
-class CasoDificil : public testing::Test {
+class Acotada : public testing::Test {
     const double cota;
     const std::string unidad;
     const std::function<double()> mide;
@@ -28,7 +28,7 @@ class CasoDificil : public testing::Test {
     }
 
 public:
-    CasoDificil(double laCota, std::string laUnidad, std::function<double()> queMide)
+    Acotada(double laCota, std::string laUnidad, std::function<double()> queMide)
         : cota(laCota), unidad(std::move(laUnidad)), mide(std::move(queMide)) {
     }
     void TestBody() override {
@@ -41,11 +41,11 @@ public:
     }
 };
 
-/// La prueba `grupo`.`nombre`: lo que da `mide`, en `unidad`, no pasa de `cota`. Se llama antes de main, desde un CASOS {…}.
-inline void caso(const std::string &grupo, const std::string &nombre, double cota, const std::string &unidad,
-                 const std::function<double()> &mide) {
+/// La prueba `grupo`.`nombre`: lo que da `mide`, en `unidad`, no pasa de `cota`. Se llama antes de main, desde unas Cotas.
+inline void acota(const std::string &grupo, const std::string &nombre, double cota, const std::string &unidad,
+                  const std::function<double()> &mide) {
     testing::RegisterTest(grupo.c_str(), nombre.c_str(), nullptr, nullptr, __FILE__, __LINE__,
-                          [=]() -> testing::Test * { return new CasoDificil(cota, unidad, mide); });
+                          [=]() -> testing::Test * { return new Acotada(cota, unidad, mide); });
 }
 
 /// Un número en un nombre: «1em20» es 1e-20. Los enteros, con todas sus cifras.
@@ -72,8 +72,8 @@ struct Con {
 
 /// Un caso por valor, cuyo nombre va donde el * de `nombre`. La cota puede depender del valor.
 template<class T, class Cota, class Mide>
-void casos(const std::string &grupo, const std::string &nombre, const std::vector<Con<T>> &valores,
-           const Cota &cota, const std::string &unidad, const Mide &mide) {
+void acotaCada(const std::string &grupo, const std::string &nombre, const std::vector<Con<T>> &valores,
+               const Cota &cota, const std::string &unidad, const Mide &mide) {
     const std::size_t donde = nombre.find('*');
     for (const Con<T> &v : valores) {
         double suya;
@@ -81,14 +81,14 @@ void casos(const std::string &grupo, const std::string &nombre, const std::vecto
             suya = cota(v.valor);
         else
             suya = cota;
-        caso(grupo, std::string(nombre).replace(donde, 1, v.nombre), suya, unidad,
-             [mide, x = v.valor] { return mide(x); });
+        acota(grupo, std::string(nombre).replace(donde, 1, v.nombre), suya, unidad,
+              [mide, x = v.valor] { return mide(x); });
     }
 }
 
-struct Casos {
+struct Cotas {
     template<class Registra>
-    explicit Casos(Registra registra) {
+    explicit Cotas(Registra registra) {
         registra();
     }
 };

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-/// Un número de cuádruple precisión que cabe en un vector de GLM, que lo quiere trivial (el de Boost no lo es).
+/// Un número de cuádruple precisión que cabe en un vector de GLM, que lo quiere trivial.
 struct Cuadruple {
     __extension__ typedef __float128 Numero;
     Numero x;
