@@ -24,6 +24,7 @@ import pagina
 from procesos import ejecuta, escribe, principal
 
 CODEMIRROR = Path("/usr/share/javascript/codemirror")
+MODULOS = Path(__file__).parent / "web"
 SHADERS, TEXTURAS = (".vert", ".frag", ".glsl"), (".rgb", ".r8")
 
 
@@ -78,6 +79,10 @@ class Pagina:
         """Los que se pueden hacer en la página: qué pide cada uno en cada shader."""
         return {codigo: pide for codigo, pide in ejercicios.que_piden(self.shaders()).items() if codigo.startswith("L")}
 
+    def guion(self):
+        """Los módulos de la página en un solo guion, porque de file:// un navegador no los carga."""
+        return ejecuta(["esbuild", MODULOS / "pagina.mjs", "--bundle", "--format=iife", "--global-name=pagina", "--charset=utf8"]).decode()
+
     def miniatura(self, programa):
         """La primera imagen de la galería, reducida: basta para el catálogo."""
         origen = self.galeria / programa.casos[0].imagen
@@ -127,9 +132,10 @@ class Pagina:
         for p, d in zip(programas, datos):
             d["ejercicios"] = [{"codigo": c, "que": del_libro.cosas[c].que, "pide": listados[c]} for c in p.referencias if c in listados]
         miniaturas = {p.nombre: self.miniatura(p) for p in programas}
+        guion = self.guion()
         antes()
         pagina.escribe_pagina(self.destino, "web.html", capitulos=capitulos, libro=del_libro, programas=datos, miniaturas=miniaturas,
-                              ejercicios={p["nombre"]: p["ejercicios"] for p in datos})
+                              ejercicios={p["nombre"]: p["ejercicios"] for p in datos}, guion=guion)
 
 
 def main():
