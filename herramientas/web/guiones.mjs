@@ -2,7 +2,7 @@
 // «espera 16»…), y así lo que hace una persona se puede repetir.
 import { corta } from './textos.mjs';
 
-export const ESPERA_MAXIMA = 10000; // ms seguidos que lleva un enlace
+const ESPERA_MAXIMA = 10000; // ms seguidos que lleva un enlace
 export const LIMITES = { ordenes: 10000, ms: 60000, letras: 200 }; // de un guion: todas, todas las esperas, una orden
 const PASO = 100;                   // ms: una espera se repite a pasos
 
