@@ -86,6 +86,19 @@ class Pagina:
         """Los que se pueden hacer en la página: qué pide cada uno en cada shader."""
         return {codigo: pide for codigo, pide in marcas.que_piden(self.shaders()).items() if codigo.startswith("L")}
 
+    def guion(self):
+        """Los módulos de la página en un solo guion, porque de file:// un navegador no los carga."""
+        return ejecuta(
+            [
+                "esbuild",
+                PLANTILLA.with_name("pagina.mjs"),
+                "--bundle",
+                "--format=iife",
+                "--global-name=pagina",
+                "--charset=utf8",
+            ]
+        ).decode()
+
     def miniatura(self, programa):
         """La primera imagen de la galería, reducida: basta para el catálogo."""
         origen = self.galeria / programa.casos[0].imagen
@@ -149,6 +162,7 @@ class Pagina:
                 if c in listados
             ]
         miniaturas = {p.nombre: self.miniatura(p) for p in programas}
+        guion = self.guion()
         antes()
         paginas.escribe_pagina(
             self.destino,
@@ -158,6 +172,7 @@ class Pagina:
             programas=datos,
             miniaturas=miniaturas,
             ejercicios={p["nombre"]: p["ejercicios"] for p in datos},
+            guion=guion,
         )
 
 

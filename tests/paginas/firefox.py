@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""firefox.py RAÍZ BUILD WEB: abre la página de los programas (./lab web) con file:// en Firefox y compara con el golden, con --otro, lo que
-se ve al abrir diez programas: una captura de su lienzo.
+"""firefox.py RAÍZ BUILD WEB: abre la página de los programas (./lab web) con file:// en Firefox y compara con el golden, con --otro,
+lo que se ve al abrir diez programas: una captura de su lienzo.
 
 En una pantalla de Xvfb: sin ninguna (--headless), Firefox no tiene WebGL 2.
 """
@@ -15,12 +15,20 @@ import time
 from pathlib import Path
 
 import navegador
-from navegador import catalogo, espera, exige
+from navegador import PROGRAMAS, espera, exige
 
-PROGRAMAS = "grua", "sombreado", "tetera", "volumen_vista", "sombras", "textura3d", "convolucion", "bezier", "superficie_bspline", "cubemap"
+ELEGIDOS = "grua sombreado tetera volumen_vista sombras textura3d convolucion bezier superficie_bspline cubemap".split()
 AJUSTES = """user_pref("webgl.force-enabled", true);
 user_pref("gfx.x11-egl.force-enabled", true);
 user_pref("marionette.port", 0);
+"""
+ABRE = """
+pagina.escena.suavizado = false; // los golden no tienen muestras
+const e = document.createElement('style');
+e.textContent = `.lienzo { position: fixed; inset: 0 auto auto 0; z-index: 9; width: 240px !important; height: 180px !important;
+  border: 0; border-radius: 0 }`;
+document.head.append(e);
+location.hash = arguments[0];
 """
 
 
@@ -30,8 +38,9 @@ class Firefox:
     def __init__(self, perfil, entorno):
         perfil.mkdir()
         (perfil / "user.js").write_text(AJUSTES)
-        self.proceso = subprocess.Popen(["firefox-esr", "--no-remote", "--marionette", "--profile", perfil, "--window-size", "1280,900"],
-                                        env={**entorno, "HOME": str(perfil), "LIBGL_ALWAYS_SOFTWARE": "1"}, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        orden = ["firefox-esr", "--no-remote", "--marionette", "--profile", perfil, "--window-size", "1280,900"]
+        suyo = {**entorno, "HOME": str(perfil), "LIBGL_ALWAYS_SOFTWARE": "1"}
+        self.proceso = subprocess.Popen(orden, env=suyo, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.pedidos = 0
         puerto, limite = perfil / "MarionetteActivePort", time.monotonic() + 120
         while not (puerto.exists() and puerto.read_text()):
@@ -66,43 +75,34 @@ class Firefox:
 
     def captura(self, selector):
         elemento = self.pide("WebDriver:FindElement", using="css selector", value=selector)["value"]
-        return base64.b64decode(self.pide("WebDriver:TakeScreenshot", id=next(iter(elemento.values())), full=False)["value"])
+        png = self.pide("WebDriver:TakeScreenshot", id=next(iter(elemento.values())), full=False)["value"]
+        return subprocess.run("pngtopnm", input=base64.b64decode(png), capture_output=True, check=True).stdout
 
     def cierra(self):
         self.proceso.terminate()
         self.proceso.wait()
 
 
-def compara(f, raiz, build, pagina, programa, carpeta):
+def compara(f, pagina, programa):
     caso = programa.casos[0]
     f.pide("WebDriver:Navigate", url="about:blank")
     f.pide("WebDriver:Navigate", url=pagina.as_uri())
-    f.js("""suavizado = false; // los golden no tienen muestras
-        const e = document.createElement('style');
-        e.textContent = '.lienzo { position: fixed; inset: 0 auto auto 0; z-index: 9; width: 240px !important; height: 180px !important; border: 0; border-radius: 0 }';
-        document.head.append(e); location.hash = arguments[0]""", ";".join(["#" + programa.nombre, *filter(None, [caso.guion])]))
-    if not espera(f, "return Boolean(sesion?.vivo)"):
+    f.js(ABRE, ";".join(["#" + programa.nombre, *filter(None, [caso.guion])]))
+    if not espera(f, "return Boolean(pagina.escena.sesion?.vivo)"):
         return exige(False, f"{programa.nombre} arranca")
     time.sleep(0.5)  # lo que tarda el navegador en enseñarlo
-    obtenida = carpeta / f"{caso.fichero}.ppm"
-    obtenida.write_bytes(subprocess.run("pngtopnm", input=f.captura("canvas"), capture_output=True, check=True).stdout)
-    fallos = build / "fallos/firefox"
-    fallos.mkdir(parents=True, exist_ok=True)
-    opciones = ["--tolerancia", caso.otro] if caso.otro else []
-    c = subprocess.run([build / "tests/compara", raiz / "tests/golden" / programa.capitulo.nombre / f"{caso.fichero}.ppm", obtenida, "--otro",
-                        "--deja", fallos / caso.fichero, *opciones], capture_output=True, text=True)
-    print(f"{caso.fichero}: {(c.stdout + c.stderr).strip()}", flush=True)
-    exige(c.returncode == 0, f"{caso.fichero} es como su golden")
+    es, dicho = navegador.como_golden(caso, f.captura("canvas"), True, caso.otro, "firefox")
+    print(f"{caso.fichero}: {dicho}", flush=True)
+    exige(es, f"{caso.fichero} es como su golden")
 
 
 def main():
-    raiz, build, web = (Path(ruta).resolve() for ruta in sys.argv[1:])
-    programas = {p.nombre: p for p in catalogo.lee_programas(build)}
+    pagina = Path(sys.argv[3], "index.html").resolve()
     with navegador.pantalla(os.environ) as entorno, tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as carpeta:
         f = Firefox(Path(carpeta, "perfil"), entorno)
         try:
-            for nombre in PROGRAMAS:
-                compara(f, raiz, build, web / "index.html", programas[nombre], Path(carpeta))
+            for nombre in ELEGIDOS:
+                compara(f, pagina, PROGRAMAS[nombre])
         finally:
             f.cierra()
     navegador.acaba()

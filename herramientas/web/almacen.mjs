@@ -1,0 +1,45 @@
+// Lo que guarda el navegador: los shaders cambiados y los ejercicios resueltos. Puede haberlo guardado otra página.
+import { json } from './datos.mjs';
+import { esShader } from './fuentes.mjs';
+
+/// En sessionStorage, mientras no se cierra la pestaña, o en localStorage; puede no permitirlo.
+export function recuerdo(almacen, clave, texto) {
+  try {
+    return texto === undefined ? window[almacen].getItem(clave) : window[almacen].setItem(clave, texto);
+  } catch {
+    return null;
+  }
+}
+
+/// Los shaders cambiados: parejas de ruta y texto.
+export function leeCambios(texto) {
+  try {
+    const pares = JSON.parse(texto ?? '[]');
+    return pares.every(par => par.length === 2 && par.every(t => typeof t === 'string')) ? pares : [];
+  } catch {
+    return [];
+  }
+}
+
+/// Los códigos de los ejercicios resueltos.
+export const leeResueltos = texto => new Set((texto ?? '').split(' ').filter(codigo => /^[EL]\d+\.\d+$/.test(codigo)));
+
+/// Un fichero tal como está en el programa.
+export const solucion = async ruta => (await json(esShader(ruta) ? 'shaders' : 'codigo'))[ruta];
+
+/// Los shaders que se tocan: los de la pestaña o, en un ejercicio, los suyos, que parten de su esqueleto.
+export class Taller {
+  constructor(almacen, clave, codigo) {
+    Object.assign(this, { almacen, clave, codigo, cambios: new Map(leeCambios(recuerdo(almacen, clave))) });
+  }
+
+  async esqueleto() { return this.codigo ? (await json('esqueletos'))[this.codigo] : {}; }
+  async textos() { return { ...await this.esqueleto(), ...Object.fromEntries(this.cambios) }; }
+  async original(ruta) { return (await this.esqueleto())[ruta] ?? solucion(ruta); }
+
+  apunta(ruta, texto, original) {
+    if (texto === original) this.cambios.delete(ruta);
+    else this.cambios.set(ruta, texto);
+    recuerdo(this.almacen, this.clave, JSON.stringify([...this.cambios]));
+  }
+}

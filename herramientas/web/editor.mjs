@@ -1,0 +1,149 @@
+// El editor de los shaders: las pestañas, lo que se escribe y los errores en su línea.
+import { boton, crea, todos, una } from './documento.mjs';
+import { ejecuta, json } from './datos.mjs';
+import { esShader } from './fuentes.mjs';
+import { solucion } from './almacen.mjs';
+
+const OPCIONES = { theme: 'lab', lineNumbers: true, lineWrapping: true, indentUnit: 4, matchBrackets: true,
+  extraKeys: { Tab: false, 'Shift-Tab': false }, screenReaderLabel: 'Editor' };
+const estado = una('.fichero-estado');
+
+/// Al escribir en un shader llama a `alEscribir()` y, cuando está apuntado en el taller, a `alCambiar(ruta, texto)`.
+export class Editor {
+  cm;           // el de CodeMirror, que se descarga la primera vez
+  abierto = ''; // el fichero que se ha pedido
+  ruta;         // el que enseña cm
+  #programa;
+  #taller;
+  #ejercicio; // su código, en un ejercicio
+  #viendo = false; // la solución
+  #errores = [];
+  #reloj = 0;
+
+  constructor({ alEscribir, alCambiar }) { Object.assign(this, { alEscribir, alCambiar }); }
+
+  /// Lo que viene es de ese programa o ejercicio, y se guarda en ese taller.
+  estrena(programa, taller, ejercicio) {
+    this.#programa = programa;
+    this.#taller = taller;
+    this.#ejercicio = ejercicio;
+    this.#viendo = false;
+    this.abierto = '';
+  }
+
+  /// Una pestaña para cada fichero. Si el programa no ha arrancado por un error, se abre por él.
+  async ensena(rutas, errores, vivo) {
+    this.#errores = errores;
+    una('.pestanas').replaceChildren(...rutas.map(ruta =>
+      Object.assign(boton(ruta.split('/').pop(), () => this.abre(ruta), { title: ruta }), { ruta })));
+    const [mal] = vivo ? [] : errores;
+    await this.abre([mal?.ruta, this.abierto].find(r => rutas.includes(r)) ?? rutas[0]);
+    if (mal) this.cm.scrollIntoView({ line: mal.linea, ch: 0 }, 99);
+  }
+
+  async abre(ruta) {
+    await this.aplicaYa();
+    this.abierto = ruta;
+    for (const b of todos('.pestanas button')) b.setAttribute('aria-pressed', b.ruta === ruta);
+    await this.#descarga();
+    const taller = this.#taller;
+    const texto = this.#viendo ? await solucion(ruta) : taller.cambios.get(ruta) ?? await taller.original(ruta);
+    if (ruta !== this.abierto) return;
+    this.cm.setOption('readOnly', this.#viendo || !esShader(ruta));
+    if (this.ruta !== ruta || this.cm.getValue() !== texto) this.#pon(ruta, texto);
+    this.marca();
+  }
+
+  async #descarga() {
+    if (this.cm) return;
+    const { css, js } = await json('editor');
+    if (this.cm) return;
+    document.head.prepend(crea('style', { textContent: css }));
+    ejecuta(js);
+    this.cm = CodeMirror(una('.editor'), OPCIONES);
+    this.cm.on('change', (_, { origin }) => {
+      if (origin === 'setValue' || this.#viendo || !esShader(this.abierto)) return;
+      clearTimeout(this.#reloj);
+      this.#reloj = setTimeout(() => this.aplicaYa(), 250);
+    });
+  }
+
+  #pon(ruta, texto) {
+    this.ruta = ruta;
+    this.cm.setOption('mode', esShader(ruta) ? 'x-shader/x-fragment' : 'text/x-c++src');
+    this.cm.swapDoc(CodeMirror.Doc(texto, this.cm.getOption('mode')));
+    const marca = this.#ejercicio && texto.split('\n').findIndex(l => this.esMarca(l));
+    if (!(marca > 0)) return;
+    this.cm.setCursor(marca + 1, 99, { scroll: false });
+    this.cm.scrollTo(0, this.cm.heightAtLine(marca, 'local') - 60);
+  }
+
+  /// Si esa línea es una de las dos entre las que se escribe el ejercicio.
+  esMarca(linea) { return RegExp(`^ *// (fin de ${this.#ejercicio}$|${this.#ejercicio}: )`).test(linea); }
+
+  /// Enseña los errores del último intento.
+  marca(errores = this.#errores) {
+    this.#errores = errores;
+    if (!this.cm) return;
+    this.cm.operation(() => {
+      this.cm.eachLine(l => this.#limpia(l));
+      for (const { ruta, linea, mensaje } of errores) {
+        if (ruta !== this.abierto || linea > this.cm.lineCount()) continue;
+        this.cm.addLineClass(linea - 1, 'background', 'linea-mala');
+        this.cm.addLineWidget(linea - 1, crea('div', { className: 'mensaje-malo', textContent: mensaje }));
+      }
+    });
+    for (const b of todos('.pestanas button')) {
+      b.classList.toggle('cambiado', this.#taller.cambios.has(b.ruta));
+      b.classList.toggle('mal', errores.some(e => e.ruta === b.ruta));
+    }
+    this.#diEstado(errores[0]);
+  }
+
+  #limpia(l) {
+    this.cm.removeLineClass(l, 'background', 'linea-mala');
+    if (this.#ejercicio && this.esMarca(l.text)) this.cm.addLineClass(l, 'background', 'linea-marca');
+    for (const w of [...l.widgets ?? []]) w.clear();
+  }
+
+  #diEstado(mal) {
+    const cambiado = this.#taller.cambios.has(this.abierto);
+    estado.classList.toggle('mal', Boolean(mal));
+    estado.replaceChildren(this.#viendo ? 'Así está en el programa. Lo que has escrito sigue guardado.'
+      : mal ? (mal.ruta ? `${mal.ruta}, línea ${mal.linea}: ${mal.mensaje}` : mal.mensaje)
+      : !esShader(this.abierto) ? 'Solo para leer: lo que se puede cambiar aquí son los shaders.'
+      : cambiado ? 'Cambiado.' : 'Se aplica según se escribe.');
+    if (this.#viendo || !cambiado) return;
+    estado.append(boton(this.#ejercicio ? 'Borrar lo escrito' : 'Volver al original', () => this.#vuelve()));
+  }
+
+  /// Lo que se acaba de escribir, sin esperar más: al cuarto de segundo o al irse a otro fichero.
+  aplicaYa() {
+    if (!this.#reloj) return;
+    clearTimeout(this.#reloj);
+    this.#reloj = 0;
+    return this.#aplica();
+  }
+
+  async #aplica() {
+    const programa = this.#programa, taller = this.#taller, ruta = this.abierto, texto = this.cm.getValue();
+    this.alEscribir();
+    taller.apunta(ruta, texto, await taller.original(ruta));
+    if (programa === this.#programa && taller === this.#taller) return this.alCambiar(ruta, texto);
+  }
+
+  async #vuelve() {
+    this.cm.setValue(await this.#taller.original(this.abierto));
+    clearTimeout(this.#reloj);
+    this.#reloj = 0;
+    await this.#aplica();
+  }
+
+  /// La solución, y otra vez lo escrito.
+  async cambiaDeVista() {
+    await this.aplicaYa();
+    this.#viendo = !this.#viendo;
+    this.abre(this.abierto);
+    return this.#viendo;
+  }
+}

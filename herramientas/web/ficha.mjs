@@ -1,0 +1,48 @@
+// Lo que hay alrededor de un programa o de un ejercicio: su título, qué dice el libro, sus vecinos y sus casos.
+import { boton, crea, todos, una } from './documento.mjs';
+import { EJERCICIOS, PROGRAMAS } from './programas.mjs';
+import { enlazaEjercicio, ponResueltos } from './resueltos.mjs';
+
+const pagina = una('#programa');
+
+export function ponFicha(programa, ejercicio) {
+  scrollTo(0, 0);
+  document.title = ejercicio ? `Ejercicio ${ejercicio.codigo}: ${ejercicio.que}` : programa.titulo;
+  for (const titulo of [una('h1', pagina), una('h2.proyectado')]) titulo.textContent = document.title;
+  const [referencias, libro] = document.getElementById('libro:' + programa.nombre).content.cloneNode(true).children;
+  una('.de-que').replaceChildren(referencias);
+  una('.del-libro', pagina).replaceChildren(libro);
+  pagina.classList.toggle('de-consola', programa.consola);
+  pagina.classList.toggle('en-ejercicio', Boolean(ejercicio));
+  const capitulo = una(`#${programa.capitulo} h2`).textContent;
+  Object.assign(una('.de-capitulo'), { href: '#' + programa.capitulo, textContent: capitulo });
+  ponVecinos(programa, ejercicio);
+  const enlaces = ejercicio ? [enlazaSalida(programa)] : programa.ejercicios.map(enlazaEjercicio);
+  una('.a-ejercicios', pagina).replaceChildren(...enlaces);
+  ponResueltos();
+}
+
+const enlazaSalida = ({ nombre, titulo }) =>
+  crea('a', { className: 'a-ejercicio', href: '#' + nombre, textContent: `Salir a «${titulo}»` });
+
+function ponVecinos(programa, ejercicio) {
+  const lista = ejercicio ? EJERCICIOS : PROGRAMAS;
+  const i = ejercicio ? lista.findIndex(e => e.codigo === ejercicio.codigo) : lista.indexOf(programa);
+  for (const [clase, vecino] of [['.anterior', lista[i - 1]], ['.siguiente', lista[i + 1]]]) {
+    una(clase).hidden = !vecino;
+    if (vecino) una(clase).href = '#' + (vecino.enlace ?? vecino.nombre);
+    una(clase + ' span').textContent = vecino?.titulo ?? vecino?.que ?? '';
+  }
+}
+
+/// Un botón para cada caso, si hay varios.
+export function ponCasos({ casos }, empiezaCaso) {
+  const botones = casos.map(caso => boton(caso.titulo, () => empiezaCaso(caso)));
+  una('.casos-botones').replaceChildren(...(botones.length > 1 ? botones : []));
+}
+
+/// Cuál se está viendo y qué hay que mirar en él.
+export function ensenaCaso(caso) {
+  for (const p of todos('.mira', pagina)) p.textContent = caso?.mira ?? '';
+  for (const b of todos('.casos-botones button')) b.setAttribute('aria-pressed', b.textContent === caso?.titulo);
+}

@@ -1,0 +1,28 @@
+// Los ficheros de un programa: cuáles se enseñan y qué errores dice de ellos.
+import { corta } from './textos.mjs';
+
+export const esShader = ruta => /\.(vert|frag|glsl)$/.test(ruta);
+
+const TIPOS = ['frag', 'vert', 'glsl', 'cpp', 'h'];
+
+/// Los ficheros de un programa en el orden de sus pestañas: los de su capítulo, y de ellos los shaders, delante.
+export function ordenaFuentes(rutas, capitulo) {
+  const puesto = ruta => TIPOS.indexOf(ruta.split('.').pop()) + (ruta.startsWith(capitulo) ? 0 : TIPOS.length);
+  return [...new Set(rutas)].sort((a, b) => puesto(a) - puesto(b));
+}
+
+/// Los shaders que se enseñan en un ejercicio: los suyos, su pareja y los que se incluyen.
+export function delEjercicio(suyos, rutas) {
+  const tallo = ruta => ruta.replace(/\.\w+$/, '');
+  const pareja = ruta => !/\.(h|cpp)$/.test(ruta) && suyos.some(s => tallo(s) === tallo(ruta));
+  return [...new Set([...suyos, ...rutas.filter(r => r.endsWith('.glsl') || pareja(r))])];
+}
+
+const ERROR = /([\w./]+\.(?:vert|frag|glsl))(?::| no compila: ERROR: 0:)(\d+): (.*?)(?: — «.*»)?$/;
+
+/// El error de un shader que dice una línea de lo que escribe un programa, si lo dice.
+export function leeError(linea, capitulo) {
+  const mal = corta(linea, 1000).match(ERROR);
+  if (mal) return { ruta: mal[1].includes('/') ? mal[1] : `${capitulo}/${mal[1]}`, linea: +mal[2], mensaje: mal[3] };
+  if (/no enlazan|#include/.test(linea)) return { ruta: '', linea: 0, mensaje: linea };
+}

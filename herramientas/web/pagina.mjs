@@ -1,0 +1,122 @@
+// La página de los programas (./lab web): va a lo que pide el enlace y junta las partes, que no saben de ella y le
+// cuentan lo que pasa con alArrancar, alEscribir… web.py las mete todas en un guion, y lo que exporta esta se ve desde la
+// consola del navegador y desde las pruebas como pagina.escena, pagina.editor…
+import { Taller } from './almacen.mjs';
+import { ensenaCatalogo } from './catalogo.mjs';
+import { avisa, crea, todos, una } from './documento.mjs';
+import { Editor } from './editor.mjs';
+import { Ejercicio } from './ejercicio.mjs';
+import { hazEnlace, leeEnlace, programaDe } from './enlaces.mjs';
+import { Escena } from './escena.mjs';
+import { ensenaCaso, ponCasos, ponFicha } from './ficha.mjs';
+import { delEjercicio, esShader, ordenaFuentes } from './fuentes.mjs';
+import { casoInicial } from './guiones.mjs';
+import { ponMandos } from './mandos.mjs';
+import { cierraMenu } from './menu.mjs';
+import { EJERCICIOS, PROGRAMAS } from './programas.mjs';
+import { Propios } from './propios.mjs';
+import { atiendeProyeccion, completa, proyecta } from './proyeccion.mjs';
+
+/// Lo que se ve: { programa, ejercicio, taller, caso }; nada, en el catálogo.
+export let visto = {};
+const libre = new Taller('sessionStorage', 'cambios');
+let ruta; // a la que se ha ido
+
+export const escena = new Escena({ alArrancar, alRecargar: () => editor.marca(escena.errores) });
+export const editor = new Editor({
+  alEscribir: () => visto.ejercicio?.olvidaRevision(),
+  alCambiar: (fichero, texto) => escena.cambia(fichero, texto),
+});
+const propios = new Propios(() => empieza());
+
+function empieza(guion) {
+  const { programa, ejercicio, taller } = visto;
+  const acompana = ejercicio && ((sesion, opciones) => ejercicio.conObjetivo(sesion, opciones));
+  return escena.empieza({ programa, textos: () => taller.textos(), ficheros: propios.ficheros, acompana }, guion);
+}
+
+export function empiezaCaso(caso = casoInicial(visto.programa)) {
+  propios.olvida();
+  visto.caso = caso;
+  ensenaCaso(caso);
+  return empieza(caso.guion);
+}
+
+/// Los ficheros del programa: los que nombra y los que ha leído.
+function alArrancar() {
+  const { programa, ejercicio } = visto, { leidos, vivo } = escena.sesion;
+  const shaders = [...leidos].map(r => r.replace(/^\/lab\//, '')).filter(r => /^ch/.test(r) && esShader(r));
+  const todas = ordenaFuentes([...shaders, ...programa.fuentes], programa.capitulo);
+  editor.ensena(ejercicio ? delEjercicio(Object.keys(ejercicio.pide), todas) : todas, escena.errores, vivo)
+    .catch(error => avisa(`No se pueden ver los ficheros: ${error.message}`));
+  ejercicio?.comparaPronto();
+}
+
+/// Al caso que sigue o al que va delante; tras los de un programa, el programa vecino.
+function pasa(paso) {
+  const { programa, caso } = visto, queSigue = (lista, uno) => lista[lista.indexOf(uno) + paso];
+  const otro = queSigue(programa.casos, caso), vecino = queSigue(PROGRAMAS, programa);
+  if (otro) empiezaCaso(otro);
+  else if (vecino) location.hash = vecino.nombre;
+}
+
+function navega() {
+  if (location.hash === ruta) return;
+  ruta = location.hash;
+  editor.aplicaYa();
+  const { ejercicio: esEjercicio, nombre, guion } = leeEnlace(ruta);
+  const datos = esEjercicio ? EJERCICIOS.find(e => e.codigo.toLowerCase() === nombre.toLowerCase()) : undefined;
+  const programa = esEjercicio ? datos?.programa : programaDe(nombre, PROGRAMAS);
+  visto.ejercicio?.deja();
+  escena.cierra();
+  visto = { programa };
+  una('#catalogo').hidden = Boolean(programa);
+  una('#programa').hidden = !programa;
+  cierraMenu();
+  propios.estrena(programa);
+  if (!programa) return ensenaCatalogo(nombre, esEjercicio);
+  entra(datos, guion);
+}
+
+/// En el programa que se ve o, si es un ejercicio, con esos datos.
+function entra(datos, guion) {
+  const { programa } = visto;
+  const ejercicio = datos && new Ejercicio(datos, { escena, empiezaCaso, recien: guion === undefined });
+  visto = { programa, ejercicio, taller: ejercicio?.taller ?? libre };
+  ponFicha(programa, ejercicio);
+  editor.estrena(programa, visto.taller, ejercicio?.codigo);
+  ponMandos(programa, escena);
+  ponCasos(programa, empiezaCaso);
+  ejercicio?.pon(() => editor.cambiaDeVista());
+  if (guion === undefined) return empiezaCaso();
+  ensenaCaso();
+  empieza(guion);
+}
+
+function guardaImagen() {
+  escena.sesion?.lienzo.toBlob(png => {
+    const enlace = crea('a', { href: URL.createObjectURL(png), download: `${visto.programa.nombre}.png` });
+    enlace.click();
+    setTimeout(() => URL.revokeObjectURL(enlace.href), 1000);
+  });
+}
+
+async function copiaEnlace() {
+  history.replaceState(null, '', hazEnlace(visto.ejercicio?.enlace ?? visto.programa.nombre, escena.hecho.ordenes));
+  ruta = location.hash;
+  try {
+    await navigator.clipboard.writeText(location.href);
+    avisa('Enlace copiado: lleva el programa y lo que se ha hecho con él.');
+  } catch {
+    avisa('El enlace está en la barra de direcciones.');
+  }
+}
+
+for (const b of todos('.otra-vez')) b.onclick = () => empiezaCaso();
+una('.completa').onclick = completa;
+una('.proyecta').onclick = proyecta;
+una('.guarda').onclick = guardaImagen;
+una('.enlace').onclick = copiaEnlace;
+atiendeProyeccion(() => visto.programa, pasa);
+addEventListener('hashchange', navega);
+navega();

@@ -1,0 +1,49 @@
+// Cargar un programa y hacerlo andar: una instancia de lab.js.
+import { bytes, json, laboratorio } from './datos.mjs';
+
+/// Arranca un programa en un lienzo. `di(línea)` recibe lo que escribe; `titulo(texto)`, el de la ventana; `ficheros`
+/// son los que se le dan además de los del laboratorio; `textos`, los shaders que no son los originales. Devuelve lo
+/// que se puede hacer con él.
+export async function arranca(programa,
+  { lienzo, ancho, alto, textos = {}, ficheros = {}, suavizado = true, di = () => {}, titulo = () => {} }) {
+  const [modulo, shaders, suyos] =
+    await Promise.all([laboratorio(), json('shaders'), textos, ...programa.texturas.map(bytes)]);
+  const lab = await Laboratorio({
+    canvas: lienzo, suavizado, thisProgram: programa.nombre, print: di, printErr: di, titulo,
+    instantiateWasm: (lo, recibe) => { WebAssembly.instantiate(modulo, lo).then(recibe); return {}; },
+  });
+  const escribe = (ruta, datos) => {
+    lab.FS.mkdirTree(ruta.replace(/\/[^/]*$/, ''));
+    lab.FS.writeFile(ruta, datos);
+  };
+  for (const [ruta, texto] of Object.entries({ ...shaders, ...suyos })) escribe('/lab/' + ruta, texto);
+  for (const t of programa.texturas) escribe(`/lab/assets/${t}`, await bytes(t));
+  for (const [ruta, datos] of Object.entries(ficheros)) escribe(ruta, datos);
+  const leidos = new Set(), abre = lab.FS.open;
+  lab.FS.open = (ruta, ...resto) => { leidos.add(String(ruta)); return abre(ruta, ...resto); };
+
+  let estado = lab.callMain(['-geometry', `${ancho}x${alto}`, ...Object.keys(ficheros)]) || 0;
+  return {
+    lienzo, leidos,
+    get vivo() { return !estado; },
+    get fallo() { return estado > 0; }, // −1: ha terminado bien
+    escribe: (ruta, texto) => escribe('/lab/' + ruta, texto),
+    lee: ruta => lab.FS.readFile(ruta),
+    /// Un trozo de guion. Si el programa termina, deja de estar vivo.
+    orden(texto) {
+      if (estado) return;
+      try {
+        if (lab.ccall('glutOrden', 'number', ['string'], [texto])) estado = -1;
+      } catch (error) {
+        if (error.name !== 'ExitStatus') di(String(error));
+        estado = error.status || 1;
+      }
+    },
+    opciones: () => estado ? [] : lab.ccall('glutOpciones', 'string').split('\n').filter(Boolean),
+    cierra() {
+      estado ||= -1;
+      lienzo.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext(); // solo puede haber 16 vivos
+      lienzo.remove();
+    },
+  };
+}
