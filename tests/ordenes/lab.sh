@@ -76,9 +76,7 @@ target_compile_definitions(shader_basico PRIVATE LAB_FUENTES="${CMAKE_SOURCE_DIR
 FIN
 : >herramientas/mide/CMakeLists.txt # usa programas que aquí no están
 cat >tests/CMakeLists.txt <<'FIN'
-configure_file(entorno.txt ${CMAKE_BINARY_DIR}/entorno.txt COPYONLY)
-add_executable(compara comparador/compara.cpp)
-target_link_libraries(compara PRIVATE comun avisos)
+configure_file(${CMAKE_SOURCE_DIR}/herramientas/base/entorno.txt ${CMAKE_BINARY_DIR}/entorno.txt COPYONLY)
 get_property(hechos GLOBAL PROPERTY LAB_HECHOS_shader_basico.base)
 add_test(NAME imagen COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/casos/caso.sh ${CMAKE_BINARY_DIR} ${LAB_SIN_VENTANA} ${hechos})
 FIN
@@ -91,7 +89,7 @@ espera 0 '100% tests passed' $lab prueba
 python3 -B - <<'FIN' || mal "el catálogo no dice lo que el CMakeLists.txt: $(cat build/catalogo.json)"
 import sys
 sys.path.insert(0, "herramientas")
-import catalogo
+from base import catalogo
 [capitulo] = catalogo.lee("build")
 uno, dos, tres = capitulo.programas
 assert capitulo.titulo == "Título; con punto y coma"
@@ -110,14 +108,14 @@ espera 8 'No tests were found' $lab prueba -R nada
 : >"$carpeta/vacio"
 for p in primer_programa primer_programa_dos; do cp "$carpeta/vacio" $golden/$p.ppm; done
 espera 0 'primer_programa: ' $lab dora primer_programa shader_basico
-build/tests/compara "$carpeta/golden.ppm" $golden/shader_basico.ppm --amplia >/dev/null || mal 'dora no rehace shader_basico'
+build/herramientas/comparador/compara "$carpeta/golden.ppm" $golden/shader_basico.ppm --amplia >/dev/null || mal 'dora no rehace shader_basico'
 [ -s $golden/primer_programa.ppm ] && [ ! -s $golden/primer_programa_dos.ppm ] || mal 'dora primer_programa no rehace solo ese golden'
 
 # muta: un defecto que ya no se puede plantar, o que no lo es, es un error que dice cuál
 mutantes() { printf '%s\n' "$@" >tests/mutantes/ch01.tsv; } # LÍNEA…
 uno=ch01_intro/primer_programa.cpp dos=ch01_intro/primer_programa_dos.cpp tres=ch01_intro/shader_basico.cpp
 rm tests/mutantes/*.tsv tests/*/*_test.cpp
-sed -i 's/^MINIMO = .*/MINIMO = 4/; s/^META, .*/META, META_SIN_GOLDEN = 50, 25/' herramientas/muta.py
+sed -i 's/^MINIMO = .*/MINIMO = 4/; s/^META, .*/META, META_SIN_GOLDEN = 50, 25/' herramientas/pruebas/muta.py
 mutantes "$uno"$'\testo no está\tx\tsigno' "$dos"$'\tfalta una columna' "$tres"$'\t«3», GL_FLOAT\t3\tes igual' \
   "$tres"$'\t2, GL_FLOAT\t3, GL_FLOAT\tse pisa' "$tres"$'\t«2», GL_FLOAT\t3\tcon este' \
   $'ch01_intro/errores_shader.vert\t«nuevoColor» = color\tnoEsta\tno compila'
@@ -156,12 +154,12 @@ espera 1 'primer_programa_dos.base: falla sin ningún mutante' $lab muta
 cp $golden/primer_programa.ppm $golden/primer_programa_dos.ppm
 espera 1 "ch01:4      $uno, no dibuja: SOBREVIVE, nada lo ejecuta" $lab muta ch01:4
 mutantes "$bueno" "$nadie"$'\tnadie lo pulsa'
-cp docs/medidas.json "$carpeta/antes"
+cp docs/evidencia.json "$carpeta/antes"
 espera 0 'nadie lo pulsa' $lab muta ch01:4
-cmp -s docs/medidas.json "$carpeta/antes" || mal 'muta apunta una lista que no ha plantado entera'
+cmp -s docs/evidencia.json "$carpeta/antes" || mal 'muta apunta una lista que no ha plantado entera'
 espera 0 '| total | 4 | 2 | 50.0 | 1 | 25.0 | 1 | 25.0 |' $lab muta
-[ "$(grep plantados docs/medidas.json)" = '  "ch01": {"plantados": 4, "notados": 2, "sin_golden": 1, "encima": 0}' ] || mal 'muta no apunta lo que se nota de cada lista'
-sed -i 's/^META, .*/META, META_SIN_GOLDEN = 50, 26/' herramientas/muta.py
+[ "$(grep plantados docs/evidencia.json)" = '  "ch01": {"plantados": 4, "notados": 2, "sin_golden": 1, "encima": 0}' ] || mal 'muta no apunta lo que se nota de cada lista'
+sed -i 's/^META, .*/META, META_SIN_GOLDEN = 50, 26/' herramientas/pruebas/muta.py
 espera 1 'se deben notar el 50 % y, sin golden, el 26 %' $lab muta
 sed -i 's/\testado$/&\tno se ve/' tests/mutantes/ch01.tsv
 espera 1 'o se notan y tienen uno: ch01:2' $lab muta ch01:2
@@ -219,7 +217,7 @@ target_compile_definitions(nuevo PRIVATE LAB_FUENTES="${CMAKE_SOURCE_DIR}")
     MIRA "Es nuevo")
 FIN
 sed -i 's/Acaba/&\\nNuevo.\\n  EsLoQueEs/' tests/capitulos/ch01_test.cpp
-espera 1 'ch01: ningún mutante en ch01_intro/nuevo' $lab muta --comprueba
+espera 1 'ningún mutante en ch01_intro/nuevo' $lab muta --comprueba
 printf '%s\t' ch01_intro/nuevo.cpp '«glDeleteShader(shader);» // marcado' ';' 'no se borra' >>tests/mutantes/ch01.tsv
 echo 'no se ve' >>tests/mutantes/ch01.tsv
 espera 0 '5 mutantes, y todos se pueden plantar' $lab muta --comprueba
@@ -230,7 +228,9 @@ espera 0 'ch01_intro/nuevo: 1 imagen' $lab galeria
 grep -q '<article id="nuevo">' galeria/index.html && grep -q 'Es nuevo' galeria/index.html || mal 'el programa nuevo no está en la galería'
 espera 0 '' $lab lista --docs
 grep -qF '| [nuevo](../ch01_intro/nuevo.cpp) | E1.2 | Cuatro |' docs/programas.md || mal 'el programa nuevo no está en docs/programas.md'
-PYTHONPATH=herramientas python3 -B -c 'import catalogo, pathlib, web
+PYTHONPATH=herramientas python3 -B -c 'import pathlib
+from base import catalogo
+from web import pagina as web
 aqui = pathlib.Path.cwd()
 web.Pagina(aqui, aqui / "build/web", aqui / "galeria", aqui / "web").escribe_indice(catalogo.lee("build"))'
 grep -q '"nombre":"nuevo".*"mira":"Es nuevo".*"fuentes":\["ch01_intro/nuevo.cpp","ch01_intro/nuevo.vert","ch01_intro/nuevo.frag"\]' web/index.html ||

@@ -52,7 +52,7 @@ with tempfile.TemporaryDirectory() as carpeta:
     pagina.empaqueta("a.b", {"ñ": [1]})
     paquete = (pagina.nuevos / "a.b.js").read_text()
 programas = [p for p in catalogo.lee_programas(build) if p.nombre in elegidos]
-print(json.dumps([paquete, {p.nombre: web.Programa(raiz, build, p).datos() for p in programas}]))`;
+print(json.dumps([paquete, {p.nombre: web.ProgramaVivo(raiz, build, p).datos() for p in programas}]))`;
 
 const RASGOS = {
   info_opengl: 'consola', grua: 'raton mandos texturas', menu: 'raton mandos texturas', convolucion: 'mandos texturas admite',
