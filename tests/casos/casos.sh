@@ -65,13 +65,13 @@ imagen() {
     comparacion+=(--redondeo)
   fi
   "$build/herramientas/comparador/compara" "$golden.ppm" "$fichero.ppm" "${comparacion[@]}" || estado=1
-  # lo que cuenta en sus píxeles un programa que sale distinto también lo es: queda el texto
+  # lo que cuenta en sus píxeles un programa que sale distinto también lo es, y lo que dice de ellos encima: queda el texto
   if [ "$opengl" ] && [ "$otro" ]; then
     diff -u <(tr -d 0-9 <"$golden.txt") <(tr -d 0-9 <salida) || estado=1
   else
     diff -u "$golden.txt" salida || estado=1
+    compara_encima "$golden" lista
   fi
-  compara_encima "$golden" lista
 }
 
 encuadre() {
