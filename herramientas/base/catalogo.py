@@ -4,13 +4,11 @@ en BUILD/catalogo.json y solo se lee aquí.
 catalogo.py BUILD lista [--tsv]   capítulo, programa, referencia y título
 catalogo.py BUILD resuelve QUÉ    los programas a que se refiere (su nombre, L1.2, E3.5, F3.3, ch05): capítulo, programa,
                                   imagen o texto, y título, entre tabuladores
-catalogo.py BUILD casos QUÉ…      de cada caso que se nombra (grua, grua-girada), los argumentos de los scripts de
-                                  tests/casos/
+catalogo.py BUILD casos QUÉ…      de cada caso que se nombra (grua, grua-girada), su programa y su nombre
 """
 import difflib
 import json
 import re
-import shlex
 import sys
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -41,17 +39,6 @@ class Caso:
     @property
     def animada(self):
         return f"{self.programa.capitulo.nombre}/{self.fichero}.anima.png"
-
-    @property
-    def hechos(self):
-        """Lo que de un caso reciben los scripts de tests/casos/."""
-        return [
-            self.programa.capitulo.nombre,
-            self.programa.nombre,
-            self.fichero,
-            self.tolerancia or "-",
-            self.guion or "-",
-        ]
 
     @property
     def titulo(self):
@@ -157,7 +144,7 @@ def main():
             print(p.capitulo.nombre, p.nombre, "texto" if p.consola else "imagen", p.titulo, sep="\t")
     elif orden == "casos":
         for caso in [c for pedido in resto for c in casos(programas, pedido)]:
-            print(shlex.join(caso.hechos))
+            print(caso.programa.nombre, caso.nombre)
 
 
 if __name__ == "__main__":

@@ -19,7 +19,7 @@
 #   exigen un MOTIVO.
 #
 # Con todo ello se escribe build/catalogo.json, que solo lee herramientas/base/catalogo.py, y de ahí sale lo demás: ./lab, la galería,
-# las páginas, docs/. Las pruebas de cada caso reciben sus hechos como argumentos.
+# las páginas, docs/. Lo que de cada caso necesitan las pruebas queda en build/casos/<programa>.sh, que lee tests/casos/casos.sh.
 
 # file(GLOB) en esta carpeta aunque se llame a[b]: esos corchetes no son del patrón.
 function(busca variable patron)
@@ -128,19 +128,14 @@ function(caso programa nombre)
   endif()
   apunta(CASOS C PROGRAMA NOMBRE FICHERO GUION TOLERANCIA OTRO MIRA BORDE ANIMA)
   set_property(GLOBAL APPEND PROPERTY LAB_NOMBRES_DE_CASOS ${programa}.${nombre})
-  if(C_BORDE)
-    set_property(GLOBAL APPEND PROPERTY LAB_CASOS_QUE_LLEGAN_AL_BORDE ${programa}.${nombre})
-  endif()
 
-  # lo que de él reciben los scripts de tests/casos/, con un guion donde no hay nada
-  foreach(hecho TOLERANCIA OTRO GUION)
-    if(NOT C_${hecho})
-      set(C_${hecho} -)
-    endif()
+  set(linea "caso")
+  foreach(campo NOMBRE FICHERO GUION TOLERANCIA OTRO BORDE)
+    string(TOLOWER ${campo} variable)
+    string(REPLACE "'" "'\\''" valor "${C_${campo}}")
+    string(APPEND linea " ${variable}='${valor}'")
   endforeach()
-  string(REPLACE ";" "\\;" guion "${C_GUION}")
-  set_property(GLOBAL PROPERTY LAB_HECHOS_${programa}.${nombre} "${capitulo};${programa};${C_FICHERO};${C_TOLERANCIA};${guion}")
-  set_property(GLOBAL PROPERTY LAB_OTRO_${programa}.${nombre} "${C_OTRO}")
+  set_property(GLOBAL APPEND_STRING PROPERTY LAB_CASOS_DE_${programa} "${linea}\n")
 endfunction()
 
 # python3 en esta máquina: ejecuta los módulos de herramientas/.
@@ -212,4 +207,11 @@ function(escribe_catalogo)
   endforeach()
   string(SUBSTRING "${catalogo}" 1 -1 catalogo)
   file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/catalogo.json" CONTENT "{${catalogo}\n}\n")
+  get_property(programas GLOBAL PROPERTY LAB_CON_VENTANA)
+  foreach(programa IN LISTS programas)
+    get_filename_component(nombre ${programa} NAME)
+    get_filename_component(capitulo ${programa} DIRECTORY)
+    get_property(casos GLOBAL PROPERTY LAB_CASOS_DE_${nombre})
+    file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/casos/${nombre}.sh" CONTENT "capitulo=${capitulo}\n${casos}")
+  endforeach()
 endfunction()

@@ -98,7 +98,11 @@ class Sumas:
         for a in argumentos:
             capitulo = self.programas[a].capitulo.nombre
             suyos += [self.build / destino / capitulo / a for destino in self.destinos]
-            suyos += [*self.programas[a].ficheros(self.raiz), *(self.raiz / "tests/golden" / capitulo).glob(f"{a}*")]
+            suyos += [
+                self.build / f"casos/{a}.sh",
+                *self.programas[a].ficheros(self.raiz),
+                *(self.raiz / "tests/golden" / capitulo).glob(f"{a}*"),
+            ]
         return hashlib.sha1(repr((orden, self.comunes, self.ficheros(suyos))).encode()).hexdigest()
 
 

@@ -30,7 +30,7 @@ from pruebas.googletest import pruebas_de
 
 MINIMO = 150  # mutantes en la lista
 META, META_SIN_GOLDEN = 98, 92  # por ciento
-ENCIMA = 4  # con que acaba caso.sh si es distinto lo que se pinta encima
+ENCIMA = 4  # con que acaba casos.sh si es distinto lo que se pinta encima
 SOBRA = "build", "galeria", "informe", "web", "windows", "mios", ".git"  # de una copia del árbol
 PRUEBAS_DE_COPIA = (
     "tests/herramientas/herramientas_test.py",
@@ -290,12 +290,17 @@ class Vivero:
                 pruebas.append(Prueba(f"{de} propiedades.{programa.nombre}", orden, entorno, False))
             hay_pasos = (self.copia / f"tests/golden/{programa.capitulo.nombre}/{programa.nombre}.pasos").exists()
             if hay_pasos and (not capitulos or de in capitulos):
-                guion = self.copia / "tests/casos/pasos.sh"
-                orden = [guion, self.build, self.sin_ventana, programa.capitulo.nombre, programa.nombre]
+                orden = [self.copia / "tests/casos/casos.sh", self.build, "pasos", programa.nombre]
                 pruebas.append(Prueba(f"{de} pasos.{programa.nombre}", orden, entorno, True))
             for caso in programa.casos:
                 if not programa.consola and (not capitulos or de in capitulos):
-                    orden = [self.copia / "tests/casos/caso.sh", self.build, self.sin_ventana, *caso.hechos]
+                    orden = [
+                        self.copia / "tests/casos/casos.sh",
+                        self.build,
+                        self.sin_ventana,
+                        programa.nombre,
+                        caso.nombre,
+                    ]
                     pruebas.append(Prueba(f"{de} golden {programa.nombre}.{caso.nombre}", orden, entorno, True))
         return pruebas
 

@@ -207,7 +207,7 @@ def test_el_tiempo_de_un_proceso(tmp_path):
 def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
     """Lo que se toca, y qué pruebas dejan de valer: las que usan eso y ninguna más; una que falla o no se conoce, siempre."""
     raiz, build = tmp_path / "raiz", tmp_path / "raiz/build"
-    ficheros = ["raiz/ch01_uno/a.cpp", "raiz/ch01_uno/b.cpp", "raiz/ch01_uno/a.vert", "raiz/tests/casos/caso.sh", "raiz/tests/golden/ch01_uno/a-dos.ppm", "raiz/lab",
+    ficheros = ["raiz/ch01_uno/a.cpp", "raiz/ch01_uno/b.cpp", "raiz/ch01_uno/a.vert", "raiz/tests/casos/casos.sh", "raiz/build/casos/a.sh", "raiz/tests/golden/ch01_uno/a-dos.ppm", "raiz/lab",
                 "raiz/docs/x.md", "raiz/assets/x.txt", "raiz/build/osmesa/ch01_uno/a", "raiz/build/osmesa/ch01_uno/b", "raiz/build/osmesa/ch01_intro/x",
                 "raiz/build/herramientas/comparador/compara", "raiz/build/tests/CTestTestfile.cmake", "raiz/build/tests/ch01_test", "raiz/build/leidos/ch01_test", "raiz/build/leidos/imagen.a"]
     for f in ficheros:
@@ -216,7 +216,7 @@ def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
     (build / "herramientas/comparador/compara").chmod(0o755)
     (build / "leidos/imagen.a").write_text("ch01_uno/a.vert\n")
     (build / "leidos/ch01_test").write_text(f"{build}/osmesa/ch01_uno/b\n")
-    ordenes = {"imagen.a": [f"{raiz}/tests/casos/caso.sh", str(build), "a"], "imagen.b": [f"{raiz}/tests/casos/caso.sh", str(build), "b"],
+    ordenes = {"imagen.a": [f"{raiz}/tests/casos/casos.sh", str(build), "a"], "imagen.b": [f"{raiz}/tests/casos/casos.sh", str(build), "b"],
                "ch01.G.uno": [f"{build}/tests/ch01_test", "--gtest_filter=G.uno"], "textos": [f"{raiz}/tests/textos.sh"], "lab": [f"{raiz}/tests/lab.sh"], "otra": ["x"]}
     monkeypatch.setattr(cambios, "ejecuta", lambda *_, **__: json.dumps({"tests": [{"name": n, "command": o} for n, o in ordenes.items()]}))
     capitulo = catalogo.Capitulo("ch01_uno", "Uno")
@@ -239,7 +239,7 @@ def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
     ordenes |= {str(n): [f"{build}/tests/x_test"] for n in range(9)}  # que las que cambian no sean más de la mitad
     informa()
     for toca, esperadas in (("raiz/ch01_uno/a.vert", "imagen.a|textos"), ("raiz/build/osmesa/ch01_uno/b", "imagen.b|ch01.G.uno"), ("raiz/build/osmesa/ch01_uno/a", "imagen.a"),
-                            ("raiz/tests/golden/ch01_uno/a-dos.ppm", "imagen.a"), ("raiz/docs/x.md", "textos"), ("raiz/lab", "textos|lab"),
+                            ("raiz/tests/golden/ch01_uno/a-dos.ppm", "imagen.a"), ("raiz/build/casos/a.sh", "imagen.a"), ("raiz/docs/x.md", "textos"), ("raiz/lab", "textos|lab"),
                             ("raiz/build/tests/ch01_test", "ch01.G.uno"), ("raiz/assets/x.txt", ".*"), ("raiz/build/herramientas/comparador/compara", ".*")):
         antes = (tmp_path / toca).read_text()
         (tmp_path / toca).write_text("otra cosa")

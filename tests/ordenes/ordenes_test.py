@@ -44,7 +44,7 @@ class Lab:
         otro_python = sitio / "bin/python3"  # como el de conda, que no tiene los paquetes del sistema
         otro_python.write_text("#!/bin/sh\necho 'este Python no es el del sistema' >&2\nexit 1\n")
         otro_python.chmod(0o755)
-        (self.raiz / "tests/casos/caso.sh").symlink_to(RAIZ / "tests/ordenes/falso.sh")
+        (self.raiz / "tests/casos/casos.sh").symlink_to(RAIZ / "tests/ordenes/falso.sh")
         for f, texto in (("herramientas/base/entorno.txt", "GALLIUM_DRIVER=llvmpipe\n"), ("tests/capitulos/ch01_test.cpp", ""), ("ch01_uno/a.vert", "uno"),
                          ("ch01_uno/a.cpp", '// Controles: a gira · Esc termina.\n#include "a.vert"\n'), ("ch01_uno/b.cpp", "// Controles: ninguno.\n"),
                          ("tests/mutantes/ch01.tsv", "ch01_uno/a.cpp\tgira\tx\ti\nch01_uno/b.cpp\tninguno\tx\ti\n"), ("tests/casos_dificiles/casos.tsv", ""),
@@ -405,11 +405,15 @@ def test_lo_de_mios_se_ve_como_lo_demas(lab):
 
 def test_dora(lab):
     assert lab("dora a b").stdout.count("1|llvmpipe|") == 3
-    assert lab.llamadas("caso.sh") == [[str(lab.build), "osmesa", "ch01_uno", p, f, t, g] for p, f, t, g in
-                                       (("a", "a", "-", "-"), ("a", "a-dos", "1 2 3", "tecla a; tecla '"), ("b", "b", "-", "-"))]
+    assert lab.llamadas("casos.sh") == [[str(lab.build), "osmesa", *caso.split()] for caso in ("a base", "a dos", "b base")]
     lab("dora a-dos")
-    assert lab.llamadas("cmake")[-1][3:] == ["compara", "a_osmesa"]
-    assert len(lab.llamadas("caso.sh")) == 1
+    assert lab.llamadas("cmake")[-1][3:] == ["compara", "compara_encima", "a_osmesa"]
+    assert len(lab.llamadas("casos.sh")) == 1
+    (lab.raiz / "tests/golden/ch01_uno").mkdir()
+    (lab.raiz / "tests/golden/ch01_uno/a.pasos").touch()
+    lab("dora a-dos b a")
+    assert [c[1:] for c in lab.llamadas("casos.sh") if c[1] == "pasos"] == [["pasos", "a"]]
+    shutil.rmtree(lab.raiz / "tests/golden/ch01_uno")
     if os.geteuid():  # root puede siempre
         (lab.raiz / "tests/golden").chmod(0o555)
         lab("dora a", 1, "no puedo escribir en")

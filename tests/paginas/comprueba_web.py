@@ -77,7 +77,7 @@ def compara(raiz, build, capitulo, fichero, ppm, carpeta, tolerancia=""):
 def compara_casos(n, raiz, build, carpeta, pedidos):
     bien = total = 0
     for caso in lee_casos(build):
-        capitulo, programa, fichero, *_ = caso.hechos
+        capitulo, programa, fichero = caso.programa.capitulo.nombre, caso.programa.nombre, caso.fichero
         if pedidos and fichero not in pedidos and programa not in pedidos:
             continue
         total += 1

@@ -143,7 +143,7 @@ def como_golden(caso, ppm, otro, tolerancia, deja):
     """Si esa imagen es como el golden del caso, y lo que dice el comparador. `otro`: si es de otro OpenGL."""
     fallos_en = BUILD / "fallos" / deja
     fallos_en.mkdir(parents=True, exist_ok=True)
-    golden = RAIZ / "tests/golden" / caso.hechos[0] / f"{caso.fichero}.ppm"
+    golden = RAIZ / "tests/golden" / caso.programa.capitulo.nombre / f"{caso.fichero}.ppm"
     opciones = ["--otro" if otro else "--amplia", "--deja", fallos_en / caso.fichero]
     if tolerancia:
         opciones += ["--tolerancia", tolerancia]

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# guardianes.sh BUILD SIN_VENTANA: caso.sh y ventana.sh dan por bueno lo bueno y fallan con un golden que no es, un programa
+# guardianes.sh BUILD SIN_VENTANA: casos.sh, sin ventana y en una, da por bueno lo bueno y falla con un golden que no es, un programa
 # que acaba mal, que escribe en stderr, que no dibuja, que no abre la ventana o que no atiende Esc. También prueba
 # que una prueba de ventana interrumpida no deja su Xvfb.
 set -euo pipefail
@@ -11,10 +11,10 @@ cd "$carpeta"
 fallos=0
 
 # Un build y unas pruebas de mentira, con un solo programa de verdad detrás.
-mkdir -p tests build/tests build/ventana/cap "build/$sin_ventana/cap" tests/golden/cap
+mkdir -p tests build/{tests,casos} build/ventana/cap "build/$sin_ventana/cap" tests/golden/cap
 cp -r "$aqui" "$aqui/../casos" tests
-ln -s "$build/tests/guion" "$build/tests/ventana" build/tests
 ln -s "$build/herramientas" build
+ln -s "$build/tests/compara_encima" "$build/tests/guion" "$build/tests/ventana" build/tests
 "$build/$sin_ventana/ch03_transformaciones/grua" -geometry 240x180 -ppm bien.ppm
 "$build/$sin_ventana/ch03_transformaciones/grua" -geometry 240x180 -ppm otro.ppm -guion 'tecla d; tecla d; tecla d'
 
@@ -25,21 +25,23 @@ programa() { # CUERPO: el programa del caso es un script que lo ejecuta; en él,
     chmod +x "build/$destino/cap/grua"
   done
 }
-prueba() { # ESTADO QUÉ MENSAJE ORDEN…: si acaba con 0 o no, como dice ESTADO, y si lo explica
-  local esperado=$1 que=$2 mensaje=$3 estado=0
-  shift 3
-  "tests/casos/$1" "${@:2}" >salida 2>&1 || estado=1
+prueba() { # ENLACE ESTADO QUÉ MENSAJE [FICHERO GUION]: si acaba así, y si lo explica
+  local esperado=$2 que=$3 mensaje=$4 estado=0
+  echo "caso nombre=base fichero=${5:-grua} guion='${6:-}' tolerancia='' otro='' borde=''" | sed '1i capitulo=cap' >build/casos/grua.sh
+  SIN_PASEO=1 tests/casos/casos.sh "$carpeta/build" "$1" grua >salida 2>&1 || estado=$?
   [ $estado = "$esperado" ] && grep -q "$mensaje" salida && return
-  echo "$que: acaba con $estado y debía acabar con $esperado diciendo «$mensaje»:"
+  echo "$1, $que: acaba con $estado y debía acabar con $esperado diciendo «$mensaje»:"
   cat salida
   fallos=1
 }
-caso() { prueba "$1" "caso.sh, $2" "$3" caso.sh "$carpeta/build" "$sin_ventana" cap grua grua - -; }
-ventana() { prueba "$1" "ventana.sh, $2" "$3" ventana.sh "$carpeta/build" - cap grua "${4:-grua}" - "${5:--}"; }
+caso() { prueba "$sin_ventana" "$@"; }
+ventana() { prueba ventana "$@"; }
 
 cp bien.ppm tests/golden/cap/grua.ppm
 cp bien.ppm tests/golden/cap/grua-quieta.ppm
 "$build/$sin_ventana/ch03_transformaciones/grua" -titulos -ppm nada.ppm >tests/golden/cap/grua.txt
+cp "$aqui/../golden/ch03_transformaciones/grua-reposo.encima" tests/golden/cap/grua.encima
+sed -i '1s/grua-reposo/grua/' tests/golden/cap/grua.encima
 programa 'grua "$@"'
 caso 0 "todo bien" '^bien'
 ventana 0 "todo bien" '^grua: bien'
@@ -51,7 +53,7 @@ programa 'grua "$@"; echo aviso >&2'
 caso 1 "escribe en stderr" 'estado 0 y ha escrito'
 ventana 1 "escribe en stderr" 'estado 0 y ha escrito'
 programa 'exit 0'
-caso 1 "no dibuja" 'grua.ppm'
+caso 4 "no dibuja" 'grua.ppm'
 ventana 1 "no abre su ventana" 'no abre su ventana'
 programa 'grua "$@"; exec sleep 60 >/dev/null 2>&1'
 PACIENCIA=30 ventana 1 "no atiende Esc" 'no lo termina'
@@ -64,12 +66,15 @@ PACIENCIA=5 ventana 1 "golden que no es" 'píxeles a más de 3'
 cp bien.ppm tests/golden/cap/grua.ppm
 programa 'grua "$@"; echo otro texto'
 caso 1 "texto que no es" '^+otro texto'
+programa 'grua "$@"'
+sed -i '$s/[0-9]/9/' tests/golden/cap/grua.encima
+caso 4 "encima que no es" 'grua.ppm, trazo 6, '
 rm tests/golden/cap/grua.ppm
 caso 1 "sin golden" 'falta el golden'
 
 # Interrumpida sin remedio (KILL), ni el Xvfb ni el programa la sobreviven.
 cp otro.ppm tests/golden/cap/grua.ppm
-PACIENCIA=600 tests/casos/ventana.sh "$carpeta/build" - cap grua grua - - >/dev/null 2>&1 &
+PACIENCIA=600 SIN_PASEO=1 tests/casos/casos.sh "$carpeta/build" ventana grua >/dev/null 2>&1 &
 prueba=$!
 hijos() { ps -o pid= --ppid "$1" | xargs; }
 for _ in $(seq 100); do [ "$(hijos $prueba | wc -w)" -ge 2 ] && break; sleep 0.05; done
