@@ -3,6 +3,7 @@
 // Controles: 1 sin error · 2 error de compilación · 3 error de enlazado · F5 relee · Esc termina.
 #include "buferes.h"
 #include "colores.h"
+#include "modos.h"
 #include "rotulo.h"
 #include "shader.h"
 #include "ventana.h"
@@ -44,7 +45,7 @@ static void intenta() {
 
 static void dibuja() {
     const glm::vec3 &fondo = estado.hayError ? ROJO : FONDO_CLARO;
-    glClearColor(fondo.r, fondo.g, fondo.b, 1);
+    ponFondo(fondo);
     glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -59,9 +60,8 @@ static void cambiaTamano(int ancho, int alto) {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || tecla < '1' || tecla > '3')
+    if (teclaComun(tecla) || !eligeModo(estado.elegido, 3, tecla))
         return;
-    estado.elegido = tecla - '1';
     intenta();
 }
 

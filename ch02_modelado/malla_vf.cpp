@@ -7,6 +7,7 @@
 #include "error.h"
 #include "malla.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rutas.h"
 #include "shader.h"
 #include "topologia.h"
@@ -98,7 +99,7 @@ static void inicia(const std::string &fichero) {
     construye();
 
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
 }
 
 // En el centro de cada cara que se ve, su número, desde el 1 como en el fichero.

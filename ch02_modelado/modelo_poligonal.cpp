@@ -65,7 +65,7 @@ static void inicia() {
     glEnableVertexAttribArray(iPosicion);
     glEnableVertexAttribArray(iColor);
 
-    glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
+    ponFondo(FONDO_OSCURO);
 }
 
 static void dibuja() {

@@ -5,6 +5,8 @@
 // Controles: 1 puntos · 2 3 4 líneas · 5 6 7 triángulos · 0 todas · Esc termina.
 #include "buferes.h"
 #include "colores.h"
+#include "modos.h"
+#include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "shader.h"
@@ -30,11 +32,11 @@ static const struct {
                   {GL_TRIANGLES, "GL_TRIANGLES", "GL_\nTRIANGLES"},
                   {GL_TRIANGLE_STRIP, "GL_TRIANGLE_STRIP", "GL_\nTRIANGLE_\nSTRIP"},
                   {GL_TRIANGLE_FAN, "GL_TRIANGLE_FAN", "GL_\nTRIANGLE_\nFAN"}};
-static const int TODAS = -1, N_PRIMITIVAS = 7;
+static const int N_PRIMITIVAS = 7;
 
 static struct {
     GLuint programa;
-    int elegido = TODAS;
+    int elegido = TODOS;
 } estado;
 
 // `altoFigura`: la parte del alto que ocupa; encima va el nombre.
@@ -62,7 +64,7 @@ static void dibuja() {
     abreRecuadro(ventanaEntera(), GRIS);
     const glm::mat4 I(1); // los vértices ya están en las coordenadas del panel
     usaPrograma(estado.programa, I, I);
-    if (estado.elegido != TODAS) {
+    if (estado.elegido != TODOS) {
         dibujaPanel(ventanaEntera(), estado.elegido, PRIMITIVAS[estado.elegido].nombre, 0.9f);
     } else {
         const std::vector<Recuadro> paneles = reparte(N_PRIMITIVAS + 1, 0.8f);
@@ -75,11 +77,8 @@ static void dibuja() {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || tecla < '0' || tecla > '7')
-        return;
-    estado.elegido = tecla == '0' ? TODAS : tecla - '1';
-    ponTitulo(estado.elegido == TODAS ? "Primitivas" : PRIMITIVAS[estado.elegido].nombre);
-    glutPostRedisplay();
+    if (!teclaComun(tecla) && eligeModoOTodos(estado.elegido, N_PRIMITIVAS, tecla))
+        ponTitulo(estado.elegido == TODOS ? "Primitivas" : PRIMITIVAS[estado.elegido].nombre);
 }
 
 int main(int argc, char **argv) {

@@ -7,6 +7,7 @@
 #include "buferes.h"
 #include "colores.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
 #include "shader.h"
 #include "texto.h"
@@ -85,7 +86,7 @@ int main(int argc, char **argv) {
     estado.parches = leeParches("assets/tetera.txt");
     construye();
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);

@@ -8,6 +8,8 @@
 #include "encuadre_malla.h"
 #include "error.h"
 #include "malla.h"
+#include "modos.h"
+#include "proyeccion.h"
 #include "rutas.h"
 #include "shader.h"
 #include "topologia.h"
@@ -18,8 +20,7 @@
 #include <string>
 
 static const glm::vec3 PALETA[] = {NARANJA, AZUL, VERDE, ROJO, MORADO, AMARILLO, GRIS};
-static const float ANGULO = 0.6f; // de la perspectiva, en radianes
-static const int TODAS = -1;
+static const float ANGULO = 0.6f;            // de la perspectiva, en radianes
 static const std::size_t MAXIMO_ESCRITO = 3; // tiras cuyos índices caben en la ventana
 
 static struct {
@@ -28,7 +29,7 @@ static struct {
     std::vector<glm::vec3> vertices;
     std::vector<Triangulo> triangulos; // los de la malla
     std::vector<Tira> tiras;
-    int elegido = TODAS;
+    int elegido = TODOS;
     Orbita orbita = {0.66f, 0.80f, 1}; // la distancia la pone el encuadre
 } estado;
 
@@ -65,7 +66,7 @@ static void informa() {
 // Los vértices de todas las tiras, una tras otra: repetidos, con el color que cada uno tiene en su tira, y sin índices.
 static void construye() {
     estado.tiras = estado.unaSola ? std::vector<Tira>{TIRA_UNICA} : hazTiras(estado.triangulos);
-    estado.elegido = TODAS;
+    estado.elegido = TODOS;
     std::vector<VerticeColor> enOrden;
     for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
         const Tira &tira = estado.tiras[i];
@@ -90,12 +91,12 @@ static void inicia(const std::string &fichero) {
     construye();
 
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
 }
 
 // Al resaltar una tira, de las demás quedan las líneas, que no la tapan.
 static bool seDibuja(std::size_t i) {
-    return estado.elegido == TODAS || estado.elegido == int(i);
+    return estado.elegido == TODOS || estado.elegido == int(i);
 }
 
 static void dibujaTiras() {
@@ -143,15 +144,13 @@ static void dibuja() {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaComun(tecla) || eligeModoOTodos(estado.elegido, std::min(int(estado.tiras.size()), 9), tecla))
         return;
-    if (tecla >= '0' && tecla <= '9' && tecla - '0' <= int(estado.tiras.size())) {
-        estado.elegido = tecla == '0' ? TODAS : tecla - '1';
-    } else if (tecla == 'u' && estado.esLaCaja) {
+    if (tecla == 'u' && estado.esLaCaja) {
         estado.unaSola = !estado.unaSola;
         construye();
+        glutPostRedisplay();
     }
-    glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {

@@ -5,8 +5,10 @@
 #include "dibujos.h"
 #include "letra_f.h"
 #include "matriz.h"
+#include "modos.h"
 #include "objeto.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "texto.h"
 #include "ventana.h"
 #include <glm/gtc/constants.hpp>
@@ -36,7 +38,7 @@ static void inicia() {
     estado.programa = creaProgramaObjeto();
     estado.letra = creaBuferes(letraF());
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
 }
 
 static std::string nombre() {
@@ -73,10 +75,9 @@ static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
     const Basica &b = BASICAS[estado.elegido];
-    if (tecla >= '1' && tecla <= '5') {
-        estado.elegido = tecla - '1';
+    if (eligeModo(estado.elegido, 5, tecla))
         estado.valor = BASICAS[estado.elegido].inicial;
-    } else if (tecla == '+' || tecla == '-')
+    else if (tecla == '+' || tecla == '-')
         estado.valor = glm::clamp(estado.valor + (tecla == '+' ? b.paso : -b.paso), -b.tope, b.tope);
     else
         return;

@@ -5,6 +5,7 @@
 #include "dibujos.h"
 #include "objeto.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "ventana.h"
 
 static const float RADIO_PX = 300; // la base en una pantalla de 1080 líneas
@@ -21,7 +22,7 @@ static void inicia() {
     estado.programa = creaProgramaObjeto();
     estado.cono = creaBuferes(cono(segmentosPara(RADIO_PX)));
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
 }
 
 static void trazaCono(const glm::mat4 &transformacion) {

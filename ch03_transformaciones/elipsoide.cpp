@@ -5,6 +5,7 @@
 #include "dibujos.h"
 #include "objeto.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "ventana.h"
 
 static const float RADIO_PX = 450; // el semieje mayor, donde más cerca está, en una pantalla de 1080 líneas
@@ -22,7 +23,7 @@ static void inicia() {
     // una esfera se hunde a lo largo y a lo ancho: a cada uno, la mitad del medio píxel
     estado.esfera = creaBuferes(esfera(segmentosPara(RADIO_PX, 0.25f)));
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
 }
 
 static void dibuja() {

@@ -4,12 +4,14 @@
 // Controles: a d giran · 1 2 3 4 ejes Y, diagonal, oblicuo y casi X · botón izquierdo mueve el eje, derecho orbita ·
 // rueda acerca · Esc termina.
 #include "colores.h"
+#include "modos.h"
 #include "objeto.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
+#include "texto.h"
 #include "trazo.h"
 #include "ventana.h"
-#include <cstdio>
 #include <glm/gtc/constants.hpp>
 
 static const float PASO_GIRO = 0.1f;         // radianes
@@ -33,7 +35,7 @@ static void inicia() {
     estado.cubo = creaBuferes(cubo());
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE); // las caras de detrás nunca se ven: los sólidos son cerrados
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
 }
 
 // `viveza` 0 lo deja del color del fondo.
@@ -65,11 +67,8 @@ static void trazaVector(const char *nombre, const glm::vec3 &v, float largo, con
 }
 
 static std::string describe(const glm::vec3 &d) {
-    char texto[80];
-    const auto centesimas = [](float x) { return std::round(100 * x) / 100 + 0.0; }; // + 0: sin −0
-    std::snprintf(texto, sizeof texto, "φ = %.0f°, d = (%.2g, %.2g, %.2g)", glm::degrees(estado.angulo),
-                  centesimas(d.x), centesimas(d.y), centesimas(d.z));
-    return texto;
+    return formatea("φ = %.0f°, d = (%.2g, %.2g, %.2g)", glm::degrees(estado.angulo), aCentesimas(d.x),
+                    aCentesimas(d.y), aCentesimas(d.z));
 }
 
 static void dibuja() {
@@ -107,8 +106,8 @@ static void teclado(unsigned char tecla, int, int) {
     if (tecla == 'a' || tecla == 'd') // dentro de una vuelta: un ángulo grande no tiene decimales
         estado.angulo =
             std::remainder(estado.angulo + (tecla == 'a' ? PASO_GIRO : -PASO_GIRO), glm::two_pi<float>());
-    else if (tecla >= '1' && tecla <= '4')
-        estado.eje = EJES[tecla - '1'];
+    else if (int i; eligeModo(i, 4, tecla))
+        estado.eje = EJES[i];
     else
         return;
     cambia();

@@ -5,10 +5,11 @@
 #include "colores.h"
 #include "objeto.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
+#include "texto.h"
 #include "trazo.h"
 #include "ventana.h"
-#include <cstdio>
 #include <glm/gtc/constants.hpp>
 
 static const float LADO_SUELO = 14, LADO_CUADRICULA = 2;
@@ -35,7 +36,7 @@ static void inicia() {
     estado.cubo = creaBuferes(cubo());
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE); // las caras de detrás nunca se ven: los sólidos son cerrados
-    glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
+    ponFondo(CIELO);
 }
 
 // El suelo, con su cuadrícula, y la zapata en que se apoya el pie.
@@ -67,10 +68,8 @@ static void dibuja() {
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla) || !mueve(estado.postura, tecla))
         return;
-    char titulo[80];
-    std::snprintf(titulo, sizeof titulo, "Grúa de obra: giro %.0f°, distancia %.1f, altura %.1f",
-                  glm::degrees(estado.postura.giro), estado.postura.distancia, estado.postura.altura);
-    ponTitulo(titulo);
+    ponTitulo(formatea("Grúa de obra: giro %.0f°, distancia %.1f, altura %.1f",
+                       glm::degrees(estado.postura.giro), estado.postura.distancia, estado.postura.altura));
     glutPostRedisplay();
 }
 

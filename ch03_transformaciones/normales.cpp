@@ -4,8 +4,10 @@
 // Si M y N coinciden solo se ve la verde; una cara aplastada en una recta no tiene normal.
 // Controles: 1 original · 2 S(2,1,1) · 3 reflexión S(−2,1,1) · 4 aplastamiento S(2,0,1) · ratón orbita · Esc termina.
 #include "colores.h"
+#include "modos.h"
 #include "objeto.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"
@@ -60,7 +62,7 @@ static void inicia() {
     estado.prisma = creaBuferes(creaPrisma());
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE); // las dos caras de un prisma aplastado coinciden: solo se dibuja la que mira aquí
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
 }
 
 static void dibuja() {
@@ -100,11 +102,9 @@ static void dibuja() {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || tecla < '1' || tecla > '4')
+    if (teclaComun(tecla) || !eligeModo(estado.elegido, 4, tecla))
         return;
-    estado.elegido = tecla - '1';
     ponTitulo(std::string("Normales transformadas: ") + ESCALADOS[estado.elegido].nombre);
-    glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {

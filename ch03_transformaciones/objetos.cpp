@@ -6,6 +6,7 @@
 #include "buferes.h"
 #include "colores.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "shader.h"
 #include "ventana.h"
 #include <glm/gtc/type_ptr.hpp>
@@ -26,7 +27,7 @@ static void inicia() {
     estado.primitivas[2] = creaBuferes(toro(1, RADIO_TUBO, n, m));
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE); // las caras de detrás nunca se ven: los sólidos son cerrados
-    glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
+    ponFondo(CIELO);
 }
 
 static void enviaMatriz(const char *nombre, const glm::mat4 &valor) {

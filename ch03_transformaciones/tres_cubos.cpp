@@ -5,6 +5,7 @@
 #include "dibujos.h"
 #include "objeto.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "ventana.h"
 
 static const glm::vec3 COLOR_CUBO[] = {GRIS, NARANJA, AMARILLO};
@@ -20,7 +21,7 @@ static void inicia() {
     estado.programa = creaProgramaObjeto();
     estado.cubo = creaBuferes(cubo());
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
 }
 
 static void dibuja() {

@@ -6,7 +6,9 @@
 #include "aspecto.h"
 #include "camara_fotos.h"
 #include "ch03_transformaciones/objeto.h"
+#include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "trazo.h"
@@ -120,16 +122,14 @@ static void dibuja() {
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
-    if (tecla >= '1' && tecla <= '4') {
-        estado.elegido = tecla - '1';
+    if (eligeModo(estado.elegido, 4, tecla))
         estado.inclinacion = 0;
-    } else if (tecla == 'i') {
+    else if (tecla == 'i')
         estado.inclinacion -= PASO;
-    } else if (tecla == 'o') {
+    else if (tecla == 'o')
         estado.inclinacion += PASO;
-    } else {
+    else
         return;
-    }
     glutPostRedisplay();
 }
 

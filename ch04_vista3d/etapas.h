@@ -1,10 +1,10 @@
 // Un vértice por las etapas del pipeline (ejercicio 4.1) y el recortado de un polígono en coordenadas homogéneas.
 // Sin OpenGL; lo usa etapas_pipeline. Todo en doble.
 #pragma once
+#include "texto.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
@@ -139,11 +139,8 @@ inline double profundidadGuardada(const std::vector<Modelo> &cuerpos, const Matr
 /// «clave: valores», con las cifras de un float.
 inline std::string linea(const char *clave, const std::vector<double> &valores) {
     std::string texto = clave + std::string(":");
-    for (const double v : valores) {
-        char numero[32];
-        std::snprintf(numero, sizeof numero, " %.9g", v);
-        texto += numero;
-    }
+    for (const double v : valores)
+        texto += formatea(" %.9g", v);
     return texto + "\n";
 }
 

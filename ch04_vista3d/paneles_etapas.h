@@ -6,6 +6,7 @@
 #include "etapas.h"
 #include "orbita.h"
 #include "recuadro.h"
+#include "texto.h"
 #include "vista.h"
 #include <array>
 
@@ -97,9 +98,7 @@ inline std::vector<glm::vec3> caraVolumen(float z) {
 }
 
 inline std::string conDosDecimales(const char *nombre, double valor) {
-    char texto[32];
-    std::snprintf(texto, sizeof texto, "%s%.2f", nombre, std::round(100 * valor) / 100 + 0.0); // sin −0.00
-    return texto;
+    return formatea("%s%.2f", nombre, aCentesimas(valor));
 }
 
 /// Los números de un panel, uno por línea. Lo que se recorta no llega a dividirse por w ni a la ventana.

@@ -5,10 +5,13 @@
 // Controles: 1 2 3 lejos/cerca 1e2 1e4 1e6 · ratón orbita · Esc termina.
 #include "profundidad.h"
 #include "buferes.h"
+#include "captura.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "imagen.h"
+#include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
 #include "shader.h"
 #include "ventana.h"
@@ -34,7 +37,7 @@ static void inicia() {
     glGenFramebuffers(1, &estado.framebuffer);
     glGenRenderbuffers(1, &estado.color);
     glGenRenderbuffers(1, &estado.profundidad);
-    glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
+    ponFondo(CIELO);
 }
 
 static void cambiaTamano(int ancho, int alto) {
@@ -152,11 +155,9 @@ static void dibuja() {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || tecla < '1' || tecla > '3')
+    if (teclaComun(tecla) || !eligeModo(estado.elegido, 3, tecla))
         return;
-    estado.elegido = tecla - '1';
     estado.informa = true;
-    glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {

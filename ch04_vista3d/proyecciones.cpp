@@ -6,6 +6,7 @@
 #include "ch03_transformaciones/objeto.h"
 #include "colores.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"
@@ -27,7 +28,7 @@ static void inicia() {
     glEnable(GL_DEPTH_TEST);
     glPolygonOffset(8, 8);  // las caras, por detrás de sus aristas
     glEnable(GL_CULL_FACE); // tan atrás, junto al contorno asomarían las del otro lado
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
 }
 
 // Las cuatro aristas de un eje, de punta a punta, y su prolongación en el sentido `fondo`.

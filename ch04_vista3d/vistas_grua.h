@@ -2,6 +2,7 @@
 // ejercicio añade está en su programa.
 #pragma once
 #include "camaras_grua.h"
+#include "modos.h"
 #include "orbita.h"
 #include "rotulo.h"
 #include "trazo.h"
@@ -76,15 +77,13 @@ inline void rotulaVista(const PanelVista &p, const std::string &detalle = "") {
                     Lado::CENTRO, 0.03f);
 }
 
+static_assert(LAS_CUATRO == TODOS);
+
 /// Teclas de las vistas: 1 a 4 una, 0 las cuatro, u el sistema. Devuelve si la tecla era suya.
 inline bool eligeVista(VistasGrua &v, unsigned char tecla) {
     if (tecla == 'u')
         v.europeo = !v.europeo;
-    else if (tecla >= '0' && tecla <= '4')
-        v.elegido = tecla - '1';
-    else
-        return false;
-    return true;
+    return tecla == 'u' || eligeModoOTodos(v.elegido, N_VISTAS, tecla);
 }
 
 /// Las opciones del menú, que valen lo que sus teclas.

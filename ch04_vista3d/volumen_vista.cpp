@@ -6,12 +6,13 @@
 #include "camara_fotos.h"
 #include "ch03_transformaciones/objeto.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
+#include "texto.h"
 #include "trazo.h"
 #include "ventana.h"
 #include "vista.h"
 #include "volumen.h"
-#include <cstdio>
 #include <glm/gtc/constants.hpp>
 
 static const double THETA = 0.52, ASPECTO = 4.0 / 3, ALTO = 1.7; // radianes; medio alto de la caja
@@ -37,7 +38,7 @@ static void inicia() {
     estado.esfera = creaBuferes(esfera(48));
     estado.plano = creaBuferes(plano(1));
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
 }
 
 static void empieza(GLuint programa, const glm::mat4 &proyeccion, const glm::mat4 &camara) {
@@ -60,9 +61,7 @@ static void dibujaEscena(const glm::mat4 &volumen) {
 }
 
 static std::string conValor(const char *nombre, double valor) {
-    char texto[48];
-    std::snprintf(texto, sizeof texto, "%s %.3g", nombre, valor);
-    return texto;
+    return formatea("%s %.3g", nombre, valor);
 }
 
 // Las aristas y los parámetros, en el lado o el plano que cada uno decide.

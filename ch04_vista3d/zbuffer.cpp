@@ -6,6 +6,7 @@
 #include "ch03_transformaciones/objeto.h"
 #include "colores.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "ventana.h"

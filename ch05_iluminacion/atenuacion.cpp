@@ -6,6 +6,7 @@
 #include "iluminacion.h"
 #include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"
@@ -37,7 +38,7 @@ static void inicia() {
     estado.plano = creaBuferes(plano(1));
     estado.esfera = creaBuferes(esfera(segmentosEsfera(70)));
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
+    ponFondo(FONDO_OSCURO);
 }
 
 /// El punto de la curva del modo a distancia d: en el plano de la fila, sobre ella.

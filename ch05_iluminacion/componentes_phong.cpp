@@ -6,7 +6,9 @@
 #include "aspecto.h"
 #include "colores.h"
 #include "iluminacion.h"
+#include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "trazo.h"
@@ -121,11 +123,9 @@ static void dibuja() {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaComun(tecla) || eligeModo(estado.elegido, 3, tecla))
         return;
-    if (tecla >= '1' && tecla <= '3')
-        estado.elegido = tecla - '1';
-    else if (tecla == 'n')
+    if (tecla == 'n')
         estado.vectores = !estado.vectores;
     glutPostRedisplay();
 }

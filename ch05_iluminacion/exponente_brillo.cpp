@@ -4,6 +4,7 @@
 #include "colores.h"
 #include "iluminacion.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
 #include "ventana.h"
 
@@ -28,7 +29,7 @@ static void inicia() {
     estado.programa = creaSombreado("phong");
     estado.esfera = creaBuferes(esfera(segmentosEsfera(200)));
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
+    ponFondo(FONDO_OSCURO);
 }
 
 static void dibuja() {

@@ -5,14 +5,16 @@
 // ratón orbita · Esc termina.
 #include "colores.h"
 #include "iluminacion.h"
+#include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
+#include "texto.h"
 #include "trazo.h"
 #include "ventana.h"
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
-#include <sstream>
 
 enum Tipo { POSICIONAL, DIRECCIONAL, FOCO };
 
@@ -49,7 +51,7 @@ static void inicia() {
     estado.toro = creaBuferes(toro(0.7f, 0.25f, segmentosEsfera(400), segmentosEsfera(100)));
     estado.cubo = creaBuferes(cubo());
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
+    ponFondo(FONDO_OSCURO);
 }
 
 /// La figura 5.5: el eje S y el cono, de generatriz fija para que quepa con cualquier ángulo.
@@ -105,23 +107,17 @@ static void dibuja() {
     solido(estado.toro, traslacion({1.5f, 0.25f, 1.9f}) * tumbado, ANARANJADO);
     dibujaFuente(proyeccion * camara);
 
-    static const std::string NOMBRES[] = {"posicional", "direccional", "foco"};
-    std::ostringstream nombre;
-    nombre << NOMBRES[estado.elegido];
-    if (estado.elegido == FOCO)
-        nombre << ", exponente " << estado.exponente;
-    rotula(nombre.str(), {1, 0.95f}, BLANCO, Lado::IZQUIERDA);
-    ponTitulo("Fuente de luz: " + nombre.str());
+    const std::string nombres[] = {"posicional", "direccional",
+                                   formatea("foco, exponente %g", estado.exponente)};
+    rotula(nombres[estado.elegido], {1, 0.95f}, BLANCO, Lado::IZQUIERDA);
+    ponTitulo("Fuente de luz: " + nombres[estado.elegido]);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaComun(tecla) || eligeModo(estado.elegido, 3, tecla))
         return;
     switch (tecla) {
-    case '1':
-    case '2':
-    case '3': estado.elegido = tecla - '1'; break;
     case '+': estado.exponente = std::min(2 * estado.exponente, EXPONENTE_MAXIMO); break;
     case '-': estado.exponente = std::max(estado.exponente / 2, EXPONENTE_MINIMO); break;
     case ',': estado.delta = std::max(estado.delta - PASO_DELTA, 0); break;

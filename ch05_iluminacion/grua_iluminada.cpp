@@ -7,6 +7,7 @@
 #include "iluminacion.h"
 #include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"

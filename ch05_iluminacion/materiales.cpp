@@ -5,6 +5,7 @@
 #include "colores.h"
 #include "iluminacion.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
 #include "ventana.h"
 
@@ -25,7 +26,7 @@ static void inicia() {
     estado.esfera = creaBuferes(esfera(segmentosEsfera(95)));
     estado.esferaSola = creaBuferes(esfera(segmentosEsfera(290)));
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
+    ponFondo(FONDO_OSCURO);
 }
 
 static void dibuja() {

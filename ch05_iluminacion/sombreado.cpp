@@ -5,7 +5,9 @@
 // ratón orbita · Esc termina.
 #include "colores.h"
 #include "iluminacion.h"
+#include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "ventana.h"
@@ -24,8 +26,7 @@ static struct {
     Buferes esfera, toro, esferaPlana, toroPlano; // las planas, con la normal de cada triángulo
     Orbita orbita = {0, 0, 12, {0, 0, 0}};
     int subdivision = 12;
-    int elegido = PLANO;
-    bool compara = false;
+    Modos modos{MODELOS};
 } estado;
 
 /// La misma malla con la normal de cada triángulo en sus tres vértices. Empieza en el segundo para que el último, el
@@ -86,33 +87,28 @@ static void dibujaPanel(const Recuadro &panel, int modelo) {
 
 static void dibuja() {
     abreRecuadro(ventanaEntera(), GRIS);
-    if (estado.compara) {
+    if (estado.modos.todos) {
         const std::vector<Recuadro> paneles =
             relacionAspecto() > 0.7f ? rejilla(MODELOS, 1) : rejilla(1, MODELOS);
         for (int modelo = 0; modelo < MODELOS; ++modelo)
             dibujaPanel(paneles[modelo], modelo);
     } else
-        dibujaPanel(ventanaEntera(), estado.elegido);
-    ponTitulo("Modelos de sombreado: " + std::string(estado.compara ? "los tres" : NOMBRES[estado.elegido]) +
-              ", " + std::to_string(estado.subdivision) + " segmentos");
+        dibujaPanel(ventanaEntera(), estado.modos.elegido);
+    ponTitulo("Modelos de sombreado: " +
+              std::string(estado.modos.todos ? "los tres" : NOMBRES[estado.modos.elegido]) + ", " +
+              std::to_string(estado.subdivision) + " segmentos");
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaComun(tecla) || teclaModos(estado.modos, tecla))
         return;
-    switch (tecla) {
-    case '1':
-    case '2':
-    case '3':
-        estado.elegido = tecla - '1';
-        estado.compara = false;
-        break;
-    case 'v': estado.compara = !estado.compara; break;
-    case '+': estado.subdivision = std::min(2 * estado.subdivision, SUBDIVISION_MAXIMA); break;
-    case '-': estado.subdivision = std::max(estado.subdivision / 2, SUBDIVISION_MINIMA); break;
-    default: return;
-    }
+    if (tecla == '+')
+        estado.subdivision = std::min(2 * estado.subdivision, SUBDIVISION_MAXIMA);
+    else if (tecla == '-')
+        estado.subdivision = std::max(estado.subdivision / 2, SUBDIVISION_MINIMA);
+    else
+        return;
     construye();
     glutPostRedisplay();
 }

@@ -4,7 +4,9 @@
 // Controles: 1 2 3 encienden y apagan cada luz · ratón orbita · Esc termina.
 #include "colores.h"
 #include "iluminacion.h"
+#include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
 #include "ventana.h"
 #include <cmath>
@@ -35,7 +37,7 @@ static void inicia() {
     estado.disco = creaBuferes(cilindro(segmentosEsfera(430)));
     estado.esfera = creaBuferes(esfera(segmentosEsfera(100)));
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
+    ponFondo(FONDO_OSCURO);
 }
 
 /// Los tres focos salen de un círculo: hacia dónde, desde su centro.
@@ -82,11 +84,8 @@ static void dibuja() {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || tecla < '1' || tecla > '3')
-        return;
-    bool &encendida = estado.encendida[tecla - '1'];
-    encendida = !encendida;
-    glutPostRedisplay();
+    if (int i; !teclaComun(tecla) && eligeModo(i, 3, tecla))
+        estado.encendida[i] = !estado.encendida[i];
 }
 
 int main(int argc, char **argv) {

@@ -7,7 +7,9 @@
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
+#include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "shader.h"
@@ -74,7 +76,7 @@ static void inicia(const Imagen &imagen) {
     estado.objetos[2] = {"Esfera", enEsfera, creaBuferes(esfera(SEGMENTOS)), depie * escalado(1.35f)};
     estado.textura = creaTextura2D(imagen);
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
 }
 
 /// El punto P y, desde él, hacia dónde crecen s y t en la superficie.
@@ -133,10 +135,8 @@ static void dibuja() {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || tecla < '1' || tecla > '3')
-        return;
-    estado.elegido = tecla - '1';
-    glutPostRedisplay();
+    if (!teclaComun(tecla))
+        eligeModo(estado.elegido, 3, tecla);
 }
 
 int main(int argc, char **argv) {

@@ -8,6 +8,7 @@
 #include "colores.h"
 #include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
 #include "shader.h"
 #include "textura.h"

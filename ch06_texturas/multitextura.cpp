@@ -5,7 +5,9 @@
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
+#include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "rutas.h"
@@ -96,10 +98,8 @@ static void dibuja() {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || tecla < '1' || tecla > '3')
-        return;
-    estado.elegido = tecla - '1';
-    glutPostRedisplay();
+    if (!teclaComun(tecla))
+        eligeModo(estado.elegido, 3, tecla);
 }
 
 int main(int argc, char **argv) {

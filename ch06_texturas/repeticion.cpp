@@ -3,6 +3,8 @@
 // ya no tiene (mezclaba el último texel con un color de borde): aquí es GL_CLAMP_TO_EDGE.
 // Controles: 1 repite en s · 2 repite en t · 3 repite en ambas · 4 fija el borde · Esc termina.
 #include "colores.h"
+#include "modos.h"
+#include "proyeccion.h"
 #include "rotulo.h"
 #include "shader.h"
 #include "textura.h"
@@ -56,10 +58,8 @@ static void dibuja() {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || tecla < '1' || tecla > '4')
-        return;
-    estado.elegido = tecla - '1';
-    glutPostRedisplay();
+    if (!teclaComun(tecla))
+        eligeModo(estado.elegido, 4, tecla);
 }
 
 int main(int argc, char **argv) {
@@ -68,7 +68,7 @@ int main(int argc, char **argv) {
     estado.programa = creaPrograma("ch06_texturas/repeticion.vert", "ch06_texturas/textura.frag");
     estado.textura = creaTextura2D(imagenDeArgumentos(argc, argv, "assets/carta.rgb", 256, 256));
     glGenVertexArrays(1, &estado.vao);
-    glClearColor(1, 1, 1, 1);
+    ponFondo(BLANCO);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     glutMainLoop();

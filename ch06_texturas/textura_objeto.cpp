@@ -6,6 +6,7 @@
 #include "buferes.h"
 #include "colores.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "shader.h"
 #include "textura.h"
 #include "ventana.h"
@@ -41,7 +42,7 @@ static void inicia() {
     estado.programa = creaPrograma("ch06_texturas/textura_objeto.vert", "ch06_texturas/textura_objeto.frag");
     estado.toro = creaBuferes(toro(1, 0.5f, 160, 80));
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
 }
 
 static void dibuja() {

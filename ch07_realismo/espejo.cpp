@@ -5,6 +5,7 @@
 #include "colores.h"
 #include "escena_dibujada.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "ventana.h"
 #include <algorithm>
 
@@ -21,7 +22,7 @@ static void inicia() {
     estado.escena = creaEscena();
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
-    glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
+    ponFondo(CIELO);
 }
 
 static void dibuja() {

@@ -4,6 +4,7 @@
 #include "colores.h"
 #include "escena_dibujada.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "ventana.h"

@@ -8,7 +8,9 @@
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
+#include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "shader.h"
@@ -101,11 +103,9 @@ static void dibuja() {
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
-    if (tecla >= '1' && tecla <= '3')
-        estado.elegido = tecla - '1';
-    else if (tecla == 'd')
+    if (tecla == 'd')
         estado.escribeProfundidad = !estado.escribeProfundidad;
-    else
+    else if (!eligeModo(estado.elegido, 3, tecla))
         return;
     ponTitulo(std::string("Dos cristales: ") + MODOS[estado.elegido] +
               (estado.escribeProfundidad ? ", escribiendo la profundidad" : ""));

@@ -7,6 +7,7 @@
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
 #include "sombra.h"
 #include "ventana.h"
@@ -43,7 +44,7 @@ static void inicia() {
     glEnable(GL_STENCIL_TEST);
     glEnable(GL_CULL_FACE);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
+    ponFondo(CIELO);
 }
 
 // Lo que da sombra. `dibujaPieza(malla, M, color)` lo pinta, o pinta su sombra.

@@ -4,12 +4,14 @@
 // Controles: + - opacidad · 1 2 3 4 la ponen a 0.1, 0.4, 0.7 y 1 · v las cuatro a la vez · ratón orbita · Esc termina.
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
+#include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
+#include "texto.h"
 #include "ventana.h"
 #include <algorithm>
-#include <cstdio>
 #include <glm/gtc/constants.hpp>
 
 static const float ALFAS[4] = {0.1f, 0.4f, 0.7f, 1}, PASO = 0.1f;
@@ -74,9 +76,7 @@ static void dibujaVista(const Recuadro &r, float alfa) {
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);
 
-    char texto[32];
-    std::snprintf(texto, sizeof texto, "α = %.1f", alfa);
-    rotula(texto, {0.5f, 0.93f}, OSCURO, Lado::CENTRO, 0.055f);
+    rotula(formatea("α = %.1f", alfa), {0.5f, 0.93f}, OSCURO, Lado::CENTRO, 0.055f);
 }
 
 static void dibuja() {
@@ -94,22 +94,19 @@ static void dibuja() {
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
-    switch (tecla) {
-    case '+': estado.alfa += PASO; break;
-    case '-': estado.alfa -= PASO; break;
-    case '1':
-    case '2':
-    case '3':
-    case '4': estado.alfa = ALFAS[tecla - '1']; break;
-    case 'v': estado.compara = !estado.compara; break;
-    default: return;
-    }
+    if (int i; eligeModo(i, 4, tecla))
+        estado.alfa = ALFAS[i];
+    else if (tecla == '+' || tecla == '-')
+        estado.alfa += tecla == '+' ? PASO : -PASO;
+    else if (tecla == 'v')
+        estado.compara = !estado.compara;
+    else
+        return;
     if (tecla != 'v')
         estado.compara = false;
     estado.alfa = std::clamp(estado.alfa, 0.0f, 1.0f);
-    char titulo[48];
-    std::snprintf(titulo, sizeof titulo, "Transparencia: alfa = %.1f", estado.alfa);
-    ponTitulo(estado.compara ? "Transparencia: alfa = 0.1, 0.4, 0.7 y 1" : titulo);
+    ponTitulo("Transparencia: alfa = " +
+              (estado.compara ? "0.1, 0.4, 0.7 y 1" : formatea("%.1f", estado.alfa)));
     glutPostRedisplay();
 }
 

@@ -7,6 +7,7 @@
 #include "colores.h"
 #include "mapa_normales.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "ventana.h"

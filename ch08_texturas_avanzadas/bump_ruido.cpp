@@ -3,10 +3,11 @@
 // (agua.frag).
 // Controles: espacio para y sigue · t medio segundo más · ratón orbita · Esc termina.
 #include "orbita.h"
+#include "proyeccion.h"
 #include "shader.h"
+#include "texto.h"
 #include "ventana.h"
 #include <cmath>
-#include <cstdio>
 #include <glm/glm.hpp>
 
 static const double PERIODO = 64, CELDAS_POR_SEGUNDO = 0.4; // PERIODO, el de agua.frag
@@ -30,10 +31,8 @@ static void dibuja() {
     envia(estado.programa, "tiempo", float(CELDAS_POR_SEGUNDO * estado.segundos));
     glBindVertexArray(estado.vao);
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    char titulo[64];
-    std::snprintf(titulo, sizeof titulo, "Agua: ruido en la normal, %.1f s%s", estado.segundos,
-                  estado.parado ? " (parada)" : "");
-    ponTitulo(titulo);
+    ponTitulo(
+        formatea("Agua: ruido en la normal, %.1f s%s", estado.segundos, estado.parado ? " (parada)" : ""));
     glutSwapBuffers();
 }
 

@@ -6,10 +6,11 @@
 #include "colores.h"
 #include "mapa_alturas.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
+#include "texto.h"
 #include "ventana.h"
 #include <algorithm>
-#include <cstdio>
 #include <glm/gtc/constants.hpp>
 
 static struct {
@@ -32,7 +33,7 @@ static void inicia() {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glEnable(GL_DEPTH_TEST);
-    glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
+    ponFondo(CIELO);
 }
 
 static void dibuja() {
@@ -49,10 +50,9 @@ static void dibuja() {
     envia(estado.programa, "lado", float(LADO_MAPA));
     dibuja(estado.plano);
 
-    char texto[40];
-    std::snprintf(texto, sizeof texto, "amplitud = %.2f", amplitud);
+    const std::string texto = formatea("amplitud = %.2f", amplitud);
     rotula(texto, {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
-    ponTitulo(std::string("Desplazamiento: ") + texto);
+    ponTitulo("Desplazamiento: " + texto);
     glutSwapBuffers();
 }
 

@@ -5,9 +5,10 @@
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
+#include "texto.h"
 #include "ventana.h"
-#include <cstdio>
 #include <glm/gtc/constants.hpp>
 
 static const glm::vec2 VECES(24, 12);
@@ -26,7 +27,7 @@ static void inicia() {
         creaPrograma("ch08_texturas_avanzadas/enrejado.vert", "ch08_texturas_avanzadas/enrejado.frag");
     estado.esfera = creaBuferes(esfera(segmentosEsfera(400)));
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
 }
 
 static void dibuja() {
@@ -40,10 +41,9 @@ static void dibuja() {
     envia(estado.programa, "talla", talla);
     dibujaObjeto(estado.programa, estado.esfera, M, camara, FUERA);
 
-    char texto[40];
-    std::snprintf(texto, sizeof texto, "talla = (%.2f, %.2f)", talla.s, talla.t);
+    const std::string texto = formatea("talla = (%.2f, %.2f)", talla.s, talla.t);
     rotula(texto, {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
-    ponTitulo(std::string("Enrejado: ") + texto);
+    ponTitulo("Enrejado: " + texto);
     glutSwapBuffers();
 }
 

@@ -7,6 +7,7 @@
 #include "colores.h"
 #include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
 #include "texto.h"
 #include "ventana.h"
@@ -49,7 +50,7 @@ static void inicia() {
     estado.toro = creaBuferes(toro(0.42f, 0.14f, n, n / 2));
     creaTextura();
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
 }
 
 static void dibuja() {

@@ -7,6 +7,7 @@
 #include "buferes.h"
 #include "estrella.h"
 #include "imagen_en_ventana.h"
+#include "modos.h"
 
 static const int VECES = 4, MUESTRAS = 4, DENTRO = 16;
 static const glm::vec2 AUMENTADO(0.895f,
@@ -21,8 +22,8 @@ static struct {
     Buferes estrella;
     GLint buffersVentana, muestrasVentana, muestras, buffers, muestrasPorPixel;
     Lienzo lienzo = {0, 0}, grande = {0, 0};
-    int lado = 0, elegido = 0;
-    bool compara = false;
+    int lado = 0;
+    Modos modos{3};
 } estado;
 
 static Malla mallaEstrella() {
@@ -139,28 +140,25 @@ static void dibujaPunta(int tecnica, const Recuadro &panel) {
 
 static void dibuja() {
     abreRecuadro(ventanaEntera(), FONDO_CLARO);
-    if (estado.compara) {
+    if (estado.modos.todos) {
         const std::vector<Recuadro> paneles = rejilla(3, 1);
         for (int tecnica = 0; tecnica < 3; ++tecnica)
             dibujaPunta(tecnica, paneles[tecnica]);
         dibujaEn(ventanaEntera());
         rotula("GL_SAMPLE_BUFFERS y GL_SAMPLES", {0.5f, 0.045f}, AZUL, Lado::CENTRO, 0.035f);
     } else {
-        dibujaPanel(estado.elegido, ventanaEntera());
+        dibujaPanel(estado.modos.elegido, ventanaEntera());
     }
-    ponTitulo(std::string("Antialiasing: ") + (estado.compara ? "los tres" : NOMBRES[estado.elegido]) +
+    ponTitulo(std::string("Antialiasing: ") +
+              (estado.modos.todos ? "los tres" : NOMBRES[estado.modos.elegido]) +
               " (ventana: GL_SAMPLE_BUFFERS " + std::to_string(estado.buffersVentana) + ", GL_SAMPLES " +
               std::to_string(estado.muestrasVentana) + ")");
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || (tecla != 'v' && (tecla < '1' || tecla > '3')))
-        return;
-    estado.compara = tecla == 'v' && !estado.compara;
-    if (tecla != 'v')
-        estado.elegido = tecla - '1';
-    glutPostRedisplay();
+    if (!teclaComun(tecla))
+        teclaModos(estado.modos, tecla);
 }
 
 int main(int argc, char **argv) {

@@ -8,6 +8,7 @@
 #include "ch03_transformaciones/objeto.h"
 #include "imagen_en_ventana.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "trazo.h"
 
 static const glm::mat4 SUELO_GRUA = traslacion({0, -0.1f, 0}) * escalado({14, 0.2f, 14});

@@ -7,6 +7,7 @@
 // Controles: 1 suavizado · 2 nitidez · 3 bordes · s bordes con signo o en valor absoluto · + - ganancia de los bordes ·
 // b lo de fuera es su borde, la imagen repetida o cero · v los compara · r rótulos · Esc termina.
 #include "imagen_en_ventana.h"
+#include "modos.h"
 
 static const int TALLA = 9;
 static const struct {
@@ -83,13 +84,11 @@ static void dibuja() {
 static void teclado(unsigned char tecla, int, int) {
     if (teclaMuestra(estado.muestra, tecla))
         return;
-    switch (tecla) {
-    case '1':
-    case '2':
-    case '3':
-        estado.elegido = tecla - '1';
+    if (eligeModo(estado.elegido, 3, tecla)) {
         estado.muestra.compara = false;
-        break;
+        return;
+    }
+    switch (tecla) {
     case 's': estado.conSigno = !estado.conSigno; break;
     case '+': estado.ganancia = std::min(estado.ganancia + 1, GANANCIA_MAXIMA); break;
     case '-': estado.ganancia = std::max(estado.ganancia - 1, 1); break;

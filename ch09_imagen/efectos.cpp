@@ -5,6 +5,7 @@
 // Controles: 1 original · 2 brillo · 3 negativo · 4 grises, media · 5 grises, luminancia · + - brillo ·
 // v los de la figura 9.2 · c los dos grises de seis colores puros · r rótulos · botón derecho menú · Esc termina.
 #include "imagen_en_ventana.h"
+#include "modos.h"
 
 static const char *const EFECTOS[] = {"Original", "Brillo", "Negativo", "Media", "Luminancia"};
 enum { ORIGINAL, BRILLO, NEGATIVO, MEDIA, LUMINANCIA };
@@ -63,8 +64,8 @@ static void teclado(unsigned char tecla, int, int) {
         estado.conColores = estado.conColores && !estado.muestra.compara;
         return;
     }
-    if (tecla >= '1' && tecla <= '5')
-        return elige(tecla - '1');
+    if (int efecto; eligeModo(efecto, 5, tecla))
+        return elige(efecto);
     switch (tecla) {
     case '+': estado.decimas = std::min(estado.decimas + 1, BRILLO_MAXIMO); break;
     case '-': estado.decimas = std::max(estado.decimas - 1, 0); break;

@@ -3,6 +3,7 @@
 // se convierta en la otra hay que mover además sus rasgos (morphing).
 // Controles: 1 A · 2 alfa 0.33 · 3 alfa 0.66 · 4 B · + - alfa · v los cuatro a la vez · r rótulos · Esc termina.
 #include "imagen_en_ventana.h"
+#include "modos.h"
 #include "texto.h"
 
 static const int CENTESIMAS[4] = {0, 33, 66, 100};
@@ -44,15 +45,14 @@ static void dibuja() {
 static void teclado(unsigned char tecla, int, int) {
     if (teclaMuestra(estado.muestra, tecla))
         return;
-    switch (tecla) {
-    case '1':
-    case '2':
-    case '3':
-    case '4': estado.centesimas = CENTESIMAS[tecla - '1']; break;
-    case '+': estado.centesimas = std::min(estado.centesimas + 1, 100); break;
-    case '-': estado.centesimas = std::max(estado.centesimas - 1, 0); break;
-    default: return;
-    }
+    if (int i; eligeModo(i, 4, tecla))
+        estado.centesimas = CENTESIMAS[i];
+    else if (tecla == '+')
+        estado.centesimas = std::min(estado.centesimas + 1, 100);
+    else if (tecla == '-')
+        estado.centesimas = std::max(estado.centesimas - 1, 0);
+    else
+        return;
     estado.muestra.compara = false;
     glutPostRedisplay();
 }

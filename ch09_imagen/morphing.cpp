@@ -6,7 +6,8 @@
 // Controles: 1 2 3 t = 0, 0.5 y 1 · + - t · espacio lo mueve · m malla · v A, t, B y su mezcla · ratón arrastra un punto ·
 // r rótulos · Esc termina.
 #include "malla_en_ventana.h"
-#include <cstdio>
+#include "modos.h"
+#include "texto.h"
 
 // Los rasgos de las dos caras de assets/: contorno, ojos y eje; barbilla, boca, nariz, ojos, frente y coronilla.
 static const MallaImagen CARA = creaMallaImagen({0, 0.29f, 0.406f, 0.5f, 0.594f, 0.71f, 1},
@@ -76,8 +77,7 @@ static void dibujaMezcla(float t, const Recuadro &panel, const std::string &rotu
 
 static void dibuja() {
     const float t = tActual();
-    char rotulo[32];
-    std::snprintf(rotulo, sizeof rotulo, "t = %.2f", t);
+    const std::string rotulo = formatea("t = %.2f", t);
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
     cambiaVertices(estado.buferes, triangula(estado.a, estado.b));
     const std::vector<Recuadro> paneles = recuadros(estado.muestra, 4);
@@ -126,10 +126,9 @@ static void arrastra(int x, int y) {
 static void teclado(unsigned char tecla, int, int) {
     if (teclaMuestra(estado.muestra, tecla))
         return;
+    if (int cuarto; eligeModo(cuarto, 3, tecla))
+        return sigueDesde(cuarto * VUELTA / 4);
     switch (tecla) {
-    case '1':
-    case '2':
-    case '3': sigueDesde((tecla - '1') * VUELTA / 4); break;
     case '+': sigueDesde(std::min(deIda() + VIGESIMO, VUELTA / 2)); break;
     case '-': sigueDesde(std::max(deIda() - VIGESIMO, 0)); break;
     case ' ':

@@ -3,6 +3,7 @@
 // pulsados.
 // Controles: cualquier tecla, el ratón y el tamaño de la ventana · Esc termina.
 #include "colores.h"
+#include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "trazo.h"

@@ -5,6 +5,7 @@
 #include "colores.h"
 #include "identificador.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "trazo.h"

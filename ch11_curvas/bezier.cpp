@@ -7,7 +7,9 @@
 #include "editor.h"
 #include "escenas_curvas.h"
 #include "matriz.h"
+#include "proyeccion.h"
 #include "rotulo.h"
+#include "texto.h"
 #include "trazo.h"
 
 static const glm::vec3 COLOR_NIVEL[] = {GRIS, VERDE, NARANJA},
@@ -55,12 +57,9 @@ static void dibuja() {
     rotulaPunto("Q(u)", Q + 0.2f * dentro / std::max(glm::length(dentro), 0.01f), vista(), ROJO,
                 Lado::CENTRO);
     rotulaPunto("M_B =\n" + filasDe(M_B, 3), {0.05f, -0.28f, 0}, vista(), OSCURO, Lado::CENTRO, TALLA_MATRIZ);
-    char pesos[80];
-    std::snprintf(pesos, sizeof pesos, "UM_B = %.2f %.2f %.2f %.2f", UM.x, UM.y, UM.z, UM.w);
-    rotulaPunto(pesos, {0.05f, -0.79f, 0}, vista(), OSCURO, Lado::CENTRO, TALLA_MATRIZ);
-    char titulo[60];
-    std::snprintf(titulo, sizeof titulo, "Curva de Bézier: u = %.2f", estado.u);
-    ponTitulo(titulo);
+    rotulaPunto(formatea("UM_B = %.2f %.2f %.2f %.2f", UM.x, UM.y, UM.z, UM.w), {0.05f, -0.79f, 0}, vista(),
+                OSCURO, Lado::CENTRO, TALLA_MATRIZ);
+    ponTitulo(formatea("Curva de Bézier: u = %.2f", estado.u));
     glutSwapBuffers();
 }
 
@@ -73,7 +72,7 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Curva de Bézier", GLUT_DOUBLE | GLUT_MULTISAMPLE);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     estado.editor = {&estado.P, vista};

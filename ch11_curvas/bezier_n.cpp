@@ -5,6 +5,7 @@
 #include "colores.h"
 #include "curvas.h"
 #include "escenas_curvas.h"
+#include "modos.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "trazo.h"
@@ -71,8 +72,8 @@ static void dibuja() {
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
-    if (tecla >= '1' && tecla <= '4')
-        estado.n = PUNTOS[tecla - '1'];
+    if (int i; eligeModo(i, 4, tecla))
+        estado.n = PUNTOS[i];
     else if (tecla == '+')
         estado.n = std::min(estado.n + 1, MAXIMO);
     else if (tecla == '-')

@@ -7,6 +7,7 @@
 #include "editor.h"
 #include "escenas_curvas.h"
 #include "matriz.h"
+#include "proyeccion.h"
 #include "rotulo.h"
 #include "trazo.h"
 
@@ -93,7 +94,7 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Curva B-Spline", GLUT_DOUBLE | GLUT_MULTISAMPLE);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     estado.editor = {&estado.P, vista};

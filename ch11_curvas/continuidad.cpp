@@ -4,8 +4,10 @@
 // Controles: 1 C0 · 2 G1 · 3 C1 · 4 C2 · v los cuatro · t o espacio anda o para · Esc termina.
 #include "continuidad.h"
 #include "colores.h"
+#include "modos.h"
 #include "recuadro.h"
 #include "rotulo.h"
+#include "texto.h"
 #include "trazo.h"
 #include "ventana.h"
 #include <glm/gtc/constants.hpp>
@@ -18,8 +20,8 @@ static const int MONTES = 16;
 static const float ALTURA_OJO = 0.07f, MEDIA_CARRETERA = 0.05f, TALLA_EJES = 0.032f;
 
 static struct {
-    int elegido = C0;
-    bool compara = true, anda = false;
+    Modos modos{4, C0, true};
+    bool anda = false;
     int recorridos = AL_EMPEZAR, desde = 0; // milisegundos andados y reloj al arrancar
 } estado;
 
@@ -109,7 +111,7 @@ static void dibujaVista(const Recuadro &panel, Continuidad c) {
 
 static void dibuja() {
     abreRecuadro(ventanaEntera(), GRIS);
-    if (estado.compara) { // una en cada fila
+    if (estado.modos.todos) { // una en cada fila
         const std::vector<Recuadro> celdas = rejilla(3, CONTINUIDADES);
         for (int c = 0; c < CONTINUIDADES; ++c) {
             dibujaPlano(celdas[3 * c], Continuidad(c));
@@ -117,17 +119,15 @@ static void dibuja() {
                 dibujaGrafica(celdas[3 * c + derivada], Continuidad(c), derivada);
         }
     } else {
-        const Continuidad c = Continuidad(estado.elegido);
+        const Continuidad c = Continuidad(estado.modos.elegido);
         const std::vector<Recuadro> celdas = rejilla(2, 2);
         dibujaPlano(celdas[0], c);
         dibujaVista(celdas[1], c);
         for (const int derivada : {1, 2})
             dibujaGrafica(celdas[1 + derivada], c, derivada);
     }
-    char titulo[60];
-    std::snprintf(titulo, sizeof titulo, "Continuidad: %s, u = %.2f",
-                  estado.compara ? "las cuatro" : NOMBRES[estado.elegido], parametro());
-    ponTitulo(titulo);
+    ponTitulo(formatea("Continuidad: %s, u = %.2f",
+                       estado.modos.todos ? "las cuatro" : NOMBRES[estado.modos.elegido], parametro()));
     glutSwapBuffers();
 }
 
@@ -138,14 +138,9 @@ static void avanza(int) {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla))
+    if (teclaComun(tecla) || teclaModos(estado.modos, tecla))
         return;
-    if (tecla >= '1' && tecla <= '4') {
-        estado.elegido = tecla - '1';
-        estado.compara = false;
-    } else if (tecla == 'v')
-        estado.compara = !estado.compara;
-    else if (tecla == 't' || tecla == ' ') {
+    if (tecla == 't' || tecla == ' ') {
         const int ahora = glutGet(GLUT_ELAPSED_TIME);
         if (estado.anda)
             estado.recorridos = (estado.recorridos + ahora - estado.desde) % PERIODO;

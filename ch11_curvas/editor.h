@@ -4,6 +4,7 @@
 #pragma once
 #include "colores.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "ventana.h"
 #include <vector>
 

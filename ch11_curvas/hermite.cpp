@@ -9,7 +9,9 @@
 #include "editor.h"
 #include "escenas_curvas.h"
 #include "matriz.h"
+#include "proyeccion.h"
 #include "rotulo.h"
+#include "texto.h"
 #include "trazo.h"
 
 static const float PASO_K = 0.1f, K_MINIMA = 0.2f, K_MAXIMA = 1.5f;
@@ -74,9 +76,7 @@ static void dibuja() {
     std::string titulo = "Curva de Hermite";
     if (estado.segundo) {
         const auto &p = estado.puntos;
-        char k[40];
-        std::snprintf(k, sizeof k, ": dos tramos G1, k = %.2f", estado.k);
-        titulo += k;
+        titulo += formatea(": dos tramos G1, k = %.2f", estado.k);
         dibujaTramo(G, AZUL, NOMBRES);
         // E11.6: el vector de geometría del segundo tramo, que acaba en P4' con R4' y se une al primero con G1
         const Geometria<float> G2 = {G[1], p[FIN], estado.k * G[3], p[PUNTA_FIN] - p[FIN]};
@@ -140,7 +140,7 @@ static void teclado(unsigned char tecla, int, int) {
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Curva de Hermite", GLUT_DOUBLE | GLUT_MULTISAMPLE);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
     estado.editor = {&estado.puntos, vista, false, alMover};

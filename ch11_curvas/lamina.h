@@ -4,6 +4,7 @@
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
 #include "editor.h"
+#include "proyeccion.h"
 #include "superficies.h"
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ inline Segmentos segmentosLamina(const Lamina &lamina, const RedBezier<float> &r
 inline Lamina creaLamina(const Orbita &orbita) {
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
     return {creaSombreado("phong"), orbita};
 }
 

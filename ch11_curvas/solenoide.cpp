@@ -5,6 +5,7 @@
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "ventana.h"
 
 static const Material COBRE = {{0.22f, 0.09f, 0.04f}, {0.72f, 0.32f, 0.16f}, {0.60f, 0.45f, 0.35f}, 40},
@@ -32,7 +33,7 @@ static void inicia() {
     construye();
     estado.remate = creaBuferes(esfera(24));
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
+    ponFondo(FONDO_OSCURO);
 }
 
 static void dibuja() {

@@ -6,9 +6,9 @@
 #include "hermite_trozos.h"
 #include "lamina.h"
 #include "rotulo.h"
+#include "texto.h"
 #include "trazo.h"
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 static const float FACTOR_K = 1.25f, K_MINIMA = 0.2f, K_MAXIMA = 3, ANGULO_DE_DOS = 0.65f;
@@ -73,10 +73,9 @@ static void dibuja() {
     dibujaElementos();
     std::string titulo = "Superficie de Hermite";
     if (estado.segundo) {
-        char union_[40];
-        std::snprintf(union_, sizeof union_, "G1 con k = %.2f", estado.k);
-        rotula(union_, {0.5f, 0.08f}, OSCURO);
-        titulo += std::string(": ") + union_;
+        const std::string comoSeUnen = formatea("G1 con k = %.2f", estado.k);
+        rotula(comoSeUnen, {0.5f, 0.08f}, OSCURO);
+        titulo += ": " + comoSeUnen;
     }
     ponTitulo(titulo);
     glutSwapBuffers();

@@ -15,13 +15,6 @@ inline double tiempo(const Reloj &reloj) {
     return segundos(reloj, glutGet(GLUT_ELAPSED_TIME));
 }
 
-/// Pide otra imagen, si el reloj anda, y que `anima`, que es quien la llama, se vuelva a llamar (§12.2).
-inline void pideCuadro(const Reloj &reloj, void (*anima)(int)) {
-    if (reloj.parado < 0)
-        glutPostRedisplay();
-    glutTimerFunc(PERIODO_CUADRO, anima, 0);
-}
-
 /// Atiende las teclas comunes, espacio (pausa), s (adelanta medio segundo), d (una décima) y h (diez horas). Devuelve
 /// si la tecla era suya.
 inline bool teclaAnimacion(Reloj &reloj, unsigned char tecla) {
@@ -37,6 +30,23 @@ inline bool teclaAnimacion(Reloj &reloj, unsigned char tecla) {
         return teclaComun(tecla);
     glutPostRedisplay();
     return true;
+}
+
+inline Reloj *relojQueAnda = nullptr; // el del programa
+
+/// Pide otra imagen, si el reloj anda, y que se la vuelva a llamar (§12.2).
+inline void pideCuadro(int) {
+    if (relojQueAnda->parado < 0)
+        glutPostRedisplay();
+    glutTimerFunc(PERIODO_CUADRO, pideCuadro, 0);
+}
+
+/// Desde ahora `reloj`, que debe vivir tanto como la ventana, anima el programa y obedece a las teclas de teclaAnimacion. Quien tiene
+/// otras pone después su glutKeyboardFunc y la llama desde ella.
+inline void animaConReloj(Reloj &reloj) {
+    relojQueAnda = &reloj;
+    glutKeyboardFunc([](unsigned char tecla, int, int) { teclaAnimacion(*relojQueAnda, tecla); });
+    pideCuadro(0);
 }
 
 /// El título con el estado, y si el tiempo está parado.

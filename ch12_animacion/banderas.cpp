@@ -6,6 +6,7 @@
 #include "ch03_transformaciones/objeto.h"
 #include "imagen_ruido.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "textura.h"
 
 static const int COLUMNAS = 26, FILAS = 12;
@@ -51,14 +52,6 @@ static void dibuja() {
     glutSwapBuffers();
 }
 
-static void teclado(unsigned char tecla, int, int) {
-    teclaAnimacion(estado.reloj, tecla);
-}
-
-static void anima(int) {
-    pideCuadro(estado.reloj, anima);
-}
-
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Banderas en una grada", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     estado.programa = creaPrograma("ch12_animacion/banderas.vert", "ch12_animacion/banderas.frag");
@@ -67,11 +60,10 @@ int main(int argc, char **argv) {
     estado.cubo = creaBuferes(cubo());
     glEnable(GL_DEPTH_TEST);
     creaTextura2D(imagenRuido());
-    glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
+    ponFondo(CIELO);
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(0);
+    animaConReloj(estado.reloj);
     glutMainLoop();
     return 0;
 }

@@ -4,6 +4,8 @@
 #include "animacion.h"
 #include "ch03_transformaciones/objeto.h"
 #include "orbita.h"
+#include "proyeccion.h"
+#include "texto.h"
 #include <glm/gtc/constants.hpp>
 
 static const double PERIODO = 4; // segundos
@@ -44,19 +46,10 @@ static void dibuja() {
     glDisable(GL_BLEND);
     glDepthFunc(GL_LESS);
 
-    char ademas[32];
-    std::snprintf(ademas, sizeof ademas, ", α = %.2f", alfa);
+    const std::string ademas = formatea(", α = %.2f", alfa);
     rotulaTiempo(estado.reloj, OSCURO, ademas);
-    tituloAnimado(estado.reloj, std::string("Aparecer y desvanecerse") + ademas);
+    tituloAnimado(estado.reloj, "Aparecer y desvanecerse" + ademas);
     glutSwapBuffers();
-}
-
-static void teclado(unsigned char tecla, int, int) {
-    teclaAnimacion(estado.reloj, tecla);
-}
-
-static void anima(int) {
-    pideCuadro(estado.reloj, anima);
 }
 
 int main(int argc, char **argv) {
@@ -67,11 +60,10 @@ int main(int argc, char **argv) {
     estado.toro = creaBuferes(toro(1.45f, 0.35f, 90, 36));
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
-    glClearColor(CIELO.r, CIELO.g, CIELO.b, 1);
+    ponFondo(CIELO);
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(0);
+    animaConReloj(estado.reloj);
     glutMainLoop();
     return 0;
 }

@@ -5,6 +5,8 @@
 #include "animacion.h"
 #include "ch05_iluminacion/iluminacion.h"
 #include "orbita.h"
+#include "proyeccion.h"
+#include "texto.h"
 #include "trazo.h"
 #include <glm/gtc/constants.hpp>
 
@@ -95,19 +97,10 @@ static void dibuja() {
     dibujaHalo(camara, proyeccion, luz.Ld);
     dibujaGrafica(t);
 
-    char ademas[32];
-    std::snprintf(ademas, sizeof ademas, ", I = %.2f", intensidad);
+    const std::string ademas = formatea(", I = %.2f", intensidad);
     rotulaTiempo(estado.reloj, BLANCO, ademas);
-    tituloAnimado(estado.reloj, std::string("Luces animadas") + ademas);
+    tituloAnimado(estado.reloj, "Luces animadas" + ademas);
     glutSwapBuffers();
-}
-
-static void teclado(unsigned char tecla, int, int) {
-    teclaAnimacion(estado.reloj, tecla);
-}
-
-static void anima(int) {
-    pideCuadro(estado.reloj, anima);
 }
 
 int main(int argc, char **argv) {
@@ -118,11 +111,10 @@ int main(int argc, char **argv) {
     estado.esfera = creaBuferes(esfera(segmentosEsfera(150)));
     estado.cubo = creaBuferes(cubo());
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
+    ponFondo(FONDO_OSCURO);
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(0);
+    animaConReloj(estado.reloj);
     glutMainLoop();
     return 0;
 }

@@ -5,6 +5,7 @@
 #include "animacion.h"
 #include "buferes_piezas.h"
 #include "imagen_ruido.h"
+#include "proyeccion.h"
 #include "textura.h"
 
 static const int COLUMNAS = 52, FILAS = 39;
@@ -33,23 +34,14 @@ static void dibuja() {
     glutSwapBuffers();
 }
 
-static void teclado(unsigned char tecla, int, int) {
-    teclaAnimacion(estado.reloj, tecla);
-}
-
-static void anima(int) {
-    pideCuadro(estado.reloj, anima);
-}
-
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Mosaico de partículas", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     estado.programa = creaPrograma("ch12_animacion/mosaico.vert", "ch12_animacion/mosaico.frag");
     estado.piezas = creaBuferPiezas(estado.programa, COLUMNAS, FILAS);
     creaTextura2D(imagenRuido());
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(teclado);
-    anima(0);
+    animaConReloj(estado.reloj);
     glutMainLoop();
     return 0;
 }

@@ -8,6 +8,7 @@
 #include "matriz.h"
 #include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "trazo.h"
 #include <glm/gtc/constants.hpp>
 
@@ -54,7 +55,7 @@ static void inicia() {
     estado.piramide = creaBuferes(malla);
     estado.programa = creaProgramaObjeto();
     glEnable(GL_DEPTH_TEST);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
 }
 
 static glm::mat4 matrizEn(double t) {
@@ -91,17 +92,13 @@ static void teclado(unsigned char tecla, int, int) {
         eligeModo(estado.elegido, 3, tecla);
 }
 
-static void anima(int) {
-    pideCuadro(estado.reloj, anima);
-}
-
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Matriz del modelo", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(0);
+    animaConReloj(estado.reloj);
+    glutKeyboardFunc(teclado);
     glutMainLoop();
     return 0;
 }

@@ -5,7 +5,9 @@
 // s adelanta medio segundo · d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
 #include "ch03_transformaciones/transformaciones.h"
+#include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "shader.h"
 #include "trazo.h"
 #include <algorithm>
@@ -64,11 +66,9 @@ static void dibuja() {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaAnimacion(estado.reloj, tecla))
+    if (teclaAnimacion(estado.reloj, tecla) || eligeModo(estado.elegido, 3, tecla))
         return;
-    if (tecla >= '1' && tecla <= '3')
-        estado.elegido = tecla - '1';
-    else if (tecla == '+')
+    if (tecla == '+')
         estado.cuantas = std::min(estado.cuantas * 10, MAXIMO);
     else if (tecla == '-')
         estado.cuantas = std::max(estado.cuantas / 10, 1);
@@ -77,20 +77,16 @@ static void teclado(unsigned char tecla, int, int) {
     glutPostRedisplay();
 }
 
-static void anima(int) {
-    pideCuadro(estado.reloj, anima);
-}
-
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Sistemas de partículas", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     estado.programa = creaPrograma("ch12_animacion/particulas.vert", "ch12_animacion/particulas.frag");
     glGenVertexArrays(1, &estado.vao); // sin atributos, pero hace falta uno
     glEnable(GL_PROGRAM_POINT_SIZE);
-    glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
+    ponFondo(FONDO_OSCURO);
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(0);
+    animaConReloj(estado.reloj);
+    glutKeyboardFunc(teclado);
     glutMainLoop();
     return 0;
 }

@@ -9,6 +9,8 @@
 #include "imagen_ruido.h"
 #include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
+#include "texto.h"
 #include "textura.h"
 #include "trazo.h"
 #include <algorithm>
@@ -72,10 +74,6 @@ static void teclado(unsigned char tecla, int, int) {
     glutPostRedisplay();
 }
 
-static void anima(int) {
-    pideCuadro(estado.reloj, anima);
-}
-
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Vértices desplazados por ruido", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     estado.programa = creaPrograma("ch12_animacion/ruido_vertices.vert", "ch03_transformaciones/objeto.frag");
@@ -83,9 +81,9 @@ int main(int argc, char **argv) {
     estado.textura = creaTextura2D(imagenRuido());
     glEnable(GL_DEPTH_TEST);
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(0);
+    animaConReloj(estado.reloj);
+    glutKeyboardFunc(teclado);
     glutMainLoop();
     return 0;
 }

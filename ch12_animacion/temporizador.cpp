@@ -3,6 +3,7 @@
 // no se acumula.
 // Controles: espacio pausa · Esc termina.
 #include "animacion.h"
+#include "proyeccion.h"
 #include "trazo.h"
 #include <algorithm>
 #include <cmath>
@@ -65,18 +66,14 @@ static void teclado(unsigned char tecla, int, int) {
         teclaComun(tecla);
 }
 
-static void anima(int) {
-    pideCuadro(estado.reloj, anima);
-}
-
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Temporizadores", GLUT_DOUBLE | GLUT_MULTISAMPLE);
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(teclado);
     for (int i = 0; i < 3; ++i)
         dispara(i);
-    anima(0);
+    animaConReloj(estado.reloj);
+    glutKeyboardFunc(teclado);
     glutMainLoop();
     return 0;
 }

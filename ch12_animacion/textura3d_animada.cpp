@@ -7,6 +7,7 @@
 #include "ch08_texturas_avanzadas/ruido.h"
 #include "imagen.h"
 #include "orbita.h"
+#include "proyeccion.h"
 
 static const double PERIODO = 4; // segundos
 static const int LADO = 64, CELDAS = 4, OCTAVAS = 3;
@@ -54,14 +55,6 @@ static void dibuja() {
     glutSwapBuffers();
 }
 
-static void teclado(unsigned char tecla, int, int) {
-    teclaAnimacion(estado.reloj, tecla);
-}
-
-static void anima(int) {
-    pideCuadro(estado.reloj, anima);
-}
-
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Textura 3D animada", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     estado.programa =
@@ -71,11 +64,10 @@ int main(int argc, char **argv) {
     estado.toro = creaBuferes(toro(1.7f, 0.22f, 120, 40));
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
-    glClearColor(FONDO_OSCURO.r, FONDO_OSCURO.g, FONDO_OSCURO.b, 1);
+    ponFondo(FONDO_OSCURO);
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
-    anima(0);
+    animaConReloj(estado.reloj);
     glutMainLoop();
     return 0;
 }

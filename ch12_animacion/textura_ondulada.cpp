@@ -3,6 +3,7 @@
 // Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · Esc termina.
 #include "animacion.h"
 #include "buferes.h"
+#include "proyeccion.h"
 #include "shader.h"
 #include "textura.h"
 
@@ -29,14 +30,6 @@ static void dibuja() {
     glutSwapBuffers();
 }
 
-static void teclado(unsigned char tecla, int, int) {
-    teclaAnimacion(estado.reloj, tecla);
-}
-
-static void anima(int) {
-    pideCuadro(estado.reloj, anima);
-}
-
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Textura ondulada", GLUT_DOUBLE | GLUT_MULTISAMPLE,
                 "[FOTO.ppm | FOTO.rgb -talla ANCHOxALTO]");
@@ -46,10 +39,9 @@ int main(int argc, char **argv) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     estado.plano = creaBuferes(plano(1));
-    glClearColor(FONDO_CLARO.r, FONDO_CLARO.g, FONDO_CLARO.b, 1);
+    ponFondo(FONDO_CLARO);
     glutDisplayFunc(dibuja);
-    glutKeyboardFunc(teclado);
-    anima(0);
+    animaConReloj(estado.reloj);
     glutMainLoop();
     return 0;
 }

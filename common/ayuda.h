@@ -5,8 +5,5 @@
 /// Los del programa que se ejecuta, uno por línea, y después los de todos.
 std::string controlesDelPrograma();
 
-/// La pone o la quita. Se ve al acabar cada cuadro.
+/// La pone o la quita. Se ve al acabar cada cuadro: glutSwapBuffers la pinta antes de enseñarlo.
 void cambiaAyuda();
-
-/// Lo último de cada cuadro, en el framebuffer de la ventana. Deja OpenGL como está.
-void pintaAyuda();

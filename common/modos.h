@@ -2,7 +2,7 @@
 #pragma once
 #include "colores.h"
 #include "recuadro.h"
-#include "ventana.h"
+#include <GL/freeglut.h>
 
 struct Modos {
     int n, elegido = 0; // desde 0
@@ -14,6 +14,17 @@ inline bool eligeModo(int &elegido, int n, unsigned char tecla) {
     if (tecla < '1' || tecla >= '1' + n)
         return false;
     elegido = tecla - '1';
+    glutPostRedisplay();
+    return true;
+}
+
+const int TODOS = -1;
+
+/// Como eligeModo, y la tecla 0 los elige todos.
+inline bool eligeModoOTodos(int &elegido, int n, unsigned char tecla) {
+    if (tecla != '0')
+        return eligeModo(elegido, n, tecla);
+    elegido = TODOS;
     glutPostRedisplay();
     return true;
 }

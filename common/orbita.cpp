@@ -1,5 +1,6 @@
 #include "orbita.h"
-#include "ventana.h"
+#include "proyeccion.h"
+#include <GL/freeglut.h>
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>

@@ -1,4 +1,5 @@
 #include "recuadro.h"
+#include "proyeccion.h"
 #include "ventana.h"
 #include <algorithm>
 
@@ -47,7 +48,7 @@ void abreRecuadro(const Recuadro &r, const glm::vec3 &fondo) {
     glViewport(r.x, r.y, r.ancho, r.alto);
     glScissor(r.x, r.y, r.ancho, r.alto); // glClear no obedece a glViewport, pero sí a glScissor
     glEnable(GL_SCISSOR_TEST);
-    glClearColor(fondo.r, fondo.g, fondo.b, 1);
+    ponFondo(fondo);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glDisable(GL_SCISSOR_TEST);
 }

@@ -2,7 +2,8 @@
 #include "colores.h"
 #include "encima.h"
 #include "letra.h"
-#include "ventana.h"
+#include "proyeccion.h"
+#include <GL/glew.h>
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/color_space.hpp>

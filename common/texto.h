@@ -1,5 +1,6 @@
 // Un texto con números dentro, para un rótulo o un título.
 #pragma once
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <string>
@@ -12,4 +13,10 @@
     std::vsnprintf(texto, sizeof texto, formato, datos);
     va_end(datos);
     return texto;
+}
+
+/// Redondeado, que cos 90° no se escriba −4.4e−8; y sin el signo de −0.
+template<class Real>
+double aCentesimas(Real x) {
+    return std::round(100 * x) / 100 + 0.0;
 }

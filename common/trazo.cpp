@@ -1,6 +1,7 @@
 #include "trazo.h"
 #include "encima.h"
-#include "ventana.h"
+#include "proyeccion.h"
+#include <GL/glew.h>
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>

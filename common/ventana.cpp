@@ -1,19 +1,12 @@
 #include "ventana.h"
-#include "aspecto.h"
 #include "ayuda.h"
+#include "captura.h"
 #include "error.h"
-#include "imagen.h"
 #include "shader.h"
 #include "sistema/sistema.h"
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <glm/gtc/matrix_transform.hpp>
-
-#undef glutSwapBuffers // aquí es la de GLUT
 
 namespace {
 
@@ -25,18 +18,6 @@ void teclado(unsigned char tecla, int, int) {
 
 void tecladoEspecial(int tecla, int, int) {
     teclaEspecialComun(tecla);
-}
-
-void guardaVentana() {
-    std::string fichero;
-    std::error_code nadie; // en una carpeta que no se deja mirar, quien se queja es intentaGuardarPpm
-    for (int n = 1; fichero.empty() || std::filesystem::exists(fichero, nadie); ++n)
-        fichero = nombrePrograma() + "-" + std::to_string(n) + ".ppm";
-    std::string error;
-    if (!intentaGuardarPpm(fichero, leeVentana(), "", error))
-        return avisa(error);
-    std::printf("guardado %s\n", fichero.c_str());
-    std::fflush(stdout);
 }
 
 /// Donde los títulos van en Latin-1, lo que no está en él va con sus letras, α como «alfa».
@@ -114,53 +95,6 @@ bool teclaEspecialComun(int tecla) {
     }
 }
 
-void acabaCuadro() {
-    pintaAyuda();
-    glutSwapBuffers();
-}
-
-float relacionAspecto() {
-    const int ancho = std::max(glutGet(GLUT_WINDOW_WIDTH), 1),
-              alto = std::max(glutGet(GLUT_WINDOW_HEIGHT), 1);
-    return float(ancho) / float(alto);
-}
-
-float altoUtil() {
-    return float(altoUtil(std::max(glutGet(GLUT_WINDOW_WIDTH), 1), std::max(glutGet(GLUT_WINDOW_HEIGHT), 1)));
-}
-
-glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos, float aspecto) {
-    return glm::perspective(float(anguloVertical(angulo, aspecto)), aspecto, cerca, lejos);
-}
-
-glm::mat4 paralelaVentana(float semialto, float cerca, float lejos, float aspecto) {
-    const float y = semialto * float(ampliacionVertical(aspecto)), x = aspecto * y;
-    return glm::ortho(-x, x, -y, y, cerca, lejos);
-}
-
-Imagen leeVentana() {
-    Imagen imagen{glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT), {}};
-    imagen.rgb.resize(std::size_t{3} * imagen.ancho * imagen.alto);
-    const GLenum parametros[] = {GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS,
-                                 GL_PACK_SKIP_PIXELS};
-    const GLint normales[] = {1, 0, 0, 0};
-    GLint previos[4], framebuffer = 0, bufer = 0;
-    for (int i = 0; i < 4; ++i) {
-        glGetIntegerv(parametros[i], &previos[i]);
-        glPixelStorei(parametros[i], normales[i]);
-    }
-    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer);
-    glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &bufer);
-    const auto enlaza = [](GLint cualFramebuffer, GLint cualBufer) {
-        if (!glBindFramebuffer) // sin glewInit el programa no puede haber enlazado ninguno
-            return;
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(cualFramebuffer));
-        glBindBuffer(GL_PIXEL_PACK_BUFFER, GLuint(cualBufer));
-    };
-    enlaza(0, 0);
-    glReadPixels(0, 0, imagen.ancho, imagen.alto, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());
-    enlaza(framebuffer, bufer);
-    for (int i = 0; i < 4; ++i)
-        glPixelStorei(parametros[i], previos[i]);
-    return imagen;
+void ponFondo(const glm::vec3 &color) {
+    glClearColor(color.r, color.g, color.b, 1);
 }

@@ -1,6 +1,7 @@
 // Contexto sobre EGL sin ventana: Mesa 25.1 y posteriores, que ya no traen OSMesa (EGL_MESA_platform_surfaceless), y otros
 // controladores en una máquina sin pantalla (EGL_EXT_platform_device). El framebuffer es un pbuffer.
 #include "../error.h"
+#include "../texto.h"
 #include "contexto.h"
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -16,9 +17,7 @@ EGLContext contexto = EGL_NO_CONTEXT;
 EGLSurface superficie = EGL_NO_SURFACE;
 
 [[noreturn]] void fallaEgl(const std::string &que) {
-    char codigo[16];
-    std::snprintf(codigo, sizeof codigo, "0x%04X", unsigned(eglGetError()));
-    falla("EGL " + que + " (error " + codigo + ")");
+    falla("EGL " + que + formatea(" (error 0x%04X)", unsigned(eglGetError())));
 }
 
 bool abre(EGLDisplay cual) {

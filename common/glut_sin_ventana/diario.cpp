@@ -1,7 +1,7 @@
 // La opción -diario: tras cada orden, lo que ha quedado en la ventana y en OpenGL, para comprobar lo que todo programa cumple.
+#include "../captura.h"
 #include "../error.h"
 #include "../imagen.h"
-#include "../ventana.h"
 #include "interior.h"
 #include <GL/glew.h>
 #include <algorithm>

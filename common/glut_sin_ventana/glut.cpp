@@ -1,7 +1,8 @@
+#include "../captura.h"
 #include "../encima.h"
 #include "../error.h"
 #include "../imagen.h"
-#include "../ventana.h"
+#include "../texto.h"
 #include "contexto.h"
 #include "glut_sin_ventana.h"
 #include "guion.h"
@@ -12,8 +13,6 @@
 #include <string>
 #include <utility>
 #include <vector>
-
-#undef glutSwapBuffers // la de ventana.h es para los programas
 
 namespace sin_ventana {
 namespace {
@@ -275,11 +274,8 @@ void dibujaCuadro() {
 
 void compruebaGL(const std::string &donde) {
     for (GLenum e; (e = glGetError()) != GL_NO_ERROR;)
-        if (errorGL.empty()) {
-            char codigo[16];
-            std::snprintf(codigo, sizeof codigo, "0x%04X", e);
-            errorGL = codigo;
-        }
+        if (errorGL.empty())
+            errorGL = formatea("0x%04X", e);
     if (!errorGL.empty()) {
         const std::string mensaje = "error de OpenGL " + donde + ": " + errorGL;
         errorGL.clear(); // ya está dicho

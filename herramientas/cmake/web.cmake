@@ -14,18 +14,14 @@ file(CREATE_LINK ${CABECERAS_GLM}/glm ${enlaces}/glm SYMBOLIC)
 
 file(WRITE ${CMAKE_BINARY_DIR}/sin_ventana "web\n")
 set(LAB_FUENTES /lab) # donde la página pone los shaders, los modelos y las texturas
+set(LAB_GENERADO /lab)
 add_compile_options(-Os -Wno-pointer-bool-conversion) # lo segundo: GLEW da punteros a función, que pueden ser nulos
 add_library(avisos INTERFACE) # los da la compilación corriente
 
 set(sin_ventana common/glut_sin_ventana)
-file(GLOB fuentes_comunes CONFIGURE_DEPENDS common/*.cpp)
-add_library(comun STATIC ${fuentes_comunes} common/sistema/posix.cpp)
-target_include_directories(comun PUBLIC ${sin_ventana}/web common "${CMAKE_SOURCE_DIR}" ${enlaces})
-target_compile_definitions(comun PRIVATE LAB_FUENTES="${LAB_FUENTES}" LAB_GENERADO="${LAB_FUENTES}")
-target_link_libraries(comun PUBLIC avisos)
-recoge_controles(comun)
-add_library(glut_web STATIC ${sin_ventana}/glut.cpp ${sin_ventana}/guion.cpp ${sin_ventana}/diario.cpp ${sin_ventana}/medida.cpp ${sin_ventana}/menus.cpp
-  ${sin_ventana}/contexto_web.cpp ${sin_ventana}/gl_web.cpp)
+include(common/comun.cmake)
+target_include_directories(comun BEFORE PUBLIC ${sin_ventana}/web ${enlaces})
+add_library(glut_web STATIC $<TARGET_OBJECTS:glut_sin_ventana> ${sin_ventana}/contexto_web.cpp ${sin_ventana}/gl_web.cpp)
 target_link_libraries(glut_web PUBLIC comun)
 
 precompila_cabeceras()

@@ -41,13 +41,10 @@ endif()
 
 file(WRITE "${CMAKE_BINARY_DIR}/sin_ventana" "ventana\n")
 add_library(avisos INTERFACE) # los da la compilación corriente
-add_compile_definitions(NOMINMAX WIN32_LEAN_AND_MEAN)
-file(GLOB fuentes_comunes CONFIGURE_DEPENDS common/*.cpp)
-add_library(comun STATIC ${fuentes_comunes} common/sistema/windows.cpp)
-target_include_directories(comun PUBLIC common "${CMAKE_SOURCE_DIR}")
-target_compile_definitions(comun PRIVATE LAB_FUENTES="${LAB_FUENTES}" LAB_GENERADO="${LAB_GENERADO}")
+# FREEGLUT_STATIC: lo de la DLL se llama por su nombre, y no por __imp_…, que --wrap no ve
+add_compile_definitions(NOMINMAX WIN32_LEAN_AND_MEAN FREEGLUT_STATIC)
+include(common/comun.cmake)
 target_link_libraries(comun PUBLIC ${bibliotecas} OpenGL::GL)
-recoge_controles(comun)
 if(NOT CMAKE_CROSSCOMPILING) # si no, las texturas son las de la compilación corriente
   add_subdirectory(assets)
 endif()

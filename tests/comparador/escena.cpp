@@ -4,6 +4,7 @@
 // oscura (un 5 %).
 #include "buferes.h"
 #include "error.h"
+#include "proyeccion.h"
 #include "shader.h"
 #include "textura.h"
 #include "trazo.h"

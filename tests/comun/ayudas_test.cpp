@@ -1,9 +1,11 @@
 // Lo que se pinta encima de la escena (common/encima, rotulo y trazo): se dibuja en una ventana sin pantalla y se miran los píxeles.
 // Dónde cae cada cosa y de qué color, en los programas (encima.h); lo que se ve de los trazos, en los del capítulo 11 (pintado.h).
 #include "buferes.h"
+#include "captura.h"
 #include "colores.h"
 #include "imagen.h"
 #include "letra.h"
+#include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "trazo.h"

@@ -51,9 +51,9 @@ cd "$copia"
 sed -i 's/"Release"/"None"/' CMakePresets.json
 cp -r "$hecho"/CMakeFiles/{comun,glut_sin_ventana}.dir "$carpeta" # en BUILD, otro usuario puede no poder leer
 HECHO=$carpeta perl -0pi -e 's|common/(?!rutas)(\w+\.cpp)|"$ENV{HECHO}/comun.dir/common/$1.o"|g;
-  s|glut_sin_ventana OBJECT|$& EXCLUDE_FROM_ALL|; s|\$<TARGET_OBJECTS:glut_sin_ventana>|\${glut}|g;
+  s|\$<TARGET_OBJECTS:glut_sin_ventana>|\${glut}|g;
   s|(?=add_library\(glut_egl)|file(GLOB glut "$ENV{HECHO}/glut_sin_ventana.dir/common/glut_sin_ventana/*.o")\n|;
-  s|(target_precompile_headers\(precompilada PRIVATE)[^)]*|$1 <cstdio>|' CMakeLists.txt
+  s|(target_precompile_headers\(precompilada PRIVATE)[^)]*|$1 <cstdio>|' CMakeLists.txt common/comun.cmake
 perl -0pi -e 's/set\(texturas[^)]*\)/set(texturas luz)/' assets/CMakeLists.txt
 cat >assets/genera_assets.cpp <<'FIN'
 #include <fstream>

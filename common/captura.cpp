@@ -1,0 +1,45 @@
+#include "captura.h"
+#include "error.h"
+#include <GL/glew.h>
+#include <GL/freeglut.h>
+#include <cstdio>
+#include <filesystem>
+
+Imagen leeVentana() {
+    Imagen imagen{glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT), {}};
+    imagen.rgb.resize(std::size_t{3} * imagen.ancho * imagen.alto);
+    const GLenum parametros[] = {GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS,
+                                 GL_PACK_SKIP_PIXELS};
+    const GLint normales[] = {1, 0, 0, 0};
+    GLint previos[4], framebuffer = 0, bufer = 0;
+    for (int i = 0; i < 4; ++i) {
+        glGetIntegerv(parametros[i], &previos[i]);
+        glPixelStorei(parametros[i], normales[i]);
+    }
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &framebuffer);
+    glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &bufer);
+    const auto enlaza = [](GLint cualFramebuffer, GLint cualBufer) {
+        if (!glBindFramebuffer) // sin glewInit el programa no puede haber enlazado ninguno
+            return;
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(cualFramebuffer));
+        glBindBuffer(GL_PIXEL_PACK_BUFFER, GLuint(cualBufer));
+    };
+    enlaza(0, 0);
+    glReadPixels(0, 0, imagen.ancho, imagen.alto, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());
+    enlaza(framebuffer, bufer);
+    for (int i = 0; i < 4; ++i)
+        glPixelStorei(parametros[i], previos[i]);
+    return imagen;
+}
+
+void guardaVentana() {
+    std::string fichero;
+    std::error_code nadie; // en una carpeta que no se deja mirar, quien se queja es intentaGuardarPpm
+    for (int n = 1; fichero.empty() || std::filesystem::exists(fichero, nadie); ++n)
+        fichero = nombrePrograma() + "-" + std::to_string(n) + ".ppm";
+    std::string error;
+    if (!intentaGuardarPpm(fichero, leeVentana(), "", error))
+        return avisa(error);
+    std::printf("guardado %s\n", fichero.c_str());
+    std::fflush(stdout);
+}
