@@ -10,9 +10,9 @@
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <istream>
 #include <map>
 #include <numeric>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,11 +20,6 @@
 /// Puntos de control p[fila][columna]: u en [0,1] recorre una fila y v en [0,1] va de la fila 0 a la 3.
 struct Parche {
     glm::dvec3 p[4][4];
-};
-
-struct PuntoParche {
-    glm::dvec3 posicion, du, dv; // el punto y sus derivadas parciales
-    glm::dvec3 normal;           // unitaria, hacia donde apunta du × dv
 };
 
 /// Segmentos en que se divide un parche a lo largo de u y de v.
@@ -87,14 +82,6 @@ inline glm::dvec3 normal(const Parche &q, double u, double v) {
 }
 
 } // namespace parche
-
-/// Punto, derivadas y normal en (u, v), los dos entre 0 y 1, en doble precisión.
-inline PuntoParche evaluaParche(const Parche &q, double u, double v) {
-    using namespace parche;
-    const auto u0 = pesos(u, 1 - u), v0 = pesos(v, 1 - v);
-    return {posicion(q, u0, v0), derivada(q, pesos1(u, 1 - u), v0), derivada(q, u0, pesos1(v, 1 - v)),
-            normal(q, u, v)};
-}
 
 /// División que deja el parche a menos de `tolerancia` de sus triángulos. Un triángulo rectángulo de catetos
 /// h y k en (u, v) se separa de la superficie como mucho (Muu·h² + 2·Muv·h·k + Mvv·k²)/8, con M la mayor
@@ -211,18 +198,9 @@ inline Teselacion teselaParches(const std::vector<Parche> &parches, double toler
 /// Lee los parches de un fichero del laboratorio (assets/tetera.txt explica el formato). Un error termina
 /// diciendo fichero, línea y qué se esperaba.
 inline std::vector<Parche> leeParches(const std::string &relativa) {
-    std::istringstream texto(leeFichero(recurso(relativa)));
     std::vector<glm::dvec3> puntos;
     std::vector<Parche> parches;
-    std::string linea;
-    for (int numero = 1; std::getline(texto, linea); ++numero) {
-        const auto mal = [&](const std::string &que) {
-            falla(relativa + ":" + std::to_string(numero) + ": " + que + " — «" + linea + "»");
-        };
-        std::istringstream palabras(linea.substr(0, linea.find('#')));
-        std::string tipo, palabra;
-        if (!(palabras >> tipo))
-            continue;
+    const auto linea = [&](const std::string &tipo, std::istream &palabras, const Queja &mal) {
         if (tipo == "v") {
             const std::optional<glm::dvec3> p = leePunto(palabras);
             if (!p)
@@ -230,6 +208,7 @@ inline std::vector<Parche> leeParches(const std::string &relativa) {
             puntos.push_back(*p);
         } else if (tipo == "p") {
             Parche q;
+            std::string palabra;
             for (auto &fila : q.p)
                 for (glm::dvec3 &p : fila) {
                     const auto i = palabras >> palabra ? numeroDe<std::size_t>(palabra) : std::nullopt;
@@ -244,7 +223,8 @@ inline std::vector<Parche> leeParches(const std::string &relativa) {
         } else {
             mal("cada línea empieza por v o por p");
         }
-    }
+    };
+    leeLineas(recurso(relativa), relativa, linea);
     if (parches.empty())
         falla("«" + relativa + "» no tiene ningún parche");
     return parches;

@@ -16,17 +16,6 @@ using Tira = std::vector<std::uint32_t>; // n índices: n − 2 triángulos
 /// (docs/soluciones.md); aquí una pared está partida por la otra diagonal, 3–8 en vez de 4–7.
 const Tira TIRA_UNICA = {1, 0, 2, 3, 7, 0, 4, 1, 5, 2, 6, 7};
 
-/// Los triángulos de GL_TRIANGLE_STRIP: en los de lugar impar se intercambian los dos primeros vértices, para
-/// que todos giren igual que el primero.
-inline std::vector<Triangulo> expandeTira(const Tira &tira) {
-    std::vector<Triangulo> triangulos;
-    for (std::size_t i = 0; i + 2 < tira.size(); ++i) {
-        const std::size_t impar = i % 2;
-        triangulos.push_back({tira[i + impar], tira[i + 1 - impar], tira[i + 2]});
-    }
-    return triangulos;
-}
-
 /// El reparto de hazTiras a medias: qué triángulos quedan libres y, de cada uno, cuántos vecinos libres tiene.
 class RepartoEnTiras {
 public:

@@ -2,6 +2,7 @@
 #pragma once
 #include "buferes.h"
 #include "ch05_iluminacion/iluminacion.h"
+#include "colores.h"
 #include "escena_espejo.h"
 #include <array>
 
@@ -51,10 +52,20 @@ inline void dibujaEscena(const EscenaDibujada &e, const std::vector<PiezaEscena>
     glFrontFace(GL_CCW);
 }
 
+/// El espejo, liso.
 inline void dibujaEspejo(const EscenaDibujada &e, const glm::mat4 &camara, const glm::mat4 &proyeccion,
                          const glm::vec4 &color) {
     usaPrograma(e.programaEspejo, camara, proyeccion);
     envia(e.programaEspejo, "M", colocaEspejo());
     envia(e.programaEspejo, "color", color);
     dibuja(e.espejo);
+}
+
+/// Borra la profundidad de donde se ve el espejo: lo dibuja en el fondo, del color del cielo.
+inline void borraTrasEspejo(const EscenaDibujada &e, const glm::mat4 &camara, const glm::mat4 &proyeccion) {
+    glDepthFunc(GL_ALWAYS);
+    glDepthRange(1, 1);
+    dibujaEspejo(e, camara, proyeccion, glm::vec4(CIELO, 1));
+    glDepthRange(0, 1);
+    glDepthFunc(GL_LESS);
 }

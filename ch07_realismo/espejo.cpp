@@ -39,11 +39,7 @@ static void dibuja() {
 
     // En lo marcado, y solo ahí, borra la profundidad: el espejo, en el fondo
     glStencilFunc(GL_EQUAL, 1, 0xff);
-    glDepthFunc(GL_ALWAYS);
-    glDepthRange(1, 1);
-    dibujaEspejo(estado.escena, camara, proyeccion, glm::vec4(CIELO, 1));
-    glDepthRange(0, 1);
-    glDepthFunc(GL_LESS);
+    borraTrasEspejo(estado.escena, camara, proyeccion);
 
     dibujaEscena(estado.escena, piezas, camara, proyeccion, true);
 

@@ -38,11 +38,7 @@ static void dibujaVista(const Recuadro &r, bool conPlantilla) {
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
     dibujaEspejo(estado.escena, camara, proyeccion, glm::vec4(CIELO, 1));
     glStencilFunc(GL_EQUAL, 1, 0xff);
-    glDepthFunc(GL_ALWAYS);
-    glDepthRange(1, 1);
-    dibujaEspejo(estado.escena, camara, proyeccion, glm::vec4(CIELO, 1));
-    glDepthRange(0, 1);
-    glDepthFunc(GL_LESS);
+    borraTrasEspejo(estado.escena, camara, proyeccion);
 
     if (!conPlantilla)
         glDisable(GL_STENCIL_TEST);

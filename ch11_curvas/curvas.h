@@ -161,17 +161,6 @@ Punto<T> bezier(const std::vector<Punto<T>> &puntos, const T &u) {
     return casteljau(puntos, u).back()[0];
 }
 
-/// Los puntos de control de la derivada, que es otra curva de Bézier, de un grado menos.
-template<typename T>
-std::vector<Punto<T>> derivadaBezier(const std::vector<Punto<T>> &puntos) {
-    if (puntos.size() < 2)
-        return {Punto<T>(T(0))};
-    std::vector<Punto<T>> derivada;
-    for (std::size_t i = 0; i + 1 < puntos.size(); ++i)
-        derivada.push_back(T(double(puntos.size() - 1)) * (puntos[i + 1] - puntos[i]));
-    return derivada;
-}
-
 /// Los polinomios de Bernstein b_{0,n} … b_{n,n} (ecuación 11.20) sin factoriales, que a grado 60 no caben en un
 /// entero: b_{k,n} = (1 − u)·b_{k,n−1} + u·b_{k−1,n−1}. O una derivada suya: b'_{k,n} = n·(b_{k−1,n−1} − b_{k,n−1}).
 template<typename T>

@@ -7,8 +7,8 @@
 #include "bezier_trozos.h"
 #include "lamina.h"
 #include "rotulo.h"
+#include "texto.h"
 #include "trazo.h"
-#include <cstdio>
 #include <string>
 
 static const int GRADOS_MINIMOS = 2, GRADOS_MAXIMOS = 14; // n + m
@@ -31,13 +31,44 @@ static glm::mat4 vista() {
     return vistaLamina(estado.lamina);
 }
 
-static void dibujaMalla(const Malla &malla) {
+/// La superficie; devuelve sus triángulos.
+static Malla dibujaSuperficie(double tolerancia = TOLERANCIA_LAMINA) {
+    const Malla malla = mallaSuperficie(estado.red, segmentosLamina(estado.lamina, estado.red, tolerancia));
+    dibujaLamina(estado.lamina, malla, LAMINA_AZUL);
+    return malla;
+}
+
+/// La red de control y el nombre del punto elegido o, si se quiere, también los de las esquinas.
+static void dibujaRed(bool conEsquinas) {
+    const std::size_t n = estado.red.n, m = estado.red.m;
+    trazaSegmentos(redDeControl(estado.red.P, m + 1), vista(), GRIS, 0.7f * GROSOR);
+    trazaPuntos(estado.red.P, vista(), ROJO, 3.5f * GROSOR);
+    for (std::size_t k = 0; k < estado.red.P.size(); ++k) {
+        const std::size_t i = k / (m + 1), j = k % (m + 1);
+        if ((conEsquinas && i % n == 0 && j % m == 0) || int(k) == estado.editor.elegido)
+            rotulaPunto("P" + std::to_string(i) + std::to_string(j), estado.red.P[k], vista(),
+                        colorNombre(estado.editor, k), i % n == 0 && j == 0 ? Lado::DEBAJO : Lado::ENCIMA);
+    }
+}
+
+// Cada modo dibuja lo suyo y devuelve lo que se rotula. Sin test de profundidad, lo que se ve también por detrás de la superficie.
+
+static std::string modoRed() {
+    dibujaSuperficie();
+    glDisable(GL_DEPTH_TEST);
+    dibujaRed(true);
+    return formatea("n = %zu, m = %zu", estado.red.n, estado.red.m);
+}
+
+static std::string modoMalla() {
+    const Malla malla = dibujaSuperficie(estado.tolerancia);
     std::vector<glm::vec3> lados;
     for (std::size_t i = 0; i < malla.indices.size(); i += 3)
         for (std::size_t k = 0; k < 3; ++k)
             for (const std::size_t extremo : {k, (k + 1) % 3})
                 lados.push_back(malla.vertices[malla.indices[i + extremo]].posicion);
     trazaSegmentos(lados, vista(), BLANCO, 0.7f * GROSOR);
+    return formatea("hasta %g px: %zu triángulos", estado.tolerancia, malla.indices.size() / 3);
 }
 
 /// La curva de la familia que corta la superficie en v.
@@ -45,14 +76,14 @@ static std::vector<glm::vec3> curvaEn(float v) {
     return polilineaBezier(geometriaEn(estado.red, v), FLECHA_CURVAS);
 }
 
-static void dibujaCurvas() {
+/// G(v), naranja, recorre las curvas de las filas, grises, y Q(u, v), roja, va con él.
+static std::string modoFamilia() {
+    const float v = float(estado.v) / VECES_V;
+    const std::vector<glm::vec3> G = geometriaEn(estado.red, v);
+    dibujaSuperficie();
     for (int k = 0; k <= CURVAS; ++k)
         trazaPolilinea(curvaEn(float(k) / CURVAS), vista(), BLANCO, 0.6f * GROSOR);
-}
-
-/// G(v), naranja, recorre las curvas de las filas, grises, y Q(u, v), roja, va con él.
-static void dibujaFamilia(float v) {
-    const std::vector<glm::vec3> G = geometriaEn(estado.red, v);
+    glDisable(GL_DEPTH_TEST);
     for (std::size_t i = 0; i <= estado.red.n; ++i)
         trazaPolilinea(polilineaBezier(estado.red.fila(i), FLECHA_CURVAS), vista(), GRIS);
     trazaPolilinea(curvaEn(v), vista(), ROJO, 1.7f * GROSOR);
@@ -60,81 +91,48 @@ static void dibujaFamilia(float v) {
     trazaPuntos(G, vista(), NARANJA, 4 * GROSOR);
     for (std::size_t i = 0; i < G.size(); ++i)
         rotulaPunto("G" + std::to_string(i + 1), G[i], vista(), OSCURO);
+    return formatea("Q(u, v), con v = %.2f", v);
 }
 
-/// Los puntos de los dos lados del borde, que es lo que se alinea, y las normales de los dos trozos a lo largo de él.
-/// Devuelve lo más que se separan las normales, en grados.
-static float dibujaUnion(const RedBezier<float> &otra) {
-    const RedBezier<float> &red = estado.red;
+/// Los dos trozos, los puntos de los dos lados del borde, que es lo que se alinea, y las normales de cada trozo a lo largo de él.
+static std::string modoUnion() {
+    static const char *const UNIONES[] = {"C0", "G1", "alineados"};
+    const int cual = estado.modo - UNION_C0;
+    const RedBezier<float> &red = estado.red, otra = trozoUnido(red, Union(cual));
+    const Segmentos n1 = segmentosLamina(estado.lamina, red, TOLERANCIA_LAMINA),
+                    n2 = segmentosLamina(estado.lamina, otra, TOLERANCIA_LAMINA),
+                    n = {std::max(n1.u, n2.u), std::max(n1.v, n2.v)}; // para que casen en la unión
+    dibujaLamina(estado.lamina, mallaSuperficie(otra, n), LAMINA_NARANJA);
+    dibujaLamina(estado.lamina, mallaSuperficie(red, n), LAMINA_AZUL);
+    glDisable(GL_DEPTH_TEST);
+    dibujaRed(false);
     for (std::size_t j = 0; j <= red.m; ++j) {
         trazaPolilinea({red.en(red.n - 1, j), otra.en(0, j), otra.en(1, j)}, vista(), OSCURO);
         trazaPuntos({otra.en(1, j)}, vista(), MORADO, 3.5f * GROSOR);
     }
-    float separadas = 0;
+    float separadas = 0; // lo más que se separan las normales
     for (int k = 0; k <= NORMALES; ++k) {
         const float v = float(k) / NORMALES;
-        const glm::vec3 Q = superficie(otra, 0.0f, v), n1 = normalSuperficie(red, 1.0f, v),
-                        n2 = normalSuperficie(otra, 0.0f, v);
-        trazaFlecha(Q, Q + LARGO_NORMAL * n1, vista(), AZUL, 0.8f * GROSOR);
-        trazaFlecha(Q, Q + LARGO_NORMAL * n2, vista(), NARANJA, 0.8f * GROSOR);
-        separadas = std::max(separadas, std::atan2(glm::length(glm::cross(n1, n2)), glm::dot(n1, n2)));
+        const glm::vec3 Q = superficie(otra, 0.0f, v), N1 = normalSuperficie(red, 1.0f, v),
+                        N2 = normalSuperficie(otra, 0.0f, v);
+        trazaFlecha(Q, Q + LARGO_NORMAL * N1, vista(), AZUL, 0.8f * GROSOR);
+        trazaFlecha(Q, Q + LARGO_NORMAL * N2, vista(), NARANJA, 0.8f * GROSOR);
+        separadas = std::max(separadas, std::atan2(glm::length(glm::cross(N1, N2)), glm::dot(N1, N2)));
     }
-    return glm::degrees(separadas);
-}
-
-/// La red de control y los nombres de las esquinas y del punto elegido.
-static void dibujaRed() {
-    const std::size_t n = estado.red.n, m = estado.red.m;
-    trazaSegmentos(redDeControl(estado.red.P, m + 1), vista(), GRIS, 0.7f * GROSOR);
-    trazaPuntos(estado.red.P, vista(), ROJO, 3.5f * GROSOR);
-    for (std::size_t k = 0; k < estado.red.P.size(); ++k) {
-        const std::size_t i = k / (m + 1), j = k % (m + 1);
-        if ((estado.modo == RED && i % n == 0 && j % m == 0) || int(k) == estado.editor.elegido)
-            rotulaPunto("P" + std::to_string(i) + std::to_string(j), estado.red.P[k], vista(),
-                        colorNombre(estado.editor, k), i % n == 0 && j == 0 ? Lado::DEBAJO : Lado::ENCIMA);
-    }
+    return formatea("%s: normales a %.0f°", UNIONES[cual], glm::degrees(separadas));
 }
 
 static void dibuja() {
-    static const char *const UNIONES[] = {"C0", "G1", "alineados"};
+    static std::string (*const DIBUJA[MODOS])() = {modoRed,   modoMalla, modoFamilia,
+                                                   modoUnion, modoUnion, modoUnion};
     const bool dos = estado.modo >= UNION_C0;
-    const RedBezier<float> &red = estado.red, otra = trozoUnido(red, Union(dos ? estado.modo - UNION_C0 : 0));
-    Lamina &lamina = estado.lamina;
-    lamina.orbita.centro = dos ? glm::vec3(1.5f, -0.2f, 0) : glm::vec3(0, -0.35f, 0);
-    lamina.angulo = dos ? ANGULO_DE_DOS : ANGULO_LAMINA;
+    estado.lamina.orbita.centro = dos ? glm::vec3(1.5f, -0.2f, 0) : glm::vec3(0, -0.35f, 0);
+    estado.lamina.angulo = dos ? ANGULO_DE_DOS : ANGULO_LAMINA;
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    Segmentos n = segmentosLamina(lamina, red, estado.modo == MALLA ? estado.tolerancia : TOLERANCIA_LAMINA);
-    if (dos) { // los mismos en los dos, para que casen en la unión
-        const Segmentos n2 = segmentosLamina(lamina, otra, TOLERANCIA_LAMINA);
-        n = {std::max(n.u, n2.u), std::max(n.v, n2.v)};
-        dibujaLamina(lamina, mallaSuperficie(otra, n), LAMINA_NARANJA);
-    }
-    const Malla malla = mallaSuperficie(red, n);
-    dibujaLamina(lamina, malla, LAMINA_AZUL);
-    if (estado.modo == MALLA)
-        dibujaMalla(malla);
-    if (estado.modo == FAMILIA)
-        dibujaCurvas();
-
-    glDisable(GL_DEPTH_TEST); // lo demás se ve también por detrás de la superficie
-    if (estado.modo == RED || dos)
-        dibujaRed();
-    char texto[80];
-    if (estado.modo == MALLA) {
-        std::snprintf(texto, sizeof texto, "hasta %g px: %zu triángulos", estado.tolerancia,
-                      malla.indices.size() / 3);
-    } else if (estado.modo == FAMILIA) {
-        const float v = float(estado.v) / VECES_V;
-        dibujaFamilia(v);
-        std::snprintf(texto, sizeof texto, "Q(u, v), con v = %.2f", v);
-    } else if (dos)
-        std::snprintf(texto, sizeof texto, "%s: normales a %.0f°", UNIONES[estado.modo - UNION_C0],
-                      dibujaUnion(otra));
-    else
-        std::snprintf(texto, sizeof texto, "n = %zu, m = %zu", red.n, red.m);
+    const std::string texto = DIBUJA[estado.modo]();
     glEnable(GL_DEPTH_TEST);
     rotula(texto, estado.modo == RED ? glm::vec2(0.2f, 0.06f) : glm::vec2(0.5f, 0.94f), OSCURO);
-    ponTitulo("Superficie de Bézier: " + std::string(texto));
+    ponTitulo("Superficie de Bézier: " + texto);
     glutSwapBuffers();
 }
 

@@ -4,7 +4,6 @@
 #include "rutas.h"
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <glm/gtc/constants.hpp>
 #include <limits>
 #include <sstream>
@@ -133,6 +132,21 @@ Malla plano(int n) {
     return malla;
 }
 
+void Queja::operator()(const std::string &seEsperaba) const {
+    falla(donde + ": " + seEsperaba + " — «" + linea + "»");
+}
+
+void leeLineas(const std::string &fichero, const std::string &nombre,
+               const std::function<void(const std::string &, std::istream &, const Queja &)> &linea) {
+    std::istringstream texto(leeFichero(fichero));
+    std::string entera, tipo;
+    for (int numero = 1; std::getline(texto, entera); ++numero) {
+        std::istringstream palabras(entera.substr(0, entera.find('#')));
+        if (palabras >> tipo)
+            linea(tipo, palabras, {nombre + ":" + std::to_string(numero), entera});
+    }
+}
+
 std::optional<glm::dvec3> leePunto(std::istream &linea) {
     glm::dvec3 p;
     std::string palabra;
@@ -147,16 +161,7 @@ std::optional<glm::dvec3> leePunto(std::istream &linea) {
 
 MallaVf leeVf(const std::string &fichero) {
     MallaVf malla;
-    std::istringstream texto(leeFichero(fichero));
-    std::string linea;
-    for (int numero = 1; std::getline(texto, linea); ++numero) {
-        auto mal = [&](const std::string &que) {
-            falla(fichero + ":" + std::to_string(numero) + ": " + que + " — «" + linea + "»");
-        };
-        std::istringstream palabras(linea.substr(0, linea.find('#')));
-        std::string tipo, palabra;
-        if (!(palabras >> tipo))
-            continue;
+    leeLineas(fichero, fichero, [&](const std::string &tipo, std::istream &palabras, const Queja &mal) {
         if (tipo == "v") {
             const std::optional<glm::dvec3> p = leePunto(palabras);
             if (!p)
@@ -164,7 +169,7 @@ MallaVf leeVf(const std::string &fichero) {
             malla.vertices.emplace_back(*p);
         } else if (tipo == "f") {
             std::vector<unsigned> cara;
-            while (palabras >> palabra) {
+            for (std::string palabra; palabras >> palabra;) {
                 const std::optional<unsigned> i = numeroDe<unsigned>(palabra);
                 if (!i)
                     mal("«" + palabra + "» no es un número de vértice");
@@ -181,7 +186,7 @@ MallaVf leeVf(const std::string &fichero) {
         } else {
             mal("cada línea empieza por v o por f");
         }
-    }
+    });
     if (malla.caras.empty())
         falla("«" + fichero + "» no tiene ninguna cara");
     return malla;

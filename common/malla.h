@@ -1,6 +1,7 @@
 // Mallas de triángulos: los sólidos elementales y un lector v/f (listado 2.1). Sin OpenGL: a la GPU las lleva
 // buferes.h.
 #pragma once
+#include <functional>
 #include <glm/glm.hpp>
 #include <iosfwd>
 #include <optional>
@@ -27,6 +28,18 @@ Malla cilindro(int n); // radio 1, altura 1 (z de −0.5 a 0.5), con tapas
 Malla cono(int n);     // radio 1, base en z = 0 y vértice en z = 1, con tapa
 Malla toro(float radio, float radioTubo, int n, int m); // en el plano XY; n segmentos de anillo y m de tubo
 Malla plano(int n);                                     // lado 1 en el plano XY, normal +Z, n×n cuadrados
+
+/// Cómo se queja quien lee un fichero de texto: termina diciendo fichero, línea y qué se esperaba.
+struct Queja {
+    std::string donde, linea;
+    [[noreturn]] void operator()(const std::string &seEsperaba) const;
+};
+
+/// Llama a `linea` con cada una que no sea solo comentario (desde #): su primera palabra y las que siguen. `nombre`: el del fichero en las
+/// quejas.
+void leeLineas(
+    const std::string &fichero, const std::string &nombre,
+    const std::function<void(const std::string &tipo, std::istream &palabras, const Queja &mal)> &linea);
 
 /// Las tres coordenadas que son todo lo que queda de la línea; nada si no son tres números que quepan en un float.
 std::optional<glm::dvec3> leePunto(std::istream &linea);

@@ -14,7 +14,7 @@ namespace {
 const float TEXELS_POR_NIVEL = 255 * ALCANCE / 127.0f; // de 0 a 1 en el atlas
 const float BORDE = 128 / 255.0f;
 // En altos de mayúscula.
-const float INTERLINEA = 1.5f, SEPARACION = 0.43f, HALO = 0.07f, BAJO = 0.3f; // de p, g, comas y paréntesis
+const float INTERLINEA = 1.5f, SEPARACION = 0.43f;
 const float CONTRASTE = 4.5f; // el que WCAG 2 pide para leer un texto
 const int ALTO_MINIMO = 7;    // píxeles: con menos no se lee
 
@@ -75,8 +75,8 @@ struct Rotulo {
     void mide() {
         mayuscula = std::max(mayuscula, ALTO_MINIMO);
         paso = int(std::lround(float(mayuscula) * AVANCE / MAYUSCULA));
-        bajo = int(std::lround(BAJO * float(mayuscula)));
-        halo = std::max(HALO * float(mayuscula), 1.0f);
+        bajo = int(std::lround(BAJO_ROTULO * float(mayuscula)));
+        halo = std::max(HALO_ROTULO * float(mayuscula), 1.0f);
         interlinea = int(std::lround(INTERLINEA * float(mayuscula)));
         std::size_t letras = 1;
         for (const std::u32string &linea : lineas)
@@ -111,7 +111,7 @@ struct Rotulo {
 
     /// Dos triángulos por letra, con su caja.
     std::vector<VerticePintado> triangulos(const glm::ivec2 &e) const {
-        const float escala = float(mayuscula) / MAYUSCULA, margen = (halo + 0.5f) / escala;
+        const float escala = float(mayuscula) / MAYUSCULA, margen = (halo + SUAVIZADO_ROTULO) / escala;
         const glm::vec2 porPixel(2 / float(std::max(panel[2], 1)), 2 / float(std::max(panel[3], 1))),
             atlas(ANCHO_ATLAS, ALTO_ATLAS),
             // el avance se redondea a píxeles, y lo que sobra va por igual a los dos lados

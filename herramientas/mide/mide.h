@@ -1,5 +1,5 @@
 // Lo común de las técnicas de ./lab mide: cada una es un fichero de esta carpeta que compara maneras de hacer lo mismo,
-// las cronometra con Google Benchmark y dice el error de cada una frente a algo exacto.
+// las cronometra y dice el error de cada una frente a algo exacto.
 #pragma once
 #include "imagen.h"
 #include <cmath>

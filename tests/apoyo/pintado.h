@@ -2,6 +2,7 @@
 #pragma once
 #include "contra_oraculo.h"
 #include "oraculo/cobertura.h"
+#include "rotulo.h"
 #include <functional>
 
 /// Lo que una pincelada cubre de un píxel: cuánto está su centro dentro de ella, y de lo que quizá pinta, y la
@@ -56,7 +57,7 @@ inline std::vector<Cubierto> cubre(const Pintado &p, int ancho, int alto, double
     if (p.tipo == "poligono")
         convexo(std::vector<glm::dvec2>(v.begin(), v.end()), v[0], v[0]);
     if (p.tipo == "rotulo") { // con su halo y lo que baja de la línea base
-        const double margen = 0.3 * p.talla + std::max(0.07 * p.talla, 1.0) + 0.5; // rotulo.cpp
+        const double margen = BAJO_ROTULO * p.talla + std::max(HALO_ROTULO * p.talla, 1.0) + SUAVIZADO_ROTULO;
         const glm::dvec2 a = p.punto(0) - margen, b = p.punto(1) + margen;
         convexo({a, {b.x, a.y}, b, {a.x, b.y}}, v[0], v[0]);
     }

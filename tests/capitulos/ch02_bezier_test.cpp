@@ -19,6 +19,17 @@ namespace {
 
 const double U = std::ldexp(1.0, -53);
 
+/// Lo que se comprueba de un parche en (u, v): su punto, sus derivadas y su normal.
+struct PuntoParche {
+    glm::dvec3 posicion, du, dv, normal;
+};
+PuntoParche evaluaParche(const Parche &q, double u, double v) {
+    using namespace parche;
+    const auto u0 = pesos(u, 1 - u), v0 = pesos(v, 1 - v);
+    return {posicion(q, u0, v0), derivada(q, pesos1(u, 1 - u), v0), derivada(q, u0, pesos1(v, 1 - v)),
+            normal(q, u, v)};
+}
+
 // La cámara del programa y el lado de un píxel a 720 líneas a la distancia de su centro.
 const double PIXEL = 2 * std::tan(0.275) * 9.5 / 720;
 oraculo::Camara camaraTetera(double gira = 0, double sube = 0, double distancia = 9.5) {
