@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <glm/glm.hpp>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -84,9 +85,17 @@ static double corrimiento(const Imagen &e, const Imagen &o) {
     return glm::length(glm::inverse(A) * b);
 }
 
+enum class Modo { MISMO, REDONDEO, AMPLIA, OTRO };
+
 struct Tolerancia {
     double porcentaje = 0.1; // de los píxeles
     int niveles = 3, maximo = 32;
+};
+
+struct Pedido {
+    std::string esperada, obtenida, deja;
+    Modo modo = Modo::MISMO;
+    std::optional<Tolerancia> tolerancia;
 };
 
 static Tolerancia leeTolerancia(const std::string &texto) {
@@ -100,105 +109,168 @@ static Tolerancia leeTolerancia(const std::string &texto) {
     return {*p, *n, *m};
 }
 
-int main(int argc, char **argv) {
-    std::string esperada, obtenida, deja;
-    bool amplia = false, redondeo = false, otro = false;
-    std::optional<Tolerancia> pedida;
+static Pedido leeArgumentos(int argc, char **argv) {
+    static const std::map<std::string, Modo> MODOS = {
+        {"--redondeo", Modo::REDONDEO}, {"--amplia", Modo::AMPLIA}, {"--otro", Modo::OTRO}};
+    Pedido p;
     for (int i = 1; i < argc; ++i) {
         const std::string a = argv[i];
-        if (a == "--amplia")
-            amplia = true;
-        else if (a == "--redondeo")
-            redondeo = true;
-        else if (a == "--otro")
-            otro = amplia = true;
+        if (const auto modo = MODOS.find(a); modo != MODOS.end())
+            p.modo = modo->second;
         else if (a == "--deja" && i + 1 < argc)
-            deja = argv[++i];
+            p.deja = argv[++i];
         else if (a == "--tolerancia" && i + 1 < argc)
-            pedida = leeTolerancia(argv[++i]);
-        else if (esperada.empty())
-            esperada = a;
-        else if (obtenida.empty())
-            obtenida = a;
+            p.tolerancia = leeTolerancia(argv[++i]);
+        else if (p.esperada.empty())
+            p.esperada = a;
+        else if (p.obtenida.empty())
+            p.obtenida = a;
         else
             falla("sobra «" + a + "»", 2);
     }
-    if (obtenida.empty())
+    if (p.obtenida.empty())
         falla("uso: compara ESPERADA OBTENIDA [--redondeo | --amplia | --otro] [--tolerancia \"% NIVELES "
-              "MAXIMO\"] "
-              "[--deja PREFIJO]",
+              "MAXIMO\"] [--deja PREFIJO]",
               2);
+    return p;
+}
 
-    std::string selloEsperada, selloObtenida;
-    const Imagen e = leePpm(esperada, &selloEsperada), o = leePpm(obtenida, &selloObtenida);
-    if (selloEsperada.empty() || (selloObtenida.empty() && !amplia))
-        falla("«" + (selloEsperada.empty() ? esperada : obtenida) +
+struct Sellada {
+    std::string fichero, sello;
+    Imagen imagen;
+    explicit Sellada(const std::string &cual) : fichero(cual), imagen(leePpm(cual, &sello)) {
+    }
+    std::string talla() const {
+        return std::to_string(imagen.ancho) + "×" + std::to_string(imagen.alto);
+    }
+};
+
+static void exigeComparables(const Sellada &e, const Sellada &o, Modo modo) {
+    const bool valeSinSello = modo == Modo::AMPLIA || modo == Modo::OTRO;
+    if (e.sello.empty() || (o.sello.empty() && !valeSinSello))
+        falla("«" + (e.sello.empty() ? e : o).fichero +
                   "» no lleva el sello de quién la hizo: no se sabe cuánto puede diferir",
               2);
-    if (e.ancho != o.ancho || e.alto != o.alto)
-        falla("«" + esperada + "» mide " + std::to_string(e.ancho) + "×" + std::to_string(e.alto) + " y «" +
-                  obtenida + "» " + std::to_string(o.ancho) + "×" + std::to_string(o.alto),
-              2);
+    if (e.talla() != o.talla())
+        falla("«" + e.fichero + "» mide " + e.talla() + " y «" + o.fichero + "» " + o.talla(), 2);
+}
 
-    const Tolerancia tolerancia = pedida.value_or(otro ? Tolerancia{1, 3, 32} : Tolerancia{0.1, 3, 32});
-    const std::vector<int> mal = otro ? sobraOFalta(e, o) : std::vector<int>();
-    int maximo = 0, maximoExceso = 0, fuera = 0, muyFuera = 0;
+/// Lo que se separan dos imágenes. Un píxel está fuera si está a más de `niveles` de lo que debe, y muy fuera a más de
+/// `maximo`; en porcentaje.
+struct Medidas {
+    int maximo = 0, maximoExceso = 0, fuera = 0, muyFuera = 0, mancha = 0;
+    double media = 0, rmse = 0, porcentajeFuera = 0, porcentajeMuyFuera = 0, corrida = 0;
+};
+
+static std::vector<int> diferencias(const Imagen &e, const Imagen &o) {
+    std::vector<int> d(e.rgb.size());
+    for (std::size_t i = 0; i < d.size(); ++i)
+        d[i] = std::abs(int{e.rgb[i]} - int{o.rgb[i]});
+    return d;
+}
+
+static Medidas mide(const Imagen &e, const Imagen &o, bool otro, const Tolerancia &tolerancia) {
+    const std::vector<int> d = diferencias(e, o);
+    const double pixeles = double(e.ancho) * e.alto;
+    std::vector<int> mal; // cuánto lo está cada píxel
+    Medidas m;
     double suma = 0, cuadrados = 0;
-    Imagen diferencia{e.ancho, e.alto, std::vector<unsigned char>(e.rgb.size())};
-    for (int y = 0; y < e.alto; ++y)
-        for (int x = 0; x < e.ancho; ++x) {
-            int delPixel = 0;
-            for (int c = 0; c < 3; ++c) {
-                const std::size_t i = static_cast<std::size_t>(3 * (y * e.ancho + x) + c);
-                const int d = std::abs(int{e.rgb[i]} - int{o.rgb[i]});
-                delPixel = std::max(delPixel, d);
-                if (d > 0)
-                    maximoExceso = std::max(maximoExceso, exceso(e, o, x, y, c));
-                suma += d;
-                cuadrados += static_cast<double>(d) * d;
-                diferencia.rgb[i] = static_cast<unsigned char>(std::min(8 * d, 255));
-            }
-            maximo = std::max(maximo, delPixel);
-            const int cuenta = otro ? mal[std::size_t(y * e.ancho + x)] : delPixel;
-            fuera += cuenta > tolerancia.niveles;
-            muyFuera += cuenta > tolerancia.maximo;
-        }
-    const double n = static_cast<double>(e.rgb.size()), rmse = std::sqrt(cuadrados / n);
-    const double porcentaje = 100.0 * fuera / (n / 3), muchos = 100.0 * muyFuera / (n / 3);
-    const bool exacta = !amplia && selloEsperada == selloObtenida;
-    bool bien = exacta ? maximo <= redondeo
-                       : porcentaje <= tolerancia.porcentaje && (otro || maximoExceso <= tolerancia.maximo);
-    std::string comoOtro;
+    for (std::size_t i = 0; i < d.size(); ++i) {
+        const int pixel = int(i / 3), c = int(i % 3);
+        if (c == 0)
+            mal.push_back(0);
+        mal.back() = std::max(mal.back(), d[i]);
+        if (d[i] > 0)
+            m.maximoExceso = std::max(m.maximoExceso, exceso(e, o, pixel % e.ancho, pixel / e.ancho, c));
+        suma += d[i];
+        cuadrados += double(d[i]) * d[i];
+    }
+    m.media = suma / (3 * pixeles);
+    m.rmse = std::sqrt(cuadrados / (3 * pixeles));
+    m.maximo = *std::max_element(mal.begin(), mal.end());
     if (otro) {
-        const int m = mancha(mal, e.ancho, e.alto);
-        const double corrida = corrimiento(e, o);
-        bien = bien && muchos <= tolerancia.porcentaje / 10 && m <= tolerancia.maximo && corrida <= 0.25;
-        char texto[120];
-        std::snprintf(texto, sizeof texto, ", %d a más de %d (%.3f %%), mancha %d, corrida %.2f píxeles",
-                      muyFuera, tolerancia.maximo, muchos, m, corrida);
-        comoOtro = texto;
+        mal = sobraOFalta(e, o);
+        m.mancha = mancha(mal, e.ancho, e.alto);
+        m.corrida = corrimiento(e, o);
     }
+    for (const int cuanto : mal) {
+        m.fuera += cuanto > tolerancia.niveles;
+        m.muyFuera += cuanto > tolerancia.maximo;
+    }
+    m.porcentajeFuera = 100 * m.fuera / pixeles;
+    m.porcentajeMuyFuera = 100 * m.muyFuera / pixeles;
+    return m;
+}
 
-    char admite[120];
-    std::snprintf(admite, sizeof admite, "%s: el %g %% a más de %d, %s a más de %d",
-                  otro ? "otro OpenGL" : "tolerancia amplia", tolerancia.porcentaje, tolerancia.niveles,
-                  otro ? "la décima parte" : "ninguno", tolerancia.maximo);
-    char psnr[32] = "inf";
-    if (rmse > 0)
-        std::snprintf(psnr, sizeof psnr, "%.1f", 20 * std::log10(255 / rmse));
-    std::printf("%s: máximo %d (fuera de los bordes %d), media %.4f, RMSE %.4f, PSNR %s dB, %d píxeles a más "
-                "de %d niveles (%.3f %%)%s; %s; hecha con %s\n",
-                bien ? "bien" : "DISTINTAS", maximo, maximoExceso, suma / n, rmse, psnr, fuera,
-                tolerancia.niveles, porcentaje, comoOtro.c_str(),
-                !exacta    ? admite
-                : redondeo ? "a un nivel"
-                           : "deben ser idénticas",
-                selloObtenida.empty() ? "un renderizador sin sello" : selloObtenida.c_str());
-    if (!bien && !deja.empty()) {
-        guardaPpm(deja + "-esperada.ppm", e);
-        guardaPpm(deja + "-obtenida.ppm", o);
-        guardaPpm(deja + "-diferencia.ppm", diferencia);
-        std::printf("imágenes en %s-*.ppm\n", deja.c_str()); // las busca herramientas/pruebas/fallos.py
+static bool admite(Modo modo, const Medidas &m, const Tolerancia &t) {
+    switch (modo) {
+    case Modo::MISMO: return m.maximo == 0;
+    case Modo::REDONDEO: return m.maximo <= 1;
+    case Modo::AMPLIA: return m.porcentajeFuera <= t.porcentaje && m.maximoExceso <= t.maximo;
+    case Modo::OTRO:
+        return m.porcentajeFuera <= t.porcentaje && m.porcentajeMuyFuera <= t.porcentaje / 10 &&
+               m.mancha <= t.maximo && m.corrida <= 0.25;
     }
+    return false;
+}
+
+/// Como std::printf, en un std::string.
+template<class... Valores>
+static std::string texto(const char *formato, const Valores &...valores) {
+    char s[160];
+    std::snprintf(s, sizeof s, formato, valores...);
+    return s;
+}
+
+static std::string queSeAdmite(Modo modo, const Tolerancia &t) {
+    switch (modo) {
+    case Modo::MISMO: return "deben ser idénticas";
+    case Modo::REDONDEO: return "a un nivel";
+    case Modo::AMPLIA:
+        return texto("tolerancia amplia: el %g %% a más de %d, ninguno a más de %d", t.porcentaje, t.niveles,
+                     t.maximo);
+    case Modo::OTRO:
+        return texto("otro OpenGL: el %g %% a más de %d, la décima parte a más de %d", t.porcentaje,
+                     t.niveles, t.maximo);
+    }
+    return "";
+}
+
+static void escribe(Modo modo, const Medidas &m, const Tolerancia &t, bool bien, const std::string &sello) {
+    const std::string psnr = m.rmse > 0 ? texto("%.1f", 20 * std::log10(255 / m.rmse)) : "inf";
+    std::printf("%s: máximo %d (fuera de los bordes %d), media %.4f, RMSE %.4f, PSNR %s dB, ",
+                bien ? "bien" : "DISTINTAS", m.maximo, m.maximoExceso, m.media, m.rmse, psnr.c_str());
+    std::printf("%d píxeles a más de %d niveles (%.3f %%)", m.fuera, t.niveles, m.porcentajeFuera);
+    if (modo == Modo::OTRO)
+        std::printf(", %d a más de %d (%.3f %%), mancha %d, corrida %.2f píxeles", m.muyFuera, t.maximo,
+                    m.porcentajeMuyFuera, m.mancha, m.corrida);
+    std::printf("; %s; hecha con %s\n", queSeAdmite(modo, t).c_str(),
+                sello.empty() ? "un renderizador sin sello" : sello.c_str());
+}
+
+static void guarda(const std::string &prefijo, const Imagen &e, const Imagen &o) {
+    Imagen diferencia = e;
+    const std::vector<int> d = diferencias(e, o);
+    std::transform(d.begin(), d.end(), diferencia.rgb.begin(),
+                   [](int x) { return static_cast<unsigned char>(std::min(8 * x, 255)); });
+    guardaPpm(prefijo + "-esperada.ppm", e);
+    guardaPpm(prefijo + "-obtenida.ppm", o);
+    guardaPpm(prefijo + "-diferencia.ppm", diferencia);
+    std::printf("imágenes en %s-*.ppm\n", prefijo.c_str()); // las busca herramientas/pruebas/fallos.py
+}
+
+int main(int argc, char **argv) {
+    const Pedido pedido = leeArgumentos(argc, argv);
+    const Sellada e(pedido.esperada), o(pedido.obtenida);
+    exigeComparables(e, o, pedido.modo);
+    const bool delMismo = e.sello == o.sello || pedido.modo == Modo::OTRO;
+    const Modo modo = delMismo ? pedido.modo : Modo::AMPLIA;
+    const Tolerancia t =
+        pedido.tolerancia.value_or(modo == Modo::OTRO ? Tolerancia{1, 3, 32} : Tolerancia{0.1, 3, 32});
+    const Medidas m = mide(e.imagen, o.imagen, modo == Modo::OTRO, t);
+    const bool bien = admite(modo, m, t);
+    escribe(modo, m, t, bien, o.sello);
+    if (!bien && !pedido.deja.empty())
+        guarda(pedido.deja, e.imagen, o.imagen);
     return bien ? 0 : 1;
 }

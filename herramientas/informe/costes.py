@@ -158,7 +158,7 @@ def compilacion(build, suelo):
         ("fuentes de programas", f"{len(de_programas)}"),
     ]
     golden = None
-    if (build / "tests" / "compara").exists():
+    if (build / "herramientas/comparador/compara").exists():
         sin_ventana = (build / "sin_ventana").read_text().strip()
         orden = ["ctest", "--test-dir", build, "-j", str(os.cpu_count()), "-R", rf"^imagen\.{sin_ventana}\."]
         casos = int(re.search(r"Total Tests: (\d+)", ejecuta([*orden, "-N"], text=True))[1])

@@ -84,97 +84,125 @@ static void parImageMagick(Medidor &m, const Imagen &foto, const Filtro &f,
         [&] { return (ejecuta(11) - ejecuta(1)) / 10; }, "directa");
 }
 
-static void mideConvolucion(Medidor &m) {
-    abreContexto();
-    glDisable(GL_DEPTH_TEST);
-    const Imagen foto = leeTextura(recurso("assets/foto.rgb"), ANCHO, ALTO);
-    const GLuint directo = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/convolucion_variable.frag"),
-                 separable =
-                     creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/convolucion_separable.frag");
-    const Capa entrada(GL_RGB8, foto.rgb.data()), en8(GL_RGBA8, nullptr), enFloat(GL_RGBA32F, nullptr),
-        salida(GL_RGBA8, nullptr);
-    glViewport(0, 0, ANCHO, ALTO);
-    for (const GLuint programa : {directo, separable}) {
-        glUseProgram(programa);
-        envia(programa, "imagen", 0);
-        envia(programa, "sumaCero", 0);
-        envia(programa, "conSigno", 0);
-    }
-    const auto dibujaEn = [](const Capa &de, const Capa &a) {
-        glBindFramebuffer(GL_FRAMEBUFFER, a.framebuffer);
-        glBindTexture(GL_TEXTURE_2D, de.textura);
-        dibujaRectangulo();
+#ifdef LAB_PAR_OPENCV
+static void parOpenCv(Medidor &m, const Imagen &foto, const Filtro &f, const std::vector<double> &exacta) {
+    cv::setNumThreads(1);
+    cv::Mat origen(ALTO, ANCHO, CV_8UC3, const_cast<unsigned char *>(foto.rgb.data())), destino;
+    const auto filtra = [&] {
+        cv::sepFilter2D(origen, destino, CV_8U, f.fila, f.columna, {-1, -1}, 0, cv::BORDER_REPLICATE);
     };
-    const auto filtra = [&](const Capa &de, const Capa &a, GLuint filtro) { // el filtro, en una textura
+    filtra();
+    const Imagen imagen{ANCHO, ALTO, {destino.datastart, destino.dataend}};
+    m.variante("par: OpenCV, " + m.grupo, rmse(imagen, exacta), 1, filtra, CUALQUIERA, "separable, en la CPU",
+               imagen);
+}
+#endif
+
+/// La foto, donde se deja filtrada y los programas que la filtran.
+struct Banco {
+    const Capa entrada, en8{GL_RGBA8, nullptr}, enFloat{GL_RGBA32F, nullptr}, salida{GL_RGBA8, nullptr};
+    const GLuint directo = creaFiltrador("convolucion_variable"),
+                 separable = creaFiltrador("convolucion_separable");
+
+    explicit Banco(const Imagen &foto) : entrada(GL_RGB8, foto.rgb.data()) {
+        glViewport(0, 0, ANCHO, ALTO);
+    }
+    /// Con un filtro de cualquier forma, en una textura.
+    void filtra(const Capa &de, const Capa &a, GLuint filtro) const {
         glActiveTexture(GL_TEXTURE1);
         glBindTexture(GL_TEXTURE_2D, filtro);
         glActiveTexture(GL_TEXTURE0);
         glUseProgram(directo);
         envia(directo, "filtro", 1);
         dibujaEn(de, a);
-    };
-    const auto enDosPasadas = [&](const Capa &de, const Capa &por, const Capa &a, const Filtro &f) {
+    }
+    /// De la entrada a la salida, primero por filas y después por columnas, con lo de en medio en `por`.
+    void enDosPasadas(const Capa &por, const Filtro &f) const {
         glUseProgram(separable);
         envia(separable, "talla", f.talla);
         envia(separable, "eje", glm::vec2(1, 0));
         glUniform1fv(uniforme(separable, "filtro"), f.talla, f.fila.data());
-        dibujaEn(de, por);
+        dibujaEn(entrada, por);
         envia(separable, "eje", glm::vec2(0, 1));
         glUniform1fv(uniforme(separable, "filtro"), f.talla, f.columna.data());
-        dibujaEn(por, a);
-    };
-    for (const int talla : m.elige<std::vector<int>>({3, 5}, {3, 5, 9, 15, 31})) {
-        const Filtro f = creaFiltro(GAUSSIANA, talla);
-        const std::vector<double> exacta =
-            pasada(pasada({foto.rgb.begin(), foto.rgb.end()}, f.fila, false), f.columna, true);
-        m.referencia = redondeada(ANCHO, ALTO, exacta);
-        const GLuint entero = texturaFiltro(f.valores, talla), fila = texturaFiltro(f.fila, talla),
-                     columna = texturaFiltro(f.columna, 1);
-        const std::string lado = ", " + std::to_string(talla) + "×" + std::to_string(talla);
-        m.grupo = lado.substr(2);
-        const auto variante = [&](const std::string &nombre, const std::function<void()> &dibuja,
-                                  const Rango &espera) {
-            dibuja();
-            Imagen imagen{ANCHO, ALTO, std::vector<unsigned char>(foto.rgb.size())};
-            glBindFramebuffer(GL_FRAMEBUFFER, salida.framebuffer);
-            glPixelStorei(GL_PACK_ALIGNMENT, 1);
-            glReadPixels(0, 0, ANCHO, ALTO, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());
-            m.variante(nombre + lado, rmse(imagen, exacta), 1, yEspera(dibuja), espera, "", imagen);
-        };
-        // guardar en 8 bits cuesta 1/√12 = 0.29 niveles; dos veces, algo más
-        variante("directa", [&] { filtra(entrada, salida, entero); }, {0.2, 0.32});
-        variante("separable, 8 bits", [&] { enDosPasadas(entrada, en8, salida, f); }, {0.2, 0.5});
-        variante("separable, float", [&] { enDosPasadas(entrada, enFloat, salida, f); }, {0.2, 0.32});
-        variante("separable, el filtro en una textura",
-                 [&] {
-                     filtra(entrada, enFloat, fila);
-                     filtra(enFloat, salida, columna);
-                 },
-                 {0.2, 0.32});
-        const auto interpolando = [&](GLint como) {
-            for (const Capa *capa : {&entrada, &enFloat}) {
-                glBindTexture(GL_TEXTURE_2D, capa->textura);
-                glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, como);
-            }
-        };
-        interpolando(GL_LINEAR);
-        variante("separable, interpolando", [&] { enDosPasadas(entrada, enFloat, salida, f); }, {0.2, 0.32});
-        interpolando(GL_NEAREST);
-#ifdef LAB_PAR_OPENCV
-        cv::setNumThreads(1);
-        cv::Mat origen(ALTO, ANCHO, CV_8UC3, const_cast<unsigned char *>(foto.rgb.data())), destino;
-        cv::sepFilter2D(origen, destino, CV_8U, f.fila, f.columna, {-1, -1}, 0, cv::BORDER_REPLICATE);
-        const Imagen imagen{ANCHO, ALTO, {destino.datastart, destino.dataend}};
-        m.variante(
-            "par: OpenCV" + lado, rmse(imagen, exacta), 1,
-            [&] {
-                cv::sepFilter2D(origen, destino, CV_8U, f.fila, f.columna, {-1, -1}, 0, cv::BORDER_REPLICATE);
-            },
-            CUALQUIERA, "separable, en la CPU", imagen);
-#endif
-        if (!m.ensayo && m.pares && (talla == 3 || talla == 15))
-            parImageMagick(m, foto, f, exacta);
+        dibujaEn(por, salida);
     }
+    void interpola(GLint como) const {
+        for (const Capa *capa : {&entrada, &enFloat}) {
+            glBindTexture(GL_TEXTURE_2D, capa->textura);
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, como);
+        }
+    }
+    Imagen lee() const {
+        Imagen imagen{ANCHO, ALTO, std::vector<unsigned char>(3 * ANCHO * ALTO)};
+        glBindFramebuffer(GL_FRAMEBUFFER, salida.framebuffer);
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        glReadPixels(0, 0, ANCHO, ALTO, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());
+        return imagen;
+    }
+
+private:
+    static GLuint creaFiltrador(const std::string &nombre) {
+        const GLuint programa = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/" + nombre + ".frag");
+        glUseProgram(programa);
+        for (const char *uniforme : {"imagen", "sumaCero", "conSigno"})
+            envia(programa, uniforme, 0);
+        return programa;
+    }
+    static void dibujaEn(const Capa &de, const Capa &a) {
+        glBindFramebuffer(GL_FRAMEBUFFER, a.framebuffer);
+        glBindTexture(GL_TEXTURE_2D, de.textura);
+        dibujaRectangulo();
+    }
+};
+
+static void mideTalla(Medidor &m, const Banco &banco, const Imagen &foto, int talla) {
+    const Filtro f = creaFiltro(GAUSSIANA, talla);
+    const std::vector<double> exacta =
+        pasada(pasada({foto.rgb.begin(), foto.rgb.end()}, f.fila, false), f.columna, true);
+    m.referencia = redondeada(ANCHO, ALTO, exacta);
+    m.grupo = std::to_string(talla) + "×" + std::to_string(talla);
+    const auto variante = [&](const std::string &nombre, const std::function<void()> &dibuja,
+                              const Rango &espera) {
+        dibuja();
+        const Imagen imagen = banco.lee();
+        m.variante(nombre + ", " + m.grupo, rmse(imagen, exacta), 1, yEspera(dibuja), espera, "", imagen);
+    };
+    const GLuint entero = texturaFiltro(f.valores, talla), fila = texturaFiltro(f.fila, talla),
+                 columna = texturaFiltro(f.columna, 1);
+    // guardar en 8 bits cuesta 1/√12 = 0.29 niveles; dos veces, algo más
+    const Rango unaVez = {0.2, 0.32}, dosVeces = {0.2, 0.5};
+    variante(
+        "directa", [&] { banco.filtra(banco.entrada, banco.salida, entero); }, unaVez);
+    variante(
+        "separable, 8 bits", [&] { banco.enDosPasadas(banco.en8, f); }, dosVeces);
+    variante(
+        "separable, float", [&] { banco.enDosPasadas(banco.enFloat, f); }, unaVez);
+    variante(
+        "separable, el filtro en una textura",
+        [&] {
+            banco.filtra(banco.entrada, banco.enFloat, fila);
+            banco.filtra(banco.enFloat, banco.salida, columna);
+        },
+        unaVez);
+    banco.interpola(GL_LINEAR);
+    variante(
+        "separable, interpolando", [&] { banco.enDosPasadas(banco.enFloat, f); }, unaVez);
+    banco.interpola(GL_NEAREST);
+#ifdef LAB_PAR_OPENCV
+    parOpenCv(m, foto, f, exacta);
+#endif
+    if (!m.ensayo && m.pares && (talla == 3 || talla == 15))
+        parImageMagick(m, foto, f, exacta);
+}
+
+static void mideConvolucion(Medidor &m) {
+    abreContexto();
+    glDisable(GL_DEPTH_TEST);
+    const Imagen foto = leeTextura(recurso("assets/foto.rgb"), ANCHO, ALTO);
+    const Banco banco(foto);
+    for (const int talla : m.elige<std::vector<int>>({3, 5}, {3, 5, 9, 15, 31}))
+        mideTalla(m, banco, foto, talla);
 }
 
 static const Apunta

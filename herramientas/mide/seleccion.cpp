@@ -25,49 +25,41 @@ static unsigned cortaEsferas(const std::vector<glm::vec4> &bolas, const glm::vec
     return cual;
 }
 
+using Clic = glm::ivec2;
+using Elige = std::function<unsigned(const Clic &)>;
+
 static const std::size_t DIBUJADOS = 40; // clics que se comprueban dibujando: los demás, con lo dibujado
 
-static void mideSeleccion(Medidor &m) {
-    abreContexto();
-    glEnable(GL_DEPTH_TEST);
-    glDisable(GL_DITHER);
-    const Framebuffer framebuffer(m.elige(96, 960), m.elige(72, 720));
-    std::mt19937 azar(4);
-    const auto al = [&] { return float(double(azar()) / 2147483648.0 - 1); };
-    std::vector<glm::vec4> bolas; // centro y radio
-    for (int i = 0; i < 40; ++i)
-        bolas.push_back({1.4f * al(), 1.1f * al(), al(), 0.12f + 0.08f * al()});
-    const GLuint programa =
-        creaPrograma("ch03_transformaciones/objeto.vert", "ch10_interaccion/identificador.frag");
-    glUseProgram(programa);
-    envia(programa, "proyeccion", proyeccionEscena(framebuffer));
-    envia(programa, "camara", camaraEscena());
+/// Unas bolas al azar, unos clics sobre ellas y la que hay en cada uno.
+struct Escenario {
+    const Framebuffer &framebuffer;
     const oraculo::Camara camara = camaraExacta();
-    oraculo::Escena escena;
-    for (const glm::vec4 &b : bolas)
-        escena.push_back(
-            oraculo::esfera(oraculo::traslada(exacto(glm::vec3(b))) * oraculo::escala(double(b.w))));
-    std::vector<glm::ivec2> clics;
-    for (int i = 0; i < m.elige(50, 2000); ++i)
-        clics.push_back({int(0.5f * (1 + al()) * float(framebuffer.ancho - 1)),
-                         int(0.5f * (1 + al()) * float(framebuffer.alto - 1))});
+    std::vector<glm::vec4> bolas; // centro y radio
+    std::vector<Clic> clics;
     std::vector<unsigned> verdad;
-    for (const glm::ivec2 &c : clics)
-        verdad.push_back(oraculo::primerImpacto(escena, oraculo::rayo(camara, framebuffer.ancho,
-                                                                      framebuffer.alto, c.x + 0.5, c.y + 0.5))
-                             .objeto +
-                         1);
 
-    const auto leePixel = [](const glm::ivec2 &c) {
-        unsigned char p[4];
-        glReadPixels(c.x, c.y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, p);
-        return identificadorDe({p[0], p[1], p[2]});
-    };
-    using Elige = std::function<unsigned(const glm::ivec2 &)>;
-    // el error, con todos los clics; los últimos con `sinDibujar`, que da lo mismo que `elige` con lo que ya está
-    // dibujado
-    const auto variante = [&](const std::string &nombre, const Elige &elige, const Elige &sinDibujar,
-                              const Rango &espera, const char *nota = "") {
+    Escenario(const Framebuffer &donde, int cuantosClics) : framebuffer(donde) {
+        std::mt19937 azar(4);
+        const auto al = [&] { return float(double(azar()) / 2147483648.0 - 1); };
+        oraculo::Escena escena;
+        for (int i = 0; i < 40; ++i) {
+            const glm::vec4 b = {1.4f * al(), 1.1f * al(), al(), 0.12f + 0.08f * al()};
+            bolas.push_back(b);
+            escena.push_back(
+                oraculo::esfera(oraculo::traslada(exacto(glm::vec3(b))) * oraculo::escala(double(b.w))));
+        }
+        for (int i = 0; i < cuantosClics; ++i) {
+            clics.push_back({int(0.5f * (1 + al()) * float(framebuffer.ancho - 1)),
+                             int(0.5f * (1 + al()) * float(framebuffer.alto - 1))});
+            verdad.push_back(unsigned(oraculo::primerImpacto(escena, rayo(clics.back())).objeto + 1));
+        }
+    }
+    oraculo::Rayo rayo(const Clic &c) const {
+        return oraculo::rayo(camara, framebuffer.ancho, framebuffer.alto, c.x + 0.5, c.y + 0.5);
+    }
+    /// El error, con todos los clics; los últimos con `sinDibujar`, que da lo mismo que `elige` con lo ya dibujado.
+    void variante(Medidor &m, const std::string &nombre, const Elige &elige, const Elige &sinDibujar,
+                  const Rango &espera, const char *nota = "") const {
         std::size_t mal = 0, k = 0;
         elige(clics[0]);
         for (std::size_t i = 0; i < clics.size(); ++i)
@@ -75,72 +67,111 @@ static void mideSeleccion(Medidor &m) {
         m.variante(
             nombre, 100.0 * double(mal) / double(clics.size()), 1,
             [&] { usa(elige(clics[k++ % clics.size()])); }, espera, nota);
-    };
-    const auto dibuja = [&](const Buferes &b) {
-        framebuffer.borra(0, 0, 0);
-        for (std::size_t i = 0; i < bolas.size(); ++i) {
-            envia(programa, "M", traslacion(glm::vec3(bolas[i])) * escalado(bolas[i].w));
-            envia(programa, "identificador", colorDe(unsigned(i + 1)));
-            ::dibuja(b);
-        }
-    };
-    m.grupo = "cualquier forma";
-    for (const int n : {12, 64}) {
-        const Buferes b = creaBuferes(esfera(n));
-        const std::string malla = ", esferas de " + std::to_string(n);
-        variante("dibujar y leer un píxel" + malla,
-                 [&](const auto &c) {
-                     dibuja(b);
-                     return leePixel(c);
-                 },
-                 leePixel, {0, n == 12 ? 20 : 1.5});
-        const Elige soloUno = [&](const glm::ivec2 &c) { // tras dibujarlo entero: es el mismo píxel
-            if (&c == &clics[DIBUJADOS])
-                dibuja(b);
-            return leePixel(c);
-        };
-        framebuffer.borra(0, 0, 0); // que no acierte por lo que había
-        variante(
-            "dibujar solo ese píxel" + malla,
-            [&](const auto &c) {
-                glEnable(GL_SCISSOR_TEST);
-                glScissor(c.x, c.y, 1, 1);
-                dibuja(b);
-                glDisable(GL_SCISSOR_TEST);
-                return leePixel(c);
-            },
-            soloUno, {0, n == 12 ? 20 : 1.5}, "glScissor");
-        if (n == 12) {
-            borraBuferes(b);
-            continue;
-        }
-        std::vector<unsigned char> todo(4 * framebuffer.ancho * framebuffer.alto);
-        variante("dibujar y leer la ventana",
-                 [&](const auto &c) {
-                     dibuja(b);
-                     glReadPixels(0, 0, framebuffer.ancho, framebuffer.alto, GL_RGBA, GL_UNSIGNED_BYTE,
-                                  todo.data());
-                     const std::size_t i = 4 * (c.y * framebuffer.ancho + c.x);
-                     return identificadorDe({todo[i], todo[i + 1], todo[i + 2]});
-                 },
-                 leePixel, {0, 1.5});
-        dibuja(b);
-        m.grupo = "sin dibujar";
-        variante("leer un píxel ya dibujado", leePixel, leePixel, {0, 1.5}, "mientras nada se mueva");
-        borraBuferes(b);
     }
-    m.grupo = "solo esferas";
-    const auto conRayo = [&](auto cero) {
-        using T = decltype(cero);
-        return [&](const glm::ivec2 &c) {
-            const oraculo::Rayo r =
-                oraculo::rayo(camara, framebuffer.ancho, framebuffer.alto, c.x + 0.5, c.y + 0.5);
-            return cortaEsferas<T>(bolas, {r.origen.x, r.origen.y, r.origen.z},
-                                   {r.direccion.x, r.direccion.y, r.direccion.z});
-        };
+};
+
+/// Las bolas, cada una de su identificador y con una malla de n.
+class Identificadores {
+    const Escenario &escenario;
+    const GLuint programa;
+    const Buferes malla;
+
+public:
+    Identificadores(const Escenario &deQue, GLuint conQue, int n)
+        : escenario(deQue), programa(conQue), malla(creaBuferes(esfera(n))) {
+    }
+    ~Identificadores() {
+        borraBuferes(malla);
+    }
+    void dibuja() const {
+        escenario.framebuffer.borra(0, 0, 0);
+        for (std::size_t i = 0; i < escenario.bolas.size(); ++i) {
+            const glm::vec4 &b = escenario.bolas[i];
+            envia(programa, "M", traslacion(glm::vec3(b)) * escalado(b.w));
+            envia(programa, "identificador", colorDe(unsigned(i + 1)));
+            ::dibuja(malla);
+        }
+    }
+};
+
+static unsigned leePixel(const Clic &c) {
+    unsigned char p[4];
+    glReadPixels(c.x, c.y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, p);
+    return identificadorDe({p[0], p[1], p[2]});
+}
+
+static void midePixel(Medidor &m, const Escenario &e, const Identificadores &bolas, const std::string &malla,
+                      const Rango &espera) {
+    e.variante(
+        m, "dibujar y leer un píxel" + malla,
+        [&](const Clic &c) {
+            bolas.dibuja();
+            return leePixel(c);
+        },
+        leePixel, espera);
+    const Elige soloUno = [&](const Clic &c) { // tras dibujarlo entero: es el mismo píxel
+        if (&c == &e.clics[DIBUJADOS])
+            bolas.dibuja();
+        return leePixel(c);
     };
-    variante("rayo en float", conRayo(0.0f), conRayo(0.0f), {0, 0.5}, "hay que saber cortar cada forma");
-    variante("rayo en double", conRayo(0.0), conRayo(0.0), {0, 0}, "hay que saber cortar cada forma");
+    e.framebuffer.borra(0, 0, 0); // que no acierte por lo que había
+    e.variante(
+        m, "dibujar solo ese píxel" + malla,
+        [&](const Clic &c) {
+            glEnable(GL_SCISSOR_TEST);
+            glScissor(c.x, c.y, 1, 1);
+            bolas.dibuja();
+            glDisable(GL_SCISSOR_TEST);
+            return leePixel(c);
+        },
+        soloUno, espera, "glScissor");
+}
+
+static void mideVentana(Medidor &m, const Escenario &e, const Identificadores &bolas) {
+    const int ancho = e.framebuffer.ancho, alto = e.framebuffer.alto;
+    std::vector<unsigned char> todo(4 * ancho * alto);
+    e.variante(m, "dibujar y leer la ventana",
+               [&](const Clic &c) {
+                   bolas.dibuja();
+                   glReadPixels(0, 0, ancho, alto, GL_RGBA, GL_UNSIGNED_BYTE, todo.data());
+                   const std::size_t i = 4 * (c.y * ancho + c.x);
+                   return identificadorDe({todo[i], todo[i + 1], todo[i + 2]});
+               },
+               leePixel, {0, 1.5});
+    bolas.dibuja();
+    m.grupo = "sin dibujar";
+    e.variante(m, "leer un píxel ya dibujado", leePixel, leePixel, {0, 1.5}, "mientras nada se mueva");
+}
+
+template<class T>
+static void mideRayo(Medidor &m, const Escenario &e, const char *nombre, const Rango &espera) {
+    const Elige corta = [&](const Clic &c) {
+        const oraculo::Rayo r = e.rayo(c);
+        return cortaEsferas<T>(e.bolas, {r.origen.x, r.origen.y, r.origen.z},
+                               {r.direccion.x, r.direccion.y, r.direccion.z});
+    };
+    e.variante(m, nombre, corta, corta, espera, "hay que saber cortar cada forma");
+}
+
+static void mideSeleccion(Medidor &m) {
+    abreContexto();
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_DITHER);
+    const Framebuffer framebuffer(m.elige(96, 960), m.elige(72, 720));
+    const GLuint programa =
+        creaPrograma("ch03_transformaciones/objeto.vert", "ch10_interaccion/identificador.frag");
+    glUseProgram(programa);
+    envia(programa, "proyeccion", proyeccionEscena(framebuffer));
+    envia(programa, "camara", camaraEscena());
+    const Escenario e(framebuffer, m.elige(50, 2000));
+    m.grupo = "cualquier forma";
+    midePixel(m, e, Identificadores(e, programa, 12), ", esferas de 12", {0, 20});
+    const Identificadores finas(e, programa, 64);
+    midePixel(m, e, finas, ", esferas de 64", {0, 1.5});
+    mideVentana(m, e, finas);
+    m.grupo = "solo esferas";
+    mideRayo<float>(m, e, "rayo en float", {0, 0.5});
+    mideRayo<double>(m, e, "rayo en double", {0, 0});
 }
 
 static const Apunta APUNTA(

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <vector>
 
+static const int ANCHO = 240, ALTO = 180;
+
 static GLuint compila(GLenum tipo, const char *fuente) {
     const GLuint shader = glCreateShader(tipo);
     glShaderSource(shader, 1, &fuente, nullptr);
@@ -14,24 +16,7 @@ static GLuint compila(GLenum tipo, const char *fuente) {
     return shader;
 }
 
-int main(int argc, char **argv) {
-    const int ancho = 240, alto = 180;
-    const int atributos[] = {OSMESA_FORMAT,
-                             OSMESA_RGBA,
-                             OSMESA_DEPTH_BITS,
-                             24,
-                             OSMESA_PROFILE,
-                             OSMESA_CORE_PROFILE,
-                             OSMESA_CONTEXT_MAJOR_VERSION,
-                             3,
-                             OSMESA_CONTEXT_MINOR_VERSION,
-                             1,
-                             0};
-    std::vector<unsigned char> memoria(4 * ancho * alto), rgb(3 * ancho * alto);
-    const OSMesaContext contexto = OSMesaCreateContextAttribs(atributos, nullptr);
-    if (argc < 2 || !contexto || !OSMesaMakeCurrent(contexto, memoria.data(), GL_UNSIGNED_BYTE, ancho, alto))
-        return 1;
-
+static void usaPrograma() {
     const GLuint programa = glCreateProgram();
     glAttachShader(programa, compila(GL_VERTEX_SHADER, R"(#version 140
 in vec3 posicion, normal;
@@ -61,8 +46,9 @@ void main() {
     glUniformMatrix4fv(glGetUniformLocation(programa, "proyeccion"), 1, GL_FALSE, identidad);
     glUniform3f(glGetUniformLocation(programa, "luz"), -0.5f, 0.5f, 2);
     glUniform3f(glGetUniformLocation(programa, "color"), 0.7f, 0.2f, 0.1f);
-    glEnable(GL_DEPTH_TEST);
+}
 
+static void enviaTriangulo() {
     const GLfloat vertices[] = {-0.8f, -0.7f, -0.5f, 0,    0,    1,     0.8f, -0.7f, -0.5f,
                                 0,     0,     1,     0.0f, 0.8f, -0.5f, 0,    0,     1};
     GLuint vao, buffer;
@@ -76,17 +62,39 @@ void main() {
                               reinterpret_cast<const void *>(3 * i * sizeof(GLfloat)));
         glEnableVertexAttribArray(i);
     }
+}
+
+/// De abajo arriba, como los da OpenGL.
+static bool guarda(const char *fichero, const std::vector<unsigned char> &rgb) {
+    FILE *f = std::fopen(fichero, "wb");
+    if (!f)
+        return false;
+    std::fprintf(f, "P6\n%d %d\n255\n", ANCHO, ALTO);
+    for (int y = ALTO - 1; y >= 0; --y)
+        std::fwrite(&rgb[3 * ANCHO * y], 1, 3 * ANCHO, f);
+    return std::fclose(f) == 0;
+}
+
+int main(int argc, char **argv) {
+    // clang-format off
+    const int atributos[] = {OSMESA_FORMAT, OSMESA_RGBA,
+                             OSMESA_DEPTH_BITS, 24,
+                             OSMESA_PROFILE, OSMESA_CORE_PROFILE,
+                             OSMESA_CONTEXT_MAJOR_VERSION, 3,
+                             OSMESA_CONTEXT_MINOR_VERSION, 1,
+                             0};
+    // clang-format on
+    std::vector<unsigned char> memoria(4 * ANCHO * ALTO), rgb(3 * ANCHO * ALTO);
+    const OSMesaContext contexto = OSMesaCreateContextAttribs(atributos, nullptr);
+    if (argc < 2 || !contexto || !OSMesaMakeCurrent(contexto, memoria.data(), GL_UNSIGNED_BYTE, ANCHO, ALTO))
+        return 1;
+    usaPrograma();
+    enviaTriangulo();
+    glEnable(GL_DEPTH_TEST);
     glClearColor(1, 1, 1, 1);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glDrawArrays(GL_TRIANGLES, 0, 3);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, ancho, alto, GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
-
-    FILE *f = std::fopen(argv[1], "wb");
-    if (!f)
-        return 1;
-    std::fprintf(f, "P6\n%d %d\n255\n", ancho, alto);
-    for (int y = alto - 1; y >= 0; --y)
-        std::fwrite(&rgb[3 * ancho * y], 1, 3 * ancho, f);
-    return std::fclose(f) == 0 ? 0 : 1;
+    glReadPixels(0, 0, ANCHO, ALTO, GL_RGB, GL_UNSIGNED_BYTE, rgb.data());
+    return guarda(argv[1], rgb) ? 0 : 1;
 }

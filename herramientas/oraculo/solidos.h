@@ -106,75 +106,90 @@ std::vector<double> raicesPolinomio(const std::array<double, N> &p, double desde
     return encontradas;
 }
 
+/// Un rayo en las coordenadas de un objeto, y el corte más cercano que se le encuentra.
+struct RayoLocal {
+    Vec3 o, d;
+    double minimo;
+    Corte corte;
+
+    Vec3 en(double t) const {
+        return o + t * d;
+    }
+    void propon(double t, int cara = 0) {
+        corte.propon(t, minimo, cara);
+    }
+    /// De esos cortes con una superficie que no acaba, los que caen entre z0 y z1.
+    void lado(const std::array<double, 2> &cortes, double z0 = -INFINITO, double z1 = INFINITO) {
+        for (const double t : cortes)
+            if (en(t).z >= z0 && en(t).z <= z1)
+                propon(t);
+    }
+    void tapa(double z, int cara) {
+        const double t = (z - o.z) / d.z;
+        if (std::hypot(en(t).x, en(t).y) <= 1)
+            propon(t, cara);
+    }
+    void caja() {
+        double entra = -INFINITO, sale = INFINITO;
+        if (!recortaEnCaja({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}, o, d, entra, sale))
+            return;
+        for (const double t : {entra, sale}) {
+            const Vec3 p = en(t), m{std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)};
+            const int eje = m.x >= m.y && m.x >= m.z ? 0 : m.y >= m.z ? 1 : 2;
+            propon(t, 2 * eje + (p[eje] > 0));
+        }
+    }
+    void plano() {
+        const double t = -o.z / d.z;
+        if (std::fabs(en(t).x) <= 0.5 && std::fabs(en(t).y) <= 0.5)
+            propon(t);
+    }
+    /// (|p|² + R² − r²)² = 4·R²·(x² + y²), dentro de la esfera de radio R + r.
+    void toro(double R, double r) {
+        const double alcance2 = std::pow(R + r, 2) - escalar(o, o);
+        if (alcance2 <= 0)
+            return;
+        const double a = escalar(d, d), k = escalar(o, o) + R * R - r * r, RR = 4 * R * R,
+                     alcance = 1.001 * std::sqrt(alcance2 / a);
+        const std::array<double, 5> p = {k * k - RR * (o.x * o.x + o.y * o.y),
+                                         -2 * RR * (o.x * d.x + o.y * d.y),
+                                         2 * a * k - RR * (d.x * d.x + d.y * d.y), 0, a * a};
+        for (const double t : raicesPolinomio(p, -alcance, alcance))
+            propon(t);
+    }
+};
+
 /// Mejora `c` con los cortes del objeto y el rayo (en el mundo) que estén más cerca; devuelve si hay alguno.
-inline bool corta(const Objeto &objeto, const Rayo &r, Corte &c) {
-    Vec3 o = punto(objeto.inv, r.origen);
-    const Vec3 d = direccion(objeto.inv, r.direccion);
+inline bool corta(const Objeto &objeto, const Rayo &rayo, Corte &c) {
     // Se parte del punto del rayo más cercano al centro (o·d = 0): los números son del tamaño del objeto aunque
     // el ojo esté lejos. d no se normaliza: así t es la misma distancia aquí que en el mundo.
-    const double a = escalar(d, d), salto = -escalar(o, d) / a, minimo = r.minimo - salto;
-    o = o + salto * d;
-    Corte local;
-    local.t = c.t - salto;
-    const double tope = local.t;
+    const Vec3 origen = punto(objeto.inv, rayo.origen), d = direccion(objeto.inv, rayo.direccion);
+    const double a = escalar(d, d), salto = -escalar(origen, d) / a, tope = c.t - salto;
+    const Vec3 o = origen + salto * d;
+    RayoLocal r{o, d, rayo.minimo - salto, {}};
+    r.corte.t = tope;
     const double axy = d.x * d.x + d.y * d.y, bxy = o.x * d.x + o.y * d.y, cxy = o.x * o.x + o.y * o.y;
-    const auto lado = [&](const std::array<double, 2> &cortes, double z0, double z1) {
-        for (const double t : cortes)
-            if (o.z + t * d.z >= z0 && o.z + t * d.z <= z1)
-                local.propon(t, minimo);
-    };
-    const auto tapa = [&](double z, int cara) {
-        const double t = (z - o.z) / d.z;
-        if (std::hypot(o.x + t * d.x, o.y + t * d.y) <= 1)
-            local.propon(t, minimo, cara);
-    };
     switch (objeto.forma) {
-    case Objeto::ESFERA: lado(raices(a, 0, escalar(o, o) - 1), -INFINITO, INFINITO); break;
-    case Objeto::CAJA: {
-        double entra = -INFINITO, sale = INFINITO;
-        if (recortaEnCaja({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}, o, d, entra, sale))
-            for (const double t : {entra, sale}) {
-                const Vec3 p = o + t * d, m{std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)};
-                const int eje = m.x >= m.y && m.x >= m.z ? 0 : m.y >= m.z ? 1 : 2;
-                local.propon(t, minimo, 2 * eje + (p[eje] > 0));
-            }
-        break;
-    }
+    case Objeto::ESFERA: r.lado(raices(a, 0, escalar(o, o) - 1)); break;
+    case Objeto::CAJA: r.caja(); break;
     case Objeto::CILINDRO:
-        lado(raices(axy, bxy, cxy - 1), -0.5, 0.5);
-        tapa(-0.5, 1);
-        tapa(0.5, 2);
+        r.lado(raices(axy, bxy, cxy - 1), -0.5, 0.5);
+        r.tapa(-0.5, 1);
+        r.tapa(0.5, 2);
         break;
     case Objeto::CONO: { // x² + y² = (1 − z)²
         const double h = 1 - o.z;
-        lado(raices(axy - d.z * d.z, bxy + h * d.z, cxy - h * h), 0, 1);
-        tapa(0, 1);
+        r.lado(raices(axy - d.z * d.z, bxy + h * d.z, cxy - h * h), 0, 1);
+        r.tapa(0, 1);
         break;
     }
-    case Objeto::TORO: { // (|p|² + R² − r²)² = 4·R²·(x² + y²), dentro de la esfera de radio R + r
-        const double RR = objeto.radio * objeto.radio,
-                     alcance2 = std::pow(objeto.radio + objeto.radioTubo, 2);
-        const double k = escalar(o, o) + RR - objeto.radioTubo * objeto.radioTubo;
-        const std::array<double, 5> p = {k * k - 4 * RR * cxy, -8 * RR * bxy, 2 * a * k - 4 * RR * axy, 0,
-                                         a * a};
-        if (alcance2 <= escalar(o, o))
-            break;
-        const double alcance = 1.001 * std::sqrt((alcance2 - escalar(o, o)) / a);
-        for (const double t : raicesPolinomio(p, -alcance, alcance))
-            local.propon(t, minimo);
-        break;
+    case Objeto::TORO: r.toro(objeto.radio, objeto.radioTubo); break;
+    case Objeto::PLANO: r.plano(); break;
+    case Objeto::MALLA: objeto.triangulos->corta(o, d, r.minimo, r.corte); break;
     }
-    case Objeto::PLANO: {
-        const double t = -o.z / d.z;
-        if (std::fabs(o.x + t * d.x) <= 0.5 && std::fabs(o.y + t * d.y) <= 0.5)
-            local.propon(t, minimo);
-        break;
-    }
-    case Objeto::MALLA: objeto.triangulos->corta(o, d, minimo, local); break;
-    }
-    if (!(local.t < tope))
+    if (!(r.corte.t < tope))
         return false;
-    c = local;
+    c = r.corte;
     c.t += salto;
     return true;
 }

@@ -10,16 +10,22 @@
 struct Cubierto {
     double dentro = -1e9, quiza = -1e9, profundidad = 0;
 };
-/// Las bandas de una línea se alargan `solape` donde empalman: entre una y otra no queda borde.
-inline std::vector<Cubierto> cubre(const Pintado &p, int ancho, int alto, double solape) {
-    std::vector<Cubierto> pixeles(std::size_t(ancho * alto));
-    // un polígono convexo; la profundidad cambia de a a b
-    const auto convexo = [&](const std::vector<glm::dvec2> &puntos, const glm::dvec3 &a, const glm::dvec3 &b,
-                             bool quiza = false) {
+/// Lo que cubre de cada píxel una pincelada.
+class Cobertura {
+    const Pintado &p;
+    const int ancho;
+    const double medio, solape;
+
+    static glm::dvec2 unitario(const glm::dvec2 &v) {
+        return v / std::max(glm::length(v), 1e-9);
+    }
+    /// Un polígono convexo; la profundidad cambia de a a b.
+    void convexo(const std::vector<glm::dvec2> &vertices, const glm::dvec3 &a, const glm::dvec3 &b,
+                 bool quiza = false) {
         oraculo::Poligono lados;
         glm::dvec2 desde(p.panel.x + p.panel.z, p.panel.y + p.panel.w), hasta(p.panel), tope = desde,
                                                                                         d(b - a);
-        for (const glm::dvec2 &v : puntos) {
+        for (const glm::dvec2 &v : vertices) {
             lados.push_back({v.x, v.y});
             desde = glm::max(glm::min(desde, v - 1.0), glm::dvec2(p.panel));
             hasta = glm::min(glm::max(hasta, v + 1.0), tope);
@@ -38,48 +44,64 @@ inline std::vector<Cubierto> cubre(const Pintado &p, int ancho, int alto, double
                     pixel.profundidad = z;
                 pixel.dentro = std::max(pixel.dentro, cuanto);
             }
-    };
-    const double medio = 0.5 * p.talla;
-    const auto unitario = [](const glm::dvec2 &v) { return v / std::max(glm::length(v), 1e-9); };
-    const auto banda = [&](const glm::dvec3 &a, const glm::dvec3 &b, double antes, double despues) {
+    }
+    void banda(const glm::dvec3 &a, const glm::dvec3 &b, double antes, double despues) {
         const glm::dvec2 t = unitario(b - a), n = medio * glm::dvec2(-t.y, t.x),
                          desde = glm::dvec2(a) - antes * t, hasta = glm::dvec2(b) + despues * t;
         convexo({desde + n, desde - n, hasta - n, hasta + n}, a, b);
-    };
-    const auto disco = [&](const glm::dvec3 &c, bool quiza) {
-        std::vector<glm::dvec2> puntos;
+    }
+    void disco(const glm::dvec3 &c, bool quiza) {
+        std::vector<glm::dvec2> vertices;
         for (int k = 0; k < 64; ++k)
-            puntos.push_back(glm::dvec2(c) +
-                             medio * glm::dvec2(std::cos(M_PI * k / 32), std::sin(M_PI * k / 32)));
-        convexo(puntos, c, c, quiza);
-    };
-    const auto &v = p.puntos;
-    if (p.tipo == "poligono")
-        convexo(std::vector<glm::dvec2>(v.begin(), v.end()), v[0], v[0]);
-    if (p.tipo == "rotulo") { // con su halo y lo que baja de la línea base
+            vertices.push_back(glm::dvec2(c) +
+                               medio * glm::dvec2(std::cos(M_PI * k / 32), std::sin(M_PI * k / 32)));
+        convexo(vertices, c, c, quiza);
+    }
+    void rotulo() { // con su halo y lo que baja de la línea base
         const double margen = BAJO_ROTULO * p.talla + std::max(HALO_ROTULO * p.talla, 1.0) + SUAVIZADO_ROTULO;
         const glm::dvec2 a = p.punto(0) - margen, b = p.punto(1) + margen;
-        convexo({a, {b.x, a.y}, b, {a.x, b.y}}, v[0], v[0]);
+        convexo({a, {b.x, a.y}, b, {a.x, b.y}}, p.puntos[0], p.puntos[0]);
     }
-    for (std::size_t i = 0; p.tipo == "puntos" && i < v.size(); ++i)
-        disco(v[i], false);
-    for (std::size_t i = 0; p.tipo == "segmentos" && i < v.size(); i += 2)
-        banda(v[i], v[i + 1], medio, medio);
-    for (std::size_t i = 0; p.tipo == "polilinea" && i + 1 < v.size(); ++i) {
-        const bool cerrada = v.front() == v.back(), acaba = i + 2 == v.size() && !cerrada;
-        banda(v[i], v[i + 1], i > 0 || cerrada ? solape : 0, acaba ? 0 : solape);
-        if (!acaba)
-            disco(v[i + 1], true); // el empalme no llega a ser redondo
+    void polilinea() {
+        const auto &v = p.puntos;
+        for (std::size_t i = 0; i + 1 < v.size(); ++i) {
+            const bool cerrada = v.front() == v.back(), acaba = i + 2 == v.size() && !cerrada;
+            banda(v[i], v[i + 1], i > 0 || cerrada ? solape : 0, acaba ? 0 : solape);
+            if (!acaba)
+                disco(v[i + 1], true); // el empalme no llega a ser redondo
+        }
     }
-    if (p.tipo == "flecha") { // la punta, de 4.5 grosores de largo y 3.8 de ancho
+    void flecha() { // la punta, de 4.5 grosores de largo y 3.8 de ancho
+        const auto &v = p.puntos;
         const double punta = std::min(4.5 * p.talla, glm::distance(p.punto(0), p.punto(1)));
         const glm::dvec2 t = unitario(v[1] - v[0]), n = punta * 1.9 / 4.5 * glm::dvec2(-t.y, t.x),
                          base = p.punto(1) - punta * t;
         banda(v[0], glm::dvec3(base, v[1].z), 0, solape);
         convexo({base + n, base - n, p.punto(1)}, v[1], v[1]);
     }
-    return pixeles;
-}
+
+public:
+    std::vector<Cubierto> pixeles;
+
+    /// Las bandas de una línea se alargan `elSolape` donde empalman: entre una y otra no queda borde.
+    Cobertura(const Pintado &deQue, const glm::ivec2 &ventana, double elSolape)
+        : p(deQue), ancho(ventana.x), medio(0.5 * p.talla), solape(elSolape),
+          pixeles(std::size_t(ventana.x * ventana.y)) {
+        const auto &v = p.puntos;
+        if (p.tipo == "poligono")
+            convexo(std::vector<glm::dvec2>(v.begin(), v.end()), v[0], v[0]);
+        else if (p.tipo == "rotulo")
+            rotulo();
+        else if (p.tipo == "polilinea")
+            polilinea();
+        else if (p.tipo == "flecha")
+            flecha();
+        for (std::size_t i = 0; p.tipo == "puntos" && i < v.size(); ++i)
+            disco(v[i], false);
+        for (std::size_t i = 0; p.tipo == "segmentos" && i < v.size(); i += 2)
+            banda(v[i], v[i + 1], medio, medio);
+    }
+};
 
 /// Si lo que va con profundidad, de la dada, está delante de lo que se ve en un píxel (1), detrás (−1) o a saber (0).
 using Delante = std::function<int(int x, int y, double profundidad)>;
@@ -104,7 +126,7 @@ inline double compruebaPintado(const std::string &programa, const std::string &g
     }
     int posibles = 0, vistos = 0;
     for (const Pintado &p : vista.encima) {
-        const std::vector<Cubierto> capa = cubre(p, ventana.x, ventana.y, 2 * borde);
+        const std::vector<Cubierto> capa = Cobertura(p, ventana, 2 * borde).pixeles;
         for (std::size_t i = 0; i < capa.size(); ++i) {
             const auto &[dentro, quiza, z] = capa[i];
             const int orden = !p.conProfundidad ? 1

@@ -61,7 +61,7 @@ def compara(raiz, build, capitulo, fichero, ppm, carpeta, tolerancia=""):
     opciones = ["--tolerancia", tolerancia] if tolerancia else []
     return subprocess.run(
         [
-            build / "tests/compara",
+            build / "herramientas/comparador/compara",
             raiz / "tests/golden" / capitulo / f"{fichero}.ppm",
             obtenida,
             "--otro" if SWIFTSHADER else "--amplia",

@@ -150,7 +150,7 @@ def como_golden(caso, ppm, otro, tolerancia, deja):
     with tempfile.NamedTemporaryFile(suffix=".ppm") as obtenida:
         obtenida.write(ppm)
         obtenida.flush()
-        c = subprocess.run([BUILD / "tests/compara", golden, obtenida.name, *opciones], capture_output=True, text=True)
+        c = subprocess.run([BUILD / "herramientas/comparador/compara", golden, obtenida.name, *opciones], capture_output=True, text=True)
     return c.returncode == 0, (c.stdout + c.stderr).strip()
 
 
