@@ -17,6 +17,8 @@ import { EJERCICIOS, PROGRAMAS } from './programas.mjs';
 import { Propios } from './propios.mjs';
 import { atiendeProyeccion, completa, proyecta } from './proyeccion.mjs';
 
+export { arranca } from './programa.mjs';
+
 /// Lo que se ve: { programa, ejercicio, taller, caso }; nada, en el catálogo.
 export let visto = {};
 const libre = new Taller('sessionStorage', 'cambios');

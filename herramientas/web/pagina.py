@@ -88,16 +88,8 @@ class Pagina:
 
     def guion(self):
         """Los módulos de la página en un solo guion, porque de file:// un navegador no los carga."""
-        return ejecuta(
-            [
-                "esbuild",
-                PLANTILLA.with_name("pagina.mjs"),
-                "--bundle",
-                "--format=iife",
-                "--global-name=pagina",
-                "--charset=utf8",
-            ]
-        ).decode()
+        opciones = "--bundle", "--format=iife", "--global-name=pagina", "--charset=utf8"
+        return ejecuta(["esbuild", PLANTILLA.with_name("pagina.mjs"), *opciones]).decode()
 
     def miniatura(self, programa):
         """La primera imagen de la galería, reducida: basta para el catálogo."""

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""comprueba_galeria.py RAÍZ BUILD: dibuja la galería en una carpeta temporal y la recorre en Chromium, abierta con file://.
+"""comprueba_galeria.py RAÍZ BUILD: dibuja la galería en una carpeta temporal y la recorre en Chromium, con file://.
 
-Todas las imágenes cargan, y las animadas se mueven, salvo para quien pide menos movimiento; la vista grande se abre, pasa con las
-flechas y se cierra con Esc; el buscador encuentra con acentos y sin ellos; los fuentes se ven; nada se sale de un teléfono de 360
-píxeles, ni con el texto al doble; la consola no da ningún error.
+Todas las imágenes cargan, y las animadas se mueven, salvo para quien pide menos movimiento; la vista grande se abre,
+pasa con las flechas y se cierra con Esc; el buscador encuentra con acentos y sin ellos; los fuentes se ven; nada se
+sale de un teléfono de 360 píxeles, ni con el texto al doble; la consola no da ningún error.
 """
 import subprocess
 import sys

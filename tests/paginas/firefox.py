@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""firefox.py RAÍZ BUILD WEB: abre la página de los programas (./lab web) con file:// en Firefox y compara con el golden, con --otro,
-lo que se ve al abrir diez programas: una captura de su lienzo.
+"""firefox.py RAÍZ BUILD WEB: abre la página de los programas (./lab web) con file:// en Firefox y compara con el
+golden, con --otro, lo que se ve al abrir diez programas: una captura de su lienzo.
 
 En una pantalla de Xvfb: sin ninguna (--headless), Firefox no tiene WebGL 2.
 """
@@ -25,15 +25,16 @@ user_pref("marionette.port", 0);
 ABRE = """
 pagina.escena.suavizado = false; // los golden no tienen muestras
 const e = document.createElement('style');
-e.textContent = `.lienzo { position: fixed; inset: 0 auto auto 0; z-index: 9; width: 240px !important; height: 180px !important;
-  border: 0; border-radius: 0 }`;
+e.textContent = `.lienzo { position: fixed; inset: 0 auto auto 0; z-index: 9; border: 0; border-radius: 0;
+  width: 240px !important; height: 180px !important }`;
 document.head.append(e);
 location.hash = arguments[0];
 """
 
 
 class Firefox:
-    """Lo poco que hace falta de Marionette, su WebDriver de siempre: en un socket, con la longitud delante de cada mensaje de JSON."""
+    """Lo poco que hace falta de Marionette, su WebDriver de siempre: en un socket, cada mensaje de JSON con su longitud
+    delante."""
 
     def __init__(self, perfil, entorno):
         perfil.mkdir()

@@ -1,5 +1,5 @@
-"""Lo que comparten las pruebas de las páginas, que se llaman con RAÍZ BUILD delante de lo suyo: abrir Chromium, esperar, apuntar lo
-que falla y comparar una imagen con su golden."""
+"""Lo que comparten las pruebas de las páginas, que se llaman con RAÍZ BUILD delante de lo suyo: abrir Chromium,
+esperar, apuntar lo que falla y comparar una imagen con su golden."""
 import hashlib
 import io
 import json
@@ -23,8 +23,10 @@ PROGRAMAS = {p.nombre: p for p in catalogo.lee_programas(BUILD)}
 CASOS = [caso for p in PROGRAMAS.values() if not p.consola for caso in p.casos]
 
 ESC, TAB, AVPAG, IZQUIERDA, DERECHA = "\ue00c", "\ue004", "\ue00f", "\ue012", "\ue014"  # teclas de WebDriver
-AXE, AXE_SHA512 = "4.10.2", (
-    "444de6750ecfdc54527bb7aa096a1e43f67d417aed9e24a3a75c148ede67442dd6229cf9ad20af7baa377ec676682a49b6b663499823c170284cee64e2d108d3"
+AXE = "4.10.2"
+AXE_SHA512 = (
+    "444de6750ecfdc54527bb7aa096a1e43f67d417aed9e24a3a75c148ede67442d"
+    "d6229cf9ad20af7baa377ec676682a49b6b663499823c170284cee64e2d108d3"
 )
 
 
@@ -116,7 +118,7 @@ def pantalla(entorno):
         xvfb.wait()
 
 
-# --- lo que se exige ----------------------------------------------------------------------------------------------------
+# --- lo que se exige ------------------------------------------------------------------------------------------------
 
 fallos = []
 
@@ -155,7 +157,7 @@ def como_golden(caso, ppm, otro, tolerancia, deja):
 
 
 def proyectable(n, selector):
-    """En una pantalla de 1080 líneas, los textos de ese elemento miden 28 píxeles o más: se leen desde la última fila."""
+    """En una pantalla de 1080 líneas, los textos de ese elemento se leen desde la última fila: 28 píxeles o más."""
     textos = f"[...document.querySelector('{selector}').querySelectorAll('h2, p, output, .mando span')]"
     chicos = n.js(
         f"""const letra = e => getComputedStyle(e).fontSize;
@@ -183,7 +185,8 @@ def accesible(n, que):
     n.js(axe())
     hallado = n.espera_js(
         """// lo que no cabe en el editor se recorre desde su textarea, que está al lado
-        const delEditor = v => v.id === 'scrollable-region-focusable' && v.nodes.every(n => n.target[0].endsWith('.CodeMirror-scroll'));
+        const delEditor = v => v.id === 'scrollable-region-focusable' &&
+          v.nodes.every(n => n.target[0].endsWith('.CodeMirror-scroll'));
         const { violations } = await axe.run();
         return violations.filter(v => ['serious', 'critical'].includes(v.impact) && !delEditor(v))
           .map(v => `${v.id} (${v.nodes.length}): ${v.nodes[0].target} ${v.nodes[0].failureSummary}`)"""

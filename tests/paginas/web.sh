@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# web.sh RAIZ BUILD: compila los programas para el navegador, hace la página en una carpeta temporal y la prueba con comprueba_web.py, en
-# Chromium, y con firefox.py; con LAB_OPENGL=swiftshader, solo los casos y solo en Chromium.
+# web.sh RAIZ BUILD: compila los programas para el navegador, hace la página en una carpeta temporal y la prueba con
+# comprueba_web.py, en Chromium, y con firefox.py; con LAB_OPENGL=swiftshader, solo los casos y solo en Chromium.
 set -euo pipefail
 cd "$1"
 build=$2
