@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
-#include <sstream>
 
 namespace {
 
@@ -313,21 +312,6 @@ TEST(Tetera, SombreadoYSilueta) {
         comprueba(c.guion, comparada, {4, 500, 0.7});
         EXPECT_LE(comparada.rmse, 0.35);
         EXPECT_GT(comparada.interior, c.ancho * c.alto * 8 / 10);
-    }
-}
-
-// + divide entre dos el error y - lo dobla, entre 1/16 y 64; el rótulo dice el error y los triángulos que hay.
-TEST(Tetera, MasFinaYMasBasta) {
-    const std::vector<std::string> guiones = {"",           "tecla +",    "tecla + ×3",
-                                              "tecla +",    "tecla - ×5", "tecla - ×3",
-                                              "tecla - ×2", "tecla -",    "tecla +"};
-    const double errores[] = {1, 0.5, 0.0625, 0.0625, 2, 16, 64, 64, 32};
-    const std::vector<Vista> vistas = vistasDe("tetera", guiones, 960, 720);
-    for (std::size_t i = 0; i < vistas.size(); ++i) {
-        std::ostringstream texto;
-        texto << "hasta " << errores[i] << " px de error\n"
-              << teselaParches(tetera(), errores[i] * PIXEL).malla.indices.size() / 3 << " triángulos";
-        compruebaRotulos(vistas[i].encima, {{texto.str(), {480, 0.08 * 720}, OSCURO}});
     }
 }
 

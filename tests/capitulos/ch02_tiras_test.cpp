@@ -95,64 +95,32 @@ TEST(Tiras, ElProgramaDaLosMismosTriangulosConSuOrientacion) {
     EXPECT_EQ(e.salida, dos.str() + una.str() + dos.str());
 }
 
-// Cada triángulo, del color de su tira: de claro a oscuro según su lugar, y el del medio tal cual. Encima, el recorrido
-// por la tira y un punto en su primer vértice; de las que no se resaltan, solo el recorrido, más fino y gris.
+// Cada triángulo, del color de su tira: de claro a oscuro según su lugar, y el del medio tal cual.
 TEST(Tiras, ColoresDeClaroAOscuroYResaltado) {
     const struct {
         std::string guion;
-        std::vector<Tira> tiras, apagadas;
+        std::vector<Tira> tiras;
         double gira, sube;
-    } casos[] = {{"", DOS, {}, 0, 0},
-                 {"tecla 1", {DOS[0], {}}, {DOS[1]}, 0, 0},
-                 {"tecla 2", {{}, DOS[1]}, {DOS[0]}, 0, 0},
-                 {"tecla 3; tecla x", {{}, DOS[1]}, {DOS[0]}, 0, 0}, // no hay tercera tira
-                 {"tecla 0", DOS, {}, 0, 0},
-                 {"tecla 2; tecla u", UNA, {}, 0, 0},
-                 {"tecla 1; tecla 2", UNA, {}, 0, 0},
-                 {"tamano 120 200; tecla u", DOS, {}, 0, 0},
-                 {arrastra({20, 20}, {70, 10}), DOS, {}, -1, -0.2}};
+    } casos[] = {{"", DOS, 0, 0},
+                 {"tecla 1", {DOS[0], {}}, 0, 0},
+                 {"tecla 2", {{}, DOS[1]}, 0, 0},
+                 {"tecla 3; tecla x", {{}, DOS[1]}, 0, 0}, // no hay tercera tira
+                 {"tecla 0", DOS, 0, 0},
+                 {"tecla 2; tecla u", UNA, 0, 0},
+                 {"tamano 120 200; tecla u", DOS, 0, 0},
+                 {arrastra({20, 20}, {70, 10}), DOS, -1, -0.2}};
     paraCada("tiras", casos, ANCHO, ALTO, [](const auto &c, const Vista &vista) {
-        const oraculo::Camara camara = camaraCaja(0.66, 0.80, c.gira, c.sube);
         std::vector<oraculo::Vec3> colores;
-        Linea recorrido, apagado, principios;
-        const auto recorre = [](const Tira &tira, Linea &linea) {
-            for (std::size_t i = 1; i < tira.size(); ++i)
-                linea.insert(linea.end(), {verticeCaja(tira[i - 1]), verticeCaja(tira[i])});
-        };
-        for (const Tira &tira : c.apagadas)
-            recorre(tira, apagado);
         for (std::size_t k = 0; k < c.tiras.size(); ++k) {
-            const Tira &tira = c.tiras[k];
             const glm::dvec3 color = COLORES[k], clara = 0.75 * glm::dvec3(1) + 0.25 * color;
-            for (std::size_t i = 2; i < tira.size(); ++i) {
-                const double t = 2 * double(i - 2) / double(tira.size() - 3) - 1;
+            for (std::size_t i = 2; i < c.tiras[k].size(); ++i) {
+                const double t = 2 * double(i - 2) / double(c.tiras[k].size() - 3) - 1;
                 colores.push_back(exacto(t < 0 ? color + t * (color - clara) : color * (1 - 0.65 * t)));
             }
-            recorre(tira, recorrido);
-            if (!tira.empty())
-                principios.push_back(verticeCaja(tira[0]));
         }
-        compruebaCaja(c.guion, vista.escena, expande(c.tiras), camara,
+        compruebaCaja(c.guion, vista.escena, expande(c.tiras), camaraCaja(0.66, 0.80, c.gira, c.sube),
                       [&](const oraculo::Impacto &i) { return colores[std::size_t(i.corte.triangulo)]; });
-        Dibujo encima = {{camara, vista.escena}};
-        if (!apagado.empty())
-            encima.traza("segmentos", apagado, GRIS, 3);
-        encima.traza("segmentos", recorrido, OSCURO, 6);
-        encima.traza("puntos", principios, OSCURO, 24);
-        compruebaTrazos(vista, encima.en.hueco, encima.trazos);
     });
-}
-
-// Los índices de cada tira, escritos en su color, y el número de cada vértice.
-TEST(Tiras, RotulosYRecorrido) {
-    const std::vector<Vista> vistas = vistasDe("tiras", {"", "tecla u"}, 960, 720);
-    const oraculo::Camara camara = camaraCaja(0.66, 0.80);
-    std::vector<Letrero> dos = numeros(camara, {1, 2, 3, 4, 5, 6, 7, 8}), una = dos;
-    dos.push_back({separados(DOS[0]), {0.02 * 960, 0.09 * 720}, 0.8f * NARANJA, Lado::DERECHA});
-    dos.push_back({separados(DOS[1]), {0.02 * 960, 0.04 * 720}, 0.8f * AZUL, Lado::DERECHA});
-    una.push_back({"2 1 3 4 8 1 5 2 6 3\n7 8", {0.02 * 960, 0.04 * 720}, 0.8f * NARANJA, Lado::DERECHA});
-    compruebaRotulos(vistas[0].encima, dos);
-    compruebaRotulos(vistas[1].encima, una);
 }
 
 TEST(Tiras, ConOtraMallaLaTeclaUNoHaceNada) {

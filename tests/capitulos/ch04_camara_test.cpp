@@ -24,37 +24,6 @@ std::vector<Cuerpo> escena() {
         {caja(traslada({0.9, 0.4, 2}) * gira({0, 1, 0}, 0.5) * escala({1.6, 0.8, 0.8})), exacto(AZUL)}};
 }
 
-/// Desde fuera se señalan la pirámide de visión, que a 3 unidades del ojo llega a las esquinas de lo que se ve por
-/// `dentro`, la línea de p a i y los ejes, delante de todo y cada uno de su color y con su nombre más allá de la punta.
-void compruebaLoSenalado(const Vista &vista, const Panel &fuera, const Panel &dentro) {
-    const auto [S, U, Z] = ejes(dentro.camara);
-    const Vec3 ojo = dentro.camara.ojo;
-    Linea marco, lados;
-    const std::vector<Vec3> esquinas = esquinasA({3}, dentro);
-    for (const std::size_t k : {2, 3, 0, 1}) {
-        marco.push_back(esquinas[k]);
-        lados.insert(lados.end(), {ojo, esquinas[k]});
-    }
-    marco.push_back(marco[0]);
-    Dibujo encima = {fuera};
-    encima.traza("segmentos", lados, GRIS, 3);
-    encima.traza("polilinea", marco, GRIS, 4);
-    encima.traza("segmentos", {ojo, I}, OSCURO, 3);
-    const auto flecha = [&](const char *nombre, const Vec3 &v, const glm::vec3 &color) {
-        encima.traza("flecha", {ojo, ojo + v}, color, 8, false);
-        encima.rotula(nombre, fuera(ojo + 1.3 * v), color);
-    };
-    flecha("UP", 3.4 * unitario(dentro.camara.arriba), NARANJA);
-    flecha("S", 2.5 * S, ROJO);
-    flecha("U", 2.5 * U, VERDE);
-    flecha("F", -2.5 * Z, AZUL);
-    encima.traza("puntos", {ojo, I}, OSCURO, 18, false);
-    encima.rotula("p", fuera(ojo), OSCURO, Lado::DEBAJO);
-    encima.rotula("i", fuera(I), OSCURO, Lado::DERECHA);
-    encima.comprueba(vista);
-    compruebaEncima(vista, dentro.hueco, {}, {{"lo que ve", dentro.lugar(0.5, 0.96), OSCURO}});
-}
-
 } // namespace
 
 // Contra la de GLM con más precisión, que es la ecuación 4.1 con S normalizado. F y UP normalizados llevan unos 6
@@ -79,15 +48,12 @@ TEST(TransformacionCamara, ContraGlmConMasPrecision) {
 
 // El libro no dice que S haya que normalizarlo; sin eso, con UP oblicuo, la matriz encoge la imagen.
 TEST(TransformacionCamara, SinNormalizarSNoEsUnGiro) {
-    const glm::dvec3 F = glm::normalize(glm::dvec3(0, -1, -1)), UP(0, 1, 0), S = glm::cross(F, UP);
-    EXPECT_NEAR(glm::length(S), std::sqrt(0.5), 1e-15);
-    EXPECT_NEAR(glm::length(baseCamara({0, 0, 0}, F, UP).S), 1, 8 * U_DOBLE);
+    EXPECT_NEAR(glm::length(baseCamara({0, 0, 0}, {0, -1, -1}, {0, 1, 0}).S), 1, 8 * U_DOBLE);
 }
 
 // Con UP paralelo a la vista lookAt da NaN. Aquí, X queda a la derecha si se mira a lo largo de Y; si no, Y hacia
 // arriba. Que la base lo es, en dificil_vista_test.cpp.
 TEST(TransformacionCamara, UpParaleloONulo) {
-    EXPECT_TRUE(std::isnan(glm::lookAt(glm::vec3(0, 5, 0), glm::vec3(0), glm::vec3(0, 1, 0))[0][0]));
     const glm::dvec3 p(1, 2, 3), X(1, 0, 0), Y(0, 1, 0);
     for (const glm::dvec3 &d : {X, -X, Y, -Y, {0, 0, 1}, {0, 0, -1}})
         for (const double k : {1.0, -1.0, 0.0}) {
@@ -122,6 +88,5 @@ TEST(Camara, LoQueVe) {
             {{S.x, U.x, Z.x, p.x}, {S.y, U.y, Z.y, p.y}, {S.z, U.z, Z.z, p.z}, {0, 0, 0, 1}}};
         compruebaEscena(vista, dentro, escena(), CIELO);
         compruebaEscena(vista, fuera, conCamaraDeFotos(escena(), alMundo * escala(1.2)), FONDO_CLARO);
-        compruebaLoSenalado(vista, fuera, dentro);
     }
 }

@@ -43,8 +43,6 @@ void compruebaPanel(const Vista &vista, const Panel &panel, bool enCpu, bool con
         compruebaEscena(vista, panel, escena(), CIELO, enCpu ? EN_CPU : EXACTA);
     else
         compruebaSilueta(vista, panel, esVerde, escena().back().objeto);
-    const std::string nombre = std::string(enCpu ? "CPU " : "GPU ") + (conTest ? "con test" : "sin test");
-    compruebaEncima(vista, panel.hueco, {}, {{nombre, panel.lugar(0.02, 0.06), OSCURO, Lado::DERECHA}});
 }
 
 const glm::vec3 NEGRO(0);
