@@ -43,9 +43,9 @@ TEST(Grua, ContraTrazadoDeRayos) {
         {"tecla a ×7; tecla q ×3", 0, 3.5, 4},
         {"tecla e ×6", 0, 6.5, 4},
         {"tecla e ×40", 0, 7, 4},
-        {"tecla w ×4", 0, 7, 6},
-        {"tecla w ×40", 0, 7, 9},
-        {"tecla s ×40", 0, 7, 0.5},
+        {"tecla q ×4; tecla w ×4", 0, 5, 6},
+        {"tecla w ×40", 0, 5, 9},
+        {"tecla s ×40", 0, 5, 0.5},
         {"tecla w ×7; tecla q ×40; tecla d ×8", -0.8, 1.4, 4},
     };
     paraCada("grua", casos, 240, 180, [](const auto &c, const Vista &v) {

@@ -89,9 +89,9 @@ TEST(Proyecciones, ElCuboYSusRectas) {
                  {"tamano 240 360", false},
                  {"tecla p", true},
                  {"tamano 480 360; " + arrastra({20, 90}, {320, 70}), true, -1.0, 0.23},
-                 {arrastra({10, 90}, {410, 90}) + "; tecla p", false, -3.0, 0.23},
-                 {veces(400, "rueda +1 9 9"), false, -3.0, 0.23, 1.2},
-                 {veces(400, "rueda -1 9 9"), false, -3.0, 0.23, 7.5}};
+                 {arrastra({400, 90}, {-300, 90}) + "; tecla p", false, 2.5, 0.23},
+                 {arrastra({0, 70}, {400, 90}) + "; " + veces(400, "rueda +1 9 9"), false, 0.50, 0.33, 1.2},
+                 {veces(400, "rueda -1 9 9"), false, 0.50, 0.33, 7.5}};
     paraCada("proyecciones", casos, 480, 360, [](const auto &c, const Vista &v) {
         const Camara desde = orbita(c.azimut, c.elevacion, c.distancia, {0.1, 0.2, 0});
         const Panel ventana(c.enPerspectiva ? perspectiva(desde, 1.0, 0.1, 2000)

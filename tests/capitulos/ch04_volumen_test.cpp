@@ -73,14 +73,14 @@ TEST(VolumenVista, ContraTrazadoDeRayos) {
     } casos[] = {
         {"", volumen(true, 2.5, 9)},
         {"tecla p", volumen(false, 2.5, 9)},
-        {"tecla - ×3; tecla ,; tecla p", volumen(true, 2, 7.5)},
-        {"tecla + ×2; tecla - ×3; tecla , ×40; tecla p", volumen(false, 1.5, 7)},
-        {"tecla + ×40; tecla -; tecla .; tecla p", volumen(true, 2, 11.5)},
-        {"tecla , ×40; tecla - ×40; tecla +", volumen(true, 1.5, 2.5)},
-        {"tecla + ×13; tecla . ×40; tecla ,", volumen(true, 8, 9)},
+        {"tecla p; tecla - ×3; tecla ,", volumen(true, 2, 7.5)},
+        {"tecla + ×5; tecla . ×2; tecla p", volumen(false, 3, 10)},
+        {"tecla + ×40; tecla , ×40; tecla -; tecla .; tecla p", volumen(true, 2, 11.5)},
+        {"tecla .; tecla - ×40; tecla +", volumen(true, 2.5, 3.5)},
+        {"tecla + ×11; tecla . ×40; tecla ,", volumen(true, 8, 9)},
         {"tecla , ×11; " + arrastra({20, 90}, {140, 90}), volumen(true, 2.5, 9), 0.35},
-        {arrastra({400, 90}, {30, 90}), volumen(true, 2.5, 9), 2.2},
-        {"tecla p", volumen(false, 2.5, 9), 2.2},
+        {arrastra({490, 90}, {0, 90}), volumen(true, 2.5, 9), 2.8},
+        {"tecla p", volumen(false, 2.5, 9), 2.8},
     };
     const std::vector<Cuerpo> cuerpos = piezas();
     Escena objetos;
