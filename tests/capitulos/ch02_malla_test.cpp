@@ -91,23 +91,19 @@ TEST(MallaVf, ElColorDiceElSentido) {
     });
 }
 
-// Un prisma de base pentagonal con caras de 4 y 5 vértices, enorme y lejos del origen: llena la ventana.
+// El cubo, con caras de cuatro vértices, enorme y lejos del origen: llena la ventana.
 TEST(MallaVf, CualquierMallaLlenaLaVentana) {
-    std::ostringstream vertices, lados;
-    for (int k = 0; k < 5; ++k) {
-        const double a = 2 * oraculo::PI * k / 5, x = 100000 + 3000 * std::cos(a), z = 3000 * std::sin(a);
-        vertices << "v " << x << " -70000 " << z << "\nv " << x << " -66000 " << z << "\n";
-        const int s = (k + 1) % 5;
-        lados << "f " << 2 * k + 1 << " " << 2 * k + 2 << " " << 2 * s + 2 << " " << 2 * s + 1 << "\n";
-    }
-    const std::string ruta = fichero(vertices.str() + "f 1 3 5 7 9\nf 10 8 6 4 2\n" + lados.str());
-    EXPECT_EQ(ejecuta("malla_vf", "", 240, 180, {ruta}).salida, informe(10, 7, 0, "ninguna", "antihorario"));
+    std::ostringstream texto;
+    for (const glm::vec3 &v : CAJA)
+        texto << "v " << 100000 + 4000 * v.x << " " << 4000 * v.y - 70000 << " " << 4000 * v.z << "\n";
+    for (const std::vector<unsigned> &c : cuboCerrado().caras)
+        texto << "f " << c[0] + 1 << " " << c[1] + 1 << " " << c[2] + 1 << " " << c[3] + 1 << "\n";
+    const std::string ruta = fichero(texto.str());
+    EXPECT_EQ(ejecuta("malla_vf", "", 240, 180, {ruta}).salida, informe(8, 6, 0, "ninguna", "antihorario"));
     double lejos = 0; // del centro al borde, el vértice que más se acerca a este
-    for (const Pintado &aristas : vistaDe("malla_vf", "", 240, 180, {ruta}).encima.trazos(OSCURO))
-        for (std::size_t i = 0; i < aristas.puntos.size(); ++i) {
-            const glm::dvec2 d = glm::abs(aristas.punto(i) / glm::dvec2(120, 90) - 1.0);
-            lejos = std::max({lejos, d.x, d.y});
-        }
+    const Pintado aristas = vistaDe("malla_vf", "", 240, 180, {ruta}).encima.trazos(OSCURO).at(0);
+    for (const glm::dvec3 &p : aristas.puntos)
+        lejos = std::max({lejos, std::fabs(p.x / 120 - 1), std::fabs(p.y / 90 - 1)});
     EXPECT_NEAR(lejos, 1 / 1.22, 0.04); // a la distancia en que llegaría al borde aumentado un 22 %
 }
 
@@ -141,17 +137,13 @@ TEST(MallaVf, AristaDeTresCaras) {
 }
 
 TEST(MallaVf, ErroresDelUsuario) {
-    const struct {
-        std::vector<std::string> argumentos;
-        int estado;
-        std::string error;
-    } casos[] = {{{"no_existe.vf"}, 1, "no_existe.vf"},
-                 {{fichero("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n")}, 1, ":4: "}};
+    const std::string mala = fichero("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
     for (const std::string programa : {"malla_vf", "tiras"})
-        for (const auto &c : casos) {
-            const Ejecucion e = ejecuta(programa, "", 60, 45, c.argumentos);
-            EXPECT_EQ(e.estado, c.estado) << programa;
-            EXPECT_NE(e.errores.find(c.error), std::string::npos) << e.errores;
+        for (const auto &[ruta, error] :
+             {std::pair<std::string, std::string>("no_existe.vf", "no_existe.vf"), {mala, ":4: "}}) {
+            const Ejecucion e = ejecuta(programa, "", 60, 45, {ruta});
+            EXPECT_EQ(e.estado, 1) << programa;
+            EXPECT_NE(e.errores.find(error), std::string::npos) << e.errores;
         }
 }
 

@@ -24,9 +24,8 @@ glm::mat4 afin(Azar &azar, float decadas) {
     return M;
 }
 
-/// La traspuesta de la adjunta, como la da el libro y en la precisión de `m`.
-template<class Mat3>
-Mat3 adjunta(const Mat3 &m) {
+/// La traspuesta de la adjunta, como la da el libro.
+dmat3 adjunta(const dmat3 &m) {
     return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }
 
@@ -95,8 +94,7 @@ struct Prisma {
                 cara({a, b, b + alFondo, a + alFondo}, n);
             delante.push_back(a);
             detras.push_back(a + alFondo);
-            lados[i] = {medio + Vec3{0, 0, 0.018}, n, oraculo::unitario({sx * (by - ay), sy * (ax - bx), 0}),
-                        adjunta};
+            lados[i] = {medio + Vec3{0, 0, 0.018}, n, {sx * (by - ay), sy * (ax - bx), 0}, adjunta};
         }
         if (sy != 0) {
             cara(delante, {0, 0, 1});

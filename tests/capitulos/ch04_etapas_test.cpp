@@ -104,18 +104,13 @@ std::string elige(const glm::dvec2 &p) {
     return clic({int(p.x), 359 - int(p.y)});
 }
 
-/// Lo que hay guardado en el píxel de una esquina del cubo: la profundidad de lo primero que encuentra su rayo.
+/// Lo que hay guardado en el píxel de una esquina del cubo: la profundidad de lo primero que encuentra su rayo, sin ella.
 double guardada(const Vec3 &mundo, bool tapado) {
-    Rayo r = {OJO, unitario(mundo - OJO)};
-    Escena cajas = {caja(MM)};
-    if (tapado)
-        cajas.push_back(caja(TAPA));
-    Impacto i = primerImpacto(cajas, r);
-    while (i && longitud(i.punto - mundo) < 1e-4) {
-        r.minimo = i.distancia + 1e-9;
-        i = primerImpacto(cajas, r);
-    }
-    return i ? enVentana(i.punto).z : 1;
+    const Escena cajas = tapado ? Escena{caja(MM), caja(TAPA)} : Escena{caja(MM)};
+    for (const Impacto &i : impactos(cajas, {OJO, unitario(mundo - OJO)}))
+        if (longitud(i.punto - mundo) >= 1e-4)
+            return enVentana(i.punto).z;
+    return 1;
 }
 
 /// Lo que ha escrito del último vértice, por claves.
@@ -134,11 +129,13 @@ Escrito loEscritoTras(const std::string &guion) {
     return valores;
 }
 
-/// Una esquina del cubo en cada etapa. La matriz del modelo se hace en float: 4 redondeos de números menores que 2,
-/// 5e-7 en el mundo, y en la ventana por 1/tan(0.31)/4 y por 58 píxeles, 5e-5.
-void compruebaLoEscrito(Escrito escrito, int esquina, double laGuardada) {
+/// Lo que escribe de una esquina del cubo en cada etapa. La matriz del modelo se hace en float: 4 redondeos de números
+/// menores que 2, 5e-7 en el mundo, y en la ventana por 1/tan(0.31)/4 y por 58 píxeles, 5e-5.
+void compruebaEsquina(const std::string &guion, int esquina, bool tapado = false) {
+    SCOPED_TRACE(guion);
     const Vec3 objeto = esquinaCubo(esquina), mundo = punto(MM, objeto), c = enCamara(CAMARA_REF, mundo),
                n = enNdc(mundo), v = enVentana(mundo);
+    const double laGuardada = guardada(mundo, tapado);
     const struct {
         std::string clave;
         std::vector<double> valores;
@@ -153,23 +150,12 @@ void compruebaLoEscrito(Escrito escrito, int esquina, double laGuardada) {
                     {"profundidad", {v.z}, 2e-6},
                     {"guardada", {laGuardada}, 1e-5},
                     {v.z < laGuardada ? "se pinta" : "se descarta", {}, 0}};
+    Escrito escrito = loEscritoTras(guion);
     EXPECT_EQ(escrito.size(), 1 + std::size(esperado)); // y «vértice»
     for (const auto &[clave, valores, cota] : esperado) {
         ASSERT_TRUE(escrito.count(clave) && escrito[clave].size() == valores.size()) << clave;
         for (std::size_t i = 0; i < valores.size(); ++i)
             EXPECT_NEAR(escrito[clave][i], valores[i], cota) << clave << " " << i;
-    }
-}
-
-void compruebaEsquina(const std::string &guion, int esquina, bool tapado = false) {
-    SCOPED_TRACE(guion);
-    const Vista vista = vistaDe("etapas_pipeline", guion, 480, 360);
-    compruebaLoEscrito(loEscritoTras(guion), esquina, guardada(punto(MM, esquinaCubo(esquina)), tapado));
-    for (int k = OBJETO; k < PROFUNDIDAD; ++k) {
-        std::vector<Cuerpo> cuerpos = {cuboEn(k, MM, AMARILLO)};
-        if (tapado && k != OBJETO)
-            cuerpos.push_back(cuboEn(k, TAPA, VERDE));
-        compruebaEscena(vista, panel(k), cuerpos, k == VENTANA ? CIELO : FONDO_CLARO);
     }
 }
 
@@ -213,19 +199,27 @@ TEST(Recortado, CasosLimite) {
         }
 }
 
-// La que se sigue al empezar y las que se eligen con el ratón, en cualquier panel; lejos de todo vértice no cambia
-// nada. Con algo delante, lo guardado es su profundidad y el fragmento se descarta. En cada panel, la escena trazada en
-// sus coordenadas: el vértice que se ve es el que se escribe (la 4.4 impresa lo aparta medio píxel).
+// La que se sigue al empezar y las que se eligen con el ratón, en cualquier panel; lejos de todo vértice y al orbitar no
+// cambia nada. Con algo delante, lo guardado es su profundidad y el fragmento se descarta. En cada panel, la escena
+// trazada en sus coordenadas: el vértice que se ve es el que se escribe (la 4.4 impresa lo aparta medio píxel).
 TEST(EtapasPipeline, EsquinasDelCubo) {
     const auto en = [](int k, int esquina) { return elige(enPanel(k, punto(MM, esquinaCubo(esquina)))); };
-    for (const int esquina : {0, 5, 6})
+    for (const int esquina : {0, 3, 5, 6})
         compruebaEsquina(en(VENTANA, esquina), esquina);
     for (const int k : {OBJETO, MUNDO, CAMARA, NDC})
         compruebaEsquina(en(k, 3), 3);
     compruebaEsquina(elige(panel(OBJETO).lugar(0.1, 0.5)) + "; tecla r ×2", 7);
     compruebaEsquina(en(VENTANA, 3) + "; tecla o", 3, true);
     EXPECT_EQ(ejecuta("etapas_pipeline", arrastra({330, 349}, {380, 320}), 480, 360).salida,
-              ejecuta("etapas_pipeline", "", 480, 360).salida); // al orbitar no se escribe lo mismo otra vez
+              ejecuta("etapas_pipeline", "", 480, 360).salida);
+    for (const bool tapado : {false, true})
+        for (int k = OBJETO; k < PROFUNDIDAD; ++k) {
+            std::vector<Cuerpo> cuerpos = {cuboEn(k, MM, AMARILLO)};
+            if (tapado && k != OBJETO)
+                cuerpos.push_back(cuboEn(k, TAPA, VERDE));
+            compruebaEscena(vistaDe("etapas_pipeline", tapado ? "tecla o" : "", 480, 360), panel(k), cuerpos,
+                            k == VENTANA ? CIELO : FONDO_CLARO);
+        }
 }
 
 // El triángulo llega detrás del ojo. Los lados y el área de lo que queda, contra el polígono exacto; y la imagen de la
