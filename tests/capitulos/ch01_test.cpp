@@ -86,17 +86,9 @@ TEST(SinCommon, UnArgumentoDeMasTerminaCon2) {
     }
 }
 
-namespace {
-
-// Con los shaders de ./ch01_intro: el estado es el número del paso en que algo no va.
-[[noreturn]] void pruebaF5() {
+// F5 con el shader roto conserva el programa que había y lo dice; arreglado, lo usa. Los shaders son los de ./ch01_intro.
+TEST(ShaderBasico, F5) {
     using namespace shader_basico;
-    const auto escribe = [](const std::string &fichero, const std::string &texto) {
-        if (texto.empty())
-            std::remove(fichero.c_str());
-        else
-            std::ofstream(fichero) << "#version 140\n" << texto;
-    };
     const std::string
         vertices = "in vec4 posicion;\nvoid main() { gl_Position = posicion; }",
         otraSalida = "out vec3 c;\nin vec4 posicion;\nvoid main() { gl_Position = posicion; c = vec3(1.0); }",
@@ -108,11 +100,18 @@ namespace {
     const struct {
         std::string vert, frag;
         int nivelRojo;
-    } pasos[] = {{vertices, rojo, 255}, {vertices, roto, 255},     {otraSalida, otraEntrada, 255},
-                 {vertices, "", 255},   {sinPosicion, verde, 255}, {vertices, verde, 0}};
+        std::string dice;
+    } pasos[] = {{vertices, rojo, 255, ""},
+                 {vertices, roto, 255, "shader_basico.frag no compila: "},
+                 {otraSalida, otraEntrada, 255, "no enlazan: "},
+                 {vertices, "", 255, "«shader_basico.frag» no está, o está vacío"},
+                 {sinPosicion, verde, 255, "no usa «posicion»"},
+                 {vertices, verde, 0, ""}};
+    std::filesystem::create_directory(carpetaTemporal() / "ch01_intro");
+    std::filesystem::current_path(carpetaTemporal());
     char nombre[] = "shader_basico", opcion[] = "-geometry", talla[] = "200x200";
     char *argv[] = {nombre, opcion, talla, nullptr};
-    int argc = 3, n = 10;
+    int argc = 3;
     glutInit(&argc, argv);
     glutInitContextVersion(3, 1);
     glutCreateWindow("prueba");
@@ -121,33 +120,18 @@ namespace {
     inicia(); // aún no hay shaders
     glutDisplayFunc(dibuja);
     glutSpecialFunc(tecladoEspecial);
-    for (const auto &paso : pasos) {
-        escribe("ch01_intro/shader_basico.vert", paso.vert);
-        escribe("ch01_intro/shader_basico.frag", paso.frag);
+    for (const auto &[vert, frag, nivelRojo, dice] : pasos) {
+        std::ofstream("ch01_intro/shader_basico.vert") << "#version 140\n" << vert;
+        std::ofstream("ch01_intro/shader_basico.frag") << (frag.empty() ? "" : "#version 140\n") << frag;
+        testing::internal::CaptureStderr();
         glutOrden("especial F5");
+        const std::string dicho = testing::internal::GetCapturedStderr();
         GLubyte centro[3];
         glReadPixels(100, 80, 1, 1, GL_RGB, GL_UNSIGNED_BYTE, centro);
-        if (centro[0] != paso.nivelRojo || centro[1] != 255 - paso.nivelRojo || glGetError() != GL_NO_ERROR)
-            std::exit(n);
-        ++n;
+        EXPECT_TRUE(dice.empty() ? dicho.empty() : dicho.find(dice) != std::string::npos) << dicho;
+        EXPECT_TRUE(centro[0] == nivelRojo && centro[1] == 255 - nivelRojo) << dice;
+        EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR)) << dice;
     }
-    std::exit(0);
-}
-
-} // namespace
-
-// F5 con el shader roto conserva el programa que había y lo dice; arreglado, lo usa.
-TEST(ShaderBasico, F5) {
-    std::filesystem::create_directory(carpetaTemporal() / "ch01_intro");
-    EXPECT_EXIT(
-        {
-            std::filesystem::current_path(carpetaTemporal());
-            pruebaF5();
-        },
-        testing::ExitedWithCode(0),
-        "shader_basico.frag no compila: .*\n(.*\n)*.*no enlazan: .*\n(.*\n)*.*«shader_basico.frag» no está, "
-        "o está vacío.*\n"
-        ".*no usa «posicion»");
 }
 
 // Cada píxel, por la prueba de semiplanos en su centro.
@@ -186,7 +170,7 @@ TEST(InfoOpengl, ConOtroOpenglDiceLoQueFalta) {
     EXPECT_EXIT(ejecutaAqui("3.0 Mesa"), testing::ExitedWithCode(1),
                 "Falta: OpenGL 3.1 o posterior\n(.*\n)*Resultado: falta lo imprescindible");
     std::string limites;
-    for (const auto &[nombre, cual] :
+    for (const auto &[clave, cual] :
          {std::pair("Textura 2D máxima", GL_MAX_TEXTURE_SIZE),
           {"Textura 3D máxima", GL_MAX_3D_TEXTURE_SIZE},
           {"Mapa de cubo máximo", GL_MAX_CUBE_MAP_TEXTURE_SIZE},
@@ -194,7 +178,7 @@ TEST(InfoOpengl, ConOtroOpenglDiceLoQueFalta) {
           {"Unidades de textura en el vertex shader", GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS},
           {"Atributos de vértice", GL_MAX_VERTEX_ATTRIBS},
           {"Muestras por píxel", GL_MAX_SAMPLES}})
-        limites += nombre + (": " + std::to_string(cual)) + "( .*)?\n";
+        limites += clave + (": " + std::to_string(cual)) + "( .*)?\n";
     EXPECT_EXIT(ejecutaAqui("3.1 Mesa"), testing::ExitedWithCode(0), limites);
 }
 

@@ -20,6 +20,8 @@ namespace figura_color {
 
 namespace {
 
+using namespace oraculo;
+
 enum { PUNTOS, SEGMENTOS, TIRA_SEGMENTOS, SECUENCIA_CERRADA, TRIANGULOS, TIRA, ABANICO };
 const std::vector<VerticePlano> VERTICES = {{0, -0.62, exacto(NARANJA)},      {0.74, -0.38, exacto(ROJO)},
                                             {0.31, -0.07, exacto(AZUL)},      {0, 0.64, exacto(VERDE)},
@@ -27,7 +29,7 @@ const std::vector<VerticePlano> VERTICES = {{0, -0.62, exacto(NARANJA)},      {0
 const int N = 6;
 
 /// Lo que barre un cuadrado de ese medio lado que va de un punto a otro.
-oraculo::Poligono barrido(const oraculo::Vec2 &a, const oraculo::Vec2 &b, double medio) {
+Poligono barrido(const Vec2 &a, const Vec2 &b, double medio) {
     const double dx = b.x < a.x ? -medio : medio, dy = b.y < a.y ? -medio : medio;
     return {{a.x - dx, a.y - dy}, {a.x + dx, a.y - dy}, {b.x + dx, b.y - dy},
             {b.x + dx, b.y + dy}, {b.x - dx, b.y + dy}, {a.x - dx, a.y + dy}};
@@ -110,7 +112,7 @@ TEST(FiguraColor, DegradadosEnCadaPixel) {
                 vertices.push_back({p[0], p[1], {c[0], c[1], c[2]}});
             if (vertices.size() == 26) // el centro del sol y medio círculo
                 for (int i = 0; i <= 24; ++i) {
-                    const double a = oraculo::PI * i / 24;
+                    const double a = PI * i / 24;
                     vertices[i + 1].x = -0.28 + 0.30 * std::cos(a);
                     vertices[i + 1].y = -0.20 + 0.30 * std::sin(a);
                 }

@@ -12,9 +12,7 @@ using glm::dvec3;
 
 namespace {
 
-using oraculo::Mat4;
-using oraculo::PI;
-using oraculo::Vec3;
+using namespace oraculo;
 
 const double U = 0x1p-24; // error relativo de redondear a float
 const Vec3 FONDO{0.95, 0.96, 0.98}, ANARANJADO{0.95, 0.55, 0.10}, AMARILLENTO{0.98, 0.78, 0.15},
@@ -33,10 +31,9 @@ struct Encuadre {
     Vec3 centro;
 };
 Panel ventana(const Vista &v, const Encuadre &e, const Mirada &mirada = {}) {
-    return {
-        perspectiva(oraculo::orbita(e.azimut + mirada.azimut, 0.35 + mirada.elevacion, e.distancia, e.centro),
-                    0.5, 1, 100),
-        v.escena};
+    return {perspectiva(orbita(e.azimut + mirada.azimut, 0.35 + mirada.elevacion, e.distancia, e.centro), 0.5,
+                        1, 100),
+            v.escena};
 }
 
 const Vec3 X{1, 0, 0}, Y{0, 1, 0}, Z{0, 0, 1};
@@ -47,13 +44,13 @@ const Vec3 X{1, 0, 0}, Y{0, 1, 0}, Z{0, 0, 1};
 const double APLASTADO = 1e-6;
 
 /// El palo y los dos brazos, transformados.
-oraculo::Escena efe(const Mat4 &M) {
+Escena efe(const Mat4 &M) {
     const Vec3 cajas[][2] = {{{0.35, 0.9, 0}, {0.4, 1.5, 0.5}}, // centro y lados
                              {{0.925, 1.475, 0}, {0.75, 0.35, 0.5}},
                              {{0.8, 0.875, 0}, {0.5, 0.35, 0.5}}};
-    oraculo::Escena escena;
+    Escena escena;
     for (const auto &[centro, lados] : cajas)
-        escena.push_back(oraculo::caja(M * oraculo::traslada(centro) * oraculo::escala(lados)));
+        escena.push_back(caja(M * traslada(centro) * escala(lados)));
     return escena;
 }
 
@@ -89,9 +86,9 @@ namespace {
 /// T y S a lo largo de X, o el giro en grados alrededor de ese eje.
 Mat4 basica(char cual, double valor) {
     switch (cual) {
-    case 'T': return oraculo::traslada({valor, 0, 0});
-    case 'S': return oraculo::escala({valor, 1, 1});
-    default: return oraculo::gira(cual == 'X' ? X : cual == 'Y' ? Y : Z, valor * PI / 180);
+    case 'T': return traslada({valor, 0, 0});
+    case 'S': return escala({valor, 1, 1});
+    default: return gira(cual == 'X' ? X : cual == 'Y' ? Y : Z, valor * PI / 180);
     }
 }
 
@@ -117,7 +114,7 @@ TEST(ProgramaBasicas, LaFEstaDondeDicenLasEcuaciones) {
     };
     paraCada("basicas", casos, 240, 180, [](const auto &caso, const Vista &v) {
         std::vector<Cuerpo> cuerpos;
-        for (const oraculo::Objeto &caja : efe(basica(caso.cual, caso.valor)))
+        for (const Objeto &caja : efe(basica(caso.cual, caso.valor)))
             cuerpos.push_back({caja, ANARANJADO});
         compruebaEscena(v, ventana(v, {0.95, 10.2, {0.2, 1.42, 0}}), cuerpos, FONDO_CLARO);
     });
@@ -148,14 +145,14 @@ TEST(Escalado, CarasYDeterminanteEnCadaVista) {
             const Panel panel({}, v.escena, i, 6, vista.columnas);
             const auto &[x, y, ancho, alto] = panel.hueco;
             const double semialto = 0.26 * std::max(0.85 * alto / ancho, 1.0), // a distancia 1
-                semilado = semialto * oraculo::altoUtil(ancho, alto) / alto;
+                semilado = semialto * altoUtil(ancho, alto) / alto;
             const bool espejo = s.x * s.y * s.z < 0;
             comprueba("el panel " + std::to_string(i),
-                      oraculo::compara(
-                          recorta(v.escena, panel), efe(oraculo::escala(exacto(s))),
-                          perspectiva(oraculo::orbita(vista.azimut, 0.3, 10, exacto(centro)),
-                                      2 * std::atan(semilado), 1, 100),
-                          [&](const oraculo::Impacto &impacto) {
+                      compara(
+                          recorta(v.escena, panel), efe(escala(exacto(s))),
+                          perspectiva(orbita(vista.azimut, 0.3, 10, exacto(centro)), 2 * std::atan(semilado),
+                                      1, 100),
+                          [&](const Impacto &impacto) {
                               const Vec3 &color = impacto.frente == espejo ? MORADUZCO : AMARILLENTO;
                               return impacto ? luzFija(impacto.normal) * color : FONDO;
                           },
@@ -169,10 +166,9 @@ TEST(Escalado, CarasYDeterminanteEnCadaVista) {
 
 // Cada centro sube medio lado del anterior más medio del suyo.
 TEST(TresCubos, ImagenContraTrazadoDeRayos) {
-    const std::vector<Cuerpo> cubos = {
-        {oraculo::caja(Mat4()), GRISACEO},
-        {oraculo::caja(oraculo::traslada({0, 0.75, 0}) * oraculo::escala(0.5)), ANARANJADO},
-        {oraculo::caja(oraculo::traslada({0, 1.125, 0}) * oraculo::escala(0.25)), AMARILLENTO}};
+    const std::vector<Cuerpo> cubos = {{caja(Mat4()), GRISACEO},
+                                       {caja(traslada({0, 0.75, 0}) * escala(0.5)), ANARANJADO},
+                                       {caja(traslada({0, 1.125, 0}) * escala(0.25)), AMARILLENTO}};
     paraCada("tres_cubos", MIRADAS, 240, 180, [&](const Mirada &mirada, const Vista &v) {
         compruebaEscena(v, ventana(v, {0.55, 5.6, {0.15, 0.38, 0}}, mirada), cubos, FONDO_CLARO);
     });
@@ -191,14 +187,14 @@ int segmentos(double radioPx, double tolerPx) {
 const double DESVIO_DEL_SOLIDO = std::sqrt(2.0) * (1.0 / 12 + 1.0 / 256);
 
 /// El sólido exacto, solo su silueta, y la misma malla, cada píxel.
-void compruebaSolidos(const Imagen &escena, const oraculo::Escena &exactos, const std::vector<Cuerpo> &mallas,
-                      const oraculo::Camara &camara) {
+void compruebaSolidos(const Imagen &escena, const Escena &exactos, const std::vector<Cuerpo> &mallas,
+                      const Camara &camara) {
     comprueba("silueta", comparaSilueta(escena, FONDO, exactos, camara), {0, 0, DESVIO_DEL_SOLIDO});
     comprueba("malla", comparaConLuzFija(escena, mallas, camara, FONDO), EXACTA);
 }
 
 struct Solido {
-    oraculo::Objeto (*exacto)(const Mat4 &);
+    Objeto (*exacto)(const Mat4 &);
     Malla malla;
 };
 
@@ -212,7 +208,7 @@ void compruebaPasos(const std::string &programa, const Encuadre &encuadre, const
         std::size_t paso = 0;
         for (const Vista &v : vistasDe(programa, guiones)) {
             SCOPED_TRACE(programa + ", paso " + std::to_string(paso));
-            compruebaSolidos(v.escena, {solido.exacto(M)}, {{oraculo::malla(M, solido.malla), ANARANJADO}},
+            compruebaSolidos(v.escena, {solido.exacto(M)}, {{malla(M, solido.malla), ANARANJADO}},
                              ventana(v, encuadre, mirada).camara);
             if (paso < pasos.size())
                 M = pasos[paso++] * M;
@@ -223,22 +219,22 @@ void compruebaPasos(const std::string &programa, const Encuadre &encuadre, const
 } // namespace
 
 TEST(Cono, SiluetaDeCadaPaso) {
-    compruebaPasos("cono", {0.6, 9, {1.15, -0.1, 0}}, {oraculo::cono, porCaras(cono(segmentos(300, 0.5)))},
-                   {oraculo::traslada({0, 0, -1}), oraculo::escala({1, 1, 3}), oraculo::gira(Y, -PI / 2)});
+    compruebaPasos("cono", {0.6, 9, {1.15, -0.1, 0}}, {cono, porCaras(cono(segmentos(300, 0.5)))},
+                   {traslada({0, 0, -1}), escala({1, 1, 3}), gira(Y, -PI / 2)});
 }
 
 TEST(Elipsoide, SiluetaDeCadaPaso) {
-    compruebaPasos("elipsoide", {-0.5, 18, {0.5, 1.3, 0.8}}, {oraculo::esfera, esfera(segmentos(450, 0.25))},
-                   {oraculo::escala({0.5, 0.5, 3}), oraculo::traslada({0, 0, 3}),
-                    oraculo::gira(X, -std::asin(std::sqrt(1 / 3.0))), oraculo::gira(Y, PI / 4)});
+    compruebaPasos("elipsoide", {-0.5, 18, {0.5, 1.3, 0.8}}, {esfera, esfera(segmentos(450, 0.25))},
+                   {escala({0.5, 0.5, 3}), traslada({0, 0, 3}), gira(X, -std::asin(std::sqrt(1 / 3.0))),
+                    gira(Y, PI / 4)});
 }
 
 // --- orden ---
 
 // En cada panel, la esfera transformada y la inicial.
 TEST(Orden, DiscosEnLaImagen) {
-    const Mat4 T = oraculo::traslada({5, 0, 0}), S = oraculo::escala(5);
-    const Malla malla = esfera(segmentos(200, 0.25));
+    const Mat4 T = traslada({5, 0, 0}), S = escala(5);
+    const Malla bola = esfera(segmentos(200, 0.25));
     paraCada("orden", MIRADAS, 240, 180, [&](const Mirada &mirada, const Vista &v) {
         for (int fila = 0; fila < 2; ++fila) {
             const Panel panel({}, v.escena, fila, 2, 1);
@@ -246,11 +242,10 @@ TEST(Orden, DiscosEnLaImagen) {
             // 42 unidades a lo ancho y al menos 3/8 de ellas a lo alto
             const double semialto = 21 * std::max(double(alto) / ancho, 3 / 8.0);
             const Mat4 M = fila == 0 ? T * S : S * T;
-            compruebaSolidos(
-                recorta(v.escena, panel), {oraculo::esfera(M), oraculo::esfera(Mat4())},
-                {{oraculo::malla(M, malla), ANARANJADO}, {oraculo::malla(Mat4(), malla), GRISACEO}},
-                paralela(oraculo::orbita(mirada.azimut, 0.3 + mirada.elevacion, 21, {13.8, -1.4, 0}),
-                         semialto * oraculo::altoUtil(ancho, alto) / alto, -100, 200));
+            compruebaSolidos(recorta(v.escena, panel), {esfera(M), esfera(Mat4())},
+                             {{malla(M, bola), ANARANJADO}, {malla(Mat4(), bola), GRISACEO}},
+                             paralela(orbita(mirada.azimut, 0.3 + mirada.elevacion, 21, {13.8, -1.4, 0}),
+                                      semialto * altoUtil(ancho, alto) / alto, -100, 200));
         }
     });
 }

@@ -6,9 +6,7 @@
 
 namespace {
 
-using oraculo::Mat4;
-using oraculo::PI;
-using oraculo::Vec3;
+using namespace oraculo;
 
 const Vec3 FONDO{0.95, 0.96, 0.98}, SITIO{-1.1, 0.2, 1.2}; // el del avión sin girar
 
@@ -19,8 +17,7 @@ void ponAvion(std::vector<Cuerpo> &cuerpos, const Mat4 &M, double viveza) {
                               {{-0.45, 0, 0}, {0.18, 0.06, 0.5}, amarillo},
                               {{-0.42, 0.22, 0}, {0.2, 0.34, 0.07}, rojo}};
     for (const auto &[centro, lados, color] : piezas)
-        cuerpos.push_back({oraculo::caja(M * oraculo::traslada(centro) * oraculo::escala(lados)),
-                           FONDO + viveza * (color - FONDO)});
+        cuerpos.push_back({caja(M * traslada(centro) * escala(lados)), FONDO + viveza * (color - FONDO)});
 }
 
 } // namespace
@@ -30,9 +27,9 @@ void ponAvion(std::vector<Cuerpo> &cuerpos, const Mat4 &M, double viveza) {
 // derecho, después, gira la cámara.
 TEST(ProgramaGiroEje, CadaEjeContraElOraculo) {
     const auto camara = [](double azimut, double elevacion) {
-        return perspectiva(oraculo::orbita(azimut, elevacion, 7.4), 0.6, 1, 30);
+        return perspectiva(orbita(azimut, elevacion, 7.4), 0.6, 1, 30);
     };
-    const oraculo::Ejes pantalla = ejes(camara(-0.5, 0.4));
+    const Ejes pantalla = ejes(camara(-0.5, 0.4));
     const Vec3 Y{0, 1, 0}, diagonal{1, 1, 1}, oblicuo{-0.6, 0.7, 0.4};
     const struct {
         std::string guion;
@@ -47,16 +44,16 @@ TEST(ProgramaGiroEje, CadaEjeContraElOraculo) {
         {"tecla 2; tecla d ×30", diagonal, -1},
         {"tecla 3; tecla a ×15", oblicuo, 3.5 - 2 * PI},
         {"boton IZQUIERDO abajo 100 80; arrastra 130 80; arrastra 150 80; boton IZQUIERDO arriba 150 80",
-         direccion(oraculo::gira(pantalla.y, 0.5), Y), 2},
+         direccion(gira(pantalla.y, 0.5), Y), 2},
         {"tecla d; " + arrastra({100, 80}, {100, 110}) + "; " + arrastra({100, 80}, {60, 90}, "DERECHO"),
-         direccion(oraculo::gira(pantalla.x, 0.3), Y), 1.9, -0.1, 0.5},
+         direccion(gira(pantalla.x, 0.3), Y), 1.9, -0.1, 0.5},
     };
     for (const auto &caso : casos) {
         SCOPED_TRACE("«" + caso.guion + "»");
         const Vista vista = vistaDe("giro_eje", caso.guion);
         std::vector<Cuerpo> aviones;
-        ponAvion(aviones, oraculo::traslada(SITIO), 0.3);
-        ponAvion(aviones, oraculo::gira(caso.eje, caso.angulo) * oraculo::traslada(SITIO), 1);
+        ponAvion(aviones, traslada(SITIO), 0.3);
+        ponAvion(aviones, gira(caso.eje, caso.angulo) * traslada(SITIO), 1);
         compruebaEscena(vista, {camara(caso.azimut, caso.elevacion), vista.escena}, aviones, FONDO_CLARO);
     }
 }

@@ -6,18 +6,15 @@
 
 namespace {
 
-using oraculo::Mat4;
-using oraculo::traslada;
-using oraculo::Vec3;
+using namespace oraculo;
 
-const oraculo::Camara CAMARA = perspectiva(oraculo::orbita(0.5, 0.25, 29.5, {0.4, 4.1, 0}), 0.6, 1, 100);
+const Camara CAMARA = perspectiva(orbita(0.5, 0.25, 29.5, {0.4, 4.1, 0}), 0.6, 1, 100);
 
 /// La grúa con sus medidas escritas otra vez, el suelo y la zapata.
 std::vector<Cuerpo> escenaGrua(double giro, double distancia, double altura) {
-    using oraculo::caja, oraculo::escala;
     const Vec3 amarillo{0.98, 0.78, 0.15};
     const double cable = 10 - (altura + 0.5);
-    const Mat4 G = oraculo::gira({0, 1, 0}, giro);
+    const Mat4 G = gira({0, 1, 0}, giro);
     return {
         {caja(traslada({0, -0.1, 0}) * escala({14, 0.2, 14})), {0.62, 0.72, 0.58}}, // suelo
         {caja(escala({3, 0.1, 3})), {0.80, 0.80, 0.78}},                            // zapata
