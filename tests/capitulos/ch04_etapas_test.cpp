@@ -12,7 +12,7 @@ using namespace oraculo;
 
 /// El polígono exacto de un triángulo recortado, dividido por w. Un punto del triángulo es a + s·(b − a) + t·(c − a), y
 /// tanto las tres condiciones de estar en él como las seis del volumen son semiplanos p + q·s + r·t ≥ 0: los vértices
-/// son los cortes de sus rectas, de dos en dos, que cumplen los demás. En orden alrededor de su centro.
+/// son los cortes de sus rectas, de dos en dos, que cumplen los demás. En orden alrededor.
 Poligono poligonoExacto(const std::vector<glm::dvec4> &triangulo) {
     const Vec4Largo a = triangulo[0], ab = Vec4Largo(triangulo[1]) - a, ac = Vec4Largo(triangulo[2]) - a;
     std::vector<Vec3Largo> semiplanos = {{0, 1, 0}, {0, 0, 1}, {1, -1, -1}};
@@ -31,12 +31,10 @@ Poligono poligonoExacto(const std::vector<glm::dvec4> &triangulo) {
             if (cumple)
                 poligono.push_back({double(v.x / v.w), double(v.y / v.w)});
         }
-    Vec2 centro{0, 0};
-    for (const Vec2 &v : poligono)
-        centro = {centro.x + v.x / double(poligono.size()), centro.y + v.y / double(poligono.size())};
-    const auto angulo = [&](const Vec2 &v) { return std::atan2(v.y - centro.y, v.x - centro.x); };
-    std::sort(poligono.begin(), poligono.end(),
-              [&](const Vec2 &u, const Vec2 &v) { return angulo(u) < angulo(v); });
+    if (!poligono.empty())
+        std::sort(poligono.begin() + 1, poligono.end(), [&](const Vec2 &u, const Vec2 &v) {
+            return area({poligono[0], u, v}) > 0;
+        });
     return poligono;
 }
 
