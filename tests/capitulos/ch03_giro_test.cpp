@@ -2,6 +2,7 @@
 #include "colores.h"
 #include "guiones.h"
 #include "panel.h"
+#include "tabla.h"
 #include <gtest/gtest.h>
 
 namespace {
@@ -38,22 +39,21 @@ TEST(ProgramaGiroEje, CadaEjeContraElOraculo) {
     } casos[] = {
         {"", Y, 2},
         {"tecla 2; tamano 150 200", diagonal, 2},
-        {"tecla 3", oblicuo, 2},
-        {"tecla 4; tecla d", {1, 1e-10, 0}, 1.9},
-        {"tecla 3; tecla a ×3", oblicuo, 2.3},
-        {"tecla 2; tecla d ×30", diagonal, -1},
-        {"tecla 3; tecla a ×15", oblicuo, 3.5 - 2 * PI},
-        {"boton IZQUIERDO abajo 100 80; arrastra 130 80; arrastra 150 80; boton IZQUIERDO arriba 150 80",
+        {"tecla 4; tecla d; tamano 240 180", {1, 1e-10, 0}, 1.9},
+        {"tecla 3; tecla a ×4", oblicuo, 2.3},
+        {"tecla 2; tecla d ×33", diagonal, -1},
+        {"tecla 3; tecla a ×45", oblicuo, 3.5 - 2 * PI},
+        {"tecla 1; tecla d ×15; boton IZQUIERDO abajo 100 80; arrastra 130 80; arrastra 150 80; boton "
+         "IZQUIERDO arriba 150 80",
          direccion(gira(pantalla.y, 0.5), Y), 2},
-        {"tecla d; " + arrastra({100, 80}, {100, 110}) + "; " + arrastra({100, 80}, {60, 90}, "DERECHO"),
+        {"tecla 1; tecla d; " + arrastra({100, 80}, {100, 110}) + "; " +
+             arrastra({100, 80}, {60, 90}, "DERECHO"),
          direccion(gira(pantalla.x, 0.3), Y), 1.9, -0.1, 0.5},
     };
-    for (const auto &caso : casos) {
-        SCOPED_TRACE("«" + caso.guion + "»");
-        const Vista vista = vistaDe("giro_eje", caso.guion);
+    paraCada("giro_eje", casos, 240, 180, [&](const auto &c, const Vista &vista) {
         std::vector<Cuerpo> aviones;
         ponAvion(aviones, traslada(SITIO), 0.3);
-        ponAvion(aviones, gira(caso.eje, caso.angulo) * traslada(SITIO), 1);
-        compruebaEscena(vista, {camara(caso.azimut, caso.elevacion), vista.escena}, aviones, FONDO_CLARO);
-    }
+        ponAvion(aviones, gira(c.eje, c.angulo) * traslada(SITIO), 1);
+        compruebaEscena(vista, {camara(c.azimut, c.elevacion), vista.escena}, aviones, FONDO_CLARO);
+    });
 }
