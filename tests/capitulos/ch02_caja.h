@@ -50,15 +50,3 @@ void compruebaCaja(const std::string &que, const Imagen &escena, const std::vect
                                }),
               EXACTA);
 }
-
-/// Los números de esos vértices en una ventana de 960×720, por fuera.
-inline std::vector<Letrero> numeros(const oraculo::Camara &camara, const std::vector<unsigned> &vistos) {
-    std::vector<Letrero> letreros;
-    for (const unsigned i : vistos) {
-        const glm::dvec2 p = enPixeles(camara, verticeCaja(i), 960, 720), d = p / glm::dvec2(960, 720) - 0.5;
-        const Lado lado = std::fabs(d.x) > std::fabs(d.y) ? (d.x > 0 ? Lado::DERECHA : Lado::IZQUIERDA)
-                                                          : (d.y > 0 ? Lado::ENCIMA : Lado::DEBAJO);
-        letreros.push_back({std::to_string(i), p, OSCURO, lado});
-    }
-    return letreros;
-}

@@ -4,6 +4,7 @@
 #include "guiones.h"
 #include "plana.h"
 #include "shader.h"
+#include "tabla.h"
 #include "ventana.h"
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -19,22 +20,16 @@ namespace figura_color {
 
 namespace {
 
+using namespace oraculo;
+
 enum { PUNTOS, SEGMENTOS, TIRA_SEGMENTOS, SECUENCIA_CERRADA, TRIANGULOS, TIRA, ABANICO };
-const char *const NOMBRES[][2] = {{"GL_POINTS", "GL_POINTS"},
-                                  {"GL_LINES", "GL_LINES"},
-                                  {"GL_LINE_STRIP", "GL_LINE_\nSTRIP"},
-                                  {"GL_LINE_LOOP", "GL_LINE_\nLOOP"},
-                                  {"GL_TRIANGLES", "GL_\nTRIANGLES"},
-                                  {"GL_TRIANGLE_STRIP", "GL_\nTRIANGLE_\nSTRIP"},
-                                  {"GL_TRIANGLE_FAN", "GL_\nTRIANGLE_\nFAN"}};
 const std::vector<VerticePlano> VERTICES = {{0, -0.62, exacto(NARANJA)},      {0.74, -0.38, exacto(ROJO)},
                                             {0.31, -0.07, exacto(AZUL)},      {0, 0.64, exacto(VERDE)},
                                             {-0.31, -0.07, exacto(AMARILLO)}, {-0.74, -0.38, exacto(MORADO)}};
-const Lado LADOS[] = {Lado::DEBAJO, Lado::DEBAJO, Lado::DERECHA, Lado::ENCIMA, Lado::IZQUIERDA, Lado::DEBAJO};
 const int N = 6;
 
 /// Lo que barre un cuadrado de ese medio lado que va de un punto a otro.
-oraculo::Poligono barrido(const oraculo::Vec2 &a, const oraculo::Vec2 &b, double medio) {
+Poligono barrido(const Vec2 &a, const Vec2 &b, double medio) {
     const double dx = b.x < a.x ? -medio : medio, dy = b.y < a.y ? -medio : medio;
     return {{a.x - dx, a.y - dy}, {a.x + dx, a.y - dy}, {b.x + dx, b.y - dy},
             {b.x + dx, b.y + dy}, {b.x - dx, b.y + dy}, {a.x - dx, a.y + dy}};
@@ -62,76 +57,48 @@ std::vector<Pieza> piezas(int primitiva, const Hueco &h) {
     return p;
 }
 
-struct Esperado {
-    std::vector<Pieza> piezas;
-    std::vector<Letrero> letreros;
-
-    /// Una primitiva con su nombre y los números de sus vértices, en un panel: sola, o en la rejilla.
-    void anade(int primitiva, const Hueco &panel, bool sola) {
-        const int alto = sola ? panel.alto * 9 / 10 : panel.alto * 2 / 3, cabe = std::min(panel.ancho, alto);
-        const Hueco figura = {panel.x + (panel.ancho - cabe) / 2, panel.y + (alto - cabe) / 2, cabe, cabe};
-        piezas.push_back(rectangulo(panel, exacto(FONDO_CLARO)));
-        for (const Pieza &p : ::piezas(primitiva, figura))
-            piezas.push_back(p);
-        const glm::dvec2 arriba(panel.x + 0.5 * panel.ancho, panel.y + 0.99 * panel.alto);
-        letreros.push_back({NOMBRES[primitiva][sola ? 0 : 1], arriba, OSCURO, Lado::DEBAJO});
-        for (int i = 0; i < N; ++i) {
-            const oraculo::Vec2 v = VERTICES[i].en(figura);
-            // en la rejilla el 3 no cabe entre su vértice y el nombre
-            const Lado lado = i == 3 && !sola ? Lado::DEBAJO : LADOS[i];
-            letreros.push_back({std::to_string(i), {v.x, v.y}, OSCURO, lado});
-        }
-    }
-    void comprueba(const std::string &guion) const {
-        const Vista vista = vistaDe("primitivas", guion, 960, 720);
-        compruebaPlana(guion, vista.escena, piezas, exacto(GRIS));
-        compruebaRotulos(vista.encima, letreros);
-    }
-};
-
 } // namespace
 
+// Sola, con el nombre encima, o en una rejilla a la que se vuelve desde cualquier sitio; en su octavo hueco no hay nada.
 TEST(Primitivas, CadaUna) {
-    for (int primitiva = PUNTOS; primitiva <= ABANICO; ++primitiva) {
-        Esperado esperado;
-        esperado.anade(primitiva, {0, 0, 960, 720}, true);
-        esperado.comprueba("tecla " + std::to_string(primitiva + 1));
-    }
+    const struct {
+        std::string guion;
+        std::vector<int> primitivas;
+    } casos[] = {{"tecla 1", {PUNTOS}},
+                 {"tecla 2", {SEGMENTOS}},
+                 {"tecla 3", {TIRA_SEGMENTOS}},
+                 {"tecla 4", {SECUENCIA_CERRADA}},
+                 {"tecla 5", {TRIANGULOS}},
+                 {"tecla 6", {TIRA}},
+                 {"tecla 7", {ABANICO}},
+                 {"tamano 1 1; tamano 960 720; tecla 0; tecla 8; tecla 9",
+                  {PUNTOS, SEGMENTOS, TIRA_SEGMENTOS, SECUENCIA_CERRADA, TRIANGULOS, TIRA, ABANICO}}};
+    paraCada("primitivas", casos, 960, 720, [](const auto &c, const Vista &v) {
+        const bool sola = c.primitivas.size() == 1;
+        std::vector<Pieza> todas = {rectangulo(hueco(3, 4, 1, 2, 960, 720), exacto(FONDO_CLARO))};
+        for (const int primitiva : c.primitivas) {
+            const Hueco panel =
+                sola ? Hueco{0, 0, 960, 720} : hueco(primitiva % 4, 4, primitiva / 4, 2, 960, 720);
+            const int alto = sola ? panel.alto * 9 / 10 : panel.alto * 2 / 3,
+                      lado = std::min(panel.ancho, alto);
+            todas.push_back(rectangulo(panel, exacto(FONDO_CLARO)));
+            for (const Pieza &p : piezas(primitiva, {panel.x + (panel.ancho - lado) / 2,
+                                                     panel.y + (alto - lado) / 2, lado, lado}))
+                todas.push_back(p);
+        }
+        compruebaPlana(c.guion, v.escena, todas, exacto(GRIS));
+    });
 }
 
-// El octavo panel dice qué color toma cada una. Se vuelve a la rejilla desde cualquier sitio.
-TEST(Primitivas, LaRejilla) {
-    Esperado esperado;
-    for (int primitiva = PUNTOS; primitiva <= ABANICO; ++primitiva)
-        esperado.anade(primitiva, hueco(primitiva % 4, 4, primitiva / 4, 2, 960, 720), false);
-    const Hueco ultimo = hueco(3, 4, 1, 2, 960, 720);
-    esperado.piezas.push_back(rectangulo(ultimo, exacto(FONDO_CLARO)));
-    esperado.letreros.push_back({"El color\nes el del\núltimo\nvértice",
-                                 {ultimo.x + 0.5 * ultimo.ancho, ultimo.y + 0.5 * ultimo.alto},
-                                 OSCURO});
-    esperado.comprueba("");
-    esperado.comprueba("tecla 6; tamano 1 1; tamano 960 720; tecla 0; tecla 8; tecla 9");
-}
-
-// Seis triángulos alrededor del centro; la rueda conserva su forma. El número de cada vértice, por fuera; el 0, debajo.
+// Seis triángulos alrededor del centro; la rueda conserva su forma.
 TEST(ModeloPoligonal, ColorBaricentrico) {
     const std::vector<VerticePlano> rueda = {{0, 0, {1, 1, 1}},         {0, 0.78, {1, 0, 0}},
                                              {-0.675, 0.39, {1, 1, 0}}, {-0.675, -0.39, {0, 1, 0}},
                                              {0, -0.78, {0, 1, 1}},     {0.675, -0.39, {0, 0, 1}},
                                              {0.675, 0.39, {1, 0, 1}},  {0, 0.78, {1, 0, 0}}};
-    const Lado lados[] = {Lado::DEBAJO, Lado::ENCIMA,  Lado::IZQUIERDA, Lado::IZQUIERDA,
-                          Lado::DEBAJO, Lado::DERECHA, Lado::DERECHA};
-    for (const glm::ivec2 t : {glm::ivec2(240, 180), {180, 240}, {960, 720}}) {
-        const Vista vista = vistaDe("modelo_poligonal", "", t.x, t.y);
-        const Hueco h = cuadrado(t.x, t.y);
-        compruebaPlana("la rueda", vista.escena, triangulos(GL_TRIANGLE_FAN, rueda, h), exacto(FONDO_OSCURO));
-        std::vector<Letrero> numeros;
-        for (int i = 0; i < 7; ++i) {
-            const oraculo::Vec2 v = rueda[i].en(h);
-            numeros.push_back({std::to_string(i), {v.x, v.y}, BLANCO, lados[i]});
-        }
-        compruebaRotulos(vista.encima, numeros);
-    }
+    for (const glm::ivec2 t : {glm::ivec2(240, 180), {180, 240}, {960, 720}})
+        compruebaPlana(enGuion(t), vistaDe("modelo_poligonal", "", t.x, t.y).escena,
+                       triangulos(GL_TRIANGLE_FAN, rueda, cuadrado(t.x, t.y)), exacto(FONDO_OSCURO));
 }
 
 // El velero: los trozos del programa, cada uno en su sitio y con su primitiva, y el sol, por la ecuación de la circunferencia. Llena
@@ -145,7 +112,7 @@ TEST(FiguraColor, DegradadosEnCadaPixel) {
                 vertices.push_back({p[0], p[1], {c[0], c[1], c[2]}});
             if (vertices.size() == 26) // el centro del sol y medio círculo
                 for (int i = 0; i <= 24; ++i) {
-                    const double a = oraculo::PI * i / 24;
+                    const double a = PI * i / 24;
                     vertices[i + 1].x = -0.28 + 0.30 * std::cos(a);
                     vertices[i + 1].y = -0.20 + 0.30 * std::sin(a);
                 }

@@ -3,7 +3,7 @@
 #include "azar.h"
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/vista.h"
-#include "guiones.h"
+#include "tabla.h"
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace {
@@ -22,37 +22,6 @@ std::vector<Cuerpo> escena() {
         {caja(traslada({-2, 0.9, -1.2}) * escala(1.8)), exacto(ROJO)},
         {enElMundo(traslada({2.2, 0, -1}) * dePie * escala({1, 1, 2.8}), porCaras(cono(32))), exacto(VERDE)},
         {caja(traslada({0.9, 0.4, 2}) * gira({0, 1, 0}, 0.5) * escala({1.6, 0.8, 0.8})), exacto(AZUL)}};
-}
-
-/// Desde fuera se señalan la pirámide de visión, que a 3 unidades del ojo llega a las esquinas de lo que se ve por
-/// `dentro`, la línea de p a i y los ejes, delante de todo y cada uno de su color y con su nombre más allá de la punta.
-void compruebaLoSenalado(const Vista &vista, const Panel &fuera, const Panel &dentro) {
-    const auto [S, U, Z] = ejes(dentro.camara);
-    const Vec3 ojo = dentro.camara.ojo;
-    Linea marco, lados;
-    const std::vector<Vec3> esquinas = esquinasA({3}, dentro);
-    for (const std::size_t k : {2, 3, 0, 1}) {
-        marco.push_back(esquinas[k]);
-        lados.insert(lados.end(), {ojo, esquinas[k]});
-    }
-    marco.push_back(marco[0]);
-    Dibujo encima = {fuera};
-    encima.traza("segmentos", lados, GRIS, 3);
-    encima.traza("polilinea", marco, GRIS, 4);
-    encima.traza("segmentos", {ojo, I}, OSCURO, 3);
-    const auto flecha = [&](const char *nombre, const Vec3 &v, const glm::vec3 &color) {
-        encima.traza("flecha", {ojo, ojo + v}, color, 8, false);
-        encima.rotula(nombre, fuera(ojo + 1.3 * v), color);
-    };
-    flecha("UP", 3.4 * unitario(dentro.camara.arriba), NARANJA);
-    flecha("S", 2.5 * S, ROJO);
-    flecha("U", 2.5 * U, VERDE);
-    flecha("F", -2.5 * Z, AZUL);
-    encima.traza("puntos", {ojo, I}, OSCURO, 18, false);
-    encima.rotula("p", fuera(ojo), OSCURO, Lado::DEBAJO);
-    encima.rotula("i", fuera(I), OSCURO, Lado::DERECHA);
-    encima.comprueba(vista);
-    compruebaEncima(vista, dentro.hueco, {}, {{"lo que ve", dentro.lugar(0.5, 0.96), OSCURO}});
 }
 
 } // namespace
@@ -77,17 +46,9 @@ TEST(TransformacionCamara, ContraGlmConMasPrecision) {
     }
 }
 
-// El libro no dice que S haya que normalizarlo; sin eso, con UP oblicuo, la matriz encoge la imagen.
-TEST(TransformacionCamara, SinNormalizarSNoEsUnGiro) {
-    const glm::dvec3 F = glm::normalize(glm::dvec3(0, -1, -1)), UP(0, 1, 0), S = glm::cross(F, UP);
-    EXPECT_NEAR(glm::length(S), std::sqrt(0.5), 1e-15);
-    EXPECT_NEAR(glm::length(baseCamara({0, 0, 0}, F, UP).S), 1, 8 * U_DOBLE);
-}
-
 // Con UP paralelo a la vista lookAt da NaN. Aquí, X queda a la derecha si se mira a lo largo de Y; si no, Y hacia
 // arriba. Que la base lo es, en dificil_vista_test.cpp.
 TEST(TransformacionCamara, UpParaleloONulo) {
-    EXPECT_TRUE(std::isnan(glm::lookAt(glm::vec3(0, 5, 0), glm::vec3(0), glm::vec3(0, 1, 0))[0][0]));
     const glm::dvec3 p(1, 2, 3), X(1, 0, 0), Y(0, 1, 0);
     for (const glm::dvec3 &d : {X, -X, Y, -Y, {0, 0, 1}, {0, 0, -1}})
         for (const double k : {1.0, -1.0, 0.0}) {
@@ -105,23 +66,19 @@ TEST(Camara, LoQueVe) {
         Vec3 p, UP;
         double inclinacion = 0; // radianes alrededor de F
     } posturas[] = {{"", p1, Y},
-                    {"tecla 2; " + veces(3, "tecla i"), p2, Y, -0.3},
+                    {"tecla 2; tecla i ×3", p2, Y, -0.3},
                     {"tecla 2; tecla o", p2, Y, 0.1},
                     {"tecla 2; tecla i; tecla 1", p1, Y}, // cada vista empieza derecha
                     {"tecla 3", {0.4, 7.2, 0.8}, {0, 0, -1}},
                     {"tecla 4", {2.4, 5.4, 2.0}, {-2.4, -3.7, -2.0 + 1e-7}}}; // UP a 1e-7 de F
-    for (const auto &[guion, p, UP, inclinacion] : posturas) {
-        SCOPED_TRACE(guion);
-        const Vista vista = vistaDe("camara", guion);
-        const Vec3 arriba = direccion(gira(I - p, inclinacion), UP);
-        const Panel dentro(perspectiva(miraDesde(p, I, arriba), 0.85, 0.5, 60), hueco(1, 2, 0, 1, 240, 180)),
-            fuera(perspectiva(orbita(0.75, 0.32, 18.5, {-0.3, 2.7, 0}), 0.54, 1, 100),
-                  hueco(0, 2, 0, 1, 240, 180));
+    paraCada("camara", posturas, 240, 180, [](const auto &c, const Vista &vista) {
+        const Vec3 arriba = direccion(gira(I - c.p, c.inclinacion), c.UP), &p = c.p;
+        const Panel dentro(perspectiva(miraDesde(p, I, arriba), 0.85, 0.5, 60), vista.escena, 1, 2, 2),
+            fuera(perspectiva(orbita(0.75, 0.32, 18.5, {-0.3, 2.7, 0}), 0.54, 1, 100), vista.escena, 0, 2, 2);
         const auto [S, U, Z] = ejes(dentro.camara);
         const Mat4 alMundo = {
             {{S.x, U.x, Z.x, p.x}, {S.y, U.y, Z.y, p.y}, {S.z, U.z, Z.z, p.z}, {0, 0, 0, 1}}};
         compruebaEscena(vista, dentro, escena(), CIELO);
         compruebaEscena(vista, fuera, conCamaraDeFotos(escena(), alMundo * escala(1.2)), FONDO_CLARO);
-        compruebaLoSenalado(vista, fuera, dentro);
-    }
+    });
 }

@@ -1,7 +1,7 @@
 // grua_vistas, grua_proyeccion y grua_zbuffer: la grúa entera en cada vista, y cada panel contra el oráculo.
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/camaras_grua.h"
-#include "guiones.h"
+#include "tabla.h"
 
 namespace {
 
@@ -99,9 +99,9 @@ Camara camaraDe(int vista, bool enPerspectiva, const Hueco &h, double distancia 
     return paralela(c, 0.5 * lado * escala, -1000, 1000);
 }
 
-const std::string NOMBRES[] = {"Alzado", "Planta", "Perfil", "(1,1,1)"};
-
+/// Lo que hay tras un guion, que sigue al anterior.
 struct Estado {
+    std::string guion;
     int vista = DIAGONAL;
     bool enPerspectiva = false;
     Postura postura = {};
@@ -109,65 +109,31 @@ struct Estado {
     bool europeo = false, conTest = true;
 };
 
-/// Un panel: la grúa o, sin el test de profundidad, el suelo, que se pinta lo último y lo tapa todo; el nombre y, en la
-/// esquina, los ejes, en un cuadrado de un tercio del lado menor que abarca 4 unidades, con su letra.
-void compruebaPanel(const std::string &programa, const Vista &v, const Hueco &h, int vista, const Estado &e,
-                    double escala = 0) {
-    const Camara camara = camaraDe(vista, e.enPerspectiva, sinRotulo(h), e.distancia, escala);
+/// Un panel: la grúa o, sin el test de profundidad, el suelo, que se pinta lo último y lo tapa todo.
+void compruebaPanel(const Vista &v, const Hueco &h, int vista, const Estado &e, double escala = 0) {
+    const Panel panel(camaraDe(vista, e.enPerspectiva, sinRotulo(h), e.distancia, escala), sinRotulo(h));
     const auto esSuelo = [](const Pixel &p) { return p.g > p.r && p.r > p.b; };
     if (e.conTest)
-        compruebaEscena(v, {camara, sinRotulo(h)}, grua(e.postura), CIELO);
+        compruebaEscena(v, panel, grua(e.postura), CIELO);
     else
-        compruebaSilueta(v, {camara, sinRotulo(h)}, esSuelo, grua(e.postura)[0].objeto);
-
-    const glm::vec3 colores[] = {AZUL, VERDE, ROJO, OSCURO}, deEjes[] = {ROJO, VERDE, AZUL};
-    std::string nombre = NOMBRES[vista];
-    if (programa == "grua_proyeccion")
-        nombre += e.enPerspectiva ? " perspectiva" : " paralela";
-    if (programa == "grua_zbuffer")
-        nombre += e.conTest ? " con test" : " sin test";
-    const int lado = std::min(h.ancho, h.alto) / 3;
-    const glm::dvec2 origen = glm::dvec2(h.x, h.y) + 0.5 * lado;
-    std::vector<Trazo> trazos;
-    std::vector<Letrero> letreros = {
-        {nombre, Panel(camara, h).lugar(0.02, 0.94), colores[vista], Lado::DERECHA}};
-    for (int eje = 0; eje < 3; ++eje) {
-        const glm::dvec2 punta = 0.25 * lado * glm::dvec2(ejes(camara).x[eje], ejes(camara).y[eje]);
-        trazos.push_back({"flecha", deEjes[eje], 6, programa != "grua_zbuffer", {origen, origen + punta}});
-        letreros.push_back({std::string(1, char('X' + eje)), origen + 1.35 * punta, deEjes[eje]});
-    }
-    compruebaEncima(v, h, trazos, letreros);
+        compruebaSilueta(v, panel, esSuelo, grua(e.postura)[0].objeto);
 }
 
 /// Una vista, o las cuatro a la misma escala: en el sistema americano la planta va sobre el alzado y el perfil derecho
 /// a su derecha; en el europeo, la planta debajo y el perfil a su izquierda.
-void compruebaEstado(const std::string &programa, const Vista &v, const Estado &e) {
+void compruebaEstado(const Estado &e, const Vista &v) {
     const int americano[] = {PLANTA, DIAGONAL, ALZADO, PERFIL}, // por filas
         europeo[] = {PERFIL, ALZADO, DIAGONAL, PLANTA}, *orden = e.europeo ? europeo : americano;
     const int lado = e.vista == LAS_CUATRO ? 2 : 1;
     const auto vista = [&](int k) { return lado == 1 ? e.vista : orden[k]; };
-    const auto panel = [&](int k) {
-        return hueco(k % lado, lado, k / lado, lado, v.escena.ancho, v.escena.alto);
-    };
+    const auto panel = [&](int k) { return Panel({}, v.escena, k, lado * lado, lado).hueco; };
     double escala = 0;
     for (int k = 0; k < lado * lado; ++k) {
         const Hueco h = sinRotulo(panel(k));
         escala = std::max(escala, 2 * camaraDe(vista(k), false, h).semilado / altoUtil(h.ancho, h.alto));
     }
     for (int k = 0; k < lado * lado; ++k)
-        compruebaPanel(programa, v, panel(k), vista(k), e, escala);
-}
-
-struct Caso {
-    std::string guion;
-    Estado estado;
-    int ancho = 240, alto = 180;
-};
-void compruebaCasos(const std::string &programa, const std::vector<Caso> &casos) {
-    for (const Caso &c : casos) {
-        SCOPED_TRACE(c.guion);
-        compruebaEstado(programa, vistaDe(programa, c.guion, c.ancho, c.alto), c.estado);
-    }
+        compruebaPanel(v, panel(k), vista(k), e, escala);
 }
 
 } // namespace
@@ -192,74 +158,61 @@ TEST(Encuadre, TodaPosturaEntera) {
             }
 }
 
-// Cada vista, con su tecla y con su opción del menú; la postura extrema, girada, en una ventana apaisada y en otra
-// alta; y las cuatro, en paneles de ancho par: el canto del pie no cae en centros de píxel.
+// Cada vista, con su tecla y con su opción del menú; las cuatro, en paneles de ancho par: el canto del pie no cae en
+// centros de píxel; y la postura extrema, girada, en una ventana apaisada y en otra alta.
 TEST(GruaVistas, CadaVistaContraTrazadoDeRayos) {
-    const std::string extrema =
-        veces(7, "tecla a") + "; " + veces(6, "tecla e") + "; " + veces(12, "tecla w") + "; tecla 4";
-    const Estado lasCuatro = {LAS_CUATRO}, europeas = {LAS_CUATRO, false, {}, 26, true};
-    std::vector<Caso> casos = {
-        {extrema, {DIAGONAL, false, {0.58 + 0.7, 7, 9}}, 300, 70},
-        {extrema, {DIAGONAL, false, {0.58 + 0.7, 7, 9}}, 70, 200},
-        {"", lasCuatro, 482, 360},
-        {"tecla 2; menu Las cuatro", lasCuatro, 482, 360},
-        {"tecla u", europeas, 482, 360},
-        {"tecla 3; menu Europeo o americano; tecla 0", europeas, 482, 360},
+    const Postura extrema = {0.58 + 0.7, 7, 9};
+    const Estado casos[] = {
+        {"tecla 1", ALZADO},
+        {"tecla 2", PLANTA},
+        {"tecla 3", PERFIL},
+        {"tecla 4"},
+        {"menu Alzado", ALZADO},
+        {"menu Planta", PLANTA},
+        {"menu Perfil", PERFIL},
+        {"menu (1,1,1)"},
+        {"tamano 482 360; menu Las cuatro", LAS_CUATRO},
+        {"tecla u", LAS_CUATRO, false, {}, 26, true},
+        {"menu Europeo o americano; tecla 2; tecla 0", LAS_CUATRO},
+        {"tamano 300 70; tecla a ×7; tecla e ×6; tecla w ×12; tecla 4", DIAGONAL, false, extrema},
+        {"tamano 70 200", DIAGONAL, false, extrema},
     };
-    for (int vista = ALZADO; vista < N_VISTAS; ++vista) {
-        casos.push_back({"tecla " + std::to_string(vista + 1), {vista}});
-        casos.push_back({"menu " + NOMBRES[vista], {vista}});
-    }
-    compruebaCasos("grua_vistas", casos);
-}
-
-// Al orbitar la cuarta, los ejes de la esquina giran con la grúa.
-TEST(GruaVistas, LosEjesGiranConLaCamara) {
-    const Encima encima = vistaDe("grua_vistas", "tecla 4; " + arrastra({50, 90}, {150, 90})).encima;
-    const auto girados = ejes(orbita(PI / 4 - 1, std::asin(1 / std::sqrt(3)), 26));
-    const glm::vec3 colores[] = {ROJO, VERDE, AZUL};
-    for (int eje = 0; eje < 3; ++eje) {
-        const Pintado flecha = encima.trazos(colores[eje], "flecha").at(0);
-        EXPECT_LT(glm::distance(flecha.punto(1) - flecha.punto(0),
-                                15.0 * glm::dvec2(girados.x[eje], girados.y[eje])),
-                  0.1);
-    }
+    paraCada("grua_vistas", casos, 240, 180, compruebaEstado);
 }
 
 // Las dos proyecciones con la MISMA cámara, que camaraDe construye igual. Al acercarla, en paralela no cambia nada; en
 // perspectiva la grúa sigue entera, hasta los topes de la rueda.
 TEST(GruaProyeccion, LasDosContraTrazadoDeRayos) {
-    compruebaCasos("grua_proyeccion",
-                   {
-                       {"", {DIAGONAL, false}},
-                       {"tecla p", {DIAGONAL, true}},
-                       {"menu Paralela o perspectiva", {DIAGONAL, true}},
-                       {"tecla p; tecla 1", {ALZADO, true}},
-                       {"tecla p; tecla 2", {PLANTA, true}},
-                       {"tecla p; tecla 3", {PERFIL, true}},
-                       {"tecla 0", {LAS_CUATRO, false}, 482, 360},
-                       {"tecla p; tecla 0; tecla u", {LAS_CUATRO, true, {}, 26, true}, 482, 360},
-                       {veces(3, "rueda +1 9 9"), {DIAGONAL, false}},
-                       {veces(3, "rueda +1 9 9") + "; tecla p", {DIAGONAL, true, {}, 26 / std::pow(1.1, 3)}},
-                       {veces(40, "rueda +1 9 9") + "; tecla p", {DIAGONAL, true, {}, 0.4 * 26}},
-                       {veces(40, "rueda -1 9 9") + "; tecla p", {DIAGONAL, true, {}, 2.5 * 26}},
-                   });
+    const Estado casos[] = {
+        {""},
+        {"tecla p", DIAGONAL, true},
+        {"tecla 1", ALZADO, true},
+        {"tecla 2", PLANTA, true},
+        {"tecla 3", PERFIL, true},
+        {"tamano 482 360; tecla 0; tecla u", LAS_CUATRO, true, {}, 26, true},
+        {"menu Paralela o perspectiva; tecla u", LAS_CUATRO},
+        {"tamano 240 180; tecla 4; rueda +1 9 9 ×3"},
+        {"tecla p", DIAGONAL, true, {}, 26 / std::pow(1.1, 3)},
+        {"rueda +1 9 9 ×40", DIAGONAL, true, {}, 0.4 * 26},
+        {"rueda -1 9 9 ×40", DIAGONAL, true, {}, 2.5 * 26},
+    };
+    paraCada("grua_proyeccion", casos, 240, 180, compruebaEstado);
 }
 
 // Con eliminación de partes ocultas, lo que ve el rayo, también con la carga delante y detrás del pie; y sin ella.
 TEST(GruaZBuffer, OrdenDeVisibilidadContraTrazadoDeRayos) {
-    const std::string cerca = veces(7, "tecla q") + "; ";
-    const std::vector<Caso> casos = {
-        {"", {DIAGONAL, true}},
-        {"tecla z", {DIAGONAL, true, {}, 26, false, false}},
-        {"tecla z; menu Con o sin partes ocultas", {DIAGONAL, true}},
-        {"menu Comparar; tecla v; menu Paralela o perspectiva", {DIAGONAL, false}},
-        {cerca + veces(14, "tecla d"), {DIAGONAL, true, {0.58 - 1.4, 1.5, 4}}},
-        {cerca + veces(18, "tecla a") + "; tecla p", {DIAGONAL, false, {0.58 + 1.8, 1.5, 4}}},
-        {"tecla 0; menu Europeo o americano", {LAS_CUATRO, true, {}, 26, true}, 482, 360},
-        {veces(40, "rueda -1 9 9"), {DIAGONAL, true, {}, 2.5 * 26}},
+    const Postura delante = {0.58 - 1.4, 1.5, 4}, detras = {0.58 + 1.8, 1.5, 4};
+    const Estado casos[] = {
+        {"", DIAGONAL, true},
+        {"tecla z", DIAGONAL, true, {}, 26, false, false},
+        {"menu Con o sin partes ocultas", DIAGONAL, true},
+        {"menu Comparar; tecla v; menu Paralela o perspectiva", DIAGONAL, false},
+        {"tecla p; tecla q ×7; tecla d ×14", DIAGONAL, true, delante},
+        {"tecla a ×32; tecla p", DIAGONAL, false, detras},
+        {"tamano 482 360; tecla 0; menu Europeo o americano", LAS_CUATRO, false, detras, 26, true},
+        {"tamano 240 180; tecla 4; tecla p; rueda -1 9 9 ×40", DIAGONAL, true, detras, 2.5 * 26},
     };
-    compruebaCasos("grua_zbuffer", casos);
+    paraCada("grua_zbuffer", casos, 240, 180, compruebaEstado);
 }
 
 // A la izquierda sin el test y a la derecha con él, esté como esté.
@@ -267,7 +220,7 @@ TEST(GruaZBuffer, LadoALado) {
     for (const char *guion : {"tecla v", "tecla z; menu Comparar"}) {
         const Vista vista = vistaDe("grua_zbuffer", guion, 640, 360);
         for (const int columna : {0, 1})
-            compruebaPanel("grua_zbuffer", vista, hueco(columna, 2, 0, 1, 640, 360), DIAGONAL,
-                           {DIAGONAL, true, {}, 26, false, columna == 1});
+            compruebaPanel(vista, hueco(columna, 2, 0, 1, 640, 360), DIAGONAL,
+                           {guion, DIAGONAL, true, {}, 26, false, columna == 1});
     }
 }

@@ -9,18 +9,6 @@ using Vec4Largo = glm::vec<4, Largo>;
 using Mat4Largo = glm::mat<4, 4, Largo>;
 const double U_DOBLE = 0x1p-53; // error de un redondeo
 
-/// Las esquinas de lo que se ve por un panel a esas distancias a lo largo de la vista: las cuatro de cada una, desde
-/// abajo a la izquierda y en sentido antihorario.
-inline std::vector<oraculo::Vec3> esquinasA(const std::vector<double> &distancias, const Panel &panel) {
-    const auto &[camara, h] = panel;
-    std::vector<oraculo::Vec3> esquinas;
-    for (const double d : distancias)
-        for (const auto &[x, y] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
-            const oraculo::Rayo r = rayo(camara, h.ancho, h.alto, x * h.ancho, y * h.alto);
-            esquinas.push_back(r.origen + d / -escalar(r.direccion, ejes(camara).z) * r.direccion);
-        }
-    return esquinas;
-}
 /// Si un punto está entre los cuatro lados de lo que se ve.
 inline bool entreLosLados(const oraculo::Vec3 &p, const Panel &panel) {
     const oraculo::Vec3 v = proyecta(panel.camara, panel.hueco.ancho, panel.hueco.alto, p);

@@ -2,6 +2,7 @@
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/profundidad.h"
 #include "guiones.h"
+#include "tabla.h"
 
 namespace {
 
@@ -95,25 +96,21 @@ TEST(Profundidad, ParesMalOrdenados) {
 }
 
 // Con todo en orden, la imagen entera, también al orbitar: el cuadro está 5 cm por delante, que en el cartel de 12 m se
-// ve a 0.65 píxeles, cincuenta veces lo que se admite. Y bajo cada cartel, su distancia. El framebuffer propio cambia
-// de tamaño con la ventana.
+// ve a 0.65 píxeles, cincuenta veces lo que se admite. El framebuffer propio cambia de tamaño con la ventana.
 TEST(Profundidad, LosCartelesYSusDistancias) {
     Escena todo = CARTELES;
     todo.insert(todo.end(), CUADROS.begin(), CUADROS.end());
-    const auto color = [](const Impacto &i) { return exacto(!i ? CIELO : i.objeto < 12 ? AZUL : AMARILLO); };
-    const std::pair<std::string, Camara> casos[] = {
-        {"", camaraCarteles(10)},
-        {arrastra({240, 180}, {250, 175}), camaraCarteles(10, -1.8 * 10 / ALTO, -1.8 * 5 / ALTO)}};
-    for (const auto &[guion, camara] : casos) {
-        const Vista vista = vistaDe("profundidad", "tamano 480 360; " + guion);
-        comprueba("«" + guion + "»", compara(vista.escena, todo, camara, color), EXACTA);
-        std::vector<Letrero> letreros;
-        for (int i = 0; i < 12; ++i) {
-            const double d = distanciaCartel(i);
-            const Vec3 debajo = d * (centroCartel(i) - Vec3{0, 0.107, 0});
-            letreros.push_back({std::to_string(std::lround(d)) + " m", enPixeles(camara, debajo, ANCHO, ALTO),
-                                OSCURO, Lado::DEBAJO});
-        }
-        compruebaEncima(vista, {0, 0, ANCHO, ALTO}, {}, letreros);
-    }
+    const struct {
+        std::string guion;
+        Camara camara;
+    } casos[] = {{"", camaraCarteles(10)},
+                 {arrastra({240, 180}, {250, 175}), camaraCarteles(10, -1.8 * 10 / ALTO, -1.8 * 5 / ALTO)}};
+    paraCada("profundidad", casos, ANCHO, ALTO, [&](const auto &c, const Vista &v) {
+        comprueba("los carteles",
+                  compara(v.escena, todo, c.camara,
+                          [](const Impacto &i) {
+                              return exacto(!i ? CIELO : i.objeto < 12 ? AZUL : AMARILLO);
+                          }),
+                  EXACTA);
+    });
 }

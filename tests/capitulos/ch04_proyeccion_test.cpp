@@ -2,6 +2,7 @@
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/vista.h"
 #include "guiones.h"
+#include "tabla.h"
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace {
@@ -22,70 +23,6 @@ void compruebaMatriz(const glm::dmat4 &M, const Mat4Largo &exacta) {
         }
 }
 
-glm::dvec3 dividido(const glm::dvec4 &v) {
-    return glm::dvec3(v) / v.w;
-}
-double profundidadDe(const glm::dmat4 &M, double d) {
-    return dividido(M * glm::dvec4(0, 0, -d, 1)).z;
-}
-
-// Por mucho que se gire la rueda, la distancia va de 0.4 a 2.5 veces la del principio.
-const struct {
-    std::string guion;
-    bool enPerspectiva;
-    double azimut = 0.50, elevacion = 0.33, distancia = 3;
-    int ancho = 480, alto = 360;
-} CASOS[] = {
-    {"", true},
-    {"tecla p", false},
-    {"", true, 0.50, 0.33, 3, 240, 360},
-    {"tecla p", false, 0.50, 0.33, 3, 240, 360},
-    {arrastra({20, 90}, {320, 70}), true, -1.0, 0.23},
-    {arrastra({400, 90}, {0, 70}) + "; tecla p", false, 2.5, 0.23},
-    {veces(400, "rueda +1 9 9") + "; tecla p", false, 0.50, 0.33, 1.2},
-    {"tecla p; " + veces(400, "rueda -1 9 9"), false, 0.50, 0.33, 7.5},
-};
-
-/// Las aristas de cada eje y, de las horizontales, su prolongación 1000 unidades hacia el fondo. En paralela nada más.
-/// En perspectiva, los puntos de fuga, donde se proyectan sus direcciones, y por los dos el horizonte, de lado a lado.
-void compruebaLasRectas(const Vista &vista, const Panel &en) {
-    const glm::vec3 colores[] = {ROJO, VERDE, AZUL};
-    Dibujo encima = {en};
-    std::vector<Vec3> fugas;
-    for (int eje = 0; eje < 3; ++eje) {
-        const double fondo = ejes(en.camara).z[eje] > 0 ? -1000 : 1000;
-        const Mat4 M = gira({1, 1, 1}, 2 * PI / 3 * eje); // lleva X a ese eje
-        Linea aristas, rectas;
-        for (const double a : {-0.5, 0.5})
-            for (const double b : {-0.5, 0.5}) {
-                aristas.insert(aristas.end(), {punto(M, {-0.5, a, b}), punto(M, {0.5, a, b})});
-                rectas.insert(rectas.end(), {punto(M, {0, a, b}), punto(M, {fondo, a, b})});
-            }
-        if (eje != 1) {
-            encima.traza("segmentos", rectas, colores[eje], 5);
-            fugas.push_back(en.camara.ojo + punto(M, {fondo, 0, 0}));
-        }
-        encima.traza("segmentos", aristas, colores[eje], 14);
-    }
-    encima.rotula(en.camara.esParalela ? "paralela" : "perspectiva", en.lugar(0.02, 0.05), OSCURO,
-                  Lado::DERECHA);
-    if (!en.camara.esParalela) {
-        const glm::dvec2 fuga = en(fugas[0]);
-        encima.rotula("punto de fuga", fuga, OSCURO, Lado::ENCIMA);
-        encima.rotula("punto de fuga", en(fugas[1]), OSCURO, Lado::ENCIMA);
-        encima.rotula("horizonte", en(0.4 * fugas[0] + 0.6 * fugas[1]), OSCURO, Lado::ENCIMA);
-        encima.traza("segmentos", {}, OSCURO, 9); // el horizonte: lo corta el plano cerca
-        encima.traza("puntos", fugas, OSCURO, 30, false);
-        const Pintado horizonte = vista.encima.trazos(OSCURO, "segmentos").at(0);
-        const glm::dvec2 p = horizonte.punto(0), q = horizonte.punto(1);
-        EXPECT_LT(std::min(p.x, q.x), 0);
-        EXPECT_GT(std::max(p.x, q.x), en.hueco.ancho);
-        for (const double x : {0, en.hueco.ancho})
-            EXPECT_NEAR(p.y + (x - p.x) / (q.x - p.x) * (q.y - p.y), fuga.y, 0.1);
-    }
-    encima.comprueba(vista);
-}
-
 } // namespace
 
 // θ/2 es exacto, la tangente de la biblioteca yerra menos de 1 ulp (2 u) y el producto y el cociente 1 u cada uno;
@@ -104,41 +41,31 @@ TEST(Proyeccion, ContraGlmConMasPrecision) {
 // El libro imprime 2/(lejos − cerca) en la ecuación 4.2 y la 4.3 con el signo contrario: de dos puntos que están
 // delante de la cámara, el lejano sale con menos profundidad que el cercano, y ninguno en [−1, 1].
 TEST(Erratas, Ecuacion42DelReves) {
-    const auto impresa = [](double cerca, double lejos) {
-        glm::dmat4 M = proyeccionParalela(-1, 1, -1, 1, cerca, lejos);
-        M[2][2] = 2 / (lejos - cerca);
-        return M;
+    const auto profundidades = [](const glm::dmat4 &M) {
+        const glm::dvec4 cerca = M * glm::dvec4(0, 0, -1, 1), lejos = M * glm::dvec4(0, 0, -10, 1);
+        return glm::dvec2(cerca.z / cerca.w, lejos.z / lejos.w);
     };
-    for (const glm::dmat4 &M :
-         {proyeccionPerspectiva(1, 1, 1, 100), proyeccionParalela(-1, 1, -1, 1, 1, 100)})
-        EXPECT_LT(profundidadDe(M, 2), profundidadDe(M, 50));
-    EXPECT_GT(profundidadDe(impresa(1, 100), 2), profundidadDe(impresa(1, 100), 50));
-    // no solo del revés: con 0 < cerca < lejos, todo lo que hay entre los dos planos queda fuera y se recorta
-    for (int d = 1; d <= 100; ++d)
-        EXPECT_LT(profundidadDe(impresa(1, 100), d), -1) << d;
-    EXPECT_NEAR(profundidadDe(impresa(1, 10), 1), -1.44, 0.005);
-    EXPECT_NEAR(profundidadDe(impresa(1, 10), 10), -3.44, 0.005);
+    glm::dmat4 M = proyeccionParalela(-1, 1, -1, 1, 1, 10);
+    for (const glm::dmat4 &buena : {M, proyeccionPerspectiva(1, 1, 1, 10)})
+        EXPECT_LT(glm::distance(profundidades(buena), {-1, 1}), 1e-15);
+    M[2][2] = -M[2][2];
+    EXPECT_LT(glm::distance(profundidades(M), {-1.44, -3.44}), 0.01);
 }
 
 // Con aspect/tan(θ) un cuadrado no se ve cuadrado, y con θ (el ángulo entero de la figura 4.4 y de
 // glm::perspective) en vez de θ/2 el borde del campo no cae en el borde de la ventana.
 TEST(Erratas, Ecuacion43AspectoYAngulo) {
-    const double theta = 0.8, nx = 640, ny = 240;
-    const glm::dmat4 P = proyeccionPerspectiva(theta, nx / ny, 1, 100);
-    glm::dmat4 impresa = P;
-    impresa[0][0] = nx / ny / std::tan(theta);
-    impresa[1][1] = 1 / std::tan(theta);
-    const auto enVentana = [&](const glm::dmat4 &M, double x, double y) { // a 5 de la cámara
-        return transformacionViewport(0, 0, nx, ny) * glm::dvec4(dividido(M * glm::dvec4(x, y, -5, 1)), 1);
+    const double theta = 0.8, aspecto = 640.0 / 240, borde = 5 * std::tan(theta / 2); // a 5 de la cámara
+    const auto esquina = [&](const glm::dmat4 &M) {
+        const glm::dvec4 v = M * glm::dvec4(aspecto * borde, borde, -5, 1);
+        return glm::dvec2(v) / v.w;
     };
-    const auto razon = [&](const glm::dmat4 &M) {
-        return (enVentana(M, 1, 0).x - nx / 2) / (enVentana(M, 0, 1).y - ny / 2);
-    };
-    EXPECT_NEAR(razon(P), 1, 1e-14);
-    EXPECT_NEAR(razon(impresa), std::pow(nx / ny, 2), 1e-12);
-    const double borde = 5 * std::tan(theta / 2);
-    EXPECT_NEAR(enVentana(P, 0, borde).y, ny, 1e-12);
-    EXPECT_LT(enVentana(impresa, 0, borde).y, 0.96 * ny);
+    glm::dmat4 M = proyeccionPerspectiva(theta, aspecto, 1, 100);
+    EXPECT_LT(glm::distance(esquina(M), {1, 1}), 1e-14);
+    M[0][0] = aspecto / std::tan(theta);
+    M[1][1] = 1 / std::tan(theta);
+    EXPECT_LT(esquina(M).y, 0.96);
+    EXPECT_NEAR(esquina(M).x / esquina(M).y, aspecto * aspecto, 1e-12);
 }
 
 // El volumen canónico llena justo la ventana y la profundidad va de 0 a 1 (o lo que diga glDepthRange). La matriz
@@ -150,15 +77,33 @@ TEST(Viewport, EsquinasYProfundidad) {
     EXPECT_EQ(transformacionViewport(0, 0, 1, 1) * glm::dvec4(0, 0, 0, 1), glm::dvec4(0.5, 0.5, 0.5, 1));
 }
 
+// El cubo y, en perspectiva, los puntos de fuga de sus aristas horizontales: donde se ve lo que está muy lejos en sus
+// direcciones. Por mucho que se gire la rueda, la distancia va de 0.4 a 2.5 veces la del principio.
 TEST(Proyecciones, ElCuboYSusRectas) {
-    for (const auto &c : CASOS) {
-        SCOPED_TRACE(c.guion);
-        const Vista vista = vistaDe("proyecciones", c.guion, c.ancho, c.alto);
+    const struct {
+        std::string guion;
+        bool enPerspectiva;
+        double azimut = 0.50, elevacion = 0.33, distancia = 3;
+    } casos[] = {{"", true},
+                 {"tecla p", false},
+                 {"tamano 240 360", false},
+                 {"tecla p", true},
+                 {"tamano 480 360; " + arrastra({20, 90}, {320, 70}), true, -1.0, 0.23},
+                 {arrastra({400, 90}, {-300, 90}) + "; tecla p", false, 2.5, 0.23},
+                 {arrastra({0, 70}, {400, 90}) + "; " + veces(400, "rueda +1 9 9"), false, 0.50, 0.33, 1.2},
+                 {veces(400, "rueda -1 9 9"), false, 0.50, 0.33, 7.5}};
+    paraCada("proyecciones", casos, 480, 360, [](const auto &c, const Vista &v) {
         const Camara desde = orbita(c.azimut, c.elevacion, c.distancia, {0.1, 0.2, 0});
-        const Camara camara = c.enPerspectiva ? perspectiva(desde, 1.0, 0.1, 2000)
-                                              : paralela(desde, c.distancia * std::tan(0.5), -2000, 2000);
-        const Panel ventana(camara, vista.escena);
-        compruebaEscena(vista, ventana, {{caja({}), exacto(AMARILLO)}}, FONDO_CLARO);
-        compruebaLasRectas(vista, ventana);
-    }
+        const Panel ventana(c.enPerspectiva ? perspectiva(desde, 1.0, 0.1, 2000)
+                                            : paralela(desde, c.distancia * std::tan(0.5), -2000, 2000),
+                            v.escena);
+        compruebaEscena(v, ventana, {{caja({}), exacto(AMARILLO)}}, FONDO_CLARO);
+        Linea fugas;
+        for (const Vec3 &eje : {Vec3{1, 0, 0}, {0, 0, 1}})
+            fugas.push_back(desde.ojo + (escalar(eje, desde.centro - desde.ojo) < 0 ? -1000 : 1000) * eje);
+        const Encima puntos = v.encima.trazos(OSCURO, "puntos");
+        ASSERT_EQ(puntos.size(), c.enPerspectiva ? 1u : 0u);
+        for (std::size_t k = 0; c.enPerspectiva && k < 2; ++k)
+            EXPECT_LE(glm::distance(puntos[0].punto(k), ventana(fugas[k])), 0.1);
+    });
 }
