@@ -238,8 +238,8 @@ namespace {
 
 using Texels = std::vector<unsigned char>;
 
-/// De qué color es el bloque en p: madera (0), mármol (1) o el ruido tal cual (2). Con el ruido S2 veces mayor, anillos y
-/// vetas se tuercen S2 veces más.
+/// De qué color es el bloque en p: madera (0), mármol (1) o el ruido tal cual (2). Con el ruido S2 veces mayor, anillos
+/// y vetas se tuercen S2 veces más.
 Vec3 colorBloque(int elegido, const Texels &texels, const Vec3 &p, double S2) {
     const auto ruido = [&](double escala, double corre) {
         return definicion::trilineal(texels, escala * p + Vec3{corre, corre, corre});
@@ -491,8 +491,8 @@ Vec3 lago(const Vec3 &ojo, const Vec3 &d, double tiempo) {
     const double alisa = 0.10 / (1 + 0.0012 * lejos * lejos);
     const Vec3 N = unitario({-alisa * (ola(x + h, z) - ola(x - h, z)) / (2 * h), 1,
                              -alisa * (ola(x, z + h) - ola(x, z - h)) / (2 * h)});
-    // el agua llana devolvería el rayo con la altura −d.y: si va una décima por debajo empieza a dar en otras olas, y si
-    // va tres, da siempre; de refilón, con −d.y pequeña, eso es hacia abajo
+    // el agua llana devolvería el rayo con la altura −d.y: si va una décima por debajo empieza a dar en otras olas, y
+    // si va tres, da siempre; de refilón, con −d.y pequeña, eso es hacia abajo
     Vec3 R = refleja(d, N);
     const double alCielo = 1 - escalon(0.1, 0.3, -d.y - R.y);
     R.y = std::max(R.y, 0.0);

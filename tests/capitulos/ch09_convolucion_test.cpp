@@ -1,5 +1,5 @@
-// La convolución del capítulo 9 contra la ecuación 9.1 hecha en la CPU en doble precisión, también en el borde, y los filtros de
-// tamaño variable.
+// La convolución del capítulo 9 contra la ecuación 9.1 hecha en la CPU en doble precisión, también en el borde, y los
+// filtros de tamaño variable.
 #include "ch09_imagen/nucleos.h"
 #include "ch09_paneles.h"
 #include "guiones.h"

@@ -1,5 +1,5 @@
-// Los efectos del capítulo 9 que tratan cada píxel, contra la CPU en doble precisión. Las imágenes son al azar y de lados
-// que no son múltiplos de 4.
+// Los efectos del capítulo 9 que tratan cada píxel, contra la CPU en doble precisión. Las imágenes son al azar y de
+// lados que no son múltiplos de 4.
 #include "ch09_paneles.h"
 #include <cstdlib>
 #include <filesystem>
@@ -30,8 +30,8 @@ Cuadro volteada(bool horizontal, bool vertical) {
             nombres[horizontal + 2 * vertical]};
 }
 
-/// Gira en el sentido contrario a las agujas del reloj; fuera del círculo que cabe en la imagen no cambia nada. Un nivel: la GPU
-/// interpola con fracciones de texel de 8 bits.
+/// Gira en el sentido contrario a las agujas del reloj; fuera del círculo que cabe en la imagen no cambia nada. Un
+/// nivel: la GPU interpola con fracciones de texel de 8 bits.
 Cuadro girada(const Imagen &im, int grados) {
     return {[im, grados](int x, int y) {
                 const double cx = im.ancho / 2.0, cy = im.alto / 2.0, dx = x + 0.5 - cx, dy = y + 0.5 - cy,

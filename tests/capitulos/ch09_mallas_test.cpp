@@ -20,8 +20,8 @@ Cuadro mezcla(double t, const std::string &rotulo) {
     return {[t](int x, int y) { return (1 - t) * texel(A, x, y) + t * texel(B, x, y); }, rotulo};
 }
 
-/// Con m se ven los puntos de una malla regular, el que se arrastra donde el ratón, y las líneas que los unen, a 0.7 píxeles: las del
-/// borde se meten dentro.
+/// Con m se ven los puntos de una malla regular, el que se arrastra donde el ratón, y las líneas que los unen, a 0.7
+/// píxeles: las del borde se meten dentro.
 void compruebaMallaRegular(const std::string &programa, const std::vector<Imagen> &imagenes, int columnas,
                            int filas) {
     const Encima encima = vistaDe(programa, "tecla m", 80, 60, enFicheros(imagenes)).encima;
@@ -102,7 +102,8 @@ TEST(Warping, ElPliegueTieneUnOrden) {
     EXPECT_GT(pixel(r, 126, 88).r, 110);
 }
 
-// La caricatura ensancha por abajo y estrecha por arriba, igual a los dos lados: se ve un texel más cerca o más lejos del eje.
+// La caricatura ensancha por abajo y estrecha por arriba, igual a los dos lados: se ve un texel más cerca o más lejos
+// del eje.
 TEST(Warping, LaCaricatura) {
     const Imagen r = procesa("warping", {RAMPA}, "tecla 2");
     for (const int lado : {-1, 1}) {
@@ -149,8 +150,8 @@ TEST(Morphing, LosOjosVanALosOjos) {
         EXPECT_LT(pixel(r, int(x * 320), int(0.4925 * 240)).r, 60);
 }
 
-// Se arrastra el punto (3, 3) de 7 × 8 a (120, 84): el intermedio queda bajo el ratón. Con t < 0.5 cambia la malla de A, y en el ratón
-// sigue el texel de B; si no, al revés.
+// Se arrastra el punto (3, 3) de 7 × 8 a (120, 84): el intermedio queda bajo el ratón. Con t < 0.5 cambia la malla de
+// A, y en el ratón sigue el texel de B; si no, al revés.
 TEST(Morphing, ElPuntoIntermedioQuedaBajoElRaton) {
     const Imagen negra = lisa(211, 141, {0, 0, 0}),
                  marca = imagen(211, 141, [](int x, int y) {
@@ -164,8 +165,8 @@ TEST(Morphing, ElPuntoIntermedioQuedaBajoElRaton) {
     }
 }
 
-// El movimiento depende solo del reloj: a los 1500 ms, t = 0.5; a los 3000, 1; a los 6000, 0 otra vez. También de vuelta, - lo
-// disminuye. El último cuadro es de hasta 33 ms antes: 4 niveles.
+// El movimiento depende solo del reloj: a los 1500 ms, t = 0.5; a los 3000, 1; a los 6000, 0 otra vez. También de
+// vuelta, - lo disminuye. El último cuadro es de hasta 33 ms antes: 4 niveles.
 TEST(Morphing, ElMovimientoSigueAlReloj) {
     const auto tras = [](const std::string &guion) {
         return procesa("morphing", {A, B}, "tecla 1; tecla Espacio; espera " + guion);
@@ -177,8 +178,8 @@ TEST(Morphing, ElMovimientoSigueAlReloj) {
 
 // --- antialiasing ---
 
-// Contra el área exacta, y las dos técnicas de muestras conocidas, muestra a muestra: el centro del píxel y los centros de sus
-// 4 × 4 partes. De las que caen a menos de una centésima de píxel de un lado no se dice nada.
+// Contra el área exacta, y las dos técnicas de muestras conocidas, muestra a muestra: el centro del píxel y los centros
+// de sus 4 × 4 partes. De las que caen a menos de una centésima de píxel de un lado no se dice nada.
 TEST(Antialiasing, CoberturaContraElAreaExacta) {
     const double fondo = std::round(color(FONDO_CLARO).x), tinta = std::round(color(OSCURO).x);
     std::vector<oraculo::Poligono> rayos;
@@ -248,8 +249,8 @@ TEST(Antialiasing, LaLupaSonPixelesDeLaImagen) {
         }
 }
 
-// Con v, la punta de un rayo, 16 × 32 píxeles de una escena de 240 de lado sea como sea la ventana, y lo que dice OpenGL de cada
-// framebuffer. También tras cambiar de tamaño.
+// Con v, la punta de un rayo, 16 × 32 píxeles de una escena de 240 de lado sea como sea la ventana, y lo que dice
+// OpenGL de cada framebuffer. También tras cambiar de tamaño.
 TEST(Antialiasing, LasTresALaVezYCambiarDeTamano) {
     const struct {
         std::string guion;
@@ -279,7 +280,8 @@ TEST(Antialiasing, LasTresALaVezYCambiarDeTamano) {
 
 // --- ampliacion ---
 
-// Un rectángulo rojo de 40 × 20 en ventanas de varias formas y factores, de ×16 a ×1/16: lo que mide en píxeles, y lo que se dice.
+// Un rectángulo rojo de 40 × 20 en ventanas de varias formas y factores, de ×16 a ×1/16: lo que mide en píxeles, y lo
+// que se dice.
 TEST(Ampliacion, LoQueMideEnPixeles) {
     const std::vector<std::string> roja = enFicheros({lisa(40, 20, {255, 0, 0})});
     const auto mide = [](const Imagen &i, int ancho, int alto) {
@@ -323,7 +325,8 @@ TEST(Ampliacion, VecinoYLineal) {
 
 // --- captura ---
 
-// Anchos que no son múltiplos de 4. Se guarda la escena, sin lo que se enseña de la captura anterior; y la última, si ha cambiado.
+// Anchos que no son múltiplos de 4. Se guarda la escena, sin lo que se enseña de la captura anterior; y la última, si
+// ha cambiado.
 TEST(Captura, ElFicheroEsElFramebuffer) {
     const std::string fichero = (carpetaTemporal() / "captura.ppm").string();
     for (const std::string guion : {"tecla d; tecla g", "tecla g; tecla d; tecla g"})
