@@ -298,8 +298,8 @@ TEST(Textura3d, CadaMaterialContraTrazadoDeRayos) {
         {"tecla +; tecla 2", 1, 0.25, 0},
         {"tecla d ×9", 1, 0.25, 2},
         {"tecla 3; tecla a ×5", 2, 0.25, 0.75},
-        {"tamano 240 180; tecla d; " + arrastra({100, 100}, {145, 68}) + "; " + veces(5, "tecla +"), 2, 2,
-         "1", 1, 0, 0},
+        {"tamano 240 180; tecla d; " + arrastra({100, 100}, {145, 68}) + "; " + veces(5, "tecla +"), 2, 2, 1,
+         1, 0, 0},
     };
     paraCada("textura3d", casos, 480, 360, [&](const auto &c, const Vista &v) {
         const Panel panel(perspectiva(orbita(c.azimut, c.elevacion, 9.9, {0.05, 0, 0}), 0.4, 1, 100),
