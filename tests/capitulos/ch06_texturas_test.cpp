@@ -39,6 +39,7 @@ void compruebaRectangulo(const Imagen &panel, const glm::dvec2 &talla, const glm
     };
     EXPECT_LE(diferenciaMaxima(panel, esperado), cota);
 }
+
 /// (s, t) que ve el punto (x, y) de la ventana.
 struct Coordenadas {
     bool hay = false;
@@ -61,8 +62,8 @@ double texelsPorPixel(Ve ve, int x, int y, const Imagen &im) {
     return suma / 2;
 }
 
-// --- textura_objeto ---------------------------------------------------------------------------------------- Cada
-// píxel interior donde la textura se amplía: bilineal exacto por Phong, sobre la misma malla. La textura mide 5 × 3:
+// --- textura_objeto ----------------------------------------------------------------------------------------
+// Cada píxel interior donde la textura se amplía: bilineal exacto por Phong, sobre la misma malla. La textura mide 5 × 3:
 // sus filas no llegan a un múltiplo de 4 bytes, y sin GL_UNPACK_ALIGNMENT las de arriba saldrían torcidas. Medio nivel
 // del redondeo a 8 bits y una centésima de hacer las cuentas en float.
 TEST(TexturaObjeto, TexelPorIluminacionContraElOraculo) {
@@ -127,9 +128,7 @@ TEST(Argumentos, UnaLineaQueDiceQuePasa) {
         {{f, "-talla", "7x4"}, 1, "una imagen RGB de 7×4 ocupa 84 bytes y hay 105"},
         {{f, "-talla", "99999x1"}, 1, "no hay texturas de 99999×1"},
         {{f, "-talla", "1x99999"}, 1, "no hay texturas de 1×99999"},
-        {{larga, "-talla", "32768x1"},
-         1,
-         "una textura de 32768×1 es demasiado grande: este OpenGL las admite de hasta 16384 de lado"},
+        {{larga, "-talla", "32768x1"}, 1, "demasiado grande: este OpenGL las admite de hasta 16384 de lado"},
         {{larga, "-talla", "1x32768"}, 1, "una textura de 1×32768 es demasiado grande"},
         {{f}, 2, "de un fichero RGB sin cabecera hay que decir -talla ANCHOxALTO"},
         {{f, "-talla"}, 2, "detrás de -talla va el tamaño, ANCHOxALTO"},

@@ -136,31 +136,6 @@ TEST(Cubemap, Desplegado) {
     }
 }
 
-// Las fotos de verdad se continúan unas a otras: a los dos lados de cada arista se ve casi lo mismo, y mucho más
-// parecido que si una estuviera en espejo.
-TEST(Cubemap, LasFotosNoTienenCostura) {
-    Imagen fotos[6];
-    for (int i = 0; i < 6; ++i)
-        fotos[i] = leeTextura(recurso(std::string("assets/entorno_") + FOTOS[i].nombre + ".rgb"), 256, 256);
-    const auto texel = [&](int i, const Vec3 &d) { // en una cara del cubo de lado 2
-        const auto en = [&](const Vec3 &eje) { return std::clamp(int(128 * (escalar(d, eje) + 1)), 0, 255); };
-        return pixel(fotos[i], en(vectorial(FOTOS[i].hacia, FOTOS[i].arriba)), en(FOTOS[i].arriba));
-    };
-    for (int i = 0; i < 6; ++i)
-        for (int j = 0; j < i; ++j) {
-            const Vec3 &f = FOTOS[i].hacia, &g = FOTOS[j].hacia;
-            if (escalar(f, g) != 0)
-                continue;
-            double suma = 0;
-            for (int k = 0; k < 256; ++k) {
-                const Vec3 arista = f + g + ((k + 0.5) / 128 - 1) * vectorial(f, g);
-                const Pixel a = texel(i, arista), b = texel(j, arista);
-                suma += (std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b)) / 3.0;
-            }
-            EXPECT_LT(suma / 256, 8) << FOTOS[i].nombre << ' ' << FOTOS[j].nombre;
-        }
-}
-
 // La ecuación 8.1 no es la tabla de OpenGL: con x positiva intercambia las dos coordenadas y les da la vuelta, un
 // espejo; con x negativa, gira la cara un cuarto de vuelta.
 TEST(Erratas, Ecuacion81) {

@@ -162,23 +162,6 @@ TEST(Diferencia, ContraLaCpu) {
     compruebaPaneles("diferencia", {B, A}, {{{""}, {sinSigno}}});
 }
 
-// Las dos que trae el programa se diferencian en cinco sitios y en nada más.
-TEST(Diferencia, CincoSitios) {
-    const glm::ivec4 sitios[] = {
-        {95, 142, 47, 20}, {209, 154, 27, 19}, {113, 60, 19, 36}, {180, 20, 56, 57}, {135, 50, 45, 15}};
-    const auto distintos = [](const Imagen &i) {
-        return cuenta(i, [](int, int, const Pixel &p) { return p.r + p.g + p.b >= 9; });
-    };
-    const Imagen d = vistaDe("diferencia", "", 250, 190).escena;
-    int fuera = distintos(d);
-    for (const glm::ivec4 &s : sitios) {
-        const int dentro = distintos(oraculo::recorta(d, s.x, s.y, s.z, s.w));
-        EXPECT_GT(dentro, 20) << s.x;
-        fuera -= dentro;
-    }
-    EXPECT_EQ(fuera, 0);
-}
-
 // --- volteo ---
 
 TEST(Volteo, ContraLaCpu) {
