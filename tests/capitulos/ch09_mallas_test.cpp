@@ -13,6 +13,12 @@ const Imagen A = alAzar(80, 60, 5), B = alAzar(80, 60, 6);
 /// El color dice de qué texel es.
 const Imagen RAMPA = imagen(221, 177, [](int x, int y) { return Pixel{x, y, 77}; });
 
+/// Con un cuadrado rojo de 7 × 7 en ese texel.
+Imagen conMarca(const Imagen &fondo, int x, int y) {
+    return imagen(fondo.ancho, fondo.alto, [&](int i, int j) {
+        return std::abs(i - x) < 4 && std::abs(j - y) < 4 ? Pixel{255, 0, 0} : pixel(fondo, i, j);
+    });
+}
 Esperado mezcla(double t) {
     return [t](int x, int y) { return (1 - t) * texel(A, x, y) + t * texel(B, x, y); };
 }
@@ -54,10 +60,7 @@ TEST(Warping, LaMallaIdentidadEsElOriginal) {
 
 // Arrastrar el punto central (5, 4) lleva su texel al ratón; lo que está a más de dos puntos no se mueve.
 TEST(Warping, ElTexelVaConSuPunto) {
-    const Imagen marca = imagen(221, 177, [](int x, int y) {
-        return std::abs(x - 110) < 4 && std::abs(y - 88) < 4 ? Pixel{255, 0, 0} : pixel(RAMPA, x, y);
-    });
-    const Imagen r = procesa("warping", {marca}, arrastra({112, 90}, {121, 76}));
+    const Imagen r = procesa("warping", {conMarca(RAMPA, 110, 88)}, arrastra({112, 90}, {121, 76}));
     EXPECT_EQ(pixel(r, 121, 100).r, 255);
     EXPECT_LT(pixel(r, 106, 84).r, 255);
     const auto movido = [](int x, int y, const Pixel &p) {
@@ -120,10 +123,7 @@ TEST(Morphing, LosOjosVanALosOjos) {
 // Se arrastra el punto (3, 3) de 7 × 8 a (120, 84): el intermedio queda bajo el ratón. Con t < 0.5 cambia la malla de
 // A, y en el ratón sigue el texel de B; si no, al revés.
 TEST(Morphing, ElPuntoIntermedioQuedaBajoElRaton) {
-    const Imagen negra = lisa(211, 141, {0, 0, 0}),
-                 marca = imagen(211, 141, [](int x, int y) {
-                     return std::abs(x - 105) < 4 && std::abs(y - 60) < 4 ? Pixel{255, 0, 0} : Pixel{0, 0, 0};
-                 });
+    const Imagen negra = lisa(211, 141, {0, 0, 0}), marca = conMarca(negra, 105, 60);
     const std::string arrastrado = arrastra({105, 80}, {120, 84});
     for (const Imagen &r : {procesa("morphing", {negra, marca}, "tecla 2; tecla -; " + arrastrado),
                             procesa("morphing", {marca, negra}, "tecla 2; tecla +; " + arrastrado)}) {
@@ -149,9 +149,9 @@ TEST(Morphing, ElMovimientoSigueAlReloj) {
 // de sus 4 × 4 partes. De las que caen a menos de una centésima de píxel de un lado no se dice nada.
 TEST(Antialiasing, CoberturaContraElAreaExacta) {
     const double fondo = std::round(color(FONDO_CLARO).x), tinta = std::round(color(OSCURO).x);
-    std::vector<oraculo::Poligono> rayos;
-    for (int i = 0; i < 24;
-         ++i) { // cada uno, un triángulo isósceles; la escena son 180 × 180 píxeles desde (10, 20)
+    std::vector<oraculo::Poligono>
+        rayos; // triángulos isósceles; la escena son 180 × 180 píxeles desde (10, 20)
+    for (int i = 0; i < 24; ++i) {
         const double a = oraculo::PI * (i + 0.3) / 12, c = std::cos(a), s = std::sin(a);
         const auto en = [&](double lejos, double aUnLado) {
             return oraculo::Vec2{90 + 90 * (lejos * c - aUnLado * s), 90 + 90 * (lejos * s + aUnLado * c)};
@@ -169,7 +169,7 @@ TEST(Antialiasing, CoberturaContraElAreaExacta) {
             for (const oraculo::Poligono &rayo : rayos)
                 area += oraculo::coberturaPixel(rayo, x, y);
             n += area > 0 && area < 1;
-            const auto muestrasDentro = [&](int lado, double margen) {
+            const auto dentro = [&](int lado, double margen) { // de las muestras, cuántas
                 int cuantas = 0;
                 for (int i = 0; i < lado * lado; ++i)
                     for (const oraculo::Poligono &rayo : rayos)
@@ -177,14 +177,13 @@ TEST(Antialiasing, CoberturaContraElAreaExacta) {
                                                             y + (i / lado + 0.5) / lado) > margen;
                 return double(cuantas) / (lado * lado);
             };
-            for (std::size_t tecnica = 0; tecnica < 3; ++tecnica) {
-                const double visto =
-                    (fondo - pixel(vistas[tecnica].escena, 10 + x, 20 + y).r) / (fondo - tinta);
-                const int lado = tecnica == 2 ? 4 : 1;
-                malos += tecnica != 1 && (visto < muestrasDentro(lado, 0.01) - 0.006 ||
-                                          visto > muestrasDentro(lado, -0.01) + 0.006);
-                suma[tecnica] += (visto - area) * (visto - area);
-                maximo[tecnica] = std::max(maximo[tecnica], std::fabs(visto - area));
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double visto = (fondo - pixel(vistas[k].escena, 10 + x, 20 + y).r) / (fondo - tinta);
+                const int lado = k == 2 ? 4 : 1;
+                malos +=
+                    k != 1 && (visto < dentro(lado, 0.01) - 0.006 || visto > dentro(lado, -0.01) + 0.006);
+                suma[k] += (visto - area) * (visto - area);
+                maximo[k] = std::max(maximo[k], std::fabs(visto - area));
             }
         }
     EXPECT_EQ(malos, 0);
