@@ -63,9 +63,9 @@ double texelsPorPixel(Ve ve, int x, int y, const Imagen &im) {
 }
 
 // --- textura_objeto ----------------------------------------------------------------------------------------
-// Cada píxel interior donde la textura se amplía: bilineal exacto por Phong, sobre la misma malla. La textura mide 5 × 3:
-// sus filas no llegan a un múltiplo de 4 bytes, y sin GL_UNPACK_ALIGNMENT las de arriba saldrían torcidas. Medio nivel
-// del redondeo a 8 bits y una centésima de hacer las cuentas en float.
+// Cada píxel interior donde la textura se amplía: bilineal exacto por Phong, sobre la misma malla. La textura mide
+// 5 × 3: sus filas no llegan a un múltiplo de 4 bytes, y sin GL_UNPACK_ALIGNMENT las de arriba saldrían torcidas. Medio
+// nivel del redondeo a 8 bits y una centésima de hacer las cuentas en float.
 TEST(TexturaObjeto, TexelPorIluminacionContraElOraculo) {
     const Imagen im = alAzar(5, 3);
     const Camara camara = perspectiva(orbita(0.25, 0.45, 6), 0.47, 1, 100);
@@ -170,13 +170,19 @@ void compruebaRepeticion(int modo, const Imagen &im, const Imagen &gpu) {
 // Los cuatro modos, y ventanas tres veces más largas: se ve más textura, no una textura deformada.
 TEST(Repeticion, FractOClamp) {
     const Imagen im = alAzar(5, 3);
-    const auto vistas =
-        vistasDe("repeticion",
-                 {"", "tecla 1", "tecla 2", "tecla 4; tecla 5", "tecla 3; tamano 270 90", "tamano 90 270"},
-                 240, 180, enRgb(im));
-    const int modos[] = {3, 1, 2, 0, 3, 3};
-    for (int i = 0; i < 6; ++i)
-        compruebaRepeticion(modos[i], im, vistas[i].escena);
+    const struct {
+        std::string guion;
+        int modo;
+    } casos[] = {{"", 3},
+                 {"tecla 1", 1},
+                 {"tecla 2", 2},
+                 {"tecla 4; tecla 5", 0},
+                 {"tecla 3; tamano 270 90", 3},
+                 {"tamano 90 270", 3}};
+    const auto compruebaCaso = [&](const auto &c, const Vista &v) {
+        compruebaRepeticion(c.modo, im, v.escena);
+    };
+    paraCada("repeticion", casos, 240, 180, compruebaCaso, enRgb(im));
     for (const Imagen &otra : {alAzar(1, 17), alAzar(17, 1), alAzar(1, 1)})
         compruebaRepeticion(0, otra, vistaDe("repeticion", "tecla 4", 240, 180, enRgb(otra)).escena);
 }

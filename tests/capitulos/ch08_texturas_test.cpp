@@ -246,8 +246,9 @@ TEST(Textura3d, CadaTexelContraLaFuncion) {
 }
 
 // El bloque y el peón de cada material: trilineal en los puntos del bloque, por Phong. Se compara donde la textura se
-// amplía y, si el bloque se ve de frente, también en él, donde todos los texels abarcan lo mismo: con su nivel de mipmap,
-// que cuesta otro medio nivel. `detalle`: las veces que el material más repite la textura. S1 y S2 no pasan de sus topes.
+// amplía y, si el bloque se ve de frente, también en él, donde todos los texels abarcan lo mismo: con su nivel de
+// mipmap, que cuesta otro medio nivel. `detalle`: las veces que el material más repite la textura. S1 y S2 no pasan de
+// sus topes.
 TEST(Textura3d, CadaMaterialContraTrazadoDeRayos) {
     const Texels niveles[] = {texelsRuido(), mitad(texelsRuido())};
     const auto pieza = [](const Vec3 &donde, const Vec3 &talla) { // el eje, hacia +Y
