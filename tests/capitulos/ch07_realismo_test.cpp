@@ -1,7 +1,6 @@
-// El capítulo 7: la matriz de la sombra y los cinco programas contra trazado de rayos en doble
-// precisión: un rebote en el espejo, rayos a la luz en las sombras y composición de atrás adelante en
-// lo transparente. Las escenas, los materiales y las luces están escritos otra vez; las formas curvas son las mallas de
-// common/malla.h, llevadas al mundo por el oráculo.
+// El capítulo 7: la matriz de la sombra y los cinco programas contra trazado de rayos en doble precisión: un rebote en
+// el espejo, rayos a la luz en las sombras y composición de atrás adelante en lo transparente. Las escenas, los
+// materiales y las luces están escritos otra vez; las formas curvas son las mallas de common/malla.h.
 #include "azar.h"
 #include "ch07_realismo/sombra.h"
 #include "colores.h"
@@ -85,14 +84,7 @@ struct Pintados {
     }
 };
 
-/// Cuántos píxeles de la referencia la cumplen.
-template<class Condicion>
-int cuenta(const ImagenRef &ref, Condicion condicion) {
-    return int(std::count_if(ref.pixeles.begin(), ref.pixeles.end(), condicion));
-}
-
 // --- espejo y espejo_plantilla -----------------------------------------------------------------------------
-
 const Vec3 CENTRO{0, 1.68, -1.9}, AZOGUE{0.40, 0.52, 0.60};
 const double GIRO = 0.35, ANCHO = 5.2, ALTO = 2.9, MARCO = 0.18, ALFA_ESPEJO = 0.25;
 const Vec3 NORMAL_ESPEJO{std::sin(GIRO), 0, std::cos(GIRO)};
@@ -159,72 +151,53 @@ Tono conEspejo(const Pintados &e, const Impacto &i, double azogue, bool conPlant
 TEST(Espejo, ContraTrazadoDeRayosConUnRebote) {
     const struct {
         std::string guion;
-        double avance, azimut, elevacion;
-        bool seVe = true; // el espejo
+        double avance, azimut = -0.30, elevacion = 0.30;
     } casos[] = {
-        {"", 0, -0.30, 0.30},
-        {veces(14, "tecla a"), 2.8, -0.30, 0.30},
+        {"", 0},
+        {veces(14, "tecla a"), 2.8},
         {veces(6, "tecla a") + "; " + arrastra(-40, 50), 3, 0.10, 0.80}, // desde arriba la tabla no tapa la F
-        {arrastra(40, -50) + "; " + veces(40, "tecla d"), -1, -0.30, 0.30},
-        {veces(5, "tecla a"), 0, -0.30, 0.30},
-        {arrastra(-60, 0), 0, 0.30, 0.30},
-        {arrastra(120, 0), 0, -0.90, 0.30},
-        {arrastra(45, 0), 0, -1.35, 0.30, false},
-        {arrastra(45, 0), 0, -1.80, 0.30, false},
-        {arrastra(105, 0), 0, -2.85, 0.30, false},
+        {arrastra(40, -50) + "; " + veces(40, "tecla d"), -1},
+        {veces(5, "tecla a") + "; " + arrastra(60, 0), 0, -0.90},
+        {arrastra(45, 0), 0, -1.35},
+        {arrastra(45, 0), 0, -1.80},
+        {arrastra(105, 0), 0, -2.85},
         {arrastra(-255, -300), 0, -0.30, 0.02},
     };
     paraCada("espejo", casos, 240, 180, [](const auto &c, const Vista &v) {
         const Pintados e = escenaEspejo(c.avance);
-        const Panel panel(camara(c.azimut, c.elevacion, 15.5, {0.35, 0.95, 0}, 0.5), v.escena);
-        const ImagenRef ref =
-            render(e.escena, panel, [&](const Impacto &i) { return conEspejo(e, i, ALFA_ESPEJO); });
-        comprueba(c.guion, v.escena, ref, mezclando(1));
-        const int deEspejo = cuenta(ref, [](const PixelRef &p) { return p.objeto == ESPEJO; });
-        EXPECT_TRUE(c.seVe ? deEspejo > 1000 : deEspejo == 0) << deEspejo;
-        EXPECT_TRUE(v.encima.empty());
+        const Camara desde = camara(c.azimut, c.elevacion, 15.5, {0.35, 0.95, 0}, 0.5);
+        const auto sombrea = [&](const Impacto &i) { return conEspejo(e, i, ALFA_ESPEJO); };
+        comprueba(c.guion, v.escena, render(e.escena, desde, 240, 180, sombrea), mezclando(1));
     });
 }
 
-// Figura 7.3. Las dos a la vez se reparten la ventana según su forma.
+// Figura 7.3. Las dos a la vez se reparten la ventana según su forma; una encima de otra, son muy anchas.
 TEST(EspejoPlantilla, ConYSin) {
     const struct {
         std::string guion;
         std::vector<bool> conPlantilla; // en cada panel
-        int columnas;
-        double azimut;
+        int columnas = 1;
+        double azimut = -0.30;
     } casos[] = {
-        {"", {true}, 1, -0.30},
-        {"tecla p", {false}, 1, -0.30},
-        {"tecla v", {false, true}, 1, -0.30},
-        {"tecla p; tecla v; tamano 361 180", {false, true}, 2, -0.30},
-        {"tecla v; tamano 240 181", {true}, 1, -0.30},
-        {arrastra(-30, 0), {true}, 1, 0},
+        {"", {true}},
+        {"tecla p", {false}},
+        {"tecla v", {false, true}},
+        {"tecla p; tecla v; tamano 361 180", {false, true}, 2},
+        {"tecla v; tamano 240 181; " + arrastra(-30, 0), {true}, 1, 0},
     };
     paraCada("espejo_plantilla", casos, 240, 181, [](const auto &c, const Vista &v) {
         const Pintados e = escenaEspejo(0);
-        std::vector<Letrero> letreros;
         const int n = int(c.conPlantilla.size());
+        const Camara desde = camara(c.azimut, 0.30, 17.5, {-0.7, 0.95, 0}, c.columnas < n ? 0.36 : 0.5);
         for (int k = 0; k < n; ++k) {
-            const double angulo = c.columnas < n ? 0.36 : 0.5; // uno encima de otro, son muy anchos
-            const Panel panel(camara(c.azimut, 0.30, 17.5, {-0.7, 0.95, 0}, angulo), v.escena, k, n,
-                              c.columnas);
-            const bool con = c.conPlantilla[k];
-            const std::string texto = con ? "con plantilla" : "sin plantilla";
-            const ImagenRef ref =
-                render(e.escena, panel, [&](const Impacto &i) { return conEspejo(e, i, 0, con); });
-            comprueba(texto, recorta(v.escena, panel), ref, mezclando(0));
-            letreros.push_back({texto, panel.lugar(0.02, 0.9), OSCURO, Lado::DERECHA});
-            const int salidos =
-                cuenta(ref, [](const PixelRef &p) { return p.objeto != ESPEJO && p.zona >= REFLEJADO; });
-            EXPECT_EQ(salidos > 100, !con) << "sin plantilla, se sale del espejo";
+            const Panel panel(desde, v.escena, k, n, c.columnas);
+            const auto sombrea = [&](const Impacto &i) { return conEspejo(e, i, 0, c.conPlantilla[k]); };
+            comprueba(c.guion, recorta(v.escena, panel), render(e.escena, panel, sombrea), mezclando(0));
         }
-        compruebaRotulos(v.encima, letreros);
     });
 }
 
 // --- transparencia -----------------------------------------------------------------------------------------
-
 namespace {
 
 /// Composición de atrás adelante: lo opaco, la pared del cilindro vista por dentro y la vista por fuera.
@@ -261,36 +234,30 @@ ImagenRef vidrio(double alfa, const Panel &panel) {
 TEST(Transparencia, DeAtrasAdelanteEnDoble) {
     const struct {
         std::string guion;
-        std::vector<std::string> alfas; // la de cada panel
+        std::vector<double> alfas; // la de cada panel
         double azimut = 0.35, elevacion = 0.30;
     } casos[] = {
-        {"", {"0.4"}},
-        {"tecla 1", {"0.1"}},
-        {"tecla 3", {"0.7"}},
-        {"tecla 4", {"1.0"}},
-        {veces(2, "tecla -"), {"0.8"}},
-        {veces(9, "tecla +"), {"1.0"}},
-        {veces(20, "tecla -"), {"0.0"}},
-        {"tecla v; tamano 481 361", {"0.1", "0.4", "0.7", "1.0"}},
-        {"tecla v; tamano 240 180; tecla 2; " + arrastra(250, 0), {"0.4"}, 0.35 - 2.5},
-        {arrastra(0, -300), {"0.4"}, 0.35 - 2.5, 0.02},
+        {"", {0.4}},
+        {"tecla 1", {0.1}},
+        {"tecla 3", {0.7}},
+        {"tecla 4; tecla - ×2", {0.8}},
+        {"tecla + ×9", {1}},
+        {"tecla - ×20", {0}},
+        {"tecla v; tamano 481 361", {0.1, 0.4, 0.7, 1}},
+        {"tecla v; tamano 240 180; tecla 2; " + arrastra(250, 0), {0.4}, 0.35 - 2.5},
+        {arrastra(0, -300), {0.4}, 0.35 - 2.5, 0.02},
     };
     paraCada("transparencia", casos, 240, 180, [](const auto &c, const Vista &v) {
-        std::vector<Letrero> letreros;
         const int n = int(c.alfas.size());
         for (int k = 0; k < n; ++k) {
             const Panel panel(camara(c.azimut, c.elevacion, 9.2, {0, 0.95, 0}, 0.5), v.escena, k, n,
                               n == 4 ? 2 : 1);
-            const std::string texto = "α = " + c.alfas[k];
-            comprueba(texto, recorta(v.escena, panel), vidrio(std::stod(c.alfas[k]), panel), mezclando(2));
-            letreros.push_back({texto, panel.lugar(0.5, 0.93), OSCURO});
+            comprueba(c.guion, recorta(v.escena, panel), vidrio(c.alfas[k], panel), mezclando(2));
         }
-        compruebaRotulos(v.encima, letreros);
     });
 }
 
 // --- orden_transparencia -----------------------------------------------------------------------------------
-
 namespace {
 
 /// Un panel: las barras opacas y los dos cristales, lisos, en el orden dado (0, el rojo). Con `aditivo`, la ecuación
@@ -323,51 +290,35 @@ ImagenRef cristales(std::array<int, 2> orden, bool aditivo, bool escriben, const
 
 // Ecuaciones 7.1 y 7.2 con los colores exactos. Según llegan, los dos lados difieren donde se solapan; ordenados o
 // sumando, no. Por detrás el más lejano es el otro: el orden no es fijo. Si escriben su profundidad, sumar depende
-// también del orden, y ordenarlos lo arregla. El color que se enseña es el del centro, junto al otro panel.
+// también del orden, y ordenarlos lo arregla.
 TEST(OrdenTransparencia, ColoresExactos) {
     const struct {
         std::string guion;
-        const char *modo;
         std::array<int, 2> izquierda, derecha;
         bool aditivo, escriben, iguales;
         double azimut = 0.55;
     } casos[] = {
-        {"", "según llegan", {0, 1}, {1, 0}, false, false, false},
-        {"tecla 2", "ordenados", {1, 0}, {1, 0}, false, false, true},
-        {"tecla 3", "aditivo", {0, 1}, {1, 0}, true, false, true},
-        {"tecla d", "aditivo", {0, 1}, {1, 0}, true, true, false},
-        {"tecla 2", "ordenados", {1, 0}, {1, 0}, false, true, true},
-        {"tecla d; " + arrastra(300, 0), "ordenados", {0, 1}, {0, 1}, false, false, true, 0.55 - 3},
-        {"tecla 1", "según llegan", {0, 1}, {1, 0}, false, false, false, 0.55 - 3},
+        {"", {0, 1}, {1, 0}, false, false, false},
+        {"tecla 2", {1, 0}, {1, 0}, false, false, true},
+        {"tecla 3", {0, 1}, {1, 0}, true, false, true},
+        {"tecla d", {0, 1}, {1, 0}, true, true, false},
+        {"tecla 2", {1, 0}, {1, 0}, false, true, true},
+        {"tecla d; " + arrastra(300, 0), {0, 1}, {0, 1}, false, false, true, 0.55 - 3},
+        {"tecla 1", {0, 1}, {1, 0}, false, false, false, 0.55 - 3},
     };
     paraCada("orden_transparencia", casos, 241, 180, [](const auto &c, const Vista &v) {
-        std::vector<Letrero> letreros;
         Imagen lados[2];
         for (const int k : {0, 1}) {
             const Panel panel(camara(c.azimut, 0.25, 6.6, {}, 0.36), v.escena, k, 2, 2);
             lados[k] = recorta(v.escena, panel);
-            comprueba(c.modo, lados[k], cristales(k ? c.derecha : c.izquierda, c.aditivo, c.escriben, panel),
+            comprueba(c.guion, lados[k], cristales(k ? c.derecha : c.izquierda, c.aditivo, c.escriben, panel),
                       mezclando(2));
-            letreros.push_back({c.modo, panel.lugar(0.5, 0.95), AMARILLO});
-            if (c.escriben)
-                letreros.push_back({"con profundidad", panel.lugar(0.5, 0.88), AMARILLO});
-            letreros.push_back({k ? "antes el azul" : "antes el rojo", panel.lugar(0.5, 0.06), BLANCO});
-
-            const Encima encima = v.encima.enPanel(panel.hueco.x, panel.hueco.y);
-            const glm::dvec2 centro = panel({0, 0, 0});
-            compruebaPuntos(encima, {centro}, BLANCO);
-            const Pixel leido = pixel(v.escena, int(centro.x), int(centro.y));
-            const Encima muestra = encima.trazos(glm::vec3(leido.r, leido.g, leido.b) / 255.0f, "poligono");
-            ASSERT_EQ(muestra.size(), 1u);
-            EXPECT_LE(glm::distance(muestra[0].punto(k ? 0 : 1), panel.lugar(k ? 0 : 1, 0.11)), 0.1);
         }
-        compruebaRotulos(v.encima, letreros);
         EXPECT_EQ(lados[0].rgb == lados[1].rgb, c.iguales);
     });
 }
 
 // --- sombras -----------------------------------------------------------------------------------------------
-
 namespace {
 
 struct CasoSombras {
@@ -415,8 +366,7 @@ ImagenRef traza(const CasoSombras &c) {
 } // namespace
 
 // Con la luz más baja que los objetos, lo que queda por encima de ella no da sombra, ni la da al otro lado: se mira
-// desde varios por si la antisombra quedara delante de la cámara. Bajo la mesa la luz no da sombras; por mucho que se
-// arrastre, se queda en sus topes, y el botón central no hace nada.
+// desde varios por si la antisombra quedara delante de la cámara. Bajo la mesa la luz no da sombras.
 TEST(Sombras, ContraRayosALaLuz) {
     const Vec3 alta{-1.8, 3.6, 0.8}, media{-1.8, 0.6, 0.8};
     const std::string derecho = "DERECHO";
@@ -424,34 +374,21 @@ TEST(Sombras, ContraRayosALaLuz) {
         {"", alta},
         {"tecla o; tecla t; tecla o", alta, 0.25, 0.42, false},
         {"tecla t; tecla p", alta, 0.25, 0.42, true, false},
-        {"tecla p; boton CENTRAL abajo 50 60; arrastra 90 90; boton CENTRAL arriba 90 90", alta},
-        {arrastra(20, 10), alta, 0.05, 0.52},
+        {"tecla p; " + arrastra(20, 10), alta, 0.05, 0.52},
         {arrastra(-20, -10) + "; " + arrastra(0, 310, derecho), {-1.8, 0.5, 0.8}},
         {arrastra(0, -400), {-1.8, 0.5, 0.8}, 0.25, 0.05},
-        // en varios pasos, que se suman
-        {arrastra(0, 37) +
-             "; boton DERECHO abajo 50 60; arrastra 90 50; arrastra 200 20; boton DERECHO arriba 200 20",
-         {-0.3, 0.9, 0.8}},
-        {arrastra(-150, 30, derecho) + "; tecla p; " + arrastra(-150, 0), media, 1.75, 0.42, true, false},
+        {arrastra(0, 37) + "; " + arrastra(0, -10, derecho) + "; tecla p; " + arrastra(-150, 0), media, 1.75,
+         0.42, true, false},
         {arrastra(250, 0), media, -0.75, 0.42, true, false},
         {arrastra(100, 0), media, -1.75, 0.42, true, false},
         {"tecla p; " + arrastra(-200, 0) + "; " + arrastra(-500, -500, derecho), {-3, 4, 0.8}},
         {arrastra(900, 900, derecho), {3, -0.5, 0.8}},
         {arrastra(-60, -180, derecho) + "; tecla w ×6", {2.4, 1.3, -0.4}},
-        {veces(99, "tecla w"), {2.4, 1.3, -2}},
-        {"tecla s ×99; tecla w", {2.4, 1.3, 1.8}},
     };
     paraCada("sombras", casos, 240, 180, [](const CasoSombras &c, const Vista &v) {
-        const ImagenRef ref = traza(c);
         // sin plantilla, el desplazamiento adelanta la sombra un cuarto de píxel sobre lo que se apoya en la mesa
-        comprueba(c.guion, v.escena, ref, c.plantilla ? mezclando(1) : mezclando(3, 200));
-        compruebaRotulos(v.encima, {{"luz", enPixeles(c.camara(), c.luz), OSCURO, Lado::ENCIMA}});
-        const int enSombra = cuenta(ref, [](const PixelRef &p) { return p.zona > 0; });
-        EXPECT_EQ(enSombra > 500, c.luz.y > 0);
+        comprueba(c.guion, v.escena, traza(c), c.plantilla ? mezclando(1) : mezclando(3, 200));
     });
-    const ImagenRef sin = traza(casos[2]);
-    EXPECT_GT(cuenta(sin, [](const PixelRef &p) { return p.zona > 1; }), 50) << "se solapan";
-    EXPECT_GT(cuenta(sin, [](const PixelRef &p) { return p.zona && p.objeto != TABLERO; }), 10) << "se salen";
 }
 
 // Sin desplazamiento, mesa y sombra se cosen: faltan trozos de sombra.

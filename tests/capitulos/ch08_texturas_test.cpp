@@ -27,11 +27,6 @@ double escalon(double desde, double hasta, double x) { // smoothstep
 Vec3 mezcla(const Vec3 &a, const Vec3 &b, double t) {
     return (1 - t) * a + t * b;
 }
-/// El rótulo de la esquina de arriba de la ventana, a la izquierda.
-Letrero arriba(const std::string &texto, const Imagen &ventana) {
-    return {texto, Panel({}, ventana).lugar(0.02, 0.98), OSCURO, Lado::DERECHA};
-}
-
 void comprueba(const std::string &que, const Comparacion &c, const Cotas &cotas, double rmse) {
     comprueba(que, c, cotas);
     EXPECT_LE(c.rmse, rmse) << que;
@@ -45,15 +40,11 @@ void comprueba(const std::string &que, const Comparacion &c, const Cotas &cotas,
 struct Foto {
     const char *nombre;
     Vec3 hacia, arriba;
-    const char *rotulo;
     int columna, fila; // desde abajo
 };
-const Foto FOTOS[6] = {{"delante", {0, 0, -1}, {0, 1, 0}, "−Z\ndelante", 1, 1},
-                       {"derecha", {1, 0, 0}, {0, 1, 0}, "+X\nderecha", 2, 1},
-                       {"detras", {0, 0, 1}, {0, 1, 0}, "+Z\ndetrás", 3, 1},
-                       {"izquierda", {-1, 0, 0}, {0, 1, 0}, "−X\nizquierda", 0, 1},
-                       {"arriba", {0, 1, 0}, {0, 0, 1}, "+Y\narriba", 1, 2},
-                       {"abajo", {0, -1, 0}, {0, 0, -1}, "−Y\nabajo", 1, 0}};
+const Foto FOTOS[6] = {{"delante", {0, 0, -1}, {0, 1, 0}, 1, 1}, {"derecha", {1, 0, 0}, {0, 1, 0}, 2, 1},
+                       {"detras", {0, 0, 1}, {0, 1, 0}, 3, 1},   {"izquierda", {-1, 0, 0}, {0, 1, 0}, 0, 1},
+                       {"arriba", {0, 1, 0}, {0, 0, 1}, 1, 2},   {"abajo", {0, -1, 0}, {0, 0, -1}, 1, 0}};
 
 /// En las fotos de prueba el color dice la dirección y cambia despacio, sin saltar de una a otra: filtrarlas no lo
 /// cambia.
@@ -119,64 +110,30 @@ TEST(Cubemap, ReflejoYFondoContraTrazadoDeRayos) {
         const Panel panel(camaraCubemap(c.azimut, c.elevacion), v.escena);
         for (const Objeto &t : {malla(GIRO_TORO, toro(1, 0.5f, 90, 46)), toro(GIRO_TORO, 1, 0.5)})
             comprueba(c.guion, comparaReflejo(v.escena, t, panel, false), {4}, 0.8);
-        EXPECT_TRUE(v.encima.empty());
     });
 }
 
 // Por vértice, la dirección que se interpola es la reflejada en cada vértice, y con pocas caras se nota.
 TEST(Cubemap, PorVerticeYPorFragmento) {
     const FotosDePrueba fotos;
-    const Vista v = vistaDe("cubemap", "tecla c; tecla v", 720, 360);
+    const Imagen gpu = vistaDe("cubemap", "tecla c; tecla v", 720, 360).escena;
     const Objeto t = malla(GIRO_TORO, toro(1, 0.5f, 12, 6));
-    std::vector<Letrero> letreros;
     for (const bool porVertice : {false, true}) {
-        const char *que = porVertice ? "por vértice" : "por fragmento";
-        const Panel panel(camaraCubemap(0.35, 0.06, 0.47), v.escena, porVertice, 2, 2);
-        comprueba(que, comparaReflejo(v.escena, t, panel, porVertice), {4}, 0.8);
-        EXPECT_GT(comparaReflejo(v.escena, t, panel, !porVertice).rmse, 2);
-        letreros.push_back({que, panel.lugar(0.5, 0.02), OSCURO, Lado::ENCIMA});
+        const Panel panel(camaraCubemap(0.35, 0.06, 0.47), gpu, porVertice, 2, 2);
+        comprueba("por vértice y por fragmento", comparaReflejo(gpu, t, panel, porVertice), {4}, 0.8);
+        EXPECT_GT(comparaReflejo(gpu, t, panel, !porVertice).rmse, 2);
     }
-    compruebaRotulos(v.encima, letreros);
 }
 
 // El mapa desplegado: en cada casilla, su foto, derecha.
 TEST(Cubemap, Desplegado) {
     const FotosDePrueba fotos;
-    const int ancho = 960, alto = 720, lado = 228; // con una raya entre cada dos casillas
-    const Vista v = vistaDe("cubemap", "tecla v; tecla c", ancho, alto);
-    std::vector<Letrero> letreros;
+    const int lado = 228; // con una raya entre cada dos casillas
+    const Imagen gpu = vistaDe("cubemap", "tecla v; tecla c", 960, 720).escena;
     for (const Foto &f : FOTOS) {
-        const Hueco h{ancho / 2 + lado * (f.columna - 2), (alto - 3 * lado) / 2 + lado * f.fila, lado - 1,
-                      lado - 1};
-        comprueba(f.nombre, recorta(v.escena, h), fotoDePrueba(f, lado - 1), {3});
-        letreros.push_back({f.rotulo, Panel({}, h).lugar(0.5, 0), OSCURO, Lado::ENCIMA});
+        const Hueco h{480 + lado * (f.columna - 2), 18 + lado * f.fila, lado - 1, lado - 1};
+        comprueba(f.nombre, recorta(gpu, h), fotoDePrueba(f, lado - 1), {3});
     }
-    compruebaRotulos(v.encima, letreros);
-}
-
-// Las fotos de verdad se continúan unas a otras: a los dos lados de cada arista se ve casi lo mismo, y mucho más
-// parecido que si una estuviera en espejo.
-TEST(Cubemap, LasFotosNoTienenCostura) {
-    Imagen fotos[6];
-    for (int i = 0; i < 6; ++i)
-        fotos[i] = leeTextura(recurso(std::string("assets/entorno_") + FOTOS[i].nombre + ".rgb"), 256, 256);
-    const auto texel = [&](int i, const Vec3 &d) { // en una cara del cubo de lado 2
-        const auto en = [&](const Vec3 &eje) { return std::clamp(int(128 * (escalar(d, eje) + 1)), 0, 255); };
-        return pixel(fotos[i], en(vectorial(FOTOS[i].hacia, FOTOS[i].arriba)), en(FOTOS[i].arriba));
-    };
-    for (int i = 0; i < 6; ++i)
-        for (int j = 0; j < i; ++j) {
-            const Vec3 &f = FOTOS[i].hacia, &g = FOTOS[j].hacia;
-            if (escalar(f, g) != 0)
-                continue;
-            double suma = 0;
-            for (int k = 0; k < 256; ++k) {
-                const Vec3 arista = f + g + ((k + 0.5) / 128 - 1) * vectorial(f, g);
-                const Pixel a = texel(i, arista), b = texel(j, arista);
-                suma += (std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b)) / 3.0;
-            }
-            EXPECT_LT(suma / 256, 8) << FOTOS[i].nombre << ' ' << FOTOS[j].nombre;
-        }
 }
 
 // La ecuación 8.1 no es la tabla de OpenGL: con x positiva intercambia las dos coordenadas y les da la vuelta, un
@@ -195,51 +152,47 @@ TEST(Erratas, Ecuacion81) {
 // --- enrejado ----------------------------------------------------------------------------------------------
 
 // Los barrotes de fuera, los de detrás vistos por dentro, iluminados con la normal opuesta, y el fondo: cada uno, una
-// zona. Cada talla manda en su coordenada: con una
-// de las dos a 1 la esfera está entera y con las dos a 0 no hay nada.
+// zona. Cada talla manda en su coordenada: con una de las dos a 1 la esfera está entera y con las dos a 0 no hay nada.
 TEST(Enrejado, HuecosContraFract) {
     const Material fuera{0.22 * exacto(NARANJA), 0.80 * exacto(NARANJA), 0.55 * UNO, 50},
         dentro{0.25 * exacto(AZUL), 0.80 * exacto(AZUL), {}, 1};
     const auto resto = [](double x) { return x - std::floor(x); };
     const struct {
-        std::string guion, tallaS, tallaT;
-        double azimut, elevacion;
+        std::string guion;
+        double tallaS, tallaT, azimut = 0.1, elevacion = 1.55; // los polos, en ±Y
     } casos[] = {
-        {"", "0.35", "0.35", 0.4, 0.35},
-        {"tecla a ×5; tecla w ×2", "0.10", "0.45", 0.4, 0.35},
-        {"tecla d ×2; tecla x ×5", "0.20", "0.20", 0.4, 0.35},
-        {veces(10, "tecla +"), "0.70", "0.70", 0.4, 0.35},
-        {arrastra({100, 100}, {140, 500}), "0.70", "0.70", 0.1, 1.55}, // los polos, en ±Y
-        {veces(9, "tecla +"), "1.00", "1.00", 0.1, 1.55},
-        {"tecla a ×21", "0.00", "1.00", 0.1, 1.55},
-        {"tecla d ×3; tecla x ×21", "0.15", "0.00", 0.1, 1.55},
-        {veces(4, "tecla -"), "0.00", "0.00", 0.1, 1.55},
+        {"", 0.35, 0.35, 0.4, 0.35},
+        {"tecla a ×5; tecla w ×2", 0.1, 0.45, 0.4, 0.35},
+        {"tecla d ×2; tecla x ×5", 0.2, 0.2, 0.4, 0.35},
+        {veces(10, "tecla +"), 0.7, 0.7, 0.4, 0.35},
+        {arrastra({100, 100}, {140, 500}), 0.7, 0.7},
+        {veces(9, "tecla +"), 1, 1},
+        {"tecla a ×21", 0, 1},
+        {"tecla d ×3; tecla x ×21", 0.15, 0},
+        {veces(4, "tecla -"), 0, 0},
     };
     paraCada("enrejado", casos, 320, 240, [&](const auto &c, const Vista &v) {
-        const double tallaS = std::stod(c.tallaS), tallaT = std::stod(c.tallaT);
         const Camara camara = perspectiva(orbita(c.azimut, c.elevacion, 6), 0.4, 1, 100);
         const Escena bola = {malla(DE_PIE, esfera(segmentosEsfera(400)))};
         const Comparacion d = compara(v.escena, bola, camara, [&](const Impacto &visto) -> Tono {
             for (const Impacto &i : impactos(bola, visto.rayo))
-                if (resto(24 * i.s) <= tallaS || resto(12 * i.t) <= tallaT)
+                if (resto(24 * i.s) <= c.tallaS || resto(12 * i.t) <= c.tallaT)
                     return {phong(i.frente ? fuera : dentro, UNO, {posicional({-4, 6, 5})}, i.punto,
                                   i.frente ? i.normal : -i.normal, haciaOjo(i)),
                             1 + i.frente};
             return exacto(FONDO_CLARO);
         });
         comprueba(c.guion, d, MISMA_MALLA, 0.6);
-        compruebaRotulos(v.encima, {arriba("talla = (" + c.tallaS + ", " + c.tallaT + ")", v.escena)});
     });
 }
 
 // --- textura3d ---------------------------------------------------------------------------------------------
-
 namespace {
 
 using Texels = std::vector<unsigned char>;
 
-/// De qué color es el bloque en p: madera (0), mármol (1) o el ruido tal cual (2). Con el ruido S2 veces mayor, anillos y
-/// vetas se tuercen S2 veces más.
+/// De qué color es el bloque en p: madera (0), mármol (1) o el ruido tal cual (2). Con el ruido S2 veces mayor, anillos
+/// y vetas se tuercen S2 veces más.
 Vec3 colorBloque(int elegido, const Texels &texels, const Vec3 &p, double S2) {
     const auto ruido = [&](double escala, double corre) {
         return definicion::trilineal(texels, escala * p + Vec3{corre, corre, corre});
@@ -294,8 +247,8 @@ TEST(Textura3d, CadaTexelContraLaFuncion) {
 
 // El bloque y el peón de cada material: trilineal en los puntos del bloque, por Phong. Se compara donde la textura se
 // amplía y, si el bloque se ve de frente, también en él, donde todos los texels abarcan lo mismo: con su nivel de
-// mipmap, que cuesta otro medio nivel. `detalle`: las veces que el material más repite la textura. S1 y S2 no pasan
-// de sus topes.
+// mipmap, que cuesta otro medio nivel. `detalle`: las veces que el material más repite la textura. S1 y S2 no pasan de
+// sus topes.
 TEST(Textura3d, CadaMaterialContraTrazadoDeRayos) {
     const Texels niveles[] = {texelsRuido(), mitad(texelsRuido())};
     const auto pieza = [](const Vec3 &donde, const Vec3 &talla) { // el eje, hacia +Y
@@ -312,21 +265,19 @@ TEST(Textura3d, CadaMaterialContraTrazadoDeRayos) {
     const struct {
         std::string guion;
         int elegido;
-        std::string S1, S2 = "1";
-        double detalle = 1, azimut = 0.45, elevacion = 0.32;
+        double S1, S2 = 1, detalle = 1, azimut = 0.45, elevacion = 0.32;
     } casos[] = {
-        {"tecla 3", 2, "0.5"},
-        {"tecla 2", 1, "0.5"},
-        {"tecla 1; " + veces(3, "tecla -"), 0, "0.125", "1", 6},
-        {"tecla a ×9", 0, "0.125", "0", 6},
-        {"tecla +; tecla 2", 1, "0.25", "0"},
-        {"tecla d ×9", 1, "0.25", "2"},
-        {"tecla 3; tecla a ×5", 2, "0.25", "0.75"},
-        {"tamano 240 180; tecla d; " + arrastra({100, 100}, {145, 68}) + "; " + veces(5, "tecla +"), 2, "2",
-         "1", 1, 0, 0},
+        {"tecla 3", 2, 0.5},
+        {"tecla 2", 1, 0.5},
+        {"tecla 1; " + veces(3, "tecla -"), 0, 0.125, 1, 6},
+        {"tecla a ×9", 0, 0.125, 0, 6},
+        {"tecla +; tecla 2", 1, 0.25, 0},
+        {"tecla d ×9", 1, 0.25, 2},
+        {"tecla 3; tecla a ×5", 2, 0.25, 0.75},
+        {"tamano 240 180; tecla d; " + arrastra({100, 100}, {145, 68}) + "; " + veces(5, "tecla +"), 2, 2, 1,
+         1, 0, 0},
     };
     paraCada("textura3d", casos, 480, 360, [&](const auto &c, const Vista &v) {
-        const double S1 = std::stod(c.S1), S2 = std::stod(c.S2);
         const Panel panel(perspectiva(orbita(c.azimut, c.elevacion, 9.9, {0.05, 0, 0}), 0.4, 1, 100),
                           v.escena);
         const ImagenRef ref = render(mallas, panel, [&](const Impacto &i) -> Tono {
@@ -334,23 +285,18 @@ TEST(Textura3d, CadaMaterialContraTrazadoDeRayos) {
                 return exacto(FONDO_CLARO);
             const double coseno = escalar(haciaOjo(i), i.normal),
                          pixel = tallaPixel(panel.camara, v.escena.ancho, v.escena.alto, i.punto);
-            const bool amplia = 64 * S1 * c.detalle * pixel < coseno,
+            const bool amplia = 64 * c.S1 * c.detalle * pixel < coseno,
                        deFrente = c.azimut == 0 && coseno > 0.97;
-            const Vec3 color = colorBloque(c.elegido, niveles[!amplia], S1 * i.punto, S2);
+            const Vec3 color = colorBloque(c.elegido, niveles[!amplia], c.S1 * i.punto, c.S2);
             const Material m{0.35 * color, 0.75 * color, (c.elegido == 1 ? 0.45 : 0.15) * UNO, 40};
             return {phong(m, UNO, {posicional({-3, 6, 8})}, i.punto, i.normal, haciaOjo(i)),
                     amplia || deFrente ? 0 : SIN_COMPARAR};
         });
         comprueba(c.guion, compara(v.escena, ref), {1.2}, 0.5);
-        const char *const nombres[] = {"madera", "mármol", "el ruido"};
-        compruebaRotulos(v.encima,
-                         {arriba(nombres[c.elegido] + (", S1 = " + c.S1 + ", S2 = " + c.S2), v.escena),
-                          {"64·64·64 = 262 kB", panel.lugar(0.02, 0.02), OSCURO, Lado::DERECHA}});
     });
 }
 
 // --- bump --------------------------------------------------------------------------------------------------
-
 namespace {
 
 /// Altura del bulto que se repite en (s, t), en lados del mapa: mapa_normales.h dice el radio y la altura.
@@ -405,7 +351,6 @@ TEST(Bump, LaLuzDeLaSuperficieDesplazada) {
     const double maximo[2][2] = {{2, 2}, {6, 25}},
                  rmse[2][2] = {{0.5, 0.5}, {0.9, 1.3}}; // sin el mapa y con él
     paraCada("bump", casos, 1280, 960, [&](const auto &c, const Vista &v) {
-        std::vector<Letrero> letreros;
         const int paneles = int(c.conBultos.size());
         for (int k = 0; k < paneles; ++k) {
             const bool con = c.conBultos[k];
@@ -425,9 +370,6 @@ TEST(Bump, LaLuzDeLaSuperficieDesplazada) {
                 comprueba(objeto == BOLA_BUMP ? "bola" : "suelo", compara(recorta(v.escena, panel), solo),
                           {maximo[con][objeto], con ? 0 : 500}, rmse[con][objeto]);
             }
-            letreros.push_back(
-                {con ? "con el mapa" : "sin el mapa", panel.lugar(0.02, 0.98), OSCURO, Lado::DERECHA});
-
             const Ejes ejes = oraculo::ejes(panel.camara);
             const Vec3 borde = CENTRO_BUMP + 0.83 * (ejes.y - ejes.x);
             const int lado = 288; // tres décimas del alto; el margen, una décima de eso
@@ -438,7 +380,6 @@ TEST(Bump, LaLuzDeLaSuperficieDesplazada) {
                 [](const Pixel &p) { return p.r > p.b + 20; },
                 malla(ESCENA_BUMP[BOLA_BUMP].M, esfera(segmentosEsfera(300))));
         }
-        compruebaRotulos(v.encima, letreros);
     });
 }
 
@@ -463,7 +404,6 @@ TEST(Bump, ElPolo) {
 }
 
 // --- bump_ruido --------------------------------------------------------------------------------------------
-
 namespace {
 
 const Vec3 HACIA_SOL = unitario({0.1219, 0.0975, -0.9877});
@@ -491,8 +431,8 @@ Vec3 lago(const Vec3 &ojo, const Vec3 &d, double tiempo) {
     const double alisa = 0.10 / (1 + 0.0012 * lejos * lejos);
     const Vec3 N = unitario({-alisa * (ola(x + h, z) - ola(x - h, z)) / (2 * h), 1,
                              -alisa * (ola(x, z + h) - ola(x, z - h)) / (2 * h)});
-    // el agua llana devolvería el rayo con la altura −d.y: si va una décima por debajo empieza a dar en otras olas, y si
-    // va tres, da siempre; de refilón, con −d.y pequeña, eso es hacia abajo
+    // el agua llana devolvería el rayo con la altura −d.y: si va una décima por debajo empieza a dar en otras olas, y
+    // si va tres, da siempre; de refilón, con −d.y pequeña, eso es hacia abajo
     Vec3 R = refleja(d, N);
     const double alCielo = 1 - escalon(0.1, 0.3, -d.y - R.y);
     R.y = std::max(R.y, 0.0);
@@ -532,12 +472,10 @@ TEST(BumpRuido, ContraElLagoEnDoble) {
             return {ve(d), deprisa ? SIN_COMPARAR : 0};
         });
         comprueba(c.guion, compara(v.escena, ref), {1}, 0.6);
-        EXPECT_TRUE(v.encima.empty());
     });
 }
 
 // --- desplazamiento ----------------------------------------------------------------------------------------
-
 namespace {
 
 double alturaIslaExacta(double s, double t) {
@@ -572,16 +510,16 @@ Malla islaDeAmplitudUno() {
 TEST(Desplazamiento, ContraLaMallaDesplazadaEnLaCpu) {
     const Malla unidad = islaDeAmplitudUno();
     const struct {
-        std::string guion, amplitud;
-        double azimut, elevacion;
+        std::string guion;
+        double amplitud, azimut, elevacion;
     } casos[] = {
-        {"", "0.35", 0.12, 0.5},
-        {veces(9, "tecla +"), "0.50", 0.12, 0.5},
-        {"tecla - ×2; " + arrastra({50, 60}, {150, -300}), "0.40", -0.38, 0.05},
-        {veces(20, "tecla -") + "; " + arrastra({50, 60}, {-50, 134}), "0.00", 0.12, 0.42},
+        {"", 0.35, 0.12, 0.5},
+        {veces(9, "tecla +"), 0.5, 0.12, 0.5},
+        {"tecla - ×2; " + arrastra({50, 60}, {150, -300}), 0.4, -0.38, 0.05},
+        {veces(20, "tecla -") + "; " + arrastra({50, 60}, {-50, 134}), 0, 0.12, 0.42},
     };
     paraCada("desplazamiento", casos, 480, 360, [&](const auto &c, const Vista &v) {
-        const double lado = 2, alto = lado * std::max(std::stod(c.amplitud), 1e-6);
+        const double lado = 2, alto = lado * std::max(c.amplitud, 1e-6);
         const Escena escena = {enElMundo(DE_PIE * escala({lado, lado, alto}), unidad)};
         const Camara camara = perspectiva(orbita(c.azimut, c.elevacion, 4.1, {-0.07, 0.14, 0}), 0.5, 0.5, 50);
         const Comparacion d = compara(v.escena, escena, camara, [&](const Impacto &i) -> Tono {
@@ -593,6 +531,5 @@ TEST(Desplazamiento, ContraLaMallaDesplazadaEnLaCpu) {
                     escalar(haciaOjo(i), i.normalCara) < 0.2 ? i.corte.triangulo : -1};
         });
         comprueba(c.guion, d, {0.6, 500, 0.012});
-        compruebaRotulos(v.encima, {arriba("amplitud = " + c.amplitud, v.escena)});
     });
 }

@@ -13,36 +13,14 @@ const Imagen A = alAzar(80, 60, 5), B = alAzar(80, 60, 6);
 /// El color dice de qué texel es.
 const Imagen RAMPA = imagen(221, 177, [](int x, int y) { return Pixel{x, y, 77}; });
 
-Cuadro solo(const Imagen &im, const std::string &rotulo, double cota = 0.51) {
-    return {igualQue(im), rotulo, cota};
+/// Con un cuadrado rojo de 7 × 7 en ese texel.
+Imagen conMarca(const Imagen &fondo, int x, int y) {
+    return imagen(fondo.ancho, fondo.alto, [&](int i, int j) {
+        return std::abs(i - x) < 4 && std::abs(j - y) < 4 ? Pixel{255, 0, 0} : pixel(fondo, i, j);
+    });
 }
-Cuadro mezcla(double t, const std::string &rotulo) {
-    return {[t](int x, int y) { return (1 - t) * texel(A, x, y) + t * texel(B, x, y); }, rotulo};
-}
-
-/// Con m se ven los puntos de una malla regular, el que se arrastra donde el ratón, y las líneas que los unen, a 0.7 píxeles: las del
-/// borde se meten dentro.
-void compruebaMallaRegular(const std::string &programa, const std::vector<Imagen> &imagenes, int columnas,
-                           int filas) {
-    const Encima encima = vistaDe(programa, "tecla m", 80, 60, enFicheros(imagenes)).encima;
-    const Pintado puntos = encima.trazos(NARANJA, "puntos").at(0);
-    ASSERT_EQ(puntos.puntos.size(), std::size_t(columnas * filas));
-    for (int k = 0; k < columnas * filas; ++k) {
-        const glm::dvec2 p(80.0 * (k % columnas) / (columnas - 1), 60.0 * (k / columnas) / (filas - 1));
-        EXPECT_LE(glm::distance(puntos.punto(std::size_t(k)), p), 0.1) << k;
-        EXPECT_LE(encima.lejosDeTrazo(p, BLANCO), 0.7) << k;
-    }
-    EXPECT_EQ(encima.trazos(BLANCO, "polilinea").size(), std::size_t(columnas + filas));
-    EXPECT_NEAR(encima.largo(BLANCO), 80 * filas + 60 * columnas, 0.7 * 2 * (columnas + filas));
-
-    const std::string arrastrado =
-        arrastra({20, 15}, {31, 22}) + "; tecla m"; // al centro del píxel del ratón
-    const Pintado movidos =
-        vistaDe(programa, arrastrado, 80, 60, enFicheros(imagenes)).encima.trazos(NARANJA, "puntos").at(0);
-    double lejos = 100;
-    for (std::size_t k = 0; k < movidos.puntos.size(); ++k)
-        lejos = std::min(lejos, glm::distance(movidos.punto(k), glm::dvec2(31.5, 60 - 22.5)));
-    EXPECT_LE(lejos, 0.1);
+Esperado mezcla(double t) {
+    return [t](int x, int y) { return (1 - t) * texel(A, x, y) + t * texel(B, x, y); };
 }
 
 } // namespace
@@ -64,29 +42,25 @@ TEST(MallaImagen, LaRegularNoDeformaYElPuntoMasCercano) {
 
 // --- warping ---
 
-// No se arrastra con otro botón, ni una esquina fuera de la imagen. Al comparar se arrastra en la deformada,
-// que en otro sitio de la ventana se redondea de otra manera: un nivel.
+// No se arrastra con otro botón, ni una esquina fuera de la imagen.
 TEST(Warping, LaMallaIdentidadEsElOriginal) {
-    const Cuadro original = solo(A, "Original");
-    const std::string mueve = arrastra({40, 30}, {50, 20}), mueveALaDerecha = arrastra({121, 30}, {131, 20}),
-                      conOtroBoton = clic({40, 30}) + "; " + arrastra({40, 30}, {50, 20}, "CENTRAL");
-    const auto deformada = [](const std::string &guion) {
-        return solo(procesa("warping", {A}, guion), "Deformada", 1);
-    };
+    const std::string conOtroBoton = clic({40, 30}) + "; " + arrastra({40, 30}, {50, 20}, "CENTRAL");
+    compruebaPaneles(
+        "warping", {A},
+        {{{"", "tecla 2; tecla 1", arrastra({1, 58}, {-500, 900}), conOtroBoton}, {igualQue(A)}}});
+    // al comparar se arrastra en la deformada, que en otro sitio de la ventana se redondea de otra manera
+    const Imagen movida = procesa("warping", {A}, arrastra({40, 30}, {50, 20})),
+                 caricatura = procesa("warping", {A}, "tecla 2");
     compruebaPaneles("warping", {A},
-                     {{{"", "tecla 2; tecla 1", arrastra({1, 58}, {-500, 900}), conOtroBoton}, {original}},
-                      {{"tecla v; " + mueveALaDerecha}, {original, deformada(mueve)}, 2},
-                      {{"tecla v; tecla 2"}, {original, deformada("tecla 2")}, 2}});
+                     {{{"tecla v; " + arrastra({121, 30}, {131, 20})}, {igualQue(A), igualQue(movida)}},
+                      {{"tecla v; tecla 2"}, {igualQue(A), igualQue(caricatura)}}},
+                     1);
     EXPECT_EQ(procesa("warping", {lisa(1, 1, {9, 99, 199})}).rgb, lisa(1, 1, {9, 99, 199}).rgb);
-    compruebaMallaRegular("warping", {A}, 11, 9);
 }
 
 // Arrastrar el punto central (5, 4) lleva su texel al ratón; lo que está a más de dos puntos no se mueve.
 TEST(Warping, ElTexelVaConSuPunto) {
-    const Imagen marca = imagen(221, 177, [](int x, int y) {
-        return std::abs(x - 110) < 4 && std::abs(y - 88) < 4 ? Pixel{255, 0, 0} : pixel(RAMPA, x, y);
-    });
-    const Imagen r = procesa("warping", {marca}, arrastra({112, 90}, {121, 76}));
+    const Imagen r = procesa("warping", {conMarca(RAMPA, 110, 88)}, arrastra({112, 90}, {121, 76}));
     EXPECT_EQ(pixel(r, 121, 100).r, 255);
     EXPECT_LT(pixel(r, 106, 84).r, 255);
     const auto movido = [](int x, int y, const Pixel &p) {
@@ -102,7 +76,8 @@ TEST(Warping, ElPliegueTieneUnOrden) {
     EXPECT_GT(pixel(r, 126, 88).r, 110);
 }
 
-// La caricatura ensancha por abajo y estrecha por arriba, igual a los dos lados: se ve un texel más cerca o más lejos del eje.
+// La caricatura ensancha por abajo y estrecha por arriba, igual a los dos lados: se ve un texel más cerca o más lejos
+// del eje.
 TEST(Warping, LaCaricatura) {
     const Imagen r = procesa("warping", {RAMPA}, "tecla 2");
     for (const int lado : {-1, 1}) {
@@ -118,9 +93,9 @@ TEST(Warping, LaCaricatura) {
 // --- morphing ---
 
 TEST(Morphing, EnLosExtremosEsAYEsB) {
-    compruebaPaneles("morphing", {A, B},
-                     {{{"tecla 1", "tecla - ×12"}, {solo(A, "t = 0.00")}},
-                      {{"tecla 3", "tecla + ×12"}, {solo(B, "t = 1.00")}}});
+    compruebaPaneles(
+        "morphing", {A, B},
+        {{{"tecla 1", "tecla - ×12"}, {igualQue(A)}}, {{"tecla 3", "tecla + ×12"}, {igualQue(B)}}});
     // también con las mallas de las dos caras, que no son regulares
     for (const auto &[tecla, nombre] : {std::pair("tecla 1", "cara.rgb"), {"tecla 3", "gato.rgb"}})
         EXPECT_EQ(vistaDe("morphing", tecla, 960, 720).escena.rgb,
@@ -130,16 +105,12 @@ TEST(Morphing, EnLosExtremosEsAYEsB) {
 
 // Con mallas regulares es la mezcla lineal. Al comparar no se arrastra.
 TEST(Morphing, SinDeformarEsUnaMezcla) {
-    const Cuadro enMedio = mezcla(0.5, "t = 0.50");
-    compruebaPaneles(
-        "morphing", {A, B},
-        {{{"", "tecla 3; tecla 2"}, {enMedio}},
-         {{"tecla 2; tecla +"}, {mezcla(0.55, "t = 0.55")}},
-         {{"tecla 1; tecla +"}, {mezcla(0.05, "t = 0.05")}},
-         {{"tecla 2; tecla - ×3; tecla v; " + arrastra({40, 30}, {50, 20})},
-          {solo(A, "A"), mezcla(0.35, "t = 0.35"), solo(B, "B"), mezcla(0.35, "mezcla, t = 0.35")},
-          2}});
-    compruebaMallaRegular("morphing", {A, B}, 7, 8);
+    compruebaPaneles("morphing", {A, B},
+                     {{{"", "tecla 3; tecla 2"}, {mezcla(0.5)}},
+                      {{"tecla 2; tecla +"}, {mezcla(0.55)}},
+                      {{"tecla 1; tecla +"}, {mezcla(0.05)}},
+                      {{"tecla 2; tecla - ×3; tecla v; " + arrastra({40, 30}, {50, 20})},
+                       {igualQue(A), mezcla(0.35), igualQue(B), mezcla(0.35)}}});
 }
 
 // A medio camino las pupilas de las dos caras están en el mismo sitio, la media.
@@ -149,13 +120,10 @@ TEST(Morphing, LosOjosVanALosOjos) {
         EXPECT_LT(pixel(r, int(x * 320), int(0.4925 * 240)).r, 60);
 }
 
-// Se arrastra el punto (3, 3) de 7 × 8 a (120, 84): el intermedio queda bajo el ratón. Con t < 0.5 cambia la malla de A, y en el ratón
-// sigue el texel de B; si no, al revés.
+// Se arrastra el punto (3, 3) de 7 × 8 a (120, 84): el intermedio queda bajo el ratón. Con t < 0.5 cambia la malla de
+// A, y en el ratón sigue el texel de B; si no, al revés.
 TEST(Morphing, ElPuntoIntermedioQuedaBajoElRaton) {
-    const Imagen negra = lisa(211, 141, {0, 0, 0}),
-                 marca = imagen(211, 141, [](int x, int y) {
-                     return std::abs(x - 105) < 4 && std::abs(y - 60) < 4 ? Pixel{255, 0, 0} : Pixel{0, 0, 0};
-                 });
+    const Imagen negra = lisa(211, 141, {0, 0, 0}), marca = conMarca(negra, 105, 60);
     const std::string arrastrado = arrastra({105, 80}, {120, 84});
     for (const Imagen &r : {procesa("morphing", {negra, marca}, "tecla 2; tecla -; " + arrastrado),
                             procesa("morphing", {marca, negra}, "tecla 2; tecla +; " + arrastrado)}) {
@@ -164,26 +132,26 @@ TEST(Morphing, ElPuntoIntermedioQuedaBajoElRaton) {
     }
 }
 
-// El movimiento depende solo del reloj: a los 1500 ms, t = 0.5; a los 3000, 1; a los 6000, 0 otra vez. También de vuelta, - lo
-// disminuye. El último cuadro es de hasta 33 ms antes: 4 niveles.
+// El movimiento depende solo del reloj: a los 1500 ms, t = 0.5; a los 3000, 1; a los 6000, 0 otra vez. También de
+// vuelta, - lo disminuye. El último cuadro es de hasta 33 ms antes: 4 niveles.
 TEST(Morphing, ElMovimientoSigueAlReloj) {
     const auto tras = [](const std::string &guion) {
         return procesa("morphing", {A, B}, "tecla 1; tecla Espacio; espera " + guion);
     };
     for (const auto &[guion, t] :
          {std::pair("1500", 0.5), {"3000", 1.0}, {"6000", 0.0}, {"4500; tecla -", 0.45}})
-        EXPECT_LE(diferenciaMaxima(tras(guion), mezcla(t, "").esperado), 4) << guion;
+        EXPECT_LE(diferenciaMaxima(tras(guion), mezcla(t)), 4) << guion;
 }
 
 // --- antialiasing ---
 
-// Contra el área exacta, y las dos técnicas de muestras conocidas, muestra a muestra: el centro del píxel y los centros de sus
-// 4 × 4 partes. De las que caen a menos de una centésima de píxel de un lado no se dice nada.
+// Contra el área exacta, y las dos técnicas de muestras conocidas, muestra a muestra: el centro del píxel y los centros
+// de sus 4 × 4 partes. De las que caen a menos de una centésima de píxel de un lado no se dice nada.
 TEST(Antialiasing, CoberturaContraElAreaExacta) {
     const double fondo = std::round(color(FONDO_CLARO).x), tinta = std::round(color(OSCURO).x);
-    std::vector<oraculo::Poligono> rayos;
-    for (int i = 0; i < 24;
-         ++i) { // cada uno, un triángulo isósceles; la escena son 180 × 180 píxeles desde (10, 20)
+    std::vector<oraculo::Poligono>
+        rayos; // triángulos isósceles; la escena son 180 × 180 píxeles desde (10, 20)
+    for (int i = 0; i < 24; ++i) {
         const double a = oraculo::PI * (i + 0.3) / 12, c = std::cos(a), s = std::sin(a);
         const auto en = [&](double lejos, double aUnLado) {
             return oraculo::Vec2{90 + 90 * (lejos * c - aUnLado * s), 90 + 90 * (lejos * s + aUnLado * c)};
@@ -201,7 +169,7 @@ TEST(Antialiasing, CoberturaContraElAreaExacta) {
             for (const oraculo::Poligono &rayo : rayos)
                 area += oraculo::coberturaPixel(rayo, x, y);
             n += area > 0 && area < 1;
-            const auto muestrasDentro = [&](int lado, double margen) {
+            const auto dentro = [&](int lado, double margen) { // de las muestras, cuántas
                 int cuantas = 0;
                 for (int i = 0; i < lado * lado; ++i)
                     for (const oraculo::Poligono &rayo : rayos)
@@ -209,14 +177,13 @@ TEST(Antialiasing, CoberturaContraElAreaExacta) {
                                                             y + (i / lado + 0.5) / lado) > margen;
                 return double(cuantas) / (lado * lado);
             };
-            for (std::size_t tecnica = 0; tecnica < 3; ++tecnica) {
-                const double visto =
-                    (fondo - pixel(vistas[tecnica].escena, 10 + x, 20 + y).r) / (fondo - tinta);
-                const int lado = tecnica == 2 ? 4 : 1;
-                malos += tecnica != 1 && (visto < muestrasDentro(lado, 0.01) - 0.006 ||
-                                          visto > muestrasDentro(lado, -0.01) + 0.006);
-                suma[tecnica] += (visto - area) * (visto - area);
-                maximo[tecnica] = std::max(maximo[tecnica], std::fabs(visto - area));
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double visto = (fondo - pixel(vistas[k].escena, 10 + x, 20 + y).r) / (fondo - tinta);
+                const int lado = k == 2 ? 4 : 1;
+                malos +=
+                    k != 1 && (visto < dentro(lado, 0.01) - 0.006 || visto > dentro(lado, -0.01) + 0.006);
+                suma[k] += (visto - area) * (visto - area);
+                maximo[k] = std::max(maximo[k], std::fabs(visto - area));
             }
         }
     EXPECT_EQ(malos, 0);
@@ -248,38 +215,32 @@ TEST(Antialiasing, LaLupaSonPixelesDeLaImagen) {
         }
 }
 
-// Con v, la punta de un rayo, 16 × 32 píxeles de una escena de 240 de lado sea como sea la ventana, y lo que dice OpenGL de cada
-// framebuffer. También tras cambiar de tamaño.
+// Con v, la punta de un rayo, 16 × 32 píxeles de una escena de 240 de lado sea como sea la ventana, que en otra de
+// 240 × 267 empieza en (0, 26). También tras cambiar de tamaño.
 TEST(Antialiasing, LasTresALaVezYCambiarDeTamano) {
+    Imagen una[3];
+    for (int k = 0; k < 3; ++k)
+        una[k] = vistaDe("antialiasing", "tecla " + std::to_string(k + 1), 240, 267).escena;
     const struct {
         std::string guion;
         int ancho, alto, aumento, y; // de la esquina de abajo, en el panel
     } casos[] = {{"tecla v", 240, 180, 4, 42}, {"tecla v; tamano 77 33; tamano 960 720", 90, 90, 17, 165}};
     for (const auto &c : casos) {
-        const Vista tres = vistaDe("antialiasing", c.guion, c.ancho, c.alto);
-        const Imagen &v = tres.escena;
-        EXPECT_EQ(tres.encima.textos(OSCURO),
-                  (std::vector<std::string>{"Sin nada", "Multi ×4", "Sobre ×16"}));
-        EXPECT_EQ(tres.encima.textos(AZUL),
-                  (std::vector<std::string>{"0 y 0", "1 y 4", "0 y 0", "GL_SAMPLE_BUFFERS y GL_SAMPLES"}));
+        const Imagen v = vistaDe("antialiasing", c.guion, c.ancho, c.alto).escena;
         for (int k = 0; k < 3; ++k) {
             const Hueco h = hueco(k, 3, 0, 1, v.ancho, v.alto);
-            const Imagen una =
-                vistaDe("antialiasing", "tecla " + std::to_string(k + 1), 240, 267).escena; // desde (0, 26)
             const Imagen punta = imagen(16 * c.aumento, 32 * c.aumento, [&](int x, int y) {
-                return pixel(una, 155 + x / c.aumento, 26 + 194 + y / c.aumento);
+                return pixel(una[k], 155 + x / c.aumento, 26 + 194 + y / c.aumento);
             });
-            EXPECT_EQ(
-                oraculo::recorta(v, h.x + (h.ancho - punta.ancho) / 2, c.y, punta.ancho, punta.alto).rgb,
-                punta.rgb)
-                << k;
+            const int x = h.x + (h.ancho - punta.ancho) / 2;
+            EXPECT_EQ(oraculo::recorta(v, x, c.y, punta.ancho, punta.alto).rgb, punta.rgb) << k;
         }
     }
 }
 
 // --- ampliacion ---
 
-// Un rectángulo rojo de 40 × 20 en ventanas de varias formas y factores, de ×16 a ×1/16: lo que mide en píxeles, y lo que se dice.
+// Un rectángulo rojo de 40 × 20 en ventanas de varias formas y factores, de ×16 a ×1/16: lo que mide en píxeles.
 TEST(Ampliacion, LoQueMideEnPixeles) {
     const std::vector<std::string> roja = enFicheros({lisa(40, 20, {255, 0, 0})});
     const auto mide = [](const Imagen &i, int ancho, int alto) {
@@ -287,27 +248,22 @@ TEST(Ampliacion, LoQueMideEnPixeles) {
             const bool dentro = std::abs(2 * x + 1 - i.ancho) < ancho && std::abs(2 * y + 1 - i.alto) < alto;
             return dentro ? Vec3{255, 0, 0} : color(FONDO_OSCURO);
         };
-        EXPECT_LE(diferenciaMaxima(i, esperado), 0.51);
+        EXPECT_LE(diferenciaMaxima(i, esperado), REDONDEO);
     };
-    for (const auto &[ancho, alto, guion, anchoRojo, altoRojo, factor] :
-         {std::tuple(80, 80, "tecla - ×2", 40, 20, "×0.5"),
-          {160, 60, "tecla - ×2", 60, 30, "×0.5"},
-          {80, 80, "", 80, 40, "×1"},
-          {160, 160, "tecla - ×4", 40, 20, "×0.25"},
-          {320, 320, "tecla - ×99", 20, 10, "×0.0625"},
-          {80, 80, "tecla + ×99; tecla - ×10", 40, 20, "×0.5"},
-          {80, 80, "tecla + ×2", 80, 80, "×2"}})
-        for (const auto &[tecla, filtro] : {std::pair("", ", lineal"), {"; tecla f", ", vecino"}}) {
-            SCOPED_TRACE(guion);
-            const Vista v =
-                vistaDe("ampliacion", std::string("tecla r; ") + guion + tecla, ancho, alto, roja);
-            mide(v.escena, anchoRojo, altoRojo);
-            EXPECT_EQ(v.encima.at(0).texto, std::string(factor) + filtro);
-        }
-    const Vista v = vistaDe("ampliacion", "tecla r; tecla v", 161, 80, roja);
-    mide(oraculo::recorta(v.escena, 0, 0, 80, 80), 80, 80);
-    mide(oraculo::recorta(v.escena, 81, 0, 80, 80), 80, 40);
-    EXPECT_EQ(v.encima.textos(BLANCO), (std::vector<std::string>{"sin proporción", "con proporción"}));
+    for (const auto &[ancho, alto, guion, anchoRojo, altoRojo] :
+         {std::tuple(80, 80, "tecla - ×2", 40, 20),
+          {160, 60, "tecla - ×2", 60, 30},
+          {80, 80, "tecla f", 80, 40},
+          {160, 160, "tecla - ×4", 40, 20},
+          {320, 320, "tecla - ×99", 20, 10},
+          {80, 80, "tecla + ×99; tecla - ×10", 40, 20},
+          {80, 80, "tecla + ×2", 80, 80}}) {
+        SCOPED_TRACE(guion);
+        mide(vistaDe("ampliacion", guion, ancho, alto, roja).escena, anchoRojo, altoRojo);
+    }
+    const Imagen las2 = vistaDe("ampliacion", "tecla v", 161, 80, roja).escena;
+    mide(oraculo::recorta(las2, 0, 0, 80, 80), 80, 80);
+    mide(oraculo::recorta(las2, 81, 0, 80, 80), 80, 40);
     EXPECT_EQ(procesa("ampliacion", {A}, "tecla f").rgb, A.rgb);
 }
 
@@ -323,13 +279,13 @@ TEST(Ampliacion, VecinoYLineal) {
 
 // --- captura ---
 
-// Anchos que no son múltiplos de 4. Se guarda la escena, sin lo que se enseña de la captura anterior; y la última, si ha cambiado.
+// Anchos que no son múltiplos de 4. Se guarda la escena, sin lo que se enseña de la captura anterior; y la última, si
+// ha cambiado.
 TEST(Captura, ElFicheroEsElFramebuffer) {
     const std::string fichero = (carpetaTemporal() / "captura.ppm").string();
     for (const std::string guion : {"tecla d; tecla g", "tecla g; tecla d; tecla g"})
         for (const auto &[ancho, alto] : {std::pair(241, 181), {7, 5}, {1, 1}}) {
-            const std::string rotulo = std::to_string(ancho) + "×" + std::to_string(alto) + ", idéntica";
-            EXPECT_EQ(vistaDe("captura", guion, ancho, alto, {fichero}).encima.at(0).texto, rotulo);
+            vistaDe("captura", guion, ancho, alto, {fichero});
             EXPECT_EQ(leePpm(fichero).rgb, vistaDe("captura", "tecla d", ancho, alto).escena.rgb);
         }
 }
@@ -337,28 +293,11 @@ TEST(Captura, ElFicheroEsElFramebuffer) {
 // Lo que hay en la esquina es lo leído, tres veces menor: de cada 3 × 3 píxeles, el de en medio.
 TEST(Captura, LaEsquinaEnsenaLoLeido) {
     const std::string fichero = (carpetaTemporal() / "captura.ppm").string();
-    const Vista v =
-        vistaDe("captura", "tamano 300 500; tecla g; tamano 960 720; tecla g", 960, 720, {fichero});
-    const Imagen leida = leePpm(fichero);
-    EXPECT_LE(diferenciaMaxima(oraculo::recorta(v.escena, 24, 702 - 240, 320, 240),
-                               [&](int x, int y) { return texel(leida, 3 * x + 1, 3 * y + 1); }),
-              2);
-    compruebaRotulo(v.encima, "960×720, idéntica", {0.19 * 960, 0.62 * 720}, OSCURO, Lado::DEBAJO);
-}
-
-// Antes de guardar nada se ve dónde irá, y con qué tecla; y eso no se guarda, ni después se ve.
-TEST(Captura, ElSitioDeLoQueSeLeera) {
-    const Encima vacia = vistaDe("captura").encima;
-    compruebaRotulos(vacia, {{"g guarda\ny lee", {6 + 40, 175 - 30}, OSCURO}});
-    const Pintado marco = vacia.trazos(NARANJA, "polilinea").at(0); // metido en el panel
-    ASSERT_EQ(marco.puntos.size(), 5u);
-    for (const auto &[i, x, y] :
-         {std::tuple(0u, 6, 115), {1u, 86, 115}, {2u, 86, 175}, {3u, 6, 175}, {4u, 6, 115}})
-        EXPECT_LE(glm::distance(marco.punto(i), {x, y}), 2) << i;
-    const std::string fichero = (carpetaTemporal() / "captura.ppm").string();
-    const Encima llena = vistaDe("captura", "tecla g", 240, 180, {fichero}).encima;
-    EXPECT_EQ(llena.textos(OSCURO), std::vector<std::string>{"240×180, idéntica"});
-    EXPECT_TRUE(llena.trazos(NARANJA).empty());
+    const std::string guion = "tamano 300 500; tecla g; tamano 960 720; tecla g";
+    const Imagen gpu = vistaDe("captura", guion, 960, 720, {fichero}).escena, leida = leePpm(fichero),
+                 enLaEsquina = oraculo::recorta(gpu, 24, 702 - 240, 320, 240);
+    const auto deEnMedio = [&](int x, int y) { return texel(leida, 3 * x + 1, 3 * y + 1); };
+    EXPECT_LE(diferenciaMaxima(enLaEsquina, deEnMedio), 2);
 }
 
 // Con el disco lleno se dice; que no quede nada a medias, en lectores_test.cpp.
