@@ -326,26 +326,6 @@ TEST(Triangulos, LosTrozosVecinosCasan) {
     bordes(Base::HERMITE, primerTrozo(ELEMENTOS_INICIALES), segundoTrozo(ELEMENTOS_INICIALES, 0.7f), true);
 }
 
-// ---- Ejercicio 11.8 ----
-
-// El borde coincide entero y las tangentes que lo cruzan son k veces las otras: la normal no cambia en toda la unión, y
-// con k ≠ 1 la derivada sí (G1 y no C1).
-TEST(HermiteUnidas, G1EnTodoElBorde) {
-    for (const float k : {0.2f, 0.7f, 1.0f, 3.0f}) {
-        const auto A = primerTrozo(ELEMENTOS_INICIALES), B = segundoTrozo(ELEMENTOS_INICIALES, k);
-        const auto borde = [](const Geometria2<float> &G, int u, double v, int du, int dv) {
-            return superficieRef(Base::HERMITE, G, Cuadruple(u), Cuadruple(v), du, dv);
-        };
-        for (const double v : OCTAVOS) {
-            EXPECT_EQ(borde(A, 1, v, 0, 0), borde(B, 0, v, 0, 0));
-            EXPECT_EQ(borde(A, 1, v, 0, 1), borde(B, 0, v, 0, 1));
-            const Punto<Cuadruple> a = borde(A, 1, v, 1, 0), b = borde(B, 0, v, 1, 0);
-            EXPECT_LT(lejos(b, Cuadruple(k) * a), 1e-6);
-            EXPECT_GT(double(largo(a)), 0.1);
-        }
-    }
-}
-
 // ---- Los programas: la superficie, píxel a píxel ----
 
 const glm::ivec2 NORMAL{480, 360};
@@ -475,37 +455,6 @@ TEST(SuperficieBezier, LaToleranciaEsEnPixeles) {
         const std::string rotulo =
             "hasta " + c.rotulo + " px: " + std::to_string(2 * n.u * n.v) + " triángulos";
         EXPECT_EQ(v.encima.rotulos(rotulo).size(), 1u) << rotulo;
-    });
-}
-
-// La curva roja es la de ese v, y sus puntos de control, los de las curvas de las filas.
-TEST(SuperficieBezier, LaFamiliaDeCurvas) {
-    const struct {
-        std::string guion;
-        RedD red;
-        double v;
-    } casos[] = {{"tecla f", redBezier(), 0.4},
-                 {"tecla + ×20", redBezier(), 1},
-                 {"tecla - ×30", redBezier(), 0},
-                 {"tecla f; tecla +; tecla f; tecla + ×14", redBezier(4, 3), 0.7}};
-    paraCada("superficie_bezier", casos, NORMAL.x, NORMAL.y, [](const auto &c, const Vista &vista) {
-        const auto px = [&](const glm::dvec3 &p) {
-            return enPixeles(CAMARA_BEZIER, exacto(p), NORMAL.x, NORMAL.y);
-        };
-        compruebaEscena(vista, {c.guion, CAMARA_BEZIER, {trozo(c.red)}});
-        std::vector<glm::dvec2> curva, control;
-        for (int i = 0; i <= 1000; ++i)
-            curva.push_back(px(superficieRef(c.red, i / 1000.0, c.v)));
-        const auto b = bernsteinRef(c.red.m, c.v);
-        for (std::size_t i = 0; i <= c.red.n; ++i) {
-            glm::dvec3 G(0);
-            for (std::size_t j = 0; j <= c.red.m; ++j)
-                G += b[j] * c.red.en(i, j);
-            control.push_back(px(G));
-        }
-        compruebaTrazo(vista.encima, curva, ROJO,
-                       0.001 / oraculo::tallaPixel(CAMARA_BEZIER, NORMAL.x, NORMAL.y, {0, 0, 1.5}));
-        compruebaPuntos(vista.encima, control, NARANJA);
     });
 }
 
