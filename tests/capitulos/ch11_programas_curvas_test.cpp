@@ -241,7 +241,7 @@ TEST(ContinuidadVista, CadaUnionYSuCoche) {
                  {"tecla 3; tamano 480 640", C1, 1900},
                  {"tecla 4; tamano 640 360", C2, 1900},
                  {"tecla 1; tecla t; espera 112; tamano 480 360", C0, 2012},
-                 {"tecla 3; espera 8000; espera 999", C1, 3004}}; // se dibuja cada 16 ms desde que empieza
+                 {"tecla 3; espera 2296", C1, 300}}; // otra vuelta; se dibuja cada 16 ms desde que empieza
     paraCada("continuidad", casos, NORMAL.x, NORMAL.y, [](const auto &c, const Vista &v) {
         const auto celda = [&](int columna, int fila) {
             return hueco(columna, 2, fila, 2, v.escena.ancho, v.escena.alto);
