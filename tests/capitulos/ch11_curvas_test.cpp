@@ -106,16 +106,6 @@ TYPED_TEST(Curvas, CubicasContraCuadruplePrecision) {
         }
 }
 
-// El segundo tramo G1 del ejercicio 11.6: (P4, P4', k·R4, R4').
-TEST(Hermite, DosTramosG1) {
-    const auto G = geometriaAlAzar<float>();
-    for (const float k : {0.2f, 0.5f, 1.0f, 3.0f}) {
-        const Geometria<float> G2 = {G[1], G[2], k * G[3], G[0]};
-        EXPECT_EQ(cubica(Base::HERMITE, G, 1.0f), cubica(Base::HERMITE, G2, 0.0f));
-        EXPECT_EQ(k * cubica(Base::HERMITE, G, 1.0f, 1), cubica(Base::HERMITE, G2, 0.0f, 1));
-    }
-}
-
 TYPED_TEST(Curvas, LaMismaCurvaEnBezier) {
     using T = TypeParam;
     for (const Base base : BASES) {
@@ -156,29 +146,6 @@ TEST(Erratas, GradoYOrden) {
     EXPECT_EQ(bernstein(0, 0.5), std::vector<double>{1});
 }
 
-// Errata de la ecuación 11.19: suma b_{i,3}·P_i con i de 0 a 3, pero los puntos van de P1 a P4: es P_{i+1}.
-TEST(Erratas, LosPuntosDeLaEcuacion1119VanDe1A4) {
-    const auto P = puntosAlAzar<double>(5); // P[0], el que no hay
-    for (const double u : {0.0, 0.3, 1.0}) {
-        const std::vector<double> b = bernstein(3, u);
-        glm::dvec3 suma(0), impresa(0);
-        for (std::size_t i = 0; i <= 3; ++i) {
-            suma += b[i] * P[i + 1];
-            impresa += b[i] * P[i];
-        }
-        const auto Q = curvaRef(Base::BEZIER, Geometria<double>{P[1], P[2], P[3], P[4]}, u); // ecuación 11.18
-        EXPECT_LT(lejos(suma, Q), 1e-14);
-        EXPECT_GT(lejos(impresa, Q), 0.1);
-    }
-}
-
-// Errata de la ecuación 11.21: C(67, 33) pasa de 2^63 y no de 2^64, que ya pasa C(68, 34).
-TEST(Erratas, LoQueNoCabeEn64Bits) {
-    const auto C = [](std::size_t n, std::size_t k) { return combinaciones<Cuadruple>(n, k); };
-    EXPECT_TRUE(C(67, 33) > Cuadruple(0x1p63) && C(67, 33) < Cuadruple(0x1p64));
-    EXPECT_TRUE(C(66, 33) < Cuadruple(0x1p63) && C(68, 34) > Cuadruple(0x1p64));
-}
-
 // Lo que dice el pie de bezier_n con 40 puntos.
 TEST(CurvasN, ConCuarentaPuntosElDelCentroNoPesaNi013) {
     const double mayor = peor<float>([](float u) { return bernstein(39, u)[19]; });
@@ -205,18 +172,6 @@ TEST(Erratas, ArgumentoDeLaEcuacion1127) {
             // la misma fórmula con el parámetro global, tal como se lee, no es la curva
             EXPECT_EQ(lejos(cubica(Base::BSPLINE, G, nudo + u), Q) > 0.1, nudo > 0);
         }
-}
-
-// Errata de §11.4: Q_i va de u_i a u_{i+1}, así que con Q_{i+1} se une en u_{i+1}, y no en u_i.
-TEST(Erratas, NudoEntreDosTramos) {
-    const auto P = puntosAlAzar<double>(7);
-    const auto tramo = [&](int i, int u) { // u_3 = 0 y de nudo a nudo hay 1
-        return cubica(Base::BSPLINE, geometriaBSpline(P, std::size_t(i - 3)), double(u - (i - 3)));
-    };
-    for (int i = 3; i < 6; ++i) {
-        EXPECT_LT(lejos(tramo(i, i + 1 - 3), tramo(i + 1, i + 1 - 3)), 1e-14);
-        EXPECT_GT(lejos(tramo(i, i - 3), tramo(i + 1, i - 3)), 0.01);
-    }
 }
 
 // ---- Teselación ----

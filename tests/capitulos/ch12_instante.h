@@ -1,4 +1,4 @@
-// Llevar un programa del capítulo 12 a un instante, y el rótulo que lo dice.
+// Llevar un programa del capítulo 12 a un instante.
 #pragma once
 #include "contra_oraculo.h"
 #include "guiones.h"
@@ -16,9 +16,4 @@ inline std::string conDosCifras(double x) {
     char texto[16];
     std::snprintf(texto, sizeof texto, "%.2f", x);
     return texto;
-}
-inline void compruebaTiempo(const Encima &encima, double t, const std::string &ademas, const glm::vec3 &color,
-                            int ancho = 240, int alto = 180) {
-    compruebaRotulo(encima, "t = " + conDosCifras(t) + " s" + ademas, {0.03 * ancho, 0.06 * alto}, color,
-                    Lado::DERECHA);
 }
