@@ -143,7 +143,8 @@ def main():
         for p in resuelve(programas, *resto):
             print(p.capitulo.nombre, p.nombre, "texto" if p.consola else "imagen", p.titulo, sep="\t")
     elif orden == "casos":
-        for caso in [c for pedido in resto for c in casos(programas, pedido)]:
+        todos = [c for p in programas if not p.consola for c in p.casos]
+        for caso in [c for pedido in resto for c in casos(programas, pedido)] or todos:
             print(caso.programa.nombre, caso.nombre)
 
 

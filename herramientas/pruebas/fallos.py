@@ -11,6 +11,7 @@ from pathlib import Path
 from base import paginas
 from base.procesos import en_png, escribe, principal
 
+PLANTILLA = Path(__file__).with_name("fallos.html")
 MUCHO = 20000  # letras de lo que escribe una prueba
 
 
@@ -52,7 +53,14 @@ def main():
         return
     for ppm in (build / "fallos").rglob("*.ppm"):
         escribe(ppm.with_suffix(".png"), en_png(ppm))
-    paginas.escribe_pagina(build / "fallos", Path(__file__).with_name("fallos.html"), fallos=fallos)
+    paginas.escribe_pagina(
+        build / "fallos",
+        PLANTILLA,
+        fallos=fallos,
+        titulo="Lo que ha fallado",
+        nombres=("la esperada", "la obtenida"),
+        cosa="prueba",
+    )
     print(f"lab: lo que ha fallado, con sus imágenes, está en {build}/fallos/index.html", file=sys.stderr)
 
 

@@ -11,11 +11,12 @@
 #                     de antes, es lo de PROGRAMA-pasos.encima. La ventana es de 480x360, o de lo que diga un «# talla ANCHOxALTO»
 #   ventana, windows  en una ventana de verdad (ventana.sh)
 # El programa debe acabar con 0 y no escribir nada en stderr. Las imágenes de lo que falla quedan en BUILD/fallos/. Con DORA, lo que sale pasa
-# a ser el golden. Estado: 0 bien, 4 si es distinto lo que pinta encima, aunque no sea lo único; 1 lo demás.
+# a ser el golden; con GOLDEN, en esa carpeta, que tiene los de antes. Estado: 0 bien, 4 si es distinto lo que pinta encima, aunque no sea lo único; 1 lo demás.
 # shellcheck disable=SC1090,SC2317 # lo de caso lo llama BUILD/casos/PROGRAMA.sh
 set -euo pipefail
 build=$1 enlace=$2 programa=$3 pedido=${4:-} destino=$2 opengl='' estado=0 probados=0 con=()
 aqui=$(cd "$(dirname "$0")" && pwd)
+goldens=${GOLDEN:-$aqui/../golden}
 carpeta=$(mktemp -d)
 source "$aqui/../ventana/pantalla.sh"
 trap 'kill ${pid:-} ${servidor:-} 2>/dev/null || true; [ $enlace != windows ] || cierra_wine; cierra_pantalla; rm -rf "$carpeta"' EXIT
@@ -91,7 +92,7 @@ encuadre() {
 }
 
 pasos() {
-  local fichero=$programa golden=$aqui/../golden/$capitulo/$programa talla
+  local fichero=$programa golden=$goldens/$capitulo/$programa talla
   con=(LAB_ENCIMA=lista)
   talla=$(sed -n 's/^# talla //p' "$golden.pasos")
   grep -v -e '^#' -e '^ *$' "$golden.pasos" >pasos
@@ -153,7 +154,7 @@ esac
 caso() { # nombre=… fichero=… guion=… tolerancia=… otro=… borde=…
   local "$@" golden
   [[ $prueba != pasos && (-z $pedido || $nombre = "$pedido") ]] || return 0
-  golden=$aqui/../golden/$capitulo/$fichero
+  golden=$goldens/$capitulo/$fichero
   ((++probados))
   $prueba
 }
