@@ -36,9 +36,9 @@ void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool) {
     cambiaTallaContexto(ancho, alto);
 }
 
-// OSMesa no libera el framebuffer que deja. Cuando lo perdido ya es mucho se sigue en el mismo, si la ventana cabe en él
-// (los dos empiezan abajo a la izquierda), o en otro que sea el doble en lo que crece. Hasta entonces son de la talla
-// justa, porque del alto del framebuffer depende el último bit de algunos píxeles.
+// OSMesa no libera el framebuffer que deja. Cuando lo perdido ya es mucho se sigue en el mismo, si la ventana cabe en
+// él (los dos empiezan abajo a la izquierda), o en otro que sea el doble en lo que crece. Hasta entonces son de la
+// talla justa, porque del alto del framebuffer depende el último bit de algunos píxeles.
 void cambiaTallaContexto(int ancho, int alto) {
     if (pixelesPerdidos > MAXIMO_PERDIDOS) {
         if (ancho <= anchoMemoria && alto <= altoMemoria)

@@ -7,7 +7,7 @@
 
 using namespace mide;
 
-/// El primer corte del rayo con las esferas, en el tipo que se pida; 0 si no hay ninguno.
+// El primer corte del rayo con las esferas, en el tipo que se pida; 0 si no hay ninguno.
 template<class T>
 static unsigned cortaEsferas(const std::vector<glm::vec4> &bolas, const glm::vec<3, T> &o,
                              const glm::vec<3, T> &d) {
