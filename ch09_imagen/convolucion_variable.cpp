@@ -4,7 +4,8 @@
 // pasadas, si se puede. El intermedio guarda float: con 8 bits redondea dos veces y un filtro con negativos los pierde.
 // Se filtra a la resolución de la imagen.
 // Controles: 1 caja · 2 gaussiana · 3 disco · 4 derivada · + - talla · s automático, directo o separable ·
-// p intermedio de float o de 8 bits · a derivada con signo o absoluta · v compara con el original · r rótulos · Esc termina.
+// p intermedio de float o de 8 bits · a derivada con signo o absoluta · v compara con el original · r rótulos · Esc
+// termina.
 #include "imagen_en_ventana.h"
 #include "modos.h"
 #include "nucleos.h"

@@ -74,10 +74,10 @@ void (*direccionGL(const char *nombre))() {
 
 } // namespace sin_ventana
 
-// El GLEW de Debian busca las funciones con glXGetProcAddress: estas definiciones, que se enlazan antes que las de libGL,
-// lo llevan a OSMesa. De lo demás de GLX solo nombra dos funciones, y aquí, donde no hay pantalla, no las llama: con ellas
-// el GLEW estático no necesita libGL. Las que acaban en dos mayúsculas (ARB, EXT, NV) son de extensiones: pide dos mil, y
-// por cada una que no conoce, aunque sea de GLX, Mesa prepara otra que da un error.
+// El GLEW de Debian busca las funciones con glXGetProcAddress: estas definiciones, que se enlazan antes que las de
+// libGL, lo llevan a OSMesa. De lo demás de GLX solo nombra dos funciones, y aquí, donde no hay pantalla, no las llama:
+// con ellas el GLEW estático no necesita libGL. Las que acaban en dos mayúsculas (ARB, EXT, NV) son de extensiones:
+// pide dos mil, y por cada una que no conoce, aunque sea de GLX, Mesa prepara otra que da un error.
 extern "C" {
 void (*glXGetProcAddressARB(const GLubyte *nombre))() {
     const std::string_view funcion = reinterpret_cast<const char *>(nombre);

@@ -156,8 +156,8 @@ static void exigeComparables(const Sellada &e, const Sellada &o, Modo modo) {
         falla("«" + e.fichero + "» mide " + e.talla() + " y «" + o.fichero + "» " + o.talla(), 2);
 }
 
-/// Lo que se separan dos imágenes. Un píxel está fuera si está a más de `niveles` de lo que debe, y muy fuera a más de
-/// `maximo`; en porcentaje.
+// Lo que se separan dos imágenes. Un píxel está fuera si está a más de `niveles` de lo que debe, y muy fuera a más de
+// `maximo`; en porcentaje.
 struct Medidas {
     int maximo = 0, maximoExceso = 0, fuera = 0, muyFuera = 0, mancha = 0;
     double media = 0, rmse = 0, porcentajeFuera = 0, porcentajeMuyFuera = 0, corrida = 0;
@@ -215,7 +215,7 @@ static bool admite(Modo modo, const Medidas &m, const Tolerancia &t) {
     return false;
 }
 
-/// Como std::printf, en un std::string.
+// Como std::printf, en un std::string.
 template<class... Valores>
 static std::string texto(const char *formato, const Valores &...valores) {
     char s[160];

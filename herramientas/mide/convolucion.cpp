@@ -98,7 +98,7 @@ static void parOpenCv(Medidor &m, const Imagen &foto, const Filtro &f, const std
 }
 #endif
 
-/// La foto, donde se deja filtrada y los programas que la filtran.
+// La foto, donde se deja filtrada y los programas que la filtran.
 struct Banco {
     const Capa entrada, en8{GL_RGBA8, nullptr}, enFloat{GL_RGBA32F, nullptr}, salida{GL_RGBA8, nullptr};
     const GLuint directo = creaFiltrador("convolucion_variable"),
@@ -107,7 +107,7 @@ struct Banco {
     explicit Banco(const Imagen &foto) : entrada(GL_RGB8, foto.rgb.data()) {
         glViewport(0, 0, ANCHO, ALTO);
     }
-    /// Con un filtro de cualquier forma, en una textura.
+    // Con un filtro de cualquier forma, en una textura.
     void filtra(const Capa &de, const Capa &a, GLuint filtro) const {
         glActiveTexture(GL_TEXTURE1);
         glBindTexture(GL_TEXTURE_2D, filtro);
@@ -116,7 +116,7 @@ struct Banco {
         envia(directo, "filtro", 1);
         dibujaEn(de, a);
     }
-    /// De la entrada a la salida, primero por filas y después por columnas, con lo de en medio en `por`.
+    // De la entrada a la salida, primero por filas y después por columnas, con lo de en medio en `por`.
     void enDosPasadas(const Capa &por, const Filtro &f) const {
         glUseProgram(separable);
         envia(separable, "talla", f.talla);

@@ -1,7 +1,8 @@
-// compara_encima [--escribe] GOLDEN LISTA: si lo que un programa pinta encima (common/encima.h) es lo del golden: los mismos
-// trazos en el mismo orden, con el mismo tipo, panel y texto; los sitios y las tallas, a 0.05 píxeles, que es más de lo que
-// cambia un redondeo de un compilador a otro; los colores y las profundidades, a 0.001. Lo que no pinta nada no tiene golden.
-// Estado: 0 bien; 4 mal, y dice qué trazo; 1 si no se puede leer. Con --escribe, lo que es distinto pasa a ser el golden, y está bien.
+// compara_encima [--escribe] GOLDEN LISTA: si lo que un programa pinta encima (common/encima.h) es lo del golden: los
+// mismos trazos en el mismo orden, con el mismo tipo, panel y texto; los sitios y las tallas, a 0.05 píxeles, que es
+// más de lo que cambia un redondeo de un compilador a otro; los colores y las profundidades, a 0.001. Lo que no pinta
+// nada no tiene golden. Estado: 0 bien; 4 mal, y dice qué trazo; 1 si no se puede leer. Con --escribe, lo que es
+// distinto pasa a ser el golden, y está bien.
 #include "encima.h"
 #include <algorithm>
 #include <cmath>
