@@ -40,12 +40,12 @@ double mezcla(double a, double b, double t) {
 double entre01(double x) {
     return std::clamp(x, 0.0, 1.0);
 }
-/// El smoothstep de GLSL.
+// El smoothstep de GLSL.
 double escalon(double a, double b, double x) {
     const double t = entre01((x - a) / (b - a));
     return t * t * (3 - 2 * t);
 }
-/// x elevado a 2ⁿ.
+// x elevado a 2ⁿ.
 double potencia2(double x, int n) {
     for (; n > 0; --n)
         x *= x;
@@ -58,7 +58,7 @@ double modulo(double x, double y, double z = 0) {
     return std::sqrt(x * x + y * y + z * z);
 }
 
-/// Un número de 0 a 1 que parece al azar y depende solo de los argumentos.
+// Un número de 0 a 1 que parece al azar y depende solo de los argumentos.
 double azar(int x, int y, int semilla) {
     std::uint32_t h = std::uint32_t(x) * 0x9E3779B1u ^ std::uint32_t(y) * 0x85EBCA77u ^
                       std::uint32_t(semilla) * 0xC2B2AE3Du;
@@ -71,7 +71,7 @@ int resto(int i, int n) {
     return n == 0 ? i : ((i % n) + n) % n;
 }
 
-/// Ruido de valores, de 0 a 1, en una rejilla de lado 1 que se repite cada px × py (0: no se repite).
+// Ruido de valores, de 0 a 1, en una rejilla de lado 1 que se repite cada px × py (0: no se repite).
 double ruido(double x, double y, int px, int py, int semilla) {
     const double x0 = std::floor(x), y0 = std::floor(y), fx = x - x0, fy = y - y0;
     const int i = int(x0), j = int(y0);
@@ -80,7 +80,7 @@ double ruido(double x, double y, int px, int py, int semilla) {
     return mezcla(mezcla(nodo(0, 0), nodo(1, 0), u), mezcla(nodo(0, 1), nodo(1, 1), u), v);
 }
 
-/// Suma de octavas de ruido, de 0 a 1; la primera se repite cada px × py.
+// Suma de octavas de ruido, de 0 a 1; la primera se repite cada px × py.
 double nubes(double x, double y, int octavas, int px, int py, int semilla) {
     double suma = 0, peso = 0.5, total = 0;
     for (int k = 0; k < octavas; ++k) {
@@ -97,14 +97,14 @@ double nubes(double x, double y, int octavas, int px, int py, int semilla) {
 
 // --- Texturas: su color en (x, y), en texels y con y hacia arriba ------------------------------------------
 
-/// Luz (−1 a 1) que un relieve esférico de radio r recibe desde arriba a la izquierda, a (dx, dy) de su
-/// centro.
+// Luz (−1 a 1) que un relieve esférico de radio r recibe desde arriba a la izquierda, a (dx, dy) de su
+// centro.
 double luzDeBola(double dx, double dy, double r) {
     const double nx = dx / r, ny = dy / r, nz = std::sqrt(std::max(0.0, 1 - nx * nx - ny * ny));
     return -0.48 * nx + 0.62 * ny + 0.62 * nz;
 }
 
-/// Plancha de metal cepillado con remaches.
+// Plancha de metal cepillado con remaches.
 Color metal(double x, double y) {
     const double hebras = 0.5 * ruido(x / 64, y, 4, 256, 11) + 0.3 * ruido(x / 16, y, 16, 256, 12) +
                           0.2 * ruido(x / 128, y / 2, 2, 128, 13);
@@ -131,7 +131,7 @@ Color metal(double x, double y) {
     return luz * Color{0.96, 0.99, 1.03};
 }
 
-/// Cuatro tablas, cortadas cada una a su distancia del centro del tronco, que va casi paralelo a ellas.
+// Cuatro tablas, cortadas cada una a su distancia del centro del tronco, que va casi paralelo a ellas.
 Color madera(double x, double y) {
     const int tabla = int(x / 64);
     const double enTabla = x - 64 * tabla, junta = 256 * fraccion(0.17 + 0.37 * tabla);
@@ -157,7 +157,7 @@ Color madera(double x, double y) {
     return mezcla(0.28, 1, escalon(0.4, 2.2, borde)) * c;
 }
 
-/// Ladrillos de 64 × 32 texels, a soga; la luz viene de arriba a la izquierda.
+// Ladrillos de 64 × 32 texels, a soga; la luz viene de arriba a la izquierda.
 Color ladrillo(double x, double y) {
     const int fila = int(y / 32);
     const double corrido = x + 32 * (fila % 2);
@@ -180,7 +180,7 @@ Color ladrillo(double x, double y) {
     return mezcla(mortero, luz * c, escalon(-0.6, 0.6, dentro));
 }
 
-/// Suelo de baldosas de mármol, dos claras y dos oscuras.
+// Suelo de baldosas de mármol, dos claras y dos oscuras.
 Color baldosas(double x, double y) {
     const int columna = int(x / 128), fila = int(y / 128), losa = 2 * fila + columna;
     const double u = x - 128 * columna, v = y - 128 * fila;
@@ -194,7 +194,7 @@ Color baldosas(double x, double y) {
     return mezcla({0.45, 0.44, 0.43}, c, escalon(1.5, 3, borde));
 }
 
-/// Mosaico de 32 × 32 teselas, que son sus texels: losas claras y oscuras con un rombo y una junta de un texel.
+// Mosaico de 32 × 32 teselas, que son sus texels: losas claras y oscuras con un rombo y una junta de un texel.
 Color mosaico(double x, double y) {
     const int i = int(x), j = int(y), u = i % 16, v = j % 16;
     const bool clara = i / 16 == j / 16;
@@ -207,7 +207,7 @@ Color mosaico(double x, double y) {
     return tono * (clara ? Color{0.97, 0.94, 0.88} : Color{0.14, 0.25, 0.38});
 }
 
-/// Matas de musgo.
+// Matas de musgo.
 Color musgo(double x, double y) {
     const auto altura = [](double u, double v) {
         const double matas = nubes(u / 32, v / 32, 2, 8, 8, 41);
@@ -218,7 +218,7 @@ Color musgo(double x, double y) {
     return (0.62 + 0.75 * entre01(1 - luz)) * c;
 }
 
-/// Cuánto musgo hay en cada punto de una pared de 4 × 3: sube desde el suelo y baja por una esquina.
+// Cuánto musgo hay en cada punto de una pared de 4 × 3: sube desde el suelo y baja por una esquina.
 Color mascara(double x, double y) {
     const double s = x / 128, t = y / 96, n = nubes(x / 18, y / 18, 4, 0, 0, 51);
     const double suelo = 0.55 - 1.9 * t, esquina = 0.62 - 1.5 * modulo(s - 1.03, t - 1.02);
@@ -226,8 +226,8 @@ Color mascara(double x, double y) {
     return {m, m, m};
 }
 
-/// Luz que llega a una pared de 4 × 3: la del anochecer y dos apliques que alumbran hacia abajo y hacia
-/// arriba.
+// Luz que llega a una pared de 4 × 3: la del anochecer y dos apliques que alumbran hacia abajo y hacia
+// arriba.
 Color luz(double x, double y) {
     const double X = x / 16, Y = y / 16;
     Color c = (0.85 + 0.15 * Y / 3) * Color{0.30, 0.33, 0.44};
@@ -241,7 +241,7 @@ Color luz(double x, double y) {
 
 // --- Carta de ajuste ---------------------------------------------------------------------------------------
 
-/// Letras de 5 × 7; cada cifra hexadecimal doble es una fila, la de arriba primero.
+// Letras de 5 × 7; cada cifra hexadecimal doble es una fila, la de arriba primero.
 struct Letra {
     char nombre;
     std::uint8_t filas[7];
@@ -254,7 +254,7 @@ const Letra LETRAS[] = {
     {'s', {0x00, 0x00, 0x0F, 0x10, 0x0E, 0x01, 0x1E}}, {'t', {0x08, 0x08, 0x1E, 0x08, 0x08, 0x09, 0x06}},
 };
 
-/// Si (x, y) cae en un trazo de la letra cuya esquina inferior izquierda es (x0, y0), de puntos de `talla`.
+// Si (x, y) cae en un trazo de la letra cuya esquina inferior izquierda es (x0, y0), de puntos de `talla`.
 bool enLetra(char nombre, double x, double y, double x0, double y0, double talla) {
     const double u = (x - x0) / talla, v = 7 - (y - y0) / talla;
     if (u < 0 || u >= 5 || v < 0 || v >= 7)
@@ -265,7 +265,7 @@ bool enLetra(char nombre, double x, double y, double x0, double y0, double talla
     return false;
 }
 
-/// Tablero de 4 × 4 casillas con letra (s) y número (t); los ejes s y t, en los bordes donde t o s valen 0.
+// Tablero de 4 × 4 casillas con letra (s) y número (t); los ejes s y t, en los bordes donde t o s valen 0.
 Color carta(double x, double y) {
     const Color rojo{0.85, 0.20, 0.18}, verde{0.20, 0.62, 0.28}, oscuro{0.16, 0.17, 0.20},
         blanco{0.97, 0.97, 0.95};
@@ -313,7 +313,7 @@ Color cielo(double x, double y) {
     return mezcla({1.0, 0.96, 0.80}, c, escalon(0.028, 0.036, modulo(x - SOL_X, y - SOL_Y)));
 }
 
-/// Las sierras del fondo, delante del cielo.
+// Las sierras del fondo, delante del cielo.
 Color fondo(double x, double y) {
     Color c = cielo(x, y);
     const double lejana =
@@ -351,7 +351,7 @@ Color prado(double x, double y) {
     return c;
 }
 
-/// Árbol de la izquierda: si (x, y) es de él, cambia c.
+// Árbol de la izquierda: si (x, y) es de él, cambia c.
 void arbol(double x, double y, Color &c) {
     const double torcido = 0.17 + 0.03 * (nubes(3 * y, 1, 2, 0, 0, 70) - 0.5),
                  grueso = 0.020 + 0.45 * potencia2(entre01(0.42 - y), 1);
@@ -373,8 +373,8 @@ void arbol(double x, double y, Color &c) {
     }
 }
 
-/// Un cuerpo de revolución visto de frente: (nx, ny) es la normal en la imagen. La luz llega de la izquierda,
-/// alta, y el cielo rojizo del horizonte asoma en los bordes.
+// Un cuerpo de revolución visto de frente: (nx, ny) es la normal en la imagen. La luz llega de la izquierda,
+// alta, y el cielo rojizo del horizonte asoma en los bordes.
 Color ilumina(const Color &base, double nx, double ny, double brillo) {
     const double nz = std::sqrt(std::max(0.0, 1 - nx * nx - ny * ny));
     const double difusa = std::max(0.0, -0.55 * nx + 0.55 * ny + 0.63 * nz);
@@ -384,7 +384,7 @@ Color ilumina(const Color &base, double nx, double ny, double brillo) {
            (brillo * potencia2(medio, 6)) * Color{1, 0.97, 0.92};
 }
 
-/// Mesa de piedra con una vasija de barro y una bola de porcelana de color carne.
+// Mesa de piedra con una vasija de barro y una bola de porcelana de color carne.
 void bodegon(double x, double y, Color &c) {
     const double canto = 0.085;
     if (y < canto + 0.085 && x > 0.60) {
@@ -440,7 +440,7 @@ struct Direccion {
     double x, y, z;
 };
 
-/// Un abeto o un árbol redondo hacia (cx, cz), de copa tan ancha y tan alta vista desde el centro.
+// Un abeto o un árbol redondo hacia (cx, cz), de copa tan ancha y tan alta vista desde el centro.
 struct Arbol {
     double cx, cz, ancho, alto;
     bool abeto;
@@ -530,15 +530,15 @@ Color entorno(const Direccion &haciaDonde) {
 
 const double LADO_ENTORNO = 256;
 
-/// Foto desde el centro: qué dirección se ve a la derecha y hacia arriba de lo que está en `centro`.
+// Foto desde el centro: qué dirección se ve a la derecha y hacia arriba de lo que está en `centro`.
 template<int CX, int CY, int CZ, int DX, int DZ, int AY, int AZ>
 Color fotoEntorno(double x, double y) {
     const double a = 2 * x / LADO_ENTORNO - 1, b = 2 * y / LADO_ENTORNO - 1;
     return entorno({CX + a * DX, CY + b * AY, CZ + a * DZ + b * AZ});
 }
 
-/// La misma foto con cinco cambios: la bola es azul, hay un velero y una luna, falta una nube y una franja de
-/// la vasija es verde.
+// La misma foto con cinco cambios: la bola es azul, hay un velero y una luna, falta una nube y una franja de
+// la vasija es verde.
 Color fotoCambiada(double px, double py) {
     const double x = px / 190, y = py / 190;
     Color c = foto(px, py);
@@ -561,17 +561,17 @@ Color fotoCambiada(double px, double py) {
 
 // --- Dos caras con los mismos rasgos, para pasar de una a otra; x va de 0 a 4/3 e y de 0 (abajo) a 1 ---------
 
-/// Un disco o una elipse de semiejes a y b: 1 dentro y 0 fuera, con el canto suavizado.
+// Un disco o una elipse de semiejes a y b: 1 dentro y 0 fuera, con el canto suavizado.
 double elipse(double x, double y, double cx, double cy, double a, double b) {
     return 1 - escalon(0.985, 1.015, modulo((x - cx) / a, (y - cy) / b));
 }
-/// 1 a menos de medio grosor del arco de parábola y = cy + k·(x − cx)², |x − cx| < largo.
+// 1 a menos de medio grosor del arco de parábola y = cy + k·(x − cx)², |x − cx| < largo.
 double arco(double x, double y, double cx, double cy, double k, double largo, double grosor) {
     const double dx = x - cx, pendiente = 2 * k * dx, d = std::fabs(y - cy - k * dx * dx);
     return (1 - escalon(0.8 * grosor, grosor, 2 * d / std::sqrt(1 + pendiente * pendiente))) *
            (1 - escalon(0.97, 1.03, std::fabs(dx) / largo));
 }
-/// 1 dentro del triángulo de vértices a, b y c, en sentido antihorario.
+// 1 dentro del triángulo de vértices a, b y c, en sentido antihorario.
 double triangulo(double x, double y, const double (&v)[3][2]) {
     double dentro = 1;
     for (int i = 0; i < 3; ++i) {
@@ -580,7 +580,7 @@ double triangulo(double x, double y, const double (&v)[3][2]) {
     }
     return dentro;
 }
-/// Lo esférico de la cara: más clara arriba a la izquierda.
+// Lo esférico de la cara: más clara arriba a la izquierda.
 double bulto(double x, double y, double cx, double cy, double r) {
     const double dx = (x - cx) / r, dy = (y - cy) / r;
     return 1.03 - 0.10 * dx + 0.10 * dy - 0.10 * (dx * dx + dy * dy);
@@ -588,7 +588,7 @@ double bulto(double x, double y, double cx, double cy, double r) {
 
 const double MEDIO = 2.0 / 3;
 
-/// Niña pelirroja con pecas sobre fondo azul.
+// Niña pelirroja con pecas sobre fondo azul.
 Color cara(double px, double py) {
     const double x = px / 240, y = py / 240, lado = std::fabs(x - MEDIO); // simétrica
     Color c = mezcla({0.55, 0.78, 0.90}, {0.30, 0.52, 0.78}, y);
@@ -618,7 +618,7 @@ Color cara(double px, double py) {
     return c;
 }
 
-/// Gato gris a rayas sobre fondo verde: los ojos, más abiertos y más altos, y la boca y el hocico, más juntos.
+// Gato gris a rayas sobre fondo verde: los ojos, más abiertos y más altos, y la boca y el hocico, más juntos.
 Color gato(double px, double py) {
     const double x = px / 240, y = py / 240, lado = std::fabs(x - MEDIO);
     Color c = mezcla({0.62, 0.80, 0.52}, {0.36, 0.62, 0.44}, y);
@@ -654,7 +654,7 @@ Color gato(double px, double py) {
 
 // --- Ficheros ----------------------------------------------------------------------------------------------
 
-/// Cada texel es la media de LADO × LADO muestras. Con `veces`, `color` es una escena tantas veces menor, y bastan 2 × 2.
+// Cada texel es la media de LADO × LADO muestras. Con `veces`, `color` es una escena tantas veces menor, y bastan 2×2.
 std::vector<std::uint8_t> pinta(int ancho, int alto, const std::function<Color(double, double)> &color,
                                 int veces) {
     const int LADO = veces == 1 ? 4 : 2;

@@ -1,5 +1,6 @@
-// El atlas de los rótulos: genera_letra LETRA.ttf FICHERO escribe, un byte por texel y la fila de abajo primero, la distancia con
-// signo de cada texel al borde de su signo, a 127/ALCANCE por texel, y la caja de cada uno (common/letra.h).
+// El atlas de los rótulos: genera_letra LETRA.ttf FICHERO escribe, un byte por texel y la fila de abajo primero, la
+// distancia con signo de cada texel al borde de su signo, a 127/ALCANCE por texel, y la caja de cada uno
+// (common/letra.h).
 #include "common/letra.h"
 #include <cstdio>
 #include <string>
@@ -15,7 +16,7 @@ namespace {
 std::vector<unsigned char> atlas(ANCHO_ATLAS *ALTO_ATLAS);
 std::vector<CajaSigno> cajas(SIGNOS.size());
 
-/// Copia en su celda el signo recién dibujado. Devuelve si cabe.
+// Copia en su celda el signo recién dibujado. Devuelve si cabe.
 bool copia(const FT_GlyphSlot &signo, int celda) {
     const FT_Bitmap &b = signo->bitmap;
     const int x0 = ORIGEN_X + signo->bitmap_left, y0 = ORIGEN_Y + signo->bitmap_top - int(b.rows);

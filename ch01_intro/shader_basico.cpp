@@ -24,8 +24,8 @@ static GLuint avisa(const std::string &mensaje) {
     return 0;
 }
 
-// Los shaders están en ch01_intro, junto a la carpeta del ejecutable (árbol instalado) o en el árbol de fuentes, que dice
-// CMake: LAB_FUENTES. La ruta de __FILE__ no valdría: puede ser relativa a la carpeta en que se compiló.
+// Los shaders están en ch01_intro, junto a la carpeta del ejecutable (árbol instalado) o en el árbol de fuentes, que
+// dice CMake: LAB_FUENTES. La ruta de __FILE__ no valdría: puede ser relativa a la carpeta en que se compiló.
 static std::string lee(const std::string &fichero) {
     using std::filesystem::u8path;
     for (const auto &raiz : {estado.ejecutable.parent_path() / "..", u8path(LAB_FUENTES)})

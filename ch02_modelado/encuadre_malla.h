@@ -50,8 +50,8 @@ inline float distanciaQueEncuadra(const std::vector<glm::vec3> &vertices, const 
 
 using IndicesTriangulo = std::array<std::uint32_t, 3>;
 
-/// Deja en el z-buffer las caras algo más lejos, para que no tapen la mitad de las líneas que van por sus lados. No se pueden
-/// pintar ya así: cuanto más de canto está una, más se aleja, y junto a su lado asomaría la de detrás.
+/// Deja en el z-buffer las caras algo más lejos, para que no tapen la mitad de las líneas que van por sus lados. No se
+/// pueden pintar ya así: cuanto más de canto está una, más se aleja, y junto a su lado asomaría la de detrás.
 template<class DibujaCaras>
 void alejaEnProfundidad(DibujaCaras dibujaCaras) {
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);

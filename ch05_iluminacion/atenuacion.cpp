@@ -41,7 +41,7 @@ static void inicia() {
     ponFondo(FONDO_OSCURO);
 }
 
-/// El punto de la curva del modo a distancia d: en el plano de la fila, sobre ella.
+// El punto de la curva del modo a distancia d: en el plano de la fila, sobre ella.
 static glm::vec3 enCurva(int modo, float d) {
     const glm::vec3 &abc = MODOS[modo].abc;
     return {d, PIE + ALTO / (abc.x + d * (abc.y + d * abc.z)), 0};

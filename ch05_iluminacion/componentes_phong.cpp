@@ -50,7 +50,7 @@ static glm::mat4 proyeccionEscena() {
     return perspectivaVentana(0.31f, 1, 100, aspecto(panelEscena()));
 }
 
-/// Deja el programa en uso con esa vista y las luces de los componentes elegidos, 0 si solo la luz ambiente.
+// Deja el programa en uso con esa vista y las luces de los componentes elegidos, 0 si solo la luz ambiente.
 static void preparaVista(const glm::mat4 &proyeccion, const glm::mat4 &camara, int componentes) {
     Luz luz{glm::vec4(POSICION, 1)};
     luz.Ld = glm::vec3(componentes >= 1 ? 1 : 0);
@@ -67,7 +67,7 @@ static void trazaVector(const char *nombre, const glm::vec3 &v, const glm::vec3 
     rotulaPunto(nombre, punta, vista, color);
 }
 
-/// El arco de `a` a `b`, unitarios, con su nombre; devuelve el nombre y los grados.
+// El arco de `a` a `b`, unitarios, con su nombre; devuelve el nombre y los grados.
 static std::string trazaAngulo(const std::string &nombre, const glm::vec3 &a, const glm::vec3 &b, float radio,
                                const glm::vec3 &color, const glm::mat4 &vista) {
     std::vector<glm::vec3> arco;
@@ -79,7 +79,7 @@ static std::string trazaAngulo(const std::string &nombre, const glm::vec3 &a, co
     return nombre + " = " + std::to_string(std::lround(glm::degrees(angulo))) + "°";
 }
 
-/// La figura 5.2 en el punto elegido. De espaldas a la luz (θ > 90°) no hay reflexión, ni R.
+// La figura 5.2 en el punto elegido. De espaldas a la luz (θ > 90°) no hay reflexión, ni R.
 static void dibujaVectores(const Recuadro &panel, const glm::mat4 &vistaEscena) {
     const glm::vec3 &P = estado.P, &N = P, L = glm::normalize(POSICION - P),
                     V = glm::normalize(posicionCamara(estado.orbita) - P), R = 2.0f * N * glm::dot(N, L) - L;
@@ -130,7 +130,7 @@ static void teclado(unsigned char tecla, int, int) {
     glutPostRedisplay();
 }
 
-/// El punto de la esfera que se ve en (x, y), si hay alguno: el rayo cámara + t·d entra en ella con la menor t.
+// El punto de la esfera que se ve en (x, y), si hay alguno: el rayo cámara + t·d entra en ella con la menor t.
 static void eligePunto(int x, int y) {
     const Recuadro panel = panelEscena();
     const glm::vec2 enPanel((float(x - panel.x) + 0.5f) / float(panel.ancho),

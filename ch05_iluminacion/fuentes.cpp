@@ -54,7 +54,7 @@ static void inicia() {
     ponFondo(FONDO_OSCURO);
 }
 
-/// La figura 5.5: el eje S y el cono, de generatriz fija para que quepa con cualquier ángulo.
+// La figura 5.5: el eje S y el cono, de generatriz fija para que quepa con cualquier ángulo.
 static void dibujaCono(const glm::mat4 &vista) {
     const glm::mat3 base = glm::transpose(cambioDeBase(S)); // su primera columna es S
     std::vector<glm::vec3> borde, generatrices;

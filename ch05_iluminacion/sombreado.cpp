@@ -29,8 +29,8 @@ static struct {
     Modos modos{MODELOS};
 } estado;
 
-/// La misma malla con la normal de cada triángulo en sus tres vértices. Empieza en el segundo para que el último, el
-/// que da el color en el sombreado plano, sea el que comparten los dos triángulos de cada cuadrilátero.
+// La misma malla con la normal de cada triángulo en sus tres vértices. Empieza en el segundo para que el último, el
+// que da el color en el sombreado plano, sea el que comparten los dos triángulos de cada cuadrilátero.
 static Malla facetas(const Malla &malla) {
     Malla plana;
     for (std::size_t i = 0; i < malla.indices.size(); i += 3) {
@@ -67,7 +67,7 @@ static void inicia() {
     glEnable(GL_DEPTH_TEST);
 }
 
-/// En un panel ancho, la esfera al lado del toro; en uno alto, encima.
+// En un panel ancho, la esfera al lado del toro; en uno alto, encima.
 static void dibujaPanel(const Recuadro &panel, int modelo) {
     const bool alto = aspecto(panel) < 0.65f, plano = modelo == PLANO;
     const GLuint programa = estado.programas[modelo];

@@ -40,13 +40,13 @@ static void inicia() {
     ponFondo(FONDO_OSCURO);
 }
 
-/// Los tres focos salen de un círculo: hacia dónde, desde su centro.
+// Los tres focos salen de un círculo: hacia dónde, desde su centro.
 static glm::vec3 haciaFoco(int i) {
     const float angulo = glm::radians(-150 + 120 * float(i));
     return {std::cos(angulo), 0, -std::sin(angulo)};
 }
 
-/// Apuntan cerca del centro, donde se cruzan.
+// Apuntan cerca del centro, donde se cruzan.
 static Luz foco(int i) {
     const glm::vec3 posicion = 3.0f * haciaFoco(i) + glm::vec3(0, 5, 0), apunta = 1.1f * haciaFoco(i);
     Luz luz{glm::vec4(posicion, 1)};

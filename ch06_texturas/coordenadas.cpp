@@ -22,8 +22,8 @@
 static const int SEGMENTOS = 128;
 static const glm::vec2 P(0.1f, 0.5f), FIN_S(0.24f, 0.5f), FIN_T(0.1f, 0.8f);
 
-/// El punto de la superficie que tiene esas coordenadas de textura, en coordenadas del objeto y `alza` veces más lejos del centro; el de
-/// la imagen, por delante.
+// El punto de la superficie que tiene esas coordenadas de textura, en coordenadas del objeto y `alza` veces más lejos
+// del centro; el de la imagen, por delante.
 using Superficie = glm::vec3 (*)(float s, float t, float alza);
 static glm::vec3 enImagen(float s, float t, float alza) {
     return {s - 0.5f, t - 0.5f, alza - 1};
@@ -79,7 +79,7 @@ static void inicia(const Imagen &imagen) {
     ponFondo(FONDO_CLARO);
 }
 
-/// El punto P y, desde él, hacia dónde crecen s y t en la superficie.
+// El punto P y, desde él, hacia dónde crecen s y t en la superficie.
 static void dibujaMarcas(Superficie superficie, const glm::mat4 &transformacion) {
     const auto encima = [&](const glm::vec2 &st) { return superficie(st.s, st.t, 1.01f); };
     const auto flecha = [&](const glm::vec2 &fin, const glm::vec3 &color) {

@@ -60,7 +60,7 @@ static void dibujaPared(GLuint programa, const glm::mat4 &camara, const glm::mat
     dibuja(estado.pared);
 }
 
-/// Lo que hay en cada unidad, con su número; en gris, lo que la mezcla no usa.
+// Lo que hay en cada unidad, con su número; en gris, lo que la mezcla no usa.
 static void dibujaUnidades(const Recuadro &donde, bool conMusgo, bool conLuz) {
     const bool usadas[4] = {true, conMusgo, conMusgo, conLuz};
     const std::vector<Recuadro> paneles = rejilla(1, 4, donde);

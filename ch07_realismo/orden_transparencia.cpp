@@ -49,7 +49,7 @@ static void dibujaPieza(const Buferes &pieza, const glm::mat4 &M, const glm::vec
     dibuja(pieza);
 }
 
-/// Un cuadrado del color que tiene ese punto en la ventana, junto al borde del panel que toca al otro.
+// Un cuadrado del color que tiene ese punto en la ventana, junto al borde del panel que toca al otro.
 static void ensenaColor(const Recuadro &r, const glm::vec4 &recortado, bool aLaDerecha) {
     const glm::vec2 p = glm::vec2(recortado) / recortado.w;
     unsigned char rgba[4] = {};

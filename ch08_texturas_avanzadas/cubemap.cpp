@@ -37,7 +37,7 @@ static struct {
     Orbita orbita = {0.35f, 0.06f, 4.7f, {0, 0, 0}};
 } estado;
 
-/// Listado 8.2.
+// Listado 8.2.
 static void creaMapa() {
     glGenTextures(1, &estado.mapa);
     glBindTexture(GL_TEXTURE_CUBE_MAP, estado.mapa);
@@ -75,7 +75,7 @@ static void inicia() {
     glDepthFunc(GL_LEQUAL); // el fondo está en el plano lejos
 }
 
-/// Lo que se ve del mapa en esa dirección.
+// Lo que se ve del mapa en esa dirección.
 static void dibujaMapa(const glm::mat3 &base, const glm::vec2 &semitalla) {
     glUseProgram(estado.fondo);
     envia(estado.fondo, "base", base);

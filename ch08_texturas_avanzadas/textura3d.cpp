@@ -25,7 +25,7 @@ static struct {
     Orbita orbita = {0.45f, 0.32f, 9.9f, {0.05f, 0, 0}};
 } estado;
 
-/// Listado 8.4.
+// Listado 8.4.
 static void creaTextura() {
     glGenTextures(1, &estado.textura);
     glBindTexture(GL_TEXTURE_3D, estado.textura);

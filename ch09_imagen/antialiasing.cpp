@@ -35,7 +35,7 @@ static Malla mallaEstrella() {
     return malla;
 }
 
-/// Los framebuffers de lado × lado; se rehacen si cambia.
+// Los framebuffers de lado × lado; se rehacen si cambia.
 static void creaLienzos(int lado) {
     if (lado == estado.lado)
         return;
@@ -65,7 +65,7 @@ static void dibujaEstrella(GLuint framebuffer, int lado) {
     dibuja(estado.estrella);
 }
 
-/// Deja la escena en estado.lienzo con esa técnica.
+// Deja la escena en estado.lienzo con esa técnica.
 static void dibujaEscena(int tecnica) {
     const int lado = estado.lado;
     if (tecnica == 0) {
@@ -90,7 +90,7 @@ static void dibujaEscena(int tecnica) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-/// En ese rectángulo, con un marco, los píxeles de la escena que hay a partir de `primero`, de 0 a 1.
+// En ese rectángulo, con un marco, los píxeles de la escena que hay a partir de `primero`, de 0 a 1.
 static void dibujaPixeles(const glm::vec2 &primero, const glm::ivec2 &pixeles, const Recuadro &r,
                           const glm::vec3 &marco) {
     abreRecuadro({r.x - 2, r.y - 2, r.ancho + 4, r.alto + 4}, marco);
@@ -107,8 +107,8 @@ static std::string conVeces(const char *nombre, int tecnica) {
     return nombre + (tecnica == 0 ? "" : " ×" + std::to_string(veces[tecnica]));
 }
 
-/// El cuadrado de la escena, píxel a píxel, y en su centro, que está vacío, parte de un rayo aumentada; debajo, el
-/// nombre.
+// El cuadrado de la escena, píxel a píxel, y en su centro, que está vacío, parte de un rayo aumentada; debajo, el
+// nombre.
 static void dibujaPanel(int tecnica, const Recuadro &panel) {
     const int lado = std::max(std::min(panel.ancho, panel.alto * 9 / 10), 1);
     creaLienzos(lado);
@@ -122,7 +122,7 @@ static void dibujaPanel(int tecnica, const Recuadro &panel) {
     rotula(conVeces(NOMBRES[tecnica], tecnica), {0.5f, 0.5f}, OSCURO);
 }
 
-/// La punta, todo lo aumentada que quepa, y debajo lo que dice OpenGL de donde se ha dibujado.
+// La punta, todo lo aumentada que quepa, y debajo lo que dice OpenGL de donde se ha dibujado.
 static void dibujaPunta(int tecnica, const Recuadro &panel) {
     creaLienzos(LADO_COMPARADO);
     dibujaEscena(tecnica);

@@ -42,7 +42,7 @@ static void dibujaGrua() {
     glDisable(GL_DEPTH_TEST);
 }
 
-/// Listado 9.4: primero a memoria, después al fichero; y de vuelta.
+// Listado 9.4: primero a memoria, después al fichero; y de vuelta.
 static void guardaYLee() {
     Imagen imagen{glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT), {}};
     imagen.rgb.resize(std::size_t(3) * imagen.ancho * imagen.alto);
@@ -61,7 +61,7 @@ static void guardaYLee() {
                        (leida.rgb == imagen.rgb ? ", idéntica" : ", distinta");
 }
 
-/// Lo leído, en la esquina de arriba a la izquierda, con un marco; mientras no hay nada, el marco.
+// Lo leído, en la esquina de arriba a la izquierda, con un marco; mientras no hay nada, el marco.
 static void dibujaLeida() {
     const Recuadro v = ventanaEntera(),
                    esquina = {v.ancho / 40, v.alto * 39 / 40 - v.alto / 3, v.ancho / 3, v.alto / 3},

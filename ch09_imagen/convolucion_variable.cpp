@@ -3,8 +3,9 @@
 // columna, con 2·talla (convolucion_separable.frag), por un framebuffer intermedio; se elige lo más rápido: dos
 // pasadas, si se puede. El intermedio guarda float: con 8 bits redondea dos veces y un filtro con negativos los pierde.
 // Se filtra a la resolución de la imagen.
-// Controles: 1 caja · 2 gaussiana · 3 disco · 4 derivada · + - talla · s automático, directo o separable · p intermedio de float o
-// de 8 bits · a derivada con signo o absoluta · v compara con el original · r rótulos · Esc termina.
+// Controles: 1 caja · 2 gaussiana · 3 disco · 4 derivada · + - talla · s automático, directo o separable ·
+// p intermedio de float o de 8 bits · a derivada con signo o absoluta · v compara con el original · r rótulos · Esc
+// termina.
 #include "imagen_en_ventana.h"
 #include "modos.h"
 #include "nucleos.h"
@@ -35,14 +36,14 @@ static void inicia(const Imagen &imagen) {
     glGenTextures(1, &estado.filtro);
 }
 
-/// Enlaza la textura, que se verá con ese filtro.
+// Enlaza la textura, que se verá con ese filtro.
 static void enlaza(GLuint textura, GLint filtro) {
     glBindTexture(GL_TEXTURE_2D, textura);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filtro);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filtro);
 }
 
-/// Con el programa en uso, de la textura al framebuffer, los dos del tamaño de la imagen.
+// Con el programa en uso, de la textura al framebuffer, los dos del tamaño de la imagen.
 static void filtra(GLuint programa, GLuint textura, GLuint framebuffer, bool sumaCero) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     dibujaEn({0, 0, estado.muestra.talla.x, estado.muestra.talla.y});

@@ -1,10 +1,10 @@
 // Morphing (§9.4): una malla en cada imagen, con los mismos puntos sobre los mismos rasgos. Al pasar t de 0 a 1 los
 // vértices van de los sitios de una a los de la otra y, a la vez, los colores se mezclan: los ojos van a los ojos. Con
-// t = 0 se ve A, exacta, y con t = 1, B. La mezcla del listado 9.2, con los mismos colores, no mueve nada: se ven las dos
-// caras. Si las imágenes son del usuario, las mallas empiezan regulares y los puntos se
-// arrastran: con t < 0.5 los de A y, si no, los de B.
-// Controles: 1 2 3 t = 0, 0.5 y 1 · + - t · espacio lo mueve · m malla · v A, t, B y su mezcla · ratón arrastra un punto ·
-// r rótulos · Esc termina.
+// t = 0 se ve A, exacta, y con t = 1, B. La mezcla del listado 9.2, con los mismos colores, no mueve nada: se ven las
+// dos caras. Si las imágenes son del usuario, las mallas empiezan regulares y los puntos se arrastran: con t < 0.5 los
+// de A y, si no, los de B.
+// Controles: 1 2 3 t = 0, 0.5 y 1 · + - t · espacio lo mueve · m malla · v A, t, B y su mezcla ·
+// ratón arrastra un punto · r rótulos · Esc termina.
 #include "malla_en_ventana.h"
 #include "modos.h"
 #include "texto.h"
@@ -35,7 +35,7 @@ static MallaImagen intermedia(float t) {
     return m;
 }
 
-/// Los milisegundos que lleva t yendo de 0 a 1 y volviendo.
+// Los milisegundos que lleva t yendo de 0 a 1 y volviendo.
 static int andado() {
     return (estado.recorrido + (estado.mueve ? glutGet(GLUT_ELAPSED_TIME) - estado.comienzo : 0)) % VUELTA;
 }
@@ -109,7 +109,7 @@ static void raton(int boton, int pulsado, int x, int y) {
         estado.punto = masCercano(intermedia(tActual()), enImagen(x, y), estado.muestra.talla);
 }
 
-/// Mueve el punto de la imagen de la que más se ve, de modo que el intermedio quede bajo el ratón.
+// Mueve el punto de la imagen de la que más se ve, de modo que el intermedio quede bajo el ratón.
 static void arrastra(int x, int y) {
     if (!estado.arrastra)
         return;

@@ -17,7 +17,7 @@ static struct {
     bool arrastra = false, conMalla = false;
 } estado;
 
-/// Ensancha la mandíbula, estrecha la frente y alza las comisuras; el borde de la imagen no se mueve.
+// Ensancha la mandíbula, estrecha la frente y alza las comisuras; el borde de la imagen no se mueve.
 static MallaImagen caricatura() {
     const auto bulto = [](float t) { return std::pow(std::max(1 - t * t, 0.0f), 2.0f); };
     MallaImagen malla = REGULAR;

@@ -26,7 +26,7 @@ static glm::mat4 vista() {
     return paralelaVentana(1);
 }
 
-/// Cada punto del casco convexo de unos puntos del plano está en un triángulo de tres de ellos.
+// Cada punto del casco convexo de unos puntos del plano está en un triángulo de tres de ellos.
 static void pintaCasco() {
     for (std::size_t falta = 0; falta < 4; ++falta) {
         std::vector<glm::vec3> tres = estado.P;

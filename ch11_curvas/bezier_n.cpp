@@ -17,13 +17,13 @@ static struct {
     std::size_t n = 4; // puntos de control
 } estado;
 
-/// Del primero al último, de azul a rojo pasando por el naranja.
+// Del primero al último, de azul a rojo pasando por el naranja.
 static glm::vec3 colorDe(std::size_t i) {
     const float t = 2 * float(i) / float(estado.n - 1);
     return t < 1 ? glm::mix(AZUL, NARANJA, t) : glm::mix(NARANJA, ROJO, t - 1);
 }
 
-/// Lo que mide un píxel en los paneles, que no tienen más de una unidad de lado.
+// Lo que mide un píxel en los paneles, que no tienen más de una unidad de lado.
 static double pixel(const Recuadro &panel) {
     return 1.0 / std::max({panel.ancho, panel.alto, 1});
 }

@@ -31,8 +31,8 @@ static std::vector<glm::vec3> tramo(const std::vector<glm::vec3> &P, std::size_t
     return polilineaCubica(Base::BSPLINE, geometriaBSpline(P, i), 0.2 / altoUtil());
 }
 
-/// El peine de curvatura: púas hacia fuera de la curva, tan largas como ella se curva. Donde se unen dos tramos no
-/// salta, porque la curva es C2, pero cambia de dirección, porque no es C3.
+// El peine de curvatura: púas hacia fuera de la curva, tan largas como ella se curva. Donde se unen dos tramos no
+// salta, porque la curva es C2, pero cambia de dirección, porque no es C3.
 static void dibujaPeine(std::size_t i) {
     const Geometria<float> G = geometriaBSpline(estado.P, i);
     std::vector<glm::vec3> puas, puntas;
@@ -47,7 +47,7 @@ static void dibujaPeine(std::size_t i) {
     trazaPolilinea(puntas, vista(), VERDE, 0.8f * GROSOR);
 }
 
-/// Si el tramo i usa el punto elegido.
+// Si el tramo i usa el punto elegido.
 static bool usaElegido(std::size_t i) {
     // E11.7: si el punto estado.editor.elegido, que es −1 cuando no hay ninguno, es de los del tramo i
     const std::size_t n = estado.P.size();

@@ -30,13 +30,14 @@ static float parametro() {
     return 2 * float(t % PERIODO) / float(PERIODO);
 }
 
-/// Proyección paralela que abarca en el panel [−semiancho, semiancho]×[−semialto, semialto], como poco, desde un centro.
+// Proyección paralela que abarca en el panel [−semiancho, semiancho]×[−semialto, semialto], como poco, desde un
+// centro.
 static glm::mat4 abarca(const Recuadro &panel, float semiancho, float semialto, const glm::vec3 &centro) {
     const float y = std::max(semialto, semiancho / aspecto(panel)), x = y * aspecto(panel);
     return glm::translate(glm::ortho(-x, x, -y, y), -centro);
 }
 
-/// La trayectoria desde arriba, con el coche y su velocidad.
+// La trayectoria desde arriba, con el coche y su velocidad.
 static void dibujaPlano(const Recuadro &panel, Continuidad c) {
     abreRecuadro(panel, FONDO_CLARO);
     const glm::mat4 vista = abarca(panel, 1.3f, 0.7f, {0, 0.22f, 0});
@@ -52,7 +53,7 @@ static void dibujaPlano(const Recuadro &panel, Continuidad c) {
     rotula(NOMBRES[c], {0.12f, 0.2f}, OSCURO, Lado::CENTRO, 1.3f * TALLA_ROTULO);
 }
 
-/// El módulo de una derivada a lo largo de los dos tramos: el salto de la unión, u = 1, queda entre uno y otro.
+// El módulo de una derivada a lo largo de los dos tramos: el salto de la unión, u = 1, queda entre uno y otro.
 static void dibujaGrafica(const Recuadro &panel, Continuidad c, int derivada) {
     abreRecuadro(panel, FONDO_CLARO);
     const float maxima = derivada == 1 ? RAPIDEZ_MAXIMA : ACELERACION_MAXIMA, u = parametro();
@@ -77,8 +78,8 @@ static void dibujaGrafica(const Recuadro &panel, Continuidad c, int derivada) {
     rotulaPunto("u", {2, 0, 0}, vista, OSCURO, Lado::DERECHA, TALLA_EJES);
 }
 
-/// Lo que se ve desde el coche: un suelo cuadriculado, con montes al fondo, y la carretera. Los saltos de la velocidad y
-/// de la aceleración se notan cuando anda.
+// Lo que se ve desde el coche: un suelo cuadriculado, con montes al fondo, y la carretera. Los saltos de la velocidad
+// y de la aceleración se notan cuando anda.
 static void dibujaVista(const Recuadro &panel, Continuidad c) {
     abreRecuadro(panel, CIELO);
     const float u = parametro();

@@ -38,7 +38,7 @@ static Geometria<float> primero() {
     // fin de E11.6
 }
 
-/// Las restricciones transformadas.
+// Las restricciones transformadas.
 static Geometria<float> transformada(const glm::mat4 &T, const Geometria<float> &G) {
     // E11.6: las cuatro restricciones transformadas con T
     // los puntos con w = 1 y las tangentes, que son vectores, con w = 0
@@ -52,7 +52,7 @@ struct Nombre {
     std::size_t punto; // el que se arrastra
 };
 
-/// La curva con sus extremos, sus tangentes y sus nombres.
+// La curva con sus extremos, sus tangentes y sus nombres.
 static void dibujaTramo(const Geometria<float> &G, const glm::vec3 &color, const Nombre nombres[4],
                         const glm::vec3 &color1 = VERDE, const glm::vec3 &color4 = NARANJA) {
     // el nombre del final, al otro lado de su flecha
@@ -101,7 +101,7 @@ static void dibuja() {
     glutSwapBuffers();
 }
 
-/// La punta de la flecha acompaña a su punto: la tangente no cambia.
+// La punta de la flecha acompaña a su punto: la tangente no cambia.
 static void alMover(std::size_t i, const glm::vec3 &cuanto) {
     if (i == P1 || i == P4)
         estado.puntos[i + 2] += cuanto;
@@ -109,7 +109,7 @@ static void alMover(std::size_t i, const glm::vec3 &cuanto) {
         estado.puntos[PUNTA_FIN] += cuanto;
 }
 
-/// Con el segundo tramo hay dos puntos más que arrastrar.
+// Con el segundo tramo hay dos puntos más que arrastrar.
 static void ponSegundo(bool si) {
     estado.segundo = si;
     estado.puntos.resize(FIN);

@@ -4,8 +4,8 @@
 
 const float LARGO_FLECHA = 1 / 3.0f; // de una tangente: así acaba en el punto de control de Bézier
 
-/// Los elementos que se dan: los 16 de la primera matriz y las filas segunda y cuarta de la segunda. De las columnas, las
-/// dos primeras son esquinas y sus tangentes en u; las otras, las tangentes en v y las torsiones.
+/// Los elementos que se dan: los 16 de la primera matriz y las filas segunda y cuarta de la segunda. De las columnas,
+/// las dos primeras son esquinas y sus tangentes en u; las otras, las tangentes en v y las torsiones.
 const std::vector<glm::vec3> ELEMENTOS_INICIALES = {
     {-1.5f, -0.5f, 1.4f}, {-1.5f, 0.1f, -1.4f}, {0, 2.2f, -2.4f}, {0, -1.8f, -2.4f}, //
     {1.3f, -0.2f, 1.4f},  {1.3f, 0.4f, -1.4f},  {0, 1.0f, -2.8f}, {0, -1.0f, -2.8f}, //

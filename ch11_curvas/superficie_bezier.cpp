@@ -31,14 +31,14 @@ static glm::mat4 vista() {
     return vistaLamina(estado.lamina);
 }
 
-/// La superficie; devuelve sus triángulos.
+// La superficie; devuelve sus triángulos.
 static Malla dibujaSuperficie(double tolerancia = TOLERANCIA_LAMINA) {
     const Malla malla = mallaSuperficie(estado.red, segmentosLamina(estado.lamina, estado.red, tolerancia));
     dibujaLamina(estado.lamina, malla, LAMINA_AZUL);
     return malla;
 }
 
-/// La red de control y el nombre del punto elegido o, si se quiere, también los de las esquinas.
+// La red de control y el nombre del punto elegido o, si se quiere, también los de las esquinas.
 static void dibujaRed(bool conEsquinas) {
     const std::size_t n = estado.red.n, m = estado.red.m;
     trazaSegmentos(redDeControl(estado.red.P, m + 1), vista(), GRIS, 0.7f * GROSOR);
@@ -51,7 +51,7 @@ static void dibujaRed(bool conEsquinas) {
     }
 }
 
-// Cada modo dibuja lo suyo y devuelve lo que se rotula. Sin test de profundidad, lo que se ve también por detrás de la superficie.
+// Cada modo dibuja lo suyo y devuelve lo que se rotula. Sin test de profundidad, lo que se ve también por detrás.
 
 static std::string modoRed() {
     dibujaSuperficie();
@@ -71,12 +71,12 @@ static std::string modoMalla() {
     return formatea("hasta %g px: %zu triángulos", estado.tolerancia, malla.indices.size() / 3);
 }
 
-/// La curva de la familia que corta la superficie en v.
+// La curva de la familia que corta la superficie en v.
 static std::vector<glm::vec3> curvaEn(float v) {
     return polilineaBezier(geometriaEn(estado.red, v), FLECHA_CURVAS);
 }
 
-/// G(v), naranja, recorre las curvas de las filas, grises, y Q(u, v), roja, va con él.
+// G(v), naranja, recorre las curvas de las filas, grises, y Q(u, v), roja, va con él.
 static std::string modoFamilia() {
     const float v = float(estado.v) / VECES_V;
     const std::vector<glm::vec3> G = geometriaEn(estado.red, v);
@@ -94,7 +94,8 @@ static std::string modoFamilia() {
     return formatea("Q(u, v), con v = %.2f", v);
 }
 
-/// Los dos trozos, los puntos de los dos lados del borde, que es lo que se alinea, y las normales de cada trozo a lo largo de él.
+// Los dos trozos; los puntos de los dos lados del borde, que se alinean, y las normales de cada trozo a lo largo de
+// él.
 static std::string modoUnion() {
     static const char *const UNIONES[] = {"C0", "G1", "alineados"};
     const int cual = estado.modo - UNION_C0;
@@ -136,7 +137,7 @@ static void dibuja() {
     glutSwapBuffers();
 }
 
-/// + y − cambian lo del modo en que se está.
+// + y − cambian lo del modo en que se está.
 static void cambia(int paso) {
     if (estado.modo == MALLA)
         estado.tolerancia =

@@ -12,7 +12,7 @@
 static const std::size_t LADO = 6;                           // puntos de control de un lado de la red
 static const int SEGMENTOS_MAXIMOS_TROZO = 256 / (LADO - 3); // en la superficie entera, los de las demás
 
-/// Un monte junto a un hoyo.
+// Un monte junto a un hoyo.
 static std::vector<glm::vec3> redInicial() {
     std::vector<glm::vec3> P;
     for (std::size_t i = 0; i < LADO; ++i)

@@ -1,6 +1,7 @@
 // La superficie de Hermite (ecuaciones 11.33 a 11.39): las esquinas, sus tangentes en u (verde) y en v (rojo) y sus
 // torsiones (morado), que son los 16 elementos de la matriz de geometría. Con un segundo trozo unido por u = 1 con
-// continuidad G1 (ejercicio 11.8): comparten el borde, y las tangentes que lo cruzan son paralelas, torsiones incluidas.
+// continuidad G1 (ejercicio 11.8): comparten el borde, y las tangentes que lo cruzan son paralelas, torsiones
+// incluidas.
 // Controles: arrastra las esquinas y las puntas de flecha (o n y flechas) · u segundo trozo · + - su tangente ·
 // ratón orbita · Esc termina.
 #include "hermite_trozos.h"
@@ -27,8 +28,8 @@ static glm::mat4 vista() {
     return vistaLamina(estado.lamina);
 }
 
-/// Los elementos de las matrices de geometría: esquinas, tangentes y torsiones. Los nombres, los de las esquinas y el
-/// del elegido.
+// Los elementos de las matrices de geometría: esquinas, tangentes y torsiones. Los nombres, los de las esquinas y el
+// del elegido.
 static void dibujaElementos() {
     static const Lado LADOS[] = {Lado::DEBAJO, Lado::IZQUIERDA, Lado::IZQUIERDA, Lado::IZQUIERDA};
     glDisable(GL_DEPTH_TEST); // las flechas y los puntos, enteros, también por detrás de la superficie
@@ -81,14 +82,14 @@ static void dibuja() {
     glutSwapBuffers();
 }
 
-/// Con una esquina van las puntas de sus flechas: los vectores no cambian.
+// Con una esquina van las puntas de sus flechas: los vectores no cambian.
 static void alMover(std::size_t esquina, const glm::vec3 &cuanto) {
     for (std::size_t k = 0; k < estado.puntas.size(); ++k)
         if (k != esquina && esquinaDe(k) == esquina)
             estado.puntas[k] += cuanto;
 }
 
-/// Con el segundo trozo hay ocho elementos más que arrastrar.
+// Con el segundo trozo hay ocho elementos más que arrastrar.
 static void conmutaSegundo() {
     estado.segundo = !estado.segundo;
     estado.puntas.resize(DEL_PRIMERO);

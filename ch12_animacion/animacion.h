@@ -41,8 +41,8 @@ inline void pideCuadro(int) {
     glutTimerFunc(PERIODO_CUADRO, pideCuadro, 0);
 }
 
-/// Desde ahora `reloj`, que debe vivir tanto como la ventana, anima el programa y obedece a las teclas de teclaAnimacion. Quien tiene
-/// otras pone después su glutKeyboardFunc y la llama desde ella.
+/// Desde ahora `reloj`, que debe vivir tanto como la ventana, anima el programa y obedece a sus teclas. Un programa con
+/// glutKeyboardFunc propia la instala después y llama en ella a teclaAnimacion.
 inline void animaConReloj(Reloj &reloj) {
     relojQueAnda = &reloj;
     glutKeyboardFunc([](unsigned char tecla, int, int) { teclaAnimacion(*relojQueAnda, tecla); });

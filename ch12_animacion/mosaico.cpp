@@ -1,6 +1,6 @@
 // Un mosaico como sistema de partículas (figura 12.1): cada tesela es una partícula cuadrada que nace y muere en
-// instantes al azar, y mientras vive la mueve una textura de ruido. Las teselas y sus atributos están en un buffer object que no
-// cambia: el vertex shader decide, con el instante, si cada una aún no ha nacido, vive o ya ha muerto.
+// instantes al azar, y mientras vive la mueve una textura de ruido. Las teselas y sus atributos están en un buffer
+// object que no cambia: el vertex shader decide, con el instante, si cada una aún no ha nacido, vive o ya ha muerto.
 // Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · Esc termina.
 #include "animacion.h"
 #include "buferes_piezas.h"

@@ -18,7 +18,7 @@ const std::map<std::string, const char *> CONTROLES = {
 const char *const DE_TODOS =
     "F1 esta ayuda · F5 relee los shaders · F11 pantalla completa · F12 guarda la imagen";
 
-/// Encima de todo, en el framebuffer de la ventana. Deja OpenGL como está.
+// Encima de todo, en el framebuffer de la ventana. Deja OpenGL como está.
 void pintaAyuda() {
     if (!puesta)
         return;
@@ -49,7 +49,7 @@ void cambiaAyuda() {
     puesta = !puesta;
 }
 
-// common/comun.cmake enlaza con --wrap=glutSwapBuffers: la que llama un programa es esta, y la de GLUT se llama aquí __real_….
+// common/comun.cmake enlaza con --wrap=glutSwapBuffers: un programa llama a esta, y aquí la de GLUT es __real_….
 extern "C" void __real_glutSwapBuffers();
 
 extern "C" void __wrap_glutSwapBuffers() {

@@ -29,7 +29,7 @@ bool esBlanco(char c) {
     return std::isspace(static_cast<unsigned char>(c));
 }
 
-/// El siguiente número de una cabecera PPM: antes lleva al menos un blanco, y quizá comentarios.
+// El siguiente número de una cabecera PPM: antes lleva al menos un blanco, y quizá comentarios.
 int numeroDeCabecera(const std::string &datos, std::size_t &i, const std::string &fichero,
                      std::string *comentario, int mayor = LADO_MAXIMO) {
     const std::size_t principio = i;

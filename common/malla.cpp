@@ -10,13 +10,13 @@
 
 namespace {
 
-/// Punto i de n en la circunferencia unidad; i y i+n dan el mismo valor, bit a bit, y la costura cierra.
+// Punto i de n en la circunferencia unidad; i y i+n dan el mismo valor, bit a bit, y la costura cierra.
 glm::vec2 enCirculo(int i, int n) {
     const double a = 2.0 * glm::pi<double>() * (i % n) / n;
     return {std::cos(a), std::sin(a)};
 }
 
-/// Cuadrícula de n×m cuadrados sobre (s,t) en [0,1]²; los triángulos que se quedan sin área se omiten.
+// Cuadrícula de n×m cuadrados sobre (s,t) en [0,1]²; los triángulos que se quedan sin área se omiten.
 void cuadricula(Malla &malla, int n, int m, const std::function<Vertice(int, int)> &vertice) {
     const unsigned base = unsigned(malla.vertices.size());
     for (int j = 0; j <= m; ++j)
@@ -36,7 +36,7 @@ void cuadricula(Malla &malla, int n, int m, const std::function<Vertice(int, int
         }
 }
 
-/// Disco de radio 1 a la altura z, que mira hacia ±Z según `haciaArriba`.
+// Disco de radio 1 a la altura z, que mira hacia ±Z según `haciaArriba`.
 void tapa(Malla &malla, int n, float z, bool haciaArriba) {
     const glm::vec3 normal(0, 0, haciaArriba ? 1 : -1);
     const unsigned centro = unsigned(malla.vertices.size());

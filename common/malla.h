@@ -35,8 +35,8 @@ struct Queja {
     [[noreturn]] void operator()(const std::string &seEsperaba) const;
 };
 
-/// Llama a `linea` con cada una que no sea solo comentario (desde #): su primera palabra y las que siguen. `nombre`: el del fichero en las
-/// quejas.
+/// Llama a `linea` con cada una que no sea solo comentario (desde #): su primera palabra y las que siguen. `nombre`: el
+/// del fichero en las quejas.
 void leeLineas(
     const std::string &fichero, const std::string &nombre,
     const std::function<void(const std::string &tipo, std::istream &palabras, const Queja &mal)> &linea);

@@ -2,6 +2,7 @@
 #pragma once
 #include "colores.h"
 #include "recuadro.h"
+#include <GL/glew.h>
 #include <GL/freeglut.h>
 
 struct Modos {

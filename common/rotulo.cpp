@@ -18,7 +18,7 @@ const float INTERLINEA = 1.5f, SEPARACION = 0.43f;
 const float CONTRASTE = 4.5f; // el que WCAG 2 pide para leer un texto
 const int ALTO_MINIMO = 7;    // píxeles: con menos no se lee
 
-/// El contraste de dos colores, de 1 a 21, como lo define WCAG 2.
+// El contraste de dos colores, de 1 a 21, como lo define WCAG 2.
 float contraste(const glm::vec3 &a, const glm::vec3 &b) {
     const auto luminancia = [](const glm::vec3 &color) {
         return 0.05f + glm::dot(glm::convertSRGBToLinear(color), glm::vec3(0.2126f, 0.7152f, 0.0722f));
@@ -26,7 +26,7 @@ float contraste(const glm::vec3 &a, const glm::vec3 &b) {
     return std::max(luminancia(a), luminancia(b)) / std::min(luminancia(a), luminancia(b));
 }
 
-/// Ese color o, si no se lee junto a su halo, el primero que se lee de los que van de él al contrario del halo.
+// Ese color o, si no se lee junto a su halo, el primero que se lee de los que van de él al contrario del halo.
 glm::vec3 legible(const glm::vec3 &color, const glm::vec3 &halo) {
     const glm::vec3 contrario = halo == BLANCO ? glm::vec3(0) : BLANCO;
     float cuanto = 0;
@@ -35,7 +35,7 @@ glm::vec3 legible(const glm::vec3 &color, const glm::vec3 &halo) {
     return glm::mix(color, contrario, cuanto);
 }
 
-/// Los caracteres de un texto en UTF-8, línea a línea.
+// Los caracteres de un texto en UTF-8, línea a línea.
 std::vector<std::u32string> lineasDe(const std::string &texto) {
     std::vector<std::u32string> lineas(1);
     for (std::size_t i = 0; i < texto.size();) {
@@ -54,8 +54,8 @@ std::vector<std::u32string> lineasDe(const std::string &texto) {
     return lineas;
 }
 
-/// Un texto compuesto para el panel en que se dibuja. Las medidas son píxeles, desde la esquina de abajo a la izquierda del panel; el
-/// rectángulo va de la línea base de la última línea a lo alto de las mayúsculas de la primera.
+// Un texto compuesto para el panel en que se dibuja. Las medidas son píxeles, desde la esquina de abajo a la izquierda
+// del panel; el rectángulo va de la línea base de la última línea a lo alto de las mayúsculas de la primera.
 struct Rotulo {
     std::vector<std::u32string> lineas;
     int mayuscula, paso, interlinea, bajo, ancho = 0, alto = 0;
@@ -85,7 +85,7 @@ struct Rotulo {
         alto = interlinea * (int(lineas.size()) - 1) + mayuscula;
     }
 
-    /// Esquina de abajo a la izquierda cuando va a ese lado del punto.
+    // Esquina de abajo a la izquierda cuando va a ese lado del punto.
     glm::ivec2 esquina(const glm::ivec2 &punto, Lado lado) const {
         const int hueco = int(std::lround(SEPARACION * float(mayuscula)));
         switch (lado) {
@@ -97,7 +97,7 @@ struct Rotulo {
         }
     }
 
-    /// Esa esquina, corrida lo justo para que el rótulo quede a una letra del borde del panel.
+    // Esa esquina, corrida lo justo para que el rótulo quede a una letra del borde del panel.
     glm::ivec2 dentro(const glm::ivec2 &e) const {
         return {std::clamp(e.x, paso, std::max(panel[2] - ancho - paso, paso)),
                 std::clamp(e.y, paso, std::max(panel[3] - alto - paso, paso))};
@@ -109,7 +109,7 @@ struct Rotulo {
         return d.x >= -cerca && d.y >= -bajo - cerca && d.x <= ancho + cerca && d.y <= alto + cerca;
     }
 
-    /// Dos triángulos por letra, con su caja.
+    // Dos triángulos por letra, con su caja.
     std::vector<VerticePintado> triangulos(const glm::ivec2 &e) const {
         const float escala = float(mayuscula) / MAYUSCULA, margen = (halo + SUAVIZADO_ROTULO) / escala;
         const glm::vec2 porPixel(2 / float(std::max(panel[2], 1)), 2 / float(std::max(panel[3], 1))),

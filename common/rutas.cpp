@@ -15,7 +15,7 @@ namespace {
 
 const std::size_t TAMANO_MAXIMO = 256 << 20; // /dev/zero no se acaba nunca
 
-/// Las carpetas de $LAB_RAIZ, separadas como en $PATH.
+// Las carpetas de $LAB_RAIZ, separadas como en $PATH.
 std::vector<fs::path> raicesPedidas() {
     std::vector<fs::path> raices;
     const char *pedidas = std::getenv("LAB_RAIZ");
@@ -26,7 +26,7 @@ std::vector<fs::path> raicesPedidas() {
     return raices;
 }
 
-/// Quien quiere saber qué lee un programa lo pide en $LAB_LEIDOS, el fichero en que se apunta.
+// Quien quiere saber qué lee un programa lo pide en $LAB_LEIDOS, el fichero en que se apunta.
 void apuntaLeido(const std::string &relativa) {
     if (const char *fichero = std::getenv("LAB_LEIDOS"))
         std::ofstream(fs::u8path(fichero), std::ios::app) << relativa << '\n';

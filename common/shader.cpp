@@ -22,13 +22,13 @@ struct Registrado {
 };
 std::vector<Registrado> registrados;
 
-/// Quita los blancos de delante y de detrás.
+// Quita los blancos de delante y de detrás.
 std::string_view recorta(std::string_view texto) {
     const std::size_t inicio = std::min(texto.find_first_not_of(" \t\r\v\f"), texto.size());
     return texto.substr(inicio, texto.find_last_not_of(" \t\r\v\f") + 1 - inicio);
 }
 
-/// El fichero que nombra una línea «#include "fichero"»; vacío si la línea no es eso.
+// El fichero que nombra una línea «#include "fichero"»; vacío si la línea no es eso.
 std::string_view incluidoEn(std::string_view linea) {
     const std::string_view orden = "#include";
     linea = recorta(linea);
@@ -40,8 +40,8 @@ std::string_view incluidoEn(std::string_view linea) {
     return entreComillas ? linea.substr(1, linea.size() - 2) : std::string_view();
 }
 
-/// Lee un shader línea a línea, con los #include en su sitio; cada línea recuerda de dónde viene. `pila`: los
-/// ficheros que se están leyendo, cada uno incluido por el anterior.
+// Lee un shader línea a línea, con los #include en su sitio; cada línea recuerda de dónde viene. `pila`: los
+// ficheros que se están leyendo, cada uno incluido por el anterior.
 bool leeLineas(const std::string &fichero, std::vector<Linea> &lineas, std::vector<std::string> &pila,
                std::string &error) {
     std::string ruta, contenido, linea;
@@ -70,13 +70,13 @@ bool leeLineas(const std::string &fichero, std::vector<Linea> &lineas, std::vect
     return true;
 }
 
-/// Una línea del informe del compilador: la del texto de la que habla y lo que dice.
+// Una línea del informe del compilador: la del texto de la que habla y lo que dice.
 struct Aviso {
     std::size_t linea = 0;
     std::string_view mensaje;
 };
 
-/// Cada fabricante numera a su manera: Mesa «0:12(5): …», NVIDIA «0(12) : …», AMD, Intel y WebGL «ERROR: 0:12: …».
+// Cada fabricante numera a su manera: Mesa «0:12(5): …», NVIDIA «0(12) : …», AMD, Intel y WebGL «ERROR: 0:12: …».
 bool analizaAviso(std::string_view texto, Aviso &aviso) {
     const auto toma = [&texto](std::string_view que) {
         const bool esta = texto.substr(0, que.size()) == que;
@@ -103,8 +103,8 @@ bool analizaAviso(std::string_view texto, Aviso &aviso) {
     return true;
 }
 
-/// Traduce el informe del compilador a «fichero:línea: mensaje — «texto»». `fichero`: de quién se habla si la
-/// línea no es ninguna de las leídas.
+// Traduce el informe del compilador a «fichero:línea: mensaje — «texto»». `fichero`: de quién se habla si la
+// línea no es ninguna de las leídas.
 std::string traduceInforme(const std::string &informe, const std::vector<Linea> &lineas,
                            const std::string &fichero) {
     std::istringstream entrada(informe);

@@ -10,14 +10,15 @@ namespace {
 
 const int LADOS_PUNTO = 20;
 const float LARGO_PUNTA = 4.5f, ANCHO_PUNTA = 1.9f; // de una flecha, en grosores; el ancho es la mitad
-// Todo se corre esta fracción de píxel: un borde que caiga justo en el centro de los píxeles lo pinta cada controlador a su manera.
+// Todo se corre esta fracción de píxel: un borde que caiga justo en el centro de los píxeles lo pinta cada controlador
+// a su manera.
 const glm::vec2 FUERA_DEL_EMPATE(1 / 64.0f, 1 / 48.0f);
 
 float pixeles(float grosor) {
     return std::max(grosor * altoUtil() / 1080, 1.0f);
 }
 
-/// Corta el segmento por el plano cerca (z = −w en coordenadas de recortado). Devuelve si queda algo.
+// Corta el segmento por el plano cerca (z = −w en coordenadas de recortado). Devuelve si queda algo.
 bool cortaPorCerca(glm::vec4 &a, glm::vec4 &b) {
     const float da = a.z + a.w, db = b.z + b.w;
     if (da < 0 && db < 0)
@@ -29,14 +30,14 @@ bool cortaPorCerca(glm::vec4 &a, glm::vec4 &b) {
     return a.w > 0 && b.w > 0;
 }
 
-/// Perpendicular en la pantalla al segmento, de largo `medio`; 0 si el segmento no se ve largo.
+// Perpendicular en la pantalla al segmento, de largo `medio`; 0 si el segmento no se ve largo.
 glm::vec3 perpendicular(const glm::vec3 &a, const glm::vec3 &b, float medio) {
     const glm::vec2 d(b - a);
     const float largo = glm::length(d);
     return largo > 0 ? glm::vec3(-d.y, d.x, 0) * (medio / largo) : glm::vec3(0);
 }
 
-/// Un trazo, en píxeles desde el centro del panel: lo que se apunta de él y los triángulos que lo pintan.
+// Un trazo, en píxeles desde el centro del panel: lo que se apunta de él y los triángulos que lo pintan.
 class Trazo {
     glm::vec3 porUnidad; // píxeles en una unidad de coordenadas normalizadas; z no cambia
     Pincelada pincelada;
@@ -61,7 +62,8 @@ public:
         for (const glm::vec3 &v : {a, b, c})
             triangulos.push_back({(v + glm::vec3(FUERA_DEL_EMPATE, 0)) / porUnidad, {}});
     }
-    /// La banda del segmento, alargada por los dos extremos. Si va por un borde del panel, que se comería la mitad, entra en él.
+    // La banda del segmento, alargada por los dos extremos. Si va por un borde del panel, que se comería la mitad,
+    // entra en él.
     void banda(glm::vec3 a, glm::vec3 b, float alarga) {
         for (int eje = 0; eje < 2; ++eje)
             for (const float borde : {-porUnidad[eje], porUnidad[eje]})
@@ -71,7 +73,7 @@ public:
         triangulo(a - d + n, a - d - n, b + d - n);
         triangulo(a - d + n, b + d - n, b + d + n);
     }
-    /// Lo apuntado y lo pintado hasta ahora, y vuelta a empezar.
+    // Lo apuntado y lo pintado hasta ahora, y vuelta a empezar.
     void pinta() {
         if (!pincelada.puntos.empty())
             pintaEncima(pincelada, triangulos, {{pincelada.color}}, true);

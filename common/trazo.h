@@ -1,10 +1,10 @@
-// Líneas, puntos y flechas de cualquier grosor, hechos de triángulos: en OpenGL 3.1 una línea mide un píxel (glLineWidth es
-// de antes) y cada controlador elige cuáles pinta. Los grosores son píxeles de una pantalla de 1080 líneas, y nunca
-// menos de uno de los de la ventana.
+// Líneas, puntos y flechas de cualquier grosor, hechos de triángulos: en OpenGL 3.1 una línea mide un píxel
+// (glLineWidth es de antes) y cada controlador elige cuáles pinta. Los grosores son píxeles de una pantalla de 1080
+// líneas, y nunca menos de uno de los de la ventana.
 //
 // `transformacion` lleva los puntos a coordenadas de recortado (proyeccion * camara * M; mat4(1) si ya son las
-// normalizadas del panel). Lo que queda delante del plano cerca se corta, y el trazo que va por el borde del panel se mete
-// dentro. Obedecen al test de profundidad si está activo y no cambian el estado de OpenGL.
+// normalizadas del panel). Lo que queda delante del plano cerca se corta, y el trazo que va por el borde del panel se
+// mete dentro. Obedecen al test de profundidad si está activo y no cambian el estado de OpenGL.
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>

@@ -20,7 +20,7 @@ void tecladoEspecial(int tecla, int, int) {
     teclaEspecialComun(tecla);
 }
 
-/// Donde los títulos van en Latin-1, lo que no está en él va con sus letras, α como «alfa».
+// Donde los títulos van en Latin-1, lo que no está en él va con sus letras, α como «alfa».
 std::string tituloParaGlut(const std::string &utf8) {
     if (glutGet(GLUT_VERSION) >= FREEGLUT_CON_UTF8)
         return utf8;

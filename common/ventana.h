@@ -17,8 +17,8 @@ void ponTitulo(const std::string &titulo);
 /// primero.
 bool teclaComun(unsigned char tecla);
 
-/// Atiende F1 (pone o quita la ayuda), F5 (relee los shaders), F11 (pantalla completa) y F12 (guarda la ventana en <programa>-N.ppm).
-/// Un programa con glutSpecialFunc propia la llama primero.
+/// Atiende F1 (pone o quita la ayuda), F5 (relee los shaders), F11 (pantalla completa) y F12 (guarda la ventana en
+/// <programa>-N.ppm). Un programa con glutSpecialFunc propia la llama primero.
 bool teclaEspecialComun(int tecla);
 
 /// El color con que la borra glClear desde ahora.

@@ -1,5 +1,5 @@
-// Lo único que distingue OSMesa, EGL y el navegador: crear el contexto, cambiar de tamaño su framebuffer y, en el último,
-// enseñar el título y esperar a los sucesos.
+// Lo único que distingue OSMesa, EGL y el navegador: crear el contexto, cambiar de tamaño su framebuffer y, en el
+// último, enseñar el título y esperar a los sucesos.
 #pragma once
 #include <cstdlib>
 

@@ -36,9 +36,9 @@ void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool) {
     cambiaTallaContexto(ancho, alto);
 }
 
-// OSMesa no libera el framebuffer que deja. Cuando lo perdido ya es mucho se sigue en el mismo, si la ventana cabe en él
-// (los dos empiezan abajo a la izquierda), o en otro que sea el doble en lo que crece. Hasta entonces son de la talla
-// justa, porque del alto del framebuffer depende el último bit de algunos píxeles.
+// OSMesa no libera el framebuffer que deja. Cuando lo perdido ya es mucho se sigue en el mismo, si la ventana cabe en
+// él (los dos empiezan abajo a la izquierda), o en otro que sea el doble en lo que crece. Hasta entonces son de la
+// talla justa, porque del alto del framebuffer depende el último bit de algunos píxeles.
 void cambiaTallaContexto(int ancho, int alto) {
     if (pixelesPerdidos > MAXIMO_PERDIDOS) {
         if (ancho <= anchoMemoria && alto <= altoMemoria)
@@ -74,10 +74,10 @@ void (*direccionGL(const char *nombre))() {
 
 } // namespace sin_ventana
 
-// El GLEW de Debian busca las funciones con glXGetProcAddress: estas definiciones, que se enlazan antes que las de libGL,
-// lo llevan a OSMesa. De lo demás de GLX solo nombra dos funciones, y aquí, donde no hay pantalla, no las llama: con ellas
-// el GLEW estático no necesita libGL. Las que acaban en dos mayúsculas (ARB, EXT, NV) son de extensiones: pide dos mil, y
-// por cada una que no conoce, aunque sea de GLX, Mesa prepara otra que da un error.
+// El GLEW de Debian busca las funciones con glXGetProcAddress: estas definiciones, que se enlazan antes que las de
+// libGL, lo llevan a OSMesa. De lo demás de GLX solo nombra dos funciones, y aquí, donde no hay pantalla, no las llama:
+// con ellas el GLEW estático no necesita libGL. Las que acaban en dos mayúsculas (ARB, EXT, NV) son de extensiones:
+// pide dos mil, y por cada una que no conoce, aunque sea de GLX, Mesa prepara otra que da un error.
 extern "C" {
 void (*glXGetProcAddressARB(const GLubyte *nombre))() {
     const std::string_view funcion = reinterpret_cast<const char *>(nombre);

@@ -1,4 +1,5 @@
-// La opción -diario: tras cada orden, lo que ha quedado en la ventana y en OpenGL, para comprobar lo que todo programa cumple.
+// La opción -diario: tras cada orden, lo que ha quedado en la ventana y en OpenGL, para ver lo que todo programa
+// cumple.
 #include "../captura.h"
 #include "../error.h"
 #include "../imagen.h"
@@ -21,8 +22,8 @@ struct Parametro {
 
 #define GL(nombre, valores)                                                                                  \
     { #nombre, GL_##nombre, valores }
-// Lo que un cuadro no puede dejar de otra manera sin que lo sufra el siguiente, o un rótulo. No el viewport, que pone abreRecuadro, ni
-// las funciones de mezcla, que no hacen nada sin ella. Casi todo vale 0 o 1.
+// Lo que un cuadro no puede dejar de otra manera sin que lo sufra el siguiente, o un rótulo. No el viewport, que pone
+// abreRecuadro, ni las funciones de mezcla, que no hacen nada sin ella. Casi todo vale 0 o 1.
 const Parametro PARAMETROS[] = {
     GL(BLEND, 1),
     GL(BLEND_EQUATION_RGB, 1),
@@ -81,7 +82,7 @@ std::string diferencia(const Estado &antes, const Estado &despues) {
     return texto;
 }
 
-/// FNV-1a de 64 bits: la misma imagen, el mismo número.
+// FNV-1a de 64 bits: la misma imagen, el mismo número.
 std::uint64_t resumen() {
     std::uint64_t h = 14695981039346656037u;
     for (const unsigned char c : leeVentana().rgb)

@@ -1,5 +1,6 @@
-// De GLSL 1.40 a GLSL ES 3.00, el de WebGL 2. Los programas se atienen a lo que hay en los dos (diseño: web), y así basta
-// con cambiar la primera línea del shader, «#version 140», por estas. Las demás conservan su número para los errores.
+// De GLSL 1.40 a GLSL ES 3.00, el de WebGL 2. Los programas se atienen a lo que hay en los dos (diseño: web), y así
+// basta con cambiar la primera línea del shader, «#version 140», por estas. Las demás conservan su número para los
+// errores.
 #pragma once
 #include <string>
 

@@ -1,5 +1,5 @@
-// Lo que OpenGL 3.1 tiene y WebGL 2 no, o hace de otra manera. Aquí está solo lo que usan los programas: lo demás que falte
-// lo dice el enlazador. Cada función sustituye a la de Emscripten, que sigue llamándose emscripten_gl…
+// Lo que OpenGL 3.1 tiene y WebGL 2 no, o hace de otra manera. Aquí está solo lo que usan los programas: lo demás que
+// falte lo dice el enlazador. Cada función sustituye a la de Emscripten, que sigue llamándose emscripten_gl…
 #include "essl.h"
 #include <GL/glew.h>
 #include <algorithm>

@@ -70,7 +70,7 @@ void GLAPIENTRY depura(GLenum origen, GLenum tipo, GLuint, GLenum, GLsizei, cons
         errorGL = texto;
 }
 
-/// El programa ha llamado a exit antes de que el bucle pudiera comprobar los últimos errores.
+// El programa ha llamado a exit antes de que el bucle pudiera comprobar los últimos errores.
 void compruebaErroresAlSalir() {
     if (errorGL.empty())
         return;
@@ -79,7 +79,7 @@ void compruebaErroresAlSalir() {
     std::_Exit(3);
 }
 
-/// Qué ha hecho la imagen: con el mismo sello, dos imágenes del mismo programa deben ser idénticas.
+// Qué ha hecho la imagen: con el mismo sello, dos imágenes del mismo programa deben ser idénticas.
 std::string sello() {
     const auto dice = [](GLenum que) {
         return std::string(reinterpret_cast<const char *>(glGetString(que)));
@@ -104,7 +104,7 @@ void dibujaLoPedido() {
     compruebaGL("al dibujar");
 }
 
-/// Con diario se dibuja al apuntar: como en una ventana, donde lo que llega junto se dibuja una vez.
+// Con diario se dibuja al apuntar: como en una ventana, donde lo que llega junto se dibuja una vez.
 void dibujaSiHaceFalta() {
     if (!g.diario)
         dibujaLoPedido();
@@ -145,7 +145,7 @@ bool botonPulsado() {
     return std::any_of(std::begin(g.pulsado), std::end(g.pulsado), [](bool pulsado) { return pulsado; });
 }
 
-/// Un ratón no salta: para pulsar en otro sitio, antes se mueve, y el programa lo ve.
+// Un ratón no salta: para pulsar en otro sitio, antes se mueve, y el programa lo ve.
 void llevaRaton(Punto adonde) {
     if (g.ratonDentro && adonde.x == g.puntero.x && adonde.y == g.puntero.y)
         return;
@@ -157,7 +157,7 @@ void llevaRaton(Punto adonde) {
         f(adonde.x, adonde.y);
 }
 
-/// Cada tecla se suelta en cuanto se pulsa.
+// Cada tecla se suelta en cuanto se pulsa.
 template<class Tecla>
 void pulsaTecla(void (*const &alPulsar)(Tecla, int, int), void (*const &alSoltar)(Tecla, int, int),
                 int tecla) {
@@ -214,7 +214,7 @@ void ejecuta(const Orden &o) {
     compruebaGL("tras " + o.lugar);
 }
 
-/// Una orden del guion, las veces que diga, y lo que viene con cada una: dibujar si hace falta y la función de ocio.
+// Una orden del guion, las veces que diga, y lo que viene con cada una: dibujar si hace falta y la función de ocio.
 void atiende(const Orden &orden) {
     for (int i = 0; i < orden.veces; ++i) {
         if (g.termina)
@@ -229,7 +229,7 @@ void atiende(const Orden &orden) {
     }
 }
 
-/// De qué sucesos se entera el programa.
+// De qué sucesos se entera el programa.
 void escribeRasgos() {
     const std::pair<const char *, bool> rasgos[] = {{"teclado", g.teclado != nullptr},
                                                     {"especial", g.especial != nullptr},

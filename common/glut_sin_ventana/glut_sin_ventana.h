@@ -15,7 +15,7 @@
 // el programa con un mensaje.
 //
 // Se aparta de FreeGLUT en que
-// - hay una sola ventana, y sin pantalla no tiene posición, título (salvo en la web) ni cursor: esas llamadas no tienen efecto;
+// - hay una sola ventana, y sin pantalla no tiene posición, título (salvo en la web) ni cursor: llamarlas no hace nada;
 // - la pantalla completa es de 1920×1080 y mide 0 mm, por lo que se sabe que no la hay;
 // - la ventana no tiene muestras aunque se pida GLUT_MULTISAMPLE;
 // - la función de glutIdleFunc se llama una vez tras cada orden del guion, después de dibujar lo que ella pida;
@@ -24,8 +24,8 @@
 // - al acabar el guion la ventana se cierra, como si lo hiciera el usuario, y glutMainLoop vuelve.
 //
 // Opciones, órdenes del guion y estados de salida: las escribe cualquier programa sin ventana con -ayuda (AYUDA
-// en guion.cpp). El contexto es un OpenGL 3.1 core con GLSL 1.40 y nada más, ni siquiera lo obsoleto (no hay líneas de más
-// de un píxel). Todo lo que no es glut* está en el espacio de nombres sin_ventana: un programa puede tener tipos y
+// en guion.cpp). El contexto es un OpenGL 3.1 core con GLSL 1.40 y nada más, ni siquiera lo obsoleto (no hay líneas de
+// más de un píxel). Todo lo que no es glut* está en el espacio de nombres sin_ventana: un programa puede tener tipos y
 // funciones que se llamen igual. Un error de OpenGL, o un mensaje
 // de depuración de error, de comportamiento indefinido o de función obsoleta, acaba el programa con estado 3,
 // aunque el programa se trague el error.

@@ -75,7 +75,7 @@ const char *const BLANCOS = " \t\r\v\f"; // los mismos que separan palabras
 const int LADO_MAXIMO = 16384, COORDENADA_MAXIMA = 100000, ESPERA_MAXIMA = 1000000000, VECES_MAXIMAS = 10000;
 const std::string POR = "×";
 
-/// Una orden partida en palabras, que se van tomando y comprobando.
+// Una orden partida en palabras, que se van tomando y comprobando.
 struct Palabras {
     std::vector<std::string> palabras;
     std::string lugar;
@@ -108,7 +108,7 @@ struct Palabras {
             texto += " " + toma(que);
         return texto;
     }
-    /// Quita el ×N del final. La primera palabra es la orden, empiece como empiece.
+    // Quita el ×N del final. La primera palabra es la orden, empiece como empiece.
     int veces() {
         if (palabras.size() < 2 || palabras.back().rfind(POR, 0) != 0)
             return 1;

@@ -30,9 +30,9 @@ struct Orden {
     std::string texto; // ruta del menú o fichero
 };
 
-/// Píxel de una ventana de esa talla al que va el ratón. Las escenas se componen para 4:3 y las demás ventanas enseñan más
-/// alrededor (common/aspecto.h): lo que está a d píxeles del centro de la escala está a d·k del centro de la ventana, con k el
-/// cociente de sus altos útiles.
+/// Píxel de una ventana de esa talla al que va el ratón. Las escenas se componen para 4:3 y las demás ventanas enseñan
+/// más alrededor (common/aspecto.h): lo que está a d píxeles del centro de la escala está a d·k del centro de la
+/// ventana, con k el cociente de sus altos útiles.
 Punto ratonEn(const Orden &orden, Talla ventana);
 
 /// Analiza un guion: órdenes separadas por `;` o por fin de línea; en un fichero («@fichero»), una línea que

@@ -15,8 +15,8 @@ void compruebaGL(const std::string &donde);
 
 // menus.cpp
 
-/// Busca «Submenú/Opción» en los menús asignados a los botones y llama a la función del que la contiene; si no está, termina
-/// con estado 2, diciendo `lugar`.
+/// Busca «Submenú/Opción» en los menús asignados a los botones y llama a la función del que la contiene; si no está,
+/// termina con estado 2, diciendo `lugar`.
 void eligeEnMenu(const std::string &ruta, const std::string &lugar);
 
 /// Las rutas de todas las opciones de esos menús.

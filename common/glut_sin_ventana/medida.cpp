@@ -32,7 +32,7 @@ const struct {
                  {GL_TEXTURE_CUBE_MAP, GL_TEXTURE_BINDING_CUBE_MAP},
                  {GL_TEXTURE_RECTANGLE, GL_TEXTURE_BINDING_RECTANGLE}};
 
-/// Con sus mipmaps. Es textura de ese objetivo.
+// Con sus mipmaps. Es textura de ese objetivo.
 long long bytesDeNiveles(GLenum objetivo) {
     const bool cubo = objetivo == GL_TEXTURE_CUBE_MAP;
     const GLenum cara = cubo ? GL_TEXTURE_CUBE_MAP_POSITIVE_X : objetivo;
@@ -51,7 +51,7 @@ long long bytesDeNiveles(GLenum objetivo) {
     return bytes;
 }
 
-/// Solo el objetivo con el que se creó no da un error al enlazarla.
+// Solo el objetivo con el que se creó no da un error al enlazarla.
 long long bytesDeTextura(GLuint nombre) {
     for (const auto &[objetivo, enlazada] : OBJETIVOS) {
         GLint anterior = 0;

@@ -37,7 +37,7 @@ void exigeMenu(const char *funcion, int menu) {
         falla(std::string(funcion) + "(" + std::to_string(menu) + "): no hay ese menú");
 }
 
-/// Su función se llama con él como menú actual, y puede cambiarlo.
+// Su función se llama con él como menú actual, y puede cambiarlo.
 void elige(int menu, int valor) {
     menus.abierto = false;
     const int anterior = std::exchange(menus.actual, menu);
@@ -45,7 +45,7 @@ void elige(int menu, int valor) {
     menus.actual = menus.todos.count(anterior) ? anterior : 0;
 }
 
-/// Si en ese menú hay esa opción, la elige.
+// Si en ese menú hay esa opción, la elige.
 bool eligeDesde(int menu, const std::string &ruta) {
     const std::size_t barra = ruta.find('/');
     for (const Entrada &e : menus.todos.at(menu).entradas) {

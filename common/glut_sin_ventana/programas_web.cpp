@@ -1,4 +1,4 @@
-// Todos los programas están en el mismo binario: su main se llama main_NOMBRE (herramientas/cmake/web.cmake) y aquí se elige.
+// Todos los programas están en el mismo binario: su main es main_NOMBRE (herramientas/cmake/web.cmake) y aquí se elige.
 #include "../error.h"
 #include <cerrno> // program_invocation_short_name
 #include <cstring>

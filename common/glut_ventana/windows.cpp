@@ -1,5 +1,5 @@
-// Lo que el enlace con ventana añade en Windows, sin que los programas hagan nada: su consola entiende UTF-8, y un error se puede leer
-// aunque la consola se abra y se cierre con el programa, como tras un doble clic.
+// Lo que el enlace con ventana añade en Windows, sin que los programas hagan nada: su consola entiende UTF-8, y un
+// error se puede leer aunque la consola se abra y se cierre con el programa, como tras un doble clic.
 #include "../error.h"
 #include <GL/freeglut.h>
 #include <cstdarg>
@@ -19,7 +19,7 @@ void fallaFreeglut(const char *formato, va_list valores) {
     falla(std::string("FreeGLUT: ") + texto);
 }
 
-/// Si nadie más usa la consola, como el símbolo del sistema desde el que se llama a un programa.
+// Si nadie más usa la consola, como el símbolo del sistema desde el que se llama a un programa.
 bool consolaPropia() {
     DWORD procesos[2];
     return GetConsoleProcessList(procesos, 2) == 1;

@@ -1,5 +1,5 @@
-// Lo que herramientas/muta.py incluye en cada fichero que estropea: qué mutante está puesto ($LAB_MUTANTE) y, en $LAB_LEIDOS, donde
-// common/rutas.cpp apunta los ficheros del laboratorio, qué mutantes llega a usar cada proceso.
+// Lo que herramientas/pruebas/muta.py incluye en cada fichero que estropea: qué mutante está puesto ($LAB_MUTANTE) y,
+// en $LAB_LEIDOS, donde common/rutas.cpp apunta los ficheros del laboratorio, qué mutantes llega a usar cada proceso.
 #pragma once
 #include <cstdio>
 #include <cstdlib>

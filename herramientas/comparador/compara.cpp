@@ -1,13 +1,14 @@
-// compara ESPERADA.ppm OBTENIDA.ppm [--redondeo | --amplia | --otro] [--tolerancia "PORCENTAJE NIVELES MAXIMO"] [--deja PREFIJO]
+// compara ESPERADA.ppm OBTENIDA.ppm [--redondeo | --amplia | --otro] [--tolerancia "PORCENTAJE NIVELES MAXIMO"]
+//   [--deja PREFIJO]
 // Compara los tres componentes de dos imágenes y escribe siempre las cifras. Si las hizo el mismo OpenGL en el mismo
 // entorno (el sello de la cabecera es igual) deben ser idénticas o, con --redondeo, a un nivel como mucho. Si no, o con
 // --amplia, a lo sumo un 0.1 % de los píxeles puede diferir en más de 3 niveles de 255, y ninguno puede salirse en más
 // de 32 de los valores que la esperada tiene en los 3×3 píxeles de alrededor: en el borde de una figura un píxel entero
 // puede ser de otro color con solo que otro OpenGL redondee de otra manera, y ahí lo que se acota es cuántos.
 // --otro, con cualquier otro OpenGL, es que una persona las tenga por la misma: dónde cae un borde no cuenta, sí lo que
-// sobra o falta. Un píxel está mal en lo que se sale de los 3×3 de la otra, en los dos sentidos: en más de 3 niveles, el
-// 1 % como mucho; en más de 32, ni la décima parte de eso ni 3×3 juntos, que se ven como una mancha. Y como una imagen
-// corrida tiene todos sus bordes a un píxel, toda ella no puede haberse movido más de un cuarto de píxel.
+// sobra o falta. Un píxel está mal en lo que se sale de los 3×3 de la otra, en los dos sentidos: en más de 3 niveles,
+// el 1 % como mucho; en más de 32, ni la décima parte de eso ni 3×3 juntos, que se ven como una mancha. Y como una
+// imagen corrida tiene todos sus bordes a un píxel, toda ella no puede haberse movido más de un cuarto de píxel.
 // Estado: 0 iguales; 1 distintas; 2 no se pueden comparar, y la que no lleva sello tampoco (con --amplia y --otro, solo
 // la esperada). Si son distintas, --deja guarda PREFIJO-esperada, -obtenida y -diferencia (ampliada 8 veces).
 #include "error.h"
@@ -24,7 +25,7 @@
 #include <string>
 #include <vector>
 
-/// Cuánto se sale el componente c del píxel (x, y) de los valores que tiene la esperada en los 3×3 de alrededor.
+// Cuánto se sale el componente c del píxel (x, y) de los valores que tiene la esperada en los 3×3 de alrededor.
 static int exceso(const Imagen &esperada, const Imagen &obtenida, int x, int y, int c) {
     const auto valor = [c](const Imagen &i, int px, int py) {
         return int{i.rgb[static_cast<std::size_t>(3 * (py * i.ancho + px) + c)]};
@@ -39,7 +40,7 @@ static int exceso(const Imagen &esperada, const Imagen &obtenida, int x, int y, 
     return std::max({menor - v, v - mayor, 0});
 }
 
-/// Lo que sobra o falta en cada píxel: lo que se sale de los 3×3 de la otra imagen.
+// Lo que sobra o falta en cada píxel: lo que se sale de los 3×3 de la otra imagen.
 static std::vector<int> sobraOFalta(const Imagen &a, const Imagen &b) {
     std::vector<int> mal;
     for (int y = 0; y < a.alto; ++y)
@@ -52,7 +53,7 @@ static std::vector<int> sobraOFalta(const Imagen &a, const Imagen &b) {
     return mal;
 }
 
-/// El cuadrado de 3×3 que está peor, por su mejor píxel.
+// El cuadrado de 3×3 que está peor, por su mejor píxel.
 static int mancha(const std::vector<int> &mal, int ancho, int alto) {
     int peor = 0;
     for (int y = 0; y + 3 <= alto; ++y)
@@ -65,7 +66,7 @@ static int mancha(const std::vector<int> &mal, int ancho, int alto) {
     return peor;
 }
 
-/// Los píxeles que se ha corrido: el desplazamiento d con que e − ∇e·d se acerca más a o, por mínimos cuadrados.
+// Los píxeles que se ha corrido: el desplazamiento d con que e − ∇e·d se acerca más a o, por mínimos cuadrados.
 static double corrimiento(const Imagen &e, const Imagen &o) {
     glm::dmat2 A(1e-9);
     glm::dvec2 b(0);
@@ -155,8 +156,8 @@ static void exigeComparables(const Sellada &e, const Sellada &o, Modo modo) {
         falla("«" + e.fichero + "» mide " + e.talla() + " y «" + o.fichero + "» " + o.talla(), 2);
 }
 
-/// Lo que se separan dos imágenes. Un píxel está fuera si está a más de `niveles` de lo que debe, y muy fuera a más de
-/// `maximo`; en porcentaje.
+// Lo que se separan dos imágenes. Un píxel está fuera si está a más de `niveles` de lo que debe, y muy fuera a más de
+// `maximo`; en porcentaje.
 struct Medidas {
     int maximo = 0, maximoExceso = 0, fuera = 0, muyFuera = 0, mancha = 0;
     double media = 0, rmse = 0, porcentajeFuera = 0, porcentajeMuyFuera = 0, corrida = 0;
@@ -214,7 +215,7 @@ static bool admite(Modo modo, const Medidas &m, const Tolerancia &t) {
     return false;
 }
 
-/// Como std::printf, en un std::string.
+// Como std::printf, en un std::string.
 template<class... Valores>
 static std::string texto(const char *formato, const Valores &...valores) {
     char s[160];

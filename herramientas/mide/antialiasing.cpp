@@ -7,7 +7,7 @@
 
 using namespace mide;
 
-/// La estrella, blanca: lo que tapa de cada píxel, tres veces.
+// La estrella, blanca: lo que tapa de cada píxel, tres veces.
 static std::vector<double> estrellaExacta(const std::vector<glm::dvec2> &vertices, int lado) {
     std::vector<oraculo::Poligono> triangulos(vertices.size() / 3);
     for (std::size_t k = 0; k < vertices.size(); ++k)
@@ -33,7 +33,7 @@ static Malla enMalla(const std::vector<glm::dvec2> &vertices) {
     return malla;
 }
 
-/// Donde se dibuja `veces` mayor y con `muestras` por píxel, y la textura en que se resuelven.
+// Donde se dibuja `veces` mayor y con `muestras` por píxel, y la textura en que se resuelven.
 struct Grande {
     const int veces, talla;
     GLuint textura, resuelto;

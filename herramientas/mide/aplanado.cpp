@@ -4,7 +4,7 @@
 
 using namespace mide;
 
-/// Una cúbica casi con pico, una suave y una de grado 24, en píxeles.
+// Una cúbica casi con pico, una suave y una de grado 24, en píxeles.
 static const std::vector<std::vector<glm::vec3>> CURVAS = [] {
     std::vector<std::vector<glm::vec3>> c = {{{100, 100, 0}, {1500, 900, 0}, {380, 900, 0}, {1780, 120, 0}},
                                              {{80, 400, 0}, {600, 900, 0}, {1200, 100, 0}, {1800, 600, 0}},
@@ -20,7 +20,7 @@ static double aSegmento(const glm::dvec2 &p, const glm::dvec2 &a, const glm::dve
     return glm::length(p - a - t * ab);
 }
 
-/// Lo más que se separa la curva exacta de la polilínea, que la recorre en el mismo sentido.
+// Lo más que se separa la curva exacta de la polilínea, que la recorre en el mismo sentido.
 static double error(const std::vector<glm::vec3> &curva, const std::vector<glm::vec3> &linea) {
     const std::vector<glm::dvec3> exacta(curva.begin(), curva.end());
     double mayor = 0;

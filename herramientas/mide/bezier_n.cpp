@@ -10,7 +10,7 @@ using Puntos = std::vector<glm::vec3>;
 
 static const std::size_t GRADO = 30;
 
-/// Coeficientes binomiales con los factoriales de la ecuación 11.20, en el tipo que se pida.
+// Coeficientes binomiales con los factoriales de la ecuación 11.20, en el tipo que se pida.
 template<class T>
 static float combinaciones(std::size_t n, std::size_t k) {
     const auto factorial = [](std::size_t x) {
@@ -40,7 +40,7 @@ static glm::vec3 conBernstein(const Puntos &p, float u) {
     return q;
 }
 
-/// De Casteljau sin guardar los niveles.
+// De Casteljau sin guardar los niveles.
 static glm::vec3 casteljauEnUnVector(Puntos p, float u) {
     for (std::size_t n = p.size() - 1; n > 0; --n)
         for (std::size_t i = 0; i < n; ++i)
@@ -48,7 +48,7 @@ static glm::vec3 casteljauEnUnVector(Puntos p, float u) {
     return p[0];
 }
 
-/// Volk y Schumaker: con C(n, k)·P_k ya hechos, Horner en u/(1 − u) si u ≤ ½ y en su inverso si no.
+// Volk y Schumaker: con C(n, k)·P_k ya hechos, Horner en u/(1 − u) si u ≤ ½ y en su inverso si no.
 static glm::vec3 volkSchumaker(const Puntos &cp, float u) {
     const std::size_t n = cp.size() - 1;
     const bool alReves = u > 0.5f;

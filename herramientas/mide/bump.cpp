@@ -28,7 +28,7 @@ static double altura(const glm::vec2 &st) {
 
 static const float INCLINACION = -0.6f;
 
-/// El plano con la normal exacta en cada punto.
+// El plano con la normal exacta en cada punto.
 static oraculo::ImagenRef trazaBultos(const Framebuffer &framebuffer) {
     const oraculo::Mat4 girado = oraculo::gira({1, 0, 0}, -0.6);
     const oraculo::Vec3 fondo = {0.95, 0.96, 0.98};

@@ -13,7 +13,7 @@ using namespace mide;
 
 static const int ANCHO = 250, ALTO = 190;
 
-/// Una pasada en double, por filas o por columnas, con el borde repetido.
+// Una pasada en double, por filas o por columnas, con el borde repetido.
 static std::vector<double> pasada(const std::vector<double> &v, const std::vector<float> &nucleo,
                                   bool columnas) {
     const int n = int(nucleo.size());
@@ -32,7 +32,7 @@ static std::vector<double> pasada(const std::vector<double> &v, const std::vecto
     return r;
 }
 
-/// Una textura sin mipmaps que repite el borde, y un framebuffer que dibuja en ella.
+// Una textura sin mipmaps que repite el borde, y un framebuffer que dibuja en ella.
 struct Capa {
     GLuint textura, framebuffer;
     Capa(GLint formato, const void *rgb) {
@@ -50,7 +50,7 @@ struct Capa {
     }
 };
 
-/// El filtro de m × n números, como textura en la unidad 1.
+// El filtro de m × n números, como textura en la unidad 1.
 static GLuint texturaFiltro(const std::vector<float> &valores, int m) {
     GLuint textura;
     glActiveTexture(GL_TEXTURE1);
@@ -63,7 +63,7 @@ static GLuint texturaFiltro(const std::vector<float> &valores, int m) {
     return textura;
 }
 
-/// ImageMagick, si está, con el mismo núcleo: lo que tarda una pasada más, sin el arranque ni los ficheros.
+// ImageMagick, si está, con el mismo núcleo: lo que tarda una pasada más, sin el arranque ni los ficheros.
 static void parImageMagick(Medidor &m, const Imagen &foto, const Filtro &f,
                            const std::vector<double> &exacta) {
     const std::string entra = (std::filesystem::temp_directory_path() / "mide_entra.ppm").string(),
@@ -98,7 +98,7 @@ static void parOpenCv(Medidor &m, const Imagen &foto, const Filtro &f, const std
 }
 #endif
 
-/// La foto, donde se deja filtrada y los programas que la filtran.
+// La foto, donde se deja filtrada y los programas que la filtran.
 struct Banco {
     const Capa entrada, en8{GL_RGBA8, nullptr}, enFloat{GL_RGBA32F, nullptr}, salida{GL_RGBA8, nullptr};
     const GLuint directo = creaFiltrador("convolucion_variable"),
@@ -107,7 +107,7 @@ struct Banco {
     explicit Banco(const Imagen &foto) : entrada(GL_RGB8, foto.rgb.data()) {
         glViewport(0, 0, ANCHO, ALTO);
     }
-    /// Con un filtro de cualquier forma, en una textura.
+    // Con un filtro de cualquier forma, en una textura.
     void filtra(const Capa &de, const Capa &a, GLuint filtro) const {
         glActiveTexture(GL_TEXTURE1);
         glBindTexture(GL_TEXTURE_2D, filtro);
@@ -116,7 +116,7 @@ struct Banco {
         envia(directo, "filtro", 1);
         dibujaEn(de, a);
     }
-    /// De la entrada a la salida, primero por filas y después por columnas, con lo de en medio en `por`.
+    // De la entrada a la salida, primero por filas y después por columnas, con lo de en medio en `por`.
     void enDosPasadas(const Capa &por, const Filtro &f) const {
         glUseProgram(separable);
         envia(separable, "talla", f.talla);

@@ -8,10 +8,10 @@ using namespace mide;
 
 using G3 = Geometria<float>;
 
-/// En píxeles de una ventana de 1080 líneas; lejos del origen, como en una escena grande.
+// En píxeles de una ventana de 1080 líneas; lejos del origen, como en una escena grande.
 static const G3 G = {glm::vec3(1010, 2040, 15), {1330, 3010, -250}, {1720, 1500, 410}, {2030, 2080, 70}};
 
-/// M·G (ecuación 11.18): los coeficientes de u³, u², u y 1.
+// M·G (ecuación 11.18): los coeficientes de u³, u², u y 1.
 static G3 coeficientes(const G3 &g) {
     return {-g[0] + 3.0f * g[1] - 3.0f * g[2] + g[3], 3.0f * g[0] - 6.0f * g[1] + 3.0f * g[2],
             3.0f * (g[1] - g[0]), g[0]};
@@ -23,7 +23,7 @@ static glm::vec3 deCasteljau(const G3 &g, float u) {
     return c * (c * a + u * b) + u * (c * b + u * d);
 }
 
-/// Todos los puntos, sumando: tres sumas por punto, pero cada error se arrastra al siguiente.
+// Todos los puntos, sumando: tres sumas por punto, pero cada error se arrastra al siguiente.
 template<class T>
 static void diferencias(const G3 &g, std::vector<glm::vec3> &puntos) {
     using V = glm::vec<3, T>;
@@ -40,7 +40,7 @@ static void diferencias(const G3 &g, std::vector<glm::vec3> &puntos) {
     }
 }
 
-/// Los puntos que calcula un vertex shader, leídos por transform feedback; no se dibuja nada.
+// Los puntos que calcula un vertex shader, leídos por transform feedback; no se dibuja nada.
 class EnShader {
 public:
     explicit EnShader(std::size_t n) : cuantos(GLsizei(n)) {

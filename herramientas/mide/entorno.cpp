@@ -6,7 +6,7 @@
 
 using namespace mide;
 
-/// El entorno exacto: un cielo degradado y un damero de meridianos y paralelos, con bordes suaves.
+// El entorno exacto: un cielo degradado y un damero de meridianos y paralelos, con bordes suaves.
 static oraculo::Vec3 entorno(const oraculo::Vec3 &d) {
     const double l = oraculo::longitud(d), alto = d.y / l, giro = std::atan2(d.z, d.x);
     const double dibujo = std::tanh(3 * std::sin(6 * giro) * std::cos(8 * alto)) *

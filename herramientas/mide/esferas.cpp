@@ -12,8 +12,8 @@ static double cruz(const glm::dvec2 &o, const glm::dvec2 &a, const glm::dvec2 &b
     return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 
-/// Lo que se hunde el contorno de un convexo de radio `radio`, centrado, visto a lo largo de Z tras girarlo: el lado de
-/// su envolvente que pasa más cerca del centro.
+// Lo que se hunde el contorno de un convexo de radio `radio`, centrado, visto a lo largo de Z tras girarlo: el lado de
+// su envolvente que pasa más cerca del centro.
 static double hundimiento(const Malla &malla, const glm::mat4 &giro, double radio) {
     std::vector<glm::dvec2> p, h;
     for (const Vertice &v : malla.vertices)

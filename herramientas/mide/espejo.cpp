@@ -10,7 +10,7 @@ using namespace mide;
 
 static const float ALTO_ESFERA = 0.45f, RADIO_ESFERA = 0.55f, ALTO_ESPEJO = -0.15f;
 
-/// POV-Ray, si está: lo que tarda en esa talla, sin lo que tarda en arrancar y leer la escena.
+// POV-Ray, si está: lo que tarda en esa talla, sin lo que tarda en arrancar y leer la escena.
 static void parPovRay(Medidor &m, int ancho, int alto, const oraculo::ImagenRef &ref) {
     const std::string sale = (std::filesystem::temp_directory_path() / "mide_espejo.ppm").string();
     const auto ejecuta = [&](int w, int h) {

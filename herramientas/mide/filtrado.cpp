@@ -15,7 +15,7 @@ static const int TALLA = 32, MUESTRAS = 16;
 static const double LARGO = 200, LADO = 2, ANGULO_SUELO = 0.8;
 static const Orbita ORBITA = {0.12f, 0.3f, 3};
 
-/// La textura, con filtro lineal y repetida, en double.
+// La textura, con filtro lineal y repetida, en double.
 static oraculo::Vec3 lineal(const Imagen &t, double s, double v) {
     const double x = s * TALLA - 0.5, y = v * TALLA - 0.5, i = std::floor(x), j = std::floor(y), a = x - i,
                  b = y - j;

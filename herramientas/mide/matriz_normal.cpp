@@ -12,7 +12,7 @@ static V cruz(const V &a, const V &b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// Grados entre N·n y la normal exacta, la de la traspuesta de la adjunta con el signo del determinante.
+// Grados entre N·n y la normal exacta, la de la traspuesta de la adjunta con el signo del determinante.
 static double error(const glm::mat3 &N, const glm::mat3 &M, const glm::vec3 &n) {
     const auto columna = [&](int j) { return V{Cuadruple(M[j].x), Cuadruple(M[j].y), Cuadruple(M[j].z)}; };
     const V a = columna(0), b = columna(1), c = columna(2), f[3] = {cruz(b, c), cruz(c, a), cruz(a, b)};

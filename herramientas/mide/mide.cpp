@@ -66,7 +66,7 @@ const int RONDAS = 25, INTENTOS = 4 * RONDAS;
 const double RODAJA = 5e6; // ns que dura como poco el turno de una variante
 const double OTRO_PASO = 1.2;
 
-/// Los de procesador: no cuentan los ratos en que corre otro.
+// Los de procesador: no cuentan los ratos en que corre otro.
 double nsDe(const std::function<void()> &trabajo) {
     timespec antes, despues;
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &antes);
@@ -75,7 +75,7 @@ double nsDe(const std::function<void()> &trabajo) {
     return 1e9 * double(despues.tv_sec - antes.tv_sec) + double(despues.tv_nsec - antes.tv_nsec);
 }
 
-/// Lo que tarda siempre lo mismo: a qué paso va ahora el procesador.
+// Lo que tarda siempre lo mismo: a qué paso va ahora el procesador.
 double paso() {
     return nsDe([] {
         std::uint32_t x = 1;
@@ -93,7 +93,7 @@ double mediana(std::vector<double> v) {
     return v[v.size() / 2];
 }
 
-/// Lo que hace el hijo hasta que el padre cierra la tubería.
+// Lo que hace el hijo hasta que el padre cierra la tubería.
 [[noreturn]] void atiende(const Corredor &c, const std::function<double()> &tarda) {
     char turno;
     while (read(c.pide, &turno, 1) == 1) {
@@ -129,7 +129,7 @@ double turno(const Corredor &c) {
     return ns;
 }
 
-/// Lo que tarda cada una en una ronda, y a qué paso iba el procesador antes de cada una.
+// Lo que tarda cada una en una ronda, y a qué paso iba el procesador antes de cada una.
 struct Ronda {
     std::vector<double> ns, pasos;
 };
@@ -138,7 +138,7 @@ double nanosegundos(const char *unidad) { // los de una unidad de tiempo
     return !std::strncmp(unidad, "ns", 2) ? 1 : !std::strncmp(unidad, "ms", 2) ? 1e6 : 1e3;
 }
 
-/// Por ocho, alrededor del gris: la diferencia que apenas se ve, a la vista.
+// Por ocho, alrededor del gris: la diferencia que apenas se ve, a la vista.
 Imagen diferencia(const Imagen &a, const Imagen &b) {
     Imagen d{a.ancho, a.alto, {}};
     for (std::size_t i = 0; i < a.rgb.size(); ++i)
@@ -185,8 +185,8 @@ void Medidor::variante(const std::string &nombre, double error, double unidades,
         guardaPpm(base + "-diferencia.ppm", diferencia(imagen, referencia));
 }
 
-/// Con ensayo basta una ronda. Una a otro paso que las demás se tira y se repite, y si no hay bastantes a uno, valen
-/// las que menos se apartan.
+// Con ensayo basta una ronda. Una a otro paso que las demás se tira y se repite, y si no hay bastantes a uno, valen
+// las que menos se apartan.
 const std::vector<Medida> &Medidor::corre() {
     std::vector<std::size_t> orden(corredores.size());
     std::iota(orden.begin(), orden.end(), 0);

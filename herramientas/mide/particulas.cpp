@@ -12,7 +12,7 @@ struct Particula {
     glm::vec3 p, v;
 };
 
-/// El azar de la técnica, entre −1 y 1.
+// El azar de la técnica, entre −1 y 1.
 class Azar {
     std::mt19937 azar{3};
 
@@ -29,7 +29,7 @@ static std::vector<Particula> alNacer(Azar &al, int cuantas) {
     return p;
 }
 
-/// Cada una por donde vaya: que al cronometrar se vea de todo.
+// Cada una por donde vaya: que al cronometrar se vea de todo.
 static std::vector<Particula> enMarcha(Azar &al, std::vector<Particula> p) {
     for (Particula &q : p) {
         const float s = 0.8f * (1 + al());
@@ -50,7 +50,7 @@ static const auto VERLET = [](Particula &q,
     q.v.y -= 0.5f * h * GRAVEDAD;
 };
 
-/// Los píxeles que se separa alguna, con un paso h, del tiro exacto al final de su vida.
+// Los píxeles que se separa alguna, con un paso h, del tiro exacto al final de su vida.
 template<class Paso>
 static double desvio(const std::vector<Particula> &inicio, float h, const Paso &paso) {
     const int pasos = int(std::lround(VIDA / h));
@@ -66,7 +66,7 @@ static double desvio(const std::vector<Particula> &inicio, float h, const Paso &
     return error;
 }
 
-/// Las partículas, dibujadas como puntos.
+// Las partículas, dibujadas como puntos.
 class Puntos {
     const Framebuffer &framebuffer;
     GLuint vao = 0, bufer = 0;
@@ -79,7 +79,7 @@ public:
         glBindBuffer(GL_ARRAY_BUFFER, bufer);
         glEnableVertexAttribArray(ATRIBUTO_POSICION);
     }
-    /// Cada posición, al principio de un T.
+    // Cada posición, al principio de un T.
     template<class T>
     void envia(const std::vector<T> &datos, GLenum uso) const {
         glBindBuffer(GL_ARRAY_BUFFER, bufer);
@@ -95,7 +95,7 @@ public:
     }
 };
 
-/// Integrar en la CPU y enviar las posiciones.
+// Integrar en la CPU y enviar las posiciones.
 static void mideIntegradas(Medidor &m, Azar &al, const Puntos &puntos, GLuint pelados,
                            const std::vector<Particula> &inicio) {
     const int n = int(inicio.size());
@@ -124,7 +124,7 @@ static void mideIntegradas(Medidor &m, Azar &al, const Puntos &puntos, GLuint pe
         variante("Verlet", h, VERLET, {0, 0.1});
 }
 
-/// La fórmula en la GPU: el tiempo llega ya reducido a una vida, o crece y crece en un float.
+// La fórmula en la GPU: el tiempo llega ya reducido a una vida, o crece y crece en un float.
 static void mideFormula(Medidor &m, const Puntos &puntos, int n, int muchas) {
     const double CIEN_HORAS = 360000.0 + 1.2345, exacta = std::fmod(CIEN_HORAS, double(VIDA)),
                  sinReducir = std::fmod(double(float(CIEN_HORAS)), double(VIDA));

@@ -7,8 +7,8 @@ using namespace mide;
 
 static const double SEPARACION = 1e-4; // una diezmilésima de la distancia
 
-/// Porcentaje de pares mal ordenados con la profundidad que guarda el formato, calculada en float como la GPU. Al
-/// revés: 1 cerca y 0 lejos, donde un float tiene más cifras.
+// Porcentaje de pares mal ordenados con la profundidad que guarda el formato, calculada en float como la GPU. Al
+// revés: 1 cerca y 0 lejos, donde un float tiene más cifras.
 static double confundidos(double cerca, double lejos, int bits, bool alReves) {
     const int n = 20000;
     int mal = 0;

@@ -15,8 +15,8 @@ struct Giro {
     float angulo;
 };
 
-/// Lo que se separa en píxeles, como mucho, un punto girado con M del girado con el giro exacto (Rodrigues, en
-/// doble extendida).
+// Lo que se separa en píxeles, como mucho, un punto girado con M del girado con el giro exacto (Rodrigues, en
+// doble extendida).
 static double error(const glm::mat3 &M, const glm::vec3 &eje, Largo angulo) {
     const Largo x = eje.x, y = eje.y, z = eje.z, l = std::sqrt(x * x + y * y + z * z), c = std::cos(angulo),
                 s = std::sin(angulo), v = 2 * std::pow(std::sin(angulo / 2), Largo(2));
@@ -108,7 +108,7 @@ static void mideMatrices(Medidor &m) {
 
 static const Giro PASO = {{1, 2, 3}, 0.001f};
 
-/// El giro tras n pasos, de cada manera.
+// El giro tras n pasos, de cada manera.
 static glm::mat3 conMatriz(int n) {
     const glm::mat3 unPaso(giroEje(PASO.eje, PASO.angulo));
     glm::mat3 M(1);

@@ -7,7 +7,7 @@
 
 using namespace mide;
 
-/// Los texels de textura3d, de n en n, con esa turbulencia.
+// Los texels de textura3d, de n en n, con esa turbulencia.
 template<class T, class Turbulencia>
 static std::vector<unsigned char> volumen(int n, const Turbulencia &turbulencia) {
     std::vector<unsigned char> texels;

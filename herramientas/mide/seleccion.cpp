@@ -7,7 +7,7 @@
 
 using namespace mide;
 
-/// El primer corte del rayo con las esferas, en el tipo que se pida; 0 si no hay ninguno.
+// El primer corte del rayo con las esferas, en el tipo que se pida; 0 si no hay ninguno.
 template<class T>
 static unsigned cortaEsferas(const std::vector<glm::vec4> &bolas, const glm::vec<3, T> &o,
                              const glm::vec<3, T> &d) {
@@ -30,7 +30,7 @@ using Elige = std::function<unsigned(const Clic &)>;
 
 static const std::size_t DIBUJADOS = 40; // clics que se comprueban dibujando: los demás, con lo dibujado
 
-/// Unas bolas al azar, unos clics sobre ellas y la que hay en cada uno.
+// Unas bolas al azar, unos clics sobre ellas y la que hay en cada uno.
 struct Escenario {
     const Framebuffer &framebuffer;
     const oraculo::Camara camara = camaraExacta();
@@ -57,7 +57,7 @@ struct Escenario {
     oraculo::Rayo rayo(const Clic &c) const {
         return oraculo::rayo(camara, framebuffer.ancho, framebuffer.alto, c.x + 0.5, c.y + 0.5);
     }
-    /// El error, con todos los clics; los últimos con `sinDibujar`, que da lo mismo que `elige` con lo ya dibujado.
+    // El error, con todos los clics; los últimos con `sinDibujar`, que da lo mismo que `elige` con lo ya dibujado.
     void variante(Medidor &m, const std::string &nombre, const Elige &elige, const Elige &sinDibujar,
                   const Rango &espera, const char *nota = "") const {
         std::size_t mal = 0, k = 0;
@@ -70,7 +70,7 @@ struct Escenario {
     }
 };
 
-/// Las bolas, cada una de su identificador y con una malla de n.
+// Las bolas, cada una de su identificador y con una malla de n.
 class Identificadores {
     const Escenario &escenario;
     const GLuint programa;

@@ -27,7 +27,7 @@ struct Desplazamiento {
     float factor, unidades;
 };
 
-/// Una bola roja sobre una mesa blanca, y su sombra negra.
+// Una bola roja sobre una mesa blanca, y su sombra negra.
 class Escena {
     const Framebuffer &framebuffer;
     const GLuint programa = creaPrograma("herramientas/mide/liso.vert", "ch07_realismo/liso.frag");
@@ -59,7 +59,7 @@ public:
     }
 };
 
-/// La misma escena, trazada; la zona de un píxel es si está en la sombra.
+// La misma escena, trazada; la zona de un píxel es si está en la sombra.
 static oraculo::ImagenRef traza(const Vista &v, const Framebuffer &framebuffer) {
     const auto xyz = [](const glm::vec3 &p) { return oraculo::Vec3{p.x, p.y, p.z}; };
     const oraculo::Objeto mesa = oraculo::plano(oraculo::gira({1, 0, 0}, -0.5 * oraculo::PI) *
@@ -77,7 +77,7 @@ static oraculo::ImagenRef traza(const Vista &v, const Framebuffer &framebuffer) 
                            });
 }
 
-/// Los píxeles de sombra, los que faltan y los que sobran.
+// Los píxeles de sombra, los que faltan y los que sobran.
 struct Cuenta {
     double sombra = 0, cosido = 0, encima = 0;
 

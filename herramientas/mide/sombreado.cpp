@@ -4,7 +4,7 @@
 
 using namespace mide;
 
-/// La normal de cada triángulo en sus tres vértices.
+// La normal de cada triángulo en sus tres vértices.
 static Malla facetas(const Malla &malla) {
     Malla plana;
     for (std::size_t i = 0; i < malla.indices.size(); i += 3) {

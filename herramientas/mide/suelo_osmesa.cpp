@@ -64,7 +64,7 @@ static void enviaTriangulo() {
     }
 }
 
-/// De abajo arriba, como los da OpenGL.
+// De abajo arriba, como los da OpenGL.
 static bool guarda(const char *fichero, const std::vector<unsigned char> &rgb) {
     FILE *f = std::fopen(fichero, "wb");
     if (!f)

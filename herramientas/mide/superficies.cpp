@@ -9,7 +9,7 @@ using namespace mide;
 
 static const double PIXEL = 1 / 110.0; // la tetera mide 6.4 unidades
 
-/// La malla de un parche con esa división: los mismos puntos que teselaParches.
+// La malla de un parche con esa división: los mismos puntos que teselaParches.
 static void tesela(const Parche &q, const Division &d, std::vector<Vertice> &vertices) {
     for (int j = 0; j <= d.nv; ++j)
         for (int i = 0; i <= d.nu; ++i) {
@@ -20,8 +20,8 @@ static void tesela(const Parche &q, const Division &d, std::vector<Vertice> &ver
         }
 }
 
-/// Lo más que se separan, en píxeles, los triángulos de una división del punto de la superficie de la misma (u, v): en
-/// los lados y en el centro de cada triángulo.
+// Lo más que se separan, en píxeles, los triángulos de una división del punto de la superficie de la misma (u, v): en
+// los lados y en el centro de cada triángulo.
 static double error(const Parche &q, const Division &d) {
     const auto punto = [&](double u, double v) {
         return parche::posicion(q, parche::pesos(u, 1 - u), parche::pesos(v, 1 - v));

@@ -1,6 +1,6 @@
-// borde [--queda] IMAGEN.ppm…: comprueba que en el borde de cada imagen solo hay fondo (colores.h), o la raya que separa los
-// paneles: lo que toca el borde está cortado. Con --queda, que en cada imagen se ve algo más que fondo. Estado: 0 bien;
-// 1 mal, y dice dónde.
+// borde [--queda] IMAGEN.ppm…: comprueba que en el borde de cada imagen solo hay fondo (colores.h), o la raya que
+// separa los paneles: lo que toca el borde está cortado. Con --queda, que en cada imagen se ve algo más que fondo.
+// Estado: 0 bien; 1 mal, y dice dónde.
 #include "colores.h"
 #include "imagen.h"
 #include <algorithm>

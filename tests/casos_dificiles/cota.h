@@ -1,5 +1,6 @@
-// Un caso difícil es una prueba con nombre propio que mide un número y dice cuánto puede valer. Lo medido y su cota quedan en el
-// informe de GoogleTest (--gtest_output=json), y de ahí los toma tests/laboratorio/evidencia.py para docs/exactitud.md.
+// Un caso difícil es una prueba con nombre propio que mide un número y dice cuánto puede valer. Lo medido y su cota
+// quedan en el informe de GoogleTest (--gtest_output=json), y de ahí los toma tests/laboratorio/evidencia.py para
+// docs/exactitud.md.
 #pragma once
 #include <cmath>
 #include <functional>
@@ -41,7 +42,8 @@ public:
     }
 };
 
-/// La prueba `grupo`.`nombre`: lo que da `mide`, en `unidad`, no pasa de `cota`. Se llama antes de main, desde unas Cotas.
+/// La prueba `grupo`.`nombre`: lo que da `mide`, en `unidad`, no pasa de `cota`. Se llama antes de main, desde unas
+/// Cotas.
 inline void acota(const std::string &grupo, const std::string &nombre, double cota, const std::string &unidad,
                   const std::function<double()> &mide) {
     testing::RegisterTest(grupo.c_str(), nombre.c_str(), nullptr, nullptr, __FILE__, __LINE__,

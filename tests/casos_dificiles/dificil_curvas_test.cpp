@@ -51,7 +51,8 @@ double errorDeCasteljau(int n) {
 }
 
 const Cotas GRADO_N([] {
-    // n niveles de 1 − u, un producto y una suma de números positivos: no más de 3 redondeos por nivel, que no se cancelan
+    // n niveles de 1 − u, un producto y una suma de números positivos: no más de 3 redondeos por nivel, que no se
+    // cancelan
     const auto porNivel = [](int n) { return 3 * n; };
     const std::vector<Con<int>> grados = {10, 20, 40, 60};
     acotaCada<int>("BezierN", "bernstein_float_grado_*", grados, porNivel, "u relativos",
@@ -125,8 +126,8 @@ const Cotas CUBICAS([] {
             return mayor(lejos(cubica(base, g, u), P), lejos(cubica(base, g, u, 1), CERO));
         });
     });
-    // puntos a 1e8: en float, de 8 en 8. Los puntos se redondean; las derivadas, no, si el salto es exacto: los puntos son múltiplos
-    // de 1/4, y con 2²⁰ se suman sin redondear
+    // puntos a 1e8: en float, de 8 en 8. Los puntos se redondean; las derivadas, no, si el salto es exacto: los puntos
+    // son múltiplos de 1/4, y con 2²⁰ se suman sin redondear
     acotaCada<Base>("Cubica", "*_puntos_a_1e8", bases, 4 * 8.0 * std::sqrt(3.0), "unidades",
                     [](Base base) { return corre(base, 1e8f, 0); });
     for (const int derivada : {1, 2})

@@ -35,8 +35,8 @@ const Cotas ESPEJO([] {
     });
     acota("Espejo", "el_sentido_de_giro_se_invierte", 20 * U_FLOAT, "det + 1",
           [] { return std::fabs(glm::determinant(glm::dmat4(reflexion(planoPor(P, V)))) + 1); });
-    // Con el ojo en el plano del espejo, que visto así es una raya: de la órbita de partida hay que girar 1.0498 rad, 52.5 píxeles
-    // en una ventana de 90 de alto.
+    // Con el ojo en el plano del espejo, que visto así es una raya: de la órbita de partida hay que girar 1.0498 rad,
+    // 52.5 píxeles en una ventana de 90 de alto.
     acotaCada<int>("Espejo", "ojo_en_el_plano_*", {52, 53}, 0, "estado", [](int pixeles) {
         const Ejecucion e = ejecuta("espejo", arrastra({60, 30}, {60 + pixeles, 30}), 120, 90);
         EXPECT_EQ(e.errores, "");

@@ -1,5 +1,6 @@
-// Casos difíciles de GLSL: lo que el lenguaje deja sin definir, en la GPU y leído en float. Lo que los shaders del laboratorio
-// guardan tiene que dar lo que debe; y los que usan una función a secas, no pueden llegar a donde no está definida.
+// Casos difíciles de GLSL: lo que el lenguaje deja sin definir, en la GPU y leído en float. Lo que los shaders del
+// laboratorio guardan tiene que dar lo que debe; y los que usan una función a secas, no pueden llegar a donde no está
+// definida.
 #include "azar.h"
 #include "cota.h"
 #include "expresion.h"
@@ -114,7 +115,8 @@ const Cotas ATENUACIONES([] {
 });
 
 const Cotas FUNCIONES([] {
-    // Dos vectores normalizados: su producto pasa de 1 en el redondeo, y 1 − N·V puede ser negativo. De ahí el max de tetera.frag.
+    // Dos vectores normalizados: su producto pasa de 1 en el redondeo, y 1 − N·V puede ser negativo. De ahí el max de
+    // tetera.frag.
     acota("GlslDot", "de_dos_unitarios_pasa_de_1", 4 * U_FLOAT, "lo que pasa de 1", [] {
         Azar azar(1);
         return peorHasta(2000, [&](int) {
@@ -183,7 +185,8 @@ TEST(GlslFuentes, LosBordesDeSmoothstepCrecen) {
         EXPECT_LT(std::stod(m[1]), std::stod(m[2])) << uso;
     }
 }
-// La base de pow no puede ser negativa: es un max o un clamp, o se ha guardado antes. Y el exponente es un número mayor que cero.
+// La base de pow no puede ser negativa: es un max o un clamp, o se ha guardado antes. Y el exponente es un número mayor
+// que cero.
 TEST(GlslFuentes, LaBaseDePowNoEsNegativa) {
     const std::vector<std::string> lista = usos("pow");
     EXPECT_GT(lista.size(), 5u);

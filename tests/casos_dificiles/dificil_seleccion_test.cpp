@@ -1,4 +1,5 @@
-// Casos difíciles de la selección por color (capítulo 10): cada identificador, pintado en un framebuffer de 8 bits y leído.
+// Casos difíciles de la selección por color (capítulo 10): cada identificador, pintado en un framebuffer de 8 bits y
+// leído.
 #include "ch10_interaccion/identificador.h"
 #include "cota.h"
 #include "sonda.h"

@@ -5,7 +5,8 @@
 
 namespace {
 
-/// La parte del periodo que ha pasado a las `horas` y pico, contra la precisión extendida: lo más que se aparta, en vueltas.
+/// La parte del periodo que ha pasado a las `horas` y pico, contra la precisión extendida: lo más que se aparta, en
+/// vueltas.
 double errorDeFase(double horas, double periodo) {
     return peorHasta(2858, [=](int i) { // veinte segundos, de 7 en 7 ms
         const Largo t = Largo(horas) * 3600 + 7 * i / 1000.0L, vueltas = t / periodo;

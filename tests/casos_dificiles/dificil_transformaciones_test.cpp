@@ -18,10 +18,10 @@ double contraRodrigues(const glm::mat4 &A, const glm::vec3 &eje, Largo t) {
     return mayorComponente(Mat3(A) - rodrigues(eje, t));
 }
 
-/// Cota de giroEje, componente a componente. Con D = Rx(t) − I, de norma 2·|sen(t/2)|, el error de I + RᵀDR es el redondeo de la suma (u,
-/// porque el resultado no pasa de 1) más 2·‖δR‖·‖D‖ más el de los dos productos de matrices y del seno. d y e llegan con 4u (una división
-/// y una normalización) y f = d × e con 10u: ‖δR‖ ≤ √(4² + 4² + 10²)·u < 12u. Cada producto de tres términos añade 3u·‖|R||D|‖ ≤ 6u·‖D‖
-/// y el seno 2u: 24 + 12 + 2.
+/// Cota de giroEje, componente a componente. Con D = Rx(t) − I, de norma 2·|sen(t/2)|, el error de I + RᵀDR es el
+/// redondeo de la suma (u, porque el resultado no pasa de 1) más 2·‖δR‖·‖D‖ más el de los dos productos de matrices y
+/// del seno. d y e llegan con 4u (una división y una normalización) y f = d × e con 10u: ‖δR‖ ≤ √(4² + 4² + 10²)·u <
+/// 12u. Cada producto de tres términos añade 3u·‖|R||D|‖ ≤ 6u·‖D‖ y el seno 2u: 24 + 12 + 2.
 double cotaGiro(double t) {
     return (1 + 38 * 2 * std::fabs(std::sin(t / 2))) * U_FLOAT;
 }
@@ -32,7 +32,8 @@ double giroEnCotas(const glm::vec3 &eje) {
                   [&](float t) { return contraRodrigues(giroEje(eje, t), eje, t) / cotaGiro(t); });
 }
 
-/// El mayor error relativo de los componentes de fuera de la diagonal, en u. Con el eje (1, 1, 0), dos son (1 − cos t)/2.
+/// El mayor error relativo de los componentes de fuera de la diagonal, en u. Con el eje (1, 1, 0), dos son (1 − cos
+/// t)/2.
 double errorRelativo(const glm::mat3 &giro, const glm::vec3 &eje, float t) {
     const Mat3 R = rodrigues(eje, t), A(giro);
     return peorHasta(6, [&](int k) {
@@ -108,20 +109,21 @@ const Cotas GIROS([] {
         Azar azar(1);
         return peorHasta(300, [&](int) { return giroEnCotas(azar.entre(0.1f, 3.0f) * azar.direccion()); });
     });
-    // Relativo: quien calcule 1 − cos t restando se queda sin cifras en 1e-3 y con 0 en 1e-4. Unos 13 redondeos: el seno de la mitad,
-    // su cuadrado y dos componentes del eje, que ya trae tres en cada uno.
+    // Relativo: quien calcule 1 − cos t restando se queda sin cifras en 1e-3 y con 0 en 1e-4. Unos 13 redondeos: el
+    // seno de la mitad, su cuadrado y dos componentes del eje, que ya trae tres en cada uno.
     acotaCada<float>("GiroEje", "angulo_*", {1e-3f, 1e-4f, 1e-5f, 1e-6f, 1e-10f, 1e-15f}, 13, "u relativos",
                      giroPequeno);
-    // en RᵀRxR, la ecuación 3.10 al pie de la letra, lo que gira se suma a un RᵀR que solo es casi I: se equivoca cien veces más
+    // en RᵀRxR, la ecuación 3.10 al pie de la letra, lo que gira se suma a un RᵀR que solo es casi I: se equivoca cien
+    // veces más
     acotaCada<float>("GiroEje", "la_ecuacion_310_con_angulo_*", {1e-4f, 1e-6f}, 1,
                      "cien veces la cota / su error", [](float t) {
                          const glm::mat3 R = cambioDeBase(unitario(EJE));
                          return 100 * 13 / errorRelativo(glm::transpose(R) * glm::mat3(giroX(t)) * R, EJE, t);
                      });
 
-    // Cada paso redondea dos cosas siempre hacia el mismo lado: el propio giro (u/2, en su diagonal, que es casi 1) y su producto por
-    // lo que ya hay (u/2 en cada componente de una columna unitaria). Los demás redondeos van al azar, y suman mil veces menos. En un
-    // cuaternión, que tiene cuatro componentes, lo mismo, y en su matriz el doble.
+    // Cada paso redondea dos cosas siempre hacia el mismo lado: el propio giro (u/2, en su diagonal, que es casi 1) y
+    // su producto por lo que ya hay (u/2 en cada componente de una columna unitaria). Los demás redondeos van al azar,
+    // y suman mil veces menos. En un cuaternión, que tiene cuatro componentes, lo mismo, y en su matriz el doble.
     const double medio = PASOS * U_FLOAT / 2;
     acota("MillonDePasos", "deriva_matriz", (1 + std::sqrt(3)) * medio, "componente",
           [] { return deriva(matriz()); });
@@ -147,7 +149,8 @@ const Cotas GIROS([] {
 
 // --- matriz normal ---
 
-/// |n·t|/(|n||t|) en u de las tres caras de un cubo con sus dos tangentes; infinito si una normal que existe mira hacia dentro.
+/// |n·t|/(|n||t|) en u de las tres caras de un cubo con sus dos tangentes; infinito si una normal que existe mira hacia
+/// dentro.
 double torcida(const glm::mat4 &M) {
     const glm::dmat3 N(matrizNormal(M)), m(M);
     return peorHasta(6, [&](int i) {

@@ -28,7 +28,8 @@ double inclinacion(double desvio) {
            U_DOBLE;
 }
 
-/// Un vértice a unas 5 unidades del ojo, que está a L del origen: su error en coordenadas de la cámara, restando en doble.
+/// Un vértice a unas 5 unidades del ojo, que está a L del origen: su error en coordenadas de la cámara, restando en
+/// doble.
 double ojoLejos(double L) {
     const dvec3 p(L, L + 1, L - 2), i = p + dvec3(3, -1, -4), modelo = i + dvec3(0.5, 0.25, -1);
     const glm::vec3 v(0.3f, -0.7f, 0.2f);
@@ -47,9 +48,10 @@ double paresMal(double cerca) {
     return p.iguales + p.invertidos;
 }
 
-/// La que debe ser, con 5 desviaciones de las 100 000. Una pareja a s pasos se queda igual con probabilidad 1 − s, según dónde caiga. Si
-/// además el redondeo aparta una superficie de otra e pasos, de desviación `sigma`, se confunde si s no llega a lo que le falta a la
-/// primera, de 0 a 1, más e: en media, sigma·(G((1 − s)/sigma) − G(−s/sigma)), con G(x) = x·Φ(x) + φ(x). De las dos, la mayor.
+/// La que debe ser, con 5 desviaciones de las 100 000. Una pareja a s pasos se queda igual con probabilidad 1 − s,
+/// según dónde caiga. Si además el redondeo aparta una superficie de otra e pasos, de desviación `sigma`, se confunde
+/// si s no llega a lo que le falta a la primera, de 0 a 1, más e: en media, sigma·(G((1 − s)/sigma) − G(−s/sigma)), con
+/// G(x) = x·Φ(x) + φ(x). De las dos, la mayor.
 double partesMal(double cerca, double sigma) {
     const double lejos = 1000, K = 16777215 * lejos * cerca / (lejos - cerca) * 1e-5 / (1 + 1e-5);
     const auto G = [](double x) {
@@ -64,7 +66,8 @@ double partesMal(double cerca, double sigma) {
     return parte + 5 * std::sqrt(parte * (1 - parte) / 100000);
 }
 
-/// Error relativo de la profundidad de la matriz de la ecuación 4.3, en doble, contra la fórmula en precisión extendida.
+/// Error relativo de la profundidad de la matriz de la ecuación 4.3, en doble, contra la fórmula en precisión
+/// extendida.
 double profundidadDeLaMatriz(double cerca, double lejos) {
     return peorDe({cerca, 2 * cerca, std::sqrt(cerca * lejos), lejos}, [=](double d) {
         const glm::dvec4 q = proyeccionPerspectiva(1, 1, cerca, lejos) * glm::dvec4(0, 0, -d, 1);
@@ -106,8 +109,8 @@ const Cotas PROYECCION([] {
                       [](double razon) { return profundidadDeLaMatriz(1000 / razon, 1000); });
     acotaCada<double>("Profundidad", "matriz_cerca_*", {1e-3, 1e-6, 1e-30, 1e-100, 1e-300}, 8, "u",
                       [](double cerca) { return profundidadDeLaMatriz(cerca, 1000); });
-    // En doble el redondeo no aparta nada. En float, medio paso como mucho en el producto, la suma, el cociente y el paso a [0, 1] de
-    // cada superficie: ocho veces, de varianza 1/12.
+    // En doble el redondeo no aparta nada. En float, medio paso como mucho en el producto, la suma, el cociente y el
+    // paso a [0, 1] de cada superficie: ocho veces, de varianza 1/12.
     const double EN_DOBLE = 1e-6, EN_FLOAT = std::sqrt(8.0 / 12);
     acotaCada<double>(
         "Profundidad", "pares_mal_en_doble_razon_*", {1e2, 1e3, 1e4, 1e6},

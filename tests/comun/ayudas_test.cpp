@@ -1,5 +1,6 @@
-// Lo que se pinta encima de la escena (common/encima, rotulo y trazo): se dibuja en una ventana sin pantalla y se miran los píxeles.
-// Dónde cae cada cosa y de qué color, en los programas (encima.h); lo que se ve de los trazos, en los del capítulo 11 (pintado.h).
+// Lo que se pinta encima de la escena (common/encima, rotulo y trazo): se dibuja en una ventana sin pantalla y se miran
+// los píxeles. Dónde cae cada cosa y de qué color, en los programas (encima.h); lo que se ve de los trazos, en los del
+// capítulo 11 (pintado.h).
 #include "buferes.h"
 #include "captura.h"
 #include "colores.h"
@@ -116,8 +117,9 @@ TEST_F(Ayudas, DejanElEstadoComoEstaba) {
     }
 }
 
-// Cada signo, a tres tamaños, frente a lo que cubre su contorno en cada píxel, según FreeType. El atlas es de 32 por cuadratín y
-// redondea las esquinas: se admite una diferencia cuadrática media de un 8 % de tinta en los píxeles de su caja (hay hasta un 7.5).
+// Cada signo, a tres tamaños, frente a lo que cubre su contorno en cada píxel, según FreeType. El atlas es de 32 por
+// cuadratín y redondea las esquinas: se admite una diferencia cuadrática media de un 8 % de tinta en los píxeles de su
+// caja (hay hasta un 7.5).
 TEST_F(Ayudas, CadaSignoEsElDeLaLetra) {
     FT_Library freetype;
     FT_Face fuente;
@@ -166,8 +168,8 @@ TEST_F(Ayudas, UnSignoQueNoHayEsUnCuadrado) {
     EXPECT_NE(imagen("€"), imagen("a"));
 }
 
-// Se lea quien se lea y sobre lo que sea: la letra, que es lo que más se pinta, y el halo, lo segundo, contrastan 4.5 (WCAG 2). El
-// color pedido se cambia solo si no llega.
+// Se lea quien se lea y sobre lo que sea: la letra, que es lo que más se pinta, y el halo, lo segundo, contrastan 4.5
+// (WCAG 2). El color pedido se cambia solo si no llega.
 TEST_F(Ayudas, DeCualquierColorSeLee) {
     const auto luminancia = [](const glm::ivec3 &c) {
         const auto lineal = [](double v) {

@@ -126,7 +126,8 @@ TEST(GuardaPpm, DondeNoSePuede) {
                 "no puedo guardar «/no/hay/carpeta.ppm»");
 }
 
-// Si se acaba el sitio a media imagen, la que había sigue ahí y no queda nada más. Por un enlace se guarda donde apunta.
+// Si se acaba el sitio a media imagen, la que había sigue ahí y no queda nada más. Por un enlace se guarda donde
+// apunta.
 TEST(GuardaPpm, ConservaLaQueHabia) {
     const fs::path carpeta = carpetaTemporal() / "medias";
     fs::create_directory(carpeta);

@@ -85,8 +85,8 @@ Punto enCubo(double s, double t, const dvec3 &n) { // s va por u, y t por v
 
 } // namespace
 
-// Cada vértice está donde dice su (s, t) y con la normal exacta de ahí. La malla está cerrada y mira hacia fuera, y su volumen se acerca
-// por debajo al exacto cuando crece n (está inscrita); del plano, su área.
+// Cada vértice está donde dice su (s, t) y con la normal exacta de ahí. La malla está cerrada y mira hacia fuera, y su
+// volumen se acerca por debajo al exacto cuando crece n (está inscrita); del plano, su área.
 TEST(Mallas, SonLaSuperficieQueDicen) {
     const struct {
         const char *nombre;

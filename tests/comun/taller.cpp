@@ -1,6 +1,6 @@
 // Un programa para probar common/ por dentro: dos cuadrados, cada uno con sus shaders, taller/a.* y taller/b.* de
-// $LAB_RAIZ. Teclas: 0 a 9 ponen en taller/ la versión $LAB_RAIZ/N (el usuario edita); n va a una carpeta que ya no existe
-// y v vuelve.
+// $LAB_RAIZ. Teclas: 0 a 9 ponen en taller/ la versión $LAB_RAIZ/N (el usuario edita); n va a una carpeta que ya no
+// existe y v vuelve.
 #include "buferes.h"
 #include "shader.h"
 #include "ventana.h"

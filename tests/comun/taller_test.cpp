@@ -102,8 +102,8 @@ const Rotura ROTURAS[] = {
 
 } // namespace
 
-// Al arrancar, un shader roto termina el programa con una línea que dice cuál es. Con la ventana abierta, F5 con el primero roto avisa y lo
-// conserva, y relee el segundo; arreglado, se ve bien.
+// Al arrancar, un shader roto termina el programa con una línea que dice cuál es. Con la ventana abierta, F5 con el
+// primero roto avisa y lo conserva, y relee el segundo; arreglado, se ve bien.
 TEST(Shaders, UnoRoto) {
     EXPECT_EQ(mitades(taller({version(ROJO, AZUL)}).imagen), "rojo azul");
     for (const Rotura &r : ROTURAS) {

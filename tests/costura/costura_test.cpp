@@ -41,8 +41,8 @@ void esperaFallos(const std::vector<Caso> &casos) {
     }
 }
 
-/// Cada caso acaba bien, sin avisos, y escribe en stdout justo eso. De registro, tras la primera línea y antes de las dos últimas, que
-/// siempre son las mismas.
+/// Cada caso acaba bien, sin avisos, y escribe en stdout justo eso. De registro, tras la primera línea y antes de las
+/// dos últimas, que siempre son las mismas.
 void esperaSalidas(const std::vector<Caso> &casos) {
     for (const Caso &c : casos) {
         const Ejecucion e = lanza(c.orden, c.guion);
@@ -220,7 +220,8 @@ TEST(Opciones, MideEscribeUnaLineaTsv) {
     EXPECT_LT(mediana, mayor);
 }
 
-// Cambiar de tamaño o llenar la pantalla y volver deja la misma imagen, y capturar en medio no la toca; una orden con ×N son N seguidas.
+// Cambiar de tamaño o llenar la pantalla y volver deja la misma imagen, y capturar en medio no la toca; una orden con
+// ×N son N seguidas.
 TEST(Imagen, LoMismoDaLaMisma) {
     const Imagen llena = imagenDe("grua", "especial F11");
     EXPECT_EQ(llena.ancho, 1920);
@@ -264,7 +265,8 @@ TEST(Diario, DiceQueElCuadroRepetidoEsOtro) {
     EXPECT_NE(e.salida.find("\totra\t"), std::string::npos) << e.salida << e.errores;
 }
 
-// De shader_basico, el triángulo y su programa de dos shaders. Lo que ocupa son los búferes y las texturas que dice -mide.
+// De shader_basico, el triángulo y su programa de dos shaders. Lo que ocupa son los búferes y las texturas que dice
+// -mide.
 TEST(Diario, CuentaLoQueHayYLoQueOcupa) {
     EXPECT_NE(lanza({"shader_basico", "-diario", "-ppm", "x.ppm"}).salida.find("\t1 0 1 2 0 0 1\t24\t0\n"),
               std::string::npos);

@@ -47,8 +47,9 @@ const std::vector<Caso> CASOS = {
 
 // --- Cortes ------------------------------------------------------------------------------------------------
 
-// El punto está en la superficie y es el primero (nada hay dentro antes, muestreando el rayo), y la normal es el gradiente de la
-// ecuación implícita. Sin corte, el rayo entero está fuera. Desde dentro se ve la otra cara, y la normal sigue hacia fuera.
+// El punto está en la superficie y es el primero (nada hay dentro antes, muestreando el rayo), y la normal es el
+// gradiente de la ecuación implícita. Sin corte, el rayo entero está fuera. Desde dentro se ve la otra cara, y la
+// normal sigue hacia fuera.
 TEST(Cortes, EcuacionesImplicitasYGradientes) {
     const Mat4 inv = inversa(TORCIDA);
     for (const Caso &caso : CASOS) {
@@ -229,7 +230,8 @@ TEST(Comparar, CadaErrorSeNota) {
                  std::domain_error);
 }
 
-// Un toro que se tapa a sí mismo tiene banda dentro de su silueta; un cubo, en sus aristas; una esfera, solo junto a la silueta.
+// Un toro que se tapa a sí mismo tiene banda dentro de su silueta; un cubo, en sus aristas; una esfera, solo junto a la
+// silueta.
 TEST(Comparar, LaBandaVeLosBordesDeUnMismoObjeto) {
     const Camara c = perspectiva(orbita(0.6, 0.5, 6), 0.6, 1, 50);
     const auto bordesDentro = [&](const Objeto &o) {

@@ -1,5 +1,5 @@
-// ventana espera: espera a que haya una en la pantalla, le da el teclado y escribe su identificador; falla si antes se acaba la
-// entrada estándar, o en medio minuto.
+// ventana espera: espera a que haya una en la pantalla, le da el teclado y escribe su identificador; falla si antes se
+// acaba la entrada estándar, o en medio minuto.
 // ventana cierra VENTANA: la cierra como la X de su marco, que pone el gestor de ventanas: le manda WM_DELETE_WINDOW.
 #include <X11/Xlib.h>
 #include <cstdio>

@@ -1,6 +1,6 @@
-// ejecuta aqui|consola -- ORDEN…: la ejecuta y acaba con su estado, que Wine no da de un programa que tarda en descargar OpenGL: lo mata.
-// Con «consola», en una nueva, como un doble clic; deja en consola.txt lo último que se ha leído en ella y, si dice que se pulse Intro, lo
-// pulsa. Acaba con 250 si ORDEN no termina en veinte segundos.
+// ejecuta aqui|consola -- ORDEN…: la ejecuta y acaba con su estado, que Wine no da de un programa que tarda en
+// descargar OpenGL: lo mata. Con «consola», en una nueva, como un doble clic; deja en consola.txt lo último que se ha
+// leído en ella y, si dice que se pulse Intro, lo pulsa. Acaba con 250 si ORDEN no termina en veinte segundos.
 #include <cstdio>
 #include <string>
 #include <windows.h>
