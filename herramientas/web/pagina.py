@@ -35,9 +35,8 @@ class ProgramaVivo:
         teclas = [orden for c in self.controles if not c.termina for orden in c.ordenes]
         self.rasgos, self.opciones = set(), []
         with tempfile.NamedTemporaryFile("r") as leidos:  # los ficheros del laboratorio que lee
-            for guion in (
-                () if programa.consola else ("", "; ".join(teclas))
-            ):  # una tecla puede poner en marcha un temporizador, o quitarlo
+            # también con sus teclas: una puede poner en marcha un temporizador, o quitarlo
+            for guion in () if programa.consola else ("", "; ".join(teclas)):
                 rasgos, self.opciones = controles.atiende(build, programa, guion, LAB_LEIDOS=leidos.name)
                 self.rasgos |= rasgos
             self.leidos = set(leidos.read().splitlines())

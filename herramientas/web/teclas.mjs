@@ -9,7 +9,7 @@ const ESPECIALES = {
 };
 
 export function ordenDeTecla({ key, ctrlKey, metaKey, altKey }) {
-  if (ctrlKey || metaKey || (altKey && key.length > 1) || key === 'F12') return ''; // son del navegador
+  if (ctrlKey || metaKey || (altKey && key.length > 1)) return ''; // son del navegador
   if (TECLAS[key]) return `tecla ${TECLAS[key]}`;
   if (ESPECIALES[key]) return `especial ${ESPECIALES[key]}`;
   if (/^F([1-9]|1[01])$/.test(key)) return `especial ${key}`;

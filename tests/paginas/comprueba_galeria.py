@@ -121,7 +121,8 @@ def comprueba_tallas(n):
 def main():
     with tempfile.TemporaryDirectory() as carpeta, navegador.chromium("--headless=new", "--disable-gpu") as n:
         destino = Path(carpeta, "galería (1)")
-        if subprocess.run([sys.executable, "-B", RAIZ / "herramientas", "galeria.dibuja", RAIZ, BUILD, destino]).returncode:
+        dibuja = [sys.executable, "-B", RAIZ / "herramientas", "galeria.dibuja", RAIZ, BUILD, destino]
+        if subprocess.run(dibuja).returncode:
             sys.exit("la galería no se ha dibujado entera")
         n.talla(1440, 900)
         n.abre(destino / "index.html")

@@ -146,13 +146,14 @@ def como_golden(caso, ppm, otro, tolerancia, deja):
     fallos_en = BUILD / "fallos" / deja
     fallos_en.mkdir(parents=True, exist_ok=True)
     golden = RAIZ / "tests/golden" / caso.programa.capitulo.nombre / f"{caso.fichero}.ppm"
+    compara = BUILD / "herramientas/comparador/compara"
     opciones = ["--otro" if otro else "--amplia", "--deja", fallos_en / caso.fichero]
     if tolerancia:
         opciones += ["--tolerancia", tolerancia]
     with tempfile.NamedTemporaryFile(suffix=".ppm") as obtenida:
         obtenida.write(ppm)
         obtenida.flush()
-        c = subprocess.run([BUILD / "herramientas/comparador/compara", golden, obtenida.name, *opciones], capture_output=True, text=True)
+        c = subprocess.run([compara, golden, obtenida.name, *opciones], capture_output=True, text=True)
     return c.returncode == 0, (c.stdout + c.stderr).strip()
 
 
