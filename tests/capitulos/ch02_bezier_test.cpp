@@ -331,25 +331,28 @@ TEST(Tetera, MallaYCuadrilateros) {
                                    glm::dvec2(d.nu, d.nv));
     const Camara camara = camaraTetera();
     const Escena escena = {enElMundo(gira({1, 0, 0}, -PI / 2), t.malla)};
-    // Columna, fila y su diferencia en el punto del plano de ese triángulo que se ve en un píxel.
-    const auto cuadricula = [&](std::size_t triangulo, double x, double y) {
-        const Rayo r = rayo(camara, 960, 720, x, y);
-        glm::dvec3 p[3], c[3];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const unsigned v = t.malla.indices[3 * triangulo + k];
-            p[k] = deOraculo(enPie(t.malla.vertices[v].posicion) - r.origen);
-            c[k] = {enCuadricula[v], enCuadricula[v].x - enCuadricula[v].y};
-        }
-        const glm::dvec3 pesos = glm::inverse(glm::dmat3(p[0], p[1], p[2])) * deOraculo(r.direccion);
-        return glm::dmat3(c[0], c[1], c[2]) * pesos / (pesos.x + pesos.y + pesos.z);
+    struct Plano { // lo que da, de la dirección de un rayo, la columna, la fila y su diferencia, por w, y w
+        glm::dmat3 c;
+        glm::dvec3 w;
     };
+    std::vector<Plano> planos; // de cada triángulo
+    for (std::size_t k = 0; k < t.malla.indices.size(); k += 3) {
+        glm::dmat3 p, c;
+        for (int j = 0; j < 3; ++j) {
+            const unsigned v = t.malla.indices[k + std::size_t(j)];
+            p[j] = deOraculo(enPie(t.malla.vertices[v].posicion) - camara.ojo);
+            c[j] = {enCuadricula[v], enCuadricula[v].x - enCuadricula[v].y};
+        }
+        planos.push_back({c * glm::inverse(p), glm::transpose(glm::inverse(p)) * glm::dvec3(1)});
+    }
     for (const int lineas : {3, 2}) {
         const auto sombrea = [&](const Impacto &i) {
             if (!i)
                 return Tono(exacto(FONDO_CLARO));
             const glm::dvec2 p = enPixeles(camara, i.punto, 960, 720);
-            const auto en = [&](double dx, double dy) {
-                return cuadricula(std::size_t(i.corte.triangulo), p.x + dx, p.y + dy);
+            const auto en = [&, &plano = planos[std::size_t(i.corte.triangulo)]](double dx, double dy) {
+                const glm::dvec3 d = deOraculo(rayo(camara, 960, 720, p.x + dx, p.y + dy).direccion);
+                return plano.c * d / glm::dot(plano.w, d);
             };
             const glm::dvec3 c = en(0, 0), porX = en(0.5, 0) - en(-0.5, 0), porY = en(0, 0.5) - en(0, -0.5);
             double distancia = INFINITO; // en píxeles, a la línea más cercana
