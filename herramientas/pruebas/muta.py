@@ -251,7 +251,6 @@ class Vivero:
             self.build,
             *(pruebas if capitulos else ["tests/all"]),
             "compara",
-            "compara_encima",
             *(f"{p.nombre}_{self.sin_ventana}" for p in self.programas),
         )
 

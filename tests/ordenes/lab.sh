@@ -77,9 +77,6 @@ FIN
 : >herramientas/mide/CMakeLists.txt # usa programas que aquí no están
 cat >tests/CMakeLists.txt <<'FIN'
 configure_file(${CMAKE_SOURCE_DIR}/herramientas/base/entorno.txt ${CMAKE_BINARY_DIR}/entorno.txt COPYONLY)
-add_executable(compara_encima casos/compara_encima.cpp apoyo/lee_encima.cpp)
-target_include_directories(compara_encima PRIVATE apoyo)
-target_link_libraries(compara_encima PRIVATE comun avisos)
 add_test(NAME imagen COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/casos/casos.sh ${CMAKE_BINARY_DIR} ${LAB_SIN_VENTANA} shader_basico)
 FIN
 : >tests/propiedades/propiedades.py # las cumple todo

@@ -14,7 +14,7 @@ fallos=0
 mkdir -p tests build/{tests,casos} build/ventana/cap "build/$sin_ventana/cap" tests/golden/cap
 cp -r "$aqui" "$aqui/../casos" tests
 ln -s "$build/herramientas" build
-ln -s "$build/tests/compara_encima" "$build/tests/guion" "$build/tests/ventana" build/tests
+ln -s "$build/tests/guion" "$build/tests/ventana" build/tests
 "$build/$sin_ventana/ch03_transformaciones/grua" -geometry 240x180 -ppm bien.ppm
 "$build/$sin_ventana/ch03_transformaciones/grua" -geometry 240x180 -ppm otro.ppm -guion 'tecla d; tecla d; tecla d'
 
