@@ -144,20 +144,6 @@ TYPED_TEST(Curvas, BezierDeGrado10_20_40_60) {
     }
 }
 
-// Errata de §11.3: con k puntos la curva es de grado k − 1 (orden k), y la suma de la ecuación 11.22 tiene n + 1
-// sumandos.
-TEST(Erratas, GradoYOrden) {
-    auto derivada = puntosAlAzar<double>(4);
-    for (int veces = 0; veces < 3; ++veces) {
-        derivada = derivadaBezier(derivada);
-        EXPECT_GT(glm::length(derivada[0]), 0);
-    }
-    EXPECT_EQ(derivada.size(), 1u); // cuatro puntos: la tercera derivada es constante y la cuarta, 0
-    EXPECT_EQ(derivadaBezier(derivada)[0], glm::dvec3(0));
-    EXPECT_EQ(bernstein(4 - 1, 0.5).size(), 4u);
-    EXPECT_EQ(bernstein(0, 0.5), std::vector<double>{1});
-}
-
 // Lo que dice el pie de bezier_n con 40 puntos.
 TEST(CurvasN, ConCuarentaPuntosElDelCentroNoPesaNi013) {
     const double mayor = peor<float>([](float u) { return bernstein(39, u)[19]; });

@@ -87,12 +87,10 @@ Geometria2<double> trozoDe(const Red &P, std::size_t n, std::size_t i = 0, std::
 
 /// El mayor error de la superficie o de una derivada suya.
 template<typename T>
-double peorError(Base base, const Geometria2<T> &G, int du = 0, int dv = 0) {
+double peorError(Base base, const Geometria2<T> &G, int du, int dv) {
     return peor([&](double u, double v) {
-        const T s = T(u), t = T(v);
-        const glm::dvec3 d = glm::abs(glm::dvec3(Punto<Cuadruple>(superficie(base, G, s, t, du, dv)) -
-                                                 superficieRef(base, G, Cuadruple(s), Cuadruple(t), du, dv)));
-        return std::max({d.x, d.y, d.z});
+        return lejos(superficie(base, G, T(u), T(v), du, dv),
+                     superficieRef(base, G, Cuadruple(T(u)), Cuadruple(T(v)), du, dv));
     });
 }
 
