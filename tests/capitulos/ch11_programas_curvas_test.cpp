@@ -54,8 +54,8 @@ Plano enPanel(const Hueco &h, const glm::dvec2 &m, const glm::dvec2 &d) {
     return {glm::dvec2(h.x, h.y) + medio * (d + 1.0), medio * m};
 }
 
-/// Comprueba que las polilíneas de ese color son cuerdas de esas curvas, con u de 0 a 1: van por ellas de punta a punta,
-/// sin volver atrás y sin separarse más de esos píxeles. Un float de 1000 se redondea a 6e-5: 0.01 es de sobra.
+/// Comprueba que las polilíneas de ese color son cuerdas de esas curvas, con u de 0 a 1: van por ellas de punta a
+/// punta, sin volver atrás y sin separarse más de esos píxeles. Un float de 1000 se redondea a 6e-5: 0.01 sobra.
 void compruebaCurvas(const Encima &encima, const glm::vec3 &color, const Plano &en,
                      const std::vector<Curva> &curvas, double tolerancia = 0.1) {
     const Encima cuerdas = encima.trazos(color, "polilinea");
