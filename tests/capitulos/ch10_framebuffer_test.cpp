@@ -1,4 +1,4 @@
-// Lo que seleccion deja en OpenGL, que en sus imágenes no se ve: el programa se incluye entero y se llama a sus funciones.
+// Lo que seleccion deja en OpenGL, que en sus imágenes no se ve: el programa se incluye entero.
 #include <gtest/gtest.h>
 
 #define main programaSeleccion

@@ -22,8 +22,8 @@ TEST(Menu, CadaOpcionDaSuMatriz) {
                 << guion;
 }
 
-// Lo que se recibe es el número, venga del menú, del submenú o de la tecla; y tras Salir el programa ha terminado: la orden siguiente
-// sobra.
+// Lo que se recibe es el número, venga del menú, del submenú o de la tecla; y tras Salir el programa ha terminado: la
+// orden siguiente sobra.
 TEST(Menu, EscribeElNumero) {
     const Ejecucion e = ejecuta("menu", "menu Paralela/Perfil; menu Paralela/Alzado; menu Perspectiva; "
                                         "menu Paralela/Planta; tecla 2; tecla 5; menu Salir; tecla 1");

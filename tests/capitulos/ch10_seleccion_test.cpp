@@ -68,8 +68,9 @@ std::vector<std::string> elige(const std::vector<glm::ivec2> &clics, std::string
     return elegidos;
 }
 
-/// Un clic en cada píxel, de `paso` en `paso`, elige lo que ve el rayo por su centro. Junto a un borde, OpenGL lleva los vértices a una
-/// rejilla de 1/256 de píxel y vale lo que se vea a menos de 1/32. Devuelve cuántos objetos distintos se han elegido.
+/// Un clic en cada píxel, de `paso` en `paso`, elige lo que ve el rayo por su centro. Junto a un borde, OpenGL lleva
+/// los vértices a una rejilla de 1/256 de píxel y vale lo que se vea a menos de 1/32. Devuelve cuántos objetos
+/// distintos se han elegido.
 std::size_t compruebaClics(const glm::ivec2 &talla, int paso, const std::string &antes,
                            const glm::ivec2 &inicial, const Camara &camara = CAMARA) {
     std::vector<glm::ivec2> clics;
@@ -98,8 +99,8 @@ const std::size_t TODOS = 10; // los nueve y nada
 
 } // namespace
 
-// Cada píxel, linde con lo que linde; de cerca, que hay objetos hasta en el marco de la ventana; y por detrás, donde el que se dibuja
-// después no es el que está delante.
+// Cada píxel, linde con lo que linde; de cerca, que hay objetos hasta en el marco de la ventana; y por detrás, donde
+// el que se dibuja después no es el que está delante.
 TEST(Seleccion, CadaPixelDeBorde) {
     EXPECT_EQ(compruebaClics({48, 36}, 1, "", {48, 36}), TODOS);
     EXPECT_GE(compruebaClics({24, 18}, 1, "rueda +1 10 10 ×20", {24, 18}, camaraA(0.4 * DISTANCIA)), 5u);

@@ -135,17 +135,6 @@ TYPED_TEST(Curvas, BezierDeGrado10_20_40_60) {
     }
 }
 
-// Errata de §11.3: con k puntos la curva es de grado k − 1 (orden k), y la suma de la ecuación 11.22 tiene n + 1
-// sumandos.
-TEST(Erratas, GradoYOrden) {
-    // cuatro puntos: la tercera derivada es constante y la cuarta, 0
-    for (const double u : {0.2, 0.7})
-        EXPECT_EQ(bernstein(3, u, 3), (std::vector<double>{-6, 18, -18, 6}));
-    EXPECT_EQ(bernstein(3, 0.5, 4), std::vector<double>(4));
-    EXPECT_EQ(bernstein(4 - 1, 0.5).size(), 4u);
-    EXPECT_EQ(bernstein(0, 0.5), std::vector<double>{1});
-}
-
 // Lo que dice el pie de bezier_n con 40 puntos.
 TEST(CurvasN, ConCuarentaPuntosElDelCentroNoPesaNi013) {
     const double mayor = peor<float>([](float u) { return bernstein(39, u)[19]; });

@@ -54,8 +54,8 @@ Plano enPanel(const Hueco &h, const glm::dvec2 &m, const glm::dvec2 &d) {
     return {glm::dvec2(h.x, h.y) + medio * (d + 1.0), medio * m};
 }
 
-/// Comprueba que las polilíneas de ese color son cuerdas de esas curvas, con u de 0 a 1: van por ellas de punta a punta,
-/// sin volver atrás y sin separarse más de esos píxeles. Un float de 1000 se redondea a 6e-5: 0.01 es de sobra.
+/// Comprueba que las polilíneas de ese color son cuerdas de esas curvas, con u de 0 a 1: van por ellas de punta a
+/// punta, sin volver atrás y sin separarse más de esos píxeles. Un float de 1000 se redondea a 6e-5: 0.01 sobra.
 void compruebaCurvas(const Encima &encima, const glm::vec3 &color, const Plano &en,
                      const std::vector<Curva> &curvas, double tolerancia = 0.1) {
     const Encima cuerdas = encima.trazos(color, "polilinea");
@@ -76,8 +76,12 @@ void compruebaCurvas(const Encima &encima, const glm::vec3 &color, const Plano &
     EXPECT_LE(lejos, 0.01);
 }
 
-void compruebaFondo(const Vista &v) {
-    compruebaPlana("el fondo", v.escena, {}, exacto(FONDO_CLARO));
+/// La escena es el fondo o, si hay paneles, el de cada uno y el gris de en medio.
+void compruebaFondo(const Vista &v, const std::vector<std::pair<Hueco, glm::vec3>> &paneles = {}) {
+    std::vector<Pieza> piezas;
+    for (const auto &[h, fondo] : paneles)
+        piezas.push_back(rectangulo(h, exacto(fondo)));
+    compruebaPlana("el fondo", v.escena, piezas, exacto(paneles.empty() ? FONDO_CLARO : GRIS));
 }
 
 // La curva, y Q(u) como lo da de Casteljau.
@@ -140,10 +144,9 @@ TEST(Hermite, LosTramosYLaTransformada) {
         }
         compruebaCurvas(v.encima, AZUL, en, {curvaDe(Base::HERMITE, cuatro(G))});
         compruebaPuntos(v.encima, rojos, ROJO);
-        std::vector<Curva> segundo;
         if (c.k > 0)
-            segundo = {curvaDe(Base::HERMITE, cuatro({P[1], S[0], c.k * G[3], S[1] - S[0]}))};
-        compruebaCurvas(v.encima, MORADO, en, segundo);
+            compruebaCurvas(v.encima, MORADO, en,
+                            {curvaDe(Base::HERMITE, cuatro({P[1], S[0], c.k * G[3], S[1] - S[0]}))});
     });
 }
 
@@ -202,9 +205,7 @@ TEST(BezierN, CurvaYPolinomiosDeBernstein) {
                  {"tecla +; tamano 480 640", 3}};
     paraCada("bezier_n", casos, NORMAL.x, NORMAL.y, [](const auto &c, const Vista &v) {
         const auto panel = [&](int fila) { return hueco(0, 1, fila, 2, v.escena.ancho, v.escena.alto); };
-        compruebaPlana("los paneles", v.escena,
-                       {rectangulo(panel(0), exacto(FONDO_CLARO)), rectangulo(panel(1), exacto(FONDO_CLARO))},
-                       exacto(GRIS));
+        compruebaFondo(v, {{panel(0), FONDO_CLARO}, {panel(1), FONDO_CLARO}});
         const auto polinomio = [m = double(c.n - 1)](std::size_t i, double u) {
             const double k = double(i),
                          lnC = std::lgamma(m + 1) - std::lgamma(k + 1) - std::lgamma(m - k + 1);
@@ -247,12 +248,11 @@ TEST(ContinuidadVista, CadaUnionYSuCoche) {
             return hueco(columna, 2, fila, 2, v.escena.ancho, v.escena.alto);
         };
         const auto panel = [&](const Hueco &h) { return v.encima.enPanel(h.x, h.y); };
-        const Hueco plano = celda(0, 0), desdeElCoche = celda(1, 0);
-        compruebaPlana("los paneles", v.escena,
-                       {rectangulo(plano, exacto(FONDO_CLARO)), rectangulo(desdeElCoche, exacto(CIELO)),
-                        rectangulo(celda(0, 1), exacto(FONDO_CLARO)),
-                        rectangulo(celda(1, 1), exacto(FONDO_CLARO))},
-                       exacto(GRIS));
+        const Hueco plano = celda(0, 0), grafica[] = {celda(0, 1), celda(1, 1)};
+        compruebaFondo(v, {{plano, FONDO_CLARO},
+                           {celda(1, 0), CIELO},
+                           {grafica[0], FONDO_CLARO},
+                           {grafica[1], FONDO_CLARO}});
         Curva tramo[3][2]; // y sus derivadas
         for (int d = 0; d < 3; ++d)
             for (const bool segundo : {false, true}) {
@@ -264,25 +264,22 @@ TEST(ContinuidadVista, CadaUnionYSuCoche) {
         const glm::dvec2 Q = tramo[0][u >= 1](u - (u >= 1)), velocidad = tramo[1][u >= 1](u - (u >= 1)),
                          F = glm::normalize(velocidad), m(1 / (y * aspecto), 1 / y);
         const Plano en = enPanel(plano, m, -glm::dvec2(0, 0.22) * m);
-        for (const bool segundo :
-             {false, true}) // 0.4/alto de tolerancia, en una vista de dos semialtos: en píxeles
+        // 0.4/alto de tolerancia, en una vista de dos semialtos: en píxeles
+        for (const bool segundo : {false, true})
             compruebaCurvas(panel(plano), segundo ? MORADO : AZUL, en, {tramo[0][segundo]}, 0.2 / y);
         const Pintado flecha = panel(plano).trazos(VERDE, "flecha").at(0),
                       coche = panel(plano).trazos(NARANJA, "poligono").at(0);
         EXPECT_LE(glm::distance(flecha.punto(0), en(Q)), 0.01);
         EXPECT_LE(glm::distance(flecha.punto(1), en(Q + double(VELOCIDAD) * velocidad)), 0.01);
         EXPECT_LE(glm::distance(coche.punto(0), en(Q + 0.10 * F)), 0.01);
-        for (const int d : {1, 2}) {
-            const auto altura = [&](bool segundo) {
-                return [&f = tramo[d][segundo], segundo](double t) {
-                    return glm::dvec2(segundo + t, glm::length(f(t)));
-                };
-            };
-            compruebaCurvas(
-                panel(celda(d - 1, 1)), d == 1 ? VERDE : ROJO,
-                enPanel(celda(d - 1, 1), {0.78, 1.45 / double(d == 1 ? RAPIDEZ_MAXIMA : ACELERACION_MAXIMA)},
-                        {-0.86, -0.75}),
-                {altura(false), altura(true)}, 0.6); // de 48 cuerdas: |Q''| hace un pico donde casi se anula
+        for (const int d : {1, 2}) { // de 48 cuerdas: |Q''| hace un pico donde casi se anula
+            const Plano alto =
+                enPanel(grafica[d - 1], {0.78, 1.45 / double(d == 1 ? RAPIDEZ_MAXIMA : ACELERACION_MAXIMA)},
+                        {-0.86, -0.75});
+            compruebaCurvas(panel(grafica[d - 1]), d == 1 ? VERDE : ROJO, alto,
+                            {[&](double t) { return glm::dvec2(t, glm::length(tramo[d][0](t))); },
+                             [&](double t) { return glm::dvec2(1 + t, glm::length(tramo[d][1](t))); }},
+                            0.6);
         }
     });
 }

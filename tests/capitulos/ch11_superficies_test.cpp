@@ -87,12 +87,10 @@ Geometria2<double> trozoDe(const Red &P, std::size_t n, std::size_t i = 0, std::
 
 /// El mayor error de la superficie o de una derivada suya.
 template<typename T>
-double peorError(Base base, const Geometria2<T> &G, int du = 0, int dv = 0) {
+double peorError(Base base, const Geometria2<T> &G, int du, int dv) {
     return peor([&](double u, double v) {
-        const T s = T(u), t = T(v);
-        const glm::dvec3 d = glm::abs(glm::dvec3(Punto<Cuadruple>(superficie(base, G, s, t, du, dv)) -
-                                                 superficieRef(base, G, Cuadruple(s), Cuadruple(t), du, dv)));
-        return std::max({d.x, d.y, d.z});
+        return lejos(superficie(base, G, T(u), T(v), du, dv),
+                     superficieRef(base, G, Cuadruple(T(u)), Cuadruple(T(v)), du, dv));
     });
 }
 
@@ -121,8 +119,8 @@ RedBezier<T> redAlAzar(std::size_t n, std::size_t m, unsigned semilla) {
     return {n, m, puntosAlAzar<T>((n + 1) * (m + 1), semilla)};
 }
 
-// Ecuación 11.41, con (n + 1)×(m + 1) puntos: la superficie y sus derivadas, que también se anulan cuando el grado no da
-// para más; y con 4×4 es la de la ecuación 11.40. Cada peso se equivoca en unos redondeos por grado.
+// Ecuación 11.41, con (n + 1)×(m + 1) puntos: la superficie y sus derivadas, que también se anulan cuando el grado no
+// da para más; y con 4×4 es la de la ecuación 11.40. Cada peso se equivoca en unos redondeos por grado.
 TEST(Superficies, BezierDeGradoNxM) {
     for (const auto &[n, m] :
          {std::pair<std::size_t, std::size_t>{1, 1}, {0, 2}, {3, 3}, {5, 2}, {1, 7}, {12, 9}}) {
@@ -458,9 +456,9 @@ TEST(SuperficieBezier, LaToleranciaEsEnPixeles) {
     });
 }
 
-// §11.7: C0, con los puntos de después del borde reflejados; G1, con los primeros a 0.8 veces lo que distan de él los de
-// antes; y, con esos puntos solo alineados, ni lo uno ni lo otro. De cualquier grado. El rótulo dice lo que se separan las
-// normales.
+// §11.7: C0, con los puntos de después del borde reflejados; G1, con los primeros a 0.8 veces lo que distan de él los
+// de antes; y, con esos puntos solo alineados, ni lo uno ni lo otro. De cualquier grado. El rótulo dice lo que se
+// separan las normales.
 TEST(SuperficieBezier, DosTrozosUnidos) {
     const std::vector<double> iguales(9, 0.8), desiguales = {0.15, 2.2, 0.15, 2.2, 0.15};
     const struct {
@@ -544,8 +542,7 @@ TEST(SuperficieHermite, PixelAPixel) {
                                           {"tecla u; tamano 360 540", CAMARA_HERMITE, hermite(ELEMENTOS)}});
 }
 
-// Una esquina de la unión, que es de los dos trozos y se lleva sus vectores; una torsión, cuya punta está a un tercio; y la
-// cámara.
+// Una esquina de la unión, que es de los dos trozos y se lleva sus vectores; la punta de una torsión; y la cámara.
 TEST(SuperficieHermite, ElRatonMueveCualquierElementoYGiraLaCamara) {
     Red uno = ELEMENTOS;
     /// El punto llevado a ese píxel sin acercarse ni alejarse.

@@ -1,5 +1,5 @@
-// Comprobaciones independientes de los programas del capítulo 12 que no son partículas: qué debe verse en cada instante se
-// calcula aquí, en doble precisión.
+// Comprobaciones independientes de los programas del capítulo 12 que no son partículas: qué debe verse en cada
+// instante se calcula aquí, en doble precisión.
 #include "ch08_oraculo.h"
 #include "ch12_instante.h"
 #include "ch12_ruido.h"
@@ -20,8 +20,8 @@ double pulso(double t, double periodo) {
 
 } // namespace
 
-// Con el anillo opaco (t = 1) se ve él y sin él (t = 3), el cubo entero; en medio, la mezcla con alfa = (1 + sen(2πt/4))/2. Un nivel y
-// medio: lo que hay, lo que llega y alfa se redondean a 8 bits.
+// Con el anillo opaco (t = 1) se ve él y sin él (t = 3), el cubo entero; en medio, la mezcla con alfa = (1 +
+// sen(2πt/4))/2. Un nivel y medio: lo que hay, lo que llega y alfa se redondean a 8 bits.
 TEST(Desvanecer, MezclaExacta) {
     const Camara camara = perspectiva(orbita(0.5, 0.35, 9.5), 0.42, 1, 50);
     const Cuerpo cubo = {caja(escala(1.5)), exacto(AMARILLO)},
@@ -67,8 +67,8 @@ TEST(ObjetoAnimado, LaMatrizDeCadaInstante) {
         }
 }
 
-// Cada sólido, con el modelo de Phong y una luz de intensidad I(t) y color C(t); la bombilla, que está donde la fuente, es de ese color, y
-// delante de lo que hay detrás de ella se suma su halo: son dos redondeos a 8 bits.
+// Cada sólido, con el modelo de Phong y una luz de intensidad I(t) y color C(t); la bombilla, que está donde la
+// fuente, es de ese color, y delante de lo que hay detrás de ella se suma su halo: son dos redondeos a 8 bits.
 TEST(LucesAnimadas, ProporcionalALaLuz) {
     const Camara camara = perspectiva(orbita(0.4, 0.38, 12.4, {0.1, 0.25, 0}), 0.45, 1, 50);
     const Vec3 fuente{-0.1, 2.3, 1.3}, La{0.5, 0.5, 0.5}, gris{0.25, 0.25, 0.25};
@@ -103,7 +103,8 @@ TEST(LucesAnimadas, ProporcionalALaLuz) {
     }
 }
 
-// Cada píxel, lo que hay en la imagen donde dice el seno, con el filtro lineal; fuera de ella, su borde. El cuadrado no se deforma.
+// Cada píxel, lo que hay en la imagen donde dice el seno, con el filtro lineal; fuera de ella, su borde. El cuadrado
+// no se deforma.
 TEST(TexturaOndulada, LeeDondeDiceElSeno) {
     const Imagen im = alAzar(64, 48); // menos de un texel por píxel
     for (const double t : {0.0, 0.5, 1.0, 2.5, HORAS + 3.5, HORAS + 6}) {
@@ -120,8 +121,9 @@ TEST(TexturaOndulada, LeeDondeDiceElSeno) {
 
 namespace {
 
-/// El toro del programa con sus vértices donde los lleva el ruido en el segundo t. La normal es la del producto vectorial de dos
-/// tangentes, que se miden con diferencias: las del toro, muy pequeñas, y las de la textura, de un texel a cada lado.
+/// El toro del programa con sus vértices donde los lleva el ruido en el segundo t. La normal es la del producto
+/// vectorial de dos tangentes, que se miden con diferencias: las del toro, muy pequeñas, y las de la textura, de un
+/// texel a cada lado.
 Malla toroDesplazado(double t, double S2, double centro) {
     const TexturaDeRuido ruido;
     const auto enToro = [](double s, double u) {
@@ -154,8 +156,8 @@ void compruebaRuido(const Vista &v, const Hueco &h, int modo, double t, double S
 
 } // namespace
 
-// Con más y menos amplitud; y los dos modos a la vez. Medio nivel más que lo exacto: en los pliegues hay triángulos de décimas de píxel
-// de ancho, y llevar sus vértices a la rejilla de 1/256 se nota en la normal que se interpola.
+// Con más y menos amplitud; y los dos modos a la vez. Medio nivel más que lo exacto: en los pliegues hay triángulos
+// de décimas de píxel de ancho, y llevar sus vértices a la rejilla de 1/256 se nota en la normal que se interpola.
 TEST(RuidoVertices, CadaPixelDeLaMallaDesplazada) {
     for (const std::string modo : {"1", "2"}) {
         const auto casos = {
@@ -198,7 +200,8 @@ TEST(Temporizador, DisparosDeCadaUno) {
     });
 }
 
-// El color del punto de la esfera o del anillo que ve cada rayo, con la textura hecha otra vez según la definición del ruido.
+// El color del punto de la esfera o del anillo que ve cada rayo, con la textura hecha otra vez según la definición
+// del ruido.
 TEST(Textura3dAnimada, ElRuidoEnCadaPuntoYPeriodica) {
     const Camara camara = perspectiva(orbita(0.4, 0.4, 9.5), 0.4, 1, 50);
     const Escena escena = {enElMundo(Mat4(), esfera(segmentosEsfera(250))),

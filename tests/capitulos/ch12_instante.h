@@ -6,7 +6,8 @@
 
 const double HORAS = 360000; // segundos: cien horas, múltiplo de todos los periodos
 
-/// Con el reloj parado, el segundo t, en décimas; si pasa de HORAS, no de uno en uno. `inicio`, el del programa al abrirlo.
+/// Con el reloj parado, el segundo t, en décimas; si pasa de HORAS, no de uno en uno. `inicio`, el del programa al
+/// abrirlo.
 inline std::string instante(double t, double inicio = 0) {
     const int decimas = int(std::lround(10 * std::fmod(t - inicio, HORAS)));
     return (t >= HORAS ? "tecla h ×10; " : "") + std::string("tecla Espacio; ") +

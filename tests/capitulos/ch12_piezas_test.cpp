@@ -1,5 +1,5 @@
-// Comprobaciones independientes de las partículas del capítulo 12: la imagen entera, con cada una donde se calcula aquí, en doble
-// precisión, y del color que debe.
+// Comprobaciones independientes de las partículas del capítulo 12: la imagen entera, con cada una donde se calcula
+// aquí, en doble precisión, y del color que debe.
 #include "ch12_instante.h"
 #include "ch12_ruido.h"
 #include "colores.h"
@@ -80,7 +80,8 @@ Particula particula(int modo, std::uint32_t id, double t) {
             0.11 * (1 - edad * edad)};
 }
 
-/// Las `cuantas` primeras, mezcladas en orden: el humo tapa y lo demás se suma. Cuantas menos, mayores, hasta el triple.
+/// Las `cuantas` primeras, mezcladas en orden: el humo tapa y lo demás se suma. Cuantas menos, mayores, hasta el
+/// triple.
 Esperado particulas(int modo, std::uint32_t cuantas, double t) {
     const double escala = std::min(100 / std::sqrt(cuantas), 3.0);
     std::vector<Vec3> imagen(ANCHO * ALTO, color(FONDO_OSCURO));
@@ -109,8 +110,9 @@ std::string pide(int modo, int pasos = 0) {
 
 } // namespace
 
-// Una sola, de cada clase cien, más de las que hay grupos, mil gotas y diez mil de cada clase: la imagen entera, también a las cien
-// horas. Cada capa redondea a 8 bits el color, la opacidad y el resultado: una, un nivel y medio; con diez mil hay sitios con decenas.
+// Una sola, de cada clase cien, más de las que hay grupos, mil gotas y diez mil de cada clase: la imagen entera,
+// también a las cien horas. Cada capa redondea a 8 bits el color, la opacidad y el resultado: una, un nivel y medio;
+// con diez mil hay sitios con decenas.
 TEST(Particulas, CadaUnaContraSuFormaCerrada) {
     const struct {
         int pasos, cuantas;
@@ -130,8 +132,8 @@ TEST(Particulas, CadaUnaContraSuFormaCerrada) {
             }
 }
 
-// Cien veces más partículas cubren entre todas lo mismo: la luz de la imagen no cambia. Tampoco la de un millón de gotas que no llegan
-// a un píxel: en una ventana de la mitad, cada píxel recibe lo mismo.
+// Cien veces más partículas cubren entre todas lo mismo: la luz de la imagen no cambia. Tampoco la de un millón de
+// gotas que no llegan a un píxel: en una ventana de la mitad, cada píxel recibe lo mismo.
 TEST(Particulas, LaLuzNoDependeDeCuantas) {
     std::vector<double> luz; // lo que se recibe de más que del fondo
     for (const Vista &v : vistasDe(
@@ -213,7 +215,8 @@ struct Bandera {
     Vec3 pie, color;
     double crece, inclina, onda;
 
-    /// Si la ve el rayo antes de `distancia`, hasta dónde llega y el tono de ese punto: del asta o, arriba, de la tela, que ondea.
+    /// Si la ve el rayo antes de `distancia`, hasta dónde llega y el tono de ese punto: del asta o, arriba, de la
+    /// tela, que ondea.
     void mira(const Rayo &r, double &distancia, Tono &tono, int cual) const {
         const double d = (pie.z - r.origen.z) / r.direccion.z;
         const Vec3 v = r.origen + d * r.direccion - pie;
@@ -230,7 +233,8 @@ struct Bandera {
 
 } // namespace
 
-// La imagen entera: la grada, maciza hasta el suelo, que está un escalón por debajo de la primera fila, y cada bandera con su asta.
+// La imagen entera: la grada, maciza hasta el suelo, que está un escalón por debajo de la primera fila, y cada
+// bandera con su asta.
 TEST(Banderas, CadaUnaConSuAstaEnSuSitio) {
     const int C = 26, F = 12;
     const Camara camara = perspectiva(orbita(0.35, 0.34, 43, {0.4, 3.9, -4.5}), 0.5, 1, 200);
