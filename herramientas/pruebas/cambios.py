@@ -28,7 +28,7 @@ DEL_LABORATORIO = (
     "common",
 )
 MIRAN = {
-    "lab": DEL_LABORATORIO,
+    "copia": DEL_LABORATORIO,
     "ordenes": DEL_LABORATORIO,
     "herramientas": DEL_LABORATORIO,
     "enlace_web": DEL_LABORATORIO,
