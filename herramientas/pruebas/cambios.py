@@ -32,7 +32,6 @@ MIRAN = {
     "ordenes": DEL_LABORATORIO,
     "herramientas": DEL_LABORATORIO,
     "enlace_web": DEL_LABORATORIO,
-    "shellcheck": ("lab", "tests"),
     "comparador.defectos": ("tests/comparador", "herramientas/comparador"),
 }
 DE_TODAS = (

@@ -60,7 +60,8 @@ TEST(Guion, LaEscalaLlevaElRatonALoMismo) {
 
 // Cada error termina con 2 y nombra la orden, su número y lo que se esperaba.
 TEST(GuionMal, DiceDondeYQue) {
-    std::ofstream(carpetaTemporal() / "prueba.guion") << "# un comentario\ntecla a; espera 10\n  # otro\n  gira 3\n";
+    std::ofstream(carpetaTemporal() / "prueba.guion")
+        << "# un comentario\ntecla a; espera 10\n  # otro\n  gira 3\n";
     const std::string fichero = "@" + (carpetaTemporal() / "prueba.guion").string();
     const struct {
         std::string guion;

@@ -165,8 +165,8 @@ def test_el_catalogo_es_lo_que_dice_cmake(lab):
 
 
 def test_una_imagen_distinta_y_dora(lab):
-    """Una prueba que falla da un estado distinto de 0 y deja sus imágenes, y ninguna prueba, también; dora rehace lo que
-    se nombra y nada más."""
+    """Si falla, el estado no es 0 y quedan las imágenes; sin ninguna prueba, tampoco es 0. Y dora rehace lo que se
+    nombra y nada más."""
     bueno, uno, dos = (
         lab.raiz / f"{GOLDEN}{p}.ppm" for p in ("shader_basico", "primer_programa", "primer_programa_dos")
     )
