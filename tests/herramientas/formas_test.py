@@ -69,10 +69,9 @@ def test_solo_las_pruebas_usan_tests():
     assert len(fuentes) > 400
     suyos = [f for f in fuentes if HERRAMIENTAS / "pruebas" not in f.parents and "tests/" in sin_comentarios(f)]
     falla([corto(f) for f in suyos])
-    funciones = re.findall(r"^(\w+)\(\) \{(.*?)^\}|^([^\n]+)$", sin_comentarios(RAIZ / "lab"), re.M | re.S)
-    de_lab = {
-        nombre or resto.split(")")[0] for nombre, *en, resto in funciones if re.search(r"\btests\b", f"{en}{resto}")
-    }
+    partes = re.findall(r"^(\w+)\(\) \{ *\n(.*?)^\}|^([^\n]+)$", sin_comentarios(RAIZ / "lab"), re.M | re.S)
+    usan = [(funcion, linea) for funcion, cuerpo, linea in partes if re.search(r"(?<!-)\btests\b", cuerpo or linea)]
+    de_lab = {funcion or linea.split(")")[0] for funcion, linea in usan}
     assert de_lab == {"documentos", "dora", "prueba | dora | muta"}, de_lab
 
 
