@@ -87,7 +87,7 @@ def usos():
 
 
 def test_lo_publico_de_cada_capitulo():
-    """Lo que un capítulo usa de otro es justo lo que CONTRIBUTING llama público; `objeto.*` vale por objeto.h, .vert…"""
+    """Lo que un capítulo usa de otro es justo lo que CONTRIBUTING llama público; `objeto.*` es objeto.h, .vert…"""
     dice = (RAIZ / "CONTRIBUTING.md").read_text()
     lista = re.search(r"De otro capítulo solo se usa lo público:(.*?)\.\s+La prueba `formas`", dice, re.S)[1]
     publico = {

@@ -251,7 +251,8 @@ def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
     raiz, build = tmp_path, tmp_path / "build"
     ficheros = """ch01_uno/a.cpp ch01_uno/b.cpp ch01_uno/a.vert tests/casos/casos.sh tests/golden/ch01_uno/a-dos.ppm lab
         docs/x.md assets/x.txt build/casos/a.sh build/osmesa/ch01_uno/a build/osmesa/ch01_uno/b
-        build/osmesa/ch01_intro/x build/herramientas/comparador/compara build/tests/CTestTestfile.cmake build/tests/ch01_test"""
+        build/osmesa/ch01_intro/x build/herramientas/comparador/compara build/tests/CTestTestfile.cmake
+        build/tests/ch01_test"""
     siembra(raiz, {f: f for f in ficheros.split()})
     siembra(build, {"leidos/imagen.a": "ch01_uno/a.vert\n", "leidos/ch01_test": f"{build}/osmesa/ch01_uno/b\n"})
     (build / "herramientas/comparador/compara").chmod(0o755)

@@ -260,6 +260,9 @@ def test_galeria(lab):
     assert {f.name: dura(f) for f in dibujado.glob("*.anima.png")} == {"primer_programa_dos.anima.png": (480, 360, 0.3)}
     enlaza = 'srcset="ch01_intro/primer_programa_dos.anima.png" media="(prefers-reduced-motion: no-preference)"'
     assert enlaza in (lab.raiz / "galeria/index.html").read_text()
+    with lab.con("ch01_intro/CMakeLists.txt"):
+        lab.cambia("ch01_intro/CMakeLists.txt", "3 tecla i; tecla d", "cuatro")
+        lab("galeria", 1, "ANIMA es el número de cuadros")
 
 
 def test_lo_que_no_compila_no_impide_ver_lo_demas(lab):

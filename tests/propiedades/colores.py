@@ -61,17 +61,11 @@ def ciede2000(uno, otro):
     dh = 0 if c1 * c2 == 0 else (h2 - h1 + 180) % 360 - 180
     hm = h1 + h2 if c1 * c2 == 0 else (h1 + dh / 2) % 360
     lm, cm = (l1 + l2) / 2, (c1 + c2) / 2
-    t = (
-        1
-        - 0.17 * math.cos(math.radians(hm - 30))
-        + 0.24 * math.cos(math.radians(2 * hm))
-        + 0.32 * math.cos(math.radians(3 * hm + 6))
-        - 0.20 * math.cos(math.radians(4 * hm - 63))
-    )
+    vueltas = ((-0.17, 1, -30), (0.24, 2, 0), (0.32, 3, 6), (-0.20, 4, -63))
+    t = 1 + sum(cuanto * math.cos(math.radians(n * hm + fase)) for cuanto, n, fase in vueltas)
     sl, sc, sh = 1 + 0.015 * (lm - 50) ** 2 / math.sqrt(20 + (lm - 50) ** 2), 1 + 0.045 * cm, 1 + 0.015 * cm * t
-    rt = (
-        -2 * math.sqrt(cm**7 / (cm**7 + 25**7)) * math.sin(math.radians(60 * math.exp(-(((hm - 275) / 25) ** 2))))
-    )
+    giro = math.radians(60 * math.exp(-(((hm - 275) / 25) ** 2)))
+    rt = -2 * math.sqrt(cm**7 / (cm**7 + 25**7)) * math.sin(giro)
     dl, dc, dH = (l2 - l1) / sl, (c2 - c1) / sc, 2 * math.sqrt(c1 * c2) * math.sin(math.radians(dh / 2)) / sh
     return math.sqrt(dl**2 + dc**2 + dH**2 + rt * dc * dH)
 
@@ -85,20 +79,16 @@ def se_distinguen(uno, otro):
 def encima(build, caso, carpeta):
     """Los rótulos y los trazos de un caso (common/encima.h): color, puntos y texto."""
     fichero = carpeta / "encima"
+    orden = [caso.programa.ejecutable(build), "-geometry", "240x180", "-ppm", "x.ppm", "-guion", caso.guion]
     subprocess.run(
-        [caso.programa.ejecutable(build), "-geometry", "240x180", "-ppm", "x.ppm", "-guion", caso.guion],
-        cwd=carpeta,
-        check=True,
-        env={**os.environ, "LAB_ENCIMA": str(fichero)},
-        stdout=subprocess.DEVNULL,
+        orden, cwd=carpeta, check=True, env=os.environ | {"LAB_ENCIMA": str(fichero)}, stdout=subprocess.DEVNULL
     )
     rotulos, trazos = [], []
     for linea in fichero.read_text().split("imagen\t")[-1].splitlines()[1:]:
         tipo, color, _, _, _, puntos, texto = linea.split("\t")
         xyz = [float(v) for v in puntos.split()]
-        (rotulos if tipo == "rotulo" else trazos).append(
-            (tuple(map(float, color.split())), list(zip(xyz[::3], xyz[1::3])), texto)
-        )
+        cosa = tuple(map(float, color.split())), list(zip(xyz[::3], xyz[1::3])), texto
+        (rotulos if tipo == "rotulo" else trazos).append(cosa)
     return rotulos, trazos
 
 
@@ -107,11 +97,8 @@ def junto_a(rotulo, trazos):
     color, ((x0, y0), (x1, y1), _), _ = rotulo
     for suyo, puntos, _ in trazos:
         for (ax, ay), (bx, by) in zip(puntos, puntos[1:] + puntos[-1:]) if suyo == color else ():
-            if any(
-                x0 - CERCA <= ax + (bx - ax) * k / 20 <= x1 + CERCA
-                and y0 - CERCA <= ay + (by - ay) * k / 20 <= y1 + CERCA
-                for k in range(21)
-            ):
+            veinte = ((ax + (bx - ax) * k / 20, ay + (by - ay) * k / 20) for k in range(21))
+            if any(x0 - CERCA <= x <= x1 + CERCA and y0 - CERCA <= y <= y1 + CERCA for x, y in veinte):
                 return True
     return False
 
@@ -122,7 +109,8 @@ def confunden(rotulos, trazos):
     for uno, otro in itertools.combinations(sueltos, 2):
         cuanto, quien = se_distinguen(uno, otro)
         if cuanto < MINIMO:
-            yield f"«{sueltos[uno]}» y «{sueltos[otro]}» son de dos colores que con {quien} no se distinguen (ΔE {cuanto:.0f})"
+            son = f"«{sueltos[uno]}» y «{sueltos[otro]}»"
+            yield f"{son} son de dos colores que con {quien} no se distinguen (ΔE {cuanto:.0f})"
 
 
 def main():
@@ -134,9 +122,8 @@ def main():
                 for que in confunden(*encima(build, caso, Path(carpeta))):
                     confusos.add(programa.nombre)
                     fallos += [] if programa.nombre in EXCEPCIONES else [f"{caso.fichero}: {que}"]
-    fallos += [
-        f"{nombre} ya no confunde a nadie y sigue en EXCEPCIONES" for nombre in sorted(set(EXCEPCIONES) - confusos)
-    ]
+    sobran = sorted(set(EXCEPCIONES) - confusos)
+    fallos += [f"{nombre} ya no confunde a nadie y sigue en EXCEPCIONES" for nombre in sobran]
     print(*fallos, sep="\n")
     sys.exit(bool(fallos))
 
