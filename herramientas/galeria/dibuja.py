@@ -44,7 +44,7 @@ def compila(build):
             registro.write(linea)
             if enlazado := re.match(r"\[\d+/\d+\] Linking CXX executable (\S+)$", linea):
                 yield build / enlazado[1]
-            elif not linea.startswith(("[", "ninja: ")):
+            elif not re.match(r"\[|ninja: (?!error: )", linea):
                 print(linea, end="", file=sys.stderr)
 
 

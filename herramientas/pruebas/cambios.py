@@ -28,11 +28,10 @@ DEL_LABORATORIO = (
     "common",
 )
 MIRAN = {
-    "lab": DEL_LABORATORIO,
+    "copia": DEL_LABORATORIO,
     "ordenes": DEL_LABORATORIO,
     "herramientas": DEL_LABORATORIO,
     "enlace_web": DEL_LABORATORIO,
-    "shellcheck": ("lab", "tests"),
     "comparador.defectos": ("tests/comparador", "herramientas/comparador"),
 }
 DE_TODAS = (

@@ -1,4 +1,5 @@
-"""./lab corrige: sus partes, frente a lo que daría cualquiera, y una clase pequeña de verdad, con quien se equivoca y quien lo hace a propósito."""
+"""./lab corrige: sus partes, frente a lo que daría cualquiera, y una clase pequeña de verdad, con quien se equivoca y
+quien lo hace a propósito."""
 import csv
 import io
 import json
@@ -19,7 +20,7 @@ import pytest
 
 RAIZ = Path(__file__).parents[2]
 BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
-sys.path.insert(0, str(RAIZ / "herramientas"))
+sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/ordenes")]
 from base import catalogo, guiones, procesos
 from ejercicios import nuevo
 from ejercicios.corrige import clase as de_clase
@@ -27,8 +28,10 @@ from ejercicios.corrige import compilador, informes, jaula, motivos, partidas, v
 from ejercicios.corrige.arbitro import Arbitro
 from ejercicios.corrige.entrega import Rechazo, lee_entrega
 from ejercicios.corrige.partidas import Guion, Partida
+from mentira import ejecutable, faltan, siembra
 
 REF = "E3.5"
+CALLADO = {"text": True, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
 
 
 def orden(*palabras):
@@ -48,24 +51,34 @@ def test_acorta_un_guion():
         def falla(candidatas):
             pruebas.append(candidatas)
             return bastan <= set(candidatas)
+
         assert sorted(guiones.acorta(ordenes, falla, 1000)) == sorted(bastan)
         pruebas.clear()
         guiones.acorta(ordenes, falla, 5)
         assert len(pruebas) <= 5
-    assert guiones.acorta(("tecla a", "tecla d ×30", "tecla w"), lambda o: "tecla d ×30" in o or "tecla d ×7" in o, 24) == ("tecla d ×7",)
+    bastan = {"tecla d ×30", "tecla d ×7"}
+    assert guiones.acorta(("tecla a", "tecla d ×30", "tecla w"), bastan.intersection, 24) == ("tecla d ×7",)
     assert guiones.acorta(("tecla a ×30",), lambda o: True, 24) == ("tecla a",)
 
 
 def test_los_guiones_al_azar_son_los_mismos_y_usan_todos_los_mandos():
     mandos = [f"tecla {c}" for c in "abcdefg"]
-    hechos = [list(partidas.guiones_al_azar(clave, 20, mandos, lambda azar: [azar.choice(mandos)])) for clave in ("E1 1", "E1 1", "E1 2")]
+    claves = "E1 1", "E1 1", "E1 2"
+    hechos = [list(partidas.guiones_al_azar(c, 20, mandos, lambda azar: [azar.choice(mandos)])) for c in claves]
     assert hechos[0] == hechos[1] != hechos[2] and len(set(g.ordenes for g in hechos[0])) == 20
     assert {guiones.sin_veces(g.ordenes[0]) for g in hechos[0]} == set(mandos)
     assert any(o.endswith(" ×30") for g in hechos[0] for o in g.ordenes)
     assert [any(o.startswith("tamano") for o in g.ordenes) for g in hechos[0]] == [False, True] * 10
-    programa = SimpleNamespace(casos=[SimpleNamespace(nombre="uno", guion=""), SimpleNamespace(nombre="dos", guion="tecla a; espera 5;")])
-    assert list(partidas.de_los_casos(programa)) == [Guion("uno", (), True), Guion("dos", ("tecla a", "espera 5"), True)]
-    assert Guion("", ("tecla a", "tecla b")).texto == "captura 000.ppm; tecla a; captura 001.ppm; tecla b; captura 002.ppm"
+
+
+def test_los_guiones_de_los_casos():
+    casos = [
+        SimpleNamespace(nombre=nombre, guion=guion) for nombre, guion in (("uno", ""), ("dos", "tecla a; espera 5;"))
+    ]
+    son = [Guion("uno", (), True), Guion("dos", ("tecla a", "espera 5"), True)]
+    assert list(partidas.de_los_casos(SimpleNamespace(casos=casos))) == son
+    capturas = "captura 000.ppm; tecla a; captura 001.ppm; tecla b; captura 002.ppm"
+    assert Guion("", ("tecla a", "tecla b")).texto == capturas
 
 
 def ppm(ancho, alto, sobra=b"", comentario=b"# sello\n"):
@@ -74,9 +87,10 @@ def ppm(ancho, alto, sobra=b"", comentario=b"# sello\n"):
 
 def test_una_imagen_de_otro():
     assert partidas.lee_ppm(ppm(4, 3)) == (4, 3, bytes(36))
-    malas = [b"", b"P6", ppm(4, 3)[:-1], ppm(4, 3, b"x"), ppm(4, 3).replace(b"P6", b"P5"), ppm(4, 3).replace(b"255", b"65535"), b"P6\n-4 3\n255\n" + bytes(36),
-             b"P6\n99999 99999\n255\n", b"P6\n0 0\n255\n", ppm(4, 3, comentario=b"#" * 10000 + b"\n"), b"P6\n4 3 255\n" + bytes(36)]
-    assert [partidas.lee_ppm(m) for m in malas] == [None] * len(malas)
+    bien, tallas = ppm(4, 3), (b"-4 3\n255", b"0 0\n255", b"99999 99999\n255", b"4 3 255")
+    malas = [b"", b"P6", bien[:-1], ppm(4, 3, b"x"), bien.replace(b"P6", b"P5"), bien.replace(b"255", b"65535")]
+    malas += [ppm(4, 3, comentario=b"#" * 10000 + b"\n"), *(b"P6\n" + talla + b"\n" + bytes(36) for talla in tallas)]
+    assert [partidas.lee_ppm(mala) for mala in malas] == [None] * len(malas)
 
 
 def en_tar(*miembros):
@@ -84,24 +98,24 @@ def en_tar(*miembros):
     with tarfile.open(fileobj=datos, mode="w") as tar:
         for nombre, contenido, tipo in miembros:
             m = tarfile.TarInfo(nombre)
-            m.type, m.size, m.linkname = tipo, len(contenido), "/etc/passwd"
+            m.type, m.size, m.linkname = getattr(tarfile, tipo), len(contenido), "/etc/passwd"
             tar.addfile(m, io.BytesIO(contenido))
     return datos.getvalue()
 
 
 def test_de_un_tar_solo_sale_lo_que_debe():
-    bueno = en_tar(("./000.ppm", b"a", tarfile.REGTYPE), ("./estado", b"0", tarfile.REGTYPE))
+    normal, *raros = "REGTYPE SYMTYPE LNKTYPE FIFOTYPE CHRTYPE DIRTYPE".split()
+    bueno = en_tar(("./000.ppm", b"a", normal), ("./estado", b"0", normal))
     assert jaula.desempaqueta(bueno) == {"000.ppm": b"a", "estado": b"0"}
-    raros = [("000.ppm", b"", t) for t in (tarfile.SYMTYPE, tarfile.LNKTYPE, tarfile.FIFOTYPE, tarfile.CHRTYPE, tarfile.DIRTYPE)]
-    fuera = [(n, b"x", tarfile.REGTYPE) for n in ("../000.ppm", "/etc/000.ppm", "a/000.ppm", "0000.ppm", "otro")]
-    assert not jaula.desempaqueta(en_tar(*raros, *fuera))
-    assert jaula.desempaqueta(en_tar(("estado", b"0", tarfile.REGTYPE), ("estado", b"1", tarfile.REGTYPE))) == {"estado": b"0"}
+    fuera = [(n, b"x", normal) for n in ("../000.ppm", "/etc/000.ppm", "a/000.ppm", "0000.ppm", "otro")]
+    assert not jaula.desempaqueta(en_tar(*(("000.ppm", b"", tipo) for tipo in raros), *fuera))
+    assert jaula.desempaqueta(en_tar(("estado", b"0", normal), ("estado", b"1", normal))) == {"estado": b"0"}
     azar = random.Random(1)
     for _ in range(300):  # estropeado de cualquier manera, no rompe nada
         malo = bytearray(bueno)
         for _ in range(azar.randint(1, 40)):
             malo[azar.randrange(1100)] = azar.randrange(256)
-        jaula.desempaqueta(bytes(malo[:azar.randrange(len(malo))]))
+        jaula.desempaqueta(bytes(malo[: azar.randrange(len(malo))]))
 
 
 def test_lo_que_se_lee_de_una_entrega(tmp_path):
@@ -113,19 +127,17 @@ def test_lo_que_se_lee_de_una_entrega(tmp_path):
     for nombre in ("buena", "enlace", "tuberia", "enorme", "muchos", "vacia"):
         (tmp_path / nombre).mkdir()
         (tmp_path / nombre / "otra.txt").symlink_to("/etc/passwd")  # lo que no es un fuente no se mira
-    (tmp_path / "buena/a.cpp").write_bytes(b"x")
-    (tmp_path / "buena/a.h").write_bytes(b"y")
-    (tmp_path / "buena/.oculto.cpp").write_bytes(b"y")
+    siembra(tmp_path / "buena", {"a.cpp": "x", "a.h": "y", ".oculto.cpp": "y"})
     assert lee_entrega(tmp_path / "buena") == {"a.cpp": b"x", "a.h": b"y"}
     (tmp_path / "enlace/a.cpp").symlink_to("/etc/passwd")
     os.mkfifo(tmp_path / "tuberia/a.cpp")
     with open(tmp_path / "enorme/a.cpp", "w") as f:
         f.truncate(1 << 30)
-    for i in range(100):
-        (tmp_path / f"muchos/{i}.cpp").touch()
+    siembra(tmp_path / "muchos", {f"{i}.cpp": "" for i in range(100)})
     (tmp_path / "carpeta").symlink_to(tmp_path / "buena")
-    assert "enlace" in rechazo("enlace") and "corriente" in rechazo("tuberia") and "1 MiB" in rechazo("enorme") and "40" in rechazo("muchos")
-    assert "ningún .cpp" in rechazo("vacia") and "no es una carpeta" in rechazo("carpeta") and "no es una carpeta" in rechazo("noesta")
+    dice = {"enlace": "enlace", "tuberia": "corriente", "enorme": "1 MiB", "muchos": "40", "vacia": "ningún .cpp"}
+    dice |= dict.fromkeys(("carpeta", "noesta"), "no es una carpeta")
+    assert not [nombre for nombre, motivo in dice.items() if motivo not in rechazo(nombre)]
 
 
 def partida(*imagenes, titulos=("título: uno",), texto="", estado=0, errores=""):
@@ -137,11 +149,13 @@ def test_en_que_se_apartan_dos_partidas():
 
     def difiere(obtenida, **esperada):
         return Arbitro.difiere(arbitro, partida(1, 2, 3, **esperada), obtenida)
+
     assert difiere(partida(1, 2, 3)) is None and difiere(partida(1, 2, 3, texto="sobra", errores="aviso")) is None
     assert [difiere(partida(*i)) for i in ((9, 2, 3), (1, 9, 3), (1, 2), ())] == [0, 1, 2, 0]
-    for otra in (partida(1, 2, 3, estado=3), partida(1, 2, 3, titulos=()), partida(1, 2, 3, titulos=("título: uno", "título: dos"))):
-        assert difiere(otra) == 2
-    assert difiere(partida(1, 2, 3, texto="una"), texto="otra") == 2 and difiere(partida(1, 2, 3, texto="una"), texto="una") is None
+    dos = "título: uno", "título: dos"
+    distintas = partida(1, 2, 3, estado=3), partida(1, 2, 3, titulos=()), partida(1, 2, 3, titulos=dos)
+    assert [difiere(otra) for otra in distintas] == [2, 2, 2]
+    assert [difiere(partida(1, 2, 3, texto="una"), texto=otro) for otro in ("otra", "una")] == [2, None]
 
 
 @pytest.mark.skipif(not (BUILD / "herramientas/comparador/compara").exists(), reason="no está compilado")
@@ -149,8 +163,10 @@ def test_dos_imagenes_son_la_misma(tmp_path):
     arbitro = Arbitro.__new__(Arbitro)
     arbitro.iguales_ya, arbitro.temporal, arbitro.build = {}, tmp_path, BUILD
     gris = bytes([100]) * 3000
-    for pixeles, son in ((gris, True), (bytes([101]) * 3000, True), (bytes([110]) * 3000, False), (gris[:-30] + bytes(30), False), (bytes([160]) + gris[1:], False)):
-        assert arbitro.iguales((100, 10, gris), (100, 10, pixeles)) == son
+    iguales = gris, bytes([101]) * 3000
+    distintas = bytes([110]) * 3000, gris[:-30] + bytes(30), bytes([160]) + gris[1:]
+    son = [arbitro.iguales((100, 10, gris), (100, 10, pixeles)) for pixeles in (*iguales, *distintas)]
+    assert son == [True] * len(iguales) + [False] * len(distintas)
     assert not arbitro.iguales((100, 10, gris), (50, 20, gris))
     assert not list(tmp_path.iterdir())
 
@@ -163,6 +179,7 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
         def juega(variante, guion):
             jugados.append(guion)
             return obtenida(guion) if variante == "entrega" else partida(1)
+
         jugados.clear()
         arbitro = SimpleNamespace(juega=juega, iguales=lambda una, otra: una == otra)
         arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
@@ -181,13 +198,15 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
 def test_el_defecto_que_deja_lo_mismo_en_todos_los_guiones():
     jugados = [Guion(str(i), ("tecla a",)) for i in range(3)]
     entregado = {g: partida(5) for g in jugados}
-    hace = {"esqueleto": (1, 1, 1), "uno": (5, 5, 6), "dos": (5, 5, 9), "tres": (5, 5, 5), "cuatro": (5, 5, 6)}  # 5 y 6 se parecen
-    arbitro = SimpleNamespace(iguales=lambda una, otra: abs(una[2][0] - otra[2][0]) < 2, juega=lambda v, g: partida(hace[v][int(g.nombre)]))
+    hace = {"esqueleto": (1, 1, 1), "uno": (5, 5, 6), "dos": (5, 5, 9), "tres": (5, 5, 5), "cuatro": (5, 5, 6)}
+    arbitro = SimpleNamespace(juega=lambda v, g: partida(hace[v][int(g.nombre)]))
+    arbitro.iguales = lambda una, otra: abs(una[2][0] - otra[2][0]) < 2  # 5 y 6 se parecen
     arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
 
     def dice(*variantes):
         todos = SimpleNamespace(arbitro=arbitro, variantes=lambda: [("", "esqueleto"), *((v, v) for v in variantes)])
         return motivos.Motivos.por_que(todos, entregado, jugados[:1])
+
     assert dice("uno", "dos", "tres", "cuatro") == ["tres"]  # antes, la exacta
     assert dice("uno", "dos", "cuatro") == ["uno", "cuatro"] and dice("dos") == []
     hace["esqueleto"] = 5, 5, 5
@@ -203,6 +222,7 @@ def test_lo_que_no_responde():
         correccion = veredicto.Correccion(banco, {})
         correccion.partidas, correccion.esperadas = {guion: partida(*imagenes)}, esperada
         return correccion.explica({guion: 1}, muestra)
+
     assert dice(0, 1, 1, 3, 4) == ["«tecla b» no hace nada"] and dice(0, 0, 2, 2, 4) == ["«arrastra» no hace nada"]
     assert dice(0, 0, 0, 0, 0) == ["no responde a nada de lo que debería"] and dice(0, 1, 2, 9, 4) == []
     assert dice(0, 1, 2, 9, 4, muestra=[{"tras": ["tamano 3 4"]}]) == ["está mal al cambiar el tamaño de la ventana"]
@@ -210,7 +230,8 @@ def test_lo_que_no_responde():
 
 def test_lo_mismo_no_se_corrige_otra_vez(tmp_path, monkeypatch):
     hechas = []
-    monkeypatch.setattr(de_clase.Correccion, "hazla", lambda self: hechas.append(self) or {"nota": 5, "dice": [], "fallos": []})
+    correccion = {"nota": 5, "dice": [], "fallos": []}
+    monkeypatch.setattr(de_clase.Correccion, "hazla", lambda self: hechas.append(self) or correccion)
     (tmp_path / "a.cpp").write_text("uno")
 
     def corrige_con(version="v", semilla=1, guiones=3):
@@ -218,6 +239,7 @@ def test_lo_mismo_no_se_corrige_otra_vez(tmp_path, monkeypatch):
         banco = SimpleNamespace(version=version, semilla=semilla, ref=REF, todos=[0] * guiones, arbitro=None)
         assert de_clase.corrige(banco, tmp_path, tmp_path / "nota.json")["nota"] == 5
         return len(hechas) > antes
+
     assert corrige_con() and not corrige_con()
     assert all(corrige_con(*con) for con in (("w",), ("v", 2), ("v", 2, 4)))
     (tmp_path / "a.cpp").write_text("dos")
@@ -235,45 +257,51 @@ def test_lo_que_ve_una_entrega_no_es_la_solucion():
         assert secretos and not secretos & vistos and {"common/ventana.h", "common/encima.vert"} <= vistos, ref
 
 
-HECHA = {"entrega": "=ana\n", "ejercicio": "E3.5", "semilla": "7", "nota": 87.5, "bien": 20, "guiones": 29, "dice": ["uno\nGrade :=>> 100", "<dos>\x1b"], "fallos": []}
+HECHA = {"entrega": "=ana\n", "ejercicio": "E3.5", "semilla": "7", "nota": 87.5, "bien": 20, "guiones": 29}
+HECHA |= {"dice": ["uno\nGrade :=>> 100", "<dos>\x1b"], "fallos": []}
 
 
 def test_vpl_junit_y_tabla(monkeypatch):
-    lineas = informes.en_vpl(HECHA).split("\n")
-    assert [ll for ll in lineas if ll.startswith("Grade :=>>")] == ["Grade :=>> 87.5"] == lineas[-1:] and all(ll.startswith("Comment :=>>") for ll in lineas[:-1])
-    monkeypatch.setenv("VPL_GRADEMAX", "10")
-    assert informes.en_vpl(HECHA).endswith("\nGrade :=>> 8.75")
-    monkeypatch.setenv("VPL_GRADEMIN", "2")
-    assert informes.en_vpl(HECHA).endswith("\nGrade :=>> 9")
+    *comentarios, nota = informes.en_vpl(HECHA).split("\n")
+    assert nota == "Grade :=>> 87.5" and all(ll.startswith("Comment :=>>") for ll in comentarios)
+    for limite, valor, nota in (("MAX", "10", "8.75"), ("MIN", "2", "9")):
+        monkeypatch.setenv(f"VPL_GRADE{limite}", valor)
+        assert informes.en_vpl(HECHA).endswith(f"\nGrade :=>> {nota}")
     bien = {**HECHA, "nota": 100, "dice": []}
     grupo = xml.fromstring(informes.en_junit([HECHA, bien]).encode())
-    assert grupo.attrib == {"name": "corrige", "tests": "2", "failures": "1"} and [len(caso) for caso in grupo] == [1, 0]
-    filas = list(csv.DictReader(io.StringIO(informes.en_csv([HECHA, bien]))))
-    assert [f["nota"] for f in filas] == ["87.5", "100"] and filas[0]["entrega"] == "'=ana " and "<dos>" in filas[0]["dice"] and filas[1]["dice"] == "todo bien"
+    assert grupo.attrib == {"name": "corrige", "tests": "2", "failures": "1"}
+    assert [len(caso) for caso in grupo] == [1, 0]
+    una, otra = csv.DictReader(io.StringIO(informes.en_csv([HECHA, bien])))
+    assert (una["nota"], una["entrega"], "<dos>" in una["dice"]) == ("87.5", "'=ana ", True)
+    assert (otra["nota"], otra["dice"]) == ("100", "todo bien")
 
 
 def test_sin_bwrap_no_se_corrige(tmp_path):
     (tmp_path / "a.cpp").touch()
     with tempfile.TemporaryDirectory() as falsos:
         os.chmod(falsos, 0o755)  # lo ejecuta nobody
-        falso = Path(falsos, "bwrap")
-        falso.write_text("#!/bin/sh\necho 'bwrap: No permissions to create new namespace' >&2\nexit 1\n")
-        falso.chmod(0o755)
+        ejecutable(Path(falsos, "bwrap"), "echo 'bwrap: No permissions to create new namespace' >&2\nexit 1")
         for ruta, dice in ((f"{falsos}:{os.environ['PATH']}", "No permissions"), ("/noesta", "no encuentro bwrap")):
             hecho = subprocess.run(orden(tmp_path, REF), text=True, capture_output=True, env={"PATH": ruta})
-            assert hecho.returncode == 1 and dice in hecho.stderr and "--sin-jaula" in hecho.stderr and "Traceback" not in hecho.stderr
+            assert hecho.returncode == 1 and faltan(hecho.stderr, dice, "--sin-jaula", "Traceback") == ["Traceback"]
     assert [f.name for f in tmp_path.iterdir()] == ["a.cpp"]
 
 
 # --- una clase --------------------------------------------------------------------------------------------------
 
 SALE = "#include <cstdlib>\nstatic const int sale = [] { std::exit(0); return 0; }();\n"
-MATA = "#include <csignal>\n#include <unistd.h>\nstatic const int mata = [] { kill(getppid(), 9); kill(-1, 9); return 0; }();\n"
-# acaba mal si ve o hace algo de lo que no debe
-MIRA = '''#include <cstdlib>
-static const int mira = std::system("for f in /etc/passwd /root /home %s/tests %s/lab %s/ch03_transformaciones/grua.h %s/ch03_transformaciones/grua.cpp %s/corrige/*/*/variantes %s/osmesa; do "
-    "if [ -e $f ]; then exit 1; fi; done; if touch /usr/x /x || [ $(grep -c : /proc/net/dev) != 1 ]; then exit 1; fi") ? (std::abort(), 0) : 0;
-''' % (RAIZ, RAIZ, RAIZ, RAIZ, BUILD, BUILD)
+MATA = """#include <csignal>
+#include <unistd.h>
+static const int mata = [] { kill(getppid(), 9); kill(-1, 9); return 0; }();
+"""
+SECRETOS = "/etc/passwd", "/root", "/home", f"{BUILD}/corrige/*/*/variantes", f"{BUILD}/osmesa"
+SECRETOS += tuple(
+    f"{RAIZ}/{f}" for f in ("tests", "lab", "ch03_transformaciones/grua.h", "ch03_transformaciones/grua.cpp")
+)
+MIRA = f"""#include <cstdlib>
+static const int mira = std::system("for f in {' '.join(SECRETOS)}; do if [ -e $f ]; then exit 1; fi; done; "
+    "if touch /usr/x /x || [ $(grep -c : /proc/net/dev) != 1 ]; then exit 1; fi") ? (std::abort(), 0) : 0;
+"""  # acaba mal si ve o hace algo de lo que no debe
 
 
 def hay_jaula():
@@ -284,7 +312,10 @@ def hay_jaula():
         return False
 
 
-con_jaula = pytest.mark.skipif(not hay_jaula() or not (BUILD / "catalogo.json").exists(), reason="aquí no se puede encerrar nada, o no está compilado")
+con_jaula = pytest.mark.skipif(
+    not hay_jaula() or not (BUILD / "catalogo.json").exists(),
+    reason="aquí no se puede encerrar nada, o no está compilado",
+)
 
 
 @con_jaula
@@ -296,7 +327,7 @@ def test_en_la_jaula_solo_se_escribe_en_su_carpeta(monkeypatch, quien):
     if subprocess.run([*encerrado, "true"], cwd="/", stderr=subprocess.DEVNULL, **como).returncode:
         pytest.skip("aquí no se puede encerrar nada sin ser root")
     busca = """find / -path /proc -prune -o -type d -writable -exec sh -c 'touch "$1/x" && echo "$1"' sh {} ';'"""
-    assert subprocess.run([*encerrado, "sh", "-c", busca], cwd="/", text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, **como).stdout == "/trabajo\n"
+    assert subprocess.run([*encerrado, "sh", "-c", busca], cwd="/", **CALLADO, **como).stdout == "/trabajo\n"
 
 
 @con_jaula
@@ -310,6 +341,7 @@ def test_los_limites_de_la_jaula(tmp_path):
 
     def acaba(orden):
         return int(hace(orden)["estado"].strip() or -1)
+
     assert hace("echo hola; pwd") == {"estado": b"0\n", "salida": b"hola\n/trabajo\n", "errores": b""}
     assert acaba("trap '' TERM; while sleep 1; do :; done") == 137 and acaba("while :; do :; done") in jaula.NO_ACABA
     assert acaba("head -c 1M /dev/zero >a") == 0
@@ -317,13 +349,18 @@ def test_los_limites_de_la_jaula(tmp_path):
     assert acaba("tail /dev/zero") != 0 and acaba("for i in $(seq 40); do sleep 1 & done; wait") != 0
 
 
-def entrega(carpeta, ficheros, fichero="", viejo="", nuevo_texto=""):
-    carpeta.mkdir(parents=True)
-    if fichero:
-        assert viejo in ficheros[fichero]
-        ficheros = {**ficheros, fichero: ficheros[fichero].replace(viejo, nuevo_texto, 1)}
-    for nombre, texto in ficheros.items():
-        (carpeta / nombre).write_text(texto)
+TRANSFORMA = "giro", "traslacion({p.distancia, 0, 0})"
+ENTREGAS = {  # qué se quita de la solución, y qué se pone
+    "a_bien": ("grua.h", "", ""),
+    "c_gira_al_reves": ("grua.h", "p.giro += PASO_GIRO", "p.giro -= PASO_GIRO"),
+    "d_orden": ("grua.h", " * ".join(TRANSFORMA), " * ".join(TRANSFORMA[::-1])),
+    "e_no_compila": ("grua.h", "return {\n", "retorna {\n"),
+    "f_sale": ("grua.cpp", "#include", SALE + "#include"),
+    "g_mata": ("grua.cpp", "#include", MATA + "#include"),
+    "h_mira": ("grua.cpp", "#include", MIRA + "#include"),
+    "i_passwd": ("grua.cpp", "#include", '#include "/etc/passwd"\n#include'),
+    "j_solucion": ("grua.cpp", '#include "grua.h"', f'#include "{RAIZ}/ch03_transformaciones/grua.h"'),
+}
 
 
 @pytest.fixture(scope="module")
@@ -331,19 +368,49 @@ def clase(tmp_path_factory):
     sitio = tmp_path_factory.mktemp("clase") / "grupo"
     programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
     bien = nuevo.solucion(RAIZ, programa, REF)
-    entrega(sitio / "a_bien", bien)
-    entrega(sitio / "b_esqueleto", nuevo.esqueleto(RAIZ, programa, REF))
-    entrega(sitio / "c_gira_al_reves", bien, "grua.h", "p.giro += PASO_GIRO", "p.giro -= PASO_GIRO")
-    entrega(sitio / "d_orden", bien, "grua.h", "giro * traslacion({p.distancia, 0, 0})", "traslacion({p.distancia, 0, 0}) * giro")
-    entrega(sitio / "e_no_compila", bien, "grua.h", "return {\n", "retorna {\n")
-    entrega(sitio / "f_sale", bien, "grua.cpp", "#include", SALE + "#include")
-    entrega(sitio / "g_mata", bien, "grua.cpp", "#include", MATA + "#include")
-    entrega(sitio / "h_mira", bien, "grua.cpp", "#include", MIRA + "#include")
-    entrega(sitio / "i_passwd", bien, "grua.cpp", "#include", '#include "/etc/passwd"\n#include')
-    entrega(sitio / "j_solucion", bien, "grua.cpp", '#include "grua.h"', f'#include "{RAIZ}/ch03_transformaciones/grua.h"')
+    siembra(sitio / "b_esqueleto", nuevo.esqueleto(RAIZ, programa, REF))
+    for nombre, (fichero, viejo, otro) in ENTREGAS.items():
+        assert viejo in bien[fichero]
+        siembra(sitio / nombre, {**bien, fichero: bien[fichero].replace(viejo, otro, 1)})
     (sitio / "k_enlace").mkdir()
     (sitio / "k_enlace/grua.cpp").symlink_to("/etc/passwd")
     return sitio
+
+
+def cuando(destino):
+    """Cuándo se ha escrito cada corrección."""
+    return {f.stem: f.stat().st_mtime_ns for f in destino.glob("*.json")}
+
+
+DICE = {
+    "b_esqueleto": "punto de partida",
+    "c_gira_al_reves": "parece ",
+    "d_orden": "parece que ",
+    "e_no_compila": "no compila: grua.h:",
+    "f_sale": "acaba por su cuenta",
+    "i_passwd": "/etc/passwd",
+    "j_solucion": "no compila: grua.cpp:",
+    "k_enlace": "enlace",
+}
+
+
+def comprueba_correcciones(clase, destino):
+    """Cada una dice lo que debe, y la tabla y la página, lo mismo."""
+    todas = {f.stem: json.loads(f.read_text()) for f in destino.glob("*.json")}
+    assert todas.keys() == {c.name for c in clase.iterdir()}
+    notas = {nombre: c["nota"] for nombre, c in todas.items()}
+    assert {nombre for nombre, nota in notas.items() if nota == 100} == {"a_bien", "h_mira"}
+    assert notas["b_esqueleto"] < 50 and notas["g_mata"] == 0
+    primera = {nombre: informes.lineas(c)[0] for nombre, c in todas.items()}
+    assert not [nombre for nombre, texto in DICE.items() if texto not in primera[nombre]]
+    assert primera["c_gira_al_reves"] != primera["d_orden"]
+    fallos = [f for f in todas["c_gira_al_reves"]["fallos"] if f["tras"] in (["tecla a"], ["tecla d"])]
+    assert any(len(f["imagenes"]) == 3 for f in fallos)
+    assert "root:" not in "".join(map(json.dumps, todas.values()))
+    filas = list(csv.DictReader(io.StringIO((destino / "notas.csv").read_text())))
+    assert {f["entrega"]: float(f["nota"]) for f in filas} == notas
+    pagina = (destino / "index.html").read_text()
+    assert not faltan(pagina, *(f'">{nombre}</a>' for nombre in todas)) and pagina.count("data:image/png") >= 6
 
 
 @con_jaula
@@ -359,49 +426,35 @@ def test_una_clase_se_para_y_se_sigue(clase):
         proceso.send_signal(signal.SIGTERM)
         dice = proceso.communicate(timeout=60)[1]
     assert proceso.returncode == 128 + signal.SIGTERM and "Traceback" not in dice
-    assert not list(temporal.iterdir()) and not list(destino.glob("*.parcial")) and not (destino / "index.html").exists()
-    hechas = {f: f.stat().st_mtime_ns for f in destino.glob("*.json")}
+    assert not [*temporal.iterdir(), *destino.glob("*.parcial"), *destino.glob("index.html")]
+    hechas = cuando(destino)
     assert 0 < len(hechas) < 11
 
     seguido = subprocess.run(pide, stderr=subprocess.PIPE, text=True, env=entorno)
     assert seguido.returncode == 1 and "Traceback" not in seguido.stderr, seguido.stderr
-    assert {f: f.stat().st_mtime_ns for f in hechas} == hechas, "lo hecho se ha hecho otra vez"
+    veces = cuando(destino)
+    assert hechas.items() <= veces.items(), "lo hecho se ha hecho otra vez"
     assert not list(temporal.iterdir()) and antes == {f: f.read_bytes() for f in antes}
-    todas = {f.stem: json.loads(f.read_text()) for f in destino.glob("*.json")}
-    assert sorted(todas) == sorted(c.name for c in clase.iterdir())
-    notas = {nombre: c["nota"] for nombre, c in todas.items()}
-    assert sorted(n for n, nota in notas.items() if nota == 100) == ["a_bien", "h_mira"]
-    assert notas["b_esqueleto"] < 50 and notas["c_gira_al_reves"] < 100 and notas["d_orden"] < 100
-    primera = {nombre: informes.lineas(c)[0] for nombre, c in todas.items()}
-    assert "punto de partida" in primera["b_esqueleto"]
-    assert primera["c_gira_al_reves"].startswith("parece ") and primera["d_orden"].startswith("parece que ")
-    assert primera["c_gira_al_reves"] != primera["d_orden"]
-    assert any(f["tras"] in (["tecla a"], ["tecla d"]) and len(f["imagenes"]) == 3 for f in todas["c_gira_al_reves"]["fallos"])
-    assert primera["e_no_compila"].startswith("no compila: grua.h:") and "acaba por su cuenta" in primera["f_sale"] and notas["g_mata"] == 0
-    assert "/etc/passwd" in primera["i_passwd"] and primera["j_solucion"].startswith("no compila: grua.cpp:") and "enlace" in primera["k_enlace"]
-    assert "root:" not in "".join(map(json.dumps, todas.values()))
-    filas = list(csv.DictReader(io.StringIO((destino / "notas.csv").read_text())))
-    assert {f["entrega"]: float(f["nota"]) for f in filas} == notas
-    pagina = (destino / "index.html").read_text()
-    assert all(f'">{nombre}</a>' in pagina for nombre in todas) and pagina.count("data:image/png") >= 6
+    comprueba_correcciones(clase, destino)
 
-    veces = {f: f.stat().st_mtime_ns for f in destino.glob("*.json")}
     subprocess.run([*pide, "--junit", destino / "junit.xml"], stderr=subprocess.DEVNULL, env=entorno)
-    assert {f: f.stat().st_mtime_ns for f in destino.glob("*.json")} == veces
-    assert xml.parse(destino / "junit.xml").getroot().attrib["failures"] == "9"
-    (clase / "a_bien/notas.h").write_text("// otra entrega\n")
+    assert cuando(destino) == veces and xml.parse(destino / "junit.xml").getroot().attrib["failures"] == "9"
+    siembra(clase, {"a_bien/notas.h": "// otra entrega\n"})
     subprocess.run(pide, stderr=subprocess.DEVNULL, env=entorno)
-    otras = {f: f.stat().st_mtime_ns for f in destino.glob("*.json")}
-    assert [f.stem for f in otras if otras[f] != veces[f]] == ["a_bien"]
+    assert [nombre for nombre, fecha in cuando(destino).items() if fecha != veces[nombre]] == ["a_bien"]
 
 
 @con_jaula
 def test_una_entrega_da_lo_mismo_sin_jaula(clase):
-    salida = [subprocess.run(orden(clase / "c_gira_al_reves", REF, "--vpl", "--guiones", "0", *mas), text=True, capture_output=True).stdout for mas in ([], ["--sin-jaula"])]
-    assert salida[0] == salida[1] and salida[0].splitlines()[-1].startswith("Grade :=>> ") and salida[0].count("Grade") == 1
+    pide = orden(clase / "c_gira_al_reves", REF, "--vpl", "--guiones", "0")
+    una, otra = (subprocess.run([*pide, *mas], **CALLADO).stdout for mas in ([], ["--sin-jaula"]))
+    assert una == otra and una.splitlines()[-1].startswith("Grade :=>> ") and una.count("Grade") == 1
 
 
-@pytest.mark.skipif(os.environ.get("LAB_COLA") != "1" or not shutil.which("parallel") or not os.path.exists("/usr/sbin/sshd"), reason="con LAB_COLA=1, GNU Parallel y sshd")
+@pytest.mark.skipif(
+    os.environ.get("LAB_COLA") != "1" or not shutil.which("parallel") or not os.path.exists("/usr/sbin/sshd"),
+    reason="con LAB_COLA=1, GNU Parallel y sshd",
+)
 @con_jaula
 def test_dos_maquinas_dan_la_misma_tabla(clase, tmp_path):
     """GNU Parallel con dos sshd de esta máquina, y la página de los JSON que dejan."""
@@ -412,15 +465,20 @@ def test_dos_maquinas_dan_la_misma_tabla(clase, tmp_path):
     Path("/run/sshd").mkdir(exist_ok=True)
     demonios, maquinas = [], []
     for puerto in (22921, 22922):
-        demonios.append(subprocess.Popen(["/usr/sbin/sshd", "-D", "-q", "-f", "/dev/null", "-p", str(puerto), "-h", claves[0], "-o", "ListenAddress=127.0.0.1", "-o", "StrictModes=no",
-                                          "-o", f"AuthorizedKeysFile={tmp_path}/autorizadas", "-o", "PermitRootLogin=yes", "-o", "PidFile=none"]))
-        maquinas.append(f"1/ssh -p {puerto} -i {claves[1]} -o StrictHostKeyChecking=no -o UserKnownHostsFile=/dev/null -o LogLevel=ERROR 127.0.0.1")
+        opciones = "ListenAddress=127.0.0.1", "StrictModes=no", "PermitRootLogin=yes", "PidFile=none"
+        opciones += (f"AuthorizedKeysFile={tmp_path}/autorizadas",)
+        sshd = ["/usr/sbin/sshd", "-D", "-q", "-f", "/dev/null", "-p", str(puerto), "-h", claves[0]]
+        demonios.append(subprocess.Popen([*sshd, *(p for opcion in opciones for p in ("-o", opcion))]))
+        sin_preguntar = "-o StrictHostKeyChecking=no -o UserKnownHostsFile=/dev/null -o LogLevel=ERROR"
+        maquinas.append(f"1/ssh -p {puerto} -i {claves[1]} {sin_preguntar} 127.0.0.1")
     try:
         time.sleep(1)
         for carpeta in ("cola", "aqui"):
             (tmp_path / carpeta).mkdir()
         una = " ".join(map(str, orden("{}", REF, "--guiones", "2", "--json", f"{tmp_path}/cola/{{/}}.json")))
-        hecho = subprocess.run(["parallel", *(p for m in maquinas for p in ("--sshlogin", m)), "--joblog", tmp_path / "log", una, ":::", *sorted(clase.iterdir())], text=True, capture_output=True)
+        donde = [p for m in maquinas for p in ("--sshlogin", m)]
+        parallel = ["parallel", *donde, "--joblog", tmp_path / "log", una, ":::", *sorted(clase.iterdir())]
+        hecho = subprocess.run(parallel, text=True, capture_output=True)
         filas = [linea.split("\t") for linea in (tmp_path / "log").read_text().splitlines()[1:]]
         assert len(filas) == 11 and len({f[1] for f in filas}) == 2, hecho.stderr
         for carpeta in ("cola", "aqui"):

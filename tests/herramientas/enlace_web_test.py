@@ -1,4 +1,5 @@
-"""El enlace web (herramientas/cmake/web.cmake) con compiladores de mentira: lo que se les pide, en una carpeta con mal nombre."""
+"""El enlace web (herramientas/cmake/web.cmake) con compiladores de mentira: lo que se les pide, en una carpeta con
+mal nombre."""
 import shutil
 import subprocess
 from pathlib import Path
@@ -16,7 +17,9 @@ done
 """
 
 
-@pytest.mark.parametrize("nombre,vale", [("a'b $(touch pwned) & c", True), ("x';touch pwned;'y", False)])  # ; separa las listas de CMake
+@pytest.mark.parametrize(
+    "nombre,vale", [("a'b $(touch pwned) & c", True), ("x';touch pwned;'y", False)]
+)  # ; separa las listas de CMake
 def test_ninguna_orden_ejecuta_lo_que_dice_la_carpeta(tmp_path, nombre, vale):
     lab, bin, apuntes = tmp_path / nombre, tmp_path / "bin", tmp_path / "apuntes"
     bin.mkdir()
@@ -27,11 +30,27 @@ def test_ninguna_orden_ejecuta_lo_que_dice_la_carpeta(tmp_path, nombre, vale):
         shutil.copytree(RAIZ / carpeta, lab / carpeta, ignore=shutil.ignore_patterns("__pycache__", "mide"))
     shutil.copy(RAIZ / "CMakeLists.txt", lab)
     build, entorno = lab / "build", {"PATH": f"{bin}:/usr/bin:/bin", "APUNTES": str(apuntes)}
-    opciones = {"EMSCRIPTEN": 1, "CMAKE_CXX_COMPILER": bin / "em++", "CMAKE_CXX_COMPILER_FORCED": 1, "CMAKE_CXX_COMPILER_ID": "Clang", "OPT": bin / "opt",
-                "CMAKE_CXX_COMPILER_VERSION": "14.0", "CMAKE_AR": bin / "emar", "CMAKE_RANLIB": "true", "CMAKE_CXX_STANDARD_COMPUTED_DEFAULT": 17}
-    proceso = subprocess.run(["cmake", "-G", "Ninja", "-S", lab, "-B", build, *(f"-D{o}={v}" for o, v in opciones.items())], env=entorno, text=True, capture_output=True)
+    opciones = {
+        "EMSCRIPTEN": 1,
+        "CMAKE_CXX_COMPILER": bin / "em++",
+        "CMAKE_CXX_COMPILER_FORCED": 1,
+        "CMAKE_CXX_COMPILER_ID": "Clang",
+        "OPT": bin / "opt",
+        "CMAKE_CXX_COMPILER_VERSION": "14.0",
+        "CMAKE_AR": bin / "emar",
+        "CMAKE_RANLIB": "true",
+        "CMAKE_CXX_STANDARD_COMPUTED_DEFAULT": 17,
+    }
+    proceso = subprocess.run(
+        ["cmake", "-G", "Ninja", "-S", lab, "-B", build, *(f"-D{o}={v}" for o, v in opciones.items())],
+        env=entorno,
+        text=True,
+        capture_output=True,
+    )
     if not proceso.returncode:
-        proceso = subprocess.run(["ninja", "-j1", "-C", build, "laboratorio"], env=entorno, text=True, capture_output=True)
+        proceso = subprocess.run(
+            ["ninja", "-j1", "-C", build, "laboratorio"], env=entorno, text=True, capture_output=True
+        )
     assert not list(tmp_path.rglob("pwned")) and not Path("pwned").exists()
     if not vale:
         return

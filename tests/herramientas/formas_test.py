@@ -1,8 +1,78 @@
-"""La forma del código que CONTRIBUTING pide y un compilador no ve."""
+"""La forma del código, que un compilador no ve: quién usa qué, cómo de largo es y cómo está escrito."""
+import ast
+import graphlib
 import re
+import shutil
+import subprocess
 from pathlib import Path
 
+import pytest
+
 RAIZ = Path(__file__).parents[2]
+HERRAMIENTAS = RAIZ / "herramientas"
+PYTHON = sorted(f for carpeta in ("herramientas", "tests") for f in (RAIZ / carpeta).rglob("*.py"))
+CPP = sorted(f for carpeta in ("common", "herramientas", "tests", "assets") for f in (RAIZ / carpeta).rglob("*.*"))
+CPP = [f for f in [*CPP, *sorted(RAIZ.glob("ch*/*.*"))] if f.suffix in (".cpp", ".h")]
+MAXIMO = 60  # líneas de una función: una más larga se desempaqueta poniendo nombres
+ANCHO = 120
+PISOS = {"base": 0, "documentos": 1, "ejercicios": 1, "galeria": 1, "informe": 1, "web": 1, "windows": 2, "pruebas": 3}
+
+
+def falla(hallados):
+    assert not hallados, "\n".join(hallados)
+
+
+def corto(fichero):
+    return str(fichero.relative_to(RAIZ))
+
+
+# --- quién usa qué --------------------------------------------------------------------------------------------------
+
+
+def modulos():
+    """De cada módulo de herramientas/, los que importa."""
+    hay = {".".join(f.relative_to(HERRAMIENTAS).with_suffix("").parts): f for f in HERRAMIENTAS.rglob("*.py")}
+    grafo = {modulo: set() for modulo in hay}
+    for modulo, fichero in hay.items():
+        for nodo in ast.walk(ast.parse(fichero.read_text())):
+            if isinstance(nodo, ast.Import):
+                grafo[modulo] |= {nombre.name for nombre in nodo.names}
+            elif isinstance(nodo, ast.ImportFrom):
+                grafo[modulo] |= {nodo.module, *(f"{nodo.module}.{nombre.name}" for nombre in nodo.names)}
+        grafo[modulo] &= hay.keys()
+    return grafo
+
+
+def test_los_import_van_hacia_abajo():
+    """De un cuarto de herramientas/ a los de los pisos de debajo, y dentro de uno, sin círculos."""
+    grafo = modulos()
+    list(graphlib.TopologicalSorter(grafo).static_order())
+    cuartos = [(m.split(".")[0], u.split(".")[0], f"{m} importa {u}") for m, usa in grafo.items() for u in usa]
+    assert len(cuartos) > 50
+    falla([que for suyo, otro, que in cuartos if suyo != otro and PISOS[suyo] <= PISOS[otro]])
+
+
+def sin_comentarios(fichero):
+    """Lo que de un fuente se ejecuta: en Python, sus textos que no son documentación."""
+    texto = fichero.read_text()
+    if fichero.suffix == ".py":
+        arbol = ast.parse(texto)
+        sueltos = {id(n.value) for n in ast.walk(arbol) if isinstance(n, ast.Expr)}
+        textos = [n for n in ast.walk(arbol) if isinstance(n, ast.Constant) and id(n) not in sueltos]
+        return "\n".join(n.value for n in textos if isinstance(n.value, str))
+    return re.sub(r"(//|(?<![\w$])#(?!include)).*", "", texto)
+
+
+def test_solo_las_pruebas_usan_tests():
+    ficheros = [*HERRAMIENTAS.rglob("*.*"), *RAIZ.glob("common/**/*.*"), *RAIZ.glob("ch*/*.*")]
+    fuentes = [f for f in ficheros if f.suffix in (".py", ".cpp", ".h", ".txt", ".cmake", ".glsl", ".vert", ".frag")]
+    assert len(fuentes) > 400
+    suyos = [f for f in fuentes if HERRAMIENTAS / "pruebas" not in f.parents and "tests/" in sin_comentarios(f)]
+    falla([corto(f) for f in suyos])
+    partes = re.findall(r"^(\w+)\(\) \{ *\n(.*?)^\}|^([^\n]+)$", sin_comentarios(RAIZ / "lab"), re.M | re.S)
+    usan = [(funcion, linea) for funcion, cuerpo, linea in partes if re.search(r"(?<!-)\btests\b", cuerpo or linea)]
+    de_lab = {funcion or linea.split(")")[0] for funcion, linea in usan}
+    assert de_lab == {"documentos", "dora", "prueba | dora | muta"}, de_lab
 
 
 def usos():
@@ -12,12 +82,12 @@ def usos():
         if fuente.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl"):
             for capitulo, fichero in re.findall(r'"(ch\d\d)_\w+/([\w.]+)"', fuente.read_text()):
                 if not fuente.parent.name.startswith(capitulo):
-                    hay.setdefault(f"{capitulo}/{fichero}", []).append(str(fuente.relative_to(RAIZ)))
+                    hay.setdefault(f"{capitulo}/{fichero}", []).append(corto(fuente))
     return hay
 
 
 def test_lo_publico_de_cada_capitulo():
-    """Lo que un capítulo usa de otro es justo lo que CONTRIBUTING llama público; `objeto.*` vale por objeto.h, .vert…"""
+    """Lo que un capítulo usa de otro es justo lo que CONTRIBUTING llama público; `objeto.*` es objeto.h, .vert…"""
     dice = (RAIZ / "CONTRIBUTING.md").read_text()
     lista = re.search(r"De otro capítulo solo se usa lo público:(.*?)\.\s+La prueba `formas`", dice, re.S)[1]
     publico = {
@@ -27,6 +97,83 @@ def test_lo_publico_de_cada_capitulo():
     }
     usado = usos()
     comodin = {nombre: re.sub(r"\.\w+$", ".*", nombre) for nombre in usado}
-    colados = {n: usado[n] for n in usado if n not in publico and comodin[n] not in publico}
-    assert not colados
+    assert not {n: usado[n] for n in usado if n not in publico and comodin[n] not in publico}
     assert not {p for p in publico if p not in usado and p not in comodin.values()}, "nadie los usa"
+
+
+# --- cómo de largo es -----------------------------------------------------------------------------------------------
+
+NO_ES_FUNCION = re.compile(r"\s*(template.*> )?(namespace|struct|class|enum|union|extern)\b|.*= \{$")
+
+
+def de_cpp(texto):
+    """(por dónde empieza, cuántas líneas) de cada función, como las deja clang-format: desde la última línea con el
+    sangrado de la llave que la cierra, que es 0 o 4 (los métodos). De paso salen los bloques de dentro, más cortos."""
+    sin_literales = re.sub(r'R"\(.*?\)"', lambda m: '""' + m[0].count("\n") * "\n", texto, flags=re.S)
+    lineas = sin_literales.splitlines()
+    empieza = {}
+    for n, linea in enumerate(lineas, 1):
+        texto = linea.lstrip(" ")
+        sangrado = len(linea) - len(texto)
+        if sangrado > 4 or not texto or re.match(r"#|//|(public|private|protected):|template<.*>$|[\])]", texto):
+            continue
+        if texto[0] == "}":
+            principio = empieza.pop(sangrado, None)
+            if principio and not NO_ES_FUNCION.match(lineas[principio - 1]):
+                yield principio, n - principio + 1
+        else:
+            empieza[sangrado] = n
+
+
+def de_python(texto):
+    for nodo in ast.walk(ast.parse(texto)):
+        if isinstance(nodo, (ast.FunctionDef, ast.Lambda)):
+            yield nodo.lineno, nodo.end_lineno - nodo.lineno + 1
+
+
+@pytest.mark.parametrize("ficheros,funciones", [(CPP, de_cpp), (PYTHON, de_python)], ids=["C++", "Python"])
+def test_ninguna_funcion_es_larga(ficheros, funciones):
+    todas = [(f, *funcion) for f in ficheros for funcion in funciones(f.read_text())]
+    assert len(todas) > 300
+    falla([f"{corto(f)}:{n}: {cuantas} líneas" for f, n, cuantas in todas if cuantas > MAXIMO])
+
+
+def test_se_cuentan_las_funciones_y_los_metodos():
+    cuerpo = ["    a();", "    if (b) {", "        c();", "    }", "", "    // d"]
+    funcion = ["static void f(int a,", "              int b) {", *cuerpo, "}"]
+    metodo = ["class K {", "public:", "    void g() {", *("    " + linea for linea in cuerpo), "    }", "};"]
+    espacio = ["namespace {", "const int D[] = {", "    1,", "};", *funcion, "} // namespace"]
+    assert (1, 9) in de_cpp("\n".join(funcion)) and list(de_cpp("\n".join(espacio))) == [(8, 3), (5, 9)]
+    assert max(n for _, n in de_cpp("\n".join(metodo))) == 8
+    assert list(de_python("a\ndef f():\n    def g():\n        b\n    c\n")) == [(2, 4), (3, 2)]
+
+
+def test_ninguna_linea_de_python_es_ancha():
+    lineas = [(f, n, linea) for f in PYTHON for n, linea in enumerate(f.read_text().splitlines(), 1)]
+    falla([f"{corto(f)}:{n}: {len(linea)} columnas" for f, n, linea in lineas if len(linea) > ANCHO])
+
+
+# --- cómo está escrito ----------------------------------------------------------------------------------------------
+
+SHELLCHECK = "shellcheck -s bash -e SC1091,SC2015,SC2094,SC2154,SC2329".split()
+
+
+@pytest.mark.parametrize(
+    "orden,version,ficheros",
+    [
+        (["black", "-l", str(ANCHO), "--check"], "23", PYTHON),
+        (["pyflakes3"], "", PYTHON),
+        (["clang-format", "--dry-run", "-Werror"], "14", CPP),
+        (SHELLCHECK, "", [RAIZ / "lab", *sorted(RAIZ.glob("tests/*/*.sh"))]),
+    ],
+    ids=["black", "pyflakes3", "clang-format", "shellcheck"],
+)
+def test_esta_escrito_como(orden, version, ficheros):
+    """Sin nada que decir. Otra versión de los que dan formato lo da de otra manera."""
+    if not shutil.which(orden[0]):
+        pytest.skip(f"no hay {orden[0]}")
+    es = subprocess.run([orden[0], "--version"], text=True, capture_output=True).stdout
+    if version and not re.search(rf"\b{version}\.\d", es):
+        pytest.skip(f"{es.strip()}: se compara con la {version}")
+    r = subprocess.run([*orden, *ficheros], cwd=RAIZ, text=True, capture_output=True)
+    assert r.returncode == 0, (r.stdout + r.stderr)[-3000:]

@@ -1,4 +1,5 @@
 """Los módulos de herramientas/, por lo que hacen: cada cuenta frente a un caso resuelto a mano, sin compilar nada."""
+import itertools
 import json
 import math
 import random
@@ -13,25 +14,36 @@ from types import SimpleNamespace
 import pytest
 
 RAIZ = Path(__file__).parents[2]
-sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/propiedades")]
+sys.path[:0] = [str(RAIZ / carpeta) for carpeta in ("herramientas", "tests/propiedades", "tests/ordenes")]
 from base import catalogo, controles, defectos, evidencia, fuentes, libro, marcas, paginas, procesos
 from ejercicios import nuevo
 from informe import cocientes, costes, grafica, informe, tecnicas
 from pruebas import cambios, googletest, muta
 from web.pagina import ProgramaVivo
 import colores
+from mentira import caso, ejecutable, faltan, programa, siembra
+
+FUENTES = [f for f in RAIZ.glob("c*/*.*") if f.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl")]
 
 
 # --- procesos ---------------------------------------------------------------------------------------------------
 
+
 def test_ejecuta_dice_por_que_falla():
     assert procesos.ejecuta(["printf", "uno"]) == b"uno" and procesos.ejecuta(["cat"], input="ñ", text=True) == "ñ"
-    assert procesos.ejecuta(["sh", "-c", "echo dos; echo tres >&2"], text=True, stderr=subprocess.STDOUT) == "dos\ntres\n"
-    for orden, opciones, dice in ((["sh", "-c", "echo mal >&2; exit 3"], {}, "mal"), (["sh", "-c", "exit 3"], {"text": True}, "sh ha acabado con estado 3"),
-                                  (["sh", "-c", "exit 1"], {}, "sh ha acabado con estado 1"),
-                                  (["sh", "-c", "kill -9 $$"], {}, "sh ha acabado con estado -9"), (["noesta"], {}, "no encuentro noesta"), (["sleep", "9"], {"timeout": 0.1}, "no ha acabado en 0.1 segundos")):
+    ambas = procesos.ejecuta(["sh", "-c", "echo dos; echo tres >&2"], text=True, stderr=subprocess.STDOUT)
+    assert ambas == "dos\ntres\n"
+    for orden, opciones, dice in (
+        ("echo mal >&2; exit 3", {}, "mal"),
+        ("exit 3", {"text": True}, "sh ha acabado con estado 3"),
+        ("exit 1", {}, "sh ha acabado con estado 1"),
+        ("kill -9 $$", {}, "sh ha acabado con estado -9"),
+        ("sleep 9", {"timeout": 0.1}, "no ha acabado en 0.1 segundos"),
+    ):
         with pytest.raises(procesos.Fallo, match=f"^{dice}$"):
-            procesos.ejecuta(orden, **opciones)
+            procesos.ejecuta(["sh", "-c", orden], **opciones)
+    with pytest.raises(procesos.Fallo, match="^no encuentro noesta$"):
+        procesos.ejecuta(["noesta"])
 
 
 def test_lo_que_no_acaba_a_tiempo_no_deja_nietos(tmp_path):
@@ -48,13 +60,15 @@ def test_una_senal_borra_lo_temporal(tmp_path):
     """También la que llega mientras un hilo trabaja; y el programa ha acabado antes de que se borre."""
     guion = """from base import procesos
 import sys, tempfile, concurrent.futures as f
+tarda = "trap 'sleep 0.3; touch fin; exit' TERM; touch ../ya; while :; do sleep 0.1; done"
 def main():
     with tempfile.TemporaryDirectory(dir=sys.argv[1]) as t, f.ThreadPoolExecutor(1) as hilo:
-        trabajos = [hilo.submit(procesos.ejecuta, ["sh", "-c", "trap 'sleep 0.3; touch fin; exit' TERM; touch ../ya; while :; do sleep 0.1; done"], cwd=t) for _ in range(3)]
+        trabajos = [hilo.submit(procesos.ejecuta, ["sh", "-c", tarda], cwd=t) for _ in range(3)]
         trabajos[0].result()
 procesos.principal(main)"""
+    orden = [sys.executable, "-B", "-c", guion, tmp_path]
     for senal in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        proceso = subprocess.Popen([sys.executable, "-B", "-c", guion, tmp_path], cwd=RAIZ / "herramientas", stderr=subprocess.PIPE)
+        proceso = subprocess.Popen(orden, cwd=RAIZ / "herramientas", stderr=subprocess.PIPE)
         while not (tmp_path / "ya").exists():
             time.sleep(0.01)
         proceso.send_signal(senal)
@@ -77,12 +91,12 @@ def test_escribe_entero_o_nada(tmp_path):
 
 
 def test_las_pruebas_de_googletest(tmp_path):
-    (tmp_path / "x").write_text("#!/bin/sh\nprintf 'G.\\n  Uno  # a\\n  Dos\\nH/0.\\n  Tres\\n'\n")
-    (tmp_path / "x").chmod(0o755)
+    ejecutable(tmp_path / "x", r"printf 'G.\n  Uno  # a\n  Dos\nH/0.\n  Tres\n'")
     assert googletest.pruebas_de(tmp_path / "x") == ["G.Uno", "G.Dos", "H/0.Tres"]
 
 
 # --- mide, técnicas, costes, gráfica ------------------------------------------------------------------------------
+
 
 def variante(nombre, tiempo, error, grupo=""):
     return tecnicas.Variante(nombre, grupo, error, "", [tiempo * paso for paso in (1, 0.9, 1.1, 1, 2, 0.95, 1)])
@@ -108,38 +122,57 @@ def test_a_otro_paso_desde_la_mitad_el_cociente_es_el_mismo():
 
 
 def test_el_intervalo_de_una_mediana():
-    """Los estadísticos de orden de siempre: con 15, del 4.º al 12.º; con 25, del 8.º al 18.º; y cubre el 95 % de las veces."""
-    assert [(c.menor, c.mediana, c.mayor) for c in (cocientes.intervalo(range(1, n + 1)) for n in (1, 5, 9, 15, 25))] == [
-        (1, 1, 1), (1, 3, 5), (2, 5, 8), (4, 8, 12), (8, 13, 18)]
+    """Los estadísticos de orden de siempre: con 15, del 4.º al 12.º; con 25, del 8.º al 18.º; y cubre el 95 % de las
+    veces."""
+    son = [cocientes.intervalo(range(1, n + 1)) for n in (1, 5, 9, 15, 25)]
+    limites = [(c.menor, c.mediana, c.mayor) for c in son]
+    assert limites == [(1, 1, 1), (1, 3, 5), (2, 5, 8), (4, 8, 12), (8, 13, 18)]
     azar = random.Random(1)
-    dentro = sum(c.menor <= 0 <= c.mayor for c in (cocientes.intervalo([azar.gauss(0, 1) for _ in range(15)]) for _ in range(2000)))
-    assert 0.945 <= dentro / 2000 <= 0.98
+    tiradas = [cocientes.intervalo([azar.gauss(0, 1) for _ in range(15)]) for _ in range(2000)]
+    assert 0.945 <= sum(c.menor <= 0 <= c.mayor for c in tiradas) / 2000 <= 0.98
 
 
-@pytest.mark.parametrize("pide,mayor,llega", [(0.9, True, True), (1.1, True, None), (1.4, True, False), (0.9, False, False), (1.1, False, None), (1.4, False, True)])
-def test_si_se_llega_a_una_meta(pide, mayor, llega):
-    assert cocientes.Cociente(1, 1.2, 1.3).cumple(pide, mayor) is llega
+def test_si_se_llega_a_una_meta():
+    c = cocientes.Cociente(1, 1.2, 1.3)
+    assert [c.cumple(pide, True) for pide in (0.9, 1.1, 1.4)] == [True, None, False]
+    assert [c.cumple(pide, False) for pide in (0.9, 1.1, 1.4)] == [False, None, True]
 
 
 def test_el_frente_de_pareto_y_la_elegida():
-    t = tecnica(variante("a", 1, 3), variante("b", 2, 1), variante("b, x", 3, 1), variante("bc", 2.1, 1), variante("par: d", 0.1, 0), variante("e", 9, 9, "otro"))
+    """Los pares no están en el frente, y cada elegida se compara con ellos: lo que tardan y lo que se equivocan."""
+    t = tecnica(variante("a", 1, 3), variante("b", 2, 1), variante("b, x", 3, 1), variante("bc", 2.1, 1))
+    t.variantes += [variante("par: d", 0.1, 0), variante("e", 9, 9, "otro")]
     tecnicas.marca(t)
-    assert [x.nombre for x in t.variantes if x.elegida] == ["b", "b, x"]
-    assert [(x.nombre, x.optima) for x in t.variantes if not x.par] == [("a", True), ("b", None), ("b, x", False), ("bc", None), ("e", True)]
-    assert [x.nombre for x in t.elegida_fuera] == ["b, x"]
-    assert [(v.nombre, pytest.approx(tiempo.mediana), error) for _, v, tiempo, error in t.frente_a_pares] == [("b", 0.05, 0), ("b, x", 0.1 / 3, 0)]
+    optima = {x.nombre: x.optima for x in t.variantes if not x.par}
+    assert optima == {"a": True, "b": None, "b, x": False, "bc": None, "e": True}
+    assert [[x.nombre for x in que] for que in ([x for x in t.variantes if x.elegida], t.elegida_fuera)] == [
+        ["b", "b, x"],
+        ["b, x"],
+    ]
+    pares = [(v.nombre, pytest.approx(tiempo.mediana), error) for _, v, tiempo, error in t.frente_a_pares]
+    assert pares == [("b", 0.05, 0), ("b, x", 0.1 / 3, 0)]
     t = tecnica(variante("b", 2, 4), variante("par: c", 10, 1))
     tecnicas.marca(t)
-    assert [(tiempo.mediana, error) for _, _, tiempo, error in t.frente_a_pares] == [(5, 0.25)]  # tarda cinco veces lo que la elegida y se equivoca la cuarta parte
+    assert [(tiempo.mediana, error) for _, _, tiempo, error in t.frente_a_pares] == [(5, 0.25)]
 
 
 def test_las_columnas_de_un_tsv(tmp_path):
     f = tmp_path / "t.tsv"
     f.write_text("a\t-\t0.5\t-\t3 1 2\nb\tg\tnan\tnota\t30 10 20\n")
     a, b = tecnicas.lee_variantes(f)
-    assert (a.nombre, a.grupo, a.mediana, a.minimo, a.maximo, a.error, a.nota) == ("a", "", 2, 1, 3, 0.5, "") and (b.grupo, b.nota) == ("g", "nota")
-    for mal in ("a\t-\t0.5\t-", "a\t-\t0\t-\t1 0", "a\t-\t0\t-\tinf", "a\t-\t-1\t-\t1", "", "a\t-\t0\t-\t1\n" * 2, "a\t-\t0\t-\t1 2\nb\t-\t0\t-\t1"):
-        f.write_text(mal)
+    assert (a.nombre, a.grupo, a.mediana, a.minimo, a.maximo, a.error, a.nota) == ("a", "", 2, 1, 3, 0.5, "")
+    assert (b.grupo, b.nota) == ("g", "nota")
+    malas = [
+        "a - 0.5 -",
+        "a - 0 - 1,0",
+        "a - 0 - inf",
+        "a - -1 - 1",
+        "",
+        "a - 0 - 1\na - 0 - 1",
+        "a - 0 - 1,2\nb - 0 - 1",
+    ]
+    for mal in malas:
+        f.write_text(mal.replace(" ", "\t").replace(",", " "))
         with pytest.raises(procesos.Fallo, match="t.tsv"):
             tecnicas.lee_variantes(f)
 
@@ -151,51 +184,59 @@ def test_las_imagenes_de_una_tecnica(tmp_path):
         for sufijo in ("", "-diferencia"):
             (tmp_path / f"t-{n}{sufijo}.ppm").write_text("P6 1 1 255\nabc")
     tecnicas.imagenes(t, tmp_path, tmp_path)
-    assert [(papel, v.nombre, f) for papel, v, f in t.imagenes] == [
-        (papel, v, [f"t-{n}.png", f"t-{n}-diferencia.png"]) for papel, v, n in (("la mejor", "b", 2), ("la elegida", "b", 2), ("la peor", "a", 1))]
+    hechas = [(papel, v.nombre, *(f.removesuffix(".png") for f in dos)) for papel, v, dos in t.imagenes]
+    papeles = ("la mejor", "b", 2), ("la elegida", "b", 2), ("la peor", "a", 1)
+    assert hechas == [(papel, v, f"t-{n}", f"t-{n}-diferencia") for papel, v, n in papeles]
 
 
 def test_las_metas(tmp_path):
     t = tecnica(variante("directa, 15×15", 60, 1), variante("separable, float, 15×15", 10, 1), nombre="convolucion")
     tabla = [SimpleNamespace(programa=p, veces_suelo=v) for p, v in (("a", [2, 3]), ("b", [1, 1]), ("c", [9, 7]))]
     filas = informe.metas([t], tabla, cocientes.Cociente(1, 2, 3))
-    assert [(c.mediana, *resto) for _, c, *resto in filas] == [(6, 5, True), (2.5, 1.15, False), (8, 2.5, False), (2, 1.5, False)] and "peor, c" in filas[2][0]
+    assert [c.mediana for _, c, *_ in filas] == [6, 2.5, 8, 2] and "peor, c" in filas[2][0]
+    assert [resto for _, _, *resto in filas] == [[5, True], [1.15, False], [2.5, False], [1.5, False]]
     assert informe.metas([], [], None) == []
 
 
-@pytest.mark.parametrize("error,esperado,mal", [(0.5, 0.5, ""), (0.57, 0.5, ""), (0.6, 0.5, "se equivoca 0.6 y se esperaba 0.5"), (0, 0.1, "se equivoca 0"),
-                                                (math.nan, math.nan, ""), (math.inf, math.inf, ""), (math.nan, 1, "se equivoca")])
-def test_el_error_de_un_ensayo(error, esperado, mal):
-    def comprueba(esperados, *variantes):
+def test_el_error_de_un_ensayo():
+    def mal(esperados, *variantes):
         try:
             informe.comprueba(tecnica(*variantes), esperados)
-            return ""
         except procesos.Fallo as fallo:
             return str(fallo)
-    a = variante("a", 1, error)
-    assert mal in comprueba({"a": esperado}, a) and bool(mal) == bool(comprueba({"a": esperado}, a))
-    assert "sobran o faltan variantes: b" in comprueba({"a": esperado}, a, variante("b", 1, 0)) and "faltan" in comprueba({"a": esperado, "b": 0}, a)
+
+    for error, esperado in ((0.5, 0.5), (0.57, 0.5), (math.nan, math.nan), (math.inf, math.inf)):
+        assert mal({"a": esperado}, variante("a", 1, error)) is None
+    for error, esperado in ((0.6, 0.5), (0, 0.1), (math.nan, 1)):
+        assert f"se equivoca {error:g} y se esperaba {esperado:g}" in mal({"a": esperado}, variante("a", 1, error))
+    a, b = variante("a", 1, 0.5), variante("b", 1, 0)
+    assert "sobran o faltan variantes: b" in mal({"a": 0.5}, a, b) and "faltan" in mal({"a": 0.5, "b": 0}, a)
 
 
 def test_lo_que_cuesta_un_programa(tmp_path, monkeypatch):
-    """Con un suelo de 2 ms y un programa que arranca en 6; los campos de -mide, como los escribe common/glut_sin_ventana/medida.cpp."""
-    escrito = re.search(r'"([^"]*\\t[^"]*)\\n"', (RAIZ / "common/glut_sin_ventana/medida.cpp").read_text())
-    (tmp_path / "docs").mkdir()
-    (tmp_path / "docs/evidencia.json").write_text('{"programas": {"a": {"maximo": 0.5, "rmse": 0.25, "borde": 0.125}}}')
-    suelo = tmp_path / "herramientas/mide/suelo_osmesa"
-    suelo.parent.mkdir(parents=True)
-    suelo.touch()
-    monkeypatch.setattr(catalogo, "lee_programas", lambda _: [SimpleNamespace(nombre="a", consola="", ejecutable=lambda b: b / "osmesa/ch01/a")])
-    monkeypatch.setattr(costes, "milisegundos", lambda orden, _: 2 if orden[0] == suelo else 6)
-    monkeypatch.setattr(costes, "ejecuta", lambda orden, **_: "otra\n" + "\t".join(["a", "960x720", "7", "10" if "960x720" in orden else "30", *map(str, range(104, 120))]))
-    tabla, base = costes.costes(tmp_path, tmp_path, tmp_path, 15)
-    cabecera, fila = (linea.split("\t") for linea in (tmp_path / "costes.tsv").read_text().splitlines())
-    assert escrito and base == [2] * 9 and dict(zip(cabecera, fila)) == {
-        "programa": "a", "arranque ms": "6.0", "primera ms": "7.0", "veces el suelo": "3.00", "ms 960x720": "10.0", "ms 1920x1080": "30.0", "veces llenar": "2.0",
-        "primitivas": "106", "bytes de buffers": "108", "bytes de texturas": "109", "error máximo": "0.5", "error RMSE": "0.25", "borde px": "0.12"}
-    informe.escribe_pagina(tmp_path, [], metas=[], costes=tabla, suelo=2, compilar=[], entorno={})
-    celdas = re.findall(r"<td[^>]*>(.*?)</td>", (tmp_path / "index.html").read_text())
-    assert celdas == ["a", "6", "7", "3", "10", "30", "2", "106", "0.108", "0.109", "0.5", "0.25", "0.12"]
+    """Con un suelo de 2 ms y un programa que arranca en 6. De los campos de -mide que se leen por su lugar, el primero
+    es el 104, y los demás siguen."""
+    siembra(
+        tmp_path,
+        {
+            "docs/evidencia.json": '{"programas": {"a": {"maximo": 0.5, "rmse": 0.25, "borde": 0.125}}}',
+            "herramientas/mide/suelo_osmesa": "",
+        },
+    )
+    a = SimpleNamespace(nombre="a", consola="", ejecutable=lambda b: b / "osmesa/ch01/a")
+
+    def escribe(orden, **_):
+        return "\t".join(["otra\na", "960x720", "7", "10" if "960x720" in orden else "30", *map(str, range(104, 120))])
+
+    monkeypatch.setattr(catalogo, "lee_programas", lambda _: [a])
+    monkeypatch.setattr(costes, "milisegundos", lambda orden, _: 2 if "suelo" in str(orden[0]) else 6)
+    monkeypatch.setattr(costes, "ejecuta", escribe)
+    assert costes.costes(tmp_path, tmp_path, tmp_path, 15)[1] == [2] * 9
+    columnas, fila = (linea.split("\t") for linea in (tmp_path / "costes.tsv").read_text().splitlines())
+    assert columnas[:4] == ["programa", "arranque ms", "primera ms", "veces el suelo"]
+    assert columnas[4:7] == ["ms 960x720", "ms 1920x1080", "veces llenar"]
+    assert columnas[7:] == "primitivas,bytes de buffers,bytes de texturas,error máximo,error RMSE,borde px".split(",")
+    assert fila == "a 6.0 7.0 3.00 10.0 30.0 2.0 106 108 109 0.5 0.25 0.12".split()
 
 
 def test_el_tiempo_de_un_proceso(tmp_path):
@@ -205,28 +246,36 @@ def test_el_tiempo_de_un_proceso(tmp_path):
 
 
 def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
-    """Lo que se toca, y qué pruebas dejan de valer: las que usan eso y ninguna más; una que falla o no se conoce, siempre."""
-    raiz, build = tmp_path / "raiz", tmp_path / "raiz/build"
-    ficheros = ["raiz/ch01_uno/a.cpp", "raiz/ch01_uno/b.cpp", "raiz/ch01_uno/a.vert", "raiz/tests/casos/casos.sh", "raiz/build/casos/a.sh", "raiz/tests/golden/ch01_uno/a-dos.ppm", "raiz/lab",
-                "raiz/docs/x.md", "raiz/assets/x.txt", "raiz/build/osmesa/ch01_uno/a", "raiz/build/osmesa/ch01_uno/b", "raiz/build/osmesa/ch01_intro/x",
-                "raiz/build/herramientas/comparador/compara", "raiz/build/tests/CTestTestfile.cmake", "raiz/build/tests/ch01_test", "raiz/build/leidos/ch01_test", "raiz/build/leidos/imagen.a"]
-    for f in ficheros:
-        (tmp_path / f).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / f).write_text(f)
+    """Lo que se toca, y qué pruebas dejan de valer: las que usan eso y ninguna más; una que falla o no se conoce,
+    siempre."""
+    raiz, build = tmp_path, tmp_path / "build"
+    ficheros = """ch01_uno/a.cpp ch01_uno/b.cpp ch01_uno/a.vert tests/casos/casos.sh tests/golden/ch01_uno/a-dos.ppm lab
+        docs/x.md assets/x.txt build/casos/a.sh build/osmesa/ch01_uno/a build/osmesa/ch01_uno/b
+        build/osmesa/ch01_intro/x build/herramientas/comparador/compara build/tests/CTestTestfile.cmake
+        build/tests/ch01_test"""
+    siembra(raiz, {f: f for f in ficheros.split()})
+    siembra(build, {"leidos/imagen.a": "ch01_uno/a.vert\n", "leidos/ch01_test": f"{build}/osmesa/ch01_uno/b\n"})
     (build / "herramientas/comparador/compara").chmod(0o755)
-    (build / "leidos/imagen.a").write_text("ch01_uno/a.vert\n")
-    (build / "leidos/ch01_test").write_text(f"{build}/osmesa/ch01_uno/b\n")
-    ordenes = {"imagen.a": [f"{raiz}/tests/casos/casos.sh", str(build), "a"], "imagen.b": [f"{raiz}/tests/casos/casos.sh", str(build), "b"],
-               "ch01.G.uno": [f"{build}/tests/ch01_test", "--gtest_filter=G.uno"], "textos": [f"{raiz}/tests/textos.sh"], "lab": [f"{raiz}/tests/lab.sh"], "otra": ["x"]}
-    monkeypatch.setattr(cambios, "ejecuta", lambda *_, **__: json.dumps({"tests": [{"name": n, "command": o} for n, o in ordenes.items()]}))
+    ordenes = {
+        "imagen.a": [f"{raiz}/tests/casos/casos.sh", str(build), "a"],
+        "imagen.b": [f"{raiz}/tests/casos/casos.sh", str(build), "b"],
+        "ch01.G.uno": [f"{build}/tests/ch01_test", "--gtest_filter=G.uno"],
+        "textos": [f"{raiz}/tests/textos.sh"],
+        "ordenes": ["pytest"],
+        "otra": ["x"],
+    }
+
+    def pruebas(*_, **__):
+        return json.dumps({"tests": [{"name": n, "command": o} for n, o in ordenes.items()]})
+
     capitulo = catalogo.Capitulo("ch01_uno", "Uno")
+    monkeypatch.setattr(cambios, "ejecuta", pruebas)
     monkeypatch.setattr(catalogo, "lee_programas", lambda _: [catalogo.Programa(capitulo, n, "", "") for n in "ab"])
-    informe = tmp_path / "pruebas.xml"
 
     def informa():
         casos = "".join(f'<testcase name="{n}" status="{"fail" if n == "otra" else "run"}"/>' for n in ordenes)
-        informe.write_text(f"<testsuite>{casos}</testsuite>")
-        llama("apunta", str(informe))
+        siembra(build, {"pruebas.xml": f"<testsuite>{casos}</testsuite>"})
+        llama("apunta", str(build / "pruebas.xml"))
 
     def llama(*argumentos):
         monkeypatch.setattr(sys, "argv", ["cambios.py", str(raiz), str(build), *argumentos])
@@ -238,13 +287,21 @@ def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
     assert llama("elige") == "otra"
     ordenes |= {str(n): [f"{build}/tests/x_test"] for n in range(9)}  # que las que cambian no sean más de la mitad
     informa()
-    for toca, esperadas in (("raiz/ch01_uno/a.vert", "imagen.a|textos"), ("raiz/build/osmesa/ch01_uno/b", "imagen.b|ch01.G.uno"), ("raiz/build/osmesa/ch01_uno/a", "imagen.a"),
-                            ("raiz/tests/golden/ch01_uno/a-dos.ppm", "imagen.a"), ("raiz/build/casos/a.sh", "imagen.a"), ("raiz/docs/x.md", "textos"), ("raiz/lab", "textos|lab"),
-                            ("raiz/build/tests/ch01_test", "ch01.G.uno"), ("raiz/assets/x.txt", ".*"), ("raiz/build/herramientas/comparador/compara", ".*")):
-        antes = (tmp_path / toca).read_text()
-        (tmp_path / toca).write_text("otra cosa")
+    for toca, esperadas in (
+        ("ch01_uno/a.vert", "imagen.a|textos"),
+        ("build/osmesa/ch01_uno/b", "imagen.b|ch01.G.uno"),
+        ("build/osmesa/ch01_uno/a", "imagen.a"),
+        ("tests/golden/ch01_uno/a-dos.ppm", "imagen.a"),
+        ("build/casos/a.sh", "imagen.a"),
+        ("docs/x.md", "textos"),
+        ("lab", "textos|ordenes"),
+        ("build/tests/ch01_test", "ch01.G.uno"),
+        ("assets/x.txt", ".*"),
+        ("build/herramientas/comparador/compara", ".*"),
+    ):
+        siembra(raiz, {toca: "otra cosa"})
         assert set(llama("elige").split("|")) - {"otra"} == set(esperadas.split("|")), toca
-        (tmp_path / toca).write_text(antes)
+        siembra(raiz, {toca: toca})
     (build / "tests/CTestTestfile.cmake").write_text("otra lista de pruebas")
     assert llama("elige") == "otra"
 
@@ -254,71 +311,89 @@ def test_la_grafica(tmp_path, monkeypatch):
     uno, dos = grafica.coloca([(400, 200), (400, 200)], ["rótulo", "rótulo"])
     assert abs(uno[1] - dos[1]) >= 12 or abs(uno[0] - dos[0]) >= 6 * 6.9
     (a, b, c, d), largo = grafica.MARGEN, 6.9 * len("rótulo")
-    for x, y in [(x, y) for x in (a, grafica.ANCHO - b) for y in (d, grafica.ALTO - c)]:  # en una esquina, dentro del marco
+    for x, y in itertools.product((a, grafica.ANCHO - b), (d, grafica.ALTO - c)):  # en una esquina, dentro del marco
         ((rx, ry),) = grafica.coloca([(x, y)], ["rótulo"])
         assert a <= rx and rx + largo <= grafica.ANCHO - b and d <= ry - 6 and ry + 6 <= grafica.ALTO - c
-    guion = []
-    monkeypatch.setattr(grafica, "ejecuta", lambda orden, input, **_: guion.extend(input.split("\n")) or "<svg>")
-    t = tecnica(variante("a", 1, 0.02), variante("b", 2, 0), variante("c", 4, 0.03))
+    monkeypatch.setattr(grafica, "ejecuta", lambda orden, input, **_: input)
+    t, svg = tecnica(variante("a", 1, 0.02), variante("b", 2, 0), variante("c", 4, 0.03)), tmp_path / "x' y.svg"
     tecnicas.marca(t)
-    assert grafica.dibuja(t, tmp_path / "x' y.svg") and (tmp_path / "x' y.svg").read_text() == "<svg>"
-    assert "1 0.02 0.9 2" in guion and "2 0.0015 1.8 4" in guion and "set yrange [0.001:0.1]" in guion
-    assert guion[guion.index("$otras << FIN") + 1] == "4 0.03 3.6 8" and guion[guion.index("$elegidas << FIN") + 1].startswith("2 ")
+    assert grafica.dibuja(t, svg)  # cada variante: tiempo, error, y entre qué tiempos
+    assert not faltan(svg.read_text(), "1 0.02 0.9 2\n", "2 0.0015 1.8 4\n", "4 0.03 3.6 8\n", "[0.001:0.1]")
     assert not grafica.dibuja(tecnica(variante("a", 1, math.nan)), tmp_path / "y.svg")
 
 
 # --- medidas, documentos, página ----------------------------------------------------------------------------------
 
+
 def test_los_errores_de_un_programa(tmp_path):
     assert evidencia.errores({"maximo": 0.512, "borde": 1, "lejos": 2, "banda": 90}) == ["0.51", "", "1, salvo 2 de 90"]
     assert evidencia.errores({"rmse": 1.23e-7}) == ["", "1.2e-07", ""]
-    (tmp_path / "docs").mkdir()
-    (tmp_path / "docs/evidencia.json").write_text('{"uno": {"á": 1}, "dos": {}}')
+    siembra(tmp_path, {"docs/evidencia.json": '{"uno": {"á": 1}, "dos": {}}'})
     evidencia.apunta(tmp_path, dos={"b": [1, 2]})
-    assert (tmp_path / "docs/evidencia.json").read_text() == '{\n"uno": {\n  "á": 1\n},\n"dos": {\n  "b": [1, 2]\n}\n}\n'
+    apuntado = '{\n"uno": {\n  "á": 1\n},\n"dos": {\n  "b": [1, 2]\n}\n}\n'
+    assert (tmp_path / "docs/evidencia.json").read_text() == apuntado
 
 
-@pytest.mark.parametrize("x,texto", [(math.nan, "—"), (0, "0"), (math.inf, "no vale"), (0.0123, "0.0123"), (12.345, "12.3"), (-1.5, "-1.5"), (999.4, "999"), (999.6, "1\u202f000"),
-                                     (1234567, "1\u202f234\u202f567"), (1.23e-9, "1.2·10⁻⁹"), (2e7, "2.0·10⁷"), (0.001, "0.001")])
-def test_una_cifra(x, texto):
-    assert paginas.cifra(x) == texto
+CIFRAS = "nan —, 0 0, inf no vale, 0.0123 0.0123, 12.345 12.3, -1.5 -1.5, 999.4 999, 999.6 1\u202f000, 0.001 0.001"
+CIFRAS += ", 1234567 1\u202f234\u202f567, 1.23e-9 1.2·10⁻⁹, 2e7 2.0·10⁷"
+
+
+def test_una_cifra():
+    for x, texto in (cifra.split(" ", 1) for cifra in CIFRAS.split(", ")):
+        assert paginas.cifra(float(x)) == texto
 
 
 def test_las_marcas_de_una_respuesta():
-    assert libro.en_html("`a*b` y `c<d`, **uno** y **dos**, *tres* y *cuatro*, [x](y) y [z](t)") == \
-        "<code>a*b</code> y <code>c&lt;d</code>, <b>uno</b> y <b>dos</b>, <i>tres</i> y <i>cuatro</i>, x y z"
+    hecha = libro.en_html("`a*b` y `c<d`, **uno** y **dos**, *tres* y *cuatro*, [x](y) y [z](t)")
+    assert (
+        hecha == "<code>a*b</code> y <code>c&lt;d</code>, <b>uno</b> y <b>dos</b>, <i>tres</i> y <i>cuatro</i>, x y z"
+    )
 
 
 def test_los_fuentes_de_un_programa(tmp_path):
-    for f, texto in (("ch01/a.cpp", '#include "b.h"\n"a.frag" "ch02/c.h" "nada.h"'), ("ch01/b.h", '"ch02/c.h"'), ("ch01/a.frag", ""), ("ch02/c.h", '"ch01/b.h"'),
-                     ("common/d.h", ""), ("ch01/nada.txt", "")):
-        (tmp_path / f).parent.mkdir(exist_ok=True)
-        (tmp_path / f).write_text(texto)
-    assert list(map(str, fuentes.alcanza(tmp_path, Path("ch01/a.cpp")))) == ["ch01/a.cpp", "ch01/b.h", "ch02/c.h", "ch01/a.frag"]
+    hay = {"ch01/a.cpp": '#include "b.h"\n"a.frag" "ch02/c.h" "nada.h"', "ch01/b.h": '"ch02/c.h"', "ch01/a.frag": ""}
+    siembra(tmp_path, {**hay, "ch02/c.h": '"ch01/b.h"', "common/d.h": "", "ch01/nada.txt": ""})
+    alcanzados = fuentes.alcanza(tmp_path, Path("ch01/a.cpp"))
+    assert list(map(str, alcanzados)) == ["ch01/a.cpp", "ch01/b.h", "ch02/c.h", "ch01/a.frag"]
+
+
+ERRATAS = """# E
+
+## Capítulo 1
+
+- **Listado 1.1, `f(a * b)`**: mal & < [ahí](x.md)
+  (prueba: `t.u`); bien. Sin prueba: no.
+- **§1.2.1 y ecuación 1.3**: otra.
+
+## Capítulo 10
+
+- **Lo que no nombra nada**: de otro.
+"""
 
 
 @pytest.fixture
 def con_libro(tmp_path):
     """Una carpeta con lo que se sabe de un libro, y un capítulo con dos programas."""
-    for f, texto in (("docs/libro.tsv", "# no\n\nL1.1\tuno\nE1.1\tejercicio\t\t¿Qué `a*b` hay?\nF1\tfigura\tno hace falta\n"),
-                     ("docs/soluciones.md", "# x\n\n- **1.1** (algo): *¿`x`?* Sí,\n  **y** más. Prueba:\n  `a.b`.\n- **§2** no\n"),
-                     ("docs/erratas.md", "# E\n\n## Capítulo 1\n\n- **Listado 1.1, `f(a * b)`**: mal & < [ahí](x.md)\n  (prueba: `t.u`); bien. Sin prueba: no.\n"
-                                         "- **§1.2.1 y ecuación 1.3**: otra.\n\n## Capítulo 10\n\n- **Lo que no nombra nada**: de otro.\n"),
-                     ("ch01_x/b.cpp", "// Qué es,\n// y por qué.\n// Controles: a · Esc termina.\n// No.\nint x; // ni esto\n")):
-        (tmp_path / f).parent.mkdir(exist_ok=True)
-        (tmp_path / f).write_text(texto)
+    cosas = "# no\n\nL1.1\tuno\nE1.1\tejercicio\t\t¿Qué `a*b` hay?\nF1\tfigura\tno hace falta\n"
+    respuestas = "# x\n\n- **1.1** (algo): *¿`x`?* Sí,\n  **y** más. Prueba:\n  `a.b`.\n- **§2** no\n"
+    fuente = "// Qué es,\n// y por qué.\n// Controles: a · Esc termina.\n// No.\nint x; // ni esto\n"
+    siembra(tmp_path / "docs", {"libro.tsv": cosas, "soluciones.md": respuestas, "erratas.md": ERRATAS})
+    siembra(tmp_path, {"ch01_x/b.cpp": fuente})
     capitulo = catalogo.Capitulo("ch01_x", "X")
-    capitulo.programas = [catalogo.Programa(capitulo, "a", "L1.10", "A"), catalogo.Programa(capitulo, "b", "E1.1 L1.1", "B")]
+    datos = ("a", "L1.10", "A"), ("b", "E1.1 L1.1", "B")
+    capitulo.programas = [catalogo.Programa(capitulo, *dato) for dato in datos]
     return capitulo
 
 
 def test_lo_que_se_sabe_del_libro(tmp_path, con_libro):
     suyo, (a, b) = libro.Libro(tmp_path), con_libro.programas
     assert suyo.explicacion(b) == "Qué es, y por qué."
-    assert suyo.ejercicios(b) == [("1.1", "¿Qué <code>a*b</code> hay?", "(algo): <i>¿<code>x</code>?</i> Sí, <b>y</b> más.")] and not suyo.ejercicios(a)
-    assert suyo.erratas_de(b) == ["<b>Listado 1.1, <code>f(a * b)</code></b>: mal &amp; &lt; ahí; bien."] and not suyo.erratas_de(a)
-    assert suyo.otras_erratas(con_libro) == ["<b>§1.2.1 y ecuación 1.3</b>: otra."]
-    assert suyo.referencias(b) == [("E1.1", "ejercicio 1.1: ejercicio"), ("L1.1", "listado 1.1: uno")] and suyo.referencias(a) == [("L1.10", "listado 1.10")]
+    respuesta = "(algo): <i>¿<code>x</code>?</i> Sí, <b>y</b> más."
+    assert suyo.ejercicios(b) == [("1.1", "¿Qué <code>a*b</code> hay?", respuesta)] and not suyo.ejercicios(a)
+    assert suyo.erratas_de(b) == ["<b>Listado 1.1, <code>f(a * b)</code></b>: mal &amp; &lt; ahí; bien."]
+    assert not suyo.erratas_de(a) and suyo.otras_erratas(con_libro) == ["<b>§1.2.1 y ecuación 1.3</b>: otra."]
+    assert suyo.referencias(b) == [("E1.1", "ejercicio 1.1: ejercicio"), ("L1.1", "listado 1.1: uno")]
+    assert suyo.referencias(a) == [("L1.10", "listado 1.10")]
     assert libro.codigos("Listado 9.1, los de §9.1.2 y Ecuación 9.2") == ["L9.1", "§9.1.2", "Ec9.2"]
 
 
@@ -330,20 +405,30 @@ def test_cada_ejercicio_con_lo_que_pide_y_su_respuesta():
 
 # --- colores ------------------------------------------------------------------------------------------------------
 
-@pytest.mark.parametrize("uno,otro,cuanto", [  # de la tabla de Sharma, Wu y Dalal (2005)
-    ((50, 2.6772, -79.7751), (50, 0, -82.7485), 2.0425), ((50, 2.49, -0.001), (50, -2.49, 0.0011), 7.2195), ((50, 2.5, 0), (73, 25, -18), 27.1492),
-    ((60.2574, -34.0099, 36.2677), (60.4626, -34.1751, 39.4387), 1.2644), ((2.0776, 0.0795, -1.135), (0.9033, -0.0636, -0.5514), 0.9082),
-    ((50, 0, 0), (50, -1, 2), 2.3669)])
+
+@pytest.mark.parametrize(
+    "uno,otro,cuanto",
+    [  # de la tabla de Sharma, Wu y Dalal (2005)
+        ((50, 2.6772, -79.7751), (50, 0, -82.7485), 2.0425),
+        ((50, 2.49, -0.001), (50, -2.49, 0.0011), 7.2195),
+        ((50, 2.5, 0), (73, 25, -18), 27.1492),
+        ((60.2574, -34.0099, 36.2677), (60.4626, -34.1751, 39.4387), 1.2644),
+        ((2.0776, 0.0795, -1.135), (0.9033, -0.0636, -0.5514), 0.9082),
+        ((50, 0, 0), (50, -1, 2), 2.3669),
+    ],
+)
 def test_ciede2000(uno, otro, cuanto):
     assert colores.ciede2000(uno, otro) == pytest.approx(cuanto, abs=1e-4) == colores.ciede2000(otro, uno)
 
 
 def test_rotulos_que_alguien_confunde():
     """Rojo y verde sueltos, sí; con su trazo al lado, o si se distinguen todos, no."""
-    rojo, verde, azul, lejos = (0.85, 0.2, 0.18), (0.2, 0.62, 0.28), (0.16, 0.38, 0.8), [(200, 150), (220, 160), (210, 155)]
+    rojo, verde, azul = (0.85, 0.2, 0.18), (0.2, 0.62, 0.28), (0.16, 0.38, 0.8)
+    lejos = [(200, 150), (220, 160), (210, 155)]
 
     def rotulo(color, texto):
         return color, [(10, 10), (30, 20), (20, 15)], texto
+
     assert "deuteranopia" in next(colores.confunden([rotulo(rojo, "a"), rotulo(verde, "b")], [(rojo, lejos, "")]))
     assert not list(colores.confunden([rotulo(rojo, "a"), rotulo(verde, "b")], [(rojo, [(0, 0), (40, 30)], "")]))
     assert not list(colores.confunden([rotulo(rojo, "a"), rotulo(azul, "b")], []))
@@ -352,32 +437,53 @@ def test_rotulos_que_alguien_confunde():
 
 # --- controles, catálogo, web -------------------------------------------------------------------------------------
 
-@pytest.mark.parametrize("texto,ordenes,hace", [
-    ("a d giran", ["tecla a", "tecla d"], "giran"), ("1 a 3 resaltan una tira", ["tecla 1", "tecla 2", "tecla 3"], "resaltan una tira"),
-    (", . mueven el plano", ["tecla ,", "tecla ."], "mueven el plano"), ("t o espacio anda o para", ["tecla t", "tecla Espacio"], "anda o para"),
-    ("F5 relee", ["especial F5"], "relee"), ("F12 x", ["especial F12"], "x"), ("F13 x", [], "F13 x"), ("Esc termina", ["tecla Esc"], "termina"),
-    ("; sigue", ["tecla PuntoYComa"], "sigue"), ("1 A", ["tecla 1"], "A"), ("0 (1,1,1)", ["tecla 0"], "(1,1,1)"), ("ñ x", [], "ñ x"),
-    ("← → ↑ ↓ mueven", ["especial IZQUIERDA", "especial DERECHA", "especial ARRIBA", "especial ABAJO"], "mueven"), ("a", [], "a"), ("ratón orbita", [], "ratón orbita"),
-    ("arrastra los puntos (o n y flechas)", ["tecla n", *(f"especial {f}" for f in ("IZQUIERDA", "DERECHA", "ARRIBA", "ABAJO"))], "arrastra los puntos")])
-def test_las_teclas_de_cada_control(texto, ordenes, hace):
-    c = controles.analiza(texto)
-    assert (c.ordenes, c.hace) == (ordenes, hace)
+
+CONTROLES = """
+a d giran | tecla a, tecla d | giran
+1 a 3 resaltan una tira | tecla 1, tecla 2, tecla 3 | resaltan una tira
+t o espacio anda o para | tecla t, tecla Espacio | anda o para
+F5 relee | especial F5 | relee
+F12 x | especial F12 | x
+F13 x | | F13 x
+Esc termina | tecla Esc | termina
+; sigue | tecla PuntoYComa | sigue
+1 A | tecla 1 | A
+0 (1,1,1) | tecla 0 | (1,1,1)
+ñ x | | ñ x
+← → ↑ ↓ mueven | especial IZQUIERDA, especial DERECHA, especial ARRIBA, especial ABAJO | mueven
+a | | a
+ratón orbita | | ratón orbita
+arrastra (o n y flechas) | tecla n, especial IZQUIERDA, especial DERECHA, especial ARRIBA, especial ABAJO | arrastra
+"""
+
+
+def test_las_teclas_de_cada_control():
+    for fila in CONTROLES.strip().splitlines():
+        texto, ordenes, hace = map(str.strip, fila.split("|"))
+        c = controles.analiza(texto)
+        assert (", ".join(c.ordenes), c.hace) == (ordenes, hace), texto
+    assert controles.analiza(", . mueven").ordenes == ["tecla ,", "tecla ."]
     assert controles.analiza("botón derecho menú").menu and not controles.analiza("a menú").menu
 
 
 def test_la_linea_de_controles(tmp_path):
     programa = SimpleNamespace(fuente="a.cpp")
-    for fuente, textos in (("// x\n// Controles: a gira el\n// plano · Esc termina.\n// Otra.\n", ["a gira el plano", "Esc termina"]), ("// nada\n", []),
-                           ("// Controles: ninguno.\nint x;\n// y.\n", ["ninguno"])):
+    for fuente, textos in (
+        ("// x\n// Controles: a gira el\n// plano · Esc termina.\n// Otra.\n", ["a gira el plano", "Esc termina"]),
+        ("// nada\n", []),
+        ("// Controles: ninguno.\nint x;\n// y.\n", ["ninguno"]),
+    ):
         (tmp_path / "a.cpp").write_text(fuente)
         assert [c.texto for c in controles.lee(tmp_path, programa)] == textos
 
 
 def test_al_azar_solo_lo_suyo():
     azar = random.Random(1)
-    suyos = {orden for _ in range(200) for orden in controles.sucesos_al_azar(
-        azar, [controles.analiza("a d giran"), controles.analiza("Esc termina")], {"temporizador"}, ["Vista/Perfil"], 120, 90)}
-    assert suyos == {"tecla a", "tecla d", "especial F5", "menu Vista/Perfil", *(f"espera {n}" for n in (1, 20, 333, 1700))}
+    leidos = [controles.analiza("a d giran"), controles.analiza("Esc termina")]
+    con = leidos, {"temporizador"}, ["Vista/Perfil"], 120, 90
+    suyos = {orden for _ in range(200) for orden in controles.sucesos_al_azar(azar, *con)}
+    esperas = {f"espera {n}" for n in (1, 20, 333, 1700)}
+    assert suyos == {"tecla a", "tecla d", "especial F5", "menu Vista/Perfil"} | esperas
     for _ in range(50):
         baja, *pasos, sube = controles.raton_al_azar(azar, 120, 90, set())
         assert sube.split()[1:] == [baja.split()[1], "arriba", *(pasos[-1] if pasos else baja).split()[-2:]]
@@ -385,61 +491,69 @@ def test_al_azar_solo_lo_suyo():
 
 @pytest.fixture
 def programas(tmp_path):
-    texto = {"consola": "", "contra": "", "pruebas": "", "pasa": "", "admite": ""}
-    (tmp_path / "catalogo.json").write_text(json.dumps({
-        "capitulos": [{"nombre": "ch01_uno", "titulo": "Uno"}, {"nombre": "ch10_diez", "titulo": "Diez"}],
-        "programas": [{**texto, "capitulo": "ch01_uno", "nombre": "a", "ref": "L1.2 E1.1", "titulo": "A", "pruebas": "x.Y.z x.W"},
-                      {**texto, "capitulo": "ch10_diez", "nombre": "b", "ref": "§10.1", "titulo": "B", "consola": "TRUE"}],
-        "casos": [{"programa": "a", "nombre": "base", "fichero": "a", "guion": "", "tolerancia": "", "mira": "M", "borde": "", "anima": ""},
-                  {"programa": "a", "nombre": "dos_mas", "fichero": "a-dos", "guion": "tecla d; tecla a", "tolerancia": "1 2 3", "mira": "M",
-                   "borde": "", "anima": ""}]}))
+    a = programa("a", "L1.2 E1.1", "A", pruebas="x.Y.z x.W")
+    b = programa("b", "§10.1", "B", "ch10_diez", consola="TRUE")
+    casos = [caso("a"), caso("a", "dos_mas", guion="tecla d; tecla a", tolerancia="1 2 3")]
+    capitulos = [{"nombre": "ch01_uno", "titulo": "Uno"}, {"nombre": "ch10_diez", "titulo": "Diez"}]
+    entero = {"capitulos": capitulos, "programas": [a, b], "casos": casos}
+    siembra(tmp_path, {"catalogo.json": json.dumps(entero)})
     return catalogo.lee_programas(tmp_path)
 
 
 def test_lo_que_la_pagina_sabe_de_un_programa(tmp_path, programas, monkeypatch):
-    (tmp_path / "ch01_uno").mkdir()
-    (tmp_path / "ch01_uno/a.cpp").write_text("// Controles: a gira · botón derecho menú · ninguno · Esc termina.\n")
-    (tmp_path / "sin_ventana").write_text("osmesa\n")
+    dice = "// Controles: a gira · botón derecho menú · ninguno · Esc termina.\n"
+    siembra(tmp_path, {"ch01_uno/a.cpp": dice, "sin_ventana": "osmesa\n"})
     guiones = []
 
     def ejecuta(orden, env, **_):
         guiones.append(orden[orden.index("-guion") + 1])
         Path(env["LAB_LEIDOS"]).write_text("/x/b.rgb\n/x/a.r8\n/x/a.vert\n")
         return rasgos
+
     monkeypatch.setattr(controles, "ejecuta", ejecuta)
-    for rasgos, anima, derecho, raton, sigue in (("ocio\n", True, True, False, False), ("temporizador\nrueda\n", True, True, True, False),
-                                                 ("opcion Vista\nmovimiento\n", False, False, False, True)):
+    for rasgos, anima, derecho, raton, sigue in (
+        ("ocio\n", True, True, False, False),
+        ("temporizador\nrueda\n", True, True, True, False),
+        ("opcion Vista\nmovimiento\n", False, False, False, True),
+    ):
         d = ProgramaVivo(tmp_path, tmp_path, programas[0]).datos()
         assert (d["anima"], d["derecho"], d["raton"], d["sigue"]) == (anima, derecho, raton, sigue)
         assert guiones[-2:] == ["", "tecla a"] and d["texturas"] == ["a.r8", "b.rgb"]
-        assert [m["teclas"] for m in d["mandos"]] == [[("a", "tecla a")], []] and [m["menu"] for m in d["mandos"]] == [False, True]
+        assert [(m["teclas"], m["menu"]) for m in d["mandos"]] == [([("a", "tecla a")], False), ([], True)]
         assert [c["titulo"] for c in d["casos"]] == ["al empezar", "dos mas"] and d["nombre"] == "a"
 
 
 # --- ejercicios -----------------------------------------------------------------------------------------------------
 
+
 def test_un_ejercicio_entre_sus_marcas():
-    texto = "uno;\n  // L1.2: esto y aquello\n  dos;\n  tres;\n  // fin de L1.2\n// E3.5: lo otro\ncuatro;\n// de partida: 4;\n//   y 5;\n// fin de E3.5\ncinco;\n"
+    texto = "uno;\n  // L1.2: esto y aquello\n  dos;\n  tres;\n  // fin de L1.2\n"
+    texto += "// E3.5: lo otro\ncuatro;\n// de partida: 4;\n//   y 5;\n// fin de E3.5\ncinco;\n"
     hecho_uno = "uno;\n  // L1.2: esto y aquello\n\n  // fin de L1.2\n"
-    assert marcas.esqueleto(texto, "L1.2") == hecho_uno + texto[texto.index("// E3.5"):]
+    assert marcas.esqueleto(texto, "L1.2") == hecho_uno + texto[texto.index("// E3.5") :]
     assert marcas.esqueleto(texto) == hecho_uno + "// E3.5: lo otro\n4;\n// fin de E3.5\ncinco;\n"
     assert marcas.esqueleto(texto, "L1.20") == texto
-    assert marcas.que_piden({"a": texto, "b": "// L1.2: más\n// fin de L1.2\n"}) == {"L1.2": {"a": "esto y aquello", "b": "más"}, "E3.5": {"a": "lo otro"}}
+    piden = marcas.que_piden({"a": texto, "b": "// L1.2: más\n// fin de L1.2\n"})
+    assert piden == {"L1.2": {"a": "esto y aquello", "b": "más"}, "E3.5": {"a": "lo otro"}}
 
 
 def test_las_marcas_que_hay():
-    """Cada una se cierra, y en lo que queda de un ejercicio no está lo que pide."""
-    for fichero in (f for f in RAIZ.glob("c*/*.*") if f.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl")):
+    """Cada una se cierra y no se anidan, que de un fichero saldría un esqueleto con la solución; y en lo que queda de
+    un ejercicio no está lo que pide."""
+    marca = re.compile(r"^ *// (?:fin de )?[EL]\d+\.\d+(?::.*)?$|^ *// de partida: ", re.MULTILINE)
+    for fichero in FUENTES:
         texto = fichero.read_text()
         sueltas = re.findall(r"// fin de [EL]\d|// de partida:|// [EL]\d+\.\d+: ", marcas.TROZO.sub("", texto))
-        assert not sueltas, f"{fichero}: {sueltas}"
+        assert not sueltas and not marca.search(nuevo.deja(texto)), f"{fichero}: {sueltas}"
         for trozo in marcas.TROZO.finditer(texto):
-            quedan = marcas.esqueleto(trozo[0], trozo["codigo"])
-            hecho = [linea for linea in trozo["hecho"].splitlines() if linea.strip() and not linea.lstrip().startswith("// de partida: ")]
-            assert hecho and not any(linea in quedan.splitlines() for linea in hecho), fichero
+            quedan = marcas.esqueleto(trozo[0], trozo["codigo"]).splitlines()
+            hecho = [linea for linea in trozo["hecho"].splitlines() if linea.strip()]
+            hecho = [linea for linea in hecho if not linea.lstrip().startswith("// de partida: ")]
+            assert hecho and not set(hecho) & set(quedan), fichero
 
 
 # --- muta ---------------------------------------------------------------------------------------------------------
+
 
 def mutante(texto, estropeado, numero=1, fichero="x.cpp"):
     return defectos.Mutante("ch01", numero, numero, fichero, texto, estropeado, "imita")
@@ -450,54 +564,57 @@ def test_un_defecto_plantado():
     for texto, mal in (("a", "está 2 veces"), ("x", "está 0 veces"), ("«b»", "no cambia nada")):
         with pytest.raises(ValueError, match=mal):
             mutante(texto, "b").sitio("a a b")
-    dos = [mutante("«b» + c", "1"), mutante("«b» + c", "2", 2), mutante("+ «c»", "d", 3), mutante("a = b + c;", "x();", 4)]
-    assert defectos.cambia("a = b + c;", dos[:3]) == "a = (mutante(2) ? (2) : (mutante(1) ? (1) : (b))) + (mutante(3) ? (d) : (c));"
-    assert defectos.cambia("a = b + c;", dos[3:]) == "if (mutante(4)) { x(); } else { a = b + c; }"
+    todos = (
+        mutante("«b» + c", "1"),
+        mutante("«b» + c", "2", 2),
+        mutante("+ «c»", "d", 3),
+        mutante("a = b + c;", "x();", 4),
+    )
+    juntos = "a = (mutante(2) ? (2) : (mutante(1) ? (1) : (b))) + (mutante(3) ? (d) : (c));"
+    assert defectos.cambia("a = b + c;", todos[:3]) == juntos
+    assert defectos.cambia("a = b + c;", todos[3:]) == "if (mutante(4)) { x(); } else { a = b + c; }"
     with pytest.raises(ValueError, match="se pisa con otro"):
-        defectos.cambia("a = b + c;", dos)
-    for antes, entera in (("", True), ("if (d)\n    ", True), ("else ", True), ("// por qué\n", True), ("case 1: ", True), ("return ", False), ("d = ", False), ("f(", False)):
-        if entera:
-            assert "mutante(1)" in defectos.cambia(f"{antes}a();", [mutante("a();", ";")])
-        else:
-            with pytest.raises(ValueError, match="no es una instrucción entera"):
-                defectos.cambia(f"{antes}a();", [mutante("a();", ";")])
+        defectos.cambia("a = b + c;", todos)
+    for antes in ("", "if (d)\n    ", "else ", "// por qué\n", "case 1: "):
+        assert "mutante(1)" in defectos.cambia(f"{antes}a();", [mutante("a();", ";")])
+    for antes in ("return ", "d = ", "f("):
+        with pytest.raises(ValueError, match="no es una instrucción entera"):
+            defectos.cambia(f"{antes}a();", [mutante("a();", ";")])
 
 
 def test_las_cuentas_de_los_defectos():
     todos = [mutante("a", "b", n) for n in range(4)]
     todos[0].notado = todos[1].notado = todos[3].notado = "P"
     todos[1].por, todos[3].por = "golden", "encima"
-    assert muta.cuentas(todos) == {"ch01": {"plantados": 4, "notados": 3, "sin_golden": 1, "encima": 1}} and muta.resume(todos) == [75, 25]
+    assert muta.cuentas(todos) == {"ch01": {"plantados": 4, "notados": 3, "sin_golden": 1, "encima": 1}}
+    assert muta.resume(todos) == [75, 25]
     assert [muta.cuenta(m).split(": ")[1] for m in todos[:3]] == ["P", "solo P", "SOBREVIVE, nada lo ejecuta"]
-    for pedido, es in (("ch01", True), ("ch01:2", True), ("ch01:22", False), ("ch01_uno", True), ("ch01_uno/abc.cpp", True), ("ab", True), ("bc", False)):
-        assert mutante("a", "b", 2, "ch01_uno/abc.cpp").es_de(pedido) == es, pedido
+    pedidos = "ch01 ch01:2 ch01:22 ch01_uno ch01_uno/abc.cpp ab bc".split()
+    suyos = [pedido for pedido in pedidos if mutante("a", "b", 2, "ch01_uno/abc.cpp").es_de(pedido)]
+    assert suyos == ["ch01", "ch01:2", "ch01_uno", "ch01_uno/abc.cpp", "ab"]
 
 
 def test_un_defecto_en_lab_o_en_python(tmp_path):
     """Se puede leer, y se planta en una copia que no toca nada más."""
     for fichero, bien, mal in (("lab", "if a; then b; fi", "if a; then"), ("herramientas/x.py", "a = 1", "a = (")):
-        assert mutante("a", "b", fichero=fichero).en_copia and not muta.compila_guion(mutante("a", "b", fichero=fichero), bien)
-        [fallo] = muta.compila_guion(mutante("a", "b", fichero=fichero), mal)
-        assert fallo.startswith("ch01:1: no se puede leer: ")
-    for f, texto in (("lab", "uno"), ("herramientas/x.py", "uno"), ("tests/herramientas/herramientas_test.py", "assert 'uno' in open('lab').read()"), ("tests/ordenes/x", ""), ("build/x", ""),
-                     ("ch01/a.cpp", ""), ("tests/golden/x", "")):
-        (tmp_path / "r" / f).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / "r" / f).write_text(texto)
+        suyo = mutante("a", "b", fichero=fichero)
+        assert suyo.en_copia and not muta.compila_guion(suyo, bien)
+        assert muta.compila_guion(suyo, mal)[0].startswith("ch01:1: no se puede leer: ")
+    ficheros = "lab herramientas/x.py tests/herramientas/x tests/ordenes/x build/x ch01/a.cpp tests/golden/x"
+    siembra(tmp_path / "r", {f: "uno" for f in ficheros.split()})
     copia = muta.copia_de_trabajo(tmp_path / "r", tmp_path / "c")
-    (copia / "lab").write_text("dos")
-    (copia / "herramientas/x.py").write_text("dos")
-    assert {f.name for f in copia.iterdir()} == {"lab", "herramientas", "tests", "ch01"} and (copia / "ch01/a.cpp").exists()
-    assert (tmp_path / "r/lab").read_text() == (tmp_path / "r/herramientas/x.py").read_text() == "uno"
+    siembra(copia, {"lab": "dos", "herramientas/x.py": "dos"})
+    assert {f.name for f in copia.iterdir()} == {"lab", "herramientas", "tests", "ch01"}
+    assert (copia / "ch01/a.cpp").exists()
+    assert {(tmp_path / "r" / f).read_text() for f in ficheros.split()} == {"uno"}
 
 
 def test_lo_que_se_le_dice_a_un_alumno(tmp_path):
-    lista = tmp_path / "tests/mutantes/ch01.tsv"
-    lista.parent.mkdir(parents=True)
-    lista.write_text("f\ta\tb\ti\nf\ta\tb\ti\tm\nf\ta\tb\ti\t\td\n")
-    mutantes, fallos = defectos.lee(lista.parent)
+    siembra(tmp_path, {"ch01.tsv": "f\ta\tb\ti\nf\ta\tb\ti\tm\nf\ta\tb\ti\t\td\n"})
+    mutantes, fallos = defectos.lee(tmp_path)
     assert [(m.motivo, m.dice) for m in mutantes] == [("", ""), ("m", ""), ("", "d")] and not fallos
-    lista.write_text("f\ta\tb\nf\ta\tb\ti\t\nf\t\tb\ti\nf\ta\tb\ti\tm\td\t7\n")
-    assert len(defectos.lee(lista.parent)[1]) == 4
+    siembra(tmp_path, {"ch01.tsv": "f\ta\tb\nf\ta\tb\ti\t\nf\t\tb\ti\nf\ta\tb\ti\tm\td\t7\n"})
+    assert len(defectos.lee(tmp_path)[1]) == 4
 
 
 # --- nuevo ------------------------------------------------------------------------------------------------------
@@ -516,17 +633,27 @@ int g = 43;
 """
 
 
+CABECERA = """// Controles: a gira · Esc termina.
+#include "medio.h"
+#include "otra.h"
+"""
+
+
 @pytest.fixture
 def arbol(tmp_path):
-    """Un programa con dos ejercicios, y lo suyo en tres ficheros: uno marcado, el que lleva a él y uno que no hace falta."""
+    """Un programa con dos ejercicios, y lo suyo en tres ficheros: uno marcado, el que lleva a él y uno que no hace
+    falta."""
     capitulo = catalogo.Capitulo("ch01_x", "X")
-    capitulo.programas = [catalogo.Programa(capitulo, "a", "E1.1 E1.2 E1.3 Ec1.1", "La A"), catalogo.Programa(capitulo, "b", "L1.1", "B")]
-    capitulo.programas[0].casos = [catalogo.Caso(capitulo.programas[0], "base", "a", mira="Mira"), catalogo.Caso(capitulo.programas[0], "girada", "a-girada", "tecla a", mira="Gira")]
-    for f, texto in (("ch01_x/a.cpp", '// Cuenta la solución.\n// y más.\n// Controles: a gira · Esc termina.\n#include "medio.h"\n#include "otra.h"\nf("ch01_x/a.vert", "ch01_x/b.frag");\n'),
-                     ("ch01_x/medio.h", '#include "fin.h"\n'), ("ch01_x/fin.h", MARCADO), ("ch01_x/otra.h", ""), ("ch01_x/a.vert", '#include "ch01_x/c.glsl"\n'), ("ch01_x/c.glsl", ""),
-                     ("ch01_x/b.frag", ""), ("ch01_x/a.png", ""), ("ch01_x/b.cpp", ""), ("docs/libro.tsv", "E1.1\tla cuenta\t\tHaz la cuenta.\nE1.2\totra\t\tY la otra.\n")):
-        (tmp_path / f).parent.mkdir(exist_ok=True)
-        (tmp_path / f).write_text(texto)
+    a = catalogo.Programa(capitulo, "a", "E1.1 E1.2 E1.3 Ec1.1", "La A")
+    a.casos = [
+        catalogo.Caso(a, "base", "a", mira="Mira"),
+        catalogo.Caso(a, "girada", "a-girada", "tecla a", mira="Gira"),
+    ]
+    capitulo.programas = [a, catalogo.Programa(capitulo, "b", "L1.1", "B")]
+    fuente = f'// Cuenta la solución.\n// y más.\n{CABECERA}f("ch01_x/a.vert", "ch01_x/b.frag");\n'
+    con = {"a.cpp": fuente, "medio.h": '#include "fin.h"\n', "fin.h": MARCADO, "a.vert": '#include "ch01_x/c.glsl"\n'}
+    siembra(tmp_path / "ch01_x", {**dict.fromkeys(("otra.h", "c.glsl", "b.frag", "a.png", "b.cpp"), ""), **con})
+    siembra(tmp_path, {"docs/libro.tsv": "E1.1\tla cuenta\t\tHaz la cuenta.\nE1.2\totra\t\tY la otra.\n"})
     return tmp_path, capitulo.programas
 
 
@@ -537,10 +664,11 @@ def test_un_esqueleto_es_la_solucion_sin_lo_que_se_pide(arbol):
     uno = nuevo.esqueleto(raiz, programas[0], "E1.1")
     assert sorted(uno) == ["a.cpp", "a.vert", "fin.h", "medio.h"]
     assert uno["fin.h"] == "int f() {\n    // E1.1: cuánto es\n    return 0;\n    // fin de E1.1\n}\nint g = 43;\n"
-    assert uno["a.cpp"] == ('// La A: el ejercicio 1.1, que cuenta ENUNCIADO.md.\n// Controles: a gira · Esc termina.\n#include "medio.h"\n#include "otra.h"\n'
-                            'f("a.vert", "ch01_x/b.frag");\n')
+    primera = "// La A: el ejercicio 1.1, que cuenta ENUNCIADO.md.\n"
+    assert uno["a.cpp"] == f'{primera}{CABECERA}f("a.vert", "ch01_x/b.frag");\n'
     solucion = nuevo.solucion(raiz, programas[0], "E1.1")
-    assert sorted(solucion) == sorted(uno) and solucion["fin.h"] == "int f() {\n    int x = 40 + 2;\n    return x;\n}\nint g = 43;\n"
+    assert sorted(solucion) == sorted(uno)
+    assert solucion["fin.h"] == "int f() {\n    int x = 40 + 2;\n    return x;\n}\nint g = 43;\n"
     assert solucion["a.cpp"].startswith("// Cuenta la solución.")
     copia = nuevo.solucion(raiz, programas[0])
     assert sorted(copia) == ["a.cpp", "a.vert", "b.frag"] and 'f("a.vert", "b.frag")' in copia["a.cpp"]
@@ -550,16 +678,18 @@ def test_una_carpeta_se_hace_entera_y_no_se_toca(arbol):
     raiz, programas = arbol
     mios = raiz / "mios"
     assert nuevo.crea(raiz, programas, mios, "e1.1", "mi_a") == ("E1.1", mios / "mi_a")
-    assert sorted(f.name for f in (mios / "mi_a").iterdir()) == ["ENUNCIADO.md", "a.vert", "ejercicio.txt", "fin.h", "medio.h", "mi_a.cpp"]
+    hechos = {f.name for f in (mios / "mi_a").iterdir()}
+    assert hechos == {"ENUNCIADO.md", "a.vert", "ejercicio.txt", "fin.h", "medio.h", "mi_a.cpp"}
     assert nuevo.ejercicio_de(mios / "mi_a", programas) == ("E1.1", programas[0])
-    enunciado = (mios / "mi_a/ENUNCIADO.md").read_text()
-    for dice in ("# Ejercicio 1.1: la cuenta", "Haz la cuenta.", "- `fin.h`: cuánto es\n", "- a gira\n", "- al abrirlo: Mira.\n", "- girada (`tecla a`): Gira.\n", "./lab corrige mi_a"):
-        assert dice in enunciado, dice
+    dice = "# Ejercicio 1.1: la cuenta", "Haz la cuenta.", "- `fin.h`: cuánto es\n", "- a gira\n", "./lab corrige mi_a"
+    dice += "- al abrirlo: Mira.\n", "- girada (`tecla a`): Gira.\n"
+    assert not faltan((mios / "mi_a/ENUNCIADO.md").read_text(), *dice)
     (mios / "mi_a/mi_a.cpp").write_text("mío")
     with pytest.raises(nuevo.Fallo, match="ya existe .*mi_a, y no se toca: .*./lab nuevo E1.2 NOMBRE"):
         nuevo.crea(raiz, programas, mios, "E1.2", "mi_a")
     assert (mios / "mi_a/mi_a.cpp").read_text() == "mío"
-    assert nuevo.crea(raiz, programas, mios, "a") == ("", mios / "a") and nuevo.ejercicio_de(mios / "a", programas) == ("", programas[0])
+    assert nuevo.crea(raiz, programas, mios, "a") == ("", mios / "a")
+    assert nuevo.ejercicio_de(mios / "a", programas) == ("", programas[0])
     assert not (mios / "a/ENUNCIADO.md").exists()
     for nombre in ("Mi_a", "../a", "a b", "ñ", "a.b", "-a"):
         with pytest.raises(nuevo.Fallo, match="no vale de nombre"):
@@ -575,16 +705,11 @@ def test_una_carpeta_se_hace_entera_y_no_se_toca(arbol):
 
 def test_de_lo_que_no_se_corrige_dice_que_hacer(arbol):
     raiz, programas = arbol
-    for pedido, dice in (("E1.3", "el ejercicio 1.3 no tiene programa que corregir; .* ./lab nuevo a. Se corrigen E1.1, E1.2"), ("ch01", "elige uno: a, b")):
+    for pedido, dice in (
+        ("E1.3", "el ejercicio 1.3 no tiene programa que corregir; .* ./lab nuevo a. Se corrigen E1.1, E1.2"),
+        ("ch01", "elige uno: a, b"),
+    ):
         with pytest.raises(nuevo.Fallo, match=dice):
             nuevo.crea(raiz, programas, raiz / "mios", pedido)
     for pedido in ("Ec1.1", "L1.1"):
         assert nuevo.crea(raiz, programas, raiz / "mios", pedido)[0] == ""
-
-
-def test_las_marcas_van_de_dos_en_dos():
-    """Y no se anidan: si no, de un fichero saldría un esqueleto con la solución."""
-    marca = re.compile(r"^ *// (?:fin de )?[EL]\d+\.\d+(?::.*)?$|^ *// de partida: ", re.MULTILINE)
-    for fichero in RAIZ.glob("ch*/*.*"):
-        if fichero.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl"):
-            assert not marca.search(nuevo.deja(fichero.read_text())), fichero

@@ -42,6 +42,7 @@ case $quien in
 cmake)
   if [ "$1" = --build ]; then
     [ "$4" != build.ninja ] || exit 0
+    [ "${FALLA:-}" != compila ] || echo 'ninja: error: falta algo'
     etapa compila
     printf '[1/2] Linking CXX executable osmesa/ch01_uno/a\nun aviso\nninja: nada\n'
   else

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""colores.py RAÍZ BUILD: nadie se pierde nada por no distinguir los colores. En cada caso del catálogo, de dos rótulos que solo con su
-color dicen de qué hablan (no están junto a un trazo de ese color), los colores se distinguen también con deuteranopia, protanopia y
-tritanopia: ΔE de CIEDE2000 de 20 o más. Si no, en EXCEPCIONES está qué otra cosa los distingue."""
+"""colores.py RAÍZ BUILD: nadie se pierde nada por no distinguir los colores. En cada caso del catálogo, de dos
+rótulos que solo con su color dicen de qué hablan (no están junto a un trazo de ese color), los colores se distinguen
+también con deuteranopia, protanopia y tritanopia: ΔE de CIEDE2000 de 20 o más. Si no, en EXCEPCIONES está qué otra
+cosa los distingue."""
 import itertools
 import math
 import os
@@ -16,7 +17,8 @@ from base import catalogo
 
 MINIMO = 20
 CERCA = 14  # píxeles de un rótulo a lo que nombra, en una imagen de 240×180
-# Lo que ve cada dicromático de un color, en RGB lineal (Machado, Oliveira y Fernandes, 2009, severidad 1), y quien los ve todos.
+# Lo que ve cada dicromático de un color, en RGB lineal (Machado, Oliveira y Fernandes, 2009, severidad 1), y quien
+# los ve todos.
 VISTAS = {
     "todos": ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
     "protanopia": ((0.152286, 1.052583, -0.204868), (0.114503, 0.786281, 0.099216), (-0.003882, -0.048116, 1.051998)),
@@ -41,6 +43,7 @@ def visto(color, matriz):
 
     def f(t):
         return t ** (1 / 3) if t > 216 / 24389 else (24389 / 27 * t + 16) / 116
+
     x = f((0.4124564 * r + 0.3575761 * g + 0.1804375 * b) / 0.95047)
     y = f(0.2126729 * r + 0.7151522 * g + 0.0721750 * b)
     z = f((0.0193339 * r + 0.1191920 * g + 0.9503041 * b) / 1.08883)
@@ -51,19 +54,20 @@ def ciede2000(uno, otro):
     """Sharma, Wu y Dalal (2005), con sus nombres."""
     (l1, a1, b1), (l2, a2, b2) = uno, otro
     medio = (math.hypot(a1, b1) + math.hypot(a2, b2)) / 2
-    g = 0.5 * (1 - math.sqrt(medio ** 7 / (medio ** 7 + 25 ** 7)))
+    g = 0.5 * (1 - math.sqrt(medio**7 / (medio**7 + 25**7)))
     a1, a2 = (1 + g) * a1, (1 + g) * a2
     c1, c2 = math.hypot(a1, b1), math.hypot(a2, b2)
     h1, h2 = (math.degrees(math.atan2(b, a)) % 360 for a, b in ((a1, b1), (a2, b2)))
     dh = 0 if c1 * c2 == 0 else (h2 - h1 + 180) % 360 - 180
     hm = h1 + h2 if c1 * c2 == 0 else (h1 + dh / 2) % 360
     lm, cm = (l1 + l2) / 2, (c1 + c2) / 2
-    t = (1 - 0.17 * math.cos(math.radians(hm - 30)) + 0.24 * math.cos(math.radians(2 * hm)) + 0.32 * math.cos(math.radians(3 * hm + 6)) -
-         0.20 * math.cos(math.radians(4 * hm - 63)))
+    vueltas = ((-0.17, 1, -30), (0.24, 2, 0), (0.32, 3, 6), (-0.20, 4, -63))
+    t = 1 + sum(cuanto * math.cos(math.radians(n * hm + fase)) for cuanto, n, fase in vueltas)
     sl, sc, sh = 1 + 0.015 * (lm - 50) ** 2 / math.sqrt(20 + (lm - 50) ** 2), 1 + 0.045 * cm, 1 + 0.015 * cm * t
-    rt = -2 * math.sqrt(cm ** 7 / (cm ** 7 + 25 ** 7)) * math.sin(math.radians(60 * math.exp(-((hm - 275) / 25) ** 2)))
+    giro = math.radians(60 * math.exp(-(((hm - 275) / 25) ** 2)))
+    rt = -2 * math.sqrt(cm**7 / (cm**7 + 25**7)) * math.sin(giro)
     dl, dc, dH = (l2 - l1) / sl, (c2 - c1) / sc, 2 * math.sqrt(c1 * c2) * math.sin(math.radians(dh / 2)) / sh
-    return math.sqrt(dl ** 2 + dc ** 2 + dH ** 2 + rt * dc * dH)
+    return math.sqrt(dl**2 + dc**2 + dH**2 + rt * dc * dH)
 
 
 @cache
@@ -75,13 +79,16 @@ def se_distinguen(uno, otro):
 def encima(build, caso, carpeta):
     """Los rótulos y los trazos de un caso (common/encima.h): color, puntos y texto."""
     fichero = carpeta / "encima"
-    subprocess.run([caso.programa.ejecutable(build), "-geometry", "240x180", "-ppm", "x.ppm", "-guion", caso.guion], cwd=carpeta, check=True,
-                   env={**os.environ, "LAB_ENCIMA": str(fichero)}, stdout=subprocess.DEVNULL)
+    orden = [caso.programa.ejecutable(build), "-geometry", "240x180", "-ppm", "x.ppm", "-guion", caso.guion]
+    subprocess.run(
+        orden, cwd=carpeta, check=True, env=os.environ | {"LAB_ENCIMA": str(fichero)}, stdout=subprocess.DEVNULL
+    )
     rotulos, trazos = [], []
     for linea in fichero.read_text().split("imagen\t")[-1].splitlines()[1:]:
         tipo, color, _, _, _, puntos, texto = linea.split("\t")
         xyz = [float(v) for v in puntos.split()]
-        (rotulos if tipo == "rotulo" else trazos).append((tuple(map(float, color.split())), list(zip(xyz[::3], xyz[1::3])), texto))
+        cosa = tuple(map(float, color.split())), list(zip(xyz[::3], xyz[1::3])), texto
+        (rotulos if tipo == "rotulo" else trazos).append(cosa)
     return rotulos, trazos
 
 
@@ -90,7 +97,8 @@ def junto_a(rotulo, trazos):
     color, ((x0, y0), (x1, y1), _), _ = rotulo
     for suyo, puntos, _ in trazos:
         for (ax, ay), (bx, by) in zip(puntos, puntos[1:] + puntos[-1:]) if suyo == color else ():
-            if any(x0 - CERCA <= ax + (bx - ax) * k / 20 <= x1 + CERCA and y0 - CERCA <= ay + (by - ay) * k / 20 <= y1 + CERCA for k in range(21)):
+            veinte = ((ax + (bx - ax) * k / 20, ay + (by - ay) * k / 20) for k in range(21))
+            if any(x0 - CERCA <= x <= x1 + CERCA and y0 - CERCA <= y <= y1 + CERCA for x, y in veinte):
                 return True
     return False
 
@@ -101,7 +109,8 @@ def confunden(rotulos, trazos):
     for uno, otro in itertools.combinations(sueltos, 2):
         cuanto, quien = se_distinguen(uno, otro)
         if cuanto < MINIMO:
-            yield f"«{sueltos[uno]}» y «{sueltos[otro]}» son de dos colores que con {quien} no se distinguen (ΔE {cuanto:.0f})"
+            son = f"«{sueltos[uno]}» y «{sueltos[otro]}»"
+            yield f"{son} son de dos colores que con {quien} no se distinguen (ΔE {cuanto:.0f})"
 
 
 def main():
@@ -113,7 +122,8 @@ def main():
                 for que in confunden(*encima(build, caso, Path(carpeta))):
                     confusos.add(programa.nombre)
                     fallos += [] if programa.nombre in EXCEPCIONES else [f"{caso.fichero}: {que}"]
-    fallos += [f"{nombre} ya no confunde a nadie y sigue en EXCEPCIONES" for nombre in sorted(set(EXCEPCIONES) - confusos)]
+    sobran = sorted(set(EXCEPCIONES) - confusos)
+    fallos += [f"{nombre} ya no confunde a nadie y sigue en EXCEPCIONES" for nombre in sobran]
     print(*fallos, sep="\n")
     sys.exit(bool(fallos))
 

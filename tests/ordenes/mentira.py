@@ -1,0 +1,32 @@
+"""De qué se hace un laboratorio de mentira."""
+
+
+def siembra(raiz, ficheros):
+    """Esos ficheros, con sus carpetas."""
+    for fichero, texto in ficheros.items():
+        (raiz / fichero).parent.mkdir(parents=True, exist_ok=True)
+        (raiz / fichero).write_text(texto)
+
+
+def ejecutable(fichero, guion):
+    """Un guion de sh, en lugar de lo que hubiera."""
+    fichero.unlink(missing_ok=True)
+    fichero.write_text(f"#!/bin/sh\n{guion}\n")
+    fichero.chmod(0o755)
+
+
+def programa(nombre, ref, titulo, capitulo="ch01_uno", **mas):
+    """Su fila del catálogo."""
+    nada = dict.fromkeys(("contra", "pruebas", "pasa", "admite", "consola"), "")
+    return {**nada, "capitulo": capitulo, "nombre": nombre, "ref": ref, "titulo": titulo, **mas}
+
+
+def caso(programa, nombre="base", **mas):
+    nada = dict.fromkeys(("guion", "tolerancia", "borde", "anima"), "")
+    fichero = programa if nombre == "base" else f"{programa}-{nombre}"
+    return {**nada, "mira": "M", "programa": programa, "nombre": nombre, "fichero": fichero, **mas}
+
+
+def faltan(texto, *partes):
+    """Las que no están en él."""
+    return [parte for parte in partes if parte not in texto]

@@ -1,0 +1,123 @@
+"""Cada orden es la primera de alguien: el laboratorio de verdad, con lo que ya está compilado en $LAB_BUILD, sin
+tests/ y sin GoogleTest. Lo que escriben va a una copia: lo de quien lo prueba no se toca."""
+import glob
+import json
+import os
+import re
+import shlex
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+RAIZ = Path(__file__).parents[2]
+BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
+DE_LAS_PRUEBAS = {"tests", "fallos", "leidos", "mutantes", "web", "windows", "asan", "corrige", "cache_shaders"}
+GTEST = [f for donde in ("/usr/include/gtest", "/usr/**/cmake/GTest") for f in glob.glob(donde, recursive=True)]
+
+
+class SinPruebas:
+    """./lab, donde de la carpeta solo queda lo que hace falta, y escribe en las de `sitio`."""
+
+    def __init__(self, sitio):
+        self.sitio = sitio
+        for carpeta in ("build", "mios", "galeria", "informe", "aqui"):
+            (sitio / carpeta).mkdir()
+        shutil.copytree(RAIZ / "docs", sitio / "docs")
+        subprocess.run(["cp", "-a", *(f for f in BUILD.iterdir() if f.name not in DE_LAS_PRUEBAS), sitio / "build"])
+        suyas = {f.name for f in sitio.iterdir()} - {"aqui"}
+        quedan = {f.name for f in RAIZ.iterdir()} - suyas - {"tests", "web", "windows", ".git"}
+        self.jaula = ["bwrap", "--dev-bind", "/", "/", "--tmpfs", RAIZ]
+        self.jaula += [p for nombre in quedan for p in ("--ro-bind", RAIZ / nombre, RAIZ / nombre)]
+        self.jaula += [p for nombre in suyas for p in ("--bind", sitio / nombre, RAIZ / nombre)]
+        self.jaula += [p for carpeta in GTEST for p in ("--tmpfs", carpeta)]
+        self.entorno = {c: v for c, v in os.environ.items() if c not in ("DISPLAY", "WAYLAND_DISPLAY", "LAB_CERROJO")}
+        self.entorno |= {"LAB_SIN_INSTALAR": "1", "TMPDIR": "/tmp", "PYTHONDONTWRITEBYTECODE": "1"}
+
+    def __call__(self, orden, estado=0, dice="", **entorno):
+        orden = [*self.jaula, "--chdir", self.sitio / "aqui", RAIZ / "lab", *shlex.split(orden)]
+        r = subprocess.run(orden, env=self.entorno | entorno, text=True, stdin=subprocess.DEVNULL, capture_output=True)
+        dicho = r.stdout + r.stderr
+        assert r.returncode == estado and dice in dicho and "Traceback" not in dicho, f"{r.returncode}\n{dicho}"
+        return dicho
+
+    def deja(self, fichero, empieza):
+        """Si ha dejado ese fichero, que no estaba, y nada más."""
+        [hecho] = (self.sitio / "aqui").iterdir()
+        bien = hecho.name == fichero and hecho.read_bytes().startswith(empieza)
+        hecho.unlink()
+        return bien
+
+
+@pytest.fixture(scope="module")
+def lab(tmp_path_factory):
+    if BUILD.parent != RAIZ or not (BUILD / "catalogo.json").exists():
+        pytest.skip("lo compilado no está en su carpeta")
+    lab = SinPruebas(tmp_path_factory.mktemp("lab"))
+    if not shutil.which("bwrap") or subprocess.run([*lab.jaula, "true"]).returncode:
+        pytest.skip("aquí no se puede encerrar nada")
+    return lab
+
+
+def test_lista_y_documentos(lab):
+    lab("lista", dice="Grúa de obra")
+    antes = {f: f.read_bytes() for f in (lab.sitio / "docs").iterdir() if f.is_file()}
+    lab("lista --docs")
+    assert antes == {f: f.read_bytes() for f in antes}
+
+
+@pytest.mark.parametrize("orden", ["prueba", "dora grua", "muta --comprueba"])
+def test_sin_pruebas_no_se_prueba(lab, orden):
+    assert lab(orden, 1) == f"lab: {orden.split()[0]}: hace falta la carpeta tests/\n"
+
+
+def test_nuevo_y_corrige(lab):
+    lab("nuevo E3.5 x", dice="/mios/x")
+    assert lab("corrige x --guiones 1", 1).startswith("0 puntos")
+    assert "punto de partida" in (lab.sitio / "mios/x/correccion/index.html").read_text()
+
+
+def test_ver(lab):
+    lab("ver E3.5", dice="lo he dibujado en grua.png")
+    assert lab.deja("grua.png", b"\x89PNG")
+    lab("ver grua -ppm f.ppm")
+    assert lab.deja("f.ppm", b"P6")
+    lab("ver grua -volando", 2, "no entiendo «-volando»")
+    lab("ver info_opengl", dice="GLSL: ")
+
+
+def test_donde_no_se_puede_abrir_una_ventana_dibuja(lab):
+    """En una pantalla que no existe, y en una sin OpenGL."""
+    lab("ver grua", dice="lo he dibujado en grua.png", DISPLAY=":987")
+    assert lab.deja("grua.png", b"\x89PNG")
+    if not shutil.which("Xvfb"):
+        pytest.skip("no hay Xvfb")
+    orden = ["Xvfb", "-displayfd", "1", "-extension", "GLX", "-nolisten", "tcp"]
+    with subprocess.Popen(orden, text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as pantalla:
+        lab("ver grua", dice="lo he dibujado en grua.png", DISPLAY=f":{pantalla.stdout.readline().strip()}")
+        pantalla.terminate()
+    assert lab.deja("grua.png", b"\x89PNG")
+
+
+def test_mide(lab):
+    lab("mide --ensayo", dice="variantes")
+
+
+def test_galeria(lab):
+    """Con un solo programa en el catálogo."""
+    catalogo = lab.sitio / "build/catalogo.json"
+    entero = catalogo.read_text()
+    uno = json.loads(entero)
+    for que, nombre in (("programas", "nombre"), ("casos", "programa")):
+        uno[que] = [cosa for cosa in uno[que] if cosa[nombre] == "grua"]
+    uno["capitulos"] = [c for c in uno["capitulos"] if c["nombre"] == uno["programas"][0]["capitulo"]]
+    catalogo.write_text(json.dumps(uno))
+    lab("galeria", dice="Hecha: ")
+    catalogo.write_text(entero)
+    assert re.search(r'<article id="grua">', (lab.sitio / "galeria/index.html").read_text())
+
+
+def test_ayuda_y_paquetes(lab):
+    lab("ayuda", dice="./lab galeria")
+    lab("paquetes", dice="libglew-dev\n")
