@@ -107,34 +107,6 @@ std::vector<Encima> leeEncima(const std::string &fichero) {
     return imagenes;
 }
 
-void compruebaRotulo(const Encima &encima, const std::string &texto, const glm::dvec2 &punto,
-                     const glm::vec3 &color, Lado lado, double lejos) {
-    SCOPED_TRACE("el rótulo «" + texto + "»");
-    const std::vector<Pintado> hallados = encima.rotulos(texto);
-    ASSERT_EQ(hallados.size(), 1u);
-    const Pintado &r = hallados[0];
-    EXPECT_TRUE(r.es(color)) << "es " << r.color.r << " " << r.color.g << " " << r.color.b;
-    const glm::dvec2 nombra = r.punto(2), desde = r.punto(0), hasta = r.punto(1);
-    EXPECT_LE(glm::distance(nombra, punto), lejos)
-        << "nombra (" << nombra.x << ", " << nombra.y << ") y debía (" << punto.x << ", " << punto.y << ")";
-    // a un lado está centrado en lo otro, salvo que el borde del panel lo corra
-    const glm::dvec2 d = 0.5 * (desde + hasta) - nombra, panel(r.panel.x, r.panel.y),
-                     letra(r.talla); // su alto, que es más que su ancho
-    const bool corrido =
-        glm::any(glm::lessThan(desde, panel + 1.2 * letra)) ||
-        glm::any(glm::greaterThan(hasta, panel + glm::dvec2(r.panel.z, r.panel.w) - 1.2 * letra));
-    const int eje = lado == Lado::IZQUIERDA || lado == Lado::DERECHA ? 0 : 1,
-              sentido = lado == Lado::IZQUIERDA || lado == Lado::DEBAJO ? -1 : 1;
-    EXPECT_TRUE(corrido || std::fabs(d[1 - eje]) <= 1.5) << "no está centrado";
-    if (lado == Lado::CENTRO) {
-        EXPECT_TRUE(corrido || std::fabs(d[eje]) <= 1.5) << "no está centrado";
-        return;
-    }
-    const bool tapa = glm::all(glm::greaterThan(nombra, desde)) && glm::all(glm::lessThan(nombra, hasta));
-    EXPECT_FALSE(tapa) << "tapa su punto";
-    EXPECT_TRUE(corrido || sentido * d[eje] > 0) << "está al otro lado";
-}
-
 void compruebaTrazo(const Encima &encima, const std::vector<glm::dvec2> &linea, const glm::vec3 &color,
                     double lejos) {
     double mayor = 0;
@@ -153,18 +125,6 @@ void compruebaTrazo(const Encima &encima, const std::vector<glm::dvec2> &linea, 
         }
     }
     EXPECT_LE(mayor, lejos) << "no hay trazo en (" << donde.x << ", " << donde.y << ")";
-}
-
-void compruebaRotulos(const Encima &encima, const std::vector<Letrero> &letreros) {
-    std::string todos;
-    const Encima rotulos = encima.los([](const Pintado &p) { return p.tipo == "rotulo"; });
-    for (const Pintado &p : rotulos)
-        todos += "«" + p.texto + "» ";
-    EXPECT_EQ(rotulos.size(), letreros.size()) << "hay " << todos;
-    for (const Letrero &l : letreros) {
-        const auto estaAhi = [&](const Pintado &p) { return glm::distance(p.punto(2), l.punto) <= 0.1; };
-        compruebaRotulo(encima.rotulos(l.texto).los(estaAhi), l.texto, l.punto, l.color, l.lado);
-    }
 }
 
 void compruebaPuntos(const Encima &encima, const std::vector<glm::dvec2> &puntos, const glm::vec3 &color) {

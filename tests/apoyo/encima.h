@@ -1,7 +1,6 @@
 // Lo que un programa pinta encima de su escena (rótulos y trazos), como lo apunta common/encima.h, y cómo comprobarlo.
 // Los puntos y las distancias son píxeles de la ventana, desde abajo a la izquierda.
 #pragma once
-#include "rotulo.h"
 #include <functional>
 #include <glm/glm.hpp>
 #include <string>
@@ -46,25 +45,9 @@ struct Encima : std::vector<Pintado> {
 /// Lo apuntado para cada imagen guardada, en orden.
 std::vector<Encima> leeEncima(const std::string &fichero);
 
-/// Comprueba que ese rótulo está una sola vez, que es de ese color, que nombra ese punto (a `lejos` píxeles como mucho)
-/// y que está a ese lado de él sin taparlo, o a otro si ahí no cabe.
-void compruebaRotulo(const Encima &encima, const std::string &texto, const glm::dvec2 &punto,
-                     const glm::vec3 &color, Lado lado, double lejos = 0.1);
-
 /// Comprueba que hay un trazo de ese color a lo largo de la línea de esos puntos, a `lejos` píxeles como mucho.
 void compruebaTrazo(const Encima &encima, const std::vector<glm::dvec2> &linea, const glm::vec3 &color,
                     double lejos = 0.1);
-
-/// Lo que compruebaRotulo comprueba de un rótulo.
-struct Letrero {
-    std::string texto;
-    glm::dvec2 punto;
-    glm::vec3 color;
-    Lado lado = Lado::CENTRO;
-};
-
-/// Comprueba que están esos rótulos, el mismo texto en otro punto es otro, y ninguno más.
-void compruebaRotulos(const Encima &encima, const std::vector<Letrero> &letreros);
 
 /// Comprueba que los puntos de ese color son esos, en ese orden.
 void compruebaPuntos(const Encima &encima, const std::vector<glm::dvec2> &puntos, const glm::vec3 &color);

@@ -76,68 +76,6 @@ void compruebaSilueta(const Vista &vista, const Panel &panel, EsSuyo esSuyo, con
     comprueba("la silueta", oraculo::comparaSilueta(imagen, {}, {objeto}, panel.camara), EXACTA);
 }
 
-/// Un trazo con sus puntos en píxeles de la ventana; sin ninguno, si se miran aparte.
-struct Trazo {
-    const char *tipo;
-    glm::vec3 color;
-    double grosor; // píxeles de 1080 líneas
-    bool conProfundidad;
-    std::vector<glm::dvec2> puntos;
-};
-
-/// Comprueba que los trazos de ese panel son esos, uno por uno y en el orden en que se pintan. Los puntos pasan por
-/// float: en ventanas de mil píxeles, 0.1 es mil veces su redondeo.
-inline void compruebaTrazos(const Vista &vista, const Hueco &h, const std::vector<Trazo> &trazos) {
-    std::size_t n = 0;
-    for (const Pintado &p : vista.encima.enPanel(h.x, h.y)) {
-        if (p.tipo == "rotulo")
-            continue;
-        SCOPED_TRACE("el trazo " + std::to_string(n) + ", " + p.tipo);
-        ASSERT_LT(n, trazos.size());
-        const Trazo &t = trazos[n++];
-        EXPECT_EQ(p.tipo, t.tipo);
-        EXPECT_TRUE(p.es(t.color));
-        EXPECT_EQ(p.conProfundidad, t.conProfundidad);
-        const double alto = oraculo::altoUtil(vista.escena.ancho, vista.escena.alto);
-        EXPECT_NEAR(p.talla, std::max(t.grosor * alto / 1080, 1.0), 1e-4);
-        EXPECT_TRUE(t.puntos.empty() || p.puntos.size() == t.puntos.size());
-        for (std::size_t k = 0; k < t.puntos.size(); ++k)
-            EXPECT_LE(glm::distance(p.punto(k), t.puntos[k]), 0.1) << "el punto " << k;
-    }
-    EXPECT_EQ(n, trazos.size());
-}
-
-/// Y los rótulos, los letreros que nombran puntos que caen en él; y que no hay nada más.
-inline void compruebaEncima(const Vista &vista, const Hueco &h, const std::vector<Trazo> &trazos,
-                            std::vector<Letrero> letreros) {
-    const auto fuera = [&](const Letrero &l) {
-        const double x = l.punto.x - h.x, y = l.punto.y - h.y;
-        return x < 0 || y < 0 || x > h.ancho || y > h.alto;
-    };
-    letreros.erase(std::remove_if(letreros.begin(), letreros.end(), fuera), letreros.end());
-    compruebaTrazos(vista, h, trazos);
-    compruebaRotulos(vista.encima.enPanel(h.x, h.y), letreros);
-}
-
-/// Lo mismo, según se va diciendo.
-struct Dibujo {
-    Panel en;
-    std::vector<Trazo> trazos = {};
-    std::vector<Letrero> letreros = {};
-
-    void traza(const char *tipo, const Linea &linea, const glm::vec3 &color, double grosor,
-               bool conProfundidad = true) {
-        trazos.push_back({tipo, color, grosor, conProfundidad, en.puntos(linea)});
-    }
-    void rotula(const std::string &texto, const glm::dvec2 &p, const glm::vec3 &color,
-                Lado lado = Lado::CENTRO) {
-        letreros.push_back({texto, p, color, lado});
-    }
-    void comprueba(const Vista &vista) const {
-        compruebaEncima(vista, en.hueco, trazos, letreros);
-    }
-};
-
 /// Comprueba que los trazos de ese color son esas líneas, en cualquier orden, y nada más.
 inline void compruebaTrazos(const Encima &encima, const Panel &panel, const std::vector<Linea> &lineas,
                             const glm::vec3 &color) {
