@@ -73,7 +73,7 @@ def test_sin_pruebas_no_se_prueba(lab, orden):
 
 def test_nuevo_y_corrige(lab):
     lab("nuevo E3.5 x", dice="/mios/x")
-    assert lab("corrige x --guiones 1", 1).startswith("0 puntos")
+    lab("corrige x --guiones 1", 1, "x, E3.5: 0 de 100 (")
     assert "punto de partida" in (lab.sitio / "mios/x/correccion/index.html").read_text()
 
 
