@@ -2,7 +2,7 @@
 en BUILD/catalogo.json y solo se lee aquí.
 
 catalogo.py BUILD lista [--tsv]   capítulo, programa, referencia y título
-catalogo.py BUILD resuelve QUÉ    los programas a que se refiere (su nombre, L1.2, E3.5, F3.3, ch05): capítulo, programa,
+catalogo.py BUILD resuelve QUÉ    los programas de que se habla (su nombre, L1.2, E3.5, F3.3, ch05): capítulo, programa,
                                   imagen o texto, y título, entre tabuladores
 catalogo.py BUILD casos QUÉ…      de cada caso que se nombra (grua, grua-girada), su programa y su nombre
 """

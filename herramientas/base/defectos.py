@@ -81,10 +81,8 @@ def lee(*carpetas):
             if len(columnas) in (4, 5, 6) and all(columnas[:4]) and columnas[-1]:
                 mutantes.append(Mutante(lista.stem, i, 1000 * n + i, *columnas))
             else:
-                fallos.append(
-                    f"{lista.stem}:{i}: son fichero, texto, texto estropeado, qué imita y, si acaso, motivo y qué se le dice "
-                    "a un alumno"
-                )
+                son = "fichero, texto, texto estropeado, qué imita y, si acaso, motivo y qué se le dice a un alumno"
+                fallos.append(f"{lista.stem}:{i}: son {son}")
     return mutantes, fallos
 
 

@@ -161,7 +161,7 @@ def compilacion(build, suelo):
     sin_ventana = (build / "sin_ventana").read_text().strip()
     orden = ["ctest", "--test-dir", build, "-j", str(os.cpu_count()), "-R", rf"^imagen\.{sin_ventana}\."]
     casos = int(re.search(r"Total Tests: (\d+)", ejecuta([*orden, "-N"], text=True))[1])
-    if casos and (build / "herramientas/comparador/compara").exists():  # si está compilado
+    if casos and (build / "herramientas/comparador/compara").exists():
         ms = milisegundos(orden, build) / casos
         filas.append((f"pasar los {casos} golden", f"{ms:.0f} ms de procesador cada uno"))
         veces = ms / statistics.median(suelo) if suelo else math.nan

@@ -36,18 +36,43 @@ def coloca(puntos, textos):
     return lugares
 
 
+def limites(con_error, finitos):
+    """De los ejes: el tiempo, con sitio para los nombres, y el error, con una década más para el 0 y el infinito."""
+    abajo, arriba = decadas(finitos)
+    if any(v.error == 0 for v in con_error):
+        abajo /= 10
+    if any(v.error == math.inf for v in con_error):
+        arriba *= 10
+    return min(v.minimo for v in con_error) / 1.3, max(v.maximo for v in con_error) * 1.6, abajo, arriba
+
+
+def cabecera(tecnica, izquierda, derecha, abajo, arriba):
+    """Lo que se le dice a gnuplot antes de los datos."""
+    return [
+        f"set terminal svg size {ANCHO},{ALTO} font 'sans-serif,12' background rgb 'white'",
+        f"set lmargin at screen {MARGEN[0] / ANCHO}",
+        f"set rmargin at screen {1 - MARGEN[1] / ANCHO}",
+        f"set bmargin at screen {MARGEN[3] / ALTO}",
+        f"set tmargin at screen {1 - MARGEN[2] / ALTO}",
+        "set logscale xy",
+        "set format x '%g'",
+        "set format y '10^{%T}'",
+        f"set xrange [{izquierda}:{derecha}]",
+        f"set yrange [{abajo}:{arriba}]",
+        f'set xlabel "{tecnica.tiempo}"',
+        f'set ylabel "{tecnica.error}"',
+        "set grid lc rgb '#e2dfd9'",
+        "unset key",
+    ]
+
+
 def dibuja(tecnica, svg):
     """Error frente a tiempo, los dos en logaritmo, con el frente de cada grupo unido y el nombre de cada variante."""
     con_error = [v for v in tecnica.variantes if not math.isnan(v.error)]
     finitos = [v.error for v in con_error if 0 < v.error < math.inf]
     if not finitos:
         return False
-    abajo, arriba = decadas(finitos)
-    if any(v.error == 0 for v in con_error):
-        abajo /= 10
-    if any(v.error == math.inf for v in con_error):
-        arriba *= 10
-    izquierda, derecha = min(v.minimo for v in con_error) / 1.3, max(v.maximo for v in con_error) * 1.6
+    izquierda, derecha, abajo, arriba = limites(con_error, finitos)
 
     def y(v):
         return abajo * 1.5 if v.error == 0 else arriba / 1.5 if v.error == math.inf else v.error
@@ -73,22 +98,7 @@ def dibuja(tecnica, svg):
         [v for v in sorted(con_error, key=lambda v: v.mediana) if v.grupo == g and v.optima is not False]
         for g in dict.fromkeys(v.grupo for v in con_error)
     ]
-    guion = [
-        f"set terminal svg size {ANCHO},{ALTO} font 'sans-serif,12' background rgb 'white'",
-        f"set lmargin at screen {MARGEN[0] / ANCHO}",
-        f"set rmargin at screen {1 - MARGEN[1] / ANCHO}",
-        f"set bmargin at screen {MARGEN[3] / ALTO}",
-        f"set tmargin at screen {1 - MARGEN[2] / ALTO}",
-        "set logscale xy",
-        "set format x '%g'",
-        "set format y '10^{%T}'",
-        f"set xrange [{izquierda}:{derecha}]",
-        f"set yrange [{abajo}:{arriba}]",
-        f'set xlabel "{tecnica.tiempo}"',
-        f'set ylabel "{tecnica.error}"',
-        "set grid lc rgb '#e2dfd9'",
-        "unset key",
-    ]
+    guion = cabecera(tecnica, izquierda, derecha, abajo, arriba)
     for v, (px, py) in zip(con_error, lugares):
         color = "#a3260f" if v.elegida else "#1f5f9e" if v.optima is not False else "#5f6b78"
         guion.append(f'set label "{texto(v)}" at screen {px / ANCHO},{py / ALTO} noenhanced textcolor rgb "{color}"')

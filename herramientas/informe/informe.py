@@ -96,6 +96,27 @@ def escribe_pagina(destino, tecnicas, **datos):
     )
 
 
+def informa(raiz, build, destino, tecnicas, entorno, todo):
+    """La página, con lo que se ha medido; y si es todo, con lo que cuesta cada programa."""
+    tabla, suelo, compilar, golden = [], [], [], None
+    if todo:
+        nombre = f"llenar {costes.TALLAS[-1].replace('x', '×')}"
+        llenar = next((v.mediana for t in tecnicas for v in t.variantes if v.nombre == nombre), math.nan)
+        tabla, suelo = costes.costes(raiz, build, destino, llenar)
+        costes.avisa("compilar y pasar los golden", "")
+        compilar, golden = costes.compilacion(build, suelo)
+    escribe_pagina(
+        destino,
+        tecnicas,
+        metas=metas(tecnicas, tabla, golden),
+        costes=tabla,
+        suelo=statistics.median(suelo or [math.nan]),
+        compilar=compilar,
+        entorno=entorno,
+    )
+    costes.avisa(f"Hecho: {destino}/index.html")
+
+
 def main():
     raiz, build, destino = (Path(a).resolve() for a in sys.argv[1:4])
     apunta, ensayo = "--apunta" in sys.argv[4:], "--ensayo" in sys.argv[4:]
@@ -129,31 +150,7 @@ def main():
             fallos.append(t.nombre)
             print(f"[{n:2}/{len(tecnicas)}] {t.nombre} ha fallado: {fallo}", file=sys.stderr)
     if not ensayo:
-        medidas = [t for t in tecnicas if t.variantes]
-        tabla, suelo, compilar, golden = [], [], [], None
-        if not pedidas:
-            llenar = next(
-                (
-                    v.mediana
-                    for t in medidas
-                    for v in t.variantes
-                    if v.nombre == f"llenar {costes.TALLAS[-1].replace('x', '×')}"
-                ),
-                math.nan,
-            )
-            tabla, suelo = costes.costes(raiz, build, destino, llenar)
-            costes.avisa("compilar y pasar los golden", "")
-            compilar, golden = costes.compilacion(build, suelo)
-        escribe_pagina(
-            destino,
-            medidas,
-            metas=metas(medidas, tabla, golden),
-            costes=tabla,
-            suelo=statistics.median(suelo or [math.nan]),
-            compilar=compilar,
-            entorno=datos,
-        )
-        costes.avisa(f"Hecho: {destino}/index.html")
+        informa(raiz, build, destino, [t for t in tecnicas if t.variantes], datos, not pedidas)
     if apunta:
         esperados.update(
             {t.nombre: {v.nombre: v.error for v in t.variantes if not v.par or "glm::" in v.nombre} for t in tecnicas}

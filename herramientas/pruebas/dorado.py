@@ -1,7 +1,7 @@
 """dorado.py RAÍZ BUILD ensena|visto: los golden que ./lab dora todo ha dejado en BUILD/dora, al lado de los de antes.
 
-ensena: BUILD/dora/index.html, con los que cambian: la imagen de antes, la de ahora y su diferencia, y lo que cambia de lo
-escrito. visto: esos pasan a ser los golden.
+ensena: BUILD/dora/index.html, con los que cambian: la imagen de antes, la de ahora y su diferencia, y lo que cambia
+de lo escrito. visto: esos pasan a ser los golden.
 """
 import difflib
 import sys

@@ -356,8 +356,8 @@ def cuenta(mutante):
 
 
 def cuentas(mutantes):
-    """De cada lista, cuántos se han plantado, cuántos se notan, cuántos sin mirar los golden y cuántos más por lo que se
-    pinta encima."""
+    """De cada lista, cuántos se han plantado, cuántos se notan, cuántos sin mirar los golden y cuántos más por lo que
+    se pinta encima."""
     de = defaultdict(list)
     for m in sorted(mutantes, key=lambda m: m.lista):
         de[m.lista].append(m)

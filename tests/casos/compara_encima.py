@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """compara_encima.py [--escribe] GOLDEN LISTA: si lo que un programa pinta encima (common/encima.h) es lo del golden.
 
-Son los mismos trazos en el mismo orden, con el mismo tipo, panel y texto; los sitios y las tallas, a 0.05 píxeles, que es más
-de lo que cambia un redondeo de un compilador a otro; los colores y las profundidades, a 0.001. Lo que no pinta nada no tiene
-golden. Acaba con 4 si no, y dice qué trazo. Con --escribe, lo que es distinto pasa a ser el golden, y está bien.
+Son los mismos trazos en el mismo orden, con el mismo tipo, panel y texto; los sitios y las tallas, a 0.05 píxeles,
+que es más de lo que cambia un redondeo de un compilador a otro; los colores y las profundidades, a 0.001. Lo que no
+pinta nada no tiene golden. Acaba con 4 si no, y dice qué trazo. Con --escribe, lo que es distinto pasa a ser el
+golden, y está bien.
 """
 import sys
 from difflib import SequenceMatcher

@@ -2,55 +2,41 @@
 mal nombre."""
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
 RAIZ = Path(__file__).parents[2]
-FALSO = """#!/bin/sh
-printf '%s\\0' "${0##*/}" "$@" '
+sys.path.insert(0, str(RAIZ / "tests/ordenes"))
+from mentira import ejecutable
+
+FALSO = """printf '%s\\0' "${0##*/}" "$@" '
 ' >>"$APUNTES"
 while [ $# -gt 1 ]; do
   case $1 in -o | -MF | qc) : >"$2" ;; esac
   shift
-done
-"""
+done"""
 
 
-@pytest.mark.parametrize(
-    "nombre,vale", [("a'b $(touch pwned) & c", True), ("x';touch pwned;'y", False)]
-)  # ; separa las listas de CMake
+# el punto y coma separa las listas de CMake
+@pytest.mark.parametrize("nombre,vale", [("a'b $(touch pwned) & c", True), ("x';touch pwned;'y", False)])
 def test_ninguna_orden_ejecuta_lo_que_dice_la_carpeta(tmp_path, nombre, vale):
     lab, bin, apuntes = tmp_path / nombre, tmp_path / "bin", tmp_path / "apuntes"
     bin.mkdir()
     for quien in ("em++", "opt", "emar"):
-        (bin / quien).write_text(FALSO)
-        (bin / quien).chmod(0o755)
+        ejecutable(bin / quien, FALSO)
     for carpeta in ("herramientas", "common", "ch01_intro"):
         shutil.copytree(RAIZ / carpeta, lab / carpeta, ignore=shutil.ignore_patterns("__pycache__", "mide"))
     shutil.copy(RAIZ / "CMakeLists.txt", lab)
     build, entorno = lab / "build", {"PATH": f"{bin}:/usr/bin:/bin", "APUNTES": str(apuntes)}
-    opciones = {
-        "EMSCRIPTEN": 1,
-        "CMAKE_CXX_COMPILER": bin / "em++",
-        "CMAKE_CXX_COMPILER_FORCED": 1,
-        "CMAKE_CXX_COMPILER_ID": "Clang",
-        "OPT": bin / "opt",
-        "CMAKE_CXX_COMPILER_VERSION": "14.0",
-        "CMAKE_AR": bin / "emar",
-        "CMAKE_RANLIB": "true",
-        "CMAKE_CXX_STANDARD_COMPUTED_DEFAULT": 17,
-    }
-    proceso = subprocess.run(
-        ["cmake", "-G", "Ninja", "-S", lab, "-B", build, *(f"-D{o}={v}" for o, v in opciones.items())],
-        env=entorno,
-        text=True,
-        capture_output=True,
-    )
+    opciones = f"""-DEMSCRIPTEN=1 -DCMAKE_CXX_COMPILER={bin}/em++ -DCMAKE_CXX_COMPILER_FORCED=1 -DOPT={bin}/opt
+        -DCMAKE_CXX_COMPILER_ID=Clang -DCMAKE_CXX_COMPILER_VERSION=14.0 -DCMAKE_AR={bin}/emar -DCMAKE_RANLIB=true
+        -DCMAKE_CXX_STANDARD_COMPUTED_DEFAULT=17"""
+    como = {"env": entorno, "text": True, "capture_output": True}
+    proceso = subprocess.run(["cmake", "-G", "Ninja", "-S", lab, "-B", build, *opciones.split()], **como)
     if not proceso.returncode:
-        proceso = subprocess.run(
-            ["ninja", "-j1", "-C", build, "laboratorio"], env=entorno, text=True, capture_output=True
-        )
+        proceso = subprocess.run(["ninja", "-j1", "-C", build, "laboratorio"], **como)
     assert not list(tmp_path.rglob("pwned")) and not Path("pwned").exists()
     if not vale:
         return

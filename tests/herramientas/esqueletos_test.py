@@ -8,10 +8,11 @@ import pytest
 
 RAIZ = Path(__file__).parents[2]
 BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
-sys.path[:0] = [str(RAIZ / "herramientas")]
+sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/ordenes")]
 from base import catalogo, compilacion
 from base.procesos import ejecuta, entorno
 from ejercicios import nuevo
+from mentira import siembra
 
 EJERCICIOS = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))
 ENTORNO = entorno(BUILD)
@@ -19,9 +20,7 @@ ENTORNO = entorno(BUILD)
 
 def compila(programa, textos, carpeta):
     """Lo de esa carpeta, con las mismas órdenes que el programa."""
-    carpeta.mkdir()
-    for fichero, texto in textos.items():
-        (carpeta / fichero).write_text(texto)
+    siembra(carpeta, textos)
     compilar = compilacion.compila(BUILD, RAIZ / programa.fuente)
     ejecutable = programa.ejecutable(BUILD)
     cambios = {
@@ -29,21 +28,16 @@ def compila(programa, textos, carpeta):
         str(RAIZ / programa.fuente): carpeta / programa.fuente.name,
         str(ejecutable.relative_to(BUILD)): carpeta / "programa",
     }
-    ejecuta(
-        [*(cambios.get(p, p) for p in compilar), "-Werror", f"-I{RAIZ / programa.capitulo.nombre}"],
-        cwd=BUILD,
-        text=True,
-    )
+    compilar += ["-Werror", f"-I{RAIZ / programa.capitulo.nombre}"]
+    ejecuta([cambios.get(p, p) for p in compilar], cwd=BUILD, text=True)
     ejecuta([cambios.get(p, p) for p in compilacion.enlaza(BUILD, ejecutable)], cwd=BUILD, text=True)
 
 
 def dibuja(ejecutable, carpeta, caso):
     """La imagen, y lo que escribe."""
     guion = ["-guion", caso.guion] if caso.guion else []
-    escrito = ejecuta(
-        [ejecutable, "-geometry", "240x180", "-ppm", carpeta / "p.ppm", *guion],
-        env={**os.environ, **ENTORNO, "LAB_RAIZ": str(carpeta)},
-    )
+    orden = [ejecutable, "-geometry", "240x180", "-ppm", carpeta / "p.ppm", *guion]
+    escrito = ejecuta(orden, env={**os.environ, **ENTORNO, "LAB_RAIZ": str(carpeta)})
     return (carpeta / "p.ppm").read_bytes(), escrito
 
 

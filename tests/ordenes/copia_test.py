@@ -12,6 +12,7 @@ import tempfile
 from pathlib import Path
 
 import pytest
+from mentira import faltan, siembra
 
 RAIZ = Path(__file__).parents[2]
 BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
@@ -91,13 +92,9 @@ class Copia:
             self.cambia(f, r"(target_precompile_headers\(precompilada PRIVATE)[^)]*", r"\1 <cstdio>")
         self.cambia("assets/CMakeLists.txt", r"set\(texturas[^)]*\)", "set(texturas luz)")
         self.cambia("tests/CMakeLists.txt", r"(?s)find_package\(GTest.*", PRUEBAS)
-        for f, texto in (
-            ("assets/genera_assets.cpp", ASSETS),
-            ("ch01_intro/CMakeLists.txt", CAPITULO),
-            ("herramientas/mide/CMakeLists.txt", ""),  # usa programas que aquí no están
-            ("tests/propiedades/propiedades.py", ""),  # las cumple todo
-        ):
-            (self.raiz / f).write_text(texto)
+        siembra(self.raiz, {"assets/genera_assets.cpp": ASSETS, "ch01_intro/CMakeLists.txt": CAPITULO})
+        siembra(self.raiz, {"herramientas/mide/CMakeLists.txt": ""})  # usa programas que aquí no están
+        siembra(self.raiz, {"tests/propiedades/propiedades.py": ""})  # las cumple todo
         for f in (*self.raiz.glob("tests/mutantes/*.tsv"), *self.raiz.glob("tests/*/*_test.cpp")):
             f.unlink()
         for uno in (UNO, f"{GOLDEN}primer_programa.ppm", f"{GOLDEN}primer_programa.txt"):
@@ -105,18 +102,10 @@ class Copia:
 
     def __call__(self, orden, estado=0, *dice, quien=None, **entorno):
         """Ejecuta ./lab ORDEN: con ese estado, y con cada uno de esos textos en lo que dice."""
-        r = subprocess.run(
-            ["./lab", *orden.split()],
-            cwd=self.raiz,
-            env=self.entorno | entorno,
-            text=True,
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            **(quien or {}),
-        )
-        faltan = [texto for texto in dice if texto not in r.stdout]
-        assert (r.returncode, faltan) == (estado, []), f"{orden}: {r.stdout[-3000:]}"
+        como = {"text": True, "stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+        como |= {"cwd": self.raiz, "env": self.entorno | entorno, **(quien or {})}
+        r = subprocess.run(["./lab", *orden.split()], **como)
+        assert (r.returncode, faltan(r.stdout, *dice)) == (estado, []), f"{orden}: {r.stdout[-3000:]}"
         assert not list(self.temporal.iterdir())
         return r.stdout
 
@@ -124,8 +113,8 @@ class Copia:
         texto = (self.raiz / fichero).read_text()
         (self.raiz / fichero).write_text(re.sub(viejo, nuevo, texto, flags=re.M))
 
-    def escribe(self, fichero, texto, modo="w"):
-        with open(self.raiz / fichero, modo) as f:
+    def anade(self, fichero, texto):
+        with open(self.raiz / fichero, "a") as f:
             f.write(texto)
 
     @contextlib.contextmanager
@@ -137,7 +126,7 @@ class Copia:
             (self.raiz / f).write_bytes(datos)
 
     def mutantes(self, *filas):
-        self.escribe("tests/mutantes/ch01.tsv", "".join("\t".join(fila) + "\n" for fila in filas))
+        siembra(self.raiz, {"tests/mutantes/ch01.tsv": "".join("\t".join(fila) + "\n" for fila in filas)})
 
 
 @pytest.fixture(scope="module")
@@ -155,21 +144,15 @@ def test_el_catalogo_es_lo_que_dice_cmake(lab):
     assert (uno.pruebas, dos.contra, dos.pruebas) == ([], "a; b", ["ch01.A.B", "ch01.C"])
     [caso] = dos.casos
     assert (caso.guion, caso.borde, caso.anima) == (GUION, "llega", "3 tecla i; tecla d")
-    lee = (
-        """caso() { local "$@"; printf '%s\n' "$nombre" "$fichero" "$guion" "$tolerancia$otro$borde"; }; source "$0" """
-    )
-    dado = subprocess.run(
-        ["bash", "-c", lee, lab.raiz / "build/casos/primer_programa_dos.sh"], text=True, capture_output=True
-    )
-    assert dado.stdout.splitlines() == ["base", "primer_programa_dos", GUION, "llega"]
+    lee = """caso() { local "$@"; printf '%s\n' "$nombre" "$fichero" "$guion" "$tolerancia$otro$borde"; }; . "$0" """
+    dado = subprocess.check_output(["bash", "-c", lee, lab.raiz / "build/casos/primer_programa_dos.sh"], text=True)
+    assert dado.splitlines() == ["base", "primer_programa_dos", GUION, "llega"]
 
 
 def test_una_imagen_distinta_y_dora(lab):
     """Si falla, el estado no es 0 y quedan las imágenes; sin ninguna prueba, tampoco es 0. Y dora rehace lo que se
     nombra y nada más."""
-    bueno, uno, dos = (
-        lab.raiz / f"{GOLDEN}{p}.ppm" for p in ("shader_basico", "primer_programa", "primer_programa_dos")
-    )
+    uno, dos, bueno = (lab.raiz / GOLDEN / Path(programa).with_suffix(".ppm").name for programa in (UNO, DOS, TRES))
     esperado = bueno.read_bytes()
     shutil.copy(uno, bueno)
     lab("prueba", 8, "lo que ha fallado, con sus imágenes, está en")
@@ -182,7 +165,6 @@ def test_una_imagen_distinta_y_dora(lab):
     compara = lab.raiz / "build/herramientas/comparador/compara"
     assert subprocess.run([compara, lab.sitio / "esperado.ppm", bueno, "--amplia"]).returncode == 0
     assert uno.read_bytes() and not dos.read_bytes()
-    lab("prueba", 0, "100% tests passed")
 
 
 BUENO = (UNO, "glClearColor(1.0f, «1.0f», 0.0f", "0.0f", "rojo por amarillo")
@@ -200,24 +182,21 @@ def test_muta_dice_que_no_se_puede_plantar(lab):
         (TRES, "«2», GL_FLOAT", "3", "con este"),
         ("ch01_intro/errores_shader.vert", "«nuevoColor» = color", "noEsta", "no compila"),
     )
-    lab(
-        "muta --comprueba",
-        1,
-        f"ch01:1: «esto no está» está 0 veces en {UNO}",
-        "ch01:2: son fichero, texto",
+    dice = f"ch01:1: «esto no está» está 0 veces en {UNO}", "ch01:2: son fichero, texto", f"{TRES}: se pisa con otro"
+    dice += (
         "ch01:3: ««3», GL_FLOAT» está 0 veces",
-        f"{TRES}: se pisa con otro",
         "ch01:6: no compila: ",
-        "ningún mutante en ch01_intro/primer_programa_dos",
+        f"ningún mutante en {Path(DOS).with_suffix('')}",
     )
+    lab("muta --comprueba", 1, *dice)
     lab.mutantes(BUENO, (UNO, "return «0»", "0", "es igual"), (DOS, "return «0»", "1", "estado"))
     lab("muta --comprueba", 1, "ch01:2: no cambia nada", "hay 3 mutantes, y deben ser 4")
 
 
 def test_muta_los_planta(lab):
     """Uno lo nota la prueba; otro, solo un golden; otros, nadie: uno dice por qué."""
-    lab.escribe("tests/capitulos/ch01_test.cpp", CH01_TEST)
-    lab.escribe("tests/CMakeLists.txt", CON_PROGRAMA, "a")
+    siembra(lab.raiz, {"tests/capitulos/ch01_test.cpp": CH01_TEST})
+    lab.anade("tests/CMakeLists.txt", CON_PROGRAMA)
     notado = (DOS, "return «0»;", "1", "estado")
     tres = [BUENO, notado, (TRES, "«glDeleteShader(shader);» // marcado", ";", "no se borra", "no se ve")]
     lab.mutantes(*tres, (*NADIE[:2], "noEsta();", NADIE[3]))
@@ -268,9 +247,9 @@ def test_galeria(lab):
 def test_lo_que_no_compila_no_impide_ver_lo_demas(lab):
     """Aunque los avisos fueran errores."""
     with lab.con(UNO, TRES):
-        lab.escribe(TRES, "static int noSeUsa() { return 0; }\n", "a")
+        lab.anade(TRES, "static int noSeUsa() { return 0; }\n")
         lab("prueba", 1, "noSeUsa")
-        lab.escribe(UNO, "int estoNoCompila(\n", "a")
+        lab.anade(UNO, "int estoNoCompila(\n")
         lab("ver shader_basico", 0, "lo he dibujado en shader_basico.png")
         lab("galeria", 1, "no compila")
 
@@ -285,25 +264,23 @@ def test_un_programa_mas(lab):
     prueba; y sus defectos plantados. Lo demás sale de ahí."""
     for f in lab.raiz.glob("ch01_intro/shader_basico.*"):
         f.with_stem("nuevo").write_text(f.read_text().replace("shader_basico", "nuevo"))
-    lab.escribe("ch01_intro/CMakeLists.txt", NUEVO, "a")
+    lab.anade("ch01_intro/CMakeLists.txt", NUEVO)
     lab.cambia("tests/capitulos/ch01_test.cpp", "Acaba", r"Acaba\\nNuevo.\\n  EsLoQueEs")
     lab("muta --comprueba", 1, "ningún mutante en ch01_intro/nuevo")
     defecto = "ch01_intro/nuevo.cpp", "«glDeleteShader(shader);» // marcado", ";", "no se borra", "no se ve"
-    lab.escribe("tests/mutantes/ch01.tsv", "\t".join(defecto) + "\n", "a")
+    lab.anade("tests/mutantes/ch01.tsv", "\t".join(defecto) + "\n")
     lab("muta --comprueba", 0, "5 mutantes, y todos se pueden plantar")
     lab("dora nuevo", 0, "nuevo: nueva")
     lab("galeria", 0, "ch01_intro/nuevo: 1 imagen")
     lab("lista --docs")
-    Pagina(lab.raiz, lab.raiz / "build/web", lab.raiz / "galeria", lab.raiz / "web").escribe_indice(
-        catalogo.lee(lab.raiz / "build")
-    )
-    for pagina, dice in (
-        ("galeria/index.html", ('<article id="nuevo">', "Es nuevo")),
-        ("docs/programas.md", ["| [nuevo](../ch01_intro/nuevo.cpp) | E1.2 | Cuatro |"]),
-        ("web/index.html", ['"nombre":"nuevo"', '"mira":"Es nuevo"', '"ch01_intro/nuevo.cpp","ch01_intro/nuevo.vert"']),
+    hechas = (lab.raiz / carpeta for carpeta in ("build/web", "galeria", "web"))
+    Pagina(lab.raiz, *hechas).escribe_indice(catalogo.lee(lab.raiz / "build"))
+    for pagina, *dice in (
+        ("galeria/index.html", '<article id="nuevo">', "Es nuevo"),
+        ("docs/programas.md", "| [nuevo](../ch01_intro/nuevo.cpp) | E1.2 | Cuatro |"),
+        ("web/index.html", '"nombre":"nuevo"', '"mira":"Es nuevo"', '"ch01_intro/nuevo.cpp","ch01_intro/nuevo.vert"'),
     ):
-        texto = (lab.raiz / pagina).read_text()
-        assert not [falta for falta in dice if falta not in texto], pagina
+        assert not faltan((lab.raiz / pagina).read_text(), *dice), pagina
 
 
 def test_un_programa_mas_tiene_sus_pruebas(lab):
@@ -312,10 +289,10 @@ def test_un_programa_mas_tiene_sus_pruebas(lab):
     (lab.raiz / "tests").symlink_to(RAIZ / "tests")
     orden = ["cmake", "--preset", "release", "-S", lab.raiz, "-B", lab.sitio / "todas"]
     subprocess.run(orden, cwd=lab.raiz, check=True, capture_output=True)
-    pruebas = subprocess.run(["ctest", "--test-dir", lab.sitio / "todas", "-N"], text=True, capture_output=True).stdout
-    sin_ventana = (lab.raiz / "build/sin_ventana").read_text().strip()
-    for nombre in (f"imagen.{sin_ventana}.nuevo.base", "encuadre.nuevo.base", "ventana.nuevo", "propiedades.nuevo"):
-        assert f": {nombre}\n" in pruebas
+    pruebas = subprocess.check_output(["ctest", "--test-dir", lab.sitio / "todas", "-N"], text=True)
+    imagen = f"imagen.{(lab.raiz / 'build/sin_ventana').read_text().strip()}.nuevo.base"
+    suyas = imagen, "encuadre.nuevo.base", "ventana.nuevo", "propiedades.nuevo"
+    assert not faltan(pruebas, *(f": {nombre}\n" for nombre in suyas))
     (lab.raiz / "tests").unlink()
     (lab.sitio / "pocas").rename(lab.raiz / "tests")
 

@@ -206,7 +206,7 @@ def paseo(p):
 
         def minimo():
             corto = guiones.acorta(guion, lambda menos: en_que in del_guion(p, menos), INTENTOS)
-            como = f"DISPLAY= ./lab ver {p.nombre} -geometry {TALLA} -guion {shlex.quote('; '.join(corto))}"
+            como = f"DISPLAY= ./lab ver {p.nombre} -geometry {TALLA} -diario -guion {shlex.quote('; '.join(corto))}"
             return f"{del_guion(p, corto)[en_que]}\n  {como}"
 
         yield en_que, minimo
