@@ -20,7 +20,7 @@ from pathlib import Path
 
 from base import catalogo, procesos
 from base.procesos import Fallo, escribe
-from galeria.pagina import Pagina
+from galeria.pagina import PaginaGaleria
 
 TALLA, ANIMADA = "1440x1080", "480x360"
 RITMO = "1", "10"  # segundos por cuadro, como fracción
@@ -51,7 +51,7 @@ def compila(build):
 class Galeria:
     def __init__(self, raiz, build, destino, capitulos):
         self.raiz, self.build, self.destino = raiz, build, destino
-        self.pagina = Pagina(raiz, destino, capitulos)
+        self.pagina = PaginaGaleria(raiz, destino, capitulos)
         self.programas = [p for capitulo in capitulos for p in capitulo.programas]
         self.registro = destino / ".hecho.json"
         self.turno, self.escrita, self.dibujados = threading.Lock(), 0, 0

@@ -16,7 +16,7 @@ def colorea(raiz, fichero):
     return highlight((raiz / fichero).read_text(), lexico, CLARO)
 
 
-class Pagina:
+class PaginaGaleria:
     """Entera en un fichero, al lado de sus imágenes. Mientras no están todas se escribe con las que hay, y se vuelve
     a cargar sola."""
 
