@@ -67,8 +67,9 @@ int main(int, char **argv) { std::ofstream(std::string(argv[1]) + "/luz.rgb") <<
 
 
 def sobra(carpeta, nombres):
-    """De la raíz, lo que sale de los fuentes; y los capítulos, menos el primero."""
-    return [n for n in nombres if re.match("ch(0[2-9]|1)", n) or (Path(carpeta) == RAIZ and n in SALE)]
+    """De la raíz, lo que sale de los fuentes; los capítulos, menos el primero; los defectos y las pruebas."""
+    no = re.compile(r"ch(0[2-9]|1)|(errores|mutantes|.*_test\.cpp)$")
+    return [n for n in nombres if no.match(n) or (Path(carpeta) == RAIZ and n in SALE)]
 
 
 class Copia:
@@ -95,8 +96,6 @@ class Copia:
         siembra(self.raiz, {"assets/genera_assets.cpp": ASSETS, "ch01_intro/CMakeLists.txt": CAPITULO})
         siembra(self.raiz, {"herramientas/mide/CMakeLists.txt": ""})  # usa programas que aquí no están
         siembra(self.raiz, {"tests/propiedades/propiedades.py": ""})  # las cumple todo
-        for f in (*self.raiz.glob("tests/mutantes/*.tsv"), *self.raiz.glob("tests/*/*_test.cpp")):
-            f.unlink()
         for uno in (UNO, f"{GOLDEN}primer_programa.ppm", f"{GOLDEN}primer_programa.txt"):
             shutil.copy(self.raiz / uno, self.raiz / uno.replace("programa.", "programa_dos."))
 

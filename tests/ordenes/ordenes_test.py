@@ -50,7 +50,8 @@ class Lab:
     def __init__(self, sitio):
         self.sitio, self.raiz = sitio, sitio / PEOR
         self.build, self.temporal = self.raiz / "build", sitio / "tmp"
-        shutil.copytree(RAIZ / "herramientas", self.raiz / "herramientas", ignore=shutil.ignore_patterns("__pycache__"))
+        sin = shutil.ignore_patterns("__pycache__", "errores")  # errores/ es de los programas de verdad
+        shutil.copytree(RAIZ / "herramientas", self.raiz / "herramientas", ignore=sin)
         shutil.copy(RAIZ / "lab", self.raiz)
         siembra(self.raiz, HAY)
         for carpeta in ("bin", "tmp", "aqui", *(f"{PEOR}/{c}" for c in ("assets", "tests/golden", "tests/casos"))):
