@@ -1,6 +1,10 @@
 """De qué ficheros está hecho un programa: los que nombra cada uno, y un shader con lo que incluye ya dentro. Todas
-las rutas, desde RAÍZ."""
+las rutas, desde RAÍZ.
+
+fuentes.py RAÍZ CARPETA: deja en CARPETA cada shader de RAÍZ con lo que incluye ya dentro: ch01_intro-figura.vert
+"""
 import re
+import sys
 from pathlib import Path
 
 SHADERS = ".vert", ".frag", ".glsl"
@@ -39,3 +43,15 @@ def con_inclusiones(raiz, shader, textos=None):
         return INCLUYE.sub(lambda hallado: lee(hallado[1]).rstrip("\n"), texto)
 
     return lee(str(shader))
+
+
+def main():
+    raiz, carpeta = map(Path, sys.argv[1:])
+    for shader in raiz.glob("c*/*.*"):
+        if shader.suffix in (".vert", ".frag"):
+            ruta = shader.relative_to(raiz)
+            (carpeta / "-".join(ruta.parts)).write_text(con_inclusiones(raiz, ruta))
+
+
+if __name__ == "__main__":
+    main()

@@ -17,19 +17,12 @@ carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
 python3 -B herramientas base.marcas . "$carpeta/por hacer"
 for arbol in . "$carpeta/por hacer"; do # también con los ejercicios por hacer
+  python3 -B herramientas base.fuentes "$arbol" "$carpeta"
   pushd "$arbol" >/dev/null
   for shader in common/*.vert common/*.frag ch*/*.vert ch*/*.frag; do
     [ "$(head -n 1 "$shader")" = '#version 140' ] || mal "$shader no empieza por #version 140"
-    [[ $shader != *errores_shader_compila.frag ]] || continue # está mal a propósito
     llano=${shader/\//-} # hay dos que se llaman igual
-    # los #include del laboratorio se sustituyen como lo hace common/shader.cpp
-    awk 'function vuelca(f,  linea, partes) {
-           while ((getline linea < f) > 0)
-             if (split(linea, partes, "\"") == 3 && partes[1] == "#include ") vuelca(partes[2]); else print linea
-           close(f)
-         }
-         BEGIN { vuelca(ARGV[1]) }' "$shader" \
-      >"$carpeta/$llano"
+    [[ $shader != *errores_shader_compila.frag ]] || { rm "$carpeta/$llano"; continue; } # está mal a propósito
     { echo "$cabecera_essl"; tail -n +2 "$carpeta/$llano"; } >"$carpeta/es-$llano"
   done
   glslangValidator "$carpeta"/*.vert "$carpeta"/*.frag >"$carpeta/informe" ||
