@@ -29,8 +29,8 @@ HAY = {
     "../cm/addon/edit/matchbrackets.js": "addon/edit/matchbrackets.js",
     "../debian.sources": "Types: deb\nURIs: http://archivo\n",
     "LICENSE": "",
-    "ch01_uno/a.cpp": '// Controles: a gira · Esc termina.\n#include "a.vert"\n',
-    "ch01_uno/a.vert": "uno",
+    "ch01_uno/a.cpp": "// Controles: a gira · Esc termina.\n",
+    "ch01_uno/a.vert": "uno",  # que a lee sin nombrarlo
     "ch01_uno/b.cpp": "// Controles: ninguno.\n",
     "docs/erratas.md": "",
     "docs/evidencia.json": """{"programas": {"a": {"maximo": 1}}, "casos": {},
@@ -238,7 +238,10 @@ def test_lista(lab):
 
 
 def test_compila_lo_que_hace_falta(lab):
-    assert "[1/2]" not in lab("galeria", dice="un aviso\n").stderr  # por dónde va, solo en una terminal
+    for orden in ("ver a", "galeria"):  # por dónde va, solo en una terminal
+        assert faltan(lab(orden).stderr, "[1/2]", "un aviso\n") == ["[1/2]"]
+    (lab.build / "catalogo.json").unlink()
+    lab("galeria")
     assert lab.llamadas("cmake")[0] == ["--preset", "release", "-B", str(lab.build)]
     lab("galeria")
     assert [ll[0] for ll in lab.llamadas("cmake")] == ["--build", "--build"]  # ya está configurado
@@ -246,12 +249,10 @@ def test_compila_lo_que_hace_falta(lab):
         (lab.build / falta).unlink()
         lab("lista")
         assert len(lab.llamadas("cmake")) == 1, falta
-    dicho = lab("galeria", 1, "falla compila", FALLA="compila").stderr
-    assert (
-        len(lab.llamadas("cmake")) == 2
-        and "\nninja: error: falta algo\n" in f"\n{dicho}"
-        and "ninja: nada" not in dicho
-    )
+    for orden in ("ver a", "galeria"):
+        dicho = lab(orden, 1, "falla compila", FALLA="compila").stderr
+        assert len(lab.llamadas("cmake")) == 2
+        assert faltan(dicho, "ninja: error: falta algo\n", "ninja: nada") == ["ninja: nada"]
     # por los avisos: se compila otra vez sin que sean errores
     lab("galeria", 1, "falla compila", FALLA="compila", PORQUE="-Werror")
     pide = [ll[-1] for ll in lab.llamadas("cmake")]
@@ -283,8 +284,10 @@ def test_galeria(lab):
     animada.write_bytes(b"")
     assert hechas() == ["1", "sin cambios"] and animada.stat().st_size
     lab.catalogo["casos"][1]["guion"] = "tecla b"
+    lab.catalogo["programas"][1]["captura"] = "TRUE"
+    siembra(lab.raiz, {"ch01_uno/b.png": "así se ve"})
     lab.cataloga()
-    assert hechas() == ["sin cambios", "1"]
+    assert hechas() == ["sin cambios", "1"] and (destino / "b.captura.png").read_text() == "así se ve"
     siembra(lab.raiz, {"ch01_uno/a.vert": "dos"})  # que solo lo lee a
     assert hechas() == ["2", "sin cambios"]
     (lab.raiz / "ch01_uno/a.vert").unlink()
@@ -417,7 +420,8 @@ def test_prueba(lab):
     assert {f.name for f in (lab.build / "fallos/osmesa").iterdir()} == imagenes
     pagina = (lab.build / "fallos/index.html").read_text()
     assert faltan(pagina, 'src="osmesa/a-obtenida.png"', "DISTINTAS: &lt;b&gt;", 'id="uno"') == ['id="uno"']
-    lab("prueba", 3, "falla ctest", FALLA="ctest")
+    lab("prueba --junit nada.xml", 3, "falla ctest", FALLA="ctest")  # sin el informe de antes
+    assert not (lab.sitio / "aqui/nada.xml").exists()
     lab("prueba --asan")
     assert lab.llamadas("cmake")[0][:4] == ["--preset", "asan", "-B", f"{lab.build}/asan"]
     assert lab.llamadas("ctest")[0][1] == f"{lab.build}/asan"
