@@ -1,4 +1,4 @@
-// Modelo de Phong (ecuaciones 5.1 a 5.7), sombras y mapas de cubo.
+// Modelo de Phong (ecuaciones 5.1 a 5.7) y sombras.
 #pragma once
 #include "solidos.h"
 #include <algorithm>
@@ -69,24 +69,6 @@ inline bool enSombra(const Escena &tapan, const Vec3 &p, const Luz &luz) {
         c.t = r.maximo;
         return corta(o, r, c);
     });
-}
-
-/// Cara (la de GL_TEXTURE_CUBE_MAP_POSITIVE_X + cara) y coordenadas de textura que da OpenGL a la dirección
-/// d, según la tabla de su especificación (ecuación 8.1).
-struct CaraCubo {
-    int cara;
-    double s, t;
-};
-inline CaraCubo caraDelCubo(const Vec3 &d) {
-    const double x = std::fabs(d.x), y = std::fabs(d.y), z = std::fabs(d.z);
-    const auto en = [](int cara, double sc, double tc, double ma) {
-        return CaraCubo{cara, 0.5 * (sc / ma + 1), 0.5 * (tc / ma + 1)};
-    };
-    if (x >= y && x >= z)
-        return d.x > 0 ? en(0, -d.z, -d.y, x) : en(1, d.z, -d.y, x);
-    if (y >= z)
-        return d.y > 0 ? en(2, d.x, d.z, y) : en(3, d.x, -d.z, y);
-    return d.z > 0 ? en(4, d.x, -d.y, z) : en(5, -d.x, -d.y, z);
 }
 
 } // namespace oraculo

@@ -72,8 +72,8 @@ TEST(SondaRuido, GlslDaLoMismoQueCpp) {
     for (const ivec3 &periodo : PERIODOS) {
         for (int i = 0; i < 1500; ++i)
             compara(glm::vec3(azar.punto(i % 3 ? 4 : 300)), periodo);
-        for (const float x :
-             {0.0f, -1.0f, -1e-9f, 5.0f, -8388609.0f, 16777216.0f, -16777218.0f, 1e20f, -3e38f})
+        for (const float x : {0.0f, -0.0f, -1.0f, -1e-9f, 5.0f, -8388609.0f, 16777216.0f, -16777218.0f,
+                              2147483648.0f, 1e20f, -3e38f})
             compara({x, 0.3f, -7.6f}, periodo);
     }
 }

@@ -143,9 +143,10 @@ TEST(Erratas, Ecuacion81) {
         for (const double y : {-0.7, 0.1, 0.6})
             for (const double z : {-0.4, 0.2, 0.9}) {
                 const double u = (y + x) / (2 * x), v = (z + x) / (2 * x);
-                const CaraCubo c = caraDelCubo({x, y, z});
-                EXPECT_NEAR(u, x > 0 ? 1 - c.t : c.t, 1e-15);
-                EXPECT_NEAR(v, 1 - c.s, 1e-15);
+                // la especificación (2.1, tabla 3.19): en las dos caras sc/|x| es −z/x, y tc, −y
+                const double s = (-z / x + 1) / 2, t = (-y / std::fabs(x) + 1) / 2;
+                EXPECT_NEAR(u, x > 0 ? 1 - t : t, 1e-15);
+                EXPECT_NEAR(v, 1 - s, 1e-15);
             }
 }
 

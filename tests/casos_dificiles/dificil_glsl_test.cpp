@@ -132,28 +132,6 @@ const Cotas FUNCIONES([] {
     });
 });
 
-/// Los shaders de los programas, sin comentarios.
-std::vector<std::pair<std::string, std::string>> shaders() {
-    std::vector<std::pair<std::string, std::string>> textos;
-    const fs::path raiz = fs::path(recurso("CMakeLists.txt")).parent_path();
-    for (const auto &carpeta : fs::directory_iterator(raiz))
-        if (std::regex_match(carpeta.path().filename().string(), std::regex("common|ch[0-9][0-9]_.*")))
-            for (const auto &f : fs::directory_iterator(carpeta))
-                if (std::regex_match(f.path().extension().string(), std::regex("\\.(frag|vert|glsl)")))
-                    textos.emplace_back(f.path().filename().string(),
-                                        std::regex_replace(leeFichero(f.path()), std::regex("//[^\n]*"), ""));
-    return textos;
-}
-/// Cada uso de `funcion(`, con lo que sigue hasta el fin de línea.
-std::vector<std::string> usos(const std::string &funcion) {
-    std::vector<std::string> lista;
-    const std::regex busca("\\b" + funcion + "\\([^\n]*");
-    for (const auto &[nombre, texto] : shaders())
-        for (std::sregex_iterator i(texto.begin(), texto.end(), busca), fin; i != fin; ++i)
-            lista.push_back(nombre + ": " + i->str());
-    return lista;
-}
-
 } // namespace
 
 // La sonda ve un NaN y un infinito: si los tapara, nada de lo de arriba valdría.
@@ -164,35 +142,38 @@ TEST(GlslSonda, VeElNaNYElInfinito) {
     EXPECT_TRUE(std::isinf(r.z));
 }
 
-// Ningún shader puede llegar a donde no está definido. acos y asin, ninguno los usa.
-TEST(GlslFuentes, NingunShaderUsaAcosNiAsin) {
-    EXPECT_EQ(usos("acos"), std::vector<std::string>());
-    EXPECT_EQ(usos("asin"), std::vector<std::string>());
-    EXPECT_GT(shaders().size(), 40u);
-}
-// atan(y, x) no está definida en (0, 0): con un número positivo sumado a x, el origen queda fuera.
-TEST(GlslFuentes, NingunAtanEnElOrigen) {
-    for (const std::string &uso : usos("atan"))
-        EXPECT_TRUE(std::regex_search(uso, std::regex("atan\\([^,()]+, [^,()]+ \\+ 1e-6\\)"))) << uso;
-}
-// Los bordes de smoothstep son dos números distintos, el menor primero.
-TEST(GlslFuentes, LosBordesDeSmoothstepCrecen) {
-    const std::vector<std::string> lista = usos("smoothstep");
-    EXPECT_GT(lista.size(), 5u);
-    for (const std::string &uso : lista) {
-        std::smatch m;
-        ASSERT_TRUE(std::regex_search(uso, m, std::regex("smoothstep\\((-?[0-9.]+), (-?[0-9.]+), "))) << uso;
-        EXPECT_LT(std::stod(m[1]), std::stod(m[2])) << uso;
+// Ningún shader de un programa puede llegar a donde una función no está definida: cada uso es como aquí se dice.
+TEST(GlslFuentes, NingunoLlegaADondeNoEstaDefinida) {
+    const struct {
+        std::string funcion, argumentos;
+        int veces; // como poco
+    } REGLAS[] = {
+        {"acos", "nunca", 0},
+        {"asin", "nunca", 0},
+        // atan(y, x) no lo está en (0, 0): con un número positivo sumado a x, el origen queda fuera
+        {"atan", "^[^,()]+, [^,()]+ \\+ 1e-6\\)", 0},
+        // los bordes son dos números distintos, el menor primero
+        {"smoothstep", "^(-?[0-9.]+), (-?[0-9.]+), ", 6},
+        // la base no puede ser negativa: es un max o un clamp, o se ha guardado antes; el exponente, mayor que cero
+        {"pow", "^(?:max|clamp)\\(.*, [0-9.]+\\)|^(?:haciaSol|b|1\\.0 - cosV), [0-9.]+\\)|^x, y\\)", 6},
+    };
+    std::string fuentes;
+    const fs::path raiz = fs::path(recurso("CMakeLists.txt")).parent_path();
+    for (const auto &carpeta : fs::directory_iterator(raiz))
+        if (std::regex_match(carpeta.path().filename().string(), std::regex("common|ch[0-9][0-9]_.*")))
+            for (const auto &f : fs::directory_iterator(carpeta))
+                if (std::regex_match(f.path().extension().string(), std::regex("\\.(frag|vert|glsl)")))
+                    fuentes += leeFichero(f.path());
+    fuentes = std::regex_replace(fuentes, std::regex("//[^\n]*"), "");
+    for (const auto &[funcion, argumentos, veces] : REGLAS) {
+        const std::regex usa("\\b" + funcion + "\\(([^\n]*)");
+        const std::sregex_iterator usos(fuentes.begin(), fuentes.end(), usa), fin;
+        EXPECT_GE(std::distance(usos, fin), veces) << funcion;
+        for (auto uso = usos; uso != fin; ++uso) {
+            const std::string suyos = uso->str(1);
+            std::smatch m;
+            ASSERT_TRUE(std::regex_search(suyos, m, std::regex(argumentos))) << uso->str();
+            EXPECT_TRUE(funcion != "smoothstep" || std::stod(m[1]) < std::stod(m[2])) << uso->str();
+        }
     }
-}
-// La base de pow no puede ser negativa: es un max o un clamp, o se ha guardado antes. Y el exponente es un número mayor
-// que cero.
-TEST(GlslFuentes, LaBaseDePowNoEsNegativa) {
-    const std::vector<std::string> lista = usos("pow");
-    EXPECT_GT(lista.size(), 5u);
-    for (const std::string &uso : lista)
-        EXPECT_TRUE(std::regex_search(
-            uso, std::regex("pow\\((max|clamp)\\(.*, [0-9.]+\\)|pow\\((haciaSol|b|1\\.0 - cosV), [0-9.]+\\)|"
-                            "phong.glsl: pow\\(x, y\\)")))
-            << uso;
 }

@@ -1,5 +1,4 @@
-// Casos difíciles de texturas, convolución y ruido (capítulos 6, 8 y 9), en la GPU y leídos en float.
-#include "ch08_texturas_avanzadas/ruido.h"
+// Casos difíciles de texturas y convolución (capítulos 6 y 9), en la GPU y leídos en float.
 #include "cota.h"
 #include "expresion.h"
 #include "imagenes.h"
@@ -122,44 +121,6 @@ const Cotas CONVOLUCIONES([] {
                    return x == 0 || x == 8 ? 0 : distancia(lee(LINEAL, alLado), texel(im, x + 1, 0));
                });
     });
-});
-
-// --- ruido ---
-
-double ruidoGlsl(const glm::vec3 &p, int periodo = 0) {
-    return glsl("ruidoConGradiente(a, ivec3(b)).w", p, glm::vec3(float(periodo))).x;
-}
-
-const Cotas RUIDOS([] {
-    // GPU en float contra CPU en doble
-    acotaCada<glm::vec3>("Ruido", "*",
-                         {{"negativas", {-0.3f, -7.6f, -2.5f}},
-                          {"menos_cero", {-0.0f, 0.3f, -0.0f}},
-                          {"casi_cero_por_debajo", {-1e-9f, 0.3f, 0.7f}},
-                          {"en_un_plano", {5, 0.3f, 0.7f}},
-                          {"en_un_plano_negativo", {-5, 0.3f, 0.7f}},
-                          {"en_un_nodo", {3, -2, 7}},
-                          {"x_2_a_la_24", {16777216, 0.3f, 0.7f}},
-                          {"x_menos_2_a_la_24", {-16777218, 0.3f, 0.7f}},
-                          {"x_2_a_la_31", {2147483648.0f, 0.3f, 0.7f}},
-                          {"x_1e20", {1e20f, 0.3f, 0.7f}},
-                          {"x_menos_3e38", {-3e38f, 0.3f, 0.7f}}},
-                         1e-5, "diferencia",
-                         [](const glm::vec3 &p) { return std::fabs(ruidoGlsl(p) - ruido(glm::dvec3(p))); });
-    // pendiente menor que 4: de una parte a otra del plano, 4 por el salto
-    const auto salto = [](float x) { return 1e-4f * std::max(1.0f, std::fabs(x)); };
-    acotaCada<float>(
-        "Ruido", "a_los_dos_lados_del_plano_*", {0, 1, -1, -4, 1000},
-        [=](float x) { return 4 * 2 * salto(x) + 1e-5; }, "diferencia",
-        [=](float x) {
-            return std::fabs(ruidoGlsl({x - salto(x), 0.3f, 0.7f}) - ruidoGlsl({x + salto(x), 0.3f, 0.7f}));
-        });
-    // p y p + periodo son exactos en float: lo mismo, bit a bit
-    for (const auto &[nombre, x] : {std::pair("periodo_*", 0.25f), {"periodo_*_negativo", -3.25f}})
-        acotaCada<int>("Ruido", nombre, {1, 4, 7, 64}, 0, "diferencia",
-                       [p = glm::vec3(x, 0.5f, -0.75f)](int periodo) {
-                           return std::fabs(ruidoGlsl(p, periodo) - ruidoGlsl(p + float(periodo), periodo));
-                       });
 });
 
 } // namespace

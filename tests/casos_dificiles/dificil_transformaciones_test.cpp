@@ -182,11 +182,6 @@ const Cotas NORMALES([] {
                      1.001, "u", [](float s) { return torcida(escalado(s) * INCLINADA); });
     const std::vector<Con<int>> ejes = {{"X", 0}, {"Y", 1}, {"Z", 2}};
     acotaCada<int>("MatrizNormal", "aplastada_*", ejes, 2, "u", aplastada);
-    acotaCada<int>("MatrizNormal", "reflejada_*", ejes, 1.001, "u", [](int eje) {
-        glm::vec3 espejo(2, 3, 0.5f);
-        espejo[eje] *= -1;
-        return torcida(INCLINADA * escalado(espejo));
-    });
     acotaCada<int>("MatrizNormal", "casi_aplastada_*", ejes, 1.001, "u", [](int eje) {
         glm::vec3 fina(1);
         fina[eje] = 1e-30f;

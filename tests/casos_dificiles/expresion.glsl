@@ -1,6 +1,5 @@
 // Lo que puede usar una expresión de expresion.h.
 #include "ch05_iluminacion/phong.glsl"
-#include "ch08_texturas_avanzadas/ruido.glsl"
 #include "ch09_imagen/filtro.glsl"
 
 uniform vec3 a, b;

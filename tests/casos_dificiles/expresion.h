@@ -6,7 +6,7 @@
 #include <map>
 
 /// La expresión, de tipo float o vec3, puede ser de los vec3 `a` y `b`, de lo que hay en las texturas `imagen` y
-/// `filtro`, en las unidades 0 y 1, y de lo que tienen phong.glsl, ruido.glsl y filtro.glsl.
+/// `filtro`, en las unidades 0 y 1, y de lo que tienen phong.glsl y filtro.glsl.
 inline glm::vec3 glsl(const std::string &expresion, const glm::vec3 &a, const glm::vec3 &b = glm::vec3(0)) {
     static std::map<std::string, GLuint> programas;
     GLuint &programa = programas[expresion];

@@ -14,37 +14,30 @@ namespace {
 using Ficheros = std::map<std::string, std::string>; // nombre → contenido
 const char *const BORRADO = "-";
 
+const std::string CABECERA = "#version 140\nout vec4 colorFragmento;\n";
+
 std::string vert(const std::string &x) {
-    return R"(#version 140
-in vec3 posicion;
-in vec2 coordTextura;
-out vec2 st;
-void main() {
-    st = coordTextura;
-    gl_Position = vec4(posicion.x + )" +
+    return "#version 140\nin vec3 posicion;\nin vec2 coordTextura;\nout vec2 st;\nvoid main() {\n    st = "
+           "coordTextura;\n"
+           "    gl_Position = vec4(posicion.x + " +
            x + ", 2.0 * posicion.y, 0.0, 1.0);\n}\n";
 }
 std::string frag(const std::string &color) {
-    return R"(#version 140
-in vec2 st;
-out vec4 colorFragmento;
-void main() {
-    colorFragmento = )" +
-           color + ";\n}\n";
+    return CABECERA + "in vec2 st;\nvoid main() {\n    colorFragmento = " + color + ";\n}\n";
 }
-const std::string ROJO = frag("vec4(1, 0, 0, 1)"), VERDE = frag("vec4(0, 1, 0, 1)"),
-                  AZUL = frag("vec4(0, 0, 1, 1)"), BLANCO = frag("vec4(1, 1, 1, 1)"),
-                  CABECERA = "#version 140\nout vec4 colorFragmento;\n";
+const std::string ROJO = "vec4(1, 0, 0, 1)", VERDE = "vec4(0, 1, 0, 1)", AZUL = "vec4(0, 0, 1, 1)",
+                  BLANCO = "vec4(1, 1, 1, 1)";
 
-Ficheros version(const std::string &fragA, const std::string &fragB) {
-    return {{"a.vert", vert("-0.5")}, {"a.frag", fragA}, {"b.vert", vert("0.5")}, {"b.frag", fragB}};
-}
-Ficheros con(Ficheros cambios, Ficheros buena) {
-    cambios.merge(buena);
+/// La versión de esos dos colores, con esos cambios.
+Ficheros version(const std::string &colorA, const std::string &colorB, Ficheros cambios = {}) {
+    cambios.merge(Ficheros{{"a.vert", vert("-0.5")},
+                           {"a.frag", frag(colorA)},
+                           {"b.vert", vert("0.5")},
+                           {"b.frag", frag(colorB)}});
     return cambios;
 }
 
-/// Ejecuta tests/comun/taller.cpp con esas versiones de sus shaders en $LAB_RAIZ/0, /1…
+/// Ejecuta el taller de tests/costura/defectuoso.cpp con esas versiones de sus shaders en $LAB_RAIZ/0, /1…
 Ejecucion taller(const std::vector<Ficheros> &versiones, const std::string &guion = "") {
     static int n = 0;
     const fs::path raiz = carpetaTemporal() / ("raiz" + std::to_string(++n));
@@ -56,7 +49,7 @@ Ejecucion taller(const std::vector<Ficheros> &versiones, const std::string &guio
                 std::ofstream(carpeta / nombre, std::ios::binary) << contenido;
     }
     const ConRaiz conRaiz(raiz);
-    return ejecuta("../tests/taller", guion, 64, 32);
+    return ejecuta("../tests/defectuoso", guion, 64, 32, {"taller"});
 }
 
 /// El color de cada mitad de la imagen: «rojo azul».
@@ -108,7 +101,7 @@ TEST(Shaders, UnoRoto) {
     EXPECT_EQ(mitades(taller({version(ROJO, AZUL)}).imagen), "rojo azul");
     for (const Rotura &r : ROTURAS) {
         SCOPED_TRACE(r.mensaje);
-        const std::vector<Ficheros> versiones = {version(ROJO, AZUL), con(r.cambios, version(ROJO, VERDE)),
+        const std::vector<Ficheros> versiones = {version(ROJO, AZUL), version(ROJO, VERDE, r.cambios),
                                                  version(BLANCO, BLANCO)};
         const Ejecucion alArrancar = taller({versiones[1]}), roto = taller(versiones, "tecla 1; especial F5"),
                         bien = taller(versiones, "tecla 1; especial F5 ×2; tecla 2; especial F5");
@@ -117,7 +110,7 @@ TEST(Shaders, UnoRoto) {
         EXPECT_EQ(roto.estado, 0);
         EXPECT_EQ(mitades(roto.imagen), "rojo verde");
         for (const auto &[dice, principio] :
-             {std::pair(alArrancar.errores, "taller: "), {roto.errores, "taller: aviso: "}}) {
+             {std::pair(alArrancar.errores, "defectuoso: "), {roto.errores, "defectuoso: aviso: "}}) {
             EXPECT_EQ(dice.rfind(principio, 0), 0u) << dice.substr(0, 500);
             EXPECT_NE(dice.find(r.mensaje), std::string::npos) << dice.substr(0, 500);
         }
@@ -126,24 +119,14 @@ TEST(Shaders, UnoRoto) {
     }
 }
 
-// Solo lo que se incluye a sí mismo no acaba; dos veces seguidas sí se puede.
-TEST(Shaders, IncluirDosVecesLoMismo) {
-    const Ejecucion e = taller({con({{"a.frag", CABECERA + R"(
-void main() {
-    float x = 0.0;
-#include "taller/c.glsl"
-#include "taller/c.glsl"
-    colorFragmento = vec4(0, step(1.0, x), 0, 1);
-}
-)"},
-                                     {"c.glsl", "    x += 0.5;\n"}},
-                                    version(ROJO, AZUL))});
-    EXPECT_EQ(e.errores, "");
-    EXPECT_EQ(mitades(e.imagen), "verde azul");
-}
-
-// La normal está en su índice, el de los buffers, aunque el shader tenga antes otro atributo.
-TEST(Shaders, CadaAtributoEnSuIndice) {
+// Solo lo que se incluye a sí mismo no acaba; dos veces seguidas sí se puede. Y la normal está en su índice, el de los
+// buffers, aunque el shader tenga antes otro atributo.
+TEST(Shaders, LoQueSePuede) {
+    const std::string incluye = "#include \"taller/c.glsl\"\n";
+    const Ficheros dosVeces = {{"a.frag", CABECERA + "void main() {\n    float x = 0.0;\n" + incluye +
+                                              incluye +
+                                              "    colorFragmento = vec4(0, step(1.0, x), 0, 1);\n}\n"},
+                               {"c.glsl", "    x += 0.5;\n"}};
     const Ficheros conNormal = {{"a.vert", R"(#version 140
 in vec3 posicion, antes, vNormal;
 out vec2 st;
@@ -152,7 +135,11 @@ void main() {
     gl_Position = vec4(posicion.x - 0.5, 2.0 * posicion.y, 0.0, 1.0);
 }
 )"}};
-    EXPECT_EQ(mitades(taller({con(conNormal, version(frag("vec4(st, 0, 1)"), AZUL))}).imagen), "verde azul");
+    for (const Ficheros &cambios : {dosVeces, conNormal}) {
+        const Ejecucion e = taller({version("vec4(st, 0, 1)", AZUL, cambios)});
+        EXPECT_EQ(e.errores, "");
+        EXPECT_EQ(mitades(e.imagen), "verde azul");
+    }
 }
 
 // Cada fabricante da a su manera la línea de un error, que se dice una vez: aquí los compiladores son de mentira.
@@ -186,8 +173,9 @@ TEST(Shaders, ElInformeDeCadaFabricante) {
 TEST(F12, DondeNoSePuedeEscribirAvisaYSigue) {
     const Ejecucion e = taller({version(ROJO, AZUL)}, "tecla n; especial F12; tecla v; especial F12");
     EXPECT_EQ(e.estado, 0);
-    EXPECT_EQ(e.errores.rfind("taller: aviso: no puedo guardar «taller-1.ppm»: ", 0), 0u) << e.errores;
+    EXPECT_EQ(e.errores.rfind("defectuoso: aviso: no puedo guardar «defectuoso-1.ppm»: ", 0), 0u)
+        << e.errores;
     EXPECT_EQ(std::count(e.errores.begin(), e.errores.end(), '\n'), 1);
-    EXPECT_EQ(e.salida, "guardado taller-1.ppm\n");
+    EXPECT_EQ(e.salida, "guardado defectuoso-1.ppm\n");
     EXPECT_EQ(mitades(e.imagen), "rojo azul");
 }

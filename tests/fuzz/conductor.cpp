@@ -1,7 +1,8 @@
 // conductor N SEMILLAS: lo que hace libFuzzer, sin él y siempre igual: cada semilla y N variaciones, al azar fijo.
-#include "soporte.h"
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -10,6 +11,8 @@
 #include <vector>
 
 using namespace std::literals;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *datos, std::size_t n); // el lector
 
 /// Lo que suele romper un lector. Es lo que va entre barras.
 static std::vector<std::string> palabras() {

@@ -3,12 +3,12 @@
 # malla, guion o tetera), a partir de semillas/LECTOR. Paquetes: clang, libclang-rt-dev. Por ejemplo, -runs=10000000.
 # Lo que encuentra queda en build/fuzz/; una vez arreglado, la entrada se guarda entre las semillas.
 set -euo pipefail
-lector=$1
+export LECTOR=$1
 shift
 cd "$(dirname "$0")/../.."
-mkdir -p "build/fuzz/corpus_$lector"
+mkdir -p "build/fuzz/corpus_$LECTOR"
 clang++ -std=c++17 -O2 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined -Icommon -I. \
-  tests/fuzz/{"$lector",soporte}.cpp common/{imagen,malla,shader}.cpp common/glut_sin_ventana/guion.cpp \
-  -lGLEW -lGL -o "build/fuzz/$lector"
-exec "build/fuzz/$lector" -artifact_prefix="build/fuzz/$lector-" -max_len=4096 -timeout=10 "$@" \
-  "build/fuzz/corpus_$lector" "tests/fuzz/semillas/$lector"
+  tests/fuzz/lectores.cpp common/{imagen,malla,shader}.cpp common/glut_sin_ventana/guion.cpp \
+  -lGLEW -lGL -o build/fuzz/lectores
+exec build/fuzz/lectores -artifact_prefix="build/fuzz/$LECTOR-" -max_len=4096 -timeout=10 "$@" \
+  "build/fuzz/corpus_$LECTOR" "tests/fuzz/semillas/$LECTOR"
