@@ -96,7 +96,7 @@ ch01_test) if [ "$1" = --gtest_list_tests ]; then printf 'G.\n  Uno # x\n'; else
   [ -z "${DISPLAY:-}" ] || { echo "${ESCRIBE:-}" >&2; exit "${ESTADO:-0}"; }
   [[ "$*" != *-rasgos* ]] || { printf 'ocio\n'; exit; }
   echo "salida de $quien${LAB_RAIZ:+ con $LAB_RAIZ}"
-  [ "$quien" != a ] || [ -z "${LAB_LEIDOS:-}" ] || echo ch01_uno/a.vert >>"$LAB_LEIDOS"
+  [ "$quien" != a ] || [ -z "${LAB_LEIDOS:-}" ] || printf '%s\n' ch01_uno/a.vert assets/t.rgb >>"$LAB_LEIDOS"
   ppm=$(valor -ppm "$@") talla=$(valor -geometry "$@")
   talla=${talla:-40x40}
   [ -n "$ppm" ] || exit 0

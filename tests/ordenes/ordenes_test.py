@@ -30,7 +30,7 @@ HAY = {
     "../debian.sources": "Types: deb\nURIs: http://archivo\n",
     "LICENSE": "",
     "ch01_uno/a.cpp": "// Controles: a gira · Esc termina.\n",
-    "ch01_uno/a.vert": "uno",  # que a lee sin nombrarlo
+    "ch01_uno/a.vert": "uno",
     "ch01_uno/b.cpp": "// Controles: ninguno.\n",
     "docs/erratas.md": "",
     "docs/evidencia.json": """{"programas": {"a": {"maximo": 1}}, "casos": {},
@@ -288,8 +288,9 @@ def test_galeria(lab):
     siembra(lab.raiz, {"ch01_uno/b.png": "así se ve"})
     lab.cataloga()
     assert hechas() == ["sin cambios", "1"] and (destino / "b.captura.png").read_text() == "así se ve"
-    siembra(lab.raiz, {"ch01_uno/a.vert": "dos"})  # que solo lo lee a
-    assert hechas() == ["2", "sin cambios"]
+    for donde, fichero in ((lab.raiz, "ch01_uno/a.vert"), (lab.build, "assets/t.rgb")):  # que solo los lee a
+        siembra(donde, {fichero: "dos"})
+        assert hechas() == ["2", "sin cambios"]
     (lab.raiz / "ch01_uno/a.vert").unlink()
     assert hechas() == ["2", "sin cambios"]
     # lo que no se puede dibujar no deja la imagen de antes, lo dice la página y se hace en cuanto se pueda
