@@ -30,7 +30,7 @@ TEST(Glsl, NoEsLoQueDiceElLibro) {
                                << declaraciones << "\nvoid main() {\n    colorFragmento = " << color
                                << ";\n}\n";
         std::string error;
-        const GLuint programa = intentaPrograma("tests/apoyo/sonda.vert", fichero, error);
+        const GLuint programa = intentaPrograma("tests/vocabulario/sonda.vert", fichero, error);
         EXPECT_EQ(programa != 0, compila) << error;
         glUseProgram(programa);
         EXPECT_TRUE(!compila || leeSonda() == da);

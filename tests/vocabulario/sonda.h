@@ -31,7 +31,7 @@ inline void abreSonda() {
 /// Programa de un fragment shader para la sonda, que queda abierta.
 inline GLuint creaSonda(const std::string &frag) {
     abreSonda();
-    return creaPrograma("tests/apoyo/sonda.vert", frag);
+    return creaPrograma("tests/vocabulario/sonda.vert", frag);
 }
 
 /// El color que da el programa en uso; NaN en los cuatro si no dibuja nada.
