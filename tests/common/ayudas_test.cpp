@@ -80,6 +80,24 @@ protected:
     }
 };
 
+// La mezcla y el búfer de quien pinta debajo. Lo demás que vuelve a como estaba se le pide a cada programa (propiedades).
+TEST_F(Ayudas, DejanLaMezclaYElBuferComoEstaban) {
+    const auto estado = [] {
+        std::vector<GLint> valores;
+        for (const GLenum que : {GL_ARRAY_BUFFER_BINDING, GL_BLEND_SRC_RGB, GL_BLEND_DST_RGB,
+                                 GL_BLEND_SRC_ALPHA, GL_BLEND_DST_ALPHA})
+            glGetIntegerv(que, &valores.emplace_back());
+        return valores;
+    };
+    GLuint bufer;
+    glGenBuffers(1, &bufer);
+    glBindBuffer(GL_ARRAY_BUFFER, bufer);
+    glBlendFuncSeparate(GL_ONE, GL_SRC_COLOR, GL_DST_ALPHA, GL_ZERO);
+    const std::vector<GLint> antes = estado();
+    rotula("abc", {0.5f, 0.5f}, ROJO);
+    EXPECT_EQ(estado(), antes);
+}
+
 // Cada signo, a tres tamaños, frente a lo que cubre su contorno en cada píxel, según FreeType. El atlas es de 32 por
 // cuadratín y redondea las esquinas: se admite una diferencia cuadrática media de un 8 % de tinta en los píxeles de su
 // caja (hay hasta un 7.5).

@@ -102,7 +102,8 @@ def main():
     buena = dibuja()
     for modo in MODOS:
         espera("nada", 0, buena, dibuja(), modo)
-        espera("una raya", 1, buena, mancha(buena, 144, 2), modo)
+        espera("sobra una raya", 1, buena, mancha(buena, 144, 2), modo)
+        espera("falta una raya", 1, mancha(buena, 144, 2), buena, modo)
         for que, *defecto in SHADERS:
             espera(que, 1, buena, dibuja(*defecto), modo)
     for componente, cuantos, niveles, estados in PIXELES:
