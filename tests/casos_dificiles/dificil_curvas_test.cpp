@@ -143,7 +143,7 @@ const Cotas SUPERFICIES([] {
     const auto ondulado = [](int i, int j) { return Punto<float>(i, j, i * j % 3); };
     acotaCada<Trozo>("Superficie", "*",
                      {{"un_solo_punto", {1, [](int, int) { return Punto<float>(1, 2, 3); }}},
-                      {"una_recta", {1, [](int i, int j) { return Punto<float>(i + j); }}},
+                      {"una_recta", {1, [](int i, int j) { return Punto<float>(float(i + j)); }}},
                       {"de_talla_1em15", {1e-15f, ondulado}},
                       {"de_talla_1e15", {1e15f, ondulado}}},
                      8 * U_FLOAT, "|n| − 1", [](const Trozo &trozo) {
