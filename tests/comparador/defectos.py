@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""defectos.py RAÍZ BUILD: el comparador acepta lo que debe y rechaza lo demás: textura_objeto con una cosa estropeada en
-un shader y, después, su imagen con unos píxeles cambiados, a uno y otro lado de cada límite."""
+"""defectos.py RAÍZ BUILD: el comparador acepta lo que debe y rechaza lo demás: textura_objeto con una cosa estropeada
+en un shader y, después, su imagen con unos píxeles cambiados, a uno y otro lado de cada límite."""
 import os
 import re
 import subprocess
@@ -25,8 +25,8 @@ SHADERS = (  # qué se estropea, en qué shader y cómo; nada lo disculpa
         r"\g<0> if (distance(gl_FragCoord.xy, vec2(120.5, 50.5)) < 2.0) discard;",
     ),
 )
-# Un componente de unos cuantos píxeles, los primeros, cambia unos niveles: qué estado da cada opción. 43 píxeles son el 0.1 % de
-# 240×180. Allí el fondo es liso, y los 3×3 de alrededor no disculpan nada.
+# Un componente de unos cuantos píxeles, los primeros, cambia unos niveles: qué estado da cada opción. 43 píxeles son
+# el 0.1 % de 240×180. Allí el fondo es liso, y los 3×3 de alrededor no disculpan nada.
 IGUAL_NO, NINGUNO = {"": 1, "--amplia": 0}, {"": 1, "--amplia": 1}
 PIXELES = (
     (0, 1, 1, IGUAL_NO),
