@@ -1,6 +1,6 @@
-"""dorado.py RAÍZ BUILD ensena|visto: los golden que ./lab dora todo ha dejado en BUILD/dora, al lado de los de antes.
+"""dorado.py RAÍZ BUILD todo|visto: los golden que ./lab dora todo ha dejado en BUILD/dora, al lado de los de antes.
 
-ensena: BUILD/dora/index.html, con los que cambian: la imagen de antes, la de ahora y su diferencia, y lo que cambia
+todo: BUILD/dora/index.html, con los que cambian: la imagen de antes, la de ahora y su diferencia, y lo que cambia
 de lo escrito. visto: esos pasan a ser los golden.
 """
 import difflib
@@ -66,7 +66,7 @@ def main():
     cambian = cambiados(antes, ahora)
     if not cambian:
         print("Ningún golden cambia")
-    elif orden == "ensena":
+    elif orden == "todo":
         ensena(build, antes, ahora, cambian)
     else:
         if not (ahora / "index.html").exists():

@@ -496,6 +496,18 @@ def test_dora(lab):
     siembra(golden, {"ch01_uno/a.pasos": ""})
     lab("dora a-dos b a")
     assert [c[1:] for c in lab.llamadas("casos.sh") if c[1] == "pasos"] == [["pasos", "a"]]
+    lab("dora visto", 1, "antes, ./lab dora todo")
+    siembra(golden, {"ch01_uno/a.txt": "de antes\n", "ch01_uno/b.txt": "de ahora\n"})
+    lab("dora todo", 1, "hay casos que no se pueden dibujar", FALLA="caso")
+    lab("dora visto", salida="Ningún golden cambia\n")
+    lab("dora todo", salida=f"Cambian 1: míralos en {lab.build}/dora/index.html; si están bien, ./lab dora visto\n")
+    assert [c[1:] for c in lab.llamadas("casos.sh")][-1] == ["pasos", "a"] and len(lab.llamadas("casos.sh")) == 4
+    pagina = (lab.build / "dora/index.html").read_text()
+    assert "-de antes\n+de ahora" in pagina and 'id="ch01_uno/b"' not in pagina
+    assert (golden / "ch01_uno/a.txt").read_text() == "de antes\n"
+    lab("dora visto", salida="Hechos: ch01_uno/a\n")
+    assert (golden / "ch01_uno/a.txt").read_text() == "de ahora\n"
+    lab("dora todo", salida="Ningún golden cambia\n")
     if os.geteuid():  # root puede siempre
         golden.chmod(0o555)
         lab("dora a", 1, "no puedo escribir en")
