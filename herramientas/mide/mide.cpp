@@ -185,7 +185,7 @@ void Medidor::variante(const std::string &nombre, double error, double unidades,
         guardaPpm(base + "-diferencia.ppm", diferencia(imagen, referencia));
 }
 
-// Con ensayo basta una ronda. Una a otro paso que las demás se tira y se repite, y si no hay bastantes a uno, valen
+// Con ensayo basta una ronda, al paso que sea. Una a otro paso que las demás se tira y se repite, y si no hay bastantes a uno, valen
 // las que menos se apartan.
 const std::vector<Medida> &Medidor::corre() {
     std::vector<std::size_t> orden(corredores.size());
@@ -196,7 +196,8 @@ const std::vector<Medida> &Medidor::corre() {
         const auto [menor, mayor] = std::minmax_element(r.pasos.begin(), r.pasos.end());
         return std::max(*mayor / normal, normal / *menor);
     };
-    for (int buenas = 0; buenas < (ensayo ? 1 : RONDAS) && int(rondas.size()) < INTENTOS;) {
+    const int intentos = ensayo ? 1 : INTENTOS;
+    for (int buenas = 0; buenas < RONDAS && int(rondas.size()) < intentos;) {
         std::shuffle(orden.begin(), orden.end(), azar);
         Ronda ronda{std::vector<double>(corredores.size()), {}};
         for (const std::size_t i : orden) {
