@@ -1,8 +1,7 @@
 // Referencia en doble precisión de lo que deben dibujar los programas: trazado de rayos de unos pocos
 // sólidos, modelo de Phong, cobertura exacta y comparación con la imagen de la GPU. No comparte código
 // numérico con los programas, ni con common/, ni con GLM: de common/ solo toma Imagen, como caja de píxeles.
-// Ángulos en radianes; la fila 0 de una imagen es la de abajo. Un uso completo, la grúa, está en
-// tests/capitulos/ch03_grua_test.cpp:
+// Ángulos en radianes; la fila 0 de una imagen es la de abajo. Se usa así:
 //
 //   const Camara camara = perspectiva(orbita(0.5, 0.25, 23, {1.5, 5.2, 0}), 0.6, 1, 100);
 //   const Escena escena = {caja(traslada({0, 5, 0}) * escala({1, 10, 1})), esfera(traslada({2, 1, 0}))};

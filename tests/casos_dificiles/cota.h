@@ -1,5 +1,5 @@
 // Un caso difícil es una prueba con nombre propio que mide un número y dice cuánto puede valer. Lo medido y su cota
-// quedan en el informe de GoogleTest (--gtest_output=json), y de ahí los toma tests/laboratorio/evidencia.py para
+// quedan en el informe de GoogleTest (--gtest_output=json), y de ahí los toma herramientas/pruebas/evidencia.py para
 // docs/exactitud.md.
 #pragma once
 #include <cmath>
