@@ -279,7 +279,7 @@ class Vivero:
             de = capitulo(programa.capitulo.nombre)
             if not programa.consola and (not capitulos or de in capitulos):
                 orden = [
-                    "python3",
+                    sys.executable,
                     "-B",
                     self.copia / "tests/propiedades/propiedades.py",
                     self.copia,

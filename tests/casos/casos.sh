@@ -35,7 +35,7 @@ dibuja() { # [opciones]
   [ $estado = 0 ] && [ ! -s errores ] || mal "ha acabado con estado $estado y ha escrito en stderr:"
 }
 compara_encima() { # GOLDEN LISTA
-  python3 -B "$aqui/compara_encima.py" ${DORA:+--escribe} "$1.encima" "$2" || estado=4
+  "${PYTHON:-python3}" -BS "$aqui/compara_encima.py" ${DORA:+--escribe} "$1.encima" "$2" || estado=4
 }
 
 imagen() {

@@ -6,9 +6,8 @@ que es más de lo que cambia un redondeo de un compilador a otro; los colores y 
 pinta nada no tiene golden. Acaba con 4 si no, y dice qué trazo. Con --escribe, lo que es distinto pasa a ser el
 golden, y está bien.
 """
+import os
 import sys
-from difflib import SequenceMatcher
-from pathlib import Path
 
 CAMPOS = "el tipo", "el color", "el panel", "la talla", "la profundidad", "el punto", "el texto"
 DISTA = {"el color": (0.001,) * 3, "la talla": (0.05,), "el punto": (0.05, 0.05, 0.001)}  # de tres en tres
@@ -16,8 +15,10 @@ DISTA = {"el color": (0.001,) * 3, "la talla": (0.05,), "el punto": (0.05, 0.05,
 
 def lee(fichero):
     """De cada imagen, su línea y los campos de sus trazos; vacío si en ninguna hay nada."""
+    with open(fichero) as lista:
+        lineas = lista.read().split("\n")
     imagenes = []
-    for campos in (linea.split("\t") for linea in fichero.read_text().split("\n") if linea):
+    for campos in (linea.split("\t") for linea in lineas if linea):
         if campos[0] == "imagen":
             imagenes.append((campos[1:], []))
         else:
@@ -69,6 +70,8 @@ def compara(deben, son):
                 if en := "; ".join(distinto(debe, es)):
                     yield f"{imagen}, trazo {i}, {nombre(debe)}: {en}"
             continue
+        from difflib import SequenceMatcher  # solo aquí: son cientos de procesos, y tarda más que todo lo demás
+
         for que, i, j, k, n in SequenceMatcher(
             None, [nombre(t) for t in a], [nombre(t) for t in b], False
         ).get_opcodes():
@@ -77,19 +80,20 @@ def compara(deben, son):
 
 
 def main():
-    golden, lista = map(Path, sys.argv[-2:])
-    deben, son = lee(golden) if golden.exists() else [], lee(lista)
+    golden, lista = sys.argv[-2:]
+    deben, son = lee(golden) if os.path.exists(golden) else [], lee(lista)
     diferencias = list(compara(deben, son))
     print(*diferencias, sep="\n", end="\n" if diferencias else "")
     if diferencias and "--escribe" not in sys.argv:
         sys.exit(4)
-    if diferencias:
-        golden.unlink(missing_ok=True)
+    if diferencias and os.path.exists(golden):
+        os.unlink(golden)
     if diferencias and son:
         lineas = []
         for imagen, trazos in son:
             lineas += [["imagen", *imagen], *([redondea(*campo) for campo in zip(CAMPOS, t)] for t in trazos)]
-        golden.write_text("".join("\t".join(linea) + "\n" for linea in lineas))
+        with open(golden, "w") as nuevo:
+            nuevo.write("".join("\t".join(linea) + "\n" for linea in lineas))
 
 
 if __name__ == "__main__":

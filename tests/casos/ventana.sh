@@ -36,7 +36,7 @@ mira() { # [opciones del comparador]
 pasea() {
   local sucesos
   setpriv --pdeathsig KILL twm -f /dev/null >/dev/null 2>&1 &
-  sucesos=$(python3 -B "$aqui/../../herramientas" base.controles guion "$aqui/../.." "$build" "$programa" 1 25)
+  sucesos=$("${PYTHON:-python3}" -B "$aqui/../../herramientas" base.controles guion "$aqui/../.." "$build" "$programa" 1 25)
   PAUSA=0.002 haz_guion 240x180 "tamano 300 200; $sucesos; tamano 200 240; $sucesos" # seguidos: no se mira qué hace cada uno
   while cp salida antes && sigue 0.2 && ! cmp -s antes salida; do :; done # hasta que los haya atendido
 }
