@@ -22,10 +22,11 @@ const char *const AYUDA = R"(Opciones de la ventana sin pantalla:
   -rasgos                 en vez de guardar la imagen escribe de qué se entera el programa, un rasgo por línea: teclado,
                           especial, raton, arrastre, movimiento, rueda, ocio, temporizador, opcion Ruta/Opción
   -titulos                escribe cada título que pone el programa: «título: …»
-  -diario                 escribe tras cada orden, y al empezar, una línea TSV: diario, la orden, resumen de la imagen, «otra» si al
-                          repetir el cuadro sale otra, título, lo que el cuadro no deja como estaba en OpenGL, cuántos
-                          buffer objects, texturas, programas, shaders, framebuffers, renderbuffers y vertex arrays hay, bytes
-                          que ocupan y temporizadores que esperan. Tras espera se dibuja antes el cuadro de ese momento
+  -diario                 escribe tras cada orden, y al empezar, una línea TSV: diario, la orden, resumen de la imagen,
+                          «otra» si al repetir el cuadro sale otra, título, lo que el cuadro no deja como estaba en
+                          OpenGL, cuántos buffer objects, texturas, programas, shaders, framebuffers, renderbuffers y
+                          vertex arrays hay, bytes que ocupan y temporizadores que esperan. Tras espera se dibuja antes
+                          el cuadro de ese momento
   -ayuda                  esta lista
 Órdenes del guion:
   tecla X                 un carácter, o Esc, Espacio, Intro, Tab, Retroceso, Supr, PuntoYComa

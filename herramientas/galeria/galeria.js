@@ -2,13 +2,15 @@
 const todos = (selector, raiz = document) => [...raiz.querySelectorAll(selector)];
 const una = (selector, raiz = document) => raiz.querySelector(selector);
 
-// La vista grande: una imagen en toda la ventana o, con p, en toda la pantalla; ← y → pasan por las que se ven en la página.
+// La vista grande: una imagen en toda la ventana o, con p, en toda la pantalla; ← y → pasan por las que se ven en la
+// página.
 const grande = una('dialog');
 let actual;
 
 function ensena(enlace) {
   actual = enlace;
-  const figura = enlace.closest('figure'), articulo = enlace.closest('article'), titulo = una('h3', articulo).textContent;
+  const figura = enlace.closest('figure'), articulo = enlace.closest('article');
+  const titulo = una('h3', articulo).textContent;
   const nombre = una('b', figura)?.textContent;
   una('picture', grande).replaceWith(una('picture', enlace).cloneNode(true));
   una('h2', grande).textContent = nombre ? `${titulo}: ${nombre}` : titulo;
@@ -28,7 +30,8 @@ function pasa(pasos) {
 // Un diálogo no puede ponerse a toda pantalla: lo hace la página, y el diálogo se abre encima.
 async function proyecta() {
   if (document.fullscreenElement) return document.exitFullscreen();
-  const primera = grande.open ? actual : todos('figure a').find(a => a.offsetParent && a.getBoundingClientRect().bottom > una('nav').offsetHeight + 50);
+  const asoma = a => a.offsetParent && a.getBoundingClientRect().bottom > una('nav').offsetHeight + 50;
+  const primera = grande.open ? actual : todos('figure a').find(asoma);
   await document.documentElement.requestFullscreen?.();
   if (grande.open) grande.close();
   ensena(primera ?? una('figure a'));
@@ -69,7 +72,8 @@ busca.addEventListener('input', () => {
 
 document.addEventListener('keydown', suceso => {
   if (suceso.ctrlKey || suceso.altKey || suceso.metaKey) return;
-  if (grande.open && ['ArrowRight', 'PageDown'].includes(suceso.key)) pasa(1); // AvPág y RePág: los mandos de presentación
+  // AvPág y RePág: los mandos de presentación
+  if (grande.open && ['ArrowRight', 'PageDown'].includes(suceso.key)) pasa(1);
   else if (grande.open && ['ArrowLeft', 'PageUp'].includes(suceso.key)) pasa(-1);
   else if (suceso.key === 'p' && document.activeElement !== busca) proyecta();
   else if (!grande.open && suceso.key === '/' && document.activeElement !== busca) {

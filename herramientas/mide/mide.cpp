@@ -185,8 +185,8 @@ void Medidor::variante(const std::string &nombre, double error, double unidades,
         guardaPpm(base + "-diferencia.ppm", diferencia(imagen, referencia));
 }
 
-// Con ensayo basta una ronda, al paso que sea. Una a otro paso que las demás se tira y se repite, y si no hay bastantes a uno, valen
-// las que menos se apartan.
+// Con ensayo basta una ronda, al paso que sea. Una a otro paso que las demás se tira y se repite, y si no hay bastantes
+// a uno, valen las que menos se apartan.
 const std::vector<Medida> &Medidor::corre() {
     std::vector<std::size_t> orden(corredores.size());
     std::iota(orden.begin(), orden.end(), 0);

@@ -1,6 +1,6 @@
-"""dorado.py RAÍZ BUILD todo|visto: los golden que ./lab dora todo ha dejado en BUILD/dora, al lado de los de antes.
+"""dorado.py RAÍZ BUILD mira|visto: los golden que ./lab dora ha dejado en BUILD/dora, al lado de los de antes.
 
-todo: BUILD/dora/index.html, con los que cambian: la imagen de antes, la de ahora y su diferencia, y lo que cambia
+mira: BUILD/dora/index.html, con los que cambian: la imagen de antes, la de ahora y su diferencia, y lo que cambia
 de lo escrito. visto: esos pasan a ser los golden.
 """
 import difflib
@@ -62,15 +62,18 @@ def main():
     raiz, build, orden = Path(sys.argv[1]), Path(sys.argv[2]), sys.argv[3]
     antes, ahora = raiz / "tests/golden", build / "dora"
     if not ahora.is_dir():
-        raise Fallo("dora: antes, ./lab dora todo")
+        raise Fallo("dora: antes, ./lab dora todo, o ./lab dora --mira CASO…")
     cambian = cambiados(antes, ahora)
     if not cambian:
         print("Ningún golden cambia")
-    elif orden == "todo":
+    elif orden == "mira":
         ensena(build, antes, ahora, cambian)
     else:
-        if not (ahora / "index.html").exists():
-            raise Fallo("dora: ./lab dora todo no acabó: hazlo otra vez, y mira su página")
+        pagina = ahora / "index.html"
+        if not pagina.exists():
+            raise Fallo("dora: no acabó de dibujarse: hazlo otra vez, y mira su página")
+        if despues := [f for f in raiz.glob("c*/**/*.*") if f.stat().st_mtime > pagina.stat().st_mtime]:
+            raise Fallo(f"dora: {despues[0].relative_to(raiz)} ha cambiado después de dibujarse: hazlo otra vez")
         for ruta in (ruta.with_suffix(tipo) for ruta, tipos in cambian.items() for tipo in tipos):
             if (ahora / ruta).exists():
                 escribe(antes / ruta, (ahora / ruta).read_bytes())

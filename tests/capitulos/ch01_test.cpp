@@ -86,7 +86,8 @@ TEST(SinCommon, UnArgumentoDeMasTerminaCon2) {
     }
 }
 
-// F5 con el shader roto conserva el programa que había y lo dice; arreglado, lo usa. Los shaders son los de ./ch01_intro.
+// F5 con el shader roto conserva el programa que había y lo dice; arreglado, lo usa. Los shaders son los de
+// ./ch01_intro.
 TEST(ShaderBasico, F5) {
     using namespace shader_basico;
     const std::string

@@ -113,7 +113,8 @@ double cotaNormal(const Parche &q, const Exacto<Cuadruple> &e, double u, double 
     return U * (24 * (su / lu + sv / lv) + 8) * (lu * lv / ln);
 }
 
-// Lo más que se separan los triángulos de la tetera de la superficie: en una rejilla de cada uno, del punto con sus (u, v).
+// Lo más que se separan los triángulos de la tetera de la superficie: en una rejilla de cada uno, del punto con sus (u,
+// v).
 double errorDeCuerda(double tolerancia, int paso) {
     const Malla malla = teselaParches(tetera(), tolerancia).malla;
     std::vector<std::size_t> parche; // de cada vértice
@@ -138,8 +139,8 @@ double errorDeCuerda(double tolerancia, int paso) {
             }
     return peor;
 }
-// Cuántas aristas son de un solo triángulo, soldando los vértices que coinciden bit a bit. Las demás son de dos, que las
-// recorren en sentidos opuestos.
+// Cuántas aristas son de un solo triángulo, soldando los vértices que coinciden bit a bit. Las demás son de dos, que
+// las recorren en sentidos opuestos.
 int aristasSueltas(const Malla &m) {
     using Bits = std::array<float, 3>;
     std::map<std::pair<Bits, Bits>, std::vector<bool>> usos; // y en qué sentido

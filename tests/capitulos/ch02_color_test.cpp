@@ -59,7 +59,8 @@ std::vector<Pieza> piezas(int primitiva, const Hueco &h) {
 
 } // namespace
 
-// Sola, con el nombre encima, o en una rejilla a la que se vuelve desde cualquier sitio; en su octavo hueco no hay nada.
+// Sola, con el nombre encima, o en una rejilla a la que se vuelve desde cualquier sitio; en su octavo hueco no hay
+// nada.
 TEST(Primitivas, CadaUna) {
     const struct {
         std::string guion;
@@ -101,8 +102,8 @@ TEST(ModeloPoligonal, ColorBaricentrico) {
                        triangulos(GL_TRIANGLE_FAN, rueda, cuadrado(t.x, t.y)), exacto(FONDO_OSCURO));
 }
 
-// El velero: los trozos del programa, cada uno en su sitio y con su primitiva, y el sol, por la ecuación de la circunferencia. Llena
-// cualquier ventana: el color de borrado, negro, no asoma.
+// El velero: los trozos del programa, cada uno en su sitio y con su primitiva, y el sol, por la ecuación de la
+// circunferencia. Llena cualquier ventana: el color de borrado, negro, no asoma.
 TEST(FiguraColor, DegradadosEnCadaPixel) {
     for (const glm::ivec2 t : {glm::ivec2(240, 180), {960, 720}, {300, 60}, {60, 300}, {1, 1}}) {
         std::vector<Pieza> piezas;

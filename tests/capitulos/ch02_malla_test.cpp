@@ -107,7 +107,8 @@ TEST(MallaVf, CualquierMallaLlenaLaVentana) {
     EXPECT_NEAR(lejos, 1 / 1.22, 0.04); // a la distancia en que llegaría al borde aumentado un 22 %
 }
 
-// El número de una cara de cuatro vértices, en su centro: donde se cortan las diagonales de un cuadrado, también en perspectiva.
+// El número de una cara de cuatro vértices, en su centro: donde se cortan las diagonales de un cuadrado, también en
+// perspectiva.
 TEST(MallaVf, NumeroDeUnCuadrado) {
     const std::string ruta =
         fichero("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 3 2 0\nv 3 3 0\nv 2 3 0\nf 1 2 3 4\nf 5 6 7\n");
@@ -172,8 +173,8 @@ TEST(Topologia, LaMayoriaManda) {
         }
 }
 
-// Dos cubos que comparten una arista: esa tiene cuatro caras y no dice nada de cómo giran unas respecto a otras; son dos componentes, y
-// cada una tiene su mayoría.
+// Dos cubos que comparten una arista: esa tiene cuatro caras y no dice nada de cómo giran unas respecto a otras; son
+// dos componentes, y cada una tiene su mayoría.
 TEST(Topologia, AristaDeCuatroCaras) {
     MallaVf m = cuboCerrado();
     anade(m, alReves(cuboCerrado()), {1, 0, 1});

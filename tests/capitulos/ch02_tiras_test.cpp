@@ -120,8 +120,8 @@ TEST(Tiras, ConOtraMallaLaTeclaUNoHaceNada) {
     EXPECT_EQ(nada.salida, u.salida);
 }
 
-// La respuesta del ejercicio 2.2: ninguna cubre los diez triángulos. Basta cambiar una diagonal, 3–8 en lugar de 4–7: la
-// tira de la tecla u es esa caja.
+// La respuesta del ejercicio 2.2: ninguna cubre los diez triángulos. Basta cambiar una diagonal, 3–8 en lugar de 4–7:
+// la tira de la tecla u es esa caja.
 TEST(Tiras, UnaSolaTiraNoBasta) {
     std::vector<T3> cambiada = TRIANGULOS;
     cambiada[6] = {3, 4, 8};
@@ -131,8 +131,8 @@ TEST(Tiras, UnaSolaTiraNoBasta) {
     EXPECT_EQ(canonicos(expande(UNA)), canonicos(cambiada));
 }
 
-// Triángulos sin vecinos, repetidos o con una arista de tres caras, las mallas de common/ y una cuadrícula grande de diagonales al
-// azar, de muchas tiras cortas: cada triángulo, una vez.
+// Triángulos sin vecinos, repetidos o con una arista de tres caras, las mallas de common/ y una cuadrícula grande de
+// diagonales al azar, de muchas tiras cortas: cada triángulo, una vez.
 TEST(Tiras, MallasCualesquiera) {
     std::vector<std::vector<T3>> mallas = {
         {}, {{0, 1, 2}}, {{0, 1, 2}, {0, 1, 2}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, {{0, 1, 2}, {0, 1, 3}}};

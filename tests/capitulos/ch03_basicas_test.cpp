@@ -1,6 +1,6 @@
-// basicas, escalado, tres_cubos, cono, elipsoide y orden (capítulo 3): sus matrices y cada píxel de la escena. La geometría
-// esperada sale del enunciado; de los programas solo se repiten los datos: dónde está la cámara, de qué color es cada cosa y
-// qué elige cada uno donde falta la figura del libro.
+// basicas, escalado, tres_cubos, cono, elipsoide y orden (capítulo 3): sus matrices y cada píxel de la escena. La
+// geometría esperada sale del enunciado; de los programas solo se repiten los datos: dónde está la cámara, de qué color
+// es cada cosa y qué elige cada uno donde falta la figura del libro.
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "guiones.h"

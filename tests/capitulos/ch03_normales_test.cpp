@@ -62,9 +62,9 @@ TEST(MatrizNormal, CualquierCaraPerpendicularYHaciaFuera) {
     EXPECT_GT(negativos, 27000);
 }
 
-// El prisma en cada píxel, sin ninguna matriz de normales: la de cada cara, ya transformada, mira hacia fuera del centro.
-// Y en cada lado sus flechas, todas de largo 0.75: verde, la perpendicular; roja, la del lado original con su x y su y
-// escaladas; y naranja la de la adjunta del libro, el producto vectorial tal cual.
+// El prisma en cada píxel, sin ninguna matriz de normales: la de cada cara, ya transformada, mira hacia fuera del
+// centro. Y en cada lado sus flechas, todas de largo 0.75: verde, la perpendicular; roja, la del lado original con su x
+// y su y escaladas; y naranja la de la adjunta del libro, el producto vectorial tal cual.
 TEST(ProgramaNormales, CadaCasoContraElOraculo) {
     const double esquinas[][2] = {{0.25, -0.95}, {0.85, 0.15}, {-0.10, 0.90}, {-0.90, -0.20}}; // antihorario
     const struct {

@@ -102,7 +102,8 @@ std::string elige(const glm::dvec2 &p) {
     return clic({int(p.x), 359 - int(p.y)});
 }
 
-/// Lo que hay guardado en el píxel de una esquina del cubo: la profundidad de lo primero que encuentra su rayo, sin ella.
+/// Lo que hay guardado en el píxel de una esquina del cubo: la profundidad de lo primero que encuentra su rayo, sin
+/// ella.
 double guardada(const Vec3 &mundo, bool tapado) {
     const Escena cajas = tapado ? Escena{caja(MM), caja(TAPA)} : Escena{caja(MM)};
     for (const Impacto &i : impactos(cajas, {OJO, unitario(mundo - OJO)}))
@@ -197,8 +198,8 @@ TEST(Recortado, CasosLimite) {
         }
 }
 
-// La que se sigue al empezar y las que se eligen con el ratón, en cualquier panel; lejos de todo vértice y al orbitar no
-// cambia nada. Con algo delante, lo guardado es su profundidad y el fragmento se descarta. En cada panel, la escena
+// La que se sigue al empezar y las que se eligen con el ratón, en cualquier panel; lejos de todo vértice y al orbitar
+// no cambia nada. Con algo delante, lo guardado es su profundidad y el fragmento se descarta. En cada panel, la escena
 // trazada en sus coordenadas: el vértice que se ve es el que se escribe (la 4.4 impresa lo aparta medio píxel).
 TEST(EtapasPipeline, EsquinasDelCubo) {
     const auto en = [](int k, int esquina) { return elige(enPanel(k, punto(MM, esquinaCubo(esquina)))); };
@@ -221,7 +222,8 @@ TEST(EtapasPipeline, EsquinasDelCubo) {
 }
 
 // El triángulo llega detrás del ojo. Los lados y el área de lo que queda, contra el polígono exacto; y la imagen de la
-// GPU, que recorta por su cuenta, contra el triángulo trazado entre cerca y lejos. En el mundo, gris lo que queda fuera.
+// GPU, que recorta por su cuenta, contra el triángulo trazado entre cerca y lejos. En el mundo, gris lo que queda
+// fuera.
 TEST(EtapasPipeline, Recortado) {
     std::vector<glm::dvec4> triangulo;
     for (const Vec3 &v : TRIANGULO) {

@@ -82,7 +82,8 @@ TEST(Profundidad, ParesMalOrdenados) {
         EXPECT_GE(mal, iguales / 2.0);
         EXPECT_EQ(mal > 0, razon > 0);
 
-        // lo que escribe el programa es lo que hay en su imagen, y sus pares, los que dificil_vista compara con la fórmula
+        // lo que escribe el programa es lo que hay en su imagen, y sus pares, los que dificil_vista compara con la
+        // fórmula
         const double enCuadros = numeroTras(e.salida, " % de ");
         EXPECT_NEAR(numeroTras(e.salida, "carteles: "), 100 * (1 - amarillos / enCuadros), 0.051) << e.salida;
         EXPECT_NEAR(numeroTras(e.salida, "1e-5): "),

@@ -34,12 +34,18 @@ dibuja() { # [opciones]
   [ -z "$opengl" ] || sed -i -e '/base Zink requirements: feats.features.logicOp/d' -e '/Unsupported capability 28$/d' errores
   [ $estado = 0 ] && [ ! -s errores ] || mal "ha acabado con estado $estado y ha escrito en stderr:"
 }
+hace_falta() { # GOLDEN…
+  local falta
+  for falta; do
+    [ -e "$falta" ] || { echo "falta el golden $falta: mira la imagen y hazlo con ./lab dora $fichero"; exit 1; }
+  done
+}
 compara_encima() { # GOLDEN LISTA
   "${PYTHON:-python3}" -BS "$aqui/compara_encima.py" ${DORA:+--escribe} "$1.encima" "$2" || estado=4
 }
 
 imagen() {
-  local comparacion=(--deja "$build/fallos/$enlace/$fichero") falta
+  local comparacion=(--deja "$build/fallos/$enlace/$fichero")
   con=(LAB_ENCIMA=lista)
   dibuja -geometry 240x180 -ppm "$fichero.ppm" -titulos ${guion:+-guion "$guion"}
   if [ "${DORA:-}" ]; then # ./lab dora: enseña lo que cambia
@@ -47,13 +53,12 @@ imagen() {
     printf '%s: ' "$fichero"
     if [ -e "$golden.ppm" ]; then "$build/herramientas/comparador/compara" "$golden.ppm" "$fichero.ppm" || true; else echo "nueva"; fi
     cp "$fichero.ppm" "$golden.ppm"
-    diff -N "$golden.txt" salida || cp salida "$golden.txt"
+    [ ! -e "$golden.txt" ] || diff "$golden.txt" salida || true
+    cp salida "$golden.txt"
     compara_encima "$golden" lista
     return
   fi
-  for falta in "$golden.ppm" "$golden.txt"; do
-    [ -e "$falta" ] || { echo "falta el golden $falta: mira la imagen y hazlo con ./lab dora $fichero"; exit 1; }
-  done
+  hace_falta "$golden.ppm" "$golden.txt"
   mkdir -p "$build/fallos/$enlace"
   # Los golden son de OSMesa. EGL dibuja las filas al revés, lo que se interpola redondea de otra manera y la tinta de un rótulo, que
   # se mezcla, cambia un nivel en unos pocos píxeles: ninguno más. Donde se nota más, el caso da su motivo y su tolerancia.
@@ -100,7 +105,7 @@ pasos() {
   dibuja -geometry "${talla:-480x360}" -ppm "última" -guion @guion
   # cada lista, con el nombre de su paso; la última imagen es otra vez la del último
   awk -F '\t' -v OFS='\t' 'NR == FNR { paso[NR] = $0; next } /^imagen\t/ { if ($2 == "última") exit; $2 = paso[$2] } { print }' pasos lista >con_nombre
-  [ -z "${DORA:-}" ] || echo "$programa.pasos:"
+  if [ "${DORA:-}" ]; then echo "$programa.pasos:"; else hace_falta "$golden-pasos.encima"; fi
   compara_encima "$golden-pasos" con_nombre
 }
 

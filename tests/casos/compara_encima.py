@@ -61,6 +61,9 @@ def distinto(debe, es):
 
 def compara(deben, son):
     """En qué se distinguen las imágenes, una línea por trazo."""
+    if not deben or not son:
+        yield "no debía pintar nada encima" if son else "no pinta nada encima"
+        return
     if [imagen for imagen, _ in deben] != [imagen for imagen, _ in son]:
         yield f"las imágenes debían ser {[i for i, _ in deben]} y son {[i for i, _ in son]}"
         return
@@ -82,7 +85,7 @@ def compara(deben, son):
 def main():
     golden, lista = sys.argv[-2:]
     deben, son = lee(golden) if os.path.exists(golden) else [], lee(lista)
-    diferencias = list(compara(deben, son))
+    diferencias = list(compara(deben, son)) if deben or son else []
     print(*diferencias, sep="\n", end="\n" if diferencias else "")
     if diferencias and "--escribe" not in sys.argv:
         sys.exit(4)

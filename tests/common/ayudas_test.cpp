@@ -80,7 +80,8 @@ protected:
     }
 };
 
-// La mezcla y el búfer de quien pinta debajo. Lo demás que vuelve a como estaba se le pide a cada programa (propiedades).
+// La mezcla y el búfer de quien pinta debajo. Lo demás que vuelve a como estaba se le pide a cada programa
+// (propiedades).
 TEST_F(Ayudas, DejanLaMezclaYElBuferComoEstaban) {
     const auto estado = [] {
         std::vector<GLint> valores;

@@ -1,6 +1,7 @@
-// Programas mal hechos, uno por argumento: lo que glut_sin_ventana debe notar (tests/costura/costura_test.cpp). «taller»
-// son dos cuadrados, con los shaders taller/a.* y taller/b.* de $LAB_RAIZ: las teclas 0 a 9 ponen en taller/ la versión
-// $LAB_RAIZ/N (el usuario edita), n va a una carpeta que ya no existe y v vuelve (tests/common/taller_test.cpp).
+// Programas mal hechos, uno por argumento: lo que glut_sin_ventana debe notar (tests/costura/costura_test.cpp).
+// «taller» son dos cuadrados, con los shaders taller/a.* y taller/b.* de $LAB_RAIZ: las teclas 0 a 9 ponen en taller/
+// la versión $LAB_RAIZ/N (el usuario edita), n va a una carpeta que ya no existe y v vuelve
+// (tests/common/taller_test.cpp).
 #include "buferes.h"
 #include "shader.h"
 #include "ventana.h"

@@ -496,7 +496,7 @@ def test_dora(lab):
     siembra(golden, {"ch01_uno/a.pasos": ""})
     lab("dora a-dos b a")
     assert [c[1:] for c in lab.llamadas("casos.sh") if c[1] == "pasos"] == [["pasos", "a"]]
-    lab("dora visto", 1, "antes, ./lab dora todo")
+    lab("dora visto", 1, "antes, ./lab dora todo, o")
     siembra(golden, {"ch01_uno/a.txt": "de antes\n", "ch01_uno/b.txt": "de ahora\n"})
     lab("dora todo", 1, "hay casos que no se pueden dibujar", FALLA="caso")
     lab("dora visto", salida="Ningún golden cambia\n")
@@ -505,9 +505,15 @@ def test_dora(lab):
     pagina = (lab.build / "dora/index.html").read_text()
     assert "-de antes\n+de ahora" in pagina and 'id="ch01_uno/b"' not in pagina
     assert (golden / "ch01_uno/a.txt").read_text() == "de antes\n"
+    siembra(lab.raiz, {"ch01_uno/z.cpp": ""})
+    lab("dora visto", 1, "ch01_uno/z.cpp ha cambiado después de dibujarse")
+    (lab.raiz / "ch01_uno/z.cpp").unlink()
     lab("dora visto", salida="Hechos: ch01_uno/a\n")
     assert (golden / "ch01_uno/a.txt").read_text() == "de ahora\n"
     lab("dora todo", salida="Ningún golden cambia\n")
+    siembra(golden, {"ch01_uno/a.txt": "de antes\n", "ch01_uno/b.txt": "de antes\n"})
+    assert "Cambian 1: " in lab("dora --mira b").stdout
+    lab("dora visto", salida="Hechos: ch01_uno/b\n")
     if os.geteuid():  # root puede siempre
         golden.chmod(0o555)
         lab("dora a", 1, "no puedo escribir en")
