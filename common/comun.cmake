@@ -7,8 +7,8 @@ else()
 endif()
 add_library(comun STATIC
   common/ayuda.cpp common/buferes.cpp common/captura.cpp common/encima.cpp common/error.cpp common/imagen.cpp common/letra.cpp
-  common/malla.cpp common/orbita.cpp common/proyeccion.cpp common/recuadro.cpp common/rotulo.cpp common/rutas.cpp common/shader.cpp
-  common/textura.cpp common/trazo.cpp common/ventana.cpp common/sistema/${sistema}.cpp)
+  common/malla.cpp common/motivo.cpp common/orbita.cpp common/proyeccion.cpp common/recuadro.cpp common/rotulo.cpp common/rutas.cpp
+  common/shader.cpp common/textura.cpp common/trazo.cpp common/ventana.cpp common/sistema/${sistema}.cpp)
 target_include_directories(comun PUBLIC common "${CMAKE_SOURCE_DIR}")
 target_compile_definitions(comun PRIVATE LAB_FUENTES="${LAB_FUENTES}" LAB_GENERADO="${LAB_GENERADO}")
 target_link_libraries(comun PUBLIC -Wl,--wrap=glutSwapBuffers PRIVATE avisos) # lo dice common/ayuda.cpp

@@ -1,14 +1,15 @@
 #include "imagen.h"
 #include "error.h"
+#include "motivo.h"
 #include "numero.h"
 #include "rutas.h"
 #include "sistema/sistema.h"
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 namespace fs = std::filesystem;
 
@@ -139,21 +140,30 @@ std::vector<Imagen> imagenesDeArgumentos(int argc, char **argv,
 
 bool intentaGuardarPpm(const std::string &fichero, const Imagen &imagen, const std::string &comentario,
                        std::string &error) {
-    // Renombrar solo vale entre ficheros corrientes; un enlace se sigue hasta el fichero al que apunta.
     std::error_code ec;
-    const fs::path pedido = fs::u8path(fichero);
-    const bool dispositivo = fs::exists(pedido, ec) && !fs::is_regular_file(pedido, ec);
-    const fs::path destino = dispositivo ? pedido : fs::weakly_canonical(pedido, ec);
-    fs::path parcial = destino;
-    if (!dispositivo)
-        parcial += "." + std::to_string(numeroDeProceso()) + ".parcial";
     error.clear();
-    ec.clear();
     const auto comprueba = [&](bool bien) {
         if (!bien && error.empty()) // el motivo es el del primer fallo
-            error = "no puedo guardar «" + fichero + "»: " + (ec ? ec.message() : std::strerror(errno));
+            error = "no puedo guardar «" + fichero + "»: " + (ec ? motivo(ec) : motivo());
         return bien;
     };
+
+    // Renombrar solo vale entre ficheros corrientes; un enlace se sigue hasta donde apunta, exista o no.
+    fs::path destino = fs::u8path(fichero);
+    const bool dispositivo = fs::exists(destino, ec) && !fs::is_regular_file(destino, ec);
+    const fs::file_status estado = fs::status(destino, ec);
+    if (!comprueba(estado.type() != fs::file_type::none)) // los enlaces dan vueltas
+        return false;
+    std::optional<SinSenales> sinSenales; // un dispositivo puede no acabar nunca
+    fs::path parcial = destino;
+    if (!dispositivo) {
+        while (fs::is_symlink(destino, ec))
+            destino = destino.parent_path() / fs::read_symlink(destino, ec);
+        parcial = destino;
+        parcial += "." + std::to_string(numeroDeProceso()) + ".parcial";
+        sinSenales.emplace();
+    }
+    ec.clear();
 
     FILE *f = std::fopen(parcial.u8string().c_str(), "wb");
     if (!comprueba(f != nullptr))

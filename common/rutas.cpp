@@ -1,9 +1,8 @@
 #include "rutas.h"
 #include "error.h"
+#include "motivo.h"
 #include "sistema/sistema.h"
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -73,7 +72,7 @@ bool intentaLeer(const std::string &ruta, std::string &contenido, std::string &e
     if (contenido.size() > TAMANO_MAXIMO)
         error = "«" + ruta + "» ocupa más de 256 MiB";
     else if (!fichero.eof())
-        error = "no puedo leer «" + ruta + "»: " + std::strerror(errno);
+        error = "no puedo leer «" + ruta + "»: " + motivo();
     else
         return true;
     return false;

@@ -1,5 +1,6 @@
 #include "sistema.h"
 #include <cerrno> // program_invocation_short_name, de glibc
+#include <csignal>
 #include <unistd.h>
 
 const char SEPARADOR_DE_CARPETAS = ':';
@@ -16,4 +17,21 @@ std::string nombreDelEjecutable() {
 
 int numeroDeProceso() {
     return getpid();
+}
+
+struct SinSenales::Antes {
+    sigset_t bloqueadas;
+};
+
+SinSenales::SinSenales() : antes(new Antes) {
+    sigset_t acaban;
+    sigemptyset(&acaban);
+    for (int senal : {SIGHUP, SIGINT, SIGTERM})
+        sigaddset(&acaban, senal);
+    sigprocmask(SIG_BLOCK, &acaban, &antes->bloqueadas);
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
+SinSenales::~SinSenales() {
+    sigprocmask(SIG_SETMASK, &antes->bloqueadas, nullptr);
 }

@@ -1,6 +1,7 @@
 // Lo que cada sistema hace a su manera: posix.cpp (también el navegador) y windows.cpp, que elige CMake.
 #pragma once
 #include <filesystem>
+#include <memory>
 #include <string>
 
 /// Ruta del ejecutable; vacía si no se puede saber.
@@ -17,3 +18,17 @@ int numeroDeProceso();
 
 /// Desde qué FreeGLUT van en UTF-8 los títulos de las ventanas.
 extern const int FREEGLUT_CON_UTF8;
+
+/// Mientras existe, las señales que acaban un programa esperan, y escribir más de lo que se puede es un error como los
+/// demás: lo que se está escribiendo no se queda a medias. En Windows no hay nada que hacer.
+class SinSenales {
+public:
+    SinSenales();
+    ~SinSenales();
+    SinSenales(const SinSenales &) = delete;
+    SinSenales &operator=(const SinSenales &) = delete;
+
+private:
+    struct Antes;
+    std::unique_ptr<Antes> antes;
+};

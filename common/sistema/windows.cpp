@@ -18,3 +18,7 @@ std::string nombreDelEjecutable() {
 int numeroDeProceso() {
     return _getpid();
 }
+
+struct SinSenales::Antes {};
+SinSenales::SinSenales() = default;
+SinSenales::~SinSenales() = default;

@@ -17,7 +17,13 @@ MOTIVOS = {
     errno.ENOENT: "no existe",
     errno.EISDIR: "es una carpeta",
     errno.EFBIG: "es demasiado grande",
+    errno.ENOTDIR: "parte de la ruta no es una carpeta",
+    errno.ELOOP: "los enlaces dan vueltas",
+    errno.EPIPE: "nadie lo lee",
+    errno.EBADF: "está cerrado",
+    errno.ENAMETOOLONG: "el nombre es demasiado largo",
 }
+SIN_SITIO = MOTIVOS[errno.ENOSPC]
 SENALES = signal.SIGINT, signal.SIGTERM, signal.SIGHUP
 
 
@@ -114,7 +120,7 @@ def ejecuta(orden, **opciones):
 def entorno(carpeta=Path(__file__).parent):
     """Las variables de su entorno.txt: el de aquí fija la imagen; el de build/ tiene además la caché de shaders de
     las pruebas."""
-    return dict(linea.split("=", 1) for linea in (carpeta / "entorno.txt").read_text().split())
+    return dict(linea.split("=", 1) for linea in (carpeta / "entorno.txt").read_text().splitlines())
 
 
 def en_png(ppm, compresion=6):

@@ -55,6 +55,7 @@ class Galeria:
         self.programas = [p for capitulo in capitulos for p in capitulo.programas]
         self.registro = destino / ".hecho.json"
         self.turno, self.escrita, self.dibujados = threading.Lock(), 0, 0
+        self.lleno = ""  # lo que no ha cabido: no merece la pena seguir
         try:
             self.hecho = json.loads(self.registro.read_text())
         except (OSError, ValueError):
@@ -127,6 +128,8 @@ class Galeria:
         """Todos los casos de un programa, y cuenta lo que ha hecho; cada caso recuerda su fallo."""
         hechas = 0
         for caso in programa.casos:
+            if self.lleno:
+                return
             try:
                 hechas += self.dibuja(programa, caso, temporal)
             except Fallo as fallo:
@@ -134,6 +137,8 @@ class Galeria:
             except OSError as error:
                 caso.fallo = f"{error.filename or caso.imagen}: {procesos.motivo(error)}"
             caso.hecho = True
+            if procesos.SIN_SITIO in (caso.fallo or ""):
+                self.lleno = caso.fallo
         fallos = [f"{caso.fichero} ha fallado: {caso.fallo}" for caso in programa.casos if caso.fallo]
         hecho = f"{hechas} {'imagen' if hechas == 1 else 'imágenes'}" if hechas else "sin cambios"
         with self.turno:
@@ -165,6 +170,8 @@ class Galeria:
                 trabajos += [hilos.submit(self.dibuja_programa, p, Path(temporal)) for p in por_compilar.values()]
                 for trabajo in trabajos:
                     trabajo.result()
+            if self.lleno:
+                raise Fallo(self.lleno)
         finally:
             escribe(self.registro, json.dumps(self.hecho, ensure_ascii=False))
 

@@ -6,6 +6,7 @@ y que los errores son los de herramientas/mide/ensayo.tsv, y no escribe nada; co
 LAB_PARES=1 añade los programas con los que se compara.
 """
 import math
+import shutil
 import statistics
 import sys
 import time
@@ -133,6 +134,8 @@ def main():
             sys.exit(f"lab: no hay ninguna técnica «{nombre}»; hay {', '.join(t.nombre for t in todas)}")
     tecnicas = [t for t in todas if not pedidas or t.nombre in pedidas]
     if not ensayo:
+        if not shutil.which("gnuplot"):
+            raise Fallo("no encuentro gnuplot, con que se hacen las gráficas")
         destino.mkdir(parents=True, exist_ok=True)
     datos = {} if ensayo else costes.entorno(build)
     fallos = []

@@ -8,9 +8,15 @@ lanza() { abre "$build/ventana/$capitulo/$programa" "$@"; } # [opciones]
 abre_pantalla
 if [ "$enlace" = windows ]; then
   source "$aqui/../windows/wine.sh"
-  lanza() { abre_en_wine "$programa" "$@"; }
+  PACIENCIA=${PACIENCIA:-600}
+  lanza() {
+    abre_en_wine "$programa" "$@" || return
+    # Wine junta los movimientos del ratón que aún no se han atendido
+    # shellcheck disable=SC2034 # es para haz_guion
+    pausa=(exec --sync --args 3 "$build/tests/ventana" atiende "$ventana")
+    espera_dibujo
+  }
   abre_wine "$carpeta"
-  PAUSA=${PAUSA:-0.1} # Wine junta los movimientos del ratón que van más seguidos
 fi
 quedan=$(grep -c '^caso ' "$build/casos/$programa.sh")
 
@@ -19,12 +25,12 @@ dibuja_algo() {
   if [ "$(colores ventana.ppm)" -gt 1 ] || [ "$(colores "$golden.ppm")" = 1 ]; then echo "bien: dibuja algo"; else echo "la ventana es de un solo color"; fi
 }
 captura() { xwd -silent -id "$ventana" 2>/dev/null | xwdtopnm -quiet >ventana.ppm 2>/dev/null || true; }
-espera_dibujo() { # dos segundos como mucho; en Windows, lo que llega antes se atiende antes de saber el tamaño
+espera_dibujo() { # en Windows, lo que llega antes se atiende antes de saber el tamaño
   local i
-  for ((i = 20; i > 0; --i)); do
+  for ((i = PACIENCIA; i > 0; --i)); do
     captura
-    [ "$(colores ventana.ppm)" -le 1 ] || return 0
-    sleep 0.1
+    [ "$(colores ventana.ppm)" -le 1 ] && [ "$(colores "$golden.ppm")" -gt 1 ] || return 0
+    sigue 0.1 || return
   done
 }
 mira() { # [opciones del comparador]
@@ -35,7 +41,7 @@ mira() { # [opciones del comparador]
 }
 pasea() {
   local sucesos
-  setpriv --pdeathsig KILL twm -f /dev/null >/dev/null 2>&1 &
+  abre_gestor twm -f /dev/null || mal 'no hay con qué pasear'
   sucesos=$("${PYTHON:-python3}" -B "$aqui/../../herramientas" base.controles guion "$aqui/../.." "$build" "$programa" 1 25)
   PAUSA=0.002 haz_guion 240x180 "tamano 300 200; $sucesos; tamano 200 240; $sucesos" # seguidos: no se mira qué hace cada uno
   while cp salida antes && sigue 0.2 && ! cmp -s antes salida; do :; done # hasta que los haya atendido
@@ -46,10 +52,9 @@ ventana() {
   [ $((--quedan)) != 0 ] || cierra=la
   [ -z "${raton:-}" ] || xdotool mousemove 1000 900 # lejos de la ventana
   lanza -geometry 240x180+10+10 >salida 2>errores || mal "no abre su ventana"
-  [ "$enlace" != windows ] || espera_dibujo
   [ -z "$guion" ] || haz_guion 240x180 "$guion"
 
-  # La ventana tarda en dibujarse: se mira hasta que coincide, quince segundos como mucho.
+  # La ventana tarda en dibujarse: se mira hasta que coincide, PACIENCIA décimas de segundo como mucho.
   for ((i = ${PACIENCIA:-150}; i > 0; --i)); do
     captura
     resultado=$(mira)

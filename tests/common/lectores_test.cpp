@@ -1,6 +1,7 @@
 // Los lectores de common/ y el de la tetera: imágenes, mallas v/f, parches y rutas. Lo bueno, y qué dicen de lo malo.
 #include "ch02_modelado/bezier.h"
 #include "ejecuta.h"
+#include "error.h"
 #include "imagen.h"
 #include "malla.h"
 #include "numero.h"
@@ -12,9 +13,10 @@
 #include <gtest/gtest.h>
 #include <locale>
 #include <sys/resource.h>
+#include <unistd.h>
 
 namespace fs = std::filesystem;
-using testing::ExitedWithCode;
+using testing::ExitedWithCode, testing::KilledBySignal;
 
 namespace {
 
@@ -117,35 +119,76 @@ TEST(ImagenDeArgumentos, UnPpmSeConocePorSuExtension) {
     }
 }
 
-// Con el disco lleno o sin la carpeta hay mensaje, y un dispositivo lo sigue siendo.
+// Hay mensaje, en español, y no queda nada más; un dispositivo lo sigue siendo.
 TEST(GuardaPpm, DondeNoSePuede) {
-    const Imagen i{100, 100, std::vector<unsigned char>(30000, 9)};
-    EXPECT_EXIT(guardaPpm("/dev/full", i), ExitedWithCode(1), "no puedo guardar «/dev/full»: No space left");
+    const fs::path carpeta = carpetaTemporal() / "no se puede";
+    fs::create_directories(carpeta / "carpeta");
+    fs::create_symlink("/no/hay/carpeta.ppm", carpeta / "a donde no hay");
+    fs::create_symlink("lazo", carpeta / "lazo");
+    const int habia = 3;
+    for (const auto &[ruta, motivo] : {std::pair{"/dev/full", "no queda sitio en el disco"},
+                                       {"/no/hay/carpeta.ppm", "no existe"},
+                                       {"a donde no hay", "no existe"},
+                                       {"lazo", "los enlaces dan vueltas"},
+                                       {"carpeta", "es una carpeta"},
+                                       {"lazo/x.ppm", "los enlaces dan vueltas"},
+                                       {"/dev/null/x.ppm", "parte de la ruta no es una carpeta"}})
+        EXPECT_EXIT(guardaPpm((carpeta / ruta).string(), {1, 1, {1, 2, 3}}), ExitedWithCode(1),
+                    "no puedo guardar «.*»: " + std::string(motivo) + "\n");
     EXPECT_TRUE(fs::is_character_file("/dev/full"));
-    EXPECT_EXIT(guardaPpm("/no/hay/carpeta.ppm", i), ExitedWithCode(1),
-                "no puedo guardar «/no/hay/carpeta.ppm»");
+    EXPECT_EQ(std::distance(fs::directory_iterator(carpeta), {}), habia);
 }
 
-// Si se acaba el sitio a media imagen, la que había sigue ahí y no queda nada más. Por un enlace se guarda donde
-// apunta.
-TEST(GuardaPpm, ConservaLaQueHabia) {
+// Si se acaba el sitio a media imagen, la que había sigue ahí, y si llega una señal, está entera; no queda nada más.
+TEST(GuardaPpm, EnteraOLaQueHabia) {
     const fs::path carpeta = carpetaTemporal() / "medias";
     fs::create_directory(carpeta);
     const std::string ruta = (carpeta / "foto.ppm").string();
+    const Imagen grande{3000, 3000, std::vector<unsigned char>(27'000'000, 9)};
     guardaPpm(ruta, {1, 1, {1, 2, 3}});
     const auto sinSitio = [&] {
-        std::signal(SIGXFSZ, SIG_IGN);
         const rlimit limite{1000, 1000};
         setrlimit(RLIMIT_FSIZE, &limite);
-        guardaPpm(ruta, {100, 100, std::vector<unsigned char>(30000, 9)});
+        guardaPpm(ruta, grande);
     };
-    EXPECT_EXIT(sinSitio(), ExitedWithCode(1), "no puedo guardar «.*foto.ppm»: File too large");
+    EXPECT_EXIT(sinSitio(), ExitedWithCode(1), "no puedo guardar «.*foto.ppm»: es demasiado grande");
     EXPECT_EQ(leePpm(ruta).rgb, (std::vector<unsigned char>{1, 2, 3}));
     EXPECT_EQ(std::distance(fs::directory_iterator(carpeta), {}), 1);
 
-    fs::create_symlink(ruta, carpeta / "enlace.ppm");
-    guardaPpm((carpeta / "enlace.ppm").string(), {1, 1, {4, 5, 6}});
-    EXPECT_EQ(leePpm(ruta).rgb, (std::vector<unsigned char>{4, 5, 6}));
+    const auto interrumpida = [&] {
+        const auto antes = fs::file_size(ruta);
+        if (const pid_t quien = getpid(); fork() == 0) {
+            while (std::distance(fs::directory_iterator(carpeta), {}) == 1 && fs::file_size(ruta) == antes)
+                ; // en cuanto empieza
+            kill(quien, SIGTERM);
+            _exit(0);
+        }
+        guardaPpm(ruta, grande);
+        pause();
+    };
+    EXPECT_EXIT(interrumpida(), KilledBySignal(SIGTERM), "");
+    EXPECT_EQ(leePpm(ruta).rgb, grande.rgb);
+    EXPECT_EQ(std::distance(fs::directory_iterator(carpeta), {}), 1);
+}
+
+// Por un enlace se guarda donde apunta, lo haya o no.
+TEST(GuardaPpm, PorUnEnlace) {
+    const fs::path carpeta = carpetaTemporal() / "enlaces", foto = carpeta / "otra/foto.ppm";
+    fs::create_directories(carpeta / "otra");
+    fs::create_symlink("otra/foto.ppm", carpeta / "uno.ppm");
+    fs::create_symlink("uno.ppm", carpeta / "dos.ppm");
+    for (const unsigned char gris : std::vector<unsigned char>{1, 2}) {
+        guardaPpm((carpeta / "dos.ppm").string(), {1, 1, {gris, gris, gris}});
+        EXPECT_EQ(leePpm(foto.string()).rgb, std::vector<unsigned char>(3, gris));
+    }
+    EXPECT_TRUE(fs::is_symlink(carpeta / "dos.ppm") && fs::is_symlink(carpeta / "uno.ppm"));
+}
+
+// Lo que se cita de un fichero no estropea la terminal ni la llena.
+TEST(Falla, EnUnaLineaLegible) {
+    EXPECT_EXIT(falla("«\x1B[2J" + std::string(1'000'000, 'x') + "\x7F» fin"), ExitedWithCode(1),
+                "^[^:\n]+: «\\?\\[2Jx{200,300} … x{100,200}\\?» fin\n$");
+    EXPECT_EXIT(falla("a\tb\nc"), ExitedWithCode(1), ": a\tb\nc\n$");
 }
 
 TEST(LeeVf, CadaErrorDiceFicheroYLinea) {

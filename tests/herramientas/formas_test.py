@@ -186,3 +186,26 @@ def test_esta_escrito_como(orden, version, ficheros):
         pytest.skip(f"{es.strip()}: se compara con la {version}")
     r = subprocess.run([*orden, *ficheros], cwd=RAIZ, text=True, capture_output=True)
     assert r.returncode == 0, (r.stdout + r.stderr)[-3000:]
+
+
+# --- lo que acaba antes que quien le escribe ------------------------------------------------------------------------
+
+SE_VA = re.compile(
+    r"(?<!\|)\|&?\s*(head\b|grep\s+(-\S+\s+)*-\w*[qm]|sed\b[^|]*?[\s;'0-9$]q\b|awk\b[^|]*\bexit\b|read\b)"
+)
+
+
+def se_van(guion):
+    """Sus tuberías hacia quien puede acabar antes de leerlo todo: con pipefail, a quien escribe lo mata SIGPIPE si aún
+    no había acabado, y el guion falla una vez de tantas."""
+    sin_comentarios = re.sub(r"(^|\s)#.*", "", guion, flags=re.M)
+    return [m[0] for m in SE_VA.finditer(re.sub(r"\\\n|(?<=\|)\s*\n", " ", sin_comentarios))]
+
+
+def test_nadie_escribe_a_quien_se_va():
+    con_pipefail = [RAIZ / "lab", RAIZ / ".ci/run", *sorted(RAIZ.glob("tests/**/*.sh"))]  # los demás los incluyen ellos
+    assert len(con_pipefail) > 15
+    falla([f"{corto(f)}: {tuberia}" for f in con_pipefail for tuberia in se_van(f.read_text())])
+    for mala in "head|grep -q x|grep -v -Fq x|sed 2q|sed -n '/x/{p;q}'|awk '{ print; exit }'|read x".split("|"):
+        assert se_van(f"a | {mala}\n") and se_van(f"a |\n  {mala}"), mala
+    assert not se_van("a || head b\ngrep -q x <a\na | sed 's/q/x/' | grep -v q | awk '{ print }' # | head")

@@ -12,3 +12,16 @@ cierra_pantalla() {
   kill "${xvfb:-}" 2>/dev/null || true
   wait "${xvfb:-}" 2>/dev/null || true
 }
+
+# Un gestor de ventanas: vuelve cuando ya manda en ellas, que es cuando otro no podría.
+abre_gestor() { # ORDEN…
+  local registro
+  registro=$(mktemp)
+  LC_ALL=C setpriv --pdeathsig KILL "$@" >"$registro" 2>&1 & # en C, que twm no arranca sin las letras de otros
+  gestor=$!
+  until "${build:?}/tests/ventana" gobernada; do
+    kill -0 $gestor 2>/dev/null || { echo "$1 no arranca: $(cat "$registro")"; rm "$registro"; return 1; }
+    sleep 0.05
+  done
+  rm "$registro"
+}

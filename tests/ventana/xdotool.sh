@@ -24,9 +24,10 @@ lleva_raton() {
   raton="$1 $2"
 }
 
-# Las de menú, con elige_en_menu, si quien llama la tiene. Las que no tienen sentido fuera del reloj virtual se saltan.
+# Tras cada una, lo que diga $pausa, que es de xdotool. Las de menú, con elige_en_menu, si quien llama la tiene. Las que no tienen sentido fuera del reloj virtual se saltan.
 haz_guion() { # TALLA GUION: la de la ventana al empezar, y sus órdenes
   local ordenes x y orden resto a b pasos=()
+  [ -v pausa ] || local pausa=(sleep "${PAUSA:-0.02}")
   local -A especial=([IZQUIERDA]=Left [DERECHA]=Right [ARRIBA]=Up [ABAJO]=Down [INICIO]=Home [FIN]=End
     [REPAG]=Prior [AVPAG]=Next [INSERTAR]=Insert)
   local -A nombre=([Esc]=Escape [Espacio]=space [Intro]=Return [Tab]=Tab [Retroceso]=BackSpace [Supr]=Delete
@@ -57,7 +58,7 @@ haz_guion() { # TALLA GUION: la de la ventana al empezar, y sus órdenes
     tamano) pasos+=(windowsize "$ventana" "$a" "$b") ;;
     menu) if declare -F elige_en_menu >/dev/null; then elige_en_menu "$resto"; fi ;;
     esac
-    pasos+=(sleep "${PAUSA:-0.02}")
+    pasos+=("${pausa[@]}")
   done <<<"$ordenes"
   xdotool "${pasos[@]}"
 }

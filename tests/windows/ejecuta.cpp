@@ -1,6 +1,6 @@
 // ejecuta aqui|consola -- ORDEN…: la ejecuta y acaba con su estado, que Wine no da de un programa que tarda en
 // descargar OpenGL: lo mata. Con «consola», en una nueva, como un doble clic; deja en consola.txt lo último que se ha
-// leído en ella y, si dice que se pulse Intro, lo pulsa. Acaba con 250 si ORDEN no termina en veinte segundos.
+// leído en ella y, si dice que se pulse Intro, lo pulsa. Acaba con 250 si ORDEN no termina en dos minutos.
 #include <cstdio>
 #include <string>
 #include <windows.h>
@@ -55,7 +55,7 @@ int main() {
     }
     // Mientras se mira, la consola no es solo suya: se hace de tarde en tarde y un instante.
     std::wstring texto;
-    for (int i = 0; i < 10 && WaitForSingleObject(proceso.hProcess, 2000) == WAIT_TIMEOUT; ++i) {
+    for (int i = 0; i < 60 && WaitForSingleObject(proceso.hProcess, 2000) == WAIT_TIMEOUT; ++i) {
         FreeConsole();
         if (AttachConsole(proceso.dwProcessId))
             texto = leido();

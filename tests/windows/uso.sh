@@ -20,9 +20,9 @@ laboratorio="$carpeta/Año 2º de Íñigo"
 mkdir "$carpeta/imágenes"
 cd "$carpeta/imágenes"
 
-pronto() { # ORDEN…: se cumple en diez segundos
+pronto() { # ORDEN…: se cumple en un minuto
   local _
-  for _ in $(seq 100); do
+  for _ in $(seq 600); do
     ! "$@" >/dev/null 2>&1 || return 0
     sleep 0.1
   done
@@ -33,6 +33,9 @@ abre() { # PROGRAMA: en una ventana de 240x180
 }
 tiene_color() { xwd -silent -id "$ventana" | xwdtopnm -quiet | ppmhist -noheader | grep -E "^ *$1 +$2 +$3[[:space:]]"; } # R G B
 dibujado() { [ "$(xwd -silent -id "$ventana" | xwdtopnm -quiet | ppmhist -noheader | wc -l)" -gt 1 ]; }
+# shellcheck disable=SC2034 # es para dibujado
+tiene_el_teclado() { ventana=$("$build/tests/ventana" activa "$1"); } # PROGRAMA.exe
+con_controles() { [ "$(xwd -silent -id "$ventana" | cksum)" != "$sin_controles" ]; }
 acabado() { ! kill -0 "$pid"; }
 cierra() { # con Esc
   local estado=0
@@ -49,6 +52,10 @@ titulo() { [ "$(xdotool getwindowname "$ventana")" = "$1" ]; }
 # --- títulos, F12 y F5 --------------------------------------------------------------------------------------------
 
 abre normales
+pronto dibujado || mal 'normales no dibuja'
+sin_controles=$(xwd -silent -id "$ventana" | cksum)
+xdotool key 67 # F1
+pronto con_controles || mal 'F1 no enseña los controles'
 pronto titulo 'Normales transformadas: M = I' || mal "el título es «$(xdotool getwindowname "$ventana")»"
 xdotool key 3
 pronto titulo 'Normales transformadas: M = S(−2, 1, 1)' || mal "tras la tecla 3, el título es «$(xdotool getwindowname "$ventana")»"
@@ -83,7 +90,7 @@ espera() { # ESTADO TEXTO PROGRAMA [opciones]
   local estado=0 esperado=$1 texto=$2
   shift 2
   (ejecuta_en_wine "$@") >salida 2>errores </dev/null || estado=$?
-  [ $estado = "$esperado" ] && cat salida errores | grep -qF "$texto" ||
+  [ $estado = "$esperado" ] && [[ $(cat salida errores) = *"$texto"* ]] ||
     mal "$*: estado $estado (debía ser $esperado); debía decir «$texto» y ha dicho: $(cat salida errores)"
 }
 espera 0 'uso: grua [opciones de GLUT]' grua -ayuda
@@ -106,8 +113,8 @@ consola() { # ESTADO PROGRAMA
 consola 0 info_opengl
 grep -q '^Anisotropía máxima: ' consola.txt && grep -q '^Pulsa Intro' consola.txt || mal "info_opengl no deja leer su consola: $(cat consola.txt)"
 consola 1 figura_color
-tr -d '\n' <consola.txt | grep -q 'figura_color: no encuentro «.*Pulsa Intro' || mal "un error no deja leer la consola: $(cat consola.txt)"
-{ pronto xdotool search --onlyvisible --classname '^grua\.exe$' && sleep 3 && xdotool key Escape; } &
+[[ $(tr -d '\n' <consola.txt) = *'figura_color: no encuentro «'*'Pulsa Intro'* ]] || mal "un error no deja leer la consola: $(cat consola.txt)"
+{ pronto tiene_el_teclado grua.exe && pronto dibujado && xdotool key Escape; } &
 consola 0 grua
 ! grep 'Pulsa Intro' consola.txt || mal 'la consola no se cierra con la ventana'
 

@@ -3,7 +3,10 @@
 # mismo para todas.
 laboratorio="$build/windows/prueba/Prácticas de la señora Núñez (1)"
 export WINEPREFIX='' WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml,winemenubuilder.exe=' LC_ALL=C.UTF-8
-wine=$(command -v wine64 /usr/lib/wine/wine64 wine | head -n 1)
+# La memoria que entorno.txt pide de una vez cae a veces donde Wine necesita la suya, y entonces no arranca.
+unset GLIBC_TUNABLES
+wine=$(command -v wine64 /usr/lib/wine/wine64 wine)
+wine=${wine%%$'\n'*}
 
 abre_wine() { # CARPETA en que dejar lo suyo
   local molde=$build/windows/prueba/wine
@@ -12,8 +15,9 @@ abre_wine() { # CARPETA en que dejar lo suyo
   cp -a "$molde"/*.reg "$molde/dosdevices" "$molde/.update-timestamp" "$WINEPREFIX"
   ln -s "$molde/drive_c" "$WINEPREFIX"
   # Sin un gestor de ventanas que las active, como openbox, la del menú de FreeGLUT se queda con las teclas.
-  setpriv --pdeathsig KILL openbox >/dev/null 2>&1 &
-  "$wine" wineboot </dev/null >/dev/null 2>&1 # lo que digan los servicios de Wine no es del programa
+  abre_gestor openbox
+  # lo que digan los servicios de Wine no es del programa; en su registro, por si no arrancan
+  "$wine" wineboot </dev/null >"$1/wineboot" 2>&1 || { echo "Wine no arranca: $(cat "$1/wineboot")"; return 1; }
 }
 
 cierra_wine() {
@@ -25,17 +29,15 @@ ejecuta_en_wine() { # PROGRAMA [opciones]
   exec "$wine" "$build/windows/prueba/ejecuta.exe" aqui -- "$laboratorio/programas/$1.exe" -display DISPLAY "${@:2}"
 }
 
-# Como abre y sigue, de xdotool.sh: la ventana es la de su clase, y no una de Wine.
+# Como abre y sigue, de xdotool.sh: la ventana es la de su clase, y no una de Wine, en cuanto tiene el teclado.
 abre_en_wine() { # PROGRAMA [opciones]
-  local i
+  while "$build/tests/ventana" activa "$1.exe" >/dev/null; do sleep 0.05; done # la de otra vez, que aún no se ha ido
   ejecuta_en_wine "$@" </dev/null &
   # shellcheck disable=SC2034 # son para quien llama
   pid=$! raton=
-  for ((i = 600; i > 0; --i)); do
-    ventana=$(xdotool search --onlyvisible --classname "^$1\\.exe\$" 2>/dev/null | head -n 1) && [ -n "$ventana" ] && break
+  until ventana=$("$build/tests/ventana" activa "$1.exe"); do
     kill -0 "$pid" 2>/dev/null || return 1
     sleep 0.05
   done
-  [ -n "$ventana" ] && xdotool windowfocus --sync "$ventana"
 }
 sigue() { ! timeout "$1" tail --pid="$pid" -s 0.05 -f /dev/null; }
