@@ -22,6 +22,7 @@ ENCIERRA = """segundos=$1; shift
 [ ! -d "$LAB_SHADERS" ] || cp -r "$LAB_SHADERS" shaders
 timeout -k 1 "$segundos" "$@" >salida 2>errores
 echo $? >estado
+times >tiempos
 exec tar -cf - --exclude=./shaders ."""
 
 
@@ -57,7 +58,9 @@ class Jaula:
             self.prefijo += ["--ro-bind-try", que, que]
         if raiz.is_relative_to("/usr"):  # el laboratorio no es del sistema
             self.prefijo += ["--tmpfs", raiz]
-        self.prefijo += ["--perms", "1777", "--size", DISCO, "--tmpfs", "/trabajo", "--chdir", "/trabajo"]
+        for carpeta in ("/trabajo", "/tmp"):
+            self.prefijo += ["--perms", "1777", "--size", DISCO, "--tmpfs", carpeta]
+        self.prefijo += ["--chdir", "/trabajo"]
 
     def comprueba(self):
         try:
@@ -148,7 +151,7 @@ def desempaqueta(datos):
                 if (
                     miembro.isreg()
                     and not miembro.issparse()
-                    and re.fullmatch(r"estado|salida|errores|programa|\d{3}\.ppm", nombre)
+                    and re.fullmatch(r"estado|salida|errores|titulos|tiempos|programa|\d{3}\.ppm", nombre)
                 ):
                     ficheros.setdefault(nombre, tar.extractfile(miembro).read())
     except Exception:  # pylint: disable=broad-except  # está cortado o estropeado, y puede ser de cualquier manera
