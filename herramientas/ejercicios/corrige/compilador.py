@@ -100,7 +100,7 @@ class Compilador:
             self.recinto.ajeno(orden, COMPILA, [carpeta, *self.ve]) if ajena else self.recinto.propio(orden, COMPILA)
         )
         if hecho.get("estado", b"").strip() != b"0":
-            raise Rechazo(primer_error(hecho, suya))
+            raise Rechazo(primer_error(hecho, suya), hecho.get("errores", b"").decode(errors="replace"))
         ejecutable = carpeta / self.programa.nombre
         ejecutable.write_bytes(hecho["programa"])
         ejecutable.chmod(0o755)

@@ -12,7 +12,11 @@ FICHEROS, BYTES = 40, 1 << 20  # de una entrega, y de cada fichero
 
 
 class Rechazo(Exception):
-    """Por qué no se puede ni probar una entrega."""
+    """Por qué no se puede ni probar una entrega; y, si es el compilador, todo lo que dice."""
+
+    def __init__(self, por, todo=""):
+        super().__init__(por)
+        self.todo = todo
 
 
 def lee_fichero(carpeta, nombre):
