@@ -115,7 +115,7 @@ class Ejercicio:
                 return carpeta / self.programa.nombre, [carpeta / "fuentes/mios", carpeta / "fuentes"]
             for n in malas:
                 vivas.pop(n, None)
-        raise Fallo(f"huecos: {self.ref} no compila")
+        raise Fallo(f"huecos: {self.ref} no compila: {malas}")
 
     def no_compilan(self, textos, carpeta):
         """Las que no."""

@@ -207,7 +207,7 @@ def perturbaciones(texto, desde, hasta, glsl):
         hechas.append(Perturbacion(que, cambios, linea, re.sub(r"\s+", " ", cambios[-1][2])))
 
     for de, a, instruccion in trozos(texto, desde, hasta):
-        original = sin_comentarios(texto[de:a])
+        original = re.sub(r"\s+", " ", sin_comentarios(texto[de:a]))
         for que, otro in dict.fromkeys(Trozo(original).perturba(EN_GLSL if glsl else EN_CPP)):
             if otro != original:
                 apunta(que, (de, a, otro))
