@@ -25,7 +25,7 @@ from base import catalogo, guiones, procesos
 from ejercicios import nuevo
 from ejercicios.corrige import clase as de_clase
 from ejercicios.corrige import compilador, informes, jaula, motivos, partidas, veredicto
-from ejercicios.corrige.arbitro import Arbitro
+from ejercicios.corrige.arbitro import BIEN, CASI, Arbitro, aparte
 from ejercicios.corrige.entrega import Rechazo, lee_entrega
 from ejercicios.corrige.partidas import Guion, Partida
 from mentira import ejecutable, faltan, siembra
@@ -64,18 +64,25 @@ def test_acorta_un_guion():
 def test_los_guiones_al_azar_son_los_mismos_y_usan_todos_los_mandos():
     mandos = [f"tecla {c}" for c in "abcdefg"]
     claves = "E1 1", "E1 1", "E1 2"
-    hechos = [list(partidas.guiones_al_azar(c, 20, mandos, lambda azar: [azar.choice(mandos)])) for c in claves]
+    pulsan = [lambda _, m=m: [m] for m in mandos]
+    hechos = [list(partidas.guiones_al_azar(c, 20, pulsan, lambda azar: [azar.choice(mandos)])) for c in claves]
     assert hechos[0] == hechos[1] != hechos[2] and len(set(g.ordenes for g in hechos[0])) == 20
     assert {guiones.sin_veces(g.ordenes[0]) for g in hechos[0]} == set(mandos)
     assert any(o.endswith(" ×30") for g in hechos[0] for o in g.ordenes)
-    assert [any(o.startswith("tamano") for o in g.ordenes) for g in hechos[0]] == [False, True] * 10
+    tallas = [[o for o in g.ordenes[:-3] if o.startswith("tamano")] for g in hechos[0]]
+    assert [len(t) for t in tallas] == [0, 1] * 10 and {o for t in tallas for o in t} == {
+        f"tamano {t}" for t in partidas.TALLAS
+    }
+    assert {g.ordenes[-3:] for g in hechos[0]} == {partidas.FINAL}
+    pocos = list(partidas.guiones_al_azar("E1 1", 3, pulsan, lambda azar: ["tecla z"]))
+    assert {guiones.sin_veces(o) for g in pocos for o in g.ordenes} >= set(mandos)  # aunque sean más que los guiones
 
 
 def test_los_guiones_de_los_casos():
     casos = [
         SimpleNamespace(nombre=nombre, guion=guion) for nombre, guion in (("uno", ""), ("dos", "tecla a; espera 5;"))
     ]
-    son = [Guion("uno", (), True), Guion("dos", ("tecla a", "espera 5"), True)]
+    son = [Guion("uno", partidas.FINAL, True), Guion("dos", ("tecla a", "espera 5", *partidas.FINAL), True)]
     assert list(partidas.de_los_casos(SimpleNamespace(casos=casos))) == son
     capturas = "captura 000.ppm; tecla a; captura 001.ppm; tecla b; captura 002.ppm"
     assert Guion("", ("tecla a", "tecla b")).texto == capturas
@@ -140,34 +147,45 @@ def test_lo_que_se_lee_de_una_entrega(tmp_path):
     assert not [nombre for nombre, motivo in dice.items() if motivo not in rechazo(nombre)]
 
 
-def partida(*imagenes, titulos=("título: uno",), texto="", estado=0, errores=""):
+def partida(*imagenes, titulos=("uno",), texto="", estado=0, errores=""):
     return Partida([(2, 1, bytes([i] * 6)) for i in imagenes], list(titulos), texto, estado, errores)
 
 
 def test_en_que_se_apartan_dos_partidas():
-    arbitro = SimpleNamespace(iguales=lambda una, otra: una == otra)
+    arbitro = SimpleNamespace(parecido=lambda una, otra: BIEN if una == otra else CASI if otra[2][0] == 7 else 0)
 
-    def difiere(obtenida, **esperada):
-        return Arbitro.difiere(arbitro, partida(1, 2, 3, **esperada), obtenida)
+    def difiere(obtenida, *basta):
+        return Arbitro.difiere(arbitro, partida(1, 2, 3), obtenida, *basta)
 
-    assert difiere(partida(1, 2, 3)) is None and difiere(partida(1, 2, 3, texto="sobra", errores="aviso")) is None
+    assert difiere(partida(1, 2, 3, texto="sobra", errores="aviso", titulos=(), estado=1)) is None
     assert [difiere(partida(*i)) for i in ((9, 2, 3), (1, 9, 3), (1, 2), ())] == [0, 1, 2, 0]
-    dos = "título: uno", "título: dos"
-    distintas = partida(1, 2, 3, estado=3), partida(1, 2, 3, titulos=()), partida(1, 2, 3, titulos=dos)
-    assert [difiere(otra) for otra in distintas] == [2, 2, 2]
-    assert [difiere(partida(1, 2, 3, texto="una"), texto=otro) for otro in ("otra", "una")] == [2, None]
+    assert [difiere(partida(1, 2, 3, estado=estado)) for estado in (3, 124)] == [2, 2]
+    assert (difiere(partida(1, 7, 3)), difiere(partida(1, 7, 3), CASI)) == (1, None)
+
+
+@pytest.mark.parametrize(
+    "obtenida, que",
+    [
+        ({"texto": "sobra\ngiro 1 una\nde más\notra"}, []),
+        ({"texto": "otra\nuna"}, ["texto"]),
+        ({"texto": "una\notra", "titulos": ("uno", "dos")}, ["título"]),
+        ({"texto": "una\notra", "titulos": (), "estado": 1}, ["título", "estado"]),
+    ],
+)
+def test_lo_que_cuenta_una_vez(obtenida, que):
+    assert list(aparte(partida(1, texto="una\notra"), partida(1, **obtenida))) == que
 
 
 @pytest.mark.skipif(not (BUILD / "herramientas/comparador/compara").exists(), reason="no está compilado")
 def test_dos_imagenes_son_la_misma(tmp_path):
     arbitro = Arbitro.__new__(Arbitro)
-    arbitro.iguales_ya, arbitro.temporal, arbitro.build = {}, tmp_path, BUILD
+    arbitro.parecidas, arbitro.temporal, arbitro.build = {}, tmp_path, BUILD
     gris = bytes([100]) * 3000
     iguales = gris, bytes([101]) * 3000
     distintas = bytes([110]) * 3000, gris[:-30] + bytes(30), bytes([160]) + gris[1:]
-    son = [arbitro.iguales((100, 10, gris), (100, 10, pixeles)) for pixeles in (*iguales, *distintas)]
-    assert son == [True] * len(iguales) + [False] * len(distintas)
-    assert not arbitro.iguales((100, 10, gris), (50, 20, gris))
+    son = [arbitro.parecido((100, 10, gris), (100, 10, pixeles)) for pixeles in (*iguales, *distintas)]
+    assert son == [BIEN, BIEN, 0, 0, CASI]  # un píxel suelto que se sale
+    assert not arbitro.parecido((100, 10, gris), (50, 20, gris))
     assert not list(tmp_path.iterdir())
 
 
@@ -176,12 +194,14 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
     jugados = []
 
     def nota(obtenida):
-        def juega(variante, guion):
+        def juega(variante, guion, *_):
             jugados.append(guion)
             return obtenida(guion) if variante == "entrega" else partida(1)
 
         jugados.clear()
-        arbitro = SimpleNamespace(juega=juega, iguales=lambda una, otra: una == otra)
+        arbitro = SimpleNamespace(
+            juega=juega, parecido=lambda una, otra: BIEN if una == otra else CASI * (otra[2][0] == 7)
+        )
         arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
         banco = SimpleNamespace(todos=casos + otros, arbitro=arbitro, compilador=SimpleNamespace(solucion="solución"))
         correccion = veredicto.Correccion(banco, {})
@@ -189,6 +209,7 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
         return correccion.compara()["nota"]
 
     assert nota(lambda g: partida(1)) == 100 and nota(lambda g: partida(2)) == 0
+    assert nota(lambda g: partida(7)) == 50 and nota(lambda g: partida(1, titulos=())) == 95  # por poco; en todos
     assert nota(lambda g: partida(2 if g.caso else 1)) == 99.5  # un caso vale por dos
     casos += [Guion(f"caso {i}", (), True) for i in range(2000)]
     assert nota(lambda g: partida(2 if g is otros[0] else 1)) == 99.9  # con un fallo no es 100
@@ -199,13 +220,14 @@ def test_el_defecto_que_deja_lo_mismo_en_todos_los_guiones():
     jugados = [Guion(str(i), ("tecla a",)) for i in range(3)]
     entregado = {g: partida(5) for g in jugados}
     hace = {"esqueleto": (1, 1, 1), "uno": (5, 5, 6), "dos": (5, 5, 9), "tres": (5, 5, 5), "cuatro": (5, 5, 6)}
-    arbitro = SimpleNamespace(juega=lambda v, g: partida(hace[v][int(g.nombre)]))
-    arbitro.iguales = lambda una, otra: abs(una[2][0] - otra[2][0]) < 2  # 5 y 6 se parecen
+    arbitro = SimpleNamespace(juega=lambda v, g, _: partida(hace[v][int(g.nombre)]))
+    arbitro.parecido = lambda una, otra: BIEN * (abs(una[2][0] - otra[2][0]) < 2)  # 5 y 6 se parecen
     arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
+    arbitro.misma = lambda *p: Arbitro.misma(arbitro, *p)
 
     def dice(*variantes):
         todos = SimpleNamespace(arbitro=arbitro, variantes=lambda: [("", "esqueleto"), *((v, v) for v in variantes)])
-        return motivos.Motivos.por_que(todos, entregado, jugados[:1])
+        return motivos.Motivos.por_que(todos, entregado, entregado, jugados[:1])
 
     assert dice("uno", "dos", "tres", "cuatro") == ["tres"]  # antes, la exacta
     assert dice("uno", "dos", "cuatro") == ["uno", "cuatro"] and dice("dos") == []
@@ -217,15 +239,25 @@ def test_lo_que_no_responde():
     guion = Guion("", ("tecla a", "tecla b ×3", "arrastra 5 6", "tecla a"))
     esperada = {guion: partida(0, 1, 2, 3, 4)}
 
-    def dice(*imagenes, muestra=()):
+    def dice(*imagenes, muestra=(), casi=(), donde=1):
         banco = SimpleNamespace(arbitro=None, motivos=SimpleNamespace(por_que=lambda *_: []))
         correccion = veredicto.Correccion(banco, {})
         correccion.partidas, correccion.esperadas = {guion: partida(*imagenes)}, esperada
-        return correccion.explica({guion: 1}, muestra)
+        return correccion.explica({guion: donde}, casi, muestra)
 
     assert dice(0, 1, 1, 3, 4) == ["«tecla b» no hace nada"] and dice(0, 0, 2, 2, 4) == ["«arrastra» no hace nada"]
     assert dice(0, 0, 0, 0, 0) == ["no responde a nada de lo que debería"] and dice(0, 1, 2, 9, 4) == []
     assert dice(0, 1, 2, 9, 4, muestra=[{"tras": ["tamano 3 4"]}]) == ["está mal al cambiar el tamaño de la ventana"]
+    assert dice(0, 1, 1, 3, 4, donde=0) == [] and dice(0, 1, 2, 9, 4, casi=[guion]) == [veredicto.POR_POCO]
+
+
+def test_donde_se_apartan_dos_imagenes():
+    def imagen(*colores):
+        return 20, 10, b"".join(bytes([colores[0 if 5 < i // 20 < 9 and i % 20 > 14 else 1]] * 3) for i in range(200))
+
+    assert veredicto.en_que(imagen(9, 1), imagen(50, 80)) == "las formas están bien; los colores, no"
+    assert veredicto.en_que(imagen(9, 1), imagen(1, 1)) == "abajo a la derecha"
+    assert "40×10" in veredicto.en_que(imagen(9, 1), (40, 10, b""))
 
 
 def test_lo_mismo_no_se_corrige_otra_vez(tmp_path, monkeypatch):
@@ -327,7 +359,10 @@ def test_en_la_jaula_solo_se_escribe_en_su_carpeta(monkeypatch, quien):
     if subprocess.run([*encerrado, "true"], cwd="/", stderr=subprocess.DEVNULL, **como).returncode:
         pytest.skip("aquí no se puede encerrar nada sin ser root")
     busca = """find / -path /proc -prune -o -type d -writable -exec sh -c 'touch "$1/x" && echo "$1"' sh {} ';'"""
-    assert subprocess.run([*encerrado, "sh", "-c", busca], cwd="/", **CALLADO, **como).stdout == "/trabajo\n"
+    assert subprocess.run([*encerrado, "sh", "-c", busca], cwd="/", **CALLADO, **como).stdout.split() == [
+        "/tmp",
+        "/trabajo",
+    ]
 
 
 @con_jaula
@@ -342,7 +377,13 @@ def test_los_limites_de_la_jaula(tmp_path):
     def acaba(orden):
         return int(hace(orden)["estado"].strip() or -1)
 
-    assert hace("echo hola; pwd") == {"estado": b"0\n", "salida": b"hola\n/trabajo\n", "errores": b""}
+    tiempos = hace("echo hola; pwd").pop("tiempos")
+    assert {**hace("echo hola; pwd"), "tiempos": tiempos} == {
+        "estado": b"0\n",
+        "salida": b"hola\n/trabajo\n",
+        "errores": b"",
+        "tiempos": tiempos,
+    }
     assert acaba("trap '' TERM; while sleep 1; do :; done") == 137 and acaba("while :; do :; done") in jaula.NO_ACABA
     assert acaba("head -c 1M /dev/zero >a") == 0
     assert acaba(f"for i in 1 2 3; do head -c {jaula.DISCO // 2} /dev/zero >$i || exit 5; done; rm 1 2 3") in (5, -1)
