@@ -135,7 +135,7 @@ class Arbitro:
             return BIEN
         if una[:2] != otra[:2]:
             return 0
-        clave = suma(una[2], otra[2])
+        clave = suma(repr(una[:2]), una[2], otra[2])
         if clave not in self.parecidas:
             como = (BIEN, "--amplia"), (CASI, "--otro")
             self.parecidas[clave] = next((cuanto for cuanto, c in como if self.compara(una, otra, c)), 0)
