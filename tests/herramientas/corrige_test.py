@@ -3,6 +3,7 @@ quien lo hace a propósito."""
 import base64
 import csv
 import io
+import itertools
 import json
 import os
 import random
@@ -220,6 +221,20 @@ def test_el_defecto_que_deja_lo_mismo_en_todos_los_guiones():
     assert dice("tres") == [""]
 
 
+def test_una_entrega_lenta_se_deja(monkeypatch):
+    reloj = itertools.count(0, veredicto.TOPE / 4)
+    monkeypatch.setattr(veredicto.time, "monotonic", lambda: next(reloj))
+    arbitro = SimpleNamespace(juega=lambda *_: partida(1), difiere=lambda *_: None)
+    todos = [Guion(str(i), ()) for i in range(20)]
+    banco = SimpleNamespace(todos=todos, arbitro=arbitro, compilador=SimpleNamespace(solucion="solución"))
+    lenta = veredicto.Correccion(banco, None)
+    lenta.jugador = "entrega"
+    hecho = lenta.compara()
+    assert hecho["nota"] == 25 and hecho["dice"] == [
+        "es muy lento: a los 5 minutos se ha dejado, con 5 de los 20 guiones jugados"
+    ]
+
+
 def test_lo_que_no_responde():
     guion = Guion("", ("tecla a", "tecla b ×3", "arrastra 5 6", "tecla a"))
     esperada = {guion: partida(0, 1, 2, 3, 4)}
@@ -406,17 +421,18 @@ HOSTILES = [a + texto + b for texto in FALSO for a, b in (("", ""), ("hola\n", "
 
 def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, capsys):
     """De cada texto hostil, en todo lo que dice una corrección, y de cada manera de escribirla."""
-    textos = iter(HOSTILES * 2)
+    hostiles = [*HOSTILES, f"{tmp_path}/temporal/x1/fuentes/a.cpp:3: mal"]
+    textos = itertools.cycle(hostiles)
 
     def mal(*_):
         texto = next(textos)
         return {"nota": 50, "dice": [texto, texto], "fallos": [{"tras": ["tecla a"], "que": texto, "imagenes": []}]}
 
     juzga(mal)
-    for i, texto in enumerate(HOSTILES):
+    for i, texto in enumerate(hostiles):
         nombre = (texto[:60] + str(i)).replace("/", "").replace("\0", "")
         carpeta_de(tmp_path / "clase" / nombre, UNO)
-    monkeypatch.setattr(orden_, "Banco", lambda *_: banco_falso(tmp_path))
+    monkeypatch.setattr(orden_, "Banco", lambda *_: banco_falso(tmp_path / "temporal"))
     monkeypatch.setattr(orden_, "ejercicio", lambda *_: (REF, SimpleNamespace(nombre="a", titulo="A", casos=[])))
     monkeypatch.setattr(orden_.catalogo, "lee_programas", lambda _: [])
 
@@ -431,15 +447,14 @@ def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, 
         vpl = pide(carpeta, REF, "--vpl")
         assert [ll.partition(":=>>")[0] for ll in vpl.splitlines()] == ["Comment "] * 4 + ["Grade "]
         escrito += vpl + pide(carpeta, REF, "--sin-jaula", "--json", tmp_path / "una.json")
-        textos = iter(HOSTILES * 2)
     d = tmp_path / "d"
     ficheros = [tmp_path / "j.xml", d / "notas.csv", d / "index.html", *d.glob("*.json")]
     escrito += "".join(f.read_text().replace("\r\n", "\n") for f in ficheros)
     assert {c for c in escrito if not c.isprintable()} <= {"\n"}
     assert max(map(len, escrito.split("\n"))) < 3 * entrega.LETRAS + 200
-    assert len(xml.parse(tmp_path / "j.xml").getroot()) == len(list(d.glob("*.json"))) == len(HOSTILES)
+    assert len(xml.parse(tmp_path / "j.xml").getroot()) == len(list(d.glob("*.json"))) == len(hostiles)
     filas = list(csv.reader(io.StringIO((d / "notas.csv").read_text())))
-    assert len(filas) == len(HOSTILES) + 1 and not [c for f in filas for c in f if c[:1] in tuple("=+-@")]
+    assert len(filas) == len(hostiles) + 1 and not [c for f in filas for c in f if c[:1] in tuple("=+-@")]
     assert (d / "index.html").read_text().count("<script") == 1
     assert str(tmp_path / "temporal") not in escrito
 
@@ -836,7 +851,7 @@ def comprueba_correcciones(clase, destino):
     primera = {nombre: informes.lineas(c)[0] for nombre, c in todas.items()}
     assert not [nombre for nombre, texto in DICE.items() if texto not in primera[nombre]]
     assert primera["c_gira_al_reves"] != primera["d_orden"]
-    fallos = [f for f in todas["c_gira_al_reves"]["fallos"] if f["tras"] in (["tecla a"], ["tecla d"])]
+    fallos = [f for f in todas["c_gira_al_reves"]["fallos"] if f["tras"] in (["tecla a ×7"], ["tecla d ×7"])]
     assert any(len(f["imagenes"]) == 3 for f in fallos)
     assert "root:" not in "".join(map(json.dumps, todas.values()))
     filas = list(csv.DictReader(io.StringIO((destino / "notas.csv").read_text())))
@@ -869,11 +884,13 @@ def comprueba_pagina(pagina, todas):
     ) in casos
     al_reves = pagina[pagina.index("<span>c_gira_al_reves") : pagina.index("<span>d_orden")]
     hallado = re.search(
-        r'Para verlo: pulsa (.)\..*?base64,(.*?)" alt="lo entregado.*?base64,(.*?)" alt="lo esperado', al_reves, re.S
+        r'Para verlo: pulsa (.) 7 veces\..*?base64,(.*?)" alt="lo entregado.*?base64,(.*?)" alt="lo esperado',
+        al_reves,
+        re.S,
     )
     sin_rotulos = {**os.environ, **procesos.entorno(), "LAB_SIN_ENCIMA": "1"}
     for tecla, imagen in ((hallado[1], 3), ({"a": "d", "d": "a"}[hallado[1]], 2)):  # al revés, la otra tecla
-        solucion = [BUILD / "osmesa/ch03_transformaciones/grua", "-geometry", "240x180", "-guion", f"tecla {tecla}"]
+        solucion = [BUILD / "osmesa/ch03_transformaciones/grua", "-geometry", "240x180", "-guion", f"tecla {tecla} ×7"]
         pinta = subprocess.run([*solucion, "-ppm", "/dev/stdout"], env=sin_rotulos, capture_output=True).stdout
         png = subprocess.run(["pngtopnm"], input=base64.b64decode(hallado[imagen]), capture_output=True).stdout
         assert png[-3 * 240 * 180 :] == pinta[-3 * 240 * 180 :]
