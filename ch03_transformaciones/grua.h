@@ -53,7 +53,8 @@ struct Pieza {
 
 /// Pie, brazo, contrapeso, cable y carga, en este orden. El pie se apoya en el origen; Y es la vertical y, sin giro, el
 /// brazo, que se apoya en él y sobresale VOLADIZO_ATRAS por detrás, apunta a +X. El contrapeso cuelga de ese extremo,
-/// al ras, y de la carga tira el cable, que va de la cara de abajo del brazo a la de arriba de ella.
+/// al ras, y de la carga tira el cable, que va de la cara de abajo del brazo a la de arriba de ella. Pie y brazo son
+/// del color AMARILLO, el contrapeso GRIS, el cable OSCURO y la carga ROJO.
 inline std::vector<Pieza> piezasGrua(const PosturaGrua &postura) {
     // E3.5: los cinco cubos de lado uno, cada uno con su transformación y su color; el giro mueve todos menos el pie
     const PosturaGrua p = limita(postura);

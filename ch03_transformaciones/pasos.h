@@ -21,7 +21,7 @@ struct Paso {
 inline glm::mat4 concatena(const std::vector<Paso> &pasos, std::size_t cuantos) {
     glm::mat4 M(1);
     for (std::size_t i = 0; i < std::min(cuantos, pasos.size()); ++i) {
-        // E3.3: añade a M la transformación siguiente
+        // E3.3: añade a M la transformación siguiente, que se aplica después
         M = pasos[i].M * M; // la que se aplica después se escribe a la izquierda: con tres, M3·M2·M1 (§3.2)
         // de partida: M = pasos[i].M;
         // fin de E3.3
@@ -51,7 +51,7 @@ inline std::array<glm::mat4, 3> tresCubos() {
 /// Ejercicio 3.3: el cono de radio y altura 1 (base en z = 0, vértice en z = 1) acaba tumbado en el eje X,
 /// con el vértice en el origen y la base, de radio 1, en x = 3.
 inline std::vector<Paso> pasosCono() {
-    // E3.3: una traslación, un escalado y un giro
+    // E3.3: una traslación, un escalado y un giro, en ese orden y con esos nombres, que es como se enseñan los pasos
     // Primero se lleva el vértice al origen, el único punto que ni el escalado ni el giro mueven: M = Ry·S·T.
     const glm::mat4 T = traslacion({0, 0, -1}), S = escalado({1, 1, 3}), Ry = giroY(-glm::half_pi<float>());
     // de partida: const glm::mat4 T(1), S(1), Ry(1);
@@ -62,7 +62,7 @@ inline std::vector<Paso> pasosCono() {
 /// Ejercicio 3.4: la esfera de radio 1 se escala, se traslada hasta apoyar un extremo en el origen y se
 /// inclina en dos giros; el otro extremo acaba en 6/√3·(1, 1, 1).
 inline std::vector<Paso> pasosElipsoide() {
-    // E3.4: un escalado, una traslación y dos giros
+    // E3.4: un escalado, una traslación y dos giros, en ese orden y con esos nombres, que es como se enseñan los pasos
     // Rx levanta el eje Z hasta que la Y de su vector unitario vale 1/√3, y Ry reparte lo que queda a partes
     // iguales entre X y Z: M = Ry·Rx·T·S.
     const float inclinacion = std::asin(1 / std::sqrt(3.0f));

@@ -11,7 +11,7 @@ out vec4 colorFragmento;
 // imagen opaca sería transparente.
 void main() {
     vec4 color = texture(imagen, coordenadaTextura);
-    // L9.1: según elegido: 1, brillo (por alfa); 2, negativo; 3, la media; 4, la luminancia
+    // L9.1: según elegido (la tecla 2 elige el 1): 1, por alfa; 2, negativo; 3, media; 4, 0.2126·R + 0.7152·G + 0.0722·B
     if (elegido == 1)
         color.rgb *= alfa;
     else if (elegido == 2)

@@ -13,7 +13,7 @@ namespace {
 const GLuint UNIDAD_ATLAS = 15; // ningún programa usa tantas
 
 const char *const fichero = std::getenv("LAB_ENCIMA");
-const bool sinPintar = std::getenv("LAB_SIN_ENCIMA");
+const std::string sinPintar = std::getenv("LAB_SIN_ENCIMA") ? std::getenv("LAB_SIN_ENCIMA") : "";
 std::ostringstream apuntado; // en este cuadro
 
 struct Pincel {
@@ -100,7 +100,7 @@ void pintaEncima(const Pincelada &pincelada, const std::vector<VerticePintado> &
                  const std::vector<Tinta> &tintas, bool conProfundidad) {
     if (fichero)
         apunta(pincelada, conProfundidad && glIsEnabled(GL_DEPTH_TEST));
-    if (sinPintar)
+    if (sinPintar == "1" || sinPintar == pincelada.tipo)
         return;
     const EstadoGuardado estado;
     glActiveTexture(GL_TEXTURE0 + UNIDAD_ATLAS);

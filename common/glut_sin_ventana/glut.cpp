@@ -31,7 +31,8 @@ struct {
     std::vector<Orden> guion;
     std::string ppm;
     int mide = 0;
-    bool tallaPedida = false, rasgos = false, diario = false, titulos = false;
+    bool tallaPedida = false, rasgos = false, diario = false;
+    std::FILE *titulos = nullptr; // donde se escriben
     // ventana
     std::string titulo;
     Talla talla = {300, 300}, tallaPrevia;
@@ -247,8 +248,10 @@ void escribeRasgos() {
 }
 
 void ponTituloVentana(const char *titulo) {
-    if (g.titulos && titulo != g.titulo)
-        std::printf("título: %s\n", titulo);
+    if (g.titulos && titulo != g.titulo) {
+        std::fprintf(g.titulos, "título: %s\n", titulo);
+        std::fflush(g.titulos); // el programa puede acabar de cualquier manera
+    }
     g.titulo = titulo;
     diTitulo(titulo);
 }
@@ -315,7 +318,10 @@ void glutInit(int *argc, char **argv) {
         } else if (opcion == "-rasgos") {
             g.rasgos = true;
         } else if (opcion == "-titulos") {
-            g.titulos = true;
+            const std::string fichero = valor();
+            g.titulos = fichero == "-" ? stdout : std::fopen(fichero.c_str(), "w");
+            if (!g.titulos)
+                falla("no puedo escribir en «" + fichero + "»");
         } else if (opcion == "-diario") {
             g.diario = true;
         } else if (opcion == "-ayuda" || opcion == "-h" || opcion == "--help") {

@@ -21,7 +21,7 @@ const char *const AYUDA = R"(Opciones de la ventana sin pantalla:
                           y bytes de texturas
   -rasgos                 en vez de guardar la imagen escribe de qué se entera el programa, un rasgo por línea: teclado,
                           especial, raton, arrastre, movimiento, rueda, ocio, temporizador, opcion Ruta/Opción
-  -titulos                escribe cada título que pone el programa: «título: …»
+  -titulos FICHERO        escribe en él (-: en la salida) cada título que pone el programa: «título: …»
   -diario                 escribe tras cada orden, y al empezar, una línea TSV: diario, la orden, resumen de la imagen,
                           «otra» si al repetir el cuadro sale otra, título, lo que el cuadro no deja como estaba en
                           OpenGL, cuántos buffer objects, texturas, programas, shaders, framebuffers, renderbuffers y

@@ -98,16 +98,18 @@ def atiende(build, programa, guion="", **entorno):
     return rasgos, [o for o in opciones if o != "Salir"]
 
 
-def raton_al_azar(azar, ancho, alto, rasgos):
-    """Un clic, un arrastre en varios pasos o un giro de la rueda, dentro de la ventana."""
+def punto(azar, ancho, alto):
+    return f"{azar.randrange(ancho)} {azar.randrange(alto)}"
 
-    def punto():
-        return f"{azar.randrange(ancho)} {azar.randrange(alto)}"
 
-    if "rueda" in rasgos and azar.random() < 0.3:
-        return [f"rueda {azar.choice(['+1', '-1'])} {punto()}"]
+def rueda(azar, ancho, alto):
+    return [f"rueda {azar.choice(['+1', '-1'])} {punto(azar, ancho, alto)}"]
+
+
+def clic(azar, ancho, alto):
+    """Un clic o un arrastre en varios pasos."""
     boton = azar.choice(["IZQUIERDO", "IZQUIERDO", "DERECHO"])
-    recorrido = [punto() for _ in range(azar.randint(1, 3))]
+    recorrido = [punto(azar, ancho, alto) for _ in range(azar.randint(1, 3))]
     return [
         f"boton {boton} abajo {recorrido[0]}",
         *(f"arrastra {p}" for p in recorrido[1:]),
@@ -115,13 +117,29 @@ def raton_al_azar(azar, ancho, alto, rasgos):
     ]
 
 
+def tiempo(azar, *_):
+    return [f"espera {azar.choice([1, 20, 333, 1700])}"]
+
+
+MANDOS = {  # los que no son una tecla ni una opción, con de qué se entera quien los atiende
+    clic: {"raton", "arrastre", "movimiento"},
+    rueda: {"rueda"},
+    tiempo: {"temporizador", "ocio"},
+}
+
+
+def raton_al_azar(azar, ancho, alto, rasgos):
+    """Un clic, un arrastre o un giro de la rueda, dentro de la ventana."""
+    return (rueda if "rueda" in rasgos and azar.random() < 0.3 else clic)(azar, ancho, alto)
+
+
 def sucesos_al_azar(azar, controles, rasgos, opciones, ancho, alto):
     """Uno de lo que el programa dice que atiende, o de lo que atienden todos: órdenes del guion."""
     posibles = [o for c in controles if not c.termina for o in c.ordenes] + COMUNES + [f"menu {o}" for o in opciones]
     if rasgos & {"raton", "arrastre", "rueda", "movimiento"}:
         posibles += ["raton"] * max(2, len(posibles) // 4)
-    if rasgos & {"temporizador", "ocio"}:
-        posibles += [f"espera {azar.choice([1, 20, 333, 1700])}"] * 2
+    if rasgos & MANDOS[tiempo]:
+        posibles += tiempo(azar) * 2
     elegido = azar.choice(posibles)
     return raton_al_azar(azar, ancho, alto, rasgos) if elegido == "raton" else [elegido]
 

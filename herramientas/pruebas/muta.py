@@ -104,7 +104,8 @@ def comprueba(raiz, programas, mutantes, fallos):
             continue
         if grupo[0].en_shader:
             for m in buenos:
-                fallos += compila_glsl(raiz, m, estropea(fuente, m))
+                # si no, cualquiera lo notaría
+                fallos += [f"{m.nombre}: {dice}" for dice in no_compila_glsl(raiz, m.fichero, estropea(fuente, m))]
             continue
         try:
             cambia(fuente, buenos)
@@ -118,9 +119,9 @@ def comprueba(raiz, programas, mutantes, fallos):
     return fallos
 
 
-def compila_glsl(raiz, mutante, estropeado):
-    """Un shader estropeado debe compilar: si no, cualquiera lo notaría."""
-    quien = mutante.fichero
+def no_compila_glsl(raiz, fichero, estropeado):
+    """Lo que se dice de un shader estropeado que no compila."""
+    quien = fichero
     if quien.endswith(".glsl"):
         incluyen = [
             f for f in sorted(raiz.glob("ch*/*.*")) if f.suffix in SHADERS[:2] and f'"{quien}"' in f.read_text()
@@ -128,11 +129,11 @@ def compila_glsl(raiz, mutante, estropeado):
         quien = str(incluyen[0].relative_to(raiz))
     if not shutil.which("glslangValidator"):
         return []
-    texto = con_inclusiones(raiz, quien, {mutante.fichero: estropeado})
+    texto = con_inclusiones(raiz, quien, {fichero: estropeado})
     informe = subprocess.run(
         ["glslangValidator", "--stdin", "-S", quien[-4:]], input=texto, text=True, capture_output=True
     )
-    return [f"{mutante.nombre}: no compila: {informe.stdout.splitlines()[-3:]}"] if informe.returncode else []
+    return [f"no compila: {informe.stdout.splitlines()[-3:]}"] if informe.returncode else []
 
 
 def compila_guion(mutante, estropeado):

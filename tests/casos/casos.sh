@@ -47,7 +47,7 @@ compara_encima() { # GOLDEN LISTA
 imagen() {
   local comparacion=(--deja "$build/fallos/$enlace/$fichero")
   con=(LAB_ENCIMA=lista)
-  dibuja -geometry 240x180 -ppm "$fichero.ppm" -titulos ${guion:+-guion "$guion"}
+  dibuja -geometry 240x180 -ppm "$fichero.ppm" -titulos - ${guion:+-guion "$guion"}
   if [ "${DORA:-}" ]; then # ./lab dora: enseña lo que cambia
     mkdir -p "${golden%/*}"
     printf '%s: ' "$fichero"

@@ -105,7 +105,7 @@ class Programa:
         """El último título, con unas órdenes que dejan esos ficheros, y lo que hay en cada uno."""
         with tempfile.TemporaryDirectory() as carpeta:
             guion = "; ".join(o.replace("captura ", f"captura {carpeta}/") for o in ordenes)
-            escrito = self.ejecuta(["-titulos", "-guion", guion], talla).splitlines()
+            escrito = self.ejecuta(["-titulos", "-", "-guion", guion], talla).splitlines()
             titulo = [linea for linea in escrito if linea.startswith("título: ")][-1]
             return titulo, *(Path(carpeta, f).read_bytes().split(b"\n255\n", 1)[1] for f in ficheros)
 

@@ -39,7 +39,7 @@ ventana() { prueba ventana "$@"; }
 
 cp bien.ppm tests/golden/cap/grua.ppm
 cp bien.ppm tests/golden/cap/grua-quieta.ppm
-"$build/$sin_ventana/ch03_transformaciones/grua" -titulos -ppm nada.ppm >tests/golden/cap/grua.txt
+"$build/$sin_ventana/ch03_transformaciones/grua" -titulos - -ppm nada.ppm >tests/golden/cap/grua.txt
 cp "$aqui/../golden/ch03_transformaciones/grua-reposo.encima" tests/golden/cap/grua.encima
 sed -i '1s/grua-reposo/grua/' tests/golden/cap/grua.encima
 programa 'grua "$@"'

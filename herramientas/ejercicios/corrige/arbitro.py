@@ -1,5 +1,6 @@
 """Hace jugar, guarda lo jugado por lo propio y dice si dos partidas son la misma."""
 import hashlib
+import itertools
 import shutil
 import tempfile
 import threading
@@ -11,7 +12,11 @@ from base.procesos import escribe, lanza
 from ejercicios.corrige.jaula import desempaqueta
 from ejercicios.corrige.partidas import TALLA, Guion, Partida
 
-JUEGA = {"segundos": 30, "procesador": 10, "memoria": 1 << 30, "procesos": 8}
+JUEGA = {"memoria": 1 << 30, "procesos": 8}
+PROCESADOR, VECES = 10, 4  # segundos: tantos, y lo que la solución tarda con ese guion, tantas veces
+SIN_PRISA = 200  # los de la solución
+ERROR_DE_OPENGL = 3  # con que acaba quien da alguno
+BIEN, CASI = 1, 0.5  # cuánto se parecen dos imágenes: lo que vale el guion
 VIEJA = 86400  # segundos que se guarda lo jugado por otra versión
 
 
@@ -22,10 +27,30 @@ def suma(*partes):
     return h.hexdigest()
 
 
+def faltan(esperado, escrito):
+    """Las líneas que se esperan y no están, en su orden, entre las escritas, que pueden ser más."""
+    escritas = iter(escrito.splitlines())
+    return [linea for linea in esperado.splitlines() if linea and not any(linea in otra for otra in escritas)]
+
+
+def aparte(esperada, obtenida):
+    """De lo que no es la imagen ni cuenta en cada guion, en qué se apartan: {qué: cómo se dice}."""
+    hay = {}
+    if obtenida.titulos != esperada.titulos:
+        pares = itertools.zip_longest(esperada.titulos, obtenida.titulos, fillvalue="(ninguno)")
+        debia, es = next(p for p in pares if p[0] != p[1])
+        hay["título"] = f"el título es «{es}» y debía ser «{debia}»"
+    if falta := faltan(esperada.texto, obtenida.texto):
+        hay["texto"] = f"debía escribir «{falta[0]}»"
+    if obtenida.estado != esperada.estado:
+        hay["estado"] = f"acaba con estado {obtenida.estado}"
+    return hay
+
+
 class Arbitro:
     def __init__(self, build, ref, compilador, recinto, temporal, version):
         self.build, self.compilador, self.recinto, self.temporal = build, compilador, recinto, temporal
-        self.iguales_ya = {}
+        self.parecidas = {}
         self.cache = temporal
         primera = desempaqueta(self.juega_de_nuevo(compilador.solucion, Guion("", ()))).get(
             "000.ppm", b""
@@ -53,35 +78,41 @@ class Arbitro:
         """Los que compila Mesa para la solución y los mutantes."""
         return self.cache / "shaders"
 
-    def juega_de_nuevo(self, jugador, guion):
+    def juega_de_nuevo(self, jugador, guion, procesador=SIN_PRISA):
         """Lo que deja, en un tar."""
         orden = [
             jugador.programa,
             "-geometry",
             "{}x{}".format(*TALLA),
             "-titulos",
+            "titulos",
             "-ppm",
             "ultima.ppm",
             "-guion",
             guion.texto,
         ]
-        entorno = {"LAB_RAIZ": ":".join(map(str, jugador.raices)), **jugador.entorno}
+        limites = {**JUEGA, "procesador": round(procesador), "segundos": round(3 * procesador)}
+        raices = ":".join(map(str, [*jugador.raices, self.build]))
+        # los rótulos no se piden: se ven los trazos, que en las curvas son lo que se pide
+        entorno = {"LAB_RAIZ": raices, "LAB_SIN_ENCIMA": "rotulo", **jugador.entorno}
         if not jugador.ajeno:
-            return self.recinto.propio(orden, JUEGA, MESA_SHADER_CACHE_DIR=str(self.shaders), **entorno)
+            return self.recinto.propio(orden, limites, MESA_SHADER_CACHE_DIR=str(self.shaders), **entorno)
         ve = [jugador.programa.parent, *self.compilador.ve, *([self.shaders] if self.shaders.is_dir() else [])]
-        return self.recinto.ajeno(
-            orden, JUEGA, ve, LAB_SHADERS=str(self.shaders), MESA_SHADER_CACHE_DIR="shaders", **entorno
-        )
+        # de lo ajeno, en ninguna carpeta más: en el laboratorio está la solución
+        entorno |= {"LAB_SOLO_RAIZ": "1", "LAB_SHADERS": str(self.shaders), "MESA_SHADER_CACHE_DIR": "shaders"}
+        return self.recinto.ajeno(orden, limites, ve, **entorno)
 
-    def juega(self, jugador, guion):
-        """La partida; las de la solución y las de los mutantes se guardan, que son las mismas para toda la clase."""
+    def juega(self, jugador, guion, esperada=None):
+        """La partida, con tiempo para varias como la esperada; las de la solución y las de los mutantes se guardan, que
+        son las mismas para toda la clase."""
+        procesador = PROCESADOR + VECES * esperada.segundos if esperada else SIN_PRISA
         if jugador.ajeno:
-            return Partida.lee(self.juega_de_nuevo(jugador, guion), guion)
+            return Partida.lee(self.juega_de_nuevo(jugador, guion, procesador), guion, procesador)
         guardada = self.cache / suma(jugador.nombre, guion.texto)
         try:
             return Partida.lee(zlib.decompress(guardada.read_bytes()), guion)
         except (OSError, zlib.error):
-            datos = self.juega_de_nuevo(jugador, guion)
+            datos = self.juega_de_nuevo(jugador, guion, procesador)
             parcial = guardada.with_name(f"{guardada.name}.{threading.get_ident()}")
             escribe(parcial, zlib.compress(datos, 1))
             parcial.replace(guardada)
@@ -89,37 +120,35 @@ class Arbitro:
 
     # --- comparar ---
 
-    def compara(self, una, otra, deja=None):
-        """Si el comparador acepta la segunda por la primera, que es la esperada. Con DEJA, y si no, lo que deja
-        empieza así."""
+    def compara(self, una, otra, como, *opciones):
+        """Si el comparador acepta la segunda por la primera, que es la esperada."""
         with tempfile.TemporaryDirectory(dir=self.temporal) as aqui:
             for nombre, (ancho, alto, pixeles) in (("a", una), ("b", otra)):
                 Path(aqui, nombre).write_bytes(b"P6\n# corrige\n%d %d\n255\n" % (ancho, alto) + pixeles)
-            orden = [
-                self.build / "herramientas/comparador/compara",
-                "a",
-                "b",
-                "--amplia",
-                *(["--deja", deja] if deja else []),
-            ]
+            orden = [self.build / "herramientas/comparador/compara", "a", "b", como, *opciones]
             return lanza(orden, cwd=aqui).returncode == 0
 
-    def iguales(self, una, otra):
-        """Si dos imágenes son la misma, salvo lo que puede mover el redondeo. La primera es la esperada."""
+    def parecido(self, una, otra):
+        """De dos imágenes, la primera la esperada: BIEN, si son la misma salvo lo que puede mover el redondeo; CASI, si
+        una persona las tendría por la misma; si no, 0."""
         if una == otra:
-            return True
+            return BIEN
         if una[:2] != otra[:2]:
-            return False
-        clave = suma(una[2], otra[2])
-        if clave not in self.iguales_ya:
-            self.iguales_ya[clave] = self.compara(una, otra)
-        return self.iguales_ya[clave]
+            return 0
+        clave = suma(repr(una[:2]), una[2], otra[2])
+        if clave not in self.parecidas:
+            como = (BIEN, "--amplia"), (CASI, "--otro")
+            self.parecidas[clave] = next((cuanto for cuanto, c in como if self.compara(una, otra, c)), 0)
+        return self.parecidas[clave]
 
-    def difiere(self, esperada, obtenida):
-        """En qué imagen se apartan dos partidas, o None. El texto y los títulos cuentan tras la última."""
+    def difiere(self, esperada, obtenida, basta=BIEN):
+        """En qué imagen se apartan dos partidas, o None. Un error de OpenGL cuenta tras la última."""
         for i, imagen in enumerate(esperada.imagenes):
-            if i >= len(obtenida.imagenes) or not self.iguales(imagen, obtenida.imagenes[i]):
+            if i >= len(obtenida.imagenes) or self.parecido(imagen, obtenida.imagenes[i]) < basta:
                 return i
-        mismo_texto = not esperada.texto or obtenida.texto == esperada.texto
-        bien = obtenida.estado == esperada.estado and obtenida.titulos == esperada.titulos and mismo_texto
-        return None if bien else len(esperada.imagenes) - 1
+        acaba = obtenida.estado == esperada.estado or not (obtenida.cuelga or obtenida.estado == ERROR_DE_OPENGL)
+        return None if acaba else len(esperada.imagenes) - 1
+
+    def misma(self, una, otra):
+        """Si dos partidas dejan lo mismo en todo."""
+        return self.difiere(una, otra) is None and not aparte(una, otra)

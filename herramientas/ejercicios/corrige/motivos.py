@@ -9,6 +9,7 @@ from base import defectos, marcas
 from base.guiones import sin_veces
 from base.procesos import Fallo, escribe
 from ejercicios import nuevo
+from ejercicios.corrige.compilador import SUYA
 from ejercicios.corrige.entrega import Rechazo
 from ejercicios.corrige.partidas import Jugador
 
@@ -107,7 +108,7 @@ class Motivos:
 
     def enumera(self, sitio):
         def jugador(nombre, carpeta, *antes, **entorno):
-            raices = [*antes, sitio / carpeta / "fuentes/mios", sitio / carpeta / "fuentes"]
+            raices = [*antes, sitio / carpeta / "fuentes" / SUYA, sitio / carpeta / "fuentes"]
             return Jugador(nombre, sitio / carpeta / self.programa.nombre, raices, entorno)
 
         variantes = [("", jugador("esqueleto", "esqueleto"))]
@@ -120,20 +121,26 @@ class Motivos:
             variantes.append((dice, jugador(m.nombre, "mutantes", sitio / str(m.numero), LAB_MUTANTE=str(m.numero))))
         return variantes
 
-    def por_que(self, partidas, fallan):
+    def por_que(self, partidas, esperadas, fallan):
         """Lo que deja en todos los guiones lo mismo que la entrega, en palabras; del esqueleto, ninguna."""
         arbitro = self.arbitro
 
         def las_que_dan_lo_mismo(vivas):
             for guion in sorted(partidas, key=lambda g: g not in fallan):
-                vivas = [v for v in vivas if arbitro.difiere(arbitro.juega(v[1], guion), partidas[guion]) is None]
+                vivas = [
+                    v for v in vivas if arbitro.misma(arbitro.juega(v[1], guion, esperadas[guion]), partidas[guion])
+                ]
                 if not vivas:
                     break
             return vivas
 
         esqueleto, *otras = self.variantes()
         vivas = las_que_dan_lo_mismo([esqueleto]) or las_que_dan_lo_mismo(otras)
-        exactas = [v for v in vivas if all(arbitro.juega(v[1], g).imagenes == p.imagenes for g, p in partidas.items())]
+        exactas = [
+            v
+            for v in vivas
+            if all(arbitro.juega(v[1], g, esperadas[g]).imagenes == p.imagenes for g, p in partidas.items())
+        ]
         return list(dict.fromkeys(dice for dice, _ in exactas or vivas))  # vacío, si no hay ninguna
 
 
@@ -161,8 +168,9 @@ def como_acaba(p, guion):
     """Lo que hay que decir de una partida que no ha acabado como debe."""
     donde = tras(p, guion)
     dice = next((linea for linea in p.errores.splitlines() if linea.strip()), "")
+    dice = dice.partition("; lo he buscado en")[0]  # rutas que solo hay aquí
     if p.cuelga:
-        return f"se queda colgado{donde}"
+        return f"tarda más de {p.limite:.0f} s de procesador{donde}"
     if p.estado == 3:
         return dice.partition(": ")[2] or "error de OpenGL"
     if p.estado == -1:

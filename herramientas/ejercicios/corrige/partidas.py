@@ -9,7 +9,11 @@ from base import controles
 from ejercicios.corrige.jaula import NO_ACABA, desempaqueta
 
 TALLA = 240, 180
-TALLAS = "320 180", "180 180", "120 160", "240 180"
+TALLAS = "120 160", "320 180", "180 180"
+FINAL = tuple(
+    f"tamano {talla}" for talla in (*TALLAS[:2], "{} {}".format(*TALLA))
+)  # de todos: estrecha, ancha y la suya
+TEXTO = 1 << 20  # bytes que se miran de lo que escribe
 LARGO = 10  # órdenes de un guion al azar, al menos
 VECES = 1, 1, 1, 2, 5, 30  # que se repite una tecla: a veces, hasta sus límites
 
@@ -56,9 +60,11 @@ class Partida:
     texto: str
     estado: int
     errores: str
+    segundos: float = 0  # de procesador
+    limite: float = 0
 
     @classmethod
-    def lee(cls, datos, guion):
+    def lee(cls, datos, guion, limite=0):
         ficheros = desempaqueta(datos)
         imagenes = []
         for i in range(len(guion.ordenes) + 1):
@@ -66,16 +72,22 @@ class Partida:
             if not imagen:
                 break
             imagenes.append(imagen)
-        lineas = ficheros.get("salida", b"")[: 1 << 16].decode(errors="replace").splitlines()
-        titulos = [linea.replace("-0°", "0°") for linea in lineas if linea.startswith("título: ")]
-        texto = [linea.rstrip() for linea in lineas if not linea.startswith("título: ")]
+        titulos, texto = (
+            [linea.rstrip() for linea in ficheros.get(f, b"")[:TEXTO].decode(errors="replace").splitlines()]
+            for f in ("titulos", "salida")
+        )
         estado = ficheros.get("estado", b"").strip()
+        tiempos = ficheros.get("tiempos", b"").splitlines()  # los del intérprete y, después, los de lo que ejecuta
         return cls(
             imagenes,
-            [titulo for titulo, _ in itertools.groupby(titulos)],
+            [t.removeprefix("título: ").replace("-0°", "0°") for t, _ in itertools.groupby(titulos)],
             "\n".join(texto),
             int(estado) if estado.isdigit() else -1,
             ficheros.get("errores", b"")[:4000].decode(errors="replace"),
+            sum(60 * int(m) + float(s) for m, s in re.findall(rb"(\d{1,4})m([\d.]{1,9})s", tiempos[-1]))
+            if tiempos
+            else 0,
+            limite,
         )
 
     @property
@@ -94,20 +106,23 @@ def repite(azar, suceso):
 
 
 def guiones_al_azar(clave, n, mandos, sucesos):
-    """n guiones con sucesos(azar); entre todos empiezan por todos los mandos."""
+    """n guiones con sucesos(azar), que empiezan por los mandos(azar): entre todos, por todos, si hace falta por
+    varios."""
     for i in range(n):
         azar = random.Random(f"{clave} {i}")
-        ordenes = repite(azar, [mandos[i % len(mandos)]]) if mandos else []
+        ordenes = []
+        for mando in mandos[i::n] or mandos[i % max(len(mandos), 1) :][:1]:
+            ordenes += repite(azar, mando(azar))
         while len(ordenes) < LARGO:
             ordenes += repite(azar, sucesos(azar))
         if i % 2:
-            ordenes.insert(azar.randint(1, LARGO), f"tamano {azar.choice(TALLAS)}")
-        yield Guion(f"al azar {i + 1}", tuple(ordenes))
+            ordenes.insert(azar.randint(1, LARGO), f"tamano {TALLAS[i // 2 % len(TALLAS)]}")
+        yield Guion(f"al azar {i + 1}", (*ordenes, *FINAL))
 
 
 def de_los_casos(programa):
     for caso in programa.casos:
-        yield Guion(caso.nombre, tuple(o.strip() for o in caso.guion.split(";") if o.strip()), True)
+        yield Guion(caso.nombre, (*(o.strip() for o in caso.guion.split(";") if o.strip()), *FINAL), True)
 
 
 def al_azar(raiz, build, programa, clave, n, entorno):
@@ -115,7 +130,10 @@ def al_azar(raiz, build, programa, clave, n, entorno):
     suyos = controles.lee(raiz, programa)
     rasgos, opciones = controles.atiende(build, programa, **entorno)
     teclas = [o for c in suyos if not c.termina for o in c.ordenes if o not in controles.COMUNES]
-    mandos = teclas + [f"menu {o}" for o in opciones]
+    mandos = [lambda azar, o=o: [o] for o in (*teclas, *(f"menu {o}" for o in opciones))]
+    mandos += [
+        lambda azar, mueve=mueve: mueve(azar, *TALLA) for mueve, cual in controles.MANDOS.items() if cual & rasgos
+    ]
     return guiones_al_azar(
         clave, n, mandos, lambda azar: controles.sucesos_al_azar(azar, suyos, rasgos, opciones, *TALLA)
     )

@@ -1,13 +1,14 @@
 """La corrección de una entrega: en qué guiones se aparta de la solución, la nota, y de los que antes fallan, en
 palabras y en imágenes."""
 import base64
-import itertools
 import os
 import tempfile
+import time
 from pathlib import Path
 
 from base.guiones import acorta, sin_veces
 from base.procesos import en_png
+from ejercicios.corrige.arbitro import BIEN, CASI, aparte
 from ejercicios.corrige.entrega import Rechazo
 from ejercicios.corrige.motivos import como_acaba, no_responden
 from ejercicios.corrige.partidas import Guion, Partida, lee_ppm
@@ -15,6 +16,9 @@ from ejercicios.corrige.partidas import Guion, Partida, lee_ppm
 MUESTRA = 3  # guiones que fallan, con sus imágenes
 INTENTOS = 24  # para acortar un guion
 CUELGUES = 2  # tras los que no se juega más
+CUESTA = {"texto": 20, "título": 5, "estado": 5}  # puntos de cada cien que quita, una vez, lo que no es la imagen
+POR_POCO = "se ve casi igual, con un desvío de menos de un cuarto de píxel: ¿pocas cifras?"
+TOPE = 300  # segundos de una entrega, entre todos sus guiones
 
 
 def png(imagen, deja):
@@ -23,22 +27,57 @@ def png(imagen, deja):
     return base64.b64encode(en_png(deja / "i.ppm", 9)).decode()
 
 
-def primero_distinto(unos, otros, falta):
-    """La primera pareja que no son iguales, o None."""
-    return next((p for p in itertools.zip_longest(unos, otros, fillvalue=falta) if p[0] != p[1]), None)
+def bordes(imagen):
+    """Qué píxeles no son del color del de su izquierda."""
+    ancho, _, rgb = imagen
+    pixeles = [rgb[i : i + 3] for i in range(0, len(rgb), 3)]
+    return {i for i in range(1, len(pixeles)) if i % ancho and pixeles[i] != pixeles[i - 1]}
+
+
+def en_que(una, otra):
+    """Dónde se apartan dos imágenes, o si es solo en los colores."""
+    if una[:2] != otra[:2]:
+        return "la imagen es de {}×{} y debía ser de {}×{}".format(*otra[:2], *una[:2])
+    ancho, alto, _ = una
+    suyos, debidos = bordes(otra), bordes(una)
+    if debidos and len(suyos ^ debidos) < 0.002 * ancho * alto and len(suyos & debidos) > 0.9 * len(debidos):
+        return "las formas están bien; los colores, no"
+    mal = [i // 3 for i in range(0, 3 * ancho * alto, 3) if una[2][i : i + 3] != otra[2][i : i + 3]]
+    x, y = sum(i % ancho for i in mal) / len(mal) / ancho, sum(i // ancho for i in mal) / len(mal) / alto
+    if len(mal) > 0.5 * ancho * alto:
+        return "casi toda la imagen"
+    donde = (
+        ["arriba"] * (y < 0.4) + ["abajo"] * (y > 0.6) + ["a la izquierda"] * (x < 0.4) + ["a la derecha"] * (x > 0.6)
+    )
+    return " ".join(donde) or "en el centro"
+
+
+def distintos(esperada, obtenida):
+    """Cuánto se apartan las imágenes en que más se apartan."""
+    pares = zip(esperada.imagenes, obtenida.imagenes)
+    return max((sum(a != b for a, b in zip(una[2], otra[2])) for una, otra in pares), default=0)
 
 
 class Correccion:
     """En un diccionario que va tal cual a su JSON."""
 
-    def __init__(self, banco, ficheros):
-        self.banco, self.arbitro, self.ficheros = banco, banco.arbitro, ficheros
+    def __init__(self, banco, entrega):
+        self.banco, self.arbitro, self.entrega = banco, banco.arbitro, entrega
+        self.gastado = 0
+
+    def juega(self, guion, esperada):
+        antes = time.monotonic()
+        partida = self.arbitro.juega(self.jugador, guion, esperada)
+        self.gastado += time.monotonic() - antes
+        return partida
 
     def hazla(self):
         with tempfile.TemporaryDirectory(dir=self.banco.temporal) as carpeta:
             os.chmod(carpeta, 0o755)  # lo lee quien está en la jaula
             try:
-                self.jugador = self.banco.compilador.compila(self.ficheros, Path(carpeta))
+                self.jugador = self.banco.compilador.compila(
+                    self.entrega.ficheros, Path(carpeta), llamadas=self.entrega.llamadas
+                )
             except Rechazo as rechazo:
                 return {"nota": 0, "dice": [str(rechazo)], "fallos": []}
             return self.compara()
@@ -48,35 +87,50 @@ class Correccion:
         self.esperadas = {g: self.arbitro.juega(solucion, g) for g in todos}
         self.partidas = {}
         for guion in todos:
-            self.partidas[guion] = self.arbitro.juega(self.jugador, guion)
-            if sum(p.cuelga for p in self.partidas.values()) >= CUELGUES:
+            self.partidas[guion] = self.juega(guion, self.esperadas[guion])
+            if sum(p.cuelga for p in self.partidas.values()) >= CUELGUES or self.gastado > TOPE:
                 break
         donde = {g: self.arbitro.difiere(self.esperadas[g], p) for g, p in self.partidas.items()}
         fallan = {g: i for g, i in donde.items() if i is not None}
+        casi = [g for g in fallan if self.arbitro.difiere(self.esperadas[g], self.partidas[g], CASI) is None]
         bien = [g for g in todos if g in self.partidas and g not in fallan]
+        otros = {}  # una vez, no en cada guion
+        for g, p in self.partidas.items():
+            if len(p.imagenes) == len(self.esperadas[g].imagenes):
+                otros = {**aparte(self.esperadas[g], p), **otros}
         muestra = self.muestra(fallan)
         acaban = list(dict.fromkeys(filter(None, (como_acaba(p, g) for g, p in self.partidas.items()))))
         dice = acaban[:3]
-        if fallan and not acaban:
-            dice += self.explica(fallan, muestra)
-        return {"nota": self.nota(bien), "bien": len(bien), "guiones": len(todos), "dice": dice, "fallos": muestra}
+        if self.gastado > TOPE and len(self.partidas) < len(todos):
+            jugados = f"{len(self.partidas)} de los {len(todos)} guiones"
+            dice.append(f"es muy lento: a los {TOPE // 60} minutos se ha dejado, con {jugados} jugados")
+        if (fallan or otros) and not acaban:
+            dice += self.explica(fallan, casi, muestra)
+        dice += [como for que, como in otros.items() if que != "estado"]
+        casos = {g.nombre: g in bien for g in todos if g.caso}
+        cuenta = {"nota": self.nota(bien, casi, otros), "bien": len(bien), "guiones": len(todos), "casos": casos}
+        return {**cuenta, "dice": dice, "fallos": muestra}
 
-    def nota(self, bien):
-        """La parte de los guiones que salen bien; un caso vale por dos, y con un fallo no es 100."""
+    def nota(self, bien, casi, otros):
+        """La parte de los guiones que salen bien; un caso vale por dos, el que sale por poco, la mitad, y con un fallo
+        no es 100."""
         todos = self.banco.todos
         valen = {g: 2 if g.caso else 1 for g in todos}
-        nota = 100 * sum(valen[g] for g in bien) / sum(valen.values())
-        return min(round(nota, 1), 100 if len(bien) == len(todos) else 99.9)
+        nota = (sum(valen[g] for g in bien) + CASI * sum(valen[g] for g in casi)) / sum(valen.values())
+        nota *= 100 - sum(CUESTA[que] for que in otros)
+        return min(round(nota, 1), 100 if len(bien) == len(todos) and not otros else 99.9)
 
-    def explica(self, fallan, muestra):
-        porque = self.banco.motivos.por_que(self.partidas, fallan)
+    def explica(self, fallan, casi, muestra):
+        porque = self.banco.motivos.por_que(self.partidas, self.esperadas, fallan)
         if porque == [""]:
             return ["se ve lo mismo que en el punto de partida"]
         dice = ["; o ".join(filter(None, porque[:2]))] if porque else []
+        if not porque and fallan and len(casi) == len(fallan):
+            return [POR_POCO]
         callan, alguna = no_responden(self.partidas, self.esperadas)
         if callan and not alguna:
             dice.append("no responde a nada de lo que debería")
-        else:
+        elif 0 not in fallan.values():  # si no, antes es lo que falta al empezar
             dice += [f"«{orden}» no hace nada" for orden in callan[:5]]
         if any(fallo["tras"] and fallo["tras"][-1].startswith("tamano") for fallo in muestra):
             dice.append("está mal al cambiar el tamaño de la ventana")
@@ -113,31 +167,30 @@ class Correccion:
         def falla(candidatas):
             g = Guion("", tuple(candidatas))
             esperada = Partida.lee(self.arbitro.juega_de_nuevo(self.banco.compilador.solucion, g), g)
-            jugadas[g.ordenes] = esperada, self.arbitro.juega(self.jugador, g)
+            jugadas[g.ordenes] = esperada, self.juega(g, esperada)
             return self.arbitro.difiere(*jugadas[g.ordenes]) is not None
 
-        if self.partidas[guion].cuelga:
+        if self.partidas[guion].cuelga or self.gastado > TOPE / 2:  # acortarlo es jugarlo otra vez, y otra
             return ordenes, *jugadas[guion.ordenes]
         if ordenes:
             ordenes = acorta(ordenes, falla, INTENTOS)
         if ordenes not in jugadas:
             falla(ordenes)
+        if ordenes and ordenes[-1].startswith(("tecla", "especial")) and "×" not in ordenes[-1]:
+            siete = (*ordenes[:-1], f"{ordenes[-1]} ×7")  # que con más veces se vea más
+            if falla(siete) and distintos(*jugadas[siete]) > distintos(*jugadas[ordenes]):
+                return siete, *jugadas[siete]
         return ordenes, *jugadas[ordenes]
 
     def que(self, tras, esperada, obtenida):
         falla = "falla tras " + ", ".join(f"«{o}»" for o in tras) if tras else "falla ya al empezar"
         i = self.arbitro.difiere(esperada, obtenida)
-        if (
-            i is None
-            or i >= len(obtenida.imagenes)
-            or not self.arbitro.iguales(esperada.imagenes[i], obtenida.imagenes[i])
-        ):
+        if i is None or i >= len(obtenida.imagenes):
             return falla
-        if otro := primero_distinto(esperada.titulos, obtenida.titulos, "título: (ninguno)"):
-            return f"{falla}: el título es «{otro[1][8:]}» y debía ser «{otro[0][8:]}»"
-        if esperada.texto and (otro := primero_distinto(esperada.texto.split("\n"), obtenida.texto.split("\n"), "")):
-            return f"{falla}: escribe «{otro[1]}» y debía escribir «{otro[0]}»"
-        return falla
+        una, otra = esperada.imagenes[i], obtenida.imagenes[i]
+        cuanto = self.arbitro.parecido(una, otra)
+        como = POR_POCO if cuanto == CASI else en_que(una, otra) if cuanto == 0 else ""
+        return f"{falla}: {como}" if como else falla
 
     def imagenes(self, esperada, obtenida):
         """La entregada, la esperada y su diferencia donde se apartan, en PNG."""
@@ -145,12 +198,12 @@ class Correccion:
         if i is None or i >= len(obtenida.imagenes):
             return []
         una, otra = esperada.imagenes[i], obtenida.imagenes[i]
-        if self.arbitro.iguales(una, otra):
+        if self.arbitro.parecido(una, otra) == BIEN:
             return []
         with tempfile.TemporaryDirectory(dir=self.banco.temporal) as aqui:
             aqui = Path(aqui)
             imagenes = [otra, una]
-            self.arbitro.compara(una, otra, deja=aqui / "d")
+            self.arbitro.compara(una, otra, "--amplia", "--deja", aqui / "d")
             if (aqui / "d-diferencia.ppm").exists():
                 imagenes.append(lee_ppm((aqui / "d-diferencia.ppm").read_bytes()))
             return [png(imagen, aqui) for imagen in imagenes]
