@@ -1,8 +1,8 @@
-"""huecos.py RAÍZ BUILD [--semillas N] [EJERCICIO…]: si ./lab corrige ve toda la solución de cada ejercicio, y nada más.
+"""huecos.py RAÍZ BUILD [--semillas N] [EJERCICIO…] [--programas]: si ./lab corrige ve toda la solución, y nada más.
 
-Cada línea que escribe quien lo hace se perturba de varias maneras (perturba.py), todas en un binario, y con cada
-semilla algún guion debe quitarle puntos, salvo lo que está en EXCEPCIONES; también a los errores conocidos (errores/).
-Con las mismas semillas, la solución escrita de otras maneras (bien/) vale 100.
+Cada línea que escribe quien hace un ejercicio se perturba de varias maneras (perturba.py), todas en un binario, y con
+cada semilla algún guion debe quitarle puntos, salvo lo que está en EXCEPCIONES; también a los errores conocidos
+(errores/). La solución escrita de otras maneras (bien/) vale 100. Con --programas, solo dice cuáles usa.
 """
 import os
 import re
@@ -264,6 +264,8 @@ def main():
     if resto[:1] == ["--semillas"]:
         semillas, resto = int(resto[1]), resto[2:]
     hay = nuevo.ejercicios(raiz, catalogo.lee_programas(build))
+    if resto[-1:] == ["--programas"]:
+        return print(*dict.fromkeys(hay[ref].nombre for ref in resto[:-1] or hay))
     fallos = []
     with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(os.cpu_count()) as hilos:
         for ref in resto or hay:
