@@ -35,23 +35,26 @@ OTRA_W = "toda la posición homogénea por un número es el mismo punto"
 NORMAL = "la normal se normaliza después, y las caras son paralelas a los ejes"
 ORDEN = "da lo mismo en qué orden"
 HONDO = "lo hondo que es el volumen de la vista no se ve, si cabe la grúa"
+HACIA = "de la posición de la cámara solo cuenta hacia dónde está"
+ARRIBA = "de lo que queda arriba solo cuenta el plano en que está con la cámara"
+ROTULO = "es del rótulo, que no se pide"
 EXCEPCIONES = {
     "E2.1": {},
     "E3.1": {"otroFactor(matrizNormal(M))": NORMAL, "matrizNormal(otroFactor(M))": NORMAL},
     "E3.2": {"glm::mat4(otroFactor(1))": OTRA_W, "alReves(A, A)": "los dos factores son el mismo"},
     "E4.2": {
-        "otroFactor(DISTANCIA_CAMARA)": "de la posición solo cuenta hacia dónde está",
-        "otroFactor(glm::dvec3(DISTANCIA_CAMARA / glm::root_three<double>()))": "de la posición solo cuenta hacia dónde está",
-        "glm::dvec3(otroFactor(DISTANCIA_CAMARA) / glm::root_three<double>())": "de la posición solo cuenta hacia dónde está",
-        "glm::dvec3(DISTANCIA_CAMARA * glm::root_three<double>())": "de la posición solo cuenta hacia dónde está",
-        "otroFactor(0)": "de lo que queda arriba, solo cuenta el plano en que está con la cámara",
-        "otroFactor(1)": "de lo que queda arriba, solo cuenta el plano en que está con la cámara",
-        "-otroFactor(1)": "de lo que queda arriba, solo cuenta el plano en que está con la cámara",
-        "otroFactor(COLOR_EJE[1])": "es del rótulo",
-        "COLOR_EJE[otroFactor(1)]": "es del rótulo",
-        "otroFactor(COLOR_EJE[0])": "es del rótulo",
-        "COLOR_EJE[otroFactor(0)]": "es del rótulo",
-        "otroFactor(OSCURO)": "es del rótulo",
+        "otroFactor(DISTANCIA_CAMARA)": HACIA,
+        "otroFactor(glm::dvec3(DISTANCIA_CAMARA / glm::root_three<double>()))": HACIA,
+        "glm::dvec3(otroFactor(DISTANCIA_CAMARA) / glm::root_three<double>())": HACIA,
+        "glm::dvec3(DISTANCIA_CAMARA * glm::root_three<double>())": HACIA,
+        "otroFactor(0)": ARRIBA,
+        "otroFactor(1)": ARRIBA,
+        "-otroFactor(1)": ARRIBA,
+        "otroFactor(COLOR_EJE[1])": ROTULO,
+        "COLOR_EJE[otroFactor(1)]": ROTULO,
+        "otroFactor(COLOR_EJE[0])": ROTULO,
+        "COLOR_EJE[otroFactor(0)]": ROTULO,
+        "otroFactor(OSCURO)": ROTULO,
         "otroFactor(0.5) * HOLGURA * (caja.maximo.z - caja.minimo.z)": HONDO,
         "0.5 * otroFactor(HOLGURA) * (caja.maximo.z - caja.minimo.z)": HONDO,
         "0.5 * HOLGURA * (caja.maximo.z - otroFactor(caja.minimo.z))": HONDO,
