@@ -38,8 +38,20 @@ HONDO = "lo hondo que es el volumen de la vista no se ve, si cabe la grúa"
 HACIA = "de la posición de la cámara solo cuenta hacia dónde está"
 ARRIBA = "de lo que queda arriba solo cuenta el plano en que está con la cámara"
 ROTULO = "es del rótulo, que no se pide"
+DISTINTOS = "los dos vértices de una arista no son el mismo"
+SIGNO = "del volumen solo se usa el signo"
 EXCEPCIONES = {
-    "E2.1": {},
+    "E2.1": {
+        "push_back({c, p <= q})": DISTINTOS,
+        "push_back({c, p < otroFactor(q)})": DISTINTOS,
+        "volumen += otroFactor(": SIGNO,
+        "componente.giros[k] / glm::dot": SIGNO,
+        "* otroFactor(glm::dot": SIGNO,
+        "glm::dot(otroFactor(a)": SIGNO,
+        "glm::dot(a, otroFactor(": SIGNO,
+        "glm::cross(otroFactor(b), d)": SIGNO,
+        "glm::cross(b, otroFactor(d))": SIGNO,
+    },
     "E3.1": {"otroFactor(matrizNormal(M))": NORMAL, "matrizNormal(otroFactor(M))": NORMAL},
     "E3.2": {"glm::mat4(otroFactor(1))": OTRA_W, "alReves(A, A)": "los dos factores son el mismo"},
     "E4.2": {

@@ -221,6 +221,6 @@ def perturbaciones(texto, desde, hasta, glsl):
         if instruccion:
             apunta("sin ella", (de, a, ";"))
             if anterior and not texto[anterior[1] : de].strip():
-                apunta("orden", (*anterior, ";"), (de, a, f"{original} {texto[slice(*anterior)]}"))
-        anterior = (de, a) if instruccion else None
+                apunta("orden", (*anterior[:2], ";"), (de, a, f"{original} {anterior[2]}"))
+        anterior = (de, a, original) if instruccion else None
     return hechas
