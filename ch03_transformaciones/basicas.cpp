@@ -66,6 +66,7 @@ static void dibuja() {
     trazaPolilinea({camino.begin(), camino.end() - 3}, transformacion, MORADO);
     trazaFlecha(camino[17], camino[20], transformacion, MORADO);
     trazaEjes(glm::vec3(1.85f), transformacion);
+    ponTitulo("Transformaciones básicas: " + nombre());
     rotula(nombre() + " =", {0.03f, 0.94f}, OSCURO, Lado::DERECHA);
     rotula(filasDe(M), {0.03f, 0.78f}, OSCURO, Lado::DERECHA);
     glutSwapBuffers();
@@ -81,7 +82,6 @@ static void teclado(unsigned char tecla, int, int) {
         estado.valor = glm::clamp(estado.valor + (tecla == '+' ? b.paso : -b.paso), -b.tope, b.tope);
     else
         return;
-    ponTitulo("Transformaciones básicas: " + nombre());
     glutPostRedisplay();
 }
 

@@ -72,7 +72,7 @@ static std::string describe(const glm::vec3 &d) {
 }
 
 static void dibuja() {
-    const glm::mat4 proyeccion = perspectivaVentana(0.6f, 1, 30), camara = camaraOrbita(estado.orbita),
+    const glm::mat4 proyeccion = perspectivaVentana(0.6f, 0.1f, 30), camara = camaraOrbita(estado.orbita),
                     transformacion = proyeccion * camara;
     const glm::vec3 d = unitario(estado.eje);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -92,12 +92,8 @@ static void dibuja() {
     const glm::vec3 medio = arco[arco.size() / 2], haciaFuera = unitario(medio - glm::dot(medio, d) * d);
     rotulaPunto("φ", medio + 0.2f * haciaFuera, transformacion, MORADO, Lado::CENTRO);
     rotula(describe(d), {0.5f, 0.05f}, OSCURO);
+    ponTitulo("Giro alrededor de un eje: " + describe(d));
     glutSwapBuffers();
-}
-
-static void cambia() {
-    ponTitulo("Giro alrededor de un eje: " + describe(unitario(estado.eje)));
-    glutPostRedisplay();
 }
 
 static void teclado(unsigned char tecla, int, int) {
@@ -110,7 +106,7 @@ static void teclado(unsigned char tecla, int, int) {
         estado.eje = EJES[i];
     else
         return;
-    cambia();
+    glutPostRedisplay();
 }
 
 static void boton(int cual, int pulsado, int x, int y) {
@@ -132,7 +128,7 @@ static void arrastra(int x, int y) {
         RADIANES_POR_ALTO / altoUtil() * glm::vec2(x - estado.xPulsado, y - estado.yPulsado);
     estado.eje =
         glm::mat3(giroEje(pantalla[0], angulos.y) * giroEje(pantalla[1], angulos.x)) * estado.ejePulsado;
-    cambia();
+    glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {

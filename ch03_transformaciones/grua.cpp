@@ -62,14 +62,14 @@ static void dibuja() {
     for (std::size_t i = 0; i < piezas.size(); ++i)
         rotulaPunto(ROTULOS[i].nombre, piezas[i].M * glm::vec4(ROTULOS[i].punto, 1), transformacion, OSCURO,
                     ROTULOS[i].lado);
+    ponTitulo(formatea("Grúa de obra: giro %.0f°, distancia %.1f, altura %.1f",
+                       glm::degrees(estado.postura.giro), estado.postura.distancia, estado.postura.altura));
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla) || !mueve(estado.postura, tecla))
         return;
-    ponTitulo(formatea("Grúa de obra: giro %.0f°, distancia %.1f, altura %.1f",
-                       glm::degrees(estado.postura.giro), estado.postura.distancia, estado.postura.altura));
     glutPostRedisplay();
 }
 

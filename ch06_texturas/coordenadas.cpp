@@ -129,7 +129,7 @@ static void dibuja() {
     // compuesta para un panel cuadrado
     const float angulo = float(anguloVertical(0.5, ASPECTO_COMPUESTO * aspecto(derecha)));
     dibujaObjeto(objeto, camaraOrbita(estado.orbita),
-                 glm::perspective(angulo, aspecto(derecha), 1.0f, 100.0f));
+                 glm::perspective(angulo, aspecto(derecha), 0.1f, 100.0f));
     ponTitulo(std::string("Coordenadas de textura: ") + objeto.nombre);
     glutSwapBuffers();
 }

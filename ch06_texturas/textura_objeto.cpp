@@ -51,7 +51,7 @@ static void dibuja() {
     const glm::mat4 camara = camaraOrbita(estado.orbita);
     const glm::mat4 M = glm::rotate(glm::mat4(1), -1.2f, glm::vec3(1, 0, 0)); // tumbado hacia quien mira
     const glm::mat3 N(camara * M); // solo hay giros: la matriz de la normal es la misma
-    envia(estado.programa, "proyeccion", perspectivaVentana(0.47f, 1, 100));
+    envia(estado.programa, "proyeccion", perspectivaVentana(0.47f, 0.1f, 100));
     envia(estado.programa, "camara", camara);
     envia(estado.programa, "M", M);
     envia(estado.programa, "N", N);

@@ -88,7 +88,7 @@ static void dibujaMapa(const glm::mat3 &base, const glm::vec2 &semitalla) {
 static void dibujaReflejo(const Recuadro &panel, const Buferes &objeto, bool porVertice, float angulo) {
     abreRecuadro(panel, CIELO);
     const glm::mat4 camara = camaraOrbita(estado.orbita),
-                    proyeccion = perspectivaVentana(angulo, 0.5f, 100, aspecto(panel));
+                    proyeccion = perspectivaVentana(angulo, 0.1f, 100, aspecto(panel));
     const glm::mat4 M = giroZ(0.35f) * giroX(-1.05f);
     usaPrograma(estado.programa, camara, proyeccion);
     envia(estado.programa, "ojo", posicionCamara(estado.orbita));

@@ -84,7 +84,7 @@ static void inicia() {
 }
 
 static glm::mat4 proyeccion() {
-    return perspectivaVentana(0.6f, 1, 60);
+    return perspectivaVentana(0.6f, 0.1f, 60);
 }
 
 // Con el color de cada objeto o con el de su identificador.

@@ -30,8 +30,8 @@ struct {
     // opciones
     std::vector<Orden> guion;
     std::string ppm;
-    int mide = 0;
-    bool tallaPedida = false, rasgos = false, diario = false;
+    int mide = 0, lento = 1;
+    bool tallaPedida = false, rasgos = false, diario = false, sinPlanos = false;
     std::FILE *titulos = nullptr; // donde se escriben
     // ventana
     std::string titulo;
@@ -39,7 +39,7 @@ struct {
     unsigned modo = GLUT_RGBA;
     bool iniciado = false, ayuda = false, abierta = false, repinta = false, termina = false, completa = false;
     Punto puntero;
-    bool ratonDentro = false, pulsado[3] = {};
+    bool ratonDentro = false, pulsado[BOTON_MAXIMO + 1] = {};
     // funciones del programa
     void (*dibuja)() = nullptr;
     void (*cambiaTamano)(int, int) = nullptr;
@@ -324,6 +324,10 @@ void glutInit(int *argc, char **argv) {
                 falla("no puedo escribir en «" + fichero + "»");
         } else if (opcion == "-diario") {
             g.diario = true;
+        } else if (opcion == "-lento") {
+            g.lento = enteroDe(valor(), 1, 1000000, opcion);
+        } else if (opcion == "-sin_planos") {
+            g.sinPlanos = true;
         } else if (opcion == "-ayuda" || opcion == "-h" || opcion == "--help") {
             std::printf("%s", AYUDA);
             g.ayuda = true;
@@ -382,6 +386,8 @@ int glutCreateWindow(const char *titulo) {
     ponTituloVentana(titulo);
     g.abierta = true;
     g.repinta = true;
+    if (g.sinPlanos)
+        glEnable(GL_DEPTH_CLAMP);
     // el programa aún no ha llamado a glewInit
     if (const auto pideMensajes =
             reinterpret_cast<PFNGLDEBUGMESSAGECALLBACKPROC>(direccionGL("glDebugMessageCallback"))) {
@@ -446,7 +452,8 @@ QUEDA(glutCloseFunc, cierre, void)
 #undef QUEDA
 
 void glutTimerFunc(unsigned int ms, void (*f)(int), int valor) {
-    g.temporizadores.push_back({g.reloj + std::max(int(ms), 1), f, valor});
+    const long long vence = g.reloj + std::max(ms, 1u); // lo negativo son 49 días, como en FreeGLUT
+    g.temporizadores.push_back({(vence + g.lento - 1) / g.lento * g.lento, f, valor});
 }
 
 void glutPostRedisplay(void) {

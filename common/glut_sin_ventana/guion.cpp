@@ -27,11 +27,13 @@ const char *const AYUDA = R"(Opciones de la ventana sin pantalla:
                           OpenGL, cuántos buffer objects, texturas, programas, shaders, framebuffers, renderbuffers y
                           vertex arrays hay, bytes que ocupan y temporizadores que esperan. Tras espera se dibuja antes
                           el cuadro de ese momento
+  -lento MS               como en un ordenador lento: un temporizador no vence hasta el primer múltiplo de MS
+  -sin_planos             la escena no se corta en los planos cerca y lejos (GL_DEPTH_CLAMP)
   -ayuda                  esta lista
 Órdenes del guion:
-  tecla X                 un carácter, o Esc, Espacio, Intro, Tab, Retroceso, Supr, PuntoYComa
-  especial F1             F1 a F12, IZQUIERDA, DERECHA, ARRIBA, ABAJO, INICIO, FIN, REPAG, AVPAG, INSERTAR
-  boton IZQUIERDO abajo X Y    también CENTRAL o DERECHO, y arriba
+  tecla X                 un carácter, su código (10 a 255) o Esc, Espacio, Intro, Tab, Retroceso, Supr, PuntoYComa
+  especial F1             F1 a F12, IZQUIERDA, DERECHA, ARRIBA, ABAJO, INICIO, FIN, REPAG, AVPAG, INSERTAR o un código
+  boton IZQUIERDO abajo X Y    también CENTRAL, DERECHO o, de un ratón con más, 5 a 8; y arriba
   arrastra X Y            mueve el ratón con un botón pulsado
   mueve X Y               mueve el ratón sin pulsar
   rueda +1 X Y            o -1
@@ -93,7 +95,7 @@ struct Palabras {
     int tecla() {
         if (siguiente < palabras.size() && palabras[siguiente].size() == 1)
             return static_cast<unsigned char>(toma("la tecla")[0]);
-        return una(TECLAS, "una tecla (un carácter ASCII o su nombre)");
+        return codigo(TECLAS, "una tecla (un carácter ASCII, su código o su nombre)", 10);
     }
     Talla talla() {
         const int ancho = entero("el ancho", 1, LADO_MAXIMO);
@@ -121,6 +123,10 @@ struct Palabras {
                   2);
         return *n;
     }
+    int codigo(const std::map<std::string, int> &tabla, const char *que, int minimo, int maximo = 255) {
+        const bool esNumero = siguiente < palabras.size() && numeroDe<int>(palabras[siguiente]);
+        return esNumero ? entero(que, minimo, maximo) : una(tabla, que);
+    }
     int una(const std::map<std::string, int> &tabla, const char *que) {
         const std::string palabra = toma(que);
         const auto i = tabla.find(palabra);
@@ -143,9 +149,9 @@ Orden analiza(const std::string &texto, const std::string &lugar) {
     o.tipo = Orden::Tipo(p.una(ORDENES, "una orden"));
     switch (o.tipo) {
     case Orden::TECLA: o.tecla = p.tecla(); break;
-    case Orden::ESPECIAL: o.tecla = p.una(ESPECIALES, "una tecla especial"); break;
+    case Orden::ESPECIAL: o.tecla = p.codigo(ESPECIALES, "una tecla especial", 0); break;
     case Orden::BOTON:
-        o.boton = p.una(BOTONES, "un botón");
+        o.boton = p.codigo(BOTONES, "un botón", GLUT_RIGHT_BUTTON + 3, BOTON_MAXIMO);
         o.sentido = p.una(SENTIDOS, "un movimiento del botón");
         o.raton = p.raton();
         break;

@@ -5,6 +5,8 @@
 
 namespace sin_ventana {
 
+const int BOTON_MAXIMO = 8; // de un ratón con los de los lados; el 3 y el 4 son la rueda
+
 struct Talla {
     int ancho = 0, alto = 0;
 };

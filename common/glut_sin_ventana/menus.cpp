@@ -1,6 +1,7 @@
 // Los menús: se hacen como en FreeGLUT, y en ellos elige el guion.
 #include "../error.h"
 #include "glut_sin_ventana.h"
+#include "guion.h"
 #include "interior.h"
 #include <algorithm>
 #include <map>
@@ -22,7 +23,7 @@ struct Menu {
 
 struct {
     std::map<int, Menu> todos;
-    int actual = 0, ultimo = 0, deBoton[3] = {};
+    int actual = 0, ultimo = 0, deBoton[BOTON_MAXIMO + 1] = {};
     bool abierto = false;
 } menus;
 

@@ -14,6 +14,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "herramientas"))
 from base import catalogo
+from encima import lee
 
 MINIMO = 20
 CERCA = 14  # píxeles de un rótulo a lo que nombra, en una imagen de 240×180
@@ -84,11 +85,8 @@ def encima(build, caso, carpeta):
         orden, cwd=carpeta, check=True, env=os.environ | {"LAB_ENCIMA": str(fichero)}, stdout=subprocess.DEVNULL
     )
     rotulos, trazos = [], []
-    for linea in fichero.read_text().split("imagen\t")[-1].splitlines()[1:]:
-        tipo, color, _, _, _, puntos, texto = linea.split("\t")
-        xyz = [float(v) for v in puntos.split()]
-        cosa = tuple(map(float, color.split())), list(zip(xyz[::3], xyz[1::3])), texto
-        (rotulos if tipo == "rotulo" else trazos).append(cosa)
+    for p in lee(fichero)[-1]:
+        (rotulos if p.tipo == "rotulo" else trazos).append((p.color, p.puntos, p.texto))
     return rotulos, trazos
 
 

@@ -1,0 +1,168 @@
+"""Lo que se cumple con los mandos de un programa: las teclas, el ratón, el menú."""
+import re
+import subprocess
+import tempfile
+from typing import NamedTuple
+
+from programa import APARTE, CONTRARIAS
+
+
+def nombres(p):
+    """Lo que se nombra y lo que se atiende: las teclas, el ratón, la rueda, el menú."""
+    atiende = {"ratón": {"raton", "arrastre"} & p.rasgos, "rueda": {"rueda"} & p.rasgos, "menú": p.opciones}
+    dicen = {"ratón": ("ratón", "rrastra", "clic", "botón"), "rueda": ("rueda",), "menú": ("menú",)}
+    if p.sin_linea:
+        yield "línea", "falta «// Controles: … .», en las líneas que haga falta"
+    filas = [] if p.nada_cambia(p.ajenas) else p.diario(p.ajenas)
+    for orden, antes, fila in zip(p.ajenas, filas, filas[1:]):
+        if fila.distinta(antes):
+            yield "ajena", f"«{orden}» hace algo y no está en «// Controles:»"
+    dice = p.dice.replace("botón derecho menú", "menú").replace("ratón orbita", "ratón orbita, rueda acerca")
+    if p.cualquiera:
+        dice += ", rueda"
+    for que, palabras in dicen.items():
+        nombra = any(palabra in dice for palabra in palabras)
+        if nombra and not atiende[que]:
+            yield que, f"«// Controles:» nombra {que} y el programa no lo atiende"
+        if atiende[que] and not nombra:
+            yield que, f"«// Controles:» no nombra {que} y el programa lo atiende"
+
+
+def se_deshacen(nada, sube, baja, otra_vez, vuelve):
+    """Si de dos teclas, una y otra por turno, una deshace la otra. El título puede decir cuál ha sido la última."""
+    if sube != nada:
+        return baja[0] == nada[0] and vuelve == baja
+    return baja == nada or otra_vez[0] == nada[0]  # se empieza en el límite de la primera
+
+
+class Extremo(NamedTuple):
+    """Lo que se ve tras pulsar cientos de veces una tecla, ella, su contraria y ella."""
+
+    alli: tuple
+    otra_mas: tuple
+    de_vuelta: tuple
+    otra_vez: tuple
+
+    @property
+    def es_limite(self):  # si no, da la vuelta
+        return self.otra_mas == self.alli
+
+    def mal(self, hacia, desde):
+        if self.es_limite and self.de_vuelta == self.alli:
+            yield hacia, f"pasado el límite de «{hacia}», «{desde}» no hace nada"
+        if self.es_limite and self.otra_vez != self.alli:
+            yield hacia, f"al límite de «{hacia}» no se vuelve por donde se fue"
+
+
+def limites(p):
+    """De dos teclas contrarias una deshace la otra. O dan la vuelta o llegan a un límite, en que se deja de contar."""
+    for c in p.controles:
+        if set(c.teclas) not in CONTRARIAS or c.termina or None in map(p.antes_de, c.ordenes):
+            continue
+        mas, menos = c.ordenes
+        antes = max(map(p.antes_de, c.ordenes), key=len)
+        por_turno, arriba = [mas, menos, mas, menos], [f"{mas} ×300", mas, menos, mas]
+        abajo, otra_vez_arriba = [f"{menos} ×600", menos, mas, menos], [f"{mas} ×600", menos]
+        filas = p.diario([*antes, *por_turno, *arriba, *abajo, *otra_vez_arriba])
+        vistas = [fila.se_ve() for fila in filas[len(antes) :]]
+        arriba, abajo, otra_vez_arriba = Extremo(*vistas[5:9]), Extremo(*vistas[9:13]), tuple(vistas[13:])
+        if not se_deshacen(*vistas[:5]):
+            yield mas, f"de «{mas}» y «{menos}» una no deshace la otra"
+        yield from arriba.mal(mas, menos)
+        yield from abajo.mal(menos, mas)
+        if arriba.es_limite and abajo.es_limite and otra_vez_arriba != (arriba.alli, arriba.de_vuelta):
+            yield mas, f"de un límite al otro de «{mas}» y «{menos}» no se llega donde se estaba"
+
+
+def comparacion(p):
+    """Con la comparación puesta toda tecla hace algo, o la deja."""
+    if "tecla v" not in p.teclas:
+        return
+    for orden in p.teclas:
+        if orden == "tecla v" or p.hace_algo(["tecla v"], orden):
+            continue
+        antes = p.antes_de(orden)
+        if antes is None or p.hace_algo([*antes, "tecla v"], orden):
+            continue
+        if p.diario([*antes, "tecla v", orden])[-1].se_ve() != p.diario([*antes, orden])[-1].se_ve():
+            yield orden, f"«{orden}» no hace nada en la comparación, ni la deja"
+
+
+def vuelta(p):
+    """De un modo se sale con la tecla con que se entró: pulsada otra vez, hace algo."""
+    mandan = [c for c in p.controles if set(c.teclas) not in CONTRARIAS and not c.termina]
+    letras = [o for c in mandan for o in c.ordenes if o in p.teclas and o[-1].isalpha() and o.startswith("tecla ")]
+    filas = iter(p.diario([o for orden in letras for o in (orden, orden)]))
+    ultima = next(filas)
+    for orden, una, otra in zip(letras, filas, filas):
+        desde = p.antes_de(orden) or []
+        if una.distinta(ultima) and not otra.distinta(una) and not p.hace_algo([*desde, orden], orden):
+            yield orden, f"«{orden}» hace algo la primera vez y la segunda no"
+        ultima = otra
+
+
+def comunes(p):
+    """Lo que cambia con el tiempo se anima; F1 pone la ayuda, que es lo que dice «// Controles:», y la quita; F12
+    guarda y lo dice, y Esc termina: tras él no hay fila."""
+    antes, nada, puesta, quitada, guardada, *mas = p.diario(
+        ["espera 960", "especial F1", "especial F1", "especial F12", "tecla Esc"]
+    )
+    if nada.distinta(antes) and not p.anima:
+        yield "tiempo", "cambia con el tiempo y nadie pide que se vuelva a dibujar"
+    if puesta.imagen == nada.imagen or quitada.imagen != nada.imagen or puesta.titulo != nada.titulo:
+        yield "F1", "F1 no pone la ayuda, o no la quita"
+    with tempfile.NamedTemporaryFile("r") as encima:
+        p.ejecuta(["-guion", "especial F1"], LAB_ENCIMA=encima.name)
+        rotulos = [linea.split("\t")[-1].split("\\n") for linea in encima if linea.startswith("rotulo")]
+    suyos = p.dice.split(" · ")
+    for donde, lineas in (
+        ("F1", rotulos[-1] if rotulos else []),
+        ("-ayuda", p.ejecuta(["-ayuda"]).splitlines()[-len(suyos) - 4 :]),
+    ):
+        if lineas[: len(suyos)] != suyos:
+            yield donde, f"{donde} no dice sus controles: {lineas}"
+    if not any(linea.startswith("guardado ") for linea in guardada.escrito):
+        yield "F12", "F12 no guarda la ventana, o no lo dice"
+    if mas:
+        yield "Esc", "Esc no termina"
+    for dados in (["uno"], ["uno", "dos"], ["uno", "dos", "tres"]):
+        r = subprocess.run([p.ejecutable, *dados, "-ppm", "/dev/null"], **APARTE)
+        if re.search("sobra|no entiendo", r.stderr):
+            break
+    if r.returncode != 2 or [dado for dado in dados if f"«{dado}»" in r.stderr] != dados[-1:]:
+        yield "argumentos", f"con {' '.join(dados)} no dice que sobra lo último: {r.returncode}, {r.stderr}"
+
+
+def vivos(p):
+    """En un editor se ve qué punto se elige con n, y las flechas lo mueven."""
+    if "especial ARRIBA" not in p.teclas or "tecla n" not in p.teclas:
+        return
+    modos = [o for o in p.teclas if not o.startswith("especial ") and o != "tecla n"]
+    recorre = ["tecla n", "especial ARRIBA", "especial ABAJO"] * 10
+    guion = recorre + [o for modo in modos for o in (modo, *recorre)]
+    filas = p.diario(guion)
+    for antes, fila, orden in zip(filas, filas[1:], guion):
+        if orden not in modos and not fila.distinta(antes):
+            yield "vivos", f"{fila.orden} no cambia nada: elige o mueve un punto que no se ve"
+
+
+def mandos(p):
+    """Todo lo que se nombra hace algo: lo ha hecho ya en algo de lo anterior o se busca tras qué."""
+    for orden in p.mandos:
+        if orden not in p.hechas and p.antes_de(orden) is None:
+            yield orden, f"«{orden}» no hace nada, ni tras ninguna otra"
+
+
+NOMBRADAS = {9, 10, 13, 27, *range(1, 13), *range(100, 109)}  # GLUT_KEY_F1… y las flechas
+RARAS = [f"tecla {n}" for n in (*range(14, 27), *range(28, 32), *range(128, 256))]
+RARAS += [f"especial {n}" for n in range(256) if n not in NOMBRADAS]
+RARAS += [o for n in range(5, 9) for o in (f"boton {n} abajo 60 45", "arrastra 70 50", f"boton {n} arriba 70 50")]
+
+
+def raras(p):
+    """Lo que GLUT puede dar y nadie espera (más botones, teclas con Ctrl o de otros teclados) no hace nada."""
+    rueda = [] if "rueda" in p.rasgos else ["rueda +1 60 45"]  # quien no la atiende la recibe como botones 3 y 4
+    if p.cualquiera:
+        p.diario(RARAS)
+    elif not p.nada_cambia([*RARAS, *rueda]):
+        yield "raras", "un botón del 5 al 8 o una tecla que no está en los teclados hace algo"

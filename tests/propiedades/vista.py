@@ -1,0 +1,213 @@
+"""Lo que se cumple en cualquier ventana y con el ratón."""
+import functools
+import itertools
+import random
+import re
+import tempfile
+from pathlib import Path
+
+from programa import CONTRARIAS, TALLA, arrastre, distintos, lee_ppm, parecidas
+
+OTRAS = ("1 1", "200 2", "100 130", "100 100")  # de la última solo cambia el alto, y encoge
+
+
+def conmutan(p, una, otra):
+    """Si da igual el orden de dos teclas, o manda la última."""
+    (_, a, ab), (_, b, ba) = ([f.se_ve() for f in p.diario(par)] for par in ((una, otra), (otra, una)))
+    relativa = any({una, otra} & set(c.ordenes) for c in p.controles if set(c.teclas) in CONTRARIAS)
+    return ab == ba or (ab, ba) == (b, a) or (relativa and (ab == b or ba == a))
+
+
+def eligen(p):
+    """Los grupos de teclas que eligen entre sí; las cifras son uno, que suele empezar con 1."""
+    sueltos = [c for c in p.controles if c.teclas and not c.termina and not {"↑", "v"} & set(c.teclas)]
+    grupos = [c.ordenes for c in sueltos if set(c.ordenes) <= set(p.teclas)]
+    cifras = [o for grupo in grupos for o in grupo if o[-1] in "234567890"]
+    return [grupo for grupo in [*(g for g in grupos if not g[0][-1].isdigit()), cifras] if grupo]
+
+
+def tallas(p):
+    """Lo hecho en una ventana y llevado a otra es lo mismo que hecho en esa y en el orden contrario; o de dos teclas
+    manda la última."""
+    azar = random.Random(f"{p.nombre} {p.semilla}")
+    final = OTRAS[-1].replace(" ", "x")
+    guion = [azar.choice(grupo) for grupo in eligen(p)]
+    mandan = [o for o in p.mandos if o == "tecla v" or o.startswith("menu ")]  # siempre al final
+    bien = True
+    for cola in [[], *([[azar.choice(mandan)]] if mandan else [])]:
+        llevada = p.ventana([*guion, *cola, *(f"tamano {talla}" for talla in OTRAS)])
+        if not parecidas(llevada, p.ventana([*guion[::-1], *cola], final)):
+            bien = False
+            if not parecidas(llevada, p.ventana([*guion, *cola], final)):
+                con = "; ".join(guion + cola)
+                yield "talla", f"una ventana de {TALLA} llevada a {OTRAS} no se ve como una de {final}, con {con}"
+    for una, otra in () if bien else itertools.combinations(guion, 2):
+        if not conmutan(p, una, otra):
+            yield f"{una}, {otra}", f"de «{una}» y «{otra}», ni da igual el orden ni manda la última"
+
+
+def arrastres(p):
+    """Arrastrar en un paso o en tres deja lo mismo; y en horizontal, de una vez o soltando a la mitad."""
+    if "arrastre" not in p.rasgos or p.cualquiera:
+        return
+    botones = ["IZQUIERDO"] if p.opciones else ["IZQUIERDO", "DERECHO"]  # el derecho abre el menú
+    caminos = [(60, 45, 90, 60), (30, 60, 42, 30), (100, 45, 70, 60)]
+    una, tres = (
+        [o for boton in botones for puntos in caminos for o in arrastre(*puntos, boton, pasos)] for pasos in (1, 3)
+    )
+    for boton in [] if "clic" in p.dice else botones:  # pulsar otra vez elegiría otra cosa
+        una += arrastre(40, 45, 80, 45, boton)
+        tres += arrastre(40, 45, 60, 45, boton) + arrastre(60, 45, 80, 45, boton)
+    if not parecidas(p.ventana(una), p.ventana(tres)):
+        yield "pasos", f"arrastrar en uno o en tres pasos, o soltando a la mitad, no deja lo mismo: {'; '.join(una)}"
+
+
+# Alta y ancha: su centro cae en los mismos cuartetos de píxeles que a 4:3.
+FORMAS = [tuple(map(int, TALLA.split("x"))), (120, 602), (400, 90)]
+MENUDAS = [(61, 45), (90, 200), (320, 60), (480, 360), (700, 150)]  # con la ayuda puesta
+
+
+@functools.cache
+def en_formas(p):
+    """De cada tecla, la escena sola tras ella en cada forma; y lo que se ve con la ayuda en otras tallas."""
+    mira = [[f"tamano {ancho} {alto}", "captura"] for ancho, alto in FORMAS + MENUDAS]
+    una, menudas = sum(mira[: len(FORMAS)], []), sum(mira[len(FORMAS) :], [])
+    guion = una + [o for tecla in p.teclas for o in (tecla, *una)] + ["especial F1", *menudas]
+    vistas = p.vistas(guion, LAB_SIN_ENCIMA="1")
+    n = len(FORMAS)
+    return {tecla: vistas[n * i : n * (i + 1)] for i, tecla in enumerate(["", *p.teclas])}, vistas[-len(MENUDAS) :]
+
+
+def franja(p):
+    """Las escenas se componen para 4:3: en el centro de una ventana alta o ancha está lo mismo, píxel a píxel."""
+    for tecla, vistas in en_formas(p)[0].items():
+        if not all(v.entera() for v in vistas):  # partida, los paneles se colocan de otra manera
+            continue
+        esta, *otras = (v.centro(*FORMAS[0]) for v in vistas)
+        for otra, (ancho, alto) in zip(otras, FORMAS[1:]):
+            if (cuantos := distintos(esta, otra, 3)) > 1:
+                yield tecla, f"tras «{tecla}», lo del centro de {ancho}×{alto} no es lo de 4:3: {cuantos:.0f} ‰"
+
+
+def rotulos(p):
+    """Cada rótulo cabe en su panel, a una letra del borde; o está en lo más pequeño que se lee."""
+    formas, menudas = en_formas(p)
+    for v in [v for vistas in formas.values() for v in vistas] + menudas:
+        for r in v.encima:
+            x, y, ancho, alto = r.panel
+            if r.tipo != "rotulo" or r.talla <= 7:
+                continue
+            (x0, y0), (x1, y1) = r.puntos[:2]
+            if min(x0 - x, y0 - y, x + ancho - x1, y + alto - y1) < r.talla / 2:
+                yield "rótulo", f"«{r.texto[:30]}» no cabe en su panel, {r.panel}, de una ventana de {v.talla}"
+
+
+def cerca(p):
+    """De lo más cerca que lleva la rueda, desde cualquier lado, el plano de cerca no corta nada."""
+    if "rueda" not in p.rasgos:
+        return
+    guion = ["rueda +1 60 45 ×20", "captura"] + [
+        o for grupo in eligen(p) for tecla in grupo for o in (tecla, "captura")
+    ]
+    for sube in (-22, -19, 82):
+        guion += [*arrastre(60, 45, 60, 45 + sube), "captura"]
+        guion += [*arrastre(34, 45, 86, 45), "captura"] * 6
+    for x, y in () if p.opciones else ((60, 22), (95, 45)):
+        guion += [*arrastre(60, 45, x, y, "DERECHO"), "captura"]
+    con, sin = (p.vistas(guion, *opciones, LAB_SIN_ENCIMA="1") for opciones in ((), ("-sin_planos",)))
+    for i, (una, otra) in enumerate(zip(con, sin)):
+        if (cuantos := distintos(una.centro(*una.talla), otra.centro(*otra.talla))) > 1:
+            hasta = [n for n, o in enumerate(guion) if o == "captura"][i]
+            ordenes = "; ".join(o for o in guion[:hasta] if o != "captura")
+            yield "plano", f"el plano de cerca o el de lejos corta la escena: {cuantos:.0f} ‰ tras {ordenes}"
+            return
+
+
+def cogibles(v):
+    """Dónde hay algo que se pueda coger."""
+    puntos = [q for p in v.encima for q in (p.puntos[2:] if p.tipo == "rotulo" else p.puntos[-1:])]
+    return [q for q in puntos if 3 < q[0] < v.talla[0] - 3 and 3 < q[1] < v.talla[1] - 3]
+
+
+def sueltos(puntos):
+    """Unos cuantos que no estén juntos."""
+    elegidos = []
+    for x, y in puntos:
+        if all(abs(x - a) + abs(y - b) > 8 for a, b in elegidos):
+            elegidos.append((x, y))
+    return elegidos[:8]
+
+
+def sigue(antes, despues, x, y):
+    """Cómo de lejos de ahí queda lo más cercano de lo que ha cambiado, en píxeles; nada, si no ha cambiado nada."""
+    habia = {(round(a), round(b)) for p in antes.encima for a, b in p.puntos}
+    nuevos = [q for p in despues.encima for q in p.puntos if (round(q[0]), round(q[1])) not in habia]
+    return min((max(abs(a - x), abs(b - y)) for a, b in nuevos), default=None)
+
+
+def tocado(p):
+    """Lo que se arrastra o se elige con un clic queda bajo el puntero, en una ventana de cualquier forma."""
+    clic = "clic elige el" in p.dice
+    if not clic and not re.search(r"arrastra (un|los|las|puntos|esquinas)\b", p.dice):
+        return
+    antes = [o for o in p.teclas if o == ("tecla n" if clic else "tecla m")]  # donde se ve lo que se toca
+    for (ancho, alto), con in itertools.product(((120, 90), (120, 200), (120, 120), (200, 112)), ((), ("tecla v",))):
+        if set(con) - set(p.teclas):
+            continue
+        empieza = [*antes, *con]
+        talla = f"{ancho}x{alto}"
+        [ahora] = p.vistas([*empieza, "captura"], talla=talla, LAB_SIN_ENCIMA="1")
+        guion, adonde = [*empieza, "captura"], []
+        rejilla = [(ancho * i / 6, alto * j / 6) for i in range(1, 6) for j in range(1, 6)]
+        for x, y in rejilla if clic else sueltos(cogibles(ahora)):
+            x, y = int(x), int(alto - y)
+            hasta = (x, y) if clic else (x + (6 if x < ancho / 2 else -6), y + (5 if y < alto / 2 else -5))
+            adonde.append((hasta[0] + 0.5, alto - hasta[1] - 0.5))
+            guion += [f"boton IZQUIERDO abajo {x} {y}", "arrastra {} {}".format(*hasta), "captura"]
+            guion += [f"arrastra {x} {y}", f"boton IZQUIERDO arriba {x} {y}", "captura"]
+        vistas = p.vistas(guion, talla=talla, LAB_SIN_ENCIMA="1")
+        lejos = [sigue(vistas[2 * i], vistas[2 * i + 1], *q) for i, q in enumerate(adonde)]
+        hay = [d for d in lejos if d is not None]
+        if not hay or max(hay) > 2:
+            yield f"{ancho}x{alto} {con}", f"a {talla} {con} no queda bajo el puntero: {lejos}"
+
+
+CUBO = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+CARAS = "1 2 4 3,5 7 8 6,1 5 6 2,3 4 8 7,1 3 7 5,2 6 8 4".split(",")
+
+
+def modelo(p):
+    """El mismo modelo en otro sitio o de otro tamaño (exactos en float) da la misma imagen."""
+    if p.admite != "modelo":
+        return
+    imagenes = {}
+    with tempfile.TemporaryDirectory() as carpeta:
+        for escala, lejos in ((1, 0), (1, 2**23), (2.0**20, 0), (2.0**-20, 0)):
+            vertices = [f"v {x * escala + lejos!r} {y * escala + lejos!r} {z * escala + lejos!r}" for x, y, z in CUBO]
+            Path(carpeta, "cubo.vf").write_text("\n".join([*vertices, *(f"f {cara}" for cara in CARAS), ""]))
+            p.ejecuta_en(carpeta, ["cubo.vf"])
+            imagenes[escala, lejos] = Path(carpeta, "imagen.ppm").read_bytes().split(b"\n255\n", 1)[1]
+    for (escala, lejos), imagen in imagenes.items():
+        if distintos(imagen, imagenes[1, 0]) > 1:
+            yield "modelo", f"un cubo de lado {escala} en {lejos} no se ve como uno de lado 1 en el origen"
+
+
+def foto(p):
+    """Una foto ocupa los píxeles enteros más próximos a lo que mide a esa escala, y está en medio."""
+    if not p.admite.startswith("imagen"):
+        return
+    ancho, alto, altos = 41, 30, range(60, 80)
+    with tempfile.TemporaryDirectory() as carpeta:
+        foto = Path(carpeta, "foto.ppm")
+        foto.write_bytes(b"P6\n%d %d\n255\n" % (ancho, alto) + bytes((200, 120, 40)) * ancho * alto)
+        guion = [o for h in altos for o in (f"tamano 200 {h}", f"captura {carpeta}/{h}")]
+        fotos = [str(foto)] * (2 if p.admite == "imagenes" else 1)
+        p.ejecuta([*fotos, "-guion", "; ".join(guion)])
+        for h in altos:
+            fila = lee_ppm(Path(carpeta, str(h)))[h // 2]
+            puntos = [fila[i : i + 3] for i in range(0, len(fila), 3)]
+            dentro = [x for x, punto in enumerate(puntos) if punto != puntos[0]]
+            son, debe = dentro[-1] - dentro[0] + 1 if dentro else 0, int(ancho * h / alto + 0.5)
+            if son != debe or dentro[0] != (200 - debe) // 2:
+                yield "foto", f"de {ancho}×{alto} en 200×{h} ocupa {son} columnas y no {debe}"
+                return
