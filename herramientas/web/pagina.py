@@ -30,7 +30,7 @@ class ProgramaVivo:
     def __init__(self, raiz, build, programa):
         self.raiz, self.programa = raiz, programa
         self.controles = [
-            c for c in controles.lee(raiz, programa) if c.teclas != ["Esc"] and not c.texto.startswith("ninguno")
+            c for c in controles.lee(raiz, programa) if c.teclas != ["Esc"] and not c.texto.startswith("sin controles")
         ]
         teclas = [orden for c in self.controles if not c.termina for orden in c.ordenes]
         self.rasgos, self.opciones = set(), []
@@ -57,7 +57,7 @@ class ProgramaVivo:
             "anima": bool(self.rasgos & {"temporizador", "ocio"}),
             "raton": bool(self.rasgos & {"raton", "rueda", "arrastre"}),
             "sigue": "movimiento" in self.rasgos,
-            "casos": [{"titulo": c.titulo or "al empezar", "guion": c.guion, "mira": c.mira} for c in p.casos],
+            "casos": [{"titulo": c.titulo or "Al empezar", "guion": c.guion, "mira": c.mira} for c in p.casos],
             "fuentes": [str(f) for f in fuentes.alcanza(self.raiz, p.fuente)],
             "texturas": sorted(Path(f).name for f in self.leidos if f.endswith(TEXTURAS)),
             "admite": p.admite,
