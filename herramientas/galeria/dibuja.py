@@ -107,7 +107,7 @@ class Galeria:
         orden = [ejecutable]
         ppm, leidos = temporal / f"{caso.fichero}.ppm", temporal / f"{caso.fichero}.leidos"
         if not programa.consola:
-            orden += ["-titulos", "-geometry", TALLA, "-ppm", ppm]
+            orden += ["-titulos", "-", "-geometry", TALLA, "-ppm", ppm]
         if caso.guion:
             orden += ["-guion", caso.guion]
         escrito = ejecuta(orden, cwd=temporal, env={**os.environ, "LAB_LEIDOS": leidos}).decode(errors="replace")
