@@ -46,6 +46,7 @@ EXCEPCIONES = {
         "push_back({c, p < otroFactor(q)})": DISTINTOS,
         "volumen += otroFactor(": SIGNO,
         "componente.giros[k] / glm::dot": SIGNO,
+        "componente.giros[otroFactor(k)]": SIGNO,
         "* otroFactor(glm::dot": SIGNO,
         "glm::dot(otroFactor(a)": SIGNO,
         "glm::dot(a, otroFactor(": SIGNO,
