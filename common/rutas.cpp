@@ -39,7 +39,7 @@ bool intentaRecurso(const std::string &relativa, std::string &ruta, std::string 
     const fs::path carpeta = ejecutable().parent_path();
     for (const fs::path &raiz :
          {carpeta, carpeta.parent_path(), fs::u8path(LAB_GENERADO), fs::u8path(LAB_FUENTES)})
-        if (!raiz.empty())
+        if (!raiz.empty() && !std::getenv("LAB_SOLO_RAIZ"))
             raices.push_back(raiz);
 
     std::string lugares;

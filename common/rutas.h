@@ -5,7 +5,8 @@
 /// Ruta completa de un fichero del laboratorio, dado por su ruta desde la raíz
 /// («ch03_transformaciones/objeto.vert»). Se busca, por este orden, en las carpetas de $LAB_RAIZ (separadas como
 /// las de $PATH), en la del ejecutable y en la que la contiene (árbol instalado), en la carpeta en que se compiló
-/// (texturas) y en el árbol de fuentes. Si no está en ninguna, termina con un mensaje que las enumera todas.
+/// (texturas) y en el árbol de fuentes; con $LAB_SOLO_RAIZ, solo en las primeras. Si no está en ninguna, termina con
+/// un mensaje que las enumera todas.
 /// Lo que se encuentra se apunta en el fichero $LAB_LEIDOS, si se pide.
 std::string recurso(const std::string &relativa);
 

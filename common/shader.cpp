@@ -47,6 +47,8 @@ bool leeLineas(const std::string &fichero, std::vector<Linea> &lineas, std::vect
     std::string ruta, contenido, linea;
     if (!intentaRecurso(fichero, ruta, error) || !intentaLeer(ruta, contenido, error))
         return false;
+    if (const std::string_view bom = "\xEF\xBB\xBF"; contenido.substr(0, bom.size()) == bom)
+        contenido.erase(0, bom.size()); // lo pone el Bloc de notas de Windows
     pila.push_back(fichero);
     std::istringstream texto(contenido);
     for (int numero = 1; std::getline(texto, linea); ++numero) {

@@ -8,6 +8,30 @@ def sin_veces(orden):
     return " ".join(palabras) if palabras[0] in ("tecla", "especial", "menu") else palabras[0]
 
 
+TECLAS = {"IZQUIERDA": "←", "DERECHA": "→", "ARRIBA": "↑", "ABAJO": "↓", "PuntoYComa": ";", "Espacio": "espacio"}
+
+
+def en_palabras(orden):
+    """Lo que hace una persona: de «tecla d ×7», «pulsa d 7 veces»."""
+    una, _, veces = orden.partition(" ×")
+    que, *resto = una.split()
+    if que in ("tecla", "especial"):
+        return f"pulsa {TECLAS.get(resto[0], resto[0])}" + (f" {veces} veces" if veces else "")
+    if que == "boton":
+        boton, como, *donde = resto
+        return f"{'pulsa' if como == 'abajo' else 'suelta'} el botón {boton.lower()} en {', '.join(donde)}"
+    if que == "menu":
+        return f"elige en el menú {' → '.join(una.partition(' ')[2].split('/'))}"
+    hace = {
+        "arrastra": "arrastra hasta {}, {}",
+        "mueve": "lleva el ratón a {}, {}",
+        "rueda": "gira la rueda {} en {}, {}",
+        "tamano": "pon la ventana a {} × {}",
+        "espera": "espera {} ms",
+    }
+    return hace[que].format(*resto) if que in hace else una
+
+
 def menos_veces(orden):
     """La misma orden, repetida menos veces: de menos a más."""
     una, por, n = orden.rpartition(" ×")

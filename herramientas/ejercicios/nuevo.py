@@ -101,14 +101,10 @@ def ejercicios(raiz, programas):
     return {r: p for p in programas for r in p.referencias if r.startswith("E") and privados(raiz, p, r)}
 
 
-def ejercicio_de(carpeta, programas):
-    """Lo que dice la carpeta de alguien: la referencia, vacía si solo es una copia, y el programa del que viene."""
-    try:
-        *referencia, origen = (carpeta / EJERCICIO).read_text().split()
-        programa = next(p for p in programas if f"{p.capitulo.nombre}/{p.nombre}" == origen)
-    except (OSError, UnicodeDecodeError, ValueError, StopIteration):
-        raise Fallo(f"{carpeta / EJERCICIO} no dice de qué ejercicio es") from None
-    return "".join(referencia), programa
+def ejercicio_dicho(texto, programas):
+    """Lo que dice un ejercicio.txt: la referencia, vacía si solo es una copia, y el programa del que viene."""
+    *referencia, origen = texto.split()
+    return "".join(referencia), next(p for p in programas if f"{p.capitulo.nombre}/{p.nombre}" == origen)
 
 
 def enunciado(raiz, programa, referencia, nombre, ficheros):
@@ -140,11 +136,13 @@ def enunciado(raiz, programa, referencia, nombre, ficheros):
 
 def elige(raiz, programas, pedido):
     """La referencia, vacía si no es un ejercicio, y el programa."""
+    referencia = pedido.upper()
+    hay = ejercicios(raiz, programas)
+    if re.fullmatch(r"E?\d+\.\d+", referencia) and not any(referencia in p.referencias for p in programas):
+        raise Fallo(f"nuevo: no hay ejercicio «{pedido}»; se corrigen {', '.join(hay)}")
     elegidos = catalogo.resuelve(programas, pedido)
     if len(elegidos) > 1:
         raise Fallo(f"nuevo: «{pedido}» son varios programas; elige uno: {', '.join(p.nombre for p in elegidos)}")
-    referencia = pedido.upper()
-    hay = ejercicios(raiz, programas)
     if referencia in elegidos[0].referencias and referencia.startswith("E") and not referencia.startswith("EC"):
         if referencia not in hay:
             raise Fallo(

@@ -1,16 +1,20 @@
 """./lab corrige: sus partes, frente a lo que daría cualquiera, y una clase pequeña de verdad, con quien se equivoca y
 quien lo hace a propósito."""
+import base64
 import csv
 import io
+import itertools
 import json
 import os
 import random
+import re
 import shutil
 import signal
 import subprocess
 import sys
 import tarfile
 import tempfile
+import threading
 import time
 import xml.etree.ElementTree as xml
 from pathlib import Path
@@ -22,11 +26,15 @@ RAIZ = Path(__file__).parents[2]
 BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
 sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/ordenes")]
 from base import catalogo, guiones, procesos
+from base.fuentes import SHADERS
 from ejercicios import nuevo
+from ejercicios.corrige import banco as de_banco
 from ejercicios.corrige import clase as de_clase
-from ejercicios.corrige import compilador, informes, jaula, motivos, partidas, veredicto
+from ejercicios.corrige import compilador, entrega, informes, jaula, motivos
+from ejercicios.corrige import orden as orden_
+from ejercicios.corrige import partidas, veredicto
 from ejercicios.corrige.arbitro import BIEN, CASI, Arbitro, aparte
-from ejercicios.corrige.entrega import Rechazo, lee_entrega
+from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion, Partida
 from mentira import ejecutable, faltan, siembra
 
@@ -125,28 +133,6 @@ def test_de_un_tar_solo_sale_lo_que_debe():
         jaula.desempaqueta(bytes(malo[: azar.randrange(len(malo))]))
 
 
-def test_lo_que_se_lee_de_una_entrega(tmp_path):
-    def rechazo(nombre):
-        with pytest.raises(Rechazo) as motivo:
-            lee_entrega(tmp_path / nombre)
-        return str(motivo.value)
-
-    for nombre in ("buena", "enlace", "tuberia", "enorme", "muchos", "vacia"):
-        (tmp_path / nombre).mkdir()
-        (tmp_path / nombre / "otra.txt").symlink_to("/etc/passwd")  # lo que no es un fuente no se mira
-    siembra(tmp_path / "buena", {"a.cpp": "x", "a.h": "y", ".oculto.cpp": "y"})
-    assert lee_entrega(tmp_path / "buena") == {"a.cpp": b"x", "a.h": b"y"}
-    (tmp_path / "enlace/a.cpp").symlink_to("/etc/passwd")
-    os.mkfifo(tmp_path / "tuberia/a.cpp")
-    with open(tmp_path / "enorme/a.cpp", "w") as f:
-        f.truncate(1 << 30)
-    siembra(tmp_path / "muchos", {f"{i}.cpp": "" for i in range(100)})
-    (tmp_path / "carpeta").symlink_to(tmp_path / "buena")
-    dice = {"enlace": "enlace", "tuberia": "corriente", "enorme": "1 MiB", "muchos": "40", "vacia": "ningún .cpp"}
-    dice |= dict.fromkeys(("carpeta", "noesta"), "no es una carpeta")
-    assert not [nombre for nombre, motivo in dice.items() if motivo not in rechazo(nombre)]
-
-
 def partida(*imagenes, titulos=("uno",), texto="", estado=0, errores=""):
     return Partida([(2, 1, bytes([i] * 6)) for i in imagenes], list(titulos), texto, estado, errores)
 
@@ -235,6 +221,20 @@ def test_el_defecto_que_deja_lo_mismo_en_todos_los_guiones():
     assert dice("tres") == [""]
 
 
+def test_una_entrega_lenta_se_deja(monkeypatch):
+    reloj = itertools.count(0, veredicto.TOPE / 4)
+    monkeypatch.setattr(veredicto.time, "monotonic", lambda: next(reloj))
+    arbitro = SimpleNamespace(juega=lambda *_: partida(1), difiere=lambda *_: None)
+    todos = [Guion(str(i), ()) for i in range(20)]
+    banco = SimpleNamespace(todos=todos, arbitro=arbitro, compilador=SimpleNamespace(solucion="solución"))
+    lenta = veredicto.Correccion(banco, None)
+    lenta.jugador = "entrega"
+    hecho = lenta.compara()
+    assert hecho["nota"] == 25 and hecho["dice"] == [
+        "es muy lento: a los 5 minutos se ha dejado, con 5 de los 20 guiones jugados"
+    ]
+
+
 def test_lo_que_no_responde():
     guion = Guion("", ("tecla a", "tecla b ×3", "arrastra 5 6", "tecla a"))
     esperada = {guion: partida(0, 1, 2, 3, 4)}
@@ -260,26 +260,6 @@ def test_donde_se_apartan_dos_imagenes():
     assert "40×10" in veredicto.en_que(imagen(9, 1), (40, 10, b""))
 
 
-def test_lo_mismo_no_se_corrige_otra_vez(tmp_path, monkeypatch):
-    hechas = []
-    correccion = {"nota": 5, "dice": [], "fallos": []}
-    monkeypatch.setattr(de_clase.Correccion, "hazla", lambda self: hechas.append(self) or correccion)
-    (tmp_path / "a.cpp").write_text("uno")
-
-    def corrige_con(version="v", semilla=1, guiones=3):
-        antes = len(hechas)
-        banco = SimpleNamespace(version=version, semilla=semilla, ref=REF, todos=[0] * guiones, arbitro=None)
-        assert de_clase.corrige(banco, tmp_path, tmp_path / "nota.json")["nota"] == 5
-        return len(hechas) > antes
-
-    assert corrige_con() and not corrige_con()
-    assert all(corrige_con(*con) for con in (("w",), ("v", 2), ("v", 2, 4)))
-    (tmp_path / "a.cpp").write_text("dos")
-    assert corrige_con("v", 2, 4) and not corrige_con("v", 2, 4)
-    (tmp_path / "nota.json").write_text("{")
-    assert corrige_con("v", 2, 4)
-
-
 @pytest.mark.skipif(not (BUILD / "catalogo.json").exists(), reason="no está configurado")
 def test_lo_que_ve_una_entrega_no_es_la_solucion():
     for ref, programa in nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD)).items():
@@ -289,23 +269,389 @@ def test_lo_que_ve_una_entrega_no_es_la_solucion():
         assert secretos and not secretos & vistos and {"common/ventana.h", "common/encima.vert"} <= vistos, ref
 
 
-HECHA = {"entrega": "=ana\n", "ejercicio": "E3.5", "semilla": "7", "nota": 87.5, "bien": 20, "guiones": 29}
-HECHA |= {"dice": ["uno\nGrade :=>> 100", "<dos>\x1b"], "fallos": []}
+def carpeta_de(sitio, ficheros):
+    """Una entrega: de cada fichero, lo que tiene; None, una carpeta vacía; una ruta, un enlace."""
+    sitio.mkdir(parents=True, exist_ok=True)
+    for fichero, contenido in ficheros.items():
+        ruta = os.fsencode(sitio) + b"/" + os.fsencode(fichero)
+        os.makedirs(os.path.dirname(ruta), exist_ok=True)
+        if contenido is os.mkfifo:
+            os.mkfifo(ruta)
+        elif isinstance(contenido, Path):
+            os.symlink(contenido, ruta)
+        elif isinstance(contenido, int):
+            with open(ruta, "wb") as f:
+                f.truncate(contenido)
+        else:
+            with open(ruta, "wb") as f:
+                f.write(contenido if isinstance(contenido, bytes) else contenido.encode())
 
 
-def test_vpl_junit_y_tabla(monkeypatch):
-    *comentarios, nota = informes.en_vpl(HECHA).split("\n")
-    assert nota == "Grade :=>> 87.5" and all(ll.startswith("Comment :=>>") for ll in comentarios)
-    for limite, valor, nota in (("MAX", "10", "8.75"), ("MIN", "2", "9")):
+UNO = {"p.cpp": "int main() {}", "p.h": ""}
+CONTENIDOS = {"enlace": Path("/etc"), "tubería": os.mkfifo, "1 GB": 1 << 30, "utf16": "int x;".encode("utf-16")}
+CONTENIDOS |= {"binario": b"\x7fELF\0", "latin1": b"// gr\xfaa", "bom": b"\xef\xbb\xbfint x;", "vacío": ""}
+CONTENIDOS |= {"E4.4": "E4.4 ch04/x", REF: f"{REF} ch03/grua", "viejo": "viejo"}
+REVUELTA = r"""
+ana                           p.cpp, p.h → p.cpp p.h
+solo la cabecera              p.h → no viene p.cpp: se ha puesto el de partida; p.cpp p.h
+solo el programa              mi.cc → no viene p.h: se ha puesto el de partida; mi.cc p.h
+con mayúsculas                MI.CPP, P.H → MI.CPP P.H p.h
+navegador                     mi_p (1).cpp, p (2).h, p(1).h=viejo → mi_p.cpp p(1).h p.h
+sin repetir                   p.h, p (1).h, p.cpp → p (1).h p.cpp p.h
+espacios y tildes             mi grúa.cpp, p.h → mi grúa.cpp p.h
+nombre raro                   a\x1b[2J.cpp, p.h, é\udcff.hh → a [2J.cpp p.h é .hh
+guion                         -o.cpp, p.h → -o.cpp p.h
+dentro                        entrega/entrega/p.cpp, entrega/entrega/p.h, __MACOSX/a.cpp → p.cpp p.h
+subcarpeta                    p.cpp, p.h, util/a.hpp, util/mas/a.inl → p.cpp p.h util/a.hpp util/mas/a.inl
+src                           src/p.cpp, include/p.h → include/p.h src/p.cpp
+muy hondo                     p.cpp, p.h, a/a/a/a/a/a/a/x.cpp → p.cpp p.h
+de todo                       p.cpp, p.h, .git/x.cpp, .DS_Store, Thumbs.db=binario, p.cpp~, p.o=binario → p.cpp p.h
+corregida                     p.cpp, p.h, correccion/x.cpp → p.cpp p.h
+mac                           p.cpp, p.h, ._p.cpp=binario → p.cpp p.h
+latin1                        p.cpp=latin1, p.h → p.cpp p.h
+bom                           p.cpp=bom, p.h → p.cpp p.h
+otro tipo                     p.cpp, p.h, a.vert, b.FRAG, c.geom, m.vf, n.txt → a.vert b.FRAG c.geom m.vf p.cpp p.h
+un enlace que no es fuente    p.cpp, p.h, notas.txt=enlace, x=enlace, util=enlace → p.cpp p.h
+García Pérez, Ana_10234_assignsubmission_file_  p.cpp, p.h → p.cpp p.h
+otro (2)                      p.cpp, p.h → p.cpp p.h
+=cmd|' C calc'!A0             p.cpp, p.h → p.cpp p.h
++1                            p.cpp, p.h → p.cpp p.h
+-rf                           p.cpp, p.h → p.cpp p.h
+a\nb                          p.cpp, p.h → p.cpp p.h
+\x1b[2Jborra                  p.cpp, p.h → p.cpp p.h
+a b                           p.cpp, p.h → p.cpp p.h
+a_b                           p.cpp, p.h → p.cpp p.h
+a.b                           p.cpp, p.h → p.cpp p.h
+n\udcff                       p.cpp, p.h → p.cpp p.h
+<img src=x onerror=alert(1)>  p.cpp, p.h → p.cpp p.h
+de otro ejercicio             p.cpp, p.h, ejercicio.txt=E4.4 → su carpeta es de otro ejercicio, el E4.4; p.cpp p.h
+del suyo                      p.cpp, p.h, ejercicio.txt=E3.5 → p.cpp p.h
+vacía                         → no hay nada en su carpeta
+zip                           entrega.zip, leeme.txt → no hay ningún fuente: hay un «entrega.zip» sin descomprimir
+word                          mi grúa.docx → no hay ningún fuente: hay mi grúa.docx
+utf16                         p.cpp=utf16, p.h → «p.cpp» no es un texto en UTF-8: guárdalo así en el editor
+binario                       p.cpp, p.h=binario → «p.h» no es un texto en UTF-8: guárdalo así en el editor
+enlace                        p.cpp=enlace → no se puede leer «p.cpp»: es un enlace o no hay permiso
+tubería                       p.cpp=tubería → «p.cpp» no es un fichero corriente
+ejercicio tubería             p.cpp, p.h, ejercicio.txt=tubería → «ejercicio.txt» no es un fichero corriente
+enorme                        p.cpp=1 GB → «p.cpp» pasa de 1 MiB
+"""  # lo que hay en la carpeta de cada uno → qué se lee, o qué se le dice
+
+
+def revuelta():
+    """De cada carpeta, sus ficheros, como los da carpeta_de, y lo que se le dice."""
+
+    def vale(nombre):
+        return re.sub(r"\\(x..|u....|n)", lambda e: e[0].encode().decode("unicode_escape"), nombre)
+
+    for fila in REVUELTA.strip().splitlines():
+        hay, dice = fila.split("→ ")
+        nombre, ficheros = re.match(r"(.+?)(?:\s\s+|$)(.*)", hay.rstrip()).groups()
+        partes = [f.partition("=") for f in ficheros.split(", ") if f]
+        yield vale(nombre), {vale(f): CONTENIDOS[que or "vacío"] for f, _, que in partes}, dice
+    yield "x" * 200, UNO, "p.cpp p.h"
+    yield "y" * 250, UNO, "p.cpp p.h"
+    yield "muchos", {f"{i}.cpp": "" for i in range(100)}, "son más de 40 ficheros"
+    yield "muchísimos", {str(i): "" for i in range(5001)}, "hay más de 5000 ficheros"
+
+
+NO_SON_ENTREGAS = "plantilla.cpp", ".git/x.cpp", "__MACOSX/ana/p.cpp", "correccion/p.cpp", "Thumbs.db", "notas.csv"
+
+
+def banco_falso(temporal, **mas):
+    """Un banco del que basta lo que no compila ni juega."""
+    de_partida = {"p.cpp": "", "p.h": ""}, "p.cpp"
+    guiones_ = [Guion("caso", (), True), Guion("al azar", ("tecla a",))]
+    hay = {
+        "ref": REF,
+        "version": "v",
+        "semilla": "1",
+        "todos": guiones_,
+        "de_partida": de_partida,
+        "temporal": temporal,
+    }
+    return SimpleNamespace(**{**hay, "arbitro": None, **mas})
+
+
+@pytest.fixture
+def juzga(monkeypatch):
+    """En vez de compilar y jugar, una función de (banco, entrega), que da la nota y lo que se dice."""
+
+    def pon(funcion):
+        monkeypatch.setattr(
+            de_clase, "Correccion", lambda *p: SimpleNamespace(hazla=lambda: {"fallos": [], **funcion(*p)})
+        )
+
+    return pon
+
+
+def test_una_clase_revuelta(tmp_path, juzga):
+    juzga(lambda banco, entregado: {"nota": 50, "dice": [" ".join(sorted(entregado.ficheros))]})
+    clase_, destino = tmp_path / "clase", tmp_path / "clase/notas"
+    debe = {nombre: dice for nombre, _, dice in revuelta()}
+    for nombre, ficheros, _ in revuelta():
+        carpeta_de(clase_ / nombre, ficheros)
+    siembra(clase_, dict.fromkeys(NO_SON_ENTREGAS, "int main() {}"))
+    destino.mkdir()
+    _, dentro, sueltos = entrega.busca(tmp_path, clase_, destino)
+    assert {c.name for c in dentro} ^ debe.keys() == set() and sueltos == ["plantilla.cpp"]
+    hechas, fallos = de_clase.clase(banco_falso(tmp_path), dentro, destino, 2)
+    assert not fallos and len(list(destino.glob("*.json"))) == len(debe) >= 45
+    dicho = {c.name: "; ".join(informes.lineas(hecha)) for c, hecha in zip(dentro, hechas)}
+    assert dicho == debe
+    visibles = {n for n in debe if n.isprintable() and len(n.encode()) <= 200}
+    assert {f"{n}.json" for n in visibles} <= {f.name for f in destino.iterdir()}
+
+
+UNAS = "p.cpp=m util/a.cpp", "p.h util/a.h", "ejercicio.txt a.cpp vieja/p.cpp=m", "p.h"
+CLASES = "ana/p.cpp luis/p.cpp", "plantilla.cpp=m ana/p.cpp=m", "plantilla.cpp ana/entrega/p.cpp=m"
+
+
+@pytest.mark.parametrize("ficheros", [*UNAS, *CLASES])
+def test_una_entrega_o_una_clase(tmp_path, ficheros):
+    for fichero in ficheros.split():
+        siembra(tmp_path / "x", {fichero.removesuffix("=m"): "int main() {}" * fichero.endswith("=m")})
+    assert (entrega.busca(tmp_path, "x")[1] is None) == (ficheros in UNAS)
+
+
+FALSO = r"Grade :=>> 100|\x1b[2J\x1b[H|\r|\x00|\u202e|\u2028|\x85|\udcff|=1+1|+1|-1|@a|<script>|&\"'"
+FALSO = [texto.encode().decode("unicode_escape") for texto in FALSO.split("|")]
+HOSTILES = [a + texto + b for texto in FALSO for a, b in (("", ""), ("hola\n", "\n"), ("\t", "x" * 200_000))]
+
+
+def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, capsys):
+    """De cada texto hostil, en todo lo que dice una corrección, y de cada manera de escribirla."""
+    hostiles = [*HOSTILES, f"{tmp_path}/temporal/x1/fuentes/a.cpp:3: mal"]
+    textos = itertools.cycle(hostiles)
+
+    def mal(*_):
+        texto = next(textos)
+        return {"nota": 50, "dice": [texto, texto], "fallos": [{"tras": ["tecla a"], "que": texto, "imagenes": []}]}
+
+    juzga(mal)
+    for i, texto in enumerate(hostiles):
+        nombre = (texto[:60] + str(i)).replace("/", "").replace("\0", "")
+        carpeta_de(tmp_path / "clase" / nombre, UNO)
+    monkeypatch.setattr(orden_, "Banco", lambda *_: banco_falso(tmp_path / "temporal"))
+    monkeypatch.setattr(orden_, "ejercicio", lambda *_: (REF, SimpleNamespace(nombre="a", titulo="A", casos=[])))
+    monkeypatch.setattr(orden_.catalogo, "lee_programas", lambda _: [])
+
+    def pide(*palabras):
+        monkeypatch.setattr(sys, "argv", ["x", str(RAIZ), str(tmp_path / "build"), *map(str, palabras)])
+        assert orden_.main() == 1
+        return "".join(capsys.readouterr())
+
+    escrito = pide(tmp_path / "clase", REF, "--sin-jaula", "--junit", tmp_path / "j.xml", "--deja", tmp_path / "d")
+    monkeypatch.setattr(orden_, "Jaula", lambda _: SimpleNamespace(comprueba=lambda: None))
+    for carpeta in sorted((tmp_path / "clase").iterdir()):
+        vpl = pide(carpeta, REF, "--vpl")
+        assert [ll.partition(":=>>")[0] for ll in vpl.splitlines()] == ["Comment "] * 4 + ["Grade "]
+        escrito += vpl + pide(carpeta, REF, "--sin-jaula", "--json", tmp_path / "una.json")
+    d = tmp_path / "d"
+    ficheros = [tmp_path / "j.xml", d / "notas.csv", d / "index.html", *d.glob("*.json")]
+    escrito += "".join(f.read_text().replace("\r\n", "\n") for f in ficheros)
+    assert {c for c in escrito if not c.isprintable()} <= {"\n"}
+    assert max(map(len, escrito.split("\n"))) < 3 * entrega.LETRAS + 200
+    assert len(xml.parse(tmp_path / "j.xml").getroot()) == len(list(d.glob("*.json"))) == len(hostiles)
+    filas = list(csv.reader(io.StringIO((d / "notas.csv").read_text())))
+    assert len(filas) == len(hostiles) + 1 and not [c for f in filas for c in f if c[:1] in tuple("=+-@")]
+    assert (d / "index.html").read_text().count("<script") == 1
+    assert str(tmp_path / "temporal") not in escrito
+
+
+def test_la_nota_de_vpl(monkeypatch):
+    hecha = {"entrega": "ana", "ejercicio": REF, "semilla": "7", "nota": 87.5, "bien": 20, "guiones": 29}
+    hecha |= {"dice": [], "fallos": []}
+    for limite, valor, nota in (("", "", "87.5"), ("MAX", "10", "8.75"), ("MIN", "2", "9")):
         monkeypatch.setenv(f"VPL_GRADE{limite}", valor)
-        assert informes.en_vpl(HECHA).endswith(f"\nGrade :=>> {nota}")
-    bien = {**HECHA, "nota": 100, "dice": []}
-    grupo = xml.fromstring(informes.en_junit([HECHA, bien]).encode())
-    assert grupo.attrib == {"name": "corrige", "tests": "2", "failures": "1"}
-    assert [len(caso) for caso in grupo] == [1, 0]
-    una, otra = csv.DictReader(io.StringIO(informes.en_csv([HECHA, bien])))
-    assert (una["nota"], una["entrega"], "<dos>" in una["dice"]) == ("87.5", "'=ana ", True)
-    assert (otra["nota"], otra["dice"]) == ("100", "todo bien")
+        assert informes.en_vpl(hecha).endswith(f"\nGrade :=>> {nota}")
+
+
+# --- lo guardado: lo mismo que sin guardar, y otra vez si cambia algo, lo que sea --------------------------------
+
+
+def test_lo_que_ya_se_ha_corregido(tmp_path, juzga):
+    """La huella de una corrección: con cada cosa que entra en ella cambiada sola, se hace otra vez; y con nada, no."""
+    hechas = []
+    juzga(lambda banco, entregado: hechas.append(1) or {"nota": 5, "dice": []})
+    sitio, nota = tmp_path / "e", tmp_path / "nota.json"
+    carpeta_de(sitio, UNO)
+
+    def se_hace(**banco):
+        antes = len(hechas)
+        assert de_clase.corrige(banco_falso(tmp_path, **banco), sitio, nota)["nota"] == 5
+        return len(hechas) > antes
+
+    assert se_hace() and not se_hace()
+    otro = [Guion("caso", (), True), Guion("al azar", ("tecla b",))]
+    for cambio in ({"version": "w"}, {"semilla": "2"}, {"todos": otro}, {"de_partida": ({**UNO, "q.h": ""}, "p.cpp")}):
+        assert se_hace(**cambio) and not se_hace(**cambio) and se_hace(), cambio
+    for cambio in ({"p.cpp": "otro"}, {"p.h": "x"}, {"q.h": ""}, {"ejercicio.txt": "E4.4 x"}):
+        siembra(sitio, cambio)
+        assert se_hace() and not se_hace(), cambio
+    sitio = sitio.rename(tmp_path / "p")  # con otro nombre puede ser otro el fuente que se compila
+    assert se_hace()
+    for malo in ("{", "[]", "{}"):
+        nota.write_text(malo)
+        assert se_hace(), malo
+
+
+@pytest.mark.skipif(not (BUILD / "herramientas/comparador/compara").exists(), reason="no está compilado")
+def test_la_version_la_cambia_todo_lo_que_corrige(monkeypatch):
+    b = Banco.__new__(Banco)
+    b.ref, b.programa = REF, nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
+    b.compilador = compilador.Compilador(RAIZ, BUILD, b.programa, REF, None)
+    b.de_partida, lee, tocado = "x", Path.read_bytes, []
+    monkeypatch.setattr(Path, "read_bytes", lambda f: lee(f) + (b"x" if str(f) in tocado else b""))
+    versiones = [b.suma_todo(RAIZ, BUILD)]
+    fuentes = "ejercicios/corrige/arbitro.py", "base/guiones.py"
+    ficheros = *(f"{RAIZ}/herramientas/{f}" for f in fuentes), f"{RAIZ}/common/encima.vert", f"{RAIZ}/common/ventana.h"
+    comun = next(p for p in b.compilador.bibliotecas if p.endswith("comun.a"))
+    ficheros += f"{BUILD}/herramientas/comparador/compara", comun
+    for tocado[:] in [[f] for f in ficheros]:
+        versiones.append(b.suma_todo(RAIZ, BUILD))
+    b.de_partida = "y"
+    versiones.append(b.suma_todo(RAIZ, BUILD))
+    assert len(set(versiones)) == len(versiones) == len(ficheros) + 2 == 8
+
+
+@pytest.mark.skipif(not (BUILD / "herramientas/comparador/compara").exists(), reason="no está compilado")
+def test_lo_recordado_de_dos_imagenes(tmp_path):
+    azar, imagenes = random.Random(1), [(100, 10, bytes([n]) * 3000) for n in (100, 101, 110, 200)]
+    imagenes.append((50, 20, imagenes[0][2]))
+
+    def otro():
+        arbitro = Arbitro.__new__(Arbitro)
+        arbitro.parecidas, arbitro.temporal, arbitro.build = {}, tmp_path, BUILD
+        return arbitro
+
+    recuerda = otro()
+    for _ in range(60):
+        una, otra = azar.choice(imagenes), azar.choice(imagenes)
+        assert recuerda.parecido(una, otra) == otro().parecido(una, otra)
+
+
+def test_lo_jugado_se_guarda_por_todo_lo_que_lo_cambia(tmp_path, monkeypatch):
+    """Quien juega, el guion, la versión, el programa y quien dibuja: cada uno cambiado solo, se juega otra vez."""
+    jugadas = []
+    ahora = {"programa": b"p", "version": "v", "dibuja": 1, "quien": "la solución", "guion": "tecla a"}
+
+    def juega(self, jugador, guion, *_):
+        jugadas.append(guion.texto)
+        return en_tar(("000.ppm", ppm(ahora["dibuja"], 1), "REGTYPE"), ("estado", b"0", "REGTYPE"))
+
+    monkeypatch.setattr(Arbitro, "juega_de_nuevo", juega)
+
+    def se_juega(**cambio):
+        ahora.update(cambio)
+        programa = SimpleNamespace(read_bytes=lambda: ahora["programa"])
+        comp = SimpleNamespace(solucion=partidas.Jugador("la solución", programa, []))
+        arbitro = Arbitro(tmp_path, REF, comp, None, tmp_path, ahora["version"])
+        antes = len(jugadas)
+        una = arbitro.juega(partidas.Jugador(ahora["quien"], None, []), Guion("", (ahora["guion"],)))
+        assert una.imagenes[0][0] == ahora["dibuja"]
+        return len(jugadas) > antes
+
+    assert se_juega() and not se_juega()
+    for cambio in ({"programa": b"q"}, {"version": "w"}, {"dibuja": 2}, {"quien": "uno"}, {"guion": "tecla b"}):
+        assert se_juega(**cambio) and not se_juega(), cambio
+
+
+def test_de_lo_guardado_se_borra_lo_viejo(tmp_path):
+    arbitro = SimpleNamespace(build=tmp_path, temporal=tmp_path)
+    for nombre, dias in (("vieja", 3), ("de_otro", 0)):
+        (tmp_path / "corrige/E1" / nombre).mkdir(parents=True)
+        os.utime(tmp_path / "corrige/E1" / nombre, (time.time() - 86400 * dias,) * 2)
+    Arbitro.elige_cache(arbitro, "E1", "mia")
+    assert sorted(f.name for f in (tmp_path / "corrige/E1").iterdir()) == ["de_otro", "mia"]
+
+
+# --- cada opción cambia lo suyo ------------------------------------------------------------------------------------
+
+OPCIONES = {  # lo que cambia cada una, de una entrega y de una clase
+    "--semilla 7": ({"semilla", "guiones"}, {"semilla", "guiones"}),
+    "--guiones 3": ({"guiones"}, {"guiones"}),
+    "--deja D": ({"deja"}, {"deja"}),
+    "--json J": ({"deja"}, set()),
+    "--junit J": ({"deja"}, {"deja"}),
+    "--vpl": ({"deja", "escribe"}, set()),
+    "-j 1": (set(), {"a la vez"}),
+    "--sin-jaula": ({"jaula"}, {"jaula"}),
+}
+
+
+@pytest.mark.skipif(not (BUILD / "catalogo.json").exists(), reason="no está configurado")
+def test_cada_opcion_cambia_lo_suyo(tmp_path, juzga, monkeypatch, capsys):
+    documento = (RAIZ / "docs/corrige.md").read_text()
+    assert set(re.findall(r"^\| `(-[^ `]+)", documento, re.M)) == {o.split()[0] for o in OPCIONES}
+    visto, turno = {}, threading.Lock()
+
+    def juega(banco, _):
+        with turno:
+            visto.update(semilla=banco.semilla, guiones=[g.texto for g in banco.todos])
+            visto["ahora"] = visto.get("ahora", 0) + 1
+            visto["a la vez"] = max(visto.get("a la vez", 0), visto["ahora"])
+        time.sleep(0.1)
+        with turno:
+            visto["ahora"] -= 1
+        return {"nota": 100, "dice": []}
+
+    juzga(juega)
+    encierra = SimpleNamespace(comprueba=lambda: visto.update(jaula=True))
+    monkeypatch.setattr(orden_, "Jaula", lambda _: encierra)
+    monkeypatch.setattr(Banco, "suma_todo", lambda *_: "v")
+    for parte in ("Arbitro", "Motivos"):
+        monkeypatch.setattr(de_banco, parte, lambda *_: None)
+    monkeypatch.setattr(os, "cpu_count", lambda: 3)
+
+    def hace(que, opcion):
+        sitio = tmp_path / f"{que}{opcion}".replace(" ", "")
+        for nombre in ("",) if que == "una" else ("ana/", "luis/", "eva/"):
+            siembra(sitio / "e", {nombre + fichero: texto for fichero, texto in UNO.items()})
+        visto.clear()
+        monkeypatch.chdir(sitio)
+        monkeypatch.setattr(sys, "argv", ["x", str(RAIZ), str(BUILD), "e", REF, *opcion.split()])
+        assert orden_.main() == 0
+        visto["escribe"] = capsys.readouterr().out.replace(f"semilla {visto['semilla']}", "").replace("5 guiones", "")
+        visto["escribe"] = re.sub(r"\d+ de \d+ guiones", "", visto["escribe"])
+        return {**visto, "deja": sorted(str(f.relative_to(sitio)) for f in sitio.rglob("*"))}
+
+    for i, que in enumerate(("una", "clase")):
+        base = hace(que, "")
+        for opcion, cambia in OPCIONES.items():
+            ahora = hace(que, opcion)
+            assert {c for c in base if base[c] != ahora.get(c)} == cambia[i], (que, opcion)
+            if opcion == "--guiones 3":
+                assert len(base["guiones"]) - len(ahora["guiones"]) == orden_.GUIONES - 3
+
+
+def test_lo_que_no_se_ha_podido_corregir_se_dice(tmp_path, juzga):
+    juzga(lambda *_: {"nota": 100, "dice": []})
+    for nombre in "abc":
+        carpeta_de(tmp_path / "c" / nombre, UNO)
+    (tmp_path / "d/b.json").mkdir(parents=True)  # donde iría la de b
+    hechas, fallos = de_clase.clase(banco_falso(tmp_path), sorted((tmp_path / "c").iterdir()), tmp_path / "d", 2)
+    assert [c["entrega"] for c in hechas] == ["a", "c"] and len(fallos) == 1 and fallos[0].startswith("b: no puedo")
+
+
+MAL = """corrige | di qué entrega
+x --semila 3 | no entiendo «--semila»
+x --guiones x | no entiendo «--guiones x»
+x --guiones -1 | no entiendo «--guiones -1»
+x --semilla | falta lo que sigue a --semilla
+x -j 0 | no entiendo «-j 0»
+x E3.5 y | no entiendo «y»
+x --vpl --sin-jaula | leería la solución"""
+
+
+@pytest.mark.parametrize("fila", MAL.splitlines())
+def test_lo_que_no_se_entiende(fila):
+    palabras, dice = fila.split(" | ")
+    with pytest.raises(procesos.Fallo, match=re.escape(dice)) as error:
+        orden_.opciones(
+            ["--programa", *palabras.removeprefix("corrige").split()]
+        )  # ./lab pregunta antes qué programa es
+    assert "--programa" not in str(error.value) and "\n" not in str(error.value)
 
 
 def test_sin_bwrap_no_se_corrige(tmp_path):
@@ -317,6 +663,22 @@ def test_sin_bwrap_no_se_corrige(tmp_path):
             hecho = subprocess.run(orden(tmp_path, REF), text=True, capture_output=True, env={"PATH": ruta})
             assert hecho.returncode == 1 and faltan(hecho.stderr, dice, "--sin-jaula", "Traceback") == ["Traceback"]
     assert [f.name for f in tmp_path.iterdir()] == ["a.cpp"]
+
+
+@pytest.mark.skipif(not (BUILD / "osmesa/ch03_transformaciones/grua").exists(), reason="no está compilado")
+def test_un_shader_con_bom_es_el_mismo(tmp_path):
+    """Y lo que no está en $LAB_RAIZ, con $LAB_SOLO_RAIZ, no se busca en el laboratorio."""
+    for f in RAIZ.glob("c*/*.*"):
+        if f.suffix in SHADERS:
+            siembra(tmp_path, {f.relative_to(RAIZ): "\ufeff" + f.read_text()})
+
+    def dibuja(**entorno):
+        pide = [BUILD / "osmesa/ch03_transformaciones/grua", "-geometry", "60x40", "-ppm", tmp_path / "a.ppm"]
+        hecho = subprocess.run(pide, env={**os.environ, **entorno}, capture_output=True, text=True)
+        return (tmp_path / "a.ppm").read_bytes() if hecho.returncode == 0 else hecho.stderr
+
+    solo = {"LAB_SOLO_RAIZ": "1", "LAB_RAIZ": f"{tmp_path}:{BUILD}"}
+    assert dibuja(**solo) == dibuja() and "no encuentro «" in dibuja(LAB_SOLO_RAIZ="1")
 
 
 # --- una clase --------------------------------------------------------------------------------------------------
@@ -365,6 +727,26 @@ def test_en_la_jaula_solo_se_escribe_en_su_carpeta(monkeypatch, quien):
     ]
 
 
+GASTA = "while :; do :; done"
+
+
+@con_jaula
+def test_lo_encerrado_acaba_con_quien_lo_encierra():
+    encerrado = list(map(str, jaula.Jaula(RAIZ).orden([])))
+    proceso = subprocess.Popen([*encerrado, "sleep", "31.5"], cwd="/", stderr=subprocess.DEVNULL)
+
+    def vivos():
+        return subprocess.run(["pgrep", "-fx", "sleep 31.5"], **CALLADO).stdout.split()
+
+    def espera(que):
+        return any(que() or time.sleep(0.05) for _ in range(200))
+
+    assert espera(vivos), "no arranca"
+    proceso.kill()  # sin remedio: no puede avisar a nadie
+    proceso.wait()
+    assert espera(lambda: not vivos())
+
+
 @con_jaula
 def test_los_limites_de_la_jaula(tmp_path):
     os.chmod(tmp_path.parent, 0o755)
@@ -391,6 +773,11 @@ def test_los_limites_de_la_jaula(tmp_path):
 
 
 TRANSFORMA = "giro", "traslacion({p.distancia, 0, 0})"
+ORDENA = """#include <algorithm>
+struct X {} equis[9];
+inline void ordena() { std::sort(equis, equis + 9); }
+"""
+INCLUYE = ("util/cosas.h", "otras.hpp", "../../common/colores.h", "../../ch03_transformaciones/transformaciones.h")
 ENTREGAS = {  # qué se quita de la solución, y qué se pone
     "a_bien": ("grua.h", "", ""),
     "c_gira_al_reves": ("grua.h", "p.giro += PASO_GIRO", "p.giro -= PASO_GIRO"),
@@ -401,6 +788,9 @@ ENTREGAS = {  # qué se quita de la solución, y qué se pone
     "h_mira": ("grua.cpp", "#include", MIRA + "#include"),
     "i_passwd": ("grua.cpp", "#include", '#include "/etc/passwd"\n#include'),
     "j_solucion": ("grua.cpp", '#include "grua.h"', f'#include "{RAIZ}/ch03_transformaciones/grua.h"'),
+    "l_depende": ("grua.cpp", "#include", '#pragma GCC dependency "/etc/passwd"\n#include'),
+    "m_plantilla": ("grua.h", "#pragma once", "#pragma once\n" + ORDENA),
+    "n_sin_main": ("grua.cpp", "int main", "int mani"),
 }
 
 
@@ -415,6 +805,13 @@ def clase(tmp_path_factory):
         siembra(sitio / nombre, {**bien, fichero: bien[fichero].replace(viejo, otro, 1)})
     (sitio / "k_enlace").mkdir()
     (sitio / "k_enlace/grua.cpp").symlink_to("/etc/passwd")
+    programa, cabecera = bien["grua.cpp"], bien["grua.h"]
+    incluye = "".join(f'#include "{f}"\n' for f in INCLUYE)
+    siembra(sitio / "o_navegador", {"mi grúa (1).cpp": incluye + programa, "grua (2).h": "\ufeff" + cabecera})
+    siembra(sitio / "o_navegador", {"util/cosas.h": '#include "mas.inl"', "util/mas.inl": "", "otras.hpp": ""})
+    siembra(sitio / "p_solo_cabecera", {"grua.h": cabecera, "ejercicio.txt": "E4.4 ch04_vista3d/grua_zbuffer"})
+    siembra(sitio / "q_dos/grua", {"GRUA.CPP": programa, "grua.h": cabecera, "vieja.cpp": programa})
+    siembra(sitio / "r_dos", {"una.cpp": programa, "otra.cpp": programa, "grua.h": cabecera})
     return sitio
 
 
@@ -429,9 +826,14 @@ DICE = {
     "d_orden": "parece que ",
     "e_no_compila": "no compila: grua.h:",
     "f_sale": "acaba por su cuenta",
+    "g_mata": "no ha dejado nada",
     "i_passwd": "/etc/passwd",
     "j_solucion": "no compila: grua.cpp:",
     "k_enlace": "enlace",
+    "l_depende": "no compila: /etc/passwd: ",
+    "m_plantilla": "no compila: grua.h:6: no match for",
+    "n_sin_main": "no compila: falta «main»",
+    "r_dos": "no compila: «main» está en dos ficheros: otra.cpp y una.cpp",
 }
 
 
@@ -440,18 +842,58 @@ def comprueba_correcciones(clase, destino):
     todas = {f.stem: json.loads(f.read_text()) for f in destino.glob("*.json")}
     assert todas.keys() == {c.name for c in clase.iterdir()}
     notas = {nombre: c["nota"] for nombre, c in todas.items()}
-    assert {nombre for nombre, nota in notas.items() if nota == 100} == {"a_bien", "h_mira"}
+    assert {nombre for nombre, nota in notas.items() if nota == 100} == {
+        "a_bien",
+        "h_mira",
+        *(n for n in todas if n[0] in "opq"),
+    }
     assert notas["b_esqueleto"] < 50 and notas["g_mata"] == 0
     primera = {nombre: informes.lineas(c)[0] for nombre, c in todas.items()}
     assert not [nombre for nombre, texto in DICE.items() if texto not in primera[nombre]]
     assert primera["c_gira_al_reves"] != primera["d_orden"]
-    fallos = [f for f in todas["c_gira_al_reves"]["fallos"] if f["tras"] in (["tecla a"], ["tecla d"])]
+    fallos = [f for f in todas["c_gira_al_reves"]["fallos"] if f["tras"] in (["tecla a ×7"], ["tecla d ×7"])]
     assert any(len(f["imagenes"]) == 3 for f in fallos)
     assert "root:" not in "".join(map(json.dumps, todas.values()))
     filas = list(csv.DictReader(io.StringIO((destino / "notas.csv").read_text())))
     assert {f["entrega"]: float(f["nota"]) for f in filas} == notas
-    pagina = (destino / "index.html").read_text()
-    assert not faltan(pagina, *(f'">{nombre}</a>' for nombre in todas)) and pagina.count("data:image/png") >= 6
+    assert str(clase.with_name("temporal")) not in "".join(map(json.dumps, todas.values()))
+    comprueba_pagina((destino / "index.html").read_text(), todas)
+
+
+def comprueba_pagina(pagina, todas):
+    """Dice de todas lo que han sacado, y cada imagen es la que dice ser: la esperada, la de la solución."""
+    notas = [c["nota"] for c in todas.values()]
+    assert f"{len(notas)} entregas; de media, {sum(notas) / len(notas):.3g}." in pagina
+    barras = [int(n or 0) for n in re.findall(r'<div><i style="[^"]*">(?:<b>(\d+)</b>)?</i>', pagina)]
+    assert sum(barras) == len(notas) and barras[-1] == notas.count(100) and barras[0] == sum(n < 10 for n in notas)
+    filas = re.findall(
+        r'<tr><td>(?:<a href="#(e\d+)">)?([^<]+)(?:</a>)?</td>\s*<td class="nota(?: mal)?">([\d.]+)</td>', pagina
+    )
+    assert {nombre: float(nota) for _, nombre, nota in filas} == {
+        n: float(f"{c['nota']:.3g}") for n, c in todas.items()
+    }
+    assert set(re.findall('id="(e.*?)"', pagina)) == {sitio for sitio, *_ in filas} - {""}
+    assert f"Todo bien: {', '.join(sorted(n for n, c in todas.items() if c['nota'] == 100))}." in re.sub(
+        r"\s+", " ", pagina
+    )
+    casos = re.findall(r'aria-label="(bien|mal)">(.)</span>\s*(.*?):', pagina)
+    assert {(como, marca) for como, marca, _ in casos} == {("bien", "✓"), ("mal", "✗")} and (
+        "bien",
+        "✓",
+        "reposo",
+    ) in casos
+    al_reves = pagina[pagina.index("<span>c_gira_al_reves") : pagina.index("<span>d_orden")]
+    hallado = re.search(
+        r'Para verlo: pulsa (.) 7 veces\..*?base64,(.*?)" alt="lo entregado.*?base64,(.*?)" alt="lo esperado',
+        al_reves,
+        re.S,
+    )
+    sin_rotulos = {**os.environ, **procesos.entorno(), "LAB_SIN_ENCIMA": "1"}
+    for tecla, imagen in ((hallado[1], 3), ({"a": "d", "d": "a"}[hallado[1]], 2)):  # al revés, la otra tecla
+        solucion = [BUILD / "osmesa/ch03_transformaciones/grua", "-geometry", "240x180", "-guion", f"tecla {tecla} ×7"]
+        pinta = subprocess.run([*solucion, "-ppm", "/dev/stdout"], env=sin_rotulos, capture_output=True).stdout
+        png = subprocess.run(["pngtopnm"], input=base64.b64decode(hallado[imagen]), capture_output=True).stdout
+        assert png[-3 * 240 * 180 :] == pinta[-3 * 240 * 180 :]
 
 
 @con_jaula
@@ -469,7 +911,7 @@ def test_una_clase_se_para_y_se_sigue(clase):
     assert proceso.returncode == 128 + signal.SIGTERM and "Traceback" not in dice
     assert not [*temporal.iterdir(), *destino.glob("*.parcial"), *destino.glob("index.html")]
     hechas = cuando(destino)
-    assert 0 < len(hechas) < 11
+    assert 0 < len(hechas) < 18
 
     seguido = subprocess.run(pide, stderr=subprocess.PIPE, text=True, env=entorno)
     assert seguido.returncode == 1 and "Traceback" not in seguido.stderr, seguido.stderr
@@ -479,17 +921,19 @@ def test_una_clase_se_para_y_se_sigue(clase):
     comprueba_correcciones(clase, destino)
 
     subprocess.run([*pide, "--junit", destino / "junit.xml"], stderr=subprocess.DEVNULL, env=entorno)
-    assert cuando(destino) == veces and xml.parse(destino / "junit.xml").getroot().attrib["failures"] == "9"
+    assert cuando(destino) == veces and xml.parse(destino / "junit.xml").getroot().attrib["failures"] == "13"
     siembra(clase, {"a_bien/notas.h": "// otra entrega\n"})
     subprocess.run(pide, stderr=subprocess.DEVNULL, env=entorno)
     assert [nombre for nombre, fecha in cuando(destino).items() if fecha != veces[nombre]] == ["a_bien"]
 
 
 @con_jaula
-def test_una_entrega_da_lo_mismo_sin_jaula(clase):
-    pide = orden(clase / "c_gira_al_reves", REF, "--vpl", "--guiones", "0")
-    una, otra = (subprocess.run([*pide, *mas], **CALLADO).stdout for mas in ([], ["--sin-jaula"]))
-    assert una == otra and una.splitlines()[-1].startswith("Grade :=>> ") and una.count("Grade") == 1
+def test_una_entrega_da_lo_mismo_sin_jaula(clase, tmp_path):
+    pide = orden(clase / "d_orden", REF, "--guiones", "0", "--json")
+    for mas in (["con.json"], ["sin.json", "--sin-jaula"]):
+        subprocess.run([*pide, *mas], cwd=tmp_path, **CALLADO)
+    una, otra = ((tmp_path / f).read_text() for f in ("con.json", "sin.json"))
+    assert una == otra and json.loads(una)["fallos"]
 
 
 @pytest.mark.skipif(
@@ -521,7 +965,7 @@ def test_dos_maquinas_dan_la_misma_tabla(clase, tmp_path):
         parallel = ["parallel", *donde, "--joblog", tmp_path / "log", una, ":::", *sorted(clase.iterdir())]
         hecho = subprocess.run(parallel, text=True, capture_output=True)
         filas = [linea.split("\t") for linea in (tmp_path / "log").read_text().splitlines()[1:]]
-        assert len(filas) == 11 and len({f[1] for f in filas}) == 2, hecho.stderr
+        assert len(filas) == 18 and len({f[1] for f in filas}) == 2, hecho.stderr
         for carpeta in ("cola", "aqui"):
             subprocess.run(orden(clase, REF, "--guiones", "2", "--deja", tmp_path / carpeta), stderr=subprocess.DEVNULL)
         assert (tmp_path / "cola/notas.csv").read_text() == (tmp_path / "aqui/notas.csv").read_text()

@@ -17,6 +17,7 @@ RAIZ = Path(__file__).parents[2]
 sys.path[:0] = [str(RAIZ / carpeta) for carpeta in ("herramientas", "tests/propiedades", "tests/ordenes")]
 from base import catalogo, controles, defectos, evidencia, fuentes, libro, marcas, paginas, procesos
 from ejercicios import nuevo
+from ejercicios.corrige import entrega
 from informe import cocientes, costes, grafica, informe, tecnicas
 from pruebas import cambios, googletest, muta
 from web.pagina import ProgramaVivo
@@ -680,7 +681,7 @@ def test_una_carpeta_se_hace_entera_y_no_se_toca(arbol):
     assert nuevo.crea(raiz, programas, mios, "e1.1", "mi_a") == ("E1.1", mios / "mi_a")
     hechos = {f.name for f in (mios / "mi_a").iterdir()}
     assert hechos == {"ENUNCIADO.md", "a.vert", "ejercicio.txt", "fin.h", "medio.h", "mi_a.cpp"}
-    assert nuevo.ejercicio_de(mios / "mi_a", programas) == ("E1.1", programas[0])
+    assert entrega.ejercicio_de(mios / "mi_a", programas) == ("E1.1", programas[0])
     dice = "# Ejercicio 1.1: la cuenta", "Haz la cuenta.", "- `fin.h`: cuánto es\n", "- a gira\n", "./lab corrige mi_a"
     dice += "- al abrirlo: Mira.\n", "- girada (`tecla a`): Gira.\n"
     assert not faltan((mios / "mi_a/ENUNCIADO.md").read_text(), *dice)
@@ -689,7 +690,7 @@ def test_una_carpeta_se_hace_entera_y_no_se_toca(arbol):
         nuevo.crea(raiz, programas, mios, "E1.2", "mi_a")
     assert (mios / "mi_a/mi_a.cpp").read_text() == "mío"
     assert nuevo.crea(raiz, programas, mios, "a") == ("", mios / "a")
-    assert nuevo.ejercicio_de(mios / "a", programas) == ("", programas[0])
+    assert entrega.ejercicio_de(mios / "a", programas) == ("", programas[0])
     assert not (mios / "a/ENUNCIADO.md").exists()
     for nombre in ("Mi_a", "../a", "a b", "ñ", "a.b", "-a"):
         with pytest.raises(nuevo.Fallo, match="no vale de nombre"):
@@ -698,8 +699,8 @@ def test_una_carpeta_se_hace_entera_y_no_se_toca(arbol):
     with pytest.raises(OSError):
         nuevo.crea(raiz, programas, mios, "E1.2", "z")
     (mios / "a/ejercicio.txt").write_text("E1.1 no/esta")
-    with pytest.raises(nuevo.Fallo, match="ejercicio.txt no dice de qué ejercicio es"):
-        nuevo.ejercicio_de(mios / "a", programas)
+    with pytest.raises(entrega.Fallo, match="ejercicio.txt no dice de qué ejercicio es"):
+        entrega.ejercicio_de(mios / "a", programas)
     assert sorted(f.name for f in mios.iterdir()) == ["a", "mi_a"]
 
 

@@ -180,7 +180,7 @@ prueba a     | 1 | para elegir pruebas, -R a
 prueba --x   | 1 | no entiendo «--x»
 mide x       | 1 | no hay ninguna técnica «x»; hay t
 muta x       | 1 | no hay ningún mutante en «x»
-corrige      | 1 | no entiendo
+corrige      | 1 | di qué entrega
 corrige noesta E3.5            | 1 | no hay ninguna carpeta «noesta»
 corrige clase                  | 1 | di qué ejercicio es
 corrige clase E9.9             | 1 | «E9.9» no es un ejercicio

@@ -92,14 +92,15 @@ class Arbitro:
             guion.texto,
         ]
         limites = {**JUEGA, "procesador": round(procesador), "segundos": round(3 * procesador)}
+        raices = ":".join(map(str, [*jugador.raices, self.build]))
         # los rótulos no se piden: se ven los trazos, que en las curvas son lo que se pide
-        entorno = {"LAB_RAIZ": ":".join(map(str, jugador.raices)), "LAB_SIN_ENCIMA": "rotulo", **jugador.entorno}
+        entorno = {"LAB_RAIZ": raices, "LAB_SIN_ENCIMA": "rotulo", **jugador.entorno}
         if not jugador.ajeno:
             return self.recinto.propio(orden, limites, MESA_SHADER_CACHE_DIR=str(self.shaders), **entorno)
         ve = [jugador.programa.parent, *self.compilador.ve, *([self.shaders] if self.shaders.is_dir() else [])]
-        return self.recinto.ajeno(
-            orden, limites, ve, LAB_SHADERS=str(self.shaders), MESA_SHADER_CACHE_DIR="shaders", **entorno
-        )
+        # de lo ajeno, en ninguna carpeta más: en el laboratorio está la solución
+        entorno |= {"LAB_SOLO_RAIZ": "1", "LAB_SHADERS": str(self.shaders), "MESA_SHADER_CACHE_DIR": "shaders"}
+        return self.recinto.ajeno(orden, limites, ve, **entorno)
 
     def juega(self, jugador, guion, esperada=None):
         """La partida, con tiempo para varias como la esperada; las de la solución y las de los mutantes se guardan, que
@@ -134,7 +135,7 @@ class Arbitro:
             return BIEN
         if una[:2] != otra[:2]:
             return 0
-        clave = suma(una[2], otra[2])
+        clave = suma(repr(una[:2]), una[2], otra[2])
         if clave not in self.parecidas:
             como = (BIEN, "--amplia"), (CASI, "--otro")
             self.parecidas[clave] = next((cuanto for cuanto, c in como if self.compara(una, otra, c)), 0)

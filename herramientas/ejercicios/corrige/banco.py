@@ -19,7 +19,8 @@ class Banco:
         entorno |= {"LP_NUM_THREADS": "0", "LANG": "C.UTF-8", "PATH": "/usr/bin:/bin"}
         recinto = Recinto(temporal, jaula, entorno)
         self.compilador = Compilador(raiz, build, programa, ref, recinto)
-        self.version = self.suma_todo(raiz)
+        self.de_partida = nuevo.esqueleto(raiz, programa, ref), programa.fuente.name
+        self.version = self.suma_todo(raiz, build)
         self.todos = [
             *partidas.de_los_casos(programa),
             *partidas.al_azar(raiz, build, programa, f"{ref} {semilla}", n, entorno),
@@ -27,12 +28,16 @@ class Banco:
         self.arbitro = Arbitro(build, ref, self.compilador, recinto, temporal, self.version)
         self.motivos = Motivos(raiz, programa, ref, self.compilador, self.arbitro)
 
-    def suma_todo(self, raiz):
-        """Lo que cambia una corrección, además de lo entregado y de los guiones: quien corrige, lo que se da y lo que
-        se ve."""
-        ficheros = sorted(nuevo.de_la_carpeta(raiz, self.programa, self.ref).items())
-        quien = sorted(Path(__file__).parent.glob("*.py"))
-        visto = [raiz / ruta for ruta in self.compilador.visible]
-        return suma(
-            repr(ficheros), repr(conocidos(raiz, self.programa, self.ref)), *(f.read_bytes() for f in [*quien, *visto])
-        )
+    def suma_todo(self, raiz, build):
+        """Lo que cambia una corrección, además de lo entregado y de los guiones: quien corrige, lo que se da, lo que se
+        ve y con qué se enlaza."""
+        textos = nuevo.de_la_carpeta(raiz, self.programa, self.ref), self.de_partida
+        errores = conocidos(raiz, self.programa, self.ref)
+        visto = [
+            *sorted(Path(__file__).parent.glob("*.py")),
+            *sorted((raiz / "herramientas/base").glob("*.py")),
+            *(raiz / ruta for ruta in self.compilador.visible),
+            *(Path(b) for b in self.compilador.bibliotecas if b.startswith(str(build))),
+            build / "herramientas/comparador/compara",
+        ]
+        return suma(repr(textos), repr(errores), *(f.read_bytes() for f in visto))

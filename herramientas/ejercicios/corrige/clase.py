@@ -8,43 +8,61 @@ from concurrent.futures import ThreadPoolExecutor
 
 from base.procesos import Fallo, escribe, motivo
 from ejercicios.corrige.arbitro import suma
-from ejercicios.corrige.entrega import Rechazo, lee_entrega
-from ejercicios.corrige.informes import en_una_linea, lineas
+from ejercicios.corrige.entrega import Rechazo, lee_entrega, limpio
+from ejercicios.corrige.informes import lineas
 from ejercicios.corrige.veredicto import Correccion
 
 
 def lee_resultado(fichero):
     try:
-        return json.loads(fichero.read_text())
+        resultado = json.loads(fichero.read_text())
+        return resultado if isinstance(resultado, dict) else None
     except (OSError, ValueError):
         return None
 
 
+def limpia(que, oculta):
+    """Lo mismo, con cada texto limpio y sin la carpeta en que se corrige. Las imágenes son nuestras."""
+    if isinstance(que, str):
+        return limpio(re.sub(re.escape(oculta) + r"[^\s:,»]*/", "", que))
+    if isinstance(que, list):
+        return [limpia(uno, oculta) for uno in que]
+    if isinstance(que, dict):
+        return {clave: v if clave == "imagenes" else limpia(v, oculta) for clave, v in que.items()}
+    return que
+
+
 def corrige(banco, carpeta, resultado=None):
     """La corrección de una carpeta; si RESULTADO ya es la de lo mismo, esa."""
-    datos = {
-        "entrega": os.fsencode(carpeta.name).decode(errors="replace"),
-        "ejercicio": banco.ref,
-        "semilla": banco.semilla,
-    }
+    datos = {"entrega": limpio(carpeta.name), "ejercicio": banco.ref, "semilla": banco.semilla}
+    que = [banco.version, banco.semilla, *(g.texto for g in banco.todos)]
     try:
-        ficheros, rechazo = lee_entrega(carpeta), ""
-        datos["huella"] = suma(banco.version, str(banco.semilla), str(len(banco.todos)), repr(sorted(ficheros.items())))
+        entrega, rechazo = lee_entrega(carpeta), ""
+        entrega.completa(*banco.de_partida)
+        if entrega.ejercicio not in ("", banco.ref):
+            entrega.avisos.insert(0, f"su carpeta es de otro ejercicio, el {entrega.ejercicio}")
+        que.append(repr(sorted(vars(entrega).items())))
     except Rechazo as por:
-        ficheros, rechazo = None, str(por)
-        datos["huella"] = suma(banco.version, rechazo)
-    if resultado and (anterior := lee_resultado(resultado)) and anterior["huella"] == datos["huella"]:
+        entrega, rechazo = None, str(por)
+        que.append(rechazo)
+    datos["huella"] = suma(*que)
+    if resultado and (anterior := lee_resultado(resultado)) and anterior.get("huella") == datos["huella"]:
         return anterior
-    datos |= {"bien": 0, "guiones": len(banco.todos)}
-    datos |= {"nota": 0, "dice": [rechazo], "fallos": []} if rechazo else Correccion(banco, ficheros).hazla()
+    datos |= {"bien": 0, "guiones": len(banco.todos), "casos": {}}
+    datos |= {"nota": 0, "dice": [rechazo], "fallos": []} if rechazo else Correccion(banco, entrega).hazla()
+    if entrega and datos["nota"] < 100:
+        datos["dice"] = entrega.avisos + datos["dice"]
+    datos = limpia(datos, str(banco.temporal))
     if resultado:
         escribe(resultado, json.dumps(datos, ensure_ascii=False, indent=1))
     return datos
 
 
 def fichero_de(carpeta):
-    nombre = carpeta.name if re.fullmatch(r"\w[\w .@+-]{0,99}", carpeta.name) else suma(os.fsencode(carpeta.name))
-    return f"{nombre}.json"
+    """Se llama como ella, si se puede: de dos nunca es el mismo."""
+    nombre = os.fsencode(carpeta.name)
+    legible = carpeta.name.isprintable() and carpeta.name[0] != "." and len(nombre) <= 200
+    return f"{carpeta.name if legible else suma(nombre)}.json"
 
 
 def clase(banco, carpetas, destino, a_la_vez):
@@ -55,9 +73,9 @@ def clase(banco, carpetas, destino, a_la_vez):
     def una(carpeta):
         try:
             c = correcciones[carpeta] = corrige(banco, carpeta, destino / fichero_de(carpeta))
-            dice = f"{c['entrega']}: {c['nota']:g}; {en_una_linea(lineas(c)[0])}"
+            dice = f"{c['entrega']}: {c['nota']:g}; {lineas(c)[0]}"
         except (Fallo, OSError) as fallo:
-            dice = f"{carpeta.name}: {motivo(fallo) if isinstance(fallo, OSError) else fallo}"
+            dice = limpio(f"{carpeta.name}: {motivo(fallo) if isinstance(fallo, OSError) else fallo}")
             fallos.append(dice)
         print(f"[{len(correcciones) + len(fallos):3}/{len(carpetas)}] {dice}", file=sys.stderr)
 

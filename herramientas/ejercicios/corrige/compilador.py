@@ -2,16 +2,17 @@
 import functools
 import re
 import shutil
-from pathlib import Path
+from pathlib import Path, PurePath
 
 from base import compilacion
 from base.fuentes import SHADERS
 from ejercicios import nuevo
-from ejercicios.corrige.entrega import Rechazo
+from ejercicios.corrige.entrega import COMPILADOS, Rechazo, tipo
 from ejercicios.corrige.jaula import NO_ACABA, desempaqueta
 from ejercicios.corrige.partidas import Jugador
 
 COMPILA = {"segundos": 120, "procesador": 60, "memoria": 3 << 30, "procesos": 16}
+SUYA = "mios/entrega"  # dónde está lo suyo en el árbol que ve: tan hondo como lo de ./lab nuevo
 SIN = {
     "-MD": 1,
     "-MT": 2,
@@ -20,6 +21,9 @@ SIN = {
     "-c": 2,
     "-Werror": 1,
 }  # de la orden de compilar, cuántas palabras no valen aquí
+
+
+INCLUYE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]+"([^"\n]+)"', re.M)
 
 
 def arbol_visible(raiz, programa, ref):
@@ -46,9 +50,10 @@ class Compilador:
         for ruta in self.visible:
             (carpeta / ruta).parent.mkdir(parents=True, exist_ok=True)
             shutil.copyfile(self.raiz / ruta, carpeta / ruta)
-        suya = carpeta / "mios"
-        suya.mkdir()
+        suya = carpeta / SUYA
+        suya.mkdir(parents=True)
         for nombre, contenido in ficheros.items():
+            (suya / nombre).parent.mkdir(parents=True, exist_ok=True)
             (suya / nombre).write_bytes(contenido if isinstance(contenido, bytes) else contenido.encode())
         return suya
 
@@ -83,42 +88,79 @@ class Compilador:
             rutas.append(Path(self.opciones[self.opciones.index("-include") + 1]).parent)
         return list(dict.fromkeys(map(str, rutas)))
 
-    def compila(self, ficheros, carpeta, ajena=True):
-        """El programa de esos ficheros, compilado en esa carpeta. Si no compila, Rechazo con el primer error."""
+    def compila(self, ficheros, carpeta, ajena=True, llamadas=()):
+        """El programa de esos ficheros, compilado en esa carpeta. Si no compila con todos, con el que se llama como su
+        carpeta, que es el que abre ./lab ver, o como el programa; y si tampoco, Rechazo con el primer error."""
         carpeta.mkdir(exist_ok=True)
         arbol = carpeta / "fuentes"
         suya = self.en_arbol(ficheros, arbol)
+        sitios = list(dict.fromkeys([suya, *((suya / nombre).parent for nombre in ficheros)]))
+        todos = se_compilan(ficheros)
+        principal = [
+            f for n in (*llamadas, self.programa.nombre) for f in todos if PurePath(f).stem.lower() == n.lower()
+        ][:1]
+        errores = []
+        for fuentes in (todos, *([principal] if principal and len(todos) > 1 else [])):
+            orden = self.orden(arbol, sitios, [suya / f for f in fuentes])
+            hecho = desempaqueta(
+                self.recinto.ajeno(orden, COMPILA, [carpeta, *self.ve])
+                if ajena
+                else self.recinto.propio(orden, COMPILA)
+            )
+            if hecho.get("estado", b"").strip() == b"0":
+                ejecutable = carpeta / self.programa.nombre
+                ejecutable.write_bytes(hecho["programa"])
+                ejecutable.chmod(0o755)
+                return Jugador("la entrega", ejecutable, [*sitios, arbol], ajeno=ajena)
+            todo = hecho.get("errores", b"").decode(errors="replace")
+            errores.append(Rechazo(primer_error(hecho, suya, ficheros), todo))
+        raise errores[0]
+
+    def orden(self, arbol, sitios, fuentes):
+        """Con qué palabras se compilan y se enlazan esos fuentes."""
         raiz = re.compile(re.escape(str(self.raiz)) + r"(?=$|/(?!build))")  # la de los fuentes, no la de BUILD
         orden = [
             raiz.sub(str(arbol), p) if p.startswith("-I") and not p[2:].startswith(str(self.build)) else p
             for p in self.opciones
         ]
-        orden += ["-w", "-fdiagnostics-color=never", "-I", suya, "-I", arbol / self.programa.capitulo.nombre]
-        orden += [suya / nombre for nombre in ficheros if nombre.endswith(".cpp")]
-        orden += ["-o", "programa", *self.bibliotecas]
-        hecho = desempaqueta(
-            self.recinto.ajeno(orden, COMPILA, [carpeta, *self.ve]) if ajena else self.recinto.propio(orden, COMPILA)
-        )
-        if hecho.get("estado", b"").strip() != b"0":
-            raise Rechazo(primer_error(hecho, suya), hecho.get("errores", b"").decode(errors="replace"))
-        ejecutable = carpeta / self.programa.nombre
-        ejecutable.write_bytes(hecho["programa"])
-        ejecutable.chmod(0o755)
-        return Jugador("la entrega", ejecutable, [suya, arbol], ajeno=ajena)
+        for sitio in (*sitios, arbol / self.programa.capitulo.nombre):
+            orden += ["-I", sitio]
+        orden += ["-w", "-fdiagnostics-color=never", "-x", "c++", *fuentes, "-x", "none"]
+        return [*orden, "-o", "programa", *self.bibliotecas]
 
 
-def primer_error(hecho, suya):
-    """Lo primero de lo que se queja el compilador, sin la ruta de la carpeta en que compila."""
+def se_compilan(ficheros):
+    """De los de una entrega, los que no incluye otro."""
+    incluidos = set()
+    for contenido in ficheros.values():
+        contenido = contenido if isinstance(contenido, bytes) else contenido.encode()
+        incluidos |= {PurePath(f.decode(errors="replace")).name for f in INCLUYE.findall(contenido)}
+    return [f for f in ficheros if tipo(f) in COMPILADOS and PurePath(f).name not in incluidos]
+
+
+SITIO = re.compile(r"^(In file included from | +from )?([^:\n]+):(\d+)[:,](?:\d+[:,])?(.*)$", re.M)
+ERROR = re.compile(r"^ (?:fatal )?error: (.*)$")
+
+
+def primer_error(hecho, suya, ficheros):
+    """Lo primero de lo que se queja el compilador, y dónde de lo suyo, sin la ruta de la carpeta en que compila."""
     if int(hecho.get("estado", b"").strip() or -1) in NO_ACABA:
         return f"no compila: el compilador no acaba en {COMPILA['procesador']} s"
-    errores = (
-        hecho.get("errores", b"")[: 1 << 20]
-        .decode(errors="replace")
-        .replace(f"{suya}/", "")
-        .replace(f"{suya.parent}/", "")
-    )
-    if error := re.search(r"^([^:\n]+):(\d+):(?:\d+:)? (?:fatal )?error: (.*)$", errores, re.M):
-        return f"no compila: {error[1]}:{error[2]}: {error[3]}"
+    errores = hecho.get("errores", b"")[: 1 << 20].decode(errors="replace")
+    for carpeta in (suya, suya.parent.parent, suya.parent.parent.parent):
+        errores = errores.replace(f"{carpeta}/", "")
+    lugar = ""
+    for desde, fichero, linea, dice in SITIO.findall(errores):
+        if desde.startswith("In"):
+            lugar = ""
+        if fichero in ficheros and not (desde and lugar):
+            lugar = f"{fichero}:{linea}: "
+        if error := ERROR.match(dice):  # el de una plantilla está en su cabecera, y antes se dice quién la usa
+            return f"no compila: {lugar or f'{fichero}:{linea}: '}{error[1]}"
+    if repetido := re.search(r"(\S+?):\(.*multiple definition of [`'](.*?)'.*[;:](\S+?):\(", errores):
+        return f"no compila: «{repetido[2]}» está en dos ficheros: {repetido[3]} y {repetido[1]}"
     if falta := re.search(r"undefined reference to [`'](.*)'", errores):
         return f"no compila: falta «{falta[1]}»"
-    return "no compila: " + (next(iter(errores.strip().splitlines()[-1:]), "") or "el compilador no ha acabado bien")
+    lineas = [linea for linea in errores.splitlines() if linea.strip()]
+    primera = next((linea for linea in lineas if "error: " in linea or "ld: " in linea), (lineas or [""])[-1])
+    return "no compila: " + (re.sub("^.*?error: ", "", primera) or "el compilador no ha acabado bien")

@@ -3,12 +3,21 @@ import itertools
 import os
 import re
 import stat
-from pathlib import Path
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path, PurePath
 
 from base.procesos import Fallo
+from ejercicios import nuevo
 
-FUENTES = ".cpp", ".h", ".vert", ".frag", ".glsl"
+COMPILADOS = ".cpp", ".cc", ".cxx", ".c++"
+CODIGO = *COMPILADOS, ".h", ".hpp", ".hh", ".hxx", ".inl", ".inc", ".c", ".vert", ".frag", ".geom", ".glsl"
+FUENTES = *CODIGO, ".vf"
+COMPRIMIDOS = ".zip", ".rar", ".7z", ".gz", ".tar", ".tgz"
 FICHEROS, BYTES = 40, 1 << 20  # de una entrega, y de cada fichero
+HAY, HONDO = 5000, 6  # lo que se mira de una carpeta, y hasta dónde se baja
+LETRAS = 300
+MAIN = re.compile(rb"\bmain\s*\(")
 
 
 class Rechazo(Exception):
@@ -19,53 +28,173 @@ class Rechazo(Exception):
         self.todo = todo
 
 
+def limpio(texto):
+    """Lo que viene de otro, en una línea corta y sin caracteres de control: ni borra la terminal en que se lee, ni
+    parte una línea, ni llena una celda."""
+    texto = "".join(letra if letra.isprintable() else " " for letra in texto[: 4 * LETRAS])
+    texto = " ".join(texto.split())
+    return texto if len(texto) <= LETRAS else texto[: LETRAS - 1] + "…"
+
+
+def basura(nombre):
+    """Lo que dejan en una carpeta git, macOS, un editor o nosotros."""
+    return nombre.startswith(".") or nombre.endswith("~") or nombre in ("__MACOSX", "correccion")
+
+
+def tipo(nombre):
+    return PurePath(nombre).suffix.lower()
+
+
+@dataclass
+class Entrega:
+    ficheros: dict  # {ruta desde su carpeta: contenido}
+    llamadas: tuple = ()  # cómo se llaman sus carpetas: el fuente que se llame así es el que abre ./lab ver
+    ejercicio: str = ""  # el que dice que es
+    avisos: list = field(default_factory=list)
+
+    def completa(self, de_partida, principal):
+        """Lo que no viene, del esqueleto: el programa, si no hay ninguno, y cada fichero que no se llame igual."""
+        nombres = {PurePath(f).name: contenido for f, contenido in self.ficheros.items()}
+        sin_mayusculas = {nombre.lower(): contenido for nombre, contenido in nombres.items()}
+        if any(tipo(nombre) in COMPILADOS for nombre in nombres):
+            nombres[principal] = b""
+        for fichero, texto in de_partida.items():
+            if fichero not in nombres:
+                self.ficheros[fichero] = sin_mayusculas.get(fichero.lower(), texto.encode())
+                if fichero.lower() not in sin_mayusculas:
+                    self.avisos.append(f"no viene {fichero}: se ha puesto el de partida")
+
+
 def lee_fichero(carpeta, nombre):
     """Un fichero corriente y corto de otro: ni enlaces, ni tuberías, ni dispositivos."""
+    visto = limpio(nombre)
     try:
         f = os.open(nombre, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC, dir_fd=carpeta)
-    except OSError as error:
-        raise Rechazo(
-            f"no se puede leer «{nombre}»: es un enlace o no hay permiso" if error.errno else str(error)
-        ) from None
+    except OSError:
+        raise Rechazo(f"no se puede leer «{visto}»: es un enlace o no hay permiso") from None
     with open(f, "rb") as fichero:
         if not stat.S_ISREG(os.fstat(f).st_mode):
-            raise Rechazo(f"«{nombre}» no es un fichero corriente")
+            raise Rechazo(f"«{visto}» no es un fichero corriente")
         datos = fichero.read(BYTES + 1)
     if len(datos) > BYTES:
-        raise Rechazo(f"«{nombre}» pasa de {BYTES >> 20} MiB")
+        raise Rechazo(f"«{visto}» pasa de {BYTES >> 20} MiB")
     return datos
 
 
-def es_fuente(nombre):
-    return re.fullmatch(r"\w[\w.-]*", nombre, re.A) and nombre.endswith(FUENTES)
-
-
-def lee_entrega(carpeta):
-    """{nombre: contenido} de los fuentes de una entrega; lo demás que haya en su carpeta no se mira."""
+@contextmanager
+def abierta(carpeta, donde=None):
+    """Una carpeta, que no es un enlace, mientras se mira."""
     try:
-        f = os.open(carpeta, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC)
+        f = os.open(carpeta, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC, dir_fd=donde)
     except OSError:
         raise Rechazo("no es una carpeta que se pueda leer") from None
     try:
-        with os.scandir(f) as hay:
-            nombres = sorted(e.name for e in itertools.islice(hay, 1000) if es_fuente(e.name))
-        if len(nombres) > FICHEROS:
-            raise Rechazo(f"son más de {FICHEROS} ficheros")
-        ficheros = {nombre: lee_fichero(f, nombre) for nombre in nombres}
+        yield f
     finally:
         os.close(f)
-    if not any(nombre.endswith(".cpp") for nombre in ficheros):
-        raise Rechazo("no hay ningún .cpp")
-    return ficheros
 
 
-def busca(mios, entrega):
-    """Su carpeta, que puede estar en MIOS, y, si es una clase, las de dentro."""
+class Lector:
+    """Recorre la carpeta de una entrega sin salir de ella."""
+
+    def __init__(self):
+        self.hay, self.leidos = [], {}
+
+    def recorre(self, f, ruta="", hondo=HONDO):
+        with os.scandir(f) as entradas:
+            dentro = sorted(
+                (e.name, e.is_dir(follow_symlinks=False))
+                for e in itertools.islice(entradas, HAY + 1 - len(self.hay))
+                if not basura(e.name)
+            )
+        self.hay += [nombre for nombre, _ in dentro]
+        if len(self.hay) > HAY:
+            raise Rechazo(f"hay más de {HAY} ficheros")
+        for nombre, es_carpeta in dentro:
+            if es_carpeta and hondo:
+                with abierta(nombre, f) as otra:
+                    self.recorre(otra, f"{ruta}{limpio(nombre)}/", hondo - 1)
+            elif not es_carpeta and (tipo(nombre) in FUENTES or nombre == nuevo.EJERCICIO):
+                self.lee(f, nombre, ruta + limpio(nombre))
+
+    def lee(self, f, nombre, ruta):
+        if len(self.leidos) == FICHEROS:
+            raise Rechazo(f"son más de {FICHEROS} ficheros")
+        datos = self.leidos[ruta] = lee_fichero(f, nombre)
+        if tipo(nombre) in CODIGO and (datos[:2] in (b"\xff\xfe", b"\xfe\xff") or b"\0" in datos):
+            raise Rechazo(f"«{limpio(nombre)}» no es un texto en UTF-8: guárdalo así en el editor")
+
+    def por_que_no_hay(self):
+        if comprimido := next((n for n in self.hay if tipo(n) in COMPRIMIDOS), None):
+            return f"no hay ningún fuente: hay un «{limpio(comprimido)}» sin descomprimir"
+        hay = ", ".join(limpio(nombre) for nombre in sorted(self.hay)[:3])
+        return f"no hay ningún fuente: hay {hay}" if hay else "no hay nada en su carpeta"
+
+
+def sin_numero(ficheros):
+    """«grua (2).h», como lo baja un navegador que ya tenía otro, es grua.h si no viene. De varios, el último."""
+    nuevos = dict(ficheros)
+    bajados = [(int(n[1]), ruta) for ruta in ficheros if (n := re.search(r"[^/]\((\d{1,3})\)\.[^./]+$", ruta))]
+    for _, ruta in sorted(bajados, reverse=True):
+        sin = re.sub(r"[ _]?\(\d+\)(?=\.[^./]+$)", "", ruta)
+        if sin not in nuevos:
+            nuevos[sin] = nuevos.pop(ruta)
+    return dict(sorted(nuevos.items()))
+
+
+def lee_entrega(carpeta):
+    """Los fuentes de una entrega, con los de sus carpetas; lo demás que haya no se mira."""
+    lector = Lector()
+    with abierta(carpeta) as f:
+        lector.recorre(f)
+    ficheros, llamadas = sin_numero(lector.leidos), [carpeta.name]
+    dice = next((f for f in ficheros if PurePath(f).name == nuevo.EJERCICIO), None)
+    ejercicio = ficheros.pop(dice).decode(errors="replace").split() if dice else []
+    if not any(tipo(f) in CODIGO for f in ficheros):
+        raise Rechazo(lector.por_que_no_hay())
+    while len(unica := {f.partition("/")[0] for f in ficheros}) == 1 and all("/" in f for f in ficheros):
+        llamadas += unica
+        ficheros = {f.partition("/")[2]: contenido for f, contenido in ficheros.items()}
+    return Entrega(ficheros, tuple(llamadas), limpio(ejercicio[0]) if len(ejercicio) > 1 else "")
+
+
+def ejercicio_de(carpeta, programas):
+    """Lo que dice ejercicio.txt: la referencia, vacía si solo es una copia, y el programa."""
+    try:
+        with abierta(carpeta) as f:
+            return nuevo.ejercicio_dicho(lee_fichero(f, nuevo.EJERCICIO).decode(), programas)
+    except (Rechazo, UnicodeDecodeError, ValueError, StopIteration) as error:
+        por_que = f": {error}" if isinstance(error, Rechazo) and (carpeta / nuevo.EJERCICIO).exists() else ""
+        raise Fallo(f"{carpeta / nuevo.EJERCICIO} no dice de qué ejercicio es{por_que}") from None
+
+
+def tiene_main(fuente):
+    with open(fuente, "rb") as f:
+        return bool(MAIN.search(f.read(BYTES)))
+
+
+def hay_programa(carpeta, hondo=HONDO):
+    """Si dentro hay un fuente con main."""
+    try:
+        with os.scandir(carpeta) as entradas:
+            dentro = [e for e in itertools.islice(entradas, HAY) if not basura(e.name) and not e.is_symlink()]
+        suyos = (e for e in dentro if tipo(e.name) in COMPILADOS and e.is_file())
+        if any(tiene_main(Path(e.path)) for e in suyos):
+            return True
+        return hondo > 0 and any(hay_programa(e.path, hondo - 1) for e in dentro if e.is_dir())
+    except OSError:
+        return False
+
+
+def busca(mios, entrega, fuera=None):
+    """Su carpeta, que puede estar en MIOS, y, si es una clase, las de dentro, menos esa de fuera. Un fuente suelto, que
+    será de quien enseña, no hace de la clase una entrega."""
     carpeta = next((c for c in (mios / entrega, Path(entrega)) if c.is_dir()), None)
     if not carpeta:
         raise Fallo(f"no hay ninguna carpeta «{entrega}», ni mios/{entrega}")
     carpeta = carpeta.absolute()
-    if any(f.suffix == ".cpp" for f in carpeta.iterdir()):
-        return carpeta, None
-    dentro = sorted(c for c in carpeta.iterdir() if (c.is_dir() or c.is_symlink()) and not c.name.startswith("."))
-    return carpeta, dentro or None
+    aqui = [f for f in sorted(carpeta.iterdir()) if not basura(f.name)]
+    dentro = [c for c in aqui if c.is_dir() and c != fuera]
+    sueltos = [f.name for f in aqui if tipo(f.name) in CODIGO]
+    es_una = (carpeta / nuevo.EJERCICIO).is_file() or (sueltos and not any(map(hay_programa, dentro)))
+    return (carpeta, None, []) if es_una else (carpeta, dentro or None, sueltos)

@@ -1,11 +1,12 @@
-"""Una corrección, o las de una clase, como se escriben: en texto, para VPL, en JUnit, en una tabla y en una página."""
+"""Una corrección, o las de una clase, como se escriben: en texto, para VPL, en JUnit, en una tabla y en una página.
+Todo lo que en ella hay ya está limpio (entrega.limpio)."""
 import csv
 import io
 import os
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
-from base import paginas
+from base import guiones, paginas
 
 
 def lineas(c):
@@ -19,16 +20,12 @@ def en_texto(c):
     return f"{c['entrega']}, {c['ejercicio']}: {c['nota']:g} de 100 ({cuantos})\n{frases}"
 
 
-def en_una_linea(texto):
-    return "".join(letra if letra.isprintable() else " " for letra in texto)
-
-
 def en_vpl(c):
     """Como lo lee el Virtual Programming Lab de Moodle: los comentarios y, la última, la nota, en la escala que tenga
     la actividad."""
     desde, hasta = (float(os.environ.get(f"VPL_GRADE{que}") or vale) for que, vale in (("MIN", 0), ("MAX", 100)))
     titulo = f"-{c['ejercicio']}: {c['bien']} de {c['guiones']} guiones, semilla {c['semilla']}"
-    comentarios = [f"Comment :=>>{en_una_linea(linea)}" for linea in (titulo, *lineas(c))]
+    comentarios = [f"Comment :=>>{linea}" for linea in (titulo, *lineas(c))]
     return "\n".join([*comentarios, f"Grade :=>> {desde + (hasta - desde) * c['nota'] / 100:.5g}"])
 
 
@@ -36,8 +33,8 @@ def en_junit(correcciones):
     """Una prueba por entrega, que falla si no está todo bien."""
     pruebas = []
     for c in correcciones:
-        mal = "" if c["nota"] == 100 else f"<failure message={quoteattr(en_una_linea('; '.join(lineas(c))))}/>"
-        clase, nombre = f"corrige.{c['ejercicio']}", quoteattr(en_una_linea(c["entrega"]))
+        mal = "" if c["nota"] == 100 else f"<failure message={quoteattr('; '.join(lineas(c)))}/>"
+        clase, nombre = f"corrige.{c['ejercicio']}", quoteattr(c["entrega"])
         pruebas.append(f'  <testcase classname="{clase}" name={nombre}>{mal}</testcase>')
     fallan = sum(c["nota"] < 100 for c in correcciones)
     suma = f'<testsuite name="corrige" tests="{len(correcciones)}" failures="{fallan}">'
@@ -46,7 +43,6 @@ def en_junit(correcciones):
 
 def celda(texto):
     """La de una tabla: si empieza como una fórmula, que no lo sea."""
-    texto = en_una_linea(texto)
     return "'" + texto if texto[:1] in tuple("=+-@") else texto
 
 
@@ -60,6 +56,23 @@ def en_csv(correcciones):
     return tabla.getvalue()
 
 
-def escribe_pagina(destino, correcciones, programa, ref):
+def resumen(correcciones):
+    """De una clase: cuántas, su media y cuántas hay de cada diez puntos; las de 100, aparte."""
+    notas = [c["nota"] for c in correcciones]
+    barras = [0] * 11
+    for nota in notas:
+        barras[int(nota // 10)] += 1
+    tramos = [*(f"{10 * i}–{10 * i + 9}" for i in range(10)), "100"]
+    return {"media": sum(notas) / len(notas), "barras": list(zip(tramos, barras)), "mas": max(barras)}
+
+
+def escribe_pagina(destino, correcciones, programa, ref, suya=""):
+    """SUYA: la carpeta de mios/ que corrige quien la lee, si es una."""
     plantilla = Path(__file__).with_name("corrige.html")
-    paginas.escribe_pagina(destino, plantilla, correcciones=correcciones, lineas=lineas, programa=programa, ref=ref)
+    datos = {"resumen": resumen(correcciones) if len(correcciones) > 1 else None, "suya": suya}
+    datos |= {
+        "lineas": lineas,
+        "en_palabras": guiones.en_palabras,
+        "con_detalle": lambda c: c["fallos"] or c["dice"][1:],
+    }
+    paginas.escribe_pagina(destino, plantilla, correcciones=correcciones, programa=programa, ref=ref, **datos)

@@ -14,15 +14,18 @@ from base.procesos import Fallo, lanza
 SALE = 96 << 20  # bytes que se leen de una jaula
 DISCO = 64 << 20  # de la carpeta temporal, que está en memoria
 NADIE = range(61184, 65520)  # de root no valen los límites: se ejecuta como uno de estos, que no son nadie
-NO_ACABA = 124, 137, 152  # timeout, timeout -k y el límite de procesador
+NO_ACABA = 124, 137, 152  # timeout; timeout -k, si ha pasado ese tiempo; y el límite de procesador
 
 # Lo que se ejecuta en la jaula: SEGUNDOS ORDEN…; lo que deja sale en un tar. Los shaders ya compilados, de
 # LAB_SHADERS, se copian: así lo ajeno no los estropea, y cada vez se ahorra tres cuartos de lo que tarda.
 ENCIERRA = """segundos=$1; shift
 [ ! -d "$LAB_SHADERS" ] || cp -r "$LAB_SHADERS" shaders
+antes=$(date +%s)
 timeout -k 1 "$segundos" "$@" >salida 2>errores
-echo $? >estado
+estado=$?
 times >tiempos
+[ $estado != 137 ] || [ $(($(date +%s) - antes)) -ge "$segundos" ] || estado=mata # a timeout, que lo vigilaba
+echo $estado >estado
 exec tar -cf - --exclude=./shaders ."""
 
 
@@ -113,7 +116,7 @@ class Recinto:
         """Lo mismo, de una que no es de fiar y que solo ve, además del sistema, esas rutas."""
         prlimit = [
             "prlimit",
-            f"--cpu={limites['procesador']}",
+            f"--cpu={limites['procesador']}:{limites['procesador'] + 1}",  # el segundo mata
             f"--as={limites['memoria']}",
             f"--nproc={limites['procesos']}",
             f"--fsize={DISCO}",

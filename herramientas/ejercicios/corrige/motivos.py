@@ -9,6 +9,7 @@ from base import defectos, marcas
 from base.guiones import sin_veces
 from base.procesos import Fallo, escribe
 from ejercicios import nuevo
+from ejercicios.corrige.compilador import SUYA
 from ejercicios.corrige.entrega import Rechazo
 from ejercicios.corrige.partidas import Jugador
 
@@ -107,7 +108,7 @@ class Motivos:
 
     def enumera(self, sitio):
         def jugador(nombre, carpeta, *antes, **entorno):
-            raices = [*antes, sitio / carpeta / "fuentes/mios", sitio / carpeta / "fuentes"]
+            raices = [*antes, sitio / carpeta / "fuentes" / SUYA, sitio / carpeta / "fuentes"]
             return Jugador(nombre, sitio / carpeta / self.programa.nombre, raices, entorno)
 
         variantes = [("", jugador("esqueleto", "esqueleto"))]
@@ -167,6 +168,7 @@ def como_acaba(p, guion):
     """Lo que hay que decir de una partida que no ha acabado como debe."""
     donde = tras(p, guion)
     dice = next((linea for linea in p.errores.splitlines() if linea.strip()), "")
+    dice = dice.partition("; lo he buscado en")[0]  # rutas que solo hay aquí
     if p.cuelga:
         return f"tarda más de {p.limite:.0f} s de procesador{donde}"
     if p.estado == 3:

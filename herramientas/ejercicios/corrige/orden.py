@@ -1,6 +1,6 @@
 """orden.py RAÍZ BUILD ENTREGA [EJERCICIO] [opciones]: corrige lo que ha hecho un estudiante, o una clase entera.
 
-ENTREGA es mios/NOMBRE, o una carpeta con lo mismo dentro; si dentro hay carpetas y ningún .cpp, es una clase, y cada
+ENTREGA es mios/NOMBRE, o una carpeta con lo mismo dentro; si dentro hay carpetas con programas, es una clase, y cada
 una, una entrega. Lo entregado y la solución juegan los mismos guiones, los casos del ejercicio y otros al azar con
 los controles de su programa, y tras cada orden se comparan las imágenes y los títulos. El guion que falla se acorta
 y, si algún defecto conocido plantado en la solución (errores/) deja en todos los guiones lo que deja la entrega, se
@@ -8,6 +8,7 @@ dice cuál.
 """
 import argparse
 import os
+import re
 import sys
 import tempfile
 from pathlib import Path
@@ -24,26 +25,43 @@ GUIONES = 24  # al azar
 
 class Analizador(argparse.ArgumentParser):
     def error(self, message):
-        raise Fallo(f"corrige: no entiendo «{' '.join(self.palabras)}»; ./lab ayuda dice sus opciones")
+        """Lo que dice argparse, en una línea y en español."""
+        opcion = re.match(r"argument ([^ :]+): (?:.*: '(.*)')?", message)
+        if not opcion:
+            raise Fallo("corrige: di qué entrega: ./lab corrige mi_grua, o ./lab corrige CLASE E3.5")
+        if opcion[2] is None:
+            raise Fallo(f"corrige: falta lo que sigue a {opcion[1]}")
+        raise Fallo(f"corrige: no entiendo «{opcion[1]} {opcion[2]}»")
 
 
 def opciones(palabras):
     """Las de docs/corrige.md."""
     analizador = Analizador(add_help=False, allow_abbrev=False)
-    analizador.palabras = palabras
     analizador.add_argument("entrega")
     analizador.add_argument("ejercicio", nargs="?")
     analizador.add_argument("--semilla", default="1")
-    analizador.add_argument("--guiones", type=int, default=GUIONES)
+    analizador.add_argument("--guiones", type=natural, default=GUIONES)
     for opcion in ("--deja", "--json", "--junit"):
         analizador.add_argument(opcion, type=Path)
-    analizador.add_argument("-j", type=int, default=os.cpu_count())
+    analizador.add_argument("-j", type=positivo, default=os.cpu_count())
     for opcion in ("--vpl", "--sin-jaula", "--programa"):  # --programa: solo escribe cuál es
         analizador.add_argument(opcion, action="store_true")
-    que = analizador.parse_args(palabras)
-    if que.guiones < 0 or que.j < 1:
-        analizador.error("")
+    que, sobran = analizador.parse_known_args(palabras)
+    if sobran:
+        raise Fallo(f"corrige: no entiendo «{sobran[0]}»; ./lab ayuda dice sus opciones")
+    if que.vpl and que.sin_jaula:
+        raise Fallo("corrige: --vpl, con --sin-jaula, no: lo entregado leería la solución")
     return que
+
+
+def natural(texto):
+    if not re.fullmatch("[0-9]{1,6}", texto):
+        raise ValueError
+    return int(texto)
+
+
+def positivo(texto):
+    return natural(texto) or natural("")
 
 
 def ejercicio(raiz, programas, pedido):
@@ -73,16 +91,19 @@ def de_una_clase(que, banco, carpeta, dentro):
 def main():
     raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
     que = opciones(sys.argv[3:])
-    carpeta, dentro = entrega.busca(build.parent / "mios", que.entrega)
+    mios = build.parent / "mios"
+    carpeta, dentro, sueltos = entrega.busca(mios, que.entrega, que.deja and que.deja.absolute())
     programas = catalogo.lee_programas(build)
     if que.ejercicio or dentro:
         ref, programa = ejercicio(raiz, programas, que.ejercicio)
     else:
-        ref, programa = nuevo.ejercicio_de(carpeta, programas)
+        ref, programa = entrega.ejercicio_de(carpeta, programas)
     if not ref:
         raise Fallo(f"{que.entrega} es una copia de {programa.nombre}: no hay ejercicio que corregir")
     if que.programa:
         return print(programa.nombre)
+    if dentro and sueltos:
+        print(entrega.limpio(f"En {que.entrega} hay sueltos, y se dejan: {', '.join(sueltos)}"), file=sys.stderr)
     jaula = None if que.sin_jaula else Jaula(raiz)
     if jaula:
         jaula.comprueba()
@@ -94,7 +115,8 @@ def main():
     if que.junit:
         escribe(que.junit, informes.en_junit(correcciones))
     if destino:
-        informes.escribe_pagina(destino, correcciones, programa, ref)
+        suya = carpeta.name if carpeta.parent == mios.absolute() and not dentro else ""
+        informes.escribe_pagina(destino, correcciones, programa, ref, suya)
         print(f"Hecha: {destino}/index.html", file=sys.stderr)
     if fallos:
         raise Fallo(f"no se han podido corregir {len(fallos)}: {'; '.join(fallos)}")

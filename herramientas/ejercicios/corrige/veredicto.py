@@ -3,6 +3,7 @@ palabras y en imágenes."""
 import base64
 import os
 import tempfile
+import time
 from pathlib import Path
 
 from base.guiones import acorta, sin_veces
@@ -17,6 +18,7 @@ INTENTOS = 24  # para acortar un guion
 CUELGUES = 2  # tras los que no se juega más
 CUESTA = {"texto": 20, "título": 5, "estado": 5}  # puntos de cada cien que quita, una vez, lo que no es la imagen
 POR_POCO = "se ve casi igual, con un desvío de menos de un cuarto de píxel: ¿pocas cifras?"
+TOPE = 300  # segundos de una entrega, entre todos sus guiones
 
 
 def png(imagen, deja):
@@ -50,17 +52,32 @@ def en_que(una, otra):
     return " ".join(donde) or "en el centro"
 
 
+def distintos(esperada, obtenida):
+    """Cuánto se apartan las imágenes en que más se apartan."""
+    pares = zip(esperada.imagenes, obtenida.imagenes)
+    return max((sum(a != b for a, b in zip(una[2], otra[2])) for una, otra in pares), default=0)
+
+
 class Correccion:
     """En un diccionario que va tal cual a su JSON."""
 
-    def __init__(self, banco, ficheros):
-        self.banco, self.arbitro, self.ficheros = banco, banco.arbitro, ficheros
+    def __init__(self, banco, entrega):
+        self.banco, self.arbitro, self.entrega = banco, banco.arbitro, entrega
+        self.gastado = 0
+
+    def juega(self, guion, esperada):
+        antes = time.monotonic()
+        partida = self.arbitro.juega(self.jugador, guion, esperada)
+        self.gastado += time.monotonic() - antes
+        return partida
 
     def hazla(self):
         with tempfile.TemporaryDirectory(dir=self.banco.temporal) as carpeta:
             os.chmod(carpeta, 0o755)  # lo lee quien está en la jaula
             try:
-                self.jugador = self.banco.compilador.compila(self.ficheros, Path(carpeta))
+                self.jugador = self.banco.compilador.compila(
+                    self.entrega.ficheros, Path(carpeta), llamadas=self.entrega.llamadas
+                )
             except Rechazo as rechazo:
                 return {"nota": 0, "dice": [str(rechazo)], "fallos": []}
             return self.compara()
@@ -70,8 +87,8 @@ class Correccion:
         self.esperadas = {g: self.arbitro.juega(solucion, g) for g in todos}
         self.partidas = {}
         for guion in todos:
-            self.partidas[guion] = self.arbitro.juega(self.jugador, guion, self.esperadas[guion])
-            if sum(p.cuelga for p in self.partidas.values()) >= CUELGUES:
+            self.partidas[guion] = self.juega(guion, self.esperadas[guion])
+            if sum(p.cuelga for p in self.partidas.values()) >= CUELGUES or self.gastado > TOPE:
                 break
         donde = {g: self.arbitro.difiere(self.esperadas[g], p) for g, p in self.partidas.items()}
         fallan = {g: i for g, i in donde.items() if i is not None}
@@ -84,11 +101,15 @@ class Correccion:
         muestra = self.muestra(fallan)
         acaban = list(dict.fromkeys(filter(None, (como_acaba(p, g) for g, p in self.partidas.items()))))
         dice = acaban[:3]
+        if self.gastado > TOPE and len(self.partidas) < len(todos):
+            jugados = f"{len(self.partidas)} de los {len(todos)} guiones"
+            dice.append(f"es muy lento: a los {TOPE // 60} minutos se ha dejado, con {jugados} jugados")
         if (fallan or otros) and not acaban:
             dice += self.explica(fallan, casi, muestra)
         dice += [como for que, como in otros.items() if que != "estado"]
-        nota = self.nota(bien, casi, otros)
-        return {"nota": nota, "bien": len(bien), "guiones": len(todos), "dice": dice, "fallos": muestra}
+        casos = {g.nombre: g in bien for g in todos if g.caso}
+        cuenta = {"nota": self.nota(bien, casi, otros), "bien": len(bien), "guiones": len(todos), "casos": casos}
+        return {**cuenta, "dice": dice, "fallos": muestra}
 
     def nota(self, bien, casi, otros):
         """La parte de los guiones que salen bien; un caso vale por dos, el que sale por poco, la mitad, y con un fallo
@@ -146,15 +167,19 @@ class Correccion:
         def falla(candidatas):
             g = Guion("", tuple(candidatas))
             esperada = Partida.lee(self.arbitro.juega_de_nuevo(self.banco.compilador.solucion, g), g)
-            jugadas[g.ordenes] = esperada, self.arbitro.juega(self.jugador, g, esperada)
+            jugadas[g.ordenes] = esperada, self.juega(g, esperada)
             return self.arbitro.difiere(*jugadas[g.ordenes]) is not None
 
-        if self.partidas[guion].cuelga:
+        if self.partidas[guion].cuelga or self.gastado > TOPE / 2:  # acortarlo es jugarlo otra vez, y otra
             return ordenes, *jugadas[guion.ordenes]
         if ordenes:
             ordenes = acorta(ordenes, falla, INTENTOS)
         if ordenes not in jugadas:
             falla(ordenes)
+        if ordenes and ordenes[-1].startswith(("tecla", "especial")) and "×" not in ordenes[-1]:
+            siete = (*ordenes[:-1], f"{ordenes[-1]} ×7")  # que con más veces se vea más
+            if falla(siete) and distintos(*jugadas[siete]) > distintos(*jugadas[ordenes]):
+                return siete, *jugadas[siete]
         return ordenes, *jugadas[ordenes]
 
     def que(self, tras, esperada, obtenida):
