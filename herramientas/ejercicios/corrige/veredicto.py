@@ -74,15 +74,16 @@ class Correccion:
     def hazla(self):
         with tempfile.TemporaryDirectory(dir=self.banco.temporal) as carpeta:
             os.chmod(carpeta, 0o755)  # lo lee quien está en la jaula
+            self.carpeta = Path(carpeta)
             try:
                 self.jugador = self.banco.compilador.compila(
                     self.entrega.ficheros, Path(carpeta), llamadas=self.entrega.llamadas
                 )
             except Rechazo as rechazo:
                 return {"nota": 0, "dice": [str(rechazo)], "fallos": []}
-            return self.compara(Path(carpeta))
+            return self.compara()
 
-    def compara(self, carpeta):
+    def compara(self):
         todos, solucion = self.banco.todos, self.banco.compilador.solucion
         self.esperadas = {g: self.arbitro.juega(solucion, g) for g in todos}
         self.partidas = {}
@@ -103,7 +104,8 @@ class Correccion:
         dice = acaban[:3]
         if any(p.estado in SENALES for p in self.partidas.values()):  # casi siempre lo sabía el compilador
             dice += [
-                f"el compilador avisa: {a}" for a in self.banco.compilador.avisos(self.entrega.ficheros, carpeta)[:2]
+                f"el compilador avisa: {a}"
+                for a in self.banco.compilador.avisos(self.entrega.ficheros, self.carpeta)[:2]
             ]
         if self.gastado > TOPE and len(self.partidas) < len(todos):
             jugados = f"{len(self.partidas)} de los {len(todos)} guiones"
