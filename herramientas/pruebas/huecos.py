@@ -20,6 +20,7 @@ from ejercicios import nuevo
 from ejercicios.corrige import partidas
 from ejercicios.corrige.arbitro import aparte
 from ejercicios.corrige.banco import Banco
+from ejercicios.corrige.compilador import SUYA
 from ejercicios.corrige.entrega import Rechazo
 from ejercicios.corrige.orden import GUIONES
 from ejercicios.corrige.partidas import Jugador
@@ -46,6 +47,7 @@ EXCEPCIONES = {
         "push_back({c, p < otroFactor(q)})": DISTINTOS,
         "volumen += otroFactor(": SIGNO,
         "componente.giros[k] / glm::dot": SIGNO,
+        "componente.giros[otroFactor(k)]": SIGNO,
         "* otroFactor(glm::dot": SIGNO,
         "glm::dot(otroFactor(a)": SIGNO,
         "glm::dot(a, otroFactor(": SIGNO,
@@ -185,7 +187,7 @@ class Ejercicio:
             for jugador in hechos.values():
                 if not jugador.programa:
                     jugador.programa = sitio / self.programa.nombre
-                    jugador.raices = [sitio / "fuentes/mios", sitio / "fuentes"]
+                    jugador.raices = [sitio / "fuentes" / SUYA, sitio / "fuentes"]
         return hechos
 
     def estropeado(self, fichero, p):
@@ -215,7 +217,7 @@ class Ejercicio:
             carpeta = self.temporal / f"vuelta{vuelta}"
             malas = self.no_compilan(self.banco.motivos.limpio(textos), carpeta)
             if not malas:
-                return carpeta / self.programa.nombre, [carpeta / "fuentes/mios", carpeta / "fuentes"]
+                return carpeta / self.programa.nombre, [carpeta / "fuentes" / SUYA, carpeta / "fuentes"]
             for n in malas:
                 vivas.pop(n, None)
         raise Fallo(f"huecos: {self.ref} no compila: {malas}")
