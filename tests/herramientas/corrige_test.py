@@ -888,7 +888,7 @@ def comprueba_pagina(pagina, todas):
         al_reves,
         re.S,
     )
-    sin_rotulos = {**os.environ, **procesos.entorno(), "LAB_SIN_ENCIMA": "1"}
+    sin_rotulos = {**os.environ, **procesos.entorno(), "LAB_SIN_ENCIMA": "rotulo"}
     for tecla, imagen in ((hallado[1], 3), ({"a": "d", "d": "a"}[hallado[1]], 2)):  # al revés, la otra tecla
         solucion = [BUILD / "osmesa/ch03_transformaciones/grua", "-geometry", "240x180", "-guion", f"tecla {tecla} ×7"]
         pinta = subprocess.run([*solucion, "-ppm", "/dev/stdout"], env=sin_rotulos, capture_output=True).stdout
