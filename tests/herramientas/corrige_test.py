@@ -733,18 +733,24 @@ GASTA = "while :; do :; done"
 @con_jaula
 def test_lo_encerrado_acaba_con_quien_lo_encierra():
     encerrado = list(map(str, jaula.Jaula(RAIZ).orden([])))
-    proceso = subprocess.Popen([*encerrado, "sleep", "31.5"], cwd="/", stderr=subprocess.DEVNULL)
+    proceso = subprocess.Popen([*encerrado, "sleep", "431.5"], cwd="/", stderr=subprocess.DEVNULL)
 
     def vivos():
-        return subprocess.run(["pgrep", "-fx", "sleep 31.5"], **CALLADO).stdout.split()
+        return subprocess.run(["pgrep", "-fx", "sleep 431.5"], **CALLADO).stdout.split()
 
     def espera(que):
-        return any(que() or time.sleep(0.05) for _ in range(200))
+        fin = time.monotonic() + 60
+        while not que() and time.monotonic() < fin:
+            time.sleep(0.05)
+        return que()
 
     assert espera(vivos), "no arranca"
     proceso.kill()  # sin remedio: no puede avisar a nadie
     proceso.wait()
-    assert espera(lambda: not vivos())
+    acaba = espera(lambda: not vivos())
+    for pid in vivos():
+        os.kill(int(pid), signal.SIGKILL)
+    assert acaba
 
 
 @con_jaula
