@@ -16,7 +16,7 @@ from base.fuentes import SHADERS
 MUTANTE_H = Path("herramientas/base/mutante.h")
 
 
-@dataclass
+@dataclass(eq=False)
 class Mutante:
     lista: str
     linea: int

@@ -4,7 +4,8 @@
 #include <glm/glm.hpp>
 #include <type_traits>
 
-template <class T> std::enable_if_t<std::is_arithmetic_v<T>, T> otroFactor(T x) {
+template<class T>
+std::enable_if_t<std::is_arithmetic_v<T>, T> otroFactor(T x) {
     if constexpr (std::is_same_v<T, bool>)
         return !x;
     else if constexpr (std::is_integral_v<T>)
@@ -13,18 +14,20 @@ template <class T> std::enable_if_t<std::is_arithmetic_v<T>, T> otroFactor(T x) 
         return x == 0 ? T(0.25) : T(1.25) * x;
 }
 
-template <glm::length_t n, class T> glm::vec<n, T> otroFactor(glm::vec<n, T> v) {
+template<glm::length_t n, class T>
+glm::vec<n, T> otroFactor(glm::vec<n, T> v) {
     return v == glm::vec<n, T>(0) ? glm::vec<n, T>(T(0.25)) : T(1.25) * v;
 }
 
 /// Solo la primera columna: toda la matriz, con la w, da el mismo punto.
-template <glm::length_t c, glm::length_t f, class T> glm::mat<c, f, T> otroFactor(glm::mat<c, f, T> M) {
+template<glm::length_t c, glm::length_t f, class T>
+glm::mat<c, f, T> otroFactor(glm::mat<c, f, T> M) {
     M[0] *= T(1.25);
     return M;
 }
 
 /// Solo de matrices: lo demás da lo mismo en un orden que en otro.
-template <class A, class B, class = typename A::col_type, class = typename B::col_type>
+template<class A, class B, class = typename A::col_type, class = typename B::col_type>
 auto alReves(const A &a, const B &b) {
     return b * a;
 }

@@ -132,6 +132,8 @@ class Trozo:
             if p in ("*", "-", "/") and self.es_binario(i) and (p != "*" or lengua.producto):
                 antes, hasta = (self.primario_antes, self.primario) if p != "-" else (self.termino_antes, self.termino)
                 una, otra = (antes(i - 1), i - 1), (i + 1, hasta(i + 1))
+                if p == "-" and self[una[0] - 1] in ("-", "+"):  # −a − b es −b − a
+                    continue
                 producto = lengua.producto.format(self.de(*una), self.de(*otra))
                 yield "operandos", self.con((una[0], otra[1], producto)) if p == "*" else self.cambiados(una, otra)
             if p == "?" and (otra := next((j for j in range(i, len(self.palabras)) if self[j] == ":"), 0)):
@@ -139,7 +141,12 @@ class Trozo:
                 while fin < len(self.palabras) and self[fin] not in (",", ")", "}", ";"):
                     fin = self.pareja.get(fin, fin) + 1 if self[fin] in CIERRA else fin + 1
                 yield "las dos ramas", self.cambiados((i + 1, otra - 1), (otra + 1, fin - 1))
-            if p in "([{" and i in self.pareja and self[i - 1] not in ("]", *CONMUTAN):
+            if (
+                p in "([{"
+                and i in self.pareja
+                and self[i - 1] not in ("]", *CONMUTAN)
+                and (p != "{" or self[i - 2] not in CONMUTAN)
+            ):
                 partes = self.partes(i, self.pareja[i])
                 for una, otra in zip(partes, partes[1:]):
                     yield "argumentos", self.cambiados(una, otra)
@@ -214,6 +221,6 @@ def perturbaciones(texto, desde, hasta, glsl):
         if instruccion:
             apunta("sin ella", (de, a, ";"))
             if anterior and not texto[anterior[1] : de].strip():
-                apunta("orden", (*anterior, ";"), (de, a, f"{original} {texto[slice(*anterior)]}"))
-        anterior = (de, a) if instruccion else None
+                apunta("orden", (*anterior[:2], ";"), (de, a, f"{original} {anterior[2]}"))
+        anterior = (de, a, original) if instruccion else None
     return hechas

@@ -192,7 +192,7 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
         banco = SimpleNamespace(todos=casos + otros, arbitro=arbitro, compilador=SimpleNamespace(solucion="solución"))
         correccion = veredicto.Correccion(banco, {})
         correccion.jugador, correccion.muestra, correccion.explica = "entrega", lambda fallan: [], lambda *_: []
-        return correccion.compara()["nota"]
+        return correccion.compara(None)["nota"]
 
     assert nota(lambda g: partida(1)) == 100 and nota(lambda g: partida(2)) == 0
     assert nota(lambda g: partida(7)) == 50 and nota(lambda g: partida(1, titulos=())) == 95  # por poco; en todos

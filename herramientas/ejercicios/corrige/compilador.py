@@ -116,6 +116,23 @@ class Compilador:
             errores.append(Rechazo(primer_error(hecho, suya, ficheros), todo))
         raise errores[0]
 
+    def avisos(self, ficheros, carpeta):
+        """De lo que avisa el compilador en los ficheros de una entrega ya compilada en esa carpeta."""
+        arbol = carpeta / "fuentes"
+        suya = arbol / SUYA
+        sitios = list(dict.fromkeys([suya, *((suya / nombre).parent for nombre in ficheros)]))
+        orden = self.orden(arbol, sitios, [suya / f for f in se_compilan(ficheros)])
+        orden = ["-fsyntax-only" if p == "-w" else p for p in orden] + ["-Wall", "-Wextra"]
+        errores = desempaqueta(self.recinto.ajeno(orden, COMPILA, [carpeta, *self.ve])).get("errores", b"")
+        # lo que sobra, al final
+        hay = re.findall(r"^(.+?):(\d+):\d+: warning: (.*?)(?: \[-W.*)?$", errores.decode(errors="replace"), re.M)
+        lugares = {str(suya / f): f for f in ficheros}
+        return [
+            f"{lugares[f]}:{linea}: {dice}"
+            for f, linea, dice in sorted(dict.fromkeys(hay), key=lambda a: "unused" in a[2])
+            if f in lugares
+        ]
+
     def orden(self, arbol, sitios, fuentes):
         """Con qué palabras se compilan y se enlazan esos fuentes."""
         raiz = re.compile(re.escape(str(self.raiz)) + r"(?=$|/(?!build))")  # la de los fuentes, no la de BUILD

@@ -176,7 +176,8 @@ def como_acaba(p, guion):
     if p.estado == -1:
         return "no ha dejado nada: ha llenado su disco o ha acabado con quien lo ejecutaba"
     if p.estado > 128:
-        return f"se cae{donde}: {SENALES.get(p.estado, f'señal {p.estado - 128}')}"
+        que = next((linea.strip() for linea in p.errores.splitlines() if "what():" in linea), "")
+        return f"se cae{donde}: {SENALES.get(p.estado, f'señal {p.estado - 128}')}{'; ' if que else ''}{que}"
     if p.estado:
         return f"acaba con un error{donde}: {dice or f'estado {p.estado}'}"
     return f"acaba por su cuenta{donde}" if len(p.imagenes) <= len(guion.ordenes) else ""

@@ -10,7 +10,7 @@ from base.guiones import acorta, sin_veces
 from base.procesos import en_png
 from ejercicios.corrige.arbitro import BIEN, CASI, aparte
 from ejercicios.corrige.entrega import Rechazo
-from ejercicios.corrige.motivos import como_acaba, no_responden
+from ejercicios.corrige.motivos import SENALES, como_acaba, no_responden
 from ejercicios.corrige.partidas import Guion, Partida, lee_ppm
 
 MUESTRA = 3  # guiones que fallan, con sus imágenes
@@ -80,9 +80,9 @@ class Correccion:
                 )
             except Rechazo as rechazo:
                 return {"nota": 0, "dice": [str(rechazo)], "fallos": []}
-            return self.compara()
+            return self.compara(Path(carpeta))
 
-    def compara(self):
+    def compara(self, carpeta):
         todos, solucion = self.banco.todos, self.banco.compilador.solucion
         self.esperadas = {g: self.arbitro.juega(solucion, g) for g in todos}
         self.partidas = {}
@@ -101,6 +101,10 @@ class Correccion:
         muestra = self.muestra(fallan)
         acaban = list(dict.fromkeys(filter(None, (como_acaba(p, g) for g, p in self.partidas.items()))))
         dice = acaban[:3]
+        if any(p.estado in SENALES for p in self.partidas.values()):  # casi siempre lo sabía el compilador
+            dice += [
+                f"el compilador avisa: {a}" for a in self.banco.compilador.avisos(self.entrega.ficheros, carpeta)[:2]
+            ]
         if self.gastado > TOPE and len(self.partidas) < len(todos):
             jugados = f"{len(self.partidas)} de los {len(todos)} guiones"
             dice.append(f"es muy lento: a los {TOPE // 60} minutos se ha dejado, con {jugados} jugados")
