@@ -229,7 +229,7 @@ def test_una_entrega_lenta_se_deja(monkeypatch):
     banco = SimpleNamespace(todos=todos, arbitro=arbitro, compilador=SimpleNamespace(solucion="solución"))
     lenta = veredicto.Correccion(banco, None)
     lenta.jugador = "entrega"
-    hecho = lenta.compara()
+    hecho = lenta.compara(None)
     assert hecho["nota"] == 25 and hecho["dice"] == [
         "es muy lento: a los 5 minutos se ha dejado, con 5 de los 20 guiones jugados"
     ]
@@ -295,7 +295,7 @@ REVUELTA = r"""
 ana                           p.cpp, p.h → p.cpp p.h
 solo la cabecera              p.h → no viene p.cpp: se ha puesto el de partida; p.cpp p.h
 solo el programa              mi.cc → no viene p.h: se ha puesto el de partida; mi.cc p.h
-con mayúsculas                MI.CPP, P.H → MI.CPP P.H p.h
+con mayúsculas                MI.CPP, P.H=viejo → MI.CPP P.H p.h
 navegador                     mi_p (1).cpp, p (2).h, p(1).h=viejo → mi_p.cpp p(1).h p.h
 sin repetir                   p.h, p (1).h, p.cpp → p (1).h p.cpp p.h
 espacios y tildes             mi grúa.cpp, p.h → mi grúa.cpp p.h
@@ -396,6 +396,9 @@ def test_una_clase_revuelta(tmp_path, juzga):
     _, dentro, sueltos = entrega.busca(tmp_path, clase_, destino)
     assert {c.name for c in dentro} ^ debe.keys() == set() and sueltos == ["plantilla.cpp"]
     hechas, fallos = de_clase.clase(banco_falso(tmp_path), dentro, destino, 2)
+    leida = entrega.lee_entrega(clase_ / "con mayúsculas")
+    leida.completa({"p.h": "de partida"}, "p.cpp")
+    assert leida.ficheros["p.h"] == b"viejo"
     assert not fallos and len(list(destino.glob("*.json"))) == len(debe) >= 45
     dicho = {c.name: "; ".join(informes.lineas(hecha)) for c, hecha in zip(dentro, hechas)}
     assert dicho == debe
