@@ -229,7 +229,7 @@ def test_una_entrega_lenta_se_deja(monkeypatch):
     banco = SimpleNamespace(todos=todos, arbitro=arbitro, compilador=SimpleNamespace(solucion="solución"))
     lenta = veredicto.Correccion(banco, None)
     lenta.jugador = "entrega"
-    hecho = lenta.compara()
+    hecho = lenta.compara(None)
     assert hecho["nota"] == 25 and hecho["dice"] == [
         "es muy lento: a los 5 minutos se ha dejado, con 5 de los 20 guiones jugados"
     ]
@@ -295,7 +295,7 @@ REVUELTA = r"""
 ana                           p.cpp, p.h → p.cpp p.h
 solo la cabecera              p.h → no viene p.cpp: se ha puesto el de partida; p.cpp p.h
 solo el programa              mi.cc → no viene p.h: se ha puesto el de partida; mi.cc p.h
-con mayúsculas                MI.CPP, P.H → MI.CPP P.H p.h
+con mayúsculas                MI.CPP, P.H=viejo → MI.CPP P.H p.h
 navegador                     mi_p (1).cpp, p (2).h, p(1).h=viejo → mi_p.cpp p(1).h p.h
 sin repetir                   p.h, p (1).h, p.cpp → p (1).h p.cpp p.h
 espacios y tildes             mi grúa.cpp, p.h → mi grúa.cpp p.h
@@ -396,6 +396,9 @@ def test_una_clase_revuelta(tmp_path, juzga):
     _, dentro, sueltos = entrega.busca(tmp_path, clase_, destino)
     assert {c.name for c in dentro} ^ debe.keys() == set() and sueltos == ["plantilla.cpp"]
     hechas, fallos = de_clase.clase(banco_falso(tmp_path), dentro, destino, 2)
+    leida = entrega.lee_entrega(clase_ / "con mayúsculas")
+    leida.completa({"p.h": "de partida"}, "p.cpp")
+    assert leida.ficheros["p.h"] == b"viejo"
     assert not fallos and len(list(destino.glob("*.json"))) == len(debe) >= 45
     dicho = {c.name: "; ".join(informes.lineas(hecha)) for c, hecha in zip(dentro, hechas)}
     assert dicho == debe
@@ -733,18 +736,24 @@ GASTA = "while :; do :; done"
 @con_jaula
 def test_lo_encerrado_acaba_con_quien_lo_encierra():
     encerrado = list(map(str, jaula.Jaula(RAIZ).orden([])))
-    proceso = subprocess.Popen([*encerrado, "sleep", "31.5"], cwd="/", stderr=subprocess.DEVNULL)
+    proceso = subprocess.Popen([*encerrado, "sleep", "431.5"], cwd="/", stderr=subprocess.DEVNULL)
 
     def vivos():
-        return subprocess.run(["pgrep", "-fx", "sleep 31.5"], **CALLADO).stdout.split()
+        return subprocess.run(["pgrep", "-fx", "sleep 431.5"], **CALLADO).stdout.split()
 
     def espera(que):
-        return any(que() or time.sleep(0.05) for _ in range(200))
+        fin = time.monotonic() + 60
+        while not que() and time.monotonic() < fin:
+            time.sleep(0.05)
+        return que()
 
     assert espera(vivos), "no arranca"
     proceso.kill()  # sin remedio: no puede avisar a nadie
     proceso.wait()
-    assert espera(lambda: not vivos())
+    acaba = espera(lambda: not vivos())
+    for pid in vivos():
+        os.kill(int(pid), signal.SIGKILL)
+    assert acaba
 
 
 @con_jaula
@@ -888,7 +897,7 @@ def comprueba_pagina(pagina, todas):
         al_reves,
         re.S,
     )
-    sin_rotulos = {**os.environ, **procesos.entorno(), "LAB_SIN_ENCIMA": "1"}
+    sin_rotulos = {**os.environ, **procesos.entorno(), "LAB_SIN_ENCIMA": "rotulo"}
     for tecla, imagen in ((hallado[1], 3), ({"a": "d", "d": "a"}[hallado[1]], 2)):  # al revés, la otra tecla
         solucion = [BUILD / "osmesa/ch03_transformaciones/grua", "-geometry", "240x180", "-guion", f"tecla {tecla} ×7"]
         pinta = subprocess.run([*solucion, "-ppm", "/dev/stdout"], env=sin_rotulos, capture_output=True).stdout
