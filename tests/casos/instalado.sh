@@ -23,10 +23,11 @@ for casos in "$build"/casos/*.sh; do # una línea por programa: capítulo, progr
   printf '%s\t%s\t%s\t%s\n' "$capitulo" "$programa" "$fichero" "$(tr '\n' ';' <<<"$guion")"
 done >"$carpeta/lista"
 
-export MESA_SHADER_CACHE_DISABLE=true # la de las pruebas está en el build
 unset LAB_LEIDOS
+mkdir -p "$build/cache_shaders" # lo único del build que se ve: ahorra compilarlos
 # shellcheck disable=SC2016
-bwrap --ro-bind / / --dev /dev --proc /proc --bind "$carpeta" "$carpeta" --tmpfs "$raiz" --tmpfs "$build" --chdir "$carpeta" \
+bwrap --ro-bind / / --dev /dev --proc /proc --bind "$carpeta" "$carpeta" --tmpfs "$raiz" --tmpfs "$build" \
+  --bind "$build/cache_shaders" "$build/cache_shaders" --chdir "$carpeta" \
   bash -c 'while IFS=$'"'\\t'"' read -r capitulo programa fichero guion; do
     "instalado/$capitulo/$programa" -geometry 240x180 -ppm "imagenes/$fichero.ppm" -guion "$guion" >/dev/null </dev/null || echo "$programa: estado $?"
   done <lista' 2>&1 | tee "$carpeta/mal"
