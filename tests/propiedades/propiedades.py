@@ -144,6 +144,7 @@ EXCEPCIONES = {
         (nombre, "cerca", "plano"): "un punto que se lleva hacia la cámara llega más cerca que la superficie"
         for nombre in "superficie_hermite superficie_bezier".split()
     },
+    ("morphing", "tocado", ".*tecla v.*"): "en la comparación no hay puntos que arrastrar",
     ("temporizador", "lento", "hora"): "cuenta los disparos, y en uno lento son menos: es lo que enseña",
     ("superficie_bezier", "vivos", "vivos"): "con m y con f la superficie tapa la red, pero los puntos se mueven",
 }
