@@ -92,7 +92,7 @@ class Sumas:
             return self.carpetas(".")
         guiones = [Path(a) for a in orden if a.endswith(".py")]
         if guiones:
-            guiones += (self.raiz / "herramientas").rglob("*.py")
+            guiones += [*(self.raiz / "herramientas").rglob("*.py"), *guiones[0].parent.glob("*.py")]
         suyos = [ejecutable, *guiones, *self.leidos(ejecutable.name if ejecutable.name.endswith("_test") else nombre)]
         for a in argumentos:
             capitulo = self.programas[a].capitulo.nombre

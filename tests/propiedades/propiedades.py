@@ -120,6 +120,32 @@ EXCEPCIONES = {
     ("morphing", "pausa", "título"): "así empieza: lo que se ve es que t no cambia",
     ("continuidad", "pausa", "título"): "así empieza: lo que se ve es que u no cambia",
     ("superficie_bezier", "tallas", "tecla [mf], tecla [-+]"): "cambian una cosa distinta en cada modo",
+    ("shader_basico", "franja", ""): "el listado del libro no mira la forma de la ventana",
+    ("figura_color", "franja", ""): "el cuadrado ocupa lo que puede",
+    ("bump", "franja", "|tecla b"): "la ampliación va en una esquina de la ventana",
+    ("zbuffer", "franja", "tecla c"): "la imagen hecha en la CPU se estira hasta llenar la ventana",
+    ("profundidad", "franja", "tecla [23]"): "lo que se ve es el error de la profundidad, que cambia con el píxel",
+    ("sombras", "franja", "tecla [opws]"): "sin desplazamiento ni plantilla, los planos que coinciden se mezclan",
+    ("sombreado", "franja", "|tecla [123]"): "en una ventana alta se reparten de otra manera",
+    ("ruido_vertices", "franja", "|tecla [12]"): "en una ventana alta se ve de más cerca",
+    ("repeticion", "franja", "|tecla [1234]"): "el dibujo llena la ventana",
+    ("espejo_plantilla", "franja", "|tecla p"): "en una ventana ancha se ve de más cerca",
+    ("captura", "franja", "tecla [gadqews]"): "lo guardado es de cuando se guardó",
+    ("ampliacion", "franja", "|tecla [-+fr]"): "amplía los píxeles de la ventana",
+    **{
+        (nombre, "franja", "tecla r"): "una foto ocupa lo que puede: su forma no es 4:3"
+        for nombre in "efectos remolino mezcla diferencia convolucion convolucion_variable volteo".split()
+    },
+    **{
+        (nombre, "foto", "foto"): "pega la foto en algo, que no está entero o tiene otra forma"
+        for nombre in "textura_objeto repeticion filtrado coordenadas".split()
+    },
+    **{
+        (nombre, "cerca", "plano"): "un punto que se lleva hacia la cámara llega más cerca que la superficie"
+        for nombre in "superficie_hermite superficie_bezier".split()
+    },
+    ("morphing", "tocado", ".*tecla v.*"): "en la comparación no hay puntos que arrastrar",
+    ("temporizador", "lento", "hora"): "cuenta los disparos, y en uno lento son menos: es lo que enseña",
     ("superficie_bezier", "vivos", "vivos"): "con m y con f la superficie tapa la red, pero los puntos se mueven",
 }
 

@@ -163,8 +163,11 @@ def tocado(p):
             x, y = int(x), int(alto - y)
             hasta = (x, y) if clic else (x + (6 if x < ancho / 2 else -6), y + (5 if y < alto / 2 else -5))
             adonde.append((hasta[0] + 0.5, alto - hasta[1] - 0.5))
-            guion += [f"boton IZQUIERDO abajo {x} {y}", "arrastra {} {}".format(*hasta), "captura"]
-            guion += [f"arrastra {x} {y}", f"boton IZQUIERDO arriba {x} {y}", "captura"]
+            pulsa, suelta = (f"boton IZQUIERDO {que} {x} {y}" for que in ("abajo", "arriba"))
+            if clic:
+                guion += [pulsa, suelta, "captura", "captura"]
+            else:
+                guion += [pulsa, "arrastra {} {}".format(*hasta), "captura", f"arrastra {x} {y}", suelta, "captura"]
         vistas = p.vistas(guion, talla=talla, LAB_SIN_ENCIMA="1")
         lejos = [sigue(vistas[2 * i], vistas[2 * i + 1], *q) for i, q in enumerate(adonde)]
         hay = [d for d in lejos if d is not None]
