@@ -74,7 +74,7 @@ class Lab:
             "casos": [caso("a"), caso("b"), caso("a", "dos", **dos)],
         }
         self.cataloga()
-        fuera = "DISPLAY", "WAYLAND_DISPLAY", "DORA"
+        fuera = "DISPLAY", "WAYLAND_DISPLAY", "DORA", "PYTHONUNBUFFERED"
         self.entorno = {c: v for c, v in os.environ.items() if not c.startswith("LAB_") and c not in fuera}
         self.entorno |= {"PATH": f"{sitio}/bin:{os.environ['PATH']}", "APUNTES": str(sitio), "LAB_SIN_INSTALAR": "1"}
         self.entorno |= {"TMPDIR": str(self.temporal), "PYTHONDONTWRITEBYTECODE": "1"}
