@@ -154,8 +154,11 @@ def principal(main):
                 wait([trabajo], 0.1)
         resultado = trabajo.result()
         si_hay_senal()
+        if sys.stdout:
+            sys.stdout.flush()
         sys.exit(resultado)
     except Fallo as fallo:
         sys.exit(f"lab: {fallo}")
     except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # si era la salida, que al acabar no se intente otra vez
         sys.exit(f"lab: {error.filename or 'no puedo escribir'}: {motivo(error)}")

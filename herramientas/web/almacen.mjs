@@ -2,10 +2,13 @@
 import { json } from './datos.mjs';
 import { esShader } from './fuentes.mjs';
 
-/// En sessionStorage, mientras no se cierra la pestaña, o en localStorage; puede no permitirlo.
+/// En sessionStorage, mientras no se cierra la pestaña, o en localStorage. Con un texto, lo guarda y dice si ha podido:
+/// puede estar lleno, o no permitirlo el navegador.
 export function recuerdo(almacen, clave, texto) {
   try {
-    return texto === undefined ? window[almacen].getItem(clave) : window[almacen].setItem(clave, texto);
+    if (texto === undefined) return globalThis[almacen].getItem(clave);
+    globalThis[almacen].setItem(clave, texto);
+    return true;
   } catch {
     return null;
   }
@@ -29,9 +32,14 @@ export const solucion = async ruta => (await json(esShader(ruta) ? 'shaders' : '
 
 /// Los shaders que se tocan: los de la pestaña o, en un ejercicio, los suyos, que parten de su esqueleto.
 export class Taller {
+  guardado = true; // lo último que se ha apuntado
+
   constructor(almacen, clave, codigo) {
-    Object.assign(this, { almacen, clave, codigo, cambios: new Map(leeCambios(recuerdo(almacen, clave))) });
+    Object.assign(this, { almacen, clave, codigo });
+    this.relee();
   }
+
+  relee() { this.cambios = new Map(leeCambios(recuerdo(this.almacen, this.clave))); }
 
   async esqueleto() { return this.codigo ? (await json('esqueletos'))[this.codigo] : {}; }
   async textos() { return { ...await this.esqueleto(), ...Object.fromEntries(this.cambios) }; }
@@ -40,6 +48,6 @@ export class Taller {
   apunta(ruta, texto, original) {
     if (texto === original) this.cambios.delete(ruta);
     else this.cambios.set(ruta, texto);
-    recuerdo(this.almacen, this.clave, JSON.stringify([...this.cambios]));
+    this.guardado = Boolean(recuerdo(this.almacen, this.clave, JSON.stringify([...this.cambios])));
   }
 }

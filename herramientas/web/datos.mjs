@@ -29,7 +29,7 @@ export const bytes = recuerda(async nombre => {
   await pide(nombre);
   const base64 = llegados[nombre];
   delete llegados[nombre];
-  return descomprime(base64);
+  return descomprime(base64).catch(() => { throw new Error(`datos/${nombre}.js está estropeado`); });
 });
 
 const enTexto = async nombre => new TextDecoder().decode(await bytes(nombre));

@@ -112,6 +112,7 @@ export class Editor {
     estado.replaceChildren(this.#viendo ? 'Así está en el programa. Lo que has escrito sigue guardado.'
       : mal ? (mal.ruta ? `${mal.ruta}, línea ${mal.linea}: ${mal.mensaje}` : mal.mensaje)
       : !esShader(this.abierto) ? 'Solo para leer: lo que se puede cambiar aquí son los shaders.'
+      : cambiado && !this.#taller.guardado ? 'Cambiado, y este navegador no lo puede guardar: al cerrar se pierde.'
       : cambiado ? 'Cambiado.' : 'Se aplica según se escribe.');
     if (this.#viendo || !cambiado) return;
     estado.append(boton(this.#ejercicio ? 'Borrar lo escrito' : 'Volver al original', () => this.#vuelve()));

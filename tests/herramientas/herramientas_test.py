@@ -2,6 +2,7 @@
 import itertools
 import json
 import math
+import os
 import random
 import re
 import signal
@@ -14,17 +15,31 @@ from types import SimpleNamespace
 import pytest
 
 RAIZ = Path(__file__).parents[2]
+BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
 sys.path[:0] = [str(RAIZ / carpeta) for carpeta in ("herramientas", "tests/propiedades", "tests/ordenes")]
 from base import catalogo, controles, defectos, evidencia, fuentes, libro, marcas, paginas, procesos
 from ejercicios import nuevo
 from ejercicios.corrige import entrega
+from galeria import dibuja
 from informe import cocientes, costes, grafica, informe, tecnicas
 from pruebas import cambios, googletest, muta
 from web.pagina import ProgramaVivo
+from windows import paquete
 import colores
 from mentira import caso, ejecutable, faltan, programa, siembra
 
 FUENTES = [f for f in RAIZ.glob("c*/*.*") if f.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl")]
+
+
+def test_el_zip_de_windows_tiene_lo_que_leen_los_programas():
+    """Lo que nombran sus fuentes."""
+    nombre = r'"((?:assets|common|ch\d\d_\w+)/[\w.]+\.(?:vert|frag|glsl|vf|txt|rgb|r8))"'
+    nombrados = {f for fuente in FUENTES for f in re.findall(nombre, fuente.read_text())}
+    hecho = paquete.Paquete(RAIZ, BUILD, BUILD)
+    with hecho.zip:
+        hecho.mete_datos()
+    hay = {f.removeprefix("laboratorio/") for f in hecho.zip.namelist()}
+    assert len(nombrados) > 90 and not {f for f in nombrados - hay if (RAIZ / f).exists() or (BUILD / f).exists()}
 
 
 # --- procesos ---------------------------------------------------------------------------------------------------
@@ -47,9 +62,13 @@ def test_ejecuta_dice_por_que_falla():
         procesos.ejecuta(["noesta"])
 
 
-def test_lo_que_no_acaba_a_tiempo_no_deja_nietos(tmp_path):
-    with pytest.raises(procesos.Fallo):
-        procesos.ejecuta(["sh", "-c", f"sleep 20 & echo $! >{tmp_path}/nieto; wait"], timeout=0.3)
+@pytest.mark.parametrize("quien", [procesos.ejecuta, dibuja.ejecuta])
+@pytest.mark.parametrize("no_quiere", ["", "trap '' TERM;"])
+def test_lo_que_no_acaba_a_tiempo_no_deja_nietos(tmp_path, monkeypatch, quien, no_quiere):
+    monkeypatch.setattr(dibuja, "SEGUNDOS", 0.5)
+    limite = {} if quien == dibuja.ejecuta else {"timeout": 0.5}
+    with pytest.raises(procesos.Fallo, match="no ha acabado en 0.5 segundos"):
+        quien(["sh", "-c", f"{no_quiere} sleep 20 & echo $! >{tmp_path}/nieto; wait; sleep 20"], **limite)
     for _ in range(100):
         if not Path(f"/proc/{(tmp_path / 'nieto').read_text().strip()}/cmdline").exists():
             return
@@ -583,6 +602,11 @@ def test_un_defecto_plantado():
             defectos.cambia(f"{antes}a();", [mutante("a();", ";")])
 
 
+def test_cada_defecto_con_su_numero():
+    plantados = muta.lee_listas(RAIZ)[0]
+    assert len(plantados) > 1000 and len({m.numero for m in plantados}) == len(plantados)
+
+
 def test_las_cuentas_de_los_defectos():
     todos = [mutante("a", "b", n) for n in range(4)]
     todos[0].notado = todos[1].notado = todos[3].notado = "P"
@@ -689,7 +713,9 @@ def test_una_carpeta_se_hace_entera_y_no_se_toca(arbol):
     with pytest.raises(nuevo.Fallo, match="ya existe .*mi_a, y no se toca: .*./lab nuevo E1.2 NOMBRE"):
         nuevo.crea(raiz, programas, mios, "E1.2", "mi_a")
     assert (mios / "mi_a/mi_a.cpp").read_text() == "mío"
+    siembra(mios / ".a.parcial", {"de otra vez": ""})
     assert nuevo.crea(raiz, programas, mios, "a") == ("", mios / "a")
+    assert not (mios / "a/de otra vez").exists()
     assert entrega.ejercicio_de(mios / "a", programas) == ("", programas[0])
     assert not (mios / "a/ENUNCIADO.md").exists()
     for nombre in ("Mi_a", "../a", "a b", "ñ", "a.b", "-a"):

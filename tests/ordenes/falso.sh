@@ -2,6 +2,7 @@
 # cmake, ninja, ctest, apt-get… y los programas, de mentira, según cómo se le llame: apunta con qué argumentos y, en la etapa $PARA, no
 # acaba, ni un hijo suyo, o en la etapa $FALLA falla.
 set -euo pipefail
+ulimit -Sf unlimited # un disco lleno es cosa de ./lab
 quien=${0##*/}
 printf '%s\0' "$quien" "$@" $'\n' >>"$APUNTES/llamadas"
 
@@ -78,8 +79,10 @@ gnuplot) printf '<svg>' && cat ;;
 id) echo "${FALSO_ID:-0}" ;;
 dpkg-query) printf '%s installed\n' g++ cmake ;;
 apt-get)
+  etapa red
   [[ " $* " != *' source '* ]] || { etapa fuentes && mkdir freeglut-3 glew-2 && echo licencia | tee freeglut-3/COPYING >glew-2/LICENSE.txt; }
-  [ "$1" != indextargets ] || echo "$APUNTES/debian.sources:1"
+  [ "$1" != indextargets ] || echo "$APUNTES/${LISTA:-debian.sources}:1"
+  for opcion; do [[ $opcion != Dir::Etc::SourceList=* ]] || cp "${opcion#*=}" "$APUNTES/usada"; done
   ;;
 apt-cache) echo 'libglew-dev | 2 | http://archivo bookworm/main amd64 Packages' ;;
 x86_64-w64-mingw32-g++-posix) echo "/${1#-print-file-name=}" ;;
@@ -98,7 +101,7 @@ ch01_test) if [ "$1" = --gtest_list_tests ]; then printf 'G.\n  Uno # x\n'; else
   if [[ "$*" = *-rasgos* ]]; then etapa rasgos; else etapa programa; fi
   [ -z "${DISPLAY:-}" ] || { echo "${ESCRIBE:-}" >&2; exit "${ESTADO:-0}"; }
   [[ "$*" != *-rasgos* ]] || { printf 'ocio\n'; exit; }
-  echo "salida de $quien${LAB_RAIZ:+ con $LAB_RAIZ}"
+  echo "salida de $quien${LAB_RAIZ:+ con $LAB_RAIZ}" 2>/dev/null || { echo "$quien: no puedo escribir en la salida" >&2; exit 1; }
   [[ "$*" != *-titulos* ]] || echo "título: la ventana de $quien"
   [[ "$*" != *-diario* ]] || printf '%s\n' $'diario\t' 'otra orden' $'diario\t' 'tras la orden' $'diario\t'
   [ "$quien" != a ] || [ -z "${LAB_LEIDOS:-}" ] || printf '%s\n' ch01_uno/a.vert assets/t.rgb >>"$LAB_LEIDOS"

@@ -4,8 +4,8 @@ import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { leeCambios, leeResueltos } from '../../herramientas/web/almacen.mjs';
-import { descomprime, recuerda } from '../../herramientas/web/datos.mjs';
+import { leeCambios, leeResueltos, recuerdo, Taller } from '../../herramientas/web/almacen.mjs';
+import { bytes, descomprime, recuerda } from '../../herramientas/web/datos.mjs';
 import { hazEnlace, leeEnlace, programaDe } from '../../herramientas/web/enlaces.mjs';
 import { delEjercicio, leeError, ordenaFuentes } from '../../herramientas/web/fuentes.mjs';
 import { BOTONES, Gestos } from '../../herramientas/web/gestos.mjs';
@@ -28,6 +28,31 @@ const azar = n => { // siempre los mismos
   semilla = (semilla * 48271) % 2147483647;
   return semilla % n;
 };
+
+test('lo que no se puede guardar se sabe', () => {
+  const hay = new Map(), caben = n => ({
+    getItem: clave => hay.get(clave) ?? null,
+    setItem: (clave, texto) => { if (texto.length > n) throw new Error('QuotaExceededError'); hay.set(clave, texto); },
+  });
+  globalThis.localStorage = caben(100);
+  const taller = new Taller('localStorage', 'k'), otra = new Taller('localStorage', 'k');
+  taller.apunta('a.frag', 'uno', 'original');
+  otra.relee();
+  assert.deepEqual([taller.guardado, otra.cambios.get('a.frag')], [true, 'uno']);
+  taller.apunta('a.frag', 'x'.repeat(200), 'original');
+  assert.deepEqual([taller.guardado, new Taller('localStorage', 'k').cambios.get('a.frag')], [false, 'uno']);
+  delete globalThis.localStorage;
+  assert.deepEqual([recuerdo('localStorage', 'k'), recuerdo('localStorage', 'k', 'x')], [null, null]);
+});
+
+test('de lo que llega estropeado se dice el nombre', async () => {
+  globalThis.document = { createElement: () => ({ append() {} }), head: { append: s => {
+    globalThis.llega('wasm', Buffer.from('no es deflate').toString('base64'));
+    s.onload();
+  } } };
+  await assert.rejects(bytes('wasm'), /^Error: datos\/wasm\.js está estropeado$/);
+  delete globalThis.document;
+});
 
 test('lo que falla se olvida, y lo demás se hace una vez', async () => {
   let veces = 0;

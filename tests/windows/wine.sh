@@ -30,10 +30,10 @@ ejecuta_en_wine() { # PROGRAMA [opciones]
 }
 
 # Como abre y sigue, de xdotool.sh: la ventana es la de su clase, y no una de Wine, en cuanto tiene el teclado.
+# shellcheck disable=SC2034 # deja $pid, $raton y $ventana
 abre_en_wine() { # PROGRAMA [opciones]
   while "$build/tests/ventana" activa "$1.exe" >/dev/null; do sleep 0.05; done # la de otra vez, que aún no se ha ido
   ejecuta_en_wine "$@" </dev/null &
-  # shellcheck disable=SC2034 # son para quien llama
   pid=$! raton=
   until ventana=$("$build/tests/ventana" activa "$1.exe"); do
     kill -0 "$pid" 2>/dev/null || return 1
