@@ -2,7 +2,7 @@
 // (ejercicios 1.1 y 1.2). Programa de consola: una línea «clave: valor» por dato; estado 1 si falta OpenGL 3.1.
 // Pide un contexto sin decir versión, para saber cuál es la mayor que da el sistema; si una variable de Mesa la cambia,
 // o no hay pantalla y FreeGLUT es imitado, lo dice.
-// Controles: ninguno; escribe y termina.
+// Controles: sin controles.
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 #include <cstdio>
@@ -72,10 +72,10 @@ int main(int argc, char **argv) {
     informa("FreeGLUT", std::to_string(glut / 10000) + "." + std::to_string(glut / 100 % 100) + "." +
                             std::to_string(glut % 100) + (hayPantalla ? "" : " (imitado: no hay pantalla)"));
     if (openGL >= 301) {
-        informa("Textura 2D máxima", std::to_string(limite(GL_MAX_TEXTURE_SIZE)) + " texels de lado");
-        informa("Textura 3D máxima", std::to_string(limite(GL_MAX_3D_TEXTURE_SIZE)) + " texels de lado");
+        informa("Textura 2D máxima", std::to_string(limite(GL_MAX_TEXTURE_SIZE)) + " texeles de lado");
+        informa("Textura 3D máxima", std::to_string(limite(GL_MAX_3D_TEXTURE_SIZE)) + " texeles de lado");
         informa("Mapa de cubo máximo",
-                std::to_string(limite(GL_MAX_CUBE_MAP_TEXTURE_SIZE)) + " texels de lado");
+                std::to_string(limite(GL_MAX_CUBE_MAP_TEXTURE_SIZE)) + " texeles de lado");
         informa("Unidades de textura", std::to_string(limite(GL_MAX_TEXTURE_IMAGE_UNITS)));
         informa("Unidades de textura en el vertex shader",
                 std::to_string(limite(GL_MAX_VERTEX_TEXTURE_IMAGE_UNITS)));

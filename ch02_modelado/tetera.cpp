@@ -35,7 +35,7 @@ static struct {
 } estado;
 
 static std::string texto(const char *separador) {
-    return formatea("hasta %.3g px de error%s%d triángulos", estado.error, separador,
+    return formatea("error ≤ %.3g px%s%d triángulos", estado.error, separador,
                     estado.tetera.nIndices / 3);
 }
 

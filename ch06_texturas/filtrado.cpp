@@ -1,7 +1,7 @@
 // Filtrado de la textura (§6.2.2) en un suelo que llega al horizonte: cerca, un texel ocupa muchos píxeles
-// (ampliación); lejos, un píxel abarca muchos texels (reducción). El libro confunde ahí píxeles y texels, y solo trata
+// (ampliación); lejos, un píxel, muchos texeles (reducción). El libro confunde ahí píxeles y texeles, y solo trata
 // GL_NEAREST y GL_LINEAR: cerca se distinguen, y lejos las dos parpadean; lo curan los mipmaps y, sin emborronar, el
-// filtro anisótropo (una extensión). La textura de omisión mide 32 × 32.
+// filtro anisótropo (una extensión). La textura que trae el programa mide 32 × 32.
 // Controles: 1 vecino · 2 lineal · 3 mipmap · 4 anisótropo · v los cuatro a la vez · ratón orbita · Esc termina.
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
@@ -16,7 +16,7 @@
 #include <cstdio>
 #include <glm/gtc/constants.hpp>
 
-// El suelo, y lo que abarca una vez la textura. Con uno mucho mayor, un píxel del horizonte abarcaría miles de texels
+// El suelo, y lo que abarca una vez la textura. Con uno mucho mayor, un píxel del horizonte abarcaría miles de texeles
 // aun en el último mipmap, y el filtro anisótropo de Mesa tarda lo que tarda en recorrerlos.
 static const float LARGO = 200, LADO_MOSAICO = 2;
 static const struct {

@@ -1,6 +1,6 @@
 // Dos cristales que se solapan (ecuación 7.2): con la mezcla de la ecuación 7.1 el color depende de cuál se dibuja
 // antes. O se ordenan de atrás adelante, o se suma al color acumulado: entonces el orden da igual, pero todo brilla
-// más. A la izquierda se manda dibujar antes el rojo, que está delante, y a la derecha el azul. Lo transparente no
+// más. A la izquierda se manda dibujar primero el rojo, que está delante, y a la derecha el azul. Lo transparente no
 // escribe su profundidad (§7.1): si la escribe, el cristal de delante no deja dibujar después el de detrás. De cada
 // lado se lee y se enseña el color de un píxel, el del centro del solape mientras no se gire la cámara.
 // Controles: 1 según llegan · 2 ordenados de atrás adelante · 3 aditivo · d máscara de profundidad · ratón orbita ·
@@ -89,7 +89,7 @@ static void dibujaVista(const Recuadro &r, bool rojoAntes) {
     rotula(MODOS[estado.elegido], {0.5f, 0.95f}, AMARILLO);
     if (estado.escribeProfundidad)
         rotula("con profundidad", {0.5f, 0.88f}, AMARILLO);
-    rotula(rojoAntes ? "antes el rojo" : "antes el azul", {0.5f, 0.06f}, BLANCO);
+    rotula(rojoAntes ? "primero el rojo" : "primero el azul", {0.5f, 0.06f}, BLANCO);
 }
 
 static void dibuja() {

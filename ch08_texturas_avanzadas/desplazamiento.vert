@@ -4,7 +4,7 @@ uniform mat4 M, camara, proyeccion;
 uniform mat3 N;            // transformación de la normal a coordenadas de la cámara
 uniform sampler2D alturas; // el mapa de desplazamiento
 uniform float amplitud;
-uniform float lado; // texels de un lado del mapa: uno por vértice
+uniform float lado; // texeles de un lado del mapa: uno por vértice
 
 in vec3 posicion, vNormal;
 in vec2 coordTextura;

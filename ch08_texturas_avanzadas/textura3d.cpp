@@ -1,6 +1,6 @@
 // Texturas 3D (§8.3, listado 8.4, figuras 8.3 y 8.4): una textura de ruido da un valor a cada punto del espacio, y de
 // él salen la madera y el mármol. El peón está tallado en el bloque: la veta sigue por dentro. El libro guarda 512³
-// texels de tres bytes, 402 MB; el ruido solo necesita un byte por texel y, como se repite sin costura, 64³ texels.
+// texeles de tres bytes, 402 MB; el ruido solo necesita un byte por texel y, como se repite sin costura, 64³ texeles.
 // Controles: 1 madera · 2 mármol · 3 el ruido · + - frecuencia S1 · a d amplitud S2 · ratón orbita · Esc termina.
 #include "textura3d.h"
 #include "ch05_iluminacion/iluminacion.h"
@@ -77,7 +77,7 @@ static void dibuja() {
 
     const std::string texto = formatea("%s, S1 = %g, S2 = %g", NOMBRES[estado.elegido], estado.S1, estado.S2);
     rotula(texto, {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
-    rotula("64·64·64 = 262 kB", {0.02f, 0.02f}, OSCURO, Lado::DERECHA);
+    rotula("64³ texeles de 1 byte", {0.02f, 0.02f}, OSCURO, Lado::DERECHA);
     ponTitulo("Textura 3D: " + texto);
     glutSwapBuffers();
 }

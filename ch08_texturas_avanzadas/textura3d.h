@@ -4,7 +4,7 @@
 #include "ruido.h"
 #include <vector>
 
-const int LADO_TEXTURA = 64, CELDAS = 4, OCTAVAS = 3; // la celda más pequeña mide cuatro texels
+const int LADO_TEXTURA = 64, CELDAS = 4, OCTAVAS = 3; // la celda más pequeña mide cuatro texeles
 
 /// LADO_TEXTURA³ bytes: la turbulencia, de 0 a 255, en el centro de cada texel. Su periodo es el de la textura, que con
 /// GL_REPEAT no tiene costura.

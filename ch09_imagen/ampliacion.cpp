@@ -1,6 +1,6 @@
 // Ampliar y reducir (§9.4): el vertex shader multiplica siempre el mismo rectángulo por el factor y por la proporción
-// que evita deformar la imagen. Con ×1 cabe justa en la ventana. Al ampliar se interpola entre texels o se toma el más
-// cercano; al reducir hacen falta mipmaps: sin ellos se saltan texels y sale otra imagen.
+// que evita deformar la imagen. Con ×1 cabe justa en la ventana. Al ampliar se interpola entre texeles o se toma el más
+// cercano; al reducir hacen falta mipmaps: sin ellos se saltan texeles y sale otra imagen.
 // Controles: + - factor · f filtro lineal o vecino · v sin la proporción y con ella · r rótulos · Esc termina.
 #include "imagen_en_ventana.h"
 #include "proporcion.h"

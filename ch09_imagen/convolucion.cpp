@@ -20,7 +20,7 @@ static const int BORDES = 2, GANANCIA_MAXIMA = 9;
 static const struct {
     const char *nombre;
     GLint repeticion;
-} FUERA[3] = {{"", GL_CLAMP_TO_EDGE}, {", fuera repetida", GL_REPEAT}, {", fuera cero", GL_CLAMP_TO_EDGE}};
+} FUERA[3] = {{"", GL_CLAMP_TO_EDGE}, {", repetida fuera", GL_REPEAT}, {", ceros fuera", GL_CLAMP_TO_EDGE}};
 static const int CERO = 2;
 
 static struct {

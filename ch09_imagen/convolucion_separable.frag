@@ -15,7 +15,7 @@ out vec4 colorFragmento;
 
 // Una pasada de un filtro separable: la ecuación 9.1 con un filtro de talla × 1 o de 1 × talla.
 void main() {
-    // E9.2: la suma, con filtro, de los `talla` texels que hay a lo largo de eje
+    // E9.2: la suma, con filtro, de los `talla` texeles que hay a lo largo de eje
     vec2 paso = eje / vec2(textureSize(imagen, 0));
     int centro = (talla - 1) / 2;
     vec3 suma = vec3(0.0);

@@ -1,5 +1,5 @@
 // Filtros de tamaño variable, hasta 31×31 (ejercicio 9.2): el filtro es una textura de números y el shader pregunta su
-// tamaño (filtro.glsl). Uno separable se puede hacer de una vez, con talla² texels por píxel, o en dos pasadas, fila y
+// tamaño (filtro.glsl). Uno separable se puede hacer de una vez, con talla² texeles por píxel, o en dos pasadas, fila y
 // columna, con 2·talla (convolucion_separable.frag), por un framebuffer intermedio; se elige lo más rápido: dos
 // pasadas, si se puede. El intermedio guarda float: con 8 bits redondea dos veces y un filtro con negativos los pierde.
 // Se filtra a la resolución de la imagen.
@@ -102,7 +102,8 @@ static void dibuja() {
 
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
     const std::string lado = std::to_string(f.talla),
-                      nombre = NOMBRES[estado.familia] + std::string(" ") + lado + "×" + lado,
+                      signo = !sumaCero ? " " : estado.conSigno ? " con signo " : " absoluta ",
+                      nombre = NOMBRES[estado.familia] + signo + lado + "×" + lado,
                       como = !dosPasadas ? "directo"
                                          : std::string("separable, ") + (estado.en8Bits ? "8 bits" : "float");
     const std::vector<Recuadro> paneles = recuadros(estado.muestra, 2);

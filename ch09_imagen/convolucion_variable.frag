@@ -8,7 +8,7 @@ in vec2 coordenadaTextura;
 out vec4 colorFragmento;
 
 void main() {
-    // E9.2: la suma de todos los texels que abarca el filtro, que es una textura de números
+    // E9.2: la suma de todos los texeles que abarca el filtro, que es una textura de números
     vec3 suma = convoluciona(imagen, coordenadaTextura, filtro);
     // de partida: vec3 suma = texture(imagen, coordenadaTextura).rgb;
     // fin de E9.2

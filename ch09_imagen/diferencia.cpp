@@ -24,7 +24,7 @@ static void dibujaDiferencia(bool conSigno, const Recuadro &panel) {
     envia(estado.programa, "imagenB", 1);
     envia(estado.programa, "conSigno", conSigno);
     dibujaRectangulo();
-    rotulaImagen(estado.muestra, conSigno ? "(A − B)/2" : "|A − B|");
+    rotulaImagen(estado.muestra, conSigno ? "(A − B)/2 + 0.5" : "|A − B|");
 }
 
 static void dibuja() {

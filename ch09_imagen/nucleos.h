@@ -10,7 +10,7 @@ const int TALLA_MAXIMA = 31;
 enum Familia { CAJA, GAUSSIANA, DISCO, DERIVADA, FAMILIAS };
 
 /// Un filtro de talla × talla, por filas desde j = 0 (ecuación 9.1). Si es el producto de una fila por una columna,
-/// filtro(i, j) = fila[i]·columna[j], bastan dos pasadas de `talla` texels; si no lo es, las dos están vacías.
+/// filtro(i, j) = fila[i]·columna[j], bastan dos pasadas de `talla` texeles; si no lo es, las dos están vacías.
 struct Filtro {
     int talla;
     std::vector<float> valores, fila, columna;

@@ -1,7 +1,7 @@
 #version 140
 
 uniform sampler2D imagen;
-uniform int veces; // cada píxel es la media de veces × veces texels
+uniform int veces; // cada píxel es la media de veces × veces texeles
 
 out vec4 colorFragmento;
 

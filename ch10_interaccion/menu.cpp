@@ -37,7 +37,7 @@ static void dibuja() {
         envia(estado.programa, "camara", glm::mat4(p.camara));
         for (const Pieza &pieza : escenaGrua({0.58f, 5, 4}))
             dibujaObjeto(estado.programa, estado.cubo, pieza.M, pieza.color);
-        rotulaVista(p, enPerspectiva ? " perspectiva" : " paralela");
+        rotulaVista(p, enPerspectiva ? ", en perspectiva" : ", en paralela");
         glViewport(p.panel.x, p.panel.y, p.panel.ancho, p.panel.alto);
         rotula("clic derecho", {0.98f, 0.94f}, OSCURO, Lado::IZQUIERDA, 0.03f);
     }

@@ -1,6 +1,6 @@
 // La curva cúbica de Bézier (ecuaciones 11.12 a 11.19): su polígono de control, su casco convexo, de donde no sale, y
 // la construcción de de Casteljau, que halla Q(u) partiendo en u los lados del polígono, una y otra vez: el mismo punto
-// que U·M_B·G, en el que UM_B es lo que pesa cada uno de control.
+// que U·M_B·G, en el que U·M_B es el peso de cada punto de control.
 // Controles: arrastra los puntos (o n y flechas) · u U mueven u · Esc termina.
 #include "colores.h"
 #include "curvas.h"
@@ -57,7 +57,7 @@ static void dibuja() {
     rotulaPunto("Q(u)", Q + 0.2f * dentro / std::max(glm::length(dentro), 0.01f), vista(), ROJO,
                 Lado::CENTRO);
     rotulaPunto("M_B =\n" + filasDe(M_B, 3), {0.05f, -0.28f, 0}, vista(), OSCURO, Lado::CENTRO, TALLA_MATRIZ);
-    rotulaPunto(formatea("UM_B = %.2f %.2f %.2f %.2f", UM.x, UM.y, UM.z, UM.w), {0.05f, -0.79f, 0}, vista(),
+    rotulaPunto(formatea("U·M_B = %.2f %.2f %.2f %.2f", UM.x, UM.y, UM.z, UM.w), {0.05f, -0.79f, 0}, vista(),
                 OSCURO, Lado::CENTRO, TALLA_MATRIZ);
     ponTitulo(formatea("Curva de Bézier: u = %.2f", estado.u));
     glutSwapBuffers();

@@ -3,7 +3,7 @@
 // como la familia de curvas Q(u, v) cuyos puntos de control G(v) se mueven con v (§11.5); y unida a otro trozo con C0,
 // con G1 y, como el libro dice que basta (§11.7), con los puntos solo alineados.
 // Controles: arrastra los puntos (o n y flechas) · m malla · f familia de curvas · u unión con otro trozo ·
-// + - grado, tolerancia de la malla o v de la familia · ratón orbita · Esc termina.
+// + - grado, finura de la malla o v de la familia · ratón orbita · Esc termina.
 #include "bezier_trozos.h"
 #include "lamina.h"
 #include "rotulo.h"
@@ -68,7 +68,7 @@ static std::string modoMalla() {
             for (const std::size_t extremo : {k, (k + 1) % 3})
                 lados.push_back(malla.vertices[malla.indices[i + extremo]].posicion);
     trazaSegmentos(lados, vista(), BLANCO, 0.7f * GROSOR);
-    return formatea("hasta %g px: %zu triángulos", estado.tolerancia, malla.indices.size() / 3);
+    return formatea("error ≤ %g px: %zu triángulos", estado.tolerancia, malla.indices.size() / 3);
 }
 
 // La curva de la familia que corta la superficie en v.

@@ -3,7 +3,7 @@
 #include "ch08_texturas_avanzadas/ruido.h"
 #include "imagen.h"
 
-const int LADO_RUIDO = 64, CELDAS_RUIDO = 4; // por lado; una celda de ruido mide 16 texels
+const int LADO_RUIDO = 64, CELDAS_RUIDO = 4; // por lado; una celda de ruido mide 16 texeles
 
 /// Tres ruidos distintos, uno por canal, de 0 a 255. Su periodo es el de la textura, que repetida no tiene costura.
 inline Imagen imagenRuido() {

@@ -21,13 +21,15 @@ class Caso:
     programa: "Programa" = field(repr=False)
     nombre: str
     fichero: str  # el de su imagen, sin extensión
+    titulo: str = ""  # cómo se enseña: el NOMBRE de su caso(…)
     guion: str = ""
     tolerancia: str = ""
     otro: str = ""
     mira: str = ""
     borde: str = ""
     anima: str = ""
-    salida: str = ""  # lo que escribe el programa al dibujarlo, y por qué no se ha podido
+    ventana: str = ""  # el título que le queda; lo que escribe el programa al llegar ahí, y por qué no se ha podido
+    salida: str = ""
     fallo: str = ""
     hecho: bool = False  # en la galería que se está dibujando
 
@@ -39,10 +41,6 @@ class Caso:
     @property
     def animada(self):
         return f"{self.programa.capitulo.nombre}/{self.fichero}.anima.png"
-
-    @property
-    def titulo(self):
-        return "" if self.nombre == "base" else self.nombre.replace("_", " ")
 
 
 @dataclass

@@ -75,7 +75,7 @@ class Libro:
         self.raiz = raiz
         self.cosas = {c.codigo: c for c in cosas(raiz)}
         self.respuestas = {
-            f"E{titulo}": en_html(cuerpo.lstrip(": "))
+            f"E{titulo}": en_html(re.sub(r"^(?: \([^)]*\))?: ", "", cuerpo))  # lo que pide ya se lee encima
             for titulo, cuerpo in entradas((raiz / "docs/soluciones.md").read_text())
         }
         capitulos = re.split(r"^## Capítulo (\d+)$", (raiz / "docs/erratas.md").read_text(), flags=re.MULTILINE)[1:]

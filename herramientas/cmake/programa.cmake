@@ -9,10 +9,24 @@
 #   CAPTURA: el pie de <nombre>.png, una captura de pantalla de lo que no pinta OpenGL; va en la galería tras sus imágenes.
 #   ADMITE: el fichero que se le puede dar: un modelo v/f, una imagen o dos. CONSOLA: escribe texto y no tiene imagen.
 #
-# caso(programa nombre [GUION "orden; orden"] [BORDE "…"] [ANIMA "N orden"] [TOLERANCIA "…"] [OTRO "…"] [MOTIVO "…"] MIRA "…")
+# caso(programa nombre NOMBRE "…" [GUION "orden; orden"] [BORDE "…"] [ANIMA "N orden"] [TOLERANCIA "…"] [OTRO "…"] [MOTIVO "…"] MIRA "…"
+#   [CUMPLE "…; …"])
 #   Una imagen de ese programa: tras el guion debe ser tests/golden/<capítulo>/<programa>[-nombre].ppm;
 #   el caso que se llama base no lleva sufijo.
+#   NOMBRE: cómo se enseña («Con un factor negativo»), distinto de los demás de su programa y hasta 40 letras, las acentuadas por dos;
+#   el caso base puede no tenerlo.
 #   MIRA: una frase, a qué hay que mirar; es el pie de la imagen en la galería. En su propio renglón.
+#   CUMPLE: lo que tiene que ser así en la imagen porque lo dice el pie; en el renglón siguiente. Lo comprueba pies.PROGRAMA
+#   (tests/casos/pies.cpp) a 480×360, a 960×720 y a 960×1080. Los puntos son fracciones del 4:3 central de la ventana, x hacia la derecha e y
+#   hacia abajo; un COLOR es un nombre de common/colores.h o (r,g,b), de 0 a 255:
+#     en X Y COLOR                  ese color, a 12 niveles como mucho
+#     en X Y como X Y               los dos puntos, a 12 niveles
+#     en X Y más claro que X Y      más de 12 niveles de luminancia
+#     COLOR entero|cortado|ausente  lo de ese color, con más o menos luz: no toca el borde de la ventana, lo toca, no está
+#     COLOR A a B %                 lo que ocupa del 4:3 central
+#     distinta de CASO en A a B %   los píxeles del 4:3 central que cambian en más de 12 niveles
+#     igual que CASO                ninguno de la ventana cambia en más de 12
+#   Con «a 4:3: » delante, solo en las dos primeras tallas: lo que parte la ventana de otra manera cuando es alta.
 #   BORDE: por qué la escena llega al borde de la ventana; sin él, no debe llegar.
 #   ANIMA: en la galería se mueve: N cuadros, a diez por segundo, y la orden del guion que lleva de cada uno al siguiente.
 #   TOLERANCIA cambia la que usa el comparador cuando la imagen no es del mismo OpenGL que el golden, y OTRO la de su --otro; las dos
@@ -109,7 +123,7 @@ function(programa nombre)
 endfunction()
 
 function(caso programa nombre)
-  cmake_parse_arguments(PARSE_ARGV 2 C "" "GUION;MIRA;BORDE;ANIMA;TOLERANCIA;OTRO;MOTIVO" "")
+  cmake_parse_arguments(PARSE_ARGV 2 C "" "NOMBRE;GUION;MIRA;CUMPLE;BORDE;ANIMA;TOLERANCIA;OTRO;MOTIVO" "")
   if(C_UNPARSED_ARGUMENTS OR NOT C_MIRA OR ((C_TOLERANCIA OR C_OTRO) AND NOT C_MOTIVO))
     message(FATAL_ERROR "caso(${programa} ${nombre}): sobra «${C_UNPARSED_ARGUMENTS}» o falta MIRA o el MOTIVO")
   endif()
@@ -120,17 +134,30 @@ function(caso programa nombre)
   if(NOT TARGET ${programa})
     message(FATAL_ERROR "caso(${programa} ${nombre}): no hay ningún programa «${programa}»")
   endif()
+  string(LENGTH "${C_NOMBRE}" letras)
+  if(letras GREATER 40 OR (letras EQUAL 0 AND NOT nombre STREQUAL "base"))
+    message(FATAL_ERROR "caso(${programa} ${nombre}): falta NOMBRE o pasa de 40 letras: «${C_NOMBRE}»")
+  endif()
+  get_property(nombres GLOBAL PROPERTY LAB_NOMBRES_DE_${programa})
+  if("${C_NOMBRE}" IN_LIST nombres)
+    message(FATAL_ERROR "caso(${programa} ${nombre}): ya hay otro que se llama «${C_NOMBRE}»")
+  endif()
+  set_property(GLOBAL APPEND PROPERTY LAB_NOMBRES_DE_${programa} "${C_NOMBRE}")
+  if(C_CUMPLE)
+    set_property(GLOBAL APPEND PROPERTY LAB_CUMPLEN ${programa})
+  endif()
+  set(C_TITULO "${C_NOMBRE}")
   set(C_PROGRAMA ${programa})
   set(C_NOMBRE ${nombre})
   set(C_FICHERO ${programa}-${nombre})
   if(nombre STREQUAL "base")
     set(C_FICHERO ${programa})
   endif()
-  apunta(CASOS C PROGRAMA NOMBRE FICHERO GUION TOLERANCIA OTRO MIRA BORDE ANIMA)
+  apunta(CASOS C PROGRAMA NOMBRE TITULO FICHERO GUION TOLERANCIA OTRO MIRA BORDE ANIMA)
   set_property(GLOBAL APPEND PROPERTY LAB_NOMBRES_DE_CASOS ${programa}.${nombre})
 
   set(linea "caso")
-  foreach(campo NOMBRE FICHERO GUION TOLERANCIA OTRO BORDE)
+  foreach(campo NOMBRE FICHERO GUION TOLERANCIA OTRO BORDE CUMPLE)
     string(TOLOWER ${campo} variable)
     string(REPLACE "'" "'\\''" valor "${C_${campo}}")
     string(APPEND linea " ${variable}='${valor}'")

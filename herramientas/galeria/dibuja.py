@@ -48,6 +48,20 @@ def compila(build):
                 print(linea, end="", file=sys.stderr)
 
 
+def lo_suyo(escrito, con_diario=False):
+    """De lo que escribe un programa con -titulos, el último título y lo demás; con -diario, solo lo de la última orden
+    que haya escrito algo: lo que dice al empezar es de otra imagen."""
+    titulo, bloques = "", [""]
+    for linea in escrito.splitlines(keepends=True):
+        if linea.startswith("título: "):
+            titulo = linea.removeprefix("título: ").rstrip()
+        elif linea.startswith("diario\t"):
+            bloques.append("")
+        else:
+            bloques[-1] += linea
+    return titulo, next((b for b in reversed(bloques[con_diario:]) if b), "")
+
+
 class Galeria:
     def __init__(self, raiz, build, destino, capitulos):
         self.raiz, self.build, self.destino = raiz, build, destino
@@ -82,20 +96,23 @@ class Galeria:
         png = self.destino / caso.imagen
         ficheros = [] if programa.consola else [png, self.destino / caso.animada] if caso.anima else [png]
         clave = hashlib.sha1(
-            repr((TALLA, ANIMADA, RITMO, caso.guion, caso.anima)).encode() + ejecutable.read_bytes()
+            repr((TALLA, ANIMADA, RITMO, "título", caso.guion, caso.anima)).encode() + ejecutable.read_bytes()
         ).hexdigest()
         if self.al_dia(caso, clave, ficheros):
-            caso.salida = self.hecho[caso.imagen]["salida"]
+            caso.ventana, caso.salida = (self.hecho[caso.imagen][dato] for dato in ("ventana", "salida"))
             return False
         for fichero in ficheros:
             fichero.unlink(missing_ok=True)
         orden = [ejecutable]
         ppm, leidos = temporal / f"{caso.fichero}.ppm", temporal / f"{caso.fichero}.leidos"
         if not programa.consola:
-            orden += ["-geometry", TALLA, "-ppm", ppm]
+            orden += ["-titulos", "-geometry", TALLA, "-ppm", ppm]
         if caso.guion:
             orden += ["-guion", caso.guion]
-        caso.salida = ejecuta(orden, cwd=temporal, env={**os.environ, "LAB_LEIDOS": leidos}).decode(errors="replace")
+        escrito = ejecuta(orden, cwd=temporal, env={**os.environ, "LAB_LEIDOS": leidos}).decode(errors="replace")
+        caso.ventana, caso.salida = lo_suyo(escrito)
+        if caso.guion and caso.salida:
+            caso.salida = lo_suyo(ejecuta([*orden, "-diario"], cwd=temporal).decode(errors="replace"), True)[1]
         if not programa.consola:
             escribe(png, procesos.en_png(ppm, 3))
             ppm.unlink()
@@ -107,6 +124,7 @@ class Galeria:
         self.hecho[caso.imagen] = {
             "clave": clave,
             "leidos": {ruta: self.suma(ruta) for ruta in rutas},
+            "ventana": caso.ventana,
             "salida": caso.salida,
         }
         return True

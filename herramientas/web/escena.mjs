@@ -14,6 +14,11 @@ function cubre(texto) {
   una('p', telon).textContent = texto;
 }
 
+function calla() {
+  consola.hidden = true;
+  consola.replaceChildren();
+}
+
 const ponTitulo = texto => { una('.estado').textContent = texto; };
 const talla = () => tallaDe(marco.getBoundingClientRect(), devicePixelRatio);
 
@@ -27,6 +32,7 @@ export class Escena {
   #pedido;
   #turno = 0;
   #escrito = [];
+  #aparte = false; // de lo que escribe un guion que se repite queda lo de su última orden: lo de antes es de otra imagen
   #reloj;
   #cuadro;
 
@@ -49,11 +55,16 @@ export class Escena {
     }
     // hasta que no acaba de repetirse el guion no hay sesión: lo que se haga en la página no se mezcla con él
     const { ordenes, recortado } = leeGuion(guion);
-    await repite(ordenes, ({ orden, escala }) => vale() && this.#da(nueva, orden, escala), () => {
+    if (ordenes.length) calla();
+    await repite(ordenes, ({ orden, escala }) => {
+      this.#aparte = true;
+      return vale() && this.#da(nueva, orden, escala);
+    }, () => {
       avisa('Repitiendo el guion…');
       return new Promise(sigue => setTimeout(sigue));
     });
     if (!vale()) return nueva.cierra();
+    this.#aparte = false;
     this.sesion = nueva;
     avisa(recortado ? 'El guion es demasiado largo: se ha repetido solo una parte.' : '');
     if (teniaFoco) lienzo.focus({ preventScroll: true });
@@ -90,8 +101,8 @@ export class Escena {
     this.#pedido = pedido;
     this.#siSePierde(lienzo);
     telon.hidden = true;
-    consola.hidden = true;
-    consola.replaceChildren();
+    this.#aparte = false;
+    calla();
     ponTitulo('');
     avisa('');
     return lienzo;
@@ -114,6 +125,8 @@ export class Escena {
     if (this.#pedido.acompana && linea.includes('el uniform «')) return; // en un ejercicio, lo que aún no se usa
     const error = leeError(linea, this.#pedido.programa.capitulo);
     if (error) return this.errores.push(error);
+    if (this.#aparte) calla();
+    this.#aparte = false;
     consola.hidden = false;
     consola.append((consola.textContent ? '\n' : '') + linea);
     while (consola.childNodes.length > 200) consola.firstChild.remove();

@@ -30,7 +30,7 @@ class ProgramaVivo:
     def __init__(self, raiz, build, programa):
         self.raiz, self.programa = raiz, programa
         self.controles = [
-            c for c in controles.lee(raiz, programa) if c.teclas != ["Esc"] and not c.texto.startswith("ninguno")
+            c for c in controles.lee(raiz, programa) if c.teclas != ["Esc"] and not c.texto.startswith("sin controles")
         ]
         teclas = [orden for c in self.controles if not c.termina for orden in c.ordenes]
         self.rasgos, self.opciones = set(), []

@@ -9,12 +9,13 @@
 #                     float: ningún color es NaN ni infinito (finitos.cpp)
 #   pasos             lo que pinta encima tras cada línea de tests/golden/CAPÍTULO/PROGRAMA.pasos, que son órdenes de un guion y siguen a las
 #                     de antes, es lo de PROGRAMA-pasos.encima. La ventana es de 480x360, o de lo que diga un «# talla ANCHOxALTO»
+#   pies              lo que cada caso dice con CUMPLE es así en su imagen (pies.cpp)
 #   ventana, windows  en una ventana de verdad (ventana.sh)
 # El programa debe acabar con 0 y no escribir nada en stderr. Las imágenes de lo que falla quedan en BUILD/fallos/. Con DORA, lo que sale pasa
 # a ser el golden; con GOLDEN, en esa carpeta, que tiene los de antes. Estado: 0 bien, 4 si es distinto lo que pinta encima, aunque no sea lo único; 1 lo demás.
 # shellcheck disable=SC1090,SC2317 # lo de caso lo llama BUILD/casos/PROGRAMA.sh
 set -euo pipefail
-build=$1 enlace=$2 programa=$3 pedido=${4:-} destino=$2 opengl='' estado=0 probados=0 con=()
+build=$1 enlace=$2 programa=$3 pedido=${4:-} destino=$2 opengl='' estado=0 probados=0 con=() dichos=()
 aqui=$(cd "$(dirname "$0")" && pwd)
 goldens=${GOLDEN:-$aqui/../golden}
 carpeta=$(mktemp -d)
@@ -109,6 +110,15 @@ pasos() {
   compara_encima "$golden-pasos" con_nombre
 }
 
+# Los que dicen algo y aquellos con quienes se comparan, de una vez a tres tallas.
+pies() {
+  local talla capturas=''
+  [ -n "$cumple" ] || grep -qE "(de|que) $nombre( en|;|')" "$build/casos/$programa.sh" || return 0
+  for talla in 480x360 960x720 960x1080; do capturas+="; tamano ${talla/x/ }; captura $nombre-$talla.ppm"; done
+  dibuja -geometry 480x360 -ppm "última" -guion "${guion#;}$capturas"
+  dichos+=("$nombre" "$cumple")
+}
+
 vulkan() { # MANIFIESTO…: OpenGL de zink sobre ese Vulkan
   local manifiesto
   for manifiesto; do [ ! -e "$manifiesto" ] || break; done
@@ -148,7 +158,7 @@ elige_opengl() {
 
 case $enlace in
 osmesa | egl) prueba=imagen ;;
-encuadre | pasos)
+encuadre | pasos | pies)
   prueba=$enlace destino=$(cat "$build/sin_ventana")
   [ "$prueba$destino" != encuadreosmesa ] || con=(LD_PRELOAD="$build/tests/libfinitos.so")
   ;;
@@ -156,7 +166,7 @@ ventana | windows) prueba=ventana && source "$aqui/ventana.sh" ;;
 *) prueba=imagen && elige_opengl ;;
 esac
 
-caso() { # nombre=… fichero=… guion=… tolerancia=… otro=… borde=…
+caso() { # nombre=… fichero=… guion=… tolerancia=… otro=… borde=… cumple=…
   local "$@" golden
   [[ $prueba != pasos && (-z $pedido || $nombre = "$pedido") ]] || return 0
   golden=$goldens/$capitulo/$fichero
@@ -165,4 +175,5 @@ caso() { # nombre=… fichero=… guion=… tolerancia=… otro=… borde=…
 }
 source "$build/casos/$programa.sh"
 if [ "$prueba" = pasos ]; then pasos; elif [ $probados = 0 ]; then echo "$programa no tiene ningún caso «$pedido»"; exit 1; fi
+[ $prueba != pies ] || "$build/tests/pies" "${dichos[@]}"
 exit $estado
