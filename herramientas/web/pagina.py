@@ -57,7 +57,7 @@ class ProgramaVivo:
             "anima": bool(self.rasgos & {"temporizador", "ocio"}),
             "raton": bool(self.rasgos & {"raton", "rueda", "arrastre"}),
             "sigue": "movimiento" in self.rasgos,
-            "casos": [{"titulo": c.titulo or "al empezar", "guion": c.guion, "mira": c.mira} for c in p.casos],
+            "casos": [{"titulo": c.titulo or "Al empezar", "guion": c.guion, "mira": c.mira} for c in p.casos],
             "fuentes": [str(f) for f in fuentes.alcanza(self.raiz, p.fuente)],
             "texturas": sorted(Path(f).name for f in self.leidos if f.endswith(TEXTURAS)),
             "admite": p.admite,

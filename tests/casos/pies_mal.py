@@ -68,7 +68,7 @@ def main():
             juzga("lisa", afirmacion, 2)
         juzga("partida", "a 4:3: en 0.2 0.2 ROJO", BIEN)
         juzga("partida", "en 0.2 0.2 ROJO", MAL)
-    sys.exit("\n".join(fallos))
+    sys.exit("\n".join(fallos) or 0)
 
 
 main()

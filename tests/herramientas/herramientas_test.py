@@ -493,7 +493,7 @@ def test_al_azar_solo_lo_suyo():
 def programas(tmp_path):
     a = programa("a", "L1.2 E1.1", "A", pruebas="x.Y.z x.W")
     b = programa("b", "§10.1", "B", "ch10_diez", consola="TRUE")
-    casos = [caso("a"), caso("a", "dos_mas", guion="tecla d; tecla a", tolerancia="1 2 3")]
+    casos = [caso("a"), caso("a", "dos_mas", titulo="Dos más", guion="tecla d; tecla a", tolerancia="1 2 3")]
     capitulos = [{"nombre": "ch01_uno", "titulo": "Uno"}, {"nombre": "ch10_diez", "titulo": "Diez"}]
     entero = {"capitulos": capitulos, "programas": [a, b], "casos": casos}
     siembra(tmp_path, {"catalogo.json": json.dumps(entero)})
@@ -520,7 +520,7 @@ def test_lo_que_la_pagina_sabe_de_un_programa(tmp_path, programas, monkeypatch):
         assert (d["anima"], d["derecho"], d["raton"], d["sigue"]) == (anima, derecho, raton, sigue)
         assert guiones[-2:] == ["", "tecla a"] and d["texturas"] == ["a.r8", "b.rgb"]
         assert [(m["teclas"], m["menu"]) for m in d["mandos"]] == [([("a", "tecla a")], False), ([], True)]
-        assert [c["titulo"] for c in d["casos"]] == ["al empezar", "dos mas"] and d["nombre"] == "a"
+        assert [c["titulo"] for c in d["casos"]] == ["Al empezar", "Dos más"] and d["nombre"] == "a"
 
 
 # --- ejercicios -----------------------------------------------------------------------------------------------------

@@ -78,7 +78,7 @@ def comprueba_proyeccion(n):
     exige("giran" in n.js("return document.querySelector('dialog .mandos').textContent"), "con sus controles")
     navegador.proyectable(n, "dialog")
     n.tecla(AVPAG)  # la de los mandos de presentación
-    exige(n.js(TITULO).startswith("Grúa de obra: girada"), "AvPág pasa a la siguiente")
+    exige(n.js(TITULO).startswith("Grúa de obra: Girada"), "AvPág pasa a la siguiente")
     n.tecla("p")
     exige(espera(n, "return !document.fullscreenElement"), "p deja la pantalla completa")
     n.tecla(ESC)

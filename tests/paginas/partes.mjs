@@ -76,8 +76,8 @@ test('lo que da web.py', async () => {
     ['→', 'especial DERECHA'], ['↑', 'especial ARRIBA'], ['↓', 'especial ABAJO']]);
   assert.deepEqual(datos.convolucion.texturas, ['foto.rgb', 'letra.r8']);
   const { mira } = casos.find(c => c.fichero === 'grua-girada');
-  assert.deepEqual(datos.grua.casos[1], { titulo: 'girada', guion: 'tecla d ×7', mira });
-  assert.equal(casoInicial(datos.grua).titulo, 'reposo');
+  assert.deepEqual(datos.grua.casos[1], { titulo: 'Girada', guion: 'tecla d ×7', mira });
+  assert.equal(casoInicial(datos.grua).titulo, 'En reposo');
   tabla((anima, ...guiones) => casoInicial({ anima, casos: guiones.map(guion => ({ guion })) }).guion,
     [true, 'espera 9', ''], [false, 'tecla 1', 'tecla 2', 'tecla 1']);
 });

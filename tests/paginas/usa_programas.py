@@ -35,7 +35,7 @@ def teclas(p):
     p.abre("#grua")
     p.js("for (let i = 0; i < 7; ++i) conTexto('.mando button', 'd').click()")
     p.es("grua-girada", "el botón d, siete veces,")
-    p.elige(".casos-botones button", "orbitada")
+    p.elige(".casos-botones button", "Desde otro lado")
     p.exige("hecho.ordenes.length > 2 && sesion?.vivo", "el botón de un caso lo repite")
     p.es("grua-orbitada", "el botón de un caso")
 
