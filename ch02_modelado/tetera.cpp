@@ -35,8 +35,7 @@ static struct {
 } estado;
 
 static std::string texto(const char *separador) {
-    return formatea("error ≤ %.3g px%s%d triángulos", estado.error, separador,
-                    estado.tetera.nIndices / 3);
+    return formatea("error ≤ %.3g px%s%d triángulos", estado.error, separador, estado.tetera.nIndices / 3);
 }
 
 static void construye() {

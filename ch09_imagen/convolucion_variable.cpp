@@ -102,7 +102,9 @@ static void dibuja() {
 
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
     const std::string lado = std::to_string(f.talla),
-                      signo = !sumaCero ? " " : estado.conSigno ? " con signo " : " absoluta ",
+                      signo = !sumaCero         ? " "
+                              : estado.conSigno ? " con signo "
+                                                : " absoluta ",
                       nombre = NOMBRES[estado.familia] + signo + lado + "×" + lado,
                       como = !dosPasadas ? "directo"
                                          : std::string("separable, ") + (estado.en8Bits ? "8 bits" : "float");

@@ -175,5 +175,5 @@ caso() { # nombre=… fichero=… guion=… tolerancia=… otro=… borde=… cu
 }
 source "$build/casos/$programa.sh"
 if [ "$prueba" = pasos ]; then pasos; elif [ $probados = 0 ]; then echo "$programa no tiene ningún caso «$pedido»"; exit 1; fi
-[ $prueba != pies ] || "$build/tests/pies" "${dichos[@]}"
+[ "$prueba" != pies ] || "$build/tests/pies" "${dichos[@]}"
 exit $estado

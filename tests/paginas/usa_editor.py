@@ -15,7 +15,10 @@ def edita_phong(p):
 def editor(p):
     edita_phong(p)
     caso = p.da("una('.casos-botones [aria-pressed=true]').textContent + ' ' + una('.mira').textContent")
-    exige(caso.startswith("Ambiente, difusa y especular La reflexión especular"), "lo que hay que mirar es lo que se ve al empezar")
+    exige(
+        caso.startswith("Ambiente, difusa y especular La reflexión especular"),
+        "lo que hay que mirar es lo que se ve al empezar",
+    )
     linea = p.da("cm.getValue().split('\\n').findLastIndex(l => /^\\s*return /.test(l)) + 1")
     original = p.imagen()
     error(p, linea, original)
