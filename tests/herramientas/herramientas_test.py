@@ -501,7 +501,7 @@ def programas(tmp_path):
 
 
 def test_lo_que_la_pagina_sabe_de_un_programa(tmp_path, programas, monkeypatch):
-    dice = "// Controles: a gira · botón derecho menú · ninguno · Esc termina.\n"
+    dice = "// Controles: a gira · botón derecho menú · sin controles · Esc termina.\n"
     siembra(tmp_path, {"ch01_uno/a.cpp": dice, "sin_ventana": "osmesa\n"})
     guiones = []
 

@@ -100,7 +100,7 @@ ch01_test) if [ "$1" = --gtest_list_tests ]; then printf 'G.\n  Uno # x\n'; else
   [[ "$*" != *-rasgos* ]] || { printf 'ocio\n'; exit; }
   echo "salida de $quien${LAB_RAIZ:+ con $LAB_RAIZ}"
   [[ "$*" != *-titulos* ]] || echo "título: la ventana de $quien"
-  [[ "$*" != *-diario* ]] || printf '%s\n' $'diario\t' 'tras la orden' $'diario\t'
+  [[ "$*" != *-diario* ]] || printf '%s\n' $'diario\t' 'otra orden' $'diario\t' 'tras la orden' $'diario\t'
   [ "$quien" != a ] || [ -z "${LAB_LEIDOS:-}" ] || printf '%s\n' ch01_uno/a.vert assets/t.rgb >>"$LAB_LEIDOS"
   ppm=$(valor -ppm "$@") talla=$(valor -geometry "$@")
   talla=${talla:-40x40}

@@ -280,8 +280,8 @@ def test_galeria(lab):
     # lo que escribe cada caso: el que tiene guion, solo lo de su última orden
     for esperado in ["2", "1"], ["sin cambios", "sin cambios"]:
         assert esperado == ["2", "1"] or hechas() == esperado
-        son = "A &lt;b&gt;", "salida de a", "tras la orden", "la ventana de a</span>", "título"
-        assert [pagina.read_text().count(s) for s in son] == [3, 1, 1, 2, 0]
+        son = "A &lt;b&gt;", "salida de a", "tras la orden", "la ventana de a</span>", "título", "otra orden"
+        assert [pagina.read_text().count(s) for s in son] == [3, 1, 1, 2, 0, 0]
     png.unlink()
     assert hechas() == ["1", "sin cambios"]
     animada.write_bytes(b"")
