@@ -1,7 +1,7 @@
 // Un vértice y su fragmento (el punto rojo) por las etapas del pipeline (ejercicio 4.1, ecuación 4.4), un panel para
 // cada una, con sus números, que también se escriben. Con r, un triángulo que se sale del volumen y llega detrás del
-// ojo: etapas.h lo recorta, y el polígono que queda (de borde morado) es justo lo que dibuja OpenGL. Con o, algo tapa el
-// fragmento.
+// ojo: etapas.h lo recorta, y el polígono que queda (de borde morado) es justo lo que dibuja OpenGL. Con o, algo tapa
+// el fragmento.
 // Controles: clic elige vértice · r recortado · o oculto · arrastrar orbita por fuera · rueda acerca · Esc termina.
 #include "buferes.h"
 #include "colores.h"

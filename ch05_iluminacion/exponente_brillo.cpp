@@ -1,5 +1,6 @@
 // El exponente del brillo en la reflexión especular (ecuación 5.4, figura 5.3): cinco esferas del mismo material con α
-// de 1 a 500. Cuanto mayor es α, más pequeño es el brillo; las dos esferas de brillo más pequeño se dibujan mayores, para que se vea.
+// de 1 a 500. Cuanto mayor es α, más pequeño es el brillo; las dos esferas de brillo más pequeño se dibujan
+// mayores, para que se vea.
 // Controles: ratón orbita · rueda acerca · Esc termina.
 #include "colores.h"
 #include "iluminacion.h"

@@ -32,7 +32,7 @@ export class Escena {
   #pedido;
   #turno = 0;
   #escrito = [];
-  #aparte = false; // de lo que escribe un guion que se repite queda lo de su última orden: lo de antes es de otra imagen
+  #aparte = false; // de lo que escribe un guion que se repite queda lo de su última orden; lo demás es de otra imagen
   #reloj;
   #cuadro;
 

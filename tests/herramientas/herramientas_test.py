@@ -408,7 +408,7 @@ def con_libro(tmp_path):
 def test_lo_que_se_sabe_del_libro(tmp_path, con_libro):
     suyo, (a, b) = libro.Libro(tmp_path), con_libro.programas
     assert suyo.explicacion(b) == "Qué es, y por qué."
-    respuesta = "(algo): <i>¿<code>x</code>?</i> Sí, <b>y</b> más."
+    respuesta = "<i>¿<code>x</code>?</i> Sí, <b>y</b> más."
     assert suyo.ejercicios(b) == [("1.1", "¿Qué <code>a*b</code> hay?", respuesta)] and not suyo.ejercicios(a)
     assert suyo.erratas_de(b) == ["<b>Listado 1.1, <code>f(a * b)</code></b>: mal &amp; &lt; ahí; bien."]
     assert not suyo.erratas_de(a) and suyo.otras_erratas(con_libro) == ["<b>§1.2.1 y ecuación 1.3</b>: otra."]
