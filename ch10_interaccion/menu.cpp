@@ -75,7 +75,7 @@ static void creaMenu() {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Menú", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    abreVentana(argc, argv, "Menú: Perspectiva", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -3,8 +3,9 @@
 // atlas.
 //
 // Con LAB_ENCIMA=FICHERO en el entorno, lo que se pinta se escribe además en el fichero, para quien quiera comprobarlo;
-// con LAB_SIN_ENCIMA=1 no se pinta, y queda la escena sola; con un tipo, lo que es de ese tipo. Por cada imagen guardada,
-// una línea «imagen FICHERO ANCHO ALTO» y las de lo que llevaba, en orden. Con tabuladores entre los campos y blancos dentro de ellos:
+// con LAB_SIN_ENCIMA=1 no se pinta, y queda la escena sola; con un tipo, no se pinta lo que es de ese tipo. Por cada
+// imagen guardada, una línea «imagen FICHERO ANCHO ALTO» y las de lo que llevaba, en orden. Con tabuladores entre los
+// campos y blancos dentro de ellos:
 //   tipo        rotulo, segmentos, polilinea, puntos, flecha o poligono, o velo, que es todo el panel y no tiene puntos
 //   color       r g b, de 0 a 1
 //   panel       x y ancho alto, en píxeles desde abajo a la izquierda

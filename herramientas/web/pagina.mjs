@@ -125,6 +125,6 @@ addEventListener('storage', ({ key }) => { // lo ha guardado otra pestaña
   if (!visto.ejercicio || key !== visto.taller.clave) return;
   visto.taller.relee();
   editor.abre(editor.abierto);
-  escena.repite().then(() => avisa('Este ejercicio está abierto en otra pestaña, y ha cambiado: es lo que se ve aquí.'));
+  escena.repite().then(() => avisa('Este ejercicio está abierto en otra pestaña y ha cambiado: es lo que se ve aquí.'));
 });
 navega();

@@ -451,7 +451,7 @@ TEST(SuperficieBezier, LaToleranciaEsEnPixeles) {
         EXPECT_GE(error, c.tolerancia < 10 ? 0.15 * c.tolerancia : 0);
         compruebaEscena(v, {c.guion, camaraDe, {trozo(red, n)}});
         const std::string rotulo =
-            "hasta " + c.rotulo + " px: " + std::to_string(2 * n.u * n.v) + " triángulos";
+            "error ≤ " + c.rotulo + " px: " + std::to_string(2 * n.u * n.v) + " triángulos";
         EXPECT_EQ(v.encima.rotulos(rotulo).size(), 1u) << rotulo;
     });
 }

@@ -229,7 +229,7 @@ def test_una_entrega_lenta_se_deja(monkeypatch):
     banco = SimpleNamespace(todos=todos, arbitro=arbitro, compilador=SimpleNamespace(solucion="solución"))
     lenta = veredicto.Correccion(banco, None)
     lenta.jugador = "entrega"
-    hecho = lenta.compara(None)
+    hecho = lenta.compara()
     assert hecho["nota"] == 25 and hecho["dice"] == [
         "es muy lento: a los 5 minutos se ha dejado, con 5 de los 20 guiones jugados"
     ]
@@ -889,7 +889,7 @@ def comprueba_pagina(pagina, todas):
     assert {(como, marca) for como, marca, _ in casos} == {("bien", "✓"), ("mal", "✗")} and (
         "bien",
         "✓",
-        "reposo",
+        "En reposo",
     ) in casos
     al_reves = pagina[pagina.index("<span>c_gira_al_reves") : pagina.index("<span>d_orden")]
     hallado = re.search(

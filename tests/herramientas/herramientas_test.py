@@ -672,7 +672,7 @@ def arbol(tmp_path):
     a = catalogo.Programa(capitulo, "a", "E1.1 E1.2 E1.3 Ec1.1", "La A")
     a.casos = [
         catalogo.Caso(a, "base", "a", mira="Mira"),
-        catalogo.Caso(a, "girada", "a-girada", "tecla a", mira="Gira"),
+        catalogo.Caso(a, "girada", "a-girada", "Girada", "tecla a", mira="Gira"),
     ]
     capitulo.programas = [a, catalogo.Programa(capitulo, "b", "L1.1", "B")]
     fuente = f'// Cuenta la solución.\n// y más.\n{CABECERA}f("ch01_x/a.vert", "ch01_x/b.frag");\n'
@@ -707,7 +707,7 @@ def test_una_carpeta_se_hace_entera_y_no_se_toca(arbol):
     assert hechos == {"ENUNCIADO.md", "a.vert", "ejercicio.txt", "fin.h", "medio.h", "mi_a.cpp"}
     assert entrega.ejercicio_de(mios / "mi_a", programas) == ("E1.1", programas[0])
     dice = "# Ejercicio 1.1: la cuenta", "Haz la cuenta.", "- `fin.h`: cuánto es\n", "- a gira\n", "./lab corrige mi_a"
-    dice += "- al abrirlo: Mira.\n", "- girada (`tecla a`): Gira.\n"
+    dice += "- al abrirlo: Mira.\n", "- Girada (`tecla a`): Gira.\n"
     assert not faltan((mios / "mi_a/ENUNCIADO.md").read_text(), *dice)
     (mios / "mi_a/mi_a.cpp").write_text("mío")
     with pytest.raises(nuevo.Fallo, match="ya existe .*mi_a, y no se toca: .*./lab nuevo E1.2 NOMBRE"):

@@ -217,7 +217,7 @@ OPCIONES = {
     "--tsv": ("lista", "lista --tsv", ""),
     "-ayuda": ("ver a", "ver a -ayuda", "-ayuda"),
 }
-OTRAS = {"--cambios", "--apunta", "--docs", "--ensayo"}  # sus propias pruebas: test_prueba_lo_que_cambia, test_lista…
+OTRAS = {"--cambios", "--apunta", "--docs", "--ensayo", "--mira"}  # sus propias pruebas: test_prueba_lo_que_cambia…
 
 
 def test_cada_opcion_de_la_ayuda_cambia_lo_suyo(lab):

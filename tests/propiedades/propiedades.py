@@ -138,13 +138,15 @@ EXCEPCIONES = {
     },
     **{
         (nombre, "foto", "foto"): "pega la foto en algo, que no está entero o tiene otra forma"
-        for nombre in "textura_objeto repeticion filtrado coordenadas".split()
+        for nombre in "textura_objeto repeticion filtrado coordenadas textura_ondulada".split()
     },
     **{
         (nombre, "cerca", "plano"): "un punto que se lleva hacia la cámara llega más cerca que la superficie"
         for nombre in "superficie_hermite superficie_bezier".split()
     },
-    ("morphing", "tocado", ".*tecla v.*"): "en la comparación no hay puntos que arrastrar",
+    ("ampliacion", "foto", "foto"): "amplía los píxeles de la ventana: su foto se dibuja dos veces",
+    ("primer_programa", "dicho", "primero"): "con s la imagen no cambia hasta que se dibuja, y es lo que enseña",
+    ("profundidad", "dicho", "números"): "el título da el cociente, y lo escrito, los dos planos",
     ("temporizador", "lento", "hora"): "cuenta los disparos, y en uno lento son menos: es lo que enseña",
     ("superficie_bezier", "vivos", "vivos"): "con m y con f la superficie tapa la red, pero los puntos se mueven",
 }

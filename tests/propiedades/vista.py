@@ -2,7 +2,6 @@
 import functools
 import itertools
 import random
-import re
 import tempfile
 from pathlib import Path
 
@@ -123,21 +122,6 @@ def cerca(p):
             return
 
 
-def cogibles(v):
-    """Dónde hay algo que se pueda coger."""
-    puntos = [q for p in v.encima for q in (p.puntos[2:] if p.tipo == "rotulo" else p.puntos[-1:])]
-    return [q for q in puntos if 3 < q[0] < v.talla[0] - 3 and 3 < q[1] < v.talla[1] - 3]
-
-
-def sueltos(puntos):
-    """Unos cuantos que no estén juntos."""
-    elegidos = []
-    for x, y in puntos:
-        if all(abs(x - a) + abs(y - b) > 8 for a, b in elegidos):
-            elegidos.append((x, y))
-    return elegidos[:8]
-
-
 def sigue(antes, despues, x, y):
     """Cómo de lejos de ahí queda lo más cercano de lo que ha cambiado, en píxeles; nada, si no ha cambiado nada."""
     habia = {(round(a), round(b)) for p in antes.encima for a, b in p.puntos}
@@ -146,28 +130,21 @@ def sigue(antes, despues, x, y):
 
 
 def tocado(p):
-    """Lo que se arrastra o se elige con un clic queda bajo el puntero, en una ventana de cualquier forma."""
-    clic = "clic elige el" in p.dice
-    if not clic and not re.search(r"arrastra (un|los|las|puntos|esquinas)\b", p.dice):
+    """Lo que se elige con un clic queda bajo el puntero, en una ventana de cualquier forma."""
+    if "clic elige el" not in p.dice:
         return
-    antes = [o for o in p.teclas if o == ("tecla n" if clic else "tecla m")]  # donde se ve lo que se toca
+    antes = [o for o in p.teclas if o == "tecla n"]  # donde se ve lo que se toca
     for (ancho, alto), con in itertools.product(((120, 90), (120, 200), (120, 120), (200, 112)), ((), ("tecla v",))):
         if set(con) - set(p.teclas):
             continue
         empieza = [*antes, *con]
         talla = f"{ancho}x{alto}"
-        [ahora] = p.vistas([*empieza, "captura"], talla=talla, LAB_SIN_ENCIMA="1")
         guion, adonde = [*empieza, "captura"], []
         rejilla = [(ancho * i / 6, alto * j / 6) for i in range(1, 6) for j in range(1, 6)]
-        for x, y in rejilla if clic else sueltos(cogibles(ahora)):
+        for x, y in rejilla:
             x, y = int(x), int(alto - y)
-            hasta = (x, y) if clic else (x + (6 if x < ancho / 2 else -6), y + (5 if y < alto / 2 else -5))
-            adonde.append((hasta[0] + 0.5, alto - hasta[1] - 0.5))
-            pulsa, suelta = (f"boton IZQUIERDO {que} {x} {y}" for que in ("abajo", "arriba"))
-            if clic:
-                guion += [pulsa, suelta, "captura", "captura"]
-            else:
-                guion += [pulsa, "arrastra {} {}".format(*hasta), "captura", f"arrastra {x} {y}", suelta, "captura"]
+            adonde.append((x + 0.5, alto - y - 0.5))
+            guion += [f"boton IZQUIERDO abajo {x} {y}", f"boton IZQUIERDO arriba {x} {y}", "captura", "captura"]
         vistas = p.vistas(guion, talla=talla, LAB_SIN_ENCIMA="1")
         lejos = [sigue(vistas[2 * i], vistas[2 * i + 1], *q) for i, q in enumerate(adonde)]
         hay = [d for d in lejos if d is not None]

@@ -3,7 +3,8 @@
 // ventana activa CLASE: escribe el identificador de la que tiene el teclado bajo un gestor de ventanas, si es de esa
 // clase; si no, falla.
 // ventana gobernada: falla si no hay un gestor de ventanas.
-// ventana atiende VENTANA: espera a que su programa haya atendido lo que le ha llegado: al _NET_WM_PING contesta detrás.
+// ventana atiende VENTANA: espera a que su programa haya atendido lo que le ha llegado: al _NET_WM_PING contesta
+// detrás.
 // ventana cierra VENTANA: la cierra como la X de su marco, que pone el gestor de ventanas: le manda WM_DELETE_WINDOW.
 #include <X11/Xlib.h>
 #include <X11/Xutil.h>
