@@ -226,6 +226,16 @@ TEST(Imagen, LoMismoDaLaMisma) {
         EXPECT_EQ(imagenDe("grua", uno).rgb, imagenDe("grua", otro).rgb) << uno;
 }
 
+// Con otro entorno la imagen puede ser otra: si el sello no lo dijera, se compararían como si debieran ser la misma.
+TEST(Imagen, ElSelloDiceConQueEntornoSeDibujo) {
+    const std::string ppm = (carpetaTemporal() / "sello.ppm").string();
+    EXPECT_EQ(ejecuta("grua", "captura " + ppm).estado, 0);
+    std::string sello;
+    leePpm(ppm, &sello);
+    for (const char *variable : {" | GALLIUM_OVERRIDE_CPU_CAPS=", " | GALLIVM_PERF="})
+        EXPECT_NE(sello.find(variable), std::string::npos) << sello;
+}
+
 // 800 tamaños distintos ocupan como 200: cada framebuffer nuevo no se queda con la memoria del anterior.
 TEST(Imagen, CambiarDeTamanoNoOcupaMas) {
     const auto mebibytes = [](int tamanos) { // lo más que ha ocupado algún proceso que ha esperado éste

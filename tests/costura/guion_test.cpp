@@ -70,6 +70,7 @@ TEST(GuionMal, DiceDondeYQue) {
         {"tecla a; teclas b", "guion, orden 2 «teclas b»: «teclas» no es una orden; valen arrastra boton"},
         {"escala 9 9; tecla d ×2;;teclas b ×2", "guion, orden 3 «teclas b ×2»: «teclas» no es una orden"},
         {fichero, ": " + fichero.substr(1) + ":4 «gira 3»: «gira» no es una orden"},
+        {"# tecla a", "«#» no es una orden"}, // solo hay comentarios en un fichero
         {"×2", "«×2» no es una orden"},
         {"tecla", "orden 1 «tecla»: falta una tecla"},
         {"tecla ab", "«ab» no es una tecla"},

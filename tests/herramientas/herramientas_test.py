@@ -612,7 +612,7 @@ def test_las_cuentas_de_los_defectos():
     todos[0].notado = todos[1].notado = todos[3].notado = "P"
     todos[1].por, todos[3].por = "golden", "encima"
     assert muta.cuentas(todos) == {"ch01": {"plantados": 4, "notados": 3, "sin_golden": 1, "encima": 1}}
-    assert muta.resume(todos) == [75, 25]
+    assert muta.resume(todos) == [75, 25, 50]
     assert [muta.cuenta(m).split(": ")[1] for m in todos[:3]] == ["P", "solo P", "SOBREVIVE, nada lo ejecuta"]
     pedidos = "ch01 ch01:2 ch01:22 ch01_uno ch01_uno/abc.cpp ab bc".split()
     suyos = [pedido for pedido in pedidos if mutante("a", "b", 2, "ch01_uno/abc.cpp").es_de(pedido)]

@@ -172,7 +172,7 @@ NADIE = (UNO, "case 'd': «glutPostRedisplay();»", ";", "no dibuja")
 
 def test_muta_dice_que_no_se_puede_plantar(lab):
     lab.cambia("herramientas/pruebas/muta.py", "^MINIMO = .*", "MINIMO = 4")
-    lab.cambia("herramientas/pruebas/muta.py", "^META, .*", "META, META_SIN_GOLDEN = 50, 25")
+    lab.cambia("herramientas/pruebas/muta.py", "^META, .*", "META, META_SIN_IMAGEN, META_INDEPENDIENTE = 50, 25, 25")
     lab.mutantes(
         (UNO, "esto no está", "x", "signo"),
         (DOS, "falta una columna"),
@@ -212,8 +212,10 @@ def test_muta_los_planta(lab):
     lab("muta", 0, "| total | 4 | 2 | 50.0 | 1 | 25.0 | 1 | 25.0 |")
     assert '\n  "ch01": {"plantados": 4, "notados": 2, "sin_golden": 1, "encima": 0}\n' in evidencia.read_text()
     with lab.con("herramientas/pruebas/muta.py", "tests/mutantes/ch01.tsv"):
-        lab.cambia("herramientas/pruebas/muta.py", "^META, .*", "META, META_SIN_GOLDEN = 50, 26")
-        lab("muta", 1, "se deben notar el 50 % y, sin golden, el 26 %")
+        lab.cambia(
+            "herramientas/pruebas/muta.py", "^META, .*", "META, META_SIN_IMAGEN, META_INDEPENDIENTE = 50, 25, 26"
+        )
+        lab("muta", 1, "se deben notar el 50 %; sin mirar las imágenes, el 25 %; y sin lo de encima, el 26 %")
         lab.cambia("tests/mutantes/ch01.tsv", "\testado$", "\testado\tno se ve")
         lab("muta ch01:2", 1, "o se notan y tienen uno: ch01:2")
 
