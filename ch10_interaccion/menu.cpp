@@ -41,6 +41,7 @@ static void dibuja() {
         glViewport(p.panel.x, p.panel.y, p.panel.ancho, p.panel.alto);
         rotula("clic derecho", {0.98f, 0.94f}, OSCURO, Lado::IZQUIERDA, 0.03f);
     }
+    ponTitulo(std::string("Menú: ") + (enPerspectiva ? "Perspectiva" : VISTAS[estado.vistas.elegido].nombre));
     glutSwapBuffers();
 }
 
@@ -53,8 +54,6 @@ static void menu(int opcion) {
         return;
     }
     estado.vistas.elegido = VISTA_DE[opcion];
-    ponTitulo(std::string("Menú: ") +
-              (opcion == PERSPECTIVA ? "Perspectiva" : VISTAS[VISTA_DE[opcion]].nombre));
     glutPostRedisplay();
 }
 
@@ -75,7 +74,7 @@ static void creaMenu() {
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Menú: Perspectiva", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
+    abreVentana(argc, argv, "Menú", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
