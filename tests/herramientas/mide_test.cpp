@@ -98,3 +98,46 @@ TEST(Mide, LaFilaDeUnaVariante) {
     std::ifstream f(carpetaTemporal() / "t.tsv");
     EXPECT_EQ(std::string(std::istreambuf_iterator<char>(f), {}), "a\t-\t0.5\t-\t3\nb\tg\tnan\tnota\t4.5\n");
 }
+
+// De los dos lados de lo que se espera; lo que no se mide no se juzga.
+TEST(Mide, UnErrorFueraDeLoQueSeEsperaEsUnFallo) {
+    static double error;
+    const Tecnica t{1, "t", "", "ms", "", "", "", [](Medidor &m) {
+                        m.variante("bien", 0, 1, [] {});
+                        m.variante("a", error, 1, [] {}, {0.25, 1});
+                        m.variante("otra", 0, 1, [] {});
+                    }};
+    for (const auto &[cuanto, estado] : {std::pair(0.25, 0),
+                                         {1.0, 0},
+                                         {0.249, 1},
+                                         {1.001, 1},
+                                         {double(NAN), 0},
+                                         {-1.0, 1},
+                                         {double(INFINITY), 1}}) {
+        error = cuanto;
+        testing::internal::CaptureStderr();
+        EXPECT_EQ(corre(t, true, carpetaTemporal()), estado) << cuanto;
+        EXPECT_EQ(testing::internal::GetCapturedStderr().find("mide: t, a: el error es") != std::string::npos,
+                  estado != 0);
+    }
+}
+
+TEST(Mide, LoQueNoCabeEnElDiscoSeDice) {
+    const Tecnica t{1, "lleno", "", "ms", "", "", "", [](Medidor &m) { m.variante("a", 0, 1, [] {}); }};
+    std::filesystem::create_symlink("/dev/full", carpetaTemporal() / "lleno.tsv");
+    EXPECT_EXIT(corre(t, true, carpetaTemporal()), testing::ExitedWithCode(1), "no puedo escribir");
+}
+
+// Cada imagen, con el número de su variante, desde 1; y su diferencia.
+TEST(Mide, CadaImagenEsDeSuVariante) {
+    Medidor m(true, 1, carpetaTemporal() / "i");
+    m.referencia = {1, 1, {10, 10, 10}};
+    for (const unsigned char nivel : {11, 12, 13})
+        m.variante(std::to_string(nivel), 0, 1, [] {}, {}, "", {1, 1, {nivel, 10, 10}});
+    for (const int n : {1, 2, 3}) {
+        const std::string base = (carpetaTemporal() / "i").string() + "-" + std::to_string(n);
+        EXPECT_EQ(leePpm(base + ".ppm").rgb[0], 10 + n);
+        EXPECT_EQ(leePpm(base + "-diferencia.ppm").rgb[0], 128 + 8 * n);
+    }
+    EXPECT_FALSE(std::filesystem::exists(carpetaTemporal() / "i-0.ppm"));
+}

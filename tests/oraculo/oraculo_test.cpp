@@ -161,15 +161,38 @@ TEST(Comparar, UnaImagenConsigoMisma) {
     EXPECT_EQ(silueta.bandaDistintos, 0) << silueta;
 }
 
-// Cada estropicio se nota: un píxel interior cambiado, la esfera movida, el color casi igual, otra talla.
+// Cada estropicio se nota: una componente de un píxel, en más o en menos, dentro, en una esquina o en un borde; la esfera
+// movida, el color casi igual, otra talla, o nada que comparar.
 TEST(Comparar, CadaErrorSeNota) {
     const Escena escena = esferaYSuelo({});
     const ImagenRef ref = render(escena, CAMARA, 80, 60, sombrea);
-    Imagen mala = enBytes(ref);
-    mala.rgb[3 * (30 * 80 + 40)] ^= 16;
-    const Comparacion c = compara(mala, ref);
-    EXPECT_GT(c.maximo, 15) << c;
-    EXPECT_TRUE(c.xMaximo == 40 && c.yMaximo == 30) << c;
+    Imagen mala;
+    for (int n = 0; n < 80 * 60; n += n == 4740 ? 59 : 79) // del primero al último
+        for (int k = 0; k < 3; ++k) {
+            mala = enBytes(ref);
+            unsigned char &estropeado = mala.rgb[std::size_t(3 * n + k)];
+            estropeado = static_cast<unsigned char>(estropeado + (estropeado > 127 ? -90 : 90));
+            const Comparacion c = compara(mala, ref);
+            if (enBanda(ref, n % 80, n / 80))
+                EXPECT_TRUE(c.maximo < 1 && c.bandaDistintos == 1) << n << " " << k << c;
+            else
+                EXPECT_TRUE(c.maximo > 89 && c.xMaximo == n % 80 && c.yMaximo == n / 80 && c.rmse > 1)
+                    << n << " " << k << c;
+        }
+    const ImagenRef sinNada =
+        render(escena, CAMARA, 80, 60, [](const Impacto &) { return Tono({}, SIN_COMPARAR); });
+    EXPECT_EQ(compara(enBytes(ref), sinNada).maximo, INFINITO);
+    for (const auto &[ancho, alto] : {std::pair(79, 60), {80, 59}})
+        EXPECT_THROW(compara(recorta(enBytes(ref), 0, 0, ancho, alto), ref), std::invalid_argument);
+    mala = enBytes(ref); // la silueta: algo donde no hay nada, y nada donde lo hay
+    for (const auto &[x, y, color] : {std::tuple(2, 57, Vec3{0, 0, 0}), {40, 30, FONDO}})
+        for (int k = 0; k < 3; ++k) {
+            Imagen una = mala;
+            for (int i = 0; i < 3; ++i)
+                una.rgb[std::size_t(3 * (y * 80 + x) + i)] =
+                    enOchoBits(y == 30 || i == k ? color[i] : FONDO[i]);
+            EXPECT_EQ(comparaSilueta(una, FONDO, escena, CAMARA).maximo, 255) << x << " " << k;
+        }
 
     // La esfera movida: el desvío mide cuánto, salvo la proyección (de 8/7 a 7/8 según la parte) y el paso de √2
     // entre radios.
@@ -190,7 +213,6 @@ TEST(Comparar, CadaErrorSeNota) {
     for (unsigned char &b : mala.rgb)
         b = static_cast<unsigned char>(std::min(b + 2, 255));
     EXPECT_GT(compara(mala, ref).maximo, 1.5);
-    EXPECT_THROW(compara(recorta(mala, 0, 0, 40, 60), ref), std::invalid_argument);
     EXPECT_THROW(render({}, Camara{}, 4, 4,
                         [](const Impacto &) {
                             return Vec3{0, NAN, 0};
