@@ -144,12 +144,6 @@ TEST(CurvasN, ConCuarentaPuntosElDelCentroNoPesaNi013) {
 
 // ---- B-Spline ----
 
-TEST(BSpline, ConMenosDeCuatroPuntosNoHayNingunTramo) {
-    for (const bool cerrada : {false, true})
-        for (const std::size_t n : {0, 3})
-            EXPECT_EQ(tramosBSpline(n, cerrada), 0u);
-}
-
 // Errata de la ecuación 11.27: Q_i(u) con u entre los nudos i e i+1 es la fórmula en u − u_i; y en u = 1 vale también.
 TEST(Erratas, ArgumentoDeLaEcuacion1127) {
     const auto G = geometriaAlAzar<double>();
