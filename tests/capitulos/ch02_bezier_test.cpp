@@ -6,10 +6,6 @@
 #include "guiones.h"
 #include "mallas.h"
 #include "oraculo/cuadruple.h"
-#include <array>
-#include <cmath>
-#include <fstream>
-#include <gtest/gtest.h>
 
 namespace {
 

@@ -4,11 +4,6 @@
 #include "ch02_modelado/topologia.h"
 #include "guiones.h"
 #include "tabla.h"
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <gtest/gtest.h>
-#include <sstream>
 
 namespace {
 

@@ -3,7 +3,6 @@
 #include "ch04_oraculo.h"
 #include "guiones.h"
 #include "tabla.h"
-#include <map>
 
 namespace {
 

@@ -7,8 +7,6 @@
 #include "panel.h"
 #include "rutas.h"
 #include "tabla.h"
-#include <array>
-#include <cstdlib>
 
 using namespace oraculo;
 

@@ -3,9 +3,6 @@
 #include "contra_oraculo.h"
 #include "guiones.h"
 #include "tabla.h"
-#include <gtest/gtest.h>
-#include <set>
-#include <sstream>
 
 namespace {
 

@@ -3,8 +3,6 @@
 #include "ch11_curvas/continuidad.h"
 #include "ch11_curvas/solenoide.h"
 #include "ch11_referencia.h"
-#include <gtest/gtest.h>
-#include <set>
 
 namespace {
 

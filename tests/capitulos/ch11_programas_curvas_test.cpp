@@ -10,7 +10,6 @@
 #include "plana.h"
 #include "tabla.h"
 #include "trazo.h"
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace {
 

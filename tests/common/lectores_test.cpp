@@ -7,10 +7,6 @@
 #include "numero.h"
 #include "rutas.h"
 #include <csignal>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <gtest/gtest.h>
 #include <locale>
 #include <sys/resource.h>
 #include <unistd.h>

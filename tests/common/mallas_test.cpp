@@ -1,8 +1,6 @@
 // Las mallas de common/: cerradas, orientadas hacia fuera, con normales unitarias y sobre la superficie que
 // dicen ser.
 #include "mallas.h"
-#include <cmath>
-#include <functional>
 
 namespace {
 

@@ -1,12 +1,7 @@
 // Lo que se le pide a una malla, sea de quien sea.
 #pragma once
 #include "malla.h"
-#include <algorithm>
-#include <array>
-#include <gtest/gtest.h>
-#include <map>
-#include <utility>
-#include <vector>
+#include "prueba.h"
 
 /// Cuántas aristas son de un solo triángulo, soldando los vértices que coinciden bit a bit. Las demás son de dos, que
 /// las recorren en sentidos opuestos.
