@@ -96,14 +96,18 @@ struct Cuerpo {
     oraculo::Objeto objeto;
     oraculo::Vec3 color;
 };
+/// Sin sus colores.
+inline oraculo::Escena objetos(const std::vector<Cuerpo> &cuerpos) {
+    oraculo::Escena escena;
+    for (const Cuerpo &c : cuerpos)
+        escena.push_back(c.objeto);
+    return escena;
+}
 inline oraculo::Comparacion comparaConLuzFija(const Imagen &escena, const std::vector<Cuerpo> &cuerpos,
                                               const oraculo::Camara &camara, const oraculo::Vec3 &fondo,
                                               double umbral = 1) {
-    oraculo::Escena objetos;
-    for (const Cuerpo &c : cuerpos)
-        objetos.push_back(c.objeto);
     return oraculo::compara(
-        escena, objetos, camara,
+        escena, objetos(cuerpos), camara,
         [&](const oraculo::Impacto &i) {
             if (!i)
                 return fondo;
