@@ -25,7 +25,11 @@ APUNTA = "./lab prueba --apunta"
 class Documentos:
     def __init__(self, raiz, build):
         self.raiz, self.fallos = raiz, 0
-        self.pruebas = googletest.todas(build)
+        preguntas = (f.read_text() for f in sorted(raiz.glob("tests/propiedades/*.py")))
+        propiedades = [
+            f"propiedades.{nombre}" for texto in preguntas for nombre in re.findall(r"^def (\w+)\(p\)", texto, re.M)
+        ]
+        self.pruebas = googletest.todas(build) + propiedades
         self.ejecutables = {p.split(".")[0] for p in self.pruebas}
         self.capitulos = catalogo.lee(build)
         self.programas = [p for capitulo in self.capitulos for p in capitulo.programas]

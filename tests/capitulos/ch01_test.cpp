@@ -6,15 +6,6 @@
 #include <GL/glew.h>
 // después de glew.h
 #include "glut_sin_ventana/glut_sin_ventana.h"
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <gtest/gtest.h>
-#include <iterator>
-#include <regex>
-#include <sstream>
-#include <string>
 #include <unistd.h>
 
 // Los dos programas que no usan common/ se prueban también por dentro. A primer_programa se le cambian las funciones de

@@ -1,18 +1,11 @@
 // Comprobaciones independientes de la tetera y de ch02_modelado/bezier.h: normales contra derivadas en cuádruple
-// precisión, error de cuerda, grietas, fronteras de longitud cero y los datos de Newell.
+// precisión, error de cuerda, grietas y fronteras de longitud cero.
 #include "ch02_modelado/bezier.h"
 #include "colores.h"
 #include "contra_oraculo.h"
 #include "guiones.h"
+#include "mallas.h"
 #include "oraculo/cuadruple.h"
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <fstream>
-#include <functional>
-#include <gtest/gtest.h>
-#include <map>
-#include <set>
 
 namespace {
 
@@ -113,8 +106,7 @@ double cotaNormal(const Parche &q, const Exacto<Cuadruple> &e, double u, double 
     return U * (24 * (su / lu + sv / lv) + 8) * (lu * lv / ln);
 }
 
-// Lo más que se separan los triángulos de la tetera de la superficie: en una rejilla de cada uno, del punto con sus (u,
-// v).
+/// Lo más que se separan los triángulos de la tetera de la superficie.
 double errorDeCuerda(double tolerancia, int paso) {
     const Malla malla = teselaParches(tetera(), tolerancia).malla;
     std::vector<std::size_t> parche; // de cada vértice
@@ -122,61 +114,12 @@ double errorDeCuerda(double tolerancia, int paso) {
         parche.insert(parche.end(), std::size_t((d.nu + 1) * (d.nv + 1)),
                       parche.empty() ? 0 : parche.back() + 1);
     EXPECT_EQ(parche.size(), malla.vertices.size());
-    double peor = 0;
-    for (std::size_t t = 0; t < malla.indices.size(); t += 3)
-        for (int i = 0; i <= paso; ++i)
-            for (int j = 0; i + j <= paso; ++j) {
-                const int pesos[] = {i, j, paso - i - j};
-                glm::dvec2 uv(0);
-                glm::dvec3 p(0);
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const Vertice &v = malla.vertices[malla.indices[t + k]];
-                    uv += double(pesos[k]) / paso * glm::dvec2(v.coordTextura);
-                    p += double(pesos[k]) / paso * glm::dvec3(v.posicion);
-                }
-                const Parche &suyo = tetera()[parche[malla.indices[t]]];
-                peor = std::max(peor, glm::distance(p, evalua(suyo, uv.x, uv.y).posicion));
-            }
-    return peor;
-}
-// Cuántas aristas son de un solo triángulo, soldando los vértices que coinciden bit a bit. Las demás son de dos, que
-// las recorren en sentidos opuestos.
-int aristasSueltas(const Malla &m) {
-    using Bits = std::array<float, 3>;
-    std::map<std::pair<Bits, Bits>, std::vector<bool>> usos; // y en qué sentido
-    for (std::size_t t = 0; t < m.indices.size(); ++t) {
-        const glm::vec3 p = m.vertices[m.indices[t]].posicion + 0.0f, // −0 y +0 son el mismo sitio
-            q = m.vertices[m.indices[t % 3 == 2 ? t - 2 : t + 1]].posicion + 0.0f;
-        const Bits a = {p.x, p.y, p.z}, b = {q.x, q.y, q.z};
-        usos[std::minmax(a, b)].push_back(a < b);
-    }
-    int sueltas = 0;
-    for (const auto &[arista, sentidos] : usos) {
-        sueltas += sentidos.size() == 1;
-        EXPECT_TRUE(sentidos.size() == 1 || (sentidos.size() == 2 && sentidos[0] != sentidos[1]));
-    }
-    return sueltas;
+    return separacionMaxima(malla, paso, [&](unsigned v, const glm::dvec3 &p, const glm::dvec2 &uv) {
+        return glm::distance(p, evalua(tetera()[parche[v]], uv.x, uv.y).posicion);
+    });
 }
 
 } // namespace
-
-TEST(DatosTetera, SonLosDeNewell) {
-    ASSERT_EQ(tetera().size(), 32u);
-    std::set<std::array<double, 3>> puntos;
-    glm::dvec3 minimo(9), maximo(-9);
-    for (std::size_t k = 0; k < 32; ++k)
-        for (int i = 0; i < 16; ++i) {
-            const glm::dvec3 &p = tetera()[k].p[i / 4][i % 4];
-            puntos.insert({p.x, p.y, p.z + 0.0});
-            minimo = glm::min(minimo, p);
-            maximo = glm::max(maximo, p);
-        }
-    EXPECT_EQ(puntos.size(), 290u);
-    EXPECT_EQ(minimo, glm::dvec3(-3, -2, 0));      // el asa, el cuerpo y el fondo
-    EXPECT_EQ(maximo, glm::dvec3(3.525, 2, 3.15)); // el pitorro, el cuerpo y el pomo
-    for (const auto &p : puntos)
-        EXPECT_TRUE(puntos.count({p[0], -p[1], p[2]})) << "no es simétrica en y";
-}
 
 // La posición y la normal, en una rejilla con las fronteras, contra la referencia. La cota es la de cotaNormal.
 TEST(Bezier, NormalesContraDerivadasEnCuadruple) {

@@ -2,10 +2,6 @@
 #pragma once
 #include "colores.h"
 #include "panel.h"
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <vector>
 
 const int ANCHO = 480, ALTO = 360; // de las imágenes que se comparan
 const glm::vec3 CAJA[8] = {{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0},

@@ -6,10 +6,6 @@
 #include "shader.h"
 #include "tabla.h"
 #include "ventana.h"
-#include <cmath>
-#include <glm/gtc/constants.hpp>
-#include <gtest/gtest.h>
-#include <vector>
 
 // Los vértices de figura_color son los del programa.
 namespace figura_color {

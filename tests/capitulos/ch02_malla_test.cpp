@@ -4,11 +4,6 @@
 #include "ch02_modelado/topologia.h"
 #include "guiones.h"
 #include "tabla.h"
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <gtest/gtest.h>
-#include <sstream>
 
 namespace {
 
@@ -91,22 +86,6 @@ TEST(MallaVf, ElColorDiceElSentido) {
     });
 }
 
-// El cubo, con caras de cuatro vértices, enorme y lejos del origen: llena la ventana.
-TEST(MallaVf, CualquierMallaLlenaLaVentana) {
-    std::ostringstream texto;
-    for (const glm::vec3 &v : CAJA)
-        texto << "v " << 100000 + 4000 * v.x << " " << 4000 * v.y - 70000 << " " << 4000 * v.z << "\n";
-    for (const std::vector<unsigned> &c : cuboCerrado().caras)
-        texto << "f " << c[0] + 1 << " " << c[1] + 1 << " " << c[2] + 1 << " " << c[3] + 1 << "\n";
-    const std::string ruta = fichero(texto.str());
-    EXPECT_EQ(ejecuta("malla_vf", "", 240, 180, {ruta}).salida, informe(8, 6, 0, "ninguna", "antihorario"));
-    double lejos = 0; // del centro al borde, el vértice que más se acerca a este
-    const Pintado aristas = vistaDe("malla_vf", "", 240, 180, {ruta}).encima.trazos(OSCURO).at(0);
-    for (const glm::dvec3 &p : aristas.puntos)
-        lejos = std::max({lejos, std::fabs(p.x / 120 - 1), std::fabs(p.y / 90 - 1)});
-    EXPECT_NEAR(lejos, 1 / 1.22, 0.04); // a la distancia en que llegaría al borde aumentado un 22 %
-}
-
 // El número de una cara de cuatro vértices, en su centro: donde se cortan las diagonales de un cuadrado, también en
 // perspectiva.
 TEST(MallaVf, NumeroDeUnCuadrado) {
@@ -135,17 +114,6 @@ TEST(MallaVf, AristaDeTresCaras) {
     EXPECT_EQ(encima.trazos(MORADO).at(0).puntos.size(), 2u);
     EXPECT_EQ(encima.trazos(ROJO).at(0).puntos.size(), 12u);
     EXPECT_TRUE(encima.trazos(OSCURO).empty());
-}
-
-TEST(MallaVf, ErroresDelUsuario) {
-    const std::string mala = fichero("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n");
-    for (const std::string programa : {"malla_vf", "tiras"})
-        for (const auto &[ruta, error] :
-             {std::pair<std::string, std::string>("no_existe.vf", "no_existe.vf"), {mala, ":4: "}}) {
-            const Ejecucion e = ejecuta(programa, "", 60, 45, {ruta});
-            EXPECT_EQ(e.estado, 1) << programa;
-            EXPECT_NE(e.errores.find(error), std::string::npos) << e.errores;
-        }
 }
 
 // Un sólido cerrado, también lejos del origen. Con cualquier subconjunto de caras invertido, las contrarias son la

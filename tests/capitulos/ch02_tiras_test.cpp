@@ -6,9 +6,6 @@
 #include "guiones.h"
 #include "rutas.h"
 #include "tabla.h"
-#include <algorithm>
-#include <gtest/gtest.h>
-#include <set>
 
 namespace {
 

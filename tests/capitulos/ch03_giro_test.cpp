@@ -3,7 +3,6 @@
 #include "guiones.h"
 #include "panel.h"
 #include "tabla.h"
-#include <gtest/gtest.h>
 
 namespace {
 

@@ -2,7 +2,6 @@
 #include "colores.h"
 #include "panel.h"
 #include "tabla.h"
-#include <gtest/gtest.h>
 
 namespace {
 

@@ -6,7 +6,6 @@
 #include "guiones.h"
 #include "panel.h"
 #include "tabla.h"
-#include <gtest/gtest.h>
 
 namespace {
 

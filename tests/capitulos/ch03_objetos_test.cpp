@@ -3,7 +3,6 @@
 #include "guiones.h"
 #include "panel.h"
 #include "tabla.h"
-#include <gtest/gtest.h>
 
 namespace {
 
@@ -103,13 +102,10 @@ std::vector<Cuerpo> escena(int n = 0, int m = 0) {
 } // namespace
 
 TEST(ProgramaObjetos, SiluetaContraLosSolidosExactos) {
-    Escena solidos;
-    for (const Cuerpo &c : escena())
-        solidos.push_back(c.objeto);
     // En 960×720 una unidad son 116 píxeles: las facetas se separan del sólido medio en cada sentido de la malla, uno
     // en total: en la esfera mayor, de radio 1.05, 122·(1 − cos(π/36)) = 0.46, y en el tubo del toro mayor,
     // 116·0.82·0.35·(1 − cos(π/22)) = 0.34
-    comprueba("silueta", comparaSilueta(vistaDe("objetos").escena, FONDO, solidos, camaraObjetos()),
+    comprueba("silueta", comparaSilueta(vistaDe("objetos").escena, FONDO, objetos(escena()), camaraObjetos()),
               {0, 0, 0.25});
 }
 

@@ -4,7 +4,6 @@
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/vista.h"
 #include "tabla.h"
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace {
 

@@ -3,8 +3,6 @@
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/etapas.h"
 #include "guiones.h"
-#include <map>
-#include <sstream>
 
 namespace {
 

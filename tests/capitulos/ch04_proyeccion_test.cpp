@@ -3,7 +3,6 @@
 #include "ch04_vista3d/vista.h"
 #include "guiones.h"
 #include "tabla.h"
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace {
 

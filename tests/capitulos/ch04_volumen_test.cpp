@@ -3,7 +3,6 @@
 #include "ch04_oraculo.h"
 #include "guiones.h"
 #include "tabla.h"
-#include <map>
 
 namespace {
 
@@ -83,12 +82,10 @@ TEST(VolumenVista, ContraTrazadoDeRayos) {
         {"tecla p", volumen(false, 2.5, 9), 2.8},
     };
     const std::vector<Cuerpo> cuerpos = piezas();
-    Escena objetos;
-    for (const Cuerpo &c : cuerpos)
-        objetos.push_back(c.objeto);
+    const Escena escena = objetos(cuerpos);
     paraCada("volumen_vista", casos, VENTANA.ancho, VENTANA.alto, [&](const auto &c, const Vista &vista) {
         const Camara camara = perspectiva(orbita(c.azimut, 0.36, 20.3, {0, 1.6, 0.9}), 0.55, 1, 100);
         const auto tono = [&](const Impacto &i) { return sombrea(i, cuerpos, c.volumen); };
-        comprueba("la escena", compara(vista.escena, objetos, camara, tono), {1.75, 500, 0.012});
+        comprueba("la escena", compara(vista.escena, escena, camara, tono), {1.75, 500, 0.012});
     });
 }

@@ -96,16 +96,12 @@ struct Iluminada {
         if (modelo == PHONG)
             return {color(i.objeto, i.punto, i.normal), zona};
         const Objeto &o = escena[i.objeto];
-        const double b[] = {1 - i.corte.b1 - i.corte.b2, i.corte.b1, i.corte.b2};
-        Vec3 colores;
-        for (int k = 0; k < 3; ++k) {
-            const VerticeRef &v = o.triangulos->vertices[o.triangulos->indices[i.corte.triangulo][k]];
-            const Vec3 p = punto(o.M, v.posicion);
-            if (modelo == PLANO)
-                return {color(i.objeto, p, i.normalCara), i.corte.triangulo / 2};
-            colores = colores + b[k] * color(i.objeto, p, transformaNormal(o.inv, v.normal));
-        }
-        return colores;
+        if (modelo == GOURAUD)
+            return interpola(o, i, [&](const VerticeRef &v) {
+                return color(i.objeto, punto(o.M, v.posicion), transformaNormal(o.inv, v.normal));
+            });
+        const VerticeRef &primero = o.triangulos->vertices[o.triangulos->indices[i.corte.triangulo][0]];
+        return {color(i.objeto, punto(o.M, primero.posicion), i.normalCara), i.corte.triangulo / 2};
     }
     void compara(const Imagen &gpu, bool enMalla = true) const {
         const Escena e = escena(enMalla);

@@ -1,7 +1,6 @@
 // Las texturas que hace assets/genera_assets.cpp: byte a byte las mismas en cualquier máquina.
+#include "prueba.h"
 #include "rutas.h"
-#include <gtest/gtest.h>
-#include <sstream>
 
 // En tests/golden/assets.fnv, el FNV-1a de 64 bits de cada fichero.
 TEST(Assets, LosMismosBytesEnCualquierMaquina) {

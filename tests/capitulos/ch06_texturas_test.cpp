@@ -7,8 +7,6 @@
 #include "panel.h"
 #include "rutas.h"
 #include "tabla.h"
-#include <array>
-#include <cstdlib>
 
 using namespace oraculo;
 
@@ -92,63 +90,6 @@ TEST(TexturaObjeto, TexelPorIluminacionContraElOraculo) {
         return true;
     });
     EXPECT_GT(comparados, 10800); // de los 17 000 que ocupa el toro, sin los de canto
-}
-
-// Da igual que la imagen venga en PPM o sin cabecera; sin ninguna es la que trae el programa, y un texel es lo mismo
-// que muchos iguales: no hay NaN.
-TEST(TodasLasTexturas, UnSoloTexel) {
-    const std::pair<std::string, Imagen> programas[] = {{"textura_objeto", lee("metal", 256, 256)},
-                                                        {"repeticion", lee("carta", 256, 256)},
-                                                        {"filtrado", lee("mosaico", 32, 32)},
-                                                        {"coordenadas", lee("carta", 256, 256)}};
-    const Imagen varios = alAzar(7, 5), muchos = lisa(7, 5, {200, 100, 50}), uno = lisa(1, 1, {200, 100, 50});
-    for (const auto &[programa, deOmision] : programas) {
-        SCOPED_TRACE(programa);
-        const auto rgb = [&, p = programa](const std::vector<std::string> &argumentos) {
-            return vistaDe(p, "", 120, 90, argumentos).escena.rgb;
-        };
-        EXPECT_EQ(rgb({}), rgb({enFichero(deOmision)}));
-        EXPECT_EQ(rgb(enRgb(varios)), rgb({enFichero(varios)}));
-        EXPECT_EQ(rgb(enRgb(muchos)), rgb({enFichero(uno)}));
-        EXPECT_NE(rgb({}), rgb(enRgb(varios)));
-        EXPECT_NE(rgb(enRgb(uno)), rgb(enRgb(varios)));
-    }
-}
-
-TEST(Argumentos, UnaLineaQueDiceQuePasa) {
-    const std::string f = enFichero(alAzar(7, 5), ".rgb"), larga = enFichero(alAzar(32768, 1), ".rgb");
-    const struct {
-        std::vector<std::string> argumentos;
-        int estado;
-        std::string mensaje;
-    } casos[] = {
-        {{"no_esta.ppm"}, 1, "no puedo leer «no_esta.ppm»: "},
-        {{"no_esta.rgb", "-talla", "7x5"}, 1, "no puedo leer «no_esta.rgb»: "},
-        {{f, "-talla", "7x6"}, 1, "una imagen RGB de 7×6 ocupa 126 bytes y hay 105"},
-        {{f, "-talla", "7x4"}, 1, "una imagen RGB de 7×4 ocupa 84 bytes y hay 105"},
-        {{f, "-talla", "99999x1"}, 1, "no hay texturas de 99999×1"},
-        {{f, "-talla", "1x99999"}, 1, "no hay texturas de 1×99999"},
-        {{larga, "-talla", "32768x1"}, 1, "demasiado grande: este OpenGL las admite de hasta 16384 de lado"},
-        {{larga, "-talla", "1x32768"}, 1, "una textura de 1×32768 es demasiado grande"},
-        {{f}, 2, "de un fichero RGB sin cabecera hay que decir -talla ANCHOxALTO"},
-        {{f, "-talla"}, 2, "detrás de -talla va el tamaño, ANCHOxALTO"},
-        {{f, "-talla", "7"}, 2, "«7» no es un tamaño ANCHOxALTO"},
-        {{f, "-talla", "7x5x"}, 2, "«7x5x» no es un tamaño ANCHOxALTO"},
-        {{f, "-talla", "7x999999999999"}, 2, "«7x999999999999» no es un tamaño ANCHOxALTO"},
-        {{"-talla", "7x5"}, 2, "con -talla falta el fichero RGB"},
-        {{"x.ppm", "-talla", "7x5"}, 2, "«x.ppm»: un PPM ya dice su tamaño, sobra -talla"},
-        {{f, "-talla", "7x5", "-talla", "7x5"}, 2, "sobra «-talla»: solo se lee una imagen"},
-        {{f, "-t", "7x5"}, 2, "sobra «-t»: solo se lee una imagen"},
-        {{""}, 2, "«»"},
-        {{"-foto"}, 2, "sobra «-foto»: solo se lee una imagen"},
-    };
-    for (const auto &c : casos) {
-        const Ejecucion e = ejecuta("textura_objeto", "", 9, 9, c.argumentos);
-        EXPECT_EQ(e.estado, c.estado) << c.mensaje;
-        EXPECT_NE(e.errores.find(c.mensaje), std::string::npos) << e.errores;
-        EXPECT_EQ(std::count(e.errores.begin(), e.errores.end(), '\n'), 1) << e.errores;
-        EXPECT_TRUE(e.imagen.rgb.empty());
-    }
 }
 
 // --- repeticion --------------------------------------------------------------------------------------------
@@ -358,15 +299,6 @@ TEST(Coordenadas, SeLeenEnLaImagenLasDeLaParametrizacion) {
                             {"tecla 2", 2, 314, 90},
                             {"tecla 1", 1, 314, 90}};
     paraCada("coordenadas", casos, ANCHO, ALTO, comprueba, enRgb(im));
-}
-
-// A la izquierda, la imagen entera, derecha y sin deformar, con la luz de su cara: abarca 4/3 de 0.41 a cada lado del
-// centro.
-TEST(Coordenadas, ALaIzquierdaLaImagen) {
-    const Imagen im = alAzar(4, 4), gpu = vistaDe("coordenadas", "", ANCHO, ALTO, enRgb(im)).escena;
-    const auto en = [&](double s, double t) { return luzFija({0, 0, 1}) * lineal(im, s, t); };
-    compruebaRectangulo(recorta(gpu, {0, 0, 80, 180}), glm::dvec2(80 / (2 * 0.41 * 4 / 3)), FONDO_CLARO, 1,
-                        en);
 }
 
 // --- multitextura ------------------------------------------------------------------------------------------

@@ -1,9 +1,6 @@
 // El ruido de ruido.glsl según su definición, en doble y sin compartir nada con ruido.h: mezclas lineales encadenadas.
 #pragma once
-#include <cmath>
-#include <cstdint>
-#include <glm/glm.hpp>
-#include <vector>
+#include "prueba.h"
 
 namespace definicion {
 

@@ -4,7 +4,6 @@
 #include "ch08_oraculo.h"
 #include "ch08_texturas_avanzadas/ruido.h"
 #include "sonda.h"
-#include <gtest/gtest.h>
 
 namespace {
 

@@ -3,7 +3,6 @@
 #include "colores.h"
 #include "imagenes.h"
 #include "oraculo/compara.h"
-#include <gtest/gtest.h>
 
 using oraculo::Vec3;
 

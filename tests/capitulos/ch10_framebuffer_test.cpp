@@ -1,8 +1,8 @@
 // Lo que seleccion deja en OpenGL, que en sus imágenes no se ve: el programa se incluye entero.
-#include <gtest/gtest.h>
 
 #define main programaSeleccion
 #include "ch10_interaccion/seleccion.cpp"
+#include "prueba.h"
 #undef main
 
 namespace {

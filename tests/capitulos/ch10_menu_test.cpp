@@ -2,7 +2,6 @@
 #include "colores.h"
 #include "ejecuta.h"
 #include "guiones.h"
-#include <gtest/gtest.h>
 
 // La escena de cada opción es la de grua_proyeccion, que ch04_grua comprueba contra rayos en doble. Se empieza en
 // perspectiva, que el botón izquierdo orbita, porque el menú está en el derecho.

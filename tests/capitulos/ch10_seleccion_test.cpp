@@ -3,9 +3,6 @@
 #include "contra_oraculo.h"
 #include "guiones.h"
 #include "tabla.h"
-#include <gtest/gtest.h>
-#include <set>
-#include <sstream>
 
 namespace {
 
@@ -34,12 +31,7 @@ const std::vector<Cuerpo> CUERPOS = {
     {malla(en(2, 2) * BOLA, bola), exacto(MORADO)}};
 const std::string NOMBRES[] = {"nada",       "cono verde",    "cubo azul",    "toro rojo", "esfera roja",
                                "toro verde", "cono amarillo", "cubo naranja", "toro azul", "esfera morada"};
-const Escena ESCENA = [] {
-    Escena e;
-    for (const Cuerpo &c : CUERPOS)
-        e.push_back(c.objeto);
-    return e;
-}();
+const Escena ESCENA = objetos(CUERPOS);
 
 const double DISTANCIA = 11.5;
 Camara camaraA(double distancia, double azimut = 0.25) {

@@ -10,7 +10,6 @@
 #include "plana.h"
 #include "tabla.h"
 #include "trazo.h"
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace {
 
@@ -348,17 +347,5 @@ TEST(SolenoideVista, ContraLaHeliceTrazada) {
 }
 
 // ---- El editor ----
-
-// De dos que casi coinciden, el más cercano; y el que está detrás de la cámara, en el mismo sitio de la pantalla, no se
-// coge nunca.
-TEST(Editor, ElMasCercanoDeLosQueSeVen) {
-    const glm::mat4 ver = glm::perspective(0.9f, 1.5f, 0.5f, 50.0f);
-    const std::vector<glm::vec3> P = {{1, 1, -6}, {1.02f, 1, -6}}, detras = {{-1, -1, 6}};
-    for (const int i : {0, 1}) {
-        const glm::vec4 q = ver * glm::vec4(P[std::size_t(i)], 1);
-        EXPECT_EQ(masCercano(P, ver, glm::vec2(q) / q.w, {1.5f, 1}, 0.1f), i);
-        EXPECT_EQ(masCercano(detras, ver, glm::vec2(q) / q.w, {1.5f, 1}, 0.1f), -1);
-    }
-}
 
 } // namespace

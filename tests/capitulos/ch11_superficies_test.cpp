@@ -6,6 +6,7 @@
 #include "ch11_referencia.h"
 #include "colores.h"
 #include "guiones.h"
+#include "mallas.h"
 #include "pintado.h"
 #include "tabla.h"
 
@@ -262,22 +263,10 @@ TEST(Normales, UnBordeColapsadoLaTiene) {
 template<typename Distancia>
 double mayorSeparacion(Base base, const Geometria2<float> &G, const Segmentos &segmentos,
                        const Distancia &distancia) {
-    const Malla malla = mallaSuperficie(base, G, segmentos);
-    double mayor = 0;
-    for (std::size_t t = 0; t < malla.indices.size(); t += 3)
-        for (int i = 0; i <= 6; ++i)
-            for (int j = 0; i + j <= 6; ++j) {
-                const double b[3] = {i / 6.0, j / 6.0, (6 - i - j) / 6.0};
-                glm::dvec3 p(0);
-                glm::dvec2 uv(0);
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const Vertice &v = malla.vertices[malla.indices[t + k]];
-                    p += b[k] * glm::dvec3(v.posicion);
-                    uv += b[k] * glm::dvec2(v.coordTextura);
-                }
-                mayor = std::max(mayor, distancia(p, superficieRef(base, G, uv.x, uv.y)));
-            }
-    return mayor;
+    return separacionMaxima(mallaSuperficie(base, G, segmentos), 6,
+                            [&](unsigned, const glm::dvec3 &p, const glm::dvec2 &uv) {
+                                return distancia(p, superficieRef(base, G, uv.x, uv.y));
+                            });
 }
 double separacion(Base base, const Geometria2<float> &G, const Segmentos &n) {
     return mayorSeparacion(base, G, n, lejos<double, double>);

@@ -7,7 +7,6 @@
 #include "oraculo/oraculo.h"
 #include "panel.h"
 #include "tabla.h"
-#include <gtest/gtest.h>
 
 using namespace oraculo;
 

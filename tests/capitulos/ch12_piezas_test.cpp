@@ -5,9 +5,6 @@
 #include "colores.h"
 #include "oraculo/oraculo.h"
 #include "plana.h"
-#include <cstdint>
-#include <gtest/gtest.h>
-#include <numeric>
 
 using namespace oraculo;
 

@@ -3,8 +3,6 @@
 #include "ch04_vista3d/vista.h"
 #include "ejecuta.h"
 #include "sonda.h"
-#include <fstream>
-#include <gtest/gtest.h>
 
 // Lo que GLSL no entiende, o entiende de otra manera.
 TEST(Glsl, NoEsLoQueDiceElLibro) {

@@ -2,15 +2,7 @@
 // quedan en el informe de GoogleTest (--gtest_output=json), y de ahí los toma herramientas/pruebas/evidencia.py para
 // docs/exactitud.md.
 #pragma once
-#include <cmath>
-#include <functional>
-#include <glm/gtc/type_ptr.hpp>
-#include <gtest/gtest.h>
-#include <iostream>
-#include <numeric>
-#include <sstream>
-#include <string>
-#include <vector>
+#include "prueba.h"
 
 using Largo = long double; // 64 bits de mantisa
 

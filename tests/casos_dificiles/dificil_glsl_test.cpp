@@ -5,9 +5,6 @@
 #include "cota.h"
 #include "expresion.h"
 #include "rutas.h"
-#include <algorithm>
-#include <filesystem>
-#include <regex>
 
 namespace fs = std::filesystem;
 

@@ -2,7 +2,6 @@
 #include "ch04_vista3d/profundidad.h"
 #include "ch04_vista3d/vista.h"
 #include "cota.h"
-#include <glm/gtc/matrix_transform.hpp>
 
 namespace {
 

@@ -2,8 +2,6 @@
 #pragma once
 #include "ejecuta.h"
 #include "sonda.h"
-#include <fstream>
-#include <map>
 
 /// La expresión, de tipo float o vec3, puede ser de los vec3 `a` y `b`, de lo que hay en las texturas `imagen` y
 /// `filtro`, en las unidades 0 y 1, y de lo que tienen phong.glsl y filtro.glsl.

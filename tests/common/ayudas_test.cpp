@@ -6,16 +6,10 @@
 #include "imagen.h"
 #include "letra.h"
 #include "proyeccion.h"
+#include "prueba.h"
 #include "recuadro.h"
 #include "rotulo.h"
 #include "ventana.h"
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <functional>
-#include <gtest/gtest.h>
-#include <map>
-#include <utility>
 // clang-format off
 #include <ft2build.h>
 #include FT_FREETYPE_H

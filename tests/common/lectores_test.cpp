@@ -7,10 +7,6 @@
 #include "numero.h"
 #include "rutas.h"
 #include <csignal>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <gtest/gtest.h>
 #include <locale>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -59,7 +55,7 @@ TEST(LeeTextura, DaLaVueltaALasFilas) {
     EXPECT_EQ(std::string(j.rgb.begin(), j.rgb.end()), "DEFabc");
 }
 
-// Lo demás, en ch06_texturas.Argumentos. Un dispositivo no se acaba: hay un límite, y se dice.
+// Lo demás se pide a todo programa (propiedades/dados.py). Un dispositivo no se acaba: hay un límite, y se dice.
 TEST(LeeTextura, LoQueNoEsUnFicheroNiUnaTalla) {
     EXPECT_EXIT(leeTextura(carpetaTemporal().string(), 3, 2), ExitedWithCode(1), "es una carpeta");
     EXPECT_EXIT(leeTextura("/dev/zero", 3, 2), ExitedWithCode(1), "«/dev/zero» ocupa más de 256 MiB");

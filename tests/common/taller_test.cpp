@@ -1,11 +1,6 @@
 // Lo que common/ hace con una ventana abierta: F5 con shaders mal editados, F12 donde no se puede escribir.
 #include "ejecuta.h"
 #include "shader.h"
-#include <algorithm>
-#include <cstring>
-#include <fstream>
-#include <gtest/gtest.h>
-#include <map>
 
 namespace fs = std::filesystem;
 

@@ -943,42 +943,9 @@ def test_una_entrega_da_lo_mismo_sin_jaula(clase, tmp_path):
         subprocess.run([*pide, *mas], cwd=tmp_path, **CALLADO)
     una, otra = ((tmp_path / f).read_text() for f in ("con.json", "sin.json"))
     assert una == otra and json.loads(una)["fallos"]
-
-
-@pytest.mark.skipif(
-    os.environ.get("LAB_COLA") != "1" or not shutil.which("parallel") or not os.path.exists("/usr/sbin/sshd"),
-    reason="con LAB_COLA=1, GNU Parallel y sshd",
-)
-@con_jaula
-def test_dos_maquinas_dan_la_misma_tabla(clase, tmp_path):
-    """GNU Parallel con dos sshd de esta máquina, y la página de los JSON que dejan."""
-    claves = [tmp_path / nombre for nombre in ("maquina", "usuario")]
-    for clave in claves:
-        subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", clave], check=True)
-    shutil.copy(f"{claves[1]}.pub", tmp_path / "autorizadas")
-    Path("/run/sshd").mkdir(exist_ok=True)
-    demonios, maquinas = [], []
-    for puerto in (22921, 22922):
-        opciones = "ListenAddress=127.0.0.1", "StrictModes=no", "PermitRootLogin=yes", "PidFile=none"
-        opciones += (f"AuthorizedKeysFile={tmp_path}/autorizadas",)
-        sshd = ["/usr/sbin/sshd", "-D", "-q", "-f", "/dev/null", "-p", str(puerto), "-h", claves[0]]
-        demonios.append(subprocess.Popen([*sshd, *(p for opcion in opciones for p in ("-o", opcion))]))
-        sin_preguntar = "-o StrictHostKeyChecking=no -o UserKnownHostsFile=/dev/null -o LogLevel=ERROR"
-        maquinas.append(f"1/ssh -p {puerto} -i {claves[1]} {sin_preguntar} 127.0.0.1")
-    try:
-        time.sleep(1)
-        for carpeta in ("cola", "aqui"):
-            (tmp_path / carpeta).mkdir()
-        una = " ".join(map(str, orden("{}", REF, "--guiones", "2", "--json", f"{tmp_path}/cola/{{/}}.json")))
-        donde = [p for m in maquinas for p in ("--sshlogin", m)]
-        parallel = ["parallel", *donde, "--joblog", tmp_path / "log", una, ":::", *sorted(clase.iterdir())]
-        hecho = subprocess.run(parallel, text=True, capture_output=True)
-        filas = [linea.split("\t") for linea in (tmp_path / "log").read_text().splitlines()[1:]]
-        assert len(filas) == 18 and len({f[1] for f in filas}) == 2, hecho.stderr
-        for carpeta in ("cola", "aqui"):
-            subprocess.run(orden(clase, REF, "--guiones", "2", "--deja", tmp_path / carpeta), stderr=subprocess.DEVNULL)
-        assert (tmp_path / "cola/notas.csv").read_text() == (tmp_path / "aqui/notas.csv").read_text()
-    finally:
-        for demonio in demonios:
-            demonio.terminate()
-            demonio.wait()
+    notas = tmp_path / "notas"  # y en una cola: una a una, y la tabla, de lo que dejan
+    shutil.copytree(clase / "d_orden", tmp_path / "clase/d_orden")
+    siembra(notas, {"d_orden.json": una})
+    antes = cuando(notas)
+    subprocess.run(orden(tmp_path / "clase", REF, "--guiones", "0", "--deja", notas), **CALLADO)
+    assert cuando(notas) == antes and f"d_orden,{REF},{json.loads(una)['nota']}" in (notas / "notas.csv").read_text()

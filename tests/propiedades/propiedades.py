@@ -13,6 +13,7 @@ import shlex
 import sys
 from pathlib import Path
 
+from dados import dados
 from dicho import dicho
 from mandos import comparacion, comunes, limites, mandos, nombres, raras, vivos, vuelta
 from programa import TALLA, Programa, Termina, arrastre
@@ -100,7 +101,8 @@ def rondas(p):
 
 
 PROPIEDADES = paseo, nombres, raras, limites, comparacion, vuelta, tallas, franja, rotulos, cerca, arrastres, tocado
-PROPIEDADES += pausa, lento, conmuta, modelo, foto, rondas, comunes, vivos, mandos, dicho  # dicho mira lo de los demás
+PROPIEDADES += pausa, lento, conmuta, modelo, foto, rondas, comunes, vivos, mandos
+PROPIEDADES += dados, dicho  # dicho mira lo de los demás
 
 # (programa, propiedad, en qué, expresión regular): por qué no
 EXCEPCIONES = {

@@ -1,7 +1,6 @@
 // Números al azar, siempre los mismos con la misma semilla.
 #pragma once
-#include <glm/glm.hpp>
-#include <random>
+#include "prueba.h"
 
 class Azar {
     std::mt19937 generador;

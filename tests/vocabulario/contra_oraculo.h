@@ -3,9 +3,7 @@
 #include "ejecuta.h"
 #include "malla.h"
 #include "oraculo/oraculo.h"
-#include <gtest/gtest.h>
-#include <iostream>
-#include <string>
+#include "prueba.h"
 
 /// Lo que se admite. Con la misma forma que dibuja el programa, en los bordes solo pueden fallar los píxeles cuyo
 /// centro está a menos de 1/512 de uno, que la GPU redondea a una rejilla de 1/256: como la banda mide de 2 a 3
@@ -98,14 +96,18 @@ struct Cuerpo {
     oraculo::Objeto objeto;
     oraculo::Vec3 color;
 };
+/// Sin sus colores.
+inline oraculo::Escena objetos(const std::vector<Cuerpo> &cuerpos) {
+    oraculo::Escena escena;
+    for (const Cuerpo &c : cuerpos)
+        escena.push_back(c.objeto);
+    return escena;
+}
 inline oraculo::Comparacion comparaConLuzFija(const Imagen &escena, const std::vector<Cuerpo> &cuerpos,
                                               const oraculo::Camara &camara, const oraculo::Vec3 &fondo,
                                               double umbral = 1) {
-    oraculo::Escena objetos;
-    for (const Cuerpo &c : cuerpos)
-        objetos.push_back(c.objeto);
     return oraculo::compara(
-        escena, objetos, camara,
+        escena, objetos(cuerpos), camara,
         [&](const oraculo::Impacto &i) {
             if (!i)
                 return fondo;

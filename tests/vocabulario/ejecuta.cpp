@@ -1,16 +1,7 @@
 #include "ejecuta.h"
 #include "oraculo/compara.h"
-#include <algorithm>
-#include <array>
+#include "prueba.h"
 #include <cerrno>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <gtest/gtest.h>
-#include <iterator>
-#include <map>
-#include <sstream>
-#include <stdexcept>
 #include <sys/wait.h>
 #include <unistd.h>
 

@@ -2,9 +2,7 @@
 #pragma once
 #include "encima.h"
 #include "imagen.h"
-#include <filesystem>
-#include <string>
-#include <vector>
+#include "prueba.h"
 
 /// Carpeta de este proceso y de nadie más, para todo lo que una prueba escribe: se crea al pedirla y se borra al
 /// terminar. Dos pruebas a la vez, o de dos usuarios, no se estorban.

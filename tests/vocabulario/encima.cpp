@@ -1,11 +1,5 @@
 #include "encima.h"
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <gtest/gtest.h>
-#include <limits>
-#include <sstream>
-#include <stdexcept>
+#include "prueba.h"
 
 namespace {
 

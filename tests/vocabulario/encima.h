@@ -1,10 +1,7 @@
 // Lo que un programa pinta encima de su escena (rótulos y trazos), como lo apunta common/encima.h, y cómo comprobarlo.
 // Los puntos y las distancias son píxeles de la ventana, desde abajo a la izquierda.
 #pragma once
-#include <functional>
-#include <glm/glm.hpp>
-#include <string>
-#include <vector>
+#include "prueba.h"
 
 struct Pintado {
     std::string tipo; // rotulo, segmentos, polilinea, puntos, flecha o poligono

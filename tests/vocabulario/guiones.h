@@ -1,7 +1,6 @@
 // Trozos de guion que piden muchas pruebas.
 #pragma once
-#include <glm/glm.hpp>
-#include <string>
+#include "prueba.h"
 
 /// Varias veces la misma orden; ninguna, si son 0.
 inline std::string veces(int n, const std::string &orden) {

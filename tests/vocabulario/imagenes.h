@@ -4,11 +4,7 @@
 #include "azar.h"
 #include "ejecuta.h"
 #include "oraculo/algebra.h"
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <functional>
-#include <ostream>
+#include "prueba.h"
 
 inline bool operator==(const Pixel &a, const Pixel &b) {
     return a.r == b.r && a.g == b.g && a.b == b.b;

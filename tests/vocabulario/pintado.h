@@ -2,8 +2,8 @@
 #pragma once
 #include "contra_oraculo.h"
 #include "oraculo/cobertura.h"
+#include "prueba.h"
 #include "rotulo.h"
-#include <functional>
 
 /// Lo que una pincelada cubre de un píxel: cuánto está su centro dentro de ella, y de lo que quizá pinta, y la
 /// profundidad de lo más cercano.

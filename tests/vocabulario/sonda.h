@@ -1,10 +1,8 @@
 // Una sonda: un shader suelto que la GPU ejecuta en un único píxel y devuelve en float, sin recortar ni redondear.
 #pragma once
 #include "mide/contexto_suelto.h"
+#include "prueba.h"
 #include "shader.h"
-#include <cmath>
-#include <glm/gtc/type_ptr.hpp>
-#include <string>
 
 /// Deja enlazado un framebuffer de un píxel de ese formato.
 inline void enlazaUnPixel(GLenum formato) {
