@@ -116,7 +116,7 @@ TEST(ProgramaBasicas, LaFEstaDondeDicenLasEcuaciones) {
         std::vector<Cuerpo> cuerpos;
         for (const Objeto &caja : efe(basica(caso.cual, caso.valor)))
             cuerpos.push_back({caja, ANARANJADO});
-        compruebaEscena(v, ventana(v, {0.95, 10.2, {0.2, 1.42, 0}}), cuerpos, FONDO_CLARO);
+        compruebaEscena(v, ventana(v, {0.55, 9, {0.3, -0.05, 0}}), cuerpos, FONDO_CLARO);
     });
 }
 
