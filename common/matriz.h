@@ -23,8 +23,8 @@ inline std::string filasDe(const glm::mat4 &M, int ancho = 6) {
 /// La matriz en ese sitio del panel, que es el de su primera barra, columna a columna: en morado, las que no son de la
 /// identidad.
 inline void rotulaMatriz(const glm::mat4 &M, glm::vec2 lugar, float talla = 0.032f) {
-    // una columna y lo que la separa de la siguiente ocupan seis letras
-    const float paso = 6 * 0.83f * talla * std::min(1 / relacionAspecto(), 0.75f);
+    // una columna y lo que la separa de la siguiente ocupan cinco letras y media
+    const float paso = 5.5f * 0.83f * talla * std::min(1 / relacionAspecto(), 0.75f);
     const std::string barra = "|\n|\n|\n|";
     rotula(barra, lugar, OSCURO, Lado::DERECHA, talla);
     lugar.x += paso / 4;
