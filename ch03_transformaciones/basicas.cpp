@@ -1,6 +1,6 @@
 // Las transformaciones básicas (§3.1) de una F, con su matriz escrita: traslación (ecuaciones 3.1 a 3.3), escalado (3.4
-// y 3.5) y giros alrededor de X, Y y Z (3.6 a 3.8). Gris, la F original; la flecha es el camino de su esquina. Un giro
-// de ángulo positivo es antihorario visto desde la punta de su eje, mirando hacia el origen.
+// y 3.5) y giros alrededor de X, Y y Z (3.6 a 3.8). Gris, la F original; morados, el camino de su esquina y las columnas
+// que no son de la identidad. Un giro de ángulo positivo es antihorario visto desde la punta de su eje.
 // Controles: 1 traslación · 2 escalado · 3 4 5 giro en X, Y, Z · + - cambian el valor · ratón orbita · Esc termina.
 #include "dibujos.h"
 #include "letra_f.h"
@@ -31,7 +31,7 @@ static struct {
     Buferes letra;
     int elegido = 0;
     float valor = BASICAS[0].inicial;
-    Orbita orbita = {0.95f, 0.35f, 10.2f, {0.2f, 1.42f, 0}};
+    Orbita orbita = {0.55f, 0.35f, 9, {0.3f, -0.05f, 0}};
 } estado;
 
 static void inicia() {
@@ -63,12 +63,12 @@ static void dibuja() {
         const float valor = glm::mix(b.neutro, estado.valor, float(i) / 20);
         camino.push_back(b.matriz(b.unidad * valor) * glm::vec4(MAXIMO_F, 1));
     }
-    trazaPolilinea({camino.begin(), camino.end() - 3}, transformacion, MORADO);
-    trazaFlecha(camino[17], camino[20], transformacion, MORADO);
-    trazaEjes(glm::vec3(1.85f), transformacion);
+    trazaPolilinea({camino.begin(), camino.end() - 3}, transformacion, MORADO, 1.5f * GROSOR);
+    trazaFlecha(camino[17], camino[20], transformacion, MORADO, 1.5f * GROSOR);
+    trazaEjes({1.85f, 1.65f, 1.85f}, transformacion);
     ponTitulo("Transformaciones básicas: " + nombre());
-    rotula(nombre() + " =", {0.03f, 0.94f}, OSCURO, Lado::DERECHA);
-    rotula(filasDe(M), {0.03f, 0.78f}, OSCURO, Lado::DERECHA);
+    rotula(nombre() + " =", {0.44f, 0.14f}, OSCURO, Lado::IZQUIERDA);
+    rotulaMatriz(M, {0.44f, 0.14f});
     glutSwapBuffers();
 }
 

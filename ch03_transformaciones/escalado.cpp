@@ -11,18 +11,21 @@
 #include "ventana.h"
 #include <glm/gtc/matrix_transform.hpp>
 
-static const struct {
+static const struct Escalado {
     glm::vec3 factores;
-    const char *nombre;
-} ESCALADOS[] = {{{2, 2, 2}, "S(2,2,2)"},   {{2, 0.5f, 1}, "S(2,.5,1)"}, {{1, 1, 0}, "S(1,1,0)"},
-                 {{-1, 1, 1}, "S(-1,1,1)"}, {{-1, -1, 1}, "S(-1,-1,1)"}, {glm::vec3(0.5f), "S(.5,.5,.5)"}};
+    const char *nombre, *clase;
+} ESCALADOS[] = {
+    {{2, 2, 2}, "S(2,2,2)", "uniforme"},          {{2, 0.5f, 1}, "S(2,0.5,1)", "no uniforme"},
+    {{1, 1, 0}, "S(1,1,0)", "uno nulo"},          {{-1, 1, 1}, "S(−1,1,1)", "uno negativo"},
+    {{-1, -1, 1}, "S(−1,−1,1)", "dos negativos"}, {glm::vec3(0.5f), "S(0.5,0.5,0.5)", "menores que 1"}};
 
-static const float ASPECTO_ESCENA = 0.85f, SEMIALTO = 0.26f; // a distancia 1 del ojo
+static const float ASPECTO_ESCENA = 0.92f, SEMIALTO = 0.236f; // a distancia 1 del ojo
+static const float TALLA = 0.031f;                            // de los rótulos
 
 static struct {
     GLuint programa;
     Buferes letra;
-    Orbita orbita = {1, 0.3f, 10};
+    Orbita orbita = {0.55f, 0.25f, 10};
 } estado;
 
 static void inicia() {
@@ -32,12 +35,13 @@ static void inicia() {
     glEnable(GL_DEPTH_TEST);
 }
 
-static void dibujaVista(const glm::vec3 &s, const char *nombre, const Recuadro &r) {
+static void dibujaVista(const Escalado &caso, const Recuadro &r) {
+    const glm::vec3 &s = caso.factores;
     // Cada vista se centra en lo que abarcan la F y su escalada; la escala es la misma en todas.
     Orbita orbita = estado.orbita;
     orbita.centro = 0.5f * (glm::min(MINIMO_F, glm::min(s * MINIMO_F, s * MAXIMO_F)) +
                             glm::max(MAXIMO_F, glm::max(s * MINIMO_F, s * MAXIMO_F)));
-    orbita.centro.y -= 0.28f; // debajo va el rótulo
+    orbita.centro.y -= 0.45f; // debajo van los rótulos
     // vistas más altas que anchas: en perspectivaVentana, que es para 4:3, se quedarían pequeñas
     const float semialto = SEMIALTO * std::max(ASPECTO_ESCENA / aspecto(r), 1.0f);
     const glm::mat4 proyeccion = glm::perspective(2 * std::atan(semialto), aspecto(r), 1.0f, 100.0f),
@@ -62,8 +66,9 @@ static void dibujaVista(const glm::vec3 &s, const char *nombre, const Recuadro &
     dibuja(estado.letra);
     glDisable(GL_CULL_FACE);
     trazaOriginal(aristasF(), transformacion);
-    trazaEjes({1.7f, 1.9f, 0.8f}, transformacion);
-    rotula(nombre, {0.5f, 0.06f}, OSCURO);
+    trazaEjes({1.6f, 1.8f, 0.9f}, transformacion);
+    rotula(caso.nombre, {0.5f, 0.17f}, OSCURO, Lado::CENTRO, TALLA);
+    rotula(caso.clase, {0.5f, 0.05f}, OSCURO, Lado::CENTRO, TALLA);
 }
 
 static void dibuja() {
@@ -71,7 +76,7 @@ static void dibuja() {
     glUseProgram(estado.programa);
     const std::vector<Recuadro> paneles = reparte(6, ASPECTO_ESCENA);
     for (std::size_t i = 0; i < paneles.size(); ++i)
-        dibujaVista(ESCALADOS[i].factores, ESCALADOS[i].nombre, paneles[i]);
+        dibujaVista(ESCALADOS[i], paneles[i]);
     glutSwapBuffers();
 }
 

@@ -3,6 +3,7 @@
 // siempre desde el ángulo: multiplicar un giro tras otro acumula error (dificil_transformaciones_test.cpp).
 // Controles: a d giran · 1 2 3 4 ejes Y, diagonal, oblicuo y casi X · botón izquierdo mueve el eje, derecho orbita ·
 // rueda acerca · Esc termina.
+#include "avion.h"
 #include "colores.h"
 #include "modos.h"
 #include "objeto.h"
@@ -40,15 +41,8 @@ static void inicia() {
 
 // `viveza` 0 lo deja del color del fondo.
 static void dibujaAvion(const glm::mat4 &M, float viveza) {
-    const struct {
-        glm::vec3 centro, lados, color;
-    } piezas[] = {{{0, 0, 0}, {1.1f, 0.22f, 0.22f}, NARANJA},
-                  {{0.1f, 0, 0}, {0.32f, 0.08f, 1.3f}, AMARILLO},
-                  {{-0.45f, 0, 0}, {0.18f, 0.06f, 0.5f}, AMARILLO},
-                  {{-0.42f, 0.22f, 0}, {0.2f, 0.34f, 0.07f}, ROJO}};
-    for (const auto &p : piezas)
-        dibujaObjeto(estado.programa, estado.cubo, M * traslacion(p.centro) * escalado(p.lados),
-                     glm::mix(FONDO_CLARO, p.color, viveza));
+    for (const PiezaAvion &pieza : piezasAvion())
+        dibujaObjeto(estado.programa, estado.cubo, M * pieza.M, glm::mix(FONDO_CLARO, pieza.color, viveza));
 }
 
 // Por dónde pasa el centro del avión mientras el ángulo va de uno a otro.

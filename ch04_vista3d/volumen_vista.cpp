@@ -16,7 +16,7 @@
 #include <glm/gtc/constants.hpp>
 
 static const double THETA = 0.52, ASPECTO = 4.0 / 3, ALTO = 1.7; // radianes; medio alto de la caja
-static const double PASO = 0.5, CERCA_MINIMO = 1.5, LEJOS_MAXIMO = 12;
+static const double PASO = 0.5, CERCA_MINIMO = 1.5, LEJOS_MAXIMO = 12, RADIO_ARCO = 1.4;
 static const float TALLA = 0.033f; // de los rótulos
 static const glm::dvec3 OJO(0, 2.5, 6.5), INTERES(0, 2.5, 0);
 
@@ -74,21 +74,29 @@ static void trazaVolumen(const std::array<glm::vec3, 8> &e, const glm::mat4 &aRe
     }
     trazaPolilinea({base, base + 4}, aRecortado, NARANJA, 8, true);
     trazaPolilinea({base + 4, base + 8}, aRecortado, AZUL, 8, true);
-    const auto rotulaLado = [&](const std::string &texto, std::size_t a, std::size_t b, Lado lado,
+    // Fuera del volumen: el rótulo va junto al medio de dos esquinas, o a una, algo más arriba o más abajo.
+    const auto rotulaLado = [&](const std::string &texto, std::size_t a, std::size_t b, float sube, Lado lado,
                                 const glm::vec3 &color) {
-        rotulaPunto(texto, 0.5f * (e[a] + e[b]), aRecortado, color, lado, TALLA);
+        rotulaPunto(texto, 0.5f * (e[a] + e[b]) + glm::vec3(0, sube, 0), aRecortado, color, lado, TALLA);
     };
-    rotulaLado(conValor("cerca", estado.cerca), 3, 3, Lado::ENCIMA, NARANJA);
-    rotulaLado(conValor("lejos", estado.lejos), 6, 6, Lado::ENCIMA, AZUL);
+    rotulaLado(conValor("cerca", estado.cerca), 3, 3, 0, Lado::IZQUIERDA, NARANJA);
+    rotulaLado(conValor("lejos", estado.lejos), 7, 7, 0, Lado::ENCIMA, AZUL);
     if (estado.enPerspectiva) {
-        rotulaPunto("θ", OJO - glm::dvec3(0, 0.4, 0), aRecortado, OSCURO, Lado::DEBAJO, TALLA);
-        rotulaLado("ancho", 4, 5, Lado::DEBAJO, OSCURO);
-        rotulaLado("alto", 5, 6, Lado::DERECHA, OSCURO);
+        std::vector<glm::vec3> arco; // θ va del plano de abajo al de arriba
+        for (int i = 0; i <= 12; ++i) {
+            const double angulo = THETA * (i / 12.0 - 0.5);
+            arco.push_back(OJO + RADIO_ARCO * glm::dvec3(0, std::sin(angulo), -std::cos(angulo)));
+        }
+        trazaSegmentos({arco.front(), glm::vec3(OJO), glm::vec3(OJO), arco.back()}, aRecortado, OSCURO, 3);
+        trazaPolilinea(arco, aRecortado, OSCURO, 6);
+        rotulaPunto("θ", arco.front(), aRecortado, OSCURO, Lado::DEBAJO);
+        rotulaLado("ancho", 6, 7, 0.3f, Lado::DERECHA, OSCURO);
+        rotulaLado("alto", 5, 6, 0, Lado::DERECHA, OSCURO);
     } else {
-        rotulaLado("izquierda", 0, 3, Lado::IZQUIERDA, OSCURO);
-        rotulaLado("derecha", 5, 6, Lado::DERECHA, OSCURO);
-        rotulaLado("abajo", 0, 1, Lado::DEBAJO, OSCURO);
-        rotulaLado("arriba", 3, 6, Lado::ENCIMA, OSCURO);
+        rotulaLado("izquierda", 0, 3, 0, Lado::IZQUIERDA, OSCURO);
+        rotulaLado("derecha", 5, 6, 0, Lado::DERECHA, OSCURO);
+        rotulaLado("abajo", 0, 1, -0.3f, Lado::IZQUIERDA, OSCURO);
+        rotulaLado("arriba", 3, 7, 0.3f, Lado::IZQUIERDA, OSCURO);
     }
 }
 

@@ -21,7 +21,7 @@ static const struct {
 } FOCOS[LUCES] = {
     {"roja", {1.0f, 0.08f, 0.05f}, 2}, {"verde", {0.08f, 1.0f, 0.10f}, 3}, {"azul", {0.06f, 0.12f, 1.0f}, 4}};
 
-static const Material MATE = {{0.13f, 0.13f, 0.14f}, {0.80f, 0.80f, 0.80f}, {0, 0, 0}, 1};
+static const Material MATE = {{0.20f, 0.20f, 0.21f}, {0.80f, 0.80f, 0.80f}, {0, 0, 0}, 1};
 static const Material BRILLANTE = {{0.12f, 0.12f, 0.13f}, {0.60f, 0.60f, 0.60f}, {0.30f, 0.30f, 0.30f}, 40};
 
 static struct {

@@ -115,7 +115,7 @@ TEST(ProgramaBasicas, LaFEstaDondeDicenLasEcuaciones) {
         std::vector<Cuerpo> cuerpos;
         for (const Objeto &caja : efe(basica(caso.cual, caso.valor)))
             cuerpos.push_back({caja, ANARANJADO});
-        compruebaEscena(v, ventana(v, {0.95, 10.2, {0.2, 1.42, 0}}), cuerpos, FONDO_CLARO);
+        compruebaEscena(v, ventana(v, {0.55, 9, {0.3, -0.05, 0}}), cuerpos, FONDO_CLARO);
     });
 }
 
@@ -131,25 +131,25 @@ TEST(Escalado, CarasYDeterminanteEnCadaVista) {
         std::string guion;
         double azimut;
         int columnas;
-    } vistas[] = {{"", 1, 3},
-                  {arrastra({470, 10}, {-130, 10}), 4, 3},
-                  {"tamano 300 480", 4, 2},
-                  {"tamano 480 400", 4, 3}};
+    } vistas[] = {{"", 0.55, 3},
+                  {arrastra({470, 10}, {-130, 10}), 3.55, 3},
+                  {"tamano 300 480", 3.55, 2},
+                  {"tamano 480 400", 3.55, 3}};
     paraCada("escalado", vistas, 480, 360, [&](const auto &vista, const Vista &v) {
         for (int i = 0; i < 6; ++i) {
             const dvec3 &s = escalados[i], minimo(0.15, 0.15, -0.25), maximo(1.30, 1.65, 0.25),
                         desde = glm::min(minimo, glm::min(s * minimo, s * maximo)),
                         hasta = glm::max(maximo, glm::max(s * minimo, s * maximo)),
-                        centro = 0.5 * (desde + hasta) - dvec3(0, 0.28, 0);
+                        centro = 0.5 * (desde + hasta) - dvec3(0, 0.45, 0);
             const Panel panel({}, v.escena, i, 6, vista.columnas);
             const auto &[x, y, ancho, alto] = panel.hueco;
-            const double semialto = 0.26 * std::max(0.85 * alto / ancho, 1.0), // a distancia 1
+            const double semialto = 0.236 * std::max(0.92 * alto / ancho, 1.0), // a distancia 1
                 semilado = semialto * altoUtil(ancho, alto) / alto;
             const bool espejo = s.x * s.y * s.z < 0;
             comprueba("el panel " + std::to_string(i),
                       compara(
                           recorta(v.escena, panel), efe(escala(exacto(s))),
-                          perspectiva(orbita(vista.azimut, 0.3, 10, exacto(centro)), 2 * std::atan(semilado),
+                          perspectiva(orbita(vista.azimut, 0.25, 10, exacto(centro)), 2 * std::atan(semilado),
                                       1, 100),
                           [&](const Impacto &impacto) {
                               const Vec3 &color = impacto.frente == espejo ? MORADUZCO : AMARILLENTO;

@@ -38,30 +38,34 @@ TEST(Desvanecer, MezclaExacta) {
     }
 }
 
-// La pirámide, con M(t) aplicada aquí.
+// El avión, con M(t) aplicada aquí; y sus estelas, cada una delante de las anteriores.
 TEST(ObjetoAnimado, LaMatrizDeCadaInstante) {
-    const Vec3 punta{1.7, 0, 0},
-        base[] = {{-1.2, -0.4, 1}, {-1.2, -0.4, -1}, {-1.2, 0.4, -1}, {-1.2, 0.4, 1}};
-    const Vec3 caras[6][3] = {{base[0], base[1], punta},   {base[1], base[2], punta},
-                              {base[2], base[3], punta},   {base[3], base[0], punta},
-                              {base[2], base[1], base[0]}, {base[3], base[2], base[0]}};
+    const Vec3 piezas[][3] = {{{0, 0, 0}, {1.1, 0.22, 0.22}, exacto(NARANJA)},
+                              {{0.1, 0, 0}, {0.32, 0.08, 1.3}, exacto(AMARILLO)},
+                              {{-0.45, 0, 0}, {0.18, 0.06, 0.5}, exacto(AMARILLO)},
+                              {{-0.42, 0.22, 0}, {0.2, 0.34, 0.07}, exacto(ROJO)}};
     const auto matrizEn = [](int modo, double t) {
         const double a = 2 * PI * t / 6;
-        return modo == 0   ? traslada({1.5 * std::cos(a), 0, -1.5 * std::sin(a)})
+        return modo == 0   ? traslada({std::cos(a), 0, -std::sin(a)})
                : modo == 1 ? escala((1 + 0.5 * std::sin(a)) * Vec3{1, 1, 1})
                            : gira({0, 1, 0}, a);
     };
+    const Camara camara = perspectiva(orbita(0.35, 0.5, 5.7, {0, -0.3, 0}), 0.5, 1, 1000);
     for (const int modo : {0, 1, 2})
         for (const double t : {0.0, 0.5, 2.0, 3.5, 7.5, HORAS + 8.5}) {
             SCOPED_TRACE(std::to_string(modo) + " en " + conDosCifras(t));
             const Vista v =
                 vistaDe("objeto_animado", "tecla " + std::to_string(modo + 1) + "; " + instante(t));
-            const Mat4 M = matrizEn(modo, t);
             std::vector<Cuerpo> cuerpos;
-            for (const auto &cara : caras)
-                cuerpos.push_back(
-                    {triangulo(punto(M, cara[0]), punto(M, cara[1]), punto(M, cara[2])), exacto(NARANJA)});
-            const Camara camara = perspectiva(orbita(0.35, 0.5, 10.8, {0.1, 0.75, 0}), 0.5, 1, 50);
+            for (int k = 0; k <= 3; ++k) {
+                // cuatro veces mayor y más lejos del ojo se ve igual, pero detrás
+                const double palidez = k ? 0.5 + 0.12 * k : 0, lejos = std::pow(4, k);
+                const Mat4 M = traslada(camara.ojo) * escala(lejos * Vec3{1, 1, 1}) *
+                               traslada(-1 * camara.ojo) * matrizEn(modo, t - 0.35 * k);
+                for (const auto &[centro, lados, color] : piezas)
+                    cuerpos.push_back({caja(M * traslada(centro) * escala(lados)),
+                                       (1 - palidez) * color + palidez * exacto(FONDO_CLARO)});
+            }
             compruebaEscena(v, Panel(camara, v.escena), cuerpos, FONDO_CLARO);
         }
 }
