@@ -14,7 +14,7 @@
 
 static const int ESFERAS = 6;
 static const float RADIO = 0.42f, D_MAXIMA = ESFERAS + 0.6f;
-static const float PIE = 0.8f, ALTO = 2.2f; // el eje vertical de la curva
+static const float PIE = 0.75f, ALTO = 2.2f; // el eje vertical de la curva
 static const struct {
     const char *nombre, *formula;
     glm::vec3 abc;
@@ -29,7 +29,7 @@ static const Material ENCENDIDA = {{1.00f, 0.93f, 0.60f}, {0, 0, 0}, {0, 0, 0}, 
 static struct {
     GLuint programa;
     Buferes plano, esfera;
-    Orbita orbita = {-0.45f, 0.3f, 21, {3.0f, 1.2f, 0}, 0.05f};
+    Orbita orbita = {-0.3f, 0.06f, 72, {3.05f, 1.2f, 0}, 0.05f}; // de lejos: la constante es horizontal
     int elegido = 0;
 } estado;
 
@@ -63,9 +63,10 @@ static void dibujaCurvas(const glm::mat4 &vista) {
         const glm::vec3 valor = enCurva(estado.elegido, float(d));
         trazaSegmentos({{valor.x, PIE, 0}, valor}, vista, AMARILLO, GROSOR / 2);
         trazaPuntos({valor}, vista, AMARILLO);
-        rotulaPunto(std::to_string(d), {valor.x, -RADIO, 1}, vista, BLANCO, Lado::DEBAJO);
+        rotulaPunto(std::to_string(d), {valor.x, -RADIO - 0.1f, 0}, vista, BLANCO, Lado::DEBAJO);
     }
-    rotulaPunto(MODOS[estado.elegido].formula, {3, PIE + 1.2f * ALTO, 0}, vista, AMARILLO);
+    rotulaPunto(std::string(MODOS[estado.elegido].nombre) + ": " + MODOS[estado.elegido].formula,
+                {3, PIE + 1.2f * ALTO, 0}, vista, AMARILLO);
 }
 
 static void dibuja() {
@@ -73,7 +74,7 @@ static void dibuja() {
     luz.atenuacion = MODOS[estado.elegido].abc;
 
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.28f, 1, 100);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.088f, 1, 300);
     const auto solido = [&](const Buferes &buferes, const glm::mat4 &M, const Material &material) {
         dibujaObjeto(estado.programa, buferes, M, camara, material);
     };

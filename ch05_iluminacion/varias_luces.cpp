@@ -19,15 +19,15 @@ static const struct {
     glm::vec3 color;
     float exponente;
 } FOCOS[LUCES] = {
-    {"roja", {1.0f, 0.08f, 0.05f}, 2}, {"verde", {0.08f, 1.0f, 0.10f}, 3}, {"azul", {0.06f, 0.12f, 1.0f}, 4}};
+    {"roja", {0.92f, 0.06f, 0.06f}, 2}, {"verde", {0.06f, 0.95f, 0.06f}, 3}, {"azul", {0.06f, 0.06f, 1}, 4}};
 
-static const Material MATE = {{0.20f, 0.20f, 0.21f}, {0.80f, 0.80f, 0.80f}, {0, 0, 0}, 1};
-static const Material BRILLANTE = {{0.12f, 0.12f, 0.13f}, {0.60f, 0.60f, 0.60f}, {0.30f, 0.30f, 0.30f}, 40};
+static const Material MATE = {{0.20f, 0.20f, 0.22f}, {0.80f, 0.80f, 0.80f}, {0, 0, 0}, 1};
+static const Material BRILLANTE = {{0.20f, 0.20f, 0.22f}, {0.60f, 0.60f, 0.60f}, {0.30f, 0.30f, 0.30f}, 40};
 
 static struct {
     GLuint programa;
     Buferes disco, esfera;
-    Orbita orbita = {0, 0.8f, 17.5f, {0, -0.3f, 0}, 0.05f};
+    Orbita orbita = {0, 0.85f, 18.2f, {0, -0.25f, 0}, 0.05f};
     bool encendida[LUCES] = {true, true, true};
 } estado;
 
@@ -68,13 +68,13 @@ static void dibuja() {
     dibujaObjeto(estado.programa, estado.disco,
                  traslacion({0, -0.1f, 0}) * giroX(-glm::half_pi<float>()) * escalado({3.7f, 3.7f, 0.2f}),
                  camara, MATE);
-    dibujaObjeto(estado.programa, estado.esfera, traslacion({0, 0.8f, 0}) * escalado(0.8f), camara,
+    dibujaObjeto(estado.programa, estado.esfera, traslacion({0, 0.65f, -1}) * escalado(0.65f), camara,
                  BRILLANTE);
     std::string titulo;
     for (int i = 0; i < LUCES; ++i) {
         const std::string nombre = FOCOS[i].nombre;
         rotulaPunto(std::to_string(i + 1) + (estado.encendida[i] ? " " + nombre : " apagada"),
-                    2.5f * haciaFoco(i), proyeccion * camara, estado.encendida[i] ? BLANCO : GRIS,
+                    3.2f * haciaFoco(i), proyeccion * camara, estado.encendida[i] ? BLANCO : GRIS,
                     Lado::CENTRO);
         if (estado.encendida[i])
             titulo += (titulo.empty() ? "" : " + ") + nombre;

@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/gtc/constants.hpp>
+#include <vector>
 
 enum Forma { TABLERO, CUBO, ESFERA, CONO, TORO, N_FORMAS };
 static const float RECTO = glm::half_pi<float>();
@@ -47,6 +48,7 @@ static struct {
     Buferes formas[N_FORMAS];
     unsigned elegido = NADA; // SOLIDOS[elegido]
     std::string leido = "clic en un objeto";
+    std::vector<glm::vec3> cruz; // dos segmentos donde se hizo clic, en coordenadas normalizadas
     bool conIdentificadores = false;
     Orbita orbita = {0.25f, 0.55f, 11.5f, {-0.45f, 0.05f, 0}, 0.1f};
 } estado;
@@ -124,6 +126,7 @@ static void dibuja() {
     dibujaObjetos(estado.conIdentificadores);
     if (estado.elegido != NADA)
         nombraElegido(color);
+    trazaSegmentos(estado.cruz, glm::mat4(1), color);
     rotula(estado.leido, {0.5f, 0.06f}, color);
     glutSwapBuffers();
 }
@@ -140,6 +143,13 @@ static void selecciona(int x, int y) {
     unsigned char pixel[4] = {}; // lo que quede si el clic cae fuera
     glReadPixels(x, fila, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
     glBindFramebuffer(GL_FRAMEBUFFER, 0); // el de dibujar y el de leer
+
+    const glm::vec2 talla(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT)),
+        lugar = 2.0f * (glm::vec2(x, fila) + 0.5f) / talla - 1.0f, brazo = 0.045f * altoUtil() / talla;
+    estado.cruz = {{lugar.x - brazo.x, lugar.y, -0.99f},
+                   {lugar.x + brazo.x, lugar.y, -0.99f},
+                   {lugar.x, lugar.y - brazo.y, -0.99f},
+                   {lugar.x, lugar.y + brazo.y, -0.99f}};
 
     estado.elegido = identificadorDe({pixel[0], pixel[1], pixel[2]});
     const std::string nombre = SOLIDOS[estado.elegido].nombre;

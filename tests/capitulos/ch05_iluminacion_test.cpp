@@ -315,7 +315,7 @@ struct Atenuacion {
         Iluminada e{{{plano(suelo), {{0.05, 0.05, 0.06}, {0.55, 0.57, 0.60}, {}, 1}},
                      {esfera(escala(0.2)), {{1.00, 0.93, 0.60}, {}, {}, 1}, n}},
                     {atenuada(posicional({}), 1, b, c)},
-                    perspectiva(orbita(-0.45, 0.3, 21, {3.0, 1.2, 0}), 0.28, 1, 100)};
+                    perspectiva(orbita(-0.3, 0.06, 72, {3.05, 1.2, 0}), 0.088, 1, 300)};
         for (int d = 1; d <= 6; ++d)
             e.solidos.push_back({esfera(traslada({double(d), 0, 0}) * escala(0.42)),
                                  pintura({0.14, 0.08, 0.02}, {0.84, 0.50, 0.12}, 0.30, 20), n});
@@ -340,14 +340,14 @@ struct VariasLuces {
         return {std::cos(a), 0, -std::sin(a)};
     }
     Iluminada escena() const {
-        const Vec3 colores[] = {{1.0, 0.08, 0.05}, {0.08, 1.0, 0.10}, {0.06, 0.12, 1.0}};
-        const Material mate = {{0.13, 0.13, 0.14}, {0.80, 0.80, 0.80}, {}, 1},
-                       brillante = pintura({0.12, 0.12, 0.13}, {0.60, 0.60, 0.60}, 0.30, 40);
+        const Vec3 colores[] = {{0.92, 0.06, 0.06}, {0.06, 0.95, 0.06}, {0.06, 0.06, 1}};
+        const Material mate = {{0.20, 0.20, 0.22}, {0.80, 0.80, 0.80}, {}, 1},
+                       brillante = pintura({0.20, 0.20, 0.22}, {0.60, 0.60, 0.60}, 0.30, 40);
         const Mat4 disco = traslada({0, -0.1, 0}) * TUMBADO * escala({3.7, 3.7, 0.2});
         Iluminada e{{{cilindro(disco), mate, segmentosEsfera(430)},
-                     {esfera(traslada({0, 0.8, 0}) * escala(0.8)), brillante, segmentosEsfera(100)}},
+                     {esfera(traslada({0, 0.65, -1}) * escala(0.65)), brillante, segmentosEsfera(100)}},
                     {},
-                    perspectiva(orbita(0, 0.8, 17.5, {0, -0.3, 0}), 0.36, 1, 100)};
+                    perspectiva(orbita(0, 0.85, 18.2, {0, -0.25, 0}), 0.36, 1, 100)};
         for (int i = 0; i < 3; ++i) {
             e.luces.push_back(
                 atenuada(foco(3 * hacia(i) + 5 * Y, 1.1 * hacia(i), 0.40, 2 + i), 0.6, 0.04, 0.01));
