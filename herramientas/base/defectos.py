@@ -41,8 +41,12 @@ class Mutante:
 
     @property
     def en_copia(self):
-        """Si es de ./lab o de Python: no se compila."""
-        return self.fichero == "lab" or self.fichero.endswith(".py")
+        """Si es de Bash o de Python: no se compila."""
+        return self.de_bash or self.fichero.endswith(".py")
+
+    @property
+    def de_bash(self):
+        return self.fichero in ("lab", ".ci/run") or self.fichero.endswith(".sh")
 
     def es_de(self, pedido):
         """Si es lo que se pide: su lista, él, su fichero, su carpeta o el capítulo o el programa por los que empiezan

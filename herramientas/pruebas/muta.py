@@ -3,7 +3,7 @@ si las pruebas los notan.
 
 Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes; un shader estropeado va en una carpeta, y
 $LAB_RAIZ hace que se mire antes que las demás. Los de ./lab y herramientas/ se escriben en una copia de los dos, con
-lo demás enlazado, y los ven las pruebas de PRUEBAS_DE_COPIA. Primero se ejecutan sin ninguno las pruebas y los casos,
+lo demás enlazado, y los ven las pruebas de PRUEBAS_DE_COPIA; los de quien juzga (jueces.tsv), las de tests/jueces. Primero se ejecutan sin ninguno las pruebas y los casos,
 que deben pasar y apuntan lo que usan; después, con cada mutante, los que lo usan, hasta que uno falle: las que han
 notado otro de su fichero, las de su capítulo, las demás y, si ninguna lo nota, los pasos y los casos: por lo que
 pintan encima (los .encima) o, si no, solo por su imagen. Lo que se nota de cada
@@ -30,12 +30,15 @@ from pruebas.googletest import pruebas_de
 
 MINIMO = 150  # mutantes en la lista
 META, META_SIN_IMAGEN, META_INDEPENDIENTE = 98, 95, 90  # por ciento: notados, con lo de encima y sin ello
+PYTEST = shutil.which("pytest-3") or "pytest"
 ENCIMA = 4  # con que acaba casos.sh si es distinto lo que se pinta encima
+JUECES = "vocabulario", "cota", "oraculo", "mide", "comparador", "jueces"  # las pruebas de los que juzgan
 SOBRA = "build", "galeria", "informe", "web", "windows", "mios", ".git"  # de una copia del árbol
 PRUEBAS_DE_COPIA = (
     "tests/herramientas/herramientas_test.py",
     "tests/ordenes/ordenes_test.py",
 )  # de la que menos tarda a la que más
+DE_JUECES = "tests/jueces/propiedades_mal_test.py", "tests/jueces/jueces_test.py"
 
 
 @dataclass
@@ -75,7 +78,9 @@ def capitulo(nombre):
 
 def es_de(prueba, capitulos):
     """Si esa prueba es de alguno de esos capítulos, o si no se piden. Los casos difíciles son de todos."""
-    return not capitulos or capitulo(prueba) in capitulos or prueba.startswith("dificil_")
+    if "jueces" in capitulos and prueba.split("_test")[0].split(".")[0] in JUECES:
+        return True
+    return not capitulos or capitulo(prueba) in capitulos or prueba.startswith("dificil_") and capitulos != {"jueces"}
 
 
 def lee_listas(raiz):
@@ -138,7 +143,7 @@ def no_compila_glsl(raiz, fichero, estropeado):
 
 def compila_guion(mutante, estropeado):
     """Uno estropeado de Python o de Bash debe poder leerse."""
-    if mutante.fichero == "lab":
+    if mutante.de_bash:
         informe = subprocess.run(["bash", "-n"], input=estropeado, text=True, capture_output=True).stderr
     else:
         try:
@@ -153,33 +158,34 @@ def copia_de_trabajo(raiz, carpeta):
     """El árbol: de verdad, lo que se estropea y sus pruebas; lo demás, enlazado."""
     carpeta.mkdir()
     for que in raiz.iterdir():
-        if que.name not in (*SOBRA, "lab", "herramientas", "tests"):
+        if que.name not in (*SOBRA, "lab", "herramientas", "tests", ".ci"):
             (carpeta / que.name).symlink_to(que)
     shutil.copy2(raiz / "lab", carpeta)
-    suyas = {str(Path(prueba).parent) for prueba in PRUEBAS_DE_COPIA}
-    for parte in ("herramientas", *suyas):
-        shutil.copytree(raiz / parte, carpeta / parte, ignore=shutil.ignore_patterns("__pycache__"))
-    for que in (raiz / "tests").iterdir():
-        if f"tests/{que.name}" not in suyas:
-            (carpeta / "tests" / que.name).symlink_to(que)
+    for parte in ("herramientas", "tests", ".ci"):
+        if (raiz / parte).is_dir():
+            shutil.copytree(raiz / parte, carpeta / parte, ignore=shutil.ignore_patterns("__pycache__", "golden"))
+    (carpeta / "tests/golden").symlink_to(raiz / "tests/golden")
     return carpeta
 
 
-def prueba_en_copia(raiz, temporal, mutante=None):
-    """Las pruebas de PRUEBAS_DE_COPIA en una copia con ese mutante, hasta la que lo nota."""
+def prueba_en_copia(raiz, build, temporal, mutante=None, pruebas=PRUEBAS_DE_COPIA):
+    """Esas pruebas, o las de quien juzga, en una copia con ese mutante, hasta la que lo nota."""
+    if mutante and mutante.lista == "jueces":
+        pruebas = DE_JUECES
+    entorno = {"LAB_BUILD": str(build)} if pruebas == DE_JUECES else {}
     with tempfile.TemporaryDirectory(dir=temporal) as sitio:
         copia = copia_de_trabajo(raiz, Path(sitio, "lab"))
         if mutante:
             fichero = copia / mutante.fichero
             fichero.write_text(estropea(fichero.read_text(), mutante))
-        for nombre in PRUEBAS_DE_COPIA:
+        for nombre in pruebas:
             prueba = Prueba(
                 nombre,
-                [shutil.which("pytest-3") or "pytest", "-xq", "-p", "no:cacheprovider", copia / nombre],
+                [PYTEST, "-xq", "-p", "no:cacheprovider", copia / nombre],
                 {},
                 False,
             )
-            bien = not prueba.falla(400, TMPDIR=sitio)  # tardan un minuto, y con la máquina ocupada, varios
+            bien = not prueba.falla(400, TMPDIR=sitio, **entorno)  # tardan un minuto, y con la máquina ocupada, varios
             if not mutante and not bien:
                 sys.exit(f"{prueba.salida[-1000:]}\nmuta: {nombre} falla sin ningún mutante")
             if not bien:
@@ -251,7 +257,11 @@ class Vivero:
             "-C",
             self.build,
             *(pruebas if capitulos else ["tests/all"]),
-            "compara",
+            *(
+                "compara borde pies finitos defectuoso registro_osmesa".split()
+                if "jueces" in capitulos
+                else ["compara"]
+            ),
             *(f"{p.nombre}_{self.sin_ventana}" for p in self.programas),
         )
 
@@ -276,6 +286,8 @@ class Vivero:
                     Prueba(f"{ejecutable.name[:-5]}.{nombre}", [ejecutable, f"--gtest_filter={nombre}"], {}, False)
                 )
         entorno = procesos.entorno(self.build)
+        if es_de("jueces", capitulos):
+            pruebas += self.de_jueces(entorno)
         for programa in self.programas:
             de = capitulo(programa.capitulo.nombre)
             if not programa.consola and (not capitulos or de in capitulos):
@@ -304,6 +316,14 @@ class Vivero:
                     pruebas.append(Prueba(f"{de} golden {programa.nombre}.{caso.nombre}", orden, entorno, True))
         return pruebas
 
+    def de_jueces(self, entorno):
+        """Las que no son de GoogleTest y juzgan a lo que se compila."""
+        defectos = [sys.executable, "-B", self.copia / "tests/comparador/defectos.py", self.copia, self.build]
+        yield Prueba("comparador.defectos", defectos, entorno, False)
+        jueces = [PYTEST, "-xq", "-p", "no:cacheprovider", self.copia / "tests/jueces/jueces_test.py"]
+        jueces += ["-k", "borde or queda or numero or casos or pagina"]
+        yield Prueba("jueces", jueces, {**entorno, "LAB_BUILD": str(self.build)}, False)
+
     def sin_mutantes(self, pruebas, hilos):
         """Todo debe pasar sin ninguno, y se apunta cuánto tarda y qué usa."""
         aviso(f"ejecuto {len(pruebas)} pruebas y casos sin ningún mutante…")
@@ -329,7 +349,7 @@ class Vivero:
         for m in self.mutantes:
             visto = m.fichero if m.en_shader else str(m.numero)
             m.pruebas = sorted(
-                (p for p in pruebas if visto in p.vistos),
+                (p for p in pruebas if visto in p.vistos and (m.lista != "jueces" or es_de(p.nombre, {"jueces"}))),
                 key=lambda p: (p.golden, p.capitulo != capitulo(m.fichero), p.segundos),
             )
 
@@ -409,7 +429,7 @@ def main():
     compilados = [m for m in elegidos if not m.en_copia]
     vivero = Vivero(raiz, build / "mutantes", [m for m in todos if not m.en_copia])
     # de un capítulo que se pide, solo sus pruebas; lo de common/ lo usan todos
-    capitulos = {capitulo(m.fichero) for m in compilados} if pedidos else set()
+    capitulos = {"jueces" if m.lista == "jueces" else capitulo(m.fichero) for m in compilados} if pedidos else set()
     if "comun" in capitulos:
         capitulos.clear()
     if compilados:
@@ -420,10 +440,14 @@ def main():
         os.environ["TMPDIR"] = temporal  # lo que deje una prueba que no acaba bien
         if compilados:
             vivero.sin_mutantes(vivero.enumera(capitulos), hilos)
-        if en_copia:
-            prueba_en_copia(raiz, temporal)
+        if any(m.lista == "jueces" for m in en_copia):
+            procesos.ejecuta(["cmake", "--build", build])
+            prueba_en_copia(raiz, build, temporal, pruebas=DE_JUECES)
+        if any(m.lista != "jueces" for m in en_copia):
+            prueba_en_copia(raiz, build, temporal)
         vueltas = itertools.chain(
-            hilos.map(vivero.prueba, compilados), hilos.map(lambda m: prueba_en_copia(raiz, temporal, m), en_copia)
+            hilos.map(vivero.prueba, compilados),
+            hilos.map(lambda m: prueba_en_copia(raiz, build, temporal, m), en_copia),
         )
         for i, m in enumerate(vueltas, 1):
             print(f"[{i}/{len(elegidos)}] {cuenta(m)}", flush=True)

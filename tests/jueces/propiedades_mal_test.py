@@ -335,6 +335,17 @@ def test_lo_bueno_se_da_por_bueno(tmp_path, como):
         assert not quejas(Mentira(tmp_path, **como), propiedad.__name__), propiedad
 
 
+def test_lo_que_acaba_mal_no_vale(tmp_path):
+    p = Mentira(tmp_path)
+    for hace, mal in (("", False), ("exit 3", True), ("kill -9 $$", True), ("echo aviso >&2", True)):
+        p.ejecutable.write_text(f"#!/bin/sh\n{hace}\n")
+        try:
+            programa.Programa.ejecuta_en(p, tmp_path, ["-rasgos"])
+            assert not mal, hace
+        except programa.Termina:
+            assert mal, hace
+
+
 def hay_quejas():
     """Dónde está cada una en los fuentes de las propiedades: fichero y líneas."""
     for modulo in {inspect.getmodule(p) for p in propiedades.PROPIEDADES} | {propiedades}:
