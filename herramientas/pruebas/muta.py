@@ -286,7 +286,7 @@ class Vivero:
                     Prueba(f"{ejecutable.name[:-5]}.{nombre}", [ejecutable, f"--gtest_filter={nombre}"], {}, False)
                 )
         entorno = procesos.entorno(self.build)
-        if es_de("jueces", capitulos):
+        if es_de("jueces", capitulos) and any(m.lista == "jueces" for m in self.mutantes):
             pruebas += self.de_jueces(entorno)
         for programa in self.programas:
             de = capitulo(programa.capitulo.nombre)

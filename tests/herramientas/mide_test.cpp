@@ -132,7 +132,7 @@ TEST(Mide, LoQueNoCabeEnElDiscoSeDice) {
 TEST(Mide, CadaImagenEsDeSuVariante) {
     Medidor m(true, 1, carpetaTemporal() / "i");
     m.referencia = {1, 1, {10, 10, 10}};
-    for (const unsigned char nivel : {11, 12, 13})
+    for (unsigned char nivel = 11; nivel < 14; ++nivel)
         m.variante(std::to_string(nivel), 0, 1, [] {}, {}, "", {1, 1, {nivel, 10, 10}});
     for (const int n : {1, 2, 3}) {
         const std::string base = (carpetaTemporal() / "i").string() + "-" + std::to_string(n);
