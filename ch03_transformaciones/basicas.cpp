@@ -1,6 +1,6 @@
-// Las transformaciones básicas (§3.1) de una F, con su matriz: traslación (ecuaciones 3.1 a 3.3), escalado (3.4
-// y 3.5) y giros alrededor de X, Y y Z (3.6 a 3.8). Gris, la F original; morados, el camino de su esquina y las columnas
-// que no son de la identidad. Un giro de ángulo positivo es antihorario visto desde la punta de su eje.
+// Las transformaciones básicas (§3.1) de una F, con su matriz: traslación (ecuaciones 3.1 a 3.3), escalado (3.4 y 3.5)
+// y giros alrededor de X, Y y Z (3.6 a 3.8). Gris, la F original; morados, el camino de su esquina y las columnas que
+// no son de la identidad. Un giro de ángulo positivo es antihorario visto desde la punta de su eje.
 // Controles: 1 traslación · 2 escalado · 3 4 5 giro en X, Y, Z · + - cambian el valor · ratón orbita · Esc termina.
 #include "dibujos.h"
 #include "letra_f.h"
