@@ -4,7 +4,8 @@ si las pruebas los notan.
 Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes; un shader estropeado va en una carpeta, y
 $LAB_RAIZ hace que se mire antes que las demás. Los de ./lab y herramientas/ se escriben en una copia de los dos, con
 lo demás enlazado, y los ven las pruebas de PRUEBAS_DE_COPIA; los de quien juzga (jueces.tsv), las de
-tests/jueces. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar y apuntan lo que usan; después, con cada mutante, los que lo usan, hasta que uno falle: las que han
+tests/jueces. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar y apuntan lo que usan;
+después, con cada mutante, los que lo usan, hasta que uno falle: las que han
 notado otro de su fichero, las de su capítulo, las demás y, si ninguna lo nota, los pasos y los casos: por lo que
 pintan encima (los .encima) o, si no, solo por su imagen. Lo que se nota de cada
 lista entera queda en docs/evidencia.json.
