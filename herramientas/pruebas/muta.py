@@ -3,8 +3,9 @@ si las pruebas los notan.
 
 Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes; un shader estropeado va en una carpeta, y
 $LAB_RAIZ hace que se mire antes que las demás. Los de ./lab y herramientas/ se escriben en una copia de los dos, con
-lo demás enlazado, y los ven las pruebas de PRUEBAS_DE_COPIA; los de quien juzga (jueces.tsv), las de tests/jueces. Primero se ejecutan sin ninguno las pruebas y los casos,
-que deben pasar y apuntan lo que usan; después, con cada mutante, los que lo usan, hasta que uno falle: las que han
+lo demás enlazado, y los ven las pruebas de PRUEBAS_DE_COPIA; los de quien juzga (jueces.tsv), las de
+tests/jueces. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar y apuntan lo que usan;
+después, con cada mutante, los que lo usan, hasta que uno falle: las que han
 notado otro de su fichero, las de su capítulo, las demás y, si ninguna lo nota, los pasos y los casos: por lo que
 pintan encima (los .encima) o, si no, solo por su imagen. Lo que se nota de cada
 lista entera queda en docs/evidencia.json.
@@ -440,11 +441,10 @@ def main():
         os.environ["TMPDIR"] = temporal  # lo que deje una prueba que no acaba bien
         if compilados:
             vivero.sin_mutantes(vivero.enumera(capitulos), hilos)
-        if any(m.lista == "jueces" for m in en_copia):
-            procesos.ejecuta(["cmake", "--build", build])
-            prueba_en_copia(raiz, build, temporal, pruebas=DE_JUECES)
-        if any(m.lista != "jueces" for m in en_copia):
-            prueba_en_copia(raiz, build, temporal)
+        for son_jueces in {m.lista == "jueces" for m in en_copia}:
+            if son_jueces:
+                procesos.ejecuta(["cmake", "--build", build])  # juzgan a lo que hay
+            prueba_en_copia(raiz, build, temporal, pruebas=DE_JUECES if son_jueces else PRUEBAS_DE_COPIA)
         vueltas = itertools.chain(
             hilos.map(vivero.prueba, compilados),
             hilos.map(lambda m: prueba_en_copia(raiz, build, temporal, m), en_copia),

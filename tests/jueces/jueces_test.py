@@ -4,7 +4,6 @@ import ast
 import copy
 import inspect
 import itertools
-import json
 import os
 import re
 import shutil
@@ -42,7 +41,7 @@ def con(color, componente, cuanto):
     return tuple(c + cuanto * (i == componente) for i, c in enumerate(color))
 
 
-# --- lo que se pinta encima -------------------------------------------------------------------------------------------
+# --- lo que se pinta encima ------------------------------------------------------------------------------------------
 
 IMAGEN = ["a.ppm", "240", "180"]
 TRAZOS = [
@@ -91,7 +90,7 @@ def con_otro(lista, k):
     return [*lista[:k], lista[k] + "1", *lista[k + 1 :]]
 
 
-# --- lo que toca el borde, y lo que queda ------------------------------------------------------------------------------
+# --- lo que toca el borde, y lo que queda ----------------------------------------------------------------------------
 
 LADOS = "izquierdo", "derecho", "de abajo", "de arriba"
 
@@ -135,7 +134,7 @@ def test_lo_que_queda(tmp_path):
         assert estado == esperado and bool(dicho) == bool(esperado)
 
 
-# --- lo que no es un número ---------------------------------------------------------------------------------------------
+# --- lo que no es un número ------------------------------------------------------------------------------------------
 
 PHONG = "ch05_iluminacion/sombreado_phong.frag"
 NO_SON = "sqrt(-1.0 - La.x)", "1.0 / (La.x - La.x)", "-1.0 / (La.x - La.x)"
@@ -161,7 +160,7 @@ def test_lo_que_no_es_un_numero(tmp_path):
     assert dice(*encuadre)[0] == 0 and "finitos: " in dice(*encuadre, LAB_RAIZ=str(tmp_path))[1]
 
 
-# --- casos.sh -----------------------------------------------------------------------------------------------------------
+# --- casos.sh --------------------------------------------------------------------------------------------------------
 
 FALSO = """da=$(dirname "$0")/da
 cat "$da/salida"
@@ -183,7 +182,7 @@ TOCA = ppm(12, 12, *PUNTOS, (0, 6, (0, 0, 0)))
 CASI = ppm(12, 12, *PUNTOS[1:], (4, 4, (218, 51, 46)))
 OTRA = ppm(12, 12, *PUNTOS[1:], (4, 4, (219, 51, 46)))
 ENCIMA = "".join(f"imagen\t{n}\t12\t12\n" + "\t".join(TRAZOS[2].split("|")) + "\n" for n in ("1", "2", "última"))
-DE_PASOS = ENCIMA.replace("\t1\t12", "\ttecla a\t12").replace("\t2\t12", "\ttecla b\t12").partition("imagen\túltima")[0]
+DE_PASOS = ENCIMA.partition("imagen\túltima")[0].replace("\t1\t12", "\ttecla a\t12").replace("\t2\t12", "\ttecla b\t12")
 TALLAS = "640x360", "480x360", "480x540", "200x450"
 # lo que sale bien: lo que da el programa, y sus golden
 BIEN = {"da/salida": "título: a\nuno\n", "da/errores": "", "da/estado": "0", "da/imagen": BUENA, "da/encima": ENCIMA}
@@ -271,7 +270,7 @@ def test_casos(taller):
     assert not mal, "\n".join(mal)
 
 
-# --- docs/ --------------------------------------------------------------------------------------------------------------
+# --- docs/ -----------------------------------------------------------------------------------------------------------
 
 
 def cambia(fichero, viejo, nuevo):
@@ -392,7 +391,7 @@ def test_la_peor_medida():
         assert (peor["medida"], peor["cota"], peor["pruebas"]) == (2, 4, 3)
 
 
-# --- la integración continua y las páginas --------------------------------------------------------------------------------
+# --- la integración continua y las páginas ---------------------------------------------------------------------------
 
 
 def test_la_integracion_continua_falla_si_falla_algo(tmp_path):

@@ -13,7 +13,6 @@ import pytest
 RAIZ = Path(__file__).parents[2]
 sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/propiedades")]
 from base import controles
-import mandos
 import programa
 import propiedades
 

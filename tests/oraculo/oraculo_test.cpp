@@ -159,8 +159,8 @@ TEST(Comparar, UnaImagenConsigoMisma) {
     EXPECT_EQ(silueta.bandaDistintos, 0) << silueta;
 }
 
-// Cada estropicio se nota: una componente de un píxel, en más o en menos, dentro, en una esquina o en un borde; la esfera
-// movida, el color casi igual, otra talla, o nada que comparar.
+// Cada estropicio se nota: una componente de un píxel, en más o en menos, dentro o en un borde; la esfera movida, el
+// color casi igual, otra talla, o nada que comparar.
 TEST(Comparar, CadaErrorSeNota) {
     const Escena escena = esferaYSuelo({});
     const ImagenRef ref = render(escena, CAMARA, 80, 60, sombrea);
