@@ -35,9 +35,10 @@ struct {
     std::FILE *titulos = nullptr; // donde se escriben
     // ventana
     std::string titulo;
-    Talla talla = {300, 300}, tallaPrevia;
+    Talla talla = {300, 300}, tallaPrevia, pideTalla; // 0×0: ninguna
     unsigned modo = GLUT_RGBA;
     bool iniciado = false, ayuda = false, abierta = false, repinta = false, termina = false, completa = false;
+    bool pideCompleta = false;
     Punto puntero;
     bool ratonDentro = false, pulsado[BOTON_MAXIMO + 1] = {};
     // funciones del programa
@@ -105,12 +106,6 @@ void dibujaLoPedido() {
     compruebaGL("al dibujar");
 }
 
-// Con diario se dibuja al apuntar: como en una ventana, donde lo que llega junto se dibuja una vez.
-void dibujaSiHaceFalta() {
-    if (!g.diario)
-        dibujaLoPedido();
-}
-
 void cambiaTamano(Talla talla) {
     if (talla.ancho == g.talla.ancho && talla.alto == g.talla.alto)
         return;
@@ -121,6 +116,29 @@ void cambiaTamano(Talla talla) {
     else
         glViewport(0, 0, talla.ancho, talla.alto);
     g.repinta = true;
+}
+
+// La que pide el programa no es la de la ventana hasta que acaba la función en que la pide.
+void cambiaTallaPedida() {
+    if (std::exchange(g.pideCompleta, false)) {
+        g.completa = !g.completa;
+        if (g.completa)
+            g.tallaPrevia = g.talla;
+        cambiaTamano(g.completa ? PANTALLA : g.tallaPrevia);
+    }
+    if (const Talla talla = std::exchange(g.pideTalla, {}); talla.ancho) {
+        g.completa = false;
+        cambiaTamano(talla);
+    }
+}
+
+// Con diario se dibuja al apuntar: como en una ventana, donde lo que llega junto se dibuja una vez.
+void dibujaSiHaceFalta() {
+    if (g.termina)
+        return;
+    cambiaTallaPedida();
+    if (!g.diario)
+        dibujaLoPedido();
 }
 
 void avanzaReloj(int ms) {
@@ -142,8 +160,8 @@ void avanzaReloj(int ms) {
     g.reloj = fin;
 }
 
-bool botonPulsado() {
-    return std::any_of(std::begin(g.pulsado), std::end(g.pulsado), [](bool pulsado) { return pulsado; });
+bool botonPulsado(int cuantos = BOTON_MAXIMO + 1) {
+    return std::any_of(g.pulsado, g.pulsado + cuantos, [](bool pulsado) { return pulsado; });
 }
 
 // Un ratón no salta: para pulsar en otro sitio, antes se mueve, y el programa lo ve.
@@ -154,7 +172,8 @@ void llevaRaton(Punto adonde) {
     g.puntero = adonde;
     if (hayMenuAbierto())
         return;
-    if (auto f = botonPulsado() ? g.arrastre : g.movimiento)
+    // X solo dice cuáles de los cinco primeros están pulsados
+    if (auto f = botonPulsado(5) ? g.arrastre : g.movimiento)
         f(adonde.x, adonde.y);
 }
 
@@ -189,11 +208,14 @@ void mueveRaton(const Orden &o, Punto raton) {
 
 void giraRueda(int giro, Punto raton) {
     llevaRaton(raton);
-    if (g.rueda) {
-        g.rueda(0, giro, raton.x, raton.y);
-    } else if (g.raton) { // sin función propia, la rueda son los botones 3 y 4
-        for (const int sentido : {GLUT_DOWN, GLUT_UP})
-            g.raton(giro > 0 ? 3 : 4, sentido, raton.x, raton.y);
+    const int boton = giro > 0 ? 3 : 4; // lo que es, sin función propia
+    for (const int sentido : {GLUT_DOWN, GLUT_UP}) {
+        if (loAtiendeUnMenu(boton, sentido == GLUT_DOWN))
+            continue;
+        if (!g.rueda && g.raton)
+            g.raton(boton, sentido, raton.x, raton.y);
+        else if (g.rueda && sentido == GLUT_DOWN)
+            g.rueda(0, giro, raton.x, raton.y);
     }
 }
 
@@ -423,14 +445,11 @@ void glutSetCursor(int) {
 }
 
 void glutReshapeWindow(int ancho, int alto) {
-    cambiaTamano({std::max(ancho, 1), std::max(alto, 1)});
+    g.pideTalla = {std::max(ancho, 1), std::max(alto, 1)};
 }
 
 void glutFullScreenToggle(void) {
-    g.completa = !g.completa;
-    if (g.completa)
-        g.tallaPrevia = g.talla;
-    cambiaTamano(g.completa ? PANTALLA : g.tallaPrevia);
+    g.pideCompleta = true;
 }
 
 #define QUEDA(glutFuncion, campo, ...)                                                                       \
@@ -489,6 +508,7 @@ void glutMainLoop(void) {
     compruebaGL("antes de glutMainLoop");
     if (g.cambiaTamano)
         g.cambiaTamano(g.talla.ancho, g.talla.alto);
+    cambiaTallaPedida();
     compruebaGL("al dar el tamaño");
     if (g.diario)
         empiezaDiario();

@@ -29,20 +29,6 @@ static void dibuja() {
         glEnable(GL_TEXTURE_2D);
         while (glGetError() != GL_NO_ERROR) {
         }
-    } else if (defecto == "ocio") {
-        std::printf("dibuja\n");
-    } else if (defecto == "estado") {
-        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
-    } else if (defecto == "se_pide") { // tres cuadros
-        static int veces = 0;
-        std::printf("dibuja\n");
-        if (++veces < 3)
-            glutPostRedisplay();
-    } else if (defecto == "profundidad") {
-        GLint bits;
-        glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_DEPTH, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE,
-                                              &bits);
-        std::printf("%d bits\n", bits);
     } else if (defecto == "repetido") { // se ve en el cuadro siguiente
         glClearColor(1, 0, 0, 0);
     } else if (defecto == "lectura") {
@@ -56,30 +42,6 @@ static void dibuja() {
         }
     }
     glutSwapBuffers();
-}
-
-static void temporizador(int valor) {
-    std::printf("%d a %d ms\n", valor, glutGet(GLUT_ELAPSED_TIME));
-    glutTimerFunc(unsigned(valor), temporizador, valor);
-    glutPostRedisplay();
-}
-
-static void enseguida(int quedan) {
-    std::printf("%d\n", glutGet(GLUT_ELAPSED_TIME));
-    if (quedan > 0)
-        glutTimerFunc(0, enseguida, quedan - 1);
-}
-
-static void menu(int valor) {
-    std::printf("menu %d en el %d\n", valor, glutGetMenu());
-}
-
-static void ocio() {
-    static int veces = 0;
-    std::printf("ocio %d\n", ++veces);
-    glutPostRedisplay();
-    if (veces == 3)
-        glutIdleFunc(nullptr);
 }
 
 static void edita(char version) {
@@ -131,10 +93,6 @@ int main(int argc, char **argv) {
     } else if (defecto == "exit") {
         glEnable(GL_TEXTURE_2D);
         std::exit(0);
-    } else if (defecto == "version") {
-        glutInitContextVersion(3, 3);
-    } else if (defecto == "dos_ventanas") {
-        glutCreateWindow("otra");
     } else if (defecto == "uniforme") {
         const GLuint p =
             creaPrograma("ch06_texturas/textura_objeto.vert", "ch06_texturas/textura_objeto.frag");
@@ -144,26 +102,6 @@ int main(int argc, char **argv) {
         GLuint bufer;
         glGenBuffers(1, &bufer);
         glBindBuffer(GL_PIXEL_PACK_BUFFER, bufer);
-    } else if (defecto == "tiempo") {
-        glutTimerFunc(250, temporizador, 250);
-        glutTimerFunc(100, temporizador, 100);
-        glutTimerFunc(250, menu, 1); // vence a la vez que el primero y se pidió después
-    } else if (defecto == "enseguida") {
-        glutTimerFunc(0, enseguida, 9);
-    } else if (defecto == "menu_borrado") {
-        const int borrado = glutCreateMenu(menu);
-        glutCreateMenu(menu);
-        glutAddSubMenu("Vista", borrado);
-        glutDestroyMenu(borrado);
-        glutAttachMenu(GLUT_RIGHT_BUTTON);
-    } else if (defecto == "submenu_que_no_hay") {
-        glutCreateMenu(menu);
-        glutAddSubMenu("Vista", 77);
-    } else if (defecto == "ocio") {
-        glutIdleFunc(ocio);
-    } else if (defecto == "muestras") {
-        glutSetOption(GLUT_MULTISAMPLE, 4);
-        std::printf("%d\n", glutGet(GLUT_WINDOW_NUM_SAMPLES));
     } else if (defecto == "taller") {
         edita('0');
         programas[0] = creaPrograma("taller/a.vert", "taller/a.frag");

@@ -1,88 +1,150 @@
-// Escribe en stdout todo lo que GLUT le dice: lo mismo sin ventana y con FreeGLUT (tests/costura/registro.sh lo
-// compara). Con el argumento `menu` no atiende la rueda aparte, pone un menú en el botón derecho y con la tecla `o`
-// una función de ocio, o la quita. Esc termina.
+// Escribe en stdout todo lo que GLUT le dice y todo lo que él le pide, y cómo queda: lo mismo sin ventana y con FreeGLUT
+// (partida.h). Lo que pide va en su argumento, en tandas separadas por «/», y en cada una, llamadas separadas por «;»:
+// una palabra y sus números. La primera tanda, antes de glutMainLoop; las demás, una cada vez que se suelta una tecla
+// especial o le llega un valor acabado en 7 de un menú o de un temporizador.
 #include "ventana.h"
 #include <cstdio>
+#include <functional>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
 
-static int dibujos = 0;
-static bool dibujado = false, conOcio = false, ocioPendiente = false;
+using Numeros = std::vector<int>;
 
-static void escribe(const char *suceso, int a, int b, int c, int d) {
-    std::printf("%s %d %d %d %d\n", suceso, a, b, c, d);
+static std::istringstream tandas;
+
+static void escribe(const std::string &que, const Numeros &numeros = {}) {
+    std::printf("%s", que.c_str());
+    for (const int n : numeros)
+        std::printf(" %d", n);
+    std::printf(" | menu %d, %dx%d, ventana %d, a %d ms\n", glutGetMenu(), glutGet(GLUT_WINDOW_WIDTH),
+                glutGet(GLUT_WINDOW_HEIGHT), glutGetWindow(), glutGet(GLUT_ELAPSED_TIME));
     std::fflush(stdout);
 }
 
-static void dibuja() {
-    ++dibujos;
-    dibujado = true;
-    glClear(GL_COLOR_BUFFER_BIT);
-    glutSwapBuffers();
+static void tanda();
+
+static void llega(const char *que, int quien, int valor) {
+    escribe(que, {quien, valor});
+    if (valor % 10 == 7)
+        tanda();
 }
 
-static void cambiaTamano(int ancho, int alto) {
-    glViewport(0, 0, ancho, alto);
-    escribe("tamano", ancho, alto, glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
-}
+// Cada función, en dos versiones, para que se vea cuál está puesta.
+template<int N>
+struct De {
+    static void dibuja() {
+        escribe("dibuja", {N});
+        glClear(GL_COLOR_BUFFER_BIT);
+        glutSwapBuffers();
+        if (N == 2)
+            glutPostRedisplay();
+    }
+    static void tamano(int ancho, int alto) {
+        escribe("tamano", {N, ancho, alto});
+    }
+    static void teclado(unsigned char tecla, int x, int y) {
+        escribe("teclado", {N, tecla, x, y});
+        teclaComun(tecla);
+    }
+    static void teclado_arriba(unsigned char tecla, int x, int y) {
+        escribe("teclado_arriba", {N, tecla, x, y});
+    }
+    static void especial(int tecla, int x, int y) {
+        escribe("especial", {N, tecla, x, y});
+    }
+    static void especial_arriba(int tecla, int x, int y) {
+        escribe("especial_arriba", {N, tecla, x, y});
+        tanda();
+    }
+    static void raton(int boton, int estado, int x, int y) {
+        escribe("raton", {N, boton, estado, x, y});
+    }
+    static void arrastre(int x, int y) {
+        escribe("arrastre", {N, x, y});
+    }
+    static void movimiento(int x, int y) {
+        escribe("movimiento", {N, x, y});
+    }
+    static void rueda(int cual, int giro, int x, int y) {
+        escribe("rueda", {N, cual, giro, x, y});
+    }
+    static void ocio() { // FreeGLUT la llama sin parar: la primera se quita
+        escribe("ocio", {N});
+        if (N == 1)
+            glutIdleFunc(nullptr);
+        else
+            glutPostRedisplay();
+    }
+    static void menu(int valor) {
+        llega("menu", N, valor);
+    }
+};
 
-// FreeGLUT la llama sin parar: se escribe la primera vez tras soltar una tecla, y si antes se ha dibujado.
-static void ocio() {
-    if (ocioPendiente)
-        escribe("ocio", dibujado, 0, 0, 0);
-    ocioPendiente = false;
-}
+#define PON(nombre, glutFuncion)                                                                             \
+    {                                                                                                        \
+#nombre, [](const Numeros &                                                                          \
+                        n) { glutFuncion(n[0] == 0   ? nullptr                                               \
+                                         : n[0] == 1 ? De<1>::nombre                                         \
+                                                     : De<2>::nombre); } \
+    }
+static const std::map<std::string, std::function<void(const Numeros &)>> LLAMADAS = {
+    PON(dibuja, glutDisplayFunc),
+    PON(tamano, glutReshapeFunc),
+    PON(teclado, glutKeyboardFunc),
+    PON(teclado_arriba, glutKeyboardUpFunc),
+    PON(especial, glutSpecialFunc),
+    PON(especial_arriba, glutSpecialUpFunc),
+    PON(raton, glutMouseFunc),
+    PON(arrastre, glutMotionFunc),
+    PON(movimiento, glutPassiveMotionFunc),
+    PON(rueda, glutMouseWheelFunc),
+    PON(ocio, glutIdleFunc),
+    {"crea", [](const Numeros &n) { glutCreateMenu(n[0] == 1 ? De<1>::menu : De<2>::menu); }},
+    {"destruye", [](const Numeros &n) { glutDestroyMenu(n[0]); }},
+    {"actual", [](const Numeros &n) { glutSetMenu(n[0]); }},
+    {"opcion", [](const Numeros &n) { glutAddMenuEntry(std::to_string(n[0]).c_str(), n[1]); }},
+    {"submenu", [](const Numeros &n) { glutAddSubMenu(std::to_string(n[0]).c_str(), n[1]); }},
+    {"cambia", [](const Numeros &n) { glutChangeToMenuEntry(n[0], std::to_string(n[1]).c_str(), n[2]); }},
+    {"enlaza", [](const Numeros &n) { glutAttachMenu(n[0]); }},
+    {"suelta", [](const Numeros &n) { glutDetachMenu(n[0]); }},
+    {"temporizador",
+     [](const Numeros &n) {
+         glutTimerFunc(
+             unsigned(n[0]), [](int valor) { llega("temporizador", 0, valor); }, n[1]);
+     }},
+    {"repinta", [](const Numeros &) { glutPostRedisplay(); }},
+    {"talla", [](const Numeros &n) { glutReshapeWindow(n[0], n[1]); }},
+    {"completa", [](const Numeros &) { glutFullScreenToggle(); }},
+    {"titulo", [](const Numeros &n) { ponTitulo(std::to_string(n[0])); }},
+    {"acaba", [](const Numeros &) { glutLeaveMainLoop(); }},
+    {"destruye_ventana", [](const Numeros &n) { glutDestroyWindow(n[0]); }},
+};
 
-static void submenu(int valor) {
-    escribe("submenu", valor, glutGetMenu(), 0, 0);
-}
-
-static void menu(int valor) {
-    escribe("menu", valor, glutGetMenu(), 0, 0);
-    if (valor == 3)
-        glutChangeToMenuEntry(2, "Ejes puestos", 4);
-    else if (valor == 5)
-        glutLeaveMainLoop();
-}
-
-static void ponMenus() {
-    const int vistas = glutCreateMenu(submenu);
-    glutAddMenuEntry("Planta, que es como se ve desde arriba", 1);
-    glutAddMenuEntry("Perfil", 2);
-    glutCreateMenu(menu);
-    glutAddSubMenu("Vista", vistas);
-    glutAddMenuEntry("Ejes quitados", 3);
-    glutAddMenuEntry("Salir", 5);
-    glutAttachMenu(GLUT_RIGHT_BUTTON);
-    glutSetMenu(vistas);
+static void tanda() {
+    std::string llamadas, llamada, nombre;
+    std::getline(tandas, llamadas, '/');
+    for (std::istringstream todas(llamadas); std::getline(todas, llamada, ';');) {
+        std::istringstream palabras(llamada);
+        Numeros numeros;
+        palabras >> nombre;
+        for (int n; palabras >> n;)
+            numeros.push_back(n);
+        LLAMADAS.at(nombre)(numeros);
+        escribe("- " + nombre, numeros);
+    }
 }
 
 int main(int argc, char **argv) {
-    abreVentana(argc, argv, "Registro, así: θ · 2° → π", GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH, "[menu]");
-    const bool conMenu = argc > 1;
-    glutDisplayFunc(dibuja);
-    glutReshapeFunc(cambiaTamano);
-    glutKeyboardFunc([](unsigned char tecla, int x, int y) {
-        escribe("tecla", tecla, x, y, glutGetMenu());
-        teclaComun(tecla);
-        if (tecla == 'o')
-            glutIdleFunc((conOcio = !conOcio) ? ocio : nullptr);
-    });
-    glutKeyboardUpFunc([](unsigned char tecla, int x, int y) {
-        escribe("tecla arriba", tecla, x, y, 0);
-        dibujado = false;
-        ocioPendiente = true;
-        glutPostRedisplay();
-    });
-    glutSpecialFunc([](int tecla, int x, int y) { escribe("especial", tecla, x, y, 0); });
-    glutSpecialUpFunc([](int tecla, int x, int y) { escribe("especial arriba", tecla, x, y, 0); });
-    glutMouseFunc([](int boton, int estado, int x, int y) { escribe("boton", boton, estado, x, y); });
-    glutMotionFunc([](int x, int y) { escribe("arrastre", x, y, 0, 0); });
-    glutPassiveMotionFunc([](int x, int y) { escribe("movimiento", x, y, 0, 0); });
-    if (conMenu)
-        ponMenus();
-    else
-        glutMouseWheelFunc(
-            [](int rueda, int direccion, int x, int y) { escribe("rueda", rueda, direccion, x, y); });
-    glutCloseFunc([] { escribe("cierre", dibujos > 0, 0, 0, 0); });
+    abreVentana(argc, argv, "Registro, así: θ · 2° → π", GLUT_DOUBLE | GLUT_RGBA | GLUT_DEPTH, "[TANDAS]");
+    glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
+    tandas.str(argc > 1 ? argv[1] : "");
+    glutDisplayFunc(De<1>::dibuja);
+    glutSpecialUpFunc(De<1>::especial_arriba);
+    glutCloseFunc([] { std::puts("cierre"); });
+    tanda();
     glutMainLoop();
+    std::puts("fin");
     return 0;
 }

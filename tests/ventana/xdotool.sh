@@ -24,7 +24,8 @@ lleva_raton() {
   raton="$1 $2"
 }
 
-# Tras cada una, lo que diga $pausa, que es de xdotool. Las de menú, con elige_en_menu, si quien llama la tiene. Las que no tienen sentido fuera del reloj virtual se saltan.
+# Tras cada una, lo que diga $pausa, que es de xdotool. Las de menú y las del reloj virtual se saltan; con TITULOS el reloj es el de verdad, y
+# escribe cómo se llama la ventana tras cada orden.
 haz_guion() { # TALLA GUION: la de la ventana al empezar, y sus órdenes
   local ordenes x y orden resto a b pasos=()
   [ -v pausa ] || local pausa=(sleep "${PAUSA:-0.02}")
@@ -49,16 +50,18 @@ haz_guion() { # TALLA GUION: la de la ventana al empezar, y sus órdenes
     mueve | arrastra) lleva_raton "$x" "$y" ;;
     boton)
       lleva_raton "$x" "$y"
-      if [ "$b" = abajo ]; then pasos+=(mousedown "${boton[$a]}"); else pasos+=(mouseup "${boton[$a]}"); fi
+      a=${boton[$a]:-$((a + 1))}
+      if [ "$b" = abajo ]; then pasos+=(mousedown "$a"); else pasos+=(mouseup "$a"); fi
       ;;
     rueda)
       lleva_raton "$x" "$y"
       if [ "$a" = -1 ]; then pasos+=(click 5); else pasos+=(click 4); fi
       ;;
     tamano) pasos+=(windowsize "$ventana" "$a" "$b") ;;
-    menu) if declare -F elige_en_menu >/dev/null; then elige_en_menu "$resto"; fi ;;
+    espera) [ -z "${TITULOS:-}" ] || pasos+=(sleep "$(printf '0.%03d' "$a")") ;;
     esac
     pasos+=("${pausa[@]}")
+    [ -z "${TITULOS:-}" ] || pasos+=(getwindowname "$ventana")
   done <<<"$ordenes"
   xdotool "${pasos[@]}"
 }

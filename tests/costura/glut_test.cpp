@@ -1,0 +1,218 @@
+// glut_sin_ventana contra un modelo de GLUT (partida.h), con llamadas, sucesos y menús al azar; lo que dice de la ventana,
+// contra lo que hay, y lo que rechaza.
+#include "costura/partida.h"
+#include "ejecuta.h"
+#include <GL/glew.h>
+#include <GL/freeglut.h>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <gtest/gtest.h>
+#include <map>
+#include <regex>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+
+using testing::ExitedWithCode;
+
+namespace {
+
+const char *const DESTINOS[] = {"osmesa", "egl"};
+
+void abre(unsigned modo, std::vector<std::string> opciones = {}) {
+    opciones.insert(opciones.begin(), "x");
+    std::vector<char *> palabras;
+    for (std::string &o : opciones)
+        palabras.push_back(o.data());
+    palabras.push_back(nullptr);
+    int cuantas = int(opciones.size());
+    glutInit(&cuantas, palabras.data());
+    glutInitDisplayMode(modo);
+    glutCreateWindow("x");
+    glewExperimental = GL_TRUE;
+    glewInit();
+}
+
+GLuint nuevo(void (*crea)(GLsizei, GLuint *)) {
+    GLuint nombre = 0;
+    crea(1, &nombre);
+    return nombre;
+}
+
+/// Acaba con 0 si lo que dice glutGet de la ventana es lo que hay.
+[[noreturn]] void diceLoQueHay(unsigned modo) {
+    const int antes = glutGet(GLUT_INIT_STATE);
+    abre(modo);
+    const auto bits = [](GLenum que, GLenum parametro) {
+        GLint tipo = 0, n = 0;
+        glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, que, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE,
+                                              &tipo);
+        if (tipo)
+            glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, que, parametro, &n);
+        return n;
+    };
+    GLint muestras = -1;
+    glGetIntegerv(GL_SAMPLES, &muestras);
+    const bool bien =
+        antes == 0 && glutGet(GLUT_INIT_STATE) == 1 && glutGet(GLUT_WINDOW_NUM_SAMPLES) == muestras &&
+        glutGet(GLUT_WINDOW_DEPTH_SIZE) == bits(GL_DEPTH, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE) &&
+        glutGet(GLUT_WINDOW_STENCIL_SIZE) == bits(GL_STENCIL, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE) &&
+        bits(GL_DEPTH, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE) == (modo & GLUT_DEPTH ? 24 : 0) &&
+        bits(GL_STENCIL, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE) == (modo & GLUT_STENCIL ? 8 : 0) &&
+        glutGet(GLUT_WINDOW_DOUBLEBUFFER) == (modo & GLUT_DOUBLE ? 1 : 0) &&
+        glutGet(GLUT_SCREEN_WIDTH) == 1920 && glutGet(GLUT_SCREEN_HEIGHT) == 1080 &&
+        glutGet(GLUT_SCREEN_WIDTH_MM) == 0 && glutGet(GLUT_SCREEN_HEIGHT_MM) == 0 &&
+        glutGet(GLUT_VERSION) >= 30800;
+    std::exit(bien ? 0 : 1);
+}
+
+/// Lo que un cuadro puede dejar cambiado y no es encender o apagar algo: el nombre de glGet, y quien lo cambia.
+const std::map<std::string, void (*)()> CAMBIA = {
+    {"BLEND_EQUATION_RGB", [] { glBlendEquation(GL_MAX); }},
+    {"COLOR_WRITEMASK", [] { glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE); }}, // se miran los cuatro
+    {"DEPTH_FUNC", [] { glDepthFunc(GL_ALWAYS); }},
+    {"DEPTH_WRITEMASK", [] { glDepthMask(GL_FALSE); }},
+    {"DEPTH_RANGE", [] { glDepthRange(0, 0.5); }},
+    {"STENCIL_WRITEMASK", [] { glStencilMaskSeparate(GL_FRONT, 1); }},
+    {"STENCIL_BACK_WRITEMASK", [] { glStencilMaskSeparate(GL_BACK, 1); }},
+    {"CULL_FACE_MODE", [] { glCullFace(GL_FRONT); }},
+    {"FRONT_FACE", [] { glFrontFace(GL_CW); }},
+    {"POLYGON_MODE", [] { glPolygonMode(GL_FRONT_AND_BACK, GL_LINE); }},
+    {"DRAW_FRAMEBUFFER_BINDING", [] { glBindFramebuffer(GL_DRAW_FRAMEBUFFER, nuevo(glGenFramebuffers)); }},
+    {"READ_FRAMEBUFFER_BINDING", [] { glBindFramebuffer(GL_READ_FRAMEBUFFER, nuevo(glGenFramebuffers)); }},
+    {"DRAW_BUFFER", [] { glDrawBuffer(GL_NONE); }},
+    {"READ_BUFFER", [] { glReadBuffer(GL_NONE); }},
+    {"ACTIVE_TEXTURE", [] { glActiveTexture(GL_TEXTURE1); }},
+    {"PIXEL_PACK_BUFFER_BINDING", [] { glBindBuffer(GL_PIXEL_PACK_BUFFER, nuevo(glGenBuffers)); }},
+    {"PIXEL_UNPACK_BUFFER_BINDING", [] { glBindBuffer(GL_PIXEL_UNPACK_BUFFER, nuevo(glGenBuffers)); }},
+    {"PACK_ALIGNMENT", [] { glPixelStorei(GL_PACK_ALIGNMENT, 1); }},
+    {"PACK_ROW_LENGTH", [] { glPixelStorei(GL_PACK_ROW_LENGTH, 99); }},
+    {"UNPACK_ALIGNMENT", [] { glPixelStorei(GL_UNPACK_ALIGNMENT, 1); }},
+    {"UNPACK_ROW_LENGTH", [] { glPixelStorei(GL_UNPACK_ROW_LENGTH, 99); }},
+};
+#define SE_ENCIENDE(nombre)                                                                                  \
+    { #nombre, GL_##nombre }
+const std::map<std::string, GLenum> SE_ENCIENDEN = {
+    SE_ENCIENDE(BLEND),
+    SE_ENCIENDE(COLOR_LOGIC_OP),
+    SE_ENCIENDE(DEPTH_TEST),
+    SE_ENCIENDE(STENCIL_TEST),
+    SE_ENCIENDE(CULL_FACE),
+    SE_ENCIENDE(POLYGON_OFFSET_FILL),
+    SE_ENCIENDE(POLYGON_OFFSET_LINE),
+    SE_ENCIENDE(SCISSOR_TEST),
+    SE_ENCIENDE(CLIP_DISTANCE0),
+    SE_ENCIENDE(PROGRAM_POINT_SIZE),
+    SE_ENCIENDE(PRIMITIVE_RESTART),
+    SE_ENCIENDE(MULTISAMPLE),
+    SE_ENCIENDE(SAMPLE_ALPHA_TO_COVERAGE),
+    SE_ENCIENDE(RASTERIZER_DISCARD),
+};
+
+/// El primer cuadro deja eso cambiado; el diario, en stderr.
+[[noreturn]] void dejaCambiado(const std::string &que) {
+    static GLenum interruptor = 0;
+    static void (*cambia)() = nullptr;
+    if (SE_ENCIENDEN.count(que))
+        interruptor = SE_ENCIENDEN.at(que);
+    else
+        cambia = CAMBIA.at(que);
+    dup2(2, 1);
+    abre(GLUT_DEPTH | GLUT_STENCIL, {"-diario", "-guion", "tecla a", "-ppm", "/dev/null"});
+    glutDisplayFunc([] {
+        static bool hecho = false;
+        if (std::exchange(hecho, true))
+            return;
+        if (cambia)
+            cambia();
+        else
+            glIsEnabled(interruptor) ? glDisable(interruptor) : glEnable(interruptor);
+    });
+    glutMainLoop();
+    std::exit(0);
+}
+
+} // namespace
+
+TEST(Glut, ComoElModelo) {
+    for (unsigned semilla = 1; semilla <= 40; ++semilla) {
+        const partida::Partida p(semilla, false);
+        for (const char *destino : DESTINOS) {
+            const std::string registro = std::string("../tests/registro_") + destino;
+            if (!std::filesystem::exists(LAB_EJECUTABLES "/" + registro))
+                continue;
+            const Ejecucion e = ejecuta(registro, p.guion, partida::ANCHO, partida::ALTO,
+                                        {"-rasgos", "-titulos", "-", p.tandas});
+            EXPECT_EQ(e.errores, "");
+            ASSERT_EQ(e.salida, "título: Registro, así: θ · 2° → π\n" + p.diario + p.rasgos + "cierre\nfin\n")
+                << destino << ", semilla " << semilla << ": registro '" << p.tandas << "' -guion '" << p.guion
+                << "'";
+        }
+    }
+}
+
+TEST(Glut, DiceLoQueHay) {
+    for (unsigned i = 0; i < 16; ++i)
+        EXPECT_EXIT(diceLoQueHay((i & 1 ? GLUT_DOUBLE : 0u) | (i & 2 ? GLUT_DEPTH : 0u) |
+                                 (i & 4 ? GLUT_STENCIL : 0u) | (i & 8 ? GLUT_MULTISAMPLE : 0u)),
+                    ExitedWithCode(0), "")
+            << i;
+}
+
+// De cada fila de la tabla de diario.cpp, se ve que un cuadro la deja cambiada; y los siguientes, no.
+TEST(Glut, ElDiarioVeCadaFilaDeSuTabla) {
+    std::ifstream fuente(LAB_BUILD "/../common/glut_sin_ventana/diario.cpp");
+    std::size_t filas = 0;
+    const std::regex fila("    GL\\((\\w+), [0-9]\\),");
+    std::smatch nombre;
+    for (std::string linea; std::getline(fuente, linea);)
+        if (std::regex_match(linea, nombre, fila)) {
+            ++filas;
+            const std::string que = nombre[1];
+            // sin donde leer o dibujar, es OpenGL quien lo dice
+            EXPECT_EXIT(
+                dejaCambiado(que), [](int estado) { return WIFEXITED(estado); },
+                "diario\t\t[^\n]*" + que +
+                    " [^\n]*\ndiario\t[^\t]*tecla a[^\t]*\t[^\t]*\t[^\t]*\t[^\t]*\t\t|error de OpenGL")
+                << que;
+        }
+    EXPECT_EQ(filas, CAMBIA.size() + SE_ENCIENDEN.size());
+}
+
+// Cada cosa que dice al acabar un programa.
+TEST(Glut, LoQueRechazaSeDice) {
+    const auto menu = [](int) {};
+    const std::vector<std::pair<std::string, std::function<void()>>> casos = {
+        {"glutInit se llama una sola vez", [] { abre(0), abre(0); }},
+        {"pide 3.2", [] { glutInitContextVersion(3, 2); }},
+        {"pide 4.0", [] { glutInitContextVersion(4, 0); }},
+        {"solo da el perfil core", [] { glutInitContextProfile(GLUT_COMPATIBILITY_PROFILE); }},
+        {"glutSetOption\\([0-9]+\\) no está", [] { glutSetOption(GLUT_RENDERING_CONTEXT, 1); }},
+        {"glutGet\\([0-9]+\\) no está", [] { glutGet(GLUT_WINDOW_X); }},
+        {"antes hay que llamar a glutInit", [] { glutCreateWindow("x"); }},
+        {"solo tiene una ventana", [] { abre(0), glutCreateWindow("otra"); }},
+        {"glutSetWindow\\(2\\): no hay esa ventana", [] { abre(0), glutSetWindow(2); }},
+        {"falta la ventana o glutDisplayFunc", [] { glutMainLoop(); }},
+        {"falta la ventana o glutDisplayFunc", [] { abre(0), glutMainLoop(); }},
+        {"glutAddMenuEntry: no hay menú; falta", [] { glutAddMenuEntry("x", 1); }},
+        {"glutAddSubMenu\\(7\\): no hay ese menú", [=] { glutCreateMenu(menu), glutAddSubMenu("x", 7); }},
+        {"glutAddSubMenu: no hay menú",
+         [=] {
+             const int uno = glutCreateMenu(menu), otro = glutCreateMenu(menu);
+             glutDestroyMenu(otro), glutAddSubMenu("x", uno);
+         }},
+        {"glutChangeToMenuEntry: no hay menú", [] { glutChangeToMenuEntry(1, "x", 1); }},
+        {"glutChangeToMenuEntry\\(0\\): el menú tiene 0 opciones",
+         [=] { glutCreateMenu(menu), glutChangeToMenuEntry(0, "x", 1); }},
+        {"glutChangeToMenuEntry\\(2\\): el menú tiene 1 opciones",
+         [=] { glutCreateMenu(menu), glutAddMenuEntry("x", 1), glutChangeToMenuEntry(2, "x", 1); }},
+        {"glutAttachMenu: no hay menú", [] { glutAttachMenu(0); }},
+        {"glutAttachMenu\\(-1\\): no hay ese botón", [=] { glutCreateMenu(menu), glutAttachMenu(-1); }},
+        {"glutAttachMenu\\(3\\): no hay ese botón", [=] { glutCreateMenu(menu), glutAttachMenu(3); }},
+        {"glutSetMenu\\(1\\): no hay ese menú", [] { glutSetMenu(1); }},
+    };
+    for (const auto &caso : casos)
+        EXPECT_EXIT((caso.second(), std::exit(0)), ExitedWithCode(1), caso.first) << caso.first;
+}
