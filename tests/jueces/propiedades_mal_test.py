@@ -3,6 +3,7 @@ la que se dice. Cada queja que hay en los fuentes la tiene que haber dado alguno
 import ast
 import inspect
 import re
+import shlex
 import sys
 import zlib
 from pathlib import Path
@@ -13,6 +14,7 @@ import pytest
 RAIZ = Path(__file__).parents[2]
 sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/propiedades")]
 from base import controles
+import dados
 import programa
 import propiedades
 
@@ -230,12 +232,23 @@ class Partida:
         return "\n".join([*self.salida, ""])
 
 
+def lo_que_no_lee(admite, defecto):
+    """Por cada cosa que no puede leer, un renglón de shell que la rechaza; con defecto, mal."""
+    linea_de_mas = "; echo otra >&2" if defecto == "se queja dos veces" else ""
+    dibuja = "; : >imagen.ppm" if defecto == "dibuja lo que no lee" else ""
+    for palabras, estado, dice in dados.pedidos(admite):
+        estado = 5 if defecto == "acaba de otra manera" else estado
+        queja = shlex.quote("mentira: " + ("mal" if defecto == "se queja de otra cosa" else dice))
+        da = shlex.quote(" ".join(palabras) + " -geometry")
+        yield f'case "$*" in {da}*) echo {queja} >&2{linea_de_mas}{dibuja}; exit {estado};; esac\n'
+
+
 class Mentira(programa.Programa):
     def __init__(self, carpeta, defecto="", linea=LINEA, admite="", rasgos=RASGOS):
         self.defecto = defecto
         sobra = "" if defecto == "no sobra nada" else 'for u; do :; done; [ "$1" = -ppm ] || echo "sobra «$1»" >&2'
         de_mentira = carpeta / "mentira"
-        de_mentira.write_text(f"#!/bin/sh\n{sobra}\nexit 2\n")
+        de_mentira.write_text(f"#!/bin/sh\n{''.join(lo_que_no_lee(admite, defecto))}{sobra}\nexit 2\n")
         de_mentira.chmod(0o755)
         con = SimpleNamespace(raiz=RAIZ, build=carpeta, ordenes=50, semilla=1)
         opciones = ["Vista/Perfil", "Vista/Planta"] if defecto != "sin menú" and ("menú" in linea or defecto) else []
@@ -293,6 +306,8 @@ DEFECTOS = [
     ("cerca", "plano", "plano de cerca"),
     ("tocado", "120x90 .*", "clic lejos en x; clic lejos en y", {"linea": CLIC}),
     ("modelo", "modelo", "modelo corrido", {"admite": "modelo"}),
+    ("dados", "dados", "se queja dos veces; dibuja lo que no lee", {"admite": "imagenes"}),
+    ("dados", "dados", "acaba de otra manera; se queja de otra cosa", {"admite": "modelo"}),
     ("foto", "foto", "foto ancha; foto corrida", {"admite": "imagen"}),
     ("pausa", "temporizador", "sin temporizador; no pide dibujar"),
     ("pausa", "título", "pausa sin decirlo"),

@@ -35,20 +35,25 @@ MAL = {  # lo que se le da, con qué estado acaba y lo que dice
 }
 
 
+def pedidos(admite):
+    """Qué se le da, con qué estado acaba y qué dice. Cada fichero va las veces que hagan falta."""
+    for fila in MAL[admite].strip().splitlines() if admite else ():
+        da, estado, dice = map(str.strip, fila.split("|"))
+        veces = 2 if admite == "imagenes" and da[0] != "=" else 1
+        yield [w for palabra in shlex.split(da.lstrip("=")) for w in [palabra] * (veces if "." in palabra else 1)], int(
+            estado
+        ), dice
+
+
 def dados(p):
-    """Lo que no puede leer lo dice en una línea, y no dibuja nada. Cada fichero va las veces que hagan falta."""
+    """Lo que no puede leer lo dice en una línea, y no dibuja nada."""
     with tempfile.TemporaryDirectory() as carpeta:
         for nombre, datos in HAY.items():
             Path(carpeta, nombre).write_bytes(datos)
-        for fila in MAL[p.admite].strip().splitlines() if p.admite else ():
-            da, estado, dice = map(str.strip, fila.split("|"))
-            veces = 2 if p.admite == "imagenes" and da[0] != "=" else 1
-            palabras = [
-                w for palabra in shlex.split(da.lstrip("=")) for w in [palabra] * (veces if "." in palabra else 1)
-            ]
+        for palabras, estado, dice in pedidos(p.admite):
             orden = [p.ejecutable, *palabras, "-geometry", "9x9", "-ppm", "imagen.ppm"]
             r = subprocess.run(orden, cwd=carpeta, **APARTE)
             suya = r.stderr.startswith(f"{p.nombre}: ") and r.stderr.count("\n") == 1 and dice in r.stderr
-            if r.returncode != int(estado) or not suya or Path(carpeta, "imagen.ppm").exists():
-                yield "dados", f"con {da} acaba con estado {r.returncode} y dice: {r.stderr}"
+            if r.returncode != estado or not suya or Path(carpeta, "imagen.ppm").exists():
+                yield "dados", f"con {shlex.join(palabras)} acaba con estado {r.returncode} y dice: {r.stderr}"
                 Path(carpeta, "imagen.ppm").unlink(missing_ok=True)
