@@ -171,7 +171,7 @@ TEST(Imagen, ElSelloDiceConQueEntornoSeDibujo) {
         EXPECT_NE(sello.find(variable), std::string::npos) << sello;
 }
 
-// Con cada destino, 800 tamaños distintos ocupan como 200: un framebuffer nuevo no se queda con la memoria del anterior.
+// Con cada destino, 800 tamaños distintos ocupan como 200: un framebuffer no se queda con la memoria del anterior.
 TEST(Imagen, CambiarDeTamanoNoOcupaMas) {
     const auto mebibytes = [](const std::string &grua,
                               int tamanos) { // lo más que ha ocupado algún proceso que ha esperado éste
@@ -192,7 +192,8 @@ TEST(Imagen, CambiarDeTamanoNoOcupaMas) {
     }
 }
 
-// De shader_basico, el triángulo y su programa de dos shaders. Lo que ocupa son los búferes y las texturas que dice -mide.
+// De shader_basico, el triángulo y su programa de dos shaders. Lo que ocupa son los búferes y las texturas que dice
+// -mide.
 TEST(Diario, DiceLoQueElCuadroDejaYLoQueOcupa) {
     const auto diario = [](Orden orden) {
         orden.push_back("-diario");

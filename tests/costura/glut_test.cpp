@@ -1,12 +1,12 @@
-// glut_sin_ventana contra un modelo de GLUT (partida.h), con llamadas, sucesos y menús al azar; lo que dice de la ventana,
-// contra lo que hay, y lo que rechaza.
+// glut_sin_ventana contra un modelo de GLUT (partida.h), con llamadas, sucesos y menús al azar; lo que dice de la
+// ventana, contra lo que hay; lo que rechaza, y lo que ve su diario.
 #include "costura/partida.h"
 #include "ejecuta.h"
+#include "glut_sin_ventana/parametros.h"
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <gtest/gtest.h>
 #include <map>
@@ -92,44 +92,17 @@ const std::map<std::string, void (*)()> CAMBIA = {
     {"UNPACK_ALIGNMENT", [] { glPixelStorei(GL_UNPACK_ALIGNMENT, 1); }},
     {"UNPACK_ROW_LENGTH", [] { glPixelStorei(GL_UNPACK_ROW_LENGTH, 99); }},
 };
-#define SE_ENCIENDE(nombre)                                                                                  \
-    { #nombre, GL_##nombre }
-const std::map<std::string, GLenum> SE_ENCIENDEN = {
-    SE_ENCIENDE(BLEND),
-    SE_ENCIENDE(COLOR_LOGIC_OP),
-    SE_ENCIENDE(DEPTH_TEST),
-    SE_ENCIENDE(STENCIL_TEST),
-    SE_ENCIENDE(CULL_FACE),
-    SE_ENCIENDE(POLYGON_OFFSET_FILL),
-    SE_ENCIENDE(POLYGON_OFFSET_LINE),
-    SE_ENCIENDE(SCISSOR_TEST),
-    SE_ENCIENDE(CLIP_DISTANCE0),
-    SE_ENCIENDE(PROGRAM_POINT_SIZE),
-    SE_ENCIENDE(PRIMITIVE_RESTART),
-    SE_ENCIENDE(MULTISAMPLE),
-    SE_ENCIENDE(SAMPLE_ALPHA_TO_COVERAGE),
-    SE_ENCIENDE(RASTERIZER_DISCARD),
-};
-
 /// El primer cuadro deja eso cambiado; el diario, en stderr.
-[[noreturn]] void dejaCambiado(const std::string &que) {
-    static GLenum interruptor = 0;
+[[noreturn]] void dejaCambiado(const sin_ventana::Parametro &que) {
     static void (*cambia)() = nullptr;
-    if (SE_ENCIENDEN.count(que))
-        interruptor = SE_ENCIENDEN.at(que);
+    static GLenum interruptor = que.cual;
+    if (CAMBIA.count(que.nombre))
+        cambia = CAMBIA.at(que.nombre);
     else
-        cambia = CAMBIA.at(que);
+        cambia = [] { glIsEnabled(interruptor) ? glDisable(interruptor) : glEnable(interruptor); };
     dup2(2, 1);
     abre(GLUT_DEPTH | GLUT_STENCIL, {"-diario", "-guion", "tecla a", "-ppm", "/dev/null"});
-    glutDisplayFunc([] {
-        static bool hecho = false;
-        if (std::exchange(hecho, true))
-            return;
-        if (cambia)
-            cambia();
-        else
-            glIsEnabled(interruptor) ? glDisable(interruptor) : glEnable(interruptor);
-    });
+    glutDisplayFunc([] { std::exchange(cambia, [] {})(); });
     glutMainLoop();
     std::exit(0);
 }
@@ -161,24 +134,15 @@ TEST(Glut, DiceLoQueHay) {
             << i;
 }
 
-// De cada fila de la tabla de diario.cpp, se ve que un cuadro la deja cambiada; y los siguientes, no.
+// De cada fila de la tabla, que un cuadro la deja cambiada; y los siguientes, no.
 TEST(Glut, ElDiarioVeCadaFilaDeSuTabla) {
-    std::ifstream fuente(LAB_BUILD "/../common/glut_sin_ventana/diario.cpp");
-    std::size_t filas = 0;
-    const std::regex fila("    GL\\((\\w+), [0-9]\\),");
-    std::smatch nombre;
-    for (std::string linea; std::getline(fuente, linea);)
-        if (std::regex_match(linea, nombre, fila)) {
-            ++filas;
-            const std::string que = nombre[1];
-            // sin donde leer o dibujar, es OpenGL quien lo dice
-            EXPECT_EXIT(
-                dejaCambiado(que), [](int estado) { return WIFEXITED(estado); },
-                "diario\t\t[^\n]*" + que +
-                    " [^\n]*\ndiario\t[^\t]*tecla a[^\t]*\t[^\t]*\t[^\t]*\t[^\t]*\t\t|error de OpenGL")
-                << que;
-        }
-    EXPECT_EQ(filas, CAMBIA.size() + SE_ENCIENDEN.size());
+    EXPECT_EQ(std::size(sin_ventana::PARAMETROS), 35u);
+    for (const sin_ventana::Parametro &p :
+         sin_ventana::PARAMETROS) // sin donde leer o dibujar, lo dice OpenGL
+        EXPECT_EXIT(
+            dejaCambiado(p), [](int estado) { return WIFEXITED(estado); },
+            "diario\t\t[^\n]*" + std::string(p.nombre) +
+                " [^\n]*\ndiario(\t[^\t]*){4}\t\t|error de OpenGL al repetir el cuadro");
 }
 
 // Cada cosa que dice al acabar un programa.

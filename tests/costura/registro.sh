@@ -19,6 +19,8 @@ prueba() { # SEMILLA
   "$build/tests/registro_$sin_ventana" -geometry 300x200 -guion "$(cat guion)" -ppm x.ppm "$(cat tandas)" >diario
   limpia diario debe
   # Con la máquina ocupada X junta sucesos que el guion separa: si algo difiere se repite más despacio.
+  # shellcheck disable=SC2034 # es para haz_guion
+  # shellcheck disable=SC2034 # la usa haz_guion
   for PAUSA in 0.03 0.1 0.3 1; do
     xdotool mousemove 1200 1000
     abre "$build/tests/registro_ventana" -geometry 300x200+10+10 "$(cat tandas)" >diario

@@ -85,8 +85,8 @@ static int atiende(Display *pantalla, Window ventana) {
         [](Display *, XErrorEvent *) -> int { std::exit(0); }); // ya no está: no hay a qué esperar
     XSelectInput(pantalla, DefaultRootWindow(pantalla), SubstructureNotifyMask);
     XSelectInput(pantalla, ventana, StructureNotifyMask);
-    // Wine contesta al leer de X, una vez al mirar si hay algo y otra al recogerlo: a la tercera ya se ha atendido. Con la
-    // máquina ocupada contesta a varias en la misma lectura.
+    // Wine contesta al leer de X, una vez al mirar si hay algo y otra al recogerlo: a la tercera ya se ha atendido.
+    // Con la máquina ocupada contesta a varias en la misma lectura.
     for (int vuelta = 0; vuelta < 16; ++vuelta) {
         XEvent suceso{};
         manda(pantalla, ventana, "_NET_WM_PING");
