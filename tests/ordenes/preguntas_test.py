@@ -64,13 +64,15 @@ class Preguntado(Lab):
 
     def vuelve(self, antes):
         """Lo que hay, otra vez como antes."""
-        for f in self.hay().keys() - antes.keys():
+        hay = self.hay()
+        for f in hay.keys() - antes.keys():
             f.unlink()
         for carpeta in sorted(self.raiz.glob("mios/*")):
             carpeta.rmdir()
         for f, datos in antes.items():
-            f.parent.mkdir(parents=True, exist_ok=True)
-            f.write_bytes(datos)
+            if hay.get(f) != datos:
+                f.parent.mkdir(parents=True, exist_ok=True)
+                f.write_bytes(datos)
 
     def hace(self, orden, stdout=subprocess.PIPE, antes_de=None, quien=None, **entorno):
         (self.sitio / "llamadas").write_text("")
