@@ -17,6 +17,7 @@ import tempfile
 import threading
 import time
 import xml.etree.ElementTree as xml
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -36,6 +37,7 @@ from ejercicios.corrige import partidas, veredicto
 from ejercicios.corrige.arbitro import BIEN, CASI, Arbitro, aparte
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion, Partida
+from pruebas import huecos
 from mentira import ejecutable, faltan, siembra
 
 REF = "E3.5"
@@ -219,6 +221,22 @@ def test_el_defecto_que_deja_lo_mismo_en_todos_los_guiones():
     assert dice("uno", "dos", "cuatro") == ["uno", "cuatro"] and dice("dos") == []
     hace["esqueleto"] = 5, 5, 5
     assert dice("tres") == [""]
+
+
+@pytest.mark.skipif(not (BUILD / "catalogo.json").exists(), reason="no está configurado")
+@pytest.mark.parametrize("ref, sin, linea", [("E4.3", ("tamano",), "aspecto"), ("E9.1", ("tecla s", "tecla v"), "2.0")])
+def test_huecos_ve_que_a_los_guiones_les_falta_un_mando_o_las_tallas(tmp_path, ref, sin, linea):
+    programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[ref]
+    if not programa.ejecutable(BUILD).exists():
+        pytest.skip("no está compilado")
+    ejercicio = huecos.Ejercicio(RAIZ, BUILD, ref, programa, tmp_path, [1])
+
+    def menos(guiones):
+        return [Guion(g.nombre, tuple(o for o in g.ordenes if not o.startswith(sin)), g.caso) for g in guiones]
+
+    ejercicio.casos, ejercicio.de_semilla = menos(ejercicio.casos), {1: menos(ejercicio.de_semilla[1][:2])}
+    with ThreadPoolExecutor(2) as hilos:
+        assert any(linea in dicho for dicho in ejercicio.sin_ver(hilos))
 
 
 def test_una_entrega_lenta_se_deja(monkeypatch):

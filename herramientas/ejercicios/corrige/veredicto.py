@@ -58,6 +58,27 @@ def distintos(esperada, obtenida):
     return max((sum(a != b for a, b in zip(una[2], otra[2])) for una, otra in pares), default=0)
 
 
+def juzga(arbitro, esperadas, partidas):
+    """En qué imagen falla cada guion, los que fallan por poco y lo que cuenta una vez, no en cada guion."""
+    donde = {g: arbitro.difiere(esperadas[g], p) for g, p in partidas.items()}
+    fallan = {g: i for g, i in donde.items() if i is not None}
+    casi = [g for g in fallan if arbitro.difiere(esperadas[g], partidas[g], CASI) is None]
+    otros = {}
+    for g, p in partidas.items():
+        if len(p.imagenes) == len(esperadas[g].imagenes):
+            otros = {**aparte(esperadas[g], p), **otros}
+    return fallan, casi, otros
+
+
+def nota(todos, bien, casi, otros):
+    """La parte de los guiones que salen bien; un caso vale por dos, el que sale por poco, la mitad, y con un fallo no
+    es 100."""
+    valen = {g: 2 if g.caso else 1 for g in todos}
+    puntos = (sum(valen[g] for g in bien) + CASI * sum(valen[g] for g in casi)) / sum(valen.values())
+    puntos *= 100 - sum(CUESTA[que] for que in otros)
+    return min(round(puntos, 1), 100 if len(bien) == len(todos) and not otros else 99.9)
+
+
 class Correccion:
     """En un diccionario que va tal cual a su JSON."""
 
@@ -91,14 +112,8 @@ class Correccion:
             self.partidas[guion] = self.juega(guion, self.esperadas[guion])
             if sum(p.cuelga for p in self.partidas.values()) >= CUELGUES or self.gastado > TOPE:
                 break
-        donde = {g: self.arbitro.difiere(self.esperadas[g], p) for g, p in self.partidas.items()}
-        fallan = {g: i for g, i in donde.items() if i is not None}
-        casi = [g for g in fallan if self.arbitro.difiere(self.esperadas[g], self.partidas[g], CASI) is None]
+        fallan, casi, otros = juzga(self.arbitro, self.esperadas, self.partidas)
         bien = [g for g in todos if g in self.partidas and g not in fallan]
-        otros = {}  # una vez, no en cada guion
-        for g, p in self.partidas.items():
-            if len(p.imagenes) == len(self.esperadas[g].imagenes):
-                otros = {**aparte(self.esperadas[g], p), **otros}
         muestra = self.muestra(fallan)
         acaban = list(dict.fromkeys(filter(None, (como_acaba(p, g) for g, p in self.partidas.items()))))
         dice = acaban[:3]
@@ -114,17 +129,8 @@ class Correccion:
             dice += self.explica(fallan, casi, muestra)
         dice += [como for que, como in otros.items() if que != "estado"]
         casos = {g.nombre: g in bien for g in todos if g.caso}
-        cuenta = {"nota": self.nota(bien, casi, otros), "bien": len(bien), "guiones": len(todos), "casos": casos}
+        cuenta = {"nota": nota(todos, bien, casi, otros), "bien": len(bien), "guiones": len(todos), "casos": casos}
         return {**cuenta, "dice": dice, "fallos": muestra}
-
-    def nota(self, bien, casi, otros):
-        """La parte de los guiones que salen bien; un caso vale por dos, el que sale por poco, la mitad, y con un fallo
-        no es 100."""
-        todos = self.banco.todos
-        valen = {g: 2 if g.caso else 1 for g in todos}
-        nota = (sum(valen[g] for g in bien) + CASI * sum(valen[g] for g in casi)) / sum(valen.values())
-        nota *= 100 - sum(CUESTA[que] for que in otros)
-        return min(round(nota, 1), 100 if len(bien) == len(todos) and not otros else 99.9)
 
     def explica(self, fallan, casi, muestra):
         porque = self.banco.motivos.por_que(self.partidas, self.esperadas, fallan)
