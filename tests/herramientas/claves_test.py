@@ -1,5 +1,5 @@
-"""Lo que se guarda para no hacerlo otra vez: vale mientras todo sea igual, y basta que cambie cualquiera de las cosas de
-que depende para que ya no valga."""
+"""Lo que se guarda para no hacerlo otra vez: vale mientras todo sea igual, y basta que cambie cualquiera de las cosas
+de que depende para que ya no valga."""
 import os
 import re
 import sys

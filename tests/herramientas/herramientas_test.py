@@ -265,6 +265,23 @@ def test_el_tiempo_de_un_proceso(tmp_path):
     assert 100 <= costes.milisegundos([sys.executable, "-S", "-c", gasta], tmp_path) < 2000
 
 
+TOCAN = (  # un fichero, y las pruebas que dejan de valer
+    ("ch01_uno/a.vert", "imagen.a|propiedades.a|textos"),
+    ("tests/propiedades/propiedades.py", "propiedades.a|textos"),
+    ("tests/propiedades/vista.py", "propiedades.a|textos"),
+    ("herramientas/base/controles.py", "propiedades.a|textos|ordenes"),
+    ("build/osmesa/ch01_uno/b", "imagen.b|ch01.G.uno"),
+    ("build/osmesa/ch01_uno/a", "imagen.a|propiedades.a"),
+    ("tests/golden/ch01_uno/a-dos.ppm", "imagen.a|propiedades.a"),
+    ("build/casos/a.sh", "imagen.a|propiedades.a"),
+    ("docs/x.md", "textos"),
+    ("lab", "textos|ordenes"),
+    ("build/tests/ch01_test", "ch01.G.uno"),
+    ("assets/x.txt", ".*"),
+    ("build/herramientas/comparador/compara", ".*"),
+)
+
+
 def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
     """Lo que se toca, y qué pruebas dejan de valer: las que usan eso y ninguna más; una que falla o no se conoce,
     siempre."""
@@ -311,21 +328,7 @@ def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
     informa("otra", "imagen.b")  # la que había pasado y ahora no, también
     assert llama("elige") == "imagen.b|otra"
     informa("otra")
-    for toca, esperadas in (
-        ("ch01_uno/a.vert", "imagen.a|propiedades.a|textos"),
-        ("tests/propiedades/propiedades.py", "propiedades.a|textos"),
-        ("tests/propiedades/vista.py", "propiedades.a|textos"),
-        ("herramientas/base/controles.py", "propiedades.a|textos|ordenes"),
-        ("build/osmesa/ch01_uno/b", "imagen.b|ch01.G.uno"),
-        ("build/osmesa/ch01_uno/a", "imagen.a|propiedades.a"),
-        ("tests/golden/ch01_uno/a-dos.ppm", "imagen.a|propiedades.a"),
-        ("build/casos/a.sh", "imagen.a|propiedades.a"),
-        ("docs/x.md", "textos"),
-        ("lab", "textos|ordenes"),
-        ("build/tests/ch01_test", "ch01.G.uno"),
-        ("assets/x.txt", ".*"),
-        ("build/herramientas/comparador/compara", ".*"),
-    ):
+    for toca, esperadas in TOCAN:
         siembra(raiz, {toca: "otra cosa"})
         assert set(llama("elige").split("|")) - {"otra"} == set(esperadas.split("|")), toca
         siembra(raiz, {toca: toca})
