@@ -116,6 +116,17 @@ def main():
         espera(f"una mancha de 3×{alto}", alto - 2, buena, mancha(buena, 3, alto), "--otro", "otro OpenGL")
     for mal in NO_SON:
         espera("tolerancia", 2, buena, buena, f"--amplia --tolerancia={mal}", "son PORCENTAJE NIVELES MAXIMO")
+    for ancho, alto in (
+        (239, 180),
+        (240, 179),
+        (241, 180),
+        (240, 181),
+        (180, 240),
+    ):  # la última, con los mismos píxeles
+        otra = buena[: -3 * 43200].replace(b"240 180", b"%d %d" % (ancho, alto)) + bytes(3 * ancho * alto)
+        for modo in (*MODOS, "--redondeo"):
+            espera(f"de {ancho}×{alto}", 2, buena, otra, modo, f"mala.ppm» {ancho}×{alto}")
+            espera(f"de {ancho}×{alto}", 2, otra, buena, modo, f"buena.ppm» mide {ancho}×{alto}")
     # Sin sello no se sabe qué exigir. Una captura de una ventana de verdad no lo lleva, y se compara con --amplia.
     sin_sello = re.sub(rb"\n#.*", b"", buena, count=1)
     espera("obtenida sin sello", 2, buena, sin_sello, "", "«mala.ppm» no lleva el sello")

@@ -265,12 +265,30 @@ def test_el_tiempo_de_un_proceso(tmp_path):
     assert 100 <= costes.milisegundos([sys.executable, "-S", "-c", gasta], tmp_path) < 2000
 
 
+TOCAN = (  # un fichero, y las pruebas que dejan de valer
+    ("ch01_uno/a.vert", "imagen.a|propiedades.a|textos"),
+    ("tests/propiedades/propiedades.py", "propiedades.a|textos"),
+    ("tests/propiedades/vista.py", "propiedades.a|textos"),
+    ("herramientas/base/controles.py", "propiedades.a|textos|ordenes"),
+    ("build/osmesa/ch01_uno/b", "imagen.b|ch01.G.uno"),
+    ("build/osmesa/ch01_uno/a", "imagen.a|propiedades.a"),
+    ("tests/golden/ch01_uno/a-dos.ppm", "imagen.a|propiedades.a"),
+    ("build/casos/a.sh", "imagen.a|propiedades.a"),
+    ("docs/x.md", "textos"),
+    ("lab", "textos|ordenes"),
+    ("build/tests/ch01_test", "ch01.G.uno"),
+    ("assets/x.txt", ".*"),
+    ("build/herramientas/comparador/compara", ".*"),
+)
+
+
 def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
     """Lo que se toca, y qué pruebas dejan de valer: las que usan eso y ninguna más; una que falla o no se conoce,
     siempre."""
     raiz, build = tmp_path, tmp_path / "build"
     ficheros = """ch01_uno/a.cpp ch01_uno/b.cpp ch01_uno/a.vert tests/casos/casos.sh tests/golden/ch01_uno/a-dos.ppm lab
         docs/x.md assets/x.txt build/casos/a.sh build/osmesa/ch01_uno/a build/osmesa/ch01_uno/b
+        tests/propiedades/propiedades.py tests/propiedades/vista.py herramientas/base/controles.py
         build/osmesa/ch01_intro/x build/herramientas/comparador/compara build/tests/CTestTestfile.cmake
         build/tests/ch01_test"""
     siembra(raiz, {f: f for f in ficheros.split()})
@@ -282,6 +300,7 @@ def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
         "ch01.G.uno": [f"{build}/tests/ch01_test", "--gtest_filter=G.uno"],
         "textos": [f"{raiz}/tests/textos.sh"],
         "ordenes": ["pytest"],
+        "propiedades.a": ["python3", f"{raiz}/tests/propiedades/propiedades.py", str(raiz), str(build), "a"],
         "otra": ["x"],
     }
 
@@ -292,8 +311,8 @@ def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
     monkeypatch.setattr(cambios, "ejecuta", pruebas)
     monkeypatch.setattr(catalogo, "lee_programas", lambda _: [catalogo.Programa(capitulo, n, "", "") for n in "ab"])
 
-    def informa():
-        casos = "".join(f'<testcase name="{n}" status="{"fail" if n == "otra" else "run"}"/>' for n in ordenes)
+    def informa(*fallan):
+        casos = "".join(f'<testcase name="{n}" status="{"fail" if n in fallan else "run"}"/>' for n in ordenes)
         siembra(build, {"pruebas.xml": f"<testsuite>{casos}</testsuite>"})
         llama("apunta", str(build / "pruebas.xml"))
 
@@ -303,22 +322,13 @@ def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
         return capsys.readouterr().out.strip().replace("\\", "")
 
     assert llama("elige") == ".*"
-    informa()
+    informa("otra")
     assert llama("elige") == "otra"
     ordenes |= {str(n): [f"{build}/tests/x_test"] for n in range(9)}  # que las que cambian no sean más de la mitad
-    informa()
-    for toca, esperadas in (
-        ("ch01_uno/a.vert", "imagen.a|textos"),
-        ("build/osmesa/ch01_uno/b", "imagen.b|ch01.G.uno"),
-        ("build/osmesa/ch01_uno/a", "imagen.a"),
-        ("tests/golden/ch01_uno/a-dos.ppm", "imagen.a"),
-        ("build/casos/a.sh", "imagen.a"),
-        ("docs/x.md", "textos"),
-        ("lab", "textos|ordenes"),
-        ("build/tests/ch01_test", "ch01.G.uno"),
-        ("assets/x.txt", ".*"),
-        ("build/herramientas/comparador/compara", ".*"),
-    ):
+    informa("otra", "imagen.b")  # la que había pasado y ahora no, también
+    assert llama("elige") == "imagen.b|otra"
+    informa("otra")
+    for toca, esperadas in TOCAN:
         siembra(raiz, {toca: "otra cosa"})
         assert set(llama("elige").split("|")) - {"otra"} == set(esperadas.split("|")), toca
         siembra(raiz, {toca: toca})

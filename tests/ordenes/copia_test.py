@@ -250,6 +250,10 @@ def test_lo_que_no_compila_no_impide_ver_lo_demas(lab):
     with lab.con(UNO, TRES):
         lab.anade(TRES, "static int noSeUsa() { return 0; }\n")
         lab("prueba", 1, "noSeUsa")
+        lab("nuevo shader_basico mio")  # los de lo propio, ni entonces
+        lab.anade("mios/mio/mio.cpp", "static int tampocoSeUsa() { return 0; }\n")
+        lab("ver mio", 0, "tampocoSeUsa")
+        shutil.rmtree(lab.raiz / "mios")
         lab.anade(UNO, "int estoNoCompila(\n")
         lab("ver shader_basico", 0, "lo he dibujado en shader_basico.png")
         lab("galeria", 1, "no compila")
@@ -273,6 +277,7 @@ def test_un_programa_mas(lab):
     lab("muta --comprueba", 0, "5 mutantes, y todos se pueden plantar")
     lab("dora nuevo", 0, "nuevo: nueva")
     lab("galeria", 0, "ch01_intro/nuevo: 1 imagen")
+    assert '{"nuevo", ' in (lab.raiz / "build/generado/controles.inc").read_text()
     lab("lista --docs")
     hechas = (lab.raiz / carpeta for carpeta in ("build/web", "galeria", "web"))
     Pagina(lab.raiz, *hechas).escribe_indice(catalogo.lee(lab.raiz / "build"))

@@ -414,15 +414,10 @@ def test_prueba(lab):
     lab("prueba")
     lab("prueba --junit nada.xml", 3, "falla ctest", FALLA="ctest")  # sin el informe de antes
     assert not (lab.sitio / "aqui/nada.xml").exists()
+    lab("prueba -N", 1, "LAB_OPENGL: no conozco «otra»", LAB_OPENGL="otra")
     lab("prueba --asan")
     assert lab.llamadas("cmake")[0][:4] == ["--preset", "asan", "-B", f"{lab.build}/asan"]
     assert lab.llamadas("ctest")[0][1] == f"{lab.build}/asan"
-
-
-def test_prueba_con_otro_opengl(lab):
-    lab("prueba -N", 1, "LAB_OPENGL: no conozco «otra»", LAB_OPENGL="otra")
-    paquetes = [set(lab("paquetes", LAB_OPENGL=opengl).stdout.split()) for opengl in ("", "zink")]
-    assert "g++" in paquetes[0] and paquetes[1] - paquetes[0] == {"mesa-vulkan-drivers"} and not lab.llamadas("cmake")
 
 
 def test_prueba_lo_que_cambia(lab):
