@@ -37,15 +37,23 @@ export class Taller {
   constructor(almacen, clave, codigo) {
     Object.assign(this, { almacen, clave, codigo });
     this.relee();
+    this.aparte = this.cambios.size > 0 && Boolean(recuerdo(almacen, this.#dibujando));
   }
+
+  get #dibujando() { return `${this.clave}, dibujando`; }
+
+  /// Que se va a dibujar con lo cambiado, o que ya se ha visto. Un shader puede dejar la página sin responder: quien la
+  /// abre otra vez sin haberlo visto lo encuentra escrito, pero aparte, y ve lo de antes hasta que lo cambie.
+  dibuja(empieza) { recuerdo(this.almacen, this.#dibujando, empieza ? 'sí' : ''); }
 
   relee() { this.cambios = new Map(leeCambios(recuerdo(this.almacen, this.clave))); }
 
   async esqueleto() { return this.codigo ? (await json('esqueletos'))[this.codigo] : {}; }
-  async textos() { return { ...await this.esqueleto(), ...Object.fromEntries(this.cambios) }; }
+  async textos() { return { ...await this.esqueleto(), ...this.aparte ? {} : Object.fromEntries(this.cambios) }; }
   async original(ruta) { return (await this.esqueleto())[ruta] ?? solucion(ruta); }
 
   apunta(ruta, texto, original) {
+    this.aparte = false;
     if (texto === original) this.cambios.delete(ruta);
     else this.cambios.set(ruta, texto);
     this.guardado = Boolean(recuerdo(this.almacen, this.clave, JSON.stringify([...this.cambios])));

@@ -17,6 +17,7 @@ busca.addEventListener('input', () => {
 });
 
 document.addEventListener('keydown', suceso => {
+  if (suceso.ctrlKey || suceso.altKey || suceso.metaKey) return;
   if (suceso.key !== '/' || !pagina.hidden || document.activeElement === busca) return;
   suceso.preventDefault();
   busca.focus();

@@ -27,14 +27,26 @@ let ruta; // a la que se ha ido
 export const escena = new Escena({ alArrancar, alRecargar: () => editor.marca(escena.errores) });
 export const editor = new Editor({
   alEscribir: () => visto.ejercicio?.olvidaRevision(),
-  alCambiar: (fichero, texto) => escena.cambia(fichero, texto),
+  alCambiar: (fichero, texto) => conCuidado(() => escena.cambia(fichero, texto)),
 });
 const propios = new Propios(() => empieza());
 
 function empieza(guion) {
   const { programa, ejercicio, taller } = visto;
   const acompana = ejercicio && ((sesion, opciones) => ejercicio.conObjetivo(sesion, opciones));
-  return escena.empieza({ programa, textos: () => taller.textos(), ficheros: propios.ficheros, acompana }, guion);
+  return conCuidado(() =>
+    escena.empieza({ programa, textos: () => taller.textos(), ficheros: propios.ficheros, acompana }, guion));
+}
+
+/// Hace algo con lo escrito, apuntado hasta que se ve: leer un píxel espera a que esté dibujado.
+async function conCuidado(hace) {
+  const { taller } = visto;
+  taller.dibuja(true);
+  await hace();
+  escena.sesion?.lienzo.getContext('webgl2')?.readPixels(0, 0, 1, 1, 0x1908, 0x1401, new Uint8Array(4)); // RGBA, bytes
+  taller.dibuja(false);
+  if (taller.aparte && visto.taller === taller)
+    avisa('Con lo escrito en los shaders la página dejó de responder: esto es sin ello, hasta que lo cambies.');
 }
 
 export function empiezaCaso(caso = casoInicial(visto.programa)) {

@@ -11,6 +11,7 @@ import tempfile
 import time
 from pathlib import Path
 
+import gestos
 import navegador
 from navegador import AVPAG, BUILD, CASOS, DERECHA, ESC, IZQUIERDA, RAIZ, espera, exige
 
@@ -133,6 +134,7 @@ def main():
         comprueba_proyeccion(n)
         comprueba_textos(n)
         comprueba_buscador(n)
+        gestos.de_la_galeria(n, lambda: n.abre(destino / "index.html"))
         comprueba_tallas(n)
         registro = n.registro()
         exige(not registro, f"la consola está vacía: {registro[:1]}")

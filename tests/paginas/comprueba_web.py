@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
-"""comprueba_web.py RAÍZ BUILD WEB [caso… | persona | ejercicios]: la página de los programas (./lab web), con file://
+"""comprueba_web.py RAÍZ BUILD WEB [caso… | persona | gestos | ejercicios]: la página de los programas (./lab web), con file://
 en Chromium sobre llvmpipe. Con LAB_OPENGL=swiftshader, sobre el SwiftShader que lleva dentro, y solo los casos, con el
 comparador en --otro.
 
 Cada caso del catálogo se dibuja con su guion y se compara con su golden, con el comparador y la tolerancia de siempre.
-Después, lo que hace una persona (usa_programas.py, usa_editor.py).
+Después, lo que hace una persona (usa_programas.py, usa_editor.py), y lo que se pregunta de todo lo que hay (gestos.py).
 """
 import base64
 import os
 import sys
 from pathlib import Path
 
+import gestos
 import navegador  # que sabe dónde está procesos
 import usa_editor
 import usa_programas
@@ -64,8 +65,8 @@ def compara_casos(n, pedidos):
 
 DE_EJERCICIOS = [usa_editor.ejercicios, usa_programas.pagina]
 DE_PERSONA = [usa_programas.entradas, usa_programas.pantalla_completa, usa_programas.fin, usa_programas.adversidades]
-DE_PERSONA += [usa_editor.editor, usa_programas.ficheros_y_tallas, *DE_EJERCICIOS]
-PRUEBAS = {"": DE_PERSONA, "persona": DE_PERSONA, "ejercicios": DE_EJERCICIOS}
+DE_PERSONA += [gestos.de_la_pagina, usa_editor.editor, usa_programas.ficheros_y_tallas, *DE_EJERCICIOS]
+PRUEBAS = {"": DE_PERSONA, "persona": DE_PERSONA, "ejercicios": DE_EJERCICIOS, "gestos": [gestos.de_la_pagina]}
 
 
 def main():

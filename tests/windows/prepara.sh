@@ -27,6 +27,6 @@ done < <(x86_64-w64-mingw32-objdump -p programas/*.exe programas/*.dll | sed -n 
 x86_64-w64-mingw32-g++-posix -std=c++17 -O1 -static "$aqui/ejecuta.cpp" -o "$prueba/ejecuta.exe"
 
 WINEPREFIX=$prueba/wine WINEARCH=win64 DISPLAY='' "$wine" wineboot -i </dev/null >"$prueba/wine.log" 2>&1
-WINEPREFIX=$prueba/wine "$(dirname "$(readlink -f "$wine")")/wineserver" -w
+WINEPREFIX=$prueba/wine "$servidor_wine" -w
 [ -s "$prueba/wine/user.reg" ] || { mal 'Wine no prepara su disco C:'; cat "$prueba/wine.log"; }
 exit $fallos

@@ -7,6 +7,7 @@ export WINEPREFIX='' WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml,winemenubui
 unset GLIBC_TUNABLES
 wine=$(command -v wine64 /usr/lib/wine/wine64 wine)
 wine=${wine%%$'\n'*}
+servidor_wine=$(dirname "$(readlink -f "$wine")")/wineserver
 
 abre_wine() { # CARPETA en que dejar lo suyo
   local molde=$build/windows/prueba/wine
@@ -17,11 +18,13 @@ abre_wine() { # CARPETA en que dejar lo suyo
   # Sin un gestor de ventanas que las active, como openbox, la del menú de FreeGLUT se queda con las teclas.
   abre_gestor openbox
   # lo que digan los servicios de Wine no es del programa; en su registro, por si no arrancan
+  # Y que entre un programa y otro siga el servidor: si no, a los tres segundos se acaba, y uno que empiece entonces no arranca.
+  "$servidor_wine" -p60
   "$wine" wineboot </dev/null >"$1/wineboot" 2>&1 || { echo "Wine no arranca: $(cat "$1/wineboot")"; return 1; }
 }
 
 cierra_wine() {
-  [ -z "$WINEPREFIX" ] || "$(dirname "$(readlink -f "$wine")")/wineserver" -k >/dev/null 2>&1 || true
+  [ -z "$WINEPREFIX" ] || "$servidor_wine" -k >/dev/null 2>&1 || true
 }
 
 # FreeGLUT toma de DISPLAY, que es de X, el nombre de la pantalla, y avisa de que no existe; la de Windows se llama así.
