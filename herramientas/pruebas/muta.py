@@ -251,6 +251,7 @@ class Vivero:
         self.sin_ventana = (self.build / "sin_ventana").read_text().strip()
         self.programas = catalogo.lee_programas(self.build)
         pruebas = [f.stem for f in self.copia.glob("tests/*/*_test.cpp") if es_de(f.name, capitulos)]
+        de_los_jueces = ["borde", "pies", "defectuoso", *(["finitos"] if self.sin_ventana == "osmesa" else [])]
         self.orden(
             "ninja",
             "-k",
@@ -258,11 +259,8 @@ class Vivero:
             "-C",
             self.build,
             *(pruebas if capitulos else ["tests/all"]),
-            *(
-                "compara borde pies finitos defectuoso registro_osmesa".split()
-                if "jueces" in capitulos
-                else ["compara"]
-            ),
+            "compara",
+            *(de_los_jueces if "jueces" in capitulos else ()),
             *(f"{p.nombre}_{self.sin_ventana}" for p in self.programas),
         )
 

@@ -40,7 +40,8 @@ class Partida:
         self.escena = self.se_ve()
 
     def se_ve(self):
-        suyo = [getattr(self, que) for que in ESCENA]
+        solo_titulo = self.d.endswith("en el título")
+        suyo = [getattr(self, que) for que in ESCENA if not (solo_titulo and que == "ajena")]
         if self.d == "color según la forma":
             suyo.append(self.talla[0] > 2 * self.talla[1])
         return repr(suyo)
