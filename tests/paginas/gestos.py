@@ -51,8 +51,11 @@ def cada_boton_dos_veces(n, donde, abre):
             n.tecla(INTRO)
             exige((otra := quieta(n)) in (antes, una), f"«{nombre}» de {donde}, dos veces: {antes} {una} {otra}")
         else:
-            n.tecla("p" if js(n, "return document.fullscreenElement") else ESC)  # que a WebDriver no le saca de ella
-            exige(quieta(n) == antes, f"de lo que abre «{nombre}» de {donde} se sale con Esc, o con p")
+            n.tecla(ESC)
+            js(
+                n, "return document.fullscreenElement && document.exitFullscreen()"
+            )  # es del navegador, y no de WebDriver
+            exige(quieta(n) == antes, f"de lo que abre «{nombre}» de {donde} se sale con Esc")
         if quieta(n) != antes:
             abre()
 
