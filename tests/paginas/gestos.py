@@ -11,7 +11,8 @@ INTRO = "\ue007"
 TECLAS = [*string.ascii_letters, *string.digits, *"+-/.,", "Enter", "PageDown", "PageUp", "Home", "End", "Escape"]
 TECLAS += [f"Arrow{hacia}" for hacia in ("Left", "Right", "Up", "Down")] + [f"F{i}" for i in (1, 5, 12)]
 # Lo que se ve, sin lo que se mueve solo.
-NOMBRES = """const se_ven = s => [...document.querySelectorAll(s)].filter(e => e.checkVisibility({ visibilityProperty: true }));
+NOMBRES = """const se_ven = s =>
+  [...document.querySelectorAll(s)].filter(e => e.checkVisibility({ visibilityProperty: true }));
 const clase = e => e.tagName + e.className + e.parentElement.className; // de cada una, los dos primeros
 const pulsables = () => se_ven('button, summary').filter(e => !e.closest('.mandos, .telon'))
   .filter((e, i, todos) => todos.slice(0, i).filter(otro => clase(otro) === clase(e)).length < 2);
@@ -41,7 +42,9 @@ def cada_boton_dos_veces(n, donde, abre):
         antes = quieta(n)
         nombre = js(
             n,
-            "const b = pulsables()[arguments[0]]; window.probado = b; b.focus(); return b.textContent.trim() || b.className",
+            """window.probado = pulsables()[arguments[0]];
+            probado.focus();
+            return probado.textContent.trim() || probado.className""",
             i,
         )
         n.tecla(INTRO)
@@ -51,8 +54,11 @@ def cada_boton_dos_veces(n, donde, abre):
             n.tecla(INTRO)
             exige((otra := quieta(n)) in (antes, una), f"«{nombre}» de {donde}, dos veces: {antes} {una} {otra}")
         else:
-            n.tecla("p" if js(n, "return document.fullscreenElement") else ESC)  # que a WebDriver no le saca de ella
-            exige(quieta(n) == antes, f"de lo que abre «{nombre}» de {donde} se sale con Esc, o con p")
+            n.tecla(ESC)
+            js(
+                n, "return document.fullscreenElement && document.exitFullscreen()"
+            )  # es del navegador, y no de WebDriver
+            exige(quieta(n) == antes, f"de lo que abre «{nombre}» de {donde} se sale con Esc")
         if quieta(n) != antes:
             abre()
 
@@ -62,7 +68,7 @@ def teclas_del_navegador(n, donde, con, lienzo=False):
     for modificador in con:
         suyas = js(
             n,
-            """const [teclas, con, lienzo] = arguments, donde = lienzo ? document.querySelector('canvas') : document.body;
+            """const [teclas, con, lienzo] = arguments, donde = document.querySelector(lienzo ? 'canvas' : 'body');
             const antes = sena();
             return teclas.filter(key => {
               const suceso = new KeyboardEvent('keydown', { key, [con]: true, bubbles: true, cancelable: true });
@@ -91,8 +97,9 @@ def de_la_galeria(n, abre):
     abre()
     teclas_del_navegador(n, "galería", ("ctrlKey", "altKey", "metaKey"))
     se_escribe(n, "la galería")
-    va = """const toque = x => [new Touch({ identifier: 1, target: document.querySelector('dialog'), clientX: x, clientY: 300 })];
-        const da = (que, toques, x) => document.querySelector('dialog')
+    va = """const target = document.querySelector('dialog');
+        const toque = x => [new Touch({ identifier: 1, target, clientX: x, clientY: 300 })];
+        const da = (que, toques, x) => target
           .dispatchEvent(new TouchEvent(que, { touches: toques, changedTouches: toque(x) }));
         da('touchstart', toque(300), 300); da('touchend', [], 300 + arguments[0]);
         return document.querySelector('dialog h2').textContent"""
@@ -131,9 +138,12 @@ def de_la_pagina(p):
 
 
 # Las teclas que el navegador da a cada orden de un programa.
-DEL_NAVEGADOR = """const nombres = { Espacio: ' ', Intro: 'Enter', Esc: 'Escape', IZQUIERDA: 'ArrowLeft', DERECHA: 'ArrowRight',
-  ARRIBA: 'ArrowUp', ABAJO: 'ArrowDown', INICIO: 'Home', FIN: 'End', REPAG: 'PageUp', AVPAG: 'PageDown', INSERTAR: 'Insert' };
-const quita = key => !una('canvas').dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
+DEL_NAVEGADOR = """const nombres = {
+  Espacio: ' ', Intro: 'Enter', Esc: 'Escape', IZQUIERDA: 'ArrowLeft', DERECHA: 'ArrowRight', ARRIBA: 'ArrowUp',
+  ABAJO: 'ArrowDown', INICIO: 'Home', FIN: 'End', REPAG: 'PageUp', AVPAG: 'PageDown', INSERTAR: 'Insert',
+};
+const quita = key =>
+  !una('canvas').dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
 """
 
 
@@ -148,7 +158,8 @@ def teclas(p):
     exige(not quedan, f"las teclas que van al programa no mueven la página: {quedan}")
     ajenas = p.js(DEL_NAVEGADOR + "return ['Tab', 'F12', 'ñ', 'Shift', 'CapsLock', 'Dead'].filter(quita)")
     exige(not ajenas, f"y las que no, son del navegador: {ajenas}")
-    boton = "const b = conTexto('.mando button', 'd'), da = que => b.dispatchEvent(new PointerEvent(que, { bubbles: true }));"
+    boton = """const b = conTexto('.mando button', 'd');
+        const da = que => b.dispatchEvent(new PointerEvent(que, { bubbles: true }));"""
     for fin in ("pointerup", "pointerleave", "pointercancel"):
         p.js(boton + "da('pointerdown')")
         antes = p.da("hecho.ordenes.length")
@@ -216,8 +227,12 @@ def sin_respuesta(p):
     p.abre("#grua")
     p.exige("editor.ruta", "el editor se abre")
     p.js(
-        "window.apuntado = []; const pon = Storage.prototype.setItem; "
-        "Storage.prototype.setItem = function (c, t) { if (/dibujando/.test(c)) apuntado.push(t); pon.call(this, c, t); }"
+        """window.apuntado = [];
+        const pon = Storage.prototype.setItem;
+        Storage.prototype.setItem = function (clave, texto) {
+          if (/dibujando/.test(clave)) apuntado.push(texto);
+          pon.call(this, clave, texto);
+        }"""
     )
     antes = p.imagen()
     p.espera_js(

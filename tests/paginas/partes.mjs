@@ -29,7 +29,7 @@ const azar = n => { // siempre los mismos
   return semilla % n;
 };
 
-test('lo que no se puede guardar se sabe', () => {
+test('lo que no se puede guardar se sabe, y lo que no se llegó a ver queda aparte', async () => {
   const hay = new Map(), caben = n => ({
     getItem: clave => hay.get(clave) ?? null,
     setItem: (clave, texto) => { if (texto.length > n) throw new Error('QuotaExceededError'); hay.set(clave, texto); },
@@ -41,6 +41,13 @@ test('lo que no se puede guardar se sabe', () => {
   assert.deepEqual([taller.guardado, otra.cambios.get('a.frag')], [true, 'uno']);
   taller.apunta('a.frag', 'x'.repeat(200), 'original');
   assert.deepEqual([taller.guardado, new Taller('localStorage', 'k').cambios.get('a.frag')], [false, 'uno']);
+  taller.dibuja(true);
+  const vuelto = new Taller('localStorage', 'k');
+  assert.deepEqual([await vuelto.textos(), vuelto.cambios.size], [{}, 1]);
+  vuelto.apunta('b.frag', 'dos', 'original');
+  assert.deepEqual(await vuelto.textos(), { 'a.frag': 'uno', 'b.frag': 'dos' });
+  taller.dibuja(false);
+  assert.equal(new Taller('localStorage', 'k').aparte, false);
   delete globalThis.localStorage;
   assert.deepEqual([recuerdo('localStorage', 'k'), recuerdo('localStorage', 'k', 'x')], [null, null]);
 });

@@ -18,9 +18,9 @@ abre_wine() { # CARPETA en que dejar lo suyo
   # Sin un gestor de ventanas que las active, como openbox, la del menú de FreeGLUT se queda con las teclas.
   abre_gestor openbox
   # lo que digan los servicios de Wine no es del programa; en su registro, por si no arrancan
-  # Y que entre un programa y otro siga el servidor: si no, a los tres segundos se acaba, y uno que empiece entonces no arranca.
-  "$servidor_wine" -p60
   "$wine" wineboot </dev/null >"$1/wineboot" 2>&1 || { echo "Wine no arranca: $(cat "$1/wineboot")"; return 1; }
+  # Sin ningún programa su servidor se va enseguida, y uno que empiece entonces no arranca: este espera a que acabe la prueba, aunque la maten.
+  exec {vive_wine}> >(exec "$wine" cmd >/dev/null 2>&1)
 }
 
 cierra_wine() {
