@@ -19,7 +19,9 @@ abre_wine() { # CARPETA en que dejar lo suyo
   abre_gestor openbox
   # lo que digan los servicios de Wine no es del programa; en su registro, por si no arrancan
   "$wine" wineboot </dev/null >"$1/wineboot" 2>&1 || { echo "Wine no arranca: $(cat "$1/wineboot")"; return 1; }
-  # Sin ningún programa su servidor se va enseguida, y uno que empiece entonces no arranca: este espera a que acabe la prueba, aunque la maten.
+  # Sin ningún programa su servidor se va enseguida, y uno que empiece entonces no arranca: este espera a que acabe la
+  # prueba, aunque la maten.
+  # shellcheck disable=SC2034 # se cierra al acabar
   exec {vive_wine}> >(exec "$wine" cmd >/dev/null 2>&1)
 }
 
