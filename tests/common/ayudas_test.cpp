@@ -10,6 +10,8 @@
 #include "recuadro.h"
 #include "rotulo.h"
 #include "ventana.h"
+// después de glew.h
+#include "glut_sin_ventana/glut_sin_ventana.h"
 // clang-format off
 #include <ft2build.h>
 #include FT_FREETYPE_H
@@ -37,11 +39,17 @@ protected:
         static char *argv[] = {nombre, opcion, talla, nullptr};
         int argc = 3;
         abreVentana(argc, argv, "Ayudas", GLUT_DOUBLE | GLUT_DEPTH);
+        glutDisplayFunc([] {});
+    }
+
+    // Como si lo hiciera el usuario: la que pide el programa no cambia hasta que acaba la función que la pide.
+    static void cambiaTalla(const glm::ivec2 &talla) {
+        glutOrden(("tamano " + std::to_string(talla.x) + " " + std::to_string(talla.y)).c_str());
     }
 
     /// La ventana, de ese tamaño, tras dibujar sobre fondo blanco.
     static Imagen pinta(const glm::ivec2 &talla, const std::function<void()> &dibujo) {
-        glutReshapeWindow(talla.x, talla.y);
+        cambiaTalla(talla);
         abreRecuadro(ventanaEntera(), BLANCO);
         dibujo();
         EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
@@ -208,7 +216,7 @@ TEST_F(Ayudas, UnRotuloLargoEncogeYLaLineaNuevaBaja) {
 
 // En dos columnas, tres paneles son dos filas: en una ventana así se ven mejor los tres en una.
 TEST_F(Ayudas, TresPanelesEnUnaFila) {
-    glutReshapeWindow(400, 250);
+    cambiaTalla({400, 250});
     const std::vector<Recuadro> paneles = reparte(3, 1);
     EXPECT_EQ(paneles[0].y, paneles[2].y);
 }
