@@ -72,7 +72,7 @@ def aqui(textos, programa):
     for fichero, texto in textos.items():
         for otro in textos:
             texto = texto.replace(f'"{capitulo}/{otro}"', f'"{otro}"')
-        nuevos[fichero] = texto.replace(f'"/{capitulo}"', '""')  # shader_basico, que no usa common/
+        nuevos[fichero] = texto.replace(f'"{capitulo}"', '""')  # shader_basico, que no usa common/
     return nuevos
 
 

@@ -67,8 +67,10 @@ def test_ejecuta_dice_por_que_falla():
 def test_lo_que_no_acaba_a_tiempo_no_deja_nietos(tmp_path, monkeypatch, quien, no_quiere):
     monkeypatch.setattr(dibuja, "SEGUNDOS", 0.5)
     limite = {} if quien == dibuja.ejecuta else {"timeout": 0.5}
+    antes = time.monotonic()
     with pytest.raises(procesos.Fallo, match="no ha acabado en 0.5 segundos"):
         quien(["sh", "-c", f"{no_quiere} sleep 20 & echo $! >{tmp_path}/nieto; wait; sleep 20"], **limite)
+    assert time.monotonic() < antes + 15  # ni lo espera
     for _ in range(100):
         if not Path(f"/proc/{(tmp_path / 'nieto').read_text().strip()}/cmdline").exists():
             return
@@ -544,13 +546,25 @@ def test_lo_que_la_pagina_sabe_de_un_programa(tmp_path, programas, monkeypatch):
     for rasgos, anima, derecho, raton, sigue in (
         ("ocio\n", True, True, False, False),
         ("temporizador\nrueda\n", True, True, True, False),
-        ("opcion Vista\nmovimiento\n", False, False, False, True),
+        ("opcion Vista\nopcion Salir\nmovimiento\n", False, False, False, True),
     ):
         d = ProgramaVivo(tmp_path, tmp_path, programas[0]).datos()
         assert (d["anima"], d["derecho"], d["raton"], d["sigue"]) == (anima, derecho, raton, sigue)
         assert guiones[-2:] == ["", "tecla a"] and d["texturas"] == ["a.r8", "b.rgb"]
         assert [(m["teclas"], m["menu"]) for m in d["mandos"]] == [([("a", "tecla a")], False), ([], True)]
         assert [c["titulo"] for c in d["casos"]] == ["Al empezar", "Dos más"] and d["nombre"] == "a"
+    suyo = controles.atiende(tmp_path, programas[0], LAB_LEIDOS=str(tmp_path / "leidos"))
+    assert suyo == ({"movimiento"}, ["Vista"])  # sin la que lo termina
+
+
+def test_lo_que_se_pide_es_eso_y_nada_mas():
+    """Cada programa y cada caso por su nombre, aunque sea el principio del de otro."""
+    programas = catalogo.lee_programas(BUILD)
+    for p in programas:
+        assert catalogo.resuelve(programas, p.nombre) == [p]
+        suyos = [c for c in p.casos if not p.consola]
+        assert not suyos or catalogo.casos(programas, p.nombre) == suyos
+        assert all(catalogo.casos(programas, c.fichero) == [c] for c in suyos if c.fichero != p.nombre)
 
 
 # --- ejercicios -----------------------------------------------------------------------------------------------------

@@ -250,7 +250,7 @@ def test_lo_que_no_compila_no_impide_ver_lo_demas(lab):
     with lab.con(UNO, TRES):
         lab.anade(TRES, "static int noSeUsa() { return 0; }\n")
         lab("prueba", 1, "noSeUsa")
-        lab("nuevo shader_basico mio")  # los de lo propio, ni entonces
+        lab("nuevo shader_basico mio")  # los de lo propio, ni entonces; y encuentra sus shaders
         lab.anade("mios/mio/mio.cpp", "static int tampocoSeUsa() { return 0; }\n")
         lab("ver mio", 0, "tampocoSeUsa")
         shutil.rmtree(lab.raiz / "mios")
