@@ -208,11 +208,7 @@ function(lee_mios)
     target_link_libraries(mio_${nombre} PRIVATE comun avisos)
     get_target_property(capitulo ${programa} SOURCE_DIR)
     target_include_directories(mio_${nombre} PRIVATE "${capitulo}")
-    # shader_basico, que no usa common/, busca sus shaders en la carpeta de su capítulo: ese enlace es la de la copia
-    get_filename_component(como_capitulo "${capitulo}" NAME)
-    file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/mios/${nombre}")
-    file(CREATE_LINK "${mios}/${nombre}" "${CMAKE_BINARY_DIR}/mios/${nombre}/${como_capitulo}" SYMBOLIC)
-    target_compile_definitions(mio_${nombre} PRIVATE LAB_FUENTES="${CMAKE_BINARY_DIR}/mios/${nombre}")
+    target_compile_definitions(mio_${nombre} PRIVATE LAB_FUENTES="${mios}/${nombre}") # shader_basico, que no usa common/
     set_source_files_properties("${fuente}" PROPERTIES COMPILE_OPTIONS -Wno-error)
     if(TARGET precompilada)
       target_precompile_headers(mio_${nombre} REUSE_FROM precompilada)
