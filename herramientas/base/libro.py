@@ -80,9 +80,10 @@ class Libro:
         }
         capitulos = re.split(r"^## Capítulo (\d+)$", (raiz / "docs/erratas.md").read_text(), flags=re.MULTILINE)[1:]
         self.erratas = [
-            (int(numero), set(codigos(titulo)), en_html(f"**{titulo}**{cuerpo}"))
+            (int(numero), set(codigos(titulo)), en_html(f"**{titulo}**{cuerpo}"), nombrado)
             for numero, texto in zip(capitulos[::2], capitulos[1::2])
-            for titulo, cuerpo in entradas(texto)
+            for titulo, todo in entradas(texto)
+            for nombrado, cuerpo in [re.fullmatch(r"(?: \(`(\w+)`\))?(.*)", todo, re.DOTALL).groups()]
         ]
 
     def referencias(self, programa):
@@ -102,12 +103,16 @@ class Libro:
             if r in self.cosas and self.cosas[r].enunciado
         ]
 
+    @staticmethod
+    def es_de(errata, programa):
+        """Del programa que nombra entre paréntesis o, si no nombra ninguno, de los que llevan una de sus referencias."""
+        _, suyos, _, nombrado = errata
+        return programa.nombre == nombrado if nombrado else bool(suyos & set(programa.referencias))
+
     def erratas_de(self, programa):
-        return [texto for _, suyos, texto in self.erratas if suyos & set(programa.referencias)]
+        return [errata[2] for errata in self.erratas if self.es_de(errata, programa)]
 
     def otras_erratas(self, capitulo):
         """Las de ese capítulo que no son de ninguno de sus programas."""
-        de_programas = {r for p in capitulo.programas for r in p.referencias}
-        return [
-            texto for numero, suyos, texto in self.erratas if numero == capitulo.numero and not suyos & de_programas
-        ]
+        suyas = [e for e in self.erratas if e[0] == capitulo.numero]
+        return [e[2] for e in suyas if not any(self.es_de(e, p) for p in capitulo.programas)]

@@ -429,6 +429,16 @@ def test_lo_que_se_sabe_del_libro(tmp_path, con_libro):
     assert libro.codigos("Listado 9.1, los de §9.1.2 y Ecuación 9.2") == ["L9.1", "§9.1.2", "Ec9.2"]
 
 
+def test_cada_errata_esta_en_un_sitio_de_su_capitulo():
+    """La que nombra un programa, en ese y en ningún otro."""
+    suyo, capitulos = libro.Libro(RAIZ), catalogo.lee(BUILD)
+    for errata in suyo.erratas:
+        (capitulo,) = (c for c in capitulos if c.numero == errata[0])
+        de = [p.nombre for c in capitulos for p in c.programas if errata[2] in suyo.erratas_de(p)]
+        assert bool(de) != (errata[2] in suyo.otras_erratas(capitulo)), errata[2]
+        assert not errata[3] or de == [errata[3]], errata[2]
+
+
 def test_cada_ejercicio_con_lo_que_pide_y_su_respuesta():
     suyo = libro.Libro(RAIZ)
     for codigo, cosa in suyo.cosas.items():
