@@ -105,7 +105,7 @@ class Libro:
 
     @staticmethod
     def es_de(errata, programa):
-        """Del programa que nombra entre paréntesis o, si no nombra ninguno, de los que llevan una de sus referencias."""
+        """Del programa que nombra entre paréntesis o, si no nombra ninguno, de los que llevan una referencia suya."""
         _, suyos, _, nombrado = errata
         return programa.nombre == nombrado if nombrado else bool(suyos & set(programa.referencias))
 
