@@ -16,7 +16,7 @@
 
 static const double PERIODO = 6, ENTRE_ESTELAS = 0.35; // segundos
 static const int ESTELAS = 3;
-static const glm::vec4 PUNTA(MORRO, 0, 0, 1);
+static const glm::vec4 PUNTA(MORRO, 0.11f, 0, 1); // arriba: su camino no se confunde con un eje
 static const struct {
     const char *nombre, *matriz;
     glm::mat4 (*M)(float a); // a: de 0 a 2π en un periodo

@@ -80,7 +80,8 @@ def main():
             compara_casos(n, pedidos)
         persona = Persona(n, web)
         for prueba in () if SWIFTSHADER else PRUEBAS.get(que, ()):
-            n.talla(1280, 800)  # cada una empieza en un portátil, y no como dejó la ventana la de antes
+            n.talla(1280, 800)  # cada una empieza en un portátil, sin shaders cambiados, y no como lo dejó la de antes
+            n.js("sessionStorage.clear()")
             prueba(persona)
         registro = [linea for linea in n.registro() if "CONTEXT_LOST_WEBGL" not in linea]
         exige(not registro, f"la consola está vacía: {registro[:3]}")
