@@ -129,6 +129,7 @@ def enunciado(raiz, programa, referencia, nombre, ficheros):
         programa=programa,
         nombre=nombre,
         huecos=huecos,
+        con_shader=any(f.endswith(fuentes.SHADERS) for f, _ in huecos),
         dados=", ".join(f"`{h}`" for h in dados),
         controles=[c.texto for c in controles.lee(raiz, programa)],
     )

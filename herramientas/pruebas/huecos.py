@@ -77,6 +77,7 @@ EXCEPCIONES = {
         "LARGO_PIE - p.altura + LADO_CARGA / 2": DENTRO,
         "LARGO_PIE - p.altura - LADO_CARGA / otroFactor(2)": DENTRO,
         "LARGO_PIE - p.altura - otroFactor(LADO_CARGA) / 2": "queda un hueco de un píxel en un cable de un píxel",
+        "LARGO_PIE - otroFactor(largoCable) / 2": "según dónde quede, el hueco es de un píxel o lo tapa el brazo",
         "alReves(carro, traslacion({0, LARGO_PIE - largoCable / 2, 0}))": VERTICAL,
         "alReves(carro, traslacion({0, p.altura, 0}))": VERTICAL,
         "/ escalado(LADO_CARGA)": UNITARIO,

@@ -7,6 +7,13 @@ import { BASTA, compara, pixeles, porciento } from './imagenes.mjs';
 import { arranca } from './programa.mjs';
 import { ponResueltos } from './resueltos.mjs';
 
+/// Lo que, además de empezar, se hace en cada caso, y cómo se dice: la cámara al otro lado, con la luz detrás de lo que
+/// ilumina, y cada tecla. Solo se juzga lo que lo escrito puede cambiar: lo que se ve.
+const gestos = ({ raton, mandos }) => [
+  ...raton
+    ? [['boton IZQUIERDO abajo 10 90; arrastra 330 90; boton IZQUIERDO arriba 330 90', 'girado con el ratón']] : [],
+  ...mandos.flatMap(({ teclas }) => teclas).map(([tecla, orden]) => [orden, `tras pulsar ${tecla}`])];
+
 const veredicto = una('.veredicto'), parecido = una('.parecido output');
 
 function dictamina(texto, clase = '') {
@@ -20,7 +27,7 @@ export class Ejercicio {
   #recien;    // se acaba de llegar: si lo de antes no vale en un caso, se empieza por él
   #revision;  // la última; se deja si se escribe otra cosa
   #pendiente; // una comparación
-  #objetivos = recuerda(caso => this.#imagenDe(caso, {}));
+  #objetivos = recuerda(caso => this.#imagenesDe(caso, {}));
 
   /// `datos` son los de EJERCICIOS; `empiezaCaso(caso)` lo cambia en la escena.
   constructor(datos, { escena, empiezaCaso, recien }) {
@@ -37,6 +44,7 @@ export class Ejercicio {
     for (const cuadro of todos('.cuadro')) cuadro.replaceChildren();
     const pide = Object.entries(this.pide).map(([fichero, que]) =>
       crea('p', { className: 'enunciado' }, crea('code', { textContent: fichero.split('/').pop() }), `: ${que}.`));
+    pide.push(crea('p', {}, 'Un número real lleva punto: 1.0 y no 1.'));
     const ver = boton('Ver la solución', async () => ver.setAttribute('aria-pressed', await cambiaDeVista()));
     ver.setAttribute('aria-pressed', false);
     una('.tarea').replaceChildren(crea('div', {}, ...pide), ver);
@@ -84,24 +92,29 @@ export class Ejercicio {
     else if (!this.#revision) dictamina('');
   }
 
-  /// Lo que dibuja un caso con esos shaders; nada, si no arranca.
-  async #imagenDe({ guion }, textos) {
+  /// Lo que dibuja un caso con esos shaders, y tras cada gesto; nada desde que deja de andar.
+  async #imagenesDe({ guion }, textos) {
     const lienzo = crea('canvas'), sesion = await arranca(this.programa, { lienzo, ancho: 240, alto: 180, textos });
-    sesion.orden(guion);
-    const imagen = sesion.vivo && pixeles(lienzo);
+    const imagenes = [guion, ...gestos(this.programa).map(([orden]) => orden)].map(orden => {
+      sesion.orden(orden);
+      return sesion.vivo && pixeles(lienzo);
+    });
     sesion.cierra();
-    return imagen;
+    return imagenes;
   }
 
   /// Lo escrito coincide en lo que se está viendo: falta saber si coincide en todos los casos.
   async #revisa() {
     const esta = this.#revision = {}, textos = this.taller.textos(), { casos } = this.programa, fallan = [];
+    let otro;
     dictamina('Comparando cada caso…');
     for (const caso of casos) {
-      const objetivo = await this.#objetivos(caso);
-      const lograda = this.#revision === esta && await this.#imagenDe(caso, textos);
+      const objetivos = await this.#objetivos(caso);
+      const logradas = this.#revision === esta && await this.#imagenesDe(caso, textos);
       if (this.#revision !== esta) return;
-      const coincide = lograda && compara(lograda, objetivo) >= BASTA;
+      const [coincide, ...demas] = objetivos.map((o, i) => !o || logradas[i] && compara(logradas[i], o) >= BASTA);
+      const mal = demas.indexOf(false);
+      if (coincide && mal >= 0) otro ??= `${caso.titulo}, ${gestos(this.programa)[mal][1]}`;
       if (!coincide && this.#recien) { // se empieza por donde hay algo que hacer
         this.olvidaRevision();
         return this.#empiezaCaso(caso);
@@ -111,13 +124,15 @@ export class Ejercicio {
       if (b) b.dataset.coincide = coincide ? 'si' : 'no';
     }
     this.#recien = false;
-    this.#acaba(casos.length, fallan.length);
+    this.#acaba(casos.length, fallan.length, otro);
   }
 
-  #acaba(casos, fallan) {
+  #acaba(casos, fallan, otro) {
     const varios = casos > 1;
     if (fallan) {
       dictamina(varios ? `Falta que coincida en ${fallan} de los ${casos} casos.` : 'Falta que coincida al empezar.');
+    } else if (otro) {
+      dictamina(`Falta que coincida también así: ${otro}.`);
     } else {
       ponResueltos(this.codigo);
       dictamina(varios ? `Resuelto: coincide en los ${casos} casos.` : 'Resuelto.', 'bien');

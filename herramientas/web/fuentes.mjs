@@ -23,6 +23,9 @@ const ERROR = /([\w./]+\.(?:vert|frag|glsl))(?::| no compila: ERROR: 0:)(\d+): (
 /// El error de un shader que dice una línea de lo que escribe un programa, si lo dice.
 export function leeError(linea, capitulo) {
   const mal = corta(linea, 1000).match(ERROR);
-  if (mal) return { ruta: mal[1].includes('/') ? mal[1] : `${capitulo}/${mal[1]}`, linea: +mal[2], mensaje: mal[3] };
+  const pista = mal && /\bint\b.*\bfloat\b|\bfloat\b.*\bint\b/.test(mal[3]) ? ' (un real lleva punto: 1.0 y no 1)' : '';
+  if (mal) {
+    return { ruta: mal[1].includes('/') ? mal[1] : `${capitulo}/${mal[1]}`, linea: +mal[2], mensaje: mal[3] + pista };
+  }
   if (/no enlazan|#include/.test(linea)) return { ruta: '', linea: 0, mensaje: linea };
 }

@@ -748,6 +748,19 @@ def test_en_la_jaula_solo_se_escribe_en_su_carpeta(monkeypatch, quien):
     ]
 
 
+@con_jaula
+def test_de_que_avisa_el_compilador(tmp_path):
+    """Lo que hace caer a una entrega, antes que lo que le sobra, y solo de lo suyo."""
+    os.chmod(tmp_path.parent, 0o755)
+    recinto = jaula.Recinto(tmp_path, jaula.Jaula(RAIZ), {"PATH": "/usr/bin:/bin"})
+    programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
+    suyo = compilador.Compilador(RAIZ, BUILD, programa, REF, recinto)
+    ficheros = {"p.cpp": '#include "p.h"\nint main() {\n  int sobra;\n  return f(1);\n}\n', "p.h": "int f(int) {\n}\n"}
+    suyo.compila(ficheros, tmp_path / "aqui")
+    falta, sobra = suyo.avisos(ficheros, tmp_path / "aqui")
+    assert falta.startswith("p.h:2: no return statement") and sobra.startswith("p.cpp:3: unused variable")
+
+
 GASTA = "while :; do :; done"
 
 

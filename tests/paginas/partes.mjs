@@ -308,6 +308,8 @@ test('los errores de los shaders', () => {
     ["lab: ch05_iluminacion/phong.glsl:47: 'P4' : undeclared identifier — «N = unitario(P4);»",
       { ruta: 'ch05_iluminacion/phong.glsl', linea: 47, mensaje: "'P4' : undeclared identifier" }],
     ["objeto.frag no compila: ERROR: 0:3: 'x' : no", { ruta: 'ch03_a/objeto.frag', linea: 3, mensaje: "'x' : no" }],
+    ["a.frag:3: '-' : wrong operand types: 'const int' and 'in highp float' — «1 - a»", { ruta: 'ch03_a/a.frag', linea: 3,
+      mensaje: "'-' : wrong operand types: 'const int' and 'in highp float' (un real lleva punto: 1.0 y no 1)" }],
     ['a.vert y a.frag no enlazan: eso', { ruta: '', linea: 0, mensaje: 'a.vert y a.frag no enlazan: eso' }],
     ['giro 12', undefined]);
   const desde = performance.now();

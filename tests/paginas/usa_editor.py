@@ -53,11 +53,12 @@ def error(p, linea, original):
 
 # --- ejercicios -----------------------------------------------------------------------------------------------------
 
-# De cada ejercicio, algo mal hecho que compila. Los de L8.4, L9.1, L9.3 y L12.1 solo se notan en uno de los casos.
+# De cada ejercicio, algo mal hecho que compila. Los de L8.4, L9.1, L9.3 y L12.1 solo se notan en uno de los casos, y el
+# de L5.1, en ninguno: solo con la luz detrás.
 MAL_HECHO = {
     "L1.2": ("1.0, 0.0, 0.0", "0.0, 0.0, 1.0"),
     "L3.1": ("N * vNormal", "vNormal"),
-    "L5.1": ("2.0 * N * NdotL", "N * NdotL"),
+    "L5.1": ("        return vec3(0.0);", "        NdotL = 0.0;"),
     "L5.2": ("N * vNormal", "vNormal"),
     "L5.3": ("ecPosicion, normal)", "ecPosicion, -normal)"),
     "L6.3": ("nuevaCoordTextura)", "nuevaCoordTextura.ts)"),
