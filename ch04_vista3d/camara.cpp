@@ -18,23 +18,23 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 static const float PASO = 0.1f;    // radianes
-static const double ANGULO = 0.85; // de la cámara, en radianes
+static const double ANGULO = 1.05; // de la cámara, en radianes
 static const double CERCA = 0.5, LEJOS = 60;
 static const glm::dvec3 INTERES(0, 1.7, 0);
 
 static const struct {
     glm::dvec3 p, UP;
-} VISTAS[] = {{{4.4, 4.6, 0.4}, {0, 1, 0}},
-              {{-4.0, 1.5, 0.9}, {0, 1, 0}},
-              {{0.4, 7.2, 0.8}, {0, 0, -1}},
-              {{2.4, 5.4, 2.0}, {-2.4, -3.7, -2.0 + 1e-7}}};
+} VISTAS[] = {{{3.6, 4.1, 1.0}, {0, 1, 0}},
+              {{-3.3, 3.5, 0.6}, {0, 1, 0}},
+              {{-1.6, 5.6, 1.2}, {1, 0, 0}},
+              {{3.2, 4.9, -0.6}, {-3.2, -3.2 + 1e-7, 0.6}}};
 
 static struct {
     GLuint programa;
     Buferes cubo, cilindro, cono, esfera;
     int elegido = 0;
     double inclinacion = 0; // radianes alrededor de F
-    Orbita orbita = {0.75f, 0.32f, 18.5f, {-0.3f, 2.7f, 0}, 0.02f};
+    Orbita orbita = {0.35f, 0.55f, 15.8f, {0.25f, 2.3f, 0}, 0.02f};
 } estado;
 
 static void inicia() {
@@ -52,11 +52,11 @@ static void dibujaEscena(const glm::mat4 &proyeccion, const glm::mat4 &camara) {
     };
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
-    pon(estado.cubo, traslacion({0, -0.1f, 0}) * escalado({7, 0.2f, 7}), SUELO);
+    pon(estado.cubo, traslacion({0, -0.1f, 0}) * escalado({6, 0.2f, 6}), SUELO);
     pon(estado.cubo, traslacion({0, 0.75f, 0}) * escalado({0.3f, 1.5f, 0.3f}), GRIS);
     pon(estado.esfera, traslacion(INTERES) * escalado(0.35f), AMARILLO);
     pon(estado.cubo, traslacion({-2, 0.9f, -1.2f}) * escalado(1.8f), ROJO);
-    pon(estado.cono, traslacion({2.2f, 0, -1}) * giroX(-glm::half_pi<float>()) * escalado({1, 1, 2.8f}),
+    pon(estado.cono, traslacion({1.9f, 0, -1}) * giroX(-glm::half_pi<float>()) * escalado({1, 1, 2.8f}),
         VERDE);
     pon(estado.cubo, traslacion({0.9f, 0.4f, 2}) * giroY(0.5f) * escalado({1.6f, 0.8f, 0.8f}), AZUL);
 }
@@ -67,7 +67,7 @@ static void dibujaCamara(const glm::mat4 &aRecortado, const glm::dvec3 &p, const
     const glm::mat4 alMundo(glm::inverse(transformacionCamara(p, INTERES, UP)));
     for (const PiezaCamara &pieza : piezasCamara())
         dibujaObjeto(estado.programa, pieza.esRedonda ? estado.cilindro : estado.cubo,
-                     alMundo * escalado(1.2f) * pieza.M, pieza.color);
+                     alMundo * escalado(1.6f) * pieza.M, pieza.color);
     const glm::vec3 ojo(p), interes(INTERES);
     const double y = 3 * std::tan(theta / 2), x = aspecto * y;
     std::vector<glm::vec3> marco, lados;
@@ -85,13 +85,13 @@ static void dibujaCamara(const glm::mat4 &aRecortado, const glm::dvec3 &p, const
         trazaFlecha(ojo, glm::vec3(p + v), aRecortado, color, 8);
         rotulaPunto(nombre, glm::vec3(p + 1.3 * v), aRecortado, color, Lado::CENTRO);
     };
-    flecha(3.4 * glm::normalize(UP), NARANJA, "UP");
+    flecha(3.0 * glm::normalize(UP), NARANJA, "UP");
     flecha(2.5 * S, ROJO, "S");
     flecha(2.5 * U, VERDE, "U");
-    flecha(2.5 * F, AZUL, "F");
+    flecha(2.0 * F, AZUL, "F");
     trazaPuntos({ojo, interes}, aRecortado, OSCURO);
     rotulaPunto("p", ojo, aRecortado, OSCURO, Lado::DEBAJO);
-    rotulaPunto("i", interes, aRecortado, OSCURO, Lado::DERECHA);
+    rotulaPunto("i", interes, aRecortado, OSCURO, Lado::DEBAJO);
     glEnable(GL_DEPTH_TEST);
 }
 

@@ -11,7 +11,7 @@ static struct {
     Buferes cubo;
     std::vector<glm::dvec3> envolvente;
     PosturaGrua postura = {0.58f, 5, 4};
-    VistasGrua vistas;
+    VistasGrua vistas = {LAS_CUATRO, true}; // el europeo, el de aquí, al empezar
 } estado;
 
 static void inicia() {

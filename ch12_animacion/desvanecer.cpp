@@ -13,7 +13,7 @@ static const double PERIODO = 4; // segundos
 static struct {
     GLuint opaco, translucido;
     Buferes cubo, toro;
-    Orbita orbita = {0.5f, 0.35f, 9.5f};
+    Orbita orbita = {0.5f, 0.55f, 9.5f};
     Reloj reloj;
 } estado;
 
@@ -32,6 +32,12 @@ static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     usa(estado.opaco, camara);
     dibujaObjeto(estado.opaco, estado.cubo, escalado(1.5f), AMARILLO);
+    for (int i = 0; i < 64; ++i) { // el suelo, en damero: se nota cuánto se ve a través del anillo
+        const int x = i % 8, z = i / 8;
+        dibujaObjeto(estado.opaco, estado.cubo,
+                     traslacion({float(x) - 3.5f, -1.9f, float(z) - 3.5f}) * escalado({1, 0.1f, 1}),
+                     (x + z) % 2 ? GRIS : BLANCO);
+    }
 
     usa(estado.translucido, camara);
     envia(estado.translucido, "alfa", alfa);

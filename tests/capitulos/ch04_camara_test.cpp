@@ -15,11 +15,11 @@ const Vec3 I{0, 1.7, 0};
 std::vector<Cuerpo> escena() {
     const Mat4 dePie = gira({1, 0, 0}, -PI / 2);
     return {
-        {caja(traslada({0, -0.1, 0}) * escala({7, 0.2, 7})), exacto(SUELO)},
+        {caja(traslada({0, -0.1, 0}) * escala({6, 0.2, 6})), exacto(SUELO)},
         {caja(traslada({0, 0.75, 0}) * escala({0.3, 1.5, 0.3})), exacto(GRIS)},
         {enElMundo(traslada(I) * escala(0.35), esfera(32)), exacto(AMARILLO)},
         {caja(traslada({-2, 0.9, -1.2}) * escala(1.8)), exacto(ROJO)},
-        {enElMundo(traslada({2.2, 0, -1}) * dePie * escala({1, 1, 2.8}), porCaras(cono(32))), exacto(VERDE)},
+        {enElMundo(traslada({1.9, 0, -1}) * dePie * escala({1, 1, 2.8}), porCaras(cono(32))), exacto(VERDE)},
         {caja(traslada({0.9, 0.4, 2}) * gira({0, 1, 0}, 0.5) * escala({1.6, 0.8, 0.8})), exacto(AZUL)}};
 }
 
@@ -59,7 +59,7 @@ TEST(TransformacionCamara, UpParaleloONulo) {
 
 // En cada panel, la misma escena trazada: a la derecha, desde la cámara; a la izquierda, desde fuera, con ella.
 TEST(Camara, LoQueVe) {
-    const Vec3 p1{4.4, 4.6, 0.4}, p2{-4, 1.5, 0.9}, Y{0, 1, 0};
+    const Vec3 p1{3.6, 4.1, 1.0}, p2{-3.3, 3.5, 0.6}, Y{0, 1, 0};
     const struct {
         std::string guion;
         Vec3 p, UP;
@@ -68,16 +68,16 @@ TEST(Camara, LoQueVe) {
                     {"tecla 2; tecla i ×3", p2, Y, -0.3},
                     {"tecla 2; tecla o", p2, Y, 0.1},
                     {"tecla 2; tecla i; tecla 1", p1, Y}, // cada vista empieza derecha
-                    {"tecla 3", {0.4, 7.2, 0.8}, {0, 0, -1}},
-                    {"tecla 4", {2.4, 5.4, 2.0}, {-2.4, -3.7, -2.0 + 1e-7}}}; // UP a 1e-7 de F
+                    {"tecla 3", {-1.6, 5.6, 1.2}, {1, 0, 0}},
+                    {"tecla 4", {3.2, 4.9, -0.6}, {-3.2, -3.2 + 1e-7, 0.6}}}; // UP a 1e-7 de F
     paraCada("camara", posturas, 240, 180, [](const auto &c, const Vista &vista) {
         const Vec3 arriba = direccion(gira(I - c.p, c.inclinacion), c.UP), &p = c.p;
-        const Panel dentro(perspectiva(miraDesde(p, I, arriba), 0.85, 0.5, 60), vista.escena, 1, 2, 2),
-            fuera(perspectiva(orbita(0.75, 0.32, 18.5, {-0.3, 2.7, 0}), 0.54, 1, 100), vista.escena, 0, 2, 2);
+        const Panel dentro(perspectiva(miraDesde(p, I, arriba), 1.05, 0.5, 60), vista.escena, 1, 2, 2),
+            fuera(perspectiva(orbita(0.35, 0.55, 15.8, {0.25, 2.3, 0}), 0.54, 1, 100), vista.escena, 0, 2, 2);
         const auto [S, U, Z] = ejes(dentro.camara);
         const Mat4 alMundo = {
             {{S.x, U.x, Z.x, p.x}, {S.y, U.y, Z.y, p.y}, {S.z, U.z, Z.z, p.z}, {0, 0, 0, 1}}};
         compruebaEscena(vista, dentro, escena(), CIELO);
-        compruebaEscena(vista, fuera, conCamaraDeFotos(escena(), alMundo * escala(1.2)), FONDO_CLARO);
+        compruebaEscena(vista, fuera, conCamaraDeFotos(escena(), alMundo * escala(1.6)), FONDO_CLARO);
     });
 }

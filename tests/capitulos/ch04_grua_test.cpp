@@ -171,9 +171,9 @@ TEST(GruaVistas, CadaVistaContraTrazadoDeRayos) {
         {"menu Planta", PLANTA},
         {"menu Perfil", PERFIL},
         {"menu (1,1,1)"},
-        {"tamano 482 360; menu Las cuatro", LAS_CUATRO},
-        {"tecla u", LAS_CUATRO, false, {}, 26, true},
-        {"menu Europeo o americano; tecla 2; tecla 0", LAS_CUATRO},
+        {"tamano 482 360; menu Las cuatro", LAS_CUATRO, false, {}, 26, true},
+        {"tecla u", LAS_CUATRO},
+        {"menu Europeo o americano; tecla 2; tecla 0", LAS_CUATRO, false, {}, 26, true},
         {"tamano 300 70; tecla a ×7; tecla e ×6; tecla w ×12; tecla 4", DIAGONAL, false, extrema},
         {"tamano 70 200", DIAGONAL, false, extrema},
     };
