@@ -5,7 +5,6 @@ import json
 import os
 import subprocess
 import sys
-from collections import Counter
 from pathlib import Path
 
 from base import catalogo, evidencia, procesos
@@ -13,6 +12,7 @@ from base.libro import filas
 from pruebas import googletest
 from pruebas.googletest import busca
 from pruebas.muta import lee_listas
+from pruebas.plantados import Plantados
 
 
 def casos_dificiles(raiz):
@@ -21,10 +21,10 @@ def casos_dificiles(raiz):
 
 
 def listas(raiz):
-    """Cuántos defectos hay en cada una, y por qué sobreviven los que sobreviven."""
+    """Cuántos defectos hay en cada una y cuántos se notan, y por qué sobreviven los que sobreviven."""
     mutantes, _ = lee_listas(raiz)
     return {
-        "listas": dict(sorted(Counter(m.lista for m in mutantes).items())),
+        "defectos": Plantados(raiz, mutantes).cuentas(),
         "sobreviven": {f"`{m.fichero}`, {m.imita}": m.motivo for m in mutantes if m.motivo},
     }
 

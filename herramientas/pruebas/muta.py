@@ -1,4 +1,4 @@
-"""muta.py RAÍZ BUILD [--comprueba | QUÉ…]: defectos plantados (base/defectos.py dice cómo son las listas), para saber
+"""muta.py RAÍZ BUILD [--comprueba | pendientes | QUÉ…]: defectos plantados (base/defectos.py dice cómo son las listas), para saber
 si las pruebas los notan.
 
 Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes; un shader estropeado va en una carpeta, y
@@ -7,10 +7,9 @@ lo demás enlazado, y los ven las pruebas de PRUEBAS_DE_COPIA; los de quien juzg
 tests/jueces. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar y apuntan lo que usan;
 después, con cada mutante, los que lo usan, hasta que uno falle: las que han
 notado otro de su fichero, las de su capítulo, las demás y, si ninguna lo nota, los pasos y los casos: por lo que
-pintan encima (los .encima) o, si no, solo por su imagen. Lo que se nota de cada
-lista entera queda en docs/evidencia.json.
+pintan encima (los .encima) o, si no, solo por su imagen. Cómo se nota cada uno queda en
+docs/plantados.tsv; «pendientes» son los que no se han plantado desde que cambiaron ellos o su fichero.
 """
-import itertools
 import os
 import re
 import shutil
@@ -18,16 +17,17 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections import Counter, defaultdict
+from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from base import catalogo, evidencia, procesos
+from base import catalogo, procesos
 from base.defectos import MUTANTE_H, cambia, estropea, lee, por_fichero
 from base.fuentes import SHADERS, con_inclusiones
 from base.procesos import lanza, principal
 from pruebas.googletest import pruebas_de
+from pruebas.plantados import FICHERO, Plantados
 
 MINIMO = 150  # mutantes en la lista
 META, META_SIN_IMAGEN, META_INDEPENDIENTE = 98, 95, 90  # por ciento: notados, con lo de encima y sin ello
@@ -375,62 +375,38 @@ def cuenta(mutante):
     return f"{mutante.nombre:<11} {mutante.fichero}, {mutante.imita}: {resultado}{motivo}"
 
 
-def cuentas(mutantes):
-    """De cada lista, cuántos se han plantado, cuántos se notan, cuántos sin mirar los golden y cuántos más por lo que
-    se pinta encima."""
-    de = defaultdict(list)
-    for m in sorted(mutantes, key=lambda m: m.lista):
-        de[m.lista].append(m)
-    return {
-        lista: {
-            "plantados": len(suyos),
-            "notados": sum(bool(m.notado) for m in suyos),
-            "sin_golden": sum(bool(m.notado) and not m.por for m in suyos),
-            "encima": sum(m.por == "encima" for m in suyos),
-        }
-        for lista, suyos in de.items()
-    }
-
-
-def resume(mutantes):
-    """La tabla por listas y los que sobreviven. Devuelve los porcentajes del total."""
-    listas = cuentas(mutantes)
+def resume(listas):
+    """La tabla por listas. Devuelve los porcentajes del total: notados, sin mirar los golden y con lo de encima."""
     total = {que: sum(c[que] for c in listas.values()) for que in ("plantados", "notados", "sin_golden", "encima")}
     print(
         "\n| lista | plantados | notados | % | notados sin golden | % | y con lo de encima | % |\n" + "|---" * 8 + "|"
     )
     for lista, c in {**listas, "total": total}.items():
         cuantos = (c["notados"], c["sin_golden"], c["sin_golden"] + c["encima"])
-        por_ciento = [100 * n / c["plantados"] for n in cuantos]
+        por_ciento = [100 * n / max(c["plantados"], 1) for n in cuantos]
         celdas = [f"{n} | {p:.1f}" for n, p in zip(cuantos, por_ciento)]
         print(f"| {lista} | {c['plantados']} | {' | '.join(celdas)} |")
-    print("", *(cuenta(m) for m in mutantes if not m.notado), sep="\n")
     return por_ciento
 
 
-def main():
-    raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
-    pedidos = sys.argv[3:]
-    todos, fallos = lee_listas(raiz)
-    fallos = comprueba(raiz, catalogo.lee_programas(build), todos, fallos)
-    if fallos:
-        sys.exit("\n".join([*fallos, "muta: la lista de mutantes tiene errores"]))
-    if pedidos == ["--comprueba"]:
-        return print(f"{len(todos)} mutantes, y todos se pueden plantar")
+def elige(todos, plantados, pedidos):
+    """Los que se piden."""
+    if pedidos == ["pendientes"]:
+        return plantados.pendientes()
     for pedido in pedidos:
         if not any(m.es_de(pedido) for m in todos):
             sys.exit(
-                f"muta: no hay ningún mutante en «{pedido}»; vale un capítulo (ch05), un programa, un fichero o "
-                f"{todos[0].nombre}"
+                f"muta: no hay ningún mutante en «{pedido}»; vale un capítulo (ch05), un programa, un fichero, "
+                f"{todos[0].nombre} o «pendientes»"
             )
-    elegidos = [m for m in todos if not pedidos or any(m.es_de(pedido) for pedido in pedidos)]
+    return [m for m in todos if not pedidos or any(m.es_de(pedido) for pedido in pedidos)]
+
+
+def planta(vivero, raiz, build, elegidos, capitulos):
+    """Los devuelve según acaban, notados o no. De un capítulo que se pide, solo sus pruebas; lo de common/ lo usan
+    todos."""
     en_copia = [m for m in elegidos if m.en_copia]
     compilados = [m for m in elegidos if not m.en_copia]
-    vivero = Vivero(raiz, build / "mutantes", [m for m in todos if not m.en_copia])
-    # de un capítulo que se pide, solo sus pruebas; lo de common/ lo usan todos
-    capitulos = {"jueces" if m.lista == "jueces" else capitulo(m.fichero) for m in compilados} if pedidos else set()
-    if "comun" in capitulos:
-        capitulos.clear()
     if compilados:
         aviso(f"compilo con {len(vivero.mutantes)} mutantes dentro…")
         vivero.copia_arbol()
@@ -443,31 +419,51 @@ def main():
             if son_jueces:
                 procesos.ejecuta(["cmake", "--build", build])  # juzgan a lo que hay
             prueba_en_copia(raiz, build, temporal, pruebas=DE_JUECES if son_jueces else PRUEBAS_DE_COPIA)
-        vueltas = itertools.chain(
-            hilos.map(vivero.prueba, compilados),
-            hilos.map(lambda m: prueba_en_copia(raiz, build, temporal, m), en_copia),
-        )
-        for i, m in enumerate(vueltas, 1):
-            print(f"[{i}/{len(elegidos)}] {cuenta(m)}", flush=True)
-    notados, independientes, sin_imagen = resume(elegidos)
+        yield from hilos.map(vivero.prueba, compilados)
+        yield from hilos.map(lambda m: prueba_en_copia(raiz, build, temporal, m), en_copia)
+
+
+def juzga(elegidos, plantados):
+    """Que no sobreviva ninguno sin motivo y, si ya están todos plantados, que se noten los que se deben."""
+    notados, independientes, sin_imagen = resume(plantados.cuentas())
+    print("", *(cuenta(m) for m in elegidos if not m.notado), sep="\n")
+    aviso(f"apuntado en {FICHERO}; ./lab lista --docs lo lleva a docs/exactitud.md")
     mal = [m.nombre for m in elegidos if bool(m.notado) == bool(m.motivo)]
     if mal:
         sys.exit(f"muta: sobreviven sin motivo, o se notan y tienen uno: {', '.join(mal)}")
-    if not pedidos and (notados < META or sin_imagen < META_SIN_IMAGEN or independientes < META_INDEPENDIENTE):
+    quedan = plantados.pendientes()
+    if quedan:
+        return aviso(f"quedan {len(quedan)} pendientes: ./lab muta pendientes")
+    if notados < META or sin_imagen < META_SIN_IMAGEN or independientes < META_INDEPENDIENTE:
         sys.exit(
             f"muta: se deben notar el {META} %; sin mirar las imágenes, el {META_SIN_IMAGEN} %; y sin lo de encima, el "
             f"{META_INDEPENDIENTE} %"
         )
-    hay = Counter(m.lista for m in todos)
-    enteras = {lista: c for lista, c in cuentas(elegidos).items() if c["plantados"] == hay[lista]}
-    if enteras:
-        evidencia.apunta(
-            raiz,
-            defectos={
-                lista: c for lista, c in sorted({**evidencia.lee(raiz)["defectos"], **enteras}.items()) if lista in hay
-            },
+
+
+def main():
+    raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
+    pedidos = sys.argv[3:]
+    todos, fallos = lee_listas(raiz)
+    fallos = comprueba(raiz, catalogo.lee_programas(build), todos, fallos)
+    if fallos:
+        sys.exit("\n".join([*fallos, "muta: la lista de mutantes tiene errores"]))
+    plantados = Plantados(raiz, todos)
+    if pedidos == ["--comprueba"]:
+        print(f"{len(todos)} mutantes, y todos se pueden plantar")
+        quedan = " ".join(m.nombre for m in plantados.pendientes())
+        return print(
+            f"sin plantar desde que cambiaron ellos o su fichero (./lab muta pendientes): {quedan or 'ninguno'}"
         )
-        aviso("apuntado en docs/evidencia.json; ./lab lista --docs lo lleva a docs/exactitud.md")
+    elegidos = elige(todos, plantados, pedidos)
+    vivero = Vivero(raiz, build / "mutantes", [m for m in todos if not m.en_copia])
+    capitulos = {"jueces" if m.lista == "jueces" else capitulo(m.fichero) for m in elegidos if not m.en_copia}
+    if not pedidos or "comun" in capitulos:
+        capitulos = set()
+    for i, m in enumerate(planta(vivero, raiz, build, elegidos, capitulos), 1):
+        plantados.apunta(m)
+        print(f"[{i}/{len(elegidos)}] {cuenta(m)}", flush=True)
+    juzga(elegidos, plantados)
 
 
 if __name__ == "__main__":

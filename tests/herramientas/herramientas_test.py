@@ -23,6 +23,7 @@ from ejercicios.corrige import entrega
 from galeria import dibuja
 from informe import cocientes, costes, grafica, informe, tecnicas
 from pruebas import cambios, googletest, muta
+from pruebas.plantados import FICHERO, Plantados
 from web.pagina import ProgramaVivo
 from windows import paquete
 import colores
@@ -641,13 +642,32 @@ def test_cada_defecto_con_su_numero():
     assert len(plantados) > 1000 and len({m.numero for m in plantados}) == len(plantados)
 
 
-def test_las_cuentas_de_los_defectos():
-    todos = [mutante("a", "b", n) for n in range(4)]
+def test_lo_que_se_apunta_de_los_defectos(tmp_path):
+    """De cada uno, hasta que cambia su línea o su fichero; y las cuentas son de las líneas que hay."""
+    siembra(tmp_path, {"x.cpp": "abcd", "y.cpp": "e"})
+    todos = [mutante(letra, "z", n) for n, letra in enumerate("abcd")] + [mutante("e", "z", 5, "y.cpp")]
     todos[0].notado = todos[1].notado = todos[3].notado = "P"
     todos[1].por, todos[3].por = "golden", "encima"
-    assert muta.cuentas(todos) == {"ch01": {"plantados": 4, "notados": 3, "sin_golden": 1, "encima": 1}}
-    assert muta.resume(todos) == [75, 25, 50]
+    plantados = Plantados(tmp_path, todos)
+    for m in todos[:4]:
+        plantados.apunta(m)
+    de_ch01 = {"hay": 5, "plantados": 4, "notados": 3, "sin_golden": 1, "encima": 1}
+    plantados = Plantados(tmp_path, todos)
+    assert plantados.pendientes() == todos[4:] and plantados.cuentas() == {"ch01": de_ch01}
+    assert muta.resume(plantados.cuentas()) == [75, 25, 50]
+    siembra(tmp_path, {"x.cpp": "abcd//"})
+    assert Plantados(tmp_path, todos).pendientes() == todos
+    todos[0].estropeado = "w"
+    plantados = Plantados(tmp_path, todos)
+    assert plantados.cuentas() == {"ch01": {**de_ch01, "plantados": 3, "notados": 2, "sin_golden": 0}}
+    plantados.apunta(todos[0])
+    assert len((tmp_path / FICHERO).read_text().splitlines()) == 4  # la línea que ya no está no se guarda
+    assert Plantados(tmp_path, todos).pendientes() == todos[1:]
+    assert muta.elige(todos, plantados, ["pendientes"]) == todos[1:] and muta.elige(todos, plantados, []) == todos
     assert [muta.cuenta(m).split(": ")[1] for m in todos[:3]] == ["P", "solo P", "SOBREVIVE, nada lo ejecuta"]
+
+
+def test_los_defectos_que_se_piden():
     pedidos = "ch01 ch01:2 ch01:22 ch01_uno ch01_uno/abc.cpp ab bc".split()
     suyos = [pedido for pedido in pedidos if mutante("a", "b", 2, "ch01_uno/abc.cpp").es_de(pedido)]
     assert suyos == ["ch01", "ch01:2", "ch01_uno", "ch01_uno/abc.cpp", "ab"]

@@ -338,7 +338,7 @@ MENTIRAS = [  # lo que dice, y lo que se cambia
     ("evidencia.json no es de las pruebas de", medido("casos", pruebas=0)),
     ("evidencia.json no es de las pruebas de", medido("casos", citas=[])),
     ("no hay ningún caso «nadie»", medido("casos", "nadie")),
-    ("evidencia.json no es de los defectos", medido("listas", "ch99")),
+    ("evidencia.json no es de los defectos", medido("defectos", "ch99")),
     ("evidencia.json no es de los defectos", medido("sobreviven", "nadie")),
 ]
 
