@@ -41,8 +41,8 @@ class Mutante:
 
     @property
     def en_copia(self):
-        """Si es de Bash o de Python: no se compila."""
-        return self.de_bash or self.fichero.endswith(".py")
+        """Si no se compila: se cambia en una copia del árbol."""
+        return self.de_bash or self.fichero.endswith((".py", ".mjs", ".js", ".html", ".css"))
 
     @property
     def de_bash(self):

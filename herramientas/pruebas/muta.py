@@ -2,9 +2,8 @@
 si las pruebas los notan.
 
 Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes; un shader estropeado va en una carpeta, y
-$LAB_RAIZ hace que se mire antes que las demás. Los de ./lab y herramientas/ se escriben en una copia de los dos, con
-lo demás enlazado, y los ven las pruebas de PRUEBAS_DE_COPIA; los de quien juzga (jueces.tsv), las de
-tests/jueces. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar y apuntan lo que usan;
+$LAB_RAIZ hace que se mire antes que las demás. Los de ./lab, de Python y de las páginas se escriben en una copia de
+todo ello, con lo demás enlazado, y los ven las pruebas que dice EN_COPIA de su lista. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar y apuntan lo que usan;
 después, con cada mutante, los que lo usan, hasta que uno falle: las que han
 notado otro de su fichero, las de su capítulo, las demás y, si ninguna lo nota, los pasos y los casos: por lo que
 pintan encima (los .encima) o, si no, solo por su imagen. Cómo se nota cada uno queda en
@@ -35,11 +34,13 @@ PYTEST = shutil.which("pytest-3") or "pytest"
 ENCIMA = 4  # con que acaba casos.sh si es distinto lo que se pinta encima
 JUECES = "vocabulario", "cota", "oraculo", "mide", "comparador", "jueces"  # las pruebas de los que juzgan
 SOBRA = "build", "galeria", "informe", "web", "windows", "mios", ".git"  # de una copia del árbol
-PRUEBAS_DE_COPIA = (
-    "tests/herramientas/herramientas_test.py",
-    "tests/ordenes/ordenes_test.py",
-)  # de la que menos tarda a la que más
-DE_JUECES = "tests/jueces/propiedades_mal_test.py", "tests/jueces/jueces_test.py"
+# Lo que nota los de cada lista que no se compilan, de lo que menos tarda a lo que más.
+EN_COPIA = {
+    "jueces": ("tests/jueces/propiedades_mal_test.py", "tests/jueces/jueces_test.py"),
+    "correccion": ("tests/herramientas/corrige_test.py",),
+    "paginas": ("tests/paginas/partes.mjs",),
+}
+DE_LAS_DEMAS = "tests/herramientas/herramientas_test.py", "tests/ordenes/ordenes_test.py"
 
 
 @dataclass
@@ -143,15 +144,16 @@ def no_compila_glsl(raiz, fichero, estropeado):
 
 
 def compila_guion(mutante, estropeado):
-    """Uno estropeado de Python o de Bash debe poder leerse."""
-    if mutante.de_bash:
-        informe = subprocess.run(["bash", "-n"], input=estropeado, text=True, capture_output=True).stderr
-    else:
+    """Uno estropeado de Python, de Bash o de JavaScript debe poder leerse."""
+    informe = ""
+    if mutante.fichero.endswith(".py"):
         try:
             compile(estropeado, mutante.fichero, "exec")
-            informe = ""
         except SyntaxError as error:
             informe = f"línea {error.lineno}: {error.msg}"
+    elif mutante.de_bash or mutante.fichero.endswith(".mjs") and shutil.which("node"):
+        lector = ["bash", "-n"] if mutante.de_bash else ["node", "--input-type=module", "--check", "-"]
+        informe = subprocess.run(lector, input=estropeado, text=True, capture_output=True).stderr
     return [f"{mutante.nombre}: no se puede leer: {informe.strip()}"] if informe else []
 
 
@@ -169,29 +171,28 @@ def copia_de_trabajo(raiz, carpeta):
     return carpeta
 
 
-def prueba_en_copia(raiz, build, temporal, mutante=None, pruebas=PRUEBAS_DE_COPIA):
-    """Esas pruebas, o las de quien juzga, en una copia con ese mutante, hasta la que lo nota."""
-    if mutante and mutante.lista == "jueces":
-        pruebas = DE_JUECES
-    entorno = {"LAB_BUILD": str(build)} if pruebas == DE_JUECES else {}
+def orden_en_copia(copia, build, nombre):
+    if nombre.endswith(".mjs"):
+        return ["node", copia / nombre, copia, build]
+    return [PYTEST, "-xq", "-p", "no:cacheprovider", copia / nombre]
+
+
+def prueba_en_copia(raiz, build, temporal, pruebas, mutante=None):
+    """Esas pruebas en una copia con ese mutante, hasta la que lo nota."""
+    entorno = {} if pruebas == DE_LAS_DEMAS else {"LAB_BUILD": str(build)}
     with tempfile.TemporaryDirectory(dir=temporal) as sitio:
         copia = copia_de_trabajo(raiz, Path(sitio, "lab"))
         if mutante:
             fichero = copia / mutante.fichero
             fichero.write_text(estropea(fichero.read_text(), mutante))
         for nombre in pruebas:
-            prueba = Prueba(
-                nombre,
-                [PYTEST, "-xq", "-p", "no:cacheprovider", copia / nombre],
-                {},
-                False,
-            )
+            prueba = Prueba(nombre, orden_en_copia(copia, build, nombre), {}, False)
             bien = not prueba.falla(400, TMPDIR=sitio, **entorno)  # tardan un minuto, y con la máquina ocupada, varios
             if not mutante and not bien:
                 sys.exit(f"{prueba.salida[-1000:]}\nmuta: {nombre} falla sin ningún mutante")
             if not bien:
-                quien = re.search(r"^(?:FAILED|ERROR) \S*::(.+?)(?: - .*)?$", prueba.salida, re.M)
-                mutante.notado = f"{Path(nombre).stem}.{quien[1]}" if quien else nombre
+                quien = re.search(r"^(?:FAILED|ERROR) \S*::(.+?)(?: - .*)?$|^not ok \d+ - (.+)$", prueba.salida, re.M)
+                mutante.notado = f"{Path(nombre).stem}.{quien[1] or quien[2]}" if quien else nombre
                 break
     return mutante
 
@@ -415,12 +416,14 @@ def planta(vivero, raiz, build, elegidos, capitulos):
         os.environ["TMPDIR"] = temporal  # lo que deje una prueba que no acaba bien
         if compilados:
             vivero.sin_mutantes(vivero.enumera(capitulos), hilos)
-        for son_jueces in {m.lista == "jueces" for m in en_copia}:
-            if son_jueces:
-                procesos.ejecuta(["cmake", "--build", build])  # juzgan a lo que hay
-            prueba_en_copia(raiz, build, temporal, pruebas=DE_JUECES if son_jueces else PRUEBAS_DE_COPIA)
+        for pruebas in {EN_COPIA.get(m.lista, DE_LAS_DEMAS) for m in en_copia}:
+            if pruebas != DE_LAS_DEMAS:
+                procesos.ejecuta(["cmake", "--build", build])  # usan lo que hay
+            prueba_en_copia(raiz, build, temporal, pruebas)
         yield from hilos.map(vivero.prueba, compilados)
-        yield from hilos.map(lambda m: prueba_en_copia(raiz, build, temporal, m), en_copia)
+        yield from hilos.map(
+            lambda m: prueba_en_copia(raiz, build, temporal, EN_COPIA.get(m.lista, DE_LAS_DEMAS), m), en_copia
+        )
 
 
 def juzga(elegidos, plantados):
