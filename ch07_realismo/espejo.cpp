@@ -1,7 +1,9 @@
-// Un espejo plano con el buffer de plantilla (listado 7.2, ecuación 7.3, figura 7.2). El libro marca el espejo sin test
-// de profundidad y dibuja antes lo reflejado: lo que está detrás del espejo lo taparía. Aquí va antes la escena, se
-// marca solo lo que se ve del espejo, y ahí se borra la profundidad y se dibuja la escena simétrica.
-// Controles: a d acercan la F al espejo, hasta cruzarlo, y la alejan · ratón orbita, también por detrás · Esc termina.
+// Un espejo plano con el buffer de plantilla (listado 7.2, figura 7.2). La simetría (ecuación 7.3, reflexion.h) es
+// llevar el plano al origen y a Z = 0, escalar con (1, 1, −1) y deshacer. El libro marca el espejo sin test de
+// profundidad y dibuja antes lo reflejado: lo que está detrás del espejo, aquí la tabla, lo tapa (tecla l). Aquí va antes
+// la escena, se marca solo lo que se ve del espejo, y ahí se borra la profundidad y se dibuja la escena simétrica.
+// Controles: a d acercan la F al espejo, hasta cruzarlo, y la alejan · l en el orden del listado ·
+// ratón orbita, también por detrás · Esc termina.
 #include "colores.h"
 #include "escena_dibujada.h"
 #include "orbita.h"
@@ -15,6 +17,7 @@ static const glm::vec4 AZOGUE(0.40f, 0.52f, 0.60f, 0.25f); // el color y la opac
 static struct {
     EscenaDibujada escena;
     float avance = 0;
+    bool comoEnElListado = false;
     Orbita orbita = {-0.30f, 0.30f, 15.5f, {0.35f, 0.95f, 0}, 0.02f};
 } estado;
 
@@ -25,37 +28,54 @@ static void inicia() {
     ponFondo(CIELO);
 }
 
+// Pone a 1 la plantilla en los píxeles del espejo, sin pintarlo, y deja el test en «solo donde hay un 1».
+static void marcaEspejo(const glm::mat4 &camara, const glm::mat4 &proyeccion) {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glEnable(GL_STENCIL_TEST);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE); // por detrás no se ve: GL_CULL_FACE
+    glStencilFunc(GL_ALWAYS, 1, 0xff);
+    dibujaEspejo(estado.escena, camara, proyeccion, AZOGUE);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glStencilFunc(GL_EQUAL, 1, 0xff);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+}
+
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 60);
     const std::vector<PiezaEscena> piezas = piezasEscena(estado.avance);
-    dibujaEscena(estado.escena, piezas, camara, proyeccion);
-
-    // Marca con un 1 lo que se ve del espejo (por detrás no se ve: GL_CULL_FACE), y lo deja del color del cielo
-    glEnable(GL_STENCIL_TEST);
-    glStencilFunc(GL_ALWAYS, 1, 0xff);
-    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    dibujaEspejo(estado.escena, camara, proyeccion, glm::vec4(CIELO, 1));
-
-    // En lo marcado, y solo ahí, borra la profundidad: el espejo, en el fondo
-    glStencilFunc(GL_EQUAL, 1, 0xff);
-    borraTrasEspejo(estado.escena, camara, proyeccion);
-
-    dibujaEscena(estado.escena, piezas, camara, proyeccion, true);
-
+    if (estado.comoEnElListado) {
+        glDisable(GL_DEPTH_TEST);
+        marcaEspejo(camara, proyeccion);
+        glEnable(GL_DEPTH_TEST);
+        dibujaEscena(estado.escena, piezas, camara, proyeccion, true);
+        glDisable(GL_STENCIL_TEST);
+        dibujaEscena(estado.escena, piezas, camara, proyeccion);
+    } else {
+        dibujaEscena(estado.escena, piezas, camara, proyeccion);
+        marcaEspejo(camara, proyeccion);
+        borraTrasEspejo(estado.escena, camara, proyeccion);
+        dibujaEscena(estado.escena, piezas, camara, proyeccion, true);
+        glDisable(GL_STENCIL_TEST);
+    }
     // El espejo, con transparencia (listado 7.1): sobre todo lo reflejado
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     dibujaEspejo(estado.escena, camara, proyeccion, AZOGUE);
     glDisable(GL_BLEND);
-    glDisable(GL_STENCIL_TEST);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || (tecla != 'a' && tecla != 'd'))
+    if (teclaComun(tecla))
         return;
-    estado.avance = std::clamp(estado.avance + (tecla == 'a' ? PASO : -PASO), AVANCE_MINIMO, AVANCE_MAXIMO);
+    switch (tecla) {
+    case 'a': estado.avance = std::min(estado.avance + PASO, AVANCE_MAXIMO); break;
+    case 'd': estado.avance = std::max(estado.avance - PASO, AVANCE_MINIMO); break;
+    case 'l': estado.comoEnElListado = !estado.comoEnElListado; break;
+    default: return;
+    }
+    ponTitulo(estado.comoEnElListado ? "Espejo plano, en el orden del listado 7.2" : "Espejo plano");
     glutPostRedisplay();
 }
 

@@ -36,6 +36,22 @@ TEST(Sombra, ContraDoblePrecision) {
     EXPECT_LE(peor, 1e-3); // rayos casi rasantes: la sombra llega a distancia 60
 }
 
+// La ecuación 7.3 es lo que dice §7.2: llevar el plano a Z = 0, escalar con (1, 1, −1) y deshacer.
+TEST(Reflexion, EsGirarEscalarYDeshacer) {
+    Azar azar(7);
+    for (int n = 0; n < 1000; ++n) {
+        const Plano plano = planoPor(azar.vector(2), azar.direccion());
+        const glm::dvec3 N(plano.N), enElPlano = -double(plano.d) * N,
+                                     X = glm::normalize(glm::cross(N, glm::dvec3(azar.direccion())));
+        const glm::dmat4 giro(glm::transpose(glm::dmat3(X, glm::cross(N, X), N))),
+            alOrigen = glm::translate(glm::dmat4(1), -enElPlano);
+        const glm::dmat4 M =
+            glm::inverse(giro * alOrigen) * glm::scale(glm::dmat4(1), {1, 1, -1}) * giro * alOrigen;
+        for (int k = 0; k < 4; ++k)
+            EXPECT_LE(glm::distance(M[k], glm::dvec4(reflexion(plano)[k])), 5e-6) << n;
+    }
+}
+
 // --- Los programas -----------------------------------------------------------------------------------------
 
 namespace {
@@ -127,8 +143,10 @@ Tono tono(const Pintados &e, const Impacto &i) {
             2 * (10000 * (i.objeto + 1) + cara) + oscura};
 }
 /// Y con él: el reflejo es lo que ve, del otro lado del plano, el rayo simétrico. Sin plantilla se sale del espejo, y
-/// se ve donde nada real lo tapa: el suelo y su reflejo coinciden.
-Tono conEspejo(const Pintados &e, const Impacto &i, double azogue, bool conPlantilla = true) {
+/// se ve donde nada real lo tapa: el suelo y su reflejo coinciden. Como en el listado, lo que hay detrás del espejo no
+/// se ha quitado, y se ve lo que esté más cerca.
+Tono conEspejo(const Pintados &e, const Impacto &i, double azogue, bool conPlantilla = true,
+               bool comoEnElListado = false) {
     const auto alEspejo = [](const Vec3 &v) { return escalar(v, NORMAL_ESPEJO); };
     const Rayo &r = i.rayo;
     const double alto = alEspejo(r.origen - CENTRO), lejos = -alto / alEspejo(r.direccion);
@@ -139,7 +157,9 @@ Tono conEspejo(const Pintados &e, const Impacto &i, double azogue, bool conPlant
         e.escena, {r.origen - 2 * alto * NORMAL_ESPEJO, refleja(r.direccion, NORMAL_ESPEJO), lejos + 1e-6});
     if (!enEspejo && (!visto || (i && visto.distancia > i.distancia - 1e-6)))
         return tono(e, i);
-    const Tono t = tono(e, visto);
+    const Impacto detras =
+        comoEnElListado ? primerImpacto(e.escena, {r.origen, r.direccion, lejos + 1e-6}) : Impacto{};
+    const Tono t = tono(e, detras && !(visto && visto.distancia < detras.distancia) ? detras : visto);
     return {mezcla(t.color, AZOGUE, azogue), REFLEJADO + t.zona};
 }
 
@@ -147,13 +167,17 @@ Tono conEspejo(const Pintados &e, const Impacto &i, double azogue, bool conPlant
 
 // La figura 7.2 contra un rebote. Delante del espejo hay objetos más cercanos, que lo tapan: el cono y la F, que lo
 // atraviesa: de la parte que está detrás no hay reflejo. La cámara da la vuelta: de frente, casi de canto, de canto,
-// donde el espejo no se ve, y por detrás, donde solo hay tabla; y no baja del suelo.
+// donde el espejo no se ve, y por detrás, donde solo hay tabla; y no baja del suelo. En el orden del listado la tabla
+// tapa lo reflejado.
 TEST(Espejo, ContraTrazadoDeRayosConUnRebote) {
     const struct {
         std::string guion;
         double avance, azimut = -0.30, elevacion = 0.30;
+        bool comoEnElListado = false;
     } casos[] = {
         {"", 0},
+        {"tecla l", 0, -0.30, 0.30, true},
+        {"tecla l", 0},
         {veces(14, "tecla a"), 2.8},
         {veces(6, "tecla a") + "; " + arrastra(-40, 50), 3, 0.10, 0.80}, // desde arriba la tabla no tapa la F
         {arrastra(40, -50) + "; " + veces(40, "tecla d"), -1},
@@ -166,7 +190,9 @@ TEST(Espejo, ContraTrazadoDeRayosConUnRebote) {
     paraCada("espejo", casos, 240, 180, [](const auto &c, const Vista &v) {
         const Pintados e = escenaEspejo(c.avance);
         const Camara desde = camara(c.azimut, c.elevacion, 15.5, {0.35, 0.95, 0}, 0.5);
-        const auto sombrea = [&](const Impacto &i) { return conEspejo(e, i, ALFA_ESPEJO); };
+        const auto sombrea = [&](const Impacto &i) {
+            return conEspejo(e, i, ALFA_ESPEJO, true, c.comoEnElListado);
+        };
         comprueba(c.guion, v.escena, render(e.escena, desde, 240, 180, sombrea), mezclando(1));
     });
 }
