@@ -8,10 +8,7 @@ in vec2 coordenadaTextura;
 out vec4 colorFragmento;
 
 void main() {
-    // E9.2: la suma de todos los texeles que abarca el filtro, una textura de números; de n, el central es el (n − 1) / 2
     vec3 suma = convoluciona(imagen, coordenadaTextura, filtro);
-    // de partida: vec3 suma = texture(imagen, coordenadaTextura).rgb;
-    // fin de E9.2
     if (sumaCero)
         suma = muestraSigno(suma, conSigno);
     colorFragmento = vec4(suma, texture(imagen, coordenadaTextura).a);

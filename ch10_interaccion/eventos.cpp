@@ -1,6 +1,6 @@
 // Los sucesos de §10.1: teclado, teclas especiales, botones, arrastre, movimiento, rueda y tamaño. Cada uno se escribe
-// en stdout tal como lo recibe su función y se ve en la ventana: los últimos, el rastro del puntero y los botones
-// pulsados.
+// en stdout tal como lo recibe su función (su callback) y se ve en la ventana: los últimos, el rastro del puntero y los
+// botones pulsados.
 // Controles: cualquier tecla, el ratón y el tamaño de la ventana · Esc termina.
 #include "colores.h"
 #include "proyeccion.h"

@@ -1,6 +1,7 @@
 // Curvas de Bézier de cualquier grado (ecuaciones 11.20 a 11.22): con n + 1 puntos, grado n. Abajo, los polinomios de
 // Bernstein b_{k,n}(u), que en cada u suman 1: lo que pesa cada punto, del color del punto. Con muchos puntos cada uno
-// manda menos y la curva se aleja de ellos.
+// manda menos y la curva se aleja de ellos. Los coeficientes binomiales no se calculan con factoriales, que se
+// desbordan: los da la recurrencia de los polinomios (curvas.h).
 // Controles: + - un punto más o menos · 1 2 3 4 dan 4, 10, 40 y 61 puntos · Esc termina.
 #include "colores.h"
 #include "curvas.h"

@@ -431,13 +431,18 @@ def test_lo_que_se_sabe_del_libro(tmp_path, con_libro):
 
 
 def test_cada_errata_esta_en_un_sitio_de_su_capitulo():
-    """La que nombra un programa, en ese y en ningún otro."""
+    """La que nombra un programa entre paréntesis, en ese y en ningún otro; y en el que diga o en el que la enseña."""
     suyo, capitulos = libro.Libro(RAIZ), catalogo.lee(BUILD)
-    for errata in suyo.erratas:
+    programas = {p.nombre for c in capitulos for p in c.programas}
+    enteras = re.findall(r"^- \*\*.*(?:\n  .*)*", (RAIZ / "docs/erratas.md").read_text(), re.MULTILINE)
+    for errata, entera in zip(suyo.erratas, enteras, strict=True):
         (capitulo,) = (c for c in capitulos if c.numero == errata[0])
         de = [p.nombre for c in capitulos for p in c.programas if errata[2] in suyo.erratas_de(p)]
         assert bool(de) != (errata[2] in suyo.otras_erratas(capitulo)), errata[2]
         assert not errata[3] or de == [errata[3]], errata[2]
+        dichos = programas & set(re.findall(r"`(\w+)`", entera))
+        assert not dichos or dichos & set(de), errata[2]
+        assert de or not re.search(r"`ch\d+\w*\.", entera), errata[2]
 
 
 def test_cada_ejercicio_con_lo_que_pide_y_su_respuesta():
