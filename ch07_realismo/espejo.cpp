@@ -1,7 +1,8 @@
 // Un espejo plano con el buffer de plantilla (listado 7.2, figura 7.2). La simetría (ecuación 7.3, reflexion.h) es
 // llevar el plano al origen y a Z = 0, escalar con (1, 1, −1) y deshacer. El libro marca el espejo sin test de
-// profundidad y dibuja antes lo reflejado: lo que está detrás del espejo, aquí la tabla, lo tapa (tecla l). Aquí va antes
-// la escena, se marca solo lo que se ve del espejo, y ahí se borra la profundidad y se dibuja la escena simétrica.
+// profundidad y dibuja antes lo reflejado: lo que está detrás del espejo, aquí la tabla, lo tapa (tecla l). Aquí va
+// antes la escena, se marca solo lo que se ve del espejo, y ahí se borra la profundidad y se dibuja la escena
+// simétrica.
 // Controles: a d acercan la F al espejo, hasta cruzarlo, y la alejan · l en el orden del listado ·
 // ratón orbita, también por detrás · Esc termina.
 #include "colores.h"
