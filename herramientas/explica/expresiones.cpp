@@ -1,0 +1,240 @@
+#include "reescritor.h"
+
+namespace explica {
+
+namespace {
+
+int prioridad(const Palabra &p) {
+    static const std::map<std::string, int> PRIORIDAD = {
+        {"||", 1}, {"^^", 2}, {"&&", 3}, {"|", 4},  {"^", 5},  {"&", 6},  {"==", 7},
+        {"!=", 7}, {"<", 8},  {">", 8},  {"<=", 8}, {">=", 8}, {"<<", 9}, {">>", 9},
+        {"+", 10}, {"-", 10}, {"*", 11}, {"/", 11}, {"%", 11}};
+    const auto k = PRIORIDAD.find(p.texto);
+    return k == PRIORIDAD.end() ? 0 : k->second;
+}
+
+bool asigna(const Palabra &p) {
+    static const std::set<std::string> SIGNOS = {
+        "=", "+=", "-=", "*=", "/=", "%=", "&=", "<<=", ">>=", "|=", "^="};
+    return SIGNOS.count(p.texto) > 0;
+}
+
+} // namespace
+
+Expresion Reescritor::expresion() {
+    Expresion e = asignacion();
+    while (toma(",")) {
+        const Expresion otra = asignacion();
+        e.texto += " , " + otra.texto;
+        e.efectos |= otra.efectos;
+        e.lugar = false;
+        e.hasta = otra.hasta;
+    }
+    return e;
+}
+
+Expresion Reescritor::asignacion() {
+    const Hondo aqui(hondo, ahora());
+    const bool toda = arriba;
+    arriba = false;
+    Expresion a = ternaria();
+    if (asigna(ahora())) {
+        const std::string op = p[i++].texto, lugar = a.texto;
+        const Expresion b = asignacion();
+        const bool repetible = !a.efectos;
+        a.texto += " " + op + " " + b.texto;
+        apuntaAsignacion(a, lugar, repetible, toda);
+        a.hasta = b.hasta;
+    }
+    arriba = toda;
+    return a;
+}
+
+// Lo asignado se apunta en el sitio, y lo que no es un número, al acabar la sentencia si es solo eso.
+void Reescritor::apuntaAsignacion(Expresion &a, const std::string &lugar, bool repetible, bool toda) {
+    const std::string nombre = comoEsta(a);
+    if (a.tipo.numerico() && !congelado)
+        a.texto = envuelve(Clase::Asigna, p[a.desde], nombre, a.tipo, a.texto);
+    else if (repetible && toda && es(";") && !a.tipo.base.empty())
+        pendientes += partes(Clase::Asigna, p[a.desde], nombre, a.tipo, lugar);
+    else
+        avisa(p[a.desde], "no sé apuntar aquí lo que vale «" + nombre + "»");
+    a.efectos = true;
+    a.lugar = false;
+}
+
+Expresion Reescritor::constante() {
+    const bool estaba = congelado;
+    congelado = true;
+    Expresion e = asignacion();
+    congelado = estaba;
+    return e;
+}
+
+Expresion Reescritor::ternaria() {
+    Expresion c = binaria(0);
+    if (!es("?"))
+        return c;
+    if (!congelado)
+        c.texto = envuelve(Clase::Condicion, p[c.desde], comoEsta(c), {"bool", nullptr, 0}, c.texto);
+    ++i;
+    const Expresion a = expresion();
+    exige(":");
+    const Expresion b = asignacion();
+    c.texto += " ? " + a.texto + " : " + b.texto;
+    c.efectos |= a.efectos || b.efectos;
+    c.tipo = {};
+    c.lugar = false;
+    c.hasta = b.hasta;
+    return c;
+}
+
+Expresion Reescritor::binaria(int minima) {
+    Expresion a = unaria();
+    while (prioridad(ahora()) > minima) {
+        const Palabra op = p[i++];
+        const Expresion b = binaria(prioridad(op));
+        a.texto += " " + op.texto + " " + b.texto;
+        a.efectos |= b.efectos;
+        a.tipo = {};
+        a.lugar = false;
+        a.hasta = b.hasta;
+    }
+    return a;
+}
+
+Expresion Reescritor::unaria() {
+    const Hondo aqui(hondo, ahora());
+    const std::size_t desde = i;
+    const bool cambia = es("++") || es("--");
+    if (!cambia && !es("+") && !es("-") && !es("!") && !es("~"))
+        return posfija();
+    const std::string op = p[i++].texto;
+    Expresion e = unaria();
+    e.texto.insert(0, op + " ");
+    if (cambia && e.tipo.numerico() && !congelado)
+        e.texto = envuelve(Clase::Asigna, p[desde], comoEsta(e), e.tipo, e.texto);
+    else if (cambia)
+        avisa(p[desde], "no sé apuntar aquí lo que vale «" + comoEsta(e) + "»");
+    e.efectos |= cambia;
+    e.desde = desde;
+    e.lugar = false;
+    e.tipo = {};
+    return e;
+}
+
+Expresion Reescritor::posfija() {
+    Expresion e = primaria();
+    for (;;) {
+        if (toma("[")) {
+            const Expresion cual = expresion();
+            exige("]");
+            e.texto += " [ " + cual.texto + " ]";
+            e.efectos |= cual.efectos;
+            e.tipo = elemento(e.tipo);
+        } else if (es(".") && es("length", 1) && es("(", 2)) {
+            e.texto += " . length ( )";
+            i += 3;
+            exige(")");
+            e.tipo = {};
+            e.lugar = false;
+        } else if (toma(".")) {
+            const std::string campo = p[nombreNuevo()].texto;
+            e.texto += " . " + campo;
+            e.tipo = miembro(e.tipo, campo);
+        } else if (es("++") || es("--")) {
+            trasPosfijo(e);
+        } else {
+            return e;
+        }
+        e.hasta = i;
+    }
+}
+
+// v++ vale lo que valía v: la suma la hace una función que además apunta cuánto queda.
+void Reescritor::trasPosfijo(Expresion &e) {
+    const bool mas = p[i++].texto == "++";
+    const std::string nombre = comoEsta(e);
+    const int nota = e.lugar && e.tipo.numerico() && !e.efectos && !congelado
+                         ? apunta(Clase::Asigna, p[e.desde], nombre, nombreDe(forma(e.tipo.base)))
+                         : -1;
+    if (nota >= 0) {
+        varian.insert(r.notas.back().tipo);
+        e.texto =
+            (mas ? "explica_mas ( " : "explica_menos ( ") + std::to_string(nota) + " , " + e.texto + " )";
+    } else {
+        avisa(p[e.desde], "no sé apuntar aquí lo que vale «" + nombre + "»");
+        e.texto += mas ? " ++" : " --";
+    }
+    e.efectos = true;
+    e.lugar = false;
+    e.tipo = {};
+}
+
+Expresion Reescritor::primaria() {
+    const std::size_t desde = i;
+    Expresion e;
+    if (toma("(")) {
+        e = expresion();
+        exige(")");
+        e.texto = "( " + e.texto + " )";
+    } else if (ahora().clase == Palabra::Nombre && (esTipo(i) || es("(", 1))) {
+        e = llamada(esTipo(i));
+    } else if (ahora().clase == Palabra::Nombre || ahora().clase == Palabra::Numero) {
+        const Nombrado *que = busca(ahora().texto);
+        e.lugar = que != nullptr;
+        if (que)
+            e.tipo = que->tipo;
+        e.texto = emite(p[i++]);
+    } else {
+        throw NoSe(ahora(), "no sé leer «" + ahora().texto + "» en una expresión");
+    }
+    e.desde = desde;
+    e.hasta = i;
+    return e;
+}
+
+// Una función o un constructor: vec3(…), float[2](…).
+Expresion Reescritor::llamada(bool construye) {
+    const Palabra &nombre = p[i++];
+    Expresion e;
+    e.texto = emite(nombre);
+    Tipo tipo{nombre.texto, nullptr, 0};
+    if (construye)
+        e.texto += corchetes(tipo);
+    exige("(");
+    const std::vector<Expresion> dados = argumentos(nombre.texto);
+    for (std::size_t k = 0; k < dados.size(); ++k) {
+        e.texto += (k ? " , " : " ( ") + dados[k].texto;
+        e.efectos |= dados[k].efectos;
+    }
+    e.texto += dados.empty() ? " ( )" : " )";
+    e.efectos |= funciones.count(nombre.texto) > 0;
+    if (tipo.cuantos != 0)
+        e.tipo.cuantos = int(dados.size());
+    return e;
+}
+
+std::vector<Expresion> Reescritor::argumentos(const std::string &funcion) {
+    std::vector<Expresion> dados;
+    const bool conConstante =
+        funcion.find("Offset") != std::string::npos && funcion.compare(0, 3, "tex") == 0;
+    if (es("void") && es(")", 1))
+        ++i;
+    while (!es(")")) {
+        if (!dados.empty())
+            exige(",");
+        dados.push_back(conConstante && dados.size() >= 2 ? constante() : asignacion());
+    }
+    ++i;
+    if (funcion == "modf" && dados.size() == 2 && funciones.count(funcion) == 0) {
+        const Expresion &entera = dados[1];
+        if (admite && entera.lugar && !entera.efectos && entera.tipo.numerico())
+            pendientes += partes(Clase::Asigna, p[entera.desde], comoEsta(entera), entera.tipo, entera.texto);
+        else
+            avisa(p[entera.desde], "no sé apuntar aquí lo que modf deja en «" + comoEsta(entera) + "»");
+    }
+    return dados;
+}
+
+} // namespace explica
