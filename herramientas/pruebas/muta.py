@@ -179,7 +179,6 @@ def orden_en_copia(copia, build, nombre):
 
 def prueba_en_copia(raiz, build, temporal, pruebas, mutante=None):
     """Esas pruebas en una copia con ese mutante, hasta la que lo nota."""
-    entorno = {} if pruebas == DE_LAS_DEMAS else {"LAB_BUILD": str(build)}
     with tempfile.TemporaryDirectory(dir=temporal) as sitio:
         copia = copia_de_trabajo(raiz, Path(sitio, "lab"))
         if mutante:
@@ -187,7 +186,7 @@ def prueba_en_copia(raiz, build, temporal, pruebas, mutante=None):
             fichero.write_text(estropea(fichero.read_text(), mutante))
         for nombre in pruebas:
             prueba = Prueba(nombre, orden_en_copia(copia, build, nombre), {}, False)
-            bien = not prueba.falla(400, TMPDIR=sitio, **entorno)  # tardan un minuto, y con la máquina ocupada, varios
+            bien = not prueba.falla(400, TMPDIR=sitio, LAB_BUILD=str(build))  # con la máquina ocupada, varios minutos
             if not mutante and not bien:
                 sys.exit(f"{prueba.salida[-1000:]}\nmuta: {nombre} falla sin ningún mutante")
             if not bien:
@@ -416,9 +415,9 @@ def planta(vivero, raiz, build, elegidos, capitulos):
         os.environ["TMPDIR"] = temporal  # lo que deje una prueba que no acaba bien
         if compilados:
             vivero.sin_mutantes(vivero.enumera(capitulos), hilos)
+        if en_copia:
+            procesos.ejecuta(["cmake", "--build", build])  # usan lo que hay
         for pruebas in {EN_COPIA.get(m.lista, DE_LAS_DEMAS) for m in en_copia}:
-            if pruebas != DE_LAS_DEMAS:
-                procesos.ejecuta(["cmake", "--build", build])  # usan lo que hay
             prueba_en_copia(raiz, build, temporal, pruebas)
         yield from hilos.map(vivero.prueba, compilados)
         yield from hilos.map(

@@ -39,6 +39,10 @@ test('lo que no se puede guardar se sabe, y lo que no se llegó a ver queda apar
   taller.apunta('a.frag', 'uno', 'original');
   otra.relee();
   assert.deepEqual([taller.guardado, otra.cambios.get('a.frag')], [true, 'uno']);
+  for (const texto of ['original', 'uno']) { // lo que vuelve a como era no se ha cambiado
+    taller.apunta('a.frag', texto, 'original');
+    assert.equal(taller.cambios.has('a.frag'), texto === 'uno');
+  }
   taller.apunta('a.frag', 'x'.repeat(200), 'original');
   assert.deepEqual([taller.guardado, new Taller('localStorage', 'k').cambios.get('a.frag')], [false, 'uno']);
   taller.dibuja(true);
