@@ -1,5 +1,7 @@
 // Cómo se ve un error de compilación y uno de enlazado (§1.6, listado 1.3): fichero, línea y texto de la línea, en la
-// consola. El programa sigue vivo con los shaders que tenía y el fondo se pone rojo; F5 vuelve a intentarlo.
+// consola. El programa sigue vivo con los shaders que tenía y el fondo se pone rojo; F5 vuelve a intentarlo. Lo que en
+// el libro es initShader lo hace intentaPrograma, que también mira los errores (chequeaCompilacion y chequeaEnlazado):
+// está en common/shader.cpp.
 // Controles: 1 sin error · 2 error de compilación · 3 error de enlazado · F5 relee · Esc termina.
 #include "buferes.h"
 #include "colores.h"

@@ -1,5 +1,5 @@
 // Qué hay instalado y si basta: OpenGL, GLSL, GLEW, GLM, FreeGLUT y los límites que importan en el curso
-// (ejercicios 1.1 y 1.2). Programa de consola: una línea «clave: valor» por dato; estado 1 si falta OpenGL 3.1.
+// (ejercicio 1.1). Programa de consola: una línea «clave: valor» por dato; estado 1 si falta OpenGL 3.1.
 // Pide un contexto sin decir versión, para saber cuál es la mayor que da el sistema; si una variable de Mesa la cambia,
 // o no hay pantalla y FreeGLUT es imitado, lo dice.
 // Controles: sin controles.
@@ -14,13 +14,11 @@ static void informa(const char *clave, const std::string &valor) {
     std::printf("%s: %s\n", clave, valor.c_str());
 }
 
-// Si la versión encontrada llega a la menor que vale, ambas como mayor·100 + menor. Si no llega, lo dice.
-static bool basta(const char *que, int encontrada, int minima, const char *siNo) {
-    if (encontrada >= minima)
-        return true;
-    informa(siNo, std::string(que) + " " + std::to_string(minima / 100) + "." + std::to_string(minima % 100) +
-                      " o posterior");
-    return false;
+// Si la versión encontrada llega a la menor que vale, que se escribe `nombre`. Si no llega, lo dice.
+static bool basta(const char *nombre, int encontrada, int minima, const char *siNo) {
+    if (encontrada < minima)
+        informa(siNo, std::string(nombre) + " o posterior");
+    return encontrada >= minima;
 }
 
 static std::string cadena(GLenum nombre) {
@@ -86,10 +84,10 @@ int main(int argc, char **argv) {
     informa("Anisotropía máxima",
             std::to_string(hayAnisotropia ? limite(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT) : 1));
 
-    const bool hayOpenGL = basta("OpenGL", openGL, 301, "Falta");
-    basta("GLM", 100 * (100 * GLM_VERSION_MAJOR + GLM_VERSION_MINOR) + 10 * GLM_VERSION_PATCH, 990,
+    const bool hayOpenGL = basta("OpenGL 3.1", openGL, 301, "Falta");
+    basta("GLM 0.9.9", 100 * (100 * GLM_VERSION_MAJOR + GLM_VERSION_MINOR) + 10 * GLM_VERSION_PATCH, 990,
           "Anticuado");
-    basta("FreeGLUT", glut / 100, 300, "Anticuado");
+    basta("FreeGLUT 3.0", glut / 100, 300, "Anticuado");
     informa("Resultado", hayOpenGL ? "se puede hacer todo el curso" : "falta lo imprescindible");
     return hayOpenGL ? 0 : 1;
 }

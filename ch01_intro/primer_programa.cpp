@@ -1,6 +1,8 @@
 // La ventana mínima: un fondo amarillo, con las cuatro etapas de un programa OpenGL a la vista (listado 1.1). Las
 // teclas dejan ver qué hace cada función (ejercicio 1.2, contestado en docs/soluciones.md): el estado que se cambia no
 // se ve hasta que se dibuja, y lo que se dibuja no se ve hasta que se intercambian los buffers. No usa nada de common/.
+// Lo que en el libro son init, display y reshape es aquí inicia, dibuja y cambiaTamano. La ventana mide 960×720 y no
+// 1024×768, sin glutInitWindowPosition: el sitio lo elige el sistema. Y se pide OpenGL 3.1 (glutInitContextVersion).
 // Controles: i da otro color de borrado · d dibuja · s quita o pone glutSwapBuffers · Esc termina.
 #include <GL/freeglut.h>
 #include <cstdio>

@@ -1,6 +1,7 @@
 // El primer shader: un triángulo rojo (listados 1.2 y 1.3). Leer, compilar, enlazar y obtener índices, todo a la vista
 // y sin common/. Del libro se aparta en que los shaders son ficheros, en que un error al empezar termina el programa
-// (con F5 se queda el programa que había) y en el VAO, sin el que un contexto core no dibuja.
+// (con F5 se queda el programa que había) y en el VAO, sin el que un contexto core no dibuja. La función initShader es
+// aquí iniciaShader; chequeaCompilacion y chequeaEnlazado están dentro de compila y enlaza. Los pasos, como en §1.6.
 // Controles: F5 relee los shaders · Esc termina.
 #include <GL/glew.h>
 #include <GL/freeglut.h>
@@ -59,11 +60,13 @@ static GLuint compila(GLenum tipo, const std::string &fichero) {
 
 // Devuelve 0 si no enlaza.
 static GLuint enlaza(GLuint vertexShader, GLuint fragmentShader) {
+    // 2. Crear un programa y añadirle los objetos compilados.
     const GLuint programa = glCreateProgram();
     for (GLuint shader : {vertexShader, fragmentShader}) {
         glAttachShader(programa, shader);
         glDeleteShader(shader); // marcado para borrar: desaparecerá con el programa
     }
+    // 3. Enlazar el programa: un ejecutable.
     GLint enlazado, longitud;
     glLinkProgram(programa);
     glGetProgramiv(programa, GL_LINK_STATUS, &enlazado);
@@ -88,12 +91,12 @@ static void iniciaShader() {
         return;
     }
 
-    // 2. Crear un programa, añadírselos y enlazarlo.
+    // 2 y 3. Añadirlos a un programa y enlazarlo.
     const GLuint programa = enlaza(vertexShader, fragmentShader);
     if (!programa)
         return;
 
-    // 3. El índice de la variable `posicion`, para decirle de dónde salen sus valores.
+    // Y el índice de la variable `posicion`, para decirle de dónde salen sus valores.
     const GLint posicion = glGetAttribLocation(programa, "posicion");
     if (posicion < 0) {
         avisa("shader_basico.vert no usa «posicion»");

@@ -1,7 +1,7 @@
 // Un modelo poligonal de principio a fin: la estructura de datos (listado 2.1), sus buffer objects (2.2), los
 // índices de los atributos (2.3) y el dibujo (2.4). Es una rueda de color: seis triángulos que comparten siete
-// vértices. Del libro se aparta en el VAO, sin el que un contexto core no dibuja: como recuerda dónde
-// está cada atributo, glVertexAttribPointer se llama una vez y no en cada imagen.
+// vértices. Del libro se aparta en el VAO, sin el que un contexto core no dibuja: como recuerda dónde está cada
+// atributo, glVertexAttribPointer se llama una vez, en inicia, y no en cada imagen (display, aquí dibuja).
 // Controles: Esc termina.
 #include "colores.h"
 #include "rotulo.h"

@@ -2,7 +2,7 @@
 // envían sus vértices; la línea los une y el punto es el primero. Informa de cuántos índices ahorran frente a los
 // triángulos sueltos. Sin dar fichero, la malla del ejercicio 2.1, con las caras 5 y 6 ya invertidas: una tira gira
 // toda en un sentido.
-// Controles: 1 a 9 resaltan una tira · 0 todas · u la caja en una sola · ratón orbita · Esc termina.
+// Controles: 1 a 9 resaltan una tira · 0 todas · u la caja en una sola, de dos maneras · ratón orbita · Esc termina.
 #include "tiras.h"
 #include "buferes.h"
 #include "encuadre_malla.h"
@@ -20,12 +20,15 @@
 #include <string>
 
 static const glm::vec3 PALETA[] = {NARANJA, AZUL, VERDE, ROJO, MORADO, AMARILLO, GRIS};
-static const float ANGULO = 0.6f;            // de la perspectiva, en radianes
-static const std::size_t MAXIMO_ESCRITO = 3; // tiras cuyos índices caben en la ventana
+static const float ANGULO = 0.6f; // de la perspectiva, en radianes
+static const std::size_t MAXIMO_ESCRITO = 3,
+                         POR_RENGLON = 7; // tiras cuyos índices caben en la ventana, y cómo
+static const float ALTO_RENGLON = 0.065f; // en partes del de la ventana
 
 static struct {
     GLuint programa;
-    bool esLaCaja, unaSola = false;
+    bool esLaCaja;
+    int unica = 0; // de TIRAS_UNICAS, la que se dibuja, desde 1; 0 si son las de hazTiras
     std::vector<glm::vec3> vertices;
     std::vector<Triangulo> triangulos; // los de la malla
     std::vector<Tira> tiras;
@@ -43,10 +46,10 @@ static glm::vec3 deClaroAOscuro(const glm::vec3 &color, float t) {
                     : glm::mix(color, 0.35f * color, 2 * t - 1);
 }
 
-static std::string indicesEscritos(const Tira &tira, std::size_t porLinea = std::string::npos) {
+static std::string indicesEscritos(const Tira &tira, std::size_t porRenglon = std::string::npos) {
     std::string texto;
     for (std::size_t k = 0; k < tira.size(); ++k)
-        texto += (k == 0 ? "" : k % porLinea ? " " : "\n") + std::to_string(tira[k] + 1);
+        texto += (k == 0 ? "" : k % porRenglon ? " " : "\n") + std::to_string(tira[k] + 1);
     return texto;
 }
 
@@ -65,7 +68,8 @@ static void informa() {
 
 // Los vértices de todas las tiras, una tras otra: repetidos, con el color que cada uno tiene en su tira, y sin índices.
 static void construye() {
-    estado.tiras = estado.unaSola ? std::vector<Tira>{TIRA_UNICA} : hazTiras(estado.triangulos);
+    estado.tiras =
+        estado.unica ? std::vector<Tira>{TIRAS_UNICAS[estado.unica - 1]} : hazTiras(estado.triangulos);
     estado.elegido = TODOS;
     std::vector<VerticeColor> enOrden;
     for (std::size_t i = 0; i < estado.tiras.size(); ++i) {
@@ -126,6 +130,17 @@ static void dibujaRecorridos(const glm::mat4 &transformacion) {
     trazaPuntos(principios, transformacion, OSCURO, 4 * GROSOR);
 }
 
+// Abajo a la izquierda, una tira encima de otra.
+static void escribeIndices() {
+    float y = 0.03f;
+    for (std::size_t i = estado.tiras.size(); i-- > 0;) {
+        const float alto = ALTO_RENGLON * float((estado.tiras[i].size() + POR_RENGLON - 1) / POR_RENGLON);
+        rotula(indicesEscritos(estado.tiras[i], POR_RENGLON), {0.02f, y + alto / 2}, 0.8f * colorTira(i),
+               Lado::DERECHA);
+        y += alto;
+    }
+}
+
 static void dibuja() {
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(ANGULO, 0.1f, 100);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -134,12 +149,8 @@ static void dibuja() {
     alejaEnProfundidad(dibujaTiras);
     dibujaRecorridos(proyeccion * camara);
     rotulaVertices(estado.vertices, estado.triangulos, posicionCamara(estado.orbita), proyeccion * camara);
-    // los de una sola, en varias líneas: a lo largo llegarían al número del vértice de más abajo
-    const std::size_t n = estado.tiras.size(), porLinea = n == 1 ? 10 : std::string::npos;
-    if (n <= MAXIMO_ESCRITO && estado.triangulos.size() <= MAXIMO_NUMERADO)
-        for (std::size_t i = 0; i < n; ++i)
-            rotula(indicesEscritos(estado.tiras[i], porLinea), {0.02f, 0.04f + 0.05f * float(n - 1 - i)},
-                   0.8f * colorTira(i), Lado::DERECHA, 0.03f);
+    if (estado.tiras.size() <= MAXIMO_ESCRITO && estado.triangulos.size() <= MAXIMO_NUMERADO)
+        escribeIndices();
     glutSwapBuffers();
 }
 
@@ -147,7 +158,7 @@ static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla) || eligeModoOTodos(estado.elegido, std::min(int(estado.tiras.size()), 9), tecla))
         return;
     if (tecla == 'u' && estado.esLaCaja) {
-        estado.unaSola = !estado.unaSola;
+        estado.unica = (estado.unica + 1) % 3;
         construye();
         glutPostRedisplay();
     }

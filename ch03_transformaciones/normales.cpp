@@ -1,8 +1,10 @@
 // La matriz que transforma las normales (§3.3, figura 3.1): en cada lado de un prisma, en verde su normal por N
 // y en rojo por M, que no es perpendicular al lado. Con una reflexión, en naranja, la traspuesta de la adjunta
 // tal como la da el libro: apunta hacia dentro, porque le falta el signo del determinante (transformaciones.h).
-// Si M y N coinciden solo se ve la verde; una cara aplastada en una recta no tiene normal.
-// Controles: 1 original · 2 S(2,1,1) · 3 reflexión S(−2,1,1) · 4 aplastamiento S(2,0,1) · ratón orbita · Esc termina.
+// Si M y N coinciden solo se ve la verde; una cara aplastada en una recta no tiene normal. La normal de cada cara es el
+// producto vectorial de dos de sus aristas (§2.1): con los vértices en el otro orden sale hacia dentro.
+// Controles: 1 original · 2 S(2,1,1) · 3 reflexión S(−2,1,1) · 4 aplastamiento S(2,0,1) · 5 giro y traslación ·
+// n sin normalizar · t tangentes · o vértices en el otro orden · ratón orbita · Esc termina.
 #include "colores.h"
 #include "modos.h"
 #include "objeto.h"
@@ -15,27 +17,34 @@
 static const glm::vec2 POLIGONO[] = {
     {0.25f, -0.95f}, {0.85f, 0.15f}, {-0.10f, 0.90f}, {-0.90f, -0.20f}}; // antihorario
 static const int LADOS = 4;
-static const float FONDO = 0.9f; // grueso del prisma, a lo largo de Z
+static const float FONDO = 0.9f;  // grueso del prisma, a lo largo de Z
+static const float LARGO = 0.75f; // de la flecha de un vector unitario
 static const glm::vec3 COLOR_PRISMA(0.72f, 0.82f, 0.97f);
 static const struct {
-    glm::vec3 factores;
+    glm::mat4 M;
     const char *nombre;
     int ladoRotulado; // el que tiene sitio
-} ESCALADOS[] = {{{1, 1, 1}, "M = I", 1},
-                 {{2, 1, 1}, "M = S(2, 1, 1)", 1},
-                 {{-2, 1, 1}, "M = S(−2, 1, 1)", 1},
-                 {{2, 0, 1}, "M = S(2, 0, 1)", 2}};
+} CASOS[] = {
+    {glm::mat4(1), "M = I", 1},
+    {escalado({2, 1, 1}), "M = S(2, 1, 1)", 1},
+    {escalado({-2, 1, 1}), "M = S(−2, 1, 1)", 1},
+    {escalado({2, 0, 1}), "M = S(2, 0, 1)", 2},
+    {traslacion({0.5f, 0.2f, 0}) * giroZ(glm::radians(30.0f)), "M = T(0.5, 0.2, 0)·Rz(30°)", 1},
+};
+static const int N_CASOS = sizeof CASOS / sizeof CASOS[0];
 
 static struct {
     GLuint programa;
     Buferes prisma;
     int elegido = 0;
+    bool sinNormalizar = false, tangentes = false, alReves = false;
     Orbita orbita = {0.16f, 0.32f, 8};
 } estado;
 
+// El producto vectorial de dos aristas de ese lado: la del polígono y la que une las dos tapas.
 static glm::vec3 normalLado(int i) {
-    const glm::vec2 lado = POLIGONO[(i + 1) % LADOS] - POLIGONO[i];
-    return glm::normalize(glm::vec3(lado.y, -lado.x, 0));
+    const glm::vec3 arista(POLIGONO[(i + 1) % LADOS] - POLIGONO[i], 0);
+    return glm::normalize(glm::cross(arista, glm::vec3(0, 0, 1)));
 }
 
 static Malla creaPrisma() {
@@ -65,46 +74,69 @@ static void inicia() {
     ponFondo(FONDO_CLARO);
 }
 
-static void dibuja() {
-    const glm::mat4 proyeccion = paralelaVentana(1.75f, 1, 20), camara = camaraOrbita(estado.orbita),
-                    transformacion = proyeccion * camara, M = escalado(ESCALADOS[estado.elegido].factores);
-    const int ladoRotulado = ESCALADOS[estado.elegido].ladoRotulado;
-    const glm::mat3 N = matrizNormal(M);
-    const bool esReflexion = glm::determinant(glm::mat3(M)) < 0;
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    usaPrograma(estado.programa, camara, proyeccion);
-    glFrontFace(esReflexion ? GL_CW : GL_CCW); // una reflexión cambia el sentido de giro de las caras
-    dibujaObjeto(estado.programa, estado.prisma, M, COLOR_PRISMA);
-    glFrontFace(GL_CCW);
-
-    for (int k = 1; k <= LADOS; ++k) {
-        const int i = (ladoRotulado + k) % LADOS; // el último, que nada tape sus rótulos
-        const glm::vec2 medio = 0.5f * (POLIGONO[i] + POLIGONO[(i + 1) % LADOS]);
-        const glm::vec3 pie = M * glm::vec4(medio, 0.52f * FONDO, 1); // delante de la cara, que no la tape
-        // Toda flecha mide lo mismo: tras transformar una normal hay que normalizarla.
-        const auto flecha = [&](const glm::vec3 &hacia, const glm::vec3 &color, const char *nombre) {
-            trazaFlecha(pie, pie + 0.75f * hacia, transformacion, color, 1.5f * GROSOR);
-            if (i == ladoRotulado)
-                rotulaPunto(nombre, pie + 0.99f * hacia, transformacion, color, Lado::CENTRO);
-        };
-        const glm::vec3 n = normalLado(i), conM = unitario(glm::mat3(M) * n),
-                        conN = unitario(N * n, {0, 0, 0});
-        const bool coinciden = glm::dot(conM, conN) > 0.999f;
-        if (conN != glm::vec3(0))
+// Las flechas de un lado, delante de la cara, que no las tape. Un vector unitario mide LARGO.
+static void trazaLado(int i, const glm::mat4 &M, const glm::mat4 &transformacion) {
+    const glm::vec2 &a = POLIGONO[i], &b = POLIGONO[(i + 1) % LADOS];
+    const glm::vec4 medio(0.5f * (a + b), 0.52f * FONDO, 1), medioLado(0.5f * (b - a), 0, 0);
+    const glm::vec3 pie = M * medio;
+    const auto flecha = [&](const glm::vec3 &v, const glm::vec3 &color, const char *nombre) {
+        trazaFlecha(pie, pie + LARGO * v, transformacion, color, 1.5f * GROSOR);
+        if (i == CASOS[estado.elegido].ladoRotulado)
+            rotulaPunto(nombre, pie + (estado.alReves ? -0.3f : LARGO + 0.24f) * unitario(v), transformacion,
+                        color, Lado::CENTRO);
+    };
+    const glm::vec3 n = (estado.alReves ? -1.0f : 1.0f) * normalLado(i), Nn = matrizNormal(M) * n,
+                    conM = unitario(glm::mat3(M) * n), conN = unitario(Nn, {0, 0, 0});
+    const bool coinciden = glm::dot(conM, conN) > 0.999f, hayNormal = conN != glm::vec3(0);
+    if (estado.tangentes)
+        trazaFlecha(M * (medio - medioLado), M * (medio + medioLado), transformacion, AZUL, 1.5f * GROSOR);
+    if (estado.sinNormalizar && hayNormal) {
+        trazaSegmentos({pie, pie + LARGO * conN}, transformacion, GRIS);
+        trazaPuntos({pie + LARGO * conN}, transformacion, GRIS);
+        flecha(Nn, VERDE, "N·n");
+    } else if (!estado.sinNormalizar) {
+        if (hayNormal)
             flecha(conN, VERDE, coinciden ? "N·n = M·n" : "N·n");
         if (!coinciden)
             flecha(conM, ROJO, "M·n");
-        if (esReflexion)
+        if (glm::determinant(glm::mat3(M)) < 0)
             flecha(-conN, NARANJA, "adjunta");
     }
-    rotula(ESCALADOS[estado.elegido].nombre, {0.03f, 0.06f}, OSCURO, Lado::DERECHA);
+}
+
+static void dibuja() {
+    const auto &[M, nombre, ladoRotulado] = CASOS[estado.elegido];
+    const glm::mat4 proyeccion = paralelaVentana(1.75f, 1, 20), camara = camaraOrbita(estado.orbita);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    usaPrograma(estado.programa, camara, proyeccion);
+    // una reflexión cambia el sentido de giro de las caras
+    glFrontFace(glm::determinant(glm::mat3(M)) < 0 ? GL_CW : GL_CCW);
+    dibujaObjeto(estado.programa, estado.prisma, M, COLOR_PRISMA);
+    glFrontFace(GL_CCW);
+
+    for (int k = 1; k <= LADOS; ++k) // el rotulado, el último, que nada tape sus rótulos
+        trazaLado((ladoRotulado + k) % LADOS, M, proyeccion * camara);
+    rotula(nombre, {0.03f, 0.06f}, OSCURO, Lado::DERECHA);
+    if (estado.tangentes)
+        rotula("M·t", {0.97f, 0.06f}, AZUL, Lado::IZQUIERDA);
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || !eligeModo(estado.elegido, 4, tecla))
+    if (teclaComun(tecla))
         return;
-    ponTitulo(std::string("Normales transformadas: ") + ESCALADOS[estado.elegido].nombre);
+    switch (tecla) {
+    case 'n': estado.sinNormalizar = !estado.sinNormalizar; break;
+    case 't': estado.tangentes = !estado.tangentes; break;
+    case 'o': estado.alReves = !estado.alReves; break;
+    default:
+        if (!eligeModo(estado.elegido, N_CASOS, tecla))
+            return;
+    }
+    ponTitulo(std::string("Normales transformadas: ") + CASOS[estado.elegido].nombre +
+              (estado.alReves ? ", con los vértices en el otro orden" : "") +
+              (estado.sinNormalizar ? ", sin normalizar" : ""));
+    glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {

@@ -1,7 +1,8 @@
 // Las mismas dos matrices en los dos órdenes (§3.2): T(5,0,0) y S(5,5,5) aplicadas a una esfera de radio 1.
 // Arriba T·S: primero se escala y luego se traslada, y el centro acaba en x = 5. Abajo S·T: el escalado
-// también multiplica la traslación, y acaba en x = 25. Gris, la esfera inicial; en líneas, tras la primera.
-// Controles: ratón orbita · Esc termina.
+// también multiplica la traslación, y acaba en x = 25. Gris, la esfera inicial; en líneas, tras la primera. El producto
+// es asociativo, y así M se calcula una vez por objeto y no dos matrices por vértice: con c, cuántos productos ahorra.
+// Controles: c cuenta los productos · ratón orbita · Esc termina.
 #include "dibujos.h"
 #include "objeto.h"
 #include "orbita.h"
@@ -15,13 +16,17 @@ static const float ALTURA_REGLA = -6.5f;
 static struct {
     GLuint programa;
     Buferes esfera;
+    std::size_t vertices; // de la esfera
+    bool cuenta = false;
     Orbita orbita = {0, 0.3f, 21, {13.8f, -1.4f, 0}}; // en paralela, `distancia` es el semiancho de la vista
 } estado;
 
 static void inicia() {
     estado.programa = creaProgramaObjeto();
     // una esfera se hunde a lo largo y a lo ancho: a cada uno, la mitad del medio píxel
-    estado.esfera = creaBuferes(esfera(segmentosPara(RADIO_PX, 0.25f)));
+    const Malla malla = esfera(segmentosPara(RADIO_PX, 0.25f));
+    estado.esfera = creaBuferes(malla);
+    estado.vertices = malla.vertices.size();
     glEnable(GL_DEPTH_TEST);
 }
 
@@ -56,20 +61,38 @@ static void dibujaVista(const glm::mat4 &segunda, const glm::mat4 &primera, cons
     rotulaPunto(nombrePrimera, primera * glm::vec4(-0.7f, 0.7f, 0, 1), transformacion, OSCURO);
 }
 
+// Los productos de números que hacen falta para llevar todos los vértices a su sitio: 4×4×4 al multiplicar dos
+// matrices, 4×4 al multiplicar una por un vértice.
+static std::string productos(const char *de, std::size_t fijos, std::size_t porVertice) {
+    const std::string n = std::to_string(fijos + porVertice * estado.vertices);
+    return de + std::string(": ") + n + " productos";
+}
+
 static void dibuja() {
     const glm::mat4 T = traslacion({5, 0, 0}), S = escalado(5);
     const std::vector<Recuadro> paneles = rejilla(1, 2);
     abreRecuadro(ventanaEntera(), GRIS); // la raya que separa las dos
     glUseProgram(estado.programa);
     dibujaVista(T, S, "T·S", "S", paneles[0]);
+    if (estado.cuenta)
+        rotula(productos("T·(S·v)", 0, 2 * 16) + "\n" + productos("(T·S)·v", 4 * 16, 16), {0.98f, 0.86f},
+               MORADO, Lado::IZQUIERDA);
     dibujaVista(S, T, "S·T", "T", paneles[1]);
     glutSwapBuffers();
+}
+
+static void teclado(unsigned char tecla, int, int) {
+    if (teclaComun(tecla) || tecla != 'c')
+        return;
+    estado.cuenta = !estado.cuenta;
+    glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "T·S arriba, S·T abajo", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);
     inicia();
     glutDisplayFunc(dibuja);
+    glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
     glutMainLoop();
     return 0;

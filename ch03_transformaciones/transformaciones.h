@@ -71,16 +71,17 @@ inline glm::mat4 giroEje(const glm::vec3 &eje, float phi) {
     return glm::mat4(glm::mat3(1) + glm::transpose(R) * giroMenosI * R);
 }
 
-/// Matriz de transformación de la normal (§3.3): la traspuesta de la adjunta, que existe aunque M no tenga
-/// inversa. El libro calla que con det(M) < 0 apunta hacia dentro: se multiplica por el signo del
-/// determinante. Solo importa su dirección, y se devuelve con la mayor componente igual a 1. En doble
+/// Matriz de transformación de la normal (§3.3): la matriz de cofactores (en el libro, la traspuesta de la adjunta),
+/// que existe aunque M no tenga inversa. El libro calla que con det(M) < 0 apunta hacia dentro: se multiplica por el
+/// signo del determinante. Solo importa su dirección, y se devuelve con la mayor componente igual a 1. En doble
 /// precisión, ni el producto de tres componentes float se sale de rango, ni la resta de dos pierde cifras.
 inline glm::mat3 matrizNormal(const glm::mat4 &M) {
-    const glm::dmat3 m(M), adjunta(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    const glm::dmat3 m(M), cofactores(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     double mayor = 0;
     for (int i = 0; i < 3; ++i)
-        mayor = std::max({mayor, std::fabs(adjunta[i].x), std::fabs(adjunta[i].y), std::fabs(adjunta[i].z)});
+        mayor = std::max(
+            {mayor, std::fabs(cofactores[i].x), std::fabs(cofactores[i].y), std::fabs(cofactores[i].z)});
     if (mayor == 0) // aplastado en una recta o en un punto: ninguna cara tiene normal
         return glm::mat3(0);
-    return glm::mat3(adjunta / (glm::dot(m[0], adjunta[0]) < 0 ? -mayor : mayor));
+    return glm::mat3(cofactores / (glm::dot(m[0], cofactores[0]) < 0 ? -mayor : mayor));
 }

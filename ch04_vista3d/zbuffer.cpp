@@ -1,7 +1,9 @@
 // El test de profundidad (listado 4.1, figura 4.5): sólidos que se tapan, se cruzan y se enlazan, pintados de más cerca
 // a más lejos. Sin él gana lo último que se pinta. El mismo algoritmo está hecho en la CPU (zbuffer.h), triángulo a
-// triángulo; su imagen se copia en la ventana y no se distingue de la de la GPU.
-// Controles: z test de profundidad · c en la CPU o en la GPU · v compara los cuatro · ratón orbita · Esc termina.
+// triángulo; su imagen se copia en la ventana y no se distingue de la de la GPU. Con b no se borra la profundidad antes
+// de dibujar: queda la de la imagen anterior, como si la cámara hubiera girado, y solo se ve lo que está más cerca.
+// Controles: z test de profundidad · b borra o no la profundidad · c en la CPU o en la GPU · v compara los cuatro ·
+// ratón orbita · Esc termina.
 #include "zbuffer.h"
 #include "ch03_transformaciones/objeto.h"
 #include "colores.h"
@@ -22,7 +24,7 @@ struct Solido {
 static struct {
     GLuint programa, programaCopia, textura;
     std::vector<Solido> solidos;
-    bool test = true, enCpu = false, compara = false;
+    bool test = true, borra = true, enCpu = false, compara = false;
     Orbita orbita = {0.55f, 0.45f, 18.6f, {0, 1.1f, 0}, 0.02f};
 } estado;
 
@@ -46,6 +48,14 @@ static void inicia() {
         s.buferes = creaBuferes(s.malla);
 }
 
+// La de la imagen de antes, que dejó su profundidad.
+static glm::mat4 camaraAnterior() {
+    Orbita antes = estado.orbita;
+    antes.azimut -= 0.35f;
+    antes.elevacion += 0.12f;
+    return camaraOrbita(antes);
+}
+
 static void dibujaEnGpu(const glm::mat4 &proyeccion, const glm::mat4 &camara, bool test) {
     if (test)
         glEnable(GL_DEPTH_TEST);
@@ -56,9 +66,7 @@ static void dibujaEnGpu(const glm::mat4 &proyeccion, const glm::mat4 &camara, bo
 }
 
 // Lo mismo que objeto.vert y objeto.frag; su color es lineal en la normal y basta calcularlo en los vértices.
-static Imagen dibujaEnCpu(const glm::mat4 &proyeccion, const glm::mat4 &camara, bool test,
-                          const Recuadro &r) {
-    BufferZ buffer = creaBufferZ(r.ancho, r.alto, CIELO, test);
+static void pintaEnCpu(BufferZ &buffer, const glm::mat4 &proyeccion, const glm::mat4 &camara) {
     for (const Solido &s : estado.solidos) {
         const glm::mat4 aRecortado = proyeccion * camara * s.M;
         const glm::mat3 N = matrizNormal(s.M);
@@ -71,6 +79,16 @@ static Imagen dibujaEnCpu(const glm::mat4 &proyeccion, const glm::mat4 &camara, 
             pintaTriangulo(buffer, t);
         }
     }
+}
+
+static Imagen dibujaEnCpu(const glm::mat4 &proyeccion, bool test, const Recuadro &r) {
+    BufferZ buffer = creaBufferZ(r.ancho, r.alto, CIELO, test);
+    const Imagen vacia = buffer.color;
+    if (!estado.borra) {
+        pintaEnCpu(buffer, proyeccion, camaraAnterior());
+        buffer.color = vacia;
+    }
+    pintaEnCpu(buffer, proyeccion, camaraOrbita(estado.orbita));
     return buffer.color;
 }
 
@@ -86,14 +104,19 @@ static void copia(const Imagen &imagen, const Recuadro &r) {
 
 static void dibujaPanel(const Recuadro &r, bool enCpu, bool test) {
     abreRecuadro(r, CIELO);
-    const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100, aspecto(r)),
-                    camara = camaraOrbita(estado.orbita);
-    if (enCpu)
-        copia(dibujaEnCpu(proyeccion, camara, test, r), r);
-    else
-        dibujaEnGpu(proyeccion, camara, test);
-    rotula(std::string(enCpu ? "CPU " : "GPU ") + (test ? "con test" : "sin test"), {0.02f, 0.06f}, OSCURO,
-           Lado::DERECHA);
+    const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100, aspecto(r));
+    if (enCpu) {
+        copia(dibujaEnCpu(proyeccion, test, r), r);
+    } else {
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); // de la anterior solo queda la profundidad
+        if (!estado.borra)
+            dibujaEnGpu(proyeccion, camaraAnterior(), test);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        dibujaEnGpu(proyeccion, camaraOrbita(estado.orbita), test);
+    }
+    rotula(std::string(enCpu ? "CPU " : "GPU ") + (test ? "con test" : "sin test") +
+               (estado.borra ? "" : "\nsin borrar la profundidad"),
+           {0.02f, estado.borra ? 0.06f : 0.09f}, OSCURO, Lado::DERECHA);
 }
 
 static void dibuja() {
@@ -107,7 +130,8 @@ static void dibuja() {
     }
     ponTitulo(estado.compara ? "Z-Buffer: sin test y con él, en la GPU y en la CPU"
                              : std::string("Z-Buffer en la ") + (estado.enCpu ? "CPU" : "GPU") +
-                                   (estado.test ? "" : ", sin test de profundidad"));
+                                   (estado.test ? "" : ", sin test de profundidad") +
+                                   (estado.borra ? "" : ", sin borrarla"));
     glutSwapBuffers();
 }
 
@@ -115,17 +139,14 @@ static void teclado(unsigned char tecla, int, int) {
     if (teclaComun(tecla))
         return;
     switch (tecla) {
-    case 'z':
-        estado.test = !estado.test;
-        estado.compara = false;
-        break;
-    case 'c':
-        estado.enCpu = !estado.enCpu;
-        estado.compara = false;
-        break;
+    case 'z': estado.test = !estado.test; break;
+    case 'b': estado.borra = !estado.borra; break;
+    case 'c': estado.enCpu = !estado.enCpu; break;
     case 'v': estado.compara = !estado.compara; break;
     default: return;
     }
+    if (tecla == 'z' || tecla == 'c')
+        estado.compara = false;
     glutPostRedisplay();
 }
 

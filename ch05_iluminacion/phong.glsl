@@ -1,5 +1,7 @@
 // El modelo de iluminación de Phong (ecuaciones 5.1 a 5.7, listado 5.1) con los focos de §5.2. Lo incluye el
-// shader que ilumina, y todo va en coordenadas de la cámara: el observador está en el origen.
+// shader que ilumina, y todo va en coordenadas de la cámara: el observador está en el origen. La phong(N, L, V) del
+// libro es aquí phong(m, La, luz, P, N): las propiedades van en structs, L y V salen del punto P, R no se normaliza (lo
+// es si N y L lo son) y se cuenta la atenuación. La difusa sigue la ley de Lambert (ecuación 5.2).
 
 struct Material {
     vec3 Ka, Kd, Ks;

@@ -1,6 +1,8 @@
 // Los tres modelos de sombreado (§5.3, listados 5.2 y 5.3, figura 5.6) sobre la misma malla y con el mismo modelo de
 // iluminación (listado 5.1): plano, una vez por polígono; Gouraud, una vez por vértice; Phong, una vez por fragmento.
-// Con pocos polígonos se ve qué hace cada uno; con muchos, se parecen.
+// Con pocos polígonos se ve qué hace cada uno; con muchos, se parecen. Se aparta de los listados en que phong recibe el
+// material, la luz y el punto, y calcula ella L y V (phong.glsl, que en vez de normalize usa unitario, que admite el
+// vector nulo), y en que los colores son vec3: el sombreado no toca la opacidad.
 // Controles: 1 plano · 2 Gouraud · 3 Phong · v los tres a la vez · + - más o menos subdivisión ·
 // ratón orbita · Esc termina.
 #include "colores.h"

@@ -1,7 +1,8 @@
 // Una textura sobre un objeto iluminado (listados 6.1 a 6.3, figura 6.1): leer la imagen, crear el objeto textura
-// y decir al shader en qué unidad está. Se aparta del libro en comprobar lo que lee y darle la vuelta (los ficheros
-// empiezan por arriba y OpenGL por abajo), en GL_UNPACK_ALIGNMENT, sin el que se tuercen los anchos no múltiplos
-// de 4, y en los mipmaps (filtrado).
+// y decir al shader en qué unidad está. leeTextura está en common/imagen.cpp y la llama imagenDeArgumentos: en vez de
+// malloc, fopen, fread y fclose usa la biblioteca de C++, comprueba lo que lee y le da la vuelta (los ficheros empiezan
+// por arriba y OpenGL por abajo). Se aparta del libro en GL_UNPACK_ALIGNMENT, sin el que se tuercen los anchos no
+// múltiplos de 4, en los mipmaps (filtrado) y en activar la unidad antes de crear la textura: basta enlazarla una vez.
 // Controles: ratón orbita · Esc termina.
 #include "buferes.h"
 #include "colores.h"
@@ -57,7 +58,8 @@ static void dibuja() {
     envia(estado.programa, "N", N);
     envia(estado.programa, "repeticiones", REPETICIONES);
     // Final del listado 6.2: a Img, el número de la unidad, que no es el nombre de la textura
-    glUniform1i(uniforme(estado.programa, "Img"), 0);
+    const GLint loc = glGetUniformLocation(estado.programa, "Img");
+    glUniform1i(loc, 0);
     dibuja(estado.toro);
     glutSwapBuffers();
 }

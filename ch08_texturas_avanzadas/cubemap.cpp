@@ -1,7 +1,7 @@
 // Un objeto que refleja su entorno, guardado en un mapa de cubo (§8.1, listados 8.1 y 8.2, figura 8.1). Se aparta del
 // libro en que el entorno está fijo en el mundo, en que el vector de reflexión se calcula en cada fragmento, en el
-// orden de las caras y de sus filas, que es el de OpenGL, y en GL_CLAMP_TO_EDGE. El toro no se refleja a sí mismo: no
-// está en el mapa.
+// orden de las caras y de sus filas, que es el de OpenGL, y en GL_CLAMP_TO_EDGE. La unidad activa es siempre la 0: no
+// hace falta glActiveTexture. El toro no se refleja a sí mismo: no está en el mapa.
 // Controles: c mapa desplegado · v por fragmento y por vértice · ratón orbita · Esc termina.
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"

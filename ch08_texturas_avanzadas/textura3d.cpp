@@ -2,8 +2,8 @@
 // él salen la madera y el mármol. El peón está tallado en el bloque: la veta sigue por dentro, y por eso coordVertice
 // son aquí las coordenadas en el bloque; en las de cada pieza, que es lo del libro para un objeto, no pasaría de una a
 // otra. El libro guarda 512³ texeles de tres bytes, 403 MB; el ruido solo necesita un byte por texel y, como se repite
-// sin costura, 64³ texeles. Al reducir se usan mipmaps, y la unidad activa es siempre la 0: no hace falta
-// glActiveTexture.
+// sin costura, 64³ texeles, que no se leen de un fichero (leeTextura3D): los calcula ruido.h. Al reducir se usan
+// mipmaps, y la unidad activa es siempre la 0: no hace falta glActiveTexture.
 // Controles: 1 madera · 2 mármol · 3 el ruido · + - frecuencia S1 · a d amplitud S2 · ratón orbita · Esc termina.
 #include "textura3d.h"
 #include "ch05_iluminacion/iluminacion.h"

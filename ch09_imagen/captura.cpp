@@ -1,9 +1,9 @@
 // Guardar lo que se ve (listado 9.4) y volver a leerlo: glReadPixels con GL_PACK_ALIGNMENT 1 lleva la ventana a memoria
 // y un PPM, a un fichero; lo leído del fichero se enseña en la esquina. El segundo paso del listado, fopen, fwrite y
-// fclose, está en intentaGuardarPpm (common/imagen.cpp). Se aparta del libro en que el fichero lleva su tamaño, en que
-// la fila de arriba va la primera (glReadPixels empieza por la de abajo), en que se lee el buffer de detrás antes de
-// intercambiarlos y en que se guarda entero o nada, y si no se puede se dice por qué. Lo que se enseña de la captura
-// anterior no se guarda.
+// fclose, está en intentaGuardarPpm (common/imagen.cpp), y en vez de calloc y free hay un std::vector. Se aparta del
+// libro en que el fichero lleva su tamaño, en que la fila de arriba va la primera (glReadPixels empieza por la de
+// abajo), en que se lee el buffer de detrás antes de intercambiarlos y en que se guarda entero o nada, y si no se puede
+// se dice por qué. Lo que se enseña de la captura anterior no se guarda.
 // Controles: g guarda y lee · a d q e w s mueven la grúa · ratón orbita · Esc termina.
 #include "ch03_transformaciones/grua.h"
 #include "ch03_transformaciones/objeto.h"

@@ -1,7 +1,8 @@
-// Elegir un objeto con el ratón (listados 10.2 y 10.3, con sus llamadas a OpenGL a la vista): la escena se dibuja otra
-// vez, en un framebuffer propio y cada objeto del color de su identificador (identificador.h), y se lee el clic. El
-// libro enlaza GL_DRAW_FRAMEBUFFER y, para leer, GL_READ_FRAMEBUFFER, que se queda puesto; GL_FRAMEBUFFER son los dos,
-// y los dos vuelven a la ventana. Lee GL_FLOAT; un identificador es un número entero, que en bytes llega exacto.
+// Elegir un objeto con el ratón (listados 10.2 y 10.3; sus initFramebuffer y renderToFramebuffer son aquí
+// creaFramebuffer y selecciona): la escena se dibuja otra vez, en un framebuffer propio y cada objeto del color de su
+// identificador (identificador.h), y se lee el clic. El libro enlaza GL_DRAW_FRAMEBUFFER y, para leer,
+// GL_READ_FRAMEBUFFER, que se queda puesto; GL_FRAMEBUFFER son los dos, y los dos vuelven a la ventana. Lee GL_FLOAT;
+// un identificador es un número entero, que en bytes llega exacto.
 // Controles: clic elige · v lo que hay en el framebuffer · arrastrar orbita · rueda acerca · Esc termina.
 #include "ch03_transformaciones/objeto.h"
 #include "colores.h"

@@ -13,6 +13,7 @@ class Cosa:
     que: str
     motivo: str = ""  # por qué no tiene programa
     enunciado: str = ""
+    funciones: str = ""  # las que llama o define un listado
 
 
 def filas(fichero):
@@ -75,7 +76,9 @@ class Libro:
         self.raiz = raiz
         self.cosas = {c.codigo: c for c in cosas(raiz)}
         self.respuestas = {
-            f"E{titulo}": en_html(re.sub(r"^(?: \([^)]*\))?: ", "", cuerpo))  # lo que pide ya se lee encima
+            titulo
+            if titulo[0] == "§"
+            else f"E{titulo}": en_html(re.sub(r"^(?: \([^)]*\))?: ", "", cuerpo))  # lo que pide ya se lee encima
             for titulo, cuerpo in entradas((raiz / "docs/soluciones.md").read_text())
         }
         capitulos = re.split(r"^## Capítulo (\d+)$", (raiz / "docs/erratas.md").read_text(), flags=re.MULTILINE)[1:]
@@ -96,9 +99,9 @@ class Libro:
         return " ".join(linea.removeprefix("// ") for linea in comentario.splitlines())
 
     def ejercicios(self, programa):
-        """El número, lo que pide y lo que se contesta, esto último en HTML."""
+        """Cuál es, lo que pide y lo que se contesta, en HTML. También lo que el texto propone fuera de ellos."""
         return [
-            (r[1:], en_html(self.cosas[r].enunciado), self.respuestas.get(r, ""))
+            (nombre(r).capitalize(), en_html(self.cosas[r].enunciado), self.respuestas.get(r, ""))
             for r in programa.referencias
             if r in self.cosas and self.cosas[r].enunciado
         ]

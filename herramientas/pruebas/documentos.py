@@ -1,16 +1,17 @@
 """documentos.py RAÍZ BUILD: que docs/ dice la verdad de las pruebas; lo que no, se escribe y acaba con 1.
 
-Se comprueba que exista cada prueba nombrada en docs/*.md; que cada errata tenga la suya o diga por qué no y cada
-ejercicio, su respuesta; que no falte ninguna ecuación del libro en docs/ecuaciones.md y que esté donde dice; que cada
-programa tenga una comprobación independiente de su golden (CONTRA y PRUEBAS, en el CMakeLists.txt de su capítulo) y
-docs/evidencia.json sea de esas pruebas, que lo ejecutaron; que esté dicho por qué pasan de 2 niveles los que pasan;
-lo mismo de los casos difíciles; y que sea de los defectos que hay."""
+Se comprueba que exista cada prueba, fichero y programa que nombra un documento o un comentario; que cada errata tenga
+su prueba o diga por qué no y cada ejercicio, su respuesta; que cada función de un listado del libro la llame el
+programa que lo lleva o diga su cabecera por qué no; que no falte ninguna ecuación del libro en docs/ecuaciones.md y que
+esté donde dice; que cada programa tenga una comprobación independiente de su golden (CONTRA y PRUEBAS, en el
+CMakeLists.txt de su capítulo) y docs/evidencia.json sea de esas pruebas, que lo ejecutaron; que esté dicho por qué
+pasan de 2 niveles los que pasan; lo mismo de los casos difíciles; y que sea de los defectos que hay."""
 import re
 import sys
 from pathlib import Path
 
-from base import catalogo, evidencia
-from base.libro import filas
+from base import catalogo, evidencia, fuentes
+from base.libro import cosas, filas
 from pruebas import googletest
 from pruebas.evidencia import casos_dificiles, listas
 from pruebas.googletest import busca
@@ -19,6 +20,23 @@ from pruebas.googletest import busca
 ECUACIONES = {3: 10, 4: 4, 5: 7, 7: 4, 8: 1, 9: 1, 11: 42}
 CITA = re.compile(r"`([a-z0-9_]+(?:\.[\w/]+)+\*?)`")
 SIN_PRUEBA = "Sin prueba:"
+# Cómo se nombra una cosa. Las pruebas, tras «Prueba:» hasta que acaba la entrada o su paréntesis.
+PRUEBAS = re.compile(r"\bPruebas?\b[^:`]*: ([^()]*(?:\([^()]*\)[^()]*)*)|[(;] ?pruebas?:\s([^()]*)\)")
+PRUEBA = re.compile(r"(?:\b[a-z]\w*\.)?\b[A-Z][a-z]\w*\.[A-Z]\w+")
+PROGRAMA = re.compile(
+    r"[Pp]rogramas? `(\w+)`|`(\w+)`, (?:con |y )?(?:las? )?teclas? |^- \*\*.*?\*\* \(`(\w+)`\)", re.MULTILINE
+)
+SUFIJOS = "cpp|h|vert|frag|glsl|py|mjs|cmake|md|tsv|sh"
+FICHERO = re.compile(rf"(?<![\w.*<>/$-])(?:\.\./)*((?:[\w-]+/)*[\w-]+\.(?:{SUFIJOS}))\b(?!\*)")
+DE_FUERA = {  # los que se nombran sin que los haya: del sistema, de un alumno o de ejemplo
+    *("GL/freeglut.h", "libnoise/noise.h", "vpl_evaluate.sh", "util/cosas.h", "mi_grua_vieja.cpp", "esto.sh"),
+    *("tests/mutantes/chNN.tsv", "ruta/desde/la/raiz.glsl", "CARPETA/TÉCNICA.tsv", "ch01_intro-figura.vert"),
+}
+TODO = re.compile("(.*)")
+COMENTARIOS = {  # de cada lenguaje
+    **dict.fromkeys((".cpp", ".h", ".vert", ".frag", ".glsl", ".mjs"), re.compile("//(.*)")),
+    **{".py": re.compile('#(.*)|"""([^"]*)"""'), ".txt": TODO, ".cmake": TODO, ".md": TODO},
+}
 APUNTA = "./lab prueba --apunta"
 
 
@@ -34,6 +52,10 @@ class Documentos:
         self.capitulos = catalogo.lee(build)
         self.programas = [p for capitulo in self.capitulos for p in capitulo.programas]
         self.medido = evidencia.lee(raiz)
+        carpetas = "ch??_*", "assets", "common", "docs", "herramientas", "tests"
+        hay = [f for carpeta in carpetas for c in raiz.glob(carpeta) for f in c.rglob("*.*")]
+        partes = [f.relative_to(raiz).parts for f in [*hay, *raiz.glob("*.*")]]
+        self.ficheros = {"/".join(ruta[i:]) for ruta in partes for i in range(len(ruta))}  # y el final de sus rutas
 
     def mal(self, que):
         print(que)
@@ -48,9 +70,56 @@ class Documentos:
                 if not busca(cita, self.pruebas):
                     self.mal(f"{fichero.name}: no hay ninguna prueba «{cita}»")
 
+    def comprueba_nombrado(self):
+        """Lo que nombran documentos y comentarios: un programa, un fichero (su ruta o el final) o una prueba."""
+        documentos = [self.raiz / f for f in ("README.md", "CONTRIBUTING.md")] + sorted(self.raiz.glob("docs/*.md"))
+        carpetas = [*sorted(self.raiz.glob("ch??_*")), self.raiz / "common", self.raiz / "herramientas"]
+        fuentes_suyos = [f for carpeta in carpetas for f in sorted(carpeta.rglob("*.*")) if f.suffix in COMENTARIOS]
+        nombres = {p.nombre for p in self.programas}
+        for fichero in documentos + fuentes_suyos:
+            texto = fichero.read_text()
+            hallados = PROGRAMA.findall(texto) if fichero in documentos else []
+            for nombre in {"".join(hallado) for hallado in hallados} - nombres:
+                self.mal(f"{fichero.name}: no hay ningún programa «{nombre}»")
+            dicho = "\n".join("".join(trozos.groups("")) for trozos in COMENTARIOS[fichero.suffix].finditer(texto))
+            for nombre in {*FICHERO.findall(dicho)} - DE_FUERA - self.ficheros:
+                self.mal(f"{fichero.name}: no existe {nombre}")
+            for prueba in PRUEBA.findall(dicho):
+                if not any(p.startswith(prueba) or p.partition(".")[2].startswith(prueba) for p in self.pruebas):
+                    self.mal(f"{fichero.name}: no hay ninguna prueba «{prueba}»")
+
+    def comprueba_pruebas_sueltas(self):
+        """Todo lo que sigue a «Prueba:» lo es; también por su último nombre, si es del grupo de la de antes."""
+        for fichero in ("erratas.md", "soluciones.md"):
+            for entrada in self.entradas(fichero):
+                grupo = ""
+                for cita in re.findall("`([^`]+)`", " ".join("".join(h) for h in PRUEBAS.findall(entrada))):
+                    if not busca(cita, self.pruebas) and f"{grupo}.{cita}" not in self.pruebas:
+                        self.mal(f"{fichero}: «{cita}» no es ninguna prueba")
+                    grupo = cita.rpartition(".")[0] or grupo
+
+    def entradas(self, fichero):
+        return re.split(r"\n(?=- \*\*|## )", (self.raiz / "docs" / fichero).read_text())
+
+    def comprueba_listados(self):
+        """Cada función de un listado: la llama el programa que lo lleva (él, lo que incluye de los capítulos y lo que
+        nombra su cabecera) o dice su cabecera por qué no."""
+        listados = [cosa for cosa in cosas(self.raiz) if cosa.funciones]
+        for p in self.programas:
+            suyos = [cosa for cosa in listados if cosa.codigo in p.referencias]
+            if not suyos:
+                continue
+            cabecera = re.match(r"(?://.*\n)*", (self.raiz / p.fuente).read_text())[0]
+            nombrados = [c / n for n in FICHERO.findall(cabecera) for c in (Path(), p.fuente.parent)]
+            ficheros = [*fuentes.alcanza(self.raiz, p.fuente), *(n for n in nombrados if (self.raiz / n).is_file())]
+            codigo = re.sub("//.*", "", "\n".join((self.raiz / fichero).read_text() for fichero in ficheros))
+            for cosa in suyos:
+                for f in cosa.funciones.split():
+                    if not re.search(rf"\b{f}\b", cabecera) and not re.search(rf"\b{f}\(", codigo):
+                        self.mal(f"{p.nombre}: ni llama a {f}, del listado {cosa.codigo[1:]}, ni dice por qué no")
+
     def comprueba_erratas(self):
-        entradas = re.split(r"\n(?=- \*\*|## )", (self.raiz / "docs/erratas.md").read_text())
-        for entrada in entradas:
+        for entrada in self.entradas("erratas.md"):
             if entrada.startswith("- **") and not self.citas(entrada) and SIN_PRUEBA not in entrada:
                 self.mal(f"erratas.md: sin prueba ni «{SIN_PRUEBA} …»: {entrada.splitlines()[0]}")
 
@@ -130,6 +199,9 @@ class Documentos:
 def main():
     d = Documentos(*(Path(ruta).resolve() for ruta in sys.argv[1:]))
     d.comprueba_citas()
+    d.comprueba_nombrado()
+    d.comprueba_pruebas_sueltas()
+    d.comprueba_listados()
     d.comprueba_erratas()
     d.comprueba_ecuaciones()
     d.comprueba_soluciones()

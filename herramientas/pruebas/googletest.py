@@ -3,7 +3,7 @@ from base.procesos import ejecuta
 
 
 def pruebas_de(ejecutable):
-    """«GiroEje.AnguloPequeno» de cada TEST."""
+    """«Grua.ContraTrazadoDeRayos» de cada TEST."""
     grupo, pruebas = "", []
     for linea in ejecuta([ejecutable, "--gtest_list_tests"], text=True).splitlines():
         nombre = linea.split("#")[0].strip()
@@ -15,7 +15,7 @@ def pruebas_de(ejecutable):
 
 
 def todas(build):
-    """«ch03_giro.GiroEje.AnguloPequeno» de cada TEST de cada programa de GoogleTest."""
+    """«ch03_grua.Grua.ContraTrazadoDeRayos» de cada TEST de cada programa de GoogleTest."""
     ejecutables = sorted((build / "tests").glob("*_test"))
     return [f"{ejecutable.name[:-5]}.{nombre}" for ejecutable in ejecutables for nombre in pruebas_de(ejecutable)]
 

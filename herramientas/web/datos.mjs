@@ -1,5 +1,5 @@
-// Lo que se descarga según hace falta: datos/NOMBRE.js, que escribe web.py y llama a llega(NOMBRE, bytes comprimidos en
-// base64). Así también se lee de file://, donde no hay fetch.
+// Lo que se descarga según hace falta: datos/NOMBRE.js, que escribe pagina.py y llama a llega(NOMBRE, bytes comprimidos
+// en base64). Así también se lee de file://, donde no hay fetch.
 import { crea } from './documento.mjs';
 
 const llegados = {};

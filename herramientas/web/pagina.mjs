@@ -1,6 +1,6 @@
 // La página de los programas (./lab web): va a lo que pide el enlace y junta las partes, que no saben de ella y le
-// cuentan lo que pasa con alArrancar, alEscribir… web.py las mete todas en un guion, y lo que exporta esta se ve desde
-// la consola del navegador y desde las pruebas como pagina.escena, pagina.editor…
+// cuentan lo que pasa con alArrancar, alEscribir… pagina.py las mete todas en un guion, y lo que exporta esta se ve
+// desde la consola del navegador y desde las pruebas como pagina.escena, pagina.editor…
 import { Taller } from './almacen.mjs';
 import { ensenaCatalogo } from './catalogo.mjs';
 import { avisa, crea, todos, una } from './documento.mjs';

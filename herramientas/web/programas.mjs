@@ -1,4 +1,4 @@
-// Los programas y los ejercicios que hay, como los escribe web.py en la página.
+// Los programas y los ejercicios que hay, como los escribe pagina.py en la página.
 import { una } from './documento.mjs';
 
 export const PROGRAMAS = JSON.parse(una('#programas').textContent);

@@ -57,7 +57,8 @@ std::size_t tiraMasLarga(const std::vector<T3> &malla) {
 
 // Las de la caja, y la que dibuja la tecla u.
 const std::vector<Tira> DOS = {{5, 2, 6, 3, 7, 4, 8, 1, 5, 2}, {2, 1, 3, 4}},
-                        UNA = {{2, 1, 3, 4, 8, 1, 5, 2, 6, 3, 7, 8}};
+                        UNA = {{2, 1, 3, 4, 8, 1, 5, 2, 6, 3, 7, 8}},
+                        REPETIDO = {{2, 1, 3, 4, 7, 4, 8, 1, 5, 2, 6, 3, 7}};
 const glm::vec3 COLORES[] = {NARANJA, AZUL};
 
 std::string separados(const Tira &tira) {
@@ -71,14 +72,20 @@ std::string separados(const Tira &tira) {
 
 TEST(Tiras, ElProgramaDaLosMismosTriangulosConSuOrientacion) {
     EXPECT_EQ(canonicos(expande(DOS)), canonicos(TRIANGULOS));
-    const std::string
-        dos = "Tira 1: " + separados(DOS[0]) + "\nTira 2: " + separados(DOS[1]) +
-              "\nTriángulos: 10\nTiras: 2\nÍndices con tiras: 14\nÍndices con triángulos sueltos: 30\n",
-        una = "Tira 1: " + separados(UNA[0]) +
-              "\nTriángulos: 10\nTiras: 1\nÍndices con tiras: 12\nÍndices con triángulos sueltos: 30\n";
-    const Ejecucion e = ejecuta("tiras", "tecla 1; tecla u; tecla 1; tecla u");
+    std::string espera;
+    for (const std::vector<Tira> &tiras : {DOS, UNA, REPETIDO, DOS}) {
+        std::size_t indices = 0;
+        for (std::size_t i = 0; i < tiras.size(); ++i) {
+            espera += "Tira " + std::to_string(i + 1) + ": " + separados(tiras[i]) + "\n";
+            indices += tiras[i].size();
+        }
+        espera += "Triángulos: 10\nTiras: " + std::to_string(tiras.size()) +
+                  "\nÍndices con tiras: " + std::to_string(indices) +
+                  "\nÍndices con triángulos sueltos: 30\n";
+    }
+    const Ejecucion e = ejecuta("tiras", "tecla 1; tecla u; tecla 1; tecla u; tecla u");
     EXPECT_EQ(e.estado, 0) << e.errores;
-    EXPECT_EQ(e.salida, dos + una + dos);
+    EXPECT_EQ(e.salida, espera);
 }
 
 // Cada triángulo, del color de su tira: de claro a oscuro según su lugar, y el del medio tal cual.
@@ -93,6 +100,7 @@ TEST(Tiras, ColoresDeClaroAOscuroYResaltado) {
                  {"tecla 3; tecla x", {{}, DOS[1]}, 0, 0}, // no hay tercera tira
                  {"tecla 0", DOS, 0, 0},
                  {"tecla 2; tecla u", UNA, 0, 0},
+                 {"tecla u", REPETIDO, 0, 0},
                  {"tamano 120 200; tecla u", DOS, 0, 0},
                  {arrastra({20, 20}, {70, 10}), DOS, -1, -0.2}};
     paraCada("tiras", casos, ANCHO, ALTO, [](const auto &c, const Vista &vista) {
@@ -100,6 +108,8 @@ TEST(Tiras, ColoresDeClaroAOscuroYResaltado) {
         for (std::size_t k = 0; k < c.tiras.size(); ++k) {
             const glm::dvec3 color = COLORES[k], clara = 0.75 * glm::dvec3(1) + 0.25 * color;
             for (std::size_t i = 2; i < c.tiras[k].size(); ++i) {
+                if (c.tiras[k][i] == c.tiras[k][i - 1] || c.tiras[k][i] == c.tiras[k][i - 2])
+                    continue; // sin área
                 const double t = 2 * double(i - 2) / double(c.tiras[k].size() - 3) - 1;
                 colores.push_back(exacto(t < 0 ? color + t * (color - clara) : color * (1 - 0.65 * t)));
             }
@@ -126,6 +136,32 @@ TEST(Tiras, UnaSolaTiraNoBasta) {
     EXPECT_EQ(tiraMasLarga(TRIANGULOS), 8u);
     EXPECT_EQ(tiraMasLarga(cambiada), 10u);
     EXPECT_EQ(canonicos(expande(UNA)), canonicos(cambiada));
+}
+
+// Con índices repetidos: se busca a lo ancho qué triángulos llevan cubiertos cada dos últimos vértices y cada paridad.
+TEST(Tiras, ConUnIndiceRepetidoBastanTrece) {
+    EXPECT_EQ(canonicos(expande(REPETIDO)), canonicos(TRIANGULOS));
+    std::map<T3, unsigned> bitDe; // de cada triángulo, empiece por donde empiece
+    for (std::size_t t = 0; t < TRIANGULOS.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k)
+            bitDe[{TRIANGULOS[t][k], TRIANGULOS[t][(k + 1) % 3], TRIANGULOS[t][(k + 2) % 3]}] = 1u << t;
+    std::set<std::array<unsigned, 3>> ahora; // los dos últimos y los cubiertos
+    for (unsigned a = 1; a <= 8; ++a)
+        for (unsigned b = 1; b <= 8; ++b)
+            ahora.insert({a, b, 0});
+    std::size_t indices = 2;
+    const auto completo = [](const std::array<unsigned, 3> &e) { return e[2] == (1u << 10) - 1; };
+    for (; std::none_of(ahora.begin(), ahora.end(), completo); ++indices) {
+        std::set<std::array<unsigned, 3>> siguiente;
+        for (const auto &[a, b, cubiertos] : ahora)
+            for (unsigned c = 1; c <= 8; ++c) {
+                const auto bit = bitDe.find(indices % 2 ? T3{b, a, c} : T3{a, b, c});
+                if (bit != bitDe.end() || a == b || b == c || c == a)
+                    siguiente.insert({b, c, cubiertos | (bit == bitDe.end() ? 0 : bit->second)});
+            }
+        ahora = siguiente;
+    }
+    EXPECT_EQ(indices, REPETIDO[0].size());
 }
 
 // Triángulos sin vecinos, repetidos o con una arista de tres caras, las mallas de common/ y una cuadrícula grande de

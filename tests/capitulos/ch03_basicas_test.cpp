@@ -230,6 +230,27 @@ TEST(Elipsoide, SiluetaDeCadaPaso) {
 
 // --- orden ---
 
+// Los mismos productos que multiplicando de verdad números que los cuentan, con los vértices de la esfera.
+TEST(Orden, ProductosConYSinMultiplicarAntes) {
+    std::size_t productos = 0;
+    const auto multiplica = [&](int filas, int comun, int columnas) { // matrices de ese tamaño
+        for (int i = 0; i < filas * columnas; ++i)
+            productos += std::size_t(comun);
+    };
+    const std::size_t vertices = esfera(segmentos(200, 0.25)).vertices.size();
+    for (std::size_t v = 0; v < vertices; ++v)
+        for (int matriz = 0; matriz < 2; ++matriz)
+            multiplica(4, 4, 1);
+    const std::string antes = "T·(S·v): " + std::to_string(productos) + " productos";
+    productos = 0;
+    multiplica(4, 4, 4);
+    for (std::size_t v = 0; v < vertices; ++v)
+        multiplica(4, 4, 1);
+    const std::string despues = "(T·S)·v: " + std::to_string(productos) + " productos";
+    EXPECT_EQ(vistaDe("orden", "tecla c").encima.rotulos(antes + "\n" + despues).size(), 1u);
+    EXPECT_EQ(vistaDe("orden", "tecla c; tecla c").encima.rotulos(antes + "\n" + despues).size(), 0u);
+}
+
 // En cada panel, la esfera transformada y la inicial.
 TEST(Orden, DiscosEnLaImagen) {
     const Mat4 T = traslada({5, 0, 0}), S = escala(5);

@@ -422,7 +422,7 @@ def test_lo_que_se_sabe_del_libro(tmp_path, con_libro):
     suyo, (a, b) = libro.Libro(tmp_path), con_libro.programas
     assert suyo.explicacion(b) == "Qué es, y por qué."
     respuesta = "<i>¿<code>x</code>?</i> Sí, <b>y</b> más."
-    assert suyo.ejercicios(b) == [("1.1", "¿Qué <code>a*b</code> hay?", respuesta)] and not suyo.ejercicios(a)
+    assert suyo.ejercicios(b) == [("Ejercicio 1.1", "¿Qué <code>a*b</code> hay?", respuesta)] and not suyo.ejercicios(a)
     assert suyo.erratas_de(b) == ["<b>Listado 1.1, <code>f(a * b)</code></b>: mal &amp; &lt; ahí; bien."]
     assert not suyo.erratas_de(a) and suyo.otras_erratas(con_libro) == ["<b>§1.2.1 y ecuación 1.3</b>: otra."]
     assert suyo.referencias(b) == [("E1.1", "ejercicio 1.1: ejercicio"), ("L1.1", "listado 1.1: uno")]
@@ -448,7 +448,7 @@ def test_cada_errata_esta_en_un_sitio_de_su_capitulo():
 def test_cada_ejercicio_con_lo_que_pide_y_su_respuesta():
     suyo = libro.Libro(RAIZ)
     for codigo, cosa in suyo.cosas.items():
-        assert codigo[0] != "E" or (len(cosa.enunciado) > 20 and suyo.respuestas.get(codigo)), codigo
+        assert (codigo[0] not in "E§") or (len(cosa.enunciado) > 20 and suyo.respuestas.get(codigo)), codigo
 
 
 # --- colores ------------------------------------------------------------------------------------------------------

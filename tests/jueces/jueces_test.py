@@ -274,7 +274,7 @@ def test_casos(taller):
 
 
 def cambia(fichero, viejo, nuevo):
-    """En un fichero de docs/ o tests/, que tiene que tener eso."""
+    """En un fichero que está copiado, que tiene que tener eso."""
 
     def haz(d):
         texto = (d.raiz / fichero).read_text()
@@ -302,12 +302,37 @@ def medido(seccion, quien=None, **campos):
 
 
 FILA = "| 99.1 | x | `lab` | `falla` | `costura.Guion.LeDiceAlPrograma` |\n"
-ECUACIONES, ERRATAS = "docs/ecuaciones.md", "docs/erratas.md"
+ECUACIONES, ERRATAS, FUENTE = "docs/ecuaciones.md", "docs/erratas.md", "ch10_interaccion/menu.cpp"
 MENTIRAS = [  # lo que dice, y lo que se cambia
     *(
         (f"{f.name}: no hay ninguna prueba", cambia(f"docs/{f.name}", r"\Z", "\n`costura.NoEsta.Nada`\n"))
         for f in sorted((RAIZ / "docs").glob("*.md"))
     ),
+    *(
+        (f"{Path(d).name}: no existe {f}", cambia(d, r"\Z", f"\n{f}\n"))
+        for d, f in (("README.md", "noesta.cpp"), ("CONTRIBUTING.md", "common/noesta.h"), ("docs/ci.md", "tests/no.sh"))
+    ),
+    ("menu.cpp: no existe noesta.h", cambia(FUENTE, r"\A", "// noesta.h\n")),
+    ("menu.cpp: no hay ninguna prueba «Nadie.Nada»", cambia(FUENTE, r"\A", "// Nadie.Nada\n")),
+    (
+        "CONTRIBUTING.md: no hay ninguna prueba «costura.Nadie.Nada»",
+        cambia("CONTRIBUTING.md", r"\Z", "costura.Nadie.Nada"),
+    ),
+    *(
+        (f"{Path(d).name}: no hay ningún programa «nadie»", cambia(d, r"\Z", f"\n{dicho}\n"))
+        for d, dicho in (("README.md", "Programas `nadie`"), ("docs/soluciones.md", "en `nadie`, tecla `a`"))
+    ),
+    ("no hay ningún programa «nadie»", cambia(ERRATAS, r"\Z", "\n- **Eso** (`nadie`): x. Sin prueba: no.\n")),
+    *(
+        (f"{f}: «{cita}» no es ninguna prueba", cambia(f"docs/{f}", r"\Z", f"\n- **x**: y. {dicho}\n"))
+        for f, cita, dicho in (
+            ("soluciones.md", "Nada", "Pruebas: `costura.Guion.LeDiceAlPrograma`, `Nada`."),
+            ("erratas.md", "LeDiceAlPrograma", "Prueba: `costura.GuionDeOtro`, `LeDiceAlPrograma`."),
+            ("erratas.md", "nada", "Es así (prueba: `nada`)."),
+        )
+    ),
+    ("menu: ni llama a glNoEsta, del listado 10.1, ni", cambia("docs/libro.tsv", r"(\nL10\.1\t.*)", r"\1 glNoEsta")),
+    ("menu: ni llama a glutAttachMenu, del listado 10.1, ni", cambia(FUENTE, "glutAttachMenu", "// glutAttachMenu")),
     ("erratas.md: sin prueba ni", cambia(ERRATAS, r"\Z", "\n- **Nada**: x.\n")),
     ("sin prueba ni «Sin prueba: …»: - **§1.3.1", cambia(ERRATAS, "Sin prueba: es un nombre", "")),
     ("no entiendo «| 3.1 ", cambia(ECUACIONES, r"(\| 3\.1 \|.*) \|\n", r"\1\n")),
@@ -345,7 +370,8 @@ MENTIRAS = [  # lo que dice, y lo que se cambia
 
 def test_lo_que_dicen_los_documentos(tmp_path, monkeypatch):
     """Lo que hay es verdad, y de cada manera de mentir se queja; ninguna queja se queda sin dar."""
-    for carpeta, aparte in ((RAIZ, ("docs", "build", "tests")), (RAIZ / "tests", ("casos_dificiles",))):
+    copiados = "docs", "ch10_interaccion", "README.md", "CONTRIBUTING.md", "tests/casos_dificiles"
+    for carpeta, aparte in ((RAIZ, ("build", "tests", *copiados)), (RAIZ / "tests", ("casos_dificiles",))):
         (tmp_path / carpeta.relative_to(RAIZ)).mkdir(exist_ok=True)
         for f in carpeta.iterdir():
             if f.name not in aparte:
@@ -360,9 +386,9 @@ def test_lo_que_dicen_los_documentos(tmp_path, monkeypatch):
     monkeypatch.setattr(documentos.Documentos, "mal", apunta)
     monkeypatch.setattr(sys, "argv", ["x"])
     for texto, estropea_algo in [("", lambda _: None), *MENTIRAS]:
-        for carpeta in ("docs", "tests/casos_dificiles"):
-            shutil.rmtree(tmp_path / carpeta, ignore_errors=True)
-            shutil.copytree(RAIZ / carpeta, tmp_path / carpeta)
+        for copiado in copiados:
+            shutil.rmtree(tmp_path / copiado, ignore_errors=True)
+            (shutil.copytree if (RAIZ / copiado).is_dir() else shutil.copy)(RAIZ / copiado, tmp_path / copiado)
         d = copy.copy(limpio)
         d.raiz, d.programas, d.medido = tmp_path, [copy.copy(p) for p in limpio.programas], copy.deepcopy(limpio.medido)
         estropea_algo(d)
