@@ -1,9 +1,13 @@
-// F1: los controles del programa encima de su imagen, tal como los dice la línea «// Controles:» de su fuente.
+// Lo que todo programa puede poner sobre su imagen, cuando está acabada: F1, sus controles, tal como los dice la línea
+// «// Controles:» de su fuente; F2, el píxel que hay bajo el puntero; F3, vigilar los shaders, que se releen en cuanto
+// se guardan, y el error del que no compila.
 #pragma once
 #include <string>
 
-/// Los del programa que se ejecuta, uno por línea, y después los de todos.
+/// Los controles del programa que se ejecuta, uno por línea, y después los de todos.
 std::string controlesDelPrograma();
 
-/// La pone o la quita. Se ve al acabar cada cuadro: glutSwapBuffers la pinta antes de enseñarlo.
+/// Ponen o quitan cada cosa. Se ven al acabar cada cuadro: glutSwapBuffers las pinta antes de enseñarlo.
 void cambiaAyuda();
+void cambiaPuntero();
+void cambiaVigilancia();

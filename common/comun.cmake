@@ -11,7 +11,8 @@ add_library(comun STATIC
   common/shader.cpp common/textura.cpp common/trazo.cpp common/ventana.cpp common/sistema/${sistema}.cpp)
 target_include_directories(comun PUBLIC common "${CMAKE_SOURCE_DIR}")
 target_compile_definitions(comun PRIVATE LAB_FUENTES="${LAB_FUENTES}" LAB_GENERADO="${LAB_GENERADO}")
-target_link_libraries(comun PUBLIC -Wl,--wrap=glutSwapBuffers PRIVATE avisos) # lo dice common/ayuda.cpp
+target_link_libraries(comun PUBLIC -Wl,--wrap=glutSwapBuffers,--wrap=glutMotionFunc,--wrap=glutPassiveMotionFunc # lo dice common/ayuda.cpp
+  PRIVATE avisos)
 recoge_controles(comun)
 
 # El GLUT sin ventana, menos su contexto: cada enlace tiene el suyo.

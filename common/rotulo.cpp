@@ -168,6 +168,11 @@ struct Rotulo {
 
 } // namespace
 
+int letrasQueCaben(float talla) {
+    const Rotulo uno("", talla);
+    return uno.panel[2] / uno.paso - 2;
+}
+
 void rotula(const std::string &texto, const glm::vec2 &lugar, const glm::vec3 &color, Lado lado,
             float talla) {
     Rotulo(texto, talla).dibuja(texto, lugar, lado, color);

@@ -24,3 +24,6 @@ void rotula(const std::string &texto, const glm::vec2 &lugar, const glm::vec3 &c
 /// el volumen de la vista no hay rótulo.
 void rotulaPunto(const std::string &texto, const glm::vec3 &punto, const glm::mat4 &transformacion,
                  const glm::vec3 &color, Lado lado = Lado::ENCIMA, float talla = TALLA_ROTULO);
+
+/// Cuántas letras caben en una línea del panel en que se dibuja, dejando una a cada lado.
+int letrasQueCaben(float talla);

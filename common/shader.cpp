@@ -3,7 +3,9 @@
 #include "rutas.h"
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <glm/gtc/type_ptr.hpp>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string_view>
@@ -21,6 +23,13 @@ struct Registrado {
     std::string vert, frag;
 };
 std::vector<Registrado> registrados;
+
+std::map<std::string, std::filesystem::file_time_type> leidos; // de cada fichero, de cuándo era
+
+std::filesystem::file_time_type fecha(const std::string &ruta) {
+    std::error_code nadie; // el que no está, porque un editor lo cambia por otro, es muy antiguo
+    return std::filesystem::last_write_time(std::filesystem::u8path(ruta), nadie);
+}
 
 // Quita los blancos de delante y de detrás.
 std::string_view recorta(std::string_view texto) {
@@ -45,7 +54,10 @@ std::string_view incluidoEn(std::string_view linea) {
 bool leeLineas(const std::string &fichero, std::vector<Linea> &lineas, std::vector<std::string> &pila,
                std::string &error) {
     std::string ruta, contenido, linea;
-    if (!intentaRecurso(fichero, ruta, error) || !intentaLeer(ruta, contenido, error))
+    if (!intentaRecurso(fichero, ruta, error))
+        return false;
+    leidos[ruta] = fecha(ruta);
+    if (!intentaLeer(ruta, contenido, error))
         return false;
     if (const std::string_view bom = "\xEF\xBB\xBF"; contenido.substr(0, bom.size()) == bom)
         contenido.erase(0, bom.size()); // lo pone el Bloc de notas de Windows
@@ -259,12 +271,21 @@ void usaPrograma(GLuint programa, const glm::mat4 &camara, const glm::mat4 &proy
     envia(programa, "proyeccion", proyeccion);
 }
 
-void recargaProgramas() {
+bool hanCambiadoLosShaders() {
+    return std::any_of(leidos.begin(), leidos.end(), [](const auto &leido) {
+        const auto ahora = fecha(leido.first);
+        return ahora != leido.second && ahora != std::filesystem::file_time_type::min();
+    });
+}
+
+std::string recargaProgramas() {
+    std::string errores;
     for (const Registrado &r : registrados) {
         std::string error;
         const GLuint nuevo = intentaPrograma(r.vert, r.frag, error);
         if (!nuevo) {
             avisa(error);
+            errores += (errores.empty() ? "" : "\n") + error;
             continue;
         }
         // El nombre del programa es el que la aplicación conoce: se le cambian los shaders y se reenlaza.
@@ -280,4 +301,5 @@ void recargaProgramas() {
         glLinkProgram(r.programa);
         glDeleteProgram(nuevo);
     }
+    return errores;
 }

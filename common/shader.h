@@ -42,5 +42,8 @@ void envia(GLuint programa, const char *nombre, const glm::mat4 &valor);
 void usaPrograma(GLuint programa, const glm::mat4 &camara, const glm::mat4 &proyeccion);
 
 /// Vuelve a leer los shaders de todos los programas creados con creaPrograma. El que falla conserva los que tenía, su
-/// error se escribe en stderr y los demás programas se releen igual.
-void recargaProgramas();
+/// error se escribe en stderr y los demás programas se releen igual. Devuelve los errores, uno por línea.
+std::string recargaProgramas();
+
+/// Si alguno de los ficheros leídos ha cambiado después.
+bool hanCambiadoLosShaders();

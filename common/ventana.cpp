@@ -67,6 +67,8 @@ void abreVentana(int &argc, char **argv, const char *titulo, unsigned modo, cons
               std::string(reinterpret_cast<const char *>(glGetString(GL_VERSION))));
     glutKeyboardFunc(teclado);
     glutSpecialFunc(tecladoEspecial);
+    if (std::getenv("LAB_VIGILA"))
+        cambiaVigilancia();
 }
 
 void ponTitulo(const std::string &titulo) {
@@ -83,6 +85,14 @@ bool teclaEspecialComun(int tecla) {
     switch (tecla) {
     case GLUT_KEY_F1:
         cambiaAyuda();
+        glutPostRedisplay();
+        return true;
+    case GLUT_KEY_F2:
+        cambiaPuntero();
+        glutPostRedisplay();
+        return true;
+    case GLUT_KEY_F3:
+        cambiaVigilancia();
         glutPostRedisplay();
         return true;
     case GLUT_KEY_F5:

@@ -1,7 +1,7 @@
 """Los controles de un programa, según su línea «// Controles:», y sucesos al azar de entre ellos.
 
 controles.py tabla RAÍZ FICHERO                    los de todos, como los incluye common/ayuda.cpp:
-                                                   {"programa", R"(a d giran · Esc termina)"},
+                                                   {"programa", R"(a d<tabulador>giran · …)"},
 controles.py guion RAÍZ BUILD PROGRAMA SEMILLA N   un guion de unas N órdenes al azar para ese programa
 """
 import os
@@ -36,6 +36,14 @@ class Control:
     @property
     def menu(self):
         return not self.teclas and "menú" in self.texto
+
+
+    @property
+    def partes(self):
+        """Lo que se toca y lo que hace."""
+        mando = re.match(r"(botón \w+|ratón|rueda|clic|menú|arrastrar?) (?=.)", self.texto)
+        mando = mando[1] if mando else self.texto.removesuffix(self.hace).strip()
+        return mando, self.texto[len(mando) :].strip()
 
 
 def orden_de(tecla):
@@ -73,14 +81,19 @@ def linea(fuente):
     return hallado[1].replace("\n// ", " ") if hallado else ""
 
 
+def de(texto):
+    """Los que enumera ese texto."""
+    return [analiza(c.strip()) for c in texto.split(" · ") if c]
+
+
 def lee(raiz, programa):
-    """Los que enumera esa línea."""
-    return [analiza(c.strip()) for c in linea(raiz / programa.fuente).split(" · ") if c]
+    """Los que enumera su línea."""
+    return de(linea(raiz / programa.fuente))
 
 
 def tabla(raiz):
-    fuentes = sorted(raiz.glob("ch*/*.cpp"))
-    return "".join(f'{{"{f.stem}", R"({linea(f)})"}},\n' for f in fuentes if linea(f))
+    suyos = {f.stem: " · ".join("\t".join(c.partes) for c in de(linea(f))) for f in sorted(raiz.glob("ch*/*.cpp"))}
+    return "".join(f'{{"{nombre}", R"({texto})"}},\n' for nombre, texto in suyos.items() if texto)
 
 
 def atiende(build, programa, guion="", **entorno):

@@ -171,10 +171,15 @@ def copia_de_trabajo(raiz, carpeta):
     return carpeta
 
 
-def orden_en_copia(copia, build, nombre):
+def orden_en_copia(raiz, build, copia, nombre):
+    """Con la copia en el sitio del árbol, que es donde build/ sabe compilar."""
+    en_su_sitio = ["bwrap", "--dev-bind", "/", "/", "--bind", copia, raiz]
+    if build.is_relative_to(raiz):
+        (copia / build.relative_to(raiz)).mkdir(exist_ok=True)
+        en_su_sitio += ["--bind", build, build]
     if nombre.endswith(".mjs"):
-        return ["node", copia / nombre, copia, build]
-    return [PYTEST, "-xq", "-p", "no:cacheprovider", copia / nombre]
+        return [*en_su_sitio, "node", raiz / nombre, raiz, build]
+    return [*en_su_sitio, PYTEST, "-xq", "-p", "no:cacheprovider", raiz / nombre]
 
 
 def prueba_en_copia(raiz, build, temporal, pruebas, mutante=None):
@@ -185,7 +190,7 @@ def prueba_en_copia(raiz, build, temporal, pruebas, mutante=None):
             fichero = copia / mutante.fichero
             fichero.write_text(estropea(fichero.read_text(), mutante))
         for nombre in pruebas:
-            prueba = Prueba(nombre, orden_en_copia(copia, build, nombre), {}, False)
+            prueba = Prueba(nombre, orden_en_copia(raiz, build, copia, nombre), {}, False)
             bien = not prueba.falla(400, TMPDIR=sitio, LAB_BUILD=str(build))  # con la máquina ocupada, varios minutos
             if not mutante and not bien:
                 sys.exit(f"{prueba.salida[-1000:]}\nmuta: {nombre} falla sin ningún mutante")

@@ -33,7 +33,7 @@ Ficheros version(const std::string &colorA, const std::string &colorB, Ficheros 
 }
 
 /// Ejecuta el taller de tests/costura/defectuoso.cpp con esas versiones de sus shaders en $LAB_RAIZ/0, /1…
-Ejecucion taller(const std::vector<Ficheros> &versiones, const std::string &guion = "") {
+Ejecucion taller(const std::vector<Ficheros> &versiones, const std::string &guion = "", int ancho = 64) {
     static int n = 0;
     const fs::path raiz = carpetaTemporal() / ("raiz" + std::to_string(++n));
     for (std::size_t v = 0; v < versiones.size(); ++v) {
@@ -44,7 +44,7 @@ Ejecucion taller(const std::vector<Ficheros> &versiones, const std::string &guio
                 std::ofstream(carpeta / nombre, std::ios::binary) << contenido;
     }
     const ConRaiz conRaiz(raiz);
-    return ejecuta("../tests/defectuoso", guion, 64, 32, {"taller"});
+    return ejecuta("../tests/defectuoso", guion, ancho, ancho / 2, {"taller"});
 }
 
 /// El color de cada mitad de la imagen: «rojo azul».
@@ -163,6 +163,38 @@ TEST(Shaders, ElInformeDeCadaFabricante) {
         EXPECT_EQ(intentaPrograma("tres.frag", "tres.frag", error), 0u);
         EXPECT_EQ(error, traducido);
     }
+}
+
+// Con F3 no hace falta F5: lo que se guarda se relee, también lo incluido; lo que no compila se dice sobre la imagen, que
+// sigue con lo de antes, hasta que se arregla. Sin F3, y tras pulsarla otra vez, nada.
+TEST(F3, LoQueSeGuardaSeRelee) {
+    const std::string incluye = "#include \"taller/c.glsl\"\n",
+                      incluido = CABECERA + incluye + "void main() {\n    colorFragmento = COLOR;\n}\n",
+                      comun = "const vec4 COLOR = vec4(0, ";
+    const std::vector<Ficheros> versiones = {
+        version(ROJO, AZUL, {{"a.frag", incluido}, {"c.glsl", comun + "1, 0, 1);\n"}}),
+        version(ROJO, BLANCO, {{"a.frag", incluido}, {"c.glsl", comun + "0, 1, 1);\n"}}),
+        version(ROJO, VERDE, {{"a.frag", incluido}, {"c.glsl", comun + "0, 1;\n"}})};
+    const std::string espera = "; espera 600";
+    for (const auto &[guion, debe] :
+         {std::pair("tecla 1" + espera, "verde azul"),
+          {"especial F3; tecla 1; espera 200", "verde azul"},
+          {"especial F3; tecla 1" + espera, "azul blanco"},
+          {"especial F3 ×2; tecla 1" + espera, "verde azul"},
+          {"especial F3 ×3; tecla 1" + espera, "azul blanco"},
+          {"especial F3; tecla 2" + espera + "; tecla 1" + espera, "azul blanco"}}) {
+        const Ejecucion e = taller(versiones, guion);
+        EXPECT_EQ(mitades(e.imagen), debe) << guion;
+        EXPECT_EQ(e.estado, 0);
+    }
+    const Ejecucion roto = taller(versiones, "especial F3; tecla 2" + espera, 400);
+    EXPECT_EQ(std::count(roto.errores.begin(), roto.errores.end(), '\n'), 1) << roto.errores; // no se repite
+    EXPECT_NE(roto.errores.find("taller/c.glsl:1: "), std::string::npos) << roto.errores;
+    EXPECT_EQ(roto.salida, "vigilo los shaders\n");
+    const int alto = roto.imagen.alto;
+    EXPECT_EQ(pixel(roto.imagen, 100, alto - 1).g, 255); // sigue con lo de antes, y se ve
+    EXPECT_EQ(pixel(roto.imagen, 300, alto - 1).g, 255); // el otro se ha releído
+    EXPECT_LT(pixel(roto.imagen, 3, 3).g, 128);          // abajo, el error
 }
 
 TEST(F12, DondeNoSePuedeEscribirAvisaYSigue) {

@@ -34,6 +34,7 @@ class Partida:
         self.talla = tuple(map(int, talla.split("x")))
         self.giro = self.hora = self.punto = self.zoom = self.ajena = self.veces = 0
         self.color, self.opcion, self.anda, self.doble, self.ayuda = "1", "", True, False, False
+        self.puntero, self.bajo = False, (0, 0)
         self.sitio, self.orbita, self.baja, self.clic = (0, 0), (0, 0), None, None
         self.salida, self.encima, self.dicho, self.f5, self.hechas = [], [], "", 0, 0
         self.diario, self.lento = "-diario" in opciones, "-lento" in opciones
@@ -97,6 +98,8 @@ class Partida:
         d = self.d
         if tecla == "F1" and not (d == "F1 no quita" and self.ayuda) and d != "F1 nada":
             self.ayuda = not self.ayuda
+        elif tecla == "F2":
+            self.puntero = True
         elif tecla == "F12" and d != "F12 callado":
             self.salida.append("guardado mentira-1.ppm")
         elif tecla == "F5":
@@ -130,6 +133,8 @@ class Partida:
                 self.raton(resto[1], resto[0], *resto[2:])
             elif que == "arrastra":
                 self.raton(que, "", *resto)
+            elif que == "mueve":
+                self.bajo = tuple(map(int, resto))
             elif que == "rueda":
                 self.zoom += int(resto[0])
             elif que == "menu":
@@ -203,16 +208,27 @@ class Partida:
         lado = {"izquierda": (-ancho, 0), "derecha": (ancho, 0), "abajo": (0, -alto), "arriba": (0, alto)}
         dx, dy = lado.get(self.d.removeprefix("rótulo a la ").removeprefix("rótulo "), (0, 0))
         panel, texto = f"0 0 {ancho} {alto}", "−0.0 m" if self.d == "rótulo −0" else "m"
-        if self.ayuda:
-            texto = r"\n".join(self.p.dice.split(" · ")[self.d == "F1, sin uno" :]) + r"\nF1 la quita"
+        if self.puntero:
+            color = self.colores()[3 * (self.bajo[1] * ancho + self.bajo[0]) :][:3]
+            color = [c + (self.d == f"F2, otro {nombre}") for c, nombre in zip(color, ("rojo", "verde", "azul"))]
+            donde = (self.bajo[1], self.bajo[0]) if self.d == "F2, al revés" else self.bajo
+            texto = r"{}, {}\n({}, {}, {})".format(*donde, *color)
         puntos = f"{x - 9 + dx} {y - 4 + dy} 0 {x + 9 + dx} {y + 4 + dy} 0 {x} {y} 0"
         self.encima.append(f"rotulo\t1 1 1\t{panel}\t8\t0\t{puntos}\t{texto}")
         if self.clic:
             self.encima.append(f"puntos\t1 1 1\t{panel}\t8\t0\t{self.clic[0]} {self.clic[1]} 0\t")
+        if self.ayuda:
+            self.pon_ayuda(panel)
+
+    def pon_ayuda(self, panel):
+        partes = [c.partes for c in self.p.controles][self.d == "F1, sin uno" :] + [("F1", "la quita")]
+        for columna in zip(*partes):
+            letra = 7 if self.talla != (960, 720) or self.d == "F1, menuda" and "F1" not in columna else 23
+            self.encima.append(f"rotulo\t1 1 1\t{panel}\t{letra}\t0\t9 9 0 9 9 0 9 9 0\t" + r"\n".join(columna))
 
     def juega(self):
         if "-ayuda" in self.opciones:
-            return "\n".join([*self.p.dice.split(" · ")[self.d == "-ayuda, sin uno" :], *"1234"])
+            return "\n".join([*self.p.dice.split(" · ")[self.d == "-ayuda, sin uno" :], *"123456"])
         guion = self.opciones[self.opciones.index("-guion") + 1] if "-guion" in self.opciones else ""
         dibuja = self.fila if self.diario else lambda _: None
         dibuja("")
@@ -290,7 +306,8 @@ DEFECTOS = [
     ("comparacion", "tecla 1", "comparando, nada"),
     ("vuelta", "tecla n", "n, una vez"),
     ("comunes", "tiempo", "", {"rasgos": RASGOS - {"temporizador"}}),
-    ("comunes", "F1", "F1 nada; F1 no quita; F1, sin uno"),
+    ("comunes", "F1", "F1 nada; F1 no quita; F1, sin uno; F1, menuda"),
+    ("comunes", "F2", "F2, otro rojo; F2, otro verde; F2, otro azul; F2, al revés"),
     ("comunes", "-ayuda", "-ayuda, sin uno"),
     ("comunes", "F12", "F12 callado"),
     ("comunes", "Esc", "Esc no termina"),

@@ -4,7 +4,7 @@
 set -euo pipefail
 ulimit -Sf unlimited # un disco lleno es cosa de ./lab
 quien=${0##*/}
-printf '%s\0' "$quien" "$@" $'\n' >>"$APUNTES/llamadas"
+printf '%s\0' "$quien" "$@" ${LAB_VIGILA:+vigilando} $'\n' >>"$APUNTES/llamadas"
 
 etapa() {
   if [ "${PARA:-}" = "$1" ]; then

@@ -218,6 +218,7 @@ OPCIONES = {
     "--comprueba": ("lista", "muta --comprueba", ""),
     "--tsv": ("lista", "lista --tsv", ""),
     "-ayuda": ("ver a", "ver a -ayuda", "-ayuda"),
+    "--vigila": ("ver a", "ver a --vigila", "vigilando"),
 }
 OTRAS = {"--cambios", "--apunta", "--docs", "--ensayo", "--mira"}  # sus propias pruebas: test_prueba_lo_que_cambia…
 

@@ -1,10 +1,13 @@
 """Lo que se cumple con los mandos de un programa: las teclas, el ratón, el menú."""
 import re
 import subprocess
-import tempfile
 from typing import NamedTuple
 
 from programa import APARTE, CONTRARIAS
+
+DE_TODOS = 6  # teclas que dice -ayuda de todos los programas
+LETRA = 23  # alto de las mayúsculas de F1 en 720 píxeles
+PIXELES = (0, 0), (60, 45), (119, 89), (31, 70)
 
 
 def nombres(p):
@@ -101,6 +104,31 @@ def vuelta(p):
         ultima = otra
 
 
+def ayuda(p):
+    """F1, a 4:3, dice sus controles, lo que se toca en una columna y lo que hace en otra, con la letra de todos."""
+    (vista,) = p.vistas(["especial F1", "captura"], talla="960x720")
+    mandos, hacen = [q for q in vista.encima if q.tipo == "rotulo"][-2:] if len(vista.encima) > 1 else (None, None)
+    columnas = zip(mandos.texto.split("\\n"), hacen.texto.split("\\n")) if mandos else ()
+    dichos = " ".join(f"{mando} {hace}" for mando, hace in columnas).split()
+    suyos = " ".join(" ".join(c.partes) for c in p.controles).split()
+    if dichos[: len(suyos)] != suyos:
+        yield "F1", f"F1 no dice sus controles: {' '.join(dichos)}"
+    elif (mandos.talla, hacen.talla) != (LETRA, LETRA):
+        yield "F1", f"la letra de F1 no es la de todos, {LETRA}: {mandos.talla}, {hacen.talla}"
+
+
+def puntero(p):
+    """F2 dice el píxel que hay bajo el puntero: dónde, como lo da el ratón, y su color en la imagen."""
+    mira = [orden for x, y in PIXELES for orden in (f"mueve {x} {y}", "captura")]
+    sin = p.vistas(mira)
+    con = p.vistas(["especial F2", *mira])
+    for (x, y), antes, vista in zip(PIXELES, sin, con):
+        debe = f"{x}, {y}\\n({', '.join(map(str, antes.filas[y][3 * x : 3 * x + 3]))})"
+        dice = [q.texto for q in vista.encima if q.tipo == "rotulo"][-1:]
+        if dice != [debe]:
+            yield "F2", f"F2 no dice «{debe}»: {dice}"
+
+
 def comunes(p):
     """Lo que cambia con el tiempo se anima; F1 pone la ayuda, que es lo que dice «// Controles:», y la quita; F12
     guarda y lo dice, y Esc termina: tras él no hay fila."""
@@ -111,16 +139,12 @@ def comunes(p):
         yield "tiempo", "cambia con el tiempo y nadie pide que se vuelva a dibujar"
     if puesta.imagen == nada.imagen or quitada.imagen != nada.imagen or puesta.titulo != nada.titulo:
         yield "F1", "F1 no pone la ayuda, o no la quita"
-    with tempfile.NamedTemporaryFile("r") as encima:
-        p.ejecuta(["-guion", "especial F1"], LAB_ENCIMA=encima.name)
-        rotulos = [linea.split("\t")[-1].split("\\n") for linea in encima if linea.startswith("rotulo")]
+    yield from ayuda(p)
+    yield from puntero(p)
     suyos = p.dice.split(" · ")
-    for donde, lineas in (
-        ("F1", rotulos[-1] if rotulos else []),
-        ("-ayuda", p.ejecuta(["-ayuda"]).splitlines()[-len(suyos) - 4 :]),
-    ):
-        if lineas[: len(suyos)] != suyos:
-            yield donde, f"{donde} no dice sus controles: {lineas}"
+    lineas = p.ejecuta(["-ayuda"]).splitlines()[-len(suyos) - DE_TODOS :]
+    if lineas[: len(suyos)] != suyos:
+        yield "-ayuda", f"-ayuda no dice sus controles: {lineas}"
     if not any(linea.startswith("guardado ") for linea in guardada.escrito):
         yield "F12", "F12 no guarda la ventana, o no lo dice"
     if mas:

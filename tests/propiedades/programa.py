@@ -14,7 +14,7 @@ from encima import lee
 TALLA = "120x90"
 TECLAS = [c for c in string.printable if c.isprintable() and c not in " ;"]
 TECLAS += "Espacio PuntoYComa Intro Tab Retroceso Supr".split()
-ESPECIALES = "F2 F3 F4 F6 F10 IZQUIERDA DERECHA ARRIBA ABAJO INICIO FIN REPAG AVPAG".split()
+ESPECIALES = "F4 F6 F10 IZQUIERDA DERECHA ARRIBA ABAJO INICIO FIN REPAG AVPAG".split()
 APARTE = {"text": True, "stdin": subprocess.DEVNULL, "capture_output": True}
 SIN_NOMBRE = [f"tecla {t}" for t in TECLAS] + [f"especial {t}" for t in ESPECIALES]
 
