@@ -420,11 +420,11 @@ def planta(vivero, raiz, build, elegidos, capitulos):
         os.environ["TMPDIR"] = temporal  # lo que deje una prueba que no acaba bien
         if compilados:
             vivero.sin_mutantes(vivero.enumera(capitulos), hilos)
+        yield from hilos.map(vivero.prueba, compilados)
         if en_copia:
             procesos.ejecuta(["cmake", "--build", build])  # usan lo que hay
         for pruebas in {EN_COPIA.get(m.lista, DE_LAS_DEMAS) for m in en_copia}:
             prueba_en_copia(raiz, build, temporal, pruebas)
-        yield from hilos.map(vivero.prueba, compilados)
         yield from hilos.map(
             lambda m: prueba_en_copia(raiz, build, temporal, EN_COPIA.get(m.lista, DE_LAS_DEMAS), m), en_copia
         )
