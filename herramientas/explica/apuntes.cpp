@@ -39,8 +39,8 @@ Reescrito Reescritor::hace() {
         r.fuente += "vec4 explica_FragColor;\n";
     if (fragmento && apariciones["gl_FragData"])
         r.fuente += "vec4 explica_FragData [ 8 ];\n";
-    r.fuente += cuerpoDelShader + "void main() {\nexplica_empieza();\n" + alEmpezar +
-                "explica_principal();\n" + alAcabar + "explica_acaba();\n}\n";
+    r.fuente += cuerpoDelShader + "void main() {\n" + alEmpezar + "explica_principal();\n" + alAcabar +
+                "explica_acaba();\n}\n";
     return std::move(r);
 }
 
@@ -70,7 +70,7 @@ std::string Reescritor::emite(const Palabra &palabra) const {
         return "explica_principal";
     if (fragmento && (palabra.texto == "gl_FragColor" || palabra.texto == "gl_FragData"))
         return "explica_" + palabra.texto.substr(3);
-    return palabra.texto == "discard" ? "explica_mudo = true" : palabra.texto;
+    return palabra.texto == "discard" ? "explica_descarta ( )" : palabra.texto;
 }
 
 std::string Reescritor::copia(std::size_t desde, std::size_t hasta) const {

@@ -1,5 +1,6 @@
 #include "glsl.h"
 #include "reescritor.h"
+#include <algorithm>
 
 namespace explica {
 
@@ -9,6 +10,10 @@ Reescrito reescribe(const std::string &fuente, int salidas, Etapa etapa) {
     } catch (const NoSe &e) {
         return {"", {}, {{e.linea, e.fichero, e.what()}}};
     }
+}
+
+int huecosDe(int salidas) {
+    return std::clamp(salidas - 2, 1, 4);
 }
 
 int pasosDe(const std::string &tipo) {

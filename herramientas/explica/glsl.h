@@ -49,17 +49,19 @@ struct Reescrito {
 
 /// Reescribe un shader de GLSL 1.40 o ES 3.00, de los que compilan. Lo que resulta tiene los mismos uniforms y los mismos
 /// `in`, y calcula lo mismo; en 1.40 empieza también por «#version 140\n» y vale para sin_ventana::enEssl.
-/// De un fragment shader, lo que da son `out vec4 explica_0`, `explica_1`… de `salidas` framebuffers RGBA32F (de 2 a 8),
+/// De un fragment shader, lo que da son `out vec4 explica_0`, `explica_1`… de `salidas` framebuffers RGBA32F (de 3 a 6),
 /// con esos `location` (en 1.40, si hay GL_ARB_explicit_attrib_location; si no, con glBindFragDataLocation); no descarta.
 /// De un vertex shader, lo que daba y, además, esas mismas `flat out`, para recogerlas con transform feedback.
 ///
-/// Cada valor apuntado ocupa uno o varios pasos seguidos (pasosDe). Los que salen los dicen dos uniforms:
-///   int explica_modo   0: explica_0 es (p, q, d, 0): se han dado p + 65536 q pasos, y se ha descartado si d = 1; las demás
-///                      llevan de qué nota es cada paso desde explica_desde, cuatro por salida
-///                      1: cada salida lleva un paso desde explica_desde: lo que se apuntó, para `valor`
-///   int explica_desde  el primer paso que sale
-/// Lo que sobra al acabarse los pasos vale -1 en el modo 0 y 0 en el 1.
+/// Cada valor apuntado ocupa uno o varios pasos seguidos (pasosDe). Cada vez que se dibuja salen los huecosDe(salidas) que hay
+/// desde el que dice el uniform `int explica_desde`; los demás solo se cuentan. Más huecos son menos dibujos y más que compilar.
+///   explica_0      de qué nota es el paso de cada hueco; -1 si ya no los hay
+///   explica_1      (p, q, d, 0): se han dado p + 65536 q pasos, y se ha descartado si d = 1
+///   explica_2 …    el paso de cada hueco: lo que se apuntó, para `valor`
 Reescrito reescribe(const std::string &fuente, int salidas, Etapa etapa = Etapa::Fragmento);
+
+/// Cuántos pasos salen cada vez: salidas - 2, de 1 a 4.
+int huecosDe(int salidas);
 
 /// Cuántos pasos seguidos ocupa un valor de ese tipo: una matriz, uno por columna; un ivec3, ivec4, uvec3 o uvec4, dos
 /// (la mitad de abajo de sus bits y la de arriba, que así pasan exactos por un float); los demás, uno.

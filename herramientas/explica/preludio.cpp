@@ -1,9 +1,12 @@
 #include "preludio.h"
+#include "glsl.h"
 #include "tipos.h"
 
 namespace explica {
 
 namespace {
+
+const std::string LETRAS = "xyzw";
 
 std::string numero(int n) {
     return std::to_string(n);
@@ -25,78 +28,83 @@ std::string declaraSalidas(int salidas, bool fragmento) {
     return s + ";\n#endif\n";
 }
 
-// Un vec4 por paso. mix con un bvec4 elige sin calcular: NaN, infinitos y -0 pasan como son.
-std::string hueco(int salidas) {
-    std::string s = R"(
-void explica_hueco(int nota, vec4 v) {
-    if (!explica_mudo) {
-        int k = explica_paso - explica_desde;
-        ++explica_paso;
-        bool indices = explica_modo == 0;
-        if (k >= 0 && k < (indices ? )" +
-                    numero(4 * (salidas - 1)) + " : " + numero(salidas) + R"()) {
-            bvec4 cual = indices ? equal(ivec4(0, 1, 2, 3), ivec4(k & 3)) : bvec4(true);
-            if (indices) {
-                v = vec4(float(nota));
-                k = 1 + (k >> 2);
-            }
-)";
-    for (int i = 0; i < salidas; ++i)
-        s += "            if (k == " + numero(i) + ") explica_s" + numero(i) + " = mix(explica_s" +
-             numero(i) + ", v, cual);\n";
-    return s + "        }\n    }\n}\nvoid explica_n(int nota) { explica_hueco(nota, vec4(0.0)); }\n";
+// Sin bifurcar ni calcular: elegir cuesta una instrucción por número y deja pasar NaN, infinitos y -0 como son.
+std::string elige(const std::string &cual, const std::string &que, const std::string &cuando) {
+    return cual + " = " + cuando + " ? " + que + " : " + cual + "; ";
 }
 
-std::string empiezaYAcaba(int salidas) {
-    std::string empieza = "void explica_empieza() {\n", acaba = "void explica_acaba() {\n";
-    for (int i = 0; i < salidas; ++i) {
-        empieza += "    explica_s" + numero(i) + " = vec4(explica_modo == 0 ? -1.0 : 0.0);\n";
-        acaba += "    explica_" + numero(i) + " = explica_s" + numero(i) + ";\n";
-    }
-    return empieza + "}\n" + acaba +
-           "    if (explica_modo == 0)\n        explica_0 = vec4(float(explica_paso & 65535), "
-           "float(explica_paso >> 16), explica_mudo ? 1.0 : 0.0, 0.0);\n}\n";
-}
-
-// Un vec4 con los números de `v`, que son n.
-std::string rellena(const std::string &v, int n) {
-    static const char *const CEROS[] = {"", ", 0.0, 0.0, 0.0", ", 0.0, 0.0", ", 0.0", ""};
-    return n == 4 ? v : "vec4(" + v + CEROS[n] + ")";
-}
-
-// Con qué se apunta un `v` de esa forma: las llamadas a explica_hueco.
-std::string huecos(const Forma &f) {
-    const auto llama = [](const std::string &v) { return "explica_hueco(n, " + v + "); "; };
-    if (f.columnas > 1) {
-        std::string s;
-        for (int c = 0; c < f.columnas; ++c)
-            s += llama(rellena("v[" + numero(c) + "]", f.filas));
-        return s;
-    }
+// Lo que va en cada paso de un `v` de esa forma, que son 1, 2 o más, y cuántos números tiene cada uno.
+struct Parte {
+    std::string valor;
+    int numeros;
+};
+std::vector<Parte> partes(const Forma &f) {
     const std::string real = f.filas == 1 ? "float" : "vec" + numero(f.filas);
+    if (f.columnas > 1) {
+        std::vector<Parte> columnas;
+        for (int c = 0; c < f.columnas; ++c)
+            columnas.push_back({"v[" + numero(c) + "]", f.filas});
+        return columnas;
+    }
     if (f.escalar == "float" || f.escalar == "bool")
-        return llama(rellena(f.escalar == "bool" ? real + "(v)" : "v", f.filas));
+        return {{f.escalar == "bool" ? real + "(v)" : "v", f.filas}};
     const std::string u = f.escalar == "uint" ? "u" : "";
     const std::string baja = real + "(v & 65535" + u + ")", alta = real + "(v >> 16" + u + ")";
-    if (f.filas <= 2)
-        return llama("vec4(" + baja + ", " + alta + (f.filas == 1 ? ", 0.0, 0.0)" : ")"));
-    return llama(rellena(baja, f.filas)) + llama(rellena(alta, f.filas));
+    if (f.filas > 2)
+        return {{baja, f.filas}, {alta, f.filas}};
+    return {{"vec" + numero(2 * f.filas) + "(" + baja + ", " + alta + ")", 2 * f.filas}};
+}
+
+// Apunta esas partes y pasa a lo siguiente.
+std::string apunta(const std::vector<Parte> &cuales, int huecos) {
+    std::string s = "int k = explica_paso - explica_desde; ";
+    for (int p = 0; p < int(cuales.size()); ++p)
+        for (int h = 0; h < huecos; ++h) {
+            const std::string cuando = "k == " + numero(h - p);
+            s += elige(std::string("explica_notas.") + LETRAS[std::size_t(h)], "float(n)", cuando);
+            if (cuales[std::size_t(p)].numeros > 0)
+                s += elige("explica_s" + numero(h) + "." +
+                               LETRAS.substr(0, std::size_t(cuales[std::size_t(p)].numeros)),
+                           cuales[std::size_t(p)].valor, cuando);
+        }
+    return s + "explica_paso += " + numero(int(cuales.size())) + "; ";
+}
+
+const char *const FIJO = R"(
+void explica_descarta() {
+    if (explica_dados < 0) {
+        explica_dados = explica_paso;
+        explica_paso = -1073741824;
+    }
+}
+bool explica_sigue(bool v) { return v && (explica_dados < 0 || ++explica_vueltas < 65536); }
+)";
+
+std::string acaba(int huecos) {
+    std::string s =
+        "void explica_acaba() {\n    int dados = explica_dados < 0 ? explica_paso : explica_dados;\n"
+        "    explica_0 = explica_notas;\n    explica_1 = vec4(float(dados & 65535), float(dados >> 16), "
+        "explica_dados < 0 ? 0.0 : 1.0, 0.0);\n";
+    for (int h = 0; h < huecos; ++h)
+        s += "    explica_" + numero(h + 2) + " = explica_s" + numero(h) + ";\n";
+    return s + "}\n";
 }
 
 } // namespace
 
 std::string preludio(int salidas, bool fragmento, const std::set<std::string> &tipos,
                      const std::set<std::string> &varian) {
-    std::string s = "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n" +
-                    declaraSalidas(salidas, fragmento) +
-                    "uniform int explica_modo, explica_desde;\n"
-                    "int explica_paso = 0, explica_vueltas = 0;\nbool explica_mudo = false;\n";
-    for (int i = 0; i < salidas; ++i)
-        s += "vec4 explica_s" + numero(i) + ";\n";
-    s += hueco(salidas) + empiezaYAcaba(salidas) +
-         "bool explica_sigue(bool v) { return v && (!explica_mudo || ++explica_vueltas < 65536); }\n";
+    const int huecos = huecosDe(salidas);
+    std::string s =
+        "#ifdef GL_ES\nprecision highp float;\nprecision highp int;\n#endif\n" +
+        declaraSalidas(huecos + 2, fragmento) +
+        "uniform int explica_desde;\nint explica_paso = 0, explica_vueltas = 0, explica_dados = -1;\n"
+        "vec4 explica_notas = vec4(-1.0);\n";
+    for (int h = 0; h < huecos; ++h)
+        s += "vec4 explica_s" + numero(h) + " = vec4(0.0);\n";
+    s += FIJO + acaba(huecos) + "void explica_n(int n) { " + apunta({{"", 0}}, huecos) + "}\n";
     for (const std::string &t : tipos)
-        s += t + " explica_v(int n, " + t + " v) { " + huecos(forma(t)) + "return v; }\n";
+        s += t + " explica_v(int n, " + t + " v) { " + apunta(partes(forma(t)), huecos) + "return v; }\n";
     for (const std::string &t : varian)
         for (const bool mas : {true, false})
             s += t + (mas ? " explica_mas" : " explica_menos") + "(int n, inout " + t + " x) { " + t +

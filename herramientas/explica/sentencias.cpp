@@ -161,7 +161,7 @@ std::string Reescritor::caso() {
 std::string Reescritor::descarta() {
     const Palabra &donde = p[i++];
     exige(";");
-    return "{ " + sinValor(Clase::Descarta, donde, "discard") + "explica_mudo = true ; }\n";
+    return "{ " + sinValor(Clase::Descarta, donde, "discard") + "explica_descarta ( ) ; }\n";
 }
 
 std::string Reescritor::regresa() {

@@ -86,34 +86,27 @@ inline std::vector<Pixeles> dibuja(int cuantas, float fondo) {
     return todas;
 }
 
-inline std::vector<Pixeles> pide(GLuint programa, int modo, int desde) {
-    glUniform1i(glGetUniformLocation(programa, "explica_modo"), modo);
-    glUniform1i(glGetUniformLocation(programa, "explica_desde"), desde);
-    return dibuja(SALIDAS, NAN);
-}
-
 /// Lo apuntado en cada píxel, hasta `maximo` pasos, con el programa reescrito en uso.
 inline std::vector<Traza> ejecuta(GLuint programa, const explica::Reescrito &r, int maximo = 4000) {
-    const int n = LADO * LADO;
+    const int n = LADO * LADO, huecos = explica::huecosDe(SALIDAS);
     std::vector<Traza> trazas(n);
     std::vector<int> total(n);
     std::vector<std::vector<int>> notas(n);
     std::vector<std::vector<glm::vec4>> valores(n);
     int mas = 1;
-    for (int desde = 0; desde < std::min(mas, maximo); desde += 4 * (SALIDAS - 1)) {
-        const auto s = pide(programa, 0, desde);
+    for (int desde = 0; desde < std::min(mas, maximo); desde += huecos) {
+        glUniform1i(glGetUniformLocation(programa, "explica_desde"), desde);
+        const auto s = dibuja(SALIDAS, NAN);
         for (int q = 0; q < n; ++q) {
-            total[q] = int(s[0][q].x) + 65536 * int(s[0][q].y);
-            trazas[q].descartado = s[0][q].z != 0;
+            total[q] = int(s[1][q].x) + 65536 * int(s[1][q].y);
+            trazas[q].descartado = s[1][q].z != 0;
             mas = std::max(mas, total[q]);
-            for (int k = 4; k < 4 * SALIDAS; ++k)
-                notas[q].push_back(int(s[k / 4][q][k % 4]));
+            for (int h = 0; h < huecos; ++h) {
+                notas[q].push_back(int(s[0][q][h]));
+                valores[q].push_back(s[2 + h][q]);
+            }
         }
     }
-    for (int desde = 0; desde < std::min(mas, maximo); desde += SALIDAS)
-        for (const Pixeles &s : pide(programa, 1, desde))
-            for (int q = 0; q < n; ++q)
-                valores[q].push_back(s[q]);
     for (int q = 0; q < n; ++q)
         for (int k = 0; k < std::min(total[q], maximo);) {
             const int nota = notas[q][k];
