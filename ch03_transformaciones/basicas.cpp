@@ -1,7 +1,10 @@
 // Las transformaciones básicas (§3.1) de una F, con su matriz: traslación (ecuaciones 3.1 a 3.3), escalado (3.4 y 3.5)
 // y giros alrededor de X, Y y Z (3.6 a 3.8). Gris, la F original; morados, el camino de su esquina y las columnas que
-// no son de la identidad. Un giro de ángulo positivo es antihorario visto desde la punta de su eje.
-// Controles: 1 traslación · 2 escalado · 3 4 5 giro en X, Y, Z · + - cambian el valor · ratón orbita · Esc termina.
+// no son de la identidad. Un giro de ángulo positivo es antihorario visto desde la punta de su eje. Las matrices son de
+// 4×4 porque multiplican puntos en coordenadas homogéneas, (x, y, z, 1): sin el 1 no habría traslación. Con h, el
+// producto de una esquina, p, por la matriz (ecuación 3.3).
+// Controles: 1 traslación · 2 escalado · 3 4 5 giro en X, Y, Z · + - cambian el valor · h el punto p ·
+// ratón orbita · Esc termina.
 #include "dibujos.h"
 #include "letra_f.h"
 #include "matriz.h"
@@ -30,6 +33,7 @@ static struct {
     GLuint programa;
     Buferes letra;
     int elegido = 0;
+    bool conPunto = false;
     float valor = BASICAS[0].inicial;
     Orbita orbita = {0.55f, 0.35f, 9, {0.3f, -0.05f, 0}};
 } estado;
@@ -44,6 +48,15 @@ static void inicia() {
 static std::string nombre() {
     const Basica &b = BASICAS[estado.elegido];
     return formatea("%s%.4g%s", b.antes, estado.valor, b.despues);
+}
+
+// Las cuatro coordenadas, una debajo de otra.
+static void rotulaColumna(const char *nombre, const glm::vec4 &v, float x, const glm::vec3 &color) {
+    std::string filas;
+    for (int i = 0; i < 4; ++i)
+        filas += formatea(i ? "\n|%5.3g |" : "|%5.3g |", aCentesimas(v[i]));
+    rotula(filas, {x, 0.14f}, color, Lado::DERECHA, 0.032f);
+    rotula(nombre, {x + 0.08f, 0.29f}, color);
 }
 
 static void dibuja() {
@@ -67,8 +80,20 @@ static void dibuja() {
     trazaFlecha(camino[17], camino[20], transformacion, MORADO, 1.5f * GROSOR);
     trazaEjes({1.85f, 1.65f, 1.85f}, transformacion);
     ponTitulo("Transformaciones básicas: " + nombre());
-    rotula(nombre() + " =", {0.44f, 0.14f}, OSCURO, Lado::IZQUIERDA);
-    rotulaMatriz(M, {0.44f, 0.14f});
+    if (estado.conPunto) {
+        const glm::vec4 p(MAXIMO_F, 1), q = M * p;
+        trazaPuntos({glm::vec3(p)}, transformacion, OSCURO);
+        rotulaPunto("p", glm::vec3(p), transformacion, OSCURO);
+        rotulaPunto("q", glm::vec3(q), transformacion, MORADO, Lado::DERECHA);
+        rotulaColumna("q", q, 0.02f, MORADO);
+        rotula("=", {0.215f, 0.14f}, OSCURO);
+        rotulaMatriz(M, {0.24f, 0.14f});
+        rotula(nombre(), {0.48f, 0.29f}, OSCURO);
+        rotulaColumna("p", p, 0.76f, OSCURO);
+    } else {
+        rotula(nombre() + " =", {0.44f, 0.14f}, OSCURO, Lado::IZQUIERDA);
+        rotulaMatriz(M, {0.44f, 0.14f});
+    }
     glutSwapBuffers();
 }
 
@@ -80,6 +105,8 @@ static void teclado(unsigned char tecla, int, int) {
         estado.valor = BASICAS[estado.elegido].inicial;
     else if (tecla == '+' || tecla == '-')
         estado.valor = glm::clamp(estado.valor + (tecla == '+' ? b.paso : -b.paso), -b.tope, b.tope);
+    else if (tecla == 'h')
+        estado.conPunto = !estado.conPunto;
     else
         return;
     glutPostRedisplay();

@@ -1,8 +1,9 @@
 // Giro alrededor de un eje cualquiera por cambio de base (§3.4, ecuaciones 3.9 y 3.10): el eje d y los vectores e y f
 // que completan la base, el objeto girado un ángulo φ, el de partida (pálido) y lo que recorre. El giro se calcula
-// siempre desde el ángulo: multiplicar un giro tras otro acumula error (dificil_transformaciones_test.cpp).
-// Controles: a d giran · 1 2 3 4 ejes Y, diagonal, oblicuo y casi X · botón izquierdo mueve el eje, derecho orbita ·
-// rueda acerca · Esc termina.
+// siempre desde el ángulo: multiplicar un giro tras otro acumula error (dificil_transformaciones_test.cpp). Con t, los
+// tres pasos: el cambio de base R, que lleva d al eje X; el giro alrededor de X; y deshacer el cambio.
+// Controles: a d giran · 1 2 3 4 ejes Y, diagonal, oblicuo y casi X · t pasos · botón izquierdo mueve el eje,
+// derecho orbita · rueda acerca · Esc termina.
 #include "avion.h"
 #include "colores.h"
 #include "modos.h"
@@ -13,6 +14,7 @@
 #include "texto.h"
 #include "trazo.h"
 #include "ventana.h"
+#include <cstring>
 #include <glm/gtc/constants.hpp>
 
 static const float PASO_GIRO = 0.1f;         // radianes
@@ -20,11 +22,15 @@ static const float RADIANES_POR_ALTO = 1.8f; // arrastrando de abajo arriba de l
 static const glm::vec3 EJES[] = {{0, 1, 0}, {1, 1, 1}, {-0.6f, 0.7f, 0.4f}, {1, 1e-10f, 0}};
 static const glm::vec3 SITIO(-1.1f, 0.2f, 1.2f); // el centro del avión, sin girar
 
+static const char *const PASOS[] = {"Sin girar", "R: d, al eje X", "Rx(φ)·R", "Tras deshacer R"};
+enum { SIN_GIRAR, CAMBIADO, GIRADO, DESHECHO, N_PASOS };
+
 static struct {
     GLuint programa;
     Buferes cubo;
     glm::vec3 eje = EJES[0]; // sin normalizar
     float angulo = 2;        // φ, radianes
+    int paso = DESHECHO;
     bool moviendoEje = false;
     int xPulsado = 0, yPulsado = 0;
     glm::vec3 ejePulsado; // el que había al pulsar
@@ -57,7 +63,15 @@ static std::vector<glm::vec3> recorrido(const glm::vec3 &d, float desde, float h
 static void trazaVector(const char *nombre, const glm::vec3 &v, float largo, const glm::mat4 &transformacion,
                         const glm::vec3 &color) {
     trazaFlecha(glm::vec3(0), largo * v, transformacion, color, 2 * GROSOR);
-    rotulaPunto(nombre, (largo + 0.15f) * v, transformacion, color, Lado::CENTRO);
+    rotulaPunto(nombre, (largo + 0.15f * std::sqrt(float(std::strlen(nombre)))) * v, transformacion, color,
+                Lado::CENTRO);
+}
+
+// Lo que se lleva hecho de la ecuación 3.10.
+static glm::mat4 hastaElPaso(const glm::vec3 &d) {
+    const glm::mat4 R(cambioDeBase(d));
+    const glm::mat4 pasos[N_PASOS] = {glm::mat4(1), R, giroX(estado.angulo) * R, giroEje(d, estado.angulo)};
+    return pasos[estado.paso];
 }
 
 static std::string describe(const glm::vec3 &d) {
@@ -72,20 +86,28 @@ static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     usaPrograma(estado.programa, camara, proyeccion);
     dibujaAvion(traslacion(SITIO), 0.3f);
-    dibujaAvion(giroEje(d, estado.angulo) * traslacion(SITIO), 1);
+    dibujaAvion(hastaElPaso(d) * traslacion(SITIO), 1);
 
+    // lo que se traza, donde lo deja el cambio de base mientras está hecho
+    const glm::mat3 R = cambioDeBase(d);
+    const bool cambiado = estado.paso == CAMBIADO || estado.paso == GIRADO;
+    const glm::mat4 enBase = cambiado ? transformacion * glm::mat4(R) : transformacion;
     const std::vector<glm::vec3> arco = recorrido(d, 0, estado.angulo);
-    const float vuelta = std::copysign(glm::two_pi<float>(), estado.angulo);
-    trazaPolilinea(recorrido(d, estado.angulo, vuelta), transformacion, GRIS);
-    trazaPolilinea(arco, transformacion, MORADO, 1.5f * GROSOR);
-    trazaPolilinea({-1.6f * d, glm::vec3(0)}, transformacion, OSCURO, 1.5f * GROSOR);
-    const glm::mat3 base = glm::transpose(cambioDeBase(d)); // d, e y f, que eran filas, son columnas
-    trazaVector("e", base[1], 0.9f, transformacion, VERDE);
-    trazaVector("f", base[2], 0.9f, transformacion, AZUL);
-    trazaVector("d", base[0], 1.6f, transformacion, ROJO);
+    if (estado.paso >= GIRADO) {
+        const float vuelta = std::copysign(glm::two_pi<float>(), estado.angulo);
+        trazaPolilinea(recorrido(d, estado.angulo, vuelta), enBase, GRIS);
+        trazaPolilinea(arco, enBase, MORADO, 1.5f * GROSOR);
+    }
+    trazaPolilinea({-1.6f * d, glm::vec3(0)}, enBase, OSCURO, 1.5f * GROSOR);
+    const glm::mat3 base = glm::transpose(R); // d, e y f, que eran filas, son columnas
+    trazaVector(cambiado ? "e = Y" : "e", base[1], 0.9f, enBase, VERDE);
+    trazaVector(cambiado ? "f = Z" : "f", base[2], 0.9f, enBase, AZUL);
+    trazaVector(cambiado ? "d = X" : "d", base[0], 1.6f, enBase, ROJO);
     const glm::vec3 medio = arco[arco.size() / 2], haciaFuera = unitario(medio - glm::dot(medio, d) * d);
-    rotulaPunto("φ", medio + 0.2f * haciaFuera, transformacion, MORADO, Lado::CENTRO);
+    if (estado.paso >= GIRADO)
+        rotulaPunto("φ", medio + 0.2f * haciaFuera, enBase, MORADO, Lado::CENTRO);
     rotula(describe(d), {0.5f, 0.05f}, OSCURO);
+    rotula(PASOS[estado.paso], {0.5f, 0.95f}, OSCURO);
     ponTitulo("Giro alrededor de un eje: " + describe(d));
     glutSwapBuffers();
 }
@@ -96,6 +118,8 @@ static void teclado(unsigned char tecla, int, int) {
     if (tecla == 'a' || tecla == 'd') // dentro de una vuelta: un ángulo grande no tiene decimales
         estado.angulo =
             std::remainder(estado.angulo + (tecla == 'a' ? PASO_GIRO : -PASO_GIRO), glm::two_pi<float>());
+    else if (tecla == 't')
+        estado.paso = (estado.paso + 1) % N_PASOS;
     else if (int i; eligeModo(i, 4, tecla))
         estado.eje = EJES[i];
     else

@@ -1,7 +1,8 @@
-// Un vértice y su fragmento (el punto rojo) por las etapas del pipeline (ejercicio 4.1, ecuación 4.4), un panel para
-// cada una, con sus números, que también se escriben. Con r, un triángulo que se sale del volumen y llega detrás del
-// ojo: etapas.h lo recorta, y el polígono que queda (de borde morado) es justo lo que dibuja OpenGL. Con o, algo tapa
-// el fragmento.
+// Un vértice y su fragmento (el punto rojo) por las etapas del pipeline (figura 1.3, ejercicio 4.1, ecuación 4.4), un
+// panel para cada una, con sus números, que también se escriben; en morado, lo que hace un procesador programable. En el
+// cuarto, las coordenadas de recortado y, tras la división perspectiva, las normalizadas del dispositivo: el volumen de
+// la vista es ya el canónico. Con r, un triángulo que se sale del volumen y llega detrás del ojo: etapas.h lo recorta, y
+// el polígono que queda (de borde morado) es justo lo que dibuja OpenGL. Con o, algo tapa el fragmento.
 // Controles: clic elige vértice · r recortado · o oculto · arrastrar orbita por fuera · rueda acerca · Esc termina.
 #include "buferes.h"
 #include "colores.h"
@@ -142,6 +143,8 @@ static void dibuja() {
         glViewport(r.x, r.y, r.ancho, r.alto);
         rotula(TITULOS[k], {0.03f, 0.94f}, OSCURO, Lado::DERECHA, TALLA);
         rotula(numerosPanel(k, e, guardada), {0.03f, 0.175f}, ROJO, Lado::DERECHA, TALLA);
+        if (*PROCESADOR[k])
+            rotula(PROCESADOR[k], {0.97f, 0.175f}, MORADO, Lado::IZQUIERDA, 0.025f);
     }
     ponTitulo("Las etapas del pipeline: vértice " + std::to_string(estado.elegido));
     glutSwapBuffers();

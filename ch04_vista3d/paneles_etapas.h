@@ -26,8 +26,10 @@ struct Panel {
     }
 };
 enum { OBJETO, MUNDO, CAMARA, NDC, VENTANA, PROFUNDIDAD, PANELES };
-const char *const TITULOS[PANELES] = {"1 objeto",    "2 mundo",   "3 cámara",
-                                      "4 recortado", "5 ventana", "6 test de z"};
+const char *const TITULOS[PANELES] = {"1 objeto",        "2 mundo",   "3 cámara",
+                                      "4 recortado, ÷w", "5 ventana", "6 test de z"};
+/// El procesador programable que da lo que enseña el panel (figura 1.3): los demás son fijos.
+const char *const PROCESADOR[PANELES] = {"", "vertex\nshader", "vertex\nshader", "", "fragment\nshader", ""};
 
 inline std::array<Panel, PANELES> colocaPaneles(const std::vector<Recuadro> &donde) {
     std::array<Panel, PANELES> paneles;
@@ -103,16 +105,21 @@ inline std::string conDosDecimales(const char *nombre, double valor) {
 
 /// Los números de un panel, uno por línea. Lo que se recorta no llega a dividirse por w ni a la ventana.
 inline std::string numerosPanel(std::size_t panel, const Etapas &e, double guardada) {
-    const auto tres = [](const glm::dvec3 &v, const char *x, const char *y, const char *z) {
-        return conDosDecimales(x, v.x) + "\n" + conDosDecimales(y, v.y) + "\n" + conDosDecimales(z, v.z);
+    const auto tres = [](const glm::dvec3 &v) {
+        return conDosDecimales("x ", v.x) + "\n" + conDosDecimales("y ", v.y) + "\n" +
+               conDosDecimales("z ", v.z);
     };
+    const char *const nombres[] = {"x ", "y ", "z "};
+    std::string numeros = conDosDecimales("w ", e.recortado.w);
     switch (panel) {
-    case OBJETO: return tres(e.objeto, "x ", "y ", "z ");
-    case MUNDO: return tres(e.mundo, "x ", "y ", "z ");
-    case CAMARA: return tres(e.camara, "x ", "y ", "z ");
+    case OBJETO: return tres(e.objeto);
+    case MUNDO: return tres(e.mundo);
+    case CAMARA: return tres(e.camara);
     case NDC:
-        return conDosDecimales("w ", e.recortado.w) + "\n" +
-               (e.dentro ? tres(e.ndc, "x/w ", "y/w ", "z/w ") : tres(e.recortado, "x ", "y ", "z "));
+        for (int i = 0; i < 3; ++i) // cada coordenada de recortado y, si no se recorta, la normalizada
+            numeros += "\n" + conDosDecimales(nombres[i], e.recortado[i]) +
+                       (e.dentro ? conDosDecimales(" → ", e.ndc[i]) : "");
+        return numeros;
     default:
         if (!e.dentro)
             return "no llega";

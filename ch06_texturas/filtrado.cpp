@@ -1,8 +1,10 @@
 // Filtrado de la textura (§6.2.2) en un suelo que llega al horizonte: cerca, un texel ocupa muchos píxeles
 // (ampliación); lejos, un píxel, muchos texeles (reducción). El libro confunde ahí píxeles y texeles, y solo trata
 // GL_NEAREST y GL_LINEAR: cerca se distinguen, y lejos las dos parpadean; lo curan los mipmaps y, sin emborronar, el
-// filtro anisótropo (una extensión). La textura que trae el programa mide 32 × 32.
-// Controles: 1 vecino · 2 lineal · 3 mipmap · 4 anisótropo · v los cuatro a la vez · ratón orbita · Esc termina.
+// filtro anisótropo (una extensión). La textura que trae el programa mide 32 × 32. Con n, cada resolución se da a mano
+// (el `nivel` de glTexImage2D, §6.2.1) y es de un color: se ve cuál se usa en cada sitio.
+// Controles: 1 vecino · 2 lineal · 3 mipmap · 4 anisótropo · v los cuatro a la vez · n niveles de colores ·
+// ratón orbita · Esc termina.
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
@@ -13,6 +15,7 @@
 #include "shader.h"
 #include "textura.h"
 #include "ventana.h"
+#include <algorithm>
 #include <cstdio>
 #include <glm/gtc/constants.hpp>
 
@@ -30,12 +33,29 @@ static const struct {
     {"4 anisótropo", "Anisótropo: GL_TEXTURE_MAX_ANISOTROPY_EXT", GL_LINEAR, GL_LINEAR_MIPMAP_LINEAR, true}};
 
 static struct {
-    GLuint programa, textura;
+    GLuint programa, textura, deNiveles;
+    bool conNiveles = false;
     Buferes suelo;
     Modos modos = {4};
     GLfloat anisotropia = 1; // la mayor que da el contexto; 1 es ninguna
     Orbita orbita = {0.12f, 0.3f, 3, {0, 0, 0}, 0.05f};
 } estado;
+
+// El nivel 0 es la imagen; los demás, cada uno de la mitad de lado que el anterior, de un color.
+static GLuint creaNiveles(const Imagen &imagen) {
+    static const glm::vec3 COLORES[] = {ROJO, NARANJA, AMARILLO, VERDE, AZUL, MORADO};
+    const GLuint textura = creaTextura2D(imagen);
+    GLsizei ancho = imagen.ancho, alto = imagen.alto;
+    for (GLint nivel = 1; ancho > 1 || alto > 1; ++nivel) {
+        ancho = std::max(ancho / 2, 1);
+        alto = std::max(alto / 2, 1);
+        std::vector<unsigned char> texeles;
+        for (int i = 0; i < 3 * ancho * alto; ++i)
+            texeles.push_back(enOchoBits(COLORES[(nivel - 1) % 6][i % 3]));
+        glTexImage2D(GL_TEXTURE_2D, nivel, GL_RGB8, ancho, alto, 0, GL_RGB, GL_UNSIGNED_BYTE, texeles.data());
+    }
+    return textura;
+}
 
 static void inicia(const Imagen &imagen) {
     estado.programa = creaPrograma("ch06_texturas/textura.vert", "ch06_texturas/textura.frag");
@@ -44,6 +64,7 @@ static void inicia(const Imagen &imagen) {
         v.coordTextura = (v.coordTextura - 0.5f) * LARGO / LADO_MOSAICO;
     estado.suelo = creaBuferes(malla);
     estado.textura = creaTextura2D(imagen);
+    estado.deNiveles = creaNiveles(imagen);
     if (GLEW_EXT_texture_filter_anisotropic)
         glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &estado.anisotropia);
     else
@@ -55,7 +76,7 @@ static void inicia(const Imagen &imagen) {
 static void dibujaSuelo(int elegido, const Recuadro &panel) {
     const auto &filtro = FILTROS[elegido];
     abreRecuadro(panel, CIELO);
-    glBindTexture(GL_TEXTURE_2D, estado.textura);
+    glBindTexture(GL_TEXTURE_2D, estado.conNiveles ? estado.deNiveles : estado.textura);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filtro.ampliacion);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filtro.reduccion);
     if (GLEW_EXT_texture_filter_anisotropic)
@@ -76,8 +97,10 @@ static void dibuja() {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (!teclaComun(tecla))
-        teclaModos(estado.modos, tecla);
+    if (teclaComun(tecla) || teclaModos(estado.modos, tecla) || tecla != 'n')
+        return;
+    estado.conNiveles = !estado.conNiveles;
+    glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {

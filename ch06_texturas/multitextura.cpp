@@ -1,7 +1,9 @@
 // Varias unidades de textura en un fragment shader (§6.3, §6.5): los ladrillos, el musgo, la máscara que dice dónde lo
 // hay y la luz de dos apliques, calculada de antemano. Cada textura está en su unidad, a la izquierda, y cada
-// sampler2D recibe el número de una. Ladrillos y musgo se repiten; la máscara y la luz abarcan la pared entera.
-// Controles: 1 ladrillos y musgo · 2 ladrillos y luz · 3 las cuatro texturas · ratón orbita · Esc termina.
+// sampler2D recibe el número de una. Ladrillos y musgo se repiten; la máscara y la luz abarcan la pared entera. Con c se
+// enlaza otro objeto textura en la unidad 0, la madera: el shader lee lo que haya en su unidad, sin enviarle nada.
+// Controles: 1 ladrillos y musgo · 2 ladrillos y luz · 3 las cuatro texturas · c cambia la de la unidad 0 ·
+// ratón orbita · Esc termina.
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
@@ -21,10 +23,12 @@ static const struct {
     const char *nombre, *rotulo; // el nombre, del fichero y del sampler2D
     int ancho, alto;
     GLint borde;
-} TEXTURAS[4] = {{"ladrillo", "ladrillo", 256, 256, GL_REPEAT},
+} TEXTURAS[5] = {{"ladrillo", "ladrillo", 256, 256, GL_REPEAT},
                  {"musgo", "musgo", 256, 256, GL_REPEAT},
                  {"mascara", "máscara", 128, 96, GL_CLAMP_TO_EDGE},
-                 {"luz", "luz", 64, 48, GL_CLAMP_TO_EDGE}};
+                 {"luz", "luz", 64, 48, GL_CLAMP_TO_EDGE},
+                 {"madera", "madera", 256, 256, GL_REPEAT}};
+enum { LADRILLO, MADERA = 4, UNIDADES = 4 };
 static const struct {
     const char *titulo;
     bool conMusgo, conLuz;
@@ -33,7 +37,8 @@ static const struct {
                 {"Ladrillo y musgo, según la máscara, por luz", true, true}};
 
 static struct {
-    GLuint programa, programaUnidad;
+    GLuint programa, programaUnidad, texturas[5];
+    int enLaPrimera = LADRILLO; // la textura de la unidad 0
     Buferes pared;
     int elegido = 2;
     Orbita orbita = {0, 0, 5, {0, 0, 0}};
@@ -43,13 +48,15 @@ static void inicia() {
     estado.programa = creaPrograma("ch06_texturas/multitextura.vert", "ch06_texturas/multitextura.frag");
     estado.programaUnidad = creaPrograma("ch06_texturas/textura.vert", "ch06_texturas/textura.frag");
     estado.pared = creaBuferes(plano(1));
-    GLenum unidad = GL_TEXTURE0;
-    for (const auto &t : TEXTURAS) {
-        glActiveTexture(unidad++); // creaTextura2D deja su textura en la unidad activa
-        creaTextura2D(leeTextura(recurso("assets/" + std::string(t.nombre) + ".rgb"), t.ancho, t.alto));
+    for (int i = 0; i < 5; ++i) {
+        const auto &t = TEXTURAS[i];
+        glActiveTexture(GL_TEXTURE0 + GLenum(i)); // creaTextura2D deja su textura en la unidad activa
+        estado.texturas[i] =
+            creaTextura2D(leeTextura(recurso("assets/" + std::string(t.nombre) + ".rgb"), t.ancho, t.alto));
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, t.borde);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, t.borde);
     }
+    glActiveTexture(GL_TEXTURE0);
     glEnable(GL_DEPTH_TEST);
 }
 
@@ -71,8 +78,9 @@ static void dibujaUnidades(const Recuadro &donde, bool conMusgo, bool conLuz) {
         envia(estado.programaUnidad, "Img", unidad);
         dibujaPared(estado.programaUnidad, glm::mat4(1),
                     paralelaVentana(0.53f * TALLA.y, -1, 1, aspecto(panel)));
-        rotula("unidad " + std::to_string(unidad) + "\n" + TEXTURAS[unidad].rotulo, {0.5f, 0.5f},
-               usadas[unidad] ? BLANCO : GRIS);
+        rotula("unidad " + std::to_string(unidad) + "\n" +
+                   TEXTURAS[unidad ? unidad : estado.enLaPrimera].rotulo,
+               {0.5f, 0.5f}, usadas[unidad] ? BLANCO : GRIS);
     }
 }
 
@@ -86,9 +94,8 @@ static void dibuja() {
     abreRecuadro(mezcla, FONDO_OSCURO);
     glUseProgram(estado.programa);
     envia(estado.programa, "repeticiones", REPETICIONES);
-    GLint unidad = 0;
-    for (const auto &t : TEXTURAS)
-        envia(estado.programa, t.nombre, unidad++);
+    for (GLint unidad = 0; unidad < UNIDADES; ++unidad)
+        envia(estado.programa, TEXTURAS[unidad].nombre, unidad);
     envia(estado.programa, "conMusgo", conMusgo);
     envia(estado.programa, "conLuz", conLuz);
     dibujaPared(estado.programa, camaraOrbita(estado.orbita),
@@ -98,8 +105,11 @@ static void dibuja() {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (!teclaComun(tecla))
-        eligeModo(estado.elegido, 3, tecla);
+    if (teclaComun(tecla) || eligeModo(estado.elegido, 3, tecla) || tecla != 'c')
+        return;
+    estado.enLaPrimera = estado.enLaPrimera == LADRILLO ? MADERA : LADRILLO;
+    glBindTexture(GL_TEXTURE_2D, estado.texturas[estado.enLaPrimera]); // la unidad activa es la 0
+    glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {

@@ -119,6 +119,33 @@ TEST(ProgramaBasicas, LaFEstaDondeDicenLasEcuaciones) {
     });
 }
 
+// El punto y a dónde va, escritos con sus cuatro coordenadas.
+TEST(ProgramaBasicas, ElPuntoEnCoordenadasHomogeneas) {
+    const struct {
+        std::string guion;
+        char cual;
+        double valor;
+    } casos[] = {{"tecla h", 'T', 1.5},
+                 {"tecla 2", 'S', 1.5},
+                 {"tecla 3", 'X', 60},
+                 {"tecla 4; tecla - ×2", 'Y', 30},
+                 {"tecla 5", 'Z', 60}};
+    const auto escrito = [](const Vec3 &p) {
+        std::string filas;
+        for (const double x : {p.x, p.y, p.z, 1.0}) {
+            char fila[16];
+            std::snprintf(fila, sizeof fila, "|%5.3g |", std::round(100 * x) / 100);
+            filas += (filas.empty() ? "" : "\n") + std::string(fila);
+        }
+        return filas;
+    };
+    paraCada("basicas", casos, 240, 180, [&](const auto &caso, const Vista &v) {
+        const Vec3 p{1.3, 1.65, 0.25}, q = punto(basica(caso.cual, caso.valor), p);
+        EXPECT_EQ(v.encima.rotulos(escrito(p)).size(), 1u);
+        EXPECT_EQ(v.encima.rotulos(escrito(q)).size(), 1u) << escrito(q);
+    });
+}
+
 // --- escalado ---
 
 // Un factor negativo pone los vértices de una cara en el sentido contrario, y dos los dejan como estaban: con

@@ -35,10 +35,14 @@ TEST(ProgramaGiroEje, CadaEjeContraElOraculo) {
         std::string guion;
         Vec3 eje;
         double angulo, azimut = -0.5, elevacion = 0.4;
+        bool cambiado = false; // con d en el eje X, e en el Y y f en el Z
     } casos[] = {
         {"", Y, 2},
         {"tecla 2; tamano 150 200", diagonal, 2},
-        {"tecla 4; tecla d; tamano 240 180", {1, 1e-10, 0}, 1.9},
+        {"tecla 3; tecla t", oblicuo, 0},
+        {"tecla t", oblicuo, 0, -0.5, 0.4, true},
+        {"tecla t", oblicuo, 2, -0.5, 0.4, true},
+        {"tecla t; tecla 4; tecla d; tamano 240 180", {1, 1e-10, 0}, 1.9},
         {"tecla 3; tecla a ×4", oblicuo, 2.3},
         {"tecla 2; tecla d ×33", diagonal, -1},
         {"tecla 3; tecla a ×45", oblicuo, 3.5 - 2 * PI},
@@ -52,7 +56,10 @@ TEST(ProgramaGiroEje, CadaEjeContraElOraculo) {
     paraCada("giro_eje", casos, 240, 180, [&](const auto &c, const Vista &vista) {
         std::vector<Cuerpo> aviones;
         ponAvion(aviones, traslada(SITIO), 0.3);
-        ponAvion(aviones, gira(c.eje, c.angulo) * traslada(SITIO), 1);
+        // e, como manda el libro: anular la menor componente de d, cambiar las otras dos y negar una
+        const Vec3 d = unitario(oblicuo), e = unitario(Vec3{-d.y, d.x, 0}), f = vectorial(d, e);
+        const Mat4 aLosEjes = {{{d.x, d.y, d.z, 0}, {e.x, e.y, e.z, 0}, {f.x, f.y, f.z, 0}, {0, 0, 0, 1}}};
+        ponAvion(aviones, (c.cambiado ? aLosEjes : Mat4()) * gira(c.eje, c.angulo) * traslada(SITIO), 1);
         compruebaEscena(vista, {camara(c.azimut, c.elevacion), vista.escena}, aviones, FONDO_CLARO);
     });
 }

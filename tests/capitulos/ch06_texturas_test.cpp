@@ -201,6 +201,41 @@ TEST(Filtrado, VecinoYLinealSonExactosEnElCentroDelPixel) {
     EXPECT_GT(lejosDeLaFrontera, ANCHO * 120 * 95 / 100);
 }
 
+// Con n cada nivel es de un color, y el que se ve dice cuál se ha usado: log2 de los texels que abarca el píxel, con el
+// medio nivel que la especificación deja a cada controlador. El 0 es la imagen.
+TEST(Filtrado, CadaNivelDondeLoPideElPixel) {
+    const Imagen im = lee("mosaico", 32, 32);
+    const auto gpu = vistasDe("filtrado", {"tecla 1", "tecla n", "tecla 3", "tecla n"}, ANCHO, ALTO);
+    EXPECT_EQ(gpu[0].escena.rgb, gpu[1].escena.rgb);
+    const glm::vec3 colores[] = {ROJO, NARANJA, AMARILLO, VERDE,
+                                 AZUL}; // del nivel 1 al 5, que es de un texel
+    int comparados = 0;
+    for (int y = 0; y < ALTO && enSuelo(ANCHO / 2, y + 1).hay; ++y) {
+        const double nivel = std::log2(texelsPorPixel(enSuelo, ANCHO / 2, y, im));
+        const Vec3 visto = texel(gpu[2].escena, ANCHO / 2, y);
+        if (nivel < -0.5) {
+            EXPECT_EQ(pixel(gpu[2].escena, ANCHO / 2, y), pixel(gpu[3].escena, ANCHO / 2, y)) << y;
+        }
+        if (nivel < 1.5)
+            continue;
+        double mejor = 0, menor = INFINITO; // el punto más cercano del camino de un color al siguiente
+        for (double t = 1; t <= 5; t += 1 / 64.0) {
+            const std::size_t k = std::min(std::size_t(t) - 1, std::size_t(3));
+            const double d =
+                longitud(visto - 255 * exacto(glm::mix(glm::dvec3(colores[k]), glm::dvec3(colores[k + 1]),
+                                                       t - 1 - double(k))));
+            if (d < menor) {
+                menor = d;
+                mejor = t;
+            }
+        }
+        EXPECT_LE(menor, 4) << y;
+        EXPECT_NEAR(mejor, std::min(nivel, 5.0), 0.5) << y;
+        ++comparados;
+    }
+    EXPECT_GT(comparados, 15);
+}
+
 // Con v, los cuatro a la vez y en orden: lo mismo que cada uno en una ventana del tamaño de su panel, salvo que algún
 // píxel redondee de otra manera.
 TEST(Filtrado, LosCuatroALaVez) {
@@ -328,9 +363,10 @@ void compruebaPared(const Imagen &gpu, const Texturas &x, int tecla) {
 TEST(Multitextura, LaMezclaCalculadaEnLaCpu) {
     const Texturas x = {lee("ladrillo", 256, 256), lee("musgo", 256, 256), lee("mascara", 128, 96),
                         lee("luz", 64, 48)};
-    const auto gpu = vistasDe("multitextura", {"tecla 1", "tecla 2", "tecla 3"}, 960, 720);
+    const auto gpu = vistasDe("multitextura", {"tecla 1", "tecla 2", "tecla 3", "tecla c"}, 960, 720);
     for (int tecla = 1; tecla <= 3; ++tecla)
         compruebaPared(gpu[tecla - 1].escena, x, tecla);
+    compruebaPared(gpu[3].escena, {lee("madera", 256, 256), x[1], x[2], x[3]}, 3);
 }
 
 // Texturas propias, que el programa lee de $LAB_RAIZ: colores lisos y una máscara que recorre todos los valores, a 240
@@ -344,6 +380,7 @@ TEST(Multitextura, TodosLosValoresDeLaMascaraYLasCuatroUnidades) {
     const std::filesystem::path raiz = carpetaTemporal() / "raiz";
     for (int k = 0; k < 4; ++k)
         escribe(x[k], raiz / "assets" / (UNIDADES[k] + std::string(".rgb")));
+    escribe(lisa(256, 256, {90, 60, 200}), raiz / "assets/madera.rgb");
     const ConRaiz conRaiz(raiz);
     const auto gpu = vistasDe("multitextura", {"", "tecla 1", "tecla 2", "tecla 3"});
     for (int i = 0; i < 4; ++i) {
