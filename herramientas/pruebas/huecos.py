@@ -47,6 +47,7 @@ UNITARIO = "la carga es de lado uno"
 VERTICAL = "lo que se traslada en la vertical da lo mismo girarlo antes o después"
 DENTRO = "lo que el cable tiene de más queda dentro de la carga"
 SIN_INTERPOLAR = "sin interpolar, y a 15 texeles como mucho, no llega a caer en otro"
+FUERA_DEL_FILTRO = "fuera de la textura del filtro se lee 0"
 CERO = "cero por un número es cero"
 MAS_DE_CUATRO = "siempre hay más de cuatro"
 EXCEPCIONES = {
@@ -107,8 +108,10 @@ EXCEPCIONES = {
     },
     "E9.1": {"(colorA.a * 1.25));": "la ventana no tiene opacidad", "(colorA.a + 1));": "la ventana no tiene opacidad"},
     "E9.2": {
-        "eje / (vec2(textureSize(imagen, 0)) + 1)": SIN_INTERPOLAR,
-        "eje / vec2((textureSize(imagen, 0) + 1))": SIN_INTERPOLAR,
+        " / (vec2(textureSize(imagen, 0)) + 1)": SIN_INTERPOLAR,
+        " / vec2((textureSize(imagen, 0) + 1))": SIN_INTERPOLAR,
+        **{f"j {mas}": FUERA_DEL_FILTRO for mas in ("<= talla.y", "< (talla.y * 1.25)", "< (talla.y + 1)")},
+        **{f"i {mas}": FUERA_DEL_FILTRO for mas in ("<= talla.x", "< (talla.x * 1.25)", "< (talla.x + 1)")},
         "(vec3(0.0) * 1.25)": CERO,
         "vec3((0.0 * 1.25))": CERO,
     },

@@ -1,6 +1,8 @@
 // Los programas del capítulo 8: cada uno contra su escena trazada con el oráculo, que la describe aquí por su cuenta,
 // en doble precisión.
+#include "azar.h"
 #include "ch08_oraculo.h"
+#include "ch08_texturas_avanzadas/mapa_cubo.h"
 #include "ch08_texturas_avanzadas/textura3d.h"
 #include "colores.h"
 #include "contra_oraculo.h"
@@ -63,7 +65,7 @@ struct FotosDePrueba {
 
     FotosDePrueba() {
         for (const Foto &f : FOTOS)
-            escribe(enBytes(fotoDePrueba(f, 256)),
+            escribe(enBytes(fotoDePrueba(f, 512)),
                     carpetaTemporal() / "fotos/assets" / (std::string("entorno_") + f.nombre + ".rgb"));
     }
 };
@@ -93,8 +95,9 @@ Camara camaraCubemap(double azimut, double elevacion, double angulo = 0.75) {
 } // namespace
 
 // El reflejo y el fondo desde cuatro sitios: si el entorno girase con la cámara, o una cara estuviera en otro sitio,
-// del revés o en espejo, los colores serían otros. Con la misma malla y con el toro exacto. Se pierden dos redondeos a
-// 8 bits y lo que cambia el nivel de mipmap.
+// del revés o en espejo, los colores serían otros. Con el mapa esférico, lo mismo, también donde acaba una vuelta y
+// junto a los polos. Con la misma malla y con el toro exacto. Se pierden dos redondeos a 8 bits y lo que cambia el
+// nivel de mipmap.
 TEST(Cubemap, ReflejoYFondoContraTrazadoDeRayos) {
     const FotosDePrueba fotos;
     const struct {
@@ -105,6 +108,10 @@ TEST(Cubemap, ReflejoYFondoContraTrazadoDeRayos) {
         {arrastra({200, 100}, {400, 100}), 0.35 - 1, 0.06},
         {arrastra({200, 100}, {-160, 260}), 0.35 + 0.8, 0.06 + 0.8},
         {arrastra({200, 300}, {240, -100}), 0.35 + 0.6, 0.06 - 1.2},
+        {"tecla e", 0.35 + 0.6, 0.06 - 1.2},
+        {arrastra({200, 200}, {440, 730}), 0.35 - 0.6, 0.06 + 1.45},
+        {arrastra({300, 300}, {-350, 10}), 3, 0.06},
+        {arrastra({0, 100}, {530, 100}), 0.35, 0.06},
     };
     paraCada("cubemap", casos, 480, 360, [](const auto &c, const Vista &v) {
         const Panel panel(camaraCubemap(c.azimut, c.elevacion), v.escena);
@@ -133,6 +140,41 @@ TEST(Cubemap, Desplegado) {
     for (const Foto &f : FOTOS) {
         const Hueco h{480 + lado * (f.columna - 2), 18 + lado * f.fila, lado - 1, lado - 1};
         comprueba(f.nombre, recorta(gpu, h), fotoDePrueba(f, lado - 1), {3});
+    }
+}
+
+// Y el esférico: a lo ancho, la longitud, y a lo alto, la latitud.
+TEST(Cubemap, EsfericoDesplegado) {
+    const FotosDePrueba fotos;
+    const Imagen gpu = vistaDe("cubemap", "tecla e; tecla c", 960, 720).escena;
+    const Hueco h{24, 18, 912, 456};
+    const ImagenRef mapa =
+        render({}, paralela(miraDesde({}, {0, 0, -1}), 0.5), h.ancho, h.alto, [](const Impacto &i) {
+            const double longitud = PI * i.rayo.origen.x, latitud = PI * i.rayo.origen.y;
+            return colorDePrueba({std::cos(latitud) * std::sin(longitud), std::sin(latitud),
+                                  -std::cos(latitud) * std::cos(longitud)});
+        });
+    comprueba("esférico", recorta(gpu, h), mapa, {3});
+}
+
+// La cara y las coordenadas de una dirección: la foto que mira más hacia ella y su sitio en la foto, que en las cuatro
+// de los lados OpenGL cuenta desde la esquina contraria.
+TEST(Cubemap, LaCaraDeUnaDireccion) {
+    Azar azar(3);
+    for (int n = 0; n < 1000; ++n) {
+        const glm::vec3 d = azar.direccion();
+        const Foto *foto = &FOTOS[0];
+        for (const Foto &f : FOTOS)
+            if (escalar(exacto(d), f.hacia) > escalar(exacto(d), foto->hacia))
+                foto = &f;
+        const double lejos = escalar(exacto(d), foto->hacia),
+                     x = (1 + escalar(exacto(d), vectorial(foto->hacia, foto->arriba)) / lejos) / 2,
+                     y = (1 + escalar(exacto(d), foto->arriba) / lejos) / 2;
+        const EnCara c = enCara(3.0f * d);
+        const bool deLado = foto->hacia.y == 0;
+        EXPECT_EQ(CARAS[c.cara].fichero, std::string(foto->nombre));
+        EXPECT_NEAR(c.u, deLado ? 1 - x : x, 1e-6);
+        EXPECT_NEAR(c.v, deLado ? 1 - y : y, 1e-6);
     }
 }
 
