@@ -1,7 +1,9 @@
 // La superficie B-Spline (ecuación 11.42): cada 4×4 puntos de control de la red definen un trozo, y los vecinos
 // comparten doce. Se unen con C2 sin pasar por los puntos, y mover uno cambia solo los trozos que lo usan, 16 como
-// mucho.
-// Controles: arrastra los puntos (o n y flechas) · r red de control · ratón orbita · Esc termina.
+// mucho. Con puntos repetidos (§11.8) las derivadas siguen casando, pero con una fila tres veces se anulan en ella, y la
+// superficie, que entonces llega a pasar por su curva, tiene ahí una arista.
+// Controles: arrastra los puntos (o n y flechas) · d una fila una, dos o tres veces · r red de control ·
+// ratón orbita · Esc termina.
 #include "lamina.h"
 #include "rotulo.h"
 #include "trazo.h"
@@ -10,7 +12,10 @@
 #include <string>
 
 static const std::size_t LADO = 6;                           // puntos de control de un lado de la red
+static const std::size_t FILA = 2;                           // la que se repite
 static const int SEGMENTOS_MAXIMOS_TROZO = 256 / (LADO - 3); // en la superficie entera, los de las demás
+
+static const double TOLERANCIA = TOLERANCIA_LAMINA / 2; // con una fila dos veces, la superficie se dobla más
 
 // Un monte junto a un hoyo.
 static std::vector<glm::vec3> redInicial() {
@@ -28,7 +33,8 @@ static std::vector<glm::vec3> redInicial() {
 
 static struct {
     std::vector<glm::vec3> P = redInicial();
-    bool red = true;
+    int veces = 1; // que está la fila
+    bool conRed = true;
     Lamina lamina;
     Editor editor;
 } estado;
@@ -37,26 +43,42 @@ static glm::mat4 vista() {
     return vistaLamina(estado.lamina);
 }
 
+// La red de control, con la fila que se repite tantas veces como está.
+static std::vector<glm::vec3> red() {
+    std::vector<glm::vec3> P = estado.P;
+    const auto fila = estado.P.begin() + FILA * LADO;
+    for (int k = 1; k < estado.veces; ++k)
+        P.insert(P.begin() + FILA * LADO, fila, fila + LADO);
+    return P;
+}
+
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    const std::vector<glm::vec3> P = red();
+    const std::size_t filas = P.size() / LADO;
     // los mismos segmentos en todos los trozos, para que casen en los bordes
     Segmentos n = {1, 1};
     const auto trozos = [&](const auto &haz) {
-        for (std::size_t i = 0; i + 3 < LADO; ++i)
+        for (std::size_t i = 0; i + 3 < filas; ++i)
             for (std::size_t j = 0; j + 3 < LADO; ++j)
-                haz(geometriaDeRed(estado.P, LADO, i, j), (i + j) % 2 == 0 ? LAMINA_AZUL : LAMINA_NARANJA);
+                haz(geometriaDeRed(P, LADO, i, j), (i + j) % 2 == 0 ? LAMINA_AZUL : LAMINA_NARANJA);
     };
     trozos([&](const Geometria2<float> &G, const Material &) {
-        const Segmentos s = segmentosLamina(estado.lamina, redDe(Base::BSPLINE, G), TOLERANCIA_LAMINA);
+        const Segmentos s = segmentosLamina(estado.lamina, redDe(Base::BSPLINE, G), TOLERANCIA);
         n = {std::clamp(s.u, n.u, SEGMENTOS_MAXIMOS_TROZO), std::clamp(s.v, n.v, SEGMENTOS_MAXIMOS_TROZO)};
     });
     trozos([&](const Geometria2<float> &G, const Material &material) {
         dibujaLamina(estado.lamina, mallaSuperficie(Base::BSPLINE, G, n), material);
     });
-    if (estado.red) {
+    if (estado.conRed) {
         trazaSegmentos(redDeControl(estado.P, LADO), vista(), GRIS, 0.6f * GROSOR);
         glDisable(GL_DEPTH_TEST); // los puntos, todos, también por detrás de la superficie
         trazaPuntos(estado.P, vista(), ROJO, 3 * GROSOR);
+        if (estado.veces > 1) {
+            const auto fila = estado.P.begin() + FILA * LADO;
+            trazaPuntos({fila, fila + LADO}, vista(), MORADO, 5 * GROSOR);
+            rotulaPunto("fila ×" + std::to_string(estado.veces), *fila, vista(), MORADO, Lado::DEBAJO);
+        }
         glEnable(GL_DEPTH_TEST);
     }
     if (estado.editor.elegido >= 0) {
@@ -64,14 +86,18 @@ static void dibuja() {
         rotulaPunto("P" + std::to_string(k / LADO) + std::to_string(k % LADO), estado.P[k], vista(), OSCURO);
     }
     ponTitulo("Superficie B-Spline: " + std::to_string(LADO * LADO) + " puntos, " +
-              std::to_string((LADO - 3) * (LADO - 3)) + " trozos");
+              std::to_string((filas - 3) * (LADO - 3)) + " trozos" +
+              (estado.veces > 1 ? ", una fila " + std::to_string(estado.veces) + " veces" : ""));
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (teclaComun(tecla) || teclaEditor(estado.editor, tecla) || tecla != 'r')
+    if (teclaComun(tecla) || teclaEditor(estado.editor, tecla))
         return;
-    estado.red = !estado.red;
+    if (tecla == 'd')
+        estado.veces = estado.veces % 3 + 1;
+    else if (tecla == 'r')
+        estado.conRed = !estado.conRed;
     glutPostRedisplay();
 }
 

@@ -483,25 +483,29 @@ TEST(SuperficieBezier, DosTrozosUnidos) {
 
 // ---- superficie_bspline ----
 
-std::vector<Trozo> nueveTrozos() {
+/// Con la tercera fila de puntos de control, esas veces.
+std::vector<Trozo> nueveTrozos(int veces = 1) {
     Red P;
-    for (int k = 0; k < 36; ++k) {
-        const double x = 0.8 * (k / 6) - 2, z = 2 - 0.8 * (k % 6);
+    for (int k = 0; k < 30 + 6 * veces; ++k) {
+        const int fila = k / 6 <= 2 ? k / 6 : std::max(2, k / 6 - veces + 1);
+        const double x = 0.8 * fila - 2, z = 2 - 0.8 * (k % 6);
         const auto monte = [&](double c) {
             return std::exp(-1.6 * (std::pow(x - c, 2) + std::pow(z - c, 2)));
         };
         P.push_back({x, 2 * monte(-0.5) - 1.5 * monte(0.6), z});
     }
     std::vector<Trozo> trozos;
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i + 3 < P.size() / 6; ++i)
         for (std::size_t j = 0; j < 3; ++j)
             trozos.push_back(trozo(Base::BSPLINE, trozoDe(P, 6, i, j), (i + j) % 2 == 1));
     return trozos;
 }
 
 TEST(SuperficieBSpline, PixelAPixel) {
-    compruebaCasos("superficie_bspline",
-                   {{"", CAMARA_BSPLINE, nueveTrozos()}, {"tamano 360 480", CAMARA_BSPLINE, nueveTrozos()}});
+    compruebaCasos("superficie_bspline", {{"", CAMARA_BSPLINE, nueveTrozos()},
+                                          {"tecla d", CAMARA_BSPLINE, nueveTrozos(2)},
+                                          {"tecla d", CAMARA_BSPLINE, nueveTrozos(3)},
+                                          {"tecla d; tamano 360 480", CAMARA_BSPLINE, nueveTrozos()}});
 }
 
 // ---- superficie_hermite ----
