@@ -1,5 +1,6 @@
 // Un menú desplegable con un submenú (listado 10.1, figura 10.1): la grúa en perspectiva o en una de las tres vistas
-// paralelas (ch04_vista3d/vistas_grua.h). Elegir una opción es recibir su número, que se escribe en stdout.
+// paralelas (ch04_vista3d/vistas_grua.h). Elegir una opción es recibir su número, que se escribe en stdout. El listado
+// crea antes el submenú y no necesita glutSetMenu; aquí, al revés, hace falta para volver al principal.
 // Controles: botón derecho abre el menú · 1 perspectiva · 2 alzado · 3 planta · 4 perfil · 0 termina ·
 // ratón orbita la perspectiva · rueda la exagera o la suaviza, siempre con la grúa entera · Esc termina.
 #include "ch03_transformaciones/objeto.h"
@@ -63,11 +64,12 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 static void creaMenu() {
-    const int paralela = glutCreateMenu(menu);
+    const int principal = glutCreateMenu(menu);
+    glutAddMenuEntry("Perspectiva", PERSPECTIVA);
+    const int paralela = glutCreateMenu(menu); // ahora el actual es este: las opciones que siguen son suyas
     for (int opcion = PARALELA_ALZADO; opcion < N_OPCIONES; ++opcion)
         glutAddMenuEntry(VISTAS[VISTA_DE[opcion]].nombre, opcion);
-    glutCreateMenu(menu); // el actual: las opciones que siguen son suyas
-    glutAddMenuEntry("Perspectiva", PERSPECTIVA);
+    glutSetMenu(principal);
     glutAddSubMenu("Paralela", paralela);
     glutAddMenuEntry("Salir", SALIR);
     glutAttachMenu(GLUT_RIGHT_BUTTON);

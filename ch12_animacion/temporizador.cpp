@@ -1,7 +1,8 @@
-// Eventos de tiempo (§12.2): tres glutTimerFunc a la vez, cada uno con su periodo. Uno que se vuelve a pedir para
-// dentro de un periodo se retrasa un poco cada vez; aquí se pide lo que falta para el siguiente múltiplo, y el retraso
-// no se acumula.
-// Controles: espacio pausa · Esc termina.
+// Eventos de tiempo (§12.2): tres glutTimerFunc a la vez, cada uno con su periodo. Si la función vuelve a pedirse para
+// dentro de un periodo, como dice el libro (tecla l), cada retraso se suma al anterior; aquí se pide lo que falta para
+// el siguiente múltiplo, y no se acumula. Se ve con un programa ocupado, al que cada aviso le llega tarde: se hace como
+// si se pidiera RETRASO más tarde (tecla o).
+// Controles: l como el libro o sin acumular · o ocupado o no · espacio pausa · Esc termina.
 #include "animacion.h"
 #include "proyeccion.h"
 #include "trazo.h"
@@ -13,21 +14,27 @@ static const struct {
     glm::vec3 color;
 } TEMPORIZADORES[] = {{250, ROJO}, {400, VERDE}, {1000, AZUL}};
 static const double VENTANA = 3; // segundos que se ven
+static const int RETRASO = 60;   // ms
 
 static struct {
     Reloj reloj;
-    int disparos[3];
+    bool comoElLibro = false, ocupado = false;
+    double siguiente[3];             // ms
+    std::vector<double> disparos[3]; // cuándo, en segundos
 } estado;
 
 static void dispara(int cual) {
     const double periodo = TEMPORIZADORES[cual].periodo, ahora = 1000 * tiempo(estado.reloj);
-    if (ahora > (estado.disparos[cual] + 1) * periodo - 0.5) {
-        ++estado.disparos[cual];
+    double &siguiente = estado.siguiente[cual];
+    if (ahora > siguiente - 0.5) {
+        estado.disparos[cual].push_back(ahora / 1000);
+        const double multiplo = std::floor((ahora + 0.5) / periodo + 1) * periodo;
+        siguiente = estado.comoElLibro ? ahora + periodo : multiplo;
         glutPostRedisplay();
     }
     // en pausa se vuelve a mirar al cabo de un cuadro
     const double falta =
-        estado.reloj.parado < 0 ? (estado.disparos[cual] + 1) * periodo - ahora : PERIODO_CUADRO;
+        estado.reloj.parado >= 0 ? PERIODO_CUADRO : siguiente - ahora + (estado.ocupado ? RETRASO : 0);
     glutTimerFunc(unsigned(std::max(1L, std::lround(falta))), dispara, cual);
 }
 
@@ -42,36 +49,49 @@ static void dibuja() {
         const double periodo = temporizador.periodo / 1000.0;
         const float y = 0.6f - 0.55f * float(i);
         trazaSegmentos({{x(desde), y, 0}, {x(desde + VENTANA), y, 0}}, proyeccion, GRIS);
-        std::vector<glm::vec3> marcas, previstas; // los disparos, y los que faltan
+        std::vector<glm::vec3> marcas, previstas; // los disparos, y una raya donde tocan
         for (int n = std::max(1, int(std::ceil(desde / periodo))); n * periodo <= desde + VENTANA; ++n)
-            (n <= estado.disparos[i] ? marcas : previstas).push_back({x(n * periodo), y, 0});
-        trazaPuntos(previstas, proyeccion, GRIS, 20);
+            previstas.insert(previstas.end(),
+                             {{x(n * periodo), y - 0.07f, 0}, {x(n * periodo), y + 0.07f, 0}});
+        for (const double s : estado.disparos[i])
+            if (s >= desde)
+                marcas.push_back({x(s), y, 0});
+        trazaSegmentos(previstas, proyeccion, GRIS);
         trazaPuntos(marcas, proyeccion, temporizador.color, 30);
-        rotulaPunto(std::to_string(estado.disparos[i]), {-0.88f, y + 0.04f, 0}, proyeccion,
+        rotulaPunto(std::to_string(estado.disparos[i].size()), {-0.88f, y + 0.04f, 0}, proyeccion,
                     temporizador.color, Lado::CENTRO, 0.12f);
         rotulaPunto(std::to_string(temporizador.periodo) + " ms", {-0.88f, y - 0.17f, 0}, proyeccion, OSCURO,
                     Lado::CENTRO);
     }
-    rotulaTiempo(estado.reloj, OSCURO);
-    tituloAnimado(estado.reloj, "Temporizadores: " + std::to_string(estado.disparos[0]) + ", " +
-                                    std::to_string(estado.disparos[1]) + " y " +
-                                    std::to_string(estado.disparos[2]) + " disparos");
+    const std::string como =
+        std::string(estado.ocupado ? ", ocupado" : "") + (estado.comoElLibro ? ", libro" : "");
+    rotulaTiempo(estado.reloj, OSCURO, como);
+    tituloAnimado(estado.reloj, "Temporizadores: " + std::to_string(estado.disparos[0].size()) + ", " +
+                                    std::to_string(estado.disparos[1].size()) + " y " +
+                                    std::to_string(estado.disparos[2].size()) + " disparos" +
+                                    (estado.comoElLibro ? ", como el libro" : "") +
+                                    (estado.ocupado ? ", ocupado" : ""));
     glutSwapBuffers();
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (tecla == ' ') // no s ni h: un temporizador no dispara por un tiempo que no ha pasado
-        teclaAnimacion(estado.reloj, tecla);
-    else
-        teclaComun(tecla);
+    switch (tecla) { // ni s ni h: un temporizador no dispara por un tiempo que no ha pasado
+    case ' ': teclaAnimacion(estado.reloj, tecla); break;
+    case 'l': estado.comoElLibro = !estado.comoElLibro; break;
+    case 'o': estado.ocupado = !estado.ocupado; break;
+    default: teclaComun(tecla); return;
+    }
+    glutPostRedisplay();
 }
 
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Temporizadores", GLUT_DOUBLE | GLUT_MULTISAMPLE);
     ponFondo(FONDO_CLARO);
     glutDisplayFunc(dibuja);
-    for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i) {
+        estado.siguiente[i] = TEMPORIZADORES[i].periodo;
         dispara(i);
+    }
     animaConReloj(estado.reloj);
     glutKeyboardFunc(teclado);
     glutMainLoop();

@@ -203,6 +203,7 @@ TEST(Enrejado, HuecosContraFract) {
     const struct {
         std::string guion;
         double tallaS, tallaT, azimut = 0.1, elevacion = 1.55; // los polos, en ±Y
+        int veces = 12;                                        // en t; en s, el doble
     } casos[] = {
         {"", 0.35, 0.35, 0.4, 0.35},
         {"tecla a ×5; tecla w ×2", 0.1, 0.45, 0.4, 0.35},
@@ -213,13 +214,15 @@ TEST(Enrejado, HuecosContraFract) {
         {"tecla a ×21", 0, 1},
         {"tecla d ×3; tecla x ×21", 0.15, 0},
         {veces(4, "tecla -"), 0, 0},
+        {"tecla + ×7; tecla n ×8", 0.35, 0.35, 0.1, 1.55, 4},
+        {"tecla b ×99; tecla n", 0.35, 0.35, 0.1, 1.55, 23},
     };
     paraCada("enrejado", casos, 320, 240, [&](const auto &c, const Vista &v) {
         const Camara camara = perspectiva(orbita(c.azimut, c.elevacion, 6), 0.4, 1, 100);
         const Escena bola = {malla(DE_PIE, esfera(segmentosEsfera(400)))};
         const Comparacion d = compara(v.escena, bola, camara, [&](const Impacto &visto) -> Tono {
             for (const Impacto &i : impactos(bola, visto.rayo))
-                if (resto(24 * i.s) <= c.tallaS || resto(12 * i.t) <= c.tallaT)
+                if (resto(2 * c.veces * i.s) <= c.tallaS || resto(c.veces * i.t) <= c.tallaT)
                     return {phong(i.frente ? fuera : dentro, UNO, {posicional({-4, 6, 5})}, i.punto,
                                   i.frente ? i.normal : -i.normal, haciaOjo(i)),
                             1 + i.frente};
