@@ -1,8 +1,8 @@
-// Un objeto que refleja su entorno, guardado en un mapa de cubo (§8.1, listados 8.1 y 8.2, figura 8.1) o, con e, en una
-// sola textura que se lee con coordenadas esféricas. Se aparta del libro en que el entorno está fijo en el mundo, en que
-// el vector de reflexión se calcula en cada fragmento, en el orden de las caras y de sus filas, que es el de OpenGL, y
-// en GL_CLAMP_TO_EDGE. El toro no se refleja a sí mismo: no está en el mapa. En el mapa desplegado se ve qué cara y qué
-// (u, v) tocan a un vector, que es aquel en que mira la cámara (mapa_cubo.h).
+// Un objeto que refleja su entorno, guardado en un mapa de cubo (§8.1, listados 8.1 y 8.2, figura 8.1) o, con e, en
+// una sola textura que se lee con coordenadas esféricas. Se aparta del libro en que el entorno está fijo en el
+// mundo, en que el vector de reflexión se calcula en cada fragmento, en el orden de las caras y de sus filas, que es
+// el de OpenGL, y en GL_CLAMP_TO_EDGE. El toro no se refleja a sí mismo: no está en el mapa. En el mapa desplegado
+// se ve qué cara y qué (u, v) tocan a un vector, que es aquel en que mira la cámara (mapa_cubo.h).
 // Controles: c mapa desplegado · e de cubo o esférico · v por fragmento y por vértice · ratón orbita · Esc termina.
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"

@@ -1,7 +1,7 @@
 // La superficie B-Spline (ecuación 11.42): cada 4×4 puntos de control de la red definen un trozo, y los vecinos
 // comparten doce. Se unen con C2 sin pasar por los puntos, y mover uno cambia solo los trozos que lo usan, 16 como
-// mucho. Con puntos repetidos (§11.8) las derivadas siguen casando, pero con una fila tres veces se anulan en ella, y la
-// superficie, que entonces llega a pasar por su curva, tiene ahí una arista.
+// mucho. Con puntos repetidos (§11.8) las derivadas siguen casando, pero con una fila tres veces se anulan en ella,
+// y la superficie, que entonces llega a pasar por su curva, tiene ahí una arista.
 // Controles: arrastra los puntos (o n y flechas) · d una fila una, dos o tres veces · r red de control ·
 // ratón orbita · Esc termina.
 #include "lamina.h"
