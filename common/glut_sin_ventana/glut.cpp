@@ -55,7 +55,8 @@ struct {
     void (*ocio)() = nullptr;
     void (*cierre)() = nullptr;
     // tiempo
-    long long reloj = 0; // ms desde glutInit
+    long long reloj = 0;        // ms desde glutInit
+    long long ultimoCuadro = 0; // cuándo se dibujó
     std::vector<Temporizador> temporizadores;
 } g;
 
@@ -102,6 +103,7 @@ void dibujaLoPedido() {
     if (!g.repinta || g.termina)
         return;
     g.repinta = false;
+    g.ultimoCuadro = g.reloj;
     dibujaCuadro();
     compruebaGL("al dibujar");
 }
@@ -519,6 +521,10 @@ void glutMainLoop(void) {
         apunta(orden.lugar, orden.tipo == Orden::ESPERA);
     }
     cedeAlNavegador();
+    if (explicaCuadro && !g.termina) {
+        g.reloj = g.ultimoCuadro; // se explica el que se ve
+        explicaCuadro(dibujaCuadro, g.talla.ancho, g.talla.alto);
+    }
     if (g.mide)
         mideCuadros(g.mide, primera);
     if (g.rasgos)

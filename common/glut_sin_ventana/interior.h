@@ -58,3 +58,7 @@ void dibujaParaElDiario(void (*dibuja)());
 void apuntaEnElDiario(const std::string &orden, const std::string &titulo, std::size_t temporizadores);
 
 } // namespace sin_ventana
+
+/// Está solo si ./lab explica se pone delante de OpenGL (herramientas/explica/entrada.cpp): dibuja unas veces más y
+/// cuenta lo que hace cada orden.
+extern "C" [[gnu::weak]] void explicaCuadro(void (*dibuja)(), int ancho, int alto);

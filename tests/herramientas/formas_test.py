@@ -15,7 +15,17 @@ CPP = sorted(f for carpeta in ("common", "herramientas", "tests", "assets") for 
 CPP = [f for f in [*CPP, *sorted(RAIZ.glob("ch*/*.*"))] if f.suffix in (".cpp", ".h")]
 MAXIMO = 60  # líneas de una función: una más larga se desempaqueta poniendo nombres
 ANCHO = 120
-PISOS = {"base": 0, "documentos": 1, "ejercicios": 1, "galeria": 1, "informe": 1, "web": 1, "windows": 2, "pruebas": 3}
+PISOS = {
+    "base": 0,
+    "documentos": 1,
+    "ejercicios": 1,
+    "explica": 1,
+    "galeria": 1,
+    "informe": 1,
+    "web": 1,
+    "windows": 2,
+    "pruebas": 3,
+}
 
 
 def falla(hallados):

@@ -174,6 +174,12 @@ web x        | 1 | no entiendo «x»
 ver          | 1 | falta el programa
 ver ch1      | 1 | no hay ningún programa «ch1»; los más parecidos: b, a
 ver 1.1      | 1 | no hay ningún programa
+explica      | 1 | explica: falta el programa
+explica ch01 | 1 | «ch01» son varios programas; elige uno: a b
+explica a 3  | 1 | con la X, 3, falta la Y
+explica a x  | 1 | no entiendo «x»
+explica a 1 2 3                | 1 | no entiendo «3»
+explica a -guion               | 1 | falta lo que sigue a -guion
 dora         | 1 | di qué casos
 dora a-x     | 1 | «a-x» no es un caso de a
 prueba -R    | 1 | falta lo que sigue a -R
@@ -566,6 +572,7 @@ ETAPAS = {
     "mide t": "configura compila mide",
     "prueba": "configura compila ctest",
     "ver a": "configura compila programa",
+    "explica a": "configura compila programa",
     "dora a": "configura compila caso",
     "muta": "configura compila prueba",
     "windows": "configura fuentes compila programa",

@@ -19,6 +19,7 @@ ORDENES = re.findall(r"^\./lab (\w+)", AYUDA, re.M)
 EJEMPLOS = dict(zip(ORDENES, ORDENES)) | {
     "prueba": "prueba",
     "ver": "ver a",
+    "explica": "explica a",
     "nuevo": "nuevo l1.1 copia",
     "lista": "lista --docs",
     "mide": "mide t",
@@ -219,6 +220,9 @@ OPCIONES = {
     "--tsv": ("lista", "lista --tsv", ""),
     "-ayuda": ("ver a", "ver a -ayuda", "-ayuda"),
     "--vigila": ("ver a", "ver a --vigila", "vigilando"),
+    "-guion": ("explica a", "explica a -guion x", "-guion"),
+    "-geometry": ("explica a", "explica a -geometry 80x40", "-geometry"),
+    "--json": ("explica a", "explica a --json e.json", "e.json"),
 }
 OTRAS = {"--cambios", "--apunta", "--docs", "--ensayo", "--mira"}  # sus propias pruebas: test_prueba_lo_que_cambia…
 

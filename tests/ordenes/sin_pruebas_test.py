@@ -20,7 +20,7 @@ class SinPruebas:
 
     def __init__(self, sitio):
         self.sitio = sitio
-        for carpeta in ("build", "mios", "galeria", "informe", "aqui"):
+        for carpeta in ("build", "mios", "explica", "galeria", "informe", "aqui"):
             (sitio / carpeta).mkdir()
         shutil.copytree(RAIZ / "docs", sitio / "docs")
         subprocess.run(["cp", "-a", *(f for f in BUILD.iterdir() if f.name not in DE_LAS_PRUEBAS), sitio / "build"])
@@ -84,6 +84,17 @@ def test_ver(lab):
     assert lab.deja("f.ppm", b"P6")
     lab("ver grua -volando", 2, "no entiendo «-volando»")
     lab("ver info_opengl", dice="GLSL: ")
+
+
+def test_explica(lab):
+    """Un píxel de la grúa, que es de su base; y uno de más."""
+    dicho = lab("explica E3.5 120 90 -geometry 240x180 -guion 'tecla d' --json f.json", dice="grua en (120, 90): (")
+    assert "\n   1  borra color, profundidad: borrado → (222, 237, 250)\n" in dicho
+    assert lab.deja("f.json", b'{\n "programa": "grua"')
+    assert "muestraCuadro" in (lab.sitio / "explica/grua.html").read_text()
+    lab("explica grua 300 9 -geometry 240x180", 1, "300 9 está fuera de la ventana, que es de 240×180")
+    lab("explica info_opengl", 1, "info_opengl escribe texto y no dibuja nada")
+    lab("explica grua -guion 'tecla Esc'", 1, "¿pulsa Esc el guion?")
 
 
 def test_donde_no_se_puede_abrir_una_ventana_dibuja(lab):

@@ -1,0 +1,167 @@
+// Enseña un cuadro explicado, lo que da entrada.cpp con los ficheros y las miniaturas, en un elemento de la página.
+const ANCHO = 480; // de la imagen grande, como mucho
+
+function h(etiqueta, atributos = {}, ...dentro) {
+  const elemento = document.createElement(etiqueta);
+  for (const [clave, valor] of Object.entries(atributos))
+    if (clave.startsWith('on')) elemento.addEventListener(clave.slice(2), valor);
+    else if (valor !== false && valor !== undefined) elemento.setAttribute(clave, valor === true ? '' : valor);
+  elemento.append(...dentro.flat().filter(d => d !== '' && d !== undefined && d !== null));
+  return elemento;
+}
+
+/** Un número como se lee: sin más de `cifras` significativas. NaN e infinitos vienen como texto. */
+export function cifra(numero, cifras = 4) {
+  if (typeof numero === 'string') return { nan: 'NaN', '-nan': 'NaN', inf: '∞', '-inf': '−∞' }[numero] ?? numero;
+  return String(Number(numero.toPrecision(cifras))).replace('-', '−');
+}
+
+export function vector(numeros, cifras) {
+  return numeros.length === 1 ? cifra(numeros[0], cifras) : `(${numeros.map(n => cifra(n, cifras)).join(', ')})`;
+}
+
+const enteros = color => vector(color.slice(0, 3).map(c => Math.round(c * 10) / 10), 6);
+
+function muestra(color) { // de 0 a 255
+  const [r, g, b] = color.map(c => (typeof c === 'number' ? Math.min(Math.max(c, 0), 255) : 0));
+  return h('span', { class: 'muestra', style: `background: rgb(${r} ${g} ${b})` });
+}
+
+const conMuestra = color => (color ? h('span', { class: 'color' }, muestra(color), enteros(color)) : '');
+
+/** «12 triángulos · liso.frag · mezcla». */
+export function tituloDe(orden) {
+  return [orden.titulo, orden.frag, ...orden.pruebas].filter(Boolean).join(' · ');
+}
+
+function mezclaDe(mezcla) {
+  if (!mezcla) return '';
+  const veces = (factores, color) => {
+    const f = factores.slice(0, 3);
+    const factor = f.every(x => x === f[0]) ? cifra(f[0], 3) : vector(f, 3);
+    return `${factor} · ${enteros(color.map(c => c * 255))}`;
+  };
+  const suma = mezcla.si
+    ? `${veces(mezcla.factorOrigen, mezcla.origen)} + ${veces(mezcla.factorDestino, mezcla.destino)} =
+      ${enteros(mezcla.suma)}`
+    : '';
+  return h('span', { class: 'mezcla' }, suma, mezcla.cuadra ? '' : h('b', { class: 'malo' }, ' no es lo que queda'));
+}
+
+function historia(datos, elige) {
+  const ordenes = new Map(datos.ordenes.map(o => [o.n, o]));
+  const fila = suceso => {
+    const orden = ordenes.get(suceso.orden);
+    const quien = suceso.tipo ? `${suceso.tipo} ${suceso.primitiva}` : '';
+    const color = suceso.color?.map(c => (typeof c === 'number' ? c * 255 : c));
+    return h('tr', { class: suceso.veredicto, onclick: () => elige(suceso.orden) },
+      h('td', {}, h('a', { href: '#orden' }, suceso.orden)), h('td', {}, tituloDe(orden)), h('td', {}, quien),
+      h('td', {}, color ? h('span', { class: 'color' }, muestra(color), vector(suceso.color.slice(0, 4), 3)) : ''),
+      h('td', {}, suceso.profundidad === undefined ? '' : cifra(suceso.profundidad, 6)),
+      h('td', {}, suceso.dice, mezclaDe(suceso.mezcla)),
+      h('td', {}, suceso.veredicto === 'escrito' ? conMuestra(suceso.despues) : ''));
+  };
+  const cabecera = ['orden', '', '', 'da el shader', 'profundidad', 'qué pasa', 'queda'];
+  const tabla = h('table', { class: 'historia' }, h('thead', {}, h('tr', {}, cabecera.map(texto => h('th', {}, texto)))),
+    h('tbody', {}, datos.historia.map(fila)));
+  return h('div', { class: 'tabla' }, tabla);
+}
+
+/** La última imagen de ese framebuffer hasta esa orden, por si ella no lo cambia. */
+function ultima(ordenes, hasta, que) {
+  const suyas = ordenes.slice(0, hasta + 1).filter(o => o.framebuffer === ordenes[hasta].framebuffer && o[que]);
+  return suyas.at(-1)?.[que];
+}
+
+function lamina(src, texto, marcas) {
+  return h('figure', {}, h('div', { class: 'lamina' }, h('img', { src, alt: texto }), marcas), h('figcaption', {}, texto));
+}
+
+/** Un rectángulo o un punto, en tantos por ciento de la imagen. */
+function marca(clase, [x, y, ancho, alto], [total, filas]) {
+  const p = (parte, todo) => `${100 * parte / todo}%`;
+  return h('i', { class: clase,
+    style: `left: ${p(x, total)}; top: ${p(y, filas)}; width: ${p(ancho, total)}; height: ${p(alto, filas)}` });
+}
+
+function estadoDe(orden, anterior) {
+  const antes = new Map((anterior?.estado ?? []).map(e => [e.nombre, e.valor]));
+  return h('dl', { class: 'estado' }, orden.estado.map(({ nombre, valor }) => {
+    const cambia = anterior && antes.get(nombre) !== valor;
+    const clase = cambia ? 'cambia' : valor === 'no' ? 'apagado' : '';
+    return [h('dt', {}, h('code', {}, nombre)), h('dd', { class: clase }, valor)];
+  }).flat());
+}
+
+function detalle(datos, indice) {
+  const orden = datos.ordenes[indice];
+  const anterior = datos.ordenes.slice(0, indice).reverse().find(o => o.estado.length);
+  const laminas = [];
+  const color = ultima(datos.ordenes, indice, 'miniatura');
+  if (color) {
+    const marcas = [];
+    if (orden.donde) marcas.push(marca('cambiado', orden.donde, orden.talla));
+    const aqui = datos.pixel && orden.framebuffer === 'la ventana';
+    if (aqui) marcas.push(marca('pixel', [...datos.pixel, 1, 1], orden.talla));
+    laminas.push(lamina(color, orden.cambian ? `color: cambian ${orden.cambian} píxeles` : 'color: no cambia', marcas));
+  }
+  for (const que of ['profundidad', 'plantilla']) {
+    const imagen = ultima(datos.ordenes, indice, que);
+    if (imagen) laminas.push(lamina(imagen, orden[que] ? que : `${que}: no cambia`));
+  }
+  const cuantos = orden.fragmentos >= 0 ? `, ${orden.fragmentos} fragmentos escritos` : '';
+  return [h('h3', {}, `${orden.n} · ${tituloDe(orden)}`),
+    h('p', {}, h('code', {}, orden.llamada), `, en ${orden.framebuffer}${cuantos}.`),
+    h('div', { class: 'laminas' }, laminas), orden.estado.length ? estadoDe(orden, anterior) : ''];
+}
+
+function ordenesDe(datos) {
+  const sitio = h('section', { class: 'orden', id: 'orden' }), tira = h('ol', { class: 'tira' });
+  const mando = h('input', { type: 'range', min: 0, max: datos.ordenes.length - 1, 'aria-label': 'Orden',
+    oninput: () => elige(datos.ordenes[mando.value].n) });
+  const elige = n => {
+    const indice = datos.ordenes.findIndex(o => o.n === n);
+    mando.value = indice;
+    sitio.replaceChildren(...detalle(datos, indice));
+    for (const [i, li] of [...tira.children].entries()) li.classList.toggle('elegida', i === indice);
+    const li = tira.children[indice]; // sin mover la página
+    tira.scrollTop += li.getBoundingClientRect().top - tira.getBoundingClientRect().top - tira.clientHeight / 3;
+  };
+  const enHistoria = new Set(datos.historia.map(s => s.orden));
+  tira.append(...datos.ordenes.map((o, i) => h('li', { class: enHistoria.has(o.n) ? 'toca' : '' },
+    h('button', { onclick: () => elige(o.n) },
+      o.miniatura ? h('img', { src: ultima(datos.ordenes, i, 'miniatura'), alt: '' }) : '',
+      h('span', {}, `${o.n} · ${tituloDe(o)}`)))));
+  return { elige, elemento: h('div', { class: 'ordenes' }, h('div', { class: 'indice' }, mando, tira), sitio) };
+}
+
+function resumen(datos) {
+  const final = datos.ordenes.filter(o => o.framebuffer === 'la ventana' && o.miniatura).at(-1);
+  const partes = [];
+  if (datos.sospechas.length)
+    partes.push(h('ul', { class: 'sospechas' }, datos.sospechas.map(s => h('li', {}, `${s.dice}. ${s.prueba}`))));
+  if (!datos.pixel) return partes;
+  const ultimo = datos.historia.filter(s => s.veredicto === 'escrito' && s.framebuffer === 0).at(-1);
+  const orden = ultimo && datos.ordenes.find(o => o.n === ultimo.orden);
+  const suya = ultimo?.tipo ? `el ${ultimo.tipo} ${ultimo.primitiva} de ` : '';
+  const quien = orden && `${suya}la orden ${orden.n}, ${tituloDe(orden)}`;
+  const marcas = marca('pixel', [...datos.pixel, 1, 1], datos.talla);
+  const cuadro = final && lamina(final.miniatura, 'El cuadro, y el píxel', marcas);
+  if (cuadro) partes.push(h('div', { style: `max-width: ${ANCHO}px` }, cuadro));
+  const dado = quien ? ` y se lo ha dado ${quien}.` : '.';
+  partes.push(h('p', { class: 'dice' }, 'El píxel es ', conMuestra(datos.color), dado));
+  return partes;
+}
+
+/** En `contenedor`, el cuadro entero; con `datos.pixel`, además, su historia. */
+export function muestraCuadro(datos, contenedor) {
+  if (!datos.ordenes.length) return contenedor.replaceChildren(h('p', {}, 'Este cuadro no dibuja ni borra nada.'));
+  const { elige, elemento } = ordenesDe(datos);
+  const partes = resumen(datos);
+  if (datos.pixel) partes.push(h('h2', {}, 'La historia del píxel'), historia(datos, elige));
+  partes.push(h('h2', {}, 'El cuadro, orden a orden'), elemento);
+  contenedor.classList.add('cuadro-explicado');
+  contenedor.replaceChildren(...partes);
+  const escrito = datos.historia.filter(s => s.veredicto === 'escrito').at(-1);
+  elige(escrito?.orden ?? datos.ordenes.at(-1).n);
+}

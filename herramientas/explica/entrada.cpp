@@ -1,0 +1,187 @@
+// Se antepone (LD_PRELOAD) a un programa enlazado sin ventana: define las funciones de OpenGL que escriben píxeles y,
+// cuando el guion ha acabado, dibuja el cuadro unas veces más y deja en $LAB_EXPLICA, en JSON, lo que hace cada orden y,
+// de cada píxel de $LAB_EXPLICA_PIXELES («240,140 30,20», desde arriba a la izquierda), su historia. Con
+// LAB_EXPLICA_IMAGENES=1, también lo que va quedando en cada framebuffer.
+#include "imagenes.h"
+#include "pixel.h"
+#include "programas.h"
+#include <cstring>
+#include <dlfcn.h>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace explica {
+namespace {
+
+template<class Funcion>
+Funcion tapada(const char *nombre) {
+    return reinterpret_cast<Funcion>(dlsym(RTLD_NEXT, nombre));
+}
+
+struct Copia {
+    GLuint origen, destino;
+    Orden orden;
+};
+
+struct {
+    enum { NADA, LISTA, PIXEL } pasada = NADA;
+    int ancho = 0, alto = 0, numero = 0; // de la orden
+    bool imagenes = false;
+    std::vector<Json> ordenes, sucesos;
+    std::vector<Copia> copias;
+    std::map<GLuint, Punto> pixel; // en cada framebuffer
+    std::set<GLuint> programas;
+} c;
+
+void apuntaOrden(const Orden &orden) {
+    const Lienzo lienzo = lienzoActual(c.ancho, c.alto);
+    Json json = describe(orden, lienzo);
+    if (orden.que == Orden::Que::Dibuja) {
+        c.programas.insert(GLuint(entero(GL_CURRENT_PROGRAM)));
+        json.pon("fragmentos", muestrasDe(orden.hazla));
+    } else {
+        orden.hazla();
+    }
+    if (orden.que == Orden::Que::Copia && (orden.buferes & GL_COLOR_BUFFER_BIT))
+        c.copias.push_back({GLuint(entero(GL_READ_FRAMEBUFFER_BINDING)), lienzo.nombre, orden});
+    if (c.imagenes) {
+        const Guardado guardado;
+        apuntaImagenes(lienzo, json);
+    }
+    c.ordenes.push_back(json.pon("n", c.numero));
+}
+
+void llega(const Orden &orden) {
+    if (c.pasada == c.NADA)
+        return orden.hazla();
+    ++c.numero;
+    if (c.pasada == c.LISTA)
+        return apuntaOrden(orden);
+    const auto suyo = c.pixel.find(GLuint(entero(GL_DRAW_FRAMEBUFFER_BINDING)));
+    if (suyo == c.pixel.end())
+        return orden.hazla();
+    hazYCuenta(orden, c.numero, lienzoActual(c.ancho, c.alto), suyo->second, c.sucesos);
+}
+
+// El píxel del framebuffer de que viene, por una copia, ese de la ventana; y así hacia atrás.
+std::map<GLuint, Punto> enCadaFramebuffer(Punto p) {
+    std::map<GLuint, Punto> donde = {{0, p}};
+    for (auto copia = c.copias.rbegin(); copia != c.copias.rend(); ++copia) {
+        const auto suyo = donde.find(copia->destino);
+        if (suyo == donde.end())
+            continue;
+        const auto &o = copia->orden.origen, &d = copia->orden.destino;
+        const auto lleva = [&](int v, int i) {
+            return int(std::floor(o[i] + (v + 0.5 - d[i]) * (o[i + 2] - o[i]) / double(d[i + 2] - d[i])));
+        };
+        donde.insert({copia->origen, {lleva(suyo->second.x, 0), lleva(suyo->second.y, 1)}});
+    }
+    return donde;
+}
+
+Json explicaPixel(void (*dibuja)(), int x, int y) {
+    c.pasada = c.PIXEL;
+    c.numero = 0;
+    c.sucesos.clear();
+    const Punto p = {x, c.alto - 1 - y};
+    c.pixel = enCadaFramebuffer(p);
+    dibuja();
+    c.pasada = c.NADA;
+    const Guardado guardado;
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    const Color color = leeColor(lienzoActual(c.ancho, c.alto), p.x, p.y);
+    Json json;
+    json.pon("pixel", std::array<int, 2>{x, y}).pon("color", color).pon("historia", c.sucesos);
+    return json;
+}
+
+std::vector<Json> programasJson() {
+    std::vector<Json> programas;
+    for (const GLuint programa : c.programas) {
+        Json json;
+        json.pon("programa", programa);
+        for (const Fuente &f : fuentesDe(programa))
+            json.pon(f.tipo == GL_VERTEX_SHADER ? "vert" : "frag", f.texto);
+        programas.push_back(json);
+    }
+    return programas;
+}
+
+std::string variable(const char *nombre) {
+    const char *const valor = std::getenv(nombre);
+    return valor ? valor : "";
+}
+
+void copiaFramebuffer(GLint x0, GLint y0, GLint x1, GLint y1, GLint u0, GLint v0, GLint u1, GLint v1,
+                      GLbitfield buferes, GLenum filtro) {
+    llega(ordenCopia({x0, y0, x1, y1}, {u0, v0, u1, v1}, buferes, filtro));
+}
+
+} // namespace
+
+const DeVerdad &deVerdad() {
+    static const DeVerdad funciones = {tapada<decltype(&glClear)>("glClear"),
+                                       tapada<decltype(&glDrawArrays)>("glDrawArrays"),
+                                       tapada<decltype(&glDrawElements)>("glDrawElements"),
+                                       tapada<decltype(&glBlitFramebuffer)>("glBlitFramebuffer")};
+    return funciones;
+}
+
+} // namespace explica
+
+using namespace explica;
+
+extern "C" {
+
+void explicaCuadro(void (*dibuja)(), int ancho, int alto) {
+    const std::string fichero = variable("LAB_EXPLICA");
+    if (fichero.empty())
+        return;
+    c.ancho = ancho;
+    c.alto = alto;
+    c.imagenes = variable("LAB_EXPLICA_IMAGENES") == "1";
+    c.pasada = c.LISTA;
+    dibuja();
+    c.pasada = c.NADA;
+    std::vector<Json> pixeles;
+    std::istringstream pedidos(variable("LAB_EXPLICA_PIXELES"));
+    int x, y;
+    char coma;
+    while (pedidos >> x >> coma >> y)
+        pixeles.push_back(explicaPixel(dibuja, x, y));
+    Json json;
+    json.pon("talla", std::array<int, 2>{ancho, alto}).pon("ordenes", c.ordenes);
+    json.pon("programas", programasJson()).pon("pixeles", pixeles);
+    std::ofstream(fichero) << json.texto() << '\n';
+}
+
+void glClear(GLbitfield buferes) {
+    llega(ordenBorra(buferes));
+}
+
+void glDrawArrays(GLenum modo, GLint primero, GLsizei vertices) {
+    llega(ordenDibuja(modo, primero, vertices));
+}
+
+void glDrawElements(GLenum modo, GLsizei vertices, GLenum tipo, const void *indices) {
+    llega(ordenDibuja(modo, vertices, tipo, indices));
+}
+
+// Por donde GLEW pregunta las demás: OSMesa y, con EGL, GLX.
+using Direccion = void (*)();
+
+Direccion OSMesaGetProcAddress(const char *nombre) {
+    if (!std::strcmp(nombre, "glBlitFramebuffer"))
+        return reinterpret_cast<Direccion>(copiaFramebuffer);
+    return tapada<Direccion (*)(const char *)>("OSMesaGetProcAddress")(nombre);
+}
+
+Direccion glXGetProcAddressARB(const GLubyte *nombre) {
+    if (!std::strcmp(reinterpret_cast<const char *>(nombre), "glBlitFramebuffer"))
+        return reinterpret_cast<Direccion>(copiaFramebuffer);
+    return tapada<Direccion (*)(const GLubyte *)>("glXGetProcAddressARB")(nombre);
+}
+
+} // extern "C"

@@ -1,0 +1,41 @@
+"""De qué fichero, y de qué línea de él, es cada línea de un shader que OpenGL recibe con los #include ya puestos."""
+import os
+from pathlib import Path
+
+from base.fuentes import INCLUYE
+
+
+def carpetas(raiz):
+    """Donde buscan los programas: antes en $LAB_RAIZ."""
+    return [*(Path(c) for c in os.environ.get("LAB_RAIZ", "").split(":") if c), raiz]
+
+
+def lineas(donde, fichero):
+    """Las de ese shader, con lo que incluye en su sitio: (fichero, número, texto). Ninguna si no está."""
+    ruta = next((c / fichero for c in donde if (c / fichero).is_file()), None)
+    if not ruta:
+        return []
+    todas = []
+    for numero, texto in enumerate(ruta.read_text(errors="replace").splitlines(), 1):
+        incluido = INCLUYE.match(texto)
+        todas += lineas(donde, incluido[1]) if incluido else [(fichero, numero, texto)]
+    return todas
+
+
+def reconoce(raiz, programas):
+    """Añade a cada programa de dónde sale cada línea de sus shaders. Devuelve el nombre del fragment shader de cada uno."""
+    donde = carpetas(raiz)
+    hay = {}
+    for carpeta in donde:
+        for f in sorted({*carpeta.glob("*.*"), *carpeta.glob("c*/*.*")}):
+            if f.suffix in (".vert", ".frag"):
+                suyas = lineas(donde, str(f.relative_to(carpeta)))
+                hay.setdefault(tuple(texto for *_, texto in suyas), suyas)
+    nombres = {}
+    for programa in programas:
+        for etapa in ("vert", "frag"):
+            textos = programa.get(etapa, "").splitlines()
+            suyas = hay.get(tuple(textos)) or [("", n, texto) for n, texto in enumerate(textos, 1)]
+            programa[etapa] = [{"fichero": f, "linea": n, "texto": texto} for f, n, texto in suyas]
+        nombres[programa["programa"]] = Path(programa["frag"][-1]["fichero"]).name if programa["frag"] else ""
+    return nombres

@@ -1,0 +1,23 @@
+// OpenGL, para quien se pone delante de él: las cuatro funciones que se tapan, como son de verdad.
+#pragma once
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+namespace explica {
+
+struct DeVerdad {
+    decltype(&glClear) borra;
+    decltype(&glDrawArrays) dibujaVertices;
+    decltype(&glDrawElements) dibujaIndices;
+    decltype(&glBlitFramebuffer) copia;
+};
+const DeVerdad &deVerdad();
+
+inline GLint entero(GLenum cual) {
+    GLint valor = 0;
+    glGetIntegerv(cual, &valor);
+    return valor;
+}
+
+} // namespace explica

@@ -1,0 +1,97 @@
+"""orden.py RAÍZ BUILD DESTINO CAPÍTULO PROGRAMA NOMBRE TÍTULO [X Y] [opciones]: ejecuta ese programa sin ventana con lo
+que explica un cuadro puesto delante de OpenGL (entrada.cpp), lo dice en pocas palabras y deja DESTINO/NOMBRE.html.
+
+X Y es un píxel, como los da el ratón; sin él, el cuadro entero. --json FICHERO deja ahí lo mismo en datos. Las demás
+opciones, -guion y -geometry, son del programa.
+"""
+import json
+import os
+import re
+import sys
+import tempfile
+from pathlib import Path
+
+from base import paginas, procesos
+from base.procesos import Fallo, escribe, principal
+from explica import fuentes, palabras, png
+
+PLANTILLA = Path(__file__).with_name("explica.html")
+SEGUNDOS = 300
+DEL_PROGRAMA = "-guion", "-geometry"
+
+
+def opciones(palabras_):
+    """El píxel («240,140» o nada), el fichero de --json y lo que va al programa."""
+    numeros, fichero, suyas = [], "", []
+    resto = iter(palabras_)
+    for palabra in resto:
+        if palabra in (*DEL_PROGRAMA, "--json"):
+            valor = next(resto, "")
+            if not valor:
+                raise Fallo(f"explica: falta lo que sigue a {palabra}")
+            if palabra == "--json":
+                fichero = valor
+            else:
+                suyas += [palabra, valor]
+        elif re.fullmatch("[0-9]{1,5}", palabra) and len(numeros) < 2:
+            numeros.append(palabra)
+        else:
+            raise Fallo(f"explica: no entiendo «{palabra}»; es ./lab explica PROGRAMA [X Y], con los píxeles del ratón")
+    if len(numeros) == 1:
+        raise Fallo(f"explica: con la X, {numeros[0]}, falta la Y")
+    return ",".join(numeros), fichero, suyas
+
+
+def ejecuta(build, ejecutable, pixel, suyas):
+    """Lo que cuenta de su cuadro."""
+    with tempfile.TemporaryDirectory() as carpeta:
+        hecho, delante = Path(carpeta, "cuadro.json"), Path(carpeta, "explica.so")
+        delante.symlink_to(build / "herramientas/explica/libexplica.so")  # LD_PRELOAD no admite blancos
+        entorno = {
+            **os.environ,
+            "LD_PRELOAD": "./explica.so",
+            "LAB_EXPLICA": hecho.name,
+            "LAB_EXPLICA_PIXELES": pixel,
+            "LAB_EXPLICA_IMAGENES": "1",
+        }
+        procesos.ejecuta(
+            [ejecutable, *suyas, "-ppm", "cuadro.ppm"], env=entorno, cwd=carpeta, timeout=SEGUNDOS, text=True
+        )
+        if not hecho.exists():
+            raise Fallo("explica: el programa acaba antes de que se pueda explicar su cuadro: ¿pulsa Esc el guion?")
+        return json.loads(hecho.read_text())
+
+
+def completa(raiz, cuadro, nombre, titulo, suyas):
+    """Con los ficheros de que sale cada shader, las miniaturas en PNG y, arriba, lo del píxel."""
+    de_orden = fuentes.reconoce(raiz, cuadro["programas"])
+    for orden in cuadro["ordenes"]:
+        for que in ("miniatura", "profundidad", "plantilla"):
+            if que in orden:
+                orden[que] = png.en_url(**orden[que])
+        if "programa" in orden:
+            orden["frag"] = de_orden[orden["programa"]]
+    [pixel] = cuadro.pop("pixeles") or [{"pixel": None, "color": None, "historia": []}]
+    return {"programa": nombre, "titulo": titulo, "opciones": suyas, **pixel, "lineas": [], "sospechas": [], **cuadro}
+
+
+def main():
+    raiz, build, destino, capitulo, programa, nombre, titulo, *resto = sys.argv[1:]
+    raiz, build, destino = Path(raiz), Path(build), Path(destino)
+    pixel, fichero, suyas = opciones(resto)
+    ejecutable = build / (build / "sin_ventana").read_text().strip() / capitulo / programa
+    cuadro = completa(raiz, ejecuta(build, ejecutable, pixel, suyas), nombre, titulo, suyas)
+    if pixel and any(n >= largo for n, largo in zip(cuadro["pixel"], cuadro["talla"])):
+        raise Fallo(
+            "explica: {} {} está fuera de la ventana, que es de {}×{}".format(*cuadro["pixel"], *cuadro["talla"])
+        )
+    pagina = destino / f"{nombre}.html"
+    escribe(pagina, paginas.plantilla(PLANTILLA).render(cuadro=cuadro))
+    if fichero:
+        escribe(Path(fichero), json.dumps(cuadro, ensure_ascii=False, indent=1) + "\n")
+    print(palabras.cuadro(cuadro))
+    print(f"Hecha: {pagina}", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    principal(main)

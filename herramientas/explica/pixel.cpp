@@ -1,0 +1,362 @@
+#include "pixel.h"
+#include "nombres.h"
+#include "programas.h"
+#include <algorithm>
+
+namespace explica {
+namespace {
+
+// Lo que hay en un píxel.
+struct Contenido {
+    std::optional<Color> color;
+    std::optional<double> profundidad;
+    std::optional<int> plantilla;
+};
+
+Contenido lee(const Lienzo &l, Punto p) {
+    const Guardado guardado;
+    Contenido c;
+    if (l.conColor())
+        c.color = leeColor(l, p.x, p.y);
+    if (l.bitsProfundidad && !l.muestras)
+        c.profundidad = leeProfundidades(l, p.x, p.y, 1, 1)[0];
+    if (l.bitsPlantilla && !l.muestras)
+        c.plantilla = leePlantilla(l, p.x, p.y, 1, 1)[0];
+    return c;
+}
+
+// Las primitivas de una orden, en un buffer de índices de donde se puede dibujar una parte.
+class Sueltas {
+    GLuint bufer = 0;
+
+public:
+    const Primitivas primitivas;
+    explicit Sueltas(Primitivas p) : primitivas(std::move(p)) {
+        const Guardado guardado;
+        glGenBuffers(1, &bufer);
+        glBindBuffer(GL_COPY_READ_BUFFER, bufer);
+        glBufferData(GL_COPY_READ_BUFFER, GLsizeiptr(primitivas.indices.size() * sizeof(GLuint)),
+                     primitivas.indices.data(), GL_STREAM_DRAW);
+    }
+    ~Sueltas() {
+        glDeleteBuffers(1, &bufer);
+    }
+    Sueltas(const Sueltas &) = delete;
+    Sueltas &operator=(const Sueltas &) = delete;
+
+    /// De la primera a la anterior a `hasta`, con el estado que haya.
+    void dibuja(int desde, int hasta) const {
+        const GLint antes = entero(GL_ELEMENT_ARRAY_BUFFER_BINDING);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, bufer);
+        const std::size_t byte = sizeof(GLuint) * std::size_t(primitivas.vertices) * std::size_t(desde);
+        deVerdad().dibujaIndices(primitivas.modo, primitivas.vertices * (hasta - desde), GL_UNSIGNED_INT,
+                                 reinterpret_cast<const void *>(byte));
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, GLuint(antes));
+    }
+};
+
+// Lo que se dibuje no escribe nada, y de todo solo se rasteriza ese píxel, con las pruebas quitadas.
+void soloPregunta(Punto p) {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthMask(GL_FALSE);
+    glStencilMask(0);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(p.x, p.y, 1, 1);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_DEPTH_TEST);
+}
+
+// Las que cubren el píxel, aunque luego no se vean.
+void cubren(const Sueltas &s, int desde, int hasta, std::vector<int> &cuales) {
+    if (desde == hasta || muestrasDe([&] { s.dibuja(desde, hasta); }) == 0)
+        return;
+    if (hasta - desde == 1)
+        return cuales.push_back(desde);
+    const int medio = (desde + hasta) / 2;
+    cubren(s, desde, medio, cuales);
+    cubren(s, medio, hasta, cuales);
+}
+
+bool enRecorte(Punto p) {
+    GLint r[4];
+    glGetIntegerv(GL_SCISSOR_BOX, r);
+    return p.x >= r[0] && p.y >= r[1] && p.x < r[0] + r[2] && p.y < r[1] + r[3];
+}
+
+// Cómo se pregunta por una orden: con su programa, y con otro que cubre lo mismo y no descarta.
+struct Pregunta {
+    const Lienzo &lienzo;
+    Punto pixel;
+    GLuint programa, cobertura;
+    bool dentroDelRecorte;
+};
+
+// La primera prueba que no pasa, en el orden en que las hace OpenGL.
+std::string veredicto(const Pregunta &q, const Sueltas &s, int cual) {
+    const Guardado g;
+    soloPregunta(q.pixel);
+    const auto pasa = [&](GLuint programa, bool cara, bool plantilla, bool profundidad) {
+        glUseProgram(programa);
+        pon(GL_CULL_FACE, cara);
+        pon(GL_STENCIL_TEST, plantilla);
+        pon(GL_DEPTH_TEST, profundidad);
+        return muestrasDe([&] { s.dibuja(cual, cual + 1); }) > 0;
+    };
+    const bool plantilla = g.lleva(GL_STENCIL_TEST);
+    if (g.lleva(GL_CULL_FACE) && !pasa(q.cobertura, true, false, false))
+        return "cara";
+    if (!q.dentroDelRecorte)
+        return "recorte";
+    if (q.cobertura != q.programa && !pasa(q.programa, false, false, false))
+        return "descartado";
+    if (plantilla && !pasa(q.programa, false, true, false))
+        return "plantilla";
+    if (g.lleva(GL_DEPTH_TEST) && !pasa(q.programa, false, plantilla, true))
+        return "profundidad";
+    return g.escribeColor() && q.lienzo.buferColor != GL_NONE ? "escrito" : "mascara";
+}
+
+// Un framebuffer aparte, en float, donde se ve el color que da el shader tal cual y la profundidad.
+class Aparte {
+    GLuint marco = 0, color = 0, profundidad = 0;
+    int ancho = 0, alto = 0, bits = 0;
+
+public:
+    void abre(const Lienzo &l) {
+        if (!marco) {
+            glGenFramebuffers(1, &marco);
+            glGenRenderbuffers(1, &color);
+            glGenRenderbuffers(1, &profundidad);
+        }
+        glBindFramebuffer(GL_FRAMEBUFFER, marco);
+        if (l.ancho <= ancho && l.alto <= alto && l.bitsProfundidad == bits)
+            return;
+        ancho = l.ancho, alto = l.alto, bits = l.bitsProfundidad;
+        glBindRenderbuffer(GL_RENDERBUFFER, color);
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, ancho, alto);
+        glBindRenderbuffer(GL_RENDERBUFFER, profundidad);
+        // de los mismos bits, porque de ellos depende glPolygonOffset
+        glRenderbufferStorage(GL_RENDERBUFFER,
+                              bits == 16   ? GL_DEPTH_COMPONENT16
+                              : bits == 32 ? GL_DEPTH_COMPONENT32F
+                                           : GL_DEPTH_COMPONENT24,
+                              ancho, alto);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, profundidad);
+    }
+};
+
+struct Fragmento {
+    std::array<float, 4> color;
+    float profundidad;
+};
+
+// Lo que da el shader en ese píxel, sin pruebas ni mezcla. Nada si descarta.
+std::optional<Fragmento> fragmentoDe(const Pregunta &q, const Sueltas &s, int cual) {
+    const Guardado guardado;
+    static Aparte aparte;
+    aparte.abre(q.lienzo);
+    soloPregunta(q.pixel);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
+    if (muestrasDe([&] { s.dibuja(cual, cual + 1); }) <= 0)
+        return {};
+    Fragmento f{};
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glReadPixels(q.pixel.x, q.pixel.y, 1, 1, GL_RGBA, GL_FLOAT, f.color.data());
+    glReadPixels(q.pixel.x, q.pixel.y, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &f.profundidad);
+    return f;
+}
+
+double factor(GLenum cual, int canal, const std::array<double, 4> &origen,
+              const std::array<double, 4> &destino) {
+    GLfloat k[4];
+    glGetFloatv(GL_BLEND_COLOR, k);
+    switch (cual) {
+    case GL_ZERO: return 0;
+    case GL_ONE: return 1;
+    case GL_SRC_COLOR: return origen[canal];
+    case GL_ONE_MINUS_SRC_COLOR: return 1 - origen[canal];
+    case GL_DST_COLOR: return destino[canal];
+    case GL_ONE_MINUS_DST_COLOR: return 1 - destino[canal];
+    case GL_SRC_ALPHA: return origen[3];
+    case GL_ONE_MINUS_SRC_ALPHA: return 1 - origen[3];
+    case GL_DST_ALPHA: return destino[3];
+    case GL_ONE_MINUS_DST_ALPHA: return 1 - destino[3];
+    case GL_CONSTANT_COLOR: return double(k[canal]);
+    case GL_ONE_MINUS_CONSTANT_COLOR: return 1 - double(k[canal]);
+    case GL_CONSTANT_ALPHA: return double(k[3]);
+    case GL_ONE_MINUS_CONSTANT_ALPHA: return 1 - double(k[3]);
+    case GL_SRC_ALPHA_SATURATE: return canal == 3 ? 1 : std::min(origen[3], 1 - destino[3]);
+    default: return 0;
+    }
+}
+
+double combina(GLenum ecuacion, double a, double fa, double b, double fb) {
+    switch (ecuacion) {
+    case GL_FUNC_SUBTRACT: return a * fa - b * fb;
+    case GL_FUNC_REVERSE_SUBTRACT: return b * fb - a * fa;
+    case GL_MIN: return std::min(a, b);
+    case GL_MAX: return std::max(a, b);
+    default: return a * fa + b * fb;
+    }
+}
+
+// Lo que debe quedar en el píxel: el color del shader mezclado con el que hay, hecho aquí otra vez; y si es lo que queda.
+Json mezcla(const Fragmento &f, const Color &antes, const Color &despues, const Lienzo &l) {
+    const bool mezcla = glIsEnabled(GL_BLEND), acotado = l.componentes == GL_UNSIGNED_NORMALIZED;
+    std::array<double, 4> origen{}, destino{}, factorOrigen{}, factorDestino{};
+    Color suma{};
+    GLboolean escribe[4];
+    glGetBooleanv(GL_COLOR_WRITEMASK, escribe);
+    for (int c = 0; c < 4; ++c) {
+        origen[c] = acotado ? std::clamp(double(f.color[c]), 0.0, 1.0) : double(f.color[c]);
+        if (acotado && mezcla) // se mezcla con los bits que tiene el framebuffer
+            origen[c] = std::round(origen[c] * 255) / 255;
+        destino[c] = antes[c] / 255;
+    }
+    bool cuadra = true;
+    for (int c = 0; c < 4; ++c) {
+        const bool alfa = c == 3;
+        const auto de = [&](GLenum rgb, GLenum a) { return GLenum(entero(alfa ? a : rgb)); };
+        factorOrigen[c] = mezcla ? factor(de(GL_BLEND_SRC_RGB, GL_BLEND_SRC_ALPHA), c, origen, destino) : 1;
+        factorDestino[c] = mezcla ? factor(de(GL_BLEND_DST_RGB, GL_BLEND_DST_ALPHA), c, origen, destino) : 0;
+        const double v = mezcla ? combina(de(GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA), origen[c],
+                                          factorOrigen[c], destino[c], factorDestino[c])
+                                : origen[c];
+        suma[c] = !escribe[c] ? antes[c] : 255 * (acotado ? std::clamp(v, 0.0, 1.0) : v);
+        cuadra = cuadra && (alfa || std::fabs(suma[c] - despues[c]) <= 1.0 || std::isnan(suma[c]));
+    }
+    Json json;
+    json.pon("si", mezcla).pon("ecuacion", nombreDe(GLenum(entero(GL_BLEND_EQUATION_RGB))));
+    json.pon("factorOrigen", factorOrigen).pon("factorDestino", factorDestino);
+    return json.pon("origen", origen).pon("destino", destino).pon("suma", suma).pon("cuadra", cuadra);
+}
+
+std::string cifras(double numero) {
+    char texto[32];
+    std::snprintf(texto, sizeof texto, "%.6g", numero);
+    return texto;
+}
+
+std::string enPalabras(const std::string &veredicto, const Contenido &antes,
+                       const std::optional<Fragmento> &f) {
+    const auto constante = [](GLenum cual) { return nombreDe(GLenum(entero(cual))); };
+    if (veredicto == "cara")
+        return "quitado por su cara (" + constante(GL_CULL_FACE_MODE) + ")";
+    if (veredicto == "recorte")
+        return "fuera del recorte (glScissor)";
+    if (veredicto == "descartado")
+        return "el shader lo descarta (discard)";
+    if (veredicto == "mascara")
+        return "no escribe color (glColorMask)";
+    if (veredicto == "plantilla")
+        return "no pasa la plantilla: hay " + std::to_string(antes.plantilla.value_or(0)) + " y se pide " +
+               constante(GL_STENCIL_FUNC) + " " + std::to_string(entero(GL_STENCIL_REF));
+    if (veredicto == "profundidad" && f && antes.profundidad)
+        return "oculto: su profundidad es " + cifras(double(f->profundidad)) + " y había " +
+               cifras(*antes.profundidad) + " (" + constante(GL_DEPTH_FUNC) + ")";
+    return veredicto == "profundidad" ? "oculto (" + constante(GL_DEPTH_FUNC) + ")" : "escrito";
+}
+
+Json suceso(int numero, const Lienzo &l, const std::string &veredicto, const std::string &dice,
+            const Contenido &antes, const Contenido &despues) {
+    Json s;
+    s.pon("orden", numero).pon("veredicto", veredicto).pon("dice", dice).pon("framebuffer", l.nombre);
+    s.pon("antes", antes.color).pon("despues", despues.color);
+    s.pon("profundidadAntes", antes.profundidad).pon("profundidadDespues", despues.profundidad);
+    return s.pon("plantillaAntes", antes.plantilla).pon("plantillaDespues", despues.plantilla);
+}
+
+// Una primitiva que cubre el píxel, y con ella las que van entre la anterior y esta, que no lo cubren.
+Json hazPrimitiva(const Pregunta &q, const Sueltas &s, int numero, int cual,
+                  const std::function<void()> &haz) {
+    const std::string que = veredicto(q, s, cual);
+    const std::optional<Fragmento> f = fragmentoDe(q, s, cual);
+    const Contenido antes = lee(q.lienzo, q.pixel);
+    haz();
+    const Contenido despues = lee(q.lienzo, q.pixel);
+    Json json = suceso(numero, q.lienzo, que, enPalabras(que, antes, f), antes, despues);
+    const auto primero = s.primitivas.indices.begin() + cual * s.primitivas.vertices;
+    json.pon("primitiva", cual).pon("tipo", nombrePrimitiva(s.primitivas));
+    json.pon("vertices", std::vector<GLuint>(primero, primero + s.primitivas.vertices));
+    if (glIsEnabled(GL_STENCIL_TEST))
+        json.pon("plantillaPide",
+                 nombreDe(GLenum(entero(GL_STENCIL_FUNC))) + " " + std::to_string(entero(GL_STENCIL_REF)));
+    if (glIsEnabled(GL_DEPTH_TEST))
+        json.pon("profundidadPide", nombreDe(GLenum(entero(GL_DEPTH_FUNC))));
+    if (!f)
+        return json;
+    json.pon("color", f->color).pon("profundidad", f->profundidad);
+    if (que == "escrito" && antes.color && despues.color && !q.lienzo.muestras)
+        json.pon("mezcla", mezcla(*f, *antes.color, *despues.color, q.lienzo));
+    return json;
+}
+
+void dibuja(const Orden &o, int numero, const Lienzo &l, Punto p, std::vector<Json> &sucesos) {
+    const std::optional<Primitivas> primitivas = primitivasDe(o);
+    const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
+    if (!primitivas || !programa || primitivas->indices.empty() || glIsEnabled(GL_RASTERIZER_DISCARD))
+        return o.hazla();
+    const Sueltas s(*primitivas);
+    std::vector<int> cuales;
+    GLuint cobertura;
+    {
+        const Guardado guardado;
+        cobertura = sinDescartar(programa);
+        if (!cobertura)
+            cobertura = programa; // sin sus fuentes, lo que descarta no se ve
+        glUseProgram(cobertura);
+        soloPregunta(p);
+        cubren(s, 0, s.primitivas.cuantas(), cuales);
+    }
+    if (cuales.empty())
+        return o.hazla();
+    const bool dentro = !glIsEnabled(GL_SCISSOR_TEST) || enRecorte(p);
+    const Pregunta q{l, p, programa, cobertura, dentro};
+    if (cuales.size() == 1) {
+        sucesos.push_back(hazPrimitiva(q, s, numero, cuales[0], o.hazla));
+        return;
+    }
+    int desde = 0;
+    for (const int cual : cuales) {
+        const int hasta = cual == cuales.back() ? s.primitivas.cuantas() : cual + 1;
+        sucesos.push_back(hazPrimitiva(q, s, numero, cual, [&] { s.dibuja(desde, hasta); }));
+        desde = hasta;
+    }
+}
+
+bool enDestino(const Orden &o, Punto p) {
+    const auto [x0, x1] = std::minmax(o.destino[0], o.destino[2]);
+    const auto [y0, y1] = std::minmax(o.destino[1], o.destino[3]);
+    return p.x >= x0 && p.x < x1 && p.y >= y0 && p.y < y1;
+}
+
+} // namespace
+
+void hazYCuenta(const Orden &o, int numero, const Lienzo &l, Punto p, std::vector<Json> &sucesos) {
+    if (!l.dentro(p.x, p.y))
+        return o.hazla();
+    if (o.que == Orden::Que::Dibuja)
+        return dibuja(o, numero, l, p, sucesos);
+    if (o.que == Orden::Que::Copia && !enDestino(o, p))
+        return o.hazla();
+    const bool fuera = glIsEnabled(GL_SCISSOR_TEST) && !enRecorte(p),
+               conColor = o.buferes & GL_COLOR_BUFFER_BIT;
+    GLboolean escribe[4];
+    glGetBooleanv(GL_COLOR_WRITEMASK, escribe);
+    const bool mascara =
+        o.que == Orden::Que::Borra && !(escribe[0] || escribe[1] || escribe[2] || escribe[3]);
+    const Contenido antes = lee(l, p);
+    o.hazla();
+    const char *const que = fuera ? "recorte" : conColor && mascara ? "mascara" : "escrito";
+    const std::string hecho = o.que == Orden::Que::Borra ? "borrado" : "copiado de otro framebuffer";
+    const std::string dice = *que == 'e' ? hecho : enPalabras(que, antes, {});
+    sucesos.push_back(suceso(numero, l, que, dice, antes, lee(l, p)));
+}
+
+} // namespace explica

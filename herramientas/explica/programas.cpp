@@ -1,0 +1,204 @@
+#include "programas.h"
+#include <algorithm>
+#include <map>
+
+namespace explica {
+
+std::vector<Fuente> fuentesDe(GLuint programa) {
+    std::vector<Fuente> fuentes;
+    GLuint shaders[8];
+    GLsizei n = 0;
+    glGetAttachedShaders(programa, 8, &n, shaders);
+    for (GLsizei i = 0; i < n; ++i) {
+        GLint tipo = 0, largo = 0;
+        glGetShaderiv(shaders[i], GL_SHADER_TYPE, &tipo);
+        glGetShaderiv(shaders[i], GL_SHADER_SOURCE_LENGTH, &largo);
+        std::string texto(std::size_t(std::max(largo, 1)), '\0');
+        glGetShaderSource(shaders[i], largo, nullptr, texto.data());
+        texto.resize(std::size_t(std::max(largo - 1, 0)));
+        fuentes.push_back({GLenum(tipo), shaders[i], texto});
+    }
+    return fuentes;
+}
+
+std::vector<Variable> uniformsDe(GLuint programa) {
+    std::vector<Variable> variables;
+    GLint n = 0;
+    glGetProgramiv(programa, GL_ACTIVE_UNIFORMS, &n);
+    for (GLint i = 0; i < n; ++i) {
+        GLchar nombre[256];
+        GLint elementos = 0;
+        GLenum tipo = 0;
+        glGetActiveUniform(programa, GLuint(i), sizeof nombre, nullptr, &elementos, &tipo, nombre);
+        std::string base = nombre;
+        const bool lista = base.size() > 3 && base.compare(base.size() - 3, 3, "[0]") == 0;
+        if (lista)
+            base.resize(base.size() - 3);
+        for (GLint e = 0; e < elementos; ++e) {
+            const std::string entero = lista ? base + "[" + std::to_string(e) + "]" : base;
+            const GLint donde = glGetUniformLocation(programa, entero.c_str());
+            if (donde >= 0) // si no, está en un bloque
+                variables.push_back({entero, tipo, donde});
+        }
+    }
+    return variables;
+}
+
+std::vector<Variable> atributosDe(GLuint programa) {
+    std::vector<Variable> variables;
+    GLint n = 0;
+    glGetProgramiv(programa, GL_ACTIVE_ATTRIBUTES, &n);
+    for (GLint i = 0; i < n; ++i) {
+        GLchar nombre[256];
+        GLint elementos = 0;
+        GLenum tipo = 0;
+        glGetActiveAttrib(programa, GLuint(i), sizeof nombre, nullptr, &elementos, &tipo, nombre);
+        const GLint donde = glGetAttribLocation(programa, nombre);
+        if (donde >= 0) // si no, es gl_VertexID
+            variables.push_back({nombre, tipo, donde});
+    }
+    return variables;
+}
+
+namespace {
+
+struct Envia {
+    int componentes;
+    bool entero;
+    void (*pon)(GLint donde, const void *valor);
+};
+
+#define DE_FLOAT(funcion) [](GLint d, const void *v) { funcion(d, 1, static_cast<const GLfloat *>(v)); }
+#define DE_MATRIZ(funcion)                                                                                   \
+    [](GLint d, const void *v) { funcion(d, 1, GL_FALSE, static_cast<const GLfloat *>(v)); }
+#define DE_ENTERO(funcion) [](GLint d, const void *v) { funcion(d, 1, static_cast<const GLint *>(v)); }
+#define DE_NATURAL(funcion) [](GLint d, const void *v) { funcion(d, 1, static_cast<const GLuint *>(v)); }
+
+const std::map<GLenum, Envia> ENVIOS = {
+    {GL_FLOAT, {1, false, DE_FLOAT(glUniform1fv)}},
+    {GL_FLOAT_VEC2, {2, false, DE_FLOAT(glUniform2fv)}},
+    {GL_FLOAT_VEC3, {3, false, DE_FLOAT(glUniform3fv)}},
+    {GL_FLOAT_VEC4, {4, false, DE_FLOAT(glUniform4fv)}},
+    {GL_FLOAT_MAT2, {4, false, DE_MATRIZ(glUniformMatrix2fv)}},
+    {GL_FLOAT_MAT3, {9, false, DE_MATRIZ(glUniformMatrix3fv)}},
+    {GL_FLOAT_MAT4, {16, false, DE_MATRIZ(glUniformMatrix4fv)}},
+    {GL_FLOAT_MAT2x3, {6, false, DE_MATRIZ(glUniformMatrix2x3fv)}},
+    {GL_FLOAT_MAT3x2, {6, false, DE_MATRIZ(glUniformMatrix3x2fv)}},
+    {GL_FLOAT_MAT2x4, {8, false, DE_MATRIZ(glUniformMatrix2x4fv)}},
+    {GL_FLOAT_MAT4x2, {8, false, DE_MATRIZ(glUniformMatrix4x2fv)}},
+    {GL_FLOAT_MAT3x4, {12, false, DE_MATRIZ(glUniformMatrix3x4fv)}},
+    {GL_FLOAT_MAT4x3, {12, false, DE_MATRIZ(glUniformMatrix4x3fv)}},
+    {GL_INT_VEC2, {2, true, DE_ENTERO(glUniform2iv)}},
+    {GL_INT_VEC3, {3, true, DE_ENTERO(glUniform3iv)}},
+    {GL_INT_VEC4, {4, true, DE_ENTERO(glUniform4iv)}},
+    {GL_BOOL_VEC2, {2, true, DE_ENTERO(glUniform2iv)}},
+    {GL_BOOL_VEC3, {3, true, DE_ENTERO(glUniform3iv)}},
+    {GL_BOOL_VEC4, {4, true, DE_ENTERO(glUniform4iv)}},
+    {GL_UNSIGNED_INT, {1, true, DE_NATURAL(glUniform1uiv)}},
+    {GL_UNSIGNED_INT_VEC2, {2, true, DE_NATURAL(glUniform2uiv)}},
+    {GL_UNSIGNED_INT_VEC3, {3, true, DE_NATURAL(glUniform3uiv)}},
+    {GL_UNSIGNED_INT_VEC4, {4, true, DE_NATURAL(glUniform4uiv)}},
+};
+const Envia SUELTO = {1, true, DE_ENTERO(glUniform1iv)}; // int, bool y los sampler
+
+const Envia &envioDe(GLenum tipo) {
+    const auto hallado = ENVIOS.find(tipo);
+    return hallado == ENVIOS.end() ? SUELTO : hallado->second;
+}
+
+union Valor {
+    GLfloat real[16];
+    GLint entero[16];
+};
+
+void lee(GLuint programa, const Variable &v, Valor &valor) {
+    if (esEntero(v.tipo))
+        glGetUniformiv(programa, v.donde, valor.entero);
+    else
+        glGetUniformfv(programa, v.donde, valor.real);
+}
+
+} // namespace
+
+int componentesDe(GLenum tipo) {
+    return envioDe(tipo).componentes;
+}
+
+bool esEntero(GLenum tipo) {
+    return envioDe(tipo).entero;
+}
+
+std::vector<double> valorDe(GLuint programa, const Variable &uniform) {
+    Valor valor{};
+    lee(programa, uniform, valor);
+    std::vector<double> numeros;
+    for (int i = 0; i < componentesDe(uniform.tipo); ++i)
+        numeros.push_back(esEntero(uniform.tipo) ? valor.entero[i] : double(valor.real[i]));
+    return numeros;
+}
+
+void copiaUniforms(GLuint original, GLuint otro) {
+    glUseProgram(otro);
+    for (const Variable &v : uniformsDe(original)) {
+        const GLint donde = glGetUniformLocation(otro, v.nombre.c_str());
+        if (donde < 0)
+            continue;
+        Valor valor{};
+        lee(original, v, valor);
+        envioDe(v.tipo).pon(donde, &valor);
+    }
+    GLint bloques = 0;
+    glGetProgramiv(original, GL_ACTIVE_UNIFORM_BLOCKS, &bloques);
+    for (GLint i = 0; i < bloques; ++i) {
+        GLchar nombre[256];
+        GLint enlace = 0;
+        glGetActiveUniformBlockName(original, GLuint(i), sizeof nombre, nullptr, nombre);
+        glGetActiveUniformBlockiv(original, GLuint(i), GL_UNIFORM_BLOCK_BINDING, &enlace);
+        const GLuint suyo = glGetUniformBlockIndex(otro, nombre);
+        if (suyo != GL_INVALID_INDEX)
+            glUniformBlockBinding(otro, suyo, GLuint(enlace));
+    }
+}
+
+GLuint enlazaComo(GLuint original, const std::vector<GLuint> &shaders) {
+    const GLuint programa = glCreateProgram();
+    for (const GLuint shader : shaders)
+        glAttachShader(programa, shader);
+    for (const Variable &v : atributosDe(original))
+        glBindAttribLocation(programa, GLuint(v.donde), v.nombre.c_str());
+    glLinkProgram(programa);
+    GLint enlazado = GL_FALSE;
+    glGetProgramiv(programa, GL_LINK_STATUS, &enlazado);
+    if (enlazado) {
+        copiaUniforms(original, programa);
+        return programa;
+    }
+    glDeleteProgram(programa);
+    return 0;
+}
+
+GLuint sinDescartar(GLuint original) {
+    static std::map<GLuint, GLuint> hechos;
+    const auto hecho = hechos.find(original);
+    if (hecho != hechos.end()) {
+        if (hecho->second)
+            copiaUniforms(original, hecho->second);
+        return hecho->second;
+    }
+    std::vector<GLuint> shaders;
+    for (const Fuente &f : fuentesDe(original))
+        if (f.tipo == GL_VERTEX_SHADER)
+            shaders.push_back(f.shader);
+    if (shaders.empty())
+        return hechos[original] = 0;
+    const char *const texto = "#version 140\nout vec4 color;\nvoid main() {\n    color = vec4(1.0);\n}\n";
+    const GLuint fragmento = glCreateShader(GL_FRAGMENT_SHADER);
+    glShaderSource(fragmento, 1, &texto, nullptr);
+    glCompileShader(fragmento);
+    shaders.push_back(fragmento);
+    const GLuint programa = enlazaComo(original, shaders);
+    glDeleteShader(fragmento);
+    return hechos[original] = programa;
+}
+
+} // namespace explica

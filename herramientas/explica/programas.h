@@ -1,0 +1,44 @@
+// Los programas de GLSL: sus fuentes y uniforms, y otros que comparten el vertex shader.
+#pragma once
+#include "opengl.h"
+#include <string>
+#include <vector>
+
+namespace explica {
+
+struct Fuente {
+    GLenum tipo; // GL_VERTEX_SHADER o GL_FRAGMENT_SHADER
+    GLuint shader;
+    std::string texto;
+};
+
+/// Los shaders de un programa; ninguno si ya se los han quitado.
+std::vector<Fuente> fuentesDe(GLuint programa);
+
+/// Una variable activa de un programa: un uniform o un atributo.
+struct Variable {
+    std::string nombre; // de un array, cada elemento: «pesos[2]»
+    GLenum tipo;
+    GLint donde;
+};
+std::vector<Variable> uniformsDe(GLuint programa);
+std::vector<Variable> atributosDe(GLuint programa);
+
+/// Cuántos números tiene un valor de ese tipo, y si son enteros: GL_FLOAT_VEC3, 3.
+int componentesDe(GLenum tipo);
+bool esEntero(GLenum tipo);
+
+/// Lo que vale un uniform, por columnas.
+std::vector<double> valorDe(GLuint programa, const Variable &uniform);
+
+/// Enlaza un programa con esos shaders, y con los atributos y uniforms en el sitio y con el valor que tienen en
+/// `original`. 0 si no enlaza.
+GLuint enlazaComo(GLuint original, const std::vector<GLuint> &shaders);
+
+/// Da a los uniforms de `otro` el valor que tienen en `original`. Lo deja en uso.
+void copiaUniforms(GLuint original, GLuint otro);
+
+/// El mismo, con un fragment shader que no descarta nada. 0 si no se puede.
+GLuint sinDescartar(GLuint original);
+
+} // namespace explica

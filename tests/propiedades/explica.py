@@ -1,0 +1,135 @@
+"""explica.py RAÍZ BUILD [PROGRAMA…] [--pixeles N] [--casos] [--enlace ENLACE]: lo que se pide de ./lab explica en el
+caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre los mismos:
+
+- el programa acaba bien, sin errores de OpenGL, y la imagen es la misma que sin explicarla;
+- el color que se da de cada píxel es el de la imagen, y el último que escribe en la ventana su historia, también;
+- cada mezcla, hecha otra vez con el color del shader, da lo que queda, a un nivel;
+- entre dos sucesos de la historia de un framebuffer nadie más cambia el píxel, ni lo cambia el que no escribe.
+
+Sin decir el enlace, con el que se usa sin ventana y, si hay otro, uno de cada diez programas con él. Estado 1 si algo no
+se cumple.
+"""
+import argparse
+import json
+import os
+import random
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+RAIZ = Path(__file__).parents[2]
+sys.path.insert(0, str(RAIZ / "herramientas"))
+from base import catalogo  # noqa: E402
+
+ANCHO, ALTO = 240, 180
+
+
+def pixeles(imagen):
+    """Los de un PPM, fila a fila desde arriba."""
+    return imagen.read_bytes()[-3 * ANCHO * ALTO :]
+
+
+def fallos_de_historia(historia):
+    queda = {}
+    for suceso in historia:
+        antes, despues = suceso["antes"], suceso["despues"]
+        quien = f"la orden {suceso['orden']}, {suceso['veredicto']}"
+        if antes != queda.get(suceso["framebuffer"], antes):
+            yield f"{quien}, encuentra {antes} y quedaba {queda[suceso['framebuffer']]}"
+        if suceso["veredicto"] != "escrito" and antes != despues:
+            yield f"{quien}, cambia {antes} por {despues}"
+        if not suceso.get("mezcla", {}).get("cuadra", True):
+            yield f"{quien}, deja {despues} y la mezcla es {suceso['mezcla']}"
+        queda[suceso["framebuffer"]] = despues
+
+
+def fallos_de_pixel(explicado, imagen):
+    x, y = explicado["pixel"]
+    suyo = list(imagen[3 * (y * ANCHO + x) :][:3])
+    escritos = [s["despues"] for s in explicado["historia"] if s["framebuffer"] == 0 and s["veredicto"] == "escrito"]
+    if explicado["color"][:3] != suyo:
+        yield f"se dice {explicado['color']} y es {suyo}"
+    if escritos and escritos[-1][:3] != suyo:
+        yield f"lo último escrito es {escritos[-1]} y queda {suyo}"
+    yield from fallos_de_historia(explicado["historia"])
+
+
+def dibuja(ejecutable, caso, carpeta, **entorno):
+    """Su imagen, que debe salir sin nada que decir."""
+    orden = [
+        ejecutable,
+        "-geometry",
+        f"{ANCHO}x{ALTO}",
+        "-ppm",
+        "imagen.ppm",
+        *(["-guion", caso.guion] * bool(caso.guion)),
+    ]
+    r = subprocess.run(orden, env={**os.environ, **entorno}, cwd=carpeta, capture_output=True, text=True)
+    assert r.returncode == 0 and not r.stderr, f"{caso.fichero} acaba con {r.returncode}: {r.stderr}"
+    return pixeles(carpeta / "imagen.ppm")
+
+
+def fallos_de_caso(build, enlace, caso, puntos):
+    capitulo, golden = caso.programa.capitulo.nombre, RAIZ / "tests/golden"
+    ejecutable = build / enlace / capitulo / caso.programa.nombre
+    with tempfile.TemporaryDirectory() as carpeta:
+        carpeta = Path(carpeta)
+        delante = build / "herramientas/explica/libexplica.so"
+        pide = " ".join(f"{x},{y}" for x, y in puntos)
+        try:
+            de_siempre = enlace == "osmesa" and not caso.tolerancia
+            sin = (
+                pixeles(golden / capitulo / f"{caso.fichero}.ppm") if de_siempre else dibuja(ejecutable, caso, carpeta)
+            )
+            imagen = dibuja(
+                ejecutable, caso, carpeta, LD_PRELOAD=str(delante), LAB_EXPLICA="e.json", LAB_EXPLICA_PIXELES=pide
+            )
+        except AssertionError as fallo:
+            return [str(fallo)]
+        explicados = json.loads((carpeta / "e.json").read_text())["pixeles"]
+    fallos = [] if imagen == sin else ["la imagen no es la misma explicada"]
+    if [tuple(e["pixel"]) for e in explicados] != puntos:
+        fallos.append("no están los píxeles que se piden")
+    fallos += [f"{e['pixel']}: {fallo}" for e in explicados for fallo in fallos_de_pixel(e, imagen)]
+    return [f"{enlace}, {caso.fichero}: {fallo}" for fallo in fallos]
+
+
+def main():
+    lee = argparse.ArgumentParser()
+    lee.add_argument("raiz")
+    lee.add_argument("build", type=Path)
+    lee.add_argument("programas", nargs="*")
+    lee.add_argument("--pixeles", type=int, default=3)
+    lee.add_argument("--casos", action="store_true")
+    lee.add_argument("--enlace", default="")
+    pedido = lee.parse_args()
+    build, nombres = pedido.build.absolute(), pedido.programas
+    elegidos = [p for p in catalogo.lee_programas(build) if not p.consola and (not nombres or p.nombre in nombres)]
+    usado = (build / "sin_ventana").read_text().strip()
+    por_enlace = {pedido.enlace or usado: elegidos}
+    if not pedido.enlace and (build / "egl").is_dir():
+        por_enlace.setdefault("egl", elegidos[::10])
+    trabajos = [
+        (enlace, caso)
+        for enlace, suyos in por_enlace.items()
+        for p in suyos
+        for caso in (p.casos if pedido.casos else p.casos[:1])
+    ]
+
+    def hace(trabajo):
+        enlace, caso = trabajo
+        azar = random.Random(caso.fichero)
+        puntos = [(azar.randrange(ANCHO), azar.randrange(ALTO)) for _ in range(pedido.pixeles)]
+        return fallos_de_caso(build, enlace, caso, puntos)
+
+    with ThreadPoolExecutor(os.cpu_count()) as hilos:
+        fallos = [fallo for suyos in hilos.map(hace, trabajos) for fallo in suyos]
+    print("\n".join(fallos))
+    print(f"{len(trabajos)} cuadros, {len(trabajos) * pedido.pixeles} píxeles, {len(fallos)} fallos")
+    return bool(fallos or not trabajos)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
