@@ -62,8 +62,8 @@ function historia(datos, elige) {
       h('td', {}, suceso.veredicto === 'escrito' ? conMuestra(suceso.despues) : ''));
   };
   const cabecera = ['orden', '', '', 'da el shader', 'profundidad', 'qué pasa', 'queda'];
-  const tabla = h('table', { class: 'historia' }, h('thead', {}, h('tr', {}, cabecera.map(texto => h('th', {}, texto)))),
-    h('tbody', {}, datos.historia.map(fila)));
+  const tabla = h('table', { class: 'historia' },
+    h('thead', {}, h('tr', {}, cabecera.map(texto => h('th', {}, texto)))), h('tbody', {}, datos.historia.map(fila)));
   return h('div', { class: 'tabla' }, tabla);
 }
 
@@ -74,7 +74,8 @@ function ultima(ordenes, hasta, que) {
 }
 
 function lamina(src, texto, marcas) {
-  return h('figure', {}, h('div', { class: 'lamina' }, h('img', { src, alt: texto }), marcas), h('figcaption', {}, texto));
+  const imagen = h('div', { class: 'lamina' }, h('img', { src, alt: texto }), marcas);
+  return h('figure', {}, imagen, h('figcaption', {}, texto));
 }
 
 /** Un rectángulo o un punto, en tantos por ciento de la imagen. */

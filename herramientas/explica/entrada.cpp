@@ -1,10 +1,12 @@
 // Se antepone (LD_PRELOAD) a un programa enlazado sin ventana: define las funciones de OpenGL que escriben píxeles y,
-// cuando el guion ha acabado, dibuja el cuadro unas veces más y deja en $LAB_EXPLICA, en JSON, lo que hace cada orden y,
-// de cada píxel de $LAB_EXPLICA_PIXELES («240,140 30,20», desde arriba a la izquierda), su historia. Con
+// cuando acaba el guion, dibuja el cuadro unas veces más y deja en $LAB_EXPLICA, en JSON, lo que hace cada orden y, de
+// cada píxel de $LAB_EXPLICA_PIXELES («240,140 30,20», desde arriba a la izquierda), su historia. Con
 // LAB_EXPLICA_IMAGENES=1, también lo que va quedando en cada framebuffer.
 #include "imagenes.h"
 #include "pixel.h"
 #include "programas.h"
+#include "sombreado.h"
+#include <algorithm>
 #include <cstring>
 #include <dlfcn.h>
 #include <fstream>
@@ -21,15 +23,19 @@ Funcion tapada(const char *nombre) {
 }
 
 struct Copia {
+    int numero; // el de la orden
     GLuint origen, destino;
     Orden orden;
 };
 
 struct {
-    enum { NADA, LISTA, PIXEL } pasada = NADA;
+    enum { NADA, LISTA, PIXEL, SOMBREADO } pasada = NADA;
     int ancho = 0, alto = 0, numero = 0; // de la orden
     bool imagenes = false;
-    std::vector<Json> ordenes, sucesos;
+    std::vector<Json> ordenes;
+    std::vector<Suceso> sucesos;
+    const Suceso *ganador = nullptr; // quien da el color al píxel
+    Json sombreado;
     std::vector<Copia> copias;
     std::map<GLuint, Punto> pixel; // en cada framebuffer
     std::set<GLuint> programas;
@@ -45,7 +51,7 @@ void apuntaOrden(const Orden &orden) {
         orden.hazla();
     }
     if (orden.que == Orden::Que::Copia && (orden.buferes & GL_COLOR_BUFFER_BIT))
-        c.copias.push_back({GLuint(entero(GL_READ_FRAMEBUFFER_BINDING)), lienzo.nombre, orden});
+        c.copias.push_back({c.numero, GLuint(entero(GL_READ_FRAMEBUFFER_BINDING)), lienzo.nombre, orden});
     if (c.imagenes) {
         const Guardado guardado;
         apuntaImagenes(lienzo, json);
@@ -62,7 +68,12 @@ void llega(const Orden &orden) {
     const auto suyo = c.pixel.find(GLuint(entero(GL_DRAW_FRAMEBUFFER_BINDING)));
     if (suyo == c.pixel.end())
         return orden.hazla();
-    hazYCuenta(orden, c.numero, lienzoActual(c.ancho, c.alto), suyo->second, c.sucesos);
+    const Lienzo lienzo = lienzoActual(c.ancho, c.alto);
+    if (c.pasada == c.PIXEL)
+        return hazYCuenta(orden, c.numero, lienzo, suyo->second, c.sucesos);
+    if (c.numero == c.ganador->orden)
+        c.sombreado = sombrea(orden, lienzo, suyo->second, c.ganador->primitiva);
+    orden.hazla();
 }
 
 // El píxel del framebuffer de que viene, por una copia, ese de la ventana; y así hacia atrás.
@@ -81,19 +92,51 @@ std::map<GLuint, Punto> enCadaFramebuffer(Punto p) {
     return donde;
 }
 
-Json explicaPixel(void (*dibuja)(), int x, int y) {
-    c.pasada = c.PIXEL;
+template<class Pasada>
+void pasa(Pasada pasada, void (*dibuja)()) {
+    c.pasada = pasada;
     c.numero = 0;
+    dibuja();
+    c.pasada = c.NADA;
+}
+
+// Lo último que se escribe con una primitiva, si después no se borra: en la ventana o, si lo que llega a ella es una
+// copia, en el framebuffer de que se copia.
+const Suceso *quienGana() {
+    GLuint framebuffer = 0;
+    for (auto s = c.sucesos.rbegin(); s != c.sucesos.rend(); ++s) {
+        if (s->framebuffer != framebuffer || s->veredicto != "escrito")
+            continue;
+        if (s->primitiva >= 0)
+            return &*s;
+        const auto copia = std::find_if(c.copias.begin(), c.copias.end(),
+                                        [&](const Copia &otra) { return otra.numero == s->orden; });
+        if (copia == c.copias.end())
+            return nullptr;
+        framebuffer = copia->origen;
+    }
+    return nullptr;
+}
+
+Json explicaPixel(void (*dibuja)(), int x, int y) {
     c.sucesos.clear();
     const Punto p = {x, c.alto - 1 - y};
     c.pixel = enCadaFramebuffer(p);
-    dibuja();
-    c.pasada = c.NADA;
+    pasa(c.PIXEL, dibuja);
+    c.ganador = quienGana();
+    if (c.ganador)
+        pasa(c.SOMBREADO, dibuja);
     const Guardado guardado;
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     const Color color = leeColor(lienzoActual(c.ancho, c.alto), p.x, p.y);
+    std::vector<Json> historia;
+    for (const Suceso &s : c.sucesos)
+        historia.push_back(s.json);
     Json json;
-    json.pon("pixel", std::array<int, 2>{x, y}).pon("color", color).pon("historia", c.sucesos);
+    json.pon("pixel", std::array<int, 2>{x, y}).pon("color", color).pon("historia", historia);
+    if (c.ganador)
+        json.pon("sombreado",
+                 c.sombreado.pon("orden", c.ganador->orden).pon("primitiva", c.ganador->primitiva));
     return json;
 }
 
@@ -142,9 +185,7 @@ void explicaCuadro(void (*dibuja)(), int ancho, int alto) {
     c.ancho = ancho;
     c.alto = alto;
     c.imagenes = variable("LAB_EXPLICA_IMAGENES") == "1";
-    c.pasada = c.LISTA;
-    dibuja();
-    c.pasada = c.NADA;
+    pasa(c.LISTA, dibuja);
     std::vector<Json> pixeles;
     std::istringstream pedidos(variable("LAB_EXPLICA_PIXELES"));
     int x, y;

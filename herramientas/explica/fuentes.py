@@ -23,7 +23,7 @@ def lineas(donde, fichero):
 
 
 def reconoce(raiz, programas):
-    """Añade a cada programa de dónde sale cada línea de sus shaders. Devuelve el nombre del fragment shader de cada uno."""
+    """Añade a cada programa de dónde sale cada línea de sus shaders. Devuelve el nombre de cada fragment shader."""
     donde = carpetas(raiz)
     hay = {}
     for carpeta in donde:

@@ -25,48 +25,6 @@ Contenido lee(const Lienzo &l, Punto p) {
     return c;
 }
 
-// Las primitivas de una orden, en un buffer de índices de donde se puede dibujar una parte.
-class Sueltas {
-    GLuint bufer = 0;
-
-public:
-    const Primitivas primitivas;
-    explicit Sueltas(Primitivas p) : primitivas(std::move(p)) {
-        const Guardado guardado;
-        glGenBuffers(1, &bufer);
-        glBindBuffer(GL_COPY_READ_BUFFER, bufer);
-        glBufferData(GL_COPY_READ_BUFFER, GLsizeiptr(primitivas.indices.size() * sizeof(GLuint)),
-                     primitivas.indices.data(), GL_STREAM_DRAW);
-    }
-    ~Sueltas() {
-        glDeleteBuffers(1, &bufer);
-    }
-    Sueltas(const Sueltas &) = delete;
-    Sueltas &operator=(const Sueltas &) = delete;
-
-    /// De la primera a la anterior a `hasta`, con el estado que haya.
-    void dibuja(int desde, int hasta) const {
-        const GLint antes = entero(GL_ELEMENT_ARRAY_BUFFER_BINDING);
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, bufer);
-        const std::size_t byte = sizeof(GLuint) * std::size_t(primitivas.vertices) * std::size_t(desde);
-        deVerdad().dibujaIndices(primitivas.modo, primitivas.vertices * (hasta - desde), GL_UNSIGNED_INT,
-                                 reinterpret_cast<const void *>(byte));
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, GLuint(antes));
-    }
-};
-
-// Lo que se dibuje no escribe nada, y de todo solo se rasteriza ese píxel, con las pruebas quitadas.
-void soloPregunta(Punto p) {
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    glDepthMask(GL_FALSE);
-    glStencilMask(0);
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(p.x, p.y, 1, 1);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_STENCIL_TEST);
-    glDisable(GL_DEPTH_TEST);
-}
-
 // Las que cubren el píxel, aunque luego no se vean.
 void cubren(const Sueltas &s, int desde, int hasta, std::vector<int> &cuales) {
     if (desde == hasta || muestrasDe([&] { s.dibuja(desde, hasta); }) == 0)
@@ -206,7 +164,7 @@ double combina(GLenum ecuacion, double a, double fa, double b, double fb) {
     }
 }
 
-// Lo que debe quedar en el píxel: el color del shader mezclado con el que hay, hecho aquí otra vez; y si es lo que queda.
+// Lo que debe quedar en el píxel, hecho aquí otra vez: el color del shader mezclado con el que hay. Y si es lo que queda.
 Json mezcla(const Fragmento &f, const Color &antes, const Color &despues, const Lienzo &l) {
     const bool mezcla = glIsEnabled(GL_BLEND), acotado = l.componentes == GL_UNSIGNED_NORMALIZED;
     std::array<double, 4> origen{}, destino{}, factorOrigen{}, factorDestino{};
@@ -263,24 +221,27 @@ std::string enPalabras(const std::string &veredicto, const Contenido &antes,
     return veredicto == "profundidad" ? "oculto (" + constante(GL_DEPTH_FUNC) + ")" : "escrito";
 }
 
-Json suceso(int numero, const Lienzo &l, const std::string &veredicto, const std::string &dice,
-            const Contenido &antes, const Contenido &despues) {
+Suceso suceso(int numero, const Lienzo &l, const std::string &veredicto, const std::string &dice,
+              const Contenido &antes, const Contenido &despues) {
     Json s;
     s.pon("orden", numero).pon("veredicto", veredicto).pon("dice", dice).pon("framebuffer", l.nombre);
     s.pon("antes", antes.color).pon("despues", despues.color);
     s.pon("profundidadAntes", antes.profundidad).pon("profundidadDespues", despues.profundidad);
-    return s.pon("plantillaAntes", antes.plantilla).pon("plantillaDespues", despues.plantilla);
+    s.pon("plantillaAntes", antes.plantilla).pon("plantillaDespues", despues.plantilla);
+    return {numero, l.nombre, veredicto, -1, s};
 }
 
 // Una primitiva que cubre el píxel, y con ella las que van entre la anterior y esta, que no lo cubren.
-Json hazPrimitiva(const Pregunta &q, const Sueltas &s, int numero, int cual,
-                  const std::function<void()> &haz) {
+Suceso hazPrimitiva(const Pregunta &q, const Sueltas &s, int numero, int cual,
+                    const std::function<void()> &haz) {
     const std::string que = veredicto(q, s, cual);
     const std::optional<Fragmento> f = fragmentoDe(q, s, cual);
     const Contenido antes = lee(q.lienzo, q.pixel);
     haz();
     const Contenido despues = lee(q.lienzo, q.pixel);
-    Json json = suceso(numero, q.lienzo, que, enPalabras(que, antes, f), antes, despues);
+    Suceso hecho = suceso(numero, q.lienzo, que, enPalabras(que, antes, f), antes, despues);
+    hecho.primitiva = cual;
+    Json &json = hecho.json;
     const auto primero = s.primitivas.indices.begin() + cual * s.primitivas.vertices;
     json.pon("primitiva", cual).pon("tipo", nombrePrimitiva(s.primitivas));
     json.pon("vertices", std::vector<GLuint>(primero, primero + s.primitivas.vertices));
@@ -290,14 +251,14 @@ Json hazPrimitiva(const Pregunta &q, const Sueltas &s, int numero, int cual,
     if (glIsEnabled(GL_DEPTH_TEST))
         json.pon("profundidadPide", nombreDe(GLenum(entero(GL_DEPTH_FUNC))));
     if (!f)
-        return json;
+        return hecho;
     json.pon("color", f->color).pon("profundidad", f->profundidad);
     if (que == "escrito" && antes.color && despues.color && !q.lienzo.muestras)
         json.pon("mezcla", mezcla(*f, *antes.color, *despues.color, q.lienzo));
-    return json;
+    return hecho;
 }
 
-void dibuja(const Orden &o, int numero, const Lienzo &l, Punto p, std::vector<Json> &sucesos) {
+void dibuja(const Orden &o, int numero, const Lienzo &l, Punto p, std::vector<Suceso> &sucesos) {
     const std::optional<Primitivas> primitivas = primitivasDe(o);
     const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
     if (!primitivas || !programa || primitivas->indices.empty() || glIsEnabled(GL_RASTERIZER_DISCARD))
@@ -338,7 +299,7 @@ bool enDestino(const Orden &o, Punto p) {
 
 } // namespace
 
-void hazYCuenta(const Orden &o, int numero, const Lienzo &l, Punto p, std::vector<Json> &sucesos) {
+void hazYCuenta(const Orden &o, int numero, const Lienzo &l, Punto p, std::vector<Suceso> &sucesos) {
     if (!l.dentro(p.x, p.y))
         return o.hazla();
     if (o.que == Orden::Que::Dibuja)

@@ -1,4 +1,4 @@
-// Las primitivas de una orden de dibujar, cada una suelta: con ellas se puede dibujar una parte de la orden. Sin OpenGL.
+// Las primitivas de una orden de dibujar, cada una suelta: con ellas se puede dibujar una parte. Sin OpenGL.
 #pragma once
 #include "opengl.h"
 #include <optional>
@@ -17,8 +17,8 @@ struct Primitivas {
     }
 };
 
-/// Las que dibuja esa orden, con el vértice que da el color plano y el sentido de giro que tienen en ella. `reinicia`: el
-/// índice que corta una tira. Vacío si el modo no se conoce.
+/// Las que dibuja esa orden, con el vértice que da el color plano y el sentido de giro que tienen en ella. `reinicia`:
+/// el índice que corta una tira. Vacío si el modo no se conoce.
 std::optional<Primitivas> sueltas(GLenum modo, const std::vector<GLuint> &indices,
                                   std::optional<GLuint> reinicia);
 

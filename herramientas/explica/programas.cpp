@@ -160,12 +160,14 @@ void copiaUniforms(GLuint original, GLuint otro) {
     }
 }
 
-GLuint enlazaComo(GLuint original, const std::vector<GLuint> &shaders) {
+GLuint enlazaComo(GLuint original, const std::vector<GLuint> &shaders,
+                  const std::function<void(GLuint)> &antes) {
     const GLuint programa = glCreateProgram();
     for (const GLuint shader : shaders)
         glAttachShader(programa, shader);
     for (const Variable &v : atributosDe(original))
         glBindAttribLocation(programa, GLuint(v.donde), v.nombre.c_str());
+    antes(programa);
     glLinkProgram(programa);
     GLint enlazado = GL_FALSE;
     glGetProgramiv(programa, GL_LINK_STATUS, &enlazado);

@@ -1,6 +1,7 @@
 // Los programas de GLSL: sus fuentes y uniforms, y otros que comparten el vertex shader.
 #pragma once
 #include "opengl.h"
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,10 @@ bool esEntero(GLenum tipo);
 std::vector<double> valorDe(GLuint programa, const Variable &uniform);
 
 /// Enlaza un programa con esos shaders, y con los atributos y uniforms en el sitio y con el valor que tienen en
-/// `original`. 0 si no enlaza.
-GLuint enlazaComo(GLuint original, const std::vector<GLuint> &shaders);
+/// `original`. `antes`: lo que haya que decirle antes de enlazar. 0 si no enlaza.
+GLuint enlazaComo(
+    GLuint original, const std::vector<GLuint> &shaders,
+    const std::function<void(GLuint)> &antes = [](GLuint) {});
 
 /// Da a los uniforms de `otro` el valor que tienen en `original`. Lo deja en uso.
 void copiaUniforms(GLuint original, GLuint otro);

@@ -4,10 +4,11 @@ caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre
 - el programa acaba bien, sin errores de OpenGL, y la imagen es la misma que sin explicarla;
 - el color que se da de cada píxel es el de la imagen, y el último que escribe en la ventana su historia, también;
 - cada mezcla, hecha otra vez con el color del shader, da lo que queda, a un nivel;
+- el shader ejecutado línea a línea da ese mismo color, y lo que le llega es lo que sale de mezclar sus vértices (a 1e-5);
 - entre dos sucesos de la historia de un framebuffer nadie más cambia el píxel, ni lo cambia el que no escribe.
 
-Sin decir el enlace, con el que se usa sin ventana y, si hay otro, uno de cada diez programas con él. Estado 1 si algo no
-se cumple.
+Sin decir el enlace, con el que se usa sin ventana y, si hay otro, uno de cada diez programas con él. Estado 1 si algo
+no se cumple.
 """
 import argparse
 import json
@@ -24,6 +25,7 @@ sys.path.insert(0, str(RAIZ / "herramientas"))
 from base import catalogo  # noqa: E402
 
 ANCHO, ALTO = 240, 180
+PASOS = 4000  # los que apunta, como mucho, sombreado.cpp
 
 
 def pixeles(imagen):
@@ -45,6 +47,30 @@ def fallos_de_historia(historia):
         queda[suceso["framebuffer"]] = despues
 
 
+def fallos_de_sombreado(explicado):
+    """Del fragmento que gana, línea a línea."""
+    sombreado = explicado.get("sombreado")
+    if not sombreado:
+        return
+    suyo = ("orden", "primitiva")
+    suceso = next(s for s in explicado["historia"] if all(s.get(c) == sombreado[c] for c in suyo))
+    fragmento = sombreado["fragmento"]
+    if fragmento["motivo"] or any(v["motivo"] for v in sombreado["vertices"]):
+        yield f"no se siguen sus shaders: {fragmento['motivo']}"
+        return
+    salida = [linea["valor"] for linea in fragmento["lineas"] if linea["clase"] == "salida"]
+    if suceso.get("color") and fragmento["pasos"] < PASOS and distancia(salida[-1], suceso["color"]) > 1 / 255:
+        yield f"el shader da {suceso['color']} y línea a línea, {salida}"
+    for entrada in sombreado.get("entradas", []):
+        talla = max(1, *(abs(n) for n in entrada["valor"]))
+        if distancia(entrada["interpolado"], entrada["valor"]) > 1e-5 * talla:
+            yield f"{entrada['nombre']} vale {entrada['valor']} y de los vértices sale {entrada['interpolado']}"
+
+
+def distancia(a, b):
+    return max(abs(x - y) for x, y in zip(a, b))
+
+
 def fallos_de_pixel(explicado, imagen):
     x, y = explicado["pixel"]
     suyo = list(imagen[3 * (y * ANCHO + x) :][:3])
@@ -54,6 +80,7 @@ def fallos_de_pixel(explicado, imagen):
     if escritos and escritos[-1][:3] != suyo:
         yield f"lo último escrito es {escritos[-1]} y queda {suyo}"
     yield from fallos_de_historia(explicado["historia"])
+    yield from fallos_de_sombreado(explicado)
 
 
 def dibuja(ejecutable, caso, carpeta, **entorno):
@@ -88,6 +115,8 @@ def fallos_de_caso(build, enlace, caso, puntos):
             )
         except AssertionError as fallo:
             return [str(fallo)]
+        if not (carpeta / "e.json").exists():
+            return [f"{enlace}, {caso.fichero}: no se explica"]
         explicados = json.loads((carpeta / "e.json").read_text())["pixeles"]
     fallos = [] if imagen == sin else ["la imagen no es la misma explicada"]
     if [tuple(e["pixel"]) for e in explicados] != puntos:

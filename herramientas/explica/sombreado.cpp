@@ -1,0 +1,342 @@
+#include "sombreado.h"
+#include "glsl.h"
+#include "programas.h"
+#include <algorithm>
+#include <regex>
+
+namespace explica {
+namespace {
+
+const int SALIDAS = 6;   // las que salen cada vez
+const long PASOS = 4000; // los que se apuntan, como mucho
+
+using Salidas = std::vector<std::array<float, 4 * SALIDAS>>; // de cada vértice, o del fragmento
+
+// Un programa con uno de los dos shaders reescrito.
+struct Reescribible {
+    GLuint programa = 0;
+    Reescrito reescrito;
+    std::string motivo; // por qué no se puede
+};
+
+Reescribible reescribeEn(GLuint original, Etapa etapa) {
+    const GLenum cual = etapa == Etapa::Vertices ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER;
+    Reescribible r;
+    std::vector<GLuint> shaders;
+    GLuint nuevo = 0;
+    for (const Fuente &f : fuentesDe(original)) {
+        if (f.tipo != cual) {
+            shaders.push_back(f.shader);
+            continue;
+        }
+        r.reescrito = reescribe(f.texto, SALIDAS, etapa);
+        nuevo = glCreateShader(cual);
+        const GLchar *texto = r.reescrito.fuente.c_str();
+        glShaderSource(nuevo, 1, &texto, nullptr);
+        glCompileShader(nuevo);
+        GLint compila = GL_FALSE;
+        glGetShaderiv(nuevo, GL_COMPILE_STATUS, &compila);
+        if (!compila)
+            r.motivo = "no sé seguir este shader";
+        shaders.push_back(nuevo);
+    }
+    if (!nuevo)
+        r.motivo = "el programa ya no guarda el texto de su shader";
+    if (r.motivo.empty()) {
+        std::vector<std::string> salidas;
+        for (int i = 0; i < SALIDAS; ++i)
+            salidas.push_back("explica_" + std::to_string(i));
+        r.programa = enlazaComo(original, shaders, [&](GLuint programa) {
+            std::vector<const GLchar *> nombres;
+            for (int i = 0; i < SALIDAS; ++i) {
+                nombres.push_back(salidas[std::size_t(i)].c_str());
+                if (etapa == Etapa::Fragmento)
+                    glBindFragDataLocation(programa, GLuint(i), nombres.back());
+            }
+            if (etapa == Etapa::Vertices)
+                glTransformFeedbackVaryings(programa, SALIDAS, nombres.data(), GL_INTERLEAVED_ATTRIBS);
+        });
+        if (!r.programa)
+            r.motivo = "el shader reescrito no enlaza";
+    }
+    glDeleteShader(nuevo);
+    return r;
+}
+
+// Lo que apuntan los vértices de la primitiva: se recoge sin rasterizar.
+class Vertices {
+    const Sueltas &sueltas;
+    int cual;
+    GLuint bufer = 0;
+
+public:
+    Vertices(const Sueltas &s, int primitiva) : sueltas(s), cual(primitiva) {
+        glGenBuffers(1, &bufer);
+        glBindBuffer(GL_ARRAY_BUFFER, bufer);
+        glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(sizeof(float)) * 4 * SALIDAS * s.primitivas.vertices,
+                     nullptr, GL_STREAM_READ);
+    }
+    ~Vertices() {
+        glDeleteBuffers(1, &bufer);
+    }
+    Vertices(const Vertices &) = delete;
+    Vertices &operator=(const Vertices &) = delete;
+
+    Salidas operator()() const {
+        const GLint antes = entero(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING);
+        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bufer);
+        glEnable(GL_RASTERIZER_DISCARD);
+        glBeginTransformFeedback(GL_POINTS);
+        sueltas.dibujaComo(GL_POINTS, cual, cual + 1);
+        glEndTransformFeedback();
+        glDisable(GL_RASTERIZER_DISCARD);
+        Salidas salidas(std::size_t(sueltas.primitivas.vertices));
+        glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLsizeiptr(salidas.size() * sizeof salidas[0]),
+                           salidas.data());
+        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLuint(antes));
+        return salidas;
+    }
+};
+
+// Lo que apunta el fragmento: se dibuja en varios framebuffers de float a la vez.
+class Fragmento {
+    const Sueltas &sueltas;
+    int cual;
+    Punto pixel;
+    GLuint marco = 0, colores[SALIDAS] = {};
+
+public:
+    Fragmento(const Sueltas &s, int primitiva, const Lienzo &l, Punto p)
+        : sueltas(s), cual(primitiva), pixel(p) {
+        GLenum cuales[SALIDAS];
+        glGenFramebuffers(1, &marco);
+        glGenRenderbuffers(SALIDAS, colores);
+        glBindFramebuffer(GL_FRAMEBUFFER, marco);
+        for (int i = 0; i < SALIDAS; ++i) {
+            cuales[i] = GLenum(GL_COLOR_ATTACHMENT0 + i);
+            glBindRenderbuffer(GL_RENDERBUFFER, colores[i]);
+            glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, l.ancho, l.alto);
+            glFramebufferRenderbuffer(GL_FRAMEBUFFER, cuales[i], GL_RENDERBUFFER, colores[i]);
+        }
+        glDrawBuffers(SALIDAS, cuales);
+        soloPregunta(p);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glDisable(GL_BLEND);
+    }
+    ~Fragmento() {
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glDeleteFramebuffers(1, &marco);
+        glDeleteRenderbuffers(SALIDAS, colores);
+    }
+    Fragmento(const Fragmento &) = delete;
+    Fragmento &operator=(const Fragmento &) = delete;
+
+    Salidas operator()() const {
+        Salidas salidas(1);
+        sueltas.dibuja(cual, cual + 1);
+        for (int i = 0; i < SALIDAS; ++i) {
+            glReadBuffer(GLenum(GL_COLOR_ATTACHMENT0 + i));
+            glReadPixels(pixel.x, pixel.y, 1, 1, GL_RGBA, GL_FLOAT, &salidas[0][std::size_t(4 * i)]);
+        }
+        return salidas;
+    }
+};
+
+// Un valor apuntado.
+struct Paso {
+    const Nota *nota;
+    std::vector<double> valor;
+};
+
+struct Traza {
+    long pasos = 0;
+    std::vector<Paso> apuntado;
+
+    const Paso *hallado(Clase clase, const std::string &nombre) const {
+        const auto es = [&](const Paso &p) { return p.nota->clase == clase && p.nota->nombre == nombre; };
+        const auto donde = std::find_if(apuntado.rbegin(), apuntado.rend(), es);
+        return donde == apuntado.rend() ? nullptr : &*donde;
+    }
+};
+
+// Lo apuntado, juntando los pasos de un mismo valor: de cada paso, su nota (-1: no hay más) y sus cuatro números.
+std::vector<Paso> enOrden(const std::vector<Nota> &notas, const std::vector<int> &cuales,
+                          const std::vector<float> &numeros) {
+    std::vector<Paso> pasos;
+    for (std::size_t i = 0; i < cuales.size() && cuales[i] >= 0;) {
+        const Nota &nota = notas.at(std::size_t(cuales[i]));
+        const std::size_t ocupa = std::size_t(pasosDe(nota.tipo));
+        if (i + ocupa > cuales.size())
+            break; // ha quedado cortado
+        pasos.push_back({&nota, valor(nota.tipo, &numeros[4 * i])});
+        i += ocupa;
+    }
+    return pasos;
+}
+
+// La traza de cada vértice, o la del fragmento. `ejecuta` da lo que sale desde el paso que se haya pedido.
+template<class Ejecuta>
+std::vector<Traza> trazas(const Reescribible &r, const Ejecuta &ejecuta) {
+    const int huecos = huecosDe(SALIDAS);
+    std::vector<Traza> todas;
+    std::vector<std::vector<int>> notas;
+    std::vector<std::vector<float>> valores;
+    long pasos = 1;
+    glUseProgram(r.programa);
+    for (int desde = 0; desde < pasos; desde += huecos) {
+        glUniform1i(glGetUniformLocation(r.programa, "explica_desde"), desde);
+        const Salidas salidas = ejecuta();
+        todas.resize(salidas.size());
+        notas.resize(salidas.size());
+        valores.resize(salidas.size());
+        for (std::size_t i = 0; i < salidas.size(); ++i) {
+            const float *suyas = salidas[i].data();
+            todas[i].pasos = std::lround(suyas[4]) + 65536 * std::lround(suyas[5]);
+            pasos = std::min(std::max(pasos, todas[i].pasos), PASOS);
+            for (int k = 0; k < huecos; ++k)
+                notas[i].push_back(int(std::lround(suyas[k])));
+            valores[i].insert(valores[i].end(), suyas + 8, suyas + 8 + 4 * huecos);
+        }
+    }
+    for (std::size_t i = 0; i < todas.size(); ++i)
+        todas[i].apuntado = enOrden(r.reescrito.notas, notas[i], valores[i]);
+    return todas;
+}
+
+const char *nombreClase(Clase clase) {
+    const char *const NOMBRES[] = {"entrada",  "global", "declara",  "asigna",    "condicion",
+                                   "vuelta",   "caso",   "entra",    "argumento", "sale",
+                                   "devuelve", "vuelve", "descarta", "salida"};
+    return NOMBRES[int(clase)];
+}
+
+std::vector<Json> lineas(const Traza &traza) {
+    std::vector<Json> lista;
+    for (const Paso &p : traza.apuntado) {
+        Json linea;
+        linea.pon("linea", p.nota->linea)
+            .pon("clase", nombreClase(p.nota->clase))
+            .pon("nombre", p.nota->nombre);
+        linea.pon("tipo", p.nota->tipo).pon("funcion", p.nota->funcion).pon("valor", p.valor);
+        lista.push_back(linea);
+    }
+    return lista;
+}
+
+Json enJsonDe(const Reescribible &r, const Traza &traza) {
+    std::vector<Json> sinSeguir;
+    for (const Aviso &a : r.reescrito.sinSeguir)
+        sinSeguir.push_back(Json().pon("linea", a.linea).pon("motivo", a.motivo));
+    Json json;
+    json.pon("pasos", traza.pasos).pon("lineas", lineas(traza)).pon("sinSeguir", sinSeguir);
+    return json.pon("motivo", r.motivo);
+}
+
+using Pesos = std::array<double, 3>;
+
+void reparte(Pesos &pesos) {
+    const double suma = pesos[0] + pesos[1] + pesos[2];
+    for (double &p : pesos)
+        p /= suma;
+}
+
+// Lo que pesa cada vértice en el centro del píxel, con perspectiva y sin ella. La combinación de los tres puntos que se
+// proyecta ahí se halla sin dividir por w, que en un vértice de detrás de la cámara no es positiva.
+std::array<Pesos, 2> pesosDe(const std::array<std::vector<double>, 3> &posiciones, Punto p) {
+    GLint v[4];
+    glGetIntegerv(GL_VIEWPORT, v);
+    const double X = 2 * (p.x + 0.5 - v[0]) / v[2] - 1, Y = 2 * (p.y + 0.5 - v[1]) / v[3] - 1;
+    std::array<std::array<double, 2>, 3> a{};
+    for (std::size_t i = 0; i < 3; ++i)
+        a[i] = {posiciones[i][0] - X * posiciones[i][3], posiciones[i][1] - Y * posiciones[i][3]};
+    Pesos con{}, sin{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto &b = a[(i + 1) % 3], &c = a[(i + 2) % 3];
+        con[i] = b[0] * c[1] - b[1] * c[0];
+    }
+    reparte(con);
+    for (std::size_t i = 0; i < 3; ++i)
+        sin[i] = con[i] * posiciones[i][3];
+    reparte(sin);
+    return {con, sin};
+}
+
+// Si en ese shader se declara así: «flat in vec3 color;».
+bool seDeclara(const std::string &fuente, const std::string &como, const std::string &nombre) {
+    return std::regex_search(fuente, std::regex("\\b" + como + "\\s+in\\s+\\w+\\s[^;]*\\b" + nombre + "\\b"));
+}
+
+// Cada entrada del fragmento que dan los vértices: lo que sale de mezclarlos y lo que se ha apuntado.
+std::vector<Json> interpola(const std::vector<Traza> &vertices, const Traza &fragmento,
+                            const std::array<Pesos, 2> &pesosCon, const std::string &fuente) {
+    const auto &[con, sin] = pesosCon;
+    std::vector<Json> lista;
+    for (const Paso &p : fragmento.apuntado) {
+        std::vector<double> suma(p.valor.size());
+        const bool mezclable = p.nota->tipo == "float" || p.nota->tipo.compare(0, 3, "vec") == 0;
+        bool estan = p.nota->clase == Clase::Entrada && mezclable;
+        const bool plana = estan && seDeclara(fuente, "flat", p.nota->nombre); // la del último vértice
+        const Pesos pesos = plana                                                         ? Pesos{0, 0, 1}
+                            : estan && seDeclara(fuente, "noperspective", p.nota->nombre) ? sin
+                                                                                          : con;
+        for (std::size_t i = 0; i < 3 && estan; ++i) {
+            const Paso *suyo = vertices[i].hallado(Clase::Salida, p.nota->nombre);
+            estan = suyo && suyo->valor.size() == suma.size();
+            for (std::size_t k = 0; k < suma.size() && estan; ++k)
+                suma[k] += pesos[i] * suyo->valor[k];
+        }
+        if (estan)
+            lista.push_back(
+                Json().pon("nombre", p.nota->nombre).pon("interpolado", suma).pon("valor", p.valor));
+    }
+    return lista;
+}
+
+std::string fuenteDe(GLuint programa, GLenum tipo) {
+    for (const Fuente &f : fuentesDe(programa))
+        if (f.tipo == tipo)
+            return f.texto;
+    return "";
+}
+
+} // namespace
+
+Json sombrea(const Orden &orden, const Lienzo &l, Punto p, int primitiva) {
+    const std::optional<Primitivas> primitivas = primitivasDe(orden);
+    const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
+    Json json;
+    if (!primitivas || !programa)
+        return json;
+    const Guardado guardado;
+    const Sueltas s(*primitivas);
+    const Reescribible deFragmento = reescribeEn(programa, Etapa::Fragmento),
+                       deVertices = reescribeEn(programa, Etapa::Vertices);
+    std::vector<Traza> vertices;
+    if (deVertices.programa)
+        vertices = trazas(deVertices, Vertices(s, primitiva));
+    Traza fragmento;
+    if (deFragmento.programa)
+        fragmento = trazas(deFragmento, Fragmento(s, primitiva, l, p))[0];
+    std::vector<Json> deCada;
+    std::array<std::vector<double>, 3> posiciones;
+    bool conPosicion = vertices.size() == 3;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const std::size_t indice = std::size_t(primitiva * s.primitivas.vertices) + i;
+        deCada.push_back(enJsonDe(deVertices, vertices[i]).pon("indice", s.primitivas.indices[indice]));
+        const Paso *posicion = vertices[i].hallado(Clase::Salida, "gl_Position");
+        conPosicion = conPosicion && posicion;
+        if (conPosicion)
+            posiciones[i] = posicion->valor;
+    }
+    json.pon("fragmento", enJsonDe(deFragmento, fragmento)).pon("vertices", deCada);
+    if (conPosicion) {
+        const auto pesos = pesosDe(posiciones, p);
+        json.pon("pesos", pesos[0]).pon("pesosSinPerspectiva", pesos[1]);
+        json.pon("entradas", interpola(vertices, fragmento, pesos, fuenteDe(programa, GL_FRAGMENT_SHADER)));
+    }
+    for (const GLuint hecho : {deFragmento.programa, deVertices.programa})
+        glDeleteProgram(hecho);
+    return json;
+}
+
+} // namespace explica

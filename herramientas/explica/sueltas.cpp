@@ -1,0 +1,38 @@
+#include "sueltas.h"
+#include "estado.h"
+
+namespace explica {
+
+Sueltas::Sueltas(Primitivas p) : primitivas(std::move(p)) {
+    const Guardado guardado;
+    glGenBuffers(1, &bufer);
+    glBindBuffer(GL_COPY_READ_BUFFER, bufer);
+    glBufferData(GL_COPY_READ_BUFFER, GLsizeiptr(primitivas.indices.size() * sizeof(GLuint)),
+                 primitivas.indices.data(), GL_STREAM_DRAW);
+}
+
+Sueltas::~Sueltas() {
+    glDeleteBuffers(1, &bufer);
+}
+
+void Sueltas::dibujaComo(GLenum modo, int desde, int hasta) const {
+    const GLint antes = entero(GL_ELEMENT_ARRAY_BUFFER_BINDING);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, bufer);
+    const std::size_t byte = sizeof(GLuint) * std::size_t(primitivas.vertices) * std::size_t(desde);
+    deVerdad().dibujaIndices(modo, primitivas.vertices * (hasta - desde), GL_UNSIGNED_INT,
+                             reinterpret_cast<const void *>(byte));
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, GLuint(antes));
+}
+
+void soloPregunta(Punto p) {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDepthMask(GL_FALSE);
+    glStencilMask(0);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(p.x, p.y, 1, 1);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_STENCIL_TEST);
+    glDisable(GL_DEPTH_TEST);
+}
+
+} // namespace explica
