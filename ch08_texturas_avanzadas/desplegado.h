@@ -1,5 +1,5 @@
-// Los dos mapas de entorno de cubemap desplegados, con el punto que toca en ellos a un vector. `dibujaMapa` dibuja, en el
-// panel abierto, lo que se ve con esa base y esa semitalla o, si se le dice, el esférico entero.
+// Los dos mapas de entorno de cubemap desplegados, con el punto que toca en ellos a un vector. `dibujaMapa` dibuja,
+// en el panel abierto, lo que se ve con esa base y esa semitalla o, si se le dice, el esférico entero.
 #pragma once
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"

@@ -47,8 +47,10 @@ Particula particula(int modo, std::uint32_t id, double t) {
     const auto seno = [](double vueltas) { return std::sin(2 * PI * vueltas); };
     const auto coseno = [](double vueltas) { return std::cos(2 * PI * vueltas); };
     if (modo == FUENTE) { // v·t + g·t²/2, con g = 5; doce chorros alrededor de uno más alto
-        const double sale = grupo ? 0.80 + 0.14 * b : 0.22 * std::sqrt(b),
-                     u = grupo ? (grupo + 0.16 * a) / 12 : a, v = grupo ? 4.9 + 0.35 * c : 5.6 + 1.0 * c;
+        const bool alto = grupo % 2 == 0;
+        const double sale = grupo ? (alto ? 0.60 : 1.05) + 0.14 * b : 0.30 * std::sqrt(b) * (1 - c),
+                     u = grupo ? (grupo + 0.16 * a) / 12 : a,
+                     v = grupo ? (alto ? 4.9 : 3.7) + 0.35 * c : 5.6 + 1.0 * c;
         return {{sale * coseno(u) * s, v * s - 5 * s * s / 2, sale * seno(u) * s},
                 0.07,
                 mezcla({0.20, 0.50, 0.95}, {0.85, 0.95, 1}, c),
