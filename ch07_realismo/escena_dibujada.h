@@ -1,5 +1,6 @@
 // Dibujar escena_espejo.h, tal cual o reflejada, y el espejo solo. Los programas espejo y espejo_plantilla.
 #pragma once
+#include "baldosas.h"
 #include "buferes.h"
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
@@ -11,21 +12,6 @@ struct EscenaDibujada {
     std::array<Buferes, SOLIDOS> solidos;
     Buferes espejo;
 };
-
-/// Las baldosas de lado 1 del suelo, en el plano Y = 0, como las de un tablero: las claras o las oscuras.
-inline Malla baldosas(bool oscuras) {
-    Malla malla;
-    for (int x = -4; x < 4; ++x)
-        for (int z = -3; z < 3; ++z) {
-            if (((x + z) % 2 != 0) != oscuras)
-                continue;
-            const unsigned k = unsigned(malla.vertices.size());
-            for (const glm::ivec2 e : {glm::ivec2(0, 1), {1, 1}, {1, 0}, {0, 0}})
-                malla.vertices.push_back({glm::vec3(x + e.x, 0, z + e.y), {0, 1, 0}, glm::vec2(e)});
-            malla.indices.insert(malla.indices.end(), {k, k + 1, k + 2, k, k + 2, k + 3});
-        }
-    return malla;
-}
 
 inline EscenaDibujada creaEscena() {
     return {creaPrograma("ch05_iluminacion/sombreado_phong.vert", "ch07_realismo/reflejo.frag"),

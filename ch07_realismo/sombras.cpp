@@ -1,9 +1,10 @@
-// Sombras proyectivas (ecuación 7.4, figura 7.4): cada objeto se dibuja otra vez, proyectado sobre la mesa desde la luz
-// y de un color oscuro. El desplazamiento de polígono evita que sombra y mesa se cosan; la plantilla, que la sombra
-// salga de la mesa y que, transparente, oscurezca dos veces donde dos se solapan. Lo que es más alto que la luz no da
-// sombra (sombra.h).
+// Sombras proyectivas (ecuación 7.4, figura 7.4): cada objeto se dibuja otra vez, proyectado sobre la mesa desde la
+// luz y de un color oscuro: es el objeto sombra. El desplazamiento de polígono evita que sombra y mesa se cosan; la
+// plantilla, que la sombra salga de la mesa y que, transparente, oscurezca dos veces donde dos se solapan. Lo que es
+// más alto que la luz no da sombra (sombra.h).
 // Controles: t transparente · o desplazamiento · p plantilla · arrastrar con el botón derecho mueve la luz ·
 // w s la alejan y la acercan · ratón orbita · Esc termina.
+#include "baldosas.h"
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
 #include "orbita.h"
@@ -25,11 +26,11 @@ static Material pintura(const glm::vec3 &color) {
 
 static struct {
     GLuint deObjetos, deSombras;
-    Buferes cubo, esfera, toro, cilindro, tablero;
-    glm::vec3 luz = {-1.8f, 3.6f, 0.8f};
+    Buferes cubo, esfera, toro, cilindro, claras, oscuras;
+    glm::vec3 luz = {-1.8f, 3.2f, 0.8f};
     bool transparente = true, desplaza = true, plantilla = true, moviendo = false;
     int x = 0, y = 0; // del ratón
-    Orbita orbita = {0.25f, 0.42f, 13, {0, 1.2f, 0}, 0.05f};
+    Orbita orbita = {0.25f, 0.48f, 13, {0.2f, 0.8f, 0}, 0.05f};
 } estado;
 
 static void inicia() {
@@ -39,7 +40,8 @@ static void inicia() {
     estado.esfera = creaBuferes(esfera(48));
     estado.toro = creaBuferes(toro(0.7f, 0.22f, 64, 32));
     estado.cilindro = creaBuferes(cilindro(48));
-    estado.tablero = creaBuferes(plano(1));
+    estado.claras = creaBuferes(baldosas(false));
+    estado.oscuras = creaBuferes(baldosas(true));
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_STENCIL_TEST);
     glEnable(GL_CULL_FACE);
@@ -99,8 +101,9 @@ static void dibuja() {
     dibujaObjeto(p, estado.cubo, traslacion({0, -TALLA_MESA.y / 2 - 0.01f, 0}) * escalado(TALLA_MESA), camara,
                  pintura({0.55f, 0.38f, 0.22f}));
     glStencilFunc(GL_ALWAYS, 1, 0xff);
-    dibujaObjeto(p, estado.tablero, giroX(-glm::half_pi<float>()) * escalado({TALLA_MESA.x, TALLA_MESA.z, 1}),
-                 camara, pintura({0.88f, 0.80f, 0.66f}));
+    const glm::mat4 tablero = escalado({TALLA_MESA.x / 8, 1, TALLA_MESA.z / 6});
+    dibujaObjeto(p, estado.claras, tablero, camara, pintura({0.88f, 0.80f, 0.66f}));
+    dibujaObjeto(p, estado.oscuras, tablero, camara, pintura({0.74f, 0.58f, 0.42f}));
     glStencilFunc(GL_ALWAYS, 0, 0xff);
     recorreObjetos([&](const Buferes &malla, const glm::mat4 &M, const glm::vec3 &color) {
         dibujaObjeto(p, malla, M, camara, pintura(color));
@@ -141,7 +144,7 @@ static void arrastra(int x, int y) {
     if (estado.moviendo) {
         const float porPixel = UNIDADES_POR_ALTO / altoUtil();
         estado.luz.x = std::clamp(estado.luz.x + porPixel * float(x - estado.x), -3.0f, 3.0f);
-        estado.luz.y = std::clamp(estado.luz.y - porPixel * float(y - estado.y), -0.5f, 4.0f);
+        estado.luz.y = std::clamp(estado.luz.y - porPixel * float(y - estado.y), -0.5f, 3.4f);
         estado.x = x;
         estado.y = y;
         glutPostRedisplay();

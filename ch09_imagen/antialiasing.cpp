@@ -1,8 +1,9 @@
-// El efecto escalera y cómo se quita (§9.3, figura 9.4): sin nada, un píxel es del triángulo si lo es su centro; con
-// multimuestra se miran varios puntos de cada píxel y se promedian, con un solo color por triángulo; con sobremuestreo
-// se dibuja todo VECES × VECES mayor y se reduce. El libro pide las muestras a la ventana con GLUT_MULTISAMPLE y las
-// cuenta con GL_SAMPLE_BUFFERS (no GL_SAMPLES_BUFFERS); una ventana puede no darlas, y aquí se piden a un framebuffer
-// propio. Con los tres a la vez se ve solo la punta de un rayo, aumentada, y lo que OpenGL dice de cada framebuffer.
+// El efecto escalera o de dientes de sierra y cómo se quita (§9.3, figura 9.4): sin nada, un píxel es del triángulo
+// si lo es su centro; con multimuestra (que el libro llama también sobremuestreo o FSAA) se miran varios puntos de
+// cada píxel y se promedian, con un solo color por triángulo; con sobremuestreo se dibuja todo VECES × VECES mayor y
+// se reduce. El libro pide las muestras a la ventana con GLUT_MULTISAMPLE y las cuenta con GL_SAMPLE_BUFFERS (no
+// GL_SAMPLES_BUFFERS); una ventana puede no darlas, y aquí se piden a un framebuffer propio. Con los tres a la vez
+// se ve solo la punta de un rayo, aumentada, y lo que OpenGL dice de cada framebuffer.
 // Controles: 1 sin nada · 2 multimuestra · 3 sobremuestreo · v los tres · Esc termina.
 #include "buferes.h"
 #include "estrella.h"
