@@ -4,17 +4,21 @@
 // se reduce. El libro pide las muestras a la ventana con GLUT_MULTISAMPLE y las cuenta con GL_SAMPLE_BUFFERS (no
 // GL_SAMPLES_BUFFERS); una ventana puede no darlas, y aquí se piden a un framebuffer propio. Con los tres a la vez
 // se ve solo la punta de un rayo, aumentada, y lo que OpenGL dice de cada framebuffer.
-// Controles: 1 sin nada · 2 multimuestra · 3 sobremuestreo · v los tres · Esc termina.
+// Controles: 1 sin nada · 2 multimuestra · 3 sobremuestreo · v los tres · espacio gira la estrella o la para ·
+// Esc termina.
 #include "buferes.h"
 #include "estrella.h"
 #include "imagen_en_ventana.h"
 #include "modos.h"
+#include <glm/gtc/constants.hpp>
 
 static const int VECES = 4, MUESTRAS = 4, DENTRO = 16;
 static const glm::vec2 AUMENTADO(0.895f,
-                                 0.530f); // en la escena, centro de los DENTRO × DENTRO que se aumentan
+                                 0.530f), // en la escena, centro de los DENTRO × DENTRO que se aumentan
+    PUNTA(163 / 240.0f, 210 / 240.0f);    // y de los DENTRO × 2·DENTRO de una punta
 static const int LADO_COMPARADO = 240; // de la escena de la que se compara una punta, sea como sea la ventana
-static const glm::vec2 PUNTA = glm::vec2(155, 194) / float(LADO_COMPARADO);
+static const int MS = 40;
+static const double VELOCIDAD = 5e-5; // radianes por milisegundo
 static const char *const NOMBRES[3] = {"Sin antialiasing", "Multimuestra", "Sobremuestreo"},
                          *const CORTOS[3] = {"Sin nada", "Multi", "Sobre"};
 
@@ -24,6 +28,8 @@ static struct {
     GLint buffersVentana, muestrasVentana, muestras, buffers, muestrasPorPixel;
     Lienzo lienzo = {0, 0}, grande = {0, 0};
     int lado = 0;
+    double giro = 0; // de la estrella, en radianes
+    bool girando = false;
     Modos modos{3};
 } estado;
 
@@ -63,6 +69,7 @@ static void dibujaEstrella(GLuint framebuffer, int lado) {
     abreRecuadro({0, 0, lado, lado}, FONDO_CLARO);
     glUseProgram(estado.pinta);
     envia(estado.pinta, "color", OSCURO);
+    envia(estado.pinta, "giro", glm::vec2(std::cos(estado.giro), std::sin(estado.giro)));
     dibuja(estado.estrella);
 }
 
@@ -91,6 +98,13 @@ static void dibujaEscena(int tecnica) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
+// El primero de los píxeles de ese centro, que gira con la estrella; de 0 a 1.
+static glm::vec2 primero(const glm::vec2 &centro, const glm::vec2 &pixeles) {
+    const float lado = float(estado.lado), c = float(std::cos(estado.giro)), s = float(std::sin(estado.giro));
+    return glm::floor((glm::mat2(c, s, -s, c) * (centro - 0.5f) + 0.5f) * lado - pixeles / 2.0f + 0.001f) /
+           lado;
+}
+
 // En ese rectángulo, con un marco, los píxeles de la escena que hay a partir de `primero`, de 0 a 1.
 static void dibujaPixeles(const glm::vec2 &primero, const glm::ivec2 &pixeles, const Recuadro &r,
                           const glm::vec3 &marco) {
@@ -117,7 +131,7 @@ static void dibujaPanel(int tecnica, const Recuadro &panel) {
     const int x = panel.x + (panel.ancho - lado) / 2, y = panel.y + (panel.alto - lado + lado / 9) / 2;
     dibujaPixeles({0, 0}, {lado, lado}, {x, y, lado, lado}, FONDO_CLARO);
     const int lupa = std::max(lado * 3 / 10 / DENTRO, 1) * DENTRO;
-    dibujaPixeles(glm::floor(AUMENTADO * float(lado) - DENTRO / 2.0f) / float(lado), {DENTRO, DENTRO},
+    dibujaPixeles(primero(AUMENTADO, glm::vec2(DENTRO)), {DENTRO, DENTRO},
                   {x + (lado - lupa) / 2, y + (lado - lupa) / 2, lupa, lupa}, NARANJA);
     dibujaEn({panel.x, y - lado / 9, panel.ancho, lado / 9});
     rotula(conVeces(NOMBRES[tecnica], tecnica), {0.5f, 0.5f}, OSCURO);
@@ -130,7 +144,7 @@ static void dibujaPunta(int tecnica, const Recuadro &panel) {
     const int pie = panel.alto * 9 / 40, libre = panel.alto - pie - 8;
     const int ancho = std::max(std::min((panel.ancho - 4) / DENTRO, libre / (2 * DENTRO)), 1) * DENTRO;
     dibujaPixeles(
-        PUNTA, {DENTRO, 2 * DENTRO},
+        primero(PUNTA, {DENTRO, 2 * DENTRO}), {DENTRO, 2 * DENTRO},
         {panel.x + (panel.ancho - ancho) / 2, panel.y + pie + (libre - 2 * ancho) / 2, ancho, 2 * ancho},
         NARANJA);
     dibujaEn(panel);
@@ -158,8 +172,22 @@ static void dibuja() {
 }
 
 static void teclado(unsigned char tecla, int, int) {
-    if (!teclaComun(tecla))
+    if (teclaComun(tecla))
+        return;
+    if (tecla == ' ')
+        estado.girando = !estado.girando;
+    else
         teclaModos(estado.modos, tecla);
+}
+
+static void reloj(int antes) {
+    const int ahora = glutGet(GLUT_ELAPSED_TIME);
+    if (estado.girando) {
+        // cada RAYOS-ésimo de vuelta la estrella es la misma, y se aumenta otro rayo
+        estado.giro = std::fmod(estado.giro + VELOCIDAD * (ahora - antes), glm::two_pi<double>() / RAYOS);
+        glutPostRedisplay();
+    }
+    glutTimerFunc(MS, reloj, ahora);
 }
 
 int main(int argc, char **argv) {
@@ -174,6 +202,7 @@ int main(int argc, char **argv) {
     glGenFramebuffers(1, &estado.multimuestra);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
+    reloj(glutGet(GLUT_ELAPSED_TIME));
     glutMainLoop();
     return 0;
 }

@@ -130,19 +130,21 @@ TEST(Morphing, ElMovimientoSigueAlReloj) {
 // --- antialiasing ---
 
 // Contra el área exacta, y las dos técnicas de muestras conocidas, muestra a muestra: el centro del píxel y los centros
-// de sus 4 × 4 partes. De las que caen a menos de una centésima de píxel de un lado no se dice nada.
-TEST(Antialiasing, CoberturaContraElAreaExacta) {
+// de sus 4 × 4 partes. De las que caen a menos de una centésima de píxel de un lado no se dice nada. Lo que se hace antes
+// deja la estrella con ese giro.
+void compruebaCobertura(const std::string &antes, double giro) {
     const double fondo = std::round(color(FONDO_CLARO).x), tinta = std::round(color(OSCURO).x);
     std::vector<oraculo::Poligono>
         rayos; // triángulos isósceles; la escena son 180 × 180 píxeles desde (10, 20)
     for (int i = 0; i < 24; ++i) {
-        const double a = oraculo::PI * (i + 0.3) / 12, c = std::cos(a), s = std::sin(a);
+        const double a = oraculo::PI * (i + 0.3) / 12 + giro, c = std::cos(a), s = std::sin(a);
         const auto en = [&](double lejos, double aUnLado) {
             return oraculo::Vec2{90 + 90 * (lejos * c - aUnLado * s), 90 + 90 * (lejos * s + aUnLado * c)};
         };
         rayos.push_back({en(0.45, -0.035), en(0.95, 0), en(0.45, 0.035)});
     }
-    const std::vector<Vista> vistas = vistasDe("antialiasing", {"tecla 1", "tecla 2", "tecla 3"}, 200, 200);
+    const std::vector<Vista> vistas =
+        vistasDe("antialiasing", {antes + "tecla 1", "tecla 2", "tecla 3"}, 200, 200);
     double suma[3] = {}, maximo[3] = {};
     int n = 0, malos = 0;
     for (int y = 0; y < 180; ++y)
@@ -176,6 +178,11 @@ TEST(Antialiasing, CoberturaContraElAreaExacta) {
     EXPECT_LE(maximo[2], 0.20);
     EXPECT_LT(std::sqrt(suma[1]), 0.6 * std::sqrt(suma[0]));
     EXPECT_LT(std::sqrt(suma[2]), 0.6 * std::sqrt(suma[1]));
+}
+
+TEST(Antialiasing, CoberturaContraElAreaExacta) {
+    compruebaCobertura("", 0);
+    compruebaCobertura("tecla Espacio; espera 2000; tecla Espacio; espera 500; ", 0.1);
 }
 
 // Con v, la punta de un rayo, 16 × 32 píxeles de una escena de 240 de lado sea como sea la ventana, que en otra de
