@@ -166,7 +166,8 @@ static void dibuja() {
     }
     ponTitulo(std::string("Antialiasing: ") +
               (estado.modos.todos ? "los tres" : NOMBRES[estado.modos.elegido]) +
-              " (ventana: GL_SAMPLE_BUFFERS " + std::to_string(estado.buffersVentana) + ", GL_SAMPLES " +
+              (estado.girando ? ", girando" : "") + " (ventana: GL_SAMPLE_BUFFERS " +
+              std::to_string(estado.buffersVentana) + ", GL_SAMPLES " +
               std::to_string(estado.muestrasVentana) + ")");
     glutSwapBuffers();
 }
@@ -178,6 +179,7 @@ static void teclado(unsigned char tecla, int, int) {
         estado.girando = !estado.girando;
     else
         teclaModos(estado.modos, tecla);
+    glutPostRedisplay();
 }
 
 static void reloj(int antes) {
