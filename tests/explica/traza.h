@@ -45,7 +45,9 @@ inline void abre(int cuantas) {
 }
 
 /// El programa de dos textos; 0 y lo que dice el compilador, si no valen.
-inline GLuint enlaza(const std::string &vert, const std::string &frag, std::string &error) {
+inline GLuint enlaza(
+    const std::string &vert, const std::string &frag, std::string &error,
+    const std::function<void(GLuint)> &antes = [](GLuint) {}) {
     const GLuint programa = glCreateProgram();
     const auto informe = [&](auto pide, GLuint cual) {
         char texto[2000] = "";
@@ -65,6 +67,7 @@ inline GLuint enlaza(const std::string &vert, const std::string &frag, std::stri
         glAttachShader(programa, shader);
         glDeleteShader(shader);
     }
+    antes(programa);
     glLinkProgram(programa);
     glGetProgramiv(programa, GL_LINK_STATUS, &bien);
     if (!bien)

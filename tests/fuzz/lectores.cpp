@@ -4,6 +4,7 @@
 #include "ch02_modelado/bezier.h"
 #include "error.h"
 #include "glut_sin_ventana/guion.h"
+#include "herramientas/explica/glsl.h"
 #include "imagen.h"
 #include "malla.h"
 #include "numero.h"
@@ -177,9 +178,23 @@ static void shader(const Texto &entrada) {
     exige(intentaPrograma("shader", "shader", error) == 0 && !error.empty());
 }
 
+/// El reescritor de shaders: lo que da tiene una medida, y todo lo que apunta es de un tipo que se sabe leer.
+static void glsl(const Texto &entrada) {
+    using namespace explica;
+    for (const Etapa etapa : {Etapa::Fragmento, Etapa::Vertices}) {
+        const Reescrito r = reescribe(entrada, 4, etapa);
+        exige(r.notas.size() <= 4096 && r.fuente.size() <= 4000000 &&
+              r.sinSeguir.size() <= entrada.size() + 1000000);
+        exige(!r.fuente.empty() || (r.notas.empty() && r.sinSeguir.size() == 1));
+        for (const Nota &n : r.notas)
+            exige((n.tipo == "void") == valor(n.tipo, std::vector<float>(16).data()).empty());
+    }
+}
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *datos, std::size_t n) {
-    static const std::map<Texto, void (*)(const Texto &)> LECTORES = {
-        {"guion", guion}, {"imagen", imagen}, {"malla", malla}, {"shader", shader}, {"tetera", tetera}};
+    static const std::map<Texto, void (*)(const Texto &)> LECTORES = {{"glsl", glsl},     {"guion", guion},
+                                                                      {"imagen", imagen}, {"malla", malla},
+                                                                      {"shader", shader}, {"tetera", tetera}};
     static const auto lector = LECTORES.at(std::getenv("LECTOR"));
     lector(Texto(datos, datos + n));
     return 0;
