@@ -112,6 +112,7 @@ public:
         int corrimiento = 0, fichero = 0;
         for (std::size_t i = 0; crudas[i].clase != Palabra::Fin;) {
             Palabras linea;
+            const int siguiente = crudas[i].linea + 1;
             do {
                 linea.push_back(crudas[i++]);
                 linea.back().linea += corrimiento;
@@ -126,7 +127,7 @@ public:
             if (linea.size() > 1 && linea[1].texto == "line" && activo()) {
                 const Palabras numeros = expande({linea.begin() + 2, linea.end()});
                 if (!numeros.empty())
-                    corrimiento = std::atoi(numeros[0].texto.c_str()) - crudas[i].linea;
+                    corrimiento = std::atoi(numeros[0].texto.c_str()) - siguiente;
                 if (numeros.size() > 1)
                     fichero = std::atoi(numeros[1].texto.c_str());
             } else if (linea.size() > 1) {

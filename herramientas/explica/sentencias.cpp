@@ -150,11 +150,11 @@ std::string Reescritor::elige() {
 }
 
 std::string Reescritor::caso() {
-    const std::size_t desde = i;
-    while (!es(":"))
-        if (p[i++].clase == Palabra::Fin)
-            throw NoSe(p[desde], "a este case le faltan los dos puntos");
-    const std::string nombre = texto(&p[desde], &p[i++]);
+    const std::size_t desde = i++;
+    if (!es(":"))
+        constante();
+    const std::string nombre = texto(&p[desde], &p[i]);
+    exige(":");
     return copia(desde, i) + "\n" + sinValor(Clase::Caso, p[desde], nombre);
 }
 

@@ -45,7 +45,7 @@ const std::string VERT = "#version 140\nvoid main() {\n    gl_Position = vec4(4 
 
 std::string conMain(const std::string &global, const std::string &cuerpo) {
     return "#version 140\nuniform int uno; uniform float medio; out vec4 o; " + global +
-           "\n#line 3\nvoid main() { " + cuerpo + "\n}\n";
+           "\n#line 2\n\nvoid main() { " + cuerpo + "\n}\n";
 }
 
 /// Lo que apunta en el píxel (1, 1) un shader de conMain.
@@ -240,6 +240,10 @@ TEST(ExplicaGlsl, DiceLoQueNoSabe) {
     } DUDAS[] = {
         {"", "int i = 0; int a[2];\na[i++]++; i = 5;", "4: no sé apuntar aquí lo que vale «a[i++]»",
          "3 i:0 | 4 i:1 i:5"},
+        {"struct S { int n; }; int t() { return 1; }", "S a[2], b; b.n = 1;\na[t()] = b;",
+         "4: no sé apuntar aquí lo que vale «a[t()]»", "3 b.n:1 | 2 >t <t:1"},
+        {"struct S { int n; };", "S a[2], b; b.n = 1; int i = 0;\na[0 + i++] = b; i += 0;",
+         "4: no sé apuntar aquí lo que vale «a[0 + i++]»", "3 b.n:1 i:0 | 4 i:1 i:1"},
         {"", "float a[41]; float b[41];\nb = a; int i = 1;", "4: no sé apuntar «b» entero", "4 i:1"},
         {"struct S { int n; };", "S a, b, c; a.n = 1;\nc = b = a; a.n = 2;",
          "4: no sé apuntar aquí lo que vale «b»", "3 a.n:1 | 4 c.n:1 a.n:2"},
