@@ -40,7 +40,14 @@ class Caso:
 
     @property
     def animada(self):
-        return f"{self.programa.capitulo.nombre}/{self.fichero}.anima.png"
+        """La animación, como se ve en la página."""
+        return f"{self.programa.capitulo.nombre}/{self.fichero}.anima.webp"
+
+    @property
+    def cuadros(self):
+        """Los de la animación, uno a uno y al tamaño de un proyector."""
+        cuantos = int(self.anima.split()[0]) if self.anima else 0
+        return [f"{self.programa.capitulo.nombre}/{self.fichero}.anima/{i:03}.webp" for i in range(cuantos)]
 
 
 @dataclass
@@ -83,11 +90,18 @@ class Programa:
 class Capitulo:
     nombre: str
     titulo: str
+    portada: str = ""  # la imagen que lo enseña, por su fichero
     programas: list = field(default_factory=list)
 
     @property
     def numero(self):
         return int(re.match(r"ch(\d+)", self.nombre)[1])
+
+    @property
+    def caso_de_portada(self):
+        """El de su portada o, si no la dice, el primero con imagen."""
+        casos = [c for p in self.programas if not p.consola for c in p.casos]
+        return next((c for c in casos if c.fichero == self.portada), casos[0] if casos else None)
 
 
 def lee(build):

@@ -32,6 +32,44 @@ def en_palabras(orden):
     return hace[que].format(*resto) if que in hace else una
 
 
+def enumera(cosas):
+    return " y ".join(filter(None, (", ".join(cosas[:-1]), *cosas[-1:])))
+
+
+def en_breve(guion, orbita=False):
+    """Lo que hace una persona, sin los píxeles: de «tecla 1; tecla m ×2; arrastra 9 9», «pulsa 1 y m 2 veces;
+    arrastra». ORBITA: si es lo que hace el ratón."""
+    hace = [("", [])]  # cada cosa que se hace seguida, y a qué
+    boton = ""
+
+    def anade(que, a_que=""):
+        if que != hace[-1][0]:
+            hace.append((que, []))
+        hace[-1][1].extend(filter(None, [a_que]))
+
+    for orden in filter(None, map(str.strip, guion.split(";"))):
+        una, _, veces = orden.partition(" ×")
+        que, *resto = una.split()
+        if que in ("tecla", "especial"):
+            anade("pulsa", TECLAS.get(resto[0], resto[0]) + (f" {veces} veces" if veces else ""))
+        elif que == "menu":
+            anade("elige en el menú", una.partition(" ")[2].replace("/", " → "))
+        elif que == "espera" and resto != ["0"]:
+            anade("espera", f"{float(resto[0]) / 1000:g} s")
+        elif que == "boton" and resto[1] == "abajo":
+            boton = "" if resto[0] == "IZQUIERDO" else f" con el botón {resto[0].lower()}"
+            anade(f"haz clic{boton}")
+        elif que == "arrastra":
+            if hace[-1][0].startswith("haz clic"):
+                hace.pop()
+            anade(f"arrastra{boton or ' para orbitar' * orbita}")
+        elif que == "mueve":
+            anade("mueve el ratón")
+        elif que == "rueda":
+            anade("gira la rueda", "hacia delante" if resto[0].startswith("+") else "hacia atrás")
+    return "; ".join(f"{que} {enumera(a_que)}".rstrip() for que, a_que in hace[1:])
+
+
 def menos_veces(orden):
     """La misma orden, repetida menos veces: de menos a más."""
     una, por, n = orden.rpartition(" ×")

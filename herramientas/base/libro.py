@@ -4,6 +4,8 @@ import html
 import re
 from dataclasses import dataclass
 
+from base import fuentes, marcas
+
 CLASES = {"L": "listado", "E": "ejercicio", "F": "figura", "T": "tabla", "Ec": "ecuación", "§": "apartado"}
 
 
@@ -72,8 +74,18 @@ def en_html(texto):
 
 
 class Libro:
-    def __init__(self, raiz):
+    """Con CAPITULOS, también qué programa es el primero de cada cosa: a él lleva su enlace."""
+
+    nombre, en_html = staticmethod(nombre), staticmethod(en_html)
+
+    def __init__(self, raiz, capitulos=()):
         self.raiz = raiz
+        self.primeros = {}
+        for programa in (p for capitulo in capitulos for p in capitulo.programas):
+            for referencia in programa.referencias:
+                self.primeros.setdefault(referencia, programa.nombre)
+        textos = {f: f.read_text() for f in raiz.glob("ch*/*.*") if f.suffix in (".cpp", ".h", *fuentes.SHADERS)}
+        self.por_hacer = set(marcas.que_piden(textos))  # E3.5, con ./lab nuevo; L5.1, en la página
         self.cosas = {c.codigo: c for c in cosas(raiz)}
         self.respuestas = {
             titulo
@@ -89,9 +101,23 @@ class Libro:
             for nombrado, cuerpo in [re.fullmatch(r"(?: \(`(\w+)`\))?(.*)", todo, re.DOTALL).groups()]
         ]
 
+    def es_primero(self, referencia, programa):
+        return self.primeros.get(referencia) == programa.nombre
+
+    def anclas(self, programa):
+        """Las referencias que llevan a ese programa, salvo las de sus enunciados, que llevan a ellos."""
+        suyas = [r for r in programa.referencias if self.es_primero(r, programa)]
+        return [r for r in suyas if not (r in self.cosas and self.cosas[r].enunciado)]
+
     def referencias(self, programa):
         """Cada una, con lo que es: E3.5, «ejercicio 3.5: la grúa de obra»."""
         return [(r, nombre(r) + (f": {self.cosas[r].que}" if r in self.cosas else "")) for r in programa.referencias]
+
+    def sin_programa(self, capitulo):
+        """Las cosas de ese capítulo que ningún programa suyo lleva: su motivo dice por qué."""
+        llevadas = {r for p in capitulo.programas for r in p.referencias}
+        suyas = [c for codigo, c in self.cosas.items() if codigo[1:].split(".")[0] == str(capitulo.numero)]
+        return [c for c in suyas if c.codigo not in llevadas]
 
     def explicacion(self, programa):
         """El comentario con que empieza su fuente, hasta sus controles."""
@@ -99,9 +125,9 @@ class Libro:
         return " ".join(linea.removeprefix("// ") for linea in comentario.splitlines())
 
     def ejercicios(self, programa):
-        """Cuál es, lo que pide y lo que se contesta, en HTML. También lo que el texto propone fuera de ellos."""
+        """Su código, lo que pide y lo que se contesta, en HTML. También lo que el texto propone fuera de ellos."""
         return [
-            (nombre(r).capitalize(), en_html(self.cosas[r].enunciado), self.respuestas.get(r, ""))
+            (r, en_html(self.cosas[r].enunciado), self.respuestas.get(r, ""))
             for r in programa.referencias
             if r in self.cosas and self.cosas[r].enunciado
         ]

@@ -1,5 +1,6 @@
-# capitulo("Transformaciones geométricas")
-#   El título del capítulo de esta carpeta; va el primero.
+# capitulo("Transformaciones geométricas" [PORTADA grua-girada])
+#   El título del capítulo de esta carpeta; va el primero. PORTADA: la imagen, de las suyas, que lo enseña al abrir la galería y la página;
+#   si no se dice, la primera.
 #
 # programa(nombre REF "L1.2 E3.5" TITULO "…" CONTRA "…" PRUEBAS a.B.C … [PASA "…"] [CAPTURA "…"] [ADMITE modelo|imagen|imagenes] [CONSOLA])
 #   Compila <nombre>.cpp una sola vez y lo enlaza para cada destino de LAB_DESTINOS:
@@ -62,9 +63,10 @@ function(exige_nombre nombre)
 endfunction()
 
 function(capitulo titulo)
+  cmake_parse_arguments(PARSE_ARGV 1 C "" "PORTADA" "")
   get_filename_component(C_NOMBRE "${CMAKE_CURRENT_SOURCE_DIR}" NAME)
   set(C_TITULO "${titulo}")
-  apunta(CAPITULOS C NOMBRE TITULO)
+  apunta(CAPITULOS C NOMBRE TITULO PORTADA)
   set(capitulo ${C_NOMBRE} PARENT_SCOPE)
 endfunction()
 

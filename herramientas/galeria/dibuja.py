@@ -2,9 +2,10 @@
 escribe DESTINO/index.html, que se puede mirar desde el primero. Si no compila, el estado es 3.
 
 Cada imagen se dibuja al tamaño que tendría proyectada y así se deja, sin reducirla: los escalones que haya son los
-del programa. De los casos con ANIMA se hace además un APNG de tantos cuadros, más pequeño. Solo se rehace lo que ha
-cambiado: DESTINO/.hecho.json recuerda de qué (programa, guion y los ficheros que leyó) salió cada imagen y qué
-escribió entonces el programa. Si algún caso falla, la página lleva los demás y el estado es 1.
+del programa. De los casos con ANIMA se hacen además tantos cuadros al tamaño de un proyector, que se pueden parar, y una
+animación más pequeña para la página. Solo se rehace lo que ha cambiado: DESTINO/.hecho.json recuerda de qué (programa,
+guion y los ficheros que leyó) salió cada imagen y qué escribió entonces el programa. Si algún caso falla, la página
+lleva los demás y el estado es 1.
 """
 import functools
 import hashlib
@@ -22,8 +23,9 @@ from base import catalogo, procesos
 from base.procesos import Fallo, escribe
 from galeria.pagina import PaginaGaleria
 
-TALLA, ANIMADA = "1440x1080", "480x360"
-RITMO = "1", "10"  # segundos por cuadro, como fracción
+TALLA, PROYECTADA, ANIMADA = "1440x1080", "1280x960", "480x360"
+RITMO = "100"  # ms de cada cuadro; los pasa también proyector.mjs
+WEBP = "-q", "80", "-m", "4"
 SEGUNDOS = 300  # un programa que no acaba no detiene la galería
 CADA = 4  # segundos entre una página a medias y la siguiente
 NO_COMPILA = 3
@@ -95,10 +97,10 @@ class Galeria:
         """Hace la imagen de un caso si no está al día. Dice si la ha hecho."""
         ejecutable = programa.ejecutable(self.build)
         png = self.destino / caso.imagen
-        ficheros = [] if programa.consola else [png, self.destino / caso.animada] if caso.anima else [png]
-        clave = hashlib.sha1(
-            repr((TALLA, ANIMADA, RITMO, "título", caso.guion, caso.anima)).encode() + ejecutable.read_bytes()
-        ).hexdigest()
+        animada, cuadros = self.destino / caso.animada, [self.destino / c for c in caso.cuadros]
+        ficheros = [] if programa.consola else [png, animada, *cuadros] if caso.anima else [png]
+        como = TALLA, "título", caso.guion, caso.anima and (PROYECTADA, ANIMADA, RITMO, WEBP, caso.anima)
+        clave = hashlib.sha1(repr(como).encode() + ejecutable.read_bytes()).hexdigest()
         if self.al_dia(caso, clave, ficheros):
             caso.ventana, caso.salida = (self.hecho[caso.imagen][dato] for dato in ("ventana", "salida"))
             return False
@@ -119,7 +121,7 @@ class Galeria:
             ppm.unlink()
         if caso.anima:
             with tempfile.TemporaryDirectory(dir=temporal) as carpeta:
-                escribe(self.destino / caso.animada, self.anima(ejecutable, caso, Path(carpeta)))
+                self.anima(ejecutable, caso, Path(carpeta), animada, cuadros)
         rutas = [str(f.relative_to(self.raiz)) for f in programa.ficheros(self.raiz)]
         rutas += leidos.read_text().splitlines() if leidos.exists() else []
         self.hecho[caso.imagen] = {
@@ -130,17 +132,22 @@ class Galeria:
         }
         return True
 
-    def anima(self, ejecutable, caso, carpeta):
-        """El APNG de un caso: desde donde lo deja su guion, ANIMA dice cuántos cuadros y la orden que lleva al
-        siguiente."""
-        cuadros, paso = caso.anima.split(maxsplit=1)
-        capturas = [carpeta / f"{i:03}.ppm" for i in range(int(cuadros))]
+    def anima(self, ejecutable, caso, carpeta, animada, cuadros):
+        """Los cuadros de un caso y su animación: desde donde lo deja su guion, ANIMA dice cuántos son y la orden que
+        lleva al siguiente."""
+        paso = caso.anima.split(maxsplit=1)[1]
+        capturas = [carpeta / f"{i:03}.ppm" for i in range(len(cuadros))]
         guion = "; ".join([caso.guion, *(f"captura {c.name}; {paso}" for c in capturas)])
-        ejecuta([ejecutable, "-geometry", ANIMADA, "-ppm", "x", "-guion", guion], cwd=carpeta)
-        for captura in capturas:
-            captura.with_suffix(".png").write_bytes(procesos.en_png(captura, 1))  # apngasm lo comprime otra vez
-        ejecuta(["apngasm", "animada.png", "000.png", *RITMO, "-z0"], cwd=carpeta)
-        return (carpeta / "animada.png").read_bytes()
+
+        def dibuja(talla):
+            ejecuta([ejecutable, "-geometry", talla, "-ppm", "x", "-guion", guion], cwd=carpeta)
+
+        dibuja(PROYECTADA)
+        for captura, cuadro in zip(capturas, cuadros):
+            escribe(cuadro, ejecuta(["cwebp", "-quiet", *WEBP, captura, "-o", "-"]))
+        dibuja(ANIMADA)
+        ejecuta(["img2webp", "-lossy", *WEBP, "-d", RITMO, *capturas, "-o", carpeta / "animada.webp"])
+        escribe(animada, (carpeta / "animada.webp").read_bytes())
 
     def dibuja_programa(self, programa, temporal):
         """Todos los casos de un programa, y cuenta lo que ha hecho; cada caso recuerda su fallo."""

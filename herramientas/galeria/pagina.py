@@ -5,9 +5,11 @@ from pygments import highlight
 from pygments.formatters import HtmlFormatter
 from pygments.lexers import CppLexer, GLShaderLexer
 
-from base import controles, fuentes, libro, paginas
+from base import controles, fuentes, guiones, indice, libro, paginas
 
-PLANTILLA = Path(__file__).with_name("galeria.html")
+AQUI = Path(__file__).parent
+PLANTILLA = AQUI / "galeria.html"
+MODULOS = "documento.mjs", "busca.mjs", "buscador.mjs", "lado.mjs", "proyector.mjs", "galeria.mjs"
 CLARO, OSCURO = (HtmlFormatter(style=estilo, nowrap=True) for estilo in ("xcode", "github-dark"))
 
 
@@ -24,10 +26,16 @@ class PaginaGaleria:
         programas = [p for capitulo in capitulos for p in capitulo.programas]
         suyos = {p.nombre: fuentes.alcanza(raiz, p.fuente) for p in programas}
         todos = dict.fromkeys(f for ficheros in suyos.values() for f in ficheros)
-        self.destino = destino
+        del_libro = libro.Libro(raiz, capitulos)
+        en_marcha = "../web/index.html"
+        self.destino, self.casos = destino, [c for p in programas if not p.consola for c in p.casos]
         self.datos = {
             "capitulos": capitulos,
-            "libro": libro.Libro(raiz),
+            "libro": del_libro,
+            "indice": indice.hace(raiz, capitulos, del_libro),
+            "en_marcha": en_marcha if (destino / en_marcha).is_file() else "",
+            "en_breve": guiones.en_breve,
+            "guion": paginas.junta(AQUI, MODULOS),
             "fuentes": suyos,
             "controles": {p.nombre: [c.texto for c in controles.lee(raiz, p)] for p in programas},
             "codigo": {str(f): colorea(raiz, f) for f in todos},
@@ -37,4 +45,5 @@ class PaginaGaleria:
 
     def escribe(self, faltan=0):
         """DESTINO/index.html, cuando aún no se han dibujado tantos programas."""
-        paginas.escribe_pagina(self.destino, PLANTILLA, faltan=faltan, **self.datos)
+        imagenes = {c.fichero: c.imagen for c in self.casos if c.hecho and not c.fallo}
+        paginas.escribe_pagina(self.destino, PLANTILLA, faltan=faltan, imagenes=imagenes, **self.datos)

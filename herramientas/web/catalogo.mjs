@@ -1,34 +1,19 @@
-// La lista de todos los programas y su buscador.
-import { todos, una } from './documento.mjs';
+// La lista de todos los programas.
+import { todos, una } from '../base/documento.mjs';
 import { PROGRAMAS } from './programas.mjs';
 import { ponResueltos } from './resueltos.mjs';
-import { casa, corta, llano } from './textos.mjs';
+import { corta } from './textos.mjs';
 
-const busca = una('input[type=search]'), pagina = una('#programa'), noEsta = una('#no-esta');
+const noEsta = una('#no-esta');
 
-const contenido = (li, { nombre, casos }) =>
-  llano([nombre, una('h2', li.closest('section')).textContent, li.textContent, ...casos.map(c => c.mira)].join(' '));
-const fichas = new Map(todos('.tarjetas li').map((li, i) => [li, contenido(li, PROGRAMAS[i])]));
-
-busca.addEventListener('input', () => {
-  for (const [li, suyo] of fichas) li.hidden = !casa(suyo, busca.value);
-  for (const capitulo of todos('.capitulo')) capitulo.hidden = !una('li:not([hidden])', capitulo);
-  una('.nada').hidden = una('.tarjetas li:not([hidden])') !== null;
-});
-
-document.addEventListener('keydown', suceso => {
-  if (suceso.ctrlKey || suceso.altKey || suceso.metaKey) return;
-  if (suceso.key !== '/' || !pagina.hidden || document.activeElement === busca) return;
-  suceso.preventDefault();
-  busca.focus();
-});
-
-/// Todos, por el capítulo de ese nombre; si no lo hay, dice que no está.
+/// Todos, por el capítulo o por la cosa sin programa que se llama así (ch03, F1.1); si no la hay, dice que no está.
 export function ensenaCatalogo(nombre, esEjercicio) {
   ponResueltos();
   document.title = 'Síntesis de imagen y animación';
-  const capitulo = nombre && PROGRAMAS.map(p => p.capitulo).find(c => c === nombre || c.split('_')[0] === nombre);
-  noEsta.hidden = !nombre || Boolean(capitulo);
+  const capitulo = PROGRAMAS.map(p => p.capitulo).find(c => c.split('_')[0] === nombre) ?? nombre;
+  const lugar = todos('#catalogo [id]').find(e => e.id.toLowerCase() === capitulo.toLowerCase());
+  noEsta.hidden = !nombre || Boolean(lugar);
   noEsta.textContent = `No hay ningún ${esEjercicio ? 'ejercicio' : 'programa'} «${corta(nombre, 60)}».`;
-  if (capitulo) document.getElementById(capitulo).scrollIntoView();
+  if (lugar) lugar.scrollIntoView();
+  else scrollTo(0, 0);
 }

@@ -1,6 +1,6 @@
 // Lo que se descarga según hace falta: datos/NOMBRE.js, que escribe pagina.py y llama a llega(NOMBRE, bytes comprimidos
 // en base64). Así también se lee de file://, donde no hay fetch.
-import { crea } from './documento.mjs';
+import { crea } from '../base/documento.mjs';
 
 const llegados = {};
 globalThis.llega = (nombre, base64) => { llegados[nombre] = base64; };

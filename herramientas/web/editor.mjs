@@ -1,5 +1,5 @@
 // El editor de los shaders: las pestañas, lo que se escribe y los errores en su línea.
-import { boton, crea, todos, una } from './documento.mjs';
+import { boton, crea, todos, una } from '../base/documento.mjs';
 import { ejecuta, json } from './datos.mjs';
 import { esShader } from './fuentes.mjs';
 import { solucion } from './almacen.mjs';

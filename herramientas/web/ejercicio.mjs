@@ -1,7 +1,7 @@
 // Un ejercicio: el programa con el shader de quien lo hace y, al lado, el original. Lo que se hace con uno se hace con
 // el otro.
 import { Taller } from './almacen.mjs';
-import { boton, crea, todos, una } from './documento.mjs';
+import { boton, crea, todos, una } from '../base/documento.mjs';
 import { recuerda } from './datos.mjs';
 import { BASTA, compara, pixeles, porciento } from './imagenes.mjs';
 import { arranca } from './programa.mjs';

@@ -1,20 +1,16 @@
 // A qué lleva un enlace: #grua;tecla d;tecla d
+import { descifra } from '../base/documento.mjs';
 
-/// Por su nombre o por lo que es en el libro: grua, E3.5.
+/// Por su nombre, por lo que es en el libro o por una de sus imágenes: grua, E3.5, grua-girada.
 export function programaDe(nombre, programas) {
   const n = nombre.toLowerCase();
   return programas.find(p => p.nombre === n)
-    ?? programas.find(p => n && p.referencia.toLowerCase().split(' ').includes(n));
+    ?? programas.find(p => n && p.referencia.toLowerCase().split(' ').includes(n))
+    ?? programas.find(p => casoDe(nombre, p));
 }
 
-/// Los %XX; los que no son nada se quedan como están, y ya dirá quien los lea que no los entiende.
-const descifra = texto => texto.replace(/(?:%[\da-f]{2})+/gi, cifrado => {
-  try {
-    return decodeURIComponent(cifrado);
-  } catch {
-    return cifrado;
-  }
-});
+/// El caso de la imagen de ese nombre, si es suya.
+export const casoDe = (nombre, { casos }) => casos.find(c => c.fichero === nombre.toLowerCase());
 
 /// #grua;tecla d;tecla d. Sin punto y coma no lleva guion. Y #ejercicio/L5.1, que puede llevarlo.
 export function leeEnlace(hash) {

@@ -1,5 +1,5 @@
 // Lo que se hace en el lienzo, a órdenes para el programa.
-import { una } from './documento.mjs';
+import { una } from '../base/documento.mjs';
 import { BOTONES, Gestos } from './gestos.mjs';
 import { completa } from './proyeccion.mjs';
 import { ordenDeTecla } from './teclas.mjs';

@@ -1,5 +1,5 @@
 // El programa que se ve: empieza, recibe órdenes, se anima y termina.
-import { avisa, crea, todos, una } from './documento.mjs';
+import { avisa, crea, todos, una } from '../base/documento.mjs';
 import { atiende } from './entrada.mjs';
 import { leeError } from './fuentes.mjs';
 import { Hecho, leeGuion, Reloj, repite } from './guiones.mjs';

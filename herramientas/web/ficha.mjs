@@ -1,5 +1,6 @@
 // Lo que hay alrededor de un programa o de un ejercicio: su título, qué dice el libro, sus vecinos y sus casos.
-import { boton, crea, todos, una } from './documento.mjs';
+import { boton, crea, todos, una } from '../base/documento.mjs';
+import { marcaEnLado } from '../base/lado.mjs';
 import { EJERCICIOS, PROGRAMAS } from './programas.mjs';
 import { enlazaEjercicio, ponResueltos } from './resueltos.mjs';
 
@@ -8,7 +9,11 @@ const pagina = una('#programa');
 export function ponFicha(programa, ejercicio) {
   scrollTo(0, 0);
   document.title = ejercicio ? `Ejercicio ${ejercicio.codigo}: ${ejercicio.que}` : programa.titulo;
-  for (const titulo of [una('h1', pagina), una('h2.proyectado')]) titulo.textContent = document.title;
+  una('h1', pagina).textContent = document.title;
+  const orden = una('.origen .orden');
+  una('code', orden).textContent = `./lab ver ${programa.nombre}`;
+  una('.copia', orden).ariaLabel = `Copiar ./lab ver ${programa.nombre}`;
+  marcaEnLado(programa.nombre);
   const [referencias, libro] = document.getElementById('libro:' + programa.nombre).content.cloneNode(true).children;
   una('.de-que').replaceChildren(referencias);
   una('.del-libro', pagina).replaceChildren(libro);
@@ -43,6 +48,8 @@ export function ponCasos({ casos }, empiezaCaso) {
 
 /// Cuál se está viendo y qué hay que mirar en él.
 export function ensenaCaso(caso) {
+  const varios = todos('.casos-botones button').length > 1;
+  una('h2.proyectado').textContent = caso && varios ? `${document.title}: ${caso.titulo}` : document.title;
   for (const p of todos('.mira', pagina)) p.textContent = caso?.mira ?? '';
   for (const b of todos('.casos-botones button')) b.setAttribute('aria-pressed', b.textContent === caso?.titulo);
 }

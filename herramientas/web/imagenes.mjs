@@ -1,5 +1,5 @@
 // Imágenes: sus tallas, cuánto se parecen dos y las propias, en el formato que leen los programas.
-import { crea } from './documento.mjs';
+import { crea } from '../base/documento.mjs';
 
 const LADO_MAXIMO = 4096;
 /// Lo mismo, escrito de otra manera, se redondea de otra: dos píxeles coinciden si difieren en estos niveles, de 255, o

@@ -1,5 +1,5 @@
 // Los mandos de un programa, en botones.
-import { boton, crea, una } from './documento.mjs';
+import { boton, crea, una } from '../base/documento.mjs';
 
 /// Un botón que, pulsado sin soltar, repite como una tecla.
 function teclaDePantalla([nombre, orden], hace, escena) {

@@ -1,5 +1,5 @@
 // El menú de un programa, que se abre encima de la página.
-import { boton, todos, una } from './documento.mjs';
+import { boton, todos, una } from '../base/documento.mjs';
 
 const menu = una('.opciones');
 

@@ -1,12 +1,15 @@
 // La página de los programas (./lab web): va a lo que pide el enlace y junta las partes, que no saben de ella y le
 // cuentan lo que pasa con alArrancar, alEscribir… pagina.py las mete todas en un guion, y lo que exporta esta se ve
 // desde la consola del navegador y desde las pruebas como pagina.escena, pagina.editor…
+import { atiendeBuscador } from '../base/buscador.mjs';
+import { acomodaLado, sigueEnLado } from '../base/lado.mjs';
 import { Taller } from './almacen.mjs';
 import { ensenaCatalogo } from './catalogo.mjs';
-import { avisa, crea, todos, una } from './documento.mjs';
+import { json } from './datos.mjs';
+import { avisa, crea, todos, una } from '../base/documento.mjs';
 import { Editor } from './editor.mjs';
 import { Ejercicio } from './ejercicio.mjs';
-import { hazEnlace, leeEnlace, programaDe } from './enlaces.mjs';
+import { casoDe, hazEnlace, leeEnlace, programaDe } from './enlaces.mjs';
 import { Escena } from './escena.mjs';
 import { ensenaCaso, ponCasos, ponFicha } from './ficha.mjs';
 import { delEjercicio, esShader, ordenaFuentes } from './fuentes.mjs';
@@ -66,12 +69,25 @@ function alArrancar() {
   ejercicio?.comparaPronto();
 }
 
+/// Un caso de un programa, en su dirección: con «Atrás» se vuelve al que se veía. En un ejercicio no la tiene.
+function vaACaso(caso, va = enlace => { location.hash = enlace; }) {
+  const enlace = '#' + caso.fichero;
+  if (visto.ejercicio || location.hash === enlace) empiezaCaso(caso);
+  else va(enlace);
+}
+
 /// Al caso que sigue o al que va delante; tras los de un programa, el programa vecino.
 function pasa(paso) {
   const { programa, caso } = visto, queSigue = (lista, uno) => lista[lista.indexOf(uno) + paso];
   const otro = queSigue(programa.casos, caso), vecino = queSigue(PROGRAMAS, programa);
-  if (otro) empiezaCaso(otro);
-  else if (vecino) location.hash = vecino.nombre;
+  if (otro) vaACaso(otro, enlace => location.replace(enlace));
+  else if (vecino) location.replace('#' + vecino.nombre);
+}
+
+/// Al primer programa de su capítulo o al último.
+function salta(cual) {
+  const suyos = PROGRAMAS.filter(p => p.capitulo === visto.programa.capitulo);
+  location.replace('#' + suyos.at(cual).nombre);
 }
 
 function navega() {
@@ -81,28 +97,33 @@ function navega() {
   const { ejercicio: esEjercicio, nombre, guion } = leeEnlace(ruta);
   const datos = esEjercicio ? EJERCICIOS.find(e => e.codigo.toLowerCase() === nombre.toLowerCase()) : undefined;
   const programa = esEjercicio ? datos?.programa : programaDe(nombre, PROGRAMAS);
+  const caso = programa && casoDe(nombre, programa);
+  if (caso && visto.programa === programa && !visto.ejercicio && guion === undefined) return empiezaCaso(caso);
   visto.ejercicio?.deja();
   escena.cierra();
   visto = { programa };
   una('#catalogo').hidden = Boolean(programa);
   una('#programa').hidden = !programa;
+  document.body.classList.toggle('en-programa', Boolean(programa));
+  (programa ? una('.migas') : document.body).prepend(una('.indice'));
+  acomodaLado();
   cierraMenu();
   propios.estrena(programa);
   if (!programa) return ensenaCatalogo(nombre, esEjercicio);
-  entra(datos, guion);
+  entra(datos, caso, guion);
 }
 
 /// En el programa que se ve o, si es un ejercicio, con esos datos.
-function entra(datos, guion) {
+function entra(datos, caso, guion) {
   const { programa } = visto;
   const ejercicio = datos && new Ejercicio(datos, { escena, empiezaCaso, recien: guion === undefined });
   visto = { programa, ejercicio, taller: ejercicio?.taller ?? libre };
   ponFicha(programa, ejercicio);
   editor.estrena(programa, visto.taller, ejercicio?.codigo);
   ponMandos(programa, escena);
-  ponCasos(programa, empiezaCaso);
+  ponCasos(programa, vaACaso);
   ejercicio?.pon(() => editor.cambiaDeVista());
-  if (guion === undefined) return empiezaCaso();
+  if (guion === undefined) return empiezaCaso(caso);
   ensenaCaso();
   empieza(guion);
 }
@@ -131,7 +152,9 @@ una('.completa').onclick = completa;
 una('.proyecta').onclick = proyecta;
 una('.guarda').onclick = guardaImagen;
 una('.enlace').onclick = copiaEnlace;
-atiendeProyeccion(() => visto.programa, pasa);
+atiendeProyeccion(() => visto.programa, { pasa, salta });
+atiendeBuscador(() => json('indice'));
+sigueEnLado('#catalogo .capitulo');
 addEventListener('hashchange', navega);
 addEventListener('storage', ({ key }) => { // lo ha guardado otra pestaña
   if (!visto.ejercicio || key !== visto.taller.clave) return;

@@ -15,7 +15,7 @@ import zlib
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from base import catalogo, controles, fuentes, libro, marcas, paginas
+from base import catalogo, controles, fuentes, indice, libro, marcas, paginas
 from base.procesos import ejecuta, escribe, principal
 
 PLANTILLA = Path(__file__).with_name("web.html")
@@ -57,7 +57,10 @@ class ProgramaVivo:
             "anima": bool(self.rasgos & {"temporizador", "ocio"}),
             "raton": bool(self.rasgos & {"raton", "rueda", "arrastre"}),
             "sigue": "movimiento" in self.rasgos,
-            "casos": [{"titulo": c.titulo or "Al empezar", "guion": c.guion, "mira": c.mira} for c in p.casos],
+            "casos": [
+                {"titulo": c.titulo or "Al empezar", "fichero": c.fichero, "guion": c.guion, "mira": c.mira}
+                for c in p.casos
+            ],
             "fuentes": [str(f) for f in fuentes.alcanza(self.raiz, p.fuente)],
             "texturas": sorted(Path(f).name for f in self.leidos if f.endswith(TEXTURAS)),
             "admite": p.admite,
@@ -90,11 +93,10 @@ class Pagina:
         opciones = "--bundle", "--format=iife", "--global-name=pagina", "--charset=utf8"
         return ejecuta(["esbuild", PLANTILLA.with_name("pagina.mjs"), *opciones]).decode()
 
-    def miniatura(self, programa):
-        """La primera imagen de la galería, reducida: basta para el catálogo."""
-        origen = self.galeria / programa.casos[0].imagen
-        destino = self.destino / programa.capitulo.nombre / f"{programa.nombre}.jpg"
-        if programa.consola or not origen.is_file():
+    def miniatura(self, caso):
+        """Su imagen de la galería, reducida: basta para el catálogo."""
+        origen, destino = self.galeria / caso.imagen, (self.destino / caso.imagen).with_suffix(".jpg")
+        if caso.programa.consola or not origen.is_file():
             return ""
         if not destino.is_file() or destino.stat().st_mtime < origen.stat().st_mtime:
             reducida = ejecuta(["pngtopnm", origen])
@@ -105,7 +107,7 @@ class Pagina:
 
     def escribe(self, capitulos):
         try:
-            self.empaqueta_todo()
+            self.empaqueta_todo(capitulos)
             self.escribe_indice(capitulos, self.cambia_los_datos)
         finally:
             shutil.rmtree(self.nuevos, ignore_errors=True)
@@ -114,7 +116,7 @@ class Pagina:
         shutil.rmtree(self.destino / "datos", ignore_errors=True)
         self.nuevos.rename(self.destino / "datos")
 
-    def empaqueta_todo(self):
+    def empaqueta_todo(self, capitulos):
         shutil.rmtree(self.nuevos, ignore_errors=True)
         for parte in ("js", "wasm"):
             self.empaqueta(parte, (self.build / f"lab.{parte}").read_bytes())
@@ -127,6 +129,7 @@ class Pagina:
                 for codigo, pide in self.listados().items()
             },
         )
+        self.empaqueta("indice", indice.hace(self.raiz, capitulos, libro.Libro(self.raiz)))
         self.empaqueta("codigo", self.textos("ch*/*.cpp", "ch*/*.h"))
         guiones = ("lib/codemirror.js", "mode/clike/clike.js", "addon/edit/matchbrackets.js")
         self.empaqueta(
@@ -143,7 +146,7 @@ class Pagina:
     def escribe_indice(self, capitulos, antes=lambda: None):
         programas = [p for capitulo in capitulos for p in capitulo.programas]
         self.destino.mkdir(parents=True, exist_ok=True)
-        del_libro, listados = libro.Libro(self.raiz), self.listados()
+        del_libro, listados = libro.Libro(self.raiz, capitulos), self.listados()
         with ThreadPoolExecutor(os.cpu_count()) as hilos:
             datos = [p.datos() for p in hilos.map(lambda p: ProgramaVivo(self.raiz, self.build.parent, p), programas)]
         for p, d in zip(programas, datos):
@@ -152,7 +155,8 @@ class Pagina:
                 for c in p.referencias
                 if c in listados
             ]
-        miniaturas = {p.nombre: self.miniatura(p) for p in programas}
+        casos = [p.casos[0] for p in programas] + [c.caso_de_portada for c in capitulos if c.caso_de_portada]
+        miniaturas = {caso.fichero: self.miniatura(caso) for caso in casos}
         guion = self.guion()
         antes()
         paginas.escribe_pagina(

@@ -1,5 +1,5 @@
 // Los programas y los ejercicios que hay, como los escribe pagina.py en la página.
-import { una } from './documento.mjs';
+import { una } from '../base/documento.mjs';
 
 export const PROGRAMAS = JSON.parse(una('#programas').textContent);
 export const EJERCICIOS = PROGRAMAS.flatMap(programa =>

@@ -1,5 +1,5 @@
 // Los ficheros de quien mira, para los programas que admiten una imagen, dos o un modelo.
-import { avisa, una } from './documento.mjs';
+import { avisa, una } from '../base/documento.mjs';
 import { aPpm } from './imagenes.mjs';
 import { nombreLlano } from './textos.mjs';
 

@@ -1,6 +1,6 @@
 // Los enlaces a los ejercicios, que dicen cuáles están resueltos.
 import { leeResueltos, recuerdo } from './almacen.mjs';
-import { crea, todos, una } from './documento.mjs';
+import { crea, todos, una } from '../base/documento.mjs';
 import { EJERCICIOS } from './programas.mjs';
 
 let resueltos = new Set();

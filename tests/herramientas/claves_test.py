@@ -25,7 +25,7 @@ def pon(que, nombre):
 
 def test_una_imagen_de_la_galeria(tmp_path, monkeypatch):
     """Cada cosa que está en su clave, como la dice el fuente; y cada fichero."""
-    siembra(tmp_path, {"ch/a.cpp": "x", "b/a": "x", "b/t.rgb": "x", "d/i.png": "x", "d/a.png": "x"})
+    siembra(tmp_path, {"ch/a.cpp": "x", "b/a": "x", "b/t.rgb": "x", "d/i.png": "x"})
 
     def hace(orden, env=None, **_):
         Path((env or {"LAB_LEIDOS": os.devnull})["LAB_LEIDOS"]).write_text("t.rgb\n")
@@ -34,8 +34,15 @@ def test_una_imagen_de_la_galeria(tmp_path, monkeypatch):
 
     monkeypatch.setattr(dibuja, "ejecuta", hace)
     monkeypatch.setattr(dibuja.procesos, "en_png", lambda *_: b"png")
-    monkeypatch.setattr(dibuja.Galeria, "anima", lambda *_: b"apng")
-    caso = SimpleNamespace(imagen="i.png", animada="a.png", guion="tecla a", anima="2 tecla a", fichero="a")
+
+    def anima(*argumentos):
+        animada, cuadros = argumentos[-2:]
+        for fichero in (animada, *cuadros):
+            siembra(tmp_path, {fichero.relative_to(tmp_path): "x"})
+
+    monkeypatch.setattr(dibuja.Galeria, "anima", anima)
+    suyos = {"imagen": "i.png", "animada": "a.webp", "cuadros": ["a/0.webp"], "fichero": "a"}
+    caso = SimpleNamespace(**suyos, guion="tecla a", anima="1 tecla a")
     p = SimpleNamespace(consola="", ejecutable=lambda _: tmp_path / "b/a", ficheros=lambda _: [tmp_path / "ch/a.cpp"])
     galeria = SimpleNamespace(hecho={})
 
@@ -45,9 +52,9 @@ def test_una_imagen_de_la_galeria(tmp_path, monkeypatch):
         return nueva.dibuja(p, caso, tmp_path)
 
     assert otra_vez() and not otra_vez() and (caso.ventana, caso.salida) == ("T", "uno\n")
-    clave = re.search(r"repr\(\((.*?)\)\)", Path(dibuja.__file__).read_text())[1].split(", ")
-    nombrados = [c for c in clave if c[0] != '"']
-    assert len(nombrados) >= 5
+    como = re.search(r" como = (.*)", Path(dibuja.__file__).read_text())[1]
+    nombrados = set(re.findall(r"\b(?:caso\.\w+|[A-Z]+)\b", como))
+    assert len(nombrados) >= 7
     for que in nombrados:
         vuelve = pon(caso if "." in que else dibuja, que.rpartition(".")[2])
         assert otra_vez() and not otra_vez(), que
@@ -56,7 +63,7 @@ def test_una_imagen_de_la_galeria(tmp_path, monkeypatch):
     for fichero in ("ch/a.cpp", "b/a", "b/t.rgb"):
         siembra(tmp_path, {fichero: "otro"})
         assert otra_vez() and not otra_vez(), fichero
-    for fichero in ("d/i.png", "d/a.png"):
+    for fichero in ("d/i.png", "d/a.webp", "d/a/0.webp"):
         for estropea in ((tmp_path / fichero).unlink, lambda f=tmp_path / fichero: f.write_text("")):
             estropea()
             assert otra_vez() and not otra_vez(), fichero

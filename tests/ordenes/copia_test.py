@@ -220,25 +220,31 @@ def test_muta_los_planta(lab):
         lab("muta ch01:2", 1, "o se notan y tienen uno: ch01:2")
 
 
-def dura(apng):
-    """Su talla y los segundos que dura: apngasm junta los cuadros iguales."""
-    png, lugar, segundos = apng.read_bytes(), 8, 0
-    while lugar < len(png):
-        largo, tipo = struct.unpack_from(">I4s", png, lugar)
-        if tipo == b"fcTL":
-            numerador, denominador = struct.unpack_from(">HH", png, lugar + 28)
-            segundos += numerador / denominador
-        lugar += 12 + largo
-    return *struct.unpack_from(">II", png, 16), round(segundos, 6)
+def dura(webp):
+    """Su talla y los segundos que dura."""
+    datos, lugar, ms = webp.read_bytes(), 12, 0
+    while lugar < len(datos):
+        tipo, largo = struct.unpack_from("<4sI", datos, lugar)
+        if tipo == b"ANMF":
+            ms += int.from_bytes(datos[lugar + 20 : lugar + 23], "little")
+        lugar += 8 + largo + largo % 2
+    return *(1 + int.from_bytes(datos[i : i + 3], "little") for i in (24, 27)), ms / 1000
 
 
 def test_galeria(lab):
-    """Un caso con ANIMA tiene además un APNG."""
+    """Un caso con ANIMA tiene además una animación y sus cuadros."""
     lab("galeria", 0, "Hecha: ")
     dibujado = lab.raiz / "galeria/ch01_intro"
     assert struct.unpack_from(">II", (dibujado / "shader_basico.png").read_bytes(), 16) == (1440, 1080)
-    assert {f.name: dura(f) for f in dibujado.glob("*.anima.png")} == {"primer_programa_dos.anima.png": (480, 360, 0.3)}
-    enlaza = 'srcset="ch01_intro/primer_programa_dos.anima.png" media="(prefers-reduced-motion: no-preference)"'
+    assert {f.name: dura(f) for f in dibujado.glob("*.webp")} == {"primer_programa_dos.anima.webp": (480, 360, 0.3)}
+    tallas = {}
+    for cuadro in dibujado.glob("*/*"):
+        datos = cuadro.read_bytes()
+        tallas[f"{cuadro.parent.name}/{cuadro.name}"] = struct.unpack_from("<HH", datos, datos.index(b"\x9d\x01*") + 3)
+    assert tallas == {f"primer_programa_dos.anima/00{i}.webp": (1280, 960) for i in range(3)}
+    enlaza = (
+        'srcset="ch01_intro/primer_programa_dos.anima.webp" media="screen and (prefers-reduced-motion: no-preference)"'
+    )
     assert enlaza in (lab.raiz / "galeria/index.html").read_text()
     with lab.con("ch01_intro/CMakeLists.txt"):
         lab.cambia("ch01_intro/CMakeLists.txt", "3 tecla i; tecla d", "cuatro")

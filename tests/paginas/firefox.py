@@ -36,10 +36,19 @@ class Firefox:
     """Lo poco que hace falta de Marionette, su WebDriver de siempre: en un socket, cada mensaje de JSON con su longitud
     delante."""
 
-    def __init__(self, perfil, entorno):
+    def __init__(self, perfil, entorno, *opciones):
         perfil.mkdir()
         (perfil / "user.js").write_text(AJUSTES)
-        orden = ["firefox-esr", "--no-remote", "--marionette", "--profile", perfil, "--window-size", "1280,900"]
+        orden = [
+            "firefox-esr",
+            "--no-remote",
+            "--marionette",
+            "--profile",
+            perfil,
+            "--window-size",
+            "1280,900",
+            *opciones,
+        ]
         suyo = {**entorno, "HOME": str(perfil), "LIBGL_ALWAYS_SOFTWARE": "1"}
         self.proceso = subprocess.Popen(orden, env=suyo, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         self.pedidos = 0

@@ -23,6 +23,7 @@ PROGRAMAS = {p.nombre: p for p in catalogo.lee_programas(BUILD)}
 CASOS = [caso for p in PROGRAMAS.values() if not p.consola for caso in p.casos]
 
 ESC, TAB, AVPAG, IZQUIERDA, DERECHA = "\ue00c", "\ue004", "\ue00f", "\ue012", "\ue014"  # teclas de WebDriver
+INICIO, FIN = "\ue011", "\ue010"
 AXE = "4.10.2"
 AXE_SHA512 = (
     "444de6750ecfdc54527bb7aa096a1e43f67d417aed9e24a3a75c148ede67442d"
@@ -134,8 +135,8 @@ def acaba():
     sys.exit("Ha fallado:\n" + "\n".join(fallos) if fallos else 0)
 
 
-def espera(navegador, codigo):
-    limite = time.monotonic() + 20
+def espera(navegador, codigo, segundos=20):
+    limite = time.monotonic() + segundos
     while not navegador.js(codigo) and time.monotonic() < limite:
         time.sleep(0.1)
     return navegador.js(codigo)

@@ -6,13 +6,14 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { leeCambios, leeResueltos, recuerdo, Taller } from '../../herramientas/web/almacen.mjs';
 import { bytes, descomprime, recuerda } from '../../herramientas/web/datos.mjs';
-import { hazEnlace, leeEnlace, programaDe } from '../../herramientas/web/enlaces.mjs';
+import { Indice, llano, palabras, trozo } from '../../herramientas/base/busca.mjs';
+import { casoDe, hazEnlace, leeEnlace, programaDe } from '../../herramientas/web/enlaces.mjs';
 import { delEjercicio, leeError, ordenaFuentes } from '../../herramientas/web/fuentes.mjs';
 import { BOTONES, Gestos } from '../../herramientas/web/gestos.mjs';
 import { casoInicial, Hecho, leeGuion, LIMITES, Reloj, repite } from '../../herramientas/web/guiones.mjs';
 import { compara, esPpm, porciento, ppmDe, quepa, tallaDe, TOLERA } from '../../herramientas/web/imagenes.mjs';
 import { ordenDeTecla } from '../../herramientas/web/teclas.mjs';
-import { casa, llano, nombreLlano } from '../../herramientas/web/textos.mjs';
+import { nombreLlano } from '../../herramientas/web/textos.mjs';
 
 const [raiz, build] = process.argv.slice(2);
 const { casos, programas } = JSON.parse(readFileSync(`${build}/catalogo.json`));
@@ -80,7 +81,7 @@ import json, sys, tempfile
 from pathlib import Path
 raiz, build, *elegidos = sys.argv[1:]
 sys.path.insert(0, raiz + "/herramientas")
-from base import catalogo
+from base import catalogo, indice, libro
 from web import pagina as web
 raiz, build = Path(raiz), Path(build)
 with tempfile.TemporaryDirectory() as carpeta:
@@ -88,17 +89,22 @@ with tempfile.TemporaryDirectory() as carpeta:
     pagina.empaqueta("a.b", {"ñ": [1]})
     paquete = (pagina.nuevos / "a.b.js").read_text()
 programas = [p for p in catalogo.lee_programas(build) if p.nombre in elegidos]
-print(json.dumps([paquete, {p.nombre: web.ProgramaVivo(raiz, build, p).datos() for p in programas}]))`;
-
+vivos = {p.nombre: web.ProgramaVivo(raiz, build, p).datos() for p in programas}
+print(json.dumps([paquete, vivos, indice.hace(raiz, catalogo.lee(build), libro.Libro(raiz))]))`;
 const RASGOS = {
   info_opengl: 'consola', grua: 'raton mandos texturas', menu: 'raton mandos texturas',
   eventos: 'raton sigue mandos texturas', sombras: 'derecho raton mandos texturas',
   luces_animadas: 'anima raton mandos texturas', convolucion: 'mandos texturas admite',
 };
 
+const ELEGIDOS = [...Object.keys(RASGOS), 'bezier'];
+const deWeb = () =>
+  JSON.parse(execFileSync('python3', ['-B', '-c', DE_WEB, raiz, build, ...ELEGIDOS], { maxBuffer: 1e8 }));
+
+
+const [paquete, datos, indice] = deWeb();
+
 test('lo que da web.py', async () => {
-  const elegidos = [...Object.keys(RASGOS), 'bezier'];
-  const [paquete, datos] = JSON.parse(execFileSync('python3', ['-B', '-c', DE_WEB, raiz, build, ...elegidos]));
   const llegado = [];
   new Function('llega', paquete)((...todo) => llegado.push(...todo));
   assert.equal(llegado[0], 'a.b');
@@ -112,18 +118,87 @@ test('lo que da web.py', async () => {
     ['→', 'especial DERECHA'], ['↑', 'especial ARRIBA'], ['↓', 'especial ABAJO']]);
   assert.deepEqual(datos.convolucion.texturas, ['foto.rgb', 'letra.r8']);
   const { mira } = casos.find(c => c.fichero === 'grua-girada');
-  assert.deepEqual(datos.grua.casos[1], { titulo: 'Girada', guion: 'tecla d ×7', mira });
+  assert.deepEqual(datos.grua.casos[1], { titulo: 'Girada', fichero: 'grua-girada', guion: 'tecla d ×7', mira });
   assert.equal(casoInicial(datos.grua).titulo, 'En reposo');
   tabla((anima, ...guiones) => casoInicial({ anima, casos: guiones.map(guion => ({ guion })) }).guion,
     [true, 'espera 9', ''], [false, 'tecla 1', 'tecla 2', 'tecla 1']);
 });
 
-test('un programa, por su nombre o su referencia', () => {
-  const suyos = programas.map(({ nombre, ref }) => ({ nombre, referencia: ref }));
-  suyos.unshift({ nombre: 'sin_libro', referencia: '' });
-  tabla(buscado => programaDe(buscado, suyos)?.nombre,
-    ['Grua', 'grua'], ['e3.5', 'grua'], ['F3.3', 'grua'], ['', undefined], ['3.5', undefined]);
-  assert.ok(casa(llano('Cámara: Inclinación'), 'INCLINACION  camara') && !casa('camara', 'camara grua'));
+test('cada dirección es de su programa, y cada imagen, de su caso', () => {
+  const suyos = programas.map(({ nombre, ref }) =>
+    ({ nombre, referencia: ref, casos: casos.filter(c => c.programa === nombre) }));
+  suyos.unshift({ nombre: 'sin_libro', referencia: '', casos: [] });
+  for (const programa of suyos) {
+    const { nombre, referencia, casos: tiene } = programa;
+    for (const escrito of [nombre, nombre.toUpperCase()]) assert.equal(programaDe(escrito, suyos), programa);
+    for (const codigo of referencia.split(' ').filter(Boolean)) {
+      const primero = suyos.find(p => p.referencia.split(' ').includes(codigo));
+      for (const escrito of [codigo, codigo.toLowerCase()]) assert.equal(programaDe(escrito, suyos), primero, codigo);
+    }
+    for (const caso of tiene) {
+      assert.equal(programaDe(caso.fichero, suyos), programa, caso.fichero);
+      assert.equal(casoDe(caso.fichero, programa), caso);
+    }
+    assert.equal(casoDe(nombre + '-nada', programa), undefined);
+  }
+  tabla(buscado => programaDe(buscado, suyos)?.nombre, ['', undefined], ['3.5', undefined], ['grua-nada', undefined]);
+});
+
+const buscador = new Indice(indice), primeros = buscado => buscador.busca(buscado).slice(0, 3).map(h => h.enlace);
+
+test('lo que buscaría un estudiante', () => {
+  const filas = readFileSync(`${raiz}/tests/paginas/busquedas.tsv`, 'utf8').split('\n').filter(f => f && f[0] !== '#');
+  assert.ok(filas.length >= 20);
+  for (const [buscado, ...salen] of filas.map(f => f.split('\t'))) {
+    assert.deepEqual(primeros(buscado), salen, buscado);
+    for (const otro of [buscado.toUpperCase(), ` ${buscado} `]) assert.deepEqual(primeros(otro), salen, otro);
+    assert.deepEqual(primeros(buscado.normalize('NFD').replace(/\p{M}/gu, '')), salen, 'sin acentos');
+  }
+});
+
+test('todo se encuentra: cada nombre, título, referencia, pie, tecla e identificador, y se dice dónde', () => {
+  const CLASES = { L: 'listado', E: 'ejercicio', F: 'figura', T: 'tabla', Ec: 'ecuación', '§': 'apartado' };
+  for (const { titulo, zonas, fuentes } of indice.entradas) {
+    const lo = buscado => buscador.busca(buscado).find(h => h.titulo === titulo);
+    assert.equal(buscador.busca(titulo)[0].titulo, titulo);
+    for (const [clase, enlace, texto] of zonas) {
+      const hallado = lo(clase === 'imagen' ? texto : palabras(texto).slice(0, 3).join(' '));
+      assert.ok(hallado, texto);
+      if (clase === 'imagen') assert.deepEqual([hallado.clase, hallado.enlace, hallado.texto], [clase, enlace, texto]);
+      if (clase !== 'libro') continue;
+      const [, letra, numero] = enlace.match(/^(\D+)(.*)$/);
+      const larga = CLASES[letra], escritos = [`${larga} ${numero}`, `${larga.slice(0, 3)}. ${numero}`];
+      for (const buscado of [enlace, enlace.toLowerCase(), ...escritos]) {
+        assert.equal(lo(buscado)?.enlace, enlace, buscado);
+      }
+    }
+    for (const ruta of fuentes) {
+      const suyos = indice.ficheros[ruta].split(' '), identificador = suyos[azar(suyos.length)];
+      assert.ok(lo(identificador), `${identificador} de ${ruta}`);
+    }
+  }
+  const [mejor] = buscador.busca('glStencilFunc');
+  assert.deepEqual([mejor.clase, mejor.palabra], ['fuente', 'glStencilFunc']);
+  tabla(primeros, ['', []], ['   ', []], ['?¿', []], ['xyzzy', []], ['grua xyzzy', []]);
+});
+
+test('cómo se lee lo que se busca, y qué trozo se enseña', () => {
+  tabla(texto => palabras(texto).join(' '),
+    ['Listado 5.1, «Ñandú».', 'l5.1 nandu'], ['FIG. 3.3 y ejercicio 11.5', 'f3.3 y e11.5'], ['3×3', '3x3'],
+    ['§3.2 ecuación 4.1', '§3.2 ec4.1'], ['Capítulo 5. Tema 5', 'cap5 cap5'], ['enlistado 5', 'enlistado 5'],
+    ['Z-Buffer GL_CLAMP', 'z buffer gl_clamp']);
+  assert.equal(llano('Inclinación'), 'inclinacion');
+  const largo = 'a'.repeat(200) + ' cámara ' + 'b'.repeat(200);
+  for (const texto of [largo, 'la cámara', 'cámara ' + largo, 'nada', '']) {
+    for (const buscado of ['CAMARA', 'otra camara', 'x']) {
+      const [antes, hallado, despues] = trozo(texto, buscado), todo = (antes + hallado + despues).replaceAll('…', '');
+      assert.ok(texto.includes(todo) && todo.length <= 100, todo);
+      assert.equal(hallado, /cámara/.test(texto) && buscado !== 'x' ? 'cámara' : '');
+    }
+  }
+});
+
+test('los ficheros, en su orden', () => {
   const desordenadas = 'ch03_a/b.h ch05_b/a.frag ch03_a/c.glsl ch03_a/b.cpp ch03_a/b.h ch03_a/a.vert';
   tabla((rutas, capitulo) => ordenaFuentes(rutas.split(' '), capitulo).join(' '),
     [desordenadas, 'ch03_a', 'ch03_a/a.vert ch03_a/c.glsl ch03_a/b.cpp ch03_a/b.h ch05_b/a.frag']);

@@ -5,12 +5,14 @@ import base64
 import subprocess
 import time
 
+import direcciones
 import navegador
-from navegador import AVPAG, CASOS, DERECHA, TAB, exige
+from navegador import AVPAG, CASOS, DERECHA, FIN, INICIO, TAB, exige
 from persona import FICHERO, baja, sube, va
 
 ROJO_VERDE_AZUL_BLANCO = b"P6\n2 2\n255\n" + bytes([255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255])
 PNG = subprocess.run("pnmtopng", input=ROJO_VERDE_AZUL_BLANCO, capture_output=True, check=True).stdout
+BUSQUEDAS_DE_PROGRAMA = 3  # basta con las primeras: el buscador es el mismo
 EN_PROPIAS = "[...sesion?.leidos ?? []].find(r => r.startsWith('/propias/'))"
 
 
@@ -35,9 +37,19 @@ def teclas(p):
     p.abre("#grua")
     p.js("for (let i = 0; i < 7; ++i) conTexto('.mando button', 'd').click()")
     p.es("grua-girada", "el botón d, siete veces,")
-    p.elige(".casos-botones button", "Desde otro lado")
-    p.exige("hecho.ordenes.length > 2 && sesion?.vivo", "el botón de un caso lo repite")
-    p.es("grua-orbitada", "el botón de un caso")
+    for _ in range(2):
+        p.elige(".casos-botones button", "Desde otro lado")
+        p.exige("hecho.ordenes.length > 2 && sesion?.vivo", "el botón de un caso lo repite")
+        p.es("grua-orbitada", "el botón de un caso")
+    p.elige(".casos-botones button", "Girada")
+    p.exige(
+        "location.hash === '#grua-girada' && hecho.ordenes.length === 7 && sesion?.vivo", "cada caso tiene dirección"
+    )
+    p.js("history.back()")
+    p.exige(
+        "visto.caso.fichero === 'grua-orbitada' && hecho.ordenes.length > 2 && sesion?.vivo",
+        "y «Atrás» vuelve al de antes",
+    )
 
 
 def raton_y_dedos(p):
@@ -117,7 +129,35 @@ def pantalla_completa(p):
         f"sesion?.vivo && visto.programa.nombre === '{vecino}' && document.fullscreenElement",
         "y tras el último, la flecha, que la grúa no usa, al programa siguiente",
     )
+    teclas_proyectando(p)
     p.js("document.exitFullscreen()")
+
+
+def teclas_proyectando(p):
+    """Inicio y Fin, en el capítulo; b y el punto, en negro, salvo que sean del programa; ?, la ayuda. Cada una, dos
+    veces."""
+    suyos = [q.nombre for q in navegador.PROGRAMAS.values() if q.capitulo.nombre == "ch08_texturas_avanzadas"]
+    p.va_a("#bump")
+    for tecla, cual in ((FIN, suyos[-1]), (INICIO, suyos[0])):
+        for _ in range(2):
+            p.n.tecla(tecla)
+            p.exige(
+                f"visto.programa.nombre === '{cual}' && sesion?.vivo", f"{cual} es el primero o el último del capítulo"
+            )
+    clase = "una('.escena').classList.contains('{}')"
+    for enlace, suyas in (("#grua", ""), ("#bump", "b"), ("#volumen_vista", ".")):
+        p.va_a(enlace)
+        p.exige(f"'#' + visto.programa.nombre === '{enlace}' && sesion?.vivo", f"{enlace}, proyectado")
+        for tecla, que in (("b", "negro"), (".", "negro"), ("?", "con-teclas")):
+            for debe in (tecla not in suyas, False):
+                p.n.tecla(tecla)
+                p.ve(f"{clase.format(que)} === {str(debe).lower()}", f"{enlace}: «{tecla}» proyectando: {que}, {debe}")
+        p.n.tecla("?")
+        dicha = p.da("una('.teclas').offsetParent && una('.teclas').textContent")
+        exige(dicha and all((f" {t} " in f" {dicha}") != (t in suyas) for t in "b."), f"{enlace}, la ayuda: {dicha}")
+        p.n.tecla("?")
+    p.va_a("#tetera-malla")
+    p.exige("una('h2.proyectado').textContent === 'La tetera de Utah: La malla'", "proyectado se dice qué caso es")
 
 
 def fin(p):
@@ -299,11 +339,16 @@ def ficheros(p):
 
 def pagina(p):
     p.n.abre(p.web)
-    busca = "const i = una('input[type=search]'); i.value = arguments[0]; i.dispatchEvent(new Event('input'))"
-    p.js(busca, "INCLINACION camara")
-    visibles = p.da("todos('.tarjetas li').filter(l => l.offsetParent).map(l => una('a', l).hash)")
-    exige("#camara" in visibles and "#tiras" not in visibles, "el buscador encuentra, sin acentos")
-    p.js(busca, "")
+    direcciones.busquedas(p.n, "la lista")
+    p.va_a("#grua")
+    p.exige("sesion?.vivo", "se va a un programa")
+    direcciones.busquedas(p.n, "un programa", BUSQUEDAS_DE_PROGRAMA)
+    p.va_a("#grua")
+    direcciones.copias(p.n, "un programa")
+    for enlace, marcado in (("#ch05_iluminacion", "ch05_iluminacion"), ("#F1.2", "ch01_intro"), ("#l5.1", "sombreado")):
+        p.va_a(enlace)
+        p.exige(f"una('.programas [aria-current]')?.hash === '#{marcado}'", f"el índice señala adónde lleva {enlace}")
+        p.ve("una('#no-esta').hidden", f"{enlace} está")
     for ancho, alto in ((360, 740), (1280, 800), (1920, 1080)):
         p.n.talla(ancho, alto)
         for enlace in ("", "#grua", "#grua_zbuffer", "#convolucion_variable", "#ejercicio/L5.3", "#info_opengl"):
