@@ -17,14 +17,15 @@ export const palabras = texto => llano(texto).match(/§?[\p{L}\p{N}_]+(?:\.\d+)*
 /// Lo que se quita de una palabra para que case con otra de su familia: seleccionar, selección.
 const FINAL = /(ar|er|ir|ando|iendo|ado|ada|cion|os|as|es|o|a)$/;
 
-/// Cuánto casa una palabra con la que hay, de 0 a 1; un plural, con su singular.
-function casa(buscada, hay) {
-  if (hay === buscada) return 1;
-  if (hay.startsWith(buscada)) return 0.7;
-  if (buscada.length > 4 && hay.startsWith(buscada.replace(/e?s$/, ''))) return 0.6;
-  if (buscada.length > 2 && hay.includes(buscada)) return 0.4;
-  const raiz = buscada.replace(FINAL, '');
-  return raiz.length > 4 && hay.startsWith(raiz) ? 0.3 : 0;
+/// Cuánto casa con una palabra cada una que haya, de 0 a 1; un plural, también con su singular.
+function casaCon(buscada) {
+  const larga = buscada.length > 4, singular = buscada.replace(/e?s$/, ''), raiz = buscada.replace(FINAL, '');
+  return hay => {
+    if (hay.startsWith(buscada)) return hay === buscada ? 1 : 0.7;
+    if (larga && hay.startsWith(singular)) return 0.6;
+    if (buscada.length > 2 && hay.includes(buscada)) return 0.4;
+    return raiz.length > 4 && hay.startsWith(raiz) ? 0.3 : 0;
+  };
 }
 
 export class Indice {
@@ -48,9 +49,9 @@ export class Indice {
 
   /// Las palabras que casan con una, o con la que significa lo mismo, y cuánto.
   #casan(buscada) {
-    const variantes = [buscada, this.#sinonimos.get(buscada)].filter(Boolean), casan = new Map();
+    const variantes = [buscada, this.#sinonimos.get(buscada)].filter(Boolean).map(casaCon), casan = new Map();
     for (const hay of this.#vocabulario) {
-      const cuanto = Math.max(...variantes.map(v => casa(v, hay)));
+      const cuanto = Math.max(...variantes.map(casa => casa(hay)));
       if (cuanto) casan.set(hay, cuanto);
     }
     return casan;
@@ -67,7 +68,11 @@ export class Indice {
 
   /// De cada palabra vale la zona en que mejor está, y algo las demás; y más, si lo buscado es el título entero.
   #mide({ titulo, zonas }, suyas, entero) {
-    const mejor = ({ palabras: hay }, casan) => Math.max(...Array.from(hay.keys(), p => casan.get(p) ?? 0));
+    const mejor = ({ palabras: hay }, casan) => {
+      let maximo = 0;
+      for (const palabra of hay.keys()) maximo = Math.max(maximo, casan.get(palabra) ?? 0);
+      return maximo;
+    };
     const de = zonas.map(z => suyas.map(casan => z.vale * mejor(z, casan)));
     const deCada = suyas.map((_, i) => de.map(valen => valen[i]));
     if (deCada.some(valen => !Math.max(...valen))) return;

@@ -37,7 +37,6 @@ class Control:
     def menu(self):
         return not self.teclas and "menú" in self.texto
 
-
     @property
     def partes(self):
         """Lo que se toca y lo que hace."""

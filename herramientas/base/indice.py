@@ -57,7 +57,4 @@ def hace(raiz, capitulos, del_libro):
             entradas.append(
                 {"titulo": p.titulo, "zonas": [z for z in zonas(raiz, del_libro, p) if z[2]], "fuentes": suyos}
             )
-        for cosa in del_libro.sin_programa(capitulo):
-            titulo = mayuscula(f"{libro.nombre(cosa.codigo)}: {cosa.que}")
-            entradas.append({"titulo": titulo, "zonas": [["libro", cosa.codigo, titulo]], "fuentes": []})
     return {"entradas": entradas, "ficheros": ficheros, "sinonimos": dict(libro.filas(SINONIMOS))}

@@ -113,12 +113,6 @@ class Libro:
         """Cada una, con lo que es: E3.5, «ejercicio 3.5: la grúa de obra»."""
         return [(r, nombre(r) + (f": {self.cosas[r].que}" if r in self.cosas else "")) for r in programa.referencias]
 
-    def sin_programa(self, capitulo):
-        """Las cosas de ese capítulo que ningún programa suyo lleva: su motivo dice por qué."""
-        llevadas = {r for p in capitulo.programas for r in p.referencias}
-        suyas = [c for codigo, c in self.cosas.items() if codigo[1:].split(".")[0] == str(capitulo.numero)]
-        return [c for c in suyas if c.codigo not in llevadas]
-
     def explicacion(self, programa):
         """El comentario con que empieza su fuente, hasta sus controles."""
         comentario = re.match(r"(?:// (?!Controles: ).*\n)*", (self.raiz / programa.fuente).read_text())[0]

@@ -45,7 +45,7 @@ def junta(carpeta, modulos):
     """Los módulos, de los que hay en esa carpeta y aquí, en un guion: de file:// un navegador no carga lo que importan.
     Lo que cada uno declara fuera de sus funciones tiene otro nombre en los demás."""
     donde = {f.name: f for c in (AQUI, carpeta) for f in c.glob("*.mjs")}
-    sin_importar = (re.sub(r"^import .*?;\n", "", donde[m].read_text(), flags=re.MULTILINE) for m in modulos)
+    sin_importar = (re.sub(r"^import .*?;\n", "", donde[m].read_text(), flags=re.M | re.S) for m in modulos)
     return "\n".join(re.sub("^export ", "", texto, flags=re.MULTILINE) for texto in sin_importar)
 
 

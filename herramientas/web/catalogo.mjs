@@ -6,7 +6,7 @@ import { corta } from './textos.mjs';
 
 const noEsta = una('#no-esta');
 
-/// Todos, por el capítulo o por la cosa sin programa que se llama así (ch03, F1.1); si no la hay, dice que no está.
+/// Todos, por el capítulo de ese nombre (ch03); si no lo hay, dice que no está.
 export function ensenaCatalogo(nombre, esEjercicio) {
   ponResueltos();
   document.title = 'Síntesis de imagen y animación';

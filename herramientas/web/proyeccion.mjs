@@ -28,8 +28,8 @@ function ayuda(hay) {
     .filter(Boolean).join(' · ');
 }
 
-/// La tecla p y, proyectando, las demás: `programa()` es el que se ve; `pasa(±1)` va a lo que sigue y `salta(0 o −1)`, al
-/// principio o al final del capítulo.
+/// La tecla p y, proyectando, las demás: `programa()` es el que se ve; `pasa(±1)` va a lo que sigue y `salta(0 o −1)`,
+/// al principio o al final del capítulo.
 export function atiendeProyeccion(programa, mueve) {
   document.addEventListener('keydown', suceso => {
     if (pagina.hidden || esDelNavegador(suceso)) return;

@@ -17,10 +17,11 @@ import pytest
 RAIZ = Path(__file__).parents[2]
 BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
 sys.path[:0] = [str(RAIZ / carpeta) for carpeta in ("herramientas", "tests/propiedades", "tests/ordenes")]
-from base import catalogo, controles, defectos, evidencia, fuentes, libro, marcas, paginas, procesos
+from base import catalogo, controles, defectos, evidencia, fuentes, guiones, indice, libro, marcas, paginas, procesos
 from ejercicios import nuevo
 from ejercicios.corrige import entrega
 from galeria import dibuja
+from galeria.pagina import AQUI as GALERIA, MODULOS
 from informe import cocientes, costes, grafica, informe, tecnicas
 from pruebas import cambios, googletest, muta
 from pruebas.plantados import FICHERO, Plantados
@@ -422,12 +423,61 @@ def test_lo_que_se_sabe_del_libro(tmp_path, con_libro):
     suyo, (a, b) = libro.Libro(tmp_path), con_libro.programas
     assert suyo.explicacion(b) == "Qué es, y por qué."
     respuesta = "<i>¿<code>x</code>?</i> Sí, <b>y</b> más."
-    assert suyo.ejercicios(b) == [("Ejercicio 1.1", "¿Qué <code>a*b</code> hay?", respuesta)] and not suyo.ejercicios(a)
+    assert suyo.ejercicios(b) == [("E1.1", "¿Qué <code>a*b</code> hay?", respuesta)] and not suyo.ejercicios(a)
     assert suyo.erratas_de(b) == ["<b>Listado 1.1, <code>f(a * b)</code></b>: mal &amp; &lt; ahí; bien."]
     assert not suyo.erratas_de(a) and suyo.otras_erratas(con_libro) == ["<b>§1.2.1 y ecuación 1.3</b>: otra."]
     assert suyo.referencias(b) == [("E1.1", "ejercicio 1.1: ejercicio"), ("L1.1", "listado 1.1: uno")]
     assert suyo.referencias(a) == [("L1.10", "listado 1.10")]
     assert libro.codigos("Listado 9.1, los de §9.1.2 y Ecuación 9.2") == ["L9.1", "§9.1.2", "Ec9.2"]
+
+
+EN_BREVE = {
+    "": "",
+    "espera 0": "",
+    "tecla d ×7": "pulsa d 7 veces",
+    "tecla 2; especial ARRIBA ×4; espera 1500; tecla m": "pulsa 2 y ↑ 4 veces; espera 1.5 s; pulsa m",
+    "escala 4 3; boton IZQUIERDO abajo 1 2; arrastra 3 4; boton IZQUIERDO arriba 3 4; rueda -1 3 4": (
+        "arrastra para orbitar; gira la rueda hacia atrás"
+    ),
+    "boton DERECHO abajo 1 2; arrastra 3 4; boton IZQUIERDO abajo 1 2": "arrastra con el botón derecho; haz clic",
+    "menu Vista/Perfil; mueve 1 2; mueve 3 4": "elige en el menú Vista → Perfil; mueve el ratón",
+}
+
+
+def test_lo_que_hace_una_persona():
+    """De cada caso, todo y sin números de píxeles."""
+    for guion, dice in EN_BREVE.items():
+        assert guiones.en_breve(guion, True) == dice
+    assert guiones.en_breve("boton IZQUIERDO abajo 1 2; arrastra 3 4") == "arrastra"
+    for c in (c for p in catalogo.lee_programas(BUILD) for c in p.casos):
+        dice = guiones.en_breve(c.guion)
+        assert not re.search(r"IZQUIERDO|DERECHO|abajo|boton|\d+ \d+\b|  |;;", dice), c.fichero
+        teclas = re.findall(r"(?:tecla|especial) (\S+)", c.guion.replace(";", " ;"))
+        assert {guiones.TECLAS.get(t, t) for t in teclas} <= set(re.split(r"[,;]? ", dice + " ")), dice
+
+
+def test_la_portada_es_de_su_capitulo():
+    """Cada capítulo dice la suya, y está."""
+    for c in catalogo.lee(BUILD):
+        assert c.portada and c.caso_de_portada.fichero == c.portada, c.nombre
+        c.portada = "no_esta"
+        assert c.caso_de_portada in [caso for p in c.programas for caso in p.casos], c.nombre
+
+
+def test_los_modulos_juntos(tmp_path):
+    """Sin import ni export; lo que otro declara, una vez."""
+    siembra(
+        tmp_path, {"a.mjs": "import { todos,\n  una } from './x.mjs';\nexport const a = 1;\nexport function f() {}\n"}
+    )
+    assert paginas.junta(tmp_path, ["a.mjs"]) == "const a = 1;\nfunction f() {}\n"
+    declarados = re.findall(
+        r"^(?:const|let|class|(?:async )?function) (\w+)", paginas.junta(GALERIA, MODULOS), re.MULTILINE
+    )
+    assert len(declarados) > 20 and len(set(declarados)) == len(declarados)
+
+
+def test_los_identificadores_de_un_fuente():
+    assert indice.identificadores('int a_b; // no\n/* ni\n esto */ f("x.vert", GL_RGB); a_b') == "int a_b GL_RGB"
 
 
 def test_cada_errata_esta_en_un_sitio_de_su_capitulo():

@@ -3,8 +3,8 @@
 
 Todas las imágenes cargan, y las animadas se mueven, salvo para quien pide menos movimiento; la vista grande se abre,
 pasa con las teclas, nunca enseña una imagen agrandada y se cierra con Esc; cada dirección lleva a lo suyo y el
-buscador, a lo que se busca (direcciones.py, también en Firefox); los fuentes se ven; en papel, un capítulo es eso y nada más;
-nada se sale de un teléfono de 360 píxeles, ni con el texto al doble; la consola no da ningún error.
+buscador, a lo que se busca (direcciones.py, también en Firefox); los fuentes se ven; en papel, un capítulo es eso y
+nada más; nada se sale de un teléfono de 360 píxeles, ni con el texto al doble; la consola no da ningún error.
 """
 import os
 import subprocess

@@ -345,7 +345,7 @@ def pagina(p):
     direcciones.busquedas(p.n, "un programa", BUSQUEDAS_DE_PROGRAMA)
     p.va_a("#grua")
     direcciones.copias(p.n, "un programa")
-    for enlace, marcado in (("#ch05_iluminacion", "ch05_iluminacion"), ("#F1.2", "ch01_intro"), ("#l5.1", "sombreado")):
+    for enlace, marcado in (("#ch05_iluminacion", "ch05_iluminacion"), ("#l5.1", "sombreado")):
         p.va_a(enlace)
         p.exige(f"una('.programas [aria-current]')?.hash === '#{marcado}'", f"el índice señala adónde lleva {enlace}")
         p.ve("una('#no-esta').hidden", f"{enlace} está")
