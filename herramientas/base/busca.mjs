@@ -30,12 +30,18 @@ function casaCon(buscada) {
 
 export class Indice {
   #entradas;
-  #vocabulario;
+  #donde = new Map(); // las zonas en que está cada palabra
   #sinonimos;
 
   /// `datos` son los que escribe base/indice.py.
   constructor({ entradas, ficheros, sinonimos }) {
-    const zona = (clase, enlace, texto, vale, suyas) => ({ clase, enlace, texto, vale, palabras: suyas });
+    const zona = (clase, enlace, texto, vale, suyas) => {
+      const nueva = { clase, enlace, texto, vale, palabras: suyas };
+      for (const palabra of suyas.keys()) {
+        if (!this.#donde.get(palabra)?.push(nueva)) this.#donde.set(palabra, [nueva]);
+      }
+      return nueva;
+    };
     const deFichero = Object.fromEntries(Object.entries(ficheros).map(([ruta, texto]) =>
       [ruta, new Map(texto.split(' ').map(identificador => [llano(identificador), identificador]))]));
     this.#sinonimos = new Map(Object.entries(sinonimos).map(par => par.map(llano)));
@@ -44,45 +50,50 @@ export class Indice {
       // el propio vale más que los que incluye
       ...fuentes.map((ruta, i) => zona('fuente', zonas[0][1], ruta, VALE.fuente / (1 + i / 4), deFichero[ruta])),
     ] }));
-    this.#vocabulario = new Set(this.#entradas.flatMap(e => e.zonas.flatMap(z => [...z.palabras.keys()])));
   }
 
-  /// Las palabras que casan con una, o con la que significa lo mismo, y cuánto.
-  #casan(buscada) {
-    const variantes = [buscada, this.#sinonimos.get(buscada)].filter(Boolean).map(casaCon), casan = new Map();
-    for (const hay of this.#vocabulario) {
-      const cuanto = Math.max(...variantes.map(casa => casa(hay)));
-      if (cuanto) casan.set(hay, cuanto);
+  /// Cuánto casa con una palabra, o con la que significa lo mismo, cada una que haya.
+  #casa(buscada) {
+    const variantes = [buscada, this.#sinonimos.get(buscada)].filter(Boolean).map(casaCon);
+    return hay => Math.max(...variantes.map(casa => casa(hay)));
+  }
+
+  /// Lo que vale una palabra en cada zona en que casa con alguna.
+  #vale(casa) {
+    const valen = new Map();
+    for (const [hay, zonas] of this.#donde) {
+      const cuanto = casa(hay);
+      if (cuanto) for (const z of zonas) valen.set(z, Math.max(valen.get(z) ?? 0, cuanto * z.vale));
     }
-    return casan;
+    return valen;
   }
 
   /// Lo que tiene todas las palabras, de mejor a peor: { titulo, enlace, clase, texto, palabra }, con la zona en que
   /// mejor está lo buscado y, si es un fuente, el identificador.
   busca(buscado) {
-    const suyas = palabras(buscado).map(palabra => this.#casan(palabra)), entero = palabras(buscado).join(' ');
-    if (!suyas.length) return [];
-    return this.#entradas.map(entrada => this.#mide(entrada, suyas, entero)).filter(Boolean)
-      .sort((a, b) => b.vale - a.vale);
+    const suyas = palabras(buscado), casan = suyas.map(palabra => this.#casa(palabra));
+    const valen = casan.map(casa => this.#vale(casa));
+    const hallados = valen.length ? this.#entradas.map(entrada => this.#mide(entrada, valen, suyas.join(' '))) : [];
+    return hallados.filter(Boolean).sort((a, b) => b.vale - a.vale).map(({ titulo, zona, vale }) =>
+      ({ titulo, vale, enlace: zona.enlace, clase: zona.clase, texto: zona.texto, palabra: this.#mejor(zona, casan) }));
   }
 
   /// De cada palabra vale la zona en que mejor está, y algo las demás; y más, si lo buscado es el título entero.
-  #mide({ titulo, zonas }, suyas, entero) {
-    const mejor = ({ palabras: hay }, casan) => {
-      let maximo = 0;
-      for (const palabra of hay.keys()) maximo = Math.max(maximo, casan.get(palabra) ?? 0);
-      return maximo;
-    };
-    const de = zonas.map(z => suyas.map(casan => z.vale * mejor(z, casan)));
-    const deCada = suyas.map((_, i) => de.map(valen => valen[i]));
-    if (deCada.some(valen => !Math.max(...valen))) return;
-    const suma = numeros => numeros.reduce((a, b) => a + b, 0), deZona = de.map(suma);
-    const { enlace, clase, texto, palabras: hay } = zonas[deZona.indexOf(Math.max(...deZona))];
-    const casaEn = palabra => Math.max(...suyas.map(casan => casan.get(palabra) ?? 0));
-    const palabra = [...hay.keys()].reduce((a, b) => casaEn(b) > casaEn(a) ? b : a);
-    const vale = suma(deCada.map(valen => Math.max(...valen) + 0.05 * suma(valen)));
-    return { titulo, enlace, clase, texto, palabra: hay.get?.(palabra) ?? '',
+  #mide({ titulo, zonas }, valen, entero) {
+    const suma = numeros => numeros.reduce((a, b) => a + b, 0);
+    const deCada = valen.map(enZona => zonas.map(z => enZona.get(z) ?? 0));
+    if (deCada.some(suyos => !Math.max(...suyos))) return;
+    const deZona = zonas.map((_, i) => suma(deCada.map(suyos => suyos[i])));
+    const vale = suma(deCada.map(suyos => Math.max(...suyos) + 0.05 * suma(suyos)));
+    return { titulo, zona: zonas[deZona.indexOf(Math.max(...deZona))],
       vale: vale + (palabras(titulo).join(' ') === entero ? VALE.título : 0) };
+  }
+
+  /// El identificador de un fuente que mejor casa.
+  #mejor({ clase, palabras: hay }, casan) {
+    if (clase !== 'fuente') return '';
+    const cuanto = palabra => Math.max(...casan.map(casa => casa(palabra)));
+    return hay.get([...hay.keys()].reduce((a, b) => cuanto(b) > cuanto(a) ? b : a));
   }
 }
 

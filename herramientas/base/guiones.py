@@ -9,6 +9,7 @@ def sin_veces(orden):
 
 
 TECLAS = {"IZQUIERDA": "←", "DERECHA": "→", "ARRIBA": "↑", "ABAJO": "↓", "PuntoYComa": ";", "Espacio": "espacio"}
+TECLAS |= {",": "coma", ".": "punto"}  # entre otras no se verían
 
 
 def en_palabras(orden):
