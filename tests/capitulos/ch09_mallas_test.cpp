@@ -129,9 +129,9 @@ TEST(Morphing, ElMovimientoSigueAlReloj) {
 
 // --- antialiasing ---
 
-// Contra el área exacta, y las dos técnicas de muestras conocidas, muestra a muestra: el centro del píxel y los centros
-// de sus 4 × 4 partes. De las que caen a menos de una centésima de píxel de un lado no se dice nada. Lo que se hace antes
-// deja la estrella con ese giro.
+// Contra el área exacta, y las dos técnicas de muestras conocidas, muestra a muestra: el centro del píxel y los
+// centros de sus 4 × 4 partes. De las que caen a menos de una centésima de píxel de un lado no se dice nada. Lo que
+// se hace antes deja la estrella con ese giro.
 void compruebaCobertura(const std::string &antes, double giro) {
     const double fondo = std::round(color(FONDO_CLARO).x), tinta = std::round(color(OSCURO).x);
     std::vector<oraculo::Poligono>
