@@ -67,6 +67,78 @@ function historia(datos, elige) {
   return h('div', { class: 'tabla' }, tabla);
 }
 
+const noNumero = valores => valores.some(v => typeof v === 'string');
+
+function valorDe({ tipo, valor }) {
+  const matriz = /^mat(\d)(?:x(\d))?$/.exec(tipo);
+  if (!valor.length) return '';
+  const escrito = tipo === 'bool' ? (valor[0] ? 'sí' : 'no') : vector(valor);
+  if (!matriz) return h('span', { class: noNumero(valor) ? 'malo' : '' }, escrito);
+  const columnas = Number(matriz[1]), filas = valor.length / columnas;
+  return h('table', { class: 'matriz' }, Array.from({ length: filas }, (_, f) =>
+    h('tr', {}, Array.from({ length: columnas }, (_, c) => h('td', {}, cifra(valor[c * filas + f]))))));
+}
+
+const ESCRITO = { entra: 'se entra', vuelve: 'se vuelve', descarta: 'discard', caso: 'este caso' };
+
+/** Cada línea de un shader y, a su lado, lo que vale lo que se calcula en ella; en gris, las que no se ejecutan. */
+function fuenteDe(fuente, traza) {
+  const pasa = new Map(fuente.map((_, i) => [i + 1, []]));
+  for (const l of traza.lineas) pasa.get(l.en)?.push(l);
+  const podia = new Set(traza.apuntables), perdidas = new Map(traza.sinSeguir.map(a => [a.en, a.motivo]));
+  const primera = traza.lineas.find(l => noNumero(l.valor));
+  let fichero;
+  const filas = fuente.flatMap((linea, i) => {
+    const suyas = pasa.get(i + 1), veces = suyas.slice(0, 12);
+    const clase = primera && primera.en === i + 1 ? 'rara' : podia.has(i + 1) && !suyas.length ? 'no-se-ejecuta' : '';
+    const valores = veces.map(l => h('span', { class: 'apunte' }, ESCRITO[l.clase] ?? [`${l.nombre} = `, valorDe(l)]));
+    const mas = suyas.length > 12 ? ` … ${suyas.length} en total` : '';
+    const perdida = perdidas.has(i + 1) ? h('i', {}, `no sé seguir esta línea: ${perdidas.get(i + 1)}`) : '';
+    const texto = h('td', {}, h('code', {}, linea.texto));
+    const numero = h('td', { class: 'numero' }, linea.linea);
+    const fila = h('tr', { class: clase }, numero, texto, h('td', {}, valores, mas, perdida));
+    if (linea.fichero === fichero) return [fila];
+    fichero = linea.fichero;
+    return [h('tr', {}, h('th', { colspan: 3 }, fichero)), fila];
+  });
+  return h('div', { class: 'tabla' }, h('table', { class: 'fuente' }, h('tbody', {}, filas)));
+}
+
+function interpolacion(sombreado) {
+  const salidas = vertice => new Map(vertice.lineas.filter(l => l.clase === 'salida').map(l => [l.nombre, l]));
+  const suyas = sombreado.vertices.map(salidas);
+  const nombres = [...(suyas[0]?.keys() ?? [])];
+  const titulos = ['', ...sombreado.vertices.map(v => `vértice ${v.indice}`), 'en el píxel'].map(t => h('th', {}, t));
+  const peso = (titulo, pesos) => pesos && h('tr', {}, h('th', {}, titulo), pesos.map(p => h('td', {}, cifra(p))));
+  const fila = nombre => {
+    const entrada = sombreado.entradas?.find(e => e.nombre === nombre);
+    return h('tr', {}, h('th', {}, h('code', {}, nombre)),
+      suyas.map(s => h('td', {}, s.has(nombre) ? valorDe(s.get(nombre)) : '')),
+      h('td', {}, entrada ? vector(entrada.valor) : ''));
+  };
+  const pesos = [peso('lo que pesa', sombreado.pesos), peso('sin perspectiva', sombreado.pesosSinPerspectiva)];
+  return h('div', { class: 'tabla' }, h('table', { class: 'historia' }, h('thead', {}, h('tr', {}, titulos)),
+    h('tbody', {}, nombres.map(fila), pesos)));
+}
+
+function sombreadoDe(datos) {
+  const { sombreado } = datos;
+  if (!sombreado?.fragmento) return [];
+  const { programa } = datos.ordenes.find(o => o.n === sombreado.orden);
+  const suyo = datos.programas.find(p => p.programa === programa);
+  const partes = [];
+  if (sombreado.vertices.length) {
+    const [primero] = sombreado.vertices;
+    const titulo = h('summary', {}, `El vertex shader en el vértice ${primero.indice}`);
+    partes.push(h('h2', {}, 'Sus vértices, y lo que llega al píxel'), interpolacion(sombreado),
+      h('details', {}, titulo, fuenteDe(suyo.vert, primero)));
+  }
+  const { motivo } = sombreado.fragmento;
+  partes.push(h('h2', {}, 'El shader que le da el color, línea a línea'),
+    motivo ? h('p', { class: 'malo' }, motivo) : fuenteDe(suyo.frag, sombreado.fragmento));
+  return partes;
+}
+
 /** La última imagen de ese framebuffer hasta esa orden, por si ella no lo cambia. */
 function ultima(ordenes, hasta, que) {
   const suyas = ordenes.slice(0, hasta + 1).filter(o => o.framebuffer === ordenes[hasta].framebuffer && o[que]);
@@ -159,7 +231,7 @@ export function muestraCuadro(datos, contenedor) {
   if (!datos.ordenes.length) return contenedor.replaceChildren(h('p', {}, 'Este cuadro no dibuja ni borra nada.'));
   const { elige, elemento } = ordenesDe(datos);
   const partes = resumen(datos);
-  if (datos.pixel) partes.push(h('h2', {}, 'La historia del píxel'), historia(datos, elige));
+  if (datos.pixel) partes.push(h('h2', {}, 'La historia del píxel'), historia(datos, elige), ...sombreadoDe(datos));
   partes.push(h('h2', {}, 'El cuadro, orden a orden'), elemento);
   contenedor.classList.add('cuadro-explicado');
   contenedor.replaceChildren(...partes);

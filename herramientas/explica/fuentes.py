@@ -22,6 +22,16 @@ def lineas(donde, fichero):
     return todas
 
 
+def situa(lineas_, fuente):
+    """A cada cosa que pasa en una línea de un shader, de qué fichero es y cuál es en él; `en`, la del shader entero."""
+    return [{**cosa, "en": cosa["linea"], **sitio(fuente, cosa["linea"])} for cosa in lineas_]
+
+
+def sitio(fuente, numero):
+    suya = fuente[numero - 1] if 0 < numero <= len(fuente) else {"fichero": "", "linea": numero}
+    return {"fichero": suya["fichero"], "linea": suya["linea"]}
+
+
 def reconoce(raiz, programas):
     """Añade a cada programa de dónde sale cada línea de sus shaders. Devuelve el nombre de cada fragment shader."""
     donde = carpetas(raiz)

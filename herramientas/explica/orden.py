@@ -72,7 +72,28 @@ def completa(raiz, cuadro, nombre, titulo, suyas):
         if "programa" in orden:
             orden["frag"] = de_orden[orden["programa"]]
     [pixel] = cuadro.pop("pixeles") or [{"pixel": None, "color": None, "historia": []}]
-    return {"programa": nombre, "titulo": titulo, "opciones": suyas, **pixel, "lineas": [], "sospechas": [], **cuadro}
+    return {
+        "programa": nombre,
+        "titulo": titulo,
+        "opciones": suyas,
+        **pixel,
+        "lineas": lineas(cuadro, pixel.get("sombreado")),
+        "sospechas": [],
+        **cuadro,
+    }
+
+
+def lineas(cuadro, sombreado):
+    """Lo que vale cada cosa en el fragmento que gana, y de paso en sus vértices, con el fichero y la línea en que está."""
+    if not sombreado or "fragmento" not in sombreado:
+        return []
+    programa = next(o["programa"] for o in cuadro["ordenes"] if o["n"] == sombreado["orden"])
+    suyo = next(p for p in cuadro["programas"] if p["programa"] == programa)
+    for etapa, trazas in (("frag", [sombreado["fragmento"]]), ("vert", sombreado["vertices"])):
+        for traza in trazas:
+            for que in ("lineas", "sinSeguir"):
+                traza[que] = fuentes.situa(traza[que], suyo[etapa])
+    return sombreado["fragmento"]["lineas"]
 
 
 def main():

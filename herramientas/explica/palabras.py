@@ -1,5 +1,8 @@
 """Lo que se dice en la terminal de un cuadro explicado."""
 
+SE_DICEN = "entrada", "declara", "asigna", "condicion", "salida"
+MAXIMO = 30  # líneas; todas están en la página
+
 
 def rgb(color):
     return "({:g}, {:g}, {:g})".format(*(round(c, 1) for c in color[:3])) if color else "nada"
@@ -16,6 +19,30 @@ def de_suceso(suceso, orden):
     return f"{suceso['orden']:>4}  {quien}: {suceso['dice']}{cambia}"
 
 
+def cifra(numero):
+    return numero if isinstance(numero, str) else f"{numero:.4g}"
+
+
+def valor(numeros):
+    return cifra(numeros[0]) if len(numeros) == 1 else f"({', '.join(map(cifra, numeros))})"
+
+
+def de_linea(linea):
+    return f"      {linea['fichero']}:{linea['linea']}: {linea['nombre']} = {valor(linea['valor'])}"
+
+
+def raros(lineas):
+    """Las que dan NaN o infinito."""
+    return [linea for linea in lineas if any(isinstance(n, str) for n in linea["valor"])]
+
+
+def de_sombreado(lineas):
+    """Del fragmento que gana, lo que vale cada cosa en main y, si algo no es un número, dónde empieza."""
+    suyas = [linea for linea in lineas if linea["valor"] and linea["clase"] in SE_DICEN]
+    filas = [de_linea(linea) for linea in suyas if linea["funcion"] in ("main", "")][:MAXIMO]
+    return filas + [f"      lo primero que no es un número:{de_linea(raro)[5:]}" for raro in raros(lineas)[:1]]
+
+
 def cuadro(datos):
     """La historia del píxel o, si no se pide ninguno, las órdenes."""
     ordenes = {orden["n"]: orden for orden in datos["ordenes"]}
@@ -24,6 +51,7 @@ def cuadro(datos):
         x, y = datos["pixel"]
         filas += [f"{datos['programa']} en ({x}, {y}): {rgb(datos['color'])}"]
         filas += [de_suceso(suceso, ordenes[suceso["orden"]]) for suceso in datos["historia"]]
+        filas += de_sombreado(datos["lineas"])
         return "\n".join(filas)
     filas += [f"{datos['programa']}: {len(ordenes)} órdenes"]
     return "\n".join([*filas, *(f"{n:>4}  {de_orden(orden)}" for n, orden in ordenes.items())])

@@ -228,7 +228,13 @@ Json enJsonDe(const Reescribible &r, const Traza &traza) {
     for (const Aviso &a : r.reescrito.sinSeguir)
         sinSeguir.push_back(Json().pon("linea", a.linea).pon("motivo", a.motivo));
     Json json;
+    std::vector<int>
+        apuntables; // las líneas en que puede pasar algo: las que no están entre las otras no se ejecutan
+    for (const Nota &nota : r.reescrito.notas)
+        if (!nota.funcion.empty() && (apuntables.empty() || apuntables.back() != nota.linea))
+            apuntables.push_back(nota.linea);
     json.pon("pasos", traza.pasos).pon("lineas", lineas(traza)).pon("sinSeguir", sinSeguir);
+    json.pon("apuntables", apuntables);
     return json.pon("motivo", r.motivo);
 }
 
