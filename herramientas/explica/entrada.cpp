@@ -6,6 +6,7 @@
 #include "pixel.h"
 #include "programas.h"
 #include "sombreado.h"
+#include "sospechas.h"
 #include <algorithm>
 #include <cstring>
 #include <dlfcn.h>
@@ -36,6 +37,7 @@ struct {
     std::vector<Suceso> sucesos;
     const Suceso *ganador = nullptr; // quien da el color al píxel
     Json sombreado;
+    Sospechas sospechas;
     std::vector<Copia> copias;
     std::map<GLuint, Punto> pixel; // en cada framebuffer
     std::set<GLuint> programas;
@@ -44,9 +46,14 @@ struct {
 void apuntaOrden(const Orden &orden) {
     const Lienzo lienzo = lienzoActual(c.ancho, c.alto);
     Json json = describe(orden, lienzo);
-    if (orden.que == Orden::Que::Dibuja) {
+    const bool dibuja = orden.que == Orden::Que::Dibuja;
+    const Cableado cableado = dibuja ? cableadoActual() : Cableado();
+    c.sospechas.antes(orden, lienzo, cableado, c.numero);
+    if (dibuja) {
         c.programas.insert(GLuint(entero(GL_CURRENT_PROGRAM)));
-        json.pon("fragmentos", muestrasDe(orden.hazla));
+        const long fragmentos = muestrasDe(orden.hazla);
+        c.sospechas.despues(orden, lienzo, c.numero, fragmentos);
+        json.pon("fragmentos", fragmentos).pon("cableado", deCableado(cableado));
     } else {
         orden.hazla();
     }
@@ -152,14 +159,74 @@ std::vector<Json> programasJson() {
     return programas;
 }
 
-std::string variable(const char *nombre) {
-    const char *const valor = std::getenv(nombre);
-    return valor ? valor : "";
+// Si todos los píxeles de la ventana son iguales.
+bool ventanaLisa() {
+    const Guardado guardado;
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    const std::vector<float> rgba = leeColores(lienzoActual(c.ancho, c.alto), 0, 0, c.ancho, c.alto);
+    for (std::size_t i = 4; i < rgba.size(); ++i)
+        if (i % 4 < 3 && rgba[i] != rgba[i % 4])
+            return false;
+    return true;
 }
 
 void copiaFramebuffer(GLint x0, GLint y0, GLint x1, GLint y1, GLint u0, GLint v0, GLint u1, GLint v1,
                       GLbitfield buferes, GLenum filtro) {
     llega(ordenCopia({x0, y0, x1, y1}, {u0, v0, u1, v1}, buferes, filtro));
+}
+
+// Las funciones que dan valor a un uniform, que se apunta: cada una con sus parámetros.
+template<int cual, class... Parametros>
+struct Uniform {
+    static inline void (*deVerdad)(GLint, Parametros...) = nullptr;
+    static void da(GLint donde, Parametros... parametros) {
+        apuntaUniforme(donde);
+        deVerdad(donde, parametros...);
+    }
+};
+
+using Direccion = void (*)();
+
+template<int cual, class... Parametros>
+Direccion tapaUniform(void (*deVerdad)(GLint, Parametros...)) {
+    Uniform<cual, Parametros...>::deVerdad = deVerdad;
+    return reinterpret_cast<Direccion>(Uniform<cual, Parametros...>::da);
+}
+
+// Por la que se cambia esa función, o nulo.
+Direccion tapa(const std::string &nombre) {
+    if (nombre == "glBlitFramebuffer")
+        return reinterpret_cast<Direccion>(copiaFramebuffer);
+#define UNIFORM(funcion)                                                                                     \
+    if (nombre == #funcion)                                                                                  \
+        return tapaUniform<__LINE__>(tapada<decltype(&funcion)>(#funcion));
+    UNIFORM(glUniform1f)
+    UNIFORM(glUniform2f)
+    UNIFORM(glUniform3f)
+    UNIFORM(glUniform4f)
+    UNIFORM(glUniform1i)
+    UNIFORM(glUniform2i)
+    UNIFORM(glUniform3i)
+    UNIFORM(glUniform4i)
+    UNIFORM(glUniform1ui)
+    UNIFORM(glUniform1fv)
+    UNIFORM(glUniform2fv)
+    UNIFORM(glUniform3fv)
+    UNIFORM(glUniform4fv)
+    UNIFORM(glUniform1iv)
+    UNIFORM(glUniform2iv)
+    UNIFORM(glUniform3iv)
+    UNIFORM(glUniform4iv)
+    UNIFORM(glUniformMatrix2fv)
+    UNIFORM(glUniformMatrix3fv)
+    UNIFORM(glUniformMatrix4fv)
+#undef UNIFORM
+    return nullptr;
+}
+
+std::string variable(const char *nombre) {
+    const char *const valor = std::getenv(nombre);
+    return valor ? valor : "";
 }
 
 } // namespace
@@ -186,6 +253,7 @@ void explicaCuadro(void (*dibuja)(), int ancho, int alto) {
     c.alto = alto;
     c.imagenes = variable("LAB_EXPLICA_IMAGENES") == "1";
     pasa(c.LISTA, dibuja);
+    const std::vector<Json> sospechas = c.sospechas.todas(ventanaLisa());
     std::vector<Json> pixeles;
     std::istringstream pedidos(variable("LAB_EXPLICA_PIXELES"));
     int x, y;
@@ -194,7 +262,7 @@ void explicaCuadro(void (*dibuja)(), int ancho, int alto) {
         pixeles.push_back(explicaPixel(dibuja, x, y));
     Json json;
     json.pon("talla", std::array<int, 2>{ancho, alto}).pon("ordenes", c.ordenes);
-    json.pon("programas", programasJson()).pon("pixeles", pixeles);
+    json.pon("sospechas", sospechas).pon("programas", programasJson()).pon("pixeles", pixeles);
     std::ofstream(fichero) << json.texto() << '\n';
 }
 
@@ -211,18 +279,15 @@ void glDrawElements(GLenum modo, GLsizei vertices, GLenum tipo, const void *indi
 }
 
 // Por donde GLEW pregunta las demás: OSMesa y, con EGL, GLX.
-using Direccion = void (*)();
-
 Direccion OSMesaGetProcAddress(const char *nombre) {
-    if (!std::strcmp(nombre, "glBlitFramebuffer"))
-        return reinterpret_cast<Direccion>(copiaFramebuffer);
-    return tapada<Direccion (*)(const char *)>("OSMesaGetProcAddress")(nombre);
+    const Direccion otra = tapa(nombre);
+    return otra ? otra : tapada<Direccion (*)(const char *)>("OSMesaGetProcAddress")(nombre);
 }
 
 Direccion glXGetProcAddressARB(const GLubyte *nombre) {
-    if (!std::strcmp(reinterpret_cast<const char *>(nombre), "glBlitFramebuffer"))
-        return reinterpret_cast<Direccion>(copiaFramebuffer);
-    return tapada<Direccion (*)(const GLubyte *)>("glXGetProcAddressARB")(nombre);
+    const char *const texto = reinterpret_cast<const char *>(nombre);
+    const Direccion otra = tapa(texto);
+    return otra ? otra : tapada<Direccion (*)(const GLubyte *)>("glXGetProcAddressARB")(nombre);
 }
 
 } // extern "C"

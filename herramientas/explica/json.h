@@ -58,6 +58,8 @@ inline std::string enJson(const Json &objeto) {
 }
 template<class Valor>
 std::string enJson(const std::optional<Valor> &valor);
+template<class Valor, std::size_t n>
+std::string enJson(const std::array<Valor, n> &lista);
 
 template<class Lista>
 std::string listaEnJson(const Lista &lista) {

@@ -78,7 +78,6 @@ def completa(raiz, cuadro, nombre, titulo, suyas):
         "opciones": suyas,
         **pixel,
         "lineas": lineas(cuadro, pixel.get("sombreado")),
-        "sospechas": [],
         **cuadro,
     }
 

@@ -5,6 +5,7 @@ caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre
 - el color que se da de cada píxel es el de la imagen, y el último que escribe en la ventana su historia, también;
 - cada mezcla, hecha otra vez con el color del shader, da lo que queda, a un nivel;
 - el shader ejecutado línea a línea da ese mismo color, y lo que le llega es lo que sale de mezclar sus vértices (a 1e-5);
+- no se sospecha nada de ninguno;
 - entre dos sucesos de la historia de un framebuffer nadie más cambia el píxel, ni lo cambia el que no escribe.
 
 Sin decir el enlace, con el que se usa sin ventana y, si hay otro, uno de cada diez programas con él. Estado 1 si algo
@@ -117,8 +118,10 @@ def fallos_de_caso(build, enlace, caso, puntos):
             return [str(fallo)]
         if not (carpeta / "e.json").exists():
             return [f"{enlace}, {caso.fichero}: no se explica"]
-        explicados = json.loads((carpeta / "e.json").read_text())["pixeles"]
+        cuadro = json.loads((carpeta / "e.json").read_text())
+    explicados = cuadro["pixeles"]
     fallos = [] if imagen == sin else ["la imagen no es la misma explicada"]
+    fallos += [f"se sospecha que {s['dice']}" for s in cuadro["sospechas"]]
     if [tuple(e["pixel"]) for e in explicados] != puntos:
         fallos.append("no están los píxeles que se piden")
     fallos += [f"{e['pixel']}: {fallo}" for e in explicados for fallo in fallos_de_pixel(e, imagen)]

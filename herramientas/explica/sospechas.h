@@ -1,0 +1,34 @@
+// Lo que suele estar mal cuando la ventana queda negra o no es lo que se esperaba; solo lo que es así en este cuadro.
+#pragma once
+#include "cableado.h"
+#include "ordenes.h"
+
+namespace explica {
+
+struct Sospecha {
+    int gravedad; // antes las mayores
+    int orden;    // 0: de todo el cuadro
+    std::string dice, prueba;
+};
+
+/// Mira el cuadro según se dibuja.
+class Sospechas {
+    std::vector<Sospecha> lista;
+    bool hayDibujos = false, hayEscrito = false, enVentana = false, borradoElFinal = false;
+    std::vector<GLuint> conProfundidad; // los framebuffers en que se ha borrado
+
+    void pon(int gravedad, int orden, const std::string &dice, const std::string &prueba);
+    void delCableado(const Cableado &cableado, int n);
+    void delEstado(const Orden &orden, const Lienzo &lienzo, int n);
+    void porQueNada(const Orden &orden, const Lienzo &lienzo, int n);
+
+public:
+    /// Antes de hacerla. Hay que tener el estado del programa.
+    void antes(const Orden &orden, const Lienzo &lienzo, const Cableado &cableado, int n);
+    /// Después: los fragmentos que ha escrito.
+    void despues(const Orden &orden, const Lienzo &lienzo, int n, long fragmentos);
+    /// Todas, las más graves antes, cuando el cuadro está entero. `unColor`: si la ventana queda lisa.
+    std::vector<Json> todas(bool unColor);
+};
+
+} // namespace explica
