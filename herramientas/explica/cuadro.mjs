@@ -166,6 +166,30 @@ function estadoDe(orden, anterior) {
   }).flat());
 }
 
+/** De dónde le llega a una orden lo que dibuja; en negrita, lo que no era así en la anterior. */
+function cableadoDe(orden, anterior) {
+  const filas = (lista, clave, dice) => {
+    const antes = new Map((anterior?.cableado?.[lista] ?? []).map(cosa => [cosa[clave], JSON.stringify(dice(cosa))]));
+    return orden.cableado[lista].map(cosa => {
+      const cambia = anterior?.cableado && antes.get(cosa[clave]) !== JSON.stringify(dice(cosa));
+      return h('li', {}, h('code', {}, cosa[clave]), ' ', h('span', { class: cambia ? 'cambia' : '' }, dice(cosa)));
+    });
+  };
+  const deAtributo = a => (a.activo
+    ? `buffer ${a.bufer}: ${a.componentes} ${a.de} cada ${a.paso} bytes desde el ${a.desplazamiento}; ` +
+      a.primeros.map(v => vector(v.slice(0, a.componentes), 3)).join(' ')
+    : 'ningún array');
+  const deUniforme = u => `${u.tipo} ${u.dado ? vector(u.valor, 3) : 'sin valor'}`;
+  const deTextura = t => `unidad ${t.unidad} → textura ${t.textura}, ${t.objetivo} ${t.talla.join('×')} ${t.formato};
+    ${t.reduce}, ${t.amplia}; ${t.repite} ${t.incompleta}`;
+  const caja = (titulo, lista) => (lista.length ? h('section', {}, h('h4', {}, titulo), h('ul', {}, lista)) : '');
+  return h('div', { class: 'cableado' },
+    caja(`Arrays del VAO ${orden.cableado.vao}, índices en el buffer ${orden.cableado.indices}`,
+      filas('atributos', 'nombre', deAtributo)),
+    caja('Uniforms', filas('uniformes', 'nombre', deUniforme)),
+    caja('Texturas', filas('texturas', 'sampler', deTextura)));
+}
+
 function detalle(datos, indice) {
   const orden = datos.ordenes[indice];
   const anterior = datos.ordenes.slice(0, indice).reverse().find(o => o.estado.length);
@@ -185,7 +209,8 @@ function detalle(datos, indice) {
   const cuantos = orden.fragmentos >= 0 ? `, ${orden.fragmentos} fragmentos escritos` : '';
   return [h('h3', {}, `${orden.n} · ${tituloDe(orden)}`),
     h('p', {}, h('code', {}, orden.llamada), `, en ${orden.framebuffer}${cuantos}.`),
-    h('div', { class: 'laminas' }, laminas), orden.estado.length ? estadoDe(orden, anterior) : ''];
+    h('div', { class: 'laminas' }, laminas), orden.estado.length ? estadoDe(orden, anterior) : '',
+    orden.cableado ? cableadoDe(orden, anterior) : ''];
 }
 
 function ordenesDe(datos) {

@@ -52,7 +52,7 @@ void apuntaOrden(const Orden &orden) {
     if (dibuja) {
         c.programas.insert(GLuint(entero(GL_CURRENT_PROGRAM)));
         const long fragmentos = muestrasDe(orden.hazla);
-        c.sospechas.despues(orden, lienzo, c.numero, fragmentos);
+        c.sospechas.despues(orden, lienzo, cableado, c.numero, fragmentos);
         json.pon("fragmentos", fragmentos).pon("cableado", deCableado(cableado));
     } else {
         orden.hazla();

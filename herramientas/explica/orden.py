@@ -102,9 +102,7 @@ def main():
     ejecutable = build / (build / "sin_ventana").read_text().strip() / capitulo / programa
     cuadro = completa(raiz, ejecuta(build, ejecutable, pixel, suyas), nombre, titulo, suyas)
     if pixel and any(n >= largo for n, largo in zip(cuadro["pixel"], cuadro["talla"])):
-        raise Fallo(
-            "explica: {} {} está fuera de la ventana, que es de {}×{}".format(*cuadro["pixel"], *cuadro["talla"])
-        )
+        raise Fallo("explica: {} {} está fuera de la ventana, de {}×{}".format(*cuadro["pixel"], *cuadro["talla"]))
     pagina = destino / f"{nombre}.html"
     escribe(pagina, paginas.plantilla(PLANTILLA).render(cuadro=cuadro))
     if fichero:

@@ -167,7 +167,7 @@ void Sospechas::antes(const Orden &o, const Lienzo &l, const Cableado &cableado,
     delEstado(o, l, n);
 }
 
-void Sospechas::porQueNada(const Orden &o, const Lienzo &, int n) {
+void Sospechas::porQueNada(const Orden &o, int n) {
     const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
     if (!programa)
         return pon(SEGURO, n, "se dibuja sin programa en uso",
@@ -218,23 +218,33 @@ void Sospechas::porQueNada(const Orden &o, const Lienzo &, int n) {
     pon(gravedad, n, "la orden " + std::to_string(n) + " no dibuja nada: " + que.first, que.second);
 }
 
-void Sospechas::despues(const Orden &o, const Lienzo &l, int n, long fragmentos) {
+void Sospechas::despues(const Orden &o, const Lienzo &l, const Cableado &c, int n, long fragmentos) {
+    // common/encima pinta los rótulos con este sampler
+    const bool rotulo = std::any_of(c.texturas.begin(), c.texturas.end(),
+                                    [](const Textura &t) { return t.sampler == "atlas"; });
+    hayFigura = hayFigura || !rotulo;
+    figuraEscrita = figuraEscrita || (!rotulo && fragmentos != 0);
     if (fragmentos == 0)
-        return porQueNada(o, l, n);
+        return porQueNada(o, n);
+    if (rotulo)
+        return;
     hayEscrito = true;
     GLboolean m[4];
     glGetBooleanv(GL_COLOR_WRITEMASK, m);
     if (!m[0] && !m[1] && !m[2])
         pon(SI_NO_SE_VE_NADA, n, "glColorMask no deja escribir el color",
             "Falta glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE).");
-    if (glIsEnabled(GL_BLEND) && l.nombre == 0)
-        pon(SI_NO_SE_VE_NADA, n,
-            "lo que se dibuja se mezcla con lo que hay (" + nombreFactor(GLenum(entero(GL_BLEND_SRC_RGB))) +
-                ", " + nombreFactor(GLenum(entero(GL_BLEND_DST_RGB))) + ") y no cambia nada",
-            "¿Vale 0 su alfa, o falta glDisable(GL_BLEND)?");
+    if (!glIsEnabled(GL_BLEND) || l.nombre)
+        return;
+    const GLenum origen = GLenum(entero(GL_BLEND_SRC_RGB)), destino = GLenum(entero(GL_BLEND_DST_RGB));
+    pon(origen == GL_ZERO && destino == GL_ONE ? SEGURO : SI_NO_SE_VE_NADA, n,
+        "lo que se dibuja se mezcla con lo que hay (" + nombreFactor(origen) + ", " + nombreFactor(destino) +
+            ") y no cambia nada",
+        "Mira glBlendFunc y lo que vale su alfa, o falta glDisable(GL_BLEND).");
 }
 
 std::vector<Json> Sospechas::todas(bool unColor) {
+    const bool noSeVeNada = unColor || (hayFigura && !figuraEscrita);
     if (borradoElFinal)
         pon(SEGURO + 1, 0, "la ventana se borra después de dibujar en ella",
             "glClear va antes que lo demás.");
@@ -251,7 +261,7 @@ std::vector<Json> Sospechas::todas(bool unColor) {
                      [](const auto &a, const auto &b) { return a.gravedad > b.gravedad; });
     std::vector<Json> salen;
     for (const Sospecha &s : lista)
-        if (unColor || s.gravedad >= SEGURO)
+        if (noSeVeNada || s.gravedad >= SEGURO)
             salen.push_back(Json().pon("orden", s.orden).pon("dice", s.dice).pon("prueba", s.prueba));
     return salen;
 }

@@ -14,19 +14,20 @@ struct Sospecha {
 /// Mira el cuadro según se dibuja.
 class Sospechas {
     std::vector<Sospecha> lista;
+    bool hayFigura = false, figuraEscrita = false; // lo que no es un rótulo
     bool hayDibujos = false, hayEscrito = false, enVentana = false, borradoElFinal = false;
     std::vector<GLuint> conProfundidad; // los framebuffers en que se ha borrado
 
     void pon(int gravedad, int orden, const std::string &dice, const std::string &prueba);
     void delCableado(const Cableado &cableado, int n);
     void delEstado(const Orden &orden, const Lienzo &lienzo, int n);
-    void porQueNada(const Orden &orden, const Lienzo &lienzo, int n);
+    void porQueNada(const Orden &orden, int n);
 
 public:
     /// Antes de hacerla. Hay que tener el estado del programa.
     void antes(const Orden &orden, const Lienzo &lienzo, const Cableado &cableado, int n);
     /// Después: los fragmentos que ha escrito.
-    void despues(const Orden &orden, const Lienzo &lienzo, int n, long fragmentos);
+    void despues(const Orden &orden, const Lienzo &lienzo, const Cableado &cableado, int n, long fragmentos);
     /// Todas, las más graves antes, cuando el cuadro está entero. `unColor`: si la ventana queda lisa.
     std::vector<Json> todas(bool unColor);
 };

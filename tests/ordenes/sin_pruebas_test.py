@@ -92,7 +92,7 @@ def test_explica(lab):
     assert "\n   1  borra color, profundidad: borrado → (222, 237, 250)\n" in dicho
     assert lab.deja("f.json", b'{\n "programa": "grua"')
     assert "muestraCuadro" in (lab.sitio / "explica/grua.html").read_text()
-    lab("explica grua 300 9 -geometry 240x180", 1, "300 9 está fuera de la ventana, que es de 240×180")
+    lab("explica grua 300 9 -geometry 240x180", 1, "300 9 está fuera de la ventana, de 240×180")
     lab("explica info_opengl", 1, "info_opengl escribe texto y no dibuja nada")
     lab("explica grua -guion 'tecla Esc'", 1, "¿pulsa Esc el guion?")
 

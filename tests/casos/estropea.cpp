@@ -1,0 +1,147 @@
+// Se antepone (LD_PRELOAD) a un programa, delante incluso de lo que lo explica, y le estropea algo de OpenGL, lo que
+// diga $ESTROPEA: es lo que pasa cuando a quien lo escribe se le olvida o se equivoca en una llamada.
+#include <cstdlib>
+#include <cstring>
+#include <dlfcn.h>
+#include <set>
+#include <string>
+#include <vector>
+#define GL_GLEXT_PROTOTYPES
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+namespace {
+
+bool es(const char *defecto) {
+    static const char *const cual = std::getenv("ESTROPEA");
+    return cual && !std::strcmp(cual, defecto);
+}
+
+template<class Funcion>
+Funcion tapada(const char *nombre) {
+    return reinterpret_cast<Funcion>(dlsym(RTLD_NEXT, nombre));
+}
+
+using Direccion = void (*)();
+
+// La de una función que GLEW pide por su nombre, pasando por quien haya detrás.
+template<class Funcion>
+Funcion siguiente(const char *nombre) {
+    static const auto pide = tapada<Direccion (*)(const char *)>("OSMesaGetProcAddress");
+    return reinterpret_cast<Funcion>(pide(nombre));
+}
+
+// Los nombres de los uniforms, para saber de cuál se habla.
+std::set<GLint> matricesDeCamara, proyecciones, modelos;
+
+GLint sitioDe(GLuint programa, const GLchar *nombre) {
+    const GLint sitio = siguiente<decltype(&glGetUniformLocation)>("glGetUniformLocation")(programa, nombre);
+    if (!std::strcmp(nombre, "camara"))
+        matricesDeCamara.insert(sitio);
+    if (!std::strcmp(nombre, "proyeccion"))
+        proyecciones.insert(sitio);
+    if (!std::strcmp(nombre, "M"))
+        modelos.insert(sitio);
+    return sitio;
+}
+
+void matriz(GLint sitio, GLsizei n, GLboolean traspone, const GLfloat *valor) {
+    const auto deVerdad = siguiente<decltype(&glUniformMatrix4fv)>("glUniformMatrix4fv");
+    const bool camara = matricesDeCamara.count(sitio), proyeccion = proyecciones.count(sitio);
+    if ((es("sin_camara") && camara) || (es("sin_proyeccion") && proyeccion) ||
+        (es("sin_modelo") && modelos.count(sitio)))
+        return;
+    std::vector<GLfloat> otra(valor, valor + 16 * n);
+    if (es("camara_al_reves") && camara) // mira hacia el otro lado
+        for (int c = 0; c < 4; ++c)
+            otra[std::size_t(4 * c + 2)] *= -1, otra[std::size_t(4 * c)] *= -1;
+    if (es("cerca_lejos") && proyeccion) // todo más cerca que el plano cerca
+        for (int c = 0; c < 4; ++c)
+            otra[std::size_t(4 * c + 2)] -= 3 * otra[std::size_t(4 * c + 3)];
+    if (es("proyeccion_nan") && proyeccion)
+        otra[0] = otra[5] = std::strtof("nan", nullptr);
+    if (es("matriz_cero") && camara)
+        otra.assign(otra.size(), 0);
+    deVerdad(sitio, n, traspone, otra.data());
+}
+
+void usa(GLuint programa) {
+    siguiente<decltype(&glUseProgram)>("glUseProgram")(es("sin_programa") ? 0 : programa);
+}
+
+void array(GLuint indice) {
+    if (!es("array_sin_activar") || indice != 0)
+        siguiente<decltype(&glEnableVertexAttribArray)>("glEnableVertexAttribArray")(indice);
+}
+
+void niveles(GLenum objetivo) {
+    if (!es("sin_niveles"))
+        siguiente<decltype(&glGenerateMipmap)>("glGenerateMipmap")(objetivo);
+}
+
+void uniforme1i(GLint sitio, GLint valor) {
+    siguiente<decltype(&glUniform1i)>("glUniform1i")(sitio, es("otra_unidad") ? valor + 7 : valor);
+}
+
+void llena(GLenum objetivo, GLsizeiptr bytes, const void *datos, GLenum uso) {
+    const std::vector<char> ceros(static_cast<std::size_t>(bytes));
+    const bool vacia = es("buffer_a_cero") && objetivo == GL_ARRAY_BUFFER;
+    siguiente<decltype(&glBufferData)>("glBufferData")(objetivo, bytes, vacia ? ceros.data() : datos, uso);
+}
+
+Direccion cambiada(const char *nombre) {
+    const struct {
+        const char *nombre;
+        Direccion funcion;
+    } CAMBIADAS[] = {{"glGetUniformLocation", reinterpret_cast<Direccion>(sitioDe)},
+                     {"glUniformMatrix4fv", reinterpret_cast<Direccion>(matriz)},
+                     {"glUseProgram", reinterpret_cast<Direccion>(usa)},
+                     {"glEnableVertexAttribArray", reinterpret_cast<Direccion>(array)},
+                     {"glGenerateMipmap", reinterpret_cast<Direccion>(niveles)},
+                     {"glUniform1i", reinterpret_cast<Direccion>(uniforme1i)},
+                     {"glBufferData", reinterpret_cast<Direccion>(llena)}};
+    for (const auto &[suyo, funcion] : CAMBIADAS)
+        if (!std::strcmp(nombre, suyo))
+            return funcion;
+    return nullptr;
+}
+
+} // namespace
+
+extern "C" {
+
+void glClear(GLbitfield buferes) {
+    static const auto deVerdad = tapada<decltype(&glClear)>("glClear");
+    if (es("recorte"))
+        glEnable(GL_SCISSOR_TEST), glScissor(0, 0, 0, 0);
+    if (es("viewport"))
+        glViewport(0, 0, 0, 0);
+    if (es("cara"))
+        glEnable(GL_CULL_FACE), glCullFace(GL_FRONT_AND_BACK);
+    if (es("profundidad_nunca"))
+        glEnable(GL_DEPTH_TEST), glDepthFunc(GL_NEVER);
+    if (es("borra_cerca"))
+        glClearDepth(0);
+    if (es("sin_color"))
+        glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    if (es("mezcla_nada"))
+        glEnable(GL_BLEND), glBlendFunc(GL_ZERO, GL_ONE);
+    deVerdad(es("sin_borrar_profundidad") ? buferes & ~GLbitfield(GL_DEPTH_BUFFER_BIT) : buferes);
+}
+
+void glFlush() {
+    if (es("borra_al_final"))
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    tapada<decltype(&glFlush)>("glFlush")();
+}
+
+void glDrawElements(GLenum modo, GLsizei n, GLenum tipo, const void *indices) {
+    tapada<decltype(&glDrawElements)>("glDrawElements")(modo, es("cero_vertices") ? 0 : n, tipo, indices);
+}
+
+Direccion OSMesaGetProcAddress(const char *nombre) {
+    const Direccion otra = cambiada(nombre);
+    return otra ? otra : tapada<Direccion (*)(const char *)>("OSMesaGetProcAddress")(nombre);
+}
+
+} // extern "C"
