@@ -83,7 +83,7 @@ def completa(raiz, cuadro, nombre, titulo, suyas):
 
 
 def lineas(cuadro, sombreado):
-    """Lo que vale cada cosa en el fragmento que gana, y de paso en sus vértices, con el fichero y la línea en que está."""
+    """Lo que vale cada cosa en el fragmento que gana, con su fichero y su línea; de paso, en sus vértices."""
     if not sombreado or "fragmento" not in sombreado:
         return []
     programa = next(o["programa"] for o in cuadro["ordenes"] if o["n"] == sombreado["orden"])

@@ -164,7 +164,7 @@ double combina(GLenum ecuacion, double a, double fa, double b, double fb) {
     }
 }
 
-// Lo que debe quedar en el píxel, hecho aquí otra vez: el color del shader mezclado con el que hay. Y si es lo que queda.
+// Lo que debe quedar en el píxel, hecho aquí otra vez: el color del shader mezclado con el que hay.
 Json mezcla(const Fragmento &f, const Color &antes, const Color &despues, const Lienzo &l) {
     const bool mezcla = glIsEnabled(GL_BLEND), acotado = l.componentes == GL_UNSIGNED_NORMALIZED;
     std::array<double, 4> origen{}, destino{}, factorOrigen{}, factorDestino{};

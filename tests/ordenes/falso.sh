@@ -105,7 +105,7 @@ ch01_test) if [ "$1" = --gtest_list_tests ]; then printf 'G.\n  Uno # x\n'; else
   [[ "$*" != *-titulos* ]] || echo "título: la ventana de $quien"
   [[ "$*" != *-diario* ]] || printf '%s\n' $'diario\t' 'otra orden' $'diario\t' 'tras la orden' $'diario\t'
   [ "$quien" != a ] || [ -z "${LAB_LEIDOS:-}" ] || printf '%s\n' ch01_uno/a.vert assets/t.rgb >>"$LAB_LEIDOS"
-  [ -z "${LAB_EXPLICA:-}" ] || echo '{"talla": [1, 1], "ordenes": [], "programas": [], "pixeles": []}' >"$LAB_EXPLICA"
+  [ -z "${LAB_EXPLICA:-}" ] || echo '{"talla": [1, 1], "ordenes": [], "sospechas": [], "programas": [], "pixeles": []}' >"$LAB_EXPLICA"
   ppm=$(valor -ppm "$@") talla=$(valor -geometry "$@")
   talla=${talla:-40x40}
   [ -n "$ppm" ] || exit 0
