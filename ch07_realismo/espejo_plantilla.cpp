@@ -47,7 +47,7 @@ static void dibujaVista(const Recuadro &r, bool conPlantilla) {
     dibujaEscena(estado.escena, piezas, camara, proyeccion, true);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_STENCIL_TEST);
-    rotula(conPlantilla ? "con plantilla" : "sin plantilla", {0.02f, 0.9f}, OSCURO, Lado::DERECHA);
+    rotula(conPlantilla ? "con plantilla" : "sin plantilla", {0.98f, 0.06f}, OSCURO, Lado::IZQUIERDA);
 }
 
 static void dibuja() {
