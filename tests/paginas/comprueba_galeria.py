@@ -216,6 +216,7 @@ def main():
         dibuja = [sys.executable, "-B", RAIZ / "herramientas", "galeria.dibuja", RAIZ, BUILD, destino]
         if subprocess.run(dibuja).returncode:
             sys.exit("la galería no se ha dibujado entera")
+        n.pide("/timeouts", script=240000)  # axe recorre cinco megabytes
         n.talla(1440, 900)
         n.abre(destino / "index.html")
         comprueba_imagenes(n)

@@ -52,7 +52,7 @@ class Navegador:
         cabeceras = {"Content-Type": "application/json"}
         peticion = urllib.request.Request(self.sesion + ruta, cuerpo, cabeceras, method=metodo)
         try:
-            with urllib.request.urlopen(peticion, timeout=60) as respuesta:
+            with urllib.request.urlopen(peticion, timeout=300) as respuesta:
                 return json.load(respuesta)["value"]
         except urllib.error.HTTPError as error:  # chromedriver dice por qué en la respuesta
             raise RuntimeError(f"{ruta}: {json.load(error)['value']['message']}") from None
