@@ -28,7 +28,7 @@ static struct {
     GLuint programa;
     Buferes cubo;
     PosturaGrua postura;
-    Orbita orbita = {0.5f, 0.25f, 29.5f, {0.4f, 4.1f, 0}, 0.05f};
+    Orbita orbita = {0.5f, 0.25f, 40, {0.4f, 4.1f, 0}, 0.05f};
 } estado;
 
 static void inicia() {
@@ -51,7 +51,7 @@ static void dibujaSuelo(const glm::mat4 &transformacion) {
 }
 
 static void dibuja() {
-    const glm::mat4 proyeccion = perspectivaVentana(0.6f, 1, 100), camara = camaraOrbita(estado.orbita),
+    const glm::mat4 proyeccion = perspectivaVentana(ANGULO_GRUA, 1, 200), camara = camaraOrbita(estado.orbita),
                     transformacion = proyeccion * camara;
     const std::vector<Pieza> piezas = piezasGrua(estado.postura);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

@@ -19,7 +19,7 @@ struct VistaGrua {
 };
 
 const glm::dvec3 CENTRO_GRUA(0, 4.7, 0);
-const double DISTANCIA_CAMARA = 26; // en paralela da igual; con la rueda no llega a entrar en la grúa
+const double DISTANCIA_CAMARA = 42; // en paralela da igual; en perspectiva, de lejos, el cable apenas se ve torcido
 
 /// Las tres vistas a lo largo de un eje (el perfil, el derecho) y la de dirección (1,1,1).
 enum { ALZADO, PLANTA, PERFIL, DIAGONAL, N_VISTAS, LAS_CUATRO = -1 };
@@ -137,6 +137,6 @@ inline glm::dmat4 perspectivaQueEncierra(const std::vector<glm::dvec3> &puntos, 
         cerca = std::min(cerca, -q.z);
         lejos = std::max(lejos, -q.z);
     }
-    return proyeccionPerspectiva(2 * std::atan(HOLGURA * tangente), aspecto, cerca / HOLGURA,
-                                 HOLGURA * lejos);
+    const double margen = 0.5 * (HOLGURA - 1) * (lejos - cerca);
+    return proyeccionPerspectiva(2 * std::atan(HOLGURA * tangente), aspecto, cerca - margen, lejos + margen);
 }

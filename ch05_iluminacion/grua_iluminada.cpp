@@ -28,7 +28,7 @@ static struct {
     GLuint programas[2];
     Buferes cubo;
     PosturaGrua postura;
-    Orbita orbita = {0.5f, 0.25f, 27, {1.0f, 4.2f, 0}, 0.02f};
+    Orbita orbita = {0.5f, 0.25f, 36.5f, {1.0f, 4.2f, 0}, 0.02f};
     Modos modos = {2};
 } estado;
 
@@ -46,7 +46,7 @@ static void inicia() {
 static void dibujaPanel(int modelo, const Recuadro &panel) {
     const GLuint programa = estado.programas[modelo];
     const glm::mat4 camara = camaraOrbita(estado.orbita),
-                    proyeccion = perspectivaVentana(0.6f, 1, 100, aspecto(panel));
+                    proyeccion = perspectivaVentana(ANGULO_GRUA, 1, 200, aspecto(panel));
     const auto caja = [&](const glm::mat4 &M, const Material &material) {
         dibujaObjeto(programa, estado.cubo, M, camara, material);
     };

@@ -18,7 +18,7 @@ static struct {
     GLuint programa, programaCopia, textura = 0;
     Buferes cubo;
     PosturaGrua postura;
-    Orbita orbita = {0.5f, 0.25f, 38, {-2.6f, 5.4f, 1.4f}, 0.02f};
+    Orbita orbita = {0.5f, 0.25f, 51.5f, {-2.6f, 5.4f, 1.4f}, 0.02f};
     std::string fichero = "captura.ppm", resultado;
     glm::ivec2 talla; // de la captura leída
     bool guarda = false;
@@ -34,7 +34,7 @@ static void dibujaGrua() {
     abreRecuadro(ventanaEntera(), CIELO);
     glEnable(GL_DEPTH_TEST);
     glUseProgram(estado.programa);
-    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.6f, 1, 100);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(ANGULO_GRUA, 1, 200);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
     dibujaObjeto(estado.programa, estado.cubo, SUELO_GRUA, SUELO);

@@ -55,6 +55,10 @@ public:
     glm::vec3 aPixeles(const glm::vec4 &recortado) const {
         return glm::vec3(recortado) / recortado.w * porUnidad;
     }
+    // Lo que miden, a lo alto, esos píxeles en coordenadas normalizadas.
+    float enUnidades(float pixeles) const {
+        return pixeles / porUnidad.y;
+    }
     void apunta(const glm::vec3 &punto) {
         pincelada.puntos.push_back(punto);
     }
@@ -152,16 +156,23 @@ std::vector<glm::vec3> cuadricula(float lado, float casilla) {
 void trazaPuntos(const std::vector<glm::vec3> &puntos, const glm::mat4 &transformacion,
                  const glm::vec3 &color, float diametro) {
     Trazo t("puntos", color, diametro);
+    const glm::mat4 filas = glm::transpose(transformacion);
     for (const glm::vec3 &punto : puntos) {
         const glm::vec4 p = transformacion * glm::vec4(punto, 1);
         if (p.w <= 0 || p.z < -p.w)
             continue;
-        const glm::vec3 centro = t.aPixeles(p);
+        glm::vec3 centro = t.aPixeles(p);
+        t.apunta(centro);
+        // el disco se adelanta su radio hacia el ojo, y la superficie en que está no se lo come: lo que cambia la
+        // profundidad al alejarse es a lo que cambia la altura al subir como uno de estos gradientes es al otro
+        const auto cambio = [&](int eje) {
+            return glm::length(glm::vec3(filas[eje] - filas[3] * (p[eje] / p.w)));
+        };
+        centro.z = std::max(centro.z - t.enUnidades(t.medio) * cambio(2) / cambio(1), -1.0f);
         const auto borde = [&](int k) {
             const float angulo = glm::two_pi<float>() * float(k) / LADOS_PUNTO;
             return centro + t.medio * glm::vec3(std::cos(angulo), std::sin(angulo), 0);
         };
-        t.apunta(centro);
         for (int k = 0; k < LADOS_PUNTO; ++k)
             t.triangulo(centro, borde(k), borde(k + 1));
     }

@@ -7,7 +7,7 @@ namespace {
 
 using namespace oraculo;
 
-const Camara CAMARA = perspectiva(orbita(0.5, 0.25, 29.5, {0.4, 4.1, 0}), 0.6, 1, 100);
+const Camara CAMARA = perspectiva(orbita(0.5, 0.25, 40, {0.4, 4.1, 0}), 0.45, 1, 200);
 
 /// La grúa con sus medidas escritas otra vez, el suelo y la zapata.
 std::vector<Cuerpo> escenaGrua(double giro, double distancia, double altura) {

@@ -77,7 +77,7 @@ void compruebaEncuadre(const glm::dvec3 &haciaCamara, const glm::dvec3 &UP, cons
 }
 
 /// La cámara de una vista en un hueco. `escala`: la común de varias vistas, en unidades por píxel. Está centrada en X.
-Camara camaraDe(int vista, bool enPerspectiva, const Hueco &h, double distancia = 26, double escala = 0) {
+Camara camaraDe(int vista, bool enPerspectiva, const Hueco &h, double distancia = 42, double escala = 0) {
     const Vec3 centro{0, 4.7, 0}, hacia[] = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}, unitario(Vec3{1, 1, 1})},
                                   arriba = vista == PLANTA ? Vec3{0, 0, -1} : Vec3{0, 1, 0};
     Camara c = miraDesde(centro + distancia * hacia[vista], centro, arriba);
@@ -105,7 +105,7 @@ struct Estado {
     int vista = DIAGONAL;
     bool enPerspectiva = false;
     Postura postura = {};
-    double distancia = 26;
+    double distancia = 42;
     bool europeo = false, conTest = true;
 };
 
@@ -149,8 +149,8 @@ TEST(Encuadre, TodaPosturaEntera) {
                 if (const Hueco h = sinRotulo(hueco(0, lado, 0, lado, ancho, alto));
                     h.ancho > 0 && h.alto > 0)
                     compruebaEncuadre(v.haciaCamara, v.UP, h, 0.99);
-    // también con la cámara que mueve el ratón, desde cualquier lado y a las distancias de la rueda: de 10.4 a 65
-    for (const double distancia : {10.4, 26.0, 65.0})
+    // también con la cámara que mueve el ratón, desde cualquier lado y a las distancias de la rueda: de 16.8 a 105
+    for (const double distancia : {16.8, 42.0, 105.0})
         for (int a = 0; a < 8; ++a)
             for (const double elevacion : {0.0, 0.35, 0.7, 1.2, 1.55}) {
                 const Vec3 ojo = orbita(a * PI / 4, elevacion, distancia).ojo;
@@ -171,9 +171,9 @@ TEST(GruaVistas, CadaVistaContraTrazadoDeRayos) {
         {"menu Planta", PLANTA},
         {"menu Perfil", PERFIL},
         {"menu (1,1,1)"},
-        {"tamano 482 360; menu Las cuatro", LAS_CUATRO, false, {}, 26, true},
+        {"tamano 482 360; menu Las cuatro", LAS_CUATRO, false, {}, 42, true},
         {"tecla u", LAS_CUATRO},
-        {"menu Europeo o americano; tecla 2; tecla 0", LAS_CUATRO, false, {}, 26, true},
+        {"menu Europeo o americano; tecla 2; tecla 0", LAS_CUATRO, false, {}, 42, true},
         {"tamano 300 70; tecla a ×7; tecla e ×6; tecla w ×12; tecla 4", DIAGONAL, false, extrema},
         {"tamano 70 200", DIAGONAL, false, extrema},
     };
@@ -189,12 +189,12 @@ TEST(GruaProyeccion, LasDosContraTrazadoDeRayos) {
         {"tecla 1", ALZADO, true},
         {"tecla 2", PLANTA, true},
         {"tecla 3", PERFIL, true},
-        {"tamano 482 360; tecla 0; tecla u", LAS_CUATRO, true, {}, 26, true},
+        {"tamano 482 360; tecla 0; tecla u", LAS_CUATRO, true, {}, 42, true},
         {"menu Paralela o perspectiva; tecla u", LAS_CUATRO},
         {"tamano 240 180; tecla 4; rueda +1 9 9 ×3"},
-        {"tecla p", DIAGONAL, true, {}, 26 / std::pow(1.1, 3)},
-        {"rueda +1 9 9 ×40", DIAGONAL, true, {}, 0.4 * 26},
-        {"rueda -1 9 9 ×40", DIAGONAL, true, {}, 2.5 * 26},
+        {"tecla p", DIAGONAL, true, {}, 42 / std::pow(1.1, 3)},
+        {"rueda +1 9 9 ×40", DIAGONAL, true, {}, 0.4 * 42},
+        {"rueda -1 9 9 ×40", DIAGONAL, true, {}, 2.5 * 42},
     };
     paraCada("grua_proyeccion", casos, 240, 180, compruebaEstado);
 }
@@ -204,13 +204,13 @@ TEST(GruaZBuffer, OrdenDeVisibilidadContraTrazadoDeRayos) {
     const Postura delante = {0.58 - 1.4, 1.5, 4}, detras = {0.58 + 1.8, 1.5, 4};
     const Estado casos[] = {
         {"", DIAGONAL, true},
-        {"tecla z", DIAGONAL, true, {}, 26, false, false},
+        {"tecla z", DIAGONAL, true, {}, 42, false, false},
         {"menu Con o sin partes ocultas", DIAGONAL, true},
         {"menu Comparar; tecla v; menu Paralela o perspectiva", DIAGONAL, false},
         {"tecla p; tecla q ×7; tecla d ×14", DIAGONAL, true, delante},
         {"tecla a ×32; tecla p", DIAGONAL, false, detras},
-        {"tamano 482 360; tecla 0; menu Europeo o americano", LAS_CUATRO, false, detras, 26, true},
-        {"tamano 240 180; tecla 4; tecla p; rueda -1 9 9 ×40", DIAGONAL, true, detras, 2.5 * 26},
+        {"tamano 482 360; tecla 0; menu Europeo o americano", LAS_CUATRO, false, detras, 42, true},
+        {"tamano 240 180; tecla 4; tecla p; rueda -1 9 9 ×40", DIAGONAL, true, detras, 2.5 * 42},
     };
     paraCada("grua_zbuffer", casos, 240, 180, compruebaEstado);
 }
@@ -221,6 +221,6 @@ TEST(GruaZBuffer, LadoALado) {
         const Vista vista = vistaDe("grua_zbuffer", guion, 640, 360);
         for (const int columna : {0, 1})
             compruebaPanel(vista, hueco(columna, 2, 0, 1, 640, 360), DIAGONAL,
-                           {guion, DIAGONAL, true, {}, 26, false, columna == 1});
+                           {guion, DIAGONAL, true, {}, 42, false, columna == 1});
     }
 }

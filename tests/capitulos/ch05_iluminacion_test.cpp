@@ -438,7 +438,7 @@ struct Grua {
                  {caja(G * traslada({lejos, 10 - cable / 2, 0}) * escala({0.12, cable, 0.12})), acero},
                  {caja(G * traslada({lejos, altura, 0})), chapa}},
                 {posicional({3.5, 8.5, 5.5})},
-                perspectiva(orbita(0.5, 0.25, 27, {1.0, 4.2, 0}), 0.6, 1, 100),
+                perspectiva(orbita(0.5, 0.25, 36.5, {1.0, 4.2, 0}), 0.45, 1, 200),
                 {0.87, 0.93, 0.98},
                 modelo};
     }
