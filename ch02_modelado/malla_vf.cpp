@@ -111,7 +111,7 @@ static void rotulaCaras(const glm::vec3 &ojo, const glm::mat4 &transformacion) {
         for (GLuint i : estado.malla.caras[c])
             centro += estado.vertices[i] / float(estado.malla.caras[c].size());
         if (seVe(centro, ojo, estado.vertices, estado.triangulos))
-            rotulaPunto(std::to_string(c + 1), centro, transformacion, BLANCO, Lado::CENTRO);
+            rotulaPunto("c" + std::to_string(c + 1), centro, transformacion, BLANCO, Lado::CENTRO);
     }
 }
 

@@ -35,7 +35,9 @@ static struct {
 } estado;
 
 static std::string texto(const char *separador) {
-    return formatea("error ≤ %.3g px%s%d triángulos", estado.error, separador, estado.tetera.nIndices / 3);
+    return formatea("error ≤ %.3g px%s", estado.error, separador) +
+           (estado.lineas == CUADRILATEROS ? "cuadriláteros"
+                                           : formatea("%d triángulos", estado.tetera.nIndices / 3));
 }
 
 static void construye() {
@@ -44,7 +46,6 @@ static void construye() {
         t.malla.vertices[i].coordTextura = t.cuadricula[i];
     borraBuferes(estado.tetera);
     estado.tetera = creaBuferes(t.malla);
-    ponTitulo("Tetera: " + texto(", "));
 }
 
 static void dibuja() {
@@ -60,6 +61,7 @@ static void dibuja() {
     envia(estado.programa, "hayDiagonales", estado.lineas == TRIANGULOS);
     dibuja(estado.tetera);
     rotula(texto("\n"), {0.5f, 0.08f}, OSCURO);
+    ponTitulo("Tetera: " + texto(", "));
     glutSwapBuffers();
 }
 

@@ -51,8 +51,8 @@ static void dibujaSuelo(const glm::mat4 &transformacion) {
 }
 
 static void dibuja() {
-    const glm::mat4 proyeccion = perspectivaVentana(ANGULO_GRUA, 1, 200), camara = camaraOrbita(estado.orbita),
-                    transformacion = proyeccion * camara;
+    const glm::mat4 proyeccion = perspectivaVentana(ANGULO_GRUA, 1, 200),
+                    camara = camaraOrbita(estado.orbita), transformacion = proyeccion * camara;
     const std::vector<Pieza> piezas = piezasGrua(estado.postura);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     usaPrograma(estado.programa, camara, proyeccion);

@@ -19,7 +19,8 @@ struct VistaGrua {
 };
 
 const glm::dvec3 CENTRO_GRUA(0, 4.7, 0);
-const double DISTANCIA_CAMARA = 42; // en paralela da igual; en perspectiva, de lejos, el cable apenas se ve torcido
+const double DISTANCIA_CAMARA =
+    42; // en paralela da igual; en perspectiva, de lejos, el cable apenas se ve torcido
 
 /// Las tres vistas a lo largo de un eje (el perfil, el derecho) y la de dirección (1,1,1).
 enum { ALZADO, PLANTA, PERFIL, DIAGONAL, N_VISTAS, LAS_CUATRO = -1 };

@@ -2,7 +2,7 @@
 // amarillo 5 cm por delante. Con lejos a 1 km, acercar el plano cerca reparte casi todos los valores del buffer
 // junto a la cámara, y de lejos dos superficies reciben la misma profundidad: lo azul asoma por lo amarillo.
 // GLUT_DEPTH no dice de cuántos bits es el buffer (24 o 32 según la ventana): se dibuja en uno propio de 24.
-// Controles: 1 2 3 lejos/cerca 1e2 1e4 1e6 · ratón orbita · Esc termina.
+// Controles: 1 2 3 lejos/cerca 100, 10 000 y 1 000 000 · ratón orbita · Esc termina.
 #include "profundidad.h"
 #include "buferes.h"
 #include "captura.h"
@@ -20,8 +20,8 @@
 static const int COLUMNAS = 4, FILAS = 3;
 static const float PRIMERO = 12, ULTIMO = 800, SEPARACION = 0.05f, LEJOS = 1000; // metros
 static const float CERCA[] = {10, 0.1f, 0.001f};
-static const char *const RAZON[] = {"1e2", "1e4", "1e6"};
-static const float TALLA = 0.185f, PASO_X = 0.27f, PASO_Y = 0.26f; // de los carteles, a distancia 1
+static const char *const RAZON[] = {"100", "10 000", "1 000 000"};
+static const float TALLA = 0.185f, PASO_X = 0.27f, PASO_Y = 0.245f; // de los carteles, a distancia 1
 
 static struct {
     GLuint programa, framebuffer, color, profundidad;
@@ -67,7 +67,7 @@ static float distanciaCartel(int i) {
 // A distancia 1: de izquierda a derecha y de arriba abajo.
 static glm::vec3 centroCartel(int i) {
     return {PASO_X * (float(i % COLUMNAS) - 0.5f * (COLUMNAS - 1)),
-            PASO_Y * (0.5f * (FILAS - 1) - float(i / COLUMNAS)) + 0.035f, -1};
+            PASO_Y * (0.5f * (FILAS - 1) - float(i / COLUMNAS)) + 0.055f, -1};
 }
 
 static glm::mat4 proyeccion() {
@@ -150,7 +150,9 @@ static void dibuja() {
     copiaEnVentana();
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     rotulaDistancias();
-    ponTitulo("Precisión de la profundidad: lejos/cerca = " + std::string(RAZON[estado.elegido]));
+    const std::string razon = std::string("lejos/cerca = ") + RAZON[estado.elegido];
+    rotula(razon, {0.5f, 0.035f}, OSCURO, Lado::CENTRO, 0.04f);
+    ponTitulo("Precisión de la profundidad: " + razon);
     glutSwapBuffers();
 }
 

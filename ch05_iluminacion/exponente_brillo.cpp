@@ -1,6 +1,5 @@
-// El exponente del brillo en la reflexión especular (ecuación 5.4, figura 5.3): cinco esferas del mismo material con α
-// de 1 a 500. Cuanto mayor es α, más pequeño es el brillo; las dos esferas de brillo más pequeño se dibujan
-// mayores, para que se vea.
+// El exponente del brillo en la reflexión especular (ecuación 5.4, figura 5.3): cinco esferas iguales, del mismo
+// material, con α de 1 a 500. Cuanto mayor es α, más pequeño es el brillo.
 // Controles: ratón orbita · rueda acerca · Esc termina.
 #include "colores.h"
 #include "iluminacion.h"
@@ -11,12 +10,13 @@
 
 static const struct {
     glm::vec3 centro;
-    float radio, alfa;
-} ESFERAS[] = {
-    {{-2.12f, 1.5f, 0}, 1, 1},       {{0, 1.5f, 0}, 1, 5},
-    {{2.12f, 1.5f, 0}, 1, 20},       {{-1.5f, -1.02f, 0}, 1.45f, 100},
-    {{1.5f, -1.02f, 0}, 1.45f, 500},
-};
+    float alfa;
+} ESFERAS[] = {{{-2.3f, 1.25f, 0}, 1},
+               {{0, 1.25f, 0}, 5},
+               {{2.3f, 1.25f, 0}, 20},
+               {{-1.15f, -1.25f, 0}, 100},
+               {{1.15f, -1.25f, 0}, 500}};
+static const float RADIO = 1.12f;
 static const Material ESMALTE = {{0.09f, 0.02f, 0.03f}, {0.44f, 0.07f, 0.10f}, {0.85f, 0.85f, 0.85f}, 1};
 static const Luz LUZ{{-0.45f, 0.60f, 1, 0}}; // en el infinito: el brillo cae en el mismo sitio de cada esfera
 
@@ -40,9 +40,9 @@ static void dibuja() {
     for (const auto &e : ESFERAS) {
         Material material = ESMALTE;
         material.alfa = e.alfa;
-        dibujaObjeto(estado.programa, estado.esfera, traslacion(e.centro) * escalado(e.radio), camara,
+        dibujaObjeto(estado.programa, estado.esfera, traslacion(e.centro) * escalado(RADIO), camara,
                      material);
-        rotulaPunto("α = " + std::to_string(int(e.alfa)), e.centro - glm::vec3(0, 0.7f * e.radio, 0),
+        rotulaPunto("α = " + std::to_string(int(e.alfa)), e.centro - glm::vec3(0, 0.7f * RADIO, 0),
                     proyeccion * camara, BLANCO, Lado::CENTRO);
     }
     glutSwapBuffers();

@@ -20,7 +20,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 static const int SEGMENTOS = 128;
-static const glm::vec2 P(0.1f, 0.5f), FIN_S(0.24f, 0.5f), FIN_T(0.1f, 0.8f);
+static const glm::vec2 P(0.18f, 0.64f); // en medio de la casilla A3 de la carta
+static const float FUERA = -0.08f;      // donde van los nombres de s y t, fuera de la imagen
 
 // El punto de la superficie que tiene esas coordenadas de textura, en coordenadas del objeto y `alza` veces más lejos
 // del centro; el de la imagen, por delante.
@@ -79,19 +80,18 @@ static void inicia(const Imagen &imagen) {
     ponFondo(FONDO_CLARO);
 }
 
-// El punto P y, desde él, hacia dónde crecen s y t en la superficie.
+// El punto P y sus dos guías: hasta t = 0, que dice su s, y hasta s = 0, que dice su t.
 static void dibujaMarcas(Superficie superficie, const glm::mat4 &transformacion) {
     const auto encima = [&](const glm::vec2 &st) { return superficie(st.s, st.t, 1.01f); };
-    const auto flecha = [&](const glm::vec2 &fin, const glm::vec3 &color) {
+    const auto guia = [&](const glm::vec2 &fin, const glm::vec3 &color) {
         std::vector<glm::vec3> camino;
-        for (int i = 0; i <= 9; ++i)
-            camino.push_back(encima(glm::mix(P, fin, 0.1f * float(i))));
+        for (int i = 0; i <= 24; ++i)
+            camino.push_back(encima(glm::mix(P, fin, float(i) / 24)));
         trazaPolilinea(camino, transformacion, color, 10);
-        trazaFlecha(camino.back(), encima(fin), transformacion, color, 10);
     };
-    flecha(FIN_S, ROJO);
-    flecha(FIN_T, VERDE);
-    trazaPuntos({superficie(P.s, P.t, 1.02f)}, transformacion, OSCURO, 30);
+    guia({P.s, 0}, ROJO);
+    guia({0, P.t}, VERDE);
+    trazaPuntos({encima(P)}, transformacion, OSCURO, 30);
     const auto enVentana = [&](const glm::vec2 &st) {
         const glm::vec4 p = transformacion * glm::vec4(encima(st), 1);
         return glm::vec3(glm::vec2(p) / p.w, 0);
@@ -100,9 +100,9 @@ static void dibujaMarcas(Superficie superficie, const glm::mat4 &transformacion)
     const glm::vec3 p = enVentana(P);
     if (glm::cross(enVentana(P + glm::vec2(0.01f, 0)) - p, enVentana(P + glm::vec2(0, 0.01f)) - p).z < 0)
         return;
-    rotulaPunto("P", encima(P), transformacion, OSCURO, Lado::DEBAJO);
-    rotulaPunto("s", encima(FIN_S), transformacion, ROJO);
-    rotulaPunto("t", encima(FIN_T), transformacion, VERDE, Lado::DERECHA);
+    rotulaPunto("P", encima(P), transformacion, OSCURO, Lado::DERECHA);
+    rotulaPunto("s", encima({P.s, FUERA}), transformacion, ROJO, Lado::CENTRO);
+    rotulaPunto("t", encima({FUERA, P.t}), transformacion, VERDE, Lado::CENTRO);
 }
 
 static void dibujaObjeto(const Objeto &objeto, const glm::mat4 &camara, const glm::mat4 &proyeccion) {
@@ -123,8 +123,8 @@ static void dibuja() {
     glUseProgram(estado.programa);
     glBindTexture(GL_TEXTURE_2D, estado.textura);
     abreRecuadro(izquierda, FONDO_CLARO);
-    dibujaObjeto(estado.imagen, glm::mat4(1), paralelaVentana(0.41f, -1, 1, aspecto(izquierda)));
-    rotula("s = 0.1\nt = 0.5", {0.5f, 0.22f}, OSCURO, Lado::CENTRO, 0.03f);
+    dibujaObjeto(estado.imagen, glm::mat4(1), paralelaVentana(0.5f, -1, 1, aspecto(izquierda)));
+    rotula("s = 0.18\nt = 0.64", {0.5f, 0.2f}, OSCURO, Lado::CENTRO, 0.03f);
     abreRecuadro(derecha, FONDO_CLARO);
     // compuesta para un panel cuadrado
     const float angulo = float(anguloVertical(0.5, ASPECTO_COMPUESTO * aspecto(derecha)));

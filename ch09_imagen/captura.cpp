@@ -34,7 +34,8 @@ static void dibujaGrua() {
     abreRecuadro(ventanaEntera(), CIELO);
     glEnable(GL_DEPTH_TEST);
     glUseProgram(estado.programa);
-    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(ANGULO_GRUA, 1, 200);
+    const glm::mat4 camara = camaraOrbita(estado.orbita),
+                    proyeccion = perspectivaVentana(ANGULO_GRUA, 1, 200);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
     dibujaObjeto(estado.programa, estado.cubo, SUELO_GRUA, SUELO);

@@ -1,8 +1,8 @@
 // Warping (figura 9.5): en vez de un rectángulo, una malla; cada vértice conserva su sitio en la imagen (s, t) y cambia
 // el que ocupa en la ventana. Los puntos se arrastran y entre ellos pasa una superficie suave (malla_imagen.h). Donde
 // la malla se pliega se ve lo de la fila más alta y, en ella, lo de más a la derecha: es lo último que se dibuja.
-// Controles: 1 sin deformar · 2 caricatura · m malla · v con el original al lado · ratón arrastra un punto ·
-// r rótulos · Esc termina.
+// Controles: 1 sin deformar · 2 caricatura · m malla · v con el original al lado (y cada una con su malla) ·
+// ratón arrastra un punto · r rótulos · Esc termina.
 #include "malla_en_ventana.h"
 
 static const int COLUMNAS = 11, FILAS = 9;
@@ -31,30 +31,39 @@ static MallaImagen caricatura() {
     return malla;
 }
 
-static void dibujaMalla(const MallaImagen &malla, const Recuadro &panel, const char *rotulo) {
+static void dibujaMalla(const MallaImagen &malla, const Recuadro &panel, const char *rotulo, bool conMalla) {
     dibujaEn(panel);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagen", 0);
     cambiaVertices(estado.buferes, triangula(malla, REGULAR));
     dibuja(estado.buferes);
-    if (estado.conMalla)
+    if (conMalla)
         trazaMalla(malla);
     rotulaImagen(estado.muestra, rotulo);
+}
+
+// El original y la deformada; con la malla, cada una sin ella y con ella. El último es el que se edita.
+static std::vector<Recuadro> paneles() {
+    return recuadros(estado.muestra, estado.conMalla ? 4 : 2);
 }
 
 static void dibuja() {
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
     const char *rotulo = estado.malla.puntos == REGULAR.puntos ? "Original" : "Deformada";
-    const std::vector<Recuadro> paneles = recuadros(estado.muestra, 2);
+    const std::vector<Recuadro> sitios = paneles();
     if (estado.muestra.compara)
-        dibujaMalla(REGULAR, paneles[0], "Original");
-    dibujaMalla(estado.malla, paneles.back(), rotulo);
+        dibujaMalla(REGULAR, sitios[0], "Original", false);
+    if (sitios.size() == 4) {
+        dibujaMalla(REGULAR, sitios[1], "su malla", true);
+        dibujaMalla(estado.malla, sitios[2], rotulo, false);
+    }
+    dibujaMalla(estado.malla, sitios.back(), sitios.size() == 4 ? "su malla" : rotulo, estado.conMalla);
     ponTitulo(std::string("Warping: ") + rotulo);
     glutSwapBuffers();
 }
 
 static glm::vec2 enImagen(int x, int y) {
-    return enRecuadro(recuadros(estado.muestra, 2).back(), x, y);
+    return enRecuadro(paneles().back(), x, y);
 }
 
 static void raton(int boton, int pulsado, int x, int y) {

@@ -20,14 +20,10 @@
 
 enum Forma { TABLERO, CUBO, ESFERA, CONO, TORO, N_FORMAS };
 static const float RECTO = glm::half_pi<float>();
-static const struct {
-    glm::mat4 M; // la posa en el origen
-    float altura;
-} POSADA[N_FORMAS] = {{traslacion({0, -0.15f, 0}) * escalado({6, 0.3f, 6}), 0},
-                      {traslacion({0, 0.6f, 0}) * giroY(0.4f) * escalado(1.2f), 1.2f},
-                      {traslacion({0, 0.75f, 0}) * escalado(0.75f), 1.5f},
-                      {giroX(-RECTO) * escalado({0.75f, 0.75f, 1.7f}), 1.7f},
-                      {traslacion({0, 0.84f, 0}) * giroY(0.45f), 1.68f}};
+static const glm::mat4 POSADA[N_FORMAS] = {
+    traslacion({0, -0.15f, 0}) * escalado({6, 0.3f, 6}), // en el origen
+    traslacion({0, 0.6f, 0}) * giroY(0.4f) * escalado(1.2f), traslacion({0, 0.75f, 0}) * escalado(0.75f),
+    giroX(-RECTO) * escalado({0.75f, 0.75f, 1.7f}), traslacion({0, 0.84f, 0}) * giroY(0.45f)};
 static const struct {
     const char *nombre;
     Forma forma;
@@ -98,7 +94,7 @@ static void dibujaObjetos(bool conIdentificadores) {
     usaPrograma(p, camaraOrbita(estado.orbita), proyeccion());
     unsigned identificador = NADA;
     for (const auto &s : SOLIDOS) {
-        const glm::mat4 M = traslacion(s.lugar) * POSADA[s.forma].M;
+        const glm::mat4 M = traslacion(s.lugar) * POSADA[s.forma];
         if (conIdentificadores) {
             envia(p, "M", M);
             envia(p, "identificador", colorDe(identificador));
@@ -112,7 +108,7 @@ static void dibujaObjetos(bool conIdentificadores) {
     }
 }
 
-// Un aro a sus pies y su nombre encima.
+// Un aro a sus pies y, debajo, su nombre: encima taparía los de detrás.
 static void nombraElegido(const glm::vec3 &color) {
     const auto &s = SOLIDOS[estado.elegido];
     const glm::mat4 transformacion = proyeccion() * camaraOrbita(estado.orbita);
@@ -120,7 +116,9 @@ static void nombraElegido(const glm::vec3 &color) {
     for (float a = 0; a < 4 * RECTO; a += RECTO / 16)
         aro.push_back(s.lugar + RADIO_ARO * glm::vec3(std::cos(a), 0.02f, std::sin(a)));
     trazaPolilinea(aro, transformacion, color, GROSOR, true);
-    rotulaPunto(s.nombre, s.lugar + glm::vec3(0, POSADA[s.forma].altura + 0.1f, 0), transformacion, color);
+    const float azimut = estado.orbita.azimut;
+    rotulaPunto(s.nombre, s.lugar + RADIO_ARO * glm::vec3(std::sin(azimut), 0, std::cos(azimut)),
+                transformacion, color, Lado::DEBAJO);
 }
 
 static void dibuja() {
@@ -130,7 +128,7 @@ static void dibuja() {
     if (estado.elegido != NADA)
         nombraElegido(color);
     trazaSegmentos(estado.cruz, glm::mat4(1), color);
-    rotula(estado.leido, {0.5f, 0.06f}, color);
+    rotula(estado.leido, {0.5f, 0.94f}, color);
     glutSwapBuffers();
 }
 

@@ -54,8 +54,8 @@ static void dibuja() {
                     i % 3 == 0 ? Lado::DEBAJO : Lado::ENCIMA);
     // hacia dentro del casco, para no tapar la curva ni los nombres de los extremos
     const glm::vec3 dentro = 0.25f * (estado.P[0] + estado.P[1] + estado.P[2] + estado.P[3]) - Q;
-    rotulaPunto("Q(u)", Q + 0.2f * dentro / std::max(glm::length(dentro), 0.01f), vista(), ROJO,
-                Lado::CENTRO);
+    rotulaPunto(formatea("Q(%.2f)", estado.u), Q + 0.2f * dentro / std::max(glm::length(dentro), 0.01f),
+                vista(), ROJO, Lado::CENTRO);
     rotulaPunto("M_B =\n" + filasDe(M_B, 3), {0.05f, -0.28f, 0}, vista(), OSCURO, Lado::CENTRO, TALLA_MATRIZ);
     rotulaPunto(formatea("U·M_B = %.2f %.2f %.2f %.2f", UM.x, UM.y, UM.z, UM.w), {0.05f, -0.79f, 0}, vista(),
                 OSCURO, Lado::CENTRO, TALLA_MATRIZ);

@@ -69,7 +69,6 @@ static void dibujaTramo(const Geometria<float> &G, const glm::vec3 &color, const
 
 static void dibuja() {
     static const Nombre NOMBRES[] = {{"P1", P1}, {"P4", P4}, {"R1", PUNTA1}, {"R4", PUNTA4}},
-                        SEGUNDOS[] = {{"", P4}, {"P4'", FIN}, {"k·R4", NINGUNO}, {"R4'", PUNTA_FIN}},
                         SIN_NOMBRE[] = {{"", P1}, {"", P4}, {"", PUNTA1}, {"", PUNTA4}};
     glClear(GL_COLOR_BUFFER_BIT);
     const Geometria<float> G = primero();
@@ -82,7 +81,9 @@ static void dibuja() {
         const Geometria<float> G2 = {G[1], p[FIN], estado.k * G[3], p[PUNTA_FIN] - p[FIN]};
         // de partida: const Geometria<float> G2 = {p[FIN], p[FIN], glm::vec3(0), glm::vec3(0)};
         // fin de E11.6
-        dibujaTramo(G2, MORADO, SEGUNDOS);
+        const std::string kR4 = formatea("%.2g·R4", estado.k);
+        const Nombre segundos[] = {{"", P4}, {"P4'", FIN}, {kR4.c_str(), NINGUNO}, {"R4'", PUNTA_FIN}};
+        dibujaTramo(G2, MORADO, segundos);
     } else if (estado.transforma) {
         const glm::mat4 T = traslacion(T_TRASLACION) * giroZ(T_GIRO) * escalado(T_ESCALADO);
         std::vector<glm::vec3> transformados;

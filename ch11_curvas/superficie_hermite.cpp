@@ -24,6 +24,16 @@ static struct {
     Editor editor;
 } estado;
 
+// La matriz de geometría en sus cuatro bloques, del color de lo que se dibuja.
+static const struct {
+    const char *texto;
+    glm::vec3 color;
+    glm::vec2 lugar;
+} BLOQUES[] = {{"esquinas\ng11 g12\ng21 g22", OSCURO, {0.02f, 0.23f}},
+               {"en v\ng13 g14\ng23 g24", ROJO, {0.2f, 0.23f}},
+               {"en u\ng31 g32\ng41 g42", VERDE, {0.02f, 0.08f}},
+               {"torsión\ng33 g34\ng43 g44", MORADO, {0.2f, 0.08f}}};
+
 static glm::mat4 vista() {
     return vistaLamina(estado.lamina);
 }
@@ -72,10 +82,12 @@ static void dibuja() {
                        BLANCO);
     }
     dibujaElementos();
+    for (const auto &b : BLOQUES)
+        rotula(b.texto, b.lugar, b.color, Lado::DERECHA, 0.03f);
     std::string titulo = "Superficie de Hermite";
     if (estado.segundo) {
         const std::string comoSeUnen = formatea("G1 con k = %.2f", estado.k);
-        rotula(comoSeUnen, {0.5f, 0.08f}, OSCURO);
+        rotula(comoSeUnen, {0.7f, 0.08f}, OSCURO);
         titulo += ": " + comoSeUnen;
     }
     ponTitulo(titulo);

@@ -12,9 +12,9 @@ out vec2 tela;             // de 0 a 1; el asta es tela.x = 0
 out float onda;
 
 void main() {
-    // franjas en V: el dibujo que hace la grada entera
-    float franja = mod(floor(0.25 * (abs(celda.x - 0.5 * (talla.x - 1.0)) + 2.0 * celda.y)), 3.0);
-    color = paleta[int(franja)];
+    // un sol: el dibujo que hace la grada entera
+    float lejos = distance(celda, 0.5 * (talla - 1.0));
+    color = paleta[lejos < 3.2 ? 0 : lejos < 5.6 ? 1 : 2];
     tela = 0.5 * posicion + 0.5;
     vec3 va = vaiven();
     onda = 6.0 * va.y;

@@ -58,11 +58,13 @@ static void dibujaGrafica(double t) {
     const auto x = [&](float parte) { return izquierda + ancho * parte; };
     glDisable(GL_DEPTH_TEST);
     for (int i = 0; i < columnas; ++i) {
-        const double suT = (i + 0.5) / columnas * PERIODO_COLOR;
-        const float x0 = x(float(i) / columnas), x1 = x(float(i + 1) / columnas),
-                    arriba = abajo + alto * intensidadEn(suT);
-        trazaPoligono({{x0, abajo, 0}, {x1, abajo, 0}, {x1, arriba, 0}, {x0, arriba, 0}}, glm::mat4(1),
-                      colorEn(suT));
+        const double t0 = i * PERIODO_COLOR / columnas, t1 = (i + 1) * PERIODO_COLOR / columnas;
+        const float x0 = x(float(i) / columnas), x1 = x(float(i + 1) / columnas);
+        trazaPoligono({{x0, abajo, 0},
+                       {x1, abajo, 0},
+                       {x1, abajo + alto * intensidadEn(t1), 0},
+                       {x0, abajo + alto * intensidadEn(t0), 0}},
+                      glm::mat4(1), colorEn(0.5 * (t0 + t1)));
     }
     const float ahora = x(fase(t, PERIODO_COLOR));
     trazaSegmentos({{ahora, abajo, 0}, {ahora, abajo + alto, 0}}, glm::mat4(1), BLANCO);

@@ -91,8 +91,7 @@ TEST(MallaVf, ElColorDiceElSentido) {
 TEST(MallaVf, NumeroDeUnCuadrado) {
     const std::string ruta =
         fichero("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 3 2 0\nv 3 3 0\nv 2 3 0\nf 1 2 3 4\nf 5 6 7\n");
-    const Encima encima = vistaDe("malla_vf", "", 960, 720, {ruta}).encima,
-                 numero = encima.rotulos("1").los([](const Pintado &p) { return p.es(BLANCO); });
+    const Encima encima = vistaDe("malla_vf", "", 960, 720, {ruta}).encima, numero = encima.rotulos("c1");
     ASSERT_EQ(numero.size(), 1u);
     const Pintado borde = encima.trazos(ROJO).at(0); // las aristas 1-2, 1-4 y 2-3…
     const auto alejado = [&](int a, int b) {         // de la recta que pasa por esos

@@ -16,7 +16,7 @@ double distanciaCartel(int i) {
     return 12 * std::pow(800.0 / 12, i / 11.0);
 }
 Vec3 centroCartel(int i) {
-    return {0.27 * (i % 4 - 1.5), 0.26 * (1 - i / 4) + 0.035, -1};
+    return {0.27 * (i % 4 - 1.5), 0.245 * (1 - i / 4) + 0.055, -1};
 }
 Escena planos(double delante = 0, double parte = 1) {
     Escena escena;

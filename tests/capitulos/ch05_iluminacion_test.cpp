@@ -199,15 +199,15 @@ TEST(ComponentesPhong, VectoresYAngulosEnElPuntoElegido) {
 // Cinco esferas que solo se distinguen en su α.
 TEST(ExponenteBrillo, ContraTrazadoDeRayos) {
     Iluminada e{{}, {direccional({-0.45, 0.60, 1})}, perspectiva(orbita(0, 0, 17), 0.31, 1, 100)};
-    const auto bola = [&](const Vec3 &centro, double radio, double alfa) {
+    const auto bola = [&](const Vec3 &centro, double alfa) {
         const Material m = {{0.09, 0.02, 0.03}, {0.44, 0.07, 0.10}, {0.85, 0.85, 0.85}, alfa};
-        e.solidos.push_back({esfera(traslada(centro) * escala(radio)), m, segmentosEsfera(200)});
+        e.solidos.push_back({esfera(traslada(centro) * escala(1.12)), m, segmentosEsfera(200)});
     };
-    bola({-2.12, 1.5, 0}, 1, 1);
-    bola({0, 1.5, 0}, 1, 5);
-    bola({2.12, 1.5, 0}, 1, 20);
-    bola({-1.5, -1.02, 0}, 1.45, 100);
-    bola({1.5, -1.02, 0}, 1.45, 500);
+    bola({-2.3, 1.25, 0}, 1);
+    bola({0, 1.25, 0}, 5);
+    bola({2.3, 1.25, 0}, 20);
+    bola({-1.15, -1.25, 0}, 100);
+    bola({1.15, -1.25, 0}, 500);
     e.comparaLasDos(vistaDe("exponente_brillo", "", 480, 360).escena);
 }
 

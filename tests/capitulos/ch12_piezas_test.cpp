@@ -241,11 +241,12 @@ TEST(Banderas, CadaUnaConSuAstaEnSuSitio) {
     Escena grada;
     for (int f = 0; f < F; ++f)
         grada.push_back(caja(traslada({0, 0.4 * f - 0.4, -0.9 * f}) * escala({26.6, 0.8 * (f + 1), 0.9})));
+    const auto lejos = [](int c, int f) { return std::hypot(c - 12.5, f - 5.5); };
     for (const double t : {2.0, 5.0, 8.0, 9.5, 11.5, HORAS + 3}) {
         const double tt = std::fmod(t, 10);
         std::vector<Bandera> banderas;
         for (int i = 0; i < C * F; ++i) {
-            const int c = i % C, f = i / C, franja = int(0.25 * (std::fabs(c - 12.5) + 2 * f)) % 3;
+            const int c = i % C, f = i / C, franja = lejos(c, f) < 3.2 ? 0 : lejos(c, f) < 5.6 ? 1 : 2;
             const glm::dvec3 va = vaivenDe(c, f, tt);
             banderas.push_back({{c - 12.75, 0.8 * f + 0.25 + 0.3 * va.z, -0.9 * f + 0.02 * (c % 2)},
                                 exacto(paleta[franja]),
