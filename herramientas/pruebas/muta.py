@@ -40,7 +40,9 @@ EN_COPIA = {
     "correccion": ("tests/herramientas/corrige_test.py",),
     "paginas": ("tests/paginas/partes.mjs",),
 }
-DE_LAS_DEMAS = "tests/herramientas/herramientas_test.py", "tests/ordenes/ordenes_test.py"
+DE_LAS_DEMAS = tuple(
+    f"tests/{f}_test.py" for f in ("herramientas/herramientas", "ordenes/ordenes", "ordenes/preguntas")
+)
 
 
 @dataclass

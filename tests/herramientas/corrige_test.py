@@ -275,7 +275,8 @@ def test_donde_se_apartan_dos_imagenes():
 
     assert veredicto.en_que(imagen(9, 1), imagen(50, 80)) == "las formas están bien; los colores, no"
     assert veredicto.en_que(imagen(9, 1), imagen(1, 1)) == "abajo a la derecha"
-    assert "40×10" in veredicto.en_que(imagen(9, 1), (40, 10, b""))
+    una, otra = ((ancho, alto, bytes(3 * ancho * alto)) for ancho, alto in ((40, 10), (20, 30)))
+    assert veredicto.en_que(una, otra) == "la imagen es de 20×30 y debía ser de 40×10"
 
 
 @pytest.mark.skipif(not (BUILD / "catalogo.json").exists(), reason="no está configurado")
@@ -440,6 +441,13 @@ FALSO = [texto.encode().decode("unicode_escape") for texto in FALSO.split("|")]
 HOSTILES = [a + texto + b for texto in FALSO for a, b in (("", ""), ("hola\n", "\n"), ("\t", "x" * 200_000))]
 
 
+def sin_banco(monkeypatch, temporal):
+    """La orden entera, sin compilar ni jugar."""
+    monkeypatch.setattr(orden_, "Banco", lambda *_: banco_falso(temporal))
+    monkeypatch.setattr(orden_, "ejercicio", lambda *_: (REF, SimpleNamespace(nombre="a", titulo="A", casos=[])))
+    monkeypatch.setattr(orden_.catalogo, "lee_programas", lambda _: [])
+
+
 def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, capsys):
     """De cada texto hostil, en todo lo que dice una corrección, y de cada manera de escribirla."""
     hostiles = [*HOSTILES, f"{tmp_path}/temporal/x1/fuentes/a.cpp:3: mal"]
@@ -453,9 +461,7 @@ def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, 
     for i, texto in enumerate(hostiles):
         nombre = (texto[:60] + str(i)).replace("/", "").replace("\0", "")
         carpeta_de(tmp_path / "clase" / nombre, UNO)
-    monkeypatch.setattr(orden_, "Banco", lambda *_: banco_falso(tmp_path / "temporal"))
-    monkeypatch.setattr(orden_, "ejercicio", lambda *_: (REF, SimpleNamespace(nombre="a", titulo="A", casos=[])))
-    monkeypatch.setattr(orden_.catalogo, "lee_programas", lambda _: [])
+    sin_banco(monkeypatch, tmp_path / "temporal")
 
     def pide(*palabras):
         monkeypatch.setattr(sys, "argv", ["x", str(RAIZ), str(tmp_path / "build"), *map(str, palabras)])
@@ -515,6 +521,12 @@ def test_lo_que_ya_se_ha_corregido(tmp_path, juzga):
     for malo in ("{", "[]", "{}"):
         nota.write_text(malo)
         assert se_hace(), malo
+    for _, ficheros, _ in revuelta():  # quien entrega otra cosa que tampoco vale lee lo de ahora
+        if len(ficheros) > 40:
+            break
+        shutil.rmtree(sitio)
+        carpeta_de(sitio, ficheros)
+        assert de_clase.corrige(banco_falso(tmp_path), sitio, nota) == de_clase.corrige(banco_falso(tmp_path), sitio)
 
 
 @pytest.mark.skipif(not (BUILD / "herramientas/comparador/compara").exists(), reason="no está compilado")
@@ -592,7 +604,7 @@ def test_de_lo_guardado_se_borra_lo_viejo(tmp_path):
 OPCIONES = {  # lo que cambia cada una, de una entrega y de una clase
     "--semilla 7": ({"semilla", "guiones"}, {"semilla", "guiones"}),
     "--guiones 3": ({"guiones"}, {"guiones"}),
-    "--deja D": ({"deja"}, {"deja"}),
+    "--deja e/D": ({"deja"}, {"deja"}),
     "--json J": ({"deja"}, set()),
     "--junit J": ({"deja"}, {"deja"}),
     "--vpl": ({"deja", "escribe"}, set()),
@@ -605,17 +617,20 @@ OPCIONES = {  # lo que cambia cada una, de una entrega y de una clase
 def test_cada_opcion_cambia_lo_suyo(tmp_path, juzga, monkeypatch, capsys):
     documento = (RAIZ / "docs/corrige.md").read_text()
     assert set(re.findall(r"^\| `(-[^ `]+)", documento, re.M)) == {o.split()[0] for o in OPCIONES}
-    visto, turno = {}, threading.Lock()
+    visto, turno, nota, a_la_vez = {}, threading.Lock(), [100], [1]
 
     def juega(banco, _):
         with turno:
             visto.update(semilla=banco.semilla, guiones=[g.texto for g in banco.todos])
             visto["ahora"] = visto.get("ahora", 0) + 1
             visto["a la vez"] = max(visto.get("a la vez", 0), visto["ahora"])
-        time.sleep(0.1)
+        limite = time.monotonic() + 20  # con la máquina ocupada los demás tardan en llegar
+        time.sleep(0.05)
+        while visto["a la vez"] < a_la_vez[0] and time.monotonic() < limite:
+            time.sleep(0.01)
         with turno:
             visto["ahora"] -= 1
-        return {"nota": 100, "dice": []}
+        return {"nota": nota[0], "dice": []}
 
     juzga(juega)
     encierra = SimpleNamespace(comprueba=lambda: visto.update(jaula=True))
@@ -630,12 +645,19 @@ def test_cada_opcion_cambia_lo_suyo(tmp_path, juzga, monkeypatch, capsys):
         for nombre in ("",) if que == "una" else ("ana/", "luis/", "eva/"):
             siembra(sitio / "e", {nombre + fichero: texto for fichero, texto in UNO.items()})
         visto.clear()
+        a_la_vez[0] = 1 if que == "una" or opcion == "-j 1" else 3
         monkeypatch.chdir(sitio)
         monkeypatch.setattr(sys, "argv", ["x", str(RAIZ), str(BUILD), "e", REF, *opcion.split()])
-        assert orden_.main() == 0
+        assert orden_.main() == (nota[0] != 100)
         visto["escribe"] = capsys.readouterr().out.replace(f"semilla {visto['semilla']}", "").replace("5 guiones", "")
         visto["escribe"] = re.sub(r"\d+ de \d+ guiones", "", visto["escribe"])
-        return {**visto, "deja": sorted(str(f.relative_to(sitio)) for f in sitio.rglob("*"))}
+        hecho = {**visto, "deja": sorted(str(f.relative_to(sitio)) for f in sitio.rglob("*"))}
+        antes = {f: f.read_bytes() for f in sitio.rglob("*") if f.is_file()}
+        a_la_vez[0] = 1
+        assert orden_.main() == (nota[0] != 100)
+        assert antes == {f: f.read_bytes() for f in sitio.rglob("*") if f.is_file()}, "la segunda vez no da lo mismo"
+        capsys.readouterr()
+        return hecho
 
     for i, que in enumerate(("una", "clase")):
         base = hace(que, "")
@@ -644,15 +666,22 @@ def test_cada_opcion_cambia_lo_suyo(tmp_path, juzga, monkeypatch, capsys):
             assert {c for c in base if base[c] != ahora.get(c)} == cambia[i], (que, opcion)
             if opcion == "--guiones 3":
                 assert len(base["guiones"]) - len(ahora["guiones"]) == orden_.GUIONES - 3
+    for que, nota[0] in itertools.product(("una", "clase"), (0, 50, 99.4, 99.9)):
+        hace(que, f"--guiones {nota[0]:.0f}")  # el estado es 0 solo si todo está bien
 
 
-def test_lo_que_no_se_ha_podido_corregir_se_dice(tmp_path, juzga):
+def test_lo_que_no_se_ha_podido_corregir_se_dice(tmp_path, juzga, monkeypatch):
     juzga(lambda *_: {"nota": 100, "dice": []})
     for nombre in "abc":
         carpeta_de(tmp_path / "c" / nombre, UNO)
     (tmp_path / "d/b.json").mkdir(parents=True)  # donde iría la de b
     hechas, fallos = de_clase.clase(banco_falso(tmp_path), sorted((tmp_path / "c").iterdir()), tmp_path / "d", 2)
     assert [c["entrega"] for c in hechas] == ["a", "c"] and len(fallos) == 1 and fallos[0].startswith("b: no puedo")
+    sin_banco(monkeypatch, tmp_path)
+    pide = ["x", str(RAIZ), str(tmp_path), str(tmp_path / "c"), REF, "--sin-jaula", "--deja", str(tmp_path / "d")]
+    monkeypatch.setattr(sys, "argv", pide)
+    with pytest.raises(procesos.Fallo, match="no se han podido corregir 1: b: no puedo"):
+        orden_.main()
 
 
 MAL = """corrige | di qué entrega

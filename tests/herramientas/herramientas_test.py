@@ -19,7 +19,7 @@ BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
 sys.path[:0] = [str(RAIZ / carpeta) for carpeta in ("herramientas", "tests/propiedades", "tests/ordenes")]
 from base import catalogo, controles, defectos, evidencia, fuentes, guiones, indice, libro, marcas, paginas, procesos
 from ejercicios import nuevo
-from ejercicios.corrige import entrega
+from ejercicios.corrige import entrega, informes
 from galeria import dibuja
 from galeria.pagina import AQUI as GALERIA, MODULOS
 from informe import cocientes, costes, grafica, informe, tecnicas
@@ -267,6 +267,50 @@ def test_el_tiempo_de_un_proceso(tmp_path):
     assert costes.milisegundos(["sleep", "0.2"], tmp_path) < 150
     gasta = "import os, time\nwhile time.process_time() < 0.1: os.stat('.')"
     assert 100 <= costes.milisegundos([sys.executable, "-S", "-c", gasta], tmp_path) < 2000
+
+
+def test_en_rojo_va_lo_que_pasa_y_cada_nota_en_su_barra(tmp_path):
+    """En el informe, lo que tarda más de lo que dice; en una clase, lo suspenso. Y cada nota, en su barra."""
+    tardan = list(itertools.product((50, 100, 101), repeat=len(costes.TALLAS)))
+    filas = [costes.Coste("p", 1, 1, [1], ms, 1, 1, 1, 1, [""] * 3) for ms in tardan]
+    informe.escribe_pagina(tmp_path, [], metas=[], costes=filas, suelo=1, compilar=[], entorno={})
+    pagina = (tmp_path / "index.html").read_text()
+    assert "En rojo, más de 100 ms a 1920×1080." in pagina and costes.TALLAS[-1] == "1920x1080"
+    rojas = [re.findall('class="mal">(.*?)<', fila) for fila in re.findall("<tr><td>p<.*?</tr>", pagina, re.S)]
+    assert rojas == [[f"{ms[-1]}"] if ms[-1] > 100 else [] for ms in tardan]
+    notas = 0, 9.9, 10, 47, 49.9, 50, 95, 99.9, 100
+    hechas = [{"entrega": "a", "nota": n, "dice": [""], "fallos": [], "casos": {}, "semilla": 1} for n in notas]
+    informes.escribe_pagina(tmp_path, hechas, SimpleNamespace(titulo="A"), "E1.1")
+    pagina = (tmp_path / "index.html").read_text()
+    assert re.findall('<td class="nota( mal)?">(.*?)<', pagina) == [(" mal" * (n < 50), f"{n:g}") for n in notas]
+    barras = {tramo: int(n or 0) for n, tramo in re.findall(r"(?:<b>(\d+)</b>)?</i><span>(.*?)</span>", pagina)}
+    assert barras == {**{f"{i}–{i + 9}": sum(i <= n < i + 10 for n in notas) for i in range(0, 100, 10)}, "100": 1}
+
+
+def luminancia(color):
+    """La relativa de WCAG, de #rgb o #rrggbb."""
+    cifras = color[1:] if len(color) == 7 else "".join(2 * cifra for cifra in color[1:])
+    lineales = (
+        (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4) for c in (b / 255 for b in bytes.fromhex(cifras))
+    )
+    return sum(peso * c for peso, c in zip((0.2126, 0.7152, 0.0722), lineales))
+
+
+def test_cada_color_se_lee_en_claro_y_en_oscuro():
+    """Cada uno de los que tienen nombre, si es de letras: 4.5 a 1 con los fondos, en los dos temas."""
+    comun = RAIZ / "herramientas/base/paginas.css"
+    oscuro = r"(?s)@media \(prefers-color-scheme: dark\) \{.*?\n\}"
+    usados = set()
+    for hoja in sorted(f for tipo in ("css", "html") for f in (RAIZ / "herramientas").glob(f"*/*.{tipo}")):
+        texto = comun.read_text() + hoja.read_text() * (hoja != comun)
+        for tema in re.sub(oscuro, "", texto), re.sub(oscuro, "", texto) + "".join(re.findall(oscuro, texto)):
+            valen = dict(re.findall(r"--(\w+): (#[0-9a-f]{3,6})\b", tema))
+            de_letras = set(re.findall(r"(?<![-\w])color: var\(--(\w+)\)", texto)) & valen.keys()
+            usados |= de_letras
+            for color, fondo in itertools.product(sorted(de_letras), ("fondo", "papel")):
+                una, otra = sorted(luminancia(valen[que]) for que in (color, fondo))
+                assert (otra + 0.05) / (una + 0.05) >= 4.5, f"{hoja.name}: {color} {valen[color]} sobre {valen[fondo]}"
+    assert {"tinta", "suave", "enlace", "fallo", "acierto"} <= usados
 
 
 TOCAN = (  # un fichero, y las pruebas que dejan de valer
@@ -606,14 +650,17 @@ def test_lo_que_la_pagina_sabe_de_un_programa(tmp_path, programas, monkeypatch):
     def ejecuta(orden, env, **_):
         guiones.append(orden[orden.index("-guion") + 1])
         Path(env["LAB_LEIDOS"]).write_text("/x/b.rgb\n/x/a.r8\n/x/a.vert\n")
-        return rasgos
+        return f"{rasgos if guiones[-1] in cuando else ''}{opciones}"
 
     monkeypatch.setattr(controles, "ejecuta", ejecuta)
-    for rasgos, anima, derecho, raton, sigue in (
-        ("ocio\n", True, True, False, False),
-        ("temporizador\nrueda\n", True, True, True, False),
-        ("opcion Vista\nopcion Salir\nmovimiento\n", False, False, False, True),
-    ):
+    casos = (
+        ("ocio\n", "", True, True, False, False),
+        ("temporizador\nrueda\n", "", True, True, True, False),
+        ("movimiento\n", "opcion Vista\nopcion Salir\n", False, False, False, True),
+    )
+    # basta que los tenga antes de tocar nada, o con sus teclas
+    cada_vez = ("",), ("tecla a",), ("", "tecla a")
+    for cuando, (rasgos, opciones, anima, derecho, raton, sigue) in itertools.product(cada_vez, casos):
         d = ProgramaVivo(tmp_path, tmp_path, programas[0]).datos()
         assert (d["anima"], d["derecho"], d["raton"], d["sigue"]) == (anima, derecho, raton, sigue)
         assert guiones[-2:] == ["", "tecla a"] and d["texturas"] == ["a.r8", "b.rgb"]
@@ -837,6 +884,22 @@ def test_una_carpeta_se_hace_entera_y_no_se_toca(arbol):
     with pytest.raises(entrega.Fallo, match="ejercicio.txt no dice de qué ejercicio es"):
         entrega.ejercicio_de(mios / "a", programas)
     assert sorted(f.name for f in mios.iterdir()) == ["a", "mi_a"]
+
+
+def test_cada_carpeta_con_otro_nombre(tmp_path):
+    """De cada ejercicio y de cada programa: los ficheros que nombra el enunciado están, y de las marcas solo quedan las
+    suyas."""
+    programas = catalogo.lee_programas(BUILD)
+    pedidos = *nuevo.ejercicios(RAIZ, programas), *(p.nombre for p in programas)
+    for pedido in pedidos:
+        referencia, carpeta = nuevo.crea(RAIZ, programas, tmp_path, pedido, f"m_{pedido.lower().replace('.', '_')}")
+        enunciado = carpeta / "ENUNCIADO.md"
+        nombrados = re.findall("^- `(.+)`: ", enunciado.read_text(), re.M) if referencia else []
+        assert bool(referencia) == bool(nombrados) and all((carpeta / f).is_file() for f in nombrados), pedido
+        for fichero in carpeta.iterdir():
+            marcas_ = re.findall(r"// (?:fin de )?([EL]\d+\.\d+)|// (de partida)", fichero.read_text())
+            quedan = {m[0] or m[1] for m in marcas_ if fichero.suffix != ".md"}
+            assert quedan <= {referencia}, f"{pedido}: {fichero.name} {quedan}"
 
 
 def test_de_lo_que_no_se_corrige_dice_que_hacer(arbol):

@@ -1,18 +1,19 @@
 #!/usr/bin/env bash
 # cmake, ninja, ctest, apt-get… y los programas, de mentira, según cómo se le llame: apunta con qué argumentos y, en la etapa $PARA, no
-# acaba, ni un hijo suyo, o en la etapa $FALLA falla.
+# acaba, ni un hijo suyo, o en la etapa $FALLA falla; con «programa a», solo el que se llama así. Con $AVISOS no compila mientras los avisos
+# sean errores.
 set -euo pipefail
 ulimit -Sf unlimited # un disco lleno es cosa de ./lab
 quien=${0##*/}
 printf '%s\0' "$quien" "$@" ${LAB_VIGILA:+vigilando} $'\n' >>"$APUNTES/llamadas"
 
-etapa() {
+etapa() { # ETAPA [CUÁL]
   if [ "${PARA:-}" = "$1" ]; then
     sleep 100 &
     echo $! >>"$APUNTES/nietos" # pueden ser varios a la vez
     wait
   fi
-  if [ "${FALLA:-}" = "$1" ]; then
+  if [ "${FALLA:-}" = "$1" ] || [ "${FALLA:-}" = "$1 ${2:-$quien}" ]; then
     printf 'error: falla %s %s\nmás\n' "$1" "${PORQUE:-}" >&2
     exit 3
   fi
@@ -27,7 +28,8 @@ valor() { # OPCIÓN ARGUMENTO…: lo que la sigue
   done
 }
 
-configura() { # CARPETA
+configura() { # CARPETA OPCIÓN…
+  [[ "$*" != *AVISOS_SON_ERRORES=OFF* ]] || touch "$1/sin_avisos"
   mkdir -p "$1/assets" "$1/tests" "$1"/herramientas/{mide,comparador} "$1"/{osmesa,ventana}/ch01_{uno,intro}
   echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >"$1/CMakeCache.txt"
   cp catalogo.json herramientas/base/entorno.txt "$1"
@@ -43,12 +45,13 @@ case $quien in
 cmake)
   if [ "$1" = --build ]; then
     [ "$4" != build.ninja ] || exit 0
+    [ -z "${AVISOS:-}" ] || [ -e "$2/sin_avisos" ] || { echo 'error: un aviso [-Werror]' && exit 1; }
     [ "${FALLA:-}" != compila ] || echo 'ninja: error: falta algo'
     etapa compila
     printf '[1/2] Linking CXX executable osmesa/ch01_uno/a\nun aviso\nninja: nada\n'
   else
     etapa configura
-    configura "$(valor -B "$@")"
+    configura "$(valor -B "$@")" "$@"
   fi
   ;;
 ninja) etapa compila ;;
@@ -72,7 +75,7 @@ FIN
   exit 8
   ;;
 casos.sh)
-  etapa caso && printf '%s|' "$DORA" "${GALLIUM_DRIVER}" "$@"
+  etapa caso "$3.${4:-}" && printf '%s|' "$DORA" "${GALLIUM_DRIVER}" "$@"
   [ -z "${GOLDEN:-}" ] || echo "de ahora" >"$GOLDEN/ch01_uno/$3.txt"
   ;;
 gnuplot) printf '<svg>' && cat ;;
@@ -80,7 +83,8 @@ id) echo "${FALSO_ID:-0}" ;;
 dpkg-query) printf '%s installed\n' g++ cmake ;;
 apt-get)
   etapa red
-  [[ " $* " != *' source '* ]] || { etapa fuentes && mkdir freeglut-3 glew-2 && echo licencia | tee freeglut-3/COPYING >glew-2/LICENSE.txt; }
+  [[ " $* " != *' source '* ]] || { etapa fuentes && mkdir freeglut-3 glew-2 && echo de freeglut >freeglut-3/COPYING && echo de glew >glew-2/LICENSE.txt; }
+  [[ "$*" != *--print-uris* ]] || echo "'http://archivo/em.deb' em.deb 2500000 SHA256:0"
   [ "$1" != indextargets ] || echo "$APUNTES/${LISTA:-debian.sources}:1"
   for opcion; do [[ $opcion != Dir::Etc::SourceList=* ]] || cp "${opcion#*=}" "$APUNTES/usada"; done
   ;;

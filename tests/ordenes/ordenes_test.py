@@ -61,7 +61,7 @@ class Lab:
             self.cambia(f, "/usr/share/javascript/codemirror", str(sitio / "cm"))
         self.cambia("herramientas/windows/paquete.py", "/usr/share/doc", str(sitio / "doc"))
         for paquete in ("g++-mingw-w64-x86-64-posix", "mingw-w64-common", "libglm-dev", "fonts-dejavu-core"):
-            siembra(sitio / "doc" / paquete, {"copyright": ""})
+            siembra(sitio / "doc" / paquete, {"copyright": paquete})
         self.cambia("herramientas/pruebas/muta.py", "MINIMO = 150", "MINIMO = 2")
         for quien in (*(f"bin/{q}" for q in FALSOS.split()), f"{PEOR}/tests/casos/casos.sh"):
             (sitio / quien).symlink_to(RAIZ / "tests/ordenes/falso.sh")
@@ -315,21 +315,27 @@ def test_galeria(lab):
 
 
 def test_la_galeria_se_puede_mirar_mientras_se_dibuja(lab):
-    """b no acaba hasta que ve la página, con a."""
+    """b no acaba hasta que ve la página, con a; ni c, hasta que la ha visto b."""
     pagina, vista = lab.raiz / "galeria/index.html", lab.sitio / "vista.html"
+    lab.catalogo["programas"].append(programa("c", "L1.10", "C"))
+    lab.catalogo["casos"].append(caso("c"))
+    siembra(lab.raiz, {"ch01_uno/c.cpp": "// Controles: ninguno.\n"})
+    lab.cataloga()
     lab("lista")
     suya = shlex.quote(str(pagina))
     mira = f"until [ -e {suya} ]; do sleep 0.02; done\ncp {suya} {vista}\necho acabo >&2\nexit 3"
     ejecutable(lab.build / "osmesa/ch01_uno/b", mira)
+    ejecutable(lab.build / "osmesa/ch01_uno/c", f"until [ -e {vista} ]; do sleep 0.02; done\nexit 3")
     lab("galeria", 1, dice="b ha fallado: acabo")
     a_medias, entera = vista.read_text(), pagina.read_text()
-    assert not faltan(a_medias, 'http-equiv="refresh"', "falta un programa", "ch01_uno/a.png")
-    assert a_medias.count("Aún no está dibujada") == 1
-    assert len(faltan(entera, "refresh", "falta un programa", "Aún no está")) == 3
+    assert not faltan(a_medias, 'http-equiv="refresh"', "faltan 2 programas", "ch01_uno/a.png")
+    assert a_medias.count("Aún no está dibujada") == 2
+    assert len(faltan(entera, "refresh", "faltan 2 programas", "Aún no está")) == 3
 
 
 def test_web(lab):
     lab("web", dice="la página irá sin las imágenes que faltan", FALLA="programa")
+    lab("web", dice=": se descargan 2 MB\n", LAB_SIN_INSTALAR="")
     assert "irá sin" not in lab("web", dice="Hecha: ").stderr
     web = lab.raiz / "web"
     miniatura = web / "ch01_uno/a.jpg"
@@ -374,6 +380,8 @@ def test_windows(lab):
     with zipfile.ZipFile(hecho) as contenido:
         hay = {f.removeprefix("laboratorio/"): contenido.read(f) for f in contenido.namelist()}
     assert hay.keys() == set(EN_EL_ZIP.split())
+    licencias = [texto for f, texto in hay.items() if f.startswith("licencias/")]
+    assert len(set(licencias)) == len(licencias)  # cada una, la suya
     assert b"\r\n" in hay["LEEME.txt"] and hay["programas/libstdc++-6.dll"] == b"aligerada\n"
     dice = "A &lt;b&gt;", 'src="imagenes/ch01_uno/a.jpg"', "a.exe", "<li>a gira</li>"
     assert not faltan(hay["index.html"].decode(), *dice)
@@ -427,9 +435,11 @@ def test_prueba(lab):
 
 
 def test_prueba_lo_que_cambia(lab):
-    lab("prueba")
-    lab("prueba --cambios", dice="Todas las pruebas han pasado ya con lo que hay")
-    assert not any("--parallel" in ll for ll in lab.llamadas("ctest"))
+    for asan in ("", " --asan"):  # lo que ha pasado de una manera no ha pasado de la otra
+        for se_hace in (True, False):
+            dicho = lab(f"prueba{asan} --cambios").stderr
+            assert any("--parallel" in ll for ll in lab.llamadas("ctest")) == se_hace
+            assert ("Todas las pruebas han pasado ya con lo que hay" in dicho) != se_hace
     siembra(lab.raiz, {"docs/soluciones.md": "otra"})
     lab("prueba --cambios")
     assert lab.llamadas("ctest")[1][-2:] == ["-R", "^(.*)$"]

@@ -198,6 +198,34 @@ def test_matada_sin_remedio(lab, orden):
     assert lab.hace(EJEMPLOS[orden], LAB_SIN_INSTALAR="" if orden == "windows" else "1").returncode == 0
 
 
+VARIOS = {  # de las que hacen lo mismo con varias cosas, lo que puede fallar de cada una
+    "ver ch01": ("programa a", "programa b"),
+    "galeria": ("programa a", "programa b"),
+    "dora todo": ("caso a.base", "caso a.dos", "caso b.base"),
+    "dora a b": ("caso a.base", "caso a.dos", "caso b.base"),
+}
+
+
+@pytest.mark.parametrize("orden", VARIOS)
+def test_uno_malo_de_varios(lab, orden):
+    """Sea el que sea, lo demás se hace, y el estado es el de que algo ha ido mal; también si antes se ha compilado otra
+    vez porque los avisos eran errores."""
+    antes, con_avisos = lab.hay(), [{}] if orden.startswith("dora") else [{}, {"AVISOS": "1"}]
+
+    def hechas(estado, **como):
+        lab.vuelve(antes)
+        (lab.build / "sin_avisos").unlink(missing_ok=True)
+        assert (lab.hace(orden, **como).returncode != 0) == estado, como
+        return sorted(ll for quien in ("a", "b", "casos.sh") for ll in map(str, lab.llamadas(quien)))
+
+    for avisos in con_avisos:
+        bien = hechas(False, **avisos)
+        assert len(bien) >= len(VARIOS[orden])
+        for malo in VARIOS[orden]:
+            # el que falla no llega a lo que viene detrás
+            assert len(hechas(True, FALLA=malo, **avisos)) >= len(VARIOS[orden]), malo
+
+
 # --- cada opción y cada variable cambia lo suyo ---------------------------------------------------------------------
 
 

@@ -134,6 +134,8 @@ def de_la_pagina(p):
     menu(p)
     enlaces(p)
     cada_fuente(p)
+    otra_vez(p)
+    lo_ultimo(p)
     sin_respuesta(p)
 
 
@@ -220,6 +222,36 @@ def cada_fuente(p):
         return vacios"""
     )
     exige(vacios == [], f"de cada fichero que se enseña está su texto: {vacios[:3]}")
+
+
+def otra_vez(p):
+    """El mismo fichero se puede abrir con el botón cuantas veces se quiera: el navegador no avisa de él si el campo no
+    queda vacío."""
+    p.abre("#convolucion")
+    for vez in (1, 2):
+        p.js(
+            """const datos = new DataTransfer(), campo = una('.fichero input');
+            datos.items.add(new File(['P6 2 1 255\\nabcdef'], 'foto.ppm'));
+            campo.files = datos.files;
+            campo.dispatchEvent(new Event('change'))"""
+        )
+        p.exige(f"sesion?.vivo && sesion.leidos.has('/propias/{vez}-foto.ppm')", f"un fichero se abre la vez {vez}")
+        p.exige("una('.fichero input').value === ''", "y se puede volver a abrir")
+
+
+def lo_ultimo(p):
+    """Lo escrito en un shader justo antes de irse a otro programa queda en él."""
+    p.abre("#componentes_phong")
+    p.exige("editor.ruta && cm.lineCount() > 5", "el editor se abre")
+    p.js(
+        """window.suyo = editor.ruta;
+        cm.replaceRange('// mío\\n', { line: 1, ch: 0 }, undefined, '+input');
+        location.hash = 'grua'"""
+    )
+    p.exige("visto.programa.nombre === 'grua' && sesion?.vivo", "se va a otro programa")
+    p.ve(
+        "/mío/.test(visto.taller.cambios.get(suyo)) && visto.taller.cambios.size === 1", "y lo escrito queda en el suyo"
+    )
 
 
 def sin_respuesta(p):
