@@ -556,4 +556,9 @@ const char *glutOpciones(void) {
     return lineas.c_str();
 }
 
+void glutRedibuja(void) {
+    if (!g.termina)
+        dibujaCuadro();
+}
+
 } // extern "C"

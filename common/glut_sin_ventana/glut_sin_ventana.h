@@ -10,7 +10,7 @@
 //   glutMotionFunc glutPassiveMotionFunc glutMouseWheelFunc glutIdleFunc glutTimerFunc glutCloseFunc
 //   glutPostRedisplay glutSwapBuffers glutGet glutMainLoop glutLeaveMainLoop glutCreateMenu glutDestroyMenu
 //   glutGetMenu glutSetMenu glutAddMenuEntry glutAddSubMenu glutChangeToMenuEntry glutAttachMenu glutDetachMenu
-// Y dos que FreeGLUT no tiene, para quien da los sucesos desde fuera (la página web): glutOrden glutOpciones
+// Y tres que FreeGLUT no tiene, para quien da los sucesos desde fuera (la página web): glutOrden glutOpciones glutRedibuja
 // Cualquier otra no está, y el enlazador lo dice. Un valor de glutGet o glutSetOption que no se imita termina
 // el programa con un mensaje.
 //
@@ -42,4 +42,6 @@ int glutOrden(const char *guion);
 
 /// Las opciones de los menús del programa, una por línea: «Submenú/Opción».
 const char *glutOpciones(void);
+/// El mismo cuadro otra vez, ahora.
+void glutRedibuja(void);
 }

@@ -47,16 +47,18 @@ struct Reescrito {
     std::vector<Aviso> sinSeguir;
 };
 
-/// Reescribe un shader de GLSL 1.40 o ES 3.00, de los que compilan. Lo que resulta tiene los mismos uniforms y los mismos
-/// `in`, y calcula lo mismo; en 1.40 empieza también por «#version 140\n» y vale para sin_ventana::enEssl.
-/// De un fragment shader, lo que da son `out vec4 explica_0`, `explica_1`… de `salidas` framebuffers RGBA32F (de 3 a 6),
-/// con esos `location` (en 1.40, si hay GL_ARB_explicit_attrib_location; si no, con glBindFragDataLocation); no descarta.
+/// Reescribe un shader de GLSL 1.40 o ES 3.00, de los que compilan. Lo que resulta tiene los mismos uniforms y los
+/// mismos `in`, y calcula lo mismo; en 1.40 empieza también por «#version 140\n» y vale para sin_ventana::enEssl.
+/// De un fragment shader, lo que da son `out vec4 explica_0`, `explica_1`… de `salidas` framebuffers RGBA32F (de 3 a
+/// 6), con esos `location` (en 1.40, si hay GL_ARB_explicit_attrib_location; si no, con glBindFragDataLocation); no
+/// descarta.
 /// De un vertex shader, lo que daba y, además, esas mismas `flat out`, para recogerlas con transform feedback.
 ///
-/// Cada valor apuntado ocupa uno o varios pasos seguidos (pasosDe). Cada vez que se dibuja salen los huecosDe(salidas) que hay
-/// desde el que dice el uniform `int explica_desde`; los demás solo se cuentan. Más huecos son menos dibujos y más que compilar.
+/// Cada valor apuntado ocupa uno o varios pasos seguidos (pasosDe). Cada vez que se dibuja salen los huecosDe(salidas)
+/// que hay desde el que dice el uniform `int explica_desde`; los demás solo se cuentan. Con más huecos se dibuja menos
+/// veces y se tarda más en compilar.
 ///   explica_0      de qué nota es el paso de cada hueco; -1 si ya no los hay
-///   explica_1      (p, q, d, 0): se han dado p + 65536 q pasos, y se ha descartado si d = 1
+///   explica_1      (p, q, d, 0): p + 65536 q pasos dados; si d = 1, descarta
 ///   explica_2 …    el paso de cada hueco: lo que se apuntó, para `valor`
 Reescrito reescribe(const std::string &fuente, int salidas, Etapa etapa = Etapa::Fragmento);
 

@@ -12,10 +12,12 @@ import { Ejercicio } from './ejercicio.mjs';
 import { casoDe, hazEnlace, leeEnlace, programaDe } from './enlaces.mjs';
 import { Escena } from './escena.mjs';
 import { ensenaCaso, ponCasos, ponFicha } from './ficha.mjs';
+import { cierraPixel, ensenaPixel } from './explicado.mjs';
 import { delEjercicio, esShader, ordenaFuentes } from './fuentes.mjs';
 import { casoInicial } from './guiones.mjs';
 import { ponMandos } from './mandos.mjs';
 import { cierraMenu } from './menu.mjs';
+import { explicaPixel } from './pixel.mjs';
 import { EJERCICIOS, PROGRAMAS } from './programas.mjs';
 import { Propios } from './propios.mjs';
 import { atiendeProyeccion, completa, proyecta } from './proyeccion.mjs';
@@ -108,6 +110,8 @@ function navega() {
   (programa ? una('.migas') : document.body).prepend(una('.indice'));
   acomodaLado();
   cierraMenu();
+  cierraPixel();
+  apunta(false);
   propios.estrena(programa);
   if (!programa) return ensenaCatalogo(nombre, esEjercicio);
   entra(datos, caso, guion);
@@ -146,6 +150,38 @@ async function copiaEnlace() {
     avisa('El enlace está en la barra de direcciones.');
   }
 }
+
+/// Por qué el píxel (x, y) del lienzo, desde arriba a la izquierda, tiene ese color.
+export async function explica(x, y) {
+  const { sesion } = escena, { taller } = visto;
+  if (!sesion?.vivo) return;
+  avisa('Mirando ese píxel…');
+  try {
+    const datos = await explicaPixel(sesion.lienzo, x, y, sesion.redibuja);
+    ensenaPixel(una('.explicacion'), { x, y, ...datos }, { ...await json('shaders'), ...await taller.textos() });
+    avisa('');
+    return datos;
+  } catch (error) {
+    avisa(`No se puede explicar: ${error.message}`);
+  }
+}
+
+/// El próximo clic del lienzo no llega al programa: es el píxel que se explica.
+function apunta(si) {
+  una('.explica').setAttribute('aria-pressed', si);
+  una('.lienzo').classList.toggle('apunta', si);
+}
+
+una('.lienzo').addEventListener('pointerdown', suceso => {
+  if (una('.explica').getAttribute('aria-pressed') !== 'true' || suceso.target.localName !== 'canvas') return;
+  suceso.stopPropagation();
+  suceso.preventDefault();
+  const lienzo = suceso.target, r = lienzo.getBoundingClientRect();
+  const parte = (v, desde, mide, n) => Math.min(Math.max(Math.floor((v - desde) * n / mide), 0), n - 1);
+  apunta(false);
+  explica(parte(suceso.clientX, r.left, r.width, lienzo.width), parte(suceso.clientY, r.top, r.height, lienzo.height));
+}, true);
+una('.explica').onclick = () => apunta(una('.explica').getAttribute('aria-pressed') !== 'true');
 
 for (const b of todos('.otra-vez')) b.onclick = () => empiezaCaso();
 una('.completa').onclick = completa;

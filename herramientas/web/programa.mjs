@@ -40,6 +40,7 @@ export async function arranca(programa,
       }
     },
     opciones: () => estado ? [] : lab.ccall('glutOpciones', 'string').split('\n').filter(Boolean),
+    redibuja: () => lab.ccall('glutRedibuja'), // el mismo cuadro
     cierra() {
       estado ||= -1;
       lienzo.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext(); // solo puede haber 16 vivos

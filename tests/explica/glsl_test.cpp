@@ -15,7 +15,7 @@ std::string numero(double v) {
     return std::isnan(v) ? "nan" : texto; // el signo de un NaN no dice nada
 }
 
-/// Los pasos de un píxel en una línea: «5 x:1.5» es que en la línea 5 x pasa a valer 1.5; la línea se dice cuando cambia.
+/// Los pasos de un píxel en una línea: «5 x:1.5» es que en la línea 5 x vale 1.5; la línea se dice cuando cambia.
 std::string cuenta(const Reescrito &r, const traza::Traza &t) {
     std::string s;
     int linea = 0;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""comprueba_web.py RAÍZ BUILD WEB [caso… | persona | gestos | ejercicios]: la página de los programas (./lab web), con
+"""comprueba_web.py RAÍZ BUILD WEB [caso… | persona | gestos | ejercicios | explica]: la página de los programas (./lab web), con
 file:// en Chromium sobre llvmpipe. Con LAB_OPENGL=swiftshader, sobre el SwiftShader que lleva dentro, y solo los
 casos, con el comparador en --otro.
 
@@ -14,6 +14,7 @@ from pathlib import Path
 import gestos
 import navegador  # que sabe dónde está procesos
 import usa_editor
+import usa_explica
 import usa_programas
 from navegador import BUILD, CASOS, exige, procesos
 from persona import Persona
@@ -65,8 +66,15 @@ def compara_casos(n, pedidos):
 
 DE_EJERCICIOS = [usa_editor.ejercicios, usa_programas.pagina]
 DE_PERSONA = [usa_programas.entradas, usa_programas.pantalla_completa, usa_programas.fin, usa_programas.adversidades]
-DE_PERSONA += [gestos.de_la_pagina, usa_editor.editor, usa_programas.ficheros_y_tallas, *DE_EJERCICIOS]
+DE_PERSONA += [
+    usa_explica.explica,
+    gestos.de_la_pagina,
+    usa_editor.editor,
+    usa_programas.ficheros_y_tallas,
+    *DE_EJERCICIOS,
+]
 PRUEBAS = {"": DE_PERSONA, "persona": DE_PERSONA, "ejercicios": DE_EJERCICIOS, "gestos": [gestos.de_la_pagina]}
+PRUEBAS["explica"] = [usa_explica.explica]
 
 
 def main():

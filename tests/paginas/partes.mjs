@@ -8,10 +8,12 @@ import { leeCambios, leeResueltos, recuerdo, Taller } from '../../herramientas/w
 import { bytes, descomprime, recuerda } from '../../herramientas/web/datos.mjs';
 import { Indice, llano, palabras, trozo } from '../../herramientas/base/busca.mjs';
 import { casoDe, hazEnlace, leeEnlace, programaDe } from '../../herramientas/web/enlaces.mjs';
+import { cifra, lineasDe, porLinea } from '../../herramientas/web/explicado.mjs';
 import { delEjercicio, leeError, ordenaFuentes } from '../../herramientas/web/fuentes.mjs';
 import { BOTONES, Gestos } from '../../herramientas/web/gestos.mjs';
 import { casoInicial, Hecho, leeGuion, LIMITES, Reloj, repite } from '../../herramientas/web/guiones.mjs';
 import { compara, esPpm, porciento, ppmDe, quepa, tallaDe, TOLERA } from '../../herramientas/web/imagenes.mjs';
+import { conInclusiones, cuales, sueltas, valor } from '../../herramientas/web/primitivas.mjs';
 import { ordenDeTecla } from '../../herramientas/web/teclas.mjs';
 import { nombreLlano } from '../../herramientas/web/textos.mjs';
 
@@ -411,4 +413,44 @@ test('tallas, imágenes y lo guardado', () => {
   assert.equal(nombreLlano('../año 1.vf'), '.._a_o_1.vf');
   assert.deepEqual(leeCambios('[["a.frag","x"]]'), [['a.frag', 'x']]);
   tabla(leeCambios, ...[null, '', '{', '{}', '[1]', '[["a"]]', '[["a", 1]]', 'null'].map(malo => [malo, []]));
+});
+
+test('las primitivas de una orden, sueltas, con su giro y su último vértice', () => {
+  const indices = (modo, n) => sueltas(modo, Array.from({ length: n }, (_, i) => 10 + i)).indices.map(i => i - 10).join(' ');
+  tabla(indices,
+    [0, 2, '0 1'], [1, 5, '0 1 2 3'], [3, 3, '0 1 1 2'], [2, 3, '0 1 1 2 2 0'], [2, 2, '0 1'], [4, 7, '0 1 2 3 4 5'],
+    [5, 5, '0 1 2 2 1 3 2 3 4'], [6, 5, '0 1 2 0 2 3 0 3 4'], [5, 2, ''], [6, 1, '']);
+});
+
+test('las primitivas que cubren un píxel se encuentran partiendo por la mitad', () => {
+  for (const n of [0, 1, 2, 7, 100]) {
+    const suyas = [...new Set(Array.from({ length: n && azar(6) }, () => azar(n)))].sort((a, b) => a - b);
+    let veces = 0;
+    const alguno = (a, b) => { ++veces; return suyas.some(k => k >= a && k < b); };
+    assert.deepEqual(cuales(n, alguno), suyas);
+    assert.ok(veces <= 1 + suyas.length * 2 * Math.ceil(Math.log2(n + 1)), `${veces} veces`);
+  }
+});
+
+test('lo que apunta un shader reescrito se lee como lo escribe glsl.h', () => {
+  tabla(valor,
+    ['float', [2.5, 0, 0, 0], [2.5]], ['bvec2', [1, 0, 9, 9], [1, 0]], ['void', [0, 0, 0, 0], []],
+    ['int', [65535, -1, 0, 0], [-1]], ['uint', [65535, 65535, 0, 0], [4294967295]], ['ivec2', [1, 2, 0, -1], [1, -65534]],
+    ['uvec3', [1, 2, 3, 0, 0, 1, 0, 0], [1, 65538, 3]], ['mat2', [1, 2, 0, 0, 3, 4, 0, 0], [1, 2, 3, 4]],
+    ['mat2x3', [1, 2, 3, 0, 4, 5, 6, 0], [1, 2, 3, 4, 5, 6]]);
+  tabla(cifra, [0.123456, '0.1235'], [-2, '−2'], [NaN, 'NaN'], [-Infinity, '−∞'], [1e-7, '1e−7']);
+  const paso = (linea, nombre, tipo, v) => ({ linea, nombre, tipo, valor: v });
+  const vueltas = Array.from({ length: 9 }, (_, i) => paso(2, 'i', 'int', [i]));
+  assert.deepEqual(
+    porLinea([paso(1, 'si', 'bool', [1]), paso(1, 'v', 'vec2', [0.5, 1]), paso(3, 'main', 'void', []), paso(4, 'discard', 'void', []), ...vueltas]),
+    { 1: ['si = sí', 'v = (0.5, 1)'], 4: ['discard'], 2: ['i = 0', 'i = 1', 'i = 2', 'i = 3', 'i = 4', '… y 3 más', 'i = 8'] });
+});
+
+test('cada línea de un shader, en su fichero', () => {
+  const textos = { 'a.frag': '#version 140\n#include "b.glsl"\nmain\n', 'b.glsl': '\ufeffuno\n#include "c.glsl"\n', 'c.glsl': 'dos\n#include "a.frag"' };
+  assert.deepEqual(conInclusiones('a.frag', textos).map(l => `${l.ruta}:${l.linea} ${l.texto}`),
+    ['a.frag:1 #version 140', 'b.glsl:1 uno', 'c.glsl:1 dos', 'c.glsl:2 #include "a.frag"', 'a.frag:3 main']);
+  const es = '#version 300 es\nprecision highp float;\n#line 2\nuno\ndos\n#include "a.frag"\nmain\n';
+  tabla((texto, i) => { const l = lineasDe(texto, textos)[i]; return `${l.ruta}:${l.linea}`; },
+    [es, 3, 'c.glsl:2'], [es, 4, 'a.frag:3'], [es + 'otro\n', 4, ':5']);
 });

@@ -7,7 +7,7 @@ build=$2
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
 export NODE_PATH=/usr/share/nodejs
-{ cmake --preset web -B "$build/web" && cmake --build "$build/web" --target laboratorio; } >"$carpeta/registro" 2>&1 ||
+{ cmake --preset web -B "$build/web" && cmake --build "$build/web" --target laboratorio explica; } >"$carpeta/registro" 2>&1 ||
   { cat "$carpeta/registro"; exit 1; }
 pagina="$carpeta/página (1)"
 python3 -B herramientas web.pagina . "$build/web" "$carpeta/sin galería" "$pagina" # sin miniaturas, que aquí no hacen falta
