@@ -10,7 +10,8 @@
 //   glutMotionFunc glutPassiveMotionFunc glutMouseWheelFunc glutIdleFunc glutTimerFunc glutCloseFunc
 //   glutPostRedisplay glutSwapBuffers glutGet glutMainLoop glutLeaveMainLoop glutCreateMenu glutDestroyMenu
 //   glutGetMenu glutSetMenu glutAddMenuEntry glutAddSubMenu glutChangeToMenuEntry glutAttachMenu glutDetachMenu
-// Y tres que FreeGLUT no tiene, para quien da los sucesos desde fuera (la página web): glutOrden glutOpciones glutRedibuja
+// Y tres que FreeGLUT no tiene, para quien da los sucesos desde fuera (la página web):
+//   glutOrden glutOpciones glutRedibuja
 // Cualquier otra no está, y el enlazador lo dice. Un valor de glutGet o glutSetOption que no se imita termina
 // el programa con un mensaje.
 //

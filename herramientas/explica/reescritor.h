@@ -1,5 +1,5 @@
-// Lee un shader palabra a palabra y va dando, de cada expresión y de cada sentencia, su texto reescrito: en un solo paso,
-// sin árbol. Lo que no sabe leer lanza NoSe; la sentencia en que pasa se copia como estaba.
+// Lee un shader palabra a palabra y va dando, de cada expresión y de cada sentencia, su texto reescrito: en un solo
+// paso, sin árbol. Lo que no sabe leer lanza NoSe; la sentencia en que pasa se copia como estaba.
 #pragma once
 #include "glsl.h"
 #include "lexico.h"

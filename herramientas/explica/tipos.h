@@ -40,8 +40,8 @@ bool esDeGlsl(const std::string &palabra); // un tipo del lenguaje, void y las t
 Tipo miembro(const Tipo &de, const std::string &campo);
 Tipo elemento(const Tipo &de);
 
-/// Los números de que está hecho lo que se llama `nombre`, cada uno con su nombre y su tipo, sin las texturas. Vacío si no
-/// se sabe cuántos son o pasan de 40.
+/// Los números de que está hecho lo que se llama `nombre`, cada uno con su nombre y su tipo, sin las texturas. Vacío si
+/// no se sabe cuántos son o pasan de 40.
 std::vector<Campo> hojas(const std::string &nombre, const Tipo &tipo);
 
 } // namespace explica

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""comprueba_web.py RAÍZ BUILD WEB [caso… | persona | gestos | ejercicios | explica]: la página de los programas (./lab web), con
-file:// en Chromium sobre llvmpipe. Con LAB_OPENGL=swiftshader, sobre el SwiftShader que lleva dentro, y solo los
-casos, con el comparador en --otro.
+"""comprueba_web.py RAÍZ BUILD WEB [caso… | persona | gestos | ejercicios | explica]: la página de los programas
+(./lab web), con file:// en Chromium sobre llvmpipe. Con LAB_OPENGL=swiftshader, sobre el SwiftShader que lleva dentro,
+y solo los casos, con el comparador en --otro.
 
 Cada caso del catálogo se dibuja con su guion y se compara con su golden, con el comparador y la tolerancia de siempre.
 Después, lo que hace una persona (usa_programas.py, usa_editor.py), y lo que se pregunta de todo lo que hay (gestos.py).
