@@ -25,6 +25,7 @@ const talla = () => tallaDe(marco.getBoundingClientRect(), devicePixelRatio);
 /// Cuando un programa ha arrancado llama a `alArrancar`, y cuando ha vuelto a leer sus shaders, a `alRecargar`.
 export class Escena {
   suavizado = true;
+  quieta = false; // si el tiempo no pasa
   sesion;       // el programa en marcha; no lo hay hasta que acaba de repetirse su guion
   gestos;       // los del lienzo
   hecho;        // lo que se ha hecho con él
@@ -177,7 +178,7 @@ export class Escena {
     if (!this.sesion?.vivo) return;
     this.gestos.suelta();
     const ms = this.#reloj.pasa(ahora), { anima } = this.#pedido.programa;
-    if (anima && ms) this.manda(`espera ${ms}`);
+    if (anima && ms && !this.quieta) this.manda(`espera ${ms}`);
     cancelAnimationFrame(this.#cuadro);
     if (anima) this.#cuadro = requestAnimationFrame(t => this.#pulso(t));
   }

@@ -156,6 +156,8 @@ export async function explica(x, y) {
   const { sesion } = escena, { taller } = visto;
   if (!sesion?.vivo) return;
   avisa('Mirando ese píxel…');
+  const estaba = escena.quieta;
+  escena.quieta = true;
   try {
     const datos = await explicaPixel(sesion.lienzo, x, y, sesion.redibuja);
     ensenaPixel(una('.explicacion'), { x, y, ...datos }, { ...await json('shaders'), ...await taller.textos() });
@@ -163,6 +165,8 @@ export async function explica(x, y) {
     return datos;
   } catch (error) {
     avisa(`No se puede explicar: ${error.message}`);
+  } finally {
+    escena.quieta = estaba;
   }
 }
 

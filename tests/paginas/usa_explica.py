@@ -7,6 +7,7 @@ from navegador import PROGRAMAS, exige
 MIRA = """const { lienzo } = sesion, { width, height } = lienzo, gl = lienzo.getContext('webgl2');
 const todo = new Uint8Array(4 * width * height), [x, y] = arguments, i = 4 * ((height - 1 - y) * width + x);
 const lee = () => { gl.readPixels(0, 0, width, height, gl.RGBA, gl.UNSIGNED_BYTE, todo); return todo.join(); };
+escena.quieta = true;
 const antes = lee(), color = [...todo.slice(i, i + 3)];
 const datos = await pagina.explica(x, y), mal = [];
 if (!datos) return ['no lo explica: ' + una('.aviso').textContent];
