@@ -557,8 +557,11 @@ const char *glutOpciones(void) {
 }
 
 void glutRedibuja(void) {
-    if (!g.termina)
-        dibujaCuadro();
+    if (g.termina)
+        return;
+    const long long ahora = std::exchange(g.reloj, g.ultimoCuadro); // el que se ve
+    dibujaCuadro();
+    g.reloj = ahora;
 }
 
 } // extern "C"

@@ -1,4 +1,4 @@
-"""Explicar un píxel en la página: se pregunta de cada programa, en dos píxeles suyos, y una vez con el ratón."""
+"""Explicar un píxel en la página: se pregunta de cada programa, en dos píxeles suyos."""
 import zlib
 
 from navegador import PROGRAMAS, exige
@@ -37,19 +37,3 @@ def explica(p):
         for x, y in ((40 + azar % 160, 40 + azar // 160 % 110), (120, 90)):
             mal = p.espera_js(MIRA, x, y)
             exige(mal == [], f"{programa.nombre}: el píxel ({x}, {y}) se explica: {mal}")
-    con_el_raton(p)
-
-
-def con_el_raton(p):
-    p.abre("#sombreado")
-    p.js("una('.explica').click()")
-    p.exige("una('.explica').getAttribute('aria-pressed') === 'true'", "el botón queda pulsado hasta que se elige")
-    p.arrastra([(120, 90)])
-    p.exige(
-        "!una('.explicacion').hidden && /El píxel \\(120, 90\\)/.test(una('.explicacion').textContent)",
-        "un clic elige el píxel",
-    )
-    p.ve("una('.aqui') && una('.explica').getAttribute('aria-pressed') === 'false'", "se señala, y el botón se suelta")
-    p.ve("hecho.ordenes.length === 0", "el clic no le llega al programa")
-    p.js("conTexto('.explicacion button', 'Cerrar').click()")
-    p.exige("una('.explicacion').hidden && !una('.aqui')", "el panel se cierra")
