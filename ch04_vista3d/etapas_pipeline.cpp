@@ -1,8 +1,8 @@
 // Un vértice y su fragmento (el punto rojo) por las etapas del pipeline (figura 1.3, ejercicio 4.1, ecuación 4.4), un
-// panel para cada una, con sus números, que también se escriben; en morado, lo que hace un procesador programable. En el
-// cuarto, las coordenadas de recortado y, tras la división perspectiva, las normalizadas del dispositivo: el volumen de
-// la vista es ya el canónico. Con r, un triángulo que se sale del volumen y llega detrás del ojo: etapas.h lo recorta, y
-// el polígono que queda (de borde morado) es justo lo que dibuja OpenGL. Con o, algo tapa el fragmento.
+// panel para cada una, con sus números, que también se escriben; en morado, lo que hace un procesador programable. En
+// el cuarto, las coordenadas de recortado y, tras la división perspectiva, las normalizadas del dispositivo: el
+// volumen de la vista es ya el canónico. Con r, un triángulo que se sale del volumen y llega detrás del ojo: etapas.h
+// lo recorta, y el polígono que queda (de borde morado) es justo lo que dibuja OpenGL. Con o, algo tapa el fragmento.
 // Controles: clic elige vértice · r recortado · o oculto · arrastrar orbita por fuera · rueda acerca · Esc termina.
 #include "buferes.h"
 #include "colores.h"

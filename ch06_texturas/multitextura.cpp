@@ -1,7 +1,7 @@
 // Varias unidades de textura en un fragment shader (§6.3, §6.5): los ladrillos, el musgo, la máscara que dice dónde lo
 // hay y la luz de dos apliques, calculada de antemano. Cada textura está en su unidad, a la izquierda, y cada
-// sampler2D recibe el número de una. Ladrillos y musgo se repiten; la máscara y la luz abarcan la pared entera. Con c se
-// enlaza otro objeto textura en la unidad 0, la madera: el shader lee lo que haya en su unidad, sin enviarle nada.
+// sampler2D recibe el número de una. Ladrillos y musgo se repiten; la máscara y la luz abarcan la pared entera. Con c
+// se enlaza otro objeto textura en la unidad 0, la madera: el shader lee lo que haya en su unidad, sin enviarle nada.
 // Controles: 1 ladrillos y musgo · 2 ladrillos y luz · 3 las cuatro texturas · c cambia la de la unidad 0 ·
 // ratón orbita · Esc termina.
 #include "buferes.h"

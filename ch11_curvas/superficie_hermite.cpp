@@ -1,4 +1,4 @@
-// La superficie de Hermite (ecuaciones 11.33 a 11.39): las esquinas, sus tangentes en u (verde) y en v (rojo) y sus
+// La superficie de Hermite (ecuaciones 11.33 a 11.39): las esquinas, sus tangentes en u (amarillo) y en v (rojo) y sus
 // torsiones (morado), que son los 16 elementos de la matriz de geometría. Con un segundo trozo unido por u = 1 con
 // continuidad G1 (ejercicio 11.8): comparten el borde, y las tangentes que lo cruzan son paralelas, torsiones
 // incluidas.
@@ -31,7 +31,7 @@ static const struct {
     glm::vec2 lugar;
 } BLOQUES[] = {{"esquinas\ng11 g12\ng21 g22", OSCURO, {0.02f, 0.23f}},
                {"en v\ng13 g14\ng23 g24", ROJO, {0.2f, 0.23f}},
-               {"en u\ng31 g32\ng41 g42", VERDE, {0.02f, 0.08f}},
+               {"en u\ng31 g32\ng41 g42", AMARILLO, {0.02f, 0.08f}},
                {"torsión\ng33 g34\ng43 g44", MORADO, {0.2f, 0.08f}}};
 
 static glm::mat4 vista() {
@@ -50,7 +50,7 @@ static void dibujaElementos() {
         if (esquinaDe(k) == k)
             esquinas.push_back(esquina);
         else
-            trazaFlecha(esquina, estado.puntas[k], vista(), fila < 2 ? ROJO : k % 4 < 2 ? VERDE : MORADO);
+            trazaFlecha(esquina, estado.puntas[k], vista(), fila < 2 ? ROJO : k % 4 < 2 ? AMARILLO : MORADO);
     }
     trazaPuntos(esquinas, vista(), OSCURO);
     if (estado.editor.elegido >= 0)

@@ -56,6 +56,7 @@ static GLuint creaProgramaFondo(const glm::mat4 &proyeccion) {
     envia(programa, "base", glm::mat3(ejes[0], ejes[1], -ejes[2]));
     envia(programa, "semitalla", glm::vec2(1 / proyeccion[0][0], 1 / proyeccion[1][1]));
     envia(programa, "mapa", 0);
+    envia(programa, "mapaEsferico", 1); // de otro tipo: no puede ser la misma unidad
     return programa;
 }
 
@@ -69,6 +70,7 @@ static GLuint creaProgramaReflejo(const glm::mat4 &proyeccion) {
     envia(programa, "M", glm::mat4(1));
     envia(programa, "N", glm::mat3(1));
     envia(programa, "mapa", 0);
+    envia(programa, "mapaEsferico", 1); // de otro tipo: no puede ser la misma unidad
     return programa;
 }
 

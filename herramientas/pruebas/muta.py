@@ -1,12 +1,12 @@
-"""muta.py RAÍZ BUILD [--comprueba | pendientes | QUÉ…]: defectos plantados (base/defectos.py dice cómo son las listas), para saber
-si las pruebas los notan.
+"""muta.py RAÍZ BUILD [--comprueba | pendientes | QUÉ…]: defectos plantados (base/defectos.py dice cómo son las listas),
+para saber si las pruebas los notan.
 
 Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes; un shader estropeado va en una carpeta, y
 $LAB_RAIZ hace que se mire antes que las demás. Los de ./lab, de Python y de las páginas se escriben en una copia de
-todo ello, con lo demás enlazado, y los ven las pruebas que dice EN_COPIA de su lista. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar y apuntan lo que usan;
-después, con cada mutante, los que lo usan, hasta que uno falle: las que han
-notado otro de su fichero, las de su capítulo, las demás y, si ninguna lo nota, los pasos y los casos: por lo que
-pintan encima (los .encima) o, si no, solo por su imagen. Cómo se nota cada uno queda en
+todo ello, con lo demás enlazado, y los ven las pruebas que dice EN_COPIA de su lista. Primero se ejecutan sin ninguno
+las pruebas y los casos, que deben pasar y apuntan lo que usan; después, con cada mutante, los que lo usan, hasta que
+uno falle: las que han notado otro de su fichero, las de su capítulo, las demás y, si ninguna lo nota, los pasos y los
+casos: por lo que pintan encima (los .encima) o, si no, solo por su imagen. Cómo se nota cada uno queda en
 docs/plantados.tsv; «pendientes» son los que no se han plantado desde que cambiaron ellos o su fichero.
 """
 import os

@@ -77,7 +77,7 @@ class Paquete:
             self.mete(f"licencias/{nombre}.txt", fichero)
 
     def mete_pagina(self):
-        miniaturas = {p.nombre: self.web.miniatura(p) for p in self.programas}
+        miniaturas = {p.nombre: self.web.miniatura(p.casos[0]) for p in self.programas}
         for miniatura in filter(None, miniaturas.values()):
             self.mete(f"imagenes/{miniatura}", self.web.destino / miniatura)
         paginas.escribe_pagina(

@@ -1,5 +1,6 @@
 """causas.py BUILD [CAUSA…] [--todos]: si ./lab explica nombra, entre sus dos primeras sospechas, cada causa de
-causas.tsv plantada en el primero de sus programas o, con --todos, en cada uno. Estado 1 si deja de nombrar más del 10 %."""
+causas.tsv plantada en el primero de sus programas o, con --todos, en cada uno. Estado 1 si deja de nombrar más del
+10 %."""
 import json
 import os
 import re

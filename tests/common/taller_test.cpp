@@ -165,8 +165,8 @@ TEST(Shaders, ElInformeDeCadaFabricante) {
     }
 }
 
-// Con F3 no hace falta F5: lo que se guarda se relee, también lo incluido; lo que no compila se dice sobre la imagen, que
-// sigue con lo de antes, hasta que se arregla. Sin F3, y tras pulsarla otra vez, nada.
+// Con F3 no hace falta F5: lo que se guarda se relee, también lo incluido; lo que no compila se dice sobre la imagen,
+// que sigue con lo de antes, hasta que se arregla. Sin F3, y tras pulsarla otra vez, nada.
 TEST(F3, LoQueSeGuardaSeRelee) {
     const std::string incluye = "#include \"taller/c.glsl\"\n",
                       incluido = CABECERA + incluye + "void main() {\n    colorFragmento = COLOR;\n}\n",

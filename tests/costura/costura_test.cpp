@@ -125,10 +125,10 @@ TEST(Opciones, AyudaLasEnumeraYNoDibuja) {
     }
 }
 
-// Un triángulo de tres vértices en el plano, y un mapa de cubo de seis caras RGB de 256 × 256 con sus mipmaps.
+// Un triángulo de tres vértices en el plano; y seis caras RGB de 512 × 512 y un mapa de 1024 × 512, con sus mipmaps.
 TEST(Opciones, MideEscribeUnaLineaTsv) {
     const std::string tiempos = "\t32x24(\t[0-9]+\\.[0-9]{3}){4}",
-                      bytesDelMapa = std::to_string(6 * 3 * 87381);
+                      bytesDelMapa = std::to_string(6 * 3 * 349525 + 3 * 699051);
     for (const auto &[programa, linea] :
          {std::pair("shader_basico", "shader_basico" + tiempos + "\t1\t[^\t]+\t24\t0\n"),
           {"cubemap", "cubemap" + tiempos + "\t[0-9]+\t[^\t]+\t[0-9]+\t" + bytesDelMapa + "\n"}}) {

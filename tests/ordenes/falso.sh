@@ -35,7 +35,7 @@ configura() { # CARPETA OPCIÓN…
   cp catalogo.json herramientas/base/entorno.txt "$1"
   echo osmesa >"$1/sin_ventana"
   mkdir -p "$1/dll"
-  for f in assets/t.rgb lab.js lab.wasm dll/uno.dll ventana/ch01_uno/{a,b}.exe; do echo "$f" >"$1/$f"; done
+  for f in assets/t.rgb {lab,explica}.{js,wasm} dll/uno.dll ventana/ch01_uno/{a,b}.exe; do echo "$f" >"$1/$f"; done
   for f in {osmesa,ventana}/ch01_uno/{a,b} osmesa/ch01_intro/info_opengl tests/ch01_test herramientas/{comparador/compara,mide/mide}; do
     ln -sf "$(command -v falso.sh)" "$1/$f"
   done
@@ -115,7 +115,7 @@ ch01_test) if [ "$1" = --gtest_list_tests ]; then printf 'G.\n  Uno # x\n'; else
   [ -n "$ppm" ] || exit 0
   ancho=$((${talla%x*} / 40)) alto=$((${talla#*x} / 40))
   for f in "$ppm" $(grep -oE '[0-9]+\.ppm' <<<"$*" || true); do # y lo que capture el guion
-    { printf 'P6 %d %d 255\n' $ancho $alto; head -c $((3 * ancho * alto)) /dev/zero; } >"$f"
+    { printf 'P6\n%d %d\n255\n' $ancho $alto; head -c $((3 * ancho * alto)) /dev/zero; } >"$f"
   done
   ;;
 esac

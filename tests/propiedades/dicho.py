@@ -21,10 +21,9 @@ def dicho(p):
     for fila in {f.titulo: f for filas in p.diarios for f in filas}.values():
         if MAL_TITULO.search(fila.titulo):
             yield "título", f"título mal escrito: «{fila.titulo}»"
-    ayuda = p.dice.split(" · ")
     for texto in sorted(p.rotulos):
-        lineas = texto.split("\\n")
-        if lineas[: len(ayuda)] != ayuda and (mal := next(filter(MAL_ROTULO.search, lineas), None)):
+        lineas = texto.split("\\n")  # los de F1 se parten por donde caben
+        if "guarda la imagen" not in lineas[-1] and (mal := next(filter(MAL_ROTULO.search, lineas), None)):
             yield "rótulo", f"rótulo mal escrito: «{mal}»"
     for antes, fila in ((a, b) for filas in p.diarios for a, b in zip(filas, filas[1:])):
         if fila.escrito and fila.titulo != antes.titulo:
