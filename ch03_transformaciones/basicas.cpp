@@ -24,9 +24,9 @@ static const struct Basica {
 } BASICAS[] = {
     {"T(", ", 0, 0)", [](float t) { return traslacion(glm::vec3(t, 0, 0)); }, 1, 0, 1.5f, 0.25f, 2},
     {"S(", ", 1, 1)", [](float s) { return escalado(glm::vec3(s, 1, 1)); }, 1, 1, 1.5f, 0.25f, 2},
-    {"Rx(", "°)", giroX, GRADO, 0, 60, 15, 360},
-    {"Ry(", "°)", giroY, GRADO, 0, 60, 15, 360},
-    {"Rz(", "°)", giroZ, GRADO, 0, 60, 15, 360},
+    {"Rx(", "°)", giroX, GRADO, 0, 60, 15, 90},
+    {"Ry(", "°)", giroY, GRADO, 0, 60, 15, 90},
+    {"Rz(", "°)", giroZ, GRADO, 0, 60, 15, 90},
 };
 
 static struct {

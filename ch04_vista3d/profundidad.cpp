@@ -21,6 +21,7 @@ static const int COLUMNAS = 4, FILAS = 3;
 static const float PRIMERO = 12, ULTIMO = 800, SEPARACION = 0.05f, LEJOS = 1000; // metros
 static const float CERCA[] = {10, 0.1f, 0.001f};
 static const char *const RAZON[] = {"100", "10 000", "1 000 000"};
+static const float GIRO = 0.06f;                                    // radianes
 static const float TALLA = 0.185f, PASO_X = 0.27f, PASO_Y = 0.245f; // de los carteles, a distancia 1
 
 static struct {
@@ -28,7 +29,7 @@ static struct {
     Buferes plano;
     int elegido = 0;
     bool informa = true;
-    Orbita orbita = {0, 0, 300, {0, 0, -300}}; // la cámara, en el origen
+    Orbita orbita = {0, 0, 15, {0, 0, -15}}; // la cámara, en el origen
 } estado;
 
 static void inicia() {
@@ -162,6 +163,13 @@ static void teclado(unsigned char tecla, int, int) {
     estado.informa = true;
 }
 
+// Poco, para que no se salga ningún cartel: el que gira es el camino entero.
+static void arrastra(int x, int y) {
+    orbitaArrastra(x, y);
+    estado.orbita.azimut = glm::clamp(estado.orbita.azimut, -GIRO, GIRO);
+    estado.orbita.elevacion = glm::clamp(estado.orbita.elevacion, -GIRO, GIRO);
+}
+
 int main(int argc, char **argv) {
     abreVentana(argc, argv, "Precisión de la profundidad", GLUT_DOUBLE | GLUT_DEPTH);
     inicia();
@@ -169,6 +177,7 @@ int main(int argc, char **argv) {
     glutReshapeFunc(cambiaTamano);
     glutKeyboardFunc(teclado);
     orbitaConRaton(estado.orbita);
+    glutMotionFunc(arrastra);
     glutMainLoop();
     return 0;
 }

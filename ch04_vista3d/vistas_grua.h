@@ -4,6 +4,7 @@
 #include "camaras_grua.h"
 #include "modos.h"
 #include "orbita.h"
+#include "proyeccion.h"
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"
@@ -66,7 +67,9 @@ inline void abreVista(const PanelVista &p) {
 inline void rotulaVista(const PanelVista &p, const std::string &detalle = "") {
     glViewport(p.panel.x, p.panel.y, p.panel.ancho, p.panel.alto);
     rotula(VISTAS[p.vista].nombre + detalle, {0.02f, 0.94f}, VISTAS[p.vista].color, Lado::DERECHA);
-    const int lado = std::min(p.panel.ancho, p.panel.alto) / 3;
+    const int lado = std::min(p.panel.ancho / 4, p.panel.alto / 3);
+    if (float(lado) < altoUtil() / 8) // sus letras se amontonarían
+        return;
     glViewport(p.panel.x, p.panel.y, lado, lado);
     glClear(GL_DEPTH_BUFFER_BIT); // los ejes, delante de todo
     const glm::mat4 ejes(proyeccionParalela(-2, 2, -2, 2, -2, 2) * glm::dmat4(glm::dmat3(p.camara)));

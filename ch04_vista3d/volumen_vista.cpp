@@ -16,7 +16,7 @@
 #include <glm/gtc/constants.hpp>
 
 static const double THETA = 0.52, ASPECTO = 4.0 / 3, ALTO = 1.7; // radianes; medio alto de la caja
-static const double PASO = 0.5, CERCA_MINIMO = 1.5, LEJOS_MAXIMO = 12, RADIO_ARCO = 1.4;
+static const double PASO = 0.5, CERCA_MINIMO = 1.5, LEJOS_MAXIMO = 10, ENTRE_PLANOS = 3, RADIO_ARCO = 1.4;
 static const float TALLA = 0.033f; // de los rótulos
 static const glm::dvec3 OJO(0, 2.5, 6.5), INTERES(0, 2.5, 0);
 
@@ -153,8 +153,8 @@ static void teclado(unsigned char tecla, int, int) {
     switch (tecla) {
     case 'p': estado.enPerspectiva = !estado.enPerspectiva; break;
     case ',': estado.cerca = std::max(estado.cerca - PASO, CERCA_MINIMO); break;
-    case '.': estado.cerca = std::min(estado.cerca + PASO, estado.lejos - PASO); break;
-    case '-': estado.lejos = std::max(estado.lejos - PASO, estado.cerca + PASO); break;
+    case '.': estado.cerca = std::min(estado.cerca + PASO, estado.lejos - ENTRE_PLANOS); break;
+    case '-': estado.lejos = std::max(estado.lejos - PASO, estado.cerca + ENTRE_PLANOS); break;
     case '+': estado.lejos = std::min(estado.lejos + PASO, LEJOS_MAXIMO); break;
     default: return;
     }

@@ -74,7 +74,8 @@ static void dibujaPanel(const Recuadro &panel, int modelo) {
     const bool alto = aspecto(panel) < 0.65f, plano = modelo == PLANO;
     const GLuint programa = estado.programas[modelo];
     const glm::mat4 camara = camaraOrbita(estado.orbita),
-                    proyeccion = perspectivaVentana(alto ? 0.142f : 0.27f, 1, 100, aspecto(panel));
+                    proyeccion = alto ? perspectivaVentana(0.42f, 1, 100, aspecto(panel), 4.0 / 9)
+                                      : perspectivaVentana(0.27f, 1, 100, aspecto(panel));
     abreRecuadro(panel, FONDO_OSCURO);
     usaPrograma(programa, camara, proyeccion, LUZ);
     dibujaObjeto(programa, plano ? estado.esferaPlana : estado.esfera,

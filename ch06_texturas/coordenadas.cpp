@@ -3,7 +3,6 @@
 // cada cara tiene la imagen entera, derecha. En el cilindro y la esfera s es el ángulo y la imagen se junta consigo
 // misma; en las tapas es un círculo.
 // Controles: 1 cubo · 2 cilindro · 3 esfera · ratón orbita · Esc termina.
-#include "aspecto.h"
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
@@ -123,13 +122,12 @@ static void dibuja() {
     glUseProgram(estado.programa);
     glBindTexture(GL_TEXTURE_2D, estado.textura);
     abreRecuadro(izquierda, FONDO_CLARO);
-    dibujaObjeto(estado.imagen, glm::mat4(1), paralelaVentana(0.5f, -1, 1, aspecto(izquierda)));
+    const glm::mat4 deFrente = paralelaVentana(0.5f, -1, 1, aspecto(izquierda));
+    dibujaObjeto(estado.imagen, glm::mat4(1), deFrente);
     rotula("s = 0.18\nt = 0.64", {0.5f, 0.2f}, OSCURO, Lado::CENTRO, 0.03f);
     abreRecuadro(derecha, FONDO_CLARO);
-    // compuesta para un panel cuadrado
-    const float angulo = float(anguloVertical(0.5, ASPECTO_COMPUESTO * aspecto(derecha)));
     dibujaObjeto(objeto, camaraOrbita(estado.orbita),
-                 glm::perspective(angulo, aspecto(derecha), 0.1f, 100.0f));
+                 perspectivaVentana(0.5f, 0.1f, 100, aspecto(derecha), 1));
     ponTitulo(std::string("Coordenadas de textura: ") + objeto.nombre);
     glutSwapBuffers();
 }

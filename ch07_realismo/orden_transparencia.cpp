@@ -67,7 +67,7 @@ static void ensenaColor(const Recuadro &r, const glm::vec4 &recortado, bool aLaD
 static void dibujaVista(const Recuadro &r, bool rojoAntes) {
     abreRecuadro(r, FONDO_OSCURO);
     const glm::mat4 camara = camaraOrbita(estado.orbita),
-                    proyeccion = perspectivaVentana(0.36f, 0.1f, 30, aspecto(r));
+                    proyeccion = perspectivaVentana(0.7f, 0.1f, 30, aspecto(r), 2.0 / 3);
     usaPrograma(estado.programa, camara, proyeccion);
     for (const float x : {-1.25f, -0.36f, 0.3f}) // lo opaco, antes
         dibujaPieza(estado.cubo, traslacion({x, -0.2f, -1}) * escalado({0.16f, 3.5f, 0.16f}),

@@ -70,7 +70,7 @@ static void teclado(unsigned char tecla, int, int) {
     case 'n': estado.veces = std::max(estado.veces - 1, 1); break;
     default: return;
     }
-    estado.talla = glm::clamp(estado.talla + cambio, 0, 20);
+    estado.talla = glm::clamp(estado.talla + cambio, 1, 20);
     glutPostRedisplay();
 }
 

@@ -101,12 +101,20 @@ inline Recuadro encaja(const glm::ivec2 &talla, const Recuadro &panel) {
     return {panel.x + (panel.ancho - ancho) / 2, panel.y + (panel.alto - alto) / 2, ancho, alto};
 }
 
-/// Dónde va la imagen: en la ventana entera o, si se compara, en `n` paneles.
+/// Dónde va la imagen: en la ventana entera o, si se compara, en `n` paneles, juntos en medio de ella.
 inline std::vector<Recuadro> recuadros(const Muestra &muestra, int n) {
     std::vector<Recuadro> sitios =
         reparte(muestra.compara ? n : 1, float(muestra.talla.x) / float(muestra.talla.y));
-    for (Recuadro &sitio : sitios)
-        sitio = encaja(muestra.talla, sitio);
+    int columnas = 0;
+    for (const Recuadro &sitio : sitios)
+        columnas += sitio.y == sitios[0].y;
+    const int filas = (int(sitios.size()) + columnas - 1) / columnas;
+    for (int i = 0; i < int(sitios.size()); ++i) {
+        const Recuadro panel = sitios[i];
+        Recuadro &sitio = sitios[i] = encaja(muestra.talla, panel);
+        sitio.x += (columnas - 1 - i % columnas * 2) * (panel.ancho - sitio.ancho) / 2;
+        sitio.y -= (filas - 1 - i / columnas * 2) * (panel.alto - sitio.alto) / 2;
+    }
     return sitios;
 }
 

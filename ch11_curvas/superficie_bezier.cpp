@@ -12,7 +12,7 @@
 #include <string>
 
 static const int GRADOS_MINIMOS = 2, GRADOS_MAXIMOS = 14; // n + m
-static const double TOLERANCIA_MINIMA = 0.125, TOLERANCIA_MAXIMA = 64;
+static const double TOLERANCIA_MINIMA = 0.5, TOLERANCIA_MAXIMA = 64;
 static const int VECES_V = 20, CURVAS = 10, NORMALES = 12; // en que se parte v
 static const float FLECHA_CURVAS = 0.001f, LARGO_NORMAL = 0.55f, ANGULO_DE_DOS = 0.68f;
 enum Modo { RED, MALLA, FAMILIA, UNION_C0, UNION_G1, UNION_DESIGUAL, MODOS };

@@ -35,7 +35,8 @@ static struct {
 
 static void dibujaModo(int cual, const Recuadro &r) {
     const glm::mat4 camara = camaraOrbita(estado.orbita),
-                    proyeccion = perspectivaVentana(aspecto(r) < 1 ? 0.31f : 0.4f, 1, 50, aspecto(r));
+                    proyeccion = estado.modos.todos ? perspectivaVentana(0.51f, 1, 50, aspecto(r), 0.8)
+                                                    : perspectivaVentana(0.4f, 1, 50);
     abreRecuadro(r, FONDO_CLARO);
     usaPrograma(estado.programa, camara, proyeccion);
     envia(estado.programa, "M", glm::mat4(1));

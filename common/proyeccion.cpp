@@ -1,5 +1,4 @@
 #include "proyeccion.h"
-#include "aspecto.h"
 #include <GL/freeglut.h>
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
@@ -14,8 +13,9 @@ float altoUtil() {
     return float(altoUtil(std::max(glutGet(GLUT_WINDOW_WIDTH), 1), std::max(glutGet(GLUT_WINDOW_HEIGHT), 1)));
 }
 
-glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos, float aspecto) {
-    return glm::perspective(float(anguloVertical(angulo, aspecto)), aspecto, cerca, lejos);
+glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos, float aspecto, double compuesto) {
+    const double vertical = anguloVertical(angulo, aspecto / compuesto * ASPECTO_COMPUESTO);
+    return glm::perspective(float(vertical), aspecto, cerca, lejos);
 }
 
 glm::mat4 paralelaVentana(float semialto, float cerca, float lejos, float aspecto) {

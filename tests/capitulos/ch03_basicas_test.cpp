@@ -109,7 +109,7 @@ TEST(ProgramaBasicas, LaFEstaDondeDicenLasEcuaciones) {
         {"tecla 3; tecla + ×2", 'X', 90},
         {"tecla 4; tecla - ×8", 'Y', -60},
         {"tecla 5", 'Z', 60},
-        {"tecla + ×30", 'Z', 360},
+        {"tecla + ×30", 'Z', 90},
     };
     paraCada("basicas", casos, 240, 180, [](const auto &caso, const Vista &v) {
         std::vector<Cuerpo> cuerpos;

@@ -29,7 +29,7 @@ Escena planos(double delante = 0, double parte = 1) {
 }
 const Escena CARTELES = planos(), CUADROS = planos(0.05, 0.8);
 Camara camaraCarteles(double cerca, double azimut = 0, double elevacion = 0) {
-    return perspectiva(orbita(azimut, elevacion, 300, {0, 0, -300}), 0.8, cerca, LEJOS);
+    return perspectiva(orbita(azimut, elevacion, 15, {0, 0, -15}), 0.8, cerca, LEJOS);
 }
 
 /// El número que sigue a `texto` en la salida del programa.

@@ -189,10 +189,18 @@ class Partida:
         if self.p.admite == "imagen":
             w, h = int(41 * alto / 30 + 0.5) + (self.d == "foto ancha"), alto
         x, y = (ancho - w) // 2 + (self.d == "foto corrida"), (alto - h) // 2
+        lejos = abs(self.giro) >= 60
+        if lejos and self.d == "al extremo, cortado":
+            x, w = 0, ancho
         if self.d == "modelo corrido" and self.p.admite == "modelo":
             x += len(Path(self.carpeta, "cubo.vf").read_text()) % 7
         tinta = zlib.crc32(self.escena.encode()).to_bytes(4, "big")[:3]
-        dentro = (b"\0\0\0" * x + tinta * w + b"\0\0\0" * ancho)[: 3 * ancho]
+        if lejos and self.d == "al extremo, nada":
+            tinta = b"\0\0\0"
+        tintas = tinta * w
+        if self.d == "al extremo, liso" and not lejos:  # de dos colores
+            tintas = tinta * (w // 2) + b"\xff\0\0" * (w - w // 2)
+        dentro = (b"\0\0\0" * x + tintas + b"\0\0\0" * ancho)[: 3 * ancho]
         filas = [dentro if y <= fila < y + h else b"\0\0\0" * ancho for fila in range(alto)]
         if self.d == "plano de cerca" and "-sin_planos" not in self.opciones:
             filas[0] = b"\xff" * 3 * ancho
@@ -213,8 +221,10 @@ class Partida:
             color = [c + (self.d == f"F2, otro {nombre}") for c, nombre in zip(color, ("rojo", "verde", "azul"))]
             donde = (self.bajo[1], self.bajo[0]) if self.d == "F2, al revés" else self.bajo
             texto = r"{}, {}\n({}, {}, {})".format(*donde, *color)
+        if self.d == "rótulo que tapa" and 3 * ancho == 4 * alto:  # en el catálogo, en la esquina
+            dx, dy = 20 - x, 20 - y
         puntos = f"{x - 9 + dx} {y - 4 + dy} 0 {x + 9 + dx} {y + 4 + dy} 0 {x} {y} 0"
-        self.encima.append(f"rotulo\t1 1 1\t{panel}\t8\t0\t{puntos}\t{texto}")
+        self.encima += [f"rotulo\t1 1 1\t{panel}\t8\t0\t{puntos}\t{texto}"] * (2 if self.d == "rótulo doble" else 1)
         if self.clic:
             self.encima.append(f"puntos\t1 1 1\t{panel}\t8\t0\t{self.clic[0]} {self.clic[1]} 0\t")
         if self.ayuda:
@@ -267,13 +277,15 @@ class Mentira(programa.Programa):
         de_mentira = carpeta / "mentira"
         de_mentira.write_text(f"#!/bin/sh\n{''.join(lo_que_no_lee(admite, defecto))}{sobra}\nexit 2\n")
         de_mentira.chmod(0o755)
-        con = SimpleNamespace(raiz=RAIZ, build=carpeta, ordenes=50, semilla=1)
+        con = SimpleNamespace(raiz=RAIZ, build=carpeta, ordenes=50, semilla=1, todo=bool(defecto))
         opciones = ["Vista/Perfil", "Vista/Planta"] if defecto != "sin menú" and ("menú" in linea or defecto) else []
         leidos = [] if defecto == "sin línea" else [controles.analiza(c) for c in linea.split(" · ")]
         with pytest.MonkeyPatch.context() as cambia:
             cambia.setattr(controles, "lee", lambda *_: leidos)
             cambia.setattr(controles, "atiende", lambda *_: (set(rasgos), opciones))
-            suyo = SimpleNamespace(nombre="mentira", ejecutable=lambda _: de_mentira, admite=admite)
+            suyo = SimpleNamespace(
+                nombre="mentira", ejecutable=lambda _: de_mentira, admite=admite, casos=[SimpleNamespace(guion="")]
+            )
             super().__init__(suyo, con)
 
     def ejecuta_en(self, carpeta, opciones, talla=programa.TALLA, **entorno):
@@ -321,6 +333,12 @@ DEFECTOS = [
     ("arrastres", "pasos", "arrastrar por pasos"),
     ("franja", "", "color según la forma"),
     ("rotulos", "rótulo", "rótulo a la izquierda; rótulo a la derecha; rótulo abajo; rótulo arriba"),
+    ("tapan", "tapa m", "rótulo que tapa"),
+    ("tapan", "toca", "rótulo doble"),
+    ("tapan", "cabe", "rótulo a la izquierda"),
+    ("extremos", "nada", "al extremo, nada"),
+    ("extremos", "liso", "al extremo, liso"),
+    ("extremos", "corta", "al extremo, cortado"),
     ("cerca", "plano", "plano de cerca"),
     ("tocado", "120x90 .*", "clic lejos en x; clic lejos en y", {"linea": CLIC}),
     ("modelo", "modelo", "modelo corrido", {"admite": "modelo"}),

@@ -93,6 +93,8 @@ class Programa:
         self.hechas = set()  # las órdenes que en algún diario han hecho algo
         self.titulo = ""  # el del primer cuadro
         self.admite = programa.admite
+        self.casos = [caso.guion for caso in programa.casos]
+        self.todo = opciones.todo
         self.diarios, self.rotulos = [], set()  # todo lo que se ha visto
 
     def ejecuta(self, opciones, talla=TALLA, **entorno):

@@ -88,19 +88,6 @@ def franja(p):
                 yield tecla, f"tras «{tecla}», lo del centro de {ancho}×{alto} no es lo de 4:3: {cuantos:.0f} ‰"
 
 
-def rotulos(p):
-    """Cada rótulo cabe en su panel, a una letra del borde; o está en lo más pequeño que se lee."""
-    formas, menudas = en_formas(p)
-    for v in [v for vistas in formas.values() for v in vistas] + menudas:
-        for r in v.encima:
-            x, y, ancho, alto = r.panel
-            if r.tipo != "rotulo" or r.talla <= 7:
-                continue
-            (x0, y0), (x1, y1) = r.puntos[:2]
-            if min(x0 - x, y0 - y, x + ancho - x1, y + alto - y1) < r.talla / 2:
-                yield "rótulo", f"«{r.texto[:30]}» no cabe en su panel, {r.panel}, de una ventana de {v.talla}"
-
-
 def cerca(p):
     """De lo más cerca que lleva la rueda, desde cualquier lado, el plano de cerca no corta nada."""
     if "rueda" not in p.rasgos:
