@@ -120,7 +120,6 @@ EXCEPCIONES = {
     ("eventos", "tallas", "talla"): "escribe el tamaño de cada suceso",
     ("materiales", "vuelta", "tecla t"): "vuelve a todos: con n se ve uno",
     ("captura", "vuelta", "tecla g"): "vuelve a guardar lo mismo",
-    ("captura", "paseo", "estado"): "g deja en 1 la alineación, que es lo que enseña el listado",
     ("captura", "tallas", "talla|tecla g, .*"): "lo guardado es de cuando se guardó",
     ("morphing", "pausa", "título"): "así empieza: lo que se ve es que t no cambia",
     ("continuidad", "pausa", "título"): "así empieza: lo que se ve es que u no cambia",
