@@ -13,7 +13,7 @@ LISO = 97  # de cada cien de lo dibujado, del mismo color: no se distingue nada
 
 
 def extremos_de(p):
-    """Lo que se pulsa para llegar al extremo de cada mando, solo y en cada modo; y adónde llevan la rueda y el ratón."""
+    """Lo que se pulsa para llegar al extremo de cada mando, solo y en cada modo; y adónde llevan rueda y ratón."""
     pares = [c.ordenes for c in p.controles if set(c.teclas) in CONTRARIAS and not c.termina]
     suben = [o for par in pares for o in par] + [o for o in p.teclas if o.startswith("especial ")]
     modos = [[]] + [[o] for o in p.mandos if o not in suben]
@@ -57,7 +57,7 @@ def extremos(p):
         hay, corta, liso = mide(ordenes, "-diario")  # así se dibuja una vez, y no sesenta
         tras, de_cerca = f"tras {'; '.join(ordenes)}", ordenes[0].split()[0] in ("rueda", "boton")
         if hay < POCO * min(hay_en) and not de_cerca:
-            yield "nada", f"se dibuja el {hay:.1f} % de la ventana, y en el caso que menos, el {min(hay_en):.0f} %, {tras}"
+            yield "nada", f"se dibuja el {hay:.1f} % de la ventana, y en el caso que menos, {min(hay_en):.0f} %, {tras}"
         if liso > max(*lisos, LISO):
             yield "liso", f"el {liso:.0f} % de lo que se ve es de un color {tras}"
         if corta > max(bordes) + CORTE and not de_cerca:

@@ -74,7 +74,7 @@ def es_fondo(color, fondos=FONDOS):
 
 
 def tapado(v, r):
-    """De la caja de un rótulo, qué parte no es fondo en la escena sin rótulos, de cada cien. Lo que es de su color, como
+    """De la caja de un rótulo, qué parte no es fondo en la escena sin rótulos, en %. Lo que es de su color, como
     la flecha que nombra, es lo suyo."""
     debajo = collections.Counter(c for linea in lineas(r) for c in pixeles(v, *linea))
     suyo = tuple(round(255 * c) for c in r.color)
