@@ -29,8 +29,8 @@ valor() { # OPCIÓN ARGUMENTO…: lo que la sigue
 }
 
 configura() { # CARPETA OPCIÓN…
-  [[ "$*" != *AVISOS_SON_ERRORES=OFF* ]] || touch "$1/sin_avisos"
   mkdir -p "$1/assets" "$1/tests" "$1"/herramientas/{mide,comparador} "$1"/{osmesa,ventana}/ch01_{uno,intro}
+  [[ "$*" != *AVISOS_SON_ERRORES=OFF* ]] || touch "$1/sin_avisos"
   echo "CMAKE_HOME_DIRECTORY:INTERNAL=$PWD" >"$1/CMakeCache.txt"
   cp catalogo.json herramientas/base/entorno.txt "$1"
   echo osmesa >"$1/sin_ventana"

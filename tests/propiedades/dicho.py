@@ -22,10 +22,8 @@ def dicho(p):
         if MAL_TITULO.search(fila.titulo):
             yield "título", f"título mal escrito: «{fila.titulo}»"
     for texto in sorted(p.rotulos):
-        lineas = texto.split("\\n")  # los de F1 se parten por donde caben
-        if "guarda la imagen" not in " ".join(" ".join(lineas).split()) and (
-            mal := next(filter(MAL_ROTULO.search, lineas), None)
-        ):
+        lineas = texto.split("\\n")  # lo que hace cada tecla, en la segunda columna de F1, se parte por donde cabe
+        if not lineas[0].startswith("  ") and (mal := next(filter(MAL_ROTULO.search, lineas), None)):
             yield "rótulo", f"rótulo mal escrito: «{mal}»"
     for antes, fila in ((a, b) for filas in p.diarios for a, b in zip(filas, filas[1:])):
         if fila.escrito and fila.titulo != antes.titulo:
