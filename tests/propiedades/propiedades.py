@@ -135,6 +135,7 @@ EXCEPCIONES = {
     ("espejo_plantilla", "franja", "|tecla p"): "en una ventana ancha se ve de más cerca",
     ("camara", "tapan", "tapa p"): "«p» está en la cámara, que es lo que nombra",
     ("captura", "franja", "tecla [gadqews]"): "lo guardado es de cuando se guardó",
+    ("particulas", "extremos", "nada"): "al final queda una, y se sigue su parábola",
     ("textura3d", "extremos", "nada"): "con S2 = 0 no hay ruido, y él solo es negro",
     ("ampliacion", "tapan", "tapa .*"): "el rótulo de una imagen va sobre ella, que con × 1 llena la ventana",
     ("objeto_animado", "tapan", "tapa [XZ]"): "el avión pasa por delante de los ejes en que se mueve",
