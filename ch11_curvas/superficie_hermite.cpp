@@ -41,7 +41,7 @@ static glm::mat4 vista() {
 // Los elementos de las matrices de geometría: esquinas, tangentes y torsiones. Los nombres, los de las esquinas y el
 // del elegido.
 static void dibujaElementos() {
-    static const Lado LADOS[] = {Lado::DEBAJO, Lado::IZQUIERDA, Lado::IZQUIERDA, Lado::IZQUIERDA};
+    static const Lado LADOS[] = {Lado::IZQUIERDA, Lado::IZQUIERDA, Lado::IZQUIERDA, Lado::IZQUIERDA};
     glDisable(GL_DEPTH_TEST); // las flechas y los puntos, enteros, también por detrás de la superficie
     std::vector<glm::vec3> esquinas;
     for (std::size_t k = 0; k < estado.puntas.size(); ++k) {
