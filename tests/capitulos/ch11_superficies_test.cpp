@@ -418,7 +418,7 @@ TEST(SuperficieBezier, LaToleranciaEsEnPixeles) {
         std::string guion, rotulo;
         double tolerancia, acercada = 1;
     } casos[] = {{"tecla m", "32", 32},
-                 {"tecla + ×9", "0.125", 0.125},
+                 {"tecla + ×9", "0.5", 0.5},
                  {"tecla - ×9", "64", 64},
                  {"tecla + ×6; rueda 1 9 9 ×4", "1", 1, std::pow(1.1, 4)},
                  {"tamano 300 400", "1", 1, std::pow(1.1, 4)}};
