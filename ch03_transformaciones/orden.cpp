@@ -76,7 +76,7 @@ static void dibuja() {
     dibujaVista(T, S, "T·S", "S", paneles[0]);
     if (estado.cuenta)
         rotula(productos("T·(S·v)", 0, 2 * 16) + "\n" + productos("(T·S)·v", 4 * 16, 16), {0.98f, 0.86f},
-               MORADO, Lado::IZQUIERDA);
+               MORADO, Lado::IZQUIERDA, 0.034f);
     dibujaVista(S, T, "S·T", "T", paneles[1]);
     glutSwapBuffers();
 }

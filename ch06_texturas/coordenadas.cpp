@@ -122,9 +122,9 @@ static void dibuja() {
     glUseProgram(estado.programa);
     glBindTexture(GL_TEXTURE_2D, estado.textura);
     abreRecuadro(izquierda, FONDO_CLARO);
-    const glm::mat4 deFrente = paralelaVentana(0.5f, -1, 1, aspecto(izquierda));
+    const glm::mat4 deFrente = paralelaVentana(0.48f, -1, 1, aspecto(izquierda));
     dibujaObjeto(estado.imagen, glm::mat4(1), deFrente);
-    rotula("s = 0.18\nt = 0.64", {0.5f, 0.2f}, OSCURO, Lado::CENTRO, 0.03f);
+    rotulaPunto("s = 0.18\nt = 0.64", {0, -0.66f, 0}, deFrente, OSCURO, Lado::DEBAJO);
     abreRecuadro(derecha, FONDO_CLARO);
     dibujaObjeto(objeto, camaraOrbita(estado.orbita),
                  perspectivaVentana(0.5f, 0.1f, 100, aspecto(derecha), 1));

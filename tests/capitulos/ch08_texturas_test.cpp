@@ -195,7 +195,7 @@ TEST(Erratas, Ecuacion81) {
 // --- enrejado ----------------------------------------------------------------------------------------------
 
 // Los barrotes de fuera, los de detrás vistos por dentro, iluminados con la normal opuesta, y el fondo: cada uno, una
-// zona. Cada talla manda en su coordenada: con una de las dos a 1 la esfera está entera y con las dos a 0 no hay nada.
+// zona. Cada talla manda en su coordenada: con una de las dos a 1 la esfera está entera; menos de 0.05 no llegan a ser.
 TEST(Enrejado, HuecosContraFract) {
     const Material fuera{0.22 * exacto(NARANJA), 0.80 * exacto(NARANJA), 0.55 * UNO, 50},
         dentro{0.25 * exacto(AZUL), 0.80 * exacto(AZUL), {}, 1};
@@ -211,10 +211,10 @@ TEST(Enrejado, HuecosContraFract) {
         {veces(10, "tecla +"), 0.7, 0.7, 0.4, 0.35},
         {arrastra({100, 100}, {140, 500}), 0.7, 0.7},
         {veces(9, "tecla +"), 1, 1},
-        {"tecla a ×21", 0, 1},
-        {"tecla d ×3; tecla x ×21", 0.15, 0},
-        {veces(4, "tecla -"), 0, 0},
-        {"tecla + ×7; tecla n ×8", 0.35, 0.35, 0.1, 1.55, 4},
+        {"tecla a ×21", 0.05, 1},
+        {"tecla d ×3; tecla x ×21", 0.2, 0.05},
+        {veces(4, "tecla -"), 0.05, 0.05},
+        {"tecla + ×6; tecla n ×8", 0.35, 0.35, 0.1, 1.55, 4},
         {"tecla b ×99; tecla n", 0.35, 0.35, 0.1, 1.55, 23},
     };
     paraCada("enrejado", casos, 320, 240, [&](const auto &c, const Vista &v) {
