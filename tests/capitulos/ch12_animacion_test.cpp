@@ -156,7 +156,9 @@ Malla toroDesplazado(double t, double S2, double centro) {
 
 /// El objeto de ese panel es, píxel a píxel, el toro del programa con sus vértices desplazados aquí y su normal.
 void compruebaRuido(const Vista &v, const Hueco &h, int modo, double t, double S2) {
-    const Panel panel(perspectiva(orbita(-0.3, 0.35, 10), h.ancho < h.alto ? 0.31 : 0.4, 1, 50), h);
+    const double deLosDos =
+        2 * std::atan(0.8 / (4 / 3.0) * std::tan(0.51 / 2)); // compuestos para 0.8, y no para 4:3
+    const Panel panel(perspectiva(orbita(-0.3, 0.35, 10), h.ancho < h.alto ? deLosDos : 0.4, 1, 50), h);
     const Cuerpo cuerpo = {enElMundo(Mat4(), toroDesplazado(std::fmod(t, 5), S2, modo == 0 ? 0.5 : 0)),
                            exacto(modo == 0 ? VERDE : NARANJA)};
     comprueba("t = " + conDosCifras(t),
