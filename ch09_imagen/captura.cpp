@@ -28,6 +28,9 @@ static void inicia() {
     estado.programa = creaProgramaObjeto();
     estado.programaCopia = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/imagen.frag");
     estado.cubo = creaBuferes(cubo());
+    // Con 4, lo normal, cada fila acabaría en un múltiplo de 4 bytes, al leer la ventana y al crear la textura.
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
 }
 
 static void dibujaGrua() {
@@ -48,7 +51,6 @@ static void dibujaGrua() {
 static void guardaYLee() {
     Imagen imagen{glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT), {}};
     imagen.rgb.resize(std::size_t(3) * imagen.ancho * imagen.alto);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1); // con 4, lo normal, cada fila acabaría en un múltiplo de 4 bytes
     glReadPixels(0, 0, imagen.ancho, imagen.alto, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());
     if (!intentaGuardarPpm(estado.fichero, imagen, "", estado.resultado)) {
         avisa(estado.resultado);
