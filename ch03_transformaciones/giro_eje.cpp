@@ -128,12 +128,14 @@ static void teclado(unsigned char tecla, int, int) {
 }
 
 static void boton(int cual, int pulsado, int x, int y) {
-    estado.moviendoEje = cual == GLUT_LEFT_BUTTON && pulsado == GLUT_DOWN;
+    if (cual == GLUT_RIGHT_BUTTON)
+        orbitaBoton(GLUT_LEFT_BUTTON, pulsado, x, y);
+    if (cual != GLUT_LEFT_BUTTON)
+        return;
+    estado.moviendoEje = pulsado == GLUT_DOWN;
     estado.xPulsado = x;
     estado.yPulsado = y;
     estado.ejePulsado = unitario(estado.eje);
-    if (cual == GLUT_RIGHT_BUTTON)
-        orbitaBoton(GLUT_LEFT_BUTTON, pulsado, x, y);
 }
 
 // El eje gira con el ratón alrededor de la vertical y de la horizontal de la pantalla, que en el mundo son

@@ -126,7 +126,9 @@ static glm::vec2 enImagen(int x, int y) {
 }
 
 static void raton(int boton, int pulsado, int x, int y) {
-    estado.arrastra = boton == GLUT_LEFT_BUTTON && pulsado == GLUT_DOWN && !estado.muestra.compara;
+    if (boton != GLUT_LEFT_BUTTON)
+        return;
+    estado.arrastra = pulsado == GLUT_DOWN && !estado.muestra.compara;
     if (estado.arrastra)
         estado.punto = masCercano(intermedia(tActual()), enImagen(x, y), estado.muestra.talla);
 }

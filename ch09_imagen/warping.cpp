@@ -67,7 +67,9 @@ static glm::vec2 enImagen(int x, int y) {
 }
 
 static void raton(int boton, int pulsado, int x, int y) {
-    estado.arrastra = boton == GLUT_LEFT_BUTTON && pulsado == GLUT_DOWN;
+    if (boton != GLUT_LEFT_BUTTON)
+        return;
+    estado.arrastra = pulsado == GLUT_DOWN;
     if (estado.arrastra)
         estado.punto = masCercano(estado.malla, enImagen(x, y), estado.muestra.talla);
 }

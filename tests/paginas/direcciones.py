@@ -19,7 +19,7 @@ def promesa(n, codigo, *argumentos):
     """Lo que acaba dando un código asíncrono; Firefox no sabe esperarlo."""
     n.js("window.dado = undefined; window.pedido = arguments", *argumentos)
     n.js(f"(async () => {{ {NOMBRES} {codigo} }})().then(v => {{ dado = [v] }}, e => {{ dado = [String(e)] }})")
-    exige(espera(n, "return window.dado !== undefined", 120), f"acaba: {codigo[:60]}")
+    exige(espera(n, "return window.dado !== undefined", 400), f"acaba: {codigo[:60]}")
     return n.js("return dado[0]")
 
 

@@ -18,13 +18,16 @@ def pausa(p):
             yield "temporizador", "el temporizador no pide que se vuelva a dibujar"
     anda = [] if luego.distinta(nada) else ["tecla Espacio"]
     seguido = p.diario([*anda, "espera 960"])[-1]
-    filas = p.diario([*anda, "espera 640", "tecla Espacio", "espera 4960", "tecla Espacio", "espera 320"])[len(anda) :]
+    otra_pausa = ["tecla Espacio", "espera 640", "tecla Espacio", "espera 320"]
+    filas = p.diario([*anda, "espera 320", "tecla Espacio", "espera 4960", "tecla Espacio", "espera 320", *otra_pausa])[
+        len(anda) :
+    ]
     if filas[2].titulo == filas[1].titulo:
         yield "título", "el título no dice que está en pausa"
     if filas[3].se_ve() != filas[2].se_ve():
         yield "pausa", "en la pausa cambia algo"
-    if filas[5].se_ve() != seguido.se_ve():
-        yield "pausa", f"tras una pausa no se sigue donde se estaba: {seguido.titulo} y {filas[5].titulo}"
+    if filas[9].se_ve() != seguido.se_ve():
+        yield "pausa", f"tras dos pausas no se sigue donde se estaba: {seguido.titulo} y {filas[9].titulo}"
     filas = p.diario([*anda, "tecla Espacio ×40", "espera 960"])
     if filas[-1].se_ve() != seguido.se_ve():
         yield "pausa", "parar y seguir muchas veces en el mismo instante cambia algo"

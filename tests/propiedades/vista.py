@@ -46,7 +46,8 @@ def tallas(p):
 
 
 def arrastres(p):
-    """Arrastrar en un paso o en tres deja lo mismo; y en horizontal, de una vez o soltando a la mitad."""
+    """Arrastrar en un paso o en tres, tocando mientras otro botón, deja lo mismo; y en horizontal, de una vez o
+    soltando a la mitad."""
     if "arrastre" not in p.rasgos or p.cualquiera:
         return
     botones = ["IZQUIERDO"] if p.opciones else ["IZQUIERDO", "DERECHO"]  # el derecho abre el menú
@@ -55,7 +56,9 @@ def arrastres(p):
         [o for boton in botones for puntos in caminos for o in arrastre(*puntos, boton, pasos)] for pasos in (1, 3)
     )
     for boton in [] if "clic" in p.dice else botones:  # pulsar otra vez elegiría otra cosa
-        una += arrastre(40, 45, 80, 45, boton)
+        abajo, primero, *resto = arrastre(40, 45, 80, 45, boton, 3)
+        una += arrastre(40, 45, 80, 45, boton) * 2
+        tres += [abajo, primero, "boton CENTRAL abajo 53 45", "boton CENTRAL arriba 53 45", *resto]
         tres += arrastre(40, 45, 60, 45, boton) + arrastre(60, 45, 80, 45, boton)
     if not parecidas(p.ventana(una), p.ventana(tres)):
         yield "pasos", f"arrastrar en uno o en tres pasos, o soltando a la mitad, no deja lo mismo: {'; '.join(una)}"
