@@ -1,6 +1,7 @@
-// Las esquinas del volumen de la vista (figuras 4.3 y 4.4), de sus parámetros y no de la matriz de proyección.
-// Sin OpenGL; lo usan volumen_vista y etapas_pipeline.
+// El volumen de la vista (figuras 4.3 y 4.4): su proyección y sus esquinas, estas de sus parámetros y no de la matriz.
+// Sin OpenGL; lo usa volumen_vista.
 #pragma once
+#include "vista.h"
 #include <array>
 #include <cmath>
 #include <glm/glm.hpp>
@@ -29,4 +30,26 @@ inline Esquinas esquinasPerspectiva(double theta, double aspecto, double cerca, 
     for (std::size_t k = 0; k < 8; ++k)
         e[k] *= k < 4 ? cerca : lejos;
     return e;
+}
+
+/// Los parámetros de las dos proyecciones. El volumen paralelo es centrado, y su alto cambia a la vez que θ.
+struct Volumen {
+    bool enPerspectiva = true;
+    double theta = 0.52, aspecto = 4.0 / 3, cerca = 2.5, lejos = 9; // θ, el ángulo entero en Y, en radianes
+
+    double semialto() const { // el de la caja
+        return 1.7 / 0.52 * theta;
+    }
+};
+
+inline glm::dmat4 proyeccionDe(const Volumen &v) {
+    const double y = v.semialto(), x = v.aspecto * y;
+    return v.enPerspectiva ? proyeccionPerspectiva(v.theta, v.aspecto, v.cerca, v.lejos)
+                           : proyeccionParalela(-x, x, -y, y, v.cerca, v.lejos);
+}
+
+inline Esquinas esquinasDe(const Volumen &v) {
+    const double y = v.semialto(), x = v.aspecto * y;
+    return v.enPerspectiva ? esquinasPerspectiva(v.theta, v.aspecto, v.cerca, v.lejos)
+                           : esquinasParalela(-x, x, -y, y, v.cerca, v.lejos);
 }
