@@ -29,14 +29,14 @@ static const Material ENCENDIDA = {{1.00f, 0.93f, 0.60f}, {0, 0, 0}, {0, 0, 0}, 
 static struct {
     GLuint programa;
     Buferes plano, esfera;
-    Orbita orbita = {-0.3f, 0.06f, 72, {3.05f, 1.2f, 0}, 0.05f}; // de lejos: la constante es horizontal
+    Orbita orbita = {-0.45f, 0.012f, 150, {3.05f, 1.35f, 0}, 0.01f}; // casi de lado y de lejos: la constante es horizontal
     int elegido = 0;
 } estado;
 
 static void inicia() {
     estado.programa = creaSombreado("phong");
     estado.plano = creaBuferes(plano(1));
-    estado.esfera = creaBuferes(esfera(segmentosEsfera(70)));
+    estado.esfera = creaBuferes(esfera(segmentosEsfera(90)));
     glEnable(GL_DEPTH_TEST);
     ponFondo(FONDO_OSCURO);
 }
@@ -74,7 +74,7 @@ static void dibuja() {
     luz.atenuacion = MODOS[estado.elegido].abc;
 
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.088f, 1, 300);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.0375f, 50, 400);
     const auto solido = [&](const Buferes &buferes, const glm::mat4 &M, const Material &material) {
         dibujaObjeto(estado.programa, buferes, M, camara, material);
     };

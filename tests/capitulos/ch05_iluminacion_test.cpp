@@ -310,12 +310,12 @@ struct Atenuacion {
     double b, c; // a = 1
 
     Iluminada escena() const {
-        const int n = segmentosEsfera(70);
+        const int n = segmentosEsfera(90);
         const Mat4 suelo = traslada({3, -0.42, 0}) * TUMBADO * escala({7.2, 2, 1});
         Iluminada e{{{plano(suelo), {{0.05, 0.05, 0.06}, {0.55, 0.57, 0.60}, {}, 1}},
                      {esfera(escala(0.2)), {{1.00, 0.93, 0.60}, {}, {}, 1}, n}},
                     {atenuada(posicional({}), 1, b, c)},
-                    perspectiva(orbita(-0.3, 0.06, 72, {3.05, 1.2, 0}), 0.088, 1, 300)};
+                    perspectiva(orbita(-0.45, 0.012, 150, {3.05, 1.35, 0}), 0.0375, 50, 400)};
         for (int d = 1; d <= 6; ++d)
             e.solidos.push_back({esfera(traslada({double(d), 0, 0}) * escala(0.42)),
                                  pintura({0.14, 0.08, 0.02}, {0.84, 0.50, 0.12}, 0.30, 20), n});
