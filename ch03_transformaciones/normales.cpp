@@ -74,15 +74,17 @@ static void inicia() {
     ponFondo(FONDO_CLARO);
 }
 
-// Las flechas de un lado, delante de la cara, que no las tape. Un vector unitario mide LARGO.
+// Las flechas de un lado, delante de la cara, que no las tape. Un vector unitario mide LARGO y, hacia dentro, la mitad:
+// que no se junten en el centro.
 static void trazaLado(int i, const glm::mat4 &M, const glm::mat4 &transformacion) {
     const glm::vec2 &a = POLIGONO[i], &b = POLIGONO[(i + 1) % LADOS];
     const glm::vec4 medio(0.5f * (a + b), 0.52f * FONDO, 1), medioLado(0.5f * (b - a), 0, 0);
     const glm::vec3 pie = M * medio;
+    const float largo = estado.alReves ? LARGO / 2 : LARGO;
     const auto flecha = [&](const glm::vec3 &v, const glm::vec3 &color, const char *nombre) {
-        trazaFlecha(pie, pie + LARGO * v, transformacion, color, 1.5f * GROSOR);
+        trazaFlecha(pie, pie + largo * v, transformacion, color, 1.5f * GROSOR);
         if (i == CASOS[estado.elegido].ladoRotulado)
-            rotulaPunto(nombre, pie + (estado.alReves ? -0.3f : LARGO + 0.24f) * unitario(v), transformacion,
+            rotulaPunto(nombre, pie + (estado.alReves ? -0.3f : largo + 0.24f) * unitario(v), transformacion,
                         color, Lado::CENTRO);
     };
     const glm::vec3 n = (estado.alReves ? -1.0f : 1.0f) * normalLado(i), Nn = matrizNormal(M) * n,
@@ -91,8 +93,8 @@ static void trazaLado(int i, const glm::mat4 &M, const glm::mat4 &transformacion
     if (estado.tangentes)
         trazaFlecha(M * (medio - medioLado), M * (medio + medioLado), transformacion, AZUL, 1.5f * GROSOR);
     if (estado.sinNormalizar && hayNormal) {
-        trazaSegmentos({pie, pie + LARGO * conN}, transformacion, GRIS);
-        trazaPuntos({pie + LARGO * conN}, transformacion, GRIS);
+        trazaSegmentos({pie, pie + largo * conN}, transformacion, GRIS);
+        trazaPuntos({pie + largo * conN}, transformacion, GRIS);
         flecha(Nn, VERDE, "N·n");
     } else if (!estado.sinNormalizar) {
         if (hayNormal)

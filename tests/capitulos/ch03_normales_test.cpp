@@ -97,7 +97,7 @@ private:
         const std::size_t k = 2 * i, otro = (k + 2) % 8;
         caras.insert(caras.end(), {{k, otro, otro + 1}, {k, otro + 1, k + 1}});
         const auto flecha = [&, pie = medio + delante](const Vec3 &hacia, double largo = 1) {
-            return Linea{pie, pie + (c.alReves ? -0.75 : 0.75) * largo * unitario(hacia)};
+            return Linea{pie, pie + (c.alReves ? -0.375 : 0.75) * largo * unitario(hacia)};
         };
         if (c.tangentes)
             delLado.push_back({a + delante, b + delante});
