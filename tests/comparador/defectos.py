@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """defectos.py RAÍZ BUILD: el comparador acepta lo que debe y rechaza lo demás: textura_objeto con una cosa estropeada
 en un shader y, después, su imagen con unos píxeles cambiados, a uno y otro lado de cada límite."""
+import math
 import os
 import re
 import subprocess
@@ -61,24 +62,24 @@ def cambiada(buena, componente, cuantos, niveles):
     return buena[: -3 * 43200] + rgb
 
 
-def mancha(buena, ancho, alto):
-    """Con un rectángulo negro cerca de la esquina."""
+def mancha(buena, ancho, alto, x0=5, y0=5):
+    """Con un rectángulo negro ahí."""
     mala = bytearray(buena)
-    for y in range(5, 5 + alto):
-        desde = len(buena) - 3 * 43200 + 3 * (240 * y + 5)
+    for y in range(y0, y0 + alto):
+        desde = len(buena) - 3 * 43200 + 3 * (240 * y + x0)
         mala[desde : desde + 3 * ancho] = bytes(3 * ancho)
     return mala
 
 
-def espera(que, estado, buena, mala, opciones="", dice=""):
-    """Comparar la mala con la buena acaba con ese estado y lo dice."""
+def espera(que, estado, buena, mala, opciones="", *dice):
+    """Comparar la mala con la buena acaba con ese estado y dice todo eso."""
     Path("buena.ppm").write_bytes(buena)
     Path("mala.ppm").write_bytes(mala)
     palabras = re.split("(?: |^)(?=--)|=", opciones)[1:]
     compara = [BUILD / "herramientas/comparador/compara", "buena.ppm", "mala.ppm", *palabras]
     hecho = subprocess.run(compara, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     print(f"{que:34} {opciones:8} {hecho.stdout.split('; hecha')[0].strip()}")
-    if hecho.returncode != estado or dice not in hecho.stdout:
+    if hecho.returncode != estado or not all(d in hecho.stdout for d in dice):
         fallos.append(f"{que} {opciones}: ha acabado con {hecho.returncode}, y debía con {estado} diciendo «{dice}»")
 
 
@@ -110,10 +111,14 @@ def main():
         mala = cambiada(buena, componente, cuantos, niveles)
         for opciones, estado in estados.items():
             que = f"{cuantos} píxeles a {niveles} niveles, {'RGB'[componente]}"
-            dice = {"--otro": "otro OpenGL", "--redondeo": "a un nivel"}.get(opciones[:10], f"máximo {niveles} ")
-            espera(que, estado, buena, mala, opciones, dice)
-    for alto in (2, 3):  # se perdona una mancha de 3×2, y no de 3×3
-        espera(f"una mancha de 3×{alto}", alto - 2, buena, mancha(buena, 3, alto), "--otro", "otro OpenGL")
+            psnr = 10 * math.log10(255**2 / (cuantos * niveles**2 / (3 * 43200)))
+            medido = f"máximo {niveles} ", f"PSNR {psnr:.1f} dB"
+            dice = {"--otro": ["otro OpenGL"], "--redondeo": ["a un nivel"]}.get(opciones[:10], medido)
+            espera(que, estado, buena, mala, opciones, *dice)
+    for alto in (2, 3):  # se perdona una mancha de 3×2, y no de 3×3, tampoco en los bordes
+        for x, y in ((5, 5), (0, 0), (237, 0), (0, 180 - alto), (237, 180 - alto)):
+            mala = mancha(buena, 3, alto, x, y)
+            espera(f"una mancha de 3×{alto} en {x}, {y}", alto - 2, buena, mala, "--otro", "otro OpenGL")
     for mal in NO_SON:
         espera("tolerancia", 2, buena, buena, f"--amplia --tolerancia={mal}", "son PORCENTAJE NIVELES MAXIMO")
     for ancho, alto in (
