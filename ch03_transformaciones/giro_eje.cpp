@@ -107,7 +107,7 @@ static void dibuja() {
     if (estado.paso >= GIRADO)
         rotulaPunto("φ", medio + 0.2f * haciaFuera, enBase, MORADO, Lado::CENTRO);
     rotula(describe(d), {0.5f, 0.05f}, OSCURO);
-    rotula(PASOS[estado.paso], {0.5f, 0.95f}, OSCURO);
+    rotula(PASOS[estado.paso], {0.03f, 0.95f}, OSCURO, Lado::DERECHA);
     ponTitulo("Giro alrededor de un eje: " + describe(d));
     glutSwapBuffers();
 }
