@@ -21,7 +21,8 @@ static const Orbita ORBITA = {0.22f, 0.38f, 9.5f, {0.43f, 1.42f, 0}};
 // Lado de un píxel a la distancia del centro, con 720 líneas. Con error de 1 el medido no llega a medio píxel (la
 // prueba ch02_bezier lo mide): en esta superficie es como mucho la mitad de lo que garantiza la cota.
 static const double PIXEL = 2 * std::tan(0.5 * ANGULO) * ORBITA.distancia / 720;
-static const double ERROR_INICIAL = 1, ERROR_MINIMO = 0.5, ERROR_MAXIMO = 64; // píxeles
+static const double ERROR_INICIAL = 1, ERROR_MINIMO = 1.0 / 16, ERROR_MAXIMO = 64; // píxeles
+static const double ERROR_CON_LINEAS = 0.5; // con menos, todo serían líneas
 
 enum Lineas { NINGUNA, TRIANGULOS, CUADRILATEROS };
 
@@ -71,13 +72,13 @@ static void teclado(unsigned char tecla, int, int) {
     switch (tecla) {
     case 'm': estado.lineas = estado.lineas == TRIANGULOS ? NINGUNA : TRIANGULOS; break;
     case 'c': estado.lineas = estado.lineas == CUADRILATEROS ? NINGUNA : CUADRILATEROS; break;
-    case '+':
-    case '-':
-        estado.error = glm::clamp(estado.error * (tecla == '+' ? 0.5 : 2), ERROR_MINIMO, ERROR_MAXIMO);
-        construye();
-        break;
+    case '+': estado.error /= 2; break;
+    case '-': estado.error *= 2; break;
     default: return;
     }
+    estado.error =
+        glm::clamp(estado.error, estado.lineas == NINGUNA ? ERROR_MINIMO : ERROR_CON_LINEAS, ERROR_MAXIMO);
+    construye();
     glutPostRedisplay();
 }
 

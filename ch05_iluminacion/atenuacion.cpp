@@ -29,7 +29,8 @@ static const Material ENCENDIDA = {{1.00f, 0.93f, 0.60f}, {0, 0, 0}, {0, 0, 0}, 
 static struct {
     GLuint programa;
     Buferes plano, esfera;
-    Orbita orbita = {-0.45f, 0.012f, 150, {3.05f, 1.35f, 0}, 0.01f}; // casi de lado y de lejos: la constante es horizontal
+    // casi de lado y de lejos: la constante es horizontal
+    Orbita orbita = {-0.45f, 0.012f, 150, {3.05f, 1.35f, 0}, 0.01f};
     int elegido = 0;
 } estado;
 

@@ -369,8 +369,8 @@ TEST(VariasLuces, ContraTrazadoDeRayos) {
 }
 
 // --- sombreado ---------------------------------------------------------------------------------------------
-/// En un panel alto la esfera está encima del toro, y la vista abarca 0.142 radianes a lo alto de una ventana 4:3, es
-/// decir, 4/3 de su tangente a lo ancho.
+/// En un panel alto la esfera está encima del toro, y la vista, compuesta para 4:9, abarca 0.42 radianes a lo alto; de
+/// una de 4:3 sería la tercera parte de su tangente.
 struct Sombreado {
     std::string guion;
     int modelo, n;
@@ -382,7 +382,7 @@ struct Sombreado {
         return {{{esfera(E), pintura({0.05, 0.14, 0.14}, {0.12, 0.50, 0.50}, 0.75, 16), n},
                  {toro(T, 0.68, 0.30), pintura({0.20, 0.08, 0.05}, {0.62, 0.26, 0.17}, 0.70, 16), n, n / 2}},
                 {posicional({-3, 4, 6})},
-                perspectiva(orbita(0, 0, 12), alto ? 0.142 : 0.27, 1, 100),
+                perspectiva(orbita(0, 0, 12), alto ? 2 * std::atan(std::tan(0.21) / 3) : 0.27, 1, 100),
                 FONDO,
                 modelo};
     }

@@ -52,13 +52,14 @@ def arrastres(p):
         return
     botones = ["IZQUIERDO"] if p.opciones else ["IZQUIERDO", "DERECHO"]  # el derecho abre el menú
     caminos = [(60, 45, 90, 60), (30, 60, 42, 30), (100, 45, 70, 60)]
-    una, tres = (
-        [o for boton in botones for puntos in caminos for o in arrastre(*puntos, boton, pasos)] for pasos in (1, 3)
-    )
+    una = [o for boton in botones for puntos in caminos for o in arrastre(*puntos, boton)]
+    tres = []
+    for boton, puntos in itertools.product(botones, caminos):
+        abajo, *resto = arrastre(*puntos, boton, 3)
+        x, y = puntos[:2]
+        tres += [abajo, f"boton CENTRAL abajo {x} {y}", f"boton CENTRAL arriba {x} {y}", *resto]
     for boton in [] if "clic" in p.dice else botones:  # pulsar otra vez elegiría otra cosa
-        abajo, primero, *resto = arrastre(40, 45, 80, 45, boton, 3)
-        una += arrastre(40, 45, 80, 45, boton) * 2
-        tres += [abajo, primero, "boton CENTRAL abajo 53 45", "boton CENTRAL arriba 53 45", *resto]
+        una += arrastre(40, 45, 80, 45, boton)
         tres += arrastre(40, 45, 60, 45, boton) + arrastre(60, 45, 80, 45, boton)
     if not parecidas(p.ventana(una), p.ventana(tres)):
         yield "pasos", f"arrastrar en uno o en tres pasos, o soltando a la mitad, no deja lo mismo: {'; '.join(una)}"
