@@ -23,6 +23,28 @@ def filas(fichero):
     return [linea.split("\t") for linea in fichero.read_text().splitlines() if linea and not linea.startswith("#")]
 
 
+@dataclass
+class Porque:
+    """Una pregunta que contesta un píxel: a qué capítulo pertenece (ch07), en qué enlace de la página se contesta y,
+    allí, dónde mirar."""
+
+    capitulo: str
+    pregunta: str
+    enlace: str  # zbuffer/explica/384,346;tecla z
+    mira: str
+
+    @property
+    def orden(self):
+        """Lo mismo, en la terminal."""
+        donde, _, guion = self.enlace.partition(";")
+        programa, pixel = donde.split("/explica/")
+        return f"./lab explica {programa} {pixel.replace(',', ' ')}" + f' -guion "{guion}"' * bool(guion)
+
+
+def porques(raiz):
+    return [Porque(*fila) for fila in filas(raiz / "docs/porques.tsv")]
+
+
 def cosas(raiz):
     return [Cosa(*fila) for fila in filas(raiz / "docs/libro.tsv")]
 
@@ -134,6 +156,9 @@ class Libro:
 
     def erratas_de(self, programa):
         return [errata[2] for errata in self.erratas if self.es_de(errata, programa)]
+
+    def porques(self, capitulo):
+        return [p for p in porques(self.raiz) if capitulo.nombre.startswith(p.capitulo)]
 
     def otras_erratas(self, capitulo):
         """Las de ese capítulo que no son de ninguno de sus programas."""

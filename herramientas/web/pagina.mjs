@@ -7,29 +7,33 @@ import { Taller } from './almacen.mjs';
 import { ensenaCatalogo } from './catalogo.mjs';
 import { json } from './datos.mjs';
 import { avisa, crea, todos, una } from '../base/documento.mjs';
+import { explicaCuadro } from './cuadro_vivo.mjs';
 import { Editor } from './editor.mjs';
 import { Ejercicio } from './ejercicio.mjs';
-import { casoDe, hazEnlace, leeEnlace, programaDe } from './enlaces.mjs';
+import { casoDe, enEnlace, hazEnlace, leeEnlace, pixelEn, programaDe } from './enlaces.mjs';
 import { Escena } from './escena.mjs';
 import { ensenaCaso, ponCasos, ponFicha } from './ficha.mjs';
-import { cierraPixel, ensenaPixel } from './explicado.mjs';
+import { cierraExplicado, ensena } from './explicado.mjs';
 import { delEjercicio, esShader, ordenaFuentes } from './fuentes.mjs';
 import { casoInicial } from './guiones.mjs';
+import { copiaLinea, incrusta, lineaDe } from './incrustado.mjs';
 import { ponMandos } from './mandos.mjs';
 import { cierraMenu } from './menu.mjs';
-import { explicaPixel } from './pixel.mjs';
+import { apuntaUniforms } from './ordenes.mjs';
 import { EJERCICIOS, PROGRAMAS } from './programas.mjs';
 import { Propios } from './propios.mjs';
+import { apunta, atiendePunteria } from './punteria.mjs';
 import { atiendeProyeccion, completa, proyecta } from './proyeccion.mjs';
 
 export { arranca } from './programa.mjs';
 
-/// Lo que se ve: { programa, ejercicio, taller, caso }; nada, en el catálogo.
+/// Lo que se ve: { programa, ejercicio, taller, caso, explicado }; nada, en el catálogo.
 export let visto = {};
 const libre = new Taller('sessionStorage', 'cambios');
 let ruta; // a la que se ha ido
+let explicando = Promise.resolve();
 
-export const escena = new Escena({ alArrancar, alRecargar: () => editor.marca(escena.errores) });
+export const escena = new Escena({ alArrancar, alRecargar });
 export const editor = new Editor({
   alEscribir: () => visto.ejercicio?.olvidaRevision(),
   alCambiar: (fichero, texto) => conCuidado(() => escena.cambia(fichero, texto)),
@@ -37,6 +41,7 @@ export const editor = new Editor({
 const propios = new Propios(() => empieza());
 
 function empieza(guion) {
+  dejaDeExplicar();
   const { programa, ejercicio, taller } = visto;
   const acompana = ejercicio && ((sesion, opciones) => ejercicio.conObjetivo(sesion, opciones));
   return conCuidado(() =>
@@ -71,6 +76,11 @@ function alArrancar() {
   ejercicio?.comparaPronto();
 }
 
+function alRecargar() {
+  editor.marca(escena.errores);
+  if (explicado()) explica(explicado().pixel, false);
+}
+
 /// Un caso de un programa, en su dirección: con «Atrás» se vuelve al que se veía. En un ejercicio no la tiene.
 function vaACaso(caso, va = enlace => { location.hash = enlace; }) {
   const enlace = '#' + caso.fichero;
@@ -96,11 +106,13 @@ function navega() {
   if (location.hash === ruta) return;
   ruta = location.hash;
   editor.aplicaYa();
-  const { ejercicio: esEjercicio, nombre, guion } = leeEnlace(ruta);
+  const { ejercicio: esEjercicio, nombre, guion, pixel, incrusta: solo } = leeEnlace(ruta);
   const datos = esEjercicio ? EJERCICIOS.find(e => e.codigo.toLowerCase() === nombre.toLowerCase()) : undefined;
   const programa = esEjercicio ? datos?.programa : programaDe(nombre, PROGRAMAS);
   const caso = programa && casoDe(nombre, programa);
-  if (caso && visto.programa === programa && !visto.ejercicio && guion === undefined) return empiezaCaso(caso);
+  incrusta(solo && programa);
+  if (caso && visto.programa === programa && !visto.ejercicio && guion === undefined)
+    return empiezaCaso(caso).then(() => explicaEn(pixel));
   visto.ejercicio?.deja();
   escena.cierra();
   visto = { programa };
@@ -110,11 +122,10 @@ function navega() {
   (programa ? una('.migas') : document.body).prepend(una('.indice'));
   acomodaLado();
   cierraMenu();
-  cierraPixel();
-  apunta(false);
+  dejaDeExplicar();
   propios.estrena(programa);
   if (!programa) return ensenaCatalogo(nombre, esEjercicio);
-  entra(datos, caso, guion);
+  entra(datos, caso, guion).then(() => explicaEn(pixel));
 }
 
 /// En el programa que se ve o, si es un ejercicio, con esos datos.
@@ -129,7 +140,7 @@ function entra(datos, caso, guion) {
   ejercicio?.pon(() => editor.cambiaDeVista());
   if (guion === undefined) return empiezaCaso(caso);
   ensenaCaso();
-  empieza(guion);
+  return empieza(guion);
 }
 
 function guardaImagen() {
@@ -140,8 +151,16 @@ function guardaImagen() {
   });
 }
 
+/// El enlace de lo que se ve.
+function enlaceDe() {
+  const { pixel, ordenes = escena.hecho.ordenes } = explicado() ?? {};
+  const nombre = (visto.ejercicio?.enlace ?? visto.programa.nombre) + (pixel ? enEnlace(pixel, escena.sesion.lienzo)
+    : '');
+  return hazEnlace(nombre, ordenes);
+}
+
 async function copiaEnlace() {
-  history.replaceState(null, '', hazEnlace(visto.ejercicio?.enlace ?? visto.programa.nombre, escena.hecho.ordenes));
+  history.replaceState(null, '', enlaceDe());
   ruta = location.hash;
   try {
     await navigator.clipboard.writeText(location.href);
@@ -151,17 +170,26 @@ async function copiaEnlace() {
   }
 }
 
-/// Por qué el píxel (x, y) del lienzo, desde arriba a la izquierda, tiene ese color.
-export async function explica(x, y) {
+/// Cómo se ha dibujado el cuadro que se ve y, si se da, por qué tiene ese color el píxel [x, y] del lienzo, desde
+/// arriba a la izquierda. Con `llama`, se va allí.
+export function explica(pixel, llama = true) {
+  explicando = explicando.then(() => explicaYa(pixel, llama)); // de uno en uno: todos dibujan en el mismo lienzo
+  return explicando;
+}
+
+async function explicaYa(pixel, llama) {
   const { sesion } = escena, { taller } = visto;
   if (!sesion?.vivo) return;
-  avisa('Mirando ese píxel…');
-  const estaba = escena.quieta;
+  if (llama) avisa(pixel ? 'Mirando ese píxel…' : 'Mirando cómo se dibuja…');
+  const estaba = escena.quieta, ordenes = [...escena.hecho.ordenes];
   escena.quieta = true;
   try {
-    const datos = await explicaPixel(sesion.lienzo, x, y, sesion.redibuja);
-    ensenaPixel(una('.explicacion'), { x, y, ...datos }, { ...await json('shaders'), ...await taller.textos() });
-    avisa('');
+    const datos = await explicaCuadro(sesion.lienzo, sesion.redibuja, pixel);
+    if (sesion !== escena.sesion) return;
+    const textos = { ...await json('shaders'), ...await taller.textos() };
+    visto.explicado = { pixel, ordenes };
+    ensena(datos, textos, { llama, alCerrar: () => { visto.explicado = undefined; una('.explica').focus(); } });
+    if (llama) avisa('');
     return datos;
   } catch (error) {
     avisa(`No se puede explicar: ${error.message}`);
@@ -170,28 +198,32 @@ export async function explica(x, y) {
   }
 }
 
-/// El próximo clic del lienzo no llega al programa: es el píxel que se explica.
-function apunta(si) {
-  una('.explica').setAttribute('aria-pressed', si);
-  una('.lienzo').classList.toggle('apunta', si);
+/// Lo que se está enseñando de él: { pixel, ordenes }, lo que se había hecho hasta entonces.
+const explicado = () => una('.explicacion').hidden ? undefined : visto.explicado;
+
+/// El píxel de un enlace, si lo lleva.
+function explicaEn(pixel) {
+  const lienzo = escena.sesion?.lienzo, suyo = pixel && lienzo && pixelEn(pixel, lienzo);
+  if (suyo) return explica(suyo);
+  if (pixel && lienzo) avisa(`El píxel ${pixel.join(', ')} no está en la ventana, de 960×720.`);
 }
 
-una('.lienzo').addEventListener('pointerdown', suceso => {
-  if (una('.explica').getAttribute('aria-pressed') !== 'true' || suceso.target.localName !== 'canvas') return;
-  suceso.stopPropagation();
-  suceso.preventDefault();
-  const lienzo = suceso.target, r = lienzo.getBoundingClientRect();
-  const parte = (v, desde, mide, n) => Math.min(Math.max(Math.floor((v - desde) * n / mide), 0), n - 1);
+function dejaDeExplicar() {
+  visto.explicado = undefined;
   apunta(false);
-  explica(parte(suceso.clientX, r.left, r.width, lienzo.width), parte(suceso.clientY, r.top, r.height, lienzo.height));
-}, true);
-una('.explica').onclick = () => apunta(una('.explica').getAttribute('aria-pressed') !== 'true');
+  cierraExplicado();
+}
 
+apuntaUniforms();
+atiendePunteria(explica, () => escena.sesion?.vivo && !visto.programa.consola);
+una('.explica-cuadro').onclick = () => explica();
 for (const b of todos('.otra-vez')) b.onclick = () => empiezaCaso();
 una('.completa').onclick = completa;
 una('.proyecta').onclick = proyecta;
 una('.guarda').onclick = guardaImagen;
 una('.enlace').onclick = copiaEnlace;
+una('.incrusta').onclick = () =>
+  copiaLinea(lineaDe(hazEnlace(visto.programa.nombre, escena.hecho.ordenes), visto.programa.titulo));
 atiendeProyeccion(() => visto.programa, { pasa, salta });
 atiendeBuscador(() => json('indice'));
 sigueEnLado('#catalogo .capitulo');

@@ -38,6 +38,7 @@ HAY = {
         "defectos": {"ch01": {"plantados": 2, "notados": 1, "sin_golden": 1}}}""",
     "docs/libro.tsv": "L1.1\tuno\nL1.10\tdiez\nF1.1\tfigura\tsin motivo\n",
     "docs/soluciones.md": "",
+    "docs/porques.tsv": "",
     "herramientas/base/entorno.txt": "GALLIUM_DRIVER=llvmpipe\n",
     "tests/capitulos/ch01_test.cpp": "",
     "tests/casos_dificiles/casos.tsv": "",

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""comprueba_web.py RAÍZ BUILD WEB [caso… | persona | gestos | ejercicios | explica]: la página de los programas
+"""comprueba_web.py RAÍZ BUILD WEB [caso… | persona | gestos | ejercicios | explica | pedido |
+    incrustado]: la página de los programas
 (./lab web), con file:// en Chromium sobre llvmpipe. Con LAB_OPENGL=swiftshader, sobre el SwiftShader que lleva dentro,
 y solo los casos, con el comparador en --otro.
 
@@ -15,6 +16,7 @@ import gestos
 import navegador  # que sabe dónde está procesos
 import usa_editor
 import usa_explica
+import usa_incrustado
 import usa_programas
 from navegador import BUILD, CASOS, exige, procesos
 from persona import Persona
@@ -74,7 +76,7 @@ DE_PERSONA += [
     *DE_EJERCICIOS,
 ]
 PRUEBAS = {"": DE_PERSONA, "persona": DE_PERSONA, "ejercicios": DE_EJERCICIOS, "gestos": [gestos.de_la_pagina]}
-PRUEBAS["explica"] = [usa_explica.explica]
+PRUEBAS |= {"explica": [usa_explica.explica], "pedido": [usa_explica.pedido], "incrustado": [usa_incrustado.incrustado]}
 
 
 def main():

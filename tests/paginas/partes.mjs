@@ -6,14 +6,17 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { leeCambios, leeResueltos, recuerdo, Taller } from '../../herramientas/web/almacen.mjs';
 import { bytes, descomprime, recuerda } from '../../herramientas/web/datos.mjs';
+import { cifra } from '../../herramientas/base/cuadro.mjs';
 import { Indice, llano, palabras, trozo } from '../../herramientas/base/busca.mjs';
-import { casoDe, hazEnlace, leeEnlace, programaDe } from '../../herramientas/web/enlaces.mjs';
-import { cifra, lineasDe, porLinea } from '../../herramientas/web/explicado.mjs';
+import { casoDe, enEnlace, hazEnlace, leeEnlace, pixelEn, programaDe } from '../../herramientas/web/enlaces.mjs';
 import { delEjercicio, leeError, ordenaFuentes } from '../../herramientas/web/fuentes.mjs';
 import { BOTONES, Gestos } from '../../herramientas/web/gestos.mjs';
 import { casoInicial, Hecho, leeGuion, LIMITES, Reloj, repite } from '../../herramientas/web/guiones.mjs';
 import { compara, esPpm, porciento, ppmDe, quepa, tallaDe, TOLERA } from '../../herramientas/web/imagenes.mjs';
-import { conInclusiones, cuales, sueltas, valor } from '../../herramientas/web/primitivas.mjs';
+import { conInclusiones, cuales, lineasDe, sueltas, valor } from '../../herramientas/web/primitivas.mjs';
+import { delCableado, elegidas, fueraDe } from '../../herramientas/web/sospechas.mjs';
+import { pesosDe } from '../../herramientas/web/sombreado.mjs';
+import { mezcla } from '../../herramientas/web/mezcla.mjs';
 import { ordenDeTecla } from '../../herramientas/web/teclas.mjs';
 import { nombreLlano } from '../../herramientas/web/textos.mjs';
 
@@ -216,7 +219,24 @@ test('los enlaces: van y vuelven, y de los malos no se queja la página', () => 
     ['#%', [false, '%', undefined]], ['#%E0%A4%A', [false, '%E0%A4%A', undefined]],
     ['#grua;tecla %;%C3%B1', [false, 'grua', 'tecla %;ñ']], ['#grua;a%0Ab', [false, 'grua', 'a\nb']],
     ['#ejercicio/L5.1;tecla v', [true, 'L5.1', 'tecla v']], ['#ejercicio%2FL5.1', [true, 'L5.1', undefined]],
-    ['#ejercicio', [false, 'ejercicio', undefined]]);
+    ['#ejercicio', [false, 'ejercicio', undefined]],
+    ['#espejo/explica/240,140', [false, 'espejo', undefined, [240, 140]]],
+    ['#espejo/explica/240.5,0;tecla p', [false, 'espejo', 'tecla p', [240.5, 0]]],
+    ['#ejercicio/L5.1/explica/1,2', [true, 'L5.1', undefined, [1, 2]]],
+    ['#espejo/explica/240', [false, 'espejo/explica/240', undefined]],
+    ['#espejo/explica/-1,2', [false, 'espejo/explica/-1,2', undefined]],
+    ['#incrusta/grua', [false, 'grua', undefined, true]],
+    ['#incrusta/grua;tecla d ×2', [false, 'grua', 'tecla d ×2', true]],
+    ['#incrusta/grua?tecla=d&rueda=+1 3 4', [false, 'grua', 'tecla d;rueda +1 3 4', true]]);
+  tabla(pixelEn, [[240, 140], { width: 960, height: 720 }, [240, 140]], [[0, 0], { width: 1920, height: 1440 }, [1, 1]],
+    [[959, 719], { width: 240, height: 180 }, [239, 179]],
+    [[0, 0], { width: 100, height: 300 }, [0, 112]], [[960, 0], { width: 960, height: 720 }, undefined]);
+  for (const lienzo of [{ width: 960, height: 720 }, { width: 700, height: 525 }, { width: 240, height: 180 }]) {
+    for (let vez = 0; vez < 50; ++vez) { // el píxel de un enlace es el que se copió
+      const pixel = [azar(lienzo.width), azar(lienzo.height)], copiado = leeEnlace(`#grua${enEnlace(pixel, lienzo)}`).pixel;
+      assert.deepEqual(pixelEn(copiado, lienzo), pixel);
+    }
+  }
   const posibles = 'tecla %;tecla #;tecla +;tecla &;menu Vista/Perfil ñ;rueda +1 3 4;tecla d;menu A ×2 ×1'.split(';');
   for (let vez = 0; vez < 200; ++vez) {
     const ordenes = Array.from({ length: azar(9) }, () => posibles[azar(azar(2) ? 2 : posibles.length)]);
@@ -438,19 +458,59 @@ test('lo que apunta un shader reescrito se lee como lo escribe glsl.h', () => {
     ['int', [65535, -1, 0, 0], [-1]], ['uint', [65535, 65535, 0, 0], [4294967295]], ['ivec2', [1, 2, 0, -1], [1, -65534]],
     ['uvec3', [1, 2, 3, 0, 0, 1, 0, 0], [1, 65538, 3]], ['mat2', [1, 2, 0, 0, 3, 4, 0, 0], [1, 2, 3, 4]],
     ['mat2x3', [1, 2, 3, 0, 4, 5, 6, 0], [1, 2, 3, 4, 5, 6]]);
-  tabla(cifra, [0.123456, '0.1235'], [-2, '−2'], [NaN, 'NaN'], [-Infinity, '−∞'], [1e-7, '1e−7']);
-  const paso = (linea, nombre, tipo, v) => ({ linea, nombre, tipo, valor: v });
-  const vueltas = Array.from({ length: 9 }, (_, i) => paso(2, 'i', 'int', [i]));
-  assert.deepEqual(
-    porLinea([paso(1, 'si', 'bool', [1]), paso(1, 'v', 'vec2', [0.5, 1]), paso(3, 'main', 'void', []), paso(4, 'discard', 'void', []), ...vueltas]),
-    { 1: ['si = sí', 'v = (0.5, 1)'], 4: ['discard'], 2: ['i = 0', 'i = 1', 'i = 2', 'i = 3', 'i = 4', '… y 3 más', 'i = 8'] });
+  tabla(n => cifra(n), [0.123456, '0.1235'], [-2, '−2'], [NaN, 'NaN'], [-Infinity, '−∞'], ['-nan', 'NaN'], ['inf', '∞'], [1e-7, '1e−7']);
 });
 
 test('cada línea de un shader, en su fichero', () => {
   const textos = { 'a.frag': '#version 140\n#include "b.glsl"\nmain\n', 'b.glsl': '\ufeffuno\n#include "c.glsl"\n', 'c.glsl': 'dos\n#include "a.frag"' };
-  assert.deepEqual(conInclusiones('a.frag', textos).map(l => `${l.ruta}:${l.linea} ${l.texto}`),
+  assert.deepEqual(conInclusiones('a.frag', textos).map(l => `${l.fichero}:${l.linea} ${l.texto}`),
     ['a.frag:1 #version 140', 'b.glsl:1 uno', 'c.glsl:1 dos', 'c.glsl:2 #include "a.frag"', 'a.frag:3 main']);
   const es = '#version 300 es\nprecision highp float;\n#line 2\nuno\ndos\n#include "a.frag"\nmain\n';
-  tabla((texto, i) => { const l = lineasDe(texto, textos)[i]; return `${l.ruta}:${l.linea}`; },
+  tabla((texto, i) => { const l = lineasDe(texto, textos, 'frag')[i]; return `${l.fichero}:${l.linea}`; },
     [es, 3, 'c.glsl:2'], [es, 4, 'a.frag:3'], [es + 'otro\n', 4, ':5']);
+});
+
+test('lo que se sospecha de los shaders de un cuadro', () => {
+  const uniforme = (valor, dado = true, tipo = 'mat4') => ({ uniformes: [{ nombre: 'u', tipo, valor, dado }], texturas: [], atributos: [] });
+  const dice = cableado => delCableado(cableado, 3).map(s => s.dice.split('» ').at(-1)).join();
+  tabla(dice, [uniforme([1, 0]), ''], [uniforme([0, 0], false), 'lo usa el shader y nadie le ha dado valor: es 0'],
+    [uniforme([0, 0]), 'es una matriz toda de ceros'], [uniforme([0], true, 'float'), ''], [uniforme([1, NaN]), 'tiene algo que no es un número'],
+    [{ uniformes: [], texturas: [{ sampler: 's', unidad: 2, incompleta: 'x' }], atributos: [] }, 'la textura de «s», en la unidad 2, está incompleta: x'.split('» ').at(-1)],
+    [{ uniformes: [], texturas: [], atributos: [{ nombre: 'a', activo: true, bufer: 0 }] }, 'lo lee el shader y no lo da ningún array']);
+  tabla(puntos => fueraDe(puntos)[0], [[[NaN, 0, 0, 1]], 'las posiciones de todos sus vértices son NaN o infinitas'],
+    [[[0, 0, 0, 1], [0, 0, 0, 1]], 'gl_Position es 0 en todos sus vértices'], [[[1, 1, 1, 0]], 'gl_Position es 0 en todos sus vértices'],
+    [[[1, 2, 3, 4], [1, 2, 3, 4]], 'todos sus vértices caen en el mismo punto'],
+    [[[1, 2, 3, -4], [1, 1, 3, -4]], 'todos sus vértices están detrás de la cámara (w < 0)'],
+    [[[-2, 0, 0, 1], [-3, 0, 0, 1]], 'todos sus vértices quedan fuera, a la izquierda'],
+    [[[0, 2, 0, 1], [0, 3, 0, 1]], 'todos sus vértices quedan fuera, por encima'],
+    [[[0, 0, 2, 1], [0, 1, 3, 1]], 'todos sus vértices quedan fuera, más lejos que lejos'],
+    [[[0, 0, 0.5, 1], [0, 1, 3, 1]], 'ninguna de sus primitivas cubre el centro de un píxel']);
+  const todas = [{ gravedad: 1, dice: 'leve' }, { gravedad: 2, dice: 'grave' }, { gravedad: 2, dice: 'grave' }];
+  tabla(como => elegidas(todas, como).map(s => s.dice).join(), [{ lisa: false, figura: true, escrito: true }, 'grave'],
+    [{ lisa: false, figura: false }, 'grave,leve'],
+    [{ lisa: true, figura: true, escrito: true }, 'grave,leve,se escriben fragmentos y todo queda del mismo color']);
+});
+
+test('lo que pesa cada vértice da el punto del que se parte', () => {
+  for (let vez = 0; vez < 100; ++vez) {
+    const posiciones = [0, 1, 2].map(() => [azar(200) - 100, azar(200) - 100, 0, 50 + azar(100)]);
+    const pixel = [azar(240), azar(180)], [con, sin] = pesosDe(posiciones, pixel, [0, 0, 240, 180]);
+    if (!con.every(Number.isFinite)) continue; // de canto
+    const suma = k => con.reduce((s, p, i) => s + p * posiciones[i][k], 0), llano = k => sin.reduce((s, p, i) => s + p * posiciones[i][k] / posiciones[i][3], 0);
+    for (const [k, n] of [[0, 240], [1, 180]]) {
+      const debe = 2 * (pixel[k] + 0.5) / n - 1, talla = Math.max(...con.map(Math.abs), ...sin.map(Math.abs));
+      assert.ok(Math.abs(suma(k) / suma(3) - debe) < 1e-9 * talla * 1e3 && Math.abs(llano(k) - debe) < 1e-9 * talla * 1e3);
+    }
+  }
+});
+
+test('una mezcla, hecha otra vez', () => {
+  const GL = { BLEND: 1, BLEND_EQUATION_RGB: 0x8006, BLEND_EQUATION_ALPHA: 0x8006, FUNC_ADD: 0x8006, SRC_ALPHA: 0x302, ONE_MINUS_SRC_ALPHA: 0x303,
+    BLEND_COLOR: [0, 0, 0, 0], COLOR_WRITEMASK: [true, true, true, true], BLEND_SRC_RGB: 0x302, BLEND_SRC_ALPHA: 0x302, BLEND_DST_RGB: 0x303,
+    BLEND_DST_ALPHA: 0x303 };
+  const gl = { ...GL, isEnabled: () => true, getParameter: v => v }, de = (despues, otro = {}) => mezcla({ ...gl, ...otro }, [1, 0.5, 0, 0.4], [0, 100, 255, 255], despues);
+  const { suma, factorOrigen, factorDestino } = de([102, 111, 153, 255]);
+  assert.deepEqual([suma.slice(0, 3).map(Math.round), factorOrigen[0], factorDestino[2]], [[102, 111, 153], 0.4, 0.6]);
+  tabla((despues, otro) => de(despues, otro).cuadra, [[102, 111, 153], {}, true], [[102, 113, 153], {}, false],
+    [[255, 128, 0], { isEnabled: () => false }, true], [[0, 128, 0], { isEnabled: () => false, COLOR_WRITEMASK: [false, true, true, true] }, true]);
 });

@@ -10,9 +10,10 @@ function h(etiqueta, atributos = {}, ...dentro) {
   return elemento;
 }
 
-/** Un número como se lee: sin más de `cifras` significativas. NaN e infinitos vienen como texto. */
+/** Un número como se lee: sin más de `cifras` significativas. NaN e infinitos pueden venir como texto. */
 export function cifra(numero, cifras = 4) {
-  if (typeof numero === 'string') return { nan: 'NaN', '-nan': 'NaN', inf: '∞', '-inf': '−∞' }[numero] ?? numero;
+  const raro = { nan: 'NaN', inf: '∞', infinity: '∞', '-inf': '−∞', '-infinity': '−∞' };
+  if (!Number.isFinite(numero)) return raro[String(numero).toLowerCase().replace('-nan', 'nan')] ?? numero;
   return String(Number(numero.toPrecision(cifras))).replace('-', '−');
 }
 
@@ -54,8 +55,9 @@ function historia(datos, elige) {
     const orden = ordenes.get(suceso.orden);
     const quien = suceso.tipo ? `${suceso.tipo} ${suceso.primitiva}` : '';
     const color = suceso.color?.map(c => (typeof c === 'number' ? c * 255 : c));
-    return h('tr', { class: suceso.veredicto, onclick: () => elige(suceso.orden) },
-      h('td', {}, h('a', { href: '#orden' }, suceso.orden)), h('td', {}, tituloDe(orden)), h('td', {}, quien),
+    return h('tr', { class: suceso.veredicto },
+      h('td', {}, h('button', { title: 'La orden, más abajo', onclick: () => elige(suceso.orden, true) },
+        suceso.orden)), h('td', {}, tituloDe(orden)), h('td', {}, quien),
       h('td', {}, color ? h('span', { class: 'color' }, muestra(color), vector(suceso.color.slice(0, 4), 3)) : ''),
       h('td', {}, suceso.profundidad === undefined ? '' : cifra(suceso.profundidad, 6)),
       h('td', {}, suceso.dice, mezclaDe(suceso.mezcla)),
@@ -67,7 +69,7 @@ function historia(datos, elige) {
   return h('div', { class: 'tabla' }, tabla);
 }
 
-const noNumero = valores => valores.some(v => typeof v === 'string');
+const noNumero = valores => !valores.every(Number.isFinite);
 
 function valorDe({ tipo, valor }) {
   const matriz = /^mat(\d)(?:x(\d))?$/.exec(tipo);
@@ -159,7 +161,7 @@ function marca(clase, [x, y, ancho, alto], [total, filas]) {
 
 function estadoDe(orden, anterior) {
   const antes = new Map((anterior?.estado ?? []).map(e => [e.nombre, e.valor]));
-  return h('dl', { class: 'estado' }, orden.estado.map(({ nombre, valor }) => {
+  return h('dl', { class: 'puesto' }, orden.estado.map(({ nombre, valor }) => {
     const cambia = anterior && antes.get(nombre) !== valor;
     const clase = cambia ? 'cambia' : valor === 'no' ? 'apagado' : '';
     return [h('dt', {}, h('code', {}, nombre)), h('dd', { class: clase }, valor)];
@@ -180,8 +182,8 @@ function cableadoDe(orden, anterior) {
       a.primeros.map(v => vector(v.slice(0, a.componentes), 3)).join(' ')
     : 'ningún array');
   const deUniforme = u => `${u.tipo} ${u.dado ? vector(u.valor, 3) : 'sin valor'}`;
-  const deTextura = t => `unidad ${t.unidad} → textura ${t.textura}, ${t.objetivo} ${t.talla.join('×')} ${t.formato};
-    ${t.reduce}, ${t.amplia}; ${t.repite} ${t.incompleta}`;
+  const deTextura = t => [`unidad ${t.unidad} → textura ${t.textura}, ${t.objetivo} ${t.talla.join('×')} ${t.formato}`,
+    [t.reduce, t.amplia].filter(Boolean).join(', '), t.repite, t.incompleta].filter(Boolean).join('; ');
   const caja = (titulo, lista) => (lista.length ? h('section', {}, h('h4', {}, titulo), h('ul', {}, lista)) : '');
   return h('div', { class: 'cableado' },
     caja(`Arrays del VAO ${orden.cableado.vao}, índices en el buffer ${orden.cableado.indices}`,
@@ -197,7 +199,7 @@ function detalle(datos, indice) {
   const color = ultima(datos.ordenes, indice, 'miniatura');
   if (color) {
     const marcas = [];
-    if (orden.donde) marcas.push(marca('cambiado', orden.donde, orden.talla));
+    if (orden.donde) marcas.push(marca('rectangulo', orden.donde, orden.talla));
     const aqui = datos.pixel && orden.framebuffer === 'la ventana';
     if (aqui) marcas.push(marca('pixel', [...datos.pixel, 1, 1], orden.talla));
     laminas.push(lamina(color, orden.cambian ? `color: cambian ${orden.cambian} píxeles` : 'color: no cambia', marcas));
@@ -214,15 +216,16 @@ function detalle(datos, indice) {
 }
 
 function ordenesDe(datos) {
-  const sitio = h('section', { class: 'orden', id: 'orden' }), tira = h('ol', { class: 'tira' });
+  const sitio = h('section', { class: 'una-orden' }), tira = h('ol', { class: 'tira' });
   const mando = h('input', { type: 'range', min: 0, max: datos.ordenes.length - 1, 'aria-label': 'Orden',
     oninput: () => elige(datos.ordenes[mando.value].n) });
-  const elige = n => {
+  const elige = (n, llevaAlli) => {
     const indice = datos.ordenes.findIndex(o => o.n === n);
     mando.value = indice;
     sitio.replaceChildren(...detalle(datos, indice));
     for (const [i, li] of [...tira.children].entries()) li.classList.toggle('elegida', i === indice);
     const li = tira.children[indice]; // sin mover la página
+    if (llevaAlli) sitio.scrollIntoView({ block: 'start' });
     tira.scrollTop += li.getBoundingClientRect().top - tira.getBoundingClientRect().top - tira.clientHeight / 3;
   };
   const enHistoria = new Set(datos.historia.map(s => s.orden));
@@ -230,10 +233,10 @@ function ordenesDe(datos) {
     h('button', { onclick: () => elige(o.n) },
       o.miniatura ? h('img', { src: ultima(datos.ordenes, i, 'miniatura'), alt: '' }) : '',
       h('span', {}, `${o.n} · ${tituloDe(o)}`)))));
-  return { elige, elemento: h('div', { class: 'ordenes' }, h('div', { class: 'indice' }, mando, tira), sitio) };
+  return { elige, elemento: h('div', { class: 'ordenes' }, h('div', {}, mando, tira), sitio) };
 }
 
-function resumen(datos) {
+function resumen(datos, conImagen) {
   const final = datos.ordenes.filter(o => o.framebuffer === 'la ventana' && o.miniatura).at(-1);
   const partes = [];
   if (datos.sospechas.length)
@@ -245,17 +248,17 @@ function resumen(datos) {
   const quien = orden && `${suya}la orden ${orden.n}, ${tituloDe(orden)}`;
   const marcas = marca('pixel', [...datos.pixel, 1, 1], datos.talla);
   const cuadro = final && lamina(final.miniatura, 'El cuadro, y el píxel', marcas);
-  if (cuadro) partes.push(h('div', { style: `max-width: ${ANCHO}px` }, cuadro));
+  if (cuadro && conImagen) partes.push(h('div', { style: `max-width: ${ANCHO}px` }, cuadro));
   const dado = quien ? ` y se lo ha dado ${quien}.` : '.';
   partes.push(h('p', { class: 'dice' }, 'El píxel es ', conMuestra(datos.color), dado));
   return partes;
 }
 
-/** En `contenedor`, el cuadro entero; con `datos.pixel`, además, su historia. */
-export function muestraCuadro(datos, contenedor) {
+/** En `contenedor`, el cuadro entero; con `datos.pixel`, además, su historia. Con `conImagen`, dónde está el píxel. */
+export function muestraCuadro(datos, contenedor, { conImagen = true } = {}) {
   if (!datos.ordenes.length) return contenedor.replaceChildren(h('p', {}, 'Este cuadro no dibuja ni borra nada.'));
   const { elige, elemento } = ordenesDe(datos);
-  const partes = resumen(datos);
+  const partes = resumen(datos, conImagen);
   if (datos.pixel) partes.push(h('h2', {}, 'La historia del píxel'), historia(datos, elige), ...sombreadoDe(datos));
   partes.push(h('h2', {}, 'El cuadro, orden a orden'), elemento);
   contenedor.classList.add('cuadro-explicado');

@@ -1,0 +1,41 @@
+// Un programa en marcha sin la página alrededor, para el <iframe> de otra: #incrusta/espejo;tecla d. El teclado es del
+// programa mientras el navegador está en él, y de la otra página cuando no.
+import { avisa, una } from '../base/documento.mjs';
+
+const incrustado = () => document.body.classList.contains('incrustado');
+
+export function incrusta(si) {
+  document.body.classList.toggle('incrustado', Boolean(si));
+  una('.suelto').href = location.hash.replace('#incrusta/', '#');
+}
+
+/// La línea que lo pone en otra página, de un enlace de esta.
+export function lineaDe(enlace, titulo) {
+  const cita = texto => texto.replaceAll('&', '&amp;').replaceAll('"', '&quot;').replaceAll('<', '&lt;');
+  const direccion = location.href.replace(/#.*$/s, '') + enlace.replace('#', '#incrusta/');
+  return `<iframe src="${cita(direccion)}" title="${cita(titulo)}" width="960" height="720" ` +
+    'style="border: 0; max-width: 100%" loading="lazy" allow="fullscreen"></iframe>';
+}
+
+export async function copiaLinea(linea) {
+  try {
+    await navigator.clipboard.writeText(linea);
+    avisa('Copiado: pégalo en el HTML de la otra página.');
+  } catch {
+    avisa(linea);
+    getSelection().selectAllChildren(una('.aviso'));
+  }
+}
+
+// Con el foco en la página y no en el lienzo, una tecla que nadie quiere la movería a ella o a la de fuera.
+addEventListener('focus', () => { if (incrustado()) una('.lienzo canvas')?.focus({ preventScroll: true }); });
+document.addEventListener('keydown', suceso => {
+  const libre = incrustado() && suceso.target === document.body && suceso.key !== 'Tab';
+  if (!libre) return;
+  suceso.preventDefault();
+  suceso.stopImmediatePropagation();
+}, { capture: true });
+// Y la rueda, sin haber entrado en él, es de la página de fuera.
+una('.lienzo').addEventListener('wheel', suceso => {
+  if (incrustado() && !una('.lienzo').contains(document.activeElement)) suceso.stopPropagation();
+}, { capture: true });
