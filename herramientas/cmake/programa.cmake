@@ -17,8 +17,8 @@
 #   NOMBRE: cómo se enseña («Con un factor negativo»), distinto de los demás de su programa y hasta 40 letras, las acentuadas por dos;
 #   el caso base puede no tenerlo.
 #   MIRA: una frase, a qué hay que mirar; es el pie de la imagen en la galería. En su propio renglón.
-#   CUMPLE: lo que tiene que ser así en la imagen porque lo dice el pie; en el renglón siguiente. Lo comprueba pies.PROGRAMA
-#   (tests/casos/pies.cpp) a 480×360, a 960×720 y a 960×1080. Los puntos son fracciones del 4:3 central de la ventana, x hacia la derecha e y
+#   CUMPLE: lo que tiene que ser así en la imagen porque lo dice el pie, y no en las de los demás casos del programa; en el renglón
+#   siguiente. Lo comprueba pies.PROGRAMA (tests/casos/pies.cpp) a 480×360, a 960×720 y a 960×1080. Los puntos son fracciones del 4:3 central de la ventana, x hacia la derecha e y
 #   hacia abajo; un COLOR es un nombre de common/colores.h o (r,g,b), de 0 a 255:
 #     en X Y COLOR                  ese color, a 12 niveles como mucho
 #     en X Y como X Y               los dos puntos, a 12 niveles

@@ -9,7 +9,7 @@
 #                     float: ningún color es NaN ni infinito (finitos.cpp)
 #   pasos             lo que pinta encima tras cada línea de tests/golden/CAPÍTULO/PROGRAMA.pasos, que son órdenes de un guion y siguen a las
 #                     de antes, es lo de PROGRAMA-pasos.encima. La ventana es de 480x360, o de lo que diga un «# talla ANCHOxALTO»
-#   pies              lo que cada caso dice con CUMPLE es así en su imagen (pies.cpp)
+#   pies              lo que cada caso dice con CUMPLE es así en su imagen, y no en la de los demás del programa (pies.cpp)
 #   ventana, windows  en una ventana de verdad (ventana.sh)
 # El programa debe acabar con 0 y no escribir nada en stderr. Las imágenes de lo que falla quedan en BUILD/fallos/. Con DORA, lo que sale pasa
 # a ser el golden; con GOLDEN, en esa carpeta, que tiene los de antes. Estado: 0 bien, 4 si es distinto lo que pinta encima, aunque no sea lo único; 1 lo demás.
@@ -110,10 +110,9 @@ pasos() {
   compara_encima "$golden-pasos" con_nombre
 }
 
-# Los que dicen algo y aquellos con quienes se comparan, de una vez a tres tallas.
+# De una vez a tres tallas.
 pies() {
   local talla capturas=''
-  [ -n "$cumple" ] || grep -qE "(de|que) $nombre( en|;|')" "$build/casos/$programa.sh" || return 0
   for talla in 480x360 960x720 960x1080; do capturas+="; tamano ${talla/x/ }; captura $nombre-$talla.ppm"; done
   dibuja -geometry 480x360 -ppm "última" -guion "${guion#;}$capturas"
   dichos+=("$nombre" "$cumple")

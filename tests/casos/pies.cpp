@@ -1,5 +1,6 @@
 // pies CASO "AFIRMACIÓN; …" [CASO "…"]…: comprueba que cada imagen de la carpeta de trabajo, CASO-TALLA.ppm a las tres
-// TALLAS, es como afirma el CUMPLE de su caso, con las palabras que explica herramientas/cmake/programa.cmake.
+// TALLAS, es como afirma el CUMPLE de su caso, con las palabras que explica herramientas/cmake/programa.cmake, y que
+// ninguna otra lo es: un pie que vale para la imagen de al lado no dice nada de la suya. Salvo las casi iguales.
 // Estado: 0 si todas lo son; 1 si alguna no, y dice cuál y qué hay; 2 si una está mal escrita.
 #include "colores.h"
 #include "error.h"
@@ -16,7 +17,8 @@
 
 static const std::vector<std::string> TALLAS = {"480x360", "960x720", "960x1080"};
 static const int NIVELES = 12;
-static const double PENUMBRA = 0.25; // lo menos iluminado que es del color de un objeto
+static const double CASI_IGUALES = 1; // % de píxeles distintos: las separa un rótulo
+static const double PENUMBRA = 0.25;  // lo menos iluminado que es del color de un objeto
 
 static const std::map<std::string, glm::vec3> COLORES = {{"ROJO", ROJO},
                                                          {"VERDE", VERDE},
@@ -200,27 +202,59 @@ static std::string juzga(const std::string &afirmacion, const Foto &foto, const 
     return hay;
 }
 
+struct Afirmacion {
+    std::string texto, dicho; // como está escrita, y sin su «a 4:3: »
+    bool solo43;
+};
+
+static std::vector<Afirmacion> separa(const std::string &cumple) {
+    const std::string SOLO = "a 4:3: ";
+    std::vector<Afirmacion> afirmaciones;
+    std::istringstream son(cumple);
+    for (std::string una; std::getline(son, una, ';');) {
+        una.erase(0, una.find_first_not_of(' '));
+        const bool solo43 = una.rfind(SOLO, 0) == 0;
+        afirmaciones.push_back({una, solo43 ? una.substr(SOLO.size()) : una, solo43});
+    }
+    return afirmaciones;
+}
+
+// Si todas son de las imágenes de ese caso; las que no, con `dicho`, se dicen.
+static bool sonDe(const std::vector<Afirmacion> &afirmaciones, const std::string &caso, bool dicho) {
+    bool todas = true;
+    for (const Afirmacion &a : afirmaciones)
+        for (const std::string &talla : TALLAS) {
+            if (a.solo43 && talla == TALLAS.back())
+                continue;
+            const std::string hay = juzga(a.dicho, Foto(caso + "-" + talla + ".ppm"), talla);
+            if (hay.empty())
+                continue;
+            if (!dicho)
+                return false;
+            std::printf("%s, a %s: «%s», y hay %s\n", caso.c_str(), talla.c_str(), a.texto.c_str(),
+                        hay.c_str());
+            todas = false;
+        }
+    return todas;
+}
+
+static bool casiIguales(const std::string &una, const std::string &otra) {
+    const Foto a(una + "-" + TALLAS[0] + ".ppm"), b(otra + "-" + TALLAS[0] + ".ppm");
+    return a.porcentaje([&](int x, int y) { return !iguales(a.pixel(x, y), b.pixel(x, y)); }) < CASI_IGUALES;
+}
+
 int main(int argc, char **argv) {
     int estado = 0;
     for (int i = 1; i + 1 < argc; i += 2) {
         const std::string caso = argv[i];
-        std::istringstream cumple(argv[i + 1]);
-        for (std::string una; std::getline(cumple, una, ';');) {
-            una.erase(0, una.find_first_not_of(' '));
-            const std::string SOLO = "a 4:3: ";
-            const bool solo = una.rfind(SOLO, 0) == 0;
-            for (const std::string &talla : TALLAS) {
-                if (solo && talla == TALLAS.back())
-                    continue;
-                const Foto foto(caso + "-" + talla + ".ppm");
-                const std::string hay = juzga(solo ? una.substr(SOLO.size()) : una, foto, talla);
-                if (hay.empty())
-                    continue;
-                std::printf("%s, a %s: «%s», y hay %s\n", caso.c_str(), talla.c_str(), una.c_str(),
-                            hay.c_str());
+        const std::vector<Afirmacion> afirmaciones = separa(argv[i + 1]);
+        if (!sonDe(afirmaciones, caso, true))
+            estado = 1;
+        for (int j = 1; j + 1 < argc && !afirmaciones.empty(); j += 2)
+            if (j != i && sonDe(afirmaciones, argv[j], false) && !casiIguales(caso, argv[j])) {
+                std::printf("%s: lo que cumple también lo cumple %s\n", caso.c_str(), argv[j]);
                 estado = 1;
             }
-        }
     }
     return estado;
 }

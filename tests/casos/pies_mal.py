@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""pies_mal.py BUILD: a pies se le enseña una imagen de la que se sabe todo y, de cada clase, lo que es y lo que no."""
+"""pies_mal.py BUILD: a pies se le enseña una imagen de la que se sabe todo y, de cada clase, lo que es y lo que no; y
+dos casos, con lo que es solo de uno y lo que es de los dos."""
 import subprocess
 import sys
 import tempfile
@@ -11,6 +12,7 @@ TALLAS = (480, 360), (960, 720), (960, 1080)
 # del 4:3 central, sobre el fondo: x e y desde dónde, hasta dónde y de qué color
 LISA = [(0.25, 0.25, 0.5, 0.75, ROJO), (0.5, 0.25, 0.75, 0.5, tuple(c // 2 for c in ROJO)), (0.9, 0.1, 1, 0.2, AZUL)]
 OTRA = [*LISA, (0.4, 0.8, 0.5, 0.9, (255, 255, 255)), (0, 0.95, 0.1, 1, tuple(c - 12 for c in FONDO))]
+CASI = [*LISA, (0.5, 0.9, 0.5625, 0.95, (255, 255, 255))]  # a tres milésimas
 PARTIDA = [(0, 0, 0.5, 1, ROJO)]  # y, en la alta, azul
 BIEN, MAL = 0, 1
 AFIRMACIONES = (
@@ -31,6 +33,13 @@ AFIRMACIONES = (
     ("igual que otra", MAL),
     ("distinta de otra en 1.1 a 2 %", MAL),
     ("distinta de lisa en 0.1 a 2 %", MAL),
+)
+# junto a otro caso: si también es de su imagen, mal, salvo que sean casi iguales
+OTRAS = (
+    ("partida", "VERDE ausente", MAL),
+    ("otra", "en 0.3 0.3 ROJO; VERDE ausente", MAL),
+    ("partida", "en 0.6 0.3 (108,25,23); VERDE ausente", BIEN),
+    ("casi", "VERDE ausente", BIEN),
 )
 NO_SON = (
     *("en 0.3 ROJO", "en 1 0.3 ROJO", "en 0.3 0.3", "en 0.3 0.3 PARDO", "en 0.3 0.3 (1,2)", "en 0.3 0.3 ROJO o AZUL"),
@@ -53,11 +62,11 @@ def main():
     with tempfile.TemporaryDirectory() as carpeta:
         for ancho, alto in TALLAS:
             partida = PARTIDA if alto < ancho else [(*PARTIDA[0][:4], AZUL)]
-            for nombre, cajas in ("lisa", LISA), ("otra", OTRA), ("partida", partida):
+            for nombre, cajas in ("lisa", LISA), ("otra", OTRA), ("casi", CASI), ("partida", partida):
                 dibuja(Path(carpeta, f"{nombre}-{ancho}x{alto}.ppm"), ancho, alto, cajas)
 
-        def juzga(caso, afirmacion, esperado):
-            hecho = subprocess.run([PIES, caso, afirmacion], cwd=carpeta, capture_output=True, text=True)
+        def juzga(caso, afirmacion, esperado, *demas):
+            hecho = subprocess.run([PIES, caso, afirmacion, *demas], cwd=carpeta, capture_output=True, text=True)
             bien = hecho.returncode == esperado and bool(hecho.stdout) == (esperado == MAL)
             if not bien or bool(hecho.stderr) != (esperado == 2):
                 fallos.append(f"«{afirmacion}» de {caso}: {hecho.returncode} {hecho.stdout}{hecho.stderr}")
@@ -68,6 +77,8 @@ def main():
             juzga("lisa", afirmacion, 2)
         juzga("partida", "a 4:3: en 0.2 0.2 ROJO", BIEN)
         juzga("partida", "en 0.2 0.2 ROJO", MAL)
+        for otra, afirmacion, esperado in OTRAS:
+            juzga("lisa", afirmacion, esperado, otra, "")
     sys.exit("\n".join(fallos) or 0)
 
 
