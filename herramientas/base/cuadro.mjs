@@ -69,6 +69,18 @@ function historia(datos, elige) {
   return h('div', { class: 'tabla' }, tabla);
 }
 
+/** Lo que habría estado ahí si no fuera por una prueba, de más cerca a más lejos; si nada, qué órdenes no dibujan. */
+function loQueFalta(datos) {
+  const ordenes = new Map(datos.ordenes.map(o => [o.n, o]));
+  const habria = datos.historia.filter(s => s.soloEsa).sort((a, b) => (a.profundidad ?? 1) - (b.profundidad ?? 1));
+  const quien = s => `${s.tipo} ${s.primitiva} de la orden ${s.orden}, ${tituloDe(ordenes.get(s.orden))}: ${s.dice}`;
+  const nada = datos.ordenes.filter(o => o.nada).map(o => `${o.n} · ${tituloDe(o)}: ${o.nada}`);
+  const [titulo, filas] = habria.length
+    ? ['Lo que no se ve por una sola prueba, de más cerca a más lejos', habria.map(quien)]
+    : ['Las órdenes que no dibujan nada', nada];
+  return filas.length ? [h('h2', {}, titulo), h('ul', {}, filas.slice(0, 12).map(f => h('li', {}, f)))] : [];
+}
+
 const noNumero = valores => !valores.every(Number.isFinite);
 
 function valorDe({ tipo, valor }) {
@@ -259,7 +271,8 @@ export function muestraCuadro(datos, contenedor, { conImagen = true } = {}) {
   if (!datos.ordenes.length) return contenedor.replaceChildren(h('p', {}, 'Este cuadro no dibuja ni borra nada.'));
   const { elige, elemento } = ordenesDe(datos);
   const partes = resumen(datos, conImagen);
-  if (datos.pixel) partes.push(h('h2', {}, 'La historia del píxel'), historia(datos, elige), ...sombreadoDe(datos));
+  if (datos.pixel) partes.push(h('h2', {}, 'La historia del píxel'), historia(datos, elige), ...loQueFalta(datos),
+    ...sombreadoDe(datos));
   partes.push(h('h2', {}, 'El cuadro, orden a orden'), elemento);
   contenedor.classList.add('cuadro-explicado');
   contenedor.replaceChildren(...partes);

@@ -1,7 +1,9 @@
 #include "cableado.h"
+#include "estado.h"
 #include "nombres.h"
 #include <algorithm>
 #include <cstdint>
+#include <regex>
 #include <set>
 
 namespace explica {
@@ -15,6 +17,53 @@ GLint delAtributo(GLuint donde, GLenum cual) {
     GLint valor = 0;
     glGetVertexAttribiv(donde, cual, &valor);
     return valor;
+}
+
+using Bytes = std::vector<unsigned char>;
+
+// FNV-1a, de 64 bits.
+std::string sumaDe(const Bytes &bytes) {
+    std::uint64_t suma = 14695981039346656037u;
+    for (const unsigned char b : bytes)
+        suma = (suma ^ b) * 1099511628211u;
+    char texto[20];
+    std::snprintf(texto, sizeof texto, "%016llx", static_cast<unsigned long long>(suma));
+    return texto;
+}
+
+Bytes deBufer(GLint bufer) {
+    const GLint antes = entero(GL_COPY_READ_BUFFER_BINDING);
+    glBindBuffer(GL_COPY_READ_BUFFER, GLuint(bufer));
+    GLint ocupa = 0;
+    glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &ocupa);
+    Bytes bytes(std::size_t(std::max(ocupa, 0)));
+    glGetBufferSubData(GL_COPY_READ_BUFFER, 0, ocupa, bytes.data());
+    glBindBuffer(GL_COPY_READ_BUFFER, GLuint(antes));
+    return bytes;
+}
+
+std::size_t bytesDe(GLenum tipo) {
+    switch (tipo) {
+    case GL_BYTE:
+    case GL_UNSIGNED_BYTE: return 1;
+    case GL_SHORT:
+    case GL_UNSIGNED_SHORT:
+    case GL_HALF_FLOAT: return 2;
+    case GL_DOUBLE: return 8;
+    default: return 4;
+    }
+}
+
+// Sin lo que haya en medio de otros atributos.
+std::string sumaDe(const Atributo &a) {
+    const Bytes todo = deBufer(a.bufer);
+    const std::size_t ocupa = bytesDe(a.tipo) * std::size_t(std::clamp(a.componentes, 1, 4)),
+                      paso = a.paso > 0 ? std::size_t(a.paso) : ocupa;
+    Bytes suyo;
+    for (std::size_t desde = std::size_t(std::max<std::intptr_t>(a.desplazamiento, 0));
+         desde + ocupa <= todo.size(); desde += paso)
+        suyo.insert(suyo.end(), todo.begin() + long(desde), todo.begin() + long(desde + ocupa));
+    return sumaDe(suyo);
 }
 
 void leePrimeros(Atributo &a) {
@@ -89,7 +138,25 @@ std::string porQueNoEstaCompleta(const Textura &t) {
     return "";
 }
 
-Textura textura(GLuint programa, const Variable &v, const Objetivo &o) {
+// De la que está enlazada: lo que se lee de cada texel.
+std::string sumaDe(const Textura &t) {
+    const Guardado guardado;
+    const bool profundidad = t.formato == GL_DEPTH_COMPONENT || t.formato == GL_DEPTH_COMPONENT16 ||
+                             t.formato == GL_DEPTH_COMPONENT24 || t.formato == GL_DEPTH_COMPONENT32F;
+    const GLint hondo = std::max(delNivel(t.objetivo, 0, GL_TEXTURE_DEPTH), 1);
+    const bool deEnteros = delNivel(t.objetivo, 0, GL_TEXTURE_RED_TYPE) == GL_UNSIGNED_INT ||
+                           delNivel(t.objetivo, 0, GL_TEXTURE_RED_TYPE) == GL_INT;
+    const GLenum que = profundidad ? GL_DEPTH_COMPONENT : deEnteros ? GL_RGBA_INTEGER : GL_RGBA;
+    const std::size_t ocupa = std::size_t(profundidad ? 4 : 16) * std::size_t(t.ancho) * std::size_t(t.alto);
+    const bool cubo = t.objetivo == GL_TEXTURE_CUBE_MAP;
+    Bytes bytes(ocupa * std::size_t(cubo ? 6 : hondo));
+    for (std::size_t cara = 0; cara < (cubo ? 6 : 1); ++cara)
+        glGetTexImage(cubo ? GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + cara) : t.objetivo, 0, que,
+                      deEnteros ? GL_UNSIGNED_INT : GL_FLOAT, bytes.data() + cara * ocupa);
+    return sumaDe(bytes);
+}
+
+Textura textura(GLuint programa, const Variable &v, const Objetivo &o, bool conSuma) {
     Textura t;
     t.sampler = v.nombre;
     t.objetivo = o.objetivo;
@@ -107,8 +174,20 @@ Textura textura(GLuint programa, const Variable &v, const Objetivo &o) {
         t.repiteT = deTextura(o.objetivo, GL_TEXTURE_WRAP_T);
     }
     t.incompleta = porQueNoEstaCompleta(t);
+    if (conSuma && t.ancho > 0 && t.alto > 0)
+        t.suma = sumaDe(t);
     glActiveTexture(GLenum(antes));
     return t;
+}
+
+// En cuáles de esos shaders se nombra; de «luz.Lp» y de «pesos[2]», por su principio.
+std::vector<std::string> etapasDe(const std::vector<Fuente> &fuentes, const std::string &nombre) {
+    const std::regex suyo("\\b" + nombre.substr(0, nombre.find_first_of(".[")) + "\\b");
+    std::vector<std::string> etapas;
+    for (const Fuente &f : fuentes)
+        if (std::regex_search(f.texto, suyo))
+            etapas.push_back(f.tipo == GL_VERTEX_SHADER ? "vert" : "frag");
+    return etapas;
 }
 
 } // namespace
@@ -118,24 +197,31 @@ void apuntaUniforme(GLint donde) {
         dados.insert({GLuint(entero(GL_CURRENT_PROGRAM)), donde});
 }
 
-Cableado cableadoActual() {
+Cableado cableadoActual(bool sumas) {
     const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
     Cableado c;
     if (!programa)
         return c;
-    for (const Variable &v : atributosDe(programa))
+    for (const Variable &v : atributosDe(programa)) {
         c.atributos.push_back(atributo(v));
+        Atributo &a = c.atributos.back();
+        if (sumas && a.activo && a.bufer)
+            a.suma = sumaDe(a);
+    }
+    if (sumas && entero(GL_ELEMENT_ARRAY_BUFFER_BINDING))
+        c.sumaIndices = sumaDe(deBufer(entero(GL_ELEMENT_ARRAY_BUFFER_BINDING)));
+    const std::vector<Fuente> fuentes = fuentesDe(programa);
     for (const Variable &v : uniformsDe(programa)) {
         const std::string primero =
             v.nombre.substr(0, v.nombre.rfind('[')) + "[0]"; // un array se da desde el primero
         const bool lista = v.nombre.back() == ']';
         const GLint desde = lista ? glGetUniformLocation(programa, primero.c_str()) : v.donde;
-        c.uniformes.push_back(
-            {v, valorDe(programa, v), dados.count({programa, v.donde}) || dados.count({programa, desde})});
+        c.uniformes.push_back({v, valorDe(programa, v), etapasDe(fuentes, v.nombre),
+                               dados.count({programa, v.donde}) || dados.count({programa, desde})});
         const auto o = std::find_if(std::begin(OBJETIVOS), std::end(OBJETIVOS),
                                     [&](const Objetivo &otro) { return otro.sampler == v.tipo; });
         if (o != std::end(OBJETIVOS))
-            c.texturas.push_back(textura(programa, v, *o));
+            c.texturas.push_back(textura(programa, v, *o, sumas));
     }
     return c;
 }
@@ -148,14 +234,17 @@ Json deCableado(const Cableado &c) {
         Json json;
         json.pon("nombre", a.variable.nombre).pon("tipo", tipoDe(a.variable.tipo)).pon("activo", a.activo);
         json.pon("bufer", a.bufer).pon("componentes", a.componentes).pon("de", nombreDe(a.tipo));
-        atributos.push_back(
-            json.pon("paso", a.paso).pon("desplazamiento", a.desplazamiento).pon("primeros", tres));
+        atributos.push_back(json.pon("paso", a.paso)
+                                .pon("desplazamiento", a.desplazamiento)
+                                .pon("primeros", tres)
+                                .pon("suma", a.suma));
     }
     for (const Uniforme &u : c.uniformes)
         uniformes.push_back(Json()
                                 .pon("nombre", u.variable.nombre)
                                 .pon("tipo", tipoDe(u.variable.tipo))
                                 .pon("valor", u.valor)
+                                .pon("etapas", u.etapas)
                                 .pon("dado", u.dado));
     for (const Textura &t : c.texturas) {
         Json json;
@@ -166,10 +255,11 @@ Json deCableado(const Cableado &c) {
         json.pon("talla", std::array<GLint, 2>{t.ancho, t.alto}).pon("formato", nombreDe(GLenum(t.formato)));
         json.pon("reduce", nombreDe(GLenum(t.reduce))).pon("amplia", nombreDe(GLenum(t.amplia)));
         json.pon("repite", nombreDe(GLenum(t.repiteS)) + ", " + nombreDe(GLenum(t.repiteT)));
-        texturas.push_back(json.pon("incompleta", t.incompleta));
+        texturas.push_back(json.pon("incompleta", t.incompleta).pon("suma", t.suma));
     }
     return Json()
         .pon("indices", entero(GL_ELEMENT_ARRAY_BUFFER_BINDING))
+        .pon("sumaIndices", c.sumaIndices)
         .pon("vao", entero(GL_VERTEX_ARRAY_BINDING))
         .pon("atributos", atributos)
         .pon("uniformes", uniformes)

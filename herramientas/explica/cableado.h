@@ -12,12 +12,14 @@ struct Atributo {
     GLenum tipo = GL_FLOAT;
     std::intptr_t desplazamiento = 0;
     std::vector<std::array<float, 4>> primeros; // los de los primeros vértices, si son float
+    std::string suma;                           // de lo suyo en todo el buffer
 };
 
 struct Uniforme {
     Variable variable;
     std::vector<double> valor;
-    bool dado = true; // si alguien le ha dado un valor
+    std::vector<std::string> etapas; // los shaders en que está: «vert», «frag»
+    bool dado = true;                // si alguien le ha dado un valor
 };
 
 struct Textura {
@@ -26,16 +28,19 @@ struct Textura {
     GLenum objetivo = GL_TEXTURE_2D;
     GLint ancho = 0, alto = 0, formato = 0, reduce = 0, amplia = 0, repiteS = 0, repiteT = 0;
     std::string incompleta; // por qué; vacío si está completa
+    std::string suma;       // de su imagen
 };
 
 struct Cableado {
     std::vector<Atributo> atributos;
     std::vector<Uniforme> uniformes;
     std::vector<Textura> texturas;
+    std::string sumaIndices;
 };
 
-/// Lo que usa el programa en curso. No cambia nada del estado.
-Cableado cableadoActual();
+/// Lo que usa el programa en curso; con `sumas`, también una de lo que hay en cada array y en cada textura, para saber
+/// si en otro cuadro hay lo mismo. No cambia nada del estado.
+Cableado cableadoActual(bool sumas = false);
 Json deCableado(const Cableado &cableado);
 
 /// Apunta que a ese uniform del programa en curso se le da un valor.

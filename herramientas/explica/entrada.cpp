@@ -1,7 +1,9 @@
 // Se antepone (LD_PRELOAD) a un programa enlazado sin ventana: define las funciones de OpenGL que escriben píxeles y,
 // cuando acaba el guion, dibuja el cuadro unas veces más y deja en $LAB_EXPLICA, en JSON, lo que hace cada orden y, de
-// cada píxel de $LAB_EXPLICA_PIXELES («240,140 30,20», desde arriba a la izquierda), su historia. Con
-// LAB_EXPLICA_IMAGENES=1, también lo que va quedando en cada framebuffer.
+// cada píxel de $LAB_EXPLICA_PIXELES («240,140 30,20», desde arriba a la izquierda), su historia y los shaders de quien
+// lo gana o, si se pide, los de otra primitiva: $LAB_EXPLICA_SOMBREA («7,3», la 3 de la orden 7). Con
+// LAB_EXPLICA_IMAGENES=1, también lo que va quedando en cada framebuffer; con LAB_EXPLICA_SUMAS=1, una suma de lo que
+// hay en cada array y textura.
 #include "imagenes.h"
 #include "pixel.h"
 #include "programas.h"
@@ -32,10 +34,10 @@ struct Copia {
 struct {
     enum { NADA, LISTA, PIXEL, SOMBREADO } pasada = NADA;
     int ancho = 0, alto = 0, numero = 0; // de la orden
-    bool imagenes = false;
+    bool imagenes = false, sumas = false;
     std::vector<Json> ordenes;
     std::vector<Suceso> sucesos;
-    const Suceso *ganador = nullptr; // quien da el color al píxel
+    int ordenSombreada = 0, primitivaSombreada = -1; // por omisión, las que dan el color al píxel
     Json sombreado;
     Sospechas sospechas;
     std::vector<Copia> copias;
@@ -47,13 +49,13 @@ void apuntaOrden(const Orden &orden) {
     const Lienzo lienzo = lienzoActual(c.ancho, c.alto);
     Json json = describe(orden, lienzo);
     const bool dibuja = orden.que == Orden::Que::Dibuja;
-    const Cableado cableado = dibuja ? cableadoActual() : Cableado();
+    const Cableado cableado = dibuja ? cableadoActual(c.sumas) : Cableado();
     c.sospechas.antes(orden, lienzo, cableado, c.numero);
     if (dibuja) {
         c.programas.insert(GLuint(entero(GL_CURRENT_PROGRAM)));
         const long fragmentos = muestrasDe(orden.hazla);
-        c.sospechas.despues(orden, lienzo, cableado, c.numero, fragmentos);
-        json.pon("fragmentos", fragmentos).pon("cableado", deCableado(cableado));
+        const std::string nada = c.sospechas.despues(orden, lienzo, cableado, c.numero, fragmentos);
+        json.pon("fragmentos", fragmentos).pon("nada", nada).pon("cableado", deCableado(cableado));
     } else {
         orden.hazla();
     }
@@ -73,13 +75,15 @@ void llega(const Orden &orden) {
     if (c.pasada == c.LISTA)
         return apuntaOrden(orden);
     const auto suyo = c.pixel.find(GLuint(entero(GL_DRAW_FRAMEBUFFER_BINDING)));
-    if (suyo == c.pixel.end())
+    const bool seMira = suyo != c.pixel.end();
+    if (c.pasada == c.PIXEL ? !seMira : c.numero != c.ordenSombreada)
         return orden.hazla();
     const Lienzo lienzo = lienzoActual(c.ancho, c.alto);
     if (c.pasada == c.PIXEL)
         return hazYCuenta(orden, c.numero, lienzo, suyo->second, c.sucesos);
-    if (c.numero == c.ganador->orden)
-        c.sombreado = sombrea(orden, lienzo, suyo->second, c.ganador->primitiva);
+    const Punto p = c.pixel[0]; // de otro framebuffer, el que está en el mismo sitio
+    const Punto enOtro = {p.x * lienzo.ancho / c.ancho, p.y * lienzo.alto / c.alto};
+    c.sombreado = sombrea(orden, lienzo, seMira ? suyo->second : enOtro, c.primitivaSombreada);
     orden.hazla();
 }
 
@@ -125,13 +129,25 @@ const Suceso *quienGana() {
     return nullptr;
 }
 
+std::string variable(const char *nombre) {
+    const char *const valor = std::getenv(nombre);
+    return valor ? valor : "";
+}
+
 Json explicaPixel(void (*dibuja)(), int x, int y) {
+    char coma;
     c.sucesos.clear();
+    c.sombreado = Json();
     const Punto p = {x, c.alto - 1 - y};
     c.pixel = enCadaFramebuffer(p);
     pasa(c.PIXEL, dibuja);
-    c.ganador = quienGana();
-    if (c.ganador)
+    if (!(std::istringstream(variable("LAB_EXPLICA_SOMBREA")) >> c.ordenSombreada >> coma >>
+          c.primitivaSombreada)) {
+        const Suceso *const ganador = quienGana();
+        c.ordenSombreada = ganador ? ganador->orden : 0;
+        c.primitivaSombreada = ganador ? ganador->primitiva : -1;
+    }
+    if (c.ordenSombreada)
         pasa(c.SOMBREADO, dibuja);
     const Guardado guardado;
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
@@ -141,9 +157,9 @@ Json explicaPixel(void (*dibuja)(), int x, int y) {
         historia.push_back(s.json);
     Json json;
     json.pon("pixel", std::array<int, 2>{x, y}).pon("color", color).pon("historia", historia);
-    if (c.ganador)
+    if (c.ordenSombreada)
         json.pon("sombreado",
-                 c.sombreado.pon("orden", c.ganador->orden).pon("primitiva", c.ganador->primitiva));
+                 c.sombreado.pon("orden", c.ordenSombreada).pon("primitiva", c.primitivaSombreada));
     return json;
 }
 
@@ -224,11 +240,6 @@ Direccion tapa(const std::string &nombre) {
     return nullptr;
 }
 
-std::string variable(const char *nombre) {
-    const char *const valor = std::getenv(nombre);
-    return valor ? valor : "";
-}
-
 } // namespace
 
 const DeVerdad &deVerdad() {
@@ -252,6 +263,7 @@ void explicaCuadro(void (*dibuja)(), int ancho, int alto) {
     c.ancho = ancho;
     c.alto = alto;
     c.imagenes = variable("LAB_EXPLICA_IMAGENES") == "1";
+    c.sumas = variable("LAB_EXPLICA_SUMAS") == "1";
     pasa(c.LISTA, dibuja);
     const std::vector<Json> sospechas = c.sospechas.todas(ventanaLisa());
     std::vector<Json> pixeles;

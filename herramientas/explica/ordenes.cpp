@@ -140,6 +140,7 @@ std::vector<std::pair<std::string, std::string>> estadoActual() {
         {"GL_SCISSOR_TEST", si(GL_SCISSOR_TEST, en(GL_SCISSOR_BOX, 4))},
         {"GL_STENCIL_TEST", si(GL_STENCIL_TEST, plantilla)},
         {"GL_DEPTH_TEST", si(GL_DEPTH_TEST, constante(GL_DEPTH_FUNC))},
+        {"glDepthRange", en(GL_DEPTH_RANGE, 2)},
         {"glDepthMask", entero(GL_DEPTH_WRITEMASK) ? "escribe" : "no escribe"},
         {"GL_BLEND", si(GL_BLEND, mezcla)},
         {"glColorMask", mascaraColor()},

@@ -1,6 +1,7 @@
 """Lo que se dice en la terminal de un cuadro explicado."""
 
 SE_DICEN = "entrada", "declara", "asigna", "condicion", "salida"
+FALTAN = 3  # de lo que no está
 MAXIMO = 30  # líneas; todas están en la página
 
 
@@ -43,6 +44,20 @@ def de_sombreado(lineas):
     return filas + [f"      lo primero que no es un número:{de_linea(raro)[5:]}" for raro in raros(lineas)[:1]]
 
 
+def lo_que_falta(historia, ordenes):
+    """Lo que habría estado ahí si no fuera por una prueba, de más cerca a más lejos; si no hay nada, qué órdenes no
+    dibujan y por qué."""
+    habria = [s for s in historia if s.get("soloEsa")]
+    if habria:
+        cerca = sorted(habria, key=lambda s: s.get("profundidad", 1))[:FALTAN]
+        return [
+            "Sin esa prueba habría estado, de más cerca a más lejos:",
+            *(de_suceso(s, ordenes[s["orden"]]) for s in cerca),
+        ]
+    nada = [o for o in ordenes.values() if o.get("nada")][:FALTAN]
+    return ["No dibujan nada:", *(f"{o['n']:>4}  {de_orden(o)}: {o['nada']}" for o in nada)] if nada else []
+
+
 def cuadro(datos):
     """La historia del píxel o, si no se pide ninguno, las órdenes."""
     ordenes = {orden["n"]: orden for orden in datos["ordenes"]}
@@ -52,6 +67,7 @@ def cuadro(datos):
         filas += [f"{datos['programa']} en ({x}, {y}): {rgb(datos['color'])}"]
         filas += [de_suceso(suceso, ordenes[suceso["orden"]]) for suceso in datos["historia"]]
         filas += de_sombreado(datos["lineas"])
+        filas += lo_que_falta(datos["historia"], ordenes)
         return "\n".join(filas)
     filas += [f"{datos['programa']}: {len(ordenes)} órdenes"]
     return "\n".join([*filas, *(f"{n:>4}  {de_orden(orden)}" for n, orden in ordenes.items())])

@@ -75,7 +75,24 @@ std::string veredicto(const Pregunta &q, const Sueltas &s, int cual) {
     return g.escribeColor() && q.lienzo.buferColor != GL_NONE ? "escrito" : "mascara";
 }
 
-// Un framebuffer aparte, en float, donde se ve el color que da el shader tal cual y la profundidad.
+// Si lo habría escrito sin esa prueba, que es la primera que no pasa: si pasa las demás.
+bool soloEsa(const Pregunta &q, const Sueltas &s, int cual, const std::string &prueba) {
+    const Guardado g;
+    soloPregunta(q.pixel);
+    const auto hay = [&](const char *nombre, GLenum interruptor) {
+        pon(interruptor, prueba != nombre && g.lleva(interruptor));
+    };
+    hay("cara", GL_CULL_FACE);
+    hay("plantilla", GL_STENCIL_TEST);
+    hay("profundidad", GL_DEPTH_TEST);
+    glUseProgram(prueba == "descartado" ? q.cobertura : q.programa);
+    return (prueba == "recorte" || q.dentroDelRecorte) && (prueba == "mascara" || g.escribeColor()) &&
+           muestrasDe([&] { s.dibuja(cual, cual + 1); }) > 0;
+}
+
+// Un framebuffer aparte, en float, donde se ve el color que da el shader tal cual y la profundidad. OSMesa guarda la
+// ventana al revés que los demás framebuffers, y las derivadas se toman de una fila de cada cuatro píxeles: donde de
+// ellas depende algo (qué nivel de una textura), el color puede ser otro.
 class Aparte {
     GLuint marco = 0, color = 0, profundidad = 0;
     int ancho = 0, alto = 0, bits = 0;
@@ -236,6 +253,7 @@ Suceso hazPrimitiva(const Pregunta &q, const Sueltas &s, int numero, int cual,
                     const std::function<void()> &haz) {
     const std::string que = veredicto(q, s, cual);
     const std::optional<Fragmento> f = fragmentoDe(q, s, cual);
+    const bool sinEsa = que != "escrito" && soloEsa(q, s, cual, que);
     const Contenido antes = lee(q.lienzo, q.pixel);
     haz();
     const Contenido despues = lee(q.lienzo, q.pixel);
@@ -243,7 +261,7 @@ Suceso hazPrimitiva(const Pregunta &q, const Sueltas &s, int numero, int cual,
     hecho.primitiva = cual;
     Json &json = hecho.json;
     const auto primero = s.primitivas.indices.begin() + cual * s.primitivas.vertices;
-    json.pon("primitiva", cual).pon("tipo", nombrePrimitiva(s.primitivas));
+    json.pon("primitiva", cual).pon("tipo", nombrePrimitiva(s.primitivas)).pon("soloEsa", sinEsa);
     json.pon("vertices", std::vector<GLuint>(primero, primero + s.primitivas.vertices));
     if (glIsEnabled(GL_STENCIL_TEST))
         json.pon("plantillaPide",

@@ -133,6 +133,8 @@ public:
 
     Salidas operator()() const {
         Salidas salidas(1);
+        glClearColor(-1, -1, -1, -1); // lo que queda si no lo cubre: ningún paso
+        deVerdad().borra(GL_COLOR_BUFFER_BIT);
         sueltas.dibuja(cual, cual + 1);
         for (int i = 0; i < SALIDAS; ++i) {
             glReadBuffer(GLenum(GL_COLOR_ATTACHMENT0 + i));
@@ -191,7 +193,7 @@ std::vector<Traza> trazas(const Reescribible &r, const Ejecuta &ejecuta) {
         valores.resize(salidas.size());
         for (std::size_t i = 0; i < salidas.size(); ++i) {
             const float *suyas = salidas[i].data();
-            todas[i].pasos = std::lround(suyas[4]) + 65536 * std::lround(suyas[5]);
+            todas[i].pasos = std::max(std::lround(suyas[4]) + 65536 * std::lround(suyas[5]), 0l);
             pasos = std::min(std::max(pasos, todas[i].pasos), PASOS);
             for (int k = 0; k < huecos; ++k)
                 notas[i].push_back(int(std::lround(suyas[k])));
@@ -311,7 +313,7 @@ Json sombrea(const Orden &orden, const Lienzo &l, Punto p, int primitiva) {
     const std::optional<Primitivas> primitivas = primitivasDe(orden);
     const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
     Json json;
-    if (!primitivas || !programa)
+    if (!primitivas || !programa || primitiva < 0 || primitiva >= primitivas->cuantas())
         return json;
     const Guardado guardado;
     const Sueltas s(*primitivas);

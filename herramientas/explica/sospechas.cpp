@@ -2,6 +2,8 @@
 #include "nombres.h"
 #include "sueltas.h"
 #include <algorithm>
+#include <map>
+#include <regex>
 
 namespace explica {
 namespace {
@@ -22,13 +24,21 @@ Puntos posicionesDe(const Orden &orden) {
         return {};
     const Guardado guardado;
     const GLchar *const nombre = "gl_Position";
-    const GLuint otro = enlazaComo(programa, shaders, [&](GLuint suyo) {
-        glTransformFeedbackVaryings(suyo, 1, &nombre, GL_INTERLEAVED_ATTRIBS);
-    });
+    static std::map<GLuint, GLuint> hechos;
+    const auto hecho = hechos.find(programa);
+    const GLuint otro = hecho != hechos.end()
+                            ? hecho->second
+                            : hechos[programa] = enlazaComo(programa, shaders, [&](GLuint suyo) {
+                                  glTransformFeedbackVaryings(suyo, 1, &nombre, GL_INTERLEAVED_ATTRIBS);
+                              });
     if (!otro)
         return {};
+    copiaUniforms(programa, otro);
     p->modo = GL_POINTS, p->vertices = 1;
-    p->indices.resize(std::min(p->indices.size(), VERTICES));
+    const std::size_t hay = p->indices.size(), caben = std::min(hay, VERTICES);
+    for (std::size_t i = 0; i < caben; ++i) // de toda la orden
+        p->indices[i] = p->indices[i * hay / caben];
+    p->indices.resize(caben);
     const Sueltas s(*p);
     Puntos puntos(p->indices.size());
     GLuint bufer;
@@ -45,7 +55,6 @@ Puntos posicionesDe(const Orden &orden) {
     glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, puntos.data());
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLuint(antes));
     glDeleteBuffers(1, &bufer);
-    glDeleteProgram(otro);
     return puntos;
 }
 
@@ -81,6 +90,35 @@ std::pair<std::string, std::string> fueraDe(const Puntos &puntos) {
             "¿Son muy pequeñas, o están fuera de la ventana?"};
 }
 
+// Si los planos cerca o lejos quitan parte de lo que, si no, se vería.
+std::pair<std::string, std::string> corteDe(const Puntos &puntos) {
+    int cerca = 0, lejos = 0, dentro = 0;
+    for (const auto &[x, y, z, w] : puntos)
+        if (w > 0 && std::fabs(x) <= w && std::fabs(y) <= w)
+            ++(z < -w ? cerca : z > w ? lejos : dentro);
+    if (!dentro || cerca + lejos == 0)
+        return {};
+    const auto corta = [&](const char *plano, int cuantos) {
+        return "el plano " + std::string(plano) + " la corta: quita " + std::to_string(cuantos) + " de los " +
+               std::to_string(cerca + lejos + dentro) + " vértices que se verían";
+    };
+    return cerca ? std::pair(corta("cerca", cerca), std::string("Acerca ese plano a la cámara."))
+                 : std::pair(corta("lejos", lejos), std::string("Aleja ese plano de la cámara."));
+}
+
+double largo(const double *v) {
+    return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+// Si una matriz afín, que es la de un objeto o de una cámara, lo aplasta todo en un plano.
+bool aplasta(const std::vector<double> &m) {
+    if (m.size() != 16 || m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] == 0)
+        return false;
+    const double det = m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) +
+                       m[8] * (m[1] * m[6] - m[2] * m[5]);
+    return std::fabs(det) <= 1e-6 * largo(&m[0]) * largo(&m[4]) * largo(&m[8]);
+}
+
 bool casiCero(const std::vector<double> &v) {
     return std::all_of(v.begin(), v.end(), [](double x) { return x == 0; });
 }
@@ -94,18 +132,26 @@ void Sospechas::pon(int gravedad, int orden, const std::string &dice, const std:
 }
 
 void Sospechas::delCableado(const Cableado &c, int n) {
+    const auto conTextura = [&](const Uniforme &u) { // un sampler al que le vale la unidad 0
+        return std::any_of(c.texturas.begin(), c.texturas.end(), [&](const Textura &t) {
+            return t.sampler == u.variable.nombre && t.incompleta.empty();
+        });
+    };
     for (const Uniforme &u : c.uniformes) {
         const std::string quien = "el uniform «" + u.variable.nombre + "» ";
         const bool matriz =
             u.valor.size() >= 4 && !esEntero(u.variable.tipo) && tipoDe(u.variable.tipo)[0] == 'm';
         if (std::any_of(u.valor.begin(), u.valor.end(), [](double x) { return !std::isfinite(x); }))
             pon(SEGURO, n, quien + "tiene algo que no es un número", "Mira de qué cuenta sale.");
-        else if (!u.dado)
+        else if (!u.dado && !conTextura(u))
             pon(SEGURO, n, quien + "lo usa el shader y nadie le ha dado valor: es 0",
                 "Falta enviarlo, se llama de otra manera o se ha enviado sin glUseProgram antes.");
         else if (matriz && casiCero(u.valor))
             pon(SEGURO, n, quien + "es una matriz toda de ceros",
                 "Debería ser al menos la identidad: glm::mat4(1).");
+        else if (matriz && aplasta(u.valor))
+            pon(SEGURO, n, quien + "es una matriz de determinante 0: todo queda en un plano",
+                "¿Hay un factor de escala que es 0, o un eje repetido?");
     }
     for (const Textura &t : c.texturas)
         if (!t.incompleta.empty())
@@ -124,6 +170,39 @@ void Sospechas::delCableado(const Cableado &c, int n) {
             pon(a.variable.nombre == "vNormal" ? SEGURO : SI_NO_SE_VE_NADA, n,
                 quien + "es 0 en todos los vértices",
                 "Mira cómo se rellena el buffer, su paso y su desplazamiento.");
+    }
+}
+
+// Las que el shader usa como unitarias sin que lo sean.
+void Sospechas::deNormales(const Cableado &c, int n) {
+    std::string texto;
+    for (const Fuente &f : fuentesDe(GLuint(entero(GL_CURRENT_PROGRAM))))
+        texto += f.texto;
+    if (std::regex_search(texto, std::regex("\\b(normalize|inversesqrt|length)\\b")))
+        return;
+    for (const Atributo &a : c.atributos) {
+        if (a.variable.nombre.find("ormal") == std::string::npos || a.componentes != 3)
+            continue;
+        std::vector<double> m = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+        std::smatch por;
+        if (std::regex_search(texto, por, std::regex("(\\w+)\\s*\\*\\s*" + a.variable.nombre + "\\b")))
+            for (const Uniforme &u : c.uniformes)
+                if (u.variable.nombre == por[1] && u.valor.size() == 9)
+                    m = u.valor;
+        for (const auto &v : a.primeros) {
+            double N[3];
+            for (std::size_t i = 0; i < 3; ++i)
+                N[i] = m[i] * double(v[0]) + m[3 + i] * double(v[1]) + m[6 + i] * double(v[2]);
+            const double mide = largo(N);
+            if (mide == 0 || std::fabs(mide - 1) <= 0.01)
+                continue;
+            char cifras[24];
+            std::snprintf(cifras, sizeof cifras, "%.3g", mide);
+            return pon(SEGURO, n,
+                       "las normales («" + a.variable.nombre + "») no son unitarias, miden " + cifras +
+                           ", y el shader no las normaliza",
+                       "Falta normalize en el shader, o las da así la matriz con que se transforman.");
+        }
     }
 }
 
@@ -164,16 +243,20 @@ void Sospechas::antes(const Orden &o, const Lienzo &l, const Cableado &cableado,
         return;
     hayDibujos = true;
     delCableado(cableado, n);
+    deNormales(cableado, n);
     delEstado(o, l, n);
 }
 
-void Sospechas::porQueNada(const Orden &o, int n) {
+std::string Sospechas::porQueNada(const Orden &o, int n) {
     const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
-    if (!programa)
-        return pon(SEGURO, n, "se dibuja sin programa en uso",
-                   "Falta glUseProgram, o su programa no enlaza.");
-    if (!o.vertices || !entero(GL_VERTEX_ARRAY_BINDING))
-        return;
+    if (!programa) {
+        pon(SEGURO, n, "se dibuja sin programa en uso", "Falta glUseProgram, o su programa no enlaza.");
+        return "no hay programa en uso";
+    }
+    if (!o.vertices)
+        return "no tiene vértices";
+    if (!entero(GL_VERTEX_ARRAY_BINDING))
+        return "no hay ningún VAO enlazado";
     std::pair<std::string, std::string> que;
     int gravedad = SI_NO_SE_VE_NADA;
     {
@@ -216,9 +299,10 @@ void Sospechas::porQueNada(const Orden &o, int n) {
         }
     }
     pon(gravedad, n, "la orden " + std::to_string(n) + " no dibuja nada: " + que.first, que.second);
+    return que.first;
 }
 
-void Sospechas::despues(const Orden &o, const Lienzo &l, const Cableado &c, int n, long fragmentos) {
+std::string Sospechas::despues(const Orden &o, const Lienzo &l, const Cableado &c, int n, long fragmentos) {
     // common/encima pinta los rótulos con este sampler
     const bool rotulo = std::any_of(c.texturas.begin(), c.texturas.end(),
                                     [](const Textura &t) { return t.sampler == "atlas"; });
@@ -227,20 +311,24 @@ void Sospechas::despues(const Orden &o, const Lienzo &l, const Cableado &c, int 
     if (fragmentos == 0)
         return porQueNada(o, n);
     if (rotulo)
-        return;
+        return "";
     hayEscrito = true;
+    const auto [corte, prueba] = corteDe(posicionesDe(o));
+    if (!corte.empty())
+        pon(SEGURO, n, "en la orden " + std::to_string(n) + ", " + corte, prueba);
     GLboolean m[4];
     glGetBooleanv(GL_COLOR_WRITEMASK, m);
     if (!m[0] && !m[1] && !m[2])
         pon(SI_NO_SE_VE_NADA, n, "glColorMask no deja escribir el color",
             "Falta glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE).");
     if (!glIsEnabled(GL_BLEND) || l.nombre)
-        return;
+        return "";
     const GLenum origen = GLenum(entero(GL_BLEND_SRC_RGB)), destino = GLenum(entero(GL_BLEND_DST_RGB));
     pon(origen == GL_ZERO && destino == GL_ONE ? SEGURO : SI_NO_SE_VE_NADA, n,
         "lo que se dibuja se mezcla con lo que hay (" + nombreFactor(origen) + ", " + nombreFactor(destino) +
             ") y no cambia nada",
         "Mira glBlendFunc y lo que vale su alfa, o falta glDisable(GL_BLEND).");
+    return "";
 }
 
 std::vector<Json> Sospechas::todas(bool unColor) {

@@ -21,13 +21,15 @@ class Sospechas {
     void pon(int gravedad, int orden, const std::string &dice, const std::string &prueba);
     void delCableado(const Cableado &cableado, int n);
     void delEstado(const Orden &orden, const Lienzo &lienzo, int n);
-    void porQueNada(const Orden &orden, int n);
+    void deNormales(const Cableado &cableado, int n);
+    std::string porQueNada(const Orden &orden, int n);
 
 public:
     /// Antes de hacerla. Hay que tener el estado del programa.
     void antes(const Orden &orden, const Lienzo &lienzo, const Cableado &cableado, int n);
-    /// Después: los fragmentos que ha escrito.
-    void despues(const Orden &orden, const Lienzo &lienzo, const Cableado &cableado, int n, long fragmentos);
+    /// Después, con los fragmentos que ha escrito. Si son ninguno, devuelve por qué.
+    std::string despues(const Orden &orden, const Lienzo &lienzo, const Cableado &cableado, int n,
+                        long fragmentos);
     /// Todas, las más graves antes, cuando el cuadro está entero. `unColor`: si la ventana queda lisa.
     std::vector<Json> todas(bool unColor);
 };

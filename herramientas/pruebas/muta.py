@@ -37,7 +37,7 @@ SOBRA = "build", "galeria", "informe", "web", "windows", "mios", ".git"  # de un
 # Lo que nota los de cada lista que no se compilan, de lo que menos tarda a lo que más.
 EN_COPIA = {
     "jueces": ("tests/jueces/propiedades_mal_test.py", "tests/jueces/jueces_test.py"),
-    "correccion": ("tests/herramientas/corrige_test.py",),
+    "correccion": ("tests/herramientas/donde_test.py", "tests/herramientas/corrige_test.py"),
     "paginas": ("tests/paginas/partes.mjs",),
 }
 DE_LAS_DEMAS = tuple(
@@ -267,6 +267,7 @@ class Vivero:
             self.build,
             *(pruebas if capitulos else ["tests/all"]),
             "compara",
+            "explica",
             *(de_los_jueces if "jueces" in capitulos else ()),
             *(f"{p.nombre}_{self.sin_ventana}" for p in self.programas),
         )
@@ -294,6 +295,8 @@ class Vivero:
         entorno = procesos.entorno(self.build)
         if es_de("jueces", capitulos) and any(m.lista == "jueces" for m in self.mutantes):
             pruebas += self.de_jueces(entorno)
+        if not capitulos:
+            pruebas += self.de_explica(entorno)
         for programa in self.programas:
             de = capitulo(programa.capitulo.nombre)
             if not programa.consola and (not capitulos or de in capitulos):
@@ -329,6 +332,12 @@ class Vivero:
         jueces = [PYTEST, "-xq", "-p", "no:cacheprovider", self.copia / "tests/jueces/jueces_test.py"]
         jueces += ["-k", "borde or queda or numero or casos or pagina"]
         yield Prueba("jueces", jueces, {**entorno, "LAB_BUILD": str(self.build)}, False)
+
+    def de_explica(self, entorno):
+        """Las que preguntan a lo que se pone delante de OpenGL."""
+        for nombre, orden in (("propiedades/explica", [self.copia, self.build]), ("casos/causas", [self.build])):
+            palabras = [sys.executable, "-B", self.copia / f"tests/{nombre}.py", *orden]
+            yield Prueba(nombre.rpartition("/")[2], palabras, entorno, False)
 
     def sin_mutantes(self, pruebas, hilos):
         """Todo debe pasar sin ninguno, y se apunta cuánto tarda y qué usa."""

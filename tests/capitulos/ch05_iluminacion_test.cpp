@@ -465,4 +465,74 @@ TEST(GruaIluminada, LosDosPaneles) {
     }
 }
 
+// Lo que apunta ./lab explica de phong.glsl en el píxel (x, y), contado desde arriba: el primer valor con esa clase y
+// ese nombre. Vacío si no está.
+std::vector<double> apuntado(const std::string &cuadro, int x, int y, const std::string &clase,
+                             const std::string &nombre) {
+    const std::string pixel = "\"pixel\":[";
+    const std::size_t desde = cuadro.find(pixel + std::to_string(x) + "," + std::to_string(y) + "]");
+    const std::string suyo = cuadro.substr(desde, cuadro.find(pixel, desde + 1) - desde);
+    const std::size_t linea = suyo.find("\"clase\":\"" + clase + "\",\n\"nombre\":\"" + nombre + "\"");
+    if (linea == suyo.npos)
+        return {};
+    std::vector<double> valor;
+    std::istringstream numeros(suyo.substr(suyo.find("\"valor\":[", linea) + 9));
+    double n;
+    for (char coma; numeros >> n; numeros >> coma)
+        valor.push_back(n);
+    return valor;
+}
+
+// La normal, N·L y la distancia a la luz, contra el rayo de cada píxel que cae entero en una cara.
+TEST(GruaIluminada, LoQueSeExplicaContraElRayoDeCadaPixel) {
+    const std::string delante = LAB_BUILD "/herramientas/explica/libexplica.so",
+                      hecho = carpetaTemporal() / "cuadro.json";
+    if (!std::filesystem::exists(delante))
+        GTEST_SKIP() << "con ASan no se explica";
+    const Iluminada e = Grua{"", PHONG}.escena();
+    const Escena escena = e.escena(false);
+    const auto impacto = [&](double x, double y) {
+        return primerImpacto(escena, rayo(e.camara, 240, 180, x, 180 - y));
+    };
+    std::string pide;
+    std::vector<std::pair<int, int>> pixeles;
+    for (int i = 0; pixeles.size() < 40 && i < 20000; ++i) {
+        const int x = i * 97 % 240, y = i * 61 % 180;
+        const Impacto centro = impacto(x + 0.5, y + 0.5);
+        bool entero = bool(centro);
+        for (const int k : {0, 1, 2, 3}) {
+            const Impacto otro = impacto(x - 1 + 3 * (k % 2), y - 1 + 3 * (k / 2));
+            entero = entero && otro && otro.objeto == centro.objeto &&
+                     longitud(otro.normal - centro.normal) < 1e-9;
+        }
+        if (entero && std::find(pixeles.begin(), pixeles.end(), std::pair(x, y)) == pixeles.end()) {
+            pixeles.push_back({x, y});
+            pide += std::to_string(x) + "," + std::to_string(y) + " ";
+        }
+    }
+    ASSERT_EQ(pixeles.size(), 40u);
+    const std::string orden = "LAB_SIN_ENCIMA=1 LD_PRELOAD=" + delante + " LAB_EXPLICA=" + hecho +
+                              " LAB_EXPLICA_PIXELES='" + pide +
+                              "' " LAB_EJECUTABLES "/ch05_iluminacion/grua_iluminada -geometry 240x180 " +
+                              "-guion 'tecla g' -ppm " + hecho + ".ppm";
+    ASSERT_EQ(std::system(orden.c_str()), 0) << orden;
+    std::ifstream fichero(hecho);
+    const std::string cuadro{std::istreambuf_iterator<char>(fichero), {}};
+    double peor = 0;
+    for (const auto &[x, y] : pixeles) {
+        const Impacto i = impacto(x + 0.5, y + 0.5);
+        const Vec3 N = enCamara(e.camara, e.camara.ojo + i.normal), L = e.luces[0].posicion - i.punto;
+        const std::vector<double> n = apuntado(cuadro, x, y, "asigna", "N"),
+                                  NdotL = apuntado(cuadro, x, y, "declara", "NdotL"),
+                                  hacia = apuntado(cuadro, x, y, "declara", "haciaLuz");
+        ASSERT_TRUE(n.size() == 3 && NdotL.size() == 1 && hacia.size() == 3) << x << ", " << y;
+        const double d = longitud(Vec3{hacia[0], hacia[1], hacia[2]});
+        peor =
+            std::max({peor, longitud(Vec3{n[0], n[1], n[2]} - N),
+                      std::fabs(NdotL[0] - escalar(i.normal, unitario(L))), std::fabs(d / longitud(L) - 1)});
+    }
+    EXPECT_LE(peor, 1e-5);
+    RecordProperty("peor", std::to_string(peor * 1e6) + "e-6");
+}
+
 } // namespace

@@ -45,6 +45,16 @@ GLint sitioDe(GLuint programa, const GLchar *nombre) {
     return sitio;
 }
 
+// Pone el plano cerca, o el lejos, de una proyección en perspectiva o paralela a esa distancia.
+void pasaPorElOrigen(std::vector<GLfloat> &m, GLfloat distancia, bool elCerca) {
+    const GLfloat paralela = m[15];
+    GLfloat cerca = (m[14] + paralela) / (m[10] - 1 + paralela),
+            lejos = (m[14] - paralela) / (m[10] + 1 - paralela);
+    (elCerca ? cerca : lejos) = distancia;
+    m[10] = (paralela != 0 ? -2 : -(lejos + cerca)) / (lejos - cerca);
+    m[14] = (paralela != 0 ? -(lejos + cerca) : -2 * lejos * cerca) / (lejos - cerca);
+}
+
 void matriz(GLint sitio, GLsizei n, GLboolean traspone, const GLfloat *valor) {
     const auto deVerdad = siguiente<decltype(&glUniformMatrix4fv)>("glUniformMatrix4fv");
     const bool camara = matricesDeCamara.count(sitio), proyeccion = proyecciones.count(sitio);
@@ -60,9 +70,27 @@ void matriz(GLint sitio, GLsizei n, GLboolean traspone, const GLfloat *valor) {
             otra[std::size_t(4 * c + 2)] -= 3 * otra[std::size_t(4 * c + 3)];
     if (es("proyeccion_nan") && proyeccion)
         otra[0] = otra[5] = std::strtof("nan", nullptr);
+    if (es("determinante_cero") && modelos.count(sitio)) // un factor de escala, 0
+        otra[4] = otra[5] = otra[6] = 0;
+    static GLfloat lejania = 0; // de la cámara al origen
+    if (camara)
+        lejania = -valor[14];
+    if ((es("cerca_corta") || es("lejos_corta")) && proyeccion && lejania > 0)
+        pasaPorElOrigen(otra, lejania, es("cerca_corta"));
     if (es("matriz_cero") && camara)
         otra.assign(otra.size(), 0);
     deVerdad(sitio, n, traspone, otra.data());
+}
+
+void fuente(GLuint shader, GLsizei n, const GLchar *const *trozos, const GLint *largos) {
+    std::string texto;
+    for (GLsizei i = 0; i < n; ++i)
+        texto += largos && largos[i] >= 0 ? std::string(trozos[i], std::size_t(largos[i])) : trozos[i];
+    const std::string quita = "normalize(";
+    for (std::size_t donde = 0; es("sin_normalizar") && (donde = texto.find(quita)) != texto.npos;)
+        texto.replace(donde, quita.size() - 1, "");
+    const GLchar *const entero = texto.c_str();
+    siguiente<decltype(&glShaderSource)>("glShaderSource")(shader, 1, &entero, nullptr);
 }
 
 void usa(GLuint programa) {
@@ -96,6 +124,7 @@ Direccion cambiada(const char *nombre) {
     } CAMBIADAS[] = {{"glGetUniformLocation", reinterpret_cast<Direccion>(sitioDe)},
                      {"glUniformMatrix4fv", reinterpret_cast<Direccion>(matriz)},
                      {"glUseProgram", reinterpret_cast<Direccion>(usa)},
+                     {"glShaderSource", reinterpret_cast<Direccion>(fuente)},
                      {"glEnableVertexAttribArray", reinterpret_cast<Direccion>(array)},
                      {"glGenerateMipmap", reinterpret_cast<Direccion>(niveles)},
                      {"glUniform1i", reinterpret_cast<Direccion>(uniforme1i)},

@@ -27,6 +27,9 @@ from base import catalogo  # noqa: E402
 
 ANCHO, ALTO = 240, 180
 SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósito
+    "escalado": "determinante 0",  # con un factor 0
+    "normales": "determinante 0",  # aplastar un objeto
+    "hermite": "0 vértices",  # de lo que aún no se ve
     "primer_programa": "no se dibuja nada",  # solo borra
     "tiras": "«diametroPunto»",  # solo hace falta cuando se dibujan los puntos
 }

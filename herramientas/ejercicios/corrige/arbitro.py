@@ -17,6 +17,7 @@ PROCESADOR, VECES = 10, 4  # segundos: tantos, y lo que la solución tarda con e
 SIN_PRISA = 200  # los de la solución
 ERROR_DE_OPENGL = 3  # con que acaba quien da alguno
 BIEN, CASI = 1, 0.5  # cuánto se parecen dos imágenes: lo que vale el guion
+DELANTE = 'ln -s "$0" delante.so && LD_PRELOAD=./delante.so exec "$@"'  # que no admite blancos
 VIEJA = 86400  # segundos que se guarda lo jugado por otra versión
 
 
@@ -78,8 +79,8 @@ class Arbitro:
         """Los que compila Mesa para la solución y los mutantes."""
         return self.cache / "shaders"
 
-    def juega_de_nuevo(self, jugador, guion, procesador=SIN_PRISA):
-        """Lo que deja, en un tar."""
+    def juega_de_nuevo(self, jugador, guion, procesador=SIN_PRISA, delante=None, **mas):
+        """Lo que deja, en un tar. DELANTE: la biblioteca que se le pone delante."""
         orden = [
             jugador.programa,
             "-geometry",
@@ -91,13 +92,16 @@ class Arbitro:
             "-guion",
             guion.texto,
         ]
+        if delante:
+            orden = ["sh", "-c", DELANTE, delante, *orden]
         limites = {**JUEGA, "procesador": round(procesador), "segundos": round(3 * procesador)}
         raices = ":".join(map(str, [*jugador.raices, self.build]))
         # los rótulos no se piden: se ven los trazos, que en las curvas son lo que se pide
-        entorno = {"LAB_RAIZ": raices, "LAB_SIN_ENCIMA": "rotulo", **jugador.entorno}
+        entorno = {"LAB_RAIZ": raices, "LAB_SIN_ENCIMA": "rotulo", **jugador.entorno, **mas}
         if not jugador.ajeno:
             return self.recinto.propio(orden, limites, MESA_SHADER_CACHE_DIR=str(self.shaders), **entorno)
         ve = [jugador.programa.parent, *self.compilador.ve, *([self.shaders] if self.shaders.is_dir() else [])]
+        ve += [delante] if delante else []
         # de lo ajeno, en ninguna carpeta más: en el laboratorio está la solución
         entorno |= {"LAB_SOLO_RAIZ": "1", "LAB_SHADERS": str(self.shaders), "MESA_SHADER_CACHE_DIR": "shaders"}
         return self.recinto.ajeno(orden, limites, ve, **entorno)

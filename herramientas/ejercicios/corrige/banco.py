@@ -1,5 +1,6 @@
 """Todo lo que hace falta para corregir un ejercicio: quién compila, quién juega y por qué fallan, y los guiones de
 todos."""
+import functools
 from pathlib import Path
 
 from base import procesos
@@ -7,6 +8,8 @@ from ejercicios import nuevo
 from ejercicios.corrige import partidas
 from ejercicios.corrige.arbitro import Arbitro, suma
 from ejercicios.corrige.compilador import Compilador
+from ejercicios.corrige.cuadro import DELANTE
+from ejercicios.corrige.donde import Donde
 from ejercicios.corrige.jaula import Recinto
 from ejercicios.corrige.motivos import Motivos, conocidos
 
@@ -28,6 +31,10 @@ class Banco:
         self.arbitro = Arbitro(build, ref, self.compilador, recinto, temporal, self.version)
         self.motivos = Motivos(raiz, programa, ref, self.compilador, self.arbitro)
 
+    @functools.cached_property
+    def donde(self):
+        return Donde(self)
+
     def suma_todo(self, raiz, build):
         """Lo que cambia una corrección, además de lo entregado y de los guiones: quien corrige, lo que se da, lo que se
         ve y con qué se enlaza."""
@@ -39,5 +46,6 @@ class Banco:
             *(raiz / ruta for ruta in self.compilador.visible),
             *(Path(b) for b in self.compilador.bibliotecas if b.startswith(str(build))),
             build / "herramientas/comparador/compara",
+            *([build / DELANTE] if (build / DELANTE).exists() else []),
         ]
         return suma(repr(textos), repr(errores), *(f.read_bytes() for f in visto))

@@ -10,8 +10,16 @@ from base import guiones, paginas
 
 
 def lineas(c):
-    """Lo que hay que decirle a quien la entregó."""
-    return [*c["dice"], *(f["que"] for f in c["fallos"])] or ["todo bien"]
+    """Lo que hay que decirle a quien la entregó. De cada guion que falla, dónde, si no se ha dicho ya."""
+    frases = [*c["dice"]]
+    for fallo in c["fallos"]:
+        donde = [en_donde(fallo)] if fallo["donde"] else []
+        frases += [fallo["que"], *(d for d in donde if d not in frases)]
+    return frases or ["todo bien"]
+
+
+def en_donde(fallo):
+    return f"lo primero que se aparta: {fallo['donde']['dice']}"
 
 
 def en_texto(c):
@@ -72,6 +80,7 @@ def escribe_pagina(destino, correcciones, programa, ref, suya=""):
     datos = {"resumen": resumen(correcciones) if len(correcciones) > 1 else None, "suya": suya}
     datos |= {
         "lineas": lineas,
+        "en_donde": en_donde,
         "en_palabras": guiones.en_palabras,
         "con_detalle": lambda c: c["fallos"] or c["dice"][1:],
     }

@@ -154,7 +154,7 @@ def desempaqueta(datos):
                 if (
                     miembro.isreg()
                     and not miembro.issparse()
-                    and re.fullmatch(r"estado|salida|errores|titulos|tiempos|programa|\d{3}\.ppm", nombre)
+                    and re.fullmatch(r"estado|salida|errores|titulos|tiempos|programa|cuadro\.json|\d{3}\.ppm", nombre)
                 ):
                     ficheros.setdefault(nombre, tar.extractfile(miembro).read())
     except Exception:  # pylint: disable=broad-except  # está cortado o estropeado, y puede ser de cualquier manera

@@ -166,6 +166,7 @@ class Correccion:
                         "guion": guion.nombre,
                         "tras": list(tras),
                         "que": que,
+                        "donde": self.donde(tras, esperada, obtenida),
                         "imagenes": self.imagenes(esperada, obtenida),
                     }
                 )
@@ -203,6 +204,17 @@ class Correccion:
         cuanto = self.arbitro.parecido(una, otra)
         como = POR_POCO if cuanto == CASI else en_que(una, otra) if cuanto == 0 else ""
         return f"{falla}: {como}" if como else falla
+
+    def donde(self, tras, esperada, obtenida):
+        """Lo primero en que se apartan al dibujar la primera imagen que no es la misma, o None."""
+        i = self.arbitro.difiere(esperada, obtenida)
+        if i is None or i >= len(obtenida.imagenes) or obtenida.cuelga or self.gastado > TOPE / 2:
+            return None
+        antes = time.monotonic()
+        imagenes = esperada.imagenes[i], obtenida.imagenes[i]
+        hallado = self.banco.donde.busca(self.jugador, self.entrega.ficheros, Guion("", tras[:i]), *imagenes)
+        self.gastado += time.monotonic() - antes
+        return hallado
 
     def imagenes(self, esperada, obtenida):
         """La entregada, la esperada y su diferencia donde se apartan, en PNG."""

@@ -1,0 +1,605 @@
+"""Dónde se aparta una entrega de lo que se espera. Con un guion que falla, el cuadro de las dos se explica en el píxel
+en que más se apartan (herramientas/explica), y se dice lo primero que no es lo mismo: de las órdenes que pintan ese
+píxel, la primera en que se apartan, y de ella lo que le llega (shaders, uniforms, arrays, texturas), su estado, lo que
+se pide dibujar o la primera línea de sus shaders que da otra cosa; si no, qué primitiva lo cubre o qué prueba no pasa.
+
+De la solución se dicen valores, y nombres que la entrega también tiene; nunca su texto."""
+import difflib
+import re
+from collections import Counter
+from pathlib import PurePath
+
+from base.fuentes import SHADERS
+from ejercicios.corrige import cuadro as de_cuadro
+from ejercicios.corrige.jaula import desempaqueta
+
+PROCESADOR = 20  # segundos de cada explicación
+PIXELES = 3
+LEJOS = 12  # píxeles que hay de uno a otro, al menos
+LINEAS = 20000  # de un shader con lo que incluye
+HONDO = 8
+ORDENES = 300  # las que se emparejan por lo que hacen
+INCLUYE = re.compile(r'[ \t\v\f]*#include[ \t\v\f]*"([^"]+)"[ \t\v\f]*$')
+IGUAL = 1e-4
+NIVEL = 2 / 255
+HACEN = "escrito", "mascara"  # los veredictos de lo que deja algo
+VENTANA = "la ventana"
+FINAL = 1 << 30  # más que las líneas que tiene un shader: la última
+CON_NOMBRE = "entrada", "global", "declara", "asigna", "argumento", "sale", "salida"
+PRUEBAS = {
+    "cara": "la de la cara",
+    "recorte": "la del recorte",
+    "descartado": "el discard del shader",
+    "plantilla": "la prueba de plantilla",
+    "profundidad": "la prueba de profundidad",
+    "mascara": "glColorMask",
+}
+DE_TEXTURA = {
+    "incompleta": "está incompleta",
+    "unidad": "está en la unidad {}",
+    "talla": "es de {}",
+    "formato": "es {}",
+    "reduce": "se reduce con {}",
+    "amplia": "se amplía con {}",
+    "repite": "se repite con {}",
+}
+
+
+# --- lo que se dice ---
+
+
+def cifra(n):
+    return {"nan": "NaN", "inf": "∞", "-inf": "−∞"}.get(f"{n:g}") or f"{n:.4g}".replace("-", "−")
+
+
+def en_json(numeros):
+    """Los que no tiene JSON, como texto."""
+    return [n if abs(n) < 1e39 else f"{n:g}" for n in numeros]
+
+
+def valor(numeros, tipo=""):
+    if tipo == "bool" and numeros:
+        return "sí" if numeros[0] else "no"
+    return cifra(numeros[0]) if len(numeros) == 1 else f"({', '.join(map(cifra, numeros))})"
+
+
+def vale(que, tuyo, esperado, tipo=""):
+    """De una matriz, la primera columna que no es la misma."""
+    columnas = re.fullmatch(r"mat([2-4])(?:x[2-4])?", tipo)
+    if columnas and len(tuyo) == len(esperado):
+        filas = len(tuyo) // int(columnas[1])
+        for c in range(int(columnas[1])):
+            una, otra = (m[c * filas : (c + 1) * filas] for m in (tuyo, esperado))
+            if distintos(una, otra):
+                return f"{que}, en su columna {c + 1}, vale {valor(una)} y se espera {valor(otra)}"
+    return f"{que} vale {valor(tuyo, tipo)} y se espera {valor(esperado, tipo)}"
+
+
+def rgb(suceso):
+    return valor(suceso["despues"][:3]) if suceso and suceso["despues"] else "otra cosa"
+
+
+def de_poco(hallada):
+    """Lo que vale menos, mayor."""
+    return {"suceso": 2, "array": 1, "textura": 1}.get(hallada["que"], 0)
+
+
+# --- comparar ---
+
+
+def distintos(una, otra, igual=IGUAL):
+    """Dos listas de números, si lo son de verdad."""
+    if una is None or otra is None:
+        return una is not otra
+    if len(una) != len(otra):
+        return True
+    return any(
+        a != b and (a == a or b == b) and not abs(a - b) <= igual * max(1, abs(a), abs(b)) for a, b in zip(una, otra)
+    )
+
+
+def contenido(orden):
+    """Lo que pinta y con qué, para encontrarla en otro cuadro."""
+    cableado = orden["cableado"] or {"uniformes": [], "atributos": [], "texturas": []}
+    numeros = [f"{n:.4g}" for u in cableado["uniformes"] for n in u["valor"]]
+    sumas = [cosa["suma"] for que in ("atributos", "texturas") for cosa in cableado[que]]
+    return orden["titulo"], orden["framebuffer"], *numeros, *sumas
+
+
+def hace(orden):
+    """Qué clase de orden es, sin cuánto dibuja."""
+    titulo = orden["titulo"].rstrip("s").partition(" ")[2] if orden["cableado"] else orden["titulo"]
+    return titulo, orden["framebuffer"]
+
+
+def empareja(suyas, esperadas):
+    """Cada orden con la que debía ser: por su sitio, si son las mismas; si no, por su contenido. A la que le falta
+    pareja le queda None."""
+    if [*map(hace, suyas)] == [*map(hace, esperadas)] or max(len(suyas), len(esperadas)) > ORDENES:
+        return list(zip(suyas, esperadas))
+    una, otra = [*map(contenido, suyas)], [*map(contenido, esperadas)]
+    pares = []
+    for que, a, b, c, d in difflib.SequenceMatcher(None, una, otra, autojunk=False).get_opcodes():
+        comunes = min(b - a, d - c) if que in ("equal", "replace") else 0
+        pares += zip(suyas[a : a + comunes], esperadas[c : c + comunes])
+        pares += [(o, None) for o in suyas[a + comunes : b]] + [(None, o) for o in esperadas[c + comunes : d]]
+    return pares
+
+
+def pasos(traza, comunes):
+    """Cada paso de un shader por lo que es y las veces que van. El de una condición se llama como está escrita: si en
+    el otro shader no hay ninguna igual, se empareja sin nombre."""
+    van = Counter()
+    for p in traza["lineas"]:
+        nombre = p["nombre"] if p["clase"] in CON_NOMBRE or p["nombre"] in comunes else ""
+        que = p["clase"], nombre, p["tipo"], p["funcion"]
+        van[que] += 1
+        yield (*que, van[que]), p
+
+
+def primer_paso(suya, esperada):
+    """Cuál es el primero que no da lo mismo en las dos, y lo que se espera de él."""
+    comunes = set.intersection(*({p["nombre"] for p in traza["lineas"]} for traza in (suya, esperada)))
+    esperados = dict(pasos(esperada, comunes))
+    for i, (que, mio) in enumerate(pasos(suya, comunes)):
+        if que in esperados and distintos(mio["valor"], esperados[que]["valor"]):
+            return i, esperados[que]["valor"]
+    return None
+
+
+def donde_se_llama(lineas, i):
+    """La línea en que se da valor a ese parámetro: la de lo siguiente que se apunta en quien llama a su función."""
+    suya = lineas[i]["funcion"]
+    quien = next((p["funcion"] for p in reversed(lineas[:i]) if p["funcion"] not in (suya, "")), "main")
+    return next((p["linea"] for p in lineas[i:] if p["funcion"] == quien), lineas[i]["linea"])
+
+
+class Comparacion:
+    """De un píxel, en los dos cuadros, con los Shaders de la entrega y los del laboratorio."""
+
+    def __init__(self, suyo, esperado, i, suyos, lab, primitiva=0):
+        self.cuadros, self.i, self.suyos, self.lab = (suyo, esperado), i, suyos, lab
+        self.primitiva = primitiva  # de lo que se pinta en otro framebuffer
+        self.pixel = suyo["pixeles"][i]["pixel"]
+        self.pares = empareja(suyo["ordenes"], esperado["ordenes"])
+        self.se_sombrea = None  # (orden, primitiva) de cada uno: las que habría que ver por dentro
+
+    def sucesos(self, cual, orden):
+        """Lo que hace esa orden en el píxel: {primitiva: suceso}."""
+        historia = self.cuadros[cual]["pixeles"][self.i]["historia"]
+        return {-1 if s["primitiva"] is None else s["primitiva"]: s for s in historia if s["orden"] == orden["n"]}
+
+    def fuente(self, cual, orden, etapa):
+        suyo = next((p for p in self.cuadros[cual]["programas"] if p["programa"] == orden["programa"]), {})
+        return suyo.get(etapa) or ""
+
+    def primera(self):
+        """Lo primero en que se apartan, o None: `que`, `dice` y, si es de una línea, `fichero` y `linea`. Antes lo que
+        dice de dónde sale que lo que solo dice que no es lo mismo."""
+        return min(self.halladas(), key=de_poco, default=None)
+
+    def halladas(self):
+        for mia, suya in self.pares:
+            if not mia or not suya:
+                orden = mia or suya
+                de = self.sucesos(0 if mia else 1, orden)
+                if any(s["veredicto"] in HACEN for s in de.values()):
+                    yield self.suelta(mia, suya)
+                continue
+            de_mia, de_suya = self.sucesos(0, mia), self.sucesos(1, suya)
+            cual = self.suceso_distinto(de_mia, de_suya)
+            if cual is not None:
+                yield self.de_orden(mia, suya, cual, de_mia.get(cual), de_suya.get(cual))
+            if self.se_sombrea:
+                return
+
+    def del_cuadro(self):
+        """La primera orden del cuadro a la que le llega otra cosa que dice de dónde sale, pinte ese píxel o no."""
+        for mia, suya in self.pares:
+            if mia and suya and mia["cableado"] and mia["fragmentos"]:
+                hallado = self.de_lo_que_llega(mia, suya)
+                if hallado and not de_poco(hallado):
+                    return hallado
+        return None
+
+    def suelta(self, mia, suya):
+        if mia:
+            return {"que": "sobra", "dice": f"sobra {self.llama(mia)}: en lo esperado no está"}
+        antes = 0
+        for una, otra in self.pares:
+            if otra is suya:
+                break
+            antes = una["n"] if una else antes
+        donde = f"después de la orden {antes}" if antes else "antes de todas"
+        return {"que": "falta", "dice": f"falta una orden, {donde}: se espera otra que dibuja {suya['titulo']}"}
+
+    @staticmethod
+    def suceso_distinto(de_mia, de_suya):
+        """La primera primitiva (-1 es la orden entera) que no hace lo mismo."""
+        for cual in sorted({*de_mia, *de_suya}):
+            uno, otro = de_mia.get(cual), de_suya.get(cual)
+            hacen = [s is not None and s["veredicto"] in HACEN for s in (uno, otro)]
+            if not any(hacen):
+                continue
+            if not all(hacen) or uno["veredicto"] != otro["veredicto"]:
+                return cual
+            if uno["veredicto"] == "escrito" and distintos(uno["color"], otro["color"], NIVEL):
+                return cual
+            if any(distintos([uno[q] or 0], [otro[q] or 0]) for q in ("profundidadDespues", "plantillaDespues")):
+                return cual
+            if distintos([c / 255 for c in uno["despues"] or []], [c / 255 for c in otro["despues"] or []], NIVEL):
+                return cual
+        return None
+
+    # --- lo que le llega a una orden ---
+
+    def llama(self, orden):
+        nombre = self.nombre_shader(orden) if orden["cableado"] else ""
+        return f"la orden {orden['n']} ({orden['titulo']}{f', {nombre}' if nombre else ''})"
+
+    def nombre_shader(self, orden):
+        fuente = self.fuente(0, orden, "frag")
+        return PurePath(self.suyos.sitio(fuente, FINAL)[0]).name
+
+    def de_orden(self, mia, suya, cual, uno, otro):
+        quien = self.llama(mia)
+        if not mia["cableado"]:
+            hallado = self.de_llamada(mia, suya)
+            dice = hallado["dice"] if hallado else f"deja {rgb(uno)} y se espera {rgb(otro)}"
+            return {"orden": mia["n"], "que": "llamada", "dice": f"{quien} {dice}"}
+        if hallado := self.de_lo_que_llega(mia, suya):
+            if hallado["que"] == "textura":
+                return self.de_quien_la_pinta(mia) or hallado
+            return (
+                self.de_vertice(mia, suya, cual, hallado["nombre"]) or hallado if hallado["que"] == "array" else hallado
+            )
+        if hallado := self.de_lineas(mia, suya, cual):
+            return hallado
+        return {"orden": mia["n"], "que": "suceso", "dice": self.de_suceso(quien, cual, uno, otro)}
+
+    def de_lo_que_llega(self, mia, suya):
+        partes = self.de_shaders, self.de_uniforms, self.de_arrays, self.de_texturas, self.del_estado, self.de_llamada
+        for parte in partes:
+            if hallado := parte(mia, suya):
+                return {"orden": mia["n"], **hallado, "dice": f"en {self.llama(mia)} {hallado['dice']}"}
+        return None
+
+    def de_quien_la_pinta(self, orden):
+        """Lo primero en que se aparta una orden de antes que dibuja en otro framebuffer."""
+        for mia, suya in self.pares:
+            if mia is orden:
+                return None
+            if mia and suya and mia["cableado"] and mia["framebuffer"] != VENTANA:
+                if hallado := self.de_lo_que_llega(mia, suya):
+                    return hallado if hallado["que"] != "textura" else None
+                if any(self.fuente(0, mia, e) != self.fuente(1, suya, e) for e in ("vert", "frag")):
+                    if hallado := self.de_lineas(mia, suya, self.primitiva):
+                        return hallado
+        return None
+
+    def de_shaders(self, mia, suya):
+        """Otro shader del laboratorio por el suyo."""
+        for etapa in ("vert", "frag"):
+            fuentes = [self.fuente(cual, orden, etapa) for cual, orden in enumerate((mia, suya))]
+            uno, otro = (PurePath(self.lab.sitio(fuente, FINAL)[0]).name for fuente in fuentes)
+            if uno and otro and uno != otro:
+                return {"que": "shader", "dice": f"el shader es {uno} y se espera {otro}"}
+        return None
+
+    def de_uniforms(self, mia, suya):
+        esperados = {u["nombre"]: u for u in suya["cableado"]["uniformes"]}
+        salen = []
+        for u in mia["cableado"]["uniformes"]:
+            otro = esperados.get(u["nombre"])
+            if otro and otro["tipo"] == u["tipo"] and distintos(u["valor"], otro["valor"]):
+                salen.append((u, otro))
+        if not salen:
+            return None
+        lineas = [ll for e in ("vert", "frag") for ll in self.fuente(0, mia, e).partition("main")[2].splitlines()]
+
+        def se_usa(par):
+            """Antes las matrices grandes, de las que salen otras, y el que está en una línea de antes; en la misma, el
+            de más a la derecha, que es lo primero que se aplica."""
+            nombre = re.compile(rf"\b{re.escape(re.split('[.[]', par[0]['nombre'])[0])}\b")
+            hay = ((i, -s.start()) for i, ll in enumerate(lineas) for s in [*nombre.finditer(ll)][-1:])
+            return -len(par[0]["valor"]) if par[0]["tipo"].startswith("mat") else 0, next(hay, (len(lineas), 0))
+
+        u, otro = min(salen, key=se_usa)
+        dice = vale(f"el uniform «{u['nombre']}»", u["valor"], otro["valor"], u["tipo"])
+        tuyo, esperado = (en_json(x["valor"]) for x in (u, otro))
+        return {"que": "uniform", "nombre": u["nombre"], "tuyo": tuyo, "esperado": esperado, "dice": dice}
+
+    def de_arrays(self, mia, suya):
+        esperados = {a["nombre"]: a for a in suya["cableado"]["atributos"]}
+        for a in mia["cableado"]["atributos"]:
+            otro = esperados.get(a["nombre"])
+            if not otro:
+                continue
+            base = {"que": "array", "nombre": a["nombre"]}
+            if not (a["activo"] and a["bufer"]) and otro["activo"] and otro["bufer"]:
+                return {**base, "dice": f"al atributo «{a['nombre']}» no le llega ningún array"}
+            if a["componentes"] != otro["componentes"]:
+                cuantos = f"{a['componentes']} números por vértice y se esperan {otro['componentes']}"
+                return {**base, "dice": f"al atributo «{a['nombre']}» le llegan {cuantos}"}
+            if a["suma"] != otro["suma"]:
+                return {**base, "dice": f"lo que hay en el array de «{a['nombre']}» no es lo que se espera"}
+        if mia["cableado"]["sumaIndices"] != suya["cableado"]["sumaIndices"]:
+            return {"que": "array", "nombre": "", "dice": "los índices no son los que se esperan"}
+        return None
+
+    def de_texturas(self, mia, suya):
+        esperadas = {t["sampler"]: t for t in suya["cableado"]["texturas"]}
+        for t in mia["cableado"]["texturas"]:
+            otra = esperadas.get(t["sampler"], t)
+            for que, dice in DE_TEXTURA.items():
+                if t[que] != otra[que] and (t[que] or que != "incompleta"):
+                    es, debe = ("×".join(map(str, x[que])) if que == "talla" else x[que] for x in (t, otra))
+                    como = f"{dice}: {es}" if que == "incompleta" else f"{dice.format(es)} y se espera {debe}"
+                    dice = f"la textura de «{t['sampler']}» {como}"
+                    return {"que": "textura", "nombre": t["sampler"], "dice": dice}
+            if t["suma"] != otra["suma"]:
+                dice = f"lo que hay en la textura de «{t['sampler']}» no es lo que se espera"
+                return {"que": "textura", "nombre": t["sampler"], "dice": dice}
+        return None
+
+    def del_estado(self, mia, suya):
+        esperado = {e["nombre"]: e["valor"] for e in suya["estado"]}
+        for e in mia["estado"]:
+            debe = esperado.get(e["nombre"], e["valor"])
+            if e["valor"] != debe:
+                dice = f"{e['nombre']} es «{e['valor']}» y se espera «{debe}»"
+                return {"que": "estado", "nombre": e["nombre"], "dice": dice}
+        return None
+
+    def de_llamada(self, mia, suya):
+        if mia["titulo"] != suya["titulo"]:
+            return {"que": "llamada", "dice": f"se pide dibujar {mia['titulo']} y se espera {suya['titulo']}"}
+        (una, *mios), (otra, *suyos) = (re.split(r"[(), ]+", o["llamada"].rstrip(")")) for o in (mia, suya))
+        if una == otra and mios != suyos:
+            mio, suyo = next(((a, b) for a, b in zip(mios, suyos) if a != b), ("", ""))
+            return {"que": "llamada", "dice": f"{una} recibe {mio} y se espera {suyo}"}
+        return None
+
+    # --- sus shaders, por dentro ---
+
+    def por_dentro(self, mia, suya, cual):
+        """Lo apuntado de los shaders de esa primitiva; si hay que pedirlo, nada."""
+        if cual < 0:
+            return None
+        pedida = (mia["n"], cual), (suya["n"], cual)
+        sombreados = [c["pixeles"][self.i]["sombreado"] or {} for c in self.cuadros]
+        if any((s.get("orden"), s.get("primitiva")) != p for s, p in zip(sombreados, pedida)):
+            self.se_sombrea = pedida
+            return None
+        return sombreados
+
+    def de_vertice(self, mia, suya, cual, atributo):
+        """El primer vértice de la primitiva al que ese array no le da lo mismo."""
+        sombreados = self.por_dentro(mia, suya, cual) or ({"vertices": []},) * 2
+        for mio, suyo in zip(*(s["vertices"] or [] for s in sombreados)):
+            da = [
+                next((p for p in v["lineas"] if (p["clase"], p["nombre"]) == ("entrada", atributo)), None)
+                for v in (mio, suyo)
+            ]
+            if all(da) and distintos(*(p["valor"] for p in da)):
+                que = vale(f"«{atributo}» en el vértice {mio['indice']}", *(p["valor"] for p in da))
+                tuyo, esperado = (en_json(p["valor"]) for p in da)
+                dice = f"en {self.llama(mia)}, {que}"
+                return {
+                    "orden": mia["n"],
+                    "que": "array",
+                    "nombre": atributo,
+                    "tuyo": tuyo,
+                    "esperado": esperado,
+                    "dice": dice,
+                }
+        return None
+
+    def de_lineas(self, mia, suya, cual):
+        if not (sombreados := self.por_dentro(mia, suya, cual)):
+            return None
+        uno, otro = sombreados
+        for mio, suyo in zip(uno["vertices"] or [], otro["vertices"] or []):
+            if paso := primer_paso(mio, suyo):
+                return self.de_paso(mia, "vert", mio["lineas"], *paso, f", en el vértice {mio['indice']}")
+        mio, suyo = uno["fragmento"], otro["fragmento"]
+        if mio and suyo and (paso := primer_paso(mio, suyo)):
+            return self.de_paso(mia, "frag", mio["lineas"], *paso, "")
+        return None
+
+    def de_paso(self, orden, etapa, lineas, i, esperado, lugar):
+        mio = lineas[i]
+        es_parametro, nombre = mio["clase"] == "argumento", mio["nombre"]
+        en = donde_se_llama(lineas, i) if es_parametro else mio["linea"]
+        fichero, linea = self.suyos.sitio(self.fuente(0, orden, etapa), en)
+        shader = f"el {'vertex' if etapa == 'vert' else 'fragment'} shader"
+        quien = nombre if mio["clase"] in CON_NOMBRE else f"«{nombre}»"
+        if es_parametro:
+            quien = f"el parámetro {nombre} de {mio['funcion']}"
+        elif mio["clase"] == "devuelve":
+            quien = f"lo que devuelve {mio['funcion']}"
+        que = vale(quien, mio["valor"], esperado, mio["tipo"])
+        donde = f"en la línea {linea} de {fichero or shader.replace('el ', 'su ')}, {que}"
+        if mio["clase"] == "entrada":
+            donde = f"a {shader} {PurePath(fichero).name} le llega otra cosa: {que}".replace("a el ", "al ")
+        return {
+            "orden": orden["n"],
+            "que": mio["clase"] if mio["clase"] == "entrada" else "linea",
+            "fichero": fichero,
+            "linea": linea,
+            "nombre": nombre,
+            "tuyo": en_json(mio["valor"]),
+            "esperado": en_json(esperado),
+            "dice": f"{donde}{lugar}, en la orden {orden['n']} ({orden['titulo']})",
+        }
+
+    @staticmethod
+    def de_suceso(quien, cual, uno, otro):
+        tipo = (uno or otro)["tipo"]
+        que = f"el {tipo} {cual} de {quien}" if tipo else quien
+        if not uno:
+            return f"{que} no cubre este píxel y en lo esperado sí"
+        if not otro:
+            return f"{que} cubre este píxel y en lo esperado no"
+        if uno["veredicto"] == otro["veredicto"]:
+            return f"{que} deja {rgb(uno)} y se espera {rgb(otro)}"
+        pasa = uno["veredicto"] in HACEN
+        prueba = PRUEBAS.get((otro if pasa else uno)["veredicto"], "")
+        return f"{que} {'' if pasa else 'no '}pasa aquí {prueba} y en lo esperado {'no' if pasa else 'sí'}"
+
+
+# --- los shaders de la entrega ---
+
+
+class Shaders:
+    """De qué fichero y línea sale cada línea de un shader con lo que incluye ya dentro. `textos`: {fichero: texto} de
+    lo que ve quien lo compila."""
+
+    def __init__(self, textos):
+        self.textos = {}
+        for fichero, contenido in textos.items():
+            suyo = contenido.decode(errors="replace") if isinstance(contenido, bytes) else contenido
+            for nombre in (fichero, PurePath(fichero).name):
+                self.textos.setdefault(nombre, (fichero, de_cuadro.en_lineas(suyo.removeprefix("\ufeff"))))
+        self.hechos = {}
+        for fichero in self.textos:
+            if fichero.endswith((".vert", ".frag")):
+                lineas = self.expande(fichero)
+                self.hechos.setdefault(self.clave(t for *_, t in lineas), lineas)
+
+    @staticmethod
+    def clave(lineas):
+        return "\n".join(lineas).strip()
+
+    def expande(self, fichero):
+        """(fichero, número, texto) de cada línea, hasta un límite, que otro puede hacer que no acabe."""
+        salen, quedan = [], LINEAS
+
+        def pon(nombre, hondo):
+            nonlocal quedan
+            suyo, lineas = self.textos.get(nombre, ("", []))
+            for numero_, linea in enumerate(lineas, 1):
+                quedan -= 1
+                if quedan < 0:
+                    return
+                incluye = INCLUYE.match(linea)
+                if incluye and hondo:
+                    pon(incluye[1], hondo - 1)
+                else:
+                    salen.append((suyo, numero_, linea))
+
+        pon(fichero, HONDO)
+        return salen
+
+    def sitio(self, fuente, linea):
+        """El fichero, vacío si no se sabe, y la línea."""
+        lineas = self.hechos.get(self.clave(de_cuadro.en_lineas(fuente)), [])
+        fichero, numero_, _ = lineas[min(linea, len(lineas)) - 1] if lineas and linea > 0 else ("", linea, "")
+        return fichero, numero_
+
+
+# --- el peor píxel ---
+
+
+def peores(una, otra):
+    """Los píxeles en que más se apartan dos imágenes, con lo que tienen alrededor, lejos unos de otros."""
+    ancho, alto, a = una
+    b = otra[2]
+    aparta = [max(abs(a[i + c] - b[i + c]) for c in range(3)) for i in range(0, 3 * ancho * alto, 3)]
+
+    def alrededor(i):
+        x, y = i % ancho, i // ancho
+        return sum(
+            aparta[v * ancho + u]
+            for v in range(max(y - 1, 0), min(y + 2, alto))
+            for u in range(max(x - 1, 0), min(x + 2, ancho))
+        )
+
+    orden = sorted((i for i, cuanto in enumerate(aparta) if cuanto > 0), key=lambda i: -aparta[i])[:4000]
+    elegidos = []
+    for i in sorted(orden, key=alrededor, reverse=True):
+        x, y = i % ancho, i // ancho
+        if all(abs(x - u) + abs(y - v) >= LEJOS for u, v in elegidos):
+            elegidos.append((x, y))
+            if len(elegidos) == PIXELES:
+                break
+    return elegidos
+
+
+def es_de(cuadro, imagen):
+    """Si los píxeles del cuadro son los de esa imagen."""
+    ancho, _, rgb_ = imagen
+    de_imagen = [list(rgb_[3 * (y * ancho + x) :][:3]) for x, y in (p["pixel"] for p in cuadro["pixeles"])]
+    return de_imagen == [p["color"][:3] for p in cuadro["pixeles"]]
+
+
+# --- explicarlas ---
+
+
+class Donde:
+    def __init__(self, banco):
+        self.arbitro, self.compilador = banco.arbitro, banco.compilador
+        self.delante = banco.compilador.build / de_cuadro.DELANTE
+        raiz, capitulo = banco.compilador.raiz, banco.programa.capitulo.nombre
+        # antes los de su capítulo, que hay iguales en otros
+        todos = sorted(
+            (f for tipo in SHADERS for f in raiz.glob(f"c*/*{tipo}")), key=lambda f: f.parent.name != capitulo
+        )
+        textos = {f.relative_to(raiz): f.read_text() for f in todos}
+        self.lab = Shaders({str(f): texto for f, texto in textos.items()})
+        self.visibles = {str(f): texto for f, texto in textos.items() if f in banco.compilador.visible}
+
+    def explica(self, jugador, guion, pixeles, **mas):
+        """El cuadro en que acaba ese guion, o None."""
+        entorno = {
+            "LAB_EXPLICA": de_cuadro.FICHERO,
+            "LAB_EXPLICA_SUMAS": "1",
+            "LAB_EXPLICA_PIXELES": " ".join(f"{x},{y}" for x, y in pixeles),
+            **mas,
+        }
+        datos = self.arbitro.juega_de_nuevo(jugador, guion, PROCESADOR, self.delante, **entorno)
+        return de_cuadro.lee(desempaqueta(datos).get(de_cuadro.FICHERO, b""))
+
+    def de_los_dos(self, jugador, guion, imagenes, pixeles, pedida=((), ())):
+        """Sus cuadros, si se explican los dos y el de la solución es el de su imagen."""
+        cuadros = []
+        for quien, imagen, sombrea in zip((self.compilador.solucion, jugador), imagenes, reversed(pedida)):
+            mas = {"LAB_EXPLICA_SOMBREA": "{},{}".format(*sombrea)} if sombrea else {}
+            cuadro = self.explica(quien, guion, pixeles, **mas)
+            if not cuadro or [tuple(p["pixel"]) for p in cuadro["pixeles"]] != pixeles:
+                return None
+            cuadros.insert(0, cuadro)
+        return cuadros if es_de(cuadros[1], imagenes[0]) else None
+
+    def busca(self, jugador, ficheros, guion, esperada, obtenida):
+        """Lo primero que se aparta en el cuadro en que acaba ese guion, que en las dos da esas imágenes, o None."""
+        if not self.delante.exists() or esperada[:2] != obtenida[:2]:
+            return None
+        pixeles = peores(esperada, obtenida)
+        cuadros = pixeles and self.de_los_dos(jugador, guion, (esperada, obtenida), pixeles)
+        if not cuadros:
+            return None
+        if not es_de(cuadros[0], obtenida):  # lo que se ve no es lo que se dibuja ahora
+            if not es_de(cuadros[0], esperada):
+                return None
+            dice = "si se vuelve a dibujar sale lo que se espera: falta glutPostRedisplay"
+            return {"que": "sin redibujar", "dice": dice, "pixel": list(pixeles[0])}
+        shaders = Shaders({**{f: t for f, t in ficheros.items() if f.endswith(SHADERS)}, **self.visibles})
+        halladas = []
+        for i, pixel in enumerate(pixeles):
+            comparacion = Comparacion(*cuadros, i, shaders, self.lab)
+            hallada = comparacion.primera()
+            for primitiva in (0, 1) if comparacion.se_sombrea else ():
+                otros = self.de_los_dos(jugador, guion, (esperada, obtenida), [pixel], comparacion.se_sombrea)
+                comparacion = otros and Comparacion(*otros, 0, shaders, self.lab, primitiva)
+                hallada = comparacion and comparacion.primera() or hallada
+                if not comparacion or not comparacion.se_sombrea:
+                    break
+            if hallada:
+                halladas.append({**hallada, "pixel": list(pixel)})
+                if not de_poco(hallada):
+                    break
+        mejor = min(halladas, key=de_poco, default=None)
+        if mejor and de_poco(mejor) == 1 and (otra := Comparacion(*cuadros, 0, shaders, self.lab).del_cuadro()):
+            return {**otra, "pixel": None}
+        return mejor

@@ -1,0 +1,86 @@
+"""Dónde se aparta una entrega: lo que explica la suya lo ha podido escribir cualquiera."""
+import copy
+import json
+import os
+import random
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+RAIZ = Path(__file__).parents[2]
+BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
+sys.path.insert(0, str(RAIZ / "herramientas"))
+from ejercicios.corrige import cuadro, donde
+
+PROGRAMAS = "ch03_transformaciones/grua", "ch05_iluminacion/grua_iluminada", "ch07_realismo/transparencia"
+HOSTILES = None, True, -5, 1e300, 1 << 900, "", "nan", "x" * (1 << 20), [], {}, [[]], "<script>", 1.5, "\x1b[2J\n"
+
+
+@pytest.fixture(scope="module", params=PROGRAMAS)
+def datos(request, tmp_path_factory):
+    """Lo que cuenta uno de los nuestros, de tres píxeles."""
+    carpeta = tmp_path_factory.mktemp("cuadro")
+    entorno = {"LD_PRELOAD": BUILD / cuadro.DELANTE, "LAB_EXPLICA": cuadro.FICHERO, "LAB_EXPLICA_SUMAS": "1"}
+    entorno |= {"LAB_EXPLICA_PIXELES": "120,90 60,120 130,60"}
+    orden = [BUILD / "osmesa" / request.param, "-geometry", "240x180", "-ppm", "i.ppm"]
+    subprocess.run(orden, env={**os.environ, **entorno}, cwd=carpeta, check=True)
+    return (carpeta / cuadro.FICHERO).read_bytes()
+
+
+def nudos(que, ruta=()):
+    """Los sitios en que hay algo."""
+    yield ruta
+    dentro = que.items() if isinstance(que, dict) else enumerate(que) if isinstance(que, list) else ()
+    for clave, suyo in dentro:
+        yield from nudos(suyo, (*ruta, clave))
+
+
+def con(que, ruta, otro):
+    nuevo = copy.deepcopy(que)
+    if not ruta:
+        return otro
+    dentro = nuevo
+    for clave in ruta[:-1]:
+        dentro = dentro[clave]
+    dentro[ruta[-1]] = otro
+    return nuevo
+
+
+def compara(suyo, esperado):
+    """Todo lo que se dice de cada píxel."""
+    nada = donde.Shaders({})
+    comparaciones = [donde.Comparacion(suyo, esperado, i, nada, nada) for i in range(len(suyo["pixeles"]))]
+    return [c.primera() for c in comparaciones]
+
+
+def test_de_lo_mismo_no_se_dice_nada(datos):
+    leido = cuadro.lee(datos)
+    assert len(leido["pixeles"]) == 3 and any(p["historia"] for p in leido["pixeles"])
+    assert compara(leido, copy.deepcopy(leido)) == [None] * 3
+
+
+def test_un_cuadro_estropeado_no_vale_o_se_compara(datos):
+    """De cada cosa, cambiada por algo hostil: o no se lee, o lo que se dice se puede escribir y no es lo mismo."""
+    leido = cuadro.lee(datos)
+    entero, azar, valen = json.loads(datos), random.Random(1), 0
+    todos = list(nudos({**entero, "sospechas": []}))
+    for _ in range(150):
+        ruta = azar.choice(todos)
+        malo = cuadro.lee(json.dumps(con(entero, ruta, azar.choice(HOSTILES))).encode())
+        if malo is None:
+            continue
+        valen += 1
+        for hallado in compara(malo, leido) if len(malo["pixeles"]) == 3 else []:
+            assert not hallado or json.dumps(hallado, allow_nan=False)
+            assert not hallado or "tuyo" not in hallado or hallado["tuyo"] != hallado["esperado"]
+    assert 10 < valen < 140
+    for malo in (b"", b"{", b"[" * 100000, b"null", b"\xff", datos[:-5], datos + b" " * cuadro.BYTES):
+        assert cuadro.lee(malo) is None
+
+
+def test_un_shader_que_se_incluye_a_si_mismo_acaba():
+    muchas = '#include "b.glsl"\n' * 3000
+    shaders = donde.Shaders({"a.frag": muchas, "b.glsl": muchas, "c.frag": '#include "c.frag"', "d.frag": "uno\ndos"})
+    assert shaders.sitio("uno\ndos\n", 2) == ("d.frag", 2) and shaders.sitio("otro", 3) == ("", 3)
