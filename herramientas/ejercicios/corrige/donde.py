@@ -48,8 +48,8 @@ DE_TEXTURA = {
 # --- lo que se dice ---
 
 
-def cifra(n):
-    return {"nan": "NaN", "inf": "∞", "-inf": "−∞"}.get(f"{n:g}") or f"{n:.4g}".replace("-", "−")
+def cifra(n, cifras=4):
+    return {"nan": "NaN", "inf": "∞", "-inf": "−∞"}.get(f"{n:g}") or f"{n:.{cifras}g}".replace("-", "−")
 
 
 def en_json(numeros):
@@ -57,10 +57,19 @@ def en_json(numeros):
     return [n if abs(n) < 1e39 else f"{n:g}" for n in numeros]
 
 
-def valor(numeros, tipo=""):
+def valor(numeros, tipo="", cifras=4):
     if tipo == "bool" and numeros:
         return "sí" if numeros[0] else "no"
-    return cifra(numeros[0]) if len(numeros) == 1 else f"({', '.join(map(cifra, numeros))})"
+    dichos = [cifra(n, cifras) for n in numeros]
+    return dichos[0] if len(dichos) == 1 else f"({', '.join(dichos)})"
+
+
+def los_dos(tuyo, esperado, tipo=""):
+    """Con las cifras que hagan falta para que se vea que no son lo mismo."""
+    una, otra = valor(tuyo, tipo), valor(esperado, tipo)
+    if una == otra:
+        una, otra = valor(tuyo, tipo, 9), valor(esperado, tipo, 9)
+    return f"{una} y se espera {otra}"
 
 
 def vale(que, tuyo, esperado, tipo=""):
@@ -71,8 +80,8 @@ def vale(que, tuyo, esperado, tipo=""):
         for c in range(int(columnas[1])):
             una, otra = (m[c * filas : (c + 1) * filas] for m in (tuyo, esperado))
             if distintos(una, otra):
-                return f"{que}, en su columna {c + 1}, vale {valor(una)} y se espera {valor(otra)}"
-    return f"{que} vale {valor(tuyo, tipo)} y se espera {valor(esperado, tipo)}"
+                return f"{que}, en su columna {c + 1}, vale {los_dos(una, otra)}"
+    return f"{que} vale {los_dos(tuyo, esperado, tipo)}"
 
 
 def rgb(suceso):
@@ -442,7 +451,12 @@ class Comparacion:
         if not otro:
             return f"{que} cubre este píxel y en lo esperado no"
         if uno["veredicto"] == otro["veredicto"]:
-            return f"{que} deja {rgb(uno)} y se espera {rgb(otro)}"
+            if rgb(uno) != rgb(otro):
+                return f"{que} deja {rgb(uno)} y se espera {rgb(otro)}"
+            for clave, como in (("profundidadDespues", "la profundidad"), ("plantillaDespues", "la plantilla")):
+                if uno[clave] != otro[clave]:
+                    return f"{que} deja {como} en {los_dos([uno[clave] or 0], [otro[clave] or 0])}"
+            return f"{que} no deja lo mismo que en lo esperado"
         pasa = uno["veredicto"] in HACEN
         prueba = PRUEBAS.get((otro if pasa else uno)["veredicto"], "")
         return f"{que} {'' if pasa else 'no '}pasa aquí {prueba} y en lo esperado {'no' if pasa else 'sí'}"
