@@ -335,7 +335,9 @@ class Vivero:
 
     def de_explica(self, entorno):
         """Las que preguntan a lo que se pone delante de OpenGL."""
-        for nombre, orden in (("propiedades/explica", [self.copia, self.build]), ("casos/causas", [self.build])):
+        explica = "propiedades/explica", [self.copia, self.build, "--enlace", self.sin_ventana]
+        causas = "casos/causas", [self.build]  # con OSMesa
+        for nombre, orden in (explica, causas) if self.sin_ventana == "osmesa" else (explica,):
             palabras = [sys.executable, "-B", self.copia / f"tests/{nombre}.py", *orden]
             yield Prueba(nombre.rpartition("/")[2], palabras, entorno, False)
 
