@@ -33,6 +33,23 @@ export const ORDENES = ['clear', 'drawArrays', 'drawElements', 'blitFramebuffer'
 export const deVerdad = gl =>
   Object.fromEntries(ORDENES.map(f => [f, WebGL2RenderingContext.prototype[f].bind(gl)]));
 
+const refs = new WeakMap(); // de cada contexto, el valor que se pide a la plantilla por delante y por detrás
+export const refDePlantilla = (gl, cara = 0) => (refs.get(gl) ?? [0, 0])[cara];
+
+/// Se apunta según se pone: el que dice Firefox está acotado por el framebuffer que él tenga puesto, que no es este.
+export function apuntaPlantilla({ prototype }) {
+  const { stencilFunc, stencilFuncSeparate } = prototype;
+  prototype.stencilFunc = function (funcion, ref, mira) {
+    refs.set(this, [ref, ref]);
+    stencilFunc.call(this, funcion, ref, mira);
+  };
+  prototype.stencilFuncSeparate = function (cara, funcion, ref, mira) {
+    const [delante, detras] = [0, 1].map(i => refDePlantilla(this, i));
+    refs.set(this, [cara === this.BACK ? delante : ref, cara === this.FRONT ? detras : ref]);
+    stencilFuncSeparate.call(this, cara, funcion, ref, mira);
+  };
+}
+
 export const pon = (gl, prueba, si) => si ? gl.enable(gl[prueba]) : gl.disable(gl[prueba]);
 export function quita(gl, salvo = []) {
   for (const p of PRUEBAS) if (!salvo.includes(p)) gl.disable(gl[p]);
@@ -41,9 +58,9 @@ export function quita(gl, salvo = []) {
 /// Hace algo y deja el estado como estaba.
 export function sinTocar(gl, hace) {
   const lee = nombre => gl.getParameter(gl[nombre]), puestas = PRUEBAS.map(p => gl.isEnabled(gl[p]));
-  const caras = ['', '_BACK'].map(c => ['FUNC', 'REF', 'VALUE_MASK', 'FAIL', 'PASS_DEPTH_FAIL', 'PASS_DEPTH_PASS',
-    'WRITEMASK']
-    .map(n => lee(`STENCIL${c}_${n}`)));
+  const deCara = ['FUNC', 'VALUE_MASK', 'FAIL', 'PASS_DEPTH_FAIL', 'PASS_DEPTH_PASS', 'WRITEMASK'];
+  const caras = ['', '_BACK'].map(cara => deCara.map(n => lee(`STENCIL${cara}_${n}`)));
+  const plantillas = [0, 1].map(i => refDePlantilla(gl, i));
   const recorte = lee('SCISSOR_BOX'), mascara = lee('COLOR_WRITEMASK'), vista = lee('VIEWPORT');
   const fondo = lee('COLOR_CLEAR_VALUE'), escribe = lee('DEPTH_WRITEMASK'), funcion = lee('DEPTH_FUNC');
   const lejos = lee('DEPTH_CLEAR_VALUE'), programa = lee('CURRENT_PROGRAM'), vao = lee('VERTEX_ARRAY_BINDING');
@@ -59,7 +76,7 @@ export function sinTocar(gl, hace) {
   } finally {
     PRUEBAS.forEach((p, i) => pon(gl, p, puestas[i]));
     [gl.FRONT, gl.BACK].forEach((cara, i) => {
-      const [f, ref, mira, falla, sinZ, conZ, mascaraSuya] = caras[i];
+      const [f, mira, falla, sinZ, conZ, mascaraSuya] = caras[i], ref = plantillas[i];
       gl.stencilFuncSeparate(cara, f, ref, mira);
       gl.stencilOpSeparate(cara, falla, sinZ, conZ);
       gl.stencilMaskSeparate(cara, mascaraSuya);
@@ -99,7 +116,7 @@ export function estadoActual(gl) {
     ['glViewport', lee('VIEWPORT').join(' ')],
     ['GL_CULL_FACE', si('CULL_FACE', () => `${llama('CULL_FACE_MODE')}, de frente ${llama('FRONT_FACE')}`)],
     ['GL_SCISSOR_TEST', si('SCISSOR_TEST', () => lee('SCISSOR_BOX').join(' '))],
-    ['GL_STENCIL_TEST', si('STENCIL_TEST', () => `${llama('STENCIL_FUNC')} ${lee('STENCIL_REF')}, máscara ` +
+    ['GL_STENCIL_TEST', si('STENCIL_TEST', () => `${llama('STENCIL_FUNC')} ${refDePlantilla(gl)}, máscara ` +
       `${lee('STENCIL_VALUE_MASK') >>> 0}; ` +
       llamadas('STENCIL_FAIL', 'STENCIL_PASS_DEPTH_FAIL', 'STENCIL_PASS_DEPTH_PASS'))],
     ['GL_DEPTH_TEST', si('DEPTH_TEST', () => llama('DEPTH_FUNC'))],
@@ -121,7 +138,7 @@ export function pruebasActuales(gl, dibuja) {
   if (!dibuja) return lista;
   if (puesta('STENCIL_TEST'))
     lista.push(`plantilla ${nombreDe(gl, gl.getParameter(gl.STENCIL_FUNC)).slice(3)} ` +
-      gl.getParameter(gl.STENCIL_REF));
+      refDePlantilla(gl));
   if (puesta('CULL_FACE')) lista.push('quita caras');
   if (puesta('BLEND')) lista.push('mezcla');
   if (mascaraColor(gl) === '----') lista.push('sin color');

@@ -73,7 +73,7 @@ export function describe(gl, orden) {
 const sitios = new WeakMap(); // de cada sitio, su programa y su nombre
 const dados = new WeakMap();  // de cada programa, sus nombres
 
-export function apuntaUniforms({ prototype } = globalThis.WebGL2RenderingContext ?? { prototype: {} }) {
+export function apuntaUniforms({ prototype }) {
   const tapa = (nombre, antes) => {
     const deVerdad = prototype[nombre];
     prototype[nombre] = function (...datos) {
@@ -87,7 +87,6 @@ export function apuntaUniforms({ prototype } = globalThis.WebGL2RenderingContext
       const { programa, nombre } = sitios.get(sitio) ?? {};
       if (programa) dados.set(programa, (dados.get(programa) ?? new Set()).add(nombre));
     });
-  if (!prototype.linkProgram) return;
   tapa('getUniformLocation', ([programa, nombre], sitio) => { if (sitio) sitios.set(sitio, { programa, nombre }); });
   tapa('linkProgram', ([programa]) => dados.delete(programa)); // vuelven a valer 0
 }

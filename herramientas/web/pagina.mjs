@@ -8,6 +8,7 @@ import { ensenaCatalogo } from './catalogo.mjs';
 import { json } from './datos.mjs';
 import { avisa, crea, todos, una } from '../base/documento.mjs';
 import { explicaCuadro } from './cuadro_vivo.mjs';
+import { apuntaPlantilla } from './estado.mjs';
 import { Editor } from './editor.mjs';
 import { Ejercicio } from './ejercicio.mjs';
 import { casoDe, enEnlace, hazEnlace, leeEnlace, pixelEn, programaDe } from './enlaces.mjs';
@@ -214,7 +215,10 @@ function dejaDeExplicar() {
   cierraExplicado();
 }
 
-apuntaUniforms();
+if (globalThis.WebGL2RenderingContext) {
+  apuntaUniforms(WebGL2RenderingContext);
+  apuntaPlantilla(WebGL2RenderingContext);
+}
 atiendePunteria(explica, () => escena.sesion?.vivo && !visto.programa.consola);
 una('.explica-cuadro').onclick = () => explica();
 for (const b of todos('.otra-vez')) b.onclick = () => empiezaCaso();

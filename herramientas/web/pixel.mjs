@@ -1,7 +1,7 @@
 // La historia de un píxel del lienzo: en cada orden que llega a la ventana se mira qué primitivas lo cubren, que se
 // dibujan aparte y se leen, y qué prueba no pasa cada una. Si pasa la plantilla y la profundidad se pregunta (occlusion
 // query): dice si pasó algún fragmento, y en otro turno del navegador.
-import { deVerdad, nombreDe, quita, sinTocar, soloEn } from './estado.mjs';
+import { deVerdad, nombreDe, quita, refDePlantilla, sinTocar, soloEn } from './estado.mjs';
 import { Gemelo } from './gemelo.mjs';
 import { mezcla } from './mezcla.mjs';
 import { buferesDe, dibuja, interpone, primitivasDe, vaciada } from './ordenes.mjs';
@@ -149,7 +149,7 @@ export class Pixel {
     const veredicto = vuelta ? 'cara' : this.#recortado() ? 'recorte' : !da ? 'descartado'
       : gl.getParameter(gl.COLOR_WRITEMASK).some(Boolean) ? 'escrito' : 'mascara';
     Object.assign(suceso, { veredicto, ...da, preguntas: [] }, vuelta && { cara: llama('CULL_FACE_MODE') });
-    const pedida = { STENCIL_TEST: () => `${llama('STENCIL_FUNC')} ${gl.getParameter(gl.STENCIL_REF)}`,
+    const pedida = { STENCIL_TEST: () => `${llama('STENCIL_FUNC')} ${refDePlantilla(gl)}`,
       DEPTH_TEST: () => llama('DEPTH_FUNC') };
     for (const [prueba, dice] of [['STENCIL_TEST', 'plantilla'], ['DEPTH_TEST', 'profundidad']]) {
       if (!puesta(prueba)) continue;

@@ -70,6 +70,7 @@ DE_EJERCICIOS = [usa_editor.ejercicios, usa_programas.pagina]
 DE_PERSONA = [usa_programas.entradas, usa_programas.pantalla_completa, usa_programas.fin, usa_programas.adversidades]
 DE_PERSONA += [
     usa_explica.explica,
+    usa_incrustado.incrustado,
     gestos.de_la_pagina,
     usa_editor.editor,
     usa_programas.ficheros_y_tallas,

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """firefox.py RAÍZ BUILD WEB: abre la página de los programas (./lab web) con file:// en Firefox y compara con el
-golden, con --otro, lo que se ve al abrir diez programas: una captura de su lienzo.
+golden, con --otro, lo que se ve al abrir diez programas: una captura de su lienzo. De tres, la historia de un píxel es
+la de OSMesa; y otros tres se ven a la vez dentro de otra página.
 
 En una pantalla de Xvfb: sin ninguna (--headless), Firefox no tiene WebGL 2.
 """
@@ -14,7 +15,10 @@ import tempfile
 import time
 from pathlib import Path
 
+import direcciones
 import navegador
+import usa_explica
+import usa_incrustado
 from navegador import PROGRAMAS, espera, exige
 
 ELEGIDOS = "grua sombreado tetera volumen_vista sombras textura3d convolucion bezier superficie_bspline cubemap".split()
@@ -25,7 +29,8 @@ user_pref("marionette.port", 0);
 ABRE = """
 pagina.escena.suavizado = false; // los golden no tienen muestras
 const e = document.createElement('style');
-e.textContent = `.lienzo { position: fixed; inset: 0 auto auto 0; z-index: 9; border: 0; border-radius: 0;
+e.textContent = `.escena { position: static }
+  .lienzo { position: fixed; inset: 0 auto auto 0; z-index: 99; border: 0; border-radius: 0;
   width: 240px !important; height: 180px !important }`;
 document.head.append(e);
 location.hash = arguments[0];
@@ -83,6 +88,10 @@ class Firefox:
         llamada = f"(function () {{ {codigo} }})(...{json.dumps(argumentos)})"
         return self.pide("WebDriver:ExecuteScript", script="return window.eval(arguments[0])", args=[llamada])["value"]
 
+    def tecla(self, *teclas):
+        acciones = [{"type": tipo, "value": tecla} for tecla in teclas for tipo in ("keyDown", "keyUp")]
+        self.pide("WebDriver:PerformActions", actions=[{"type": "key", "id": "teclado", "actions": acciones}])
+
     def captura(self, selector):
         elemento = self.pide("WebDriver:FindElement", using="css selector", value=selector)["value"]
         png = self.pide("WebDriver:TakeScreenshot", id=next(iter(elemento.values())), full=False)["value"]
@@ -93,17 +102,45 @@ class Firefox:
         self.proceso.wait()
 
 
+def va(f, url):
+    f.pide("WebDriver:Navigate", url="about:blank")
+    f.pide("WebDriver:Navigate", url=url)
+
+
+def abre(f, pagina, enlace):
+    va(f, pagina.as_uri())
+    f.js(ABRE, enlace)
+    arranca = espera(f, "return Boolean(pagina.escena.sesion?.vivo)")
+    exige(arranca, f"{enlace} arranca")
+    return arranca
+
+
 def compara(f, pagina, programa):
     caso = programa.casos[0]
-    f.pide("WebDriver:Navigate", url="about:blank")
-    f.pide("WebDriver:Navigate", url=pagina.as_uri())
-    f.js(ABRE, ";".join(["#" + programa.nombre, *filter(None, [caso.guion])]))
-    if not espera(f, "return Boolean(pagina.escena.sesion?.vivo)"):
-        return exige(False, f"{programa.nombre} arranca")
+    if not abre(f, pagina, ";".join(["#" + programa.nombre, *filter(None, [caso.guion])])):
+        return
     time.sleep(0.5)  # lo que tarda el navegador en enseñarlo
     es, dicho = navegador.como_golden(caso, f.captura("canvas"), True, caso.otro, "firefox")
     print(f"{caso.fichero}: {dicho}", flush=True)
     exige(es, f"{caso.fichero} es como su golden")
+
+
+EXPLICADOS = ("grua", (120, 90), ""), ("espejo_plantilla", (65, 82), ""), ("zbuffer", (96, 86), "tecla z")
+
+
+def explica(f, pagina):
+    for nombre, (x, y), guion in EXPLICADOS:
+        abre(f, pagina, f"#{nombre}/explica/{4 * x + 2},{4 * y + 2};{guion}")
+        visto = "/^El píxel/.test(document.querySelector('.explicacion > h2')?.textContent)"
+        exige(espera(f, f"return {visto}", 60), f"{nombre} se explica en Firefox")
+        historia = direcciones.promesa(
+            f,
+            """const { historia } = await pagina.explica(pedido[0]);
+            return historia.map(s => [s.orden, s.primitiva ?? -1, s.veredicto])""",
+            [x, y],
+        )
+        debe = usa_explica.historia_en("osmesa", PROGRAMAS[nombre], guion, (x, y))
+        exige(historia == debe, f"{nombre}: en Firefox la historia de ({x}, {y}) es {historia} y no {debe}")
 
 
 def main():
@@ -113,6 +150,8 @@ def main():
         try:
             for nombre in ELEGIDOS:
                 compara(f, pagina, PROGRAMAS[nombre])
+            explica(f, pagina)
+            usa_incrustado.en_otra(f, lambda url: va(f, url), pagina, f.tecla)
         finally:
             f.cierra()
     navegador.acaba()

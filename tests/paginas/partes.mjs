@@ -14,6 +14,7 @@ import { BOTONES, Gestos } from '../../herramientas/web/gestos.mjs';
 import { casoInicial, Hecho, leeGuion, LIMITES, Reloj, repite } from '../../herramientas/web/guiones.mjs';
 import { compara, esPpm, porciento, ppmDe, quepa, tallaDe, TOLERA } from '../../herramientas/web/imagenes.mjs';
 import { conInclusiones, cuales, lineasDe, sueltas, valor } from '../../herramientas/web/primitivas.mjs';
+import { apuntaPlantilla, refDePlantilla } from '../../herramientas/web/estado.mjs';
 import { delCableado, elegidas, fueraDe } from '../../herramientas/web/sospechas.mjs';
 import { pesosDe } from '../../herramientas/web/sombreado.mjs';
 import { mezcla } from '../../herramientas/web/mezcla.mjs';
@@ -513,4 +514,19 @@ test('una mezcla, hecha otra vez', () => {
   assert.deepEqual([suma.slice(0, 3).map(Math.round), factorOrigen[0], factorDestino[2]], [[102, 111, 153], 0.4, 0.6]);
   tabla((despues, otro) => de(despues, otro).cuadra, [[102, 111, 153], {}, true], [[102, 113, 153], {}, false],
     [[255, 128, 0], { isEnabled: () => false }, true], [[0, 128, 0], { isEnabled: () => false, COLOR_WRITEMASK: [false, true, true, true] }, true]);
+});
+
+test('lo que se pide a la plantilla, por cada cara', () => {
+  const dadas = [], pon = (...datos) => { dadas.push(datos.join()); };
+  const prototype = { stencilFunc: pon, stencilFuncSeparate: pon, FRONT: 1028, BACK: 1029, FRONT_AND_BACK: 1032 };
+  apuntaPlantilla({ prototype });
+  const gl = Object.create(prototype), queda = () => [refDePlantilla(gl), refDePlantilla(gl, 1)].join();
+  const vistas = [queda()];
+  for (const [f, ...datos] of [['stencilFunc', 514, 3, 255], ['stencilFuncSeparate', 1029, 514, 5, 255],
+    ['stencilFuncSeparate', 1028, 514, 7, 255], ['stencilFuncSeparate', 1032, 514, 9, 255]]) {
+    gl[f](...datos);
+    vistas.push(queda());
+    assert.equal(dadas.at(-1), datos.join());
+  }
+  assert.deepEqual([vistas, refDePlantilla({})], [['0,0', '3,3', '3,5', '7,5', '9,9'], 0]);
 });
