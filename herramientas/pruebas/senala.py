@@ -76,7 +76,7 @@ def main():
                 if not acierta or "-v" in sys.argv:
                     print(f"{'+' if acierta else '-'} {m.nombre} {m.imita}: {hallado and hallado['dice']}", flush=True)
     print(f"{bien} de {vistos} ({bien / max(vistos, 1):.0%}) dicen dónde está el error")
-    return vistos == 0 or bien < PARTE * vistos
+    return bool(resto or hay) and (vistos == 0 or bien < PARTE * vistos)
 
 
 if __name__ == "__main__":

@@ -42,6 +42,7 @@ HAY = {
     "herramientas/base/entorno.txt": "GALLIUM_DRIVER=llvmpipe\n",
     "tests/capitulos/ch01_test.cpp": "",
     "tests/casos_dificiles/casos.tsv": "",
+    "tests/casos/senala.tsv": "",
     "tests/mutantes/ch01.tsv": "ch01_uno/a.cpp\tgira\tx\ti\nch01_uno/b.cpp\tninguno\tx\ti\n",
 }
 FALSOS = """cmake ninja ctest gnuplot id dpkg-query apt-get apt-cache sudo em++ falso.sh x86_64-w64-mingw32-g++-posix
@@ -56,7 +57,7 @@ class Lab:
         shutil.copytree(RAIZ / "herramientas", self.raiz / "herramientas", ignore=sin)
         shutil.copy(RAIZ / "lab", self.raiz)
         siembra(self.raiz, HAY)
-        for carpeta in ("bin", "tmp", "aqui", *(f"{PEOR}/{c}" for c in ("assets", "tests/golden", "tests/casos"))):
+        for carpeta in ("bin", "tmp", "aqui", *(f"{PEOR}/{c}" for c in ("assets", "tests/golden"))):
             (sitio / carpeta).mkdir()
         for f in ("lab", "herramientas/web/pagina.py"):
             self.cambia(f, "/usr/share/javascript/codemirror", str(sitio / "cm"))
