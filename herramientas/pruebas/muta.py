@@ -295,7 +295,7 @@ class Vivero:
         entorno = procesos.entorno(self.build)
         if es_de("jueces", capitulos) and any(m.lista == "jueces" for m in self.mutantes):
             pruebas += self.de_jueces(entorno)
-        if not capitulos:
+        if not capitulos and any(m.lista == "explica" for m in self.mutantes):
             pruebas += self.de_explica(entorno)
         for programa in self.programas:
             de = capitulo(programa.capitulo.nombre)
