@@ -20,7 +20,6 @@
 
 static const int SEGMENTOS = 128;
 static const glm::vec2 P(0.18f, 0.64f); // en medio de la casilla A3 de la carta
-static const float FUERA = -0.08f;      // donde van los nombres de s y t, fuera de la imagen
 
 // El punto de la superficie que tiene esas coordenadas de textura, en coordenadas del objeto y `alza` veces más lejos
 // del centro; el de la imagen, por delante.
@@ -100,8 +99,8 @@ static void dibujaMarcas(Superficie superficie, const glm::mat4 &transformacion)
     if (glm::cross(enVentana(P + glm::vec2(0.01f, 0)) - p, enVentana(P + glm::vec2(0, 0.01f)) - p).z < 0)
         return;
     rotulaPunto("P", encima(P), transformacion, OSCURO, Lado::DERECHA);
-    rotulaPunto("s", encima({P.s, FUERA}), transformacion, ROJO, Lado::CENTRO);
-    rotulaPunto("t", encima({FUERA, P.t}), transformacion, VERDE, Lado::CENTRO);
+    rotulaPunto("s", encima({P.s, 0}), transformacion, ROJO, Lado::DEBAJO);
+    rotulaPunto("t", encima({0, P.t}), transformacion, VERDE, Lado::IZQUIERDA);
 }
 
 static void dibujaObjeto(const Objeto &objeto, const glm::mat4 &camara, const glm::mat4 &proyeccion) {
