@@ -41,10 +41,6 @@ static void inicia() {
     glEnable(GL_DEPTH_TEST);
 }
 
-static void empieza(GLuint programa, const glm::mat4 &proyeccion, const glm::mat4 &camara) {
-    usaPrograma(programa, camara, proyeccion);
-}
-
 static void dibujaEscena(const glm::mat4 &volumen) {
     const auto pon = [&](const Buferes &solido, const glm::mat4 &M, const glm::vec3 &color) {
         envia(estado.deEscena, "aRecortado", volumen * M);
@@ -91,7 +87,7 @@ static void dibujaVisor(double x, double aspecto, const std::string &texto, cons
                             int(std::min(ancho, alto * aspecto)), int(std::min(alto, ancho / aspecto))};
     abreRecuadro(visor, CIELO);
     const glm::mat4 volumen = proyeccionDe(estado.volumen);
-    empieza(estado.deEscena, volumen, vista);
+    usaPrograma(estado.deEscena, vista, volumen);
     dibujaEscena(volumen * vista);
     trazaPolilinea({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, glm::mat4(1), OSCURO, GROSOR, true);
     glViewport(0, 0, ventana.ancho, ventana.alto);
@@ -109,13 +105,13 @@ static void dibuja() {
     for (std::size_t k = 0; k < 8; ++k)
         esquinas[k] = alMundo * glm::dvec4(enCamara[k], 1);
     const glm::mat4 proyeccion = perspectivaVentana(0.55f, 1, 100), camara = camaraOrbita(estado.orbita);
-    empieza(estado.deEscena, proyeccion, camara);
+    usaPrograma(estado.deEscena, camara, proyeccion);
     dibujaEscena(glm::mat4(proyeccionDe(v) * vista));
-    empieza(estado.deObjetos, proyeccion, camara);
+    usaPrograma(estado.deObjetos, camara, proyeccion);
     for (const PiezaCamara &pieza : piezasCamara())
         dibujaObjeto(estado.deObjetos, pieza.esRedonda ? estado.cilindro : estado.cubo,
                      glm::mat4(alMundo) * pieza.M, pieza.color);
-    empieza(estado.deTintes, proyeccion, camara);
+    usaPrograma(estado.deTintes, camara, proyeccion);
     dibujaTintes(esquinas);
     trazaVolumen(v, esquinas, proyeccion * camara);
     if (estado.conVisores) {

@@ -102,7 +102,7 @@ class Persona:
 
     def arrastra(self, puntos, boton=0, dedo=False):
         x0, y0 = self.lienzo()
-        primero, *resto = [va(x0 + x, y0 + y, 40) for x, y in puntos]
+        primero, *resto = [va(x0 + int(x), y0 + int(y), 40) for x, y in puntos]
         self.actua("touch" if dedo else "mouse", [primero, baja(boton), *resto, sube(boton)])
 
     def pinza(self, antes, despues):

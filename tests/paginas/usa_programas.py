@@ -2,6 +2,7 @@
 hace mientras se carga, enlaces hostiles y descargas que fallan; ficheros buenos y malos; una ventana diminuta y una
 enorme; y el contexto perdido y devuelto."""
 import base64
+import re
 import subprocess
 import time
 
@@ -52,6 +53,10 @@ def teclas(p):
     )
 
 
+def guion_de(caso):
+    return next(c.guion for c in CASOS if c.fichero == caso)
+
+
 def raton_y_dedos(p):
     arrastre = (60, 90), (100, 80), (160, 60)
     rueda = "hecho.ordenes.some(o => o.startsWith('rueda'))"
@@ -65,13 +70,14 @@ def raton_y_dedos(p):
     p.pinza(40, 47)
     p.exige(rueda, "la pinza llega")
     p.es("grua-orbitada", "un dedo y una pinza")
-    p.abre("#seleccion")
-    p.arrastra([(180, 112)])
-    p.es("seleccion-esfera", "un clic")
-    p.abre("#sombras")
-    p.arrastra([(120, 20), (120, 330)], boton=2)
-    p.es("sombras-luz_baja", "el botón derecho")
-    p.abre("#eventos;" + next(c.guion for c in CASOS if c.fichero == "eventos"))
+    for programa, caso, boton, que in (
+        ("seleccion", "seleccion-esfera", 0, "un clic"),
+        ("sombras", "sombras-luz_baja", 2, "el botón derecho"),
+    ):
+        p.abre(f"#{programa}")
+        p.arrastra(re.findall(r"(?:abajo|arrastra) (\d+) (\d+)", guion_de(caso)), boton)
+        p.es(caso, que)
+    p.abre("#eventos;" + guion_de("eventos"))
     p.es("eventos", "un enlace con ratón")  # la imagen dice dónde ha sido cada suceso
     enlace = "#eventos;escala 240 180;boton IZQUIERDO abajo 145 115;arrastra 175 108;tecla a;rueda -1 20 30"
     p.abre(enlace, "width: 480px; height: 270px")
