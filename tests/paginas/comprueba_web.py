@@ -77,7 +77,11 @@ DE_PERSONA += [
     *DE_EJERCICIOS,
 ]
 PRUEBAS = {"": DE_PERSONA, "persona": DE_PERSONA, "ejercicios": DE_EJERCICIOS, "gestos": [gestos.de_la_pagina]}
-PRUEBAS |= {"explica": [usa_explica.explica], "pedido": [usa_explica.pedido], "incrustado": [usa_incrustado.incrustado]}
+PRUEBAS |= {
+    "explica": [usa_explica.explica_todos],
+    "pedido": [usa_explica.pedido],
+    "incrustado": [usa_incrustado.incrustado],
+}
 
 
 def main():
