@@ -256,6 +256,7 @@ def lo_ultimo(p):
 
 def sin_respuesta(p):
     """Con un shader que no deja acabar de dibujar, volver a abrir la página basta."""
+    p.js("sessionStorage.clear()")  # los shaders que se han cambiado antes
     p.abre("#grua")
     p.exige("editor.ruta", "el editor se abre")
     p.js(
