@@ -120,7 +120,8 @@ def con_mutantes(antes, texto, mutantes):
         for m in mutantes:
             nuevo = f"(mutante({m.numero}) ? ({m.estropeado}) : {nuevo})"
         return nuevo
-    if not re.search(r"(^|[;{}):]|\belse|//.*)\s*$", antes):
+    tras_dos_puntos = re.search(r":\s*$", antes) and "?" in antes.rpartition(";")[2]  # de ?:, y no de un case
+    if tras_dos_puntos or not re.search(r"(^|[;{}):]|\belse|//.*)\s*$", antes):
         raise ValueError(f"no es una instrucción entera: «{texto}»")
     nuevo = f"{{ {texto} }}"
     for m in mutantes:
