@@ -180,28 +180,75 @@ function estadoDe(orden, anterior) {
   }).flat());
 }
 
-/** De dónde le llega a una orden lo que dibuja; en negrita, lo que no era así en la anterior. */
-function cableadoDe(orden, anterior) {
-  const filas = (lista, clave, dice) => {
-    const antes = new Map((anterior?.cableado?.[lista] ?? []).map(cosa => [cosa[clave], JSON.stringify(dice(cosa))]));
-    return orden.cableado[lista].map(cosa => {
-      const cambia = anterior?.cableado && antes.get(cosa[clave]) !== JSON.stringify(dice(cosa));
-      return h('li', {}, h('code', {}, cosa[clave]), ' ', h('span', { class: cambia ? 'cambia' : '' }, dice(cosa)));
-    });
+/** Las líneas que van de cada elemento a otro, [de, a, clase], en la caja en que están; se trazan otra vez si cambia de
+ *  forma. */
+function conLineas(caja, pares) {
+  const svg = (nombre, atributos) => {
+    const elemento = document.createElementNS('http://www.w3.org/2000/svg', nombre);
+    for (const [clave, valor] of Object.entries(atributos)) elemento.setAttribute(clave, valor);
+    return elemento;
   };
-  const deAtributo = a => (a.activo
-    ? `buffer ${a.bufer}: ${a.componentes} ${a.de} cada ${a.paso} bytes desde el ${a.desplazamiento}; ` +
-      a.primeros.map(v => vector(v.slice(0, a.componentes), 3)).join(' ')
-    : 'ningún array');
-  const deUniforme = u => `${u.tipo} ${u.dado ? vector(u.valor, 3) : 'sin valor'}`;
-  const deTextura = t => [`unidad ${t.unidad} → textura ${t.textura}, ${t.objetivo} ${t.talla.join('×')} ${t.formato}`,
-    [t.reduce, t.amplia].filter(Boolean).join(', '), t.repite, t.incompleta].filter(Boolean).join('; ');
-  const caja = (titulo, lista) => (lista.length ? h('section', {}, h('h4', {}, titulo), h('ul', {}, lista)) : '');
-  return h('div', { class: 'cableado' },
-    caja(`Arrays del VAO ${orden.cableado.vao}, índices en el buffer ${orden.cableado.indices}`,
-      filas('atributos', 'nombre', deAtributo)),
-    caja('Uniforms', filas('uniformes', 'nombre', deUniforme)),
-    caja('Texturas', filas('texturas', 'sampler', deTextura)));
+  const dibujo = svg('svg', { 'aria-hidden': true });
+  caja.append(dibujo);
+  new ResizeObserver(() => {
+    const { left, top } = caja.getBoundingClientRect();
+    dibujo.replaceChildren(...pares.map(([de, a, clase]) => {
+      const [x0, x1] = [[de, 'right'], [a, 'left']].map(([fila, lado]) => fila.closest('section')
+        .getBoundingClientRect()[lado] - left), medio = (x0 + x1) / 2;
+      const [y0, y1] = [de, a].map(fila => fila.getBoundingClientRect()).map(r => (r.top + r.bottom) / 2 - top);
+      return svg('path', { class: clase, d: `M ${x0} ${y0} C ${medio} ${y0} ${medio} ${y1} ${x1} ${y1}` });
+    }));
+  }).observe(caja);
+  return caja;
+}
+
+const deAtributo = a => (a.activo
+  ? `${a.componentes} ${a.de} cada ${a.paso} bytes desde el ${a.desplazamiento}; ` +
+    a.primeros.map(v => vector(v.slice(0, a.componentes), 3)).join(' ')
+  : 'ningún array');
+const deTextura = t => [`${t.objetivo} ${t.talla.join('×')} ${t.formato}`,
+  [t.reduce, t.amplia].filter(Boolean).join(', '), t.repite, t.incompleta].filter(Boolean).join('; ');
+
+/** Lo que le llega a una orden: de cada caja, su título y sus filas, con el nombre que tiene en los shaders. */
+function fuentesDe({ atributos, uniformes, texturas, vao }) {
+  const filas = (lista, nombre, dice, falta) => lista.map(cosa =>
+    ({ nombre: cosa[nombre], dice: dice(cosa), falta: falta(cosa) }));
+  const caja = (titulo, lista) => ({ titulo, filas: lista });
+  const deBufer = bufer => caja(bufer ? `VAO ${vao} · buffer ${bufer}` : `VAO ${vao} · sin buffer`, filas(
+    atributos.filter(a => (a.activo ? a.bufer : 0) === bufer), 'nombre', deAtributo, a => !a.activo));
+  return [
+    ...[...new Set(atributos.map(a => (a.activo ? a.bufer : 0)))].map(deBufer),
+    caja('Uniforms', filas(uniformes.filter(u => !texturas.some(t => t.sampler === u.nombre)), 'nombre',
+      u => `${u.tipo} ${u.dado ? vector(u.valor, 3) : 'sin valor'}`, u => !u.dado)),
+    ...texturas.map(t => caja(`Unidad ${t.unidad} · textura ${t.textura}`,
+      filas([t], 'sampler', deTextura, () => Boolean(t.incompleta)))),
+  ].filter(({ filas: suyas }) => suyas.length);
+}
+
+/** De dónde le llega a una orden lo que dibuja y a qué shader, con una línea de cada cosa al que la usa; en negrita, lo
+ *  que no era así en la orden anterior. */
+function cableadoDe(orden, anterior, programa) {
+  const antes = new Map(anterior?.cableado
+    ? fuentesDe(anterior.cableado).flatMap(({ titulo, filas }) => filas.map(f => [f.nombre, titulo + f.dice])) : []);
+  const usa = (etapa, nombre) => (programa?.[etapa] ?? []).some(({ texto }) =>
+    new RegExp(`\\b${nombre.match(/^\w+/)[0]}\\b`).test(texto.replace(/\/\/.*/, '')));
+  const pares = [], shaders = [['vert', 'Vertex shader'], ['frag', 'Fragment shader']].map(([etapa, titulo]) =>
+    ({ etapa, titulo, filas: [] }));
+  const izquierda = fuentesDe(orden.cableado).map(({ titulo, filas }) => h('section', {}, h('h4', {}, titulo),
+    h('ul', {}, filas.map(({ nombre, dice, falta }) => {
+      const clase = falta ? 'malo' : antes.size && antes.get(nombre) !== titulo + dice ? 'cambia' : '';
+      const fila = h('li', {}, h('code', {}, nombre), ' ', h('span', { class: clase }, dice));
+      for (const shader of shaders.filter(({ etapa }) => usa(etapa, nombre))) {
+        const suya = h('li', {}, h('code', {}, nombre));
+        shader.filas.push(suya);
+        pares.push([fila, suya, clase]);
+      }
+      return fila;
+    }))));
+  const derecha = shaders.map(({ etapa, titulo, filas }) => h('section', {}, h('h4', {}, titulo),
+    h('p', {}, h('code', {}, programa?.[etapa].at(-1)?.fichero.split('/').pop() ?? '')), h('ul', {}, filas)));
+  const sale = h('section', {}, h('h4', {}, 'Sale'), h('p', {}, [orden.framebuffer, ...orden.pruebas].join(' · ')));
+  return conLineas(h('div', { class: 'cableado' }, h('div', {}, izquierda), h('div', {}, derecha, sale)), pares);
 }
 
 function detalle(datos, indice) {
@@ -224,7 +271,7 @@ function detalle(datos, indice) {
   return [h('h3', {}, `${orden.n} · ${tituloDe(orden)}`),
     h('p', {}, h('code', {}, orden.llamada), `, en ${orden.framebuffer}${cuantos}.`),
     h('div', { class: 'laminas' }, laminas), orden.estado.length ? estadoDe(orden, anterior) : '',
-    orden.cableado ? cableadoDe(orden, anterior) : ''];
+    orden.cableado ? cableadoDe(orden, anterior, datos.programas.find(p => p.programa === orden.programa)) : ''];
 }
 
 function ordenesDe(datos) {

@@ -57,6 +57,12 @@ if (sombreado) {
       mal.push(`${e.nombre} vale (${e.valor}) y de los vértices sale (${e.interpolado})`);
   }
   if (!todos('.explicacion .apunte').length) mal.push('no se ve ninguna línea');
+  const { atributos, uniformes, texturas } = ordenes.find(o => o.n === gana.orden).cableado;
+  const cosas = new Set([...atributos, ...uniformes].map(c => c.nombre).concat(texturas.map(t => t.sampler)));
+  await new Promise(hecho => requestAnimationFrame(() => requestAnimationFrame(hecho)));
+  const lineas = todos('.explicacion .cableado path').length;
+  if (todos('.explicacion .cableado > div:first-child li').length !== cosas.size || lineas < cosas.size)
+    mal.push(`de ${cosas.size} cosas salen ${lineas} líneas`);
 }
 const dichas = datos.sospechas.filter(s => !sabido || !s.dice.includes(sabido));
 if (dichas.length) mal.push('se sospecha: ' + dichas.map(s => s.dice));
@@ -184,6 +190,8 @@ def con_shader_cambiado(p):
         p.exige("visto.explicado && editor.ruta", "explicado")
         p.espera_js(escribe, "ch05_iluminacion/sombreado_phong.frag", antes, final)
         p.exige(f"una('.explicacion').textContent.includes({debe!r})", f"con {final} se dice «{debe}»")
+        sin_dar = "todos('.explicacion .cableado path.malo').length"
+        p.exige(f"{sin_dar} === {len(antes)}", f"{antes} es, de las líneas, la que está mal: {p.da(sin_dar)}")
         p.js("sessionStorage.clear()")
     p.abre("#ejercicio/L5.1/explica/250,210")
     p.exige(
