@@ -98,32 +98,39 @@ def por_fichero(mutantes):
 
 
 def cambia(fuente, mutantes):
-    """El fuente de C++ con todos sus mutantes dentro. Los que estropean lo mismo van en cadena."""
+    """El fuente de C++ con todos sus mutantes dentro. Los que estropean lo mismo van en cadena; el que estropea una
+    parte de lo de otro, dentro de lo que ese deja como está."""
     sitios = defaultdict(list)
     for m in mutantes:
         sitios[m.sitio(fuente)].append(m)
-    ordenados = sorted(sitios)
-    for (_, fin), (principio, _) in zip(ordenados, ordenados[1:]):
-        if principio < fin:
-            raise ValueError(f"se pisa con otro: «{fuente[principio:fin]}»")
-    for desde, hasta in reversed(ordenados):
-        fuente = (
-            fuente[:desde] + con_mutantes(fuente[:desde], fuente[desde:hasta], sitios[desde, hasta]) + fuente[hasta:]
-        )
-    return fuente
+
+    def entre(desde, hasta, lugares):
+        texto = ""
+        while lugares:
+            (principio, fin), *lugares = lugares
+            dentro = [lugar for lugar in lugares if lugar[0] < fin]
+            if any(otro_fin > fin for _, otro_fin in dentro):
+                raise ValueError(f"se pisa con otro: «{fuente[principio:fin]}»")
+            suyo = entre(principio, fin, dentro)
+            texto += fuente[desde:principio] + con_mutantes(fuente, principio, fin, suyo, sitios[principio, fin])
+            desde, lugares = fin, lugares[len(dentro) :]
+        return texto + fuente[desde:hasta]
+
+    return entre(0, len(fuente), sorted(sitios, key=lambda lugar: (lugar[0], -lugar[1])))
 
 
-def con_mutantes(antes, texto, mutantes):
-    """Ese trozo de C++, que va detrás de ANTES, con los suyos."""
+def con_mutantes(fuente, desde, hasta, nuevo, mutantes):
+    """Ese trozo de C++, que con los de dentro es NUEVO, con los suyos."""
+    antes, texto = fuente[:desde], fuente[desde:hasta]
     if not texto.endswith((";", "}")):
-        nuevo = f"({texto})"
+        nuevo = f"({nuevo})"
         for m in mutantes:
             nuevo = f"(mutante({m.numero}) ? ({m.estropeado}) : {nuevo})"
         return nuevo
     tras_dos_puntos = re.search(r":\s*$", antes) and "?" in antes.rpartition(";")[2]  # de ?:, y no de un case
     if tras_dos_puntos or not re.search(r"(^|[;{}):]|\belse|//.*)\s*$", antes):
         raise ValueError(f"no es una instrucción entera: «{texto}»")
-    nuevo = f"{{ {texto} }}"
+    nuevo = f"{{ {nuevo} }}"
     for m in mutantes:
         nuevo = f"if (mutante({m.numero})) {{ {m.estropeado} }} else {nuevo}"
     return nuevo

@@ -730,11 +730,12 @@ def test_un_defecto_plantado():
     juntos = "a = (mutante(2) ? (2) : (mutante(1) ? (1) : (b))) + (mutante(3) ? (d) : (c));"
     assert defectos.cambia("a = b + c;", todos[:3]) == juntos
     assert defectos.cambia("a = b + c;", todos[3:]) == "if (mutante(4)) { x(); } else { a = b + c; }"
+    assert defectos.cambia("a = b + c;", todos) == f"if (mutante(4)) {{ x(); }} else {{ {juntos} }}"
     with pytest.raises(ValueError, match="se pisa con otro"):
-        defectos.cambia("a = b + c;", todos)
+        defectos.cambia("a = b + c;", [mutante("b + c", "1"), mutante("a = b", "2", 2)])
     for antes in ("", "if (d)\n    ", "else ", "// por qué\n", "case 1: "):
         assert "mutante(1)" in defectos.cambia(f"{antes}a();", [mutante("a();", ";")])
-    for antes in ("return ", "d = ", "f("):
+    for antes in ("return ", "d = ", "f(", "b ? c : "):
         with pytest.raises(ValueError, match="no es una instrucción entera"):
             defectos.cambia(f"{antes}a();", [mutante("a();", ";")])
 

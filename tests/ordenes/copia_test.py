@@ -177,8 +177,8 @@ def test_muta_dice_que_no_se_puede_plantar(lab):
         (UNO, "esto no está", "x", "signo"),
         (DOS, "falta una columna"),
         (TRES, "«3», GL_FLOAT", "3", "es igual"),
-        (TRES, "2, GL_FLOAT", "3, GL_FLOAT", "se pisa"),
-        (TRES, "«2», GL_FLOAT", "3", "con este"),
+        (TRES, "«, 2, GL_FLOAT,» GL_FALSE", ", 3, GL_FLOAT,", "se pisa"),
+        (TRES, "«2, GL_FLOAT, GL_FALSE», ", "3, GL_FLOAT, GL_TRUE", "con este"),
         ("ch01_intro/errores_shader.vert", "«nuevoColor» = color", "noEsta", "no compila"),
     )
     dice = f"ch01:1: «esto no está» está 0 veces en {UNO}", "ch01:2: son fichero, texto", f"{TRES}: se pisa con otro"
