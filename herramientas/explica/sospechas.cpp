@@ -126,9 +126,14 @@ bool casiCero(const std::vector<double> &v) {
 } // namespace
 
 void Sospechas::pon(int gravedad, int orden, const std::string &dice, const std::string &prueba) {
-    const auto igual = [&](const Sospecha &s) { return s.dice == dice; };
-    if (std::none_of(lista.begin(), lista.end(), igual)) // la misma en cada orden se dice una vez
+    static const std::regex NUMERO("orden [0-9]+");
+    const auto sin = [](const std::string &texto) { return std::regex_replace(texto, NUMERO, "orden"); };
+    const auto igual = [&](const Sospecha &s) { return sin(s.dice) == sin(dice); };
+    const auto otra = std::find_if(lista.begin(), lista.end(), igual);
+    if (otra == lista.end()) // la misma en cada orden se dice una vez
         lista.push_back({gravedad, orden, dice, prueba});
+    else
+        otra->otras += otra->dice != dice;
 }
 
 void Sospechas::delCableado(const Cableado &c, int n) {
@@ -350,7 +355,12 @@ std::vector<Json> Sospechas::todas(bool unColor) {
     std::vector<Json> salen;
     for (const Sospecha &s : lista)
         if (noSeVeNada || s.gravedad >= SEGURO)
-            salen.push_back(Json().pon("orden", s.orden).pon("dice", s.dice).pon("prueba", s.prueba));
+            salen.push_back(
+                Json()
+                    .pon("orden", s.orden)
+                    .pon("dice",
+                         s.dice + (s.otras ? "; otras " + std::to_string(s.otras) + ", por lo mismo" : ""))
+                    .pon("prueba", s.prueba));
     return salen;
 }
 

@@ -9,6 +9,7 @@ struct Sospecha {
     int gravedad; // antes las mayores
     int orden;    // 0: de todo el cuadro
     std::string dice, prueba;
+    int otras = 0; // órdenes de que se podría decir lo mismo
 };
 
 /// Mira el cuadro según se dibuja.

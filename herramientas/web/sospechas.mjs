@@ -100,7 +100,13 @@ export function elegidas(todas, { lisa, figura, escrito }) {
   const lista = lisa && escrito ? [...todas, { gravedad: 0, orden: 0,
     dice: 'se escriben fragmentos y todo queda del mismo color',
     prueba: '¿Es el del fondo el que da el shader? Mira el color y las luces.' }] : todas;
-  return lista.filter(({ dice }, i) => lista.findIndex(s => s.dice === dice) === i)
-    .filter(({ gravedad }) => lisa || !figura || gravedad >= SEGURO).sort((a, b) => b.gravedad - a.gravedad)
-    .map(({ orden, dice, prueba }) => ({ orden, dice, prueba }));
+  const sin = dice => dice.replace(/orden \d+/, 'orden'), suyas = new Map(); // la misma en cada orden se dice una vez
+  for (const s of lista) {
+    const una = suyas.get(sin(s.dice));
+    if (!una) suyas.set(sin(s.dice), { ...s, otras: 0 });
+    else una.otras += una.dice !== s.dice;
+  }
+  return [...suyas.values()].filter(({ gravedad }) => lisa || !figura || gravedad >= SEGURO)
+    .sort((a, b) => b.gravedad - a.gravedad).map(({ orden, dice, prueba, otras }) =>
+      ({ orden, dice: otras ? `${dice}; otras ${otras}, por lo mismo` : dice, prueba }));
 }

@@ -118,6 +118,15 @@ def test_lo_publico_de_cada_capitulo():
     assert not {p for p in publico if p not in usado and p not in comodin.values()}, "nadie los usa"
 
 
+def test_ningun_shader_es_igual_que_otro():
+    """Por su texto se sabe de qué fichero es el que OpenGL ha recibido, al explicar un cuadro."""
+    de = {}
+    for f in sorted([*RAIZ.glob("ch*/*.vert"), *RAIZ.glob("ch*/*.frag"), *RAIZ.glob("common/*.vert")]):
+        de.setdefault((f.suffix, f.read_text()), []).append(corto(f))
+    assert len(de) > 80
+    falla([" = ".join(iguales) for iguales in de.values() if len(iguales) > 1])
+
+
 # --- cómo de largo es -----------------------------------------------------------------------------------------------
 
 NO_ES_FUNCION = re.compile(r"\s*(template.*> )?(namespace|struct|class|enum|union|extern)\b|.*= \{$")

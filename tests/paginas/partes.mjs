@@ -490,6 +490,9 @@ test('lo que se sospecha de los shaders de un cuadro', () => {
   tabla(como => elegidas(todas, como).map(s => s.dice).join(), [{ lisa: false, figura: true, escrito: true }, 'grave'],
     [{ lisa: false, figura: false }, 'grave,leve'],
     [{ lisa: true, figura: true, escrito: true }, 'grave,leve,se escriben fragmentos y todo queda del mismo color']);
+  const de = (...ordenes) => ordenes.map(n => ({ gravedad: 2, dice: `la orden ${n} no dibuja` }));
+  tabla(varias => elegidas(varias, { figura: true }).map(s => s.dice).join(), [de(3), 'la orden 3 no dibuja'],
+    [de(3, 12, 40), 'la orden 3 no dibuja; otras 2, por lo mismo'], [de(3, 3), 'la orden 3 no dibuja']);
 });
 
 test('lo que pesa cada vértice da el punto del que se parte', () => {
