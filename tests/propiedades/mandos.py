@@ -1,4 +1,5 @@
 """Lo que se cumple con los mandos de un programa: las teclas, el ratón, el menú."""
+import itertools
 import re
 import subprocess
 from typing import NamedTuple
@@ -7,6 +8,7 @@ from programa import APARTE, CONTRARIAS
 
 DE_TODOS = 6  # teclas que dice -ayuda de todos los programas
 LETRA = 23  # alto de las mayúsculas de F1 en 720 píxeles
+VUELTAS = 6  # un modo de tres, dos veces
 PIXELES = (0, 0), (60, 45), (119, 89), (31, 70)
 
 
@@ -92,16 +94,22 @@ def comparacion(p):
 
 
 def vuelta(p):
-    """De un modo se sale con la tecla con que se entró: pulsada otra vez, hace algo."""
+    """De un modo se sale con la tecla con que se entró: pulsada otra vez, hace algo. Y de lo que se ve, con la misma
+    tecla, se va siempre a lo mismo: si no, hay algo puesto que ni la imagen ni el título dicen."""
     mandan = [c for c in p.controles if set(c.teclas) not in CONTRARIAS and not c.termina]
     letras = [o for c in mandan for o in c.ordenes if o in p.teclas and o[-1].isalpha() and o.startswith("tecla ")]
-    filas = iter(p.diario([o for orden in letras for o in (orden, orden)]))
+    filas = iter(p.diario([o for orden in letras for o in [orden] * VUELTAS]))
     ultima = next(filas)
-    for orden, una, otra in zip(letras, filas, filas):
+    for orden in letras:
+        una, otra, *_ = suyas = list(itertools.islice(filas, VUELTAS))
         desde = p.antes_de(orden) or []
         if una.distinta(ultima) and not otra.distinta(una) and not p.hace_algo([*desde, orden], orden):
             yield orden, f"«{orden}» hace algo la primera vez y la segunda no"
-        ultima = otra
+        vistas = [fila.se_ve() for fila in (ultima, *suyas)]
+        va = {}
+        if any(va.setdefault(de, a) != a for de, a in zip(vistas, vistas[1:])):
+            yield orden, f"de lo mismo a la vista, «{orden}» lleva a dos sitios"
+        ultima = suyas[-1]
 
 
 def ayuda(p):

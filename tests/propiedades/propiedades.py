@@ -112,6 +112,7 @@ EXCEPCIONES = {
     ("primer_programa", "paseo", "repetir|ajena|F5"): "i solo cambia el color de borrado: se ve al borrar otra vez",
     ("primer_programa", "comunes", "F1|F2|-ayuda|F12|argumentos"): "no usa common/: lo suyo sería más largo que él",
     ("primer_programa", "vuelta", "tecla d"): "dibuja otra vez lo mismo, que es lo que enseña",
+    ("primer_programa", "vuelta", "tecla i"): "cambia lo que se verá al dibujar, que es lo que enseña",
     ("primer_programa", "tallas", "tecla i, tecla [ds]"): "lo mismo: se ve al borrar otra vez",
     ("shader_basico", "comunes", "F1|F2|-ayuda|F12|argumentos"): "tampoco: es el listado del libro",
     ("errores_shader", "paseo", "F5"): "releer vuelve a escribir el error, o que no lo hay",
