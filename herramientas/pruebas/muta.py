@@ -3,7 +3,7 @@ para saber si las pruebas los notan.
 
 Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes; un shader estropeado va en una carpeta, y
 $LAB_RAIZ hace que se mire antes que las demás. Los de ./lab, de Python y de las páginas se escriben en una copia de
-todo ello, con lo demás enlazado, y los ven las pruebas que dice EN_COPIA de su lista. Primero se ejecutan sin ninguno
+todo ello, con lo demás como está, y los ven las pruebas que dice EN_COPIA de su lista. Primero se ejecutan sin ninguno
 las pruebas y los casos, que deben pasar y apuntan lo que usan; después, con cada mutante, los que lo usan, hasta que
 uno falle: las que han notado otro de su fichero, las de su capítulo, las demás y, si ninguna lo nota, los pasos y los
 casos: por lo que pintan encima (los .encima) o, si no, solo por su imagen. Cómo se nota cada uno queda en
@@ -41,7 +41,8 @@ EN_COPIA = {
     "paginas": ("tests/paginas/partes.mjs",),
 }
 DE_LAS_DEMAS = tuple(
-    f"tests/{f}_test.py" for f in ("herramientas/herramientas", "ordenes/ordenes", "ordenes/preguntas")
+    f"tests/{f}_test.py"
+    for f in ("herramientas/claves", "herramientas/herramientas", "ordenes/ordenes", "ordenes/preguntas")
 )
 
 
