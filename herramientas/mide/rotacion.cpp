@@ -142,13 +142,16 @@ static glm::mat3 recalculada(int n) {
 
 static void mideDerivas(Medidor &m) {
     m.grupo = "10⁶ pasos";
-    const int pasos = m.elige(1000, 1000000), pocos = m.elige(10, 1000);
+    const int pasos = m.elige(1000, 1000000);
     const auto deriva = [&](const char *nombre, glm::mat3 (*recorre)(int), const Rango &espera,
                             const char *nota = "") {
         // lo exacto: tantas veces el ángulo que de verdad tiene el float
         const double e = error(recorre(pasos), PASO.eje, Largo(PASO.angulo) * pasos);
-        m.variante(
-            "10⁶ pasos, " + std::string(nombre), e, pocos, [&] { usa(recorre(pocos)); }, espera, nota);
+        const auto cronometra = [&](int n) { // los que da y entre los que se reparte
+            m.variante(
+                "10⁶ pasos, " + std::string(nombre), e, n, [&] { usa(recorre(n)); }, espera, nota);
+        };
+        cronometra(m.elige(10, 1000));
     };
     deriva("matriz", conMatriz, CUALQUIERA, "deja de ser un giro: deforma");
     deriva("matriz ortonormalizada", conMatrizOrtonormal, CUALQUIERA, "no deforma, pero el ángulo se desvía");

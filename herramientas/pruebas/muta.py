@@ -3,7 +3,7 @@ para saber si las pruebas los notan.
 
 Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes; un shader estropeado va en una carpeta, y
 $LAB_RAIZ hace que se mire antes que las demás. Los de ./lab, de Python y de las páginas se escriben en una copia de
-todo ello, con lo demás enlazado, y los ven las pruebas que dice EN_COPIA de su lista. Primero se ejecutan sin ninguno
+todo ello, con lo demás como está, y los ven las pruebas que dice EN_COPIA de su lista. Primero se ejecutan sin ninguno
 las pruebas y los casos, que deben pasar y apuntan lo que usan; después, con cada mutante, los que lo usan, hasta que
 uno falle: las que han notado otro de su fichero, las de su capítulo, las demás y, si ninguna lo nota, los pasos y los
 casos: por lo que pintan encima (los .encima) o, si no, solo por su imagen. Cómo se nota cada uno queda en
@@ -41,7 +41,8 @@ EN_COPIA = {
     "paginas": ("tests/paginas/partes.mjs",),
 }
 DE_LAS_DEMAS = tuple(
-    f"tests/{f}_test.py" for f in ("herramientas/herramientas", "ordenes/ordenes", "ordenes/preguntas")
+    f"tests/{f}_test.py"
+    for f in ("herramientas/claves", "herramientas/herramientas", "ordenes/ordenes", "ordenes/preguntas")
 )
 
 
@@ -160,28 +161,35 @@ def compila_guion(mutante, estropeado):
 
 
 def copia_de_trabajo(raiz, carpeta):
-    """El árbol: de verdad, lo que se estropea y sus pruebas; lo demás, enlazado."""
+    """El árbol: lo que se estropea y sus pruebas; de lo demás, la carpeta vacía."""
     carpeta.mkdir()
     for que in raiz.iterdir():
-        if que.name not in (*SOBRA, "lab", "herramientas", "tests", ".ci"):
-            (carpeta / que.name).symlink_to(que)
-    shutil.copy2(raiz / "lab", carpeta)
-    for parte in ("herramientas", "tests", ".ci"):
-        if (raiz / parte).is_dir():
-            shutil.copytree(raiz / parte, carpeta / parte, ignore=shutil.ignore_patterns("__pycache__", "golden"))
-    (carpeta / "tests/golden").symlink_to(raiz / "tests/golden")
+        if que.name in ("herramientas", "tests", ".ci"):
+            shutil.copytree(que, carpeta / que.name, ignore=shutil.ignore_patterns("__pycache__", "golden"))
+        elif que.is_dir() and que.name not in SOBRA:
+            (carpeta / que.name).mkdir()
+        elif que.is_file():
+            shutil.copy2(que, carpeta)
+    (carpeta / "tests/golden").mkdir()
     return carpeta
 
 
-def orden_en_copia(raiz, build, copia, nombre):
-    """Con la copia en el sitio del árbol, que es donde build/ sabe compilar."""
-    en_su_sitio = ["bwrap", "--dev-bind", "/", "/", "--bind", copia, raiz]
+def en_su_sitio(raiz, build, copia):
+    """Lo que va delante de una orden para que vea la copia en el sitio del árbol, que es donde build/ sabe compilar, y
+    en sus carpetas vacías, las de verdad."""
     if build.is_relative_to(raiz):
         (copia / build.relative_to(raiz)).mkdir(exist_ok=True)
-        en_su_sitio += ["--bind", build, build]
+    orden = ["bwrap", "--dev-bind", "/", "/", "--bind", copia, raiz]
+    for carpeta in (*copia.iterdir(), copia / "tests/golden"):
+        if carpeta.is_dir() and not any(carpeta.iterdir()):
+            orden += ["--bind", raiz / carpeta.relative_to(copia), raiz / carpeta.relative_to(copia)]
+    return orden
+
+
+def orden_en_copia(raiz, build, copia, nombre):
     if nombre.endswith(".mjs"):
-        return [*en_su_sitio, "node", raiz / nombre, raiz, build]
-    return [*en_su_sitio, PYTEST, "-xq", "-p", "no:cacheprovider", raiz / nombre]
+        return [*en_su_sitio(raiz, build, copia), "node", raiz / nombre, raiz, build]
+    return [*en_su_sitio(raiz, build, copia), PYTEST, "-xq", "-p", "no:cacheprovider", raiz / nombre]
 
 
 def prueba_en_copia(raiz, build, temporal, pruebas, mutante=None):

@@ -264,6 +264,14 @@ TEST(Recurso, SeBuscaPrimeroEnLabRaizYSeApuntaEnLabLeidos) {
               ""); // no está allí: el del árbol de fuentes
     EXPECT_EXIT(recurso("ch99/nada.vert"), ExitedWithCode(1),
                 "no encuentro «ch99/nada.vert»; lo he buscado en /no/existe/ch99.*raiz/ch99.*, .*, ");
+    // y después, en la carpeta del programa y en la de encima, que son las de un árbol instalado, y en otras dos
+    const fs::path carpeta = fs::read_symlink("/proc/self/exe").parent_path();
+    std::string ruta, error, lugares;
+    for (const fs::path &lugar : {fs::path("/no/existe"), raiz, carpeta, carpeta.parent_path()})
+        lugares += (lugar / "ch99/nada.vert").string() + ", ";
+    EXPECT_FALSE(intentaRecurso("ch99/nada.vert", ruta, error));
+    EXPECT_NE(error.find("lo he buscado en " + lugares), std::string::npos) << error;
+    EXPECT_EQ(std::count(error.begin(), error.end(), ','), 5) << error;
     unsetenv("LAB_RAIZ");
     unsetenv("LAB_LEIDOS");
     EXPECT_EQ(leeFichero(leidos.string()),

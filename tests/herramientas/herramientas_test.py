@@ -787,7 +787,9 @@ def test_un_defecto_en_lab_o_en_python(tmp_path):
     copia = muta.copia_de_trabajo(tmp_path / "r", tmp_path / "c")
     siembra(copia, {"lab": "dos", "herramientas/x.py": "dos"})
     assert {f.name for f in copia.iterdir()} == {"lab", "herramientas", "tests", "ch01"}
-    assert (copia / "ch01/a.cpp").exists()
+    en_su_sitio = muta.en_su_sitio(tmp_path / "r", tmp_path / "r/build", copia)
+    ve = subprocess.check_output([*en_su_sitio, "cat", *ficheros.split()], cwd=tmp_path / "r", text=True)
+    assert ve == "dosdos" + "uno" * 5  # y lo demás, como está
     assert {(tmp_path / "r" / f).read_text() for f in ficheros.split()} == {"uno"}
 
 

@@ -281,7 +281,8 @@ def test_galeria(lab):
 
     def hechas(estado=0, **entorno):
         dicho = lab("galeria", estado, **entorno).stderr
-        return [h for _, h in sorted(re.findall(r"ch01_uno/(\w+): (\d+|sin cambios|.*falla.*)", dicho))]
+        dibujadas = "1(?= imagen$)|[2-9](?= imágenes$)|sin cambios|.*falla.*"
+        return [h for _, h in sorted(re.findall(rf"ch01_uno/(\w+): ({dibujadas})", dicho, re.M))]
 
     def talla(fichero):
         return struct.unpack_from(">II", fichero.read_bytes(), 16)
