@@ -34,12 +34,13 @@ PYTEST = shutil.which("pytest-3") or "pytest"
 ENCIMA = 4  # con que acaba casos.sh si es distinto lo que se pinta encima
 JUECES = "vocabulario", "cota", "oraculo", "mide", "comparador", "jueces"  # las pruebas de los que juzgan
 SOBRA = "build", "galeria", "informe", "web", "windows", "mios", ".git"  # de una copia del árbol
-# Lo que nota los de cada lista que no se compilan, de lo que menos tarda a lo que más.
+# Lo que nota los de cada lista que no se compilan, de lo que menos tarda a lo que más; de las demás, por dónde están.
 EN_COPIA = {
     "jueces": ("tests/jueces/propiedades_mal_test.py", "tests/jueces/jueces_test.py"),
     "correccion": ("tests/herramientas/donde_test.py", "tests/herramientas/corrige_test.py"),
     "paginas": ("tests/paginas/partes.mjs",),
 }
+ESTAN = {"ejercicios/corrige/": "correccion", ".mjs": "paginas"}
 DE_LAS_DEMAS = tuple(
     f"tests/{f}_test.py"
     for f in ("herramientas/claves", "herramientas/herramientas", "ordenes/ordenes", "ordenes/preguntas")
@@ -190,6 +191,11 @@ def orden_en_copia(raiz, build, copia, nombre):
     if nombre.endswith(".mjs"):
         return [*en_su_sitio(raiz, build, copia), "node", raiz / nombre, raiz, build]
     return [*en_su_sitio(raiz, build, copia), PYTEST, "-xq", "-p", "no:cacheprovider", raiz / nombre]
+
+
+def las_que_lo_notan(mutante):
+    por_su_sitio = next((lista for donde, lista in ESTAN.items() if donde in mutante.fichero), "")
+    return EN_COPIA.get(mutante.lista) or EN_COPIA.get(por_su_sitio, DE_LAS_DEMAS)
 
 
 def prueba_en_copia(raiz, build, temporal, pruebas, mutante=None):
@@ -444,11 +450,9 @@ def planta(vivero, raiz, build, elegidos, capitulos):
         yield from hilos.map(vivero.prueba, compilados)
         if en_copia:
             procesos.ejecuta(["cmake", "--build", build])  # usan lo que hay
-        for pruebas in {EN_COPIA.get(m.lista, DE_LAS_DEMAS) for m in en_copia}:
+        for pruebas in set(map(las_que_lo_notan, en_copia)):
             prueba_en_copia(raiz, build, temporal, pruebas)
-        yield from hilos.map(
-            lambda m: prueba_en_copia(raiz, build, temporal, EN_COPIA.get(m.lista, DE_LAS_DEMAS), m), en_copia
-        )
+        yield from hilos.map(lambda m: prueba_en_copia(raiz, build, temporal, las_que_lo_notan(m), m), en_copia)
 
 
 def juzga(elegidos, plantados):
