@@ -23,6 +23,7 @@ class Banco:
         recinto = Recinto(temporal, jaula, entorno)
         self.compilador = Compilador(raiz, build, programa, ref, recinto)
         self.de_partida = nuevo.esqueleto(raiz, programa, ref), programa.fuente.name
+        self.dados = self.de_partida[0], nuevo.solucion(raiz, programa, ref)  # lo que no es de nadie (parecidos.py)
         self.version = self.suma_todo(raiz, build)
         self.todos = [
             *partidas.de_los_casos(programa),

@@ -1,7 +1,7 @@
 """orden.py RAÍZ BUILD ENTREGA [EJERCICIO] [opciones]: corrige lo que ha hecho un estudiante, o una clase entera.
 
 ENTREGA es mios/NOMBRE, o una carpeta con lo mismo dentro; si dentro hay carpetas con programas, es una clase, y cada
-una, una entrega. Lo entregado y la solución juegan los mismos guiones, los casos del ejercicio y otros al azar con
+una, una entrega; también vale lo que descarga Moodle, en una carpeta o en su .zip. Lo entregado y la solución juegan los mismos guiones, los casos del ejercicio y otros al azar con
 los controles de su programa, y tras cada orden se comparan las imágenes y los títulos. El guion que falla se acorta
 y, si algún defecto conocido plantado en la solución (errores/) deja en todos los guiones lo que deja la entrega, se
 dice cuál.
@@ -16,8 +16,9 @@ from pathlib import Path
 from base import catalogo
 from base.procesos import Fallo, escribe, principal
 from ejercicios import nuevo
-from ejercicios.corrige import clase, entrega, informes
+from ejercicios.corrige import aula, clase, conjunto, entrega, informes
 from ejercicios.corrige.banco import Banco
+from ejercicios.corrige.hoja import Hoja
 from ejercicios.corrige.jaula import Jaula
 
 GUIONES = 24  # al azar
@@ -41,7 +42,7 @@ def opciones(palabras):
     analizador.add_argument("ejercicio", nargs="?")
     analizador.add_argument("--semilla", default="1")
     analizador.add_argument("--guiones", type=natural, default=GUIONES)
-    for opcion in ("--deja", "--json", "--junit"):
+    for opcion in ("--deja", "--json", "--junit", "--moodle"):
         analizador.add_argument(opcion, type=Path)
     analizador.add_argument("-j", type=positivo, default=os.cpu_count())
     for opcion in ("--vpl", "--sin-jaula", "--programa"):  # --programa: solo escribe cuál es
@@ -77,29 +78,44 @@ def de_una(que, banco, carpeta):
     """Su corrección, escrita; y dónde va su página, si va."""
     correccion = clase.corrige(banco, carpeta, que.json and que.json.absolute())
     print(informes.en_vpl(correccion) if que.vpl else informes.en_texto(correccion))
-    sin_pagina = que.json or que.vpl
-    return [correccion], [], que.deja or (None if sin_pagina else carpeta / "correccion")
+    suyo = (
+        carpeta / "correccion"
+        if isinstance(carpeta, Path)
+        else Path(que.entrega).with_name(f"{carpeta.name}-corregida")
+    )
+    return [correccion], [], que.deja or (None if que.json or que.vpl else suyo)
 
 
 def de_una_clase(que, banco, carpeta, dentro):
-    destino = que.deja or carpeta.with_name(f"{carpeta.name}-corregida")
-    correcciones, fallos = clase.clase(banco, dentro, destino, que.j)
-    escribe(destino / "notas.csv", informes.en_csv(correcciones))
-    return correcciones, fallos, destino
+    """Las de todos, en una página y en lo que Moodle recoge."""
+    hoja = que.moodle and Hoja(que.moodle.absolute())  # antes de nada, si no se entiende
+    destino, leidas = que.deja or carpeta.with_name(f"{carpeta.name}-corregida"), {}
+    correcciones, fallos = clase.clase(banco, dentro, destino, que.j, leidas)
+    escribe(destino / "notas.csv", informes.en_csv(correcciones.values()))
+    conjunto.escribe(destino, correcciones, banco, leidas, hoja)
+    if hoja:
+        for suya, correccion in correcciones.items():
+            hoja.pon(suya.name, correccion)
+        print(f"Hecha: {hoja.escribe()}", *hoja.avisos, sep="\n", file=sys.stderr)
+    return list(correcciones.values()), fallos, destino
 
 
 def main():
     raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
     que = opciones(sys.argv[3:])
     mios = build.parent / "mios"
-    carpeta, dentro, sueltos = entrega.busca(mios, que.entrega, que.deja and que.deja.absolute())
+    carpeta, dentro, sueltos = aula.busca(mios, que.entrega, que.deja and que.deja.absolute())
     programas = catalogo.lee_programas(build)
     if que.ejercicio or dentro:
         ref, programa = ejercicio(raiz, programas, que.ejercicio)
+    elif isinstance(carpeta, aula.Subida):
+        raise Fallo(f"di qué ejercicio es: ./lab corrige {que.entrega} E3.5")
     else:
         ref, programa = entrega.ejercicio_de(carpeta, programas)
     if not ref:
         raise Fallo(f"{que.entrega} es una copia de {programa.nombre}: no hay ejercicio que corregir")
+    if que.moodle and not dentro:
+        raise Fallo(f"--moodle es de una clase, y {que.entrega} es una entrega")
     if que.programa:
         return print(programa.nombre)
     if dentro and sueltos:
@@ -115,8 +131,9 @@ def main():
     if que.junit:
         escribe(que.junit, informes.en_junit(correcciones))
     if destino:
-        suya = carpeta.name if carpeta.parent == mios.absolute() and not dentro else ""
-        informes.escribe_pagina(destino, correcciones, programa, ref, suya)
+        if not dentro:
+            suya = carpeta.name if isinstance(carpeta, Path) and carpeta.parent == mios.absolute() else ""
+            escribe(destino / "index.html", informes.pagina(correcciones[0], programa, ref, suya))
         print(f"Hecha: {destino}/index.html", file=sys.stderr)
     if fallos:
         raise Fallo(f"no se han podido corregir {len(fallos)}: {'; '.join(fallos)}")
