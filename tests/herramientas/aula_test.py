@@ -465,6 +465,8 @@ def pareja(una, otra, *dadas):
 def test_lo_que_no_cuenta_al_comparar():
     (p,) = pareja(UNA, OTRA)
     assert p.cuanto == 1 and p.lineas[0]["p.cpp"] == {2, 3} and p.lineas[1]["q.cpp"] == {2, 3, 4, 5, 6}
+    ((mas,), todo) = (pareja(UNA, OTRA, UNA.replace(viejo, otro)) for viejo, otro in (("= 3", "= 4"), ("x", "y")))
+    assert mas.lineas[0] == {"p.cpp": {3}} and not todo  # solo dónde, y el nombre no cuenta
     assert not pareja(UNA, OTRA, UNA) and not pareja(UNA, OTRA, OTRA)  # de partida lo tienen
     for viejo, otro in (("2 * x", "x + x"), ("giroY", "giroZ"), ("= 3", "= 4")):
         (q,) = pareja(UNA.replace(viejo, otro), OTRA)

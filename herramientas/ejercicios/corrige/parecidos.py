@@ -140,7 +140,7 @@ def normal(palabras_, suyos):
 
 
 def senas(ficheros):
-    """{seña: dónde está, como (fichero, de qué línea, a cuál)}, de cada frase y de las que van seguidas."""
+    """{seña: dónde está, como (de cuántas frases es, fichero, de qué línea, a cuál)}, de cada una y de las seguidas."""
     leidos = {ruta: palabras(texto) for ruta, texto in ficheros.items()}
     suyos = set().union(*map(declarados, leidos.values()))
     donde = defaultdict(list)
@@ -152,11 +152,11 @@ def senas(ficheros):
                     juntas = [p for f in cosa[i : i + n] for p in f]
                     if i + n <= len(cosa):
                         sena = hash((n, normal(juntas, suyos)))
-                        donde[sena].append((ruta, juntas[0].linea, juntas[-1].linea))
+                        donde[sena].append((n, ruta, juntas[0].linea, juntas[-1].linea))
                         if n == 1:
                             solas.append(sena)
             # y la cosa entera, en cualquier orden
-            donde[hash((0, *sorted(solas)))].append((ruta, cosa[0][0].linea, cosa[-1][-1].linea))
+            donde[hash((0, *sorted(solas)))].append((len(cosa) + 1, ruta, cosa[0][0].linea, cosa[-1][-1].linea))
     return donde
 
 
@@ -172,11 +172,12 @@ def codigo(ficheros):
 
 
 def lineas(donde, comunes):
-    """En qué líneas de cada fichero están esas señas."""
+    """En qué líneas de cada fichero están esas señas; de las que se pisan, la más corta, que es la que dice dónde."""
     hay = defaultdict(set)
-    for sena in comunes:
-        for ruta, desde, hasta in donde[sena]:
-            hay[ruta] |= set(range(desde, hasta + 1))
+    for _, ruta, desde, hasta in sorted(sitio for sena in comunes for sitio in donde[sena]):
+        suyas = set(range(desde, hasta + 1))
+        if not suyas & hay[ruta]:
+            hay[ruta] |= suyas
     return dict(hay)
 
 
