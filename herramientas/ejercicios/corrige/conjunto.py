@@ -163,6 +163,8 @@ def escribe(destino, correcciones, banco, leidas, hoja=None):
     elif (destino / "parecidos.html").exists():
         (destino / "parecidos.html").unlink()
     todas = list(hechas.values())
-    datos |= {"hechas": todas, "errores": errores(todas), "lineas": informes.lineas, "en_palabras": guiones.en_palabras}
+    hay = errores(todas)
+    datos |= {"de_varios": [e for e in hay if e.de[1:]], "de_uno": [e for e in hay if not e.de[1:]], "hechas": todas}
+    datos |= {"lineas": informes.lineas, "en_palabras": guiones.en_palabras}
     pagina = paginas.plantilla(AQUI / "clase.html").render(NOMBRES=NOMBRES, **datos, **resumen(todas))
     escribe_fichero(destino / "index.html", pagina)
