@@ -15,7 +15,8 @@ from ejercicios.corrige.motivos import Motivos, conocidos
 
 
 class Banco:
-    def __init__(self, raiz, build, ref, programa, temporal, jaula, semilla, n):
+    def __init__(self, raiz, build, ref, programa, temporal, jaula, semilla, reglas):
+        self.reglas = reglas
         self.ref, self.programa, self.semilla, self.temporal = ref, programa, semilla, temporal
         entorno = procesos.entorno()
         del entorno["MESA_SHADER_CACHE_DISABLE"]
@@ -24,11 +25,12 @@ class Banco:
         self.compilador = Compilador(raiz, build, programa, ref, recinto)
         self.de_partida = nuevo.esqueleto(raiz, programa, ref), programa.fuente.name
         self.version = self.suma_todo(raiz, build)
-        self.todos = [
+        todos = [
             *partidas.de_los_casos(programa),
-            *partidas.al_azar(raiz, build, programa, f"{ref} {semilla}", n, entorno),
+            *partidas.al_azar(raiz, build, programa, f"{ref} {semilla}", reglas.guiones, entorno),
         ]
-        self.arbitro = Arbitro(build, ref, self.compilador, recinto, temporal, self.version)
+        self.todos = [g for g in todos if reglas.peso(g)]
+        self.arbitro = Arbitro(build, ref, self.compilador, recinto, temporal, self.version, reglas.tolerancia)
         self.motivos = Motivos(raiz, programa, ref, self.compilador, self.arbitro)
 
     @functools.cached_property

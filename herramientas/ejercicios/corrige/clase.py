@@ -35,7 +35,8 @@ def limpia(que, oculta):
 def corrige(banco, carpeta, resultado=None):
     """La corrección de una carpeta; si RESULTADO ya es la de lo mismo, esa."""
     datos = {"entrega": limpio(carpeta.name), "ejercicio": banco.ref, "semilla": banco.semilla}
-    que = [banco.version, banco.semilla, *(g.texto for g in banco.todos)]
+    datos["reglas"] = banco.reglas.en_palabras
+    que = [banco.version, banco.semilla, banco.reglas.en_palabras, *(g.texto for g in banco.todos)]
     try:
         entrega, rechazo = lee_entrega(carpeta), ""
         entrega.completa(*banco.de_partida)

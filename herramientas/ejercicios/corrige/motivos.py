@@ -8,7 +8,7 @@ from pathlib import Path
 from base import defectos, marcas
 from base.guiones import sin_veces
 from base.procesos import Fallo, escribe
-from ejercicios import nuevo
+from ejercicios import nuevo, propios
 from ejercicios.corrige.compilador import SUYA
 from ejercicios.corrige.entrega import Rechazo
 from ejercicios.corrige.partidas import Jugador
@@ -23,11 +23,28 @@ SENALES = {
 }
 
 
+def lista(raiz, programa, textos):
+    """Los defectos que se conocen: de uno propio, en su carpeta, con el nombre de su fichero."""
+    donde = programa.carpeta / propios.ERRORES if programa.raices else raiz / ERRORES
+    try:
+        if not programa.raices:
+            return defectos.lee(donde)[0]
+        suyos, fallos = defectos.lee_lista(donde)
+        fallos += [f"{m.nombre}: no hay ningún «{m.fichero}»" for m in suyos if m.fichero not in textos]
+        if fallos:
+            raise ValueError(fallos[0])
+        for fichero, de_el in defectos.por_fichero(suyos).items():
+            defectos.cambia(textos[fichero], [m for m in de_el if not m.en_shader or m.sitio(textos[fichero])])
+        return suyos
+    except ValueError as error:
+        raise Fallo(f"{donde}: {error}") from None
+
+
 def conocidos(raiz, programa, ref):
     """Los defectos de los ficheros que tiene quien hace el ejercicio, salvo en lo que pide otro."""
-    textos = {f"{programa.capitulo.nombre}/{f}": texto for f, texto in nuevo.de_la_carpeta(raiz, programa, ref).items()}
+    textos = {ruta(programa, f): texto for f, texto in nuevo.de_la_carpeta(raiz, programa, ref).items()}
     ajenos = {
-        f: [t.span() for t in marcas.TROZO.finditer(texto) if t["codigo"][0] == "E" and t["codigo"] != ref]
+        f: [t.span() for t in marcas.TROZO.finditer(texto) if t["codigo"] != ref and nuevo.es_del_libro(t["codigo"])]
         for f, texto in textos.items()
     }
 
@@ -35,9 +52,14 @@ def conocidos(raiz, programa, ref):
         return any(desde <= m.sitio(textos[m.fichero])[0] < hasta for desde, hasta in ajenos[m.fichero])
 
     try:
-        return [m for m in defectos.lee(raiz / ERRORES)[0] if m.fichero in textos and not es_de_otro(m)]
+        return [m for m in lista(raiz, programa, textos) if m.fichero in textos and not es_de_otro(m)]
     except ValueError as error:
         raise Fallo(f"{ERRORES}: {error}") from None
+
+
+def ruta(programa, fichero):
+    """Cómo lo llama la lista de sus errores."""
+    return fichero if programa.raices else f"{programa.carpeta}/{fichero}"
 
 
 class Motivos:
@@ -97,7 +119,8 @@ class Motivos:
                 shutil.rmtree(sitio / f"hueco{i}")
         textos = self.textos()
         for fichero, suyos in defectos.por_fichero(self.defectos).items():
-            nombre, fuente = Path(fichero).name, (self.raiz / fichero).read_text()
+            nombre = Path(fichero).name
+            fuente = textos[nombre]
             if not suyos[0].en_shader:
                 textos[nombre] = f'#include "{self.raiz / defectos.MUTANTE_H}"\n{defectos.cambia(fuente, suyos)}'
                 continue

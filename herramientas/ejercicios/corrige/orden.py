@@ -13,14 +13,11 @@ import sys
 import tempfile
 from pathlib import Path
 
-from base import catalogo
 from base.procesos import Fallo, escribe, principal
-from ejercicios import nuevo
+from ejercicios import nuevo, propios, reglas
 from ejercicios.corrige import clase, entrega, informes
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.jaula import Jaula
-
-GUIONES = 24  # al azar
 
 
 class Analizador(argparse.ArgumentParser):
@@ -40,8 +37,8 @@ def opciones(palabras):
     analizador.add_argument("entrega")
     analizador.add_argument("ejercicio", nargs="?")
     analizador.add_argument("--semilla", default="1")
-    analizador.add_argument("--guiones", type=natural, default=GUIONES)
-    for opcion in ("--deja", "--json", "--junit"):
+    analizador.add_argument("--guiones", type=natural)
+    for opcion in ("--deja", "--json", "--junit", "--reglas"):
         analizador.add_argument(opcion, type=Path)
     analizador.add_argument("-j", type=positivo, default=os.cpu_count())
     for opcion in ("--vpl", "--sin-jaula", "--programa"):  # --programa: solo escribe cuál es
@@ -66,7 +63,7 @@ def positivo(texto):
 
 def ejercicio(raiz, programas, pedido):
     hay = nuevo.ejercicios(raiz, programas)
-    ref = (pedido or "").upper()
+    ref = pedido if pedido in hay else (pedido or "").upper()
     if ref not in hay:
         que = f"«{pedido}» no es un ejercicio que se pueda corregir" if pedido else "di qué ejercicio es"
         raise Fallo(f"{que}: {', '.join(hay)}")
@@ -93,7 +90,7 @@ def main():
     que = opciones(sys.argv[3:])
     mios = build.parent / "mios"
     carpeta, dentro, sueltos = entrega.busca(mios, que.entrega, que.deja and que.deja.absolute())
-    programas = catalogo.lee_programas(build)
+    programas, que.ejercicio = propios.resuelve(raiz, build, que.ejercicio)
     if que.ejercicio or dentro:
         ref, programa = ejercicio(raiz, programas, que.ejercicio)
     else:
@@ -101,7 +98,8 @@ def main():
     if not ref:
         raise Fallo(f"{que.entrega} es una copia de {programa.nombre}: no hay ejercicio que corregir")
     if que.programa:
-        return print(programa.nombre)
+        return print(programa.objetivo)
+    puntua = reglas.del_programa(programa, que.reglas, que.guiones)
     if dentro and sueltos:
         print(entrega.limpio(f"En {que.entrega} hay sueltos, y se dejan: {', '.join(sueltos)}"), file=sys.stderr)
     jaula = None if que.sin_jaula else Jaula(raiz)
@@ -109,7 +107,7 @@ def main():
         jaula.comprueba()
     with tempfile.TemporaryDirectory() as temporal:
         os.chmod(temporal, 0o755)
-        banco = Banco(raiz, build, ref, programa, Path(temporal), jaula, que.semilla, que.guiones)
+        banco = Banco(raiz, build, ref, programa, Path(temporal), jaula, que.semilla, puntua)
         hecho = de_una_clase(que, banco, carpeta, dentro) if dentro else de_una(que, banco, carpeta)
         correcciones, fallos, destino = hecho
     if que.junit:
