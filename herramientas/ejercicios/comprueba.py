@@ -14,6 +14,7 @@ from base.guiones import sin_veces
 from base.procesos import Fallo, principal
 from ejercicios import nuevo, propios, reglas
 from ejercicios.corrige import partidas
+from ejercicios.corrige.arbitro import suma
 from ejercicios.corrige.entrega import Rechazo, limpio
 from ejercicios.corrige.motivos import como_acaba
 from ejercicios.ensayo import Ensayo
@@ -70,10 +71,6 @@ def enunciado(programa):
 
 
 # --- y lo que se juega ----------------------------------------------------------------------------------------------
-
-
-def difieren(una, otra):
-    return una.imagenes != otra.imagenes or una.titulos != otra.titulos or una.texto != otra.texto
 
 
 class Comprobacion(Ensayo):
@@ -160,13 +157,19 @@ class Comprobacion(Ensayo):
             quienes = self.de_lista(suyos, "mal")
         except Rechazo:
             return "errores conocidos", f"{len(suyos)}", [*mal, *self.los_que_no_compilan(suyos)]
-        jugado = dict(zip(suyos, self.hilos.map(lambda m: self.juega(quienes[m], self.banco.todos), suyos)))
-        mal += [f"{m.nombre}, {m.imita}: no quita puntos" for m in suyos if self.nota(jugado[m]) == 100]
-        for una, otra in itertools.combinations(suyos, 2):
-            pares = zip(jugado[una].values(), jugado[otra].values())
-            if una.dice != otra.dice and not any(difieren(a[1], b[1]) for a, b in pares):
+        notas, dejan = zip(*self.hilos.map(lambda m: self.resume(quienes[m]), suyos)) if suyos else ((), ())
+        mal += [f"{m.nombre}, {m.imita}: no quita puntos" for m, nota in zip(suyos, notas) if nota == 100]
+        for (una, deja), (otra, dejo) in itertools.combinations(zip(suyos, dejan), 2):
+            if una.dice != otra.dice and deja == dejo:
                 mal.append(f"{una.nombre} y {otra.nombre} no se distinguen: {una.dice}; {otra.dice}")
         return "errores conocidos", f"{len(suyos)}, que se distinguen", mal
+
+    def resume(self, jugador):
+        """Su nota, y lo que deja en cada guion, que entero no cabría."""
+        jugado = self.juega(jugador, self.banco.todos)
+        return self.nota(jugado), [
+            suma(repr(p.titulos), p.texto, *(i[2] for i in p.imagenes)) for _, p in jugado.values()
+        ]
 
     def los_que_no_compilan(self, suyos):
         for m in suyos:
