@@ -99,8 +99,25 @@ def es_del_libro(referencia):
     return bool(re.fullmatch(r"E\d+\.\d+", referencia))
 
 
+def es_de_shaders(referencia):
+    """Los de la página: se piden dentro de unos shaders, y solo ellos se entregan."""
+    return bool(re.fullmatch(r"L\d+\.\d+", referencia))
+
+
+def pedidos(raiz, programa, referencia):
+    """Los ficheros en que está lo que se pide, por su ruta, enteros."""
+    return {str(f): (raiz / f).read_text() for f in privados(raiz, programa, referencia)}
+
+
+def shaders(raiz):
+    todos = [f for tipo in fuentes.SHADERS for f in raiz.glob(f"ch*/*{tipo}")]
+    return [(f.relative_to(raiz), f.read_text()) for f in sorted(todos)]
+
+
 def privados(raiz, programa, referencia):
-    """Los ficheros del laboratorio en que está lo que se pide."""
+    """Los ficheros del laboratorio en que está lo que se pide. Los de la página pueden ser de otro que los carga."""
+    if es_de_shaders(referencia):
+        return [f for f, texto in shaders(raiz) if pide(texto, referencia)]
     return [
         programa.fuente.with_name(f) for f, texto in del_capitulo(raiz, programa)[0].items() if pide(texto, referencia)
     ]

@@ -64,8 +64,8 @@ VALEN = {"tolerancia": ", ".join(TOLERANCIAS), "guiones": "un número natural", 
 VALEN["azar"] = VALEN["caso"]
 
 
-def lee(fichero):
-    """Lo que dice un reglas.txt."""
+def lee(fichero, como_siempre=Reglas()):
+    """Lo que dice un reglas.txt, y lo demás, como siempre."""
     dice = {}
     for n, renglon in propios.renglones(fichero):
         clave, es, texto = (parte.strip() for parte in renglon.partition("="))
@@ -79,7 +79,7 @@ def lee(fichero):
         if (leido := valor(clave, texto)) is None:
             raise Fallo(f"{donde}: «{texto}» no vale de {clave}: {VALEN.get(clave, 'puntos, de 0 a 100')}")
         dice[clave] = leido
-    return comprueba(replace(Reglas(), **dice), fichero)
+    return comprueba(replace(como_siempre, **dice), fichero)
 
 
 def comprueba(reglas, fichero):
@@ -90,10 +90,10 @@ def comprueba(reglas, fichero):
     return reglas
 
 
-def del_programa(programa, fichero=None, guiones=None):
+def del_programa(programa, fichero=None, guiones=None, como_siempre=Reglas()):
     """Las de ese fichero o, sin él, las de su carpeta si es propio; y de los guiones, los que se digan."""
     if fichero and not fichero.is_file():
         raise Fallo(f"no hay ningún fichero «{fichero}»")
     suyo = fichero or (programa.carpeta / FICHERO if programa.raices else None)
-    reglas = lee(suyo) if suyo else Reglas()
+    reglas = lee(suyo, como_siempre) if suyo else como_siempre
     return reglas if guiones is None else comprueba(replace(reglas, guiones=guiones), suyo or "--guiones")

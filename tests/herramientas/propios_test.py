@@ -162,7 +162,7 @@ JUGADOS = (  # los ficheros que cambian, y de cada pregunta que lo nota, y solo 
     ),
     ({"casos_txt": "Uno: tecla g; pulsa g\n"}, {"guiones": "Uno: acaba con un error"}),
     (
-        {"molinete_cpp": CPP.replace("glutSwapBuffers();", "glutSwapBuffers(), glEnable(7);")},
+        {"molinete_cpp": CPP.replace("estado.giro += ", "glEnable(7), estado.giro += "), "errores_tsv": ""},
         {"guiones": "GL_INVALID_ENUM"},
     ),
     (

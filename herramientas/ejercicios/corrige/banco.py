@@ -5,13 +5,14 @@ from pathlib import Path
 
 from base import procesos
 from ejercicios import nuevo
-from ejercicios.corrige import partidas
+from ejercicios.corrige import partidas, shaders
 from ejercicios.corrige.arbitro import Arbitro, suma
 from ejercicios.corrige.compilador import Compilador
 from ejercicios.corrige.cuadro import DELANTE
 from ejercicios.corrige.donde import Donde
 from ejercicios.corrige.jaula import Recinto
 from ejercicios.corrige.motivos import Motivos, conocidos
+from ejercicios.corrige.shaders import DeShaders, MotivosDeShaders
 
 
 class Banco:
@@ -22,16 +23,21 @@ class Banco:
         del entorno["MESA_SHADER_CACHE_DISABLE"]
         entorno |= {"LP_NUM_THREADS": "0", "LANG": "C.UTF-8", "PATH": "/usr/bin:/bin"}
         recinto = Recinto(temporal, jaula, entorno)
-        self.compilador = Compilador(raiz, build, programa, ref, recinto)
-        self.de_partida = nuevo.esqueleto(raiz, programa, ref), programa.fuente.name
+        con_shaders = nuevo.es_de_shaders(ref)
+        self.compilador = (DeShaders if con_shaders else Compilador)(raiz, build, programa, ref, recinto)
+        if con_shaders:
+            self.de_partida = shaders.esqueleto(raiz, programa, ref), ""
+        else:
+            self.de_partida = nuevo.esqueleto(raiz, programa, ref), programa.fuente.name
         self.version = self.suma_todo(raiz, build)
         todos = [
-            *partidas.de_los_casos(programa),
+            *(shaders.guiones(raiz, build, programa, entorno) if con_shaders else partidas.de_los_casos(programa)),
             *partidas.al_azar(raiz, build, programa, f"{ref} {semilla}", reglas.guiones, entorno),
         ]
         self.todos = [g for g in todos if reglas.peso(g)]
         self.arbitro = Arbitro(build, ref, self.compilador, recinto, temporal, self.version, reglas.tolerancia)
-        self.motivos = Motivos(raiz, programa, ref, self.compilador, self.arbitro)
+        partes = raiz, programa, ref, self.compilador, self.arbitro
+        self.motivos = (MotivosDeShaders if con_shaders else Motivos)(*partes)
 
     @functools.cached_property
     def donde(self):
@@ -40,7 +46,7 @@ class Banco:
     def suma_todo(self, raiz, build):
         """Lo que cambia una corrección, además de lo entregado y de los guiones: quien corrige, lo que se da, lo que se
         ve y con qué se enlaza."""
-        textos = nuevo.de_la_carpeta(raiz, self.programa, self.ref), self.de_partida
+        textos = nuevo.pedidos(raiz, self.programa, self.ref), self.de_partida
         errores = conocidos(raiz, self.programa, self.ref)
         visto = [
             *sorted(Path(__file__).parent.glob("*.py")),

@@ -42,7 +42,8 @@ def lista(raiz, programa, textos):
 
 def conocidos(raiz, programa, ref):
     """Los defectos de los ficheros que tiene quien hace el ejercicio, salvo en lo que pide otro."""
-    textos = {ruta(programa, f): texto for f, texto in nuevo.de_la_carpeta(raiz, programa, ref).items()}
+    de_quien = nuevo.pedidos if nuevo.es_de_shaders(ref) else nuevo.de_la_carpeta
+    textos = {ruta(programa, f): texto for f, texto in de_quien(raiz, programa, ref).items()}
     ajenos = {
         f: [t.span() for t in marcas.TROZO.finditer(texto) if t["codigo"] != ref and nuevo.es_del_libro(t["codigo"])]
         for f, texto in textos.items()
@@ -59,7 +60,7 @@ def conocidos(raiz, programa, ref):
 
 def ruta(programa, fichero):
     """Cómo lo llama la lista de sus errores."""
-    return fichero if programa.raices else f"{programa.carpeta}/{fichero}"
+    return fichero if programa.raices or "/" in fichero else f"{programa.carpeta}/{fichero}"
 
 
 class Motivos:
@@ -72,6 +73,9 @@ class Motivos:
 
     def textos(self):
         return nuevo.de_la_carpeta(self.raiz, self.programa, self.ref)
+
+    def esqueleto(self):
+        return nuevo.esqueleto(self.raiz, self.programa, self.ref)
 
     def limpio(self, textos):
         """Los ficheros de quien hace el ejercicio, sin las marcas, con esos textos."""
@@ -111,12 +115,15 @@ class Motivos:
         return sitio
 
     def compila(self, sitio):
-        self.compilador.compila(nuevo.esqueleto(self.raiz, self.programa, self.ref), sitio / "esqueleto", ajena=False)
+        self.compilador.compila(self.esqueleto(), sitio / "esqueleto", ajena=False)
         for i, (_, con_hueco) in enumerate(self.huecos()):
             try:
                 self.compilador.compila(self.limpio(con_hueco), sitio / f"hueco{i}", ajena=False)
             except Rechazo:  # lo demás lo necesita
                 shutil.rmtree(sitio / f"hueco{i}")
+        self.compila_defectos(sitio)
+
+    def compila_defectos(self, sitio):
         textos = self.textos()
         for fichero, suyos in defectos.por_fichero(self.defectos).items():
             nombre = Path(fichero).name
@@ -140,9 +147,12 @@ class Motivos:
                 variantes.append((f"parece que falta: {pide}", jugador(f"hueco{i}", f"hueco{i}")))
         for m in self.defectos:
             dice = f"parece que {m.dice}" if m.dice else f"parece este error: {m.imita}"
-            # si es de un shader, en su carpeta está el estropeado; si no, no hay nada
-            variantes.append((dice, jugador(m.nombre, "mutantes", sitio / str(m.numero), LAB_MUTANTE=str(m.numero))))
+            variantes.append((dice, self.con_defecto(m, sitio, jugador)))
         return variantes
+
+    def con_defecto(self, m, sitio, jugador):
+        """Si es de un shader, en su carpeta está el estropeado; si no, no hay nada."""
+        return jugador(m.nombre, "mutantes", sitio / str(m.numero), LAB_MUTANTE=str(m.numero))
 
     def por_que(self, partidas, esperadas, fallan):
         """Lo que deja en todos los guiones lo mismo que la entrega, en palabras; del esqueleto, ninguna."""

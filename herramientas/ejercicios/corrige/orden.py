@@ -15,9 +15,10 @@ from pathlib import Path
 
 from base.procesos import Fallo, escribe, principal
 from ejercicios import nuevo, propios, reglas
-from ejercicios.corrige import clase, entrega, informes
+from ejercicios.corrige import clase, entrega, informes, shaders
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.jaula import Jaula
+from ejercicios.reglas import Reglas
 
 
 class Analizador(argparse.ArgumentParser):
@@ -62,7 +63,7 @@ def positivo(texto):
 
 
 def ejercicio(raiz, programas, pedido):
-    hay = nuevo.ejercicios(raiz, programas)
+    hay = {**nuevo.ejercicios(raiz, programas), **shaders.ejercicios(raiz, programas)}
     ref = pedido if pedido in hay else (pedido or "").upper()
     if ref not in hay:
         que = f"«{pedido}» no es un ejercicio que se pueda corregir" if pedido else "di qué ejercicio es"
@@ -75,7 +76,12 @@ def de_una(que, banco, carpeta):
     correccion = clase.corrige(banco, carpeta, que.json and que.json.absolute())
     print(informes.en_vpl(correccion) if que.vpl else informes.en_texto(correccion))
     sin_pagina = que.json or que.vpl
-    return [correccion], [], que.deja or (None if sin_pagina else carpeta / "correccion")
+    return [correccion], [], que.deja or (None if sin_pagina else donde(carpeta))
+
+
+def donde(carpeta):
+    """La página de una entrega: en ella o, si es un fichero suelto, a su lado."""
+    return carpeta / "correccion" if carpeta.is_dir() else carpeta.with_name(f"{carpeta.stem}-correccion")
 
 
 def de_una_clase(que, banco, carpeta, dentro):
@@ -99,7 +105,8 @@ def main():
         raise Fallo(f"{que.entrega} es una copia de {programa.nombre}: no hay ejercicio que corregir")
     if que.programa:
         return print(programa.objetivo)
-    puntua = reglas.del_programa(programa, que.reglas, que.guiones)
+    como_siempre = shaders.REGLAS if nuevo.es_de_shaders(ref) else Reglas()
+    puntua = reglas.del_programa(programa, que.reglas, que.guiones, como_siempre)
     if dentro and sueltos:
         print(entrega.limpio(f"En {que.entrega} hay sueltos, y se dejan: {', '.join(sueltos)}"), file=sys.stderr)
     jaula = None if que.sin_jaula else Jaula(raiz)
