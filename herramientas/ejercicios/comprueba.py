@@ -197,8 +197,8 @@ class Comprobacion(Ensayo):
         ]
         if not de_linea:
             mal.append("en lo que se pide no hay nada que se pueda estropear")
-        cifra = f"se notan {len(de_linea) - len(mal)} de {len(de_linea)}, con {sum(notadas.values())} cambios de {len(notadas)}"
-        return "líneas", cifra, mal
+        cambios = f"{sum(notadas.values())} cambios de {len(notadas)}"
+        return "líneas", f"se notan {len(de_linea) - len(mal)} de {len(de_linea)}, con {cambios}", mal
 
 
 def preguntas(raiz, build, ref, programa, temporal, hilos):

@@ -17,8 +17,8 @@ CIEN = 100
 
 @dataclass(frozen=True)
 class Reglas:
-    """Los pesos; cuántos guiones son al azar; con qué tolerancia son la misma dos imágenes; de cada cien puntos, los que
-    da una que se ve casi igual y los que quita, una vez, lo que no es la imagen."""
+    """Los pesos; cuántos guiones son al azar; con qué tolerancia son la misma dos imágenes; de cada cien puntos, los
+    que da una que se ve casi igual y los que quita, una vez, lo que no es la imagen."""
 
     caso: float = 2
     azar: float = 1
@@ -43,10 +43,13 @@ class Reglas:
     @property
     def en_palabras(self):
         """Todas, para cada informe."""
+        al_azar = (
+            f"{self.guiones} al azar, {self.azar:g} cada uno" if self.guiones and self.azar else "al azar, ninguno"
+        )
         return (
-            f"cada caso vale {self.caso:g} y cada uno de los {self.guiones} guiones al azar, {self.azar:g}; tolerancia "
-            f"{self.tolerancia}; lo casi igual, {self.casi:g} %; quitan, de 100, el título {self.titulo:g}, el texto "
-            f"{self.texto:g} y el estado con que acaba {self.estado:g}"
+            f"guiones: los casos, {self.caso:g} cada uno; {al_azar}; tolerancia {self.tolerancia}; lo casi igual, "
+            f"{self.casi:g} %; quitan, de 100, el título {self.titulo:g}, el texto {self.texto:g} y el estado con que "
+            f"acaba {self.estado:g}"
         )
 
 

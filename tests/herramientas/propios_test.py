@@ -1,6 +1,7 @@
 """Los ejercicios de quien enseña: uno hecho de la nada como dice docs/ejercicios.md, en un laboratorio de verdad; los
 defectos que se le plantan, que ./lab ejercicio comprueba nombra; y las reglas, que cada una cambia lo suyo."""
 import dataclasses
+import json
 import os
 import re
 import shutil
@@ -15,9 +16,13 @@ RAIZ = Path(__file__).parents[2]
 BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
 sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/ordenes")]
 from base import catalogo
+from base.fuentes import SHADERS
 from base.procesos import Fallo
 from ejercicios import comprueba, nuevo, propios, reglas
-from ejercicios.corrige import arbitro, informes, veredicto
+from ejercicios.corrige import arbitro
+from ejercicios.corrige import clase as de_clase
+from ejercicios.corrige import informes, shaders, veredicto
+from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion
 from ejercicios.reglas import Reglas
 from mentira import siembra
@@ -104,10 +109,11 @@ def test_se_usa_como_cualquier_otro(lab):
     lab("corrige el_mio", 1, "no dice de qué ejercicio es")
 
 
-SIN_MIRAR = """marcas | molinete.cpp | // fin de molinete\\n    return | return | :22: no se cierra antes de la siguiente
+SIN_MIRAR = """\
+marcas | molinete.cpp | // fin de molinete\\n    return | return | :22: no se cierra antes de la siguiente
 marcas | molinete.cpp | // fin de molinete\\n    glut | glut | :47: no se cierra
 marcas | molinete.cpp | // molinete: la tecla | // la tecla | :50: se cierra sin haberse abierto
-marcas | molinete.cpp | molinete: la tecla g suma 10° a estado.giro, que está en radianes | molinete: | :47: no dice qué se pide
+marcas | molinete.cpp | : la tecla g suma 10° a estado.giro, que está en radianes | : | :47: no dice qué se pide
 marcas | molinete.cpp | molinete: | E3.9: | falta «// molinete: …»
 enunciado | ENUNCIADO.md | # Un molinete | Un molinete | no tiene título
 enunciado | ENUNCIADO.md | None | None | falta ENUNCIADO.md"""
@@ -359,3 +365,47 @@ def test_la_tolerancia_es_la_del_comparador(tmp_path):
         juez.parecidas, juez.temporal, juez.build, juez.tolerancia = {}, tmp_path, BUILD, tolerancia
         admite.append([juez.parecido((100, 10, a), (100, 10, b)) == arbitro.BIEN for a, b in pares])
     assert admite == [[True, False, False], [True, True, False], [True, True, True]]
+
+
+# --- los de la página -------------------------------------------------------------------------------------------
+
+PAGINA = (RAIZ / "herramientas/web/ejercicio.mjs").read_text()
+DE_LA_PAGINA = {
+    c for f in RAIZ.glob("c*/*") if f.suffix in SHADERS for c in re.findall(r"// (L\d+\.\d+): ", f.read_text())
+}
+
+
+def test_los_gestos_son_los_de_la_pagina():
+    assert f"'{'; '.join(shaders.GIRA)}'" in PAGINA
+    assert (
+        f"self.rasgos & {{{', '.join(map(json.dumps, ('raton', 'rueda', 'arrastre')))}}}"
+        in (RAIZ / "herramientas/web/pagina.py").read_text()
+    )
+    assert shaders.CON_RATON == {"raton", "rueda", "arrastre"}
+
+
+@pytest.mark.skipif(not (BUILD / "catalogo.json").exists(), reason="no está configurado")
+@pytest.mark.parametrize("ref", sorted(DE_LA_PAGINA))
+def test_un_shader_suelto(tmp_path, ref):
+    """El del programa saca 100, aunque se llame de otra manera; el de partida, o uno que no compila, no; y uno de
+    otro tipo no es el que se pide."""
+    programa = shaders.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[ref]
+    if not programa.ejecutable(BUILD).exists():
+        pytest.skip("no está compilado")
+    banco = Banco(RAIZ, BUILD, ref, programa, tmp_path, None, "1", shaders.REGLAS)
+    banco.__dict__["donde"] = SimpleNamespace(busca=lambda *_: None)  # lo mira donde_test, y tarda
+    pedidos = nuevo.pedidos(RAIZ, programa, ref)
+
+    def nota(textos, nombre="{}"):
+        suya = tmp_path / "e"
+        shutil.rmtree(suya, ignore_errors=True)
+        siembra(suya, {nombre.format(Path(f).name): texto for f, texto in textos.items()})
+        return de_clase.corrige(banco, suya if len(textos) > 1 else next(suya.iterdir()))
+
+    assert nota(pedidos)["nota"] == nota(pedidos, "mío {}")["nota"] == 100
+    de_partida = nota(banco.de_partida[0])
+    assert de_partida["nota"] < 60 and "se ve lo mismo que en el punto de partida" in de_partida["dice"]
+    roto = nota({f: "esto no compila\n" for f in pedidos})
+    assert roto["nota"] == 0 and any("error" in dice for dice in roto["dice"])
+    otro = nota({f"{f}.geom": texto for f, texto in pedidos.items()})
+    assert otro["nota"] == 0 and otro["dice"][0].startswith("no viene")
