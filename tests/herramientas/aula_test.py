@@ -29,6 +29,7 @@ from ejercicios.corrige import clase as de_clase
 from ejercicios.corrige import conjunto, entrega, hoja, parecidos
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.jaula import Jaula
+from ejercicios.reglas import Reglas
 from copias import copia
 from mentira import siembra
 
@@ -265,7 +266,7 @@ def una_hoja(columnas, separador=",", fin="\r\n", maxima="10,00", comillas=csv.Q
     return datos.getvalue()
 
 
-HECHA = {"entrega": "x", "nota": 87.5, "bien": 3, "guiones": 5, "casos": {"a": True}, "fallos": []}
+HECHA = {"entrega": "x", "nota": 87.5, "bien": 3, "guiones": 5, "casos": {"a": True}, "fallos": [], "reglas": "r"}
 HECHA["dice"] = ['parece que <b>gira</b>, "al revés"', "«tecla d» no hace nada → ✗"]
 HOJAS = {
     "en castellano": (una_hoja(COLUMNAS), "utf-8", b""),
@@ -594,7 +595,7 @@ def corregida_entera(tmp_path_factory):
     assert not list((sitio / "temporal").iterdir())
     with tempfile.TemporaryDirectory() as temporal:
         os.chmod(temporal, 0o755)
-        banco = Banco(RAIZ, BUILD, REF, programa, Path(temporal), Jaula(RAIZ), "1", 1)
+        banco = Banco(RAIZ, BUILD, REF, programa, Path(temporal), Jaula(RAIZ), "1", Reglas(guiones=1))
         solas = {}
         for carpeta, _, ficheros, _ in clase:
             siembra(sitio / "solas" / carpeta, ficheros)

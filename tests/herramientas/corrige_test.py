@@ -37,6 +37,7 @@ from ejercicios.corrige import partidas, veredicto
 from ejercicios.corrige.arbitro import BIEN, CASI, Arbitro, aparte
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion, Partida
+from ejercicios.reglas import Reglas
 from pruebas import huecos
 from mentira import ejecutable, faltan, siembra
 
@@ -191,7 +192,8 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
             juega=juega, parecido=lambda una, otra: BIEN if una == otra else CASI * (otra[2][0] == 7)
         )
         arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
-        banco = SimpleNamespace(todos=casos + otros, arbitro=arbitro, compilador=SimpleNamespace(solucion="solución"))
+        banco = SimpleNamespace(todos=casos + otros, arbitro=arbitro, reglas=Reglas())
+        banco.compilador = SimpleNamespace(solucion="solución")
         correccion = veredicto.Correccion(banco, {})
         correccion.jugador, correccion.muestra, correccion.explica = "entrega", lambda fallan: [], lambda *_: []
         return correccion.compara()["nota"]
@@ -244,7 +246,8 @@ def test_una_entrega_lenta_se_deja(monkeypatch):
     monkeypatch.setattr(veredicto.time, "monotonic", lambda: next(reloj))
     arbitro = SimpleNamespace(juega=lambda *_: partida(1), difiere=lambda *_: None)
     todos = [Guion(str(i), ()) for i in range(20)]
-    banco = SimpleNamespace(todos=todos, arbitro=arbitro, compilador=SimpleNamespace(solucion="solución"))
+    banco = SimpleNamespace(todos=todos, arbitro=arbitro, reglas=Reglas())
+    banco.compilador = SimpleNamespace(solucion="solución")
     lenta = veredicto.Correccion(banco, None)
     lenta.jugador = "entrega"
     hecho = lenta.compara()
@@ -390,6 +393,7 @@ def banco_falso(temporal, **mas):
         "dados": de_partida[:1],
         "programa": SimpleNamespace(nombre="a", titulo="A", casos=[]),
         "temporal": temporal,
+        "reglas": Reglas(),
     }
     return SimpleNamespace(**{**hay, "arbitro": None, **mas})
 
@@ -446,8 +450,9 @@ HOSTILES = [a + texto + b for texto in FALSO for a, b in (("", ""), ("hola\n", "
 def sin_banco(monkeypatch, temporal):
     """La orden entera, sin compilar ni jugar."""
     monkeypatch.setattr(orden_, "Banco", lambda *_: banco_falso(temporal))
-    monkeypatch.setattr(orden_, "ejercicio", lambda *_: (REF, SimpleNamespace(nombre="a", titulo="A", casos=[])))
-    monkeypatch.setattr(orden_.catalogo, "lee_programas", lambda _: [])
+    programa = SimpleNamespace(nombre="a", titulo="A", casos=[], raices=[])
+    monkeypatch.setattr(orden_, "ejercicio", lambda *_: (REF, programa))
+    monkeypatch.setattr(orden_.propios, "resuelve", lambda raiz, build, pedido: ([], pedido))
 
 
 def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, capsys):
@@ -475,7 +480,7 @@ def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, 
     monkeypatch.setattr(orden_, "Jaula", lambda _: SimpleNamespace(comprueba=lambda: None))
     for carpeta in sorted((tmp_path / "clase").iterdir()):
         vpl = pide(carpeta, REF, "--vpl")
-        assert [ll.partition(":=>>")[0] for ll in vpl.splitlines()] == ["Comment "] * 5 + ["Grade "]
+        assert [ll.partition(":=>>")[0] for ll in vpl.splitlines()] == ["Comment "] * 6 + ["Grade "]
         escrito += vpl + pide(carpeta, REF, "--sin-jaula", "--json", tmp_path / "una.json")
     d = tmp_path / "d"
     ficheros = [tmp_path / "j.xml", d / "notas.csv", d / "index.html", *d.glob("*.json"), *d.glob("comentarios/*.html")]
@@ -491,7 +496,7 @@ def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, 
 
 def test_la_nota_de_vpl(monkeypatch):
     hecha = {"entrega": "ana", "ejercicio": REF, "semilla": "7", "nota": 87.5, "bien": 20, "guiones": 29}
-    hecha |= {"dice": [], "fallos": []}
+    hecha |= {"dice": [], "fallos": [], "reglas": ""}
     for limite, valor, nota in (("", "", "87.5"), ("MAX", "10", "8.75"), ("MIN", "2", "9")):
         monkeypatch.setenv(f"VPL_GRADE{limite}", valor)
         assert informes.en_vpl(hecha).endswith(f"\nGrade :=>> {nota}")
@@ -514,7 +519,8 @@ def test_lo_que_ya_se_ha_corregido(tmp_path, juzga):
 
     assert se_hace() and not se_hace()
     otro = [Guion("caso", (), True), Guion("al azar", ("tecla b",))]
-    for cambio in ({"version": "w"}, {"semilla": "2"}, {"todos": otro}, {"de_partida": ({**UNO, "q.h": ""}, "p.cpp")}):
+    cambios = {"version": "w"}, {"semilla": "2"}, {"todos": otro}, {"reglas": Reglas(casi=3)}
+    for cambio in (*cambios, {"de_partida": ({**UNO, "q.h": ""}, "p.cpp")}):
         assert se_hace(**cambio) and not se_hace(**cambio) and se_hace(), cambio
     for cambio in ({"p.cpp": "otro"}, {"p.h": "x"}, {"q.h": ""}, {"ejercicio.txt": "E4.4 x"}):
         siembra(sitio, cambio)
@@ -614,6 +620,7 @@ OPCIONES = {  # lo que cambia cada una, de una entrega y de una clase
     "-j 1": (set(), {"a la vez"}),
     "--moodle H.csv": (None, {"deja"}),  # de una sola no vale
     "--sin-jaula": ({"jaula"}, {"jaula"}),
+    "--reglas R": ({"escribe"}, set()),
 }
 
 
@@ -648,14 +655,14 @@ def test_cada_opcion_cambia_lo_suyo(tmp_path, juzga, monkeypatch, capsys):
         sitio = tmp_path / f"{que}{opcion}".replace(" ", "")
         for nombre in ("",) if que == "una" else ("ana/", "luis/", "eva/"):
             siembra(sitio / "e", {nombre + fichero: texto for fichero, texto in UNO.items()})
-        siembra(sitio, {"H.csv": "Identifier,Grade\nParticipant 1,\n"})
+        siembra(sitio, {"H.csv": "Identifier,Grade\nParticipant 1,\n", "R": "titulo = 7\n"})
         visto.clear()
         a_la_vez[0] = 1 if que == "una" or opcion == "-j 1" else 3
         monkeypatch.chdir(sitio)
         monkeypatch.setattr(sys, "argv", ["x", str(RAIZ), str(BUILD), "e", REF, *opcion.split()])
         assert orden_.main() == (nota[0] != 100)
         visto["escribe"] = capsys.readouterr().out.replace(f"semilla {visto['semilla']}", "").replace("5 guiones", "")
-        visto["escribe"] = re.sub(r"\d+ de \d+ guiones", "", visto["escribe"])
+        visto["escribe"] = re.sub(r"(\d+ de )?(los )?\d+ guiones", "", visto["escribe"])
         hecho = {**visto, "deja": sorted(str(f.relative_to(sitio)) for f in sitio.rglob("*"))}
         antes = {f: f.read_bytes() for f in sitio.rglob("*") if f.is_file()}
         a_la_vez[0] = 1
@@ -672,7 +679,7 @@ def test_cada_opcion_cambia_lo_suyo(tmp_path, juzga, monkeypatch, capsys):
             ahora = hace(que, opcion)
             assert {c for c in base if base[c] != ahora.get(c)} == cambia[i], (que, opcion)
             if opcion == "--guiones 3":
-                assert len(base["guiones"]) - len(ahora["guiones"]) == orden_.GUIONES - 3
+                assert len(base["guiones"]) - len(ahora["guiones"]) == Reglas().guiones - 3
     for que, nota[0] in itertools.product(("una", "clase"), (0, 50, 99.4, 99.9)):
         hace(que, f"--guiones {nota[0]:.0f}")  # el estado es 0 solo si todo está bien
 

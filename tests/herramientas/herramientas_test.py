@@ -279,7 +279,8 @@ def test_en_rojo_va_lo_que_pasa_y_cada_nota_en_su_barra(tmp_path):
     rojas = [re.findall('class="mal">(.*?)<', fila) for fila in re.findall("<tr><td>p<.*?</tr>", pagina, re.S)]
     assert rojas == [[f"{ms[-1]}"] if ms[-1] > 100 else [] for ms in tardan]
     notas = 0, 9.9, 10, 47, 49.9, 50, 95, 99.9, 100
-    hechas = [{"entrega": "a", "nota": n, "dice": [""], "fallos": [], "casos": {}, "semilla": 1} for n in notas]
+    nada = {"dice": [""], "fallos": [], "casos": {}, "semilla": 1, "reglas": ""}
+    hechas = [{"entrega": "a", "nota": n, **nada} for n in notas]
     una = SimpleNamespace(programa=SimpleNamespace(titulo="A"), ref="E1.1", dados=())
     conjunto.escribe(tmp_path, {Path(f"{i}"): c for i, c in enumerate(hechas)}, una, {})
     pagina = (tmp_path / "index.html").read_text()

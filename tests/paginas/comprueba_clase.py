@@ -27,7 +27,7 @@ POR_NOTA = sorted(NOTAS.values())
 
 def correccion(nombre, nota):
     dice = ["se ve lo mismo que en el punto de partida", "y algo más"] if nota < 100 else []
-    suyo = {"entrega": nombre, "nota": nota, "bien": 2, "guiones": 5, "semilla": "1"}
+    suyo = {"entrega": nombre, "nota": nota, "bien": 2, "guiones": 5, "semilla": "1", "reglas": "las de siempre"}
     fallo = {"que": "falla tras «tecla d»", "tras": ["tecla d"], "donde": None, "imagenes": [PUNTO] * 3}
     return {**suyo, "dice": dice, "fallos": [fallo] if nota < 100 else [], "casos": {}}
 

@@ -286,5 +286,5 @@ def busca(mios, pedida, fuera=None):
         subidas, es_clase = de_zip(fichero)
         return (fichero.with_suffix(""), subidas, []) if es_clase else (subidas[0], None, [])
     carpeta, dentro, sueltos = entrega.busca(mios, pedida, fuera)
-    hay = [] if (carpeta / nuevo.EJERCICIO).is_file() else de_carpeta(carpeta)
+    hay = [] if carpeta.is_file() or (carpeta / nuevo.EJERCICIO).is_file() else de_carpeta(carpeta)
     return (carpeta, hay, []) if hay else (carpeta, dentro, sueltos)

@@ -37,7 +37,8 @@ def corrige(banco, carpeta, resultado=None, leidas=None):
     """La corrección de una carpeta, o de lo que da una plataforma; si RESULTADO ya es la de lo mismo, esa. En LEIDAS se
     deja su código."""
     datos = {"entrega": limpio(carpeta.name), "ejercicio": banco.ref, "semilla": banco.semilla}
-    que = [banco.version, banco.semilla, *(g.texto for g in banco.todos)]
+    datos["reglas"] = banco.reglas.en_palabras
+    que = [banco.version, banco.semilla, banco.reglas.en_palabras, *(g.texto for g in banco.todos)]
     try:
         with aula.abierta(carpeta, banco.temporal) as sitio:
             entrega, rechazo = lee_entrega(sitio), ""

@@ -176,4 +176,4 @@ def comentario(c):
     """Lo que se dice de una corrección, en el HTML que Moodle guarda."""
     frases = "".join(f"<li>{html.escape(linea)}</li>" for linea in lineas(c))
     cuantos = f"{c['bien']} de {c['guiones']} guiones dan lo mismo que la solución. " if c["casos"] else ""
-    return f"<p>{c['nota']:g} de 100. {cuantos}</p><ul>{frases}</ul>"
+    return f"<p>{c['nota']:g} de 100. {cuantos}</p><ul>{frases}</ul><p>Reglas: {html.escape(c['reglas'])}.</p>"

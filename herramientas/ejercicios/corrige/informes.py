@@ -25,7 +25,7 @@ def en_donde(fallo):
 def en_texto(c):
     frases = "\n".join(f"  {linea}" for linea in lineas(c))
     cuantos = f"{c['bien']} de {c['guiones']} guiones; semilla {c['semilla']}"
-    return f"{c['entrega']}, {c['ejercicio']}: {c['nota']:g} de 100 ({cuantos})\n{frases}"
+    return f"{c['entrega']}, {c['ejercicio']}: {c['nota']:g} de 100 ({cuantos})\n{frases}\n  reglas: {c['reglas']}"
 
 
 def en_vpl(c):
@@ -33,7 +33,7 @@ def en_vpl(c):
     la actividad."""
     desde, hasta = (float(os.environ.get(f"VPL_GRADE{que}") or vale) for que, vale in (("MIN", 0), ("MAX", 100)))
     titulo = f"-{c['ejercicio']}: {c['bien']} de {c['guiones']} guiones, semilla {c['semilla']}"
-    comentarios = [f"Comment :=>>{linea}" for linea in (titulo, *lineas(c))]
+    comentarios = [f"Comment :=>>{linea}" for linea in (titulo, *lineas(c), f"Reglas: {c['reglas']}")]
     return "\n".join([*comentarios, f"Grade :=>> {desde + (hasta - desde) * c['nota'] / 100:.5g}"])
 
 
@@ -57,10 +57,10 @@ def celda(texto):
 def en_csv(correcciones):
     tabla = io.StringIO()
     filas = csv.writer(tabla)
-    filas.writerow(["entrega", "ejercicio", "nota", "bien", "guiones", "semilla", "dice"])
+    filas.writerow(["entrega", "ejercicio", "nota", "bien", "guiones", "semilla", "dice", "reglas"])
     for c in correcciones:
         numeros = (c["nota"], c["bien"], c["guiones"], c["semilla"])
-        filas.writerow([celda(c["entrega"]), c["ejercicio"], *numeros, celda("; ".join(lineas(c)))])
+        filas.writerow([celda(c["entrega"]), c["ejercicio"], *numeros, celda("; ".join(lineas(c))), c["reglas"]])
     return tabla.getvalue()
 
 

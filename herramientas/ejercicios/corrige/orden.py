@@ -13,15 +13,13 @@ import sys
 import tempfile
 from pathlib import Path
 
-from base import catalogo
 from base.procesos import Fallo, escribe, principal
-from ejercicios import nuevo
-from ejercicios.corrige import aula, clase, conjunto, entrega, informes
+from ejercicios import nuevo, propios, reglas
+from ejercicios.corrige import aula, clase, conjunto, entrega, informes, shaders
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.hoja import Hoja
 from ejercicios.corrige.jaula import Jaula
-
-GUIONES = 24  # al azar
+from ejercicios.reglas import Reglas
 
 
 class Analizador(argparse.ArgumentParser):
@@ -41,8 +39,8 @@ def opciones(palabras):
     analizador.add_argument("entrega")
     analizador.add_argument("ejercicio", nargs="?")
     analizador.add_argument("--semilla", default="1")
-    analizador.add_argument("--guiones", type=natural, default=GUIONES)
-    for opcion in ("--deja", "--json", "--junit", "--moodle"):
+    analizador.add_argument("--guiones", type=natural)
+    for opcion in ("--deja", "--json", "--junit", "--moodle", "--reglas"):
         analizador.add_argument(opcion, type=Path)
     analizador.add_argument("-j", type=positivo, default=os.cpu_count())
     for opcion in ("--vpl", "--sin-jaula", "--programa"):  # --programa: solo escribe cuál es
@@ -66,8 +64,8 @@ def positivo(texto):
 
 
 def ejercicio(raiz, programas, pedido):
-    hay = nuevo.ejercicios(raiz, programas)
-    ref = (pedido or "").upper()
+    hay = {**nuevo.ejercicios(raiz, programas), **shaders.ejercicios(raiz, programas)}
+    ref = pedido if pedido in hay else (pedido or "").upper()
     if ref not in hay:
         que = f"«{pedido}» no es un ejercicio que se pueda corregir" if pedido else "di qué ejercicio es"
         raise Fallo(f"{que}: {', '.join(hay)}")
@@ -78,12 +76,15 @@ def de_una(que, banco, carpeta):
     """Su corrección, escrita; y dónde va su página, si va."""
     correccion = clase.corrige(banco, carpeta, que.json and que.json.absolute())
     print(informes.en_vpl(correccion) if que.vpl else informes.en_texto(correccion))
-    suyo = (
-        carpeta / "correccion"
-        if isinstance(carpeta, Path)
-        else Path(que.entrega).with_name(f"{carpeta.name}-corregida")
-    )
-    return [correccion], [], que.deja or (None if que.json or que.vpl else suyo)
+    return [correccion], [], que.deja or (None if que.json or que.vpl else donde(que, carpeta))
+
+
+def donde(que, carpeta):
+    """La página de una entrega: en ella o, si es un fichero, a su lado."""
+    if isinstance(carpeta, Path) and carpeta.is_dir():
+        return carpeta / "correccion"
+    suelto = Path(que.entrega)
+    return suelto.with_name(f"{suelto.stem}-correccion")
 
 
 def de_una_clase(que, banco, carpeta, dentro):
@@ -105,7 +106,7 @@ def main():
     que = opciones(sys.argv[3:])
     mios = build.parent / "mios"
     carpeta, dentro, sueltos = aula.busca(mios, que.entrega, que.deja and que.deja.absolute())
-    programas = catalogo.lee_programas(build)
+    programas, que.ejercicio = propios.resuelve(raiz, build, que.ejercicio)
     if que.ejercicio or dentro:
         ref, programa = ejercicio(raiz, programas, que.ejercicio)
     elif isinstance(carpeta, aula.Subida):
@@ -117,7 +118,9 @@ def main():
     if que.moodle and not dentro:
         raise Fallo(f"--moodle es de una clase, y {que.entrega} es una entrega")
     if que.programa:
-        return print(programa.nombre)
+        return print(programa.objetivo)
+    como_siempre = shaders.REGLAS if nuevo.es_de_shaders(ref) else Reglas()
+    puntua = reglas.del_programa(programa, que.reglas, que.guiones, como_siempre)
     if dentro and sueltos:
         print(entrega.limpio(f"En {que.entrega} hay sueltos, y se dejan: {', '.join(sueltos)}"), file=sys.stderr)
     jaula = None if que.sin_jaula else Jaula(raiz)
@@ -125,7 +128,7 @@ def main():
         jaula.comprueba()
     with tempfile.TemporaryDirectory() as temporal:
         os.chmod(temporal, 0o755)
-        banco = Banco(raiz, build, ref, programa, Path(temporal), jaula, que.semilla, que.guiones)
+        banco = Banco(raiz, build, ref, programa, Path(temporal), jaula, que.semilla, puntua)
         hecho = de_una_clase(que, banco, carpeta, dentro) if dentro else de_una(que, banco, carpeta)
         correcciones, fallos, destino = hecho
     if que.junit:
