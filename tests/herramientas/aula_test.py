@@ -1,5 +1,5 @@
-"""Una clase como la da una plataforma, de punta a punta: lo que descarga Moodle, con lo que hay en él que no es de fiar;
-la hoja de calificaciones y lo que Moodle recoge; en qué se equivoca una clase; y quién se parece a quién.
+"""Una clase como la da una plataforma, de punta a punta: lo que descarga Moodle, con lo que hay en él que no es de
+fiar; la hoja de calificaciones y lo que Moodle recoge; en qué se equivoca una clase; y quién se parece a quién.
 
 LAB_AULA=60 corrige de verdad una de sesenta; si no, de unas pocas."""
 import csv
@@ -94,7 +94,7 @@ HOSTILES = {  # lo que sube uno → qué ficheros se leen, o qué se le dice
     "sube en Windows": (en_zip((b"..\\..\\p.cpp", P)), "una ruta que sale de su carpeta"),
     "absoluta": (en_zip(("/etc/p.cpp", P)), "una ruta que sale de su carpeta: «/etc/p.cpp»"),
     "unidad": (en_zip(("C:/p.cpp", P)), "una ruta que sale de su carpeta: «C:/p.cpp»"),
-    "enlace": (en_zip(("p.cpp", b"/etc/passwd", stat.S_IFLNK | 0o777)), "«p.cpp», en el .zip, no es un fichero corriente"),
+    "enlace": (en_zip(("p.cpp", b"/etc/passwd", stat.S_IFLNK | 0o777)), "«p.cpp», en el .zip, no es un fichero"),
     "enlace de carpeta": (en_zip(("a", b"/tmp", stat.S_IFLNK | 0o777), ("p.cpp", P)), "p.cpp"),
     "tubería": (en_zip(("p.cpp", b"", stat.S_IFIFO | 0o644)), "no es un fichero corriente"),
     "con clave": (con_clave(BUENO), "«p.cpp» está en un .zip con contraseña"),
@@ -190,8 +190,8 @@ def test_lo_que_hay_en_el_zip_de_todos_es_de_cada_uno(tmp_path):
         aula.busca(tmp_path, tmp_path / "c.zip")
 
 
-# Lo que hay en lo que se da → quiénes son, y los ficheros de cada uno o lo que se le dice. ~ es un blanco, y «_/», lo que
-# pone Moodle en el nombre de cada carpeta.
+# Lo que hay en lo que se da → quiénes son, y los ficheros de cada uno o lo que se le dice. ~ es un blanco, y tras el
+# número va lo que pone Moodle en el nombre de cada carpeta.
 NOMBRES = """
 Ana~Gil_1_/p.cpp Luis_2_/p.cpp → Ana~Gil_1_=p.cpp Luis_2_=p.cpp
 Ana_1/p.cpp Luis_2/a/p.cpp → Ana_1=p.cpp Luis_2=p.cpp
@@ -240,8 +240,8 @@ def test_quien_sube_lo_mismo_dos_veces_no_lo_entrega_dos(tmp_path):
 # --- la hoja de calificaciones --------------------------------------------------------------------------------------
 
 COLUMNAS = (
-    "Identificador|Nombre completo|Dirección de correo|Estado|Calificación|Calificación máxima|La calificación puede ser "
-    "cambiada|Última modificación (entrega)|Última modificación (calificación)|Comentarios de retroalimentación"
+    "Identificador|Nombre completo|Dirección de correo|Estado|Calificación|Calificación máxima|La calificación puede "
+    "ser cambiada|Última modificación (entrega)|Última modificación (calificación)|Comentarios de retroalimentación"
 ).split(
     "|"
 )  # las que da Moodle, en ese orden (mod/assign/gradingtable.php)

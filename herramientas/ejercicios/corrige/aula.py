@@ -1,6 +1,6 @@
-"""Lo que da una plataforma: una carpeta o un .zip con lo de todos, como los descarga Moodle, y dentro, lo que subió cada
-uno, que puede ser otro .zip. Nada de lo que hay en él es de fiar: de un .zip solo salen ficheros corrientes de los que
-se leen, a una carpeta temporal, y hasta un límite."""
+"""Lo que da una plataforma: una carpeta o un .zip con lo de todos, como los descarga Moodle, y dentro, lo que subió
+cada uno, que puede ser otro .zip. Nada de lo que hay en él es de fiar: de un .zip solo salen ficheros corrientes de
+los que se leen, a una carpeta temporal, y hasta un límite."""
 import itertools
 import os
 import re
@@ -201,8 +201,8 @@ def abierta(que, temporal):
 
 
 def reparte(rutas):
-    """De unas rutas en partes, {su carpeta: [(ruta dentro, cuál es)]} de cada uno, que son las carpetas de fuera, cuando
-    no están todas en una, o lo que tenga un nombre de Moodle. Vacío, si es lo de uno solo."""
+    """De unas rutas en partes, {su carpeta: [(ruta dentro, cuál es)]} de cada uno: son las carpetas de fuera, cuando no
+    están todas en una, o lo que tenga un nombre de Moodle. Vacío, si es lo de uno solo."""
     while rutas and len({r[0] for r in rutas}) == 1 and all(len(r) > 1 for r in rutas) and not de_moodle(rutas[0][0]):
         rutas = [r[1:] for r in rutas]
     quienes, de_cada_uno = {}, {}

@@ -72,8 +72,8 @@ def fichero_de(carpeta):
 
 
 def clase(banco, carpetas, destino, a_la_vez, leidas=None):
-    """{carpeta: su corrección}, que cada una es una entrega. Lo que no se pueda corregir por algo que no es suyo se dice
-    y queda para la próxima vez."""
+    """{carpeta: su corrección}: cada una es una entrega. Lo que no se pueda corregir por algo que no es suyo se dice y
+    queda para la próxima vez."""
     correcciones, fallos = {}, []
 
     def una(carpeta):

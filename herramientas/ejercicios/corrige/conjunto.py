@@ -1,5 +1,5 @@
-"""Una clase entera: cómo se llama cada uno, en qué se han equivocado, quién se parece a quién, y lo que se le devuelve a
-cada uno, que Moodle recoge en un .zip con los nombres de carpeta que dio."""
+"""Una clase entera: cómo se llama cada uno, en qué se han equivocado, quién se parece a quién, y lo que se le devuelve
+a cada uno, que Moodle recoge en un .zip con los nombres de carpeta que dio."""
 import io
 import re
 import zipfile
@@ -136,8 +136,8 @@ def en_zip(paginas_):
 
 
 def de_vuelta(nombre, hoja):
-    """En qué carpetas recoge Moodle lo de uno: la que dio o, si la tarea es de grupos, una por cada uno del suyo, que el
-    número que da es el del grupo y Moodle busca el de una persona."""
+    """En qué carpetas recoge Moodle lo de uno: la que dio o, si la tarea es de grupos, una por cada uno del suyo,
+    porque el número que da es el del grupo y Moodle busca el de una persona."""
     m = de_moodle(nombre)
     if hoja and hoja.de_grupos and m:
         return hoja.carpetas(nombre)

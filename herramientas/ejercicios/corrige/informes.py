@@ -69,7 +69,7 @@ def plantilla():
 
 
 def pagina(c, programa, ref, suya="", quien="", de=None):
-    """La de una corrección, con todo dentro. SUYA: su carpeta de mios/, si la corrige quien la lee. DE: la plantilla, si
-    se hacen muchas."""
+    """La de una corrección, con todo dentro. SUYA: su carpeta de mios/, si la corrige quien la lee. DE: la plantilla,
+    si se hacen muchas."""
     datos = {"suya": suya, "quien": quien or c["entrega"], "programa": programa, "ref": ref}
     return (de or plantilla()).render(c=c, en_donde=en_donde, en_palabras=guiones.en_palabras, **datos)

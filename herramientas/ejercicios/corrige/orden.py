@@ -1,10 +1,10 @@
 """orden.py RAÍZ BUILD ENTREGA [EJERCICIO] [opciones]: corrige lo que ha hecho un estudiante, o una clase entera.
 
 ENTREGA es mios/NOMBRE, o una carpeta con lo mismo dentro; si dentro hay carpetas con programas, es una clase, y cada
-una, una entrega; también vale lo que descarga Moodle, en una carpeta o en su .zip. Lo entregado y la solución juegan los mismos guiones, los casos del ejercicio y otros al azar con
-los controles de su programa, y tras cada orden se comparan las imágenes y los títulos. El guion que falla se acorta
-y, si algún defecto conocido plantado en la solución (errores/) deja en todos los guiones lo que deja la entrega, se
-dice cuál.
+una, una entrega; también vale lo que descarga Moodle, en una carpeta o en su .zip. Lo entregado y la solución juegan
+los mismos guiones, los casos del ejercicio y otros al azar con los controles de su programa, y tras cada orden se
+comparan las imágenes y los títulos. El guion que falla se acorta y, si algún defecto conocido
+plantado en la solución (errores/) deja en todos los guiones lo que deja la entrega, se dice cuál.
 """
 import argparse
 import os
