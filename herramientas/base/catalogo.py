@@ -69,8 +69,23 @@ class Programa:
         return self.ref.split()
 
     @property
+    def carpeta(self):
+        """Donde están sus ficheros, desde RAÍZ."""
+        return Path(self.capitulo.nombre)
+
+    @property
     def fuente(self):
-        return Path(self.capitulo.nombre, f"{self.nombre}.cpp")
+        return self.carpeta / f"{self.nombre}.cpp"
+
+    @property
+    def raices(self):
+        """Dónde busca sus ficheros antes que en el laboratorio."""
+        return []
+
+    @property
+    def objetivo(self):
+        """Con qué nombre se compila, sin el del enlace."""
+        return self.nombre
 
     def ficheros(self, raiz):
         """Su fuente y sus shaders: los lee siempre, aunque no lo apunte en $LAB_LEIDOS porque no usa common/."""

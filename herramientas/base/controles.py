@@ -98,12 +98,13 @@ def tabla(raiz):
 def atiende(build, programa, guion="", **entorno):
     """De qué se entera tras ese guion: lo que dice -rasgos de él, y las opciones de sus menús, salvo la que lo
     termina."""
+    raices = {"LAB_RAIZ": ":".join(map(str, programa.raices))} if programa.raices else {}
     with tempfile.TemporaryDirectory() as carpeta:
         dice = ejecuta(
             [programa.ejecutable(build), "-guion", guion, "-rasgos"],
             cwd=carpeta,
             text=True,
-            env={**os.environ, **entorno},
+            env={**os.environ, **raices, **entorno},
         )
     rasgos = {linea for linea in dice.splitlines() if not linea.startswith("opcion ")}
     opciones = [linea.removeprefix("opcion ") for linea in dice.splitlines() if linea.startswith("opcion ")]

@@ -80,13 +80,22 @@ def lee(*carpetas):
     mutantes, fallos = [], []
     listas = sorted(lista for carpeta in carpetas for lista in carpeta.glob("*.tsv"))
     for n, lista in enumerate(listas):
-        for i, linea in enumerate(lista.read_text().splitlines(), 1):
-            columnas = linea.replace("\\n", "\n").split("\t")
-            if len(columnas) in (4, 5, 6) and all(columnas[:4]) and columnas[-1]:
-                mutantes.append(Mutante(lista.stem, i, 1000 * n + i, *columnas))
-            else:
-                son = "fichero, texto, texto estropeado, qué imita y, si acaso, motivo y qué se le dice a un alumno"
-                fallos.append(f"{lista.stem}:{i}: son {son}")
+        suyos, mal = lee_lista(lista, 1000 * n)
+        mutantes += suyos
+        fallos += mal
+    return mutantes, fallos
+
+
+def lee_lista(lista, desde=0):
+    """Los de una, si la hay."""
+    mutantes, fallos = [], []
+    for i, linea in enumerate(lista.read_text().splitlines() if lista.is_file() else (), 1):
+        columnas = linea.replace("\\n", "\n").split("\t")
+        if len(columnas) in (4, 5, 6) and all(columnas[:4]) and columnas[-1]:
+            mutantes.append(Mutante(lista.stem, i, desde + i, *columnas))
+        else:
+            son = "fichero, texto, texto estropeado, qué imita y, si acaso, motivo y qué se le dice a un alumno"
+            fallos.append(f"{lista.stem}:{i}: son {son}")
     return mutantes, fallos
 
 

@@ -13,10 +13,11 @@ INCLUYE = re.compile(r'^#include "(.*)"$', re.MULTILINE)  # de GLSL, como lo hac
 
 
 def nombra(raiz, fichero):
-    """Los de los capítulos que ese nombra entre comillas, cabeceras y shaders, a su lado o desde RAÍZ."""
+    """Los que ese nombra entre comillas, cabeceras y shaders, a su lado o, de los capítulos, desde RAÍZ."""
     for nombre in NOMBRADO.findall((raiz / fichero).read_text()):
         for candidato in (fichero.parent / nombre, Path(nombre)):
-            if candidato.parts[0].startswith("ch") and (raiz / candidato).is_file():
+            suyo = candidato.parent == fichero.parent and fichero.parent != Path("common")
+            if (suyo or candidato.parts[0].startswith("ch")) and (raiz / candidato).is_file():
                 yield candidato
 
 

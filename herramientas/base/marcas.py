@@ -7,7 +7,7 @@ lo que pide.
     // fin de L5.2
 
 El punto de partida de quien lo hace es el mismo fichero sin lo de en medio, salvo lo que dice «de partida», si hace
-falta algo en su lugar.
+falta algo en su lugar. En uno de quien enseña (ejercicios/propios.py), en vez del código va el nombre de su carpeta.
 
 marcas.py RAÍZ CARPETA: deja en CARPETA los shaders de RAÍZ, con todos sus ejercicios por hacer.
 """
@@ -16,7 +16,7 @@ import sys
 from pathlib import Path
 
 TROZO = re.compile(
-    r"^(?P<abre> *// (?P<codigo>[EL]\d+\.\d+): (?P<pide>.+)\n)"
+    r"^(?P<abre> *// (?P<codigo>[EL]\d+\.\d+|[a-z0-9_]+): (?P<pide>.+)\n)"
     r"(?P<hecho>(?:.*\n)*?)"
     r"(?P<cierra> *// fin de (?P=codigo)\n)",
     re.MULTILINE,

@@ -1,6 +1,6 @@
-"""nuevo.py RAÍZ BUILD MIOS QUÉ [NOMBRE]: una carpeta de quien aprende, MIOS/NOMBRE. Con un ejercicio (E3.5), su
-esqueleto: los ficheros de la solución sin lo que se pide, que dicen las marcas (base/marcas.py). Con un programa, una
-copia para jugar con ella."""
+"""nuevo.py RAÍZ BUILD MIOS QUÉ [NOMBRE]: una carpeta de quien aprende, MIOS/NOMBRE. Con un ejercicio (E3.5, o la
+carpeta de uno de quien enseña: propios.py), su esqueleto: los ficheros de la solución sin lo que se pide, que dicen
+las marcas (base/marcas.py). Con un programa, una copia para jugar con ella."""
 import re
 import shutil
 import sys
@@ -8,8 +8,10 @@ from pathlib import Path
 
 from base import catalogo, controles, fuentes, libro, marcas, paginas
 from base.procesos import Fallo, principal
+from ejercicios import propios, reglas
 
-EJERCICIO = "ejercicio.txt"  # en la carpeta: «E3.5 ch03_transformaciones/grua», o solo el programa si no se corrige
+# en la carpeta: «E3.5 ch03_transformaciones/grua», o solo el programa si no se corrige
+EJERCICIO = propios.EJERCICIO
 
 
 def deja(texto, referencia=""):
@@ -30,18 +32,18 @@ def pide(texto, referencia):
 
 
 def suyos(raiz, programa):
-    """Su fuente, su cabecera y sus shaders."""
-    return [f.name for f in programa.ficheros(raiz) if f.suffix in (".cpp", ".h", ".vert", ".frag")]
+    """Su fuente, su cabecera y sus shaders; de uno propio, todo lo suyo."""
+    return [f.name for f in programa.ficheros(raiz) if f.suffix in propios.DADOS]
 
 
 def del_capitulo(raiz, programa):
     """Los ficheros de su capítulo que usa, cada uno con su texto y los que nombra."""
-    carpeta = Path(programa.capitulo.nombre)
+    carpeta = programa.carpeta
     textos, nombrados, por_leer = {}, {}, suyos(raiz, programa)
     while por_leer:
         fichero = por_leer.pop()
         if fichero not in textos:
-            textos[fichero] = (raiz / carpeta / fichero).read_text()
+            textos[fichero] = propios.lee_texto(raiz / carpeta / fichero)
             nombrados[fichero] = [
                 f.name for f in fuentes.nombra(raiz, carpeta / fichero) if f.parent == carpeta and f.suffix != ".cpp"
             ]
@@ -79,7 +81,7 @@ def aqui(textos, programa):
 def esqueleto(raiz, programa, referencia):
     """De cada fichero, su texto sin lo que se pide; del principal, tampoco lo que cuenta del resultado."""
     textos = {f: deja(texto, referencia) for f, texto in de_la_carpeta(raiz, programa, referencia).items()}
-    principio = f"// {programa.titulo}: el {libro.nombre(referencia)}, que cuenta ENUNCIADO.md.\n"
+    principio = f"// {programa.titulo}: {como_se_llama(referencia)}, que cuenta ENUNCIADO.md.\n"
     textos[programa.fuente.name] = re.sub(r"\A(?:// (?!Controles: ).*\n)+", principio, textos[programa.fuente.name])
     return aqui(textos, programa)
 
@@ -89,8 +91,33 @@ def solucion(raiz, programa, referencia=""):
     return aqui({f: deja(texto) for f, texto in de_la_carpeta(raiz, programa, referencia).items()}, programa)
 
 
+def como_se_llama(referencia):
+    return f"el {libro.nombre(referencia)}" if es_del_libro(referencia) else "el ejercicio"
+
+
+def es_del_libro(referencia):
+    return bool(re.fullmatch(r"E\d+\.\d+", referencia))
+
+
+def es_de_shaders(referencia):
+    """Los de la página: se piden dentro de unos shaders, y solo ellos se entregan."""
+    return bool(re.fullmatch(r"L\d+\.\d+", referencia))
+
+
+def pedidos(raiz, programa, referencia):
+    """Los ficheros en que está lo que se pide, por su ruta, enteros."""
+    return {str(f): (raiz / f).read_text() for f in privados(raiz, programa, referencia)}
+
+
+def shaders(raiz):
+    todos = [f for tipo in fuentes.SHADERS for f in raiz.glob(f"ch*/*{tipo}")]
+    return [(f.relative_to(raiz), f.read_text()) for f in sorted(todos)]
+
+
 def privados(raiz, programa, referencia):
-    """Los ficheros del laboratorio en que está lo que se pide."""
+    """Los ficheros del laboratorio en que está lo que se pide. Los de la página pueden ser de otro que los carga."""
+    if es_de_shaders(referencia):
+        return [f for f, texto in shaders(raiz) if pide(texto, referencia)]
     return [
         programa.fuente.with_name(f) for f, texto in del_capitulo(raiz, programa)[0].items() if pide(texto, referencia)
     ]
@@ -98,7 +125,7 @@ def privados(raiz, programa, referencia):
 
 def ejercicios(raiz, programas):
     """El programa de cada ejercicio que se puede corregir: los que tienen alguna marca."""
-    return {r: p for p in programas for r in p.referencias if r.startswith("E") and privados(raiz, p, r)}
+    return {r: p for p in programas for r in p.referencias if (es_del_libro(r) or p.raices) and privados(raiz, p, r)}
 
 
 def ejercicio_dicho(texto, programas):
@@ -107,8 +134,18 @@ def ejercicio_dicho(texto, programas):
     return "".join(referencia), next(p for p in programas if f"{p.capitulo.nombre}/{p.nombre}" == origen)
 
 
+def encabezado(raiz, programa, referencia):
+    """Lo que se pide: del libro, en nuestras palabras; de uno propio, en las de su ENUNCIADO.md."""
+    if es_del_libro(referencia):
+        cosa = next(c for c in libro.cosas(raiz) if c.codigo == referencia)
+        return f"# Ejercicio {referencia[1:]}: {cosa.que}\n\n{cosa.enunciado}"
+    suyo = programa.carpeta / propios.ENUNCIADO
+    if not suyo.is_file():
+        raise Fallo(f"nuevo: falta {suyo}, que es lo que se le da a quien lo hace")
+    return propios.lee_texto(suyo).strip()
+
+
 def enunciado(raiz, programa, referencia, nombre, ficheros):
-    cosa = next(c for c in libro.cosas(raiz) if c.codigo == referencia)
     textos = del_capitulo(raiz, programa)[0]
     dados = sorted(
         {
@@ -125,7 +162,9 @@ def enunciado(raiz, programa, referencia, nombre, ficheros):
         for que in pide(textos[f], referencia)
     ]
     return paginas.plantilla(Path(__file__).with_name("enunciado.md")).render(
-        cosa=cosa,
+        encabezado=encabezado(raiz, programa, referencia),
+        referencia=referencia,
+        reglas=reglas.del_programa(programa),
         programa=programa,
         nombre=nombre,
         huecos=huecos,
@@ -137,13 +176,17 @@ def enunciado(raiz, programa, referencia, nombre, ficheros):
 
 def elige(raiz, programas, pedido):
     """La referencia, vacía si no es un ejercicio, y el programa."""
-    referencia = pedido.upper()
     hay = ejercicios(raiz, programas)
+    if pedido in hay:
+        return pedido, hay[pedido]
+    referencia = pedido.upper()
     if re.fullmatch(r"E?\d+\.\d+", referencia) and not any(referencia in p.referencias for p in programas):
         raise Fallo(f"nuevo: no hay ejercicio «{pedido}»; se corrigen {', '.join(hay)}")
     elegidos = catalogo.resuelve(programas, pedido)
     if len(elegidos) > 1:
         raise Fallo(f"nuevo: «{pedido}» son varios programas; elige uno: {', '.join(p.nombre for p in elegidos)}")
+    if elegidos[0].raices:
+        raise Fallo(f"nuevo: en {elegidos[0].carpeta} no hay nada entre «// {pedido}: …» y «// fin de {pedido}»")
     if referencia in elegidos[0].referencias and referencia.startswith("E") and not referencia.startswith("EC"):
         if referencia not in hay:
             raise Fallo(
@@ -191,7 +234,9 @@ def main():
             "nuevo: hace falta un ejercicio o un programa y, si acaso, el nombre de la carpeta: "
             "./lab nuevo E3.5 mi_grua"
         )
-    referencia, carpeta = crea(Path(raiz), catalogo.lee_programas(build), Path(mios), *resto)
+    raiz, build = Path(raiz).resolve(), Path(build)
+    programas, resto[0] = propios.resuelve(raiz, build, resto[0])
+    referencia, carpeta = crea(raiz, programas, Path(mios), *resto)
     if referencia:
         print(
             f"{carpeta}: lo que se pide está en ENUNCIADO.md. Para verlo, ./lab ver mios/{carpeta.name}; "

@@ -12,8 +12,8 @@ from base import catalogo, defectos
 from base.procesos import principal
 from ejercicios import nuevo
 from ejercicios.corrige.banco import Banco
-from ejercicios.corrige.orden import GUIONES
 from ejercicios.corrige.partidas import Guion
+from ejercicios.reglas import Reglas
 
 LISTA = "tests/casos/senala.tsv"
 PARTE = 0.7
@@ -45,7 +45,7 @@ def es_ahi(debe, m, hallado, suyas):
 
 def de_ejercicio(raiz, build, ref, programa, temporal, uno_de):
     """De cada error que se ve, lo que se dice; None, si nada."""
-    banco = Banco(raiz, build, ref, programa, temporal, None, 1, GUIONES)
+    banco = Banco(raiz, build, ref, programa, temporal, None, 1, Reglas())
     suyos = banco.motivos.defectos
     for k, (m, (_, jugador)) in enumerate(zip(suyos, banco.motivos.variantes()[-len(suyos) :])):
         if k % uno_de:

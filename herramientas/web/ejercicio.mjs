@@ -3,6 +3,7 @@
 import { Taller } from './almacen.mjs';
 import { boton, crea, todos, una } from '../base/documento.mjs';
 import { recuerda } from './datos.mjs';
+import { guarda } from './descarga.mjs';
 import { BASTA, compara, pixeles, porciento } from './imagenes.mjs';
 import { arranca } from './programa.mjs';
 import { ponResueltos } from './resueltos.mjs';
@@ -47,7 +48,15 @@ export class Ejercicio {
     pide.push(crea('p', {}, 'Un número real lleva punto: 1.0 y no 1.'));
     const ver = boton('Ver la solución', async () => ver.setAttribute('aria-pressed', await cambiaDeVista()));
     ver.setAttribute('aria-pressed', false);
-    una('.tarea').replaceChildren(crea('div', {}, ...pide), ver);
+    const descarga = boton('Descarga mi shader', () => this.descarga(), { className: 'descarga',
+      title: 'Lo que has escrito, para entregarlo: ./lab corrige lo corrige' });
+    una('.tarea').replaceChildren(crea('div', {}, ...pide), ver, descarga);
+  }
+
+  /// Lo escrito, cada shader con su nombre.
+  async descarga() {
+    const textos = await this.taller.textos();
+    for (const ruta of Object.keys(this.pide)) guarda(new Blob([textos[ruta]]), ruta.split('/').pop());
   }
 
   deja() {

@@ -6,7 +6,8 @@ import { acomodaLado, sigueEnLado } from '../base/lado.mjs';
 import { Taller } from './almacen.mjs';
 import { ensenaCatalogo } from './catalogo.mjs';
 import { json } from './datos.mjs';
-import { avisa, crea, todos, una } from '../base/documento.mjs';
+import { avisa, todos, una } from '../base/documento.mjs';
+import { guarda } from './descarga.mjs';
 import { explicaCuadro } from './cuadro_vivo.mjs';
 import { apuntaPlantilla } from './estado.mjs';
 import { Editor } from './editor.mjs';
@@ -145,11 +146,7 @@ function entra(datos, caso, guion) {
 }
 
 function guardaImagen() {
-  escena.sesion?.lienzo.toBlob(png => {
-    const enlace = crea('a', { href: URL.createObjectURL(png), download: `${visto.programa.nombre}.png` });
-    enlace.click();
-    setTimeout(() => URL.revokeObjectURL(enlace.href), 1000);
-  });
+  escena.sesion?.lienzo.toBlob(png => guarda(png, `${visto.programa.nombre}.png`));
 }
 
 /// El enlace de lo que se ve.

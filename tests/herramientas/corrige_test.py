@@ -37,6 +37,7 @@ from ejercicios.corrige import partidas, veredicto
 from ejercicios.corrige.arbitro import BIEN, CASI, Arbitro, aparte
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion, Partida
+from ejercicios.reglas import Reglas
 from pruebas import huecos
 from mentira import ejecutable, faltan, siembra
 
@@ -191,7 +192,8 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
             juega=juega, parecido=lambda una, otra: BIEN if una == otra else CASI * (otra[2][0] == 7)
         )
         arbitro.difiere = lambda *p: Arbitro.difiere(arbitro, *p)
-        banco = SimpleNamespace(todos=casos + otros, arbitro=arbitro, compilador=SimpleNamespace(solucion="solución"))
+        banco = SimpleNamespace(todos=casos + otros, arbitro=arbitro, reglas=Reglas())
+        banco.compilador = SimpleNamespace(solucion="solución")
         correccion = veredicto.Correccion(banco, {})
         correccion.jugador, correccion.muestra, correccion.explica = "entrega", lambda fallan: [], lambda *_: []
         return correccion.compara()["nota"]
@@ -244,7 +246,8 @@ def test_una_entrega_lenta_se_deja(monkeypatch):
     monkeypatch.setattr(veredicto.time, "monotonic", lambda: next(reloj))
     arbitro = SimpleNamespace(juega=lambda *_: partida(1), difiere=lambda *_: None)
     todos = [Guion(str(i), ()) for i in range(20)]
-    banco = SimpleNamespace(todos=todos, arbitro=arbitro, compilador=SimpleNamespace(solucion="solución"))
+    banco = SimpleNamespace(todos=todos, arbitro=arbitro, reglas=Reglas())
+    banco.compilador = SimpleNamespace(solucion="solución")
     lenta = veredicto.Correccion(banco, None)
     lenta.jugador = "entrega"
     hecho = lenta.compara()
@@ -387,7 +390,10 @@ def banco_falso(temporal, **mas):
         "semilla": "1",
         "todos": guiones_,
         "de_partida": de_partida,
+        "dados": de_partida[:1],
+        "programa": SimpleNamespace(nombre="a", titulo="A", casos=[]),
         "temporal": temporal,
+        "reglas": Reglas(),
     }
     return SimpleNamespace(**{**hay, "arbitro": None, **mas})
 
@@ -419,7 +425,7 @@ def test_una_clase_revuelta(tmp_path, juzga):
     leida.completa({"p.h": "de partida"}, "p.cpp")
     assert leida.ficheros["p.h"] == b"viejo"
     assert not fallos and len(list(destino.glob("*.json"))) == len(debe) >= 45
-    dicho = {c.name: "; ".join(informes.lineas(hecha)) for c, hecha in zip(dentro, hechas)}
+    dicho = {c.name: "; ".join(informes.lineas(hecha)) for c, hecha in hechas.items()}
     assert dicho == debe
     visibles = {n for n in debe if n.isprintable() and len(n.encode()) <= 200}
     assert {f"{n}.json" for n in visibles} <= {f.name for f in destino.iterdir()}
@@ -444,8 +450,9 @@ HOSTILES = [a + texto + b for texto in FALSO for a, b in (("", ""), ("hola\n", "
 def sin_banco(monkeypatch, temporal):
     """La orden entera, sin compilar ni jugar."""
     monkeypatch.setattr(orden_, "Banco", lambda *_: banco_falso(temporal))
-    monkeypatch.setattr(orden_, "ejercicio", lambda *_: (REF, SimpleNamespace(nombre="a", titulo="A", casos=[])))
-    monkeypatch.setattr(orden_.catalogo, "lee_programas", lambda _: [])
+    programa = SimpleNamespace(nombre="a", titulo="A", casos=[], raices=[])
+    monkeypatch.setattr(orden_, "ejercicio", lambda *_: (REF, programa))
+    monkeypatch.setattr(orden_.propios, "resuelve", lambda raiz, build, pedido: ([], pedido))
 
 
 def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, capsys):
@@ -473,10 +480,10 @@ def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, 
     monkeypatch.setattr(orden_, "Jaula", lambda _: SimpleNamespace(comprueba=lambda: None))
     for carpeta in sorted((tmp_path / "clase").iterdir()):
         vpl = pide(carpeta, REF, "--vpl")
-        assert [ll.partition(":=>>")[0] for ll in vpl.splitlines()] == ["Comment "] * 5 + ["Grade "]
+        assert [ll.partition(":=>>")[0] for ll in vpl.splitlines()] == ["Comment "] * 6 + ["Grade "]
         escrito += vpl + pide(carpeta, REF, "--sin-jaula", "--json", tmp_path / "una.json")
     d = tmp_path / "d"
-    ficheros = [tmp_path / "j.xml", d / "notas.csv", d / "index.html", *d.glob("*.json")]
+    ficheros = [tmp_path / "j.xml", d / "notas.csv", d / "index.html", *d.glob("*.json"), *d.glob("comentarios/*.html")]
     escrito += "".join(f.read_text().replace("\r\n", "\n") for f in ficheros)
     assert {c for c in escrito if not c.isprintable()} <= {"\n"}
     assert max(map(len, escrito.split("\n"))) < 4 * entrega.LETRAS + 300
@@ -489,7 +496,7 @@ def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, 
 
 def test_la_nota_de_vpl(monkeypatch):
     hecha = {"entrega": "ana", "ejercicio": REF, "semilla": "7", "nota": 87.5, "bien": 20, "guiones": 29}
-    hecha |= {"dice": [], "fallos": []}
+    hecha |= {"dice": [], "fallos": [], "reglas": ""}
     for limite, valor, nota in (("", "", "87.5"), ("MAX", "10", "8.75"), ("MIN", "2", "9")):
         monkeypatch.setenv(f"VPL_GRADE{limite}", valor)
         assert informes.en_vpl(hecha).endswith(f"\nGrade :=>> {nota}")
@@ -512,7 +519,8 @@ def test_lo_que_ya_se_ha_corregido(tmp_path, juzga):
 
     assert se_hace() and not se_hace()
     otro = [Guion("caso", (), True), Guion("al azar", ("tecla b",))]
-    for cambio in ({"version": "w"}, {"semilla": "2"}, {"todos": otro}, {"de_partida": ({**UNO, "q.h": ""}, "p.cpp")}):
+    cambios = {"version": "w"}, {"semilla": "2"}, {"todos": otro}, {"reglas": Reglas(casi=3)}
+    for cambio in (*cambios, {"de_partida": ({**UNO, "q.h": ""}, "p.cpp")}):
         assert se_hace(**cambio) and not se_hace(**cambio) and se_hace(), cambio
     for cambio in ({"p.cpp": "otro"}, {"p.h": "x"}, {"q.h": ""}, {"ejercicio.txt": "E4.4 x"}):
         siembra(sitio, cambio)
@@ -610,7 +618,9 @@ OPCIONES = {  # lo que cambia cada una, de una entrega y de una clase
     "--junit J": ({"deja"}, {"deja"}),
     "--vpl": ({"deja", "escribe"}, set()),
     "-j 1": (set(), {"a la vez"}),
+    "--moodle H.csv": (None, {"deja"}),  # de una sola no vale
     "--sin-jaula": ({"jaula"}, {"jaula"}),
+    "--reglas R": ({"escribe"}, set()),
 }
 
 
@@ -645,13 +655,14 @@ def test_cada_opcion_cambia_lo_suyo(tmp_path, juzga, monkeypatch, capsys):
         sitio = tmp_path / f"{que}{opcion}".replace(" ", "")
         for nombre in ("",) if que == "una" else ("ana/", "luis/", "eva/"):
             siembra(sitio / "e", {nombre + fichero: texto for fichero, texto in UNO.items()})
+        siembra(sitio, {"H.csv": "Identifier,Grade\nParticipant 1,\n", "R": "titulo = 7\n"})
         visto.clear()
         a_la_vez[0] = 1 if que == "una" or opcion == "-j 1" else 3
         monkeypatch.chdir(sitio)
         monkeypatch.setattr(sys, "argv", ["x", str(RAIZ), str(BUILD), "e", REF, *opcion.split()])
         assert orden_.main() == (nota[0] != 100)
         visto["escribe"] = capsys.readouterr().out.replace(f"semilla {visto['semilla']}", "").replace("5 guiones", "")
-        visto["escribe"] = re.sub(r"\d+ de \d+ guiones", "", visto["escribe"])
+        visto["escribe"] = re.sub(r"(\d+ de )?(los )?\d+ (guiones|al azar)", "", visto["escribe"])
         hecho = {**visto, "deja": sorted(str(f.relative_to(sitio)) for f in sitio.rglob("*"))}
         antes = {f: f.read_bytes() for f in sitio.rglob("*") if f.is_file()}
         a_la_vez[0] = 1
@@ -663,10 +674,12 @@ def test_cada_opcion_cambia_lo_suyo(tmp_path, juzga, monkeypatch, capsys):
     for i, que in enumerate(("una", "clase")):
         base = hace(que, "")
         for opcion, cambia in OPCIONES.items():
+            if cambia[i] is None:
+                continue
             ahora = hace(que, opcion)
             assert {c for c in base if base[c] != ahora.get(c)} == cambia[i], (que, opcion)
             if opcion == "--guiones 3":
-                assert len(base["guiones"]) - len(ahora["guiones"]) == orden_.GUIONES - 3
+                assert len(base["guiones"]) - len(ahora["guiones"]) == Reglas().guiones - 3
     for que, nota[0] in itertools.product(("una", "clase"), (0, 50, 99.4, 99.9)):
         hace(que, f"--guiones {nota[0]:.0f}")  # el estado es 0 solo si todo está bien
 
@@ -677,7 +690,11 @@ def test_lo_que_no_se_ha_podido_corregir_se_dice(tmp_path, juzga, monkeypatch):
         carpeta_de(tmp_path / "c" / nombre, UNO)
     (tmp_path / "d/b.json").mkdir(parents=True)  # donde iría la de b
     hechas, fallos = de_clase.clase(banco_falso(tmp_path), sorted((tmp_path / "c").iterdir()), tmp_path / "d", 2)
-    assert [c["entrega"] for c in hechas] == ["a", "c"] and len(fallos) == 1 and fallos[0].startswith("b: no puedo")
+    assert (
+        [c["entrega"] for c in hechas.values()] == ["a", "c"]
+        and len(fallos) == 1
+        and fallos[0].startswith("b: no puedo")
+    )
     sin_banco(monkeypatch, tmp_path)
     pide = ["x", str(RAIZ), str(tmp_path), str(tmp_path / "c"), REF, "--sin-jaula", "--deja", str(tmp_path / "d")]
     monkeypatch.setattr(sys, "argv", pide)
@@ -692,6 +709,7 @@ x --guiones -1 | no entiendo «--guiones -1»
 x --semilla | falta lo que sigue a --semilla
 x -j 0 | no entiendo «-j 0»
 x E3.5 y | no entiendo «y»
+x --moodle | falta lo que sigue a --moodle
 x --vpl --sin-jaula | leería la solución"""
 
 
@@ -928,6 +946,8 @@ def comprueba_correcciones(clase, destino):
     assert {f["entrega"]: float(f["nota"]) for f in filas} == notas
     assert str(clase.with_name("temporal")) not in "".join(map(json.dumps, todas.values()))
     comprueba_pagina((destino / "index.html").read_text(), todas)
+    suyas = {nombre: (destino / f"comentarios/{nombre}.html").read_text() for nombre in todas}
+    comprueba_suyas(suyas, todas)
 
 
 def comprueba_pagina(pagina, todas):
@@ -936,23 +956,34 @@ def comprueba_pagina(pagina, todas):
     assert f"{len(notas)} entregas; de media, {sum(notas) / len(notas):.3g}." in pagina
     barras = [int(n or 0) for n in re.findall(r'<div><i style="[^"]*">(?:<b>(\d+)</b>)?</i>', pagina)]
     assert sum(barras) == len(notas) and barras[-1] == notas.count(100) and barras[0] == sum(n < 10 for n in notas)
-    filas = re.findall(
-        r'<tr><td>(?:<a href="#(e\d+)">)?([^<]+)(?:</a>)?</td>\s*<td class="nota(?: mal)?">([\d.]+)</td>', pagina
-    )
+    filas = re.findall(r'<tr><td><a href="(.*)">([^<]+)</a></td>\s*<td class="nota(?: mal)?">([\d.]+)</td>', pagina)
     assert {nombre: float(nota) for _, nombre, nota in filas} == {
         n: float(f"{c['nota']:.3g}") for n, c in todas.items()
     }
-    assert set(re.findall('id="(e.*?)"', pagina)) == {sitio for sitio, *_ in filas} - {""}
+    assert all(sitio == f"comentarios/{nombre}.html" for sitio, nombre, _ in filas)
+    errores = re.findall(r"<h3><b>(\d+)</b> (.*)</h3>", pagina)
+    assert [int(n) for n, _ in errores] == sorted((int(n) for n, _ in errores), reverse=True)
+    assert dict((dice, int(n)) for n, dice in errores)["No compila"] == sum(
+        c["dice"][:1] != [] and c["dice"][0].startswith("no compila") for c in todas.values()
+    )
     assert f"Todo bien: {', '.join(sorted(n for n, c in todas.items() if c['nota'] == 100))}." in re.sub(
         r"\s+", " ", pagina
     )
+
+
+def comprueba_suyas(suyas, todas):
+    """La de cada uno es suya, y con todo dentro."""
+    for nombre, pagina in suyas.items():
+        assert f"<span>{nombre}</span>" in pagina and not [n for n in suyas if n != nombre and f">{n}<" in pagina]
+        assert not re.search(r'(src|href)="(?!data:)', pagina) and "url(" not in pagina
+    pagina = "".join(suyas.values())
     casos = re.findall(r'aria-label="(bien|mal)">(.)</span>\s*(.*?):', pagina)
     assert {(como, marca) for como, marca, _ in casos} == {("bien", "✓"), ("mal", "✗")} and (
         "bien",
         "✓",
         "En reposo",
     ) in casos
-    al_reves = pagina[pagina.index("<span>c_gira_al_reves") : pagina.index("<span>d_orden")]
+    al_reves = suyas["c_gira_al_reves"]
     hallado = re.search(
         r'Para verlo: pulsa (.) 7 veces\..*?base64,(.*?)" alt="lo entregado.*?base64,(.*?)" alt="lo esperado',
         al_reves,

@@ -19,7 +19,7 @@ BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
 sys.path[:0] = [str(RAIZ / carpeta) for carpeta in ("herramientas", "tests/propiedades", "tests/ordenes")]
 from base import catalogo, controles, defectos, evidencia, fuentes, guiones, indice, libro, marcas, paginas, procesos
 from ejercicios import nuevo
-from ejercicios.corrige import entrega, informes
+from ejercicios.corrige import conjunto, entrega
 from galeria import dibuja
 from galeria.pagina import AQUI as GALERIA, MODULOS
 from informe import cocientes, costes, grafica, informe, tecnicas
@@ -279,8 +279,10 @@ def test_en_rojo_va_lo_que_pasa_y_cada_nota_en_su_barra(tmp_path):
     rojas = [re.findall('class="mal">(.*?)<', fila) for fila in re.findall("<tr><td>p<.*?</tr>", pagina, re.S)]
     assert rojas == [[f"{ms[-1]}"] if ms[-1] > 100 else [] for ms in tardan]
     notas = 0, 9.9, 10, 47, 49.9, 50, 95, 99.9, 100
-    hechas = [{"entrega": "a", "nota": n, "dice": [""], "fallos": [], "casos": {}, "semilla": 1} for n in notas]
-    informes.escribe_pagina(tmp_path, hechas, SimpleNamespace(titulo="A"), "E1.1")
+    nada = {"dice": [""], "fallos": [], "casos": {}, "semilla": 1, "reglas": ""}
+    hechas = [{"entrega": "a", "nota": n, **nada} for n in notas]
+    una = SimpleNamespace(programa=SimpleNamespace(titulo="A"), ref="E1.1", dados=())
+    conjunto.escribe(tmp_path, {Path(f"{i}"): c for i, c in enumerate(hechas)}, una, {})
     pagina = (tmp_path / "index.html").read_text()
     assert re.findall('<td class="nota( mal)?">(.*?)<', pagina) == [(" mal" * (n < 50), f"{n:g}") for n in notas]
     barras = {tramo: int(n or 0) for n, tramo in re.findall(r"(?:<b>(\d+)</b>)?</i><span>(.*?)</span>", pagina)}

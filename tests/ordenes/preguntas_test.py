@@ -26,13 +26,14 @@ EJEMPLOS = dict(zip(ORDENES, ORDENES)) | {
     "dora": "dora todo",
     "muta": "muta --comprueba",
     "corrige": "corrige clase E1.2",
+    "ejercicio": "ejercicio comprueba uno",
 }
 SIN_PREPARAR = {"paquetes", "ayuda"}  # no compilan ni escriben nada
 PREPARAN = [orden for orden in ORDENES if orden not in SIN_PREPARAR]
 NO_ES_ESPANOL = re.compile(
     r"line \d+: |: \w+ error|Traceback|Exception|No such|Permission|cannot|failed|File too|No space"
 )
-# Un corrector que solo dice cómo se le llama: el de verdad, en corrige_test.
+# Un corrector que solo dice cómo se le llama: el de verdad, en corrige_test; y el que comprueba, en propios_test.
 CORRECTOR = """import os, subprocess, sys
 from base.procesos import principal
 def main():
@@ -47,7 +48,8 @@ class Preguntado(Lab):
         super().__init__(sitio)
         siembra(self.raiz, {".gitignore": (RAIZ / ".gitignore").read_text()})
         siembra(self.raiz, {"tests/golden/ch01_uno/a.txt": "de antes", "tests/golden/ch01_uno/b.txt": "de ahora\n"})
-        siembra(self.raiz, {"herramientas/ejercicios/corrige/orden.py": CORRECTOR})
+        suyos = "corrige/orden.py", "comprueba.py"
+        siembra(self.raiz, {f"herramientas/ejercicios/{f}": CORRECTOR for f in suyos})
         self.git("init", "-q")
         self.git("add", "-A")
         (sitio / "llamadas").touch()

@@ -20,7 +20,7 @@ class SinPruebas:
 
     def __init__(self, sitio):
         self.sitio = sitio
-        for carpeta in ("build", "mios", "explica", "galeria", "informe", "aqui"):
+        for carpeta in ("build", "mios", "explica", "galeria", "informe", "ejercicios", "aqui"):
             (sitio / carpeta).mkdir()
         shutil.copytree(RAIZ / "docs", sitio / "docs")
         subprocess.run(["cp", "-a", *(f for f in BUILD.iterdir() if f.name not in DE_LAS_PRUEBAS), sitio / "build"])

@@ -164,6 +164,7 @@ def solucion_a_la_vista(p):
     p.exige(a_la_vista, "la solución se ve, y no se cambia")
     p.js(ver)
     p.exige(f"!cm.getOption('readOnly') && /lo mío/.test({texto})", "y lo de uno sigue")
+    baja_lo_escrito(p)
     p.js("todos('button', estado)[0].click()")
     p.exige(f"!visto.taller.cambios.size && !/mix\\(/.test({texto})", "se puede borrar lo escrito")
     exige(parecido(p)[0] < 90, "y volver a empezar")
@@ -172,6 +173,20 @@ def solucion_a_la_vista(p):
     navegador.accesible(p.n, "la página de un ejercicio")
     p.va_a("#ejercicio/L99.1")
     p.exige("una('#no-esta').textContent === 'No hay ningún ejercicio «L99.1».'", "el que no está se dice")
+
+
+def baja_lo_escrito(p):
+    """Con el nombre del shader, que es como lo espera ./lab corrige."""
+    p.js(
+        """window.bajado = []; const { click } = HTMLAnchorElement.prototype;
+      HTMLAnchorElement.prototype.click = function () {
+        if (!this.download) return click.call(this);
+        fetch(this.href).then(r => r.text())
+          .then(texto => bajado.push([this.download, texto === cm.getValue()].join()));
+      };
+      todos('.descarga')[0].click();"""
+    )
+    p.exige("bajado.join() === 'mezcla.frag,true'", "lo escrito se descarga con el nombre del shader")
 
 
 def sin_guardar(p):

@@ -11,6 +11,7 @@ from pathlib import Path
 from base.procesos import escribe, lanza
 from ejercicios.corrige.jaula import desempaqueta
 from ejercicios.corrige.partidas import TALLA, Guion, Partida
+from ejercicios.reglas import Reglas
 
 JUEGA = {"memoria": 1 << 30, "procesos": 8}
 PROCESADOR, VECES = 10, 4  # segundos: tantos, y lo que la solución tarda con ese guion, tantas veces
@@ -49,7 +50,10 @@ def aparte(esperada, obtenida):
 
 
 class Arbitro:
-    def __init__(self, build, ref, compilador, recinto, temporal, version):
+    tolerancia = Reglas().tolerancia
+
+    def __init__(self, build, ref, compilador, recinto, temporal, version, tolerancia=tolerancia):
+        self.tolerancia = tolerancia
         self.build, self.compilador, self.recinto, self.temporal = build, compilador, recinto, temporal
         self.parecidas = {}
         self.cache = temporal
@@ -141,7 +145,7 @@ class Arbitro:
             return 0
         clave = suma(repr(una[:2]), una[2], otra[2])
         if clave not in self.parecidas:
-            como = (BIEN, "--amplia"), (CASI, "--otro")
+            como = (BIEN, f"--{self.tolerancia}"), (CASI, "--otro")
             self.parecidas[clave] = next((cuanto for cuanto, c in como if self.compara(una, otra, c)), 0)
         return self.parecidas[clave]
 

@@ -5,31 +5,42 @@ from pathlib import Path
 
 from base import procesos
 from ejercicios import nuevo
-from ejercicios.corrige import partidas
+from ejercicios.corrige import partidas, shaders
 from ejercicios.corrige.arbitro import Arbitro, suma
 from ejercicios.corrige.compilador import Compilador
 from ejercicios.corrige.cuadro import DELANTE
 from ejercicios.corrige.donde import Donde
 from ejercicios.corrige.jaula import Recinto
 from ejercicios.corrige.motivos import Motivos, conocidos
+from ejercicios.corrige.shaders import DeShaders, MotivosDeShaders
 
 
 class Banco:
-    def __init__(self, raiz, build, ref, programa, temporal, jaula, semilla, n):
+    def __init__(self, raiz, build, ref, programa, temporal, jaula, semilla, reglas):
+        self.reglas = reglas
         self.ref, self.programa, self.semilla, self.temporal = ref, programa, semilla, temporal
         entorno = procesos.entorno()
         del entorno["MESA_SHADER_CACHE_DISABLE"]
         entorno |= {"LP_NUM_THREADS": "0", "LANG": "C.UTF-8", "PATH": "/usr/bin:/bin"}
         recinto = Recinto(temporal, jaula, entorno)
-        self.compilador = Compilador(raiz, build, programa, ref, recinto)
-        self.de_partida = nuevo.esqueleto(raiz, programa, ref), programa.fuente.name
+        con_shaders = nuevo.es_de_shaders(ref)
+        self.compilador = (DeShaders if con_shaders else Compilador)(raiz, build, programa, ref, recinto)
+        if con_shaders:
+            self.de_partida = shaders.esqueleto(raiz, programa, ref), ""
+            hecho = {f: nuevo.deja(texto) for f, texto in nuevo.pedidos(raiz, programa, ref).items()}
+        else:
+            self.de_partida = nuevo.esqueleto(raiz, programa, ref), programa.fuente.name
+            hecho = nuevo.solucion(raiz, programa, ref)
+        self.dados = self.de_partida[0], hecho  # lo que no es de nadie (parecidos.py)
         self.version = self.suma_todo(raiz, build)
-        self.todos = [
-            *partidas.de_los_casos(programa),
-            *partidas.al_azar(raiz, build, programa, f"{ref} {semilla}", n, entorno),
+        todos = [
+            *(shaders.guiones(raiz, build, programa, entorno) if con_shaders else partidas.de_los_casos(programa)),
+            *partidas.al_azar(raiz, build, programa, f"{ref} {semilla}", reglas.guiones, entorno),
         ]
-        self.arbitro = Arbitro(build, ref, self.compilador, recinto, temporal, self.version)
-        self.motivos = Motivos(raiz, programa, ref, self.compilador, self.arbitro)
+        self.todos = [g for g in todos if reglas.peso(g)]
+        self.arbitro = Arbitro(build, ref, self.compilador, recinto, temporal, self.version, reglas.tolerancia)
+        partes = raiz, programa, ref, self.compilador, self.arbitro
+        self.motivos = (MotivosDeShaders if con_shaders else Motivos)(*partes)
 
     @functools.cached_property
     def donde(self):
@@ -38,7 +49,7 @@ class Banco:
     def suma_todo(self, raiz, build):
         """Lo que cambia una corrección, además de lo entregado y de los guiones: quien corrige, lo que se da, lo que se
         ve y con qué se enlaza."""
-        textos = nuevo.de_la_carpeta(raiz, self.programa, self.ref), self.de_partida
+        textos = nuevo.pedidos(raiz, self.programa, self.ref), self.de_partida
         errores = conocidos(raiz, self.programa, self.ref)
         visto = [
             *sorted(Path(__file__).parent.glob("*.py")),

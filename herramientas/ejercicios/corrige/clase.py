@@ -7,6 +7,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 
 from base.procesos import Fallo, escribe, motivo
+from ejercicios.corrige import aula, parecidos
 from ejercicios.corrige.arbitro import suma
 from ejercicios.corrige.entrega import Rechazo, lee_entrega, limpio
 from ejercicios.corrige.informes import lineas
@@ -32,12 +33,15 @@ def limpia(que, oculta):
     return que
 
 
-def corrige(banco, carpeta, resultado=None):
-    """La corrección de una carpeta; si RESULTADO ya es la de lo mismo, esa."""
+def corrige(banco, carpeta, resultado=None, leidas=None):
+    """La corrección de una carpeta, o de lo que da una plataforma; si RESULTADO ya es la de lo mismo, esa. En LEIDAS se
+    deja su código."""
     datos = {"entrega": limpio(carpeta.name), "ejercicio": banco.ref, "semilla": banco.semilla}
-    que = [banco.version, banco.semilla, *(g.texto for g in banco.todos)]
+    datos["reglas"] = banco.reglas.en_palabras
+    que = [banco.version, banco.semilla, banco.reglas.en_palabras, *(g.texto for g in banco.todos)]
     try:
-        entrega, rechazo = lee_entrega(carpeta), ""
+        with aula.abierta(carpeta, banco.temporal) as sitio:
+            entrega, rechazo = lee_entrega(sitio), ""
         entrega.completa(*banco.de_partida)
         if entrega.ejercicio not in ("", banco.ref):
             entrega.avisos.insert(0, f"su carpeta es de otro ejercicio, el {entrega.ejercicio}")
@@ -45,6 +49,8 @@ def corrige(banco, carpeta, resultado=None):
     except Rechazo as por:
         entrega, rechazo = None, str(por)
         que.append(rechazo)
+    if entrega and leidas is not None:
+        leidas[carpeta] = parecidos.codigo(entrega.ficheros)
     datos["huella"] = suma(*que)
     if resultado and (anterior := lee_resultado(resultado)) and anterior.get("huella") == datos["huella"]:
         return anterior
@@ -65,14 +71,14 @@ def fichero_de(carpeta):
     return f"{carpeta.name if legible else suma(nombre)}.json"
 
 
-def clase(banco, carpetas, destino, a_la_vez):
-    """Cada carpeta, una entrega. Lo que no se pueda corregir por algo que no es suyo se dice y queda para la próxima
-    vez."""
+def clase(banco, carpetas, destino, a_la_vez, leidas=None):
+    """{carpeta: su corrección}: cada una es una entrega. Lo que no se pueda corregir por algo que no es suyo se dice y
+    queda para la próxima vez."""
     correcciones, fallos = {}, []
 
     def una(carpeta):
         try:
-            c = correcciones[carpeta] = corrige(banco, carpeta, destino / fichero_de(carpeta))
+            c = correcciones[carpeta] = corrige(banco, carpeta, destino / fichero_de(carpeta), leidas)
             dice = f"{c['entrega']}: {c['nota']:g}; {lineas(c)[0]}"
         except (Fallo, OSError) as fallo:
             dice = limpio(f"{carpeta.name}: {motivo(fallo) if isinstance(fallo, OSError) else fallo}")
@@ -81,4 +87,4 @@ def clase(banco, carpetas, destino, a_la_vez):
 
     with ThreadPoolExecutor(a_la_vez) as hilos:
         list(hilos.map(una, carpetas))
-    return [correcciones[carpeta] for carpeta in carpetas if carpeta in correcciones], fallos
+    return {carpeta: correcciones[carpeta] for carpeta in carpetas if carpeta in correcciones}, fallos

@@ -43,7 +43,8 @@ class Compilador:
     def __init__(self, raiz, build, programa, ref, recinto):
         self.raiz, self.build, self.programa, self.recinto = raiz, build, programa, recinto
         self.visible = arbol_visible(raiz, programa, ref)
-        self.solucion = Jugador("la solución", programa.ejecutable(build), [])
+        self.privados = nuevo.privados(raiz, programa, ref)
+        self.solucion = Jugador("la solución", programa.ejecutable(build), programa.raices)
 
     def en_arbol(self, ficheros, carpeta):
         """El árbol que ve una entrega, con ella dentro. Devuelve dónde están sus fuentes."""

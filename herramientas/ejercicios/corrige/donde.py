@@ -560,7 +560,10 @@ class Donde:
             (f for tipo in SHADERS for f in raiz.glob(f"c*/*{tipo}")), key=lambda f: f.parent.name != capitulo
         )
         textos = {f.relative_to(raiz): f.read_text() for f in todos}
-        self.lab = Shaders({str(f): texto for f, texto in textos.items()})
+        suyos = {
+            f.name: f.read_text() for c in banco.programa.raices for f in sorted(c.iterdir()) if f.suffix in SHADERS
+        }
+        self.lab = Shaders({**suyos, **{str(f): texto for f, texto in textos.items()}})
         self.visibles = {str(f): texto for f, texto in textos.items() if f in banco.compilador.visible}
 
     def explica(self, jugador, guion, pixeles, **mas):

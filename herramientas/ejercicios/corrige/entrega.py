@@ -53,7 +53,10 @@ class Entrega:
     avisos: list = field(default_factory=list)
 
     def completa(self, de_partida, principal):
-        """Lo que no viene, del esqueleto: el programa, si no hay ninguno, y cada fichero que no se llame igual."""
+        """Lo que no viene, del esqueleto: el programa, si no hay ninguno, y cada fichero que no se llame igual. Si no
+        hay principal, es que se piden unos shaders, y solo son ellos."""
+        if not principal:
+            return self.solo_los_de(de_partida)
         nombres = {PurePath(f).name: contenido for f, contenido in self.ficheros.items()}
         sin_mayusculas = {nombre.lower(): contenido for nombre, contenido in nombres.items()}
         if any(tipo(nombre) in COMPILADOS for nombre in nombres):
@@ -63,6 +66,20 @@ class Entrega:
                 self.ficheros[fichero] = sin_mayusculas.get(fichero.lower(), texto.encode())
                 if fichero.lower() not in sin_mayusculas:
                     self.avisos.append(f"no viene {fichero}: se ha puesto el de partida")
+
+    def solo_los_de(self, de_partida):
+        """Cada shader que se pide, por su nombre o, si de su tipo no hay otro, por su tipo."""
+        suyos = self.ficheros
+        self.ficheros = {}
+        for ruta, texto in de_partida.items():
+            llamados = [f for f in suyos if PurePath(f).name.lower() == PurePath(ruta).name.lower()]
+            de_su_tipo = [f for f in suyos if tipo(f) == tipo(ruta)]
+            hallado = llamados or (de_su_tipo if len(de_su_tipo) == 1 else [])
+            self.ficheros[ruta] = suyos[hallado[0]] if hallado else texto.encode()
+            if not hallado:
+                self.avisos.append(f"no viene {PurePath(ruta).name}: se ha puesto el de partida")
+        if len(self.avisos) == len(de_partida):
+            raise Rechazo(f"no viene {', '.join(PurePath(ruta).name for ruta in de_partida)}")
 
 
 def lee_fichero(carpeta, nombre):
@@ -143,8 +160,12 @@ def sin_numero(ficheros):
 
 
 def lee_entrega(carpeta):
-    """Los fuentes de una entrega, con los de sus carpetas; lo demás que haya no se mira."""
+    """Los fuentes de una entrega, con los de sus carpetas; lo demás que haya no se mira. O el fichero que es ella."""
     lector = Lector()
+    if carpeta.is_file() and tipo(carpeta.name) in CODIGO:
+        with abierta(carpeta.parent) as f:
+            lector.lee(f, carpeta.name, limpio(carpeta.name))
+        return Entrega(lector.leidos, (carpeta.stem,))
     with abierta(carpeta) as f:
         lector.recorre(f)
     ficheros, llamadas = sin_numero(lector.leidos), [carpeta.name]
@@ -189,7 +210,10 @@ def hay_programa(carpeta, hondo=HONDO):
 def busca(mios, entrega, fuera=None):
     """Su carpeta, que puede estar en MIOS, y, si es una clase, las de dentro, menos esa de fuera. Un fuente suelto, que
     será de quien enseña, no hace de la clase una entrega."""
-    carpeta = next((c for c in (mios / entrega, Path(entrega)) if c.is_dir()), None)
+    suelto = Path(entrega)
+    if suelto.is_file() and tipo(suelto.name) in CODIGO:
+        return suelto.absolute(), None, []
+    carpeta = next((c for c in (mios / entrega, suelto) if c.is_dir()), None)
     if not carpeta:
         raise Fallo(f"no hay ninguna carpeta «{entrega}», ni mios/{entrega}")
     carpeta = carpeta.absolute()

@@ -25,7 +25,7 @@ def en_donde(fallo):
 def en_texto(c):
     frases = "\n".join(f"  {linea}" for linea in lineas(c))
     cuantos = f"{c['bien']} de {c['guiones']} guiones; semilla {c['semilla']}"
-    return f"{c['entrega']}, {c['ejercicio']}: {c['nota']:g} de 100 ({cuantos})\n{frases}"
+    return f"{c['entrega']}, {c['ejercicio']}: {c['nota']:g} de 100 ({cuantos})\n{frases}\n  reglas: {c['reglas']}"
 
 
 def en_vpl(c):
@@ -33,7 +33,7 @@ def en_vpl(c):
     la actividad."""
     desde, hasta = (float(os.environ.get(f"VPL_GRADE{que}") or vale) for que, vale in (("MIN", 0), ("MAX", 100)))
     titulo = f"-{c['ejercicio']}: {c['bien']} de {c['guiones']} guiones, semilla {c['semilla']}"
-    comentarios = [f"Comment :=>>{linea}" for linea in (titulo, *lineas(c))]
+    comentarios = [f"Comment :=>>{linea}" for linea in (titulo, *lineas(c), f"Reglas: {c['reglas']}")]
     return "\n".join([*comentarios, f"Grade :=>> {desde + (hasta - desde) * c['nota'] / 100:.5g}"])
 
 
@@ -57,31 +57,19 @@ def celda(texto):
 def en_csv(correcciones):
     tabla = io.StringIO()
     filas = csv.writer(tabla)
-    filas.writerow(["entrega", "ejercicio", "nota", "bien", "guiones", "semilla", "dice"])
+    filas.writerow(["entrega", "ejercicio", "nota", "bien", "guiones", "semilla", "dice", "reglas"])
     for c in correcciones:
         numeros = (c["nota"], c["bien"], c["guiones"], c["semilla"])
-        filas.writerow([celda(c["entrega"]), c["ejercicio"], *numeros, celda("; ".join(lineas(c)))])
+        filas.writerow([celda(c["entrega"]), c["ejercicio"], *numeros, celda("; ".join(lineas(c))), c["reglas"]])
     return tabla.getvalue()
 
 
-def resumen(correcciones):
-    """De una clase: cuántas, su media y cuántas hay de cada diez puntos; las de 100, aparte."""
-    notas = [c["nota"] for c in correcciones]
-    barras = [0] * 11
-    for nota in notas:
-        barras[int(nota // 10)] += 1
-    tramos = [*(f"{10 * i}–{10 * i + 9}" for i in range(10)), "100"]
-    return {"media": sum(notas) / len(notas), "barras": list(zip(tramos, barras)), "mas": max(barras)}
+def plantilla():
+    return paginas.plantilla(Path(__file__).with_name("corrige.html"))
 
 
-def escribe_pagina(destino, correcciones, programa, ref, suya=""):
-    """SUYA: la carpeta de mios/ que corrige quien la lee, si es una."""
-    plantilla = Path(__file__).with_name("corrige.html")
-    datos = {"resumen": resumen(correcciones) if len(correcciones) > 1 else None, "suya": suya}
-    datos |= {
-        "lineas": lineas,
-        "en_donde": en_donde,
-        "en_palabras": guiones.en_palabras,
-        "con_detalle": lambda c: c["fallos"] or c["dice"][1:],
-    }
-    paginas.escribe_pagina(destino, plantilla, correcciones=correcciones, programa=programa, ref=ref, **datos)
+def pagina(c, programa, ref, suya="", quien="", de=None):
+    """La de una corrección, con todo dentro. SUYA: su carpeta de mios/, si la corrige quien la lee. DE: la plantilla,
+    si se hacen muchas."""
+    datos = {"suya": suya, "quien": quien or c["entrega"], "programa": programa, "ref": ref}
+    return (de or plantilla()).render(c=c, en_donde=en_donde, en_palabras=guiones.en_palabras, **datos)

@@ -8,7 +8,7 @@ from pathlib import Path
 from base import defectos, marcas
 from base.guiones import sin_veces
 from base.procesos import Fallo, escribe
-from ejercicios import nuevo
+from ejercicios import nuevo, propios
 from ejercicios.corrige.compilador import SUYA
 from ejercicios.corrige.entrega import Rechazo
 from ejercicios.corrige.partidas import Jugador
@@ -23,11 +23,29 @@ SENALES = {
 }
 
 
+def lista(raiz, programa, textos):
+    """Los defectos que se conocen: de uno propio, en su carpeta, con el nombre de su fichero."""
+    donde = programa.carpeta / propios.ERRORES if programa.raices else raiz / ERRORES
+    try:
+        if not programa.raices:
+            return defectos.lee(donde)[0]
+        suyos, fallos = defectos.lee_lista(donde)
+        fallos += [f"{m.nombre}: no hay ningún «{m.fichero}»" for m in suyos if m.fichero not in textos]
+        if fallos:
+            raise ValueError(fallos[0])
+        for fichero, de_el in defectos.por_fichero(suyos).items():
+            defectos.cambia(textos[fichero], [m for m in de_el if not m.en_shader or m.sitio(textos[fichero])])
+        return suyos
+    except ValueError as error:
+        raise Fallo(f"{donde}: {error}") from None
+
+
 def conocidos(raiz, programa, ref):
     """Los defectos de los ficheros que tiene quien hace el ejercicio, salvo en lo que pide otro."""
-    textos = {f"{programa.capitulo.nombre}/{f}": texto for f, texto in nuevo.de_la_carpeta(raiz, programa, ref).items()}
+    de_quien = nuevo.pedidos if nuevo.es_de_shaders(ref) else nuevo.de_la_carpeta
+    textos = {ruta(programa, f): texto for f, texto in de_quien(raiz, programa, ref).items()}
     ajenos = {
-        f: [t.span() for t in marcas.TROZO.finditer(texto) if t["codigo"][0] == "E" and t["codigo"] != ref]
+        f: [t.span() for t in marcas.TROZO.finditer(texto) if t["codigo"] != ref and nuevo.es_del_libro(t["codigo"])]
         for f, texto in textos.items()
     }
 
@@ -35,9 +53,14 @@ def conocidos(raiz, programa, ref):
         return any(desde <= m.sitio(textos[m.fichero])[0] < hasta for desde, hasta in ajenos[m.fichero])
 
     try:
-        return [m for m in defectos.lee(raiz / ERRORES)[0] if m.fichero in textos and not es_de_otro(m)]
+        return [m for m in lista(raiz, programa, textos) if m.fichero in textos and not es_de_otro(m)]
     except ValueError as error:
         raise Fallo(f"{ERRORES}: {error}") from None
+
+
+def ruta(programa, fichero):
+    """Cómo lo llama la lista de sus errores."""
+    return fichero if programa.raices or "/" in fichero else f"{programa.carpeta}/{fichero}"
 
 
 class Motivos:
@@ -50,6 +73,9 @@ class Motivos:
 
     def textos(self):
         return nuevo.de_la_carpeta(self.raiz, self.programa, self.ref)
+
+    def esqueleto(self):
+        return nuevo.esqueleto(self.raiz, self.programa, self.ref)
 
     def limpio(self, textos):
         """Los ficheros de quien hace el ejercicio, sin las marcas, con esos textos."""
@@ -89,15 +115,19 @@ class Motivos:
         return sitio
 
     def compila(self, sitio):
-        self.compilador.compila(nuevo.esqueleto(self.raiz, self.programa, self.ref), sitio / "esqueleto", ajena=False)
+        self.compilador.compila(self.esqueleto(), sitio / "esqueleto", ajena=False)
         for i, (_, con_hueco) in enumerate(self.huecos()):
             try:
                 self.compilador.compila(self.limpio(con_hueco), sitio / f"hueco{i}", ajena=False)
             except Rechazo:  # lo demás lo necesita
                 shutil.rmtree(sitio / f"hueco{i}")
+        self.compila_defectos(sitio)
+
+    def compila_defectos(self, sitio):
         textos = self.textos()
         for fichero, suyos in defectos.por_fichero(self.defectos).items():
-            nombre, fuente = Path(fichero).name, (self.raiz / fichero).read_text()
+            nombre = Path(fichero).name
+            fuente = textos[nombre]
             if not suyos[0].en_shader:
                 textos[nombre] = f'#include "{self.raiz / defectos.MUTANTE_H}"\n{defectos.cambia(fuente, suyos)}'
                 continue
@@ -117,9 +147,12 @@ class Motivos:
                 variantes.append((f"parece que falta: {pide}", jugador(f"hueco{i}", f"hueco{i}")))
         for m in self.defectos:
             dice = f"parece que {m.dice}" if m.dice else f"parece este error: {m.imita}"
-            # si es de un shader, en su carpeta está el estropeado; si no, no hay nada
-            variantes.append((dice, jugador(m.nombre, "mutantes", sitio / str(m.numero), LAB_MUTANTE=str(m.numero))))
+            variantes.append((dice, self.con_defecto(m, sitio, jugador)))
         return variantes
+
+    def con_defecto(self, m, sitio, jugador):
+        """Si es de un shader, en su carpeta está el estropeado; si no, no hay nada."""
+        return jugador(m.nombre, "mutantes", sitio / str(m.numero), LAB_MUTANTE=str(m.numero))
 
     def por_que(self, partidas, esperadas, fallan):
         """Lo que deja en todos los guiones lo mismo que la entrega, en palabras; del esqueleto, ninguna."""

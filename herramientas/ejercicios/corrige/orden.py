@@ -1,10 +1,10 @@
 """orden.py RAÍZ BUILD ENTREGA [EJERCICIO] [opciones]: corrige lo que ha hecho un estudiante, o una clase entera.
 
 ENTREGA es mios/NOMBRE, o una carpeta con lo mismo dentro; si dentro hay carpetas con programas, es una clase, y cada
-una, una entrega. Lo entregado y la solución juegan los mismos guiones, los casos del ejercicio y otros al azar con
-los controles de su programa, y tras cada orden se comparan las imágenes y los títulos. El guion que falla se acorta
-y, si algún defecto conocido plantado en la solución (errores/) deja en todos los guiones lo que deja la entrega, se
-dice cuál.
+una, una entrega; también vale lo que descarga Moodle, en una carpeta o en su .zip. Lo entregado y la solución juegan
+los mismos guiones, los casos del ejercicio y otros al azar con los controles de su programa, y tras cada orden se
+comparan las imágenes y los títulos. El guion que falla se acorta y, si algún defecto conocido
+plantado en la solución (errores/) deja en todos los guiones lo que deja la entrega, se dice cuál.
 """
 import argparse
 import os
@@ -13,14 +13,13 @@ import sys
 import tempfile
 from pathlib import Path
 
-from base import catalogo
 from base.procesos import Fallo, escribe, principal
-from ejercicios import nuevo
-from ejercicios.corrige import clase, entrega, informes
+from ejercicios import nuevo, propios, reglas
+from ejercicios.corrige import aula, clase, conjunto, entrega, informes, shaders
 from ejercicios.corrige.banco import Banco
+from ejercicios.corrige.hoja import Hoja
 from ejercicios.corrige.jaula import Jaula
-
-GUIONES = 24  # al azar
+from ejercicios.reglas import Reglas
 
 
 class Analizador(argparse.ArgumentParser):
@@ -40,8 +39,8 @@ def opciones(palabras):
     analizador.add_argument("entrega")
     analizador.add_argument("ejercicio", nargs="?")
     analizador.add_argument("--semilla", default="1")
-    analizador.add_argument("--guiones", type=natural, default=GUIONES)
-    for opcion in ("--deja", "--json", "--junit"):
+    analizador.add_argument("--guiones", type=natural)
+    for opcion in ("--deja", "--json", "--junit", "--moodle", "--reglas"):
         analizador.add_argument(opcion, type=Path)
     analizador.add_argument("-j", type=positivo, default=os.cpu_count())
     for opcion in ("--vpl", "--sin-jaula", "--programa"):  # --programa: solo escribe cuál es
@@ -65,8 +64,8 @@ def positivo(texto):
 
 
 def ejercicio(raiz, programas, pedido):
-    hay = nuevo.ejercicios(raiz, programas)
-    ref = (pedido or "").upper()
+    hay = {**nuevo.ejercicios(raiz, programas), **shaders.ejercicios(raiz, programas)}
+    ref = pedido if pedido in hay else (pedido or "").upper()
     if ref not in hay:
         que = f"«{pedido}» no es un ejercicio que se pueda corregir" if pedido else "di qué ejercicio es"
         raise Fallo(f"{que}: {', '.join(hay)}")
@@ -77,31 +76,51 @@ def de_una(que, banco, carpeta):
     """Su corrección, escrita; y dónde va su página, si va."""
     correccion = clase.corrige(banco, carpeta, que.json and que.json.absolute())
     print(informes.en_vpl(correccion) if que.vpl else informes.en_texto(correccion))
-    sin_pagina = que.json or que.vpl
-    return [correccion], [], que.deja or (None if sin_pagina else carpeta / "correccion")
+    return [correccion], [], que.deja or (None if que.json or que.vpl else donde(que, carpeta))
+
+
+def donde(que, carpeta):
+    """La página de una entrega: en ella o, si es un fichero, a su lado."""
+    if isinstance(carpeta, Path) and carpeta.is_dir():
+        return carpeta / "correccion"
+    suelto = Path(que.entrega)
+    return suelto.with_name(f"{suelto.stem}-correccion")
 
 
 def de_una_clase(que, banco, carpeta, dentro):
-    destino = que.deja or carpeta.with_name(f"{carpeta.name}-corregida")
-    correcciones, fallos = clase.clase(banco, dentro, destino, que.j)
-    escribe(destino / "notas.csv", informes.en_csv(correcciones))
-    return correcciones, fallos, destino
+    """Las de todos, en una página y en lo que Moodle recoge."""
+    hoja = que.moodle and Hoja(que.moodle.absolute())  # antes de nada, si no se entiende
+    destino, leidas = que.deja or carpeta.with_name(f"{carpeta.name}-corregida"), {}
+    correcciones, fallos = clase.clase(banco, dentro, destino, que.j, leidas)
+    escribe(destino / "notas.csv", informes.en_csv(correcciones.values()))
+    conjunto.escribe(destino, correcciones, banco, leidas, hoja)
+    if hoja:
+        for suya, correccion in correcciones.items():
+            hoja.pon(suya.name, correccion)
+        print(f"Hecha: {hoja.escribe()}", *hoja.avisos, sep="\n", file=sys.stderr)
+    return list(correcciones.values()), fallos, destino
 
 
 def main():
     raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
     que = opciones(sys.argv[3:])
     mios = build.parent / "mios"
-    carpeta, dentro, sueltos = entrega.busca(mios, que.entrega, que.deja and que.deja.absolute())
-    programas = catalogo.lee_programas(build)
+    carpeta, dentro, sueltos = aula.busca(mios, que.entrega, que.deja and que.deja.absolute())
+    programas, que.ejercicio = propios.resuelve(raiz, build, que.ejercicio)
     if que.ejercicio or dentro:
         ref, programa = ejercicio(raiz, programas, que.ejercicio)
+    elif isinstance(carpeta, aula.Subida):
+        raise Fallo(f"di qué ejercicio es: ./lab corrige {que.entrega} E3.5")
     else:
         ref, programa = entrega.ejercicio_de(carpeta, programas)
     if not ref:
         raise Fallo(f"{que.entrega} es una copia de {programa.nombre}: no hay ejercicio que corregir")
+    if que.moodle and not dentro:
+        raise Fallo(f"--moodle es de una clase, y {que.entrega} es una entrega")
     if que.programa:
-        return print(programa.nombre)
+        return print(programa.objetivo)
+    como_siempre = shaders.REGLAS if nuevo.es_de_shaders(ref) else Reglas()
+    puntua = reglas.del_programa(programa, que.reglas, que.guiones, como_siempre)
     if dentro and sueltos:
         print(entrega.limpio(f"En {que.entrega} hay sueltos, y se dejan: {', '.join(sueltos)}"), file=sys.stderr)
     jaula = None if que.sin_jaula else Jaula(raiz)
@@ -109,14 +128,15 @@ def main():
         jaula.comprueba()
     with tempfile.TemporaryDirectory() as temporal:
         os.chmod(temporal, 0o755)
-        banco = Banco(raiz, build, ref, programa, Path(temporal), jaula, que.semilla, que.guiones)
+        banco = Banco(raiz, build, ref, programa, Path(temporal), jaula, que.semilla, puntua)
         hecho = de_una_clase(que, banco, carpeta, dentro) if dentro else de_una(que, banco, carpeta)
         correcciones, fallos, destino = hecho
     if que.junit:
         escribe(que.junit, informes.en_junit(correcciones))
     if destino:
-        suya = carpeta.name if carpeta.parent == mios.absolute() and not dentro else ""
-        informes.escribe_pagina(destino, correcciones, programa, ref, suya)
+        if not dentro:
+            suya = carpeta.name if isinstance(carpeta, Path) and carpeta.parent == mios.absolute() else ""
+            escribe(destino / "index.html", informes.pagina(correcciones[0], programa, ref, suya))
         print(f"Hecha: {destino}/index.html", file=sys.stderr)
     if fallos:
         raise Fallo(f"no se han podido corregir {len(fallos)}: {'; '.join(fallos)}")

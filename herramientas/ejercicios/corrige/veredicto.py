@@ -12,11 +12,11 @@ from ejercicios.corrige.arbitro import BIEN, CASI, aparte
 from ejercicios.corrige.entrega import Rechazo
 from ejercicios.corrige.motivos import SENALES, como_acaba, no_responden
 from ejercicios.corrige.partidas import Guion, Partida, lee_ppm
+from ejercicios.reglas import Reglas
 
 MUESTRA = 3  # guiones que fallan, con sus imágenes
 INTENTOS = 24  # para acortar un guion
 CUELGUES = 2  # tras los que no se juega más
-CUESTA = {"texto": 20, "título": 5, "estado": 5}  # puntos de cada cien que quita, una vez, lo que no es la imagen
 POR_POCO = "se ve casi igual, con un desvío de menos de un cuarto de píxel: ¿pocas cifras?"
 TOPE = 300  # segundos de una entrega, entre todos sus guiones
 
@@ -70,13 +70,13 @@ def juzga(arbitro, esperadas, partidas):
     return fallan, casi, otros
 
 
-def nota(todos, bien, casi, otros):
-    """La parte de los guiones que salen bien; un caso vale por dos, el que sale por poco, la mitad, y con un fallo no
-    es 100."""
-    valen = {g: 2 if g.caso else 1 for g in todos}
-    puntos = (sum(valen[g] for g in bien) + CASI * sum(valen[g] for g in casi)) / sum(valen.values())
-    puntos *= 100 - sum(CUESTA[que] for que in otros)
-    return min(round(puntos, 1), 100 if len(bien) == len(todos) and not otros else 99.9)
+def nota(todos, bien, casi, otros, reglas=Reglas()):
+    """La parte de los guiones que salen bien, con lo que vale cada uno, y con un fallo que cueste algo no es 100."""
+    valen = {g: reglas.peso(g) for g in todos}
+    puntos = (sum(valen[g] for g in bien) + reglas.casi / 100 * sum(valen[g] for g in casi)) / sum(valen.values())
+    cuestan = sum(reglas.cuesta(que) for que in otros)
+    todo = len(bien) == len(todos) or reglas.casi == 100 and len(bien) + len(casi) == len(todos)
+    return min(round(puntos * (100 - cuestan), 1), 100 if todo and not cuestan else 99.9)
 
 
 class Correccion:
@@ -129,7 +129,12 @@ class Correccion:
             dice += self.explica(fallan, casi, muestra)
         dice += [como for que, como in otros.items() if que != "estado"]
         casos = {g.nombre: g in bien for g in todos if g.caso}
-        cuenta = {"nota": nota(todos, bien, casi, otros), "bien": len(bien), "guiones": len(todos), "casos": casos}
+        cuenta = {
+            "nota": nota(todos, bien, casi, otros, self.banco.reglas),
+            "bien": len(bien),
+            "guiones": len(todos),
+            "casos": casos,
+        }
         return {**cuenta, "dice": dice, "fallos": muestra}
 
     def explica(self, fallan, casi, muestra):

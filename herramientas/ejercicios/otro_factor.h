@@ -1,5 +1,5 @@
-// Lo que usan las perturbaciones de herramientas/pruebas/perturba.py, además de mutante.h. De lo que no tiene sentido
-// no hay plantilla: así no compila y no cuenta.
+// Lo que usan las perturbaciones de herramientas/ejercicios/perturba.py, además de mutante.h. De lo que no tiene
+// sentido no hay plantilla: así no compila y no cuenta.
 #pragma once
 #include <glm/glm.hpp>
 #include <type_traits>

@@ -1,0 +1,248 @@
+"""comprueba.py RAÍZ BUILD EJERCICIO [--programa]: si un ejercicio está bien hecho, en una línea por pregunta, con su
+cifra: las marcas, el esqueleto, la solución, si cada control y cada línea que se pide los ve algún guion, y si los
+errores conocidos se distinguen. Con --programa solo dice qué hay que compilar antes."""
+import itertools
+import os
+import re
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from base import controles
+from base.guiones import sin_veces
+from base.procesos import Fallo, principal
+from ejercicios import nuevo, propios, reglas
+from ejercicios.corrige import partidas
+from ejercicios.corrige.arbitro import suma
+from ejercicios.corrige.entrega import Rechazo, limpio
+from ejercicios.corrige.motivos import como_acaba
+from ejercicios.ensayo import Ensayo
+
+SUSPENSO = 60  # el esqueleto no llega
+SEMILLA = "1"  # la de ./lab corrige, si no se dice otra
+MANDOS = {controles.clic: "el ratón", controles.rueda: "la rueda", controles.tiempo: "el tiempo"}
+SON = {controles.clic: ("boton", "arrastra", "mueve"), controles.rueda: ("rueda",), controles.tiempo: ("espera",)}
+
+
+def enumera(cosas, cuantas=5):
+    return "; ".join(cosas[:cuantas]) + (f"; y {len(cosas) - cuantas} más" if len(cosas) > cuantas else "")
+
+
+# --- lo que se mira sin ejecutar nada: (qué, la cifra, lo que está mal) ------------------------------------------
+
+
+def marcas(raiz, programa, ref):
+    """Cuántos trozos se piden; los que no se cierran o se cierran sin abrir."""
+    mal, cuantos, otras = [], 0, set()
+    for f in programa.ficheros(raiz):
+        texto, abierta = propios.lee_texto(raiz / f), 0
+        for n, renglon in enumerate(texto.splitlines(), 1):
+            cierra = re.fullmatch(r" *// fin de (\S+)\s*", renglon)
+            abre = re.fullmatch(rf" *// {re.escape(ref)}:(.*)", renglon)
+            if cierra and cierra[1] != ref:
+                otras.add(cierra[1])
+            elif cierra and not abierta:
+                mal.append(f"{f.name}:{n}: se cierra sin haberse abierto")
+            elif cierra:
+                abierta, cuantos = 0, cuantos + 1
+            elif abre and abierta:
+                mal.append(f"{f.name}:{abierta}: no se cierra antes de la siguiente")
+            elif abre and not abre[1].strip():
+                mal.append(f"{f.name}:{n}: no dice qué se pide")
+            if abre:
+                abierta = n
+        mal += [f"{f.name}:{abierta}: no se cierra"] if abierta else []
+    if not cuantos and not mal:
+        mal.append(f"no se pide nada: falta «// {ref}: …» y «// fin de {ref}»")
+        mal += [f"las marcas son de {', '.join(sorted(otras))}, y deben ser de {ref}"] if otras else []
+    return "marcas", f"se piden {cuantos} trozos", mal
+
+
+def enunciado(programa):
+    fichero = programa.carpeta / propios.ENUNCIADO
+    texto = propios.lee_texto(fichero) if fichero.is_file() else ""
+    titulo = re.search(r"^# +\S", texto, re.M)
+    cuenta = [r for r in texto.splitlines() if r.strip() and not r.startswith("#")]
+    mal = [] if fichero.is_file() else [f"falta {propios.ENUNCIADO}"]
+    mal += ["no tiene título, «# …»"] if texto and not titulo else []
+    mal += ["no dice qué hay que hacer"] if fichero.is_file() and not cuenta else []
+    return "enunciado", f"{len(texto.split())} palabras", mal
+
+
+# --- y lo que se juega ----------------------------------------------------------------------------------------------
+
+
+class Comprobacion(Ensayo):
+    def __init__(self, raiz, build, ref, programa, temporal, hilos):
+        super().__init__(raiz, build, ref, programa, temporal, [SEMILLA], reglas.del_programa(programa))
+        self.build, self.hilos, self.arbitro = build, hilos, self.banco.arbitro
+
+    def solucion_acaba(self):
+        """Cada guion llega al final: si no, no hay con qué comparar."""
+        todos = self.banco.todos
+        self.esperadas = dict(zip(todos, self.hilos.map(lambda g: self.arbitro.juega(self.solucion, g), todos)))
+        acaban = {g: como_acaba(p, g) for g, p in self.esperadas.items()}
+        # de lo que dice el programa, lo primero
+        mal = [f"{g.nombre}: {limpio(dice)}" for g, dice in acaban.items() if dice]
+        return "guiones", f"los {len(todos)} llegan al final", mal
+
+    def entregado(self, textos, nombre):
+        """La nota de esos ficheros, compilados como una entrega, y por qué no compilan, si no compilan."""
+        try:
+            jugador = self.banco.compilador.compila(textos, self.temporal / nombre, ajena=False)
+        except Rechazo as rechazo:
+            return 0, [limpio(str(rechazo))]
+        guiones = self.banco.todos
+        jugado = dict(zip(guiones, self.hilos.map(lambda g: self.juega(jugador, [g])[g], guiones)))
+        return self.nota(jugado), []
+
+    def esqueleto(self):
+        nota, mal = self.entregado(nuevo.esqueleto(self.raiz, self.programa, self.ref), "de_partida")
+        if not mal and nota >= SUSPENSO:
+            mal.append(f"sin hacer nada ya se saca {nota:g}: debe ser menos de {SUSPENSO}")
+        return "esqueleto", f"{nota:g} de 100", mal
+
+    def la_solucion(self):
+        nota, mal = self.entregado(nuevo.solucion(self.raiz, self.programa, self.ref), "resuelto")
+        if not mal and nota < 100:
+            mal.append(f"la solución saca {nota:g}: ¿lee la hora, o algo que no está en su carpeta?")
+        return "solución", f"{nota:g} de 100", mal
+
+    def cambian(self):
+        """De cada orden de los guiones, si alguna vez cambia algo de lo que se ve."""
+        vistas = {}
+        for g, p in self.esperadas.items():
+            for i, orden in enumerate(g.ordenes[: len(p.imagenes) - 1]):
+                que = sin_veces(orden)
+                vistas[que] = vistas.get(que, False) or p.imagenes[i] != p.imagenes[i + 1]
+        return vistas
+
+    def controles(self):
+        """Cada tecla que dicen sus «// Controles:», cada opción de sus menús y cada mando que atiende, en algún guion
+        cambia la imagen."""
+        suyos = controles.lee(self.raiz, self.programa)
+        mal = [] if suyos else ["falta la línea «// Controles: … · Esc termina.»"]
+        rasgos, opciones = controles.atiende(self.build, self.programa)
+        ordenes = [o for c in suyos if not c.termina for o in c.ordenes if o not in controles.COMUNES]
+        ordenes += [f"menu {o}" for o in opciones]
+        vistas = self.cambian()
+        mal += [f"«{o}» no cambia la imagen en ningún guion" for o in ordenes if not vistas.get(o)]
+        mandos = [m for m, cuales in controles.MANDOS.items() if cuales & rasgos]
+        for mando in mandos:
+            if not any(vistas.get(orden) for orden in SON[mando]):
+                mal.append(f"{MANDOS[mando]} no cambia la imagen en ningún guion")
+        return "controles", f"se ven {len(ordenes) + len(mandos)}", mal
+
+    def imagenes(self):
+        """Que a lo largo de los guiones no se vea siempre lo mismo, y que dos casos no sean el mismo."""
+        distintas = {imagen for p in self.esperadas.values() for imagen in p.imagenes}
+        finales = {}
+        for g in self.casos:
+            finales.setdefault(self.esperadas[g].imagenes[len(g.ordenes) - len(partidas.FINAL)], []).append(g.nombre)
+        mal = [f"se ve lo mismo en los casos {' y '.join(n)}" for n in finales.values() if len(n) > 1]
+        lisas = [g.nombre for g in self.casos if len(set(self.pixeles(self.esperadas[g].imagenes[0]))) < 2]
+        mal += [f"al abrirlo no se dibuja nada en {lisas[0]}"] if lisas else []
+        return "imágenes", f"{len(distintas)} distintas en {len(self.esperadas)} guiones", mal
+
+    @staticmethod
+    def pixeles(imagen):
+        return (imagen[2][i : i + 3] for i in range(0, len(imagen[2]), 3))
+
+    def errores(self):
+        """Los conocidos: cada uno quita puntos y no se confunde con otro ni con el esqueleto."""
+        suyos = [m for m in self.banco.motivos.defectos if m.dice]
+        mal = [f"{m.nombre}: no dice nada a quien lo comete: falta la sexta columna" for m in self.mudos()]
+        try:
+            quienes = self.de_lista(suyos, "mal")
+        except Rechazo:
+            return "errores conocidos", f"{len(suyos)}", [*mal, *self.los_que_no_compilan(suyos)]
+        notas, dejan = zip(*self.hilos.map(lambda m: self.resume(quienes[m]), suyos)) if suyos else ((), ())
+        mal += [f"{m.nombre}, {m.imita}: no quita puntos" for m, nota in zip(suyos, notas) if nota == 100]
+        for (una, deja), (otra, dejo) in itertools.combinations(zip(suyos, dejan), 2):
+            if una.dice != otra.dice and deja == dejo:
+                mal.append(f"{una.nombre} y {otra.nombre} no se distinguen: {una.dice}; {otra.dice}")
+        return "errores conocidos", f"{len(suyos)}, que se distinguen", mal
+
+    def resume(self, jugador):
+        """Su nota, y lo que deja en cada guion, que entero no cabría."""
+        jugado = self.juega(jugador, self.banco.todos)
+        return self.nota(jugado), [
+            suma(repr(p.titulos), p.texto, *(i[2] for i in p.imagenes)) for _, p in jugado.values()
+        ]
+
+    def los_que_no_compilan(self, suyos):
+        for m in suyos:
+            try:
+                self.de_lista([m], f"solo{m.numero}_")
+            except Rechazo as rechazo:
+                yield f"{m.nombre}, {m.imita}: {limpio(str(rechazo))}"
+
+    def mudos(self):
+        return [m for m in self.banco.motivos.defectos if not m.dice] if self.programa.raices else []
+
+    def lineas(self):
+        """Cada línea de lo que se pide, estropeada de alguna manera, se nota."""
+        try:
+            quienes = self.jugadores()
+        except Fallo as fallo:
+            return "líneas", "0", [limpio(str(fallo))]
+        notadas = dict(zip(quienes, self.hilos.map(lambda n: not self.no_se_nota(quienes[n]), quienes)))
+        de_linea = {}
+        for n, notada in notadas.items():
+            fichero, p = self.perturbadas[n]
+            de_linea.setdefault((fichero, p.linea), []).append(notada)
+        mal = [
+            f"{f}:{n}: se cambie como se cambie, da lo mismo" for (f, n), vistas in de_linea.items() if not any(vistas)
+        ]
+        if not de_linea:
+            mal.append("en lo que se pide no hay nada que se pueda estropear")
+        cambios = f"{sum(notadas.values())} cambios de {len(notadas)}"
+        return "líneas", f"se notan {len(de_linea) - len(mal)} de {len(de_linea)}, con {cambios}", mal
+
+
+def preguntas(raiz, build, ref, programa, temporal, hilos):
+    """Cada una: (qué, la cifra, lo que está mal). Con lo que no deja seguir mal, las demás no se hacen."""
+    yield (hay := marcas(raiz, programa, ref))
+    if programa.raices:
+        yield enunciado(programa)
+    if hay[2]:
+        return
+    suya = Comprobacion(raiz, build, ref, programa, temporal, hilos)
+    yield (llegan := suya.solucion_acaba())
+    if llegan[2]:
+        return
+    yield suya.esqueleto()
+    yield suya.la_solucion()
+    yield suya.controles()
+    yield suya.imagenes()
+    yield suya.errores()
+    yield suya.lineas()
+
+
+def main():
+    raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
+    que, solo_dice = [p for p in sys.argv[3:] if p != "--programa"], "--programa" in sys.argv
+    if len(que) != 1:
+        raise Fallo("ejercicio comprueba: di qué ejercicio: ./lab ejercicio comprueba ejercicios/NOMBRE")
+    programas, ref = propios.resuelve(raiz, build, que[0])
+    programa = next((p for p in programas if p.raices and p.nombre == ref), None)
+    if not programa:
+        ref = ref.upper()
+        programa = nuevo.ejercicios(raiz, programas).get(ref)
+    if not programa:
+        raise Fallo(f"ejercicio comprueba: no hay ningún ejercicio «{limpio(que[0])}», ni en {propios.CARPETA}/")
+    if solo_dice:
+        return print(programa.objetivo)
+    mal = 0
+    with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(os.cpu_count()) as hilos:
+        for pregunta, cifra, fallos in preguntas(raiz, build, ref, programa, Path(temporal), hilos):
+            print(f"mal   {pregunta}: {enumera(fallos)}" if fallos else f"bien  {pregunta}: {cifra}", flush=True)
+            mal += bool(fallos)
+    if mal:
+        raise Fallo(f"{ref} todavía no está para darlo: {mal} de las preguntas, mal")
+    return 0
+
+
+if __name__ == "__main__":
+    principal(main)

@@ -1,0 +1,170 @@
+"""Una clase entera: cómo se llama cada uno, en qué se han equivocado, quién se parece a quién, y lo que se le devuelve
+a cada uno, que Moodle recoge en un .zip con los nombres de carpeta que dio."""
+import io
+import re
+import zipfile
+from collections import Counter
+from dataclasses import dataclass
+from pathlib import Path
+from urllib.parse import quote
+
+from base import guiones, paginas
+from base.procesos import escribe as escribe_fichero
+from ejercicios.corrige import informes, parecidos
+from ejercicios.corrige.aula import de_moodle
+from ejercicios.corrige.clase import fichero_de
+from ejercicios.corrige.entrega import limpio
+
+AQUI = Path(__file__).parent
+COMENTARIOS, SUYO = "comentarios", "correccion.html"
+NOMBRES = 8  # que se dicen de los que cometen un error
+CON_IMAGEN = 40  # errores que se enseñan
+PAREJAS = 60  # que se enseñan
+# Lo que es lo mismo aunque a cada uno se le diga con sus palabras; None, lo que no es un error.
+ES_LO_MISMO = [
+    (re.compile(como), dice)
+    for como, dice in (
+        (r"no compila\b", "no compila"),
+        (r"se cae\b", "se cae"),
+        (r"tarda más de|es muy lento", "no acaba a tiempo"),
+        (r"acaba con un error", "acaba con un error"),
+        (r"acaba por su cuenta", "acaba por su cuenta"),
+        (r"no ha dejado nada", "no ha dejado nada"),
+        (
+            r"hay más de|son más de|«.*» (pasa de|no es un|no se puede|está en un)|no se puede leer|en (el|«)",
+            "no se puede leer",
+        ),
+        (r"no hay ningún fuente|no hay nada", "no hay ningún fuente"),
+        (r"el título es", "el título no es el que debía"),
+        (r"debía escribir", "no escribe lo que debía"),
+        (r"el compilador avisa|no viene |su carpeta es de otro", None),
+    )
+]
+
+
+@dataclass(eq=False)
+class Hecha:
+    quien: str  # como se lee
+    carpeta: str  # como se llama
+    pagina: str  # dirección de la suya, desde la de la clase
+    c: dict
+
+
+@dataclass
+class Error:
+    dice: str
+    de: list
+    tras: list
+    imagenes: list
+
+
+def quienes(correcciones):
+    """Cada una con su nombre, sin lo que le pone Moodle, si basta para saber quién es."""
+    leidos = {carpeta: de_moodle(carpeta.name) for carpeta in correcciones}
+    cortos = {
+        carpeta: limpio(m["quien"]) if m else c["entrega"]
+        for (carpeta, c), m in zip(correcciones.items(), leidos.values())
+    }
+    veces = Counter(cortos.values())
+    hechas = {}
+    for carpeta, c in correcciones.items():
+        m, quien = leidos[carpeta], cortos[carpeta]
+        if veces[quien] > 1 and m and m["numero"]:
+            quien = f"{quien} ({m['numero']})"
+        pagina = quote(f"{COMENTARIOS}/{Path(fichero_de(carpeta)).stem}.html")
+        hechas[carpeta] = Hecha(quien, carpeta.name, pagina, c)
+    return hechas
+
+
+def causas(c):
+    """De qué errores es una corrección, como se dicen para toda la clase."""
+    dichas = []
+    for dice in c["dice"]:
+        como = next((como for patron, como in ES_LO_MISMO if patron.match(dice)), dice)
+        if como and como not in dichas:
+            dichas.append(como)
+    if not dichas and c["nota"] < 100 and c["fallos"]:
+        dichas.append(c["fallos"][0]["que"].partition(":")[0])
+    return dichas
+
+
+def errores(hechas):
+    """En qué se han equivocado, antes lo que más, con lo de quien lo deja más claro: a quien no le pasa otra cosa."""
+    de = {}
+    for hecha in hechas:
+        if hecha.c["nota"] < 100:
+            for dice in causas(hecha.c):
+                de.setdefault(dice, []).append(hecha)
+    hallados = []
+    for dice, suyas in sorted(de.items(), key=lambda par: (-len(par[1]), par[0])):
+        claras = sorted(suyas, key=lambda h: (len(causas(h.c)), -h.c["nota"]))
+        fallo = next((f for h in claras for f in h.c["fallos"] if f["imagenes"]), {"tras": [], "imagenes": []})
+        con_imagen = len(hallados) < CON_IMAGEN
+        hallados.append(Error(dice, suyas, fallo["tras"], fallo["imagenes"] if con_imagen else []))
+    return hallados
+
+
+def resumen(hechas):
+    """Su media y cuántas hay de cada diez puntos; las de 100, aparte."""
+    notas = [h.c["nota"] for h in hechas]
+    barras = [0] * 11
+    for nota in notas:
+        barras[int(nota // 10)] += 1
+    tramos = [*(f"{10 * i}–{10 * i + 9}" for i in range(10)), "100"]
+    return {"media": sum(notas) / max(1, len(notas)), "barras": list(zip(tramos, barras)), "mas": max(1, *barras)}
+
+
+def las_que_se_parecen(hechas, leidas, dados):
+    """Cada pareja, con los textos de las dos."""
+    textos = {hechas[carpeta]: leidas[carpeta] for carpeta in hechas if carpeta in leidas}
+    halladas = parecidos.parejas(textos, dados)
+    for p in halladas[:PAREJAS]:
+        p.lados = [(h, list(parecidos.al_lado(textos[h], marcadas))) for h, marcadas in zip((p.una, p.otra), p.lineas)]
+        p.cuantas = min(sum(map(len, marcadas.values())) for marcadas in p.lineas)
+    return halladas[:PAREJAS], len(halladas[PAREJAS:])
+
+
+def en_zip(paginas_):
+    """{carpeta de Moodle: su página}, en el .zip que Moodle recoge: siempre el mismo si es lo mismo."""
+    datos = io.BytesIO()
+    with zipfile.ZipFile(datos, "w", zipfile.ZIP_DEFLATED) as z:
+        for carpeta, pagina in sorted(paginas_.items()):
+            fichero = zipfile.ZipInfo(f"{carpeta}/{SUYO}")
+            fichero.external_attr = 0o644 << 16
+            z.writestr(fichero, pagina, zipfile.ZIP_DEFLATED)
+    return datos.getvalue()
+
+
+def de_vuelta(nombre, hoja):
+    """En qué carpetas recoge Moodle lo de uno: la que dio o, si la tarea es de grupos, una por cada uno del suyo,
+    porque el número que da es el del grupo y Moodle busca el de una persona."""
+    m = de_moodle(nombre)
+    if hoja and hoja.de_grupos and m:
+        return hoja.carpetas(nombre)
+    if not m or not m["numero"]:
+        return []
+    return [nombre if nombre.isprintable() else f"{limpio(m['quien'])}_{m['numero']}_assignsubmission_file_"]
+
+
+def escribe(destino, correcciones, banco, leidas, hoja=None):
+    """La página de la clase, la de cada uno, la de las que se parecen y lo que recoge Moodle."""
+    hechas = quienes(correcciones)
+    de, vuelven = informes.plantilla(), {}
+    for carpeta, h in hechas.items():
+        pagina = informes.pagina(h.c, banco.programa, banco.ref, quien=h.quien, de=de)
+        escribe_fichero(destino / COMENTARIOS / f"{Path(fichero_de(carpeta)).stem}.html", pagina)
+        vuelven |= dict.fromkeys(de_vuelta(h.carpeta, hoja), pagina)
+    if vuelven:
+        escribe_fichero(destino / "comentarios.zip", en_zip(vuelven))
+    parejas, hay_mas = las_que_se_parecen(hechas, leidas, banco.dados)
+    datos = {"programa": banco.programa, "ref": banco.ref, "parejas": parejas, "hay_mas": hay_mas}
+    if parejas:
+        escribe_fichero(destino / "parecidos.html", paginas.plantilla(AQUI / "parecidos.html").render(**datos))
+    elif (destino / "parecidos.html").exists():
+        (destino / "parecidos.html").unlink()
+    todas = list(hechas.values())
+    hay = errores(todas)
+    datos |= {"de_varios": [e for e in hay if e.de[1:]], "de_uno": [e for e in hay if not e.de[1:]], "hechas": todas}
+    datos |= {"lineas": informes.lineas, "en_palabras": guiones.en_palabras}
+    pagina = paginas.plantilla(AQUI / "clase.html").render(NOMBRES=NOMBRES, **datos, **resumen(todas))
+    escribe_fichero(destino / "index.html", pagina)

@@ -1,0 +1,179 @@
+"""La hoja de calificaciones que da Moodle (mod/assign/feedback/offline), con la nota y los comentarios puestos: de lo
+demás, cada columna, cada fila, las comillas, el separador y los finales de línea se quedan como estaban, que Moodle
+reconoce las columnas por su nombre y compara la fecha de la última modificación."""
+import codecs
+import html
+import re
+import unicodedata
+from collections import defaultdict
+from dataclasses import dataclass
+
+from base.procesos import Fallo, escribe
+from ejercicios.corrige.aula import de_moodle
+from ejercicios.corrige.entrega import limpio
+from ejercicios.corrige.informes import lineas
+
+# Cómo se llaman en castellano, catalán, gallego e inglés.
+COLUMNAS = {
+    "id": "Identifier|Identificador",
+    "nombre": "Full name|Nombre completo|Nom complet|Nome completo|Nombre / Apellido(s)",
+    "nota": "Grade|Calificación|Qualificació|Cualificación",
+    "máxima": "Maximum grade|Calificación máxima|Qualificació màxima|Cualificación máxima",
+    "escala": "Scale|Escala",
+    "comentario": "Feedback comments|Comentarios de retroalimentación|Comentarios de realimentación|"
+    "Comentarios de retroacción|Comentaris de retroacció|Comentarios",
+    "grupo": "Group|Grupo|Grup",
+}
+COLUMNAS = {que: [n.lower() for n in nombres.split("|")] for que, nombres in COLUMNAS.items()}
+SEPARADORES = ",;\t"
+
+
+@dataclass
+class Celda:
+    desde: int
+    hasta: int
+    crudo: str
+
+    @property
+    def valor(self):
+        return self.crudo[1:-1].replace('""', '"') if self.crudo[:1] == '"' else self.crudo
+
+
+def descifra(datos):
+    """El texto, su codificación y lo que lleva delante."""
+    for marca, como in (
+        (codecs.BOM_UTF8, "utf-8"),
+        (codecs.BOM_UTF16_LE, "utf-16-le"),
+        (codecs.BOM_UTF16_BE, "utf-16-be"),
+    ):
+        if datos.startswith(marca):
+            return datos[len(marca) :].decode(como), como, marca
+    try:
+        return datos.decode(), "utf-8", b""
+    except UnicodeDecodeError:
+        return datos.decode("cp1252", "strict"), "cp1252", b""
+
+
+def filas(texto, separador):
+    """Sus celdas, cada una con dónde está."""
+    celda = re.compile(rf'"(?:[^"]|"")*"(?=[{separador}\r\n]|\Z)|[^{separador}\r\n]*')
+    hay, fila, i = [], [], 0
+    while i <= len(texto):
+        m = celda.match(texto, i)
+        fila.append(Celda(m.start(), m.end(), m[0]))
+        i = m.end()
+        sigue = texto[i : i + 1]
+        if sigue != separador:
+            hay.append(fila)
+            fila = []
+            i += texto[i : i + 2] == "\r\n"
+        i += 1
+    return [f for f in hay if len(f) > 1 or f[0].crudo]
+
+
+def numero(texto):
+    """El de «100,00» o «1.000,00», y si lleva coma; None si no lo es."""
+    limpio_ = re.sub(r"\s", "", texto)
+    con_coma = bool(re.fullmatch(r"[\d.]*\d,\d+", limpio_))
+    limpio_ = limpio_.replace(".", "").replace(",", ".") if con_coma else limpio_
+    return (float(limpio_), con_coma) if re.fullmatch(r"\d+(\.\d+)?", limpio_) else None
+
+
+def entero(texto):
+    return unicodedata.normalize("NFC", texto).replace("_", " ").strip().casefold()
+
+
+class Hoja:
+    """La que se ha leído, y lo que se va a escribir en ella."""
+
+    def __init__(self, fichero):
+        self.fichero = fichero
+        try:
+            self.texto, self.como, self.marca = descifra(fichero.read_bytes())
+        except (OSError, UnicodeDecodeError):
+            raise Fallo(f"no puedo leer «{fichero}»") from None
+        cabecera = self.texto.partition("\n")[0]
+        self.separador = max(SEPARADORES, key=cabecera.count)
+        self.columnas, *self.filas = filas(self.texto, self.separador) or [[]]
+        nombres = [unicodedata.normalize("NFC", c.valor).strip().lower() for c in self.columnas]
+        self.donde = {q: nombres.index(n) for q, hay in COLUMNAS.items() for n in hay[::-1] if n in nombres}
+        if "id" not in self.donde or "nota" not in self.donde:
+            raise Fallo(
+                f"«{fichero.name}» no es una hoja de calificaciones de Moodle que conozca: le falta la columna "
+                f"«Identificador» o la «Calificación». Tiene {limpio(', '.join(nombres))}"
+            )
+        if "escala" in self.donde and "máxima" not in self.donde:
+            raise Fallo(f"«{fichero.name}» es de una tarea que se califica con una escala de palabras, no con puntos")
+        self.cambios, self.avisos = [], []
+        self.de_cada_uno, self.de_grupo = defaultdict(list), defaultdict(list)
+        vistos = [numero(self.valor(fila, que)) for fila in self.filas for que in ("máxima", "nota")]
+        self.con_coma = any(n and n[1] for n in vistos)
+        for fila in self.filas:
+            self.de_cada_uno[self.participante(fila)].append(fila)
+            if grupo := self.valor(fila, "grupo"):
+                self.de_grupo[entero(grupo)].append(fila)
+
+    def valor(self, fila, que):
+        return fila[self.donde[que]].valor if self.donde.get(que, len(fila)) < len(fila) else ""
+
+    @property
+    def de_grupos(self):
+        return "grupo" in self.donde
+
+    def carpetas(self, nombre):
+        """Cómo se llamaría la carpeta de cada uno de sus filas."""
+        quienes = [(re.sub("[_/]", " ", self.valor(f, "nombre")), self.participante(f)) for f in self.de(nombre)]
+        return [f"{quien or 'Participante'}_{numero_}_assignsubmission_file_" for quien, numero_ in quienes if numero_]
+
+    def participante(self, fila):
+        """El número de «Participante 1234»."""
+        m = re.search(r"(\d+)\s*$", self.valor(fila, "id"))
+        return int(m[1]) if m else None
+
+    def de(self, nombre):
+        """Sus filas: la de su número o, si la tarea es de grupos, que lo llevan de otra cosa, las de su grupo."""
+        m = de_moodle(nombre)
+        if m and self.de_grupos:
+            return self.de_grupo.get(entero(m["quien"]), [])
+        return self.de_cada_uno.get(int(m["numero"]), []) if m and m["numero"] else []
+
+    def pon(self, nombre, correccion):
+        """Su nota, en los puntos de la tarea, y lo que se le dice."""
+        suyas = self.de(nombre)
+        if not suyas:
+            self.avisos.append(f"«{correccion['entrega']}» no está en {self.fichero.name}")
+        for fila in suyas:
+            maxima = (numero(self.valor(fila, "máxima")) or (100, False))[0]
+            self.cambia(fila, "nota", en_puntos(correccion["nota"], maxima, self.con_coma))
+            if "comentario" in self.donde:
+                self.cambia(fila, "comentario", comentario(correccion))
+
+    def cambia(self, fila, que, valor):
+        if self.donde[que] < len(fila):
+            celda = fila[self.donde[que]]
+            if celda.crudo[:1] == '"' or re.search(rf'["\r\n{self.separador}]', valor):
+                valor = '"' + valor.replace('"', '""') + '"'
+            self.cambios.append((celda, valor))
+
+    def escribe(self):
+        """Al lado, y nunca encima. Devuelve dónde."""
+        texto = self.texto
+        for celda, valor in sorted(self.cambios, key=lambda c: -c[0].desde):
+            texto = texto[: celda.desde] + valor + texto[celda.hasta :]
+        destino = self.fichero.with_name(f"{self.fichero.stem}-con-notas{self.fichero.suffix}")
+        # lo que no quepa en la codificación que trae está en un comentario, que es HTML
+        escribe(destino, self.marca + texto.encode(self.como, "xmlcharrefreplace"))
+        return destino
+
+
+def en_puntos(nota, maxima, con_coma):
+    """Con dos decimales, o tres si hacen falta para que lo que no está bien del todo no sea la máxima."""
+    puntos = re.sub(r"0$", "", f"{nota * maxima / 100:.3f}")
+    return puntos.replace(".", ",") if con_coma else puntos
+
+
+def comentario(c):
+    """Lo que se dice de una corrección, en el HTML que Moodle guarda."""
+    frases = "".join(f"<li>{html.escape(linea)}</li>" for linea in lineas(c))
+    cuantos = f"{c['bien']} de {c['guiones']} guiones dan lo mismo que la solución. " if c["casos"] else ""
+    return f"<p>{c['nota']:g} de 100. {cuantos}</p><ul>{frases}</ul><p>Reglas: {html.escape(c['reglas'])}.</p>"

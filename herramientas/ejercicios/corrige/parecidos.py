@@ -1,0 +1,218 @@
+"""Qué entregas se parecen más de lo que explican el esqueleto, la solución y lo que escribe casi toda la clase. Es un
+indicio, con lo de las dos al lado para que lo mire alguien; de la nota no quita nada.
+
+Se comparan frases: una instrucción, la cabecera de un if o de un bucle, y cada una con las de al lado de su función. Lo
+que se declara se llama según el orden en que sale en ellas, y no cuentan ni los comentarios, ni los blancos, ni las
+llaves, ni los textos: con otros nombres, en otro orden o con otros comentarios, la frase es la misma. Lo que viene de
+fuera (giroY, glEnable, un número) sí cuenta, que no se le puede cambiar el nombre."""
+import itertools
+import re
+from collections import Counter, defaultdict
+from dataclasses import dataclass
+
+from ejercicios.corrige.entrega import CODIGO, tipo
+
+SEGUIDAS = 1, 2, 3  # frases que se miran juntas
+BASTA = 0.5  # lo que tienen que compartir de lo que solo es suyo, de 0 a 1
+MINIMO = 2  # y lo que tiene que pesar: una frase que han escrito cinco no llega
+TOPE = 200_000  # letras que se miran de una entrega
+COMUN = 4, 10  # lo que está en más de tantas, y en más de una de cada tantas, es de todos
+ALREDEDOR, ANCHO, ALTO = 2, 200, 400  # líneas que se enseñan de más, y lo que se enseña de cada fichero
+
+PALABRA = re.compile(
+    r"""(?P<nada>//(?:\\\n|[^\n])*|/\*.*?(?:\*/|\Z)|^[ \t]*\#(?:\\\n|[^\n])*)
+    |(?P<texto>"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*')
+    |(?P<numero>\.?\d(?:[\w.]|(?<=[eE])[+-])*)
+    |(?P<nombre>[^\W\d]\w*)
+    |(?P<signo>::|->|\+\+|--|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|\S)""",
+    re.X | re.M | re.S,
+)
+NO_ES_TIPO = set("return else case goto new delete throw do and or not sizeof typename namespace operator".split())
+SIGUE_A_UN_NOMBRE = set("= ; , ) ( [ : {".split())
+DE_CONTROL = {"if", "for", "while", "switch"}
+DE_BLOQUE = {"struct", "class", "enum", "union", "namespace", "extern"}
+ABRE_BLOQUE = {")", "]", "else", "do", "try", "const", "noexcept", "override"}
+
+
+@dataclass(frozen=True)
+class Palabra:
+    que: str
+    clase: str
+    linea: int
+
+
+@dataclass
+class Pareja:
+    una: object
+    otra: object
+    cuanto: float  # comparten de lo que solo es suyo, de 0 a 1
+    pesa: float  # eso: lo que además tienen otros, menos
+    lineas: tuple  # de cada una, {fichero: sus líneas}
+
+
+def palabras(texto):
+    """Las del lenguaje, cada una con su línea."""
+    hay, linea, hasta = [], 1, 0
+    for m in PALABRA.finditer(texto):
+        linea += texto.count("\n", hasta, m.start())
+        hasta = m.start()
+        if m.lastgroup != "nada":
+            hay.append(Palabra(m[0], m.lastgroup, linea))
+    return hay
+
+
+def declarados(hay):
+    """Los nombres que se declaran ahí: los que van tras un tipo."""
+    suyos = set()
+    for antes, esta, luego in zip(hay, hay[1:], hay[2:]):
+        tras_tipo = antes.clase == "nombre" and antes.que not in NO_ES_TIPO or antes.que in (">", "&", "]")
+        if esta.clase == "nombre" and tras_tipo and luego.que in SIGUE_A_UN_NOMBRE:
+            suyos.add(esta.que)
+    return suyos
+
+
+class Frases:
+    """Las de un fichero, en una lista por cada cosa que declara fuera de todo: una función, una estructura."""
+
+    def __init__(self, hay):
+        self.todas, self.cosa, self.frase = [], [], []
+        self.bloques, self.dentro, self.control = [], 0, False  # llaves abiertas; paréntesis; si son los de un if
+        for palabra in hay:
+            self.pon(palabra)
+        self.acaba(cosa=True)
+
+    def acaba(self, cosa=False):
+        if self.frase:
+            self.cosa.append(self.frase)
+            self.frase = []
+        if cosa and self.cosa:
+            self.todas.append(self.cosa)
+            self.cosa = []
+
+    def es_bloque(self):
+        """Si la llave que se abre es de un bloque, y no de una lista de valores."""
+        if not self.frase or self.frase[0].que in DE_BLOQUE:
+            return True
+        ultima = self.frase[-1].que
+        return (
+            ultima in ABRE_BLOQUE
+            or ultima == ":"
+            and self.frase[0].que in ("case", "default")
+            or "->" in [p.que for p in self.frase[-3:]]  # lo que devuelve una lambda
+        )
+
+    def pon(self, palabra):
+        que = palabra.que
+        if not self.dentro and que in (";", "{", "}"):
+            if que == "{" and not self.es_bloque():
+                self.dentro += 1
+                return
+            if que == "{":
+                self.bloques.append(not self.frase or self.frase[0].que not in ("namespace", "extern"))
+            elif que == "}" and self.bloques:
+                self.bloques.pop()
+            self.acaba(cosa=que != "{" and not any(self.bloques[:9]))
+            return
+        if que in ("(", "[", "{"):
+            if que == "(" and not self.dentro and self.frase and self.frase[-1].que in DE_CONTROL:
+                self.control = True
+            self.dentro += 1
+        elif que in (")", "]", "}"):
+            self.dentro = max(0, self.dentro - 1)
+        if que not in "{}":
+            self.frase.append(palabra)
+        if que == ")" and not self.dentro and self.control or que == "else" and not self.dentro:
+            self.control = False
+            self.acaba()
+
+
+def normal(palabras_, suyos):
+    """Cómo cuentan, juntas. De los textos, solo los que son un nombre, sin blancos."""
+    orden = {}
+    return tuple(
+        orden.setdefault(p.que, len(orden))
+        if p.clase == "nombre" and p.que in suyos
+        else "T"
+        if p.clase == "texto" and " " in p.que
+        else p.que
+        for p in palabras_
+    )
+
+
+def senas(ficheros):
+    """{seña: dónde está, como (de cuántas frases es, fichero, de qué línea, a cuál)}, de cada una y de las seguidas."""
+    leidos = {ruta: palabras(texto) for ruta, texto in ficheros.items()}
+    suyos = set().union(*map(declarados, leidos.values()))
+    donde = defaultdict(list)
+    for ruta, hay in leidos.items():
+        for cosa in Frases(hay).todas:
+            solas = []
+            for i, frase in enumerate(cosa):
+                for n in SEGUIDAS:
+                    juntas = [p for f in cosa[i : i + n] for p in f]
+                    if i + n <= len(cosa):
+                        sena = hash((n, normal(juntas, suyos)))
+                        donde[sena].append((n, ruta, juntas[0].linea, juntas[-1].linea))
+                        if n == 1:
+                            solas.append(sena)
+            # y la cosa entera, en cualquier orden
+            donde[hash((0, *sorted(solas)))].append((len(cosa) + 1, ruta, cosa[0][0].linea, cosa[-1][-1].linea))
+    return donde
+
+
+def codigo(ficheros):
+    """Los textos de una entrega, hasta un límite."""
+    queda, textos = TOPE, {}
+    for ruta, contenido in sorted(ficheros.items()):
+        if tipo(ruta) in CODIGO and queda:
+            texto = contenido if isinstance(contenido, str) else contenido[:TOPE].decode(errors="replace")
+            textos[ruta] = texto[:queda]
+            queda -= len(textos[ruta])
+    return textos
+
+
+def lineas(donde, comunes):
+    """En qué líneas de cada fichero están esas señas; de las que se pisan, la más corta, que es la que dice dónde."""
+    hay = defaultdict(set)
+    for _, ruta, desde, hasta in sorted(sitio for sena in comunes for sitio in donde[sena]):
+        suyas = set(range(desde, hasta + 1))
+        if not suyas & hay[ruta]:
+            hay[ruta] |= suyas
+    return dict(hay)
+
+
+def parejas(entregas, dadas=(), basta=BASTA):
+    """De {quién: sus textos}, las que se parecen, antes las que más tienen en común. DADAS: lo que tiene cualquiera."""
+    de_todos = set().union(*map(senas, dadas))
+    donde = {q: {s: d for s, d in senas(textos).items() if s not in de_todos} for q, textos in entregas.items()}
+    veces = Counter(sena for hay in donde.values() for sena in hay)
+    muchas = max(COMUN[0], len(entregas) // COMUN[1])
+    peso = {s: 1 / max(1, n - 1) for s, n in veces.items() if n <= muchas}  # lo que hacen varios dice menos
+    pesan = {q: sum(peso.get(s, 0) for s in hay) for q, hay in donde.items()}
+    quienes = defaultdict(list)
+    for quien, hay in donde.items():
+        for sena in peso.keys() & hay.keys():
+            quienes[sena].append(quien)
+    comunes = defaultdict(list)
+    for sena, son in quienes.items():
+        for par in itertools.combinations(son, 2):
+            comunes[par].append(sena)
+    halladas = []
+    for (una, otra), hay in comunes.items():
+        pesa = sum(peso[s] for s in hay)
+        cuanto = 2 * pesa / (pesan[una] + pesan[otra])
+        if cuanto >= basta and pesa >= MINIMO:
+            halladas.append(Pareja(una, otra, cuanto, pesa, (lineas(donde[una], hay), lineas(donde[otra], hay))))
+    return sorted(halladas, key=lambda p: (-round(p.pesa, 6), -round(p.cuanto, 6), str(p.una), str(p.otra)))
+
+
+def al_lado(textos, marcadas):
+    """De cada fichero, sus líneas marcadas y las de alrededor: (fichero, [(número, línea, si está marcada)]); donde se
+    salta alguna, None."""
+    for ruta in sorted(marcadas.keys() & textos.keys()):
+        todas, son, filas, antes = textos[ruta].split("\n"), marcadas[ruta], [], 0
+        for n in range(1, len(todas) + 1):
+            if any(k in son for k in range(n - ALREDEDOR, n + ALREDEDOR + 1)):
+                filas += [None] * (n > antes + 1) + [(n, todas[n - 1].expandtabs(4)[:ANCHO], n in son)]
+                antes = n
+        yield ruta, filas[:ALTO]

@@ -1,0 +1,77 @@
+"""Los ejercicios de la página (L5.1): se entrega un shader suelto y no un programa, y se juzga como en ella, con los
+mismos casos y, en cada uno, los mismos gestos (web/ejercicio.mjs). Lo entregado tampoco es de fiar: lo compila
+OpenGL, y se juega en la jaula."""
+import shutil
+
+from base import controles, defectos, marcas
+from ejercicios import nuevo
+from ejercicios.corrige.compilador import Compilador
+from ejercicios.corrige.motivos import Motivos
+from ejercicios.corrige.partidas import Guion, Jugador
+from ejercicios.reglas import Reglas
+
+GIRA = "boton IZQUIERDO abajo 10 90", "arrastra 330 90", "boton IZQUIERDO arriba 330 90"
+REGLAS = Reglas(guiones=0)  # los de la página bastan
+CON_RATON = {"raton", "rueda", "arrastre"}
+
+
+def ejercicios(raiz, programas):
+    """El primer programa que tiene marcado cada uno."""
+    hay = {}
+    for p in programas:
+        for r in p.referencias:
+            if nuevo.es_de_shaders(r) and r not in hay and not p.consola and nuevo.privados(raiz, p, r):
+                hay[r] = p
+    return hay
+
+
+def esqueleto(raiz, programa, referencia):
+    return {f: marcas.esqueleto(texto, referencia) for f, texto in nuevo.pedidos(raiz, programa, referencia).items()}
+
+
+def guiones(raiz, build, programa, entorno):
+    """En cada caso, lo que se hace en la página: la cámara al otro lado y cada tecla."""
+    suyos = [c for c in controles.lee(raiz, programa) if c.teclas != ["Esc"]]
+    teclas = [o for c in suyos for o in c.ordenes]
+    rasgos = {r for hecho in ("", "; ".join(teclas)) for r in controles.atiende(build, programa, hecho, **entorno)[0]}
+    gestos = (*(GIRA if rasgos & CON_RATON else ()), *teclas)
+    for caso in programa.casos:
+        yield Guion(caso.nombre, (*(o.strip() for o in caso.guion.split(";") if o.strip()), *gestos), True)
+
+
+class DeShaders(Compilador):
+    """El programa es el de la solución, que los busca en un árbol con los de la entrega."""
+
+    def compila(self, ficheros, carpeta, ajena=True, llamadas=()):
+        carpeta.mkdir(exist_ok=True, parents=True)
+        arbol = carpeta / "fuentes"
+        self.en_arbol({}, arbol)
+        for ruta in self.privados:
+            contenido = ficheros[str(ruta)]
+            (arbol / ruta).write_bytes(contenido if isinstance(contenido, bytes) else contenido.encode())
+        ejecutable = carpeta / self.programa.nombre
+        shutil.copy(self.solucion.programa, ejecutable)
+        return Jugador("la entrega", ejecutable, [arbol], ajeno=ajena)
+
+    def avisos(self, ficheros, carpeta):
+        return []
+
+
+class MotivosDeShaders(Motivos):
+    def textos(self):
+        return nuevo.pedidos(self.raiz, self.programa, self.ref)
+
+    def limpio(self, textos):
+        return {fichero: nuevo.deja(texto) for fichero, texto in textos.items()}
+
+    def esqueleto(self):
+        return esqueleto(self.raiz, self.programa, self.ref)
+
+    def compila_defectos(self, sitio):
+        for m in self.defectos:
+            textos = self.textos()
+            textos[m.fichero] = defectos.estropea(textos[m.fichero], m)
+            self.compilador.compila(self.limpio(textos), sitio / str(m.numero), ajena=False)
+
+    def con_defecto(self, m, sitio, jugador):
+        return jugador(m.nombre, str(m.numero))

@@ -1,0 +1,102 @@
+"""Cómo se puntúa: lo que se dice en el reglas.txt de un ejercicio propio, o en el de --reglas; lo que no, como siempre.
+
+    # clave = valor
+    caso = 3
+    tolerancia = otro
+"""
+import re
+from dataclasses import dataclass, fields, replace
+
+from base.procesos import Fallo
+from ejercicios import propios
+
+FICHERO = "reglas.txt"
+TOLERANCIAS = "redondeo", "amplia", "otro"  # las del comparador, de la más estrecha a la más ancha
+CIEN = 100
+
+
+@dataclass(frozen=True)
+class Reglas:
+    """Los pesos; cuántos guiones son al azar; con qué tolerancia son la misma dos imágenes; de cada cien puntos, los
+    que da una que se ve casi igual y los que quita, una vez, lo que no es la imagen."""
+
+    caso: float = 2
+    azar: float = 1
+    guiones: int = 24
+    tolerancia: str = "amplia"
+    casi: float = 50
+    titulo: float = 5
+    texto: float = 20
+    estado: float = 5
+
+    def peso(self, guion):
+        return self.caso if guion.caso else self.azar
+
+    def cuesta(self, que):
+        """Lo que no es la imagen, como lo llama arbitro.aparte."""
+        return getattr(self, que.replace("í", "i"))
+
+    @property
+    def cuanto_casi(self):
+        return "la mitad" if self.casi == CIEN / 2 else f"{self.casi:g} de {CIEN}" if self.casi else "cero"
+
+    @property
+    def en_palabras(self):
+        """Todas, para cada informe."""
+        al_azar = (
+            f"{self.guiones} al azar, {self.azar:g} cada uno" if self.guiones and self.azar else "al azar, ninguno"
+        )
+        return (
+            f"guiones: los casos, {self.caso:g} cada uno; {al_azar}; tolerancia {self.tolerancia}; lo casi igual, "
+            f"{self.casi:g} %; quitan, de 100, el título {self.titulo:g}, el texto {self.texto:g} y el estado con que "
+            f"acaba {self.estado:g}"
+        )
+
+
+def valor(clave, texto):
+    """El de esa clave, o nada si no vale."""
+    if clave == "tolerancia":
+        return texto if texto in TOLERANCIAS else None
+    if clave == "guiones":
+        return int(texto) if re.fullmatch("[0-9]{1,6}", texto) else None
+    numero = float(texto.replace(",", ".")) if re.fullmatch(r"[0-9]{1,4}([.,][0-9]{1,3})?", texto) else None
+    return numero if numero is not None and (numero <= CIEN or clave in ("caso", "azar")) else None
+
+
+VALEN = {"tolerancia": ", ".join(TOLERANCIAS), "guiones": "un número natural", "caso": "un peso, de 0 a 9999"}
+VALEN["azar"] = VALEN["caso"]
+
+
+def lee(fichero, como_siempre=Reglas()):
+    """Lo que dice un reglas.txt, y lo demás, como siempre."""
+    dice = {}
+    for n, renglon in propios.renglones(fichero):
+        clave, es, texto = (parte.strip() for parte in renglon.partition("="))
+        clave, donde = clave.replace("í", "i"), f"{fichero}:{n}"
+        if not es:
+            raise Fallo(f"{donde}: es «clave = valor»")
+        if clave not in (claves := [f.name for f in fields(Reglas)]):
+            raise Fallo(f"{donde}: no hay ninguna regla «{clave}»: {', '.join(claves)}")
+        if clave in dice:
+            raise Fallo(f"{donde}: «{clave}» está dos veces")
+        if (leido := valor(clave, texto)) is None:
+            raise Fallo(f"{donde}: «{texto}» no vale de {clave}: {VALEN.get(clave, 'puntos, de 0 a 100')}")
+        dice[clave] = leido
+    return comprueba(replace(como_siempre, **dice), fichero)
+
+
+def comprueba(reglas, fichero):
+    if not reglas.caso and not (reglas.azar and reglas.guiones):
+        raise Fallo(f"{fichero}: con esos pesos no queda nada que puntúe")
+    if reglas.titulo + reglas.texto + reglas.estado > CIEN:
+        raise Fallo(f"{fichero}: el título, el texto y el estado quitan entre los tres más de {CIEN} puntos")
+    return reglas
+
+
+def del_programa(programa, fichero=None, guiones=None, como_siempre=Reglas()):
+    """Las de ese fichero o, sin él, las de su carpeta si es propio; y de los guiones, los que se digan."""
+    if fichero and not fichero.is_file():
+        raise Fallo(f"no hay ningún fichero «{fichero}»")
+    suyo = fichero or (programa.carpeta / FICHERO if programa.raices else None)
+    reglas = lee(suyo, como_siempre) if suyo else como_siempre
+    return reglas if guiones is None else comprueba(replace(reglas, guiones=guiones), suyo or "--guiones")

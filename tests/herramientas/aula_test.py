@@ -1,0 +1,669 @@
+"""Una clase como la da una plataforma, de punta a punta: lo que descarga Moodle, con lo que hay en él que no es de
+fiar; la hoja de calificaciones y lo que Moodle recoge; en qué se equivoca una clase; y quién se parece a quién.
+
+LAB_AULA=60 corrige de verdad una de sesenta; si no, de unas pocas."""
+import csv
+import io
+import json
+import os
+import random
+import re
+import stat
+import subprocess
+import sys
+import tempfile
+import unicodedata
+import zipfile
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+RAIZ = Path(__file__).parents[2]
+BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
+sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/ordenes")]
+from base import catalogo, defectos, procesos
+from ejercicios import nuevo
+from ejercicios.corrige import aula
+from ejercicios.corrige import clase as de_clase
+from ejercicios.corrige import conjunto, entrega, hoja, parecidos
+from ejercicios.corrige.banco import Banco
+from ejercicios.corrige.jaula import Jaula
+from ejercicios.reglas import Reglas
+from copias import copia
+from mentira import siembra
+
+MOODLE, TEXTO = "_assignsubmission_file_", "_assignsubmission_onlinetext"
+P = b"int main() {}"
+
+
+# --- lo que hay en un .zip ------------------------------------------------------------------------------------------
+
+
+class Cruda(zipfile.ZipInfo):
+    """Con un nombre que se escribe tal cual, como los de antes, que no dicen en qué están."""
+
+    def _encodeFilenameFlags(self):
+        return bytes(map(ord, self.filename)), 0
+
+
+def en_zip(*miembros, como=zipfile.ZIP_DEFLATED):
+    """De cada uno, su nombre, que puede ser de bytes, su contenido y, si acaso, su modo."""
+    datos = io.BytesIO()
+    with zipfile.ZipFile(datos, "w", como) as z:
+        for nombre, contenido, *modo in miembros:
+            info = zipfile.ZipInfo(nombre) if isinstance(nombre, str) else Cruda("".join(map(chr, nombre)))
+            info.external_attr = (modo[0] if modo else stat.S_IFREG | 0o644) << 16
+            z.writestr(info, contenido, como)
+    return datos.getvalue()
+
+
+def cambiado(datos, antes, por):
+    assert antes in datos
+    return datos.replace(antes, por)
+
+
+def con_clave(datos):
+    """Dice que lo está, en las dos cabeceras de cada fichero."""
+    datos = bytearray(datos)
+    for marca, donde in ((b"PK\x03\x04", 6), (b"PK\x01\x02", 8)):
+        i = -1
+        while (i := datos.find(marca, i + 1)) >= 0:
+            datos[i + donde] |= 1
+    return bytes(datos)
+
+
+BUENO = en_zip(("p.cpp", P), ("p.h", b""))
+MUCHO = bytes(2 << 20)
+HOSTILES = {  # lo que sube uno → qué ficheros se leen, o qué se le dice
+    "bueno": (BUENO, "p.cpp p.h"),
+    "en una carpeta": (en_zip(("grua/p.cpp", P), ("grua/p.h", b"")), "p.cpp p.h"),
+    "de macOS": (en_zip(("grua/p.cpp", P), ("__MACOSX/grua/._p.cpp", b"\0"), ("grua/.DS_Store", b"")), "p.cpp"),
+    "de Windows": (en_zip((b"grua\\p.cpp", P), (b"grua\\util\\a.h", b"")), "p.cpp util/a.h"),
+    "un zip dentro": (en_zip(("dentro.zip", BUENO)), "p.cpp p.h"),
+    "tres dentro": (en_zip(("3.zip", en_zip(("2.zip", en_zip(("1.zip", BUENO)))))), "sin descomprimir"),
+    "UTF-8": (en_zip(("grúa.cpp", P)), "grúa.cpp"),
+    "NFD": (en_zip((unicodedata.normalize("NFD", "grúa.cpp"), P)), "grúa.cpp"),
+    "cp437": (en_zip(("niño.cpp".encode("cp437"), P)), "niño.cpp"),
+    "cp850": (en_zip(("GRÚA.cpp".encode("cp850"), P)), "GRÚA.cpp"),
+    "latin1": (en_zip(("grúa niño.cpp".encode("latin1"), P)), "grúa niño.cpp"),
+    "UTF-8 sin decirlo": (en_zip(("grúa.cpp".encode(), P)), "grúa.cpp"),
+    "con más cosas": (en_zip(("p.cpp", P), ("build/p.o", MUCHO), ("a.png", MUCHO)), "p.cpp"),
+    "sube": (en_zip(("../../p.cpp", P)), "una ruta que sale de su carpeta: «../../p.cpp»"),
+    "sube por dentro": (en_zip(("a/../../p.cpp", P)), "una ruta que sale de su carpeta"),
+    "sube en Windows": (en_zip((b"..\\..\\p.cpp", P)), "una ruta que sale de su carpeta"),
+    "absoluta": (en_zip(("/etc/p.cpp", P)), "una ruta que sale de su carpeta: «/etc/p.cpp»"),
+    "unidad": (en_zip(("C:/p.cpp", P)), "una ruta que sale de su carpeta: «C:/p.cpp»"),
+    "enlace": (en_zip(("p.cpp", b"/etc/passwd", stat.S_IFLNK | 0o777)), "«p.cpp», en el .zip, no es un fichero"),
+    "enlace de carpeta": (en_zip(("a", b"/tmp", stat.S_IFLNK | 0o777), ("p.cpp", P)), "p.cpp"),
+    "tubería": (en_zip(("p.cpp", b"", stat.S_IFIFO | 0o644)), "no es un fichero corriente"),
+    "con clave": (con_clave(BUENO), "«p.cpp» está en un .zip con contraseña"),
+    "cortado": (BUENO[:-30], "no se puede abrir: está estropeado"),
+    "cortado por delante": (BUENO[40:], "no se puede abrir: está estropeado"),
+    "no es un zip": (b"Rar!\x1a\x07", "«x.zip» no se puede abrir: está estropeado, o no es un .zip"),
+    "CRC": (cambiado(en_zip(("p.cpp", P), como=zipfile.ZIP_STORED), P, P[::-1]), "no se puede abrir: está estropeado"),
+    "otro método": (cambiado(BUENO, b"\x08\0\0\0!\0", b"\x63\0\0\0!\0"), "no se puede abrir: está estropeado"),
+    "bomba": (en_zip(("p.cpp", bytes(300 << 20))), "«p.cpp» pasa de 1 MiB"),
+    "bomba en un zip": (en_zip(("a.zip", en_zip(("p.cpp", bytes(300 << 20))))), "«p.cpp» pasa de 1 MiB"),
+    "zip enorme dentro": (en_zip(("a.zip", bytes(65 << 20))), "«a.zip» pasa de 64 MiB"),
+    "entre todos": (en_zip(*((f"{i}.cpp", bytes(1 << 20)) for i in range(70))), "pasa de"),
+    "muchos": (en_zip(*((f"{i}.cpp", b"") for i in range(60))), "son más de 40 ficheros"),
+    "muchísimos": (en_zip(*((f"{i}", b"") for i in range(5001))), "más de 5000 ficheros"),
+    "hondo": (en_zip(("a/" * 300 + "x.cpp", P), ("p.cpp", P)), "p.cpp"),
+    "nombre larguísimo": (en_zip(("a" * 300 + ".cpp", P)), "no se puede poner en una carpeta"),
+    "fichero y carpeta": (en_zip(("a.cpp", P), ("a.cpp/b.cpp", P)), "no se puede poner en una carpeta"),
+    "dos veces": (en_zip(("p.cpp", b"int main() {"), ("p.cpp", P)), "p.cpp"),
+    "vacío": (en_zip(), "no hay nada en su carpeta"),
+    "solo un PDF": (en_zip(("memoria.pdf", b"%PDF")), "no hay ningún fuente: hay memoria.pdf"),
+    "control": (en_zip(("p\x1b[2J.cpp", P)), "p [2J.cpp"),
+    "oculto": (en_zip((".p.cpp", P)), "no hay nada en su carpeta"),
+    "se llama como lo nuestro": (en_zip(("correccion.zip", BUENO), ("p.h", b"")), "p.h"),
+}  # fmt: skip
+
+
+def lee(que, temporal):
+    """Los ficheros de una entrega, o lo que se le dice."""
+    try:
+        with aula.abierta(que, temporal) as sitio:
+            leida = entrega.lee_entrega(sitio)
+        return " ".join(sorted(leida.ficheros)), leida
+    except entrega.Rechazo as rechazo:
+        return str(rechazo), None
+
+
+@pytest.mark.parametrize("caso", HOSTILES)
+@pytest.mark.parametrize("como", ("carpeta", "zip", "zip suelto"))
+def test_lo_que_hay_en_un_zip_no_es_de_fiar(tmp_path, caso, como):
+    """En una carpeta del disco, dentro del .zip de Moodle, y en este sin carpetas."""
+    datos, dice = HOSTILES[caso]
+    temporal, clase = tmp_path / "t", tmp_path / "clase"
+    temporal.mkdir()
+    uno = f"Ana_1{MOODLE}"
+    if como == "carpeta":
+        siembra(clase / uno, {})
+        (clase / uno).mkdir(parents=True)
+        (clase / uno / "x.zip").write_bytes(datos)
+        pedida = clase
+    else:
+        pedida = tmp_path / "clase.zip"
+        pedida.write_bytes(
+            en_zip((f"{uno}/x.zip" if como == "zip" else f"{uno}x.zip", datos), (f"Luis_2{MOODLE}/p.cpp", P))
+        )
+    _, dentro, sueltos = aula.busca(tmp_path, pedida)
+    assert dentro[0].name == uno and not sueltos
+    dicho, leida = lee(dentro[0], temporal)
+    assert dice == dicho if leida else dice in dicho
+    assert "\n" not in dicho and not list(temporal.iterdir())
+    if leida and "p.cpp" in leida.ficheros:
+        assert leida.ficheros["p.cpp"] == P
+    assert {f.name for f in tmp_path.iterdir()} <= {"t", "clase", "clase.zip"}
+    if como != "carpeta":  # y a los demás no les pasa nada
+        assert lee(dentro[1], temporal)[0] == "p.cpp"
+
+
+def test_un_zip_estropeado_de_cualquier_manera(tmp_path):
+    azar = random.Random(1)
+    for i in range(300):
+        malo = bytearray(BUENO)
+        for _ in range(azar.randint(1, 12)):
+            malo[azar.randrange(len(malo))] = azar.randrange(256)
+        sitio = tmp_path / str(i)
+        sitio.mkdir()
+        (sitio / "x.zip").write_bytes(malo[: azar.randrange(len(malo)) if azar.random() < 0.2 else None])
+        dicho, _ = lee(sitio, tmp_path)
+        assert dicho and "Traceback" not in dicho
+    assert len(list(tmp_path.iterdir())) == 300
+
+
+def test_lo_que_hay_en_el_zip_de_todos_es_de_cada_uno(tmp_path):
+    """Lo de uno que sale de su carpeta, o que se estropea, es suyo."""
+    bien, mal = f"Ana_1{MOODLE}", f"Eva_2{MOODLE}"
+    datos = en_zip(
+        (f"{bien}/p.cpp", P), (f"{mal}/../../x.cpp", P), (f"Luis_3{MOODLE}/p.cpp", b"Z" * 99), como=zipfile.ZIP_STORED
+    )
+    (tmp_path / "c.zip").write_bytes(cambiado(datos, b"Z" * 99, b"z" * 99))
+    _, dentro, _ = aula.busca(tmp_path, tmp_path / "c.zip")
+    dicho = {q.name: lee(q, tmp_path)[0] for q in dentro}
+    assert dicho[bien] == "p.cpp" and "sale de su carpeta" in dicho[mal] and "estropeado" in dicho[f"Luis_3{MOODLE}"]
+    with pytest.raises(procesos.Fallo, match="no se puede abrir"):
+        (tmp_path / "c.zip").write_bytes(b"no")
+        aula.busca(tmp_path, tmp_path / "c.zip")
+
+
+# Lo que hay en lo que se da → quiénes son, y los ficheros de cada uno o lo que se le dice. ~ es un blanco, y tras el
+# número va lo que pone Moodle en el nombre de cada carpeta.
+NOMBRES = """
+Ana~Gil_1_/p.cpp Luis_2_/p.cpp → Ana~Gil_1_=p.cpp Luis_2_=p.cpp
+Ana_1/p.cpp Luis_2/a/p.cpp → Ana_1=p.cpp Luis_2=p.cpp
+Ana_1_grua.cpp Ana_1_grua.h Luis_2_p.cpp → Ana_1_=grua.cpp~grua.h Luis_2_=p.cpp
+Ana_1_mi_grua.cpp → Ana_1_=mi_grua.cpp
+Ana_1_/p.cpp Ana_1_texto_/t.html → Ana_1_=p.cpp
+Ana_1_texto_/t.html → Ana_1_texto_=no~hay~ningún~fuente:~hay~t.html
+Tarea/Ana_1_/p.cpp Tarea/Luis_2_/p.cpp → Ana_1_=p.cpp Luis_2_=p.cpp
+Tarea/Ana_1_p.cpp → Ana_1_=p.cpp
+Ana_1_/p.cpp Ana_2_/q.cpp → Ana_1_=p.cpp Ana_2_=q.cpp
+Ana_1_/Luis_2_/p.cpp Luis_2_/q.cpp → Ana_1_=p.cpp Luis_2_=q.cpp
+Grupo~A_7_/p.cpp Default~group_/q.cpp → Default~group_=q.cpp Grupo~A_7_=p.cpp
+ana/p.cpp luis/src/p.cpp → ana=p.cpp luis=p.cpp
+ana/p.cpp luis/Eva_2_p.cpp → ana=p.cpp luis=Eva_2_p.cpp
+""".strip().splitlines()
+
+
+def de_moodle(texto):
+    return re.sub(r"((?<=[^/a-z]\d)|(?<=group))(_texto)?(?=[_/=]|$)", lambda m: TEXTO if m[2] else MOODLE[:-1], texto)
+
+
+@pytest.mark.parametrize("fila", NOMBRES)
+@pytest.mark.parametrize("en", ("zip", "carpeta"))
+def test_de_quien_es_lo_que_da_una_plataforma(tmp_path, fila, en):
+    hay, son = ([de_moodle(p).replace("~", " ") for p in lado.split()] for lado in fila.split("→"))
+    if en == "zip":
+        (tmp_path / "clase.zip").write_bytes(en_zip(*((ruta, P) for ruta in hay)))
+    for ruta in hay if en == "carpeta" else ():
+        siembra(tmp_path / "clase", {ruta: P.decode()})
+    _, dentro, _ = aula.busca(tmp_path, tmp_path / ("clase.zip" if en == "zip" else "clase"))
+    assert [f"{q.name}={lee(q, tmp_path)[0]}" for q in sorted(dentro, key=lambda q: q.name)] == son
+
+
+def test_uno_solo_en_un_zip(tmp_path):
+    (tmp_path / "ana.zip").write_bytes(en_zip(("src/p.cpp", P), ("src/p.h", b"")))
+    suya, dentro, _ = aula.busca(tmp_path, tmp_path / "ana.zip")
+    assert dentro is None and suya.name == "ana" and lee(suya, tmp_path)[0] == "p.cpp p.h"
+
+
+def test_quien_sube_lo_mismo_dos_veces_no_lo_entrega_dos(tmp_path):
+    siembra(tmp_path / "ana", {"p.cpp": P.decode()})
+    (tmp_path / "ana/p.zip").write_bytes(BUENO)
+    assert lee(tmp_path / "ana", tmp_path)[0] == "p.cpp"
+
+
+# --- la hoja de calificaciones --------------------------------------------------------------------------------------
+
+COLUMNAS = (
+    "Identificador|Nombre completo|Dirección de correo|Estado|Calificación|Calificación máxima|La calificación puede "
+    "ser cambiada|Última modificación (entrega)|Última modificación (calificación)|Comentarios de retroalimentación"
+).split(
+    "|"
+)  # las que da Moodle, en ese orden (mod/assign/gradingtable.php)
+INGLES = (
+    "Identifier|Full name|Email address|Status|Grade|Maximum Grade|Grade can be changed|Last modified (submission)|"
+    "Last modified (grade)|Feedback comments"
+).split("|")
+GRUPOS = [*INGLES[:4], "Group", *INGLES[4:]]
+SIN_COMENTARIOS = INGLES[:-1]
+RARO = 'Pérez, "la O"\nGil'
+
+
+def una_hoja(columnas, separador=",", fin="\r\n", maxima="10,00", comillas=csv.QUOTE_MINIMAL, grupo=""):
+    """Con tres personas: la tercera no ha entregado."""
+    datos = io.StringIO()
+    escribe = csv.writer(datos, delimiter=separador, lineterminator=fin, quoting=comillas)
+    escribe.writerow(columnas)
+    for n, quien in ((1001, RARO), (1002, "Ana Gil"), (1003, "Luis")):
+        medio = [grupo] if "Group" in columnas else []
+        fila = [f"Participant{'e' if columnas[0][-1] == 'd' else ''} {n}", quien, "", "Enviado", *medio, "", maxima]
+        escribe.writerow([*fila, "Sí", "lunes, 5", "-", "ya había"][: len(columnas)])
+    return datos.getvalue()
+
+
+HECHA = {"entrega": "x", "nota": 87.5, "bien": 3, "guiones": 5, "casos": {"a": True}, "fallos": [], "reglas": "r"}
+HECHA["dice"] = ['parece que <b>gira</b>, "al revés"', "«tecla d» no hace nada → ✗"]
+HOJAS = {
+    "en castellano": (una_hoja(COLUMNAS), "utf-8", b""),
+    "con BOM": (una_hoja(COLUMNAS), "utf-8", b"\xef\xbb\xbf"),
+    "en inglés": (una_hoja(INGLES, maxima="100.00"), "utf-8", b""),
+    "con todo entre comillas": (una_hoja(INGLES, comillas=csv.QUOTE_ALL), "utf-8", b""),
+    "con punto y coma": (una_hoja(COLUMNAS, ";", "\n"), "utf-8", b""),
+    "con tabuladores": (una_hoja(COLUMNAS, "\t", "\n"), "utf-16-le", b"\xff\xfe"),
+    "de Windows": (una_hoja(COLUMNAS), "cp1252", b""),
+    "sin el último fin": (una_hoja(COLUMNAS).rstrip(), "utf-8", b""),
+    "sin comentarios": (una_hoja(SIN_COMENTARIOS), "utf-8", b""),
+    "de grupos": (una_hoja(GRUPOS, grupo="Grupo_A"), "utf-8", b""),
+}
+
+
+def celdas(datos, como, marca, separador):
+    assert datos.startswith(marca)
+    return list(csv.reader(io.StringIO(datos[len(marca) :].decode(como), newline=""), delimiter=separador))
+
+
+@pytest.mark.parametrize("cual", HOJAS)
+def test_la_hoja_de_moodle_se_queda_como_estaba(tmp_path, cual):
+    """Leída otra vez, columna a columna; y lo que no se pone, byte a byte."""
+    texto, como, marca = HOJAS[cual]
+    fichero = tmp_path / "hoja.csv"
+    fichero.write_bytes(marca + texto.encode(como))
+    antes = fichero.read_bytes()
+    suya = hoja.Hoja(fichero)
+    for nombre, c in (
+        (f"Otro nombre_1001{MOODLE}", HECHA),
+        (f"Grupo A_7{MOODLE}", HECHA),
+        (f"Eva_9{MOODLE}", {**HECHA, "entrega": "Eva"}),
+    ):
+        suya.pon(nombre, c)
+    destino = suya.escribe()
+    assert destino.name == "hoja-con-notas.csv" and fichero.read_bytes() == antes
+    separador = suya.separador
+    una, otra = celdas(antes, como, marca, separador), celdas(destino.read_bytes(), como, marca, separador)
+    columnas, maxima = una[0], una[1][una[0].index("Calificación máxima" if "Estado" in una[0] else "Maximum Grade")]
+    cambia = {columnas.index(n) for n in columnas if n in ("Grade", "Calificación", "Feedback comments", COLUMNAS[-1])}
+    con_nota = {1, 2, 3} if cual == "de grupos" else {1}
+    for i, (a, b) in enumerate(zip(una, otra)):
+        assert [k for k in range(len(columnas)) if a[k] != b[k]] == (sorted(cambia) if i in con_nota else []), i
+    assert len(una) == len(otra) == 4 and otra[1][min(cambia)] == {"10,00": "8,75", "100.00": "87.50"}[maxima]
+    if len(cambia) == 2:
+        dicho = otra[1][max(cambia)]
+        assert "parece que &lt;b&gt;gira&lt;/b&gt;, &quot;al revés&quot;" in dicho and "3 de 5" in dicho
+        assert ("→ ✗" in dicho) == (como != "cp1252") and ("&#8594;" in dicho) == (como == "cp1252")
+    # las demás líneas, con sus comillas y sus finales
+    lineas = lambda datos: re.split(r"(\r?\n)", datos.decode(como, "replace"))
+    iguales = [linea for linea in lineas(antes) if linea in lineas(destino.read_bytes())]
+    assert len(iguales) >= len(lineas(antes)) - 2 * len(con_nota)
+    fuera = {f"«{e}» no está en hoja.csv" for e in (("x", "Eva") if cual != "de grupos" else ("Eva", "x"))}
+    assert set(suya.avisos) == fuera
+
+
+def test_sin_notas_la_hoja_es_la_misma(tmp_path):
+    for nombre, (texto, como, marca) in HOJAS.items():
+        (tmp_path / "h.csv").write_bytes(marca + texto.encode(como))
+        assert hoja.Hoja(tmp_path / "h.csv").escribe().read_bytes() == marca + texto.encode(como), nombre
+
+
+@pytest.mark.parametrize(
+    "nota, maxima, dice",
+    [(100, "10,00", "10,00"), (99.9, "1,00", "0,999"), (0, "100,00", "0,00"), (33.3, "7.00", "2.331")],
+)
+def test_la_nota_va_en_los_puntos_de_la_tarea(tmp_path, nota, maxima, dice):
+    (tmp_path / "h.csv").write_text(una_hoja(COLUMNAS, maxima=maxima))
+    suya = hoja.Hoja(tmp_path / "h.csv")
+    suya.pon(f"A_1002{MOODLE}", {**HECHA, "nota": nota})
+    assert celdas(suya.escribe().read_bytes(), "utf-8", b"", ",")[2][4] == dice
+
+
+@pytest.mark.parametrize(
+    "texto, dice",
+    [
+        ("Nombre,Nota\nAna,5\n", "no es una hoja de calificaciones de Moodle que conozca"),
+        ("", "no es una hoja"),
+        ("Identifier,Grade,Scale\nParticipant 1,,Mal\n", "escala de palabras"),
+    ],
+)
+def test_la_hoja_que_no_se_entiende_se_dice_antes_de_corregir(tmp_path, texto, dice):
+    (tmp_path / "h.csv").write_text(texto)
+    with pytest.raises(procesos.Fallo, match=dice):
+        hoja.Hoja(tmp_path / "h.csv")
+    with pytest.raises(procesos.Fallo, match="no puedo leer"):
+        hoja.Hoja(tmp_path / "no.csv")
+
+
+def test_lo_de_un_grupo_vuelve_a_cada_uno(tmp_path):
+    """El número de la carpeta es el del grupo, que puede ser el de una persona que no tiene nada que ver."""
+    (tmp_path / "h.csv").write_text(una_hoja(GRUPOS, grupo="Grupo_A"))
+    suya = hoja.Hoja(tmp_path / "h.csv")
+    son = conjunto.de_vuelta(f"Grupo A_1003{MOODLE}", suya)
+    assert [re.split("_", s)[1] for s in son] == ["1001", "1002", "1003"] and "/" not in "".join(son)
+    assert conjunto.de_vuelta(f"Otro_1003{MOODLE}", suya) == [] and conjunto.de_vuelta("ana", suya) == []
+    assert conjunto.de_vuelta(f"Ana_5{MOODLE}", None) == [f"Ana_5{MOODLE}"]
+
+
+# --- en qué se equivoca una clase -----------------------------------------------------------------------------------
+
+
+def corregida(quien, nota, *dice, imagen=""):
+    fallos = (
+        [{"que": "falla tras «tecla d»: abajo", "tras": ["tecla d"], "donde": None, "imagenes": [imagen] * 3}]
+        if imagen
+        else []
+    )
+    c = {"entrega": quien, "nota": nota, "dice": list(dice), "fallos": fallos, "casos": {}, "bien": 1, "guiones": 2}
+    return conjunto.Hecha(quien, quien, f"{quien}.html", {**c, "semilla": "1"})
+
+
+def test_en_que_se_equivoca_una_clase():
+    gira, nada = "parece que gira al revés", "«tecla d» no hace nada"
+    hechas = [
+        corregida("a", 60, gira, nada, imagen="A"),
+        corregida("b", 50, "no viene p.h: se ha puesto el de partida", gira, imagen="B"),
+        corregida("c", 0, "no compila: p.cpp:3: x"),
+        corregida("d", 0, "no compila: q.cpp:9: y"),
+        corregida("e", 0, "no compila: falta «main»"),
+        corregida("f", 100),
+        corregida("g", 80, imagen="G"),
+        corregida("h", 0, "se cae tras «tecla d»: abort", "el compilador avisa: p.cpp:1: z"),
+    ]
+    hay = [(e.dice, [h.quien for h in e.de], e.imagenes[:1]) for e in conjunto.errores(hechas)]
+    assert hay == [
+        ("no compila", ["c", "d", "e"], []),
+        (gira, ["a", "b"], ["B"]),  # de quien no hace nada más mal
+        ("falla tras «tecla d»", ["g"], ["G"]),
+        ("se cae", ["h"], []),
+        (nada, ["a"], ["A"]),
+    ]
+
+
+def test_como_se_llama_cada_uno():
+    nombres = [f"Ana Gil_1{MOODLE}", f"Ana Gil_2{MOODLE}", f"Luis_3{MOODLE}", "eva_4"]
+    correcciones = {aula.Subida(n, []): {"entrega": n} for n in nombres}
+    assert [h.quien for h in conjunto.quienes(correcciones).values()] == ["Ana Gil (1)", "Ana Gil (2)", "Luis", "eva_4"]
+
+
+# --- quién se parece a quién ----------------------------------------------------------------------------------------
+
+con_catalogo = pytest.mark.skipif(not (BUILD / "catalogo.json").exists(), reason="no está configurado")
+
+
+def variantes(ref, programa, *listas):
+    """De cada línea de bien/ y errores/, que es la solución con otro estilo o con un error, sus ficheros."""
+    textos = {f"{programa.capitulo.nombre}/{f}": t for f, t in nuevo.de_la_carpeta(RAIZ, programa, ref).items()}
+    for lista in listas:
+        for i, linea in enumerate((RAIZ / f"herramientas/ejercicios/{lista}/{ref}.tsv").read_text().splitlines(), 1):
+            m = defectos.Mutante(lista, i, i, *linea.replace("\\n", "\n").split("\t")[:4])
+            if m.fichero in textos:
+                otros = {**textos, m.fichero: defectos.estropea(textos[m.fichero], m)}
+                yield m.nombre, nuevo.aqui({Path(f).name: nuevo.deja(t) for f, t in otros.items()}, programa)
+
+
+def parecidas(ref, programa):
+    """Las parejas de una clase en que cada uno hace la suya y otro se la copia, y cuántas copias hay."""
+    clase, dados = {}, (nuevo.esqueleto(RAIZ, programa, ref), nuevo.solucion(RAIZ, programa, ref))
+    for nombre, ficheros in variantes(ref, programa, "bien", "errores"):
+        clase[nombre] = parecidos.codigo(ficheros)
+        clase[nombre, "copia"] = parecidos.codigo(copia(ficheros, random.Random(nombre)))
+    return parecidos.parejas(clase, dados), len(clase) // 2
+
+
+@con_catalogo
+def test_las_copias_se_ven_y_las_independientes_no():
+    """Independientes: las que no son la misma línea de bien/ o de errores/, cada una con una solución de otro estilo o
+    con otro error."""
+    vistas = hay = 0
+    for ref, programa in nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD)).items():
+        parejas, cuantas = parecidas(ref, programa)
+        son = [{p.una, p.otra} for p in parejas]
+        ajenas = [s for s in son if len({q if isinstance(q, str) else q[0] for q in s}) > 1]
+        assert not ajenas, f"{ref}: {ajenas}"
+        vistas, hay = vistas + len(son), hay + cuantas
+    assert hay > 400 and vistas >= 0.95 * hay, f"{vistas} de {hay}"
+
+
+UNA = """#include "x.h"
+float doble(float x) { return 2 * x * giroY(x); }
+int main() { const float a = 3; if (a > 2) { pinta(a, "hola a todos"); } return doble(a) > 3; }
+"""
+OTRA = """// mía
+int main() { const float num = 3;
+  if (num > 2)
+    pinta(num, "adiós a nadie"); /* aquí */
+  return duplica(num) > 3; }
+float duplica(float v) { return 2 * v * giroY(v); }
+"""
+
+
+def pareja(una, otra, *dadas):
+    return parecidos.parejas({"a": {"p.cpp": una}, "b": {"q.cpp": otra}}, [{"p.cpp": d} for d in dadas])
+
+
+def test_lo_que_no_cuenta_al_comparar():
+    (p,) = pareja(UNA, OTRA)
+    assert p.cuanto == 1 and p.lineas[0]["p.cpp"] == {2, 3} and p.lineas[1]["q.cpp"] == {2, 3, 4, 5, 6}
+    ((mas,), todo) = (pareja(UNA, OTRA, UNA.replace(viejo, otro)) for viejo, otro in (("= 3", "= 4"), ("x", "y")))
+    assert mas.lineas[0] == {"p.cpp": {3}} and not todo  # solo dónde, y el nombre no cuenta
+    assert not pareja(UNA, OTRA, UNA) and not pareja(UNA, OTRA, OTRA)  # de partida lo tienen
+    for viejo, otro in (("2 * x", "x + x"), ("giroY", "giroZ"), ("= 3", "= 4")):
+        (q,) = pareja(UNA.replace(viejo, otro), OTRA)
+        assert q.cuanto < 1
+    de_todos = {str(i): {"p.cpp": UNA} for i in range(6)}  # lo que hacen seis no es de nadie
+    assert not parecidos.parejas(de_todos) and len(parecidos.parejas(dict(list(de_todos.items())[:3]))) == 3
+
+
+def test_al_lado_se_ensena_lo_marcado_y_lo_de_alrededor():
+    texto = {"p.cpp": "\n".join(map(str, range(1, 31)))}
+    ((ruta, filas),) = parecidos.al_lado(texto, {"p.cpp": {3, 20}, "no.h": {1}})
+    assert ruta == "p.cpp" and [f and (f[0], f[2]) for f in filas] == [
+        *((n, n == 3) for n in range(1, 6)),
+        None,
+        *((n, n == 20) for n in range(18, 23)),
+    ]
+
+
+@pytest.mark.parametrize(
+    "trozo", ["{", "}", "(", "x{", "-> {", "/*", '"', "'", "a b;", "if (", "namespace {", "#", "0e"]
+)
+def test_comparar_lo_de_otro_no_dura(trozo):
+    """Se lee hasta un límite y de una vez, sea lo que sea."""
+    texto = trozo * (parecidos.TOPE // len(trozo))
+    leidos = parecidos.codigo({"a.cpp": texto * 3})
+    assert len(leidos["a.cpp"]) <= parecidos.TOPE
+    antes = os.times().user
+    parecidos.parejas({"a": leidos, "b": leidos})
+    assert os.times().user - antes < 20
+
+
+# --- una clase, de punta a punta ------------------------------------------------------------------------------------
+
+REF, CUANTOS = "E3.5", int(os.environ.get("LAB_AULA", "6"))
+
+
+def hay_jaula():
+    try:
+        Jaula(RAIZ).comprueba()
+        return True
+    except procesos.Fallo:
+        return False
+
+
+def sube(i, ficheros):
+    """Lo que Moodle da de quien sube eso, cada uno a su manera."""
+    carpeta = f"{'José Núñez' if i % 2 else 'Ana Íñigo'} {i}_{2000 + i}{MOODLE}"
+    en_bytes = [(f, t.encode()) for f, t in ficheros.items()]
+    como = i % 10
+    if como == 3:
+        return carpeta, [(f"{carpeta}/entrega.zip", en_zip(*en_bytes))]
+    if como == 4:
+        return carpeta, [(f"{carpeta}{f}", t) for f, t in en_bytes]
+    if como == 5:
+        return carpeta, [(f"{carpeta}/entrega.zip", en_zip(*en_bytes)[:-40])]
+    if como == 6:
+        return carpeta, [(f"{carpeta}/grúa/{f}", t) for f, t in en_bytes]
+    if como == 7:
+        de_windows = [(f"grúa\\{f}".encode("cp437"), t) for f, t in en_bytes]
+        return carpeta, [(f"{carpeta}/mío.zip", en_zip(*de_windows)), (f"{carpeta}/memoria.pdf", b"%PDF")]
+    if como == 8:
+        web = carpeta.replace("_file_", "_onlinetext_")
+        return carpeta, [*((f"{carpeta}/{f}", t) for f, t in en_bytes), (f"{web}/onlinetext.html", b"<p>Hola</p>")]
+    carpeta = carpeta[:-1] if como == 9 else carpeta  # Moodle 4.1
+    return carpeta, [(f"{carpeta}/{f}", t) for f, t in en_bytes]
+
+
+def una_clase(programa):
+    """De cada uno, su carpeta, lo que Moodle da de él, lo que ha escrito y de quién lo ha copiado."""
+    bien = list(variantes(REF, programa, "bien"))
+    mal = list(variantes(REF, programa, "errores"))
+    azar, clase = random.Random(REF), []
+    azar.shuffle(mal)
+    for i in range(CUANTOS):
+        como, de = i % 10, None
+        if como in (2, 7):
+            de = clase[-1][0]
+            ficheros = copia(clase[-1][2], azar, baraja=False)
+        elif como in (0, 4):
+            ficheros = bien.pop()[1] if bien else nuevo.solucion(RAIZ, programa, REF)
+        else:
+            ficheros = nuevo.esqueleto(RAIZ, programa, REF) if como == 8 else mal.pop()[1]
+        carpeta, miembros = sube(i, ficheros)
+        clase.append((carpeta, miembros, ficheros, de))
+    return clase
+
+
+def la_hoja(clase):
+    """Con dos que no han entregado, y las filas en otro orden que las carpetas."""
+    datos = io.StringIO()
+    escribe = csv.writer(datos, lineterminator="\n")
+    escribe.writerow(COLUMNAS)
+    for n in [*range(2000 + len(clase) - 1, 1999, -1), 8, 9]:
+        escribe.writerow([f"Participante {n}", f"Quien sea {n}", "", "Enviado", "", "10,00", "Sí", "-", "-", ""])
+    return datos.getvalue()
+
+
+@pytest.fixture(scope="module")
+def corregida_entera(tmp_path_factory):
+    """La clase, corregida con una orden; y cada una, sola."""
+    sitio = tmp_path_factory.mktemp("aula")
+    os.chmod(sitio, 0o755)
+    programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
+    clase = una_clase(programa)
+    (sitio / "descarga.zip").write_bytes(en_zip(*(m for _, miembros, *_ in clase for m in miembros)))
+    (sitio / "hoja.csv").write_text(la_hoja(clase))
+    (sitio / "temporal").mkdir()
+    orden = [
+        sys.executable,
+        "-B",
+        RAIZ / "herramientas",
+        "ejercicios.corrige.orden",
+        RAIZ,
+        BUILD,
+        sitio / "descarga.zip",
+        REF,
+    ]
+    hecho = subprocess.run(
+        [*orden, "--guiones", "1", "-j", "2", "--moodle", sitio / "hoja.csv"],
+        env={**os.environ, "TMPDIR": str(sitio / "temporal")},
+        capture_output=True,
+        text=True,
+    )
+    assert hecho.returncode == 1 and "Traceback" not in hecho.stderr, hecho.stderr
+    assert not list((sitio / "temporal").iterdir())
+    with tempfile.TemporaryDirectory() as temporal:
+        os.chmod(temporal, 0o755)
+        banco = Banco(RAIZ, BUILD, REF, programa, Path(temporal), Jaula(RAIZ), "1", Reglas(guiones=1))
+        solas = {}
+        for carpeta, _, ficheros, _ in clase:
+            siembra(sitio / "solas" / carpeta, ficheros)
+            solas[carpeta] = de_clase.corrige(banco, sitio / "solas" / carpeta)
+    return SimpleNamespace(sitio=sitio, clase=clase, solas=solas, dice=hecho.stderr, deja=sitio / "descarga-corregida")
+
+
+con_todo = pytest.mark.skipif(
+    not (BUILD / "osmesa/ch03_transformaciones/grua").exists() or not hay_jaula(),
+    reason="no está compilado, o no hay jaula",
+)
+
+
+@con_todo
+def test_cada_nota_es_la_de_corregirla_sola(corregida_entera):
+    e = corregida_entera
+    todas = {f.stem: json.loads(f.read_text()) for f in e.deja.glob("*.json")}
+    assert todas.keys() == {carpeta for carpeta, *_ in e.clase}
+    for i, (carpeta, *_) in enumerate(e.clase):
+        if i % 10 == 5:
+            assert todas[carpeta]["nota"] == 0 and "«entrega.zip» no se puede abrir" in todas[carpeta]["dice"][0]
+        else:
+            que = "nota", "dice", "casos", "fallos"
+            assert [todas[carpeta][q] for q in que] == [e.solas[carpeta][q] for q in que], carpeta
+    assert {c["nota"] == 100 for c in todas.values()} == {True, False}
+
+
+@con_todo
+def test_la_hoja_vuelve_columna_a_columna(corregida_entera):
+    e = corregida_entera
+    una, otra = (celdas((e.sitio / f"hoja{q}.csv").read_bytes(), "utf-8", b"", ",") for q in ("", "-con-notas"))
+    assert una[0] == otra[0] == COLUMNAS and len(una) == len(otra)
+    notas = {re.search(r"_(\d+)_", f.stem)[1]: json.loads(f.read_text())["nota"] for f in e.deja.glob("*.json")}
+    for antes, ahora in zip(una[1:], otra[1:]):
+        numero = antes[0].split()[1]
+        puesto = {i for i, (a, b) in enumerate(zip(antes, ahora)) if a != b}
+        assert puesto == ({4, 9} if numero in notas else set())
+        if numero in notas:
+            assert float(ahora[4].replace(",", ".")) == pytest.approx(notas[numero] / 10, abs=0.0006)
+            assert ahora[9].startswith(f"<p>{notas[numero]:g} de 100")
+    assert "no está en" not in e.dice
+
+
+@con_todo
+def test_moodle_recoge_lo_de_cada_uno(corregida_entera):
+    """Con los nombres de carpeta que dio, y en cada página, nada de otro ni de fuera."""
+    e = corregida_entera
+    with zipfile.ZipFile(e.deja / "comentarios.zip") as z:
+        paginas = {n: z.read(n).decode() for n in z.namelist()}
+    assert paginas.keys() == {f"{carpeta}/correccion.html" for carpeta, *_ in e.clase}
+    for carpeta, *_ in e.clase:
+        info = carpeta.split("_", 4)  # como lo parte Moodle (mod/assign/feedback/file/importziplib.php)
+        assert len(info) >= 4 and info[1].isdigit() and info[2:4] == ["assignsubmission", "file"]
+        pagina = paginas[f"{carpeta}/correccion.html"]
+        assert f"<span>{info[0]}</span>" in pagina and (e.deja / f"comentarios/{carpeta}.html").read_text() == pagina
+        assert not [otra for otra, *_ in e.clase if otra != carpeta and f"{otra.split('_')[0]}<" in pagina]
+        assert not re.search(r'(src|href)="(?!data:)', pagina) and "url(" not in pagina
+
+
+@con_todo
+def test_la_clase_dice_quien_se_parece_y_en_que_se_equivoca(corregida_entera):
+    e = corregida_entera
+    indice = (e.deja / "index.html").read_text()
+    quien = {carpeta: carpeta.split("_")[0] for carpeta, *_ in e.clase}
+    juntos = {frozenset(p) for p in re.findall(r'parecidos.html#p\d+">([^<]+?) y ([^<]+?)</a>', indice)}
+    copias = {frozenset((quien[carpeta], quien[de])) for carpeta, *_, de in e.clase if de}
+    assert copias and len(copias & juntos) >= 0.95 * len(copias) and not juntos - copias
+    assert (e.deja / "parecidos.html").read_text().count("<mark>") >= 2 * len(juntos)
+    errores = [int(n) for n in re.findall(r"<h3><b>(\d+)</b>", indice)]
+    assert errores == sorted(errores, reverse=True) and len(errores) > 1
+    assert len(indice) < 40_000 + 30_000 * len(errores)

@@ -1,0 +1,410 @@
+"""Los ejercicios de quien enseña: uno hecho de la nada como dice docs/ejercicios.md, en un laboratorio de verdad; los
+defectos que se le plantan, que ./lab ejercicio comprueba nombra; y las reglas, que cada una cambia lo suyo."""
+import dataclasses
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+RAIZ = Path(__file__).parents[2]
+BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
+sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/ordenes")]
+from base import catalogo
+from base.fuentes import SHADERS
+from base.procesos import Fallo
+from ejercicios import comprueba, nuevo, propios, reglas
+from ejercicios.corrige import arbitro
+from ejercicios.corrige import clase as de_clase
+from ejercicios.corrige import hoja, informes, shaders, veredicto
+from ejercicios.corrige.banco import Banco
+from ejercicios.corrige.partidas import Guion
+from ejercicios.reglas import Reglas
+from mentira import siembra
+from sin_pruebas_test import SinPruebas
+
+DOCUMENTO = (RAIZ / "docs/ejercicios.md").read_text()
+FICHEROS = dict(re.findall(r"^`ejercicios/molinete/([\w.]+)`:\n\n```\w+\n(.*?)^```$", DOCUMENTO, re.M | re.S))
+ORDENES = re.findall(r"^\./lab (.*)$", DOCUMENTO, re.M)
+PREGUNTAS = re.findall(r"^\| (\w[\w ]*) \| .*$", DOCUMENTO.split("## Lo que se comprueba")[1].split("##")[0], re.M)[1:]
+
+
+def escribe(carpeta, **cambios):
+    """El del documento, con algunos ficheros de otra manera o, si son None, sin ellos."""
+    shutil.rmtree(carpeta, ignore_errors=True)
+    hay = {**FICHEROS, **{f.replace("_", "."): texto for f, texto in cambios.items()}}
+    siembra(carpeta, {f: texto for f, texto in hay.items() if texto is not None})
+    return carpeta
+
+
+@pytest.fixture(scope="module")
+def lab(tmp_path_factory):
+    if BUILD.parent != RAIZ or not (BUILD / "catalogo.json").exists():
+        pytest.skip("lo compilado no está en su carpeta")
+    lab = SinPruebas(tmp_path_factory.mktemp("lab"))
+    if not shutil.which("bwrap") or subprocess.run([*lab.jaula, "true"]).returncode:
+        pytest.skip("aquí no se puede encerrar nada")
+    escribe(lab.sitio / "ejercicios/molinete")
+    return lab
+
+
+# --- hecho de la nada -------------------------------------------------------------------------------------------
+
+
+def test_uno_hecho_como_dice_el_documento(lab):
+    """Sus órdenes, en su orden. La clase: quien no ha hecho nada, quien lo ha hecho y uno por cada error."""
+    assert ORDENES == [
+        "ejercicio comprueba ejercicios/molinete",
+        "nuevo ejercicios/molinete",
+        "ver mios/molinete",
+        "corrige clase ejercicios/molinete",
+    ]
+    readme = re.findall(r"^\./lab (.*?) +#", (RAIZ / "README.md").read_text(), re.M)
+    assert {o for o in ORDENES if "ver" not in o} <= set(readme)
+    dicho = lab(ORDENES[0])
+    assert re.findall(r"^bien  (.+?):", dicho, re.M) == PREGUNTAS and "mal" not in dicho
+    lab(ORDENES[1], dice="/mios/molinete: lo que se pide está en ENUNCIADO.md")
+    lab(ORDENES[2], dice="lo he dibujado en molinete.png")
+    assert lab.deja("molinete.png", b"\x89PNG")
+    clase = lab.sitio / "aqui/clase"
+    solucion = FICHEROS["molinete.cpp"]
+    shutil.copytree(lab.sitio / "mios/molinete", clase / "nada")
+    siembra(clase, {"todo/molinete.cpp": solucion})
+    dicen = {"nada": "se ve lo mismo que en el punto de partida", "todo": "todo bien"}
+    for i, fila in enumerate(FICHEROS["errores.tsv"].splitlines()):
+        _, texto, estropeado, _, _, dice = fila.split("\t")
+        bien, mal = re.sub("[«»]", "", texto), re.sub("«.*»", lambda _: estropeado, texto)
+        siembra(clase, {f"error{i}/molinete.cpp": solucion.replace(bien, mal)})
+        dicen[f"error{i}"] = f"parece que {dice}"
+    dicho = lab(f"{ORDENES[3]} --guiones 4", 1)
+    for quien, dice in dicen.items():
+        assert re.search(rf"\] {quien}: {'100' if quien == 'todo' else '[0-9.]+'}; .*{re.escape(dice)}", dicho), quien
+    shutil.rmtree(clase)
+    shutil.rmtree(lab.sitio / "aqui/clase-corregida")
+
+
+def test_se_usa_como_cualquier_otro(lab):
+    """La solución se abre y se explica, y una carpeta de fuera se da por su ruta y se apunta. La de quien aprende se
+    abre aunque no esté la solución."""
+    lab("ver ejercicios/molinete", dice="lo he dibujado en molinete.png")
+    assert lab.deja("molinete.png", b"\x89PNG")
+    lab("explica molinete 120 90 -geometry 240x180", dice="molinete en (120, 90)")
+    escribe(lab.sitio / "aqui/molino")
+    for f in (lab.sitio / "aqui/molino").iterdir():
+        f.write_text(f.read_text().replace("molinete:", "molino:").replace("de molinete", "de molino"))
+        f.rename(f.with_name(f.name.replace("molinete", "molino")))
+    errores = lab.sitio / "aqui/molino/errores.tsv"
+    errores.write_text(errores.read_text().replace("molinete.cpp", "molino.cpp"))
+    lab("nuevo ./molino el_mio", dice="/mios/el_mio")
+    assert (lab.sitio / "mios/el_mio/ejercicio.txt").read_text() == "molino ejercicios/molino/molino\n"
+    lab("corrige el_mio --guiones 0", 1, "el_mio, molino: 0 de 100")
+    shutil.rmtree(lab.sitio / "aqui/molino")
+    lab("ver mios/el_mio", dice="lo he dibujado en el_mio.png")
+    assert lab.deja("el_mio.png", b"\x89PNG")
+    lab("corrige el_mio", 1, "no dice de qué ejercicio es")
+
+
+SIN_MIRAR = """\
+marcas | molinete.cpp | // fin de molinete\\n    return | return | :22: no se cierra antes de la siguiente
+marcas | molinete.cpp | // fin de molinete\\n    glut | glut | :47: no se cierra
+marcas | molinete.cpp | // molinete: la tecla | // la tecla | :50: se cierra sin haberse abierto
+marcas | molinete.cpp | : la tecla g suma 10° a estado.giro, que está en radianes | : | :47: no dice qué se pide
+marcas | molinete.cpp | molinete: | E3.9: | falta «// molinete: …»
+enunciado | ENUNCIADO.md | # Un molinete | Un molinete | no tiene título
+enunciado | ENUNCIADO.md | None | None | falta ENUNCIADO.md"""
+
+
+def con(fila):
+    """El del documento con un cambio: qué pregunta lo nota, sus ficheros y lo que dice."""
+    pregunta, fichero, texto, otro, dice = (
+        parte.replace("\\n", "\n").replace("\\t", "\t") for parte in fila.split(" | ")
+    )
+    entero = FICHEROS.get(fichero, "")
+    assert texto in entero or texto == "None"
+    nuevo_ = None if otro == "None" else entero.replace(texto, otro) if texto != "None" else otro
+    if otro.startswith("E3.9"):
+        nuevo_ = entero.replace("fin de molinete", "fin de E3.9").replace(texto, otro)
+    return pregunta, {fichero.replace(".", "_"): nuevo_}, dice
+
+
+@pytest.mark.parametrize("fila", SIN_MIRAR.splitlines())
+def test_lo_que_esta_mal_sin_ejecutar_nada(tmp_path, fila):
+    pregunta, cambios, dice = con(fila)
+    programa = propios.propio(escribe(tmp_path / "molinete", **cambios))
+    hechas = [comprueba.marcas(RAIZ, programa, "molinete"), comprueba.enunciado(programa)]
+    mal = {que: fallos for que, _, fallos in hechas if fallos}
+    assert mal.keys() == {pregunta} and dice in "; ".join(mal[pregunta])
+
+
+CPP, ERRORES = FICHEROS["molinete.cpp"], FICHEROS["errores.tsv"]
+JUGADOS = (  # los ficheros que cambian, y de cada pregunta que lo nota, y solo de ellas, lo que dice
+    (
+        {
+            "molinete_cpp": CPP.replace("n la quita", "n la quita · z gira al revés").replace(
+                "    esquinas[1] = polar", "    const float sobra = 3;\n    esquinas[1] = polar"
+            ),
+            "errores_tsv": ERRORES + ERRORES.splitlines()[1].replace("gira hacia", "se tuerce hacia") + "\n",
+        },
+        {
+            "controles": "«tecla z» no cambia la imagen en ningún guion",
+            "errores conocidos": "errores:2 y errores:5 no se distinguen: gira hacia la derecha; se tuerce hacia",
+            "líneas": "molinete.cpp:25: se cambie como se cambie, da lo mismo",
+        },
+    ),
+    (
+        {"molinete_cpp": CPP.replace("i < estado.aspas; ++i", "i < estado.aspas - 20; ++i")},
+        {
+            "esqueleto": "ya se saca 100: debe ser menos de 60",
+            "controles": "«tecla m» no cambia la imagen",
+            "imágenes": "se ve lo mismo en los casos Al abrirlo y Con siete aspas y Girado",
+            "errores conocidos": "errores:1, grados por radianes: no quita puntos",
+            "líneas": "se cambie como se cambie, da lo mismo; ",
+        },
+    ),
+    ({"casos_txt": "Uno: tecla g; pulsa g\n"}, {"guiones": "Uno: acaba con un error"}),
+    (
+        {"molinete_cpp": CPP.replace("estado.giro += ", "glEnable(7), estado.giro += "), "errores_tsv": ""},
+        {"guiones": "GL_INVALID_ENUM"},
+    ),
+    (
+        {"errores_tsv": "molinete.cpp\tpolar(«0.6f, angulo» + paso\t1\ta medias\t\tx\n"},
+        {"errores conocidos": "errores:1, a medias: no compila: molinete.cpp:"},
+    ),
+    (
+        {"errores_tsv": ERRORES.splitlines()[0].rpartition("\t\t")[0] + "\n"},
+        {"errores conocidos": "falta la sexta columna"},
+    ),
+)
+NO_EMPIEZAN = (  # y los que no dejan ni empezar
+    ({"molinete_cpp": "esto no es C++\n"}, "no compila"),
+    ({"errores_tsv": "molinete.cpp\tno está\tx\ty\t\tz\n"}, "«no está» está 0 veces en molinete.cpp"),
+    ({"errores_tsv": "otro.cpp\ta\tx\ty\t\tz\n"}, "no hay ningún «otro.cpp»"),
+    ({"errores_tsv": "molinete.cpp a b\n"}, "errores:1: son fichero, texto"),
+    ({"casos_txt": "tecla g\n"}, "casos.txt:1: es «nombre: guion»"),
+    ({"reglas_txt": "caso = mucho\n"}, "reglas.txt:1: «mucho» no vale de caso"),
+)
+
+
+def test_lo_que_esta_mal_al_jugar(lab):
+    for cambios, debe in JUGADOS:
+        escribe(lab.sitio / "ejercicios/molinete", reglas_txt="guiones = 6\n", **cambios)
+        dicho = lab("ejercicio comprueba ejercicios/molinete", 1)
+        mal = dict(re.findall(r"^mal   (.+?): (.*)$", dicho, re.M))
+        assert mal.keys() == debe.keys() and all(debe[q] in mal[q] for q in mal), dicho
+    for cambios, debe in NO_EMPIEZAN:
+        escribe(lab.sitio / "ejercicios/molinete", **cambios)
+        ultima = lab("ejercicio comprueba ejercicios/molinete", 1).splitlines()[-1]
+        assert ultima.startswith("lab: ") and debe in ultima
+    escribe(lab.sitio / "ejercicios/molinete")
+
+
+# --- lo que no es un ejercicio ----------------------------------------------------------------------------------
+
+
+def test_lo_que_no_es_un_ejercicio(tmp_path):
+    raiz, build = (tmp_path / "lab").resolve(), tmp_path / "build"
+    programas = [catalogo.Programa(catalogo.Capitulo("ch01_x", "X"), "grua", "E1.1", "Grúa")]
+    for carpeta in (
+        "lab/ejercicios/uno",
+        "fuera/uno",
+        "fuera/dos",
+        "fuera/grua",
+        "fuera/Mal",
+        "fuera/a;b",
+        "fuera/mio",
+    ):
+        nombre = Path(carpeta).name
+        siembra(tmp_path / carpeta, {f"{nombre}.cpp": "", **({"ejercicio.txt": ""} if nombre == "mio" else {})})
+    (tmp_path / "fuera/vacia").mkdir()
+    build.mkdir()
+
+    def busca(que):
+        return propios.busca(raiz, build, que, programas)
+
+    assert [busca(q) for q in ("uno", "ejercicios/uno", "grua", "E1.1", "nada")] == ["uno", "uno", "", "", ""]
+    assert busca(f"{tmp_path}/fuera/dos/") == "dos" == busca("dos") and propios.apuntadas(build) == [
+        tmp_path / "fuera/dos"
+    ]
+    for cual, dice in (
+        ("./no", "no hay ninguna carpeta"),
+        ("fuera/vacia", "falta vacia.cpp"),
+        ("fuera/grua", "ya hay un programa"),
+        ("fuera/Mal", "no vale de nombre"),
+        ("fuera/a;b", "no vale de nombre"),
+        ("fuera/mio", "es de quien aprende"),
+        ("fuera/uno", "ya hay un ejercicio"),
+    ):
+        with pytest.raises(Fallo, match=dice) as fallo:
+            busca(f"{tmp_path}/{cual}")
+        assert "\n" not in str(fallo.value)
+    assert propios.apuntadas(build) == [tmp_path / "fuera/dos"]
+    (tmp_path / "otra").mkdir()
+    shutil.move(tmp_path / "fuera/dos", tmp_path / "otra/dos")  # cambia de sitio: vale la última ruta
+    assert busca("dos") == "" and busca(f"{tmp_path}/otra/dos") == "dos"
+    assert propios.apuntadas(build) == [tmp_path / "otra/dos"]
+
+
+def test_lo_que_se_da_y_lo_que_no(tmp_path):
+    """A quien lo hace le llega lo de la carpeta, menos lo que es de quien enseña, y los huecos, vacíos."""
+    carpeta = escribe(tmp_path / "molinete", agua_frag="void main() {}\n", notas_md="x", reglas_txt="texto = 7")
+    programa, mios = propios.propio(carpeta), tmp_path / "mios"
+    assert nuevo.crea(RAIZ, [programa], mios, "molinete", "x")[0] == "molinete"
+    assert {f.name for f in (mios / "x").iterdir()} == {"x.cpp", "agua.frag", "ENUNCIADO.md", "ejercicio.txt"}
+    texto, enunciado = ((mios / "x" / f).read_text() for f in ("x.cpp", "ENUNCIADO.md"))
+    assert "two_pi" not in texto and texto.count("// molinete: ") == texto.count("// fin de molinete") == 2
+    assert enunciado.startswith(FICHEROS["ENUNCIADO.md"]) and "estén esas líneas (7)" in enunciado
+    assert "- Girado (`tecla g ×3`).\n" in enunciado and "./lab ver molinete" not in enunciado
+    with pytest.raises(Fallo, match="falta .*ENUNCIADO.md"):
+        (carpeta / "ENUNCIADO.md").unlink()
+        nuevo.crea(RAIZ, [programa], mios, "molinete", "y")
+    with pytest.raises(Fallo, match="no hay nada entre «// molinete: …»"):
+        (carpeta / "molinete.cpp").write_text("int main() {}\n")
+        nuevo.crea(RAIZ, [programa], mios, "molinete", "y")
+    assert [f.name for f in mios.iterdir()] == ["x"]
+
+
+# --- las reglas -------------------------------------------------------------------------------------------------
+
+CASO, AZAR = Guion("caso", (), True), Guion("al azar", ())
+OTRAS = {"caso": 5, "azar": 4, "guiones": 3, "tolerancia": "otro", "casi": 80, "titulo": 11, "texto": 12, "estado": 13}
+SITUACIONES = {  # los guiones que salen bien, los que salen por poco, y lo demás que falla
+    "falla un caso": ([AZAR], [], {}),
+    "falla uno al azar": ([CASO], [], {}),
+    "casi": ([CASO], [AZAR], {}),
+    **{f"el {que}": ([CASO, AZAR], [], {que: "mal"}) for que in ("título", "texto", "estado")},
+}
+CAMBIA = {  # lo que cambia cada una
+    "caso": {"falla un caso", "falla uno al azar", "casi"},
+    "azar": {"falla un caso", "falla uno al azar", "casi"},
+    "guiones": set(),
+    "tolerancia": set(),
+    "casi": {"casi"},
+    "titulo": {"el título"},
+    "texto": {"el texto"},
+    "estado": {"el estado"},
+}
+
+
+def test_cada_regla_cambia_lo_suyo(tmp_path):
+    documento = re.findall(r"^\| `(\w+)` \| ([\w.]+) \|", DOCUMENTO, re.M)
+    assert documento == [(f.name, str(f.default)) for f in dataclasses.fields(Reglas)]
+    assert OTRAS.keys() == CAMBIA.keys() == dict(documento).keys()
+
+    def notas(r):
+        return {s: veredicto.nota([CASO, AZAR], *que, r) for s, que in SITUACIONES.items()}
+
+    base = notas(Reglas())
+    for clave, valor in OTRAS.items():
+        (tmp_path / "r").write_text(f"# mías\n{clave.replace('titulo', 'título')} = {valor}  \n")
+        otra = reglas.lee(tmp_path / "r")
+        assert otra == dataclasses.replace(Reglas(), **{clave: valor})
+        assert {s for s, nota in notas(otra).items() if nota != base[s]} == CAMBIA[clave], clave
+        assert otra.en_palabras != Reglas().en_palabras and str(valor) in otra.en_palabras
+    assert veredicto.nota([CASO], [CASO], [], {"título": "mal"}, Reglas(titulo=0)) == 100
+    assert reglas.del_programa(SimpleNamespace(raices=[]), guiones=3) == Reglas(guiones=3)
+
+
+def test_las_reglas_van_en_cada_informe(tmp_path):
+    c = {"entrega": "ana", "ejercicio": "molinete", "semilla": "7", "nota": 87.5, "bien": 20, "guiones": 29}
+    c |= {"dice": ["mal"], "fallos": [], "casos": {}, "reglas": Reglas(titulo=17).en_palabras}
+    programa = propios.propio(escribe(tmp_path / "molinete"))
+    pagina = informes.pagina(c, programa, "molinete", "suya")
+    assert "./lab ver molinete" not in pagina  # la solución no la tiene
+    for informe in (informes.en_texto(c), informes.en_vpl(c), informes.en_csv([c]), hoja.comentario(c), pagina):
+        assert c["reglas"] in informe
+
+
+MALAS = """caso | es «clave = valor»
+peso = 3 | no hay ninguna regla «peso»: caso, azar
+caso = -1 | «-1» no vale de caso
+caso = 1e3 | no vale de caso
+casi = 101 | «101» no vale de casi: puntos, de 0 a 100
+titulo = nan | no vale de titulo
+guiones = 2.5 | no vale de guiones: un número natural
+tolerancia = ancha | «ancha» no vale de tolerancia: redondeo, amplia, otro
+texto = | «» no vale de texto"""
+
+
+@pytest.mark.parametrize("fila", MALAS.splitlines())
+def test_una_regla_que_no_vale(tmp_path, fila):
+    regla, dice = fila.split(" | ")
+    (tmp_path / "reglas.txt").write_text(f"# una\n\n{regla}\n")
+    with pytest.raises(Fallo, match=f"reglas.txt:3: .*{re.escape(dice)}"):
+        reglas.lee(tmp_path / "reglas.txt")
+
+
+@pytest.mark.parametrize(
+    "texto, dice",
+    [
+        ("caso = 0\nazar = 0\n", "no queda nada"),
+        ("caso = 0\nguiones = 0\n", "no queda nada"),
+        ("texto = 90\ntitulo = 10\n", "más de 100"),
+        ("caso = 1\ncaso = 1\n", "reglas.txt:2: «caso» está dos veces"),
+    ],
+)
+def test_unas_reglas_que_no_casan(tmp_path, texto, dice):
+    (tmp_path / "reglas.txt").write_text(texto)
+    with pytest.raises(Fallo, match=dice):
+        reglas.lee(tmp_path / "reglas.txt")
+
+
+@pytest.mark.skipif(not (BUILD / "herramientas/comparador/compara").exists(), reason="no está compilado")
+def test_la_tolerancia_es_la_del_comparador(tmp_path):
+    """De la más estrecha a la más ancha, cada una admite lo que la anterior y algo más."""
+    gris = bytes([100]) * 3000
+    pares = [(gris, bytes([101]) * 3000), (gris, bytes([103]) * 3000), (gris, bytes([160] * 3) + gris[3:])]
+    admite = []
+    for tolerancia in reglas.TOLERANCIAS:
+        juez = arbitro.Arbitro.__new__(arbitro.Arbitro)
+        juez.parecidas, juez.temporal, juez.build, juez.tolerancia = {}, tmp_path, BUILD, tolerancia
+        admite.append([juez.parecido((100, 10, a), (100, 10, b)) == arbitro.BIEN for a, b in pares])
+    assert admite == [[True, False, False], [True, True, False], [True, True, True]]
+
+
+# --- los de la página -------------------------------------------------------------------------------------------
+
+PAGINA = (RAIZ / "herramientas/web/ejercicio.mjs").read_text()
+DE_LA_PAGINA = {
+    c for f in RAIZ.glob("c*/*") if f.suffix in SHADERS for c in re.findall(r"// (L\d+\.\d+): ", f.read_text())
+}
+
+
+def test_los_gestos_son_los_de_la_pagina():
+    assert f"'{'; '.join(shaders.GIRA)}'" in PAGINA
+    assert (
+        f"self.rasgos & {{{', '.join(map(json.dumps, ('raton', 'rueda', 'arrastre')))}}}"
+        in (RAIZ / "herramientas/web/pagina.py").read_text()
+    )
+    assert shaders.CON_RATON == {"raton", "rueda", "arrastre"}
+
+
+@pytest.mark.skipif(not (BUILD / "catalogo.json").exists(), reason="no está configurado")
+@pytest.mark.parametrize("ref", sorted(DE_LA_PAGINA))
+def test_un_shader_suelto(tmp_path, ref):
+    """El del programa saca 100, aunque se llame de otra manera; el de partida, o uno que no compila, no; y uno de
+    otro tipo no es el que se pide."""
+    programa = shaders.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[ref]
+    if not programa.ejecutable(BUILD).exists():
+        pytest.skip("no está compilado")
+    banco = Banco(RAIZ, BUILD, ref, programa, tmp_path, None, "1", shaders.REGLAS)
+    banco.__dict__["donde"] = SimpleNamespace(busca=lambda *_: None)  # lo mira donde_test, y tarda
+    pedidos = nuevo.pedidos(RAIZ, programa, ref)
+
+    def nota(textos, nombre="{}"):
+        suya = tmp_path / "e"
+        shutil.rmtree(suya, ignore_errors=True)
+        siembra(suya, {nombre.format(Path(f).name): texto for f, texto in textos.items()})
+        return de_clase.corrige(banco, suya if len(textos) > 1 else next(suya.iterdir()))
+
+    assert nota(pedidos)["nota"] == nota(pedidos, "mío {}")["nota"] == 100
+    de_partida = nota(banco.de_partida[0])
+    assert de_partida["nota"] < 60 and "se ve lo mismo que en el punto de partida" in de_partida["dice"]
+    roto = nota({f: "esto no compila\n" for f in pedidos})
+    assert roto["nota"] == 0 and any("error" in dice for dice in roto["dice"])
+    otro = nota({f"{f}.geom": texto for f, texto in pedidos.items()})
+    assert otro["nota"] == 0 and otro["dice"][0].startswith("no viene")
