@@ -3,6 +3,7 @@
 // se ve hasta que se dibuja, y lo que se dibuja no se ve hasta que se intercambian los buffers. No usa nada de common/.
 // Lo que en el libro son init, display y reshape es aquí inicia, dibuja y cambiaTamano. La ventana mide 960×720 y no
 // 1024×768, sin glutInitWindowPosition: el sitio lo elige el sistema. Y se pide OpenGL 3.1 (glutInitContextVersion).
+// Dibujado sin ventana o en una página no hay dos buffers que intercambiar: la tecla s solo se nota en una ventana.
 // Controles: i da otro color de borrado · d dibuja · s quita o pone glutSwapBuffers · Esc termina.
 #include <GL/freeglut.h>
 #include <cstdio>

@@ -90,7 +90,6 @@ static void inicia(const std::string &fichero) {
     estado.triangulos = triangula(concuerda(malla, analizaTopologia(malla)));
     estado.vertices = encuadra(malla.vertices);
     estado.orbita.distancia = distanciaQueEncuadra(estado.vertices, estado.orbita, ANGULO);
-
     creaVerticesColor({});
     construye();
 
@@ -127,6 +126,9 @@ static void dibujaRecorridos(const glm::mat4 &transformacion) {
     }
     trazaSegmentos(apagados, transformacion, GRIS, GROSOR / 2);
     trazaSegmentos(encendidos, transformacion, OSCURO);
+    if (estado.unica == 1) // el recorrido no pasa por ella
+        trazaSegmentos({estado.vertices[DIAGONAL_NUEVA[0]], estado.vertices[DIAGONAL_NUEVA[1]]},
+                       transformacion, MORADO, 1.5f * GROSOR);
     trazaPuntos(principios, transformacion, OSCURO, 4 * GROSOR);
 }
 

@@ -16,6 +16,7 @@ using Tira = std::vector<std::uint32_t>; // n índices: n − 2 triángulos
 /// partida por la otra diagonal, 3–8 en vez de 4–7 (2 1 3 4 8 1 5 2 6 3 7 8), y con un índice repetido, que añade un
 /// triángulo sin área, 4 7 4 (2 1 3 4 7 4 8 1 5 2 6 3 7).
 const Tira TIRAS_UNICAS[] = {{1, 0, 2, 3, 7, 0, 4, 1, 5, 2, 6, 7}, {1, 0, 2, 3, 6, 3, 7, 0, 4, 1, 5, 2, 6}};
+const std::size_t DIAGONAL_NUEVA[] = {2, 7}; // la de la primera
 
 /// El reparto de hazTiras a medias: qué triángulos quedan libres y, de cada uno, cuántos vecinos libres tiene.
 class RepartoEnTiras {

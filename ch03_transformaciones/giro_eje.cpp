@@ -75,8 +75,10 @@ static glm::mat4 hastaElPaso(const glm::vec3 &d) {
 }
 
 static std::string describe(const glm::vec3 &d) {
-    return formatea("φ = %.0f°, d = (%.2g, %.2g, %.2g)", glm::degrees(estado.angulo), aCentesimas(d.x),
-                    aCentesimas(d.y), aCentesimas(d.z));
+    // lo que no llega a error de redondeo está puesto a propósito, y se escribe
+    const auto escrita = [](float x) { return std::fabs(x) < 1e-9f ? x + 0.0 : aCentesimas(x); };
+    return formatea("φ = %.0f°, d = (%.2g, %.2g, %.2g)", glm::degrees(estado.angulo), escrita(d.x),
+                    escrita(d.y), escrita(d.z));
 }
 
 static void dibuja() {

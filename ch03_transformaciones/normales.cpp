@@ -102,7 +102,7 @@ static void trazaLado(int i, const glm::mat4 &M, const glm::mat4 &transformacion
         if (!coinciden)
             flecha(conM, ROJO, "M·n");
         if (glm::determinant(glm::mat3(M)) < 0)
-            flecha(-conN, NARANJA, "adjunta");
+            flecha(-conN, NARANJA, "adj(M)ᵀ·n");
     }
 }
 

@@ -81,11 +81,12 @@ static void dibujaCamara(const glm::mat4 &aRecortado, const glm::dvec3 &p, const
 
     glDisable(GL_DEPTH_TEST); // las flechas y los rótulos, aunque algo los tape
     const auto [S, U, F] = baseCamara(p, INTERES, UP);
-    const auto flecha = [&](const glm::dvec3 &v, const glm::vec3 &color, const char *nombre) {
-        trazaFlecha(ojo, glm::vec3(p + v), aRecortado, color, 8);
+    const auto flecha = [&](const glm::dvec3 &v, const glm::vec3 &color, const char *nombre,
+                            float grosor = 8) {
+        trazaFlecha(ojo, glm::vec3(p + v), aRecortado, color, grosor);
         rotulaPunto(nombre, glm::vec3(p + 1.3 * v), aRecortado, color, Lado::CENTRO);
     };
-    flecha(3.0 * glm::normalize(UP), NARANJA, "UP");
+    flecha(3.0 * glm::normalize(UP), NARANJA, "UP", 16); // la que asoma si van juntas
     flecha(2.5 * S, ROJO, "S");
     flecha(2.5 * U, VERDE, "U");
     flecha(2.0 * F, AZUL, "F");

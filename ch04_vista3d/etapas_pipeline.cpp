@@ -1,8 +1,6 @@
-// Un vértice y su fragmento (el punto rojo) por las etapas del pipeline (figura 1.3, ejercicio 4.1, ecuación 4.4), un
-// panel para cada una, con sus números, que también se escriben; en morado, lo que hace un procesador programable. En
-// el cuarto, las coordenadas de recortado y, tras la división perspectiva, las normalizadas del dispositivo: el
-// volumen de la vista es ya el canónico. Con r, un triángulo que se sale del volumen y llega detrás del ojo: etapas.h
-// lo recorta, y el polígono que queda (de borde morado) es justo lo que dibuja OpenGL. Con o, algo tapa el fragmento.
+// Un vértice y su fragmento (el punto rojo) por las etapas del pipeline (figura 1.3, ejercicio 4.1, ecuación 4.4); en
+// morado, lo que hace un procesador programable. Con r, un triángulo que llega detrás del ojo: etapas.h lo recorta, y
+// el polígono que queda (de borde morado) es justo lo que dibuja OpenGL. Con o, algo tapa el fragmento.
 // Controles: clic elige vértice · r recortado · o oculto · arrastrar orbita por fuera · rueda acerca · Esc termina.
 #include "buferes.h"
 #include "colores.h"
@@ -13,7 +11,7 @@
 #include "trazo.h"
 #include "ventana.h"
 
-static const float TALLA = 0.03f;
+static const float TALLA = 0.03f, DONDE_TAPA = 0.79f; // del ojo (0) al vértice (1)
 
 enum { CUBO, TRIANGULO, TAPA, CUERPOS };
 static const glm::vec3 COLORES[CUERPOS] = {AMARILLO, AMARILLO, VERDE};
@@ -47,20 +45,17 @@ static void inicia() {
     const glm::mat4 M = traslacion({0.2f, 0.8f, 0.3f}) * giroY(-0.35f) * escalado({2.0f, 1.2f, 1.4f});
     creaCuerpo(CUBO, cubo(), M);
     creaCuerpo(TRIANGULO, triangulo, M);
-    creaCuerpo(TAPA, cubo(), traslacion({1.13f, 1.82f, 2.16f}) * escalado({0.6f, 0.5f, 0.2f}));
+    creaCuerpo(TAPA, cubo(), glm::mat4(1));
 }
 
 // Con la luz del mundo en todos los paneles y en gris lo que queda fuera del volumen.
 static void dibujaCuerpo(const Panel &p, int cual) {
-    const GLuint programa = estado.programa;
     const glm::dmat4 &M = estado.cuerpos[cual].M;
-    glUseProgram(programa);
-    envia(programa, "M", glm::mat4(p.delMundo * M));
-    envia(programa, "N", matrizNormal(glm::mat4(M)));
-    envia(programa, "aRecortado", glm::mat4(estado.m.proyeccion * estado.m.camara * M));
-    envia(programa, "camara", p.camara);
-    envia(programa, "proyeccion", p.proyeccion);
-    envia(programa, "colorObjeto", COLORES[cual]);
+    usaPrograma(estado.programa, p.camara, p.proyeccion);
+    envia(estado.programa, "M", glm::mat4(p.delMundo * M));
+    envia(estado.programa, "N", matrizNormal(glm::mat4(M)));
+    envia(estado.programa, "aRecortado", glm::mat4(estado.m.proyeccion * estado.m.camara * M));
+    envia(estado.programa, "colorObjeto", COLORES[cual]);
     dibuja(estado.buferes[cual]);
 }
 
@@ -99,16 +94,16 @@ static void dibujaEscena(std::size_t k, const Etapas &e, const std::vector<glm::
 static void dibujaProfundidad(const Etapas &e, double guardada) {
     abreRecuadro(estado.paneles[PROFUNDIDAD].escena, FONDO_CLARO);
     const auto enEscala = [](double z) { return glm::vec3(0.9 * z - 0.45, -0.1, 0); };
-    const glm::mat4 uno(1);
-    trazaSegmentos({enEscala(0), enEscala(1)}, uno, OSCURO);
-    trazaPuntos({enEscala(0)}, uno, NARANJA);
-    trazaPuntos({enEscala(1)}, uno, AZUL);
+    trazaSegmentos({enEscala(0), enEscala(1)}, glm::mat4(1), OSCURO);
+    trazaPuntos({enEscala(0)}, glm::mat4(1), NARANJA);
+    trazaPuntos({enEscala(1)}, glm::mat4(1), AZUL);
     if (!e.dentro)
         return;
-    trazaFlecha(enEscala(guardada) - glm::vec3(0, 0.3f, 0), enEscala(guardada), uno, OSCURO);
-    trazaPuntos({enEscala(e.ventana.z)}, uno, ROJO, 22);
-    rotulaPunto("fragmento", enEscala(e.ventana.z), uno, ROJO, Lado::ENCIMA, TALLA);
-    rotulaPunto("guardada", enEscala(guardada) - glm::vec3(0, 0.3f, 0), uno, OSCURO, Lado::DEBAJO, TALLA);
+    const glm::vec3 pie = enEscala(guardada) - glm::vec3(0, 0.3f, 0);
+    trazaFlecha(pie, enEscala(guardada), glm::mat4(1), OSCURO);
+    trazaPuntos({enEscala(e.ventana.z)}, glm::mat4(1), ROJO, 22);
+    rotulaPunto("fragmento", enEscala(e.ventana.z), glm::mat4(1), ROJO, Lado::ENCIMA, TALLA);
+    rotulaPunto("guardada", pie, glm::mat4(1), OSCURO, Lado::DEBAJO, TALLA);
 }
 
 static void dibuja() {
@@ -117,10 +112,13 @@ static void dibuja() {
     estado.m = matricesEn(estado.paneles[VENTANA].escena, c.M);
     colocaMatrices(estado.paneles, estado.m, estado.orbita, estado.cuerpo == CUBO ? 6.0f : 14.0f);
 
-    std::vector<Modelo> pintados = {c};
-    if (estado.tapado)
-        pintados.push_back(estado.cuerpos[TAPA]);
     const Etapas e = recorre(c.vertices[estado.elegido], estado.m);
+    std::vector<Modelo> pintados = {c};
+    if (estado.tapado) { // en la recta del ojo al vértice
+        estado.cuerpos[TAPA].M = traslacion(glm::mix(glm::vec3(OJO), glm::vec3(e.mundo), DONDE_TAPA)) *
+                                 escalado({0.6f, 0.5f, 0.2f});
+        pintados.push_back(estado.cuerpos[TAPA]);
+    }
     const double guardada = profundidadGuardada(pintados, estado.m, e);
     const auto poligono =
         estado.cuerpo == TRIANGULO ? recorta(c.vertices, estado.m) : std::vector<glm::dvec4>();

@@ -6,6 +6,10 @@
 #include "ch03_transformaciones/objeto.h"
 #include "vistas_grua.h"
 
+static const float CASILLA = LADO_SUELO / 5;
+static const glm::mat4 EN_SUELO =
+    traslacion({0, 0.02f, 0}) * giroX(glm::half_pi<float>()); // lo justo para que se vea
+
 static struct {
     GLuint programa;
     Buferes cubo;
@@ -39,6 +43,8 @@ static void dibuja() {
         envia(estado.programa, "camara", glm::mat4(p.camara));
         for (const Pieza &pieza : escenaGrua(estado.postura))
             dibujaObjeto(estado.programa, estado.cubo, pieza.M, pieza.color);
+        trazaSegmentos(cuadricula(LADO_SUELO, CASILLA), proyeccion * glm::mat4(p.camara) * EN_SUELO, OSCURO,
+                       GROSOR / 2);
         rotulaVista(p, std::string(" ") + nombre);
     }
     ponTitulo(std::string("La grúa en ") + nombre);

@@ -43,18 +43,24 @@ static void dibujaVistas(const Recuadro &donde, bool test) {
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), GRIS);
+    const Recuadro ventana = ventanaEntera();
+    const std::string proyeccion = estado.enPerspectiva ? "en perspectiva" : "en paralela";
+    abreRecuadro(ventana, GRIS);
     glUseProgram(estado.programa);
     if (estado.compara) { // nuevo en 4.4
         const std::vector<Recuadro> mitades = reparte(2);
         dibujaVistas(mitades[0], false);
         dibujaVistas(mitades[1], true);
     } else {
-        dibujaVistas(ventanaEntera(), estado.test);
+        dibujaVistas(ventana, estado.test);
     }
-    ponTitulo(estado.compara ? "La grúa sin partes ocultas y con ellas"
-              : estado.test  ? "La grúa sin partes ocultas"
-                             : "La grúa con partes ocultas");
+    glViewport(0, 0, ventana.ancho, ventana.alto);
+    if (estado.vistas.elegido != LAS_CUATRO) // en las cuatro no hay sitio: la dice el título
+        rotula(proyeccion, {0.98f, 0.05f}, OSCURO, Lado::IZQUIERDA, 0.03f);
+    const std::string que = estado.compara ? "sin partes ocultas y con ellas"
+                            : estado.test  ? "sin partes ocultas"
+                                           : "con partes ocultas";
+    ponTitulo("La grúa " + que + ", " + proyeccion);
     glutSwapBuffers();
 }
 

@@ -14,7 +14,8 @@
 #include <glm/gtc/constants.hpp>
 
 static const Luz LUZ{{3.5f, 8.5f, 5.5f, 1}};
-static const float LADO_SUELO = 12, CASILLA = 2;
+static const float LADO_SUELO = 8, CASILLA = 2;
+static const double ASPECTO_DE_DOS = 1.1; // de lo que barre la grúa: en un panel alto lo llena a lo ancho
 static const char *const NOMBRES[] = {"Gouraud", "Phong"};
 
 static const Material PINTURA = {{0.25f, 0.18f, 0.03f}, {0.68f, 0.50f, 0.08f}, {0.60f, 0.60f, 0.60f}, 15};
@@ -28,7 +29,7 @@ static struct {
     GLuint programas[2];
     Buferes cubo;
     PosturaGrua postura;
-    Orbita orbita = {0.5f, 0.25f, 36.5f, {1.0f, 4.2f, 0}, 0.02f};
+    Orbita orbita = {0.5f, 0.25f, 34, {0.3f, 4.7f, 0}, 0.02f};
     Modos modos = {2};
 } estado;
 
@@ -46,7 +47,8 @@ static void inicia() {
 static void dibujaPanel(int modelo, const Recuadro &panel) {
     const GLuint programa = estado.programas[modelo];
     const glm::mat4 camara = camaraOrbita(estado.orbita),
-                    proyeccion = perspectivaVentana(ANGULO_GRUA, 1, 200, aspecto(panel));
+                    proyeccion = perspectivaVentana(ANGULO_GRUA, 1, 200, aspecto(panel),
+                                                    estado.modos.todos ? ASPECTO_DE_DOS : ASPECTO_COMPUESTO);
     const auto caja = [&](const glm::mat4 &M, const Material &material) {
         dibujaObjeto(programa, estado.cubo, M, camara, material);
     };

@@ -18,6 +18,8 @@ static const Material BARRO = {{0.26f, 0.14f, 0.09f}, {0.80f, 0.42f, 0.26f}, {0.
 static const Material PIEDRA = {{0.17f, 0.20f, 0.24f}, {0.50f, 0.58f, 0.68f}, {0.20f, 0.20f, 0.20f}, 20};
 static const glm::vec3 CENTRO(0, 0.25f, 0);            // el de la bola
 static const float LADO_BALDOSA = 0.4f, AZIMUT = 0.3f; // con que empieza la cámara
+static const double ASPECTO_DE_DOS =
+    1.05; // de lo que hay, se mire desde donde se mire: llena a lo ancho un panel alto
 
 static struct {
     GLuint programa, mapa;
@@ -41,7 +43,8 @@ static void inicia() {
     glEnable(GL_DEPTH_TEST);
 }
 
-static void dibujaEscena(const Recuadro &panel, const glm::mat4 &camara, float angulo, bool conBultos) {
+static void dibujaEscena(const Recuadro &panel, const glm::mat4 &camara, const glm::mat4 &proyeccion,
+                         bool conBultos) {
     abreRecuadro(panel, FONDO_CLARO);
     const glm::mat4 tumbado = giroX(-glm::half_pi<float>());
     const auto objeto = [&](const Buferes &solido, const glm::mat4 &M, const Material &material,
@@ -50,9 +53,9 @@ static void dibujaEscena(const Recuadro &panel, const glm::mat4 &camara, float a
         envia(estado.programa, "altura", conBultos ? altura : 0);
         dibujaObjeto(estado.programa, solido, M, camara, material);
     };
-    usaPrograma(estado.programa, camara, perspectivaVentana(angulo, 1, 100, aspecto(panel)), {{-4, 5, 4, 1}});
+    usaPrograma(estado.programa, camara, proyeccion, {{-4, 5, 4, 1}});
     envia(estado.programa, "mapaNormales", 0);
-    const glm::vec2 talla(3.6f, 2.8f);
+    const glm::vec2 talla(2.8f, 2.8f);
     objeto(estado.plano, traslacion({0, -1, 0}) * tumbado * escalado({talla.x, talla.y, 1}), PIEDRA,
            talla / LADO_BALDOSA, LADO_BALDOSA);
     // los polos, donde los bultos se aprietan, a los lados
@@ -63,7 +66,10 @@ static void dibujaEscena(const Recuadro &panel, const glm::mat4 &camara, float a
 
 static void dibujaPanel(const Recuadro &panel, bool conBultos) {
     const glm::mat4 camara = camaraOrbita(estado.orbita);
-    dibujaEscena(panel, camara, 0.45f, conBultos);
+    dibujaEscena(panel, camara,
+                 perspectivaVentana(0.45f, 1, 100, aspecto(panel),
+                                    estado.comparando ? ASPECTO_DE_DOS : ASPECTO_COMPUESTO),
+                 conBultos);
     rotula(conBultos ? "con el mapa" : "sin el mapa", {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
 
     // desde el mismo sitio, con un ángulo menor y hacia el borde de arriba a la izquierda
@@ -73,7 +79,7 @@ static void dibujaPanel(const Recuadro &panel, bool conBultos) {
     const glm::vec3 borde = CENTRO + 0.83f * (ejes[1] - ejes[0]);
     abreRecuadro({x - raya, y - raya, lado + 2 * raya, lado + 2 * raya}, GRIS);
     dibujaEscena({x, y, lado, lado}, transformacionCamara(posicionCamara(estado.orbita), borde, {0, 1, 0}),
-                 0.07f, conBultos);
+                 perspectivaVentana(0.07f, 1, 100, 1), conBultos);
 }
 
 static void dibuja() {

@@ -9,13 +9,14 @@
 #include "buferes.h"
 #include "estrella.h"
 #include "imagen_en_ventana.h"
+#include "lupa.h"
 #include "modos.h"
+#include "texto.h"
 #include <glm/gtc/constants.hpp>
 
 static const int VECES = 4, MUESTRAS = 4, DENTRO = 16;
-static const glm::vec2 AUMENTADO(0.895f,
-                                 0.530f), // en la escena, centro de los DENTRO × DENTRO que se aumentan
-    PUNTA(163 / 240.0f, 210 / 240.0f);    // y de los DENTRO × 2·DENTRO de una punta
+// En la escena, los centros de los DENTRO × DENTRO que se aumentan y de los DENTRO × 2·DENTRO de una punta.
+static const glm::vec2 AUMENTADO(0.895f, 0.530f), PUNTA(163 / 240.0f, 210 / 240.0f);
 static const int LADO_COMPARADO = 240; // de la escena de la que se compara una punta, sea como sea la ventana
 static const int MS = 40;
 static const double VELOCIDAD = 5e-5; // radianes por milisegundo
@@ -23,34 +24,25 @@ static const char *const NOMBRES[3] = {"Sin antialiasing", "Multimuestra", "Sobr
                          *const CORTOS[3] = {"Sin nada", "Multi", "Sobre"};
 
 static struct {
-    GLuint pinta, reduce, lupa, renderbuffer, multimuestra;
+    GLuint pinta, reduce, renderbuffer, multimuestra;
     Buferes estrella;
     GLint buffersVentana, muestrasVentana, muestras, buffers, muestrasPorPixel;
     Lienzo lienzo = {0, 0}, grande = {0, 0};
-    int lado = 0;
-    double giro = 0; // de la estrella, en radianes
+    Lupa lupa = {0, 0}; // el lado es el de los framebuffers
+    double giro = 0;    // de la estrella, en radianes
     bool girando = false;
     Modos modos{3};
 } estado;
 
-static Malla mallaEstrella() {
-    Malla malla;
-    for (const glm::dvec2 &v : estrella()) {
-        malla.indices.push_back(GLuint(malla.vertices.size()));
-        malla.vertices.push_back({glm::vec3(v, 0), {0, 0, 1}, {}});
-    }
-    return malla;
-}
-
 // Los framebuffers de lado × lado; se rehacen si cambia.
 static void creaLienzos(int lado) {
-    if (lado == estado.lado)
+    if (lado == estado.lupa.lado)
         return;
     for (const Lienzo &l : {estado.lienzo, estado.grande}) {
         glDeleteFramebuffers(1, &l.framebuffer);
         glDeleteTextures(1, &l.textura);
     }
-    estado.lado = lado;
+    estado.lupa.lado = lado;
     estado.lienzo = creaLienzo({lado, lado});
     estado.grande = creaLienzo({VECES * lado, VECES * lado});
     GLint mayor = 0;
@@ -75,7 +67,7 @@ static void dibujaEstrella(GLuint framebuffer, int lado) {
 
 // Deja la escena en estado.lienzo con esa técnica.
 static void dibujaEscena(int tecnica) {
-    const int lado = estado.lado;
+    const int lado = estado.lupa.lado;
     if (tecnica == 0) {
         dibujaEstrella(estado.lienzo.framebuffer, lado);
     } else if (tecnica == 1) {
@@ -98,25 +90,6 @@ static void dibujaEscena(int tecnica) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-// El primero de los píxeles de ese centro, que gira con la estrella; de 0 a 1.
-static glm::vec2 primero(const glm::vec2 &centro, const glm::vec2 &pixeles) {
-    const float lado = float(estado.lado), c = float(std::cos(estado.giro)), s = float(std::sin(estado.giro));
-    return glm::floor((glm::mat2(c, s, -s, c) * (centro - 0.5f) + 0.5f) * lado - pixeles / 2.0f + 0.001f) /
-           lado;
-}
-
-// En ese rectángulo, con un marco, los píxeles de la escena que hay a partir de `primero`, de 0 a 1.
-static void dibujaPixeles(const glm::vec2 &primero, const glm::ivec2 &pixeles, const Recuadro &r,
-                          const glm::vec3 &marco) {
-    abreRecuadro({r.x - 2, r.y - 2, r.ancho + 4, r.alto + 4}, marco);
-    dibujaEn(r);
-    glUseProgram(estado.lupa);
-    envia(estado.lupa, "imagen", 0);
-    envia(estado.lupa, "primero", primero);
-    envia(estado.lupa, "tramo", glm::vec2(pixeles) / float(estado.lado));
-    dibujaRectangulo();
-}
-
 static std::string conVeces(const char *nombre, int tecnica) {
     const int veces[3] = {1, estado.muestras, VECES * VECES};
     return nombre + (tecnica == 0 ? "" : " ×" + std::to_string(veces[tecnica]));
@@ -129,10 +102,10 @@ static void dibujaPanel(int tecnica, const Recuadro &panel) {
     creaLienzos(lado);
     dibujaEscena(tecnica);
     const int x = panel.x + (panel.ancho - lado) / 2, y = panel.y + (panel.alto - lado + lado / 9) / 2;
-    dibujaPixeles({0, 0}, {lado, lado}, {x, y, lado, lado}, FONDO_CLARO);
+    dibujaPixeles(estado.lupa, {0, 0}, {lado, lado}, {x, y, lado, lado}, FONDO_CLARO);
     const int lupa = std::max(lado * 3 / 10 / DENTRO, 1) * DENTRO;
-    dibujaPixeles(primero(AUMENTADO, glm::vec2(DENTRO)), {DENTRO, DENTRO},
-                  {x + (lado - lupa) / 2, y + (lado - lupa) / 2, lupa, lupa}, NARANJA);
+    dibujaPixeles(estado.lupa, primerPixel(estado.lupa, AUMENTADO, glm::vec2(DENTRO), estado.giro),
+                  {DENTRO, DENTRO}, {x + (lado - lupa) / 2, y + (lado - lupa) / 2, lupa, lupa}, NARANJA);
     dibujaEn({panel.x, y - lado / 9, panel.ancho, lado / 9});
     rotula(conVeces(NOMBRES[tecnica], tecnica), {0.5f, 0.5f}, OSCURO);
 }
@@ -144,13 +117,12 @@ static void dibujaPunta(int tecnica, const Recuadro &panel) {
     const int pie = panel.alto * 9 / 40, libre = panel.alto - pie - 8;
     const int ancho = std::max(std::min((panel.ancho - 4) / DENTRO, libre / (2 * DENTRO)), 1) * DENTRO;
     dibujaPixeles(
-        primero(PUNTA, {DENTRO, 2 * DENTRO}), {DENTRO, 2 * DENTRO},
+        estado.lupa, primerPixel(estado.lupa, PUNTA, {DENTRO, 2 * DENTRO}, estado.giro), {DENTRO, 2 * DENTRO},
         {panel.x + (panel.ancho - ancho) / 2, panel.y + pie + (libre - 2 * ancho) / 2, ancho, 2 * ancho},
         NARANJA);
     dibujaEn(panel);
     rotula(conVeces(CORTOS[tecnica], tecnica), {0.5f, 0.17f}, OSCURO);
-    rotula(std::to_string(estado.buffers) + " y " + std::to_string(estado.muestrasPorPixel), {0.5f, 0.11f},
-           AZUL);
+    rotula(formatea("%d y %d", estado.buffers, estado.muestrasPorPixel), {0.5f, 0.11f}, AZUL);
 }
 
 static void dibuja() {
@@ -164,11 +136,9 @@ static void dibuja() {
     } else {
         dibujaPanel(estado.modos.elegido, ventanaEntera());
     }
-    ponTitulo(std::string("Antialiasing: ") +
-              (estado.modos.todos ? "los tres" : NOMBRES[estado.modos.elegido]) +
-              (estado.girando ? ", girando" : "") + " (ventana: GL_SAMPLE_BUFFERS " +
-              std::to_string(estado.buffersVentana) + ", GL_SAMPLES " +
-              std::to_string(estado.muestrasVentana) + ")");
+    ponTitulo(formatea("Antialiasing: %s%s (ventana: GL_SAMPLE_BUFFERS %d, GL_SAMPLES %d)",
+                       estado.modos.todos ? "los tres" : NOMBRES[estado.modos.elegido],
+                       estado.girando ? ", girando" : "", estado.buffersVentana, estado.muestrasVentana));
     glutSwapBuffers();
 }
 
@@ -197,7 +167,7 @@ int main(int argc, char **argv) {
     estado.estrella = creaBuferes(mallaEstrella());
     estado.pinta = creaPrograma("ch09_imagen/estrella.vert", "common/liso.frag");
     estado.reduce = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/reduce.frag");
-    estado.lupa = creaPrograma("ch09_imagen/lupa.vert", "ch09_imagen/imagen.frag");
+    estado.lupa.programa = creaPrograma("ch09_imagen/lupa.vert", "ch09_imagen/imagen.frag");
     glGetIntegerv(GL_SAMPLE_BUFFERS, &estado.buffersVentana);
     glGetIntegerv(GL_SAMPLES, &estado.muestrasVentana);
     glGenRenderbuffers(1, &estado.renderbuffer);

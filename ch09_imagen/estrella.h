@@ -2,6 +2,7 @@
 // una ventana cuadrada. Sin OpenGL; la usan el programa y las pruebas, que calculan el área exacta que cubre en cada
 // píxel.
 #pragma once
+#include "malla.h"
 #include <cmath>
 #include <glm/glm.hpp>
 #include <vector>
@@ -19,4 +20,13 @@ inline std::vector<glm::dvec2> estrella() {
                                          RADIO_DENTRO * d + SEMIANCHO * n});
     }
     return vertices;
+}
+
+inline Malla mallaEstrella() {
+    Malla malla;
+    for (const glm::dvec2 &v : estrella()) {
+        malla.indices.push_back(unsigned(malla.vertices.size()));
+        malla.vertices.push_back({glm::vec3(v, 0), {0, 0, 1}, {}});
+    }
+    return malla;
 }

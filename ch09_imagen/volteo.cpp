@@ -4,6 +4,8 @@
 #include "imagen_en_ventana.h"
 
 static const char *const NOMBRES[4] = {"Original", "Horizontal", "Vertical", "Los dos"};
+static const int EN_PANEL[4] = {0, 3, 1,
+                                2}; // ninguno sigue donde acaba el de al lado: no parecen una sola imagen
 
 static struct {
     GLuint programa;
@@ -27,7 +29,7 @@ static void dibuja() {
     const std::vector<Recuadro> paneles = recuadros(estado.muestra, 4);
     if (estado.muestra.compara) {
         for (std::size_t k = 0; k < 4; ++k)
-            dibujaVolteo(k % 2 == 1, k >= 2, paneles[k]);
+            dibujaVolteo(EN_PANEL[k] % 2 == 1, EN_PANEL[k] >= 2, paneles[k]);
     } else {
         dibujaVolteo(estado.horizontal, estado.vertical, paneles[0]);
     }

@@ -139,10 +139,10 @@ static void dibuja() {
     abreRecuadro(ventanaEntera(), FONDO_CLARO);
     dibujaRastro();
     dibujaRaton();
-    float y = 0.92f;
-    for (std::size_t i = 0; i < estado.sucesos.size(); ++i, y -= 0.1f)
-        rotula(estado.sucesos[i], {0.03f, y}, i + 1 == estado.sucesos.size() ? AZUL : OSCURO, Lado::DERECHA,
-               0.032f);
+    const float renglon = 0.1f * altoUtil() / float(ventanaEntera().alto);
+    for (std::size_t i = 0; i < estado.sucesos.size(); ++i)
+        rotula(estado.sucesos[i], {0.03f, 1 - (float(i) + 0.8f) * renglon},
+               i + 1 == estado.sucesos.size() ? AZUL : OSCURO, Lado::DERECHA, 0.038f);
     glutSwapBuffers();
 }
 

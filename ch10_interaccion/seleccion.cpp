@@ -11,33 +11,14 @@
 #include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
+#include "solidos.h"
+#include "texto.h"
 #include "trazo.h"
 #include "ventana.h"
 #include <cmath>
 #include <cstdio>
-#include <glm/gtc/constants.hpp>
 #include <vector>
 
-enum Forma { TABLERO, CUBO, ESFERA, CONO, TORO, N_FORMAS };
-static const float RECTO = glm::half_pi<float>();
-static const glm::mat4 POSADA[N_FORMAS] = {
-    traslacion({0, -0.15f, 0}) * escalado({6, 0.3f, 6}), // en el origen
-    traslacion({0, 0.6f, 0}) * giroY(0.4f) * escalado(1.2f), traslacion({0, 0.75f, 0}) * escalado(0.75f),
-    giroX(-RECTO) * escalado({0.75f, 0.75f, 1.7f}), traslacion({0, 0.84f, 0}) * giroY(0.45f)};
-static const struct {
-    const char *nombre;
-    Forma forma;
-    glm::vec3 lugar, color;
-} SOLIDOS[] = {{"nada", TABLERO, {0, 0, 0}, {0.80f, 0.74f, 0.66f}}, // el 0: el tablero solo tapa
-               {"cono verde", CONO, {-2, 0, -2}, VERDE},
-               {"cubo azul", CUBO, {0, 0, -2}, AZUL},
-               {"toro rojo", TORO, {2, 0, -2}, ROJO},
-               {"esfera roja", ESFERA, {-2, 0, 0}, ROJO},
-               {"toro verde", TORO, {0, 0, 0}, VERDE},
-               {"cono amarillo", CONO, {2, 0, 0}, AMARILLO},
-               {"cubo naranja", CUBO, {-2, 0, 2}, NARANJA},
-               {"toro azul", TORO, {0, 0, 2}, AZUL},
-               {"esfera morada", ESFERA, {2, 0, 2}, MORADO}};
 static const float APAGADO = 0.7f, RADIO_ARO = 0.98f;
 
 enum { COLOR, PROFUNDIDAD, N_RENDERBUFFERS };
@@ -112,10 +93,8 @@ static void dibujaObjetos(bool conIdentificadores) {
 static void nombraElegido(const glm::vec3 &color) {
     const auto &s = SOLIDOS[estado.elegido];
     const glm::mat4 transformacion = proyeccion() * camaraOrbita(estado.orbita);
-    std::vector<glm::vec3> aro;
-    for (float a = 0; a < 4 * RECTO; a += RECTO / 16)
-        aro.push_back(s.lugar + RADIO_ARO * glm::vec3(std::cos(a), 0.02f, std::sin(a)));
-    trazaPolilinea(aro, transformacion, color, GROSOR, true);
+    const glm::mat4 enTablero = traslacion(s.lugar + glm::vec3(0, 0.02f * RADIO_ARO, 0)) * giroX(RECTO);
+    trazaPolilinea(circunferencia(RADIO_ARO), transformacion * enTablero, color, GROSOR, true);
     const float azimut = estado.orbita.azimut;
     rotulaPunto(s.nombre, s.lugar + RADIO_ARO * glm::vec3(std::sin(azimut), 0, std::cos(azimut)),
                 transformacion, color, Lado::DEBAJO);
@@ -127,6 +106,8 @@ static void dibuja() {
     dibujaObjetos(estado.conIdentificadores);
     if (estado.elegido != NADA)
         nombraElegido(color);
+    else if (!estado.cruz.empty())
+        rotulaPunto(SOLIDOS[NADA].nombre, estado.cruz[1], glm::mat4(1), color, Lado::DERECHA);
     trazaSegmentos(estado.cruz, glm::mat4(1), color);
     rotula(estado.leido, {0.5f, 0.94f}, color);
     glutSwapBuffers();
@@ -147,17 +128,13 @@ static void selecciona(int x, int y) {
 
     const glm::vec2 talla(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT)),
         lugar = 2.0f * (glm::vec2(x, fila) + 0.5f) / talla - 1.0f, brazo = 0.045f * altoUtil() / talla;
-    estado.cruz = {{lugar.x - brazo.x, lugar.y, -0.99f},
-                   {lugar.x + brazo.x, lugar.y, -0.99f},
-                   {lugar.x, lugar.y - brazo.y, -0.99f},
-                   {lugar.x, lugar.y + brazo.y, -0.99f}};
+    estado.cruz.clear();
+    for (const glm::vec2 &d : {glm::vec2(brazo.x, 0), {0, brazo.y}})
+        estado.cruz.insert(estado.cruz.end(), {{lugar - d, -0.99f}, {lugar + d, -0.99f}});
 
     estado.elegido = identificadorDe({pixel[0], pixel[1], pixel[2]});
     const std::string nombre = SOLIDOS[estado.elegido].nombre;
-    estado.leido = "color";
-    for (int k = 0; k < 3; ++k)
-        estado.leido += " " + std::to_string(pixel[k]);
-    estado.leido += " → objeto " + std::to_string(estado.elegido);
+    estado.leido = formatea("color %d %d %d → objeto %u", pixel[0], pixel[1], pixel[2], estado.elegido);
     std::printf("(%d, %d) %s: %s\n", x, y, estado.leido.c_str(), nombre.c_str());
     std::fflush(stdout);
     ponTitulo("Selección: " + nombre);

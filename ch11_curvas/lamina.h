@@ -6,6 +6,7 @@
 #include "editor.h"
 #include "proyeccion.h"
 #include "superficies.h"
+#include "trazo.h"
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -67,6 +68,30 @@ inline void dibujaLamina(const Lamina &lamina, Malla malla, const Material &mate
         borraBuferes(buferes);
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+/// Las curvas de u y de v constantes de la superficie.
+inline void trazaCurvas(const Lamina &lamina, const RedBezier<float> &red, const glm::vec3 &color) {
+    const int CURVAS = 5, TRAMOS = 32;
+    for (const bool deU : {false, true})
+        for (int k = 0; k <= CURVAS; ++k) {
+            std::vector<glm::vec3> curva;
+            for (int i = 0; i <= TRAMOS; ++i) {
+                const float fija = float(k) / CURVAS, otra = float(i) / TRAMOS;
+                curva.push_back(deU ? superficie(red, fija, otra) : superficie(red, otra, fija));
+            }
+            trazaPolilinea(curva, vistaLamina(lamina), color, GROSOR / 2);
+        }
+}
+
+/// Si algo se ha movido, en blanco la superficie y en negro la de antes, que se ve aunque ahora quede debajo.
+inline void trazaCambio(const Lamina &lamina, const RedBezier<float> &antes, const RedBezier<float> &ahora) {
+    if (antes.P == ahora.P)
+        return;
+    trazaCurvas(lamina, ahora, BLANCO);
+    glDisable(GL_DEPTH_TEST);
+    trazaCurvas(lamina, antes, OSCURO);
+    glEnable(GL_DEPTH_TEST);
 }
 
 /// Los lados de una red de control de `columnas` columnas, dada por filas.

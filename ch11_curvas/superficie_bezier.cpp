@@ -55,6 +55,7 @@ static void dibujaRed(bool conEsquinas) {
 
 static std::string modoRed() {
     dibujaSuperficie();
+    trazaCambio(estado.lamina, redInicial(estado.grados), estado.red);
     glDisable(GL_DEPTH_TEST);
     dibujaRed(true);
     return formatea("n = %zu, m = %zu", estado.red.n, estado.red.m);

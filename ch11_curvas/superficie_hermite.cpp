@@ -80,6 +80,9 @@ static void dibuja() {
         dibujaLamina(estado.lamina, mallaSuperficie(Base::HERMITE, G2, n), LAMINA_NARANJA);
         trazaPolilinea(polilinea([&](float v) { return cubica(Base::HERMITE, G[1], v); }, n.v), vista(),
                        BLANCO);
+    } else {
+        trazaCambio(estado.lamina, redDe(Base::HERMITE, primerTrozo(ELEMENTOS_INICIALES)),
+                    redDe(Base::HERMITE, G));
     }
     dibujaElementos();
     for (const auto &b : BLOQUES)

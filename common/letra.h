@@ -7,7 +7,7 @@
 
 constexpr std::u32string_view SIGNOS =
     U" !\"#$%&'()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`abcdefghijklmnopqrstuvwxyz{|}~"
-    U"¡«°±²³·º»¿ÁÉÍÑÓÚÜ×áéíñóúü÷ΓΔΘΛΠΣΦΨΩαβγδεθλμπρσφψω′″…←↑→↓−√∞≈≠≤≥□"; // el último, por los que no hay
+    U"¡«°±²³·º»¿ÁÉÍÑÓÚÜ×áéíñóúü÷ΓΔΘΛΠΣΦΨΩαβγδεθλμπρσφψω′″…←↑→↓−√∞≈≠≤≥ᵀ□"; // el último, por los que no hay
 
 // En texels. La letra es DejaVu Sans Mono Bold.
 constexpr int CUADRATIN = 32,

@@ -28,7 +28,8 @@
 #     distinta de CASO en A a B %   los píxeles del 4:3 central que cambian en más de 12 niveles
 #     igual que CASO                ninguno de la ventana cambia en más de 12
 #   Con «a 4:3: » delante, solo en las dos primeras tallas: lo que parte la ventana de otra manera cuando es alta.
-#   BORDE: por qué la escena llega al borde de la ventana; sin él, no debe llegar.
+#   BORDE: «LADOS: por qué», los lados de la ventana (izquierda, derecha, abajo, arriba, o todos) por los que la escena está cortada en una de
+#   alguna forma; por los demás no debe llegar al borde en ninguna.
 #   ANIMA: en la galería se mueve: N cuadros, a diez por segundo, y la orden del guion que lleva de cada uno al siguiente.
 #   TOLERANCIA cambia la que usa el comparador cuando la imagen no es del mismo OpenGL que el golden, y OTRO la de su --otro; las dos
 #   exigen un MOTIVO.
@@ -131,6 +132,9 @@ function(caso programa nombre)
   endif()
   if(C_ANIMA AND NOT C_ANIMA MATCHES "^[1-9][0-9]?[0-9]? ")
     message(FATAL_ERROR "caso(${programa} ${nombre}): ANIMA es el número de cuadros, hasta 999, y la orden que lleva al siguiente")
+  endif()
+  if(C_BORDE AND NOT C_BORDE MATCHES "^(todos|(izquierda|derecha|abajo|arriba)( (izquierda|derecha|abajo|arriba))*): .")
+    message(FATAL_ERROR "caso(${programa} ${nombre}): BORDE es «LADOS: por qué», y no «${C_BORDE}»")
   endif()
   exige_nombre(${nombre})
   if(NOT TARGET ${programa})

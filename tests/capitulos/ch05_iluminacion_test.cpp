@@ -430,7 +430,7 @@ struct Grua {
                        amarilla = pintura({0.25, 0.18, 0.03}, {0.68, 0.50, 0.08}, 0.60, 15),
                        acero = pintura({0.06, 0.06, 0.07}, {0.20, 0.21, 0.24}, 0.70, 80),
                        chapa = pintura({0.22, 0.05, 0.05}, {0.68, 0.14, 0.12}, 0.60, 30);
-        return {{{caja(traslada({0, -0.1, 0}) * escala({12, 0.2, 12})), tierra},
+        return {{{caja(traslada({0, -0.1, 0}) * escala({8, 0.2, 8})), tierra},
                  {caja(traslada({0, 0.2, 0}) * escala({2.4, 0.4, 2.4})), hormigon},
                  {caja(traslada({0, 5, 0}) * escala({0.8, 10, 0.8})), amarilla},
                  {caja(G * traslada({2.5, 10.4, 0}) * escala({10, 0.8, 0.8})), amarilla},
@@ -438,7 +438,7 @@ struct Grua {
                  {caja(G * traslada({lejos, 10 - cable / 2, 0}) * escala({0.12, cable, 0.12})), acero},
                  {caja(G * traslada({lejos, altura, 0})), chapa}},
                 {posicional({3.5, 8.5, 5.5})},
-                perspectiva(orbita(0.5, 0.25, 36.5, {1.0, 4.2, 0}), 0.45, 1, 200),
+                perspectiva(orbita(0.5, 0.25, 34, {0.3, 4.7, 0}), 0.45, 1, 200),
                 {0.87, 0.93, 0.98},
                 modelo};
     }
@@ -458,7 +458,7 @@ TEST(GruaIluminada, CarasContraLaEcuacion56) {
 
 // Con v, Gouraud a la izquierda y Phong a la derecha o, en una ventana alta, debajo.
 TEST(GruaIluminada, LosDosPaneles) {
-    for (const auto &[ancho, alto] : {std::pair(480, 180), {240, 360}}) {
+    for (const auto &[ancho, alto] : {std::pair(484, 180), {240, 360}}) {
         const Vista v = vistaDe("grua_iluminada", "tecla g; tecla v; tecla d", ancho, alto);
         for (const int k : {0, 1})
             Grua{"", GOURAUD + k, -0.1}.escena().compara(recorta(v.escena, enTira(k, 2, v.escena)));

@@ -355,7 +355,7 @@ double alturaBulto(double s, double t) {
 enum { SUELO_BUMP, BOLA_BUMP };
 const Vec3 CENTRO_BUMP{0, 0.25, 0}, EJE_BUMP{std::cos(0.3), 0, -std::sin(0.3)}; // de polo a polo, a los lados
 const Escena ESCENA_BUMP = {
-    plano(traslada({0, -1, 0}) * DE_PIE * escala({3.6, 2.8, 1})),
+    plano(traslada({0, -1, 0}) * DE_PIE * escala({2.8, 2.8, 1})),
     esfera(traslada(CENTRO_BUMP) * gira({0, 1, 0}, PI / 2 + 0.3) * escala({1.25, 1.25, 1.125}))};
 
 /// La de la superficie desplazada de verdad, P + h·N, por diferencias.
@@ -364,7 +364,7 @@ Vec3 normalDesplazada(const Impacto &i) {
     const auto desplazada = [&](double s, double t) {
         const bool bola = i.objeto == BOLA_BUMP;
         const double a = PI * t, b = 2 * PI * s,
-                     h = bola ? 0.36 * alturaBulto(20 * s, 10 * t) : 0.4 * alturaBulto(9 * s, 7 * t);
+                     h = bola ? 0.36 * alturaBulto(20 * s, 10 * t) : 0.4 * alturaBulto(7 * s, 7 * t);
         const Vec3 p = bola ? Vec3{std::sin(a) * std::cos(b), std::sin(a) * std::sin(b), -std::cos(a)}
                             : Vec3{s - 0.5, t - 0.5, 0};
         return punto(o.M, p) + h * transformaNormal(o.inv, bola ? p : Vec3{0, 0, 1});
@@ -392,7 +392,7 @@ TEST(Bump, LaLuzDeLaSuperficieDesplazada) {
         std::vector<bool> conBultos; // en cada panel
     } casos[] = {{"", {true}},
                  {"tecla b", {false}},
-                 {"tecla v; tamano 2558 960", {false, true}},
+                 {"tecla v; tamano 2562 960", {false, true}},
                  {"tecla b; tamano 1280 960", {true}}};
     const double maximo[2][2] = {{2, 2}, {6, 25}},
                  rmse[2][2] = {{0.5, 0.5}, {0.9, 1.3}}; // sin el mapa y con él

@@ -154,7 +154,7 @@ TEST(Volteo, ContraLaCpu) {
                       {{"tecla x", "tecla v; tecla x"}, {horizontal}},
                       {{"tecla y"}, {vertical}},
                       {{"tecla x; tecla y"}, {losDos}},
-                      {{"tecla y; tecla v"}, {SOLO_A, horizontal, vertical, losDos}}});
+                      {{"tecla y; tecla v"}, {SOLO_A, losDos, horizontal, vertical}}});
 }
 
 // --- remolino ---

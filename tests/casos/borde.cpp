@@ -1,5 +1,6 @@
-// borde [--queda] IMAGEN.ppm…: comprueba que en el borde de cada imagen solo hay fondo (colores.h), o la raya que
-// separa los paneles: lo que toca el borde está cortado. Con --queda, que en cada imagen se ve algo más que fondo.
+// borde [--queda | --corta LADOS] IMAGEN…: comprueba que en el borde de cada imagen solo hay fondo (colores.h), o la
+// raya que separa los paneles: lo que toca el borde está cortado. Con --corta, puede estarlo por esos lados («izquierda
+// abajo», «todos»), y por cada uno lo está en alguna imagen. Con --queda, que en cada una se ve algo más que fondo.
 // Estado: 0 bien; 1 mal, y dice dónde.
 #include "colores.h"
 #include "imagen.h"
@@ -16,10 +17,26 @@ static bool esFondo(const unsigned char *rgb) {
     return false;
 }
 
+struct Lado {
+    std::string nombre, delBorde;
+    bool puede, cortado; // por él, en alguna imagen
+};
+
 int main(int argc, char **argv) {
-    int estado = 0;
-    const bool queda = argc > 1 && std::string(argv[1]) == "--queda";
-    for (int i = queda ? 2 : 1; i < argc; ++i) {
+    int estado = 0, primera = 1;
+    const std::string opcion = argc > 1 ? argv[1] : "";
+    const bool queda = opcion == "--queda";
+    std::string corta;
+    if (opcion == "--corta" && argc > 2)
+        corta = " " + std::string(argv[2]) + " ";
+    primera += opcion == "--corta" ? 2 : queda;
+    Lado lados[] = {{"izquierda", "izquierdo", false, false},
+                    {"derecha", "derecho", false, false},
+                    {"abajo", "de abajo", false, false},
+                    {"arriba", "de arriba", false, false}};
+    for (Lado &lado : lados)
+        lado.puede = corta == " todos " || corta.find(" " + lado.nombre + " ") != std::string::npos;
+    for (int i = primera; i < argc; ++i) {
         const Imagen imagen = leePpm(argv[i]);
         int pintados = 0, cortados[4] = {};
         for (int y = 0; y < imagen.alto; ++y)
@@ -36,13 +53,20 @@ int main(int argc, char **argv) {
             std::printf("%s: no se ve más que fondo\n", argv[i]);
             estado = 1;
         }
-        const char *const LADOS[] = {"izquierdo", "derecho", "de abajo", "de arriba"};
-        for (int lado = 0; lado < 4; ++lado)
-            if (!queda && cortados[lado]) {
-                std::printf("%s: %d píxeles del borde %s no son fondo\n", argv[i], cortados[lado],
-                            LADOS[lado]);
+        for (int k = 0; k < 4; ++k) {
+            lados[k].cortado = lados[k].cortado || cortados[k];
+            if (!queda && cortados[k] && !lados[k].puede) {
+                std::printf("%s: %d píxeles del borde %s no son fondo\n", argv[i], cortados[k],
+                            lados[k].delBorde.c_str());
                 estado = 1;
             }
+        }
     }
+    for (const Lado &lado : lados)
+        if (lado.puede && !lado.cortado) {
+            std::printf("en ninguna imagen hay nada cortado por el borde %s: sobra «%s»\n",
+                        lado.delBorde.c_str(), lado.nombre.c_str());
+            estado = 1;
+        }
     return estado;
 }

@@ -4,8 +4,8 @@
 #                     escribe; y en un .encima, lo que pinta encima (common/encima.h), que no está si no pinta nada
 #   llvmpipe, softpipe, zink, swiftshader, virgl
 #                     lo mismo, por EGL y con ese OpenGL de los paquetes de Debian, elegido como dicen sus manuales
-#   encuadre          lo que enseña cabe entero en la ventana, ancha, a 4:3, casi cuadrada y alta: nada toca el borde, salvo en los casos que
-#                     dicen con BORDE por qué llegan a él. Y por mucho que se aleje o se gire, sigue a la vista. De OSMesa, en ventanas de
+#   encuadre          lo que enseña cabe entero en la ventana, ancha, a 4:3, casi cuadrada y alta: nada toca el borde, salvo por los lados
+#                     que diga su BORDE, y por cada uno de esos, en alguna. Y por mucho que se aleje o se gire, sigue a la vista. De OSMesa, en ventanas de
 #                     float: ningún color es NaN ni infinito (finitos.cpp)
 #   pasos             lo que pinta encima tras cada línea de tests/golden/CAPÍTULO/PROGRAMA.pasos, que son órdenes de un guion y siguen a las
 #                     de antes, es lo de PROGRAMA-pasos.encima. La ventana es de 480x360, o de lo que diga un «# talla ANCHOxALTO»
@@ -83,7 +83,6 @@ imagen() {
 
 encuadre() {
   local pulsa='boton IZQUIERDO abajo 240 180' suelta='boton IZQUIERDO arriba' tallas=(640x360 480x360 480x540 200x450) talla capturas='' ordenes
-  [ -z "$borde" ] || tallas=()
   ordenes="captura tal_cual; $pulsa; arrastra 240 2180; $suelta 240 2180; captura desde_arriba; $pulsa; arrastra 240 -3820; $suelta 240 -3820
     captura desde_abajo; tamano 32 24; rueda -1 9 9 ×40; tamano 240 180; captura alejada"
   for talla in "${tallas[@]}"; do
@@ -93,7 +92,7 @@ encuadre() {
     esac
   done
   dibuja -geometry 240x180 -ppm "última" -guion "$guion$capturas; tamano 240 180; $ordenes"
-  [ ${#tallas[@]} = 0 ] || "$build/tests/borde" "$fichero"*.ppm
+  "$build/tests/borde" ${borde:+--corta "${borde%%:*}"} "$fichero"*.ppm
   "$build/tests/borde" --queda alejada desde_arriba desde_abajo
 }
 

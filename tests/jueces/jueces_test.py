@@ -125,6 +125,21 @@ def test_el_borde(tmp_path):
         assert dice(BUILD / "tests/borde", *orden)[0] == esperado
 
 
+@pytest.mark.parametrize("lado", range(4))
+def test_lo_que_puede_estar_cortado(tmp_path, lado):
+    """Por el lado que se dice, en una imagen al menos; por los demás, en ninguna."""
+    nombres, x, y = ("izquierda", "derecha", "abajo", "arriba"), (0, 5, 2, 2)[lado], (2, 2, 0, 4)[lado]
+    for fichero, puntos in (("no.ppm", []), ("si.ppm", [(x, y, (9, 9, 9))])):
+        (tmp_path / fichero).write_bytes(ppm(6, 5, *puntos))
+    for cuantos in range(5):
+        for corta in itertools.combinations(nombres, cuantos):
+            bien = corta == (nombres[lado],)
+            for ficheros in ("no.ppm", "si.ppm"), ("si.ppm", "no.ppm"):
+                orden = "--corta", " ".join(corta), *(tmp_path / f for f in ficheros)
+                assert dice(BUILD / "tests/borde", *orden)[0] == (not bien), corta
+    assert dice(BUILD / "tests/borde", "--corta", nombres[lado], tmp_path / "no.ppm")[0] == 1
+
+
 def test_lo_que_queda(tmp_path):
     """El 0.5 % de los píxeles, y uno menos."""
     for cuantos, esperado in ((0, 1), (1, 1), (2, 0), (3, 0)):
@@ -216,8 +231,17 @@ CASOS = [  # enlace, con qué acaba, lo que dice, lo que se cambia (None: no est
     ("osmesa", 1, "falta el golden .*a.txt", {"golden/a.txt": None}),
     *(("encuadre", 1, f"a-{t}.ppm: 1 píxeles del borde izq", {f"da/a-{t}.ppm": TOCA}) for t in TALLAS),
     *(("encuadre", 1, f"{v}: no se ve", {f"da/{v}": CIEGA}) for v in ("alejada", "desde_arriba", "desde_abajo")),
-    ("encuadre", 0, "", {f"da/a-{TALLAS[0]}.ppm": TOCA}, "borde='llega'"),
-    ("encuadre", 1, "alejada: no se ve", {"da/alejada": CIEGA}, "borde='llega'"),
+    *(("encuadre", 0, "", {f"da/a-{t}.ppm": TOCA}, "borde='izquierda: llega'") for t in TALLAS),
+    ("encuadre", 1, "sobra «arriba»", {f"da/a-{TALLAS[0]}.ppm": TOCA}, "borde='izquierda arriba: llega'"),
+    ("encuadre", 1, "1 píxeles del borde izq", {f"da/a-{TALLAS[0]}.ppm": TOCA}, "borde='derecha: llega'"),
+    ("encuadre", 1, "sobra «derecha»", {f"da/a-{TALLAS[0]}.ppm": TOCA}, "borde='todos: llega'"),
+    (
+        "encuadre",
+        1,
+        "alejada: no se ve",
+        {f"da/a-{TALLAS[0]}.ppm": TOCA, "da/alejada": CIEGA},
+        "borde='izquierda: llega'",
+    ),
     *(
         ("pasos", 4, f"tecla {p}, trazo 1", {"golden/a-pasos.encima": m})
         for p, m in (

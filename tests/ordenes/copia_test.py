@@ -30,7 +30,7 @@ programa(primer_programa REF "L1.1" TITULO "Uno")
     MIRA "Mira; y \"[remira]\" \\")
 programa(primer_programa_dos REF "L1.2" TITULO "Dos" CONTRA "a; b" PRUEBAS ch01.A.B ch01.C)
   caso(primer_programa_dos base GUION "tecla a ×2; tecla '; tecla \"; tecla $; tecla <; tecla \\; tecla b"
-    BORDE "llega" ANIMA "3 tecla i; tecla d"
+    BORDE "abajo derecha: llega" ANIMA "3 tecla i; tecla d"
     MIRA "Dos")
 programa(shader_basico REF "L1.2" TITULO "Tres")
 target_compile_definitions(shader_basico PRIVATE LAB_FUENTES="${CMAKE_SOURCE_DIR}")
@@ -142,10 +142,10 @@ def test_el_catalogo_es_lo_que_dice_cmake(lab):
     assert (capitulo.titulo, uno.casos[0].mira) == ("Título; con punto y coma", 'Mira; y "[remira]" \\')
     assert (uno.pruebas, dos.contra, dos.pruebas) == ([], "a; b", ["ch01.A.B", "ch01.C"])
     [caso] = dos.casos
-    assert (caso.guion, caso.borde, caso.anima) == (GUION, "llega", "3 tecla i; tecla d")
+    assert (caso.guion, caso.borde, caso.anima) == (GUION, "abajo derecha: llega", "3 tecla i; tecla d")
     lee = """caso() { local "$@"; printf '%s\n' "$nombre" "$fichero" "$guion" "$tolerancia$otro$borde"; }; . "$0" """
     dado = subprocess.check_output(["bash", "-c", lee, lab.raiz / "build/casos/primer_programa_dos.sh"], text=True)
-    assert dado.splitlines() == ["base", "primer_programa_dos", GUION, "llega"]
+    assert dado.splitlines() == ["base", "primer_programa_dos", GUION, "abajo derecha: llega"]
 
 
 def test_una_imagen_distinta_y_dora(lab):

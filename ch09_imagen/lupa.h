@@ -1,0 +1,28 @@
+// Ver aumentados los píxeles de una escena que está en una textura: la lupa de antialiasing.
+#pragma once
+#include "imagen_en_ventana.h"
+
+struct Lupa {
+    GLuint programa; // de lupa.vert e imagen.frag
+    int lado;        // de la textura enlazada, en texeles
+};
+
+/// El primero de los píxeles de ese centro, que gira con la escena; de 0 a 1.
+inline glm::vec2 primerPixel(const Lupa &lupa, const glm::vec2 &centro, const glm::vec2 &pixeles,
+                             double giro) {
+    const float lado = float(lupa.lado), c = float(std::cos(giro)), s = float(std::sin(giro));
+    return glm::floor((glm::mat2(c, s, -s, c) * (centro - 0.5f) + 0.5f) * lado - pixeles / 2.0f + 0.001f) /
+           lado;
+}
+
+/// En ese rectángulo, con un marco, los píxeles de la escena que hay a partir de `primero`, de 0 a 1.
+inline void dibujaPixeles(const Lupa &lupa, const glm::vec2 &primero, const glm::ivec2 &pixeles,
+                          const Recuadro &r, const glm::vec3 &marco) {
+    abreRecuadro({r.x - 2, r.y - 2, r.ancho + 4, r.alto + 4}, marco);
+    dibujaEn(r);
+    glUseProgram(lupa.programa);
+    envia(lupa.programa, "imagen", 0);
+    envia(lupa.programa, "primero", primero);
+    envia(lupa.programa, "tramo", glm::vec2(pixeles) / float(lupa.lado));
+    dibujaRectangulo();
+}
