@@ -72,8 +72,10 @@ static void dibujaPanel(const Recuadro &panel, bool conBultos) {
                  conBultos);
     rotula(conBultos ? "con el mapa" : "sin el mapa", {0.02f, 0.98f}, OSCURO, Lado::DERECHA);
 
-    // desde el mismo sitio, con un ángulo menor y hacia el borde de arriba a la izquierda
-    const int lado = 3 * std::min(panel.ancho, panel.alto) / 10, margen = lado / 10, raya = lado / 60 + 1;
+    // desde el mismo sitio, con un ángulo menor y hacia el borde de arriba a la izquierda; en una ventana alta, de modo
+    // que no tape la bola
+    const int libre = estado.comparando ? panel.ancho : 3 * panel.ancho / 4;
+    const int lado = 3 * std::min(libre, panel.alto) / 10, margen = lado / 10, raya = lado / 60 + 1;
     const int x = panel.x + panel.ancho - lado - margen, y = panel.y + panel.alto - lado - margen;
     const glm::mat3 ejes = glm::transpose(glm::mat3(camara));
     const glm::vec3 borde = CENTRO + 0.83f * (ejes[1] - ejes[0]);

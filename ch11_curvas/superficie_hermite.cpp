@@ -81,7 +81,7 @@ static void dibuja() {
         trazaPolilinea(polilinea([&](float v) { return cubica(Base::HERMITE, G[1], v); }, n.v), vista(),
                        BLANCO);
     } else {
-        trazaCambio(estado.lamina, redDe(Base::HERMITE, primerTrozo(ELEMENTOS_INICIALES)),
+        trazaCambio(estado.lamina, redDe(Base::HERMITE, primerTrozo(elementosDe(PUNTAS))),
                     redDe(Base::HERMITE, G));
     }
     dibujaElementos();

@@ -392,7 +392,7 @@ TEST(Bump, LaLuzDeLaSuperficieDesplazada) {
         std::vector<bool> conBultos; // en cada panel
     } casos[] = {{"", {true}},
                  {"tecla b", {false}},
-                 {"tecla v; tamano 2562 960", {false, true}},
+                 {"tecla v; tamano 2565 960", {false, true}},
                  {"tecla b; tamano 1280 960", {true}}};
     const double maximo[2][2] = {{2, 2}, {6, 25}},
                  rmse[2][2] = {{0.5, 0.5}, {0.9, 1.3}}; // sin el mapa y con él
