@@ -106,7 +106,7 @@ HOSTILES = {  # lo que sube uno → qué ficheros se leen, o qué se le dice
     "bomba": (en_zip(("p.cpp", bytes(300 << 20))), "«p.cpp» pasa de 1 MiB"),
     "bomba en un zip": (en_zip(("a.zip", en_zip(("p.cpp", bytes(300 << 20))))), "«p.cpp» pasa de 1 MiB"),
     "zip enorme dentro": (en_zip(("a.zip", bytes(65 << 20))), "«a.zip» pasa de 64 MiB"),
-    "entre todos": (en_zip(*((f"{i}.cpp", bytes(1 << 20)) for i in range(70))), "pasa de"),
+    "entre todos": (en_zip(*((f"{i}.cpp", bytes(1 << 20)) for i in range(70))), "entre todos los ficheros pasan de 64 MiB"),
     "muchos": (en_zip(*((f"{i}.cpp", b"") for i in range(60))), "son más de 40 ficheros"),
     "muchísimos": (en_zip(*((f"{i}", b"") for i in range(5001))), "más de 5000 ficheros"),
     "hondo": (en_zip(("a/" * 300 + "x.cpp", P), ("p.cpp", P)), "p.cpp"),
@@ -223,6 +223,15 @@ def test_de_quien_es_lo_que_da_una_plataforma(tmp_path, fila, en):
         siembra(tmp_path / "clase", {ruta: P.decode()})
     _, dentro, _ = aula.busca(tmp_path, tmp_path / ("clase.zip" if en == "zip" else "clase"))
     assert [f"{q.name}={lee(q, tmp_path)[0]}" for q in sorted(dentro, key=lambda q: q.name)] == son
+
+
+def test_lo_suelto_de_una_carpeta_tampoco_es_de_fiar(tmp_path):
+    siembra(tmp_path / "c", {f"Ana_1{MOODLE}p.cpp": "", f"Luis_2{MOODLE}p.h": ""})
+    (tmp_path / f"c/Eva_3{MOODLE}p.cpp").symlink_to("/etc/passwd")
+    os.mkfifo(tmp_path / f"c/Leo_4{MOODLE}p.cpp")
+    dicho = [lee(q, tmp_path)[0] for q in aula.busca(tmp_path, tmp_path / "c")[1]]
+    assert dicho[0] == "p.cpp" and dicho[3] == "p.h"
+    assert "es un enlace" in dicho[1] and "no es un fichero corriente" in dicho[2]
 
 
 def test_uno_solo_en_un_zip(tmp_path):

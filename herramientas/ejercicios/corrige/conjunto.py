@@ -31,7 +31,7 @@ ES_LO_MISMO = [
         (r"acaba por su cuenta", "acaba por su cuenta"),
         (r"no ha dejado nada", "no ha dejado nada"),
         (
-            r"hay más de|son más de|«.*» (pasa de|no es un|no se puede|está en un)|no se puede leer|en (el|«)",
+            r"hay más de|son más de|entre todos los|«.*» (pasa de|no es un|no se puede|está en un)|no se puede leer|en (el|«)",
             "no se puede leer",
         ),
         (r"no hay ningún fuente|no hay nada", "no hay ningún fuente"),
