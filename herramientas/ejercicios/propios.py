@@ -70,6 +70,8 @@ def propio(carpeta):
     capitulo = catalogo.Capitulo(f"{CARPETA}/{nombre}", "Ejercicios propios")
     programa = Propio(capitulo, nombre, nombre, titulo[1] if titulo else nombre, carpeta=carpeta)
     programa.casos = lee_casos(programa)
+    for f in programa.ficheros(carpeta):
+        lee_texto(f)
     return programa
 
 
@@ -88,8 +90,17 @@ def carpetas(raiz, build):
     return dict(reversed(hay.items()))
 
 
-def lee(raiz, build):
-    return [propio(c) for nombre, c in carpetas(raiz, build).items() if re.fullmatch("[a-z0-9_]+", nombre)]
+def lee(raiz, build, pedido=""):
+    """Los que se pueden leer: uno a medio hacer no estorba, si no es el que se pide."""
+    hay = []
+    for nombre, carpeta in carpetas(raiz, build).items():
+        try:
+            if re.fullmatch("[a-z0-9_]+", nombre):
+                hay.append(propio(carpeta))
+        except (Fallo, OSError):
+            if nombre == pedido:
+                raise
+    return hay
 
 
 def comprueba_nombre(raiz, carpeta, programas):
@@ -130,7 +141,7 @@ def resuelve(raiz, build, pedido):
     """Los programas que hay, también los propios, y lo que se pide, de un propio su nombre."""
     programas = catalogo.lee_programas(build)
     nombre = busca(raiz, build, pedido, programas) if pedido else ""
-    return [*programas, *lee(raiz, build)], nombre or pedido
+    return [*programas, *lee(raiz, build, nombre)], nombre or pedido
 
 
 def main():

@@ -21,7 +21,7 @@ from base.procesos import Fallo
 from ejercicios import comprueba, nuevo, propios, reglas
 from ejercicios.corrige import arbitro
 from ejercicios.corrige import clase as de_clase
-from ejercicios.corrige import hoja, informes, shaders, veredicto
+from ejercicios.corrige import informes, shaders, veredicto
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion
 from ejercicios.reglas import Reglas
@@ -243,6 +243,12 @@ def test_lo_que_no_es_un_ejercicio(tmp_path):
             busca(f"{tmp_path}/{cual}")
         assert "\n" not in str(fallo.value)
     assert propios.apuntadas(build) == [tmp_path / "fuera/dos"]
+    siembra(tmp_path, {"lab/ejercicios/roto/roto.cpp": "", "lab/ejercicios/roto/casos.txt": "sin dos puntos"})
+    (tmp_path / "lab/ejercicios/uno/otro.h").write_bytes(b"\xff\xfe")
+    assert [p.nombre for p in propios.lee(raiz, build)] == ["dos"]
+    for roto, dice in (("roto", "casos.txt:1: es «nombre: guion»"), ("uno", "otro.h no está en UTF-8")):
+        with pytest.raises(Fallo, match=dice):
+            propios.lee(raiz, build, roto)
     (tmp_path / "otra").mkdir()
     shutil.move(tmp_path / "fuera/dos", tmp_path / "otra/dos")  # cambia de sitio: vale la última ruta
     assert busca("dos") == "" and busca(f"{tmp_path}/otra/dos") == "dos"
@@ -315,7 +321,7 @@ def test_las_reglas_van_en_cada_informe(tmp_path):
     programa = propios.propio(escribe(tmp_path / "molinete"))
     pagina = informes.pagina(c, programa, "molinete", "suya")
     assert "./lab ver molinete" not in pagina  # la solución no la tiene
-    for informe in (informes.en_texto(c), informes.en_vpl(c), informes.en_csv([c]), hoja.comentario(c), pagina):
+    for informe in (informes.en_texto(c), informes.en_vpl(c), informes.en_csv([c]), pagina):
         assert c["reglas"] in informe
 
 

@@ -104,7 +104,12 @@ class Arbitro:
         entorno = {"LAB_RAIZ": raices, "LAB_SIN_ENCIMA": "rotulo", **jugador.entorno, **mas}
         if not jugador.ajeno:
             return self.recinto.propio(orden, limites, MESA_SHADER_CACHE_DIR=str(self.shaders), **entorno)
-        ve = [jugador.programa.parent, *self.compilador.ve, *([self.shaders] if self.shaders.is_dir() else [])]
+        ve = [
+            jugador.programa.parent,
+            *(jugador.raices[-1:]),
+            *self.compilador.ve,
+            *([self.shaders] if self.shaders.is_dir() else []),
+        ]
         ve += [delante] if delante else []
         # de lo ajeno, en ninguna carpeta más: en el laboratorio está la solución
         entorno |= {"LAB_SOLO_RAIZ": "1", "LAB_SHADERS": str(self.shaders), "MESA_SHADER_CACHE_DIR": "shaders"}

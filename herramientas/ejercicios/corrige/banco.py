@@ -25,13 +25,9 @@ class Banco:
         recinto = Recinto(temporal, jaula, entorno)
         con_shaders = nuevo.es_de_shaders(ref)
         self.compilador = (DeShaders if con_shaders else Compilador)(raiz, build, programa, ref, recinto)
-        if con_shaders:
-            self.de_partida = shaders.esqueleto(raiz, programa, ref), ""
-            hecho = {f: nuevo.deja(texto) for f, texto in nuevo.pedidos(raiz, programa, ref).items()}
-        else:
-            self.de_partida = nuevo.esqueleto(raiz, programa, ref), programa.fuente.name
-            hecho = nuevo.solucion(raiz, programa, ref)
-        self.dados = self.de_partida[0], hecho  # lo que no es de nadie (parecidos.py)
+        de = shaders if con_shaders else nuevo
+        self.de_partida = de.esqueleto(raiz, programa, ref), "" if con_shaders else programa.fuente.name
+        self.dados = self.de_partida[0], de.solucion(raiz, programa, ref)  # lo que no es de nadie (parecidos.py)
         self.version = self.suma_todo(raiz, build)
         todos = [
             *(shaders.guiones(raiz, build, programa, entorno) if con_shaders else partidas.de_los_casos(programa)),

@@ -139,7 +139,7 @@ class Motivos:
     def enumera(self, sitio):
         def jugador(nombre, carpeta, *antes, **entorno):
             raices = [*antes, sitio / carpeta / "fuentes" / SUYA, sitio / carpeta / "fuentes"]
-            return Jugador(nombre, sitio / carpeta / self.programa.nombre, raices, entorno)
+            return Jugador(nombre, self.en(sitio, carpeta) / self.programa.nombre, raices, entorno)
 
         variantes = [("", jugador("esqueleto", "esqueleto"))]
         for i, (pide, _) in enumerate(self.huecos()):
@@ -149,6 +149,10 @@ class Motivos:
             dice = f"parece que {m.dice}" if m.dice else f"parece este error: {m.imita}"
             variantes.append((dice, self.con_defecto(m, sitio, jugador)))
         return variantes
+
+    def en(self, sitio, carpeta):
+        """Dónde está compilada cada una."""
+        return sitio / carpeta
 
     def con_defecto(self, m, sitio, jugador):
         """Si es de un shader, en su carpeta está el estropeado; si no, no hay nada."""

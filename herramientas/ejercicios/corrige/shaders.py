@@ -29,6 +29,10 @@ def esqueleto(raiz, programa, referencia):
     return {f: marcas.esqueleto(texto, referencia) for f, texto in nuevo.pedidos(raiz, programa, referencia).items()}
 
 
+def solucion(raiz, programa, referencia):
+    return {f: nuevo.deja(texto) for f, texto in nuevo.pedidos(raiz, programa, referencia).items()}
+
+
 def guiones(raiz, build, programa, entorno):
     """En cada caso, lo que se hace en la página: la cámara al otro lado y cada tecla."""
     suyos = [c for c in controles.lee(raiz, programa) if c.teclas != ["Esc"]]
@@ -49,7 +53,9 @@ class DeShaders(Compilador):
         for ruta in self.privados:
             contenido = ficheros[str(ruta)]
             (arbol / ruta).write_bytes(contenido if isinstance(contenido, bytes) else contenido.encode())
-        ejecutable = carpeta / self.programa.nombre
+        # shader_basico, que no usa common/, los busca junto a la carpeta en que está
+        ejecutable = arbol / "programa" / self.programa.nombre
+        ejecutable.parent.mkdir()
         shutil.copy(self.solucion.programa, ejecutable)
         return Jugador("la entrega", ejecutable, [arbol], ajeno=ajena)
 
@@ -72,6 +78,9 @@ class MotivosDeShaders(Motivos):
             textos = self.textos()
             textos[m.fichero] = defectos.estropea(textos[m.fichero], m)
             self.compilador.compila(self.limpio(textos), sitio / str(m.numero), ajena=False)
+
+    def en(self, sitio, carpeta):
+        return sitio / carpeta / "fuentes/programa"
 
     def con_defecto(self, m, sitio, jugador):
         return jugador(m.nombre, str(m.numero))
