@@ -106,7 +106,7 @@ HOSTILES = {  # lo que sube uno → qué ficheros se leen, o qué se le dice
     "bomba": (en_zip(("p.cpp", bytes(300 << 20))), "«p.cpp» pasa de 1 MiB"),
     "bomba en un zip": (en_zip(("a.zip", en_zip(("p.cpp", bytes(300 << 20))))), "«p.cpp» pasa de 1 MiB"),
     "zip enorme dentro": (en_zip(("a.zip", bytes(65 << 20))), "«a.zip» pasa de 64 MiB"),
-    "entre todos": (en_zip(*((f"{i}.cpp", bytes(1 << 20)) for i in range(70))), "entre todos los ficheros pasan de 64 MiB"),
+    "entre todos": (en_zip(*((f"{i}.cpp", bytes(1 << 20)) for i in range(70))), "entre todos los ficheros pasan de 64"),
     "muchos": (en_zip(*((f"{i}.cpp", b"") for i in range(60))), "son más de 40 ficheros"),
     "muchísimos": (en_zip(*((f"{i}", b"") for i in range(5001))), "más de 5000 ficheros"),
     "hondo": (en_zip(("a/" * 300 + "x.cpp", P), ("p.cpp", P)), "p.cpp"),
@@ -398,6 +398,7 @@ def test_en_que_se_equivoca_una_clase():
         corregida("e", 0, "no compila: falta «main»"),
         corregida("f", 100),
         corregida("g", 80, imagen="G"),
+        corregida("i", 0, "no viene p.frag"),
         corregida("h", 0, "se cae tras «tecla d»: abort", "el compilador avisa: p.cpp:1: z"),
     ]
     hay = [(e.dice, [h.quien for h in e.de], e.imagenes[:1]) for e in conjunto.errores(hechas)]
@@ -405,6 +406,7 @@ def test_en_que_se_equivoca_una_clase():
         ("no compila", ["c", "d", "e"], []),
         (gira, ["a", "b"], ["B"]),  # de quien no hace nada más mal
         ("falla tras «tecla d»", ["g"], ["G"]),
+        ("no viene p.frag", ["i"], []),
         ("se cae", ["h"], []),
         (nada, ["a"], ["A"]),
     ]

@@ -30,10 +30,8 @@ ES_LO_MISMO = [
         (r"acaba con un error", "acaba con un error"),
         (r"acaba por su cuenta", "acaba por su cuenta"),
         (r"no ha dejado nada", "no ha dejado nada"),
-        (
-            r"hay más de|son más de|entre todos los|«.*» (pasa de|no es un|no se puede|está en un)|no se puede leer|en (el|«)",
-            "no se puede leer",
-        ),
+        (r"hay más de|son más de|entre todos los|no se puede leer|en (el|«)", "no se puede leer"),
+        (r"«.*» (pasa de|no es un|no se puede|está en un)", "no se puede leer"),
         (r"no hay ningún fuente|no hay nada", "no hay ningún fuente"),
         (r"el título es", "el título no es el que debía"),
         (r"debía escribir", "no escribe lo que debía"),
@@ -83,9 +81,7 @@ def causas(c):
         como = next((como for patron, como in ES_LO_MISMO if patron.match(dice)), dice)
         if como and como not in dichas:
             dichas.append(como)
-    if not dichas and c["nota"] < 100 and c["fallos"]:
-        dichas.append(c["fallos"][0]["que"].partition(":")[0])
-    return dichas
+    return dichas or [f["que"].partition(":")[0] for f in c["fallos"][:1]] or c["dice"][:1]
 
 
 def errores(hechas):
