@@ -6,6 +6,7 @@ import os
 import re
 import sys
 import tempfile
+from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -17,7 +18,7 @@ from ejercicios.corrige import partidas
 from ejercicios.corrige.arbitro import suma
 from ejercicios.corrige.entrega import Rechazo, limpio
 from ejercicios.corrige.motivos import como_acaba
-from ejercicios.ensayo import Ensayo
+from ejercicios.ensayo import POCOS, Ensayo
 
 SUSPENSO = 60  # el esqueleto no llega
 SEMILLA = "1"  # la de ./lab corrige, si no se dice otra
@@ -35,24 +36,24 @@ def enumera(cosas, cuantas=5):
 def marcas(raiz, programa, ref):
     """Cuántos trozos se piden; los que no se cierran o se cierran sin abrir."""
     mal, cuantos, otras = [], 0, set()
-    for f in programa.ficheros(raiz):
-        texto, abierta = propios.lee_texto(raiz / f), 0
+    for f, texto in nuevo.de_la_carpeta(raiz, programa, ref).items():
+        abierta = 0
         for n, renglon in enumerate(texto.splitlines(), 1):
             cierra = re.fullmatch(r" *// fin de (\S+)\s*", renglon)
             abre = re.fullmatch(rf" *// {re.escape(ref)}:(.*)", renglon)
             if cierra and cierra[1] != ref:
                 otras.add(cierra[1])
             elif cierra and not abierta:
-                mal.append(f"{f.name}:{n}: se cierra sin haberse abierto")
+                mal.append(f"{f}:{n}: se cierra sin haberse abierto")
             elif cierra:
                 abierta, cuantos = 0, cuantos + 1
             elif abre and abierta:
-                mal.append(f"{f.name}:{abierta}: no se cierra antes de la siguiente")
+                mal.append(f"{f}:{abierta}: no se cierra antes de la siguiente")
             elif abre and not abre[1].strip():
-                mal.append(f"{f.name}:{n}: no dice qué se pide")
+                mal.append(f"{f}:{n}: no dice qué se pide")
             if abre:
                 abierta = n
-        mal += [f"{f.name}:{abierta}: no se cierra"] if abierta else []
+        mal += [f"{f}:{abierta}: no se cierra"] if abierta else []
     if not cuantos and not mal:
         mal.append(f"no se pide nada: falta «// {ref}: …» y «// fin de {ref}»")
         mal += [f"las marcas son de {', '.join(sorted(otras))}, y deben ser de {ref}"] if otras else []
@@ -157,19 +158,22 @@ class Comprobacion(Ensayo):
             quienes = self.de_lista(suyos, "mal")
         except Rechazo:
             return "errores conocidos", f"{len(suyos)}", [*mal, *self.los_que_no_compilan(suyos)]
-        notas, dejan = zip(*self.hilos.map(lambda m: self.resume(quienes[m]), suyos)) if suyos else ((), ())
-        mal += [f"{m.nombre}, {m.imita}: no quita puntos" for m, nota in zip(suyos, notas) if nota == 100]
-        for (una, deja), (otra, dejo) in itertools.combinations(zip(suyos, dejan), 2):
+        pocos = [*self.casos, *(g for g in self.banco.todos if not g.caso)][: len(self.casos) + POCOS]
+        hecho = dict(zip(suyos, self.hilos.map(lambda m: self.resume(quienes[m], pocos), suyos)))
+        veces = Counter(repr(deja) for _, deja in hecho.values())
+        dudosos = [m for m, (nota, deja) in hecho.items() if nota == 100 or veces[repr(deja)] > 1]
+        hecho |= zip(dudosos, self.hilos.map(lambda m: self.resume(quienes[m], self.banco.todos), dudosos))
+        mal += [f"{m.nombre}, {m.imita}: no quita puntos" for m, (nota, _) in hecho.items() if nota == 100]
+        for (una, (_, deja)), (otra, (_, dejo)) in itertools.combinations(hecho.items(), 2):
             if una.dice != otra.dice and deja == dejo:
                 mal.append(f"{una.nombre} y {otra.nombre} no se distinguen: {una.dice}; {otra.dice}")
         return "errores conocidos", f"{len(suyos)}, que se distinguen", mal
 
-    def resume(self, jugador):
+    def resume(self, jugador, guiones):
         """Su nota, y lo que deja en cada guion, que entero no cabría."""
-        jugado = self.juega(jugador, self.banco.todos)
-        return self.nota(jugado), [
-            suma(repr(p.titulos), p.texto, *(i[2] for i in p.imagenes)) for _, p in jugado.values()
-        ]
+        jugado = self.juega(jugador, guiones)
+        dejan = [suma(repr(p.titulos), p.texto, *(i[2] for i in p.imagenes)) for _, p in jugado.values()]
+        return self.nota(jugado), dejan
 
     def los_que_no_compilan(self, suyos):
         for m in suyos:
