@@ -106,7 +106,7 @@ HOSTILES = {  # lo que sube uno → qué ficheros se leen, o qué se le dice
     "bomba": (lambda: en_zip(("p.cpp", bytes(99 << 20))), "«p.cpp» pasa de 1 MiB"),
     "bomba en un zip": (lambda: en_zip(("a.zip", en_zip(("p.cpp", bytes(99 << 20))))), "«p.cpp» pasa de 1 MiB"),
     "zip enorme dentro": (lambda: en_zip(("a.zip", bytes(65 << 20))), "«a.zip» pasa de 64 MiB"),
-    "entre todos": (lambda: en_zip(*((f"{i}.cpp", bytes(1 << 20)) for i in range(70))), "entre todos los ficheros pasan"),
+    "entre todos": (lambda: en_zip(*((f"{i}.cpp", bytes(1 << 20)) for i in range(70))), "entre todos los ficheros"),
     "muchos": (en_zip(*((f"{i}.cpp", b"") for i in range(60))), "son más de 40 ficheros"),
     "muchísimos": (lambda: en_zip(*((f"{i}", b"") for i in range(5001))), "más de 5000 ficheros"),
     "hondo": (en_zip(("a/" * 300 + "x.cpp", P), ("p.cpp", P)), "p.cpp"),
