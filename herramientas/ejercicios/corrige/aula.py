@@ -89,8 +89,10 @@ class Extractor:
             with abre() as f:
                 datos = f.read(limite + 1)
             self.bytes += len(datos)
-            if len(datos) > limite or self.bytes > COMPRIMIDO:
+            if len(datos) > limite:
                 raise Rechazo(f"«{limpio(sitio.name)}» pasa de {limite >> 20} MiB")
+            if self.bytes > COMPRIMIDO:
+                raise Rechazo(f"entre todos los ficheros pasan de {COMPRIMIDO >> 20} MiB")
         try:
             sitio.parent.mkdir(parents=True, exist_ok=True)
             sitio.write_bytes(datos)
@@ -170,7 +172,14 @@ def suelto(fichero):
     """Cómo se pone uno del disco, que no se sigue si es un enlace."""
 
     def abre():
-        return open(os.open(fichero, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC), "rb")
+        try:
+            f = open(os.open(fichero, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC), "rb")
+        except OSError:
+            raise Rechazo(f"no se puede leer «{limpio(fichero.name)}»: es un enlace o no hay permiso") from None
+        if not stat.S_ISREG(os.fstat(f.fileno()).st_mode):
+            f.close()
+            raise Rechazo(f"«{limpio(fichero.name)}» no es un fichero corriente")
+        return f
 
     return lambda extractor, ruta: extractor.pon(ruta, abre)
 

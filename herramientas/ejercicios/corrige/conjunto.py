@@ -20,6 +20,7 @@ COMENTARIOS, SUYO = "comentarios", "correccion.html"
 NOMBRES = 8  # que se dicen de los que cometen un error
 CON_IMAGEN = 40  # errores que se enseñan
 PAREJAS = 60  # que se enseñan
+NO_SE_VE = "el título no es el que debía", "no escribe lo que debía"  # en ninguna imagen
 # Lo que es lo mismo aunque a cada uno se le diga con sus palabras; None, lo que no es un error.
 ES_LO_MISMO = [
     (re.compile(como), dice)
@@ -30,13 +31,11 @@ ES_LO_MISMO = [
         (r"acaba con un error", "acaba con un error"),
         (r"acaba por su cuenta", "acaba por su cuenta"),
         (r"no ha dejado nada", "no ha dejado nada"),
-        (
-            r"hay más de|son más de|«.*» (pasa de|no es un|no se puede|está en un)|no se puede leer|en (el|«)",
-            "no se puede leer",
-        ),
+        (r"hay más de|son más de|entre todos los|no se puede leer|en (el|«)", "no se puede leer"),
+        (r"«.*» (pasa de|no es un|no se puede|está en un)", "no se puede leer"),
         (r"no hay ningún fuente|no hay nada", "no hay ningún fuente"),
-        (r"el título es", "el título no es el que debía"),
-        (r"debía escribir", "no escribe lo que debía"),
+        (r"el título es", NO_SE_VE[0]),
+        (r"debía escribir", NO_SE_VE[1]),
         (r"el compilador avisa|no viene |su carpeta es de otro", None),
     )
 ]
@@ -83,9 +82,7 @@ def causas(c):
         como = next((como for patron, como in ES_LO_MISMO if patron.match(dice)), dice)
         if como and como not in dichas:
             dichas.append(como)
-    if not dichas and c["nota"] < 100 and c["fallos"]:
-        dichas.append(c["fallos"][0]["que"].partition(":")[0])
-    return dichas
+    return dichas or [f["que"].partition(":")[0] for f in c["fallos"][:1]] or c["dice"][:1]
 
 
 def errores(hechas):
@@ -99,8 +96,9 @@ def errores(hechas):
     for dice, suyas in sorted(de.items(), key=lambda par: (-len(par[1]), par[0])):
         claras = sorted(suyas, key=lambda h: (len(causas(h.c)), -h.c["nota"]))
         fallo = next((f for h in claras for f in h.c["fallos"] if f["imagenes"]), {"tras": [], "imagenes": []})
-        con_imagen = len(hallados) < CON_IMAGEN
-        hallados.append(Error(dice, suyas, fallo["tras"], fallo["imagenes"] if con_imagen else []))
+        if dice in NO_SE_VE or len(hallados) >= CON_IMAGEN:
+            fallo = {"tras": [], "imagenes": []}
+        hallados.append(Error(dice, suyas, fallo["tras"], fallo["imagenes"]))
     return hallados
 
 
