@@ -295,7 +295,7 @@ HOJAS = {
     "en castellano": (una_hoja(COLUMNAS), "utf-8", b""),
     "con BOM": (una_hoja(COLUMNAS), "utf-8", b"\xef\xbb\xbf"),
     "en inglés": (una_hoja(INGLES, maxima="100.00"), "utf-8", b""),
-    "con todo entre comillas": (una_hoja(INGLES, comillas=csv.QUOTE_ALL), "utf-8", b""),
+    "con todo entre comillas": (una_hoja(INGLES, maxima="100.00", comillas=csv.QUOTE_ALL), "utf-8", b""),
     "con punto y coma": (una_hoja(COLUMNAS, ";", "\n"), "utf-8", b""),
     "con tabuladores": (una_hoja(COLUMNAS, "\t", "\n"), "utf-16-le", b"\xff\xfe"),
     "de Windows": (una_hoja(COLUMNAS), "cp1252", b""),
@@ -338,7 +338,7 @@ def test_la_hoja_de_moodle_se_queda_como_estaba(tmp_path, cual):
         dicho = otra[1][max(cambia)]
         assert "parece que &lt;b&gt;gira&lt;/b&gt;, &quot;al revés&quot;" in dicho and "3 de 5" in dicho
         assert ("→ ✗" in dicho) == (como != "cp1252") and ("&#8594;" in dicho) == (como == "cp1252")
-    assert cual != "con todo entre comillas" or b'"8,75","10,00"' in destino.read_bytes()
+    assert cual != "con todo entre comillas" or b'"87.50","100.00"' in destino.read_bytes()
     # las demás líneas, con sus comillas y sus finales
     lineas = lambda datos: re.split(r"(\r?\n)", datos.decode(como, "replace"))
     iguales = [linea for linea in lineas(antes) if linea in lineas(destino.read_bytes())]
