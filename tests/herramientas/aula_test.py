@@ -162,6 +162,19 @@ def test_lo_que_hay_en_un_zip_no_es_de_fiar(tmp_path, caso, como):
         assert lee(dentro[1], temporal)[0] == "p.cpp"
 
 
+def test_de_un_fichero_no_se_lee_mas_que_el_limite(tmp_path):
+    pedido = []
+
+    class Infinito(io.BytesIO):
+        def read(self, n=-1):
+            pedido.append(n)
+            return bytes(max(n, 0))
+
+    with pytest.raises(entrega.Rechazo, match="pasa de 1 MiB"):
+        aula.Extractor(tmp_path).pon(("p.cpp",), Infinito)
+    assert pedido == [entrega.BYTES + 1]
+
+
 def test_un_zip_estropeado_de_cualquier_manera(tmp_path):
     azar = random.Random(1)
     for i in range(300):
@@ -282,7 +295,7 @@ HOJAS = {
     "en castellano": (una_hoja(COLUMNAS), "utf-8", b""),
     "con BOM": (una_hoja(COLUMNAS), "utf-8", b"\xef\xbb\xbf"),
     "en inglés": (una_hoja(INGLES, maxima="100.00"), "utf-8", b""),
-    "con todo entre comillas": (una_hoja(INGLES, comillas=csv.QUOTE_ALL), "utf-8", b""),
+    "con todo entre comillas": (una_hoja(INGLES, maxima="100.00", comillas=csv.QUOTE_ALL), "utf-8", b""),
     "con punto y coma": (una_hoja(COLUMNAS, ";", "\n"), "utf-8", b""),
     "con tabuladores": (una_hoja(COLUMNAS, "\t", "\n"), "utf-16-le", b"\xff\xfe"),
     "de Windows": (una_hoja(COLUMNAS), "cp1252", b""),
@@ -325,6 +338,7 @@ def test_la_hoja_de_moodle_se_queda_como_estaba(tmp_path, cual):
         dicho = otra[1][max(cambia)]
         assert "parece que &lt;b&gt;gira&lt;/b&gt;, &quot;al revés&quot;" in dicho and "3 de 5" in dicho
         assert ("→ ✗" in dicho) == (como != "cp1252") and ("&#8594;" in dicho) == (como == "cp1252")
+    assert cual != "con todo entre comillas" or b'"87.50","100.00"' in destino.read_bytes()
     # las demás líneas, con sus comillas y sus finales
     lineas = lambda datos: re.split(r"(\r?\n)", datos.decode(como, "replace"))
     iguales = [linea for linea in lineas(antes) if linea in lineas(destino.read_bytes())]
