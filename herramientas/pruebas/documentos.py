@@ -30,6 +30,8 @@ SUFIJOS = "cpp|h|vert|frag|glsl|py|mjs|cmake|md|tsv|sh"
 FICHERO = re.compile(rf"(?<![\w.*<>/$-])(?:\.\./)*((?:[\w-]+/)*[\w-]+\.(?:{SUFIJOS}))\b(?!\*)")
 DE_FUERA = {  # los que se nombran sin que los haya: del sistema, de un alumno o de ejemplo
     *("GL/freeglut.h", "libnoise/noise.h", "vpl_evaluate.sh", "util/cosas.h", "mi_grua_vieja.cpp", "esto.sh"),
+    *("ejercicios/NOMBRE/NOMBRE.cpp", "NOMBRE.cpp", "ENUNCIADO.md", "errores.tsv", "molinete.cpp", "_file_grua.cpp"),
+    *(f"ejercicios/molinete/{f}" for f in ("molinete.cpp", "ENUNCIADO.md", "errores.tsv")),
     *("tests/mutantes/chNN.tsv", "ruta/desde/la/raiz.glsl", "CARPETA/TÉCNICA.tsv", "ch01_intro-figura.vert"),
 }
 TODO = re.compile("(.*)")
