@@ -87,6 +87,9 @@ class Partida:
             self.punto = 1 if d == "n, una vez" else (self.punto + 1) % 3
             if d == "n, si anda" and not self.anda:
                 self.punto = 0
+            if d == "n, un modo que no se ve":
+                self.veces += 1
+                self.punto = (0, 1, 0, 2)[self.veces % 4]
         elif tecla == "Esc" and d != "Esc no termina":
             return True
         elif d.startswith("ajena") and tecla == "x" or d == "código raro" and tecla == "200":
@@ -316,7 +319,7 @@ DEFECTOS = [
     ("limites", "tecla a", "no se deshace; al límite, sin vuelta; al límite, por otro lado; de un límite a otro"),
     ("limites", "tecla d", "al límite, sin vuelta"),
     ("comparacion", "tecla 1", "comparando, nada"),
-    ("vuelta", "tecla n", "n, una vez"),
+    ("vuelta", "tecla n", "n, una vez; n, un modo que no se ve"),
     ("comunes", "tiempo", "", {"rasgos": RASGOS - {"temporizador"}}),
     ("comunes", "F1", "F1 nada; F1 no quita; F1, sin uno; F1, menuda"),
     ("comunes", "F2", "F2, otro rojo; F2, otro verde; F2, otro azul; F2, al revés"),
