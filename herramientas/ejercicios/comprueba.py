@@ -191,6 +191,7 @@ class Comprobacion(Ensayo):
             quienes = self.jugadores()
         except Fallo as fallo:
             return "líneas", "0", [limpio(str(fallo))]
+        print(f"{len(quienes)} cambios en lo que se pide, uno a uno: es lo que más tarda…", file=sys.stderr, flush=True)
         notadas = dict(zip(quienes, self.hilos.map(lambda n: not self.no_se_nota(quienes[n]), quienes)))
         de_linea = {}
         for n, notada in notadas.items():
@@ -245,6 +246,7 @@ def main():
             mal += bool(fallos)
     if mal:
         raise Fallo(f"{ref} todavía no está para darlo: {mal} de las preguntas, mal")
+    print(f"{ref} está para darlo")
     return 0
 
 

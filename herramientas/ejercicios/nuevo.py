@@ -185,6 +185,11 @@ def elige(raiz, programas, pedido):
     elegidos = catalogo.resuelve(programas, pedido)
     if len(elegidos) > 1:
         raise Fallo(f"nuevo: «{pedido}» son varios programas; elige uno: {', '.join(p.nombre for p in elegidos)}")
+    if es_de_shaders(referencia) and privados(raiz, elegidos[0], referencia):
+        raise Fallo(
+            f"nuevo: {referencia} se hace en la página, que lo da empezado: ./lab web, y después "
+            f"web/index.html#ejercicio/{referencia}; ./lab nuevo {elegidos[0].nombre} da una copia del programa"
+        )
     if elegidos[0].raices:
         raise Fallo(f"nuevo: en {elegidos[0].carpeta} no hay nada entre «// {pedido}: …» y «// fin de {pedido}»")
     if referencia in elegidos[0].referencias and referencia.startswith("E") and not referencia.startswith("EC"):

@@ -278,6 +278,13 @@ def test_donde_se_apartan_dos_imagenes():
 
     assert veredicto.en_que(imagen(9, 1), imagen(50, 80)) == "las formas están bien; los colores, no"
     assert veredicto.en_que(imagen(9, 1), imagen(1, 1)) == "abajo a la derecha"
+    barra = [
+        (200, 240, b"".join(b"abc" if x < 3 and y < hasta else b"def" for y in range(240) for x in range(200)))
+        for hasta in (200, 220)
+    ]
+    assert (
+        veredicto.en_que(*barra) == "abajo a la izquierda"
+    )  # es más larga, aunque casi todos sus bordes sean los mismos
     una, otra = ((ancho, alto, bytes(3 * ancho * alto)) for ancho, alto in ((40, 10), (20, 30)))
     assert veredicto.en_que(una, otra) == "la imagen es de 20×30 y debía ser de 40×10"
 

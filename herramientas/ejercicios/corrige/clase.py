@@ -83,7 +83,7 @@ def clase(banco, carpetas, destino, a_la_vez, leidas=None):
         except (Fallo, OSError) as fallo:
             dice = limpio(f"{carpeta.name}: {motivo(fallo) if isinstance(fallo, OSError) else fallo}")
             fallos.append(dice)
-        print(f"[{len(correcciones) + len(fallos):3}/{len(carpetas)}] {dice}", file=sys.stderr)
+        sys.stderr.write(f"[{len(correcciones) + len(fallos):3}/{len(carpetas)}] {dice}\n")  # entera, que son varios
 
     with ThreadPoolExecutor(a_la_vez) as hilos:
         list(hilos.map(una, carpetas))

@@ -4,6 +4,7 @@ import base64
 import os
 import tempfile
 import time
+from collections import Counter
 from pathlib import Path
 
 from base.guiones import acorta, sin_veces
@@ -27,11 +28,20 @@ def png(imagen, deja):
     return base64.b64encode(en_png(deja / "i.ppm", 9)).decode()
 
 
-def bordes(imagen):
+def pixeles(imagen):
+    return [imagen[2][i : i + 3] for i in range(0, len(imagen[2]), 3)]
+
+
+def bordes(colores, ancho):
     """Qué píxeles no son del color del de su izquierda."""
-    ancho, _, rgb = imagen
-    pixeles = [rgb[i : i + 3] for i in range(0, len(rgb), 3)]
-    return {i for i in range(1, len(pixeles)) if i % ancho and pixeles[i] != pixeles[i - 1]}
+    return {i for i in range(1, len(colores)) if i % ancho and colores[i] != colores[i - 1]}
+
+
+def del_fondo(debidos, suyos):
+    """En cuántos píxeles hay algo donde no debía o falta donde debía, sea del color que sea."""
+    fondo = Counter(debidos).most_common(1)[0][0]
+    suyo = Counter(b for a, b in zip(debidos, suyos) if a == fondo).most_common(1)[0][0]
+    return sum((a == fondo) != (b == suyo) for a, b in zip(debidos, suyos))
 
 
 def en_que(una, otra):
@@ -39,10 +49,12 @@ def en_que(una, otra):
     if una[:2] != otra[:2]:
         return "la imagen es de {}×{} y debía ser de {}×{}".format(*otra[:2], *una[:2])
     ancho, alto, _ = una
-    suyos, debidos = bordes(otra), bordes(una)
-    if debidos and len(suyos ^ debidos) < 0.002 * ancho * alto and len(suyos & debidos) > 0.9 * len(debidos):
+    debida, suya = pixeles(una), pixeles(otra)
+    mal = [i for i, (a, b) in enumerate(zip(debida, suya)) if a != b]
+    debidos, suyos = bordes(debida, ancho), bordes(suya, ancho)
+    mismos = debidos and len(suyos ^ debidos) < 0.002 * ancho * alto and len(suyos & debidos) > 0.9 * len(debidos)
+    if mismos and del_fondo(debida, suya) < 0.1 * len(mal):
         return "las formas están bien; los colores, no"
-    mal = [i // 3 for i in range(0, 3 * ancho * alto, 3) if una[2][i : i + 3] != otra[2][i : i + 3]]
     x, y = sum(i % ancho for i in mal) / len(mal) / ancho, sum(i // ancho for i in mal) / len(mal) / alto
     if len(mal) > 0.5 * ancho * alto:
         return "casi toda la imagen"
