@@ -49,14 +49,19 @@ class SinPruebas:
         return bien
 
 
-@pytest.fixture(scope="module")
-def lab(tmp_path_factory):
+def sin_pruebas(carpeta):
+    """El laboratorio en esa carpeta, si se puede."""
     if BUILD.parent != RAIZ or not (BUILD / "catalogo.json").exists():
         pytest.skip("lo compilado no está en su carpeta")
-    lab = SinPruebas(tmp_path_factory.mktemp("lab"))
+    lab = SinPruebas(carpeta)
     if not shutil.which("bwrap") or subprocess.run([*lab.jaula, "true"]).returncode:
         pytest.skip("aquí no se puede encerrar nada")
     return lab
+
+
+@pytest.fixture(scope="module")
+def lab(tmp_path_factory):
+    return sin_pruebas(tmp_path_factory.mktemp("lab"))
 
 
 def test_lista_y_documentos(lab):
