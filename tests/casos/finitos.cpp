@@ -1,7 +1,8 @@
 // Se antepone (LD_PRELOAD) a un programa enlazado con OSMesa: la ventana pasa a ser de float, y también sus
-// framebuffers propios de 8 bits; cada vez que se lee la ventana se mira que todos sus colores sean finitos. Si alguno
-// no lo es se dice dónde y el programa acaba con 4. Lo que tapa otro color no se ve, ni lo que se lee de un framebuffer
-// propio sin pasar por la ventana.
+// framebuffers propios de 8 bits; cada vez que se lee la ventana se mira que todos sus colores sean finitos. Cuando
+// cambia de talla empieza llena de NaN, que es lo que queda donde nadie pinta. Si algún color no es finito se dice dónde
+// y el programa acaba con 4. Lo que tapa otro color no se ve, ni lo que se lee de un framebuffer propio sin pasar por la
+// ventana.
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -41,6 +42,29 @@ void renderbufferStorageMultisample(GLenum objetivo, GLsizei muestras, GLenum fo
     original(objetivo, muestras, enFloat(formato), ancho, alto);
 }
 
+/// La ventana entera, sin que el programa note nada.
+void llenaDeNaN() {
+    static const auto enlaza = reinterpret_cast<PFNGLBINDFRAMEBUFFERPROC>(
+        laDeVerdad<decltype(&OSMesaGetProcAddress)>("OSMesaGetProcAddress")("glBindFramebuffer"));
+    GLint framebuffer = 0;
+    GLfloat fondo[4];
+    GLboolean escribe[4];
+    const GLboolean recorta = glIsEnabled(GL_SCISSOR_TEST);
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+    glGetFloatv(GL_COLOR_CLEAR_VALUE, fondo);
+    glGetBooleanv(GL_COLOR_WRITEMASK, escribe);
+    enlaza(GL_DRAW_FRAMEBUFFER, 0);
+    glDisable(GL_SCISSOR_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClearColor(NAN, NAN, NAN, NAN);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glClearColor(fondo[0], fondo[1], fondo[2], fondo[3]);
+    glColorMask(escribe[0], escribe[1], escribe[2], escribe[3]);
+    if (recorta)
+        glEnable(GL_SCISSOR_TEST);
+    enlaza(GL_DRAW_FRAMEBUFFER, GLuint(framebuffer));
+}
+
 [[noreturn]] void acaba(const char *que, double valor, GLint x, GLint y) {
     std::fprintf(stderr, "finitos: %s %g en (%d, %d)\n", que, valor, x, y);
     _exit(4);
@@ -54,7 +78,10 @@ GLboolean OSMesaMakeCurrent(OSMesaContext contexto, void *, GLenum, GLsizei anch
     static std::deque<std::vector<GLfloat>> memorias; // OSMesa usa cada una hasta que tiene la siguiente
     memorias.emplace_back(4 * std::size_t(ancho) * alto);
     static const auto original = laDeVerdad<decltype(&OSMesaMakeCurrent)>("OSMesaMakeCurrent");
-    return original(contexto, memorias.back().data(), GL_FLOAT, ancho, alto);
+    const GLboolean puede = original(contexto, memorias.back().data(), GL_FLOAT, ancho, alto);
+    if (puede)
+        llenaDeNaN();
+    return puede;
 }
 
 OSMESAproc OSMesaGetProcAddress(const char *nombre) {

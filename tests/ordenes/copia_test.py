@@ -67,8 +67,9 @@ int main(int, char **argv) { std::ofstream(std::string(argv[1]) + "/luz.rgb") <<
 
 
 def sobra(carpeta, nombres):
-    """De la raíz, lo que sale de los fuentes; los capítulos, menos el primero; los defectos y las pruebas."""
-    no = re.compile(r"ch(0[2-9]|1)|(errores|mutantes|.*_test\.cpp)$")
+    """De la raíz, lo que sale de los fuentes; los capítulos, menos el primero; los defectos, también los ya plantados, y
+    las pruebas."""
+    no = re.compile(r"ch(0[2-9]|1)|(errores|mutantes|plantados\.tsv|.*_test\.cpp)$")
     return [n for n in nombres if no.match(n) or (Path(carpeta) == RAIZ and n in SALE)]
 
 
