@@ -5,9 +5,9 @@ Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes; un shader
 $LAB_RAIZ hace que se mire antes que las demás. Los de ./lab, de Python y de las páginas se escriben en una copia de
 todo ello, con lo demás como está, y los ven las pruebas que dice EN_COPIA de su lista. Primero se ejecutan sin ninguno
 las pruebas y los casos, que deben pasar y apuntan lo que usan; después, con cada mutante, los que lo usan, hasta que
-uno falle: las que han notado otro de su fichero, las de su capítulo, las demás y, si ninguna lo nota, los pasos y los
-casos: por lo que pintan encima (los .encima) o, si no, solo por su imagen. Cómo se nota cada uno queda en
-docs/plantados.tsv; «pendientes» son los que no se han plantado desde que cambiaron ellos o su fichero.
+uno falle: las que han notado otro de su fichero, también en otra ocasión; las de su capítulo, las demás y, si ninguna
+lo nota, los pasos y los casos: por lo que pintan encima (los .encima) o, si no, solo por su imagen. Cómo se nota cada
+uno queda en docs/plantados.tsv; «pendientes» son los que no se han plantado desde que cambiaron ellos o su fichero.
 """
 import os
 import re
@@ -26,12 +26,14 @@ from base.defectos import MUTANTE_H, cambia, estropea, lee, por_fichero
 from base.fuentes import SHADERS, con_inclusiones
 from base.procesos import lanza, principal
 from pruebas.googletest import pruebas_de
-from pruebas.plantados import FICHERO, Plantados
+from pruebas.plantados import ENCIMA, FICHERO, GOLDEN, Plantados
 
 MINIMO = 150  # mutantes en la lista
+SOSPECHOSAS = 8  # las que se prueban antes, de las que no se compilan
+NO_HAY = 4, 5  # con lo que acaba pytest si no están las pruebas que se piden
 META, META_SIN_IMAGEN, META_INDEPENDIENTE = 98, 95, 90  # por ciento: notados, con lo de encima y sin ello
 PYTEST = shutil.which("pytest-3") or "pytest"
-ENCIMA = 4  # con que acaba casos.sh si es distinto lo que se pinta encima
+DISTINTO_ENCIMA = 4  # con que acaba casos.sh si es distinto lo que se pinta encima
 JUECES = "vocabulario", "cota", "oraculo", "mide", "comparador", "jueces"  # las pruebas de los que juzgan
 SOBRA = "build", "galeria", "informe", "web", "windows", "mios", ".git"  # de una copia del árbol
 # Lo que nota los de cada lista que no se compilan, de lo que menos tarda a lo que más; de las demás, por dónde están.
@@ -187,10 +189,18 @@ def en_su_sitio(raiz, build, copia):
     return orden
 
 
-def orden_en_copia(raiz, build, copia, nombre):
-    if nombre.endswith(".mjs"):
-        return [*en_su_sitio(raiz, build, copia), "node", raiz / nombre, raiz, build]
-    return [*en_su_sitio(raiz, build, copia), PYTEST, "-xq", "-p", "no:cacheprovider", raiz / nombre]
+def orden_en_copia(raiz, build, copia, *nombres):
+    if nombres[0].endswith(".mjs"):
+        return [*en_su_sitio(raiz, build, copia), "node", raiz / nombres[0], raiz, build]
+    return [*en_su_sitio(raiz, build, copia), PYTEST, "-xq", "-p", "no:cacheprovider", *(raiz / n for n in nombres)]
+
+
+def sospechosas(mutante, pruebas, notan):
+    """De esas pruebas de Python, una a una, la que lo notó y las que más han notado de su fichero."""
+    en = {Path(p).stem: p for p in pruebas if p.endswith(".py")}
+    suyas = Counter({quien: n for (f, quien), n in notan.items() if f == mutante.fichero})
+    partes = (quien.partition(".") for quien in dict.fromkeys((mutante.antes, *(q for q, _ in suyas.most_common()))))
+    return [f"{en[stem]}::{una}" for stem, _, una in partes if stem in en and una][:SOSPECHOSAS]
 
 
 def las_que_lo_notan(mutante):
@@ -198,21 +208,28 @@ def las_que_lo_notan(mutante):
     return EN_COPIA.get(mutante.lista) or EN_COPIA.get(por_su_sitio, DE_LAS_DEMAS)
 
 
-def prueba_en_copia(raiz, build, temporal, pruebas, mutante=None):
-    """Esas pruebas en una copia con ese mutante, hasta la que lo nota."""
+def prueba_en_copia(raiz, build, temporal, pruebas, mutante=None, notan=()):
+    """Esas pruebas en una copia con ese mutante, hasta la que lo nota; antes, las sospechosas."""
     with tempfile.TemporaryDirectory(dir=temporal) as sitio:
         copia = copia_de_trabajo(raiz, Path(sitio, "lab"))
+        antes = []
         if mutante:
             fichero = copia / mutante.fichero
             fichero.write_text(estropea(fichero.read_text(), mutante))
-        for nombre in pruebas:
-            prueba = Prueba(nombre, orden_en_copia(raiz, build, copia, nombre), {}, False)
-            bien = not prueba.falla(400, TMPDIR=sitio, LAB_BUILD=str(build))  # con la máquina ocupada, varios minutos
-            if not mutante and not bien:
-                sys.exit(f"{prueba.salida[-1000:]}\nmuta: {nombre} falla sin ningún mutante")
-            if not bien:
-                quien = re.search(r"^(?:FAILED|ERROR) \S*::(.+?)(?: - .*)?$|^not ok \d+ - (.+)$", prueba.salida, re.M)
-                mutante.notado = f"{Path(nombre).stem}.{quien[1] or quien[2]}" if quien else nombre
+            antes = sospechosas(mutante, pruebas, notan)
+        for nombres in ([antes] if antes else []) + [[nombre] for nombre in pruebas]:
+            prueba = Prueba(nombres[0], orden_en_copia(raiz, build, copia, *nombres), {}, False)
+            estado = prueba.falla(400, TMPDIR=sitio, LAB_BUILD=str(build))  # con la máquina ocupada, varios minutos
+            if not mutante and estado:
+                sys.exit(f"{prueba.salida[-1000:]}\nmuta: {nombres[0]} falla sin ningún mutante")
+            if estado and not (nombres == antes and estado in NO_HAY):
+                quien = re.search(
+                    r"^(?:FAILED|ERROR) \S*?([^/\s]+)\.py::(.+?)(?: - .*)?$|^not ok \d+ - (.+)$", prueba.salida, re.M
+                )
+                mutante.notado = (
+                    f"{quien[1] or Path(nombres[0]).stem}.{quien[2] or quien[3]}" if quien else Path(nombres[0]).name
+                )
+                notan[mutante.fichero, mutante.notado] += 1
                 break
     return mutante
 
@@ -220,10 +237,10 @@ def prueba_en_copia(raiz, build, temporal, pruebas, mutante=None):
 class Vivero:
     """La copia del árbol con todos los mutantes, compilada."""
 
-    def __init__(self, raiz, carpeta, mutantes):
+    def __init__(self, raiz, carpeta, mutantes, notan):
+        """`notan`: de (fichero, prueba), cuántos defectos."""
         self.raiz, self.copia, self.build, self.mutantes = raiz, carpeta / "fuente", carpeta / "build", mutantes
-        self.procesos = os.cpu_count()
-        self.notan = Counter()  # de (fichero, prueba), cuántos defectos
+        self.procesos, self.notan = os.cpu_count(), notan
 
     def copia_arbol(self):
         """Solo se escribe lo que cambia: así se vuelve a compilar solo eso."""
@@ -388,20 +405,24 @@ class Vivero:
     def prueba(self, mutante):
         numero = str(mutante.numero)
         entorno = {"LAB_RAIZ": str(self.build / "glsl" / numero)} if mutante.en_shader else {"LAB_MUTANTE": numero}
-        for prueba in sorted(mutante.pruebas, key=lambda p: (p.golden, -self.notan[mutante.fichero, p.nombre])):
+
+        def orden(prueba):
+            return prueba.golden, prueba.nombre != mutante.antes, -self.notan[mutante.fichero, prueba.nombre]
+
+        for prueba in sorted(mutante.pruebas, key=orden):
             estado = prueba.falla(30 + 10 * prueba.segundos, **entorno)
-            por = "" if not prueba.golden else "encima" if estado == ENCIMA else "golden"
-            if estado and not (mutante.notado and por == "golden"):
+            por = "" if not prueba.golden else ENCIMA if estado == DISTINTO_ENCIMA else GOLDEN
+            if estado and not (mutante.notado and por == GOLDEN):
                 mutante.notado, mutante.por = prueba.nombre, por
                 self.notan[mutante.fichero, prueba.nombre] += 1
-            if estado and por != "golden":  # a otro caso puede notársele encima
+            if estado and por != GOLDEN:  # a otro caso puede notársele encima
                 break
         return mutante
 
 
 def cuenta(mutante):
     if mutante.notado:
-        resultado = {"": "", "encima": "encima, ", "golden": "solo "}[mutante.por] + mutante.notado
+        resultado = {"": "", ENCIMA: "encima, ", GOLDEN: "solo "}[mutante.por] + mutante.notado
     else:
         resultado = "SOBREVIVE" if mutante.pruebas or mutante.en_copia else "SOBREVIVE, nada lo ejecuta"
     motivo = f" ({mutante.motivo})" if mutante.motivo else ""
@@ -453,7 +474,8 @@ def planta(vivero, raiz, build, elegidos, capitulos):
             procesos.ejecuta(["cmake", "--build", build])  # usan lo que hay
         for pruebas in set(map(las_que_lo_notan, en_copia)):
             prueba_en_copia(raiz, build, temporal, pruebas)
-        yield from hilos.map(lambda m: prueba_en_copia(raiz, build, temporal, las_que_lo_notan(m), m), en_copia)
+        en_ella = lambda m: prueba_en_copia(raiz, build, temporal, las_que_lo_notan(m), m, vivero.notan)
+        yield from hilos.map(en_ella, en_copia)
 
 
 def juzga(elegidos, plantados):
@@ -489,7 +511,9 @@ def main():
             f"sin plantar desde que cambiaron ellos o su fichero (./lab muta pendientes): {quedan or 'ninguno'}"
         )
     elegidos = elige(todos, plantados, pedidos)
-    vivero = Vivero(raiz, build / "mutantes", [m for m in todos if not m.en_copia])
+    for m in elegidos:
+        m.antes = plantados.quien(m)
+    vivero = Vivero(raiz, build / "mutantes", [m for m in todos if not m.en_copia], plantados.lo_notan())
     capitulos = {"jueces" if m.lista == "jueces" else capitulo(m.fichero) for m in elegidos if not m.en_copia}
     if not pedidos or "comun" in capitulos:
         capitulos = set()

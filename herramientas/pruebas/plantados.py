@@ -1,16 +1,17 @@
 """docs/plantados.tsv: cómo se notó cada defecto la última vez que se plantó. Por renglones, entre tabuladores: su
-lista; un resumen de su línea y otro de cómo estaba su fichero; y quién lo notó: una prueba, lo que se pinta encima
-(encima), solo la imagen (golden) o nadie. Lo escribe ./lab muta, de uno en uno; si cambian la línea o el fichero, el
-defecto vuelve a estar pendiente.
+lista; un resumen de su línea y otro de cómo estaba su fichero; y quién lo notó: el nombre de una prueba, lo que se
+pinta encima (encima), solo la imagen (golden) o nadie. Lo escribe ./lab muta, de uno en uno; si cambian la línea o el
+fichero, el defecto vuelve a estar pendiente, y lo primero que se prueba es lo que ya lo notó.
 """
 import hashlib
+from collections import Counter
 
 from base.libro import filas
 from base.procesos import escribe
 
 FICHERO = "docs/plantados.tsv"
-PRUEBA, NADIE = "prueba", "nadie"
-CUENTA = {"notados": (PRUEBA, "encima", "golden"), "sin_golden": (PRUEBA,), "encima": ("encima",)}
+PRUEBA, ENCIMA, GOLDEN, NADIE = "prueba", "encima", "golden", "nadie"
+CUENTA = {"notados": (PRUEBA, ENCIMA, GOLDEN), "sin_golden": (PRUEBA,), "encima": (ENCIMA,)}
 
 
 def resumen(*textos):
@@ -42,22 +43,29 @@ class Plantados:
         ]
 
     def apunta(self, mutante):
-        quien = (mutante.por or PRUEBA) if mutante.notado else NADIE
+        quien = mutante.por or mutante.notado or NADIE
         self.apuntados[de_linea(mutante)] = self.de_fichero[mutante.fichero], quien
         renglones = sorted(
             (m.lista, linea, *self.apuntados[linea]) for linea, m in self.lineas.items() if linea in self.apuntados
         )
         escribe(self.fichero, "".join("\t".join(renglon) + "\n" for renglon in renglones))
 
+    def lo_notan(self):
+        """De cada (fichero, prueba), cuántos de sus defectos ha notado."""
+        return Counter((m.fichero, self.quien(m)) for m in self.lineas.values())
+
+    def quien(self, mutante):
+        return self.apuntados.get(de_linea(mutante), ("", ""))[1]
+
     def cuentas(self):
         """De cada lista, cuántos hay, cuántos se han plantado como están, cuántos se notan, cuántos sin mirar los
         golden y cuántos más por lo que se pinta encima."""
         de = {}
-        for linea, m in sorted(self.lineas.items(), key=lambda par: par[1].lista):
+        for m in sorted(self.lineas.values(), key=lambda m: m.lista):
             suya = de.setdefault(m.lista, dict.fromkeys(("hay", "plantados", *CUENTA), 0))
-            quien = self.apuntados.get(linea, ("", ""))[1]
+            quien = self.quien(m)
             suya["hay"] += 1
             suya["plantados"] += quien != ""
             for que, quienes in CUENTA.items():
-                suya[que] += quien in quienes
+                suya[que] += (quien if quien in ("", ENCIMA, GOLDEN, NADIE) else PRUEBA) in quienes
         return de

@@ -772,6 +772,24 @@ def test_lo_que_se_apunta_de_los_defectos(tmp_path):
     assert [muta.cuenta(m).split(": ")[1] for m in todos[:3]] == ["P", "solo P", "SOBREVIVE, nada lo ejecuta"]
 
 
+def test_primero_lo_que_ya_noto_el_defecto(tmp_path):
+    """Después, lo que más ha notado de su fichero; y de otro, de lo que no es de Python y de lo que no se le pide, nada."""
+    siembra(tmp_path, {"x.py": "abcdef", "y.py": "g"})
+    todos = [mutante(letra, "z", n, "x.py") for n, letra in enumerate("abcdef")] + [mutante("g", "z", 7, "y.py")]
+    plantados = Plantados(tmp_path, todos)
+    por = "a_test.test_1", "b_test.test_2[x.y - z]", "b_test.test_2[x.y - z]", "c_test.test_3", "partes.uno", ""
+    for m, m.notado in zip(todos, (*por, "a_test.test_4")):
+        plantados.apunta(m)
+    plantados = Plantados(tmp_path, todos)
+    assert [plantados.quien(m) for m in todos] == [*por[:5], "nadie", "a_test.test_4"]
+    uno, otro = mutante("a", "z", 1, "x.py"), mutante("d", "z", 2, "x.py")
+    uno.antes = por[0]
+    pruebas = "tests/d/a_test.py", "tests/d/b_test.py", "tests/partes.mjs"
+    a, b = "tests/d/a_test.py::test_1", "tests/d/b_test.py::test_2[x.y - z]"
+    assert muta.sospechosas(uno, pruebas, plantados.lo_notan()) == [a, b]
+    assert muta.sospechosas(otro, pruebas, plantados.lo_notan()) == [b, a]
+
+
 def test_los_defectos_que_se_piden():
     pedidos = "ch01 ch01:2 ch01:22 ch01_uno ch01_uno/abc.cpp ab bc".split()
     suyos = [pedido for pedido in pedidos if mutante("a", "b", 2, "ch01_uno/abc.cpp").es_de(pedido)]
