@@ -122,7 +122,7 @@ TEST(VolumenVista, ContraTrazadoDeRayos) {
         {arrastra({490, 90}, {0, 90}), volumen(true, 2.5, 9), 2.8},
         {"tecla p", volumen(false, 2.5, 9), 2.8},
         {"tecla p; tecla d; tecla s", volumen(true, 2.5, 9, 0.455, 5.0 / 3), 2.8},
-        {"tecla w ×9; tecla d ×9; tecla s; tecla p", volumen(false, 2.5, 9, 0.52, 2), 2.8},
+        {"tecla w ×9; tecla d ×9; tecla s ×2; tecla p", volumen(false, 2.5, 9, 0.455, 2), 2.8},
         {"tecla p; tecla s ×9; tecla a ×9; tecla d", volumen(true, 2.5, 9, 0.26, 1), 2.8},
     };
     const std::vector<Cuerpo> cuerpos = piezas();

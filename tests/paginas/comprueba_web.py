@@ -89,7 +89,7 @@ def main():
     que = " ".join(pedidos)
     fijo = procesos.entorno(BUILD)
     with navegador.pantalla({**os.environ, **fijo}) as entorno, navegador.chromium(*OPCIONES, entorno=entorno) as n:
-        n.pide("/timeouts", script=60000)
+        n.pide("/timeouts", script=240000)  # con la máquina ocupada
         n.abre(web)
         if not que or que not in PRUEBAS:
             compara_casos(n, pedidos)

@@ -135,7 +135,8 @@ def acaba():
     sys.exit("Ha fallado:\n" + "\n".join(fallos) if fallos else 0)
 
 
-def espera(navegador, codigo, segundos=20):
+def espera(navegador, codigo, segundos=90):
+    """Lo que acaba dando; con la máquina ocupada, lo que se ve en un segundo tarda mucho más."""
     limite = time.monotonic() + segundos
     while not navegador.js(codigo) and time.monotonic() < limite:
         time.sleep(0.1)
