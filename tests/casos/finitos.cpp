@@ -1,7 +1,7 @@
 // Se antepone (LD_PRELOAD) a un programa enlazado con OSMesa: la ventana pasa a ser de float, y también sus
-// framebuffers propios de 8 bits; cada vez que se lee la ventana se mira que todos sus colores sean finitos. Cuando
-// cambia de talla empieza llena de NaN, que es lo que queda donde nadie pinta. Si algún color no es finito se dice dónde
-// y el programa acaba con 4. Lo que tapa otro color no se ve, ni lo que se lee de un framebuffer propio sin pasar por la
+// framebuffers propios de 8 bits; cada vez que se lee la ventana se mira que todos sus colores sean finitos. Al cambiar
+// de talla se llena de NaN, que es lo que queda donde nadie pinta. Si algún color no es finito se dice dónde y el
+// programa acaba con 4. Lo que tapa otro color no se ve, ni lo que se lee de un framebuffer propio sin pasar por la
 // ventana.
 #include <cmath>
 #include <cstdio>

@@ -773,7 +773,7 @@ def test_lo_que_se_apunta_de_los_defectos(tmp_path):
 
 
 def test_primero_lo_que_ya_noto_el_defecto(tmp_path):
-    """Después, lo que más ha notado de su fichero; y de otro, de lo que no es de Python y de lo que no se le pide, nada."""
+    """Después, lo que más ha notado de su fichero; de otro, de lo que no es de Python y de lo que no se pide, nada."""
     siembra(tmp_path, {"x.py": "abcdef", "y.py": "g"})
     todos = [mutante(letra, "z", n, "x.py") for n, letra in enumerate("abcdef")] + [mutante("g", "z", 7, "y.py")]
     plantados = Plantados(tmp_path, todos)

@@ -43,6 +43,7 @@ target_compile_definitions(nuevo PRIVATE LAB_FUENTES="${CMAKE_SOURCE_DIR}")
     MIRA "Es nuevo")
 """
 PRUEBAS = """configure_file(${CMAKE_SOURCE_DIR}/herramientas/base/entorno.txt ${CMAKE_BINARY_DIR}/entorno.txt COPYONLY)
+add_custom_target(finitos)
 add_test(NAME imagen
   COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/casos/casos.sh ${CMAKE_BINARY_DIR} ${LAB_SIN_VENTANA} shader_basico)
 """
@@ -67,8 +68,8 @@ int main(int, char **argv) { std::ofstream(std::string(argv[1]) + "/luz.rgb") <<
 
 
 def sobra(carpeta, nombres):
-    """De la raíz, lo que sale de los fuentes; los capítulos, menos el primero; los defectos, también los ya plantados, y
-    las pruebas."""
+    """De la raíz, lo que sale de los fuentes; los capítulos, menos el primero; los defectos y los apuntados, y las
+    pruebas."""
     no = re.compile(r"ch(0[2-9]|1)|(errores|mutantes|plantados\.tsv|.*_test\.cpp)$")
     return [n for n in nombres if no.match(n) or (Path(carpeta) == RAIZ and n in SALE)]
 
