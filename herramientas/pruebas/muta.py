@@ -211,6 +211,7 @@ def las_que_lo_notan(mutante):
 def prueba_en_copia(raiz, build, temporal, pruebas, mutante=None, notan=()):
     """Esas pruebas en una copia con ese mutante, hasta la que lo nota; antes, las sospechosas."""
     with tempfile.TemporaryDirectory(dir=temporal) as sitio:
+        os.chmod(sitio, 0o755)
         copia = copia_de_trabajo(raiz, Path(sitio, "lab"))
         antes = []
         if mutante:
@@ -467,6 +468,7 @@ def planta(vivero, raiz, build, elegidos, capitulos):
         vivero.compila(capitulos)
     with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(vivero.procesos) as hilos:
         os.environ["TMPDIR"] = temporal  # lo que deje una prueba que no acaba bien
+        os.chmod(temporal, 0o755)  # hay pruebas en que lo lee otro usuario
         if compilados:
             vivero.sin_mutantes(vivero.enumera(capitulos), hilos)
         yield from hilos.map(vivero.prueba, compilados)

@@ -43,7 +43,9 @@ class Navegador:
         )
         puerto = next(m[1] for linea in self.chromedriver.stdout if (m := re.search(r"on port (\d+)\.", linea)))
         self.sesion = f"http://127.0.0.1:{puerto}/session"
-        argumentos = [*opciones, "--no-sandbox", f"--user-data-dir={perfil}"]
+        # sin el freno, que desoye una dirección si ha habido doscientas en diez segundos
+        freno = "--disable-ipc-flooding-protection"
+        argumentos = [*opciones, freno, "--no-sandbox", f"--user-data-dir={perfil}"]
         capacidades = {"goog:chromeOptions": {"args": argumentos}, "goog:loggingPrefs": {"browser": "ALL"}}
         self.sesion += "/" + self.pide("", capabilities={"alwaysMatch": capacidades})["sessionId"]
 
