@@ -501,6 +501,13 @@ def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, 
     assert str(tmp_path / "temporal") not in escrito
 
 
+def test_tras_que_orden_acaba_una_partida():
+    """Hay una imagen antes de la primera orden y otra tras cada una."""
+    guion = SimpleNamespace(ordenes=["tecla a", "tecla b", "tecla c"])
+    for imagenes, dice in enumerate((" sin dibujar nada", "", " tras «tecla a»", " tras «tecla b»", "")):
+        assert motivos.tras(SimpleNamespace(imagenes=[""] * imagenes), guion) == dice
+
+
 def test_la_nota_de_vpl(monkeypatch):
     hecha = {"entrega": "ana", "ejercicio": REF, "semilla": "7", "nota": 87.5, "bien": 20, "guiones": 29}
     hecha |= {"dice": [], "fallos": [], "reglas": ""}

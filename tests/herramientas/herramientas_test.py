@@ -522,6 +522,10 @@ def test_los_modulos_juntos(tmp_path):
     assert len(declarados) > 20 and len(set(declarados)) == len(declarados)
 
 
+def test_lo_que_se_busca_es_texto():
+    assert indice.llano('<b class="x">a</b> &lt; b &amp;&amp; &#960;') == "a < b && π"
+
+
 def test_los_identificadores_de_un_fuente():
     assert indice.identificadores('int a_b; // no\n/* ni\n esto */ f("x.vert", GL_RGB); a_b') == "int a_b GL_RGB"
 

@@ -171,6 +171,7 @@ test('todo se encuentra: cada nombre, título, referencia, pie, tecla e identifi
     const lo = buscado => buscador.busca(buscado).find(h => h.titulo === titulo);
     assert.equal(buscador.busca(titulo)[0].titulo, titulo);
     for (const [clase, enlace, texto] of zonas) {
+      assert.doesNotMatch(texto, /&#?\w+;|<\/?\w+[^<]*>/, `${titulo}: el texto, sin HTML`);
       const hallado = lo(clase === 'imagen' ? texto : palabras(texto).slice(0, 3).join(' '));
       assert.ok(hallado, texto);
       if (clase === 'imagen') assert.deepEqual([hallado.clase, hallado.enlace, hallado.texto], [clase, enlace, texto]);
