@@ -41,8 +41,9 @@ EN_COPIA = {
     "jueces": ("tests/jueces/propiedades_mal_test.py", "tests/jueces/jueces_test.py"),
     "correccion": ("tests/herramientas/donde_test.py", "tests/herramientas/corrige_test.py"),
     "paginas": ("tests/paginas/partes.mjs",),
+    "explica": ("tests/ordenes/sin_pruebas_test.py",),
 }
-ESTAN = {"ejercicios/corrige/": "correccion", ".mjs": "paginas"}
+ESTAN = {"ejercicios/corrige/": "correccion", ".mjs": "paginas", "herramientas/explica/": "explica"}
 DE_LAS_DEMAS = tuple(
     f"tests/{f}_test.py"
     for f in ("herramientas/claves", "herramientas/herramientas", "ordenes/ordenes", "ordenes/preguntas")

@@ -97,7 +97,9 @@ def test_explica(lab):
     assert "\n   1  borra color, profundidad: borrado → (222, 237, 250)\n" in dicho
     assert lab.deja("f.json", b'{\n "programa": "grua"')
     assert "muestraCuadro" in (lab.sitio / "explica/grua.html").read_text()
-    lab("explica grua 300 9 -geometry 240x180", 1, "300 9 está fuera de la ventana, de 240×180")
+    for fuera in ("240 179", "239 180"):
+        lab(f"explica grua {fuera} -geometry 240x180", 1, f"{fuera} está fuera de la ventana, de 240×180")
+    lab("explica grua 239 179 -geometry 240x180")
     lab("explica info_opengl", 1, "info_opengl escribe texto y no dibuja nada")
     lab("explica grua -guion 'tecla Esc'", 1, "¿pulsa Esc el guion?")
 
