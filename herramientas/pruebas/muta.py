@@ -219,7 +219,7 @@ def prueba_en_copia(raiz, build, temporal, pruebas, mutante=None, notan=()):
             fichero = copia / mutante.fichero
             fichero.write_text(estropea(fichero.read_text(), mutante))
             antes = sospechosas(mutante, pruebas, notan)
-        for nombres in ([antes] if antes else []) + [[nombre] for nombre in pruebas]:
+        for nombres in filter(None, [antes, *([nombre] for nombre in pruebas)]):
             prueba = Prueba(nombres[0], orden_en_copia(raiz, build, copia, *nombres), {}, False)
             estado = prueba.falla(400, TMPDIR=sitio, LAB_BUILD=str(build))  # con la máquina ocupada, varios minutos
             if not mutante and estado:
@@ -477,7 +477,10 @@ def planta(vivero, raiz, build, elegidos, capitulos):
             procesos.ejecuta(["cmake", "--build", build])  # usan lo que hay
         for pruebas in set(map(las_que_lo_notan, en_copia)):
             prueba_en_copia(raiz, build, temporal, pruebas)
-        en_ella = lambda m: prueba_en_copia(raiz, build, temporal, las_que_lo_notan(m), m, vivero.notan)
+
+        def en_ella(m):
+            return prueba_en_copia(raiz, build, temporal, las_que_lo_notan(m), m, vivero.notan)
+
         yield from hilos.map(en_ella, en_copia)
 
 

@@ -24,28 +24,32 @@ Funcion laDeVerdad(const char *nombre) {
     return reinterpret_cast<Funcion>(dlsym(RTLD_NEXT, nombre));
 }
 
+/// La de OpenGL de ese nombre.
+template<class Funcion>
+Funcion deOpenGL(const char *nombre) {
+    static const auto original = laDeVerdad<decltype(&OSMesaGetProcAddress)>("OSMesaGetProcAddress");
+    return reinterpret_cast<Funcion>(original(nombre));
+}
+
 /// Donde un color cabe en 8 bits por componente, en float.
 GLenum enFloat(GLenum formato) {
     return formato == GL_RGB8 || formato == GL_RGBA8 || formato == GL_RGB || formato == GL_RGBA ? GL_RGBA32F
                                                                                                 : formato;
 }
 void renderbufferStorage(GLenum objetivo, GLenum formato, GLsizei ancho, GLsizei alto) {
-    static const auto original = reinterpret_cast<PFNGLRENDERBUFFERSTORAGEPROC>(
-        laDeVerdad<decltype(&OSMesaGetProcAddress)>("OSMesaGetProcAddress")("glRenderbufferStorage"));
+    static const auto original = deOpenGL<PFNGLRENDERBUFFERSTORAGEPROC>("glRenderbufferStorage");
     original(objetivo, enFloat(formato), ancho, alto);
 }
 void renderbufferStorageMultisample(GLenum objetivo, GLsizei muestras, GLenum formato, GLsizei ancho,
                                     GLsizei alto) {
     static const auto original =
-        reinterpret_cast<PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC>(laDeVerdad<decltype(&OSMesaGetProcAddress)>(
-            "OSMesaGetProcAddress")("glRenderbufferStorageMultisample"));
+        deOpenGL<PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC>("glRenderbufferStorageMultisample");
     original(objetivo, muestras, enFloat(formato), ancho, alto);
 }
 
 /// La ventana entera, sin que el programa note nada.
 void llenaDeNaN() {
-    static const auto enlaza = reinterpret_cast<PFNGLBINDFRAMEBUFFERPROC>(
-        laDeVerdad<decltype(&OSMesaGetProcAddress)>("OSMesaGetProcAddress")("glBindFramebuffer"));
+    static const auto enlaza = deOpenGL<PFNGLBINDFRAMEBUFFERPROC>("glBindFramebuffer");
     GLint framebuffer = 0;
     GLfloat fondo[4];
     GLboolean escribe[4];
@@ -89,7 +93,7 @@ OSMESAproc OSMesaGetProcAddress(const char *nombre) {
         return reinterpret_cast<OSMESAproc>(renderbufferStorage);
     if (std::strcmp(nombre, "glRenderbufferStorageMultisample") == 0)
         return reinterpret_cast<OSMESAproc>(renderbufferStorageMultisample);
-    return laDeVerdad<decltype(&OSMesaGetProcAddress)>("OSMesaGetProcAddress")(nombre);
+    return deOpenGL<OSMESAproc>(nombre);
 }
 
 void glTexImage2D(GLenum objetivo, GLint nivel, GLint interno, GLsizei ancho, GLsizei alto, GLint borde,
@@ -107,8 +111,7 @@ void glReadPixels(GLint x, GLint y, GLsizei ancho, GLsizei alto, GLenum formato,
     if (framebuffer == 0) {
         std::vector<GLfloat> color(4 * std::size_t(ancho) * alto, NAN);
         // OSMesa no dice que su framebuffer sea de float, y al leerlo se recortaría
-        static const auto recorta =
-            reinterpret_cast<PFNGLCLAMPCOLORPROC>(OSMesaGetProcAddress("glClampColor"));
+        static const auto recorta = deOpenGL<PFNGLCLAMPCOLORPROC>("glClampColor");
         recorta(GL_CLAMP_READ_COLOR, GL_FALSE);
         original(x, y, ancho, alto, GL_RGBA, GL_FLOAT, color.data());
         recorta(GL_CLAMP_READ_COLOR, GL_FIXED_ONLY);

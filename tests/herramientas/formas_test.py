@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 RAIZ = Path(__file__).parents[2]
-HERRAMIENTAS = RAIZ / "herramientas"
+HERRAMIENTAS, PRUEBAS = RAIZ / "herramientas", RAIZ / "tests"
 PYTHON = sorted(f for carpeta in ("herramientas", "tests") for f in (RAIZ / carpeta).rglob("*.py"))
 CPP = sorted(f for carpeta in ("common", "herramientas", "tests", "assets") for f in (RAIZ / carpeta).rglob("*.*"))
 CPP = [f for f in [*CPP, *sorted(RAIZ.glob("ch*/*.*"))] if f.suffix in (".cpp", ".h")]
@@ -176,7 +176,11 @@ def test_se_cuentan_las_funciones_y_los_metodos():
 
 def test_ninguna_linea_es_ancha():
     """Tampoco un comentario de C++, que clang-format no toca, ni el JavaScript, que no tiene quien le dé formato."""
-    ficheros = [*PYTHON, *CPP, *HERRAMIENTAS.rglob("*.mjs"), *HERRAMIENTAS.rglob("*.js")]
+    ficheros = [
+        *PYTHON,
+        *CPP,
+        *(f for tipo in ("mjs", "js") for en in (HERRAMIENTAS, PRUEBAS) for f in en.rglob(f"*.{tipo}")),
+    ]
     lineas = [(f, n, linea) for f in ficheros for n, linea in enumerate(f.read_text().splitlines(), 1)]
     falla([f"{corto(f)}:{n}: {len(linea)} columnas" for f, n, linea in lineas if len(linea) > ANCHO])
 

@@ -235,7 +235,8 @@ test('los enlaces: van y vuelven, y de los malos no se queja la página', () => 
     [[0, 0], { width: 100, height: 300 }, [0, 112]], [[960, 0], { width: 960, height: 720 }, undefined]);
   for (const lienzo of [{ width: 960, height: 720 }, { width: 700, height: 525 }, { width: 240, height: 180 }]) {
     for (let vez = 0; vez < 50; ++vez) { // el píxel de un enlace es el que se copió
-      const pixel = [azar(lienzo.width), azar(lienzo.height)], copiado = leeEnlace(`#grua${enEnlace(pixel, lienzo)}`).pixel;
+      const pixel = [azar(lienzo.width), azar(lienzo.height)];
+      const copiado = leeEnlace(`#grua${enEnlace(pixel, lienzo)}`).pixel;
       assert.deepEqual(pixelEn(copiado, lienzo), pixel);
     }
   }
@@ -414,7 +415,8 @@ test('los errores de los shaders', () => {
     ["lab: ch05_iluminacion/phong.glsl:47: 'P4' : undeclared identifier — «N = unitario(P4);»",
       { ruta: 'ch05_iluminacion/phong.glsl', linea: 47, mensaje: "'P4' : undeclared identifier" }],
     ["objeto.frag no compila: ERROR: 0:3: 'x' : no", { ruta: 'ch03_a/objeto.frag', linea: 3, mensaje: "'x' : no" }],
-    ["a.frag:3: '-' : wrong operand types: 'const int' and 'in highp float' — «1 - a»", { ruta: 'ch03_a/a.frag', linea: 3,
+    ["a.frag:3: '-' : wrong operand types: 'const int' and 'in highp float' — «1 - a»", {
+      ruta: 'ch03_a/a.frag', linea: 3,
       mensaje: "'-' : wrong operand types: 'const int' and 'in highp float' (un real lleva punto: 1.0 y no 1)" }],
     ['a.vert y a.frag no enlazan: eso', { ruta: '', linea: 0, mensaje: 'a.vert y a.frag no enlazan: eso' }],
     ['giro 12', undefined]);
@@ -438,7 +440,8 @@ test('tallas, imágenes y lo guardado', () => {
 });
 
 test('las primitivas de una orden, sueltas, con su giro y su último vértice', () => {
-  const indices = (modo, n) => sueltas(modo, Array.from({ length: n }, (_, i) => 10 + i)).indices.map(i => i - 10).join(' ');
+  const desde10 = n => Array.from({ length: n }, (_, i) => 10 + i);
+  const indices = (modo, n) => sueltas(modo, desde10(n)).indices.map(i => i - 10).join(' ');
   tabla(indices,
     [0, 2, '0 1'], [1, 5, '0 1 2 3'], [3, 3, '0 1 1 2'], [2, 3, '0 1 1 2 2 0'], [2, 2, '0 1'], [4, 7, '0 1 2 3 4 5'],
     [5, 5, '0 1 2 2 1 3 2 3 4'], [6, 5, '0 1 2 0 2 3 0 3 4'], [5, 2, ''], [6, 1, '']);
@@ -457,14 +460,17 @@ test('las primitivas que cubren un píxel se encuentran partiendo por la mitad',
 test('lo que apunta un shader reescrito se lee como lo escribe glsl.h', () => {
   tabla(valor,
     ['float', [2.5, 0, 0, 0], [2.5]], ['bvec2', [1, 0, 9, 9], [1, 0]], ['void', [0, 0, 0, 0], []],
-    ['int', [65535, -1, 0, 0], [-1]], ['uint', [65535, 65535, 0, 0], [4294967295]], ['ivec2', [1, 2, 0, -1], [1, -65534]],
+    ['int', [65535, -1, 0, 0], [-1]], ['uint', [65535, 65535, 0, 0], [4294967295]],
+    ['ivec2', [1, 2, 0, -1], [1, -65534]],
     ['uvec3', [1, 2, 3, 0, 0, 1, 0, 0], [1, 65538, 3]], ['mat2', [1, 2, 0, 0, 3, 4, 0, 0], [1, 2, 3, 4]],
     ['mat2x3', [1, 2, 3, 0, 4, 5, 6, 0], [1, 2, 3, 4, 5, 6]]);
-  tabla(n => cifra(n), [0.123456, '0.1235'], [-2, '−2'], [NaN, 'NaN'], [-Infinity, '−∞'], ['-nan', 'NaN'], ['inf', '∞'], [1e-7, '1e−7']);
+  tabla(n => cifra(n), [0.123456, '0.1235'], [-2, '−2'], [NaN, 'NaN'], [-Infinity, '−∞'], ['-nan', 'NaN'], ['inf', '∞'],
+    [1e-7, '1e−7']);
 });
 
 test('cada línea de un shader, en su fichero', () => {
-  const textos = { 'a.frag': '#version 140\n#include "b.glsl"\nmain\n', 'b.glsl': '\ufeffuno\n#include "c.glsl"\n', 'c.glsl': 'dos\n#include "a.frag"' };
+  const textos = { 'a.frag': '#version 140\n#include "b.glsl"\nmain\n',
+    'b.glsl': '\ufeffuno\n#include "c.glsl"\n', 'c.glsl': 'dos\n#include "a.frag"' };
   assert.deepEqual(conInclusiones('a.frag', textos).map(l => `${l.fichero}:${l.linea} ${l.texto}`),
     ['a.frag:1 #version 140', 'b.glsl:1 uno', 'c.glsl:1 dos', 'c.glsl:2 #include "a.frag"', 'a.frag:3 main']);
   const es = '#version 300 es\nprecision highp float;\n#line 2\nuno\ndos\n#include "a.frag"\nmain\n';
@@ -473,14 +479,19 @@ test('cada línea de un shader, en su fichero', () => {
 });
 
 test('lo que se sospecha de los shaders de un cuadro', () => {
-  const uniforme = (valor, dado = true, tipo = 'mat4') => ({ uniformes: [{ nombre: 'u', tipo, valor, dado }], texturas: [], atributos: [] });
+  const uniforme = (valor, dado = true, tipo = 'mat4') =>
+    ({ uniformes: [{ nombre: 'u', tipo, valor, dado }], texturas: [], atributos: [] });
   const dice = cableado => delCableado(cableado, 3).map(s => s.dice.split('» ').at(-1)).join();
   tabla(dice, [uniforme([1, 0]), ''], [uniforme([0, 0], false), 'lo usa el shader y nadie le ha dado valor: es 0'],
-    [uniforme([0, 0]), 'es una matriz toda de ceros'], [uniforme([0], true, 'float'), ''], [uniforme([1, NaN]), 'tiene algo que no es un número'],
-    [{ uniformes: [], texturas: [{ sampler: 's', unidad: 2, incompleta: 'x' }], atributos: [] }, 'la textura de «s», en la unidad 2, está incompleta: x'.split('» ').at(-1)],
-    [{ uniformes: [], texturas: [], atributos: [{ nombre: 'a', activo: true, bufer: 0 }] }, 'lo lee el shader y no lo da ningún array']);
+    [uniforme([0, 0]), 'es una matriz toda de ceros'], [uniforme([0], true, 'float'), ''],
+      [uniforme([1, NaN]), 'tiene algo que no es un número'],
+    [{ uniformes: [], texturas: [{ sampler: 's', unidad: 2, incompleta: 'x' }], atributos: [] },
+      'la textura de «s», en la unidad 2, está incompleta: x'.split('» ').at(-1)],
+    [{ uniformes: [], texturas: [], atributos: [{ nombre: 'a', activo: true, bufer: 0 }] },
+      'lo lee el shader y no lo da ningún array']);
   tabla(puntos => fueraDe(puntos)[0], [[[NaN, 0, 0, 1]], 'las posiciones de todos sus vértices son NaN o infinitas'],
-    [[[0, 0, 0, 1], [0, 0, 0, 1]], 'gl_Position es 0 en todos sus vértices'], [[[1, 1, 1, 0]], 'gl_Position es 0 en todos sus vértices'],
+    [[[0, 0, 0, 1], [0, 0, 0, 1]], 'gl_Position es 0 en todos sus vértices'],
+      [[[1, 1, 1, 0]], 'gl_Position es 0 en todos sus vértices'],
     [[[1, 2, 3, 4], [1, 2, 3, 4]], 'todos sus vértices caen en el mismo punto'],
     [[[1, 2, 3, -4], [1, 1, 3, -4]], 'todos sus vértices están detrás de la cámara (w < 0)'],
     [[[-2, 0, 0, 1], [-3, 0, 0, 1]], 'todos sus vértices quedan fuera, a la izquierda'],
@@ -501,23 +512,29 @@ test('lo que pesa cada vértice da el punto del que se parte', () => {
     const posiciones = [0, 1, 2].map(() => [azar(200) - 100, azar(200) - 100, 0, 50 + azar(100)]);
     const pixel = [azar(240), azar(180)], [con, sin] = pesosDe(posiciones, pixel, [0, 0, 240, 180]);
     if (!con.every(Number.isFinite)) continue; // de canto
-    const suma = k => con.reduce((s, p, i) => s + p * posiciones[i][k], 0), llano = k => sin.reduce((s, p, i) => s + p * posiciones[i][k] / posiciones[i][3], 0);
+    const suma = k => con.reduce((s, p, i) => s + p * posiciones[i][k], 0);
+    const llano = k => sin.reduce((s, p, i) => s + p * posiciones[i][k] / posiciones[i][3], 0);
     for (const [k, n] of [[0, 240], [1, 180]]) {
       const debe = 2 * (pixel[k] + 0.5) / n - 1, talla = Math.max(...con.map(Math.abs), ...sin.map(Math.abs));
-      assert.ok(Math.abs(suma(k) / suma(3) - debe) < 1e-9 * talla * 1e3 && Math.abs(llano(k) - debe) < 1e-9 * talla * 1e3);
+      assert.ok(Math.abs(suma(k) / suma(3) - debe) < 1e-9 * talla * 1e3 &&
+        Math.abs(llano(k) - debe) < 1e-9 * talla * 1e3);
     }
   }
 });
 
 test('una mezcla, hecha otra vez', () => {
-  const GL = { BLEND: 1, BLEND_EQUATION_RGB: 0x8006, BLEND_EQUATION_ALPHA: 0x8006, FUNC_ADD: 0x8006, SRC_ALPHA: 0x302, ONE_MINUS_SRC_ALPHA: 0x303,
-    BLEND_COLOR: [0, 0, 0, 0], COLOR_WRITEMASK: [true, true, true, true], BLEND_SRC_RGB: 0x302, BLEND_SRC_ALPHA: 0x302, BLEND_DST_RGB: 0x303,
+  const GL = { BLEND: 1, BLEND_EQUATION_RGB: 0x8006, BLEND_EQUATION_ALPHA: 0x8006, FUNC_ADD: 0x8006, SRC_ALPHA: 0x302,
+    ONE_MINUS_SRC_ALPHA: 0x303,
+    BLEND_COLOR: [0, 0, 0, 0], COLOR_WRITEMASK: [true, true, true, true], BLEND_SRC_RGB: 0x302, BLEND_SRC_ALPHA: 0x302,
+    BLEND_DST_RGB: 0x303,
     BLEND_DST_ALPHA: 0x303 };
-  const gl = { ...GL, isEnabled: () => true, getParameter: v => v }, de = (despues, otro = {}) => mezcla({ ...gl, ...otro }, [1, 0.5, 0, 0.4], [0, 100, 255, 255], despues);
+  const gl = { ...GL, isEnabled: () => true, getParameter: v => v };
+  const de = (despues, otro = {}) => mezcla({ ...gl, ...otro }, [1, 0.5, 0, 0.4], [0, 100, 255, 255], despues);
   const { suma, factorOrigen, factorDestino } = de([102, 111, 153, 255]);
   assert.deepEqual([suma.slice(0, 3).map(Math.round), factorOrigen[0], factorDestino[2]], [[102, 111, 153], 0.4, 0.6]);
   tabla((despues, otro) => de(despues, otro).cuadra, [[102, 111, 153], {}, true], [[102, 113, 153], {}, false],
-    [[255, 128, 0], { isEnabled: () => false }, true], [[0, 128, 0], { isEnabled: () => false, COLOR_WRITEMASK: [false, true, true, true] }, true]);
+    [[255, 128, 0], { isEnabled: () => false }, true],
+      [[0, 128, 0], { isEnabled: () => false, COLOR_WRITEMASK: [false, true, true, true] }, true]);
 });
 
 test('lo que se pide a la plantilla, por cada cara', () => {
