@@ -105,11 +105,13 @@ def comprueba(raiz, programas, mutantes, fallos):
         except OSError as error:
             fallos.append(f"{grupo[0].nombre}: no puedo leer {fichero}: {error.strerror}")
             continue
-        buenos = []
+        buenos, primero = [], {}
         for m in grupo:
             try:
-                m.sitio(fuente)
+                otro = primero.setdefault((m.sitio(fuente), m.estropeado), m)
                 buenos.append(m)
+                if otro != m:
+                    fallos.append(f"{m.nombre}: es el mismo que {otro.nombre}")
             except ValueError as error:
                 fallos.append(f"{m.nombre}: {error}")
         if grupo[0].en_copia:
