@@ -43,6 +43,11 @@ EN_COPIA = {
     "paginas": ("tests/paginas/partes.mjs",),
     "explica": ("tests/ordenes/sin_pruebas_test.py",),
 }
+# Con LAB_NAVEGADOR=1, los de las páginas los nota también, después, lo que se hace en ellas.
+EN_NAVEGADOR = {
+    "herramientas/web/": "tests/paginas/web.sh",
+    "herramientas/galeria/": "tests/paginas/comprueba_galeria.py",
+}
 ESTAN = {"ejercicios/corrige/": "correccion", ".mjs": "paginas", "herramientas/explica/": "explica"}
 DE_LAS_DEMAS = tuple(
     f"tests/{f}_test.py"
@@ -193,6 +198,9 @@ def en_su_sitio(raiz, build, copia):
 
 
 def orden_en_copia(raiz, build, copia, *nombres):
+    if nombres[0] in EN_NAVEGADOR.values():
+        parte = ["persona"] if nombres[0].endswith(".sh") else []
+        return [*en_su_sitio(raiz, build, copia), raiz / nombres[0], raiz, build, *parte]
     if nombres[0].endswith(".mjs"):
         return [*en_su_sitio(raiz, build, copia), "node", raiz / nombres[0], raiz, build]
     return [*en_su_sitio(raiz, build, copia), PYTEST, "-xq", "-p", "no:cacheprovider", *(raiz / n for n in nombres)]
@@ -208,7 +216,11 @@ def sospechosas(mutante, pruebas, notan):
 
 def las_que_lo_notan(mutante):
     por_su_sitio = next((lista for donde, lista in ESTAN.items() if donde in mutante.fichero), "")
-    return EN_COPIA.get(mutante.lista) or EN_COPIA.get(por_su_sitio, DE_LAS_DEMAS)
+    pruebas = EN_COPIA.get(mutante.lista) or EN_COPIA.get(por_su_sitio, DE_LAS_DEMAS)
+    if mutante.fichero.endswith(".mjs") and os.environ.get("LAB_NAVEGADOR") == "1":
+        de_una = [prueba for donde, prueba in EN_NAVEGADOR.items() if mutante.fichero.startswith(donde)]
+        pruebas += tuple(de_una or EN_NAVEGADOR.values())
+    return pruebas
 
 
 def prueba_en_copia(raiz, build, temporal, pruebas, mutante=None, notan=()):
@@ -222,13 +234,18 @@ def prueba_en_copia(raiz, build, temporal, pruebas, mutante=None, notan=()):
             fichero.write_text(estropea(fichero.read_text(), mutante))
             antes = sospechosas(mutante, pruebas, notan)
         for nombres in filter(None, [antes, *([nombre] for nombre in pruebas)]):
-            prueba = Prueba(nombres[0], orden_en_copia(raiz, build, copia, *nombres), {}, False)
-            estado = prueba.falla(400, TMPDIR=sitio, LAB_BUILD=str(build))  # con la máquina ocupada, varios minutos
+            limite, entorno = 400, {}  # segundos, con la máquina ocupada
+            if nombres[0] in EN_NAVEGADOR.values():
+                limite, entorno = 1800, {**procesos.entorno(build), "LAB_AL_PRIMERO": "1"}
+            prueba = Prueba(nombres[0], orden_en_copia(raiz, build, copia, *nombres), entorno, False)
+            estado = prueba.falla(limite, TMPDIR=sitio, LAB_BUILD=str(build))
             if not mutante and estado:
                 sys.exit(f"{prueba.salida[-1000:]}\nmuta: {nombres[0]} falla sin ningún mutante")
             if estado and not (nombres == antes and estado in NO_HAY):
                 quien = re.search(
-                    r"^(?:FAILED|ERROR) \S*?([^/\s]+)\.py::(.+?)(?: - .*)?$|^not ok \d+ - (.+)$", prueba.salida, re.M
+                    r"^(?:FAILED|ERROR) \S*?([^/\s]+)\.py::(.+?)(?: - .*)?$|^(?:not ok \d+ - |falla: )(.+)$",
+                    prueba.salida,
+                    re.M,
                 )
                 mutante.notado = (
                     f"{quien[1] or Path(nombres[0]).stem}.{quien[2] or quien[3]}" if quien else Path(nombres[0]).name

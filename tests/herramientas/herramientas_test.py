@@ -715,6 +715,15 @@ def test_las_marcas_que_hay():
             assert hecho and not set(hecho) & set(quedan), fichero
 
 
+def test_lo_que_escribe_un_programa_es_de_su_imagen():
+    """Bajo ella va lo de la última orden que ha escrito algo: ni lo que se dice al empezar ni lo que se dijo antes."""
+    diario = "hola\ntítulo: A\ndiario\t\t0\nuno\ndiario\tx\t1\n{}título: B \ndiario\ty\t2\n"
+    assert dibuja.lo_suyo(diario.format("dos\ntres\n"), True) == ("B", "dos\ntres\n")
+    assert dibuja.lo_suyo(diario.format(""), True) == ("B", "uno\n")
+    assert dibuja.lo_suyo(diario.format("").replace("uno\n", ""), True) == ("B", "")
+    assert dibuja.lo_suyo("hola\ntítulo: A\nqué tal\n") == ("A", "hola\nqué tal\n")
+
+
 # --- muta ---------------------------------------------------------------------------------------------------------
 
 
@@ -792,6 +801,17 @@ def test_primero_lo_que_ya_noto_el_defecto(tmp_path):
     a, b = "tests/d/a_test.py::test_1", "tests/d/b_test.py::test_2[x.y - z]"
     assert muta.sospechosas(uno, pruebas, plantados.lo_notan()) == [a, b]
     assert muta.sospechosas(otro, pruebas, plantados.lo_notan()) == [b, a]
+
+
+def test_con_navegador_los_de_las_paginas_tambien_en_el(monkeypatch):
+    web, galeria = "tests/paginas/web.sh", "tests/paginas/comprueba_galeria.py"
+    for donde, suyas in (("web", [web]), ("galeria", [galeria]), ("base", [web, galeria])):
+        for tipo, hay in (("mjs", suyas), ("py", [])):
+            pruebas = []
+            for si in "01":
+                monkeypatch.setenv("LAB_NAVEGADOR", si)
+                pruebas.append([*muta.las_que_lo_notan(mutante("a", "b", 1, f"herramientas/{donde}/a.{tipo}"))])
+            assert pruebas[1] == pruebas[0] + hay and all((RAIZ / p).is_file() for p in pruebas[1])
 
 
 def test_los_defectos_que_se_piden():

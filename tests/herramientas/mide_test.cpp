@@ -82,6 +82,18 @@ TEST(Mide, LoQueTardaOtroPrograma) {
     EXPECT_GE(milisegundosDeOrden({"python3", "-c", "while __import__('time').process_time() < 0.1: pass"}),
               100);
     EXPECT_LT(milisegundosDeOrden({"sleep", "0.2"}), 150);
+    const auto gastado = [] { // en las órdenes que ya han acabado: lo suyo y lo del sistema
+        rusage g;
+        getrusage(RUSAGE_CHILDREN, &g);
+        const auto ms = [](const timeval &t) { return 1e3 * double(t.tv_sec) + 1e-3 * double(t.tv_usec); };
+        return std::pair(ms(g.ru_utime), ms(g.ru_stime));
+    };
+    const auto antes = gastado(); // copiar ceros es casi todo del sistema
+    const double ceros =
+        milisegundosDeOrden({"dd", "if=/dev/zero", "of=/dev/null", "bs=16M", "count=40", "status=none"});
+    const double suyo = gastado().first - antes.first, delSistema = gastado().second - antes.second;
+    EXPECT_GT(delSistema, 10);
+    EXPECT_NEAR(ceros, suyo + delSistema, 0.01);
     EXPECT_TRUE(std::isnan(milisegundosDeOrden({"false"})));
     EXPECT_TRUE(std::isnan(milisegundosDeOrden({"noesta"})));
 }

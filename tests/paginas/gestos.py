@@ -84,13 +84,18 @@ def teclas_del_navegador(n, donde, con, lienzo=False):
 def se_escribe(n, donde):
     """En cada campo de texto, cada letra se escribe y no hace nada más."""
     antes = quieta(n)
-    js(n, "window.campo = se_ven('input[type=search]')[0]; campo.focus()")
-    n.tecla(*string.ascii_letters, "/", "-")
-    exige(js(n, "return campo.value") == string.ascii_letters + "/-", f"en el buscador de {donde} se escribe todo")
-    abierto = "return document.fullscreenElement || document.querySelector('dialog[open]')"
-    exige(not js(n, abierto), f"y lo que se escribe en el de {donde} no abre nada")
-    js(n, "campo.value = ''; campo.dispatchEvent(new Event('input')); campo.blur()")
-    exige(quieta(n) == antes, f"y borrado, {donde} está como estaba")
+    campos = js(n, "window.campos = se_ven('input[type=search], textarea'); return campos.map(c => c.className)")
+    for i, campo in enumerate(campos):
+        js(n, "window.campo = campos[arguments[0]]; window.cm = campo.closest('.CodeMirror')?.CodeMirror", i)
+        js(n, "campo.focus(); cm?.setCursor(0, 0)")
+        n.tecla(*string.ascii_letters, "/", "-")
+        escrito = js(n, "return cm ? cm.getLine(0) : campo.value")
+        exige(escrito.startswith(string.ascii_letters + "/-"), f"en «{campo}» de {donde} se escribe todo: {escrito}")
+        abierto = "return document.fullscreenElement || document.querySelector('dialog[open]')"
+        exige(not js(n, abierto), f"y lo que se escribe en «{campo}» de {donde} no abre nada")
+        js(n, "cm?.undo(); campo.value = ''; campo.dispatchEvent(new Event('input')); campo.blur()")
+        exige(quieta(n) == antes, f"y borrado, {donde} está como estaba")
+    return len(campos)
 
 
 def de_la_galeria(n, abre):
@@ -127,6 +132,9 @@ def de_la_pagina(p):
     p.n.abre(p.web)
     teclas_del_navegador(p.n, "lista", ("ctrlKey", "altKey", "metaKey"))
     se_escribe(p.n, "la lista")
+    p.abre("#componentes_phong")
+    p.exige("editor.ruta && !cm.getOption('readOnly')", "el editor se abre")
+    exige(se_escribe(p.n, "un programa") == 2, "se escribe en el buscador y en el editor")
     cada_boton_dos_veces(p.n, "un programa", abre)
     teclas_del_navegador(p.n, "programa", ("ctrlKey", "altKey", "metaKey"))
     teclas_del_navegador(p.n, "lienzo", ("ctrlKey", "metaKey"), lienzo=True)
@@ -222,6 +230,18 @@ def cada_fuente(p):
         return vacios"""
     )
     exige(vacios == [], f"de cada fichero que se enseña está su texto: {vacios[:3]}")
+    for donde in ("todos('.pestanas button')", "todos('.pestanas button').toReversed()"):
+        p.abre("#grua")
+        p.exige("editor.ruta", "el editor se abre")
+        queda = p.espera_js(
+            f"""const rutas = {donde}.map(b => b.ruta);
+            await Promise.all(rutas.map(ruta => editor.abre(ruta)));
+            const texto = editor.cm.getValue(), ultima = rutas.at(-1);
+            await editor.abre(rutas[0]);
+            await editor.abre(ultima);
+            return rutas.length > 2 && editor.abierto === ultima && texto === editor.cm.getValue()"""
+        )
+        exige(queda is True, f"de las pestañas que se pulsan seguidas, queda la última: {queda}")
 
 
 def otra_vez(p):

@@ -27,6 +27,8 @@ const gana = escritos.at(-1), de = s => s.slice(0, 3).join();
 if (de(datos.color) !== de(color) || de(gana.despues) !== de(color))
   mal.push(`es (${color}), se dice (${datos.color}) y la historia acaba en (${gana.despues})`);
 if (lee() !== antes) mal.push('la imagen ha cambiado');
+sesion.redibuja();
+if (lee() !== antes) mal.push('la imagen, dibujada otra vez, ha cambiado');
 if (gl.getError()) mal.push('queda un error de OpenGL');
 if (!sesion.vivo) mal.push('el programa ha terminado');
 for (const [k, s] of historia.entries()) {
@@ -167,6 +169,10 @@ def de_cada_manera(p):
         f"['color', 'profundidad', 'plantilla'].every(que => {laminas}.includes(que))",
         "también la profundidad y la plantilla",
     )
+    p.abre("#luces_animadas/explica/480,360")
+    p.exige(f"/^El píxel/.test({VISTO})", "lo que se anima se explica")
+    antes = p.da("hecho.ordenes.join()")
+    p.exige(f"hecho.ordenes.join() !== '{antes}'", "y después sigue")
     p.abre("#grua/explica/9999,1")
     p.exige("/no está en la ventana/.test(una('.aviso').textContent)", "de un píxel que no hay se dice")
 

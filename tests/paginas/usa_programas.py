@@ -60,11 +60,13 @@ def guion_de(caso):
 def raton_y_dedos(p):
     arrastre = (60, 90), (100, 80), (160, 60)
     rueda = "hecho.ordenes.some(o => o.startsWith('rueda'))"
-    p.abre("#grua")
-    p.arrastra(arrastre)
-    p.rueda(160, 60, -100)
-    p.exige(rueda, "la rueda llega")
-    p.es("grua-orbitada", "el ratón y la rueda")
+    for densidad in (2, 1):
+        p.n.talla(1280, 800, densidad)
+        p.abre("#grua", f"width: {240 / densidad}px; height: {180 / densidad}px")
+        p.arrastra([(x / densidad, y / densidad) for x, y in arrastre])
+        p.rueda(160 // densidad, 60 // densidad, -100)
+        p.exige(rueda, "la rueda llega")
+        p.es("grua-orbitada", f"el ratón y la rueda, con {densidad} píxeles de la pantalla en cada uno")
     p.abre("#grua")
     p.arrastra(arrastre, dedo=True)
     p.pinza(40, 47)
@@ -185,6 +187,7 @@ def fin(p):
 def adversidades(p):
     mientras_carga(p)
     empezar_muchas_veces(p)
+    tarjeta(p)
     imagen_que_tarda(p)
     enlaces_hostiles(p)
     descarga_que_falla(p)
@@ -228,15 +231,10 @@ def mientras_carga(p):
 def empezar_muchas_veces(p):
     p.js(
         """window.viejo = escena.gestos;
-        window.lienzos = [];
-        for (let i = 0; i < 9; ++i) {
-          lienzos.push(una('canvas'));
-          una('.otra-vez').click();
-        }"""
+        for (let i = 0; i < 9; ++i) una('.otra-vez').click();"""
     )
     uno = "sesion?.lienzo.isConnected && sesion.vivo && todos('canvas').length === 1"
     p.exige(uno, "empezar nueve veces seguidas es empezar una")
-    p.exige("lienzos.every(c => c.getContext('webgl2').isContextLost())", "y los demás sueltan la tarjeta")
     p.js(
         """viejo.gira({ id: 1, x: 1, y: 1 }, 99, 0);
         todos('.mando button')[0].dispatchEvent(new Event('pointerdown'))"""
@@ -248,6 +246,28 @@ def empezar_muchas_veces(p):
     p.exige("visto.programa.nombre === 'camara' && sesion?.vivo", "se va a otro programa con esa tecla pulsada")
     time.sleep(0.2)
     p.ve("!hecho.ordenes.length", "y ya no le llega")
+
+
+# Los lienzos que piden la tarjeta.
+USAN = """window.usan = new Set();
+const da = HTMLCanvasElement.prototype.getContext;
+HTMLCanvasElement.prototype.getContext = function (que, ...mas) {
+  if (que === 'webgl2') usan.add(this);
+  return da.call(this, que, ...mas);
+};
+"""
+
+
+def tarjeta(p):
+    """Quien ya no está en la página la suelta: un navegador da pocas."""
+    for enlace in ("#grua", "#ejercicio/L5.1"):
+        p.abre(enlace)
+        p.js(USAN)
+        for _ in range(4):
+            p.js("una('.otra-vez').click()")
+            p.exige("sesion?.vivo", f"{enlace} empieza otra vez")
+        sueltan = "[...usan].every(c => c.isConnected || c.getContext('webgl2').isContextLost())"
+        p.exige(f"usan.size > 3 && {sueltan}", f"{enlace}: los que ya no están sueltan la tarjeta")
 
 
 def imagen_que_tarda(p):
