@@ -314,7 +314,7 @@ private:
         if (que == "repinta" && !conTalla)
             return llama(que), true;
         if (que == "temporizador")
-            return llama(que, {conVentana ? 40 * n(4) : n(50), conVentana ? 10 * n(9) : n(100)}), true;
+            return llama(que, {conVentana ? 40 * n(4) : n(n(2) ? 2 : 50), conVentana ? 10 * n(9) : n(100)}), true;
         if (que == "talla" && !unaVez && !yaEnLaTanda.count("completa"))
             return llama(que, {260 + n(100), 200 + n(100)}), true;
         if (que == "completa" && !conVentana && !yaEnLaTanda.count("completa") && !yaEnLaTanda.count("talla"))
