@@ -92,7 +92,7 @@ private:
                      ultima = false;
     std::map<std::string, int> funcion; // su versión; 0: ninguna
     std::map<int, Menu> menus;
-    int actual = 0, creados = 0, deBoton[3] = {}, rotulos = 10000000;
+    int actual = 0, creados = 0, deBoton[3] = {}, rotulos = 10000000, titulo = 0;
     bool abierto = false, enMenu = false;
     std::pair<int, int> talla = {ANCHO, ALTO}, pedida, previa, puntero = {-1, -1};
     std::set<int> pulsados;
@@ -153,7 +153,7 @@ private:
         else if (nombre == "completa")
             conmutaCompleta = true;
         else if (nombre == "titulo")
-            titulos += std::to_string(a[0]) + "\n", diario += "título: " + std::to_string(a[0]) + "\n";
+            ponTitulo(a[0]);
         else
             termina = true;
         apunta(une("- " + nombre, a));
@@ -211,6 +211,13 @@ private:
             repinta |= ocio == 2;
             trabaja();
         }
+    }
+
+    // El diario dice los que cambian.
+    void ponTitulo(int cual) {
+        titulos += std::to_string(cual) + "\n";
+        if (std::exchange(titulo, cual) != cual)
+            diario += "título: " + std::to_string(cual) + "\n";
     }
 
     void llega(const std::string &que, int quien, int valor) {
@@ -305,7 +312,7 @@ private:
         if (que == "crea")
             return llama(que, {n(2) + 1}), true;
         if (que == "titulo" && !unaVez)
-            return llama(que, {++rotulos}), true;
+            return llama(que, {conVentana || !titulo || n(2) ? ++rotulos : titulo}), true;
         // FreeGLUT pide a X la talla, y mientras llega sigue; si crece tras elegir, el botón se suelta sobre ella
         const bool conTalla = conVentana && yaEnLaTanda.count("talla");
         if (que == "talla" && conVentana &&
@@ -314,7 +321,8 @@ private:
         if (que == "repinta" && !conTalla)
             return llama(que), true;
         if (que == "temporizador")
-            return llama(que, {conVentana ? 40 * n(4) : n(n(2) ? 2 : 50), conVentana ? 10 * n(9) : n(100)}), true;
+            return llama(que, {conVentana ? 40 * n(4) : n(n(2) ? 2 : 50), conVentana ? 10 * n(9) : n(100)}),
+                   true;
         if (que == "talla" && !unaVez && !yaEnLaTanda.count("completa"))
             return llama(que, {260 + n(100), 200 + n(100)}), true;
         if (que == "completa" && !conVentana && !yaEnLaTanda.count("completa") && !yaEnLaTanda.count("talla"))
