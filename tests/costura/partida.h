@@ -428,6 +428,9 @@ private:
         mueve(sitio());
         if (n(2))
             tecla();
+        // hasta que se da un menú al botón que está pulsado
+        for (int veces = conVentana || uno > 2 ? 0 : n(9); veces > 0 && !termina && !deBoton[uno]; --veces)
+            especial();
         if (!termina)
             pulsa(uno, false, sitio());
     }
