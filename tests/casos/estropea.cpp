@@ -70,8 +70,9 @@ void matriz(GLint sitio, GLsizei n, GLboolean traspone, const GLfloat *valor) {
             otra[std::size_t(4 * c + 2)] -= 3 * otra[std::size_t(4 * c + 3)];
     if (es("proyeccion_nan") && proyeccion)
         otra[0] = otra[5] = std::strtof("nan", nullptr);
-    if (es("determinante_cero") && modelos.count(sitio)) // un factor de escala, 0
-        otra[4] = otra[5] = otra[6] = 0;
+    if (es("determinante_cero") && modelos.count(sitio)) // un eje es la suma de los otros dos
+        for (int i = 0; i < 3; ++i)
+            otra[std::size_t(4 + i)] = otra[std::size_t(i)] + otra[std::size_t(8 + i)];
     static GLfloat lejania = 0; // de la cámara al origen
     if (camara)
         lejania = -valor[14];

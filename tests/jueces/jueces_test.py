@@ -401,6 +401,7 @@ def test_lo_que_dicen_los_documentos(tmp_path, monkeypatch):
             if f.name not in aparte:
                 (tmp_path / f.relative_to(RAIZ)).symlink_to(f)
     limpio, quejas, mal, lineas = documentos.Documentos(RAIZ, BUILD), [], [], set()
+    limpio.medido |= documentos.listas(RAIZ)  # mientras se planta, docs/ es de los defectos de antes
 
     def apunta(d, que):
         d.fallos += 1
