@@ -129,10 +129,41 @@ def cambia(fuente, mutantes):
     return entre(0, len(fuente), sorted(sitios, key=lambda lugar: (lugar[0], -lugar[1])))
 
 
+# Los operadores de C++ de dos operandos, de lo que más une a lo que menos.
+UNEN = "* / %", "+ -", "<< >>", "< <= > >=", "== !=", "&", "^", "|", "&&", "||", "= += -= *= /= ?", ","
+UNE = {operador: n for n, operadores in enumerate(UNEN) for operador in operadores.split()}
+OPERADOR = re.compile(
+    r"(?<=[\w\])\"'}]) ?(<<|>>|[<>=!]=|&&|\|\||[-+*/]=|[-*/%+&^|?,=]|(?<= )[<>](?= ))(?!>)\s*(?=[^\s)=])"
+)
+
+
+def sin_lo_de_dentro(texto):
+    """Sin lo que va entre paréntesis, corchetes, llaves o comillas, ni el signo de un exponente."""
+    antes, texto = None, re.sub(r"(\d\.?)e[-+](\d)", r"\1\2", texto)
+    while antes != (antes := texto):
+        texto = re.sub(r"\([^()\[\]{}]*\)|\[[^()\[\]{}]*\]|\{[^()\[\]{}]*\}|\"(?:\\.|[^\"\\])*\"", "a", texto)
+    return texto
+
+
+def parte_una_expresion(antes, texto, despues):
+    """Si ese trozo de C++, entre paréntesis, deja de ser lo que era: el + de a + b en «a + b» * c."""
+    suyos = [UNE[m[1]] for m in OPERADOR.finditer(sin_lo_de_dentro(texto) + " a")]
+    if not suyos:
+        return False
+    izquierda = re.search(r"[\w\])\"'] ?([-*/%+&|<>=!?]+)\s*$", antes)
+    derecha = OPERADOR.match("a" + re.match(r"\s*\S*\s*\S?", despues)[0] + "a", 1)
+    une_antes = UNE.get(izquierda[1], 99) if izquierda else 99
+    une_despues = UNE.get(derecha[1], 99) if derecha else 99
+    resta = izquierda and izquierda[1] in ("-", "/", "%")
+    return max(suyos) > min(une_antes, une_despues) or resta and max(suyos) == une_antes
+
+
 def con_mutantes(fuente, desde, hasta, nuevo, mutantes):
     """Ese trozo de C++, que con los de dentro es NUEVO, con los suyos."""
     antes, texto = fuente[:desde], fuente[desde:hasta]
     if not texto.endswith((";", "}")):
+        if parte_una_expresion(antes, texto, fuente[hasta:]):
+            raise ValueError(f"entre paréntesis, la expresión sería otra: «{texto}»")
         nuevo = f"({nuevo})"
         for m in mutantes:
             nuevo = f"(mutante({m.numero}) ? ({m.estropeado}) : {nuevo})"

@@ -39,7 +39,7 @@ SOBRA = "build", "galeria", "informe", "web", "windows", "mios", ".git"  # de un
 # Lo que nota los de cada lista que no se compilan, de lo que menos tarda a lo que más; de las demás, por dónde están.
 EN_COPIA = {
     "jueces": ("tests/jueces/propiedades_mal_test.py", "tests/jueces/jueces_test.py"),
-    "correccion": ("tests/herramientas/donde_test.py", "tests/herramientas/corrige_test.py"),
+    "correccion": tuple(f"tests/herramientas/{f}_test.py" for f in ("donde", "propios", "aula", "corrige")),
     "paginas": ("tests/paginas/partes.mjs",),
     "explica": ("tests/ordenes/sin_pruebas_test.py",),
 }
@@ -320,7 +320,7 @@ class Vivero:
             *(pruebas if capitulos else ["tests/all"]),
             "compara",
             "explica",
-            *(["finitos"] if self.sin_ventana == "osmesa" else ()),  # con ello van las propiedades
+            *(["finitos", "rarezas"] if self.sin_ventana == "osmesa" else ()),  # lo que usan las propiedades
             *(de_los_jueces if "jueces" in capitulos else ()),
             *(f"{p.nombre}_{self.sin_ventana}" for p in self.programas),
         )
@@ -382,6 +382,8 @@ class Vivero:
         """Las que no son de GoogleTest y juzgan a lo que se compila."""
         defectos = [sys.executable, "-B", self.copia / "tests/comparador/defectos.py", self.copia, self.build]
         yield Prueba("comparador.defectos", defectos, entorno, False)
+        pies = [sys.executable, "-B", self.copia / "tests/casos/pies_mal.py", self.build]
+        yield Prueba("pies", pies, entorno, False)
         jueces = [PYTEST, "-xq", "-p", "no:cacheprovider", self.copia / "tests/jueces/jueces_test.py"]
         jueces += ["-k", "borde or queda or numero or casos or pagina"]
         yield Prueba("jueces", jueces, {**entorno, "LAB_BUILD": str(self.build)}, False)

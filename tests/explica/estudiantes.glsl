@@ -259,3 +259,8 @@ void main() { { { { ; } } } ; ; if (uv.x > 9.0) ; else ; for (;false;) ; while (
 in vec2 uv; out vec4 o;
 float potencia(float b, int n) { float r = 1.0; for (; n > 0; n >>= 1, b *= b) if ((n & 1) != 0) r *= b; return r; }
 void main() { float x = potencia(uv.x, 5), y = potencia(potencia(uv.y, 2), 3); x = y > x ? (x += 1.0, x) : (y -= 1.0, -y); o = vec4(x, y, uv); }
+====
+#version 140
+in vec2 uv; out vec4 o; uniform sampler2D img;
+const int LADO = 1;
+void main() { vec4 s = vec4(0.0); if (uv.x > LADO * 0.5) s = textureOffset(img, uv, ivec2(LADO > 0 && LADO < 3 ? 1 : -1, 0)); o = s + textureLodOffset(img, uv, 0.0, ivec2(LADO == 1 ? 2 : 0)); }

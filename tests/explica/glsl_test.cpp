@@ -179,6 +179,17 @@ std::map<std::string, std::string> rechazados(const std::map<std::string, std::s
     return mal;
 }
 
+// Las salidas que apunta son todas las que hay: ni la del shader es una más.
+TEST(ExplicaGlsl, ConTodasLasSalidas) {
+    traza::abre(1);
+    GLint hay = 0;
+    glGetIntegerv(GL_MAX_DRAW_BUFFERS, &hay);
+    std::string error;
+    const GLuint programa = traza::enlaza(VERT, reescribe(conMain("", "o = vec4(1.0);"), hay).fuente, error);
+    EXPECT_NE(programa, 0u) << error;
+    glDeleteProgram(programa);
+}
+
 // Y es GLSL como lo entiende otro compilador, también traducido a ES 3.00 si así vale el original.
 TEST(ExplicaGlsl, EsValidoParaOtroCompilador) {
     std::map<std::string, std::string> suyos, reescritos, traducidos;

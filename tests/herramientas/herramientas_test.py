@@ -755,6 +755,26 @@ def test_un_defecto_plantado():
             defectos.cambia(f"{antes}a();", [mutante("a();", ";")])
 
 
+def test_un_defecto_en_una_expresion_entera():
+    """Lo que se planta va entre paréntesis: con ellos lo demás tiene que ser lo mismo."""
+    parten = "«a + b» * c;", "d * «a + b»;", "d - «a + b»;", "«a ? b : c» && d;", "c && «a || b»;"
+    enteras = (
+        "«a + b» + c;",
+        "f(«a + b») * c;",
+        "d + «a * b»;",
+        "«-1» * a;",
+        "«1e-6» * a;",
+        "c && «a == b»;",
+        "x = «a + b»;",
+    )
+    for fuente, mal in [(f, True) for f in parten] + [(f, False) for f in enteras]:
+        antes, trozo, despues = re.split("[«»]", fuente)
+        assert bool(defectos.parte_una_expresion(antes, trozo, despues)) is mal, fuente
+        if mal:
+            with pytest.raises(ValueError, match="sería otra"):
+                defectos.cambia(antes + trozo + despues, [mutante(fuente, "z")])
+
+
 def test_cada_defecto_con_su_numero():
     plantados = muta.lee_listas(RAIZ)[0]
     assert len(plantados) > 1000 and len({m.numero for m in plantados}) == len(plantados)

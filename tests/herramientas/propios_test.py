@@ -167,7 +167,7 @@ JUGADOS = (  # los ficheros que cambian, y de cada pregunta que lo nota, y solo 
         {"guiones": "GL_INVALID_ENUM"},
     ),
     (
-        {"errores_tsv": "molinete.cpp\tpolar(«0.6f, angulo» + paso\t1\ta medias\t\tx\n"},
+        {"errores_tsv": "molinete.cpp\tpolar(«0.6f», angulo + paso\tnoesta\ta medias\t\tx\n"},
         {"errores conocidos": "errores:1, a medias: no compila: molinete.cpp:"},
     ),
     (
@@ -178,6 +178,10 @@ JUGADOS = (  # los ficheros que cambian, y de cada pregunta que lo nota, y solo 
 NO_EMPIEZAN = (  # y los que no dejan ni empezar
     ({"molinete_cpp": "esto no es C++\n"}, "no compila"),
     ({"errores_tsv": "molinete.cpp\tno está\tx\ty\t\tz\n"}, "«no está» está 0 veces en molinete.cpp"),
+    (
+        {"errores_tsv": "molinete.cpp\tpolar(«0.6f, angulo» + paso\t1\ta medias\t\tx\n"},
+        "entre paréntesis, la expresión sería otra: «0.6f, angulo»",
+    ),
     ({"errores_tsv": "otro.cpp\ta\tx\ty\t\tz\n"}, "no hay ningún «otro.cpp»"),
     ({"errores_tsv": "molinete.cpp a b\n"}, "errores:1: son fichero, texto"),
     ({"casos_txt": "tecla g\n"}, "casos.txt:1: es «nombre: guion»"),

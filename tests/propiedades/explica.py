@@ -13,6 +13,7 @@ no se cumple.
 """
 import argparse
 import json
+import operator
 import os
 import random
 import subprocess
@@ -33,12 +34,59 @@ SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósit
     "primer_programa": "no se dibuja nada",  # solo borra
     "tiras": "«diametroPunto»",  # solo hace falta cuando se dibujan los puntos
 }
+RAREZAS, PIXELES_RAROS = 20, 12
+COPIADO = "copiado de otro framebuffer"
+PASAN = "escrito", "profundidad", "mascara"  # los que llegan al test de profundidad
 PASOS = 4000  # los que apunta, como mucho, sombreado.cpp
 
 
 def pixeles(imagen):
     """Los de un PPM, fila a fila desde arriba."""
     return imagen.read_bytes()[-3 * ANCHO * ALTO :]
+
+
+COMPARA = {
+    "GL_NEVER": lambda a, b: False,
+    "GL_LESS": operator.lt,
+    "GL_EQUAL": operator.eq,
+    "GL_LEQUAL": operator.le,
+    "GL_GREATER": operator.gt,
+    "GL_NOTEQUAL": operator.ne,
+    "GL_GEQUAL": operator.ge,
+    "GL_ALWAYS": lambda a, b: True,
+}
+CASI = 2e-6  # de profundidad: lo que puede cambiar al dibujar otra vez el triángulo solo
+
+
+def fallos_de_tests(suceso):
+    """Lo que dice de la plantilla y de la profundidad es lo que sale de comparar lo que pide con lo que había."""
+    veredicto = suceso["veredicto"]
+    if "plantillaPide" in suceso and suceso["plantillaAntes"] is not None and veredicto not in ("cara", "recorte"):
+        funcion, referencia = suceso["plantillaPide"].split()
+        pasa = COMPARA[funcion](int(referencia), suceso["plantillaAntes"])
+        if veredicto != "descartado" and pasa == (veredicto == "plantilla"):
+            yield f"se pide {suceso['plantillaPide']} y había {suceso['plantillaAntes']}"
+    if (
+        {"profundidadPide", "profundidad"} <= suceso.keys()
+        and suceso["profundidadAntes"] is not None
+        and veredicto in PASAN
+    ):
+        suya, habia = suceso["profundidad"], suceso["profundidadAntes"]
+        pasa = COMPARA[suceso["profundidadPide"]](suya, habia)
+        if abs(suya - habia) > CASI and pasa == (veredicto == "profundidad"):
+            yield f"se pide {suceso['profundidadPide']}, {suya}, y había {habia}"
+
+
+def quien_gana(historia):
+    """La orden y la primitiva de que viene el color de la ventana: si lo último es una copia, de antes, en el otro."""
+    lienzo = 0
+    for suceso in reversed(historia):
+        if suceso["framebuffer"] != lienzo or suceso["veredicto"] != "escrito":
+            continue
+        if "primitiva" in suceso or suceso["dice"] != COPIADO:
+            return suceso["orden"], suceso.get("primitiva")
+        lienzo = 1 - lienzo
+    return None, None
 
 
 def fallos_de_historia(historia):
@@ -50,14 +98,24 @@ def fallos_de_historia(historia):
             yield f"{quien}, encuentra {antes} y quedaba {queda[suceso['framebuffer']]}"
         if suceso["veredicto"] != "escrito" and antes != despues:
             yield f"{quien}, cambia {antes} por {despues}"
-        if not suceso.get("mezcla", {}).get("cuadra", True):
-            yield f"{quien}, deja {despues} y la mezcla es {suceso['mezcla']}"
+        if suceso["dice"] == COPIADO and len(lienzos := {s["framebuffer"] for s in historia}) == 2:
+            [origen] = lienzos - {suceso["framebuffer"]}
+            if despues != queda.get(origen, despues):
+                yield f"{quien}, copia {despues} y allí hay {queda[origen]}"
+        yield from (f"{quien}: {fallo}" for fallo in fallos_de_tests(suceso))
+        mezcla = suceso.get("mezcla", {})
+        if not mezcla.get("cuadra", True):
+            yield f"{quien}, deja {despues} y la mezcla es {mezcla}"
         queda[suceso["framebuffer"]] = despues
 
 
 def fallos_de_sombreado(explicado):
     """Del fragmento que gana, línea a línea."""
     sombreado = explicado.get("sombreado")
+    orden, primitiva = quien_gana(explicado["historia"])
+    gana = (sombreado["orden"], sombreado["primitiva"]) if sombreado else (orden, None)
+    if gana != (orden, primitiva) and len({s["framebuffer"] for s in explicado["historia"]}) <= 2:
+        yield f"se explica {gana} y gana {orden, primitiva}"
     if not sombreado:
         return
     suyo = ("orden", "primitiva")
@@ -91,50 +149,58 @@ def fallos_de_pixel(explicado, imagen):
     yield from fallos_de_sombreado(explicado)
 
 
-def dibuja(ejecutable, caso, carpeta, **entorno):
+def dibuja(orden, carpeta, **entorno):
     """Su imagen, que debe salir sin nada que decir."""
-    orden = [
-        ejecutable,
-        "-geometry",
-        f"{ANCHO}x{ALTO}",
-        "-ppm",
-        "imagen.ppm",
-        *(["-guion", caso.guion] * bool(caso.guion)),
-    ]
+    orden = [*orden, "-geometry", f"{ANCHO}x{ALTO}", "-ppm", "imagen.ppm"]
     r = subprocess.run(orden, env={**os.environ, **entorno}, cwd=carpeta, capture_output=True, text=True)
-    assert r.returncode == 0 and not r.stderr, f"{caso.fichero} acaba con {r.returncode}: {r.stderr}"
+    assert r.returncode == 0 and not r.stderr, f"acaba con {r.returncode}: {r.stderr}"
     return pixeles(carpeta / "imagen.ppm")
 
 
-def fallos_de_caso(build, enlace, caso, puntos):
-    capitulo, golden = caso.programa.capitulo.nombre, RAIZ / "tests/golden"
-    ejecutable = build / enlace / capitulo / caso.programa.nombre
+def fallos_de(build, orden, puntos, golden=None, sabido=""):
+    """Los de lo que dibuja esa orden, en esos píxeles. `sabido`: lo que se puede sospechar; None, cualquier cosa."""
     with tempfile.TemporaryDirectory() as carpeta:
         carpeta = Path(carpeta)
         delante = build / "herramientas/explica/libexplica.so"
         pide = " ".join(f"{x},{y}" for x, y in puntos)
         try:
-            de_siempre = enlace == "osmesa" and not caso.tolerancia
-            sin = (
-                pixeles(golden / capitulo / f"{caso.fichero}.ppm") if de_siempre else dibuja(ejecutable, caso, carpeta)
-            )
-            imagen = dibuja(
-                ejecutable, caso, carpeta, LD_PRELOAD=str(delante), LAB_EXPLICA="e.json", LAB_EXPLICA_PIXELES=pide
-            )
+            sin = pixeles(golden) if golden else dibuja(orden, carpeta)
+            imagen = dibuja(orden, carpeta, LD_PRELOAD=str(delante), LAB_EXPLICA="e.json", LAB_EXPLICA_PIXELES=pide)
         except AssertionError as fallo:
             return [str(fallo)]
         if not (carpeta / "e.json").exists():
-            return [f"{enlace}, {caso.fichero}: no se explica"]
+            return ["no se explica"]
         cuadro = json.loads((carpeta / "e.json").read_text())
     explicados = cuadro["pixeles"]
     fallos = [] if imagen == sin else ["la imagen no es la misma explicada"]
-    sabido = SIN_SOSPECHAS.get(caso.programa.nombre)
-    dichas = [s["dice"] for s in cuadro["sospechas"] if not sabido or sabido not in s["dice"]]
+    dichas = [s["dice"] for s in cuadro["sospechas"] if sabido is not None and not (sabido and sabido in s["dice"])]
     fallos += [f"se sospecha: {dice}" for dice in dichas]
     if [tuple(e["pixel"]) for e in explicados] != puntos:
         fallos.append("no están los píxeles que se piden")
-    fallos += [f"{e['pixel']}: {fallo}" for e in explicados for fallo in fallos_de_pixel(e, imagen)]
+    return fallos + [f"{e['pixel']}: {fallo}" for e in explicados for fallo in fallos_de_pixel(e, imagen)]
+
+
+def fallos_de_caso(build, enlace, caso, cuantos):
+    programa = caso.programa
+    orden = [build / enlace / programa.capitulo.nombre / programa.nombre, *["-guion", caso.guion] * bool(caso.guion)]
+    golden = RAIZ / f"tests/golden/{programa.capitulo.nombre}/{caso.fichero}.ppm"
+    de_siempre = enlace == "osmesa" and not caso.tolerancia
+    sabido = SIN_SOSPECHAS.get(programa.nombre, "")
+    fallos = fallos_de(build, orden, al_azar(caso.fichero, cuantos), golden if de_siempre else None, sabido)
     return [f"{enlace}, {caso.fichero}: {fallo}" for fallo in fallos]
+
+
+def fallos_de_rareza(build, semilla):
+    puntos = al_azar(f"rareza {semilla}", PIXELES_RAROS)
+    return [
+        f"rarezas {semilla}: {fallo}"
+        for fallo in fallos_de(build, [build / "tests/rarezas", str(semilla)], puntos, sabido=None)
+    ]
+
+
+def al_azar(de, cuantos):
+    azar = random.Random(de)
+    return [(azar.randrange(ANCHO), azar.randrange(ALTO)) for _ in range(cuantos)]
 
 
 def main():
@@ -144,6 +210,7 @@ def main():
     lee.add_argument("programas", nargs="*")
     lee.add_argument("--pixeles", type=int, default=3)
     lee.add_argument("--casos", action="store_true")
+    lee.add_argument("--rarezas", type=int, default=RAREZAS)
     lee.add_argument("--enlace", default="")
     pedido = lee.parse_args()
     build, nombres = pedido.build.absolute(), pedido.programas
@@ -159,16 +226,14 @@ def main():
         for caso in (p.casos if pedido.casos else p.casos[:1])
     ]
 
-    def hace(trabajo):
-        enlace, caso = trabajo
-        azar = random.Random(caso.fichero)
-        puntos = [(azar.randrange(ANCHO), azar.randrange(ALTO)) for _ in range(pedido.pixeles)]
-        return fallos_de_caso(build, enlace, caso, puntos)
-
+    raras = range(1, 1 + pedido.rarezas)
     with ThreadPoolExecutor(os.cpu_count()) as hilos:
-        fallos = [fallo for suyos in hilos.map(hace, trabajos) for fallo in suyos]
+        de_casos = hilos.map(lambda t: fallos_de_caso(build, *t, pedido.pixeles), trabajos)
+        de_raras = hilos.map(lambda semilla: fallos_de_rareza(build, semilla), raras)
+        fallos = [fallo for suyos in (*de_casos, *de_raras) for fallo in suyos]
     print("\n".join(fallos))
-    print(f"{len(trabajos)} cuadros, {len(trabajos) * pedido.pixeles} píxeles, {len(fallos)} fallos")
+    cuantos = len(trabajos) * pedido.pixeles + len(raras) * PIXELES_RAROS
+    print(f"{len(trabajos) + len(raras)} cuadros, {cuantos} píxeles, {len(fallos)} fallos")
     return bool(fallos or not trabajos)
 
 

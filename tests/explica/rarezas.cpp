@@ -1,0 +1,156 @@
+// rarezas SEMILLA: lo que OpenGL deja hacer y ningún programa del laboratorio hace, al azar: cada primitiva, con cortes,
+// cada test y cada mezcla, con parte de los colores, en la ventana o en un framebuffer del que se copia con otra escala
+// y del revés. Lo que dice de ello ./lab explica lo mira propiedades/explica.py.
+#include "shader.h"
+#include "ventana.h"
+#include <cstdlib>
+#include <random>
+#include <tuple>
+#include <vector>
+
+static const GLuint CORTE = 0xffffffff;
+static const int ORDENES = 14, LADO = 60; // el framebuffer es cuadrado
+static const GLenum MODOS[] = {GL_POINTS,    GL_LINES,          GL_LINE_STRIP,   GL_LINE_LOOP,
+                               GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_TRIANGLE_STRIP};
+static const GLenum FACTORES[] = {GL_ZERO,           GL_ONE,
+                                  GL_SRC_COLOR,      GL_ONE_MINUS_SRC_COLOR,
+                                  GL_DST_COLOR,      GL_ONE_MINUS_DST_COLOR,
+                                  GL_SRC_ALPHA,      GL_ONE_MINUS_SRC_ALPHA,
+                                  GL_CONSTANT_COLOR, GL_ONE_MINUS_CONSTANT_COLOR};
+static const GLenum ECUACIONES[] = {GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN, GL_MAX};
+static const GLenum COMPARA[] = {GL_NEVER,   GL_LESS,     GL_EQUAL,  GL_LEQUAL,
+                                 GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS};
+static const GLenum PLANTILLA[] = {GL_KEEP, GL_ZERO, GL_REPLACE, GL_INCR, GL_DECR_WRAP, GL_INVERT};
+
+static std::mt19937 azar;
+static unsigned semilla;
+static GLuint programa, aparte, array, vertices, indices;
+
+static int n(int cuantos) {
+    return int(azar() % unsigned(cuantos));
+}
+
+template<std::size_t N>
+static GLenum una(const GLenum (&de)[N]) {
+    return de[n(int(N))];
+}
+
+static float entre(float a, float b) {
+    return a + (b - a) * float(n(10001)) / 10000;
+}
+
+static void enciende(GLenum que, bool si) {
+    si ? glEnable(que) : glDisable(que);
+}
+
+static void estadoAlAzar() {
+    glColorMask(n(4) > 0, n(4) > 0, n(4) > 0, GL_TRUE);
+    enciende(GL_BLEND, n(2));
+    glBlendFunc(una(FACTORES), una(FACTORES));
+    glBlendEquation(una(ECUACIONES));
+    glBlendColor(entre(0, 1), entre(0, 1), entre(0, 1), 1);
+    enciende(GL_DEPTH_TEST, n(2));
+    glDepthFunc(una(COMPARA));
+    glDepthMask(n(3) > 0);
+    enciende(GL_STENCIL_TEST, n(4) == 0);
+    glStencilFunc(una(COMPARA), n(4), 0xff);
+    glStencilOp(una(PLANTILLA), una(PLANTILLA), una(PLANTILLA));
+    enciende(GL_CULL_FACE, n(3) == 0);
+    glCullFace(n(2) ? GL_FRONT : GL_BACK);
+    glFrontFace(n(2) ? GL_CW : GL_CCW);
+    enciende(GL_PRIMITIVE_RESTART, n(3) > 0);
+    enciende(GL_SCISSOR_TEST, n(5) == 0);
+    glScissor(n(30), n(30), 20 + n(60), 20 + n(60));
+}
+
+static void pintaAlAzar() {
+    std::vector<float> datos;
+    for (int i = 0; i < 12; ++i)
+        for (const float limite : {1.2f, 1.2f, 1.0f, 0.0f, 0.0f, 0.0f})
+            datos.push_back(limite != 0 ? entre(-limite, limite) : entre(0, 1));
+    std::vector<GLuint> cuales;
+    for (int i = 0; i < 14; ++i)
+        cuales.push_back(glIsEnabled(GL_PRIMITIVE_RESTART) && n(5) == 0 ? CORTE : GLuint(n(12)));
+    glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(datos.size() * sizeof(float)), datos.data(), GL_STREAM_DRAW);
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(cuales.size() * sizeof(GLuint)), cuales.data(),
+                 GL_STREAM_DRAW);
+    glUniform1f(glGetUniformLocation(programa, "opacidad"), entre(0, 1));
+    glDrawElements(una(MODOS), GLsizei(cuales.size()), GL_UNSIGNED_INT, nullptr);
+}
+
+// Con otra talla y, a veces, del revés. Sin que el centro de un píxel caiga entre dos: sería de cualquiera.
+static void copiaAlAzar() {
+    const int ancho = glutGet(GLUT_WINDOW_WIDTH), alto = glutGet(GLUT_WINDOW_HEIGHT), x = n(ancho / 2),
+              y = n(alto / 2);
+    const int x1 = x + 4 * (2 + n(ancho / 8)), y1 = y + 4 * (2 + n(alto / 8));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, aparte);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    glDisable(GL_SCISSOR_TEST);
+    n(3) ? glBlitFramebuffer(0, 0, LADO, LADO, x, y, x1, y1, GL_COLOR_BUFFER_BIT, GL_NEAREST)
+         : glBlitFramebuffer(5, 0, LADO, LADO - 9, x1, y, x, y1, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+static void dibuja() {
+    azar.seed(semilla);
+    glUseProgram(programa);
+    for (const GLuint lienzo : {aparte, 0u}) {
+        glBindFramebuffer(GL_FRAMEBUFFER, lienzo);
+        glDisable(GL_SCISSOR_TEST);
+        glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+        glDepthMask(GL_TRUE);
+        glClearColor(entre(0, 1), entre(0, 1), entre(0, 1), 1);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    }
+    for (int i = 0; i < ORDENES; ++i) {
+        if (i == ORDENES / 2) {
+            copiaAlAzar();
+            continue;
+        }
+        const bool enVentana = n(2);
+        glBindFramebuffer(GL_FRAMEBUFFER, enVentana ? 0 : aparte);
+        glViewport(0, 0, enVentana ? glutGet(GLUT_WINDOW_WIDTH) : LADO,
+                   enVentana ? glutGet(GLUT_WINDOW_HEIGHT) : LADO);
+        estadoAlAzar();
+        pintaAlAzar();
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glutSwapBuffers();
+}
+
+static void creaAparte() {
+    GLuint partes[2];
+    glGenFramebuffers(1, &aparte);
+    glGenRenderbuffers(2, partes);
+    glBindFramebuffer(GL_FRAMEBUFFER, aparte);
+    for (const auto &[parte, formato, donde] :
+         {std::tuple(partes[0], GL_RGBA8, GL_COLOR_ATTACHMENT0),
+          std::tuple(partes[1], GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL_ATTACHMENT)}) {
+        glBindRenderbuffer(GL_RENDERBUFFER, parte);
+        glRenderbufferStorage(GL_RENDERBUFFER, GLenum(formato), LADO, LADO);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GLenum(donde), GL_RENDERBUFFER, parte);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+int main(int argc, char **argv) {
+    abreVentana(argc, argv, "Rarezas", GLUT_DOUBLE | GLUT_DEPTH | GLUT_STENCIL, "[SEMILLA]");
+    semilla = unsigned(std::atoi(argc > 1 ? argv[1] : "1"));
+    programa = creaPrograma("tests/explica/rarezas.vert", "tests/explica/rarezas.frag");
+    creaAparte();
+    glGenVertexArrays(1, &array);
+    glBindVertexArray(array);
+    glGenBuffers(1, &vertices);
+    glGenBuffers(1, &indices);
+    glBindBuffer(GL_ARRAY_BUFFER, vertices);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+    for (const GLuint atributo : {ATRIBUTO_POSICION, ATRIBUTO_COLOR}) {
+        glEnableVertexAttribArray(atributo);
+        glVertexAttribPointer(atributo, 3, GL_FLOAT, GL_FALSE, 24,
+                              reinterpret_cast<void *>(atributo == ATRIBUTO_COLOR ? 12L : 0L));
+    }
+    glPrimitiveRestartIndex(CORTE);
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    glutDisplayFunc(dibuja);
+    glutMainLoop();
+    return 0;
+}
