@@ -204,7 +204,8 @@ Json mezcla(const Fragmento &f, const Color &antes, const Color &despues, const 
                                           factorOrigen[c], destino[c], factorDestino[c])
                                 : origen[c];
         suma[c] = !escribe[c] ? antes[c] : 255 * (acotado ? std::clamp(v, 0.0, 1.0) : v);
-        cuadra = cuadra && (alfa || std::fabs(suma[c] - despues[c]) <= 1.0 || std::isnan(suma[c]));
+        // los dos productos y lo que dan se redondean a un nivel
+        cuadra = cuadra && (alfa || std::fabs(suma[c] - despues[c]) <= 1.5 || std::isnan(suma[c]));
     }
     Json json;
     json.pon("si", mezcla).pon("ecuacion", nombreDe(GLenum(entero(GL_BLEND_EQUATION_RGB))));

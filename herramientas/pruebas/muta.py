@@ -39,7 +39,7 @@ SOBRA = "build", "galeria", "informe", "web", "windows", "mios", ".git"  # de un
 # Lo que nota los de cada lista que no se compilan, de lo que menos tarda a lo que más; de las demás, por dónde están.
 EN_COPIA = {
     "jueces": ("tests/jueces/propiedades_mal_test.py", "tests/jueces/jueces_test.py"),
-    "correccion": tuple(f"tests/herramientas/{f}_test.py" for f in ("donde", "propios", "aula", "corrige")),
+    "correccion": tuple(f"tests/herramientas/{f}_test.py" for f in ("donde", "aula", "corrige", "propios")),
     "paginas": ("tests/paginas/partes.mjs",),
     "explica": ("tests/ordenes/sin_pruebas_test.py",),
 }
@@ -234,7 +234,7 @@ def prueba_en_copia(raiz, build, temporal, pruebas, mutante=None, notan=()):
             fichero.write_text(estropea(fichero.read_text(), mutante))
             antes = sospechosas(mutante, pruebas, notan)
         for nombres in filter(None, [antes, *([nombre] for nombre in pruebas)]):
-            limite, entorno = 400, {}  # segundos, con la máquina ocupada
+            limite, entorno = 900, {}  # segundos, con la máquina ocupada
             if nombres[0] in EN_NAVEGADOR.values():
                 limite, entorno = 1800, {**procesos.entorno(build), "LAB_AL_PRIMERO": "1"}
             prueba = Prueba(nombres[0], orden_en_copia(raiz, build, copia, *nombres), entorno, False)

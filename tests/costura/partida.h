@@ -459,6 +459,8 @@ private:
         clic(cual);
         for (int veces = n(3); veces > 0 && abierto && !termina; --veces)
             n(2) ? tecla() : clic(n(3));
+        if (abierto && !termina && !conVentana && n(2))
+            return eligeOpcion();
         if (abierto && !termina) {
             da("rueda +1", {x - 20, 9});
             giraRueda(3, {x - 20, 9});
@@ -487,6 +489,7 @@ private:
         real += "boton IZQUIERDO abajo" + en(aqui) + ";boton IZQUIERDO arriba" + en(aqui) + ";";
         const int antes = std::exchange(actual, o.menu);
         enMenu = true;
+        abierto = false;
         llega("menu", o.funcion, o.valor);
         enMenu = false;
         actual = menus.count(antes) ? antes : 0;

@@ -3,10 +3,14 @@ caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre
 
 - el programa acaba bien, sin errores de OpenGL, y la imagen es la misma que sin explicarla;
 - el color que se da de cada píxel es el de la imagen, y el último que escribe en la ventana su historia, también;
-- cada mezcla, hecha otra vez con el color del shader, da lo que queda, a un nivel;
+- cada mezcla, hecha otra vez con el color del shader, da lo que queda, a nivel y medio;
 - el shader, línea a línea, da ese mismo color, y lo que le llega es lo que sale de mezclar sus vértices (a 1e-5);
 - no se sospecha nada de ninguno;
-- entre dos sucesos de la historia de un framebuffer nadie más cambia el píxel, ni lo cambia el que no escribe.
+- entre dos sucesos de la historia de un framebuffer nadie más cambia el píxel, ni lo cambia el que no escribe;
+- lo que pasa o no un test sale de comparar lo que pide con lo que había, lo copiado es lo que había donde se dice, y
+  el que gana es el último.
+
+Y lo mismo, salvo las sospechas, en escenas al azar (explica/rarezas.cpp), que hacen lo que ningún programa.
 
 Sin decir el enlace, con el que se usa sin ventana y, si hay otro, uno de cada diez programas con él. Estado 1 si algo
 no se cumple.
