@@ -321,7 +321,7 @@ class Vivero:
             "compara",
             "explica",
             *(["finitos", "rarezas"] if self.sin_ventana == "osmesa" else ()),  # lo que usan las propiedades
-            *(de_los_jueces if "jueces" in capitulos else ()),
+            *(de_los_jueces if es_de("jueces", capitulos) else ()),
             *(f"{p.nombre}_{self.sin_ventana}" for p in self.programas),
         )
 

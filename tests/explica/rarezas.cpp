@@ -44,7 +44,8 @@ static void enciende(GLenum que, bool si) {
 }
 
 static void estadoAlAzar() {
-    glColorMask(n(4) > 0, n(4) > 0, n(4) > 0, GL_TRUE);
+    const bool alguno = n(5) > 0;
+    glColorMask(alguno && n(4), alguno && n(4), alguno && n(4), alguno);
     enciende(GL_BLEND, n(2));
     glBlendFunc(una(FACTORES), una(FACTORES));
     glBlendEquation(una(ECUACIONES));

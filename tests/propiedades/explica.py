@@ -8,7 +8,8 @@ caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre
 - no se sospecha nada de ninguno;
 - entre dos sucesos de la historia de un framebuffer nadie más cambia el píxel, ni lo cambia el que no escribe;
 - lo que pasa o no un test sale de comparar lo que pide con lo que había, lo copiado es lo que había donde se dice, y
-  el que gana es el último.
+  el que gana es el último;
+- quien escribe cambia los canales que deja glColorMask y, si no mezcla, por los de su color.
 
 Y lo mismo, salvo las sospechas, en escenas al azar (explica/rarezas.cpp), que hacen lo que ningún programa.
 
@@ -81,6 +82,19 @@ def fallos_de_tests(suceso):
             yield f"se pide {suceso['profundidadPide']}, {suya}, y había {habia}"
 
 
+def fallos_de_mascara(suceso, canales):
+    """Quien escribe cambia los canales que escribe su orden y ninguno más; si no mezcla, por los de su color."""
+    if suceso["veredicto"] == "mascara" and canales or suceso["veredicto"] == "escrito" and not canales:
+        yield f"escribe «{canales}»"
+    mezcla = suceso.get("mezcla", {}).get("si", True)
+    for canal, antes, despues, color in zip("rgb", suceso["antes"], suceso["despues"], suceso.get("color", [])):
+        if canal not in canales and antes != despues:
+            yield f"escribe «{canales}» y cambia {canal}"
+        lejos = min(abs(255 * c - despues) for c in (color, min(max(color, 0), 1))) > 1
+        if suceso["veredicto"] == "escrito" and canal in canales and not mezcla and lejos:
+            yield f"deja {despues} en {canal} y su color es {color}"
+
+
 def quien_gana(historia):
     """La orden y la primitiva de que viene el color de la ventana: si lo último es una copia, de antes, en el otro."""
     lienzo = 0
@@ -93,7 +107,7 @@ def quien_gana(historia):
     return None, None
 
 
-def fallos_de_historia(historia):
+def fallos_de_historia(historia, canales):
     queda = {}
     for suceso in historia:
         antes, despues = suceso["antes"], suceso["despues"]
@@ -107,6 +121,8 @@ def fallos_de_historia(historia):
             if despues != queda.get(origen, despues):
                 yield f"{quien}, copia {despues} y allí hay {queda[origen]}"
         yield from (f"{quien}: {fallo}" for fallo in fallos_de_tests(suceso))
+        if "primitiva" in suceso:
+            yield from (f"{quien}: {fallo}" for fallo in fallos_de_mascara(suceso, canales[suceso["orden"]]))
         mezcla = suceso.get("mezcla", {})
         if not mezcla.get("cuadra", True):
             yield f"{quien}, deja {despues} y la mezcla es {mezcla}"
@@ -141,7 +157,7 @@ def distancia(a, b):
     return max(abs(x - y) for x, y in zip(a, b))
 
 
-def fallos_de_pixel(explicado, imagen):
+def fallos_de_pixel(explicado, imagen, canales):
     x, y = explicado["pixel"]
     suyo = list(imagen[3 * (y * ANCHO + x) :][:3])
     escritos = [s["despues"] for s in explicado["historia"] if s["framebuffer"] == 0 and s["veredicto"] == "escrito"]
@@ -149,7 +165,7 @@ def fallos_de_pixel(explicado, imagen):
         yield f"se dice {explicado['color']} y es {suyo}"
     if escritos and escritos[-1][:3] != suyo:
         yield f"lo último escrito es {escritos[-1]} y queda {suyo}"
-    yield from fallos_de_historia(explicado["historia"])
+    yield from fallos_de_historia(explicado["historia"], canales)
     yield from fallos_de_sombreado(explicado)
 
 
@@ -181,7 +197,10 @@ def fallos_de(build, orden, puntos, golden=None, sabido=""):
     fallos += [f"se sospecha: {dice}" for dice in dichas]
     if [tuple(e["pixel"]) for e in explicados] != puntos:
         fallos.append("no están los píxeles que se piden")
-    return fallos + [f"{e['pixel']}: {fallo}" for e in explicados for fallo in fallos_de_pixel(e, imagen)]
+    canales = {
+        o["n"]: e["valor"].strip("-") for o in cuadro["ordenes"] for e in o["estado"] if e["nombre"] == "glColorMask"
+    }
+    return fallos + [f"{e['pixel']}: {fallo}" for e in explicados for fallo in fallos_de_pixel(e, imagen, canales)]
 
 
 def fallos_de_caso(build, enlace, caso, cuantos):
