@@ -34,7 +34,7 @@ NO_HAY = 4, 5  # con lo que acaba pytest si no están las pruebas que se piden
 META, META_SIN_IMAGEN, META_INDEPENDIENTE = 98, 95, 90  # por ciento: notados, con lo de encima y sin ello
 PYTEST = shutil.which("pytest-3") or "pytest"
 DISTINTO_ENCIMA = 4  # con que acaba casos.sh si es distinto lo que se pinta encima
-JUECES = "vocabulario", "cota", "oraculo", "mide", "comparador", "jueces"  # las pruebas de los que juzgan
+JUECES = "vocabulario", "cota", "oraculo", "mide", "comparador", "pies", "jueces"  # las pruebas de los que juzgan
 SOBRA = "build", "galeria", "informe", "web", "windows", "mios", ".git"  # de una copia del árbol
 # Lo que nota los de cada lista que no se compilan, de lo que menos tarda a lo que más; de las demás, por dónde están.
 EN_COPIA = {
