@@ -84,7 +84,9 @@ def comprueba_teclas(n):
 def comprueba_tallas_proyectadas(n):
     """Ninguna imagen se enseña mayor de lo que se dibujó: sus píxeles son los de la pantalla, o menos."""
     for ancho, alto, densidad in ((1920, 1080, 1), (2560, 1600, 1), (1440, 900, 2), (360, 740, 3)):
-        n.talla(ancho, alto, densidad)
+        n.devtools(
+            "Emulation.setDeviceMetricsOverride", width=ancho, height=alto, deviceScaleFactor=densidad, mobile=False
+        )
         mal = direcciones.promesa(
             n,
             """const mal = [];
