@@ -142,8 +142,10 @@ test('cada dirección es de su programa, y cada imagen, de su caso', () => {
       for (const escrito of [codigo, codigo.toLowerCase()]) assert.equal(programaDe(escrito, suyos), primero, codigo);
     }
     for (const caso of tiene) {
-      assert.equal(programaDe(caso.fichero, suyos), programa, caso.fichero);
-      assert.equal(casoDe(caso.fichero, programa), caso);
+      for (const escrito of [caso.fichero, caso.fichero.toUpperCase()]) {
+        assert.equal(programaDe(escrito, suyos), programa, escrito);
+        assert.equal(casoDe(escrito, programa), caso);
+      }
     }
     assert.equal(casoDe(nombre + '-nada', programa), undefined);
   }
