@@ -37,6 +37,11 @@ class Mutante:
         return f"{self.lista}:{self.linea}"
 
     @property
+    def lo_nota_otro(self):
+        """Si el motivo es que lo nota algo que no siempre se prueba: una ventana, un navegador."""
+        return self.motivo.startswith("lo nota ")
+
+    @property
     def en_shader(self):
         return self.fichero.endswith(SHADERS)
 

@@ -510,7 +510,7 @@ def juzga(elegidos, plantados):
     notados, independientes, sin_imagen = resume(plantados.cuentas())
     print("", *(cuenta(m) for m in elegidos if not m.notado), sep="\n")
     aviso(f"apuntado en {FICHERO}; ./lab lista --docs lo lleva a docs/exactitud.md")
-    mal = [m.nombre for m in elegidos if bool(m.notado) == bool(m.motivo)]
+    mal = [m.nombre for m in elegidos if (m.notado and not m.lo_nota_otro) == bool(m.motivo)]
     if mal:
         sys.exit(f"muta: sobreviven sin motivo, o se notan y tienen uno: {', '.join(mal)}")
     quedan = plantados.pendientes()
