@@ -320,7 +320,8 @@ class Vivero:
             *(pruebas if capitulos else ["tests/all"]),
             "compara",
             "explica",
-            *(["finitos", "rarezas"] if self.sin_ventana == "osmesa" else ()),  # lo que usan las propiedades
+            *(["finitos"] if self.sin_ventana == "osmesa" else ()),  # con ello van las propiedades
+            *(["rarezas"] if any(m.lista == "explica" for m in self.mutantes) else ()),
             *(de_los_jueces if es_de("jueces", capitulos) else ()),
             *(f"{p.nombre}_{self.sin_ventana}" for p in self.programas),
         )
