@@ -1,6 +1,6 @@
 // rarezas SEMILLA: lo que OpenGL deja hacer y ningún programa del laboratorio hace, al azar: cada primitiva, con
-// cortes, cada test y cada mezcla, con parte de los colores, en la ventana o en un framebuffer del que se copia con otra
-// escala y del revés. Lo que ./lab explica dice de ello lo mira propiedades/explica.py.
+// cortes, cada test y cada mezcla, con parte de los colores, en la ventana o en un framebuffer del que se copia con
+// otra escala y del revés. Lo que ./lab explica dice de ello lo mira propiedades/explica.py.
 #include "shader.h"
 #include "ventana.h"
 #include <cstdlib>
