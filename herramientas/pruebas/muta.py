@@ -310,7 +310,7 @@ class Vivero:
         self.sin_ventana = (self.build / "sin_ventana").read_text().strip()
         self.programas = catalogo.lee_programas(self.build)
         pruebas = [f.stem for f in self.copia.glob("tests/*/*_test.cpp") if es_de(f.name, capitulos)]
-        de_los_jueces = ["borde", "pies", "defectuoso"]
+        de_los_jueces, listas = ["borde", "pies", "defectuoso"], {m.lista for m in self.mutantes}
         self.orden(
             "ninja",
             "-k",
@@ -321,8 +321,8 @@ class Vivero:
             "compara",
             "explica",
             *(["finitos"] if self.sin_ventana == "osmesa" else ()),  # con ello van las propiedades
-            *(["rarezas"] if any(m.lista == "explica" for m in self.mutantes) else ()),
-            *(de_los_jueces if es_de("jueces", capitulos) else ()),
+            *(["rarezas"] if "explica" in listas else ()),
+            *(de_los_jueces if "jueces" in listas and es_de("jueces", capitulos) else ()),
             *(f"{p.nombre}_{self.sin_ventana}" for p in self.programas),
         )
 
@@ -511,7 +511,7 @@ def juzga(elegidos, plantados):
     notados, independientes, sin_imagen = resume(plantados.cuentas())
     print("", *(cuenta(m) for m in elegidos if not m.notado), sep="\n")
     aviso(f"apuntado en {FICHERO}; ./lab lista --docs lo lleva a docs/exactitud.md")
-    mal = [m.nombre for m in elegidos if (m.notado and not m.lo_nota_otro) == bool(m.motivo)]
+    mal = [m.nombre for m in elegidos if bool(m.notado and not m.lo_nota_otro) == bool(m.motivo)]
     if mal:
         sys.exit(f"muta: sobreviven sin motivo, o se notan y tienen uno: {', '.join(mal)}")
     quedan = plantados.pendientes()
