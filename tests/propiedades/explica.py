@@ -1,5 +1,5 @@
-"""explica.py RAÍZ BUILD [PROGRAMA…] [--pixeles N] [--casos] [--enlace ENLACE]: lo que se pide de ./lab explica en el
-caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre los mismos:
+"""explica.py RAÍZ BUILD [PROGRAMA…] [--pixeles N] [--casos] [--rarezas N] [--enlace ENLACE]: lo que se pide de ./lab explica
+en el caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre los mismos:
 
 - el programa acaba bien, sin errores de OpenGL, y la imagen es la misma que sin explicarla;
 - el color que se da de cada píxel es el de la imagen, y el último que escribe en la ventana su historia, también;
@@ -11,7 +11,7 @@ caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre
   el que gana es el último;
 - quien escribe cambia los canales que deja glColorMask y, si no mezcla, por los de su color.
 
-Y lo mismo, salvo las sospechas, en escenas al azar (explica/rarezas.cpp), que hacen lo que ningún programa.
+Y lo mismo, salvo las sospechas, si no se dice de qué programas, en N escenas al azar (explica/rarezas.cpp), que hacen lo que ningún programa.
 
 Sin decir el enlace, con el que se usa sin ventana y, si hay otro, uno de cada diez programas con él. Estado 1 si algo
 no se cumple.
@@ -249,7 +249,7 @@ def main():
         for caso in (p.casos if pedido.casos else p.casos[:1])
     ]
 
-    raras = range(1, 1 + pedido.rarezas)
+    raras = [] if nombres else range(1, 1 + pedido.rarezas)
     with ThreadPoolExecutor(os.cpu_count()) as hilos:
         de_casos = hilos.map(lambda t: fallos_de_caso(build, *t, pedido.pixeles), trabajos)
         de_raras = hilos.map(lambda semilla: fallos_de_rareza(build, semilla), raras)
