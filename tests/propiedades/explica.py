@@ -1,5 +1,5 @@
-"""explica.py RAÍZ BUILD [PROGRAMA…] [--pixeles N] [--casos] [--rarezas N] [--enlace ENLACE]: lo que se pide de ./lab explica
-en el caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre los mismos:
+"""explica.py RAÍZ BUILD [PROGRAMA…] [--pixeles N] [--casos] [--rarezas N] [--enlace ENLACE]: lo que se pide de ./lab
+explica en el caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre los mismos:
 
 - el programa acaba bien, sin errores de OpenGL, y la imagen es la misma que sin explicarla;
 - el color que se da de cada píxel es el de la imagen, y el último que escribe en la ventana su historia, también;
