@@ -11,7 +11,8 @@ explica en el caso base de cada programa, o en todos sus casos, en N píxeles al
   el que gana es el último;
 - quien escribe cambia los canales que deja glColorMask y, si no mezcla, por los de su color.
 
-Y lo mismo, salvo las sospechas, si no se dice de qué programas, en N escenas al azar (explica/rarezas.cpp), que hacen lo que ningún programa.
+Y lo mismo, salvo las sospechas, si no se dice de qué programas, en N escenas al azar (explica/rarezas.cpp), que hacen
+lo que ninguno.
 
 Sin decir el enlace, con el que se usa sin ventana y, si hay otro, uno de cada diez programas con él. Estado 1 si algo
 no se cumple.
