@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# instalado.sh RAÍZ BUILD: lo que deja `cmake --install` funciona en otro ordenador. Lo instala y, con los fuentes y el build escondidos
-# (bubblewrap), cada programa dibuja el golden de su primer caso. Los que se instalan son los de ventana: se ejecutan los mismos objetos
-# enlazados sin ella, en su sitio. Sin bubblewrap no se hace (estado 77).
+# instalado.sh RAÍZ BUILD: lo que deja `cmake --install` funciona en otro ordenador. Lo instala y, con los fuentes y el
+# build escondidos (bubblewrap), cada programa dibuja el golden de su primer caso. Los que se instalan son los de
+# ventana: se ejecutan los mismos objetos enlazados sin ella, en su sitio. Sin bubblewrap no se hace (estado 77).
 # shellcheck disable=SC2317 # lo de caso lo llama BUILD/casos/PROGRAMA.sh
 set -euo pipefail
 raiz=$1 build=$2

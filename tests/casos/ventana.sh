@@ -1,8 +1,8 @@
-# Para incluir con `source` en casos.sh: los casos en una ventana de FreeGLUT, uno detrás de otro en un Xvfb para ellos solos, con teclado
-# y ratón de verdad; la ventana debe acabar igual que el golden (tolerancia amplia) y Esc, o cerrarla, debe terminar el programa con 0. El
-# último aguanta además sucesos al azar y cambios de tamaño bajo un gestor de ventanas, salvo con SIN_PASEO. El reloj virtual y los menús no
-# se pueden repetir aquí: de los casos que los usan se mira que dibuje algo. ENLACE windows es lo mismo, sin paseo, con los ejecutables de
-# Windows, bajo Wine.
+# Para incluir con `source` en casos.sh: los casos en una ventana de FreeGLUT, uno detrás de otro en un Xvfb para ellos
+# solos, con teclado y ratón de verdad; la ventana debe acabar igual que el golden (tolerancia amplia) y Esc, o
+# cerrarla, debe terminar el programa con 0. El último aguanta además sucesos al azar y cambios de tamaño bajo un gestor
+# de ventanas, salvo con SIN_PASEO. El reloj virtual y los menús no se pueden repetir aquí: de los casos que los usan se
+# mira que dibuje algo. ENLACE windows es lo mismo, sin paseo, con los ejecutables de Windows, bajo Wine.
 source "$aqui/../ventana/xdotool.sh"
 lanza() { abre "$build/ventana/$capitulo/$programa" "$@"; } # [opciones]
 abre_pantalla
@@ -70,7 +70,8 @@ ventana() {
   [ "$cierra$enlace${SIN_PASEO:-}" != laventana ] || pasea
 
   cp salida antes # lo escrito sale al escribirlo, no al terminar
-  # El último caso, sin guion o con animación, se cierra con la X de su marco: un temporizador puede vencer cuando la ventana ya no está. Si no, Esc.
+  # El último caso, sin guion o con animación, se cierra con la X de su marco: un temporizador puede vencer cuando la
+  # ventana ya no está. Si no, Esc.
   case $guion:$cierra in
   : | *espera* | *:la) como='la X de la ventana' && "$build/tests/ventana" cierra "$ventana" ;;
   *) como=Esc && xdotool key Escape ;;

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# registro.sh BUILD SIN_VENTANA SEMILLA…: las mismas partidas (partida.h) con FreeGLUT (Xvfb, xdotool) y con glut_sin_ventana: lo que
-# registro.cpp apunta con uno y otro es igual, línea a línea, y el título de la ventana, el que pidió. Menos la hora, cuántas veces se dibuja
-# lo que nadie ha pedido que se repinte y las tallas de la ventana que ya no está.
+# registro.sh BUILD SIN_VENTANA SEMILLA…: las mismas partidas (partida.h) con FreeGLUT (Xvfb, xdotool) y con
+# glut_sin_ventana: lo que registro.cpp apunta con uno y otro es igual, línea a línea, y el título de la ventana, el que
+# pidió. Menos la hora, cuántas veces se dibuja lo que nadie ha pedido que se repinte y las tallas de la ventana que ya
+# no está.
 set -euo pipefail
 build=$1 sin_ventana=$2
 shift 2

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# cmake, ninja, ctest, apt-get… y los programas, de mentira, según cómo se le llame: apunta con qué argumentos y, en la etapa $PARA, no
-# acaba, ni un hijo suyo, o en la etapa $FALLA falla; con «programa a», solo el que se llama así. Con $AVISOS no compila mientras los avisos
-# sean errores.
+# cmake, ninja, ctest, apt-get… y los programas, de mentira, según cómo se le llame: apunta con qué argumentos y, en la
+# etapa $PARA, no acaba, ni un hijo suyo, o en la etapa $FALLA falla; con «programa a», solo el que se llama así. Con
+# $AVISOS no compila mientras los avisos sean errores.
 set -euo pipefail
 ulimit -Sf unlimited # un disco lleno es cosa de ./lab
 quien=${0##*/}

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# reparto.sh BUILD: las partes de ./lab prueba -I 1,,2 y -I 2,,2, en dos máquinas, son todas las pruebas, cada una una vez.
+# reparto.sh BUILD: las partes de ./lab prueba -I 1,,2 y -I 2,,2, en dos máquinas, son todas las pruebas, cada una una
+# vez.
 set -euo pipefail
 lista() { ctest --test-dir "$build" -N "$@" | sed -n 's/^ *Test *#[0-9]*: //p'; }
 build=$1

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# guardianes.sh BUILD SIN_VENTANA: casos.sh, en una ventana (sin ella, jueces_test.py), da por bueno lo bueno y falla con un
-# golden que no es, un programa que acaba mal, que escribe en stderr, que no abre la ventana o que no atiende Esc. También prueba que una
-# prueba de ventana interrumpida no deja su Xvfb.
+# guardianes.sh BUILD SIN_VENTANA: casos.sh, en una ventana (sin ella, jueces_test.py), da por bueno lo bueno y falla
+# con un golden que no es, un programa que acaba mal, que escribe en stderr, que no abre la ventana o que no atiende
+# Esc. También prueba que una prueba de ventana interrumpida no deja su Xvfb.
 set -euo pipefail
 build=$1 sin_ventana=$2
 aqui=$(cd "$(dirname "$0")" && pwd)

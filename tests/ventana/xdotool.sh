@@ -1,7 +1,8 @@
 # Para incluir con `source`: un guion de glut_sin_ventana, hecho con xdotool sobre una ventana de verdad.
 # Necesita DISPLAY y $build.
 
-# Lanza un programa y espera a que tenga su ventana, con el teclado: $pid y $ventana. De $vive no se lee nada: se acaba con él.
+# Lanza un programa y espera a que tenga su ventana, con el teclado: $pid y $ventana. De $vive no se lee nada: se acaba
+# con él.
 abre() { # PROGRAMA [opciones]
   { exec {vive}< <(exec "$@" 3>&1 >&4 4>&- </dev/null); } 4>&1
   # shellcheck disable=SC2034 # $pid es para quien llama
@@ -24,8 +25,8 @@ lleva_raton() {
   raton="$1 $2"
 }
 
-# Tras cada una, lo que diga $pausa, que es de xdotool. Las de menú y las del reloj virtual se saltan; con TITULOS el reloj es el de verdad, y
-# escribe cómo se llama la ventana tras cada orden.
+# Tras cada una, lo que diga $pausa, que es de xdotool. Las de menú y las del reloj virtual se saltan; con TITULOS el
+# reloj es el de verdad, y escribe cómo se llama la ventana tras cada orden.
 haz_guion() { # TALLA GUION: la de la ventana al empezar, y sus órdenes
   local ordenes x y orden resto a b pasos=()
   [ -v pausa ] || local pausa=(sleep "${PAUSA:-0.02}")

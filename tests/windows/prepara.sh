@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# prepara.sh RAIZ BUILD: el zip de Windows, descomprimido como lo haría un alumno, en una carpeta con espacios y eñes, y un disco C: de
-# Wine. Mira lo que hay en el zip.
+# prepara.sh RAIZ BUILD: el zip de Windows, descomprimido como lo haría un alumno, en una carpeta con espacios y eñes, y
+# un disco C: de Wine. Mira lo que hay en el zip.
 set -euo pipefail
 raiz=$1 build=$2 prueba=$2/windows/prueba
 fallos=0

@@ -1,6 +1,6 @@
-# Para incluir con `source`: los programas de Windows tal como salen del zip, que prepara.sh ha descomprimido, bajo Wine. Necesita
-# $build y DISPLAY. Cada uno tiene su servidor de Wine y su registro, y así varias pruebas van a la vez; el disco C:, de 700 MB, es el
-# mismo para todas.
+# Para incluir con `source`: los programas de Windows tal como salen del zip, que prepara.sh ha descomprimido, bajo
+# Wine. Necesita $build y DISPLAY. Cada uno tiene su servidor de Wine y su registro, y así varias pruebas van a la vez;
+# el disco C:, de 700 MB, es el mismo para todas.
 laboratorio="$build/windows/prueba/Prácticas de la señora Núñez (1)"
 export WINEPREFIX='' WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml,winemenubuilder.exe=' LC_ALL=C.UTF-8
 # La memoria que entorno.txt pide de una vez cae a veces donde Wine necesita la suya, y entonces no arranca.
