@@ -3,11 +3,11 @@ para saber si las pruebas los notan.
 
 Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes; un shader estropeado va en una carpeta, y
 $LAB_RAIZ hace que se mire antes que las demás. Los de ./lab, de Python y de las páginas se escriben en una copia de
-todo ello, con lo demás como está, y los ven las pruebas que dice EN_COPIA de su lista. Primero se ejecutan sin ninguno
-las pruebas y los casos, que deben pasar y apuntan lo que usan; después, con cada mutante, los que lo usan, hasta que
-uno falle: las que han notado otro de su fichero, también en otra ocasión; las de su capítulo, las demás y, si ninguna
-lo nota, los pasos y los casos: por lo que pintan encima (los .encima) o, si no, solo por su imagen. Cómo se nota cada
-uno queda en docs/plantados.tsv; «pendientes» son los que no se han plantado desde que cambiaron ellos o su fichero.
+todo ello, con lo demás como está, y los ven las pruebas que dice EN_COPIA. Primero se ejecutan sin ninguno las pruebas
+y los casos, que deben pasar y apuntan lo que usan; después, con cada mutante, los que lo usan, hasta que uno falle: las
+que han notado otro de su fichero, también en otra ocasión; las de su capítulo, las demás y, si ninguna lo nota, los
+pasos y los casos: por lo que pintan encima (los .encima) o, si no, solo por su imagen. Cómo se nota cada uno queda en
+docs/plantados.tsv; «pendientes» son los que no se han plantado desde que cambiaron ellos o su fichero.
 """
 import os
 import re
@@ -36,23 +36,22 @@ PYTEST = shutil.which("pytest-3") or "pytest"
 DISTINTO_ENCIMA = 4  # con que acaba casos.sh si es distinto lo que se pinta encima
 JUECES = "vocabulario", "cota", "oraculo", "mide", "comparador", "pies", "jueces"  # las pruebas de los que juzgan
 SOBRA = "build", "galeria", "informe", "web", "windows", "mios", ".git"  # de una copia del árbol
-# Lo que nota los de cada lista que no se compilan, de lo que menos tarda a lo que más; de las demás, por dónde están.
+DE_ORDENES = "tests/ordenes/ordenes_test.py", "tests/ordenes/preguntas_test.py"
+DE_HERRAMIENTAS = "tests/herramientas/claves_test.py", "tests/herramientas/herramientas_test.py"
+# De «LISTA FICHERO», el primero que casa: lo que nota los que no se compilan, de lo que menos tarda a lo que más.
 EN_COPIA = {
-    "jueces": ("tests/jueces/propiedades_mal_test.py", "tests/jueces/jueces_test.py"),
-    "correccion": tuple(f"tests/herramientas/{f}_test.py" for f in ("donde", "aula", "corrige", "propios")),
-    "paginas": ("tests/paginas/partes.mjs",),
-    "explica": ("tests/ordenes/sin_pruebas_test.py",),
+    "^jueces ": ("tests/jueces/propiedades_mal_test.py", "tests/jueces/jueces_test.py"),
+    "^correccion |/corrige/": tuple(f"tests/herramientas/{f}_test.py" for f in "donde aula corrige propios".split()),
+    r"^explica |/explica/.*\.py$": ("tests/ordenes/sin_pruebas_test.py",),
+    r"^paginas |\.mjs$": ("tests/paginas/partes.mjs",),
+    " lab$": DE_ORDENES + DE_HERRAMIENTAS,
+    "": DE_HERRAMIENTAS + DE_ORDENES,
 }
 # Con LAB_NAVEGADOR=1, los de las páginas los nota también, después, lo que se hace en ellas.
 EN_NAVEGADOR = {
     "herramientas/web/": "tests/paginas/web.sh",
     "herramientas/galeria/": "tests/paginas/comprueba_galeria.py",
 }
-ESTAN = {"ejercicios/corrige/": "correccion", ".mjs": "paginas", "herramientas/explica/": "explica"}
-DE_LAS_DEMAS = tuple(
-    f"tests/{f}_test.py"
-    for f in ("herramientas/claves", "herramientas/herramientas", "ordenes/ordenes", "ordenes/preguntas")
-)
 
 
 @dataclass
@@ -215,8 +214,7 @@ def sospechosas(mutante, pruebas, notan):
 
 
 def las_que_lo_notan(mutante):
-    por_su_sitio = next((lista for donde, lista in ESTAN.items() if donde in mutante.fichero), "")
-    pruebas = EN_COPIA.get(mutante.lista) or EN_COPIA.get(por_su_sitio, DE_LAS_DEMAS)
+    pruebas = next(suyas for de, suyas in EN_COPIA.items() if re.search(de, f"{mutante.lista} {mutante.fichero}"))
     if mutante.fichero.endswith(".mjs") and os.environ.get("LAB_NAVEGADOR") == "1":
         de_una = [prueba for donde, prueba in EN_NAVEGADOR.items() if mutante.fichero.startswith(donde)]
         pruebas += tuple(de_una or EN_NAVEGADOR.values())
@@ -497,8 +495,8 @@ def planta(vivero, raiz, build, elegidos, capitulos):
         yield from hilos.map(vivero.prueba, compilados)
         if en_copia:
             procesos.ejecuta(["cmake", "--build", build])  # usan lo que hay
-        for pruebas in set(map(las_que_lo_notan, en_copia)):
-            prueba_en_copia(raiz, build, temporal, pruebas)
+        suyas = dict.fromkeys(p for m in en_copia for p in las_que_lo_notan(m))
+        list(hilos.map(lambda p: prueba_en_copia(raiz, build, temporal, [p]), suyas))  # sin ninguno
 
         def en_ella(m):
             return prueba_en_copia(raiz, build, temporal, las_que_lo_notan(m), m, vivero.notan)
