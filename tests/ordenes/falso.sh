@@ -46,7 +46,7 @@ cmake)
   if [ "$1" = --build ]; then
     [ "$4" != build.ninja ] || exit 0
     [ -z "${AVISOS:-}" ] || [ -e "$2/sin_avisos" ] || { echo 'error: un aviso [-Werror]' && exit 1; }
-    [ "${FALLA:-}" != compila ] || echo 'ninja: error: falta algo'
+    [ "${FALLA:-}" != compila ] || printf 'FAILED: a.o\nc++ -Werror -c a.cpp\nninja: error: falta algo\n'
     etapa compila
     printf '[1/2] Linking CXX executable osmesa/ch01_uno/a\nun aviso\nninja: nada\n'
   else
