@@ -408,6 +408,9 @@ def test_un_shader_suelto(tmp_path, ref):
     assert nota(pedidos)["nota"] == nota(pedidos, "mío {}")["nota"] == 100
     de_partida = nota(banco.de_partida[0])
     assert de_partida["nota"] < 60 and "se ve lo mismo que en el punto de partida" in de_partida["dice"]
+    if ref == "L5.1":  # solo se ve con la luz detrás
+        sin_cortar = {f: texto.replace("if (NdotL > 0.0)", "NdotL = max(NdotL, 0.0);") for f, texto in pedidos.items()}
+        assert sin_cortar != pedidos and nota(sin_cortar)["nota"] < 100
     roto = nota({f: "esto no compila\n" for f in pedidos})
     assert roto["nota"] == 0 and any("error" in dice for dice in roto["dice"])
     otro = nota({f"{f}.geom": texto for f, texto in pedidos.items()})
