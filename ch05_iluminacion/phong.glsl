@@ -47,15 +47,16 @@ vec3 reflejada(Material m, Luz luz, vec3 P, vec3 N) {
     vec3 haciaLuz = luz.Lp.xyz - luz.Lp.w * P;
     vec3 L = unitario(haciaLuz), V = unitario(-P);
     N = unitario(N); // interpolada, ya no es unitaria
-    // L5.1: la difusa y la especular, atenuadas; nada si la luz llega por detrás
+    vec3 suma = vec3(0.0);
+    // L5.1: la suma de la difusa y la especular, sin atenuar; nada si la luz llega por detrás
     float NdotL = dot(N, L);
-    if (NdotL <= 0.0)
-        return vec3(0.0);
-    vec3 R = 2.0 * N * NdotL - L;
-    float RdotV_n = potencia(dot(R, V), m.alfa);
-    return atenua(luz, L, length(haciaLuz)) * (NdotL * (luz.Ld * m.Kd) + RdotV_n * (luz.Ls * m.Ks));
-    // de partida: return vec3(0.0);
+    if (NdotL > 0.0) {
+        vec3 R = 2.0 * N * NdotL - L;
+        float RdotV_n = potencia(dot(R, V), m.alfa);
+        suma = NdotL * (luz.Ld * m.Kd) + RdotV_n * (luz.Ls * m.Ks);
+    }
     // fin de L5.1
+    return atenua(luz, L, length(haciaLuz)) * suma;
 }
 
 // Ecuación 5.6. Con varias fuentes (5.7) se suma una vez Ka·La y una vez cada `reflejada`.

@@ -74,10 +74,13 @@ class Ensayo:
             hechos = {n: Jugador(str(n), programa, raices, {"LAB_MUTANTE": str(n)}) for n in en_cpp}
         for n, (fichero, p) in self.perturbadas.items():
             if fichero.endswith(SHADERS) and self.vale_glsl(fichero, p):
-                suyo = self.temporal / f"glsl{n}"
-                escribe(suyo / ruta(self.programa, fichero), self.estropeado(fichero, p))
-                hechos[n] = Jugador(str(n), self.solucion.programa, [suyo, *self.programa.raices])
+                hechos[n] = self.con_shader(self.temporal / f"glsl{n}", fichero, self.estropeado(fichero, p))
         return hechos
+
+    def con_shader(self, sitio, fichero, texto):
+        """Quien juega la solución con ese shader así."""
+        escribe(sitio / ruta(self.programa, fichero), texto)
+        return Jugador(sitio.name, self.solucion.programa, [sitio, *self.programa.raices])
 
     def de_lista(self, mutantes, como):
         """Quien juega cada uno de esos cambios."""
@@ -88,10 +91,8 @@ class Ensayo:
             texto = textos[nombra[suya]]
             if suyos[0].en_shader:
                 for m in suyos:
-                    escribe(self.temporal / f"{como}{m.numero}" / suya, defectos.estropea(texto, m))
-                    hechos[m] = Jugador(
-                        m.nombre, self.solucion.programa, [self.temporal / f"{como}{m.numero}", *self.programa.raices]
-                    )
+                    sitio = self.temporal / f"{como}{m.numero}"
+                    hechos[m] = self.con_shader(sitio, nombra[suya], defectos.estropea(texto, m))
                 continue
             con[nombra[suya]] = f'#include "{self.raiz / defectos.MUTANTE_H}"\n{defectos.cambia(texto, suyos)}'
             for m in suyos:

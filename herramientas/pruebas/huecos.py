@@ -3,7 +3,8 @@
 Cada línea que escribe quien hace un ejercicio se perturba de varias maneras (perturba.py), todas en un binario, y con
 cada semilla algún guion debe quitarle puntos, salvo lo que está en EXCEPCIONES; también a los errores conocidos
 (errores/). La solución escrita de otras maneras (bien/) vale 100. De cada ejercicio escribe la nota de las buenas y
-la menor y la mayor de unos errores, con todas las semillas. Con --programas, solo dice cuáles usa.
+la menor y la mayor de unos errores, con todas las semillas. Los de la página (L5.1) no tienen semillas: son los casos
+y los gestos de ella. Con --programas, solo dice cuáles usa.
 """
 import os
 import shutil
@@ -15,6 +16,8 @@ from pathlib import Path
 from base import catalogo, defectos
 from base.procesos import Fallo, principal
 from ejercicios import ensayo, nuevo
+from ejercicios.corrige import shaders
+from ejercicios.corrige.motivos import ruta
 from pruebas.muta import no_compila_glsl
 
 BIEN = "herramientas/ejercicios/bien"
@@ -38,6 +41,13 @@ SIN_INTERPOLAR = "sin interpolar, y a 15 texeles como mucho, no llega a caer en 
 FUERA_DEL_FILTRO = "fuera de la textura del filtro se lee 0"
 CERO = "cero por un número es cero"
 MAS_DE_CUATRO = "siempre hay más de cuatro"
+OPACO = "la ventana no tiene opacidad"
+SATURA = "más de 1 se dibuja como 1"
+UNITARIA = "la normal se hace unitaria después"
+APLASTADA = "lo de una cara aplastada no se pide, y aquí no las hay"
+REPITE = "la textura se repite"
+DIRECCION = "del mapa solo se usa la dirección"
+BORDE = "ningún píxel cae justo ahí"
 EXCEPCIONES = {
     "E2.1": {
         "push_back({c, p <= q})": DISTINTOS,
@@ -94,7 +104,7 @@ EXCEPCIONES = {
         'envia(programa, "N", otroFactor(matrizNormal(camara * M)));': NORMAL,
         'envia(programa, "N", matrizNormal(camara * otroFactor(M)));': NORMAL,
     },
-    "E9.1": {"(colorA.a * 1.25));": "la ventana no tiene opacidad", "(colorA.a + 1));": "la ventana no tiene opacidad"},
+    "E9.1": {"(colorA.a * 1.25));": OPACO, "(colorA.a + 1));": OPACO},
     "E9.2": {
         " / (vec2(textureSize(imagen, 0)) + 1)": SIN_INTERPOLAR,
         " / vec2((textureSize(imagen, 0) + 1))": SIN_INTERPOLAR,
@@ -115,6 +125,70 @@ EXCEPCIONES = {
         "n < otroFactor(4)": MAS_DE_CUATRO,
         "n < 4 ? otroFactor(0)": MAS_DE_CUATRO,
     },
+    "L1.2": {
+        "(vec4(1.0, 0.0, 0.0, 1.0) * 1.25)": SATURA,
+        "vec4((1.0 * 1.25), 0.0": SATURA,
+        "vec4((1.0 + 1), 0.0": SATURA,
+        "vec4(1.0, (0.0 * 1.25)": CERO,
+        "0.0, (0.0 * 1.25), 1.0)": CERO,
+        "0.0, (1.0 * 1.25))": OPACO,
+        "0.0, (1.0 + 1))": OPACO,
+    },
+    "L3.1": {
+        "(N * 1.25) * vNormal": UNITARIA,
+        "N * (vNormal * 1.25)": UNITARIA,
+        "normalize((n * 1.25))": UNITARIA,
+        "dot((n * 1.25), n)": APLASTADA,
+        "dot(n, (n * 1.25))": APLASTADA,
+        "(dot(n, n) * 1.25)": APLASTADA,
+        "(dot(n, n) + 1) > 0.0": APLASTADA,
+        "dot(n, n) >= 0.0": APLASTADA,
+        "> (0.0 * 1.25) ?": APLASTADA,
+        "(vec3(0.0) * 1.25)": APLASTADA,
+        "(vec3(0.0) + 1)": APLASTADA,
+        ": vec3((0.0 * 1.25))": APLASTADA,
+        ": vec3((0.0 + 1))": APLASTADA,
+        "(proyeccion * 1.25) *": OTRA_W,
+        "(camara * 1.25) * M": OTRA_W,
+        "(M * 1.25) * vec4": OTRA_W,
+        "(vec4(posicion, 1.0) * 1.25)": OTRA_W,
+    },
+    "L5.1": {"NdotL >= 0.0": CERO, "(NdotL * 1.25) > 0.0": CERO, "NdotL > (0.0 * 1.25)": CERO},
+    "L5.2": {"(N * 1.25) * vNormal": UNITARIA, "N * (vNormal * 1.25)": UNITARIA},
+    "L5.3": {
+        "ecPosicion, (normal * 1.25)": UNITARIA,
+        "unitario((N * 1.25) * vNormal)": UNITARIA,
+        "unitario(N * (vNormal * 1.25))": UNITARIA,
+        "(unitario(N * vNormal) * 1.25)": UNITARIA,
+        "normal), (1.0 * 1.25)": OPACO,
+        "normal), (1.0 + 1)": OPACO,
+    },
+    "L6.3": {"(nuevaCoordTextura + 1)": REPITE},
+    "L8.1": {
+        "(reflexion * 1.25)": DIRECCION,
+        "(reflect(haciaPunto, normalize(normal)) * 1.25)": DIRECCION,
+        "reflect((haciaPunto * 1.25)": DIRECCION,
+        "normalize((normal * 1.25))": UNITARIA,
+        "(reflect(haciaPunto, normal) * 1.25)": DIRECCION,
+    },
+    "L8.3": {
+        "(nuevaCoordTextura.s + 1)": REPITE,
+        "(nuevaCoordTextura.t + 1)": REPITE,
+        "s >= talla.s &&": BORDE,
+        "talla.s && t >= talla.t": BORDE,
+    },
+    "L8.4": {"texture(ruido, (p + 1))": REPITE},
+    "L9.3": {
+        "i <= tallaFiltro": "más allá del filtro se lee 0",
+        "i < (tallaFiltro + 1)": "más allá del filtro se lee 0",
+        "coordenadaTextura - desplazamiento[i]": "los filtros son simétricos",
+        "(0.0 * 1.25), 1.0)": CERO,
+    },
+    "L12.1": {
+        "(coordTextura + 1) * S1": REPITE,
+        "(tiempo + 1)).rgb": REPITE,
+        "coordTextura / S1": "S1 es 1",
+    },
 }
 EXCEPCIONES["E4.2"] |= {
     f"centro.y + y, {z})": HONDO
@@ -133,10 +207,22 @@ def excepcion(ref, p):
 
 
 class Ejercicio(ensayo.Ensayo):
+    @property
+    def de_shaders(self):
+        return nuevo.es_de_shaders(self.ref)
+
+    def con_shader(self, sitio, fichero, texto):
+        """De uno de la página, con los demás y en su sitio: el programa puede no usar common/."""
+        if not self.de_shaders:
+            return super().con_shader(sitio, fichero, texto)
+        return self.banco.compilador.compila(
+            self.banco.motivos.limpio({**self.textos, fichero: texto}), sitio, ajena=False
+        )
+
     def vale_glsl(self, fichero, p):
         if len(p.cambios) > 1:
             return False
-        return not no_compila_glsl(self.raiz, f"{self.programa.carpeta}/{fichero}", self.estropeado(fichero, p))
+        return not no_compila_glsl(self.raiz, ruta(self.programa, fichero), self.estropeado(fichero, p))
 
     def sin_ver(self, hilos):
         """Las perturbaciones a las que no se quita nada y las excepciones que sobran: de estas se miran los casos."""
@@ -169,7 +255,7 @@ class Ejercicio(ensayo.Ensayo):
                 yield f"{m.nombre}, {m.imita}: está bien, y vale {nota}"
         algunos = list(errores.values())[:: max(1, len(errores) // MINIMO)][:MINIMO]
         de_errores = list(hilos.map(lambda j: self.notas(j, mal=True), algunos))
-        if len(algunos) < MINIMO or len(buenas) < MINIMO:
+        if len(algunos) < MINIMO and not self.de_shaders or len(buenas) < MINIMO:
             yield f"hay {len(errores)} errores y {len(buenas)} soluciones: deben ser {MINIMO}"
         print(
             f"{self.ref}: {len(self.perturbadas)} perturbaciones, {len(errores)} errores; buenas:",
@@ -186,13 +272,15 @@ def main():
     semillas = 1
     if resto[:1] == ["--semillas"]:
         semillas, resto = int(resto[1]), resto[2:]
-    hay = nuevo.ejercicios(raiz, catalogo.lee_programas(build))
+    programas = catalogo.lee_programas(build)
+    hay = nuevo.ejercicios(raiz, programas) | shaders.ejercicios(raiz, programas)
     if resto[-1:] == ["--programas"]:
         return print(*dict.fromkeys(hay[ref].nombre for ref in resto[:-1] or hay))
     fallos = []
     with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(os.cpu_count()) as hilos:
         for ref in resto or hay:
-            ejercicio = Ejercicio(raiz, build, ref, hay[ref], Path(temporal), range(1, semillas + 1))
+            reglas = shaders.REGLAS if nuevo.es_de_shaders(ref) else None
+            ejercicio = Ejercicio(raiz, build, ref, hay[ref], Path(temporal), range(1, semillas + 1), reglas)
             suyos = [f"{ref} {fallo}" for fallo in ejercicio.fallos(hilos)]
             print(*suyos, sep="\n", end="\n" if suyos else "", flush=True)
             fallos += suyos

@@ -17,7 +17,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -478,6 +478,11 @@ def elige(todos, plantados, pedidos):
     return [m for m in todos if not pedidos or any(m.es_de(pedido) for pedido in pedidos)]
 
 
+def segun_acaban(hilos, prueba, mutantes):
+    """Uno que no acaba no retrasa que se apunten los demás."""
+    return (hecho.result() for hecho in as_completed([hilos.submit(prueba, m) for m in mutantes]))
+
+
 def planta(vivero, raiz, build, elegidos, capitulos):
     """Los devuelve según acaban, notados o no. De un capítulo que se pide, solo sus pruebas; lo de common/ lo usan
     todos."""
@@ -492,7 +497,7 @@ def planta(vivero, raiz, build, elegidos, capitulos):
         os.chmod(temporal, 0o755)  # hay pruebas en que lo lee otro usuario
         if compilados:
             vivero.sin_mutantes(vivero.enumera(capitulos), hilos)
-        yield from hilos.map(vivero.prueba, compilados)
+        yield from segun_acaban(hilos, vivero.prueba, compilados)
         if en_copia:
             procesos.ejecuta(["cmake", "--build", build])  # usan lo que hay
         suyas = dict.fromkeys(p for m in en_copia for p in las_que_lo_notan(m))
@@ -501,7 +506,7 @@ def planta(vivero, raiz, build, elegidos, capitulos):
         def en_ella(m):
             return prueba_en_copia(raiz, build, temporal, las_que_lo_notan(m), m, vivero.notan)
 
-        yield from hilos.map(en_ella, en_copia)
+        yield from segun_acaban(hilos, en_ella, en_copia)
 
 
 def juzga(elegidos, plantados):

@@ -612,6 +612,9 @@ def test_las_teclas_de_cada_control():
         assert (", ".join(c.ordenes), c.hace) == (ordenes, hace), texto
     assert controles.analiza(", . mueven").ordenes == ["tecla ,", "tecla ."]
     assert controles.analiza("botón derecho menú").menu and not controles.analiza("a menú").menu
+    todos = catalogo.lee_programas(BUILD)
+    for c in (c for p in todos for c in controles.lee(RAIZ, p) if c.texto != "ninguno"):  # lo que enseña F1
+        assert " ".join(c.partes).strip() == c.texto
 
 
 def test_la_linea_de_controles(tmp_path):
@@ -782,24 +785,24 @@ def test_cada_defecto_con_su_numero():
 
 def test_lo_que_se_apunta_de_los_defectos(tmp_path):
     """De cada uno, hasta que cambia su línea o su fichero; y las cuentas son de las líneas que hay."""
-    siembra(tmp_path, {"x.cpp": "abcd", "y.cpp": "e"})
-    todos = [mutante(letra, "z", n) for n, letra in enumerate("abcd")] + [mutante("e", "z", 5, "y.cpp")]
-    todos[0].notado = todos[1].notado = todos[3].notado = "P"
-    todos[1].por, todos[3].por = "golden", "encima"
+    siembra(tmp_path, {"x.cpp": "abcdf", "y.cpp": "e"})
+    todos = [mutante(letra, "z", n) for n, letra in enumerate("abcdf")] + [mutante("e", "z", 6, "y.cpp")]
+    todos[0].notado = todos[1].notado = todos[3].notado = todos[4].notado = "P"
+    todos[1].por, todos[3].por, todos[4].por = "golden", "encima", "encima"
     plantados = Plantados(tmp_path, todos)
-    for m in todos[:4]:
+    for m in todos[:5]:
         plantados.apunta(m)
-    de_ch01 = {"hay": 5, "plantados": 4, "notados": 3, "sin_golden": 1, "encima": 1}
+    de_ch01 = {"hay": 6, "plantados": 5, "notados": 4, "sin_golden": 1, "encima": 2}
     plantados = Plantados(tmp_path, todos)
-    assert plantados.pendientes() == todos[4:] and plantados.cuentas() == {"ch01": de_ch01}
-    assert muta.resume(plantados.cuentas()) == [75, 25, 50]
-    siembra(tmp_path, {"x.cpp": "abcd//"})
+    assert plantados.pendientes() == todos[5:] and plantados.cuentas() == {"ch01": de_ch01}
+    assert muta.resume(plantados.cuentas()) == [80, 20, 60]
+    siembra(tmp_path, {"x.cpp": "abcdf//"})
     assert Plantados(tmp_path, todos).pendientes() == todos
     todos[0].estropeado = "w"
     plantados = Plantados(tmp_path, todos)
-    assert plantados.cuentas() == {"ch01": {**de_ch01, "plantados": 3, "notados": 2, "sin_golden": 0}}
+    assert plantados.cuentas() == {"ch01": {**de_ch01, "plantados": 4, "notados": 3, "sin_golden": 0}}
     plantados.apunta(todos[0])
-    assert len((tmp_path / FICHERO).read_text().splitlines()) == 4  # la línea que ya no está no se guarda
+    assert len((tmp_path / FICHERO).read_text().splitlines()) == 5  # la línea que ya no está no se guarda
     assert Plantados(tmp_path, todos).pendientes() == todos[1:]
     assert muta.elige(todos, plantados, ["pendientes"]) == todos[1:] and muta.elige(todos, plantados, []) == todos
     assert [muta.cuenta(m).split(": ")[1] for m in todos[:3]] == ["P", "solo P", "SOBREVIVE, nada lo ejecuta"]

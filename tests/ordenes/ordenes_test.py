@@ -318,6 +318,10 @@ def test_galeria(lab):
     ejecutable(programa, "echo falla con esto >&2\necho y más >&2\nexit 3")
     assert hechas(1)[0].startswith("a ha fallado: falla con esto") and not png.exists() and not animada.exists()
     assert "falla con esto" in pagina.read_text()
+    # ni sale bien si lo que no se puede dibujar es uno de sus casos
+    falso = RAIZ / "tests/ordenes/falso.sh"
+    ejecutable(programa, f'case "$*" in *-anima*|*tecla*) echo no este >&2; exit 3;; esac\nexec {falso} "$@"')
+    assert hechas(1)[0].startswith("a-dos ha fallado: no este") and png.exists() and not animada.exists()
     programa.unlink()
     programa.symlink_to(RAIZ / "tests/ordenes/falso.sh")
     assert hechas() == ["2", "sin cambios"]

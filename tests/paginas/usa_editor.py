@@ -58,7 +58,7 @@ def error(p, linea, original):
 MAL_HECHO = {
     "L1.2": ("1.0, 0.0, 0.0", "0.0, 0.0, 1.0"),
     "L3.1": ("N * vNormal", "vNormal"),
-    "L5.1": ("        return vec3(0.0);", "        NdotL = 0.0;"),
+    "L5.1": ("if (NdotL > 0.0) {", "{ NdotL = max(NdotL, 0.0);"),
     "L5.2": ("N * vNormal", "vNormal"),
     "L5.3": ("ecPosicion, normal)", "ecPosicion, -normal)"),
     "L6.3": ("nuevaCoordTextura)", "nuevaCoordTextura.ts)"),
