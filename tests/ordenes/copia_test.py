@@ -28,7 +28,7 @@ CAPITULO = r"""capitulo("Título; con punto y coma")
 programa(primer_programa REF "L1.1" TITULO "Uno")
   caso(primer_programa base
     MIRA "Mira; y \"[remira]\" \\")
-programa(primer_programa_dos REF "L1.2" TITULO "Dos" CONTRA "a; b" PRUEBAS ch01.A.B ch01.C)
+programa(primer_programa_dos REF "L1.1" TITULO "Dos" CONTRA "a; b" PRUEBAS ch01.A.B ch01.C)
   caso(primer_programa_dos base GUION "tecla a ×2; tecla '; tecla \"; tecla $; tecla <; tecla \\; tecla b"
     BORDE "abajo derecha: llega" ANIMA "3 tecla i; tecla d"
     MIRA "Dos")
