@@ -29,13 +29,15 @@ mkdir -p "$build/cache_shaders" # lo único del build que se ve: ahorra compilar
 bwrap --ro-bind / / --dev /dev --proc /proc --bind "$carpeta" "$carpeta" --tmpfs "$raiz" --tmpfs "$build" \
   --bind "$build/cache_shaders" "$build/cache_shaders" --chdir "$carpeta" \
   bash -c 'while IFS=$'"'\\t'"' read -r capitulo programa fichero guion; do
-    "instalado/$capitulo/$programa" -geometry 240x180 -ppm "imagenes/$fichero.ppm" -guion "$guion" >/dev/null </dev/null || echo "$programa: estado $?"
+    "instalado/$capitulo/$programa" -geometry 240x180 -ppm "imagenes/$fichero.ppm" -guion "$guion" >/dev/null </dev/null ||
+      echo "$programa: estado $?"
   done <lista' 2>&1 | tee "$carpeta/mal"
 
 estado=0
 [ ! -s "$carpeta/mal" ] || estado=1
 while IFS=$'\t' read -r capitulo _ fichero _; do
-  "$build/herramientas/comparador/compara" "$raiz/tests/golden/$capitulo/$fichero.ppm" "$carpeta/imagenes/$fichero.ppm" >"$carpeta/dice" 2>&1 ||
+  golden=$raiz/tests/golden/$capitulo/$fichero.ppm
+  "$build/herramientas/comparador/compara" "$golden" "$carpeta/imagenes/$fichero.ppm" >"$carpeta/dice" 2>&1 ||
     { echo "$fichero: instalado dibuja otra cosa"; cat "$carpeta/dice"; estado=1; }
 done <"$carpeta/lista"
 exit $estado

@@ -22,7 +22,11 @@ quedan=$(grep -c '^caso ' "$build/casos/$programa.sh")
 
 colores() { ppmhist -noheader "$1" 2>/dev/null | wc -l; }
 dibuja_algo() {
-  if [ "$(colores ventana.ppm)" -gt 1 ] || [ "$(colores "$golden.ppm")" = 1 ]; then echo "bien: dibuja algo"; else echo "la ventana es de un solo color"; fi
+  if [ "$(colores ventana.ppm)" -gt 1 ] || [ "$(colores "$golden.ppm")" = 1 ]; then
+    echo "bien: dibuja algo"
+  else
+    echo "la ventana es de un solo color"
+  fi
 }
 captura() { xwd -silent -id "$ventana" 2>/dev/null | xwdtopnm -quiet >ventana.ppm 2>/dev/null || true; }
 espera_dibujo() { # en Windows, lo que llega antes se atiende antes de saber el tamaño
@@ -36,14 +40,19 @@ espera_dibujo() { # en Windows, lo que llega antes se atiende antes de saber el 
 mira() { # [opciones del comparador]
   case $guion in
   *espera* | *menu*) dibuja_algo ;;
-  *) "$build/herramientas/comparador/compara" "$golden.ppm" ventana.ppm --amplia ${tolerancia:+--tolerancia "$tolerancia"} "$@" 2>&1 || true ;;
+  *)
+    "$build/herramientas/comparador/compara" "$golden.ppm" ventana.ppm \
+      --amplia ${tolerancia:+--tolerancia "$tolerancia"} "$@" 2>&1 || true
+    ;;
   esac
 }
 pasea() {
   local sucesos
   abre_gestor twm -f /dev/null || mal 'no hay con qué pasear'
-  sucesos=$("${PYTHON:-python3}" -B "$aqui/../../herramientas" base.controles guion "$aqui/../.." "$build" "$programa" 1 25)
-  PAUSA=0.002 haz_guion 240x180 "tamano 300 200; $sucesos; tamano 200 240; $sucesos" # seguidos: no se mira qué hace cada uno
+  local raiz=$aqui/../..
+  sucesos=$("${PYTHON:-python3}" -B "$raiz/herramientas" base.controles guion "$raiz" "$build" "$programa" 1 25)
+  # seguidos: no se mira qué hace cada uno
+  PAUSA=0.002 haz_guion 240x180 "tamano 300 200; $sucesos; tamano 200 240; $sucesos"
   while cp salida antes && sigue 0.2 && ! cmp -s antes salida; do :; done # hasta que los haya atendido
 }
 
