@@ -41,7 +41,9 @@ DE_HERRAMIENTAS = "tests/herramientas/claves_test.py", "tests/herramientas/herra
 # De «LISTA FICHERO», el primero que casa: lo que nota los que no se compilan, de lo que menos tarda a lo que más.
 EN_COPIA = {
     "^jueces ": ("tests/jueces/propiedades_mal_test.py", "tests/jueces/jueces_test.py"),
-    "^correccion |/corrige/": tuple(f"tests/herramientas/{f}_test.py" for f in "donde aula corrige propios".split()),
+    "^correccion |/corrige/": tuple(
+        f"tests/herramientas/{f}_test.py" for f in "donde aula herramientas corrige propios".split()
+    ),
     r"^explica |/explica/.*\.py$": ("tests/ordenes/sin_pruebas_test.py",),
     r"^paginas |\.mjs$": ("tests/paginas/partes.mjs",),
     " lab$": DE_ORDENES + DE_HERRAMIENTAS,

@@ -2,6 +2,7 @@
 quien lo hace a propósito."""
 import base64
 import csv
+import dataclasses
 import io
 import itertools
 import json
@@ -613,6 +614,27 @@ def test_lo_jugado_se_guarda_por_todo_lo_que_lo_cambia(tmp_path, monkeypatch):
         assert se_juega(**cambio) and not se_juega(), cambio
 
 
+def test_una_entrega_tan_lenta_como_la_solucion_acaba(tmp_path):
+    """Tarde lo que tarde la solución: el doble cabe en el límite, que siempre lo hay, y el de reloj es mayor."""
+    arbitro = Arbitro.__new__(Arbitro)
+    arbitro.build, arbitro.cache, arbitro.compilador = tmp_path, tmp_path / "nada", SimpleNamespace(ve=[])
+    suya = partidas.Jugador("entrega", tmp_path / "programa", [tmp_path], ajeno=True)
+
+    def limites(segundos):
+        def ajeno(orden, puestos, *_, **__):
+            puesto.append(puestos)
+            return b""
+
+        puesto, arbitro.recinto = [], SimpleNamespace(ajeno=ajeno)
+        esperada = dataclasses.replace(partida(1), segundos=segundos)
+        assert arbitro.juega(suya, Guion("", ()), esperada).limite == pytest.approx(puesto[0]["procesador"], abs=1)
+        return puesto[0]["procesador"], puesto[0]["segundos"]
+
+    for segundos in (0, 0.01, 1, 7.5, 30, 300):
+        procesador, reloj = limites(segundos)
+        assert max(1, 2 * segundos) <= procesador < reloj <= 60 + 20 * segundos
+
+
 def test_de_lo_guardado_se_borra_lo_viejo(tmp_path):
     arbitro = SimpleNamespace(build=tmp_path, temporal=tmp_path)
     for nombre, dias in (("vieja", 3), ("de_otro", 0)):
@@ -868,7 +890,8 @@ def test_los_limites_de_la_jaula(tmp_path):
         "errores": b"",
         "tiempos": tiempos,
     }
-    assert acaba("trap '' TERM; while sleep 1; do :; done") == 137 and acaba("while :; do :; done") in jaula.NO_ACABA
+    no_acaban = "sleep 9", "trap '' TERM; while sleep 1; do :; done", "while :; do :; done"
+    assert {acaba(orden) for orden in no_acaban} <= set(jaula.NO_ACABA)
     assert acaba("head -c 1M /dev/zero >a") == 0
     assert acaba(f"for i in 1 2 3; do head -c {jaula.DISCO // 2} /dev/zero >$i || exit 5; done; rm 1 2 3") in (5, -1)
     assert acaba("tail /dev/zero") != 0 and acaba("for i in $(seq 40); do sleep 1 & done; wait") != 0
