@@ -13,7 +13,7 @@ import pytest
 
 RAIZ = Path(__file__).parents[2]
 BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
-sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/ordenes")]
+sys.path[:0] = [str(RAIZ / "herramientas"), *(str(RAIZ / "tests" / otras) for otras in ("ordenes", "paginas"))]
 from base import catalogo
 from base.fuentes import SHADERS
 from base.procesos import Fallo
@@ -24,6 +24,7 @@ from ejercicios.corrige import informes, shaders, veredicto
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion
 from ejercicios.reglas import Reglas
+from mal_hecho import MAL_HECHO
 from mentira import siembra
 from sin_pruebas_test import sin_pruebas
 
@@ -390,8 +391,8 @@ def test_los_gestos_son_los_de_la_pagina():
 @pytest.mark.skipif(not (BUILD / "catalogo.json").exists(), reason="no está configurado")
 @pytest.mark.parametrize("ref", sorted(DE_LA_PAGINA))
 def test_un_shader_suelto(tmp_path, ref):
-    """El del programa saca 100, aunque se llame de otra manera; el de partida, o uno que no compila, no; y uno de
-    otro tipo no es el que se pide."""
+    """El del programa saca 100, aunque se llame de otra manera; el de partida, uno mal hecho o uno que no compila,
+    no; y uno de otro tipo no es el que se pide."""
     programa = shaders.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[ref]
     if not programa.ejecutable(BUILD).exists():
         pytest.skip("no está compilado")
@@ -408,9 +409,8 @@ def test_un_shader_suelto(tmp_path, ref):
     assert nota(pedidos)["nota"] == nota(pedidos, "mío {}")["nota"] == 100
     de_partida = nota(banco.de_partida[0])
     assert de_partida["nota"] < 60 and "se ve lo mismo que en el punto de partida" in de_partida["dice"]
-    if ref == "L5.1":  # solo se ve con la luz detrás
-        sin_cortar = {f: texto.replace("if (NdotL > 0.0)", "NdotL = max(NdotL, 0.0);") for f, texto in pedidos.items()}
-        assert sin_cortar != pedidos and nota(sin_cortar)["nota"] < 100
+    mal = {f: texto.replace(*MAL_HECHO[ref]) for f, texto in pedidos.items()}
+    assert mal != pedidos and nota(mal)["nota"] < 100
     roto = nota({f: "esto no compila\n" for f in pedidos})
     assert roto["nota"] == 0 and any("error" in dice for dice in roto["dice"])
     otro = nota({f"{f}.geom": texto for f, texto in pedidos.items()})
