@@ -22,6 +22,7 @@ class Banco:
         entorno = procesos.entorno()
         del entorno["MESA_SHADER_CACHE_DISABLE"]
         entorno |= {"LP_NUM_THREADS": "0", "LANG": "C.UTF-8", "PATH": "/usr/bin:/bin"}
+        entorno["MESA_DISK_CACHE_SINGLE_FILE"] = "1"  # que se copia para cada partida
         recinto = Recinto(temporal, jaula, entorno)
         con_shaders = nuevo.es_de_shaders(ref)
         self.compilador = (DeShaders if con_shaders else Compilador)(raiz, build, programa, ref, recinto)
