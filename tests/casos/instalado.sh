@@ -29,7 +29,8 @@ mkdir -p "$build/cache_shaders" # lo único del build que se ve: ahorra compilar
 bwrap --ro-bind / / --dev /dev --proc /proc --bind "$carpeta" "$carpeta" --tmpfs "$raiz" --tmpfs "$build" \
   --bind "$build/cache_shaders" "$build/cache_shaders" --chdir "$carpeta" \
   bash -c 'while IFS=$'"'\\t'"' read -r capitulo programa fichero guion; do
-    "instalado/$capitulo/$programa" -geometry 240x180 -ppm "imagenes/$fichero.ppm" -guion "$guion" >/dev/null </dev/null ||
+    "instalado/$capitulo/$programa" -geometry 240x180 -ppm "imagenes/$fichero.ppm" -guion "$guion" \
+      >/dev/null </dev/null ||
       echo "$programa: estado $?"
   done <lista' 2>&1 | tee "$carpeta/mal"
 

@@ -14,7 +14,10 @@ cd "$carpeta"
 abre_pantalla
 
 # De lo dibujado queda lo primero tras pedirlo.
-limpia() { sed 's/, a [0-9]* ms$//' "$1" | awk '/^- repinta/ { pedido = 1 } /^dibuja / { if (!pedido) next; pedido = 0 } { print }' >"$2"; }
+limpia() { # DIARIO LIMPIO
+  sed 's/, a [0-9]* ms$//' "$1" | awk '/^- repinta/ { pedido = 1 }
+    /^dibuja / { if (!pedido) next; pedido = 0 } { print }' >"$2"
+}
 prueba() { # SEMILLA
   "$build/tests/partida" "$1" .
   "$build/tests/registro_$sin_ventana" -geometry 300x200 -guion "$(cat guion)" -ppm x.ppm "$(cat tandas)" >diario
@@ -27,7 +30,8 @@ prueba() { # SEMILLA
     abre "$build/tests/registro_ventana" -geometry 300x200+10+10 "$(cat tandas)" >diario
     { TITULOS=1 haz_guion 300x200 "$(cat real)" 2>/dev/null || true; } | uniq >vistos # la última orden lo acaba
     ! sigue 5 || kill "$pid"
-    wait "$pid" && limpia diario hay && diff debe hay >diferencia && diff titulos <(sed 1d vistos) >>diferencia && return
+    wait "$pid" && limpia diario hay &&
+      diff debe hay >diferencia && diff titulos <(sed 1d vistos) >>diferencia && return
   done
   cat diferencia
   echo "(< sin ventana, > FreeGLUT) con la semilla $1"

@@ -36,7 +36,8 @@ configura() { # CARPETA OPCIÓN…
   echo osmesa >"$1/sin_ventana"
   mkdir -p "$1/dll"
   for f in assets/t.rgb {lab,explica}.{js,wasm} dll/uno.dll ventana/ch01_uno/{a,b}.exe; do echo "$f" >"$1/$f"; done
-  for f in {osmesa,ventana}/ch01_uno/{a,b} osmesa/ch01_intro/info_opengl tests/ch01_test herramientas/{comparador/compara,mide/mide}; do
+  for f in {osmesa,ventana}/ch01_uno/{a,b} osmesa/ch01_intro/info_opengl \
+    tests/ch01_test herramientas/{comparador/compara,mide/mide}; do
     ln -sf "$(command -v falso.sh)" "$1/$f"
   done
 }
@@ -83,7 +84,12 @@ id) echo "${FALSO_ID:-0}" ;;
 dpkg-query) printf '%s installed\n' g++ cmake ;;
 apt-get)
   etapa red
-  [[ " $* " != *' source '* ]] || { etapa fuentes && mkdir freeglut-3 glew-2 && echo de freeglut >freeglut-3/COPYING && echo de glew >glew-2/LICENSE.txt; }
+  if [[ " $* " = *' source '* ]]; then
+    etapa fuentes
+    mkdir freeglut-3 glew-2
+    echo de freeglut >freeglut-3/COPYING
+    echo de glew >glew-2/LICENSE.txt
+  fi
   [[ "$*" != *--print-uris* ]] || echo "'http://archivo/em.deb' em.deb 2500000 SHA256:0"
   [ "$1" != indextargets ] || echo "$APUNTES/${LISTA:-debian.sources}:1"
   for opcion; do [[ $opcion != Dir::Etc::SourceList=* ]] || cp "${opcion#*=}" "$APUNTES/usada"; done
@@ -105,11 +111,15 @@ ch01_test) if [ "$1" = --gtest_list_tests ]; then printf 'G.\n  Uno # x\n'; else
   if [[ "$*" = *-rasgos* ]]; then etapa rasgos; else etapa programa; fi
   [ -z "${DISPLAY:-}" ] || { echo "${ESCRIBE:-}" >&2; exit "${ESTADO:-0}"; }
   [[ "$*" != *-rasgos* ]] || { printf 'ocio\n'; exit; }
-  echo "salida de $quien${LAB_RAIZ:+ con $LAB_RAIZ}" 2>/dev/null || { echo "$quien: no puedo escribir en la salida" >&2; exit 1; }
+  if ! echo "salida de $quien${LAB_RAIZ:+ con $LAB_RAIZ}" 2>/dev/null; then
+    echo "$quien: no puedo escribir en la salida" >&2
+    exit 1
+  fi
   [[ "$*" != *-titulos* ]] || echo "título: la ventana de $quien"
   [[ "$*" != *-diario* ]] || printf '%s\n' $'diario\t' 'otra orden' $'diario\t' 'tras la orden' $'diario\t'
   [ "$quien" != a ] || [ -z "${LAB_LEIDOS:-}" ] || printf '%s\n' ch01_uno/a.vert assets/t.rgb >>"$LAB_LEIDOS"
-  [ -z "${LAB_EXPLICA:-}" ] || echo '{"talla": [1, 1], "ordenes": [], "sospechas": [], "programas": [], "pixeles": []}' >"$LAB_EXPLICA"
+  [ -z "${LAB_EXPLICA:-}" ] ||
+    echo '{"talla": [1, 1], "ordenes": [], "sospechas": [], "programas": [], "pixeles": []}' >"$LAB_EXPLICA"
   ppm=$(valor -ppm "$@") talla=$(valor -geometry "$@")
   talla=${talla:-40x40}
   [ -n "$ppm" ] || exit 0

@@ -25,8 +25,10 @@ for arbol in . "$carpeta/por hacer"; do # también con los ejercicios por hacer
     [[ $shader != *errores_shader_compila.frag ]] || { rm "$carpeta/$llano"; continue; } # está mal a propósito
     { echo "$cabecera_essl"; tail -n +2 "$carpeta/$llano"; } >"$carpeta/es-$llano"
   done
-  glslangValidator "$carpeta"/*.vert "$carpeta"/*.frag >"$carpeta/informe" ||
-    mal "en $arbol no pasan glslangValidator: $(awk '/^(ERROR|WARNING)/ { print fichero ": " $0; next } { fichero = $0 }' "$carpeta/informe")"
+  if ! glslangValidator "$carpeta"/*.vert "$carpeta"/*.frag >"$carpeta/informe"; then
+    dice=$(awk '/^(ERROR|WARNING)/ { print fichero ": " $0; next } { fichero = $0 }' "$carpeta/informe")
+    mal "en $arbol no pasan glslangValidator: $dice"
+  fi
   popd >/dev/null
 done
 
@@ -34,12 +36,14 @@ diff <(grep -oE '\bglut[A-Z][A-Za-z]+' <(sed '/Cualquier otra/,$d' common/glut_s
   <(nm -C --defined-only "$3" | awk '$2 == "T" && $3 ~ /^glut[A-Z]/ { print $3 }' | sort) ||
   mal 'glut_sin_ventana.h no enumera justo las funciones que hay'
 # sus demás nombres van en su espacio: los que defina un programa no chocan con ellos
-nm -C --defined-only "$3" | awk '$2 ~ /^[TDBRC]$/ && $3 !~ /^(glut[A-Z]|glX[A-Z]|sin_ventana::)/ { print $3; mal = 1 } END { exit mal }' ||
+nm -C --defined-only "$3" |
+  awk '$2 ~ /^[TDBRC]$/ && $3 !~ /^(glut[A-Z]|glX[A-Z]|sin_ventana::)/ { print $3; mal = 1 } END { exit mal }' ||
   mal 'glut_sin_ventana tiene nombres fuera de sin_ventana'
 
 # con el GLEW estático, arrancar no carga libGL ni X11 (con OSMesa viene lo que Mesa quiera)
 if grep -q '^GLEW_ESTATICO:FILEPATH=.*libGLEW\.a$' "$2/CMakeCache.txt"; then
-  readelf -d "$2"/osmesa/ch*/* | grep -oE 'NEEDED.*\[lib(GL|OpenGL|EGL|X|xcb).*' | sort -u | grep . && mal 'los programas de osmesa las cargan'
+  readelf -d "$2"/osmesa/ch*/* | grep -oE 'NEEDED.*\[lib(GL|OpenGL|EGL|X|xcb).*' | sort -u | grep . &&
+    mal 'los programas de osmesa las cargan'
 fi
 
 while read -r cabecera; do

@@ -19,12 +19,14 @@ ln -s "$build/tests/guion" "$build/tests/ventana" build/tests
 "$build/$sin_ventana/ch03_transformaciones/grua" -geometry 240x180 -ppm otro.ppm -guion 'tecla d; tecla d; tecla d'
 
 programa() { # CUERPO: el programa del caso es un script que lo ejecuta; en él, `grua` es el de verdad
-  printf '#!/usr/bin/env bash\ngrua() { "%s" "$@"; }\n%s\n' "$build/ventana/ch03_transformaciones/grua" "$1" >build/ventana/cap/grua
+  printf '#!/usr/bin/env bash\ngrua() { "%s" "$@"; }\n%s\n' "$build/ventana/ch03_transformaciones/grua" "$1" \
+    >build/ventana/cap/grua
   chmod +x build/ventana/cap/grua
 }
 ventana() { # ESTADO QUÉ MENSAJE [FICHERO GUION]: si acaba así, y si lo explica
   local esperado=$1 que=$2 mensaje=$3 estado=0
-  echo "caso nombre=base fichero=${4:-grua} guion='${5:-}' tolerancia='' otro='' borde=''" | sed '1i capitulo=cap' >build/casos/grua.sh
+  printf '%s\n' 'capitulo=cap' "caso nombre=base fichero=${4:-grua} guion='${5:-}' tolerancia='' otro='' borde=''" \
+    >build/casos/grua.sh
   SIN_PASEO=1 tests/casos/casos.sh "$carpeta/build" ventana grua >salida 2>&1 || estado=$?
   [ $estado = "$esperado" ] && grep -q "$mensaje" salida && return
   echo "$que: acaba con $estado y debía acabar con $esperado diciendo «$mensaje»:"

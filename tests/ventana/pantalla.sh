@@ -2,7 +2,10 @@
 
 abre_pantalla() { # [OPCIONES DE Xvfb]: deja su número en DISPLAY
   local numero
-  exec {lista}< <(exec setpriv --pdeathsig KILL Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp -noreset "$@" 3>&1 >/dev/null)
+  exec {lista}< <(
+    exec setpriv --pdeathsig KILL \
+      Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp -noreset "$@" 3>&1 >/dev/null
+  )
   xvfb=$!
   read -rt 30 -u "$lista" numero || { echo "Xvfb no arranca"; return 1; }
   export DISPLAY=:$numero

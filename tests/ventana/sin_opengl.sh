@@ -11,12 +11,14 @@ espera() { # MENSAJE ORDEN…
   local mensaje=$1 estado=0
   shift
   timeout 20 "$@" >"$salida" 2>&1 </dev/null || estado=$?
-  [ $estado = 1 ] && grep -q "^$mensaje" "$salida" && { [ "$(wc -l <"$salida")" = 1 ] || [ "${1##*/}" = info_opengl ]; } && return
+  [ $estado = 1 ] && grep -q "^$mensaje" "$salida" &&
+    { [ "$(wc -l <"$salida")" = 1 ] || [ "${1##*/}" = info_opengl ]; } && return
   echo "$*: acaba con $estado y debía acabar con 1 diciendo «$mensaje»:"
   cat "$salida"
   fallos=1
 }
-grua=$build/ventana/ch03_transformaciones/grua primer=$build/ventana/ch01_intro/primer_programa info=$build/ventana/ch01_intro/info_opengl
+grua=$build/ventana/ch03_transformaciones/grua
+primer=$build/ventana/ch01_intro/primer_programa info=$build/ventana/ch01_intro/info_opengl
 unset DISPLAY WAYLAND_DISPLAY
 espera 'grua: no hay pantalla en que abrir la ventana: ' "$grua"
 espera 'primer_programa: no hay pantalla en que abrir la ventana: ' "$primer"

@@ -12,7 +12,8 @@ abre "$build/$programa"
 # Manda _NET_WM_NAME, si está, sobre WM_NAME. El programa puede ponerlo con su primera imagen: se mira diez segundos
 # como mucho.
 for _ in {1..100}; do
-  obtenido=$(LC_ALL=C.UTF-8 xprop -id "$ventana" -notype WM_NAME _NET_WM_NAME | sed -n 's/.* = "\(.*\)"$/\1/p' | tail -n 1)
+  obtenido=$(LC_ALL=C.UTF-8 xprop -id "$ventana" -notype WM_NAME _NET_WM_NAME |
+    sed -n 's/.* = "\(.*\)"$/\1/p' | tail -n 1)
   for titulo in "$@"; do [ "$obtenido" != "$titulo" ] || { echo "bien: «$obtenido»"; exit 0; }; done
   sigue 0.1 || break
 done

@@ -10,18 +10,23 @@ rm -rf "$prueba"
 mkdir -p "$prueba/wine"
 aqui=$(cd "$(dirname "$0")" && pwd)
 source "$aqui/wine.sh"
-python3 -B "$raiz/herramientas" windows.paquete "$raiz" "$build" "$prueba/sin galería" "$prueba" # sin miniaturas, que aquí no hacen falta
+# sin miniaturas, que aquí no hacen falta
+python3 -B "$raiz/herramientas" windows.paquete "$raiz" "$build" "$prueba/sin galería" "$prueba"
 [ "$(stat -c %s "$prueba/laboratorio-windows.zip")" -lt 20000000 ] || mal 'el zip pasa de 20 MB'
 python3 -m zipfile -e "$prueba/laboratorio-windows.zip" "$prueba"
 mv "$prueba/laboratorio" "$laboratorio"
 cd "$laboratorio"
-diff <(find "$raiz"/ch* -name '*.cpp' -printf '%f\n' | sed 's/cpp$/exe/' | sort) <(find programas -name '*.exe' -printf '%f\n' | sort) ||
+diff <(find "$raiz"/ch* -name '*.cpp' -printf '%f\n' | sed 's/cpp$/exe/' | sort) \
+  <(find programas -name '*.exe' -printf '%f\n' | sort) ||
   mal 'no están todos los programas'
-for licencia in dejavu freeglut gcc glew glm laboratorio mingw-w64; do [ -s "licencias/$licencia.txt" ] || mal "falta la licencia de $licencia"; done
+for licencia in dejavu freeglut gcc glew glm laboratorio mingw-w64; do
+  [ -s "licencias/$licencia.txt" ] || mal "falta la licencia de $licencia"
+done
 
 # lo que no es de Windows va en el zip
 while read -r dll; do
-  [ -e "programas/$dll" ] || [[ ${dll,,} =~ ^(advapi32|gdi32|kernel32|msvcrt|opengl32|user32|winmm)\.dll$ ]] || mal "falta $dll"
+  [ -e "programas/$dll" ] || [[ ${dll,,} =~ ^(advapi32|gdi32|kernel32|msvcrt|opengl32|user32|winmm)\.dll$ ]] ||
+    mal "falta $dll"
 done < <(x86_64-w64-mingw32-objdump -p programas/*.exe programas/*.dll | sed -n 's/.*DLL Name: //p' | sort -u)
 
 x86_64-w64-mingw32-g++-posix -std=c++17 -O1 -static "$aqui/ejecuta.cpp" -o "$prueba/ejecuta.exe"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# uso.sh BUILD: los programas de Windows como los usa un alumno, bajo Wine y en una carpeta suya con espacios y eñes: los títulos, F12,
-# F5 tras cambiar un shader y tras estropearlo, los mensajes de error y la consola que abre un doble clic.
+# uso.sh BUILD: los programas de Windows como los usa un alumno, bajo Wine y en una carpeta suya con espacios y eñes:
+# los títulos, F12, F5 tras cambiar un shader y tras estropearlo, los mensajes de error y la consola que abre un doble
+# clic.
 # shellcheck disable=SC2317 # «pronto» llama a las funciones que se le dan
 set -euo pipefail
 build=$1
@@ -31,7 +32,9 @@ pronto() { # ORDEN…: se cumple en un minuto
 abre() { # PROGRAMA: en una ventana de 240x180
   abre_en_wine "$1" -geometry 240x180+10+10 >salida 2>errores || mal "$1 no abre su ventana: $(cat errores)"
 }
-tiene_color() { xwd -silent -id "$ventana" | xwdtopnm -quiet | ppmhist -noheader | grep -E "^ *$1 +$2 +$3[[:space:]]"; } # R G B
+tiene_color() { # R G B
+  xwd -silent -id "$ventana" | xwdtopnm -quiet | ppmhist -noheader | grep -E "^ *$1 +$2 +$3[[:space:]]"
+}
 dibujado() { [ "$(xwd -silent -id "$ventana" | xwdtopnm -quiet | ppmhist -noheader | wc -l)" -gt 1 ]; }
 # shellcheck disable=SC2034 # es para dibujado
 tiene_el_teclado() { ventana=$("$build/tests/ventana" activa "$1"); } # PROGRAMA.exe
@@ -58,7 +61,8 @@ xdotool key 67 # F1
 pronto con_controles || mal 'F1 no enseña los controles'
 pronto titulo 'Normales transformadas: M = I' || mal "el título es «$(xdotool getwindowname "$ventana")»"
 xdotool key 3
-pronto titulo 'Normales transformadas: M = S(−2, 1, 1)' || mal "tras la tecla 3, el título es «$(xdotool getwindowname "$ventana")»"
+pronto titulo 'Normales transformadas: M = S(−2, 1, 1)' ||
+  mal "tras la tecla 3, el título es «$(xdotool getwindowname "$ventana")»"
 cierra
 
 plana=ch02_modelado/plana.frag
@@ -67,14 +71,16 @@ pronto dibujado || mal 'figura_color no dibuja'
 for n in 1 2; do # cada una con su número
   xdotool key 96 # F12
   pronto grep -qx "guardado figura_color-$n.ppm" salida || mal "F12 no dice que ha guardado la imagen $n: $(cat salida)"
-  "$build/herramientas/comparador/compara" "$aqui/../golden/ch02_modelado/figura_color.ppm" figura_color-$n.ppm --amplia || fallos=1
+  "$build/herramientas/comparador/compara" "$aqui/../golden/ch02_modelado/figura_color.ppm" figura_color-$n.ppm \
+    --amplia || fallos=1
 done
 cambia $plana 's/= nuevoColor/= vec4(1.0, 0.0, 1.0, 1.0)/'
 xdotool key 71 # F5
 pronto tiene_color 255 0 255 || mal 'F5 no usa el shader cambiado'
 cambia $plana 's/colorFragmento = .*/esto no compila;/'
 xdotool key 71
-pronto grep -q "^figura_color: .*$plana:7: .*«esto no compila;»" errores || mal "F5 con un shader roto dice: $(cat errores)"
+pronto grep -q "^figura_color: .*$plana:7: .*«esto no compila;»" errores ||
+  mal "F5 con un shader roto dice: $(cat errores)"
 pronto tiene_color 255 0 255 || mal 'F5 con un shader roto no deja lo que había'
 cierra
 abre shader_basico # que no usa common/
@@ -106,14 +112,19 @@ grep -q 'Año 2º de Íñigo' errores || mal "no dice dónde lo ha buscado: $(ca
 
 consola() { # ESTADO PROGRAMA
   local estado=0
-  (cd "$laboratorio/programas" && exec "$wine" "$build/windows/prueba/ejecuta.exe" consola -- "$2.exe" -display DISPLAY) >/dev/null 2>&1 </dev/null || estado=$?
+  (
+    cd "$laboratorio/programas" &&
+      exec "$wine" "$build/windows/prueba/ejecuta.exe" consola -- "$2.exe" -display DISPLAY
+  ) >/dev/null 2>&1 </dev/null || estado=$?
   mv "$laboratorio/programas/consola.txt" .
   [ $estado = "$1" ] || mal "$2, con doble clic, acaba con $estado y debía acabar con $1: $(cat consola.txt)"
 }
 consola 0 info_opengl
-grep -q '^Anisotropía máxima: ' consola.txt && grep -q '^Pulsa Intro' consola.txt || mal "info_opengl no deja leer su consola: $(cat consola.txt)"
+grep -q '^Anisotropía máxima: ' consola.txt && grep -q '^Pulsa Intro' consola.txt ||
+  mal "info_opengl no deja leer su consola: $(cat consola.txt)"
 consola 1 figura_color
-[[ $(tr -d '\n' <consola.txt) = *'figura_color: no encuentro «'*'Pulsa Intro'* ]] || mal "un error no deja leer la consola: $(cat consola.txt)"
+[[ $(tr -d '\n' <consola.txt) = *'figura_color: no encuentro «'*'Pulsa Intro'* ]] ||
+  mal "un error no deja leer la consola: $(cat consola.txt)"
 { pronto tiene_el_teclado grua.exe && pronto dibujado && xdotool key Escape; } &
 consola 0 grua
 ! grep 'Pulsa Intro' consola.txt || mal 'la consola no se cierra con la ventana'
