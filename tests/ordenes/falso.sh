@@ -5,7 +5,8 @@
 set -euo pipefail
 ulimit -Sf unlimited # un disco lleno es cosa de ./lab
 quien=${0##*/}
-printf '%s\0' "$quien" "$@" ${LAB_VIGILA:+vigilando} $'\n' >>"$APUNTES/llamadas"
+# Sin finales de línea, con que Bash escribiría en varias veces: pueden apuntar varios a la vez.
+printf '%s\0' "$quien" "${@//$'\n'/$'\v'}" ${LAB_VIGILA:+vigilando} $'\f' >>"$APUNTES/llamadas"
 
 etapa() { # ETAPA [CUÁL]
   if [ "${PARA:-}" = "$1" ]; then

@@ -108,7 +108,8 @@ class Lab:
     def llamadas(self, quien):
         """Los argumentos de cada vez que se ha llamado."""
         fichero = self.sitio / "llamadas"
-        todas = [ll.split("\0")[:-1] for ll in fichero.read_text().split("\n\0")[:-1]] if fichero.exists() else []
+        apuntado = fichero.read_text().replace("\v", "\n") if fichero.exists() else ""
+        todas = [ll.split("\0")[:-1] for ll in apuntado.split("\f\0")[:-1]]
         return [ll[1:] for ll in todas if ll[0] == quien]
 
     def libre(self, espera=0, cerrojo=".cerrojo"):
