@@ -2,6 +2,10 @@
 #pragma once
 #include "json.h"
 #include "programas.h"
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
 
 namespace explica {
 

@@ -10,6 +10,7 @@
 #include "sombreado.h"
 #include "sospechas.h"
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <dlfcn.h>
 #include <fstream>

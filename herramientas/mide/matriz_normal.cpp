@@ -2,6 +2,7 @@
 #include "ch03_transformaciones/transformaciones.h"
 #include "herramientas/oraculo/cuadruple.h"
 #include "mide.h"
+#include <array>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <random>
 

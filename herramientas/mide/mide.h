@@ -3,6 +3,7 @@
 #pragma once
 #include "imagen.h"
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <limits>

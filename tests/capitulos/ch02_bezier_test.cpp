@@ -6,6 +6,7 @@
 #include "guiones.h"
 #include "mallas.h"
 #include "oraculo/cuadruple.h"
+#include <tuple>
 
 namespace {
 

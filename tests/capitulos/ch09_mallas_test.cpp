@@ -4,6 +4,7 @@
 #include "contra_oraculo.h"
 #include "guiones.h"
 #include "oraculo/cobertura.h"
+#include <tuple>
 
 namespace {
 

@@ -3,6 +3,7 @@
 #include "ch11_curvas/continuidad.h"
 #include "ch11_curvas/solenoide.h"
 #include "ch11_referencia.h"
+#include <type_traits>
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include "oraculo/oraculo.h"
 #include "panel.h"
 #include "tabla.h"
+#include <tuple>
 
 using namespace oraculo;
 

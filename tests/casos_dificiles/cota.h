@@ -3,6 +3,7 @@
 // docs/exactitud.md.
 #pragma once
 #include "prueba.h"
+#include <type_traits>
 
 using Largo = long double; // 64 bits de mantisa
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "prueba.h"
 #include <GL/glew.h>
+#include <cctype>
 
 namespace azaroso {
 

@@ -1,5 +1,6 @@
 """La forma del código, que un compilador no ve: quién usa qué, cómo de largo es y cómo está escrito."""
 import ast
+import functools
 import graphlib
 import re
 import shutil
@@ -126,6 +127,58 @@ def test_ningun_shader_es_igual_que_otro():
         de.setdefault((f.suffix, f.read_text()), []).append(corto(f))
     assert len(de) > 80
     falla([" = ".join(iguales) for iguales in de.values() if len(iguales) > 1])
+
+
+# De cada cabecera, lo de std que la necesita: la que una versión del compilador trae sin pedirla, otra no. De lo que
+# traen casi todas (size_t, pair, begin…) no se pregunta.
+CABECERAS = {
+    "algorithm": "sort|(min|max)_element|(find|count|copy|remove)_if|find|count|(any|all|none)_of|fill|reverse|unique|"
+    "clamp|shuffle|transform|(lower|upper)_bound|min|max",
+    "cctype": "is(alpha|digit|alnum|space|xdigit)|to(lower|upper)",
+    "cmath": "sqrt|sin|cos|tan|atan2?|acos|asin|pow|exp|log(2|10)?|floor|ceil|l?l?round|fmod|hypot|is(nan|finite|inf)",
+    "cstdint": "u?int(8|16|32|64|ptr)_t",
+    "cstdio": "f?printf|snprintf|fputs|puts|fopen|fclose|fflush|fread|fwrite|FILE",
+    "cstdlib": "exit|getenv|strto[fdl]|atoi|atof|abort|system|_Exit|atexit",
+    "cstring": "mem(cpy|cmp|set|move)|str(len|n?cmp|error|chr|str)",
+    "fstream": "[io]?fstream",
+    "functional": "function|greater|less|plus|minus",
+    "iostream": "cout|cerr|cin",
+    "limits": "numeric_limits",
+    "memory": "(unique|shared)_ptr|make_(unique|shared)",
+    "numeric": "accumulate|iota|inner_product|partial_sum",
+    "random": "mt19937|uniform_\\w+_distribution",
+    "sstream": "[io]?stringstream",
+    "stdexcept": "(runtime|logic)_error|invalid_argument|out_of_range",
+    "string": "string|to_string|sto[idf]",
+    "type_traits": "is_\\w+_v|conditional_t|decay_t",
+    **{c: c for c in "array atomic bitset chrono complex deque filesystem list map mutex optional regex set".split()},
+    **{c: c for c in "string_view thread tuple unordered_map variant vector".split()},
+}
+
+
+@functools.cache
+def incluye(fichero):
+    """Las cabeceras del sistema que trae, también por las suyas."""
+    hay = set(re.findall("#include <(.*)>", fichero.read_text()))
+    for nombre in re.findall('#include "(.*)"', fichero.read_text()):
+        al_lado = (fichero.parent / nombre).resolve()
+        otras = [al_lado] if al_lado in CPP else [f for f in CPP if str(f).endswith(f"/{nombre}")]
+        hay |= {cabecera for otra in otras[:1] if otra != fichero for cabecera in incluye(otra)}
+    return hay
+
+
+def test_cada_fuente_incluye_lo_que_usa():
+    """Él o las cabeceras suyas que incluye: la precompilada, que no siempre hay, no cuenta."""
+    usa = {
+        f: {
+            c
+            for c, nombres in CABECERAS.items()
+            if re.search(rf"\bstd::({nombres})\b", re.sub("//.*", "", f.read_text()))
+        }
+        for f in CPP
+    }
+    assert len(set().union(*usa.values())) > 20
+    falla([f"{corto(f)}: falta <{c}>" for f in CPP for c in sorted(usa[f] - incluye(f))])
 
 
 # --- cómo de largo es -----------------------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 #include "mide/mide.cpp"
 #undef main
 #include "ejecuta.h"
+#include <chrono>
 #include <ctime>
 #include <fstream>
 #include <gtest/gtest.h>

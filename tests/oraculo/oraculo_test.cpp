@@ -2,6 +2,7 @@
 // de Phong y las sombras no se prueban solos: un error suyo lo notan los programas que se comparan con ellos.
 #include "azar.h"
 #include "contra_oraculo.h"
+#include <tuple>
 
 using namespace oraculo;
 

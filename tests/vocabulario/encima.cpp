@@ -1,5 +1,6 @@
 #include "encima.h"
 #include "prueba.h"
+#include <limits>
 
 namespace {
 
