@@ -18,7 +18,7 @@ static struct {
     GLuint programa, programaCopia, textura = 0;
     Buferes cubo;
     PosturaGrua postura;
-    Orbita orbita = {0.5f, 0.25f, 51.5f, {-2.6f, 5.4f, 1.4f}, 0.02f};
+    Orbita orbita = {0.51f, 0.25f, 51.5f, {-2.6f, 5.4f, 1.4f}, 0.02f};
     std::string fichero = "captura.ppm", resultado;
     glm::ivec2 talla; // de la captura leída
     bool guarda = false;

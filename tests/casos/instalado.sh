@@ -5,7 +5,7 @@
 # shellcheck disable=SC2317 # lo de caso lo llama BUILD/casos/PROGRAMA.sh
 set -euo pipefail
 raiz=$1 build=$2
-command -v bwrap >/dev/null || { echo "no hay bwrap (paquete bubblewrap)"; exit 77; }
+bwrap --dev-bind / / true || { echo "aquí no se puede encerrar nada (bubblewrap)"; exit 77; }
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
 cmake --install "$build" --prefix "$carpeta/instalado" >"$carpeta/instala" 2>&1 || { cat "$carpeta/instala"; exit 1; }

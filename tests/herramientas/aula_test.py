@@ -31,7 +31,7 @@ from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.jaula import Jaula
 from ejercicios.reglas import Reglas
 from copias import copia
-from mentira import siembra
+from mentira import se_encierra, siembra
 
 MOODLE, TEXTO = "_assignsubmission_file_", "_assignsubmission_onlinetext"
 P = b"int main() {}"
@@ -532,14 +532,6 @@ def test_comparar_lo_de_otro_no_dura(trozo):
 REF, CUANTOS = "E3.5", int(os.environ.get("LAB_AULA", "6"))
 
 
-def hay_jaula():
-    try:
-        Jaula(RAIZ).comprueba()
-        return True
-    except procesos.Fallo:
-        return False
-
-
 def sube(i, ficheros):
     """Lo que Moodle da de quien sube eso, cada uno a su manera."""
     carpeta = f"{'José Núñez' if i % 2 else 'Ana Íñigo'} {i}_{2000 + i}{MOODLE}"
@@ -632,7 +624,7 @@ def corregida_entera(tmp_path_factory):
 
 
 con_todo = pytest.mark.skipif(
-    not (BUILD / "osmesa/ch03_transformaciones/grua").exists() or not hay_jaula(),
+    not (BUILD / "osmesa/ch03_transformaciones/grua").exists() or not se_encierra(),
     reason="no está compilado, o no hay jaula",
 )
 

@@ -40,7 +40,7 @@ from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion, Partida
 from ejercicios.reglas import Reglas
 from pruebas import huecos
-from mentira import ejecutable, faltan, siembra
+from mentira import ejecutable, faltan, se_encierra, siembra
 
 REF = "E3.5"
 CALLADO = {"text": True, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
@@ -803,16 +803,8 @@ static const int mira = std::system("for f in {' '.join(SECRETOS)}; do if [ -e $
 """  # acaba mal si ve o hace algo de lo que no debe
 
 
-def hay_jaula():
-    try:
-        jaula.Jaula(RAIZ).comprueba()
-        return True
-    except procesos.Fallo:
-        return False
-
-
 con_jaula = pytest.mark.skipif(
-    not hay_jaula() or not (BUILD / "catalogo.json").exists(),
+    not se_encierra() or not (BUILD / "catalogo.json").exists(),
     reason="aquí no se puede encerrar nada, o no está compilado",
 )
 

@@ -1,4 +1,13 @@
-"""De qué se hace un laboratorio de mentira."""
+"""De qué se hace un laboratorio de mentira, y si lo de verdad se puede encerrar."""
+import shutil
+import subprocess
+
+ENCIERRA = "bwrap --ro-bind / / --unshare-pid --proc /proc --dev /dev true".split()
+
+
+def se_encierra():
+    """Si bwrap puede con algo: en un contenedor sin permisos, o en un chroot, no puede con nada."""
+    return bool(shutil.which("bwrap")) and not subprocess.run(ENCIERRA, capture_output=True).returncode
 
 
 def siembra(raiz, ficheros):

@@ -65,8 +65,9 @@ class Lab:
         for paquete in ("g++-mingw-w64-x86-64-posix", "mingw-w64-common", "libglm-dev", "fonts-dejavu-core"):
             siembra(sitio / "doc" / paquete, {"copyright": paquete})
         self.cambia("herramientas/pruebas/muta.py", "MINIMO = 150", "MINIMO = 2")
+        self.falso = Path(shutil.copy(RAIZ / "tests/ordenes/falso.sh", sitio))  # quien no lee RAIZ también lo llama
         for quien in (*(f"bin/{q}" for q in FALSOS.split()), f"{PEOR}/tests/casos/casos.sh"):
-            (sitio / quien).symlink_to(RAIZ / "tests/ordenes/falso.sh")
+            (sitio / quien).symlink_to(self.falso)
         # como el de conda, que no tiene los paquetes del sistema
         ejecutable(sitio / "bin/python3", "echo 'este Python no es el del sistema' >&2\nexit 1")
         dos = {"guion": "tecla a; tecla '", "tolerancia": "1 2 3", "anima": "2 tecla a"}
@@ -320,11 +321,10 @@ def test_galeria(lab):
     assert hechas(1)[0].startswith("a ha fallado: falla con esto") and not png.exists() and not animada.exists()
     assert "falla con esto" in pagina.read_text()
     # ni sale bien si lo que no se puede dibujar es uno de sus casos
-    falso = RAIZ / "tests/ordenes/falso.sh"
-    ejecutable(programa, f'case "$*" in *-anima*|*tecla*) echo no este >&2; exit 3;; esac\nexec {falso} "$@"')
+    ejecutable(programa, f'case "$*" in *-anima*|*tecla*) echo no este >&2; exit 3;; esac\nexec {lab.falso} "$@"')
     assert hechas(1)[0].startswith("a-dos ha fallado: no este") and png.exists() and not animada.exists()
     programa.unlink()
-    programa.symlink_to(RAIZ / "tests/ordenes/falso.sh")
+    programa.symlink_to(lab.falso)
     assert hechas() == ["2", "sin cambios"]
 
 
@@ -493,7 +493,7 @@ def test_lo_de_mios_se_ve_como_lo_demas(lab):
     lab("nuevo l1.1 mi_a", 1, "ya existe")
     suyo = lab.build / "osmesa/mios/mi_a/a"
     suyo.parent.mkdir(parents=True)
-    suyo.symlink_to(RAIZ / "tests/ordenes/falso.sh")
+    suyo.symlink_to(lab.falso)
     lab("ver mi_a", dice="lo he dibujado en mi_a.png", salida=f"salida de a con {lab.raiz}/mios/mi_a\n")
     assert (lab.sitio / "aqui/mi_a.png").exists() and "mio_mi_a_osmesa" in lab.llamadas("cmake")[-1]
     lab("ver mios/mi_a/", 1, "mios/mi_a no compila", FALLA="compila")
