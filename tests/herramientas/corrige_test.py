@@ -793,7 +793,8 @@ MATA = """#include <csignal>
 #include <unistd.h>
 static const int mata = [] { kill(getppid(), 9); kill(-1, 9); return 0; }();
 """
-SECRETOS = "/etc/passwd", "/root", "/home", f"{BUILD}/corrige/*/*/variantes", f"{BUILD}/osmesa"
+SECRETOS = "/etc/passwd", f"{BUILD}/corrige/*/*/variantes", f"{BUILD}/osmesa"
+SECRETOS += tuple(f for f in ("/root", "/home") if not RAIZ.is_relative_to(f))  # si no, solo la parte que lleva a él
 SECRETOS += tuple(
     f"{RAIZ}/{f}" for f in ("tests", "lab", "ch03_transformaciones/grua.h", "ch03_transformaciones/grua.cpp")
 )
