@@ -31,7 +31,7 @@ from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.jaula import Jaula
 from ejercicios.reglas import Reglas
 from copias import copia
-from mentira import se_encierra, siembra
+from mentira import se_encierra, siembra, sin_ventana
 
 MOODLE, TEXTO = "_assignsubmission_file_", "_assignsubmission_onlinetext"
 P = b"int main() {}"
@@ -624,7 +624,7 @@ def corregida_entera(tmp_path_factory):
 
 
 con_todo = pytest.mark.skipif(
-    not (BUILD / "osmesa/ch03_transformaciones/grua").exists() or not se_encierra(),
+    not (sin_ventana(BUILD) / "ch03_transformaciones/grua").exists() or not se_encierra(),
     reason="no está compilado, o no hay jaula",
 )
 

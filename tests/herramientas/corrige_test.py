@@ -40,7 +40,7 @@ from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion, Partida
 from ejercicios.reglas import Reglas
 from pruebas import huecos
-from mentira import ejecutable, faltan, se_encierra, siembra
+from mentira import ejecutable, faltan, se_encierra, siembra, sin_ventana
 
 REF = "E3.5"
 CALLADO = {"text": True, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
@@ -770,7 +770,7 @@ def test_sin_bwrap_no_se_corrige(tmp_path):
     assert [f.name for f in tmp_path.iterdir()] == ["a.cpp"]
 
 
-@pytest.mark.skipif(not (BUILD / "osmesa/ch03_transformaciones/grua").exists(), reason="no está compilado")
+@pytest.mark.skipif(not (sin_ventana(BUILD) / "ch03_transformaciones/grua").exists(), reason="no está compilado")
 def test_un_shader_con_bom_es_el_mismo(tmp_path):
     """Y lo que no está en $LAB_RAIZ, con $LAB_SOLO_RAIZ, no se busca en el laboratorio."""
     for f in RAIZ.glob("c*/*.*"):
@@ -778,7 +778,7 @@ def test_un_shader_con_bom_es_el_mismo(tmp_path):
             siembra(tmp_path, {f.relative_to(RAIZ): "\ufeff" + f.read_text()})
 
     def dibuja(**entorno):
-        pide = [BUILD / "osmesa/ch03_transformaciones/grua", "-geometry", "60x40", "-ppm", tmp_path / "a.ppm"]
+        pide = [sin_ventana(BUILD) / "ch03_transformaciones/grua", "-geometry", "60x40", "-ppm", tmp_path / "a.ppm"]
         hecho = subprocess.run(pide, env={**os.environ, **entorno}, capture_output=True, text=True)
         return (tmp_path / "a.ppm").read_bytes() if hecho.returncode == 0 else hecho.stderr
 
@@ -793,7 +793,7 @@ MATA = """#include <csignal>
 #include <unistd.h>
 static const int mata = [] { kill(getppid(), 9); kill(-1, 9); return 0; }();
 """
-SECRETOS = "/etc/passwd", f"{BUILD}/corrige/*/*/variantes", f"{BUILD}/osmesa"
+SECRETOS = "/etc/passwd", f"{BUILD}/corrige/*/*/variantes", str(sin_ventana(BUILD))
 SECRETOS += tuple(f for f in ("/root", "/home") if not RAIZ.is_relative_to(f))  # si no, solo la parte que lleva a él
 SECRETOS += tuple(
     f"{RAIZ}/{f}" for f in ("tests", "lab", "ch03_transformaciones/grua.h", "ch03_transformaciones/grua.cpp")
@@ -1021,7 +1021,13 @@ def comprueba_suyas(suyas, todas):
     )
     sin_rotulos = {**os.environ, **procesos.entorno(), "LAB_SIN_ENCIMA": "rotulo"}
     for tecla, imagen in ((hallado[1], 3), ({"a": "d", "d": "a"}[hallado[1]], 2)):  # al revés, la otra tecla
-        solucion = [BUILD / "osmesa/ch03_transformaciones/grua", "-geometry", "240x180", "-guion", f"tecla {tecla} ×7"]
+        solucion = [
+            sin_ventana(BUILD) / "ch03_transformaciones/grua",
+            "-geometry",
+            "240x180",
+            "-guion",
+            f"tecla {tecla} ×7",
+        ]
         pinta = subprocess.run([*solucion, "-ppm", "/dev/stdout"], env=sin_rotulos, capture_output=True).stdout
         png = subprocess.run(["pngtopnm"], input=base64.b64decode(hallado[imagen]), capture_output=True).stdout
         assert png[-3 * 240 * 180 :] == pinta[-3 * 240 * 180 :]

@@ -11,8 +11,9 @@ import pytest
 
 RAIZ = Path(__file__).parents[2]
 BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
-sys.path.insert(0, str(RAIZ / "herramientas"))
+sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/ordenes")]
 from ejercicios.corrige import cuadro, donde
+from mentira import sin_ventana
 
 PROGRAMAS = "ch03_transformaciones/grua", "ch05_iluminacion/grua_iluminada", "ch07_realismo/transparencia"
 HOSTILES = None, True, -5, 1e300, 1 << 900, "", "nan", "x" * (1 << 20), [], {}, [[]], "<script>", 1.5, "\x1b[2J\n"
@@ -24,7 +25,7 @@ def datos(request, tmp_path_factory):
     carpeta = tmp_path_factory.mktemp("cuadro")
     entorno = {"LD_PRELOAD": BUILD / cuadro.DELANTE, "LAB_EXPLICA": cuadro.FICHERO, "LAB_EXPLICA_SUMAS": "1"}
     entorno |= {"LAB_EXPLICA_PIXELES": "120,90 60,120 130,60"}
-    orden = [BUILD / "osmesa" / request.param, "-geometry", "240x180", "-ppm", "i.ppm"]
+    orden = [sin_ventana(BUILD) / request.param, "-geometry", "240x180", "-ppm", "i.ppm"]
     subprocess.run(orden, env={**os.environ, **entorno}, cwd=carpeta, check=True)
     return (carpeta / cuadro.FICHERO).read_bytes()
 

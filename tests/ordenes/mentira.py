@@ -10,6 +10,12 @@ def se_encierra():
     return bool(shutil.which("bwrap")) and not subprocess.run(ENCIERRA, capture_output=True).returncode
 
 
+def sin_ventana(build):
+    """La carpeta de los programas que dibujan sin ventana, con el OpenGL que haya; puede no estar."""
+    cual = build / "sin_ventana"
+    return build / (cual.read_text().strip() if cual.exists() else "osmesa")
+
+
 def siembra(raiz, ficheros):
     """Esos ficheros, con sus carpetas."""
     for fichero, texto in ficheros.items():
