@@ -12,14 +12,14 @@
 #
 # caso(programa nombre NOMBRE "…" [GUION "orden; orden"] [BORDE "…"] [ANIMA "N orden"] [TOLERANCIA "…"] [OTRO "…"] [MOTIVO "…"] MIRA "…"
 #   [CUMPLE "…; …"])
-#   Una imagen de ese programa: tras el guion debe ser tests/golden/<capítulo>/<programa>[-nombre].ppm;
-#   el caso que se llama base no lleva sufijo.
+#   Una imagen de ese programa, la de tras el guion: se llama <programa>-<nombre>, y la del caso base, <programa>.
 #   NOMBRE: cómo se enseña («Con un factor negativo»), distinto de los demás de su programa y hasta 40 letras, las acentuadas por dos;
 #   el caso base puede no tenerlo.
 #   MIRA: una frase, a qué hay que mirar; es el pie de la imagen en la galería. En su propio renglón.
-#   CUMPLE: lo que tiene que ser así en la imagen porque lo dice el pie, y no en las de los demás casos del programa; en el renglón
-#   siguiente. Lo comprueba pies.PROGRAMA (tests/casos/pies.cpp) a 480×360, a 960×720 y a 960×1080. Los puntos son fracciones del 4:3 central de la ventana, x hacia la derecha e y
-#   hacia abajo; un COLOR es un nombre de common/colores.h o (r,g,b), de 0 a 255:
+#   CUMPLE: lo que tiene que ser así en la imagen porque lo dice el pie, y no en las de los demás casos del programa; en
+#   el renglón siguiente. Lo comprueba la prueba pies.<programa> a 480×360, a 960×720 y a 960×1080. Los puntos son
+#   fracciones del 4:3 central de la ventana, x hacia la derecha e y hacia abajo; un COLOR es un nombre de
+#   common/colores.h o (r,g,b), de 0 a 255:
 #     en X Y COLOR                  ese color, a 12 niveles como mucho
 #     en X Y como X Y               los dos puntos, a 12 niveles
 #     en X Y más claro que X Y      más de 12 niveles de luminancia
@@ -35,7 +35,7 @@
 #   exigen un MOTIVO.
 #
 # Con todo ello se escribe build/catalogo.json, que solo lee herramientas/base/catalogo.py, y de ahí sale lo demás: ./lab, la galería,
-# las páginas, docs/. Lo que de cada caso necesitan las pruebas queda en build/casos/<programa>.sh, que lee tests/casos/casos.sh.
+# las páginas, docs/. Lo que de cada caso necesitan las pruebas queda en build/casos/<programa>.sh.
 
 # file(GLOB) en esta carpeta aunque se llame a[b]: esos corchetes no son del patrón.
 function(busca variable patron)

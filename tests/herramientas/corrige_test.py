@@ -42,6 +42,8 @@ from ejercicios.reglas import Reglas
 from pruebas import huecos
 from mentira import ejecutable, faltan, se_encierra, siembra, sin_ventana
 
+GRUA = sin_ventana(BUILD) / "ch03_transformaciones/grua"
+
 REF = "E3.5"
 CALLADO = {"text": True, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
 
@@ -770,7 +772,7 @@ def test_sin_bwrap_no_se_corrige(tmp_path):
     assert [f.name for f in tmp_path.iterdir()] == ["a.cpp"]
 
 
-@pytest.mark.skipif(not (sin_ventana(BUILD) / "ch03_transformaciones/grua").exists(), reason="no está compilado")
+@pytest.mark.skipif(not GRUA.exists(), reason="no está compilado")
 def test_un_shader_con_bom_es_el_mismo(tmp_path):
     """Y lo que no está en $LAB_RAIZ, con $LAB_SOLO_RAIZ, no se busca en el laboratorio."""
     for f in RAIZ.glob("c*/*.*"):
@@ -778,7 +780,7 @@ def test_un_shader_con_bom_es_el_mismo(tmp_path):
             siembra(tmp_path, {f.relative_to(RAIZ): "\ufeff" + f.read_text()})
 
     def dibuja(**entorno):
-        pide = [sin_ventana(BUILD) / "ch03_transformaciones/grua", "-geometry", "60x40", "-ppm", tmp_path / "a.ppm"]
+        pide = [GRUA, "-geometry", "60x40", "-ppm", tmp_path / "a.ppm"]
         hecho = subprocess.run(pide, env={**os.environ, **entorno}, capture_output=True, text=True)
         return (tmp_path / "a.ppm").read_bytes() if hecho.returncode == 0 else hecho.stderr
 
@@ -1021,13 +1023,7 @@ def comprueba_suyas(suyas, todas):
     )
     sin_rotulos = {**os.environ, **procesos.entorno(), "LAB_SIN_ENCIMA": "rotulo"}
     for tecla, imagen in ((hallado[1], 3), ({"a": "d", "d": "a"}[hallado[1]], 2)):  # al revés, la otra tecla
-        solucion = [
-            sin_ventana(BUILD) / "ch03_transformaciones/grua",
-            "-geometry",
-            "240x180",
-            "-guion",
-            f"tecla {tecla} ×7",
-        ]
+        solucion = [GRUA, "-geometry", "240x180", "-guion", f"tecla {tecla} ×7"]
         pinta = subprocess.run([*solucion, "-ppm", "/dev/stdout"], env=sin_rotulos, capture_output=True).stdout
         png = subprocess.run(["pngtopnm"], input=base64.b64decode(hallado[imagen]), capture_output=True).stdout
         assert png[-3 * 240 * 180 :] == pinta[-3 * 240 * 180 :]
