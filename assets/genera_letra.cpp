@@ -1,7 +1,7 @@
 // El atlas de los rótulos: genera_letra LETRA.ttf FICHERO escribe, un byte por texel y la fila de abajo primero, la
 // distancia con signo de cada texel al borde de su signo, a 127/ALCANCE por texel, y la caja de cada uno
-// (common/letra.h).
-#include "common/letra.h"
+// (common/encima/letra.h).
+#include "common/encima/letra.h"
 #include <cstdio>
 #include <string>
 #include <vector>

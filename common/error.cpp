@@ -1,6 +1,6 @@
 #include "error.h"
 #include "motivo.h"
-#include "sistema/sistema.h"
+#include "glut/sistema/sistema.h"
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>

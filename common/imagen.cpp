@@ -3,7 +3,7 @@
 #include "motivo.h"
 #include "numero.h"
 #include "rutas.h"
-#include "sistema/sistema.h"
+#include "glut/sistema/sistema.h"
 #include <algorithm>
 #include <cctype>
 #include <cstdio>

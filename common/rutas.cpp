@@ -1,7 +1,7 @@
 #include "rutas.h"
 #include "error.h"
 #include "motivo.h"
-#include "sistema/sistema.h"
+#include "glut/sistema/sistema.h"
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

@@ -3,7 +3,7 @@
 #include "captura.h"
 #include "error.h"
 #include "shader.h"
-#include "sistema/sistema.h"
+#include "glut/sistema/sistema.h"
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>

@@ -1,6 +1,6 @@
 """Los controles de un programa, según su línea «// Controles:», y sucesos al azar de entre ellos.
 
-controles.py tabla RAÍZ FICHERO                    los de todos, como los incluye common/ayuda.cpp:
+controles.py tabla RAÍZ FICHERO                    los de todos, como los incluye common/encima/ayuda.cpp:
                                                    {"programa", R"(a d<tabulador>giran · …)"},
 controles.py guion RAÍZ BUILD PROGRAMA SEMILLA N   un guion de unas N órdenes al azar para ese programa
 """

@@ -19,7 +19,7 @@
 #   CUMPLE: lo que tiene que ser así en la imagen porque lo dice el pie, y no en las de los demás casos del programa; en
 #   el renglón siguiente. Lo comprueba la prueba pies.<programa> a 480×360, a 960×720 y a 960×1080. Los puntos son
 #   fracciones del 4:3 central de la ventana, x hacia la derecha e y hacia abajo; un COLOR es un nombre de
-#   common/colores.h o (r,g,b), de 0 a 255:
+#   common/encima/colores.h o (r,g,b), de 0 a 255:
 #     en X Y COLOR                  ese color, a 12 niveles como mucho
 #     en X Y como X Y               los dos puntos, a 12 niveles
 #     en X Y más claro que X Y      más de 12 niveles de luminancia
@@ -174,7 +174,7 @@ endfunction()
 # python3 en esta máquina: ejecuta los módulos de herramientas/.
 find_program(PYTHON NAMES python3 python HINTS /usr/bin NO_CMAKE_FIND_ROOT_PATH REQUIRED)
 
-# Los controles de los programas, para common/ayuda.cpp, que está en esa biblioteca.
+# Los controles de los programas, para common/encima/ayuda.cpp, que está en esa biblioteca.
 function(recoge_controles biblioteca)
   busca(fuentes ch*/*.cpp)
   set(tabla "${CMAKE_BINARY_DIR}/generado/controles.inc")

@@ -18,7 +18,7 @@ set(LAB_GENERADO /lab)
 add_compile_options(-Os -Wno-pointer-bool-conversion) # lo segundo: GLEW da punteros a función, que pueden ser nulos
 add_library(avisos INTERFACE) # los da la compilación corriente
 
-set(sin_ventana common/glut_sin_ventana)
+set(sin_ventana glut/sin_ventana)
 include(common/comun.cmake)
 target_include_directories(comun BEFORE PUBLIC ${sin_ventana}/web ${enlaces})
 add_library(glut_web STATIC $<TARGET_OBJECTS:glut_sin_ventana> ${sin_ventana}/contexto_web.cpp ${sin_ventana}/gl_web.cpp)

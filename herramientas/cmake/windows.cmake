@@ -49,7 +49,7 @@ if(NOT CMAKE_CROSSCOMPILING) # si no, las texturas son las de la compilación co
   add_subdirectory(assets)
 endif()
 
-add_library(consola OBJECT common/glut_ventana/windows.cpp common/glut_ventana/windows.rc)
+add_library(consola OBJECT glut/ventana/windows.cpp glut/ventana/windows.rc)
 target_link_libraries(consola PRIVATE comun)
 add_library(glut_ventana INTERFACE)
 target_sources(glut_ventana INTERFACE $<TARGET_OBJECTS:consola>)

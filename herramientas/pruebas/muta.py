@@ -1,14 +1,14 @@
-"""muta.py RAÍZ BUILD [--comprueba | pendientes | QUÉ…]: defectos plantados (base/defectos.py dice cómo son las listas),
-para saber si las pruebas los notan.
+"""muta.py RAÍZ BUILD [--comprueba | --azar N [--semilla N] | QUÉ…]: defectos plantados en los programas y en lo que
+llevan dentro, para saber si las pruebas los notan: los de las listas (base/defectos.py dice cómo son) o N al azar, de
+las líneas de los programas, sus shaders, common/ y glut/ (azar.py).
 
 Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes; un shader estropeado va en una carpeta, y
-$LAB_RAIZ hace que se mire antes que las demás. Los de ./lab, de Python y de las páginas se escriben en una copia de
-todo ello, con lo demás como está, y los ven las pruebas que dice EN_COPIA. Primero se ejecutan sin ninguno las pruebas
-y los casos, que deben pasar y apuntan lo que usan; después, con cada mutante, los que lo usan, hasta que uno falle: las
-que han notado otro de su fichero, también en otra ocasión; las de su capítulo, las demás y, si ninguna lo nota, los
-pasos y los casos: por lo que pintan encima (los .encima) o, si no, solo por su imagen. Cómo se nota cada uno queda en
-docs/plantados.tsv; «pendientes» son los que no se han plantado desde que cambiaron ellos o su fichero.
+$LAB_RAIZ hace que se mire antes que las demás. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar
+y apuntan lo que usan; después, con cada mutante, los que lo usan, hasta que uno falle: las de su capítulo, las demás y,
+si ninguna lo nota, los pasos y los casos: por lo que pintan encima (los .encima) o, si no, solo por su imagen. Queda en
+BUILD/muta.json, que es por donde empieza la vez siguiente.
 """
+import json
 import os
 import re
 import shutil
@@ -25,35 +25,13 @@ from base import catalogo, procesos
 from base.defectos import MUTANTE_H, cambia, estropea, lee, por_fichero
 from base.fuentes import SHADERS, con_inclusiones
 from base.procesos import lanza, principal
+from pruebas import azar
 from pruebas.googletest import pruebas_de
-from pruebas.plantados import ENCIMA, FICHERO, GOLDEN, Plantados
 
-MINIMO = 150  # mutantes en la lista
-SOSPECHOSAS = 8  # las que se prueban antes, de las que no se compilan
-NO_HAY = 4, 5  # con lo que acaba pytest si no están las pruebas que se piden
+GOLDEN, ENCIMA = "golden", "encima"
 META, META_SIN_IMAGEN, META_INDEPENDIENTE = 98, 95, 90  # por ciento: notados, con lo de encima y sin ello
-PYTEST = shutil.which("pytest-3") or "pytest"
 DISTINTO_ENCIMA = 4  # con que acaba casos.sh si es distinto lo que se pinta encima
-JUECES = "vocabulario", "cota", "oraculo", "mide", "comparador", "pies", "jueces"  # las pruebas de los que juzgan
 SOBRA = "build", "galeria", "informe", "web", "windows", "mios", ".git"  # de una copia del árbol
-DE_ORDENES = "tests/ordenes/ordenes_test.py", "tests/ordenes/preguntas_test.py"
-DE_HERRAMIENTAS = "tests/herramientas/claves_test.py", "tests/herramientas/herramientas_test.py"
-# De «LISTA FICHERO», el primero que casa: lo que nota los que no se compilan, de lo que menos tarda a lo que más.
-EN_COPIA = {
-    "^jueces ": ("tests/jueces/propiedades_mal_test.py", "tests/jueces/jueces_test.py"),
-    "^correccion |/corrige/": tuple(
-        f"tests/herramientas/{f}_test.py" for f in "donde aula herramientas corrige propios".split()
-    ),
-    r"^explica |/explica/.*\.py$": ("tests/ordenes/sin_pruebas_test.py",),
-    r"^paginas |\.mjs$": ("tests/paginas/partes.mjs",),
-    " lab$": DE_ORDENES + DE_HERRAMIENTAS,
-    "": DE_HERRAMIENTAS + DE_ORDENES,
-}
-# Con LAB_NAVEGADOR=1, los de las páginas los nota también, después, lo que se hace en ellas.
-EN_NAVEGADOR = {
-    "herramientas/web/": "tests/paginas/web.sh",
-    "herramientas/galeria/": "tests/paginas/comprueba_galeria.py",
-}
 
 
 @dataclass
@@ -93,9 +71,7 @@ def capitulo(nombre):
 
 def es_de(prueba, capitulos):
     """Si esa prueba es de alguno de esos capítulos, o si no se piden. Los casos difíciles son de todos."""
-    if "jueces" in capitulos and prueba.split("_test")[0].split(".")[0] in JUECES:
-        return True
-    return not capitulos or capitulo(prueba) in capitulos or prueba.startswith("dificil_") and capitulos != {"jueces"}
+    return not capitulos or capitulo(prueba) in capitulos or prueba.startswith("dificil_")
 
 
 def lee_listas(raiz):
@@ -103,8 +79,8 @@ def lee_listas(raiz):
     return lee(raiz / "herramientas/ejercicios/errores", raiz / "tests/mutantes")
 
 
-def comprueba(raiz, programas, mutantes, fallos):
-    """Que cada mutante se puede aplicar, que los shaders estropeados compilan y que no falta ningún programa."""
+def comprueba(raiz, mutantes, fallos):
+    """Que cada mutante se puede aplicar y que los shaders estropeados compilan."""
     for fichero, grupo in por_fichero(mutantes).items():
         try:
             fuente = (raiz / fichero).read_text()
@@ -120,10 +96,6 @@ def comprueba(raiz, programas, mutantes, fallos):
                     fallos.append(f"{m.nombre}: es el mismo que {otro.nombre}")
             except ValueError as error:
                 fallos.append(f"{m.nombre}: {error}")
-        if grupo[0].en_copia:
-            for m in buenos:
-                fallos += compila_guion(m, estropea(fuente, m))
-            continue
         if grupo[0].en_shader:
             for m in buenos:
                 # si no, cualquiera lo notaría
@@ -133,11 +105,6 @@ def comprueba(raiz, programas, mutantes, fallos):
             cambia(fuente, buenos)
         except ValueError as error:
             fallos.append(f"{fichero}: {error}")
-    if len(mutantes) < MINIMO:
-        fallos.append(f"hay {len(mutantes)} mutantes, y deben ser {MINIMO}")
-    for p in programas:
-        if not any(m.fichero.startswith(f"{p.capitulo.nombre}/{p.nombre}") for m in mutantes):
-            fallos.append(f"ningún mutante en {p.capitulo.nombre}/{p.nombre}")
     return fallos
 
 
@@ -158,110 +125,14 @@ def no_compila_glsl(raiz, fichero, estropeado):
     return [f"no compila: {informe.stdout.splitlines()[-3:]}"] if informe.returncode else []
 
 
-def compila_guion(mutante, estropeado):
-    """Uno estropeado de Python, de Bash o de JavaScript debe poder leerse."""
-    informe = ""
-    if mutante.fichero.endswith(".py"):
-        try:
-            compile(estropeado, mutante.fichero, "exec")
-        except SyntaxError as error:
-            informe = f"línea {error.lineno}: {error.msg}"
-    elif mutante.de_bash or mutante.fichero.endswith(".mjs") and shutil.which("node"):
-        lector = ["bash", "-n"] if mutante.de_bash else ["node", "--input-type=module", "--check", "-"]
-        informe = subprocess.run(lector, input=estropeado, text=True, capture_output=True).stderr
-    return [f"{mutante.nombre}: no se puede leer: {informe.strip()}"] if informe else []
-
-
-def copia_de_trabajo(raiz, carpeta):
-    """El árbol: lo que se estropea y sus pruebas; de lo demás, la carpeta vacía."""
-    carpeta.mkdir()
-    for que in raiz.iterdir():
-        if que.name in ("herramientas", "tests", ".ci"):
-            shutil.copytree(que, carpeta / que.name, ignore=shutil.ignore_patterns("__pycache__", "golden"))
-        elif que.is_dir() and que.name not in SOBRA:
-            (carpeta / que.name).mkdir()
-        elif que.is_file():
-            shutil.copy2(que, carpeta)
-    (carpeta / "tests/golden").mkdir()
-    return carpeta
-
-
-def en_su_sitio(raiz, build, copia):
-    """Lo que va delante de una orden para que vea la copia en el sitio del árbol, que es donde build/ sabe compilar, y
-    en sus carpetas vacías, las de verdad."""
-    if build.is_relative_to(raiz):
-        (copia / build.relative_to(raiz)).mkdir(exist_ok=True)
-    orden = ["bwrap", "--dev-bind", "/", "/", "--bind", copia, raiz]
-    for carpeta in (*copia.iterdir(), copia / "tests/golden"):
-        if carpeta.is_dir() and not any(carpeta.iterdir()):
-            orden += ["--bind", raiz / carpeta.relative_to(copia), raiz / carpeta.relative_to(copia)]
-    return orden
-
-
-def orden_en_copia(raiz, build, copia, *nombres):
-    if nombres[0] in EN_NAVEGADOR.values():
-        parte = ["persona"] if nombres[0].endswith(".sh") else []
-        return [*en_su_sitio(raiz, build, copia), raiz / nombres[0], raiz, build, *parte]
-    if nombres[0].endswith(".mjs"):
-        return [*en_su_sitio(raiz, build, copia), "node", raiz / nombres[0], raiz, build]
-    return [*en_su_sitio(raiz, build, copia), PYTEST, "-xq", "-p", "no:cacheprovider", *(raiz / n for n in nombres)]
-
-
-def sospechosas(mutante, pruebas, notan):
-    """De esas pruebas de Python, una a una, la que lo notó y las que más han notado de su fichero."""
-    en = {Path(p).stem: p for p in pruebas if p.endswith(".py")}
-    suyas = Counter({quien: n for (f, quien), n in notan.items() if f == mutante.fichero})
-    partes = (quien.partition(".") for quien in dict.fromkeys((mutante.antes, *(q for q, _ in suyas.most_common()))))
-    return [f"{en[stem]}::{una}" for stem, _, una in partes if stem in en and una][:SOSPECHOSAS]
-
-
-def las_que_lo_notan(mutante):
-    pruebas = next(suyas for de, suyas in EN_COPIA.items() if re.search(de, f"{mutante.lista} {mutante.fichero}"))
-    if mutante.fichero.endswith(".mjs") and os.environ.get("LAB_NAVEGADOR") == "1":
-        de_una = [prueba for donde, prueba in EN_NAVEGADOR.items() if mutante.fichero.startswith(donde)]
-        pruebas += tuple(de_una or EN_NAVEGADOR.values())
-    return pruebas
-
-
-def prueba_en_copia(raiz, build, temporal, pruebas, mutante=None, notan=()):
-    """Esas pruebas en una copia con ese mutante, hasta la que lo nota; antes, las sospechosas."""
-    with tempfile.TemporaryDirectory(dir=temporal) as sitio:
-        os.chmod(sitio, 0o755)
-        copia = copia_de_trabajo(raiz, Path(sitio, "lab"))
-        antes = []
-        if mutante:
-            fichero = copia / mutante.fichero
-            fichero.write_text(estropea(fichero.read_text(), mutante))
-            antes = sospechosas(mutante, pruebas, notan)
-        for nombres in filter(None, [antes, *([nombre] for nombre in pruebas)]):
-            limite, entorno = 900, {}  # segundos, con la máquina ocupada
-            if nombres[0] in EN_NAVEGADOR.values():
-                limite, entorno = 1800, {**procesos.entorno(build), "LAB_AL_PRIMERO": "1"}
-            prueba = Prueba(nombres[0], orden_en_copia(raiz, build, copia, *nombres), entorno, False)
-            estado = prueba.falla(limite, TMPDIR=sitio, LAB_BUILD=str(build))
-            if not mutante and estado:
-                sys.exit(f"{prueba.salida[-1000:]}\nmuta: {nombres[0]} falla sin ningún mutante")
-            if estado and not (nombres == antes and estado in NO_HAY):
-                quien = re.search(
-                    r"^(?:FAILED|ERROR) \S*?([^/\s]+)\.py::(.+?)(?: - .*)?$|^(?:not ok \d+ - |falla: )(.+)$",
-                    prueba.salida,
-                    re.M,
-                )
-                mutante.notado = (
-                    f"{quien[1] or Path(nombres[0]).stem}.{quien[2] or quien[3]}" if quien else Path(nombres[0]).name
-                )
-                notan[mutante.fichero, mutante.notado] += 1
-                break
-    return mutante
-
-
 class Vivero:
     """La copia del árbol con todos los mutantes, compilada."""
 
-    def __init__(self, raiz, carpeta, mutantes, notan):
-        """`notan`: de (fichero, prueba), cuántos defectos."""
+    def __init__(self, raiz, carpeta, mutantes, antes):
+        """`antes`: de cada defecto, qué prueba lo notó la última vez."""
         self.raiz, self.copia, self.build, self.mutantes = raiz, carpeta / "fuente", carpeta / "build", mutantes
-        self.procesos, self.notan = os.cpu_count(), notan
+        self.procesos, self.antes = os.cpu_count(), antes
+        self.notan = Counter((m.fichero, antes.get(m.nombre)) for m in mutantes)
 
     def copia_arbol(self):
         """Solo se escribe lo que cambia: así se vuelve a compilar solo eso."""
@@ -278,8 +149,8 @@ class Vivero:
             nuevos[fichero] = cambia(nuevos[fichero].decode(), grupos[fichero]).encode()
         for relativo in nuevos:  # una prueba puede incluir un fuente dentro de un namespace
             if relativo in fuentes or re.match("tests/.*_test.cpp", relativo):
-                mutante_h = os.path.relpath(MUTANTE_H, Path(relativo).parent)
-                nuevos[relativo] = f'#include "{mutante_h}"\n'.encode() + nuevos[relativo]
+                incluye = [os.path.relpath(f, Path(relativo).parent) for f in (MUTANTE_H, azar.OTRO_FACTOR)]
+                nuevos[relativo] = "".join(f'#include "{f}"\n' for f in incluye).encode() + nuevos[relativo]
         for viejo in self.copia.rglob("*"):
             if viejo.is_file() and str(viejo.relative_to(self.copia)) not in nuevos:
                 viejo.unlink()
@@ -310,7 +181,7 @@ class Vivero:
         self.sin_ventana = (self.build / "sin_ventana").read_text().strip()
         self.programas = catalogo.lee_programas(self.build)
         pruebas = [f.stem for f in self.copia.glob("tests/*/*_test.cpp") if es_de(f.name, capitulos)]
-        de_los_jueces, listas = ["borde", "pies", "defectuoso"], {m.lista for m in self.mutantes}
+        listas = {m.lista for m in self.mutantes}
         self.orden(
             "ninja",
             "-k",
@@ -322,7 +193,6 @@ class Vivero:
             "explica",
             *(["finitos"] if self.sin_ventana == "osmesa" else ()),  # con ello van las propiedades
             *(["rarezas"] if "explica" in listas else ()),
-            *(de_los_jueces if "jueces" in listas and es_de("jueces", capitulos) else ()),
             *(f"{p.nombre}_{self.sin_ventana}" for p in self.programas),
         )
 
@@ -347,8 +217,6 @@ class Vivero:
                     Prueba(f"{ejecutable.name[:-5]}.{nombre}", [ejecutable, f"--gtest_filter={nombre}"], {}, False)
                 )
         entorno = procesos.entorno(self.build)
-        if es_de("jueces", capitulos) and any(m.lista == "jueces" for m in self.mutantes):
-            pruebas += self.de_jueces(entorno)
         if not capitulos and any(m.lista == "explica" for m in self.mutantes):
             pruebas += self.de_explica(entorno)
         for programa in self.programas:
@@ -378,16 +246,6 @@ class Vivero:
                     ]
                     pruebas.append(Prueba(f"{de} golden {programa.nombre}.{caso.nombre}", orden, entorno, True))
         return pruebas
-
-    def de_jueces(self, entorno):
-        """Las que no son de GoogleTest y juzgan a lo que se compila."""
-        defectos = [sys.executable, "-B", self.copia / "tests/comparador/defectos.py", self.copia, self.build]
-        yield Prueba("comparador.defectos", defectos, entorno, False)
-        pies = [sys.executable, "-B", self.copia / "tests/casos/pies_mal.py", self.build]
-        yield Prueba("pies", pies, entorno, False)
-        jueces = [PYTEST, "-xq", "-p", "no:cacheprovider", self.copia / "tests/jueces/jueces_test.py"]
-        jueces += ["-k", "borde or queda or numero or casos or pagina"]
-        yield Prueba("jueces", jueces, {**entorno, "LAB_BUILD": str(self.build)}, False)
 
     def de_explica(self, entorno):
         """Las que preguntan a lo que se pone delante de OpenGL."""
@@ -421,17 +279,19 @@ class Vivero:
             sys.exit(f"muta: {len(malas)} pruebas fallan sin ningún mutante")
         for m in self.mutantes:
             visto = m.fichero if m.en_shader else str(m.numero)
-            m.pruebas = sorted(
-                (p for p in pruebas if visto in p.vistos and (m.lista != "jueces" or es_de(p.nombre, {"jueces"}))),
-                key=lambda p: (p.golden, p.capitulo != capitulo(m.fichero), p.segundos),
-            )
+            suyas = (p for p in pruebas if visto in p.vistos)
+            m.pruebas = sorted(suyas, key=lambda p: (p.golden, p.capitulo != capitulo(m.fichero), p.segundos))
 
     def prueba(self, mutante):
         numero = str(mutante.numero)
         entorno = {"LAB_RAIZ": str(self.build / "glsl" / numero)} if mutante.en_shader else {"LAB_MUTANTE": numero}
 
         def orden(prueba):
-            return prueba.golden, prueba.nombre != mutante.antes, -self.notan[mutante.fichero, prueba.nombre]
+            return (
+                prueba.golden,
+                prueba.nombre != self.antes.get(mutante.nombre),
+                -self.notan[mutante.fichero, prueba.nombre],
+            )
 
         for prueba in sorted(mutante.pruebas, key=orden):
             estado = prueba.falla(30 + 10 * prueba.segundos, **entorno)
@@ -448,112 +308,101 @@ def cuenta(mutante):
     if mutante.notado:
         resultado = {"": "", ENCIMA: "encima, ", GOLDEN: "solo "}[mutante.por] + mutante.notado
     else:
-        resultado = "SOBREVIVE" if mutante.pruebas or mutante.en_copia else "SOBREVIVE, nada lo ejecuta"
+        resultado = "SOBREVIVE" if mutante.pruebas else "SOBREVIVE, nada lo ejecuta"
     motivo = f" ({mutante.motivo})" if mutante.motivo else ""
     return f"{mutante.nombre:<11} {mutante.fichero}, {mutante.imita}: {resultado}{motivo}"
 
 
-def resume(listas):
-    """La tabla por listas. Devuelve los porcentajes del total: notados, sin mirar los golden y con lo de encima."""
-    total = {que: sum(c[que] for c in listas.values()) for que in ("plantados", "notados", "sin_golden", "encima")}
-    print(
-        "\n| lista | plantados | notados | % | notados sin golden | % | y con lo de encima | % |\n" + "|---" * 8 + "|"
-    )
-    for lista, c in {**listas, "total": total}.items():
-        cuantos = (c["notados"], c["sin_golden"], c["sin_golden"] + c["encima"])
-        por_ciento = [100 * n / max(c["plantados"], 1) for n in cuantos]
-        celdas = [f"{n} | {p:.1f}" for n, p in zip(cuantos, por_ciento)]
-        print(f"| {lista} | {c['plantados']} | {' | '.join(celdas)} |")
-    return por_ciento
+def resume(elegidos):
+    """Cuántos se notan, sin mirar las imágenes y sin lo de encima, en tantos por ciento."""
+    total = max(len(elegidos), 1)
+    notados = [m for m in elegidos if m.notado]
+    sin_imagen = [m for m in notados if m.por != GOLDEN]
+    independientes = [m for m in sin_imagen if m.por != ENCIMA]
+    cuantos = [len(lista) for lista in (notados, sin_imagen, independientes)]
+    dice = [f"{n} ({100 * n / total:.1f} %)" for n in cuantos]
+    print("\n{} defectos; notados, {}; sin mirar las imágenes, {}; ni lo de encima, {}".format(len(elegidos), *dice))
+    return [100 * n / total for n in cuantos]
 
 
-def elige(todos, plantados, pedidos):
+def elige(todos, pedidos):
     """Los que se piden."""
-    if pedidos == ["pendientes"]:
-        return plantados.pendientes()
     for pedido in pedidos:
         if not any(m.es_de(pedido) for m in todos):
             sys.exit(
-                f"muta: no hay ningún mutante en «{pedido}»; vale un capítulo (ch05), un programa, un fichero, "
-                f"{todos[0].nombre} o «pendientes»"
+                f"muta: no hay ningún mutante en «{pedido}»; vale un capítulo (ch05), un programa, un fichero o "
+                f"{todos[0].nombre}"
             )
     return [m for m in todos if not pedidos or any(m.es_de(pedido) for pedido in pedidos)]
 
 
-def segun_acaban(hilos, prueba, mutantes):
-    """Uno que no acaba no retrasa que se apunten los demás."""
-    return (hecho.result() for hecho in as_completed([hilos.submit(prueba, m) for m in mutantes]))
-
-
-def planta(vivero, raiz, build, elegidos, capitulos):
-    """Los devuelve según acaban, notados o no. De un capítulo que se pide, solo sus pruebas; lo de common/ lo usan
-    todos."""
-    en_copia = [m for m in elegidos if m.en_copia]
-    compilados = [m for m in elegidos if not m.en_copia]
-    if compilados:
-        aviso(f"compilo con {len(vivero.mutantes)} mutantes dentro…")
-        vivero.copia_arbol()
-        vivero.compila(capitulos)
+def planta(vivero, elegidos, capitulos):
+    """Los devuelve según acaban, notados o no: uno que no acaba no retrasa que se digan los demás. De un capítulo que se
+    pide, solo sus pruebas; lo de common/ lo usan todos."""
+    aviso(f"compilo con {len(vivero.mutantes)} mutantes dentro…")
+    vivero.copia_arbol()
+    vivero.compila(capitulos)
     with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(vivero.procesos) as hilos:
         os.environ["TMPDIR"] = temporal  # lo que deje una prueba que no acaba bien
-        os.chmod(temporal, 0o755)  # hay pruebas en que lo lee otro usuario
-        if compilados:
-            vivero.sin_mutantes(vivero.enumera(capitulos), hilos)
-        yield from segun_acaban(hilos, vivero.prueba, compilados)
-        if en_copia:
-            procesos.ejecuta(["cmake", "--build", build])  # usan lo que hay
-        suyas = dict.fromkeys(p for m in en_copia for p in las_que_lo_notan(m))
-        list(hilos.map(lambda p: prueba_en_copia(raiz, build, temporal, [p]), suyas))  # sin ninguno
-
-        def en_ella(m):
-            return prueba_en_copia(raiz, build, temporal, las_que_lo_notan(m), m, vivero.notan)
-
-        yield from segun_acaban(hilos, en_ella, en_copia)
+        vivero.sin_mutantes(vivero.enumera(capitulos), hilos)
+        for hecho in as_completed([hilos.submit(vivero.prueba, m) for m in elegidos]):
+            yield hecho.result()
 
 
-def juzga(elegidos, plantados):
-    """Que no sobreviva ninguno sin motivo y, si ya están todos plantados, que se noten los que se deben."""
-    notados, independientes, sin_imagen = resume(plantados.cuentas())
+def juzga(elegidos, al_azar):
+    """De las listas, que no sobreviva ninguno sin motivo y que se noten los que se deben; al azar solo se cuenta."""
+    por_ciento = resume(elegidos)
     print("", *(cuenta(m) for m in elegidos if not m.notado), sep="\n")
-    aviso(f"apuntado en {FICHERO}; ./lab lista --docs lo lleva a docs/exactitud.md")
+    if al_azar:
+        return
     mal = [m.nombre for m in elegidos if bool(m.notado and not m.lo_nota_otro) == bool(m.motivo)]
     if mal:
         sys.exit(f"muta: sobreviven sin motivo, o se notan y tienen uno: {', '.join(mal)}")
-    quedan = plantados.pendientes()
-    if quedan:
-        return aviso(f"quedan {len(quedan)} pendientes: ./lab muta pendientes")
-    if notados < META or sin_imagen < META_SIN_IMAGEN or independientes < META_INDEPENDIENTE:
+    metas = META, META_SIN_IMAGEN, META_INDEPENDIENTE
+    if len(elegidos) > 500 and any(hay < meta for hay, meta in zip(por_ciento, metas)):  # de unos pocos, no se juzga
         sys.exit(
-            f"muta: se deben notar el {META} %; sin mirar las imágenes, el {META_SIN_IMAGEN} %; y sin lo de encima, el "
-            f"{META_INDEPENDIENTE} %"
+            "muta: se deben notar el {} %; sin mirar las imágenes, el {} %; y sin lo de encima, el {} %".format(*metas)
         )
+
+
+def numero_de(pedidos, opcion, si_no):
+    """Lo que sigue a esa opción, que se quita de las palabras."""
+    if opcion not in pedidos:
+        return si_no
+    i = pedidos.index(opcion)
+    del pedidos[i]
+    if not pedidos[i:] or not pedidos[i].isdecimal():
+        sys.exit(f"muta: tras {opcion} va un número")
+    return int(pedidos.pop(i))
 
 
 def main():
     raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
     pedidos = sys.argv[3:]
-    todos, fallos = lee_listas(raiz)
-    fallos = comprueba(raiz, catalogo.lee_programas(build), todos, fallos)
+    cuantos, semilla = numero_de(pedidos, "--azar", 0), numero_de(pedidos, "--semilla", 1)
+    todos, fallos = ([], []) if cuantos else lee_listas(raiz)
+    fallos = comprueba(raiz, todos, fallos)
     if fallos:
         sys.exit("\n".join([*fallos, "muta: la lista de mutantes tiene errores"]))
-    plantados = Plantados(raiz, todos)
     if pedidos == ["--comprueba"]:
-        print(f"{len(todos)} mutantes, y todos se pueden plantar")
-        quedan = " ".join(m.nombre for m in plantados.pendientes())
-        return print(
-            f"sin plantar desde que cambiaron ellos o su fichero (./lab muta pendientes): {quedan or 'ninguno'}"
-        )
-    elegidos = elige(todos, plantados, pedidos)
-    for m in elegidos:
-        m.antes = plantados.quien(m)
-    vivero = Vivero(raiz, build / "mutantes", [m for m in todos if not m.en_copia], plantados.lo_notan())
-    capitulos = {"jueces" if m.lista == "jueces" else capitulo(m.fichero) for m in elegidos if not m.en_copia}
-    if not pedidos or "comun" in capitulos:
+        return print(f"{len(todos)} mutantes, y todos se pueden plantar")
+    if cuantos:
+        aviso(f"elijo {cuantos} al azar, con la semilla {semilla}…")
+        todos = elegidos = azar.elige(raiz, build.parent, cuantos, semilla, no_compila_glsl)
+    else:
+        elegidos = elige(todos, pedidos)
+    hecho = build / "muta.json"
+    antes = json.loads(hecho.read_text()) if hecho.exists() and not cuantos else {}
+    vivero = Vivero(raiz, build / "mutantes", todos, antes)
+    capitulos = {capitulo(m.fichero) for m in elegidos}
+    if cuantos or not pedidos or "comun" in capitulos:
         capitulos = set()
-    for i, m in enumerate(planta(vivero, raiz, build, elegidos, capitulos), 1):
-        plantados.apunta(m)
+    for i, m in enumerate(planta(vivero, elegidos, capitulos), 1):
         print(f"[{i}/{len(elegidos)}] {cuenta(m)}", flush=True)
-    juzga(elegidos, plantados)
+        antes[m.nombre] = m.por or m.notado
+        if not cuantos:
+            procesos.escribe(hecho, json.dumps(antes, ensure_ascii=False, indent=0) + "\n")
+    juzga(elegidos, cuantos)
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@
 #include "tabla.h"
 #include <GL/glew.h>
 // después de glew.h
-#include "glut_sin_ventana/glut_sin_ventana.h"
+#include "glut/sin_ventana/glut_sin_ventana.h"
 #include <unistd.h>
 
 // Los dos programas que no usan common/ se prueban también por dentro. A primer_programa se le cambian las funciones de

@@ -11,7 +11,7 @@
 #include "rotulo.h"
 #include "ventana.h"
 // después de glew.h
-#include "glut_sin_ventana/glut_sin_ventana.h"
+#include "glut/sin_ventana/glut_sin_ventana.h"
 // clang-format off
 #include <ft2build.h>
 #include FT_FREETYPE_H

@@ -2,7 +2,7 @@
 // ventana, contra lo que hay; lo que rechaza, y lo que ve su diario.
 #include "costura/partida.h"
 #include "ejecuta.h"
-#include "glut_sin_ventana/parametros.h"
+#include "glut/sin_ventana/parametros.h"
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 #include <cstdlib>

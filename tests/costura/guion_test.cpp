@@ -1,6 +1,6 @@
 // El guion de glut_sin_ventana: lo que entiende, y qué dice de lo que no.
 #include "ejecuta.h"
-#include "glut_sin_ventana/guion.h"
+#include "glut/sin_ventana/guion.h"
 #include <fstream>
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // El reescritor de shaders: lo que apunta es lo que pasa, y lo que calcula no cambia.
 #include "azaroso.h"
 #include "ejecuta.h"
-#include "glut_sin_ventana/essl.h"
+#include "glut/sin_ventana/essl.h"
 #include "rutas.h"
 #include "traza.h"
 

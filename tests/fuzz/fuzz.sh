@@ -8,9 +8,9 @@ shift
 cd "$(dirname "$0")/../.."
 mkdir -p "build/fuzz/corpus_$LECTOR"
 clang++ -std=c++17 -O2 -g -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=undefined -Icommon -I. \
-  tests/fuzz/lectores.cpp common/{imagen,malla,motivo,shader}.cpp common/sistema/posix.cpp \
+  tests/fuzz/lectores.cpp common/{imagen,malla,motivo,shader}.cpp glut/sistema/posix.cpp \
   herramientas/explica/{apuntes,declaraciones,expresiones,glsl,lexico,preludio,sentencias,tipos}.cpp \
-  common/glut_sin_ventana/guion.cpp \
+  glut/sin_ventana/guion.cpp \
   -lGLEW -lGL -o build/fuzz/lectores
 exec build/fuzz/lectores -artifact_prefix="build/fuzz/$LECTOR-" -max_len=4096 -timeout=10 "$@" \
   "build/fuzz/corpus_$LECTOR" "tests/fuzz/semillas/$LECTOR"

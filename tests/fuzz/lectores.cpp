@@ -3,7 +3,7 @@
 // conductor.cpp.
 #include "ch02_modelado/bezier.h"
 #include "error.h"
-#include "glut_sin_ventana/guion.h"
+#include "glut/sin_ventana/guion.h"
 #include "herramientas/explica/glsl.h"
 #include "imagen.h"
 #include "malla.h"

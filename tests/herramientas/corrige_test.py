@@ -298,7 +298,7 @@ def test_lo_que_ve_una_entrega_no_es_la_solucion():
         solucion, esqueleto = (que(RAIZ, programa, ref) for que in (nuevo.solucion, nuevo.esqueleto))
         secretos = {f"{programa.capitulo.nombre}/{f}" for f in solucion if solucion[f] != esqueleto[f]}
         vistos = set(map(str, compilador.arbol_visible(RAIZ, programa, ref)))
-        assert secretos and not secretos & vistos and {"common/ventana.h", "common/encima.vert"} <= vistos, ref
+        assert secretos and not secretos & vistos and {"common/ventana.h", "common/encima/encima.vert"} <= vistos, ref
 
 
 def carpeta_de(sitio, ficheros):
@@ -564,7 +564,7 @@ def test_la_version_la_cambia_todo_lo_que_corrige(monkeypatch):
     monkeypatch.setattr(Path, "read_bytes", lambda f: lee(f) + (b"x" if str(f) in tocado else b""))
     versiones = [b.suma_todo(RAIZ, BUILD)]
     fuentes = "ejercicios/corrige/arbitro.py", "base/guiones.py"
-    ficheros = *(f"{RAIZ}/herramientas/{f}" for f in fuentes), f"{RAIZ}/common/encima.vert", f"{RAIZ}/common/ventana.h"
+    ficheros = *(f"{RAIZ}/herramientas/{f}" for f in fuentes), f"{RAIZ}/common/encima/encima.vert", f"{RAIZ}/common/ventana.h"
     comun = next(p for p in b.compilador.bibliotecas if p.endswith("comun.a"))
     ficheros += f"{BUILD}/herramientas/comparador/compara", comun
     for tocado[:] in [[f] for f in ficheros]:
@@ -897,7 +897,7 @@ ORDENA = """#include <algorithm>
 struct X {} equis[9];
 inline void ordena() { std::sort(equis, equis + 9); }
 """
-INCLUYE = ("util/cosas.h", "otras.hpp", "../../common/colores.h", "../../ch03_transformaciones/transformaciones.h")
+INCLUYE = ("util/cosas.h", "otras.hpp", "../../common/encima/colores.h", "../../ch03_transformaciones/transformaciones.h")
 ENTREGAS = {  # qué se quita de la solución, y qué se pone
     "a_bien": ("grua.h", "", ""),
     "c_gira_al_reves": ("grua.h", "p.giro += PASO_GIRO", "p.giro -= PASO_GIRO"),

@@ -98,7 +98,7 @@ LADOS = "izquierdo", "derecho", "de abajo", "de arriba"
 def fondos():
     """Los colores que tienen por fondo, de colores.h."""
     nombrados = re.search(r": \{(FONDO_[^}]*)\}", (RAIZ / "tests/casos/borde.cpp").read_text())[1].split(", ")
-    paleta = (RAIZ / "common/colores.h").read_text()
+    paleta = (RAIZ / "common/encima/colores.h").read_text()
     for nombre in nombrados:
         rgb = re.search(rf"\b{nombre}\(([^)]*)\)", paleta)[1]
         yield tuple(int(255 * float(c.strip(" f")) + 0.5) for c in rgb.split(","))

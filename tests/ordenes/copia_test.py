@@ -87,7 +87,7 @@ class Copia:
         for hecho in ("comun.dir", "glut_sin_ventana.dir"):  # en BUILD, otro usuario puede no poder leer
             shutil.copytree(BUILD / "CMakeFiles" / hecho, sitio / hecho)
         self.cambia("CMakePresets.json", '"Release"', '"None"')
-        glut = f'file(GLOB glut "{sitio}/glut_sin_ventana.dir/common/glut_sin_ventana/*.o")\n'
+        glut = f'file(GLOB glut "{sitio}/glut_sin_ventana.dir/glut/sin_ventana/*.o")\n'
         for f in ("CMakeLists.txt", "common/comun.cmake"):
             self.cambia(f, r"common/(?!rutas)(\w+\.cpp)", rf'"{sitio}/comun.dir/common/\1.o"')
             self.cambia(f, r"\$<TARGET_OBJECTS:glut_sin_ventana>", "${glut}")

@@ -11,7 +11,7 @@ mal() { echo "$*"; fallos=1; }
 python3 -B herramientas documentos.escribe . "$2" comprueba || fallos=1
 grep '|  |$' docs/programas.md && mal 'eso es del libro y no tiene programa, respuesta ni, en docs/libro.tsv, motivo'
 
-cabecera_essl=$(sed -n '/R"(/,/^)"/{s/.*R"(//;/^)"/!p}' common/glut_sin_ventana/essl.h)
+cabecera_essl=$(sed -n '/R"(/,/^)"/{s/.*R"(//;/^)"/!p}' glut/sin_ventana/essl.h)
 [ "${cabecera_essl%%$'\n'*}" = '#version 300 es' ] || mal 'no encuentro la cabecera de essl.h'
 carpeta=$(mktemp -d)
 trap 'rm -rf "$carpeta"' EXIT
@@ -32,7 +32,7 @@ for arbol in . "$carpeta/por hacer"; do # también con los ejercicios por hacer
   popd >/dev/null
 done
 
-diff <(grep -oE '\bglut[A-Z][A-Za-z]+' <(sed '/Cualquier otra/,$d' common/glut_sin_ventana/glut_sin_ventana.h) | sort) \
+diff <(grep -oE '\bglut[A-Z][A-Za-z]+' <(sed '/Cualquier otra/,$d' glut/sin_ventana/glut_sin_ventana.h) | sort) \
   <(nm -C --defined-only "$3" | awk '$2 == "T" && $3 ~ /^glut[A-Z]/ { print $3 }' | sort) ||
   mal 'glut_sin_ventana.h no enumera justo las funciones que hay'
 # sus demás nombres van en su espacio: los que defina un programa no chocan con ellos

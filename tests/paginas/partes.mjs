@@ -309,7 +309,7 @@ test('lo hecho, para el enlace', () => {
 });
 
 test('cada tecla da una orden que el guion entiende', () => {
-  const guion = readFileSync(`${raiz}/common/glut_sin_ventana/guion.cpp`, 'utf8');
+  const guion = readFileSync(`${raiz}/glut/sin_ventana/guion.cpp`, 'utf8');
   const entiende = nombre => {
     const [, cuerpo] = guion.match(new RegExp(`${nombre} = \\{(.*?)\\};`, 's'));
     return [...cuerpo.matchAll(/\{"(.*?)"/g)].map(m => m[1]);

@@ -78,7 +78,7 @@ def se_distinguen(uno, otro):
 
 
 def encima(build, caso, carpeta):
-    """Los rótulos y los trazos de un caso (common/encima.h): color, puntos y texto."""
+    """Los rótulos y los trazos de un caso (common/encima/encima.h): color, puntos y texto."""
     fichero = carpeta / "encima"
     orden = [caso.programa.ejecutable(build), "-geometry", "240x180", "-ppm", "x.ppm", "-guion", caso.guion]
     subprocess.run(

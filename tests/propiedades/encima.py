@@ -1,4 +1,4 @@
-"""Lo que un programa pinta encima de su escena, como lo apunta con LAB_ENCIMA (common/encima.h)."""
+"""Lo que un programa pinta encima de su escena, como lo apunta con LAB_ENCIMA (common/encima/encima.h)."""
 from typing import NamedTuple
 
 

@@ -11,9 +11,9 @@ from vista import en_formas
 # escala y no las más pequeñas que se leen.
 FORMAS = [(360, 270), (480, 270), (360, 405), (400, 900)]
 TECLAS = 3  # al azar, si no se piden todas
-COLORES = Path(__file__).parents[2] / "common/colores.h"
-INTERLINEA, BAJO = 1.5, 0.3  # en altos de mayúscula (common/rotulo.cpp)
-# De common/colores.h, y el que no es de ningún objeto donde el color dice cuál es.
+COLORES = Path(__file__).parents[2] / "common/encima/colores.h"
+INTERLINEA, BAJO = 1.5, 0.3  # en altos de mayúscula (common/encima/rotulo.cpp)
+# De common/encima/colores.h, y el que no es de ningún objeto donde el color dice cuál es.
 FONDOS = ((0, 0, 0),) + tuple(
     tuple(int(255 * float(c) + 0.5) for c in re.findall(r"[\d.]+", colores))
     for colores in re.findall(r"(?:FONDO_CLARO|FONDO_OSCURO|CIELO|GRIS)\((.*?)\)", COLORES.read_text())

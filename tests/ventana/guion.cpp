@@ -1,6 +1,6 @@
 // guion ANCHOxALTO GUION: lo que un guion manda hacer en una ventana que empieza con esa talla, ya sin repeticiones ni
 // escalas. Cada línea es «X Y orden»: el píxel al que va el ratón, si la orden lo lleva, y ella como está escrita.
-#include "glut_sin_ventana/guion.h"
+#include "glut/sin_ventana/guion.h"
 #include "error.h"
 #include <cstdio>
 

@@ -1,6 +1,6 @@
 // Lo que el enlace con ventana añade en Windows, sin que los programas hagan nada: su consola entiende UTF-8, y un
 // error se puede leer aunque la consola se abra y se cierre con el programa, como tras un doble clic.
-#include "../error.h"
+#include "error.h"
 #include <GL/freeglut.h>
 #include <cstdarg>
 #include <cstdio>

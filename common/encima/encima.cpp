@@ -22,7 +22,7 @@ struct Pincel {
 
 Pincel creaPincel() {
     Pincel p{};
-    p.programa = creaPrograma("common/encima.vert", "common/encima.frag");
+    p.programa = creaPrograma("common/encima/encima.vert", "common/encima/encima.frag");
     glGenVertexArrays(1, &p.vao);
     glBindVertexArray(p.vao);
     glGenBuffers(1, &p.bufer);

@@ -1,8 +1,8 @@
 // La opción -diario: tras cada orden, lo que ha quedado en la ventana y en OpenGL, para ver lo que todo programa
 // cumple.
-#include "../captura.h"
-#include "../error.h"
-#include "../imagen.h"
+#include "captura.h"
+#include "error.h"
+#include "imagen.h"
 #include "interior.h"
 #include "parametros.h"
 #include <GL/glew.h>

@@ -1,8 +1,8 @@
 #include "guion.h"
-#include "../aspecto.h"
-#include "../error.h"
-#include "../numero.h"
-#include "../rutas.h"
+#include "aspecto.h"
+#include "error.h"
+#include "numero.h"
+#include "rutas.h"
 #include <GL/freeglut.h>
 #include <algorithm>
 #include <cmath>

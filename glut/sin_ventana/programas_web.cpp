@@ -1,5 +1,5 @@
 // Todos los programas están en el mismo binario: su main es main_NOMBRE (herramientas/cmake/web.cmake) y aquí se elige.
-#include "../error.h"
+#include "error.h"
 #include <cerrno> // program_invocation_short_name
 #include <cstring>
 

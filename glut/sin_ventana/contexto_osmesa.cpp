@@ -1,5 +1,5 @@
 // Contexto sobre OSMesa: Mesa dibuja en la memoria del programa, sin servidor gráfico ni dispositivo.
-#include "../error.h"
+#include "error.h"
 #include "contexto.h"
 #include <algorithm>
 #include <string_view>

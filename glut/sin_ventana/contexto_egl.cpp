@@ -1,7 +1,7 @@
 // Contexto sobre EGL sin ventana: Mesa 25.1 y posteriores, que ya no traen OSMesa (EGL_MESA_platform_surfaceless), y
 // otros controladores en una máquina sin pantalla (EGL_EXT_platform_device). El framebuffer es un pbuffer.
-#include "../error.h"
-#include "../texto.h"
+#include "error.h"
+#include "texto.h"
 #include "contexto.h"
 #include <EGL/egl.h>
 #include <EGL/eglext.h>

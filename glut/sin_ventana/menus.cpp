@@ -1,5 +1,5 @@
 // Los menús: se hacen como en FreeGLUT, y en ellos elige el guion.
-#include "../error.h"
+#include "error.h"
 #include "glut_sin_ventana.h"
 #include "guion.h"
 #include "interior.h"

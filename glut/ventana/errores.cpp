@@ -1,6 +1,6 @@
 // Lo que el enlace con ventana añade a FreeGLUT: si no puede abrirla, una línea en español en vez de los detalles de X.
 // Vale para todos los programas sin que hagan nada: los manejadores se ponen antes de main.
-#include "../error.h"
+#include "error.h"
 #include <GL/freeglut.h>
 #include <GL/glx.h>
 #include <cstdarg>

@@ -1,5 +1,5 @@
 // Lo que ocupa lo que el programa ha enviado a la GPU, y la opción -mide: eso y lo que cuesta dibujar una imagen.
-#include "../error.h"
+#include "error.h"
 #include "interior.h"
 #include <GL/glew.h>
 #include <GL/freeglut.h>
