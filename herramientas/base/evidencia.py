@@ -6,9 +6,6 @@ niveles de 255, y borde, en píxeles, salvo `lejos` de los `banda` que hay en é
 mide).
 casos: de cada caso difícil, sus pruebas (citas), cuántas son y, de la que más se acerca a su cota, lo que mide
 (también).
-defectos: de cada lista, cuántos hay, se han plantado como están, se notan, se notan sin mirar los golden y, además,
-por lo que se pinta encima; sobreviven: los que no nota nadie, con su motivo (./lab lista --docs, de
-docs/plantados.tsv).
 """
 import json
 

@@ -4,7 +4,6 @@ import random
 import re
 import subprocess
 from dataclasses import dataclass
-from pathlib import Path
 
 from base import compilacion
 from base.defectos import MUTANTE_H, Mutante, cambia

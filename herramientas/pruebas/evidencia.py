@@ -1,6 +1,5 @@
-"""evidencia.py mide RAÍZ BUILD   ejecuta las pruebas y apunta lo que miden en docs/evidencia.json (unos minutos); en
-                               BUILD/exactitud/ deja cada imagen al lado de su referencia y de su diferencia
-evidencia.py cuenta RAÍZ       apunta cuántos defectos hay en cada lista, y cuáles no nota nadie"""
+"""evidencia.py RAÍZ BUILD: ejecuta las pruebas y apunta lo que miden en docs/evidencia.json (unos minutos); en
+BUILD/exactitud/ deja cada imagen al lado de su referencia y de su diferencia."""
 import json
 import os
 import subprocess
@@ -11,22 +10,11 @@ from base import catalogo, evidencia, procesos
 from base.libro import filas
 from pruebas import googletest
 from pruebas.googletest import busca
-from pruebas.muta import lee_listas
-from pruebas.plantados import Plantados
 
 
 def casos_dificiles(raiz):
     """De cada uno, «tema: caso», las pruebas que dice tests/casos_dificiles/casos.tsv."""
     return {f"{tema}: {caso}": citas for tema, caso, *citas in filas(raiz / "tests/casos_dificiles/casos.tsv")}
-
-
-def listas(raiz):
-    """Cuántos defectos hay en cada una y cuántos se notan, y por qué sobreviven los que sobreviven."""
-    mutantes, _ = lee_listas(raiz)
-    return {
-        "defectos": Plantados(raiz, mutantes).cuentas(),
-        "sobreviven": {f"`{m.fichero}`, {m.imita}": m.motivo for m in mutantes if m.motivo},
-    }
 
 
 def al_dia(raiz, build, informe, orden):
@@ -119,9 +107,8 @@ def mide(raiz, build):
 
 
 def main():
-    que, raiz, *build = sys.argv[1:]
-    raiz = Path(raiz).resolve()
-    evidencia.apunta(raiz, **(listas(raiz) if que == "cuenta" else mide(raiz, Path(*build).resolve())))
+    raiz, build = (Path(p).resolve() for p in sys.argv[1:])
+    evidencia.apunta(raiz, **mide(raiz, build))
 
 
 if __name__ == "__main__":
