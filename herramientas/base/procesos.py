@@ -141,18 +141,10 @@ def escribe(fichero, datos):
         parcial.unlink(missing_ok=True)
 
 
-def principal(main):
-    """main(), de la que una señal, un Fallo o un disco lleno salen con su estado y, como mucho, una línea."""
-    for senal in SENALES:
-        signal.signal(senal, acaba)
+def acaba_bien(hace):
+    """Con lo que dice hace(). Una señal, un Fallo o un disco lleno acaban con su estado y, como mucho, una línea."""
     try:
-        # En otro hilo, y aquí se espera a trozos: Python no atiende la señal que llega justo cuando se pone a esperar
-        # a un cerrojo.
-        with ThreadPoolExecutor(1) as hilo:
-            trabajo = hilo.submit(main)
-            while not trabajo.done():
-                wait([trabajo], 0.1)
-        resultado = trabajo.result()
+        resultado = hace()
         si_hay_senal()
         if sys.stdout:
             sys.stdout.flush()
@@ -161,4 +153,22 @@ def principal(main):
         sys.exit(f"lab: {fallo}")
     except OSError as error:
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # si era la salida, que al acabar no se intente otra vez
+        if error.errno == errno.EPIPE:  # quien la lee ya tiene bastante: ./lab lista | head
+            sys.exit(128 + signal.SIGPIPE)
         sys.exit(f"lab: {error.filename or 'no puedo escribir'}: {motivo(error)}")
+
+
+def principal(main):
+    """main(), de un módulo de herramientas/."""
+    for senal in SENALES:
+        signal.signal(senal, acaba)
+
+    def en_otro_hilo():
+        # y aquí se espera a trozos: Python no atiende la señal que llega justo cuando se pone a esperar a un cerrojo
+        with ThreadPoolExecutor(1) as hilo:
+            trabajo = hilo.submit(main)
+            while not trabajo.done():
+                wait([trabajo], 0.1)
+        return trabajo.result()
+
+    acaba_bien(en_otro_hilo)

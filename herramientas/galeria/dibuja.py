@@ -20,6 +20,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from base import catalogo, procesos
+from base.construye import Taller
 from base.procesos import Fallo, escribe
 from galeria.pagina import PaginaGaleria
 
@@ -46,8 +47,7 @@ def compila(build):
             registro.write(linea)
             if enlazado := re.match(r"\[\d+/\d+\] Linking CXX executable (\S+)$", linea):
                 yield build / enlazado[1]
-            elif not re.match(r"\[|ninja: (?!error: )", linea):
-                print(linea, end="", file=sys.stderr)
+            Taller.ensena(linea)
 
 
 def lo_suyo(escrito, con_diario=False):
@@ -169,8 +169,9 @@ class Galeria:
         with self.turno:
             self.dibujados += 1
             n, todos = self.dibujados, len(self.programas)
+            borra = "\r\033[K" if sys.stderr.isatty() else ""  # por dónde iba el compilador
             print(
-                f"[{n:2}/{todos}] {programa.capitulo.nombre}/{programa.nombre}: {'; '.join(fallos) or hecho}",
+                f"{borra}[{n:2}/{todos}] {programa.capitulo.nombre}/{programa.nombre}: {'; '.join(fallos) or hecho}",
                 file=sys.stderr,
             )
             if n < todos and time.monotonic() > self.escrita + CADA:

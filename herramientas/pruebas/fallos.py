@@ -1,4 +1,4 @@
-"""fallos.py RAÍZ BUILD: BUILD/fallos/index.html, con lo que dice cada prueba de BUILD/pruebas.xml que ha fallado y
+"""fallos.py RAÍZ BUILD: dice qué no se ha podido probar, y deja BUILD/fallos/index.html, con lo que dice cada prueba de BUILD/pruebas.xml que ha fallado y
 las imágenes que ha dejado, también en PNG: la esperada, la obtenida y su diferencia ampliada. Solo enlaza a lo que
 tiene al lado: la carpeta se puede guardar aparte.
 """
@@ -46,8 +46,22 @@ def lee(build):
     return fallos
 
 
+def saltadas(build):
+    """De lo que no se ha probado aquí, por qué: lo que dicen pytest y ctest."""
+    motivos = {}
+    for caso in xml.parse(build / "pruebas.xml").getroot().iter("testcase"):
+        dichos = re.findall(r"^SKIPPED \[(\d+)\] \S+: (.+)", caso.findtext("system-out") or "", re.M)
+        if caso.get("status") == "notrun":
+            dichos = [(1, "no se puede aquí")]
+        for cuantas, motivo in dichos:
+            motivos.setdefault((caso.get("name"), motivo), []).append(int(cuantas))
+    return [f"{nombre}, {sum(veces)}: {motivo}" for (nombre, motivo), veces in motivos.items()]
+
+
 def main():
     build = Path(sys.argv[2]).resolve()
+    for linea in saltadas(build):
+        print(f"lab: sin probar: {linea}", file=sys.stderr)
     fallos = lee(build)
     if not fallos:
         return

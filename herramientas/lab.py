@@ -1,0 +1,571 @@
+"""lab.py RAÍZ ORDEN …: cada orden de ./lab. Prepara lo que hace falta (paquetes, CMake, compilar) y la pasa al módulo
+que la hace."""
+import argparse
+import difflib
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from base import catalogo, paquetes, procesos
+from base.construye import Taller, aviso, corre
+from base.procesos import Fallo
+
+# Lo que dicen FreeGLUT, Xlib o los programas donde no se puede abrir una ventana con OpenGL 3.1.
+SIN_VENTANA = "failed to open display|GLX extension not supported|Unable to create .*context|GLXBad|FBConfig"
+SIN_VENTANA += "|hace falta OpenGL"
+MINUTOS = {False: 4, True: 9}  # de las pruebas de cualquiera y de todas, sin compilar
+CODEMIRROR = Path("/usr/share/javascript/codemirror")
+OTROS_SON = """
+LAB_SIN_INSTALAR=1 no instala paquetes; LAB_NAVEGADOR=1 prueba también la galería y la página en navegadores;
+LAB_WINDOWS=1, los programas de Windows con Wine;
+LAB_OPENGL=softpipe, zink, swiftshader, virgl o llvmpipe dibuja con él, en ./lab prueba -R otro, cada caso;
+LAB_PARES=1 compara también con GLU, libnoise, ImageMagick, OpenCV y POV-Ray.
+./lab ORDEN --help dice más de cada una; source <(./lab completa) las completa con el tabulador."""
+EN_ESPANOL = {
+    "usage: ": "uso: ",
+    "options": "opciones",
+    "positional arguments": "lo que se dice",
+    "show this help message and exit": "esto",
+    "unrecognized arguments: %s": "no entiendo «%s»",
+    "the following arguments are required: %s": "falta %s",
+    "expected one argument": "falta lo que sigue",
+    "argument %(argument_name)s: %(message)s": "%(argument_name)s: %(message)s",
+    "invalid %(type)s value: %(value)r": "«%(value)s» no vale",
+}
+argparse._ = lambda texto: EN_ESPANOL.get(texto, texto)
+
+
+class Analizador(argparse.ArgumentParser):
+    def __init__(self, *args, **opciones):
+        super().__init__(*args, formatter_class=argparse.RawDescriptionHelpFormatter, allow_abbrev=False, **opciones)
+
+    def error(self, mensaje):
+        sys.exit(f"lab: {self.prog.removeprefix('./lab ')}: {mensaje}; ./lab {self.prog.split()[-1]} --help")
+
+
+def modulo(nombre, *palabras):
+    """Con qué se ejecuta uno de los de herramientas/."""
+    return [sys.executable, "-B", "-X", "utf8", Path(__file__).parent, nombre, *palabras]
+
+
+class Laboratorio:
+    def __init__(self, raiz, donde):
+        self.raiz, self.donde = raiz, donde
+        os.chdir(raiz)
+
+    # --- lo que comparten ---------------------------------------------------------------------------------------------
+
+    def abre(self):
+        self.t = Taller(self.raiz)
+        self.build = self.t.build
+        self.t.cierra()
+
+    def prepara(self, *mas):
+        paquetes.instala([*paquetes.PARA_USAR, *mas], self.build)
+        self.t.configura("release", self.build)
+
+    def pasa_a(self, nombre, *palabras):
+        """Y ya no vuelve: el cerrojo, si se tiene, es suyo."""
+        if self.t.cerrojo:
+            os.set_inheritable(self.t.cerrojo.fileno(), True)
+        sys.stdout.flush()
+        orden = [str(palabra) for palabra in modulo(nombre, *palabras)]
+        os.execv(orden[0], orden)
+
+    def hace(self, nombre, *palabras, **opciones):
+        """Lo hace ese módulo, y con qué estado acaba."""
+        return corre(modulo(nombre, *palabras), **opciones)
+
+    def dice(self, nombre, *palabras, cwd=None):
+        """Lo que escribe ese módulo; lo que avise va a stderr, y si acaba mal, se acaba."""
+        hecho = procesos.lanza(modulo(nombre, *palabras), cwd=cwd or self.donde, text=True, stderr=None)
+        if hecho.returncode:
+            raise SystemExit(hecho.returncode)
+        return hecho.stdout.strip()
+
+    @property
+    def sin_ventana(self):
+        return (self.build / "sin_ventana").read_text().strip()
+
+    def mio(self, orden, pedido):
+        """De lo que está en mios/, su nombre; nada si es del laboratorio, que va antes."""
+        nombre = pedido.removeprefix("mios/").rstrip("/")
+        programas = catalogo.lee_programas(self.build)
+        if nombre == pedido and (not (self.t.mios / nombre).exists() or any(p.es(nombre) for p in programas)):
+            return ""
+        carpeta = self.t.mios / nombre
+        if not nombre or not (carpeta / f"{nombre}.cpp").exists():
+            raise Fallo(f"{orden}: no encuentro {carpeta}/{nombre}.cpp")
+        if not (carpeta / "ejercicio.txt").exists():
+            raise Fallo(f"{orden}: falta {carpeta}/ejercicio.txt, que hace ./lab nuevo")
+        return nombre
+
+    def propio(self, pedido):
+        """De un ejercicio de quien enseña, lo que se dice de un programa del catálogo y su carpeta; si no, nada."""
+        apuntados = self.build / "propios.txt"
+        suyo = "/" in pedido or pedido == "." or (self.raiz / "ejercicios" / pedido).exists()
+        if not suyo and not (apuntados.exists() and apuntados.stat().st_size):
+            return []
+        return self.dice("ejercicios.propios", self.raiz, self.build, pedido).splitlines()
+
+    def elige(self, orden, pedido):
+        """Los programas de que se habla: dónde está cada uno, cómo se llama, «imagen» o «texto» y su título; de lo que
+        está solo en su carpeta, con qué nombre se compila, y si es lo de alguien, el suyo."""
+        self.prepara()
+        nombre, objetivo, carpeta = self.mio(orden, pedido), "", ""
+        if nombre:
+            carpeta = self.t.mios / nombre
+            origen = (carpeta / "ejercicio.txt").read_text().split("\n", 1)[0]
+            programa, objetivo, titulo = origen.rpartition("/")[2], f"mio_{nombre}", nombre
+            que = "imagen"
+            if "ejercicios/" not in origen:  # la solución de uno de esos puede no estar aquí
+                [p] = catalogo.resuelve(catalogo.lee_programas(self.build), programa)
+                que, titulo = "texto" if p.consola else "imagen", p.titulo
+            elegidos = [(f"mios/{nombre}", programa, que, titulo)]
+        elif suyo := self.propio(pedido):
+            elegidos, carpeta = [tuple(suyo[0].split("\t"))], suyo[1]
+            objetivo = f"propio_{elegidos[0][1]}"
+        else:
+            hallados = catalogo.resuelve(catalogo.lee_programas(self.build), pedido)
+            elegidos = [(p.capitulo.nombre, p.nombre, "texto" if p.consola else "imagen", p.titulo) for p in hallados]
+        if carpeta:
+            os.environ["LAB_RAIZ"] = ":".join(filter(None, [str(carpeta), os.environ.get("LAB_RAIZ")]))
+        return elegidos, objetivo, nombre
+
+    def compila_elegidos(self, elegidos, objetivo, *enlaces):
+        objetivos = [f"{objetivo or e[1]}_{enlace}" for e in elegidos for enlace in (self.sin_ventana, *enlaces)]
+        if not objetivo:
+            self.t.compila_para_usar(*objetivos)
+        elif not self.t.compila(self.build, *objetivos):
+            self.t.no_sale(f"{elegidos[0][0]} no compila")
+
+    # --- ver ----------------------------------------------------------------------------------------------------------
+
+    def ver(self, que):
+        """Abre un programa en una ventana; sin pantalla lo dibuja en PROGRAMA.png.
+
+        PROGRAMA puede ser su nombre, su listado, ejercicio o figura (L1.2, E3.5, F3.3), lo que hay en mios/NOMBRE o
+        un capítulo (ch05): Esc pasa de cada programa al siguiente. Lo que siga va al programa: ./lab ver grua -ayuda.
+        Con --vigila (o F3, con la ventana abierta) cada shader se relee en cuanto se guarda."""
+        if "--vigila" in que.resto or que.vigila:
+            os.environ["LAB_VIGILA"] = "1"
+        resto = [palabra for palabra in que.resto if palabra != "--vigila"]
+        elegidos, objetivo, nombre = self.elige("ver", que.programa)
+        con_pantalla = bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+        self.compila_elegidos(elegidos, objetivo, *(["ventana"] if con_pantalla else []))
+        self.t.suelta()  # con la ventana abierta se puede seguir trabajando
+        estado = 0
+        for cap, programa, clase, titulo in elegidos:
+            if len(elegidos) > 1:
+                aviso(f"{programa}: {titulo}")
+            estado = self.ensena(cap, programa, clase, nombre or programa, resto, con_pantalla) or estado
+        return estado
+
+    def ensena(self, cap, programa, clase, dibujo, resto, con_pantalla):
+        if con_pantalla:
+            orden, errores = [self.build / "ventana" / cap / programa, *resto], []
+            como = {"cwd": self.donde, "stderr": subprocess.PIPE, "text": True, "errors": "replace"}
+            with procesos.arranca(orden, **como) as proceso:
+                for linea in proceso.stderr:
+                    errores.append(linea)
+                    print(linea, end="", file=sys.stderr, flush=True)
+                estado = proceso.wait()
+            if not estado or not re.search(SIN_VENTANA, "".join(errores)):
+                return estado
+        with tempfile.TemporaryDirectory() as temporal:
+            imagen = Path(temporal, f"{programa}.ppm")
+            ppm = [] if clase == "texto" else ["-ppm", imagen]
+            estado = corre([self.build / self.sin_ventana / cap / programa, *ppm, *resto], cwd=self.donde)
+            if estado or not imagen.exists():  # no la hay con -ayuda, con -ppm o en los de consola
+                return estado
+            procesos.escribe(self.donde / f"{dibujo}.png", procesos.en_png(imagen))
+        aviso(f"No puedo abrir una ventana con OpenGL 3.1: lo he dibujado en {dibujo}.png")
+        return 0
+
+    def explica(self, que):
+        """Deja en explica/PROGRAMA.html, orden a orden, cómo se ha dibujado su imagen y, del píxel X Y que se diga, como
+        los da el ratón, por qué tiene ese color. Tras eso, -guion y -geometry, como en ./lab ver, y --json FICHERO, que
+        lo deja también en datos."""
+        elegidos, objetivo, nombre = self.elige("explica", que.programa)
+        if len(elegidos) > 1:
+            raise Fallo(
+                f"explica: «{que.programa}» son varios programas; elige uno: {' '.join(e[1] for e in elegidos)}"
+            )
+        [(cap, programa, clase, titulo)] = elegidos
+        if clase == "texto":
+            raise Fallo(f"explica: {programa} escribe texto y no dibuja nada")
+        self.compila_elegidos(elegidos, objetivo)
+        self.t.compila_para_usar("explica")
+        self.t.suelta()
+        os.chdir(self.donde)
+        suyo = self.raiz, self.build, self.t.explica, cap, programa, nombre or programa, titulo
+        self.pasa_a("explica.orden", *suyo, *que.resto)
+
+    # --- ejercicios ---------------------------------------------------------------------------------------------------
+
+    def nuevo(self, que):
+        """Empieza en mios/NOMBRE un ejercicio (E3.5, o la carpeta de uno de quien enseña), con su enunciado y lo que ya
+        está hecho, o una copia de un programa para jugar con ella; ./lab ver mios/NOMBRE la abre."""
+        self.prepara()
+        os.chdir(self.donde)
+        self.pasa_a("ejercicios.nuevo", self.raiz, self.build, self.t.mios, *que.resto)
+
+    def ejercicio(self, que):
+        """comprueba CARPETA: si un ejercicio de quien enseña (ejercicios/NOMBRE, o la carpeta que se diga) está bien
+        hecho: las marcas, el esqueleto, la solución, cada control, cada error conocido y cada línea que se pide
+        (docs/ejercicios.md)."""
+        if que.resto[:1] != ["comprueba"]:
+            dicho = f"no entiendo «{que.resto[0]}»; " if que.resto else ""
+            raise Fallo(f"ejercicio: {dicho}es ./lab ejercicio comprueba ejercicios/NOMBRE")
+        self.prepara()
+        self.con_su_programa("ejercicios.comprueba", que.resto[1:], "compara")
+
+    def corrige(self, que):
+        """Corrige mios/ENTREGA, o una carpeta con lo mismo, y deja una página con lo que falla y lo que se esperaba.
+
+        Si dentro hay carpetas, es una clase, y cada una, una entrega; también vale lo que descarga Moodle, en su .zip, y
+        --moodle HOJA.csv pone las notas en la suya. EJERCICIO es E3.5, L5.1 (en su shader) o la carpeta de uno de quien
+        enseña. Con --semilla N y --guiones N, otros guiones; con --reglas FICHERO se puntúa de otra manera; --deja
+        CARPETA, --json, --junit y --vpl dicen cómo se deja; -j N, cuántas a la vez; --sin-jaula no encierra lo entregado
+        (docs/corrige.md)."""
+        self.prepara(*(p for p in paquetes.CORRIGE if p != "bubblewrap" or "--sin-jaula" not in que.resto))
+        self.con_su_programa("ejercicios.corrige.orden", que.resto, "compara", "explica")
+
+    def con_su_programa(self, quien, palabras, *objetivos):
+        """Lo que haya que compilar depende del ejercicio, que lo sabe quien lo hace."""
+        programa = self.dice(quien, self.raiz, self.build, "--programa", *palabras)
+        self.t.compila_para_usar(*objetivos, f"{programa}_{self.sin_ventana}")
+        self.t.suelta()  # cada corrección es independiente
+        os.chdir(self.donde)
+        self.pasa_a(quien, self.raiz, self.build, *palabras)
+
+    # --- galería, página, zip de Windows ------------------------------------------------------------------------------
+
+    def dibuja_galeria(self):
+        """Compila los programas y los dibuja. Con qué estado acaba."""
+        dibuja = "galeria.dibuja", self.raiz, self.build, self.t.galeria
+        estado = self.hace(*dibuja)
+        if estado == 3:  # no compila
+            self.t.perdona_avisos()
+            estado = self.hace(*dibuja)
+            if estado == 3:
+                self.t.no_sale("no compila")
+        return estado
+
+    def galeria(self, _):
+        """Dibuja todos los programas sin ventana y deja galeria/index.html."""
+        self.prepara()
+        self.t.anuncia(self.build, "sin_ventana")
+        aviso(f"Dibujo los programas según se compilan; desde la primera imagen se ven en {self.t.galeria}/index.html")
+        return self.dibuja_galeria()
+
+    def web(self, _):
+        """Deja en web/ una página con todos los programas en marcha, que se abre con el navegador y se puede poner en
+        cualquier servidor."""
+        self.prepara(*paquetes.WEB)
+        if not shutil.which("em++") or not shutil.which("esbuild") or not CODEMIRROR.is_dir():
+            raise Fallo(f"web: hacen falta Emscripten, CodeMirror 5 y esbuild ({' '.join(paquetes.WEB)})")
+        if self.dibuja_galeria():
+            aviso("lab: la página irá sin las imágenes que faltan")
+        os.environ["NODE_PATH"] = "/usr/share/nodejs"  # em++ busca ahí acorn
+        en = self.build / "web"
+        self.t.configura("web", en)
+        if not self.t.compila(en, "laboratorio", "explica"):
+            self.t.no_sale("no compila")
+        self.pasa_a("web.pagina", self.raiz, en, self.t.galeria, self.t.web)
+
+    def windows(self, _):
+        """Deja en windows/laboratorio-windows.zip los programas para Windows, con todo lo que necesitan."""
+        self.prepara()
+        self.compila_windows()
+        if self.dibuja_galeria():
+            aviso("lab: la página irá sin las imágenes que faltan")
+        self.pasa_a("windows.paquete", self.raiz, self.build, self.t.galeria, self.t.windows)
+
+    def compila_windows(self):
+        if not shutil.which("apt-get"):
+            raise Fallo("windows: solo en Debian y derivados, de los que salen FreeGLUT y GLEW")
+        paquetes.instala(paquetes.WINDOWS, self.build)
+        if not shutil.which("x86_64-w64-mingw32-g++-posix"):
+            raise Fallo(f"windows: hace falta MinGW-w64 ({paquetes.WINDOWS[0]})")
+        if estado := self.hace("windows.fuentes", self.build):
+            raise SystemExit(estado)
+        en = self.build / "windows/programas"
+        self.t.configura("windows", en)
+        if not self.t.compila(en, "programas"):
+            self.t.no_sale("no compila")
+
+    # --- medidas y listas ---------------------------------------------------------------------------------------------
+
+    def lista(self, que):
+        """Capítulo, programa, referencia y título de cada uno; con --docs, pone al día las páginas de docs/ que salen del
+        catálogo."""
+        self.prepara()
+        if que.docs:
+            return self.hace("documentos.escribe", self.raiz, self.build, "escribe")
+        self.pasa_a("base.catalogo", self.build, "lista", *(["--tsv"] if que.tsv else []))
+
+    def mide(self, que):
+        """Cronometra las técnicas y los programas y deja informe/index.html: velocidad frente a error. Con --ensayo solo
+        comprueba que cada técnica da lo que debe."""
+        con_pares = os.environ.get("LAB_PARES") == "1"
+        paquetes.instala([*paquetes.PARA_USAR, *paquetes.MEDIDAS, *(paquetes.PARES if con_pares else [])], self.build)
+        # con los pares que se acaben de instalar hay que configurar otra vez
+        self.t.configura("release", self.build, *(["-DLAB_PARES=1"] if con_pares else []))
+        self.t.compila_para_usar("mide", "programas")
+        self.pasa_a("informe.informe", self.raiz, self.build, self.t.informe, *que.resto)
+
+    # --- pruebas ------------------------------------------------------------------------------------------------------
+
+    def prueba(self, que):
+        """Ejecuta las pruebas de cualquiera: imágenes, ventanas, cálculos. Con --todo, todas.
+
+        Lo que falla queda, con sus imágenes, en build/fallos/index.html. --junit FICHERO deja ahí los resultados, en XML
+        de JUnit, y -I 2,,3 hace la segunda tercera parte. Con --apunta no se juzga nada: lo que miden queda en docs/.
+        """
+        preset, en = ("asan", self.build / "asan") if que.asan else ("release", self.build)
+        paquetes.instala([*paquetes.PARA_USAR, *paquetes.para_pruebas()], self.build)
+        if os.environ.get("LAB_WINDOWS") == "1":
+            self.compila_windows()
+        # se configura siempre: lo que se acaba de instalar puede añadir pruebas
+        self.t.configura(preset, en, "-DLAB_AVISOS_SON_ERRORES=ON")
+        if not self.t.compila(en, "all"):
+            self.t.no_sale("no compila")
+        if que.apunta:
+            estado = self.hace("pruebas.evidencia", self.raiz, en)
+            return estado or self.hace("documentos.escribe", self.raiz, en, "escribe")
+        que_son = "todas las pruebas" if que.todo else "las pruebas de cualquiera; ./lab prueba --todo hace todas"
+        if not (que.R or que.L or que.N):
+            aviso(
+                f"Ejecuto {que_son}: unos {MINUTOS[que.todo]} minutos con dos procesadores. Lo que falle, en {en}/fallos"
+            )
+        shutil.rmtree(en / "fallos", ignore_errors=True)
+        informe = en / "pruebas.xml"
+        informe.unlink(missing_ok=True)
+        # una más que procesadores: las que abren ventanas esperan más que calculan
+        orden = ["ctest", "--test-dir", en, "--parallel", len(os.sched_getaffinity(0)) + 1, "--output-on-failure"]
+        orden += ["--no-tests=error", "--output-junit", informe, *self.para_ctest(que)]
+        estado = corre(orden)
+        if informe.exists():
+            if que.junit:
+                procesos.escribe(self.donde / que.junit, informe.read_bytes())
+            self.hace("pruebas.fallos", self.raiz, en)
+        return estado
+
+    @staticmethod
+    def para_ctest(que):
+        """Lo que se le pasa. Lo que no es de cualquiera lleva la etiqueta «todo»: se hace con --todo o si se nombra."""
+        valores = {"-R": que.R, "-E": que.E, "-L": que.L, "-I": que.I, "-j": que.j}
+        valores |= {"--repeat": que.repeat, "--timeout": que.timeout}
+        elegidas = [palabra for opcion, valor in valores.items() if valor is not None for palabra in (opcion, valor)]
+        no = "|".join(filter(None, [que.LE, "" if que.todo or que.R or que.L else "^todo$"]))
+        sueltas = {"-V": que.V, "-VV": que.VV, "-N": que.N, "--rerun-failed": que.rerun_failed}
+        sueltas |= {"--stop-on-failure": que.stop_on_failure, "--progress": que.progress}
+        return [*elegidas, *(["-LE", no] if no else []), *(opcion for opcion, puesta in sueltas.items() if puesta)]
+
+    def dora(self, que):
+        """Rehace los golden que se nombren (grua, grua-girada) y dice cuánto cambian.
+
+        Con --mira delante, o con «todo», que son todos, los dibuja aparte y enseña en una página los que cambian, el de
+        antes y el de ahora; y ./lab dora visto da por buenos los de esa página."""
+        pedidos = que.resto
+        if not pedidos:
+            raise Fallo("dora: di qué casos (grua, grua-girada), o «todo», que los enseña antes de rehacerlos")
+        golden = self.raiz / "tests/golden"
+        if not os.access(golden, os.W_OK):
+            raise Fallo(f"dora: no puedo escribir en {golden}")
+        if pedidos[0] in ("todo", "visto") and len(pedidos) > 1:
+            raise Fallo(f"dora {pedidos[0]}: no entiendo «{pedidos[1]}»")
+        self.prepara()
+        if pedidos == ["visto"]:
+            self.pasa_a("pruebas.dorado", self.raiz, self.build, "visto")
+        aparte = que.mira or pedidos == ["todo"]
+        casos, pasos = self.para_dorar([] if pedidos == ["todo"] else pedidos)
+        if not aparte:
+            return self.dibuja_golden(casos, pasos, 1)
+        destino = self.build / "dora"
+        shutil.rmtree(destino, ignore_errors=True)
+        shutil.copytree(golden, destino)
+        os.environ["GOLDEN"] = str(destino)
+        with open(self.build / "dora.log", "w") as registro:
+            mal = self.dibuja_golden(casos, pasos, len(os.sched_getaffinity(0)), stdout=registro, stderr=registro)
+        if mal:
+            aviso("\n".join((self.build / "dora.log").read_text().splitlines()[-5:]))
+            raise Fallo(f"dora: hay casos que no se pueden dibujar: {self.build}/dora.log")
+        self.pasa_a("pruebas.dorado", self.raiz, self.build, "mira")
+
+    def para_dorar(self, pedidos):
+        """Esos casos, y los pasos de los programas que se nombren; o todos. Los programas, compilados."""
+        programas = catalogo.lee_programas(self.build)
+        todos = [c for p in programas if not p.consola for c in p.casos]
+        casos = [c for pedido in pedidos for c in catalogo.casos(programas, pedido)] or todos
+        pasos = [f.stem for f in sorted((self.raiz / "tests/golden").rglob("*.pasos"))]
+        objetivos = ["sin_ventana"]
+        if pedidos:
+            pasos = [p for p in pasos if p in pedidos]
+            objetivos = [f"{pedido.split('-')[0]}_{self.sin_ventana}" for pedido in pedidos]
+        self.t.compila_para_usar("compara", *objetivos)
+        return [(c.programa.nombre, c.nombre) for c in casos], pasos
+
+    def dibuja_golden(self, casos, pasos, a_la_vez, **opciones):
+        os.environ.update(procesos.entorno(), DORA="1")
+        for enlace, lineas in (self.sin_ventana, [" ".join(c) for c in casos]), ("pasos", pasos):
+            quien = ["xargs", "-r", "-P", a_la_vez, "-L1", self.raiz / "tests/casos/casos.sh", self.build, enlace]
+            with tempfile.TemporaryFile("w+") as dichos:
+                dichos.write("".join(f"{linea}\n" for linea in lineas))
+                dichos.seek(0)
+                if estado := corre(quien, stdin=dichos, **opciones):
+                    return estado
+        return 0
+
+    def muta(self, que):
+        """Planta defectos en los programas y en lo que llevan dentro y dice qué prueba nota cada uno.
+
+        QUÉ: un capítulo (ch05), un programa, un fichero o uno (ch05:12), y si no, todos (más de media hora). --azar N
+        --semilla S planta N que no ha pensado nadie, en líneas elegidas al azar. --comprueba solo mira las listas; huecos
+        [EJERCICIO…], solo si ./lab corrige ve todo lo que pide cada ejercicio, y senala [EJERCICIO…], si lo que dice que
+        se aparta es donde está el error."""
+        paquetes.instala([*paquetes.PARA_USAR, *paquetes.PRUEBAS], self.build)
+        self.t.configura("release", self.build)
+        que_son = que.resto[:1]
+        if que_son in (["huecos"], ["senala"], []):
+            estado = self.de_corrige(que_son, que.resto[1:])
+            if que_son or estado:
+                return estado
+        self.t.suelta()  # mientras se puede seguir trabajando: los mutantes tienen su carpeta, con su cerrojo
+        mutantes = self.build / "mutantes"
+        self.t.cierra(mutantes)
+        self.pasa_a("pruebas.muta", self.raiz, mutantes, *que.resto)
+
+    def de_corrige(self, que_son, ejercicios):
+        huecos = "pruebas.huecos", self.raiz, self.build, "--semillas", 20, *ejercicios
+        programas = self.dice(*huecos, "--programas", cwd=self.raiz).split()
+        self.t.compila_para_usar("compara", "explica", *(f"{p}_{self.sin_ventana}" for p in programas))
+        estado = self.hace(*huecos) if que_son != ["senala"] else 0
+        if que_son != ["huecos"] and not estado:
+            estado = self.hace("pruebas.senala", self.raiz, self.build, *ejercicios)
+        return estado
+
+    # --- lo que no compila --------------------------------------------------------------------------------------------
+
+    def paquetes(self, _):
+        """Los paquetes de Debian que hacen falta para todo eso, salvo web y mide."""
+        opcional = [paquetes.OPCIONAL] if paquetes.existe(paquetes.OPCIONAL) else []
+        print(*paquetes.PARA_USAR, *paquetes.para_pruebas(), *opcional, sep="\n")
+
+    def completa(self, _):
+        """Para Bash: source <(./lab completa), y el tabulador completa las órdenes y los programas."""
+        programas = sorted(f.stem for f in self.raiz.glob("ch??_*/*.cpp"))
+        print(
+            "_lab() { local palabra=${COMP_WORDS[COMP_CWORD]}\n"
+            f"  if [ $COMP_CWORD = 1 ]; then COMPREPLY=($(compgen -W '{' '.join(ORDENES)}' -- \"$palabra\"))\n"
+            f"  else COMPREPLY=($(compgen -f -W '{' '.join(programas)}' -- \"$palabra\")); fi; }}\n"
+            "complete -o filenames -F _lab lab ./lab"
+        )
+
+
+# De cada orden, lo que sigue a su nombre y lo primero que se dice de ella: en este orden las enumera la ayuda.
+ORDENES = {
+    "galeria": "",
+    "prueba": "[--todo] [--asan] [-R EXPRESIÓN] …",
+    "ver": "PROGRAMA …",
+    "explica": "PROGRAMA [X Y] …",
+    "nuevo": "EJERCICIO|PROGRAMA [NOMBRE]",
+    "corrige": "ENTREGA [EJERCICIO] …",
+    "ejercicio": "comprueba CARPETA",
+    "web": "",
+    "windows": "",
+    "lista": "[--tsv|--docs]",
+    "mide": "[--ensayo] [TÉCNICA…]",
+    "dora": "[--mira] CASO…|todo|visto",
+    "muta": "[QUÉ…|--azar N [--semilla S]|--comprueba|huecos|senala]",
+    "paquetes": "",
+    "completa": "",
+}
+NECESITAN_PRUEBAS = "prueba", "dora", "muta"
+OTRAS = {"ayuda": "--help", "help": "--help", "-h": "--help", "galería": "galeria", "test": "prueba", "tests": "prueba"}
+
+
+def analizador(orden):
+    descripcion = re.sub("\n +", "\n", getattr(Laboratorio, orden).__doc__)
+    a = Analizador(prog=f"./lab {orden}", usage=f"./lab {orden} {ORDENES[orden]}".strip(), description=descripcion)
+    if orden in ("ver", "explica"):
+        if orden == "ver":
+            a.add_argument("--vigila", action="store_true", help="relee los shaders en cuanto se guardan")
+        a.add_argument("programa", metavar="PROGRAMA")
+        a.add_argument("resto", nargs=argparse.REMAINDER, metavar="…", help="va al programa")
+    elif orden in ("nuevo", "corrige", "ejercicio", "mide", "muta"):
+        a.add_argument("resto", nargs=argparse.REMAINDER, metavar=ORDENES[orden])
+    elif orden == "dora":
+        a.add_argument("--mira", action="store_true", help="los dibuja aparte y los enseña")
+        a.add_argument("resto", nargs="*", metavar="CASO")
+    elif orden == "lista":
+        cual = a.add_mutually_exclusive_group()
+        cual.add_argument("--tsv", action="store_true", help="entre tabuladores")
+        cual.add_argument("--docs", action="store_true", help="pone al día las páginas de docs/")
+    elif orden == "prueba":
+        para_prueba(a)
+    return a
+
+
+def para_prueba(a):
+    a.add_argument("--todo", action="store_true", help="todas, y no solo las de cualquiera")
+    a.add_argument("--asan", action="store_true", help="bajo AddressSanitizer y UndefinedBehaviorSanitizer")
+    a.add_argument("--apunta", action="store_true", help="lo que miden queda en docs/")
+    a.add_argument("--junit", metavar="FICHERO", help="deja ahí los resultados, en XML de JUnit")
+    for opcion in ("-R", "-E", "-L", "-LE", "-I", "-j", "--repeat", "--timeout"):
+        a.add_argument(opcion, help="como en ctest")
+    for opcion in ("-V", "-VV", "-N", "--rerun-failed", "--stop-on-failure", "--progress"):
+        a.add_argument(opcion, action="store_true", help="como en ctest")
+
+
+def ayuda():
+    lineas = []
+    for orden, sigue in ORDENES.items():
+        dice = getattr(Laboratorio, orden).__doc__.split(".\n\n")[0].split(". ")[0]
+        dice = re.sub(r"\s+", " ", dice).rstrip(".")
+        lineas += [f"./lab {orden} {sigue}".rstrip(), f"    {dice[0].lower() + dice[1:]}"]
+    return "\n".join(lineas) + "\n" + OTROS_SON
+
+
+def elige_orden(pedida):
+    """La que se pide, aunque se llame de otra manera; si no es ninguna, dice cuál se le parece."""
+    pedida = OTRAS.get(pedida, pedida)
+    if pedida == "--help":
+        print(ayuda())
+        raise SystemExit(0)
+    if pedida not in ORDENES:
+        parecidas = difflib.get_close_matches(pedida, ORDENES, 1, 0.5)
+        pregunta = f": ¿querías decir {parecidas[0]}?" if parecidas else "; ./lab ayuda las enumera"
+        print(f"lab: no conozco la orden «{pedida}»{pregunta}", file=sys.stderr)
+        raise SystemExit(2)
+    return pedida
+
+
+def main():
+    raiz, donde, *pedido = Path(sys.argv[1]), Path.cwd(), *sys.argv[2:]
+    orden = elige_orden(pedido[0] if pedido else "--help")
+    que = analizador(orden).parse_args(pedido[1:])
+    if "--help" in getattr(que, "resto", [])[:1]:
+        analizador(orden).print_help()
+        return 0
+    if orden in NECESITAN_PRUEBAS and not (raiz / "tests").is_dir():
+        raise Fallo(f"{orden}: hace falta la carpeta tests/")
+    lab = Laboratorio(raiz, donde)
+    if orden not in ("paquetes", "completa"):
+        lab.abre()
+    return getattr(lab, orden)(que)
+
+
+if __name__ == "__main__":
+    if sys.stdout is None:  # cerrada: que falle quien escriba en ella, y nadie la abra con otra cosa
+        os.dup2(os.open("/dev/full", os.O_WRONLY), 1)
+        sys.stdout = open(1, "w")
+    for senal in procesos.SENALES:
+        signal.signal(senal, procesos.acaba)
+    procesos.acaba_bien(main)
