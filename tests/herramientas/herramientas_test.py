@@ -23,12 +23,10 @@ from ejercicios.corrige import conjunto, entrega
 from galeria import dibuja
 from galeria.pagina import AQUI as GALERIA, MODULOS
 from informe import cocientes, costes, grafica, informe, tecnicas
-from pruebas import cambios, googletest, muta
-from pruebas.plantados import FICHERO, Plantados
+from pruebas import azar, muta
 from web.pagina import ProgramaVivo
 from windows import paquete
-import colores
-from mentira import caso, ejecutable, faltan, programa, se_encierra, siembra
+from mentira import caso, faltan, programa, siembra
 
 FUENTES = [f for f in RAIZ.glob("c*/*.*") if f.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl")]
 
@@ -112,14 +110,6 @@ def test_escribe_entero_o_nada(tmp_path):
     with pytest.raises(procesos.Fallo, match="no puedo escribir «.*b.txt»: no queda sitio en el disco"):
         procesos.escribe(fichero, "x" * 99)
     assert fichero.read_bytes() == b"dos" and len(list(fichero.parent.iterdir())) == 1
-
-
-def test_las_pruebas_de_googletest(tmp_path):
-    ejecutable(tmp_path / "x", r"printf 'G.\n  Uno  # a\n  Dos\nH/0.\n  Tres\n'")
-    assert googletest.pruebas_de(tmp_path / "x") == ["G.Uno", "G.Dos", "H/0.Tres"]
-
-
-# --- mide, técnicas, costes, gráfica ------------------------------------------------------------------------------
 
 
 def variante(nombre, tiempo, error, grupo=""):
@@ -315,77 +305,6 @@ def test_cada_color_se_lee_en_claro_y_en_oscuro():
     assert {"tinta", "suave", "enlace", "fallo", "acierto"} <= usados
 
 
-TOCAN = (  # un fichero, y las pruebas que dejan de valer
-    ("ch01_uno/a.vert", "imagen.a|propiedades.a|textos"),
-    ("tests/propiedades/propiedades.py", "propiedades.a|textos"),
-    ("tests/propiedades/vista.py", "propiedades.a|textos"),
-    ("herramientas/base/controles.py", "propiedades.a|textos|ordenes"),
-    ("build/osmesa/ch01_uno/b", "imagen.b|ch01.G.uno"),
-    ("build/osmesa/ch01_uno/a", "imagen.a|propiedades.a"),
-    ("tests/golden/ch01_uno/a-dos.ppm", "imagen.a|propiedades.a"),
-    ("build/casos/a.sh", "imagen.a|propiedades.a"),
-    ("docs/x.md", "textos"),
-    ("lab", "textos|ordenes"),
-    ("build/tests/ch01_test", "ch01.G.uno"),
-    ("assets/x.txt", ".*"),
-    ("build/herramientas/comparador/compara", ".*"),
-)
-
-
-def test_las_pruebas_que_puede_cambiar_un_cambio(tmp_path, monkeypatch, capsys):
-    """Lo que se toca, y qué pruebas dejan de valer: las que usan eso y ninguna más; una que falla o no se conoce,
-    siempre."""
-    raiz, build = tmp_path, tmp_path / "build"
-    ficheros = """ch01_uno/a.cpp ch01_uno/b.cpp ch01_uno/a.vert tests/casos/casos.sh tests/golden/ch01_uno/a-dos.ppm lab
-        docs/x.md assets/x.txt build/casos/a.sh build/osmesa/ch01_uno/a build/osmesa/ch01_uno/b
-        tests/propiedades/propiedades.py tests/propiedades/vista.py herramientas/base/controles.py
-        build/osmesa/ch01_intro/x build/herramientas/comparador/compara build/tests/CTestTestfile.cmake
-        build/tests/ch01_test"""
-    siembra(raiz, {f: f for f in ficheros.split()})
-    siembra(build, {"leidos/imagen.a": "ch01_uno/a.vert\n", "leidos/ch01_test": f"{build}/osmesa/ch01_uno/b\n"})
-    (build / "herramientas/comparador/compara").chmod(0o755)
-    ordenes = {
-        "imagen.a": [f"{raiz}/tests/casos/casos.sh", str(build), "a"],
-        "imagen.b": [f"{raiz}/tests/casos/casos.sh", str(build), "b"],
-        "ch01.G.uno": [f"{build}/tests/ch01_test", "--gtest_filter=G.uno"],
-        "textos": [f"{raiz}/tests/textos.sh"],
-        "ordenes": ["pytest"],
-        "propiedades.a": ["python3", f"{raiz}/tests/propiedades/propiedades.py", str(raiz), str(build), "a"],
-        "otra": ["x"],
-    }
-
-    def pruebas(*_, **__):
-        return json.dumps({"tests": [{"name": n, "command": o} for n, o in ordenes.items()]})
-
-    capitulo = catalogo.Capitulo("ch01_uno", "Uno")
-    monkeypatch.setattr(cambios, "ejecuta", pruebas)
-    monkeypatch.setattr(catalogo, "lee_programas", lambda _: [catalogo.Programa(capitulo, n, "", "") for n in "ab"])
-
-    def informa(*fallan):
-        casos = "".join(f'<testcase name="{n}" status="{"fail" if n in fallan else "run"}"/>' for n in ordenes)
-        siembra(build, {"pruebas.xml": f"<testsuite>{casos}</testsuite>"})
-        llama("apunta", str(build / "pruebas.xml"))
-
-    def llama(*argumentos):
-        monkeypatch.setattr(sys, "argv", ["cambios.py", str(raiz), str(build), *argumentos])
-        cambios.main()
-        return capsys.readouterr().out.strip().replace("\\", "")
-
-    assert llama("elige") == ".*"
-    informa("otra")
-    assert llama("elige") == "otra"
-    ordenes |= {str(n): [f"{build}/tests/x_test"] for n in range(9)}  # que las que cambian no sean más de la mitad
-    informa("otra", "imagen.b")  # la que había pasado y ahora no, también
-    assert llama("elige") == "imagen.b|otra"
-    informa("otra")
-    for toca, esperadas in TOCAN:
-        siembra(raiz, {toca: "otra cosa"})
-        assert set(llama("elige").split("|")) - {"otra"} == set(esperadas.split("|")), toca
-        siembra(raiz, {toca: toca})
-    (build / "tests/CTestTestfile.cmake").write_text("otra lista de pruebas")
-    assert llama("elige") == "otra"
-
-
 def test_la_grafica(tmp_path, monkeypatch):
     assert grafica.decadas([3, 40]) == (1, 100) and grafica.decadas([1, 9]) == (0.1, 100)
     uno, dos = grafica.coloca([(400, 200), (400, 200)], ["rótulo", "rótulo"])
@@ -552,38 +471,6 @@ def test_cada_ejercicio_con_lo_que_pide_y_su_respuesta():
 
 
 # --- colores ------------------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    "uno,otro,cuanto",
-    [  # de la tabla de Sharma, Wu y Dalal (2005)
-        ((50, 2.6772, -79.7751), (50, 0, -82.7485), 2.0425),
-        ((50, 2.49, -0.001), (50, -2.49, 0.0011), 7.2195),
-        ((50, 2.5, 0), (73, 25, -18), 27.1492),
-        ((60.2574, -34.0099, 36.2677), (60.4626, -34.1751, 39.4387), 1.2644),
-        ((2.0776, 0.0795, -1.135), (0.9033, -0.0636, -0.5514), 0.9082),
-        ((50, 0, 0), (50, -1, 2), 2.3669),
-    ],
-)
-def test_ciede2000(uno, otro, cuanto):
-    assert colores.ciede2000(uno, otro) == pytest.approx(cuanto, abs=1e-4) == colores.ciede2000(otro, uno)
-
-
-def test_rotulos_que_alguien_confunde():
-    """Rojo y verde sueltos, sí; con su trazo al lado, o si se distinguen todos, no."""
-    rojo, verde, azul = (0.85, 0.2, 0.18), (0.2, 0.62, 0.28), (0.16, 0.38, 0.8)
-    lejos = [(200, 150), (220, 160), (210, 155)]
-
-    def rotulo(color, texto):
-        return color, [(10, 10), (30, 20), (20, 15)], texto
-
-    assert "deuteranopia" in next(colores.confunden([rotulo(rojo, "a"), rotulo(verde, "b")], [(rojo, lejos, "")]))
-    assert not list(colores.confunden([rotulo(rojo, "a"), rotulo(verde, "b")], [(rojo, [(0, 0), (40, 30)], "")]))
-    assert not list(colores.confunden([rotulo(rojo, "a"), rotulo(azul, "b")], []))
-    assert colores.visto((1, 1, 1), colores.VISTAS["tritanopia"]) == pytest.approx((100, 0, 0), abs=0.1)
-
-
-# --- controles, catálogo, web -------------------------------------------------------------------------------------
 
 
 CONTROLES = """
@@ -783,83 +670,21 @@ def test_cada_defecto_con_su_numero():
     assert len(plantados) > 1000 and len({m.numero for m in plantados}) == len(plantados)
 
 
-def test_lo_que_se_apunta_de_los_defectos(tmp_path):
-    """De cada uno, hasta que cambia su línea o su fichero; y las cuentas son de las líneas que hay."""
-    siembra(tmp_path, {"x.cpp": "abcdf", "y.cpp": "e"})
-    todos = [mutante(letra, "z", n) for n, letra in enumerate("abcdf")] + [mutante("e", "z", 6, "y.cpp")]
-    todos[0].notado = todos[1].notado = todos[3].notado = todos[4].notado = "P"
-    todos[1].por, todos[3].por, todos[4].por = "golden", "encima", "encima"
-    plantados = Plantados(tmp_path, todos)
-    for m in todos[:5]:
-        plantados.apunta(m)
-    de_ch01 = {"hay": 6, "plantados": 5, "notados": 4, "sin_golden": 1, "encima": 2}
-    plantados = Plantados(tmp_path, todos)
-    assert plantados.pendientes() == todos[5:] and plantados.cuentas() == {"ch01": de_ch01}
-    assert muta.resume(plantados.cuentas()) == [80, 20, 60]
-    siembra(tmp_path, {"x.cpp": "abcdf//"})
-    assert Plantados(tmp_path, todos).pendientes() == todos
-    todos[0].estropeado = "w"
-    plantados = Plantados(tmp_path, todos)
-    assert plantados.cuentas() == {"ch01": {**de_ch01, "plantados": 4, "notados": 3, "sin_golden": 0}}
-    plantados.apunta(todos[0])
-    assert len((tmp_path / FICHERO).read_text().splitlines()) == 5  # la línea que ya no está no se guarda
-    assert Plantados(tmp_path, todos).pendientes() == todos[1:]
-    assert muta.elige(todos, plantados, ["pendientes"]) == todos[1:] and muta.elige(todos, plantados, []) == todos
-    assert [muta.cuenta(m).split(": ")[1] for m in todos[:3]] == ["P", "solo P", "SOBREVIVE, nada lo ejecuta"]
-
-
-def test_primero_lo_que_ya_noto_el_defecto(tmp_path):
-    """Después, lo que más ha notado de su fichero; de otro, de lo que no es de Python y de lo que no se pide, nada."""
-    siembra(tmp_path, {"x.py": "abcdef", "y.py": "g"})
-    todos = [mutante(letra, "z", n, "x.py") for n, letra in enumerate("abcdef")] + [mutante("g", "z", 7, "y.py")]
-    plantados = Plantados(tmp_path, todos)
-    por = "a_test.test_1", "b_test.test_2[x.y - z]", "b_test.test_2[x.y - z]", "c_test.test_3", "partes.uno", ""
-    for m, m.notado in zip(todos, (*por, "a_test.test_4")):
-        plantados.apunta(m)
-    plantados = Plantados(tmp_path, todos)
-    assert [plantados.quien(m) for m in todos] == [*por[:5], "nadie", "a_test.test_4"]
-    uno, otro = mutante("a", "z", 1, "x.py"), mutante("d", "z", 2, "x.py")
-    uno.antes = por[0]
-    pruebas = "tests/d/a_test.py", "tests/d/b_test.py", "tests/partes.mjs"
-    a, b = "tests/d/a_test.py::test_1", "tests/d/b_test.py::test_2[x.y - z]"
-    assert muta.sospechosas(uno, pruebas, plantados.lo_notan()) == [a, b]
-    assert muta.sospechosas(otro, pruebas, plantados.lo_notan()) == [b, a]
-
-
-def test_con_navegador_los_de_las_paginas_tambien_en_el(monkeypatch):
-    web, galeria = "tests/paginas/web.sh", "tests/paginas/comprueba_galeria.py"
-    for donde, suyas in (("web", [web]), ("galeria", [galeria]), ("base", [web, galeria])):
-        for tipo, hay in (("mjs", suyas), ("py", [])):
-            pruebas = []
-            for si in "01":
-                monkeypatch.setenv("LAB_NAVEGADOR", si)
-                pruebas.append([*muta.las_que_lo_notan(mutante("a", "b", 1, f"herramientas/{donde}/a.{tipo}"))])
-            assert pruebas[1] == pruebas[0] + hay and all((RAIZ / p).is_file() for p in pruebas[1])
+def test_los_defectos_al_azar_son_de_cada_linea_de_cada_funcion():
+    texto = (
+        "int f(int a) {\n    return a + 1;\n}\nstruct S {\n    int g() const {\n        if (x < 2) h();\n    }\n};\n"
+    )
+    assert [texto[a:b].split() for a, b in azar.cuerpos(texto)] == [
+        ["return", "a", "+", "1;"],
+        "if (x < 2) h();".split(),
+    ]
+    assert {2, 6} <= azar.de_fichero(texto, False).keys()
 
 
 def test_los_defectos_que_se_piden():
     pedidos = "ch01 ch01:2 ch01:22 ch01_uno ch01_uno/abc.cpp ab bc".split()
     suyos = [pedido for pedido in pedidos if mutante("a", "b", 2, "ch01_uno/abc.cpp").es_de(pedido)]
     assert suyos == ["ch01", "ch01:2", "ch01_uno", "ch01_uno/abc.cpp", "ab"]
-
-
-def test_un_defecto_en_lab_o_en_python(tmp_path):
-    """Se puede leer, y se planta en una copia que no toca nada más."""
-    for fichero, bien, mal in (("lab", "if a; then b; fi", "if a; then"), ("herramientas/x.py", "a = 1", "a = (")):
-        suyo = mutante("a", "b", fichero=fichero)
-        assert suyo.en_copia and not muta.compila_guion(suyo, bien)
-        assert muta.compila_guion(suyo, mal)[0].startswith("ch01:1: no se puede leer: ")
-    ficheros = "lab herramientas/x.py tests/herramientas/x tests/ordenes/x build/x ch01/a.cpp tests/golden/x"
-    siembra(tmp_path / "r", {f: "uno" for f in ficheros.split()})
-    copia = muta.copia_de_trabajo(tmp_path / "r", tmp_path / "c")
-    siembra(copia, {"lab": "dos", "herramientas/x.py": "dos"})
-    assert {f.name for f in copia.iterdir()} == {"lab", "herramientas", "tests", "ch01"}
-    if not se_encierra():
-        pytest.skip("aquí no se puede encerrar nada")
-    en_su_sitio = muta.en_su_sitio(tmp_path / "r", tmp_path / "r/build", copia)
-    ve = subprocess.check_output([*en_su_sitio, "cat", *ficheros.split()], cwd=tmp_path / "r", text=True)
-    assert ve == "dosdos" + "uno" * 5  # y lo demás, como está
-    assert {(tmp_path / "r" / f).read_text() for f in ficheros.split()} == {"uno"}
 
 
 def test_lo_que_se_le_dice_a_un_alumno(tmp_path):
