@@ -47,7 +47,4 @@ struct Cableado {
 Cableado cableadoActual(bool sumas = false);
 Json deCableado(const Cableado &cableado);
 
-/// Apunta que a ese uniform del programa en curso se le da un valor.
-void apuntaUniforme(GLint donde);
-
 } // namespace explica

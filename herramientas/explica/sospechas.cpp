@@ -1,4 +1,5 @@
 #include "sospechas.h"
+#include "enviado.h"
 #include "nombres.h"
 #include "sueltas.h"
 #include <algorithm>
