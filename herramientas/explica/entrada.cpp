@@ -54,7 +54,8 @@ void apuntaOrden(const Orden &orden) {
     const Cableado cableado = dibuja ? cableadoActual(c.sumas) : Cableado();
     c.sospechas.antes(orden, lienzo, cableado, c.numero);
     if (dibuja) {
-        c.programas.insert(GLuint(entero(GL_CURRENT_PROGRAM)));
+        if (const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM)))
+            c.programas.insert(programa);
         const long fragmentos = muestrasDe(orden.hazla);
         const std::string nada = c.sospechas.despues(orden, lienzo, cableado, c.numero, fragmentos);
         json.pon("fragmentos", fragmentos).pon("nada", nada).pon("cableado", deCableado(cableado));
@@ -153,7 +154,9 @@ Json explicaPixel(void (*dibuja)(), int x, int y) {
         pasa(c.SOMBREADO, dibuja);
     const Guardado guardado;
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    const Color color = leeColor(lienzoActual(c.ancho, c.alto), p.x, p.y);
+    const Lienzo ventana = lienzoActual(c.ancho, c.alto);
+    const Color color = leeColor(ventana, p.x, p.y);
+    siLoCambiaOtro(ventana, color, c.sucesos);
     std::vector<Json> historia;
     for (const Suceso &s : c.sucesos)
         historia.push_back(s.json);
@@ -188,16 +191,10 @@ bool ventanaLisa() {
     return true;
 }
 
-void copiaFramebuffer(GLint x0, GLint y0, GLint x1, GLint y1, GLint u0, GLint v0, GLint u1, GLint v1,
-                      GLbitfield buferes, GLenum filtro) {
-    llega(ordenCopia({x0, y0, x1, y1}, {u0, v0, u1, v1}, buferes, filtro));
-}
-
 // Por la que se cambia esa función, o nulo.
 Direccion tapa(const std::string &nombre) {
-    if (nombre == "glBlitFramebuffer")
-        return reinterpret_cast<Direccion>(copiaFramebuffer);
-    return tapaEnvio(nombre);
+    const Direccion deOrden = tapaOrden(nombre, llega);
+    return deOrden ? deOrden : tapaEnvio(nombre);
 }
 
 } // namespace
@@ -205,8 +202,7 @@ Direccion tapa(const std::string &nombre) {
 const DeVerdad &deVerdad() {
     static const DeVerdad funciones = {tapada<decltype(&glClear)>("glClear"),
                                        tapada<decltype(&glDrawArrays)>("glDrawArrays"),
-                                       tapada<decltype(&glDrawElements)>("glDrawElements"),
-                                       tapada<decltype(&glBlitFramebuffer)>("glBlitFramebuffer")};
+                                       tapada<decltype(&glDrawElements)>("glDrawElements")};
     return funciones;
 }
 

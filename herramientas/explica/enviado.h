@@ -5,8 +5,6 @@
 
 namespace explica {
 
-using Direccion = void (*)();
-
 /// La función por la que se cambia esa, o nulo: las que dan valor a un uniform, y las que preguntan dónde está algo o a
 /// qué se ata. Hacen lo mismo, y lo apuntan.
 Direccion tapaEnvio(const std::string &nombre);

@@ -9,7 +9,8 @@ std::vector<Fuente> fuentesDe(GLuint programa) {
     std::vector<Fuente> fuentes;
     GLuint shaders[8];
     GLsizei n = 0;
-    glGetAttachedShaders(programa, 8, &n, shaders);
+    if (programa)
+        glGetAttachedShaders(programa, 8, &n, shaders);
     for (GLsizei i = 0; i < n; ++i) {
         GLint tipo = 0, largo = 0;
         glGetShaderiv(shaders[i], GL_SHADER_TYPE, &tipo);

@@ -345,7 +345,8 @@ Json sombrea(const Orden &orden, const Lienzo &l, Punto p, int primitiva) {
     const std::optional<Primitivas> primitivas = primitivasDe(orden);
     const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
     Json json;
-    if (!primitivas || !programa || primitiva < 0 || primitiva >= primitivas->cuantas())
+    if (!primitivas || !programa || orden.instancias != 1 || primitiva < 0 ||
+        primitiva >= primitivas->cuantas())
         return json;
     const Guardado guardado;
     const Sueltas s(*primitivas);

@@ -21,7 +21,7 @@ Puntos posicionesDe(const Orden &orden) {
     std::vector<GLuint> shaders;
     for (const Fuente &f : fuentesDe(programa))
         shaders.push_back(f.shader);
-    if (!p || p->indices.empty() || shaders.empty())
+    if (!p || p->indices.empty() || shaders.empty() || orden.instancias != 1)
         return {};
     const Guardado guardado;
     const GLchar *const nombre = "gl_Position";
@@ -218,7 +218,7 @@ void Sospechas::delEstado(const Orden &o, const Lienzo &l, int n) {
     if (v[2] == 0 || v[3] == 0 || v[0] >= l.ancho || v[1] >= l.alto || v[0] + v[2] <= 0 || v[1] + v[3] <= 0)
         pon(SEGURO, n, "el viewport queda fuera o no mide nada",
             "Mira glViewport: ¿en la función de cambio de tamaño?");
-    if (!o.vertices)
+    if (!o.vertices())
         pon(SEGURO, n, "se pide dibujar 0 vértices", "¿Está vacía la malla, o el número es de otra cosa?");
     if (!glIsEnabled(GL_DEPTH_TEST))
         return;
@@ -259,7 +259,7 @@ std::string Sospechas::porQueNada(const Orden &o, int n) {
         pon(SEGURO, n, "se dibuja sin programa en uso", "Falta glUseProgram, o su programa no enlaza.");
         return "no hay programa en uso";
     }
-    if (!o.vertices)
+    if (!o.vertices())
         return "no tiene vértices";
     if (!entero(GL_VERTEX_ARRAY_BINDING))
         return "no hay ningún VAO enlazado";

@@ -118,7 +118,9 @@ def fallos_de_historia(historia, canales):
         quien = f"la orden {suceso['orden']}, {suceso['veredicto']}"
         if antes != queda.get(suceso["framebuffer"], antes):
             yield f"{quien}, encuentra {antes} y quedaba {queda[suceso['framebuffer']]}"
-        if suceso["veredicto"] != "escrito" and antes != despues:
+        if suceso["veredicto"] == "ajeno" and suceso["framebuffer"] == 0:
+            yield f"{quien}, cambia la ventana"
+        if suceso["veredicto"] not in ("escrito", "ajeno") and antes != despues:
             yield f"{quien}, cambia {antes} por {despues}"
         if suceso["dice"] == COPIADO and len(lienzos := {s["framebuffer"] for s in historia}) == 2:
             [origen] = lienzos - {suceso["framebuffer"]}
@@ -148,6 +150,9 @@ def fallos_de_sombreado(explicado):
     if fragmento["motivo"] or any(v["motivo"] for v in sombreado["vertices"]):
         yield f"no se siguen sus shaders: {fragmento['motivo']}"
         return
+    for linea in (linea for traza in (fragmento, *sombreado["vertices"]) for linea in traza["lineas"]):
+        if linea["nombre"] == "igual" and linea["valor"] != [1]:
+            yield f"en la línea {linea['linea']}, lo que no se usa no vale lo que se le da"
     salida = [linea["valor"] for linea in fragmento["lineas"] if linea["clase"] == "salida"]
     if suceso.get("color") and fragmento["pasos"] < PASOS and distancia(salida[-1], suceso["color"]) > 1 / 255:
         yield f"el shader da {suceso['color']} y línea a línea, {salida}"
