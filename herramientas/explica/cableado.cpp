@@ -95,6 +95,9 @@ Atributo atributo(const Variable &v) {
     a.desplazamiento = reinterpret_cast<std::intptr_t>(puntero);
     if (a.activo && a.bufer && a.tipo == GL_FLOAT)
         leePrimeros(a);
+    std::array<float, 4> suyo{};
+    glGetVertexAttribfv(donde, GL_CURRENT_VERTEX_ATTRIB, suyo.data());
+    a.constante = !a.activo && suyo != std::array<float, 4>{0, 0, 0, 1};
     return a;
 }
 

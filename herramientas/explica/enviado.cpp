@@ -142,10 +142,6 @@ bool admite(GLenum tipo, const std::string &forma) {
     return forma == cuantos + (!esEntero(tipo) ? "f" : sinSigno ? "ui" : "i");
 }
 
-bool esSampler(GLenum tipo) {
-    return tipoDe(tipo).find("sampler") != std::string::npos;
-}
-
 // «pesos», de «pesos[2]».
 std::string sinIndice(const std::string &nombre) {
     return nombre.back() == ']' ? nombre.substr(0, nombre.rfind('[')) : nombre;

@@ -152,6 +152,10 @@ std::string tipoDe(GLenum tipo) {
     return de(TIPOS, tipo);
 }
 
+bool esSampler(GLenum tipo) { // los que no están en la tabla lo son
+    return tipoDe(tipo).find("sampler") != std::string::npos || TIPOS.count(tipo) == 0;
+}
+
 std::string nombreBuferes(GLbitfield buferes) {
     std::string texto;
     const Tabla bits = {{GL_COLOR_BUFFER_BIT, "GL_COLOR_BUFFER_BIT"},

@@ -138,10 +138,11 @@ void Sospechas::pon(int gravedad, int orden, const std::string &dice, const std:
 }
 
 void Sospechas::delCableado(const Cableado &c, int n) {
-    const auto conTextura = [&](const Uniforme &u) { // un sampler al que le vale la unidad 0
-        return std::any_of(c.texturas.begin(), c.texturas.end(), [&](const Textura &t) {
-            return t.sampler == u.variable.nombre && t.incompleta.empty();
+    const auto vale = [&](const Uniforme &u) { // sin que nadie se lo dé: lo dice el shader, o es la unidad 0
+        const bool incompleta = std::any_of(c.texturas.begin(), c.texturas.end(), [&](const Textura &t) {
+            return t.sampler == u.variable.nombre && !t.incompleta.empty();
         });
+        return !casiCero(u.valor) || (esSampler(u.variable.tipo) && !incompleta);
     };
     for (const Uniforme &u : c.uniformes) {
         const std::string quien = "el uniform «" + u.variable.nombre + "» ";
@@ -149,7 +150,7 @@ void Sospechas::delCableado(const Cableado &c, int n) {
             u.valor.size() >= 4 && !esEntero(u.variable.tipo) && tipoDe(u.variable.tipo)[0] == 'm';
         if (std::any_of(u.valor.begin(), u.valor.end(), [](double x) { return !std::isfinite(x); }))
             pon(SEGURO, n, quien + "tiene algo que no es un número", "Mira de qué cuenta sale.");
-        else if (!u.dado && !conTextura(u))
+        else if (!u.dado && !vale(u))
             pon(SEGURO, n, quien + "lo usa el shader y nadie le ha dado valor: es 0",
                 "Falta enviarlo, se llama de otra manera o se ha enviado sin glUseProgram antes.");
         else if (matriz && casiCero(u.valor))
@@ -167,7 +168,7 @@ void Sospechas::delCableado(const Cableado &c, int n) {
                 "De una textura incompleta se lee negro.");
     for (const Atributo &a : c.atributos) {
         const std::string quien = "el atributo «" + a.variable.nombre + "» ";
-        if (!a.activo || !a.bufer)
+        if (!a.constante && (!a.activo || !a.bufer))
             pon(SEGURO, n, quien + "lo lee el shader y no lo da ningún array",
                 "Falta glVertexAttribPointer o glEnableVertexAttribArray, con su VAO enlazado.");
         else if (a.primeros.size() > 2 &&
