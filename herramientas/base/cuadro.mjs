@@ -61,7 +61,7 @@ function historia(datos, elige) {
       h('td', {}, color ? h('span', { class: 'color' }, muestra(color), vector(suceso.color.slice(0, 4), 3)) : ''),
       h('td', {}, suceso.profundidad === undefined ? '' : cifra(suceso.profundidad, 6)),
       h('td', {}, suceso.dice, mezclaDe(suceso.mezcla)),
-      h('td', {}, suceso.veredicto === 'escrito' ? conMuestra(suceso.despues) : ''));
+      h('td', {}, /escrito|ajeno/.test(suceso.veredicto) ? conMuestra(suceso.despues) : ''));
   };
   const cabecera = ['orden', '', '', 'da el shader', 'profundidad', 'qué pasa', 'queda'];
   const tabla = h('table', { class: 'historia' },
@@ -103,7 +103,7 @@ function fuenteDe(fuente, traza) {
   const primera = traza.lineas.find(l => noNumero(l.valor));
   let fichero;
   const filas = fuente.flatMap((linea, i) => {
-    const suyas = pasa.get(i + 1), veces = suyas.slice(0, 12);
+    const suyas = pasa.get(i + 1), veces = suyas.filter(l => l.valor.length || ESCRITO[l.clase]).slice(0, 12);
     const clase = primera && primera.en === i + 1 ? 'rara' : podia.has(i + 1) && !suyas.length ? 'no-se-ejecuta' : '';
     const valores = veces.map(l => h('span', { class: 'apunte' }, ESCRITO[l.clase] ?? [`${l.nombre} = `, valorDe(l)]));
     const mas = suyas.length > 12 ? ` … ${suyas.length} en total` : '';

@@ -1,17 +1,15 @@
 #include "cableado.h"
+#include "enviado.h"
 #include "estado.h"
 #include "nombres.h"
 #include <algorithm>
 #include <cstdint>
 #include <regex>
-#include <set>
 
 namespace explica {
 namespace {
 
 const GLsizeiptr MUESTRA = 64; // vértices que se miran
-
-std::set<std::pair<GLuint, GLint>> dados; // programa y uniform
 
 GLint delAtributo(GLuint donde, GLenum cual) {
     GLint valor = 0;
@@ -97,6 +95,9 @@ Atributo atributo(const Variable &v) {
     a.desplazamiento = reinterpret_cast<std::intptr_t>(puntero);
     if (a.activo && a.bufer && a.tipo == GL_FLOAT)
         leePrimeros(a);
+    std::array<float, 4> suyo{};
+    glGetVertexAttribfv(donde, GL_CURRENT_VERTEX_ATTRIB, suyo.data());
+    a.constante = !a.activo && suyo != std::array<float, 4>{0, 0, 0, 1};
     return a;
 }
 
@@ -192,11 +193,6 @@ std::vector<std::string> etapasDe(const std::vector<Fuente> &fuentes, const std:
 
 } // namespace
 
-void apuntaUniforme(GLint donde) {
-    if (donde >= 0)
-        dados.insert({GLuint(entero(GL_CURRENT_PROGRAM)), donde});
-}
-
 Cableado cableadoActual(bool sumas) {
     const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
     Cableado c;
@@ -217,7 +213,7 @@ Cableado cableadoActual(bool sumas) {
         const bool lista = v.nombre.back() == ']';
         const GLint desde = lista ? glGetUniformLocation(programa, primero.c_str()) : v.donde;
         c.uniformes.push_back({v, valorDe(programa, v), etapasDe(fuentes, v.nombre),
-                               dados.count({programa, v.donde}) || dados.count({programa, desde})});
+                               seHaDado(programa, v.donde) || seHaDado(programa, desde)});
         const auto o = std::find_if(std::begin(OBJETIVOS), std::end(OBJETIVOS),
                                     [&](const Objetivo &otro) { return otro.sampler == v.tipo; });
         if (o != std::end(OBJETIVOS))

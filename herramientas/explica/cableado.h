@@ -11,7 +11,8 @@ namespace explica {
 
 struct Atributo {
     Variable variable;
-    bool activo = false; // su array
+    bool activo = false;    // su array
+    bool constante = false; // no lo hay y se le ha dado un valor, el mismo para todos los vértices
     GLint bufer = 0, componentes = 0, paso = 0;
     GLenum tipo = GL_FLOAT;
     std::intptr_t desplazamiento = 0;
@@ -46,8 +47,5 @@ struct Cableado {
 /// si en otro cuadro hay lo mismo. No cambia nada del estado.
 Cableado cableadoActual(bool sumas = false);
 Json deCableado(const Cableado &cableado);
-
-/// Apunta que a ese uniform del programa en curso se le da un valor.
-void apuntaUniforme(GLint donde);
 
 } // namespace explica

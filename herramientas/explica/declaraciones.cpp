@@ -241,7 +241,8 @@ std::string Reescritor::parametros() {
         s += (s.empty() ? " " : ", ") + c.calificadores + c.texto;
         if (ahora().clase == Palabra::Nombre) {
             uno.donde = i;
-            s += " " + emite(p[i++]) + corchetes(uno.tipo);
+            s += " " + emite(p[i++]);
+            s += corchetes(uno.tipo);
             declara(uno.donde, uno.tipo);
         }
         parametrosFuncion.push_back(uno);

@@ -4,6 +4,7 @@
 // lo gana o, si se pide, los de otra primitiva: $LAB_EXPLICA_SOMBREA («7,3», la 3 de la orden 7). Con
 // LAB_EXPLICA_IMAGENES=1, también lo que va quedando en cada framebuffer; con LAB_EXPLICA_SUMAS=1, una suma de lo que
 // hay en cada array y textura.
+#include "enviado.h"
 #include "imagenes.h"
 #include "pixel.h"
 #include "programas.h"
@@ -53,7 +54,8 @@ void apuntaOrden(const Orden &orden) {
     const Cableado cableado = dibuja ? cableadoActual(c.sumas) : Cableado();
     c.sospechas.antes(orden, lienzo, cableado, c.numero);
     if (dibuja) {
-        c.programas.insert(GLuint(entero(GL_CURRENT_PROGRAM)));
+        if (const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM)))
+            c.programas.insert(programa);
         const long fragmentos = muestrasDe(orden.hazla);
         const std::string nada = c.sospechas.despues(orden, lienzo, cableado, c.numero, fragmentos);
         json.pon("fragmentos", fragmentos).pon("nada", nada).pon("cableado", deCableado(cableado));
@@ -152,7 +154,9 @@ Json explicaPixel(void (*dibuja)(), int x, int y) {
         pasa(c.SOMBREADO, dibuja);
     const Guardado guardado;
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    const Color color = leeColor(lienzoActual(c.ancho, c.alto), p.x, p.y);
+    const Lienzo ventana = lienzoActual(c.ancho, c.alto);
+    const Color color = leeColor(ventana, p.x, p.y);
+    siLoCambiaOtro(ventana, color, c.sucesos);
     std::vector<Json> historia;
     for (const Suceso &s : c.sucesos)
         historia.push_back(s.json);
@@ -187,58 +191,10 @@ bool ventanaLisa() {
     return true;
 }
 
-void copiaFramebuffer(GLint x0, GLint y0, GLint x1, GLint y1, GLint u0, GLint v0, GLint u1, GLint v1,
-                      GLbitfield buferes, GLenum filtro) {
-    llega(ordenCopia({x0, y0, x1, y1}, {u0, v0, u1, v1}, buferes, filtro));
-}
-
-// Las funciones que dan valor a un uniform, que se apunta: cada una con sus parámetros.
-template<int cual, class... Parametros>
-struct Uniform {
-    static inline void (*deVerdad)(GLint, Parametros...) = nullptr;
-    static void da(GLint donde, Parametros... parametros) {
-        apuntaUniforme(donde);
-        deVerdad(donde, parametros...);
-    }
-};
-
-using Direccion = void (*)();
-
-template<int cual, class... Parametros>
-Direccion tapaUniform(void (*deVerdad)(GLint, Parametros...)) {
-    Uniform<cual, Parametros...>::deVerdad = deVerdad;
-    return reinterpret_cast<Direccion>(Uniform<cual, Parametros...>::da);
-}
-
 // Por la que se cambia esa función, o nulo.
 Direccion tapa(const std::string &nombre) {
-    if (nombre == "glBlitFramebuffer")
-        return reinterpret_cast<Direccion>(copiaFramebuffer);
-#define UNIFORM(funcion)                                                                                     \
-    if (nombre == #funcion)                                                                                  \
-        return tapaUniform<__LINE__>(tapada<decltype(&funcion)>(#funcion));
-    UNIFORM(glUniform1f)
-    UNIFORM(glUniform2f)
-    UNIFORM(glUniform3f)
-    UNIFORM(glUniform4f)
-    UNIFORM(glUniform1i)
-    UNIFORM(glUniform2i)
-    UNIFORM(glUniform3i)
-    UNIFORM(glUniform4i)
-    UNIFORM(glUniform1ui)
-    UNIFORM(glUniform1fv)
-    UNIFORM(glUniform2fv)
-    UNIFORM(glUniform3fv)
-    UNIFORM(glUniform4fv)
-    UNIFORM(glUniform1iv)
-    UNIFORM(glUniform2iv)
-    UNIFORM(glUniform3iv)
-    UNIFORM(glUniform4iv)
-    UNIFORM(glUniformMatrix2fv)
-    UNIFORM(glUniformMatrix3fv)
-    UNIFORM(glUniformMatrix4fv)
-#undef UNIFORM
-    return nullptr;
+    const Direccion deOrden = tapaOrden(nombre, llega);
+    return deOrden ? deOrden : tapaEnvio(nombre);
 }
 
 } // namespace
@@ -246,8 +202,7 @@ Direccion tapa(const std::string &nombre) {
 const DeVerdad &deVerdad() {
     static const DeVerdad funciones = {tapada<decltype(&glClear)>("glClear"),
                                        tapada<decltype(&glDrawArrays)>("glDrawArrays"),
-                                       tapada<decltype(&glDrawElements)>("glDrawElements"),
-                                       tapada<decltype(&glBlitFramebuffer)>("glBlitFramebuffer")};
+                                       tapada<decltype(&glDrawElements)>("glDrawElements")};
     return funciones;
 }
 

@@ -171,7 +171,7 @@ std::vector<float> leeColores(const Lienzo &l, int x, int y, int ancho, int alto
     glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, pixeles);
     const bool recorta = glIsEnabled(GL_SCISSOR_TEST);
     glDisable(GL_SCISSOR_TEST);
-    deVerdad().copia(x, y, x + ancho, y + alto, 0, 0, ancho, alto, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(x, y, x + ancho, y + alto, 0, 0, ancho, alto, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     pon(GL_SCISSOR_TEST, recorta);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, marco);
     glReadPixels(0, 0, ancho, alto, GL_RGBA, GL_FLOAT, rgba.data());

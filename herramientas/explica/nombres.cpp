@@ -72,6 +72,10 @@ const Tabla CONSTANTES = {N(GL_NEVER),
                           N(GL_UNSIGNED_INT),
                           N(GL_FLOAT),
                           N(GL_DOUBLE),
+                          N(GL_COLOR),
+                          N(GL_DEPTH),
+                          N(GL_STENCIL),
+                          N(GL_DEPTH_STENCIL),
                           N(GL_TEXTURE_1D),
                           N(GL_TEXTURE_2D),
                           N(GL_TEXTURE_3D),
@@ -146,6 +150,10 @@ std::string nombreFactor(GLenum factor) {
 }
 std::string tipoDe(GLenum tipo) {
     return de(TIPOS, tipo);
+}
+
+bool esSampler(GLenum tipo) { // los que no están en la tabla lo son
+    return tipoDe(tipo).find("sampler") != std::string::npos || TIPOS.count(tipo) == 0;
 }
 
 std::string nombreBuferes(GLbitfield buferes) {

@@ -1,4 +1,4 @@
-// OpenGL, para quien se pone delante de él: las cuatro funciones que se tapan, como son de verdad.
+// OpenGL, para quien se pone delante de él: las tres funciones que se tapan, como son de verdad.
 #pragma once
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
@@ -6,11 +6,12 @@
 
 namespace explica {
 
+using Direccion = void (*)();
+
 struct DeVerdad {
     decltype(&glClear) borra;
     decltype(&glDrawArrays) dibujaVertices;
     decltype(&glDrawElements) dibujaIndices;
-    decltype(&glBlitFramebuffer) copia;
 };
 const DeVerdad &deVerdad();
 

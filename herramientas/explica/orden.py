@@ -49,7 +49,7 @@ def ejecuta(build, ejecutable, pixel, suyas):
         delante.symlink_to(build / "herramientas/explica/libexplica.so")  # LD_PRELOAD no admite blancos
         entorno = {
             **os.environ,
-            "LD_PRELOAD": "./explica.so",
+            "LD_PRELOAD": " ".join([*os.environ.get("LD_PRELOAD", "").split(), "./explica.so"]),
             "LAB_EXPLICA": hecho.name,
             "LAB_EXPLICA_PIXELES": pixel,
             "LAB_EXPLICA_IMAGENES": "1",

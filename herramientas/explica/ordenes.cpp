@@ -2,35 +2,186 @@
 #include "nombres.h"
 #include "programas.h"
 #include <cstdint>
+#include <map>
 
 namespace explica {
 
+namespace {
+
+std::string texto(GLsizei numero) {
+    return std::to_string(numero);
+}
+std::string texto(const void *indices) {
+    return std::to_string(reinterpret_cast<std::intptr_t>(indices));
+}
+std::string texto(const std::string &palabra) {
+    return palabra;
+}
+
+template<class... Parametros>
+std::string llamada(const std::string &funcion, const Parametros &...parametros) {
+    std::string dentro;
+    ((dentro += (dentro.empty() ? "" : ", ") + texto(parametros)), ...);
+    return funcion + "(" + dentro + ")";
+}
+
+void (*llegaA)(const Orden &orden);
+
+// Con índices si `tipo` no es GL_NONE.
+void dibuja(const std::string &como, GLenum modo, GLenum tipo, const std::vector<Tramo> &tramos,
+            const std::function<void()> &hazla, GLsizei instancias = 1) {
+    Orden o{Orden::Que::Dibuja, como, hazla};
+    o.modo = modo, o.tipoIndice = tipo, o.tramos = tramos, o.instancias = instancias;
+    llegaA(o);
+}
+
+void instancias(GLenum modo, GLint primero, GLsizei n, GLsizei veces) {
+    dibuja(
+        llamada("glDrawArraysInstanced", nombreModo(modo), primero, n, veces), modo, GL_NONE, {{primero, n}},
+        [=] { glDrawArraysInstanced(modo, primero, n, veces); }, veces);
+}
+
+void instanciasConIndices(GLenum modo, GLsizei n, GLenum tipo, const void *desde, GLsizei veces) {
+    dibuja(
+        llamada("glDrawElementsInstanced", nombreModo(modo), n, nombreDe(tipo), desde, veces), modo, tipo,
+        {{0, n, desde}}, [=] { glDrawElementsInstanced(modo, n, tipo, desde, veces); }, veces);
+}
+
+void instanciasConBase(GLenum modo, GLsizei n, GLenum tipo, const void *desde, GLsizei veces, GLint base) {
+    dibuja(
+        llamada("glDrawElementsInstancedBaseVertex", nombreModo(modo), n, nombreDe(tipo), desde, veces, base),
+        modo, tipo, {{0, n, desde, base}},
+        [=] { glDrawElementsInstancedBaseVertex(modo, n, tipo, desde, veces, base); }, veces);
+}
+
+void enTramo(GLenum modo, GLuint menor, GLuint mayor, GLsizei n, GLenum tipo, const void *desde) {
+    dibuja(llamada("glDrawRangeElements", nombreModo(modo), GLint(menor), GLint(mayor), n, nombreDe(tipo),
+                   desde),
+           modo, tipo, {{0, n, desde}}, [=] { glDrawRangeElements(modo, menor, mayor, n, tipo, desde); });
+}
+
+void conBase(GLenum modo, GLsizei n, GLenum tipo, const void *desde, GLint base) {
+    dibuja(llamada("glDrawElementsBaseVertex", nombreModo(modo), n, nombreDe(tipo), desde, base), modo, tipo,
+           {{0, n, desde, base}}, [=] { glDrawElementsBaseVertex(modo, n, tipo, desde, base); });
+}
+
+void enTramoConBase(GLenum modo, GLuint menor, GLuint mayor, GLsizei n, GLenum tipo, const void *desde,
+                    GLint base) {
+    dibuja(llamada("glDrawRangeElementsBaseVertex", nombreModo(modo), GLint(menor), GLint(mayor), n,
+                   nombreDe(tipo), desde, base),
+           modo, tipo, {{0, n, desde, base}},
+           [=] { glDrawRangeElementsBaseVertex(modo, menor, mayor, n, tipo, desde, base); });
+}
+
+void varios(GLenum modo, const GLint *primeros, const GLsizei *cuantos, GLsizei n) {
+    std::vector<Tramo> tramos;
+    for (GLsizei i = 0; i < n; ++i)
+        tramos.push_back({primeros[i], cuantos[i]});
+    dibuja(llamada("glMultiDrawArrays", nombreModo(modo), n), modo, GL_NONE, tramos,
+           [=] { glMultiDrawArrays(modo, primeros, cuantos, n); });
+}
+
+void variosConBase(GLenum modo, const GLsizei *cuantos, GLenum tipo, const void *const *desde, GLsizei n,
+                   const GLint *bases) {
+    std::vector<Tramo> tramos;
+    for (GLsizei i = 0; i < n; ++i)
+        tramos.push_back({0, cuantos[i], desde[i], bases ? bases[i] : 0});
+    dibuja(llamada(bases ? "glMultiDrawElementsBaseVertex" : "glMultiDrawElements", nombreModo(modo),
+                   nombreDe(tipo), n),
+           modo, tipo, tramos, [=] {
+               bases ? glMultiDrawElementsBaseVertex(modo, cuantos, tipo, desde, n, bases)
+                     : glMultiDrawElements(modo, cuantos, tipo, desde, n);
+           });
+}
+
+void variosConIndices(GLenum modo, const GLsizei *cuantos, GLenum tipo, const void *const *desde, GLsizei n) {
+    variosConBase(modo, cuantos, tipo, desde, n, nullptr);
+}
+
+void borra(const char *funcion, GLenum bufer, GLint cual, const std::function<void()> &hazla) {
+    Orden o{Orden::Que::Borra, llamada(funcion, nombreDe(bufer), cual), hazla};
+    o.buferes = bufer == GL_COLOR     ? GL_COLOR_BUFFER_BIT
+                : bufer == GL_DEPTH   ? GL_DEPTH_BUFFER_BIT
+                : bufer == GL_STENCIL ? GL_STENCIL_BUFFER_BIT
+                                      : GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
+    llegaA(o);
+}
+
+void borraReal(GLenum bufer, GLint cual, const GLfloat *v) {
+    borra("glClearBufferfv", bufer, cual, [=] { glClearBufferfv(bufer, cual, v); });
+}
+void borraEntero(GLenum bufer, GLint cual, const GLint *v) {
+    borra("glClearBufferiv", bufer, cual, [=] { glClearBufferiv(bufer, cual, v); });
+}
+void borraNatural(GLenum bufer, GLint cual, const GLuint *v) {
+    borra("glClearBufferuiv", bufer, cual, [=] { glClearBufferuiv(bufer, cual, v); });
+}
+void borraLosDos(GLenum bufer, GLint cual, GLfloat profundidad, GLint plantilla) {
+    borra("glClearBufferfi", bufer, cual, [=] { glClearBufferfi(bufer, cual, profundidad, plantilla); });
+}
+
+void copia(GLint x0, GLint y0, GLint x1, GLint y1, GLint u0, GLint v0, GLint u1, GLint v1, GLbitfield buferes,
+           GLenum filtro) {
+    Orden o{Orden::Que::Copia,
+            llamada("glBlitFramebuffer", x0, y0, x1, y1, u0, v0, u1, v1, nombreBuferes(buferes),
+                    nombreDe(filtro)),
+            [=] { glBlitFramebuffer(x0, y0, x1, y1, u0, v0, u1, v1, buferes, filtro); }};
+    o.origen = {x0, y0, x1, y1}, o.destino = {u0, v0, u1, v1}, o.buferes = buferes;
+    llegaA(o);
+}
+
+} // namespace
+
+Direccion tapaOrden(const std::string &nombre, void (*llega)(const Orden &orden)) {
+    llegaA = llega;
+#define TAPA(funcion, por)                                                                                   \
+    { #funcion, reinterpret_cast < Direccion>(static_cast <decltype(&funcion)>(por)) }
+    static const std::map<std::string, Direccion> TAPADAS = {
+        TAPA(glDrawArraysInstanced, instancias),
+        TAPA(glDrawElementsInstanced, instanciasConIndices),
+        TAPA(glDrawElementsInstancedBaseVertex, instanciasConBase),
+        TAPA(glDrawRangeElements, enTramo),
+        TAPA(glDrawElementsBaseVertex, conBase),
+        TAPA(glDrawRangeElementsBaseVertex, enTramoConBase),
+        TAPA(glMultiDrawArrays, varios),
+        TAPA(glMultiDrawElements, variosConIndices),
+        TAPA(glMultiDrawElementsBaseVertex, variosConBase),
+        TAPA(glClearBufferfv, borraReal),
+        TAPA(glClearBufferiv, borraEntero),
+        TAPA(glClearBufferuiv, borraNatural),
+        TAPA(glClearBufferfi, borraLosDos),
+        TAPA(glBlitFramebuffer, copia)};
+    const auto suya = TAPADAS.find(nombre);
+    return suya == TAPADAS.end() ? nullptr : suya->second;
+}
+
 Orden ordenBorra(GLbitfield buferes) {
-    Orden o{Orden::Que::Borra, [=] { deVerdad().borra(buferes); }};
+    Orden o{Orden::Que::Borra, llamada("glClear", nombreBuferes(buferes)),
+            [=] { deVerdad().borra(buferes); }};
     o.buferes = buferes;
     return o;
 }
 
 Orden ordenDibuja(GLenum modo, GLint primero, GLsizei vertices) {
-    Orden o{Orden::Que::Dibuja, [=] { deVerdad().dibujaVertices(modo, primero, vertices); }};
-    o.modo = modo, o.primero = primero, o.vertices = vertices;
+    Orden o{Orden::Que::Dibuja, llamada("glDrawArrays", nombreModo(modo), primero, vertices),
+            [=] { deVerdad().dibujaVertices(modo, primero, vertices); }};
+    o.modo = modo, o.tramos = {{primero, vertices}};
     return o;
 }
 
 Orden ordenDibuja(GLenum modo, GLsizei vertices, GLenum tipoIndice, const void *indices) {
-    Orden o{Orden::Que::Dibuja, [=] { deVerdad().dibujaIndices(modo, vertices, tipoIndice, indices); }};
-    o.modo = modo, o.vertices = vertices, o.tipoIndice = tipoIndice, o.indices = indices;
+    Orden o{Orden::Que::Dibuja,
+            llamada("glDrawElements", nombreModo(modo), vertices, nombreDe(tipoIndice), indices),
+            [=] { deVerdad().dibujaIndices(modo, vertices, tipoIndice, indices); }};
+    o.modo = modo, o.tipoIndice = tipoIndice, o.tramos = {{0, vertices, indices}};
     return o;
 }
 
-Orden ordenCopia(const std::array<GLint, 4> &origen, const std::array<GLint, 4> &destino, GLbitfield buferes,
-                 GLenum filtro) {
-    Orden o{Orden::Que::Copia, [=] {
-                deVerdad().copia(origen[0], origen[1], origen[2], origen[3], destino[0], destino[1],
-                                 destino[2], destino[3], buferes, filtro);
-            }};
-    o.origen = origen, o.destino = destino, o.buferes = buferes, o.filtro = filtro;
-    return o;
+GLsizei Orden::vertices() const {
+    GLsizei suma = 0;
+    for (const Tramo &t : tramos)
+        suma += t.vertices;
+    return suma;
 }
 
 namespace {
@@ -47,35 +198,18 @@ std::vector<GLuint> leeIndices(std::intptr_t desde, GLsizei cuantos) {
     return {leidos.begin(), leidos.end()};
 }
 
-std::vector<GLuint> indicesDe(const Orden &o) {
-    const auto desde = reinterpret_cast<std::intptr_t>(o.indices);
-    switch (o.tipoIndice) {
-    case GL_UNSIGNED_BYTE: return leeIndices<GLubyte>(desde, o.vertices);
-    case GL_UNSIGNED_SHORT: return leeIndices<GLushort>(desde, o.vertices);
-    case GL_UNSIGNED_INT: return leeIndices<GLuint>(desde, o.vertices);
+std::vector<GLuint> indicesDe(GLenum tipo, const Tramo &t) {
+    const auto desde = reinterpret_cast<std::intptr_t>(t.indices);
+    switch (tipo) {
+    case GL_UNSIGNED_BYTE: return leeIndices<GLubyte>(desde, t.vertices);
+    case GL_UNSIGNED_SHORT: return leeIndices<GLushort>(desde, t.vertices);
+    case GL_UNSIGNED_INT: return leeIndices<GLuint>(desde, t.vertices);
     default: break;
     }
     std::vector<GLuint> seguidos;
-    for (GLsizei i = 0; i < o.vertices; ++i)
-        seguidos.push_back(GLuint(o.primero + i));
+    for (GLsizei i = 0; i < t.vertices; ++i)
+        seguidos.push_back(GLuint(t.primero + i));
     return seguidos;
-}
-
-std::string llamada(const Orden &o) {
-    const auto n = [](auto numero) { return std::to_string(numero); };
-    if (o.que == Orden::Que::Borra)
-        return "glClear(" + nombreBuferes(o.buferes) + ")";
-    if (o.que == Orden::Que::Copia) {
-        std::string texto = "glBlitFramebuffer(";
-        for (const auto &rectangulo : {o.origen, o.destino})
-            for (const GLint lado : rectangulo)
-                texto += n(lado) + ", ";
-        return texto + nombreBuferes(o.buferes) + ", " + nombreDe(o.filtro) + ")";
-    }
-    if (o.tipoIndice == GL_NONE)
-        return "glDrawArrays(" + nombreModo(o.modo) + ", " + n(o.primero) + ", " + n(o.vertices) + ")";
-    return "glDrawElements(" + nombreModo(o.modo) + ", " + n(o.vertices) + ", " + nombreDe(o.tipoIndice) +
-           ", " + n(reinterpret_cast<std::intptr_t>(o.indices)) + ")";
 }
 
 std::string titulo(const Orden &o) {
@@ -91,7 +225,8 @@ std::string titulo(const Orden &o) {
         return "borra " + que;
     }
     const std::optional<Primitivas> p = primitivasDe(o);
-    return p ? cuantasSon(*p) : std::to_string(o.vertices) + " vértices";
+    return (p ? cuantasSon(*p) : std::to_string(o.vertices()) + " vértices") +
+           (o.instancias == 1 ? "" : " × " + std::to_string(o.instancias) + " instancias");
 }
 
 std::string en(GLenum cual, int n) {
@@ -184,13 +319,21 @@ std::string nombreLienzo(const Lienzo &l) {
 } // namespace
 
 std::optional<Primitivas> primitivasDe(const Orden &o) {
-    if (o.que != Orden::Que::Dibuja || o.vertices < 0 || !entero(GL_VERTEX_ARRAY_BINDING) ||
+    if (o.que != Orden::Que::Dibuja || !entero(GL_VERTEX_ARRAY_BINDING) ||
         (o.tipoIndice != GL_NONE && !entero(GL_ELEMENT_ARRAY_BUFFER_BINDING)))
         return {};
     std::optional<GLuint> reinicia;
     if (glIsEnabled(GL_PRIMITIVE_RESTART))
         reinicia = GLuint(entero(GL_PRIMITIVE_RESTART_INDEX));
-    return sueltas(o.modo, indicesDe(o), reinicia);
+    std::optional<Primitivas> todas = sueltas(o.modo, {}, reinicia);
+    for (const Tramo &t : o.tramos) {
+        if (!todas || t.vertices < 0)
+            return {};
+        const std::optional<Primitivas> suyas = sueltas(o.modo, indicesDe(o.tipoIndice, t), reinicia);
+        for (const GLuint indice : suyas->indices)
+            todas->indices.push_back(indice + GLuint(t.base));
+    }
+    return todas;
 }
 
 Json describe(const Orden &o, const Lienzo &l) {
@@ -199,12 +342,12 @@ Json describe(const Orden &o, const Lienzo &l) {
         for (const auto &[nombre, valor] : estadoActual())
             estado.push_back(Json().pon("nombre", nombre).pon("valor", valor));
     Json orden;
-    orden.pon("llamada", llamada(o)).pon("titulo", titulo(o)).pon("pruebas", pruebas(o));
+    orden.pon("llamada", o.llamada).pon("titulo", titulo(o)).pon("pruebas", pruebas(o));
     orden.pon("framebuffer", nombreLienzo(l))
         .pon("talla", std::array<int, 2>{l.ancho, l.alto})
         .pon("estado", estado);
-    if (o.que == Orden::Que::Dibuja)
-        orden.pon("programa", entero(GL_CURRENT_PROGRAM));
+    if (const GLint programa = entero(GL_CURRENT_PROGRAM); programa && o.que == Orden::Que::Dibuja)
+        orden.pon("programa", programa);
     return orden;
 }
 

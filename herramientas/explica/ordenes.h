@@ -7,24 +7,34 @@
 
 namespace explica {
 
+/// De lo que se dibuja de una vez, una parte: unos vértices seguidos o, si hay índices, los que dicen.
+struct Tramo {
+    GLint primero = 0;
+    GLsizei vertices = 0;
+    const void *indices = nullptr;
+    GLint base = 0; // lo que se suma a cada índice
+};
+
 struct Orden {
     enum class Que { Borra, Dibuja, Copia } que;
+    std::string llamada;
     std::function<void()> hazla; // la llamada de verdad
     GLbitfield buferes = 0;      // los que borra o copia
     GLenum modo = GL_POINTS;
-    GLint primero = 0;
-    GLsizei vertices = 0;
-    GLenum tipoIndice = GL_NONE; // GL_NONE: glDrawArrays
-    const void *indices = nullptr;
+    GLenum tipoIndice = GL_NONE; // GL_NONE: sin índices
+    std::vector<Tramo> tramos = {};
+    GLsizei instancias = 1;
     std::array<GLint, 4> origen{}, destino{}; // de una copia: x0, y0, x1, y1
-    GLenum filtro = GL_NEAREST;
+
+    GLsizei vertices() const;
 };
 
 Orden ordenBorra(GLbitfield buferes);
 Orden ordenDibuja(GLenum modo, GLint primero, GLsizei vertices);
 Orden ordenDibuja(GLenum modo, GLsizei vertices, GLenum tipoIndice, const void *indices);
-Orden ordenCopia(const std::array<GLint, 4> &origen, const std::array<GLint, 4> &destino, GLbitfield buferes,
-                 GLenum filtro);
+
+/// Las demás que escriben píxeles, por su nombre: una función que se llama igual y da su orden a `llega`, o nulo.
+Direccion tapaOrden(const std::string &nombre, void (*llega)(const Orden &orden));
 
 /// Las primitivas que dibuja, sueltas; ninguna si no dibuja o no se pueden saber.
 std::optional<Primitivas> primitivasDe(const Orden &orden);

@@ -16,7 +16,7 @@ def de_orden(orden):
 
 def de_suceso(suceso, orden):
     quien = f"{suceso['tipo']} {suceso['primitiva']} de {de_orden(orden)}" if "tipo" in suceso else de_orden(orden)
-    cambia = f" → {rgb(suceso['despues'])}" if suceso["veredicto"] == "escrito" else ""
+    cambia = f" → {rgb(suceso['despues'])}" if suceso["veredicto"] in ("escrito", "ajeno") else ""
     return f"{suceso['orden']:>4}  {quien}: {suceso['dice']}{cambia}"
 
 

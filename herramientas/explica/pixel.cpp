@@ -42,6 +42,8 @@ bool enRecorte(Punto p) {
     return p.x >= r[0] && p.y >= r[1] && p.x < r[0] + r[2] && p.y < r[1] + r[3];
 }
 
+using Pinta = std::function<void()>;
+
 // Cómo se pregunta por una orden: con su programa, y con otro que cubre lo mismo y no descarta.
 struct Pregunta {
     const Lienzo &lienzo;
@@ -51,7 +53,7 @@ struct Pregunta {
 };
 
 // La primera prueba que no pasa, en el orden en que las hace OpenGL.
-std::string veredicto(const Pregunta &q, const Sueltas &s, int cual) {
+std::string veredicto(const Pregunta &q, const Pinta &pinta) {
     const Guardado g;
     soloPregunta(q.pixel);
     const auto pasa = [&](GLuint programa, bool cara, bool plantilla, bool profundidad) {
@@ -59,7 +61,7 @@ std::string veredicto(const Pregunta &q, const Sueltas &s, int cual) {
         pon(GL_CULL_FACE, cara);
         pon(GL_STENCIL_TEST, plantilla);
         pon(GL_DEPTH_TEST, profundidad);
-        return muestrasDe([&] { s.dibuja(cual, cual + 1); }) > 0;
+        return muestrasDe(pinta) > 0;
     };
     const bool plantilla = g.lleva(GL_STENCIL_TEST);
     if (g.lleva(GL_CULL_FACE) && !pasa(q.cobertura, true, false, false))
@@ -76,7 +78,7 @@ std::string veredicto(const Pregunta &q, const Sueltas &s, int cual) {
 }
 
 // Si lo habría escrito sin esa prueba, que es la primera que no pasa: si pasa las demás.
-bool soloEsa(const Pregunta &q, const Sueltas &s, int cual, const std::string &prueba) {
+bool soloEsa(const Pregunta &q, const Pinta &pinta, const std::string &prueba) {
     const Guardado g;
     soloPregunta(q.pixel);
     const auto hay = [&](const char *nombre, GLenum interruptor) {
@@ -87,7 +89,7 @@ bool soloEsa(const Pregunta &q, const Sueltas &s, int cual, const std::string &p
     hay("profundidad", GL_DEPTH_TEST);
     glUseProgram(prueba == "descartado" ? q.cobertura : q.programa);
     return (prueba == "recorte" || q.dentroDelRecorte) && (prueba == "mascara" || g.escribeColor()) &&
-           muestrasDe([&] { s.dibuja(cual, cual + 1); }) > 0;
+           muestrasDe(pinta) > 0;
 }
 
 // Un framebuffer aparte, en float, donde se ve el color que da el shader tal cual y la profundidad. OSMesa guarda la
@@ -128,7 +130,7 @@ struct Fragmento {
 };
 
 // Lo que da el shader en ese píxel, sin pruebas ni mezcla. Nada si descarta.
-std::optional<Fragmento> fragmentoDe(const Pregunta &q, const Sueltas &s, int cual) {
+std::optional<Fragmento> fragmentoDe(const Pregunta &q, const Pinta &pinta) {
     const Guardado guardado;
     static Aparte aparte;
     aparte.abre(q.lienzo);
@@ -138,7 +140,7 @@ std::optional<Fragmento> fragmentoDe(const Pregunta &q, const Sueltas &s, int cu
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
-    if (muestrasDe([&] { s.dibuja(cual, cual + 1); }) <= 0)
+    if (muestrasDe(pinta) <= 0)
         return {};
     Fragmento f{};
     glReadBuffer(GL_COLOR_ATTACHMENT0);
@@ -246,15 +248,15 @@ Suceso suceso(int numero, const Lienzo &l, const std::string &veredicto, const s
     s.pon("antes", antes.color).pon("despues", despues.color);
     s.pon("profundidadAntes", antes.profundidad).pon("profundidadDespues", despues.profundidad);
     s.pon("plantillaAntes", antes.plantilla).pon("plantillaDespues", despues.plantilla);
-    return {numero, l.nombre, veredicto, -1, s};
+    return {numero, l.nombre, veredicto, -1, despues.color, s};
 }
 
 // Una primitiva que cubre el píxel, y con ella las que van entre la anterior y esta, que no lo cubren.
-Suceso hazPrimitiva(const Pregunta &q, const Sueltas &s, int numero, int cual,
-                    const std::function<void()> &haz) {
-    const std::string que = veredicto(q, s, cual);
-    const std::optional<Fragmento> f = fragmentoDe(q, s, cual);
-    const bool sinEsa = que != "escrito" && soloEsa(q, s, cual, que);
+Suceso hazPrimitiva(const Pregunta &q, const Sueltas &s, int numero, int cual, const Pinta &haz) {
+    const Pinta pinta = [&] { s.dibuja(cual, cual + 1); };
+    const std::string que = veredicto(q, pinta);
+    const std::optional<Fragmento> f = fragmentoDe(q, pinta);
+    const bool sinEsa = que != "escrito" && soloEsa(q, pinta, que);
     const Contenido antes = lee(q.lienzo, q.pixel);
     haz();
     const Contenido despues = lee(q.lienzo, q.pixel);
@@ -277,27 +279,52 @@ Suceso hazPrimitiva(const Pregunta &q, const Sueltas &s, int numero, int cual,
     return hecho;
 }
 
+// De muchas instancias a la vez se dice lo que hacen todas: no se sabe dibujar una sola.
+void dibujaInstancias(const Orden &o, int numero, const Pregunta &q, std::vector<Suceso> &sucesos) {
+    const auto cubre = [&] {
+        const Guardado guardado;
+        glUseProgram(q.cobertura);
+        soloPregunta(q.pixel);
+        return muestrasDe(o.hazla) != 0;
+    };
+    if (!cubre())
+        return o.hazla();
+    std::string que = veredicto(q, o.hazla);
+    const Contenido antes = lee(q.lienzo, q.pixel);
+    o.hazla();
+    const Contenido despues = lee(q.lienzo, q.pixel);
+    if (antes.color != despues.color) // la plantilla o la profundidad de una dejan pasar a la siguiente
+        que = "escrito";
+    const std::string dice = que == "escrito" ? "escrito por alguna instancia" : enPalabras(que, antes, {});
+    sucesos.push_back(suceso(numero, q.lienzo, que, dice, antes, despues));
+}
+
 void dibuja(const Orden &o, int numero, const Lienzo &l, Punto p, std::vector<Suceso> &sucesos) {
     const std::optional<Primitivas> primitivas = primitivasDe(o);
     const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
     if (!primitivas || !programa || primitivas->indices.empty() || glIsEnabled(GL_RASTERIZER_DISCARD))
         return o.hazla();
-    const Sueltas s(*primitivas);
-    std::vector<int> cuales;
     GLuint cobertura;
     {
         const Guardado guardado;
         cobertura = sinDescartar(programa);
         if (!cobertura)
             cobertura = programa; // sin sus fuentes, lo que descarta no se ve
+    }
+    const bool dentro = !glIsEnabled(GL_SCISSOR_TEST) || enRecorte(p);
+    const Pregunta q{l, p, programa, cobertura, dentro};
+    if (o.instancias != 1)
+        return dibujaInstancias(o, numero, q, sucesos);
+    const Sueltas s(*primitivas);
+    std::vector<int> cuales;
+    {
+        const Guardado guardado;
         glUseProgram(cobertura);
         soloPregunta(p);
         cubren(s, 0, s.primitivas.cuantas(), cuales);
     }
     if (cuales.empty())
         return o.hazla();
-    const bool dentro = !glIsEnabled(GL_SCISSOR_TEST) || enRecorte(p);
-    const Pregunta q{l, p, programa, cobertura, dentro};
     if (cuales.size() == 1) {
         sucesos.push_back(hazPrimitiva(q, s, numero, cuales[0], o.hazla));
         return;
@@ -318,9 +345,22 @@ bool enDestino(const Orden &o, Punto p) {
 
 } // namespace
 
+void siLoCambiaOtro(const Lienzo &l, const std::optional<Color> &color, std::vector<Suceso> &sucesos) {
+    const auto suyo = std::find_if(sucesos.rbegin(), sucesos.rend(),
+                                   [&](const Suceso &s) { return s.framebuffer == l.nombre; });
+    const auto igual = [](double a, double b) { return a == b || (a != a && b != b); };
+    if (suyo == sucesos.rend() || !color || !suyo->queda ||
+        std::equal(color->begin(), color->end(), suyo->queda->begin(), igual))
+        return;
+    const std::string dice = "después de esta orden, algo que no sigo lo ha cambiado";
+    sucesos.push_back(suceso(suyo->orden, l, "ajeno", dice, {suyo->queda, {}, {}}, {color, {}, {}}));
+}
+
 void hazYCuenta(const Orden &o, int numero, const Lienzo &l, Punto p, std::vector<Suceso> &sucesos) {
     if (!l.dentro(p.x, p.y))
         return o.hazla();
+    if (l.conColor())
+        siLoCambiaOtro(l, lee(l, p).color, sucesos);
     if (o.que == Orden::Que::Dibuja)
         return dibuja(o, numero, l, p, sucesos);
     if (o.que == Orden::Que::Copia && !enDestino(o, p))

@@ -10,8 +10,12 @@ struct Suceso {
     GLuint framebuffer;
     std::string veredicto;
     int primitiva; // -1: no es de una
+    std::optional<Color> queda;
     Json json;
 };
+
+/// Si lo que queda tras el último de ese framebuffer no es ese color, añade que algo que no se sigue lo ha cambiado.
+void siLoCambiaOtro(const Lienzo &lienzo, const std::optional<Color> &color, std::vector<Suceso> &sucesos);
 
 /// Hace la orden, y añade a `sucesos` lo que le pasa con ella a ese píxel de ese framebuffer: nada, si no lo toca.
 void hazYCuenta(const Orden &orden, int numero, const Lienzo &lienzo, Punto pixel,

@@ -1,4 +1,5 @@
 #include "programas.h"
+#include "enviado.h"
 #include <algorithm>
 #include <map>
 
@@ -8,7 +9,8 @@ std::vector<Fuente> fuentesDe(GLuint programa) {
     std::vector<Fuente> fuentes;
     GLuint shaders[8];
     GLsizei n = 0;
-    glGetAttachedShaders(programa, 8, &n, shaders);
+    if (programa)
+        glGetAttachedShaders(programa, 8, &n, shaders);
     for (GLsizei i = 0; i < n; ++i) {
         GLint tipo = 0, largo = 0;
         glGetShaderiv(shaders[i], GL_SHADER_TYPE, &tipo);
@@ -58,6 +60,20 @@ std::vector<Variable> atributosDe(GLuint programa) {
             variables.push_back({nombre, tipo, donde});
     }
     return variables;
+}
+
+std::vector<Bloque> bloquesDe(GLuint programa) {
+    std::vector<Bloque> bloques;
+    GLint n = 0;
+    glGetProgramiv(programa, GL_ACTIVE_UNIFORM_BLOCKS, &n);
+    for (GLint i = 0; i < n; ++i) {
+        GLchar nombre[256];
+        GLint enlace = 0;
+        glGetActiveUniformBlockName(programa, GLuint(i), sizeof nombre, nullptr, nombre);
+        glGetActiveUniformBlockiv(programa, GLuint(i), GL_UNIFORM_BLOCK_BINDING, &enlace);
+        bloques.push_back({nombre, GLuint(enlace)});
+    }
+    return bloques;
 }
 
 namespace {
@@ -128,6 +144,16 @@ bool esEntero(GLenum tipo) {
     return envioDe(tipo).entero;
 }
 
+void daOtroValor(const Variable &uniform) {
+    Valor valor{};
+    for (int i = 0; i < 16; ++i)
+        if (esEntero(uniform.tipo))
+            valor.entero[i] = 1 + i;
+        else
+            valor.real[i] = 0.3f + 0.17f * float((5 * i) % 16);
+    envioDe(uniform.tipo).pon(uniform.donde, &valor);
+}
+
 std::vector<double> valorDe(GLuint programa, const Variable &uniform) {
     Valor valor{};
     lee(programa, uniform, valor);
@@ -137,7 +163,7 @@ std::vector<double> valorDe(GLuint programa, const Variable &uniform) {
     return numeros;
 }
 
-void copiaUniforms(GLuint original, GLuint otro) {
+Desconocidas copiaUniforms(GLuint original, GLuint otro) {
     glUseProgram(otro);
     for (const Variable &v : uniformsDe(original)) {
         const GLint donde = glGetUniformLocation(otro, v.nombre.c_str());
@@ -147,17 +173,12 @@ void copiaUniforms(GLuint original, GLuint otro) {
         lee(original, v, valor);
         envioDe(v.tipo).pon(donde, &valor);
     }
-    GLint bloques = 0;
-    glGetProgramiv(original, GL_ACTIVE_UNIFORM_BLOCKS, &bloques);
-    for (GLint i = 0; i < bloques; ++i) {
-        GLchar nombre[256];
-        GLint enlace = 0;
-        glGetActiveUniformBlockName(original, GLuint(i), sizeof nombre, nullptr, nombre);
-        glGetActiveUniformBlockiv(original, GLuint(i), GL_UNIFORM_BLOCK_BINDING, &enlace);
-        const GLuint suyo = glGetUniformBlockIndex(otro, nombre);
+    for (const Bloque &bloque : bloquesDe(original)) {
+        const GLuint suyo = glGetUniformBlockIndex(otro, bloque.nombre.c_str());
         if (suyo != GL_INVALID_INDEX)
-            glUniformBlockBinding(otro, suyo, GLuint(enlace));
+            glUniformBlockBinding(otro, suyo, bloque.enlace);
     }
+    return daLoEnviado(original, otro);
 }
 
 GLuint enlazaComo(GLuint original, const std::vector<GLuint> &shaders,
@@ -165,24 +186,22 @@ GLuint enlazaComo(GLuint original, const std::vector<GLuint> &shaders,
     const GLuint programa = glCreateProgram();
     for (const GLuint shader : shaders)
         glAttachShader(programa, shader);
-    for (const Variable &v : atributosDe(original))
-        glBindAttribLocation(programa, GLuint(v.donde), v.nombre.c_str());
     antes(programa);
-    glLinkProgram(programa);
+    for (bool otraVez = true; otraVez; otraVez = ataComo(original, programa)) {
+        ataComo(original, programa);
+        glLinkProgram(programa);
+    }
     GLint enlazado = GL_FALSE;
     glGetProgramiv(programa, GL_LINK_STATUS, &enlazado);
-    if (enlazado) {
-        copiaUniforms(original, programa);
+    if (enlazado)
         return programa;
-    }
     glDeleteProgram(programa);
     return 0;
 }
 
 GLuint sinDescartar(GLuint original) {
     static std::map<GLuint, GLuint> hechos;
-    const auto hecho = hechos.find(original);
-    if (hecho != hechos.end()) {
+    if (const auto hecho = hechos.find(original); hecho != hechos.end()) {
         if (hecho->second)
             copiaUniforms(original, hecho->second);
         return hecho->second;
@@ -198,9 +217,9 @@ GLuint sinDescartar(GLuint original) {
     glShaderSource(fragmento, 1, &texto, nullptr);
     glCompileShader(fragmento);
     shaders.push_back(fragmento);
-    const GLuint programa = enlazaComo(original, shaders);
+    hechos[original] = enlazaComo(original, shaders);
     glDeleteShader(fragmento);
-    return hechos[original] = programa;
+    return sinDescartar(original);
 }
 
 } // namespace explica

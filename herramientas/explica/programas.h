@@ -7,6 +7,8 @@
 
 namespace explica {
 
+struct Desconocidas;
+
 struct Fuente {
     GLenum tipo; // GL_VERTEX_SHADER o GL_FRAGMENT_SHADER
     GLuint shader;
@@ -29,17 +31,26 @@ std::vector<Variable> atributosDe(GLuint programa);
 int componentesDe(GLenum tipo);
 bool esEntero(GLenum tipo);
 
+struct Bloque {
+    std::string nombre;
+    GLuint enlace;
+};
+std::vector<Bloque> bloquesDe(GLuint programa);
+
+/// Le da un valor que no es el de entrada. El programa tiene que estar en uso.
+void daOtroValor(const Variable &uniform);
+
 /// Lo que vale un uniform, por columnas.
 std::vector<double> valorDe(GLuint programa, const Variable &uniform);
 
-/// Enlaza un programa con esos shaders, y con los atributos y uniforms en el sitio y con el valor que tienen en
-/// `original`. `antes`: lo que haya que decirle antes de enlazar. 0 si no enlaza.
+/// Enlaza un programa con esos shaders y con los atributos en el sitio que tienen en `original`. `antes`: lo que haya que decirle antes de enlazar. 0 si no enlaza.
 GLuint enlazaComo(
     GLuint original, const std::vector<GLuint> &shaders,
     const std::function<void(GLuint)> &antes = [](GLuint) {});
 
-/// Da a los uniforms de `otro` el valor que tienen en `original`. Lo deja en uso.
-void copiaUniforms(GLuint original, GLuint otro);
+/// Da a los uniforms de `otro` el valor que tienen en `original` o, si ahí no están, lo que se les ha enviado. Lo deja
+/// en uso.
+Desconocidas copiaUniforms(GLuint original, GLuint otro);
 
 /// El mismo, con un fragment shader que no descarta nada. 0 si no se puede.
 GLuint sinDescartar(GLuint original);

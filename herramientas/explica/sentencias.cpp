@@ -177,10 +177,10 @@ std::string Reescritor::regresa() {
     if (devuelve.tipo.numerico() && !salen)
         return "return " +
                envuelve(Clase::Devuelve, donde, nombre, devuelve.tipo,
-                        devuelve.tipo.base + " ( " + e.texto + " )") +
+                        devuelve.tipo.base + " ( ( " + e.texto + " ) )") + // puede llevar comas
                " ;\n";
-    return "{ " + devuelve.texto + " explica_r = ( " + e.texto + " ) ;\n" +
-           partes(Clase::Devuelve, donde, nombre, devuelve.tipo, "explica_r") + alSalir(donde) +
+    const std::string suyo = partes(Clase::Devuelve, donde, nombre, devuelve.tipo, "explica_r");
+    return "{ " + devuelve.texto + " explica_r = ( " + e.texto + " ) ;\n" + suyo + alSalir(donde) +
            "return explica_r ; }\n";
 }
 

@@ -1,7 +1,8 @@
 #include "sombreado.h"
+#include "enviado.h"
 #include "glsl.h"
-#include "programas.h"
 #include <algorithm>
+#include <functional>
 #include <regex>
 
 namespace explica {
@@ -16,6 +17,7 @@ using Salidas = std::vector<std::array<float, 4 * SALIDAS>>; // de cada vértice
 struct Reescribible {
     GLuint programa = 0;
     Reescrito reescrito;
+    Desconocidas desconocidas;
     std::string motivo; // por qué no se puede
 };
 
@@ -58,6 +60,10 @@ Reescribible reescribeEn(GLuint original, Etapa etapa) {
         });
         if (!r.programa)
             r.motivo = "el shader reescrito no enlaza";
+        else
+            r.desconocidas = copiaUniforms(original, r.programa);
+        if (!r.desconocidas.otra.empty())
+            r.motivo = r.desconocidas.motivo();
     }
     glDeleteShader(nuevo);
     return r;
@@ -178,7 +184,7 @@ std::vector<Paso> enOrden(const std::vector<Nota> &notas, const std::vector<int>
 
 // La traza de cada vértice, o la del fragmento. `ejecuta` da lo que sale desde el paso que se haya pedido.
 template<class Ejecuta>
-std::vector<Traza> trazas(const Reescribible &r, const Ejecuta &ejecuta) {
+std::vector<Traza> apuntadas(const Reescribible &r, const Ejecuta &ejecuta) {
     const int huecos = huecosDe(SALIDAS);
     std::vector<Traza> todas;
     std::vector<std::vector<int>> notas;
@@ -202,6 +208,29 @@ std::vector<Traza> trazas(const Reescribible &r, const Ejecuta &ejecuta) {
     }
     for (std::size_t i = 0; i < todas.size(); ++i)
         todas[i].apuntado = enOrden(r.reescrito.notas, notas[i], valores[i]);
+    return todas;
+}
+
+// Sin lo que depende de lo que no se sabe cuánto vale: lo que con otro valor no es lo mismo.
+template<class Ejecuta>
+std::vector<Traza> trazas(const Reescribible &r, const Ejecuta &ejecuta) {
+    std::vector<Traza> todas = apuntadas(r, ejecuta);
+    if (r.desconocidas.uniforms.empty() && r.desconocidas.atributos.empty())
+        return todas;
+    r.desconocidas.pon(true);
+    const std::vector<Traza> otras = apuntadas(r, ejecuta);
+    r.desconocidas.pon(false);
+    const auto distinto = [](double a, double b) { return a != b && (a == a || b == b); };
+    for (std::size_t i = 0; i < todas.size(); ++i) {
+        std::vector<Paso> &pasos = todas[i].apuntado;
+        const std::vector<Paso> &suyos = otras[i].apuntado;
+        std::size_t k = 0;
+        for (; k < std::min(pasos.size(), suyos.size()) && pasos[k].nota == suyos[k].nota; ++k)
+            if (!std::equal(pasos[k].valor.begin(), pasos[k].valor.end(), suyos[k].valor.begin(),
+                            std::not_fn(distinto)))
+                pasos[k].valor.clear();
+        pasos.resize(k); // se va por otro lado
+    }
     return todas;
 }
 
@@ -229,6 +258,9 @@ Json enJsonDe(const Reescribible &r, const Traza &traza) {
     std::vector<Json> sinSeguir;
     for (const Aviso &a : r.reescrito.sinSeguir)
         sinSeguir.push_back(Json().pon("linea", a.linea).pon("motivo", a.motivo));
+    for (const Paso &p : traza.apuntado)
+        if (p.valor.empty() && p.nota->tipo != "void")
+            sinSeguir.push_back(Json().pon("linea", p.nota->linea).pon("motivo", r.desconocidas.motivo()));
     Json json;
     std::vector<int>
         apuntables; // las líneas en que puede pasar algo: las que no están entre las otras no se ejecutan
@@ -282,7 +314,7 @@ std::vector<Json> interpola(const std::vector<Traza> &vertices, const Traza &fra
     for (const Paso &p : fragmento.apuntado) {
         std::vector<double> suma(p.valor.size());
         const bool mezclable = p.nota->tipo == "float" || p.nota->tipo.compare(0, 3, "vec") == 0;
-        bool estan = p.nota->clase == Clase::Entrada && mezclable;
+        bool estan = p.nota->clase == Clase::Entrada && mezclable && !suma.empty();
         const bool plana = estan && seDeclara(fuente, "flat", p.nota->nombre); // la del último vértice
         const Pesos pesos = plana                                                         ? Pesos{0, 0, 1}
                             : estan && seDeclara(fuente, "noperspective", p.nota->nombre) ? sin
@@ -313,17 +345,18 @@ Json sombrea(const Orden &orden, const Lienzo &l, Punto p, int primitiva) {
     const std::optional<Primitivas> primitivas = primitivasDe(orden);
     const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
     Json json;
-    if (!primitivas || !programa || primitiva < 0 || primitiva >= primitivas->cuantas())
+    if (!primitivas || !programa || orden.instancias != 1 || primitiva < 0 ||
+        primitiva >= primitivas->cuantas())
         return json;
     const Guardado guardado;
     const Sueltas s(*primitivas);
     const Reescribible deFragmento = reescribeEn(programa, Etapa::Fragmento),
                        deVertices = reescribeEn(programa, Etapa::Vertices);
     std::vector<Traza> vertices;
-    if (deVertices.programa)
+    if (deVertices.motivo.empty())
         vertices = trazas(deVertices, Vertices(s, primitiva));
     Traza fragmento;
-    if (deFragmento.programa)
+    if (deFragmento.motivo.empty())
         fragmento = trazas(deFragmento, Fragmento(s, primitiva, l, p))[0];
     std::vector<Json> deCada;
     std::array<std::vector<double>, 3> posiciones;
@@ -332,7 +365,7 @@ Json sombrea(const Orden &orden, const Lienzo &l, Punto p, int primitiva) {
         const std::size_t indice = std::size_t(primitiva * s.primitivas.vertices) + i;
         deCada.push_back(enJsonDe(deVertices, vertices[i]).pon("indice", s.primitivas.indices[indice]));
         const Paso *posicion = vertices[i].hallado(Clase::Salida, "gl_Position");
-        conPosicion = conPosicion && posicion;
+        conPosicion = conPosicion && posicion && !posicion->valor.empty();
         if (conPosicion)
             posiciones[i] = posicion->valor;
     }

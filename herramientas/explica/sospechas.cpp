@@ -1,4 +1,5 @@
 #include "sospechas.h"
+#include "enviado.h"
 #include "nombres.h"
 #include "sueltas.h"
 #include <algorithm>
@@ -20,7 +21,7 @@ Puntos posicionesDe(const Orden &orden) {
     std::vector<GLuint> shaders;
     for (const Fuente &f : fuentesDe(programa))
         shaders.push_back(f.shader);
-    if (!p || p->indices.empty() || shaders.empty())
+    if (!p || p->indices.empty() || shaders.empty() || orden.instancias != 1)
         return {};
     const Guardado guardado;
     const GLchar *const nombre = "gl_Position";
@@ -137,10 +138,11 @@ void Sospechas::pon(int gravedad, int orden, const std::string &dice, const std:
 }
 
 void Sospechas::delCableado(const Cableado &c, int n) {
-    const auto conTextura = [&](const Uniforme &u) { // un sampler al que le vale la unidad 0
-        return std::any_of(c.texturas.begin(), c.texturas.end(), [&](const Textura &t) {
-            return t.sampler == u.variable.nombre && t.incompleta.empty();
+    const auto vale = [&](const Uniforme &u) { // sin que nadie se lo dé: lo dice el shader, o es la unidad 0
+        const bool incompleta = std::any_of(c.texturas.begin(), c.texturas.end(), [&](const Textura &t) {
+            return t.sampler == u.variable.nombre && !t.incompleta.empty();
         });
+        return !casiCero(u.valor) || (esSampler(u.variable.tipo) && !incompleta);
     };
     for (const Uniforme &u : c.uniformes) {
         const std::string quien = "el uniform «" + u.variable.nombre + "» ";
@@ -148,7 +150,7 @@ void Sospechas::delCableado(const Cableado &c, int n) {
             u.valor.size() >= 4 && !esEntero(u.variable.tipo) && tipoDe(u.variable.tipo)[0] == 'm';
         if (std::any_of(u.valor.begin(), u.valor.end(), [](double x) { return !std::isfinite(x); }))
             pon(SEGURO, n, quien + "tiene algo que no es un número", "Mira de qué cuenta sale.");
-        else if (!u.dado && !conTextura(u))
+        else if (!u.dado && !vale(u))
             pon(SEGURO, n, quien + "lo usa el shader y nadie le ha dado valor: es 0",
                 "Falta enviarlo, se llama de otra manera o se ha enviado sin glUseProgram antes.");
         else if (matriz && casiCero(u.valor))
@@ -166,7 +168,7 @@ void Sospechas::delCableado(const Cableado &c, int n) {
                 "De una textura incompleta se lee negro.");
     for (const Atributo &a : c.atributos) {
         const std::string quien = "el atributo «" + a.variable.nombre + "» ";
-        if (!a.activo || !a.bufer)
+        if (!a.constante && (!a.activo || !a.bufer))
             pon(SEGURO, n, quien + "lo lee el shader y no lo da ningún array",
                 "Falta glVertexAttribPointer o glEnableVertexAttribArray, con su VAO enlazado.");
         else if (a.primeros.size() > 2 &&
@@ -217,7 +219,7 @@ void Sospechas::delEstado(const Orden &o, const Lienzo &l, int n) {
     if (v[2] == 0 || v[3] == 0 || v[0] >= l.ancho || v[1] >= l.alto || v[0] + v[2] <= 0 || v[1] + v[3] <= 0)
         pon(SEGURO, n, "el viewport queda fuera o no mide nada",
             "Mira glViewport: ¿en la función de cambio de tamaño?");
-    if (!o.vertices)
+    if (!o.vertices())
         pon(SEGURO, n, "se pide dibujar 0 vértices", "¿Está vacía la malla, o el número es de otra cosa?");
     if (!glIsEnabled(GL_DEPTH_TEST))
         return;
@@ -258,7 +260,7 @@ std::string Sospechas::porQueNada(const Orden &o, int n) {
         pon(SEGURO, n, "se dibuja sin programa en uso", "Falta glUseProgram, o su programa no enlaza.");
         return "no hay programa en uso";
     }
-    if (!o.vertices)
+    if (!o.vertices())
         return "no tiene vértices";
     if (!entero(GL_VERTEX_ARRAY_BINDING))
         return "no hay ningún VAO enlazado";

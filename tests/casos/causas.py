@@ -1,5 +1,5 @@
-"""causas.py BUILD [CAUSA…] [--todos]: si ./lab explica nombra, entre sus dos primeras sospechas, cada causa de
-causas.tsv plantada en el primero de sus programas o, con --todos, en cada uno. Estado 1 si deja de nombrar alguna."""
+"""causas.py BUILD [CAUSA…] [--todos]: si ./lab explica acaba bien y nombra, entre sus dos primeras sospechas, cada causa
+de causas.tsv plantada en el primero de sus programas o, con --todos, en cada uno. Estado 1 si deja de nombrar alguna."""
 import json
 import os
 import re
@@ -8,21 +8,24 @@ import sys
 import tempfile
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[2] / "herramientas"))
+RAIZ = Path(__file__).parents[2]
+sys.path.insert(0, str(RAIZ / "herramientas"))
 from base import catalogo  # noqa: E402
 
 LISTA = Path(__file__).with_suffix(".tsv")
 
 
 def sospechas(build, programa, causa):
-    """Las dos primeras. Aquí no se explica ningún píxel."""
-    delante = build / "tests/libestropea.so", build / "herramientas/explica/libexplica.so"
-    entorno = {"LD_PRELOAD": " ".join(map(str, delante)), "ESTROPEA": causa, "LAB_EXPLICA": "e.json"}
+    """Las dos primeras del cuadro entero."""
+    entorno = {**os.environ, "ESTROPEA": causa, "LD_PRELOAD": str(build / "tests/libestropea.so")}
     with tempfile.TemporaryDirectory() as carpeta:
-        orden = [build / "osmesa" / programa.capitulo.nombre / programa.nombre, "-geometry", "240x180"]
-        subprocess.run(orden, env={**os.environ, **entorno}, cwd=carpeta, capture_output=True)
+        orden = [sys.executable, "-B", RAIZ / "herramientas", "explica.orden", RAIZ, build, carpeta]
+        suyo = [programa.capitulo.nombre, programa.nombre, programa.nombre, programa.titulo]
         hecho = Path(carpeta, "e.json")
-        return [s["dice"] for s in json.loads(hecho.read_text())["sospechas"][:2]] if hecho.exists() else ["no acaba"]
+        r = subprocess.run([*orden, *suyo, "-geometry", "240x180", "--json", hecho], env=entorno, capture_output=True)
+        if r.returncode:
+            return [f"acaba con {r.returncode}: {r.stderr.decode()}"]
+        return [s["dice"] for s in json.loads(hecho.read_text())["sospechas"][:2]]
 
 
 def main():

@@ -94,10 +94,6 @@ void fuente(GLuint shader, GLsizei n, const GLchar *const *trozos, const GLint *
     siguiente<decltype(&glShaderSource)>("glShaderSource")(shader, 1, &entero, nullptr);
 }
 
-void usa(GLuint programa) {
-    siguiente<decltype(&glUseProgram)>("glUseProgram")(es("sin_programa") ? 0 : programa);
-}
-
 void array(GLuint indice) {
     if (!es("array_sin_activar") || indice != 0)
         siguiente<decltype(&glEnableVertexAttribArray)>("glEnableVertexAttribArray")(indice);
@@ -124,7 +120,6 @@ Direccion cambiada(const char *nombre) {
         Direccion funcion;
     } CAMBIADAS[] = {{"glGetUniformLocation", reinterpret_cast<Direccion>(sitioDe)},
                      {"glUniformMatrix4fv", reinterpret_cast<Direccion>(matriz)},
-                     {"glUseProgram", reinterpret_cast<Direccion>(usa)},
                      {"glShaderSource", reinterpret_cast<Direccion>(fuente)},
                      {"glEnableVertexAttribArray", reinterpret_cast<Direccion>(array)},
                      {"glGenerateMipmap", reinterpret_cast<Direccion>(niveles)},
@@ -166,7 +161,13 @@ void glFlush() {
 }
 
 void glDrawElements(GLenum modo, GLsizei n, GLenum tipo, const void *indices) {
+    static const auto usa = siguiente<decltype(&glUseProgram)>("glUseProgram");
+    GLint suyo = 0;
+    glGetIntegerv(GL_CURRENT_PROGRAM, &suyo);
+    if (es("sin_programa"))
+        usa(0);
     tapada<decltype(&glDrawElements)>("glDrawElements")(modo, es("cero_vertices") ? 0 : n, tipo, indices);
+    usa(GLuint(suyo));
 }
 
 Direccion OSMesaGetProcAddress(const char *nombre) {
