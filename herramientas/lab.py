@@ -487,6 +487,7 @@ ORDENES = {
     "paquetes": "",
     "completa": "",
 }
+LIBRES = "nuevo", "corrige", "ejercicio", "mide", "muta"
 NECESITAN_PRUEBAS = "prueba", "dora", "muta"
 OTRAS = {"ayuda": "--help", "help": "--help", "-h": "--help", "galería": "galeria", "test": "prueba", "tests": "prueba"}
 
@@ -499,8 +500,6 @@ def analizador(orden):
             a.add_argument("--vigila", action="store_true", help="relee los shaders en cuanto se guardan")
         a.add_argument("programa", metavar="PROGRAMA")
         a.add_argument("resto", nargs=argparse.REMAINDER, metavar="…", help="va al programa")
-    elif orden in ("nuevo", "corrige", "ejercicio", "mide", "muta"):
-        a.add_argument("resto", nargs=argparse.REMAINDER, metavar=ORDENES[orden])
     elif orden == "dora":
         a.add_argument("--mira", action="store_true", help="los dibuja aparte y los enseña")
         a.add_argument("resto", nargs="*", metavar="CASO")
@@ -511,6 +510,17 @@ def analizador(orden):
     elif orden == "prueba":
         para_prueba(a)
     return a
+
+
+def entiende(orden, palabras):
+    """Lo que se pide a esa orden. Lo de LIBRES lo entiende el módulo que la hace."""
+    a = analizador(orden)
+    if orden not in LIBRES:
+        return a.parse_args(palabras)
+    if palabras[:1] in (["--help"], ["-h"]):
+        a.print_help()
+        raise SystemExit(0)
+    return argparse.Namespace(resto=palabras)
 
 
 def para_prueba(a):
@@ -550,10 +560,7 @@ def elige_orden(pedida):
 def main():
     raiz, donde, *pedido = Path(sys.argv[1]), Path.cwd(), *sys.argv[2:]
     orden = elige_orden(pedido[0] if pedido else "--help")
-    que = analizador(orden).parse_args(pedido[1:])
-    if "--help" in getattr(que, "resto", [])[:1]:
-        analizador(orden).print_help()
-        return 0
+    que = entiende(orden, pedido[1:])
     if orden in NECESITAN_PRUEBAS and not (raiz / "tests").is_dir():
         raise Fallo(f"{orden}: hace falta la carpeta tests/")
     lab = Laboratorio(raiz, donde)
