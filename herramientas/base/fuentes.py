@@ -16,7 +16,7 @@ def nombra(raiz, fichero):
     """Los que ese nombra entre comillas, cabeceras y shaders, a su lado o, de los capítulos, desde RAÍZ."""
     for nombre in NOMBRADO.findall((raiz / fichero).read_text()):
         for candidato in (fichero.parent / nombre, Path(nombre)):
-            suyo = candidato.parent == fichero.parent and fichero.parent != Path("common")
+            suyo = candidato.parent == fichero.parent and fichero.parts[0] != "common"
             if (suyo or candidato.parts[0].startswith("ch")) and (raiz / candidato).is_file():
                 yield candidato
 
@@ -48,7 +48,7 @@ def con_inclusiones(raiz, shader, textos=None):
 
 def main():
     raiz, carpeta = map(Path, sys.argv[1:])
-    for shader in raiz.glob("c*/*.*"):
+    for shader in raiz.glob("c*/**/*.*"):
         if shader.suffix in (".vert", ".frag"):
             ruta = shader.relative_to(raiz)
             (carpeta / "-".join(ruta.parts)).write_text(con_inclusiones(raiz, ruta))

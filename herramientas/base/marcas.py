@@ -47,7 +47,7 @@ def esqueleto(texto, *codigos):
 
 def main():
     raiz, carpeta = map(Path, sys.argv[1:])
-    for shader in raiz.glob("c*/*.*"):
+    for shader in raiz.glob("c*/**/*.*"):
         if shader.suffix in (".vert", ".frag", ".glsl"):
             destino = carpeta / shader.relative_to(raiz)
             destino.parent.mkdir(parents=True, exist_ok=True)

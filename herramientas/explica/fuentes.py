@@ -37,7 +37,7 @@ def reconoce(raiz, programas):
     donde = carpetas(raiz)
     hay = {}
     for carpeta in donde:
-        for f in sorted({*carpeta.glob("*.*"), *carpeta.glob("c*/*.*")}):
+        for f in sorted({*carpeta.glob("*.*"), *carpeta.glob("c*/**/*.*")}):
             if f.suffix in (".vert", ".frag"):
                 suyas = lineas(donde, str(f.relative_to(carpeta)))
                 hay.setdefault(tuple(texto for *_, texto in suyas), suyas)

@@ -82,7 +82,7 @@ class Pagina:
         return {str(f.relative_to(self.raiz)): f.read_text() for f in ficheros}
 
     def shaders(self):
-        return self.textos(*(f"c*/*{e}" for e in SHADERS))
+        return self.textos(*(f"c*/**/*{e}" for e in SHADERS))
 
     def listados(self):
         """Los que se pueden hacer en la página: qué pide cada uno en cada shader."""

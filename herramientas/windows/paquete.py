@@ -58,7 +58,7 @@ class Paquete:
                 self.mete(f"programas/{nombre}", aligerada)
 
     def mete_datos(self):
-        for patron in ("c*/*.vert", "c*/*.frag", "c*/*.glsl", "assets/*.txt", "assets/*.vf"):
+        for patron in ("c*/**/*.vert", "c*/**/*.frag", "c*/**/*.glsl", "assets/*.txt", "assets/*.vf"):
             for fichero in sorted(self.raiz.glob(patron)):
                 if fichero.name != "CMakeLists.txt":
                     self.mete(fichero.relative_to(self.raiz), fichero)

@@ -775,7 +775,7 @@ def test_sin_bwrap_no_se_corrige(tmp_path):
 @pytest.mark.skipif(not GRUA.exists(), reason="no está compilado")
 def test_un_shader_con_bom_es_el_mismo(tmp_path):
     """Y lo que no está en $LAB_RAIZ, con $LAB_SOLO_RAIZ, no se busca en el laboratorio."""
-    for f in RAIZ.glob("c*/*.*"):
+    for f in RAIZ.glob("c*/**/*.*"):
         if f.suffix in SHADERS:
             siembra(tmp_path, {f.relative_to(RAIZ): "\ufeff" + f.read_text()})
 

@@ -97,7 +97,7 @@ def test_solo_las_pruebas_usan_tests():
 def usos():
     """Cada fichero de un capítulo que se incluye o se carga desde otro (o desde common/), y desde dónde."""
     hay = {}
-    for fuente in (*RAIZ.glob("common/*.*"), *RAIZ.glob("ch*/*.*")):
+    for fuente in (*RAIZ.glob("common/**/*.*"), *RAIZ.glob("ch*/*.*")):
         if fuente.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl"):
             for capitulo, fichero in re.findall(r'"(ch\d\d)_\w+/([\w.]+)"', fuente.read_text()):
                 if not fuente.parent.name.startswith(capitulo):
@@ -123,7 +123,7 @@ def test_lo_publico_de_cada_capitulo():
 def test_ningun_shader_es_igual_que_otro():
     """Por su texto se sabe de qué fichero es el que OpenGL ha recibido, al explicar un cuadro."""
     de = {}
-    for f in sorted([*RAIZ.glob("ch*/*.vert"), *RAIZ.glob("ch*/*.frag"), *RAIZ.glob("common/*.vert")]):
+    for f in sorted([*RAIZ.glob("ch*/*.vert"), *RAIZ.glob("ch*/*.frag"), *RAIZ.glob("common/**/*.vert")]):
         de.setdefault((f.suffix, f.read_text()), []).append(corto(f))
     assert len(de) > 80
     falla([" = ".join(iguales) for iguales in de.values() if len(iguales) > 1])

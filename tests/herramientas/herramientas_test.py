@@ -28,7 +28,7 @@ from web.pagina import ProgramaVivo
 from windows import paquete
 from mentira import caso, faltan, programa, siembra
 
-FUENTES = [f for f in RAIZ.glob("c*/*.*") if f.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl")]
+FUENTES = [f for f in RAIZ.glob("c*/**/*.*") if f.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl")]
 
 
 def test_el_zip_de_windows_tiene_lo_que_leen_los_programas():

@@ -105,6 +105,19 @@ def test_explica(lab):
     lab("explica grua -guion 'tecla Esc'", 1, "¿pulsa Esc el guion?")
 
 
+DOCUMENTOS = [RAIZ / "README.md", *sorted((RAIZ / "docs").glob("*.md"))]
+EJEMPLOS = [e for f in DOCUMENTOS for e in re.findall(r"\./lab (explica \w+ \d+ \d+[^`\n]*)", f.read_text())]
+
+
+@pytest.mark.parametrize("orden", dict.fromkeys(EJEMPLOS))
+def test_los_ejemplos_de_explica(lab, orden):
+    """Los de README y docs/ explican lo que dicen, y no el fondo: al píxel le han dado color varias órdenes."""
+    lab(f"{orden} --json e.json")
+    historia = json.loads((lab.sitio / "aqui/e.json").read_text())["historia"]
+    (lab.sitio / "aqui/e.json").unlink()
+    assert len({paso["orden"] for paso in historia if paso["veredicto"] == "escrito"}) > 2, historia
+
+
 def test_donde_no_se_puede_abrir_una_ventana_dibuja(lab):
     """En una pantalla que no existe, y en una sin OpenGL."""
     lab("ver grua", dice="lo he dibujado en grua.png", DISPLAY=":987")

@@ -19,7 +19,7 @@ python3 -B herramientas base.marcas . "$carpeta/por hacer"
 for arbol in . "$carpeta/por hacer"; do # también con los ejercicios por hacer
   python3 -B herramientas base.fuentes "$arbol" "$carpeta"
   pushd "$arbol" >/dev/null
-  for shader in common/*.vert common/*.frag ch*/*.vert ch*/*.frag; do
+  for shader in common/*.frag common/encima/*.vert common/encima/*.frag ch*/*.vert ch*/*.frag; do
     [ "$(head -n 1 "$shader")" = '#version 140' ] || mal "$shader no empieza por #version 140"
     llano=${shader/\//-} # hay dos que se llaman igual
     [[ $shader != *errores_shader_compila.frag ]] || { rm "$carpeta/$llano"; continue; } # está mal a propósito
@@ -49,5 +49,5 @@ fi
 while read -r cabecera; do
   incluidas=$(g++ -std=c++17 -Icommon -I. -M -x c++ "$cabecera") && [[ $incluidas != */GL/* ]] ||
     mal "$cabecera dice que es sin OpenGL, y lo incluye"
-done < <(grep -lE '^//.*\b[Ss]in OpenGL' common/*.h ch*/*.h)
+done < <(grep -lE '^//.*\b[Ss]in OpenGL' common/*.h common/encima/*.h ch*/*.h)
 exit $fallos

@@ -30,7 +30,7 @@ def arbol_visible(raiz, programa, ref):
     """Lo que ve una entrega del laboratorio, además de common/: cabeceras, shaders y modelos, sin los ficheros de la
     solución."""
     patrones = (
-        *(f"{donde}/*{tipo}" for donde in ("common", "ch*") for tipo in (".h", *SHADERS)),
+        *(f"{donde}/*{tipo}" for donde in ("common", "common/encima", "ch*") for tipo in (".h", *SHADERS)),
         "assets/*.vf",
         "assets/*.txt",
     )

@@ -557,7 +557,7 @@ class Donde:
         raiz, capitulo = banco.compilador.raiz, banco.programa.capitulo.nombre
         # antes los de su capítulo, que hay iguales en otros
         todos = sorted(
-            (f for tipo in SHADERS for f in raiz.glob(f"c*/*{tipo}")), key=lambda f: f.parent.name != capitulo
+            (f for tipo in SHADERS for f in raiz.glob(f"c*/**/*{tipo}")), key=lambda f: f.parent.name != capitulo
         )
         textos = {f.relative_to(raiz): f.read_text() for f in todos}
         suyos = {
