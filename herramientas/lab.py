@@ -188,9 +188,9 @@ class Laboratorio:
         return 0
 
     def explica(self, que):
-        """Deja en explica/PROGRAMA.html, orden a orden, cómo se ha dibujado su imagen y, del píxel X Y que se diga, como
-        los da el ratón, por qué tiene ese color. Tras eso, -guion y -geometry, como en ./lab ver, y --json FICHERO, que
-        lo deja también en datos."""
+        """Deja en explica/PROGRAMA.html, orden a orden, cómo se ha dibujado su imagen y, del píxel X Y que se diga,
+        como los da el ratón, por qué tiene ese color. Tras eso, -guion y -geometry, como en ./lab ver, y --json
+        FICHERO, que lo deja también en datos."""
         elegidos, objetivo, nombre = self.elige("explica", que.programa)
         if len(elegidos) > 1:
             raise Fallo(
@@ -228,11 +228,11 @@ class Laboratorio:
     def corrige(self, que):
         """Corrige mios/ENTREGA, o una carpeta con lo mismo, y deja una página con lo que falla y lo que se esperaba.
 
-        Si dentro hay carpetas, es una clase, y cada una, una entrega; también vale lo que descarga Moodle, en su .zip, y
-        --moodle HOJA.csv pone las notas en la suya. EJERCICIO es E3.5, L5.1 (en su shader) o la carpeta de uno de quien
-        enseña. Con --semilla N y --guiones N, otros guiones; con --reglas FICHERO se puntúa de otra manera; --deja
-        CARPETA, --json, --junit y --vpl dicen cómo se deja; -j N, cuántas a la vez; --sin-jaula no encierra lo entregado
-        (docs/corrige.md)."""
+        Si dentro hay carpetas, es una clase, y cada una, una entrega; también vale lo que descarga Moodle, en su .zip,
+        y --moodle HOJA.csv pone las notas en la suya. EJERCICIO es E3.5, L5.1 (en su shader) o la carpeta de uno de
+        quien enseña. Con --semilla N y --guiones N, otros guiones; con --reglas FICHERO se puntúa de otra manera;
+        --deja CARPETA, --json, --junit y --vpl dicen cómo se deja; -j N, cuántas a la vez; --sin-jaula no encierra lo
+        entregado (docs/corrige.md)."""
         self.prepara(*(p for p in paquetes.CORRIGE if p != "bubblewrap" or "--sin-jaula" not in que.resto))
         self.con_su_programa("ejercicios.corrige.orden", que.resto, "compara", "explica")
 
@@ -303,16 +303,16 @@ class Laboratorio:
     # --- medidas y listas ---------------------------------------------------------------------------------------------
 
     def lista(self, que):
-        """Capítulo, programa, referencia y título de cada uno; con --docs, pone al día las páginas de docs/ que salen del
-        catálogo."""
+        """Capítulo, programa, referencia y título de cada uno; con --docs, pone al día las páginas de docs/ que salen
+        del catálogo."""
         self.prepara()
         if que.docs:
             return self.hace("documentos.escribe", self.raiz, self.build, "escribe")
         self.pasa_a("base.catalogo", self.build, "lista", *(["--tsv"] if que.tsv else []))
 
     def mide(self, que):
-        """Cronometra las técnicas y los programas y deja informe/index.html: velocidad frente a error. Con --ensayo solo
-        comprueba que cada técnica da lo que debe."""
+        """Cronometra las técnicas y los programas y deja informe/index.html: velocidad frente a error. Con --ensayo
+        solo comprueba que cada técnica da lo que debe."""
         con_pares = os.environ.get("LAB_PARES") == "1"
         paquetes.instala([*paquetes.PARA_USAR, *paquetes.MEDIDAS, *(paquetes.PARES if con_pares else [])], self.build)
         # con los pares que se acaben de instalar hay que configurar otra vez
@@ -325,8 +325,9 @@ class Laboratorio:
     def prueba(self, que):
         """Ejecuta las pruebas de cualquiera: imágenes, ventanas, cálculos. Con --todo, todas.
 
-        Lo que falla queda, con sus imágenes, en build/fallos/index.html. --junit FICHERO deja ahí los resultados, en XML
-        de JUnit, y -I 2,,3 hace la segunda tercera parte. Con --apunta no se juzga nada: lo que miden queda en docs/.
+        Lo que falla queda, con sus imágenes, en build/fallos/index.html. --junit FICHERO deja ahí los resultados, en
+        XML de JUnit, y -I 2,,3 hace la segunda tercera parte. Con --apunta no se juzga nada: lo que miden queda en
+        docs/.
         """
         preset, en = ("asan", self.build / "asan") if que.asan else ("release", self.build)
         paquetes.instala([*paquetes.PARA_USAR, *paquetes.para_pruebas()], self.build)
@@ -341,9 +342,8 @@ class Laboratorio:
             return estado or self.hace("documentos.escribe", self.raiz, en, "escribe")
         que_son = "todas las pruebas" if que.todo else "las pruebas de cualquiera; ./lab prueba --todo hace todas"
         if not (que.R or que.L or que.N):
-            aviso(
-                f"Ejecuto {que_son}: unos {MINUTOS[que.todo]} minutos con dos procesadores. Lo que falle, en {en}/fallos"
-            )
+            dura = f"unos {MINUTOS[que.todo]} minutos con dos procesadores"
+            aviso(f"Ejecuto {que_son}: {dura}. Lo que falle, en {en}/fallos")
         shutil.rmtree(en / "fallos", ignore_errors=True)
         informe = en / "pruebas.xml"
         informe.unlink(missing_ok=True)
@@ -427,9 +427,9 @@ class Laboratorio:
         """Planta defectos en los programas y en lo que llevan dentro y dice qué prueba nota cada uno.
 
         QUÉ: un capítulo (ch05), un programa, un fichero o uno (ch05:12), y si no, todos (más de media hora). --azar N
-        --semilla S planta N que no ha pensado nadie, en líneas elegidas al azar. --comprueba solo mira las listas; huecos
-        [EJERCICIO…], solo si ./lab corrige ve todo lo que pide cada ejercicio, y senala [EJERCICIO…], si lo que dice que
-        se aparta es donde está el error."""
+        --semilla S planta N que no ha pensado nadie, en líneas elegidas al azar. --comprueba solo mira las listas;
+        huecos [EJERCICIO…], solo si ./lab corrige ve todo lo que pide cada ejercicio, y senala [EJERCICIO…], si lo que
+        dice que se aparta es donde está el error."""
         paquetes.instala([*paquetes.PARA_USAR, *paquetes.PRUEBAS], self.build)
         self.t.configura("release", self.build)
         que_son = que.resto[:1]

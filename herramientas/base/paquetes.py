@@ -9,8 +9,8 @@ from pathlib import Path
 
 from base.procesos import Fallo
 
-PARA_USAR = """g++ cmake ninja-build pkg-config libglew-dev freeglut3-dev libglm-dev libegl-dev libgl-dev libgl1-mesa-dri
-    libfreetype-dev fonts-dejavu-core netpbm webp python3 python3-jinja2 python3-pygments""".split()
+PARA_USAR = """g++ cmake ninja-build pkg-config libglew-dev freeglut3-dev libglm-dev libegl-dev libgl-dev
+    libgl1-mesa-dri libfreetype-dev fonts-dejavu-core netpbm webp python3 python3-jinja2 python3-pygments""".split()
 CORRIGE = ["bubblewrap", "similarity-tester"]  # la jaula no hace falta con --sin-jaula
 PRUEBAS = (
     """git libgtest-dev glslang-tools nodejs esbuild python3-pytest black pyflakes3 clang-format shellcheck xvfb

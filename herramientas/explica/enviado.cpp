@@ -156,7 +156,8 @@ class Ausente {
     bool esEl(const std::string &nombre) const {
         return sinIndice(nombre) == sinIndice(uniform.nombre);
     }
-    // Si lo enviado quizá no era para él, sino para otro por el que se preguntó antes y a que no se envió nada entonces.
+    // Si lo enviado quizá no era para él, sino para otro por el que se preguntó antes y a que no se envió nada
+    // entonces.
     bool hayRivales() const {
         return std::any_of(programa.nombres.begin(), programa.nombres.end(), [&](const auto &otro) {
             const auto suyo = tipos.find(otro.first);

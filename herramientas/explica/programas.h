@@ -43,7 +43,8 @@ void daOtroValor(const Variable &uniform);
 /// Lo que vale un uniform, por columnas.
 std::vector<double> valorDe(GLuint programa, const Variable &uniform);
 
-/// Enlaza un programa con esos shaders y con los atributos en el sitio que tienen en `original`. `antes`: lo que haya que decirle antes de enlazar. 0 si no enlaza.
+/// Enlaza un programa con esos shaders y con los atributos en el sitio que tienen en `original`. `antes`: lo que haya
+/// que decirle antes de enlazar. 0 si no enlaza.
 GLuint enlazaComo(
     GLuint original, const std::vector<GLuint> &shaders,
     const std::function<void(GLuint)> &antes = [](GLuint) {});

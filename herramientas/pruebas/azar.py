@@ -1,5 +1,5 @@
-"""Defectos que no ha pensado nadie: líneas de los programas, sus shaders, common/ y glut/ elegidas al azar y perturbadas
-a máquina (ejercicios/perturba.py). De cada una, los que compilan; si alguno da lo mismo, no se sabe."""
+"""Defectos que no ha pensado nadie: líneas de los programas, sus shaders, common/ y glut/ elegidas al azar y
+perturbadas a máquina (ejercicios/perturba.py). De cada una, los que compilan; si alguno da lo mismo, no se sabe."""
 import random
 import re
 import subprocess

@@ -58,7 +58,8 @@ class Documentos:
                     self.mal(f"{fichero.name}: no hay ninguna prueba «{cita}»")
 
     def comprueba_nombrado(self):
-        """Los programas que nombran los documentos y las pruebas que nombran ellos y los comentarios de los capítulos."""
+        """Los programas que nombran los documentos y las pruebas que nombran ellos y los comentarios de los
+        capítulos."""
         documentos = [self.raiz / f for f in ("README.md", "CONTRIBUTING.md")] + sorted(self.raiz.glob("docs/*.md"))
         fuentes_suyos = [
             f for f in sorted(self.raiz.glob("ch??_*/*")) if f.suffix in fuentes.SHADERS or f.suffix in CPP

@@ -1,6 +1,6 @@
-"""fallos.py RAÍZ BUILD: dice qué no se ha podido probar, y deja BUILD/fallos/index.html, con lo que dice cada prueba de BUILD/pruebas.xml que ha fallado y
-las imágenes que ha dejado, también en PNG: la esperada, la obtenida y su diferencia ampliada. Solo enlaza a lo que
-tiene al lado: la carpeta se puede guardar aparte.
+"""fallos.py RAÍZ BUILD: dice qué no se ha podido probar, y deja BUILD/fallos/index.html, con lo que dice cada prueba
+de BUILD/pruebas.xml que ha fallado y las imágenes que ha dejado, también en PNG: la esperada, la obtenida y su
+diferencia ampliada. Solo enlaza a lo que tiene al lado: la carpeta se puede guardar aparte.
 """
 import re
 import sys

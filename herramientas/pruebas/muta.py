@@ -337,8 +337,8 @@ def elige(todos, pedidos):
 
 
 def planta(vivero, elegidos, capitulos):
-    """Los devuelve según acaban, notados o no: uno que no acaba no retrasa que se digan los demás. De un capítulo que se
-    pide, solo sus pruebas; lo de common/ lo usan todos."""
+    """Los devuelve según acaban, notados o no: uno que no acaba no retrasa que se digan los demás. De un capítulo que
+    se pide, solo sus pruebas; lo de common/ lo usan todos."""
     aviso(f"compilo con {len(vivero.mutantes)} mutantes dentro…")
     vivero.copia_arbol()
     vivero.compila(capitulos)

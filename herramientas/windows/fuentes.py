@@ -1,6 +1,6 @@
-"""fuentes.py BUILD: deja en BUILD/windows/fuentes los de FreeGLUT y GLEW, que para Windows no están en Debian pero valen
-tal cual. Salen del mismo archivo que los demás paquetes de la máquina, con una lista aparte: la suya no tiene por qué
-nombrar los fuentes."""
+"""fuentes.py BUILD: deja en BUILD/windows/fuentes los de FreeGLUT y GLEW, que para Windows no están en Debian pero
+valen tal cual. Salen del mismo archivo que los demás paquetes de la máquina, con una lista aparte: la suya no tiene
+por qué nombrar los fuentes."""
 import os
 import re
 import shutil

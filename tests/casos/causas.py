@@ -1,5 +1,6 @@
-"""causas.py BUILD [CAUSA…] [--todos]: si ./lab explica acaba bien y nombra, entre sus dos primeras sospechas, cada causa
-de causas.tsv plantada en el primero de sus programas o, con --todos, en cada uno. Estado 1 si deja de nombrar alguna."""
+"""causas.py BUILD [CAUSA…] [--todos]: si ./lab explica acaba bien y nombra, entre sus dos primeras sospechas, cada
+causa de causas.tsv plantada en el primero de sus programas o, con --todos, en cada uno. Estado 1 si deja de nombrar
+alguna."""
 import json
 import os
 import re

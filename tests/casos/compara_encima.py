@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""compara_encima.py [--escribe] GOLDEN LISTA: si lo que un programa pinta encima (common/encima/encima.h) es lo del golden.
+"""compara_encima.py [--escribe] GOLDEN LISTA: si lo que un programa pinta encima (common/encima/encima.h) es lo del
+golden.
 
 Son los mismos trazos en el mismo orden, con el mismo tipo, panel y texto; los sitios y las tallas, a 0.05 píxeles,
 que es más de lo que cambia un redondeo de un compilador a otro; los colores y las profundidades, a 0.001. Lo que no

@@ -1,8 +1,8 @@
 // rarezas SEMILLA: lo que OpenGL deja hacer y ningún programa del laboratorio hace, al azar: cada primitiva, con
-// cortes, dibujada y borrada con cada función que hay para ello, cada test y cada mezcla, con parte de los colores, en la
-// ventana o en un framebuffer del que se copia con otra escala y del revés, y que también se pinta sin dibujar. Sus
-// shaders apuntan si es igual lo que se usa y lo que el enlazador quita, que vale lo mismo. Lo que ./lab explica dice de
-// ello lo mira propiedades/explica.py.
+// cortes, dibujada y borrada con cada función que hay para ello, cada test y cada mezcla, con parte de los colores, en
+// la ventana o en un framebuffer del que se copia con otra escala y del revés, y que también se pinta sin dibujar. Sus
+// shaders apuntan si es igual lo que se usa y lo que el enlazador quita, que vale lo mismo. Lo que ./lab explica dice
+// de ello lo mira propiedades/explica.py.
 #include "shader.h"
 #include "ventana.h"
 #include <cstdlib>

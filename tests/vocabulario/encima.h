@@ -1,4 +1,5 @@
-// Lo que un programa pinta encima de su escena (rótulos y trazos), como lo apunta common/encima/encima.h, y cómo comprobarlo.
+// Lo que un programa pinta encima de su escena (rótulos y trazos), como lo apunta common/encima/encima.h, y cómo
+// comprobarlo.
 // Los puntos y las distancias son píxeles de la ventana, desde abajo a la izquierda.
 #pragma once
 #include "prueba.h"
