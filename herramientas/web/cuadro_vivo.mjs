@@ -7,7 +7,7 @@ import { Lector } from './lector.mjs';
 import { cableadoDe, describe, dibuja, interpone, vaciada } from './ordenes.mjs';
 import { Pixel, responde } from './pixel.mjs';
 import { reescritor } from './sombreado.mjs';
-import { delCableado, elegidas, porQueNada } from './sospechas.mjs';
+import { delCableado, elegidas, importa, porQueNada } from './sospechas.mjs';
 
 /// Un PNG de unos bytes RGBA, o de uno por píxel, fila a fila desde abajo, reducido de `paso` en `paso`.
 function enPng(bytes, ancho, alto, paso = 1) {
@@ -82,7 +82,9 @@ async function mira(gl, lector, redibuja) {
       const programa = gl.getParameter(gl.CURRENT_PROGRAM), esta = gl.createQuery();
       programas.set(programa.name, shadersDe(gl, programa));
       dicha.cableado = cableadoDe(gl);
-      todas.push(...delCableado(dicha.cableado, orden.n));
+      const uniformes = dicha.cableado.uniformes.filter(u =>
+        u.dado || u.tipo.includes('sampler') || importa(gl, orden, u.nombre, lector));
+      todas.push(...delCableado({ ...dicha.cableado, uniformes }, orden.n));
       const libre = !gl.getQuery(gl.ANY_SAMPLES_PASSED, gl.CURRENT_QUERY);
       if (libre) gl.beginQuery(gl.ANY_SAMPLES_PASSED, esta);
       orden.hazla();

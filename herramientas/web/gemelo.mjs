@@ -1,5 +1,9 @@
 // Un programa de GLSL como otro, con algún shader cambiado y los mismos valores en sus uniforms.
 
+/// De cada programa, lo que se envía a cada uniform que no tiene porque nada lo usa, [función, …datos], y dónde ata
+/// cada atributo: su gemelo puede usarlos.
+export const enviados = new WeakMap(), atados = new WeakMap();
+
 /// El texto del vertex shader y el del fragment shader.
 export function shadersDe(gl, programa) {
   const todos = gl.getAttachedShaders(programa);
@@ -45,6 +49,7 @@ export class Gemelo {
       gl.attachShader(this.programa, shader);
       gl.deleteShader(shader);
     }
+    for (const [nombre, donde] of [...atados.get(original) ?? []]) gl.bindAttribLocation(this.programa, donde, nombre);
     for (const { nombre, donde } of atributosDe(gl, original)) gl.bindAttribLocation(this.programa, donde, nombre);
     if (recoge) gl.transformFeedbackVaryings(this.programa, recoge, gl.INTERLEAVED_ATTRIBS);
     gl.linkProgram(this.programa);
@@ -59,7 +64,16 @@ export class Gemelo {
       const suyo = gl.getUniformLocation(original, nombre);
       if (suyo) ponUniform(gl, tipo, donde, gl.getUniform(original, suyo));
     }
+    for (const [nombre, [f, ...datos]] of enviados.get(original) ?? [])
+      gl[f](gl.getUniformLocation(programa, nombre), ...datos);
     for (const [nombre, v] of Object.entries(mas)) gl.uniform1i(gl.getUniformLocation(programa, nombre), v);
+  }
+
+  /// A ese uniform, un valor que no es el de entrada.
+  cambia(nombre) {
+    const { gl, programa } = this, { tipo, donde } = uniformsDe(gl, programa).find(u => u.nombre === nombre);
+    const vale = gl.getUniform(programa, donde), otro = i => 1 + (5 * i % 16) / 4;
+    ponUniform(gl, tipo, donde, typeof vale === 'object' ? vale.map((_, i) => otro(i)) : otro(0));
   }
 
   borra() { this.gl.deleteProgram(this.programa); }

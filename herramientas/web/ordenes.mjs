@@ -1,6 +1,6 @@
 // Las órdenes que escriben píxeles: lo que se ha llamado, con qué estado, y de dónde le llega lo que dibuja.
 import { estadoActual, nombreDe, nombreModo, ORDENES, deVerdad, pruebasActuales, tipoDe } from './estado.mjs';
-import { atributosDe, uniformsDe } from './gemelo.mjs';
+import { atados, atributosDe, enviados, uniformsDe } from './gemelo.mjs';
 import { sueltas } from './primitivas.mjs';
 
 const BUFERES = [['COLOR', 'color'], ['DEPTH', 'profundidad'], ['STENCIL', 'plantilla']];
@@ -72,23 +72,41 @@ export function describe(gl, orden) {
 /// Los uniforms a que se ha dado valor, que WebGL no lo dice: se apunta desde que se abre la página.
 const sitios = new WeakMap(); // de cada sitio, su programa y su nombre
 const dados = new WeakMap();  // de cada programa, sus nombres
+let preguntado = {};          // el último uniform que no está por el que pregunta un programa, por sus nombres
+
+export const faltaUniform = (programa, nombre) => { preguntado = { programa, nombre }; };
+
+/// Una copia de los números que se dan, que Emscripten los da como un trozo de toda su memoria.
+function copia(datos) {
+  const i = datos.findIndex(ArrayBuffer.isView), [desde = 0, n = Infinity] = datos.slice(i + 1);
+  return i < 0 ? datos : [...datos.slice(0, i), datos[i].slice(desde, desde + n)];
+}
 
 export function apuntaUniforms({ prototype }) {
   const tapa = (nombre, antes) => {
     const deVerdad = prototype[nombre];
     prototype[nombre] = function (...datos) {
       const sale = deVerdad.apply(this, datos);
-      antes(datos, sale);
+      antes(datos, sale, this);
       return sale;
     };
   };
+  const en = (mapa, programa, vacio) => mapa.get(programa) ?? mapa.set(programa, vacio).get(programa);
   for (const f of Object.getOwnPropertyNames(prototype).filter(n => /^uniform(Matrix)?\d/.test(n)))
-    tapa(f, ([sitio]) => {
-      const { programa, nombre } = sitios.get(sitio) ?? {};
-      if (programa) dados.set(programa, (dados.get(programa) ?? new Set()).add(nombre));
+    tapa(f, ([sitio, ...datos], _, gl) => {
+      const { programa, nombre } = sitios.get(sitio) ?? {}, falta = preguntado;
+      preguntado = {};
+      if (programa) return en(dados, programa, new Set()).add(nombre);
+      const actual = falta.nombre && gl.getParameter(gl.CURRENT_PROGRAM);
+      if (!actual || actual.name !== falta.programa) return;
+      en(enviados, actual, new Map()).set(falta.nombre, [f, ...copia(datos)]);
     });
   tapa('getUniformLocation', ([programa, nombre], sitio) => { if (sitio) sitios.set(sitio, { programa, nombre }); });
-  tapa('linkProgram', ([programa]) => dados.delete(programa)); // vuelven a valer 0
+  tapa('bindAttribLocation', ([programa, donde, nombre]) => en(atados, programa, new Map()).set(nombre, donde));
+  tapa('linkProgram', ([programa]) => { // vuelven a valer 0
+    dados.delete(programa);
+    enviados.delete(programa);
+  });
 }
 
 function dado(programa, nombre) {

@@ -1,5 +1,6 @@
 // Cargar un programa y hacerlo andar: una instancia de lab.js.
 import { bytes, json, laboratorio } from './datos.mjs';
+import { faltaUniform } from './ordenes.mjs';
 
 /// Arranca un programa en un lienzo. `di(línea)` recibe lo que escribe; `titulo(texto)`, el de la ventana; `ficheros`
 /// son los que se le dan además de los del laboratorio; `textos`, los shaders que no son los originales. Devuelve lo
@@ -10,6 +11,7 @@ export async function arranca(programa,
     await Promise.all([laboratorio(), json('shaders'), textos, ...programa.texturas.map(bytes)]);
   const lab = await Laboratorio({
     canvas: lienzo, suavizado, thisProgram: programa.nombre, print: di, printErr: di, titulo,
+    falta: faltaUniform,
     instantiateWasm: (lo, recibe) => { WebAssembly.instantiate(modulo, lo).then(recibe); return {}; },
   });
   const escribe = (ruta, datos) => {

@@ -1,6 +1,6 @@
 // Lo que suele estar mal cuando la ventana queda negra o no es lo que se esperaba. En la página solo cambian los
 // shaders, y aquí está lo que puede venir de ellos, con las palabras de herramientas/explica/sospechas.cpp.
-import { nombreDe, pon } from './estado.mjs';
+import { nombreDe, pon, quita, sinTocar } from './estado.mjs';
 import { Gemelo } from './gemelo.mjs';
 import { primitivasDe } from './ordenes.mjs';
 import { pregunta, responde } from './pixel.mjs';
@@ -14,13 +14,33 @@ out vec4 nada;
 void main() { nada = vec4(1.0); }
 `;
 
+/// Si lo que dibuja la orden depende de ese uniform: hay enlazadores que dejan lo que no sirve para nada.
+export function importa(gl, orden, nombre, { aparte, ancho, alto }) {
+  const gemelo = new Gemelo(gl, gl.getParameter(gl.CURRENT_PROGRAM), {});
+  const pinta = cambia => sinTocar(gl, () => {
+    const color = new Float32Array(4 * ancho * alto);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, aparte.marco);
+    quita(gl);
+    gl.colorMask(true, true, true, true);
+    gl.clearBufferfv(gl.COLOR, 0, [0, 0, 0, 0]);
+    gemelo.usa();
+    if (cambia) gemelo.cambia(nombre);
+    orden.hazla();
+    gl.readPixels(0, 0, ancho, alto, gl.RGBA, gl.FLOAT, color);
+    return color;
+  });
+  const [una, otra] = [false, true].map(pinta);
+  gemelo.borra();
+  return una.some((v, i) => v !== otra[i]);
+}
+
 /// De lo que le llega a una orden.
 export function delCableado({ uniformes, texturas, atributos }, orden) {
   const salen = [], di = (gravedad, dice, prueba) => salen.push({ gravedad, orden, dice, prueba });
   for (const { nombre, tipo, valor, dado } of uniformes) {
     const quien = `el uniform «${nombre}» `;
     if (!valor.every(Number.isFinite)) di(SEGURO, `${quien}tiene algo que no es un número`, 'Mira de qué cuenta sale.');
-    else if (!dado)
+    else if (!dado && !texturas.some(t => t.sampler === nombre && !t.incompleta))
       di(SEGURO, `${quien}lo usa el shader y nadie le ha dado valor: es 0`,
         'Falta enviarlo, se llama de otra manera o se ha enviado sin glUseProgram antes.');
     else if (tipo.startsWith('mat') && valor.every(v => v === 0))

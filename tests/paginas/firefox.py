@@ -139,7 +139,7 @@ def explica(f, pagina):
             return historia.map(s => [s.orden, s.primitiva ?? -1, s.veredicto])""",
             [x, y],
         )
-        debe = usa_explica.historia_en("osmesa", PROGRAMAS[nombre], guion, (x, y))
+        debe = usa_explica.lo_que_dice("osmesa", PROGRAMAS[nombre], guion, (x, y))[0]
         exige(historia == debe, f"{nombre}: en Firefox la historia de ({x}, {y}) es {historia} y no {debe}")
 
 

@@ -72,7 +72,7 @@ if (todos('.explicacion .tira li').length !== ordenes.length ||
   ordenes.some(o => o.cambian === undefined && o.framebuffer === 'la ventana'))
   mal.push('no están todas las órdenes');
 return { mal, tarda, guion: hecho.ordenes.join(';'),
-  historia: historia.map(s => [s.orden, s.primitiva ?? -1, s.veredicto]) };
+  dice: [historia.map(s => [s.orden, s.primitiva ?? -1, s.veredicto]), datos.sospechas.map(s => s.dice).sort()] };
 """
 
 
@@ -94,11 +94,8 @@ def cada_programa(p, uno_de):
                 tiempos.append(visto["tarda"])
             for enlace in ("osmesa", "egl") if bien and i % CADA == 0 else ():
                 comparados += 1
-                otra = historia_en(enlace, programa, visto["guion"], punto)
-                exige(
-                    otra == visto["historia"],
-                    f"{programa.nombre}: {punto}, en {enlace}, {otra} y no {visto['historia']}",
-                )
+                otra = lo_que_dice(enlace, programa, visto["guion"], punto)
+                exige(otra == visto["dice"], f"{programa.nombre}: {punto}, en {enlace}, {otra} y no {visto['dice']}")
     tiempos.sort()
     mediana = tiempos[len(tiempos) // 2]
     print(
@@ -107,16 +104,23 @@ def cada_programa(p, uno_de):
     print(f"{comparados} historias comparadas con las de OSMesa y EGL", flush=True)
 
 
-def historia_en(enlace, programa, guion, punto):
-    """Lo que le pasa a ese píxel de la ventana con ./lab explica: [orden, primitiva, veredicto]."""
+SOLO_ALLI = re.compile("determinante 0|0 vértices|no se dibuja nada")  # lo que un shader no puede causar
+
+
+def lo_que_dice(enlace, programa, guion, punto):
+    """Con ./lab explica, lo que le pasa a ese píxel de la ventana, [orden, primitiva, veredicto], y lo que se sospecha de
+    lo que puede venir de un shader."""
     with tempfile.TemporaryDirectory() as carpeta:
         ejecutable = BUILD / enlace / programa.capitulo.nombre / programa.nombre
         pide = {"LAB_EXPLICA": "e.json", "LAB_EXPLICA_PIXELES": "{},{}".format(*punto)}
         entorno = {**os.environ, "LD_PRELOAD": str(BUILD / "herramientas/explica/libexplica.so"), **pide}
         orden = [ejecutable, "-geometry", "240x180", *(["-guion", guion] * bool(guion)), "-ppm", "i.ppm"]
         subprocess.run(orden, env=entorno, cwd=carpeta, check=True, capture_output=True)
-        [pixel] = json.loads(Path(carpeta, "e.json").read_text())["pixeles"]
-    return [[s["orden"], s.get("primitiva", -1), s["veredicto"]] for s in pixel["historia"] if s["framebuffer"] == 0]
+        cuadro = json.loads(Path(carpeta, "e.json").read_text())
+    [pixel] = cuadro["pixeles"]
+    historia = [s for s in pixel["historia"] if s["framebuffer"] == 0]
+    sospechas = [s["dice"] for s in cuadro["sospechas"] if not SOLO_ALLI.search(s["dice"])]
+    return [[[s["orden"], s.get("primitiva", -1), s["veredicto"]] for s in historia], sorted(sospechas)]
 
 
 # --- cómo se pide ----------------------------------------------------------------------------------------------------
@@ -199,6 +203,12 @@ def con_shader_cambiado(p):
         sin_dar = "todos('.explicacion .cableado path.malo').length"
         p.exige(f"{sin_dar} === {len(antes)}", f"{antes} es, de las líneas, la que está mal: {p.da(sin_dar)}")
         p.js("sessionStorage.clear()")
+    p.abre("#sombreado/explica/250,210;tecla 3")
+    producto = "todos('.explicacion .apunte').map(a => a.textContent).find(a => a.startsWith('NdotL = '))"
+    debe, phong = p.da(producto), "ch05_iluminacion/phong.glsl"
+    medio = re.sub(r"    if \(NdotL > 0.0\) \{.*?\n    \}\n", "", (RAIZ / phong).read_text(), flags=re.DOTALL)
+    p.espera_js("escena.cambia(...arguments); await pagina.explica(visto.explicado.pixel)", phong, medio)
+    p.exige(f"{producto} === {debe!r}", f"a medio hacer, con la luz que aún nada usa, {debe}: {p.da(producto)}")
     p.abre("#ejercicio/L5.1/explica/250,210")
     p.exige(
         f"/^El píxel/.test({VISTO}) && todos('.explicacion .apunte').length", "en un ejercicio, lo de quien lo hace"
