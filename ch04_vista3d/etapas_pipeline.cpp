@@ -56,7 +56,7 @@ static void dibujaCuerpo(const Panel &p, int cual) {
     envia(estado.programa, "N", matrizNormal(glm::mat4(M)));
     envia(estado.programa, "aRecortado", glm::mat4(estado.m.proyeccion * estado.m.camara * M));
     envia(estado.programa, "colorObjeto", COLORES[cual]);
-    dibuja(estado.buferes[cual]);
+    dibujaMalla(estado.buferes[cual]);
 }
 
 // Las aristas del volumen de la vista, llevadas de las coordenadas normalizadas al panel.

@@ -71,7 +71,7 @@ static void dibujaTintes(const std::array<glm::vec3, 8> &e) {
               glm::mat4(glm::vec4(x, 0), glm::vec4(y, 0), glm::vec4(0, 0, 1, 0),
                         glm::vec4(e[base] + 0.5f * (x + y), 1)));
         envia(estado.deTintes, "color", base ? AZUL : NARANJA);
-        dibuja(estado.plano);
+        dibujaMalla(estado.plano);
     }
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);

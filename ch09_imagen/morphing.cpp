@@ -54,7 +54,7 @@ static void dibujaMorphing(float t, const Recuadro &panel, const std::string &ro
     envia(estado.programa, "imagenA", 0);
     envia(estado.programa, "imagenB", 1);
     envia(estado.programa, "t", t);
-    dibuja(estado.buferes);
+    dibujaMalla(estado.buferes);
     if (estado.conMalla)
         trazaMalla(intermedia(t));
     rotulaImagen(estado.muestra, rotulo);
