@@ -123,7 +123,7 @@ static void dibuja() {
     const auto poligono =
         estado.cuerpo == TRIANGULO ? recorta(c.vertices, estado.m) : std::vector<glm::dvec4>();
     const std::string texto = "vértice: " + std::to_string(estado.elegido) + "\n" +
-                              describe(e, guardada, poligono, estado.m.viewport);
+                              describeEtapas(e, guardada, poligono, estado.m.viewport);
     if (texto != estado.escrito) { // al orbitar por fuera no cambia nada
         std::fputs(texto.c_str(), stdout);
         std::fflush(stdout);

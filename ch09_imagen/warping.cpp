@@ -36,7 +36,7 @@ static void dibujaDeformada(const MallaImagen &malla, const Recuadro &panel, con
     dibujaEn(panel);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagen", 0);
-    cambiaVertices(estado.buferes, triangula(malla, REGULAR));
+    cambiaVertices(estado.buferes, triangulaImagen(malla, REGULAR));
     dibujaMalla(estado.buferes);
     if (conMalla)
         trazaMalla(malla);
@@ -72,7 +72,7 @@ static void raton(int boton, int pulsado, int x, int y) {
         return;
     estado.arrastra = pulsado == GLUT_DOWN;
     if (estado.arrastra)
-        estado.punto = masCercano(estado.malla, enImagen(x, y), estado.muestra.talla);
+        estado.punto = nudoMasCercano(estado.malla, enImagen(x, y), estado.muestra.talla);
 }
 
 static void arrastra(int x, int y) {
@@ -98,7 +98,7 @@ int main(int argc, char **argv) {
     const std::vector<Imagen> imagenes =
         abreVentanaConImagenes(argc, argv, "Warping", {{"assets/cara.rgb", 960, 720}}, estado.muestra);
     estado.programa = creaPrograma("ch09_imagen/warping.vert", "ch09_imagen/imagen.frag");
-    estado.buferes = creaBuferes(triangula(REGULAR, REGULAR));
+    estado.buferes = creaBuferes(triangulaImagen(REGULAR, REGULAR));
     creaTexturaExacta(imagenes[0]);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);
