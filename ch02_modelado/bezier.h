@@ -1,9 +1,9 @@
 // Parches de Bézier bicúbicos (figuras 2.1 y 2.2; la teoría es el capítulo 11): puntos, derivadas y normales,
 // y triangulación con un error de cuerda acotado. Sin OpenGL; la usan tetera y los programas que la dibujan.
 #pragma once
-#include "ch11_curvas/superficies.h"
 #include "error.h"
 #include "malla.h"
+#include "normal_limite.h"
 #include "numero.h"
 #include "rutas.h"
 #include <algorithm>

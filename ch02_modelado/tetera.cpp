@@ -60,7 +60,7 @@ static void dibuja() {
     envia(estado.programa, "colorLinea", OSCURO);
     envia(estado.programa, "grosor", hayLineas ? glm::max(altoUtil() / 360, 1.0f) : 0.0f);
     envia(estado.programa, "hayDiagonales", estado.lineas == TRIANGULOS);
-    dibuja(estado.tetera);
+    dibujaMalla(estado.tetera);
     rotula(texto("\n"), {0.5f, 0.08f}, OSCURO);
     ponTitulo("Tetera: " + texto(", "));
     glutSwapBuffers();

@@ -63,7 +63,7 @@ static void dibujaVista(const Escalado &caso, const Recuadro &r) {
     // porque la profundidad no puede decidir entre dos iguales.
     if (s.x * s.y * s.z == 0)
         glEnable(GL_CULL_FACE);
-    dibuja(estado.letra);
+    dibujaMalla(estado.letra);
     glDisable(GL_CULL_FACE);
     trazaOriginal(aristasF(), transformacion);
     trazaEjes({1.6f, 1.8f, 0.9f}, transformacion);

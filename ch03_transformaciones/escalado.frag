@@ -1,6 +1,6 @@
 #version 140
 
-#include "ch03_transformaciones/luz_fija.glsl"
+#include "common/luz_fija.glsl"
 
 // El color depende de qué lado de la cara se ve, y eso lo decide el sentido en que giran sus vértices ya en la
 // ventana: un escalado de determinante negativo lo invierte.

@@ -14,5 +14,5 @@ inline void dibujaObjeto(GLuint programa, const Buferes &solido, const glm::mat4
     envia(programa, "M", M);
     envia(programa, "N", matrizNormal(M));
     envia(programa, "colorObjeto", color);
-    dibuja(solido);
+    dibujaMalla(solido);
 }

@@ -146,8 +146,8 @@ inline std::string linea(const char *clave, const std::vector<double> &valores) 
 
 /// Una línea por etapa, con el test de profundidad (listado 4.1); las que no alcanza un vértice de fuera del volumen no
 /// salen. Después, los lados y el área de lo que queda del polígono, si lo hay.
-inline std::string describe(const Etapas &e, double guardada, const std::vector<glm::dvec4> &poligono,
-                            const glm::dmat4 &viewport) {
+inline std::string describeEtapas(const Etapas &e, double guardada, const std::vector<glm::dvec4> &poligono,
+                                  const glm::dmat4 &viewport) {
     const auto cuatro = [](const glm::dvec4 &v) { return std::vector<double>{v.x, v.y, v.z, v.w}; };
     std::string texto = linea("objeto", cuatro(e.objeto)) + linea("mundo", cuatro(e.mundo)) +
                         linea("cámara", cuatro(e.camara)) + linea("recortado", cuatro(e.recortado));

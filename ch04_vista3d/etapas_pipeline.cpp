@@ -56,7 +56,7 @@ static void dibujaCuerpo(const Panel &p, int cual) {
     envia(estado.programa, "N", matrizNormal(glm::mat4(M)));
     envia(estado.programa, "aRecortado", glm::mat4(estado.m.proyeccion * estado.m.camara * M));
     envia(estado.programa, "colorObjeto", COLORES[cual]);
-    dibuja(estado.buferes[cual]);
+    dibujaMalla(estado.buferes[cual]);
 }
 
 // Las aristas del volumen de la vista, llevadas de las coordenadas normalizadas al panel.
@@ -123,7 +123,7 @@ static void dibuja() {
     const auto poligono =
         estado.cuerpo == TRIANGULO ? recorta(c.vertices, estado.m) : std::vector<glm::dvec4>();
     const std::string texto = "vértice: " + std::to_string(estado.elegido) + "\n" +
-                              describe(e, guardada, poligono, estado.m.viewport);
+                              describeEtapas(e, guardada, poligono, estado.m.viewport);
     if (texto != estado.escrito) { // al orbitar por fuera no cambia nada
         std::fputs(texto.c_str(), stdout);
         std::fflush(stdout);

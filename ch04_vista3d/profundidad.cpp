@@ -58,7 +58,7 @@ static void cambiaTamano(int ancho, int alto) {
 static void dibujaPlano(const glm::mat4 &M, const glm::vec3 &color) {
     envia(estado.programa, "M", M);
     envia(estado.programa, "color", color);
-    dibuja(estado.plano);
+    dibujaMalla(estado.plano);
 }
 
 static float distanciaCartel(int i) {

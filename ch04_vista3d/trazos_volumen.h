@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-const glm::dvec3 OJO(0, 2.5, 6.5); // de la cámara del volumen
+const glm::dvec3 OJO_VOLUMEN(0, 2.5, 6.5); // de la cámara del volumen
 
 inline std::string conValor(const char *nombre, double valor) {
     return formatea("%s %.3g", nombre, valor);
 }
 
-inline std::string describe(const Volumen &v) {
+inline std::string describeVolumen(const Volumen &v) {
     return conValor("cerca", v.cerca) + conValor(", lejos", v.lejos) +
            (v.enPerspectiva ? formatea(", θ %.0f°", glm::degrees(v.theta))
                             : conValor(", alto", 2 * v.semialto())) +
@@ -27,9 +27,10 @@ inline void trazaTheta(double theta, const glm::mat4 &aRecortado) {
     std::vector<glm::vec3> arco;
     for (int i = 0; i <= 12; ++i) {
         const double angulo = theta * (i / 12.0 - 0.5);
-        arco.push_back(OJO + RADIO * glm::dvec3(0, std::sin(angulo), -std::cos(angulo)));
+        arco.push_back(OJO_VOLUMEN + RADIO * glm::dvec3(0, std::sin(angulo), -std::cos(angulo)));
     }
-    trazaSegmentos({arco.front(), glm::vec3(OJO), glm::vec3(OJO), arco.back()}, aRecortado, OSCURO, 3);
+    trazaSegmentos({arco.front(), glm::vec3(OJO_VOLUMEN), glm::vec3(OJO_VOLUMEN), arco.back()}, aRecortado,
+                   OSCURO, 3);
     trazaPolilinea(arco, aRecortado, OSCURO, 6);
     rotulaPunto("θ", arco.front(), aRecortado, OSCURO, Lado::DEBAJO);
 }
@@ -40,7 +41,7 @@ inline void trazaVolumen(const Volumen &v, const std::array<glm::vec3, 8> &e, co
     for (int k = 0; k < 4; ++k) {
         trazaSegmentos({e[k], e[k + 4]}, aRecortado, OSCURO, 5);
         if (v.enPerspectiva)
-            trazaSegmentos({glm::vec3(OJO), e[k]}, aRecortado, GRIS, 3);
+            trazaSegmentos({glm::vec3(OJO_VOLUMEN), e[k]}, aRecortado, GRIS, 3);
     }
     trazaPolilinea({base, base + 4}, aRecortado, NARANJA, 8, true);
     trazaPolilinea({base + 4, base + 8}, aRecortado, AZUL, 8, true);

@@ -64,14 +64,14 @@ static void dibujaTintes(const std::array<glm::vec3, 8> &e) {
     glDepthMask(GL_FALSE);
     // primero el más lejano a quien mira
     const bool porDelante =
-        posicionCamara(estado.orbita).z < OJO.z - (estado.volumen.cerca + estado.volumen.lejos) / 2;
+        posicionCamara(estado.orbita).z < OJO_VOLUMEN.z - (estado.volumen.cerca + estado.volumen.lejos) / 2;
     for (const std::size_t base : {porDelante ? 0u : 4u, porDelante ? 4u : 0u}) {
         const glm::vec3 x = e[base + 1] - e[base], y = e[base + 3] - e[base];
         envia(estado.deTintes, "M",
               glm::mat4(glm::vec4(x, 0), glm::vec4(y, 0), glm::vec4(0, 0, 1, 0),
                         glm::vec4(e[base] + 0.5f * (x + y), 1)));
         envia(estado.deTintes, "color", base ? AZUL : NARANJA);
-        dibuja(estado.plano);
+        dibujaMalla(estado.plano);
     }
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
@@ -99,7 +99,8 @@ static void dibuja() {
     ponFondo(FONDO_CLARO);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const Volumen &v = estado.volumen;
-    const glm::dmat4 vista = transformacionCamara(OJO, INTERES, {0, 1, 0}), alMundo = glm::inverse(vista);
+    const glm::dmat4 vista = transformacionCamara(OJO_VOLUMEN, INTERES, {0, 1, 0}),
+                     alMundo = glm::inverse(vista);
     const Esquinas enCamara = esquinasDe(v);
     std::array<glm::vec3, 8> esquinas;
     for (std::size_t k = 0; k < 8; ++k)
@@ -118,7 +119,7 @@ static void dibuja() {
         dibujaVisor(0.62, ASPECTO_VISOR, "4:3", vista);
         dibujaVisor(0.975, v.aspecto, "ancho/alto", vista);
     }
-    ponTitulo("El volumen de la vista: " + describe(v));
+    ponTitulo("El volumen de la vista: " + describeVolumen(v));
     glutSwapBuffers();
 }
 

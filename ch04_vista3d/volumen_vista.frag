@@ -1,6 +1,6 @@
 #version 140
 
-#include "ch03_transformaciones/luz_fija.glsl"
+#include "common/luz_fija.glsl"
 
 uniform vec3 colorObjeto;
 

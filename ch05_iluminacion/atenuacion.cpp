@@ -77,9 +77,9 @@ static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.0375f, 50, 400);
     const auto solido = [&](const Buferes &buferes, const glm::mat4 &M, const Material &material) {
-        dibujaObjeto(estado.programa, buferes, M, camara, material);
+        dibujaIluminado(estado.programa, buferes, M, camara, material);
     };
-    usaPrograma(estado.programa, camara, proyeccion, luz);
+    usaIluminado(estado.programa, camara, proyeccion, luz);
     solido(estado.plano,
            traslacion({D_MAXIMA / 2 - 0.3f, -RADIO, 0}) * giroX(-glm::half_pi<float>()) *
                escalado({D_MAXIMA + 0.6f, 2, 1}),

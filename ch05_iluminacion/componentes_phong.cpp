@@ -95,7 +95,7 @@ static void dibujaVectores(const Recuadro &panel, const glm::mat4 &vistaEscena) 
                     proyeccion = paralelaVentana(semialto, 1, 10, aspecto(panel)),
                     vista = proyeccion * camara;
     preparaVista(proyeccion, camara, 0);
-    dibujaObjeto(estado.programa, estado.esfera, glm::mat4(1), camara, CERAMICA);
+    dibujaIluminado(estado.programa, estado.esfera, glm::mat4(1), camara, CERAMICA);
     trazaVector("N", N, BLANCO, vista);
     trazaVector("L", L, AMARILLO, vista);
     trazaVector("V", V, VERDE, vista);
@@ -113,8 +113,8 @@ static void dibuja() {
     abreRecuadro(panel, FONDO_OSCURO);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = proyeccionEscena();
     preparaVista(proyeccion, camara, estado.elegido);
-    dibujaObjeto(estado.programa, estado.esfera, glm::mat4(1), camara, CERAMICA);
-    dibujaObjeto(estado.programa, estado.anillo, giroZ(0.35f) * giroX(-1.15f), camara, LATON);
+    dibujaIluminado(estado.programa, estado.esfera, glm::mat4(1), camara, CERAMICA);
+    dibujaIluminado(estado.programa, estado.anillo, giroZ(0.35f) * giroX(-1.15f), camara, LATON);
     rotula(NOMBRES[estado.elegido], {0.2f, 1}, BLANCO, Lado::DEBAJO);
     if (estado.vectores)
         dibujaVectores(reparte(2)[1], proyeccion * camara);

@@ -36,12 +36,12 @@ static void inicia() {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.31f, 1, 100);
-    usaPrograma(estado.programa, camara, proyeccion, LUZ);
+    usaIluminado(estado.programa, camara, proyeccion, LUZ);
     for (const auto &e : ESFERAS) {
         Material material = ESMALTE;
         material.alfa = e.alfa;
-        dibujaObjeto(estado.programa, estado.esfera, traslacion(e.centro) * escalado(RADIO), camara,
-                     material);
+        dibujaIluminado(estado.programa, estado.esfera, traslacion(e.centro) * escalado(RADIO), camara,
+                        material);
         rotulaPunto("α = " + std::to_string(int(e.alfa)), e.centro - glm::vec3(0, 0.7f * RADIO, 0),
                     proyeccion * camara, BLANCO, Lado::CENTRO);
     }

@@ -96,10 +96,10 @@ static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.35f, 1, 100);
     const auto solido = [&](const Buferes &buferes, const glm::mat4 &M, const Material &material) {
-        dibujaObjeto(estado.programa, buferes, M, camara, material);
+        dibujaIluminado(estado.programa, buferes, M, camara, material);
     };
     const glm::mat4 tumbado = giroX(-glm::half_pi<float>());
-    usaPrograma(estado.programa, camara, proyeccion, luz);
+    usaIluminado(estado.programa, camara, proyeccion, luz);
     solido(estado.plano, tumbado * escalado(6), SUELO_GRIS);
     solido(estado.esfera, traslacion({0.3f, 0.8f, 0.2f}) * escalado(0.8f), ROJA);
     solido(estado.cono, traslacion({2.0f, 0, -1.2f}) * tumbado * escalado({0.8f, 0.8f, 1.9f}), VERDOSO);

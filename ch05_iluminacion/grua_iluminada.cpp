@@ -50,10 +50,10 @@ static void dibujaPanel(int modelo, const Recuadro &panel) {
                     proyeccion = perspectivaVentana(ANGULO_GRUA, 1, 200, aspecto(panel),
                                                     estado.modos.todos ? ASPECTO_DE_DOS : ASPECTO_COMPUESTO);
     const auto caja = [&](const glm::mat4 &M, const Material &material) {
-        dibujaObjeto(programa, estado.cubo, M, camara, material);
+        dibujaIluminado(programa, estado.cubo, M, camara, material);
     };
     abreRecuadro(panel, CIELO);
-    usaPrograma(programa, camara, proyeccion, LUZ);
+    usaIluminado(programa, camara, proyeccion, LUZ);
     caja(traslacion({0, -0.1f, 0}) * escalado({LADO_SUELO, 0.2f, LADO_SUELO}), TERRENO);
     caja(traslacion({0, 0.2f, 0}) * escalado({2.4f, 0.4f, 2.4f}), HORMIGON); // la zapata
     int i = 0;

@@ -47,8 +47,8 @@ inline void enviaLuz(GLuint programa, const std::string &nombre, const Luz &luz,
 }
 
 /// Pone en uso un programa de sombreado con esa vista y esa luz, y con luz ambiente blanca.
-inline void usaPrograma(GLuint programa, const glm::mat4 &camara, const glm::mat4 &proyeccion,
-                        const Luz &luz) {
+inline void usaIluminado(GLuint programa, const glm::mat4 &camara, const glm::mat4 &proyeccion,
+                         const Luz &luz) {
     usaPrograma(programa, camara, proyeccion);
     envia(programa, "La", glm::vec3(1));
     // E5.1: la luz, como la quiere phong.glsl
@@ -58,8 +58,8 @@ inline void usaPrograma(GLuint programa, const glm::mat4 &camara, const glm::mat
 }
 
 /// Dibuja el sólido de ese material con el programa en uso, que tiene ya `camara`, `proyeccion` y la luz.
-inline void dibujaObjeto(GLuint programa, const Buferes &solido, const glm::mat4 &M, const glm::mat4 &camara,
-                         const Material &material) {
+inline void dibujaIluminado(GLuint programa, const Buferes &solido, const glm::mat4 &M,
+                            const glm::mat4 &camara, const Material &material) {
     envia(programa, "M", M);
     // E5.1: la matriz de la normal, que va a coordenadas de la cámara, y el material
     envia(programa, "N", matrizNormal(camara * M));
@@ -67,5 +67,5 @@ inline void dibujaObjeto(GLuint programa, const Buferes &solido, const glm::mat4
     // de partida: envia(programa, "N", glm::mat3(camara));
     // de partida: envia(programa, "material.Ka", material.Kd);
     // fin de E5.1
-    dibuja(solido);
+    dibujaMalla(solido);
 }

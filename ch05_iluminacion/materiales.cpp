@@ -32,10 +32,10 @@ static void inicia() {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.31f, 1, 100);
-    usaPrograma(estado.programa, camara, proyeccion, LUZ);
+    usaIluminado(estado.programa, camara, proyeccion, LUZ);
     const auto muestra = [&](int cual, const Buferes &esfera, const glm::vec3 &centro, float radio) {
         const auto &[nombre, material] = TABLA_MATERIALES[cual];
-        dibujaObjeto(estado.programa, esfera, traslacion(centro) * escalado(radio), camara, material);
+        dibujaIluminado(estado.programa, esfera, traslacion(centro) * escalado(radio), camara, material);
         rotulaPunto(nombre, centro - glm::vec3(0, radio, 0), proyeccion * camara, BLANCO, Lado::DEBAJO);
     };
     if (estado.elegido >= 0)

@@ -77,14 +77,14 @@ static void dibujaPanel(const Recuadro &panel, int modelo) {
                     proyeccion = alto ? perspectivaVentana(0.42f, 1, 100, aspecto(panel), 4.0 / 9)
                                       : perspectivaVentana(0.27f, 1, 100, aspecto(panel));
     abreRecuadro(panel, FONDO_OSCURO);
-    usaPrograma(programa, camara, proyeccion, LUZ);
-    dibujaObjeto(programa, plano ? estado.esferaPlana : estado.esfera,
-                 traslacion(alto ? glm::vec3(0, 0.8f, 0) : glm::vec3(-0.95f, 0.25f, 0)) * giroX(-1.2f),
-                 camara, TURQUESA);
-    dibujaObjeto(programa, plano ? estado.toroPlano : estado.toro,
-                 traslacion(alto ? glm::vec3(0, -0.95f, 0.5f) : glm::vec3(0.98f, -0.35f, 0.5f)) *
-                     giroX(-0.7f),
-                 camara, CORAL);
+    usaIluminado(programa, camara, proyeccion, LUZ);
+    dibujaIluminado(programa, plano ? estado.esferaPlana : estado.esfera,
+                    traslacion(alto ? glm::vec3(0, 0.8f, 0) : glm::vec3(-0.95f, 0.25f, 0)) * giroX(-1.2f),
+                    camara, TURQUESA);
+    dibujaIluminado(programa, plano ? estado.toroPlano : estado.toro,
+                    traslacion(alto ? glm::vec3(0, -0.95f, 0.5f) : glm::vec3(0.98f, -0.35f, 0.5f)) *
+                        giroX(-0.7f),
+                    camara, CORAL);
     rotula(NOMBRES[modelo], {0.5f, 0}, BLANCO, Lado::ENCIMA);
 }
 

@@ -65,11 +65,11 @@ static void dibuja() {
     envia(estado.programa, "La", glm::vec3(1));
     for (int i = 0; i < LUCES; ++i)
         enviaLuz(estado.programa, "luces[" + std::to_string(i) + "]", foco(i), camara);
-    dibujaObjeto(estado.programa, estado.disco,
-                 traslacion({0, -0.1f, 0}) * giroX(-glm::half_pi<float>()) * escalado({3.7f, 3.7f, 0.2f}),
-                 camara, MATE);
-    dibujaObjeto(estado.programa, estado.esfera, traslacion({0, 0.65f, -1}) * escalado(0.65f), camara,
-                 BRILLANTE);
+    dibujaIluminado(estado.programa, estado.disco,
+                    traslacion({0, -0.1f, 0}) * giroX(-glm::half_pi<float>()) * escalado({3.7f, 3.7f, 0.2f}),
+                    camara, MATE);
+    dibujaIluminado(estado.programa, estado.esfera, traslacion({0, 0.65f, -1}) * escalado(0.65f), camara,
+                    BRILLANTE);
     std::string titulo;
     for (int i = 0; i < LUCES; ++i) {
         const std::string nombre = FOCOS[i].nombre;

@@ -103,14 +103,14 @@ static void dibujaMarcas(Superficie superficie, const glm::mat4 &transformacion)
     rotulaPunto("t", encima({0, P.t}), transformacion, VERDE, Lado::IZQUIERDA);
 }
 
-static void dibujaObjeto(const Objeto &objeto, const glm::mat4 &camara, const glm::mat4 &proyeccion) {
+static void dibujaTexturado(const Objeto &objeto, const glm::mat4 &camara, const glm::mat4 &proyeccion) {
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
     envia(estado.programa, "M", objeto.M);
     envia(estado.programa, "N", matrizNormal(objeto.M));
     envia(estado.programa, "repeticiones", glm::vec2(1));
     envia(estado.programa, "Img", 0);
-    dibuja(objeto.buferes);
+    dibujaMalla(objeto.buferes);
     dibujaMarcas(objeto.superficie, proyeccion * camara * objeto.M);
 }
 
@@ -122,11 +122,11 @@ static void dibuja() {
     glBindTexture(GL_TEXTURE_2D, estado.textura);
     abreRecuadro(izquierda, FONDO_CLARO);
     const glm::mat4 deFrente = paralelaVentana(0.48f, -1, 1, aspecto(izquierda));
-    dibujaObjeto(estado.imagen, glm::mat4(1), deFrente);
+    dibujaTexturado(estado.imagen, glm::mat4(1), deFrente);
     rotulaPunto("s = 0.18\nt = 0.64", {0, -0.66f, 0}, deFrente, OSCURO, Lado::DEBAJO);
     abreRecuadro(derecha, FONDO_CLARO);
-    dibujaObjeto(objeto, camaraOrbita(estado.orbita),
-                 perspectivaVentana(0.5f, 0.1f, 100, aspecto(derecha), 1));
+    dibujaTexturado(objeto, camaraOrbita(estado.orbita),
+                    perspectivaVentana(0.5f, 0.1f, 100, aspecto(derecha), 1));
     ponTitulo(std::string("Coordenadas de textura: ") + objeto.nombre);
     glutSwapBuffers();
 }

@@ -86,7 +86,7 @@ static void dibujaSuelo(int elegido, const Recuadro &panel) {
                 perspectivaVentana(0.8f, 0.1f, 2 * LARGO, aspecto(panel)));
     envia(estado.programa, "M", giroX(-glm::half_pi<float>()) * escalado(LARGO));
     envia(estado.programa, "Img", 0);
-    dibuja(estado.suelo);
+    dibujaMalla(estado.suelo);
     rotula(filtro.nombre, {0.5f, 1}, OSCURO, Lado::DEBAJO, estado.modos.todos ? 0.03f : 0.05f);
 }
 

@@ -64,7 +64,7 @@ static void dibujaPared(GLuint programa, const glm::mat4 &camara, const glm::mat
     envia(programa, "proyeccion", proyeccion);
     envia(programa, "camara", camara);
     envia(programa, "M", escalado(TALLA));
-    dibuja(estado.pared);
+    dibujaMalla(estado.pared);
 }
 
 // Lo que hay en cada unidad, con su número; en gris, lo que la mezcla no usa.

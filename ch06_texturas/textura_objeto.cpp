@@ -60,7 +60,7 @@ static void dibuja() {
     // Final del listado 6.2: a Img, el número de la unidad, que no es el nombre de la textura
     const GLint loc = glGetUniformLocation(estado.programa, "Img");
     glUniform1i(loc, 0);
-    dibuja(estado.toro);
+    dibujaMalla(estado.toro);
     glutSwapBuffers();
 }
 

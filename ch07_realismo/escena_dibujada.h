@@ -28,13 +28,13 @@ inline void dibujaEscena(const EscenaDibujada &e, const std::vector<PiezaEscena>
     const glm::mat4 simetria = reflejada ? reflexion(espejo) : glm::mat4(1);
     Luz luz{{2.5f, 6, 5, 1}};
     luz.Lp = simetria * luz.Lp;
-    usaPrograma(e.programa, camara, proyeccion, luz);
+    usaIluminado(e.programa, camara, proyeccion, luz);
     // el plano, en coordenadas de la cámara; uno nulo no corta nada
     envia(e.programa, "corte",
           reflejada ? glm::transpose(glm::inverse(camara)) * glm::vec4(espejo.N, espejo.d) : glm::vec4(0));
     glFrontFace(reflejada ? GL_CW : GL_CCW); // la simetría invierte el sentido de giro
     for (const PiezaEscena &pieza : piezas)
-        dibujaObjeto(e.programa, e.solidos[pieza.solido], simetria * pieza.M, camara, pieza.material);
+        dibujaIluminado(e.programa, e.solidos[pieza.solido], simetria * pieza.M, camara, pieza.material);
     glFrontFace(GL_CCW);
 }
 
@@ -44,7 +44,7 @@ inline void dibujaEspejo(const EscenaDibujada &e, const glm::mat4 &camara, const
     usaPrograma(e.programaEspejo, camara, proyeccion);
     envia(e.programaEspejo, "M", colocaEspejo());
     envia(e.programaEspejo, "color", color);
-    dibuja(e.espejo);
+    dibujaMalla(e.espejo);
 }
 
 /// Borra la profundidad de donde se ve el espejo: lo dibuja en el fondo, del color del cielo.

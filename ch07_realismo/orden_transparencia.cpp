@@ -46,7 +46,7 @@ static void inicia() {
 static void dibujaPieza(const Buferes &pieza, const glm::mat4 &M, const glm::vec4 &color) {
     envia(estado.programa, "M", M);
     envia(estado.programa, "color", color);
-    dibuja(pieza);
+    dibujaMalla(pieza);
 }
 
 // Un cuadrado del color que tiene ese punto en la ventana, junto al borde del panel que toca al otro.

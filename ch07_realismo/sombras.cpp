@@ -83,7 +83,7 @@ static void dibujaSombras(const glm::mat4 &camara, const glm::mat4 &proyeccion) 
     const glm::mat4 sombra = proyeccionSombra(L, MESA);
     recorreObjetos([&](const Buferes &malla, const glm::mat4 &M, const glm::vec3 &) {
         envia(p, "M", sombra * M);
-        dibuja(malla);
+        dibujaMalla(malla);
     });
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
@@ -95,22 +95,22 @@ static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.45f, 1, 60);
     const GLuint p = estado.deObjetos;
-    usaPrograma(p, camara, proyeccion, {glm::vec4(estado.luz, 1)});
+    usaIluminado(p, camara, proyeccion, {glm::vec4(estado.luz, 1)});
     // Lo que se ve del tablero queda a 1 en la plantilla; los objetos que lo tapan lo devuelven a 0
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    dibujaObjeto(p, estado.cubo, traslacion({0, -TALLA_MESA.y / 2 - 0.01f, 0}) * escalado(TALLA_MESA), camara,
-                 pintura({0.55f, 0.38f, 0.22f}));
+    dibujaIluminado(p, estado.cubo, traslacion({0, -TALLA_MESA.y / 2 - 0.01f, 0}) * escalado(TALLA_MESA),
+                    camara, pintura({0.55f, 0.38f, 0.22f}));
     glStencilFunc(GL_ALWAYS, 1, 0xff);
     const glm::mat4 tablero = escalado({TALLA_MESA.x / 8, 1, TALLA_MESA.z / 6});
-    dibujaObjeto(p, estado.claras, tablero, camara, pintura({0.88f, 0.80f, 0.66f}));
-    dibujaObjeto(p, estado.oscuras, tablero, camara, pintura({0.74f, 0.58f, 0.42f}));
+    dibujaIluminado(p, estado.claras, tablero, camara, pintura({0.88f, 0.80f, 0.66f}));
+    dibujaIluminado(p, estado.oscuras, tablero, camara, pintura({0.74f, 0.58f, 0.42f}));
     glStencilFunc(GL_ALWAYS, 0, 0xff);
     recorreObjetos([&](const Buferes &malla, const glm::mat4 &M, const glm::vec3 &color) {
-        dibujaObjeto(p, malla, M, camara, pintura(color));
+        dibujaIluminado(p, malla, M, camara, pintura(color));
     });
 
     const Material lampara = {glm::vec3(1, 0.95f, 0.6f), glm::vec3(0), glm::vec3(0), 1};
-    dibujaObjeto(p, estado.esfera, traslacion(estado.luz) * escalado(0.14f), camara, lampara);
+    dibujaIluminado(p, estado.esfera, traslacion(estado.luz) * escalado(0.14f), camara, lampara);
     dibujaSombras(camara, proyeccion);
     rotulaPunto("luz", estado.luz, proyeccion * camara, OSCURO, Lado::ENCIMA);
     glutSwapBuffers();

@@ -44,23 +44,23 @@ static void inicia() {
 static void dibujaOpacos(const glm::mat4 &camara) {
     const GLuint p = estado.programa;
     envia(p, "alfaMaterial", 1.0f);
-    dibujaObjeto(p, estado.cubo, traslacion({0, -0.1f, 0}) * escalado({4.4f, 0.2f, 3.4f}), camara,
-                 pintura({0.85f, 0.82f, 0.74f}));
-    dibujaObjeto(p, estado.cubo, traslacion({0, 0.55f, 0}) * giroY(0.6f) * escalado(0.75f), camara,
-                 pintura(ROJO)); // dentro
-    dibujaObjeto(p, estado.esfera, traslacion({1.45f, 0.45f, -0.9f}) * escalado(0.45f), camara,
-                 pintura(AMARILLO));
+    dibujaIluminado(p, estado.cubo, traslacion({0, -0.1f, 0}) * escalado({4.4f, 0.2f, 3.4f}), camara,
+                    pintura({0.85f, 0.82f, 0.74f}));
+    dibujaIluminado(p, estado.cubo, traslacion({0, 0.55f, 0}) * giroY(0.6f) * escalado(0.75f), camara,
+                    pintura(ROJO)); // dentro
+    dibujaIluminado(p, estado.esfera, traslacion({1.45f, 0.45f, -0.9f}) * escalado(0.45f), camara,
+                    pintura(AMARILLO));
     for (int i = 0; i < 5; ++i) // detrás, una valla
-        dibujaObjeto(p, estado.cubo,
-                     traslacion({-1.8f + 0.55f * float(i), 0.9f, -1.4f}) * escalado({0.26f, 1.8f, 0.12f}),
-                     camara, pintura(i % 2 ? VERDE : NARANJA));
+        dibujaIluminado(p, estado.cubo,
+                        traslacion({-1.8f + 0.55f * float(i), 0.9f, -1.4f}) * escalado({0.26f, 1.8f, 0.12f}),
+                        camara, pintura(i % 2 ? VERDE : NARANJA));
 }
 
 static void dibujaVista(const Recuadro &r, float alfa) {
     abreRecuadro(r, CIELO);
     const glm::mat4 camara = camaraOrbita(estado.orbita);
     const GLuint p = estado.programa;
-    usaPrograma(p, camara, perspectivaVentana(0.5f, 1, 60, aspecto(r)), luz);
+    usaIluminado(p, camara, perspectivaVentana(0.5f, 1, 60, aspecto(r)), luz);
     dibujaOpacos(camara);
 
     // Listado 7.1
@@ -71,7 +71,7 @@ static void dibujaVista(const Recuadro &r, float alfa) {
     const glm::mat4 M = traslacion({0, 1.07f, 0}) * giroX(-glm::half_pi<float>()) * escalado({1, 1, 2.1f});
     for (const GLenum caras : {GL_FRONT, GL_BACK}) { // las que NO se dibujan
         glCullFace(caras);
-        dibujaObjeto(p, estado.cilindro, M, camara, VIDRIO);
+        dibujaIluminado(p, estado.cilindro, M, camara, VIDRIO);
     }
     glDisable(GL_BLEND);
     glDepthMask(GL_TRUE);

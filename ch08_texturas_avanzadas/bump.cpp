@@ -51,9 +51,9 @@ static void dibujaEscena(const Recuadro &panel, const glm::mat4 &camara, const g
                             const glm::vec2 &nVeces, float altura) {
         envia(estado.programa, "nVeces", nVeces);
         envia(estado.programa, "altura", conBultos ? altura : 0);
-        dibujaObjeto(estado.programa, solido, M, camara, material);
+        dibujaIluminado(estado.programa, solido, M, camara, material);
     };
-    usaPrograma(estado.programa, camara, proyeccion, {{-4, 5, 4, 1}});
+    usaIluminado(estado.programa, camara, proyeccion, {{-4, 5, 4, 1}});
     envia(estado.programa, "mapaNormales", 0);
     const glm::vec2 talla(2.8f, 2.8f);
     objeto(estado.plano, traslacion({0, -1, 0}) * tumbado * escalado({talla.x, talla.y, 1}), PIEDRA,

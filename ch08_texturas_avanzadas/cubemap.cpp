@@ -107,7 +107,7 @@ static void dibujaReflejo(const Recuadro &panel, const Buferes &objeto, bool por
     envia(estado.programa, "N", matrizNormal(M));
     enviaMapas(estado.programa);
     envia(estado.programa, "porVertice", porVertice);
-    dibuja(objeto);
+    dibujaMalla(objeto);
     // la cámara mira hacia su −z; su matriz solo gira, y la traspuesta es la inversa
     const glm::mat3 ejes = glm::transpose(glm::mat3(camara));
     dibujaMapa({ejes[0], ejes[1], -ejes[2]}, {1 / proyeccion[0][0], 1 / proyeccion[1][1]});

@@ -48,7 +48,7 @@ static void dibuja() {
     envia(estado.programa, "alturas", 0);
     envia(estado.programa, "amplitud", amplitud);
     envia(estado.programa, "lado", float(LADO_MAPA));
-    dibuja(estado.plano);
+    dibujaMalla(estado.plano);
 
     const std::string texto = formatea("amplitud = %.2f", amplitud);
     rotula(texto, {0.02f, 0.98f}, OSCURO, Lado::DERECHA);

@@ -41,11 +41,11 @@ static void dibuja() {
                     M = giroX(-glm::half_pi<float>()); // los polos, en ±Y
     const glm::ivec2 veces = estado.veces * VECES;
     const glm::vec2 talla = glm::vec2(estado.talla) / 20.0f;
-    usaPrograma(estado.programa, camara, perspectivaVentana(0.4f, 1, 100), {{-4, 6, 5, 1}});
+    usaIluminado(estado.programa, camara, perspectivaVentana(0.4f, 1, 100), {{-4, 6, 5, 1}});
     envia(estado.programa, "colorInterior", DENTRO);
     envia(estado.programa, "nVeces", glm::vec2(veces));
     envia(estado.programa, "talla", talla);
-    dibujaObjeto(estado.programa, estado.esfera, M, camara, FUERA);
+    dibujaIluminado(estado.programa, estado.esfera, M, camara, FUERA);
 
     const std::string textoTalla = formatea("talla = (%.2f, %.2f)", talla.s, talla.t),
                       textoVeces = formatea("nVeces = (%d, %d)", veces.s, veces.t);

@@ -59,7 +59,7 @@ static void inicia() {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita);
-    usaPrograma(estado.programa, camara, perspectivaVentana(0.4f, 1, 100), {{-3, 6, 8, 1}});
+    usaIluminado(estado.programa, camara, perspectivaVentana(0.4f, 1, 100), {{-3, 6, 8, 1}});
     envia(estado.programa, "ruido", 0);
     envia(estado.programa, "S1", estado.S1);
     envia(estado.programa, "S2", estado.S2);
@@ -69,7 +69,7 @@ static void dibuja() {
             traslacion(donde) * giroX(-glm::half_pi<float>()) * escalado(talla); // el eje, hacia +Y
         envia(estado.programa, "M", M);
         envia(estado.programa, "N", matrizNormal(camara * M));
-        dibuja(solido);
+        dibujaMalla(solido);
     };
     pieza(estado.cubo, {-1.15f, 0, 0}, {1.5f, 1.5f, 2.6f});
     pieza(estado.cilindro, {1.15f, -1.19f, 0}, {0.85f, 0.85f, 0.22f});

@@ -62,7 +62,7 @@ static void dibujaEstrella(GLuint framebuffer, int lado) {
     glUseProgram(estado.pinta);
     envia(estado.pinta, "color", OSCURO);
     envia(estado.pinta, "giro", glm::vec2(std::cos(estado.giro), std::sin(estado.giro)));
-    dibuja(estado.estrella);
+    dibujaMalla(estado.estrella);
 }
 
 // Deja la escena en estado.lienzo con esa técnica.

@@ -64,7 +64,7 @@ inline glm::vec2 evalua(const MallaImagen &m, float u, float v) {
 /// Triángulos de dos mallas iguales de puntos: en `posicion` va la primera y en `coordTextura`, la segunda. Van de
 /// abajo arriba y de izquierda a derecha: donde la malla se pliega se ve lo último, lo de la fila más alta y, en ella,
 /// lo de más a la derecha.
-inline Malla triangula(const MallaImagen &a, const MallaImagen &b) {
+inline Malla triangulaImagen(const MallaImagen &a, const MallaImagen &b) {
     const int TRAMOS = 8; // de un punto al siguiente
     const int columnas = TRAMOS * (a.columnas - 1), filas = TRAMOS * (a.filas - 1);
     Malla malla;
@@ -82,7 +82,7 @@ inline Malla triangula(const MallaImagen &a, const MallaImagen &b) {
 }
 
 /// El punto más cercano a p; `talla`: la de la imagen, para medir en píxeles.
-inline std::size_t masCercano(const MallaImagen &m, const glm::vec2 &p, const glm::vec2 &talla) {
+inline std::size_t nudoMasCercano(const MallaImagen &m, const glm::vec2 &p, const glm::vec2 &talla) {
     const auto distancia = [&](const glm::vec2 &q) { return glm::length((q - p) * talla); };
     return std::min_element(
                m.puntos.begin(), m.puntos.end(),

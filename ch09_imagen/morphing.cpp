@@ -54,7 +54,7 @@ static void dibujaMorphing(float t, const Recuadro &panel, const std::string &ro
     envia(estado.programa, "imagenA", 0);
     envia(estado.programa, "imagenB", 1);
     envia(estado.programa, "t", t);
-    dibuja(estado.buferes);
+    dibujaMalla(estado.buferes);
     if (estado.conMalla)
         trazaMalla(intermedia(t));
     rotulaImagen(estado.muestra, rotulo);
@@ -74,7 +74,7 @@ static void dibuja() {
     const float t = tActual();
     const std::string rotulo = formatea("t = %.2f", t);
     abreRecuadro(ventanaEntera(), FONDO_OSCURO);
-    cambiaVertices(estado.buferes, triangula(estado.a, estado.b));
+    cambiaVertices(estado.buferes, triangulaImagen(estado.a, estado.b));
     const std::vector<Recuadro> paneles = recuadros(estado.muestra, 4);
     if (estado.muestra.compara) {
         dibujaMorphing(0, paneles[0], "A");
@@ -103,7 +103,7 @@ static void raton(int boton, int pulsado, int x, int y) {
         return;
     estado.arrastra = pulsado == GLUT_DOWN && !estado.muestra.compara;
     if (estado.arrastra)
-        estado.punto = masCercano(intermedia(tActual()), enImagen(x, y), estado.muestra.talla);
+        estado.punto = nudoMasCercano(intermedia(tActual()), enImagen(x, y), estado.muestra.talla);
 }
 
 // Mueve el punto de la imagen de la que más se ve, de modo que el intermedio quede bajo el ratón.
@@ -147,7 +147,7 @@ int main(int argc, char **argv) {
     const bool propias = argc > 1;
     estado.a = propias ? REGULAR : CARA;
     estado.b = propias ? REGULAR : GATO;
-    estado.buferes = creaBuferes(triangula(estado.a, estado.b));
+    estado.buferes = creaBuferes(triangulaImagen(estado.a, estado.b));
     for (int unidad = 0; unidad < 2; ++unidad) {
         glActiveTexture(GL_TEXTURE0 + unidad);
         creaTexturaExacta(imagenes[unidad]);

@@ -31,12 +31,13 @@ static MallaImagen caricatura() {
     return malla;
 }
 
-static void dibujaMalla(const MallaImagen &malla, const Recuadro &panel, const char *rotulo, bool conMalla) {
+static void dibujaDeformada(const MallaImagen &malla, const Recuadro &panel, const char *rotulo,
+                            bool conMalla) {
     dibujaEn(panel);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagen", 0);
-    cambiaVertices(estado.buferes, triangula(malla, REGULAR));
-    dibuja(estado.buferes);
+    cambiaVertices(estado.buferes, triangulaImagen(malla, REGULAR));
+    dibujaMalla(estado.buferes);
     if (conMalla)
         trazaMalla(malla);
     rotulaImagen(estado.muestra, rotulo);
@@ -52,12 +53,12 @@ static void dibuja() {
     const char *rotulo = estado.malla.puntos == REGULAR.puntos ? "Original" : "Deformada";
     const std::vector<Recuadro> sitios = paneles();
     if (estado.muestra.compara)
-        dibujaMalla(REGULAR, sitios[0], "Original", false);
+        dibujaDeformada(REGULAR, sitios[0], "Original", false);
     if (sitios.size() == 4) {
-        dibujaMalla(REGULAR, sitios[1], "su malla", true);
-        dibujaMalla(estado.malla, sitios[2], rotulo, false);
+        dibujaDeformada(REGULAR, sitios[1], "su malla", true);
+        dibujaDeformada(estado.malla, sitios[2], rotulo, false);
     }
-    dibujaMalla(estado.malla, sitios.back(), sitios.size() == 4 ? "su malla" : rotulo, estado.conMalla);
+    dibujaDeformada(estado.malla, sitios.back(), sitios.size() == 4 ? "su malla" : rotulo, estado.conMalla);
     ponTitulo(std::string("Warping: ") + rotulo);
     glutSwapBuffers();
 }
@@ -71,7 +72,7 @@ static void raton(int boton, int pulsado, int x, int y) {
         return;
     estado.arrastra = pulsado == GLUT_DOWN;
     if (estado.arrastra)
-        estado.punto = masCercano(estado.malla, enImagen(x, y), estado.muestra.talla);
+        estado.punto = nudoMasCercano(estado.malla, enImagen(x, y), estado.muestra.talla);
 }
 
 static void arrastra(int x, int y) {
@@ -97,7 +98,7 @@ int main(int argc, char **argv) {
     const std::vector<Imagen> imagenes =
         abreVentanaConImagenes(argc, argv, "Warping", {{"assets/cara.rgb", 960, 720}}, estado.muestra);
     estado.programa = creaPrograma("ch09_imagen/warping.vert", "ch09_imagen/imagen.frag");
-    estado.buferes = creaBuferes(triangula(REGULAR, REGULAR));
+    estado.buferes = creaBuferes(triangulaImagen(REGULAR, REGULAR));
     creaTexturaExacta(imagenes[0]);
     glutDisplayFunc(dibuja);
     glutKeyboardFunc(teclado);

@@ -79,7 +79,7 @@ static void dibujaObjetos(bool conIdentificadores) {
         if (conIdentificadores) {
             envia(p, "M", M);
             envia(p, "identificador", colorDe(identificador));
-            dibuja(estado.formas[s.forma]);
+            dibujaMalla(estado.formas[s.forma]);
         } else {
             const bool apagado = estado.elegido != NADA && estado.elegido != identificador;
             dibujaObjeto(p, estado.formas[s.forma], M,

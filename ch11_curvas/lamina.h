@@ -64,7 +64,7 @@ inline void dibujaLamina(const Lamina &lamina, Malla malla, const Material &mate
         enviaLuz(lamina.programa, "luz", Luz{cara * LUZ_LAMINA}, camara);
         glCullFace(cara < 0 ? GL_FRONT : GL_BACK);
         const Buferes buferes = creaBuferes(malla);
-        dibujaObjeto(lamina.programa, buferes, glm::mat4(1), camara, material);
+        dibujaIluminado(lamina.programa, buferes, glm::mat4(1), camara, material);
         borraBuferes(buferes);
     }
     glDisable(GL_POLYGON_OFFSET_FILL);

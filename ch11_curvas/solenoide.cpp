@@ -39,16 +39,16 @@ static void inicia() {
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita);
-    usaPrograma(estado.programa, camara, perspectivaVentana(0.45f, 1, 100), LUZ);
+    usaIluminado(estado.programa, camara, perspectivaVentana(0.45f, 1, 100), LUZ);
     for (int i = 0; i < 2; ++i)
-        dibujaObjeto(estado.programa, estado.tubo[i], glm::mat4(1), camara,
-                     estado.segmentos && i == 1 ? ACERO : COBRE);
+        dibujaIluminado(estado.programa, estado.tubo[i], glm::mat4(1), camara,
+                        estado.segmentos && i == 1 ? ACERO : COBRE);
     const int ultimo = SEGMENTOS_VUELTA * estado.vueltas;
     for (const glm::vec3 &punta :
          {cubica(Base::HERMITE, segmentoSolenoide(estado.vueltas, 0), 0.0f),
           cubica(Base::HERMITE, segmentoSolenoide(estado.vueltas, ultimo - 1), 1.0f)})
-        dibujaObjeto(estado.programa, estado.remate, traslacion(punta) * escalado(GRUESO_TUBO), camara,
-                     COBRE);
+        dibujaIluminado(estado.programa, estado.remate, traslacion(punta) * escalado(GRUESO_TUBO), camara,
+                        COBRE);
     ponTitulo("Solenoide: " + std::to_string(estado.vueltas) + " vueltas, " + std::to_string(ultimo) +
               " segmentos cúbicos");
     glutSwapBuffers();

@@ -1,8 +1,8 @@
 // Superficies bicúbicas de Hermite, Bézier y B-Spline (§11.5 a §11.8): puntos, derivadas, normales y triángulos.
-// Sin OpenGL. La tetera (ch02_modelado/bezier.h) toma de aquí la normal, pero evalúa sus parches con pesos que se suman
-// en otro orden: allí un lado compartido por dos parches que lo recorren al revés ha de dar los mismos puntos, bit a
-// bit.
+// Sin OpenGL. La tetera (ch02_modelado/bezier.h) evalúa sus parches con pesos que se suman en otro orden: allí un lado
+// compartido por dos parches que lo recorren al revés ha de dar los mismos puntos, bit a bit.
 #pragma once
+#include "ch02_modelado/normal_limite.h"
 #include "curvas.h"
 #include "malla.h"
 #include <algorithm>
@@ -88,38 +88,6 @@ RedBezier<T> redDe(Base base, const Geometria2<T> &G) {
 }
 
 // ---- Normales ----
-
-/// El largo de un vector: glm::length no admite la cuádruple precisión.
-template<typename T>
-T largo(const Punto<T> &a) {
-    using std::sqrt;
-    return sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
-}
-
-/// Normal unitaria, hacia donde apunta Q_u × Q_v, de una superficie de talla 1; `d(u, v, du, dv)` es su derivada, du
-/// veces con u y dv con v. Donde Q_u × Q_v se anula, porque un lado se reduce a un punto o falta una tangente, su
-/// límite camino del centro: su derivada en esa dirección. Si también se anula, la del primer punto de ese camino que
-/// la tenga; y si no la tiene ninguno, porque no es una superficie, +Z.
-template<typename T, typename Derivada>
-Punto<T> normalOLimite(const Derivada &d, const T &u, const T &v) {
-    using std::sqrt;
-    const auto cruz = [](const Punto<T> &a, const Punto<T> &b) {
-        return Punto<T>(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
-    };
-    const T nada = sqrt(std::numeric_limits<T>::epsilon());
-    for (const double paso : {0.0, 1.0 / 64, 1.0 / 16, 1.0 / 4, 1.0 / 2}) {
-        const T a = T(0.5) - u, b = T(0.5) - v, s = u + T(paso) * a, t = v + T(paso) * b;
-        const Punto<T> qu = d(s, t, 1, 0), qv = d(s, t, 0, 1), n = cruz(qu, qv);
-        const T lu = largo(qu), lv = largo(qv);
-        if (lu > nada && lv > nada && largo(n) > nada * lu * lv)
-            return (T(1) / largo(n)) * n;
-        const Punto<T> quv = d(s, t, 1, 1),
-                       limite = cruz(a * d(s, t, 2, 0) + b * quv, qv) + cruz(qu, a * quv + b * d(s, t, 0, 2));
-        if (largo(limite) > nada)
-            return (T(1) / largo(limite)) * limite;
-    }
-    return Punto<T>(T(0), T(0), T(1));
-}
 
 /// 1/talla de lo que ocupan los puntos de control.
 template<typename T>

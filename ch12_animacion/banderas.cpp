@@ -46,7 +46,7 @@ static void dibuja() {
     envia(estado.programa, "ruido", 0);
     for (int i = 0; i < 3; ++i)
         envia(estado.programa, ("paleta[" + std::to_string(i) + "]").c_str(), PALETA[i]);
-    dibuja(estado.piezas);
+    dibujaPiezas(estado.piezas);
     rotulaTiempo(estado.reloj, OSCURO, std::string(", ") + etapa(t));
     tituloAnimado(estado.reloj, "Banderas en una grada: " + std::string(etapa(t)));
     glutSwapBuffers();

@@ -30,7 +30,7 @@ inline BuferPiezas creaBuferPiezas(GLuint programa, int columnas, int filas) {
 }
 
 /// Con el programa en uso, una sola orden de dibujo.
-inline void dibuja(const BuferPiezas &b) {
+inline void dibujaPiezas(const BuferPiezas &b) {
     glBindVertexArray(b.vao);
     glDrawArrays(GL_TRIANGLES, 0, b.nVertices);
 }

@@ -1,5 +1,5 @@
 #version 140
-#include "ch03_transformaciones/luz_fija.glsl"
+#include "common/luz_fija.glsl"
 
 uniform vec3 colorObjeto;
 uniform float alfa; // opacidad: 0, no se ve; 1, tapa lo que tiene detrás

@@ -47,7 +47,7 @@ static void dibujaHalo(const glm::mat4 &camara, const glm::mat4 &proyeccion, con
     envia(estado.halo, "centro", glm::vec3(FUENTE));
     envia(estado.halo, "radio", RADIO_HALO);
     envia(estado.halo, "colorLuz", color);
-    dibuja(estado.plano);
+    dibujaMalla(estado.plano);
     glDisable(GL_BLEND);
 }
 
@@ -83,7 +83,7 @@ static void dibuja() {
     envia(estado.programa, "La", LA);
     enviaLuz(estado.programa, "luz", luz, camara);
     const auto solido = [&](const Buferes &buferes, const glm::mat4 &M, const Material &material) {
-        dibujaObjeto(estado.programa, buferes, M, camara, material);
+        dibujaIluminado(estado.programa, buferes, M, camara, material);
     };
     for (int i = 0; i < LADO * LADO; ++i) {
         const int columna = i % LADO, fila = i / LADO;

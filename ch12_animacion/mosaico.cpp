@@ -28,7 +28,7 @@ static void dibuja() {
     envia(estado.programa, "ruido", 0);
     for (int i = 0; i < 5; ++i)
         envia(estado.programa, ("paleta[" + std::to_string(i) + "]").c_str(), PALETA[i]);
-    dibuja(estado.piezas);
+    dibujaPiezas(estado.piezas);
     rotulaTiempo(estado.reloj, OSCURO, std::string(", ") + etapa(t));
     tituloAnimado(estado.reloj, "Mosaico de partículas: " + std::string(etapa(t)));
     glutSwapBuffers();

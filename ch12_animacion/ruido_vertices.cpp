@@ -46,7 +46,7 @@ static void dibujaModo(int cual, const Recuadro &r) {
     envia(estado.programa, "S2", estado.S2);
     envia(estado.programa, "centro", MODOS[cual].centro);
     envia(estado.programa, "ruido", 0);
-    dibuja(estado.toro);
+    dibujaMalla(estado.toro);
 
     glDisable(GL_DEPTH_TEST);
     for (const float radio : {RADIO - RADIO_TUBO, RADIO + RADIO_TUBO})

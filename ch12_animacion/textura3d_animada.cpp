@@ -48,7 +48,7 @@ static void dibuja() {
          {std::pair(estado.esfera, glm::mat4(1)), std::pair(estado.toro, giroX(1.3f))}) {
         envia(estado.programa, "M", M);
         envia(estado.programa, "N", matrizNormal(M));
-        dibuja(solido);
+        dibujaMalla(solido);
     }
     rotulaTiempo(estado.reloj, BLANCO);
     tituloAnimado(estado.reloj, "Textura 3D animada");

@@ -1,5 +1,5 @@
 #version 140
-#include "ch03_transformaciones/luz_fija.glsl"
+#include "common/luz_fija.glsl"
 
 uniform sampler3D Ruido;
 

@@ -24,7 +24,7 @@ static void dibuja() {
     envia(estado.programa, "tau", fase(tiempo(estado.reloj), PERIODO));
     envia(estado.programa, "amplitud", AMPLITUD);
     glBindTexture(GL_TEXTURE_2D, estado.textura);
-    dibuja(estado.plano);
+    dibujaMalla(estado.plano);
     rotulaTiempo(estado.reloj, OSCURO);
     tituloAnimado(estado.reloj, "Textura ondulada");
     glutSwapBuffers();

@@ -12,7 +12,7 @@ inline double ampliacionVertical(double aspecto) {
 }
 
 /// Alto de la escena en una ventana de ancho × alto: el suyo o, si es más estrecha que 4:3, el que tendría a 4:3.
-inline double altoUtil(int ancho, int alto) {
+inline double altoUtilDe(int ancho, int alto) {
     return std::min(double(alto), ancho / ASPECTO_COMPUESTO);
 }
 

@@ -47,7 +47,7 @@ void creaVerticesColor(const std::vector<VerticeColor> &vertices) {
     ponAtributo(ATRIBUTO_COLOR, 3, sizeof(VerticeColor), offsetof(VerticeColor, color));
 }
 
-void dibuja(const Buferes &buferes) {
+void dibujaMalla(const Buferes &buferes) {
     glBindVertexArray(buferes.vao);
     glDrawElements(GL_TRIANGLES, buferes.nIndices, GL_UNSIGNED_INT, nullptr);
 }

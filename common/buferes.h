@@ -24,4 +24,4 @@ struct VerticeColor {
 void creaVerticesColor(const std::vector<VerticeColor> &vertices);
 
 /// Dibuja la malla con el programa en uso: glBindVertexArray y glDrawElements.
-void dibuja(const Buferes &buferes);
+void dibujaMalla(const Buferes &buferes);

@@ -10,7 +10,8 @@ float relacionAspecto() {
 }
 
 float altoUtil() {
-    return float(altoUtil(std::max(glutGet(GLUT_WINDOW_WIDTH), 1), std::max(glutGet(GLUT_WINDOW_HEIGHT), 1)));
+    return float(
+        altoUtilDe(std::max(glutGet(GLUT_WINDOW_WIDTH), 1), std::max(glutGet(GLUT_WINDOW_HEIGHT), 1)));
 }
 
 glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos, float aspecto, double compuesto) {

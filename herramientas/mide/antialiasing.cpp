@@ -81,7 +81,7 @@ static void mideAntialiasing(Medidor &m) {
     const auto pinta = [&](const Framebuffer &framebuffer) {
         framebuffer.borra(0, 0, 0);
         glUseProgram(programa);
-        dibuja(buferes);
+        dibujaMalla(buferes);
     };
     const auto encoge = [&](const Grande &grande) {
         grande.resuelveEn(grande.resuelto);

@@ -83,7 +83,7 @@ static void mideBump(Medidor &m) {
         enviaEscena(programa, framebuffer);
         const auto dibuja = [&] {
             framebuffer.borra(0.95f, 0.96f, 0.98f);
-            dibujaObjeto(programa, b, M, camaraEscena(), CORAL);
+            dibujaIluminado(programa, b, M, camaraEscena(), CORAL);
         };
         dibuja();
         const Imagen imagen = framebuffer.lee();

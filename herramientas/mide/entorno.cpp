@@ -103,7 +103,7 @@ static void mideEntorno(Medidor &m) {
         variante(nombre, nota, false, [&] {
             glUseProgram(programa);
             envia(programa, "porVertice", porVertice);
-            ::dibuja(b);
+            dibujaMalla(b);
         });
         borraBuferes(b);
     };

@@ -55,7 +55,7 @@ static void mideEsferas(Medidor &m) {
         const Buferes b = creaBuferes(malla);
         m.variante(nombre, RADIO_PX / radio * mayor, 1, yEspera([&] {
                        framebuffer.borra(0.95f, 0.96f, 0.98f);
-                       dibujaObjeto(programa, b, M, camaraEscena(), CORAL);
+                       dibujaIluminado(programa, b, M, camaraEscena(), CORAL);
                    }),
                    espera, std::to_string(malla.indices.size() / 3) + " triángulos", framebuffer.lee());
         borraBuferes(b);
@@ -69,7 +69,7 @@ static void mideEsferas(Medidor &m) {
     {
         const Buferes b = creaBuferes(fina);
         framebuffer.borra(0.95f, 0.96f, 0.98f);
-        dibujaObjeto(programa, b, M, camaraEscena(), CORAL);
+        dibujaIluminado(programa, b, M, camaraEscena(), CORAL);
         m.referencia = framebuffer.lee();
         borraBuferes(b);
     }

@@ -56,7 +56,7 @@ static void mideEspejo(Medidor &m) {
             for (const glm::mat4 &mundo : {glm::mat4(1), simetria}) { // con su luz, también simétrica
                 glUseProgram(programa);
                 enviaLuz(programa, "luz", LUZ, camaraEscena() * mundo);
-                dibujaObjeto(programa, b, mundo * M, camaraEscena(), CORAL);
+                dibujaIluminado(programa, b, mundo * M, camaraEscena(), CORAL);
             }
         };
         dibuja();

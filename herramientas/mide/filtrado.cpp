@@ -73,7 +73,7 @@ static void mideFiltrado(Medidor &m) {
     envia(programa, "Img", 0);
     const auto dibuja = [&] {
         framebuffer.borra(CIELO.r, CIELO.g, CIELO.b);
-        ::dibuja(suelo);
+        dibujaMalla(suelo);
     };
     const auto variante = [&](const char *nombre, GLint ampliacion, GLint reduccion, float anisotropia,
                               const char *nota = "") {

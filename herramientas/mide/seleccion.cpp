@@ -89,7 +89,7 @@ public:
             const glm::vec4 &b = escenario.bolas[i];
             envia(programa, "M", traslacion(glm::vec3(b)) * escalado(b.w));
             envia(programa, "identificador", colorDe(unsigned(i + 1)));
-            ::dibuja(malla);
+            dibujaMalla(malla);
         }
     }
 };

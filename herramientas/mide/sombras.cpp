@@ -38,7 +38,7 @@ class Escena {
     void pinta(const Buferes &b, const glm::mat4 &M, const glm::vec3 &color) const {
         envia(programa, "M", M);
         envia(programa, "color", glm::vec4(color, 1));
-        ::dibuja(b);
+        dibujaMalla(b);
     }
 
 public:

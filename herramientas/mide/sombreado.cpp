@@ -48,7 +48,7 @@ static void mideSombreado(Medidor &m) {
             enviaEscena(modelo.programa, framebuffer);
             const auto dibuja = [&] {
                 framebuffer.borra(0.95f, 0.96f, 0.98f);
-                dibujaObjeto(modelo.programa, b, glm::mat4(1), camaraEscena(), CORAL);
+                dibujaIluminado(modelo.programa, b, glm::mat4(1), camaraEscena(), CORAL);
             };
             dibuja();
             const Imagen imagen = framebuffer.lee();

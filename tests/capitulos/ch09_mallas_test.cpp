@@ -32,11 +32,11 @@ TEST(MallaImagen, LaRegularNoDeformaYElPuntoMasCercano) {
         const float u = 4 * float(k % 10) / 9, v = 3 * float(k / 10) / 9;
         EXPECT_LT(glm::distance(evalua(m, u, v), glm::vec2(u / 4, v / 3)), 2e-7f);
     }
-    EXPECT_EQ(masCercano(m, {0.02f, 0.9f}, {80, 60}), 15u);
+    EXPECT_EQ(nudoMasCercano(m, {0.02f, 0.9f}, {80, 60}), 15u);
     // la distancia es en píxeles: en una imagen muy ancha, lo que separa es x
     m = {2, 2, {{0, 0}, {0.3f, 0.5f}, {0, 1}, {1, 1}}};
-    EXPECT_EQ(masCercano(m, {0, 0.4f}, {1, 1}), 1u);
-    EXPECT_EQ(masCercano(m, {0, 0.4f}, {1000, 10}), 0u);
+    EXPECT_EQ(nudoMasCercano(m, {0, 0.4f}, {1, 1}), 1u);
+    EXPECT_EQ(nudoMasCercano(m, {0, 0.4f}, {1000, 10}), 0u);
 }
 
 // --- warping ---
