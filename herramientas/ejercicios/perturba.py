@@ -4,9 +4,20 @@ import re
 from dataclasses import dataclass
 
 PALABRA = re.compile(
-    r'"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|[\d.]*\d[\w.]*|[A-Za-z_][\w:]*\w|\w|[-+*/%<>=!&|]=|&&|\|\||->|\S'
+    r'R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|[\d.]*\d[\w.]*|[A-Za-z_][\w:]*\w|\w|[-+*/%<>=!&|]=|&&|\|\||->|\S', re.S
 )
-DECLARA = re.compile(r"(?:const(?:expr)?\s+)?(?!return\b)[A-Za-z_][\w:]*(?:<[\w: ,]+>)?[\s&*]+(?=\w+\s*[=({])")
+# lo que no es código: los textos se quedan, y lo demás, comentarios y directivas, se borra
+TEXTOS = r'R"(?P<marca>\w*)\(.*?\)(?P=marca)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\''
+FUERA = re.compile(rf"(?P<queda>{TEXTOS})|//[^\n]*|/\*.*?(?:\*/|\Z)|^[ \t]*#(?:\\\n|[^\n])*", re.S | re.M)
+DECLARA = re.compile(
+    r"(?:(?:const|static|unsigned|signed|volatile|extern|inline|mutable|thread_local)\s+)*"
+    r"(?!(?:return|delete|throw|new|goto)\b)[A-Za-z_][\w:]*(?:<[\w:\s,<>*&()]*>)?(?:\s+const\b)?[\s&*]+"
+    r"(?:\[[\w\s,]+\]|\w+)\s*(?=[=({;,\[:]|$)"
+)
+NI_TOCARLO = "constexpr", "using", "typedef", "template", "static_assert", "enum", "friend", "goto", "asm", "operator"
+BLOQUES = "struct", "class", "union", "namespace", "extern"
+CON_CONDICION = "for", "while", "if", "switch"
+TIPOS = "int", "float", "double", "bool", "char", "void", "unsigned", "const"
 OTRO = {"+": "-", "-": "+", "*": "/", "/": "*", "<": "<=", ">": ">=", "<=": "<", ">=": ">", "==": "!=", "!=": "=="}
 OTRO |= {"&&": "||", "||": "&&", "+=": "-=", "-=": "+=", "*=": "/=", "%": "+", "!": ""}
 CIERRA = {"(": ")", "[": "]", "{": "}"}
@@ -33,8 +44,8 @@ class Perturbacion:
 
 
 def sin_comentarios(texto):
-    """Con lo mismo en el mismo sitio."""
-    return re.sub(r"//[^\n]*", lambda m: " " * len(m[0]), texto)
+    """Ni directivas, con lo mismo en el mismo sitio."""
+    return FUERA.sub(lambda m: m["queda"] or re.sub(r"[^\n]", " ", m[0]), texto)
 
 
 class Trozo:
@@ -63,13 +74,13 @@ class Trozo:
 
     def primario(self, i):
         """Hasta qué palabra llega el que empieza en i: f(x)[k].y."""
-        if self[i] in ("-", "!"):
-            return self.primario(i + 1)
+        while self[i] in ("-", "!"):
+            i += 1
         if self[i] in CIERRA:
             i = self.pareja.get(i, i)
         while self[i + 1] in (".", "->", "(", "[") or (self.es_nombre(i) and self[i + 1] == "{"):
             i = self.pareja.get(i + 1, i + 1) if self[i + 1] in CIERRA else i + 2
-        return i
+        return min(i, len(self.palabras) - 1)
 
     def primario_antes(self, i):
         """Desde qué palabra viene el que acaba en i."""
@@ -77,12 +88,12 @@ class Trozo:
             if self[i] in CIERRA.values():
                 i = self.pareja.get(i, i)
                 if not self.es_nombre(i - 1) and self[i - 1] not in (")", "]"):
-                    return i
+                    return max(i, 0)
                 i -= 1
             elif self[i - 1] in (".", "->"):
                 i -= 2
             else:
-                return i
+                return max(i, 0)
 
     def termino(self, i):
         i = self.primario(i)
@@ -97,7 +108,7 @@ class Trozo:
         return i
 
     def es_binario(self, i):
-        return i > 0 and (self.es_nombre(i - 1) or self[i - 1] in (")", "]", "}")) and self[i - 1] != "return"
+        return 0 < i < len(self.palabras) - 1 and (self.es_nombre(i - 1) or self[i - 1] in (")", "]", "}")) and self[i - 1] != "return"
 
     def con(self, *cambios):
         """El texto con lo de esas palabras, [de, a], cambiado."""
@@ -140,7 +151,8 @@ class Trozo:
                 fin = otra + 1
                 while fin < len(self.palabras) and self[fin] not in (",", ")", "}", ";"):
                     fin = self.pareja.get(fin, fin) + 1 if self[fin] in CIERRA else fin + 1
-                yield "las dos ramas", self.cambiados((i + 1, otra - 1), (otra + 1, fin - 1))
+                if i + 1 < otra < fin - 1:
+                    yield "las dos ramas", self.cambiados((i + 1, otra - 1), (otra + 1, fin - 1))
             if (
                 p in "([{"
                 and i in self.pareja
@@ -157,52 +169,95 @@ class Trozo:
                         yield "factor", self.con((i, fin, factor.format(self.de(i, fin))))
 
 
-def trozos(texto, desde, hasta):
-    """(desde, hasta, si es una instrucción) de cada expresión que se puede perturbar por su cuenta."""
-    t = Trozo(sin_comentarios(texto[:hasta])[desde:])
-    n = len(t.palabras)
+class Hueco:
+    """Las instrucciones de un hueco, que puede acabar y empezar en cualquier sitio."""
 
-    def sitio(i, j):
-        return desde + t.palabras[i][1], desde + t.palabras[j][2]
+    def __init__(self, texto, desde, hasta):
+        self.texto, self.desde = sin_comentarios(texto[:hasta]), desde
+        self.t = Trozo(self.texto[desde:])
+        self.n = len(self.t.palabras)
 
-    def expresion(i, j):
+    def sitio(self, i, j):
+        return self.desde + self.t.palabras[i][1], self.desde + self.t.palabras[min(j, self.n - 1)][2]
+
+    def cierra(self, i):
+        """La pareja de esa palabra o, si se queda fuera del hueco, la última."""
+        return self.t.pareja.get(i, self.n - 1)
+
+    def expresion(self, i, j):
+        t = self.t
         if t[i] == "{" and t.pareja.get(i) == j:
             for parte in t.partes(i, j):
-                yield from expresion(*parte)
-        elif i <= j and t[i][0] not in "\"'":
-            yield *sitio(i, j), False
+                yield from self.expresion(*parte)
+        elif i <= j and t[i][0] not in "\"'." and t[i][:2] != 'R"' and not self.es_declaracion(i, j):
+            yield *self.sitio(i, j), False
 
-    i = 0
-    while i < n:
-        if t[i] in ("for", "while", "if") and t[i + 1] == "(":
-            partes = t.partes(i + 1, t.pareja[i + 1], ";")
-            for parte in partes[1:] if t[i] == "for" else partes:
-                yield *sitio(*parte), False
-            i = t.pareja[i + 1] + 1
-            continue
-        if t[i] in ("else", "}", ",", ";"):
-            i += 1
-            continue
-        if t[i] == "{":
-            if t[t.pareja[i] + 1] == ",":  # la fila de una tabla
-                yield from expresion(i, t.pareja[i])
-                i = t.pareja[i] + 1
-            else:
-                i += 1
-            continue
-        fin = i
-        while fin < n and t[fin] != ";":
-            fin = t.pareja.get(fin, fin) + 1 if t[fin] in CIERRA else fin + 1
-        if t[i] == "return":
-            yield from expresion(i + 1, fin - 1)
-        elif DECLARA.match(texto, t.palabras[i][1] + desde):
-            for de, a in t.partes(i - 1, fin):
-                igual = next((k for k in range(de, a + 1) if t[k] in ("=", "(", "{")), a)
-                con = (igual + 1, a) if t[igual] == "=" else (igual + 1, a - 1)
-                yield from expresion(*con)
+    def es_declaracion(self, i, j):
+        desde, hasta = self.sitio(i, j)
+        return self.t[i] in TIPOS or bool(DECLARA.match(self.texto[:hasta], desde))
+
+    def instruccion(self, i):
+        """Hasta dónde llega la que empieza ahí: su «;» o, si abre un bloque (una función, una estructura), la llave."""
+        t, fin = self.t, i
+        while fin < self.n and t[fin] != ";":
+            if t[fin] == "{" and (t[i] in BLOQUES or self.es_cuerpo(i, fin)):
+                return fin
+            fin = self.cierra(fin) + 1 if t[fin] in CIERRA else fin + 1
+        return fin
+
+    def es_cuerpo(self, i, llave):
+        """De una función, y no lo que vale algo ni una lambda."""
+        t, antes = self.t, llave - 1
+        while antes > i and t[antes] in ("const", "noexcept", "override", "mutable"):
+            antes -= 1
+        return t[antes] == ")" and t[t.pareja.get(antes, 0) - 1] not in ("]", "=", "(") and self.es_declaracion(i, llave)
+
+    def declaradas(self, i, fin):
+        """Lo que valen las que se declaran en esa instrucción."""
+        t = self.t
+        for de, a in t.partes(i - 1, fin):
+            igual = next((k for k in range(de, a + 1) if t[k] in ("=", "(", "{", "[")), a)
+            if t[igual] == "=":
+                yield from self.expresion(igual + 1, a)
+            elif t[igual] in ("(", "{") and t.pareja.get(igual) == a:
+                for parte in t.partes(igual, a):
+                    yield from self.expresion(*parte)
+
+    def trozos(self):
+        """(desde, hasta, si es una instrucción) de cada expresión que se puede perturbar por su cuenta."""
+        t, i = self.t, 0
+        while i < self.n:
+            sigue = i + 1
+            if t[i] in CON_CONDICION and t[i + 1] == "(":
+                sigue = self.cierra(i + 1) + 1
+                partes = t.partes(i + 1, sigue - 1, ";")
+                for parte in partes[1:] if t[i] == "for" else partes[-1:]:
+                    yield from self.expresion(*parte)
+            elif t[i] == "catch":
+                sigue = self.cierra(i + 1) + 1
+            elif t[i] in ("case", "default", "public", "private", "protected") or t[i + 1] == ":" and t.es_nombre(i):
+                sigue = next((k for k in range(i, self.n) if t[k] == ":"), i) + 1
+            elif t[i] == "{" and t[self.cierra(i) + 1] == ",":  # la fila de una tabla
+                yield from self.expresion(i, self.cierra(i))
+                sigue = self.cierra(i) + 1
+            elif t[i] not in ("else", "do", "try", *"{}(),;:[]", "constexpr") or t[i] == "constexpr" and t[i - 1] != "if":
+                fin = self.instruccion(i)
+                yield from self.de_instruccion(i, fin)
+                sigue = fin + 1
+            i = sigue
+
+    def de_instruccion(self, i, fin):
+        t = self.t
+        if t[fin] == "{" or any(t[k] in NI_TOCARLO for k in range(i, min(i + 3, fin))):
+            return
+        if t[i] in ("return", "throw"):
+            yield from self.expresion(i + 1, fin - 1)
+        elif t[i] in BLOQUES or self.es_declaracion(i, fin):
+            yield from self.declaradas(i, fin)
+        elif fin < self.n:
+            yield *self.sitio(i, fin), True
         else:
-            yield *sitio(i, fin), True
-        i = fin + 1
+            yield from self.expresion(i, fin - 1)
 
 
 def perturbaciones(texto, desde, hasta, glsl):
@@ -213,7 +268,7 @@ def perturbaciones(texto, desde, hasta, glsl):
         linea = texto.count("\n", 0, cambios[0][0]) + 1
         hechas.append(Perturbacion(que, cambios, linea, re.sub(r"\s+", " ", cambios[-1][2])))
 
-    for de, a, instruccion in trozos(texto, desde, hasta):
+    for de, a, instruccion in Hueco(texto, desde, hasta).trozos():
         original = re.sub(r"\s+", " ", sin_comentarios(texto[de:a]))
         for que, otro in dict.fromkeys(Trozo(original).perturba(EN_GLSL if glsl else EN_CPP)):
             if otro != original:

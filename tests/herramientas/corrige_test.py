@@ -1060,6 +1060,25 @@ def test_una_clase_se_para_y_se_sigue(clase):
     assert [nombre for nombre, fecha in cuando(destino).items() if fecha != veces[nombre]] == ["a_bien"]
 
 
+@pytest.mark.skipif(not GRUA.exists(), reason="no está compilado")
+def test_sin_jaula_lo_de_los_demas_no_quita_nada(clase):
+    """Quien corrige no es root, y tiene otros procesos: los límites de lo entregado no son suyos."""
+    otro = ["setpriv", "--reuid=61001", "--regid=61001", "--clear-groups"] if os.geteuid() == 0 else []
+    with tempfile.TemporaryDirectory() as sitio:
+        shutil.copytree(clase / "a_bien", f"{sitio}/mi_grua")
+        for carpeta in (sitio, f"{sitio}/mi_grua"):
+            os.chmod(carpeta, 0o777)
+        vecinos = [subprocess.Popen([*otro, "sleep", "600"]) for _ in range(60)]
+        try:
+            pide = [*otro, *orden(f"{sitio}/mi_grua", REF, "--guiones", "1", "--sin-jaula")]
+            hecho = subprocess.run(pide, env={**os.environ, "TMPDIR": sitio}, text=True, capture_output=True)
+        finally:
+            for vecino in vecinos:
+                vecino.kill()
+                vecino.wait()
+    assert f"{REF}: 100 de 100" in hecho.stdout, hecho.stdout + hecho.stderr
+
+
 @con_jaula
 def test_una_entrega_da_lo_mismo_sin_jaula(clase, tmp_path):
     pide = orden(clase / "d_orden", REF, "--guiones", "0", "--json")

@@ -69,35 +69,40 @@ class Subida:
 
 
 class Extractor:
-    """Pone en una carpeta lo que se lee de una entrega, hasta un límite entre todos sus .zip."""
+    """Pone en una carpeta lo que se lee de una entrega, hasta un límite entre todos sus .zip; de lo que no se puede, por
+    qué."""
 
     def __init__(self, carpeta):
-        self.carpeta, self.cuantos, self.bytes, self.comprimidos = carpeta, 0, 0, []
+        self.carpeta, self.cuantos, self.bytes, self.comprimidos, self.mal = carpeta, 0, 0, [], {}
 
     def pon(self, ruta, abre):
         """Un fichero; de lo que no se lee, solo su nombre. RUTA, en partes."""
+        if not ruta or any(map(basura, ruta)) or len(ruta) > HONDO + 1:
+            return
+        try:
+            self.escribe(self.carpeta.joinpath(*ruta), abre)
+        except (OSError, ValueError):
+            self.mal["/".join(ruta)] = f"«{limpio('/'.join(ruta))}» no se puede poner en una carpeta"
+        except Rechazo as por:
+            self.mal["/".join(ruta)] = str(por)
+
+    def escribe(self, sitio, abre):
+        es_zip = tipo(sitio.name) == ".zip"
+        se_lee = es_zip or tipo(sitio.name) in FUENTES or sitio.name == nuevo.EJERCICIO
         self.cuantos += 1
         if self.cuantos > HAY:
             raise Rechazo(f"hay más de {HAY} ficheros")
-        if not ruta or any(map(basura, ruta)) or len(ruta) > HONDO + 1:
-            return
-        sitio = self.carpeta.joinpath(*ruta)
-        es_zip = tipo(sitio.name) == ".zip"
-        datos = b""
-        if es_zip or tipo(sitio.name) in FUENTES or sitio.name == nuevo.EJERCICIO:
-            limite = COMPRIMIDO if es_zip else BYTES
-            with abre() as f:
+        datos, limite = b"", COMPRIMIDO if es_zip else BYTES
+        if se_lee:
+            with cuidado(sitio.name), abre() as f:
                 datos = f.read(limite + 1)
             self.bytes += len(datos)
             if len(datos) > limite:
                 raise Rechazo(f"«{limpio(sitio.name)}» pasa de {limite >> 20} MiB")
             if self.bytes > COMPRIMIDO:
                 raise Rechazo(f"entre todos los ficheros pasan de {COMPRIMIDO >> 20} MiB")
-        try:
-            sitio.parent.mkdir(parents=True, exist_ok=True)
-            sitio.write_bytes(datos)
-        except (OSError, ValueError):
-            raise Rechazo(f"«{limpio('/'.join(ruta))}» no se puede poner en una carpeta") from None
+        sitio.parent.mkdir(parents=True, exist_ok=True)
+        sitio.write_bytes(datos)
         if es_zip:
             self.comprimidos.append(sitio)
 
@@ -107,32 +112,38 @@ class Extractor:
             return
         por_abrir, self.comprimidos = self.comprimidos, []
         for fichero in por_abrir:
-            with cuidado(fichero.name):
-                datos = fichero.read_bytes()
-                if datos.count(ENTRADA) > HAY:
-                    raise Rechazo(f"en «{limpio(fichero.name)}» hay más de {HAY} ficheros")
-                debajo = (
-                    *fichero.relative_to(self.carpeta).parts[:-1],
-                    "zip" if basura(fichero.stem) else fichero.stem,
-                )
-                with zipfile.ZipFile(fichero) as z:
-                    for miembro in z.infolist():
-                        self.saca(z, miembro, (*debajo, *partes(nombre_de(miembro))))
+            try:
+                with cuidado(fichero.name):
+                    self.abre_zip(fichero)
+            except Rechazo as por:
+                self.mal[fichero.name] = str(por)
             fichero.unlink()
         if self.comprimidos and dentro < DENTRO:
             self.abre_zips(dentro + 1)
+
+    def abre_zip(self, fichero):
+        if fichero.read_bytes().count(ENTRADA) > CLASE // 4:
+            raise Rechazo(f"en «{limpio(fichero.name)}» hay más de {CLASE // 4} ficheros")
+        debajo = *fichero.relative_to(self.carpeta).parts[:-1], "zip" if basura(fichero.stem) else fichero.stem
+        with zipfile.ZipFile(fichero) as z:
+            for miembro in z.infolist():
+                try:
+                    self.saca(z, miembro, (*debajo, *partes(nombre_de(miembro))))
+                except Rechazo as por:
+                    self.mal[nombre_de(miembro)] = str(por)
 
     def saca(self, z, miembro, ruta):
         """Un miembro de un .zip."""
         if miembro.is_dir() or not ruta or any(map(basura, ruta)):
             return
+        nombre = limpio(ruta[-1])
         if stat.S_IFMT(miembro.external_attr >> 16) not in (0, stat.S_IFREG):
-            if tipo(ruta[-1]) in FUENTES:
-                raise Rechazo(f"«{limpio(ruta[-1])}», en el .zip, no es un fichero corriente")
-            return
-        if miembro.flag_bits & 1:
-            raise Rechazo(f"«{limpio(ruta[-1])}» está en un .zip con contraseña")
-        self.pon(ruta, lambda: z.open(miembro))
+            if tipo(nombre) in FUENTES:
+                self.mal["/".join(ruta)] = f"«{nombre}», en el .zip, no es un fichero corriente"
+        elif miembro.flag_bits & 1:
+            self.mal["/".join(ruta)] = f"«{nombre}» está en un .zip con contraseña"
+        else:
+            self.pon(ruta, lambda: z.open(miembro))
 
 
 @contextmanager
@@ -186,11 +197,12 @@ def suelto(fichero):
 
 @contextmanager
 def abierta(que, temporal):
-    """La carpeta en que está lo de uno: la suya o, si viene en un .zip, otra mientras se lee."""
+    """La carpeta en que está lo de uno, la suya o, si viene en un .zip, otra mientras se lee; y lo que de él no se puede
+    leer, con su porqué."""
     if not isinstance(que, Subida):
         hay = zips(que)
         if not hay:
-            yield que
+            yield que, {}
             return
         que = Subida(que.name, [(f.relative_to(que).parts, suelto(f)) for f in hay])
     if que.mal:
@@ -203,7 +215,7 @@ def abierta(que, temporal):
             with cuidado(ruta[-1] if ruta else que.name):
                 pon(extractor, ruta)
         extractor.abre_zips()
-        yield carpeta
+        yield carpeta, extractor.mal
 
 
 # --- qué hay en lo que se da ---

@@ -1,6 +1,7 @@
 """Todo lo que hace falta para corregir un ejercicio: quién compila, quién juega y por qué fallan, y los guiones de
 todos."""
 import functools
+import os
 from pathlib import Path
 
 from base import procesos
@@ -19,6 +20,7 @@ class Banco:
     def __init__(self, raiz, build, ref, programa, temporal, jaula, semilla, reglas):
         self.reglas = reglas
         self.ref, self.programa, self.semilla, self.temporal = ref, programa, semilla, temporal
+        self.raiz, self.privados = raiz, {*map(str, nuevo.privados(raiz, programa, ref)), str(programa.fuente)}
         entorno = procesos.entorno()
         del entorno["MESA_SHADER_CACHE_DISABLE"]
         entorno |= {"LP_NUM_THREADS": "0", "LANG": "C.UTF-8", "PATH": "/usr/bin:/bin"}
@@ -42,6 +44,17 @@ class Banco:
     @functools.cached_property
     def donde(self):
         return Donde(self)
+
+    def de_otro(self, ruta):
+        """Si lo que hay en esa ruta de una entrega, o en el final de ella, ya lo da el laboratorio o el sistema: una copia de
+        common/ o de glm/."""
+        partes = ruta.split("/")
+        finales = ["/".join(partes[i:]) for i in range(len(partes) - 1)]
+        return any(
+            os.path.isfile(f"/usr/include/{f}")
+            or not (f in self.privados or f.startswith(("mios/", "ejercicios/"))) and os.path.isfile(self.raiz / f)
+            for f in finales
+        )
 
     def suma_todo(self, raiz, build):
         """Lo que cambia una corrección, además de lo entregado y de los guiones: quien corrige, lo que se da, lo que se

@@ -40,24 +40,24 @@ def corrige(banco, carpeta, resultado=None, leidas=None):
     datos["reglas"] = banco.reglas.en_palabras
     que = [banco.version, banco.semilla, banco.reglas.en_palabras, *(g.texto for g in banco.todos)]
     try:
-        with aula.abierta(carpeta, banco.temporal) as sitio:
-            entrega, rechazo = lee_entrega(sitio), ""
-        entrega.completa(*banco.de_partida)
-        if entrega.ejercicio not in ("", banco.ref):
-            entrega.avisos.insert(0, f"su carpeta es de otro ejercicio, el {entrega.ejercicio}")
+        with aula.abierta(carpeta, banco.temporal) as (sitio, mal):
+            entrega, rechazo = lee_entrega(sitio, banco.ref, mal, banco.de_otro), ""
         que.append(repr(sorted(vars(entrega).items())))
+        entrega.completa(*banco.de_partida)
     except Rechazo as por:
         entrega, rechazo = None, str(por)
         que.append(rechazo)
     if entrega and leidas is not None:
-        leidas[carpeta] = parecidos.codigo(entrega.ficheros)
+        leidas[carpeta] = parecidos.codigo(entrega.suyos)
     datos["huella"] = suma(*que)
     if resultado and (anterior := lee_resultado(resultado)) and anterior.get("huella") == datos["huella"]:
         return anterior
     datos |= {"bien": 0, "guiones": len(banco.todos), "casos": {}}
     datos |= {"nota": 0, "dice": [rechazo], "fallos": []} if rechazo else Correccion(banco, entrega).hazla()
     if entrega and datos["nota"] < 100:
-        datos["dice"] = entrega.avisos + datos["dice"]
+        de_otro = entrega.ejercicio not in ("", banco.ref)
+        antes = [f"su carpeta es de otro ejercicio, el {entrega.ejercicio}"] if de_otro else []
+        datos["dice"] = antes + datos["dice"] + entrega.avisos
     datos = limpia(datos, str(banco.temporal))
     if resultado:
         escribe(resultado, json.dumps(datos, ensure_ascii=False, indent=1))

@@ -2,12 +2,12 @@
 import functools
 import re
 import shutil
-from pathlib import Path, PurePath
+from pathlib import Path
 
 from base import compilacion
 from base.fuentes import SHADERS
 from ejercicios import nuevo
-from ejercicios.corrige.entrega import COMPILADOS, Rechazo, tipo
+from ejercicios.corrige.entrega import Alcance, Rechazo
 from ejercicios.corrige.jaula import NO_ACABA, desempaqueta
 from ejercicios.corrige.partidas import Jugador
 
@@ -21,9 +21,6 @@ SIN = {
     "-c": 2,
     "-Werror": 1,
 }  # de la orden de compilar, cuántas palabras no valen aquí
-
-
-INCLUYE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]+"([^"\n]+)"', re.M)
 
 
 def arbol_visible(raiz, programa, ref):
@@ -89,19 +86,15 @@ class Compilador:
             rutas.append(Path(self.opciones[self.opciones.index("-include") + 1]).parent)
         return list(dict.fromkeys(map(str, rutas)))
 
-    def compila(self, ficheros, carpeta, ajena=True, llamadas=()):
-        """El programa de esos ficheros, compilado en esa carpeta. Si no compila con todos, con el que se llama como su
-        carpeta, que es el que abre ./lab ver, o como el programa; y si tampoco, Rechazo con el primer error."""
+    def compila(self, ficheros, carpeta, ajena=True, intentos=()):
+        """El programa de esos ficheros, compilado en esa carpeta: los fuentes del primer intento que compile, o todos los
+        que no incluya otro. Si con ninguno, Rechazo con el error del primero."""
         carpeta.mkdir(exist_ok=True)
         arbol = carpeta / "fuentes"
         suya = self.en_arbol(ficheros, arbol)
         sitios = list(dict.fromkeys([suya, *((suya / nombre).parent for nombre in ficheros)]))
-        todos = se_compilan(ficheros)
-        principal = [
-            f for n in (*llamadas, self.programa.nombre) for f in todos if PurePath(f).stem.lower() == n.lower()
-        ][:1]
         errores = []
-        for fuentes in (todos, *([principal] if principal and len(todos) > 1 else [])):
+        for fuentes in intentos or [Alcance(ficheros).se_compilan]:
             orden = self.orden(arbol, sitios, [suya / f for f in fuentes])
             hecho = desempaqueta(
                 self.recinto.ajeno(orden, COMPILA, [carpeta, *self.ve])
@@ -112,17 +105,19 @@ class Compilador:
                 ejecutable = carpeta / self.programa.nombre
                 ejecutable.write_bytes(hecho["programa"])
                 ejecutable.chmod(0o755)
-                return Jugador("la entrega", ejecutable, [*sitios, arbol], ajeno=ajena)
+                return Jugador("la entrega", ejecutable, [*sitios, arbol], ajeno=ajena, fuentes=fuentes)
             todo = hecho.get("errores", b"").decode(errors="replace")
             errores.append(Rechazo(primer_error(hecho, suya, ficheros), todo))
+            if no_acaba(hecho):
+                break
         raise errores[0]
 
-    def avisos(self, ficheros, carpeta):
+    def avisos(self, ficheros, fuentes, carpeta):
         """De lo que avisa el compilador en los ficheros de una entrega ya compilada en esa carpeta."""
         arbol = carpeta / "fuentes"
         suya = arbol / SUYA
         sitios = list(dict.fromkeys([suya, *((suya / nombre).parent for nombre in ficheros)]))
-        orden = self.orden(arbol, sitios, [suya / f for f in se_compilan(ficheros)])
+        orden = self.orden(arbol, sitios, [suya / f for f in fuentes])
         orden = ["-fsyntax-only" if p == "-w" else p for p in orden] + ["-Wall", "-Wextra"]
         errores = desempaqueta(self.recinto.ajeno(orden, COMPILA, [carpeta, *self.ve])).get("errores", b"")
         # lo que sobra, al final
@@ -147,22 +142,18 @@ class Compilador:
         return [*orden, "-o", "programa", *self.bibliotecas]
 
 
-def se_compilan(ficheros):
-    """De los de una entrega, los que no incluye otro."""
-    incluidos = set()
-    for contenido in ficheros.values():
-        contenido = contenido if isinstance(contenido, bytes) else contenido.encode()
-        incluidos |= {PurePath(f.decode(errors="replace")).name for f in INCLUYE.findall(contenido)}
-    return [f for f in ficheros if tipo(f) in COMPILADOS and PurePath(f).name not in incluidos]
-
-
 SITIO = re.compile(r"^(In file included from | +from )?([^:\n]+):(\d+)[:,](?:\d+[:,])?(.*)$", re.M)
+REPETIDO = re.compile(r"^(?:\S*ld: )?(?:\S+\.o:)?([^:\n]+):\(.*multiple definition of [`'](.*?)'; (?:\S+\.o:)?([^:\n]+):\(", re.M)
 ERROR = re.compile(r"^ (?:fatal )?error: (.*)$")
+
+
+def no_acaba(hecho):
+    return int(hecho.get("estado", b"").strip() or -1) in NO_ACABA
 
 
 def primer_error(hecho, suya, ficheros):
     """Lo primero de lo que se queja el compilador, y dónde de lo suyo, sin la ruta de la carpeta en que compila."""
-    if int(hecho.get("estado", b"").strip() or -1) in NO_ACABA:
+    if no_acaba(hecho):
         return f"no compila: el compilador no acaba en {COMPILA['procesador']} s"
     errores = hecho.get("errores", b"")[: 1 << 20].decode(errors="replace")
     for carpeta in (suya, suya.parent.parent, suya.parent.parent.parent):
@@ -175,7 +166,7 @@ def primer_error(hecho, suya, ficheros):
             lugar = f"{fichero}:{linea}: "
         if error := ERROR.match(dice):  # el de una plantilla está en su cabecera, y antes se dice quién la usa
             return f"no compila: {lugar or f'{fichero}:{linea}: '}{error[1]}"
-    if repetido := re.search(r"(\S+?):\(.*multiple definition of [`'](.*?)'.*[;:](\S+?):\(", errores):
+    if repetido := REPETIDO.search(errores):
         return f"no compila: «{repetido[2]}» está en dos ficheros: {repetido[3]} y {repetido[1]}"
     if falta := re.search(r"undefined reference to [`'](.*)'", errores):
         return f"no compila: falta «{falta[1]}»"

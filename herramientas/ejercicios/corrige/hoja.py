@@ -5,7 +5,7 @@ import codecs
 import html
 import re
 import unicodedata
-from collections import defaultdict
+from collections import Counter, defaultdict
 from dataclasses import dataclass
 
 from base.procesos import Fallo, escribe
@@ -21,11 +21,12 @@ COLUMNAS = {
     "máxima": "Maximum grade|Calificación máxima|Qualificació màxima|Cualificación máxima",
     "escala": "Scale|Escala",
     "comentario": "Feedback comments|Comentarios de retroalimentación|Comentarios de realimentación|"
-    "Comentarios de retroacción|Comentaris de retroacció|Comentarios",
+    "Comentarios de retroacción|Comentaris de retroacció|Comentaris de retroalimentació|Comentarios|Comentaris",
     "grupo": "Group|Grupo|Grup",
 }
-COLUMNAS = {que: [n.lower() for n in nombres.split("|")] for que, nombres in COLUMNAS.items()}
+SEP = re.compile("sep=.\r?\n?")  # para Excel
 SEPARADORES = ",;\t"
+YA_HABIA = "notas que ya había, y eran otras"
 
 
 @dataclass
@@ -37,6 +38,11 @@ class Celda:
     @property
     def valor(self):
         return self.crudo[1:-1].replace('""', '"') if self.crudo[:1] == '"' else self.crudo
+
+
+def llano(nombre):
+    """Como se comparan las columnas, que cada Moodle escribe a su manera: sin acentos, puntuación ni mayúsculas."""
+    return "".join(c for c in unicodedata.normalize("NFKD", nombre).casefold() if c.isalnum())
 
 
 def descifra(datos):
@@ -92,19 +98,23 @@ class Hoja:
             self.texto, self.como, self.marca = descifra(fichero.read_bytes())
         except (OSError, UnicodeDecodeError):
             raise Fallo(f"no puedo leer «{fichero}»") from None
+        if sep := SEP.match(self.texto):
+            self.marca, self.texto = self.marca + sep[0].encode(self.como), self.texto[sep.end() :]
         cabecera = self.texto.partition("\n")[0]
         self.separador = max(SEPARADORES, key=cabecera.count)
         self.columnas, *self.filas = filas(self.texto, self.separador) or [[]]
-        nombres = [unicodedata.normalize("NFC", c.valor).strip().lower() for c in self.columnas]
-        self.donde = {q: nombres.index(n) for q, hay in COLUMNAS.items() for n in hay[::-1] if n in nombres}
+        nombres = [llano(c.valor) for c in self.columnas]
+        conocidos = {que: [llano(n) for n in hay.split("|")] for que, hay in COLUMNAS.items()}
+        self.donde = {q: nombres.index(n) for q, hay in conocidos.items() for n in hay[::-1] if n in nombres}
         if "id" not in self.donde or "nota" not in self.donde:
             raise Fallo(
                 f"«{fichero.name}» no es una hoja de calificaciones de Moodle que conozca: le falta la columna "
-                f"«Identificador» o la «Calificación». Tiene {limpio(', '.join(nombres))}"
+                f"«Identificador» o la «Calificación». Tiene {limpio(', '.join(c.valor for c in self.columnas))}"
             )
         if "escala" in self.donde and "máxima" not in self.donde:
             raise Fallo(f"«{fichero.name}» es de una tarea que se califica con una escala de palabras, no con puntos")
-        self.cambios, self.avisos = [], []
+        self.cambios, self.avisos = {}, []
+        self.puestos = Counter()
         self.de_cada_uno, self.de_grupo = defaultdict(list), defaultdict(list)
         vistos = [numero(self.valor(fila, que)) for fila in self.filas for que in ("máxima", "nota")]
         self.con_coma = any(n and n[1] for n in vistos)
@@ -131,11 +141,14 @@ class Hoja:
         return int(m[1]) if m else None
 
     def de(self, nombre):
-        """Sus filas: la de su número o, si la tarea es de grupos, que lo llevan de otra cosa, las de su grupo."""
+        """Sus filas: la de su número o, si la tarea es de grupos, que lo llevan de otra cosa, las de su grupo. Puede haber
+        una columna de grupos y no ser de ellos la tarea: vale su número si la fila tiene su nombre."""
         m = de_moodle(nombre)
+        suyas = self.de_cada_uno.get(int(m["numero"]), []) if m and m["numero"] else []
         if m and self.de_grupos:
-            return self.de_grupo.get(entero(m["quien"]), [])
-        return self.de_cada_uno.get(int(m["numero"]), []) if m and m["numero"] else []
+            quien = entero(m["quien"])
+            return self.de_grupo.get(quien) or [f for f in suyas if entero(self.valor(f, "nombre")) == quien]
+        return suyas
 
     def pon(self, nombre, correccion):
         """Su nota, en los puntos de la tarea, y lo que se le dice."""
@@ -144,7 +157,10 @@ class Hoja:
             self.avisos.append(f"«{correccion['entrega']}» no está en {self.fichero.name}")
         for fila in suyas:
             maxima = (numero(self.valor(fila, "máxima")) or (100, False))[0]
-            self.cambia(fila, "nota", en_puntos(correccion["nota"], maxima, self.con_coma))
+            nota = en_puntos(correccion["nota"], maxima, self.con_coma)
+            antes = numero(self.valor(fila, "nota"))
+            self.puestos[YA_HABIA] += bool(antes and antes != numero(nota))
+            self.cambia(fila, "nota", nota)
             if "comentario" in self.donde:
                 self.cambia(fila, "comentario", comentario(correccion))
 
@@ -153,12 +169,24 @@ class Hoja:
             celda = fila[self.donde[que]]
             if celda.crudo[:1] == '"' or re.search(rf'["\r\n{self.separador}]', valor):
                 valor = '"' + valor.replace('"', '""') + '"'
-            self.cambios.append((celda, valor))
+            self.puestos[que] += celda.desde not in self.cambios
+            self.cambios[celda.desde] = celda, valor
+
+    @property
+    def cuenta(self):
+        """Cuánto se ha puesto, y lo que no."""
+        dice = [f"{self.puestos['nota']} notas y {self.puestos['comentario']} comentarios puestos"]
+        if "comentario" not in self.donde:
+            nombres = ", ".join(c.valor for c in self.columnas)
+            dice.append(f"no hay columna de comentarios que conozca: {limpio(nombres)}")
+        dice += [f"{self.puestos[YA_HABIA]} {YA_HABIA}"] if self.puestos[YA_HABIA] else []
+        dice += [f"no están en la hoja {len(self.avisos)}"] if self.avisos else []
+        return "; ".join(dice)
 
     def escribe(self):
         """Al lado, y nunca encima. Devuelve dónde."""
         texto = self.texto
-        for celda, valor in sorted(self.cambios, key=lambda c: -c[0].desde):
+        for _, (celda, valor) in sorted(self.cambios.items(), reverse=True):
             texto = texto[: celda.desde] + valor + texto[celda.hasta :]
         destino = self.fichero.with_name(f"{self.fichero.stem}-con-notas{self.fichero.suffix}")
         # lo que no quepa en la codificación que trae está en un comentario, que es HTML

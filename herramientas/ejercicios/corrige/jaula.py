@@ -118,11 +118,12 @@ class Recinto:
             "prlimit",
             f"--cpu={limites['procesador']}:{limites['procesador'] + 1}",  # el segundo mata
             f"--as={limites['memoria']}",
-            f"--nproc={limites['procesos']}",
             f"--fsize={DISCO}",
             "--core=0",
-            "--",
         ]
+        if self.jaula:  # fuera de ella contaría también todos los que ya tiene quien corrige
+            prlimit.append(f"--nproc={limites['procesos']}")
+        prlimit.append("--")
         if not self.jaula:
             with tempfile.TemporaryDirectory(dir=self.temporal) as aqui:
                 return self.ejecuta(prlimit, limites, orden, aqui, HOME=aqui, TMPDIR=aqui, **entorno)

@@ -97,7 +97,7 @@ def de_una_clase(que, banco, carpeta, dentro):
     if hoja:
         for suya, correccion in correcciones.items():
             hoja.pon(suya.name, correccion)
-        print(f"Hecha: {hoja.escribe()}", *hoja.avisos, sep="\n", file=sys.stderr)
+        print(f"Hecha: {hoja.escribe()}: {hoja.cuenta}", *hoja.avisos, sep="\n", file=sys.stderr)
     return list(correcciones.values()), fallos, destino
 
 

@@ -27,6 +27,7 @@ class Jugador:
     raices: list  # dónde busca sus ficheros, antes que en el laboratorio
     entorno: dict = field(default_factory=dict)
     ajeno: bool = False
+    fuentes: list = field(default_factory=list)  # los que se han compilado, si son de una entrega
 
 
 @dataclass(frozen=True)

@@ -46,7 +46,7 @@ def guiones(raiz, build, programa, entorno):
 class DeShaders(Compilador):
     """El programa es el de la solución, que los busca en un árbol con los de la entrega."""
 
-    def compila(self, ficheros, carpeta, ajena=True, llamadas=()):
+    def compila(self, ficheros, carpeta, ajena=True, intentos=()):
         carpeta.mkdir(exist_ok=True, parents=True)
         arbol = carpeta / "fuentes"
         self.en_arbol({}, arbol)
@@ -59,7 +59,7 @@ class DeShaders(Compilador):
         shutil.copy(self.solucion.programa, ejecutable)
         return Jugador("la entrega", ejecutable, [arbol], ajeno=ajena)
 
-    def avisos(self, ficheros, carpeta):
+    def avisos(self, ficheros, fuentes, carpeta):
         return []
 
 

@@ -110,8 +110,10 @@ class Correccion:
             self.carpeta = Path(carpeta)
             try:
                 self.jugador = self.banco.compilador.compila(
-                    self.entrega.ficheros, Path(carpeta), llamadas=self.entrega.llamadas
+                    self.entrega.ficheros, Path(carpeta), intentos=self.entrega.intentos
                 )
+                if self.jugador.fuentes:
+                    self.entrega.corregida(self.jugador.fuentes)
             except Rechazo as rechazo:
                 return {"nota": 0, "dice": [str(rechazo)], "fallos": []}
             return self.compara()
@@ -130,10 +132,8 @@ class Correccion:
         acaban = list(dict.fromkeys(filter(None, (como_acaba(p, g) for g, p in self.partidas.items()))))
         dice = acaban[:3]
         if any(p.estado in SENALES for p in self.partidas.values()):  # casi siempre lo sabía el compilador
-            dice += [
-                f"el compilador avisa: {a}"
-                for a in self.banco.compilador.avisos(self.entrega.ficheros, self.carpeta)[:2]
-            ]
+            avisos = self.banco.compilador.avisos(self.entrega.ficheros, self.jugador.fuentes, self.carpeta)
+            dice += [f"el compilador avisa: {a}" for a in avisos[:2]]
         if self.gastado > TOPE and len(self.partidas) < len(todos):
             jugados = f"{len(self.partidas)} de los {len(todos)} guiones"
             dice.append(f"es muy lento: a los {TOPE // 60} minutos se ha dejado, con {jugados} jugados")
