@@ -1,5 +1,5 @@
 // El buscador de las dos páginas: lo que se escribe en él y la lista de lo hallado, que dice dónde.
-import { crea, esDelNavegador, todos, una } from './documento.mjs';
+import { crea, enCampo, esDelNavegador, todos, una } from './documento.mjs';
 import { Indice, trozo } from './busca.mjs';
 
 const MUCHOS = 12; // los que se enseñan
@@ -43,7 +43,7 @@ export function atiendeBuscador(trae) {
   });
   caja.addEventListener('keydown', anda);
   document.addEventListener('keydown', suceso => {
-    const deOtro = suceso.target.closest('canvas, input, textarea, dialog');
+    const deOtro = enCampo(suceso) || suceso.target.closest('dialog') || document.fullscreenElement;
     if (suceso.key !== '/' || esDelNavegador(suceso) || deOtro) return;
     suceso.preventDefault();
     campo.focus();

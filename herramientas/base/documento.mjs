@@ -17,6 +17,9 @@ export const avisa = texto => { una('.aviso').textContent = texto; };
 /// Las teclas que llevan algo apretado son del navegador.
 export const esDelNavegador = ({ ctrlKey, altKey, metaKey }) => ctrlKey || altKey || metaKey;
 
+/// Lo que se teclea donde se escribe o se elige es de quien escribe.
+export const enCampo = ({ target }) => target.closest('input, textarea, select, .editor');
+
 /// Los %XX de una dirección; los que no son nada se quedan como están, y ya dirá quien los lea que no los entiende.
 export const descifra = texto => texto.replace(/(?:%[\da-f]{2})+/gi, cifrado => {
   try {

@@ -1,27 +1,42 @@
 // Lo que se hace en el lienzo, a órdenes para el programa.
-import { una } from '../base/documento.mjs';
+import { enCampo, esDelNavegador, una } from '../base/documento.mjs';
 import { BOTONES, Gestos } from './gestos.mjs';
 import { completa } from './proyeccion.mjs';
-import { ordenDeTecla } from './teclas.mjs';
+import { esSuya, ordenDeTecla } from './teclas.mjs';
 
 /// `sigue` es si el programa atiende al ratón sin pulsar.
 export function atiende(lienzo, escena, sigue) {
   const da = orden => escena.sesion?.lienzo === lienzo && escena.manda(orden);
   const gestos = new Gestos({ da, luego: requestAnimationFrame.bind(window), sigue });
-  atiendeTeclas(lienzo, escena);
   atiendePuntero(lienzo, escena, gestos);
   return gestos;
 }
 
-function atiendeTeclas(lienzo, escena) {
-  lienzo.addEventListener('keydown', suceso => {
-    const orden = ordenDeTecla(suceso);
+/// Un botón o un enlace se pulsan con Espacio y con Intro.
+const loPulsa = ({ key, target }) =>
+  /^( |Enter)$/.test(key) && target.closest('button, a, summary, label, [role=button]');
+
+/// La orden de esa tecla, si es del programa: las que usa lo son tenga quien tenga el foco, salvo que se esté
+/// escribiendo, eligiendo o pulsando algo. Incrustado no hay más página, y lo son todas.
+function ordenSuya(suceso, programa) {
+  const { target } = suceso, enLienzo = Boolean(target.closest('canvas')), orden = ordenDeTecla(suceso);
+  const deOtro = enCampo(suceso) || loPulsa(suceso) || target.closest('.opciones') || una('.apunta');
+  if (deOtro || (!enLienzo && esDelNavegador(suceso))) return '';
+  const solo = document.body.classList.contains('incrustado');
+  return solo || esSuya(programa, orden, enLienzo) ? orden : '';
+}
+
+/// El teclado, antes que la página, para la que queda lo que el programa no usa. `programa()` es el que se ve.
+export function atiendeTeclado(escena, programa) {
+  document.addEventListener('keydown', suceso => {
+    const orden = programa() && ordenSuya(suceso, programa());
     if (!orden) return;
     suceso.preventDefault();
+    suceso.stopPropagation();
     if (orden === 'especial F11') completa();
     else if (orden === 'especial F5') escena.recarga();
     else escena.manda(orden);
-  });
+  }, { capture: true });
 }
 
 function atiendePuntero(lienzo, escena, gestos) {

@@ -27,14 +27,8 @@ export async function copiaLinea(linea) {
   }
 }
 
-// Con el foco en la página y no en el lienzo, una tecla que nadie quiere la movería a ella o a la de fuera.
+// Al entrar en él, el foco va al lienzo.
 addEventListener('focus', () => { if (incrustado()) una('.lienzo canvas')?.focus({ preventScroll: true }); });
-document.addEventListener('keydown', suceso => {
-  const libre = incrustado() && suceso.target === document.body && suceso.key !== 'Tab';
-  if (!libre) return;
-  suceso.preventDefault();
-  suceso.stopImmediatePropagation();
-}, { capture: true });
 // Y la rueda, sin haber entrado en él, es de la página de fuera.
 una('.lienzo').addEventListener('wheel', suceso => {
   if (incrustado() && !una('.lienzo').contains(document.activeElement)) suceso.stopPropagation();

@@ -13,6 +13,7 @@ import { apuntaPlantilla } from './estado.mjs';
 import { Editor } from './editor.mjs';
 import { Ejercicio } from './ejercicio.mjs';
 import { casoDe, enEnlace, hazEnlace, leeEnlace, pixelEn, programaDe } from './enlaces.mjs';
+import { atiendeTeclado } from './entrada.mjs';
 import { Escena } from './escena.mjs';
 import { ensenaCaso, ponCasos, ponFicha } from './ficha.mjs';
 import { cierraExplicado, ensena } from './explicado.mjs';
@@ -216,6 +217,7 @@ if (globalThis.WebGL2RenderingContext) {
   apuntaUniforms(WebGL2RenderingContext);
   apuntaPlantilla(WebGL2RenderingContext);
 }
+atiendeTeclado(escena, () => visto.programa);
 atiendePunteria(explica, () => escena.sesion?.vivo && !visto.programa.consola);
 una('.explica-cuadro').onclick = () => explica();
 for (const b of todos('.otra-vez')) b.onclick = () => empiezaCaso();

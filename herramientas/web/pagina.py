@@ -53,6 +53,7 @@ class ProgramaVivo:
                 {"teclas": list(zip(c.teclas, c.ordenes)), "hace": c.hace or c.texto, "menu": c.menu}
                 for c in self.controles
             ],
+            "cualquiera": any("cualquier tecla" in c.texto for c in self.controles),
             "derecho": not self.opciones and any("derecho" in c.texto for c in self.controles),
             "anima": bool(self.rasgos & {"temporizador", "ocio"}),
             "raton": bool(self.rasgos & {"raton", "rueda", "arrastre"}),

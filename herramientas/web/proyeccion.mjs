@@ -1,5 +1,5 @@
 // A toda pantalla: el lienzo solo o, al proyectar, el programa con su título, a qué hay que mirar y sus mandos.
-import { esDelNavegador, una } from '../base/documento.mjs';
+import { enCampo, esDelNavegador, una } from '../base/documento.mjs';
 
 const pagina = una('#programa'), escena = una('.escena'), marco = una('.lienzo');
 
@@ -31,15 +31,17 @@ function ayuda(hay) {
 /// La tecla p y, proyectando, las demás: `programa()` es el que se ve; `pasa(±1)` va a lo que sigue y `salta(0 o −1)`,
 /// al principio o al final del capítulo.
 export function atiendeProyeccion(programa, mueve) {
-  document.addEventListener('keydown', suceso => {
-    if (pagina.hidden || esDelNavegador(suceso)) return;
-    const hay = document.fullscreenElement === escena ? teclas(programa(), mueve) : {}, hace = hay[suceso.key];
-    if (hace) {
-      suceso.preventDefault();
-      suceso.stopPropagation();
-      if (!/^[b.]$/.test(suceso.key)) escena.classList.remove('negro');
-      ayuda(hay);
-      hace();
-    } else if (suceso.key === 'p' && !suceso.target.closest('canvas, input, .editor')) proyecta();
+  addEventListener('keydown', suceso => { // antes que el programa
+    if (document.fullscreenElement !== escena || esDelNavegador(suceso)) return;
+    const hay = teclas(programa(), mueve), hace = hay[suceso.key];
+    if (!hace) return;
+    suceso.preventDefault();
+    suceso.stopPropagation();
+    if (!/^[b.]$/.test(suceso.key)) escena.classList.remove('negro');
+    ayuda(hay);
+    hace();
   }, { capture: true });
+  document.addEventListener('keydown', suceso => {
+    if (suceso.key === 'p' && !pagina.hidden && !esDelNavegador(suceso) && !enCampo(suceso)) proyecta();
+  });
 }

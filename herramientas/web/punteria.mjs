@@ -1,5 +1,5 @@
 // Elegir un píxel del lienzo: con un clic, o con las flechas e Intro. Mientras, no le llega nada al programa.
-import { avisa, esDelNavegador, una } from '../base/documento.mjs';
+import { avisa, enCampo, esDelNavegador, una } from '../base/documento.mjs';
 import { cierraExplicado, marca } from './explicado.mjs';
 
 const marco = una('.lienzo'), mando = una('.explica');
@@ -48,12 +48,12 @@ export function atiendePunteria(elige, hay) {
     suceso.preventDefault();
     const paso = FLECHAS[suceso.key], salto = suceso.shiftKey ? SALTO : 1;
     if (suceso.key === 'Enter') elegido(pixel);
-    else if (suceso.key === 'Escape') deja();
+    else if (/^(Escape|x)$/.test(suceso.key)) deja();
     else if (paso) marca(pixel = [[0, 'width'], [1, 'height']].map(([i, n]) => dentro(pixel[i] + salto * paso[i],
       lienzo()[n])));
   }, true);
   document.addEventListener('keydown', suceso => {
-    const escribe = suceso.target.closest('canvas, input, .editor, .explicacion');
-    if (suceso.key === 'x' && !esDelNavegador(suceso) && !escribe && !document.fullscreenElement && hay()) alterna();
+    const deOtro = enCampo(suceso) || suceso.target.closest('.explicacion') || document.fullscreenElement;
+    if (suceso.key === 'x' && !esDelNavegador(suceso) && !deOtro && hay()) alterna();
   });
 }

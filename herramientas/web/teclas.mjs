@@ -1,4 +1,4 @@
-// Del teclado a órdenes.
+// Del teclado a órdenes, y si el programa las usa.
 
 const TECLAS = {
   Escape: 'Esc', Enter: 'Intro', Backspace: 'Retroceso', Delete: 'Supr', ' ': 'Espacio', ';': 'PuntoYComa',
@@ -14,4 +14,12 @@ export function ordenDeTecla({ key, ctrlKey, metaKey, altKey }) {
   if (ESPECIALES[key]) return `especial ${ESPECIALES[key]}`;
   if (/^F([1-9]|1[01])$/.test(key)) return `especial ${key}`;
   return /^[!-~]$/.test(key) ? `tecla ${key}` : '';
+}
+
+const DE_TODOS = /^(tecla Esc|especial F\d+)$/; // las de common/ventana.h, que fuera del lienzo son del navegador
+
+/// Si es una tecla del programa: las de sus mandos, o cualquiera; y, con el foco en el lienzo, las de todos.
+export function esSuya({ mandos, cualquiera }, orden, enLienzo) {
+  if (DE_TODOS.test(orden)) return enLienzo;
+  return cualquiera || mandos.some(({ teclas }) => teclas.some(([, suya]) => suya === orden));
 }
