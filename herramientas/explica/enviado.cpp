@@ -14,11 +14,10 @@ struct Envio {
     std::function<void(GLint donde)> repite;
 };
 
-// Lo que se ha preguntado por un nombre, con lo que se le ha dado.
+// Lo que se ha preguntado por un nombre.
 struct Nombre {
     bool esta = false;
     int preguntas = 0, seguidas = 0; // seguidas: las que van justo delante de un envío a donde no hay nada
-    Envio envio;
 };
 
 struct Programa {
@@ -26,7 +25,7 @@ struct Programa {
     std::map<std::string, Nombre> nombres;
     std::map<GLint, std::string> enSitio;
     std::vector<std::pair<std::string, Envio>> dados; // por su orden
-    std::vector<Envio> perdidos;                      // los que no se sabe a qué nombre van
+    std::map<std::string, Envio> perdidos;            // por su forma, los que no se sabe a qué nombre van
 };
 std::map<GLuint, Programa> programas;
 std::pair<GLuint, std::string> preguntado; // por lo último, si no está y aún no se ha hecho nada más
@@ -43,14 +42,13 @@ void apunta(GLint donde, const Envio &envio) {
         return;
     const std::string &suyo = donde >= 0 ? sitio->second : nombre;
     if (suyo.empty()) {
-        p.perdidos.push_back(envio);
+        p.perdidos[envio.forma] = envio;
         return;
     }
     if (donde < 0)
         ++programas[deCual].nombres[suyo].seguidas;
     if (donde < 0 && deCual != actual)
         return;
-    p.nombres[suyo].envio = envio;
     const auto es = [&](const auto &dado) { return dado.first == suyo; };
     p.dados.erase(std::remove_if(p.dados.begin(), p.dados.end(), es), p.dados.end());
     p.dados.push_back({suyo, envio});
@@ -179,8 +177,8 @@ public:
         for (const auto &dado : programa.dados)
             if (esEl(dado.first) && admite(uniform.tipo, dado.second.forma))
                 suyos.push_back(dado);
-        for (const Envio &perdido : programa.perdidos)
-            if (seguidas < preguntas && admite(uniform.tipo, perdido.forma))
+        for (const auto &[forma, perdido] : programa.perdidos)
+            if (seguidas < preguntas && admite(uniform.tipo, forma))
                 suyos.push_back({sinIndice(uniform.nombre), perdido});
         for (const auto &[nombre, envio] : suyos)
             if (const GLint donde = glGetUniformLocation(otro, nombre.c_str()); donde >= 0)

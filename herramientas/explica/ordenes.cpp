@@ -25,117 +25,123 @@ std::string llamada(const std::string &funcion, const Parametros &...parametros)
     return funcion + "(" + dentro + ")";
 }
 
-void (*llegaA)(const Orden &orden);
-
 // Con índices si `tipo` no es GL_NONE.
-void dibuja(const std::string &como, GLenum modo, GLenum tipo, const std::vector<Tramo> &tramos,
-            const std::function<void()> &hazla, GLsizei instancias = 1) {
-    Orden o{Orden::Que::Dibuja, como, hazla};
+Orden dibuja(const std::string &como, GLenum modo, GLenum tipo, const std::vector<Tramo> &tramos,
+             GLsizei instancias = 1) {
+    Orden o{Orden::Que::Dibuja, como, {}};
     o.modo = modo, o.tipoIndice = tipo, o.tramos = tramos, o.instancias = instancias;
-    llegaA(o);
+    return o;
 }
 
-void instancias(GLenum modo, GLint primero, GLsizei n, GLsizei veces) {
-    dibuja(
-        llamada("glDrawArraysInstanced", nombreModo(modo), primero, n, veces), modo, GL_NONE, {{primero, n}},
-        [=] { glDrawArraysInstanced(modo, primero, n, veces); }, veces);
+Orden instancias(GLenum modo, GLint primero, GLsizei n, GLsizei veces) {
+    const std::string como = llamada("glDrawArraysInstanced", nombreModo(modo), primero, n, veces);
+    return dibuja(como, modo, GL_NONE, {{primero, n}}, veces);
 }
 
-void instanciasConIndices(GLenum modo, GLsizei n, GLenum tipo, const void *desde, GLsizei veces) {
-    dibuja(
-        llamada("glDrawElementsInstanced", nombreModo(modo), n, nombreDe(tipo), desde, veces), modo, tipo,
-        {{0, n, desde}}, [=] { glDrawElementsInstanced(modo, n, tipo, desde, veces); }, veces);
+// Las que tienen índices: lo que las distingue son sus últimos parámetros.
+template<class... Mas>
+std::string conIndices(const char *funcion, GLenum modo, GLsizei n, GLenum tipo, const void *desde,
+                       Mas... mas) {
+    return llamada(funcion, nombreModo(modo), n, nombreDe(tipo), desde, mas...);
 }
 
-void instanciasConBase(GLenum modo, GLsizei n, GLenum tipo, const void *desde, GLsizei veces, GLint base) {
-    dibuja(
-        llamada("glDrawElementsInstancedBaseVertex", nombreModo(modo), n, nombreDe(tipo), desde, veces, base),
-        modo, tipo, {{0, n, desde, base}},
-        [=] { glDrawElementsInstancedBaseVertex(modo, n, tipo, desde, veces, base); }, veces);
+Orden instanciasConIndices(GLenum modo, GLsizei n, GLenum tipo, const void *desde, GLsizei veces) {
+    const std::string como = conIndices("glDrawElementsInstanced", modo, n, tipo, desde, veces);
+    return dibuja(como, modo, tipo, {{0, n, desde}}, veces);
 }
 
-void enTramo(GLenum modo, GLuint menor, GLuint mayor, GLsizei n, GLenum tipo, const void *desde) {
-    dibuja(llamada("glDrawRangeElements", nombreModo(modo), GLint(menor), GLint(mayor), n, nombreDe(tipo),
-                   desde),
-           modo, tipo, {{0, n, desde}}, [=] { glDrawRangeElements(modo, menor, mayor, n, tipo, desde); });
+Orden instanciasConBase(GLenum modo, GLsizei n, GLenum tipo, const void *desde, GLsizei veces, GLint base) {
+    const std::string como =
+        conIndices("glDrawElementsInstancedBaseVertex", modo, n, tipo, desde, veces, base);
+    return dibuja(como, modo, tipo, {{0, n, desde, base}}, veces);
 }
 
-void conBase(GLenum modo, GLsizei n, GLenum tipo, const void *desde, GLint base) {
-    dibuja(llamada("glDrawElementsBaseVertex", nombreModo(modo), n, nombreDe(tipo), desde, base), modo, tipo,
-           {{0, n, desde, base}}, [=] { glDrawElementsBaseVertex(modo, n, tipo, desde, base); });
+Orden enTramo(GLenum modo, GLuint, GLuint, GLsizei n, GLenum tipo, const void *desde) {
+    return dibuja(conIndices("glDrawRangeElements", modo, n, tipo, desde), modo, tipo, {{0, n, desde}});
 }
 
-void enTramoConBase(GLenum modo, GLuint menor, GLuint mayor, GLsizei n, GLenum tipo, const void *desde,
-                    GLint base) {
-    dibuja(llamada("glDrawRangeElementsBaseVertex", nombreModo(modo), GLint(menor), GLint(mayor), n,
-                   nombreDe(tipo), desde, base),
-           modo, tipo, {{0, n, desde, base}},
-           [=] { glDrawRangeElementsBaseVertex(modo, menor, mayor, n, tipo, desde, base); });
+Orden conBase(GLenum modo, GLsizei n, GLenum tipo, const void *desde, GLint base) {
+    const std::string como = conIndices("glDrawElementsBaseVertex", modo, n, tipo, desde, base);
+    return dibuja(como, modo, tipo, {{0, n, desde, base}});
 }
 
-void varios(GLenum modo, const GLint *primeros, const GLsizei *cuantos, GLsizei n) {
+Orden enTramoConBase(GLenum modo, GLuint, GLuint, GLsizei n, GLenum tipo, const void *desde, GLint base) {
+    const std::string como = conIndices("glDrawRangeElementsBaseVertex", modo, n, tipo, desde, base);
+    return dibuja(como, modo, tipo, {{0, n, desde, base}});
+}
+
+Orden varios(GLenum modo, const GLint *primeros, const GLsizei *cuantos, GLsizei n) {
     std::vector<Tramo> tramos;
     for (GLsizei i = 0; i < n; ++i)
         tramos.push_back({primeros[i], cuantos[i]});
-    dibuja(llamada("glMultiDrawArrays", nombreModo(modo), n), modo, GL_NONE, tramos,
-           [=] { glMultiDrawArrays(modo, primeros, cuantos, n); });
+    return dibuja(llamada("glMultiDrawArrays", nombreModo(modo), n), modo, GL_NONE, tramos);
 }
 
-void variosConBase(GLenum modo, const GLsizei *cuantos, GLenum tipo, const void *const *desde, GLsizei n,
-                   const GLint *bases) {
+Orden variosConBase(GLenum modo, const GLsizei *cuantos, GLenum tipo, const void *const *desde, GLsizei n,
+                    const GLint *bases) {
     std::vector<Tramo> tramos;
     for (GLsizei i = 0; i < n; ++i)
         tramos.push_back({0, cuantos[i], desde[i], bases ? bases[i] : 0});
-    dibuja(llamada(bases ? "glMultiDrawElementsBaseVertex" : "glMultiDrawElements", nombreModo(modo),
-                   nombreDe(tipo), n),
-           modo, tipo, tramos, [=] {
-               bases ? glMultiDrawElementsBaseVertex(modo, cuantos, tipo, desde, n, bases)
-                     : glMultiDrawElements(modo, cuantos, tipo, desde, n);
-           });
+    const char *const funcion = bases ? "glMultiDrawElementsBaseVertex" : "glMultiDrawElements";
+    return dibuja(llamada(funcion, nombreModo(modo), nombreDe(tipo), n), modo, tipo, tramos);
 }
 
-void variosConIndices(GLenum modo, const GLsizei *cuantos, GLenum tipo, const void *const *desde, GLsizei n) {
-    variosConBase(modo, cuantos, tipo, desde, n, nullptr);
+Orden variosConIndices(GLenum modo, const GLsizei *cuantos, GLenum tipo, const void *const *desde,
+                       GLsizei n) {
+    return variosConBase(modo, cuantos, tipo, desde, n, nullptr);
 }
 
-void borra(const char *funcion, GLenum bufer, GLint cual, const std::function<void()> &hazla) {
-    Orden o{Orden::Que::Borra, llamada(funcion, nombreDe(bufer), cual), hazla};
+Orden borra(const char *funcion, GLenum bufer, GLint cual) {
+    Orden o{Orden::Que::Borra, llamada(funcion, nombreDe(bufer), cual), {}};
     o.buferes = bufer == GL_COLOR     ? GL_COLOR_BUFFER_BIT
                 : bufer == GL_DEPTH   ? GL_DEPTH_BUFFER_BIT
                 : bufer == GL_STENCIL ? GL_STENCIL_BUFFER_BIT
                                       : GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
-    llegaA(o);
+    return o;
 }
 
-void borraReal(GLenum bufer, GLint cual, const GLfloat *v) {
-    borra("glClearBufferfv", bufer, cual, [=] { glClearBufferfv(bufer, cual, v); });
+Orden borraReal(GLenum bufer, GLint cual, const GLfloat *) {
+    return borra("glClearBufferfv", bufer, cual);
 }
-void borraEntero(GLenum bufer, GLint cual, const GLint *v) {
-    borra("glClearBufferiv", bufer, cual, [=] { glClearBufferiv(bufer, cual, v); });
+Orden borraEntero(GLenum bufer, GLint cual, const GLint *) {
+    return borra("glClearBufferiv", bufer, cual);
 }
-void borraNatural(GLenum bufer, GLint cual, const GLuint *v) {
-    borra("glClearBufferuiv", bufer, cual, [=] { glClearBufferuiv(bufer, cual, v); });
+Orden borraNatural(GLenum bufer, GLint cual, const GLuint *) {
+    return borra("glClearBufferuiv", bufer, cual);
 }
-void borraLosDos(GLenum bufer, GLint cual, GLfloat profundidad, GLint plantilla) {
-    borra("glClearBufferfi", bufer, cual, [=] { glClearBufferfi(bufer, cual, profundidad, plantilla); });
+Orden borraLosDos(GLenum bufer, GLint cual, GLfloat, GLint) {
+    return borra("glClearBufferfi", bufer, cual);
 }
 
-void copia(GLint x0, GLint y0, GLint x1, GLint y1, GLint u0, GLint v0, GLint u1, GLint v1, GLbitfield buferes,
-           GLenum filtro) {
-    Orden o{Orden::Que::Copia,
-            llamada("glBlitFramebuffer", x0, y0, x1, y1, u0, v0, u1, v1, nombreBuferes(buferes),
-                    nombreDe(filtro)),
-            [=] { glBlitFramebuffer(x0, y0, x1, y1, u0, v0, u1, v1, buferes, filtro); }};
+Orden copia(GLint x0, GLint y0, GLint x1, GLint y1, GLint u0, GLint v0, GLint u1, GLint v1,
+            GLbitfield buferes, GLenum filtro) {
+    const std::string cuales = nombreBuferes(buferes), como = nombreDe(filtro);
+    Orden o{
+        Orden::Que::Copia, llamada("glBlitFramebuffer", x0, y0, x1, y1, u0, v0, u1, v1, cuales, como), {}};
     o.origen = {x0, y0, x1, y1}, o.destino = {u0, v0, u1, v1}, o.buferes = buferes;
-    llegaA(o);
+    return o;
 }
+
+void (*llegaA)(const Orden &orden);
+
+// Una función, por la que la cambia: `orden` dice lo que hace con esos parámetros.
+template<auto funcion, auto orden>
+struct Tapada;
+template<class... Parametros, void (*funcion)(Parametros...), Orden (*orden)(Parametros...)>
+struct Tapada<funcion, orden> {
+    static void llama(Parametros... parametros) {
+        Orden suya = orden(parametros...);
+        suya.hazla = [=] { funcion(parametros...); };
+        llegaA(suya);
+    }
+};
 
 } // namespace
 
 Direccion tapaOrden(const std::string &nombre, void (*llega)(const Orden &orden)) {
     llegaA = llega;
-#define TAPA(funcion, por)                                                                                   \
-    { #funcion, reinterpret_cast < Direccion>(static_cast <decltype(&funcion)>(por)) }
+#define TAPA(funcion, orden)                                                                                 \
+    { #funcion, reinterpret_cast < Direccion>(Tapada <funcion, orden>::llama) }
     static const std::map<std::string, Direccion> TAPADAS = {
         TAPA(glDrawArraysInstanced, instancias),
         TAPA(glDrawElementsInstanced, instanciasConIndices),
@@ -151,6 +157,7 @@ Direccion tapaOrden(const std::string &nombre, void (*llega)(const Orden &orden)
         TAPA(glClearBufferuiv, borraNatural),
         TAPA(glClearBufferfi, borraLosDos),
         TAPA(glBlitFramebuffer, copia)};
+#undef TAPA
     const auto suya = TAPADAS.find(nombre);
     return suya == TAPADAS.end() ? nullptr : suya->second;
 }

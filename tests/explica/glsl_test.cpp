@@ -1,5 +1,4 @@
-// El reescritor de shaders: lo que apunta es lo que pasa, y lo que calcula no cambia.
-#include "azaroso.h"
+// El reescritor de shaders: lo que apunta es lo que pasa. Que lo que calcula no cambia, propiedades/explica.py.
 #include "ejecuta.h"
 #include "glut/sin_ventana/essl.h"
 #include "rutas.h"
@@ -104,71 +103,7 @@ std::map<std::string, std::string> shaders(const std::string &extension) {
     return todos;
 }
 
-struct Cota {
-    double relativa = 0, absoluta = 0;
-};
-
-bool iguales(const glm::vec4 &a, const std::vector<double> &b, Cota cota) {
-    bool si = b.size() == 4;
-    for (int k = 0; si && k < 4; ++k)
-        si = float(b[k]) == a[k] || (std::isnan(b[k]) && std::isnan(a[k])) ||
-             std::fabs(b[k] - a[k]) <= cota.relativa * std::fabs(a[k]) + cota.absoluta;
-    return si;
-}
-
-// Mesa reordena dot(normalize(v), c), salvo si el vector normalizado se usa en otro sitio: una suma de tres números
-// cambia en el último bit con solo darlo por otra salida, sin que nada se reescriba. La 22 lo hace en estos; la 25, en
-// casi todos, y en los que suman ruido se nota más.
-Cota cota(const std::string &shader) {
-    static const std::set<std::string> REORDENADOS = {"textura3d.frag", "volumen_vista.frag"};
-    const std::string version = reinterpret_cast<const char *>(glGetString(GL_VERSION));
-    if (version.find("Mesa 22.") == version.npos)
-        return {std::ldexp(1, -18), std::ldexp(1, -22)};
-    return {REORDENADOS.count(shader) ? std::ldexp(1, -21) : 0, 0};
-}
-
-/// El color de cada píxel, el que da el shader y el que apunta el reescrito, son el mismo.
-void compara(const Reescrito &r, const traza::Pixeles &suyo, const std::vector<traza::Traza> &trazas,
-             Cota cota) {
-    for (std::size_t q = 0; q < suyo.size(); ++q) {
-        const traza::Traza &t = trazas[q];
-        std::vector<double> color;
-        for (const traza::Paso &paso : t.pasos)
-            if (r.notas[paso.nota].clase == Clase::Salida && r.notas[paso.nota].tipo == "vec4")
-                color = paso.valor;
-        EXPECT_EQ(t.descartado, suyo[q].x == -777) << "píxel " << q;
-        EXPECT_TRUE(t.descartado || iguales(suyo[q], color, cota))
-            << "píxel " << q << ": " << suyo[q].x << ' ' << suyo[q].y << ' ' << suyo[q].z << ' ' << suyo[q].w
-            << " y " << (color.empty() ? -1 : color[0]) << "; " << t.pasos.size() << " pasos";
-    }
-}
-
 } // namespace
-
-// Cada fragment shader, reescrito, da el mismo color, bit a bit, con lo que le llegue.
-TEST(ExplicaGlsl, NoCambiaLoQueCalcula) {
-    traza::abre(1);
-    for (const auto &[nombre, texto] : shaders(".frag")) {
-        SCOPED_TRACE(nombre);
-        const Reescrito r = reescribe(texto, traza::SALIDAS);
-        for (const Aviso &a : r.sinSeguir)
-            ADD_FAILURE() << a.linea << ": " << a.motivo;
-        std::string error;
-        const std::string vert = azaroso::vertex(texto, 1);
-        const GLuint suyo = traza::enlaza(vert, texto, error),
-                     reescrito = traza::enlaza(vert, r.fuente, error);
-        ASSERT_TRUE(suyo && reescrito) << error << "\n" << vert << (suyo ? r.fuente : texto);
-        for (int semilla = 1; semilla <= 2; ++semilla) {
-            azaroso::uniforms(suyo, semilla);
-            const auto color = traza::dibuja(1, -777)[0];
-            azaroso::uniforms(reescrito, semilla);
-            compara(r, color, traza::ejecuta(reescrito, r, 20000), cota(nombre));
-        }
-        EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
-        glDeleteProgram(suyo);
-        glDeleteProgram(reescrito);
-    }
-}
 
 /// De unos textos, por el nombre de su fichero, lo que dice glslangValidator de cada uno que no vale.
 std::map<std::string, std::string> rechazados(const std::map<std::string, std::string> &textos) {
@@ -216,8 +151,8 @@ TEST(ExplicaGlsl, EsValidoParaOtroCompilador) {
     for (const auto &[nombre, mal] : rechazados(reescritos))
         ADD_FAILURE() << nombre << ": " << mal << reescritos[nombre];
     const auto noSonEs = rechazados(suyos);
-    EXPECT_LT(noSonEs.size(), 15u);
-    EXPECT_GT(suyos.size(), 120u);
+    EXPECT_LT(noSonEs.size(), 10u);
+    EXPECT_GT(suyos.size(), 100u);
     for (const auto &[nombre, mal] : rechazados(traducidos))
         EXPECT_TRUE(noSonEs.count(nombre)) << nombre << ": " << mal << traducidos[nombre];
 }
@@ -332,41 +267,4 @@ TEST(ExplicaGlsl, LoQueNoEntiendeLoCopia) {
     EXPECT_NE(r.fuente.find("do { $ ; if ( x ) explica_descarta ( ) ; } while ( @ ) ;"), std::string::npos)
         << r.fuente;
     EXPECT_EQ(r.notas.size(), 5u); // se entra, i, o, se sale y el color
-}
-
-// Los vértices, con transform feedback.
-TEST(ExplicaGlsl, LosVertices) {
-    traza::abre(1);
-    const Reescrito r = reescribe(
-        "#version 140\nin vec3 posicion; out vec3 normal; uniform mat4 M;\nvoid main() {\n    vec4 p = M * "
-        "vec4(posicion, 1.0);\n    if (p.x < 0.0) return;\n    normal = p.xyz;\n    gl_Position = p;\n}\n",
-        traza::SALIDAS, Etapa::Vertices);
-    const char *const DADOS[] = {"explica_0", "explica_1", "explica_2", "explica_3"};
-    std::string error;
-    const GLuint programa = traza::enlaza(
-        r.fuente, "#version 140\nin vec3 normal; out vec4 o; void main() { o = vec4(normal, 1.0); }", error,
-        [&](GLuint p) { glTransformFeedbackVaryings(p, 4, DADOS, GL_INTERLEAVED_ATTRIBS); });
-    ASSERT_NE(programa, 0u) << error << r.fuente;
-    glUseProgram(programa);
-    const glm::mat4 M(2);
-    glUniformMatrix4fv(glGetUniformLocation(programa, "M"), 1, GL_FALSE, &M[0].x);
-    glVertexAttrib3f(GLuint(glGetAttribLocation(programa, "posicion")), 1, 2, 3);
-    GLuint bufer = 0;
-    glGenBuffers(1, &bufer);
-    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bufer);
-    glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, 64, nullptr, GL_STREAM_READ);
-    glEnable(GL_RASTERIZER_DISCARD);
-    traza::Traza t;
-    for (int desde = 0, total = 1; desde < total; ++desde) {
-        glUniform1i(glGetUniformLocation(programa, "explica_desde"), desde);
-        glBeginTransformFeedback(GL_POINTS);
-        glDrawArrays(GL_POINTS, 0, 1);
-        glEndTransformFeedback();
-        float v[16];
-        glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, sizeof v, v);
-        total = int(v[4]);
-        t.pasos.push_back({int(v[0]), valor(r.notas.at(int(v[0])).tipo, v + 8)});
-    }
-    glDisable(GL_RASTERIZER_DISCARD);
-    EXPECT_EQ(cuenta(r, t), "4 p:2,4,6,2 | 5 p.x < 0.0:0 | 6 normal:2,4,6 | 7 gl_Position:2,4,6,2");
 }

@@ -151,8 +151,9 @@ def primer_paso(suya, esperada):
     comunes = set.intersection(*({p["nombre"] for p in traza["lineas"]} for traza in (suya, esperada)))
     esperados = dict(pasos(esperada, comunes))
     for i, (que, mio) in enumerate(pasos(suya, comunes)):
-        if que in esperados and distintos(mio["valor"], esperados[que]["valor"]):
-            return i, esperados[que]["valor"]
+        esperado = esperados.get(que, mio)["valor"]
+        if mio["valor"] and esperado and distintos(mio["valor"], esperado):  # sin valor, el que no se sabe
+            return i, esperado
     return None
 
 
