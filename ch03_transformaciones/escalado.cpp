@@ -52,7 +52,9 @@ static void dibujaVista(const Escalado &caso, const Recuadro &r) {
     // de partida: const glm::mat4 M(1);
     // de partida: const glm::mat3 N(1);
     // fin de E3.1
-    abreRecuadro(r, FONDO_CLARO);
+    abreRecuadro(r);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
     envia(estado.programa, "M", M);
@@ -72,7 +74,9 @@ static void dibujaVista(const Escalado &caso, const Recuadro &r) {
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), GRIS); // las rayas que separan las vistas
+    abreRecuadro(ventanaEntera()); // las rayas que separan las vistas
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     const std::vector<Recuadro> paneles = reparte(6, ASPECTO_ESCENA);
     for (std::size_t i = 0; i < paneles.size(); ++i)

@@ -49,7 +49,9 @@ static void dibujaVista(const glm::mat4 &segunda, const glm::mat4 &primera, cons
     const glm::mat4 proyeccion = glm::ortho(-x, x, -y, y, -100.0f, 200.0f),
                     camara = camaraOrbita(estado.orbita), transformacion = proyeccion * camara,
                     M = segunda * primera;
-    abreRecuadro(r, FONDO_CLARO);
+    abreRecuadro(r);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
     dibujaObjeto(estado.programa, estado.esfera, M, NARANJA);
@@ -71,7 +73,9 @@ static std::string productos(const char *de, std::size_t fijos, std::size_t porV
 static void dibuja() {
     const glm::mat4 T = traslacion({5, 0, 0}), S = escalado(5);
     const std::vector<Recuadro> paneles = rejilla(1, 2);
-    abreRecuadro(ventanaEntera(), GRIS); // la raya que separa las dos
+    abreRecuadro(ventanaEntera()); // la raya que separa las dos
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     dibujaVista(T, S, "T·S", "S", paneles[0]);
     if (estado.cuenta)

@@ -57,20 +57,14 @@ inline std::vector<PanelVista> reparteVistas(const VistasGrua &v, const std::vec
     return paneles;
 }
 
-/// Dibujar desde ahora en la escena del panel, que se borra entero.
-inline void abreVista(const PanelVista &p) {
-    abreRecuadro(p.panel, CIELO);
-    glViewport(p.escena.x, p.escena.y, p.escena.ancho, p.escena.alto);
-}
-
 /// El nombre de la vista con lo que se añada y, en la esquina, los ejes como se ven desde la cámara.
 inline void rotulaVista(const PanelVista &p, const std::string &detalle = "") {
-    glViewport(p.panel.x, p.panel.y, p.panel.ancho, p.panel.alto);
+    abreRecuadro(p.panel);
     rotula(VISTAS[p.vista].nombre + detalle, {0.02f, 0.94f}, VISTAS[p.vista].color, Lado::DERECHA);
     const int lado = std::min(p.panel.ancho / 4, p.panel.alto / 3);
     if (float(lado) < altoUtil() / 8) // sus letras se amontonarían
         return;
-    glViewport(p.panel.x, p.panel.y, lado, lado);
+    abreRecuadro({p.panel.x, p.panel.y, lado, lado});
     glClear(GL_DEPTH_BUFFER_BIT); // los ejes, delante de todo
     const glm::mat4 ejes(proyeccionParalela(-2, 2, -2, 2, -2, 2) * glm::dmat4(glm::dmat3(p.camara)));
     for (int eje = 0; eje < 3; ++eje)

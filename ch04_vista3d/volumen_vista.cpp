@@ -85,12 +85,14 @@ static void dibujaVisor(double x, double aspecto, const std::string &texto, cons
     const Recuadro visor = {int(ventana.ancho / 2.0 + (x - 2.0 / 3) * util),
                             int((ventana.alto - util) / 2 + 0.07 * util),
                             int(std::min(ancho, alto * aspecto)), int(std::min(alto, ancho / aspecto))};
-    abreRecuadro(visor, CIELO);
+    abreRecuadro(visor);
+    ponFondo(CIELO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 volumen = proyeccionDe(estado.volumen);
     usaPrograma(estado.deEscena, vista, volumen);
     dibujaEscena(volumen * vista);
     trazaPolilinea({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, glm::mat4(1), OSCURO, GROSOR, true);
-    glViewport(0, 0, ventana.ancho, ventana.alto);
+    abreRecuadro(ventana);
     const glm::dvec2 pie(visor.x + visor.ancho / 2.0, visor.y), entera(ventana.ancho, ventana.alto);
     rotula(texto, pie / entera, OSCURO, Lado::DEBAJO, 0.033f);
 }

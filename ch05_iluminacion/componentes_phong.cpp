@@ -87,7 +87,9 @@ static void dibujaVectores(const Recuadro &panel, const glm::mat4 &vistaEscena) 
     trazaPuntos({P}, vistaEscena, OSCURO);
     rotulaPunto("P", P, vistaEscena, OSCURO, Lado::DERECHA);
 
-    abreRecuadro(panel, FONDO_OSCURO);
+    abreRecuadro(panel);
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::vec3 deLado = unitario(glm::cross(N, L)), centro = P - 0.25f * N;
     // caben la esfera entera y los vectores, con sus nombres: 3.9 de alto por 2.2 de ancho
     const float semialto = std::max(1.95f / float(ampliacionVertical(aspecto(panel))), 1.1f * 3 / 4);
@@ -108,9 +110,13 @@ static void dibujaVectores(const Recuadro &panel, const glm::mat4 &vistaEscena) 
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), GRIS);
+    abreRecuadro(ventanaEntera());
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     const Recuadro panel = panelEscena();
-    abreRecuadro(panel, FONDO_OSCURO);
+    abreRecuadro(panel);
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = proyeccionEscena();
     preparaVista(proyeccion, camara, estado.elegido);
     dibujaIluminado(estado.programa, estado.esfera, glm::mat4(1), camara, CERAMICA);

@@ -120,11 +120,15 @@ static void dibuja() {
     const Objeto &objeto = estado.objetos[estado.elegido];
     glUseProgram(estado.programa);
     glBindTexture(GL_TEXTURE_2D, estado.textura);
-    abreRecuadro(izquierda, FONDO_CLARO);
+    abreRecuadro(izquierda);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 deFrente = paralelaVentana(0.48f, -1, 1, aspecto(izquierda));
     dibujaTexturado(estado.imagen, glm::mat4(1), deFrente);
     rotulaPunto("s = 0.18\nt = 0.64", {0, -0.66f, 0}, deFrente, OSCURO, Lado::DEBAJO);
-    abreRecuadro(derecha, FONDO_CLARO);
+    abreRecuadro(derecha);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     dibujaTexturado(objeto, camaraOrbita(estado.orbita),
                     perspectivaVentana(0.5f, 0.1f, 100, aspecto(derecha), 1));
     ponTitulo(std::string("Coordenadas de textura: ") + objeto.nombre);

@@ -45,7 +45,9 @@ static void inicia() {
 
 static void dibujaEscena(const Recuadro &panel, const glm::mat4 &camara, const glm::mat4 &proyeccion,
                          bool conBultos) {
-    abreRecuadro(panel, FONDO_CLARO);
+    abreRecuadro(panel);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 tumbado = giroX(-glm::half_pi<float>());
     const auto objeto = [&](const Buferes &solido, const glm::mat4 &M, const Material &material,
                             const glm::vec2 &nVeces, float altura) {
@@ -79,14 +81,18 @@ static void dibujaPanel(const Recuadro &panel, bool conBultos) {
     const int x = panel.x + panel.ancho - lado - margen, y = panel.y + panel.alto - lado - margen;
     const glm::mat3 ejes = glm::transpose(glm::mat3(camara));
     const glm::vec3 borde = CENTRO + 0.83f * (ejes[1] - ejes[0]);
-    abreRecuadro({x - raya, y - raya, lado + 2 * raya, lado + 2 * raya}, GRIS);
+    abreRecuadro({x - raya, y - raya, lado + 2 * raya, lado + 2 * raya});
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     dibujaEscena({x, y, lado, lado}, transformacionCamara(posicionCamara(estado.orbita), borde, {0, 1, 0}),
                  perspectivaVentana(0.07f, 1, 100, 1), conBultos);
 }
 
 static void dibuja() {
     if (estado.comparando) {
-        abreRecuadro(ventanaEntera(), GRIS);
+        abreRecuadro(ventanaEntera());
+        ponFondo(GRIS);
+        glClear(GL_COLOR_BUFFER_BIT);
         const std::vector<Recuadro> paneles = reparte(2);
         dibujaPanel(paneles[0], false);
         dibujaPanel(paneles[1], true);

@@ -122,7 +122,7 @@ static void dibujaRastro() {
 static void dibujaRaton() {
     const Recuadro v = ventanaEntera();
     const int lado = int(0.32f * altoUtil());
-    glViewport(v.ancho - lado, (v.alto - lado) / 2, lado, lado);
+    abreRecuadro({v.ancho - lado, (v.alto - lado) / 2, lado, lado});
     const auto caja = [](float x0, float y0, float x1, float y1, const glm::vec3 &color) {
         trazaPoligono({{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}}, glm::mat4(1), color);
     };
@@ -132,11 +132,13 @@ static void dibujaRaton() {
         const float x = -0.5f + 0.35f * float(i);
         caja(x, 0.15f, x + 0.3f, 0.75f, estado.pulsado[i] ? NARANJA : BLANCO);
     }
-    glViewport(0, 0, v.ancho, v.alto);
+    abreRecuadro(v);
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), FONDO_CLARO);
+    abreRecuadro(ventanaEntera());
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT);
     dibujaRastro();
     dibujaRaton();
     const float renglon = 0.1f * altoUtil() / float(ventanaEntera().alto);

@@ -102,7 +102,9 @@ static void nombraElegido(const glm::vec3 &color) {
 
 static void dibuja() {
     const glm::vec3 color = estado.conIdentificadores ? BLANCO : OSCURO;
-    abreRecuadro(ventanaEntera(), estado.conIdentificadores ? colorDe(NADA) : CIELO);
+    abreRecuadro(ventanaEntera());
+    ponFondo(estado.conIdentificadores ? colorDe(NADA) : CIELO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     dibujaObjetos(estado.conIdentificadores);
     if (estado.elegido != NADA)
         nombraElegido(color);
@@ -117,7 +119,9 @@ static void dibuja() {
 static void selecciona(int x, int y) {
     const int fila = glutGet(GLUT_WINDOW_HEIGHT) - 1 - y;
     glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
-    abreRecuadro(ventanaEntera(), colorDe(NADA));
+    abreRecuadro(ventanaEntera());
+    ponFondo(colorDe(NADA));
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_SCISSOR_TEST); // se va a leer un píxel: los demás, ni dibujarlos
     glScissor(x, fila, 1, 1);
     dibujaObjetos(true);

@@ -39,7 +39,9 @@ static glm::mat4 abarca(const Recuadro &panel, float semiancho, float semialto, 
 
 // La trayectoria desde arriba, con el coche y su velocidad.
 static void dibujaPlano(const Recuadro &panel, Continuidad c) {
-    abreRecuadro(panel, FONDO_CLARO);
+    abreRecuadro(panel);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT);
     const glm::mat4 vista = abarca(panel, 1.3f, 0.7f, {0, 0.22f, 0});
     const double tolerancia = 0.4 / std::max(panel.alto, 1);
     trazaPolilinea(polilineaCubica(Base::HERMITE, PRIMER_TRAMO, tolerancia), vista, AZUL, 1.7f * GROSOR);
@@ -55,7 +57,9 @@ static void dibujaPlano(const Recuadro &panel, Continuidad c) {
 
 // El módulo de una derivada a lo largo de los dos tramos: el salto de la unión, u = 1, queda entre uno y otro.
 static void dibujaGrafica(const Recuadro &panel, Continuidad c, int derivada) {
-    abreRecuadro(panel, FONDO_CLARO);
+    abreRecuadro(panel);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT);
     const float maxima = derivada == 1 ? RAPIDEZ_MAXIMA : ACELERACION_MAXIMA, u = parametro();
     const glm::vec3 color = derivada == 1 ? VERDE : ROJO;
     // de 0 a 2 en horizontal y de 0 a la máxima en vertical
@@ -81,7 +85,9 @@ static void dibujaGrafica(const Recuadro &panel, Continuidad c, int derivada) {
 // Lo que se ve desde el coche: un suelo cuadriculado, con montes al fondo, y la carretera. Los saltos de la velocidad
 // y de la aceleración se notan cuando anda.
 static void dibujaVista(const Recuadro &panel, Continuidad c) {
-    abreRecuadro(panel, CIELO);
+    abreRecuadro(panel);
+    ponFondo(CIELO);
+    glClear(GL_COLOR_BUFFER_BIT);
     const float u = parametro();
     const glm::vec3 ojo = recorrido(c, u) + glm::vec3(0, 0, ALTURA_OJO);
     const glm::mat4 vista = glm::perspective(1.0f, aspecto(panel), 0.05f, 100.0f) *
@@ -111,7 +117,9 @@ static void dibujaVista(const Recuadro &panel, Continuidad c) {
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), GRIS);
+    abreRecuadro(ventanaEntera());
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     if (estado.modos.todos) { // una en cada fila
         const std::vector<Recuadro> celdas = rejilla(3, CONTINUIDADES);
         for (int c = 0; c < CONTINUIDADES; ++c) {
