@@ -73,7 +73,9 @@ inline glm::dvec3 normal(const Parche &q, double u, double v) {
             talla = std::max(talla, glm::length(p - q.p[0][0]));
     const double escala = talla > 0 ? 1 / talla : 0;
     const auto enT = [](double t, int veces) {
-        return veces == 0 ? pesos(t, 1 - t) : veces == 1 ? pesos1(t, 1 - t) : pesos2(t, 1 - t);
+        if (veces == 0)
+            return pesos(t, 1 - t);
+        return veces == 1 ? pesos1(t, 1 - t) : pesos2(t, 1 - t);
     };
     const auto d = [&](double s, double t, int du, int dv) -> glm::dvec3 {
         return escala * derivada(q, enT(s, du), enT(t, dv));

@@ -88,8 +88,9 @@ inline void rotulaVertices(const std::vector<glm::vec3> &vertices,
             continue;
         const glm::vec4 p =
             transformacion * glm::vec4(vertices[i], 1); // el centro de la malla está en x = y = 0
-        const Lado lado = std::fabs(p.x) > std::fabs(p.y) ? (p.x > 0 ? Lado::DERECHA : Lado::IZQUIERDA)
-                                                          : (p.y > 0 ? Lado::ENCIMA : Lado::DEBAJO);
-        rotulaPunto(std::to_string(i + 1), vertices[i], transformacion, OSCURO, lado);
+        const bool aLoAncho = std::fabs(p.x) > std::fabs(p.y);
+        const Lado enX = p.x > 0 ? Lado::DERECHA : Lado::IZQUIERDA;
+        const Lado enY = p.y > 0 ? Lado::ENCIMA : Lado::DEBAJO;
+        rotulaPunto(std::to_string(i + 1), vertices[i], transformacion, OSCURO, aLoAncho ? enX : enY);
     }
 }

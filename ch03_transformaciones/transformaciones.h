@@ -49,7 +49,9 @@ glm::vec<3, T> unitario(const glm::vec<3, T> &v, const glm::vec<3, T> &siNulo = 
 /// componente menor de d en valor absoluto, intercambiar las otras dos, negar una y normalizar.
 inline glm::mat3 cambioDeBase(const glm::vec3 &d) {
     const glm::vec3 a = glm::abs(d);
-    const int menor = a.x <= a.y && a.x <= a.z ? 0 : a.y <= a.z ? 1 : 2;
+    int menor = a.y <= a.z ? 1 : 2;
+    if (a.x <= a.y && a.x <= a.z)
+        menor = 0;
     const int i = (menor + 1) % 3, j = (menor + 2) % 3;
     glm::vec3 e(0);
     e[i] = -d[j];

@@ -62,9 +62,9 @@ static void dibuja() {
     abreRecuadro(ventana);
     if (estado.vistas.elegido != LAS_CUATRO) // en las cuatro no hay sitio: la dice el título
         rotula(proyeccion, {0.98f, 0.05f}, OSCURO, Lado::IZQUIERDA, 0.03f);
-    const std::string que = estado.compara ? "sin partes ocultas y con ellas"
-                            : estado.test  ? "sin partes ocultas"
-                                           : "con partes ocultas";
+    std::string que = estado.test ? "sin partes ocultas" : "con partes ocultas";
+    if (estado.compara)
+        que = "sin partes ocultas y con ellas";
     ponTitulo("La grúa " + que + ", " + proyeccion);
     glutSwapBuffers();
 }

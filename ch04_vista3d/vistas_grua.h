@@ -37,6 +37,7 @@ inline std::vector<PanelVista> reparteVistas(const VistasGrua &v, const std::vec
                                              const Recuadro &donde = ventanaEntera()) {
     static const int AMERICANO[] = {PLANTA, DIAGONAL, ALZADO, PERFIL}, // por filas, desde arriba
         EUROPEO[] = {PERFIL, ALZADO, DIAGONAL, PLANTA};
+    const int *const orden = v.europeo ? EUROPEO : AMERICANO;
     const int lado = v.elegido == LAS_CUATRO ? 2 : 1;
     const std::vector<Recuadro> recuadros = rejilla(lado, lado, donde);
     std::vector<PanelVista> paneles;
@@ -45,7 +46,7 @@ inline std::vector<PanelVista> reparteVistas(const VistasGrua &v, const std::vec
         const Recuadro &r = recuadros[k], escena = {r.x, r.y, r.ancho, r.alto - r.alto / 9};
         if (r.ancho == 0 || r.alto == 0)
             continue;
-        const int i = lado == 1 ? v.elegido : (v.europeo ? EUROPEO : AMERICANO)[k];
+        const int i = lado == 1 ? v.elegido : orden[k];
         VistaGrua vista = VISTAS[i];
         if (i == DIAGONAL)
             vista.haciaCamara = glm::dvec3(posicionCamara(v.orbita)) - CENTRO_GRUA;

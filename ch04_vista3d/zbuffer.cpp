@@ -132,10 +132,10 @@ static void dibuja() {
     } else {
         dibujaPanel(ventanaEntera(), estado.enCpu, estado.test);
     }
-    ponTitulo(estado.compara ? "Z-Buffer: sin test y con él, en la GPU y en la CPU"
-                             : std::string("Z-Buffer en la ") + (estado.enCpu ? "CPU" : "GPU") +
-                                   (estado.test ? "" : ", sin test de profundidad") +
-                                   (estado.borra ? "" : ", sin borrarla"));
+    const std::string uno = std::string("Z-Buffer en la ") + (estado.enCpu ? "CPU" : "GPU") +
+                            (estado.test ? "" : ", sin test de profundidad") +
+                            (estado.borra ? "" : ", sin borrarla");
+    ponTitulo(estado.compara ? "Z-Buffer: sin test y con él, en la GPU y en la CPU" : uno);
     glutSwapBuffers();
 }
 

@@ -78,9 +78,8 @@ static void teclado(unsigned char tecla, int, int) {
     case 'v': estado.compara = !estado.compara; break;
     default: return;
     }
-    ponTitulo(estado.compara
-                  ? "Espejo sin plantilla y con ella"
-                  : std::string("Espejo ") + (estado.conPlantilla ? "con plantilla" : "sin plantilla"));
+    const char *const uno = estado.conPlantilla ? "Espejo con plantilla" : "Espejo sin plantilla";
+    ponTitulo(estado.compara ? "Espejo sin plantilla y con ella" : uno);
     glutPostRedisplay();
 }
 

@@ -99,9 +99,8 @@ static void dibuja() {
     } else {
         dibujaPanel(ventanaEntera(), estado.conBultos);
     }
-    ponTitulo(estado.comparando  ? "Bump mapping: sin y con el mapa de normales"
-              : estado.conBultos ? "Bump mapping: con el mapa de normales"
-                                 : "Bump mapping: sin el mapa");
+    const char *const uno = estado.conBultos ? "con el mapa de normales" : "sin el mapa";
+    ponTitulo(std::string("Bump mapping: ") + (estado.comparando ? "sin y con el mapa de normales" : uno));
     glutSwapBuffers();
 }
 

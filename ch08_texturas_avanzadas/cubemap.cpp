@@ -135,10 +135,10 @@ static void dibuja() {
     } else {
         dibujaReflejo(ventanaEntera(), estado.toro, false, 0.75f);
     }
+    const char *const reflexion =
+        estado.comparando ? "reflexión por fragmento y por vértice" : "reflexión del entorno";
     ponTitulo(std::string(estado.conEsferico ? "Mapa esférico: " : "Mapa de cubo: ") +
-              (estado.desplegado   ? "desplegado, visto desde el centro"
-               : estado.comparando ? "reflexión por fragmento y por vértice"
-                                   : "reflexión del entorno"));
+              (estado.desplegado ? "desplegado, visto desde el centro" : reflexion));
     glutSwapBuffers();
 }
 

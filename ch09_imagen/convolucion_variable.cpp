@@ -103,13 +103,11 @@ static void dibuja() {
     abreRecuadro(ventanaEntera());
     ponFondo(FONDO_OSCURO);
     glClear(GL_COLOR_BUFFER_BIT);
-    const std::string lado = std::to_string(f.talla),
-                      signo = !sumaCero         ? " "
-                              : estado.conSigno ? " con signo "
-                                                : " absoluta ",
-                      nombre = NOMBRES[estado.familia] + signo + lado + "×" + lado,
-                      como = !dosPasadas ? "directo"
-                                         : std::string("separable, ") + (estado.en8Bits ? "8 bits" : "float");
+    const char *const signo = estado.conSigno ? " con signo " : " absoluta ";
+    const char *const separable = estado.en8Bits ? "separable, 8 bits" : "separable, float";
+    const std::string como = dosPasadas ? separable : "directo";
+    const std::string nombre =
+        NOMBRES[estado.familia] + std::string(sumaCero ? signo : " ") + formatea("%d×%d", f.talla, f.talla);
     const std::vector<Recuadro> paneles = recuadros(estado.muestra, 2);
     if (estado.muestra.compara) {
         dibujaTextura(estado.imagen, paneles[0], "Original");

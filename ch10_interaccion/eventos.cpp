@@ -52,21 +52,23 @@ static std::string en(int x, int y) {
 
 static void teclado(unsigned char tecla, int x, int y) {
     const auto conNombre = TECLAS.find(tecla);
-    anota("tecla " +
-          (conNombre != TECLAS.end()   ? conNombre->second
-           : tecla > 32 && tecla < 127 ? std::string(1, char(tecla))
-                                       : std::to_string(tecla)) +
-          en(x, y));
+    std::string nombre = std::to_string(tecla);
+    if (conNombre != TECLAS.end())
+        nombre = conNombre->second;
+    else if (tecla > 32 && tecla < 127)
+        nombre = std::string(1, char(tecla));
+    anota("tecla " + nombre + en(x, y));
     teclaComun(tecla);
 }
 
 static void especial(int tecla, int x, int y) {
     const auto conNombre = ESPECIALES.find(tecla);
-    anota("especial " +
-          (conNombre != ESPECIALES.end()                   ? conNombre->second
-           : tecla >= GLUT_KEY_F1 && tecla <= GLUT_KEY_F12 ? "F" + std::to_string(tecla - GLUT_KEY_F1 + 1)
-                                                           : std::to_string(tecla)) +
-          en(x, y));
+    std::string nombre = std::to_string(tecla);
+    if (conNombre != ESPECIALES.end())
+        nombre = conNombre->second;
+    else if (tecla >= GLUT_KEY_F1 && tecla <= GLUT_KEY_F12)
+        nombre = "F" + std::to_string(tecla - GLUT_KEY_F1 + 1);
+    anota("especial " + nombre + en(x, y));
     teclaEspecialComun(tecla);
 }
 

@@ -32,9 +32,9 @@ static void dispara(int cual) {
         siguiente = estado.comoElLibro ? ahora + periodo : multiplo;
         glutPostRedisplay();
     }
-    // en pausa se vuelve a mirar al cabo de un cuadro
-    const double falta =
-        estado.reloj.parado >= 0 ? PERIODO_CUADRO : siguiente - ahora + (estado.ocupado ? RETRASO : 0);
+    double falta = siguiente - ahora + (estado.ocupado ? RETRASO : 0);
+    if (estado.reloj.parado >= 0) // en pausa se vuelve a mirar al cabo de un cuadro
+        falta = PERIODO_CUADRO;
     glutTimerFunc(unsigned(std::max(1L, std::lround(falta))), dispara, cual);
 }
 

@@ -40,10 +40,13 @@ std::vector<std::u32string> lineasDe(const std::string &texto) {
     std::vector<std::u32string> lineas(1);
     for (std::size_t i = 0; i < texto.size();) {
         const unsigned primero = static_cast<unsigned char>(texto[i++]);
-        char32_t c = primero < 0x80 ? primero
-                                    : primero & (primero < 0xE0   ? 0x1Fu
-                                                 : primero < 0xF0 ? 0x0Fu
-                                                                  : 0x07u);
+        char32_t c = primero;
+        if (primero >= 0xF0)
+            c &= 0x07u;
+        else if (primero >= 0xE0)
+            c &= 0x0Fu;
+        else if (primero >= 0x80)
+            c &= 0x1Fu;
         for (; i < texto.size() && (static_cast<unsigned char>(texto[i]) & 0xC0) == 0x80; ++i)
             c = c << 6 | (static_cast<unsigned char>(texto[i]) & 0x3Fu);
         if (c == U'\n')

@@ -107,7 +107,7 @@ void trazaSegmentos(const std::vector<glm::vec3> &extremos, const glm::mat4 &tra
 void trazaPolilinea(const std::vector<glm::vec3> &puntos, const glm::mat4 &transformacion,
                     const glm::vec3 &color, float grosor, bool cerrada) {
     Trazo t("polilinea", color, grosor);
-    const std::size_t n = puntos.size(), tramos = n < 2 ? 0 : cerrada ? n : n - 1;
+    const std::size_t n = puntos.size(), unos = cerrada ? n : n - 1, tramos = n < 2 ? 0 : unos;
     const auto recortado = [&](std::size_t i) { return transformacion * glm::vec4(puntos[i % n], 1); };
     bool sigue = false; // la línea apuntada llega al principio del tramo
     for (std::size_t i = 0; i < tramos; ++i) {
