@@ -189,7 +189,9 @@ inline Teselacion teselaParches(const std::vector<Parche> &parches, double toler
             }
         for (int j = 0; j < nv; ++j)
             for (int i = 0; i < nu; ++i) {
-                const unsigned a = base + j * (nu + 1) + i, b = a + 1, d = a + nu + 1, c = d + 1;
+                const unsigned a = base + j * (nu + 1) + i;
+                const unsigned b = a + 1, d = a + nu + 1;
+                const unsigned c = d + 1;
                 triangulo(a, b, c);
                 triangulo(a, c, d);
             }

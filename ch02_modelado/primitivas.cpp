@@ -45,8 +45,9 @@ static void dibujaPanel(const Recuadro &panel, int i, const char *nombre, float 
     ponFondo(FONDO_CLARO);
     glClear(GL_COLOR_BUFFER_BIT);
     rotula(nombre, {0.5f, 0.99f}, OSCURO, Lado::DEBAJO);
-    const int alto = int(altoFigura * float(panel.alto)), lado = std::max(std::min(panel.ancho, alto), 1),
-              x = panel.x + (panel.ancho - lado) / 2, y = panel.y + (alto - lado) / 2;
+    const int alto = int(altoFigura * float(panel.alto));
+    const int lado = std::max(std::min(panel.ancho, alto), 1);
+    const int x = panel.x + (panel.ancho - lado) / 2, y = panel.y + (alto - lado) / 2;
     const GLenum primitiva = PRIMITIVAS[i].primitiva;
     const bool esLinea = primitiva == GL_LINES || primitiva == GL_LINE_STRIP || primitiva == GL_LINE_LOOP;
     const int pincel = esLinea ? lado / 72 : 0; // medio lado del pincel, en píxeles

@@ -45,7 +45,8 @@ static void dibujaVista(const Escalado &caso, const Recuadro &r) {
     // vistas más altas que anchas: en perspectivaVentana, que es para 4:3, se quedarían pequeñas
     const float semialto = SEMIALTO * std::max(ASPECTO_ESCENA / aspecto(r), 1.0f);
     const glm::mat4 proyeccion = glm::perspective(2 * std::atan(semialto), aspecto(r), 1.0f, 100.0f),
-                    camara = camaraOrbita(orbita), transformacion = proyeccion * camara;
+                    camara = camaraOrbita(orbita);
+    const glm::mat4 transformacion = proyeccion * camara;
     // E3.1: el escalado de factores s, y cómo cambia la normal con él
     const glm::mat4 M = escalado(s);
     const glm::mat3 N = matrizNormal(M);

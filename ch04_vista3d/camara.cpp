@@ -69,7 +69,8 @@ static void dibujaCamara(const glm::mat4 &aRecortado, const glm::dvec3 &p, const
         dibujaObjeto(estado.programa, pieza.esRedonda ? estado.cilindro : estado.cubo,
                      alMundo * escalado(1.6f) * pieza.M, pieza.color);
     const glm::vec3 ojo(p), interes(INTERES);
-    const double y = 3 * std::tan(theta / 2), x = aspecto * y;
+    const double y = 3 * std::tan(theta / 2);
+    const double x = aspecto * y;
     std::vector<glm::vec3> marco, lados;
     for (const glm::dvec2 &e : {glm::dvec2(x, y), {-x, y}, {-x, -y}, {x, -y}}) {
         marco.push_back(alMundo * glm::vec4(e.x, e.y, -3, 1));

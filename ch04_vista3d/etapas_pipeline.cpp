@@ -70,8 +70,8 @@ static void trazaVolumen(const glm::mat4 &deNdc) {
 
 static void dibujaEscena(std::size_t k, const Etapas &e, const std::vector<glm::dvec4> &poligono) {
     const Panel &p = estado.paneles[k];
-    const glm::mat4 delMundo = p.aRecortado(),
-                    deNdc = delMundo * glm::mat4(glm::inverse(estado.m.proyeccion * estado.m.camara));
+    const glm::mat4 delMundo = p.aRecortado();
+    const glm::mat4 deNdc = delMundo * glm::mat4(glm::inverse(estado.m.proyeccion * estado.m.camara));
     abreRecuadro(p.escena);
     ponFondo(k == VENTANA ? CIELO : FONDO_CLARO);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

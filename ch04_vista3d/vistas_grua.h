@@ -43,7 +43,8 @@ inline std::vector<PanelVista> reparteVistas(const VistasGrua &v, const std::vec
     std::vector<PanelVista> paneles;
     double escala = 0;
     for (std::size_t k = 0; k < recuadros.size(); ++k) {
-        const Recuadro &r = recuadros[k], escena = {r.x, r.y, r.ancho, r.alto - r.alto / 9};
+        const Recuadro &r = recuadros[k];
+        const Recuadro escena = {r.x, r.y, r.ancho, r.alto - r.alto / 9};
         if (r.ancho == 0 || r.alto == 0)
             continue;
         const int i = lado == 1 ? v.elegido : orden[k];

@@ -87,8 +87,9 @@ static void dibujaUnidades(const Recuadro &donde, bool conMusgo, bool conLuz) {
 }
 
 static void dibuja() {
-    const Recuadro v = ventanaEntera(), unidades = {0, 0, v.ancho * 3 / 10, v.alto},
-                   mezcla = {unidades.ancho, 0, v.ancho - unidades.ancho, v.alto};
+    const Recuadro v = ventanaEntera();
+    const Recuadro unidades = {0, 0, v.ancho * 3 / 10, v.alto};
+    const Recuadro mezcla = {unidades.ancho, 0, v.ancho - unidades.ancho, v.alto};
     const auto &[titulo, conMusgo, conLuz] = MEZCLAS[estado.elegido];
     abreRecuadro(v);
     ponFondo(FONDO_OSCURO);

@@ -77,7 +77,8 @@ static void dibujaPanel(const Recuadro &panel, bool conBultos) {
     // desde el mismo sitio, con un ángulo menor y hacia el borde de arriba a la izquierda; en una ventana alta, de modo
     // que no tape la bola
     const int libre = estado.comparando ? panel.ancho : 3 * panel.ancho / 4;
-    const int lado = 3 * std::min(libre, panel.alto) / 10, margen = lado / 10, raya = lado / 60 + 1;
+    const int lado = 3 * std::min(libre, panel.alto) / 10;
+    const int margen = lado / 10, raya = lado / 60 + 1;
     const int x = panel.x + panel.ancho - lado - margen, y = panel.y + panel.alto - lado - margen;
     const glm::mat3 ejes = glm::transpose(glm::mat3(camara));
     const glm::vec3 borde = CENTRO + 0.83f * (ejes[1] - ejes[0]);

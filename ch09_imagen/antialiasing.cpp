@@ -116,7 +116,8 @@ static void dibujaPanel(int tecnica, const Recuadro &panel) {
 static void dibujaPunta(int tecnica, const Recuadro &panel) {
     creaLienzos(LADO_COMPARADO);
     dibujaEscena(tecnica);
-    const int pie = panel.alto * 9 / 40, libre = panel.alto - pie - 8;
+    const int pie = panel.alto * 9 / 40;
+    const int libre = panel.alto - pie - 8;
     const int ancho = std::max(std::min((panel.ancho - 4) / DENTRO, libre / (2 * DENTRO)), 1) * DENTRO;
     dibujaPixeles(
         estado.lupa, primerPixel(estado.lupa, PUNTA, {DENTRO, 2 * DENTRO}, estado.giro), {DENTRO, 2 * DENTRO},

@@ -69,9 +69,9 @@ static void guardaYLee() {
 
 // Lo leído, en la esquina de arriba a la izquierda, con un marco; mientras no hay nada, el marco.
 static void dibujaLeida() {
-    const Recuadro v = ventanaEntera(),
-                   esquina = {v.ancho / 40, v.alto * 39 / 40 - v.alto / 3, v.ancho / 3, v.alto / 3},
-                   r = encaja(estado.textura ? estado.talla : glm::ivec2(4, 3), esquina);
+    const Recuadro v = ventanaEntera();
+    const Recuadro esquina = {v.ancho / 40, v.alto * 39 / 40 - v.alto / 3, v.ancho / 3, v.alto / 3};
+    const Recuadro r = encaja(estado.textura ? estado.talla : glm::ivec2(4, 3), esquina);
     if (!estado.textura) {
         abreRecuadro(r);
         trazaPolilinea({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, glm::mat4(1), NARANJA, GROSOR, true);

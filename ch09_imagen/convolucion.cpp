@@ -31,8 +31,8 @@ static struct {
 } estado;
 
 static std::string nombre(int elegido) {
-    const std::string ganancia = " ×" + std::to_string(estado.ganancia),
-                      bordes = (estado.conSigno ? " con signo" : " absolutos") + ganancia;
+    const std::string ganancia = " ×" + std::to_string(estado.ganancia);
+    const std::string bordes = (estado.conSigno ? " con signo" : " absolutos") + ganancia;
     return FILTROS[elegido].nombre + (elegido == BORDES ? bordes : "") + FUERA[estado.fuera].nombre;
 }
 

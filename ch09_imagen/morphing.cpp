@@ -10,7 +10,8 @@
 #include "modos.h"
 #include "texto.h"
 
-static const int VUELTA = 6000, VIGESIMO = VUELTA / 40; // ms que t tarda en ir y volver, y en pasar 1/20
+static const int VUELTA = 6000;          // ms que t tarda en ir y volver
+static const int VIGESIMO = VUELTA / 40; // y en pasar 1/20
 static const int MS_CUADRO = 33;
 
 static struct {

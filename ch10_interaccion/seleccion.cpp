@@ -130,8 +130,9 @@ static void selecciona(int x, int y) {
     glReadPixels(x, fila, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
     glBindFramebuffer(GL_FRAMEBUFFER, 0); // el de dibujar y el de leer
 
-    const glm::vec2 talla(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT)),
-        lugar = 2.0f * (glm::vec2(x, fila) + 0.5f) / talla - 1.0f, brazo = 0.045f * altoUtil() / talla;
+    const glm::vec2 talla(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
+    const glm::vec2 lugar = 2.0f * (glm::vec2(x, fila) + 0.5f) / talla - 1.0f,
+                    brazo = 0.045f * altoUtil() / talla;
     estado.cruz.clear();
     for (const glm::vec2 &d : {glm::vec2(brazo.x, 0), {0, brazo.y}})
         estado.cruz.insert(estado.cruz.end(), {{lugar - d, -0.99f}, {lugar + d, -0.99f}});

@@ -33,7 +33,8 @@ static float parametro() {
 // Proyección paralela que abarca en el panel [−semiancho, semiancho]×[−semialto, semialto], como poco, desde un
 // centro.
 static glm::mat4 abarca(const Recuadro &panel, float semiancho, float semialto, const glm::vec3 &centro) {
-    const float y = std::max(semialto, semiancho / aspecto(panel)), x = y * aspecto(panel);
+    const float y = std::max(semialto, semiancho / aspecto(panel));
+    const float x = y * aspecto(panel);
     return glm::translate(glm::ortho(-x, x, -y, y), -centro);
 }
 
@@ -48,8 +49,9 @@ static void dibujaPlano(const Recuadro &panel, Continuidad c) {
     trazaPolilinea(polilineaCubica(Base::HERMITE, segundoTramo(c), tolerancia), vista, MORADO, 1.7f * GROSOR);
     trazaPuntos({PRIMER_TRAMO[1]}, vista, OSCURO, 3 * GROSOR);
     const float u = parametro();
-    const glm::vec3 Q = recorrido(c, u), velocidad = recorrido(c, u, 1), F = glm::normalize(velocidad),
-                    L(-F.y, F.x, 0);
+    const glm::vec3 Q = recorrido(c, u), velocidad = recorrido(c, u, 1);
+    const glm::vec3 F = glm::normalize(velocidad);
+    const glm::vec3 L(-F.y, F.x, 0);
     trazaFlecha(Q, Q + VELOCIDAD * velocidad, vista, VERDE);
     trazaPoligono({Q + 0.10f * F, Q - 0.08f * F + 0.07f * L, Q - 0.08f * F - 0.07f * L}, vista, NARANJA);
     rotula(NOMBRES[c], {0.12f, 0.2f}, OSCURO, Lado::CENTRO, 1.3f * TALLA_ROTULO);

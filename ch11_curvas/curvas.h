@@ -59,7 +59,8 @@ const glm::mat4 M_BS = glm::transpose(glm::mat4( // ecuación 11.26
 /// segunda derivada.
 template<typename T>
 Pesos<T> pesos(Base base, const T &u, int derivada = 0) {
-    const T c = T(1) - u, uu = u * u, cc = c * c;
+    const T c = T(1) - u, uu = u * u;
+    const T cc = c * c;
     switch (base) {
     case Base::HERMITE:
         switch (derivada) {
@@ -192,7 +193,8 @@ std::vector<T> bernstein(std::size_t n, const T &u, int derivada = 0) {
 
 // ---- Teselación ----
 
-const int MITADES_MAXIMAS = 12, SEGMENTOS_MAXIMOS = 1 << MITADES_MAXIMAS;
+const int MITADES_MAXIMAS = 12;
+const int SEGMENTOS_MAXIMOS = 1 << MITADES_MAXIMAS;
 
 /// Segmentos iguales en u que no se separan de la curva más de `tolerancia`, si su segunda derivada no pasa de `M`: la
 /// cuerda de un intervalo h se separa como mucho M·h²/8.

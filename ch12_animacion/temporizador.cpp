@@ -40,7 +40,8 @@ static void dispara(int cual) {
 
 static void dibuja() {
     const glm::mat4 proyeccion = paralelaVentana(1);
-    const double t = tiempo(estado.reloj), desde = std::max(0.0, t - VENTANA);
+    const double t = tiempo(estado.reloj);
+    const double desde = std::max(0.0, t - VENTANA);
     const auto x = [&](double s) { return float(-0.42 + 1.62 * (s - desde) / VENTANA); };
     glClear(GL_COLOR_BUFFER_BIT);
     trazaSegmentos({{x(t), -0.7f, 0}, {x(t), 0.85f, 0}}, proyeccion, NARANJA, GROSOR / 2); // ahora
