@@ -73,7 +73,9 @@ inline glm::dvec3 normal(const Parche &q, double u, double v) {
             talla = std::max(talla, glm::length(p - q.p[0][0]));
     const double escala = talla > 0 ? 1 / talla : 0;
     const auto enT = [](double t, int veces) {
-        return veces == 0 ? pesos(t, 1 - t) : veces == 1 ? pesos1(t, 1 - t) : pesos2(t, 1 - t);
+        if (veces == 0)
+            return pesos(t, 1 - t);
+        return veces == 1 ? pesos1(t, 1 - t) : pesos2(t, 1 - t);
     };
     const auto d = [&](double s, double t, int du, int dv) -> glm::dvec3 {
         return escala * derivada(q, enT(s, du), enT(t, dv));
@@ -187,7 +189,9 @@ inline Teselacion teselaParches(const std::vector<Parche> &parches, double toler
             }
         for (int j = 0; j < nv; ++j)
             for (int i = 0; i < nu; ++i) {
-                const unsigned a = base + j * (nu + 1) + i, b = a + 1, d = a + nu + 1, c = d + 1;
+                const unsigned a = base + j * (nu + 1) + i;
+                const unsigned b = a + 1, d = a + nu + 1;
+                const unsigned c = d + 1;
                 triangulo(a, b, c);
                 triangulo(a, c, d);
             }

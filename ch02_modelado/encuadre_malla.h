@@ -19,7 +19,8 @@ const std::size_t MAXIMO_NUMERADO = 40;
 /// Los vértices llevados a la esfera de radio 1 centrada en el origen: su centro es el de la caja que los
 /// envuelve.
 inline std::vector<glm::vec3> encuadra(const std::vector<glm::vec3> &vertices) {
-    glm::dvec3 minimo(vertices.at(0)), maximo(minimo);
+    glm::dvec3 minimo(vertices.at(0));
+    glm::dvec3 maximo(minimo);
     for (const glm::vec3 &v : vertices) {
         minimo = glm::min(minimo, glm::dvec3(v));
         maximo = glm::max(maximo, glm::dvec3(v));
@@ -38,7 +39,8 @@ inline std::vector<glm::vec3> encuadra(const std::vector<glm::vec3> &vertices) {
 /// margen para sus números. `angulo` (radianes) es el de perspectivaVentana.
 inline float distanciaQueEncuadra(const std::vector<glm::vec3> &vertices, const Orbita &orbita,
                                   float angulo) {
-    const float margen = 1.22f, ty = std::tan(angulo / 2), tx = ty * 4 / 3;
+    const float margen = 1.22f, ty = std::tan(angulo / 2);
+    const float tx = ty * 4 / 3;
     const glm::mat3 giro(camaraOrbita(orbita)); // a ejes de la cámara: derecha, arriba y hacia quien mira
     float distancia = 1.3f; // la malla cabe en la esfera de radio 1: al orbitar no llega a la cámara
     for (const glm::vec3 &v : vertices) {
@@ -88,8 +90,9 @@ inline void rotulaVertices(const std::vector<glm::vec3> &vertices,
             continue;
         const glm::vec4 p =
             transformacion * glm::vec4(vertices[i], 1); // el centro de la malla está en x = y = 0
-        const Lado lado = std::fabs(p.x) > std::fabs(p.y) ? (p.x > 0 ? Lado::DERECHA : Lado::IZQUIERDA)
-                                                          : (p.y > 0 ? Lado::ENCIMA : Lado::DEBAJO);
-        rotulaPunto(std::to_string(i + 1), vertices[i], transformacion, OSCURO, lado);
+        const bool aLoAncho = std::fabs(p.x) > std::fabs(p.y);
+        const Lado enX = p.x > 0 ? Lado::DERECHA : Lado::IZQUIERDA;
+        const Lado enY = p.y > 0 ? Lado::ENCIMA : Lado::DEBAJO;
+        rotulaPunto(std::to_string(i + 1), vertices[i], transformacion, OSCURO, aLoAncho ? enX : enY);
     }
 }

@@ -120,8 +120,8 @@ static void dibujaCaras() {
 }
 
 static void dibuja() {
-    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(ANGULO, 0.1f, 100),
-                    transformacion = proyeccion * camara;
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(ANGULO, 0.1f, 100);
+    const glm::mat4 transformacion = proyeccion * camara;
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 
     usaPrograma(estado.programa, camara, proyeccion);

@@ -25,13 +25,15 @@ glm::vec<3, T> normalOLimite(const Derivada &d, const T &u, const T &v) {
     };
     const T nada = sqrt(std::numeric_limits<T>::epsilon());
     for (const double paso : {0.0, 1.0 / 64, 1.0 / 16, 1.0 / 4, 1.0 / 2}) {
-        const T a = T(0.5) - u, b = T(0.5) - v, s = u + T(paso) * a, t = v + T(paso) * b;
-        const Punto qu = d(s, t, 1, 0), qv = d(s, t, 0, 1), n = cruz(qu, qv);
+        const T a = T(0.5) - u, b = T(0.5) - v;
+        const T s = u + T(paso) * a, t = v + T(paso) * b;
+        const Punto qu = d(s, t, 1, 0), qv = d(s, t, 0, 1);
+        const Punto n = cruz(qu, qv);
         const T lu = largo(qu), lv = largo(qv);
         if (lu > nada && lv > nada && largo(n) > nada * lu * lv)
             return (T(1) / largo(n)) * n;
-        const Punto quv = d(s, t, 1, 1),
-                    limite = cruz(a * d(s, t, 2, 0) + b * quv, qv) + cruz(qu, a * quv + b * d(s, t, 0, 2));
+        const Punto quv = d(s, t, 1, 1);
+        const Punto limite = cruz(a * d(s, t, 2, 0) + b * quv, qv) + cruz(qu, a * quv + b * d(s, t, 0, 2));
         if (largo(limite) > nada)
             return (T(1) / largo(limite)) * limite;
     }

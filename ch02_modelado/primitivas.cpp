@@ -41,10 +41,13 @@ static struct {
 
 // `altoFigura`: la parte del alto que ocupa; encima va el nombre.
 static void dibujaPanel(const Recuadro &panel, int i, const char *nombre, float altoFigura) {
-    abreRecuadro(panel, FONDO_CLARO);
+    abreRecuadro(panel);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT);
     rotula(nombre, {0.5f, 0.99f}, OSCURO, Lado::DEBAJO);
-    const int alto = int(altoFigura * float(panel.alto)), lado = std::max(std::min(panel.ancho, alto), 1),
-              x = panel.x + (panel.ancho - lado) / 2, y = panel.y + (alto - lado) / 2;
+    const int alto = int(altoFigura * float(panel.alto));
+    const int lado = std::max(std::min(panel.ancho, alto), 1);
+    const int x = panel.x + (panel.ancho - lado) / 2, y = panel.y + (alto - lado) / 2;
     const GLenum primitiva = PRIMITIVAS[i].primitiva;
     const bool esLinea = primitiva == GL_LINES || primitiva == GL_LINE_STRIP || primitiva == GL_LINE_LOOP;
     const int pincel = esLinea ? lado / 72 : 0; // medio lado del pincel, en píxeles
@@ -61,7 +64,9 @@ static void dibujaPanel(const Recuadro &panel, int i, const char *nombre, float 
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), GRIS);
+    abreRecuadro(ventanaEntera());
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     const glm::mat4 I(1); // los vértices ya están en las coordenadas del panel
     usaPrograma(estado.programa, I, I);
     if (estado.elegido != TODOS) {
@@ -70,7 +75,9 @@ static void dibuja() {
         const std::vector<Recuadro> paneles = reparte(N_PRIMITIVAS + 1, 0.8f);
         for (int i = 0; i < N_PRIMITIVAS; ++i)
             dibujaPanel(paneles[i], i, PRIMITIVAS[i].enLineas, 2.0f / 3);
-        abreRecuadro(paneles.back(), FONDO_CLARO);
+        abreRecuadro(paneles.back());
+        ponFondo(FONDO_CLARO);
+        glClear(GL_COLOR_BUFFER_BIT);
         rotula("El color\nes el del\núltimo\nvértice", {0.5f, 0.5f}, OSCURO);
     }
     glutSwapBuffers();

@@ -48,8 +48,11 @@ static glm::vec3 deClaroAOscuro(const glm::vec3 &color, float t) {
 
 static std::string indicesEscritos(const Tira &tira, std::size_t porRenglon = std::string::npos) {
     std::string texto;
-    for (std::size_t k = 0; k < tira.size(); ++k)
-        texto += (k == 0 ? "" : k % porRenglon ? " " : "\n") + std::to_string(tira[k] + 1);
+    for (std::size_t k = 0; k < tira.size(); ++k) {
+        if (k > 0)
+            texto += k % porRenglon ? " " : "\n";
+        texto += std::to_string(tira[k] + 1);
+    }
     return texto;
 }
 

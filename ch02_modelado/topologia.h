@@ -141,9 +141,9 @@ inline Sentido sentidoDesdeFuera(const MallaVf &malla, const Componente &compone
     }
     // Los vértices de una malla plana, redondeados a float, no están del todo en su plano.
     const double despreciable = (abierta ? 1e-6 : 1e-12) * escala;
-    return !componente.orientable || std::fabs(volumen) <= despreciable ? Sentido::INDEFINIDO
-           : volumen > 0                                                ? Sentido::ANTIHORARIO
-                                                                        : Sentido::HORARIO;
+    if (!componente.orientable || std::fabs(volumen) <= despreciable)
+        return Sentido::INDEFINIDO;
+    return volumen > 0 ? Sentido::ANTIHORARIO : Sentido::HORARIO;
 }
 
 } // namespace topologia

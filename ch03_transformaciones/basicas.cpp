@@ -61,8 +61,8 @@ static void rotulaColumna(const char *nombre, const glm::vec4 &v, float x, const
 
 static void dibuja() {
     const Basica &b = BASICAS[estado.elegido];
-    const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100), camara = camaraOrbita(estado.orbita),
-                    transformacion = proyeccion * camara, M = b.matriz(b.unidad * estado.valor);
+    const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100), camara = camaraOrbita(estado.orbita);
+    const glm::mat4 transformacion = proyeccion * camara, M = b.matriz(b.unidad * estado.valor);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     usaPrograma(estado.programa, camara, proyeccion);
     if (glm::determinant(M) == 0) // aplastada, sus dos caras coinciden: solo se dibuja la que mira aquí
@@ -81,7 +81,8 @@ static void dibuja() {
     trazaEjes({1.85f, 1.65f, 1.85f}, transformacion);
     ponTitulo("Transformaciones básicas: " + nombre());
     if (estado.conPunto) {
-        const glm::vec4 p(MAXIMO_F, 1), q = M * p;
+        const glm::vec4 p(MAXIMO_F, 1);
+        const glm::vec4 q = M * p;
         trazaPuntos({glm::vec3(p)}, transformacion, OSCURO);
         rotulaPunto("p", glm::vec3(p), transformacion, OSCURO);
         rotulaPunto("q", glm::vec3(q), transformacion, MORADO, Lado::DERECHA);

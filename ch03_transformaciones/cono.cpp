@@ -33,8 +33,8 @@ static void trazaCono(const glm::mat4 &transformacion) {
 }
 
 static void dibuja() {
-    const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100), camara = camaraOrbita(estado.orbita),
-                    transformacion = proyeccion * camara;
+    const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100), camara = camaraOrbita(estado.orbita);
+    const glm::mat4 transformacion = proyeccion * camara;
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     usaPrograma(estado.programa, camara, proyeccion);
     dibujaObjeto(estado.programa, estado.cono, concatena(estado.pasos, estado.aplicados), NARANJA);

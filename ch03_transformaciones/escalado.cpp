@@ -45,14 +45,17 @@ static void dibujaVista(const Escalado &caso, const Recuadro &r) {
     // vistas más altas que anchas: en perspectivaVentana, que es para 4:3, se quedarían pequeñas
     const float semialto = SEMIALTO * std::max(ASPECTO_ESCENA / aspecto(r), 1.0f);
     const glm::mat4 proyeccion = glm::perspective(2 * std::atan(semialto), aspecto(r), 1.0f, 100.0f),
-                    camara = camaraOrbita(orbita), transformacion = proyeccion * camara;
+                    camara = camaraOrbita(orbita);
+    const glm::mat4 transformacion = proyeccion * camara;
     // E3.1: el escalado de factores s, y cómo cambia la normal con él
     const glm::mat4 M = escalado(s);
     const glm::mat3 N = matrizNormal(M);
     // de partida: const glm::mat4 M(1);
     // de partida: const glm::mat3 N(1);
     // fin de E3.1
-    abreRecuadro(r, FONDO_CLARO);
+    abreRecuadro(r);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
     envia(estado.programa, "M", M);
@@ -72,7 +75,9 @@ static void dibujaVista(const Escalado &caso, const Recuadro &r) {
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), GRIS); // las rayas que separan las vistas
+    abreRecuadro(ventanaEntera()); // las rayas que separan las vistas
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     const std::vector<Recuadro> paneles = reparte(6, ASPECTO_ESCENA);
     for (std::size_t i = 0; i < paneles.size(); ++i)

@@ -82,8 +82,8 @@ static std::string describe(const glm::vec3 &d) {
 }
 
 static void dibuja() {
-    const glm::mat4 proyeccion = perspectivaVentana(0.6f, 0.1f, 30), camara = camaraOrbita(estado.orbita),
-                    transformacion = proyeccion * camara;
+    const glm::mat4 proyeccion = perspectivaVentana(0.6f, 0.1f, 30), camara = camaraOrbita(estado.orbita);
+    const glm::mat4 transformacion = proyeccion * camara;
     const glm::vec3 d = unitario(estado.eje);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     usaPrograma(estado.programa, camara, proyeccion);
@@ -105,7 +105,8 @@ static void dibuja() {
     trazaVector(cambiado ? "e = Y" : "e", base[1], 0.9f, enBase, VERDE);
     trazaVector(cambiado ? "f = Z" : "f", base[2], 0.9f, enBase, AZUL);
     trazaVector(cambiado ? "d = X" : "d", base[0], 1.6f, enBase, ROJO);
-    const glm::vec3 medio = arco[arco.size() / 2], haciaFuera = unitario(medio - glm::dot(medio, d) * d);
+    const glm::vec3 medio = arco[arco.size() / 2];
+    const glm::vec3 haciaFuera = unitario(medio - glm::dot(medio, d) * d);
     if (estado.paso >= GIRADO)
         rotulaPunto("φ", medio + 0.2f * haciaFuera, enBase, MORADO, Lado::CENTRO);
     rotula(describe(d), {0.5f, 0.05f}, OSCURO);

@@ -52,7 +52,8 @@ static void dibujaSuelo(const glm::mat4 &transformacion) {
 
 static void dibuja() {
     const glm::mat4 proyeccion = perspectivaVentana(ANGULO_GRUA, 1, 200),
-                    camara = camaraOrbita(estado.orbita), transformacion = proyeccion * camara;
+                    camara = camaraOrbita(estado.orbita);
+    const glm::mat4 transformacion = proyeccion * camara;
     const std::vector<Pieza> piezas = piezasGrua(estado.postura);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     usaPrograma(estado.programa, camara, proyeccion);

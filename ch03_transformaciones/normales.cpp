@@ -87,8 +87,9 @@ static void trazaLado(int i, const glm::mat4 &M, const glm::mat4 &transformacion
             rotulaPunto(nombre, pie + (estado.alReves ? -0.3f : largo + 0.24f) * unitario(v), transformacion,
                         color, Lado::CENTRO);
     };
-    const glm::vec3 n = (estado.alReves ? -1.0f : 1.0f) * normalLado(i), Nn = matrizNormal(M) * n,
-                    conM = unitario(glm::mat3(M) * n), conN = unitario(Nn, {0, 0, 0});
+    const glm::vec3 n = (estado.alReves ? -1.0f : 1.0f) * normalLado(i);
+    const glm::vec3 Nn = matrizNormal(M) * n, conM = unitario(glm::mat3(M) * n);
+    const glm::vec3 conN = unitario(Nn, {0, 0, 0});
     const bool coinciden = glm::dot(conM, conN) > 0.999f, hayNormal = conN != glm::vec3(0);
     if (estado.tangentes)
         trazaFlecha(M * (medio - medioLado), M * (medio + medioLado), transformacion, AZUL, 1.5f * GROSOR);

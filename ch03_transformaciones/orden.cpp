@@ -45,11 +45,14 @@ static void trazaRegla(const glm::vec3 &centro, const glm::mat4 &transformacion)
 static void dibujaVista(const glm::mat4 &segunda, const glm::mat4 &primera, const char *nombre,
                         const char *nombrePrimera, const Recuadro &r) {
     // al menos 8/3 veces más ancha que alta en unidades de la escena, sea como sea la ventana
-    const float x = estado.orbita.distancia * std::max(aspecto(r) * 3 / 8, 1.0f), y = x / aspecto(r);
+    const float x = estado.orbita.distancia * std::max(aspecto(r) * 3 / 8, 1.0f);
+    const float y = x / aspecto(r);
     const glm::mat4 proyeccion = glm::ortho(-x, x, -y, y, -100.0f, 200.0f),
-                    camara = camaraOrbita(estado.orbita), transformacion = proyeccion * camara,
-                    M = segunda * primera;
-    abreRecuadro(r, FONDO_CLARO);
+                    camara = camaraOrbita(estado.orbita);
+    const glm::mat4 transformacion = proyeccion * camara, M = segunda * primera;
+    abreRecuadro(r);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     envia(estado.programa, "proyeccion", proyeccion);
     envia(estado.programa, "camara", camara);
     dibujaObjeto(estado.programa, estado.esfera, M, NARANJA);
@@ -71,7 +74,9 @@ static std::string productos(const char *de, std::size_t fijos, std::size_t porV
 static void dibuja() {
     const glm::mat4 T = traslacion({5, 0, 0}), S = escalado(5);
     const std::vector<Recuadro> paneles = rejilla(1, 2);
-    abreRecuadro(ventanaEntera(), GRIS); // la raya que separa las dos
+    abreRecuadro(ventanaEntera()); // la raya que separa las dos
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     dibujaVista(T, S, "T·S", "S", paneles[0]);
     if (estado.cuenta)

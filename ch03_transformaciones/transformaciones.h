@@ -49,7 +49,9 @@ glm::vec<3, T> unitario(const glm::vec<3, T> &v, const glm::vec<3, T> &siNulo = 
 /// componente menor de d en valor absoluto, intercambiar las otras dos, negar una y normalizar.
 inline glm::mat3 cambioDeBase(const glm::vec3 &d) {
     const glm::vec3 a = glm::abs(d);
-    const int menor = a.x <= a.y && a.x <= a.z ? 0 : a.y <= a.z ? 1 : 2;
+    int menor = a.y <= a.z ? 1 : 2;
+    if (a.x <= a.y && a.x <= a.z)
+        menor = 0;
     const int i = (menor + 1) % 3, j = (menor + 2) % 3;
     glm::vec3 e(0);
     e[i] = -d[j];
@@ -66,7 +68,8 @@ inline glm::mat4 giroEje(const glm::vec3 &eje, float phi) {
     if (eje == glm::vec3(0))
         return glm::mat4(1);
     const glm::mat3 R = cambioDeBase(unitario(eje));
-    const float s = std::sin(phi), mitad = std::sin(phi / 2), c1 = -2 * mitad * mitad; // c1 = cos(phi) − 1
+    const float s = std::sin(phi), mitad = std::sin(phi / 2);
+    const float c1 = -2 * mitad * mitad; // c1 = cos(phi) − 1
     const glm::mat3 giroMenosI({0, 0, 0}, {0, c1, s}, {0, -s, c1});
     return glm::mat4(glm::mat3(1) + glm::transpose(R) * giroMenosI * R);
 }
@@ -76,7 +79,8 @@ inline glm::mat4 giroEje(const glm::vec3 &eje, float phi) {
 /// signo del determinante. Solo importa su dirección, y se devuelve con la mayor componente igual a 1. En doble
 /// precisión, ni el producto de tres componentes float se sale de rango, ni la resta de dos pierde cifras.
 inline glm::mat3 matrizNormal(const glm::mat4 &M) {
-    const glm::dmat3 m(M), cofactores(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    const glm::dmat3 m(M);
+    const glm::dmat3 cofactores(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     double mayor = 0;
     for (int i = 0; i < 3; ++i)
         mayor = std::max(

@@ -25,8 +25,8 @@ static void inicia() {
 }
 
 static void dibuja() {
-    const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100), camara = camaraOrbita(estado.orbita),
-                    transformacion = proyeccion * camara;
+    const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100), camara = camaraOrbita(estado.orbita);
+    const glm::mat4 transformacion = proyeccion * camara;
     const std::array<glm::mat4, 3> cubos = tresCubos();
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     usaPrograma(estado.programa, camara, proyeccion);

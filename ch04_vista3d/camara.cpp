@@ -69,7 +69,8 @@ static void dibujaCamara(const glm::mat4 &aRecortado, const glm::dvec3 &p, const
         dibujaObjeto(estado.programa, pieza.esRedonda ? estado.cilindro : estado.cubo,
                      alMundo * escalado(1.6f) * pieza.M, pieza.color);
     const glm::vec3 ojo(p), interes(INTERES);
-    const double y = 3 * std::tan(theta / 2), x = aspecto * y;
+    const double y = 3 * std::tan(theta / 2);
+    const double x = aspecto * y;
     std::vector<glm::vec3> marco, lados;
     for (const glm::dvec2 &e : {glm::dvec2(x, y), {-x, y}, {-x, -y}, {x, -y}}) {
         marco.push_back(alMundo * glm::vec4(e.x, e.y, -3, 1));
@@ -97,7 +98,9 @@ static void dibujaCamara(const glm::mat4 &aRecortado, const glm::dvec3 &p, const
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), GRIS);
+    abreRecuadro(ventanaEntera());
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     const std::vector<Recuadro> paneles = reparte(2, 2.0f / 3); // la escena de fuera es alta
     const float aspectoPanel = aspecto(paneles[1]);
@@ -106,13 +109,17 @@ static void dibuja() {
     const glm::dvec3 F = baseCamara(v.p, INTERES, v.UP).F;
     const glm::dvec3 UP(glm::rotate(glm::dmat4(1), estado.inclinacion, F) * glm::dvec4(v.UP, 0));
 
-    abreRecuadro(paneles[0], FONDO_CLARO);
+    abreRecuadro(paneles[0]);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 proyeccion = perspectivaVentana(0.54f, 1, 100, aspecto(paneles[0])),
                     camara = camaraOrbita(estado.orbita);
     dibujaEscena(proyeccion, camara);
     dibujaCamara(proyeccion * camara, v.p, UP, theta, aspectoPanel);
 
-    abreRecuadro(paneles[1], CIELO);
+    abreRecuadro(paneles[1]);
+    ponFondo(CIELO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     dibujaEscena(glm::mat4(proyeccionPerspectiva(theta, aspectoPanel, CERCA, LEJOS)),
                  glm::mat4(transformacionCamara(v.p, INTERES, UP)));
     rotula("lo que ve", {0.5f, 0.96f}, OSCURO);

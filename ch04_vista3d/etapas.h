@@ -87,7 +87,8 @@ inline double areaVentana(const std::vector<glm::dvec4> &poligono, const glm::dm
     double area = 0;
     for (std::size_t k = 2; k < poligono.size(); ++k) {
         const auto enVentana = [&](std::size_t v) { return viewport * glm::dvec4(divide(poligono[v]), 1); };
-        const glm::dvec4 a = enVentana(0), u = enVentana(k - 1) - a, v = enVentana(k) - a;
+        const glm::dvec4 a = enVentana(0);
+        const glm::dvec4 u = enVentana(k - 1) - a, v = enVentana(k) - a;
         area += 0.5 * (u.x * v.y - u.y * v.x);
     }
     return std::fabs(area);

@@ -70,9 +70,11 @@ static void trazaVolumen(const glm::mat4 &deNdc) {
 
 static void dibujaEscena(std::size_t k, const Etapas &e, const std::vector<glm::dvec4> &poligono) {
     const Panel &p = estado.paneles[k];
-    const glm::mat4 delMundo = p.aRecortado(),
-                    deNdc = delMundo * glm::mat4(glm::inverse(estado.m.proyeccion * estado.m.camara));
-    abreRecuadro(p.escena, k == VENTANA ? CIELO : FONDO_CLARO);
+    const glm::mat4 delMundo = p.aRecortado();
+    const glm::mat4 deNdc = delMundo * glm::mat4(glm::inverse(estado.m.proyeccion * estado.m.camara));
+    abreRecuadro(p.escena);
+    ponFondo(k == VENTANA ? CIELO : FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
     dibujaCuerpo(p, estado.cuerpo);
     if (estado.tapado && k != OBJETO)
@@ -92,7 +94,9 @@ static void dibujaEscena(std::size_t k, const Etapas &e, const std::vector<glm::
 
 // De cerca (0) a lejos (1): la profundidad del fragmento y la que ya está guardada en su píxel.
 static void dibujaProfundidad(const Etapas &e, double guardada) {
-    abreRecuadro(estado.paneles[PROFUNDIDAD].escena, FONDO_CLARO);
+    abreRecuadro(estado.paneles[PROFUNDIDAD].escena);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const auto enEscala = [](double z) { return glm::vec3(0.9 * z - 0.45, -0.1, 0); };
     trazaSegmentos({enEscala(0), enEscala(1)}, glm::mat4(1), OSCURO);
     trazaPuntos({enEscala(0)}, glm::mat4(1), NARANJA);
@@ -130,15 +134,19 @@ static void dibuja() {
     }
     estado.escrito = texto;
 
-    abreRecuadro(ventanaEntera(), GRIS);
+    abreRecuadro(ventanaEntera());
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     for (std::size_t k = 0; k < PANELES; ++k) {
         const Recuadro &r = estado.paneles[k].panel;
-        abreRecuadro(r, FONDO_CLARO);
+        abreRecuadro(r);
+        ponFondo(FONDO_CLARO);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         if (k == PROFUNDIDAD)
             dibujaProfundidad(e, guardada);
         else
             dibujaEscena(k, e, poligono);
-        glViewport(r.x, r.y, r.ancho, r.alto);
+        abreRecuadro(r);
         rotula(TITULOS[k], {0.03f, 0.94f}, OSCURO, Lado::DERECHA, TALLA);
         rotula(numerosPanel(k, e, guardada), {0.03f, 0.175f}, ROJO, Lado::DERECHA, TALLA);
         if (*PROCESADOR[k])

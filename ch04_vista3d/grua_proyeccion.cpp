@@ -28,10 +28,15 @@ static void inicia() {
 
 static void dibuja() {
     const char *const nombre = estado.enPerspectiva ? "perspectiva" : "paralela";
-    abreRecuadro(ventanaEntera(), GRIS);
+    abreRecuadro(ventanaEntera());
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     for (const PanelVista &p : reparteVistas(estado.vistas, estado.envolvente)) {
-        abreVista(p);
+        abreRecuadro(p.panel);
+        ponFondo(CIELO);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        abreRecuadro(p.escena);
         // E4.3: la proyección de cada vista, la que diga estado.enPerspectiva
         const glm::mat4 proyeccion( // nuevo en 4.3
             estado.enPerspectiva

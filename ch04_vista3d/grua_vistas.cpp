@@ -22,10 +22,15 @@ static void inicia() {
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), GRIS);
+    abreRecuadro(ventanaEntera());
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     for (const PanelVista &p : reparteVistas(estado.vistas, estado.envolvente)) {
-        abreVista(p);
+        abreRecuadro(p.panel);
+        ponFondo(CIELO);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        abreRecuadro(p.escena);
         envia(estado.programa, "proyeccion",
               glm::mat4(paralelaQueEncierra(estado.envolvente, p.camara, p.escena, p.unidadesPorPixel)));
         envia(estado.programa, "camara", glm::mat4(p.camara));

@@ -1,5 +1,5 @@
 // La grúa con eliminación de partes ocultas (ejercicio 4.4): hacen falta GLUT_DEPTH, GL_DEPTH_TEST y limpiar el buffer
-// antes de dibujar (abreRecuadro). Sin el test, lo que se pinta tapa lo pintado antes, esté delante o detrás; aquí se
+// de profundidad antes de dibujar. Sin el test, lo que se pinta tapa lo pintado antes, esté delante o detrás; aquí se
 // pinta de la carga al suelo para que se note. Lo que se añade a grua_proyeccion está marcado.
 // Controles: z partes ocultas · v compara · p paralela o perspectiva · 1 2 3 4 vistas · 0 las cuatro · u sistema ·
 // menú · a d giran · q e desplazan la carga · w s la suben y bajan · ratón orbita la cuarta · Esc termina.
@@ -23,7 +23,10 @@ static void inicia() {
 
 static void dibujaVistas(const Recuadro &donde, bool test) {
     for (const PanelVista &p : reparteVistas(estado.vistas, estado.envolvente, donde)) {
-        abreVista(p);
+        abreRecuadro(p.panel);
+        ponFondo(CIELO);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        abreRecuadro(p.escena);
         const glm::mat4 proyeccion(
             estado.enPerspectiva
                 ? perspectivaQueEncierra(estado.envolvente, p.camara, p.escena)
@@ -45,7 +48,9 @@ static void dibujaVistas(const Recuadro &donde, bool test) {
 static void dibuja() {
     const Recuadro ventana = ventanaEntera();
     const std::string proyeccion = estado.enPerspectiva ? "en perspectiva" : "en paralela";
-    abreRecuadro(ventana, GRIS);
+    abreRecuadro(ventana);
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     if (estado.compara) { // nuevo en 4.4
         const std::vector<Recuadro> mitades = reparte(2);
@@ -54,12 +59,12 @@ static void dibuja() {
     } else {
         dibujaVistas(ventana, estado.test);
     }
-    glViewport(0, 0, ventana.ancho, ventana.alto);
+    abreRecuadro(ventana);
     if (estado.vistas.elegido != LAS_CUATRO) // en las cuatro no hay sitio: la dice el título
         rotula(proyeccion, {0.98f, 0.05f}, OSCURO, Lado::IZQUIERDA, 0.03f);
-    const std::string que = estado.compara ? "sin partes ocultas y con ellas"
-                            : estado.test  ? "sin partes ocultas"
-                                           : "con partes ocultas";
+    std::string que = estado.test ? "sin partes ocultas" : "con partes ocultas";
+    if (estado.compara)
+        que = "sin partes ocultas y con ellas";
     ponTitulo("La grúa " + que + ", " + proyeccion);
     glutSwapBuffers();
 }

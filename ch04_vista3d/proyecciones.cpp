@@ -50,14 +50,17 @@ static void trazaAristas(int eje, const glm::vec3 &fondo, const glm::mat4 &aReco
 
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const glm::dvec3 ojo(posicionCamara(estado.orbita)),
-        F = baseCamara(ojo, estado.orbita.centro, {0, 1, 0}).F;
-    const double aspecto = relacionAspecto(), theta = anguloVertical(ANGULO, aspecto);
+    const glm::dvec3 ojo(posicionCamara(estado.orbita));
+    const glm::dvec3 F = baseCamara(ojo, estado.orbita.centro, {0, 1, 0}).F;
+    const double aspecto = relacionAspecto();
+    const double theta = anguloVertical(ANGULO, aspecto);
     // la paralela abarca lo mismo que la perspectiva a la distancia del centro
-    const double y = estado.orbita.distancia * std::tan(theta / 2), x = aspecto * y;
+    const double y = estado.orbita.distancia * std::tan(theta / 2);
+    const double x = aspecto * y;
     const glm::mat4 proyeccion(estado.enPerspectiva ? proyeccionPerspectiva(theta, aspecto, CERCA, LEJOS)
                                                     : proyeccionParalela(-x, x, -y, y, -LEJOS, LEJOS)),
-        camara(transformacionCamara(ojo, estado.orbita.centro, {0, 1, 0})), aRecortado = proyeccion * camara;
+        camara(transformacionCamara(ojo, estado.orbita.centro, {0, 1, 0}));
+    const glm::mat4 aRecortado = proyeccion * camara;
     usaPrograma(estado.programa, camara, proyeccion);
     glEnable(GL_POLYGON_OFFSET_FILL);
     dibujaObjeto(estado.programa, estado.cubo, glm::mat4(1), AMARILLO);

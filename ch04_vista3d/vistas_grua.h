@@ -37,15 +37,17 @@ inline std::vector<PanelVista> reparteVistas(const VistasGrua &v, const std::vec
                                              const Recuadro &donde = ventanaEntera()) {
     static const int AMERICANO[] = {PLANTA, DIAGONAL, ALZADO, PERFIL}, // por filas, desde arriba
         EUROPEO[] = {PERFIL, ALZADO, DIAGONAL, PLANTA};
+    const int *const orden = v.europeo ? EUROPEO : AMERICANO;
     const int lado = v.elegido == LAS_CUATRO ? 2 : 1;
     const std::vector<Recuadro> recuadros = rejilla(lado, lado, donde);
     std::vector<PanelVista> paneles;
     double escala = 0;
     for (std::size_t k = 0; k < recuadros.size(); ++k) {
-        const Recuadro &r = recuadros[k], escena = {r.x, r.y, r.ancho, r.alto - r.alto / 9};
+        const Recuadro &r = recuadros[k];
+        const Recuadro escena = {r.x, r.y, r.ancho, r.alto - r.alto / 9};
         if (r.ancho == 0 || r.alto == 0)
             continue;
-        const int i = lado == 1 ? v.elegido : (v.europeo ? EUROPEO : AMERICANO)[k];
+        const int i = lado == 1 ? v.elegido : orden[k];
         VistaGrua vista = VISTAS[i];
         if (i == DIAGONAL)
             vista.haciaCamara = glm::dvec3(posicionCamara(v.orbita)) - CENTRO_GRUA;
@@ -57,20 +59,14 @@ inline std::vector<PanelVista> reparteVistas(const VistasGrua &v, const std::vec
     return paneles;
 }
 
-/// Dibujar desde ahora en la escena del panel, que se borra entero.
-inline void abreVista(const PanelVista &p) {
-    abreRecuadro(p.panel, CIELO);
-    glViewport(p.escena.x, p.escena.y, p.escena.ancho, p.escena.alto);
-}
-
 /// El nombre de la vista con lo que se añada y, en la esquina, los ejes como se ven desde la cámara.
 inline void rotulaVista(const PanelVista &p, const std::string &detalle = "") {
-    glViewport(p.panel.x, p.panel.y, p.panel.ancho, p.panel.alto);
+    abreRecuadro(p.panel);
     rotula(VISTAS[p.vista].nombre + detalle, {0.02f, 0.94f}, VISTAS[p.vista].color, Lado::DERECHA);
     const int lado = std::min(p.panel.ancho / 4, p.panel.alto / 3);
     if (float(lado) < altoUtil() / 8) // sus letras se amontonarían
         return;
-    glViewport(p.panel.x, p.panel.y, lado, lado);
+    abreRecuadro({p.panel.x, p.panel.y, lado, lado});
     glClear(GL_DEPTH_BUFFER_BIT); // los ejes, delante de todo
     const glm::mat4 ejes(proyeccionParalela(-2, 2, -2, 2, -2, 2) * glm::dmat4(glm::dmat3(p.camara)));
     for (int eje = 0; eje < 3; ++eje)

@@ -25,7 +25,8 @@ inline Esquinas esquinasParalela(double izquierda, double derecha, double abajo,
 
 /// La pirámide truncada de la proyección perspectiva (figura 4.4): `theta`, el ángulo entero en Y, en radianes.
 inline Esquinas esquinasPerspectiva(double theta, double aspecto, double cerca, double lejos) {
-    const double y = std::tan(theta / 2), x = aspecto * y;
+    const double y = std::tan(theta / 2);
+    const double x = aspecto * y;
     Esquinas e = esquinasParalela(-x, x, -y, y, 1, 1); // a distancia 1 del vértice
     for (std::size_t k = 0; k < 8; ++k)
         e[k] *= k < 4 ? cerca : lejos;
@@ -43,13 +44,15 @@ struct Volumen {
 };
 
 inline glm::dmat4 proyeccionDe(const Volumen &v) {
-    const double y = v.semialto(), x = v.aspecto * y;
+    const double y = v.semialto();
+    const double x = v.aspecto * y;
     return v.enPerspectiva ? proyeccionPerspectiva(v.theta, v.aspecto, v.cerca, v.lejos)
                            : proyeccionParalela(-x, x, -y, y, v.cerca, v.lejos);
 }
 
 inline Esquinas esquinasDe(const Volumen &v) {
-    const double y = v.semialto(), x = v.aspecto * y;
+    const double y = v.semialto();
+    const double x = v.aspecto * y;
     return v.enPerspectiva ? esquinasPerspectiva(v.theta, v.aspecto, v.cerca, v.lejos)
                            : esquinasParalela(-x, x, -y, y, v.cerca, v.lejos);
 }

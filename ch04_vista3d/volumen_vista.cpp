@@ -81,16 +81,20 @@ static void dibujaTintes(const std::array<glm::vec3, 8> &e) {
 // alturas útiles, en el 4:3 central de la ventana.
 static void dibujaVisor(double x, double aspecto, const std::string &texto, const glm::mat4 &vista) {
     const Recuadro ventana = ventanaEntera();
-    const double util = altoUtil(), alto = ALTO_VISOR * util, ancho = ASPECTO_VISOR * alto;
+    const double util = altoUtil();
+    const double alto = ALTO_VISOR * util;
+    const double ancho = ASPECTO_VISOR * alto;
     const Recuadro visor = {int(ventana.ancho / 2.0 + (x - 2.0 / 3) * util),
                             int((ventana.alto - util) / 2 + 0.07 * util),
                             int(std::min(ancho, alto * aspecto)), int(std::min(alto, ancho / aspecto))};
-    abreRecuadro(visor, CIELO);
+    abreRecuadro(visor);
+    ponFondo(CIELO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 volumen = proyeccionDe(estado.volumen);
     usaPrograma(estado.deEscena, vista, volumen);
     dibujaEscena(volumen * vista);
     trazaPolilinea({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, glm::mat4(1), OSCURO, GROSOR, true);
-    glViewport(0, 0, ventana.ancho, ventana.alto);
+    abreRecuadro(ventana);
     const glm::dvec2 pie(visor.x + visor.ancho / 2.0, visor.y), entera(ventana.ancho, ventana.alto);
     rotula(texto, pie / entera, OSCURO, Lado::DEBAJO, 0.033f);
 }
@@ -99,8 +103,8 @@ static void dibuja() {
     ponFondo(FONDO_CLARO);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const Volumen &v = estado.volumen;
-    const glm::dmat4 vista = transformacionCamara(OJO_VOLUMEN, INTERES, {0, 1, 0}),
-                     alMundo = glm::inverse(vista);
+    const glm::dmat4 vista = transformacionCamara(OJO_VOLUMEN, INTERES, {0, 1, 0});
+    const glm::dmat4 alMundo = glm::inverse(vista);
     const Esquinas enCamara = esquinasDe(v);
     std::array<glm::vec3, 8> esquinas;
     for (std::size_t k = 0; k < 8; ++k)

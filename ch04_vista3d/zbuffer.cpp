@@ -103,7 +103,9 @@ static void copia(const Imagen &imagen, const Recuadro &r) {
 }
 
 static void dibujaPanel(const Recuadro &r, bool enCpu, bool test) {
-    abreRecuadro(r, CIELO);
+    abreRecuadro(r);
+    ponFondo(CIELO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 proyeccion = perspectivaVentana(0.5f, 1, 100, aspecto(r));
     if (enCpu) {
         copia(dibujaEnCpu(proyeccion, test, r), r);
@@ -120,7 +122,9 @@ static void dibujaPanel(const Recuadro &r, bool enCpu, bool test) {
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), GRIS);
+    abreRecuadro(ventanaEntera());
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     if (estado.compara) {
         const std::vector<Recuadro> paneles = rejilla(2, 2);
         for (std::size_t k = 0; k < 4; ++k)
@@ -128,10 +132,10 @@ static void dibuja() {
     } else {
         dibujaPanel(ventanaEntera(), estado.enCpu, estado.test);
     }
-    ponTitulo(estado.compara ? "Z-Buffer: sin test y con él, en la GPU y en la CPU"
-                             : std::string("Z-Buffer en la ") + (estado.enCpu ? "CPU" : "GPU") +
-                                   (estado.test ? "" : ", sin test de profundidad") +
-                                   (estado.borra ? "" : ", sin borrarla"));
+    const std::string uno = std::string("Z-Buffer en la ") + (estado.enCpu ? "CPU" : "GPU") +
+                            (estado.test ? "" : ", sin test de profundidad") +
+                            (estado.borra ? "" : ", sin borrarla");
+    ponTitulo(estado.compara ? "Z-Buffer: sin test y con él, en la GPU y en la CPU" : uno);
     glutSwapBuffers();
 }
 

@@ -81,19 +81,23 @@ static std::string trazaAngulo(const std::string &nombre, const glm::vec3 &a, co
 
 // La figura 5.2 en el punto elegido. De espaldas a la luz (θ > 90°) no hay reflexión, ni R.
 static void dibujaVectores(const Recuadro &panel, const glm::mat4 &vistaEscena) {
-    const glm::vec3 &P = estado.P, &N = P, L = glm::normalize(POSICION - P),
-                    V = glm::normalize(posicionCamara(estado.orbita) - P), R = 2.0f * N * glm::dot(N, L) - L;
+    const glm::vec3 &P = estado.P;
+    const glm::vec3 &N = P, L = glm::normalize(POSICION - P),
+                    V = glm::normalize(posicionCamara(estado.orbita) - P);
+    const glm::vec3 R = 2.0f * N * glm::dot(N, L) - L;
     const bool refleja = glm::dot(N, L) > 0;
     trazaPuntos({P}, vistaEscena, OSCURO);
     rotulaPunto("P", P, vistaEscena, OSCURO, Lado::DERECHA);
 
-    abreRecuadro(panel, FONDO_OSCURO);
+    abreRecuadro(panel);
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::vec3 deLado = unitario(glm::cross(N, L)), centro = P - 0.25f * N;
     // caben la esfera entera y los vectores, con sus nombres: 3.9 de alto por 2.2 de ancho
     const float semialto = std::max(1.95f / float(ampliacionVertical(aspecto(panel))), 1.1f * 3 / 4);
     const glm::mat4 camara = glm::lookAt(centro + 5.0f * deLado, centro, N),
-                    proyeccion = paralelaVentana(semialto, 1, 10, aspecto(panel)),
-                    vista = proyeccion * camara;
+                    proyeccion = paralelaVentana(semialto, 1, 10, aspecto(panel));
+    const glm::mat4 vista = proyeccion * camara;
     preparaVista(proyeccion, camara, 0);
     dibujaIluminado(estado.programa, estado.esfera, glm::mat4(1), camara, CERAMICA);
     trazaVector("N", N, BLANCO, vista);
@@ -108,9 +112,13 @@ static void dibujaVectores(const Recuadro &panel, const glm::mat4 &vistaEscena) 
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), GRIS);
+    abreRecuadro(ventanaEntera());
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     const Recuadro panel = panelEscena();
-    abreRecuadro(panel, FONDO_OSCURO);
+    abreRecuadro(panel);
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = proyeccionEscena();
     preparaVista(proyeccion, camara, estado.elegido);
     dibujaIluminado(estado.programa, estado.esfera, glm::mat4(1), camara, CERAMICA);
@@ -137,8 +145,10 @@ static void eligePunto(int x, int y) {
                             (float(glutGet(GLUT_WINDOW_HEIGHT) - y - panel.y) - 0.5f) / float(panel.alto));
     const glm::vec4 q = glm::inverse(proyeccionEscena() * camaraOrbita(estado.orbita)) *
                         glm::vec4(2.0f * enPanel - 1.0f, 1, 1);
-    const glm::vec3 ojo = posicionCamara(estado.orbita), d = glm::normalize(glm::vec3(q) / q.w - ojo);
-    const float b = glm::dot(ojo, d), discriminante = b * b - glm::dot(ojo, ojo) + 1;
+    const glm::vec3 ojo = posicionCamara(estado.orbita);
+    const glm::vec3 d = glm::normalize(glm::vec3(q) / q.w - ojo);
+    const float b = glm::dot(ojo, d);
+    const float discriminante = b * b - glm::dot(ojo, ojo) + 1;
     if (enPanel.x < 0 || enPanel.x > 1 || enPanel.y < 0 || enPanel.y > 1 || discriminante < 0)
         return;
     estado.P = glm::normalize(ojo + (-b - std::sqrt(discriminante)) * d);

@@ -52,7 +52,9 @@ static void dibujaPanel(int modelo, const Recuadro &panel) {
     const auto caja = [&](const glm::mat4 &M, const Material &material) {
         dibujaIluminado(programa, estado.cubo, M, camara, material);
     };
-    abreRecuadro(panel, CIELO);
+    abreRecuadro(panel);
+    ponFondo(CIELO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     usaIluminado(programa, camara, proyeccion, LUZ);
     caja(traslacion({0, -0.1f, 0}) * escalado({LADO_SUELO, 0.2f, LADO_SUELO}), TERRENO);
     caja(traslacion({0, 0.2f, 0}) * escalado({2.4f, 0.4f, 2.4f}), HORMIGON); // la zapata

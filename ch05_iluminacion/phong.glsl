@@ -26,7 +26,9 @@ vec3 unitario(vec3 v) {
 // pow no está definida en 0 elevado a 0 ni con base negativa. Una base negativa cuenta como 0, y con y = 0 el
 // resultado es siempre 1: un brillo o un foco sin concentrar.
 float potencia(float x, float y) {
-    return y == 0.0 ? 1.0 : x > 0.0 ? pow(x, y) : 0.0;
+    if (y == 0.0)
+        return 1.0;
+    return x > 0.0 ? pow(x, y) : 0.0;
 }
 
 // Atenuación por la distancia d (ecuación 5.3) y por el cono del foco. L va hacia la luz y S sale de ella:

@@ -76,7 +76,9 @@ static void dibujaPanel(const Recuadro &panel, int modelo) {
     const glm::mat4 camara = camaraOrbita(estado.orbita),
                     proyeccion = alto ? perspectivaVentana(0.42f, 1, 100, aspecto(panel), 4.0 / 9)
                                       : perspectivaVentana(0.27f, 1, 100, aspecto(panel));
-    abreRecuadro(panel, FONDO_OSCURO);
+    abreRecuadro(panel);
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     usaIluminado(programa, camara, proyeccion, LUZ);
     dibujaIluminado(programa, plano ? estado.esferaPlana : estado.esfera,
                     traslacion(alto ? glm::vec3(0, 0.8f, 0) : glm::vec3(-0.95f, 0.25f, 0)) * giroX(-1.2f),
@@ -89,7 +91,9 @@ static void dibujaPanel(const Recuadro &panel, int modelo) {
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), GRIS);
+    abreRecuadro(ventanaEntera());
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     if (estado.modos.todos) {
         const std::vector<Recuadro> paneles =
             relacionAspecto() > 0.7f ? rejilla(MODELOS, 1) : rejilla(1, MODELOS);

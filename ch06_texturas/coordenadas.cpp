@@ -35,7 +35,8 @@ static glm::vec3 enCilindro(float s, float t, float alza) {
     return alza * glm::vec3(std::cos(angulo), std::sin(angulo), t - 0.5f);
 }
 static glm::vec3 enEsfera(float s, float t, float alza) {
-    const float latitud = glm::pi<float>() * (t - 0.5f), radio = std::cos(latitud);
+    const float latitud = glm::pi<float>() * (t - 0.5f);
+    const float radio = std::cos(latitud);
     const glm::vec3 p = enCilindro(s, t, alza);
     return {radio * p.x, radio * p.y, alza * std::sin(latitud)};
 }
@@ -115,16 +116,21 @@ static void dibujaTexturado(const Objeto &objeto, const glm::mat4 &camara, const
 }
 
 static void dibuja() {
-    const Recuadro v = ventanaEntera(), izquierda = {0, 0, v.ancho / 3, v.alto},
+    const Recuadro v = ventanaEntera();
+    const Recuadro izquierda = {0, 0, v.ancho / 3, v.alto},
                    derecha = {v.ancho / 3, 0, v.ancho - v.ancho / 3, v.alto};
     const Objeto &objeto = estado.objetos[estado.elegido];
     glUseProgram(estado.programa);
     glBindTexture(GL_TEXTURE_2D, estado.textura);
-    abreRecuadro(izquierda, FONDO_CLARO);
+    abreRecuadro(izquierda);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 deFrente = paralelaVentana(0.48f, -1, 1, aspecto(izquierda));
     dibujaTexturado(estado.imagen, glm::mat4(1), deFrente);
     rotulaPunto("s = 0.18\nt = 0.64", {0, -0.66f, 0}, deFrente, OSCURO, Lado::DEBAJO);
-    abreRecuadro(derecha, FONDO_CLARO);
+    abreRecuadro(derecha);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     dibujaTexturado(objeto, camaraOrbita(estado.orbita),
                     perspectivaVentana(0.5f, 0.1f, 100, aspecto(derecha), 1));
     ponTitulo(std::string("Coordenadas de textura: ") + objeto.nombre);

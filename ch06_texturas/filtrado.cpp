@@ -75,7 +75,9 @@ static void inicia(const Imagen &imagen) {
 
 static void dibujaSuelo(int elegido, const Recuadro &panel) {
     const auto &filtro = FILTROS[elegido];
-    abreRecuadro(panel, CIELO);
+    abreRecuadro(panel);
+    ponFondo(CIELO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glBindTexture(GL_TEXTURE_2D, estado.conNiveles ? estado.deNiveles : estado.textura);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filtro.ampliacion);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filtro.reduccion);

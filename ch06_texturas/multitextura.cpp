@@ -74,7 +74,9 @@ static void dibujaUnidades(const Recuadro &donde, bool conMusgo, bool conLuz) {
     glUseProgram(estado.programaUnidad);
     for (int unidad = 0; unidad < 4; ++unidad) {
         const Recuadro &panel = paneles[unidad];
-        abreRecuadro(panel, FONDO_OSCURO);
+        abreRecuadro(panel);
+        ponFondo(FONDO_OSCURO);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         envia(estado.programaUnidad, "Img", unidad);
         dibujaPared(estado.programaUnidad, glm::mat4(1),
                     paralelaVentana(0.53f * TALLA.y, -1, 1, aspecto(panel)));
@@ -85,13 +87,18 @@ static void dibujaUnidades(const Recuadro &donde, bool conMusgo, bool conLuz) {
 }
 
 static void dibuja() {
-    const Recuadro v = ventanaEntera(), unidades = {0, 0, v.ancho * 3 / 10, v.alto},
-                   mezcla = {unidades.ancho, 0, v.ancho - unidades.ancho, v.alto};
+    const Recuadro v = ventanaEntera();
+    const Recuadro unidades = {0, 0, v.ancho * 3 / 10, v.alto};
+    const Recuadro mezcla = {unidades.ancho, 0, v.ancho - unidades.ancho, v.alto};
     const auto &[titulo, conMusgo, conLuz] = MEZCLAS[estado.elegido];
-    abreRecuadro(v, FONDO_OSCURO);
+    abreRecuadro(v);
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     dibujaUnidades(unidades, conMusgo, conLuz);
 
-    abreRecuadro(mezcla, FONDO_OSCURO);
+    abreRecuadro(mezcla);
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glUseProgram(estado.programa);
     envia(estado.programa, "repeticiones", REPETICIONES);
     for (GLint unidad = 0; unidad < UNIDADES; ++unidad)

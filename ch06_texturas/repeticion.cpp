@@ -47,7 +47,8 @@ static void dibuja() {
     rotulaPunto("s=1", {0.5f, -0.78f, 0}, proyeccion, OSCURO);
     rotulaPunto("t=1", {-0.72f, 0.38f, 0}, proyeccion, OSCURO);
 
-    const int ancho = glutGet(GLUT_WINDOW_WIDTH), alto = glutGet(GLUT_WINDOW_HEIGHT), franja = alto / 9;
+    const int ancho = glutGet(GLUT_WINDOW_WIDTH), alto = glutGet(GLUT_WINDOW_HEIGHT);
+    const int franja = alto / 9;
     glScissor(0, alto - franja, ancho, franja); // arriba, lisa, para el rótulo
     glEnable(GL_SCISSOR_TEST);
     glClear(GL_COLOR_BUFFER_BIT);

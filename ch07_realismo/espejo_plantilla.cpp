@@ -25,7 +25,9 @@ static void inicia() {
 }
 
 static void dibujaVista(const Recuadro &r, bool conPlantilla) {
-    abreRecuadro(r, CIELO);
+    abreRecuadro(r);
+    ponFondo(CIELO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const float angulo = std::clamp(ANGULO * 4 / (3 * aspecto(r)), ANGULO_MINIMO, ANGULO);
     const glm::mat4 camara = camaraOrbita(estado.orbita),
                     proyeccion = perspectivaVentana(angulo, 1, 60, aspecto(r));
@@ -53,7 +55,9 @@ static void dibujaVista(const Recuadro &r, bool conPlantilla) {
 static void dibuja() {
     glClear(GL_STENCIL_BUFFER_BIT);
     if (estado.compara) {
-        abreRecuadro(ventanaEntera(), GRIS);
+        abreRecuadro(ventanaEntera());
+        ponFondo(GRIS);
+        glClear(GL_COLOR_BUFFER_BIT);
         const std::vector<Recuadro> mitades = reparte(2, 4.0f / 3);
         dibujaVista(mitades[0], false);
         dibujaVista(mitades[1], true);
@@ -74,9 +78,8 @@ static void teclado(unsigned char tecla, int, int) {
     case 'v': estado.compara = !estado.compara; break;
     default: return;
     }
-    ponTitulo(estado.compara
-                  ? "Espejo sin plantilla y con ella"
-                  : std::string("Espejo ") + (estado.conPlantilla ? "con plantilla" : "sin plantilla"));
+    const char *const uno = estado.conPlantilla ? "Espejo con plantilla" : "Espejo sin plantilla";
+    ponTitulo(estado.compara ? "Espejo sin plantilla y con ella" : uno);
     glutPostRedisplay();
 }
 

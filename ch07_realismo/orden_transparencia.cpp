@@ -65,7 +65,9 @@ static void ensenaColor(const Recuadro &r, const glm::vec4 &recortado, bool aLaD
 }
 
 static void dibujaVista(const Recuadro &r, bool rojoAntes) {
-    abreRecuadro(r, FONDO_OSCURO);
+    abreRecuadro(r);
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita),
                     proyeccion = perspectivaVentana(0.7f, 0.1f, 30, aspecto(r), 2.0 / 3);
     usaPrograma(estado.programa, camara, proyeccion);
@@ -93,7 +95,9 @@ static void dibujaVista(const Recuadro &r, bool rojoAntes) {
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), GRIS);
+    abreRecuadro(ventanaEntera());
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     const std::vector<Recuadro> mitades = rejilla(2, 1); // los dos colores, juntos
     dibujaVista(mitades[0], true);
     dibujaVista(mitades[1], false);

@@ -57,7 +57,9 @@ static void dibujaOpacos(const glm::mat4 &camara) {
 }
 
 static void dibujaVista(const Recuadro &r, float alfa) {
-    abreRecuadro(r, CIELO);
+    abreRecuadro(r);
+    ponFondo(CIELO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita);
     const GLuint p = estado.programa;
     usaIluminado(p, camara, perspectivaVentana(0.5f, 1, 60, aspecto(r)), luz);
@@ -81,7 +83,9 @@ static void dibujaVista(const Recuadro &r, float alfa) {
 
 static void dibuja() {
     if (estado.compara) {
-        abreRecuadro(ventanaEntera(), GRIS);
+        abreRecuadro(ventanaEntera());
+        ponFondo(GRIS);
+        glClear(GL_COLOR_BUFFER_BIT);
         const std::vector<Recuadro> paneles = reparte(4);
         for (std::size_t i = 0; i < 4; ++i)
             dibujaVista(paneles[i], ALFAS[i]);

@@ -45,7 +45,9 @@ static void inicia() {
 
 static void dibujaEscena(const Recuadro &panel, const glm::mat4 &camara, const glm::mat4 &proyeccion,
                          bool conBultos) {
-    abreRecuadro(panel, FONDO_CLARO);
+    abreRecuadro(panel);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 tumbado = giroX(-glm::half_pi<float>());
     const auto objeto = [&](const Buferes &solido, const glm::mat4 &M, const Material &material,
                             const glm::vec2 &nVeces, float altura) {
@@ -75,27 +77,31 @@ static void dibujaPanel(const Recuadro &panel, bool conBultos) {
     // desde el mismo sitio, con un ángulo menor y hacia el borde de arriba a la izquierda; en una ventana alta, de modo
     // que no tape la bola
     const int libre = estado.comparando ? panel.ancho : 3 * panel.ancho / 4;
-    const int lado = 3 * std::min(libre, panel.alto) / 10, margen = lado / 10, raya = lado / 60 + 1;
+    const int lado = 3 * std::min(libre, panel.alto) / 10;
+    const int margen = lado / 10, raya = lado / 60 + 1;
     const int x = panel.x + panel.ancho - lado - margen, y = panel.y + panel.alto - lado - margen;
     const glm::mat3 ejes = glm::transpose(glm::mat3(camara));
     const glm::vec3 borde = CENTRO + 0.83f * (ejes[1] - ejes[0]);
-    abreRecuadro({x - raya, y - raya, lado + 2 * raya, lado + 2 * raya}, GRIS);
+    abreRecuadro({x - raya, y - raya, lado + 2 * raya, lado + 2 * raya});
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     dibujaEscena({x, y, lado, lado}, transformacionCamara(posicionCamara(estado.orbita), borde, {0, 1, 0}),
                  perspectivaVentana(0.07f, 1, 100, 1), conBultos);
 }
 
 static void dibuja() {
     if (estado.comparando) {
-        abreRecuadro(ventanaEntera(), GRIS);
+        abreRecuadro(ventanaEntera());
+        ponFondo(GRIS);
+        glClear(GL_COLOR_BUFFER_BIT);
         const std::vector<Recuadro> paneles = reparte(2);
         dibujaPanel(paneles[0], false);
         dibujaPanel(paneles[1], true);
     } else {
         dibujaPanel(ventanaEntera(), estado.conBultos);
     }
-    ponTitulo(estado.comparando  ? "Bump mapping: sin y con el mapa de normales"
-              : estado.conBultos ? "Bump mapping: con el mapa de normales"
-                                 : "Bump mapping: sin el mapa");
+    const char *const uno = estado.conBultos ? "con el mapa de normales" : "sin el mapa";
+    ponTitulo(std::string("Bump mapping: ") + (estado.comparando ? "sin y con el mapa de normales" : uno));
     glutSwapBuffers();
 }
 

@@ -97,7 +97,9 @@ static void dibujaMapa(const glm::mat3 &base, const glm::vec2 &semitalla, bool d
 }
 
 static void dibujaReflejo(const Recuadro &panel, const Buferes &objeto, bool porVertice, float angulo) {
-    abreRecuadro(panel, CIELO);
+    abreRecuadro(panel);
+    ponFondo(CIELO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita),
                     proyeccion = perspectivaVentana(angulo, 0.1f, 100, aspecto(panel));
     const glm::mat4 M = giroZ(0.35f) * giroX(-1.05f);
@@ -117,10 +119,14 @@ static void dibuja() {
     if (estado.desplegado) {
         // hacia donde mira la cámara
         const glm::vec3 R = glm::normalize(estado.orbita.centro - posicionCamara(estado.orbita));
-        abreRecuadro(ventanaEntera(), FONDO_OSCURO);
+        abreRecuadro(ventanaEntera());
+        ponFondo(FONDO_OSCURO);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         estado.conEsferico ? desplegaEsferico(R, dibujaMapa) : desplegaCubo(R, dibujaMapa);
     } else if (estado.comparando) {
-        abreRecuadro(ventanaEntera(), OSCURO);
+        abreRecuadro(ventanaEntera());
+        ponFondo(OSCURO);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         const std::vector<Recuadro> paneles = reparte(2);
         for (const bool porVertice : {false, true}) {
             dibujaReflejo(paneles[porVertice], estado.basto, porVertice, 0.47f);
@@ -129,10 +135,10 @@ static void dibuja() {
     } else {
         dibujaReflejo(ventanaEntera(), estado.toro, false, 0.75f);
     }
+    const char *const reflexion =
+        estado.comparando ? "reflexión por fragmento y por vértice" : "reflexión del entorno";
     ponTitulo(std::string(estado.conEsferico ? "Mapa esférico: " : "Mapa de cubo: ") +
-              (estado.desplegado   ? "desplegado, visto desde el centro"
-               : estado.comparando ? "reflexión por fragmento y por vértice"
-                                   : "reflexión del entorno"));
+              (estado.desplegado ? "desplegado, visto desde el centro" : reflexion));
     glutSwapBuffers();
 }
 

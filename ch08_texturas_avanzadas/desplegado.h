@@ -23,7 +23,7 @@ inline void marcaPunto(const glm::vec2 &cero, const glm::vec2 &p) {
 
 /// En esos píxeles, de qué vector se trata y sus coordenadas.
 inline void explica(const Recuadro &r, const glm::vec3 &R, const std::string &cuentas) {
-    glViewport(r.x, r.y, r.ancho, r.alto);
+    abreRecuadro(r);
     rotula(formatea("R = (%.2f, %.2f, %.2f)\n", R.x, R.y, R.z) + cuentas, {0, 0.5f}, BLANCO, Lado::DERECHA,
            0.03f);
 }
@@ -39,7 +39,9 @@ void desplegaCubo(const glm::vec3 &R, DibujaMapa dibujaMapa) {
                 lado - 1};
     };
     for (const Cara &cara : CARAS) {
-        abreRecuadro(celda(cara.columna, cara.fila), FONDO_OSCURO);
+        abreRecuadro(celda(cara.columna, cara.fila));
+        ponFondo(FONDO_OSCURO);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         dibujaMapa(cara.base, glm::vec2(1), false);
         rotula(std::string(cara.nombre) + "\n" + cara.donde, {0.5f, 0}, OSCURO, Lado::ENCIMA, 0.03f);
         const float cero = cara.delReves();
@@ -64,7 +66,9 @@ void desplegaEsferico(const glm::vec3 &R, DibujaMapa dibujaMapa) {
     const Recuadro w = ventanaEntera();
     const int alto = std::max(int(0.95f * std::min(float(w.ancho) / 2, altoUtil() * 3 / 4)), 1),
               y = w.alto / 40;
-    abreRecuadro({w.ancho / 2 - alto, y, 2 * alto, alto}, FONDO_OSCURO);
+    abreRecuadro({w.ancho / 2 - alto, y, 2 * alto, alto});
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     dibujaMapa(glm::mat3(1), glm::vec2(1), true);
     const glm::vec2 st = enEsfera(R);
     marcaPunto({0, 0}, st);

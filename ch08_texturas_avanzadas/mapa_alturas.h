@@ -8,7 +8,8 @@ const int LADO_MAPA = 193;
 
 /// Altura, de 0 a 1, en (s, t): montañas en el centro que bajan hasta 0 antes de llegar al borde.
 inline float alturaIsla(const glm::vec2 &st) {
-    const float r = 2.1f * glm::length(st - 0.5f), isla = glm::smoothstep(0.0f, 1.0f, 1 - r);
+    const float r = 2.1f * glm::length(st - 0.5f);
+    const float isla = glm::smoothstep(0.0f, 1.0f, 1 - r);
     const float monte = 0.62f + 0.75f * turbulencia(glm::vec3(5.0f * st, 2.5f), 6);
     return glm::clamp(isla * monte, 0.0f, 1.0f);
 }

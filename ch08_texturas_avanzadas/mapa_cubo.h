@@ -40,9 +40,11 @@ struct EnCara {
 /// texture() con un samplerCube. Son las de OpenGL, y no las de la ecuación 8.1.
 inline EnCara enCara(const glm::vec3 &R) {
     const glm::vec3 m = glm::abs(R);
-    const int eje = m.x >= m.y && m.x >= m.z ? 0 : m.y >= m.z ? 1 : 2;
-    const float signo = R[eje] < 0 ? -1.0f : 1.0f, u[3] = {-signo * R.z, R.x, signo * R.x},
-                v[3] = {-R.y, signo * R.z, -R.y};
+    int eje = m.y >= m.z ? 1 : 2;
+    if (m.x >= m.y && m.x >= m.z)
+        eje = 0;
+    const float signo = R[eje] < 0 ? -1.0f : 1.0f;
+    const float u[3] = {-signo * R.z, R.x, signo * R.x}, v[3] = {-R.y, signo * R.z, -R.y};
     return {2 * eje + (signo < 0), (1 + u[eje] / m[eje]) / 2, (1 + v[eje] / m[eje]) / 2};
 }
 

@@ -23,7 +23,9 @@ vec3 gradienteRuido(uvec3 n) {
 
 // i módulo n, de 0 a n − 1 aunque i sea negativo; i si no hay periodo.
 int restoRuido(int i, int n) {
-    return n == 0 ? i : i >= 0 ? i % n : n - 1 - (-1 - i) % n;
+    if (n == 0)
+        return i;
+    return i >= 0 ? i % n : n - 1 - (-1 - i) % n;
 }
 
 ivec3 nodoRuido(ivec3 i, ivec3 periodo) {

@@ -20,7 +20,9 @@ const auto GRADIENTES = [] {
 
 /// i módulo n, de 0 a n − 1 aunque i sea negativo; i si no hay periodo.
 inline int resto(int i, int n) {
-    return n == 0 ? i : i >= 0 ? i % n : n - 1 - ~i % n;
+    if (n == 0)
+        return i;
+    return i >= 0 ? i % n : n - 1 - ~i % n;
 }
 
 /// La celda en que está p: dónde, de 0 a 1, y lo que cada eje aporta al hash de sus nodos de un lado y del otro.

@@ -39,7 +39,13 @@ vec3 marmol(vec3 p) {
 
 void main() {
     vec3 p = coordVertice * S1;
-    vec3 color = elegido == 0 ? madera(p) : elegido == 1 ? marmol(p) : vec3(lee(p));
+    vec3 color;
+    if (elegido == 0)
+        color = madera(p);
+    else if (elegido == 1)
+        color = marmol(p);
+    else
+        color = vec3(lee(p));
     float brillo = elegido == 1 ? 0.45 : 0.15;
     Material material = Material(0.35 * color, 0.75 * color, vec3(brillo), 40.0);
     colorFragmento = vec4(phong(material, La, luz, ecPosicion, normal), 1.0);

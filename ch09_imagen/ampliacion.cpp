@@ -18,7 +18,9 @@ static struct {
 static void dibujaAmpliada(const Recuadro &panel, bool conProporcion, const std::string &rotulo) {
     const float factor = std::exp2(float(estado.pasos) / 2);
     const Recuadro imagen = {0, 0, estado.muestra.talla.x, estado.muestra.talla.y};
-    abreRecuadro(panel, FONDO_OSCURO);
+    abreRecuadro(panel);
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagen", 0);
     envia(estado.programa, "escala",
@@ -33,7 +35,9 @@ static void dibuja() {
                     estado.vecino ? GL_NEAREST : GL_LINEAR_MIPMAP_LINEAR);
     const std::string factor =
         formatea("×%.3g, %s", std::exp2(estado.pasos / 2.0), estado.vecino ? "vecino" : "lineal");
-    abreRecuadro(ventanaEntera(), GRIS);
+    abreRecuadro(ventanaEntera());
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     if (estado.muestra.compara) {
         const std::vector<Recuadro> paneles = rejilla(2, 1);
         dibujaAmpliada(paneles[0], false, "sin proporción");

@@ -58,7 +58,9 @@ static void dibujaEstrella(GLuint framebuffer, int lado) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glGetIntegerv(GL_SAMPLE_BUFFERS, &estado.buffers);
     glGetIntegerv(GL_SAMPLES, &estado.muestrasPorPixel);
-    abreRecuadro({0, 0, lado, lado}, FONDO_CLARO);
+    abreRecuadro({0, 0, lado, lado});
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.pinta);
     envia(estado.pinta, "color", OSCURO);
     envia(estado.pinta, "giro", glm::vec2(std::cos(estado.giro), std::sin(estado.giro)));
@@ -78,7 +80,7 @@ static void dibujaEscena(int tecnica) {
     } else {
         dibujaEstrella(estado.grande.framebuffer, VECES * lado);
         glBindFramebuffer(GL_FRAMEBUFFER, estado.lienzo.framebuffer);
-        dibujaEn({0, 0, lado, lado});
+        abreRecuadro({0, 0, lado, lado});
         glUseProgram(estado.reduce);
         glBindTexture(GL_TEXTURE_2D, estado.grande.textura);
         envia(estado.reduce, "imagen", 0);
@@ -106,7 +108,7 @@ static void dibujaPanel(int tecnica, const Recuadro &panel) {
     const int lupa = std::max(lado * 3 / 10 / DENTRO, 1) * DENTRO;
     dibujaPixeles(estado.lupa, primerPixel(estado.lupa, AUMENTADO, glm::vec2(DENTRO), estado.giro),
                   {DENTRO, DENTRO}, {x + (lado - lupa) / 2, y + (lado - lupa) / 2, lupa, lupa}, NARANJA);
-    dibujaEn({panel.x, y - lado / 9, panel.ancho, lado / 9});
+    abreRecuadro({panel.x, y - lado / 9, panel.ancho, lado / 9});
     rotula(conVeces(NOMBRES[tecnica], tecnica), {0.5f, 0.5f}, OSCURO);
 }
 
@@ -114,24 +116,27 @@ static void dibujaPanel(int tecnica, const Recuadro &panel) {
 static void dibujaPunta(int tecnica, const Recuadro &panel) {
     creaLienzos(LADO_COMPARADO);
     dibujaEscena(tecnica);
-    const int pie = panel.alto * 9 / 40, libre = panel.alto - pie - 8;
+    const int pie = panel.alto * 9 / 40;
+    const int libre = panel.alto - pie - 8;
     const int ancho = std::max(std::min((panel.ancho - 4) / DENTRO, libre / (2 * DENTRO)), 1) * DENTRO;
     dibujaPixeles(
         estado.lupa, primerPixel(estado.lupa, PUNTA, {DENTRO, 2 * DENTRO}, estado.giro), {DENTRO, 2 * DENTRO},
         {panel.x + (panel.ancho - ancho) / 2, panel.y + pie + (libre - 2 * ancho) / 2, ancho, 2 * ancho},
         NARANJA);
-    dibujaEn(panel);
+    abreRecuadro(panel);
     rotula(conVeces(CORTOS[tecnica], tecnica), {0.5f, 0.17f}, OSCURO);
     rotula(formatea("%d y %d", estado.buffers, estado.muestrasPorPixel), {0.5f, 0.11f}, AZUL);
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), FONDO_CLARO);
+    abreRecuadro(ventanaEntera());
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT);
     if (estado.modos.todos) {
         const std::vector<Recuadro> paneles = rejilla(3, 1);
         for (int tecnica = 0; tecnica < 3; ++tecnica)
             dibujaPunta(tecnica, paneles[tecnica]);
-        dibujaEn(ventanaEntera());
+        abreRecuadro(ventanaEntera());
         rotula("GL_SAMPLE_BUFFERS y GL_SAMPLES", {0.5f, 0.045f}, AZUL, Lado::CENTRO, 0.035f);
     } else {
         dibujaPanel(estado.modos.elegido, ventanaEntera());

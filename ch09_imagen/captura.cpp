@@ -34,7 +34,9 @@ static void inicia() {
 }
 
 static void dibujaGrua() {
-    abreRecuadro(ventanaEntera(), CIELO);
+    abreRecuadro(ventanaEntera());
+    ponFondo(CIELO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_DEPTH_TEST);
     glUseProgram(estado.programa);
     const glm::mat4 camara = camaraOrbita(estado.orbita),
@@ -67,18 +69,20 @@ static void guardaYLee() {
 
 // Lo leído, en la esquina de arriba a la izquierda, con un marco; mientras no hay nada, el marco.
 static void dibujaLeida() {
-    const Recuadro v = ventanaEntera(),
-                   esquina = {v.ancho / 40, v.alto * 39 / 40 - v.alto / 3, v.ancho / 3, v.alto / 3},
-                   r = encaja(estado.textura ? estado.talla : glm::ivec2(4, 3), esquina);
+    const Recuadro v = ventanaEntera();
+    const Recuadro esquina = {v.ancho / 40, v.alto * 39 / 40 - v.alto / 3, v.ancho / 3, v.alto / 3};
+    const Recuadro r = encaja(estado.textura ? estado.talla : glm::ivec2(4, 3), esquina);
     if (!estado.textura) {
-        dibujaEn(r);
+        abreRecuadro(r);
         trazaPolilinea({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, glm::mat4(1), NARANJA, GROSOR, true);
         rotula("g guarda\ny lee", {0.5f, 0.5f}, OSCURO);
         return;
     }
     const int marco = std::max(v.alto / 120, 1);
-    abreRecuadro({r.x - marco, r.y - marco, r.ancho + 2 * marco, r.alto + 2 * marco}, NARANJA);
-    dibujaEn(r);
+    abreRecuadro({r.x - marco, r.y - marco, r.ancho + 2 * marco, r.alto + 2 * marco});
+    ponFondo(NARANJA);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    abreRecuadro(r);
     glUseProgram(estado.programaCopia);
     envia(estado.programaCopia, "imagen", 0);
     dibujaRectangulo();
@@ -90,7 +94,7 @@ static void dibuja() {
         guardaYLee();
     estado.guarda = false;
     dibujaLeida();
-    dibujaEn(ventanaEntera());
+    abreRecuadro(ventanaEntera());
     if (!estado.resultado.empty())
         rotula(estado.resultado, {0.19f, 0.62f}, OSCURO, Lado::DEBAJO, 0.03f);
     ponTitulo("Captura" + (estado.resultado.empty() ? "" : ": " + estado.resultado));

@@ -31,8 +31,8 @@ static struct {
 } estado;
 
 static std::string nombre(int elegido) {
-    const std::string ganancia = " ×" + std::to_string(estado.ganancia),
-                      bordes = (estado.conSigno ? " con signo" : " absolutos") + ganancia;
+    const std::string ganancia = " ×" + std::to_string(estado.ganancia);
+    const std::string bordes = (estado.conSigno ? " con signo" : " absolutos") + ganancia;
     return FILTROS[elegido].nombre + (elegido == BORDES ? bordes : "") + FUERA[estado.fuera].nombre;
 }
 
@@ -59,20 +59,22 @@ static void convoluciona(int elegido) {
 static void dibuja() {
     for (const GLenum sentido : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
         glTexParameteri(GL_TEXTURE_2D, sentido, FUERA[estado.fuera].repeticion);
-    abreRecuadro(ventanaEntera(), FONDO_OSCURO);
+    abreRecuadro(ventanaEntera());
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT);
     const std::vector<Recuadro> paneles = recuadros(estado.muestra, 4);
     if (estado.muestra.compara) {
-        dibujaEn(paneles[0]);
+        abreRecuadro(paneles[0]);
         glUseProgram(estado.programaCopia);
         envia(estado.programaCopia, "imagen", 0);
         dibujaRectangulo();
         rotulaImagen(estado.muestra, "Original");
         for (int elegido = 0; elegido < 3; ++elegido) {
-            dibujaEn(paneles[elegido + 1]);
+            abreRecuadro(paneles[elegido + 1]);
             convoluciona(elegido);
         }
     } else {
-        dibujaEn(paneles[0]);
+        abreRecuadro(paneles[0]);
         convoluciona(estado.elegido);
     }
     ponTitulo("Convolución 3×3: " + (estado.muestra.compara

@@ -46,7 +46,7 @@ static void enlaza(GLuint textura, GLint filtro) {
 // Con el programa en uso, de la textura al framebuffer, los dos del tamaño de la imagen.
 static void filtra(GLuint programa, GLuint textura, GLuint framebuffer, bool sumaCero) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    dibujaEn({0, 0, estado.muestra.talla.x, estado.muestra.talla.y});
+    abreRecuadro({0, 0, estado.muestra.talla.x, estado.muestra.talla.y});
     enlaza(textura, GL_NEAREST); // en el centro de un texel interpolar da lo mismo, y cuesta el cuádruple
     envia(programa, "imagen", 0);
     envia(programa, "sumaCero", sumaCero);
@@ -84,7 +84,7 @@ static bool enDosPasadas(const Filtro &f) {
 }
 
 static void dibujaTextura(GLuint textura, const Recuadro &panel, const std::string &rotulo) {
-    dibujaEn(panel);
+    abreRecuadro(panel);
     glUseProgram(estado.copia);
     enlaza(textura, GL_LINEAR);
     envia(estado.copia, "imagen", 0);
@@ -100,14 +100,14 @@ static void dibuja() {
     else
         filtraDirecto(f, sumaCero);
 
-    abreRecuadro(ventanaEntera(), FONDO_OSCURO);
-    const std::string lado = std::to_string(f.talla),
-                      signo = !sumaCero         ? " "
-                              : estado.conSigno ? " con signo "
-                                                : " absoluta ",
-                      nombre = NOMBRES[estado.familia] + signo + lado + "×" + lado,
-                      como = !dosPasadas ? "directo"
-                                         : std::string("separable, ") + (estado.en8Bits ? "8 bits" : "float");
+    abreRecuadro(ventanaEntera());
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT);
+    const char *const signo = estado.conSigno ? " con signo " : " absoluta ";
+    const char *const separable = estado.en8Bits ? "separable, 8 bits" : "separable, float";
+    const std::string como = dosPasadas ? separable : "directo";
+    const std::string nombre =
+        NOMBRES[estado.familia] + std::string(sumaCero ? signo : " ") + formatea("%d×%d", f.talla, f.talla);
     const std::vector<Recuadro> paneles = recuadros(estado.muestra, 2);
     if (estado.muestra.compara) {
         dibujaTextura(estado.imagen, paneles[0], "Original");

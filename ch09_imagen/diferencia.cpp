@@ -10,7 +10,7 @@ static struct {
 } estado;
 
 static void dibujaImagen(int unidad, const Recuadro &panel) {
-    dibujaEn(panel);
+    abreRecuadro(panel);
     glUseProgram(estado.programaCopia);
     envia(estado.programaCopia, "imagen", unidad);
     dibujaRectangulo();
@@ -18,7 +18,7 @@ static void dibujaImagen(int unidad, const Recuadro &panel) {
 }
 
 static void dibujaDiferencia(bool conSigno, const Recuadro &panel) {
-    dibujaEn(panel);
+    abreRecuadro(panel);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagenA", 0);
     envia(estado.programa, "imagenB", 1);
@@ -28,7 +28,9 @@ static void dibujaDiferencia(bool conSigno, const Recuadro &panel) {
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), FONDO_OSCURO);
+    abreRecuadro(ventanaEntera());
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT);
     const std::vector<Recuadro> paneles = recuadros(estado.muestra, 4);
     if (estado.muestra.compara) {
         dibujaImagen(0, paneles[0]);

@@ -26,14 +26,16 @@ static std::string nombre(int efecto) {
 }
 
 static void dibujaEfecto(int efecto, const Recuadro &donde) {
-    dibujaEn(donde);
+    abreRecuadro(donde);
     envia(estado.programa, "elegido", efecto);
     dibujaRectangulo();
     rotulaImagen(estado.muestra, nombre(efecto));
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), FONDO_OSCURO);
+    abreRecuadro(ventanaEntera());
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagen", estado.conColores ? 1 : 0); // la unidad de cada textura
     envia(estado.programa, "alfa", float(estado.decimas) / 10);

@@ -15,7 +15,8 @@ inline std::vector<glm::dvec2> estrella() {
     std::vector<glm::dvec2> vertices;
     for (int i = 0; i < RAYOS; ++i) {
         const double a = 2 * 3.14159265358979323846 * (i + 0.3) / RAYOS;
-        const glm::dvec2 d(std::cos(a), std::sin(a)), n(-d.y, d.x);
+        const glm::dvec2 d(std::cos(a), std::sin(a));
+        const glm::dvec2 n(-d.y, d.x);
         vertices.insert(vertices.end(), {RADIO_DENTRO * d - SEMIANCHO * n, RADIO_FUERA * d,
                                          RADIO_DENTRO * d + SEMIANCHO * n});
     }

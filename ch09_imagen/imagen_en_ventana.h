@@ -118,11 +118,6 @@ inline std::vector<Recuadro> recuadros(const Muestra &muestra, int n) {
     return sitios;
 }
 
-/// Dibujar desde ahora en ese rectángulo de la ventana, sin borrarlo.
-inline void dibujaEn(const Recuadro &r) {
-    glViewport(r.x, r.y, r.ancho, r.alto);
-}
-
 /// El rectángulo de imagen.vert, con el programa en uso.
 inline void dibujaRectangulo() {
     static GLuint vao = 0;

@@ -18,8 +18,10 @@ inline glm::vec2 primerPixel(const Lupa &lupa, const glm::vec2 &centro, const gl
 /// En ese rectángulo, con un marco, los píxeles de la escena que hay a partir de `primero`, de 0 a 1.
 inline void dibujaPixeles(const Lupa &lupa, const glm::vec2 &primero, const glm::ivec2 &pixeles,
                           const Recuadro &r, const glm::vec3 &marco) {
-    abreRecuadro({r.x - 2, r.y - 2, r.ancho + 4, r.alto + 4}, marco);
-    dibujaEn(r);
+    abreRecuadro({r.x - 2, r.y - 2, r.ancho + 4, r.alto + 4});
+    ponFondo(marco);
+    glClear(GL_COLOR_BUFFER_BIT);
+    abreRecuadro(r);
     glUseProgram(lupa.programa);
     envia(lupa.programa, "imagen", 0);
     envia(lupa.programa, "primero", primero);

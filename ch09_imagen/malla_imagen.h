@@ -75,7 +75,8 @@ inline Malla triangulaImagen(const MallaImagen &a, const MallaImagen &b) {
         }
     for (int j = 0; j < filas; ++j)
         for (int i = 0; i < columnas; ++i) {
-            const unsigned k = j * (columnas + 1) + i, arriba = k + columnas + 1;
+            const unsigned k = j * (columnas + 1) + i;
+            const unsigned arriba = k + columnas + 1;
             malla.indices.insert(malla.indices.end(), {k, k + 1, arriba + 1, k, arriba + 1, arriba});
         }
     return malla;

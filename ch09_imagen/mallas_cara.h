@@ -21,13 +21,12 @@ inline MallaImagen creaMallaCara(float ojo, const std::vector<float> &alturas,
 }
 
 /// Las de las dos caras de assets/ y, para las imágenes del usuario, una regular con los mismos puntos.
-const MallaImagen
-    CARA = creaMallaCara(
-        0.406f, {0, 0.12f, 0.225f, 0.375f, 0.50f, 0.62f, 0.95f, 1},
-        {{0.20f, 0.12f}, {0.15f, 0.225f}, {0.16f, 0.375f}, {0.219f, 0.5f}, {0.228f, 0.62f}, {0.29f, 0.806f}},
-        {0.4f, 0.922f}),
-    GATO = creaMallaCara(
-        0.369f, {0, 0.12f, 0.245f, 0.335f, 0.485f, 0.60f, 0.76f, 1},
-        {{0.31f, 0.16f}, {0.268f, 0.245f}, {0.224f, 0.335f}, {0.21f, 0.485f}, {0.23f, 0.6f}, {0.235f, 0.93f}},
-        {0.3875f, 0.735f}),
-    REGULAR = creaMallaImagen(repartidos(7), repartidos(8));
+const MallaImagen CARA = creaMallaCara(
+    0.406f, {0, 0.12f, 0.225f, 0.375f, 0.50f, 0.62f, 0.95f, 1},
+    {{0.20f, 0.12f}, {0.15f, 0.225f}, {0.16f, 0.375f}, {0.219f, 0.5f}, {0.228f, 0.62f}, {0.29f, 0.806f}},
+    {0.4f, 0.922f});
+const MallaImagen GATO = creaMallaCara(
+    0.369f, {0, 0.12f, 0.245f, 0.335f, 0.485f, 0.60f, 0.76f, 1},
+    {{0.31f, 0.16f}, {0.268f, 0.245f}, {0.224f, 0.335f}, {0.21f, 0.485f}, {0.23f, 0.6f}, {0.235f, 0.93f}},
+    {0.3875f, 0.735f});
+const MallaImagen REGULAR = creaMallaImagen(repartidos(7), repartidos(8));

@@ -19,14 +19,16 @@ static std::string nombre(int centesimas) {
 }
 
 static void dibujaMezcla(int centesimas, const Recuadro &panel, const std::string &rotulo) {
-    dibujaEn(panel);
+    abreRecuadro(panel);
     envia(estado.programa, "alfa", float(centesimas) / 100);
     dibujaRectangulo();
     rotulaImagen(estado.muestra, rotulo);
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), FONDO_OSCURO);
+    abreRecuadro(ventanaEntera());
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagenA", 0);
     envia(estado.programa, "imagenB", 1);

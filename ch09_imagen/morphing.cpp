@@ -10,7 +10,8 @@
 #include "modos.h"
 #include "texto.h"
 
-static const int VUELTA = 6000, VIGESIMO = VUELTA / 40; // ms que t tarda en ir y volver, y en pasar 1/20
+static const int VUELTA = 6000;          // ms que t tarda en ir y volver
+static const int VIGESIMO = VUELTA / 40; // y en pasar 1/20
 static const int MS_CUADRO = 33;
 
 static struct {
@@ -49,7 +50,7 @@ static void sigueDesde(int ms) {
 }
 
 static void dibujaMorphing(float t, const Recuadro &panel, const std::string &rotulo) {
-    dibujaEn(panel);
+    abreRecuadro(panel);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagenA", 0);
     envia(estado.programa, "imagenB", 1);
@@ -61,7 +62,7 @@ static void dibujaMorphing(float t, const Recuadro &panel, const std::string &ro
 }
 
 static void dibujaMezcla(float t, const Recuadro &panel, const std::string &rotulo) {
-    dibujaEn(panel);
+    abreRecuadro(panel);
     glUseProgram(estado.programaMezcla);
     envia(estado.programaMezcla, "imagenA", 0);
     envia(estado.programaMezcla, "imagenB", 1);
@@ -73,7 +74,9 @@ static void dibujaMezcla(float t, const Recuadro &panel, const std::string &rotu
 static void dibuja() {
     const float t = tActual();
     const std::string rotulo = formatea("t = %.2f", t);
-    abreRecuadro(ventanaEntera(), FONDO_OSCURO);
+    abreRecuadro(ventanaEntera());
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT);
     cambiaVertices(estado.buferes, triangulaImagen(estado.a, estado.b));
     const std::vector<Recuadro> paneles = recuadros(estado.muestra, 4);
     if (estado.muestra.compara) {

@@ -36,7 +36,8 @@ inline Filtro creaFiltro(Familia familia, int talla) {
     const auto gaussiana = [=](double x) { return std::exp(-x * x / (2 * sigma * sigma)); };
     Filtro f{talla, {}, {}, {}};
     for (int i = 0; i < talla && familia != DISCO; ++i) {
-        const double x = i - centro, g = familia == CAJA ? 1 : gaussiana(x);
+        const double x = i - centro;
+        const double g = familia == CAJA ? 1 : gaussiana(x);
         f.fila.push_back(float(familia == DERIVADA ? x * g : g));
         f.columna.push_back(float(g));
     }

@@ -12,14 +12,16 @@ static struct {
 } estado;
 
 static void dibujaRemolino(int grados, const Recuadro &panel) {
-    dibujaEn(panel);
+    abreRecuadro(panel);
     envia(estado.programa, "angulo", glm::radians(float(grados)));
     dibujaRectangulo();
     rotulaImagen(estado.muestra, std::to_string(grados) + "°");
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), FONDO_OSCURO);
+    abreRecuadro(ventanaEntera());
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagen", 0);
     const std::vector<Recuadro> paneles = recuadros(estado.muestra, 2);

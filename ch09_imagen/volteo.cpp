@@ -14,7 +14,7 @@ static struct {
 } estado;
 
 static void dibujaVolteo(bool horizontal, bool vertical, const Recuadro &panel) {
-    dibujaEn(panel);
+    abreRecuadro(panel);
     // E9.4: envía sentido
     envia(estado.programa, "sentido", glm::vec2(horizontal ? -1 : 1, vertical ? -1 : 1));
     // fin de E9.4
@@ -23,7 +23,9 @@ static void dibujaVolteo(bool horizontal, bool vertical, const Recuadro &panel) 
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), FONDO_OSCURO);
+    abreRecuadro(ventanaEntera());
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagen", 0);
     const std::vector<Recuadro> paneles = recuadros(estado.muestra, 4);

@@ -33,7 +33,7 @@ static MallaImagen caricatura() {
 
 static void dibujaDeformada(const MallaImagen &malla, const Recuadro &panel, const char *rotulo,
                             bool conMalla) {
-    dibujaEn(panel);
+    abreRecuadro(panel);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagen", 0);
     cambiaVertices(estado.buferes, triangulaImagen(malla, REGULAR));
@@ -49,7 +49,9 @@ static std::vector<Recuadro> paneles() {
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), FONDO_OSCURO);
+    abreRecuadro(ventanaEntera());
+    ponFondo(FONDO_OSCURO);
+    glClear(GL_COLOR_BUFFER_BIT);
     const char *rotulo = estado.malla.puntos == REGULAR.puntos ? "Original" : "Deformada";
     const std::vector<Recuadro> sitios = paneles();
     if (estado.muestra.compara)

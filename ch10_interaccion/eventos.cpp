@@ -52,21 +52,23 @@ static std::string en(int x, int y) {
 
 static void teclado(unsigned char tecla, int x, int y) {
     const auto conNombre = TECLAS.find(tecla);
-    anota("tecla " +
-          (conNombre != TECLAS.end()   ? conNombre->second
-           : tecla > 32 && tecla < 127 ? std::string(1, char(tecla))
-                                       : std::to_string(tecla)) +
-          en(x, y));
+    std::string nombre = std::to_string(tecla);
+    if (conNombre != TECLAS.end())
+        nombre = conNombre->second;
+    else if (tecla > 32 && tecla < 127)
+        nombre = std::string(1, char(tecla));
+    anota("tecla " + nombre + en(x, y));
     teclaComun(tecla);
 }
 
 static void especial(int tecla, int x, int y) {
     const auto conNombre = ESPECIALES.find(tecla);
-    anota("especial " +
-          (conNombre != ESPECIALES.end()                   ? conNombre->second
-           : tecla >= GLUT_KEY_F1 && tecla <= GLUT_KEY_F12 ? "F" + std::to_string(tecla - GLUT_KEY_F1 + 1)
-                                                           : std::to_string(tecla)) +
-          en(x, y));
+    std::string nombre = std::to_string(tecla);
+    if (conNombre != ESPECIALES.end())
+        nombre = conNombre->second;
+    else if (tecla >= GLUT_KEY_F1 && tecla <= GLUT_KEY_F12)
+        nombre = "F" + std::to_string(tecla - GLUT_KEY_F1 + 1);
+    anota("especial " + nombre + en(x, y));
     teclaEspecialComun(tecla);
 }
 
@@ -122,7 +124,7 @@ static void dibujaRastro() {
 static void dibujaRaton() {
     const Recuadro v = ventanaEntera();
     const int lado = int(0.32f * altoUtil());
-    glViewport(v.ancho - lado, (v.alto - lado) / 2, lado, lado);
+    abreRecuadro({v.ancho - lado, (v.alto - lado) / 2, lado, lado});
     const auto caja = [](float x0, float y0, float x1, float y1, const glm::vec3 &color) {
         trazaPoligono({{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}}, glm::mat4(1), color);
     };
@@ -132,11 +134,13 @@ static void dibujaRaton() {
         const float x = -0.5f + 0.35f * float(i);
         caja(x, 0.15f, x + 0.3f, 0.75f, estado.pulsado[i] ? NARANJA : BLANCO);
     }
-    glViewport(0, 0, v.ancho, v.alto);
+    abreRecuadro(v);
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), FONDO_CLARO);
+    abreRecuadro(ventanaEntera());
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT);
     dibujaRastro();
     dibujaRaton();
     const float renglon = 0.1f * altoUtil() / float(ventanaEntera().alto);

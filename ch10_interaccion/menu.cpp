@@ -26,11 +26,16 @@ static void inicia() {
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), CIELO);
+    abreRecuadro(ventanaEntera());
+    ponFondo(CIELO);
+    glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     const bool enPerspectiva = estado.vistas.elegido == DIAGONAL;
     for (const PanelVista &p : reparteVistas(estado.vistas, estado.envolvente)) { // uno, o ninguno si no cabe
-        abreVista(p);
+        abreRecuadro(p.panel);
+        ponFondo(CIELO);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        abreRecuadro(p.escena);
         envia(estado.programa, "proyeccion",
               glm::mat4(enPerspectiva ? perspectivaQueEncierra(estado.envolvente, p.camara, p.escena)
                                       : paralelaQueEncierra(estado.envolvente, p.camara, p.escena,
@@ -39,7 +44,7 @@ static void dibuja() {
         for (const Pieza &pieza : escenaGrua({0.58f, 5, 4}))
             dibujaObjeto(estado.programa, estado.cubo, pieza.M, pieza.color);
         rotulaVista(p, enPerspectiva ? ", en perspectiva" : ", en paralela");
-        glViewport(p.panel.x, p.panel.y, p.panel.ancho, p.panel.alto);
+        abreRecuadro(p.panel);
         rotula("clic derecho", {0.98f, 0.94f}, OSCURO, Lado::IZQUIERDA, 0.03f);
     }
     ponTitulo(std::string("Menú: ") + (enPerspectiva ? "Perspectiva" : VISTAS[estado.vistas.elegido].nombre));

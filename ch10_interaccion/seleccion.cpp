@@ -102,7 +102,9 @@ static void nombraElegido(const glm::vec3 &color) {
 
 static void dibuja() {
     const glm::vec3 color = estado.conIdentificadores ? BLANCO : OSCURO;
-    abreRecuadro(ventanaEntera(), estado.conIdentificadores ? colorDe(NADA) : CIELO);
+    abreRecuadro(ventanaEntera());
+    ponFondo(estado.conIdentificadores ? colorDe(NADA) : CIELO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     dibujaObjetos(estado.conIdentificadores);
     if (estado.elegido != NADA)
         nombraElegido(color);
@@ -117,7 +119,9 @@ static void dibuja() {
 static void selecciona(int x, int y) {
     const int fila = glutGet(GLUT_WINDOW_HEIGHT) - 1 - y;
     glBindFramebuffer(GL_FRAMEBUFFER, estado.framebuffer);
-    abreRecuadro(ventanaEntera(), colorDe(NADA));
+    abreRecuadro(ventanaEntera());
+    ponFondo(colorDe(NADA));
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glEnable(GL_SCISSOR_TEST); // se va a leer un píxel: los demás, ni dibujarlos
     glScissor(x, fila, 1, 1);
     dibujaObjetos(true);
@@ -126,8 +130,9 @@ static void selecciona(int x, int y) {
     glReadPixels(x, fila, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
     glBindFramebuffer(GL_FRAMEBUFFER, 0); // el de dibujar y el de leer
 
-    const glm::vec2 talla(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT)),
-        lugar = 2.0f * (glm::vec2(x, fila) + 0.5f) / talla - 1.0f, brazo = 0.045f * altoUtil() / talla;
+    const glm::vec2 talla(glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT));
+    const glm::vec2 lugar = 2.0f * (glm::vec2(x, fila) + 0.5f) / talla - 1.0f,
+                    brazo = 0.045f * altoUtil() / talla;
     estado.cruz.clear();
     for (const glm::vec2 &d : {glm::vec2(brazo.x, 0), {0, brazo.y}})
         estado.cruz.insert(estado.cruz.end(), {{lugar - d, -0.99f}, {lugar + d, -0.99f}});

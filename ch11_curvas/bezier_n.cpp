@@ -30,7 +30,9 @@ static double pixel(const Recuadro &panel) {
 }
 
 static void dibujaCurva(const Recuadro &panel) {
-    abreRecuadro(panel, FONDO_CLARO);
+    abreRecuadro(panel);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT);
     // a lo ancho del panel, como los polinomios de abajo
     const glm::mat4 vista(1.7f, 0, 0, 0, 0, 0.9f, 0, 0, 0, 0, 1, 0, -0.85f, 0, 0, 1);
     const std::vector<glm::vec3> P = puntosZigzag(estado.n);
@@ -43,7 +45,9 @@ static void dibujaCurva(const Recuadro &panel) {
 }
 
 static void dibujaBernstein(const Recuadro &panel) {
-    abreRecuadro(panel, FONDO_CLARO);
+    abreRecuadro(panel);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT);
     // u de 0 a 1 en horizontal y b de 0 a 1 en vertical, con un margen
     const glm::mat4 vista = glm::mat4(1.7f, 0, 0, 0, 0, 1.4f, 0, 0, 0, 0, 1, 0, -0.85f, -0.6f, 0, 1);
     trazaPolilinea({{0, 1, 0}, {0, 0, 0}, {1, 0, 0}}, vista, OSCURO, 0.6f * GROSOR);
@@ -62,7 +66,9 @@ static void dibujaBernstein(const Recuadro &panel) {
 
 static void dibuja() {
     const std::vector<Recuadro> paneles = rejilla(1, 2);
-    abreRecuadro(ventanaEntera(), GRIS);
+    abreRecuadro(ventanaEntera());
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     dibujaCurva(paneles[0]);
     dibujaBernstein(paneles[1]);
     ponTitulo("Bézier de grado " + std::to_string(estado.n - 1) + ": " + std::to_string(estado.n) +

@@ -33,7 +33,8 @@ inline RedBezier<float> trozoUnido(const RedBezier<float> &A, Union tipo) {
     RedBezier<float> B = A;
     for (std::size_t i = 0; i <= A.n; ++i)
         for (std::size_t j = 0; j <= A.m; ++j) {
-            const glm::vec3 borde = A.en(A.n, j), d = A.en(A.n - i, j) - borde;
+            const glm::vec3 borde = A.en(A.n, j);
+            const glm::vec3 d = A.en(A.n - i, j) - borde;
             const float k = tipo == Union::G1 ? PROPORCION_G1 : DESIGUALES[j % 2];
             const bool reflejo = i != 1 || tipo == Union::C0;
             B.P[i * (A.m + 1) + j] = borde + (reflejo ? glm::vec3(-d.x, d.y, d.z) : -k * d);

@@ -33,21 +33,25 @@ static float parametro() {
 // Proyección paralela que abarca en el panel [−semiancho, semiancho]×[−semialto, semialto], como poco, desde un
 // centro.
 static glm::mat4 abarca(const Recuadro &panel, float semiancho, float semialto, const glm::vec3 &centro) {
-    const float y = std::max(semialto, semiancho / aspecto(panel)), x = y * aspecto(panel);
+    const float y = std::max(semialto, semiancho / aspecto(panel));
+    const float x = y * aspecto(panel);
     return glm::translate(glm::ortho(-x, x, -y, y), -centro);
 }
 
 // La trayectoria desde arriba, con el coche y su velocidad.
 static void dibujaPlano(const Recuadro &panel, Continuidad c) {
-    abreRecuadro(panel, FONDO_CLARO);
+    abreRecuadro(panel);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT);
     const glm::mat4 vista = abarca(panel, 1.3f, 0.7f, {0, 0.22f, 0});
     const double tolerancia = 0.4 / std::max(panel.alto, 1);
     trazaPolilinea(polilineaCubica(Base::HERMITE, PRIMER_TRAMO, tolerancia), vista, AZUL, 1.7f * GROSOR);
     trazaPolilinea(polilineaCubica(Base::HERMITE, segundoTramo(c), tolerancia), vista, MORADO, 1.7f * GROSOR);
     trazaPuntos({PRIMER_TRAMO[1]}, vista, OSCURO, 3 * GROSOR);
     const float u = parametro();
-    const glm::vec3 Q = recorrido(c, u), velocidad = recorrido(c, u, 1), F = glm::normalize(velocidad),
-                    L(-F.y, F.x, 0);
+    const glm::vec3 Q = recorrido(c, u), velocidad = recorrido(c, u, 1);
+    const glm::vec3 F = glm::normalize(velocidad);
+    const glm::vec3 L(-F.y, F.x, 0);
     trazaFlecha(Q, Q + VELOCIDAD * velocidad, vista, VERDE);
     trazaPoligono({Q + 0.10f * F, Q - 0.08f * F + 0.07f * L, Q - 0.08f * F - 0.07f * L}, vista, NARANJA);
     rotula(NOMBRES[c], {0.12f, 0.2f}, OSCURO, Lado::CENTRO, 1.3f * TALLA_ROTULO);
@@ -55,7 +59,9 @@ static void dibujaPlano(const Recuadro &panel, Continuidad c) {
 
 // El módulo de una derivada a lo largo de los dos tramos: el salto de la unión, u = 1, queda entre uno y otro.
 static void dibujaGrafica(const Recuadro &panel, Continuidad c, int derivada) {
-    abreRecuadro(panel, FONDO_CLARO);
+    abreRecuadro(panel);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT);
     const float maxima = derivada == 1 ? RAPIDEZ_MAXIMA : ACELERACION_MAXIMA, u = parametro();
     const glm::vec3 color = derivada == 1 ? VERDE : ROJO;
     // de 0 a 2 en horizontal y de 0 a la máxima en vertical
@@ -81,7 +87,9 @@ static void dibujaGrafica(const Recuadro &panel, Continuidad c, int derivada) {
 // Lo que se ve desde el coche: un suelo cuadriculado, con montes al fondo, y la carretera. Los saltos de la velocidad
 // y de la aceleración se notan cuando anda.
 static void dibujaVista(const Recuadro &panel, Continuidad c) {
-    abreRecuadro(panel, CIELO);
+    abreRecuadro(panel);
+    ponFondo(CIELO);
+    glClear(GL_COLOR_BUFFER_BIT);
     const float u = parametro();
     const glm::vec3 ojo = recorrido(c, u) + glm::vec3(0, 0, ALTURA_OJO);
     const glm::mat4 vista = glm::perspective(1.0f, aspecto(panel), 0.05f, 100.0f) *
@@ -111,7 +119,9 @@ static void dibujaVista(const Recuadro &panel, Continuidad c) {
 }
 
 static void dibuja() {
-    abreRecuadro(ventanaEntera(), GRIS);
+    abreRecuadro(ventanaEntera());
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     if (estado.modos.todos) { // una en cada fila
         const std::vector<Recuadro> celdas = rejilla(3, CONTINUIDADES);
         for (int c = 0; c < CONTINUIDADES; ++c) {

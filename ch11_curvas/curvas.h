@@ -59,24 +59,29 @@ const glm::mat4 M_BS = glm::transpose(glm::mat4( // ecuación 11.26
 /// segunda derivada.
 template<typename T>
 Pesos<T> pesos(Base base, const T &u, int derivada = 0) {
-    const T c = T(1) - u, uu = u * u, cc = c * c;
+    const T c = T(1) - u, uu = u * u;
+    const T cc = c * c;
     switch (base) {
     case Base::HERMITE:
-        return derivada == 0 ? Pesos<T>{cc * (T(1) + T(2) * u), uu * (T(1) + T(2) * c), u * cc, -(uu * c)}
-               : derivada == 1
-                   ? Pesos<T>{T(-6) * u * c, T(6) * u * c, c * (c - T(2) * u), u * (u - T(2) * c)}
-                   : Pesos<T>{T(6) * (u - c), T(6) * (c - u), T(2) * u - T(4) * c, T(4) * u - T(2) * c};
+        switch (derivada) {
+        case 0: return {cc * (T(1) + T(2) * u), uu * (T(1) + T(2) * c), u * cc, -(uu * c)};
+        case 1: return {T(-6) * u * c, T(6) * u * c, c * (c - T(2) * u), u * (u - T(2) * c)};
+        default: return {T(6) * (u - c), T(6) * (c - u), T(2) * u - T(4) * c, T(4) * u - T(2) * c};
+        }
     case Base::BEZIER:
-        return derivada == 0 ? Pesos<T>{cc * c, T(3) * (cc * u), T(3) * (uu * c), uu * u}
-               : derivada == 1
-                   ? Pesos<T>{T(-3) * cc, T(3) * c * (c - T(2) * u), T(3) * u * (T(2) * c - u), T(3) * uu}
-                   : Pesos<T>{T(6) * c, T(6) * u - T(12) * c, T(6) * c - T(12) * u, T(6) * u};
+        switch (derivada) {
+        case 0: return {cc * c, T(3) * (cc * u), T(3) * (uu * c), uu * u};
+        case 1: return {T(-3) * cc, T(3) * c * (c - T(2) * u), T(3) * u * (T(2) * c - u), T(3) * uu};
+        default: return {T(6) * c, T(6) * u - T(12) * c, T(6) * c - T(12) * u, T(6) * u};
+        }
     default:
-        return derivada == 0   ? Pesos<T>{cc * c / T(6), (T(1) + T(3) * c * (T(1) + u * c)) / T(6),
-                                          (T(1) + T(3) * u * (T(1) + u * c)) / T(6), uu * u / T(6)}
-               : derivada == 1 ? Pesos<T>{-cc / T(2), u * (T(3) * u - T(4)) / T(2),
-                                          c * (T(4) - T(3) * c) / T(2), uu / T(2)}
-                               : Pesos<T>{c, T(3) * u - T(2), T(3) * c - T(2), u};
+        switch (derivada) {
+        case 0:
+            return {cc * c / T(6), (T(1) + T(3) * c * (T(1) + u * c)) / T(6),
+                    (T(1) + T(3) * u * (T(1) + u * c)) / T(6), uu * u / T(6)};
+        case 1: return {-cc / T(2), u * (T(3) * u - T(4)) / T(2), c * (T(4) - T(3) * c) / T(2), uu / T(2)};
+        default: return {c, T(3) * u - T(2), T(3) * c - T(2), u};
+        }
     }
 }
 
@@ -120,7 +125,9 @@ Geometria<T> aBezier(Base base, const Geometria<T> &G) {
 /// Los tramos de una B-Spline de n puntos de control. Cerrarla es repetir los tres primeros.
 inline std::size_t tramosBSpline(std::size_t n, bool cerrada) {
     // E11.7: cuántos son, abierta y cerrada
-    return n < 4 ? 0 : cerrada ? n : n - 3; // con menos de cuatro puntos no hay ninguno
+    if (n < 4) // con menos de cuatro puntos no hay ninguno
+        return 0;
+    return cerrada ? n : n - 3;
     // de partida: return n < 4 || cerrada ? 0 : 1;
     // fin de E11.7
 }
@@ -186,7 +193,8 @@ std::vector<T> bernstein(std::size_t n, const T &u, int derivada = 0) {
 
 // ---- Teselación ----
 
-const int MITADES_MAXIMAS = 12, SEGMENTOS_MAXIMOS = 1 << MITADES_MAXIMAS;
+const int MITADES_MAXIMAS = 12;
+const int SEGMENTOS_MAXIMOS = 1 << MITADES_MAXIMAS;
 
 /// Segmentos iguales en u que no se separan de la curva más de `tolerancia`, si su segunda derivada no pasa de `M`: la
 /// cuerda de un intervalo h se separa como mucho M·h²/8.

@@ -92,13 +92,14 @@ inline void especialEditor(const Editor &editor, int tecla) {
         return;
     const float dx = PASO_FLECHA * 4 / 3 * altoUtil() * 2 / float(glutGet(GLUT_WINDOW_WIDTH)),
                 dy = PASO_FLECHA * altoUtil() * 2 / float(glutGet(GLUT_WINDOW_HEIGHT));
-    const glm::vec2 paso = tecla == GLUT_KEY_LEFT    ? glm::vec2(-dx, 0)
-                           : tecla == GLUT_KEY_RIGHT ? glm::vec2(dx, 0)
-                           : tecla == GLUT_KEY_UP    ? glm::vec2(0, dy)
-                           : tecla == GLUT_KEY_DOWN  ? glm::vec2(0, -dy)
-                                                     : glm::vec2(0);
-    if (paso == glm::vec2(0))
-        return;
+    glm::vec2 paso;
+    switch (tecla) {
+    case GLUT_KEY_LEFT: paso = {-dx, 0}; break;
+    case GLUT_KEY_RIGHT: paso = {dx, 0}; break;
+    case GLUT_KEY_UP: paso = {0, dy}; break;
+    case GLUT_KEY_DOWN: paso = {0, -dy}; break;
+    default: return;
+    }
     const glm::vec4 p = editor.transformacion() * glm::vec4((*editor.puntos)[editor.elegido], 1);
     mueveElegido(editor, glm::vec2(p) / p.w + paso);
 }

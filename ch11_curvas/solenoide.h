@@ -12,8 +12,8 @@ const int SEGMENTOS_VUELTA = 4, TROZOS_SEGMENTO = 16,
 /// tangentes tienen la dirección de las de la hélice y el largo con que también el punto medio cae en ella: 4·tan(π/8)
 /// por el radio, y no π/2, que es su derivada y se quedaría un 1.5 % dentro.
 inline Geometria<float> segmentoSolenoide(int vueltas, int i) {
-    const float paso = glm::two_pi<float>() / SEGMENTOS_VUELTA, largo = 4 * std::tan(paso / 4),
-                avance = LARGO_SOLENOIDE / float(SEGMENTOS_VUELTA * vueltas);
+    const float paso = glm::two_pi<float>() / SEGMENTOS_VUELTA;
+    const float largo = 4 * std::tan(paso / 4), avance = LARGO_SOLENOIDE / float(SEGMENTOS_VUELTA * vueltas);
     const auto punto = [&](int k) {
         const float a = paso * float(k);
         return glm::vec3(avance * float(k) - LARGO_SOLENOIDE / 2, RADIO_SOLENOIDE * std::cos(a),
@@ -37,17 +37,18 @@ inline Malla tuboSolenoide(int vueltas, int resto) {
         const Geometria<float> G = segmentoSolenoide(vueltas, i);
         const float u = float(k - i * TROZOS_SEGMENTO) / TROZOS_SEGMENTO;
         const glm::vec3 centro = cubica(Base::HERMITE, G, u),
-                        tangente = glm::normalize(cubica(Base::HERMITE, G, u, 1)),
-                        // la hélice nunca va a lo largo de su eje, así que el eje X orienta el anillo
-            lado = glm::normalize(glm::cross(tangente, glm::vec3(1, 0, 0))),
-                        otro = glm::cross(tangente, lado);
+                        tangente = glm::normalize(cubica(Base::HERMITE, G, u, 1));
+        // la hélice nunca va a lo largo de su eje, así que el eje X orienta el anillo
+        const glm::vec3 lado = glm::normalize(glm::cross(tangente, glm::vec3(1, 0, 0)));
+        const glm::vec3 otro = glm::cross(tangente, lado);
         for (int j = 0; j <= LADOS_TUBO; ++j) {
             const float a = glm::two_pi<float>() * float(j) / LADOS_TUBO;
             const glm::vec3 normal = std::cos(a) * lado + std::sin(a) * otro;
             malla.vertices.push_back({centro + GRUESO_TUBO * normal, normal, {0, 0}});
             if (k == anillos || j == LADOS_TUBO || i % 2 != resto)
                 continue;
-            const unsigned p = k * (LADOS_TUBO + 1) + j, q = p + LADOS_TUBO + 1;
+            const unsigned p = k * (LADOS_TUBO + 1) + j;
+            const unsigned q = p + LADOS_TUBO + 1;
             malla.indices.insert(malla.indices.end(), {p, p + 1, q + 1, p, q + 1, q});
         }
     }

@@ -100,10 +100,11 @@ static std::string modoFamilia() {
 static std::string modoUnion() {
     static const char *const UNIONES[] = {"C0", "G1", "alineados"};
     const int cual = estado.modo - UNION_C0;
-    const RedBezier<float> &red = estado.red, otra = trozoUnido(red, Union(cual));
+    const RedBezier<float> &red = estado.red;
+    const RedBezier<float> otra = trozoUnido(red, Union(cual));
     const Segmentos n1 = segmentosLamina(estado.lamina, red, TOLERANCIA_LAMINA),
-                    n2 = segmentosLamina(estado.lamina, otra, TOLERANCIA_LAMINA),
-                    n = {std::max(n1.u, n2.u), std::max(n1.v, n2.v)}; // para que casen en la unión
+                    n2 = segmentosLamina(estado.lamina, otra, TOLERANCIA_LAMINA);
+    const Segmentos n = {std::max(n1.u, n2.u), std::max(n1.v, n2.v)}; // para que casen en la unión
     dibujaLamina(estado.lamina, mallaSuperficie(otra, n), LAMINA_NARANJA);
     dibujaLamina(estado.lamina, mallaSuperficie(red, n), LAMINA_AZUL);
     glDisable(GL_DEPTH_TEST);

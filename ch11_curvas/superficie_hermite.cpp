@@ -49,8 +49,10 @@ static void dibujaElementos() {
         const glm::vec3 &esquina = estado.puntas[esquinaDe(k)];
         if (esquinaDe(k) == k)
             esquinas.push_back(esquina);
+        else if (fila < 2)
+            trazaFlecha(esquina, estado.puntas[k], vista(), ROJO);
         else
-            trazaFlecha(esquina, estado.puntas[k], vista(), fila < 2 ? ROJO : k % 4 < 2 ? AMARILLO : MORADO);
+            trazaFlecha(esquina, estado.puntas[k], vista(), k % 4 < 2 ? AMARILLO : MORADO);
     }
     trazaPuntos(esquinas, vista(), OSCURO);
     if (estado.editor.elegido >= 0)

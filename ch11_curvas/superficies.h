@@ -154,7 +154,8 @@ Malla mallaDe(const UnVertice &vertice, const Segmentos &n) {
             malla.vertices.push_back(vertice(float(i) / float(n.u), float(j) / float(n.v)));
             if (i == n.u || j == n.v)
                 continue;
-            const unsigned a = j * (n.u + 1) + i, d = a + n.u + 1;
+            const unsigned a = j * (n.u + 1) + i;
+            const unsigned d = a + n.u + 1;
             malla.indices.insert(malla.indices.end(), {a, a + 1, d + 1, a, d + 1, d});
         }
     return malla;

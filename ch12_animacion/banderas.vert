@@ -14,7 +14,8 @@ out float onda;
 void main() {
     // un sol: el dibujo que hace la grada entera
     float lejos = distance(celda, 0.5 * (talla - 1.0));
-    color = paleta[lejos < 3.2 ? 0 : lejos < 5.6 ? 1 : 2];
+    int cual = lejos < 5.6 ? 1 : 2;
+    color = paleta[lejos < 3.2 ? 0 : cual];
     tela = 0.5 * posicion + 0.5;
     vec3 va = vaiven();
     onda = 6.0 * va.y;

@@ -54,7 +54,8 @@ static void dibujaHalo(const glm::mat4 &camara, const glm::mat4 &proyeccion, con
 // Un periodo entero, en coordenadas normalizadas, y el instante en que se está.
 static void dibujaGrafica(double t) {
     const int columnas = 64;
-    const float izquierda = -0.94f, ancho = -2 * izquierda, abajo = -0.76f, alto = 0.2f;
+    const float izquierda = -0.94f;
+    const float ancho = -2 * izquierda, abajo = -0.76f, alto = 0.2f;
     const auto x = [&](float parte) { return izquierda + ancho * parte; };
     glDisable(GL_DEPTH_TEST);
     for (int i = 0; i < columnas; ++i) {

@@ -10,7 +10,13 @@ out vec3 color;
 // Una flor de ocho pétalos, con su centro, su orla y el fondo.
 int dibujo(vec2 p) {
     float r = length(p), petalo = 0.62 + 0.22 * cos(8.0 * atan(p.y, p.x + 1e-6));
-    return r < 0.2 ? 0 : r < petalo - 0.22 ? 1 : r < petalo ? 2 : max(abs(p.x) * talla.y / talla.x, abs(p.y)) > 0.9 ? 3 : 4;
+    if (r < 0.2)
+        return 0;
+    if (r < petalo - 0.22)
+        return 1;
+    if (r < petalo)
+        return 2;
+    return max(abs(p.x) * talla.y / talla.x, abs(p.y)) > 0.9 ? 3 : 4;
 }
 
 void main() {

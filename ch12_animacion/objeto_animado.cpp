@@ -48,8 +48,8 @@ static glm::mat4 matrizEn(double t) {
 static void dibuja() {
     const auto &modo = MODOS[estado.elegido];
     const double t = tiempo(estado.reloj);
-    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 50),
-                    transformacion = proyeccion * camara;
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.5f, 1, 50);
+    const glm::mat4 transformacion = proyeccion * camara;
     glClear(GL_COLOR_BUFFER_BIT);
     usaPrograma(estado.programa, camara, proyeccion);
     for (int k = ESTELAS; k >= 0; --k) { // cuanto más antiguo, más pálido, y siempre detrás

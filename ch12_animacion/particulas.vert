@@ -36,8 +36,14 @@ void main() {
     float diametro;
     if (elegido == 0) { // tiro parabólico: chorros altos y bajos, por turnos, y en medio, el mayor, que acaba en punta
         bool medio = grupo == 0u, alto = grupo % 2u == 0u;
-        vec2 lado = (medio ? 0.30 * sqrt(b) * (1.0 - c) : (alto ? 0.60 : 1.05) + 0.14 * b) * giro(medio ? a : (float(grupo) + 0.16 * a) / float(grupos - 1));
-        float v = medio ? 5.6 + 1.0 * c : (alto ? 4.9 : 3.7) + 0.35 * c;
+        float lejos = (alto ? 0.60 : 1.05) + 0.14 * b, v = (alto ? 4.9 : 3.7) + 0.35 * c;
+        float vuelta = (float(grupo) + 0.16 * a) / float(grupos - 1);
+        if (medio) {
+            lejos = 0.30 * sqrt(b) * (1.0 - c);
+            v = 5.6 + 1.0 * c;
+            vuelta = a;
+        }
+        vec2 lado = lejos * giro(vuelta);
         P = vec3(lado.x * s, v * s - 2.5 * s * s, lado.y * s);
         diametro = 0.07;
         color = vec4(mix(vec3(0.20, 0.50, 0.95), vec3(0.85, 0.95, 1.0), c), 0.4);

@@ -12,7 +12,11 @@ const float NACEN = 3.5f, MUEREN = 6,
 
 /// Lo que les pasa en el instante t, de 0 a PERIODO_PIEZAS.
 inline const char *etapa(float t) {
-    return t < NACEN ? "nacen" : t < MUEREN ? "viven" : t < MUEREN_ANTES ? "mueren" : "no queda ninguna";
+    if (t < NACEN)
+        return "nacen";
+    if (t < MUEREN)
+        return "viven";
+    return t < MUEREN_ANTES ? "mueren" : "no queda ninguna";
 }
 
 struct VerticePieza {

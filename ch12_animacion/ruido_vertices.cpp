@@ -37,7 +37,9 @@ static void dibujaModo(int cual, const Recuadro &r) {
     const glm::mat4 camara = camaraOrbita(estado.orbita),
                     proyeccion = estado.modos.todos ? perspectivaVentana(0.51f, 1, 50, aspecto(r), 0.8)
                                                     : perspectivaVentana(0.4f, 1, 50);
-    abreRecuadro(r, FONDO_CLARO);
+    abreRecuadro(r);
+    ponFondo(FONDO_CLARO);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     usaPrograma(estado.programa, camara, proyeccion);
     envia(estado.programa, "M", glm::mat4(1));
     envia(estado.programa, "colorObjeto", cual == 0 ? VERDE : NARANJA);

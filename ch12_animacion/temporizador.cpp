@@ -32,15 +32,16 @@ static void dispara(int cual) {
         siguiente = estado.comoElLibro ? ahora + periodo : multiplo;
         glutPostRedisplay();
     }
-    // en pausa se vuelve a mirar al cabo de un cuadro
-    const double falta =
-        estado.reloj.parado >= 0 ? PERIODO_CUADRO : siguiente - ahora + (estado.ocupado ? RETRASO : 0);
+    double falta = siguiente - ahora + (estado.ocupado ? RETRASO : 0);
+    if (estado.reloj.parado >= 0) // en pausa se vuelve a mirar al cabo de un cuadro
+        falta = PERIODO_CUADRO;
     glutTimerFunc(unsigned(std::max(1L, std::lround(falta))), dispara, cual);
 }
 
 static void dibuja() {
     const glm::mat4 proyeccion = paralelaVentana(1);
-    const double t = tiempo(estado.reloj), desde = std::max(0.0, t - VENTANA);
+    const double t = tiempo(estado.reloj);
+    const double desde = std::max(0.0, t - VENTANA);
     const auto x = [&](double s) { return float(-0.42 + 1.62 * (s - desde) / VENTANA); };
     glClear(GL_COLOR_BUFFER_BIT);
     trazaSegmentos({{x(t), -0.7f, 0}, {x(t), 0.85f, 0}}, proyeccion, NARANJA, GROSOR / 2); // ahora

@@ -30,7 +30,8 @@ void cuadricula(Malla &malla, int n, int m, const std::function<Vertice(int, int
     };
     for (int j = 0; j < m; ++j)
         for (int i = 0; i < n; ++i) {
-            const unsigned a = base + j * (n + 1) + i, b = a + n + 1;
+            const unsigned a = base + j * (n + 1) + i;
+            const unsigned b = a + n + 1;
             triangulo(a, a + 1, b + 1);
             triangulo(a, b + 1, b);
         }

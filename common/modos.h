@@ -39,12 +39,14 @@ inline bool teclaModos(Modos &modos, unsigned char tecla) {
     return true;
 }
 
-/// Dibuja el elegido en la ventana entera o todos, cada uno en su panel de los de reparte.
+/// Dibuja el elegido en la ventana entera o todos, cada uno en su panel de los de reparte, con rayas entre ellos.
 inline void dibujaModos(const Modos &modos, void (*dibuja)(int modo, const Recuadro &panel),
                         float aspectoEscena = 1) {
     if (!modos.todos)
         return dibuja(modos.elegido, ventanaEntera());
-    abreRecuadro(ventanaEntera(), GRIS);
+    abreRecuadro(ventanaEntera());
+    ponFondo(GRIS);
+    glClear(GL_COLOR_BUFFER_BIT);
     int modo = 0;
     for (const Recuadro &panel : reparte(modos.n, aspectoEscena))
         dibuja(modo++, panel);

@@ -20,6 +20,7 @@ glm::mat4 perspectivaVentana(float angulo, float cerca, float lejos, float aspec
 }
 
 glm::mat4 paralelaVentana(float semialto, float cerca, float lejos, float aspecto) {
-    const float y = semialto * float(ampliacionVertical(aspecto)), x = aspecto * y;
+    const float y = semialto * float(ampliacionVertical(aspecto));
+    const float x = aspecto * y;
     return glm::ortho(-x, x, -y, y, cerca, lejos);
 }

@@ -2,8 +2,8 @@
 #include "ayuda.h"
 #include "captura.h"
 #include "error.h"
-#include "shader.h"
 #include "glut/sistema/sistema.h"
+#include "shader.h"
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -103,8 +103,4 @@ bool teclaEspecialComun(int tecla) {
     case GLUT_KEY_F12: guardaVentana(); return true;
     default: return false;
     }
-}
-
-void ponFondo(const glm::vec3 &color) {
-    glClearColor(color.r, color.g, color.b, 1);
 }

@@ -22,6 +22,3 @@ bool teclaComun(unsigned char tecla);
 /// (pantalla completa) y F12 (guarda la ventana en <programa>-N.ppm). Un programa con glutSpecialFunc propia la llama
 /// primero.
 bool teclaEspecialComun(int tecla);
-
-/// El color con que la borra glClear desde ahora.
-void ponFondo(const glm::vec3 &color);

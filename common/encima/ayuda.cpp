@@ -209,6 +209,7 @@ void __real_glutMotionFunc(void (*)(int, int));
 void __real_glutPassiveMotionFunc(void (*)(int, int));
 
 void __wrap_glutSwapBuffers() {
+    glDisable(GL_SCISSOR_TEST); // lo dejó puesto abreRecuadro, y lo que viene no es de su panel
     if (estado.puntero)
         pintaPuntero();
     if (estado.ayuda)

@@ -12,8 +12,8 @@ constexpr std::u32string_view SIGNOS =
 // En texels. La letra es DejaVu Sans Mono Bold.
 constexpr int CUADRATIN = 32,
               ALCANCE = 6; // hasta esa distancia del borde, por dentro y por fuera, la da el atlas
-constexpr int ANCHO_CELDA = 32, ALTO_CELDA = 50, COLUMNAS_ATLAS = 16,
-              FILAS_ATLAS = (int(SIGNOS.size()) + COLUMNAS_ATLAS - 1) / COLUMNAS_ATLAS;
+constexpr int ANCHO_CELDA = 32, ALTO_CELDA = 50, COLUMNAS_ATLAS = 16;
+constexpr int FILAS_ATLAS = (int(SIGNOS.size()) + COLUMNAS_ATLAS - 1) / COLUMNAS_ATLAS;
 constexpr int ANCHO_ATLAS = COLUMNAS_ATLAS * ANCHO_CELDA, ALTO_ATLAS = FILAS_ATLAS * ALTO_CELDA;
 constexpr int ORIGEN_X = ALCANCE,
               ORIGEN_Y = 14; // el de cada signo, en la línea base, desde abajo a la izquierda de su celda

@@ -1,6 +1,7 @@
 #include "recuadro.h"
 #include "proyeccion.h"
-#include "ventana.h"
+#include <GL/glew.h>
+#include <GL/freeglut.h>
 #include <algorithm>
 
 Recuadro ventanaEntera() {
@@ -44,11 +45,12 @@ std::vector<Recuadro> reparte(int n, float aspectoEscena, const Recuadro &donde)
     return paneles;
 }
 
-void abreRecuadro(const Recuadro &r, const glm::vec3 &fondo) {
+void abreRecuadro(const Recuadro &r) {
     glViewport(r.x, r.y, r.ancho, r.alto);
     glScissor(r.x, r.y, r.ancho, r.alto); // glClear no obedece a glViewport, pero sí a glScissor
-    glEnable(GL_SCISSOR_TEST);
-    ponFondo(fondo);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glDisable(GL_SCISSOR_TEST);
+    glEnable(GL_SCISSOR_TEST);            // hasta que glutSwapBuffers acaba el cuadro (ayuda.cpp)
+}
+
+void ponFondo(const glm::vec3 &color) {
+    glClearColor(color.r, color.g, color.b, 1);
 }

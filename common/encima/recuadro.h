@@ -1,4 +1,4 @@
-// Partir la ventana en paneles.
+// Partir la ventana en paneles, y de qué color se borran.
 #pragma once
 #include <glm/glm.hpp>
 #include <vector>
@@ -21,5 +21,8 @@ std::vector<Recuadro> rejilla(int columnas, int filas, const Recuadro &donde = v
 /// al lado de otro; en una alta, uno encima de otro.
 std::vector<Recuadro> reparte(int n, float aspectoEscena = 1, const Recuadro &donde = ventanaEntera());
 
-/// Dibujar desde ahora en ese panel, que se borra (color y profundidad) con el color del fondo.
-void abreRecuadro(const Recuadro &r, const glm::vec3 &fondo);
+/// Dibujar y borrar desde ahora solo en ese panel, o en la ventana entera, hasta que se abra otro o acabe el cuadro.
+void abreRecuadro(const Recuadro &r);
+
+/// El color con que borra glClear desde ahora.
+void ponFondo(const glm::vec3 &color);

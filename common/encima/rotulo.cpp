@@ -40,10 +40,13 @@ std::vector<std::u32string> lineasDe(const std::string &texto) {
     std::vector<std::u32string> lineas(1);
     for (std::size_t i = 0; i < texto.size();) {
         const unsigned primero = static_cast<unsigned char>(texto[i++]);
-        char32_t c = primero < 0x80 ? primero
-                                    : primero & (primero < 0xE0   ? 0x1Fu
-                                                 : primero < 0xF0 ? 0x0Fu
-                                                                  : 0x07u);
+        char32_t c = primero;
+        if (primero >= 0xF0)
+            c &= 0x07u;
+        else if (primero >= 0xE0)
+            c &= 0x0Fu;
+        else if (primero >= 0x80)
+            c &= 0x1Fu;
         for (; i < texto.size() && (static_cast<unsigned char>(texto[i]) & 0xC0) == 0x80; ++i)
             c = c << 6 | (static_cast<unsigned char>(texto[i]) & 0x3Fu);
         if (c == U'\n')
@@ -111,7 +114,8 @@ struct Rotulo {
 
     // Dos triángulos por letra, con su caja.
     std::vector<VerticePintado> triangulos(const glm::ivec2 &e) const {
-        const float escala = float(mayuscula) / MAYUSCULA, margen = (halo + SUAVIZADO_ROTULO) / escala;
+        const float escala = float(mayuscula) / MAYUSCULA;
+        const float margen = (halo + SUAVIZADO_ROTULO) / escala;
         const glm::vec2 porPixel(2 / float(std::max(panel[2], 1)), 2 / float(std::max(panel[3], 1))),
             atlas(ANCHO_ATLAS, ALTO_ATLAS),
             // el avance se redondea a píxeles, y lo que sobra va por igual a los dos lados
@@ -125,7 +129,8 @@ struct Rotulo {
                                       (FILAS_ATLAS - 1 - i / COLUMNAS_ATLAS) * ALTO_CELDA);
                 const CajaSigno caja = letra().caja(i);
                 const auto vertice = [&](float x, float y) {
-                    const glm::vec2 texel(x, y), pixel = pluma + (texel - origen) * escala;
+                    const glm::vec2 texel(x, y);
+                    const glm::vec2 pixel = pluma + (texel - origen) * escala;
                     vertices.push_back({glm::vec3(pixel * porPixel - 1.0f, 0), (celda + texel) / atlas});
                 };
                 const float x0 = caja.x0 - margen, y0 = caja.y0 - margen, x1 = caja.x1 + margen,
@@ -153,7 +158,8 @@ struct Rotulo {
 
         const glm::vec3 colorHalo = glm::dot(color, glm::vec3(0.3f, 0.6f, 0.1f)) > 0.5f ? OSCURO : BLANCO;
         const float pixelesPorNivel = TEXELS_POR_NIVEL * float(mayuscula) / MAYUSCULA;
-        const glm::vec2 centro = 0.5f * glm::vec2(panel[2], panel[3]), abajo = glm::vec2(e) - centro;
+        const glm::vec2 centro = 0.5f * glm::vec2(panel[2], panel[3]);
+        const glm::vec2 abajo = glm::vec2(e) - centro;
         pintaEncima({"rotulo",
                      color,
                      float(mayuscula),

@@ -73,7 +73,8 @@ public:
             for (const float borde : {-porUnidad[eje], porUnidad[eje]})
                 if (std::fabs(a[eje] - borde) < medio && std::fabs(b[eje] - borde) < medio)
                     a[eje] = b[eje] = borde - std::copysign(medio, borde);
-        const glm::vec3 n = perpendicular(a, b, medio), d = glm::vec3(n.y, -n.x, 0) * (alarga / medio);
+        const glm::vec3 n = perpendicular(a, b, medio);
+        const glm::vec3 d = glm::vec3(n.y, -n.x, 0) * (alarga / medio);
         triangulo(a - d + n, a - d - n, b + d - n);
         triangulo(a - d + n, b + d - n, b + d + n);
     }
@@ -107,7 +108,9 @@ void trazaSegmentos(const std::vector<glm::vec3> &extremos, const glm::mat4 &tra
 void trazaPolilinea(const std::vector<glm::vec3> &puntos, const glm::mat4 &transformacion,
                     const glm::vec3 &color, float grosor, bool cerrada) {
     Trazo t("polilinea", color, grosor);
-    const std::size_t n = puntos.size(), tramos = n < 2 ? 0 : cerrada ? n : n - 1;
+    const std::size_t n = puntos.size();
+    const std::size_t unos = cerrada ? n : n - 1;
+    const std::size_t tramos = n < 2 ? 0 : unos;
     const auto recortado = [&](std::size_t i) { return transformacion * glm::vec4(puntos[i % n], 1); };
     bool sigue = false; // la línea apuntada llega al principio del tramo
     for (std::size_t i = 0; i < tramos; ++i) {
@@ -127,8 +130,8 @@ void trazaPolilinea(const std::vector<glm::vec3> &puntos, const glm::mat4 &trans
         glm::vec4 finDelTramo = b;
         if ((!cerrada && i + 2 == n) || !sigue || !cortaPorCerca(finDelTramo, c))
             continue; // no hay con quién empalmar
-        const glm::vec3 siguiente = t.aPixeles(c), n1 = perpendicular(p, q, t.medio),
-                        n2 = perpendicular(q, siguiente, t.medio);
+        const glm::vec3 siguiente = t.aPixeles(c), n1 = perpendicular(p, q, t.medio);
+        const glm::vec3 n2 = perpendicular(q, siguiente, t.medio);
         // uno llena la cuña de fuera del giro y el otro cae dentro; comparten con la banda su lado entero, sin grietas
         t.triangulo(q - n1, q + n1, q + n2);
         t.triangulo(q + n1, q - n1, q - n2);

@@ -50,7 +50,9 @@ protected:
     /// La ventana, de ese tamaño, tras dibujar sobre fondo blanco.
     static Imagen pinta(const glm::ivec2 &talla, const std::function<void()> &dibujo) {
         cambiaTalla(talla);
-        abreRecuadro(ventanaEntera(), BLANCO);
+        abreRecuadro(ventanaEntera());
+        ponFondo(BLANCO);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         dibujo();
         EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
         return leeVentana();
@@ -169,7 +171,9 @@ TEST_F(Ayudas, DeCualquierColorSeLee) {
     for (int i = 0; i < 125; ++i) {
         const glm::vec3 tinta = 0.25f * glm::vec3(i % 5, i / 5 % 5, i / 25);
         const Imagen imagen = pinta({720, 540}, [&] {
-            abreRecuadro(ventanaEntera(), fondo);
+            abreRecuadro(ventanaEntera());
+            ponFondo(fondo);
+            glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
             rotula("□", {0.5f, 0.5f}, tinta, Lado::CENTRO, 0.3f);
         });
         std::map<std::array<int, 3>, int> cuantos;
