@@ -137,9 +137,12 @@ class Trozo:
             i = self.pareja.get(i, i) + 1 if self[i] in CIERRA else i + 1
         return partes
 
-    def clase(self, i):
-        """Para no cambiar un argumento por otro que no puede ser del mismo tipo."""
-        return "texto" if self[i][0] in "\"R" and '"' in self[i] else self[i][0] if self[i][0] in "&['{" else "valor"
+    def clase(self, i, lengua):
+        """Para no cambiar un argumento por otro que no puede ser del mismo tipo; en C++, de una función, casi nunca un
+        número por otra cosa."""
+        if '"' in self[i] or self[i][0] in "&['{":
+            return self[i][0]
+        return "número" if lengua.producto and self[i][0].isdigit() else "valor"
 
     def perturba(self, lengua):
         """(qué, cómo queda) de cada una de las que se le pueden hacer."""
@@ -169,7 +172,8 @@ class Trozo:
             ):
                 partes = self.partes(i, self.pareja[i])
                 for una, otra in zip(partes, partes[1:]):
-                    if self.clase(una[0]) == self.clase(otra[0]):
+                    es_valor = p != "(" or re.search(r"(vec|mat)\d$", self[i - 1])
+                    if es_valor or self.clase(una[0], lengua) == self.clase(otra[0], lengua):
                         yield "argumentos", self.cambiados(una, otra)
             if self.es_nombre(i) and self[i - 1] not in (".", "->", "++", "--", "&") and p[0] not in "\"'":
                 fin = self.primario(i)
