@@ -19,21 +19,40 @@ from ejercicios.corrige.partidas import Guion, Jugador
 from ejercicios.reglas import Reglas
 
 POCOS = 3  # guiones al azar, al menos, con que se da la nota de una semilla o de todas
-VUELTAS = 6  # de quitar lo que no compila
+VUELTAS = 9  # de quitar lo que no compila
+LEJOS = 1 << 20  # la línea que no es de ninguna alternativa
+ANTES = '#pragma GCC diagnostic ignored "-Wnarrowing"\n'  # lo que era constante ya no lo es
 
 
 def con_lineas(texto, desde, hasta, alternativas):
     """Ese trozo de C++, con todas dentro: el compilador dice de cada error en cuál está, que es su línea."""
     original = texto[desde:hasta]
-    es_instruccion = original.endswith((";", "}"))
+    es_instruccion = original.endswith(";")
     marca = '\n#line {} "perturbado"\n'
     for numero, otro in alternativas:
         aqui = marca.format(numero)
         if es_instruccion:
-            original = f"{aqui}if (mutante({numero})) {{ {otro} }} else {{ {original} }}{marca.format(1 << 20)}"
+            original = f"{aqui}if (mutante({numero})) {{ {otro} }} else {{ {original} }}{marca.format(LEJOS)}"
         else:
-            original = f"{aqui}(mutante({numero}) ? ({otro}) : ({original})){marca.format(1 << 20)}"
+            original = f"{aqui}(mutante({numero}) ? ({otro}) : ({original})){marca.format(LEJOS)}"
     return original
+
+
+ERROR = re.compile(r"perturbado:(\d+):(?:\d+:)? (?:fatal )?error: (.*)")
+
+
+def culpables(dice, textos, vivas):
+    """Qué alternativas no compilan. Si en una declaración hay un error, lo que se declara detrás no está, y de quien lo usa
+    se queja también el compilador: no tiene la culpa. Y si lo que ya no es constante debe serlo, la tiene quien lo
+    declara."""
+    errores = [(int(n), que) for n, que in ERROR.findall(dice)]
+    de_rebote = {n for n, que in errores if "was not declared" in que}
+    suyas = {n for n, _ in errores if n < LEJOS}
+    if suyas:
+        return suyas - de_rebote or suyas
+    nombres = {nombre for _, que in errores for nombre in re.findall(r"‘(\w+)’", que)}
+    declara = re.compile(rf"\b(?:{'|'.join(nombres) or '(?!)'})\s*[=({{]\s*\Z")
+    return {n for n, (f, p) in vivas.items() if declara.search(textos[f], max(0, p.cambios[0][0] - 80), p.cambios[0][0])}
 
 
 class Ensayo:
@@ -134,23 +153,23 @@ class Ensayo:
                     textos[fichero] = textos[fichero][:desde] + nuevo_texto + textos[fichero][hasta:]
                 if trozos:
                     incluye = (defectos.MUTANTE_H, "herramientas/ejercicios/otro_factor.h")
-                    textos[fichero] = "".join(f'#include "{self.raiz / f}"\n' for f in incluye) + textos[fichero]
+                    textos[fichero] = ANTES + "".join(f'#include "{self.raiz / f}"\n' for f in incluye) + textos[fichero]
             carpeta = self.temporal / f"vuelta{vuelta}"
-            malas = self.no_compilan(self.banco.motivos.limpio(textos), carpeta)
+            malas = self.no_compilan(self.banco.motivos.limpio(textos), carpeta, vivas)
             if not malas:
                 return carpeta / self.programa.nombre, [carpeta / "fuentes" / SUYA, carpeta / "fuentes"]
             for n in malas:
                 vivas.pop(n, None)
         raise Fallo(f"{self.ref} perturbado no compila: {malas}")
 
-    def no_compilan(self, textos, carpeta):
+    def no_compilan(self, textos, carpeta, vivas):
         """Las que no."""
         try:
             self.banco.compilador.compila(textos, carpeta, ajena=False)
             return set()
         except Rechazo as rechazo:
-            malas = {int(n) for n in re.findall(r"perturbado:(\d+):(?:\d+:)? (?:fatal )?error", rechazo.todo)}
-            if not malas - {1 << 20}:
+            malas = culpables(rechazo.todo, self.textos, vivas)
+            if not malas:
                 raise Fallo(f"{self.ref} perturbado no compila: {rechazo.todo[:2000]}") from None
             return malas
 

@@ -26,6 +26,18 @@ glm::mat<c, f, T> otroFactor(glm::mat<c, f, T> M) {
     return M;
 }
 
+template<class T>
+std::enable_if_t<std::is_enum_v<T>, T> otroFactor(T x) {
+    return T(int(x) + 1);
+}
+
+/// De lo demás, como si no se le hubiera dado nada.
+template<class T>
+std::enable_if_t<std::is_pointer_v<T> || (std::is_class_v<T> && std::is_default_constructible_v<T>), T>
+otroFactor(const T &) {
+    return T{};
+}
+
 /// Solo de matrices: lo demás da lo mismo en un orden que en otro.
 template<class A, class B, class = typename A::col_type, class = typename B::col_type>
 auto alReves(const A &a, const B &b) {

@@ -4,7 +4,9 @@ import re
 from dataclasses import dataclass
 
 PALABRA = re.compile(
-    r'R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|[\d.]*\d[\w.]*|[A-Za-z_][\w:]*\w|\w|[-+*/%<>=!&|]=|&&|\|\||->|\S', re.S
+    r'R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|(?:\d[\d.]*|\.\d+)(?:[eE][-+]?\d+)?\w*'
+    r"|(?:sizeof|alignof|offsetof|decltype)\s*\([^()]*\)|[A-Za-z_][\w:]*<[\w:, ]+>(?=[({:])|[A-Za-z_][\w:]*\w|\w|\+\+|--|[-+*/%<>=!&|]=|&&|\|\||->|\S",
+    re.S,
 )
 # lo que no es código: los textos se quedan, y lo demás, comentarios y directivas, se borra
 TEXTOS = r'R"(?P<marca>\w*)\(.*?\)(?P=marca)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])*\''
@@ -135,6 +137,13 @@ class Trozo:
             i = self.pareja.get(i, i) + 1 if self[i] in CIERRA else i + 1
         return partes
 
+    def clase(self, i, lengua):
+        """Para no cambiar un argumento por otro que no puede ser del mismo tipo; en C++, de una función, casi nunca un
+        número por otra cosa."""
+        if '"' in self[i] or self[i][0] in "&['{":
+            return self[i][0]
+        return "número" if lengua.producto and self[i][0].isdigit() else "valor"
+
     def perturba(self, lengua):
         """(qué, cómo queda) de cada una de las que se le pueden hacer."""
         for i, (p, *_) in enumerate(self.palabras):
@@ -144,6 +153,8 @@ class Trozo:
                 antes, hasta = (self.primario_antes, self.primario) if p != "-" else (self.termino_antes, self.termino)
                 una, otra = (antes(i - 1), i - 1), (i + 1, hasta(i + 1))
                 if p == "-" and self[una[0] - 1] in ("-", "+"):  # −a − b es −b − a
+                    continue
+                if p == "*" and (self[una[0]][0].isdigit() or self[otra[0]][0].isdigit()):  # da lo mismo en otro orden
                     continue
                 producto = lengua.producto.format(self.de(*una), self.de(*otra))
                 yield "operandos", self.con((una[0], otra[1], producto)) if p == "*" else self.cambiados(una, otra)
@@ -161,10 +172,14 @@ class Trozo:
             ):
                 partes = self.partes(i, self.pareja[i])
                 for una, otra in zip(partes, partes[1:]):
-                    yield "argumentos", self.cambiados(una, otra)
-            if self.es_nombre(i) and self[i - 1] not in (".", "->") and p[0] not in "\"'":
+                    es_valor = p != "(" or re.search(r"(vec|mat)\d$", self[i - 1])
+                    if es_valor or self.clase(una[0], lengua) == self.clase(otra[0], lengua):
+                        yield "argumentos", self.cambiados(una, otra)
+            if self.es_nombre(i) and self[i - 1] not in (".", "->", "++", "--", "&") and p[0] not in "\"'":
                 fin = self.primario(i)
-                if self[fin + 1] not in ("=", "+=", "-=", "*=", "<") and not self[fin + 1][:1].isalpha():
+                instruccion = i == 0 and self[fin + 1] == ";"  # no da nada que se use
+                sigue = self[fin + 1]
+                if sigue not in ("=", "+=", "-=", "*=", "/=", "<", "++", "--") and not sigue[:1].isalpha() and not instruccion:
                     for factor in lengua.factores:
                         yield "factor", self.con((i, fin, factor.format(self.de(i, fin))))
 
@@ -184,9 +199,24 @@ class Hueco:
         """La pareja de esa palabra o, si se queda fuera del hueco, la última."""
         return self.t.pareja.get(i, self.n - 1)
 
+    def lambdas(self, i, j):
+        """Las llaves de las que hay entre esas palabras."""
+        t, k = self.t, i
+        while k < j:
+            fin = t.pareja.get(k, k) + 1
+            if t[k] == "[" and not t.es_nombre(k - 1) and t[k - 1] not in (")", "]") and t[fin] in ("(", "{"):
+                abre = next((m for m in range(t.pareja.get(fin, fin), j) if t[m] == "{"), None)
+                if abre and abre in t.pareja:
+                    yield abre, t.pareja[abre]
+                    k = t.pareja[abre]
+            k += 1
+
     def expresion(self, i, j):
         t = self.t
-        if t[i] == "{" and t.pareja.get(i) == j:
+        if cuerpos := [*self.lambdas(i, j)]:
+            for abre, cierra in cuerpos:
+                yield from self.trozos(abre + 1, cierra)
+        elif t[i] == "{" and t.pareja.get(i) == j:
             for parte in t.partes(i, j):
                 yield from self.expresion(*parte)
         elif i <= j and t[i][0] not in "\"'." and t[i][:2] != 'R"' and not self.es_declaracion(i, j):
@@ -223,10 +253,10 @@ class Hueco:
                 for parte in t.partes(igual, a):
                     yield from self.expresion(*parte)
 
-    def trozos(self):
+    def trozos(self, i=0, hasta=None):
         """(desde, hasta, si es una instrucción) de cada expresión que se puede perturbar por su cuenta."""
-        t, i = self.t, 0
-        while i < self.n:
+        t, hasta = self.t, self.n if hasta is None else hasta
+        while i < hasta:
             sigue = i + 1
             if t[i] in CON_CONDICION and t[i + 1] == "(":
                 sigue = self.cierra(i + 1) + 1
@@ -254,7 +284,7 @@ class Hueco:
             yield from self.expresion(i + 1, fin - 1)
         elif t[i] in BLOQUES or self.es_declaracion(i, fin):
             yield from self.declaradas(i, fin)
-        elif fin < self.n:
+        elif fin < self.n and not any(self.lambdas(i, fin)):
             yield *self.sitio(i, fin), True
         else:
             yield from self.expresion(i, fin - 1)
