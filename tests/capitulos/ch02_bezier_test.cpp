@@ -25,18 +25,13 @@ PuntoParche evaluaParche(const Parche &q, double u, double v) {
             normal(q, u, v)};
 }
 
-// La cámara del programa y el lado de un píxel a 720 líneas a la distancia de su centro.
-const double PIXEL = 2 * std::tan(0.275) * 9.5 / 720;
+// La cámara del programa.
 Camara camaraTetera(double gira = 0, double sube = 0, double distancia = 9.5) {
     return perspectiva(orbita(0.22 + gira, 0.38 + sube, distancia, {0.43, 1.42, 0}), 0.55, 0.5, 50);
 }
 /// En los datos la vertical es Z, y en la cámara Y.
 Vec3 enPie(const glm::dvec3 &p) {
     return {p.x, p.z, -p.y};
-}
-
-glm::dvec3 deOraculo(const Vec3 &v) {
-    return {v.x, v.y, v.z};
 }
 
 /// El parche de puntos punto(fila, columna).
@@ -119,8 +114,6 @@ double errorDeCuerda(double tolerancia, int paso) {
         return glm::distance(p, evalua(tetera()[parche[v]], uv.x, uv.y).posicion);
     });
 }
-
-} // namespace
 
 // La posición y la normal, en una rejilla con las fronteras, contra la referencia. La cota es la de cotaNormal.
 TEST(Bezier, NormalesContraDerivadasEnCuadruple) {
@@ -212,8 +205,6 @@ TEST(Bezier, SinGrietas) {
 
 // ---- El programa contra un oráculo que no comparte con él ni la evaluación ni la luz ----
 
-namespace {
-
 // Una rejilla densa de cada parche.
 Objeto teteraDensa() {
     std::vector<VerticeRef> vertices;
@@ -241,8 +232,6 @@ Vec3 esmalte(const Impacto &i, const Vec3 &color) {
     return (0.36 + 0.68 * NL + 0.26 * N.y) * color + 0.7 * std::pow(NH, 70) * Vec3{1, 1, 1} +
            0.35 * std::pow(1 - std::max(escalar(N, V), 0.0), 4) * Vec3{0.75, 0.86, 1};
 }
-
-} // namespace
 
 // Todo el sombreado y la silueta, píxel a píxel, con la tetera más fina; de frente y desde donde la lleva el ratón.
 TEST(Tetera, SombreadoYSilueta) {
@@ -272,52 +261,4 @@ TEST(Tetera, AfinadaYConLineas) {
         EXPECT_EQ(vistaDe("tetera", guion, 160, 120).escena.rgb, medio.rgb) << guion;
 }
 
-// Cada píxel de la malla: una línea de dos píxeles va por los lados de los cuadriláteros o triángulos.
-TEST(Tetera, MallaYCuadrilateros) {
-    const std::vector<Vista> vistas = vistasDe("tetera", {"tecla - ×4; tecla m", "tecla c"}, 960, 720);
-    const Teselacion t = teselaParches(tetera(), 16 * PIXEL);
-    std::vector<glm::dvec2> enCuadricula; // columna y fila de cada vértice en su parche
-    for (const Division &d : divisionesPara(tetera(), 16 * PIXEL))
-        for (int i = 0; i < (d.nu + 1) * (d.nv + 1); ++i)
-            enCuadricula.push_back(glm::dvec2(t.malla.vertices.at(enCuadricula.size()).coordTextura) *
-                                   glm::dvec2(d.nu, d.nv));
-    const Camara camara = camaraTetera();
-    const Escena escena = {enElMundo(gira({1, 0, 0}, -PI / 2), t.malla)};
-    struct Plano { // lo que da, de la dirección de un rayo, la columna, la fila y su diferencia, por w, y w
-        glm::dmat3 c;
-        glm::dvec3 w;
-    };
-    std::vector<Plano> planos; // de cada triángulo
-    for (std::size_t k = 0; k < t.malla.indices.size(); k += 3) {
-        glm::dmat3 p, c;
-        for (int j = 0; j < 3; ++j) {
-            const unsigned v = t.malla.indices[k + std::size_t(j)];
-            p[j] = deOraculo(enPie(t.malla.vertices[v].posicion) - camara.ojo);
-            c[j] = {enCuadricula[v], enCuadricula[v].x - enCuadricula[v].y};
-        }
-        planos.push_back({c * glm::inverse(p), glm::transpose(glm::inverse(p)) * glm::dvec3(1)});
-    }
-    for (const int lineas : {3, 2}) {
-        const auto sombrea = [&](const Impacto &i) {
-            if (!i)
-                return Tono(exacto(FONDO_CLARO));
-            const glm::dvec2 p = enPixeles(camara, i.punto, 960, 720);
-            const auto en = [&, &plano = planos[std::size_t(i.corte.triangulo)]](double dx, double dy) {
-                const glm::dvec3 d = deOraculo(rayo(camara, 960, 720, p.x + dx, p.y + dy).direccion);
-                return plano.c * d / glm::dot(plano.w, d);
-            };
-            const glm::dvec3 c = en(0, 0), porX = en(0.5, 0) - en(-0.5, 0), porY = en(0, 0.5) - en(0, -0.5);
-            double distancia = INFINITO; // en píxeles, a la línea más cercana
-            for (int k = 0; k < lineas; ++k)
-                distancia =
-                    std::min(distancia, std::fabs(c[k] - std::round(c[k])) / std::hypot(porX[k], porY[k]));
-            const double linea = std::clamp(1.5 - distancia, 0.0, 1.0);
-            return Tono((1 - linea) * esmalte(i, exacto(GRIS)) + linea * exacto(OSCURO),
-                        linea > 0 ? 1 + i.corte.triangulo : 0);
-        };
-        // los bordes, por la rejilla de 1/256 de píxel de los vértices y porque el cambio se mide en dos
-        comprueba(lineas == 3 ? "triángulos" : "cuadriláteros",
-                  compara(vistas[lineas == 3 ? 0 : 1].escena, escena, camara, sombrea, 12),
-                  {4, 500, 1.0 / 128});
-    }
-}
+} // namespace

@@ -86,23 +86,6 @@ TEST(MallaVf, ElColorDiceElSentido) {
     });
 }
 
-// El número de una cara de cuatro vértices, en su centro: donde se cortan las diagonales de un cuadrado, también en
-// perspectiva.
-TEST(MallaVf, NumeroDeUnCuadrado) {
-    const std::string ruta =
-        fichero("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 3 2 0\nv 3 3 0\nv 2 3 0\nf 1 2 3 4\nf 5 6 7\n");
-    const Encima encima = vistaDe("malla_vf", "", 960, 720, {ruta}).encima, numero = encima.rotulos("c1");
-    ASSERT_EQ(numero.size(), 1u);
-    const Pintado borde = encima.trazos(ROJO).at(0); // las aristas 1-2, 1-4 y 2-3…
-    const auto alejado = [&](int a, int b) {         // de la recta que pasa por esos
-        const glm::dvec2 u = glm::normalize(borde.punto(b) - borde.punto(a)),
-                         d = numero[0].punto(2) - borde.punto(a);
-        return std::abs(u.x * d.y - u.y * d.x);
-    };
-    EXPECT_LT(alejado(0, 5), 0.5);
-    EXPECT_LT(alejado(1, 3), 0.5);
-}
-
 TEST(MallaVf, AristaDeTresCaras) {
     const std::string ruta =
         fichero("v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 1\nv -1 0 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n");

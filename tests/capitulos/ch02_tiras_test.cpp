@@ -4,7 +4,6 @@
 #include "ch02_caja.h"
 #include "ch02_modelado/tiras.h"
 #include "guiones.h"
-#include "rutas.h"
 #include "tabla.h"
 
 namespace {
@@ -117,14 +116,6 @@ TEST(Tiras, ColoresDeClaroAOscuroYResaltado) {
         compruebaCaja(c.guion, vista.escena, expande(c.tiras), camaraCaja(0.66, 0.80, c.gira, c.sube),
                       [&](const oraculo::Impacto &i) { return colores[std::size_t(i.corte.triangulo)]; });
     });
-}
-
-TEST(Tiras, ConOtraMallaLaTeclaUNoHaceNada) {
-    const std::string fichero = recurso("assets/ejercicio_2_1.vf");
-    const Ejecucion nada = ejecuta("tiras", "", 120, 90, {fichero}),
-                    u = ejecuta("tiras", "tecla u", 120, 90, {fichero});
-    EXPECT_EQ(nada.imagen.rgb, u.imagen.rgb);
-    EXPECT_EQ(nada.salida, u.salida);
 }
 
 // La respuesta del ejercicio 2.2: ninguna cubre los diez triángulos. Basta cambiar una diagonal, 3–8 en lugar de 4–7:

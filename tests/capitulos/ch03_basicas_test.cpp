@@ -35,8 +35,6 @@ Panel ventana(const Vista &v, const Encuadre &e, const Mirada &mirada = {}) {
             v.escena};
 }
 
-const Vec3 X{1, 0, 0}, Y{0, 1, 0}, Z{0, 0, 1};
-
 // --- La F de basicas y escalado ---
 
 /// Un factor cero no tiene inversa, y con uno tan pequeño se ve lo mismo.
@@ -52,8 +50,6 @@ Escena efe(const Mat4 &M) {
         escena.push_back(caja(M * traslada(centro) * escala(lados)));
     return escena;
 }
-
-} // namespace
 
 // --- basicas ---
 
@@ -80,8 +76,6 @@ TEST(Basicas, EcuacionesYSentidoDeGiro) {
         }
 }
 
-namespace {
-
 /// T y S a lo largo de X, o el giro en grados alrededor de ese eje.
 Mat4 basica(char cual, double valor) {
     switch (cual) {
@@ -90,8 +84,6 @@ Mat4 basica(char cual, double valor) {
     default: return gira(cual == 'X' ? X : cual == 'Y' ? Y : Z, valor * PI / 180);
     }
 }
-
-} // namespace
 
 // La F transformada por la ecuación, en cada píxel.
 TEST(ProgramaBasicas, LaFEstaDondeDicenLasEcuaciones) {
@@ -116,33 +108,6 @@ TEST(ProgramaBasicas, LaFEstaDondeDicenLasEcuaciones) {
         for (const Objeto &caja : efe(basica(caso.cual, caso.valor)))
             cuerpos.push_back({caja, ANARANJADO});
         compruebaEscena(v, ventana(v, {0.55, 9, {0.3, -0.05, 0}}), cuerpos, FONDO_CLARO);
-    });
-}
-
-// El punto y a dónde va, escritos con sus cuatro coordenadas.
-TEST(ProgramaBasicas, ElPuntoEnCoordenadasHomogeneas) {
-    const struct {
-        std::string guion;
-        char cual;
-        double valor;
-    } casos[] = {{"tecla h", 'T', 1.5},
-                 {"tecla 2", 'S', 1.5},
-                 {"tecla 3", 'X', 60},
-                 {"tecla 4; tecla - ×2", 'Y', 30},
-                 {"tecla 5", 'Z', 60}};
-    const auto escrito = [](const Vec3 &p) {
-        std::string filas;
-        for (const double x : {p.x, p.y, p.z, 1.0}) {
-            char fila[16];
-            std::snprintf(fila, sizeof fila, "|%5.3g |", std::round(100 * x) / 100);
-            filas += (filas.empty() ? "" : "\n") + std::string(fila);
-        }
-        return filas;
-    };
-    paraCada("basicas", casos, 240, 180, [&](const auto &caso, const Vista &v) {
-        const Vec3 p{1.3, 1.65, 0.25}, q = punto(basica(caso.cual, caso.valor), p);
-        EXPECT_EQ(v.encima.rotulos(escrito(p)).size(), 1u);
-        EXPECT_EQ(v.encima.rotulos(escrito(q)).size(), 1u) << escrito(q);
     });
 }
 
@@ -202,8 +167,6 @@ TEST(TresCubos, ImagenContraTrazadoDeRayos) {
 
 // --- cono y elipsoide ---
 
-namespace {
-
 /// Segmentos con que una circunferencia de `radioPx` se separa `tolerPx` de su polígono.
 int segmentos(double radioPx, double tolerPx) {
     return int(std::ceil(PI / std::acos(1 - tolerPx / radioPx)));
@@ -242,8 +205,6 @@ void compruebaPasos(const std::string &programa, const Encuadre &encuadre, const
     }
 }
 
-} // namespace
-
 TEST(Cono, SiluetaDeCadaPaso) {
     compruebaPasos("cono", {0.6, 9, {1.15, -0.1, 0}}, {cono, porCaras(cono(segmentos(300, 0.5)))},
                    {traslada({0, 0, -1}), escala({1, 1, 3}), gira(Y, -PI / 2)});
@@ -256,27 +217,6 @@ TEST(Elipsoide, SiluetaDeCadaPaso) {
 }
 
 // --- orden ---
-
-// Los mismos productos que multiplicando de verdad números que los cuentan, con los vértices de la esfera.
-TEST(Orden, ProductosConYSinMultiplicarAntes) {
-    std::size_t productos = 0;
-    const auto multiplica = [&](int filas, int comun, int columnas) { // matrices de ese tamaño
-        for (int i = 0; i < filas * columnas; ++i)
-            productos += std::size_t(comun);
-    };
-    const std::size_t vertices = esfera(segmentos(200, 0.25)).vertices.size();
-    for (std::size_t v = 0; v < vertices; ++v)
-        for (int matriz = 0; matriz < 2; ++matriz)
-            multiplica(4, 4, 1);
-    const std::string antes = "T·(S·v): " + std::to_string(productos) + " productos";
-    productos = 0;
-    multiplica(4, 4, 4);
-    for (std::size_t v = 0; v < vertices; ++v)
-        multiplica(4, 4, 1);
-    const std::string despues = "(T·S)·v: " + std::to_string(productos) + " productos";
-    EXPECT_EQ(vistaDe("orden", "tecla c").encima.rotulos(antes + "\n" + despues).size(), 1u);
-    EXPECT_EQ(vistaDe("orden", "tecla c; tecla c").encima.rotulos(antes + "\n" + despues).size(), 0u);
-}
 
 // En cada panel, la esfera transformada y la inicial.
 TEST(Orden, DiscosEnLaImagen) {
@@ -296,3 +236,5 @@ TEST(Orden, DiscosEnLaImagen) {
         }
     });
 }
+
+} // namespace

@@ -30,7 +30,7 @@ TEST(ProgramaGiroEje, CadaEjeContraElOraculo) {
         return perspectiva(orbita(azimut, elevacion, 7.4), 0.6, 1, 30);
     };
     const Ejes pantalla = ejes(camara(-0.5, 0.4));
-    const Vec3 Y{0, 1, 0}, diagonal{1, 1, 1}, oblicuo{-0.6, 0.7, 0.4};
+    const Vec3 diagonal{1, 1, 1}, oblicuo{-0.6, 0.7, 0.4};
     const struct {
         std::string guion;
         Vec3 eje;

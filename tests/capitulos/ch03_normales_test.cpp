@@ -30,8 +30,6 @@ dmat3 adjunta(const dmat3 &m) {
     return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
 }
 
-} // namespace
-
 // Los menores se calculan en doble con productos exactos (24 + 24 bits) y una sola resta, así que cada componente de N
 // llega bien salvo el redondeo final a float: |δN| ≤ u·|N|. Una normal cualquiera es una combinación de las columnas:
 // el redondeo de cada una cuenta entero, y al cancelarse deja |n·t| ≤ u·‖|N||n₀|‖/‖N·n₀‖ (más el de multiplicar, aquí
@@ -60,8 +58,6 @@ TEST(MatrizNormal, CualquierCaraPerpendicularYHaciaFuera) {
         }
     EXPECT_GT(negativos, 27000);
 }
-
-namespace {
 
 struct CasoNormales {
     std::string guion;
@@ -114,8 +110,6 @@ private:
     }
 };
 
-} // namespace
-
 // El prisma en cada píxel: la normal de cada cara, ya transformada, mira hacia fuera del centro. Y en cada lado sus
 // flechas, todas de largo 0.75: verde, la perpendicular; roja, la del lado original con su x y su y escaladas; y
 // naranja la de la adjunta del libro, el producto vectorial tal cual. Azul, el propio lado; y, sin normalizar, gris la
@@ -151,3 +145,5 @@ TEST(ProgramaNormales, CadaCasoContraElOraculo) {
         compruebaTrazos(v.encima, panel, prisma.unitarias, GRIS);
     });
 }
+
+} // namespace

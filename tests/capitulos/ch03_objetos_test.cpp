@@ -90,7 +90,6 @@ void ponAros(Taller &t, const Mat4 &A) {
 }
 
 std::vector<Cuerpo> escena(int n = 0, int m = 0) {
-    const Vec3 Y{0, 1, 0};
     Taller t{n, m, {}};
     t.bloque(traslada({0, -0.15, 0}), {7.6, 0.3, 4.8}, {0.86, 0.72, 0.55}); // el tablero, en y = 0
     ponMuneco(t, traslada({-2.1, 0, -0.7}) * gira(Y, 0.25));

@@ -13,13 +13,12 @@ const Vec3 I{0, 1.7, 0};
 
 /// La escena de camara.cpp, escrita otra vez; lo redondo, con las caras que tiene.
 std::vector<Cuerpo> escena() {
-    const Mat4 dePie = gira({1, 0, 0}, -PI / 2);
     return {
         {caja(traslada({0, -0.1, 0}) * escala({6, 0.2, 6})), exacto(SUELO)},
         {caja(traslada({0, 0.75, 0}) * escala({0.3, 1.5, 0.3})), exacto(GRIS)},
         {enElMundo(traslada(I) * escala(0.35), esfera(32)), exacto(AMARILLO)},
         {caja(traslada({-2, 0.9, -1.2}) * escala(1.8)), exacto(ROJO)},
-        {enElMundo(traslada({1.9, 0, -1}) * dePie * escala({1, 1, 2.8}), porCaras(cono(32))), exacto(VERDE)},
+        {enElMundo(traslada({1.9, 0, -1}) * DE_PIE * escala({1, 1, 2.8}), porCaras(cono(32))), exacto(VERDE)},
         {caja(traslada({0.9, 0.4, 2}) * gira({0, 1, 0}, 0.5) * escala({1.6, 0.8, 0.8})), exacto(AZUL)}};
 }
 
@@ -48,18 +47,18 @@ TEST(TransformacionCamara, ContraGlmConMasPrecision) {
 // Con UP paralelo a la vista lookAt da NaN. Aquí, X queda a la derecha si se mira a lo largo de Y; si no, Y hacia
 // arriba. Que la base lo es, en dificil_vista_test.cpp.
 TEST(TransformacionCamara, UpParaleloONulo) {
-    const glm::dvec3 p(1, 2, 3), X(1, 0, 0), Y(0, 1, 0);
-    for (const glm::dvec3 &d : {X, -X, Y, -Y, {0, 0, 1}, {0, 0, -1}})
+    const glm::dvec3 p(1, 2, 3), x(1, 0, 0), y(0, 1, 0);
+    for (const glm::dvec3 &d : {x, -x, y, -y, {0, 0, 1}, {0, 0, -1}})
         for (const double k : {1.0, -1.0, 0.0}) {
             const auto [S, U, F] = baseCamara(p, p + d, k * d);
             EXPECT_EQ(F, d);
-            EXPECT_EQ(d.y != 0 ? S : U, d.y != 0 ? X : Y);
+            EXPECT_EQ(d.y != 0 ? S : U, d.y != 0 ? x : y);
         }
 }
 
 // En cada panel, la misma escena trazada: a la derecha, desde la cámara; a la izquierda, desde fuera, con ella.
 TEST(Camara, LoQueVe) {
-    const Vec3 p1{3.6, 4.1, 1.0}, p2{-3.3, 3.5, 0.6}, Y{0, 1, 0};
+    const Vec3 p1{3.6, 4.1, 1.0}, p2{-3.3, 3.5, 0.6};
     const struct {
         std::string guion;
         Vec3 p, UP;
@@ -74,9 +73,9 @@ TEST(Camara, LoQueVe) {
         const Vec3 arriba = direccion(gira(I - c.p, c.inclinacion), c.UP), &p = c.p;
         const Panel dentro(perspectiva(miraDesde(p, I, arriba), 1.05, 0.5, 60), vista.escena, 1, 2, 2),
             fuera(perspectiva(orbita(0.35, 0.55, 15.8, {0.25, 2.3, 0}), 0.54, 1, 100), vista.escena, 0, 2, 2);
-        const auto [S, U, Z] = ejes(dentro.camara);
+        const auto [S, U, atras] = ejes(dentro.camara);
         const Mat4 alMundo = {
-            {{S.x, U.x, Z.x, p.x}, {S.y, U.y, Z.y, p.y}, {S.z, U.z, Z.z, p.z}, {0, 0, 0, 1}}};
+            {{S.x, U.x, atras.x, p.x}, {S.y, U.y, atras.y, p.y}, {S.z, U.z, atras.z, p.z}, {0, 0, 0, 1}}};
         compruebaEscena(vista, dentro, escena(), CIELO);
         compruebaEscena(vista, fuera, conCamaraDeFotos(escena(), alMundo * escala(1.6)), FONDO_CLARO);
     });

@@ -1,5 +1,4 @@
 // etapas_pipeline: el recortado contra el polígono exacto; lo escrito y cada panel, contra el oráculo.
-#include "azar.h"
 #include "ch04_oraculo.h"
 #include "ch04_vista3d/etapas.h"
 #include "guiones.h"
@@ -161,44 +160,6 @@ void compruebaEsquina(const std::string &guion, int esquina, bool tapado = false
 }
 
 } // namespace
-
-// Triángulos al azar delante, detrás y a los lados del ojo. Con cerca = 1, w ≥ 1 en lo que queda y las
-// coordenadas no pasan de 40: cada corte pierde unos 4 redondeos de 40 y son seis, 1e-13 por vértice; el área,
-// con un perímetro de 8, menos de 1e-12.
-TEST(Recortado, AreaContraElPoligonoExacto) {
-    Azar azar(45);
-    std::map<std::size_t, int> lados;
-    for (int n = 0; n < 150; ++n) {
-        std::vector<glm::dvec4> triangulo;
-        for (int k = 0; k < 3; ++k) { // perspectiva de 90 grados, cerca 1 y lejos 10
-            const double x = azar.entre(-8.0, 8.0), y = azar.entre(-8.0, 8.0), d = azar.entre(-5.0, 13.0);
-            triangulo.push_back({x, y, (11 * d - 20) / 9, d});
-        }
-        const std::vector<glm::dvec4> poligono = recorta(triangulo);
-        const Poligono exacto = poligonoExacto(triangulo);
-        ASSERT_EQ(poligono.size(), exacto.size()) << n;
-        ++lados[poligono.size()];
-        EXPECT_NEAR(areaVentana(poligono, glm::dmat4(1)), std::fabs(area(exacto)), 1e-12) << n;
-        for (const glm::dvec4 &v : poligono) {
-            EXPECT_GE(v.w, 1 - 1e-13);
-            EXPECT_LE(std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}), v.w + 1e-12);
-        }
-    }
-    EXPECT_GT(lados[0], 5);
-    EXPECT_GT(lados[5] + lados[6] + lados[7], 10);
-}
-
-// Lo que está en el borde está dentro.
-TEST(Recortado, CasosLimite) {
-    for (int eje = 0; eje < 3; ++eje) // a un lado y otro de cada plano
-        for (const double signo : {-1.0, 1.0}) {
-            glm::dvec4 r(0, 0, 0, 2);
-            r[eje] = signo * 2;
-            EXPECT_TRUE(estaDentro(r)) << eje << " " << signo;
-            r[eje] = signo * 2.001;
-            EXPECT_FALSE(estaDentro(r) || estaDentro(-r)) << eje << " " << signo;
-        }
-}
 
 // La que se sigue al empezar y las que se eligen con el ratón, en cualquier panel; lejos de todo vértice y al orbitar
 // no cambia nada. Con algo delante, lo guardado es su profundidad y el fragmento se descarta. En cada panel, la escena

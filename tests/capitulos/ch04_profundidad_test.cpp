@@ -40,14 +40,6 @@ double numeroTras(const std::string &salida, const std::string &texto) {
 
 } // namespace
 
-TEST(ParesDeProfundidad, LosExtremos) {
-    for (const double n : {10.0, 0.1, 0.001, 1e-6}) {
-        EXPECT_NEAR(profundidad(n, n, LEJOS), 0, 1e-15); // nueve pasos de 2^-53
-        EXPECT_NEAR(profundidad(LEJOS, n, LEJOS), 1, 1e-15);
-    }
-    EXPECT_EQ(enBuffer(1.0f, 24), PASOS);
-}
-
 // Los carteles de la imagen. Los pares son los píxeles cuyo centro ve, en doble, el cuadro con el cartel
 // detrás, a más de un píxel de sus bordes. Con `s` la distancia en pasos de 24 bits:
 // - la GPU redondea ocho veces por superficie: el producto, la suma, el inverso y la división en el vértice, el

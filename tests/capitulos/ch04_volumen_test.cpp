@@ -30,16 +30,15 @@ double cruza(const Rayo &r, const Panel &v, double d) {
 
 /// La escena del programa, escrita otra vez; lo redondo, con las caras que tiene. Lo último, la cámara de fotos.
 std::vector<Cuerpo> piezas() {
-    const Mat4 dePie = gira({1, 0, 0}, -PI / 2);
     const Malla bola = esfera(48), pico = porCaras(cono(48));
     const std::vector<Cuerpo> cuerpos = {
         {caja(traslada({0, -0.1, 0.5}) * escala({8, 0.2, 12})), exacto(SUELO)},
         {enElMundo(traslada({-0.7, 2.5, 2.3}) * escala(0.6), bola), exacto(ROJO)},
-        {enElMundo(traslada({1.2, 0, 0.2}) * dePie * escala({0.9, 0.9, 3.8}), pico), exacto(VERDE)},
+        {enElMundo(traslada({1.2, 0, 0.2}) * DE_PIE * escala({0.9, 0.9, 3.8}), pico), exacto(VERDE)},
         {caja(traslada({-2.3, 1.5, -0.4}) * escala({1.4, 3, 1.4})), exacto(AMARILLO)},
         {enElMundo(traslada({0.5, 1.8, -2.7}) * escala(1.5), bola), exacto(MORADO)},
         {caja(traslada({1.9, 0.5, 5.7})), exacto(AZUL)},
-        {enElMundo(traslada({-3, 0, 3.2}) * dePie * escala({0.8, 0.8, 2.4}), pico), exacto(NARANJA)}};
+        {enElMundo(traslada({-3, 0, 3.2}) * DE_PIE * escala({0.8, 0.8, 2.4}), pico), exacto(NARANJA)}};
     return conCamaraDeFotos(cuerpos, traslada(OJO));
 }
 const int DE_CAMARA = 7;

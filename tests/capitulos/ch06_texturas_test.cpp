@@ -236,20 +236,6 @@ TEST(Filtrado, CadaNivelDondeLoPideElPixel) {
     EXPECT_GT(comparados, 15);
 }
 
-// Con v, los cuatro a la vez y en orden: lo mismo que cada uno en una ventana del tamaño de su panel, salvo que algún
-// píxel redondee de otra manera.
-TEST(Filtrado, LosCuatroALaVez) {
-    // paneles de 121 × 91, con una raya de un píxel entre ellos: empiezan todos en par
-    const Imagen gpu = vistaDe("filtrado", "tecla v", 243, 183).escena;
-    for (int k = 0; k < 4; ++k) {
-        const Hueco h = hueco(k % 2, 2, k / 2, 2, 243, 183);
-        const Imagen panel = recorta(gpu, h),
-                     uno = vistaDe("filtrado", "tecla " + std::to_string(k + 1), h.ancho, h.alto).escena;
-        const auto distinto = [&](int x, int y, const Pixel &p) { return !(p == pixel(uno, x, y)); };
-        EXPECT_LE(cuenta(panel, distinto), h.ancho * h.alto / 100) << k;
-    }
-}
-
 // Sin la extensión lo dice en stdout, y la tecla 4 hace lo que la 3.
 TEST(Filtrado, SinAnisotropia) {
     const auto con = vistasDe("filtrado", {"tecla 3", "tecla 4"}, 60, 45);

@@ -16,20 +16,11 @@ using namespace oraculo;
 
 namespace {
 
-const Vec3 X{1, 0, 0}, Y{0, 1, 0}, UNO{1, 1, 1};
-const Mat4 DE_PIE = gira(X, -PI / 2); // de Z a Y
-
-// Con la misma malla, el redondeo a 8 bits y una centésima de nivel de hacer las cuentas en float.
-const Cotas MISMA_MALLA = {0.51, 500, 0.012};
-
 double escalon(double desde, double hasta, double x) { // smoothstep
     const double u = std::clamp((x - desde) / (hasta - desde), 0.0, 1.0);
     return u * u * (3 - 2 * u);
 }
-Vec3 mezcla(const Vec3 &a, const Vec3 &b, double t) {
-    return (1 - t) * a + t * b;
-}
-void comprueba(const std::string &que, const Comparacion &c, const Cotas &cotas, double rmse) {
+void compruebaConMedia(const std::string &que, const Comparacion &c, const Cotas &cotas, double rmse) {
     comprueba(que, c, cotas);
     EXPECT_LE(c.rmse, rmse) << que;
 }
@@ -92,8 +83,6 @@ Camara camaraCubemap(double azimut, double elevacion, double angulo = 0.75) {
     return perspectiva(orbita(azimut, elevacion, 4.7), angulo, 0.5, 100);
 }
 
-} // namespace
-
 // El reflejo y el fondo desde cuatro sitios: si el entorno girase con la cámara, o una cara estuviera en otro sitio,
 // del revés o en espejo, los colores serían otros. Con el mapa esférico, lo mismo, también donde acaba una vuelta y
 // junto a los polos. Con la misma malla y con el toro exacto. Se pierden dos redondeos a 8 bits y lo que cambia el
@@ -116,7 +105,7 @@ TEST(Cubemap, ReflejoYFondoContraTrazadoDeRayos) {
     paraCada("cubemap", casos, 480, 360, [](const auto &c, const Vista &v) {
         const Panel panel(camaraCubemap(c.azimut, c.elevacion), v.escena);
         for (const Objeto &t : {malla(GIRO_TORO, toro(1, 0.5f, 90, 46)), toro(GIRO_TORO, 1, 0.5)})
-            comprueba(c.guion, comparaReflejo(v.escena, t, panel, false), {4}, 0.8);
+            compruebaConMedia(c.guion, comparaReflejo(v.escena, t, panel, false), {4}, 0.8);
     });
 }
 
@@ -127,7 +116,7 @@ TEST(Cubemap, PorVerticeYPorFragmento) {
     const Objeto t = malla(GIRO_TORO, toro(1, 0.5f, 12, 6));
     for (const bool porVertice : {false, true}) {
         const Panel panel(camaraCubemap(0.35, 0.06, 0.47), gpu, porVertice, 2, 2);
-        comprueba("por vértice y por fragmento", comparaReflejo(gpu, t, panel, porVertice), {4}, 0.8);
+        compruebaConMedia("por vértice y por fragmento", comparaReflejo(gpu, t, panel, porVertice), {4}, 0.8);
         EXPECT_GT(comparaReflejo(gpu, t, panel, !porVertice).rmse, 2);
     }
 }
@@ -228,13 +217,11 @@ TEST(Enrejado, HuecosContraFract) {
                             1 + i.frente};
             return exacto(FONDO_CLARO);
         });
-        comprueba(c.guion, d, MISMA_MALLA, 0.6);
+        compruebaConMedia(c.guion, d, MISMA_MALLA, 0.6);
     });
 }
 
 // --- textura3d ---------------------------------------------------------------------------------------------
-namespace {
-
 using Texels = std::vector<unsigned char>;
 
 /// De qué color es el bloque en p: madera (0), mármol (1) o el ruido tal cual (2). Con el ruido S2 veces mayor, anillos
@@ -274,8 +261,6 @@ Texels mitad(const Texels &texels) {
     }
     return menores;
 }
-
-} // namespace
 
 // Cada texel contra la definición del ruido en su centro; medio nivel por redondear.
 TEST(Textura3d, CadaTexelContraLaFuncion) {
@@ -338,13 +323,11 @@ TEST(Textura3d, CadaMaterialContraTrazadoDeRayos) {
             return {phong(m, UNO, {posicional({-3, 6, 8})}, i.punto, i.normal, haciaOjo(i)),
                     amplia || deFrente ? 0 : SIN_COMPARAR};
         });
-        comprueba(c.guion, compara(v.escena, ref), {1.2}, 0.5);
+        compruebaConMedia(c.guion, compara(v.escena, ref), {1.2}, 0.5);
     });
 }
 
 // --- bump --------------------------------------------------------------------------------------------------
-namespace {
-
 /// Altura del bulto que se repite en (s, t), en lados del mapa: mapa_normales.h dice el radio y la altura.
 double alturaBulto(double s, double t) {
     const double u = (s - std::floor(s) - 0.5) / 0.42, v = (t - std::floor(t) - 0.5) / 0.42,
@@ -377,8 +360,6 @@ Vec3 normalDesplazada(const Impacto &i) {
 Camara camaraBump(double azimut, double elevacion, double distancia) {
     return perspectiva(orbita(azimut, elevacion, distancia, {0, -0.25, 0}), 0.45, 1, 100);
 }
-
-} // namespace
 
 // En cada objeto, la luz sobre la superficie desplazada de verdad (con su normal, en el punto sin desplazar). En el
 // plano no hay más error que el mapa de 8 bits y su filtro; en la bola, además, lo que §8.4 desprecia: que al alejarse
@@ -413,8 +394,9 @@ TEST(Bump, LaLuzDeLaSuperficieDesplazada) {
                 ImagenRef solo = ref;
                 for (PixelRef &p : solo.pixeles)
                     p.zona = p.objeto == objeto ? p.zona : SIN_COMPARAR;
-                comprueba(objeto == BOLA_BUMP ? "bola" : "suelo", compara(recorta(v.escena, panel), solo),
-                          {maximo[con][objeto], con ? 0 : 500}, rmse[con][objeto]);
+                compruebaConMedia(objeto == BOLA_BUMP ? "bola" : "suelo",
+                                  compara(recorta(v.escena, panel), solo),
+                                  {maximo[con][objeto], con ? 0 : 500}, rmse[con][objeto]);
             }
             const Ejes ejes = oraculo::ejes(panel.camara);
             const Vec3 borde = CENTRO_BUMP + 0.83 * (ejes.y - ejes.x);
@@ -430,8 +412,6 @@ TEST(Bump, LaLuzDeLaSuperficieDesplazada) {
 }
 
 // --- bump_ruido --------------------------------------------------------------------------------------------
-namespace {
-
 const Vec3 HACIA_SOL = unitario({0.1219, 0.0975, -0.9877});
 
 Vec3 cielo(const Vec3 &d) {
@@ -468,8 +448,6 @@ Vec3 lago(const Vec3 &ojo, const Vec3 &d, double tiempo) {
            alCielo * 0.8 * std::pow(std::max(escalar(R, HACIA_SOL), 0.0), 300) * Vec3{1, 0.75, 0.45};
 }
 
-} // namespace
-
 // El lago en doble. Donde lo que se ve cambia deprisa (olas lejanas, contorno de las colinas) cuenta la última cifra
 // del float: se apartan los píxeles cuyo color cambia al moverse una centésima de píxel. El tiempo se para, sigue donde
 // estaba y se repite a los 160 s: 64 celdas a 0.4 por segundo.
@@ -497,13 +475,11 @@ TEST(BumpRuido, ContraElLagoEnDoble) {
                                  longitud(ve(d + centesima * Y) - ve(d)) > 0.004;
             return {ve(d), deprisa ? SIN_COMPARAR : 0};
         });
-        comprueba(c.guion, compara(v.escena, ref), {1}, 0.6);
+        compruebaConMedia(c.guion, compara(v.escena, ref), {1}, 0.6);
     });
 }
 
 // --- desplazamiento ----------------------------------------------------------------------------------------
-namespace {
-
 double alturaIslaExacta(double s, double t) {
     const double r = 2.1 * std::hypot(s - 0.5, t - 0.5), isla = escalon(0, 1, 1 - r);
     return std::clamp(isla * (0.62 + 0.75 * definicion::turbulencia({5 * s, 5 * t, 2.5}, 6)), 0.0, 1.0);
@@ -527,8 +503,6 @@ Malla islaDeAmplitudUno() {
     }
     return m;
 }
-
-} // namespace
 
 // La isla con varias amplitudes, hasta sus topes: posiciones (el contorno y lo que tapa), normales y color. La playa es
 // tan estrecha que su color se nota en la sexta cifra de la altura. Las caras que se ven de refilón, que asoman menos
@@ -559,3 +533,5 @@ TEST(Desplazamiento, ContraLaMallaDesplazadaEnLaCpu) {
         comprueba(c.guion, d, {0.6, 500, 0.012});
     });
 }
+
+} // namespace

@@ -18,8 +18,6 @@ double pulso(double t, double periodo) {
     return 0.5 - 0.5 * std::cos(2 * PI * t / periodo);
 }
 
-} // namespace
-
 // Con el anillo opaco (t = 1) se ve él y sin él (t = 3), el cubo entero; en medio, la mezcla con alfa = (1 +
 // sen(2πt/4))/2. Un nivel y medio: lo que hay, lo que llega y alfa se redondean a 8 bits.
 TEST(Desvanecer, MezclaExacta) {
@@ -129,8 +127,6 @@ TEST(TexturaOndulada, LeeDondeDiceElSeno) {
     }
 }
 
-namespace {
-
 /// El toro del programa con sus vértices donde los lleva el ruido en el segundo t. La normal es la del producto
 /// vectorial de dos tangentes, que se miden con diferencias: las del toro, muy pequeñas, y las de la textura, de un
 /// texel a cada lado.
@@ -165,8 +161,6 @@ void compruebaRuido(const Vista &v, const Hueco &h, int modo, double t, double S
     comprueba("t = " + conDosCifras(t),
               comparaConLuzFija(recorta(v.escena, h), {cuerpo}, panel.camara, exacto(FONDO_CLARO)), {1});
 }
-
-} // namespace
 
 // Con más y menos amplitud; y los dos modos a la vez. Medio nivel más que lo exacto: en los pliegues hay triángulos
 // de décimas de píxel de ancho, y llevar sus vértices a la rejilla de 1/256 se nota en la normal que se interpola.
@@ -257,3 +251,5 @@ TEST(Textura3dAnimada, ElRuidoEnCadaPuntoYPeriodica) {
         comprueba("t = " + conDosCifras(t), c);
     }
 }
+
+} // namespace

@@ -4,6 +4,7 @@
 #include "ch12_ruido.h"
 #include "colores.h"
 #include "oraculo/oraculo.h"
+#include "panel.h"
 #include "plana.h"
 
 using namespace oraculo;
@@ -17,9 +18,6 @@ double azarDe(std::uint32_t n) {
     n = (n ^ (n >> 15)) * 0x846ca68bu;
     n ^= n >> 16;
     return (n >> 8) / 16777216.0;
-}
-Vec3 mezcla(const Vec3 &a, const Vec3 &b, double t) {
-    return (1 - t) * a + t * b;
 }
 double parteDecimal(double x) {
     return x - std::floor(x);
@@ -107,8 +105,6 @@ std::string pide(int modo, int pasos = 0) {
            "; ";
 }
 
-} // namespace
-
 // Una sola, de cada clase cien, más de las que hay grupos, mil gotas y diez mil de cada clase: la imagen entera,
 // también a las cien horas. Cada capa redondea a 8 bits el color, la opacidad y el resultado: una, un nivel y medio;
 // con diez mil hay sitios con decenas.
@@ -148,8 +144,6 @@ TEST(Particulas, LaLuzNoDependeDeCuantas) {
 
 // --- Mosaico y banderas ---
 
-namespace {
-
 /// De 0 (aún no ha nacido, o ya ha muerto) a 1: nacen entre 0 y 3.5 s y mueren entre 6 y 9.5.
 double crecida(int i, double t) {
     const auto n = 2 * std::uint32_t(i);
@@ -180,8 +174,6 @@ glm::vec3 colorDeFlor(const glm::dvec2 &p) {
                                : glm::vec3(0.30f, 0.55f, 0.78f);
 }
 
-} // namespace
-
 // Cada tesela, en su sitio y de su color, encima de las anteriores.
 TEST(Mosaico, CadaTeselaVivaEstaEnSuSitio) {
     const int C = 52, F = 39;
@@ -208,8 +200,6 @@ TEST(Mosaico, CadaTeselaVivaEstaEnSuSitio) {
     }
 }
 
-namespace {
-
 struct Bandera {
     Vec3 pie, color;
     double crece, inclina, onda;
@@ -229,8 +219,6 @@ struct Bandera {
                       : Tono((0.86 + 0.14 * std::cos(7 * tela.x - onda)) * color, 2 * cual + 2);
     }
 };
-
-} // namespace
 
 // La imagen entera: la grada, maciza hasta el suelo, que está un escalón por debajo de la primera fila, y cada
 // bandera con su asta.
@@ -264,3 +252,5 @@ TEST(Banderas, CadaUnaConSuAstaEnSuSitio) {
                   }));
     }
 }
+
+} // namespace

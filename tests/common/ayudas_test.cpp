@@ -5,7 +5,6 @@
 #include "colores.h"
 #include "imagen.h"
 #include "letra.h"
-#include "proyeccion.h"
 #include "prueba.h"
 #include "recuadro.h"
 #include "rotulo.h"
@@ -195,14 +194,6 @@ TEST_F(Ayudas, DeCualquierColorSeLee) {
     }
 }
 
-TEST_F(Ayudas, FueraDelVolumenNoHayRotulo) {
-    const glm::mat4 proyeccion = perspectivaVentana(1, 0.1f, 100);
-    for (const glm::vec3 &p : {glm::vec3(0, 0, 5), {0, 0, 0}, {50, 0, -5}, {0, -50, -5}, {0, 0, -0.05f}})
-        EXPECT_EQ(caja(pinta([&] { rotulaPunto("abc", p, proyeccion, ROJO); })).pixeles, 0)
-            << p.x << p.y << p.z;
-    EXPECT_GT(caja(pinta([&] { rotulaPunto("abc", {0, 0, -5}, proyeccion, ROJO); })).pixeles, 0);
-}
-
 TEST_F(Ayudas, UnRotuloLargoEncogeYLaLineaNuevaBaja) {
     const auto deMes = [](int cuantas) {
         return caja(pinta([&] { rotula(std::string(std::size_t(cuantas), 'M'), {0.5f, 0.5f}, ROJO); }));
@@ -216,13 +207,6 @@ TEST_F(Ayudas, UnRotuloLargoEncogeYLaLineaNuevaBaja) {
     const Caja dos = caja(pinta([] { rotula("F\nF", {0.5f, 0.5f}, ROJO); }));
     EXPECT_NEAR(dos.maximo.y - dos.minimo.y + 1, 2.5 * 14 + 1,
                 1); // de una línea a otra, una mayúscula y media
-}
-
-// En dos columnas, tres paneles son dos filas: en una ventana así se ven mejor los tres en una.
-TEST_F(Ayudas, TresPanelesEnUnaFila) {
-    cambiaTalla({400, 250});
-    const std::vector<Recuadro> paneles = reparte(3, 1);
-    EXPECT_EQ(paneles[0].y, paneles[2].y);
 }
 
 } // namespace

@@ -207,13 +207,3 @@ TEST(Diario, DiceLoQueElCuadroDejaYLoQueOcupa) {
     ASSERT_TRUE(std::regex_search(delCubo, ocupa, std::regex("\t([0-9]+)\t[0-9]+\n$"))) << delCubo;
     EXPECT_EQ(std::stol(ocupa[1]), std::stol(bytes[1]) + std::stol(bytes[2]));
 }
-
-// Ni los procesadores ni la carpeta de trabajo (ejecuta usa una temporal) cambian la imagen.
-TEST(Determinismo, LosHilosNoCambianLaImagen) {
-    const Imagen imagen = imagenDe("grua");
-    for (const char *hilos : {"0", "2", "16"}) {
-        setenv("LP_NUM_THREADS", hilos, 1);
-        EXPECT_EQ(imagenDe("grua").rgb, imagen.rgb) << hilos;
-    }
-    unsetenv("LP_NUM_THREADS");
-}

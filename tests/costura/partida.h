@@ -37,7 +37,6 @@ public:
     Partida(unsigned semilla, bool enVentana) : azar(semilla), conVentana(enVentana) {
         for (const char *una : FUNCIONES)
             pon(una, 1);
-        llama("ocio", {0});
         for (int i = 0; i < 12; ++i) // con menús desde el principio
             if (const std::string que = i % 4 == 0 ? "crea" : "opcion"; !prueba(que))
                 prueba("crea");
@@ -50,15 +49,15 @@ public:
         trabaja();
         da("mueve", {20, 30});
         llevaRaton({20, 30});
-        despues();
+        trabaja();
         for (int i = 0; i < 40 && !termina; ++i)
             orden();
         if (conVentana && !termina) {
             ultima = true;
             especial();
         }
-        for (const auto &[rasgo, cual] : RASGOS)
-            if (funcion[cual])
+        for (const char *rasgo : {"teclado", "especial", "raton", "arrastre", "movimiento", "rueda"})
+            if (funcion[rasgo])
                 rasgos += std::string(rasgo) + "\n";
         if (!relojes.empty())
             rasgos += "temporizador\n";
@@ -68,12 +67,8 @@ public:
     }
 
 private:
-    static constexpr const char *FUNCIONES[] = {
-        "dibuja",          "tamano", "teclado",  "teclado_arriba", "especial",
-        "especial_arriba", "raton",  "arrastre", "movimiento",     "rueda"};
-    static constexpr std::pair<const char *, const char *> RASGOS[] = {
-        {"teclado", "teclado"},       {"especial", "especial"}, {"raton", "raton"}, {"arrastre", "arrastre"},
-        {"movimiento", "movimiento"}, {"rueda", "rueda"},       {"ocio", "ocio"}};
+    static constexpr const char *FUNCIONES[] = {"dibuja", "tamano",   "teclado",    "especial",
+                                                "raton",  "arrastre", "movimiento", "rueda"};
     struct Entrada {
         int texto, valor, submenu; // 0 si es una opción
     };
@@ -107,8 +102,8 @@ private:
     // --- lo que se apunta y lo que se manda ---
 
     void apunta(const std::string &que) {
-        diario += une(que + " | menu", {actual}) + "," + une("", {talla.first}) + "x" +
-                  std::to_string(talla.second) + ", ventana 1, a " + std::to_string(reloj) + " ms\n";
+        diario += une(que + " |", {talla.first}) + "x" + std::to_string(talla.second) + ", a " +
+                  std::to_string(reloj) + " ms\n";
     }
     void da(const std::string &que) {
         guion += que + ";";
@@ -126,24 +121,18 @@ private:
     void llama(const std::string &nombre, const Numeros &a = {}) {
         tandas += une(nombre, a) + ";";
         yaEnLaTanda.insert(nombre);
-        if (std::count(std::begin(FUNCIONES), std::end(FUNCIONES), nombre) || nombre == "ocio")
+        if (std::count(std::begin(FUNCIONES), std::end(FUNCIONES), nombre))
             funcion[nombre] = a[0];
         else if (nombre == "crea")
             menus[actual = ++creados] = {a[0], {}};
-        else if (nombre == "destruye")
-            destruye(a[0]);
         else if (nombre == "actual")
             actual = a[0];
         else if (nombre == "opcion")
             menus[actual].entradas.push_back({a[0], a[1], 0});
         else if (nombre == "submenu")
             menus[actual].entradas.push_back({a[0], -1, a[1]});
-        else if (nombre == "cambia")
-            menus[actual].entradas[std::size_t(a[0] - 1)] = {a[1], a[2], 0};
         else if (nombre == "enlaza")
             deBoton[a[0]] = actual;
-        else if (nombre == "suelta")
-            deBoton[a[0]] = 0;
         else if (nombre == "temporizador")
             relojes.emplace(reloj + std::max(a[0], 1), a[1]);
         else if (nombre == "repinta")
@@ -157,15 +146,6 @@ private:
         else
             termina = true;
         apunta(une("- " + nombre, a));
-    }
-
-    void destruye(int menu) {
-        menus.erase(menu);
-        for (auto &[otro, suyo] : menus)
-            for (Entrada &e : suyo.entradas)
-                e.submenu = e.submenu == menu ? 0 : e.submenu;
-        std::replace(std::begin(deBoton), std::end(deBoton), menu, 0);
-        actual = actual == menu ? 0 : actual;
     }
 
     void dibuja() {
@@ -200,17 +180,6 @@ private:
     void trabaja() {
         tallaPendiente();
         dibuja();
-    }
-
-    void despues() {
-        trabaja();
-        if (const int ocio = funcion["ocio"]; ocio && !termina) {
-            apunta(une("ocio", {ocio}));
-            if (ocio == 1)
-                funcion["ocio"] = 0;
-            repinta |= ocio == 2;
-            trabaja();
-        }
     }
 
     // El diario dice los que cambian.
@@ -292,14 +261,14 @@ private:
         if (ultima)
             return llama("acaba");
         for (int veces = n(5); veces > 0 && !termina; --veces) {
-            static const char *const QUE[] = {
-                "crea",     "crea",   "opcion", "opcion", "opcion", "submenu", "cambia",       "actual",
-                "destruye", "enlaza", "enlaza", "suelta", "ocio",   "talla",   "temporizador", "repinta",
-                "repinta",  "titulo", "",       "",       "",       "completa"};
+            static const char *const QUE[] = {"crea",    "crea",    "opcion", "opcion", "opcion",
+                                              "submenu", "actual",  "enlaza", "talla",  "temporizador",
+                                              "repinta", "repinta", "titulo", "",       "",
+                                              "",        "completa"};
             prueba(QUE[n(int(std::size(QUE)))]);
         }
         if (!conVentana && n(30) == 0)
-            llama(n(2) ? "acaba" : "destruye_ventana", {1});
+            llama("acaba");
     }
 
     // Si tiene sentido ahora, la llama. Sin nombre, una de las funciones.
@@ -316,21 +285,18 @@ private:
         // FreeGLUT pide a X la talla, y mientras llega sigue; si crece tras elegir, el botón se suelta sobre ella
         const bool conTalla = conVentana && yaEnLaTanda.count("talla");
         if (que == "talla" && conVentana &&
-            (enMenu || yaEnLaTanda.count("ocio") || yaEnLaTanda.count("repinta")))
+            (enMenu || yaEnLaTanda.count("repinta") || yaEnLaTanda.count("temporizador")))
             return false;
         if (que == "repinta" && !conTalla)
             return llama(que), true;
-        if (que == "temporizador")
+        if (que == "temporizador" && !conTalla)
             return llama(que, {conVentana ? 40 * n(4) : n(n(2) ? 2 : 50), conVentana ? 10 * n(9) : n(100)}),
                    true;
         if (que == "talla" && !unaVez && !yaEnLaTanda.count("completa"))
             return llama(que, {260 + n(100), 200 + n(100)}), true;
         if (que == "completa" && !conVentana && !yaEnLaTanda.count("completa") && !yaEnLaTanda.count("talla"))
             return llama(que), true;
-        if (que == "ocio" && !conTalla)
-            return llama(que, {n(conVentana ? 2 : 3)}), true;
-        // FreeGLUT no sobrevive a borrar el que era el actual antes de elegir
-        if (vivo && ((que == "destruye" && !(conVentana && enMenu)) || que == "actual"))
+        if (vivo && que == "actual")
             return llama(que, {vivo}), true;
         if (!actual)
             return false;
@@ -340,9 +306,7 @@ private:
             return llama(que, {++rotulos, valor}), true;
         if (que == "submenu" && vivo && vivo < actual && puedeAbrirse(vivo)) // sin lazos
             return llama(que, {++rotulos, vivo}), true;
-        if (que == "cambia" && !entradas.empty())
-            return llama(que, {n(int(entradas.size())) + 1, ++rotulos, valor}), true;
-        if (que == "suelta" || (que == "enlaza" && puedeAbrirse(actual)))
+        if (que == "enlaza" && puedeAbrirse(actual))
             return llama(que, {n(3)}), true;
         return false;
     }
@@ -356,7 +320,7 @@ private:
     void pon(const std::string &una, int minima) {
         if (conVentana && una == "dibuja")
             return llama(una, {1}); // la otra se pide a sí misma, y allí no para
-        minima = una == "dibuja" || una == "especial_arriba" ? 1 : minima;
+        minima = una == "dibuja" || una == "especial" ? 1 : minima;
         llama(una, {minima + n(3 - minima)});
     }
 
@@ -373,14 +337,11 @@ private:
         const bool esc = !conVentana && n(60) == 0;
         const char cual = esc ? 27 : "azq5-,."[n(7)];
         da(esc ? "tecla Esc" : std::string("tecla ") + cual);
-        const Numeros donde = {cual, puntero.first, puntero.second};
         if (const int version = funcion["teclado"]) {
-            apunta(une(une("teclado", {version}), donde));
+            apunta(une("teclado", {version, cual, puntero.first, puntero.second}));
             termina = esc;
         }
-        if (const int version = funcion["teclado_arriba"]; version && !termina)
-            apunta(une(une("teclado_arriba", {version}), donde));
-        despues();
+        trabaja();
     }
 
     void especial() {
@@ -389,12 +350,9 @@ private:
             {"REPAG", 104}, {"FIN", 107}, {"INSERTAR", 108}};
         const auto &[nombre, codigo] = TECLAS[n(int(std::size(TECLAS)))];
         da(std::string("especial ") + nombre);
-        const Numeros donde = {codigo, puntero.first, puntero.second};
-        if (funcion["especial"])
-            apunta(une(une("especial", {funcion["especial"]}), donde));
-        apunta(une(une("especial_arriba", {funcion["especial_arriba"]}), donde));
+        apunta(une("especial", {funcion["especial"], codigo, puntero.first, puntero.second}));
         tanda();
-        despues();
+        trabaja();
         if (conVentana && yaEnLaTanda.count("temporizador"))
             espera(300); // allí el reloj no se para
     }
@@ -402,13 +360,13 @@ private:
     void espera(int ms) {
         da("espera " + std::to_string(ms));
         pasa(ms);
-        despues();
+        trabaja();
     }
 
     void mueve(std::pair<int, int> adonde) {
         da(pulsados.empty() ? "mueve" : "arrastra", adonde);
         llevaRaton(adonde);
-        despues();
+        trabaja();
     }
 
     void pulsa(int cual, bool abajo, std::pair<int, int> donde) {
@@ -417,7 +375,7 @@ private:
         llevaRaton(donde);
         abajo ? void(pulsados.insert(cual)) : void(pulsados.erase(cual));
         boton(cual, abajo ? 0 : 1);
-        despues();
+        trabaja();
     }
 
     void arrastra() {
@@ -445,7 +403,7 @@ private:
         llevaRaton(donde);
         boton(cual, 0, true);
         boton(cual, 1, true);
-        despues();
+        trabaja();
     }
 
     // Sale hacia abajo y a la derecha: los clics que lo cierran, o lo abren otra vez, cada vez más a la izquierda.
@@ -492,8 +450,8 @@ private:
         abierto = false;
         llega("menu", o.funcion, o.valor);
         enMenu = false;
-        actual = menus.count(antes) ? antes : 0;
-        despues();
+        actual = antes;
+        trabaja();
         if (conVentana && o.valor == 7 && yaEnLaTanda.count("temporizador"))
             espera(300);
         if (!termina)
@@ -515,7 +473,7 @@ private:
             const std::pair<int, int> nueva = {260 + n(100), 200 + n(100)};
             da("tamano" + en(nueva));
             cambiaTalla(nueva);
-            return despues();
+            return trabaja();
         }
         default: return especial();
         }

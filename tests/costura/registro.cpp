@@ -1,6 +1,6 @@
 // Escribe en stdout todo lo que GLUT le dice y todo lo que él le pide, y cómo queda: lo mismo sin ventana y con
 // FreeGLUT (partida.h). Lo que pide va en su argumento, en tandas separadas por «/», y en cada una, llamadas separadas
-// por «;»: una palabra y sus números. La primera tanda, antes de glutMainLoop; las demás, una cada vez que se suelta
+// por «;»: una palabra y sus números. La primera tanda, antes de glutMainLoop; las demás, una cada vez que se pulsa
 // una tecla especial o le llega un valor acabado en 7 de un menú o de un temporizador.
 #include "ventana.h"
 #include <cstdio>
@@ -18,8 +18,8 @@ static void escribe(const std::string &que, const Numeros &numeros = {}) {
     std::printf("%s", que.c_str());
     for (const int n : numeros)
         std::printf(" %d", n);
-    std::printf(" | menu %d, %dx%d, ventana %d, a %d ms\n", glutGetMenu(), glutGet(GLUT_WINDOW_WIDTH),
-                glutGet(GLUT_WINDOW_HEIGHT), glutGetWindow(), glutGet(GLUT_ELAPSED_TIME));
+    std::printf(" | %dx%d, a %d ms\n", glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT),
+                glutGet(GLUT_ELAPSED_TIME));
     std::fflush(stdout);
 }
 
@@ -48,14 +48,8 @@ struct De {
         escribe("teclado", {N, tecla, x, y});
         teclaComun(tecla);
     }
-    static void teclado_arriba(unsigned char tecla, int x, int y) {
-        escribe("teclado_arriba", {N, tecla, x, y});
-    }
     static void especial(int tecla, int x, int y) {
         escribe("especial", {N, tecla, x, y});
-    }
-    static void especial_arriba(int tecla, int x, int y) {
-        escribe("especial_arriba", {N, tecla, x, y});
         tanda();
     }
     static void raton(int boton, int estado, int x, int y) {
@@ -69,13 +63,6 @@ struct De {
     }
     static void rueda(int cual, int giro, int x, int y) {
         escribe("rueda", {N, cual, giro, x, y});
-    }
-    static void ocio() { // FreeGLUT la llama sin parar: la primera se quita
-        escribe("ocio", {N});
-        if (N == 1)
-            glutIdleFunc(nullptr);
-        else
-            glutPostRedisplay();
     }
     static void menu(int valor) {
         llega("menu", N, valor);
@@ -93,22 +80,16 @@ static const std::map<std::string, std::function<void(const Numeros &)>> LLAMADA
     PON(dibuja, glutDisplayFunc),
     PON(tamano, glutReshapeFunc),
     PON(teclado, glutKeyboardFunc),
-    PON(teclado_arriba, glutKeyboardUpFunc),
     PON(especial, glutSpecialFunc),
-    PON(especial_arriba, glutSpecialUpFunc),
     PON(raton, glutMouseFunc),
     PON(arrastre, glutMotionFunc),
     PON(movimiento, glutPassiveMotionFunc),
     PON(rueda, glutMouseWheelFunc),
-    PON(ocio, glutIdleFunc),
     {"crea", [](const Numeros &n) { glutCreateMenu(n[0] == 1 ? De<1>::menu : De<2>::menu); }},
-    {"destruye", [](const Numeros &n) { glutDestroyMenu(n[0]); }},
     {"actual", [](const Numeros &n) { glutSetMenu(n[0]); }},
     {"opcion", [](const Numeros &n) { glutAddMenuEntry(std::to_string(n[0]).c_str(), n[1]); }},
     {"submenu", [](const Numeros &n) { glutAddSubMenu(std::to_string(n[0]).c_str(), n[1]); }},
-    {"cambia", [](const Numeros &n) { glutChangeToMenuEntry(n[0], std::to_string(n[1]).c_str(), n[2]); }},
     {"enlaza", [](const Numeros &n) { glutAttachMenu(n[0]); }},
-    {"suelta", [](const Numeros &n) { glutDetachMenu(n[0]); }},
     {"temporizador",
      [](const Numeros &n) {
          glutTimerFunc(
@@ -119,7 +100,6 @@ static const std::map<std::string, std::function<void(const Numeros &)>> LLAMADA
     {"completa", [](const Numeros &) { glutFullScreenToggle(); }},
     {"titulo", [](const Numeros &n) { ponTitulo(std::to_string(n[0])); }},
     {"acaba", [](const Numeros &) { glutLeaveMainLoop(); }},
-    {"destruye_ventana", [](const Numeros &n) { glutDestroyWindow(n[0]); }},
 };
 
 static void tanda() {
@@ -141,8 +121,7 @@ int main(int argc, char **argv) {
     glutSetOption(GLUT_ACTION_ON_WINDOW_CLOSE, GLUT_ACTION_GLUTMAINLOOP_RETURNS);
     tandas.str(argc > 1 ? argv[1] : "");
     glutDisplayFunc(De<1>::dibuja);
-    glutSpecialUpFunc(De<1>::especial_arriba);
-    glutCloseFunc([] { std::puts("cierre"); });
+    glutSpecialFunc(De<1>::especial);
     tanda();
     glutMainLoop();
     std::puts("fin");

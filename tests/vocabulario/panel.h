@@ -5,6 +5,16 @@
 /// Con la misma malla y la misma luz solo se pierde el redondeo a 8 bits. En los bordes, la GPU lleva cada vértice a la
 /// rejilla de 1/256 de píxel, y un lado se mueve √2/256 como mucho por cada uno de los suyos: 0.011.
 const Cotas EXACTA = {0.501, 500, 0.012};
+/// Y, si el color sale de más cuentas, una centésima de nivel de hacerlas en float.
+const Cotas MISMA_MALLA = {0.51, 500, 0.012};
+
+const oraculo::Vec3 X{1, 0, 0}, Y{0, 1, 0}, Z{0, 0, 1}, UNO{1, 1, 1};
+/// De Z, que es el eje de las formas de common/, a Y.
+const oraculo::Mat4 DE_PIE = oraculo::gira(X, -oraculo::PI / 2);
+
+inline oraculo::Vec3 mezcla(const oraculo::Vec3 &a, const oraculo::Vec3 &b, double t) {
+    return (1 - t) * a + t * b;
+}
 
 using Linea = std::vector<oraculo::Vec3>;
 
