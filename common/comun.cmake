@@ -14,7 +14,6 @@ target_include_directories(comun PUBLIC common common/encima "${CMAKE_SOURCE_DIR
 target_compile_definitions(comun PRIVATE LAB_FUENTES="${LAB_FUENTES}" LAB_GENERADO="${LAB_GENERADO}")
 target_link_libraries(comun PUBLIC -Wl,--wrap=glutSwapBuffers,--wrap=glutMotionFunc,--wrap=glutPassiveMotionFunc # lo dice common/encima/ayuda.cpp
   PRIVATE avisos)
-recoge_controles(comun)
 
 # El GLUT sin ventana, menos su contexto: cada enlace tiene el suyo.
 add_library(glut_sin_ventana OBJECT EXCLUDE_FROM_ALL

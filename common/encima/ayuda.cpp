@@ -30,10 +30,11 @@ struct {
     void (*movimiento)(int, int) = nullptr;
 } estado;
 
-// De cada programa, sus controles: lo que se toca, un tabulador y lo que hace.
-const std::map<std::string, const char *> CONTROLES = {
-#include "controles.inc" // lo escribe herramientas/base/controles.py
-};
+// De cada programa de este binario: en la página están todos. Es de una función porque se llena antes de main.
+std::map<std::string, std::string> &apuntados() {
+    static std::map<std::string, std::string> suyos;
+    return suyos;
+}
 
 const char *const DE_TODOS =
     "F1\testa ayuda · F2\tel píxel bajo el puntero · F3\tvigila los shaders · F5\tlos relee · "
@@ -103,8 +104,8 @@ void pintaVelo() {
 }
 
 std::vector<std::string> controles() {
-    const auto suyos = CONTROLES.find(nombrePrograma());
-    return separa((suyos == CONTROLES.end() ? "" : suyos->second + std::string(" · ")) + DE_TODOS, " · ");
+    const auto suyos = apuntados().find(nombrePrograma());
+    return separa((suyos == apuntados().end() ? "" : suyos->second + " · ") + DE_TODOS, " · ");
 }
 
 // Dos columnas: son dos rótulos de las mismas líneas, cada uno con los blancos del otro.
@@ -187,6 +188,10 @@ void vigila(int vuelta) {
 }
 
 } // namespace
+
+bool apuntaControles(const char *programa, const char *suyos) {
+    return apuntados().emplace(programa, suyos).second;
+}
 
 std::string controlesDelPrograma() {
     std::string lineas;

@@ -4,6 +4,10 @@
 #pragma once
 #include <string>
 
+/// Los de un programa: lo que se toca, un tabulador y lo que hace, y entre cada dos, « · ». Lo llama antes de main un
+/// objeto que se enlaza con él (herramientas/base/controles.py).
+bool apuntaControles(const char *programa, const char *suyos);
+
 /// Los controles del programa que se ejecuta, uno por línea, y después los de todos.
 std::string controlesDelPrograma();
 

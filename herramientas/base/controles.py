@@ -1,7 +1,7 @@
 """Los controles de un programa, según su línea «// Controles:», y sucesos al azar de entre ellos.
 
-controles.py tabla RAÍZ FICHERO                    los de todos, como los incluye common/encima/ayuda.cpp:
-                                                   {"programa", R"(a d<tabulador>giran · …)"},
+controles.py objeto FICHERO PROGRAMA FUENTE…       el fuente que se enlaza con ese programa para que F1 los diga
+                                                   (common/encima/ayuda.h): los del primer fuente que los tiene
 controles.py guion RAÍZ BUILD PROGRAMA SEMILLA N   un guion de unas N órdenes al azar para ese programa
 """
 import os
@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from base import catalogo
-from base.procesos import ejecuta, escribe, principal
+from base.procesos import ejecuta, principal
 
 ESPECIALES = {"←": "IZQUIERDA", "→": "DERECHA", "↑": "ARRIBA", "↓": "ABAJO"}
 COMUNES = ["especial F5"]  # las teclas de todos (common/ventana.h), salvo Esc y las que salen de la ventana
@@ -90,9 +90,9 @@ def lee(raiz, programa):
     return de(linea(raiz / programa.fuente))
 
 
-def tabla(raiz):
-    suyos = {f.stem: " · ".join("\t".join(c.partes) for c in de(linea(f))) for f in sorted(raiz.glob("ch*/*.cpp"))}
-    return "".join(f'{{"{nombre}", R"({texto})"}},\n' for nombre, texto in suyos.items() if texto)
+def objeto(programa, fuentes):
+    suyos = " · ".join("\t".join(c.partes) for c in de(next(filter(None, map(linea, fuentes)), "")))
+    return suyos and f'#include "ayuda.h"\nstatic const bool apuntados = apuntaControles("{programa}", R"({suyos})");\n'
 
 
 def atiende(build, programa, guion="", **entorno):
@@ -166,12 +166,12 @@ def paseo(azar, n, controles, rasgos, opciones, ancho, alto):
 
 
 def main():
-    que, raiz, *resto = sys.argv[1:]
-    raiz = Path(raiz).resolve()
-    if que == "tabla":
-        return escribe(Path(*resto), tabla(raiz))
-    build, nombre, semilla, n = resto
-    build = Path(build).resolve()
+    que, *resto = sys.argv[1:]
+    if que == "objeto":
+        fichero, nombre, *fuentes = resto
+        return catalogo.cambia(Path(fichero), objeto(nombre, map(Path, fuentes)))
+    raiz, build, nombre, semilla, n = resto
+    raiz, build = Path(raiz).resolve(), Path(build).resolve()
     programa = next(p for p in catalogo.lee_programas(build) if p.nombre == nombre)
     azar = random.Random(f"{nombre} {semilla}")
     print("; ".join(paseo(azar, int(n), lee(raiz, programa), *atiende(build, programa), 240, 180)))

@@ -30,10 +30,10 @@ lee_capitulos()
 
 string(REGEX MATCH "^[0-9]+" llvm ${CMAKE_CXX_COMPILER_VERSION}) # el de Emscripten, que no tiene por qué ser el único
 find_program(OPT NAMES opt-${llvm} opt REQUIRED)
-get_property(programas GLOBAL PROPERTY LAB_PROGRAMAS)
 set(objetos "")
 set(indice "")
-foreach(nombre IN LISTS programas)
+foreach(programa IN LISTS LAB_PROGRAMAS)
+  get_filename_component(nombre ${programa} NAME)
   set(main main_${nombre})
   target_compile_definitions(${nombre} PRIVATE main=${main})
   target_compile_options(${nombre} PRIVATE -emit-llvm)
@@ -44,7 +44,7 @@ foreach(nombre IN LISTS programas)
       $<TARGET_OBJECTS:${nombre}> -o ${objeto}.bc
     COMMAND ${CMAKE_CXX_COMPILER} -Os -c ${objeto}.bc -o ${objeto}.o
     COMMENT "Apartando ${nombre}" VERBATIM)
-  list(APPEND objetos ${objeto}.o)
+  list(APPEND objetos ${objeto}.o $<TARGET_OBJECTS:controles_${nombre}>)
   string(APPEND indice "PROGRAMA(${nombre})\n")
 endforeach()
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/objetos)

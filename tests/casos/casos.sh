@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# casos.sh BUILD ENLACE PROGRAMA [CASO]: prueba los casos de un programa, o solo ese, que CMake deja en
-# BUILD/casos/PROGRAMA.sh. ENLACE dice cómo:
+# casos.sh BUILD ENLACE [PROGRAMA [CASO]]: prueba los casos de un programa, o solo ese, que herramientas/base/catalogo.py
+# deja en BUILD/casos/PROGRAMA.sh. ENLACE dice cómo:
 #   osmesa, egl       dibujado con ese destino sin ventana y comparado con su golden: la imagen; en un .txt, los títulos
 #                     que pone y lo que escribe; y en un .encima, lo que pinta encima (common/encima/encima.h), que no está si
 #                     no pinta nada
@@ -13,18 +13,23 @@
 #   pasos             lo que pinta encima tras cada línea de tests/golden/CAPÍTULO/PROGRAMA.pasos, que son órdenes de un
 #                     guion y siguen a las de antes, es lo de PROGRAMA-pasos.encima. La ventana es de 480x360, o de lo
 #                     que diga un «# talla ANCHOxALTO»
-#   pies              lo que cada caso dice con CUMPLE es así en su imagen, y no en la de los demás del programa
-#                     (pies.cpp)
+#   pies              lo que el catálogo dice que cumple cada caso es así en su golden, y no en los demás del programa
+#                     (pies.cpp); sin PROGRAMA, los de todos
 #   ventana, windows  en una ventana de verdad (ventana.sh)
 # El programa debe acabar con 0 y no escribir nada en stderr. Las imágenes de lo que falla quedan en BUILD/fallos/. Con
 # DORA, lo que sale pasa a ser el golden; con GOLDEN, en esa carpeta, que tiene los de antes. Estado: 0 bien, 4 si es
 # distinto lo que pinta encima, aunque no sea lo único; 1 lo demás.
 # shellcheck disable=SC1090,SC2317 # lo de caso lo llama BUILD/casos/PROGRAMA.sh
 set -euo pipefail
-build=$1 enlace=$2 programa=$3 pedido=${4:-} destino=$2 opengl='' estado=0 probados=0 con=() dichos=()
+build=$1 enlace=$2 programa=${3:-} pedido=${4:-} destino=$2 opengl='' estado=0 probados=0 con=()
 aqui=$(cd "$(dirname "$0")" && pwd)
 goldens=${GOLDEN:-$aqui/../golden} compara=$build/herramientas/comparador/compara
 carpeta=$(mktemp -d)
+if [ "$enlace" = pies ]; then
+  "${PYTHON:-python3}" -B "$aqui/../../herramientas" base.catalogo "$build" cumple ${programa:+"$programa"} |
+    "$build/tests/pies" "$goldens"
+  exit
+fi
 source "$aqui/../ventana/pantalla.sh"
 acaba() {
   kill ${pid:+"$pid"} ${servidor:+"$servidor"} 2>/dev/null || true
@@ -129,14 +134,6 @@ pasos() {
   compara_encima "$golden-pasos" con_nombre
 }
 
-# De una vez a tres tallas.
-pies() {
-  local talla capturas=''
-  for talla in 480x360 960x720 960x1080; do capturas+="; tamano ${talla/x/ }; captura $nombre-$talla.ppm"; done
-  dibuja -geometry 480x360 -ppm "última" -guion "${guion#;}$capturas"
-  dichos+=("$nombre" "$cumple")
-}
-
 vulkan() { # MANIFIESTO…: OpenGL de zink sobre ese Vulkan
   local manifiesto
   for manifiesto; do [ ! -e "$manifiesto" ] || break; done
@@ -177,7 +174,7 @@ elige_opengl() {
 
 case $enlace in
 osmesa | egl) prueba=imagen ;;
-encuadre | pasos | pies)
+encuadre | pasos)
   prueba=$enlace destino=$(cat "$build/sin_ventana")
   [ "$prueba$destino" != encuadreosmesa ] || con=(LD_PRELOAD="$build/tests/libfinitos.so")
   ;;
@@ -185,7 +182,7 @@ ventana | windows) prueba=ventana && source "$aqui/ventana.sh" ;;
 *) prueba=imagen && elige_opengl ;;
 esac
 
-caso() { # nombre=… fichero=… guion=… tolerancia=… otro=… borde=… cumple=…
+caso() { # nombre=… fichero=… guion=… tolerancia=… otro=… borde=…
   local "$@" golden
   [[ $prueba != pasos && (-z $pedido || $nombre = "$pedido") ]] || return 0
   golden=$goldens/$capitulo/$fichero
@@ -199,5 +196,4 @@ elif [ $probados = 0 ]; then
   echo "$programa no tiene ningún caso «$pedido»"
   exit 1
 fi
-[ "$prueba" != pies ] || "$build/tests/pies" "${dichos[@]}"
 exit $estado

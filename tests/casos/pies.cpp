@@ -1,82 +1,49 @@
-// pies CASO "AFIRMACIÓN; …" [CASO "…"]…: comprueba que cada imagen de la carpeta de trabajo, CASO-TALLA.ppm a las tres
-// TALLAS, es como afirma el CUMPLE de su caso, con las palabras que explica herramientas/cmake/programa.cmake, y que
-// ninguna otra lo es: un pie que vale para la imagen de al lado no dice nada de la suya. Salvo las casi iguales.
-// Estado: 0 si todas lo son; 1 si alguna no, y dice cuál y qué hay; 2 si una está mal escrita.
+// pies GOLDEN: lo que cumple cada caso del catálogo, que se lee por la entrada como lo escribe base.catalogo (capítulo,
+// programa, imagen y afirmaciones, entre tabuladores), es así en su golden y no en los demás de su programa: un pie que
+// vale para la imagen de al lado no dice nada de la suya. Salvo las casi iguales. Los puntos son fracciones de la
+// ventana, x hacia la derecha e y hacia abajo; un COLOR es un nombre de common/encima/colores.h o (r,g,b), de 0 a 255:
+//   en X Y COLOR                  ese color, a 12 niveles como mucho
+//   en X Y como X Y               los dos puntos, a 12 niveles
+//   en X Y más claro que X Y      más de 12 niveles de luminancia
+//   COLOR entero|cortado|ausente  lo de ese color, con más o menos luz: no toca el borde, lo toca, no está
+//   COLOR A a B %                 lo que ocupa de ella
+//   distinta de CASO en A a B %   los píxeles que cambian en más de 12 niveles
+//   igual que CASO                ninguno cambia en más de 12
+// Estado: 0 si todas son así; 1 si alguna no, y dice cuál y qué hay; 2 si una está mal escrita.
 #include "colores.h"
 #include "error.h"
 #include "imagen.h"
-#include "numero.h"
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
+#include <functional>
+#include <iostream>
 #include <map>
-#include <optional>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
 
-static const std::vector<std::string> TALLAS = {"480x360", "960x720", "960x1080"};
 static const int NIVELES = 12;
 static const double CASI_IGUALES = 1; // % de píxeles distintos: las separa un rótulo
 static const double PENUMBRA = 0.25;  // lo menos iluminado que es del color de un objeto
 
-static const std::map<std::string, glm::vec3> COLORES = {{"ROJO", ROJO},
-                                                         {"VERDE", VERDE},
-                                                         {"AZUL", AZUL},
-                                                         {"NARANJA", NARANJA},
-                                                         {"AMARILLO", AMARILLO},
-                                                         {"MORADO", MORADO},
-                                                         {"GRIS", GRIS},
-                                                         {"OSCURO", OSCURO},
-                                                         {"BLANCO", BLANCO},
-                                                         {"NEGRO", {0, 0, 0}},
-                                                         {"CIELO", CIELO},
-                                                         {"SUELO", SUELO},
-                                                         {"FONDO_CLARO", FONDO_CLARO},
-                                                         {"FONDO_OSCURO", FONDO_OSCURO}};
+static const glm::vec3 NEGRO(0);
+#define CON_NOMBRE(color)                                                                                    \
+    { #color, color }
+static const std::map<std::string, glm::vec3> COLORES = {
+    CON_NOMBRE(ROJO),        CON_NOMBRE(VERDE),       CON_NOMBRE(AZUL),  CON_NOMBRE(NARANJA),
+    CON_NOMBRE(AMARILLO),    CON_NOMBRE(MORADO),      CON_NOMBRE(GRIS),  CON_NOMBRE(OSCURO),
+    CON_NOMBRE(BLANCO),      CON_NOMBRE(NEGRO),       CON_NOMBRE(CIELO), CON_NOMBRE(SUELO),
+    CON_NOMBRE(FONDO_CLARO), CON_NOMBRE(FONDO_OSCURO)};
 
-// Las palabras de una afirmación, de las que se va tomando la primera.
-struct Frase {
-    std::string entera;
-    std::istringstream palabras;
-    explicit Frase(const std::string &texto) : entera(texto), palabras(texto) {
-    }
-    [[noreturn]] void mal() const {
-        falla("no entiendo «" + entera + "»", 2);
-    }
-    std::string palabra() {
-        std::string p;
-        palabras >> p;
-        return p;
-    }
-    void exige(const std::string &esperada) {
-        std::istringstream son(esperada);
-        for (std::string p; son >> p;)
-            if (palabra() != p)
-                mal();
-    }
-    double numero() {
-        const auto n = numeroDe<double>(palabra());
-        return n ? *n : (mal(), 0);
-    }
-    double fraccion() {
-        const double n = numero();
-        return n >= 0 && n < 1 ? n : (mal(), 0);
-    }
-    glm::ivec3 color(const std::string &nombre) const {
-        if (const auto c = COLORES.find(nombre); c != COLORES.end())
-            return glm::ivec3(255.0f * c->second + 0.5f);
-        int r = 0, g = 0, b = 0, leido = 0;
-        if (std::sscanf(nombre.c_str(), "(%d,%d,%d)%n", &r, &g, &b, &leido) != 3 ||
-            leido != static_cast<int>(nombre.size()))
-            mal();
-        return {r, g, b};
-    }
-    void acaba() {
-        if (!palabra().empty())
-            mal();
-    }
-};
+static glm::ivec3 colorDe(const std::string &nombre) {
+    glm::ivec3 c;
+    if (std::sscanf(nombre.c_str(), "(%d,%d,%d)", &c.r, &c.g, &c.b) == 3)
+        return c;
+    if (!COLORES.count(nombre))
+        falla("no hay ningún color «" + nombre + "»", 2);
+    return glm::ivec3(255.0f * COLORES.at(nombre) + 0.5f);
+}
 
 static bool iguales(const glm::ivec3 &a, const glm::ivec3 &b) {
     const glm::ivec3 d = glm::abs(a - b);
@@ -98,163 +65,143 @@ static std::string dice(const glm::ivec3 &c) {
     return "(" + std::to_string(c.r) + "," + std::to_string(c.g) + "," + std::to_string(c.b) + ")";
 }
 
-struct Foto {
+struct Caso {
+    std::string fichero;
+    std::vector<std::string> afirmaciones;
     Imagen imagen;
-    int x0, y0, ancho, alto; // el 4:3 central
-    explicit Foto(const std::string &fichero) : imagen(leePpm(fichero)) {
-        ancho = std::min(imagen.ancho, imagen.alto * 4 / 3);
-        alto = std::min(imagen.alto, imagen.ancho * 3 / 4);
-        x0 = (imagen.ancho - ancho) / 2;
-        y0 = (imagen.alto - alto) / 2;
-    }
-    // De arriba abajo.
-    glm::ivec3 pixel(int x, int y) const {
+
+    glm::ivec3 pixel(int x, int y) const { // de arriba abajo
         const std::size_t i = std::size_t(3 * ((imagen.alto - 1 - y) * imagen.ancho + x));
         return {imagen.rgb[i], imagen.rgb[i + 1], imagen.rgb[i + 2]};
     }
-    glm::ivec3 en(double x, double y) const {
-        return pixel(x0 + int(x * ancho), y0 + int(y * alto));
+    glm::ivec3 en(const std::string &x, const std::string &y) const {
+        return pixel(int(std::stod(x) * imagen.ancho), int(std::stod(y) * imagen.alto));
     }
-    template<class Que>
-    double porcentaje(Que que) const {
-        int suyos = 0;
-        for (int y = y0; y < y0 + alto; ++y)
-            for (int x = x0; x < x0 + ancho; ++x)
-                suyos += que(x, y);
-        return 100.0 * suyos / (double(ancho) * alto);
-    }
-    // Cuántos píxeles de la ventana, y cuántos de su borde.
-    template<class Que>
-    glm::ivec2 cuenta(Que que) const {
+    // Cuántos píxeles son eso, y cuántos del borde.
+    glm::ivec2 cuenta(const std::function<bool(int, int)> &lo_es) const {
         glm::ivec2 n(0);
         for (int y = 0; y < imagen.alto; ++y)
             for (int x = 0; x < imagen.ancho; ++x)
-                if (que(x, y)) {
+                if (lo_es(x, y)) {
                     ++n.x;
                     n.y += x == 0 || y == 0 || x == imagen.ancho - 1 || y == imagen.alto - 1;
                 }
         return n;
     }
+    glm::ivec2 deColor(const std::string &color) const {
+        return cuenta([&, suyo = colorDe(color)](int x, int y) { return delColor(pixel(x, y), suyo); });
+    }
+    int distintos(const Caso &otro) const {
+        return cuenta([&](int x, int y) { return !iguales(pixel(x, y), otro.pixel(x, y)); }).x;
+    }
+    double porcentaje(int cuantos) const {
+        return 100.0 * cuantos / (imagen.ancho * imagen.alto);
+    }
+    std::string entre(int cuantos, const std::string &de, const std::string &a) const {
+        char texto[32];
+        std::snprintf(texto, sizeof texto, "%.3g %%", porcentaje(cuantos));
+        return porcentaje(cuantos) >= std::stod(de) && porcentaje(cuantos) <= std::stod(a) ? "" : texto;
+    }
 };
 
-// Cada una devuelve lo que hay, si no es lo que se afirma.
-static std::string entre(double hay, const std::optional<double> &de, Frase &f) {
-    if (!de)
-        f.mal();
-    f.exige("a");
-    const double a = f.numero();
-    f.exige("%");
-    char texto[32];
-    std::snprintf(texto, sizeof texto, "%.3g %%", hay);
-    return hay >= *de && hay <= a ? "" : texto;
-}
-
-static std::string enUnPunto(const Foto &foto, Frase &f) {
-    const double x = f.fraccion(), y = f.fraccion();
-    const glm::ivec3 hay = foto.en(x, y);
-    const std::string que = f.palabra();
-    if (que != "como" && que != "más")
-        return iguales(hay, f.color(que)) ? "" : dice(hay);
-    if (que == "más")
-        f.exige("claro que");
-    const double otraX = f.fraccion(), otraY = f.fraccion();
-    const glm::ivec3 otro = foto.en(otraX, otraY);
-    const bool bien = que == "como" ? iguales(hay, otro) : luminancia(hay) > luminancia(otro) + NIVELES;
-    return bien ? "" : dice(hay) + " y " + dice(otro);
-}
-
-static std::string comparada(const Foto &foto, const std::string &talla, bool distinta, Frase &f) {
-    f.exige(distinta ? "de" : "que");
-    const std::string caso = f.palabra();
-    if (caso.empty())
-        f.mal();
-    const Foto otra(caso + "-" + talla + ".ppm");
-    const auto cambia = [&](int x, int y) { return !iguales(foto.pixel(x, y), otra.pixel(x, y)); };
-    if (distinta) {
-        f.exige("en");
-        return entre(foto.porcentaje(cambia), f.numero(), f);
+struct Programa {
+    std::string nombre;
+    std::vector<Caso> casos;
+    const Caso &operator[](const std::string &caso) const {
+        const std::string fichero = caso == "base" ? nombre : nombre + "-" + caso;
+        const auto es =
+            std::find_if(casos.begin(), casos.end(), [&](auto &c) { return c.fichero == fichero; });
+        return es != casos.end() ? *es : (falla(nombre + " no tiene el caso «" + caso + "»", 2), *es);
     }
-    const int cuantos = foto.cuenta(cambia).x;
-    return cuantos ? std::to_string(cuantos) + " píxeles distintos" : "";
-}
-
-static std::string deUnColor(const Foto &foto, const std::string &nombre, Frase &f) {
-    const glm::ivec3 color = f.color(nombre);
-    const auto suyo = [&](int x, int y) { return delColor(foto.pixel(x, y), color); };
-    const std::string como = f.palabra();
-    if (como != "entero" && como != "cortado" && como != "ausente")
-        return entre(foto.porcentaje(suyo), numeroDe<double>(como), f);
-    const glm::ivec2 n = foto.cuenta(suyo);
-    const std::string hay = !n.x ? "ausente" : n.y ? "cortado" : "entero";
-    return hay == como
-               ? ""
-               : hay + ": " + std::to_string(n.x) + " píxeles, " + std::to_string(n.y) + " en el borde";
-}
-
-static std::string juzga(const std::string &afirmacion, const Foto &foto, const std::string &talla) {
-    Frase f(afirmacion);
-    const std::string primera = f.palabra();
-    const std::string hay = primera == "en"         ? enUnPunto(foto, f)
-                            : primera == "distinta" ? comparada(foto, talla, true, f)
-                            : primera == "igual"    ? comparada(foto, talla, false, f)
-                                                    : deUnColor(foto, primera, f);
-    f.acaba();
-    return hay;
-}
-
-struct Afirmacion {
-    std::string texto, dicho; // como está escrita, y sin su «a 4:3: »
-    bool solo43;
 };
 
-static std::vector<Afirmacion> separa(const std::string &cumple) {
-    const std::string SOLO = "a 4:3: ";
-    std::vector<Afirmacion> afirmaciones;
-    std::istringstream son(cumple);
-    for (std::string una; std::getline(son, una, ';');) {
-        una.erase(0, una.find_first_not_of(' '));
-        const bool solo43 = una.rfind(SOLO, 0) == 0;
-        afirmaciones.push_back({una, solo43 ? una.substr(SOLO.size()) : una, solo43});
+// Cómo se escribe una afirmación, y lo que hay si no es lo que afirma.
+struct Forma {
+    std::regex escrita;
+    std::string (*hay)(const std::smatch &palabras, const Caso &caso, const Programa &programa);
+};
+static const std::string PUNTO = "(0(?:\\.\\d+)?) (0(?:\\.\\d+)?)";
+static const std::string COLOR = "([A-Z_]+|\\(\\d+,\\d+,\\d+\\))", CUANTO = "(\\d+(?:\\.\\d+)?)";
+static const std::string TRAMO = CUANTO + " a " + CUANTO + " %";
+static const Forma FORMAS[] = {
+    {std::regex("en " + PUNTO + " " + COLOR),
+     [](const std::smatch &m, const Caso &caso, const Programa &) {
+         const glm::ivec3 hay = caso.en(m[1], m[2]);
+         return iguales(hay, colorDe(m[3])) ? "" : dice(hay);
+     }},
+    {std::regex("en " + PUNTO + " (como|más claro que) " + PUNTO),
+     [](const std::smatch &m, const Caso &caso, const Programa &) {
+         const glm::ivec3 a = caso.en(m[1], m[2]), b = caso.en(m[4], m[5]);
+         const bool bien = m[3] == "como" ? iguales(a, b) : luminancia(a) > luminancia(b) + NIVELES;
+         return bien ? "" : dice(a) + " y " + dice(b);
+     }},
+    {std::regex(COLOR + " (entero|cortado|ausente)"),
+     [](const std::smatch &m, const Caso &caso, const Programa &) {
+         const glm::ivec2 n = caso.deColor(m[1]);
+         const std::string hay = !n.x ? "ausente" : n.y ? "cortado" : "entero";
+         const std::string son = std::to_string(n.x) + " píxeles, " + std::to_string(n.y) + " en el borde";
+         return hay == m[2] ? "" : hay + ": " + son;
+     }},
+    {std::regex(COLOR + " " + TRAMO),
+     [](const std::smatch &m, const Caso &caso, const Programa &) {
+         return caso.entre(caso.deColor(m[1]).x, m[2], m[3]);
+     }},
+    {std::regex("distinta de (\\w+) en " + TRAMO),
+     [](const std::smatch &m, const Caso &caso, const Programa &programa) {
+         return caso.entre(caso.distintos(programa[m[1]]), m[2], m[3]);
+     }},
+    {std::regex("igual que (\\w+)"),
+     [](const std::smatch &m, const Caso &caso, const Programa &programa) {
+         const int cuantos = caso.distintos(programa[m[1]]);
+         return cuantos ? std::to_string(cuantos) + " píxeles distintos" : "";
+     }},
+};
+
+static std::string lo_que_hay(const std::string &afirmacion, const Caso &caso, const Programa &programa) {
+    std::smatch palabras;
+    for (const Forma &forma : FORMAS)
+        if (std::regex_match(afirmacion, palabras, forma.escrita))
+            return forma.hay(palabras, caso, programa);
+    falla("no entiendo «" + afirmacion + "»", 2);
+}
+
+static bool valePara(const Caso &caso, const Caso &otro, const Programa &programa) {
+    const auto lo_es = [&](const std::string &una) { return lo_que_hay(una, otro, programa).empty(); };
+    return std::all_of(caso.afirmaciones.begin(), caso.afirmaciones.end(), lo_es) &&
+           caso.porcentaje(caso.distintos(otro)) >= CASI_IGUALES;
+}
+
+static int juzga(const Programa &programa) {
+    int mal = 0;
+    for (const Caso &caso : programa.casos) {
+        for (const std::string &una : caso.afirmaciones)
+            if (const std::string hay = lo_que_hay(una, caso, programa); !hay.empty())
+                mal = std::printf("%s: «%s», y hay %s\n", caso.fichero.c_str(), una.c_str(), hay.c_str());
+        for (const Caso &otro : programa.casos)
+            if (!caso.afirmaciones.empty() && &otro != &caso && valePara(caso, otro, programa))
+                mal = std::printf("%s: lo que cumple también lo cumple %s\n", caso.fichero.c_str(),
+                                  otro.fichero.c_str());
     }
-    return afirmaciones;
-}
-
-// Si todas son de las imágenes de ese caso; las que no, con `dicho`, se dicen.
-static bool sonDe(const std::vector<Afirmacion> &afirmaciones, const std::string &caso, bool dicho) {
-    bool todas = true;
-    for (const Afirmacion &a : afirmaciones)
-        for (const std::string &talla : TALLAS) {
-            if (a.solo43 && talla == TALLAS.back())
-                continue;
-            const std::string hay = juzga(a.dicho, Foto(caso + "-" + talla + ".ppm"), talla);
-            if (hay.empty())
-                continue;
-            if (!dicho)
-                return false;
-            std::printf("%s, a %s: «%s», y hay %s\n", caso.c_str(), talla.c_str(), a.texto.c_str(),
-                        hay.c_str());
-            todas = false;
-        }
-    return todas;
-}
-
-static bool casiIguales(const std::string &una, const std::string &otra) {
-    const Foto a(una + "-" + TALLAS[0] + ".ppm"), b(otra + "-" + TALLAS[0] + ".ppm");
-    return a.porcentaje([&](int x, int y) { return !iguales(a.pixel(x, y), b.pixel(x, y)); }) < CASI_IGUALES;
+    return mal != 0;
 }
 
 int main(int argc, char **argv) {
-    int estado = 0;
-    for (int i = 1; i + 1 < argc; i += 2) {
-        const std::string caso = argv[i];
-        const std::vector<Afirmacion> afirmaciones = separa(argv[i + 1]);
-        if (!sonDe(afirmaciones, caso, true))
-            estado = 1;
-        for (int j = 1; j + 1 < argc && !afirmaciones.empty(); j += 2)
-            if (j != i && sonDe(afirmaciones, argv[j], false) && !casiIguales(caso, argv[j])) {
-                std::printf("%s: lo que cumple también lo cumple %s\n", caso.c_str(), argv[j]);
-                estado = 1;
-            }
+    if (argc != 2)
+        falla("pies GOLDEN", 2);
+    std::vector<Programa> programas;
+    for (std::string linea, capitulo, nombre, afirmacion; std::getline(std::cin, linea);) {
+        std::istringstream campos(linea);
+        Caso caso;
+        std::getline(std::getline(std::getline(campos, capitulo, '\t'), nombre, '\t'), caso.fichero, '\t');
+        while (std::getline(campos, afirmacion, '\t'))
+            caso.afirmaciones.push_back(afirmacion);
+        caso.imagen = leePpm(std::string(argv[1]) + "/" + capitulo + "/" + caso.fichero + ".ppm");
+        if (programas.empty() || programas.back().nombre != nombre)
+            programas.push_back({nombre, {}});
+        programas.back().casos.push_back(caso);
     }
+    int estado = programas.empty();
+    for (const Programa &programa : programas)
+        estado |= juzga(programa);
     return estado;
 }
