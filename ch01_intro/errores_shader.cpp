@@ -6,6 +6,7 @@
 #include "buferes.h"
 #include "colores.h"
 #include "modos.h"
+#include "recuadro.h"
 #include "rotulo.h"
 #include "shader.h"
 #include "ventana.h"

@@ -8,6 +8,7 @@
 #include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "rotulo.h"
 #include "rutas.h"
 #include "shader.h"
 #include "topologia.h"

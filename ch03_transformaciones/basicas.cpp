@@ -5,6 +5,8 @@
 // producto de una esquina, p, por la matriz (ecuación 3.3).
 // Controles: 1 traslación · 2 escalado · 3 4 5 giro en X, Y, Z · + - cambian el valor · h el punto p ·
 // ratón orbita · Esc termina.
+#include "buferes.h"
+#include "colores.h"
 #include "dibujos.h"
 #include "letra_f.h"
 #include "matriz.h"
@@ -12,7 +14,12 @@
 #include "objeto.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
+#include "rotulo.h"
+#include "shader.h"
 #include "texto.h"
+#include "transformaciones.h"
+#include "trazo.h"
 #include "ventana.h"
 #include <glm/gtc/constants.hpp>
 

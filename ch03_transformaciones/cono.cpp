@@ -2,10 +2,16 @@
 // (pasos.h). La figura del libro no está en el texto: aquí acaba tumbado en el eje X con el vértice en el
 // origen. En líneas, de dónde sale y adónde va.
 // Controles: t aplica la transformación siguiente, y tras la última empieza · ratón orbita · Esc termina.
+#include "buferes.h"
+#include "colores.h"
 #include "dibujos.h"
+#include "malla.h"
 #include "objeto.h"
 #include "orbita.h"
+#include "pasos.h"
 #include "proyeccion.h"
+#include "shader.h"
+#include "trazo.h"
 #include "ventana.h"
 
 static const float RADIO_PX = 300; // la base en una pantalla de 1080 líneas

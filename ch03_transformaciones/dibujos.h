@@ -5,6 +5,7 @@
 #include "colores.h"
 #include "pasos.h"
 #include "rotulo.h"
+#include "transformaciones.h"
 #include "trazo.h"
 #include <GL/glew.h>
 #include <algorithm>

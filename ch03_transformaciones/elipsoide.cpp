@@ -2,10 +2,17 @@
 // x = y = z, dibujada en oscuro (ejercicio 3.4), transformación a transformación (pasos.h). En líneas, de
 // dónde sale y adónde va.
 // Controles: t aplica la transformación siguiente, y tras la última empieza · ratón orbita · Esc termina.
+#include "buferes.h"
+#include "colores.h"
 #include "dibujos.h"
+#include "malla.h"
 #include "objeto.h"
 #include "orbita.h"
+#include "pasos.h"
 #include "proyeccion.h"
+#include "rotulo.h"
+#include "shader.h"
+#include "trazo.h"
 #include "ventana.h"
 
 static const float RADIO_PX = 450; // el semieje mayor, donde más cerca está, en una pantalla de 1080 líneas

@@ -3,11 +3,15 @@
 // de las caras y morado el de dentro: con un factor negativo la F es su imagen en un espejo y sus caras giran
 // al revés; con dos (determinante positivo) es la F girada media vuelta.
 // Controles: ratón orbita · Esc termina.
+#include "buferes.h"
+#include "colores.h"
 #include "dibujos.h"
 #include "letra_f.h"
-#include "objeto.h"
 #include "orbita.h"
 #include "recuadro.h"
+#include "rotulo.h"
+#include "shader.h"
+#include "transformaciones.h"
 #include "ventana.h"
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -5,13 +5,18 @@
 // Controles: a d giran · 1 2 3 4 ejes Y, diagonal, oblicuo y casi X · t pasos · botón izquierdo mueve el eje,
 // derecho orbita · rueda acerca · Esc termina.
 #include "avion.h"
+#include "buferes.h"
 #include "colores.h"
+#include "malla.h"
 #include "modos.h"
 #include "objeto.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "rotulo.h"
+#include "shader.h"
 #include "texto.h"
+#include "transformaciones.h"
 #include "trazo.h"
 #include "ventana.h"
 #include <cstring>

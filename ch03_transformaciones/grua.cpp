@@ -2,11 +2,14 @@
 // el brazo y la sube y baja. Cada movimiento es una transformación que heredan las piezas que mueve (grua.h).
 // Controles: a d giran · q e desplazan la carga · w s la suben y bajan · ratón orbita · Esc termina.
 #include "grua.h"
+#include "buferes.h"
 #include "colores.h"
+#include "malla.h"
 #include "objeto.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "rotulo.h"
+#include "shader.h"
 #include "texto.h"
 #include "trazo.h"
 #include "ventana.h"

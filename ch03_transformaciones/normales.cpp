@@ -5,12 +5,17 @@
 // producto vectorial de dos de sus aristas (§2.1): con los vértices en el otro orden sale hacia dentro.
 // Controles: 1 original · 2 S(2,1,1) · 3 reflexión S(−2,1,1) · 4 aplastamiento S(2,0,1) · 5 giro y traslación ·
 // n sin normalizar · t tangentes · o vértices en el otro orden · ratón orbita · Esc termina.
+#include "buferes.h"
 #include "colores.h"
+#include "malla.h"
 #include "modos.h"
 #include "objeto.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "rotulo.h"
+#include "shader.h"
+#include "transformaciones.h"
 #include "trazo.h"
 #include "ventana.h"
 

@@ -5,6 +5,7 @@
 #include "objetos.h"
 #include "buferes.h"
 #include "colores.h"
+#include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "shader.h"

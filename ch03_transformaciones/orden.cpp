@@ -3,10 +3,17 @@
 // también multiplica la traslación, y acaba en x = 25. Gris, la esfera inicial; en líneas, tras la primera. El producto
 // es asociativo, y así M se calcula una vez por objeto y no dos matrices por vértice: con c, cuántos productos ahorra.
 // Controles: c cuenta los productos · ratón orbita · Esc termina.
+#include "buferes.h"
+#include "colores.h"
 #include "dibujos.h"
+#include "malla.h"
 #include "objeto.h"
 #include "orbita.h"
 #include "recuadro.h"
+#include "rotulo.h"
+#include "shader.h"
+#include "transformaciones.h"
+#include "trazo.h"
 #include "ventana.h"
 #include <glm/gtc/matrix_transform.hpp>
 

@@ -2,10 +2,16 @@
 // el texto: aquí cada cubo se apoya centrado sobre el anterior, con A = T(0, 3/4, 0)·S(1/2), y las
 // transformaciones se detallan en pasos.h.
 // Controles: ratón orbita · Esc termina.
+#include "buferes.h"
+#include "colores.h"
 #include "dibujos.h"
+#include "malla.h"
 #include "objeto.h"
 #include "orbita.h"
+#include "pasos.h"
 #include "proyeccion.h"
+#include "rotulo.h"
+#include "shader.h"
 #include "ventana.h"
 
 static const glm::vec3 COLOR_CUBO[] = {GRIS, NARANJA, AMARILLO};

@@ -4,13 +4,18 @@
 // sale bien.
 // Controles: 1 2 3 vistas · 4 UP casi paralelo · i o inclinan · ratón orbita por fuera · Esc termina.
 #include "aspecto.h"
+#include "buferes.h"
 #include "camara_fotos.h"
 #include "ch03_transformaciones/objeto.h"
+#include "ch03_transformaciones/transformaciones.h"
+#include "colores.h"
+#include "malla.h"
 #include "modos.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
+#include "shader.h"
 #include "trazo.h"
 #include "ventana.h"
 #include "vista.h"

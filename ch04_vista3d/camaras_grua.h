@@ -2,6 +2,7 @@
 // cualquier postura. Sin OpenGL; lo usa vistas_grua.h.
 #pragma once
 #include "ch03_transformaciones/grua.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "recuadro.h"
 #include "vista.h"

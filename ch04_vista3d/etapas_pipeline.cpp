@@ -3,9 +3,13 @@
 // el polígono que queda (de borde morado) es justo lo que dibuja OpenGL. Con o, algo tapa el fragmento.
 // Controles: clic elige vértice · r recortado · o oculto · arrastrar orbita por fuera · rueda acerca · Esc termina.
 #include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
+#include "etapas.h"
+#include "malla.h"
 #include "orbita.h"
 #include "paneles_etapas.h"
+#include "recuadro.h"
 #include "rotulo.h"
 #include "shader.h"
 #include "trazo.h"

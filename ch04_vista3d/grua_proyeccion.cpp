@@ -3,7 +3,18 @@
 // siga entera: con la rueda la grúa no cambia de tamaño, se deforma. Lo que se añade a grua_vistas está marcado.
 // Controles: p paralela o perspectiva · 1 alzado · 2 planta · 3 perfil · 4 (1,1,1) · 0 las cuatro · u sistema · menú ·
 // a d giran · q e desplazan la carga · w s la suben y bajan · ratón orbita la cuarta · Esc termina.
+#include "buferes.h"
+#include "camaras_grua.h"
+#include "ch03_transformaciones/grua.h"
 #include "ch03_transformaciones/objeto.h"
+#include "ch03_transformaciones/transformaciones.h"
+#include "colores.h"
+#include "malla.h"
+#include "orbita.h"
+#include "recuadro.h"
+#include "shader.h"
+#include "trazo.h"
+#include "ventana.h"
 #include "vistas_grua.h"
 
 static const float CASILLA = LADO_SUELO / 5;

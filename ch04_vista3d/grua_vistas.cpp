@@ -3,7 +3,16 @@
 // (vistas_grua.h).
 // Controles: 1 alzado · 2 planta · 3 perfil · 4 (1,1,1) · 0 las cuatro · u sistema europeo o americano · menú ·
 // a d giran · q e desplazan la carga · w s la suben y bajan · ratón orbita la cuarta · Esc termina.
+#include "buferes.h"
+#include "camaras_grua.h"
+#include "ch03_transformaciones/grua.h"
 #include "ch03_transformaciones/objeto.h"
+#include "colores.h"
+#include "malla.h"
+#include "orbita.h"
+#include "recuadro.h"
+#include "shader.h"
+#include "ventana.h"
 #include "vistas_grua.h"
 
 static struct {

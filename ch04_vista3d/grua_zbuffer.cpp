@@ -3,7 +3,17 @@
 // pinta de la carga al suelo para que se note. Lo que se añade a grua_proyeccion está marcado.
 // Controles: z partes ocultas · v compara · p paralela o perspectiva · 1 2 3 4 vistas · 0 las cuatro · u sistema ·
 // menú · a d giran · q e desplazan la carga · w s la suben y bajan · ratón orbita la cuarta · Esc termina.
+#include "buferes.h"
+#include "camaras_grua.h"
+#include "ch03_transformaciones/grua.h"
 #include "ch03_transformaciones/objeto.h"
+#include "colores.h"
+#include "malla.h"
+#include "orbita.h"
+#include "recuadro.h"
+#include "rotulo.h"
+#include "shader.h"
+#include "ventana.h"
 #include "vistas_grua.h"
 
 static struct {

@@ -3,11 +3,14 @@
 // están en el horizonte, a la altura de los ojos. En paralela siguen paralelas y no hay punto de fuga.
 // Controles: p cambia de proyección · ratón orbita · Esc termina.
 #include "aspecto.h"
+#include "buferes.h"
 #include "ch03_transformaciones/objeto.h"
 #include "colores.h"
+#include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "rotulo.h"
+#include "shader.h"
 #include "trazo.h"
 #include "ventana.h"
 #include "vista.h"

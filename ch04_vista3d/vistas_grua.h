@@ -2,12 +2,14 @@
 // ejercicio añade está en su programa.
 #pragma once
 #include "camaras_grua.h"
+#include "colores.h"
 #include "modos.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "rotulo.h"
 #include "trazo.h"
-#include "ventana.h"
+#include "vista.h"
 
 /// La órbita que empieza en la cámara de la vista.
 inline Orbita orbitaDe(const VistaGrua &v) {

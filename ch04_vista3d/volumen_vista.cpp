@@ -5,13 +5,22 @@
 // (§4.5); en la de la forma del volumen, ancho/alto, no.
 // Controles: p cambia de proyección · , . mueven el plano cerca · - + mueven el plano lejos · s w cierran y abren θ ·
 // a d cambian ancho/alto · e lo que ve la cámara · ratón orbita · Esc termina.
+#include "buferes.h"
 #include "camara_fotos.h"
 #include "ch03_transformaciones/objeto.h"
+#include "ch03_transformaciones/transformaciones.h"
+#include "colores.h"
+#include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "recuadro.h"
+#include "rotulo.h"
+#include "shader.h"
+#include "trazo.h"
 #include "trazos_volumen.h"
 #include "ventana.h"
+#include "vista.h"
+#include "volumen.h"
 #include <glm/gtc/constants.hpp>
 
 static const double PASO = 0.5, CERCA_MINIMO = 1.5, LEJOS_MAXIMO = 10, ENTRE_PLANOS = 3;

@@ -5,12 +5,16 @@
 // Controles: z test de profundidad · b borra o no la profundidad · c en la CPU o en la GPU · v compara los cuatro ·
 // ratón orbita · Esc termina.
 #include "zbuffer.h"
+#include "buferes.h"
 #include "ch03_transformaciones/objeto.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
+#include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
+#include "shader.h"
 #include "ventana.h"
 #include <glm/gtc/constants.hpp>
 

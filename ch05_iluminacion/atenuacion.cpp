@@ -2,11 +2,16 @@
 // y cuadrática (c). Sobre cada esfera, a distancia 1, 2… de la fuente, se alza la parte de luz que le llega; la curva
 // las une. Con estos coeficientes la lineal y la cuadrática se cruzan a distancia 3, donde valen ½.
 // Controles: 1 constante · 2 lineal · 3 cuadrática · ratón orbita · Esc termina.
+#include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "iluminacion.h"
+#include "malla.h"
+#include "materiales.h"
 #include "modos.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"

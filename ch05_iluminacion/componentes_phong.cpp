@@ -4,13 +4,18 @@
 // Controles: 1 ambiente · 2 más difusa · 3 más especular · n vectores y ángulos · clic elige el punto ·
 // ratón orbita · Esc termina.
 #include "aspecto.h"
+#include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "iluminacion.h"
+#include "malla.h"
+#include "materiales.h"
 #include "modos.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
+#include "shader.h"
 #include "trazo.h"
 #include "ventana.h"
 #include <algorithm>

@@ -1,8 +1,12 @@
 // El exponente del brillo en la reflexión especular (ecuación 5.4, figura 5.3): cinco esferas iguales, del mismo
 // material, con α de 1 a 500. Cuanto mayor es α, más pequeño es el brillo.
 // Controles: ratón orbita · rueda acerca · Esc termina.
+#include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "iluminacion.h"
+#include "malla.h"
+#include "materiales.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "rotulo.h"

@@ -3,11 +3,16 @@
 // δ, y se concentra alrededor de su eje según un exponente. No hay sombras: son el capítulo 7.
 // Controles: 1 posicional · 2 direccional · 3 foco · + - exponente del foco · , . ángulo de su cono ·
 // ratón orbita · Esc termina.
+#include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "iluminacion.h"
+#include "malla.h"
+#include "materiales.h"
 #include "modos.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "rotulo.h"
 #include "texto.h"
 #include "trazo.h"

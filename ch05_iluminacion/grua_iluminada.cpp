@@ -2,12 +2,18 @@
 // que solo tienen cuatro vértices, pierden los brillos y lo que la luz cambia dentro de ellas; con el de Phong, no.
 // Controles: g Gouraud o Phong · v los dos a la vez · a d giran · q e desplazan la carga ·
 // w s la suben y bajan · ratón orbita · Esc termina.
+#include "aspecto.h"
+#include "buferes.h"
 #include "ch03_transformaciones/grua.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "iluminacion.h"
+#include "malla.h"
+#include "materiales.h"
 #include "modos.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"

@@ -2,8 +2,11 @@
 // (materiales.h).
 // Controles: n enseña el siguiente solo · t todos · ratón orbita · Esc termina.
 #include "materiales.h"
+#include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "iluminacion.h"
+#include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "rotulo.h"

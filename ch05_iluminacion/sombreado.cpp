@@ -5,8 +5,12 @@
 // vector nulo), y en que los colores son vec3: el sombreado no toca la opacidad.
 // Controles: 1 plano · 2 Gouraud · 3 Phong · v los tres a la vez · + - más o menos subdivisión ·
 // ratón orbita · Esc termina.
+#include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "iluminacion.h"
+#include "malla.h"
+#include "materiales.h"
 #include "modos.h"
 #include "orbita.h"
 #include "proyeccion.h"

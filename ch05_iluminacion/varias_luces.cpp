@@ -2,12 +2,18 @@
 // objetos blancos. Las luces se suman: rojo y verde dan amarillo, y los tres juntos blanco. La luz ambiente se cuenta
 // una sola vez. Una luz se apaga con Ld = Ls = 0.
 // Controles: 1 2 3 encienden y apagan cada luz · ratón orbita · Esc termina.
+#include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
 #include "iluminacion.h"
+#include "malla.h"
+#include "materiales.h"
 #include "modos.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "rotulo.h"
+#include "shader.h"
 #include "ventana.h"
 #include <cmath>
 #include <glm/gtc/constants.hpp>

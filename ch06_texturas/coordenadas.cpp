@@ -6,6 +6,8 @@
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
+#include "imagen.h"
+#include "malla.h"
 #include "modos.h"
 #include "orbita.h"
 #include "proyeccion.h"

@@ -3,8 +3,10 @@
 // ya no tiene (mezclaba el último texel con un color de borde): aquí es GL_CLAMP_TO_EDGE.
 // Controles: 1 repite en s · 2 repite en t · 3 repite en ambas · 4 fija el borde · Esc termina.
 #include "colores.h"
+#include "imagen.h"
 #include "modos.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "rotulo.h"
 #include "shader.h"
 #include "textura.h"

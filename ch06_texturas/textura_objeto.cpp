@@ -6,6 +6,8 @@
 // Controles: ratón orbita · Esc termina.
 #include "buferes.h"
 #include "colores.h"
+#include "imagen.h"
+#include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "shader.h"

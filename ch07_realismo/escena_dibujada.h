@@ -5,6 +5,9 @@
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
 #include "escena_espejo.h"
+#include "malla.h"
+#include "reflexion.h"
+#include "shader.h"
 #include <array>
 
 struct EscenaDibujada {

@@ -7,6 +7,7 @@
 // ratón orbita, también por detrás · Esc termina.
 #include "colores.h"
 #include "escena_dibujada.h"
+#include "escena_espejo.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "ventana.h"

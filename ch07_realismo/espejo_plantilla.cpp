@@ -3,6 +3,7 @@
 // Controles: p con plantilla o sin ella · v las dos a la vez · ratón orbita · Esc termina.
 #include "colores.h"
 #include "escena_dibujada.h"
+#include "escena_espejo.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "recuadro.h"

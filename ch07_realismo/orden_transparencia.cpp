@@ -8,6 +8,7 @@
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
+#include "malla.h"
 #include "modos.h"
 #include "orbita.h"
 #include "proyeccion.h"

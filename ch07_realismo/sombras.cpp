@@ -5,11 +5,17 @@
 // Controles: t transparente · o desplazamiento · p plantilla · arrastrar con el botón derecho mueve la luz ·
 // w s la alejan y la acercan · ratón orbita · Esc termina.
 #include "baldosas.h"
+#include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "ch05_iluminacion/iluminacion.h"
+#include "ch05_iluminacion/materiales.h"
 #include "colores.h"
+#include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "reflexion.h"
 #include "rotulo.h"
+#include "shader.h"
 #include "sombra.h"
 #include "ventana.h"
 #include <algorithm>

@@ -2,13 +2,18 @@
 // mezclado con lo que hay y sin escribir su profundidad. El cilindro se ve también por dentro: antes sus caras de
 // detrás y luego las de delante, para que la mezcla vaya de atrás adelante.
 // Controles: + - opacidad · 1 2 3 4 la ponen a 0.1, 0.4, 0.7 y 1 · v las cuatro a la vez · ratón orbita · Esc termina.
+#include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "ch05_iluminacion/iluminacion.h"
+#include "ch05_iluminacion/materiales.h"
 #include "colores.h"
+#include "malla.h"
 #include "modos.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
+#include "shader.h"
 #include "texto.h"
 #include "ventana.h"
 #include <algorithm>

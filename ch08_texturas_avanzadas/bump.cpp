@@ -2,14 +2,20 @@
 // mapa de normales (mapa_normales.h). Se nota en que el contorno, ampliado arriba a la derecha, sigue siendo liso. La
 // esfera está aplastada y el plano estirado: los bultos no dejan de ser redondos ni de tener la pendiente debida.
 // Controles: b con bultos o sin ellos · v las dos cosas · ratón orbita · Esc termina.
+#include "aspecto.h"
+#include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "ch04_vista3d/vista.h"
 #include "ch05_iluminacion/iluminacion.h"
+#include "ch05_iluminacion/materiales.h"
 #include "colores.h"
+#include "malla.h"
 #include "mapa_normales.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
+#include "shader.h"
 #include "ventana.h"
 #include <algorithm>
 #include <glm/gtc/constants.hpp>

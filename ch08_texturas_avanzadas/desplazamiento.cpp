@@ -2,12 +2,16 @@
 // normal. Al contrario que con bump mapping, la geometría cambia de verdad: cambia el contorno y unas partes tapan a
 // otras.
 // Controles: + - amplitud · ratón orbita · Esc termina.
+#include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
+#include "malla.h"
 #include "mapa_alturas.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "rotulo.h"
+#include "shader.h"
 #include "texto.h"
 #include "ventana.h"
 #include <algorithm>

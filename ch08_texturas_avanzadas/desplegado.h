@@ -9,7 +9,7 @@
 #include "rotulo.h"
 #include "texto.h"
 #include "trazo.h"
-#include "ventana.h"
+#include <GL/glew.h>
 #include <algorithm>
 
 /// En el panel, el punto p y sus coordenadas, que se cuentan desde la esquina `cero`; de 0 a 1.

@@ -4,11 +4,16 @@
 // son `nVeces`.
 // Controles: + - barrotes más anchos o más finos · a d la talla en s · w x la talla en t · b n más o menos veces ·
 // ratón orbita · Esc termina.
+#include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "ch05_iluminacion/iluminacion.h"
+#include "ch05_iluminacion/materiales.h"
 #include "colores.h"
+#include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "rotulo.h"
+#include "shader.h"
 #include "texto.h"
 #include "ventana.h"
 #include <algorithm>

@@ -6,12 +6,17 @@
 // mipmaps, y la unidad activa es siempre la 0: no hace falta glActiveTexture.
 // Controles: 1 madera · 2 mármol · 3 el ruido · + - frecuencia S1 · a d amplitud S2 · ratón orbita · Esc termina.
 #include "textura3d.h"
+#include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "ch05_iluminacion/iluminacion.h"
 #include "colores.h"
+#include "malla.h"
 #include "modos.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "rotulo.h"
+#include "shader.h"
 #include "texto.h"
 #include "ventana.h"
 #include <algorithm>

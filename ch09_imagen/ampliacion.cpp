@@ -2,9 +2,15 @@
 // que evita deformar la imagen. Con ×1 cabe justa en la ventana. Al ampliar se interpola entre texeles o se toma el más
 // cercano; al reducir hacen falta mipmaps: sin ellos se saltan texeles y sale otra imagen.
 // Controles: + - factor · f filtro lineal o vecino · v sin la proporción y con ella · r rótulos · Esc termina.
+#include "colores.h"
+#include "imagen.h"
 #include "imagen_en_ventana.h"
 #include "proporcion.h"
+#include "recuadro.h"
+#include "shader.h"
 #include "texto.h"
+#include "textura.h"
+#include "ventana.h"
 
 static const int PASOS = 8; // hasta ×2⁴ y ×2⁻⁴: dos pasos duplican
 

@@ -7,11 +7,16 @@
 // Controles: 1 sin nada · 2 multimuestra · 3 sobremuestreo · v los tres · espacio gira la estrella o la para ·
 // Esc termina.
 #include "buferes.h"
+#include "colores.h"
 #include "estrella.h"
 #include "imagen_en_ventana.h"
 #include "lupa.h"
 #include "modos.h"
+#include "recuadro.h"
+#include "rotulo.h"
+#include "shader.h"
 #include "texto.h"
+#include "ventana.h"
 #include <glm/gtc/constants.hpp>
 
 static const int VECES = 4, MUESTRAS = 4, DENTRO = 16;

@@ -5,12 +5,22 @@
 // abajo), en que se lee el buffer de detrás antes de intercambiarlos y en que se guarda entero o nada, y si no se puede
 // se dice por qué. Lo que se enseña de la captura anterior no se guarda.
 // Controles: g guarda y lee · a d q e w s mueven la grúa · ratón orbita · Esc termina.
+#include "buferes.h"
 #include "ch03_transformaciones/grua.h"
 #include "ch03_transformaciones/objeto.h"
+#include "ch03_transformaciones/transformaciones.h"
+#include "colores.h"
+#include "error.h"
+#include "imagen.h"
 #include "imagen_en_ventana.h"
+#include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
+#include "rotulo.h"
+#include "shader.h"
 #include "trazo.h"
+#include "ventana.h"
 
 static const glm::mat4 SUELO_GRUA = traslacion({0, -0.1f, 0}) * escalado({14, 0.2f, 14});
 

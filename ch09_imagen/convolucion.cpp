@@ -6,8 +6,13 @@
 // es su borde otra vez. El cero lo pone el shader: WebGL 2 no tiene GL_CLAMP_TO_BORDER.
 // Controles: 1 suavizado · 2 nitidez · 3 bordes · s bordes con signo o en valor absoluto · + - ganancia de los bordes ·
 // b lo de fuera es su borde, la imagen repetida o cero · v los compara · r rótulos · Esc termina.
+#include "colores.h"
+#include "imagen.h"
 #include "imagen_en_ventana.h"
 #include "modos.h"
+#include "recuadro.h"
+#include "shader.h"
+#include "ventana.h"
 
 static const int TALLA = 9;
 static const struct {

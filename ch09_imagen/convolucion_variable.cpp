@@ -6,9 +6,14 @@
 // Controles: 1 caja · 2 gaussiana · 3 disco · 4 derivada · + - talla · s automático, directo o separable ·
 // p intermedio de float o de 8 bits · a derivada con signo o absoluta · v compara con el original · r rótulos · Esc
 // termina.
+#include "colores.h"
+#include "imagen.h"
 #include "imagen_en_ventana.h"
 #include "modos.h"
 #include "nucleos.h"
+#include "recuadro.h"
+#include "shader.h"
+#include "ventana.h"
 
 // Medido con llvmpipe en una imagen de 1024×1024: con 2 y con 3 las dos pasadas tardan la mitad que la directa, con 9
 // la octava parte y con 31, ni la vigésima.

@@ -1,7 +1,13 @@
 // Diferencia de dos imágenes (ejercicio 9.1): |A − B| en cada componente, negro donde son iguales; o con signo, A − B a
 // la mitad alrededor del gris 128. Las dos tienen que medir lo mismo: si no, no hay píxeles que restar.
 // Controles: s con signo · v con A y B al lado, las dos maneras · r rótulos · Esc termina.
+#include "colores.h"
+#include "error.h"
+#include "imagen.h"
 #include "imagen_en_ventana.h"
+#include "recuadro.h"
+#include "shader.h"
+#include "ventana.h"
 
 static struct {
     GLuint programa, programaCopia;

@@ -4,8 +4,13 @@
 // tiene: aquí es una textura.
 // Controles: 1 original · 2 brillo · 3 negativo · 4 grises, media · 5 grises, luminancia · + - brillo ·
 // v los de la figura 9.2 · c los dos grises de seis colores puros · r rótulos · botón derecho menú · Esc termina.
+#include "colores.h"
+#include "imagen.h"
 #include "imagen_en_ventana.h"
 #include "modos.h"
+#include "recuadro.h"
+#include "shader.h"
+#include "ventana.h"
 
 static const char *const EFECTOS[] = {"Original", "Brillo", "Negativo", "Media", "Luminancia"};
 enum { ORIGINAL, BRILLO, NEGATIVO, MEDIA, LUMINANCIA };

@@ -8,7 +8,6 @@
 #include "imagen.h"
 #include "recuadro.h"
 #include "rotulo.h"
-#include "shader.h"
 #include "textura.h"
 #include "ventana.h"
 #include <algorithm>

@@ -1,6 +1,8 @@
 // Ver aumentados los píxeles de una escena que está en una textura: la lupa de antialiasing.
 #pragma once
 #include "imagen_en_ventana.h"
+#include "recuadro.h"
+#include "shader.h"
 
 struct Lupa {
     GLuint programa; // de lupa.vert e imagen.frag

@@ -1,9 +1,13 @@
 // Dibujar la malla de una imagen y llevarla a la GPU: lo que comparten warping y morphing.
 #pragma once
 #include "buferes.h"
-#include "imagen_en_ventana.h"
+#include "colores.h"
+#include "malla.h"
 #include "malla_imagen.h"
+#include "recuadro.h"
 #include "trazo.h"
+#include <GL/glew.h>
+#include <GL/freeglut.h>
 
 /// Cambia los vértices de unos buffers que ya tienen esos índices.
 inline void cambiaVertices(const Buferes &buferes, const Malla &malla) {

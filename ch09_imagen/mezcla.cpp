@@ -2,9 +2,14 @@
 // unidad de textura. Si no miden lo mismo, B se estira al tamaño de A. Dos caras mezcladas se ven las dos: para que una
 // se convierta en la otra hay que mover además sus rasgos (morphing).
 // Controles: 1 A · 2 alfa 0.33 · 3 alfa 0.66 · 4 B · + - alfa · v los cuatro a la vez · r rótulos · Esc termina.
+#include "colores.h"
+#include "imagen.h"
 #include "imagen_en_ventana.h"
 #include "modos.h"
+#include "recuadro.h"
+#include "shader.h"
 #include "texto.h"
+#include "ventana.h"
 
 static const int CENTESIMAS[4] = {0, 33, 66, 100};
 

@@ -5,10 +5,18 @@
 // de A y, si no, los de B.
 // Controles: 1 2 3 t = 0, 0.5 y 1 · + - t · espacio lo mueve · m malla · v A, t, B y su mezcla ·
 // ratón arrastra un punto · r rótulos · Esc termina.
+#include "buferes.h"
+#include "colores.h"
+#include "imagen.h"
+#include "imagen_en_ventana.h"
 #include "malla_en_ventana.h"
+#include "malla_imagen.h"
 #include "mallas_cara.h"
 #include "modos.h"
+#include "recuadro.h"
+#include "shader.h"
 #include "texto.h"
+#include "ventana.h"
 
 static const int VUELTA = 6000;          // ms que t tarda en ir y volver
 static const int VIGESIMO = VUELTA / 40; // y en pasar 1/20

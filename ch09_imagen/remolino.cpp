@@ -1,7 +1,12 @@
 // Remolino (figura 9.1): el fragment shader mira en la imagen el punto que el remolino ha llevado a cada píxel. Se
 // pregunta de dónde viene cada píxel y no adónde va cada texel: así no quedan huecos.
 // Controles: + - ángulo · v con el original al lado · r rótulos · Esc termina.
+#include "colores.h"
+#include "imagen.h"
 #include "imagen_en_ventana.h"
+#include "recuadro.h"
+#include "shader.h"
+#include "ventana.h"
 
 static const int PASO = 15, MAXIMO = 720; // grados
 

@@ -1,7 +1,12 @@
 // Volteo horizontal y vertical (ejercicio 9.4): el vertex shader cambia el signo de x o de y a los vértices del
 // rectángulo y la textura va con ellos. Los dos a la vez son un giro de media vuelta.
 // Controles: x horizontal · y vertical · v los cuatro a la vez · r rótulos · Esc termina.
+#include "colores.h"
+#include "imagen.h"
 #include "imagen_en_ventana.h"
+#include "recuadro.h"
+#include "shader.h"
+#include "ventana.h"
 
 static const char *const NOMBRES[4] = {"Original", "Horizontal", "Vertical", "Los dos"};
 static const int EN_PANEL[4] = {0, 3, 1,

@@ -3,7 +3,15 @@
 // la malla se pliega se ve lo de la fila más alta y, en ella, lo de más a la derecha: es lo último que se dibuja.
 // Controles: 1 sin deformar · 2 caricatura · m malla · v con el original al lado (y cada una con su malla) ·
 // ratón arrastra un punto · r rótulos · Esc termina.
+#include "buferes.h"
+#include "colores.h"
+#include "imagen.h"
+#include "imagen_en_ventana.h"
 #include "malla_en_ventana.h"
+#include "malla_imagen.h"
+#include "recuadro.h"
+#include "shader.h"
+#include "ventana.h"
 
 static const int COLUMNAS = 11, FILAS = 9;
 static const MallaImagen REGULAR = creaMallaImagen(repartidos(COLUMNAS), repartidos(FILAS));

@@ -3,8 +3,18 @@
 // crea antes el submenú y no necesita glutSetMenu; aquí, al revés, hace falta para volver al principal.
 // Controles: botón derecho abre el menú · 1 perspectiva · 2 alzado · 3 planta · 4 perfil · 0 termina ·
 // ratón orbita la perspectiva · rueda la exagera o la suaviza, siempre con la grúa entera · Esc termina.
+#include "buferes.h"
+#include "ch03_transformaciones/grua.h"
 #include "ch03_transformaciones/objeto.h"
+#include "ch04_vista3d/camaras_grua.h"
 #include "ch04_vista3d/vistas_grua.h"
+#include "colores.h"
+#include "malla.h"
+#include "orbita.h"
+#include "recuadro.h"
+#include "rotulo.h"
+#include "shader.h"
+#include "ventana.h"
 #include <cstdio>
 
 enum Opcion { SALIR, PERSPECTIVA, PARALELA_ALZADO, PARALELA_PLANTA, PARALELA_PERFIL, N_OPCIONES };

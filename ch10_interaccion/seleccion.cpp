@@ -4,13 +4,18 @@
 // GL_READ_FRAMEBUFFER, que se queda puesto; GL_FRAMEBUFFER son los dos, y los dos vuelven a la ventana. Lee GL_FLOAT;
 // un identificador es un número entero, que en bytes llega exacto.
 // Controles: clic elige · v lo que hay en el framebuffer · arrastrar orbita · rueda acerca · Esc termina.
+#include "buferes.h"
 #include "ch03_transformaciones/objeto.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "colores.h"
+#include "error.h"
 #include "identificador.h"
+#include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
+#include "shader.h"
 #include "solidos.h"
 #include "texto.h"
 #include "trazo.h"

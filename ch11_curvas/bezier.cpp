@@ -11,6 +11,7 @@
 #include "rotulo.h"
 #include "texto.h"
 #include "trazo.h"
+#include "ventana.h"
 
 static const glm::vec3 COLOR_NIVEL[] = {GRIS, VERDE, NARANJA},
                        COLOR_CASCO = glm::mix(FONDO_CLARO, AZUL, 0.1f);

@@ -10,6 +10,7 @@
 #include "proyeccion.h"
 #include "rotulo.h"
 #include "trazo.h"
+#include "ventana.h"
 
 // Donde no tapa la curva.
 static const Lado LADOS[] = {Lado::IZQUIERDA, Lado::ENCIMA, Lado::DEBAJO, Lado::ENCIMA, Lado::ENCIMA,

@@ -13,6 +13,7 @@
 #include "rotulo.h"
 #include "texto.h"
 #include "trazo.h"
+#include "ventana.h"
 
 static const float PASO_K = 0.1f, K_MINIMA = 0.2f, K_MAXIMA = 1.5f;
 static const int PUNTOS_T = 16; // que se transforman de la curva

@@ -1,10 +1,14 @@
 // Lo que tienen en común los programas de superficies: la cámara, la luz y dibujar una superficie que cambia mientras
 // se edita.
 #pragma once
+#include "buferes.h"
 #include "ch05_iluminacion/iluminacion.h"
+#include "ch05_iluminacion/materiales.h"
 #include "colores.h"
-#include "editor.h"
+#include "malla.h"
+#include "orbita.h"
 #include "proyeccion.h"
+#include "shader.h"
 #include "superficies.h"
 #include "trazo.h"
 #include <algorithm>

@@ -2,7 +2,10 @@
 // curva de Hermite con los extremos de la hélice y tangentes en su dirección; a lo largo de ella se tiende un tubo.
 // Controles: + - una vuelta más o menos · s de dos colores los segmentos · ratón orbita · Esc termina.
 #include "solenoide.h"
+#include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "ch05_iluminacion/iluminacion.h"
+#include "ch05_iluminacion/materiales.h"
 #include "colores.h"
 #include "orbita.h"
 #include "proyeccion.h"

@@ -5,10 +5,17 @@
 // Controles: arrastra los puntos (o n y flechas) · m malla · f familia de curvas · u unión con otro trozo ·
 // + - grado, finura de la malla o v de la familia · ratón orbita · Esc termina.
 #include "bezier_trozos.h"
+#include "colores.h"
+#include "curvas.h"
+#include "editor.h"
 #include "lamina.h"
+#include "malla.h"
+#include "orbita.h"
 #include "rotulo.h"
+#include "superficies.h"
 #include "texto.h"
 #include "trazo.h"
+#include "ventana.h"
 #include <string>
 
 static const int GRADOS_MINIMOS = 2, GRADOS_MAXIMOS = 14; // n + m

@@ -4,9 +4,16 @@
 // y la superficie, que entonces llega a pasar por su curva, tiene ahí una arista.
 // Controles: arrastra los puntos (o n y flechas) · d una fila una, dos o tres veces · r red de control ·
 // ratón orbita · Esc termina.
+#include "ch05_iluminacion/materiales.h"
+#include "colores.h"
+#include "curvas.h"
+#include "editor.h"
 #include "lamina.h"
+#include "orbita.h"
 #include "rotulo.h"
+#include "superficies.h"
 #include "trazo.h"
+#include "ventana.h"
 #include <algorithm>
 #include <cmath>
 #include <string>

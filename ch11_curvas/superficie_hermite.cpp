@@ -4,11 +4,17 @@
 // incluidas.
 // Controles: arrastra las esquinas y las puntas de flecha (o n y flechas) · u segundo trozo · + - su tangente ·
 // ratón orbita · Esc termina.
+#include "colores.h"
+#include "curvas.h"
+#include "editor.h"
 #include "hermite_trozos.h"
 #include "lamina.h"
+#include "orbita.h"
 #include "rotulo.h"
+#include "superficies.h"
 #include "texto.h"
 #include "trazo.h"
+#include "ventana.h"
 #include <algorithm>
 #include <string>
 

@@ -1,7 +1,6 @@
 // El reloj de un programa en pantalla: el temporizador que pide otra imagen, las teclas que lo paran y lo adelantan, y
 // su rótulo.
 #pragma once
-#include "colores.h"
 #include "reloj.h"
 #include "rotulo.h"
 #include "texto.h"

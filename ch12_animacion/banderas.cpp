@@ -2,12 +2,20 @@
 // instantes al azar, como en mosaico, y mientras vive la agita una textura de ruido. Entre todas hacen un dibujo.
 // Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
+#include "buferes.h"
 #include "buferes_piezas.h"
 #include "ch03_transformaciones/objeto.h"
+#include "ch03_transformaciones/transformaciones.h"
+#include "colores.h"
 #include "imagen_ruido.h"
+#include "malla.h"
 #include "orbita.h"
+#include "piezas.h"
 #include "proyeccion.h"
+#include "reloj.h"
+#include "shader.h"
 #include "textura.h"
+#include "ventana.h"
 
 static const int COLUMNAS = 26, FILAS = 12;
 static const float SEPARACION = 1.0f;

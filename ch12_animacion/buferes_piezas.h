@@ -1,7 +1,7 @@
 // El buffer object de piezas.h y cómo se dibuja.
 #pragma once
 #include "piezas.h"
-#include "shader.h"
+#include <GL/glew.h>
 #include <cstddef>
 
 struct BuferPiezas {

@@ -2,10 +2,17 @@
 // uniform. Con la mezcla, el color es alfa · el del objeto + (1 − alfa) · el que había.
 // Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
+#include "buferes.h"
 #include "ch03_transformaciones/objeto.h"
+#include "ch03_transformaciones/transformaciones.h"
+#include "colores.h"
+#include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "reloj.h"
+#include "shader.h"
 #include "texto.h"
+#include "ventana.h"
 #include <glm/gtc/constants.hpp>
 
 static const double PERIODO = 4; // segundos

@@ -3,11 +3,19 @@
 // del tiempo: la altura es la intensidad y el color, el de la luz.
 // Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
+#include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "ch05_iluminacion/iluminacion.h"
+#include "ch05_iluminacion/materiales.h"
+#include "colores.h"
+#include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "reloj.h"
+#include "shader.h"
 #include "texto.h"
 #include "trazo.h"
+#include "ventana.h"
 #include <glm/gtc/constants.hpp>
 
 static const double PERIODO_INTENSIDAD = 4, PERIODO_COLOR = 8; // segundos; el segundo, múltiplo del primero

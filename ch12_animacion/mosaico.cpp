@@ -4,9 +4,14 @@
 // Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · Esc termina.
 #include "animacion.h"
 #include "buferes_piezas.h"
+#include "colores.h"
 #include "imagen_ruido.h"
+#include "piezas.h"
 #include "proyeccion.h"
+#include "reloj.h"
+#include "shader.h"
 #include "textura.h"
+#include "ventana.h"
 
 static const int COLUMNAS = 52, FILAS = 39;
 static const float SEMIALTO = 1.28f; // el mosaico mide 2 de alto

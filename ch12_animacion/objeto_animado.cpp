@@ -4,14 +4,24 @@
 // Controles: 1 posición · 2 tamaño · 3 orientación · espacio pausa · s adelanta medio segundo · d una décima ·
 // h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
+#include "buferes.h"
 #include "ch03_transformaciones/avion.h"
 #include "ch03_transformaciones/dibujos.h"
 #include "ch03_transformaciones/objeto.h"
+#include "ch03_transformaciones/transformaciones.h"
+#include "colores.h"
+#include "malla.h"
 #include "matriz.h"
 #include "modos.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
+#include "reloj.h"
+#include "rotulo.h"
+#include "shader.h"
+#include "texto.h"
 #include "trazo.h"
+#include "ventana.h"
 #include <glm/gtc/constants.hpp>
 
 static const double PERIODO = 6, ENTRE_ESTELAS = 0.35; // segundos

@@ -5,11 +5,15 @@
 // s adelanta medio segundo · d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
 #include "ch03_transformaciones/transformaciones.h"
+#include "colores.h"
 #include "modos.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
+#include "reloj.h"
 #include "shader.h"
 #include "trazo.h"
+#include "ventana.h"
 #include <algorithm>
 #include <glm/gtc/constants.hpp>
 

@@ -5,14 +5,21 @@
 // Controles: 1 centrado · 2 como el listado · v los dos · + - amplitud S2 · espacio pausa · s adelanta medio segundo ·
 // d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
-#include "ch03_transformaciones/objeto.h"
+#include "buferes.h"
+#include "colores.h"
 #include "imagen_ruido.h"
+#include "malla.h"
 #include "modos.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
+#include "reloj.h"
+#include "rotulo.h"
+#include "shader.h"
 #include "texto.h"
 #include "textura.h"
 #include "trazo.h"
+#include "ventana.h"
 #include <algorithm>
 #include <glm/gtc/constants.hpp>
 

@@ -4,8 +4,12 @@
 // si se pidiera RETRASO más tarde (tecla o).
 // Controles: l como el libro o sin acumular · o ocupado o no · espacio pausa · Esc termina.
 #include "animacion.h"
+#include "colores.h"
 #include "proyeccion.h"
+#include "reloj.h"
+#include "rotulo.h"
 #include "trazo.h"
+#include "ventana.h"
 #include <algorithm>
 #include <cmath>
 

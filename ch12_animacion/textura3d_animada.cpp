@@ -3,11 +3,17 @@
 // fin.
 // Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · ratón orbita · Esc termina.
 #include "animacion.h"
-#include "ch03_transformaciones/objeto.h"
+#include "buferes.h"
+#include "ch03_transformaciones/transformaciones.h"
 #include "ch08_texturas_avanzadas/ruido.h"
+#include "colores.h"
 #include "imagen.h"
+#include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "reloj.h"
+#include "shader.h"
+#include "ventana.h"
 
 static const double PERIODO = 4; // segundos
 static const int LADO = 64, CELDAS = 4, OCTAVAS = 3;

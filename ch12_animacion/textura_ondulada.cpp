@@ -3,9 +3,14 @@
 // Controles: espacio pausa · s adelanta medio segundo · d una décima · h diez horas · Esc termina.
 #include "animacion.h"
 #include "buferes.h"
+#include "colores.h"
+#include "imagen.h"
+#include "malla.h"
 #include "proyeccion.h"
+#include "reloj.h"
 #include "shader.h"
 #include "textura.h"
+#include "ventana.h"
 
 static const double PERIODO = 4; // segundos
 static const float AMPLITUD = 0.03f;

@@ -3,6 +3,7 @@
 #include "colores.h"
 #include "encima.h"
 #include "error.h"
+#include "imagen.h"
 #include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
