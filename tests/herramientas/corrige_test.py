@@ -24,9 +24,7 @@ from types import SimpleNamespace
 
 import pytest
 
-RAIZ = Path(__file__).parents[2]
-BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
-sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/ordenes")]
+from banco import BUILD, RAIZ, REF, UNO, banco_falso, carpeta_de, con_catalogo, con_comparador, con_jaula, juzga, orden
 from base import catalogo, guiones, procesos
 from base.fuentes import SHADERS
 from ejercicios import nuevo
@@ -40,16 +38,11 @@ from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion, Partida
 from ejercicios.reglas import Reglas
 from pruebas import huecos
-from mentira import ejecutable, faltan, se_encierra, siembra, sin_ventana
+from mentira import ejecutable, faltan, siembra, sin_ventana
 
 GRUA = sin_ventana(BUILD) / "ch03_transformaciones/grua"
 
-REF = "E3.5"
 CALLADO = {"text": True, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
-
-
-def orden(*palabras):
-    return [sys.executable, "-B", RAIZ / "herramientas", "ejercicios.corrige.orden", RAIZ, BUILD, *palabras]
 
 
 # --- las partes -------------------------------------------------------------------------------------------------
@@ -168,7 +161,7 @@ def test_lo_que_cuenta_una_vez(obtenida, que):
     assert list(aparte(partida(1, texto="una\notra"), partida(1, **obtenida))) == que
 
 
-@pytest.mark.skipif(not (BUILD / "herramientas/comparador/compara").exists(), reason="no está compilado")
+@con_comparador
 def test_dos_imagenes_son_la_misma(tmp_path):
     arbitro = Arbitro.__new__(Arbitro)
     arbitro.parecidas, arbitro.temporal, arbitro.build = {}, tmp_path, BUILD
@@ -228,7 +221,7 @@ def test_el_defecto_que_deja_lo_mismo_en_todos_los_guiones():
     assert dice("tres") == [""]
 
 
-@pytest.mark.skipif(not (BUILD / "catalogo.json").exists(), reason="no está configurado")
+@con_catalogo
 @pytest.mark.parametrize("ref, sin, linea", [("E4.3", ("tamano",), "aspecto"), ("E9.1", ("tecla s", "tecla v"), "2.0")])
 def test_huecos_ve_que_a_los_guiones_les_falta_un_mando_o_las_tallas(tmp_path, ref, sin, linea):
     programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[ref]
@@ -292,153 +285,13 @@ def test_donde_se_apartan_dos_imagenes():
     assert veredicto.en_que(una, otra) == "la imagen es de 20×30 y debía ser de 40×10"
 
 
-@pytest.mark.skipif(not (BUILD / "catalogo.json").exists(), reason="no está configurado")
+@con_catalogo
 def test_lo_que_ve_una_entrega_no_es_la_solucion():
     for ref, programa in nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD)).items():
         solucion, esqueleto = (que(RAIZ, programa, ref) for que in (nuevo.solucion, nuevo.esqueleto))
         secretos = {f"{programa.capitulo.nombre}/{f}" for f in solucion if solucion[f] != esqueleto[f]}
         vistos = set(map(str, compilador.arbol_visible(RAIZ, programa, ref)))
         assert secretos and not secretos & vistos and {"common/ventana.h", "common/encima/encima.vert"} <= vistos, ref
-
-
-def carpeta_de(sitio, ficheros):
-    """Una entrega: de cada fichero, lo que tiene; None, una carpeta vacía; una ruta, un enlace."""
-    sitio.mkdir(parents=True, exist_ok=True)
-    for fichero, contenido in ficheros.items():
-        ruta = os.fsencode(sitio) + b"/" + os.fsencode(fichero)
-        os.makedirs(os.path.dirname(ruta), exist_ok=True)
-        if contenido is os.mkfifo:
-            os.mkfifo(ruta)
-        elif isinstance(contenido, Path):
-            os.symlink(contenido, ruta)
-        elif isinstance(contenido, int):
-            with open(ruta, "wb") as f:
-                f.truncate(contenido)
-        else:
-            with open(ruta, "wb") as f:
-                f.write(contenido if isinstance(contenido, bytes) else contenido.encode())
-
-
-UNO = {"p.cpp": "int main() {}", "p.h": ""}
-CONTENIDOS = {"enlace": Path("/etc"), "tubería": os.mkfifo, "1 GB": 1 << 30, "utf16": "int x;".encode("utf-16")}
-CONTENIDOS |= {"binario": b"\x7fELF\0", "latin1": b"// gr\xfaa", "bom": b"\xef\xbb\xbfint x;", "vacío": ""}
-CONTENIDOS |= {"E4.4": "E4.4 ch04/x", REF: f"{REF} ch03/grua", "viejo": "viejo"}
-REVUELTA = r"""
-ana                           p.cpp, p.h → p.cpp p.h
-solo la cabecera              p.h → no viene p.cpp: se ha puesto el de partida; p.cpp p.h
-solo el programa              mi.cc → no viene p.h: se ha puesto el de partida; mi.cc p.h
-con mayúsculas                MI.CPP, P.H=viejo → MI.CPP P.H p.h
-navegador                     mi_p (1).cpp, p (2).h, p(1).h=viejo → mi_p.cpp p(1).h p.h
-sin repetir                   p.h, p (1).h, p.cpp → p (1).h p.cpp p.h
-espacios y tildes             mi grúa.cpp, p.h → mi grúa.cpp p.h
-nombre raro                   a\x1b[2J.cpp, p.h, é\udcff.hh → a [2J.cpp p.h é .hh
-guion                         -o.cpp, p.h → -o.cpp p.h
-dentro                        entrega/entrega/p.cpp, entrega/entrega/p.h, __MACOSX/a.cpp → p.cpp p.h
-subcarpeta                    p.cpp, p.h, util/a.hpp, util/mas/a.inl → p.cpp p.h util/a.hpp util/mas/a.inl
-src                           src/p.cpp, include/p.h → include/p.h src/p.cpp
-muy hondo                     p.cpp, p.h, a/a/a/a/a/a/a/x.cpp → p.cpp p.h
-de todo                       p.cpp, p.h, .git/x.cpp, .DS_Store, Thumbs.db=binario, p.cpp~, p.o=binario → p.cpp p.h
-corregida                     p.cpp, p.h, correccion/x.cpp → p.cpp p.h
-mac                           p.cpp, p.h, ._p.cpp=binario → p.cpp p.h
-latin1                        p.cpp=latin1, p.h → p.cpp p.h
-bom                           p.cpp=bom, p.h → p.cpp p.h
-otro tipo                     p.cpp, p.h, a.vert, b.FRAG, c.geom, m.vf, n.txt → a.vert b.FRAG c.geom m.vf p.cpp p.h
-un enlace que no es fuente    p.cpp, p.h, notas.txt=enlace, x=enlace, util=enlace → p.cpp p.h
-García Pérez, Ana_10234_assignsubmission_file_  p.cpp, p.h → p.cpp p.h
-otro (2)                      p.cpp, p.h → p.cpp p.h
-=cmd|' C calc'!A0             p.cpp, p.h → p.cpp p.h
-+1                            p.cpp, p.h → p.cpp p.h
--rf                           p.cpp, p.h → p.cpp p.h
-a\nb                          p.cpp, p.h → p.cpp p.h
-\x1b[2Jborra                  p.cpp, p.h → p.cpp p.h
-a b                           p.cpp, p.h → p.cpp p.h
-a_b                           p.cpp, p.h → p.cpp p.h
-a.b                           p.cpp, p.h → p.cpp p.h
-n\udcff                       p.cpp, p.h → p.cpp p.h
-<img src=x onerror=alert(1)>  p.cpp, p.h → p.cpp p.h
-de otro ejercicio             p.cpp, p.h, ejercicio.txt=E4.4 → su carpeta es de otro ejercicio, el E4.4; p.cpp p.h
-del suyo                      p.cpp, p.h, ejercicio.txt=E3.5 → p.cpp p.h
-vacía                         → no hay nada en su carpeta
-zip                           entrega.zip, leeme.txt → no hay ningún fuente: hay un «entrega.zip» sin descomprimir
-word                          mi grúa.docx → no hay ningún fuente: hay mi grúa.docx
-utf16                         p.cpp=utf16, p.h → «p.cpp» no es un texto en UTF-8: guárdalo así en el editor
-binario                       p.cpp, p.h=binario → «p.h» no es un texto en UTF-8: guárdalo así en el editor
-enlace                        p.cpp=enlace → no se puede leer «p.cpp»: es un enlace o no hay permiso
-tubería                       p.cpp=tubería → «p.cpp» no es un fichero corriente
-ejercicio tubería             p.cpp, p.h, ejercicio.txt=tubería → «ejercicio.txt» no es un fichero corriente
-enorme                        p.cpp=1 GB → «p.cpp» pasa de 1 MiB
-"""  # lo que hay en la carpeta de cada uno → qué se lee, o qué se le dice
-
-
-def revuelta():
-    """De cada carpeta, sus ficheros, como los da carpeta_de, y lo que se le dice."""
-
-    def vale(nombre):
-        return re.sub(r"\\(x..|u....|n)", lambda e: e[0].encode().decode("unicode_escape"), nombre)
-
-    for fila in REVUELTA.strip().splitlines():
-        hay, dice = fila.split("→ ")
-        nombre, ficheros = re.match(r"(.+?)(?:\s\s+|$)(.*)", hay.rstrip()).groups()
-        partes = [f.partition("=") for f in ficheros.split(", ") if f]
-        yield vale(nombre), {vale(f): CONTENIDOS[que or "vacío"] for f, _, que in partes}, dice
-    yield "x" * 200, UNO, "p.cpp p.h"
-    yield "y" * 250, UNO, "p.cpp p.h"
-    yield "muchos", {f"{i}.cpp": "" for i in range(100)}, "son más de 40 ficheros"
-    yield "muchísimos", {str(i): "" for i in range(5001)}, "hay más de 5000 ficheros"
-
-
-NO_SON_ENTREGAS = "plantilla.cpp", ".git/x.cpp", "__MACOSX/ana/p.cpp", "correccion/p.cpp", "Thumbs.db", "notas.csv"
-
-
-def banco_falso(temporal, **mas):
-    """Un banco del que basta lo que no compila ni juega."""
-    de_partida = {"p.cpp": "", "p.h": ""}, "p.cpp"
-    guiones_ = [Guion("caso", (), True), Guion("al azar", ("tecla a",))]
-    hay = {
-        "ref": REF,
-        "version": "v",
-        "semilla": "1",
-        "todos": guiones_,
-        "de_partida": de_partida,
-        "dados": de_partida[:1],
-        "programa": SimpleNamespace(nombre="a", titulo="A", casos=[]),
-        "temporal": temporal,
-        "reglas": Reglas(),
-    }
-    return SimpleNamespace(**{**hay, "arbitro": None, **mas})
-
-
-@pytest.fixture
-def juzga(monkeypatch):
-    """En vez de compilar y jugar, una función de (banco, entrega), que da la nota y lo que se dice."""
-
-    def pon(funcion):
-        monkeypatch.setattr(
-            de_clase, "Correccion", lambda *p: SimpleNamespace(hazla=lambda: {"fallos": [], **funcion(*p)})
-        )
-
-    return pon
-
-
-def test_una_clase_revuelta(tmp_path, juzga):
-    juzga(lambda banco, entregado: {"nota": 50, "dice": [" ".join(sorted(entregado.ficheros))]})
-    clase_, destino = tmp_path / "clase", tmp_path / "clase/notas"
-    debe = {nombre: dice for nombre, _, dice in revuelta()}
-    for nombre, ficheros, _ in revuelta():
-        carpeta_de(clase_ / nombre, ficheros)
-    siembra(clase_, dict.fromkeys(NO_SON_ENTREGAS, "int main() {}"))
-    destino.mkdir()
-    _, dentro, sueltos = entrega.busca(tmp_path, clase_, destino)
-    assert {c.name for c in dentro} ^ debe.keys() == set() and sueltos == ["plantilla.cpp"]
-    hechas, fallos = de_clase.clase(banco_falso(tmp_path), dentro, destino, 2)
-    leida = entrega.lee_entrega(clase_ / "con mayúsculas")
-    leida.completa({"p.h": "de partida"}, "p.cpp")
-    assert leida.ficheros["p.h"] == b"viejo"
-    assert not fallos and len(list(destino.glob("*.json"))) == len(debe) >= 45
-    dicho = {c.name: "; ".join(informes.lineas(hecha)) for c, hecha in hechas.items()}
-    assert dicho == debe
-    visibles = {n for n in debe if n.isprintable() and len(n.encode()) <= 200}
-    assert {f"{n}.json" for n in visibles} <= {f.name for f in destino.iterdir()}
 
 
 UNAS = "p.cpp=m util/a.cpp", "p.h util/a.h", "ejercicio.txt a.cpp vieja/p.cpp=m", "p.h"
@@ -555,7 +408,7 @@ def test_lo_que_ya_se_ha_corregido(tmp_path, juzga):
         assert de_clase.corrige(banco_falso(tmp_path), sitio, nota) == de_clase.corrige(banco_falso(tmp_path), sitio)
 
 
-@pytest.mark.skipif(not (BUILD / "herramientas/comparador/compara").exists(), reason="no está compilado")
+@con_comparador
 def test_la_version_la_cambia_todo_lo_que_corrige(monkeypatch):
     b = Banco.__new__(Banco)
     b.ref, b.programa = REF, nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
@@ -574,7 +427,7 @@ def test_la_version_la_cambia_todo_lo_que_corrige(monkeypatch):
     assert len(set(versiones)) == len(versiones) == len(ficheros) + 2 == 8
 
 
-@pytest.mark.skipif(not (BUILD / "herramientas/comparador/compara").exists(), reason="no está compilado")
+@con_comparador
 def test_lo_recordado_de_dos_imagenes(tmp_path):
     azar, imagenes = random.Random(1), [(100, 10, bytes([n]) * 3000) for n in (100, 101, 110, 200)]
     imagenes.append((50, 20, imagenes[0][2]))
@@ -644,82 +497,6 @@ def test_de_lo_guardado_se_borra_lo_viejo(tmp_path):
         os.utime(tmp_path / "corrige/E1" / nombre, (time.time() - 86400 * dias,) * 2)
     Arbitro.elige_cache(arbitro, "E1", "mia")
     assert sorted(f.name for f in (tmp_path / "corrige/E1").iterdir()) == ["de_otro", "mia"]
-
-
-# --- cada opción cambia lo suyo ------------------------------------------------------------------------------------
-
-OPCIONES = {  # lo que cambia cada una, de una entrega y de una clase
-    "--semilla 7": ({"semilla", "guiones"}, {"semilla", "guiones"}),
-    "--guiones 3": ({"guiones"}, {"guiones"}),
-    "--deja e/D": ({"deja"}, {"deja"}),
-    "--json J": ({"deja"}, set()),
-    "--junit J": ({"deja"}, {"deja"}),
-    "--vpl": ({"deja", "escribe"}, set()),
-    "-j 1": (set(), {"a la vez"}),
-    "--moodle H.csv": (None, {"deja"}),  # de una sola no vale
-    "--sin-jaula": ({"jaula"}, {"jaula"}),
-    "--reglas R": ({"escribe"}, set()),
-}
-
-
-@pytest.mark.skipif(not (BUILD / "catalogo.json").exists(), reason="no está configurado")
-def test_cada_opcion_cambia_lo_suyo(tmp_path, juzga, monkeypatch, capsys):
-    documento = (RAIZ / "docs/corrige.md").read_text()
-    assert set(re.findall(r"^\| `(-[^ `]+)", documento, re.M)) == {o.split()[0] for o in OPCIONES}
-    visto, turno, nota, a_la_vez = {}, threading.Lock(), [100], [1]
-
-    def juega(banco, _):
-        with turno:
-            visto.update(semilla=banco.semilla, guiones=[g.texto for g in banco.todos])
-            visto["ahora"] = visto.get("ahora", 0) + 1
-            visto["a la vez"] = max(visto.get("a la vez", 0), visto["ahora"])
-        limite = time.monotonic() + 20  # con la máquina ocupada los demás tardan en llegar
-        time.sleep(0.05)
-        while visto["a la vez"] < a_la_vez[0] and time.monotonic() < limite:
-            time.sleep(0.01)
-        with turno:
-            visto["ahora"] -= 1
-        return {"nota": nota[0], "dice": []}
-
-    juzga(juega)
-    encierra = SimpleNamespace(comprueba=lambda: visto.update(jaula=True))
-    monkeypatch.setattr(orden_, "Jaula", lambda _: encierra)
-    monkeypatch.setattr(Banco, "suma_todo", lambda *_: "v")
-    for parte in ("Arbitro", "Motivos"):
-        monkeypatch.setattr(de_banco, parte, lambda *_: None)
-    monkeypatch.setattr(os, "cpu_count", lambda: 3)
-
-    def hace(que, opcion):
-        sitio = tmp_path / f"{que}{opcion}".replace(" ", "")
-        for nombre in ("",) if que == "una" else ("ana/", "luis/", "eva/"):
-            siembra(sitio / "e", {nombre + fichero: texto for fichero, texto in UNO.items()})
-        siembra(sitio, {"H.csv": "Identifier,Grade\nParticipant 1,\n", "R": "titulo = 7\n"})
-        visto.clear()
-        a_la_vez[0] = 1 if que == "una" or opcion == "-j 1" else 3
-        monkeypatch.chdir(sitio)
-        monkeypatch.setattr(sys, "argv", ["x", str(RAIZ), str(BUILD), "e", REF, *opcion.split()])
-        assert orden_.main() == (nota[0] != 100)
-        visto["escribe"] = capsys.readouterr().out.replace(f"semilla {visto['semilla']}", "").replace("5 guiones", "")
-        visto["escribe"] = re.sub(r"(\d+ de )?(los )?\d+ (guiones|al azar)", "", visto["escribe"])
-        hecho = {**visto, "deja": sorted(str(f.relative_to(sitio)) for f in sitio.rglob("*"))}
-        antes = {f: f.read_bytes() for f in sitio.rglob("*") if f.is_file()}
-        a_la_vez[0] = 1
-        assert orden_.main() == (nota[0] != 100)
-        assert antes == {f: f.read_bytes() for f in sitio.rglob("*") if f.is_file()}, "la segunda vez no da lo mismo"
-        capsys.readouterr()
-        return hecho
-
-    for i, que in enumerate(("una", "clase")):
-        base = hace(que, "")
-        for opcion, cambia in OPCIONES.items():
-            if cambia[i] is None:
-                continue
-            ahora = hace(que, opcion)
-            assert {c for c in base if base[c] != ahora.get(c)} == cambia[i], (que, opcion)
-            if opcion == "--guiones 3":
-                assert len(base["guiones"]) - len(ahora["guiones"]) == Reglas().guiones - 3
-    for que, nota[0] in itertools.product(("una", "clase"), (0, 50, 99.4, 99.9)):
-        hace(que, f"--guiones {nota[0]:.0f}")  # el estado es 0 solo si todo está bien
 
 
 def test_lo_que_no_se_ha_podido_corregir_se_dice(tmp_path, juzga, monkeypatch):
@@ -804,12 +581,6 @@ MIRA = f"""#include <cstdlib>
 static const int mira = std::system("for f in {' '.join(SECRETOS)}; do if [ -e $f ]; then exit 1; fi; done; "
     "if touch /usr/x /x || [ $(grep -c : /proc/net/dev) != 1 ]; then exit 1; fi") ? (std::abort(), 0) : 0;
 """  # acaba mal si ve o hace algo de lo que no debe
-
-
-con_jaula = pytest.mark.skipif(
-    not se_encierra() or not (BUILD / "catalogo.json").exists(),
-    reason="aquí no se puede encerrar nada, o no está compilado",
-)
 
 
 @con_jaula

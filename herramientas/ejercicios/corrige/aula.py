@@ -36,7 +36,8 @@ def nombre_de(miembro):
     if not miembro.flag_bits & 0x800:
         try:
             crudo = nombre.encode("cp437")
-            posibles = [crudo.decode(c, "replace") for c in ("utf-8", "cp437", "cp850", "cp1252")]
+            como = "utf-8", "cp437", "cp850", "cp1252"
+            posibles = [unicodedata.normalize("NFC", crudo.decode(c, "replace")) for c in como]
             nombre = max(posibles, key=lambda n: sum(c in ESPANOL for c in n) - 9 * n.count("\ufffd"))
         except UnicodeEncodeError:  # lo ha leído ya en otra cosa
             pass
@@ -91,6 +92,8 @@ class Extractor:
         se_lee = es_zip or tipo(sitio.name) in FUENTES or sitio.name == nuevo.EJERCICIO
         self.cuantos += 1
         if self.cuantos > HAY:
+            if not se_lee:
+                return
             raise Rechazo(f"hay más de {HAY} ficheros")
         datos, limite = b"", COMPRIMIDO if es_zip else BYTES
         if se_lee:
@@ -137,9 +140,11 @@ class Extractor:
         if miembro.is_dir() or not ruta or any(map(basura, ruta)):
             return
         nombre = limpio(ruta[-1])
-        if stat.S_IFMT(miembro.external_attr >> 16) not in (0, stat.S_IFREG):
-            if tipo(nombre) in FUENTES:
-                self.mal["/".join(ruta)] = f"«{nombre}», en el .zip, no es un fichero corriente"
+        modo = stat.S_IFMT(miembro.external_attr >> 16)
+        if modo not in (0, stat.S_IFREG):
+            if tipo(nombre) in FUENTES or nombre == nuevo.EJERCICIO:
+                enlace = f"no se puede leer «{nombre}»: es un enlace o no hay permiso"
+                self.mal["/".join(ruta)] = enlace if modo == stat.S_IFLNK else f"«{nombre}» no es un fichero corriente"
         elif miembro.flag_bits & 1:
             self.mal["/".join(ruta)] = f"«{nombre}» está en un .zip con contraseña"
         else:

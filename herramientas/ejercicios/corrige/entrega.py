@@ -248,25 +248,26 @@ class Lector:
 
     def __init__(self, carpeta, mal=None, de_otro=lambda ruta: False):
         self.carpeta, self.de_otro = carpeta, de_otro
-        self.hay, self.fuentes = [], []  # nombres, y rutas en partes
+        self.vistos, self.hay, self.fuentes = 0, [], []  # cuántos, sus nombres, y rutas en partes
         self.leidos, self.mal, self.bytes, self.traducidos = {}, dict(mal or {}), 0, []
 
     def recorre(self):
         por_ver = deque([()])
-        while por_ver and len(self.hay) < HAY:
+        while por_ver and self.vistos < HAY:
             ruta = por_ver.popleft()
             try:
                 with abierta(self.carpeta, *ruta) as f, os.scandir(f) as entradas:
                     dentro = sorted(
                         (e.name, e.is_dir(follow_symlinks=False))
-                        for e in itertools.islice(entradas, HAY - len(self.hay))
+                        for e in itertools.islice(entradas, HAY - self.vistos)
                         if not basura(e.name)
                     )
             except Rechazo:
                 if not ruta:
                     raise
                 continue
-            self.hay += [nombre for nombre, _ in dentro]
+            self.vistos += len(dentro)
+            self.hay += [nombre for nombre, es_carpeta in dentro if not es_carpeta]
             por_ver += [(*ruta, nombre) for nombre, es_carpeta in dentro if es_carpeta and len(ruta) < HONDO]
             self.fuentes += [(*ruta, n) for n, es_carpeta in dentro if not es_carpeta and tipo(n) in FUENTES]
             if (nuevo.EJERCICIO, False) in dentro:
