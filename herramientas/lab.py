@@ -359,11 +359,13 @@ class Laboratorio:
 
     @staticmethod
     def para_ctest(que):
-        """Lo que se le pasa. Lo que no es de cualquiera lleva la etiqueta «todo»: se hace con --todo o si se nombra."""
+        """Lo que se le pasa. Lo que no es de cualquiera lleva la etiqueta «todo»: se hace con --todo o si se nombra; y
+        la parte que de eso hace cualquiera, «muestra»."""
         valores = {"-R": que.R, "-E": que.E, "-L": que.L, "-I": que.I, "-j": que.j}
         valores |= {"--repeat": que.repeat, "--timeout": que.timeout}
         elegidas = [palabra for opcion, valor in valores.items() if valor is not None for palabra in (opcion, valor)]
-        no = "|".join(filter(None, [que.LE, "" if que.todo or que.R or que.L else "^todo$"]))
+        de_otros = "^muestra$" if que.todo or que.asan else "^todo$"
+        no = "|".join(filter(None, [que.LE, "" if que.R or que.L else de_otros]))
         sueltas = {"-V": que.V, "-VV": que.VV, "-N": que.N, "--rerun-failed": que.rerun_failed}
         sueltas |= {"--stop-on-failure": que.stop_on_failure, "--progress": que.progress}
         return [*elegidas, *(["-LE", no] if no else []), *(opcion for opcion, puesta in sueltas.items() if puesta)]

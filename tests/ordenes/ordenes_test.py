@@ -82,9 +82,9 @@ def test_cada_orden_tiene_su_ayuda(capsys):
 
 PARA_CTEST = {
     "": ["-LE", "^todo$"],
-    "--todo": [],
+    "--todo": ["-LE", "^muestra$"],
     "-R uno|dos -V": ["-R", "uno|dos", "-V"],
-    "-I 2,,3 --todo": ["-I", "2,,3"],
+    "-I 2,,3 --todo": ["-I", "2,,3", "-LE", "^muestra$"],
     "-LE ventana": ["-LE", "ventana|^todo$"],
     "-L imagen -j 4": ["-L", "imagen", "-j", "4"],
     "--rerun-failed": ["-LE", "^todo$", "--rerun-failed"],
