@@ -82,6 +82,14 @@ void llega(const Orden &orden) {
     if (c.pasada == c.PIXEL ? !seMira : c.numero != c.ordenSombreada)
         return orden.hazla();
     const Lienzo lienzo = lienzoActual(c.ancho, c.alto);
+    const auto origen = c.pixel.find(GLuint(entero(GL_READ_FRAMEBUFFER_BINDING)));
+    if (c.pasada == c.PIXEL && orden.que == Orden::Que::Copia && origen != c.pixel.end()) {
+        const Lienzo deQueCopia = lienzoActual(c.ancho, c.alto, GL_READ_FRAMEBUFFER);
+        const Punto p = origen->second;
+        const Guardado guardado;
+        if (deQueCopia.conColor() && deQueCopia.dentro(p.x, p.y))
+            siLoCambiaOtro(deQueCopia, leeColor(deQueCopia, p.x, p.y), c.sucesos);
+    }
     if (c.pasada == c.PIXEL)
         return hazYCuenta(orden, c.numero, lienzo, suyo->second, c.sucesos);
     const Punto p = c.pixel[0]; // de otro framebuffer, el que está en el mismo sitio

@@ -152,7 +152,8 @@ static void dibuja() {
         if (enVentana)
             continue;
         const std::vector<GLubyte> gris(4 * LADO * LADO, GLubyte(n(256)));
-        glTexSubImage2D(GL_TEXTURE_2D, 0, n(LADO), n(LADO), 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, gris.data());
+        glTexSubImage2D(GL_TEXTURE_2D, 0, n(LADO / 2), n(LADO / 2), LADO / 2, LADO / 2, GL_RGBA,
+                        GL_UNSIGNED_BYTE, gris.data());
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glutSwapBuffers();
