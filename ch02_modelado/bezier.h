@@ -33,7 +33,7 @@ using Pesos = std::array<double, 4>;
 
 /// Polinomios de Bernstein de grado 3 y sus dos primeras derivadas; c = 1 − t. Cambiar t por c da los mismos
 /// pesos en orden inverso, bit a bit.
-inline Pesos pesos(double t, double c) {
+inline Pesos pesos0(double t, double c) {
     return {(c * c) * c, 3 * ((c * c) * t), 3 * ((t * t) * c), (t * t) * t};
 }
 inline Pesos pesos1(double t, double c) {
@@ -74,7 +74,7 @@ inline glm::dvec3 normal(const Parche &q, double u, double v) {
     const double escala = talla > 0 ? 1 / talla : 0;
     const auto enT = [](double t, int veces) {
         if (veces == 0)
-            return pesos(t, 1 - t);
+            return pesos0(t, 1 - t);
         return veces == 1 ? pesos1(t, 1 - t) : pesos2(t, 1 - t);
     };
     const auto d = [&](double s, double t, int du, int dv) -> glm::dvec3 {
@@ -182,9 +182,10 @@ inline Teselacion teselaParches(const std::vector<Parche> &parches, double toler
                 // 1 − i/n redondea distinto que (n − i)/n, y el parche vecino puede recorrer el lado al revés
                 const double u = double(i) / nu, uc = double(nu - i) / nu, v = double(j) / nv,
                              vc = double(nv - j) / nv;
-                vertices.push_back({parche::posicion(parches[k], parche::pesos(u, uc), parche::pesos(v, vc)),
-                                    parche::normal(parches[k], u, v),
-                                    {u, v}});
+                vertices.push_back(
+                    {parche::posicion(parches[k], parche::pesos0(u, uc), parche::pesos0(v, vc)),
+                     parche::normal(parches[k], u, v),
+                     {u, v}});
                 t.cuadricula.push_back({i, j});
             }
         for (int j = 0; j < nv; ++j)

@@ -4,6 +4,7 @@
 // atributo, glVertexAttribPointer se llama una vez, en inicia, y no en cada imagen (display, aquí dibuja).
 // Controles: Esc termina.
 #include "colores.h"
+#include "recuadro.h"
 #include "rotulo.h"
 #include "shader.h"
 #include "ventana.h"

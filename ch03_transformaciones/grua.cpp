@@ -8,6 +8,7 @@
 #include "objeto.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "rotulo.h"
 #include "shader.h"
 #include "texto.h"

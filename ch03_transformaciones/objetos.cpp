@@ -8,6 +8,7 @@
 #include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "shader.h"
 #include "ventana.h"
 #include <glm/gtc/type_ptr.hpp>

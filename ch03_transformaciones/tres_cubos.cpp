@@ -10,6 +10,7 @@
 #include "orbita.h"
 #include "pasos.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "rotulo.h"
 #include "shader.h"
 #include "ventana.h"

@@ -9,6 +9,7 @@
 #include "materiales.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "rotulo.h"
 #include "ventana.h"
 

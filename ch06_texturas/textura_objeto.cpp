@@ -10,6 +10,7 @@
 #include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "shader.h"
 #include "textura.h"
 #include "ventana.h"

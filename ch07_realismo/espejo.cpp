@@ -10,6 +10,7 @@
 #include "escena_espejo.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "ventana.h"
 #include <algorithm>
 

@@ -13,6 +13,7 @@
 #include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "reflexion.h"
 #include "rotulo.h"
 #include "shader.h"

@@ -10,6 +10,7 @@
 #include "mapa_alturas.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "rotulo.h"
 #include "shader.h"
 #include "texto.h"

@@ -8,6 +8,7 @@
 #include "escenas_curvas.h"
 #include "matriz.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "rotulo.h"
 #include "trazo.h"
 #include "ventana.h"

@@ -9,6 +9,7 @@
 #include "colores.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "ventana.h"
 
 static const Material COBRE = {{0.22f, 0.09f, 0.04f}, {0.72f, 0.32f, 0.16f}, {0.60f, 0.45f, 0.35f}, 40},

@@ -12,6 +12,7 @@
 #include "orbita.h"
 #include "piezas.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "reloj.h"
 #include "shader.h"
 #include "textura.h"

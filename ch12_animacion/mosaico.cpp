@@ -8,6 +8,7 @@
 #include "imagen_ruido.h"
 #include "piezas.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "reloj.h"
 #include "shader.h"
 #include "textura.h"

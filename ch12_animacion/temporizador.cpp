@@ -6,6 +6,7 @@
 #include "animacion.h"
 #include "colores.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "reloj.h"
 #include "rotulo.h"
 #include "trazo.h"

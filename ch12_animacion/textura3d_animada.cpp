@@ -11,6 +11,7 @@
 #include "malla.h"
 #include "orbita.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "reloj.h"
 #include "shader.h"
 #include "ventana.h"

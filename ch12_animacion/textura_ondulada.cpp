@@ -7,6 +7,7 @@
 #include "imagen.h"
 #include "malla.h"
 #include "proyeccion.h"
+#include "recuadro.h"
 #include "reloj.h"
 #include "shader.h"
 #include "textura.h"

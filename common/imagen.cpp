@@ -1,9 +1,9 @@
 #include "imagen.h"
 #include "error.h"
+#include "glut/sistema/sistema.h"
 #include "motivo.h"
 #include "numero.h"
 #include "rutas.h"
-#include "glut/sistema/sistema.h"
 #include <algorithm>
 #include <cctype>
 #include <cstdio>

@@ -86,8 +86,8 @@ inline void mideGlu(Medidor &m, const std::vector<Parche> &parches, double pixel
                 uv += w[int(k)] * glm::dvec2(r.uv[r.triangulos[t][k]]);
             }
             const auto exacto = [&](double u, double v) {
-                return parche::posicion(parches[r.parche[t]], parche::pesos(u, 1 - u),
-                                        parche::pesos(v, 1 - v));
+                return parche::posicion(parches[r.parche[t]], parche::pesos0(u, 1 - u),
+                                        parche::pesos0(v, 1 - v));
             };
             mayor = std::max(mayor, std::min(glm::length(exacto(uv.x, uv.y) - enPlano),
                                              glm::length(exacto(uv.y, uv.x) - enPlano)));

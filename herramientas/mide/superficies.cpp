@@ -14,7 +14,7 @@ static void tesela(const Parche &q, const Division &d, std::vector<Vertice> &ver
     for (int j = 0; j <= d.nv; ++j)
         for (int i = 0; i <= d.nu; ++i) {
             const double u = double(i) / d.nu, v = double(j) / d.nv;
-            vertices.push_back({parche::posicion(q, parche::pesos(u, 1 - u), parche::pesos(v, 1 - v)),
+            vertices.push_back({parche::posicion(q, parche::pesos0(u, 1 - u), parche::pesos0(v, 1 - v)),
                                 parche::normal(q, u, v),
                                 {u, v}});
         }
@@ -24,7 +24,7 @@ static void tesela(const Parche &q, const Division &d, std::vector<Vertice> &ver
 // los lados y en el centro de cada triángulo.
 static double error(const Parche &q, const Division &d) {
     const auto punto = [&](double u, double v) {
-        return parche::posicion(q, parche::pesos(u, 1 - u), parche::pesos(v, 1 - v));
+        return parche::posicion(q, parche::pesos0(u, 1 - u), parche::pesos0(v, 1 - v));
     };
     const double hu = 1.0 / d.nu, hv = 1.0 / d.nv;
     double mayor = 0;

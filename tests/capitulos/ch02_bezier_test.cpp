@@ -20,7 +20,7 @@ struct PuntoParche {
 };
 PuntoParche evaluaParche(const Parche &q, double u, double v) {
     using namespace parche;
-    const auto u0 = pesos(u, 1 - u), v0 = pesos(v, 1 - v);
+    const auto u0 = pesos0(u, 1 - u), v0 = pesos0(v, 1 - v);
     return {posicion(q, u0, v0), derivada(q, pesos1(u, 1 - u), v0), derivada(q, u0, pesos1(v, 1 - v)),
             normal(q, u, v)};
 }
