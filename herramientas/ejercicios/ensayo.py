@@ -38,6 +38,18 @@ def con_lineas(texto, desde, hasta, alternativas):
     return original
 
 
+def con_todas(raiz, texto, perturbaciones):
+    """Un fuente con todas esas dentro, que elige $LAB_MUTANTE."""
+    trozos = defaultdict(list)
+    for n, p in perturbaciones.items():
+        for desde, hasta, otro in p.cambios:
+            trozos[desde, hasta].append((n, otro))
+    for (desde, hasta), alternativas in sorted(trozos.items(), reverse=True):
+        texto = texto[:desde] + con_lineas(texto, desde, hasta, alternativas) + texto[hasta:]
+    incluye = (defectos.MUTANTE_H, "herramientas/ejercicios/otro_factor.h") if trozos else ()
+    return (ANTES if trozos else "") + "".join(f'#include "{raiz / f}"\n' for f in incluye) + texto
+
+
 ERROR = re.compile(r"perturbado:(\d+):(?:\d+:)? (?:fatal )?error: (.*)")
 
 
@@ -144,16 +156,8 @@ class Ensayo:
         for vuelta in range(VUELTAS):
             textos = dict(self.textos)
             for fichero in textos:
-                trozos = defaultdict(list)
-                for n, (suyo, p) in vivas.items():
-                    for desde, hasta, otro in p.cambios if suyo == fichero else ():
-                        trozos[desde, hasta].append((n, otro))
-                for (desde, hasta), alternativas in sorted(trozos.items(), reverse=True):
-                    nuevo_texto = con_lineas(textos[fichero], desde, hasta, alternativas)
-                    textos[fichero] = textos[fichero][:desde] + nuevo_texto + textos[fichero][hasta:]
-                if trozos:
-                    incluye = (defectos.MUTANTE_H, "herramientas/ejercicios/otro_factor.h")
-                    textos[fichero] = ANTES + "".join(f'#include "{self.raiz / f}"\n' for f in incluye) + textos[fichero]
+                suyas = {n: p for n, (suyo, p) in vivas.items() if suyo == fichero}
+                textos[fichero] = con_todas(self.raiz, textos[fichero], suyas)
             carpeta = self.temporal / f"vuelta{vuelta}"
             malas = self.no_compilan(self.banco.motivos.limpio(textos), carpeta, vivas)
             if not malas:

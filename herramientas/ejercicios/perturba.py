@@ -14,7 +14,7 @@ FUERA = re.compile(rf"(?P<queda>{TEXTOS})|//[^\n]*|/\*.*?(?:\*/|\Z)|^[ \t]*#(?:\
 DECLARA = re.compile(
     r"(?:(?:const|static|unsigned|signed|volatile|extern|inline|mutable|thread_local)\s+)*"
     r"(?!(?:return|delete|throw|new|goto)\b)[A-Za-z_][\w:]*(?:<[\w:\s,<>*&()]*>)?(?:\s+const\b)?[\s&*]+"
-    r"(?:\[[\w\s,]+\]|\w+)\s*(?=[=({;,\[:]|$)"
+    r"(?:\[[\w\s,]+\]|[A-Za-z_]\w*)\s*(?=[=({;,\[:]|$)"
 )
 NI_TOCARLO = "constexpr", "using", "typedef", "template", "static_assert", "enum", "friend", "goto", "asm", "operator"
 BLOQUES = "struct", "class", "union", "namespace", "extern"
@@ -219,12 +219,15 @@ class Hueco:
         elif t[i] == "{" and t.pareja.get(i) == j:
             for parte in t.partes(i, j):
                 yield from self.expresion(*parte)
-        elif i <= j and t[i][0] not in "\"'." and t[i][:2] != 'R"' and not self.es_declaracion(i, j):
+        elif i <= j and t[i][0] not in "\"'." and t[i][:2] != 'R"' and not self.es_declaracion(i, j, False):
             yield *self.sitio(i, j), False
 
-    def es_declaracion(self, i, j):
+    def es_declaracion(self, i, j, entera=True):
+        """Si lo es esa instrucción o, si no es una ENTERA, esa expresión, en la que a * b es un producto."""
         desde, hasta = self.sitio(i, j)
-        return self.t[i] in TIPOS or bool(DECLARA.match(self.texto[:hasta], desde))
+        declara = DECLARA.match(self.texto[:hasta], desde)
+        es_producto = declara and not entera and re.search(r"\w\s*[*&]+\s*\w+\s*$", declara[0])
+        return self.t[i] in TIPOS or bool(declara) and not (es_producto and self.texto[declara.end() : declara.end() + 1] not in "={")
 
     def instruccion(self, i):
         """Hasta dónde llega la que empieza ahí: su «;» o, si abre un bloque (una función, una estructura), la llave."""

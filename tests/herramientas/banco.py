@@ -79,7 +79,7 @@ def banco_falso(temporal, **mas):
     de_partida = {"p.cpp": "// lo de partida\nint main() {}\n", "p.h": ""}, "p.cpp"
     hay = {
         "ref": REF,
-        "version": "v",
+        "clave": "v",
         "semilla": "1",
         "todos": [Guion("caso", (), True), Guion("al azar", ("tecla a",))],
         "de_partida": de_partida,
@@ -90,6 +90,7 @@ def banco_falso(temporal, **mas):
         "raiz": RAIZ,
         "privados": {"ch03_transformaciones/grua.h"},
         "de_otro": lambda ruta: Banco.de_otro(banco, ruta),
+        "huella": lambda *que: Banco.huella(banco, *que),
     }
     banco = SimpleNamespace(**{**hay, "arbitro": None, **mas})
     return banco

@@ -3,21 +3,21 @@ defectos que se le plantan, que ./lab ejercicio comprueba nombra; y las reglas, 
 import dataclasses
 import json
 import os
+import random
 import re
 import shutil
+import subprocess
 import sys
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
-RAIZ = Path(__file__).parents[2]
-BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
-sys.path[:0] = [str(RAIZ / "herramientas"), *(str(RAIZ / "tests" / otras) for otras in ("ordenes", "paginas"))]
+from banco import BUILD, RAIZ, con_catalogo, con_comparador
 from base import catalogo
 from base.fuentes import SHADERS
 from base.procesos import Fallo
-from ejercicios import comprueba, nuevo, propios, reglas
+from ejercicios import comprueba, ensayo, nuevo, perturba, propios, reglas
 from ejercicios.corrige import arbitro
 from ejercicios.corrige import clase as de_clase
 from ejercicios.corrige import informes, shaders, veredicto
@@ -202,6 +202,80 @@ def test_lo_que_esta_mal_al_jugar(lab):
     escribe(lab.sitio / "ejercicios/molinete")
 
 
+# --- lo que se perturba ----------------------------------------------------------------------------------------------
+
+CUALQUIERA = r"""#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+struct Punto { float x, y; } p;
+const unsigned char ESC = 27;
+static glm::vec3 luna() { return glm::vec3(p.x, 2 * p.y, 0); } // «/*» no es nada
+void teclado(unsigned char tecla, int x, int y) {
+    const std::string cuerda = R"x(no ; se " acaba)x", red = "http://x"; /* ni aquí */
+    switch (tecla) {
+    case 'a': p.x += 0.1f; break;
+    case ESC: p = {0, float(x - y)}; break;
+    default: p.y -= luna().y;
+    }
+    do {
+        p.x *= 2;
+    } while (p.x < 1e-3f);
+    try {
+        for (const char letra : cuerda + red)
+            p.y += letra;
+    } catch (const std::exception &error) {
+        p.y = -1;
+    }
+    const auto corre = [&](float cuanto) { p.x += cuanto; return cuanto * 2; };
+    glm::mat4 A(1), B(2), C = A * B;
+    const glm::vec2 uno(p.x, 1), otro{1, p.y}, *donde = &uno;
+    std::vector<std::pair<int, float>> lista = {{1, 2.5f}, {x, corre(3)}};
+    if (const float d = glm::dot(uno, otro); d > 0 && !lista.empty())
+        p.x = d > 1 ? donde->x / d : C[0][0] - d;
+    else
+        goto fin;
+fin:
+    enum { MIL = 1000 };
+    lista.resize(MIL % 7);
+}"""
+
+
+def test_ningun_fuente_deja_de_perturbarse():
+    """Trozos de los del laboratorio, cortados por cualquier sitio, y de uno con toda clase de instrucciones."""
+    azar, cuantas = random.Random(1), 0
+    todos = [f for f in RAIZ.glob("c*/**/*") if f.suffix in (".cpp", ".h", *SHADERS)]
+    textos = [(f.read_text(), f.suffix in SHADERS) for f in azar.sample(todos, 120)]
+    for texto, glsl in [*textos, *[(CUALQUIERA, False)] * 40]:
+        for _ in range(3):
+            desde = azar.randrange(len(texto))
+            hasta = min(len(texto), desde + azar.randrange(1500))
+            if azar.random() < 0.5:  # por líneas enteras
+                desde, hasta = texto.rfind("\n", 0, desde) + 1, texto.find("\n", hasta) + 1 or len(texto)
+            for p in perturba.perturbaciones(texto, desde, hasta, glsl):
+                assert all(desde <= a < b <= hasta for a, b, _ in p.cambios)
+                cuantas += 1
+    assert cuantas > 5000
+
+
+def test_lo_perturbado_casi_siempre_compila(tmp_path):
+    """Nueve de cada diez: lo que no, se quita, sin culpar a quien no la tiene, y lo demás se queda."""
+    desde = CUALQUIERA.index("static")
+    todas = dict(enumerate(perturba.perturbaciones(CUALQUIERA, desde, len(CUALQUIERA), False), 1))
+    vivas = {n: ("p.cpp", p) for n, p in todas.items()}
+    for _ in range(ensayo.VUELTAS):
+        (tmp_path / "p.cpp").write_text(ensayo.con_todas(RAIZ, CUALQUIERA, {n: p for n, (_, p) in vivas.items()}))
+        compila = ["g++", "-std=c++17", "-fsyntax-only", "-w", "-fdiagnostics-color=never", tmp_path / "p.cpp"]
+        dice = subprocess.run(compila, text=True, capture_output=True, env={**os.environ, "LANG": "C.UTF-8"}).stderr
+        malas = ensayo.culpables(dice, {"p.cpp": CUALQUIERA}, vivas)
+        assert malas or not dice, dice
+        for n in malas:
+            vivas.pop(n)
+        if not dice:
+            break
+    assert len(todas) > 80 and len(vivas) >= 0.9 * len(todas) and not dice
+    assert {p.linea for p in todas.values()} == {p.linea for _, p in vivas.values()}
+
+
 # --- lo que no es un ejercicio ----------------------------------------------------------------------------------
 
 
@@ -358,7 +432,7 @@ def test_unas_reglas_que_no_casan(tmp_path, texto, dice):
         reglas.lee(tmp_path / "reglas.txt")
 
 
-@pytest.mark.skipif(not (BUILD / "herramientas/comparador/compara").exists(), reason="no está compilado")
+@con_comparador
 def test_la_tolerancia_es_la_del_comparador(tmp_path):
     """De la más estrecha a la más ancha, cada una admite lo que la anterior y algo más."""
     gris = bytes([100]) * 3000
@@ -374,10 +448,6 @@ def test_la_tolerancia_es_la_del_comparador(tmp_path):
 # --- los de la página -------------------------------------------------------------------------------------------
 
 PAGINA = (RAIZ / "herramientas/web/ejercicio.mjs").read_text()
-DE_LA_PAGINA = {
-    c for f in RAIZ.glob("c*/*") if f.suffix in SHADERS for c in re.findall(r"// (L\d+\.\d+): ", f.read_text())
-}
-
 
 def test_los_gestos_son_los_de_la_pagina():
     assert f"'{'; '.join(shaders.GIRA)}'" in PAGINA
@@ -388,8 +458,8 @@ def test_los_gestos_son_los_de_la_pagina():
     assert shaders.CON_RATON == {"raton", "rueda", "arrastre"}
 
 
-@pytest.mark.skipif(not (BUILD / "catalogo.json").exists(), reason="no está configurado")
-@pytest.mark.parametrize("ref", sorted(DE_LA_PAGINA))
+@con_catalogo
+@pytest.mark.parametrize("ref", ["L3.1", "L5.3", "L9.3"])  # uno de cada clase; de todos, ./lab muta huecos
 def test_un_shader_suelto(tmp_path, ref):
     """El del programa saca 100, aunque se llame de otra manera; el de partida, uno mal hecho o uno que no compila,
     no; y uno de otro tipo no es el que se pide."""

@@ -1,15 +1,12 @@
 """Hace jugar, guarda lo jugado por lo propio y dice si dos partidas son la misma."""
 import hashlib
 import itertools
-import shutil
 import tempfile
 import threading
-import time
 import zlib
 from pathlib import Path
 
 from base.procesos import escribe, lanza
-from ejercicios.corrige.jaula import desempaqueta
 from ejercicios.corrige.partidas import TALLA, Guion, Partida
 from ejercicios.reglas import Reglas
 
@@ -19,7 +16,6 @@ SIN_PRISA = 200  # los de la solución
 ERROR_DE_OPENGL = 3  # con que acaba quien da alguno
 BIEN, CASI = 1, 0.5  # cuánto se parecen dos imágenes: lo que vale el guion
 DELANTE = 'ln -s "$0" delante.so && LD_PRELOAD=./delante.so exec "$@"'  # que no admite blancos
-VIEJA = 86400  # segundos que se guarda lo jugado por otra versión
 
 
 def suma(*partes):
@@ -52,31 +48,12 @@ def aparte(esperada, obtenida):
 class Arbitro:
     tolerancia = Reglas().tolerancia
 
-    def __init__(self, build, ref, compilador, recinto, temporal, version, tolerancia=tolerancia):
-        self.tolerancia = tolerancia
+    def __init__(self, build, compilador, recinto, temporal, tolerancia=tolerancia):
         self.build, self.compilador, self.recinto, self.temporal = build, compilador, recinto, temporal
-        self.parecidas = {}
-        self.cache = temporal
-        primera = desempaqueta(self.juega_de_nuevo(compilador.solucion, Guion("", ()))).get(
-            "000.ppm", b""
-        )  # con el sello de quién dibuja
-        self.cache = self.elige_cache(ref, suma(version, compilador.solucion.programa.read_bytes(), primera))
+        self.tolerancia, self.parecidas = tolerancia, {}
+        self.cache = temporal  # dónde se guarda lo jugado
 
     # --- jugar ---
-
-    def elige_cache(self, ref, clave):
-        """Donde se guardan las partidas de la solución y de los mutantes; las de antes se borran. Si no se puede
-        escribir, no duran."""
-        cache = self.build / "corrige" / ref / clave
-        try:
-            cache.mkdir(parents=True, exist_ok=True)
-            for vieja in set(cache.parent.iterdir()) - {cache}:
-                if time.time() - vieja.stat().st_mtime > VIEJA:  # si no, puede estar usándola otro
-                    shutil.rmtree(vieja, ignore_errors=True)
-        except OSError:
-            cache = self.temporal / "cache"
-            cache.mkdir()
-        return cache
 
     @property
     def shaders(self):

@@ -2,6 +2,8 @@
 todos."""
 import functools
 import os
+import shutil
+import time
 from pathlib import Path
 
 from base import procesos
@@ -11,9 +13,12 @@ from ejercicios.corrige.arbitro import Arbitro, suma
 from ejercicios.corrige.compilador import Compilador
 from ejercicios.corrige.cuadro import DELANTE
 from ejercicios.corrige.donde import Donde
-from ejercicios.corrige.jaula import Recinto
+from ejercicios.corrige.jaula import Recinto, desempaqueta
 from ejercicios.corrige.motivos import Motivos, conocidos
+from ejercicios.corrige.partidas import Guion
 from ejercicios.corrige.shaders import DeShaders, MotivosDeShaders
+
+VIEJA = 86400  # segundos que se guarda lo jugado por otra versión
 
 
 class Banco:
@@ -31,13 +36,14 @@ class Banco:
         de = shaders if con_shaders else nuevo
         self.de_partida = de.esqueleto(raiz, programa, ref), "" if con_shaders else programa.fuente.name
         self.dados = self.de_partida[0], de.solucion(raiz, programa, ref)  # lo que no es de nadie (parecidos.py)
-        self.version = self.suma_todo(raiz, build)
         todos = [
             *(shaders.guiones(raiz, build, programa, entorno) if con_shaders else partidas.de_los_casos(programa)),
             *partidas.al_azar(raiz, build, programa, f"{ref} {semilla}", reglas.guiones, entorno),
         ]
         self.todos = [g for g in todos if reglas.peso(g)]
-        self.arbitro = Arbitro(build, ref, self.compilador, recinto, temporal, self.version, reglas.tolerancia)
+        self.arbitro = Arbitro(build, self.compilador, recinto, temporal, reglas.tolerancia)
+        self.clave = suma(*self.lo_que_lo_cambia(build))
+        self.arbitro.cache = self.cache(build / "corrige" / ref)
         partes = raiz, programa, ref, self.compilador, self.arbitro
         self.motivos = (MotivosDeShaders if con_shaders else Motivos)(*partes)
 
@@ -56,17 +62,38 @@ class Banco:
             for f in finales
         )
 
-    def suma_todo(self, raiz, build):
-        """Lo que cambia una corrección, además de lo entregado y de los guiones: quien corrige, lo que se da, lo que se
-        ve y con qué se enlaza."""
-        textos = nuevo.pedidos(raiz, self.programa, self.ref), self.de_partida
-        errores = conocidos(raiz, self.programa, self.ref)
+    def lo_que_lo_cambia(self, build):
+        """Todo de lo que sale una corrección, además de lo entregado y de los guiones: quien corrige, lo que se da, lo que se
+        ve, con qué se enlaza, la solución y quien dibuja, que va en el sello de una imagen."""
+        yield repr((nuevo.pedidos(self.raiz, self.programa, self.ref), self.de_partida))
+        yield repr(conocidos(self.raiz, self.programa, self.ref))
+        yield desempaqueta(self.arbitro.juega_de_nuevo(self.compilador.solucion, Guion("", ()))).get("000.ppm", b"")
         visto = [
             *sorted(Path(__file__).parent.glob("*.py")),
-            *sorted((raiz / "herramientas/base").glob("*.py")),
-            *(raiz / ruta for ruta in self.compilador.visible),
+            *sorted((self.raiz / "herramientas/base").glob("*.py")),
+            *(self.raiz / ruta for ruta in self.compilador.visible),
             *(Path(b) for b in self.compilador.bibliotecas if b.startswith(str(build))),
             build / "herramientas/comparador/compara",
             *([build / DELANTE] if (build / DELANTE).exists() else []),
+            self.compilador.solucion.programa,
         ]
-        return suma(repr(textos), repr(errores), *(f.read_bytes() for f in visto))
+        yield from (f.read_bytes() for f in visto)
+
+    def huella(self, *entregado):
+        """La de la corrección de eso, con estas reglas y estos guiones."""
+        guiones = (g.texto for g in self.todos)
+        return suma(self.clave, self.semilla, self.reglas.en_palabras, *guiones, *map(repr, entregado))
+
+    def cache(self, sitio):
+        """Donde se guardan las partidas de la solución y de los mutantes; las de antes se borran. Si no se puede escribir,
+        no duran."""
+        cache = sitio / self.clave
+        try:
+            cache.mkdir(parents=True, exist_ok=True)
+            for vieja in set(sitio.iterdir()) - {cache}:
+                if time.time() - vieja.stat().st_mtime > VIEJA:  # si no, puede estar usándola otro
+                    shutil.rmtree(vieja, ignore_errors=True)
+        except OSError:
+            cache = self.temporal / "cache"
+            cache.mkdir()
+        return cache

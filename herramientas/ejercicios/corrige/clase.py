@@ -38,18 +38,17 @@ def corrige(banco, carpeta, resultado=None, leidas=None):
     deja su código."""
     datos = {"entrega": limpio(carpeta.name), "ejercicio": banco.ref, "semilla": banco.semilla}
     datos["reglas"] = banco.reglas.en_palabras
-    que = [banco.version, banco.semilla, banco.reglas.en_palabras, *(g.texto for g in banco.todos)]
     try:
         with aula.abierta(carpeta, banco.temporal) as (sitio, mal):
             entrega, rechazo = lee_entrega(sitio, banco.ref, mal, banco.de_otro), ""
-        que.append(repr(sorted(vars(entrega).items())))
         entrega.completa(*banco.de_partida)
+        que = entrega.ficheros, entrega.llamadas, entrega.avisos, entrega.ejercicio
     except Rechazo as por:
         entrega, rechazo = None, str(por)
-        que.append(rechazo)
+        que = (rechazo,)
     if entrega and leidas is not None:
         leidas[carpeta] = parecidos.codigo(entrega.suyos)
-    datos["huella"] = suma(*que)
+    datos["huella"] = banco.huella(*que)
     if resultado and (anterior := lee_resultado(resultado)) and anterior.get("huella") == datos["huella"]:
         return anterior
     datos |= {"bien": 0, "guiones": len(banco.todos), "casos": {}}
