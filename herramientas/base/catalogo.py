@@ -1,5 +1,5 @@
-"""El catálogo: los capítulos, con sus programas, con sus casos. Los hechos de cada uno están solo en el catalogo.toml de
-su capítulo, en el orden del libro; qué se dice de cada cosa, en CAMPOS. Solo se leen aquí: CMake pide al configurar lo
+"""El catálogo: los capítulos, con sus programas, con sus casos. Los hechos de cada uno están solo en el catalogo.toml
+de su capítulo, en el orden del libro; qué se dice de cada cosa, en CAMPOS. Solo se leen aquí: CMake pide al configurar lo
 que sale de ellos, y de ahí lo toman los demás. Un programa es chNN_…/nombre.cpp; su caso «base» da la imagen
 <programa>, y los otros, <programa>-<nombre>.
 
@@ -27,54 +27,41 @@ try:
 except ImportError:  # es de Python 3.11
     tomllib = None
 
-NOMBRE = "[a-z0-9_]+", "un nombre, solo con minúsculas sin acento, cifras y _"
-FRASE = r"[^\n\t]+", "un texto de un renglón"
-NADA_O_FRASE = r"[^\n\t]*", FRASE[1]
+NOMBRE, ALGO, NADA = r"[a-z0-9_]+", r"[^\n\t]+", r"[^\n\t]*"
 LADO = "(izquierda|derecha|abajo|arriba)"
-CAMPOS = {  # lo que se dice de cada cosa, como expresión regular y con palabras; de [] y False, varias, y sí o no
+CAMPOS = {  # qué se dice de cada cosa, como expresión regular y con palabras; de [], varias, y de False, sí o no
     "capítulo": {
-        "titulo": FRASE,
-        "portada": (NADA_O_FRASE[0], "la imagen, de las suyas, que lo enseña; si no se dice, la primera"),
+        "titulo": (ALGO, "un texto de un renglón"),
+        "portada": (NADA, "la imagen, de las suyas, que lo enseña; si no se dice, la primera"),
     },
     "programa": {
-        "nombre": NOMBRE,
-        "ref": (FRASE[0], "qué es del libro: «L1.2 E3.5»"),
-        "titulo": FRASE,
-        "contra": (NADA_O_FRASE[0], "con qué, que no salga de él, se compara"),
+        "nombre": (NOMBRE, "el de su fuente, con minúsculas sin acento, cifras y _"),
+        "ref": (ALGO, "qué es del libro: «L1.2 E3.5»"),
+        "titulo": (ALGO, "un texto de un renglón"),
+        "contra": (NADA, "con qué, que no salga de él, se compara"),
         "pruebas": ([], "las de GoogleTest que lo hacen"),
-        "pasa": (NADA_O_FRASE[0], "por qué se aparta de ello más de 2 niveles de 255"),
-        "captura": (NADA_O_FRASE[0], "el pie de nombre.png, una captura de pantalla de lo que no pinta OpenGL"),
-        "admite": (
-            "(modelo|imagen|imagenes)?",
-            "el fichero que se le puede dar: modelo, imagen o, si son dos, imagenes",
-        ),
+        "pasa": (NADA, "por qué se aparta de ello más de 2 niveles de 255"),
+        "captura": (NADA, "el pie de nombre.png, una captura de pantalla de lo que no pinta OpenGL"),
+        "admite": ("(modelo|imagen|imagenes)?", "modelo, imagen o imagenes (dos): lo que se le puede dar"),
         "consola": (False, "true, si escribe texto y no tiene imagen"),
     },
     "caso": {
-        "nombre": NOMBRE,
+        "nombre": (NOMBRE, "un nombre con minúsculas sin acento, cifras y _"),
         "titulo": (r"[^\n\t]{0,40}", "cómo se enseña, con 40 letras como mucho"),
-        "guion": (NADA_O_FRASE[0], "las órdenes que llevan a esa imagen"),
-        "mira": (FRASE[0], "una frase, a qué hay que mirar: es el pie de la imagen"),
-        "cumple": (
-            [],
-            "lo que dice el pie, para tests/casos/pies.cpp: es así en su golden y no en los demás del programa",
-        ),
+        "guion": (NADA, "las órdenes que llevan a esa imagen"),
+        "mira": (ALGO, "una frase, a qué hay que mirar: es el pie de la imagen"),
+        "cumple": ([], "lo que dice el pie, para tests/casos/pies.cpp: es así en su golden y no en los demás"),
+        # por los demás lados la escena no llega al borde en una ventana de ninguna forma
         "borde": (
             f"((todos|{LADO}( {LADO})*): .+)?",
-            "«LADOS: por qué», los de la ventana (izquierda, derecha, abajo, arriba, o todos) por los que está cortada la "
-            "escena, en una de alguna forma",
+            "«LADOS: por qué», por los que está cortada en una de alguna forma",
         ),
-        "anima": (
-            "([1-9][0-9]{0,2} .+)?",
-            "«N orden»: en la galería son N cuadros, a diez por segundo, y entre cada dos, esa orden",
-        ),
-        "tolerancia": (NADA_O_FRASE[0], "la del comparador, si la imagen no es del mismo OpenGL que el golden"),
-        "otro": (NADA_O_FRASE[0], "la de su --otro"),
-        "motivo": (NADA_O_FRASE[0], "por qué hacen falta esas tolerancias"),
+        "anima": ("([1-9][0-9]{0,2} .+)?", "«N orden»: N cuadros, a diez por segundo, y entre cada dos, esa orden"),
+        "tolerancia": (NADA, "la del comparador, si la imagen no es del mismo OpenGL que el golden"),
+        "otro": (NADA, "la de su --otro"),
+        "motivo": (NADA, "por qué hacen falta esas tolerancias"),
     },
 }
-EN_JSON = "nombre titulo fichero guion tolerancia otro mira cumple borde anima".split()
-EN_SH = "nombre fichero guion tolerancia otro borde".split()
 
 
 @dataclass
@@ -90,6 +77,7 @@ class Caso:
     cumple: list = field(default_factory=list)
     borde: str = ""
     anima: str = ""
+    motivo: str = ""
     ventana: str = ""  # el título que le queda; lo que escribe el programa al llegar ahí, y por qué no se ha podido
     salida: str = ""
     fallo: str = ""
@@ -184,9 +172,7 @@ class Capitulo:
 def vale(valor, debe):
     if isinstance(debe, str):
         return isinstance(valor, str) and re.fullmatch(debe, valor)
-    if isinstance(debe, bool):
-        return isinstance(valor, bool)
-    return isinstance(valor, list) and all(vale(uno, FRASE[0]) for uno in valor)
+    return type(valor) is type(debe) and all(vale(uno, ALGO) for uno in (valor if isinstance(valor, list) else ()))
 
 
 def hechos(donde, que, dichos):
@@ -194,11 +180,13 @@ def hechos(donde, que, dichos):
     for campo in dichos:
         if campo not in CAMPOS[que]:
             raise Fallo(f"{donde}: sobra «{campo}»: de cada {que} se dice {', '.join(CAMPOS[que])}")
-    todos = {}
+    todos = {
+        campo: dichos.get(campo, "" if isinstance(debe, str) else debe) for campo, (debe, _) in CAMPOS[que].items()
+    }
     for campo, (debe, son) in CAMPOS[que].items():
-        todos[campo] = valor = dichos.get(campo, "" if isinstance(debe, str) else debe)
-        if not vale(valor, debe):
-            raise Fallo(f"{donde}: {f'{campo} no puede ser «{valor}»' if valor else f'falta {campo}'}: es {son}")
+        if not vale(todos[campo], debe):
+            mal = f"{campo} no puede ser «{todos[campo]}»" if todos[campo] else f"falta {campo}"
+            raise Fallo(f"{donde}: {mal}: es {son}")
     return todos
 
 
@@ -216,41 +204,40 @@ def sin_repetir(donde, cosas, campo):
             raise Fallo(f"{donde}: ya hay otro «{una[campo]}»")
 
 
-def lee_caso(donde, programa, dichos):
-    caso = hechos(donde, "caso", dichos)
-    if not caso["titulo"] and caso["nombre"] != "base":
-        raise Fallo(f"{donde}: falta titulo: es {CAMPOS['caso']['titulo'][1]}")
-    if (caso["tolerancia"] or caso["otro"]) and not caso["motivo"]:
-        raise Fallo(f"{donde}: falta motivo: es {CAMPOS['caso']['motivo'][1]}")
-    nombre = programa["nombre"]
-    return {**caso, "fichero": nombre if caso["nombre"] == "base" else f"{nombre}-{caso['nombre']}"}
-
-
-def lee_programa(donde, capitulo, dichos):
-    casos = tablas(donde, "caso", dichos)
-    programa = hechos(donde, "programa", dichos)
-    programa["casos"] = [lee_caso(cual, programa, caso) for cual, caso in casos]
-    sin_repetir(donde, programa["casos"], "nombre")
-    sin_repetir(donde, programa["casos"], "titulo")
-    return {"capitulo": capitulo, **programa}
+def lee_casos(donde, programa, tablas_de_casos):
+    casos = []
+    for cual, dichos in tablas_de_casos:
+        caso = hechos(cual, "caso", dichos)
+        es_base = caso["nombre"] == "base"
+        for campo, hace_falta in ("titulo", not es_base), ("motivo", caso["tolerancia"] or caso["otro"]):
+            if hace_falta and not caso[campo]:
+                raise Fallo(f"{cual}: falta {campo}: es {CAMPOS['caso'][campo][1]}")
+        casos.append({"programa": programa, "fichero": programa if es_base else f"{programa}-{caso['nombre']}", **caso})
+    sin_repetir(donde, casos, "nombre")
+    sin_repetir(donde, casos, "titulo")
+    return casos
 
 
 def lee_capitulos(raiz):
-    """Lo que dicen los catalogo.toml: los capítulos, y los programas con sus casos."""
+    """Lo que dicen los catalogo.toml, como queda en catalogo.json."""
     if not tomllib:
         raise Fallo(f"los catálogos los lee Python 3.11 o posterior, y este es {sys.version.split()[0]}")
-    capitulos, programas = [], []
+    datos = {"capitulos": [], "programas": [], "casos": []}
     for fichero in sorted(raiz.glob("ch*/catalogo.toml")):
-        donde, nombre = str(fichero.relative_to(raiz)), fichero.parent.name
+        donde, capitulo = str(fichero.relative_to(raiz)), fichero.parent.name
         try:
             dichos = tomllib.loads(fichero.read_text(encoding="utf-8"))
         except ValueError as error:  # también lo que no es UTF-8
             raise Fallo(f"{donde}: no es TOML: {error}") from None
-        suyos = tablas(donde, "programa", dichos)
-        capitulos.append({"nombre": nombre, **hechos(donde, "capítulo", dichos)})
-        programas += [lee_programa(cual, nombre, programa) for cual, programa in suyos]
-    sin_repetir("catalogo.toml", programas, "nombre")
-    return capitulos, programas
+        for cual, suyos in tablas(donde, "programa", dichos):
+            casos = tablas(cual, "caso", suyos)
+            programa = hechos(cual, "programa", suyos)
+            programa["pruebas"] = " ".join(programa["pruebas"])
+            datos["programas"].append({"capitulo": capitulo, **programa})
+            datos["casos"] += lee_casos(cual, programa["nombre"], casos)
+        datos["capitulos"].append({"nombre": capitulo, **hechos(donde, "capítulo", dichos)})
+    sin_repetir("catalogo.toml", datos["programas"], "nombre")
+    return datos
 
 
 def cambia(fichero, texto):
@@ -260,29 +247,24 @@ def cambia(fichero, texto):
 
 
 def escribe_todo(raiz, build):
-    capitulos, programas = lee_capitulos(raiz)
-    casos = [{"programa": p["nombre"], **{c: caso[c] for c in EN_JSON}} for p in programas for caso in p["casos"]]
-    de_programas = [
-        {**p, "pruebas": " ".join(p["pruebas"]), "consola": "TRUE" if p["consola"] else ""} for p in programas
-    ]
-    for p in de_programas:
-        del p["casos"]
-    datos = {"capitulos": capitulos, "programas": de_programas, "casos": casos}
+    datos = lee_capitulos(raiz)
     cambia(build / "catalogo.json", json.dumps(datos, ensure_ascii=False, indent=1) + "\n")
-    con_imagen = [p for p in programas if not p["consola"]]
+    con_ventana = {p["nombre"]: p["capitulo"] for p in datos["programas"] if not p["consola"]}
     listas = {
-        "CAPITULOS": [c["nombre"] for c in capitulos],
-        "PROGRAMAS": [f"{p['capitulo']}/{p['nombre']}" for p in programas],
-        "CON_VENTANA": [f"{p['capitulo']}/{p['nombre']}" for p in con_imagen],
-        "CASOS": [f"{p['nombre']}.{caso['nombre']}" for p in con_imagen for caso in p["casos"]],
+        "CAPITULOS": [c["nombre"] for c in datos["capitulos"]],
+        "PROGRAMAS": [f"{p['capitulo']}/{p['nombre']}" for p in datos["programas"]],
+        "CON_VENTANA": [f"{capitulo}/{nombre}" for nombre, capitulo in con_ventana.items()],
+        "CASOS": [f"{c['programa']}.{c['nombre']}" for c in datos["casos"]],
     }
     cambia(build / "catalogo.cmake", "".join(f"set(LAB_{n} {' '.join(cosas)})\n" for n, cosas in listas.items()))
-    for viejo in {f.stem for f in build.glob("casos/*.sh")} - {p["nombre"] for p in con_imagen}:
+    for viejo in {f.stem for f in build.glob("casos/*.sh")} - set(con_ventana):
         (build / f"casos/{viejo}.sh").unlink()
-    for p in con_imagen:
-        lineas = [" ".join(f"{c}={shlex.quote(caso[c])}" for c in EN_SH) for caso in p["casos"]]
-        suyo = "".join(f"caso {linea}\n" for linea in lineas)
-        cambia(build / f"casos/{p['nombre']}.sh", f"capitulo={p['capitulo']}\n{suyo}")
+    for nombre, capitulo in con_ventana.items():
+        lineas = [f"capitulo={capitulo}\n"]
+        for caso in (c for c in datos["casos"] if c["programa"] == nombre):
+            campos = "nombre", "fichero", "guion", "tolerancia", "otro", "borde"
+            lineas.append(f"caso {' '.join(f'{campo}={shlex.quote(caso[campo])}' for campo in campos)}\n")
+        cambia(build / f"casos/{nombre}.sh", "".join(lineas))
 
 
 def lee(build):

@@ -1,5 +1,5 @@
-# Para incluir con `source` en casos.sh: los casos en una ventana de FreeGLUT, uno detrás de otro en un Xvfb para ellos
-# solos, con teclado y ratón de verdad; la ventana debe acabar igual que el golden (tolerancia amplia) y Esc, o
+# Para incluir con `source` en casos.sh: los casos en una ventana de FreeGLUT, uno detrás de otro en un Xvfb, el suyo o el
+# de su capítulo (ventana/capitulo.sh), con teclado y ratón de verdad; la ventana debe acabar igual que el golden (tolerancia amplia) y Esc, o
 # cerrarla, debe terminar el programa con 0. El último aguanta además sucesos al azar y cambios de tamaño bajo un gestor
 # de ventanas, salvo con SIN_PASEO. El reloj virtual y los menús no se pueden repetir aquí: de los casos que los usan se
 # mira que dibuje algo. ENLACE windows es lo mismo, sin paseo, con los ejecutables de Windows, bajo Wine.
@@ -59,7 +59,7 @@ pasea() {
 ventana() {
   local resultado='' estado=0 como cierra='' i
   [ $((--quedan)) != 0 ] || cierra=la
-  [ -z "${raton:-}" ] || xdotool mousemove 1000 900 # lejos de la ventana
+  xdotool mousemove 1000 900 # lejos de la ventana
   lanza -geometry 240x180+10+10 >salida 2>errores || mal "no abre su ventana"
   [ -z "$guion" ] || haz_guion 240x180 "$guion"
 

@@ -1,7 +1,8 @@
 # Para incluir con `source`: un Xvfb para quien lo pide, que muere con él aunque lo maten (setpriv --pdeathsig).
 
-abre_pantalla() { # [OPCIONES DE Xvfb]: deja su número en DISPLAY
+abre_pantalla() { # [OPCIONES DE Xvfb]: deja su número en DISPLAY, si no está ya con PANTALLA_ABIERTA
   local numero
+  [ -z "${PANTALLA_ABIERTA:-}" ] || return 0
   exec {lista}< <(
     exec setpriv --pdeathsig KILL \
       Xvfb -displayfd 3 -screen 0 1280x1024x24 -nolisten tcp -noreset "$@" 3>&1 >/dev/null
