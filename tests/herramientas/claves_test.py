@@ -6,12 +6,9 @@ import sys
 from pathlib import Path
 from types import SimpleNamespace
 
-import pytest
-
 RAIZ = Path(__file__).parents[2]
 sys.path[:0] = [str(RAIZ / carpeta) for carpeta in ("herramientas", "tests/ordenes")]
 from galeria import dibuja
-from informe import costes
 from pruebas import evidencia, fallos
 from mentira import siembra
 
@@ -94,15 +91,3 @@ def test_de_mucho_que_escribe_una_prueba_se_ve_el_final(tmp_path):
     )
     [f] = fallos.lee(tmp_path)
     assert f.dice.endswith(" final") and len(f.dice) == fallos.MUCHO
-
-
-def test_lo_que_cuesta_un_golden(tmp_path, monkeypatch):
-    """La mediana de las compilaciones, y de pasarlos todos, lo de uno."""
-    siembra(tmp_path, {"sin_ventana": "osmesa", "herramientas/comparador/compara": ""})
-    suyas = {Path(f"/r/ch01_x/{c}.cpp"): ["g++", "-include", "x.h", "-c", c] for c in "abc"}
-    monkeypatch.setattr(costes, "ordenes", lambda _: suyas)
-    monkeypatch.setattr(costes, "ejecuta", lambda *_, **__: "Total Tests: 4\n")
-    tardan = {"ctest": 800, "-include": 2000}
-    monkeypatch.setattr(costes, "milisegundos", lambda orden, _: next((tardan[t] for t in tardan if t in orden), 3000))
-    filas, golden = costes.compilacion(tmp_path, [100, 100])
-    assert [c.split()[0] for _, c in filas] == ["2.00", "3.00", "3", "200"] and golden.mediana == pytest.approx(2)
