@@ -1,6 +1,5 @@
 """Los módulos de herramientas/, por lo que hacen: cada cuenta frente a un caso resuelto a mano, sin compilar nada."""
 import itertools
-import json
 import math
 import os
 import random
@@ -25,7 +24,7 @@ from galeria.pagina import AQUI as GALERIA, MODULOS
 from informe import cocientes, costes, grafica, informe, tecnicas
 from pruebas import azar, muta
 from windows import paquete
-from mentira import caso, faltan, programa, siembra
+from mentira import faltan, siembra
 
 FUENTES = [f for f in RAIZ.glob("c*/**/*.*") if f.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl")]
 
