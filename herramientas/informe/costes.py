@@ -1,5 +1,4 @@
-"""Lo que cuestan los programas: arrancar, cada imagen, lo que ocupan, compilarlos y probarlos. Y en qué máquina se ha
-medido."""
+"""Lo que cuestan los programas: arrancar, cada imagen y lo que ocupan. Y en qué máquina se ha medido."""
 import math
 import os
 import platform
@@ -14,9 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from base import catalogo, evidencia
-from base.compilacion import ordenes
 from base.procesos import ejecuta, escribe
-from informe.cocientes import IGUALES, Cociente
 
 TALLAS = ("960x720", "1920x1080")
 
@@ -53,6 +50,12 @@ def avisa(texto, fin="\n"):
     )
 
 
+def mide_imagen(programa, build, talla, carpeta):
+    """Los campos que escribe con -mide."""
+    orden = [programa.ejecutable(build), "-geometry", talla, "-mide", "5", "-ppm", "x.ppm"]
+    return ejecuta(orden, cwd=carpeta, text=True).splitlines()[-1].split("\t")
+
+
 def costes(raiz, build, destino, llenar, rondas=9):
     """Cada programa: lo que tarda en arrancar frente al suelo, por rondas en otro orden cada vez; y por imagen, con
     -mide."""
@@ -64,109 +67,40 @@ def costes(raiz, build, destino, llenar, rondas=9):
     with tempfile.TemporaryDirectory() as carpeta:
         for ronda in range(1, rondas + 1):
             avisa(f"costes: ronda {ronda} de {rondas}", "")
-            suelos.append(
-                statistics.median(milisegundos([suelo, "x.ppm"], carpeta) for _ in range(9))
-                if suelo.exists()
-                else math.nan
-            )
+            veces = [milisegundos([suelo, "x.ppm"], carpeta) for _ in range(9)] if suelo.exists() else [math.nan]
+            suelos.append(statistics.median(veces))
             for p in azar.sample(programas, len(programas)):
-                arranques[p.nombre].append(
-                    milisegundos([p.ejecutable(build), "-geometry", "240x180", "-ppm", "x.ppm"], carpeta)
-                )
+                orden = [p.ejecutable(build), "-geometry", "240x180", "-ppm", "x.ppm"]
+                arranques[p.nombre].append(milisegundos(orden, carpeta))
         for n, p in enumerate(programas, 1):
             avisa(f"costes {n}/{len(programas)}: {p.nombre}", "")
-            ms = []
-            for talla in TALLAS:
-                campos = (
-                    ejecuta(
-                        [p.ejecutable(build), "-geometry", talla, "-mide", "5", "-ppm", "x.ppm"], cwd=carpeta, text=True
-                    )
-                    .splitlines()[-1]
-                    .split("\t")
-                )
-                ms.append(float(campos[3]))
-            suyos = arranques[p.nombre]
-            tabla.append(
-                Coste(
-                    p.nombre,
-                    statistics.median(suyos),
-                    float(campos[2]),
-                    [a / s for a, s in zip(suyos, suelos)],
-                    ms,
-                    ms[-1] / llenar,
-                    int(campos[6]),
-                    int(campos[8]),
-                    int(campos[9]),
-                    evidencia.errores(comprobado.get(p.nombre, {})),
-                )
-            )
+            campos = [mide_imagen(p, build, talla, carpeta) for talla in TALLAS]
+            ms = [float(c[3]) for c in campos]
+            suyos, ultimos = arranques[p.nombre], campos[-1]
+            veces_suelo = [a / s for a, s in zip(suyos, suelos)]
+            ocupa = (int(ultimos[c]) for c in (6, 8, 9))
+            errores = evidencia.errores(comprobado.get(p.nombre, {}))
+            arranque, primera = statistics.median(suyos), float(ultimos[2])
+            tabla.append(Coste(p.nombre, arranque, primera, veces_suelo, ms, ms[-1] / llenar, *ocupa, errores))
     avisa(f"costes: {len(tabla)} programas")
     escribe(destino / "costes.tsv", en_tsv(tabla))
     return tabla, suelos if suelo.exists() else []
 
 
+COLUMNAS = (
+    "programa,arranque ms,primera ms,veces el suelo,ms 960x720,ms 1920x1080,veces llenar,primitivas,"
+    "bytes de buffers,bytes de texturas,error máximo,error RMSE,borde px"
+)
+
+
 def en_tsv(tabla):
-    filas = [
-        (
-            "programa",
-            "arranque ms",
-            "primera ms",
-            "veces el suelo",
-            *(f"ms {t}" for t in TALLAS),
-            "veces llenar",
-            "primitivas",
-            "bytes de buffers",
-            "bytes de texturas",
-            "error máximo",
-            "error RMSE",
-            "borde px",
-        )
-    ]
+    filas = [COLUMNAS.split(",")]
     for c in tabla:
-        filas.append(
-            (
-                c.programa,
-                f"{c.arranque:.1f}",
-                f"{c.primera:.1f}",
-                f"{statistics.median(c.veces_suelo):.2f}",
-                *(f"{x:.1f}" for x in c.ms),
-                f"{c.veces_llenar:.1f}",
-                c.primitivas,
-                c.buferes,
-                c.texturas,
-                *(e or "-" for e in c.errores),
-            )
-        )
+        tiempos = f"{c.arranque:.1f}", f"{c.primera:.1f}", f"{statistics.median(c.veces_suelo):.2f}"
+        imagen = *(f"{x:.1f}" for x in c.ms), f"{c.veces_llenar:.1f}"
+        ocupa = c.primitivas, c.buferes, c.texturas
+        filas.append((c.programa, *tiempos, *imagen, *ocupa, *(e or "-" for e in c.errores)))
     return "".join("\t".join(map(str, fila)) + "\n" for fila in filas)
-
-
-def compilacion(build, suelo):
-    """(qué, cifra con su unidad): compilar un programa, con la cabecera precompilada y sin ella; y pasar los golden.
-    Además, el Cociente de lo que cuesta un golden entre el suelo, que es de una sola vez: con un 10 % arriba o abajo.
-    """
-    de_programas = [
-        orden for fuente, orden in ordenes(build).items() if re.fullmatch(r"ch\d\d_\w+", fuente.parent.name)
-    ]
-    con, sin = [], []
-    for orden in de_programas[::9]:
-        con.append(milisegundos(orden, build) / 1000)
-        i = orden.index("-include")
-        sin.append(milisegundos(orden[:i] + orden[i + 2 :], build) / 1000)
-    filas = [
-        ("compilar un programa", f"{statistics.median(con):.2f} s de procesador"),
-        ("sin la cabecera precompilada", f"{statistics.median(sin):.2f} s de procesador"),
-        ("fuentes de programas", f"{len(de_programas)}"),
-    ]
-    golden = None
-    sin_ventana = (build / "sin_ventana").read_text().strip()
-    orden = ["ctest", "--test-dir", build, "-j", str(os.cpu_count()), "-R", rf"^imagen\.{sin_ventana}\."]
-    casos = int(re.search(r"Total Tests: (\d+)", ejecuta([*orden, "-N"], text=True))[1])
-    if casos and (build / "herramientas/comparador/compara").exists():
-        ms = milisegundos(orden, build) / casos
-        filas.append((f"pasar los {casos} golden", f"{ms:.0f} ms de procesador cada uno"))
-        veces = ms / statistics.median(suelo) if suelo else math.nan
-        golden = Cociente(veces / IGUALES, veces, veces * IGUALES) if suelo else None
-    return filas, golden
 
 
 def entorno(build):

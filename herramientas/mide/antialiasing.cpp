@@ -3,12 +3,12 @@
 #include "ch09_imagen/estrella.h"
 #include "gpu.h"
 #include "herramientas/oraculo/oraculo.h"
-#include "mide.h"
 
 using namespace mide;
 
 // La estrella, blanca: lo que tapa de cada píxel, tres veces.
-static std::vector<double> estrellaExacta(const std::vector<glm::dvec2> &vertices, int lado) {
+static std::vector<double> estrellaExacta(int lado) {
+    const std::vector<glm::dvec2> vertices = estrella();
     std::vector<oraculo::Poligono> triangulos(vertices.size() / 3);
     for (std::size_t k = 0; k < vertices.size(); ++k)
         triangulos[k / 3].push_back({0.5 * lado * (vertices[k].x + 1), 0.5 * lado * (vertices[k].y + 1)});
@@ -24,95 +24,62 @@ static std::vector<double> estrellaExacta(const std::vector<glm::dvec2> &vertice
     return exacta;
 }
 
-static Malla enMalla(const std::vector<glm::dvec2> &vertices) {
-    Malla malla;
-    for (const glm::dvec2 &v : vertices) {
-        malla.indices.push_back(unsigned(malla.vertices.size()));
-        malla.vertices.push_back({glm::vec3(v, 0), {0, 0, 1}, {0, 0}});
-    }
-    return malla;
+static void resuelve(const Framebuffer &de, GLuint a) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, de.nombre);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, a);
+    glBlitFramebuffer(0, 0, de.ancho, de.alto, 0, 0, de.ancho, de.alto, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, a);
 }
-
-// Donde se dibuja `veces` mayor y con `muestras` por píxel, y la textura en que se resuelven.
-struct Grande {
-    const int veces, talla;
-    GLuint textura, resuelto;
-    Framebuffer framebuffer;
-
-    Grande(int lado, int lasVeces, int muestras)
-        : veces(lasVeces), talla(veces * lado), textura(creaTextura(talla)),
-          framebuffer(talla, talla, muestras) {
-        glGenFramebuffers(1, &resuelto);
-        glBindFramebuffer(GL_FRAMEBUFFER, resuelto);
-        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, textura, 0);
-    }
-    ~Grande() {
-        glDeleteFramebuffers(1, &resuelto);
-        glDeleteTextures(1, &textura);
-    }
-    void resuelveEn(GLuint otro) const {
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer.nombre);
-        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, otro);
-        glBlitFramebuffer(0, 0, talla, talla, 0, 0, talla, talla, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    }
-
-private:
-    static GLuint creaTextura(int talla) {
-        GLuint textura;
-        glGenTextures(1, &textura);
-        glBindTexture(GL_TEXTURE_2D, textura);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, talla, talla, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        return textura;
-    }
-};
 
 static void mideAntialiasing(Medidor &m) {
     abreContexto();
     const int lado = m.elige(48, 360);
-    const std::vector<glm::dvec2> vertices = estrella();
-    const std::vector<double> exacta = estrellaExacta(vertices, lado);
+    const std::vector<double> exacta = estrellaExacta(lado);
     m.referencia = redondeada(lado, lado, exacta);
 
-    const Buferes buferes = creaBuferes(enMalla(vertices));
-    const GLuint programa = creaPrograma("herramientas/mide/plano.vert", "herramientas/mide/nada.frag"),
+    const Buferes buferes = creaBuferes(mallaEstrella());
+    const GLuint programa = creaPrograma("ch09_imagen/estrella.vert", "common/liso.frag"),
                  reduce = creaPrograma("ch09_imagen/imagen.vert", "ch09_imagen/reduce.frag");
+    glUseProgram(programa);
+    envia(programa, "giro", glm::vec2(1, 0));
+    envia(programa, "color", glm::vec3(1));
     const Framebuffer destino(lado, lado);
     const auto pinta = [&](const Framebuffer &framebuffer) {
-        framebuffer.borra(0, 0, 0);
+        framebuffer.borra({0, 0, 0});
         glUseProgram(programa);
         dibujaMalla(buferes);
     };
-    const auto encoge = [&](const Grande &grande) {
-        grande.resuelveEn(grande.resuelto);
-        destino.abre();
-        glUseProgram(reduce);
-        envia(reduce, "imagen", 0);
-        envia(reduce, "veces", grande.veces);
-        dibujaRectangulo();
-    };
-    const auto variante = [&](const std::string &nombre, int veces, int muestras, const Rango &espera) {
-        const Grande grande(lado, veces, muestras);
+    // dibujada `veces` mayor y con `muestras` por píxel
+    const auto variante = [&](const std::string &nombre, int veces, int muestras) {
+        const Framebuffer grande(veces * lado, veces * lado, muestras);
+        const Lienzo resuelto = creaLienzo(glm::ivec2(veces * lado));
         const auto trabajo = [&] {
-            pinta(veces == 1 && muestras == 0 ? destino : grande.framebuffer);
-            if (veces > 1)
-                encoge(grande);
-            else if (muestras > 0)
-                grande.resuelveEn(destino.nombre);
+            pinta(veces == 1 && muestras == 0 ? destino : grande);
+            if (veces > 1) {
+                resuelve(grande, resuelto.framebuffer);
+                destino.abre();
+                glUseProgram(reduce);
+                envia(reduce, "imagen", 0);
+                envia(reduce, "veces", veces);
+                dibujaRectangulo();
+            } else if (muestras > 0) {
+                resuelve(grande, destino.nombre);
+            }
         };
-        trabajo();
-        const Imagen imagen = destino.lee();
-        m.variante(nombre, rmse(imagen, exacta), 1, yEspera(trabajo), espera,
-                   std::to_string(veces * veces * std::max(muestras, 1)) + " muestras por píxel", imagen);
+        mideImagen(
+            m, nombre, destino, trabajo, [&](const Imagen &i) { return rmse(i, exacta); },
+            std::to_string(veces * veces * std::max(muestras, 1)) + " muestras por píxel");
+        glDeleteFramebuffers(1, &resuelto.framebuffer);
+        glDeleteTextures(1, &resuelto.textura);
     };
     const int muestras = 4; // las da cualquier OpenGL 3.1
-    variante("sin nada", 1, 0, {5, 80});
-    variante("multimuestra", 1, muestras, {1, 40});
-    variante("sobremuestreo 2×2", 2, 0, {1, 40});
-    variante("sobremuestreo 4×4", 4, 0, {0.5, 20});
-    variante("sobremuestreo 8×8", 8, 0, {0.2, 10});
-    variante("multimuestra y 2×2", 2, muestras, {0.5, 20});
-    variante("multimuestra y 4×4", 4, muestras, {0.2, 10});
+    variante("sin nada", 1, 0);
+    variante("multimuestra", 1, muestras);
+    variante("sobremuestreo 2×2", 2, 0);
+    variante("sobremuestreo 4×4", 4, 0);
+    variante("sobremuestreo 8×8", 8, 0);
+    variante("multimuestra y 2×2", 2, muestras);
+    variante("multimuestra y 4×4", 4, muestras);
 }
 
 static const Apunta APUNTA({11, "antialiasing", "Antialiasing", "ms por imagen de 360×360",

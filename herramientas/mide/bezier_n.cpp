@@ -82,7 +82,7 @@ static void mideBezierN(Medidor &m) {
                     combinaciones<double>(j, i) * p[i];
 
     const std::size_t n = m.elige<std::size_t>(33, 257);
-    const auto variante = [&](const char *nombre, const auto &Q, const Rango &espera, const char *nota = "") {
+    const auto variante = [&](const char *nombre, const auto &Q, const char *nota = "") {
         double error = 0;
         for (std::size_t i = 0; i < n; ++i) {
             const float u = float(i) / float(n - 1);
@@ -97,24 +97,24 @@ static void mideBezierN(Medidor &m) {
                 for (std::size_t i = 0; i < n; ++i)
                     usa(Q(float(i) / float(n - 1)));
             },
-            espera, nota);
+            nota);
     };
     variante(
-        "factoriales en int", [&](float u) { return conFactoriales<std::uint32_t>(p, u); }, {1, INFINITO},
+        "factoriales en int", [&](float u) { return conFactoriales<std::uint32_t>(p, u); },
         "13! ya no cabe en 32 bits");
     variante(
-        "factoriales en float", [&](float u) { return conFactoriales<float>(p, u); }, {0, 0.1},
+        "factoriales en float", [&](float u) { return conFactoriales<float>(p, u); },
         "35! ya no cabe en un float");
     variante(
-        "potencias con Horner", [&](float u) { return horner(a, u); }, {1, INFINITO},
+        "potencias con Horner", [&](float u) { return horner(a, u); },
         "los coeficientes llegan a 10¹² y se anulan entre sí");
-    variante("Bernstein por recurrencia", [&](float u) { return conBernstein(p, u); }, {0, 0.01});
+    variante("Bernstein por recurrencia", [&](float u) { return conBernstein(p, u); });
     variante(
-        "de Casteljau con sus niveles", [&](float u) { return bezier(p, u); }, {0, 0.01},
+        "de Casteljau con sus niveles", [&](float u) { return bezier(p, u); },
         "guarda la construcción, para dibujarla");
-    variante("de Casteljau en un vector", [&](float u) { return casteljauEnUnVector(p, u); }, {0, 0.01});
+    variante("de Casteljau en un vector", [&](float u) { return casteljauEnUnVector(p, u); });
     variante(
-        "Volk y Schumaker", [&](float u) { return volkSchumaker(cp, u); }, {0, 0.01},
+        "Volk y Schumaker", [&](float u) { return volkSchumaker(cp, u); },
         "lineal en el grado; C(n, k)·P se hacen una vez");
 }
 

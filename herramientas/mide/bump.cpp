@@ -2,7 +2,6 @@
 // verdad, frente a la normal exacta en cada punto del plano.
 #include "ch08_texturas_avanzadas/mapa_normales.h"
 #include "escena.h"
-#include "mide.h"
 #include <glm/gtc/constants.hpp>
 
 using namespace mide;
@@ -31,25 +30,13 @@ static const float INCLINACION = -0.6f;
 // El plano con la normal exacta en cada punto.
 static oraculo::ImagenRef trazaBultos(const Framebuffer &framebuffer) {
     const oraculo::Mat4 girado = oraculo::gira({1, 0, 0}, -0.6);
-    const oraculo::Vec3 fondo = {0.95, 0.96, 0.98};
     return oraculo::render(
         {oraculo::plano(girado * oraculo::escala(LADO))}, camaraExacta(), framebuffer.ancho, framebuffer.alto,
         [&](const oraculo::Impacto &i) {
             const glm::dvec2 h = pendiente(VECES * i.s, VECES * i.t);
             return i ? phongExacto(i.punto, oraculo::unitario(oraculo::direccion(girado, {-h.x, -h.y, 1})))
-                     : fondo;
+                     : exacto(FONDO);
         });
-}
-
-static GLuint creaMapa(int n) {
-    GLuint mapa;
-    glGenTextures(1, &mapa);
-    glBindTexture(GL_TEXTURE_2D, mapa);
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, n, n, 0, GL_RGB, GL_UNSIGNED_BYTE, mapaNormales(n).data());
-    glGenerateMipmap(GL_TEXTURE_2D);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-    return mapa;
 }
 
 static GLuint creaProgramaBultos(const char *fragmentos) {
@@ -78,33 +65,29 @@ static void mideBump(Medidor &m) {
     m.referencia = oraculo::enBytes(ref);
     const glm::mat4 M = giroX(INCLINACION) * escalado(float(LADO));
     const auto variante = [&](const std::string &nombre, GLuint programa, const Malla &malla,
-                              const Rango &espera, const std::string &nota) {
+                              const std::string &nota) {
         const Buferes b = creaBuferes(malla);
         enviaEscena(programa, framebuffer);
         const auto dibuja = [&] {
-            framebuffer.borra(0.95f, 0.96f, 0.98f);
+            framebuffer.borra(FONDO);
             dibujaIluminado(programa, b, M, camaraEscena(), CORAL);
         };
-        dibuja();
-        const Imagen imagen = framebuffer.lee();
-        m.variante(nombre, errorDeFrente(imagen, ref), 1, yEspera(dibuja), espera, nota, imagen);
+        mideImagen(
+            m, nombre, framebuffer, dibuja, [&](const Imagen &i) { return errorDeFrente(i, ref); }, nota);
         borraBuferes(b);
     };
     const GLuint calculado = creaProgramaBultos("herramientas/mide/bump_calculado.frag"),
                  conMapa = creaProgramaBultos("ch08_texturas_avanzadas/bump.frag");
     envia(conMapa, "mapaNormales", 0);
     for (const int n : m.elige<std::vector<int>>({16, 64}, {8, 16, 32, 64, 128, 256})) {
-        const GLuint mapa = creaMapa(n);
-        char nota[40];
-        std::snprintf(nota, sizeof nota, "%.3g kB", 4 * n * n / 1000.0);
-        variante("mapa de " + std::to_string(n) + "²", conMapa, plano(1), {0, 60}, nota);
+        const GLuint mapa = creaTextura2D({n, n, mapaNormales(n)});
+        variante(formatea("mapa de %d²", n), conMapa, plano(1), formatea("%.3g kB", 4 * n * n / 1000.0));
         glDeleteTextures(1, &mapa);
     }
-    variante("calculada en el shader", calculado, plano(1), {0, 2}, "sin textura");
+    variante("calculada en el shader", calculado, plano(1), "sin textura");
     for (const int n : m.elige<std::vector<int>>({60}, {60, 240}))
-        variante("deformado, " + std::to_string(n) + "×" + std::to_string(n), creaSombreado("phong"),
-                 planoDeformado(n), CUALQUIERA,
-                 std::to_string(2 * n * n) + " triángulos; los bultos se tapan: es otra superficie");
+        variante(formatea("deformado, %d×%d", n, n), creaSombreado("phong"), planoDeformado(n),
+                 formatea("%d triángulos; los bultos se tapan: es otra superficie", 2 * n * n));
 }
 
 static const Apunta

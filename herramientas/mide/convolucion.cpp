@@ -1,9 +1,7 @@
 // Una gaussiana de 3×3 a 31×31 sobre la foto: directa o en dos pasadas, con el intermedio de 8 bits o de float.
 #include "ch09_imagen/nucleos.h"
 #include "gpu.h"
-#include "mide.h"
 #include "rutas.h"
-#include "textura.h"
 #include <filesystem>
 #ifdef LAB_PAR_OPENCV
 #include <opencv2/imgproc.hpp>
@@ -12,6 +10,7 @@
 using namespace mide;
 
 static const int ANCHO = 250, ALTO = 190;
+static const glm::ivec2 TALLA(ANCHO, ALTO);
 
 // Una pasada en double, por filas o por columnas, con el borde repetido.
 static std::vector<double> pasada(const std::vector<double> &v, const std::vector<float> &nucleo,
@@ -32,35 +31,9 @@ static std::vector<double> pasada(const std::vector<double> &v, const std::vecto
     return r;
 }
 
-// Una textura sin mipmaps que repite el borde, y un framebuffer que dibuja en ella.
-struct Capa {
-    GLuint textura, framebuffer;
-    Capa(GLint formato, const void *rgb) {
-        glGenTextures(1, &textura);
-        glBindTexture(GL_TEXTURE_2D, textura);
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        glTexImage2D(GL_TEXTURE_2D, 0, formato, ANCHO, ALTO, 0, GL_RGB, GL_UNSIGNED_BYTE, rgb);
-        for (const GLenum eje : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-            glTexParameteri(GL_TEXTURE_2D, eje, GL_CLAMP_TO_EDGE);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        glGenFramebuffers(1, &framebuffer);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, textura, 0);
-    }
-};
-
-// El filtro de m × n números, como textura en la unidad 1.
+// El filtro de m × n números, como textura.
 static GLuint texturaFiltro(const std::vector<float> &valores, int m) {
-    GLuint textura;
-    glActiveTexture(GL_TEXTURE1);
-    glGenTextures(1, &textura);
-    glBindTexture(GL_TEXTURE_2D, textura);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, m, int(valores.size()) / m, 0, GL_RED, GL_FLOAT, valores.data());
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glActiveTexture(GL_TEXTURE0);
-    return textura;
+    return creaTexturaExacta(GL_R32F, {m, int(valores.size()) / m}, GL_RED, GL_FLOAT, valores.data());
 }
 
 // ImageMagick, si está, con el mismo núcleo: lo que tarda una pasada más, sin el arranque ni los ficheros.
@@ -93,22 +66,23 @@ static void parOpenCv(Medidor &m, const Imagen &foto, const Filtro &f, const std
     };
     filtra();
     const Imagen imagen{ANCHO, ALTO, {destino.datastart, destino.dataend}};
-    m.variante("par: OpenCV, " + m.grupo, rmse(imagen, exacta), 1, filtra, CUALQUIERA, "separable, en la CPU",
-               imagen);
+    m.variante("par: OpenCV, " + m.grupo, rmse(imagen, exacta), 1, filtra, "separable, en la CPU", imagen);
 }
 #endif
 
 // La foto, donde se deja filtrada y los programas que la filtran.
 struct Banco {
-    const Capa entrada, en8{GL_RGBA8, nullptr}, enFloat{GL_RGBA32F, nullptr}, salida{GL_RGBA8, nullptr};
+    const GLuint entrada;
+    const Lienzo en8 = creaLienzo(TALLA), enFloat = creaLienzo(TALLA, GL_RGBA32F), salida = creaLienzo(TALLA);
     const GLuint directo = creaFiltrador("convolucion_variable"),
                  separable = creaFiltrador("convolucion_separable");
 
-    explicit Banco(const Imagen &foto) : entrada(GL_RGB8, foto.rgb.data()) {
+    explicit Banco(const Imagen &foto) : entrada(creaTexturaExacta(foto)) {
         glViewport(0, 0, ANCHO, ALTO);
+        interpola(GL_NEAREST);
     }
     // Con un filtro de cualquier forma, en una textura.
-    void filtra(const Capa &de, const Capa &a, GLuint filtro) const {
+    void filtra(GLuint de, const Lienzo &a, GLuint filtro) const {
         glActiveTexture(GL_TEXTURE1);
         glBindTexture(GL_TEXTURE_2D, filtro);
         glActiveTexture(GL_TEXTURE0);
@@ -117,7 +91,7 @@ struct Banco {
         dibujaEn(de, a);
     }
     // De la entrada a la salida, primero por filas y después por columnas, con lo de en medio en `por`.
-    void enDosPasadas(const Capa &por, const Filtro &f) const {
+    void enDosPasadas(const Lienzo &por, const Filtro &f) const {
         glUseProgram(separable);
         envia(separable, "talla", f.talla);
         envia(separable, "eje", glm::vec2(1, 0));
@@ -125,20 +99,14 @@ struct Banco {
         dibujaEn(entrada, por);
         envia(separable, "eje", glm::vec2(0, 1));
         glUniform1fv(uniforme(separable, "filtro"), f.talla, f.columna.data());
-        dibujaEn(por, salida);
+        dibujaEn(por.textura, salida);
     }
     void interpola(GLint como) const {
-        for (const Capa *capa : {&entrada, &enFloat}) {
-            glBindTexture(GL_TEXTURE_2D, capa->textura);
+        for (const GLuint textura : {entrada, en8.textura, enFloat.textura}) {
+            glBindTexture(GL_TEXTURE_2D, textura);
             glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, como);
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, como);
         }
-    }
-    Imagen lee() const {
-        Imagen imagen{ANCHO, ALTO, std::vector<unsigned char>(3 * ANCHO * ALTO)};
-        glBindFramebuffer(GL_FRAMEBUFFER, salida.framebuffer);
-        glPixelStorei(GL_PACK_ALIGNMENT, 1);
-        glReadPixels(0, 0, ANCHO, ALTO, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());
-        return imagen;
     }
 
 private:
@@ -149,9 +117,9 @@ private:
             envia(programa, uniforme, 0);
         return programa;
     }
-    static void dibujaEn(const Capa &de, const Capa &a) {
+    static void dibujaEn(GLuint de, const Lienzo &a) {
         glBindFramebuffer(GL_FRAMEBUFFER, a.framebuffer);
-        glBindTexture(GL_TEXTURE_2D, de.textura);
+        glBindTexture(GL_TEXTURE_2D, de);
         dibujaRectangulo();
     }
 };
@@ -162,32 +130,21 @@ static void mideTalla(Medidor &m, const Banco &banco, const Imagen &foto, int ta
         pasada(pasada({foto.rgb.begin(), foto.rgb.end()}, f.fila, false), f.columna, true);
     m.referencia = redondeada(ANCHO, ALTO, exacta);
     m.grupo = std::to_string(talla) + "×" + std::to_string(talla);
-    const auto variante = [&](const std::string &nombre, const std::function<void()> &dibuja,
-                              const Rango &espera) {
-        dibuja();
-        const Imagen imagen = banco.lee();
-        m.variante(nombre + ", " + m.grupo, rmse(imagen, exacta), 1, yEspera(dibuja), espera, "", imagen);
+    const auto variante = [&](const std::string &nombre, const std::function<void()> &dibuja) {
+        mideImagen(m, nombre + ", " + m.grupo, TALLA, dibuja,
+                   [&](const Imagen &i) { return rmse(i, exacta); });
     };
     const GLuint entero = texturaFiltro(f.valores, talla), fila = texturaFiltro(f.fila, talla),
                  columna = texturaFiltro(f.columna, 1);
-    // guardar en 8 bits cuesta 1/√12 = 0.29 niveles; dos veces, algo más
-    const Rango unaVez = {0.2, 0.32}, dosVeces = {0.2, 0.5};
-    variante(
-        "directa", [&] { banco.filtra(banco.entrada, banco.salida, entero); }, unaVez);
-    variante(
-        "separable, 8 bits", [&] { banco.enDosPasadas(banco.en8, f); }, dosVeces);
-    variante(
-        "separable, float", [&] { banco.enDosPasadas(banco.enFloat, f); }, unaVez);
-    variante(
-        "separable, el filtro en una textura",
-        [&] {
-            banco.filtra(banco.entrada, banco.enFloat, fila);
-            banco.filtra(banco.enFloat, banco.salida, columna);
-        },
-        unaVez);
+    variante("directa", [&] { banco.filtra(banco.entrada, banco.salida, entero); });
+    variante("separable, 8 bits", [&] { banco.enDosPasadas(banco.en8, f); });
+    variante("separable, float", [&] { banco.enDosPasadas(banco.enFloat, f); });
+    variante("separable, el filtro en una textura", [&] {
+        banco.filtra(banco.entrada, banco.enFloat, fila);
+        banco.filtra(banco.enFloat.textura, banco.salida, columna);
+    });
     banco.interpola(GL_LINEAR);
-    variante(
-        "separable, interpolando", [&] { banco.enDosPasadas(banco.enFloat, f); }, unaVez);
+    variante("separable, interpolando", [&] { banco.enDosPasadas(banco.enFloat, f); });
     banco.interpola(GL_NEAREST);
 #ifdef LAB_PAR_OPENCV
     parOpenCv(m, foto, f, exacta);

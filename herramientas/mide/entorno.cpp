@@ -1,7 +1,6 @@
 // Un toro que refleja su entorno, delante de él: lado de las caras del mapa, y reflexión por vértice o por fragmento,
 // frente a trazar rayos.
 #include "escena.h"
-#include "mide.h"
 #include <glm/gtc/constants.hpp>
 
 using namespace mide;
@@ -63,9 +62,7 @@ static GLuint creaProgramaFondo(const glm::mat4 &proyeccion) {
 static GLuint creaProgramaReflejo(const glm::mat4 &proyeccion) {
     const GLuint programa =
         creaPrograma("ch08_texturas_avanzadas/cubemap.vert", "ch08_texturas_avanzadas/cubemap.frag");
-    glUseProgram(programa);
-    envia(programa, "proyeccion", proyeccion);
-    envia(programa, "camara", camaraEscena());
+    usaPrograma(programa, camaraEscena(), proyeccion);
     envia(programa, "ojo", OJO);
     envia(programa, "M", glm::mat4(1));
     envia(programa, "N", glm::mat3(1));
@@ -85,20 +82,22 @@ static void mideEntorno(Medidor &m) {
                  fondo = creaProgramaFondo(proyeccionEscena(framebuffer));
     GLuint vao;
     glGenVertexArrays(1, &vao);
-    const auto variante = [&](const std::string &nombre, const char *nota, bool soloFondo,
+    const auto variante = [&](const std::string &nombre, const std::string &nota, bool soloFondo,
                               const std::function<void()> &pinta) {
         const auto dibuja = [&] {
-            framebuffer.borra(0, 0, 0);
+            framebuffer.borra({0, 0, 0});
             pinta();
         };
-        dibuja();
-        const Imagen imagen = framebuffer.lee();
-        const double error = soloFondo
-                                 ? errorSinContorno(imagen, ref, [](const auto &p) { return p.objeto < 0; })
-                                 : errorDeFrente(imagen, ref);
-        m.variante(nombre, error, 1, yEspera(dibuja), {0, 80}, nota, imagen);
+        const auto enFondo = [&](int x, int y) {
+            return ref.en(x, y).objeto < 0 && !oraculo::enBanda(ref, x, y);
+        };
+        const auto error = [&](const Imagen &i) {
+            return soloFondo ? errorDonde(i, ref, enFondo) : errorDeFrente(i, ref);
+        };
+        mideImagen(m, nombre, framebuffer, dibuja, error, nota);
     };
-    const auto reflejo = [&](const std::string &nombre, const char *nota, int segmentos, bool porVertice) {
+    const auto reflejo = [&](const std::string &nombre, const std::string &nota, int segmentos,
+                             bool porVertice) {
         const Buferes b = creaBuferes(toro(1, 0.5f, segmentos, segmentos / 2));
         variante(nombre, nota, false, [&] {
             glUseProgram(programa);
@@ -109,13 +108,12 @@ static void mideEntorno(Medidor &m) {
     };
     for (const int lado : m.elige<std::vector<int>>({16, 256}, {16, 32, 64, 128, 256, 512})) {
         const GLuint mapa = creaMapa(lado);
-        char nota[40];
-        std::snprintf(nota, sizeof nota, "%.3g kB", 6 * 3 * lado * lado * 4 / 3 / 1000.0);
-        const std::string caras = "caras de " + std::to_string(lado) + "²";
+        const std::string nota = formatea("%.3g kB", 6 * 3 * lado * lado * 4 / 3 / 1000.0),
+                          caras = formatea("caras de %d²", lado);
         m.grupo = "el reflejo";
         reflejo("por fragmento, " + caras, nota, 180, false);
         for (const int segmentos : lado == 256 ? std::vector<int>{36, 90, 180} : std::vector<int>{}) {
-            const std::string malla = ", toro de " + std::to_string(segmentos);
+            const std::string malla = formatea(", toro de %d", segmentos);
             if (segmentos != 180)
                 reflejo("por fragmento" + malla, nota, segmentos, false);
             reflejo("por vértice" + malla, nota, segmentos, true);

@@ -9,7 +9,7 @@
 namespace mide {
 
 const float ANGULO = 0.5f;
-const glm::vec3 OJO(1.5f, 1.2f, 5.2f);
+const glm::vec3 OJO(1.5f, 1.2f, 5.2f), FONDO(0.95f, 0.96f, 0.98f);
 const ::Luz LUZ{{-3, 4, 6, 1}};
 const ::Material CORAL = {{0.20f, 0.08f, 0.05f}, {0.62f, 0.26f, 0.17f}, {0.70f, 0.70f, 0.70f}, 16};
 
@@ -29,11 +29,7 @@ inline oraculo::Camara camaraExacta() {
 
 /// Lo que el programa en uso necesita saber de la cámara y la luz.
 inline void enviaEscena(GLuint programa, const Framebuffer &framebuffer) {
-    glUseProgram(programa);
-    envia(programa, "proyeccion", proyeccionEscena(framebuffer));
-    envia(programa, "camara", camaraEscena());
-    envia(programa, "La", glm::vec3(1));
-    enviaLuz(programa, "luz", LUZ, camaraEscena());
+    usaIluminado(programa, camaraEscena(), proyeccionEscena(framebuffer), LUZ);
 }
 
 inline oraculo::Vec3 phongExacto(const oraculo::Vec3 &P, const oraculo::Vec3 &N,
@@ -43,35 +39,26 @@ inline oraculo::Vec3 phongExacto(const oraculo::Vec3 &P, const oraculo::Vec3 &N,
     return oraculo::phong(material, {1, 1, 1}, {luz}, P, N, oraculo::unitario(ojo - P));
 }
 
-/// Raíz del error cuadrático medio, en niveles, donde la referencia ve algo casi de frente: el contorno se juzga
-/// aparte.
-inline double errorDeFrente(const Imagen &gpu, const oraculo::ImagenRef &ref) {
-    double suma = 0;
-    int n = 0;
-    for (int y = 0; y < ref.alto; ++y)
-        for (int x = 0; x < ref.ancho; ++x) {
-            const oraculo::PixelRef &p = ref.en(x, y);
-            if (p.objeto < 0 || oraculo::escalar(p.normal, oraculo::unitario(exacto(OJO) - p.punto)) < 0.5)
-                continue;
-            suma += std::pow(oraculo::diferencia(gpu, x, y, p.color), 2);
-            ++n;
-        }
-    return std::sqrt(suma / n);
-}
-
-/// Lo mismo en los píxeles que se digan, o en todos, salvo a uno del contorno.
-inline double errorSinContorno(
-    const Imagen &gpu, const oraculo::ImagenRef &ref,
-    const std::function<bool(const oraculo::PixelRef &)> &cuenta = [](const auto &) { return true; }) {
+/// Raíz del error cuadrático medio, en niveles, de los píxeles que cuentan.
+inline double errorDonde(const Imagen &gpu, const oraculo::ImagenRef &ref,
+                         const std::function<bool(int x, int y)> &cuenta) {
     double suma = 0;
     int n = 0;
     for (int y = 0; y < ref.alto; ++y)
         for (int x = 0; x < ref.ancho; ++x)
-            if (!oraculo::enBanda(ref, x, y) && cuenta(ref.en(x, y))) {
+            if (cuenta(x, y)) {
                 suma += std::pow(oraculo::diferencia(gpu, x, y, ref.en(x, y).color), 2);
                 ++n;
             }
     return std::sqrt(suma / n);
+}
+
+/// El de donde la referencia ve algo casi de frente: el contorno se juzga aparte.
+inline double errorDeFrente(const Imagen &gpu, const oraculo::ImagenRef &ref) {
+    return errorDonde(gpu, ref, [&](int x, int y) {
+        const oraculo::PixelRef &p = ref.en(x, y);
+        return p.objeto >= 0 && oraculo::escalar(p.normal, oraculo::unitario(exacto(OJO) - p.punto)) >= 0.5;
+    });
 }
 
 } // namespace mide

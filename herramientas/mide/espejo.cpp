@@ -1,29 +1,10 @@
-// Una esfera sobre un espejo: dibujarla otra vez, simétrica (ecuación 7.3), con más o menos malla. POV-Ray, que traza
-// rayos, es el par, con la misma escena (espejo.pov).
+// Una esfera sobre un espejo: dibujarla otra vez, simétrica (ecuación 7.3), con más o menos malla, frente a trazar rayos.
 #include "ch07_realismo/reflexion.h"
 #include "escena.h"
-#include "mide.h"
-#include "rutas.h"
-#include <filesystem>
 
 using namespace mide;
 
 static const float ALTO_ESFERA = 0.45f, RADIO_ESFERA = 0.55f, ALTO_ESPEJO = -0.15f;
-
-// POV-Ray, si está: lo que tarda en esa talla, sin lo que tarda en arrancar y leer la escena.
-static void parPovRay(Medidor &m, int ancho, int alto, const oraculo::ImagenRef &ref) {
-    const std::string sale = (std::filesystem::temp_directory_path() / "mide_espejo.ppm").string();
-    const auto ejecuta = [&](int w, int h) {
-        return milisegundosDeOrden({"povray", "+I" + recurso("herramientas/mide/espejo.pov"), "+O" + sale,
-                                    "+FP", "-D", "+WT1", "-GA", "File_Gamma=1.0", "+W" + std::to_string(w),
-                                    "+H" + std::to_string(h)});
-    };
-    ejecuta(ancho, alto);
-    const Imagen imagen = leePpm(sale);
-    m.cronometrada(
-        "par: POV-Ray", errorSinContorno(imagen, ref), [&] { return ejecuta(ancho, alto) - ejecuta(4, 3); },
-        "traza rayos; sin malla");
-}
 
 static void mideEspejo(Medidor &m) {
     abreContexto();
@@ -37,7 +18,7 @@ static void mideEspejo(Medidor &m) {
     escena.push_back(oraculo::plano(oraculo::traslada({0, double(ALTO_ESPEJO), 0}) *
                                     oraculo::gira({1, 0, 0}, -0.5 * oraculo::PI) * oraculo::escala(400)));
     const auto color = [](const oraculo::Impacto &i) {
-        return i ? phongExacto(i.punto, i.normal, i.rayo.origen) : oraculo::Vec3{0.95, 0.96, 0.98};
+        return i ? phongExacto(i.punto, i.normal, i.rayo.origen) : exacto(FONDO);
     };
     const oraculo::ImagenRef ref = oraculo::render(
         escena, camaraExacta(), framebuffer.ancho, framebuffer.alto, [&](const oraculo::Impacto &i) {
@@ -52,21 +33,18 @@ static void mideEspejo(Medidor &m) {
     for (const int n : m.elige<std::vector<int>>({12, 96}, {12, 24, 48, 96, 192})) {
         const Buferes b = creaBuferes(::esfera(n));
         const auto dibuja = [&] {
-            framebuffer.borra(0.95f, 0.96f, 0.98f);
+            framebuffer.borra(FONDO);
             for (const glm::mat4 &mundo : {glm::mat4(1), simetria}) { // con su luz, también simétrica
                 glUseProgram(programa);
                 enviaLuz(programa, "luz", LUZ, camaraEscena() * mundo);
                 dibujaIluminado(programa, b, mundo * M, camaraEscena(), CORAL);
             }
         };
-        dibuja();
-        const Imagen imagen = framebuffer.lee();
-        m.variante("simétrica, esferas de " + std::to_string(n), errorSinContorno(imagen, ref), 1,
-                   yEspera(dibuja), {0, n >= 96 ? 0.6 : 30}, "", imagen);
+        mideImagen(m, formatea("simétrica, esferas de %d", n), framebuffer, dibuja, [&](const Imagen &i) {
+            return errorDonde(i, ref, [&](int x, int y) { return !oraculo::enBanda(ref, x, y); });
+        });
         borraBuferes(b);
     }
-    if (!m.ensayo && m.pares)
-        parPovRay(m, framebuffer.ancho, framebuffer.alto, ref);
 }
 
 static const Apunta

@@ -1,12 +1,9 @@
 // El suelo de filtrado.cpp: los filtros de la textura frente a 16 × 16 muestras por píxel.
 #include "buferes.h"
 #include "ch03_transformaciones/transformaciones.h"
-#include "colores.h"
 #include "escena.h"
-#include "mide.h"
 #include "orbita.h"
 #include "rutas.h"
-#include "textura.h"
 #include <glm/gtc/constants.hpp>
 
 using namespace mide;
@@ -72,17 +69,14 @@ static void mideFiltrado(Medidor &m) {
     envia(programa, "M", giroX(-glm::half_pi<float>()) * escalado(float(LARGO)));
     envia(programa, "Img", 0);
     const auto dibuja = [&] {
-        framebuffer.borra(CIELO.r, CIELO.g, CIELO.b);
+        framebuffer.borra(CIELO);
         dibujaMalla(suelo);
     };
-    const auto variante = [&](const char *nombre, GLint ampliacion, GLint reduccion, float anisotropia,
-                              const char *nota = "") {
+    const auto variante = [&](const char *nombre, GLint ampliacion, GLint reduccion, float anisotropia) {
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, ampliacion);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, reduccion);
         glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropia);
-        dibuja();
-        const Imagen i = framebuffer.lee();
-        m.variante(nombre, rmse(i, ref), 1, yEspera(dibuja), {0, 80}, nota, i);
+        mideImagen(m, nombre, framebuffer, dibuja, [&](const Imagen &i) { return rmse(i, ref); });
     };
     variante("vecino", GL_NEAREST, GL_NEAREST, 1);
     variante("lineal", GL_LINEAR, GL_LINEAR, 1);

@@ -93,7 +93,7 @@ inline void mideGlu(Medidor &m, const std::vector<Parche> &parches, double pixel
                                              glm::length(exacto(uv.y, uv.x) - enPlano)));
         }
     m.variante(
-        nombre, mayor / pixel, 1, [&] { teselaGlu(parches, pixel, tolerancia, r); }, CUALQUIERA,
+        nombre, mayor / pixel, 1, [&] { teselaGlu(parches, pixel, tolerancia, r); },
         std::to_string(r.triangulos.size()) + " triángulos");
 }
 

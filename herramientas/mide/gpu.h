@@ -1,11 +1,18 @@
 // Dibujar en la GPU para medir: el contexto, un framebuffer con profundidad y lo que se ha dibujado en él.
 #pragma once
+#include "ch09_imagen/imagen_en_ventana.h"
 #include "contexto_suelto.h"
-#include "imagen.h"
-#include "shader.h"
-#include <functional>
+#include "mide.h"
 
 namespace mide {
+
+/// Lo que hay en el framebuffer enlazado.
+inline Imagen leeDibujado(const glm::ivec2 &talla) {
+    Imagen imagen{talla.x, talla.y, std::vector<unsigned char>(3 * talla.x * talla.y)};
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, talla.x, talla.y, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());
+    return imagen;
+}
 
 /// Un framebuffer propio. Con profundidad siempre: sin ella llvmpipe se salta lo que un rectángulo opaco va a tapar.
 class Framebuffer {
@@ -32,22 +39,22 @@ public:
         glDeleteFramebuffers(1, &nombre);
         glDeleteRenderbuffers(2, renderbuffers);
     }
+    operator glm::ivec2() const {
+        return {ancho, alto};
+    }
     /// Dibujar en él desde ahora.
     void abre() const {
         glBindFramebuffer(GL_FRAMEBUFFER, nombre);
         glViewport(0, 0, ancho, alto);
     }
-    void borra(float r, float g, float b) const {
+    void borra(const glm::vec3 &color) const {
         abre();
-        glClearColor(r, g, b, 1);
+        glClearColor(color.r, color.g, color.b, 1);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     }
     Imagen lee() const {
-        Imagen imagen{ancho, alto, std::vector<unsigned char>(3 * ancho * alto)};
         glBindFramebuffer(GL_FRAMEBUFFER, nombre);
-        glPixelStorei(GL_PACK_ALIGNMENT, 1);
-        glReadPixels(0, 0, ancho, alto, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());
-        return imagen;
+        return leeDibujado({ancho, alto});
     }
     GLuint nombre = 0;
 
@@ -63,13 +70,13 @@ inline std::function<void()> yEspera(const std::function<void()> &dibuja) {
     };
 }
 
-/// El rectángulo de imagen.vert, que llena el área de dibujo, con el programa en uso.
-inline void dibujaRectangulo() {
-    static GLuint vao = 0;
-    if (!vao)
-        glGenVertexArrays(1, &vao);
-    glBindVertexArray(vao);
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+/// Una variante que deja una imagen de esa talla: con ella se mide su error, y se cronometra lo que la dibuja.
+inline void mideImagen(Medidor &m, const std::string &nombre, const glm::ivec2 &talla,
+                       const std::function<void()> &dibuja,
+                       const std::function<double(const Imagen &)> &error, const std::string &nota = "") {
+    dibuja();
+    const Imagen imagen = leeDibujado(talla);
+    m.variante(nombre, error(imagen), 1, yEspera(dibuja), nota, imagen);
 }
 
 } // namespace mide

@@ -2,11 +2,13 @@
 // las cronometra y dice el error de cada una frente a algo exacto.
 #pragma once
 #include "imagen.h"
+#include "texto.h"
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <limits>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -14,16 +16,9 @@ namespace mide {
 
 const double INFINITO = std::numeric_limits<double>::infinity();
 
-/// Dónde debe caer el error de una variante, en cualquier máquina: si no, mide acaba con estado 1.
-struct Rango {
-    double minimo, maximo;
-};
-const Rango CUALQUIERA = {0, INFINITO};
-
 struct Medida {
     std::string variante, grupo;
     double error;
-    Rango espera;
     std::string nota;
     std::vector<double> tiempos; // uno por ronda
 };
@@ -56,8 +51,8 @@ public:
     ~Medidor();
     /// Cronometrará `trabajo`, que hace `unidades` de lo que dice la unidad de tiempo de la técnica.
     void variante(const std::string &nombre, double error, double unidades,
-                  const std::function<void()> &trabajo, const Rango &espera = CUALQUIERA,
-                  const std::string &nota = "", const Imagen &imagen = {});
+                  const std::function<void()> &trabajo, const std::string &nota = "",
+                  const Imagen &imagen = {});
     /// Lo mismo, de lo que se cronometra solo: `tarda` da milisegundos.
     void cronometrada(const std::string &nombre, double error, const std::function<double()> &tarda,
                       const std::string &nota);
@@ -94,7 +89,19 @@ void usa(const T &valor) {
     asm volatile("" : : "r,m"(valor) : "memory");
 }
 
-/// El tiempo de procesador de otro programa con esos argumentos, sin enseñar lo que escribe; NaN si falla.
+/// Números al azar entre −1 y 1: los mismos siempre que se empiece con la misma semilla.
+class Azar {
+    std::mt19937 azar;
+
+public:
+    explicit Azar(unsigned semilla) : azar(semilla) {
+    }
+    float operator()() {
+        return float(double(azar()) / 2147483648.0 - 1);
+    }
+};
+
+/// El tiempo de procesador de otro programa con esos argumentos; NaN si falla.
 double milisegundosDeOrden(std::vector<std::string> orden);
 
 /// Raíz del error cuadrático medio entre dos imágenes, en niveles de 255. Con `exacta`, sin redondear, tres por píxel.

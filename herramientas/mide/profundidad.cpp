@@ -1,7 +1,6 @@
 // Pares de superficies casi juntas que el buffer de profundidad confunde, según lejos/cerca y el formato.
 #include "ch04_vista3d/profundidad.h"
 #include "gpu.h"
-#include "mide.h"
 
 using namespace mide;
 
@@ -30,7 +29,7 @@ static void mideProfundidad(Medidor &m) {
     abreContexto();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
-    const GLuint programa = creaPrograma("ch09_imagen/imagen.vert", "herramientas/mide/nada.frag");
+    const GLuint programa = creaPrograma("ch09_imagen/imagen.vert", "common/liso.frag");
     glUseProgram(programa);
     const struct {
         const char *nombre;
@@ -49,11 +48,10 @@ static void mideProfundidad(Medidor &m) {
             const Framebuffer framebuffer(m.elige(48, 480), m.elige(36, 360), 0, f.formato);
             m.variante(f.nombre + std::string(", ") + POTENCIA[cociente],
                        confundidos(cerca, lejos, f.bits, f.alReves), 1, yEspera([&] {
-                           framebuffer.borra(0, 0, 0);
+                           framebuffer.borra({0, 0, 0});
                            for (int i = 0; i < 8; ++i)
                                dibujaRectangulo();
-                       }),
-                       f.alReves ? Rango{0, 1} : CUALQUIERA);
+                       }));
         }
     }
 }

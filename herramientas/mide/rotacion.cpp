@@ -3,7 +3,6 @@
 #include "mide.h"
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <random>
 
 using namespace mide;
 using Largo = long double;
@@ -53,8 +52,7 @@ static glm::mat3 ortonormal(const glm::mat3 &M) {
 }
 
 static std::vector<Giro> girosCorrientes(int cuantos) {
-    std::mt19937 azar(1);
-    const auto al = [&] { return float(double(azar()) / 2147483648.0 - 1); };
+    Azar al(1);
     std::vector<Giro> giros;
     for (int i = 0; i < cuantos; ++i)
         giros.push_back({{al(), al(), al()}, i % 3 ? 3 * al() : 1e-4f * al()});
@@ -64,8 +62,6 @@ static std::vector<Giro> girosCorrientes(int cuantos) {
         giros.push_back({e, 1});
     return giros;
 }
-
-static const Rango REDONDEO = {0, 0.001}, NINGUNO = {1, 0};
 
 template<class Matriz>
 static double peorError(const std::vector<Giro> &giros, const Matriz &matriz) {
@@ -82,28 +78,23 @@ static void mideMatrices(Medidor &m) {
     std::vector<Giro> todos = corrientes;
     for (const float l : {1e-23f, 1e20f}) // cuyo cuadrado no cabe en un float
         todos.push_back({l * glm::vec3(1, 2, 3), 1});
-    const auto matriz = [&](const char *nombre, const auto &f, const Rango &espera, const char *nota = "") {
-        const double corriente = peorError(corrientes, f);
-        char texto[80];
-        std::snprintf(texto, sizeof texto, "%scon ejes corrientes, %.2g px", nota, corriente);
+    const auto matriz = [&](const char *nombre, const auto &f, const char *nota = "") {
         m.variante(
             nombre, peorError(todos, f), double(todos.size()),
             [&] {
                 for (const Giro &g : todos)
                     usa(f(g));
             },
-            corriente <= REDONDEO.maximo ? espera : NINGUNO, texto);
+            formatea("%scon ejes corrientes, %.2g px", nota, peorError(corrientes, f)));
     };
     matriz(
-        "cambio de base", [](const Giro &g) { return glm::mat3(giroEje(g.eje, g.angulo)); }, REDONDEO,
-        "giroEje; ");
-    matriz("cambio de base sin restar I", baseSinRestar, REDONDEO, "ecuación 3.10 tal cual; ");
-    matriz("Rodrigues", rodrigues, {1, INFINITO}, "sin escalar el eje; ");
+        "cambio de base", [](const Giro &g) { return glm::mat3(giroEje(g.eje, g.angulo)); }, "giroEje; ");
+    matriz("cambio de base sin restar I", baseSinRestar, "ecuación 3.10 tal cual; ");
+    matriz("Rodrigues", rodrigues, "sin escalar el eje; ");
     matriz(
         "par: glm::rotate",
-        [](const Giro &g) { return glm::mat3(glm::rotate(glm::mat4(1), g.angulo, g.eje)); }, {1, INFINITO},
-        "Rodrigues; ");
-    matriz("cuaternión a matriz (GLM)", conCuaternion, {1, INFINITO});
+        [](const Giro &g) { return glm::mat3(glm::rotate(glm::mat4(1), g.angulo, g.eje)); }, "Rodrigues; ");
+    matriz("cuaternión a matriz (GLM)", conCuaternion);
 }
 
 static const Giro PASO = {{1, 2, 3}, 0.001f};
@@ -143,20 +134,17 @@ static glm::mat3 recalculada(int n) {
 static void mideDerivas(Medidor &m) {
     m.grupo = "10⁶ pasos";
     const int pasos = m.elige(1000, 1000000);
-    const auto deriva = [&](const char *nombre, glm::mat3 (*recorre)(int), const Rango &espera,
-                            const char *nota = "") {
+    const auto deriva = [&](const char *nombre, glm::mat3 (*recorre)(int), const char *nota = "") {
         // lo exacto: tantas veces el ángulo que de verdad tiene el float
         const double e = error(recorre(pasos), PASO.eje, Largo(PASO.angulo) * pasos);
-        const auto cronometra = [&](int n) { // los que da y entre los que se reparte
-            m.variante(
-                "10⁶ pasos, " + std::string(nombre), e, n, [&] { usa(recorre(n)); }, espera, nota);
-        };
-        cronometra(m.elige(10, 1000));
+        const int n = m.elige(10, 1000); // los que da al cronometrar
+        m.variante(
+            "10⁶ pasos, " + std::string(nombre), e, n, [=] { usa(recorre(n)); }, nota);
     };
-    deriva("matriz", conMatriz, CUALQUIERA, "deja de ser un giro: deforma");
-    deriva("matriz ortonormalizada", conMatrizOrtonormal, CUALQUIERA, "no deforma, pero el ángulo se desvía");
-    deriva("cuaternión normalizado", conCuaternionNormalizado, CUALQUIERA);
-    deriva("recalculada", recalculada, REDONDEO, "del ángulo total, cada vez");
+    deriva("matriz", conMatriz, "deja de ser un giro: deforma");
+    deriva("matriz ortonormalizada", conMatrizOrtonormal, "no deforma, pero el ángulo se desvía");
+    deriva("cuaternión normalizado", conCuaternionNormalizado);
+    deriva("recalculada", recalculada, "del ángulo total, cada vez");
 }
 
 static void mideRotacion(Medidor &m) {

@@ -1,7 +1,6 @@
 // El ruido de textura3d en un corte del bloque: leído de una textura 3D o calculado en el shader.
 #include "ch08_texturas_avanzadas/textura3d.h"
 #include "gpu.h"
-#include "mide.h"
 
 using namespace mide;
 
@@ -22,16 +21,14 @@ static void mideRuido(Medidor &m) {
     const GLuint programa = creaPrograma("ch09_imagen/imagen.vert", "herramientas/mide/ruido.frag");
     glUseProgram(programa);
     envia(programa, "ruidoGuardado", 0);
-    const auto variante = [&](const std::string &nombre, int octavas, const Rango &espera,
-                              const std::string &nota) {
+    const auto variante = [&](const std::string &nombre, int octavas, const std::string &nota) {
         envia(programa, "octavas", octavas);
         const auto dibuja = [&] {
             framebuffer.abre();
             dibujaRectangulo();
         };
-        dibuja();
-        const Imagen imagen = framebuffer.lee();
-        m.variante(nombre, rmse(imagen, exacta), 1, yEspera(dibuja), espera, nota, imagen);
+        mideImagen(
+            m, nombre, framebuffer, dibuja, [&](const Imagen &i) { return rmse(i, exacta); }, nota);
     };
     for (const int n : m.elige<std::vector<int>>({16, 64}, {16, 32, 64, 128})) {
         std::vector<unsigned char> texels;
@@ -45,14 +42,11 @@ static void mideRuido(Medidor &m) {
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
         glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, n, n, n, 0, GL_RED, GL_UNSIGNED_BYTE, texels.data());
         glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        char nota[40];
-        std::snprintf(nota, sizeof nota, "%.3g kB", n * n * n / 1000.0);
-        variante("textura de " + std::to_string(n) + "³", 0, {0.3, 60}, nota);
+        variante(formatea("textura de %d³", n), 0, formatea("%.3g kB", n * n * n / 1000.0));
         glDeleteTextures(1, &textura);
     }
-    for (const int octavas : {1, OCTAVAS})
-        variante("en el shader, " + std::to_string(octavas) + (octavas == 1 ? " octava" : " octavas"),
-                 octavas, {0.2, octavas == 1 ? 60 : 0.5}, "sin memoria");
+    variante("en el shader, 1 octava", 1, "sin memoria");
+    variante("en el shader, 3 octavas", OCTAVAS, "sin memoria");
 }
 
 static const Apunta APUNTA({12, "ruido", "Ruido: guardarlo o calcularlo", "ms por imagen de 512×512",

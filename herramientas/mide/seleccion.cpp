@@ -2,8 +2,6 @@
 #include "ch03_transformaciones/transformaciones.h"
 #include "ch10_interaccion/identificador.h"
 #include "escena.h"
-#include "mide.h"
-#include <random>
 
 using namespace mide;
 
@@ -39,8 +37,7 @@ struct Escenario {
     std::vector<unsigned> verdad;
 
     Escenario(const Framebuffer &donde, int cuantosClics) : framebuffer(donde) {
-        std::mt19937 azar(4);
-        const auto al = [&] { return float(double(azar()) / 2147483648.0 - 1); };
+        Azar al(4);
         oraculo::Escena escena;
         for (int i = 0; i < 40; ++i) {
             const glm::vec4 b = {1.4f * al(), 1.1f * al(), al(), 0.12f + 0.08f * al()};
@@ -59,14 +56,14 @@ struct Escenario {
     }
     // El error, con todos los clics; los últimos con `sinDibujar`, que da lo mismo que `elige` con lo ya dibujado.
     void variante(Medidor &m, const std::string &nombre, const Elige &elige, const Elige &sinDibujar,
-                  const Rango &espera, const char *nota = "") const {
+                  const char *nota = "") const {
         std::size_t mal = 0, k = 0;
         elige(clics[0]);
         for (std::size_t i = 0; i < clics.size(); ++i)
             mal += (i < DIBUJADOS ? elige : sinDibujar)(clics[i]) != verdad[i];
         m.variante(
             nombre, 100.0 * double(mal) / double(clics.size()), 1,
-            [&] { usa(elige(clics[k++ % clics.size()])); }, espera, nota);
+            [&] { usa(elige(clics[k++ % clics.size()])); }, nota);
     }
 };
 
@@ -84,7 +81,7 @@ public:
         borraBuferes(malla);
     }
     void dibuja() const {
-        escenario.framebuffer.borra(0, 0, 0);
+        escenario.framebuffer.borra({0, 0, 0});
         for (std::size_t i = 0; i < escenario.bolas.size(); ++i) {
             const glm::vec4 &b = escenario.bolas[i];
             envia(programa, "M", traslacion(glm::vec3(b)) * escalado(b.w));
@@ -100,21 +97,21 @@ static unsigned leePixel(const Clic &c) {
     return identificadorDe({p[0], p[1], p[2]});
 }
 
-static void midePixel(Medidor &m, const Escenario &e, const Identificadores &bolas, const std::string &malla,
-                      const Rango &espera) {
+static void midePixel(Medidor &m, const Escenario &e, const Identificadores &bolas,
+                      const std::string &malla) {
     e.variante(
         m, "dibujar y leer un píxel" + malla,
         [&](const Clic &c) {
             bolas.dibuja();
             return leePixel(c);
         },
-        leePixel, espera);
+        leePixel);
     const Elige soloUno = [&](const Clic &c) { // tras dibujarlo entero: es el mismo píxel
         if (&c == &e.clics[DIBUJADOS])
             bolas.dibuja();
         return leePixel(c);
     };
-    e.framebuffer.borra(0, 0, 0); // que no acierte por lo que había
+    e.framebuffer.borra({0, 0, 0}); // que no acierte por lo que había
     e.variante(
         m, "dibujar solo ese píxel" + malla,
         [&](const Clic &c) {
@@ -124,33 +121,34 @@ static void midePixel(Medidor &m, const Escenario &e, const Identificadores &bol
             glDisable(GL_SCISSOR_TEST);
             return leePixel(c);
         },
-        soloUno, espera, "glScissor");
+        soloUno, "glScissor");
 }
 
 static void mideVentana(Medidor &m, const Escenario &e, const Identificadores &bolas) {
     const int ancho = e.framebuffer.ancho, alto = e.framebuffer.alto;
     std::vector<unsigned char> todo(4 * ancho * alto);
-    e.variante(m, "dibujar y leer la ventana",
-               [&](const Clic &c) {
-                   bolas.dibuja();
-                   glReadPixels(0, 0, ancho, alto, GL_RGBA, GL_UNSIGNED_BYTE, todo.data());
-                   const std::size_t i = 4 * (c.y * ancho + c.x);
-                   return identificadorDe({todo[i], todo[i + 1], todo[i + 2]});
-               },
-               leePixel, {0, 1.5});
+    e.variante(
+        m, "dibujar y leer la ventana",
+        [&](const Clic &c) {
+            bolas.dibuja();
+            glReadPixels(0, 0, ancho, alto, GL_RGBA, GL_UNSIGNED_BYTE, todo.data());
+            const std::size_t i = 4 * (c.y * ancho + c.x);
+            return identificadorDe({todo[i], todo[i + 1], todo[i + 2]});
+        },
+        leePixel);
     bolas.dibuja();
     m.grupo = "sin dibujar";
-    e.variante(m, "leer un píxel ya dibujado", leePixel, leePixel, {0, 1.5}, "mientras nada se mueva");
+    e.variante(m, "leer un píxel ya dibujado", leePixel, leePixel, "mientras nada se mueva");
 }
 
 template<class T>
-static void mideRayo(Medidor &m, const Escenario &e, const char *nombre, const Rango &espera) {
+static void mideRayo(Medidor &m, const Escenario &e, const char *nombre) {
     const Elige corta = [&](const Clic &c) {
         const oraculo::Rayo r = e.rayo(c);
         return cortaEsferas<T>(e.bolas, {r.origen.x, r.origen.y, r.origen.z},
                                {r.direccion.x, r.direccion.y, r.direccion.z});
     };
-    e.variante(m, nombre, corta, corta, espera, "hay que saber cortar cada forma");
+    e.variante(m, nombre, corta, corta, "hay que saber cortar cada forma");
 }
 
 static void mideSeleccion(Medidor &m) {
@@ -160,18 +158,16 @@ static void mideSeleccion(Medidor &m) {
     const Framebuffer framebuffer(m.elige(96, 960), m.elige(72, 720));
     const GLuint programa =
         creaPrograma("ch03_transformaciones/objeto.vert", "ch10_interaccion/identificador.frag");
-    glUseProgram(programa);
-    envia(programa, "proyeccion", proyeccionEscena(framebuffer));
-    envia(programa, "camara", camaraEscena());
+    usaPrograma(programa, camaraEscena(), proyeccionEscena(framebuffer));
     const Escenario e(framebuffer, m.elige(50, 2000));
     m.grupo = "cualquier forma";
-    midePixel(m, e, Identificadores(e, programa, 12), ", esferas de 12", {0, 20});
+    midePixel(m, e, Identificadores(e, programa, 12), ", esferas de 12");
     const Identificadores finas(e, programa, 64);
-    midePixel(m, e, finas, ", esferas de 64", {0, 1.5});
+    midePixel(m, e, finas, ", esferas de 64");
     mideVentana(m, e, finas);
     m.grupo = "solo esferas";
-    mideRayo<float>(m, e, "rayo en float", {0, 0.5});
-    mideRayo<double>(m, e, "rayo en double", {0, 0});
+    mideRayo<float>(m, e, "rayo en float");
+    mideRayo<double>(m, e, "rayo en double");
 }
 
 static const Apunta APUNTA(

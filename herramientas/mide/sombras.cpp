@@ -1,13 +1,8 @@
 // El desplazamiento de polígono de las sombras proyectivas: con poco, sombra y mesa se cosen; con mucho, la sombra tapa
 // lo que está encima de la mesa. Frente a la sombra trazada.
-#include "buferes.h"
-#include "ch03_transformaciones/transformaciones.h"
 #include "ch07_realismo/sombra.h"
-#include "gpu.h"
-#include "herramientas/oraculo/oraculo.h"
-#include "mide.h"
+#include "escena.h"
 #include "orbita.h"
-#include <glm/gtc/matrix_transform.hpp>
 
 using namespace mide;
 
@@ -30,14 +25,14 @@ struct Desplazamiento {
 // Una bola roja sobre una mesa blanca, y su sombra negra.
 class Escena {
     const Framebuffer &framebuffer;
-    const GLuint programa = creaPrograma("herramientas/mide/liso.vert", "ch07_realismo/liso.frag");
+    const GLuint programa = creaPrograma("ch03_transformaciones/objeto.vert", "common/liso.frag");
     const Buferes mesa = creaBuferes(plano(1)), bola = creaBuferes(esfera(64));
     const glm::mat4 tablero = giroX(-1.57079633f) * escalado(5.0f),
                     colocada = traslacion(CENTRO) * escalado(float(RADIO));
 
     void pinta(const Buferes &b, const glm::mat4 &M, const glm::vec3 &color) const {
         envia(programa, "M", M);
-        envia(programa, "color", glm::vec4(color, 1));
+        envia(programa, "color", color);
         dibujaMalla(b);
     }
 
@@ -46,10 +41,9 @@ public:
     }
     void dibuja(const Vista &v, const Desplazamiento &d) const {
         const float aspecto = float(framebuffer.ancho) / float(framebuffer.alto);
-        framebuffer.borra(1, 1, 1);
-        glUseProgram(programa);
-        envia(programa, "vista",
-              glm::perspective(float(ANGULO_SOMBRAS), aspecto, 1.0f, 60.0f) * camaraOrbita(v.orbita));
+        framebuffer.borra({1, 1, 1});
+        usaPrograma(programa, camaraOrbita(v.orbita),
+                    glm::perspective(float(ANGULO_SOMBRAS), aspecto, 1.0f, 60.0f));
         pinta(mesa, tablero, {1, 1, 1});
         pinta(bola, colocada, {1, 0, 0});
         glEnable(GL_POLYGON_OFFSET_FILL);
@@ -61,19 +55,18 @@ public:
 
 // La misma escena, trazada; la zona de un píxel es si está en la sombra.
 static oraculo::ImagenRef traza(const Vista &v, const Framebuffer &framebuffer) {
-    const auto xyz = [](const glm::vec3 &p) { return oraculo::Vec3{p.x, p.y, p.z}; };
     const oraculo::Objeto mesa = oraculo::plano(oraculo::gira({1, 0, 0}, -0.5 * oraculo::PI) *
                                                 oraculo::escala(5)),
-                          bola = oraculo::esfera(oraculo::traslada(xyz(CENTRO)) * oraculo::escala(RADIO));
+                          bola = oraculo::esfera(oraculo::traslada(exacto(CENTRO)) * oraculo::escala(RADIO));
     oraculo::Luz luz;
-    luz.posicion = xyz(v.luz);
+    luz.posicion = exacto(v.luz);
     const oraculo::Camara camara = oraculo::perspectiva(
         oraculo::orbita(v.orbita.azimut, v.orbita.elevacion, v.orbita.distancia), ANGULO_SOMBRAS, 1, 60);
-    const oraculo::Vec3 BLANCO = {1, 1, 1}, ROJO = {1, 0, 0}, NEGRO;
+    const oraculo::Vec3 blanco = {1, 1, 1}, rojo = {1, 0, 0}, negro;
     return oraculo::render({mesa, bola}, camara, framebuffer.ancho, framebuffer.alto,
                            [&](const oraculo::Impacto &i) {
                                const bool sombra = i.objeto == 0 && oraculo::enSombra({bola}, i.punto, luz);
-                               return oraculo::Tono(i.objeto == 1 ? ROJO : sombra ? NEGRO : BLANCO, sombra);
+                               return oraculo::Tono(i.objeto == 1 ? rojo : sombra ? negro : blanco, sombra);
                            });
 }
 
@@ -113,13 +106,12 @@ static void mideSombras(Medidor &m) {
             imagenes.push_back(framebuffer.lee());
             cuenta.suma(imagenes.back(), refs[imagenes.size() - 1]);
         }
-        char nombre[40], nota[80];
-        std::snprintf(nombre, sizeof nombre, "(%g, %g)", double(d.factor), double(d.unidades));
-        std::snprintf(nota, sizeof nota, "falta %.2g %% de la sombra y sobra %.2g %%",
-                      100 * cuenta.cosido / cuenta.sombra, 100 * cuenta.encima / cuenta.sombra);
-        m.variante(nombre, 100 * (cuenta.cosido + cuenta.encima) / cuenta.sombra, 1,
+        m.variante(formatea("(%g, %g)", double(d.factor), double(d.unidades)),
+                   100 * (cuenta.cosido + cuenta.encima) / cuenta.sombra, 1,
                    yEspera([&] { escena.dibuja(VISTAS[0], d); }),
-                   d.unidades == -2 && d.factor != 0 ? Rango{0, 0.5} : CUALQUIERA, nota, imagenes[0]);
+                   formatea("falta %.2g %% de la sombra y sobra %.2g %%", 100 * cuenta.cosido / cuenta.sombra,
+                            100 * cuenta.encima / cuenta.sombra),
+                   imagenes[0]);
     }
 }
 

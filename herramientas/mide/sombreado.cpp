@@ -1,6 +1,5 @@
 // Plano, Gouraud y Phong, según la subdivisión, frente a trazar la esfera con su normal exacta.
 #include "escena.h"
-#include "mide.h"
 
 using namespace mide;
 
@@ -23,38 +22,32 @@ static void mideSombreado(Medidor &m) {
     abreContexto();
     const Framebuffer framebuffer(m.elige(64, 640), m.elige(48, 480));
     glEnable(GL_DEPTH_TEST);
-    const oraculo::ImagenRef ref =
-        oraculo::render({oraculo::esfera({})}, camaraExacta(), framebuffer.ancho, framebuffer.alto,
-                        [](const oraculo::Impacto &i) {
-                            return i ? phongExacto(i.punto, i.normal) : oraculo::Vec3{0.95, 0.96, 0.98};
-                        });
+    const oraculo::ImagenRef ref = oraculo::render(
+        {oraculo::esfera({})}, camaraExacta(), framebuffer.ancho, framebuffer.alto,
+        [](const oraculo::Impacto &i) { return i ? phongExacto(i.punto, i.normal) : exacto(FONDO); });
     m.referencia = oraculo::enBytes(ref);
     const struct {
-        const char *nombre, *modelo;
+        const char *nombre;
         GLuint programa;
         std::vector<int> segmentos;
     } MODELOS[] = {
-        {"plano", "plano", creaSombreado("plano"), {12, 48, 192}},
-        {"Gouraud", "gouraud", creaSombreado("gouraud"), {12, 24, 48, 192}},
+        {"plano", creaSombreado("plano"), {12, 48, 192}},
+        {"Gouraud", creaSombreado("gouraud"), {12, 24, 48, 192}},
         {"Phong sin normalizar",
-         "phong",
          creaPrograma("ch05_iluminacion/sombreado_phong.vert", "herramientas/mide/phong_sin_normalizar.frag"),
          {12, 48}},
-        {"Phong", "phong", creaSombreado("phong"), {12, 24, 48, 192}}};
+        {"Phong", creaSombreado("phong"), {12, 24, 48, 192}}};
     for (const auto &modelo : MODELOS)
         for (const int n : modelo.segmentos) {
             const Buferes b =
                 creaBuferes(modelo.nombre == std::string("plano") ? facetas(esfera(n)) : esfera(n));
             enviaEscena(modelo.programa, framebuffer);
             const auto dibuja = [&] {
-                framebuffer.borra(0.95f, 0.96f, 0.98f);
+                framebuffer.borra(FONDO);
                 dibujaIluminado(modelo.programa, b, glm::mat4(1), camaraEscena(), CORAL);
             };
-            dibuja();
-            const Imagen imagen = framebuffer.lee();
-            m.variante(std::string(modelo.nombre) + " de " + std::to_string(n), errorDeFrente(imagen, ref), 1,
-                       yEspera(dibuja), {0, n == 192 && modelo.modelo == std::string("phong") ? 2 : 100.0},
-                       "", imagen);
+            mideImagen(m, formatea("%s de %d", modelo.nombre, n), framebuffer, dibuja,
+                       [&](const Imagen &i) { return errorDeFrente(i, ref); });
             borraBuferes(b);
         }
 }

@@ -44,7 +44,7 @@ static double error(const Parche &q, const Division &d) {
 
 static void mideSuperficies(Medidor &m) {
     const std::vector<Parche> parches = leeParches("assets/tetera.txt");
-    const auto variante = [&](const std::string &nombre, const std::vector<Division> &d, const Rango &espera,
+    const auto variante = [&](const std::string &nombre, const std::vector<Division> &d,
                               const std::function<void()> &trabajo) {
         double mayor = 0;
         int triangulos = 0;
@@ -52,7 +52,7 @@ static void mideSuperficies(Medidor &m) {
             mayor = std::max(mayor, error(parches[k], d[k]));
             triangulos += 2 * d[k].nu * d[k].nv;
         }
-        m.variante(nombre, mayor, 1, trabajo, espera, std::to_string(triangulos) + " triángulos");
+        m.variante(nombre, mayor, 1, trabajo, std::to_string(triangulos) + " triángulos");
     };
     const auto sueltos = [&](const std::vector<Division> &d) {
         std::vector<Vertice> vertices;
@@ -62,7 +62,7 @@ static void mideSuperficies(Medidor &m) {
     };
     for (const int n : m.elige<std::vector<int>>({4, 8}, {4, 8, 16, 32, 64})) {
         const std::vector<Division> d(parches.size(), {n, n});
-        variante(std::to_string(n) + "×" + std::to_string(n), d, CUALQUIERA, [&] { sueltos(d); });
+        variante(std::to_string(n) + "×" + std::to_string(n), d, [&] { sueltos(d); });
     }
     const auto cadaUno = [&](double tolerancia) {
         std::vector<Division> d;
@@ -70,10 +70,10 @@ static void mideSuperficies(Medidor &m) {
             d.push_back(divisionPara(q, tolerancia * PIXEL));
         return d;
     };
-    variante("cota de cada parche, 0.5 px", cadaUno(0.5), {0, 0.5}, [&] { sueltos(cadaUno(0.5)); });
+    variante("cota de cada parche, 0.5 px", cadaUno(0.5), [&] { sueltos(cadaUno(0.5)); });
     for (const double t : {0.5, 0.1})
         variante("cota de la tira, " + std::string(t < 0.3 ? "0.1" : "0.5") + " px",
-                 divisionesPara(parches, t * PIXEL), {0, t}, [&] { usa(teselaParches(parches, t * PIXEL)); });
+                 divisionesPara(parches, t * PIXEL), [&] { usa(teselaParches(parches, t * PIXEL)); });
 #ifdef LAB_PAR_GLU
     mideGlu(m, parches, PIXEL, 0.5f, "par: GLU, pidiendo 0.5 px");
     mideGlu(m, parches, PIXEL, m.elige(0.5f, 0.04f), "par: GLU, pidiendo 0.04 px");

@@ -289,7 +289,7 @@ def test_lo_que_ve_una_entrega_no_es_la_solucion():
         solucion, esqueleto = (que(RAIZ, programa, ref) for que in (nuevo.solucion, nuevo.esqueleto))
         secretos = {f"{programa.capitulo.nombre}/{f}" for f in solucion if solucion[f] != esqueleto[f]}
         vistos = set(map(str, compilador.arbol_visible(RAIZ, programa, ref)))
-        assert secretos and not secretos & vistos and {"common/ventana.h", "common/encima.vert"} <= vistos, ref
+        assert secretos and not secretos & vistos and {"common/ventana.h", "common/encima/encima.vert"} <= vistos, ref
 
 
 UNAS = "p.cpp=m util/a.cpp", "p.h util/a.h", "ejercicio.txt a.cpp vieja/p.cpp=m", "p.h"
@@ -422,7 +422,7 @@ def test_la_clave_la_cambia_todo_lo_que_corrige(tmp_path, monkeypatch):
     claves = {clave(), clave()}
     assert len(claves) == 1 and hechos[0].arbitro.cache == BUILD / "corrige" / REF / hechos[0].clave
     ficheros = [f"{RAIZ}/herramientas/{f}" for f in ("ejercicios/corrige/arbitro.py", "base/guiones.py")]
-    ficheros += f"{RAIZ}/common/encima.vert", f"{RAIZ}/common/ventana.h", str(GRUA)
+    ficheros += f"{RAIZ}/common/encima/encima.vert", f"{RAIZ}/common/ventana.h", str(GRUA)
     ficheros += f"{BUILD}/herramientas/comparador/compara", f"{BUILD}/libcomun.a"
     for tocado[:] in [[f] for f in ficheros]:
         claves.add(clave())
@@ -528,7 +528,7 @@ def test_sin_bwrap_no_se_corrige(tmp_path):
 @pytest.mark.skipif(not GRUA.exists(), reason="no está compilado")
 def test_un_shader_con_bom_es_el_mismo(tmp_path):
     """Y lo que no está en $LAB_RAIZ, con $LAB_SOLO_RAIZ, no se busca en el laboratorio."""
-    for f in RAIZ.glob("c*/*.*"):
+    for f in RAIZ.glob("c*/**/*.*"):
         if f.suffix in SHADERS:
             siembra(tmp_path, {f.relative_to(RAIZ): "\ufeff" + f.read_text()})
 
@@ -647,7 +647,7 @@ ORDENA = """#include <algorithm>
 struct X {} equis[9];
 inline void ordena() { std::sort(equis, equis + 9); }
 """
-INCLUYE = ("util/cosas.h", "otras.hpp", "../../common/colores.h", "../../ch03_transformaciones/transformaciones.h")
+INCLUYE = ("util/cosas.h", "otras.hpp", "../../common/encima/colores.h", "../../ch03_transformaciones/transformaciones.h")
 A_PELO = """glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_DEPTH);
     glutInitContextVersion(3, 1);

@@ -1,6 +1,5 @@
 """Los módulos de herramientas/, por lo que hacen: cada cuenta frente a un caso resuelto a mano, sin compilar nada."""
 import itertools
-import json
 import math
 import os
 import random
@@ -24,9 +23,8 @@ from galeria import dibuja
 from galeria.pagina import AQUI as GALERIA, MODULOS
 from informe import cocientes, costes, grafica, informe, tecnicas
 from pruebas import azar, muta
-from web.pagina import ProgramaVivo
 from windows import paquete
-from mentira import caso, faltan, programa, siembra
+from mentira import faltan, siembra
 
 FUENTES = [f for f in RAIZ.glob("c*/**/*.*") if f.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl")]
 
@@ -203,13 +201,13 @@ def test_las_imagenes_de_una_tecnica(tmp_path):
     assert hechas == [(papel, v, f"t-{n}", f"t-{n}-diferencia") for papel, v, n in papeles]
 
 
-def test_las_metas(tmp_path):
+def test_las_metas():
     t = tecnica(variante("directa, 15×15", 60, 1), variante("separable, float, 15×15", 10, 1), nombre="convolucion")
     tabla = [SimpleNamespace(programa=p, veces_suelo=v) for p, v in (("a", [2, 3]), ("b", [1, 1]), ("c", [9, 7]))]
-    filas = informe.metas([t], tabla, cocientes.Cociente(1, 2, 3))
-    assert [c.mediana for _, c, *_ in filas] == [6, 2.5, 8, 2] and "peor, c" in filas[2][0]
-    assert [resto for _, _, *resto in filas] == [[5, True], [1.15, False], [2.5, False], [1.5, False]]
-    assert informe.metas([], [], None) == []
+    filas = informe.metas([t], tabla)
+    assert [c.mediana for _, c, *_ in filas] == [6, 2.5, 8] and "peor, c" in filas[2][0]
+    assert [resto for _, _, *resto in filas] == [[5, True], [1.15, False], [2.5, False]]
+    assert informe.metas([], []) == []
 
 
 def test_el_error_de_un_ensayo():
@@ -247,9 +245,7 @@ def test_lo_que_cuesta_un_programa(tmp_path, monkeypatch):
     monkeypatch.setattr(costes, "ejecuta", escribe)
     assert costes.costes(tmp_path, tmp_path, tmp_path, 15)[1] == [2] * 9
     columnas, fila = (linea.split("\t") for linea in (tmp_path / "costes.tsv").read_text().splitlines())
-    assert columnas[:4] == ["programa", "arranque ms", "primera ms", "veces el suelo"]
-    assert columnas[4:7] == ["ms 960x720", "ms 1920x1080", "veces llenar"]
-    assert columnas[7:] == "primitivas,bytes de buffers,bytes de texturas,error máximo,error RMSE,borde px".split(",")
+    assert columnas == costes.COLUMNAS.split(",")
     assert fila == "a 6.0 7.0 3.00 10.0 30.0 2.0 106 108 109 0.5 0.25 0.12".split()
 
 
@@ -263,7 +259,7 @@ def test_en_rojo_va_lo_que_pasa_y_cada_nota_en_su_barra(tmp_path):
     """En el informe, lo que tarda más de lo que dice; en una clase, lo suspenso. Y cada nota, en su barra."""
     tardan = list(itertools.product((50, 100, 101), repeat=len(costes.TALLAS)))
     filas = [costes.Coste("p", 1, 1, [1], ms, 1, 1, 1, 1, [""] * 3) for ms in tardan]
-    informe.escribe_pagina(tmp_path, [], metas=[], costes=filas, suelo=1, compilar=[], entorno={})
+    informe.escribe_pagina(tmp_path, [], metas=[], costes=filas, suelo=1, entorno={})
     pagina = (tmp_path / "index.html").read_text()
     assert "En rojo, más de 100 ms a 1920×1080." in pagina and costes.TALLAS[-1] == "1920x1080"
     rojas = [re.findall('class="mal">(.*?)<', fila) for fila in re.findall("<tr><td>p<.*?</tr>", pagina, re.S)]
@@ -354,46 +350,6 @@ def test_los_fuentes_de_un_programa(tmp_path):
     siembra(tmp_path, {**hay, "ch02/c.h": '"ch01/b.h"', "common/d.h": "", "ch01/nada.txt": ""})
     alcanzados = fuentes.alcanza(tmp_path, Path("ch01/a.cpp"))
     assert list(map(str, alcanzados)) == ["ch01/a.cpp", "ch01/b.h", "ch02/c.h", "ch01/a.frag"]
-
-
-ERRATAS = """# E
-
-## Capítulo 1
-
-- **Listado 1.1, `f(a * b)`**: mal & < [ahí](x.md)
-  (prueba: `t.u`); bien. Sin prueba: no.
-- **§1.2.1 y ecuación 1.3**: otra.
-
-## Capítulo 10
-
-- **Lo que no nombra nada**: de otro.
-"""
-
-
-@pytest.fixture
-def con_libro(tmp_path):
-    """Una carpeta con lo que se sabe de un libro, y un capítulo con dos programas."""
-    cosas = "# no\n\nL1.1\tuno\nE1.1\tejercicio\t\t¿Qué `a*b` hay?\nF1\tfigura\tno hace falta\n"
-    respuestas = "# x\n\n- **1.1** (algo): *¿`x`?* Sí,\n  **y** más. Prueba:\n  `a.b`.\n- **§2** no\n"
-    fuente = "// Qué es,\n// y por qué.\n// Controles: a · Esc termina.\n// No.\nint x; // ni esto\n"
-    siembra(tmp_path / "docs", {"libro.tsv": cosas, "soluciones.md": respuestas, "erratas.md": ERRATAS})
-    siembra(tmp_path, {"ch01_x/b.cpp": fuente})
-    capitulo = catalogo.Capitulo("ch01_x", "X")
-    datos = ("a", "L1.10", "A"), ("b", "E1.1 L1.1", "B")
-    capitulo.programas = [catalogo.Programa(capitulo, *dato) for dato in datos]
-    return capitulo
-
-
-def test_lo_que_se_sabe_del_libro(tmp_path, con_libro):
-    suyo, (a, b) = libro.Libro(tmp_path), con_libro.programas
-    assert suyo.explicacion(b) == "Qué es, y por qué."
-    respuesta = "<i>¿<code>x</code>?</i> Sí, <b>y</b> más."
-    assert suyo.ejercicios(b) == [("E1.1", "¿Qué <code>a*b</code> hay?", respuesta)] and not suyo.ejercicios(a)
-    assert suyo.erratas_de(b) == ["<b>Listado 1.1, <code>f(a * b)</code></b>: mal &amp; &lt; ahí; bien."]
-    assert not suyo.erratas_de(a) and suyo.otras_erratas(con_libro) == ["<b>§1.2.1 y ecuación 1.3</b>: otra."]
-    assert suyo.referencias(b) == [("E1.1", "ejercicio 1.1: ejercicio"), ("L1.1", "listado 1.1: uno")]
-    assert suyo.referencias(a) == [("L1.10", "listado 1.10")]
-    assert libro.codigos("Listado 9.1, los de §9.1.2 y Ecuación 9.2") == ["L9.1", "§9.1.2", "Ec9.2"]
 
 
 EN_BREVE = {
@@ -515,57 +471,6 @@ def test_la_linea_de_controles(tmp_path):
         assert [c.texto for c in controles.lee(tmp_path, programa)] == textos
 
 
-def test_al_azar_solo_lo_suyo():
-    azar = random.Random(1)
-    leidos = [controles.analiza("a d giran"), controles.analiza("Esc termina")]
-    con = leidos, {"temporizador"}, ["Vista/Perfil"], 120, 90
-    suyos = {orden for _ in range(200) for orden in controles.sucesos_al_azar(azar, *con)}
-    esperas = {f"espera {n}" for n in (1, 20, 333, 1700)}
-    assert suyos == {"tecla a", "tecla d", "especial F5", "menu Vista/Perfil"} | esperas
-    for _ in range(50):
-        baja, *pasos, sube = controles.raton_al_azar(azar, 120, 90, set())
-        assert sube.split()[1:] == [baja.split()[1], "arriba", *(pasos[-1] if pasos else baja).split()[-2:]]
-
-
-@pytest.fixture
-def programas(tmp_path):
-    a = programa("a", "L1.2 E1.1", "A", pruebas="x.Y.z x.W")
-    b = programa("b", "§10.1", "B", "ch10_diez", consola="TRUE")
-    casos = [caso("a"), caso("a", "dos_mas", titulo="Dos más", guion="tecla d; tecla a", tolerancia="1 2 3")]
-    capitulos = [{"nombre": "ch01_uno", "titulo": "Uno"}, {"nombre": "ch10_diez", "titulo": "Diez"}]
-    entero = {"capitulos": capitulos, "programas": [a, b], "casos": casos}
-    siembra(tmp_path, {"catalogo.json": json.dumps(entero)})
-    return catalogo.lee_programas(tmp_path)
-
-
-def test_lo_que_la_pagina_sabe_de_un_programa(tmp_path, programas, monkeypatch):
-    dice = "// Controles: a gira · botón derecho menú · sin controles · Esc termina.\n"
-    siembra(tmp_path, {"ch01_uno/a.cpp": dice, "sin_ventana": "osmesa\n"})
-    guiones = []
-
-    def ejecuta(orden, env, **_):
-        guiones.append(orden[orden.index("-guion") + 1])
-        Path(env["LAB_LEIDOS"]).write_text("/x/b.rgb\n/x/a.r8\n/x/a.vert\n")
-        return f"{rasgos if guiones[-1] in cuando else ''}{opciones}"
-
-    monkeypatch.setattr(controles, "ejecuta", ejecuta)
-    casos = (
-        ("ocio\n", "", True, True, False, False),
-        ("temporizador\nrueda\n", "", True, True, True, False),
-        ("movimiento\n", "opcion Vista\nopcion Salir\n", False, False, False, True),
-    )
-    # basta que los tenga antes de tocar nada, o con sus teclas
-    cada_vez = ("",), ("tecla a",), ("", "tecla a")
-    for cuando, (rasgos, opciones, anima, derecho, raton, sigue) in itertools.product(cada_vez, casos):
-        d = ProgramaVivo(tmp_path, tmp_path, programas[0]).datos()
-        assert (d["anima"], d["derecho"], d["raton"], d["sigue"]) == (anima, derecho, raton, sigue)
-        assert guiones[-2:] == ["", "tecla a"] and d["texturas"] == ["a.r8", "b.rgb"]
-        assert [(m["teclas"], m["menu"]) for m in d["mandos"]] == [([("a", "tecla a")], False), ([], True)]
-        assert [c["titulo"] for c in d["casos"]] == ["Al empezar", "Dos más"] and d["nombre"] == "a"
-    suyo = controles.atiende(tmp_path, programas[0], LAB_LEIDOS=str(tmp_path / "leidos"))
-    assert suyo == ({"movimiento"}, ["Vista"])  # sin la que lo termina
-
-
 def test_lo_que_se_pide_es_eso_y_nada_mas():
     """Cada programa y cada caso por su nombre, aunque sea el principio del de otro."""
     programas = catalogo.lee_programas(BUILD)
@@ -665,28 +570,6 @@ def test_un_defecto_en_una_expresion_entera():
                 defectos.cambia(antes + trozo + despues, [mutante(fuente, "z")])
 
 
-def test_cada_defecto_con_su_numero():
-    plantados = muta.lee_listas(RAIZ)[0]
-    assert len(plantados) > 1000 and len({m.numero for m in plantados}) == len(plantados)
-
-
-def test_los_defectos_al_azar_son_de_cada_linea_de_cada_funcion():
-    texto = (
-        "int f(int a) {\n    return a + 1;\n}\nstruct S {\n    int g() const {\n        if (x < 2) h();\n    }\n};\n"
-    )
-    assert [texto[a:b].split() for a, b in azar.cuerpos(texto)] == [
-        ["return", "a", "+", "1;"],
-        "if (x < 2) h();".split(),
-    ]
-    assert {2, 6} <= azar.de_fichero(texto, False).keys()
-
-
-def test_los_defectos_que_se_piden():
-    pedidos = "ch01 ch01:2 ch01:22 ch01_uno ch01_uno/abc.cpp ab bc".split()
-    suyos = [pedido for pedido in pedidos if mutante("a", "b", 2, "ch01_uno/abc.cpp").es_de(pedido)]
-    assert suyos == ["ch01", "ch01:2", "ch01_uno", "ch01_uno/abc.cpp", "ab"]
-
-
 def test_lo_que_se_le_dice_a_un_alumno(tmp_path):
     siembra(tmp_path, {"ch01.tsv": "f\ta\tb\ti\nf\ta\tb\ti\tm\nf\ta\tb\ti\t\td\n"})
     mutantes, fallos = defectos.lee(tmp_path)
@@ -697,90 +580,31 @@ def test_lo_que_se_le_dice_a_un_alumno(tmp_path):
 
 # --- nuevo ------------------------------------------------------------------------------------------------------
 
-MARCADO = """int f() {
-    // E1.1: cuánto es
-    int x = 40 + 2;
-    return x;
-    // de partida: return 0;
-    // fin de E1.1
-}
-// E1.2: lo del otro
-int g = 43;
-// de partida: int g = 0;
-// fin de E1.2
-"""
 
-
-CABECERA = """// Controles: a gira · Esc termina.
-#include "medio.h"
-#include "otra.h"
-"""
-
-
-@pytest.fixture
-def arbol(tmp_path):
-    """Un programa con dos ejercicios, y lo suyo en tres ficheros: uno marcado, el que lleva a él y uno que no hace
-    falta."""
-    capitulo = catalogo.Capitulo("ch01_x", "X")
-    a = catalogo.Programa(capitulo, "a", "E1.1 E1.2 E1.3 Ec1.1", "La A")
-    a.casos = [
-        catalogo.Caso(a, "base", "a", mira="Mira"),
-        catalogo.Caso(a, "girada", "a-girada", "Girada", "tecla a", mira="Gira"),
-    ]
-    capitulo.programas = [a, catalogo.Programa(capitulo, "b", "L1.1", "B")]
-    fuente = f'// Cuenta la solución.\n// y más.\n{CABECERA}f("ch01_x/a.vert", "ch01_x/b.frag");\n'
-    con = {"a.cpp": fuente, "medio.h": '#include "fin.h"\n', "fin.h": MARCADO, "a.vert": '#include "ch01_x/c.glsl"\n'}
-    siembra(tmp_path / "ch01_x", {**dict.fromkeys(("otra.h", "c.glsl", "b.frag", "a.png", "b.cpp"), ""), **con})
-    siembra(tmp_path, {"docs/libro.tsv": "E1.1\tla cuenta\t\tHaz la cuenta.\nE1.2\totra\t\tY la otra.\n"})
-    return tmp_path, capitulo.programas
-
-
-def test_un_esqueleto_es_la_solucion_sin_lo_que_se_pide(arbol):
-    raiz, programas = arbol
-    assert nuevo.ejercicios(raiz, programas) == {"E1.1": programas[0], "E1.2": programas[0]}
-    assert nuevo.privados(raiz, programas[0], "E1.1") == [Path("ch01_x/fin.h")]
-    uno = nuevo.esqueleto(raiz, programas[0], "E1.1")
-    assert sorted(uno) == ["a.cpp", "a.vert", "fin.h", "medio.h"]
-    assert uno["fin.h"] == "int f() {\n    // E1.1: cuánto es\n    return 0;\n    // fin de E1.1\n}\nint g = 43;\n"
-    primera = "// La A: el ejercicio 1.1, que cuenta ENUNCIADO.md.\n"
-    assert uno["a.cpp"] == f'{primera}{CABECERA}f("a.vert", "ch01_x/b.frag");\n'
-    solucion = nuevo.solucion(raiz, programas[0], "E1.1")
-    assert sorted(solucion) == sorted(uno)
-    assert solucion["fin.h"] == "int f() {\n    int x = 40 + 2;\n    return x;\n}\nint g = 43;\n"
-    assert solucion["a.cpp"].startswith("// Cuenta la solución.")
-    copia = nuevo.solucion(raiz, programas[0])
-    assert sorted(copia) == ["a.cpp", "a.vert", "b.frag"] and 'f("a.vert", "b.frag")' in copia["a.cpp"]
-
-
-def test_una_carpeta_se_hace_entera_y_no_se_toca(arbol):
-    raiz, programas = arbol
-    mios = raiz / "mios"
-    assert nuevo.crea(raiz, programas, mios, "e1.1", "mi_a") == ("E1.1", mios / "mi_a")
-    hechos = {f.name for f in (mios / "mi_a").iterdir()}
-    assert hechos == {"ENUNCIADO.md", "a.vert", "ejercicio.txt", "fin.h", "medio.h", "mi_a.cpp"}
-    assert entrega.ejercicio_de(mios / "mi_a", programas) == ("E1.1", programas[0])
-    dice = "# Ejercicio 1.1: la cuenta", "Haz la cuenta.", "- `fin.h`: cuánto es\n", "- a gira\n", "./lab corrige mi_a"
-    dice += "- al abrirlo: Mira.\n", "- Girada (`tecla a`): Gira.\n"
-    assert not faltan((mios / "mi_a/ENUNCIADO.md").read_text(), *dice)
+def test_una_carpeta_se_hace_entera_y_no_se_toca(tmp_path, monkeypatch):
+    programas, mios = catalogo.lee_programas(BUILD), tmp_path / "mios"
+    assert nuevo.crea(RAIZ, programas, mios, "e3.5", "mi_a") == ("E3.5", mios / "mi_a")
+    con = nuevo.ejercicios(RAIZ, programas)["E3.5"]
+    assert entrega.ejercicio_de(mios / "mi_a", programas) == ("E3.5", con)
     (mios / "mi_a/mi_a.cpp").write_text("mío")
-    with pytest.raises(nuevo.Fallo, match="ya existe .*mi_a, y no se toca: .*./lab nuevo E1.2 NOMBRE"):
-        nuevo.crea(raiz, programas, mios, "E1.2", "mi_a")
+    with pytest.raises(nuevo.Fallo, match="ya existe .*mi_a, y no se toca: .*./lab nuevo E5.1 NOMBRE"):
+        nuevo.crea(RAIZ, programas, mios, "E5.1", "mi_a")
     assert (mios / "mi_a/mi_a.cpp").read_text() == "mío"
-    siembra(mios / ".a.parcial", {"de otra vez": ""})
-    assert nuevo.crea(raiz, programas, mios, "a") == ("", mios / "a")
-    assert not (mios / "a/de otra vez").exists()
-    assert entrega.ejercicio_de(mios / "a", programas) == ("", programas[0])
-    assert not (mios / "a/ENUNCIADO.md").exists()
+    siembra(mios / ".grua.parcial", {"de otra vez": ""})
+    assert nuevo.crea(RAIZ, programas, mios, "grua") == ("", mios / "grua")
+    hechos = {f.name for f in (mios / "grua").iterdir()}
+    assert {"grua.cpp", "ejercicio.txt"} <= hechos and not hechos & {"de otra vez", "ENUNCIADO.md"}
     for nombre in ("Mi_a", "../a", "a b", "ñ", "a.b", "-a"):
         with pytest.raises(nuevo.Fallo, match="no vale de nombre"):
-            nuevo.crea(raiz, programas, mios, "E1.1", nombre)
-    (raiz / "docs/libro.tsv").unlink()
-    with pytest.raises(OSError):
-        nuevo.crea(raiz, programas, mios, "E1.2", "z")
-    (mios / "a/ejercicio.txt").write_text("E1.1 no/esta")
+            nuevo.crea(RAIZ, programas, mios, "E3.5", nombre)
+    with monkeypatch.context() as roto:
+        roto.setattr(nuevo, "enunciado", None)
+        with pytest.raises(TypeError):
+            nuevo.crea(RAIZ, programas, mios, "E3.5", "z")
+    (mios / "grua/ejercicio.txt").write_text("E3.5 no/esta")
     with pytest.raises(entrega.Fallo, match="ejercicio.txt no dice de qué ejercicio es"):
-        entrega.ejercicio_de(mios / "a", programas)
-    assert sorted(f.name for f in mios.iterdir()) == ["a", "mi_a"]
+        entrega.ejercicio_de(mios / "grua", programas)
+    assert sorted(f.name for f in mios.iterdir()) == ["grua", "mi_a"]
 
 
 def test_cada_carpeta_con_otro_nombre(tmp_path):
@@ -799,13 +623,15 @@ def test_cada_carpeta_con_otro_nombre(tmp_path):
             assert quedan <= {referencia}, f"{pedido}: {fichero.name} {quedan}"
 
 
-def test_de_lo_que_no_se_corrige_dice_que_hacer(arbol):
-    raiz, programas = arbol
+def test_de_lo_que_no_se_corrige_dice_que_hacer(tmp_path):
+    programas = catalogo.lee_programas(BUILD)
+    se_corrigen = nuevo.ejercicios(RAIZ, programas)
+    p, sin = next((p, r) for p in programas for r in p.referencias if nuevo.es_del_libro(r) and r not in se_corrigen)
     for pedido, dice in (
-        ("E1.3", "el ejercicio 1.3 no tiene programa que corregir; .* ./lab nuevo a. Se corrigen E1.1, E1.2"),
-        ("ch01", "elige uno: a, b"),
+        (sin, f"el ejercicio {sin[1:]} no tiene programa que corregir; .* ./lab nuevo {p.nombre}. Se corrigen E"),
+        ("ch01", "elige uno: "),
+        ("L3.1", "se hace en la página, que lo da empezado: .*#ejercicio/L3.1; ./lab nuevo objetos da una copia"),
     ):
         with pytest.raises(nuevo.Fallo, match=dice):
-            nuevo.crea(raiz, programas, raiz / "mios", pedido)
-    for pedido in ("Ec1.1", "L1.1"):
-        assert nuevo.crea(raiz, programas, raiz / "mios", pedido)[0] == ""
+            nuevo.crea(RAIZ, programas, tmp_path, pedido)
+    assert nuevo.crea(RAIZ, programas, tmp_path, "L1.1")[0] == ""

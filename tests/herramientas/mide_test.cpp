@@ -5,7 +5,6 @@
 #include "ejecuta.h"
 #include <chrono>
 #include <ctime>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <thread>
 
@@ -74,65 +73,17 @@ TEST(Mide, ErrorYDiferenciaDeDosImagenes) {
     EXPECT_EQ(redondeada(1, 1, {-3, 1.6, 300}).rgb, std::vector<unsigned char>({0, 2, 255}));
 }
 
-/// Los argumentos llegan tal cual, se llame como se llame la carpeta; y un programa que falla o que no está no es un
-/// tiempo.
+/// Los argumentos llegan tal cual, se llame como se llame la carpeta; se cuenta lo suyo y lo del sistema, y no los ratos
+/// en que espera; y un programa que falla o que no está no es un tiempo.
 TEST(Mide, LoQueTardaOtroPrograma) {
     const auto peor = carpetaTemporal() / "x';touch pwned;'y $(touch pwned)";
     EXPECT_GE(milisegundosDeOrden({"touch", peor}), 0);
     EXPECT_TRUE(std::filesystem::exists(peor));
-    EXPECT_GE(milisegundosDeOrden({"python3", "-c", "while __import__('time').process_time() < 0.1: pass"}),
-              100);
+    const std::string gasta = "import os, time\nwhile time.process_time() < 0.1: os.stat('.')";
+    EXPECT_GE(milisegundosDeOrden({"python3", "-c", gasta}), 100);
     EXPECT_LT(milisegundosDeOrden({"sleep", "0.2"}), 150);
-    const auto gastado = [] { // en las órdenes que ya han acabado: lo suyo y lo del sistema
-        rusage g;
-        getrusage(RUSAGE_CHILDREN, &g);
-        const auto ms = [](const timeval &t) { return 1e3 * double(t.tv_sec) + 1e-3 * double(t.tv_usec); };
-        return std::pair(ms(g.ru_utime), ms(g.ru_stime));
-    };
-    const auto antes = gastado(); // copiar ceros es casi todo del sistema
-    const double ceros =
-        milisegundosDeOrden({"dd", "if=/dev/zero", "of=/dev/null", "bs=16M", "count=40", "status=none"});
-    const double suyo = gastado().first - antes.first, delSistema = gastado().second - antes.second;
-    EXPECT_GT(delSistema, 10);
-    EXPECT_NEAR(ceros, suyo + delSistema, 0.01);
     EXPECT_TRUE(std::isnan(milisegundosDeOrden({"false"})));
     EXPECT_TRUE(std::isnan(milisegundosDeOrden({"noesta"})));
-}
-
-TEST(Mide, LaFilaDeUnaVariante) {
-    const Tecnica t{1, "t", "", "ms", "", "", "", [](Medidor &m) {
-                        m.cronometrada(
-                            "a", 0.5, [] { return 3; }, "");
-                        m.grupo = "g";
-                        m.cronometrada(
-                            "b", NAN, [] { return 4.5; }, "nota");
-                    }};
-    EXPECT_EQ(corre(t, true, carpetaTemporal()), 0);
-    std::ifstream f(carpetaTemporal() / "t.tsv");
-    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(f), {}), "a\t-\t0.5\t-\t3\nb\tg\tnan\tnota\t4.5\n");
-}
-
-// De los dos lados de lo que se espera; lo que no se mide no se juzga.
-TEST(Mide, UnErrorFueraDeLoQueSeEsperaEsUnFallo) {
-    static double error;
-    const Tecnica t{1, "t", "", "ms", "", "", "", [](Medidor &m) {
-                        m.variante("bien", 0, 1, [] {});
-                        m.variante("a", error, 1, [] {}, {0.25, 1});
-                        m.variante("otra", 0, 1, [] {});
-                    }};
-    for (const auto &[cuanto, estado] : {std::pair(0.25, 0),
-                                         {1.0, 0},
-                                         {0.249, 1},
-                                         {1.001, 1},
-                                         {double(NAN), 0},
-                                         {-1.0, 1},
-                                         {double(INFINITY), 1}}) {
-        error = cuanto;
-        testing::internal::CaptureStderr();
-        EXPECT_EQ(corre(t, true, carpetaTemporal()), estado) << cuanto;
-        EXPECT_EQ(testing::internal::GetCapturedStderr().find("mide: t, a: el error es") != std::string::npos,
-                  estado != 0);
-    }
 }
 
 TEST(Mide, LoQueNoCabeEnElDiscoSeDice) {
@@ -146,7 +97,7 @@ TEST(Mide, CadaImagenEsDeSuVariante) {
     Medidor m(true, 1, carpetaTemporal() / "i");
     m.referencia = {1, 1, {10, 10, 10}};
     for (unsigned char nivel = 11; nivel < 14; ++nivel)
-        m.variante(std::to_string(nivel), 0, 1, [] {}, {}, "", {1, 1, {nivel, 10, 10}});
+        m.variante(std::to_string(nivel), 0, 1, [] {}, "", {1, 1, {nivel, 10, 10}});
     for (const int n : {1, 2, 3}) {
         const std::string base = (carpetaTemporal() / "i").string() + "-" + std::to_string(n);
         EXPECT_EQ(leePpm(base + ".ppm").rgb[0], 10 + n);

@@ -1,7 +1,0 @@
-#version 140
-
-in vec3 posicion;
-
-void main() {
-    gl_Position = vec4(posicion, 1.0);
-}
