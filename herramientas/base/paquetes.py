@@ -19,7 +19,7 @@ PRUEBAS = (
 )
 MEDIDAS = ["gnuplot-nox"]
 PARES = "libglu1-mesa-dev libnoise-dev imagemagick libopencv-imgproc-dev".split()  # con LAB_PARES=1
-NAVEGADOR = ["chromium", "firefox-esr", "npm"]  # con LAB_NAVEGADOR=1
+NAVEGADOR = ["chromium", "chromium-driver", "firefox-esr"]  # con LAB_NAVEGADOR=1
 WEB = "emscripten libjs-codemirror esbuild".split()
 WINDOWS = ["g++-mingw-w64-x86-64-posix", "dpkg-dev"]
 WINE = ["wine64", "openbox"]  # con LAB_WINDOWS=1
@@ -49,7 +49,7 @@ def para_pruebas():
     if os.environ.get("LAB_WINDOWS") == "1":
         todos += WINE
     if os.environ.get("LAB_NAVEGADOR") == "1":
-        todos += NAVEGADOR + WEB
+        todos += NAVEGADOR + WEB + ([] if shutil.which("npm") else ["npm"])  # hay Node.js que ya lo trae
     otro = os.environ.get("LAB_OPENGL", "")
     if otro and otro not in OPENGL:
         raise Fallo(f"LAB_OPENGL: no conozco «{otro}»; {' '.join(OPENGL)}")
