@@ -1,4 +1,4 @@
-// La normal de una superficie paramétrica, también donde no la dan sus tangentes: la de los parches de la tetera y la de
+// La normal de una superficie paramétrica, también donde no la dan sus tangentes: la de los parches de la tetera y de
 // las superficies del capítulo 11. Para cualquier tipo real: double o de cuádruple precisión. Sin OpenGL.
 #pragma once
 #include <cmath>

@@ -65,11 +65,13 @@ template<class T>
 glm::vec<4, T> ruidoConGradiente(const glm::vec<3, T> &p, const glm::ivec3 &periodo = glm::ivec3(0)) {
     using vec3 = glm::vec<3, T>;
     const detalle_ruido::Celda<T> celda(p, periodo);
-    const vec3 f = celda.f, u = detalle_ruido::quintica(f), du = T(30) * f * f * (f - T(1)) * (f - T(1));
+    const vec3 f = celda.f;
+    const vec3 u = detalle_ruido::quintica(f), du = T(30) * f * f * (f - T(1)) * (f - T(1));
     glm::vec<4, T> suma(0);
     for (int i = 0; i < 8; ++i) {
         const glm::ivec3 esquina(i & 1, (i >> 1) & 1, i >> 2);
-        const vec3 e(esquina), peso = glm::mix(T(1) - u, u, e), dPeso = (T(2) * e - T(1)) * du;
+        const vec3 e(esquina);
+        const vec3 peso = glm::mix(T(1) - u, u, e), dPeso = (T(2) * e - T(1)) * du;
         const vec3 g = celda.gradiente(esquina.x, esquina.y, esquina.z);
         const T rampa = glm::dot(g, f - e), total = peso.x * peso.y * peso.z;
         const vec3 dTotal = dPeso * vec3(peso.y * peso.z, peso.x * peso.z, peso.x * peso.y);
@@ -82,7 +84,8 @@ glm::vec<4, T> ruidoConGradiente(const glm::vec<3, T> &p, const glm::ivec3 &peri
 template<class T>
 T ruido(const glm::vec<3, T> &p, const glm::ivec3 &periodo = glm::ivec3(0)) {
     const detalle_ruido::Celda<T> celda(p, periodo);
-    const glm::vec<3, T> f = celda.f, u = detalle_ruido::quintica(f);
+    const glm::vec<3, T> f = celda.f;
+    const glm::vec<3, T> u = detalle_ruido::quintica(f);
     const auto rampa = [&](int x, int y, int z) {
         return glm::dot(celda.gradiente(x, y, z), f - glm::vec<3, T>(x, y, z));
     };

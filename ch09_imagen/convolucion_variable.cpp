@@ -13,6 +13,7 @@
 #include "nucleos.h"
 #include "recuadro.h"
 #include "shader.h"
+#include "texto.h"
 #include "ventana.h"
 
 // Medido con llvmpipe en una imagen de 1024×1024: con 2 y con 3 las dos pasadas tardan la mitad que la directa, con 9

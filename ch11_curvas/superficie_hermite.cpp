@@ -76,8 +76,8 @@ static void dibuja() {
     estado.lamina.angulo = estado.segundo ? ANGULO_DE_DOS : ANGULO_LAMINA;
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const std::vector<glm::vec3> elementos = elementosDe(estado.puntas);
-    const Geometria2<float> G = primerTrozo(elementos),
-                            G2 = estado.segundo ? segundoTrozo(elementos, estado.k) : G;
+    const Geometria2<float> G = primerTrozo(elementos);
+    const Geometria2<float> G2 = estado.segundo ? segundoTrozo(elementos, estado.k) : G;
     Segmentos n = segmentosLamina(estado.lamina, redDe(Base::HERMITE, G), TOLERANCIA_LAMINA);
     if (estado.segundo) { // los mismos en los dos, para que casen en la unión
         const Segmentos n2 = segmentosLamina(estado.lamina, redDe(Base::HERMITE, G2), TOLERANCIA_LAMINA);
