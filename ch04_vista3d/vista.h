@@ -24,8 +24,8 @@ inline BaseCamara baseCamara(const glm::dvec3 &p, const glm::dvec3 &i, const glm
     const double paralelo = 1e-10; // seno del ángulo; por debajo, F × UP es casi todo redondeo
     glm::dvec3 S = glm::cross(F, unitario(UP, F));
     if (glm::length(S) < paralelo) {
-        const glm::dvec3 Y(0, 1, 0), Z(0, 0, F.y < 0 ? -1 : 1);
-        S = glm::cross(F, std::fabs(F.y) < 0.9 ? Y : Z);
+        const glm::dvec3 ejeY(0, 1, 0), ejeZ(0, 0, F.y < 0 ? -1 : 1);
+        S = glm::cross(F, std::fabs(F.y) < 0.9 ? ejeY : ejeZ);
     }
     // El libro no normaliza S, que solo es unitario si UP y F son perpendiculares. Y con UP casi paralelo el
     // redondeo de S tiene componente en F: U la pierde en el producto, y S se rehace con U.

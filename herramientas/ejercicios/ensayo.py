@@ -54,8 +54,8 @@ ERROR = re.compile(r"perturbado:(\d+):(?:\d+:)? (?:fatal )?error: (.*)")
 
 
 def culpables(dice, textos, vivas):
-    """Qué alternativas no compilan. Si en una declaración hay un error, lo que se declara detrás no está, y de quien lo usa
-    se queja también el compilador: no tiene la culpa. Y si lo que ya no es constante debe serlo, la tiene quien lo
+    """Qué alternativas no compilan. Si en una declaración hay un error, lo que se declara detrás no está, y de quien lo
+    usa se queja también el compilador: no tiene la culpa. Y si lo que ya no es constante debe serlo, la tiene quien lo
     declara."""
     errores = [(int(n), que) for n, que in ERROR.findall(dice)]
     de_rebote = {n for n, que in errores if "was not declared" in que}
@@ -64,7 +64,9 @@ def culpables(dice, textos, vivas):
         return suyas - de_rebote or suyas
     nombres = {nombre for _, que in errores for nombre in re.findall(r"‘(\w+)’", que)}
     declara = re.compile(rf"\b(?:{'|'.join(nombres) or '(?!)'})\s*[=({{]\s*\Z")
-    return {n for n, (f, p) in vivas.items() if declara.search(textos[f], max(0, p.cambios[0][0] - 80), p.cambios[0][0])}
+    return {
+        n for n, (f, p) in vivas.items() if declara.search(textos[f], max(0, p.cambios[0][0] - 80), p.cambios[0][0])
+    }
 
 
 class Ensayo:

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 PALABRA = re.compile(
     r'R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|(?:\d[\d.]*|\.\d+)(?:[eE][-+]?\d+)?\w*'
-    r"|(?:sizeof|alignof|offsetof|decltype)\s*\([^()]*\)|[A-Za-z_][\w:]*<[\w:, ]+>(?=[({:])|[A-Za-z_][\w:]*\w|\w|\+\+|--|[-+*/%<>=!&|]=|&&|\|\||->|\S",
+    r"|(?:sizeof|alignof|offsetof|decltype)\s*\([^()]*\)|[A-Za-z_][\w:]*<[\w:, ]+>(?=[({:])"
+    r"|[A-Za-z_][\w:]*\w|\w|\+\+|--|[-+*/%<>=!&|]=|&&|\|\||->|\S",
     re.S,
 )
 # lo que no es código: los textos se quedan, y lo demás, comentarios y directivas, se borra
@@ -110,7 +111,11 @@ class Trozo:
         return i
 
     def es_binario(self, i):
-        return 0 < i < len(self.palabras) - 1 and (self.es_nombre(i - 1) or self[i - 1] in (")", "]", "}")) and self[i - 1] != "return"
+        return (
+            0 < i < len(self.palabras) - 1
+            and (self.es_nombre(i - 1) or self[i - 1] in (")", "]", "}"))
+            and self[i - 1] != "return"
+        )
 
     def con(self, *cambios):
         """El texto con lo de esas palabras, [de, a], cambiado."""
@@ -179,7 +184,11 @@ class Trozo:
                 fin = self.primario(i)
                 instruccion = i == 0 and self[fin + 1] == ";"  # no da nada que se use
                 sigue = self[fin + 1]
-                if sigue not in ("=", "+=", "-=", "*=", "/=", "<", "++", "--") and not sigue[:1].isalpha() and not instruccion:
+                if (
+                    sigue not in ("=", "+=", "-=", "*=", "/=", "<", "++", "--")
+                    and not sigue[:1].isalpha()
+                    and not instruccion
+                ):
                     for factor in lengua.factores:
                         yield "factor", self.con((i, fin, factor.format(self.de(i, fin))))
 
@@ -227,7 +236,11 @@ class Hueco:
         desde, hasta = self.sitio(i, j)
         declara = DECLARA.match(self.texto[:hasta], desde)
         es_producto = declara and not entera and re.search(r"\w\s*[*&]+\s*\w+\s*$", declara[0])
-        return self.t[i] in TIPOS or bool(declara) and not (es_producto and self.texto[declara.end() : declara.end() + 1] not in "={")
+        return (
+            self.t[i] in TIPOS
+            or bool(declara)
+            and not (es_producto and self.texto[declara.end() : declara.end() + 1] not in "={")
+        )
 
     def instruccion(self, i):
         """Hasta dónde llega la que empieza ahí: su «;» o, si abre un bloque (una función, una estructura), la llave."""
@@ -243,7 +256,9 @@ class Hueco:
         t, antes = self.t, llave - 1
         while antes > i and t[antes] in ("const", "noexcept", "override", "mutable"):
             antes -= 1
-        return t[antes] == ")" and t[t.pareja.get(antes, 0) - 1] not in ("]", "=", "(") and self.es_declaracion(i, llave)
+        return (
+            t[antes] == ")" and t[t.pareja.get(antes, 0) - 1] not in ("]", "=", "(") and self.es_declaracion(i, llave)
+        )
 
     def declaradas(self, i, fin):
         """Lo que valen las que se declaran en esa instrucción."""
@@ -273,7 +288,9 @@ class Hueco:
             elif t[i] == "{" and t[self.cierra(i) + 1] == ",":  # la fila de una tabla
                 yield from self.expresion(i, self.cierra(i))
                 sigue = self.cierra(i) + 1
-            elif t[i] not in ("else", "do", "try", *"{}(),;:[]", "constexpr") or t[i] == "constexpr" and t[i - 1] != "if":
+            elif (
+                t[i] not in ("else", "do", "try", *"{}(),;:[]", "constexpr") or t[i] == "constexpr" and t[i - 1] != "if"
+            ):
                 fin = self.instruccion(i)
                 yield from self.de_instruccion(i, fin)
                 sigue = fin + 1

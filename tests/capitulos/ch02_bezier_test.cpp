@@ -51,6 +51,9 @@ const std::vector<Parche> &tetera() {
 // ---- Referencia: de Casteljau, sin los pesos de Bernstein del programa; en cuádruple precisión o en doble ----
 
 template<class T>
+using Punto = glm::vec<3, T>;
+
+template<class T>
 std::pair<Punto<T>, Punto<T>> casteljau(const Punto<T> &a, const Punto<T> &b, const Punto<T> &c,
                                         const Punto<T> &d, T t) {
     const auto mezcla = [t](const Punto<T> &p, const Punto<T> &q) { return (T(1) - t) * p + t * q; };

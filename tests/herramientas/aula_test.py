@@ -1,5 +1,6 @@
-"""Lo que entrega una clase, de punta a punta: lo que hay en una carpeta o en un .zip, que no es de fiar; lo que descarga
-Moodle, la hoja de calificaciones y lo que Moodle recoge; en qué se equivoca una clase; y quién se parece a quién.
+"""Lo que entrega una clase, de punta a punta: lo que hay en una carpeta o en un .zip, que no es de fiar; lo que
+descarga Moodle, la hoja de calificaciones y lo que Moodle recoge; en qué se equivoca una clase; y quién se parece a
+quién.
 
 LAB_AULA=60 corrige de verdad una de sesenta; si no, de unas pocas."""
 import csv
@@ -39,7 +40,7 @@ from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.jaula import Jaula
 from ejercicios.reglas import Reglas
 from copias import copia
-from mentira import siembra, sin_ventana
+from mentira import siembra
 
 P = b"int main() {}"
 
@@ -48,7 +49,11 @@ P = b"int main() {}"
 CONTENIDOS = {"enlace": Path("/etc"), "tubería": os.mkfifo, "1 GB": 99 << 20, "utf16": "int main() {}".encode("utf-16")}
 CONTENIDOS |= {"binario": b"\x7fELF\0", "latin1": b"int main() {} // gr\xfaa", "bom": b"\xef\xbb\xbfint x;", "": ""}
 CONTENIDOS |= {"E4.4": "E4.4 ch04/x", REF: f"{REF} ch03/grua", "viejo": "viejo", "m": "int main() {}"}
-CONTENIDOS |= {"otro main": "int main() { return 0; }", "suyo": '#include "p.h"\nint main() {}', "+p.h": '#include "p.h"'}
+CONTENIDOS |= {
+    "otro main": "int main() { return 0; }",
+    "suyo": '#include "p.h"\nint main() {}',
+    "+p.h": '#include "p.h"',
+}
 CONTENIDOS |= {"+gordo.h": '#include "gordo.h"\nint main() {}', "comentado": "// int main() {}\n/* main() */"}
 REVUELTA = r"""
 ana                           p.cpp=m, p.h → p.cpp p.h
@@ -100,7 +105,7 @@ copia de Windows              p.h, mi p - copia.cpp=otro main, mi p.cpp=m → mi
 copia en una carpeta          p.h, z.cpp=suyo, a/z.cpp=suyo → a/z.cpp p.h z.cpp (z.cpp)
 una prueba                    p.h, grua.cpp=suyo, a.cpp=m → a.cpp grua.cpp p.h (grua.cpp)
 de CMake                      p.cpp=m, cmake-build-debug/CMakeFiles/3.25.1/C.cpp=m, p.h, build/x.cpp=m → p.cpp p.h
-con lo suyo                   p.cpp=suyo, p.h, p_util.cpp=+p.h, q.cpp, r.cpp=comentado → p.cpp p.h p_util.cpp q.cpp r.cpp
+con lo suyo              p.cpp=suyo, p.h, p_util.cpp=+p.h, q.cpp, r.cpp=comentado → p.cpp p.h p_util.cpp q.cpp r.cpp
 dos ejercicios                a/ejercicio.txt=E4.4, a/x.cpp=m, b/ejercicio.txt=E3.5, b/p.cpp=m, b/p.h → p.cpp p.h
 con glm                       p.cpp=m, p.h, glm/glm.hpp, externo/glm/vec3.hpp, glm/mio.hpp → glm/mio.hpp p.cpp p.h
 el laboratorio entero         p.cpp=m, p.h, lab/common/malla.h, lab/ch03_transformaciones/objeto.h, lab/lab → p.cpp p.h
@@ -187,7 +192,12 @@ def test_una_clase_revuelta(tmp_path, juzga, como):
 
 def test_con_que_se_compila():
     """Un main y lo que tiene que ver con él; si así no se puede, con todo lo que no tiene main; y si tampoco, solo."""
-    ficheros = {"p.cpp": '#include "p.h"\nint main() {}', "a.cpp": '#include "p.h"', "b.cpp": "", "c.cpp": "int main() {}"}
+    ficheros = {
+        "p.cpp": '#include "p.h"\nint main() {}',
+        "a.cpp": '#include "p.h"',
+        "b.cpp": "",
+        "c.cpp": "int main() {}",
+    }
     ficheros |= {"p.h": "", "suelta.cpp": '#include "b.hpp"', "b.hpp": ""}
     leida = entrega.Entrega({f: c.encode() for f, c in ficheros.items()}, ("p",))
     leida.completa({"p.cpp": "", "p.h": ""}, "p.cpp")
@@ -323,7 +333,11 @@ ana/p.cpp luis/Eva_2_p.cpp → ana=p.cpp luis=Eva_2_p.cpp
 
 
 def de_moodle(texto):
-    return re.sub(r"((?<=[^/a-z]\d)|(?<=group))(_texto)?(?=[_/=]|$)", lambda m: MOODLE[:-5] + "onlinetext" if m[2] else MOODLE[:-1], texto)
+    return re.sub(
+        r"((?<=[^/a-z]\d)|(?<=group))(_texto)?(?=[_/=]|$)",
+        lambda m: MOODLE[:-5] + "onlinetext" if m[2] else MOODLE[:-1],
+        texto,
+    )
 
 
 @pytest.mark.parametrize("fila", NOMBRES)
@@ -535,6 +549,7 @@ def test_como_se_llama_cada_uno():
 
 
 # --- quién se parece a quién ----------------------------------------------------------------------------------------
+
 
 def variantes(ref, programa, *listas):
     """De cada línea de bien/ y errores/, que es la solución con otro estilo o con un error, sus ficheros."""

@@ -406,8 +406,8 @@ def test_lo_que_ya_se_ha_corregido(tmp_path, juzga):
 
 @pytest.mark.skipif(not GRUA.exists(), reason="no está compilado")
 def test_la_clave_la_cambia_todo_lo_que_corrige(tmp_path, monkeypatch):
-    """De ella son lo jugado y la huella: quien corrige, lo que se ve, con qué se enlaza, la solución, quien dibuja y lo de
-    partida, cada uno cambiado solo."""
+    """De ella son lo jugado y la huella: quien corrige, lo que se ve, con qué se enlaza, la solución, quien dibuja y lo
+    de partida, cada uno cambiado solo."""
     programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
     lee, tocado, sello, esqueleto = Path.read_bytes, [], [b""], nuevo.esqueleto
     monkeypatch.setattr(Path, "read_bytes", lambda f: lee(f) + (b"x" if str(f) in tocado else b""))
@@ -669,7 +669,11 @@ ENTREGAS = {  # qué se quita de la solución, y qué se pone
     "l_depende": ("grua.cpp", "#include", '#pragma GCC dependency "/etc/passwd"\n#include'),
     "m_plantilla": ("grua.h", "#pragma once", "#pragma once\n" + ORDENA),
     "n_sin_main": ("grua.cpp", "int main", "int mani"),
-    "s_glut_a_pelo": ("grua.cpp", 'abreVentana(argc, argv, "Grúa de obra", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);', A_PELO),
+    "s_glut_a_pelo": (
+        "grua.cpp",
+        'abreVentana(argc, argv, "Grúa de obra", GLUT_DOUBLE | GLUT_DEPTH | GLUT_MULTISAMPLE);',
+        A_PELO,
+    ),
 }
 
 
@@ -692,9 +696,14 @@ def clase(tmp_path_factory):
     siembra(sitio / "q_dos/grua", {"GRUA.CPP": programa, "grua.h": cabecera, "vieja.cpp": programa})
     siembra(sitio / "r_dos", {"una.cpp": programa, "otra.cpp": programa, "grua.h": cabecera})
     vieja = programa.replace("estado.cubo = creaBuferes(cubo());", "")
-    siembra(sitio / "t_al_lado", {"mi grúa.cpp": programa, "mi grúa - copia.cpp": vieja, "grua.h": cabecera, "malla.vf": "v" * 2**21})
+    siembra(
+        sitio / "t_al_lado",
+        {"mi grúa.cpp": programa, "mi grúa - copia.cpp": vieja, "grua.h": cabecera, "malla.vf": "v" * 2**21},
+    )
     siembra(sitio / "t_al_lado", {f"cmake-build-debug/{i}.cpp": programa for i in range(9)})
-    siembra(sitio / "t_al_lado", {"common/ventana.h": "#error\n", "vieja/otra.cpp": "#error\n", "glm/glm.hpp": "#error\n"})
+    siembra(
+        sitio / "t_al_lado", {"common/ventana.h": "#error\n", "vieja/otra.cpp": "#error\n", "glm/glm.hpp": "#error\n"}
+    )
     return sitio
 
 

@@ -7,7 +7,6 @@ import random
 import re
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -448,6 +447,7 @@ def test_la_tolerancia_es_la_del_comparador(tmp_path):
 # --- los de la página -------------------------------------------------------------------------------------------
 
 PAGINA = (RAIZ / "herramientas/web/ejercicio.mjs").read_text()
+
 
 def test_los_gestos_son_los_de_la_pagina():
     assert f"'{'; '.join(shaders.GIRA)}'" in PAGINA

@@ -7,7 +7,7 @@ import zlib
 from pathlib import Path
 
 from base.procesos import escribe, lanza
-from ejercicios.corrige.partidas import TALLA, Guion, Partida
+from ejercicios.corrige.partidas import TALLA, Partida
 from ejercicios.reglas import Reglas
 
 JUEGA = {"memoria": 1 << 30, "procesos": 8}

@@ -70,8 +70,8 @@ class Subida:
 
 
 class Extractor:
-    """Pone en una carpeta lo que se lee de una entrega, hasta un límite entre todos sus .zip; de lo que no se puede, por
-    qué."""
+    """Pone en una carpeta lo que se lee de una entrega, hasta un límite entre todos sus .zip; de lo que no se puede,
+    por qué."""
 
     def __init__(self, carpeta):
         self.carpeta, self.cuantos, self.bytes, self.comprimidos, self.mal = carpeta, 0, 0, [], {}
@@ -202,8 +202,8 @@ def suelto(fichero):
 
 @contextmanager
 def abierta(que, temporal):
-    """La carpeta en que está lo de uno, la suya o, si viene en un .zip, otra mientras se lee; y lo que de él no se puede
-    leer, con su porqué."""
+    """La carpeta en que está lo de uno, la suya o, si viene en un .zip, otra mientras se lee; y lo que de él no se
+    puede leer, con su porqué."""
     if not isinstance(que, Subida):
         hay = zips(que)
         if not hay:

@@ -52,19 +52,20 @@ class Banco:
         return Donde(self)
 
     def de_otro(self, ruta):
-        """Si lo que hay en esa ruta de una entrega, o en el final de ella, ya lo da el laboratorio o el sistema: una copia de
-        common/ o de glm/."""
+        """Si lo que hay en esa ruta de una entrega, o en el final de ella, ya lo da el laboratorio o el sistema: una
+        copia de common/ o de glm/."""
         partes = ruta.split("/")
         finales = ["/".join(partes[i:]) for i in range(len(partes) - 1)]
         return any(
             os.path.isfile(f"/usr/include/{f}")
-            or not (f in self.privados or f.startswith(("mios/", "ejercicios/"))) and os.path.isfile(self.raiz / f)
+            or not (f in self.privados or f.startswith(("mios/", "ejercicios/")))
+            and os.path.isfile(self.raiz / f)
             for f in finales
         )
 
     def lo_que_lo_cambia(self, build):
-        """Todo de lo que sale una corrección, además de lo entregado y de los guiones: quien corrige, lo que se da, lo que se
-        ve, con qué se enlaza, la solución y quien dibuja, que va en el sello de una imagen."""
+        """Todo de lo que sale una corrección, además de lo entregado y de los guiones: quien corrige, lo que se da, lo
+        que se ve, con qué se enlaza, la solución y quien dibuja, que va en el sello de una imagen."""
         yield repr((nuevo.pedidos(self.raiz, self.programa, self.ref), self.de_partida))
         yield repr(conocidos(self.raiz, self.programa, self.ref))
         yield desempaqueta(self.arbitro.juega_de_nuevo(self.compilador.solucion, Guion("", ()))).get("000.ppm", b"")
@@ -85,8 +86,8 @@ class Banco:
         return suma(self.clave, self.semilla, self.reglas.en_palabras, *guiones, *map(repr, entregado))
 
     def cache(self, sitio):
-        """Donde se guardan las partidas de la solución y de los mutantes; las de antes se borran. Si no se puede escribir,
-        no duran."""
+        """Donde se guardan las partidas de la solución y de los mutantes; las de antes se borran. Si no se puede
+        escribir, no duran."""
         cache = sitio / self.clave
         try:
             cache.mkdir(parents=True, exist_ok=True)

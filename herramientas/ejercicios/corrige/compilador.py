@@ -87,8 +87,8 @@ class Compilador:
         return list(dict.fromkeys(map(str, rutas)))
 
     def compila(self, ficheros, carpeta, ajena=True, intentos=()):
-        """El programa de esos ficheros, compilado en esa carpeta: los fuentes del primer intento que compile, o todos los
-        que no incluya otro. Si con ninguno, Rechazo con el error del primero."""
+        """El programa de esos ficheros, compilado en esa carpeta: los fuentes del primer intento que compile, o todos
+        los que no incluya otro. Si con ninguno, Rechazo con el error del primero."""
         carpeta.mkdir(exist_ok=True)
         arbol = carpeta / "fuentes"
         suya = self.en_arbol(ficheros, arbol)
@@ -143,7 +143,9 @@ class Compilador:
 
 
 SITIO = re.compile(r"^(In file included from | +from )?([^:\n]+):(\d+)[:,](?:\d+[:,])?(.*)$", re.M)
-REPETIDO = re.compile(r"^(?:\S*ld: )?(?:\S+\.o:)?([^:\n]+):\(.*multiple definition of [`'](.*?)'; (?:\S+\.o:)?([^:\n]+):\(", re.M)
+REPETIDO = re.compile(
+    r"^(?:\S*ld: )?(?:\S+\.o:)?([^:\n]+):\(.*multiple definition of [`'](.*?)'; (?:\S+\.o:)?([^:\n]+):\(", re.M
+)
 ERROR = re.compile(r"^ (?:fatal )?error: (.*)$")
 
 

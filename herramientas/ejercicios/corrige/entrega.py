@@ -26,7 +26,8 @@ INCLUYE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]+"([^"\n]+)"', re.M)
 COMENTARIO = re.compile(rb"//[^\n]*|/\*.*?\*/", re.S)
 # Lo que dejan en una carpeta git, macOS, un editor, quien compila o nosotros.
 BASURA = re.compile(
-    r"\..*|.*~|__MACOSX|correccion|CMakeFiles|cmake-build-.*|_deps|node_modules|build|out|x64|debug|release", re.I | re.S
+    r"\..*|.*~|__MACOSX|correccion|CMakeFiles|cmake-build-.*|_deps|node_modules|build|out|x64|debug|release",
+    re.I | re.S,
 )
 
 
@@ -88,8 +89,8 @@ class Alcance:
         return vistos
 
     def con_los_suyos(self, principal):
-        """Y, de los que no tienen main, los que tienen que ver con él: incluyen una cabecera que él alcanza, o se llaman
-        como ella."""
+        """Y, de los que no tienen main, los que tienen que ver con él: incluyen una cabecera que él alcanza, o se
+        llaman como ella."""
         de_cada_uno = {f: self.desde(f) - {f} for f in self.sin_main}
         suyos, alcanzados, antes = [principal], self.desde(principal), None
         while suyos != antes:
@@ -109,8 +110,8 @@ class Entrega:
     intentos: list = field(default_factory=list)  # qué fuentes se compilan; si no se puede con unos, con los otros
 
     def completa(self, de_partida, principal):
-        """Qué se compila, y lo que no viene, del esqueleto: el programa, si no hay ninguno, y cada fichero que no se llame
-        igual. Si no hay principal, es que se piden unos shaders, y solo son ellos."""
+        """Qué se compila, y lo que no viene, del esqueleto: el programa, si no hay ninguno, y cada fichero que no se
+        llame igual. Si no hay principal, es que se piden unos shaders, y solo son ellos."""
         if not principal:
             return self.solo_los_de(de_partida)
         hay_programa_ = any(tipo(f) in COMPILADOS for f in self.ficheros)
@@ -136,8 +137,8 @@ class Entrega:
         self.avisos.append(f"no viene {fichero}: se ha puesto el de partida")
 
     def elige(self, de_partida, principal):
-        """De los que tienen main, antes el que se llama como su carpeta o como el programa, el que es de este ejercicio y el
-        que no es una copia de otro; y con cada uno, lo suyo, todo lo que no tiene main o nada más."""
+        """De los que tienen main, antes el que se llama como su carpeta o como el programa, el que es de este ejercicio
+        y el que no es una copia de otro; y con cada uno, lo suyo, todo lo que no tiene main o nada más."""
         nombres = [n.lower() for n in (*self.llamadas, PurePath(principal).stem)]
         lineas = {*filter(None, map(str.strip, de_partida[principal].splitlines()))}
 
@@ -243,8 +244,8 @@ def abierta(carpeta, *dentro):
 
 
 class Lector:
-    """Recorre la carpeta de una entrega sin salir de ella, antes lo de fuera que lo de dentro. DE_OTRO: si una ruta es de
-    algo que ya está aquí."""
+    """Recorre la carpeta de una entrega sin salir de ella, antes lo de fuera que lo de dentro. DE_OTRO: si una ruta es
+    de algo que ya está aquí."""
 
     def __init__(self, carpeta, mal=None, de_otro=lambda ruta: False):
         self.carpeta, self.de_otro = carpeta, de_otro
@@ -329,8 +330,8 @@ def sin_numero(ficheros):
 
 
 def lee_entrega(carpeta, ref="", mal=None, de_otro=lambda ruta: False):
-    """Los fuentes de una entrega, con los de sus carpetas; lo demás que haya no se mira. O el fichero que es ella. MAL: lo
-    que ya se sabe que no se puede leer."""
+    """Los fuentes de una entrega, con los de sus carpetas; lo demás que haya no se mira. O el fichero que es ella. MAL:
+    lo que ya se sabe que no se puede leer."""
     if carpeta.is_file() and tipo(carpeta.name) in CODIGO:
         lector = Lector(carpeta.parent)
         lector.lee(carpeta.name)

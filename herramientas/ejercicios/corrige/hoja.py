@@ -141,8 +141,8 @@ class Hoja:
         return int(m[1]) if m else None
 
     def de(self, nombre):
-        """Sus filas: la de su número o, si la tarea es de grupos, que lo llevan de otra cosa, las de su grupo. Puede haber
-        una columna de grupos y no ser de ellos la tarea: vale su número si la fila tiene su nombre."""
+        """Sus filas: la de su número o, si la tarea es de grupos, que lo llevan de otra cosa, las de su grupo. Puede
+        haber una columna de grupos y no ser de ellos la tarea: vale su número si la fila tiene su nombre."""
         m = de_moodle(nombre)
         suyas = self.de_cada_uno.get(int(m["numero"]), []) if m and m["numero"] else []
         if m and self.de_grupos:
