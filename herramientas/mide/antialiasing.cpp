@@ -3,6 +3,7 @@
 #include "ch09_imagen/estrella.h"
 #include "gpu.h"
 #include "herramientas/oraculo/oraculo.h"
+#include "shader.h"
 
 using namespace mide;
 

@@ -2,6 +2,7 @@
 #include "ch09_imagen/nucleos.h"
 #include "gpu.h"
 #include "rutas.h"
+#include "shader.h"
 #include <filesystem>
 #ifdef LAB_PAR_OPENCV
 #include <opencv2/imgproc.hpp>

@@ -3,6 +3,7 @@
 #include "ch11_curvas/curvas.h"
 #include "gpu.h"
 #include "mide.h"
+#include "shader.h"
 
 using namespace mide;
 

@@ -1,5 +1,6 @@
 // Un tiro parabólico de muchas partículas: la fórmula en la GPU, o integrar en la CPU y enviar las posiciones.
 #include "gpu.h"
+#include "shader.h"
 
 using namespace mide;
 

@@ -1,6 +1,7 @@
 // Pares de superficies casi juntas que el buffer de profundidad confunde, según lejos/cerca y el formato.
 #include "ch04_vista3d/profundidad.h"
 #include "gpu.h"
+#include "shader.h"
 
 using namespace mide;
 

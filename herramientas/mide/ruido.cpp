@@ -1,6 +1,7 @@
 // El ruido de textura3d en un corte del bloque: leído de una textura 3D o calculado en el shader.
 #include "ch08_texturas_avanzadas/textura3d.h"
 #include "gpu.h"
+#include "shader.h"
 
 using namespace mide;
 

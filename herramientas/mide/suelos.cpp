@@ -1,5 +1,6 @@
 // Lo menos que puede costar una imagen en esta máquina: borrarla y pintar un triángulo, o llenarla.
 #include "gpu.h"
+#include "shader.h"
 
 using namespace mide;
 

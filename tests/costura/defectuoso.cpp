@@ -38,7 +38,7 @@ static void dibuja() {
     } else if (defecto == "taller") {
         for (const GLuint programa : programas) {
             glUseProgram(programa);
-            dibuja(cuadrado);
+            dibujaMalla(cuadrado);
         }
     }
     glutSwapBuffers();
