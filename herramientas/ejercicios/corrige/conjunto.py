@@ -36,7 +36,10 @@ ES_LO_MISMO = [
         (r"no hay ningún fuente|no hay nada", "no hay ningún fuente"),
         (r"el título es", NO_SE_VE[0]),
         (r"debía escribir", NO_SE_VE[1]),
-        (r"el compilador avisa|no viene |su carpeta es de otro", None),
+        (
+            r"el compilador avisa|no viene |su carpeta es de otro|no se ha mirado todo|se ha corregido |no está en UTF-8",
+            None,
+        ),
     )
 ]
 
