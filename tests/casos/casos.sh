@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# casos.sh BUILD ENLACE [PROGRAMA [CASO]]: prueba los casos de un programa, o solo ese, que herramientas/base/catalogo.py
-# deja en BUILD/casos/PROGRAMA.sh. ENLACE dice cómo:
+# casos.sh BUILD ENLACE [PROGRAMA [CASO]]: prueba los casos de un programa, o solo ese, que el catálogo deja en
+# BUILD/casos/PROGRAMA.sh. ENLACE dice cómo:
 #   osmesa, egl       dibujado con ese destino sin ventana y comparado con su golden: la imagen; en un .txt, los títulos
-#                     que pone y lo que escribe; y en un .encima, lo que pinta encima (common/encima/encima.h), que no está si
-#                     no pinta nada
+#                     que pone y lo que escribe; y en un .encima, lo que pinta encima (common/encima/encima.h), que no
+#                     está si no pinta nada
 #   llvmpipe, softpipe, zink, swiftshader, virgl
 #                     lo mismo, por EGL y con ese OpenGL de los paquetes de Debian, elegido como dicen sus manuales
 #   encuadre          lo que enseña cabe entero en la ventana, ancha, a 4:3, casi cuadrada y alta: nada toca el borde,

@@ -28,7 +28,6 @@ from banco import (
     con_catalogo,
     con_jaula,
     en_zip,
-    juzga,
     orden,
 )
 from base import catalogo, defectos, procesos

@@ -11,8 +11,6 @@ import pytest
 
 RAIZ = Path(__file__).parents[2]
 BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
-sys.path[:0] = [str(RAIZ / "herramientas"), *(str(RAIZ / "tests" / otras) for otras in ("ordenes", "paginas"))]
-from ejercicios.corrige import clase as de_clase
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion
 from ejercicios.reglas import Reglas
@@ -94,15 +92,3 @@ def banco_falso(temporal, **mas):
     }
     banco = SimpleNamespace(**{**hay, "arbitro": None, **mas})
     return banco
-
-
-@pytest.fixture
-def juzga(monkeypatch):
-    """En vez de compilar y jugar, una función de (banco, entrega), que da la nota y lo que se dice."""
-
-    def pon(funcion):
-        monkeypatch.setattr(
-            de_clase, "Correccion", lambda *p: SimpleNamespace(hazla=lambda: {"fallos": [], **funcion(*p)})
-        )
-
-    return pon

@@ -1,13 +1,11 @@
 """Lo que se guarda para no hacerlo otra vez: vale mientras todo de lo que depende sea igual."""
 import os
-import sys
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
 RAIZ = Path(__file__).parents[2]
-sys.path[:0] = [str(RAIZ / carpeta) for carpeta in ("herramientas", "tests/ordenes")]
 from galeria import dibuja
 from pruebas import evidencia
 from mentira import siembra

@@ -23,7 +23,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from banco import BUILD, RAIZ, REF, UNO, banco_falso, carpeta_de, con_catalogo, con_comparador, con_jaula, juzga, orden
+from banco import BUILD, RAIZ, REF, UNO, banco_falso, carpeta_de, con_catalogo, con_comparador, con_jaula, orden
 from base import catalogo, guiones, procesos
 from base.fuentes import SHADERS
 from ejercicios import nuevo
@@ -647,7 +647,12 @@ ORDENA = """#include <algorithm>
 struct X {} equis[9];
 inline void ordena() { std::sort(equis, equis + 9); }
 """
-INCLUYE = ("util/cosas.h", "otras.hpp", "../../common/encima/colores.h", "../../ch03_transformaciones/transformaciones.h")
+INCLUYE = (
+    "util/cosas.h",
+    "otras.hpp",
+    "../../common/encima/colores.h",
+    "../../ch03_transformaciones/transformaciones.h",
+)
 A_PELO = """glutInit(&argc, argv);
     glutInitDisplayMode(GLUT_DOUBLE | GLUT_DEPTH);
     glutInitContextVersion(3, 1);

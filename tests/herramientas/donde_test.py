@@ -4,14 +4,12 @@ import json
 import os
 import random
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 RAIZ = Path(__file__).parents[2]
 BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
-sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/ordenes")]
 from ejercicios.corrige import cuadro, donde
 from mentira import sin_ventana
 

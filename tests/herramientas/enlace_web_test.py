@@ -2,13 +2,11 @@
 mal nombre."""
 import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
 
 RAIZ = Path(__file__).parents[2]
-sys.path.insert(0, str(RAIZ / "tests/ordenes"))
 from mentira import ejecutable
 
 FALSO = """printf '%s\\0' "${0##*/}" "$@" '
@@ -26,7 +24,7 @@ def test_ninguna_orden_ejecuta_lo_que_dice_la_carpeta(tmp_path, nombre, vale):
     bin.mkdir()
     for quien in ("em++", "opt", "emar"):
         ejecutable(bin / quien, FALSO)
-    for carpeta in ("herramientas", "common", "ch01_intro"):
+    for carpeta in ("herramientas", "common", "glut", "ch01_intro"):
         shutil.copytree(RAIZ / carpeta, lab / carpeta, ignore=shutil.ignore_patterns("__pycache__", "mide"))
     shutil.copy(RAIZ / "CMakeLists.txt", lab)
     build, entorno = lab / "build", {"PATH": f"{bin}:/usr/bin:/bin", "APUNTES": str(apuntes)}

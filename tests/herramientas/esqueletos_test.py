@@ -1,14 +1,12 @@
 """El esqueleto de cada ejercicio, como lo da ./lab nuevo: compila sin avisos, dibuja algo y no es todavía lo que se
 pide. Con lo que ya está compilado en $LAB_BUILD."""
 import os
-import sys
 from pathlib import Path
 
 import pytest
 
 RAIZ = Path(__file__).parents[2]
 BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
-sys.path[:0] = [str(RAIZ / "herramientas"), str(RAIZ / "tests/ordenes")]
 from base import catalogo, compilacion
 from base.procesos import ejecuta, entorno
 from ejercicios import nuevo

@@ -15,14 +15,12 @@ import pytest
 
 RAIZ = Path(__file__).parents[2]
 BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
-sys.path[:0] = [str(RAIZ / carpeta) for carpeta in ("herramientas", "tests/propiedades", "tests/ordenes")]
 from base import catalogo, controles, defectos, evidencia, fuentes, guiones, indice, libro, marcas, paginas, procesos
 from ejercicios import nuevo
 from ejercicios.corrige import conjunto, entrega
 from galeria import dibuja
 from galeria.pagina import AQUI as GALERIA, MODULOS
 from informe import cocientes, costes, grafica, informe, tecnicas
-from pruebas import azar, muta
 from windows import paquete
 from mentira import faltan, siembra
 

@@ -15,7 +15,7 @@ import pytest
 RAIZ = Path(__file__).parents[2]
 sys.path.insert(0, str(RAIZ / "herramientas"))
 import lab
-from base import construye, paquetes, procesos
+from base import construye, paquetes
 from base.procesos import Fallo
 from mentira import ejecutable, siembra
 

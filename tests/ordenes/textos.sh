@@ -21,7 +21,7 @@ for arbol in . "$carpeta/por hacer"; do # también con los ejercicios por hacer
   pushd "$arbol" >/dev/null
   for shader in common/*.frag common/encima/*.vert common/encima/*.frag ch*/*.vert ch*/*.frag; do
     [ "$(head -n 1 "$shader")" = '#version 140' ] || mal "$shader no empieza por #version 140"
-    llano=${shader/\//-} # hay dos que se llaman igual
+    llano=${shader//\//-} # hay dos que se llaman igual
     [[ $shader != *errores_shader_compila.frag ]] || { rm "$carpeta/$llano"; continue; } # está mal a propósito
     { echo "$cabecera_essl"; tail -n +2 "$carpeta/$llano"; } >"$carpeta/es-$llano"
   done

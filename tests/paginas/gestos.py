@@ -163,7 +163,9 @@ def teclas(p):
     suyas = [orden.split()[1] for orden in p.da("visto.programa.mandos.flatMap(m => m.teclas.map(t => t[1]))")]
     quedan = p.js(DEL_NAVEGADOR + "return arguments[0].filter(t => !quita(nombres[t] ?? t))", suyas)
     exige(not quedan, f"las teclas que van al programa no mueven la página: {quedan}")
-    ajenas = p.js(DEL_NAVEGADOR + "return ['Tab', 'F12', 'ñ', 'ArrowDown', 'z', 'Shift', 'CapsLock', 'Dead'].filter(quita)")
+    ajenas = p.js(
+        DEL_NAVEGADOR + "return ['Tab', 'F12', 'ñ', 'ArrowDown', 'z', 'Shift', 'CapsLock', 'Dead'].filter(quita)"
+    )
     exige(not ajenas, f"y las que no, son del navegador: {ajenas}")
     boton = """const b = conTexto('.mando button', 'd');
         const da = que => b.dispatchEvent(new PointerEvent(que, { bubbles: true }));"""
