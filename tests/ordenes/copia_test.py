@@ -146,7 +146,7 @@ def test_un_programa_mas(lab):
     lab.anade("ch01_intro/catalogo.toml", NUEVO)
     lab("galeria", 0, "ch01_intro/nuevo: 1 imagen")
     assert not faltan((lab.raiz / "galeria/index.html").read_text(), '<article id="nuevo">', "Es nuevo")
-    lab("ver E1.2 -ayuda", 0, "termina")  # sus teclas, de su línea «// Controles:»
+    lab("ver E1.2", 0, "lo he dibujado en nuevo.png")
 
 
 def test_donde_no_se_puede_escribir(lab):
