@@ -59,8 +59,8 @@ def test_uno_hecho_como_dice_el_documento(lab):
         "ver mios/molinete",
         "corrige clase ejercicios/molinete",
     ]
-    readme = re.findall(r"^\./lab (.*?) +#", (RAIZ / "README.md").read_text(), re.M)
-    assert {o for o in ORDENES if "ver" not in o} <= set(readme)
+    uso = re.findall(r"^\./lab (.*?) +#", (RAIZ / "docs/uso.md").read_text(), re.M)
+    assert {o for o in ORDENES if "ver" not in o} <= set(uso)
     dicho = lab(ORDENES[0])
     assert re.findall(r"^bien  (.+?):", dicho, re.M) == PREGUNTAS and "mal" not in dicho
     lab(ORDENES[1], dice="/mios/molinete: lo que se pide está en ENUNCIADO.md")
@@ -148,7 +148,7 @@ JUGADOS = (  # los ficheros que cambian, y de cada pregunta que lo nota, y solo 
         {
             "controles": "«tecla z» no cambia la imagen en ningún guion",
             "errores conocidos": "errores:2 y errores:5 no se distinguen: gira hacia la derecha; se tuerce hacia",
-            "líneas": "molinete.cpp:25: se cambie como se cambie, da lo mismo",
+            "líneas": "molinete.cpp:26: se cambie como se cambie, da lo mismo",
         },
     ),
     (
