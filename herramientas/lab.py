@@ -260,7 +260,6 @@ class Laboratorio:
     def galeria(self, _):
         """Dibuja todos los programas sin ventana y deja galeria/index.html."""
         self.prepara()
-        self.t.anuncia(self.build, "sin_ventana")
         aviso(f"Dibujo los programas según se compilan; desde la primera imagen se ven en {self.t.galeria}/index.html")
         return self.dibuja_galeria()
 

@@ -149,19 +149,8 @@ class Taller:
         if falta := re.search("^-- (No hay OSMesa.*)", dicho, re.M):
             aviso(falta[1])
 
-    def anuncia(self, carpeta, *objetivos):
-        """Cuánto queda por compilar, si es mucho, antes de ponerse."""
-        orden = ["ninja", "-C", carpeta, "-n", *objetivos]
-        pasos = re.findall(r"^\[\d+/(\d+)\]", procesos.lanza(orden, text=True, errors="replace").stdout, re.M)
-        cuantos, procesadores = int(pasos[-1]) if pasos else 0, len(os.sched_getaffinity(0))
-        if cuantos > MUCHOS:
-            minutos = max(1, round(cuantos * SEGUNDOS_POR_PASO / procesadores / 60))
-            son = f"{minutos} minuto{'s' if minutos > 1 else ''}"
-            aviso(f"Compilo lo que falta en {carpeta}: {cuantos} pasos, unos {son} con {procesadores} procesadores")
-
     def compila(self, carpeta, *objetivos):
         """Si sale bien. En una terminal enseña por dónde va; fuera de ella, solo avisos y errores."""
-        self.anuncia(carpeta, *objetivos)
         orden = ["cmake", "--build", carpeta, "--target", *objetivos]
         como = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True, "errors": "replace"}
         with open(carpeta / "compila.log", "w") as registro, procesos.arranca(orden, **como) as proceso:
@@ -174,8 +163,13 @@ class Taller:
 
     @staticmethod
     def ensena(linea):
-        """Una línea de ninja: por dónde va, que se borra, o lo que dice el compilador."""
-        if not linea or re.match(r"\[\d+/\d+\]", linea):
+        """Una línea de ninja: por dónde va, que se borra, con lo que queda si es mucho, o lo que dice el compilador."""
+        paso = re.match(r"\[(\d+)/(\d+)\]", linea)
+        if paso and int(paso[1]) == 1 and int(paso[2]) > MUCHOS:
+            procesadores = len(os.sched_getaffinity(0))
+            minutos = max(1, round(int(paso[2]) * SEGUNDOS_POR_PASO / procesadores / 60))
+            aviso(f"Compilo: {paso[2]} pasos, unos {minutos} min con {procesadores} procesadores")
+        if not linea or paso:
             if sys.stderr.isatty():
                 print(f"\r\033[K{linea.strip()[:100]}", end="", file=sys.stderr, flush=True)
         elif not linea.startswith("-- ") and not re.match("ninja: (?!error: |build stopped: .* space)", linea):

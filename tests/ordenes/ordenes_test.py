@@ -225,6 +225,8 @@ def test_lo_que_se_ensena_al_compilar(capsys):
     for linea, se_ve in SE_VE.items():
         construye.Taller.ensena(linea + "\n")
         assert capsys.readouterr().err == (linea + "\n" if se_ve else ""), linea
+    construye.Taller.ensena("[1/600] Building CXX object a.o\n")
+    assert "Compilo: 600 pasos, unos " in capsys.readouterr().err
 
 
 def test_carpetas(tmp_path, monkeypatch):
