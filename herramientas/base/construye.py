@@ -14,7 +14,7 @@ from base.procesos import Fallo
 SALEN = "build", "explica", "galeria", "informe", "web", "mios", "windows"
 DE_CMAKE = "CMakeCache.txt", "catalogo.json", "sin_ventana"  # lo que deja CMake
 FUTURO = 5  # segundos de más que se perdonan al reloj
-MUCHOS, SEGUNDOS_POR_PASO = 20, 1.0  # lo que cuesta de media cada fuente y cada enlace, de procesador
+MUCHOS, SEGUNDOS_POR_PASO = 20, 0.6  # lo que cuesta de media cada fuente y cada enlace, de procesador
 
 
 def aviso(texto):
