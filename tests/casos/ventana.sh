@@ -1,8 +1,9 @@
-# Para incluir con `source` en casos.sh: los casos en una ventana de FreeGLUT, uno detrás de otro en un Xvfb, el suyo o el
-# de su capítulo (ventana/capitulo.sh), con teclado y ratón de verdad; la ventana debe acabar igual que el golden (tolerancia amplia) y Esc, o
-# cerrarla, debe terminar el programa con 0. El último aguanta además sucesos al azar y cambios de tamaño bajo un gestor
-# de ventanas, salvo con SIN_PASEO. El reloj virtual y los menús no se pueden repetir aquí: de los casos que los usan se
-# mira que dibuje algo. ENLACE windows es lo mismo, sin paseo, con los ejecutables de Windows, bajo Wine.
+# Para incluir con `source` en casos.sh: los casos en una ventana de FreeGLUT, uno detrás de otro en un Xvfb, el suyo o
+# el de su capítulo (ventana/capitulo.sh), con teclado y ratón de verdad; la ventana debe acabar igual que el golden
+# (tolerancia amplia) y Esc, o cerrarla, debe terminar el programa con 0. El último aguanta además sucesos al azar y
+# cambios de tamaño bajo un gestor de ventanas, salvo con SIN_PASEO. El reloj virtual y los menús no se pueden repetir
+# aquí: de los casos que los usan se mira que dibuje algo. ENLACE windows es lo mismo, sin paseo, con los ejecutables
+# de Windows, bajo Wine.
 source "$aqui/../ventana/xdotool.sh"
 lanza() { abre "$build/ventana/$capitulo/$programa" "$@"; } # [opciones]
 abre_pantalla
