@@ -36,8 +36,9 @@ diff <(grep -oE '\bglut[A-Z][A-Za-z]+' <(sed '/Cualquier otra/,$d' glut/sin_vent
   <(nm -C --defined-only "$3" | awk '$2 == "T" && $3 ~ /^glut[A-Z]/ { print $3 }' | sort) ||
   mal 'glut_sin_ventana.h no enumera justo las funciones que hay'
 # sus demás nombres van en su espacio: los que defina un programa no chocan con ellos
+suyos='^(glut[A-Z]|glX[A-Z]|__wrap_glewInit$|sin_ventana::)'
 nm -C --defined-only "$3" |
-  awk '$2 ~ /^[TDBRC]$/ && $3 !~ /^(glut[A-Z]|glX[A-Z]|__wrap_glewInit$|sin_ventana::)/ { print $3; mal = 1 } END { exit mal }' ||
+  awk -v suyos="$suyos" '$2 ~ /^[TDBRC]$/ && $3 !~ suyos { print $3; mal = 1 } END { exit mal }' ||
   mal 'glut_sin_ventana tiene nombres fuera de sin_ventana'
 
 # con el GLEW estático, arrancar no carga libGL ni X11 (con OSMesa viene lo que Mesa quiera)
