@@ -11,7 +11,7 @@ from base.procesos import Fallo
 
 PARA_USAR = """g++ cmake ninja-build pkg-config libglew-dev freeglut3-dev libglm-dev libegl-dev libgl-dev
     libgl1-mesa-dri libfreetype-dev fonts-dejavu-core netpbm webp python3 python3-jinja2 python3-pygments""".split()
-CORRIGE = ["bubblewrap", "similarity-tester"]  # la jaula no hace falta con --sin-jaula
+CORRIGE = ["bubblewrap"]  # la jaula no hace falta con --sin-jaula
 PRUEBAS = (
     """git libgtest-dev glslang-tools nodejs esbuild python3-pytest black pyflakes3 clang-format shellcheck xvfb
     xdotool x11-apps x11-utils twm""".split()
