@@ -1,6 +1,6 @@
 """El catálogo: los capítulos, con sus programas, con sus casos. Los hechos de cada uno están solo en el catalogo.toml
-de su capítulo, en el orden del libro; qué se dice de cada cosa, en CAMPOS. Solo se leen aquí: CMake pide al configurar lo
-que sale de ellos, y de ahí lo toman los demás. Un programa es chNN_…/nombre.cpp; su caso «base» da la imagen
+de su capítulo, en el orden del libro; qué se dice de cada cosa, en CAMPOS. Solo se leen aquí: CMake pide al configurar
+lo que sale de ellos, y de ahí lo toman los demás. Un programa es chNN_…/nombre.cpp; su caso «base» da la imagen
 <programa>, y los otros, <programa>-<nombre>.
 
 catalogo.py BUILD escribe RAÍZ    BUILD/catalogo.json, lo que leen las herramientas; BUILD/catalogo.cmake, qué programas

@@ -1,4 +1,5 @@
-// Una esfera sobre un espejo: dibujarla otra vez, simétrica (ecuación 7.3), con más o menos malla, frente a trazar rayos.
+// Una esfera sobre un espejo: dibujarla otra vez, simétrica (ecuación 7.3), con más o menos malla, frente a trazar
+// rayos.
 #include "ch07_realismo/reflexion.h"
 #include "escena.h"
 

@@ -73,8 +73,8 @@ TEST(Mide, ErrorYDiferenciaDeDosImagenes) {
     EXPECT_EQ(redondeada(1, 1, {-3, 1.6, 300}).rgb, std::vector<unsigned char>({0, 2, 255}));
 }
 
-/// Los argumentos llegan tal cual, se llame como se llame la carpeta; se cuenta lo suyo y lo del sistema, y no los ratos
-/// en que espera; y un programa que falla o que no está no es un tiempo.
+/// Los argumentos llegan tal cual, se llame como se llame la carpeta; se cuenta lo suyo y lo del sistema, y no los
+/// ratos en que espera; y un programa que falla o que no está no es un tiempo.
 TEST(Mide, LoQueTardaOtroPrograma) {
     const auto peor = carpetaTemporal() / "x';touch pwned;'y $(touch pwned)";
     EXPECT_GE(milisegundosDeOrden({"touch", peor}), 0);

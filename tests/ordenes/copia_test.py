@@ -1,5 +1,6 @@
-"""El laboratorio copiado a otra carpeta, con el peor nombre posible, sin tests/ y solo con el primer capítulo: compila y
-dibuja de verdad, un programa más sale de su tabla y lo que se estropea se nota. Cada prueba sigue donde la anterior."""
+"""El laboratorio copiado a otra carpeta, con el peor nombre posible, sin tests/ y solo con el primer capítulo: compila
+y dibuja de verdad, un programa más sale de su tabla y lo que se estropea se nota. Cada prueba sigue donde la
+anterior."""
 import contextlib
 import os
 import re

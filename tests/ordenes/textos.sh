@@ -37,8 +37,8 @@ diff <(grep -oE '\bglut[A-Z][A-Za-z]+' <(sed '/Cualquier otra/,$d' glut/sin_vent
   mal 'glut_sin_ventana.h no enumera justo las funciones que hay'
 # sus demás nombres van en su espacio: los que defina un programa no chocan con ellos
 suyos='^(glut[A-Z]|glX[A-Z]|__wrap_glewInit$|sin_ventana::)'
-nm -C --defined-only "$3" |
-  awk -v suyos="$suyos" '$2 ~ /^[TDBRC]$/ && $3 !~ suyos { print $3; mal = 1 } END { exit mal }' ||
+awk -v suyos="$suyos" '$2 ~ /^[TDBRC]$/ && $3 !~ suyos { print $3; mal = 1 } END { exit mal }' \
+  <(nm -C --defined-only "$3") ||
   mal 'glut_sin_ventana tiene nombres fuera de sin_ventana'
 
 # con el GLEW estático, arrancar no carga libGL ni X11 (con OSMesa viene lo que Mesa quiera)

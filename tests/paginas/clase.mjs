@@ -1,6 +1,6 @@
 // clase.mjs RAÍZ BUILD CARPETA: la página de una clase corregida, en claro y en oscuro. La tabla se ordena por nombre y
-// por nota, y otra vez al revés; los enlaces siguen llevando a cada una; nada se sale de un teléfono, tampoco de la página
-// de cada una ni de la de las que se parecen, y lo pueden usar todos.
+// por nota, y otra vez al revés; los enlaces siguen llevando a cada una; nada se sale de un teléfono, tampoco de la
+// página de cada una ni de la de las que se parecen, y lo pueden usar todos.
 import assert from 'node:assert/strict';
 import { pathToFileURL } from 'node:url';
 import { ABRE, dePython, enNavegadores } from './navegador.mjs';
@@ -35,7 +35,8 @@ enNavegadores(['chromium', 'firefox'], {
     await p.teclas('Tab');
     await p.exige('se llega con el tabulador', () => document.activeElement.matches('a, button'));
     for (const [columna, orden] of [POR_NOMBRE, POR_NOTA].entries()) {
-      for (const [sentido, debe] of [['ascending', orden], ['descending', [...orden].reverse()], ['ascending', orden]]) {
+      for (const [sentido, debe] of
+          [['ascending', orden], ['descending', [...orden].reverse()], ['ascending', orden]]) {
         await p.da(columna => todos('th button')[columna].click(), columna);
         const [celdas, flechas] = await p.da(columna => [
           todos('tbody tr').map(f => columna ? String(parseFloat(f.cells[1].textContent)) : f.cells[0].textContent),

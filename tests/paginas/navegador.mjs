@@ -56,7 +56,8 @@ function nombra() {
     escena: () => pagina.escena, editor: () => pagina.editor, visto: () => pagina.visto, cm: () => pagina.editor.cm,
     sesion: () => pagina.escena.sesion, hecho: () => pagina.escena.hecho, dialogo: () => una('dialog'),
     telon: () => una('.telon'), consola: () => una('.consola'), marco: () => una('.lienzo'),
-    estado: () => una('.fichero-estado'), explicacion: () => una('.explicacion'), aviso: () => una('.aviso').textContent,
+    estado: () => una('.fichero-estado'), explicacion: () => una('.explicacion'),
+    aviso: () => una('.aviso').textContent,
   };
   for (const [nombre, get] of Object.entries(alias)) Object.defineProperty(globalThis, nombre, { get });
   globalThis.todos = (selector, raiz = document) => [...raiz.querySelectorAll(selector)];
@@ -217,8 +218,9 @@ export function comoGolden(caso, ppm, otro) {
   const { capitulo } = PROGRAMAS.find(p => p.nombre === caso.programa), fallos = `${BUILD}/fallos/web`;
   mkdirSync(fallos, { recursive: true });
   const tolera = otro === undefined ? caso.tolerancia : caso.otro;
-  const c = spawnSync(`${BUILD}/herramientas/comparador/compara`, [`${RAIZ}/tests/golden/${capitulo}/${caso.fichero}.ppm`,
-    '/dev/stdin', otro === undefined ? '--amplia' : '--otro', '--deja', `${fallos}/${caso.fichero}`,
+  const golden = `${RAIZ}/tests/golden/${capitulo}/${caso.fichero}.ppm`;
+  const c = spawnSync(`${BUILD}/herramientas/comparador/compara`, [golden, '/dev/stdin',
+    otro === undefined ? '--amplia' : '--otro', '--deja', `${fallos}/${caso.fichero}`,
     ...tolera ? ['--tolerancia', tolera] : []], { input: ppm, encoding: 'utf8' });
   assert.equal(c.status, 0, `${caso.fichero}: ${c.stdout}${c.stderr}`);
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# prueba.sh RAIZ BUILD PRUEBA [opción de node…]: PRUEBA.mjs, con sus bibliotecas de npm en BUILD/paginas, sobre llvmpipe y
-# en una pantalla de Xvfb, que sin ninguna Firefox no tiene WebGL 2. Antes hace en una carpeta temporal lo que se abre.
+# prueba.sh RAIZ BUILD PRUEBA [opción de node…]: PRUEBA.mjs, con sus bibliotecas de npm en BUILD/paginas, sobre
+# llvmpipe y en una pantalla de Xvfb, que sin ninguna Firefox no tiene WebGL 2. Antes hace en una carpeta temporal lo
+# que se abre.
 # Una sola pregunta: prueba.sh . build web --test-name-pattern='a toda pantalla'.
 set -euo pipefail
 cd "$1"

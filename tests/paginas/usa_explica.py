@@ -108,8 +108,8 @@ SOLO_ALLI = re.compile("determinante 0|0 vértices|no se dibuja nada")  # lo que
 
 
 def lo_que_dice(enlace, programa, guion, punto):
-    """Con ./lab explica, lo que le pasa a ese píxel de la ventana, [orden, primitiva, veredicto], y lo que se sospecha de
-    lo que puede venir de un shader."""
+    """Con ./lab explica, lo que le pasa a ese píxel de la ventana, [orden, primitiva, veredicto], y lo que se sospecha
+    de lo que puede venir de un shader."""
     with tempfile.TemporaryDirectory() as carpeta:
         ejecutable = BUILD / enlace / programa.capitulo.nombre / programa.nombre
         pide = {"LAB_EXPLICA": "e.json", "LAB_EXPLICA_PIXELES": "{},{}".format(*punto)}

@@ -37,7 +37,8 @@ ES_LO_MISMO = [
         (r"el título es", NO_SE_VE[0]),
         (r"debía escribir", NO_SE_VE[1]),
         (
-            r"el compilador avisa|no viene |su carpeta es de otro|no se ha mirado todo|se ha corregido |no está en UTF-8",
+            r"el compilador avisa|no viene |su carpeta es de otro|no se ha mirado todo|se ha corregido |"
+            "no está en UTF-8",
             None,
         ),
     )
