@@ -18,7 +18,7 @@ from base.procesos import Fallo
 # Lo que dicen FreeGLUT, Xlib o los programas donde no se puede abrir una ventana con OpenGL 3.1.
 SIN_VENTANA = "failed to open display|GLX extension not supported|Unable to create .*context|GLXBad|FBConfig"
 SIN_VENTANA += "|hace falta OpenGL"
-MINUTOS = {False: 4, True: 9}  # de las pruebas de cualquiera y de todas, sin compilar
+MINUTOS = {False: 5, True: 15}  # de las pruebas de cualquiera y de todas, sin compilar
 CODEMIRROR = Path("/usr/share/javascript/codemirror")
 OTROS_SON = """
 LAB_SIN_INSTALAR=1 no instala paquetes; LAB_NAVEGADOR=1 prueba también la galería y la página en navegadores;
