@@ -58,7 +58,7 @@ class Copia:
     """Se compila sin optimizar y con pocos assets/: lo que tarda no es lo que se prueba."""
 
     def __init__(self, sitio):
-        self.sitio, self.raiz, self.temporal = sitio, sitio / "lab (1) a&b c'd g[h] ñ", sitio / "tmp"
+        self.sitio, self.raiz, self.temporal = sitio, sitio / "lab (1) e$f g[h] ñ", sitio / "tmp"
         self.temporal.mkdir()
         self.entorno = {c: v for c, v in os.environ.items() if c not in ("DISPLAY", "WAYLAND_DISPLAY", "LAB_CERROJO")}
         self.entorno |= {"LAB_SIN_INSTALAR": "1", "TMPDIR": str(self.temporal)}
@@ -166,7 +166,9 @@ def test_donde_no_se_puede_escribir(lab):
 def test_movido_nada_de_lo_compilado_vale(lab):
     (lab.raiz / "build/CMakeFiles/rules.ninja").unlink()
     lab("lista", 0, "Tres")  # se arregla de lo que le falte
-    lab.raiz = lab.raiz.rename(lab.sitio / "lab (2) e$f")
+    # con & y ' en el nombre, ninja no sabe de qué depende nada y lo compila todo cada vez: aquí, una
+    lab.raiz = lab.raiz.rename(lab.sitio / "lab (2) a&b c'd")
     lab("lista", 0, "Tres")
     assert f"CMAKE_HOME_DIRECTORY:INTERNAL={lab.raiz}\n" in (lab.raiz / "build/CMakeCache.txt").read_text()
     assert not (lab.raiz / "build/ventana/ch01_intro/shader_basico").exists()
+    lab("galeria", 0, "Hecha: ")
