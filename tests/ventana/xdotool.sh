@@ -28,8 +28,9 @@ lleva_raton() {
 # Tras cada una, lo que diga $pausa, que es de xdotool. Las de menú y las del reloj virtual se saltan; con TITULOS el
 # reloj es el de verdad, y escribe cómo se llama la ventana tras cada orden.
 haz_guion() { # TALLA GUION: la de la ventana al empezar, y sus órdenes
-  local ordenes x y orden resto a b pasos=()
+  local ordenes x y orden resto a b
   [ -v pausa ] || local pausa=(sleep "${PAUSA:-0.02}")
+  local pasos=("${pausa[@]}") # lo que el programa pide al empezar (otra talla) llega antes
   local -A especial=([IZQUIERDA]=Left [DERECHA]=Right [ARRIBA]=Up [ABAJO]=Down [INICIO]=Home [FIN]=End
     [REPAG]=Prior [AVPAG]=Next [INSERTAR]=Insert)
   local -A nombre=([Esc]=Escape [Espacio]=space [Intro]=Return [Tab]=Tab [Retroceso]=BackSpace [Supr]=Delete
