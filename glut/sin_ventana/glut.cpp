@@ -433,11 +433,6 @@ int glutGetWindow(void) {
     return g.abierta ? 1 : 0;
 }
 
-void glutSetWindow(int ventana) {
-    if (ventana != 1)
-        falla("glutSetWindow(" + std::to_string(ventana) + "): no hay esa ventana");
-}
-
 void glutSetWindowTitle(const char *titulo) {
     ponTituloVentana(titulo);
 }

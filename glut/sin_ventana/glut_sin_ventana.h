@@ -5,11 +5,11 @@
 // Están, con el significado que tienen en FreeGLUT:
 //   glutInit glutInitWindowSize glutInitWindowPosition glutInitDisplayMode glutInitContextVersion
 //   glutInitContextFlags glutInitContextProfile glutSetOption glutCreateWindow glutDestroyWindow glutGetWindow
-//   glutSetWindow glutSetWindowTitle glutReshapeWindow glutFullScreenToggle glutSetCursor glutDisplayFunc
-//   glutReshapeFunc glutKeyboardFunc glutKeyboardUpFunc glutSpecialFunc glutSpecialUpFunc glutMouseFunc
-//   glutMotionFunc glutPassiveMotionFunc glutMouseWheelFunc glutIdleFunc glutTimerFunc glutCloseFunc
-//   glutPostRedisplay glutSwapBuffers glutGet glutMainLoop glutLeaveMainLoop glutCreateMenu glutDestroyMenu
-//   glutGetMenu glutSetMenu glutAddMenuEntry glutAddSubMenu glutChangeToMenuEntry glutAttachMenu glutDetachMenu
+//   glutSetWindowTitle glutReshapeWindow glutFullScreenToggle glutSetCursor glutDisplayFunc glutReshapeFunc
+//   glutKeyboardFunc glutKeyboardUpFunc glutSpecialFunc glutSpecialUpFunc glutMouseFunc glutMotionFunc
+//   glutPassiveMotionFunc glutMouseWheelFunc glutIdleFunc glutTimerFunc glutCloseFunc glutPostRedisplay
+//   glutSwapBuffers glutGet glutMainLoop glutLeaveMainLoop glutCreateMenu glutSetMenu glutAddMenuEntry
+//   glutAddSubMenu glutAttachMenu
 // Y tres que FreeGLUT no tiene, para quien da los sucesos desde fuera (la página web):
 //   glutOrden glutOpciones glutRedibuja
 // Cualquier otra no está, y el enlazador lo dice. Un valor de glutGet o glutSetOption que no se imita termina

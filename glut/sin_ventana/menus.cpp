@@ -3,7 +3,6 @@
 #include "glut_sin_ventana.h"
 #include "guion.h"
 #include "interior.h"
-#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -43,7 +42,7 @@ void elige(int menu, int valor) {
     menus.abierto = false;
     const int anterior = std::exchange(menus.actual, menu);
     menus.todos.at(menu).funcion(valor);
-    menus.actual = menus.todos.count(anterior) ? anterior : 0;
+    menus.actual = anterior;
 }
 
 // Si en ese menú hay esa opción, la elige.
@@ -117,21 +116,6 @@ int glutCreateMenu(void (*f)(int)) {
     return menus.actual;
 }
 
-void glutDestroyMenu(int menu) {
-    menus.todos.erase(menu);
-    for (auto &[otro, suyo] : menus.todos)
-        for (Entrada &e : suyo.entradas)
-            if (e.submenu == menu)
-                e = {e.texto, -1, 0};
-    std::replace(std::begin(menus.deBoton), std::end(menus.deBoton), menu, 0);
-    if (menus.actual == menu)
-        menus.actual = 0;
-}
-
-int glutGetMenu(void) {
-    return menus.actual;
-}
-
 void glutSetMenu(int menu) {
     exigeMenu("glutSetMenu", menu);
     menus.actual = menu;
@@ -146,24 +130,11 @@ void glutAddSubMenu(const char *texto, int submenu) {
     actual("glutAddSubMenu").entradas.push_back({texto, 0, submenu});
 }
 
-void glutChangeToMenuEntry(int entrada, const char *texto, int valor) {
-    auto &entradas = actual("glutChangeToMenuEntry").entradas;
-    if (entrada < 1 || entrada > int(entradas.size()))
-        falla("glutChangeToMenuEntry(" + std::to_string(entrada) + "): el menú tiene " +
-              std::to_string(entradas.size()) + " opciones");
-    entradas[entrada - 1] = {texto, valor, 0};
-}
-
 void glutAttachMenu(int boton) {
     actual("glutAttachMenu");
     if (boton < 0 || boton > 2)
         falla("glutAttachMenu(" + std::to_string(boton) + "): no hay ese botón");
     menus.deBoton[boton] = menus.actual;
-}
-
-void glutDetachMenu(int boton) {
-    if (boton >= 0 && boton <= 2)
-        menus.deBoton[boton] = 0;
 }
 
 } // extern "C"
