@@ -1,6 +1,7 @@
 // Comprobaciones independientes del capítulo 1.
 #include "colores.h"
 #include "guiones.h"
+#include "imagenes.h"
 #include "plana.h"
 #include "tabla.h"
 #include <GL/glew.h>
@@ -190,20 +191,27 @@ TEST(ErroresShader, NombraFicheroYLinea) {
         << e.salida;
 }
 
-// El fondo dice si va mal; el triángulo, con sus colores, sigue siempre.
+// El marco dice si va mal; el triángulo, con sus colores, sigue siempre sobre la consola, que ocupa tres décimas.
 TEST(ErroresShader, SigueVivoYDiceEnQueCasoEsta) {
     const struct {
         std::string guion;
-        glm::vec3 fondo;
-    } casos[] = {{"", FONDO_CLARO},
+        glm::vec3 marco;
+    } casos[] = {{"", GRIS},
                  {"tecla 2", ROJO},
                  {"especial F5; tecla 0; tecla 4", ROJO},
                  {"tamano 120 200; tecla 3", ROJO},
-                 {"especial F5; tecla 1", FONDO_CLARO}};
+                 {"especial F5; tecla 1", GRIS}};
     const std::vector<VerticePlano> vertices = {
         {-0.95, -0.92, exacto(AMARILLO)}, {0.95, -0.92, exacto(VERDE)}, {0, 0.62, exacto(AZUL)}};
     paraCada("errores_shader", casos, 240, 180, [&](const auto &c, const Vista &vista) {
-        const Hueco h = cuadrado(vista.escena.ancho, vista.escena.alto);
-        compruebaPlana(c.guion, vista.escena, triangulos(GL_TRIANGLES, vertices, h), exacto(c.fondo));
+        const int ancho = vista.escena.ancho, alto = vista.escena.alto, marco = alto / 50,
+                  consola = 3 * alto / 10;
+        const Imagen escena =
+            recorta(vista.escena, Hueco{marco, consola, ancho - 2 * marco, alto - consola - marco});
+        compruebaPlana(c.guion, escena,
+                       triangulos(GL_TRIANGLES, vertices, cuadrado(escena.ancho, escena.alto)),
+                       exacto(FONDO_CLARO));
+        EXPECT_LT(distancia(pixel(vista.escena, 0, 0), color(c.marco)), 1) << c.guion;
+        EXPECT_LT(distancia(pixel(vista.escena, ancho / 2, consola - marco - 2), color(FONDO_OSCURO)), 1);
     });
 }
