@@ -1,7 +1,7 @@
 // La transformación de la cámara (ecuación 4.1, figura 4.1): en un panel, la cámara desde fuera, con su posición p, su
-// punto de interés i, su vector de inclinación UP y los ejes S, U y F que salen de ellos; en el otro, lo que ve. El
-// libro no dice qué pasa si UP es paralelo a F: aquí siempre hay base (vista.h), y la cuarta vista, con UP a 1e-7 de F,
-// sale bien.
+// punto de interés i, su vector de inclinación UP (en gris, el de partida) y los ejes S, U y F que salen de ellos; en
+// el otro, lo que ve. El libro no dice qué pasa si UP es paralelo a F: aquí siempre hay base (vista.h), y la cuarta
+// vista, con UP a 1e-7 de F, sale bien.
 // Controles: 1 2 3 vistas · 4 UP casi paralelo · i o inclinan · ratón orbita por fuera · Esc termina.
 #include "aspecto.h"
 #include "buferes.h"
@@ -24,22 +24,22 @@
 
 static const float PASO = 0.1f;    // radianes
 static const double ANGULO = 1.05; // de la cámara, en radianes
-static const double CERCA = 0.5, LEJOS = 60;
+static const double CERCA = 0.5, LEJOS = 60, LARGO_PIRAMIDE = 2, LARGO_UP = 2.8, LARGO_EJE = 1.7;
 static const glm::dvec3 INTERES(0, 1.7, 0);
 
 static const struct {
     glm::dvec3 p, UP;
-} VISTAS[] = {{{3.6, 4.1, 1.0}, {0, 1, 0}},
-              {{-3.3, 3.5, 0.6}, {0, 1, 0}},
+} VISTAS[] = {{{2.8, 4.1, 1.4}, {0, 1, 0}},
+              {{-2.1, 3.7, 1.5}, {0, 1, 0}},
               {{-1.6, 5.6, 1.2}, {1, 0, 0}},
-              {{3.2, 4.9, -0.6}, {-3.2, -3.2 + 1e-7, 0.6}}};
+              {{2.6, 4.9, -0.4}, {-2.6, -3.2 + 1e-7, 0.4}}};
 
 static struct {
     GLuint programa;
     Buferes cubo, cilindro, cono, esfera;
     int elegido = 0;
     double inclinacion = 0; // radianes alrededor de F
-    Orbita orbita = {0.35f, 0.55f, 15.8f, {0.25f, 2.3f, 0}, 0.02f};
+    Orbita orbita = {0.35f, 0.55f, 15.8f, {0.3f, 2.7f, 0}, 0.02f};
 } estado;
 
 static void inicia() {
@@ -72,13 +72,13 @@ static void dibujaCamara(const glm::mat4 &aRecortado, const glm::dvec3 &p, const
     const glm::mat4 alMundo(glm::inverse(transformacionCamara(p, INTERES, UP)));
     for (const PiezaCamara &pieza : piezasCamara())
         dibujaObjeto(estado.programa, pieza.esRedonda ? estado.cilindro : estado.cubo,
-                     alMundo * escalado(1.6f) * pieza.M, pieza.color);
+                     alMundo * escalado(1.3f) * pieza.M, pieza.color);
     const glm::vec3 ojo(p), interes(INTERES);
-    const double y = 3 * std::tan(theta / 2);
+    const double y = LARGO_PIRAMIDE * std::tan(theta / 2);
     const double x = aspecto * y;
     std::vector<glm::vec3> marco, lados;
     for (const glm::dvec2 &e : {glm::dvec2(x, y), {-x, y}, {-x, -y}, {x, -y}}) {
-        marco.push_back(alMundo * glm::vec4(e.x, e.y, -3, 1));
+        marco.push_back(alMundo * glm::vec4(e.x, e.y, -LARGO_PIRAMIDE, 1));
         lados.insert(lados.end(), {ojo, marco.back()});
     }
     trazaSegmentos(lados, aRecortado, GRIS, 3);
@@ -92,10 +92,12 @@ static void dibujaCamara(const glm::mat4 &aRecortado, const glm::dvec3 &p, const
         trazaFlecha(ojo, glm::vec3(p + v), aRecortado, color, grosor);
         rotulaPunto(nombre, glm::vec3(p + 1.3 * v), aRecortado, color, Lado::CENTRO);
     };
-    flecha(3.0 * glm::normalize(UP), NARANJA, "UP", 16); // la que asoma si van juntas
-    flecha(2.5 * S, ROJO, "S");
-    flecha(2.5 * U, VERDE, "U");
-    flecha(2.0 * F, AZUL, "F");
+    if (estado.inclinacion != 0) // de dónde viene
+        trazaFlecha(ojo, glm::vec3(p + LARGO_UP * VISTAS[estado.elegido].UP), aRecortado, GRIS, 6);
+    flecha(LARGO_UP * glm::normalize(UP), NARANJA, "UP", 16); // la que asoma si van juntas
+    flecha(LARGO_EJE * S, ROJO, "S");
+    flecha(LARGO_EJE * U, VERDE, "U");
+    flecha(LARGO_EJE * F, AZUL, "F");
     trazaPuntos({ojo, interes}, aRecortado, OSCURO);
     rotulaPunto("p", ojo, aRecortado, OSCURO, Lado::DEBAJO);
     rotulaPunto("i", interes, aRecortado, OSCURO, Lado::DEBAJO);
@@ -107,7 +109,7 @@ static void dibuja() {
     ponFondo(GRIS);
     glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
-    const std::vector<Recuadro> paneles = reparte(2, 2.0f / 3); // la escena de fuera es alta
+    const std::vector<Recuadro> paneles = reparte(2);
     const float aspectoPanel = aspecto(paneles[1]);
     const double theta = anguloVertical(ANGULO, aspectoPanel);
     const auto &v = VISTAS[estado.elegido];
@@ -117,7 +119,7 @@ static void dibuja() {
     abreRecuadro(paneles[0]);
     ponFondo(FONDO_CLARO);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const glm::mat4 proyeccion = perspectivaVentana(0.54f, 1, 100, aspecto(paneles[0])),
+    const glm::mat4 proyeccion = perspectivaVentana(0.57f, 1, 100, aspecto(paneles[0]), 1),
                     camara = camaraOrbita(estado.orbita);
     dibujaEscena(proyeccion, camara);
     dibujaCamara(proyeccion * camara, v.p, UP, theta, aspectoPanel);

@@ -58,7 +58,7 @@ TEST(TransformacionCamara, UpParaleloONulo) {
 
 // En cada panel, la misma escena trazada: a la derecha, desde la cámara; a la izquierda, desde fuera, con ella.
 TEST(Camara, LoQueVe) {
-    const Vec3 p1{3.6, 4.1, 1.0}, p2{-3.3, 3.5, 0.6};
+    const Vec3 p1{2.8, 4.1, 1.4}, p2{-2.1, 3.7, 1.5};
     const struct {
         std::string guion;
         Vec3 p, UP;
@@ -68,15 +68,18 @@ TEST(Camara, LoQueVe) {
                     {"tecla 2; tecla o", p2, Y, 0.1},
                     {"tecla 2; tecla i; tecla 1", p1, Y}, // cada vista empieza derecha
                     {"tecla 3", {-1.6, 5.6, 1.2}, {1, 0, 0}},
-                    {"tecla 4", {3.2, 4.9, -0.6}, {-3.2, -3.2 + 1e-7, 0.6}}}; // UP a 1e-7 de F
-    paraCada("camara", posturas, 240, 180, [](const auto &c, const Vista &vista) {
+                    {"tecla 4", {2.6, 4.9, -0.4}, {-2.6, -3.2 + 1e-7, 0.4}}}; // UP a 1e-7 de F
+    // la de fuera está compuesta para un panel cuadrado: en uno estrecho ve a lo ancho tres cuartos de lo que a 4:3
+    const double anguloFuera = 2 * std::atan(0.75 * std::tan(0.57 / 2));
+    paraCada("camara", posturas, 240, 180, [&](const auto &c, const Vista &vista) {
         const Vec3 arriba = direccion(gira(I - c.p, c.inclinacion), c.UP), &p = c.p;
         const Panel dentro(perspectiva(miraDesde(p, I, arriba), 1.05, 0.5, 60), vista.escena, 1, 2, 2),
-            fuera(perspectiva(orbita(0.35, 0.55, 15.8, {0.25, 2.3, 0}), 0.54, 1, 100), vista.escena, 0, 2, 2);
+            fuera(perspectiva(orbita(0.35, 0.55, 15.8, {0.3, 2.7, 0}), anguloFuera, 1, 100), vista.escena, 0,
+                  2, 2);
         const auto [S, U, atras] = ejes(dentro.camara);
         const Mat4 alMundo = {
             {{S.x, U.x, atras.x, p.x}, {S.y, U.y, atras.y, p.y}, {S.z, U.z, atras.z, p.z}, {0, 0, 0, 1}}};
         compruebaEscena(vista, dentro, escena(), CIELO);
-        compruebaEscena(vista, fuera, conCamaraDeFotos(escena(), alMundo * escala(1.6)), FONDO_CLARO);
+        compruebaEscena(vista, fuera, conCamaraDeFotos(escena(), alMundo * escala(1.3)), FONDO_CLARO);
     });
 }
