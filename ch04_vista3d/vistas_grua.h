@@ -74,7 +74,7 @@ inline void rotulaVista(const PanelVista &p, const std::string &detalle = "") {
     for (int eje = 0; eje < 3; ++eje)
         trazaFlecha({0, 0, 0}, glm::mat3(1)[eje], ejes, COLOR_EJE[eje]);
     for (int eje = 0; eje < 3; ++eje)
-        rotulaPunto(std::string(1, char('X' + eje)), glm::mat3(1.35f)[eje], ejes, COLOR_EJE[eje],
+        rotulaPunto(std::string(1, char('X' + eje)), glm::mat3(1.55f)[eje], ejes, COLOR_EJE[eje],
                     Lado::CENTRO, 0.03f);
 }
 
