@@ -16,12 +16,15 @@
 #include "rotulo.h"
 #include "shader.h"
 #include "texto.h"
+#include "trazo.h"
 #include "ventana.h"
 #include <glm/gtc/constants.hpp>
 
 static const int VECES = 4, MUESTRAS = 4, DENTRO = 16;
-// En la escena, los centros de los DENTRO × DENTRO que se aumentan y de los DENTRO × 2·DENTRO de una punta.
-static const glm::vec2 AUMENTADO(0.895f, 0.530f), PUNTA(163 / 240.0f, 210 / 240.0f);
+// En la escena, el centro de los DENTRO × 2·DENTRO de una punta; y a cuántos píxeles de otra, el de los DENTRO × DENTRO
+// que se aumentan.
+static const glm::vec2 PUNTA(163 / 240.0f, 210 / 240.0f);
+static const float TRAS_LA_PUNTA = 8;
 static const int LADO_COMPARADO = 240; // de la escena de la que se compara una punta, sea como sea la ventana
 static const int MS = 40;
 static const double VELOCIDAD = 5e-5; // radianes por milisegundo
@@ -102,7 +105,7 @@ static std::string conVeces(const char *nombre, int tecnica) {
     return nombre + (tecnica == 0 ? "" : " ×" + std::to_string(veces[tecnica]));
 }
 
-// El cuadrado de la escena, píxel a píxel, y en su centro, que está vacío, parte de un rayo aumentada; debajo, el
+// El cuadrado de la escena, píxel a píxel, y en su centro, que está vacío, la punta de un rayo aumentada; debajo, el
 // nombre.
 static void dibujaPanel(int tecnica, const Recuadro &panel) {
     const int lado = std::max(std::min(panel.ancho, panel.alto * 9 / 10), 1);
@@ -111,8 +114,17 @@ static void dibujaPanel(int tecnica, const Recuadro &panel) {
     const int x = panel.x + (panel.ancho - lado) / 2, y = panel.y + (panel.alto - lado + lado / 9) / 2;
     dibujaPixeles(estado.lupa, {0, 0}, {lado, lado}, {x, y, lado, lado}, FONDO_CLARO);
     const int lupa = std::max(lado * 3 / 10 / DENTRO, 1) * DENTRO;
-    dibujaPixeles(estado.lupa, primerPixel(estado.lupa, AUMENTADO, glm::vec2(DENTRO), estado.giro),
-                  {DENTRO, DENTRO}, {x + (lado - lupa) / 2, y + (lado - lupa) / 2, lupa, lupa}, NARANJA);
+    const glm::vec2 punta = glm::vec2(estrella()[7]) / 2.0f, // la del tercer rayo, desde el centro
+        centro = punta - glm::normalize(punta) * TRAS_LA_PUNTA / float(lado) + 0.5f,
+                    primero = primerPixel(estado.lupa, centro, glm::vec2(DENTRO), estado.giro),
+                    fin = primero + float(DENTRO) / float(lado);
+    trazaPolilinea({{2.0f * primero - 1.0f, 0},
+                    {2 * fin.x - 1, 2 * primero.y - 1, 0},
+                    {2.0f * fin - 1.0f, 0},
+                    {2 * primero.x - 1, 2 * fin.y - 1, 0}},
+                   glm::mat4(1), NARANJA, 3, true);
+    dibujaPixeles(estado.lupa, primero, {DENTRO, DENTRO},
+                  {x + (lado - lupa) / 2, y + (lado - lupa) / 2, lupa, lupa}, NARANJA);
     abreRecuadro({panel.x, y - lado / 9, panel.ancho, lado / 9});
     rotula(conVeces(NOMBRES[tecnica], tecnica), {0.5f, 0.5f}, OSCURO);
 }

@@ -175,6 +175,14 @@ void compruebaCobertura(const std::string &antes, double giro) {
         }
     EXPECT_EQ(malos, 0);
     EXPECT_GT(n, 2000);
+    // en la lupa, 3 veces mayores, los 16 × 16 que hay alrededor de 8 píxeles antes de la punta del tercer rayo
+    const double a = oraculo::PI * 2.3 / 12 + giro, hasta = 0.95 * 90 - 8;
+    const int x0 = int(90 + hasta * std::cos(a) - 8), y0 = int(90 + hasta * std::sin(a) - 8);
+    for (const Vista &v : vistas)
+        EXPECT_EQ(oraculo::recorta(v.escena, 10 + 66, 20 + 66, 48, 48).rgb,
+                  imagen(48, 48, [&](int x, int y) {
+                      return pixel(v.escena, 10 + x0 + x / 3, 20 + y0 + y / 3);
+                  }).rgb);
     EXPECT_LE(maximo[1], 0.45);
     EXPECT_LE(maximo[2], 0.20);
     EXPECT_LT(std::sqrt(suma[1]), 0.6 * std::sqrt(suma[0]));
