@@ -1,5 +1,6 @@
 #include "captura.h"
 #include "error.h"
+#include "glut/sistema/guarda.h"
 #include <GL/glew.h>
 #include <GL/freeglut.h>
 #include <cstdio>
@@ -34,11 +35,11 @@ Imagen leeVentana() {
 
 void guardaVentana() {
     std::string fichero;
-    std::error_code nadie; // en una carpeta que no se deja mirar, quien se queja es intentaGuardarPpm
+    std::error_code nadie; // en una carpeta que no se deja mirar, quien se queja es intentaGuardar
     for (int n = 1; fichero.empty() || std::filesystem::exists(fichero, nadie); ++n)
-        fichero = nombrePrograma() + "-" + std::to_string(n) + ".ppm";
+        fichero = nombrePrograma() + "-" + std::to_string(n) + ".png";
     std::string error;
-    if (!intentaGuardarPpm(fichero, leeVentana(), "", error))
+    if (!intentaGuardar(fichero, enPng(leeVentana()), error))
         return avisa(error);
     std::printf("guardado %s\n", fichero.c_str());
     std::fflush(stdout);

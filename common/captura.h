@@ -5,5 +5,6 @@
 /// Color de la ventana tal como está en el framebuffer, primera fila abajo. Deja OpenGL como lo encuentra.
 Imagen leeVentana();
 
-/// La guarda en <programa>-N.ppm, sin pisar ninguna, y lo dice.
+/// La guarda en <programa>-N.png, sin pisar ninguna, y lo dice. Lo dibujado está en el buffer de atrás hasta
+/// glutSwapBuffers: después no se sabe lo que hay.
 void guardaVentana();

@@ -6,10 +6,10 @@ else()
   set(sistema posix)
 endif()
 add_library(comun STATIC
-  common/buferes.cpp common/captura.cpp common/error.cpp common/imagen.cpp common/malla.cpp common/motivo.cpp common/orbita.cpp
+  common/buferes.cpp common/captura.cpp common/error.cpp common/imagen.cpp common/malla.cpp common/orbita.cpp
   common/proyeccion.cpp common/rutas.cpp common/shader.cpp common/textura.cpp common/ventana.cpp
   common/encima/ayuda.cpp common/encima/encima.cpp common/encima/letra.cpp common/encima/recuadro.cpp common/encima/rotulo.cpp
-  common/encima/trazo.cpp glut/sistema/${sistema}.cpp)
+  common/encima/trazo.cpp glut/sistema/guarda.cpp glut/sistema/motivo.cpp glut/sistema/${sistema}.cpp)
 target_include_directories(comun PUBLIC common common/encima "${CMAKE_SOURCE_DIR}")
 target_compile_definitions(comun PRIVATE LAB_FUENTES="${LAB_FUENTES}" LAB_GENERADO="${LAB_GENERADO}")
 target_link_libraries(comun PUBLIC -Wl,--wrap=glutSwapBuffers,--wrap=glutMotionFunc,--wrap=glutPassiveMotionFunc # lo dice common/encima/ayuda.cpp

@@ -1,6 +1,6 @@
 #include "error.h"
+#include "glut/sistema/motivo.h"
 #include "glut/sistema/sistema.h"
-#include "motivo.h"
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>

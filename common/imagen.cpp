@@ -1,17 +1,14 @@
 #include "imagen.h"
 #include "error.h"
-#include "glut/sistema/sistema.h"
-#include "motivo.h"
+#include "glut/sistema/guarda.h"
 #include "numero.h"
 #include "rutas.h"
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <optional>
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -57,6 +54,27 @@ void compruebaTalla(const std::string &fichero, int ancho, int alto, std::size_t
               " ocupa " + std::to_string(esperado) + " bytes y hay " + std::to_string(encontrado));
 }
 
+std::string comoSeConvierte(const std::string &fichero) {
+    return "; se convierte con: convert \"" + fichero + "\" -depth 8 imagen.ppm";
+}
+
+// Por sus primeros bytes, se llame como se llame. Con ancho 0 no se ha dicho -talla.
+Imagen leeImagen(const std::string &fichero, int ancho, int alto) {
+    static const std::pair<const char *, const char *> FORMATOS[] = {
+        {"\x89PNG", "PNG"}, {"\xFF\xD8", "JPEG"}, {"GIF8", "GIF"}, {"RIFF", "WebP"}, {"BM", "BMP"}};
+    const std::string datos = leeFichero(fichero);
+    const bool esRgb = ancho > 0 && datos.size() == std::size_t(3) * ancho * alto;
+    if (!esRgb && datos.size() > 1 && datos[0] == 'P' && std::isdigit(datos[1]))
+        return leePpm(fichero);
+    for (const auto &[principio, nombre] : FORMATOS)
+        if (!esRgb && datos.compare(0, std::strlen(principio), principio) == 0)
+            falla("«" + fichero + "» es un " + nombre +
+                  ", y aquí se leen PPM binarios (P6) y RGB sin cabecera" + comoSeConvierte(fichero));
+    if (ancho == 0)
+        falla("«" + fichero + "»: de un fichero RGB sin cabecera hay que decir -talla ANCHOxALTO", 2);
+    return leeTextura(fichero, ancho, alto);
+}
+
 } // namespace
 
 Imagen leeTextura(const std::string &fichero, int ancho, int alto) {
@@ -70,12 +88,12 @@ Imagen leeTextura(const std::string &fichero, int ancho, int alto) {
 Imagen leePpm(const std::string &fichero, std::string *comentario) {
     const std::string datos = leeFichero(fichero);
     if (datos.compare(0, 2, "P6") != 0)
-        falla("«" + fichero + "» no es un PPM binario (no empieza por P6)");
+        falla("«" + fichero + "» no es un PPM binario (no empieza por P6)" + comoSeConvierte(fichero));
     std::size_t i = 2;
     const int ancho = numeroDeCabecera(datos, i, fichero, comentario);
     const int alto = numeroDeCabecera(datos, i, fichero, comentario);
     if (numeroDeCabecera(datos, i, fichero, comentario, 65535) != 255)
-        falla("«" + fichero + "»: solo se leen PPM de 8 bits (máximo 255)");
+        falla("«" + fichero + "»: solo se leen PPM de 8 bits (máximo 255)" + comoSeConvierte(fichero));
     if (i == datos.size() || !esBlanco(datos[i++])) // uno solo separa la cabecera de los datos
         falla("«" + fichero + "»: la cabecera del PPM no es válida");
     if (datos.compare(i - 1, 2, "\r\n") == 0 && datos.size() - i == std::size_t(3) * ancho * alto + 1)
@@ -91,99 +109,76 @@ Imagen imagenDeArgumentos(int argc, char **argv, const std::string &porOmision, 
 std::vector<Imagen> imagenesDeArgumentos(int argc, char **argv,
                                          const std::vector<ImagenPorOmision> &porOmision) {
     const std::size_t cuantas = porOmision.size();
+    const std::string varias = cuantas == 1 ? "una imagen" : std::to_string(cuantas) + " imágenes";
     std::vector<std::string> ficheros;
-    std::string talla;
     int ancho = 0, alto = 0;
     for (int i = 1; i < argc; ++i) {
         const std::string argumento = argv[i];
-        if (argumento == "-talla" && talla.empty()) {
-            if (++i == argc)
+        if (argumento == "-talla" && ancho == 0) {
+            if (++i == argc || !leeTalla(argv[i], ancho, alto))
                 falla("detrás de -talla va el tamaño, ANCHOxALTO", 2);
-            talla = argv[i];
-            if (!leeTalla(talla, ancho, alto))
-                falla("«" + talla + "» no es un tamaño ANCHOxALTO", 2);
         } else if (!argumento.empty() && argumento[0] != '-' && ficheros.size() < cuantas) {
             ficheros.push_back(argumento);
         } else {
-            falla("sobra «" + argumento + "»: solo se " +
-                      (cuantas == 1 ? "lee una imagen" : "leen " + std::to_string(cuantas) + " imágenes"),
-                  2);
+            falla("sobra «" + argumento + "»: solo se dan " + varias, 2);
         }
     }
     std::vector<Imagen> imagenes;
-    if (ficheros.empty() && talla.empty()) {
+    if (ficheros.empty() && ancho == 0) {
         for (const ImagenPorOmision &i : porOmision)
             imagenes.push_back(leeTextura(recurso(i.recurso), i.ancho, i.alto));
         return imagenes;
     }
-    if (ficheros.empty())
-        falla("con -talla falta el fichero RGB", 2);
     if (ficheros.size() < cuantas)
-        falla("hacen falta " + std::to_string(cuantas) + " imágenes y solo hay " +
-                  std::to_string(ficheros.size()),
-              2);
-    const auto esPpm = [](const std::string &fichero) {
-        std::string extension = fs::u8path(fichero).extension().u8string();
-        for (char &c : extension)
-            c = char(std::tolower(static_cast<unsigned char>(c)));
-        return extension == ".ppm";
-    };
-    if (!talla.empty() && std::all_of(ficheros.begin(), ficheros.end(), esPpm))
-        falla("«" + ficheros[0] + "»: un PPM ya dice su tamaño, sobra -talla", 2);
+        falla("se dan " + varias + ", y hay " + std::to_string(ficheros.size()), 2);
     for (const std::string &fichero : ficheros)
-        if (talla.empty() && !esPpm(fichero))
-            falla("«" + fichero + "»: de un fichero RGB sin cabecera hay que decir -talla ANCHOxALTO", 2);
-    for (const std::string &fichero : ficheros)
-        imagenes.push_back(esPpm(fichero) ? leePpm(fichero) : leeTextura(fichero, ancho, alto));
+        imagenes.push_back(leeImagen(fichero, ancho, alto));
     return imagenes;
+}
+
+std::string enPng(const Imagen &imagen) {
+    const auto entero = [](std::uint32_t n) {
+        return std::string{char(n >> 24), char(n >> 16), char(n >> 8), char(n)};
+    };
+    const auto trozo = [&](const std::string &tipo, const std::string &datos) {
+        std::uint32_t crc = ~0u;
+        for (const char c : tipo + datos) {
+            crc ^= static_cast<unsigned char>(c);
+            for (int bit = 0; bit < 8; ++bit)
+                crc = crc >> 1 ^ (crc & 1 ? 0xEDB88320u : 0);
+        }
+        return entero(std::uint32_t(datos.size())) + tipo + datos + entero(~crc);
+    };
+    const std::size_t fila = std::size_t(3) * imagen.ancho;
+    std::string datos = "\x78\x01"; // zlib: cada fila, con su filtro (ninguno), en un bloque sin comprimir
+    std::uint32_t a = 1, b = 0;     // de Adler-32
+    for (int y = imagen.alto - 1; y >= 0; --y) {
+        const std::string linea =
+            '\0' + std::string(reinterpret_cast<const char *>(&imagen.rgb[fila * y]), fila);
+        for (std::size_t i = 0; i < linea.size(); i += 0xFFFF) { // un bloque no tiene más
+            const std::string bloque = linea.substr(i, 0xFFFF);
+            const std::size_t n = bloque.size();
+            const bool ultimo = y == 0 && i + n == linea.size();
+            datos += std::string{char(ultimo), char(n), char(n >> 8), char(~n), char(~n >> 8)} + bloque;
+        }
+        for (const char c : linea) {
+            a = (a + static_cast<unsigned char>(c)) % 65521;
+            b = (b + a) % 65521;
+        }
+    }
+    return "\x89PNG\r\n\x1A\n" +
+           trozo("IHDR", entero(imagen.ancho) + entero(imagen.alto) + std::string("\x08\x02\0\0\0", 5)) +
+           trozo("IDAT", datos + entero(b << 16 | a)) + trozo("IEND", "");
 }
 
 bool intentaGuardarPpm(const std::string &fichero, const Imagen &imagen, const std::string &comentario,
                        std::string &error) {
-    std::error_code ec;
-    error.clear();
-    const auto comprueba = [&](bool bien) {
-        if (!bien && error.empty()) // el motivo es el del primer fallo
-            error = "no puedo guardar «" + fichero + "»: " + (ec ? motivo(ec) : motivo());
-        return bien;
-    };
-
-    // Renombrar solo vale entre ficheros corrientes; un enlace se sigue hasta donde apunta, exista o no.
-    fs::path destino = fs::u8path(fichero);
-    const bool dispositivo = fs::exists(destino, ec) && !fs::is_regular_file(destino, ec);
-    const fs::file_status estado = fs::status(destino, ec);
-    if (!comprueba(estado.type() != fs::file_type::none)) // los enlaces dan vueltas
-        return false;
-    std::optional<SinSenales> sinSenales; // un dispositivo puede no acabar nunca
-    fs::path parcial = destino;
-    if (!dispositivo) {
-        while (fs::is_symlink(destino, ec))
-            destino = destino.parent_path() / fs::read_symlink(destino, ec);
-        parcial = destino;
-        parcial += "." + std::to_string(numeroDeProceso()) + ".parcial";
-        sinSenales.emplace();
-    }
-    ec.clear();
-
-    FILE *f = std::fopen(parcial.u8string().c_str(), "wb");
-    if (!comprueba(f != nullptr))
-        return false;
-    std::fprintf(f, "P6\n");
-    if (!comentario.empty())
-        std::fprintf(f, "# %s\n", comentario.c_str());
-    std::fprintf(f, "%d %d\n255\n", imagen.ancho, imagen.alto);
+    std::string bytes = "P6\n" + (comentario.empty() ? "" : "# " + comentario + "\n") +
+                        std::to_string(imagen.ancho) + " " + std::to_string(imagen.alto) + "\n255\n";
     const std::size_t fila = std::size_t(3) * imagen.ancho;
     for (int y = imagen.alto - 1; y >= 0; --y)
-        std::fwrite(&imagen.rgb[fila * y], 1, fila, f);
-    comprueba(std::fflush(f) == 0 && !std::ferror(f));
-    comprueba(std::fclose(f) == 0);
-    if (error.empty() && !dispositivo) {
-        fs::rename(parcial, destino, ec); // std::rename no sustituye en Windows
-        comprueba(!ec);
-    }
-    if (!error.empty() && !dispositivo)
-        fs::remove(parcial, ec);
-    return error.empty();
+        bytes.append(reinterpret_cast<const char *>(&imagen.rgb[fila * y]), fila);
+    return intentaGuardar(fichero, bytes, error);
 }
 
 void guardaPpm(const std::string &fichero, const Imagen &imagen, const std::string &comentario) {

@@ -27,8 +27,8 @@ Imagen leeTextura(const std::string &fichero, int ancho, int alto);
 Imagen leePpm(const std::string &fichero, std::string *comentario = nullptr);
 
 /// La imagen que se pide en la línea de órdenes, una vez que abreVentana ha quitado lo suyo: «FOTO.ppm» o
-/// «FOTO.rgb -talla ANCHOxALTO»; sin argumentos, el recurso `porOmision`, RGB de ancho × alto. Si los
-/// argumentos no son esos, termina con estado 2.
+/// «FOTO.rgb -talla ANCHOxALTO» (qué es lo dicen sus primeros bytes y no su nombre); sin argumentos, el recurso
+/// `porOmision`, RGB de ancho × alto. Si los argumentos no son esos, termina con estado 2.
 Imagen imagenDeArgumentos(int argc, char **argv, const std::string &porOmision, int ancho, int alto);
 
 /// Lo mismo con varias imágenes: en los argumentos van todas o ninguna, y -talla es el tamaño de todas las RGB.
@@ -39,10 +39,12 @@ struct ImagenPorOmision {
 std::vector<Imagen> imagenesDeArgumentos(int argc, char **argv,
                                          const std::vector<ImagenPorOmision> &porOmision);
 
-/// Guarda un PPM binario, entero o nada: se escribe aparte y se renombra al final. Un dispositivo
-/// (/dev/full, una tubería) se escribe directamente. Si falla, termina diciendo por qué.
+/// Guarda un PPM binario, entero o nada (intentaGuardar). Si falla, termina diciendo por qué.
 void guardaPpm(const std::string &fichero, const Imagen &imagen, const std::string &comentario = "");
 
 /// Como guardaPpm, pero si falla devuelve false y deja en `error` por qué.
 bool intentaGuardarPpm(const std::string &fichero, const Imagen &imagen, const std::string &comentario,
                        std::string &error);
+
+/// Los bytes de un PNG, que abre cualquiera; sin comprimir.
+std::string enPng(const Imagen &imagen);

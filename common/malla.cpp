@@ -139,7 +139,8 @@ void Queja::operator()(const std::string &seEsperaba) const {
 
 void leeLineas(const std::string &fichero, const std::string &nombre,
                const std::function<void(const std::string &, std::istream &, const Queja &)> &linea) {
-    std::istringstream texto(leeFichero(fichero));
+    const std::string leido = leeFichero(fichero), marca = "\xEF\xBB\xBF"; // la de UTF-8
+    std::istringstream texto(leido.compare(0, marca.size(), marca) == 0 ? leido.substr(marca.size()) : leido);
     std::string entera, tipo;
     for (int numero = 1; std::getline(texto, entera); ++numero) {
         std::istringstream palabras(entera.substr(0, entera.find('#')));
@@ -170,22 +171,24 @@ MallaVf leeVf(const std::string &fichero) {
             malla.vertices.emplace_back(*p);
         } else if (tipo == "f") {
             std::vector<unsigned> cara;
+            const int hay = int(malla.vertices.size());
             for (std::string palabra; palabras >> palabra;) {
-                const std::optional<unsigned> i = numeroDe<unsigned>(palabra);
-                if (!i)
+                const std::optional<int> n = numeroDe<int>(palabra.substr(0, palabra.find('/')));
+                if (!n)
                     mal("«" + palabra + "» no es un número de vértice");
-                if (*i < 1 || *i > malla.vertices.size())
-                    mal("el vértice " + palabra + " no existe: hay " + std::to_string(malla.vertices.size()) +
-                        ", desde el 1");
-                if (std::find(cara.begin(), cara.end(), *i - 1) != cara.end())
+                const int i = *n < 0 ? hay + *n : *n - 1; // los negativos cuentan desde el último
+                if (i < 0 || i >= hay)
+                    mal("el vértice " + palabra + " no existe: hay " + std::to_string(hay) + ", desde el 1");
+                if (std::find(cara.begin(), cara.end(), unsigned(i)) != cara.end())
                     mal("el vértice " + palabra + " está dos veces en la cara");
-                cara.push_back(*i - 1);
+                cara.push_back(unsigned(i));
             }
             if (cara.size() < 3)
                 mal("una cara necesita al menos tres vértices y hay " + std::to_string(cara.size()));
             malla.caras.push_back(cara);
-        } else {
-            mal("cada línea empieza por v o por f");
+        } else if (std::string(" g l o p s vn vp vt mtllib usemtl ").find(" " + tipo + " ") ==
+                   std::string::npos) {
+            mal("cada línea empieza por v o por f, o por otra palabra de un OBJ");
         }
     });
     if (malla.caras.empty())

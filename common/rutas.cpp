@@ -1,7 +1,7 @@
 #include "rutas.h"
 #include "error.h"
+#include "glut/sistema/motivo.h"
 #include "glut/sistema/sistema.h"
-#include "motivo.h"
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>

@@ -100,7 +100,10 @@ bool teclaEspecialComun(int tecla) {
         glutPostRedisplay();
         return true;
     case GLUT_KEY_F11: glutFullScreenToggle(); return true;
-    case GLUT_KEY_F12: guardaVentana(); return true;
+    case GLUT_KEY_F12:
+        pideCaptura();
+        glutPostRedisplay();
+        return true;
     default: return false;
     }
 }

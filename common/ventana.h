@@ -19,6 +19,6 @@ void ponTitulo(const std::string &titulo);
 bool teclaComun(unsigned char tecla);
 
 /// Atiende F1 (pone o quita la ayuda), F2 (el píxel bajo el puntero), F3 (vigila los shaders), F5 (los relee), F11
-/// (pantalla completa) y F12 (guarda la ventana en <programa>-N.ppm). Un programa con glutSpecialFunc propia la llama
+/// (pantalla completa) y F12 (guarda la ventana en <programa>-N.png). Un programa con glutSpecialFunc propia la llama
 /// primero.
 bool teclaEspecialComun(int tecla);

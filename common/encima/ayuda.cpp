@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <map>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -23,7 +24,7 @@ const float TALLA = 0.032f; // con que los controles de cualquiera caben enteros
 const int MS_VIGILA = 250, LINEAS_DE_ERROR = 6;
 
 struct {
-    bool ayuda = false, puntero = false, vigila = false;
+    bool ayuda = false, puntero = false, vigila = false, captura = false;
     glm::ivec2 raton{-1}; // píxeles, desde arriba a la izquierda
     int vueltas = 0;      // las veces que se ha puesto a vigilar
     std::string errores;
@@ -222,6 +223,8 @@ void __wrap_glutSwapBuffers() {
         pintaAyuda();
     if (estado.vigila && !estado.errores.empty())
         pintaErrores();
+    if (std::exchange(estado.captura, false))
+        guardaVentana();
     __real_glutSwapBuffers();
 }
 
@@ -236,6 +239,10 @@ void __wrap_glutPassiveMotionFunc(void (*f)(int, int)) {
     if (!estado.puntero)
         __real_glutPassiveMotionFunc(f);
 }
+}
+
+void pideCaptura() {
+    estado.captura = true;
 }
 
 void cambiaPuntero() {

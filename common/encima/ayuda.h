@@ -15,3 +15,6 @@ std::string controlesDelPrograma();
 void cambiaAyuda();
 void cambiaPuntero();
 void cambiaVigilancia();
+
+/// F12: al acabar el cuadro, antes de enseñarlo, se guarda (guardaVentana).
+void pideCaptura();

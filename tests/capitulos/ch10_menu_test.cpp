@@ -60,7 +60,7 @@ TEST(Eventos, CadaTeclaConSuNombre) {
         lineas += tecla + " 5 6\n";
     }
     EXPECT_EQ(ejecuta("eventos", guion + "; especial F12").salida,
-              lineas + "especial F12 5 6\nguardado eventos-1.ppm\n");
+              lineas + "especial F12 5 6\nguardado eventos-1.png\n");
 }
 
 // El rastro son los últimos 400 puntos: con uno más, el primero, que está lejos, ya no se ve.

@@ -94,11 +94,28 @@ TEST(Ppm, LosComentariosDeLaCabecera) {
     }
 }
 
-TEST(ImagenDeArgumentos, UnPpmSeConocePorSuExtension) {
-    for (const char *nombre : {"f.ppm", "FOTO.PPM", "Foto.Ppm"}) {
+TEST(ImagenDeArgumentos, LoQueEsLoDicenSusPrimerosBytes) {
+    for (const char *nombre : {"f.ppm", "foto.pnm", "foto.png", "sin_extension"}) {
         std::string programa = "programa", foto = escribe(nombre, "P6 2 1 255\nabcdef");
         char *argv[] = {programa.data(), foto.data()};
         EXPECT_EQ(imagenDeArgumentos(2, argv, "", 1, 1).ancho, 2) << nombre;
+    }
+    std::string programa = "programa", talla = "-talla", tamano = "2x1", rgb = escribe("f.rgb", "P6BMab");
+    char *argv[] = {programa.data(), rgb.data(), talla.data(),
+                    tamano.data()}; // del tamaño que se dice, es RGB
+    EXPECT_EQ(imagenDeArgumentos(4, argv, "", 1, 1).rgb[2], 'B');
+}
+
+// Lo lee otro igual que lo escrito, también con filas que no caben en un bloque.
+TEST(EnPng, LoLeeOtro) {
+    const fs::path png = carpetaTemporal() / "i.png", ppm = carpetaTemporal() / "de_png.ppm";
+    for (const auto &[ancho, alto] : {std::pair(1, 1), {5, 3}, {30000, 2}}) {
+        Imagen i{ancho, alto, std::vector<unsigned char>(std::size_t(3) * ancho * alto)};
+        for (std::size_t k = 0; k < i.rgb.size(); ++k)
+            i.rgb[k] = static_cast<unsigned char>(k * k % 251);
+        std::ofstream(png, std::ios::binary) << enPng(i);
+        ASSERT_EQ(std::system(("pngtopnm '" + png.string() + "' >'" + ppm.string() + "'").c_str()), 0);
+        EXPECT_EQ(leePpm(ppm.string()).rgb, i.rgb) << ancho;
     }
 }
 
@@ -183,7 +200,7 @@ TEST(LeeVf, CadaErrorDiceFicheroYLinea) {
                       {tres + "f 1 2", "m.vf:4: una cara necesita al menos tres vértices y hay 2"},
                       {tres + "f 1 2 2", "m.vf:4: el vértice 2 está dos veces en la cara"},
                       {tres + "f 1 b 3", "m.vf:4: «b» no es un número de vértice"},
-                      {tres + "f 1 -2 3", "m.vf:4: «-2» no es un número de vértice"},
+                      {tres + "f 1 -4 3", "m.vf:4: el vértice -4 no existe: hay 3"},
                       {"v 0 0\n", "m.vf:1: un vértice son tres números — «v 0 0»"},
                       {"v 0 0 x\n", TRES_NUMEROS},
                       {"v 0 0 0 0\n", TRES_NUMEROS},
@@ -191,9 +208,18 @@ TEST(LeeVf, CadaErrorDiceFicheroYLinea) {
                       {"v 0 0 inf\n", TRES_NUMEROS},
                       {"v 0 0 1e300\n", TRES_NUMEROS},
                       {"v 1-2-3\n", TRES_NUMEROS},
-                      {"hola\n", "m.vf:1: cada línea empieza por v o por f"},
+                      {"hola\n", "m.vf:1: cada línea empieza por v o por f, o por otra palabra de un OBJ"},
                       {tres, "m.vf» no tiene ninguna cara"},
                       {"", "m.vf» no tiene ninguna cara"}});
+}
+
+// Lo que exporta Blender: se leen sus vértices y caras, también contadas desde el final y con la marca de UTF-8 delante.
+TEST(LeeVf, UnObj) {
+    const MallaVf m = leeVf(escribe(
+        "m.obj", "\xEF\xBB\xBF# Blender\nmtllib m.mtl\no Cubo\nv 0 0 0\nv 1 0 0\nv 1 1 0\n"
+                 "vn 0 0 1\nvt 0.5 0.5\ns 0\nusemtl M\nf 1/1/1 2//1 3/1\nv 0 1 0\nf -4 -2 -1\nl 1 2\n"));
+    EXPECT_EQ(m.vertices.size(), 4u);
+    EXPECT_EQ(m.caras, (std::vector<std::vector<unsigned>>{{0, 1, 2}, {0, 2, 3}}));
 }
 
 // El idioma del usuario no cambia lo que se lee, aunque escriba los decimales con coma.

@@ -205,9 +205,9 @@ TEST(F3, LoQueSeGuardaSeRelee) {
 TEST(F12, DondeNoSePuedeEscribirAvisaYSigue) {
     const Ejecucion e = taller({version(ROJO, AZUL)}, "tecla n; especial F12; tecla v; especial F12");
     EXPECT_EQ(e.estado, 0);
-    EXPECT_EQ(e.errores.rfind("defectuoso: aviso: no puedo guardar «defectuoso-1.ppm»: ", 0), 0u)
+    EXPECT_EQ(e.errores.rfind("defectuoso: aviso: no puedo guardar «defectuoso-1.png»: ", 0), 0u)
         << e.errores;
     EXPECT_EQ(std::count(e.errores.begin(), e.errores.end(), '\n'), 1);
-    EXPECT_EQ(e.salida, "guardado defectuoso-1.ppm\n");
+    EXPECT_EQ(e.salida, "guardado defectuoso-1.png\n");
     EXPECT_EQ(mitades(e.imagen), "rojo azul");
 }

@@ -101,7 +101,7 @@ TEST(Guion, LeDiceAlPrograma) {
         // sin función propia, dibuja en la ventana entera
         {{DEFECTUOSO, "suelto"}, "tamano 16 9", "32 24\n16 9\n"},
         // F12 no pisa lo guardado
-        {{"grua"}, "especial F12; tecla d; especial F12", "guardado grua-1.ppm\nguardado grua-2.ppm\n"},
+        {{"grua"}, "especial F12; tecla d; especial F12", "guardado grua-1.png\nguardado grua-2.png\n"},
     };
     for (const Caso &c : casos) {
         const Ejecucion e = lanza(c.orden, c.guion);

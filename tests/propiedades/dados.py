@@ -7,6 +7,7 @@ from pathlib import Path
 from programa import APARTE
 
 HAY = {"f.ppm": b"P6 7 5 255\n" + bytes(105), "f.rgb": bytes(105), "larga.rgb": bytes(3 * 32768)}
+HAY |= {"f.png": b"\x89PNG\r\n", "texto.ppm": b"P3 1 1 255 1 2 3"}
 HAY["mala.vf"] = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4\n"
 IMAGEN = """
     no_esta.ppm                | 1 | no puedo leer «no_esta.ppm»: no existe
@@ -19,19 +20,21 @@ IMAGEN = """
     larga.rgb -talla 1x32768   | 1 | una textura de 1×32768 es demasiado grande
     f.rgb                      | 2 | de un fichero RGB sin cabecera hay que decir -talla ANCHOxALTO
     f.rgb -talla               | 2 | detrás de -talla va el tamaño, ANCHOxALTO
-    f.rgb -talla 7             | 2 | «7» no es un tamaño ANCHOxALTO
-    f.rgb -talla 7x5x          | 2 | «7x5x» no es un tamaño ANCHOxALTO
-    f.rgb -talla 7x99999999999 | 2 | «7x99999999999» no es un tamaño ANCHOxALTO
-    -talla 7x5                 | 2 | con -talla falta el fichero RGB
-    f.ppm -talla 7x5           | 2 | «f.ppm»: un PPM ya dice su tamaño, sobra -talla
-    f.rgb -talla 7x5 -talla 7x5| 2 | sobra «-talla»: solo se lee
-    f.rgb -t 7x5               | 2 | sobra «-t»: solo se lee
-    f.ppm f.ppm                | 2 | sobra «f.ppm»: solo se lee
+    f.rgb -talla 7             | 2 | detrás de -talla va el tamaño
+    f.rgb -talla 7x5x          | 2 | detrás de -talla va el tamaño
+    f.rgb -talla 7x99999999999 | 2 | detrás de -talla va el tamaño
+    -talla 7x5                 | 2 | y hay 0
+    f.png                      | 1 | «f.png» es un PNG, y aquí se leen PPM binarios (P6) y RGB sin cabecera; se convierte
+    f.png -talla 7x5           | 1 | «f.png» es un PNG
+    texto.ppm                  | 1 | «texto.ppm» no es un PPM binario (no empieza por P6); se convierte con: convert
+    f.rgb -talla 7x5 -talla 7x5| 2 | sobra «-talla»: solo se da
+    f.rgb -t 7x5               | 2 | sobra «-t»: solo se da
+    f.ppm f.ppm                | 2 | sobra «f.ppm»: solo se da
     ''                         | 2 | «»"""
 MAL = {  # lo que se le da, con qué estado acaba y lo que dice
     "modelo": "no_esta.vf | 1 | «no_esta.vf»: no existe\nmala.vf | 1 | mala.vf:4: el vértice 4 no existe: hay 3",
     "imagen": IMAGEN,
-    "imagenes": IMAGEN + "\n=f.ppm | 2 | hacen falta 2 imágenes y solo hay 1",
+    "imagenes": IMAGEN + "\n=f.ppm | 2 | se dan 2 imágenes, y hay 1",
 }
 
 

@@ -70,7 +70,8 @@ abre figura_color
 pronto dibujado || mal 'figura_color no dibuja'
 for n in 1 2; do # cada una con su número
   xdotool key 96 # F12
-  pronto grep -qx "guardado figura_color-$n.ppm" salida || mal "F12 no dice que ha guardado la imagen $n: $(cat salida)"
+  pronto grep -qx "guardado figura_color-$n.png" salida || mal "F12 no dice que ha guardado la imagen $n: $(cat salida)"
+  pngtopnm figura_color-$n.png >figura_color-$n.ppm
   "$build/herramientas/comparador/compara" "$aqui/../golden/ch02_modelado/figura_color.ppm" figura_color-$n.ppm \
     --amplia || fallos=1
 done
