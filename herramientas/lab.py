@@ -149,8 +149,8 @@ class Laboratorio:
     def ver(self, que):
         """Abre un programa en una ventana; sin pantalla lo dibuja en PROGRAMA.png.
 
-        PROGRAMA puede ser su nombre, su listado, ejercicio o figura (L1.2, E3.5, F3.3), lo que hay en mios/NOMBRE o
-        un capítulo (ch05): Esc pasa de cada programa al siguiente. Lo que siga va al programa: ./lab ver grua -ayuda.
+        PROGRAMA puede ser su nombre, su listado, ejercicio o figura (L1.2, ejercicio 3.5), lo que hay en mios/NOMBRE
+        o un capítulo (ch05): Esc pasa de cada programa al siguiente. Lo que siga va al programa: ./lab ver grua -ayuda.
         Con --vigila (o F3, con la ventana abierta) cada shader se relee en cuanto se guarda."""
         if "--vigila" in que.resto or que.vigila:
             os.environ["LAB_VIGILA"] = "1"
@@ -403,8 +403,7 @@ class Laboratorio:
     def para_dorar(self, pedidos):
         """Esos casos, y los pasos de los programas que se nombren; o todos. Los programas, compilados."""
         programas = catalogo.lee_programas(self.build)
-        todos = [c for p in programas if not p.consola for c in p.casos]
-        casos = [c for pedido in pedidos for c in catalogo.casos(programas, pedido)] or todos
+        casos = catalogo.elegidos(programas, pedidos)
         pasos = [f.stem for f in sorted((self.raiz / "tests/golden").rglob("*.pasos"))]
         objetivos = ["sin_ventana"]
         if pedidos:
@@ -514,8 +513,10 @@ def analizador(orden):
 
 
 def entiende(orden, palabras):
-    """Lo que se pide a esa orden. Lo de LIBRES lo entiende el módulo que la hace."""
+    """Lo que se pide a esa orden, con «listado 5.1» en una palabra. Lo de LIBRES lo entiende el módulo que la hace."""
     a = analizador(orden)
+    if orden in ("ver", "explica", "nuevo"):
+        palabras = catalogo.juntas(palabras)
     if orden not in LIBRES:
         return a.parse_args(palabras)
     if palabras[:1] in (["--help"], ["-h"]):

@@ -6,17 +6,15 @@ lo que sale de ellos, y de ahí lo toman los demás. Un programa es chNN_…/nom
 catalogo.py BUILD escribe RAÍZ    BUILD/catalogo.json, lo que leen las herramientas; BUILD/catalogo.cmake, qué programas
                                   hay, y BUILD/casos/PROGRAMA.sh, lo que de cada caso necesitan las pruebas
 catalogo.py BUILD lista [--tsv]   capítulo, programa, referencia y título
-catalogo.py BUILD resuelve QUÉ    los programas de que se habla (su nombre, L1.2, E3.5, F3.3, ch05): capítulo, programa,
-                                  imagen o texto, y título, entre tabuladores
-catalogo.py BUILD casos QUÉ…      de cada caso que se nombra (grua, grua-girada), su programa y su nombre
-catalogo.py BUILD cumple QUÉ…     de esos, lo que cumplen sus imágenes: capítulo, programa, imagen y afirmaciones, entre
-                                  tabuladores
+catalogo.py BUILD cumple QUÉ…     de cada caso que se nombra (grua, grua-girada), o de todos, lo que cumple su imagen:
+                                  capítulo, programa, imagen y afirmaciones, entre tabuladores
 """
 import difflib
 import json
 import re
 import shlex
 import sys
+import unicodedata
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -62,6 +60,39 @@ CAMPOS = {  # qué se dice de cada cosa, como expresión regular y con palabras;
         "motivo": (NADA, "por qué hacen falta esas tolerancias"),
     },
 }
+
+
+CLASES = {"listado": "l", "list": "l", "ejercicio": "e", "ej": "e", "figura": "f", "fig": "f", "tabla": "t"}
+CLASES |= {"ecuacion": "ec", "ec": "ec", "apartado": "§", "capitulo": "ch", "cap": "ch"}
+DE_QUE = re.compile(rf"({'|'.join(CLASES)})\.? ?(?=\d)")
+
+
+def llano(texto):
+    """Sin acentos ni mayúsculas."""
+    return re.sub("[\u0300-\u036f]", "", unicodedata.normalize("NFD", texto)).lower()
+
+
+def numero(referencia):
+    """3.5, de E3.5."""
+    return re.sub(r"^\D*", "", referencia)
+
+
+def abrevia(pedido):
+    """Como se llama en el catálogo lo que alguien pide: «Listado 5.1» es l5.1; «capítulo 5», ch05; «Grúa», grua."""
+    suyo = llano(pedido).strip().removesuffix(".cpp")
+    if clase := DE_QUE.match(suyo):
+        suyo = CLASES[clase[1]] + suyo[clase.end() :]
+    return re.sub(r"^ch(\d)$", r"ch0\1", suyo)
+
+
+def juntas(palabras):
+    """Las mismas, con «listado 5.1», que en la terminal son dos, en una."""
+    hechas = []
+    for palabra in palabras:
+        if hechas and llano(hechas[-1]).rstrip(".") in CLASES and re.fullmatch(r"\d+(\.\d+)*", palabra):
+            palabra = f"{hechas.pop()} {palabra}"
+        hechas.append(palabra)
+    return hechas
 
 
 @dataclass
@@ -146,9 +177,10 @@ class Programa:
         return build / (build / "sin_ventana").read_text().strip() / self.capitulo.nombre / self.nombre
 
     def es(self, pedido):
-        """Si es lo que se pide: su nombre, su capítulo o una de sus referencias."""
-        capitulo = self.capitulo.nombre
-        return pedido in (self.nombre, capitulo, capitulo.split("_")[0]) or pedido.lower() in self.ref.lower().split()
+        """Si es lo que se pide, escrito de cualquier manera: su nombre o su fuente, su capítulo o una referencia."""
+        capitulo, suyo = self.capitulo.nombre, abrevia(pedido)
+        nombres = self.nombre, f"{capitulo}/{self.nombre}", capitulo, capitulo.split("_")[0]
+        return suyo in (*nombres, *map(llano, self.referencias), *map(numero, self.referencias))
 
 
 @dataclass
@@ -291,10 +323,18 @@ def lee_programas(build):
 
 
 def resuelve(programas, pedido):
-    elegidos = [p for p in programas if p.es(pedido)]
+    """Los que son lo que se pide. De un número a secas (5.1), si son varias cosas de varios, hay que decir cuál."""
+    elegidos, suyo = [p for p in programas if p.es(pedido)], abrevia(pedido)
     if not elegidos:
-        parecidos = difflib.get_close_matches(pedido, [p.nombre for p in programas], 3, 0)
-        sys.exit(f"lab: no hay ningún programa «{pedido}»; los más parecidos: {', '.join(parecidos)}")
+        hay = {llano(nombre): nombre for p in programas for nombre in (p.nombre, *p.referencias)}
+        parecidos = [hay[nombre] for nombre in difflib.get_close_matches(suyo, hay, 3, 0)]
+        raise Fallo(f"no hay ningún programa «{pedido}»; lo más parecido: {', '.join(parecidos)}")
+    cosas = {}
+    for referencia, nombre in ((r, p.nombre) for p in elegidos for r in p.referencias if numero(r) == suyo):
+        cosas.setdefault(referencia, []).append(nombre)
+    if len(cosas) > 1 and len(elegidos) > 1:
+        son = ", ".join(f"{referencia} ({' '.join(suyos)})" for referencia, suyos in cosas.items())
+        raise Fallo(f"«{pedido}» puede ser {son}: di cuál")
     return elegidos
 
 
@@ -303,15 +343,14 @@ def casos(programas, pedido):
     if not hay:
         nombre = pedido.split("-")[0]
         resuelve(programas, nombre)
-        sys.exit(f"lab: «{pedido}» no es un caso de {nombre}")
+        raise Fallo(f"«{pedido}» no es un caso de {nombre}")
     return hay
 
 
 def elegidos(programas, pedidos):
     """Los casos que se nombran, o todos."""
-    return [c for pedido in pedidos for c in casos(programas, pedido)] or [
-        c for p in programas if not p.consola for c in p.casos
-    ]
+    todos = [c for p in programas if not p.consola for c in p.casos]
+    return [c for pedido in pedidos for c in casos(programas, pedido)] or todos
 
 
 def main():
@@ -323,12 +362,6 @@ def main():
         formato = "{}\t{}\t{}\t{}" if resto == ["--tsv"] else "{:<22} {:<22} {:<14} {}"
         for p in programas:
             print(formato.format(p.capitulo.nombre, p.nombre, p.ref, p.titulo))
-    elif orden == "resuelve":
-        for p in resuelve(programas, *resto):
-            print(p.capitulo.nombre, p.nombre, "texto" if p.consola else "imagen", p.titulo, sep="\t")
-    elif orden == "casos":
-        for caso in elegidos(programas, resto):
-            print(caso.programa.nombre, caso.nombre)
     elif orden == "cumple":
         for caso in elegidos(programas, resto):
             print(caso.programa.capitulo.nombre, caso.programa.nombre, caso.fichero, *caso.cumple, sep="\t")

@@ -479,6 +479,59 @@ def test_lo_que_se_pide_es_eso_y_nada_mas():
         assert all(catalogo.casos(programas, c.fichero) == [c] for c in suyos if c.fichero != p.nombre)
 
 
+# lo que se pide | a qué lleva o qué se contesta
+REFERENCIAS = """
+L5.1 | sombreado
+l5.1 | sombreado
+listado 5.1 | sombreado
+Listado 5.1 | sombreado
+list. 5.1 | sombreado
+ejercicio 3.5 | grua
+EJ3.5 | grua
+Figura 3.3 | grua
+fig. 3.3 | grua
+ecuación 3.9 | giro_eje
+apartado 3.4 | giro_eje
+§3.4 | giro_eje
+tabla 5.1 | materiales
+12.1 | textura3d_animada luces_animadas), L12.1 (ruido_vertices), F12.1 (mosaico): di cuál
+5.1 | L5.1 (sombreado)
+5.7 | varias_luces
+6.2.2 | repeticion filtrado
+Grua | grua
+Grúa | grua
+ch03_transformaciones/grua | grua
+ch03_transformaciones/grua.cpp | grua
+grua.cpp | grua
+ch10_interaccion | eventos menu seleccion
+ch10 | eventos menu seleccion
+capítulo 10 | eventos menu seleccion
+Capitulo 10 | eventos menu seleccion
+cap. 10 | eventos menu seleccion
+grula | no hay ningún programa «grula»; lo más parecido: grua
+listado 5.9 | no hay ningún programa «listado 5.9»; lo más parecido: L5.
+ch04_vista3d/grua | lo más parecido: grua
+ch99 | no hay ningún programa «ch99»
+"""
+
+
+def test_como_la_gente_escribe_una_referencia():
+    programas = catalogo.lee_programas(BUILD)
+    for fila in REFERENCIAS.strip().splitlines():
+        pedido, lleva = fila.split(" | ")
+        try:
+            hallado = " ".join(p.nombre for p in catalogo.resuelve(programas, pedido))
+        except catalogo.Fallo as fallo:
+            hallado = str(fallo)
+        assert hallado == lleva or " " in hallado and lleva in hallado, f"{pedido}: {hallado}"
+    assert "ch05" == catalogo.abrevia("ch5") == catalogo.abrevia("capítulo 5") == catalogo.abrevia("cap 05")
+    assert catalogo.juntas("ver Listado 5.1 -geometry 9 captura 5.1 fig. 3 grua 1 2".split()) == [
+        *("ver", "Listado 5.1", "-geometry", "9", "captura", "5.1", "fig. 3", "grua", "1", "2")
+    ]
+    hay = nuevo.ejercicios(RAIZ, programas)
+    assert {nuevo.ejercicio_pedido(p, hay) for p in ("E3.5", "e3.5", "3.5", "Ejercicio 3.5")} == {"E3.5"}
+
+
 # --- ejercicios -----------------------------------------------------------------------------------------------------
 
 
