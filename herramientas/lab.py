@@ -24,7 +24,7 @@ OTROS_SON = """
 LAB_SIN_INSTALAR=1 no instala paquetes; LAB_NAVEGADOR=1 prueba también la galería y la página en navegadores;
 LAB_WINDOWS=1, los programas de Windows con Wine;
 LAB_OPENGL=softpipe, zink, swiftshader, virgl o llvmpipe dibuja con él, en ./lab prueba -R otro, cada caso;
-LAB_PARES=1 compara también con GLU, libnoise, ImageMagick y OpenCV.
+LAB_PARES=1 compara también con GLU, libnoise e ImageMagick.
 ./lab ORDEN --help dice más de cada una; source <(./lab completa) las completa con el tabulador."""
 EN_ESPANOL = {
     "usage: ": "uso: ",

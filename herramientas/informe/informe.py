@@ -31,7 +31,7 @@ METAS = (
     ),
     ("separable de 15×15, frente a la directa", "convolucion", *LAS_DE_15, 5),
     ("separable de 15×15, frente a ImageMagick", "convolucion", "par: ImageMagick, 15×15", LAS_DE_15[1], 1),
-    ("el volumen de ruido, frente a libnoise", "ruido_volumen", "par: libnoise, normal", "texelsRuido", 1),
+    ("el volumen de ruido, frente a libnoise", "ruido", "par: libnoise", "textura de 64³, hacerla", 1),
     (
         "un millón de partículas, frente a los puntos pelados",
         "particulas",
