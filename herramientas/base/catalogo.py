@@ -244,32 +244,33 @@ def lee_casos(donde, programa, tablas_de_casos):
         for campo, hace_falta in ("titulo", not es_base), ("motivo", caso["tolerancia"] or caso["otro"]):
             if hace_falta and not caso[campo]:
                 raise Fallo(f"{cual}: falta {campo}: es {CAMPOS['caso'][campo][1]}")
-        casos.append({"programa": programa, "fichero": programa if es_base else f"{programa}-{caso['nombre']}", **caso})
+        casos.append({"fichero": programa if es_base else f"{programa}-{caso['nombre']}", **caso})
     sin_repetir(donde, casos, "nombre")
     sin_repetir(donde, casos, "titulo")
     return casos
+
+
+def lee_programa(donde, dichos):
+    casos = tablas(donde, "caso", dichos)
+    programa = hechos(donde, "programa", dichos)
+    return {**programa, "casos": lee_casos(donde, programa["nombre"], casos)}
 
 
 def lee_capitulos(raiz):
     """Lo que dicen los catalogo.toml, como queda en catalogo.json."""
     if not tomllib:
         raise Fallo(f"los catálogos los lee Python 3.11 o posterior, y este es {sys.version.split()[0]}")
-    datos = {"capitulos": [], "programas": [], "casos": []}
+    capitulos = []
     for fichero in sorted(raiz.glob("ch*/catalogo.toml")):
-        donde, capitulo = str(fichero.relative_to(raiz)), fichero.parent.name
+        donde = str(fichero.relative_to(raiz))
         try:
             dichos = tomllib.loads(fichero.read_text(encoding="utf-8"))
         except ValueError as error:  # también lo que no es UTF-8
             raise Fallo(f"{donde}: no es TOML: {error}") from None
-        for cual, suyos in tablas(donde, "programa", dichos):
-            casos = tablas(cual, "caso", suyos)
-            programa = hechos(cual, "programa", suyos)
-            programa["pruebas"] = " ".join(programa["pruebas"])
-            datos["programas"].append({"capitulo": capitulo, **programa})
-            datos["casos"] += lee_casos(cual, programa["nombre"], casos)
-        datos["capitulos"].append({"nombre": capitulo, **hechos(donde, "capítulo", dichos)})
-    sin_repetir("catalogo.toml", datos["programas"], "nombre")
-    return datos
+        programas = [lee_programa(cual, suyos) for cual, suyos in tablas(donde, "programa", dichos)]
+        capitulos.append({"nombre": fichero.parent.name, **hechos(donde, "capítulo", dichos), "programas": programas})
+    sin_repetir("catalogo.toml", [p for c in capitulos for p in c["programas"]], "nombre")
+    return capitulos
 
 
 def cambia(fichero, texto):
@@ -279,43 +280,34 @@ def cambia(fichero, texto):
 
 
 def escribe_todo(raiz, build):
-    datos = lee_capitulos(raiz)
-    cambia(build / "catalogo.json", json.dumps(datos, ensure_ascii=False, indent=1) + "\n")
-    con_ventana = {p["nombre"]: p["capitulo"] for p in datos["programas"] if not p["consola"]}
+    cambia(build / "catalogo.json", json.dumps(lee_capitulos(raiz), ensure_ascii=False, indent=1) + "\n")
+    programas = lee_programas(build)
+    con_ventana = [p for p in programas if not p.consola]
     listas = {
-        "CAPITULOS": [c["nombre"] for c in datos["capitulos"]],
-        "PROGRAMAS": [f"{p['capitulo']}/{p['nombre']}" for p in datos["programas"]],
-        "CON_VENTANA": [f"{capitulo}/{nombre}" for nombre, capitulo in con_ventana.items()],
-        "CASOS": [f"{c['programa']}.{c['nombre']}" for c in datos["casos"]],
+        "CAPITULOS": [c.nombre for c in lee(build)],
+        "PROGRAMAS": [f"{p.capitulo.nombre}/{p.nombre}" for p in programas],
+        "CON_VENTANA": [f"{p.capitulo.nombre}/{p.nombre}" for p in con_ventana],
+        "CASOS": [f"{p.nombre}.{c.nombre}" for p in con_ventana for c in p.casos],
     }
     cambia(build / "catalogo.cmake", "".join(f"set(LAB_{n} {' '.join(cosas)})\n" for n, cosas in listas.items()))
-    for viejo in {f.stem for f in build.glob("casos/*.sh")} - set(con_ventana):
+    for viejo in {f.stem for f in build.glob("casos/*.sh")} - {p.nombre for p in con_ventana}:
         (build / f"casos/{viejo}.sh").unlink()
-    for nombre, capitulo in con_ventana.items():
-        lineas = [f"capitulo={capitulo}\n"]
-        for caso in (c for c in datos["casos"] if c["programa"] == nombre):
+    for p in con_ventana:
+        lineas = [f"capitulo={p.capitulo.nombre}\n"]
+        for caso in p.casos:
             campos = "nombre", "fichero", "guion", "tolerancia", "otro", "borde"
-            lineas.append(f"caso {' '.join(f'{campo}={shlex.quote(caso[campo])}' for campo in campos)}\n")
-        cambia(build / f"casos/{nombre}.sh", "".join(lineas))
+            lineas.append(f"caso {' '.join(f'{campo}={shlex.quote(getattr(caso, campo))}' for campo in campos)}\n")
+        cambia(build / f"casos/{p.nombre}.sh", "".join(lineas))
 
 
 def lee(build):
     """Los capítulos."""
-    datos = json.loads(Path(build, "catalogo.json").read_text())
-    capitulos = {c["nombre"]: Capitulo(**c) for c in datos["capitulos"]}
-    programas = {}
-    for p in datos["programas"]:
-        capitulo = capitulos[p.pop("capitulo")]
-        programa = Programa(capitulo, **{**p, "pruebas": p["pruebas"].split(), "consola": bool(p["consola"])})
-        capitulo.programas.append(programa)
-        programas[programa.nombre] = programa
-    for c in datos["casos"]:
-        programa = programas[c.pop("programa")]
-        programa.casos.append(Caso(programa, **c))
-    for programa in programas.values():  # el de uno de consola es lo que escribe, sin imagen
-        if programa.consola:
-            programa.casos = [Caso(programa, "base", programa.nombre)]
-    return list(capitulos.values())
+    capitulos = [Capitulo(**c) for c in json.loads(Path(build, "catalogo.json").read_text())]
+    for capitulo in capitulos:
+        capitulo.programas = [Programa(capitulo, **p) for p in capitulo.programas]
+        for p in capitulo.programas:  # el de uno de consola es lo que escribe, sin imagen
+            p.casos = [Caso(p, "base", p.nombre)] if p.consola else [Caso(p, **c) for c in p.casos]
+    return capitulos
 
 
 def lee_programas(build):
