@@ -45,10 +45,6 @@ double rmse(const Imagen &imagen, const std::vector<double> &exacta) {
     return std::sqrt(suma / double(exacta.size()));
 }
 
-double rmse(const Imagen &imagen, const Imagen &referencia) {
-    return rmse(imagen, std::vector<double>(referencia.rgb.begin(), referencia.rgb.end()));
-}
-
 Imagen redondeada(int ancho, int alto, const std::vector<double> &exacta) {
     Imagen imagen{ancho, alto, {}};
     for (const double v : exacta)

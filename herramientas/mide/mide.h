@@ -98,8 +98,7 @@ public:
 /// El tiempo de procesador de otro programa con esos argumentos; NaN si falla.
 double milisegundosDeOrden(std::vector<std::string> orden);
 
-/// Raíz del error cuadrático medio entre dos imágenes, en niveles de 255. Con `exacta`, sin redondear, tres por píxel.
-double rmse(const Imagen &imagen, const Imagen &referencia);
+/// Raíz del error cuadrático medio, en niveles de 255, frente a la exacta: sin redondear, tres por píxel.
 double rmse(const Imagen &imagen, const std::vector<double> &exacta);
 /// La imagen de esos valores (de 0 a 255), redondeados.
 Imagen redondeada(int ancho, int alto, const std::vector<double> &exacta);

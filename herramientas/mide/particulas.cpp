@@ -48,33 +48,17 @@ static void envia(const std::vector<T> &datos, GLenum uso) {
     glVertexAttribPointer(ATRIBUTO_POSICION, 3, GL_FLOAT, GL_FALSE, sizeof(T), nullptr);
 }
 
-static void mideParticulas(Medidor &m) {
-    abreContexto();
-    glDisable(GL_DEPTH_TEST);
-    const Framebuffer framebuffer(m.elige(96, 960), m.elige(72, 720));
-    const int n = m.elige(100, 100000), muchas = m.elige(1000, 1000000);
-    const GLuint pelados = creaPrograma("herramientas/mide/puntos.vert", "common/liso.frag"),
-                 formula = creaPrograma("herramientas/mide/formula.vert", "common/liso.frag");
-    GLuint bufer;
-    glGenBuffers(1, &bufer);
-    glBindBuffer(GL_ARRAY_BUFFER, bufer);
-    glEnableVertexAttribArray(ATRIBUTO_POSICION);
-    const auto dibuja = [&](GLuint programa, int cuantas) {
-        framebuffer.borra({0, 0, 0});
-        glUseProgram(programa);
-        glDrawArrays(GL_POINTS, 0, cuantas);
-    };
-    Azar al(3);
-    std::vector<glm::vec3> velocidades, quietas;
+// Dibuja tantos puntos con ese programa.
+using Dibuja = std::function<void(GLuint programa, int cuantas)>;
+
+static void mideIntegradas(Medidor &m, const Dibuja &dibuja, GLuint pelados, Azar &al, int n) {
+    std::vector<glm::vec3> velocidades;
     std::vector<Particula> enMarcha; // cada una por donde vaya: que al cronometrar se vea de todo
     for (int i = 0; i < n; ++i) {
         velocidades.push_back({0.4f * al(), 4.5f + 0.5f * al(), 0.4f * al()});
         enMarcha.push_back(tiro(velocidades.back(), 0.8f * (1 + al())));
     }
-    for (int i = 0; i < muchas; ++i)
-        quietas.push_back({al(), al(), 0});
-
-    const auto integrada = [&](const char *nombre, float h, Paso paso) {
+    const auto variante = [&](const char *nombre, float h, Paso paso) {
         const int porCuadro = std::max(int(std::lround(CUADRO / h)), 1);
         m.variante(formatea("%s, dt = %g ms", nombre, 1000.0 * double(h)),
                    std::to_string(porCuadro) + " pasos por imagen, en la CPU", desvio(velocidades, h, paso),
@@ -90,26 +74,51 @@ static void mideParticulas(Medidor &m) {
                    }));
     };
     for (const float h : {0.02f, 0.01f, 0.001f})
-        integrada("Euler", h, euler);
+        variante("Euler", h, euler);
     for (const float h : {0.02f, 0.001f})
-        integrada("Verlet", h, verlet);
+        variante("Verlet", h, verlet);
+}
 
-    // con la fórmula, el tiempo llega a la GPU ya reducido a una vida, o crece y crece en un float
-    const double CIEN_HORAS = 360000.0 + 1.2345, exacto = std::fmod(CIEN_HORAS, double(VIDA));
-    const auto conFormula = [&](const char *nombre, const char *nota, double t, int cuantas) {
+// El tiempo llega a la GPU ya reducido a una vida, o crece y crece en un float.
+static void mideFormula(Medidor &m, const Dibuja &dibuja, int n, int muchas) {
+    const GLuint formula = creaPrograma("herramientas/mide/formula.vert", "common/liso.frag");
+    const double CIEN_HORAS = 360000.0 + 1.2345, exacto = std::fmod(CIEN_HORAS, double(VIDA)),
+                 reducido = double(float(exacto));
+    const auto variante = [&](const char *nombre, const char *nota, double t, int cuantas) {
         const auto y = [](double x) { return 4.5 * x - 0.5 * double(GRAVEDAD) * x * x; };
         glUseProgram(formula);
         envia(formula, "t", float(t));
         m.variante(nombre, nota, std::max(PIXELES * std::fabs(y(t) - y(exacto)), 1e-6), 0.01 * cuantas,
                    yEspera([&] { dibuja(formula, cuantas); }));
     };
-    conFormula("fórmula en la GPU", "a las 100 horas, con el tiempo reducido en double",
-               double(float(exacto)), n);
-    conFormula("con el tiempo en float, fórmula en la GPU", "a las 100 horas, con el tiempo sin reducir",
-               std::fmod(double(float(CIEN_HORAS)), double(VIDA)), n);
+    variante("fórmula en la GPU", "a las 100 horas, con el tiempo reducido en double", reducido, n);
+    variante("con el tiempo en float, fórmula en la GPU", "a las 100 horas, con el tiempo sin reducir",
+             std::fmod(double(float(CIEN_HORAS)), double(VIDA)), n);
     m.grupo = "un millón";
-    conFormula("un millón, fórmula en la GPU", "por cada cien partículas, como las demás",
-               double(float(exacto)), muchas);
+    variante("un millón, fórmula en la GPU", "por cada cien partículas, como las demás", reducido, muchas);
+}
+
+static void mideParticulas(Medidor &m) {
+    abreContexto();
+    glDisable(GL_DEPTH_TEST);
+    const Framebuffer framebuffer(m.elige(96, 960), m.elige(72, 720));
+    const int n = m.elige(100, 100000), muchas = m.elige(1000, 1000000);
+    const GLuint pelados = creaPrograma("herramientas/mide/puntos.vert", "common/liso.frag");
+    GLuint bufer;
+    glGenBuffers(1, &bufer);
+    glBindBuffer(GL_ARRAY_BUFFER, bufer);
+    glEnableVertexAttribArray(ATRIBUTO_POSICION);
+    const Dibuja dibuja = [&](GLuint programa, int cuantas) {
+        framebuffer.borra({0, 0, 0});
+        glUseProgram(programa);
+        glDrawArrays(GL_POINTS, 0, cuantas);
+    };
+    Azar al(3);
+    mideIntegradas(m, dibuja, pelados, al, n);
+    mideFormula(m, dibuja, n, muchas);
+    std::vector<glm::vec3> quietas;
+    for (int i = 0; i < muchas; ++i)
+        quietas.push_back({al(), al(), 0});
     envia(quietas, GL_STATIC_DRAW);
     m.variante("suelo: un millón de puntos quietos", "lo menos que puede costar", NAN, 0.01 * muchas,
                yEspera([&] { dibuja(pelados, muchas); }));

@@ -42,44 +42,28 @@ static unsigned leePixel(const Clic &c) {
     return identificadorDe({p[0], p[1], p[2]});
 }
 
-static void mideSeleccion(Medidor &m) {
-    abreContexto();
-    glEnable(GL_DEPTH_TEST);
-    glDisable(GL_DITHER);
-    const int ancho = m.elige(96, 960), alto = m.elige(72, 720);
-    const Framebuffer framebuffer(ancho, alto);
-    const GLuint programa =
-        creaPrograma("ch03_transformaciones/objeto.vert", "ch10_interaccion/identificador.frag");
-    usaPrograma(programa, camaraEscena(), proyeccionEscena(framebuffer));
+// Lo que se compara: si da, en cada clic, el objeto que hay.
+struct Variantes {
+    Medidor &m;
+    const oraculo::Escena escena;
+    const std::vector<Clic> clics;
+    const std::function<oraculo::Rayo(const Clic &)> rayo;
 
-    // unas bolas al azar, unos clics sobre ellas y la que hay en cada uno
-    Azar al(4);
-    Bolas bolas;
-    oraculo::Escena escena;
-    for (int i = 0; i < 40; ++i) {
-        const glm::vec4 b = {1.4f * al(), 1.1f * al(), al(), 0.12f + 0.08f * al()};
-        bolas.push_back(b);
-        escena.push_back(
-            oraculo::esfera(oraculo::traslada(exacto(glm::vec3(b))) * oraculo::escala(double(b.w))));
-    }
-    std::vector<Clic> clics;
-    for (int i = 0; i < m.elige(25, 200); ++i)
-        clics.push_back(
-            {int(0.5f * (1 + al()) * float(ancho - 1)), int(0.5f * (1 + al()) * float(alto - 1))});
-    const auto rayo = [&](const Clic &c) {
-        return oraculo::rayo(camaraExacta(), ancho, alto, c.x + 0.5, c.y + 0.5);
-    };
-    const auto variante = [&](const std::string &nombre, const char *nota,
-                              const std::function<unsigned(const Clic &)> &elige) {
+    void operator()(const std::string &nombre, const char *nota,
+                    const std::function<unsigned(const Clic &)> &elige) const {
         int mal = 0;
         for (const Clic &c : clics)
             mal += elige(c) != unsigned(oraculo::primerImpacto(escena, rayo(c)).objeto + 1);
         std::size_t k = 0;
         m.variante(nombre, nota, 100.0 * mal / double(clics.size()), 1,
                    [&] { usa(elige(clics[k++ % clics.size()])); });
-    };
+    }
+};
 
-    m.grupo = "cualquier forma";
+static void mideDibujando(const Variantes &variante, const Framebuffer &framebuffer, const Bolas &bolas) {
+    const GLuint programa =
+        creaPrograma("ch03_transformaciones/objeto.vert", "ch10_interaccion/identificador.frag");
+    usaPrograma(programa, camaraEscena(), proyeccionEscena(framebuffer));
     for (const int n : {12, 64}) {
         const Buferes malla = creaBuferes(esfera(n));
         variante(formatea("dibujar y leer un píxel, esferas de %d", n), "", [&](const Clic &c) {
@@ -96,6 +80,7 @@ static void mideSeleccion(Medidor &m) {
         glDisable(GL_SCISSOR_TEST);
         return leePixel(c);
     });
+    const int ancho = framebuffer.ancho, alto = framebuffer.alto;
     std::vector<unsigned char> todo(4 * ancho * alto);
     variante("dibujar y leer la ventana", "", [&](const Clic &c) {
         dibuja(framebuffer, programa, malla, bolas);
@@ -103,9 +88,35 @@ static void mideSeleccion(Medidor &m) {
         const std::size_t i = 4 * (c.y * ancho + c.x);
         return identificadorDe({todo[i], todo[i + 1], todo[i + 2]});
     });
+}
+
+static void mideSeleccion(Medidor &m) {
+    abreContexto();
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_DITHER);
+    const int ancho = m.elige(96, 960), alto = m.elige(72, 720);
+    const Framebuffer framebuffer(ancho, alto);
+    Azar al(4);
+    Bolas bolas;
+    oraculo::Escena escena;
+    for (int i = 0; i < 40; ++i) {
+        const glm::vec4 b = {1.4f * al(), 1.1f * al(), al(), 0.12f + 0.08f * al()};
+        bolas.push_back(b);
+        escena.push_back(
+            oraculo::esfera(oraculo::traslada(exacto(glm::vec3(b))) * oraculo::escala(double(b.w))));
+    }
+    std::vector<Clic> clics;
+    for (int i = 0; i < m.elige(25, 200); ++i)
+        clics.push_back(
+            {int(0.5f * (1 + al()) * float(ancho - 1)), int(0.5f * (1 + al()) * float(alto - 1))});
+    const Variantes variante{m, escena, clics, [=](const Clic &c) {
+                                 return oraculo::rayo(camaraExacta(), ancho, alto, c.x + 0.5, c.y + 0.5);
+                             }};
+    m.grupo = "cualquier forma";
+    mideDibujando(variante, framebuffer, bolas);
     m.grupo = "solo esferas";
     variante("rayo en double", "hay que saber cortar cada forma",
-             [&](const Clic &c) { return cortaBolas(bolas, rayo(c)); });
+             [&](const Clic &c) { return cortaBolas(bolas, variante.rayo(c)); });
 }
 
 static const Apunta APUNTA(
