@@ -14,6 +14,7 @@ from pathlib import Path
 from base import catalogo, paquetes, procesos
 from base.construye import Taller, aviso, corre
 from base.procesos import Fallo
+from ejercicios import propios
 
 # Lo que dicen FreeGLUT, Xlib o los programas donde no se puede abrir una ventana con OpenGL 3.1.
 SIN_VENTANA = "failed to open display|GLX extension not supported|Unable to create .*context|GLXBad|FBConfig"
@@ -24,7 +25,7 @@ OTROS_SON = """
 LAB_SIN_INSTALAR=1 no instala paquetes; LAB_NAVEGADOR=1 prueba también la galería y la página en navegadores;
 LAB_WINDOWS=1, los programas de Windows con Wine;
 LAB_OPENGL=softpipe, zink, swiftshader, virgl o llvmpipe dibuja con él, en ./lab prueba -R otro, cada caso;
-LAB_PARES=1 compara también con GLU, libnoise, ImageMagick y OpenCV.
+LAB_PARES=1 compara también con GLU, libnoise e ImageMagick.
 ./lab ORDEN --help dice más de cada una; source <(./lab completa) las completa con el tabulador."""
 EN_ESPANOL = {
     "usage: ": "uso: ",
@@ -46,6 +47,17 @@ class Analizador(argparse.ArgumentParser):
 
     def error(self, mensaje):
         sys.exit(f"lab: {self.prog.removeprefix('./lab ')}: {mensaje}; ./lab {self.prog.split()[-1]} --help")
+
+
+class Mio(propios.Propio):
+    """Lo de quien aprende, en mios/: se llama como el programa del que sale."""
+
+    objetivo = property(lambda self: f"mio_{self.carpeta.name}")
+
+
+def suyo(programa):
+    """Cómo se llama lo que se saca de él: lo de mios/, como su carpeta."""
+    return programa.carpeta.name if programa.raices else programa.nombre
 
 
 def modulo(nombre, *palabras):
@@ -92,84 +104,69 @@ class Laboratorio:
     def sin_ventana(self):
         return (self.build / "sin_ventana").read_text().strip()
 
-    def mio(self, orden, pedido):
-        """De lo que está en mios/, su nombre; nada si es del laboratorio, que va antes."""
+    def mio(self, orden, pedido, programas):
+        """Lo que está en mios/; nada si es del laboratorio, que va antes."""
         nombre = pedido.removeprefix("mios/").rstrip("/")
-        programas = catalogo.lee_programas(self.build)
         if nombre == pedido and (not (self.t.mios / nombre).exists() or any(p.es(nombre) for p in programas)):
-            return ""
+            return None
         carpeta = self.t.mios / nombre
         if not nombre or not (carpeta / f"{nombre}.cpp").exists():
             raise Fallo(f"{orden}: no encuentro {carpeta}/{nombre}.cpp")
         if not (carpeta / "ejercicio.txt").exists():
             raise Fallo(f"{orden}: falta {carpeta}/ejercicio.txt, que hace ./lab nuevo")
-        return nombre
-
-    def propio(self, pedido):
-        """De un ejercicio de quien enseña, lo que se dice de un programa del catálogo y su carpeta; si no, nada."""
-        apuntados = self.build / "propios.txt"
-        suyo = "/" in pedido or pedido == "." or (self.raiz / "ejercicios" / pedido).exists()
-        if not suyo and not (apuntados.exists() and apuntados.stat().st_size):
-            return []
-        return self.dice("ejercicios.propios", self.raiz, self.build, pedido).splitlines()
+        origen = (carpeta / "ejercicio.txt").read_text().split("\n", 1)[0]
+        hecho = Mio(catalogo.Capitulo(f"mios/{nombre}", ""), origen.rpartition("/")[2], "", nombre, carpeta=carpeta)
+        if "ejercicios/" not in origen:  # la solución de uno de esos puede no estar aquí
+            [p] = catalogo.resuelve(programas, hecho.nombre)
+            hecho.consola, hecho.titulo = p.consola, p.titulo
+        return hecho
 
     def elige(self, orden, pedido):
-        """Los programas de que se habla: dónde está cada uno, cómo se llama, «imagen» o «texto» y su título; de lo que
-        está solo en su carpeta, con qué nombre se compila, y si es lo de alguien, el suyo."""
+        """Los programas de que se habla."""
         self.prepara()
-        nombre, objetivo, carpeta = self.mio(orden, pedido), "", ""
-        if nombre:
-            carpeta = self.t.mios / nombre
-            origen = (carpeta / "ejercicio.txt").read_text().split("\n", 1)[0]
-            programa, objetivo, titulo = origen.rpartition("/")[2], f"mio_{nombre}", nombre
-            que = "imagen"
-            if "ejercicios/" not in origen:  # la solución de uno de esos puede no estar aquí
-                [p] = catalogo.resuelve(catalogo.lee_programas(self.build), programa)
-                que, titulo = "texto" if p.consola else "imagen", p.titulo
-            elegidos = [(f"mios/{nombre}", programa, que, titulo)]
-        elif suyo := self.propio(pedido):
-            elegidos, carpeta = [tuple(suyo[0].split("\t"))], suyo[1]
-            objetivo = f"propio_{elegidos[0][1]}"
+        os.chdir(self.donde)
+        if mio := self.mio(orden, pedido, catalogo.lee_programas(self.build)):
+            elegidos = [mio]
         else:
-            hallados = catalogo.resuelve(catalogo.lee_programas(self.build), pedido)
-            elegidos = [(p.capitulo.nombre, p.nombre, "texto" if p.consola else "imagen", p.titulo) for p in hallados]
-        if carpeta:
-            os.environ["LAB_RAIZ"] = ":".join(filter(None, [str(carpeta), os.environ.get("LAB_RAIZ")]))
-        return elegidos, objetivo, nombre
+            elegidos = catalogo.resuelve(*propios.resuelve(self.raiz, self.build, pedido))
+        antes = os.environ.get("LAB_RAIZ")
+        for carpeta in elegidos[0].raices:
+            os.environ["LAB_RAIZ"] = f"{carpeta}:{antes}" if antes else str(carpeta)
+        return elegidos
 
-    def compila_elegidos(self, elegidos, objetivo, *enlaces):
-        objetivos = [f"{objetivo or e[1]}_{enlace}" for e in elegidos for enlace in (self.sin_ventana, *enlaces)]
-        if not objetivo:
+    def compila_elegidos(self, elegidos, *enlaces):
+        objetivos = [f"{p.objetivo}_{enlace}" for p in elegidos for enlace in (self.sin_ventana, *enlaces)]
+        if not elegidos[0].raices:
             self.t.compila_para_usar(*objetivos)
         elif not self.t.compila(self.build, *objetivos):
-            self.t.no_sale(f"{elegidos[0][0]} no compila")
+            self.t.no_sale(f"{elegidos[0].capitulo.nombre} no compila")
 
     # --- ver ----------------------------------------------------------------------------------------------------------
 
     def ver(self, que):
         """Abre un programa en una ventana; sin pantalla lo dibuja en PROGRAMA.png.
 
-        PROGRAMA puede ser su nombre, su listado, ejercicio o figura (L1.2, E3.5, F3.3), lo que hay en mios/NOMBRE o
-        un capítulo (ch05): Esc pasa de cada programa al siguiente. Lo que siga va al programa: ./lab ver grua -ayuda.
+        PROGRAMA puede ser su nombre, su listado, ejercicio o figura (L1.2, ejercicio 3.5), lo que hay en mios/NOMBRE
+        o un capítulo (ch05): Esc pasa de cada programa al siguiente. Lo que siga va al programa: ./lab ver grua -ayuda.
         Con --vigila (o F3, con la ventana abierta) cada shader se relee en cuanto se guarda."""
         if "--vigila" in que.resto or que.vigila:
             os.environ["LAB_VIGILA"] = "1"
         resto = [palabra for palabra in que.resto if palabra != "--vigila"]
-        elegidos, objetivo, nombre = self.elige("ver", que.programa)
+        elegidos = self.elige("ver", que.programa)
         con_pantalla = bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
-        self.compila_elegidos(elegidos, objetivo, *(["ventana"] if con_pantalla else []))
+        self.compila_elegidos(elegidos, *(["ventana"] if con_pantalla else []))
         self.t.suelta()  # con la ventana abierta se puede seguir trabajando
         estado = 0
-        for cap, programa, clase, titulo in elegidos:
+        for programa in elegidos:
             if len(elegidos) > 1:
-                aviso(f"{programa}: {titulo}")
-            estado = self.ensena(cap, programa, clase, nombre or programa, resto, con_pantalla) or estado
+                aviso(f"{programa.nombre}: {programa.titulo}")
+            estado = self.ensena(programa, resto, con_pantalla) or estado
         return estado
 
-    def ensena(self, cap, programa, clase, dibujo, resto, con_pantalla):
+    def ensena(self, programa, resto, con_pantalla):
         if con_pantalla:
-            orden, errores = [self.build / "ventana" / cap / programa, *resto], []
-            como = {"cwd": self.donde, "stderr": subprocess.PIPE, "text": True, "errors": "replace"}
+            orden, errores = [self.build / "ventana" / programa.capitulo.nombre / programa.nombre, *resto], []
+            como = {"stderr": subprocess.PIPE, "text": True, "errors": "replace"}
             with procesos.arranca(orden, **como) as proceso:
                 for linea in proceso.stderr:
                     errores.append(linea)
@@ -178,33 +175,31 @@ class Laboratorio:
             if not estado or not re.search(SIN_VENTANA, "".join(errores)):
                 return estado
         with tempfile.TemporaryDirectory() as temporal:
-            imagen = Path(temporal, f"{programa}.ppm")
-            ppm = [] if clase == "texto" else ["-ppm", imagen]
-            estado = corre([self.build / self.sin_ventana / cap / programa, *ppm, *resto], cwd=self.donde)
+            imagen = Path(temporal, "imagen.ppm")
+            ppm = [] if programa.consola else ["-ppm", imagen]
+            estado = corre([programa.ejecutable(self.build), *ppm, *resto])
             if estado or not imagen.exists():  # no la hay con -ayuda, con -ppm o en los de consola
                 return estado
-            procesos.escribe(self.donde / f"{dibujo}.png", procesos.en_png(imagen))
-        aviso(f"No puedo abrir una ventana con OpenGL 3.1: lo he dibujado en {dibujo}.png")
+            procesos.escribe(self.donde / f"{suyo(programa)}.png", procesos.en_png(imagen))
+        aviso(f"No puedo abrir una ventana con OpenGL 3.1: lo he dibujado en {suyo(programa)}.png")
         return 0
 
     def explica(self, que):
         """Deja en explica/PROGRAMA.html, orden a orden, cómo se ha dibujado su imagen y, del píxel X Y que se diga,
         como los da el ratón, por qué tiene ese color. Tras eso, -guion y -geometry, como en ./lab ver, y --json
         FICHERO, que lo deja también en datos."""
-        elegidos, objetivo, nombre = self.elige("explica", que.programa)
+        elegidos = self.elige("explica", que.programa)
         if len(elegidos) > 1:
-            raise Fallo(
-                f"explica: «{que.programa}» son varios programas; elige uno: {' '.join(e[1] for e in elegidos)}"
-            )
-        [(cap, programa, clase, titulo)] = elegidos
-        if clase == "texto":
-            raise Fallo(f"explica: {programa} escribe texto y no dibuja nada")
-        self.compila_elegidos(elegidos, objetivo)
+            son = " ".join(p.nombre for p in elegidos)
+            raise Fallo(f"explica: «{que.programa}» son varios programas; elige uno: {son}")
+        [p] = elegidos
+        if p.consola:
+            raise Fallo(f"explica: {p.nombre} escribe texto y no dibuja nada")
+        self.compila_elegidos(elegidos)
         self.t.compila_para_usar("explica")
         self.t.suelta()
-        os.chdir(self.donde)
-        suyo = self.raiz, self.build, self.t.explica, cap, programa, nombre or programa, titulo
-        self.pasa_a("explica.orden", *suyo, *que.resto)
+        cual = p.capitulo.nombre, p.nombre, suyo(p), p.titulo
+        self.pasa_a("explica.orden", self.raiz, self.build, self.t.explica, *cual, *que.resto)
 
     # --- ejercicios ---------------------------------------------------------------------------------------------------
 
@@ -253,9 +248,7 @@ class Laboratorio:
         if estado == 3:  # no compila
             self.t.perdona_avisos()
             estado = self.hace(*dibuja)
-            if estado == 3:
-                self.t.no_sale("no compila")
-        return estado
+        return estado if estado != 3 else self.t.no_sale("no compila")
 
     def galeria(self, _):
         """Dibuja todos los programas sin ventana y deja galeria/index.html."""
@@ -340,7 +333,7 @@ class Laboratorio:
             estado = self.hace("pruebas.evidencia", self.raiz, en)
             return estado or self.hace("documentos.escribe", self.raiz, en, "escribe")
         que_son = "todas las pruebas" if que.todo else "las pruebas de cualquiera; ./lab prueba --todo hace todas"
-        if not (que.R or que.L or que.N):
+        if not {"-R", "-L", "-N"} & {opcion for opcion, *_ in que.ctest}:
             dura = f"unos {MINUTOS[que.todo]} minutos con dos procesadores"
             aviso(f"Ejecuto {que_son}: {dura}. Lo que falle, en {en}/fallos")
         shutil.rmtree(en / "fallos", ignore_errors=True)
@@ -360,14 +353,10 @@ class Laboratorio:
     def para_ctest(que):
         """Lo que se le pasa. Lo que no es de cualquiera lleva la etiqueta «todo»: se hace con --todo o si se nombra; y
         la parte que de eso hace cualquiera, «muestra»."""
-        valores = {"-R": que.R, "-E": que.E, "-L": que.L, "-I": que.I, "-j": que.j}
-        valores |= {"--repeat": que.repeat, "--timeout": que.timeout}
-        elegidas = [palabra for opcion, valor in valores.items() if valor is not None for palabra in (opcion, valor)]
-        de_otros = "^muestra$" if que.todo or que.asan else "^todo$"
-        no = "|".join(filter(None, [que.LE, "" if que.R or que.L else de_otros]))
-        sueltas = {"-V": que.V, "-VV": que.VV, "-N": que.N, "--rerun-failed": que.rerun_failed}
-        sueltas |= {"--stop-on-failure": que.stop_on_failure, "--progress": que.progress}
-        return [*elegidas, *(["-LE", no] if no else []), *(opcion for opcion, puesta in sueltas.items() if puesta)]
+        nombradas = {"-R", "-L"} & {opcion for opcion, *_ in que.ctest}
+        de_otros = "" if nombradas else "^muestra$" if que.todo or que.asan else "^todo$"
+        no = "|".join(filter(None, [que.LE, de_otros]))
+        return [palabra for opcion in que.ctest for palabra in opcion] + (["-LE", no] if no else [])
 
     def dora(self, que):
         """Rehace los golden que se nombren (grua, grua-girada) y dice cuánto cambian.
@@ -403,8 +392,7 @@ class Laboratorio:
     def para_dorar(self, pedidos):
         """Esos casos, y los pasos de los programas que se nombren; o todos. Los programas, compilados."""
         programas = catalogo.lee_programas(self.build)
-        todos = [c for p in programas if not p.consola for c in p.casos]
-        casos = [c for pedido in pedidos for c in catalogo.casos(programas, pedido)] or todos
+        casos = catalogo.elegidos(programas, pedidos)
         pasos = [f.stem for f in sorted((self.raiz / "tests/golden").rglob("*.pasos"))]
         objetivos = ["sin_ventana"]
         if pedidos:
@@ -514,8 +502,10 @@ def analizador(orden):
 
 
 def entiende(orden, palabras):
-    """Lo que se pide a esa orden. Lo de LIBRES lo entiende el módulo que la hace."""
+    """Lo que se pide a esa orden, con «listado 5.1» en una palabra. Lo de LIBRES lo entiende el módulo que la hace."""
     a = analizador(orden)
+    if orden in ("ver", "explica", "nuevo"):
+        palabras = catalogo.juntas(palabras)
     if orden not in LIBRES:
         return a.parse_args(palabras)
     if palabras[:1] in (["--help"], ["-h"]):
@@ -529,10 +519,13 @@ def para_prueba(a):
     a.add_argument("--asan", action="store_true", help="bajo AddressSanitizer y UndefinedBehaviorSanitizer")
     a.add_argument("--apunta", action="store_true", help="lo que miden queda en docs/")
     a.add_argument("--junit", metavar="FICHERO", help="deja ahí los resultados, en XML de JUnit")
-    for opcion in ("-R", "-E", "-L", "-LE", "-I", "-j", "--repeat", "--timeout"):
-        a.add_argument(opcion, help="como en ctest")
+    como_ctest = {"dest": "ctest", "default": [], "help": "como en ctest"}
+    for opcion in ("-R", "-E", "-L", "-I", "-j", "--repeat", "--timeout"):
+        con_valor = {"metavar": "…", "type": lambda valor, opcion=opcion: (opcion, valor)}
+        a.add_argument(opcion, action="append", **con_valor, **como_ctest)
     for opcion in ("-V", "-VV", "-N", "--rerun-failed", "--stop-on-failure", "--progress"):
-        a.add_argument(opcion, action="store_true", help="como en ctest")
+        a.add_argument(opcion, action="append_const", const=(opcion,), **como_ctest)
+    a.add_argument("-LE", metavar="…", help="como en ctest")
 
 
 def ayuda():

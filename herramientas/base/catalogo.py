@@ -6,17 +6,15 @@ lo que sale de ellos, y de ahí lo toman los demás. Un programa es chNN_…/nom
 catalogo.py BUILD escribe RAÍZ    BUILD/catalogo.json, lo que leen las herramientas; BUILD/catalogo.cmake, qué programas
                                   hay, y BUILD/casos/PROGRAMA.sh, lo que de cada caso necesitan las pruebas
 catalogo.py BUILD lista [--tsv]   capítulo, programa, referencia y título
-catalogo.py BUILD resuelve QUÉ    los programas de que se habla (su nombre, L1.2, E3.5, F3.3, ch05): capítulo, programa,
-                                  imagen o texto, y título, entre tabuladores
-catalogo.py BUILD casos QUÉ…      de cada caso que se nombra (grua, grua-girada), su programa y su nombre
-catalogo.py BUILD cumple QUÉ…     de esos, lo que cumplen sus imágenes: capítulo, programa, imagen y afirmaciones, entre
-                                  tabuladores
+catalogo.py BUILD cumple QUÉ…     de cada caso que se nombra (grua, grua-girada), o de todos, lo que cumple su imagen:
+                                  capítulo, programa, imagen y afirmaciones, entre tabuladores
 """
 import difflib
 import json
 import re
 import shlex
 import sys
+import unicodedata
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -62,6 +60,39 @@ CAMPOS = {  # qué se dice de cada cosa, como expresión regular y con palabras;
         "motivo": (NADA, "por qué hacen falta esas tolerancias"),
     },
 }
+
+
+CLASES = {"listado": "l", "list": "l", "ejercicio": "e", "ej": "e", "figura": "f", "fig": "f", "tabla": "t"}
+CLASES |= {"ecuacion": "ec", "ec": "ec", "apartado": "§", "capitulo": "ch", "cap": "ch"}
+DE_QUE = re.compile(rf"({'|'.join(CLASES)})\.? ?(?=\d)")
+
+
+def llano(texto):
+    """Sin acentos ni mayúsculas."""
+    return re.sub("[\u0300-\u036f]", "", unicodedata.normalize("NFD", texto)).lower()
+
+
+def numero(referencia):
+    """3.5, de E3.5."""
+    return re.sub(r"^\D*", "", referencia)
+
+
+def abrevia(pedido):
+    """Como se llama en el catálogo lo que alguien pide: «Listado 5.1» es l5.1; «capítulo 5», ch05; «Grúa», grua."""
+    suyo = llano(pedido).strip().removesuffix(".cpp")
+    if clase := DE_QUE.match(suyo):
+        suyo = CLASES[clase[1]] + suyo[clase.end() :]
+    return re.sub(r"^ch(\d)$", r"ch0\1", suyo)
+
+
+def juntas(palabras):
+    """Las mismas, con «listado 5.1», que en la terminal son dos, en una."""
+    hechas = []
+    for palabra in palabras:
+        if hechas and llano(hechas[-1]).rstrip(".") in CLASES and re.fullmatch(r"\d+(\.\d+)*", palabra):
+            palabra = f"{hechas.pop()} {palabra}"
+        hechas.append(palabra)
+    return hechas
 
 
 @dataclass
@@ -146,9 +177,10 @@ class Programa:
         return build / (build / "sin_ventana").read_text().strip() / self.capitulo.nombre / self.nombre
 
     def es(self, pedido):
-        """Si es lo que se pide: su nombre, su capítulo o una de sus referencias."""
-        capitulo = self.capitulo.nombre
-        return pedido in (self.nombre, capitulo, capitulo.split("_")[0]) or pedido.lower() in self.ref.lower().split()
+        """Si es lo que se pide, escrito de cualquier manera: su nombre o su fuente, su capítulo o una referencia."""
+        capitulo, suyo = self.capitulo.nombre, abrevia(pedido)
+        nombres = self.nombre, f"{capitulo}/{self.nombre}", capitulo, capitulo.split("_")[0]
+        return suyo in (*nombres, *map(llano, self.referencias), *map(numero, self.referencias))
 
 
 @dataclass
@@ -212,32 +244,33 @@ def lee_casos(donde, programa, tablas_de_casos):
         for campo, hace_falta in ("titulo", not es_base), ("motivo", caso["tolerancia"] or caso["otro"]):
             if hace_falta and not caso[campo]:
                 raise Fallo(f"{cual}: falta {campo}: es {CAMPOS['caso'][campo][1]}")
-        casos.append({"programa": programa, "fichero": programa if es_base else f"{programa}-{caso['nombre']}", **caso})
+        casos.append({"fichero": programa if es_base else f"{programa}-{caso['nombre']}", **caso})
     sin_repetir(donde, casos, "nombre")
     sin_repetir(donde, casos, "titulo")
     return casos
+
+
+def lee_programa(donde, dichos):
+    casos = tablas(donde, "caso", dichos)
+    programa = hechos(donde, "programa", dichos)
+    return {**programa, "casos": lee_casos(donde, programa["nombre"], casos)}
 
 
 def lee_capitulos(raiz):
     """Lo que dicen los catalogo.toml, como queda en catalogo.json."""
     if not tomllib:
         raise Fallo(f"los catálogos los lee Python 3.11 o posterior, y este es {sys.version.split()[0]}")
-    datos = {"capitulos": [], "programas": [], "casos": []}
+    capitulos = []
     for fichero in sorted(raiz.glob("ch*/catalogo.toml")):
-        donde, capitulo = str(fichero.relative_to(raiz)), fichero.parent.name
+        donde = str(fichero.relative_to(raiz))
         try:
             dichos = tomllib.loads(fichero.read_text(encoding="utf-8"))
         except ValueError as error:  # también lo que no es UTF-8
             raise Fallo(f"{donde}: no es TOML: {error}") from None
-        for cual, suyos in tablas(donde, "programa", dichos):
-            casos = tablas(cual, "caso", suyos)
-            programa = hechos(cual, "programa", suyos)
-            programa["pruebas"] = " ".join(programa["pruebas"])
-            datos["programas"].append({"capitulo": capitulo, **programa})
-            datos["casos"] += lee_casos(cual, programa["nombre"], casos)
-        datos["capitulos"].append({"nombre": capitulo, **hechos(donde, "capítulo", dichos)})
-    sin_repetir("catalogo.toml", datos["programas"], "nombre")
-    return datos
+        programas = [lee_programa(cual, suyos) for cual, suyos in tablas(donde, "programa", dichos)]
+        capitulos.append({"nombre": fichero.parent.name, **hechos(donde, "capítulo", dichos), "programas": programas})
+    sin_repetir("catalogo.toml", [p for c in capitulos for p in c["programas"]], "nombre")
+    return capitulos
 
 
 def cambia(fichero, texto):
@@ -247,43 +280,34 @@ def cambia(fichero, texto):
 
 
 def escribe_todo(raiz, build):
-    datos = lee_capitulos(raiz)
-    cambia(build / "catalogo.json", json.dumps(datos, ensure_ascii=False, indent=1) + "\n")
-    con_ventana = {p["nombre"]: p["capitulo"] for p in datos["programas"] if not p["consola"]}
+    cambia(build / "catalogo.json", json.dumps(lee_capitulos(raiz), ensure_ascii=False, indent=1) + "\n")
+    programas = lee_programas(build)
+    con_ventana = [p for p in programas if not p.consola]
     listas = {
-        "CAPITULOS": [c["nombre"] for c in datos["capitulos"]],
-        "PROGRAMAS": [f"{p['capitulo']}/{p['nombre']}" for p in datos["programas"]],
-        "CON_VENTANA": [f"{capitulo}/{nombre}" for nombre, capitulo in con_ventana.items()],
-        "CASOS": [f"{c['programa']}.{c['nombre']}" for c in datos["casos"]],
+        "CAPITULOS": [c.nombre for c in lee(build)],
+        "PROGRAMAS": [f"{p.capitulo.nombre}/{p.nombre}" for p in programas],
+        "CON_VENTANA": [f"{p.capitulo.nombre}/{p.nombre}" for p in con_ventana],
+        "CASOS": [f"{p.nombre}.{c.nombre}" for p in con_ventana for c in p.casos],
     }
     cambia(build / "catalogo.cmake", "".join(f"set(LAB_{n} {' '.join(cosas)})\n" for n, cosas in listas.items()))
-    for viejo in {f.stem for f in build.glob("casos/*.sh")} - set(con_ventana):
+    for viejo in {f.stem for f in build.glob("casos/*.sh")} - {p.nombre for p in con_ventana}:
         (build / f"casos/{viejo}.sh").unlink()
-    for nombre, capitulo in con_ventana.items():
-        lineas = [f"capitulo={capitulo}\n"]
-        for caso in (c for c in datos["casos"] if c["programa"] == nombre):
+    for p in con_ventana:
+        lineas = [f"capitulo={p.capitulo.nombre}\n"]
+        for caso in p.casos:
             campos = "nombre", "fichero", "guion", "tolerancia", "otro", "borde"
-            lineas.append(f"caso {' '.join(f'{campo}={shlex.quote(caso[campo])}' for campo in campos)}\n")
-        cambia(build / f"casos/{nombre}.sh", "".join(lineas))
+            lineas.append(f"caso {' '.join(f'{campo}={shlex.quote(getattr(caso, campo))}' for campo in campos)}\n")
+        cambia(build / f"casos/{p.nombre}.sh", "".join(lineas))
 
 
 def lee(build):
     """Los capítulos."""
-    datos = json.loads(Path(build, "catalogo.json").read_text())
-    capitulos = {c["nombre"]: Capitulo(**c) for c in datos["capitulos"]}
-    programas = {}
-    for p in datos["programas"]:
-        capitulo = capitulos[p.pop("capitulo")]
-        programa = Programa(capitulo, **{**p, "pruebas": p["pruebas"].split(), "consola": bool(p["consola"])})
-        capitulo.programas.append(programa)
-        programas[programa.nombre] = programa
-    for c in datos["casos"]:
-        programa = programas[c.pop("programa")]
-        programa.casos.append(Caso(programa, **c))
-    for programa in programas.values():  # el de uno de consola es lo que escribe, sin imagen
-        if programa.consola:
-            programa.casos = [Caso(programa, "base", programa.nombre)]
-    return list(capitulos.values())
+    capitulos = [Capitulo(**c) for c in json.loads(Path(build, "catalogo.json").read_text())]
+    for capitulo in capitulos:
+        capitulo.programas = [Programa(capitulo, **p) for p in capitulo.programas]
+        for p in capitulo.programas:  # el de uno de consola es lo que escribe, sin imagen
+            p.casos = [Caso(p, "base", p.nombre)] if p.consola else [Caso(p, **c) for c in p.casos]
+    return capitulos
 
 
 def lee_programas(build):
@@ -291,10 +315,18 @@ def lee_programas(build):
 
 
 def resuelve(programas, pedido):
-    elegidos = [p for p in programas if p.es(pedido)]
+    """Los que son lo que se pide. De un número a secas (5.1), si son varias cosas de varios, hay que decir cuál."""
+    elegidos, suyo = [p for p in programas if p.es(pedido)], abrevia(pedido)
     if not elegidos:
-        parecidos = difflib.get_close_matches(pedido, [p.nombre for p in programas], 3, 0)
-        sys.exit(f"lab: no hay ningún programa «{pedido}»; los más parecidos: {', '.join(parecidos)}")
+        hay = {llano(nombre): nombre for p in programas for nombre in (p.nombre, *p.referencias)}
+        parecidos = [hay[nombre] for nombre in difflib.get_close_matches(suyo, hay, 3, 0)]
+        raise Fallo(f"no hay ningún programa «{pedido}»; lo más parecido: {', '.join(parecidos)}")
+    cosas = {}
+    for referencia, nombre in ((r, p.nombre) for p in elegidos for r in p.referencias if numero(r) == suyo):
+        cosas.setdefault(referencia, []).append(nombre)
+    if len(cosas) > 1 and len(elegidos) > 1:
+        son = ", ".join(f"{referencia} ({' '.join(suyos)})" for referencia, suyos in cosas.items())
+        raise Fallo(f"«{pedido}» puede ser {son}: di cuál")
     return elegidos
 
 
@@ -303,15 +335,14 @@ def casos(programas, pedido):
     if not hay:
         nombre = pedido.split("-")[0]
         resuelve(programas, nombre)
-        sys.exit(f"lab: «{pedido}» no es un caso de {nombre}")
+        raise Fallo(f"«{pedido}» no es un caso de {nombre}")
     return hay
 
 
 def elegidos(programas, pedidos):
     """Los casos que se nombran, o todos."""
-    return [c for pedido in pedidos for c in casos(programas, pedido)] or [
-        c for p in programas if not p.consola for c in p.casos
-    ]
+    todos = [c for p in programas if not p.consola for c in p.casos]
+    return [c for pedido in pedidos for c in casos(programas, pedido)] or todos
 
 
 def main():
@@ -323,12 +354,6 @@ def main():
         formato = "{}\t{}\t{}\t{}" if resto == ["--tsv"] else "{:<22} {:<22} {:<14} {}"
         for p in programas:
             print(formato.format(p.capitulo.nombre, p.nombre, p.ref, p.titulo))
-    elif orden == "resuelve":
-        for p in resuelve(programas, *resto):
-            print(p.capitulo.nombre, p.nombre, "texto" if p.consola else "imagen", p.titulo, sep="\t")
-    elif orden == "casos":
-        for caso in elegidos(programas, resto):
-            print(caso.programa.nombre, caso.nombre)
     elif orden == "cumple":
         for caso in elegidos(programas, resto):
             print(caso.programa.capitulo.nombre, caso.programa.nombre, caso.fichero, *caso.cumple, sep="\t")

@@ -99,13 +99,9 @@ def atiende(build, programa, guion="", **entorno):
     """De qué se entera tras ese guion: lo que dice -rasgos de él, y las opciones de sus menús, salvo la que lo
     termina."""
     raices = {"LAB_RAIZ": ":".join(map(str, programa.raices))} if programa.raices else {}
+    orden = [programa.ejecutable(build), "-guion", guion, "-rasgos"]
     with tempfile.TemporaryDirectory() as carpeta:
-        dice = ejecuta(
-            [programa.ejecutable(build), "-guion", guion, "-rasgos"],
-            cwd=carpeta,
-            text=True,
-            env={**os.environ, **raices, **entorno},
-        )
+        dice = ejecuta(orden, cwd=carpeta, text=True, env={**os.environ, **raices, **entorno})
     rasgos = {linea for linea in dice.splitlines() if not linea.startswith("opcion ")}
     opciones = [linea.removeprefix("opcion ") for linea in dice.splitlines() if linea.startswith("opcion ")]
     return rasgos, [o for o in opciones if o != "Salir"]
@@ -123,11 +119,8 @@ def clic(azar, ancho, alto):
     """Un clic o un arrastre en varios pasos."""
     boton = azar.choice(["IZQUIERDO", "IZQUIERDO", "DERECHO"])
     recorrido = [punto(azar, ancho, alto) for _ in range(azar.randint(1, 3))]
-    return [
-        f"boton {boton} abajo {recorrido[0]}",
-        *(f"arrastra {p}" for p in recorrido[1:]),
-        f"boton {boton} arriba {recorrido[-1]}",
-    ]
+    arrastra = [f"arrastra {p}" for p in recorrido[1:]]
+    return [f"boton {boton} abajo {recorrido[0]}", *arrastra, f"boton {boton} arriba {recorrido[-1]}"]
 
 
 def tiempo(azar, *_):

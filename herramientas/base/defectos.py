@@ -45,27 +45,13 @@ class Mutante:
     def en_shader(self):
         return self.fichero.endswith(SHADERS)
 
-    @property
-    def en_copia(self):
-        """Si no se compila: se cambia en una copia del árbol."""
-        return self.de_bash or self.fichero.endswith((".py", ".mjs", ".js", ".html", ".css"))
-
-    @property
-    def de_bash(self):
-        return self.fichero in ("lab", ".ci/run") or self.fichero.endswith(".sh")
-
     def es_de(self, pedido):
         """Si es lo que se pide: su lista, él, su fichero, su carpeta o el capítulo o el programa por los que empiezan
         sus nombres."""
         fichero = Path(self.fichero)
         carpeta = fichero.parts[0]
-        return pedido in (
-            self.lista,
-            self.nombre,
-            self.fichero,
-            carpeta,
-            carpeta.split("_")[0],
-        ) or fichero.stem.startswith(pedido)
+        suyos = self.lista, self.nombre, self.fichero, carpeta, carpeta.split("_")[0]
+        return pedido in suyos or fichero.stem.startswith(pedido)
 
     def sitio(self, fuente):
         """Dónde empieza y acaba en ese fuente lo que se cambia."""

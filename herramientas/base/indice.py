@@ -54,7 +54,6 @@ def hace(raiz, capitulos, del_libro):
         for p in capitulo.programas:
             suyos = [str(f) for f in fuentes.alcanza(raiz, p.fuente)]
             ficheros.update((f, identificadores((raiz / f).read_text())) for f in suyos if f not in ficheros)
-            entradas.append(
-                {"titulo": p.titulo, "zonas": [z for z in zonas(raiz, del_libro, p) if z[2]], "fuentes": suyos}
-            )
+            con_texto = [z for z in zonas(raiz, del_libro, p) if z[2]]
+            entradas.append({"titulo": p.titulo, "zonas": con_texto, "fuentes": suyos})
     return {"entradas": entradas, "ficheros": ficheros, "sinonimos": dict(libro.filas(SINONIMOS))}

@@ -58,9 +58,8 @@ def nombre(codigo):
 def codigos(titulo):
     """Las referencias que nombra el título de una errata: «Listado 9.1 y los de §9.1.2», L9.1 y §9.1.2."""
     de = {nombre: clase for clase, nombre in CLASES.items()}
-    hallados = re.findall(
-        r"(listado|ejercicio|figura|tabla|ecuación) (\d+\.\d+)|§(\d+(?:\.\d+)+)", titulo, re.IGNORECASE
-    )
+    referencia = r"(listado|ejercicio|figura|tabla|ecuación) (\d+\.\d+)|§(\d+(?:\.\d+)+)"
+    hallados = re.findall(referencia, titulo, re.IGNORECASE)
     return [de[clase.lower()] + numero if clase else "§" + apartado for clase, numero, apartado in hallados]
 
 
@@ -109,12 +108,10 @@ class Libro:
         textos = {f: f.read_text() for f in raiz.glob("ch*/*.*") if f.suffix in (".cpp", ".h", *fuentes.SHADERS)}
         self.por_hacer = set(marcas.que_piden(textos))  # E3.5, con ./lab nuevo; L5.1, en la página
         self.cosas = {c.codigo: c for c in cosas(raiz)}
-        self.respuestas = {
-            titulo
-            if titulo[0] == "§"
-            else f"E{titulo}": en_html(re.sub(r"^(?: \([^)]*\))?: ", "", cuerpo))  # lo que pide ya se lee encima
-            for titulo, cuerpo in entradas((raiz / "docs/soluciones.md").read_text())
-        }
+        self.respuestas = {}
+        for titulo, cuerpo in entradas((raiz / "docs/soluciones.md").read_text()):
+            codigo = titulo if titulo[0] == "§" else f"E{titulo}"
+            self.respuestas[codigo] = en_html(re.sub(r"^(?: \([^)]*\))?: ", "", cuerpo))  # lo que pide se lee encima
         capitulos = re.split(r"^## Capítulo (\d+)$", (raiz / "docs/erratas.md").read_text(), flags=re.MULTILINE)[1:]
         self.erratas = [
             (int(numero), set(codigos(titulo)), en_html(f"**{titulo}**{cuerpo}"), nombrado)
@@ -142,11 +139,8 @@ class Libro:
 
     def ejercicios(self, programa):
         """Su código, lo que pide y lo que se contesta, en HTML. También lo que el texto propone fuera de ellos."""
-        return [
-            (r, en_html(self.cosas[r].enunciado), self.respuestas.get(r, ""))
-            for r in programa.referencias
-            if r in self.cosas and self.cosas[r].enunciado
-        ]
+        suyos = [r for r in programa.referencias if r in self.cosas and self.cosas[r].enunciado]
+        return [(r, en_html(self.cosas[r].enunciado), self.respuestas.get(r, "")) for r in suyos]
 
     @staticmethod
     def es_de(errata, programa):

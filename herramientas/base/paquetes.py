@@ -12,24 +12,16 @@ from base.procesos import Fallo
 PARA_USAR = """g++ cmake ninja-build pkg-config libglew-dev freeglut3-dev libglm-dev libegl-dev libgl-dev
     libgl1-mesa-dri libfreetype-dev fonts-dejavu-core netpbm webp python3 python3-jinja2 python3-pygments""".split()
 CORRIGE = ["bubblewrap"]  # la jaula no hace falta con --sin-jaula
-PRUEBAS = (
-    """git libgtest-dev glslang-tools nodejs esbuild python3-pytest black pyflakes3 clang-format shellcheck xvfb
-    xdotool x11-apps x11-utils twm""".split()
-    + CORRIGE
-)
+PRUEBAS = """git libgtest-dev glslang-tools nodejs esbuild python3-pytest black pyflakes3 clang-format shellcheck xvfb
+    xdotool x11-apps x11-utils twm bubblewrap""".split()
 MEDIDAS = ["gnuplot-nox"]
-PARES = "libglu1-mesa-dev libnoise-dev imagemagick libopencv-imgproc-dev".split()  # con LAB_PARES=1
+PARES = ["libglu1-mesa-dev", "libnoise-dev", "imagemagick"]  # con LAB_PARES=1
 NAVEGADOR = ["chromium", "chromium-driver", "firefox-esr"]  # con LAB_NAVEGADOR=1
 WEB = "emscripten libjs-codemirror esbuild".split()
 WINDOWS = ["g++-mingw-w64-x86-64-posix", "dpkg-dev"]
 WINE = ["wine64", "openbox"]  # con LAB_WINDOWS=1
-OPENGL = {
-    "llvmpipe": [],
-    "softpipe": [],
-    "zink": ["mesa-vulkan-drivers"],
-    "swiftshader": ["chromium"],
-}  # con LAB_OPENGL
-OPENGL["virgl"] = ["virgl-server"]
+OPENGL = {"llvmpipe": [], "softpipe": [], "zink": ["mesa-vulkan-drivers"], "swiftshader": ["chromium"]}
+OPENGL["virgl"] = ["virgl-server"]  # con LAB_OPENGL
 OPCIONAL = "libosmesa6-dev"  # no existe con Mesa 25.1 o posterior: entonces se usa EGL
 TABLA = Path(__file__).with_name("paquetes.tsv")
 AVANCE = re.compile(r"(Get:\d+|Des:\d+|Unpacking|Desempaquetando|Setting up|Configurando) ?(\S+)")
@@ -66,12 +58,10 @@ def faltan(paquetes):
 
 def en_otros(paquetes):
     """Cómo se llaman en otros sistemas."""
-    filas = [fila.split("\t") for fila in TABLA.read_text().splitlines()]
-    suyas = [filas[0], *(fila for fila in filas[1:] if fila[0] in {*paquetes, OPCIONAL})]
-    return "\n".join(
-        ["Los paquetes que hacen falta, como se llaman en cada sistema; los de Fedora y Arch, sin probar:"]
-        + ["  {:<19} {:<29} {}".format(*fila) for fila in suyas]
-    )
+    cabecera, *filas = (fila.split("\t") for fila in TABLA.read_text().splitlines())
+    suyas = [cabecera, *(fila for fila in filas if fila[0] in {*paquetes, OPCIONAL})]
+    dice = "Los paquetes que hacen falta, como se llaman en cada sistema; los de Fedora y Arch, sin probar:"
+    return "\n".join([dice, *("  {:<19} {:<29} {}".format(*fila) for fila in suyas)])
 
 
 def cuesta(lista):

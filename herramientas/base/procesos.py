@@ -83,22 +83,17 @@ def arranca(orden, **opciones):
 
 def lanza(orden, input=None, timeout=None, **opciones):
     """subprocess.run con arranca."""
-    opciones = {
-        "stdout": subprocess.PIPE,
-        "stderr": subprocess.PIPE,
-        "stdin": subprocess.DEVNULL if input is None else subprocess.PIPE,
-        **opciones,
-    }
-    with arranca(orden, **opciones) as proceso:
+    entra = subprocess.DEVNULL if input is None else subprocess.PIPE
+    tuberias = {"stdin": entra, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    with arranca(orden, **{**tuberias, **opciones}) as proceso:
         salida, errores = proceso.communicate(input, timeout)
     return subprocess.CompletedProcess(orden, proceso.returncode, salida, errores)
 
 
 def lineas(orden, **opciones):
     """Lo que va escribiendo, también en stderr, línea a línea; si no acaba bien, después, un Fallo."""
-    with arranca(
-        orden, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **opciones
-    ) as proceso:
+    tuberias = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+    with arranca(orden, text=True, **tuberias, **opciones) as proceso:
         yield from proceso.stdout
         proceso.wait()
     if proceso.returncode:

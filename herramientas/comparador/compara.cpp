@@ -14,6 +14,7 @@
 #include "error.h"
 #include "imagen.h"
 #include "numero.h"
+#include "texto.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -25,32 +26,20 @@
 #include <string>
 #include <vector>
 
+static int valor(const Imagen &i, int x, int y, int c) {
+    return i.rgb[std::size_t(3 * (y * i.ancho + x) + c)];
+}
+
 // Cuánto se sale el componente c del píxel (x, y) de los valores que tiene la esperada en los 3×3 de alrededor.
 static int exceso(const Imagen &esperada, const Imagen &obtenida, int x, int y, int c) {
-    const auto valor = [c](const Imagen &i, int px, int py) {
-        return int{i.rgb[static_cast<std::size_t>(3 * (py * i.ancho + px) + c)]};
-    };
     int menor = 255, mayor = 0;
     for (int py = std::max(y - 1, 0); py <= std::min(y + 1, esperada.alto - 1); ++py)
         for (int px = std::max(x - 1, 0); px <= std::min(x + 1, esperada.ancho - 1); ++px) {
-            menor = std::min(menor, valor(esperada, px, py));
-            mayor = std::max(mayor, valor(esperada, px, py));
+            menor = std::min(menor, valor(esperada, px, py, c));
+            mayor = std::max(mayor, valor(esperada, px, py, c));
         }
-    const int v = valor(obtenida, x, y);
+    const int v = valor(obtenida, x, y, c);
     return std::max({menor - v, v - mayor, 0});
-}
-
-// Lo que sobra o falta en cada píxel: lo que se sale de los 3×3 de la otra imagen.
-static std::vector<int> sobraOFalta(const Imagen &a, const Imagen &b) {
-    std::vector<int> mal;
-    for (int y = 0; y < a.alto; ++y)
-        for (int x = 0; x < a.ancho; ++x) {
-            int delPixel = 0;
-            for (int c = 0; c < 3; ++c)
-                delPixel = std::max({delPixel, exceso(a, b, x, y, c), exceso(b, a, x, y, c)});
-            mal.push_back(delPixel);
-        }
-    return mal;
 }
 
 // El cuadrado de 3×3 que está peor, por su mejor píxel.
@@ -70,18 +59,16 @@ static int mancha(const std::vector<int> &mal, int ancho, int alto) {
 static double corrimiento(const Imagen &e, const Imagen &o) {
     glm::dmat2 A(1e-9);
     glm::dvec2 b(0);
-    const auto valor = [&](int x, int y, int c) {
-        x = std::clamp(x, 0, e.ancho - 1), y = std::clamp(y, 0, e.alto - 1);
-        return double(e.rgb[std::size_t(3 * (y * e.ancho + x) + c)]);
+    const auto cerca = [&](int x, int y, int c) {
+        return double(valor(e, std::clamp(x, 0, e.ancho - 1), std::clamp(y, 0, e.alto - 1), c));
     };
     for (int y = 0; y < e.alto; ++y)
         for (int x = 0; x < e.ancho; ++x)
             for (int c = 0; c < 3; ++c) {
-                const glm::dvec2 gradiente(valor(x + 1, y, c) - valor(x - 1, y, c),
-                                           valor(x, y + 1, c) - valor(x, y - 1, c));
+                const glm::dvec2 gradiente(cerca(x + 1, y, c) - cerca(x - 1, y, c),
+                                           cerca(x, y + 1, c) - cerca(x, y - 1, c));
                 A += glm::outerProduct(gradiente, gradiente) / 4.0;
-                b += gradiente / 2.0 *
-                     (valor(x, y, c) - double(o.rgb[std::size_t(3 * (y * e.ancho + x) + c)]));
+                b += gradiente / 2.0 * double(valor(e, x, y, c) - valor(o, x, y, c));
             }
     return glm::length(glm::inverse(A) * b);
 }
@@ -94,7 +81,8 @@ struct Tolerancia {
 };
 
 struct Pedido {
-    std::string esperada, obtenida, deja;
+    std::vector<std::string> ficheros;
+    std::string deja;
     Modo modo = Modo::MISMO;
     std::optional<Tolerancia> tolerancia;
 };
@@ -122,38 +110,14 @@ static Pedido leeArgumentos(int argc, char **argv) {
             p.deja = argv[++i];
         else if (a == "--tolerancia" && i + 1 < argc)
             p.tolerancia = leeTolerancia(argv[++i]);
-        else if (p.esperada.empty())
-            p.esperada = a;
-        else if (p.obtenida.empty())
-            p.obtenida = a;
         else
-            falla("sobra «" + a + "»", 2);
+            p.ficheros.push_back(a);
     }
-    if (p.obtenida.empty())
+    if (p.ficheros.size() != 2)
         falla("uso: compara ESPERADA OBTENIDA [--redondeo | --amplia | --otro] [--tolerancia \"% NIVELES "
               "MAXIMO\"] [--deja PREFIJO]",
               2);
     return p;
-}
-
-struct Sellada {
-    std::string fichero, sello;
-    Imagen imagen;
-    explicit Sellada(const std::string &cual) : fichero(cual), imagen(leePpm(cual, &sello)) {
-    }
-    std::string talla() const {
-        return std::to_string(imagen.ancho) + "×" + std::to_string(imagen.alto);
-    }
-};
-
-static void exigeComparables(const Sellada &e, const Sellada &o, Modo modo) {
-    const bool valeSinSello = modo == Modo::AMPLIA || modo == Modo::OTRO;
-    if (e.sello.empty() || (o.sello.empty() && !valeSinSello))
-        falla("«" + (e.sello.empty() ? e : o).fichero +
-                  "» no lleva el sello de quién la hizo: no se sabe cuánto puede diferir",
-              2);
-    if (e.talla() != o.talla())
-        falla("«" + e.fichero + "» mide " + e.talla() + " y «" + o.fichero + "» " + o.talla(), 2);
 }
 
 // Lo que se separan dos imágenes. Un píxel está fuera si está a más de `niveles` de lo que debe, y muy fuera a más de
@@ -163,97 +127,60 @@ struct Medidas {
     double media = 0, rmse = 0, porcentajeFuera = 0, porcentajeMuyFuera = 0, corrida = 0;
 };
 
-static std::vector<int> diferencias(const Imagen &e, const Imagen &o) {
-    std::vector<int> d(e.rgb.size());
-    for (std::size_t i = 0; i < d.size(); ++i)
-        d[i] = std::abs(int{e.rgb[i]} - int{o.rgb[i]});
-    return d;
-}
-
 static Medidas mide(const Imagen &e, const Imagen &o, bool otro, const Tolerancia &tolerancia) {
-    const std::vector<int> d = diferencias(e, o);
     const double pixeles = double(e.ancho) * e.alto;
     std::vector<int> mal; // cuánto lo está cada píxel
     Medidas m;
-    double suma = 0, cuadrados = 0;
-    for (std::size_t i = 0; i < d.size(); ++i) {
-        const int pixel = int(i / 3), c = int(i % 3);
-        if (c == 0)
-            mal.push_back(0);
-        mal.back() = std::max(mal.back(), d[i]);
-        if (d[i] > 0)
-            m.maximoExceso = std::max(m.maximoExceso, exceso(e, o, pixel % e.ancho, pixel / e.ancho, c));
-        suma += d[i];
-        cuadrados += double(d[i]) * d[i];
-    }
-    m.media = suma / (3 * pixeles);
-    m.rmse = std::sqrt(cuadrados / (3 * pixeles));
-    m.maximo = *std::max_element(mal.begin(), mal.end());
+    for (int y = 0; y < e.alto; ++y)
+        for (int x = 0; x < e.ancho; ++x) {
+            int diferencia = 0, sobraOFalta = 0; // lo que se sale de los 3×3 de la otra imagen
+            for (int c = 0; c < 3; ++c) {
+                const int d = std::abs(valor(e, x, y, c) - valor(o, x, y, c));
+                const int sobra = d > 0 ? exceso(e, o, x, y, c) : 0;
+                diferencia = std::max(diferencia, d);
+                m.maximoExceso = std::max(m.maximoExceso, sobra);
+                sobraOFalta = std::max({sobraOFalta, sobra, otro && d > 0 ? exceso(o, e, x, y, c) : 0});
+                m.media += d / (3 * pixeles);
+                m.rmse += double(d) * d / (3 * pixeles);
+            }
+            m.maximo = std::max(m.maximo, diferencia);
+            mal.push_back(otro ? sobraOFalta : diferencia);
+            m.fuera += mal.back() > tolerancia.niveles;
+            m.muyFuera += mal.back() > tolerancia.maximo;
+        }
+    m.rmse = std::sqrt(m.rmse);
+    m.porcentajeFuera = 100 * m.fuera / pixeles;
+    m.porcentajeMuyFuera = 100 * m.muyFuera / pixeles;
     if (otro) {
-        mal = sobraOFalta(e, o);
         m.mancha = mancha(mal, e.ancho, e.alto);
         m.corrida = corrimiento(e, o);
     }
-    for (const int cuanto : mal) {
-        m.fuera += cuanto > tolerancia.niveles;
-        m.muyFuera += cuanto > tolerancia.maximo;
-    }
-    m.porcentajeFuera = 100 * m.fuera / pixeles;
-    m.porcentajeMuyFuera = 100 * m.muyFuera / pixeles;
     return m;
 }
 
-static bool admite(Modo modo, const Medidas &m, const Tolerancia &t) {
+// Si se admite, y qué se admite.
+static std::pair<bool, std::string> juzga(Modo modo, const Medidas &m, const Tolerancia &t) {
+    const bool pocos = m.porcentajeFuera <= t.porcentaje;
     switch (modo) {
-    case Modo::MISMO: return m.maximo == 0;
-    case Modo::REDONDEO: return m.maximo <= 1;
-    case Modo::AMPLIA: return m.porcentajeFuera <= t.porcentaje && m.maximoExceso <= t.maximo;
-    case Modo::OTRO:
-        return m.porcentajeFuera <= t.porcentaje && m.porcentajeMuyFuera <= t.porcentaje / 10 &&
-               m.mancha <= t.maximo && m.corrida <= 0.25;
-    }
-    return false;
-}
-
-// Como std::printf, en un std::string.
-template<class... Valores>
-static std::string texto(const char *formato, const Valores &...valores) {
-    char s[160];
-    std::snprintf(s, sizeof s, formato, valores...);
-    return s;
-}
-
-static std::string queSeAdmite(Modo modo, const Tolerancia &t) {
-    switch (modo) {
-    case Modo::MISMO: return "deben ser idénticas";
-    case Modo::REDONDEO: return "a un nivel";
+    case Modo::MISMO: return {m.maximo == 0, "deben ser idénticas"};
+    case Modo::REDONDEO: return {m.maximo <= 1, "a un nivel"};
     case Modo::AMPLIA:
-        return texto("tolerancia amplia: el %g %% a más de %d, ninguno a más de %d", t.porcentaje, t.niveles,
-                     t.maximo);
-    case Modo::OTRO:
-        return texto("otro OpenGL: el %g %% a más de %d, la décima parte a más de %d", t.porcentaje,
-                     t.niveles, t.maximo);
+        return {pocos && m.maximoExceso <= t.maximo,
+                formatea("tolerancia amplia: el %g %% a más de %d, ninguno a más de %d", t.porcentaje,
+                         t.niveles, t.maximo)};
+    default:
+        return {pocos && m.porcentajeMuyFuera <= t.porcentaje / 10 && m.mancha <= t.maximo &&
+                    m.corrida <= 0.25,
+                formatea("otro OpenGL: el %g %% a más de %d, la décima parte a más de %d", t.porcentaje,
+                         t.niveles, t.maximo)};
     }
-    return "";
-}
-
-static void escribe(Modo modo, const Medidas &m, const Tolerancia &t, bool bien, const std::string &sello) {
-    const std::string psnr = m.rmse > 0 ? texto("%.1f", 20 * std::log10(255 / m.rmse)) : "inf";
-    std::printf("%s: máximo %d (fuera de los bordes %d), media %.4f, RMSE %.4f, PSNR %s dB, ",
-                bien ? "bien" : "DISTINTAS", m.maximo, m.maximoExceso, m.media, m.rmse, psnr.c_str());
-    std::printf("%d píxeles a más de %d niveles (%.3f %%)", m.fuera, t.niveles, m.porcentajeFuera);
-    if (modo == Modo::OTRO)
-        std::printf(", %d a más de %d (%.3f %%), mancha %d, corrida %.2f píxeles", m.muyFuera, t.maximo,
-                    m.porcentajeMuyFuera, m.mancha, m.corrida);
-    std::printf("; %s; hecha con %s\n", queSeAdmite(modo, t).c_str(),
-                sello.empty() ? "un renderizador sin sello" : sello.c_str());
 }
 
 static void guarda(const std::string &prefijo, const Imagen &e, const Imagen &o) {
     Imagen diferencia = e;
-    const std::vector<int> d = diferencias(e, o);
-    std::transform(d.begin(), d.end(), diferencia.rgb.begin(),
-                   [](int x) { return static_cast<unsigned char>(std::min(8 * x, 255)); });
+    for (std::size_t i = 0; i < e.rgb.size(); ++i)
+        diferencia.rgb[i] =
+            static_cast<unsigned char>(std::min(8 * std::abs(int{e.rgb[i]} - int{o.rgb[i]}), 255));
     guardaPpm(prefijo + "-esperada.ppm", e);
     guardaPpm(prefijo + "-obtenida.ppm", o);
     guardaPpm(prefijo + "-diferencia.ppm", diferencia);
@@ -262,16 +189,33 @@ static void guarda(const std::string &prefijo, const Imagen &e, const Imagen &o)
 
 int main(int argc, char **argv) {
     const Pedido pedido = leeArgumentos(argc, argv);
-    const Sellada e(pedido.esperada), o(pedido.obtenida);
-    exigeComparables(e, o, pedido.modo);
-    const bool delMismo = e.sello == o.sello || pedido.modo == Modo::OTRO;
-    const Modo modo = delMismo ? pedido.modo : Modo::AMPLIA;
-    const Tolerancia t =
-        pedido.tolerancia.value_or(modo == Modo::OTRO ? Tolerancia{1, 3, 32} : Tolerancia{0.1, 3, 32});
-    const Medidas m = mide(e.imagen, o.imagen, modo == Modo::OTRO, t);
-    const bool bien = admite(modo, m, t);
-    escribe(modo, m, t, bien, o.sello);
+    const std::string &esperada = pedido.ficheros[0], &obtenida = pedido.ficheros[1];
+    std::string sello, suyo;
+    const Imagen e = leePpm(esperada, &sello), o = leePpm(obtenida, &suyo);
+    const bool mismo = pedido.modo == Modo::MISMO || pedido.modo == Modo::REDONDEO;
+    if (sello.empty() || (suyo.empty() && mismo))
+        falla("«" + (sello.empty() ? esperada : obtenida) +
+                  "» no lleva el sello de quién la hizo: no se sabe cuánto puede diferir",
+              2);
+    if (e.ancho != o.ancho || e.alto != o.alto)
+        falla("«" + esperada + formatea("» mide %d×%d y «", e.ancho, e.alto) + obtenida +
+                  formatea("» %d×%d", o.ancho, o.alto),
+              2);
+    const Modo modo = sello == suyo || pedido.modo == Modo::OTRO ? pedido.modo : Modo::AMPLIA;
+    const bool otro = modo == Modo::OTRO;
+    const Tolerancia t = pedido.tolerancia.value_or(Tolerancia{otro ? 1 : 0.1, 3, 32});
+    const Medidas m = mide(e, o, otro, t);
+    const auto [bien, seAdmite] = juzga(modo, m, t);
+    const std::string psnr = m.rmse > 0 ? formatea("%.1f", 20 * std::log10(255 / m.rmse)) : "inf";
+    std::printf("%s: máximo %d (fuera de los bordes %d), media %.4f, RMSE %.4f, PSNR %s dB, ",
+                bien ? "bien" : "DISTINTAS", m.maximo, m.maximoExceso, m.media, m.rmse, psnr.c_str());
+    std::printf("%d píxeles a más de %d niveles (%.3f %%)", m.fuera, t.niveles, m.porcentajeFuera);
+    if (otro)
+        std::printf(", %d a más de %d (%.3f %%), mancha %d, corrida %.2f píxeles", m.muyFuera, t.maximo,
+                    m.porcentajeMuyFuera, m.mancha, m.corrida);
+    std::printf("; %s; hecha con %s\n", seAdmite.c_str(),
+                suyo.empty() ? "un renderizador sin sello" : suyo.c_str());
     if (!bien && !pedido.deja.empty())
-        guarda(pedido.deja, e.imagen, o.imagen);
+        guarda(pedido.deja, e, o);
     return bien ? 0 : 1;
 }

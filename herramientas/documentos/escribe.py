@@ -13,51 +13,42 @@ from base.procesos import escribe, principal
 AQUI = Path(__file__).parent
 
 
-def programas_md(raiz, capitulos):
+def programas_md(raiz, capitulos, programas):
     """Los programas, y dónde está cada cosa del libro o, si no tiene programa, por qué."""
-    programas = [p for capitulo in capitulos for p in capitulo.programas]
     tabla = []
     for cosa in libro.cosas(raiz):
         donde = [f"[{p.nombre}](../{p.fuente})" for p in programas if cosa.codigo in p.referencias]
         if cosa.enunciado:
             donde.append("[respuesta](soluciones.md)")
         tabla.append((cosa.codigo, cosa.que, cosa.motivo or ", ".join(donde)))
-    return plantilla(AQUI / "programas.md").render(capitulos=capitulos, libro=tabla)
+    return {"capitulos": capitulos, "libro": tabla}
 
 
-def exactitud_md(raiz, capitulos):
-    programas = [p for capitulo in capitulos for p in capitulo.programas]
-    medido = evidencia.lee(raiz)
-    pasan = {}
+def exactitud_md(raiz, _, programas):
+    medido, pasan = evidencia.lee(raiz), {}
     for p in programas:
         if p.pasa:
             pasan.setdefault(p.pasa, []).append(p.nombre)
-    return plantilla(AQUI / "exactitud.md").render(
-        programas=[p for p in programas if p.nombre in medido["programas"]],
-        medido=medido,
-        pasan=pasan,
-        de_pixeles=sum(any(evidencia.errores(m)) for m in medido["programas"].values()),
-        errores=evidencia.errores,
-        numero=evidencia.numero,
-    )
+    comparados = [p for p in programas if p.nombre in medido["programas"]]
+    de_pixeles = sum(any(evidencia.errores(m)) for m in medido["programas"].values())
+    cifras = {"errores": evidencia.errores, "numero": evidencia.numero}
+    return {"programas": comparados, "medido": medido, "pasan": pasan, "de_pixeles": de_pixeles, **cifras}
 
 
 def main():
     raiz, build, orden = Path(sys.argv[1]), Path(sys.argv[2]), sys.argv[3]
     capitulos = catalogo.lee(build)
+    programas = [p for capitulo in capitulos for p in capitulo.programas]
     viejo = False
-    for nombre, texto in (
-        ("programas.md", programas_md(raiz, capitulos)),
-        ("exactitud.md", exactitud_md(raiz, capitulos)),
-    ):
+    for nombre, dice in ("programas.md", programas_md), ("exactitud.md", exactitud_md):
         fichero = raiz / "docs" / nombre
+        texto = plantilla(AQUI / nombre).render(**dice(raiz, capitulos, programas))
         if orden == "escribe":
             escribe(fichero, texto)
-        elif fichero.read_text() != texto:
+        elif (hay := fichero.read_text()) != texto:
+            dos = hay.splitlines(), texto.splitlines(), f"docs/{nombre}", "al día"
             print(
-                *difflib.unified_diff(
-                    fichero.read_text().splitlines(), texto.splitlines(), f"docs/{nombre}", "al día", lineterm="", n=0
-                ),
+                *difflib.unified_diff(*dos, lineterm="", n=0),
                 f"docs/{nombre} no está al día: ./lab lista --docs",
                 sep="\n",
             )

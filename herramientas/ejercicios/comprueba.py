@@ -233,8 +233,9 @@ def main():
     programas, ref = propios.resuelve(raiz, build, que[0])
     programa = next((p for p in programas if p.raices and p.nombre == ref), None)
     if not programa:
-        ref = ref.upper()
-        programa = nuevo.ejercicios(raiz, programas).get(ref)
+        hay = nuevo.ejercicios(raiz, programas)
+        ref = nuevo.ejercicio_pedido(ref, hay)
+        programa = hay.get(ref)
     if not programa:
         raise Fallo(f"ejercicio comprueba: no hay ningún ejercicio «{limpio(que[0])}», ni en {propios.CARPETA}/")
     if solo_dice:

@@ -174,13 +174,19 @@ def enunciado(raiz, programa, referencia, nombre, ficheros):
     )
 
 
+def ejercicio_pedido(pedido, hay):
+    """De cualquiera de las maneras en que se dice uno de esos ejercicios, su referencia; un número, el del libro."""
+    escritas = pedido, catalogo.abrevia(pedido).upper(), f"E{pedido}"
+    return next((e for e in escritas if e in hay), escritas[1])
+
+
 def elige(raiz, programas, pedido):
     """La referencia, vacía si no es un ejercicio, y el programa."""
     hay = ejercicios(raiz, programas)
-    if pedido in hay:
-        return pedido, hay[pedido]
-    referencia = pedido.upper()
-    if re.fullmatch(r"E?\d+\.\d+", referencia) and not any(referencia in p.referencias for p in programas):
+    referencia = ejercicio_pedido(pedido, hay)
+    if referencia in hay:
+        return referencia, hay[referencia]
+    if re.fullmatch(r"E?\d+\.\d+", referencia) and not any(p.es(pedido) for p in programas):
         raise Fallo(f"nuevo: no hay ejercicio «{pedido}»; se corrigen {', '.join(hay)}")
     elegidos = catalogo.resuelve(programas, pedido)
     if len(elegidos) > 1:

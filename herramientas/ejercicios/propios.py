@@ -1,17 +1,13 @@
 """Los ejercicios de quien enseña. Cada uno es una carpeta, ejercicios/NOMBRE o la que se diga por su ruta, con su
 solución, NOMBRE.cpp, marcada como los programas del laboratorio (base/marcas.py); los ficheros que usa; ENUNCIADO.md;
 y, si acaso, casos.txt, errores.tsv y reglas.txt (docs/ejercicios.md). Para lo demás es un programa del catálogo.
-
-propios.py RAÍZ BUILD QUÉ: si lo es, dónde queda compilado, cómo se llama, «imagen» y su título, entre tabuladores, y
-su carpeta; si no, nada
 """
 import re
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 from base import catalogo, fuentes
-from base.procesos import Fallo, escribe, principal
+from base.procesos import Fallo, escribe
 
 EJERCICIO = "ejercicio.txt"  # lo tiene la carpeta de quien aprende; la de un ejercicio, no
 CARPETA = "ejercicios"
@@ -142,16 +138,3 @@ def resuelve(raiz, build, pedido):
     programas = catalogo.lee_programas(build)
     nombre = busca(raiz, build, pedido, programas) if pedido else ""
     return [*programas, *lee(raiz, build, nombre)], nombre or pedido
-
-
-def main():
-    raiz, build, pedido = Path(sys.argv[1]).resolve(), Path(sys.argv[2]), sys.argv[3]
-    programas, nombre = resuelve(raiz, build, pedido)
-    suyo = next((p for p in programas if p.nombre == nombre and p.raices), None)
-    if suyo:
-        print(suyo.capitulo.nombre, nombre, "imagen", suyo.titulo, sep="\t")
-        print(suyo.carpeta)
-
-
-if __name__ == "__main__":
-    principal(main)

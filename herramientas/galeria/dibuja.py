@@ -124,12 +124,8 @@ class Galeria:
                 self.anima(ejecutable, caso, Path(carpeta), animada, cuadros)
         rutas = [str(f.relative_to(self.raiz)) for f in programa.ficheros(self.raiz)]
         rutas += leidos.read_text().splitlines() if leidos.exists() else []
-        self.hecho[caso.imagen] = {
-            "clave": clave,
-            "leidos": {ruta: self.suma(ruta) for ruta in rutas},
-            "ventana": caso.ventana,
-            "salida": caso.salida,
-        }
+        dice = {"ventana": caso.ventana, "salida": caso.salida}
+        self.hecho[caso.imagen] = {"clave": clave, "leidos": {ruta: self.suma(ruta) for ruta in rutas}, **dice}
         return True
 
     def anima(self, ejecutable, caso, carpeta, animada, cuadros):
@@ -170,10 +166,8 @@ class Galeria:
             self.dibujados += 1
             n, todos = self.dibujados, len(self.programas)
             borra = "\r\033[K" if sys.stderr.isatty() else ""  # por dónde iba el compilador
-            print(
-                f"{borra}[{n:2}/{todos}] {programa.capitulo.nombre}/{programa.nombre}: {'; '.join(fallos) or hecho}",
-                file=sys.stderr,
-            )
+            cual = f"{programa.capitulo.nombre}/{programa.nombre}"
+            print(f"{borra}[{n:2}/{todos}] {cual}: {'; '.join(fallos) or hecho}", file=sys.stderr)
             if n < todos and time.monotonic() > self.escrita + CADA:
                 self.pagina.escribe(todos - n)
                 self.escrita = time.monotonic()
@@ -208,10 +202,8 @@ def main():
     galeria = Galeria(raiz, build, destino, catalogo.lee(build))
     for programa in galeria.programas:
         if programa.captura:
-            escribe(
-                destino / programa.fuente.with_suffix(".captura.png"),
-                (raiz / programa.fuente.with_suffix(".png")).read_bytes(),
-            )
+            captura = (raiz / programa.fuente.with_suffix(".png")).read_bytes()
+            escribe(destino / programa.fuente.with_suffix(".captura.png"), captura)
     galeria.dibuja_todo()
     galeria.pagina.escribe()
     print(f"Hecha: {destino}/index.html", file=sys.stderr)

@@ -42,12 +42,8 @@ def milisegundos(orden, carpeta):
 
 def avisa(texto, fin="\n"):
     """Por dónde va: en una terminal, en la misma línea."""
-    print(
-        f"\r\033[K{texto}" if sys.stderr.isatty() else texto,
-        end=fin if sys.stderr.isatty() else "\n",
-        file=sys.stderr,
-        flush=True,
-    )
+    antes, despues = ("\r\033[K", fin) if sys.stderr.isatty() else ("", "\n")
+    print(f"{antes}{texto}", end=despues, file=sys.stderr, flush=True)
 
 
 def mide_imagen(programa, build, talla, carpeta):
@@ -87,10 +83,8 @@ def costes(raiz, build, destino, llenar, rondas=9):
     return tabla, suelos if suelo.exists() else []
 
 
-COLUMNAS = (
-    "programa,arranque ms,primera ms,veces el suelo,ms 960x720,ms 1920x1080,veces llenar,primitivas,"
-    "bytes de buffers,bytes de texturas,error máximo,error RMSE,borde px"
-)
+COLUMNAS = "programa,arranque ms,primera ms,veces el suelo,ms 960x720,ms 1920x1080,veces llenar,primitivas,"
+COLUMNAS += "bytes de buffers,bytes de texturas,error máximo,error RMSE,borde px"
 
 
 def en_tsv(tabla):
@@ -104,9 +98,8 @@ def en_tsv(tabla):
 
 
 def entorno(build):
-    cpu = (
-        re.search(r"model name\s*: (.*)", Path("/proc/cpuinfo").read_text()) if Path("/proc/cpuinfo").exists() else None
-    )
+    dice = Path("/proc/cpuinfo")
+    cpu = re.search(r"model name\s*: (.*)", dice.read_text() if dice.exists() else "")
     sin_ventana = (build / "sin_ventana").read_text().strip()
     info = ejecuta([build / sin_ventana / "ch01_intro" / "info_opengl"], text=True).splitlines()
     return {

@@ -21,10 +21,8 @@ class Variante:
     nota: str
     tiempos: list  # uno por ronda, las mismas para todas las de su técnica
     elegida: bool = False
-    optima: bool | None = (
-        False  # en el frente de Pareto de su grupo: no hay otra tan exacta que tarde menos; None: no se distingue
-    )
-    imagen: str = ""
+    # en el frente de Pareto de su grupo: no hay otra tan exacta que tarde menos; None: no se distingue
+    optima: bool | None = False
 
     def __post_init__(self):
         self.mediana, self.minimo, self.maximo = statistics.median(self.tiempos), min(self.tiempos), max(self.tiempos)
@@ -70,12 +68,8 @@ def lee_variantes(fichero):
             raise Fallo(f"{fichero.name}: una fila no tiene cinco columnas: «{fila}»")
         grupo, nota = ("" if c == "-" else c for c in (campos[1], campos[3]))
         v = Variante(campos[0], grupo, float(campos[2]), nota, [float(t) for t in campos[4].split(" ")])
-        if (
-            not all(0 < t < math.inf for t in v.tiempos)
-            or v.error < 0
-            or variantes
-            and len(v.tiempos) != len(variantes[0].tiempos)
-        ):
+        son_tiempos = all(0 < t < math.inf for t in v.tiempos)
+        if not son_tiempos or v.error < 0 or len(v.tiempos) != len((variantes or [v])[0].tiempos):
             raise Fallo(f"{fichero.name}: los números de «{v.nombre}» no tienen sentido")
         variantes.append(v)
     if len({v.nombre for v in variantes}) != len(variantes) or not variantes:
@@ -97,36 +91,27 @@ def marca(tecnica):
 
 def imagenes(tecnica, carpeta, destino):
     """La mejor, la elegida y la peor, cada una con su diferencia con lo exacto por ocho."""
-    con_imagen = []
-    for n, v in enumerate(tecnica.variantes, 1):
-        if (carpeta / f"{tecnica.nombre}-{n}.ppm").exists():
-            con_imagen.append((v, n))
+    con_imagen = [
+        (v, f"{tecnica.nombre}-{n}")
+        for n, v in enumerate(tecnica.variantes, 1)
+        if (carpeta / f"{tecnica.nombre}-{n}.ppm").exists()
+    ]
     if not con_imagen:
         return
-    por_error = sorted(con_imagen, key=lambda vn: vn[0].error)
-    ensena = {
-        "la mejor": por_error[0],
-        "la elegida": next((vn for vn in con_imagen if vn[0].elegida), por_error[0]),
-        "la peor": por_error[-1],
-    }
-    for papel, (v, n) in ensena.items():
-        ficheros = []
-        for sufijo in ("", "-diferencia"):
-            ppm = carpeta / f"{tecnica.nombre}-{n}{sufijo}.ppm"
-            if ppm.exists():
-                png = destino / f"{ppm.stem}.png"
-                escribe(png, en_png(ppm))
-                ficheros.append(png.name)
-        tecnica.imagenes.append((papel, v, ficheros))
+    por_error = sorted(con_imagen, key=lambda una: una[0].error)
+    elegida = next((una for una in con_imagen if una[0].elegida), por_error[0])
+    for papel, (v, base) in ("la mejor", por_error[0]), ("la elegida", elegida), ("la peor", por_error[-1]):
+        suyas = [nombre for nombre in (base, f"{base}-diferencia") if (carpeta / f"{nombre}.ppm").exists()]
+        for nombre in suyas:
+            escribe(destino / f"{nombre}.png", en_png(carpeta / f"{nombre}.ppm"))
+        tecnica.imagenes.append((papel, v, [f"{nombre}.png" for nombre in suyas]))
 
 
 def mide(ejecutable, tecnica, destino, ensayo):
     with tempfile.TemporaryDirectory() as temporal:
         carpeta = Path(temporal)
-        ejecuta(
-            [ejecutable, *(["--ensayo"] if ensayo else []), carpeta, tecnica.nombre],
-            env={**os.environ, "TMPDIR": temporal},
-        )
+        como = ["--ensayo"] if ensayo else []
+        ejecuta([ejecutable, *como, carpeta, tecnica.nombre], env={**os.environ, "TMPDIR": temporal})
         tecnica.variantes = lee_variantes(carpeta / f"{tecnica.nombre}.tsv")
         marca(tecnica)
         if tecnica.elegida and not any(v.elegida for v in tecnica.variantes):

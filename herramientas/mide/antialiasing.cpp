@@ -50,11 +50,12 @@ static void mideAntialiasing(Medidor &m) {
         glUseProgram(programa);
         dibujaMalla(buferes);
     };
+    const Dibujadas dibujada{m, destino, [&](const Imagen &i) { return rmse(i, exacta); }};
     // dibujada `veces` mayor y con `muestras` por píxel
     const auto variante = [&](const std::string &nombre, int veces, int muestras) {
         const Framebuffer grande(veces * lado, veces * lado, muestras);
         const Lienzo resuelto = creaLienzo(glm::ivec2(veces * lado));
-        const auto trabajo = [&] {
+        dibujada(nombre, formatea("%d muestras por píxel", veces * veces * std::max(muestras, 1)), [&] {
             pinta(veces == 1 && muestras == 0 ? destino : grande);
             if (veces > 1) {
                 resuelve(grande, resuelto.framebuffer);
@@ -66,10 +67,7 @@ static void mideAntialiasing(Medidor &m) {
             } else if (muestras > 0) {
                 resuelve(grande, destino.nombre);
             }
-        };
-        mideImagen(
-            m, nombre, destino, trabajo, [&](const Imagen &i) { return rmse(i, exacta); },
-            std::to_string(veces * veces * std::max(muestras, 1)) + " muestras por píxel");
+        });
         glDeleteFramebuffers(1, &resuelto.framebuffer);
         glDeleteTextures(1, &resuelto.textura);
     };

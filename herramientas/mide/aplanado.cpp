@@ -43,15 +43,12 @@ static void mideAplanado(Medidor &m) {
             mayor = std::max(mayor, error(curva, linea));
             segmentos += linea.size() - 1;
         }
-        m.variante(
-            nombre, mayor, 1,
-            [&] {
-                for (const auto &curva : CURVAS)
-                    usa(aplana(curva));
-            },
-            std::to_string(segmentos) + " segmentos");
+        m.variante(nombre, std::to_string(segmentos) + " segmentos", mayor, 1, [&] {
+            for (const auto &curva : CURVAS)
+                usa(aplana(curva));
+        });
     };
-    const auto uniforme = [](const std::vector<glm::vec3> &c, int n) {
+    const auto uniforme = [](const auto &c, int n) {
         return polilinea([&](float u) { return bezier(c, u); }, n);
     };
     for (const int n : {8, 16, 32, 64, 128, 256})

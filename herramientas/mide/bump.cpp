@@ -9,31 +9,23 @@ using namespace mide;
 static const int VECES = 6;
 static const double LADO = 2.6, ALTURA = LADO / VECES; // el mapa da alturas en lados de baldosa
 
-static double fraccion(double x) {
-    return x - std::floor(x);
-}
+static const double INCLINACION = -0.6;
 
-static glm::dvec2 pendiente(double s, double t) { // en double, la de mapa_normales.h
-    const glm::dvec2 d = (glm::dvec2(fraccion(s), fraccion(t)) - 0.5) / double(RADIO_BULTO);
-    const double queda = 1 - glm::dot(d, d);
-    return queda > 0 ? d * (-4.0 * double(ALTO_BULTO) / double(RADIO_BULTO) * queda) : glm::dvec2(0);
+// En double, la altura y la pendiente del bulto de mapa_normales.h.
+static glm::dvec3 bulto(const glm::dvec2 &st) {
+    const double radio = double(RADIO_BULTO), alto = double(ALTO_BULTO);
+    const glm::dvec2 d = (glm::fract(st) - 0.5) / radio;
+    const double queda = std::max(1 - glm::dot(d, d), 0.0);
+    return {d * (-4 * alto / radio * queda), alto * queda * queda};
 }
-
-static double altura(const glm::vec2 &st) {
-    const glm::dvec2 d = (glm::dvec2(fraccion(st.x), fraccion(st.y)) - 0.5) / double(RADIO_BULTO);
-    const double queda = 1 - glm::dot(d, d);
-    return queda > 0 ? double(ALTO_BULTO) * queda * queda : 0;
-}
-
-static const float INCLINACION = -0.6f;
 
 // El plano con la normal exacta en cada punto.
 static oraculo::ImagenRef trazaBultos(const Framebuffer &framebuffer) {
-    const oraculo::Mat4 girado = oraculo::gira({1, 0, 0}, -0.6);
+    const oraculo::Mat4 girado = oraculo::gira({1, 0, 0}, INCLINACION);
     return oraculo::render(
         {oraculo::plano(girado * oraculo::escala(LADO))}, camaraExacta(), framebuffer.ancho, framebuffer.alto,
         [&](const oraculo::Impacto &i) {
-            const glm::dvec2 h = pendiente(VECES * i.s, VECES * i.t);
+            const glm::dvec3 h = bulto({VECES * i.s, VECES * i.t});
             return i ? phongExacto(i.punto, oraculo::unitario(oraculo::direccion(girado, {-h.x, -h.y, 1})))
                      : exacto(FONDO);
         });
@@ -50,9 +42,9 @@ static GLuint creaProgramaBultos(const char *fragmentos) {
 static Malla planoDeformado(int n) {
     Malla malla = plano(n);
     for (Vertice &v : malla.vertices) {
-        const glm::dvec2 h = pendiente(VECES * double(v.coordTextura.x), VECES * double(v.coordTextura.y));
-        v.posicion.z += float(altura(float(VECES) * v.coordTextura)) / VECES;
-        v.normal = glm::normalize(glm::vec3(-h, 1));
+        const glm::dvec3 h = bulto(double(VECES) * glm::dvec2(v.coordTextura));
+        v.posicion.z += float(h.z) / VECES;
+        v.normal = glm::normalize(glm::vec3(-h.x, -h.y, 1));
     }
     return malla;
 }
@@ -63,31 +55,25 @@ static void mideBump(Medidor &m) {
     const Framebuffer framebuffer(m.elige(64, 480), m.elige(48, 360));
     const oraculo::ImagenRef ref = trazaBultos(framebuffer);
     m.referencia = oraculo::enBytes(ref);
-    const glm::mat4 M = giroX(INCLINACION) * escalado(float(LADO));
-    const auto variante = [&](const std::string &nombre, GLuint programa, const Malla &malla,
-                              const std::string &nota) {
-        const Buferes b = creaBuferes(malla);
-        enviaEscena(programa, framebuffer);
-        const auto dibuja = [&] {
-            framebuffer.borra(FONDO);
-            dibujaIluminado(programa, b, M, camaraEscena(), CORAL);
-        };
-        mideImagen(
-            m, nombre, framebuffer, dibuja, [&](const Imagen &i) { return errorDeFrente(i, ref); }, nota);
-        borraBuferes(b);
+    const Dibujadas dibujada{m, framebuffer, [&](const Imagen &i) { return errorDeFrente(i, ref); }};
+    const auto variante = [&](const std::string &nombre, const std::string &nota, GLuint programa,
+                              const Malla &malla) {
+        mideIluminada(dibujada, framebuffer, nombre, nota, programa, malla,
+                      giroX(float(INCLINACION)) * escalado(float(LADO)));
     };
     const GLuint calculado = creaProgramaBultos("herramientas/mide/bump_calculado.frag"),
                  conMapa = creaProgramaBultos("ch08_texturas_avanzadas/bump.frag");
     envia(conMapa, "mapaNormales", 0);
     for (const int n : m.elige<std::vector<int>>({16, 64}, {8, 16, 32, 64, 128, 256})) {
         const GLuint mapa = creaTextura2D({n, n, mapaNormales(n)});
-        variante(formatea("mapa de %d²", n), conMapa, plano(1), formatea("%.3g kB", 4 * n * n / 1000.0));
+        variante(formatea("mapa de %d²", n), formatea("%.3g kB", 4 * n * n / 1000.0), conMapa, plano(1));
         glDeleteTextures(1, &mapa);
     }
-    variante("calculada en el shader", calculado, plano(1), "sin textura");
+    variante("calculada en el shader", "sin textura", calculado, plano(1));
     for (const int n : m.elige<std::vector<int>>({60}, {60, 240}))
-        variante(formatea("deformado, %d×%d", n, n), creaSombreado("phong"), planoDeformado(n),
-                 formatea("%d triángulos; los bultos se tapan: es otra superficie", 2 * n * n));
+        variante(formatea("deformado, %d×%d", n, n),
+                 formatea("%d triángulos; los bultos se tapan: es otra superficie", 2 * n * n),
+                 creaSombreado("phong"), planoDeformado(n));
 }
 
 static const Apunta

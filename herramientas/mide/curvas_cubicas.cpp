@@ -1,5 +1,4 @@
 // Un punto de una cúbica de Bézier: la matriz del libro, Bernstein, de Casteljau, diferencias o el vertex shader.
-#include "bezier_exacta.h"
 #include "ch11_curvas/curvas.h"
 #include "gpu.h"
 #include "mide.h"
@@ -13,9 +12,11 @@ using G3 = Geometria<float>;
 static const G3 G = {glm::vec3(1010, 2040, 15), {1330, 3010, -250}, {1720, 1500, 410}, {2030, 2080, 70}};
 
 // M·G (ecuación 11.18): los coeficientes de u³, u², u y 1.
-static G3 coeficientes(const G3 &g) {
-    return {-g[0] + 3.0f * g[1] - 3.0f * g[2] + g[3], 3.0f * g[0] - 6.0f * g[1] + 3.0f * g[2],
-            3.0f * (g[1] - g[0]), g[0]};
+template<class T>
+static Geometria<T> coeficientes() {
+    const std::array<glm::vec<3, T>, 4> g = {G[0], G[1], G[2], G[3]};
+    return {-g[0] + T(3) * g[1] - T(3) * g[2] + g[3], T(3) * g[0] - T(6) * g[1] + T(3) * g[2],
+            T(3) * (g[1] - g[0]), g[0]};
 }
 
 static glm::vec3 deCasteljau(const G3 &g, float u) {
@@ -26,13 +27,11 @@ static glm::vec3 deCasteljau(const G3 &g, float u) {
 
 // Todos los puntos, sumando: tres sumas por punto, pero cada error se arrastra al siguiente.
 template<class T>
-static void diferencias(const G3 &g, std::vector<glm::vec3> &puntos) {
-    using V = glm::vec<3, T>;
+static void diferencias(std::vector<glm::vec3> &puntos) {
     const T h = T(1) / T(puntos.size() - 1);
-    const V a = -V(g[0]) + T(3) * V(g[1]) - T(3) * V(g[2]) + V(g[3]),
-            b = T(3) * V(g[0]) - T(6) * V(g[1]) + T(3) * V(g[2]), c = T(3) * (V(g[1]) - V(g[0]));
-    V q(g[0]), d1 = h * (c + h * (b + h * a)), d2 = h * h * (T(2) * b + T(6) * h * a),
-               d3 = T(6) * h * h * h * a;
+    const auto [a, b, c, primero] = coeficientes<T>();
+    glm::vec<3, T> q = primero, d1 = h * (c + h * (b + h * a)), d2 = h * h * (T(2) * b + T(6) * h * a),
+                   d3 = T(6) * h * h * h * a;
     for (glm::vec3 &p : puntos) {
         p = glm::vec3(q);
         q += d1;
@@ -41,90 +40,78 @@ static void diferencias(const G3 &g, std::vector<glm::vec3> &puntos) {
     }
 }
 
-// Los puntos que calcula un vertex shader, leídos por transform feedback; no se dibuja nada.
-class EnShader {
-public:
-    explicit EnShader(std::size_t n) : cuantos(GLsizei(n)) {
-        abreContexto();
-        programa = creaPrograma("herramientas/mide/bezier.vert", "common/liso.frag");
-        const char *salida = "punto";
-        glTransformFeedbackVaryings(programa, 1, &salida, GL_INTERLEAVED_ATTRIBS);
-        glLinkProgram(programa);
-        glUseProgram(programa);
-        glUniform3fv(glGetUniformLocation(programa, "G"), 4, &G[0].x);
-        envia(programa, "ultimo", float(n - 1));
-        glGenBuffers(1, &bufer);
-        glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bufer);
-        glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, cuantos * GLsizei(sizeof(glm::vec3)), nullptr,
-                     GL_STREAM_COPY);
-        glEnable(GL_RASTERIZER_DISCARD);
-    }
-    void evalua() const {
-        glBeginTransformFeedback(GL_POINTS);
-        glDrawArrays(GL_POINTS, 0, cuantos);
-        glEndTransformFeedback();
-        glFinish();
-    }
-    void lee(std::vector<glm::vec3> &puntos) const {
-        glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, cuantos * GLsizei(sizeof(glm::vec3)),
-                           puntos.data());
-    }
-
-private:
-    GLsizei cuantos;
-    GLuint programa = 0, bufer = 0;
-};
+// El vertex shader que los calcula, y que los deja en un buffer por transform feedback; no se dibuja nada.
+static void usaShader(std::size_t n) {
+    abreContexto();
+    const GLuint programa = creaPrograma("herramientas/mide/bezier.vert", "common/liso.frag");
+    const char *salida = "punto";
+    glTransformFeedbackVaryings(programa, 1, &salida, GL_INTERLEAVED_ATTRIBS);
+    glLinkProgram(programa);
+    glUseProgram(programa);
+    glUniform3fv(uniforme(programa, "G"), 4, &G[0].x);
+    envia(programa, "ultimo", float(n - 1));
+    GLuint bufer;
+    glGenBuffers(1, &bufer);
+    glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bufer);
+    glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER, GLsizei(n * sizeof(glm::vec3)), nullptr, GL_STREAM_COPY);
+    glEnable(GL_RASTERIZER_DISCARD);
+}
 
 static void mideCubicas(Medidor &m) {
     const std::size_t n = m.elige<std::size_t>(65, 16385);
     std::vector<glm::vec3> puntos(n);
-    const auto u = [&](std::size_t i) { return float(i) / float(n - 1); };
-    const auto variante = [&](const char *nombre, const std::function<void()> &todos, const char *nota = "",
-                              const std::function<void()> &lee = {}) {
+    const std::vector<Punto<long double>> exacta(G.begin(), G.end());
+    const auto variante = [&](
+                              const char *nombre, const char *nota, const std::function<void()> &todos,
+                              const std::function<void()> &lee = [] {}) {
         todos();
-        if (lee)
-            lee();
+        lee();
         double error = 0;
-        for (std::size_t i = 0; i < n; i += 8)
-            error = std::max(error, separacion(puntos[i], bezierExacta(G, Cuadruple(i) / Cuadruple(n - 1))));
-        m.variante(
-            nombre, error, double(n),
-            [&] {
-                todos();
-                usa(puntos.data());
-            },
-            nota);
+        for (std::size_t i = 0; i < n; i += 8) {
+            const auto u = static_cast<long double>(i) / static_cast<long double>(n - 1);
+            error = std::max(error, double(glm::length(Punto<long double>(puntos[i]) - bezier(exacta, u))));
+        }
+        m.variante(nombre, nota, error, double(n), [&] {
+            todos();
+            usa(puntos.data());
+        });
     };
-    const auto deUnoEnUno = [&](auto Q) {
-        return [&, Q] {
+    const auto deUnoEnUno = [&](const char *nombre, const char *nota, const auto &Q) {
+        variante(nombre, nota, [&] {
             for (std::size_t i = 0; i < n; ++i)
-                puntos[i] = Q(u(i));
-        };
+                puntos[i] = Q(float(i) / float(n - 1));
+        });
     };
-    const G3 c = coeficientes(G);
-    variante("UMG, la matriz en cada punto", deUnoEnUno([](float t) {
-                 const G3 k = coeficientes(G);
-                 return t * t * t * k[0] + t * t * k[1] + t * k[2] + k[3];
-             }),
-             "ecuación 11.4 tal cual");
-    variante("potencias con Horner",
-             deUnoEnUno([&](float t) { return ((t * c[0] + c[1]) * t + c[2]) * t + c[3]; }),
-             "M·G, una vez por curva");
-    variante("Bernstein", deUnoEnUno([](float t) { return cubica(Base::BEZIER, G, t); }));
-    variante("de Casteljau", deUnoEnUno([](float t) { return deCasteljau(G, t); }));
+    const G3 c = coeficientes<float>();
+    deUnoEnUno("UMG, la matriz en cada punto", "ecuación 11.4 tal cual", [](float t) {
+        const G3 k = coeficientes<float>();
+        return t * t * t * k[0] + t * t * k[1] + t * k[2] + k[3];
+    });
+    deUnoEnUno("potencias con Horner", "M·G, una vez por curva",
+               [&](float t) { return ((t * c[0] + c[1]) * t + c[2]) * t + c[3]; });
+    deUnoEnUno("Bernstein", "", [](float t) { return cubica(Base::BEZIER, G, t); });
+    deUnoEnUno("de Casteljau", "", [](float t) { return deCasteljau(G, t); });
+    variante("diferencias en float", "solo para u a pasos iguales; el error crece con el número de puntos",
+             [&] { diferencias<float>(puntos); });
+    variante("diferencias en double", "", [&] { diferencias<double>(puntos); });
+    usaShader(n);
     variante(
-        "diferencias en float", [&] { diferencias<float>(G, puntos); },
-        "solo para u a pasos iguales; el error crece con el número de puntos");
-    variante("diferencias en double", [&] { diferencias<double>(G, puntos); });
-    const EnShader gpu(n);
-    variante(
-        "en el vertex shader", [&] { gpu.evalua(); }, "llvmpipe, con glFinish; sin leerlos",
-        [&] { gpu.lee(puntos); });
+        "en el vertex shader", "llvmpipe, con glFinish; sin leerlos",
+        [&] {
+            glBeginTransformFeedback(GL_POINTS);
+            glDrawArrays(GL_POINTS, 0, GLsizei(n));
+            glEndTransformFeedback();
+            glFinish();
+        },
+        [&] {
+            glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLsizei(n * sizeof(glm::vec3)),
+                               puntos.data());
+        });
 }
 
 static const Apunta APUNTA(
-    {1, "curvas_cubicas", "Un punto de una curva cúbica", "ns por punto",
-     "píxeles, frente a cuádruple precisión", "Bernstein",
+    {1, "curvas_cubicas", "Un punto de una curva cúbica", "ns por punto", "píxeles, frente a doble extendida",
+     "Bernstein",
      "Todas quedan muy por debajo de medio píxel salvo las diferencias en float, que acumulan. Los programas "
      "usan Bernstein factorizado, que no es lo más rápido: da también las derivadas y no resta números casi "
      "iguales.",

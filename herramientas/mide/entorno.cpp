@@ -1,7 +1,6 @@
 // Un toro que refleja su entorno, delante de él: lado de las caras del mapa, y reflexión por vértice o por fragmento,
 // frente a trazar rayos.
 #include "escena.h"
-#include <glm/gtc/constants.hpp>
 
 using namespace mide;
 
@@ -54,8 +53,6 @@ static GLuint creaProgramaFondo(const glm::mat4 &proyeccion) {
     glUseProgram(programa);
     envia(programa, "base", glm::mat3(ejes[0], ejes[1], -ejes[2]));
     envia(programa, "semitalla", glm::vec2(1 / proyeccion[0][0], 1 / proyeccion[1][1]));
-    envia(programa, "mapa", 0);
-    envia(programa, "mapaEsferico", 1); // de otro tipo: no puede ser la misma unidad
     return programa;
 }
 
@@ -66,8 +63,6 @@ static GLuint creaProgramaReflejo(const glm::mat4 &proyeccion) {
     envia(programa, "ojo", OJO);
     envia(programa, "M", glm::mat4(1));
     envia(programa, "N", glm::mat3(1));
-    envia(programa, "mapa", 0);
-    envia(programa, "mapaEsferico", 1); // de otro tipo: no puede ser la misma unidad
     return programa;
 }
 
@@ -78,48 +73,41 @@ static void mideEntorno(Medidor &m) {
     const Framebuffer framebuffer(m.elige(64, 320), m.elige(48, 240));
     const oraculo::ImagenRef ref = trazaReflejo(framebuffer);
     m.referencia = oraculo::enBytes(ref);
-    const GLuint programa = creaProgramaReflejo(proyeccionEscena(framebuffer)),
+    const GLuint reflejo = creaProgramaReflejo(proyeccionEscena(framebuffer)),
                  fondo = creaProgramaFondo(proyeccionEscena(framebuffer));
+    for (const GLuint programa : {reflejo, fondo}) {
+        glUseProgram(programa);
+        envia(programa, "mapa", 0);
+        envia(programa, "mapaEsferico", 1); // de otro tipo: no puede ser la misma unidad
+    }
     GLuint vao;
     glGenVertexArrays(1, &vao);
-    const auto variante = [&](const std::string &nombre, const std::string &nota, bool soloFondo,
-                              const std::function<void()> &pinta) {
-        const auto dibuja = [&] {
-            framebuffer.borra({0, 0, 0});
-            pinta();
-        };
-        const auto enFondo = [&](int x, int y) {
-            return ref.en(x, y).objeto < 0 && !oraculo::enBanda(ref, x, y);
-        };
-        const auto error = [&](const Imagen &i) {
-            return soloFondo ? errorDonde(i, ref, enFondo) : errorDeFrente(i, ref);
-        };
-        mideImagen(m, nombre, framebuffer, dibuja, error, nota);
-    };
-    const auto reflejo = [&](const std::string &nombre, const std::string &nota, int segmentos,
-                             bool porVertice) {
-        const Buferes b = creaBuferes(toro(1, 0.5f, segmentos, segmentos / 2));
-        variante(nombre, nota, false, [&] {
-            glUseProgram(programa);
-            envia(programa, "porVertice", porVertice);
-            dibujaMalla(b);
-        });
-        borraBuferes(b);
-    };
+    const Dibujadas deFrente{m, framebuffer, [&](const Imagen &i) { return errorDeFrente(i, ref); }},
+        detras{m, framebuffer, [&](const Imagen &i) {
+                   return errorDonde(i, ref, [&](int x, int y) {
+                       return ref.en(x, y).objeto < 0 && !oraculo::enBanda(ref, x, y);
+                   });
+               }};
     for (const int lado : m.elige<std::vector<int>>({16, 256}, {16, 32, 64, 128, 256, 512})) {
         const GLuint mapa = creaMapa(lado);
-        const std::string nota = formatea("%.3g kB", 6 * 3 * lado * lado * 4 / 3 / 1000.0),
-                          caras = formatea("caras de %d²", lado);
+        const std::string nota = formatea("%.3g kB", 6 * 3 * lado * lado * 4 / 3 / 1000.0);
+        const auto toroDe = [&](const std::string &nombre, int segmentos, bool porVertice) {
+            const Buferes b = creaBuferes(toro(1, 0.5f, segmentos, segmentos / 2));
+            deFrente(nombre, nota, [&] {
+                framebuffer.borra({0, 0, 0});
+                glUseProgram(reflejo);
+                envia(reflejo, "porVertice", porVertice);
+                dibujaMalla(b);
+            });
+            borraBuferes(b);
+        };
         m.grupo = "el reflejo";
-        reflejo("por fragmento, " + caras, nota, 180, false);
-        for (const int segmentos : lado == 256 ? std::vector<int>{36, 90, 180} : std::vector<int>{}) {
-            const std::string malla = formatea(", toro de %d", segmentos);
-            if (segmentos != 180)
-                reflejo("por fragmento" + malla, nota, segmentos, false);
-            reflejo("por vértice" + malla, nota, segmentos, true);
-        }
+        toroDe(formatea("por fragmento, caras de %d²", lado), 180, false);
+        for (const int segmentos : lado == 256 ? std::vector<int>{36, 90, 180} : std::vector<int>{})
+            toroDe(formatea("por vértice, toro de %d", segmentos), segmentos, true);
         m.grupo = "el fondo";
-        variante("el fondo, " + caras, nota, true, [&] {
+        detras(formatea("el fondo, caras de %d²", lado), nota, [&] {
+            framebuffer.borra({0, 0, 0});
             glUseProgram(fondo);
             glBindVertexArray(vao);
             glDrawArrays(GL_TRIANGLES, 0, 3);

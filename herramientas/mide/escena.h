@@ -27,16 +27,30 @@ inline oraculo::Camara camaraExacta() {
     return oraculo::perspectiva(oraculo::miraDesde(exacto(OJO), {}), ANGULO, 0.5, 50);
 }
 
-/// Lo que el programa en uso necesita saber de la cámara y la luz.
-inline void enviaEscena(GLuint programa, const Framebuffer &framebuffer) {
+/// Una malla de coral, iluminada con ese programa.
+inline void mideIluminada(const Dibujadas &variante, const Framebuffer &framebuffer,
+                          const std::string &nombre, const std::string &nota, GLuint programa,
+                          const Malla &malla, const glm::mat4 &M) {
+    const Buferes b = creaBuferes(malla);
     usaIluminado(programa, camaraEscena(), proyeccionEscena(framebuffer), LUZ);
+    variante(nombre, nota, [&] {
+        framebuffer.borra(FONDO);
+        dibujaIluminado(programa, b, M, camaraEscena(), CORAL);
+    });
+    borraBuferes(b);
 }
 
-inline oraculo::Vec3 phongExacto(const oraculo::Vec3 &P, const oraculo::Vec3 &N,
-                                 const oraculo::Vec3 &ojo = exacto(OJO)) {
+inline oraculo::Vec3 phongExacto(const oraculo::Vec3 &P, const oraculo::Vec3 &N) {
     const oraculo::Material material = {exacto(CORAL.Ka), exacto(CORAL.Kd), exacto(CORAL.Ks), CORAL.alfa};
     const oraculo::Luz luz{exacto(glm::vec3(LUZ.Lp))};
-    return oraculo::phong(material, {1, 1, 1}, {luz}, P, N, oraculo::unitario(ojo - P));
+    return oraculo::phong(material, {1, 1, 1}, {luz}, P, N, oraculo::unitario(exacto(OJO) - P));
+}
+
+/// La imagen exacta de una esfera de coral.
+inline oraculo::ImagenRef trazaEsfera(const Framebuffer &framebuffer, double radio = 1) {
+    return oraculo::render(
+        {oraculo::esfera(oraculo::escala(radio))}, camaraExacta(), framebuffer.ancho, framebuffer.alto,
+        [](const oraculo::Impacto &i) { return i ? phongExacto(i.punto, i.normal) : exacto(FONDO); });
 }
 
 /// Raíz del error cuadrático medio, en niveles, de los píxeles que cuentan.

@@ -39,33 +39,23 @@ static double hundimiento(const Malla &malla, const glm::mat4 &giro) {
 
 static void mideEsferas(Medidor &m) {
     abreContexto();
+    glEnable(GL_DEPTH_TEST);
     const int lado = m.elige(60, 600);
     const Framebuffer framebuffer(lado, lado);
     const GLuint programa = creaSombreado("phong");
-    enviaEscena(programa, framebuffer);
-    glEnable(GL_DEPTH_TEST);
     const glm::mat4 M = escalado(1.08f); // unos 250 px de radio en 600
-    const auto dibuja = [&](const Buferes &b) {
-        framebuffer.borra(FONDO);
-        dibujaIluminado(programa, b, M, camaraEscena(), CORAL);
-    };
     const auto variante = [&](const std::string &nombre, const Malla &malla, bool convexo) {
         double mayor = 0;
         for (const glm::vec2 g : {glm::vec2(0), glm::vec2(0.7f, 0.4f), glm::vec2(1.57f, 0.1f)})
             if (convexo || g == glm::vec2(0)) // el toro, de frente
                 mayor = std::max(mayor, hundimiento(malla, giroX(g.x) * giroY(g.y)));
-        const Buferes b = creaBuferes(malla);
-        mideImagen(
-            m, nombre, framebuffer, [&] { dibuja(b); }, [&](const Imagen &) { return RADIO_PX * mayor; },
-            std::to_string(malla.indices.size() / 3) + " triángulos");
-        borraBuferes(b);
+        mideIluminada({m, framebuffer, [=](const Imagen &) { return RADIO_PX * mayor; }}, framebuffer, nombre,
+                      std::to_string(malla.indices.size() / 3) + " triángulos", programa, malla, M);
     };
-    const Buferes fina = creaBuferes(esfera(m.elige(64, 512)));
-    dibuja(fina);
-    m.referencia = framebuffer.lee();
+    m.referencia = oraculo::enBytes(trazaEsfera(framebuffer, 1.08));
     m.grupo = "esfera";
     for (const int n : {16, 32, 64, 128, 256})
-        variante("esfera de " + std::to_string(n), esfera(n), true);
+        variante(formatea("esfera de %d", n), esfera(n), true);
     variante("esfera, segmentosEsfera", esfera(segmentosEsfera(RADIO_PX)), true);
     m.referencia = {};
     m.grupo = "toro";

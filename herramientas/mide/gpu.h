@@ -70,13 +70,18 @@ inline std::function<void()> yEspera(const std::function<void()> &dibuja) {
     };
 }
 
-/// Una variante que deja una imagen de esa talla: con ella se mide su error, y se cronometra lo que la dibuja.
-inline void mideImagen(Medidor &m, const std::string &nombre, const glm::ivec2 &talla,
-                       const std::function<void()> &dibuja,
-                       const std::function<double(const Imagen &)> &error, const std::string &nota = "") {
-    dibuja();
-    const Imagen imagen = leeDibujado(talla);
-    m.variante(nombre, error(imagen), 1, yEspera(dibuja), nota, imagen);
-}
+/// Las variantes que dejan una imagen de esa talla: con ella se mide su error, y se cronometra lo que la dibuja.
+struct Dibujadas {
+    Medidor &m;
+    glm::ivec2 talla;
+    std::function<double(const Imagen &)> error;
+
+    void operator()(const std::string &nombre, const std::string &nota,
+                    const std::function<void()> &dibuja) const {
+        dibuja();
+        const Imagen imagen = leeDibujado(talla);
+        m.variante(nombre, nota, error(imagen), 1, yEspera(dibuja), imagen);
+    }
+};
 
 } // namespace mide

@@ -1,31 +1,18 @@
 // La matriz que transforma la normal, con matrices de todas clases.
 #include "ch03_transformaciones/transformaciones.h"
-#include "herramientas/oraculo/cuadruple.h"
 #include "mide.h"
-#include <array>
 #include <glm/gtc/matrix_inverse.hpp>
 
 using namespace mide;
-using V = std::array<Cuadruple, 3>;
-
-static V cruz(const V &a, const V &b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 // Grados entre N·n y la normal exacta, la de la traspuesta de la adjunta con el signo del determinante.
 static double error(const glm::mat3 &N, const glm::mat3 &M, const glm::vec3 &n) {
-    const auto columna = [&](int j) { return V{Cuadruple(M[j].x), Cuadruple(M[j].y), Cuadruple(M[j].z)}; };
-    const V a = columna(0), b = columna(1), c = columna(2), f[3] = {cruz(b, c), cruz(c, a), cruz(a, b)};
-    const Cuadruple det = a[0] * f[0][0] + a[1] * f[0][1] + a[2] * f[0][2];
-    V e{};
-    Cuadruple l = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        e[i] = Cuadruple(det < 0 ? -1 : 1) *
-               (f[0][i] * Cuadruple(n.x) + f[1][i] * Cuadruple(n.y) + f[2][i] * Cuadruple(n.z));
-        l += e[i] * e[i];
-    }
-    const glm::dvec3 exacta(double(e[0] / sqrt(l)), double(e[1] / sqrt(l)), double(e[2] / sqrt(l)));
-    glm::vec3 r = N * n;
+    using V = glm::vec<3, long double>;
+    const V a(M[0]), b(M[1]), c(M[2]), bc = glm::cross(b, c);
+    const long double signo = glm::dot(a, bc) < 0 ? -1 : 1;
+    const glm::dvec3 exacta(
+        glm::normalize(signo * (bc * V(n).x + glm::cross(c, a) * V(n).y + glm::cross(a, b) * V(n).z)));
+    const glm::vec3 r = N * n;
     const float mayor = std::max({std::fabs(r.x), std::fabs(r.y), std::fabs(r.z)});
     if (!(mayor > 0) || !std::isfinite(mayor))
         return 180; // sin normal: negro
@@ -35,9 +22,6 @@ static double error(const glm::mat3 &N, const glm::mat3 &M, const glm::vec3 &n) 
 
 static glm::mat3 adjunta(const glm::mat3 &m) {
     return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
-}
-static glm::mat3 adjuntaConSigno(const glm::mat3 &m) {
-    return glm::determinant(m) < 0 ? -1.0f * adjunta(m) : adjunta(m);
 }
 
 static void mideMatrizNormal(Medidor &m) {
@@ -61,26 +45,23 @@ static void mideMatrizNormal(Medidor &m) {
             for (const glm::mat3 &M : clases[c])
                 peor[c] = std::max(peor[c], error(f(M), M, glm::vec3(0.48f, 0.6f, 0.64f)));
         m.variante(
-            nombre, std::max({peor[0], peor[1], peor[2]}), double(clases[DEFORMA].size()),
-            [&] {
+            nombre,
+            formatea("giros y escalas iguales: %.2g°; escalas distintas: %.2g°; casos difíciles: %.2g°",
+                     peor[0], peor[1], peor[2]),
+            *std::max_element(peor, peor + CLASES), double(clases[DEFORMA].size()), [&] {
                 for (const glm::mat3 &M : clases[DEFORMA])
                     usa(f(M));
-            },
-            formatea("giros y escalas iguales: %.2g°; escalas distintas: %.2g°; casos difíciles: %.2g°",
-                     peor[0], peor[1], peor[2]));
+            });
     };
     variante("mat3(M)", [](const glm::mat3 &M) { return M; });
     variante("par: glm::inverseTranspose", [](const glm::mat3 &M) { return glm::inverseTranspose(M); });
-    variante("inversa traspuesta en double",
-             [](const glm::mat3 &M) { return glm::mat3(glm::inverseTranspose(glm::dmat3(M))); });
     variante("adjunta", adjunta);
-    variante("adjunta con signo", adjuntaConSigno);
     variante("adjunta en double con signo y escala",
              [](const glm::mat3 &M) { return matrizNormal(glm::mat4(M)); });
 }
 
 static const Apunta APUNTA({8, "matriz_normal", "La matriz de la normal", "ns por matriz",
-                            "grados, la peor normal, frente a cuádruple precisión",
+                            "grados, la peor normal, frente a doble extendida",
                             "adjunta en double con signo y escala",
                             "Con giros y escalas iguales basta mat3(M). Solo la última vale siempre: "
                             "aplastado, diminuto, enorme o en un espejo. "

@@ -4,14 +4,13 @@
 #include "mide.h"
 #include "error.h"
 #include <algorithm>
-#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <ctime>
-#include <fcntl.h>
 #include <fstream>
 #include <numeric>
 #include <sys/resource.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -46,10 +45,6 @@ double rmse(const Imagen &imagen, const std::vector<double> &exacta) {
     return std::sqrt(suma / double(exacta.size()));
 }
 
-double rmse(const Imagen &imagen, const Imagen &referencia) {
-    return rmse(imagen, std::vector<double>(referencia.rgb.begin(), referencia.rgb.end()));
-}
-
 Imagen redondeada(int ancho, int alto, const std::vector<double> &exacta) {
     Imagen imagen{ancho, alto, {}};
     for (const double v : exacta)
@@ -75,13 +70,9 @@ double nsDe(const std::function<void()> &trabajo) {
 // Lo que tarda siempre lo mismo: a qué paso va ahora el procesador.
 double paso() {
     return nsDe([] {
-        std::uint32_t x = 1;
-        for (int i = 0; i < 200000; ++i) {
-            x ^= x << 13;
-            x ^= x >> 17;
-            x ^= x << 5;
-        }
-        usa(x);
+        std::minstd_rand azar;
+        azar.discard(50000);
+        usa(azar);
     });
 }
 
@@ -90,38 +81,30 @@ double mediana(std::vector<double> v) {
     return v[v.size() / 2];
 }
 
-// Lo que hace el hijo hasta que el padre cierra la tubería.
-[[noreturn]] void atiende(const Corredor &c, const std::function<double()> &tarda) {
+// Una variante espera en un proceso hijo a que le toque: lee un byte y escribe lo que tarda, en nanosegundos.
+int aparta(const std::function<double()> &tarda) {
+    int extremos[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, extremos))
+        falla("no hay por dónde hablar con otra variante");
+    std::fflush(nullptr);
+    const pid_t hijo = fork();
+    if (hijo < 0)
+        falla("no hay procesos para otra variante");
+    close(extremos[hijo == 0]);
+    if (hijo > 0)
+        return extremos[1];
     char turno;
-    while (read(c.pide, &turno, 1) == 1) {
+    while (read(extremos[0], &turno, 1) == 1) { // hasta que el padre lo cierra
         const double ns = tarda();
-        if (write(c.responde, &ns, sizeof ns) != sizeof ns)
+        if (write(extremos[0], &ns, sizeof ns) != sizeof ns)
             break;
     }
     _exit(0); // sin deshacer nada: es una copia de lo del padre
 }
 
-Corredor aparta(const std::function<double()> &tarda) {
-    int ida[2], vuelta[2];
-    if (pipe2(ida, O_CLOEXEC) || pipe2(vuelta, O_CLOEXEC))
-        falla("no hay tuberías para otra variante");
-    std::fflush(nullptr);
-    const pid_t hijo = fork();
-    if (hijo < 0)
-        falla("no hay procesos para otra variante");
-    if (hijo == 0) {
-        close(ida[1]);
-        close(vuelta[0]);
-        atiende({ida[0], vuelta[1]}, tarda);
-    }
-    close(ida[0]);
-    close(vuelta[1]);
-    return {ida[1], vuelta[0]};
-}
-
-double turno(const Corredor &c) {
+double turno(int corredor) {
     double ns;
-    if (write(c.pide, "", 1) != 1 || read(c.responde, &ns, sizeof ns) != sizeof ns)
+    if (send(corredor, "", 1, MSG_NOSIGNAL) != 1 || read(corredor, &ns, sizeof ns) != sizeof ns)
         falla("una variante ha acabado antes de tiempo");
     return ns;
 }
@@ -146,20 +129,18 @@ Imagen diferencia(const Imagen &a, const Imagen &b) {
 } // namespace
 
 Medidor::~Medidor() {
-    for (const Corredor &c : corredores) { // sin quien le pida nada, el hijo acaba
-        close(c.pide);
-        close(c.responde);
-    }
+    for (const int corredor : corredores) // sin quien le pida nada, el hijo acaba
+        close(corredor);
 }
 
-void Medidor::cronometrada(const std::string &nombre, double error, const std::function<double()> &tarda,
-                           const std::string &nota) {
+void Medidor::cronometrada(const std::string &nombre, const std::string &nota, double error,
+                           const std::function<double()> &tarda) {
     medidas.push_back({nombre, grupo, error, nota, {}});
     corredores.push_back(aparta([&] { return 1e6 * tarda() / ns; }));
 }
 
-void Medidor::variante(const std::string &nombre, double error, double unidades,
-                       const std::function<void()> &trabajo, const std::string &nota, const Imagen &imagen) {
+void Medidor::variante(const std::string &nombre, const std::string &nota, double error, double unidades,
+                       const std::function<void()> &trabajo, const Imagen &imagen) {
     medidas.push_back({nombre, grupo, error, nota, {}});
     long vueltas = ensayo ? 1 : 0; // las que llenan una rodaja, que se saben al acabar la primera
     corredores.push_back(aparta([&] {

@@ -23,11 +23,6 @@ struct Medida {
     std::vector<double> tiempos; // uno por ronda
 };
 
-/// Una variante que espera en su proceso a que le toque: lee un byte y escribe lo que tarda (double, en nanosegundos).
-struct Corredor {
-    int pide, responde; // los extremos de sus tuberías
-};
-
 /// Lo que recibe cada técnica: si es el ensayo, y a quién dar sus variantes. Cronometradas una detrás de otra no se
 /// podrían comparar: el procesador cambia de paso. Cada una queda en un proceso hijo, con la memoria y el estado de
 /// OpenGL que tenía, y al final corren todas por rondas, un rato corto cada una y en otro orden cada vez.
@@ -50,12 +45,11 @@ public:
     Medidor(const Medidor &) = delete;
     ~Medidor();
     /// Cronometrará `trabajo`, que hace `unidades` de lo que dice la unidad de tiempo de la técnica.
-    void variante(const std::string &nombre, double error, double unidades,
-                  const std::function<void()> &trabajo, const std::string &nota = "",
-                  const Imagen &imagen = {});
+    void variante(const std::string &nombre, const std::string &nota, double error, double unidades,
+                  const std::function<void()> &trabajo, const Imagen &imagen = {});
     /// Lo mismo, de lo que se cronometra solo: `tarda` da milisegundos.
-    void cronometrada(const std::string &nombre, double error, const std::function<double()> &tarda,
-                      const std::string &nota);
+    void cronometrada(const std::string &nombre, const std::string &nota, double error,
+                      const std::function<double()> &tarda);
     /// Las rondas, y lo medido.
     const std::vector<Medida> &corre();
 
@@ -63,7 +57,7 @@ private:
     double ns;           // los de una unidad de tiempo
     std::string prefijo; // de los ficheros que deja
     std::vector<Medida> medidas;
-    std::vector<Corredor> corredores;
+    std::vector<int> corredores; // por dónde se le habla a cada variante
 };
 
 /// Cada fichero define la suya, que se apunta sola en la lista.
@@ -104,8 +98,7 @@ public:
 /// El tiempo de procesador de otro programa con esos argumentos; NaN si falla.
 double milisegundosDeOrden(std::vector<std::string> orden);
 
-/// Raíz del error cuadrático medio entre dos imágenes, en niveles de 255. Con `exacta`, sin redondear, tres por píxel.
-double rmse(const Imagen &imagen, const Imagen &referencia);
+/// Raíz del error cuadrático medio, en niveles de 255, frente a la exacta: sin redondear, tres por píxel.
 double rmse(const Imagen &imagen, const std::vector<double> &exacta);
 /// La imagen de esos valores (de 0 a 255), redondeados.
 Imagen redondeada(int ancho, int alto, const std::vector<double> &exacta);

@@ -47,7 +47,7 @@ static void mideProfundidad(Medidor &m) {
         m.grupo = std::string("lejos/cerca = ") + POTENCIA[cociente];
         for (const auto &f : FORMATOS) {
             const Framebuffer framebuffer(m.elige(48, 480), m.elige(36, 360), 0, f.formato);
-            m.variante(f.nombre + std::string(", ") + POTENCIA[cociente],
+            m.variante(f.nombre + std::string(", ") + POTENCIA[cociente], "",
                        confundidos(cerca, lejos, f.bits, f.alReves), 1, yEspera([&] {
                            framebuffer.borra({0, 0, 0});
                            for (int i = 0; i < 8; ++i)

@@ -17,33 +17,18 @@ struct Giro {
 // Lo que se separa en píxeles, como mucho, un punto girado con M del girado con el giro exacto (Rodrigues, en
 // doble extendida).
 static double error(const glm::mat3 &M, const glm::vec3 &eje, Largo angulo) {
-    const Largo x = eje.x, y = eje.y, z = eje.z, l = std::sqrt(x * x + y * y + z * z), c = std::cos(angulo),
-                s = std::sin(angulo), v = 2 * std::pow(std::sin(angulo / 2), Largo(2));
-    const Largo e[3] = {x / l, y / l, z / l};
-    const Largo K[3][3] = {{0, -e[2], e[1]}, {e[2], 0, -e[0]}, {-e[1], e[0], 0}};
-    double suma = 0;
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j) {
-            const Largo exacto = (i == j ? c : 0) + s * K[i][j] + v * e[i] * e[j];
-            suma += std::pow(double(Largo(M[j][i]) - exacto), 2);
-        }
-    return RADIO_PX * std::sqrt(suma);
-}
-
-static glm::mat3 rodrigues(const Giro &g) { // con 1 − cos, que en un ángulo pequeño se queda sin cifras
-    const glm::vec3 e = glm::normalize(g.eje);
-    const float c = std::cos(g.angulo), s = std::sin(g.angulo);
-    return c * glm::mat3(1) + s * glm::mat3(0, e.z, -e.y, -e.z, 0, e.x, e.y, -e.x, 0) +
-           (1 - c) * glm::outerProduct(e, e);
-}
-
-static glm::mat3 baseSinRestar(const Giro &g) { // Rᵀ·Rx·R, la ecuación 3.10 tal cual
-    const glm::mat3 R = cambioDeBase(unitario(g.eje));
-    return glm::transpose(R) * glm::mat3(giroX(g.angulo)) * R;
-}
-
-static glm::mat3 conCuaternion(const Giro &g) {
-    return glm::mat3_cast(glm::angleAxis(g.angulo, glm::normalize(g.eje)));
+    using V = glm::vec<3, Largo>;
+    const V e = glm::normalize(V(eje));
+    const Largo v = 2 * std::pow(std::sin(angulo / 2), Largo(2));
+    Largo suma = 0;
+    for (int j = 0; j < 3; ++j) {
+        V base(0);
+        base[j] = 1;
+        const V exacta = std::cos(angulo) * base + std::sin(angulo) * glm::cross(e, base) + v * e[j] * e,
+                d = V(M[j]) - exacta;
+        suma += glm::dot(d, d);
+    }
+    return RADIO_PX * double(std::sqrt(suma));
 }
 
 static glm::mat3 ortonormal(const glm::mat3 &M) {
@@ -78,73 +63,60 @@ static void mideMatrices(Medidor &m) {
     std::vector<Giro> todos = corrientes;
     for (const float l : {1e-23f, 1e20f}) // cuyo cuadrado no cabe en un float
         todos.push_back({l * glm::vec3(1, 2, 3), 1});
-    const auto matriz = [&](const char *nombre, const auto &f, const char *nota = "") {
-        m.variante(
-            nombre, peorError(todos, f), double(todos.size()),
-            [&] {
-                for (const Giro &g : todos)
-                    usa(f(g));
-            },
-            formatea("%scon ejes corrientes, %.2g px", nota, peorError(corrientes, f)));
+    const auto matriz = [&](const char *nombre, const char *nota, const auto &f) {
+        m.variante(nombre, formatea("%scon ejes corrientes, %.2g px", nota, peorError(corrientes, f)),
+                   peorError(todos, f), double(todos.size()), [&] {
+                       for (const Giro &g : todos)
+                           usa(f(g));
+                   });
     };
-    matriz(
-        "cambio de base", [](const Giro &g) { return glm::mat3(giroEje(g.eje, g.angulo)); }, "giroEje; ");
-    matriz("cambio de base sin restar I", baseSinRestar, "ecuación 3.10 tal cual; ");
-    matriz("Rodrigues", rodrigues, "sin escalar el eje; ");
-    matriz(
-        "par: glm::rotate",
-        [](const Giro &g) { return glm::mat3(glm::rotate(glm::mat4(1), g.angulo, g.eje)); }, "Rodrigues; ");
-    matriz("cuaternión a matriz (GLM)", conCuaternion);
+    matriz("cambio de base", "giroEje; ", [](const Giro &g) { return glm::mat3(giroEje(g.eje, g.angulo)); });
+    matriz("par: glm::rotate", "Rodrigues; ",
+           [](const Giro &g) { return glm::mat3(glm::rotate(glm::mat4(1), g.angulo, g.eje)); });
+    matriz("cuaternión a matriz (GLM)", "",
+           [](const Giro &g) { return glm::mat3_cast(glm::angleAxis(g.angulo, glm::normalize(g.eje))); });
 }
 
 static const Giro PASO = {{1, 2, 3}, 0.001f};
 
-// El giro tras n pasos, de cada manera.
-static glm::mat3 conMatriz(int n) {
-    const glm::mat3 unPaso(giroEje(PASO.eje, PASO.angulo));
-    glm::mat3 M(1);
-    for (int i = 0; i < n; ++i)
-        M = unPaso * M;
-    return M;
-}
-static glm::mat3 conMatrizOrtonormal(int n) {
-    const glm::mat3 unPaso(giroEje(PASO.eje, PASO.angulo));
-    glm::mat3 M(1);
-    for (int i = 0; i < n; ++i)
-        M = ortonormal(unPaso * M);
-    return M;
-}
-static glm::mat3 conCuaternionNormalizado(int n) {
-    const glm::quat unPaso = glm::angleAxis(PASO.angulo, glm::normalize(PASO.eje));
-    glm::quat q(1, 0, 0, 0);
-    for (int i = 0; i < n; ++i)
-        q = glm::normalize(unPaso * q);
-    return glm::mat3_cast(q);
-}
-static glm::mat3 recalculada(int n) {
-    glm::mat3 M;
-    for (int i = 1; i <= n; ++i) { // el ángulo, en double y reducido a una vuelta
-        const double t = i * double(PASO.angulo);
-        M = glm::mat3(giroEje(PASO.eje, float(std::remainder(t, 2 * 3.14159265358979323846))));
-        usa(M);
-    }
-    return M;
-}
-
 static void mideDerivas(Medidor &m) {
     m.grupo = "10⁶ pasos";
     const int pasos = m.elige(1000, 1000000);
-    const auto deriva = [&](const char *nombre, glm::mat3 (*recorre)(int), const char *nota = "") {
+    const auto deriva = [&](const std::string &nombre, const char *nota, const auto &recorre) {
         // lo exacto: tantas veces el ángulo que de verdad tiene el float
         const double e = error(recorre(pasos), PASO.eje, Largo(PASO.angulo) * pasos);
         const int n = m.elige(10, 1000); // los que da al cronometrar
-        m.variante(
-            "10⁶ pasos, " + std::string(nombre), e, n, [=] { usa(recorre(n)); }, nota);
+        m.variante("10⁶ pasos, " + nombre, nota, e, n, [&] { usa(recorre(n)); });
     };
-    deriva("matriz", conMatriz, "deja de ser un giro: deforma");
-    deriva("matriz ortonormalizada", conMatrizOrtonormal, "no deforma, pero el ángulo se desvía");
-    deriva("cuaternión normalizado", conCuaternionNormalizado);
-    deriva("recalculada", recalculada, "del ángulo total, cada vez");
+    const glm::mat3 unPaso(giroEje(PASO.eje, PASO.angulo));
+    deriva("matriz", "deja de ser un giro: deforma", [&](int n) {
+        glm::mat3 M(1);
+        for (int i = 0; i < n; ++i)
+            M = unPaso * M;
+        return M;
+    });
+    deriva("matriz ortonormalizada", "no deforma, pero el ángulo se desvía", [&](int n) {
+        glm::mat3 M(1);
+        for (int i = 0; i < n; ++i)
+            M = ortonormal(unPaso * M);
+        return M;
+    });
+    deriva("cuaternión normalizado", "", [](int n) {
+        const glm::quat q = glm::angleAxis(PASO.angulo, glm::normalize(PASO.eje));
+        glm::quat giro(1, 0, 0, 0);
+        for (int i = 0; i < n; ++i)
+            giro = glm::normalize(q * giro);
+        return glm::mat3_cast(giro);
+    });
+    deriva("recalculada", "del ángulo total, cada vez", [](int n) {
+        glm::mat3 M;
+        for (int i = 1; i <= n; ++i) { // el ángulo, en double y reducido a una vuelta
+            const double vuelta = 2 * 3.14159265358979323846, t = i * double(PASO.angulo);
+            M = glm::mat3(giroEje(PASO.eje, float(std::remainder(t, vuelta))));
+            usa(M);
+        }
+        return M;
+    });
 }
 
 static void mideRotacion(Medidor &m) {

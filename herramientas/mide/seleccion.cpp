@@ -5,16 +5,18 @@
 
 using namespace mide;
 
-// El primer corte del rayo con las esferas, en el tipo que se pida; 0 si no hay ninguno.
-template<class T>
-static unsigned cortaEsferas(const std::vector<glm::vec4> &bolas, const glm::vec<3, T> &o,
-                             const glm::vec<3, T> &d) {
-    T cerca = std::numeric_limits<T>::max();
+using Clic = glm::ivec2;
+using Bolas = std::vector<glm::vec4>; // centro y radio
+
+// El primer corte del rayo con las bolas; 0 si no hay ninguno.
+static unsigned cortaBolas(const Bolas &bolas, const oraculo::Rayo &r) {
+    const glm::dvec3 o(r.origen.x, r.origen.y, r.origen.z), d(r.direccion.x, r.direccion.y, r.direccion.z);
+    double cerca = INFINITO;
     unsigned cual = 0;
     for (std::size_t i = 0; i < bolas.size(); ++i) {
-        const glm::vec<3, T> v = o - glm::vec<3, T>(glm::vec3(bolas[i]));
-        const T r = T(bolas[i].w), b = glm::dot(v, d), disc = b * b - glm::dot(v, v) + r * r;
-        const T t = disc > 0 ? -b - std::sqrt(disc) : T(-1);
+        const glm::dvec3 v = o - glm::dvec3(bolas[i]);
+        const double radio = double(bolas[i].w), b = glm::dot(v, d),
+                     disc = b * b - glm::dot(v, v) + radio * radio, t = disc > 0 ? -b - std::sqrt(disc) : -1;
         if (t > 0 && t < cerca) {
             cerca = t;
             cual = unsigned(i + 1);
@@ -23,73 +25,16 @@ static unsigned cortaEsferas(const std::vector<glm::vec4> &bolas, const glm::vec
     return cual;
 }
 
-using Clic = glm::ivec2;
-using Elige = std::function<unsigned(const Clic &)>;
-
-static const std::size_t DIBUJADOS = 40; // clics que se comprueban dibujando: los demás, con lo dibujado
-
-// Unas bolas al azar, unos clics sobre ellas y la que hay en cada uno.
-struct Escenario {
-    const Framebuffer &framebuffer;
-    const oraculo::Camara camara = camaraExacta();
-    std::vector<glm::vec4> bolas; // centro y radio
-    std::vector<Clic> clics;
-    std::vector<unsigned> verdad;
-
-    Escenario(const Framebuffer &donde, int cuantosClics) : framebuffer(donde) {
-        Azar al(4);
-        oraculo::Escena escena;
-        for (int i = 0; i < 40; ++i) {
-            const glm::vec4 b = {1.4f * al(), 1.1f * al(), al(), 0.12f + 0.08f * al()};
-            bolas.push_back(b);
-            escena.push_back(
-                oraculo::esfera(oraculo::traslada(exacto(glm::vec3(b))) * oraculo::escala(double(b.w))));
-        }
-        for (int i = 0; i < cuantosClics; ++i) {
-            clics.push_back({int(0.5f * (1 + al()) * float(framebuffer.ancho - 1)),
-                             int(0.5f * (1 + al()) * float(framebuffer.alto - 1))});
-            verdad.push_back(unsigned(oraculo::primerImpacto(escena, rayo(clics.back())).objeto + 1));
-        }
+// Las bolas, cada una de su identificador.
+static void dibuja(const Framebuffer &framebuffer, GLuint programa, const Buferes &malla,
+                   const Bolas &bolas) {
+    framebuffer.borra({0, 0, 0});
+    for (std::size_t i = 0; i < bolas.size(); ++i) {
+        envia(programa, "M", traslacion(glm::vec3(bolas[i])) * escalado(bolas[i].w));
+        envia(programa, "identificador", colorDe(unsigned(i + 1)));
+        dibujaMalla(malla);
     }
-    oraculo::Rayo rayo(const Clic &c) const {
-        return oraculo::rayo(camara, framebuffer.ancho, framebuffer.alto, c.x + 0.5, c.y + 0.5);
-    }
-    // El error, con todos los clics; los últimos con `sinDibujar`, que da lo mismo que `elige` con lo ya dibujado.
-    void variante(Medidor &m, const std::string &nombre, const Elige &elige, const Elige &sinDibujar,
-                  const char *nota = "") const {
-        std::size_t mal = 0, k = 0;
-        elige(clics[0]);
-        for (std::size_t i = 0; i < clics.size(); ++i)
-            mal += (i < DIBUJADOS ? elige : sinDibujar)(clics[i]) != verdad[i];
-        m.variante(
-            nombre, 100.0 * double(mal) / double(clics.size()), 1,
-            [&] { usa(elige(clics[k++ % clics.size()])); }, nota);
-    }
-};
-
-// Las bolas, cada una de su identificador y con una malla de n.
-class Identificadores {
-    const Escenario &escenario;
-    const GLuint programa;
-    const Buferes malla;
-
-public:
-    Identificadores(const Escenario &deQue, GLuint conQue, int n)
-        : escenario(deQue), programa(conQue), malla(creaBuferes(esfera(n))) {
-    }
-    ~Identificadores() {
-        borraBuferes(malla);
-    }
-    void dibuja() const {
-        escenario.framebuffer.borra({0, 0, 0});
-        for (std::size_t i = 0; i < escenario.bolas.size(); ++i) {
-            const glm::vec4 &b = escenario.bolas[i];
-            envia(programa, "M", traslacion(glm::vec3(b)) * escalado(b.w));
-            envia(programa, "identificador", colorDe(unsigned(i + 1)));
-            dibujaMalla(malla);
-        }
-    }
-};
+}
 
 static unsigned leePixel(const Clic &c) {
     unsigned char p[4];
@@ -97,77 +42,81 @@ static unsigned leePixel(const Clic &c) {
     return identificadorDe({p[0], p[1], p[2]});
 }
 
-static void midePixel(Medidor &m, const Escenario &e, const Identificadores &bolas,
-                      const std::string &malla) {
-    e.variante(
-        m, "dibujar y leer un píxel" + malla,
-        [&](const Clic &c) {
-            bolas.dibuja();
+// Lo que se compara: si da, en cada clic, el objeto que hay.
+struct Variantes {
+    Medidor &m;
+    const oraculo::Escena escena;
+    const std::vector<Clic> clics;
+    const std::function<oraculo::Rayo(const Clic &)> rayo;
+
+    void operator()(const std::string &nombre, const char *nota,
+                    const std::function<unsigned(const Clic &)> &elige) const {
+        int mal = 0;
+        for (const Clic &c : clics)
+            mal += elige(c) != unsigned(oraculo::primerImpacto(escena, rayo(c)).objeto + 1);
+        std::size_t k = 0;
+        m.variante(nombre, nota, 100.0 * mal / double(clics.size()), 1,
+                   [&] { usa(elige(clics[k++ % clics.size()])); });
+    }
+};
+
+static void mideDibujando(const Variantes &variante, const Framebuffer &framebuffer, const Bolas &bolas) {
+    const GLuint programa =
+        creaPrograma("ch03_transformaciones/objeto.vert", "ch10_interaccion/identificador.frag");
+    usaPrograma(programa, camaraEscena(), proyeccionEscena(framebuffer));
+    for (const int n : {12, 64}) {
+        const Buferes malla = creaBuferes(esfera(n));
+        variante(formatea("dibujar y leer un píxel, esferas de %d", n), "", [&](const Clic &c) {
+            dibuja(framebuffer, programa, malla, bolas);
             return leePixel(c);
-        },
-        leePixel);
-    const Elige soloUno = [&](const Clic &c) { // tras dibujarlo entero: es el mismo píxel
-        if (&c == &e.clics[DIBUJADOS])
-            bolas.dibuja();
+        });
+        borraBuferes(malla);
+    }
+    const Buferes malla = creaBuferes(esfera(64));
+    variante("dibujar solo ese píxel, esferas de 64", "glScissor", [&](const Clic &c) {
+        glEnable(GL_SCISSOR_TEST);
+        glScissor(c.x, c.y, 1, 1);
+        dibuja(framebuffer, programa, malla, bolas);
+        glDisable(GL_SCISSOR_TEST);
         return leePixel(c);
-    };
-    e.framebuffer.borra({0, 0, 0}); // que no acierte por lo que había
-    e.variante(
-        m, "dibujar solo ese píxel" + malla,
-        [&](const Clic &c) {
-            glEnable(GL_SCISSOR_TEST);
-            glScissor(c.x, c.y, 1, 1);
-            bolas.dibuja();
-            glDisable(GL_SCISSOR_TEST);
-            return leePixel(c);
-        },
-        soloUno, "glScissor");
-}
-
-static void mideVentana(Medidor &m, const Escenario &e, const Identificadores &bolas) {
-    const int ancho = e.framebuffer.ancho, alto = e.framebuffer.alto;
+    });
+    const int ancho = framebuffer.ancho, alto = framebuffer.alto;
     std::vector<unsigned char> todo(4 * ancho * alto);
-    e.variante(
-        m, "dibujar y leer la ventana",
-        [&](const Clic &c) {
-            bolas.dibuja();
-            glReadPixels(0, 0, ancho, alto, GL_RGBA, GL_UNSIGNED_BYTE, todo.data());
-            const std::size_t i = 4 * (c.y * ancho + c.x);
-            return identificadorDe({todo[i], todo[i + 1], todo[i + 2]});
-        },
-        leePixel);
-    bolas.dibuja();
-    m.grupo = "sin dibujar";
-    e.variante(m, "leer un píxel ya dibujado", leePixel, leePixel, "mientras nada se mueva");
-}
-
-template<class T>
-static void mideRayo(Medidor &m, const Escenario &e, const char *nombre) {
-    const Elige corta = [&](const Clic &c) {
-        const oraculo::Rayo r = e.rayo(c);
-        return cortaEsferas<T>(e.bolas, {r.origen.x, r.origen.y, r.origen.z},
-                               {r.direccion.x, r.direccion.y, r.direccion.z});
-    };
-    e.variante(m, nombre, corta, corta, "hay que saber cortar cada forma");
+    variante("dibujar y leer la ventana", "", [&](const Clic &c) {
+        dibuja(framebuffer, programa, malla, bolas);
+        glReadPixels(0, 0, ancho, alto, GL_RGBA, GL_UNSIGNED_BYTE, todo.data());
+        const std::size_t i = 4 * (c.y * ancho + c.x);
+        return identificadorDe({todo[i], todo[i + 1], todo[i + 2]});
+    });
 }
 
 static void mideSeleccion(Medidor &m) {
     abreContexto();
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_DITHER);
-    const Framebuffer framebuffer(m.elige(96, 960), m.elige(72, 720));
-    const GLuint programa =
-        creaPrograma("ch03_transformaciones/objeto.vert", "ch10_interaccion/identificador.frag");
-    usaPrograma(programa, camaraEscena(), proyeccionEscena(framebuffer));
-    const Escenario e(framebuffer, m.elige(50, 2000));
+    const int ancho = m.elige(96, 960), alto = m.elige(72, 720);
+    const Framebuffer framebuffer(ancho, alto);
+    Azar al(4);
+    Bolas bolas;
+    oraculo::Escena escena;
+    for (int i = 0; i < 40; ++i) {
+        const glm::vec4 b = {1.4f * al(), 1.1f * al(), al(), 0.12f + 0.08f * al()};
+        bolas.push_back(b);
+        escena.push_back(
+            oraculo::esfera(oraculo::traslada(exacto(glm::vec3(b))) * oraculo::escala(double(b.w))));
+    }
+    std::vector<Clic> clics;
+    for (int i = 0; i < m.elige(25, 200); ++i)
+        clics.push_back(
+            {int(0.5f * (1 + al()) * float(ancho - 1)), int(0.5f * (1 + al()) * float(alto - 1))});
+    const Variantes variante{m, escena, clics, [=](const Clic &c) {
+                                 return oraculo::rayo(camaraExacta(), ancho, alto, c.x + 0.5, c.y + 0.5);
+                             }};
     m.grupo = "cualquier forma";
-    midePixel(m, e, Identificadores(e, programa, 12), ", esferas de 12");
-    const Identificadores finas(e, programa, 64);
-    midePixel(m, e, finas, ", esferas de 64");
-    mideVentana(m, e, finas);
+    mideDibujando(variante, framebuffer, bolas);
     m.grupo = "solo esferas";
-    mideRayo<float>(m, e, "rayo en float");
-    mideRayo<double>(m, e, "rayo en double");
+    variante("rayo en double", "hay que saber cortar cada forma",
+             [&](const Clic &c) { return cortaBolas(bolas, variante.rayo(c)); });
 }
 
 static const Apunta APUNTA(
@@ -175,6 +124,6 @@ static const Apunta APUNTA(
      "% de clics mal, frente al rayo en double con la forma exacta", "dibujar solo ese píxel, esferas de 64",
      "Los identificadores aciertan en lo que se ve, sea cual sea la forma; solo difieren en el contorno, "
      "donde la malla no es la esfera. "
-     "seleccion sigue el listado y dibuja la escena entera; con glScissor bastaría su píxel. "
+     "seleccion, con glScissor, dibuja solo el píxel que va a leer. "
      "Un rayo cuesta mil veces menos, pero hay que saber cortar cada forma.",
      mideSeleccion});

@@ -18,10 +18,6 @@ static const Vista VISTAS[] = {{{0.25f, 0.42f, 8}, {-1.8f, 3.6f, 0.8f}},
                                {{-2.1f, 0.05f, 9}, {1.2f, 1.6f, -1}},
                                {{0.6f, 1.2f, 8}, {0.5f, 3, 2.2f}}};
 
-struct Desplazamiento {
-    float factor, unidades;
-};
-
 // Una bola roja sobre una mesa blanca, y su sombra negra.
 class Escena {
     const Framebuffer &framebuffer;
@@ -39,7 +35,7 @@ class Escena {
 public:
     explicit Escena(const Framebuffer &donde) : framebuffer(donde) {
     }
-    void dibuja(const Vista &v, const Desplazamiento &d) const {
+    void dibuja(const Vista &v, const glm::vec2 &desplaza) const {
         const float aspecto = float(framebuffer.ancho) / float(framebuffer.alto);
         framebuffer.borra({1, 1, 1});
         usaPrograma(programa, camaraOrbita(v.orbita),
@@ -47,7 +43,7 @@ public:
         pinta(mesa, tablero, {1, 1, 1});
         pinta(bola, colocada, {1, 0, 0});
         glEnable(GL_POLYGON_OFFSET_FILL);
-        glPolygonOffset(d.factor, d.unidades);
+        glPolygonOffset(desplaza.x, desplaza.y);
         pinta(bola, proyeccionSombra(glm::vec4(v.luz, 1), Plano{{0, 1, 0}, 0}) * colocada, {0, 0, 0});
         glDisable(GL_POLYGON_OFFSET_FILL);
     }
@@ -70,24 +66,6 @@ static oraculo::ImagenRef traza(const Vista &v, const Framebuffer &framebuffer) 
                            });
 }
 
-// Los píxeles de sombra, los que faltan y los que sobran.
-struct Cuenta {
-    double sombra = 0, cosido = 0, encima = 0;
-
-    void suma(const Imagen &gpu, const oraculo::ImagenRef &ref) {
-        for (int y = 0; y < ref.alto; ++y)
-            for (int x = 0; x < ref.ancho; ++x) {
-                if (oraculo::enBanda(ref, x, y))
-                    continue;
-                const oraculo::PixelRef &p = ref.en(x, y);
-                const bool mal = oraculo::diferencia(gpu, x, y, p.color) > 2;
-                sombra += p.zona;
-                cosido += p.zona && mal;
-                encima += !p.zona && mal;
-            }
-    }
-};
-
 static void mideSombras(Medidor &m) {
     abreContexto();
     glEnable(GL_DEPTH_TEST);
@@ -97,21 +75,28 @@ static void mideSombras(Medidor &m) {
     for (const Vista &v : VISTAS)
         refs.push_back(traza(v, framebuffer));
     m.referencia = oraculo::enBytes(refs[0]);
-    for (const Desplazamiento &d : std::initializer_list<Desplazamiento>{
+    // con el factor y las unidades de glPolygonOffset
+    for (const glm::vec2 &d : std::initializer_list<glm::vec2>{
              {0, 0}, {0, -1}, {0, -2}, {-0.25f, -2}, {-1, -1}, {-1, -100}, {-10, -10000}, {0, -1000000}}) {
-        Cuenta cuenta;
-        std::vector<Imagen> imagenes;
-        for (const Vista &v : VISTAS) {
-            escena.dibuja(v, d);
-            imagenes.push_back(framebuffer.lee());
-            cuenta.suma(imagenes.back(), refs[imagenes.size() - 1]);
+        double sombra = 0, falta = 0, sobra = 0; // píxeles
+        Imagen primera;
+        for (std::size_t v = 0; v < refs.size(); ++v) {
+            escena.dibuja(VISTAS[v], d);
+            primera = framebuffer.lee();
+            for (int y = 0; y < framebuffer.alto; ++y)
+                for (int x = 0; x < framebuffer.ancho; ++x) {
+                    const oraculo::PixelRef &p = refs[v].en(x, y);
+                    const bool mal = oraculo::diferencia(primera, x, y, p.color) > 2,
+                               cuenta = !oraculo::enBanda(refs[v], x, y);
+                    sombra += cuenta && p.zona;
+                    falta += cuenta && p.zona && mal;
+                    sobra += cuenta && !p.zona && mal;
+                }
         }
-        m.variante(formatea("(%g, %g)", double(d.factor), double(d.unidades)),
-                   100 * (cuenta.cosido + cuenta.encima) / cuenta.sombra, 1,
-                   yEspera([&] { escena.dibuja(VISTAS[0], d); }),
-                   formatea("falta %.2g %% de la sombra y sobra %.2g %%", 100 * cuenta.cosido / cuenta.sombra,
-                            100 * cuenta.encima / cuenta.sombra),
-                   imagenes[0]);
+        m.variante(formatea("(%g, %g)", double(d.x), double(d.y)),
+                   formatea("falta %.2g %% de la sombra y sobra %.2g %%", 100 * falta / sombra,
+                            100 * sobra / sombra),
+                   100 * (falta + sobra) / sombra, 1, yEspera([&] { escena.dibuja(VISTAS[0], d); }), primera);
     }
 }
 

@@ -22,10 +22,9 @@ static void mideSombreado(Medidor &m) {
     abreContexto();
     const Framebuffer framebuffer(m.elige(64, 640), m.elige(48, 480));
     glEnable(GL_DEPTH_TEST);
-    const oraculo::ImagenRef ref = oraculo::render(
-        {oraculo::esfera({})}, camaraExacta(), framebuffer.ancho, framebuffer.alto,
-        [](const oraculo::Impacto &i) { return i ? phongExacto(i.punto, i.normal) : exacto(FONDO); });
+    const oraculo::ImagenRef ref = trazaEsfera(framebuffer);
     m.referencia = oraculo::enBytes(ref);
+    const Dibujadas variante{m, framebuffer, [&](const Imagen &i) { return errorDeFrente(i, ref); }};
     const struct {
         const char *nombre;
         GLuint programa;
@@ -39,16 +38,9 @@ static void mideSombreado(Medidor &m) {
         {"Phong", creaSombreado("phong"), {12, 24, 48, 192}}};
     for (const auto &modelo : MODELOS)
         for (const int n : modelo.segmentos) {
-            const Buferes b =
-                creaBuferes(modelo.nombre == std::string("plano") ? facetas(esfera(n)) : esfera(n));
-            enviaEscena(modelo.programa, framebuffer);
-            const auto dibuja = [&] {
-                framebuffer.borra(FONDO);
-                dibujaIluminado(modelo.programa, b, glm::mat4(1), camaraEscena(), CORAL);
-            };
-            mideImagen(m, formatea("%s de %d", modelo.nombre, n), framebuffer, dibuja,
-                       [&](const Imagen &i) { return errorDeFrente(i, ref); });
-            borraBuferes(b);
+            const bool plano = modelo.nombre == std::string("plano");
+            mideIluminada(variante, framebuffer, formatea("%s de %d", modelo.nombre, n), "", modelo.programa,
+                          plano ? facetas(esfera(n)) : esfera(n), glm::mat4(1));
         }
 }
 

@@ -12,13 +12,13 @@ static void mideSuelos(Medidor &m) {
         const Framebuffer framebuffer(m.elige(32, ancho), m.elige(24, alto));
         const std::string talla = " " + std::to_string(ancho) + "×" + std::to_string(alto);
         m.grupo = talla.substr(1);
-        m.variante("borrar" + talla, NAN, 1, yEspera([&] { framebuffer.borra({1, 1, 1}); }));
-        m.variante("llenar" + talla, NAN, 1, yEspera([&] {
+        m.variante("borrar" + talla, "", NAN, 1, yEspera([&] { framebuffer.borra({1, 1, 1}); }));
+        m.variante("llenar" + talla, "", NAN, 1, yEspera([&] {
                        framebuffer.borra({1, 1, 1});
                        glUseProgram(programa);
                        dibujaRectangulo();
                    }));
-        m.variante("llenar y leer" + talla, NAN, 1, [&] {
+        m.variante("llenar y leer" + talla, "", NAN, 1, [&] {
             framebuffer.borra({1, 1, 1});
             dibujaRectangulo();
             usa(framebuffer.lee());

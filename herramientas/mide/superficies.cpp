@@ -9,38 +9,53 @@ using namespace mide;
 
 static const double PIXEL = 1 / 110.0; // la tetera mide 6.4 unidades
 
-// La malla de un parche con esa división: los mismos puntos que teselaParches.
+static glm::dvec3 punto(const Parche &q, const glm::dvec2 &uv) {
+    return parche::posicion(q, parche::pesos0(uv.x, 1 - uv.x), parche::pesos0(uv.y, 1 - uv.y));
+}
+
+// Los vértices de un parche con esa división: los mismos que hace teselaParches.
 static void tesela(const Parche &q, const Division &d, std::vector<Vertice> &vertices) {
     for (int j = 0; j <= d.nv; ++j)
         for (int i = 0; i <= d.nu; ++i) {
-            const double u = double(i) / d.nu, v = double(j) / d.nv;
-            vertices.push_back({parche::posicion(q, parche::pesos0(u, 1 - u), parche::pesos0(v, 1 - v)),
-                                parche::normal(q, u, v),
-                                {u, v}});
+            const glm::dvec2 uv(double(i) / d.nu, double(j) / d.nv);
+            vertices.push_back({punto(q, uv), parche::normal(q, uv.x, uv.y), uv});
         }
 }
 
-// Lo más que se separan, en píxeles, los triángulos de una división del punto de la superficie de la misma (u, v): en
-// los lados y en el centro de cada triángulo.
+// Lo más que se separa, en píxeles, un triángulo del punto de la superficie de la misma (u, v): en los lados y en el
+// centro.
+static double separa(const Parche &q, const std::array<glm::dvec2, 3> &uv,
+                     const std::array<glm::dvec3, 3> &p) {
+    double mayor = 0;
+    for (const glm::dvec3 w : {glm::dvec3(.5, .5, 0), {0, .5, .5}, {.5, 0, .5}, glm::dvec3(1 / 3.0)})
+        mayor = std::max(mayor, glm::length(punto(q, w.x * uv[0] + w.y * uv[1] + w.z * uv[2]) -
+                                            (w.x * p[0] + w.y * p[1] + w.z * p[2])));
+    return mayor / PIXEL;
+}
+
 static double error(const Parche &q, const Division &d) {
-    const auto punto = [&](double u, double v) {
-        return parche::posicion(q, parche::pesos0(u, 1 - u), parche::pesos0(v, 1 - v));
-    };
     const double hu = 1.0 / d.nu, hv = 1.0 / d.nv;
     double mayor = 0;
     for (int j = 0; j < d.nv; ++j)
         for (int i = 0; i < d.nu; ++i) {
             const glm::dvec2 a(i * hu, j * hv), b(a.x + hu, a.y), c(a.x + hu, a.y + hv), e(a.x, a.y + hv);
-            for (const auto &[x, y, z] : {std::array{a, b, c}, {a, c, e}})
-                for (const glm::dvec3 w :
-                     {glm::dvec3(.5, .5, 0), {0, .5, .5}, {.5, 0, .5}, glm::dvec3(1 / 3.0)}) {
-                    const glm::dvec2 uv = w.x * x + w.y * y + w.z * z;
-                    mayor = std::max(mayor, glm::length(punto(uv.x, uv.y) - w.x * punto(x.x, x.y) -
-                                                        w.y * punto(y.x, y.y) - w.z * punto(z.x, z.y)));
-                }
+            for (const auto &uv : {std::array{a, b, c}, {a, c, e}})
+                mayor = std::max(mayor, separa(q, uv, {punto(q, uv[0]), punto(q, uv[1]), punto(q, uv[2])}));
         }
-    return mayor / PIXEL;
+    return mayor;
 }
+
+#ifdef LAB_PAR_GLU
+static void mideGlu(Medidor &m, const std::vector<Parche> &parches, float tolerancia) {
+    double mayor = 0;
+    const Recogido r = teselaGlu(parches, PIXEL, tolerancia);
+    for (const auto &[cual, t] : r.triangulos)
+        mayor = std::max(mayor, separa(parches[cual], {t[0].uv, t[1].uv, t[2].uv}, {t[0].p, t[1].p, t[2].p}));
+    m.variante(formatea("par: GLU, pidiendo %g px", double(tolerancia)),
+               std::to_string(r.triangulos.size()) + " triángulos", mayor, 1,
+               [&] { usa(teselaGlu(parches, PIXEL, tolerancia).triangulos.data()); });
+}
+#endif
 
 static void mideSuperficies(Medidor &m) {
     const std::vector<Parche> parches = leeParches("assets/tetera.txt");
@@ -52,7 +67,7 @@ static void mideSuperficies(Medidor &m) {
             mayor = std::max(mayor, error(parches[k], d[k]));
             triangulos += 2 * d[k].nu * d[k].nv;
         }
-        m.variante(nombre, mayor, 1, trabajo, std::to_string(triangulos) + " triángulos");
+        m.variante(nombre, std::to_string(triangulos) + " triángulos", mayor, 1, trabajo);
     };
     const auto sueltos = [&](const std::vector<Division> &d) {
         std::vector<Vertice> vertices;
@@ -62,21 +77,21 @@ static void mideSuperficies(Medidor &m) {
     };
     for (const int n : m.elige<std::vector<int>>({4, 8}, {4, 8, 16, 32, 64})) {
         const std::vector<Division> d(parches.size(), {n, n});
-        variante(std::to_string(n) + "×" + std::to_string(n), d, [&] { sueltos(d); });
+        variante(formatea("%d×%d", n, n), d, [&] { sueltos(d); });
     }
-    const auto cadaUno = [&](double tolerancia) {
+    const auto cadaUno = [&] {
         std::vector<Division> d;
         for (const Parche &q : parches)
-            d.push_back(divisionPara(q, tolerancia * PIXEL));
+            d.push_back(divisionPara(q, 0.5 * PIXEL));
         return d;
     };
-    variante("cota de cada parche, 0.5 px", cadaUno(0.5), [&] { sueltos(cadaUno(0.5)); });
+    variante("cota de cada parche, 0.5 px", cadaUno(), [&] { sueltos(cadaUno()); });
     for (const double t : {0.5, 0.1})
-        variante("cota de la tira, " + std::string(t < 0.3 ? "0.1" : "0.5") + " px",
-                 divisionesPara(parches, t * PIXEL), [&] { usa(teselaParches(parches, t * PIXEL)); });
+        variante(formatea("cota de la tira, %g px", t), divisionesPara(parches, t * PIXEL),
+                 [&] { usa(teselaParches(parches, t * PIXEL)); });
 #ifdef LAB_PAR_GLU
-    mideGlu(m, parches, PIXEL, 0.5f, "par: GLU, pidiendo 0.5 px");
-    mideGlu(m, parches, PIXEL, m.elige(0.5f, 0.04f), "par: GLU, pidiendo 0.04 px");
+    for (const float tolerancia : m.elige<std::vector<float>>({0.5f}, {0.5f, 0.04f}))
+        mideGlu(m, parches, tolerancia);
 #endif
 }
 

@@ -18,13 +18,9 @@ from web.pagina import TEXTURAS, Pagina
 AQUI = Path(__file__).parent
 MINGW = "x86_64-w64-mingw32-"
 DLL = "libstdc++-6.dll", "libgcc_s_seh-1.dll", "libwinpthread-1.dll"
-DOC = Path("/usr/share/doc")
-LICENCIAS = {
-    "gcc": DOC / "g++-mingw-w64-x86-64-posix",
-    "mingw-w64": DOC / "mingw-w64-common",
-    "glm": DOC / "libglm-dev",
-    "dejavu": DOC / "fonts-dejavu-core",
-}
+# de qué paquete es cada una de las demás
+LICENCIAS = {"gcc": "g++-mingw-w64-x86-64-posix", "mingw-w64": "mingw-w64-common", "glm": "libglm-dev"}
+LICENCIAS |= {"dejavu": "fonts-dejavu-core"}
 
 
 class Paquete:
@@ -46,15 +42,9 @@ class Paquete:
             self.mete(f"programas/{dll.name}", dll)
         with tempfile.TemporaryDirectory() as carpeta:
             for nombre in DLL:
+                entera = ejecuta([MINGW + "g++-posix", f"-print-file-name={nombre}"], text=True).strip()
                 aligerada = Path(carpeta, nombre)  # las de GCC llevan veinte megas para depurar
-                ejecuta(
-                    [
-                        MINGW + "strip",
-                        "-o",
-                        aligerada,
-                        ejecuta([MINGW + "g++-posix", f"-print-file-name={nombre}"], text=True).strip(),
-                    ]
-                )
+                ejecuta([MINGW + "strip", "-o", aligerada, entera])
                 self.mete(f"programas/{nombre}", aligerada)
 
     def mete_datos(self):
@@ -72,7 +62,7 @@ class Paquete:
             "laboratorio": self.raiz / "LICENSE",
             "freeglut": fuentes / "freeglut/COPYING",
             "glew": fuentes / "glew/LICENSE.txt",
-            **{n: paquete / "copyright" for n, paquete in LICENCIAS.items()},
+            **{nombre: Path("/usr/share/doc", paquete, "copyright") for nombre, paquete in LICENCIAS.items()},
         }.items():
             self.mete(f"licencias/{nombre}.txt", fichero)
 
@@ -80,13 +70,9 @@ class Paquete:
         miniaturas = {p.nombre: self.web.miniatura(p.casos[0]) for p in self.programas}
         for miniatura in filter(None, miniaturas.values()):
             self.mete(f"imagenes/{miniatura}", self.web.destino / miniatura)
-        paginas.escribe_pagina(
-            self.web.destino,
-            AQUI / "windows.html",
-            capitulos=catalogo.lee(self.build),
-            miniaturas=miniaturas,
-            controles={p.nombre: [c.texto for c in controles.lee(self.raiz, p)] for p in self.programas},
-        )
+        mandos = {p.nombre: [c.texto for c in controles.lee(self.raiz, p)] for p in self.programas}
+        datos = {"capitulos": catalogo.lee(self.build), "miniaturas": miniaturas, "controles": mandos}
+        paginas.escribe_pagina(self.web.destino, AQUI / "windows.html", **datos)
         self.mete("index.html", self.web.destino / "index.html")
         leeme = (AQUI / "windows_leeme.txt").read_text().replace("\n", "\r\n")  # para el Bloc de notas
         self.zip.writestr("laboratorio/LEEME.txt", leeme)

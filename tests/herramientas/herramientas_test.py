@@ -479,6 +479,39 @@ def test_lo_que_se_pide_es_eso_y_nada_mas():
         assert all(catalogo.casos(programas, c.fichero) == [c] for c in suyos if c.fichero != p.nombre)
 
 
+# a qué lleva, o qué se contesta | lo que se pide
+REFERENCIAS = """
+sombreado | L5.1, l5.1, listado 5.1, Listado 5.1, list. 5.1
+grua | ejercicio 3.5, Figura 3.3, fig. 3.3, Grua, Grúa, ch03_transformaciones/grua, ch03_transformaciones/grua.cpp
+giro_eje | ecuación 3.9, apartado 3.4, §3.4
+materiales | tabla 5.1
+varias_luces | 5.7
+repeticion filtrado | 6.2.2
+eventos menu seleccion | ch10_interaccion, ch10, capítulo 10, Capitulo 10, cap. 10
+L5.1 (sombreado) | 5.1
+textura3d_animada luces_animadas), L12.1 (ruido_vertices), F12.1 (mosaico): di cuál | 12.1
+lo más parecido: grua | grula, ch04_vista3d/grua
+lo más parecido: L5. | listado 5.9
+"""
+
+
+def test_como_la_gente_escribe_una_referencia():
+    programas = catalogo.lee_programas(BUILD)
+    for fila in REFERENCIAS.strip().splitlines():
+        lleva, pedidos = fila.split(" | ")
+        for pedido in pedidos.split(", "):
+            try:
+                assert " ".join(p.nombre for p in catalogo.resuelve(programas, pedido)) == lleva
+            except catalogo.Fallo as fallo:
+                assert lleva in str(fallo)
+    assert "ch05" == catalogo.abrevia("ch5") == catalogo.abrevia("capítulo 5") == catalogo.abrevia("cap 05")
+    assert catalogo.juntas("ver Listado 5.1 -geometry 9 captura 5.1 fig. 3 grua 1 2".split()) == [
+        *("ver", "Listado 5.1", "-geometry", "9", "captura", "5.1", "fig. 3", "grua", "1", "2")
+    ]
+    hay = nuevo.ejercicios(RAIZ, programas)
+    assert {nuevo.ejercicio_pedido(p, hay) for p in ("E3.5", "e3.5", "3.5", "Ejercicio 3.5")} == {"E3.5"}
+
+
 # --- ejercicios -----------------------------------------------------------------------------------------------------
 
 

@@ -87,7 +87,7 @@ PARA_CTEST = {
     "-I 2,,3 --todo": ["-I", "2,,3", "-LE", "^muestra$"],
     "-LE ventana": ["-LE", "ventana|^todo$"],
     "-L imagen -j 4": ["-L", "imagen", "-j", "4"],
-    "--rerun-failed": ["-LE", "^todo$", "--rerun-failed"],
+    "--rerun-failed": ["--rerun-failed", "-LE", "^todo$"],
 }
 
 

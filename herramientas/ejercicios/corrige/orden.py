@@ -65,7 +65,7 @@ def positivo(texto):
 
 def ejercicio(raiz, programas, pedido):
     hay = {**nuevo.ejercicios(raiz, programas), **shaders.ejercicios(raiz, programas)}
-    ref = pedido if pedido in hay else (pedido or "").upper()
+    ref = nuevo.ejercicio_pedido(pedido or "", hay)
     if ref not in hay:
         que = f"«{pedido}» no es un ejercicio que se pueda corregir" if pedido else "di qué ejercicio es"
         raise Fallo(f"{que}: {', '.join(hay)}")
