@@ -30,7 +30,6 @@ class Mutante:
     pruebas: list = field(default_factory=list)  # las que lo usan
     notado: str = ""
     por: str = ""  # encima o golden, si no lo nota nada más
-    antes: str = ""  # lo que lo notó la última vez
 
     @property
     def nombre(self):
@@ -44,15 +43,6 @@ class Mutante:
     @property
     def en_shader(self):
         return self.fichero.endswith(SHADERS)
-
-    @property
-    def en_copia(self):
-        """Si no se compila: se cambia en una copia del árbol."""
-        return self.de_bash or self.fichero.endswith((".py", ".mjs", ".js", ".html", ".css"))
-
-    @property
-    def de_bash(self):
-        return self.fichero in ("lab", ".ci/run") or self.fichero.endswith(".sh")
 
     def es_de(self, pedido):
         """Si es lo que se pide: su lista, él, su fichero, su carpeta o el capítulo o el programa por los que empiezan
