@@ -28,7 +28,7 @@ from base import catalogo, guiones, procesos
 from base.fuentes import SHADERS
 from ejercicios import ensayo, nuevo
 from ejercicios.corrige import clase as de_clase
-from ejercicios.corrige import compilador, entrega, informes, jaula, motivos
+from ejercicios.corrige import compilador, entrega, informes, jaula, lector, motivos
 from ejercicios.corrige import orden as orden_
 from ejercicios.corrige import partidas, veredicto
 from ejercicios.corrige.arbitro import BIEN, CASI, Arbitro, aparte
@@ -345,7 +345,7 @@ def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, 
     ficheros = [tmp_path / "j.xml", d / "notas.csv", d / "index.html", *d.glob("*.json"), *d.glob("comentarios/*.html")]
     escrito += "".join(f.read_text().replace("\r\n", "\n") for f in ficheros)
     assert {c for c in escrito if not c.isprintable()} <= {"\n"}
-    assert max(map(len, escrito.split("\n"))) < 4 * entrega.LETRAS + 300
+    assert max(map(len, escrito.split("\n"))) < 4 * lector.LETRAS + 300
     assert len(xml.parse(tmp_path / "j.xml").getroot()) == len(list(d.glob("*.json"))) == len(hostiles)
     filas = list(csv.reader(io.StringIO((d / "notas.csv").read_text())))
     assert len(filas) == len(hostiles) + 1 and not [c for f in filas for c in f if c[:1] in tuple("=+-@")]
