@@ -38,8 +38,7 @@ def con_todas(raiz, texto, perturbaciones):
     """Un fuente con todas esas dentro, que elige $LAB_MUTANTE."""
     trozos = defaultdict(list)
     for n, p in perturbaciones.items():
-        for desde, hasta, otro in p.cambios:
-            trozos[desde, hasta].append((n, otro))
+        trozos[p.desde, p.hasta].append((n, p.otro))
     for (desde, hasta), alternativas in sorted(trozos.items(), reverse=True):
         texto = texto[:desde] + con_lineas(texto, desde, hasta, alternativas) + texto[hasta:]
     incluye = (defectos.MUTANTE_H, "herramientas/ejercicios/otro_factor.h") if trozos else ()
@@ -60,9 +59,7 @@ def culpables(dice, textos, vivas):
         return suyas - de_rebote or suyas
     nombres = {nombre for _, que in errores for nombre in re.findall(r"‘(\w+)’", que)}
     declara = re.compile(rf"\b(?:{'|'.join(nombres) or '(?!)'})\s*[=({{]\s*\Z")
-    return {
-        n for n, (f, p) in vivas.items() if declara.search(textos[f], max(0, p.cambios[0][0] - 80), p.cambios[0][0])
-    }
+    return {n for n, (f, p) in vivas.items() if declara.search(textos[f], max(0, p.desde - 80), p.desde)}
 
 
 def con_mutante(jugador, numero):
@@ -98,10 +95,9 @@ class Ensayo:
         en_cpp = {n: p for n, p in self.perturbadas.items() if not p[0].endswith(SHADERS)}
         hechos = self.compila(en_cpp) if en_cpp else {}
         for n, (fichero, p) in self.perturbadas.items():
-            if fichero.endswith(SHADERS) and len(p.cambios) == 1:
-                ((desde, hasta, otro),) = p.cambios
+            if fichero.endswith(SHADERS):
                 texto = self.textos[fichero]
-                jugador = self.con_shader(f"glsl{n}", fichero, texto[:desde] + otro + texto[hasta:])
+                jugador = self.con_shader(f"glsl{n}", fichero, texto[: p.desde] + p.otro + texto[p.hasta :])
                 if self.dibuja(jugador):  # si no, es que no compila
                     hechos[n] = jugador
         return hechos

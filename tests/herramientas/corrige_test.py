@@ -228,7 +228,7 @@ def test_se_ve_que_a_los_guiones_les_falta_un_mando_o_las_tallas(tmp_path, ref, 
     ejercicio.guiones = [
         Guion(g.nombre, tuple(o for o in g.ordenes if not o.startswith(sin)), g.caso) for g in ejercicio.guiones
     ]
-    suyas = {n: quien for n, quien in ejercicio.jugadores().items() if linea in ejercicio.perturbadas[n][1].texto}
+    suyas = {n: quien for n, quien in ejercicio.jugadores().items() if linea in ejercicio.perturbadas[n][1].otro}
     with ThreadPoolExecutor(2) as hilos:
         assert not all(hilos.map(ejercicio.se_nota, suyas.values()))
 
