@@ -213,7 +213,7 @@ class Laboratorio:
     def ejercicio(self, que):
         """comprueba CARPETA: si un ejercicio de quien enseña (ejercicios/NOMBRE, o la carpeta que se diga) está bien
         hecho: las marcas, el esqueleto, la solución, cada control, cada error conocido y cada línea que se pide
-        (docs/ejercicios.md)."""
+        (docs/ejercicios.md). Vale también con los del laboratorio (E3.5, L5.1), que son «todos»."""
         if que.resto[:1] != ["comprueba"]:
             dicho = f"no entiendo «{que.resto[0]}»; " if que.resto else ""
             raise Fallo(f"ejercicio: {dicho}es ./lab ejercicio comprueba ejercicios/NOMBRE")
@@ -233,8 +233,8 @@ class Laboratorio:
 
     def con_su_programa(self, quien, palabras, *objetivos):
         """Lo que haya que compilar depende del ejercicio, que lo sabe quien lo hace."""
-        programa = self.dice(quien, self.raiz, self.build, "--programa", *palabras)
-        self.t.compila_para_usar(*objetivos, f"{programa}_{self.sin_ventana}")
+        programas = self.dice(quien, self.raiz, self.build, "--programa", *palabras).split()
+        self.t.compila_para_usar(*objetivos, *(f"{p}_{self.sin_ventana}" for p in programas))
         self.t.suelta()  # cada corrección es independiente
         os.chdir(self.donde)
         self.pasa_a(quien, self.raiz, self.build, *palabras)
@@ -416,29 +416,13 @@ class Laboratorio:
         """Planta defectos en los programas y en lo que llevan dentro y dice qué prueba nota cada uno.
 
         QUÉ: un capítulo (ch05), un programa, un fichero o uno (ch05:12), y si no, todos (más de media hora). --azar N
-        --semilla S planta N que no ha pensado nadie, en líneas elegidas al azar. --comprueba solo mira las listas;
-        huecos [EJERCICIO…], solo si ./lab corrige ve todo lo que pide cada ejercicio, y senala [EJERCICIO…], si lo que
-        dice que se aparta es donde está el error."""
+        --semilla S planta N que no ha pensado nadie, en líneas elegidas al azar. --comprueba solo mira las listas."""
         paquetes.instala([*paquetes.PARA_USAR, *paquetes.PRUEBAS], self.build)
         self.t.configura("release", self.build)
-        que_son = que.resto[:1]
-        if que_son in (["huecos"], ["senala"], []):
-            estado = self.de_corrige(que_son, que.resto[1:])
-            if que_son or estado:
-                return estado
         self.t.suelta()  # mientras se puede seguir trabajando: los mutantes tienen su carpeta, con su cerrojo
         mutantes = self.build / "mutantes"
         self.t.cierra(mutantes)
         self.pasa_a("pruebas.muta", self.raiz, mutantes, *que.resto)
-
-    def de_corrige(self, que_son, ejercicios):
-        huecos = "pruebas.huecos", self.raiz, self.build, "--semillas", 20, *ejercicios
-        programas = self.dice(*huecos, "--programas", cwd=self.raiz).split()
-        self.t.compila_para_usar("compara", "explica", *(f"{p}_{self.sin_ventana}" for p in programas))
-        estado = self.hace(*huecos) if que_son != ["senala"] else 0
-        if que_son != ["huecos"] and not estado:
-            estado = self.hace("pruebas.senala", self.raiz, self.build, *ejercicios)
-        return estado
 
     # --- lo que no compila --------------------------------------------------------------------------------------------
 
@@ -472,7 +456,7 @@ ORDENES = {
     "lista": "[--tsv|--docs]",
     "mide": "[--ensayo] [TÉCNICA…]",
     "dora": "[--mira] CASO…|todo|visto",
-    "muta": "[QUÉ…|--azar N [--semilla S]|--comprueba|huecos|senala]",
+    "muta": "[QUÉ…|--azar N [--semilla S]|--comprueba]",
     "paquetes": "",
     "completa": "",
 }

@@ -30,7 +30,6 @@ class Mutante:
     pruebas: list = field(default_factory=list)  # las que lo usan
     notado: str = ""
     por: str = ""  # encima o golden, si no lo nota nada más
-    antes: str = ""  # lo que lo notó la última vez
 
     @property
     def nombre(self):

@@ -9,7 +9,8 @@ from pathlib import Path
 
 SHADERS = ".vert", ".frag", ".glsl"
 NOMBRADO = re.compile(r'"([\w./]+\.(?:h|cpp|vert|frag|glsl))"')
-INCLUYE = re.compile(r'^#include "(.*)"$', re.MULTILINE)  # de GLSL, como lo hace common/shader.cpp
+INCLUYE = re.compile(r'[ \t\v\f]*#include[ \t\v\f]*"([^"]+)"[ \t\v\f]*$')  # de GLSL, como lo hace common/shader.cpp
+LINEAS, HONDO = 20000, 8  # de un shader con lo que incluye
 
 
 def nombra(raiz, fichero):
@@ -36,14 +37,38 @@ def alcanza(raiz, *ficheros):
     return list(vistos)
 
 
+def en_lineas(texto):
+    return [linea.rstrip("\r") for linea in texto.removesuffix("\n").split("\n")] if texto else []
+
+
+def con_sitios(lee, shader):
+    """(fichero, número, texto) de cada línea de un shader con lo que incluye ya dentro, hasta un límite, que lo puede
+    haber escrito otro y no acabar nunca. De lo que se incluye, lee() da el fichero y su texto."""
+    salen, quedan = [], LINEAS
+
+    def pon(nombre, hondo):
+        nonlocal quedan
+        fichero, texto = lee(nombre)
+        for numero, linea in enumerate(en_lineas(texto), 1):
+            quedan -= 1
+            if quedan < 0:
+                return
+            if hondo and (incluye := INCLUYE.match(linea)):
+                pon(incluye[1], hondo - 1)
+            else:
+                salen.append((fichero, numero, linea))
+
+    pon(shader, HONDO)
+    return salen
+
+
 def con_inclusiones(raiz, shader, textos=None):
     """Su texto, con el de cada #include en su sitio. De los que estén en TEXTOS vale ese, y no el del fichero."""
 
     def lee(fichero):
-        texto = (textos or {}).get(fichero) or (raiz / fichero).read_text()
-        return INCLUYE.sub(lambda hallado: lee(hallado[1]).rstrip("\n"), texto)
+        return fichero, (textos or {}).get(fichero) or (raiz / fichero).read_text()
 
-    return lee(str(shader))
+    return "".join(f"{linea}\n" for *_, linea in con_sitios(lee, str(shader)))
 
 
 def main():

@@ -1,6 +1,7 @@
-"""comprueba.py RAÍZ BUILD EJERCICIO [--programa]: si un ejercicio está bien hecho, en una línea por pregunta, con su
+"""comprueba.py RAÍZ BUILD EJERCICIO… [--programa]: si cada ejercicio está bien hecho, en una línea por pregunta, con su
 cifra: las marcas, el esqueleto, la solución, si cada control y cada línea que se pide los ve algún guion, y si los
-errores conocidos se distinguen. Con --programa solo dice qué hay que compilar antes."""
+errores conocidos se distinguen. Los del laboratorio son «todos»; de ellos, además, que la solución escrita de otra
+manera (bien/) también vale. Con --programa solo dice qué hay que compilar antes."""
 import itertools
 import os
 import re
@@ -10,18 +11,20 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from base import controles
+from base import controles, defectos
 from base.guiones import sin_veces
 from base.procesos import Fallo, principal
 from ejercicios import nuevo, propios, reglas
-from ejercicios.corrige import partidas
+from ejercicios.corrige import partidas, shaders
 from ejercicios.corrige.arbitro import suma
 from ejercicios.corrige.entrega import Rechazo, limpio
 from ejercicios.corrige.motivos import como_acaba
-from ejercicios.ensayo import POCOS, Ensayo
+from ejercicios.corrige.orden import ejercicio
+from ejercicios.ensayo import Ensayo
 
+BIEN = "herramientas/ejercicios/bien"
 SUSPENSO = 60  # el esqueleto no llega
-SEMILLA = "1"  # la de ./lab corrige, si no se dice otra
+POCOS = 3  # guiones al azar con que se distinguen casi todos los errores
 MANDOS = {controles.clic: "el ratón", controles.rueda: "la rueda", controles.tiempo: "el tiempo"}
 SON = {controles.clic: ("boton", "arrastra", "mueve"), controles.rueda: ("rueda",), controles.tiempo: ("espera",)}
 
@@ -36,7 +39,8 @@ def enumera(cosas, cuantas=5):
 def marcas(raiz, programa, ref):
     """Cuántos trozos se piden; los que no se cierran o se cierran sin abrir."""
     mal, cuantos, otras = [], 0, set()
-    for f, texto in nuevo.de_la_carpeta(raiz, programa, ref).items():
+    de_quien = nuevo.pedidos if nuevo.es_de_shaders(ref) else nuevo.de_la_carpeta
+    for f, texto in de_quien(raiz, programa, ref).items():
         abierta = 0
         for n, renglon in enumerate(texto.splitlines(), 1):
             cierra = re.fullmatch(r" *// fin de (\S+)\s*", renglon)
@@ -76,17 +80,19 @@ def enunciado(programa):
 
 class Comprobacion(Ensayo):
     def __init__(self, raiz, build, ref, programa, temporal, hilos):
-        super().__init__(raiz, build, ref, programa, temporal, [SEMILLA], reglas.del_programa(programa))
+        puntua = reglas.del_programa(programa, como_siempre=shaders.reglas(ref))
+        super().__init__(raiz, build, ref, programa, temporal, puntua)
         self.build, self.hilos, self.arbitro = build, hilos, self.banco.arbitro
+        self.casos = [g for g in self.guiones if g.caso]
 
     def solucion_acaba(self):
         """Cada guion llega al final: si no, no hay con qué comparar."""
-        todos = self.banco.todos
-        self.esperadas = dict(zip(todos, self.hilos.map(lambda g: self.arbitro.juega(self.solucion, g), todos)))
+        juega = lambda g: self.arbitro.juega(self.solucion, g)
+        self.esperadas = dict(zip(self.guiones, self.hilos.map(juega, self.guiones)))
         acaban = {g: como_acaba(p, g) for g, p in self.esperadas.items()}
         # de lo que dice el programa, lo primero
         mal = [f"{g.nombre}: {limpio(dice)}" for g, dice in acaban.items() if dice]
-        return "guiones", f"los {len(todos)} llegan al final", mal
+        return "guiones", f"los {len(self.guiones)} llegan al final", mal
 
     def entregado(self, textos, nombre):
         """La nota de esos ficheros, compilados como una entrega, y por qué no compilan, si no compilan."""
@@ -94,18 +100,17 @@ class Comprobacion(Ensayo):
             jugador = self.banco.compilador.compila(textos, self.temporal / nombre, ajena=False)
         except Rechazo as rechazo:
             return 0, [limpio(str(rechazo))]
-        guiones = self.banco.todos
-        jugado = dict(zip(guiones, self.hilos.map(lambda g: self.juega(jugador, [g])[g], guiones)))
-        return self.nota(jugado), []
+        jugado = self.hilos.map(lambda g: self.juega(jugador, [g])[g], self.guiones)
+        return self.nota(dict(zip(self.guiones, jugado))), []
 
     def esqueleto(self):
-        nota, mal = self.entregado(nuevo.esqueleto(self.raiz, self.programa, self.ref), "de_partida")
+        nota, mal = self.entregado(self.banco.dados[0], "de_partida")
         if not mal and nota >= SUSPENSO:
             mal.append(f"sin hacer nada ya se saca {nota:g}: debe ser menos de {SUSPENSO}")
         return "esqueleto", f"{nota:g} de 100", mal
 
     def la_solucion(self):
-        nota, mal = self.entregado(nuevo.solucion(self.raiz, self.programa, self.ref), "resuelto")
+        nota, mal = self.entregado(self.banco.dados[1], "resuelto")
         if not mal and nota < 100:
             mal.append(f"la solución saca {nota:g}: ¿lee la hora, o algo que no está en su carpeta?")
         return "solución", f"{nota:g} de 100", mal
@@ -158,11 +163,11 @@ class Comprobacion(Ensayo):
             quienes = self.de_lista(suyos, "mal")
         except Rechazo:
             return "errores conocidos", f"{len(suyos)}", [*mal, *self.los_que_no_compilan(suyos)]
-        pocos = [*self.casos, *(g for g in self.banco.todos if not g.caso)][: len(self.casos) + POCOS]
+        pocos = self.guiones[: len(self.casos) + POCOS]
         hecho = dict(zip(suyos, self.hilos.map(lambda m: self.resume(quienes[m], pocos), suyos)))
         veces = Counter(repr(deja) for _, deja in hecho.values())
         dudosos = [m for m, (nota, deja) in hecho.items() if nota == 100 or veces[repr(deja)] > 1]
-        hecho |= zip(dudosos, self.hilos.map(lambda m: self.resume(quienes[m], self.banco.todos), dudosos))
+        hecho |= zip(dudosos, self.hilos.map(lambda m: self.resume(quienes[m], self.guiones), dudosos))
         mal += [f"{m.nombre}, {m.imita}: no quita puntos" for m, (nota, _) in hecho.items() if nota == 100]
         for (una, (_, deja)), (otra, (_, dejo)) in itertools.combinations(hecho.items(), 2):
             if una.dice != otra.dice and deja == dejo:
@@ -185,6 +190,14 @@ class Comprobacion(Ensayo):
     def mudos(self):
         return [m for m in self.banco.motivos.defectos if not m.dice] if self.programa.raices else []
 
+    def otras_maneras(self):
+        """La solución, escrita de otra manera: a quien la entregara así no se le quita nada."""
+        otras = [m for m in defectos.lee(self.raiz / BIEN)[0] if m.lista == self.ref]
+        quienes = self.de_lista(otras, "bien")
+        notas = dict(zip(quienes, self.hilos.map(lambda m: self.resume(quienes[m], self.guiones)[0], quienes)))
+        mal = [f"{m.nombre}, {m.imita}: está bien, y saca {nota:g}" for m, nota in notas.items() if nota < 100]
+        return "otras maneras", f"{len(notas)} valen lo mismo", mal
+
     def lineas(self):
         """Cada línea de lo que se pide, estropeada de alguna manera, se nota."""
         try:
@@ -192,7 +205,7 @@ class Comprobacion(Ensayo):
         except Fallo as fallo:
             return "líneas", "0", [limpio(str(fallo))]
         print(f"{len(quienes)} cambios en lo que se pide, uno a uno: es lo que más tarda…", file=sys.stderr, flush=True)
-        notadas = dict(zip(quienes, self.hilos.map(lambda n: not self.no_se_nota(quienes[n]), quienes)))
+        notadas = dict(zip(quienes, self.hilos.map(lambda n: self.se_nota(quienes[n]), quienes)))
         de_linea = {}
         for n, notada in notadas.items():
             fichero, p = self.perturbadas[n]
@@ -219,36 +232,48 @@ def preguntas(raiz, build, ref, programa, temporal, hilos):
         return
     yield suya.esqueleto()
     yield suya.la_solucion()
-    yield suya.controles()
-    yield suya.imagenes()
+    if programa.raices:  # lo demás se pregunta a cada programa del laboratorio, y los de la página juegan sus gestos
+        yield suya.controles()
+        yield suya.imagenes()
     yield suya.errores()
+    if not programa.raices:
+        yield suya.otras_maneras()
     yield suya.lineas()
 
 
-def main():
-    raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
-    que, solo_dice = [p for p in sys.argv[3:] if p != "--programa"], "--programa" in sys.argv
-    if len(que) != 1:
-        raise Fallo("ejercicio comprueba: di qué ejercicio: ./lab ejercicio comprueba ejercicios/NOMBRE")
-    programas, ref = propios.resuelve(raiz, build, que[0])
-    programa = next((p for p in programas if p.raices and p.nombre == ref), None)
-    if not programa:
-        hay = nuevo.ejercicios(raiz, programas)
-        ref = nuevo.ejercicio_pedido(ref, hay)
-        programa = hay.get(ref)
-    if not programa:
-        raise Fallo(f"ejercicio comprueba: no hay ningún ejercicio «{limpio(que[0])}», ni en {propios.CARPETA}/")
-    if solo_dice:
-        return print(programa.objetivo)
+def elige(raiz, build, pedido):
+    """Cada uno de los que se piden, y su programa."""
+    programas, ref = propios.resuelve(raiz, build, pedido)
+    if pedido == "todos":
+        return nuevo.ejercicios(raiz, [p for p in programas if not p.raices]) | shaders.ejercicios(raiz, programas)
+    suyo = next((p for p in programas if p.raices and p.nombre == ref), None)
+    return {ref: suyo} if suyo else dict([ejercicio(raiz, programas, ref)])
+
+
+def comprueba(raiz, build, ref, programa):
+    """Lo que le falta para darlo, tras decir cada cosa."""
     mal = 0
     with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(os.cpu_count()) as hilos:
         for pregunta, cifra, fallos in preguntas(raiz, build, ref, programa, Path(temporal), hilos):
             print(f"mal   {pregunta}: {enumera(fallos)}" if fallos else f"bien  {pregunta}: {cifra}", flush=True)
             mal += bool(fallos)
+    print(f"{ref} {'todavía no ' * bool(mal)}está para darlo", flush=True)
+    return [f"{ref} todavía no está para darlo: {mal} de las preguntas, mal"] if mal else []
+
+
+def main():
+    raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
+    que, solo_dice = [p for p in sys.argv[3:] if p != "--programa"], "--programa" in sys.argv
+    if not que:
+        raise Fallo("ejercicio comprueba: di qué ejercicio: ./lab ejercicio comprueba ejercicios/NOMBRE")
+    hay = {ref: programa for pedido in que for ref, programa in elige(raiz, build, pedido).items()}
+    if solo_dice:
+        return print(*dict.fromkeys(p.objetivo for p in hay.values()))
+    mal = []
+    for ref, programa in hay.items():
+        mal += comprueba(raiz, build, ref, programa)
     if mal:
-        raise Fallo(f"{ref} todavía no está para darlo: {mal} de las preguntas, mal")
-    print(f"{ref} está para darlo")
-    return 0
+        raise Fallo("; ".join(mal))
 
 
 if __name__ == "__main__":

@@ -37,9 +37,3 @@ std::enable_if_t<std::is_pointer_v<T> || (std::is_class_v<T> && std::is_default_
 otroFactor(const T &) {
     return T{};
 }
-
-/// Solo de matrices: lo demás da lo mismo en un orden que en otro.
-template<class A, class B, class = typename A::col_type, class = typename B::col_type>
-auto alReves(const A &a, const B &b) {
-    return b * a;
-}

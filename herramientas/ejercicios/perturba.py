@@ -1,5 +1,5 @@
-"""Lo que va en el hueco de un ejercicio, perturbado: sin una instrucción, con otro signo, con otro factor, con los
-operandos, los argumentos o las instrucciones en otro orden. Vale para C++ y para GLSL, y no todo compila."""
+"""Lo que va en el hueco de un ejercicio, perturbado: sin una instrucción, con otro signo o con otro factor. Vale para C++
+y para GLSL, y no todo compila."""
 import re
 from dataclasses import dataclass
 
@@ -23,27 +23,18 @@ CON_CONDICION = "for", "while", "if", "switch"
 TIPOS = "int", "float", "double", "bool", "char", "void", "unsigned", "const"
 OTRO = {"+": "-", "-": "+", "*": "/", "/": "*", "<": "<=", ">": ">=", "<=": "<", ">=": ">", "==": "!=", "!=": "=="}
 OTRO |= {"&&": "||", "||": "&&", "+=": "-=", "-=": "+=", "*=": "/=", "%": "+", "!": ""}
+NO_ES_VALOR = "=", "+=", "-=", "*=", "/=", "<", "++", "--"  # lo que tiene eso detrás
 CIERRA = {"(": ")", "[": "]", "{": "}"}
-CONMUTAN = "std::max", "std::min", "std::minmax", "glm::dot", "max", "min", "dot"
-
-
-@dataclass(frozen=True)
-class Lengua:
-    """Cómo se escriben otro factor y, si hay matrices, un producto en otro orden."""
-
-    factores: tuple
-    producto: str = ""
-
-
-EN_CPP, EN_GLSL = Lengua(("otroFactor({})",), "alReves({}, {})"), Lengua(("({} * 1.25)", "({} + 1)"))
+EN_CPP, EN_GLSL = ("otroFactor({})",), ("({} * 1.25)", "({} + 1)")  # cómo se escribe otro factor
 
 
 @dataclass(frozen=True)
 class Perturbacion:
     que: str
-    cambios: tuple  # (desde, hasta, lo que va en su lugar) de trozos enteros del fuente
+    desde: int  # de un trozo entero del fuente
+    hasta: int
+    otro: str  # lo que va en su lugar
     linea: int
-    texto: str  # cómo queda
 
 
 def sin_comentarios(texto):
@@ -85,31 +76,6 @@ class Trozo:
             i = self.pareja.get(i + 1, i + 1) if self[i + 1] in CIERRA else i + 2
         return min(i, len(self.palabras) - 1)
 
-    def primario_antes(self, i):
-        """Desde qué palabra viene el que acaba en i."""
-        while True:
-            if self[i] in CIERRA.values():
-                i = self.pareja.get(i, i)
-                if not self.es_nombre(i - 1) and self[i - 1] not in (")", "]"):
-                    return max(i, 0)
-                i -= 1
-            elif self[i - 1] in (".", "->"):
-                i -= 2
-            else:
-                return max(i, 0)
-
-    def termino(self, i):
-        i = self.primario(i)
-        while self[i + 1] in ("*", "/", "%"):
-            i = self.primario(i + 2)
-        return i
-
-    def termino_antes(self, i):
-        i = self.primario_antes(i)
-        while self[i - 1] in ("*", "/", "%"):
-            i = self.primario_antes(i - 2)
-        return i
-
     def es_binario(self, i):
         return (
             0 < i < len(self.palabras) - 1
@@ -117,19 +83,12 @@ class Trozo:
             and self[i - 1] != "return"
         )
 
-    def con(self, *cambios):
-        """El texto con lo de esas palabras, [de, a], cambiado."""
-        texto = self.texto
-        for de, a, otro in sorted(cambios, reverse=True):
-            texto = texto[: self.palabras[de][1]] + otro + texto[self.palabras[a][2] :]
-        return texto
+    def con(self, i, j, otro):
+        """El texto con lo que hay de una palabra a otra cambiado."""
+        return self.texto[: self.palabras[i][1]] + otro + self.texto[self.palabras[j][2] :]
 
     def de(self, i, j):
         return self.texto[self.palabras[i][1] : self.palabras[j][2]]
-
-    def cambiados(self, *lados):
-        (a, b), (c, d) = lados
-        return self.con((a, b, self.de(c, d)), (c, d, self.de(a, b)))
 
     def partes(self, abre, cierra, coma=","):
         """Los argumentos entre esas dos palabras, [de, a]."""
@@ -142,55 +101,18 @@ class Trozo:
             i = self.pareja.get(i, i) + 1 if self[i] in CIERRA else i + 1
         return partes
 
-    def clase(self, i, lengua):
-        """Para no cambiar un argumento por otro que no puede ser del mismo tipo; en C++, de una función, casi nunca un
-        número por otra cosa."""
-        if '"' in self[i] or self[i][0] in "&['{":
-            return self[i][0]
-        return "número" if lengua.producto and self[i][0].isdigit() else "valor"
-
-    def perturba(self, lengua):
+    def perturba(self, factores):
         """(qué, cómo queda) de cada una de las que se le pueden hacer."""
         for i, (p, *_) in enumerate(self.palabras):
             if p in OTRO:
-                yield "operación", self.con((i, i, OTRO[p] if self.es_binario(i) else ""))
-            if p in ("*", "-", "/") and self.es_binario(i) and (p != "*" or lengua.producto):
-                antes, hasta = (self.primario_antes, self.primario) if p != "-" else (self.termino_antes, self.termino)
-                una, otra = (antes(i - 1), i - 1), (i + 1, hasta(i + 1))
-                if p == "-" and self[una[0] - 1] in ("-", "+"):  # −a − b es −b − a
-                    continue
-                if p == "*" and (self[una[0]][0].isdigit() or self[otra[0]][0].isdigit()):  # da lo mismo en otro orden
-                    continue
-                producto = lengua.producto.format(self.de(*una), self.de(*otra))
-                yield "operandos", self.con((una[0], otra[1], producto)) if p == "*" else self.cambiados(una, otra)
-            if p == "?" and (otra := next((j for j in range(i, len(self.palabras)) if self[j] == ":"), 0)):
-                fin = otra + 1
-                while fin < len(self.palabras) and self[fin] not in (",", ")", "}", ";"):
-                    fin = self.pareja.get(fin, fin) + 1 if self[fin] in CIERRA else fin + 1
-                if i + 1 < otra < fin - 1:
-                    yield "las dos ramas", self.cambiados((i + 1, otra - 1), (otra + 1, fin - 1))
-            if (
-                p in "([{"
-                and i in self.pareja
-                and self[i - 1] not in ("]", *CONMUTAN)
-                and (p != "{" or self[i - 2] not in CONMUTAN)
-            ):
-                partes = self.partes(i, self.pareja[i])
-                for una, otra in zip(partes, partes[1:]):
-                    es_valor = p != "(" or re.search(r"(vec|mat)\d$", self[i - 1])
-                    if es_valor or self.clase(una[0], lengua) == self.clase(otra[0], lengua):
-                        yield "argumentos", self.cambiados(una, otra)
+                yield "operación", self.con(i, i, OTRO[p] if self.es_binario(i) else "")
             if self.es_nombre(i) and self[i - 1] not in (".", "->", "++", "--", "&") and p[0] not in "\"'":
                 fin = self.primario(i)
                 instruccion = i == 0 and self[fin + 1] == ";"  # no da nada que se use
                 sigue = self[fin + 1]
-                if (
-                    sigue not in ("=", "+=", "-=", "*=", "/=", "<", "++", "--")
-                    and not sigue[:1].isalpha()
-                    and not instruccion
-                ):
-                    for factor in lengua.factores:
-                        yield "factor", self.con((i, fin, factor.format(self.de(i, fin))))
+                if sigue not in NO_ES_VALOR and not sigue[:1].isalpha() and not instruccion:
+                    for factor in factores:
+                        yield "factor", self.con(i, fin, factor.format(self.de(i, fin)))
 
 
 class Hueco:
@@ -312,20 +234,9 @@ class Hueco:
 
 def perturbaciones(texto, desde, hasta, glsl):
     """Todas las de ese hueco."""
-    hechas, anterior = [], None
-
-    def apunta(que, *cambios):
-        linea = texto.count("\n", 0, cambios[0][0]) + 1
-        hechas.append(Perturbacion(que, cambios, linea, re.sub(r"\s+", " ", cambios[-1][2])))
-
     for de, a, instruccion in Hueco(texto, desde, hasta).trozos():
         original = re.sub(r"\s+", " ", sin_comentarios(texto[de:a]))
-        for que, otro in dict.fromkeys(Trozo(original).perturba(EN_GLSL if glsl else EN_CPP)):
+        otros = dict.fromkeys(Trozo(original).perturba(EN_GLSL if glsl else EN_CPP))
+        for que, otro in [*otros, *[("sin ella", ";")] * instruccion]:
             if otro != original:
-                apunta(que, (de, a, otro))
-        if instruccion:
-            apunta("sin ella", (de, a, ";"))
-            if anterior and not texto[anterior[1] : de].strip():
-                apunta("orden", (*anterior[:2], ";"), (de, a, f"{original} {anterior[2]}"))
-        anterior = (de, a, original) if instruccion else None
-    return hechas
+                yield Perturbacion(que, de, a, otro, texto.count("\n", 0, de) + 1)

@@ -2,7 +2,7 @@
 import os
 from pathlib import Path
 
-from base.fuentes import INCLUYE
+from base.fuentes import con_sitios
 
 
 def carpetas(raiz):
@@ -12,14 +12,12 @@ def carpetas(raiz):
 
 def lineas(donde, fichero):
     """Las de ese shader, con lo que incluye en su sitio: (fichero, número, texto). Ninguna si no está."""
-    ruta = next((c / fichero for c in donde if (c / fichero).is_file()), None)
-    if not ruta:
-        return []
-    todas = []
-    for numero, texto in enumerate(ruta.read_text(errors="replace").splitlines(), 1):
-        incluido = INCLUYE.match(texto)
-        todas += lineas(donde, incluido[1]) if incluido else [(fichero, numero, texto)]
-    return todas
+
+    def lee(nombre):
+        ruta = next((c / nombre for c in donde if (c / nombre).is_file()), None)
+        return nombre, ruta.read_text(errors="replace") if ruta else ""
+
+    return con_sitios(lee, fichero)
 
 
 def situa(lineas_, fuente):

@@ -40,12 +40,11 @@ def cuerpos(texto):
 
 
 def de_fichero(texto, glsl):
-    """Las perturbaciones de un solo cambio, por líneas."""
+    """Las perturbaciones, por líneas."""
     lineas = {}
     for desde, hasta in cuerpos(texto):
         for p in perturbaciones(texto, desde, hasta, glsl):
-            if len(p.cambios) == 1:
-                lineas.setdefault(p.linea, []).append(p)
+            lineas.setdefault(p.linea, []).append(p)
     return lineas
 
 
@@ -78,19 +77,10 @@ def elige(raiz, build, cuantos, semilla, no_compila_glsl):
             continue
         linea = azar.choice(sorted(lineas[fichero]))
         p = azar.choice(lineas[fichero][linea])
-        [(desde, hasta, nuevo)] = p.cambios
-        imita = f"línea {linea}, {p.que}: «{texto[desde:hasta]}» → «{nuevo}»".replace("\n", " ")
-        m = AlAzar(
-            "azar",
-            len(elegidos) + 1,
-            len(elegidos) + 1,
-            relativo,
-            texto[desde:hasta],
-            nuevo,
-            imita,
-            desde=desde,
-            hasta=hasta,
-        )
+        antes = texto[p.desde : p.hasta]
+        imita = f"línea {linea}, {p.que}: «{antes}» → «{p.otro}»".replace("\n", " ")
+        n = len(elegidos) + 1
+        m = AlAzar("azar", n, n, relativo, antes, p.otro, imita, desde=p.desde, hasta=p.hasta)
         if (relativo, linea) not in usadas and vale(raiz, build, m, texto, no_compila_glsl):
             usadas.add((relativo, linea))
             elegidos.append(m)

@@ -181,7 +181,6 @@ class Vivero:
         self.sin_ventana = (self.build / "sin_ventana").read_text().strip()
         self.programas = catalogo.lee_programas(self.build)
         pruebas = [f.stem for f in self.copia.glob("tests/*/*_test.cpp") if es_de(f.name, capitulos)]
-        listas = {m.lista for m in self.mutantes}
         self.orden(
             "ninja",
             "-k",
@@ -190,9 +189,7 @@ class Vivero:
             self.build,
             *(pruebas if capitulos else ["tests/all"]),
             "compara",
-            "explica",
             *(["finitos"] if self.sin_ventana == "osmesa" else ()),  # con ello van las propiedades
-            *(["rarezas"] if "explica" in listas else ()),
             *(f"{p.nombre}_{self.sin_ventana}" for p in self.programas),
         )
 
@@ -208,52 +205,24 @@ class Vivero:
 
     def enumera(self, capitulos):
         """Cada TEST y cada caso de esos capítulos, o todos, que son lo que se ejecuta."""
-        pruebas = []
+        pruebas, entorno, casos = [], procesos.entorno(self.build), self.copia / "tests/casos/casos.sh"
         for ejecutable in sorted(self.build / "tests" / f.stem for f in self.copia.glob("tests/*/*_test.cpp")):
-            if not es_de(ejecutable.name, capitulos):
+            for nombre in pruebas_de(ejecutable) if es_de(ejecutable.name, capitulos) else ():
+                orden = [ejecutable, f"--gtest_filter={nombre}"]
+                pruebas.append(Prueba(f"{ejecutable.name[:-5]}.{nombre}", orden, {}, False))
+        for p in self.programas:
+            de = capitulo(p.capitulo.nombre)
+            if p.consola or capitulos and de not in capitulos:
                 continue
-            for nombre in pruebas_de(ejecutable):
-                pruebas.append(
-                    Prueba(f"{ejecutable.name[:-5]}.{nombre}", [ejecutable, f"--gtest_filter={nombre}"], {}, False)
-                )
-        entorno = procesos.entorno(self.build)
-        if not capitulos and any(m.lista == "explica" for m in self.mutantes):
-            pruebas += self.de_explica(entorno)
-        for programa in self.programas:
-            de = capitulo(programa.capitulo.nombre)
-            if not programa.consola and (not capitulos or de in capitulos):
-                orden = [
-                    sys.executable,
-                    "-B",
-                    self.copia / "tests/propiedades/propiedades.py",
-                    self.copia,
-                    self.build,
-                    programa.nombre,
-                ]
-                pruebas.append(Prueba(f"{de} propiedades.{programa.nombre}", orden, entorno, False))
-            hay_pasos = (self.copia / f"tests/golden/{programa.capitulo.nombre}/{programa.nombre}.pasos").exists()
-            if hay_pasos and (not capitulos or de in capitulos):
-                orden = [self.copia / "tests/casos/casos.sh", self.build, "pasos", programa.nombre]
-                pruebas.append(Prueba(f"{de} pasos.{programa.nombre}", orden, entorno, True))
-            for caso in programa.casos:
-                if not programa.consola and (not capitulos or de in capitulos):
-                    orden = [
-                        self.copia / "tests/casos/casos.sh",
-                        self.build,
-                        self.sin_ventana,
-                        programa.nombre,
-                        caso.nombre,
-                    ]
-                    pruebas.append(Prueba(f"{de} golden {programa.nombre}.{caso.nombre}", orden, entorno, True))
+            propiedades = self.copia / "tests/propiedades/propiedades.py"
+            orden = [sys.executable, "-B", propiedades, self.copia, self.build, p.nombre]
+            pruebas.append(Prueba(f"{de} propiedades.{p.nombre}", orden, entorno, False))
+            if (self.copia / f"tests/golden/{p.capitulo.nombre}/{p.nombre}.pasos").exists():
+                pruebas.append(Prueba(f"{de} pasos.{p.nombre}", [casos, self.build, "pasos", p.nombre], entorno, True))
+            for caso in p.casos:
+                orden = [casos, self.build, self.sin_ventana, p.nombre, caso.nombre]
+                pruebas.append(Prueba(f"{de} golden {p.nombre}.{caso.nombre}", orden, entorno, True))
         return pruebas
-
-    def de_explica(self, entorno):
-        """Las que preguntan a lo que se pone delante de OpenGL."""
-        explica = "propiedades/explica", [self.copia, self.build, "--enlace", self.sin_ventana]
-        causas = "casos/causas", [self.build]  # con OSMesa
-        for nombre, orden in (explica, causas) if self.sin_ventana == "osmesa" else (explica,):
-            palabras = [sys.executable, "-B", self.copia / f"tests/{nombre}.py", *orden]
-            yield Prueba(nombre.rpartition("/")[2], palabras, entorno, False)
 
     def sin_mutantes(self, pruebas, hilos):
         """Todo debe pasar sin ninguno, y se apunta cuánto tarda y qué usa."""

@@ -254,8 +254,7 @@ HOSTILES = {  # lo que solo puede haber en un .zip → qué ficheros se leen, o 
 def lee(que, temporal):
     """Los ficheros de una entrega, o lo que se le dice."""
     try:
-        with aula.abierta(que, temporal) as (sitio, mal):
-            leida = entrega.lee_entrega(sitio, REF, mal)
+        leida = entrega.lee_entrega(que, REF)
         return next(iter(leida.mal.values()), " ".join(sorted(leida.ficheros))), None if leida.mal else leida
     except entrega.Rechazo as rechazo:
         return str(rechazo), None

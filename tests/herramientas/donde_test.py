@@ -58,6 +58,12 @@ def test_de_lo_mismo_no_se_dice_nada(datos):
     leido = cuadro.lee(datos)
     assert len(leido["pixeles"]) == 3 and any(p["historia"] for p in leido["pixeles"])
     assert compara(leido, copy.deepcopy(leido)) == [None] * 3
+    sin = copy.deepcopy(leido)
+    for o in sin["ordenes"]:
+        o["cableado"] = None  # una que dibuja, por otra que no
+    for suceso in (s for p in sin["pixeles"] for s in p["historia"]):
+        suceso["despues"] = [7, 7, 7]
+    assert any(compara(leido, sin)) and any(compara(sin, leido))
 
 
 def test_un_cuadro_estropeado_no_vale_o_se_compara(datos):

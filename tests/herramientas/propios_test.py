@@ -251,7 +251,7 @@ def test_ningun_fuente_deja_de_perturbarse():
             if azar.random() < 0.5:  # por líneas enteras
                 desde, hasta = texto.rfind("\n", 0, desde) + 1, texto.find("\n", hasta) + 1 or len(texto)
             for p in perturba.perturbaciones(texto, desde, hasta, glsl):
-                assert all(desde <= a < b <= hasta for a, b, _ in p.cambios)
+                assert desde <= p.desde < p.hasta <= hasta
                 cuantas += 1
     assert cuantas > 5000
 
@@ -271,7 +271,7 @@ def test_lo_perturbado_casi_siempre_compila(tmp_path):
             vivas.pop(n)
         if not dice:
             break
-    assert len(todas) > 80 and len(vivas) >= 0.9 * len(todas) and not dice
+    assert len(todas) > 70 and len(vivas) >= 0.9 * len(todas) and not dice
     assert {p.linea for p in todas.values()} == {p.linea for _, p in vivas.values()}
 
 
@@ -459,7 +459,7 @@ def test_los_gestos_son_los_de_la_pagina():
 
 
 @con_catalogo
-@pytest.mark.parametrize("ref", ["L3.1", "L5.3", "L9.3"])  # uno de cada clase; de todos, ./lab muta huecos
+@pytest.mark.parametrize("ref", ["L3.1", "L5.3", "L9.3"])  # uno de cada clase; de todos, ./lab ejercicio comprueba
 def test_un_shader_suelto(tmp_path, ref):
     """El del programa saca 100, aunque se llame de otra manera; el de partida, uno mal hecho o uno que no compila,
     no; y uno de otro tipo no es el que se pide."""

@@ -7,7 +7,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 
 from base.procesos import Fallo, escribe, motivo
-from ejercicios.corrige import aula, parecidos
+from ejercicios.corrige import parecidos
 from ejercicios.corrige.arbitro import suma
 from ejercicios.corrige.entrega import Rechazo, lee_entrega, limpio
 from ejercicios.corrige.informes import lineas
@@ -39,8 +39,7 @@ def corrige(banco, carpeta, resultado=None, leidas=None):
     datos = {"entrega": limpio(carpeta.name), "ejercicio": banco.ref, "semilla": banco.semilla}
     datos["reglas"] = banco.reglas.en_palabras
     try:
-        with aula.abierta(carpeta, banco.temporal) as (sitio, mal):
-            entrega, rechazo = lee_entrega(sitio, banco.ref, mal, banco.de_otro), ""
+        entrega, rechazo = lee_entrega(carpeta, banco.ref, banco.de_otro), ""
         entrega.completa(*banco.de_partida)
         que = entrega.ficheros, entrega.llamadas, entrega.avisos, entrega.ejercicio
     except Rechazo as por:

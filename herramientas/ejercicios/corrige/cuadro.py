@@ -108,7 +108,3 @@ def lee(datos):
         return cumple(json.loads(datos), CUADRO)
     except (ValueError, RecursionError):
         return None
-
-
-def en_lineas(fuente):
-    return [linea.rstrip("\r") for linea in fuente.removesuffix("\n").split("\n")]

@@ -9,17 +9,14 @@ import re
 from collections import Counter
 from pathlib import PurePath
 
-from base.fuentes import SHADERS
+from base.fuentes import SHADERS, con_sitios, en_lineas
 from ejercicios.corrige import cuadro as de_cuadro
 from ejercicios.corrige.jaula import desempaqueta
 
 PROCESADOR = 20  # segundos de cada explicación
 PIXELES = 3
 LEJOS = 12  # píxeles que hay de uno a otro, al menos
-LINEAS = 20000  # de un shader con lo que incluye
-HONDO = 8
 ORDENES = 300  # las que se emparejan por lo que hacen
-INCLUYE = re.compile(r'[ \t\v\f]*#include[ \t\v\f]*"([^"]+)"[ \t\v\f]*$')
 IGUAL = 1e-4
 NIVEL = 2 / 255
 HACEN = "escrito", "mascara"  # los veredictos de lo que deja algo
@@ -34,15 +31,29 @@ PRUEBAS = {
     "profundidad": "la prueba de profundidad",
     "mascara": "glColorMask",
 }
-DE_TEXTURA = {
-    "incompleta": "está incompleta",
-    "unidad": "está en la unidad {}",
-    "talla": "es de {}",
-    "formato": "es {}",
-    "reduce": "se reduce con {}",
-    "amplia": "se amplía con {}",
-    "repite": "se repite con {}",
+# De lo que le llega a una orden: cómo se llama cada cosa, y de cada hecho suyo que no es el que se espera, qué se dice.
+# Si un hecho es None, no hay nada que decir de él.
+ARRAY = {
+    lambda a: None if a["activo"] and a["bufer"] else "ninguno": "al atributo «{nombre}» no le llega ningún array",
+    "componentes": "al atributo «{nombre}» le llegan {es} números por vértice y se esperan {debe}",
+    "suma": "lo que hay en el array de «{nombre}» no es lo que se espera",
 }
+TEXTURA = {
+    lambda t: t["incompleta"] or None: "la textura de «{nombre}» está incompleta: {es}",
+    "unidad": "la textura de «{nombre}» está en la unidad {es} y se espera {debe}",
+    lambda t: "×".join(map(str, t["talla"])): "la textura de «{nombre}» es de {es} y se espera {debe}",
+    "formato": "la textura de «{nombre}» es {es} y se espera {debe}",
+    "reduce": "la textura de «{nombre}» se reduce con {es} y se espera {debe}",
+    "amplia": "la textura de «{nombre}» se amplía con {es} y se espera {debe}",
+    "repite": "la textura de «{nombre}» se repite con {es} y se espera {debe}",
+    "suma": "lo que hay en la textura de «{nombre}» no es lo que se espera",
+}
+LLEGA = (
+    ("array", lambda o: {a["nombre"]: a for a in o["cableado"]["atributos"]}, ARRAY),
+    ("array", lambda o: {"": o["cableado"]}, {"sumaIndices": "los índices no son los que se esperan"}),
+    ("textura", lambda o: {t["sampler"]: t for t in o["cableado"]["texturas"]}, TEXTURA),
+    ("estado", lambda o: {e["nombre"]: e for e in o["estado"]}, {"valor": "{nombre} es «{es}» y se espera «{debe}»"}),
+)
 
 
 # --- lo que se dice ---
@@ -52,9 +63,10 @@ def cifra(n, cifras=4):
     return {"nan": "NaN", "inf": "∞", "-inf": "−∞"}.get(f"{n:g}") or f"{n:.{cifras}g}".replace("-", "−")
 
 
-def en_json(numeros):
-    """Los que no tiene JSON, como texto."""
-    return [n if abs(n) < 1e39 else f"{n:g}" for n in numeros]
+def en_json(tuyo, esperado):
+    """Los números que no tiene JSON, como texto."""
+    dichos = ([n if abs(n) < 1e39 else f"{n:g}" for n in numeros] for numeros in (tuyo, esperado))
+    return dict(zip(("tuyo", "esperado"), dichos))
 
 
 def valor(numeros, tipo="", cifras=4):
@@ -206,7 +218,7 @@ class Comparacion:
     def del_cuadro(self):
         """La primera orden del cuadro a la que le llega otra cosa que dice de dónde sale, pinte ese píxel o no."""
         for mia, suya in self.pares:
-            if mia and suya and mia["cableado"] and mia["fragmentos"]:
+            if mia and suya and mia["fragmentos"]:
                 hallado = self.de_lo_que_llega(mia, suya)
                 if hallado and not de_poco(hallado):
                     return hallado
@@ -253,7 +265,7 @@ class Comparacion:
 
     def de_orden(self, mia, suya, cual, uno, otro):
         quien = self.llama(mia)
-        if not mia["cableado"]:
+        if not mia["cableado"] or not suya["cableado"]:
             hallado = self.de_llamada(mia, suya)
             dice = hallado["dice"] if hallado else f"deja {rgb(uno)} y se espera {rgb(otro)}"
             return {"orden": mia["n"], "que": "llamada", "dice": f"{quien} {dice}"}
@@ -268,8 +280,9 @@ class Comparacion:
         return {"orden": mia["n"], "que": "suceso", "dice": self.de_suceso(quien, cual, uno, otro)}
 
     def de_lo_que_llega(self, mia, suya):
-        partes = self.de_shaders, self.de_uniforms, self.de_arrays, self.de_texturas, self.del_estado, self.de_llamada
-        for parte in partes:
+        if not mia["cableado"] or not suya["cableado"]:
+            return None
+        for parte in (self.de_shaders, self.de_uniforms, self.de_tabla, self.de_llamada):
             if hallado := parte(mia, suya):
                 return {"orden": mia["n"], **hallado, "dice": f"en {self.llama(mia)} {hallado['dice']}"}
         return None
@@ -279,7 +292,7 @@ class Comparacion:
         for mia, suya in self.pares:
             if mia is orden:
                 return None
-            if mia and suya and mia["cableado"] and mia["framebuffer"] != VENTANA:
+            if mia and suya and mia["framebuffer"] != VENTANA:
                 if hallado := self.de_lo_que_llega(mia, suya):
                     return hallado if hallado["que"] != "textura" else None
                 if any(self.fuente(0, mia, e) != self.fuente(1, suya, e) for e in ("vert", "frag")):
@@ -298,11 +311,8 @@ class Comparacion:
 
     def de_uniforms(self, mia, suya):
         esperados = {u["nombre"]: u for u in suya["cableado"]["uniformes"]}
-        salen = []
-        for u in mia["cableado"]["uniformes"]:
-            otro = esperados.get(u["nombre"])
-            if otro and otro["tipo"] == u["tipo"] and distintos(u["valor"], otro["valor"]):
-                salen.append((u, otro))
+        pares = [(u, esperados.get(u["nombre"])) for u in mia["cableado"]["uniformes"]]
+        salen = [(u, o) for u, o in pares if o and o["tipo"] == u["tipo"] and distintos(u["valor"], o["valor"])]
         if not salen:
             return None
         lineas = [ll for e in ("vert", "frag") for ll in self.fuente(0, mia, e).partition("main")[2].splitlines()]
@@ -316,49 +326,16 @@ class Comparacion:
 
         u, otro = min(salen, key=se_usa)
         dice = vale(f"el uniform «{u['nombre']}»", u["valor"], otro["valor"], u["tipo"])
-        tuyo, esperado = (en_json(x["valor"]) for x in (u, otro))
-        return {"que": "uniform", "nombre": u["nombre"], "tuyo": tuyo, "esperado": esperado, "dice": dice}
+        return {"que": "uniform", "nombre": u["nombre"], **en_json(u["valor"], otro["valor"]), "dice": dice}
 
-    def de_arrays(self, mia, suya):
-        esperados = {a["nombre"]: a for a in suya["cableado"]["atributos"]}
-        for a in mia["cableado"]["atributos"]:
-            otro = esperados.get(a["nombre"])
-            if not otro:
-                continue
-            base = {"que": "array", "nombre": a["nombre"]}
-            if not (a["activo"] and a["bufer"]) and otro["activo"] and otro["bufer"]:
-                return {**base, "dice": f"al atributo «{a['nombre']}» no le llega ningún array"}
-            if a["componentes"] != otro["componentes"]:
-                cuantos = f"{a['componentes']} números por vértice y se esperan {otro['componentes']}"
-                return {**base, "dice": f"al atributo «{a['nombre']}» le llegan {cuantos}"}
-            if a["suma"] != otro["suma"]:
-                return {**base, "dice": f"lo que hay en el array de «{a['nombre']}» no es lo que se espera"}
-        if mia["cableado"]["sumaIndices"] != suya["cableado"]["sumaIndices"]:
-            return {"que": "array", "nombre": "", "dice": "los índices no son los que se esperan"}
-        return None
-
-    def de_texturas(self, mia, suya):
-        esperadas = {t["sampler"]: t for t in suya["cableado"]["texturas"]}
-        for t in mia["cableado"]["texturas"]:
-            otra = esperadas.get(t["sampler"], t)
-            for que, dice in DE_TEXTURA.items():
-                if t[que] != otra[que] and (t[que] or que != "incompleta"):
-                    es, debe = ("×".join(map(str, x[que])) if que == "talla" else x[que] for x in (t, otra))
-                    como = f"{dice}: {es}" if que == "incompleta" else f"{dice.format(es)} y se espera {debe}"
-                    dice = f"la textura de «{t['sampler']}» {como}"
-                    return {"que": "textura", "nombre": t["sampler"], "dice": dice}
-            if t["suma"] != otra["suma"]:
-                dice = f"lo que hay en la textura de «{t['sampler']}» no es lo que se espera"
-                return {"que": "textura", "nombre": t["sampler"], "dice": dice}
-        return None
-
-    def del_estado(self, mia, suya):
-        esperado = {e["nombre"]: e["valor"] for e in suya["estado"]}
-        for e in mia["estado"]:
-            debe = esperado.get(e["nombre"], e["valor"])
-            if e["valor"] != debe:
-                dice = f"{e['nombre']} es «{e['valor']}» y se espera «{debe}»"
-                return {"que": "estado", "nombre": e["nombre"], "dice": dice}
+    def de_tabla(self, mia, suya):
+        for que, cosas, hechos in LLEGA:
+            esperadas = cosas(suya)
+            for nombre, una in cosas(mia).items():
+                for hecho, dice in hechos.items():
+                    es, debe = (hecho(c) if callable(hecho) else c[hecho] for c in (una, esperadas.get(nombre, una)))
+                    if es is not None and es != debe:
+                        return {"que": que, "nombre": nombre, "dice": dice.format(nombre=nombre, es=es, debe=debe)}
         return None
 
     def de_llamada(self, mia, suya):
@@ -387,22 +364,14 @@ class Comparacion:
         """El primer vértice de la primitiva al que ese array no le da lo mismo."""
         sombreados = self.por_dentro(mia, suya, cual) or ({"vertices": []},) * 2
         for mio, suyo in zip(*(s["vertices"] or [] for s in sombreados)):
-            da = [
-                next((p for p in v["lineas"] if (p["clase"], p["nombre"]) == ("entrada", atributo)), None)
-                for v in (mio, suyo)
-            ]
-            if all(da) and distintos(*(p["valor"] for p in da)):
-                que = vale(f"«{atributo}» en el vértice {mio['indice']}", *(p["valor"] for p in da))
-                tuyo, esperado = (en_json(p["valor"]) for p in da)
-                dice = f"en {self.llama(mia)}, {que}"
-                return {
-                    "orden": mia["n"],
-                    "que": "array",
-                    "nombre": atributo,
-                    "tuyo": tuyo,
-                    "esperado": esperado,
-                    "dice": dice,
-                }
+            entran = (
+                [p for p in v["lineas"] if (p["clase"], p["nombre"]) == ("entrada", atributo)] for v in (mio, suyo)
+            )
+            for una, otra in zip(*entran):
+                if distintos(una["valor"], otra["valor"]):
+                    que = vale(f"«{atributo}» en el vértice {mio['indice']}", una["valor"], otra["valor"])
+                    hallado = {"orden": mia["n"], "que": "array", "nombre": atributo}
+                    return {**hallado, **en_json(una["valor"], otra["valor"]), "dice": f"en {self.llama(mia)}, {que}"}
         return None
 
     def de_lineas(self, mia, suya, cual):
@@ -438,8 +407,7 @@ class Comparacion:
             "fichero": fichero,
             "linea": linea,
             "nombre": nombre,
-            "tuyo": en_json(mio["valor"]),
-            "esperado": en_json(esperado),
+            **en_json(mio["valor"], esperado),
             "dice": f"{donde}{lugar}, en la orden {orden['n']} ({orden['titulo']})",
         }
 
@@ -471,44 +439,23 @@ class Shaders:
     lo que ve quien lo compila."""
 
     def __init__(self, textos):
-        self.textos = {}
+        self.textos, self.hechos = {}, {}
         for fichero, contenido in textos.items():
             suyo = contenido.decode(errors="replace") if isinstance(contenido, bytes) else contenido
             for nombre in (fichero, PurePath(fichero).name):
-                self.textos.setdefault(nombre, (fichero, de_cuadro.en_lineas(suyo.removeprefix("\ufeff"))))
-        self.hechos = {}
+                self.textos.setdefault(nombre, (fichero, suyo.removeprefix("\ufeff")))
         for fichero in self.textos:
             if fichero.endswith((".vert", ".frag")):
-                lineas = self.expande(fichero)
+                lineas = con_sitios(lambda nombre: self.textos.get(nombre, ("", "")), fichero)
                 self.hechos.setdefault(self.clave(t for *_, t in lineas), lineas)
 
     @staticmethod
     def clave(lineas):
         return "\n".join(lineas).strip()
 
-    def expande(self, fichero):
-        """(fichero, número, texto) de cada línea, hasta un límite, que otro puede hacer que no acabe."""
-        salen, quedan = [], LINEAS
-
-        def pon(nombre, hondo):
-            nonlocal quedan
-            suyo, lineas = self.textos.get(nombre, ("", []))
-            for numero_, linea in enumerate(lineas, 1):
-                quedan -= 1
-                if quedan < 0:
-                    return
-                incluye = INCLUYE.match(linea)
-                if incluye and hondo:
-                    pon(incluye[1], hondo - 1)
-                else:
-                    salen.append((suyo, numero_, linea))
-
-        pon(fichero, HONDO)
-        return salen
-
     def sitio(self, fuente, linea):
         """El fichero, vacío si no se sabe, y la línea."""
-        lineas = self.hechos.get(self.clave(de_cuadro.en_lineas(fuente)), [])
+        lineas = self.hechos.get(self.clave(en_lineas(fuente)), [])
         fichero, numero_, _ = lineas[min(linea, len(lineas)) - 1] if lineas and linea > 0 else ("", linea, "")
         return fichero, numero_
 

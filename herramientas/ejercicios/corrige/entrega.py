@@ -1,58 +1,28 @@
-"""Lo que entrega un estudiante, que no es de fiar: se lee con cuidado y hasta un límite, y de lo que hay se corrige un
-programa con lo que alcanza. Lo demás, aunque no se pueda leer, no estorba: se avisa."""
-import itertools
-import os
+"""Lo que entrega un estudiante: de lo que hay (lector.py) se corrige un programa con lo que alcanza. Lo demás no
+estorba: se avisa."""
 import re
-import stat
-from collections import deque
-from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path, PurePath
 
 from base.fuentes import SHADERS
 from base.procesos import Fallo
 from ejercicios import nuevo
+from ejercicios.corrige.lector import (
+    CODIGO,
+    COMPILADOS,
+    Lector,
+    Rechazo,
+    basura,
+    de_carpeta,
+    lee_fichero,
+    limpio,
+    tipo,
+)
 
-COMPILADOS = ".cpp", ".cc", ".cxx", ".c++"
-CODIGO = *COMPILADOS, ".h", ".hpp", ".hh", ".hxx", ".inl", ".inc", ".c", ".vert", ".frag", ".geom", ".glsl"
-FUENTES = *CODIGO, ".vf"
-COMPRIMIDOS = ".zip", ".rar", ".7z", ".gz", ".tar", ".tgz"
-FICHEROS, BYTES, TODO = 400, 1 << 20, 16 << 20  # los que se leen de una entrega; los bytes de cada uno, y de todos
-HAY, HONDO = 5000, 6  # lo que se mira de una carpeta, y hasta dónde se baja
 PROGRAMAS = 3  # con main, que se intentan
-LETRAS = 300
 MAIN = re.compile(rb"\bmain\s*\(")
 INCLUYE = re.compile(rb'^[ \t]*#[ \t]*include[ \t]+"([^"\n]+)"', re.M)
 COMENTARIO = re.compile(rb"//[^\n]*|/\*.*?\*/", re.S)
-# Lo que dejan en una carpeta git, macOS, un editor, quien compila o nosotros.
-BASURA = re.compile(
-    r"\..*|.*~|__MACOSX|correccion|CMakeFiles|cmake-build-.*|_deps|node_modules|build|out|x64|debug|release",
-    re.I | re.S,
-)
-
-
-class Rechazo(Exception):
-    """Por qué no se puede ni probar una entrega; y, si es el compilador, todo lo que dice."""
-
-    def __init__(self, por, todo=""):
-        super().__init__(por)
-        self.todo = todo
-
-
-def limpio(texto):
-    """Lo que viene de otro, en una línea corta y sin caracteres de control: ni borra la terminal en que se lee, ni
-    parte una línea, ni llena una celda."""
-    texto = "".join(letra if letra.isprintable() else " " for letra in texto[: 4 * LETRAS])
-    texto = " ".join(texto.split())
-    return texto if len(texto) <= LETRAS else texto[: LETRAS - 1] + "…"
-
-
-def basura(nombre):
-    return bool(BASURA.fullmatch(nombre))
-
-
-def tipo(nombre):
-    return PurePath(nombre).suffix.lower()
 
 
 # --- lo que alcanza un programa ---
@@ -200,124 +170,6 @@ class Entrega:
 # --- leerla ---
 
 
-def lee_fichero(carpeta, nombre):
-    """Un fichero corriente y corto de otro: ni enlaces, ni tuberías, ni dispositivos."""
-    visto = limpio(nombre)
-    try:
-        f = os.open(nombre, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC, dir_fd=carpeta)
-    except OSError:
-        raise Rechazo(f"no se puede leer «{visto}»: es un enlace o no hay permiso") from None
-    with open(f, "rb") as fichero:
-        if not stat.S_ISREG(os.fstat(f).st_mode):
-            raise Rechazo(f"«{visto}» no es un fichero corriente")
-        datos = fichero.read(BYTES + 1)
-    if len(datos) > BYTES:
-        raise Rechazo(f"«{visto}» pasa de {BYTES >> 20} MiB")
-    return datos
-
-
-def en_utf8(datos):
-    """Un fuente que otro guardó como lo hacía su editor."""
-    if datos[:2] in (b"\xff\xfe", b"\xfe\xff"):
-        return datos.decode("utf-16").encode()
-    if b"\0" in datos:
-        raise ValueError
-    try:
-        datos.decode()
-        return datos
-    except UnicodeDecodeError:
-        return datos.decode("cp1252", "replace").encode()
-
-
-@contextmanager
-def abierta(carpeta, *dentro):
-    """Una carpeta, o la que hay bajando por esas, que no es un enlace, mientras se mira."""
-    with ExitStack() as pila:
-        f = None
-        for paso in (carpeta, *dentro):
-            try:
-                f = os.open(paso, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC, dir_fd=f)
-            except OSError:
-                raise Rechazo("no es una carpeta que se pueda leer") from None
-            pila.callback(os.close, f)
-        yield f
-
-
-class Lector:
-    """Recorre la carpeta de una entrega sin salir de ella, antes lo de fuera que lo de dentro. DE_OTRO: si una ruta es
-    de algo que ya está aquí."""
-
-    def __init__(self, carpeta, mal=None, de_otro=lambda ruta: False):
-        self.carpeta, self.de_otro = carpeta, de_otro
-        self.vistos, self.hay, self.fuentes = 0, [], []  # cuántos, sus nombres, y rutas en partes
-        self.leidos, self.mal, self.bytes, self.traducidos = {}, dict(mal or {}), 0, []
-
-    def recorre(self):
-        por_ver = deque([()])
-        while por_ver and self.vistos < HAY:
-            ruta = por_ver.popleft()
-            try:
-                with abierta(self.carpeta, *ruta) as f, os.scandir(f) as entradas:
-                    dentro = sorted(
-                        (e.name, e.is_dir(follow_symlinks=False))
-                        for e in itertools.islice(entradas, HAY - self.vistos)
-                        if not basura(e.name)
-                    )
-            except Rechazo:
-                if not ruta:
-                    raise
-                continue
-            self.vistos += len(dentro)
-            self.hay += [nombre for nombre, es_carpeta in dentro if not es_carpeta]
-            por_ver += [(*ruta, nombre) for nombre, es_carpeta in dentro if es_carpeta and len(ruta) < HONDO]
-            self.fuentes += [(*ruta, n) for n, es_carpeta in dentro if not es_carpeta and tipo(n) in FUENTES]
-            if (nuevo.EJERCICIO, False) in dentro:
-                self.lee(*ruta, nuevo.EJERCICIO)
-
-    def ejercicios(self):
-        """{carpeta: el que dice su ejercicio.txt}."""
-        dichos = {ruta: self.leidos.pop(ruta).decode(errors="replace").split() for ruta in [*self.leidos]}
-        return {ruta[: -len(nuevo.EJERCICIO)]: limpio(que[0]) for ruta, que in dichos.items() if len(que) > 1}
-
-    def lee_los_de(self, ref):
-        """Los fuentes; si hay carpetas de varios ejercicios y una es del que se pide, sin los de las otras."""
-        dichos = self.ejercicios()
-        de_otros = [c for c, dice in dichos.items() if dice != ref] if ref in dichos.values() else []
-        for ruta in self.fuentes:
-            escrita = "/".join(ruta)
-            if not any(limpia(ruta).startswith(c) for c in de_otros) and not self.de_otro(escrita):
-                self.lee(*ruta)
-        return ref if ref in dichos.values() else next(iter(dichos.values()), "")
-
-    def lee(self, *ruta):
-        try:
-            if len(self.leidos) == FICHEROS or self.bytes > TODO:
-                raise Rechazo(f"son más de {FICHEROS} ficheros, o de {TODO >> 20} MiB entre todos")
-            with abierta(self.carpeta, *ruta[:-1]) as f:
-                datos = lee_fichero(f, ruta[-1])
-            self.bytes += len(datos)
-            if tipo(ruta[-1]) in CODIGO:
-                crudos, datos = datos, en_utf8(datos)
-                self.traducidos += [ruta[-1]] if crudos != datos else []
-            self.leidos[limpia(ruta)] = datos
-        except Rechazo as por:
-            self.mal[limpia(ruta)] = str(por)
-        except ValueError:
-            self.mal[limpia(ruta)] = f"«{limpio(ruta[-1])}» no es un texto en UTF-8: guárdalo así en el editor"
-
-    def por_que_no_hay(self):
-        if self.mal:
-            return next(iter(self.mal.values()))
-        if comprimido := next((n for n in self.hay if tipo(n) in COMPRIMIDOS), None):
-            return f"no hay ningún fuente: hay un «{limpio(comprimido)}» sin descomprimir"
-        hay = ", ".join(limpio(nombre) for nombre in sorted(self.hay)[:3])
-        return f"no hay ningún fuente: hay {hay}" if hay else "no hay nada en su carpeta"
-
-
-def limpia(ruta):
-    return "/".join(map(limpio, ruta))
-
-
 def sin_numero(ficheros):
     """«grua (2).h», como lo baja un navegador que ya tenía otro, es grua.h si no viene. De varios, el último."""
     nuevos = dict(ficheros)
@@ -329,19 +181,12 @@ def sin_numero(ficheros):
     return dict(sorted(nuevos.items()))
 
 
-def lee_entrega(carpeta, ref="", mal=None, de_otro=lambda ruta: False):
-    """Los fuentes de una entrega, con los de sus carpetas; lo demás que haya no se mira. O el fichero que es ella. MAL:
-    lo que ya se sabe que no se puede leer."""
-    if carpeta.is_file() and tipo(carpeta.name) in CODIGO:
-        lector = Lector(carpeta.parent)
-        lector.lee(carpeta.name)
-        if lector.mal:
-            raise Rechazo(lector.por_que_no_hay())
-        return Entrega(lector.leidos, (carpeta.stem,))
-    lector = Lector(carpeta, mal, de_otro)
-    lector.recorre()
+def lee_entrega(que, ref="", de_otro=lambda ruta: False):
+    """Los fuentes de una carpeta y de las de dentro, de un fichero o de lo que da una plataforma; lo demás no se
+    mira."""
+    lector = Lector(que, de_otro)
     ejercicio = lector.lee_los_de(ref)
-    ficheros, llamadas = sin_numero(lector.leidos), [carpeta.name]
+    ficheros, llamadas = sin_numero(lector.leidos), [que.name]
     if not any(tipo(f) in CODIGO for f in ficheros):
         raise Rechazo(lector.por_que_no_hay())
     while len(unica := {f.partition("/")[0] for f in ficheros}) == 1 and all("/" in f for f in ficheros):
@@ -354,28 +199,24 @@ def lee_entrega(carpeta, ref="", mal=None, de_otro=lambda ruta: False):
 def ejercicio_de(carpeta, programas):
     """Lo que dice ejercicio.txt: la referencia, vacía si solo es una copia, y el programa."""
     try:
-        with abierta(carpeta) as f:
-            return nuevo.ejercicio_dicho(lee_fichero(f, nuevo.EJERCICIO).decode(), programas)
+        return nuevo.ejercicio_dicho(lee_fichero(carpeta, nuevo.EJERCICIO).decode(), programas)
     except (Rechazo, UnicodeDecodeError, ValueError, StopIteration) as error:
         por_que = f": {error}" if isinstance(error, Rechazo) and (carpeta / nuevo.EJERCICIO).exists() else ""
         raise Fallo(f"{carpeta / nuevo.EJERCICIO} no dice de qué ejercicio es{por_que}") from None
 
 
-def tiene_main(fuente):
-    with open(fuente, "rb") as f:
-        return bool(MAIN.search(f.read(BYTES)))
+def tiene_main(lee):
+    try:
+        return bool(MAIN.search(lee()))
+    except Rechazo:
+        return False
 
 
-def hay_programa(carpeta, hondo=HONDO):
+def hay_programa(carpeta):
     """Si dentro hay un fuente con main."""
     try:
-        with os.scandir(carpeta) as entradas:
-            dentro = [e for e in itertools.islice(entradas, HAY) if not basura(e.name) and not e.is_symlink()]
-        suyos = (e for e in dentro if tipo(e.name) in COMPILADOS and e.is_file())
-        if any(tiene_main(Path(e.path)) for e in suyos):
-            return True
-        return hondo > 0 and any(hay_programa(e.path, hondo - 1) for e in dentro if e.is_dir())
-    except OSError:
+        return any(tiene_main(lee) for ruta, lee in de_carpeta(carpeta) if tipo(ruta[-1]) in COMPILADOS)
+    except Rechazo:
         return False
 
 

@@ -19,7 +19,6 @@ from ejercicios.corrige import aula, clase, conjunto, entrega, informes, shaders
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.hoja import Hoja
 from ejercicios.corrige.jaula import Jaula
-from ejercicios.reglas import Reglas
 
 
 class Analizador(argparse.ArgumentParser):
@@ -119,8 +118,7 @@ def main():
         raise Fallo(f"--moodle es de una clase, y {que.entrega} es una entrega")
     if que.programa:
         return print(programa.objetivo)
-    como_siempre = shaders.REGLAS if nuevo.es_de_shaders(ref) else Reglas()
-    puntua = reglas.del_programa(programa, que.reglas, que.guiones, como_siempre)
+    puntua = reglas.del_programa(programa, que.reglas, que.guiones, shaders.reglas(ref))
     if dentro and sueltos:
         print(entrega.limpio(f"En {que.entrega} hay sueltos, y se dejan: {', '.join(sueltos)}"), file=sys.stderr)
     jaula = None if que.sin_jaula else Jaula(raiz)

@@ -25,6 +25,11 @@ def ejercicios(raiz, programas):
     return hay
 
 
+def reglas(referencia):
+    """Cómo se puntúa, si no se dice."""
+    return REGLAS if nuevo.es_de_shaders(referencia) else Reglas()
+
+
 def esqueleto(raiz, programa, referencia):
     return {f: marcas.esqueleto(texto, referencia) for f, texto in nuevo.pedidos(raiz, programa, referencia).items()}
 
