@@ -452,7 +452,7 @@ def test_los_gestos_son_los_de_la_pagina():
 
 
 @con_catalogo
-@pytest.mark.parametrize("ref", ["L1.2", "L3.1", "L9.1"])  # uno de cada clase; de todos, ./lab muta huecos
+@pytest.mark.parametrize("ref", ["L1.2", "L3.1", "L5.2"])  # uno de cada clase; de todos, ./lab muta huecos
 def test_un_shader_suelto(tmp_path, ref):
     """El del programa saca 100, aunque se llame de otra manera; el de partida, uno mal hecho o uno que no compila,
     no; y uno de otro tipo no es el que se pide."""
