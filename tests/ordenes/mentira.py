@@ -5,9 +5,9 @@ import subprocess
 ENCIERRA = "bwrap --ro-bind / / --unshare-pid --proc /proc --dev /dev true".split()
 
 
-def se_encierra():
-    """Si bwrap puede con algo: en un contenedor sin permisos, o en un chroot, no puede con nada."""
-    return bool(shutil.which("bwrap")) and not subprocess.run(ENCIERRA, capture_output=True).returncode
+def se_encierra(*dentro):
+    """Si bwrap puede con algo: en un contenedor sin permisos, o en un chroot, no puede con nada. `dentro`: de qué."""
+    return bool(shutil.which("bwrap")) and not subprocess.run([*dentro, *ENCIERRA], capture_output=True).returncode
 
 
 def sin_ventana(build):

@@ -32,7 +32,7 @@ class SinPruebas:
         self.jaula += [p for nombre in suyas for p in ("--bind", sitio / nombre, RAIZ / nombre)]
         gtest = re.findall(r"^GTest_DIR:PATH=(/.*)", (BUILD / "CMakeCache.txt").read_text(), re.M)
         self.jaula += [p for carpeta in gtest for p in ("--tmpfs", carpeta)]
-        self.entorno = {c: v for c, v in os.environ.items() if c not in ("DISPLAY", "WAYLAND_DISPLAY", "LAB_CERROJO")}
+        self.entorno = {c: v for c, v in os.environ.items() if "DISPLAY" not in c and not c.startswith("LAB_")}
         self.entorno |= {"LAB_SIN_INSTALAR": "1", "TMPDIR": "/tmp", "PYTHONDONTWRITEBYTECODE": "1"}
 
     def __call__(self, orden, estado=0, dice="", **entorno):
@@ -54,9 +54,11 @@ def sin_pruebas(carpeta):
     """El laboratorio en esa carpeta, si se puede."""
     if BUILD.parent != RAIZ or not (BUILD / "catalogo.json").exists():
         pytest.skip("lo compilado no está en su carpeta")
-    lab = SinPruebas(carpeta)
     if not se_encierra():
         pytest.skip("aquí no se puede encerrar nada")
+    lab = SinPruebas(carpeta)
+    if not se_encierra(*lab.jaula):  # que es otra jaula dentro de esta
+        pytest.skip("aquí no se puede encerrar nada en lo que ya está encerrado")
     return lab
 
 

@@ -3,9 +3,8 @@ import collections
 import random
 
 from programa import CONTRARIAS, arrastre
-from rotulos import es_fondo
+from rotulos import MENUDA, en_casos, es_fondo
 
-TALLA = "160x120"
 VECES, AL_AZAR = 60, 3
 POCO = 0.1  # de lo que se ve donde menos, en las imágenes que se han mirado: menos no es ver algo
 CORTE = 10  # de cada cien del borde, los que puede tocar de más
@@ -45,16 +44,14 @@ def extremos(p):
     """Hasta donde llega cada mando se ve algo, no de un solo color ni más cortado por el borde que lo que se ha
     mirado. Con el ratón es quien mira el que se acerca, se aleja o rodea; que siga a la vista lo pide casos/borde.cpp.
     """
-
-    def mide(ordenes, *opciones):
-        return medidas(p.vistas([*ordenes, "captura"], *opciones, talla=TALLA, LAB_SIN_ENCIMA="rotulo")[0])
-
-    hay_en, bordes, lisos = zip(*(mide([guion] if guion else []) for guion in p.casos))
+    hay_en, bordes, lisos = zip(*(medidas(vistas[0]) for vistas in en_casos(p)))
     hasta = extremos_de(p)
     if not p.todo:
         hasta = random.Random(f"{p.nombre} {p.semilla}").sample(hasta, min(AL_AZAR, len(hasta)))
     for ordenes in hasta:
-        hay, corta, liso = mide(ordenes, "-diario")  # así se dibuja una vez, y no sesenta
+        guion = [*ordenes, "captura"]  # -diario: se dibuja una vez, y no sesenta
+        talla = "{}x{}".format(*MENUDA)
+        hay, corta, liso = medidas(p.vistas(guion, "-diario", talla=talla, LAB_SIN_ENCIMA="rotulo")[0])
         tras, de_cerca = f"tras {'; '.join(ordenes)}", ordenes[0].split()[0] in ("rueda", "boton")
         if hay < POCO * min(hay_en) and not de_cerca:
             yield "nada", f"se dibuja el {hay:.1f} % de la ventana, y en el caso que menos, {min(hay_en):.0f} %, {tras}"

@@ -8,6 +8,7 @@ from programa import APARTE, CONTRARIAS
 
 DE_TODOS = 6  # teclas que dice -ayuda de todos los programas
 LETRA = 23  # alto de las mayúsculas de F1 en 720 píxeles
+LEJOS = 40, 300  # veces que se pulsa una tecla para llegar a su límite: si no bastan las primeras, las otras
 VUELTAS = 6  # un modo de tres, dos veces
 PIXELES = (0, 0), (60, 45), (119, 89), (31, 70)
 
@@ -41,7 +42,7 @@ def se_deshacen(nada, sube, baja, otra_vez, vuelve):
 
 
 class Extremo(NamedTuple):
-    """Lo que se ve tras pulsar cientos de veces una tecla, ella, su contraria y ella."""
+    """Lo que se ve tras pulsar muchas veces una tecla, ella, su contraria y ella."""
 
     alli: tuple
     otra_mas: tuple
@@ -66,11 +67,14 @@ def limites(p):
             continue
         mas, menos = c.ordenes
         antes = max(map(p.antes_de, c.ordenes), key=len)
-        por_turno, arriba = [mas, menos, mas, menos], [f"{mas} ×300", mas, menos, mas]
-        abajo, otra_vez_arriba = [f"{menos} ×600", menos, mas, menos], [f"{mas} ×600", menos]
-        filas = p.diario([*antes, *por_turno, *arriba, *abajo, *otra_vez_arriba])
-        vistas = [fila.se_ve() for fila in filas[len(antes) :]]
-        arriba, abajo, otra_vez_arriba = Extremo(*vistas[5:9]), Extremo(*vistas[9:13]), tuple(vistas[13:])
+        for veces in LEJOS:
+            por_turno, arriba = [mas, menos, mas, menos], [f"{mas} ×{veces}", mas, menos, mas]
+            abajo, otra_vez_arriba = [f"{menos} ×{2 * veces}", menos, mas, menos], [f"{mas} ×{2 * veces}", menos]
+            filas = p.diario([*antes, *por_turno, *arriba, *abajo, *otra_vez_arriba])
+            vistas = [fila.se_ve() for fila in filas[len(antes) :]]
+            arriba, abajo, otra_vez_arriba = Extremo(*vistas[5:9]), Extremo(*vistas[9:13]), tuple(vistas[13:])
+            if arriba.es_limite and abajo.es_limite:
+                break
         if not se_deshacen(*vistas[:5]):
             yield mas, f"de «{mas}» y «{menos}» una no deshace la otra"
         yield from arriba.mal(mas, menos)
@@ -139,7 +143,7 @@ def puntero(p):
 
 def comunes(p):
     """Lo que cambia con el tiempo se anima; F1 pone la ayuda, que es lo que dice «// Controles:», y la quita; F12
-    guarda y lo dice, y Esc termina: tras él no hay fila."""
+    guarda y lo dice, y Esc termina: tras él no hay fila. Lo que hace common/ solo, en un programa de cada capítulo."""
     antes, nada, puesta, quitada, guardada, *mas = p.diario(
         ["espera 960", "especial F1", "especial F1", "especial F12", "tecla Esc"]
     )
@@ -147,16 +151,18 @@ def comunes(p):
         yield "tiempo", "cambia con el tiempo y nadie pide que se vuelva a dibujar"
     if puesta.imagen == nada.imagen or quitada.imagen != nada.imagen or puesta.titulo != nada.titulo:
         yield "F1", "F1 no pone la ayuda, o no la quita"
+    if not any(linea.startswith("guardado ") for linea in guardada.escrito):
+        yield "F12", "F12 no guarda la ventana, o no lo dice"
+    if mas:
+        yield "Esc", "Esc no termina"
+    if not p.ultimo:
+        return
     yield from ayuda(p)
     yield from puntero(p)
     suyos = p.dice.split(" · ")
     lineas = p.ejecuta(["-ayuda"]).splitlines()[-len(suyos) - DE_TODOS :]
     if lineas[: len(suyos)] != suyos:
         yield "-ayuda", f"-ayuda no dice sus controles: {lineas}"
-    if not any(linea.startswith("guardado ") for linea in guardada.escrito):
-        yield "F12", "F12 no guarda la ventana, o no lo dice"
-    if mas:
-        yield "Esc", "Esc no termina"
     for dados in (["uno"], ["uno", "dos"], ["uno", "dos", "tres"]):
         r = subprocess.run([p.ejecutable, *dados, "-ppm", "/dev/null"], **APARTE)
         if re.search("sobra|no entiendo", r.stderr):

@@ -93,6 +93,7 @@ class Programa:
         self.hechas = set()  # las órdenes que en algún diario han hecho algo
         self.titulo = ""  # el del primer cuadro
         self.admite = programa.admite
+        self.ultimo = programa is [otro for otro in programa.capitulo.programas if not otro.consola][-1]
         self.casos = [caso.guion for caso in programa.casos]
         self.todo = opciones.todo
         self.diarios, self.rotulos = [], set()  # todo lo que se ha visto

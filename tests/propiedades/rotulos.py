@@ -1,5 +1,6 @@
 """Lo que se cumple con los rótulos: caben, no se tocan y no tapan lo que se dibuja."""
 import collections
+import functools
 import itertools
 import random
 import re
@@ -10,6 +11,7 @@ from vista import en_formas
 # Las formas de una pantalla, de un cuaderno, de media pantalla y de un teléfono, del alto en que las letras son a
 # escala y no las más pequeñas que se leen.
 FORMAS = [(360, 270), (480, 270), (360, 405), (400, 900)]
+MENUDA = 160, 120
 TECLAS = 3  # al azar, si no se piden todas
 COLORES = Path(__file__).parents[2] / "common/encima/colores.h"
 INTERLINEA, BAJO = 1.5, 0.3  # en altos de mayúscula (common/encima/rotulo.cpp)
@@ -82,10 +84,18 @@ def tapado(v, r):
     return 100 * son / max(debajo.total(), 1)
 
 
-def rotulados(p, ordenes):
+def rotulados(p, ordenes, formas=FORMAS):
     """Tras cada una de esas órdenes, lo que se ve en cada forma, sin los rótulos."""
-    mira = [o for ancho, alto in FORMAS for o in (f"tamano {ancho} {alto}", "captura")]
+    mira = [o for ancho, alto in formas for o in (f"tamano {ancho} {alto}", "captura")]
     return p.vistas([o for orden in ordenes for o in (*([orden] if orden else []), *mira)], LAB_SIN_ENCIMA="rotulo")
+
+
+@functools.cache
+def en_casos(p):
+    """De cada caso, lo que se ve en la talla de extremos.py; a 4:3; y en otra forma, al azar, si no se piden todas."""
+    azar = random.Random(p.nombre)
+    otras = [FORMAS[1:] if p.todo else [azar.choice(FORMAS[1:])] for _ in p.casos]
+    return [rotulados(p, [guion], [MENUDA, FORMAS[0], *suyas]) for guion, suyas in zip(p.casos, otras)]
 
 
 def clave(r):
@@ -103,7 +113,7 @@ def partidas(p):
 def tapan(p):
     """En una ventana de cualquier forma, tras cualquier tecla, un rótulo no toca otro ni tapa más dibujo del que tapa,
     a 4:3, en las imágenes del catálogo; el que no está en ellas, del que tapa el que más."""
-    miradas = [rotulados(p, [guion]) for guion in p.casos]
+    miradas = [vistas[1:] for vistas in en_casos(p)]
     tapa = collections.Counter()
     for v, r in ((vistas[0], r) for vistas in miradas for r in vistas[0].encima if r.tipo == "rotulo"):
         tapa[clave(r)] = max(tapa[clave(r)], tapado(v, r))
@@ -112,7 +122,7 @@ def tapan(p):
     todas = miradas + [rotulados(p, ordenes) for ordenes in juegos[len(miradas) :]]
     for ordenes, vistas in zip(juegos, todas):
         for i, v in enumerate(vistas):
-            con = f"a {v.talla} tras {'; '.join(ordenes[: i // len(FORMAS) + 1]) or 'nada'}"
+            con = f"a {v.talla} tras {'; '.join(ordenes[: i * len(ordenes) // len(vistas) + 1]) or 'nada'}"
             suyos = [r for r in v.encima if r.tipo == "rotulo"]
             for r in suyos:
                 if (cuanto := tapado(v, r)) > tapa.get(clave(r), mas) + TAPA:
