@@ -107,3 +107,20 @@ Punto<R> superficieRef(const RedBezier<T> &red, const R &u, const R &v, int du =
         suma += bu[k / bv.size()] * bv[k % bv.size()] * Punto<R>(red.P[k]);
     return suma;
 }
+
+template<typename R>
+Punto<R> cruz(const Punto<R> &a, const Punto<R> &b) {
+    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+/// La normal, o su límite camino del centro donde no la hay. `Q(u, v, du, dv)` es la superficie o una derivada suya.
+template<typename R, typename Derivada>
+Punto<R> normalDe(const Derivada &Q, const R &u, const R &v) {
+    Punto<R> n(R(0));
+    for (const double h : {0.0, 1e-17}) {
+        const R s = u + R(h) * (R(0.5) - u), t = v + R(h) * (R(0.5) - v);
+        n = cruz<R>(Q(s, t, 1, 0), Q(s, t, 0, 1));
+        if (double(largo(n)) > 1e-24)
+            break;
+    }
+    return (R(1) / largo(n)) * n;
+}

@@ -5,9 +5,9 @@
 #include "ch11_curvas/lamina.h"
 #include "ch11_referencia.h"
 #include "colores.h"
+#include "contra_oraculo.h"
 #include "guiones.h"
 #include "mallas.h"
-#include "pintado.h"
 #include "tabla.h"
 
 namespace {
@@ -32,22 +32,6 @@ Geometria2<T> lleva(
     return r;
 }
 
-template<typename R>
-Punto<R> cruz(const Punto<R> &a, const Punto<R> &b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-/// La normal, o su límite camino del centro donde no la hay. `Q(u, v, du, dv)` es la superficie o una derivada suya.
-template<typename R, typename Derivada>
-Punto<R> normalDe(const Derivada &Q, const R &u, const R &v) {
-    Punto<R> n(R(0));
-    for (const double h : {0.0, 1e-17}) {
-        const R s = u + R(h) * (R(0.5) - u), t = v + R(h) * (R(0.5) - v);
-        n = cruz<R>(Q(s, t, 1, 0), Q(s, t, 0, 1));
-        if (double(largo(n)) > 1e-24)
-            break;
-    }
-    return (R(1) / largo(n)) * n;
-}
 template<typename R, typename T>
 Punto<R> normalRef(Base base, const Geometria2<T> &G, const R &u, const R &v) {
     return normalDe(
@@ -114,77 +98,41 @@ TEST(Superficies, ErrorFrenteACuadruplePrecision) {
             }
 }
 
-/// Una red de esos grados, con el grado más alto en u o en v.
-template<typename T>
-RedBezier<T> redAlAzar(std::size_t n, std::size_t m, unsigned semilla) {
-    return {n, m, puntosAlAzar<T>((n + 1) * (m + 1), semilla)};
-}
-
 // Ecuación 11.41, con (n + 1)×(m + 1) puntos: la superficie y sus derivadas, que también se anulan cuando el grado no
-// da para más; y con 4×4 es la de la ecuación 11.40. Cada peso se equivoca en unos redondeos por grado.
+// da para más. Cada peso se equivoca en unos redondeos por grado. Y §11.5: en v es la curva de Bézier de los puntos
+// G(v).
 TEST(Superficies, BezierDeGradoNxM) {
     for (const auto &[n, m] :
          {std::pair<std::size_t, std::size_t>{1, 1}, {0, 2}, {3, 3}, {5, 2}, {1, 7}, {12, 9}}) {
-        const auto red = redAlAzar<double>(n, m, 7);
-        for (const auto &[du, dv] : {std::pair<int, int>{0, 0}, {1, 0}, {0, 1}, {1, 1}, {2, 0}, {0, 2}}) {
-            const double sumandos = std::pow(2.0 * double(n + 1), du) * std::pow(2.0 * double(m + 1), dv);
-            const double error = peor([&, i = du, j = dv](double u, double v) {
-                return lejos(superficie(red, u, v, i, j),
-                             superficieRef(red, Cuadruple(u), Cuadruple(v), i, j));
+        const RedBezier<double> red = {n, m, puntosAlAzar<double>((n + 1) * (m + 1), 7)};
+        const auto error = [&](int du, int dv, const auto &Q) {
+            return peor([&](double u, double v) {
+                return lejos(Q(u, v), superficieRef(red, Cuadruple(u), Cuadruple(v), du, dv));
             });
-            EXPECT_LT(error, 2 * double(n + m + 1) * sumandos * ulp<double>()) << n << m << du << dv;
-        }
-    }
-    const auto G = redAlAzar<double>(3);
-    const auto red = redDe(Base::BEZIER, G);
-    EXPECT_LT(peor([&](double u, double v) {
-                  return std::max(lejos(superficie(red, u, v), superficieRef(Base::BEZIER, G, u, v)),
-                                  lejos(normalSuperficie(red, u, v), normalRef(Base::BEZIER, G, u, v)));
-              }),
-              1e-13);
-}
-
-// §11.5: la superficie en v es la curva de Bézier de los puntos G(v), y cada uno va por la curva de su fila.
-TEST(Superficies, UnaFamiliaDeCurvas) {
-    const auto red = redAlAzar<double>(4, 6, 5);
-    EXPECT_LT(peor([&](double u, double v) {
-                  return lejos(bezier(geometriaEn(red, v), u),
-                               superficieRef(red, Cuadruple(u), Cuadruple(v)));
-              }),
-              4e-15);
-    for (std::size_t i = 0; i <= red.n; ++i)
-        EXPECT_EQ(geometriaEn(red, 1.0)[i], red.en(i, red.m));
-}
-
-// Los trozos vecinos de una red de 5 × 5, en u y en v: el punto y las derivadas primera y segunda casan, y la tercera
-// no. También con puntos duplicados, aunque el libro diga que no (§11.8): lo que se pierde es la tangente…
-TEST(Superficies, BSplineC2EntreTrozos) {
-    const auto enDoble = [](auto... a) { return superficie<double>(a...); };
-    const auto exacta = [](auto... a) { return superficieRef<double, double>(a...); };
-    for (const bool duplicados : {false, true}) {
-        auto P = puntosAlAzar<double>(25);
-        if (duplicados)
-            P[8] = P[13] = P[7] = P[12];
-        const auto A = trozoDe(P, 5), B = trozoDe(P, 5, 1, 0), C = trozoDe(P, 5, 0, 1);
-        const auto salto = [&](double t, int d, const auto &Q) {
-            return std::max(lejos(Q(Base::BSPLINE, A, 1.0, t, d, 0), Q(Base::BSPLINE, B, 0.0, t, d, 0)),
-                            lejos(Q(Base::BSPLINE, A, t, 1.0, 0, d), Q(Base::BSPLINE, C, t, 0.0, 0, d)));
         };
-        for (int k = 0; k <= 8; ++k) {
-            EXPECT_EQ(salto(k / 8.0, 0, enDoble), 0);
-            EXPECT_LT(salto(k / 8.0, 1, enDoble), 4e-15);
-            EXPECT_LT(salto(k / 8.0, 2, enDoble), 4e-15);
-            EXPECT_GT(salto(k / 8.0, 3, exacta), 0.01);
+        const double cota = 2 * double(n + m + 1) * ulp<double>();
+        for (const auto &[du, dv] : {std::pair<int, int>{0, 0}, {1, 0}, {0, 1}, {1, 1}, {2, 0}, {0, 2}}) {
+            const auto Q = [&, i = du, j = dv](double u, double v) { return superficie(red, u, v, i, j); };
+            const double sumandos = std::pow(2.0 * double(n + 1), du) * std::pow(2.0 * double(m + 1), dv);
+            EXPECT_LT(error(du, dv, Q), cota * sumandos) << n << m << du << dv;
         }
+        EXPECT_LT(error(0, 0, [&](double u, double v) { return bezier(geometriaEn(red, v), u); }), cota);
     }
 }
 
-// … como con una fila repetida tres veces: Q_u se anula en todo un borde.
+// Con puntos duplicados, aunque el libro diga que no (§11.8), dos trozos vecinos siguen unidos: lo que se pierde es la
+// tangente, y con una fila repetida tres veces Q_u se anula en todo un borde.
 TEST(Superficies, BSplineConFilasRepetidasPierdeLaTangente) {
     Geometria2<double> G = loma();
     G[1] = G[2] = G[0];
-    for (const double v : OCTAVOS)
+    const Geometria2<double> siguiente = {G[1], G[2], G[3], loma()[1]};
+    for (const double v : OCTAVOS) {
         EXPECT_LT(glm::length(superficie(Base::BSPLINE, G, 0.0, v, 1, 0)), 1e-15);
+        for (const int d : {0, 1, 2})
+            EXPECT_LT(lejos(superficie(Base::BSPLINE, G, 1.0, v, d, 0),
+                            superficie(Base::BSPLINE, siguiente, 0.0, v, d, 0)),
+                      4e-15);
+    }
 }
 
 // ---- superficies.h: normales ----
@@ -204,16 +152,13 @@ double peorAngulo(Base base, const Geometria2<double> &G,
     return peor([&](double u, double v) { return angulo<T>(base, G, u, v); }, parametros);
 }
 
+// La talla y el sitio no cuentan.
 TEST(Normales, ContraCuadruplePrecision) {
     for (const Base base : BASES) {
         EXPECT_LT(peorAngulo<Cuadruple>(base, loma()), 1e-32);
         EXPECT_LT(peorAngulo<double>(base, loma()), 8e-15);
         EXPECT_LT(peorAngulo<float>(base, loma()), 4e-6);
     }
-}
-
-// La talla y el sitio no cuentan.
-TEST(Normales, DeCualquierTallaYEnCualquierSitio) {
     const std::pair<double, glm::dvec3> casos[] = {
         {1e-9, glm::dvec3(0)}, {1e9, glm::dvec3(0)}, {1, {1 << 20, 0, -(1 << 20)}}};
     for (const auto &c : casos) {
@@ -283,21 +228,6 @@ TEST(Triangulos, LoJustoParaLaTolerancia) {
                 EXPECT_TRUE(tolerancia > 0.01 || separacion(base, G, {n.u / 2, n.v / 2}) > tolerancia) << vez;
             }
         }
-}
-
-// Un plano son dos triángulos; si solo hay curva en u, solo se parte u.
-TEST(Triangulos, SoloDondeHayCurva) {
-    const auto red = [](const auto &f) {
-        return lleva<float>(loma(), [&](const glm::dvec3 &p) { return glm::dvec3(p.x, f(p.x, p.z), p.z); });
-    };
-    const auto plano = red([](double, double) { return 0.0; }),
-               canal = red([](double x, double) { return x * (3 - x); });
-    for (const Base base : {Base::BEZIER, Base::BSPLINE}) {
-        const Segmentos p = segmentosSuperficie(base, plano, 1e-3),
-                        c = segmentosSuperficie(base, canal, 1e-3);
-        EXPECT_EQ(glm::ivec3(p.u, p.v, c.v), glm::ivec3(1));
-        EXPECT_GT(c.u, 10);
-    }
 }
 
 // Sin grietas: los vértices del borde que comparten dos trozos son los mismos, bit a bit.
@@ -528,61 +458,14 @@ std::vector<Trozo> hermite(const Red &elementos, double k = 0) {
 const Red ELEMENTOS(ELEMENTOS_INICIALES.begin(), ELEMENTOS_INICIALES.end());
 
 TEST(SuperficieHermite, PixelAPixel) {
-    compruebaCasos("superficie_hermite", {{"", CAMARA_HERMITE, hermite(ELEMENTOS)},
-                                          {"tecla u", CAMARA_UNION, hermite(ELEMENTOS, 0.7)},
-                                          {"tecla + ×20", CAMARA_UNION, hermite(ELEMENTOS, 3)},
-                                          {"tecla - ×20", CAMARA_UNION, hermite(ELEMENTOS, 0.2)},
-                                          {"tecla u; tamano 360 540", CAMARA_HERMITE, hermite(ELEMENTOS)}});
-}
-
-// Una esquina de la unión, que es de los dos trozos y se lleva sus vectores; la punta de una torsión; y la cámara.
-TEST(SuperficieHermite, ElRatonMueveCualquierElementoYGiraLaCamara) {
-    Red uno = ELEMENTOS;
-    /// El punto llevado a ese píxel sin acercarse ni alejarse.
-    const auto llevado = [](const glm::dvec3 &p, const glm::ivec2 &raton) {
-        const oraculo::Rayo r =
-            oraculo::rayo(CAMARA_HERMITE, NORMAL.x, NORMAL.y, raton.x + 0.5, NORMAL.y - raton.y - 0.5);
-        const oraculo::Vec3 eje = oraculo::ejes(CAMARA_HERMITE).z;
-        const oraculo::Vec3 q =
-            r.origen + escalar(exacto(p) - r.origen, eje) / escalar(r.direccion, eje) * r.direccion;
-        return glm::dvec3(q.x, q.y, q.z);
-    };
-    uno[4] = llevado(uno[4], {150, 265});
-    Red dos = uno;
-    dos[14] = 3.0 * (llevado(dos[4] + dos[14] / 3.0, {300, 120}) - dos[4]);
-    compruebaCasos(
-        "superficie_hermite",
-        {{arrastra({294, 289}, {150, 265}), CAMARA_HERMITE, hermite(uno)},
-         {"tecla u", CAMARA_UNION, hermite(uno, 0.7)},
-         {"tecla u; " + arrastra({140, 200}, {300, 120}), CAMARA_HERMITE, hermite(dos)},
-         {arrastra({20, 340}, {60, 50}), camara(0.45 - 40 * 0.005, 0.6 - 290 * 0.005, 8.4, {0, -0.2, 0}),
-          hermite(dos)}}); // la otra cara
-}
-
-// ---- Lo que se ve ----
-
-// Los píxeles son los de la lista sobre la escena, y la superficie tapa lo que va con profundidad y está detrás. Lo que
-// va por ella se ve casi todo.
-TEST(PintadoConProfundidad, LaListaSobreLaEscena) {
-    const struct {
-        std::string programa;
-        Caso caso;
-        double visto;
-    } casos[] = {{"superficie_bspline", {"", CAMARA_BSPLINE, nueveTrozos()}, 0.3},
-                 {"superficie_bspline",
-                  {arrastra({20, 20}, {-40, -60}), camara(0.85, 0.2, 9.4, {0, -0.1, 0}), nueveTrozos()},
-                  0.3},
-                 {"superficie_hermite", {"tecla u", CAMARA_UNION, hermite(ELEMENTOS, 0.7)}, 0.5},
-                 {"superficie_bezier", {"tecla m; tecla + ×4", CAMARA_BEZIER, {trozo(redBezier())}}, 0.9}};
-    for (const auto &[programa, caso, visto] : casos) {
-        const oraculo::ImagenRef ref = referencia(caso.camara, caso.trozos);
-        const auto delante = [&ref, &c = caso.camara](int x, int y, double z) {
-            const oraculo::PixelRef &r = ref.en(x, y);
-            const double mas = 200 / (101 - 99 * z) + enCamara(c, r.punto).z; // lejos que lo que se ve
-            return oraculo::enBanda(ref, x, y) ? 0 : r.objeto < 0 || mas < -0.05 ? 1 : mas > 0.3 ? -1 : 0;
-        };
-        EXPECT_GT(compruebaPintado(programa, caso.guion, NORMAL, delante), visto);
-    }
+    compruebaCasos("superficie_hermite",
+                   {{"", CAMARA_HERMITE, hermite(ELEMENTOS)},
+                    {"tecla u", CAMARA_UNION, hermite(ELEMENTOS, 0.7)},
+                    {"tecla + ×20", CAMARA_UNION, hermite(ELEMENTOS, 3)},
+                    {"tecla - ×20", CAMARA_UNION, hermite(ELEMENTOS, 0.2)},
+                    {"tecla u; tamano 360 540", CAMARA_HERMITE, hermite(ELEMENTOS)},
+                    {"tamano 480 360; " + arrastra({20, 340}, {60, 50}), // la otra cara
+                     camara(0.45 - 40 * 0.005, 0.6 - 290 * 0.005, 8.4, {0, -0.2, 0}), hermite(ELEMENTOS)}});
 }
 
 } // namespace

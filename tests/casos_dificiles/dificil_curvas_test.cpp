@@ -4,7 +4,7 @@
 
 namespace {
 
-/// C(n, k) sin factoriales: hasta C(60, 30) es exacto en 64 bits.
+/// C(n, k) sin factoriales, que 21! ya no cabe: hasta C(60, 30) es exacto en 64 bits.
 Largo combinatorio(int n, int k) {
     Largo c = 1;
     for (int i = 1; i <= k; ++i)
@@ -52,21 +52,6 @@ const Cotas GRADO_N([] {
         const std::vector<Punto<float>> P = puntos(n);
         return mayor(lejos(bezier(P, 0.0f), P.front()), lejos(bezier(P, 1.0f), P.back()));
     });
-    acotaCada<int>("BezierN", "extremos_de_bernstein_grado_*", grados, 0, "diferencia", [](int n) {
-        const std::vector<double> a = bernstein(n, 0.0), b = bernstein(n, 1.0);
-        return peorHasta(
-            n + 1, [&](int k) { return mayor(std::fabs(a[k] - (k == 0)), std::fabs(b[k] - (k == n))); });
-    });
-    // por qué bernstein no usa factoriales, n! = Γ(n + 1): dónde deja de caber cada uno
-    struct Desborde {
-        Largo cabe, valor;
-    };
-    acotaCada<Desborde>("BezierN", "no_cabe_*",
-                        {{"factorial_13_en_int32", {2147483647.0L, std::tgamma(14.0L)}},
-                         {"factorial_21_en_int64", {9223372036854775807.0L, std::tgamma(22.0L)}},
-                         {"factorial_35_en_float", {3.4028235e38L, std::tgamma(36.0L)}},
-                         {"combinatorio_67_33_en_int64", {9223372036854775807.0L, combinatorio(67, 33)}}},
-                        1, "lo mayor / valor", [](const Desborde &d) { return d.cabe / d.valor; });
 });
 
 // --- cúbicas ---
