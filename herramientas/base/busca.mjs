@@ -28,6 +28,27 @@ function casaCon(buscada) {
   };
 }
 
+/// Cómo suena, para quien lo ha oído y no sabe cómo se escribe: «fong» es Phong y «bécier», Bézier.
+const suena = palabra => palabra.replace(/ph/g, 'f').replace(/[cz](?=[ei])|z/g, 's').replace(/qu|ck|c/g, 'k')
+  .replace(/v/g, 'b').replace(/y/g, 'i').replace(/h/g, '').replace(/(.)\1/g, '$1');
+
+/// Si solo sobra, falta o cambia una letra, o dos vecinas van al revés.
+function porUnaLetra(una, otra) {
+  let i = 0;
+  while (i < una.length && una[i] === otra[i]) ++i;
+  const [a, b] = [una.slice(i), otra.slice(i)];
+  return a.slice(1) === b.slice(1) || a.slice(1) === b || a === b.slice(1) ||
+    (a[0] === b[1] && a[1] === b[0] && a.slice(2) === b.slice(2));
+}
+
+/// Como casaCon, para una palabra que no está en ningún sitio.
+function seParece(buscada) {
+  const suya = suena(buscada);
+  return hay => buscada.length < 4 ? 0 : suena(hay) === suya ? 0.5 : porUnaLetra(buscada, hay) ? 0.3 : 0;
+}
+
+const DE_SINONIMO = 0.9; // lo que vale lo hallado con otras palabras
+
 export class Indice {
   #entradas;
   #donde = new Map(); // las zonas en que está cada palabra
@@ -44,7 +65,7 @@ export class Indice {
     };
     const deFichero = Object.fromEntries(Object.entries(ficheros).map(([ruta, texto]) =>
       [ruta, new Map(texto.split(' ').map(identificador => [llano(identificador), identificador]))]));
-    this.#sinonimos = new Map(Object.entries(sinonimos).map(par => par.map(llano)));
+    this.#sinonimos = Object.entries(sinonimos).map(([frase, otras]) => [llano(frase), otras.split('|').map(llano)]);
     this.#entradas = entradas.map(({ titulo, zonas, fuentes }) => ({ titulo, zonas: [
       ...zonas.map(([clase, enlace, texto]) => zona(clase, enlace, texto, VALE[clase], new Set(palabras(texto)))),
       // el propio vale más que los que incluye
@@ -52,10 +73,26 @@ export class Indice {
     ] }));
   }
 
-  /// Cuánto casa con una palabra, o con la que significa lo mismo, cada una que haya.
+  #esta(palabra) {
+    return [...this.#donde.keys()].some(casaCon(palabra));
+  }
+
+  /// Cuánto casa con una palabra cada una que haya; si no casa ninguna, cuánto se le parece.
   #casa(buscada) {
-    const variantes = [buscada, this.#sinonimos.get(buscada)].filter(Boolean).map(casaCon);
-    return hay => Math.max(...variantes.map(casa => casa(hay)));
+    return this.#esta(buscada) ? casaCon(buscada) : seParece(buscada);
+  }
+
+  /// Si no está y se parece a una de las que tienen sinónimos, esa.
+  #bienEscrita(palabra) {
+    const parece = seParece(palabra), deSinonimos = this.#sinonimos.flatMap(([frase]) => frase.split(' '));
+    return deSinonimos.includes(palabra) || this.#esta(palabra) ? palabra : deSinonimos.find(parece) ?? palabra;
+  }
+
+  /// Lo buscado y lo mismo con otras palabras: [palabras, cuánto vale lo que se halle con ellas].
+  #formas(suyas) {
+    const entero = ` ${suyas.map(palabra => this.#bienEscrita(palabra)).join(' ')} `;
+    return [[suyas, 1], ...this.#sinonimos.flatMap(([frase, otras]) => !entero.includes(` ${frase} `) ? []
+      : otras.map(otra => [palabras(entero.replace(` ${frase} `, ` ${otra} `)), DE_SINONIMO]))];
   }
 
   /// Lo que vale una palabra en cada zona en que casa con alguna.
@@ -68,13 +105,27 @@ export class Indice {
     return valen;
   }
 
-  /// Lo que tiene todas las palabras, de mejor a peor: { titulo, enlace, clase, texto, palabra }, con la zona en que
-  /// mejor está lo buscado y, si es un fuente, el identificador.
+  /// Lo que tiene todas las palabras, o sus sinónimos, de mejor a peor: { titulo, enlace, clase, texto, palabra }, con
+  /// la zona en que mejor está lo buscado y, si es un fuente, el identificador. Si no hay nada, lo que las tiene todas
+  /// menos una.
   busca(buscado) {
-    const suyas = palabras(buscado), casan = suyas.map(palabra => this.#casa(palabra));
-    const valen = casan.map(casa => this.#vale(casa));
-    const hallados = valen.length ? this.#entradas.map(entrada => this.#mide(entrada, valen, suyas.join(' '))) : [];
-    return hallados.filter(Boolean).sort((a, b) => b.vale - a.vale).map(({ titulo, zona, vale }) =>
+    const suyas = palabras(buscado), hallados = this.#halla(this.#formas(suyas));
+    if (hallados.length || suyas.length < 2) return hallados;
+    const conUnaMenos = suyas.flatMap((_, i) => this.#formas(suyas.filter((_, j) => j !== i)));
+    return this.#halla(conUnaMenos).map(hallado => ({ ...hallado, leFalta: true }));
+  }
+
+  /// De cada entrada, lo mejor de todas esas formas.
+  #halla(formas) {
+    const mejores = new Map();
+    for (const [suyas, cuanto] of formas) {
+      const casan = suyas.map(palabra => this.#casa(palabra)), valen = casan.map(casa => this.#vale(casa));
+      for (const entrada of valen.length ? this.#entradas : []) {
+        const hallado = this.#mide(entrada, valen, suyas.join(' ')), vale = hallado && cuanto * hallado.vale;
+        if (hallado && !(mejores.get(entrada)?.vale >= vale)) mejores.set(entrada, { ...hallado, vale, casan });
+      }
+    }
+    return [...mejores.values()].sort((a, b) => b.vale - a.vale).map(({ titulo, zona, vale, casan }) =>
       ({ titulo, vale, enlace: zona.enlace, clase: zona.clase, texto: zona.texto, palabra: this.#mejor(zona, casan) }));
   }
 

@@ -191,7 +191,7 @@ test('todo se encuentra: cada nombre, título, referencia, pie, tecla e identifi
   }
   const [mejor] = buscador.busca('glStencilFunc');
   assert.deepEqual([mejor.clase, mejor.palabra], ['fuente', 'glStencilFunc']);
-  tabla(primeros, ['', []], ['   ', []], ['?¿', []], ['xyzzy', []], ['grua xyzzy', []]);
+  tabla(primeros, ['', []], ['   ', []], ['?¿', []], ['xyzzy', []], ['xyzzy plugh', []]);
 });
 
 test('cómo se lee lo que se busca, y qué trozo se enseña', () => {
