@@ -51,7 +51,7 @@ static void mideAplanado(Medidor &m) {
     const auto uniforme = [](const auto &c, int n) {
         return polilinea([&](float u) { return bezier(c, u); }, n);
     };
-    for (const int n : {8, 16, 32, 64, 128, 256})
+    for (const int n : m.elige<std::vector<int>>({16, 128}, {8, 16, 32, 64, 128, 256}))
         variante(std::to_string(n) + " iguales", [&](const auto &c) { return uniforme(c, n); });
     variante("cota de Wang, 0.5 px", [&](const auto &c) { return uniforme(c, segmentosWang(c, 0.5)); });
     variante("por mitades, 0.5 px", [&](const auto &c) { return polilineaBezier(c, 0.5); });

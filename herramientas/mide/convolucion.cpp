@@ -72,8 +72,8 @@ static void mideConvolucion(Medidor &m) {
     const GLuint entrada = creaTexturaExacta(foto), directo = creaFiltrador("convolucion_variable"),
                  separable = creaFiltrador("convolucion_separable");
     const Lienzo en8 = creaLienzo(TALLA), enFloat = creaLienzo(TALLA, GL_RGBA32F), salida = creaLienzo(TALLA);
-    for (const GLuint textura :
-         {entrada, en8.textura}) { // sin interpolar, que en el centro de un texel da lo mismo
+    // sin interpolar, que en el centro de un texel da lo mismo
+    for (const GLuint textura : {entrada, en8.textura}) {
         glBindTexture(GL_TEXTURE_2D, textura);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -87,11 +87,8 @@ static void mideConvolucion(Medidor &m) {
         glActiveTexture(GL_TEXTURE1);
         creaTexturaExacta(GL_R32F, {talla, talla}, GL_RED, GL_FLOAT, f.valores.data());
         glActiveTexture(GL_TEXTURE0);
-        const auto variante = [&](const std::string &nombre, const std::function<void()> &dibuja) {
-            Dibujadas{m, TALLA, [&](const Imagen &i) { return rmse(i, exacta); }}(nombre + ", " + m.grupo, "",
-                                                                                  dibuja);
-        };
-        variante("directa", [&] {
+        const Dibujadas variante{m, TALLA, [&](const Imagen &i) { return rmse(i, exacta); }};
+        variante("directa, " + m.grupo, "", [&] {
             glUseProgram(directo);
             envia(directo, "filtro", 1);
             dibujaEn(entrada, salida);
@@ -107,8 +104,8 @@ static void mideConvolucion(Medidor &m) {
             glUniform1fv(uniforme(separable, "filtro"), f.talla, f.columna.data());
             dibujaEn(por.textura, salida);
         };
-        variante("separable, 8 bits", [&] { enDosPasadas(en8); });
-        variante("separable, float", [&] { enDosPasadas(enFloat); });
+        variante("separable, 8 bits, " + m.grupo, "", [&] { enDosPasadas(en8); });
+        variante("separable, float, " + m.grupo, "", [&] { enDosPasadas(enFloat); });
         if (!m.ensayo && m.pares && (talla == 3 || talla == 15))
             parImageMagick(m, foto, f, exacta);
     }

@@ -54,12 +54,12 @@ static void mideEsferas(Medidor &m) {
     };
     m.referencia = oraculo::enBytes(trazaEsfera(framebuffer, 1.08));
     m.grupo = "esfera";
-    for (const int n : {16, 32, 64, 128, 256})
+    for (const int n : m.elige<std::vector<int>>({16, 64}, {16, 32, 64, 128, 256}))
         variante(formatea("esfera de %d", n), esfera(n), true);
     variante("esfera, segmentosEsfera", esfera(segmentosEsfera(RADIO_PX)), true);
     m.referencia = {};
     m.grupo = "toro";
-    for (const int n : {32, 64, 128})
+    for (const int n : m.elige<std::vector<int>>({32}, {32, 64, 128}))
         variante(formatea("toro de %d×%d", n, n / 2), toro(0.7f, 0.3f, n, n / 2), false);
     const int n = segmentosPara(RADIO_PX, 0.5f);
     variante("toro, segmentosPara", toro(0.7f, 0.3f, n, n / 2), false);

@@ -42,7 +42,7 @@ static void mideProfundidad(Medidor &m) {
                     {"float", 32, GL_DEPTH_COMPONENT32F, false},
                     {"float al revés", 32, GL_DEPTH_COMPONENT32F, true}};
     const char *const POTENCIA[] = {"", "", "10²", "", "10⁴", "", "10⁶"};
-    for (const int cociente : {2, 4, 6}) {
+    for (const int cociente : m.elige<std::vector<int>>({2, 6}, {2, 4, 6})) {
         const double lejos = 1000, cerca = lejos / std::pow(10.0, cociente);
         m.grupo = std::string("lejos/cerca = ") + POTENCIA[cociente];
         for (const auto &f : FORMATOS) {

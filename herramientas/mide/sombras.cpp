@@ -76,8 +76,9 @@ static void mideSombras(Medidor &m) {
         refs.push_back(traza(v, framebuffer));
     m.referencia = oraculo::enBytes(refs[0]);
     // con el factor y las unidades de glPolygonOffset
-    for (const glm::vec2 &d : std::initializer_list<glm::vec2>{
-             {0, 0}, {0, -1}, {0, -2}, {-0.25f, -2}, {-1, -1}, {-1, -100}, {-10, -10000}, {0, -1000000}}) {
+    for (const glm::vec2 &d : m.elige<std::vector<glm::vec2>>(
+             {{0, 0}, {-0.25f, -2}, {-10, -10000}},
+             {{0, 0}, {0, -1}, {0, -2}, {-0.25f, -2}, {-1, -1}, {-1, -100}, {-10, -10000}, {0, -1000000}})) {
         double sombra = 0, falta = 0, sobra = 0; // píxeles
         Imagen primera;
         for (std::size_t v = 0; v < refs.size(); ++v) {

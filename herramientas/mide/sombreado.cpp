@@ -25,17 +25,18 @@ static void mideSombreado(Medidor &m) {
     const oraculo::ImagenRef ref = trazaEsfera(framebuffer);
     m.referencia = oraculo::enBytes(ref);
     const Dibujadas variante{m, framebuffer, [&](const Imagen &i) { return errorDeFrente(i, ref); }};
+    const auto muchos = m.elige<std::vector<int>>({12, 48}, {12, 24, 48, 192});
     const struct {
         const char *nombre;
         GLuint programa;
         std::vector<int> segmentos;
     } MODELOS[] = {
-        {"plano", creaSombreado("plano"), {12, 48, 192}},
-        {"Gouraud", creaSombreado("gouraud"), {12, 24, 48, 192}},
+        {"plano", creaSombreado("plano"), muchos},
+        {"Gouraud", creaSombreado("gouraud"), muchos},
         {"Phong sin normalizar",
          creaPrograma("ch05_iluminacion/sombreado_phong.vert", "herramientas/mide/phong_sin_normalizar.frag"),
          {12, 48}},
-        {"Phong", creaSombreado("phong"), {12, 24, 48, 192}}};
+        {"Phong", creaSombreado("phong"), muchos}};
     for (const auto &modelo : MODELOS)
         for (const int n : modelo.segmentos) {
             const bool plano = modelo.nombre == std::string("plano");

@@ -20,11 +20,7 @@ struct Camara {
     double cerca = -1, lejos = 1;
 };
 inline Camara miraDesde(const Vec3 &ojo, const Vec3 &centro, const Vec3 &arriba = {0, 1, 0}) {
-    Camara c;
-    c.ojo = ojo;
-    c.centro = centro;
-    c.arriba = arriba;
-    return c;
+    return {ojo, centro, arriba};
 }
 /// La de common/orbita.h: desde +Z, sube `elevacion` (alrededor de X) y luego gira `azimut` alrededor de Y.
 inline Camara orbita(double azimut, double elevacion, double distancia, const Vec3 &centro = {}) {
@@ -32,20 +28,12 @@ inline Camara orbita(double azimut, double elevacion, double distancia, const Ve
     return miraDesde(centro + direccion(giro, {0, 0, distancia}), centro);
 }
 /// perspectivaVentana: `angulo` abarca el alto útil.
-inline Camara perspectiva(Camara c, double angulo, double cerca, double lejos) {
-    c.esParalela = false;
-    c.semilado = std::tan(angulo / 2);
-    c.cerca = cerca;
-    c.lejos = lejos;
-    return c;
+inline Camara perspectiva(const Camara &c, double angulo, double cerca, double lejos) {
+    return {c.ojo, c.centro, c.arriba, false, std::tan(angulo / 2), cerca, lejos};
 }
 /// paralelaVentana: [−semilado, semilado] en el alto útil.
-inline Camara paralela(Camara c, double semilado, double cerca = -1, double lejos = 1) {
-    c.esParalela = true;
-    c.semilado = semilado;
-    c.cerca = cerca;
-    c.lejos = lejos;
-    return c;
+inline Camara paralela(const Camara &c, double semilado, double cerca = -1, double lejos = 1) {
+    return {c.ojo, c.centro, c.arriba, true, semilado, cerca, lejos};
 }
 
 /// Los ejes de la cámara en el mundo; se mira hacia −z.

@@ -148,10 +148,8 @@ def test_el_frente_de_pareto_y_la_elegida():
     tecnicas.marca(t)
     optima = {x.nombre: x.optima for x in t.variantes if not x.par}
     assert optima == {"a": True, "b": None, "b, x": False, "bc": None, "e": True}
-    assert [[x.nombre for x in que] for que in ([x for x in t.variantes if x.elegida], t.elegida_fuera)] == [
-        ["b", "b, x"],
-        ["b, x"],
-    ]
+    assert [x.nombre for x in t.variantes if x.elegida] == ["b", "b, x"]
+    assert [x.nombre for x in t.elegida_fuera] == ["b, x"]
     pares = [(v.nombre, pytest.approx(tiempo.mediana), error) for _, v, tiempo, error in t.frente_a_pares]
     assert pares == [("b", 0.05, 0), ("b, x", 0.1 / 3, 0)]
     t = tecnica(variante("b", 2, 4), variante("par: c", 10, 1))
@@ -165,16 +163,8 @@ def test_las_columnas_de_un_tsv(tmp_path):
     a, b = tecnicas.lee_variantes(f)
     assert (a.nombre, a.grupo, a.mediana, a.minimo, a.maximo, a.error, a.nota) == ("a", "", 2, 1, 3, 0.5, "")
     assert (b.grupo, b.nota) == ("g", "nota")
-    malas = [
-        "a - 0.5 -",
-        "a - 0 - 1,0",
-        "a - 0 - inf",
-        "a - -1 - 1",
-        "",
-        "a - 0 - 1\na - 0 - 1",
-        "a - 0 - 1,2\nb - 0 - 1",
-    ]
-    for mal in malas:
+    sin_sentido = "a - 0.5 -", "a - 0 - 1,0", "a - 0 - inf", "a - -1 - 1", ""
+    for mal in (*sin_sentido, "a - 0 - 1\na - 0 - 1", "a - 0 - 1,2\nb - 0 - 1"):
         f.write_text(mal.replace(" ", "\t").replace(",", " "))
         with pytest.raises(procesos.Fallo, match="t.tsv"):
             tecnicas.lee_variantes(f)
@@ -223,13 +213,8 @@ def test_el_error_de_un_ensayo():
 def test_lo_que_cuesta_un_programa(tmp_path, monkeypatch):
     """Con un suelo de 2 ms y un programa que arranca en 6. De los campos de -mide que se leen por su lugar, el primero
     es el 104, y los demás siguen."""
-    siembra(
-        tmp_path,
-        {
-            "docs/evidencia.json": '{"programas": {"a": {"maximo": 0.5, "rmse": 0.25, "borde": 0.125}}}',
-            "herramientas/mide/suelo_osmesa": "",
-        },
-    )
+    medido = '{"programas": {"a": {"maximo": 0.5, "rmse": 0.25, "borde": 0.125}}}'
+    siembra(tmp_path, {"docs/evidencia.json": medido, "herramientas/mide/suelo_osmesa": ""})
     a = SimpleNamespace(nombre="a", consola="", ejecutable=lambda b: b / "osmesa/ch01/a")
 
     def escribe(orden, **_):
@@ -268,6 +253,31 @@ def test_en_rojo_va_lo_que_pasa_y_cada_nota_en_su_barra(tmp_path):
     assert re.findall('<td class="nota( mal)?">(.*?)<', pagina) == [(" mal" * (n < 50), f"{n:g}") for n in notas]
     barras = {tramo: int(n or 0) for n, tramo in re.findall(r"(?:<b>(\d+)</b>)?</i><span>(.*?)</span>", pagina)}
     assert barras == {**{f"{i}–{i + 9}": sum(i <= n < i + 10 for n in notas) for i in range(0, 100, 10)}, "100": 1}
+
+
+def luminancia(color):
+    """La relativa de WCAG, de #rgb o #rrggbb."""
+    cifras = color[1:] if len(color) == 7 else "".join(2 * cifra for cifra in color[1:])
+    valores = [b / 255 for b in bytes.fromhex(cifras)]
+    lineales = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in valores)
+    return sum(peso * c for peso, c in zip((0.2126, 0.7152, 0.0722), lineales))
+
+
+def test_cada_color_se_lee_en_claro_y_en_oscuro():
+    """Cada uno de los que tienen nombre, si es de letras: 4.5 a 1 con los fondos, en los dos temas."""
+    comun = RAIZ / "herramientas/base/paginas.css"
+    oscuro = r"(?s)@media \(prefers-color-scheme: dark\) \{.*?\n\}"
+    usados = set()
+    for hoja in sorted(f for tipo in ("css", "html") for f in (RAIZ / "herramientas").glob(f"*/*.{tipo}")):
+        texto = comun.read_text() + hoja.read_text() * (hoja != comun)
+        for tema in re.sub(oscuro, "", texto), re.sub(oscuro, "", texto) + "".join(re.findall(oscuro, texto)):
+            valen = dict(re.findall(r"--(\w+): (#[0-9a-f]{3,6})\b", tema))
+            de_letras = set(re.findall(r"(?<![-\w])color: var\(--(\w+)\)", texto)) & valen.keys()
+            usados |= de_letras
+            for color, fondo in itertools.product(sorted(de_letras), ("fondo", "papel")):
+                una, otra = sorted(luminancia(valen[que]) for que in (color, fondo))
+                assert (otra + 0.05) / (una + 0.05) >= 4.5, f"{hoja.name}: {color} {valen[color]} sobre {valen[fondo]}"
+    assert {"tinta", "suave", "enlace", "fallo", "acierto"} <= usados
 
 
 def test_la_grafica(tmp_path, monkeypatch):
@@ -356,13 +366,11 @@ def test_la_portada_es_de_su_capitulo():
 
 def test_los_modulos_juntos(tmp_path):
     """Sin import ni export; lo que otro declara, una vez."""
-    siembra(
-        tmp_path, {"a.mjs": "import { todos,\n  una } from './x.mjs';\nexport const a = 1;\nexport function f() {}\n"}
-    )
+    modulo = "import { todos,\n  una } from './x.mjs';\nexport const a = 1;\nexport function f() {}\n"
+    siembra(tmp_path, {"a.mjs": modulo})
     assert paginas.junta(tmp_path, ["a.mjs"]) == "const a = 1;\nfunction f() {}\n"
-    declarados = re.findall(
-        r"^(?:const|let|class|(?:async )?function) (\w+)", paginas.junta(GALERIA, MODULOS), re.MULTILINE
-    )
+    declara = r"^(?:const|let|class|(?:async )?function) (\w+)"
+    declarados = re.findall(declara, paginas.junta(GALERIA, MODULOS), re.MULTILINE)
     assert len(declarados) > 20 and len(set(declarados)) == len(declarados)
 
 
@@ -468,9 +476,8 @@ def test_como_la_gente_escribe_una_referencia():
             except catalogo.Fallo as fallo:
                 assert lleva in str(fallo)
     assert "ch05" == catalogo.abrevia("ch5") == catalogo.abrevia("capítulo 5") == catalogo.abrevia("cap 05")
-    assert catalogo.juntas("ver Listado 5.1 -geometry 9 captura 5.1 fig. 3 grua 1 2".split()) == [
-        *("ver", "Listado 5.1", "-geometry", "9", "captura", "5.1", "fig. 3", "grua", "1", "2")
-    ]
+    juntas = catalogo.juntas("Listado 5.1 -geometry 9 captura 5.1 fig. 3 grua 1 2".split())
+    assert juntas == ["Listado 5.1", *"-geometry 9 captura 5.1".split(), "fig. 3", *"grua 1 2".split()]
     hay = nuevo.ejercicios(RAIZ, programas)
     assert {nuevo.ejercicio_pedido(p, hay) for p in ("E3.5", "e3.5", "3.5", "Ejercicio 3.5")} == {"E3.5"}
 
@@ -525,12 +532,8 @@ def test_un_defecto_plantado():
     for texto, mal in (("a", "está 2 veces"), ("x", "está 0 veces"), ("«b»", "no cambia nada")):
         with pytest.raises(ValueError, match=mal):
             mutante(texto, "b").sitio("a a b")
-    todos = (
-        mutante("«b» + c", "1"),
-        mutante("«b» + c", "2", 2),
-        mutante("+ «c»", "d", 3),
-        mutante("a = b + c;", "x();", 4),
-    )
+    expresiones = mutante("«b» + c", "1"), mutante("«b» + c", "2", 2), mutante("+ «c»", "d", 3)
+    todos = *expresiones, mutante("a = b + c;", "x();", 4)
     juntos = "a = (mutante(2) ? (2) : (mutante(1) ? (1) : (b))) + (mutante(3) ? (d) : (c));"
     assert defectos.cambia("a = b + c;", todos[:3]) == juntos
     assert defectos.cambia("a = b + c;", todos[3:]) == "if (mutante(4)) { x(); } else { a = b + c; }"
