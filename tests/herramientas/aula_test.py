@@ -91,7 +91,7 @@ ZIPS = {  # lo que solo puede haber en un .zip → lo mismo que en REVUELTA
     **{f"sale {i}": (en_zip((n, P)), "…una ruta que sale de su carpeta…") for i, n in enumerate(SALEN)},
     **{como: (datos, "…no se puede abrir: está estropeado…") for como, datos in ESTROPEADOS.items()},
 }
-CONTENIDOS = {"enlace": Path("/etc"), "tubería": os.mkfifo, "1 GB": 99 << 20, "utf16": "int main() {}".encode("utf-16")}
+CONTENIDOS = {"enlace": Path("/etc"), "tubería": os.mkfifo, "2 MiB": 2 << 20, "utf16": "int main() {}".encode("utf-16")}
 CONTENIDOS |= {"binario": b"\x7fELF\0", "latin1": b"int main() {} // gr\xfaa", "bom": b"\xef\xbb\xbfint x;", "": ""}
 CONTENIDOS |= {"E4.4": "E4.4 ch04/x", REF: f"{REF} ch03/grua", "viejo": "viejo", "m": "int main() {}"}
 CONTENIDOS |= {
@@ -139,10 +139,10 @@ binario                       p.cpp=m, p.h=binario → «p.h» no es un texto en
 enlace                        p.cpp=enlace → no se puede leer «p.cpp»: es un enlace o no hay permiso
 tubería                       p.cpp=tubería → «p.cpp» no es un fichero corriente
 ejercicio tubería             p.cpp=m, p.h, ejercicio.txt=tubería → p.cpp p.h; …
-enorme                        p.cpp=1 GB → «p.cpp» pasa de 1 MiB
-incluye uno enorme            p.cpp=+gordo.h, p.h, gordo.h=1 GB → «gordo.h» pasa de 1 MiB
-uno enorme al lado            p.cpp=m, p.h, gordo.h=1 GB → p.cpp p.h; no se ha mirado todo: «gordo.h» pasa de 1 MiB
-varios que no se leen         p.cpp=m, p.h, a.vf=1 GB, b.h=enlace → p.cpp p.h; no se ha mirado todo: …, y 1 más
+enorme                        p.cpp=2 MiB → «p.cpp» pasa de 1 MiB
+incluye uno enorme            p.cpp=+gordo.h, p.h, gordo.h=2 MiB → «gordo.h» pasa de 1 MiB
+uno enorme al lado            p.cpp=m, p.h, gordo.h=2 MiB → p.cpp p.h; no se ha mirado todo: «gordo.h» pasa de 1 MiB
+varios que no se leen         p.cpp=m, p.h, a.vf=2 MiB, b.h=enlace → p.cpp p.h; no se ha mirado todo: …, y 1 más
 copia vieja                   p.h, mi_p.cpp=suyo, mi_p_vieja.cpp=otro main → mi_p.cpp mi_p_vieja.cpp p.h (mi_p.cpp)
 copia de Windows              p.h, mi ñ - copia.cpp=otro main, mi ñ.cpp=m → mi ñ - copia.cpp mi ñ.cpp p.h (mi ñ.cpp)
 una prueba                    p.h, grua.cpp=suyo, a.cpp=m → a.cpp grua.cpp p.h (grua.cpp)

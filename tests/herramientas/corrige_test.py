@@ -25,7 +25,7 @@ import pytest
 from banco import BUILD, RAIZ, REF, UNO, banco_falso, carpeta_de, con_catalogo, con_comparador, con_jaula, orden
 from base import catalogo, guiones, procesos
 from base.fuentes import SHADERS
-from ejercicios import nuevo
+from ejercicios import nuevo, reglas
 from ejercicios.corrige import clase as de_clase
 from ejercicios.corrige import compilador, entrega, informes, jaula, motivos
 from ejercicios.corrige import orden as orden_
@@ -79,16 +79,6 @@ def test_los_guiones_al_azar_son_los_mismos_y_usan_todos_los_mandos():
     assert {g.ordenes[-3:] for g in hechos[0]} == {partidas.FINAL}
     pocos = list(partidas.guiones_al_azar("E1 1", 3, pulsan, lambda azar: ["tecla z"]))
     assert {guiones.sin_veces(o) for g in pocos for o in g.ordenes} >= set(mandos)  # aunque sean más que los guiones
-
-
-def test_los_guiones_de_los_casos():
-    casos = [
-        SimpleNamespace(nombre=nombre, guion=guion) for nombre, guion in (("uno", ""), ("dos", "tecla a; espera 5;"))
-    ]
-    son = [Guion("uno", partidas.FINAL, True), Guion("dos", ("tecla a", "espera 5", *partidas.FINAL), True)]
-    assert list(partidas.de_los_casos(SimpleNamespace(casos=casos))) == son
-    capturas = "captura 000.ppm; tecla a; captura 001.ppm; tecla b; captura 002.ppm"
-    assert Guion("", ("tecla a", "tecla b")).texto == capturas
 
 
 def ppm(ancho, alto, sobra=b"", comentario=b"# sello\n"):
@@ -159,13 +149,27 @@ def test_lo_que_cuenta_una_vez(obtenida, que):
 
 @con_comparador
 def test_dos_imagenes_son_la_misma(tmp_path):
+    """De la tolerancia más estrecha a la más ancha, cada una admite lo que la anterior y algo más."""
     arbitro = Arbitro.__new__(Arbitro)
-    arbitro.parecidas, arbitro.temporal, arbitro.build = {}, tmp_path, BUILD
-    gris = bytes([100]) * 3000
-    iguales = gris, bytes([101]) * 3000
-    distintas = bytes([110]) * 3000, gris[:-30] + bytes(30), bytes([160]) + gris[1:]
-    son = [arbitro.parecido((100, 10, gris), (100, 10, pixeles)) for pixeles in (*iguales, *distintas)]
-    assert son == [BIEN, BIEN, 0, 0, CASI]  # un píxel suelto que se sale
+    arbitro.temporal, arbitro.build = tmp_path, BUILD
+    gris, otro = bytes([100]) * 3000, bytes([160])
+    otras = (
+        gris,
+        bytes([101]) * 3000,
+        bytes([103]) * 3000,
+        otro * 3 + gris[3:],
+        bytes([110]) * 3000,
+        gris[30:] + bytes(30),
+    )
+    admiten = {}
+    for arbitro.tolerancia in reglas.TOLERANCIAS:
+        arbitro.parecidas = {}
+        admiten[arbitro.tolerancia] = [arbitro.parecido((100, 10, gris), (100, 10, otra)) for otra in otras]
+    assert admiten == {
+        "redondeo": [BIEN, BIEN, CASI, CASI, 0, 0],
+        "amplia": [BIEN, BIEN, BIEN, CASI, 0, 0],
+        "otro": [BIEN, BIEN, BIEN, BIEN, 0, 0],
+    }
     assert not arbitro.parecido((100, 10, gris), (50, 20, gris))
     assert not list(tmp_path.iterdir())
 
@@ -190,8 +194,8 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
         correccion.jugador, correccion.muestra, correccion.explica = "entrega", lambda fallan: [], lambda *_: []
         return correccion.compara()["nota"]
 
-    assert nota(lambda g: partida(1)) == 100 and nota(lambda g: partida(2)) == 0
-    assert nota(lambda g: partida(7)) == 50 and nota(lambda g: partida(1, titulos=())) == 95  # por poco; en todos
+    assert [nota(lambda g, i=i: partida(i)) for i in (1, 2, 7)] == [100, 0, 50]  # la última, por poco
+    assert nota(lambda g: partida(1, titulos=())) == 95  # en todos
     assert nota(lambda g: partida(2 if g.caso else 1)) == 99.5  # un caso vale por dos
     casos += [Guion(f"caso {i}", (), True) for i in range(2000)]
     assert nota(lambda g: partida(2 if g is otros[0] else 1)) == 99.9  # con un fallo no es 100
@@ -227,9 +231,8 @@ def test_una_entrega_lenta_se_deja(monkeypatch):
     lenta = veredicto.Correccion(banco, None)
     lenta.jugador = "entrega"
     hecho = lenta.compara()
-    assert hecho["nota"] == 25 and hecho["dice"] == [
-        "es muy lento: a los 5 minutos se ha dejado, con 5 de los 20 guiones jugados"
-    ]
+    assert hecho["nota"] == 25
+    assert hecho["dice"] == ["es muy lento: a los 5 minutos se ha dejado, con 5 de los 20 guiones jugados"]
 
 
 def test_lo_que_no_responde():
@@ -242,10 +245,13 @@ def test_lo_que_no_responde():
         correccion.partidas, correccion.esperadas = {guion: partida(*imagenes)}, esperada
         return correccion.explica({guion: donde}, casi, muestra)
 
-    assert dice(0, 1, 1, 3, 4) == ["«tecla b» no hace nada"] and dice(0, 0, 2, 2, 4) == ["«arrastra» no hace nada"]
-    assert dice(0, 0, 0, 0, 0) == ["no responde a nada de lo que debería"] and dice(0, 1, 2, 9, 4) == []
+    assert dice(0, 1, 1, 3, 4) == ["«tecla b» no hace nada"]
+    assert dice(0, 0, 2, 2, 4) == ["«arrastra» no hace nada"]
+    assert dice(0, 0, 0, 0, 0) == ["no responde a nada de lo que debería"]
+    assert dice(0, 1, 2, 9, 4) == []
     assert dice(0, 1, 2, 9, 4, muestra=[{"tras": ["tamano 3 4"]}]) == ["está mal al cambiar el tamaño de la ventana"]
-    assert dice(0, 1, 1, 3, 4, donde=0) == [] and dice(0, 1, 2, 9, 4, casi=[guion]) == [veredicto.POR_POCO]
+    assert dice(0, 1, 1, 3, 4, donde=0) == []
+    assert dice(0, 1, 2, 9, 4, casi=[guion]) == [veredicto.POR_POCO]
 
 
 def test_donde_se_apartan_dos_imagenes():
@@ -258,9 +264,8 @@ def test_donde_se_apartan_dos_imagenes():
         (200, 240, b"".join(b"abc" if x < 3 and y < hasta else b"def" for y in range(240) for x in range(200)))
         for hasta in (200, 220)
     ]
-    assert (
-        veredicto.en_que(*barra) == "abajo a la izquierda"
-    )  # es más larga, aunque casi todos sus bordes sean los mismos
+    # es más larga, aunque casi todos sus bordes sean los mismos
+    assert veredicto.en_que(*barra) == "abajo a la izquierda"
     una, otra = ((ancho, alto, bytes(3 * ancho * alto)) for ancho, alto in ((40, 10), (20, 30)))
     assert veredicto.en_que(una, otra) == "la imagen es de 20×30 y debía ser de 40×10"
 

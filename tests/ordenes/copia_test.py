@@ -11,9 +11,8 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from mentira import faltan, siembra
+from mentira import RAIZ, faltan, siembra
 
-RAIZ = Path(__file__).parents[2]
 SALE = "build", "galeria", "explica", "web", "informe", "mios", "windows", "tests", ".git"
 UNO, TRES = "ch01_intro/primer_programa.cpp", "ch01_intro/shader_basico.cpp"
 CATALOGO = r"""titulo = "Título; con punto y coma"
