@@ -393,15 +393,17 @@ def test_lo_que_ya_se_ha_corregido(tmp_path, juzga):
 
 @pytest.mark.skipif(not GRUA.exists(), reason="no está compilado")
 def test_la_clave_la_cambia_todo_lo_que_corrige(tmp_path, monkeypatch):
-    """De ella son lo jugado y la huella: quien corrige, lo que se ve, con qué se enlaza, la solución y de partida, cada
-    uno cambiado solo. Lo jugado se guarda donde dice, por quien lo juega y por el guion, y lo viejo se borra."""
+    """De ella son lo jugado y la huella: quien corrige, lo que se ve, con qué se enlaza, la solución, quien dibuja y lo
+    de partida, cada uno cambiado solo. Lo jugado se guarda donde dice, por quien lo juega y por el guion, y lo viejo se borra.
+    """
     programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
-    lee, tocado, esqueleto, jugadas = Path.read_bytes, [], nuevo.esqueleto, []
+    lee, tocado, sello, esqueleto, jugadas = Path.read_bytes, [], [b""], nuevo.esqueleto, []
+    deja = lambda *_: jugadas.append(1) or en_tar(("000.ppm", b"P6" + sello[0], "REGTYPE"))
     monkeypatch.setattr(Path, "read_bytes", lambda f: lee(f) + (b"x" if str(f) in tocado else b""))
-    monkeypatch.setattr(Arbitro, "juega_de_nuevo", lambda *_: jugadas.append(1) or en_tar())
+    monkeypatch.setattr(Arbitro, "juega_de_nuevo", deja)
 
-    def clave():
-        return Banco(RAIZ, tmp_path / "build", REF, programa, tmp_path, None, "1", Reglas(guiones=0)).clave
+    def otro_banco():
+        return Banco(RAIZ, tmp_path / "build", REF, programa, tmp_path, None, "1", Reglas(guiones=0))
 
     (tmp_path / "build").mkdir()
     for f in BUILD.iterdir():
@@ -410,8 +412,9 @@ def test_la_clave_la_cambia_todo_lo_que_corrige(tmp_path, monkeypatch):
     vieja = tmp_path / f"build/corrige/{REF}/vieja"
     vieja.mkdir(parents=True)
     os.utime(vieja, (time.time() - 3 * 86400,) * 2)
-    banco = Banco(RAIZ, tmp_path / "build", REF, programa, tmp_path, None, "1", Reglas(guiones=0))
-    assert (list(vieja.parent.iterdir()), banco.clave) == ([banco.arbitro.cache], clave())
+    banco = otro_banco()
+    assert list(vieja.parent.iterdir()) == [banco.arbitro.cache]
+    assert otro_banco().clave == banco.clave
     jugadas.clear()
     for quien, tecla, veces in (("una", "a", 1), ("una", "a", 1), ("una", "b", 2), ("otra", "b", 3), ("otra", "b", 3)):
         banco.arbitro.juega(partidas.Jugador(quien, None, []), Guion("", (f"tecla {tecla}",)))
@@ -421,9 +424,12 @@ def test_la_clave_la_cambia_todo_lo_que_corrige(tmp_path, monkeypatch):
     ficheros.append(f"{tmp_path}/build/libcomun.a")
     claves = [banco.clave]
     for tocado[:] in [[f] for f in (*ficheros, str(banco.compilador.solucion.programa))]:
-        claves.append(clave())
+        claves.append(otro_banco().clave)
+    tocado.clear()
+    sello[0] = b"otro OpenGL"
+    claves.append(otro_banco().clave)
     monkeypatch.setattr(nuevo, "esqueleto", lambda *que: {**esqueleto(*que), "otro.h": ""})
-    claves.append(clave())
+    claves.append(otro_banco().clave)
     assert len(set(claves)) == len(claves), claves
 
 

@@ -170,4 +170,4 @@ def test_movido_nada_de_lo_compilado_vale(lab):
     lab("lista", 0, "Tres")
     assert f"CMAKE_HOME_DIRECTORY:INTERNAL={lab.raiz}\n" in (lab.raiz / "build/CMakeCache.txt").read_text()
     assert not (lab.raiz / "build/ventana/ch01_intro/shader_basico").exists()
-    lab("galeria", 0, "Hecha: ")
+    lab("ver shader_basico", 0, "lo he dibujado en shader_basico.png")
