@@ -394,7 +394,7 @@ def test_lo_que_ya_se_ha_corregido(tmp_path, juzga):
 @pytest.mark.skipif(not GRUA.exists(), reason="no está compilado")
 def test_la_clave_la_cambia_todo_lo_que_corrige(tmp_path, monkeypatch):
     """De ella son lo jugado y la huella: quien corrige, lo que se ve, con qué se enlaza, la solución, quien dibuja y lo
-    de partida, cada uno cambiado solo. Lo jugado se guarda donde dice, por quien lo juega y por el guion, y lo viejo se borra.
+    de partida, cada uno cambiado solo. Lo jugado se guarda donde dice, por quien y por el guion, y lo viejo se borra.
     """
     programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
     lee, tocado, sello, esqueleto, jugadas = Path.read_bytes, [], [b""], nuevo.esqueleto, []
