@@ -35,16 +35,11 @@ TEST(Guion, LaEscalaLlevaElRatonALoMismo) {
         Punto raton;
     } casos[] = {
         {"mueve 7 9", {960, 720}, {7, 9}}, // sin escala, el píxel
-        {"escala 240 180; mueve 7 9", {240, 180}, {7, 9}},
-        {"escala 240 180; mueve 0 0", {960, 720}, {0, 0}},
         {"escala 240 180; mueve 121 89", {960, 720}, {484, 356}},
         {"escala 240 180; mueve 121 89", {1000, 720}, {504, 356}}, // más ancha: se ve más por los lados
         {"escala 240 180; mueve 121 89", {960, 1080}, {484, 536}}, // más estrecha: por arriba y por abajo
-        {"escala 241 181; mueve 121 90",
-         {964, 724},
-         {484, 360}}, // de lado impar, el centro es de medio píxel
-        {"escala 960 1080; mueve 484 536", {1920, 720}, {964, 356}},
-        {"escala 960 720; mueve 482 361", {240, 180}, {121, 90}}, // 120.5 y 90.25, al píxel
+        {"escala 241 181; mueve 121 90", {964, 724}, {484, 360}},  // de lado impar: el centro, a medio píxel
+        {"escala 960 720; mueve 482 361", {240, 180}, {121, 90}},  // 120.5 y 90.25, al píxel
         {"escala 1 1; mueve 100000 -100000", {16384, 16384}, {100000, -100000}},
         {"escala 480 360; escala 240 180 ×2; mueve 121 89", {480, 360}, {242, 178}}, // la última
     };
@@ -68,13 +63,10 @@ TEST(GuionMal, DiceDondeYQue) {
         std::string mensaje;
     } casos[] = {
         {"tecla a; teclas b", "guion, orden 2 «teclas b»: «teclas» no es una orden; valen arrastra boton"},
-        {"escala 9 9; tecla d ×2;;teclas b ×2", "guion, orden 3 «teclas b ×2»: «teclas» no es una orden"},
         {fichero, ": " + fichero.substr(1) + ":4 «gira 3»: «gira» no es una orden"},
         {"# tecla a", "«#» no es una orden"}, // solo hay comentarios en un fichero
-        {"×2", "«×2» no es una orden"},
         {"tecla", "orden 1 «tecla»: falta una tecla"},
         {"tecla ab", "«ab» no es una tecla"},
-        {"tecla é", "«é» no es una tecla"},
         {"tecla a b", "sobra «b»"},
         {"especial F13", "«F13» no es una tecla especial"},
         {"boton MEDIO abajo 1 2", "«MEDIO» no es un botón"},
@@ -84,18 +76,13 @@ TEST(GuionMal, DiceDondeYQue) {
         {"rueda 2 1 1", "«2» no es un giro de la rueda"},
         {"tamano 0 10", "«0» no es un número entre 1 y 16384"},
         {"escala 10 16385", "«16385» no es un número entre 1 y 16384"},
-        {"escala 10", "falta el alto"},
         {"espera -1", "«-1» no es un número entre 0"},
         {"menu", "falta la ruta de la opción"},
-        {"menu ×2", "falta la ruta de la opción"},
         {"captura", "falta el fichero"},
         {"arrastra +1 2", "«[+]1» no es un número"},
-        {"tecla ×", "«×» no es ×N, con N entre 1 y 10000"},
         {"tecla d ×", "orden 1 «tecla d ×»: «×» no es ×N"},
         {"tecla d ×0", "«×0» no es ×N"},
-        {"tecla d ×x", "«×x» no es ×N"},
         {"tecla d ×10001", "«×10001» no es ×N"},
-        {"tecla d × 2", "sobra «×»"},
         {"tecla d ×2 ×3", "sobra «×2»"},
         {"@/no/existe.guion", "-guion: no puedo leer «/no/existe.guion»"},
         {"@/dev", "-guion: «/dev» es una carpeta, no un fichero"},

@@ -9,12 +9,10 @@ from types import SimpleNamespace
 
 import pytest
 
-RAIZ = Path(__file__).parents[2]
-BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion
 from ejercicios.reglas import Reglas
-from mentira import se_encierra
+from mentira import BUILD, RAIZ, se_encierra
 
 REF = "E3.5"
 MOODLE = "_assignsubmission_file_"

@@ -5,7 +5,6 @@ from types import SimpleNamespace
 
 import pytest
 
-RAIZ = Path(__file__).parents[2]
 from galeria import dibuja
 from pruebas import evidencia
 from mentira import siembra

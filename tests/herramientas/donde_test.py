@@ -4,14 +4,11 @@ import json
 import os
 import random
 import subprocess
-from pathlib import Path
 
 import pytest
 
-RAIZ = Path(__file__).parents[2]
-BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
 from ejercicios.corrige import cuadro, donde
-from mentira import sin_ventana
+from mentira import BUILD, sin_ventana
 
 PROGRAMAS = "ch03_transformaciones/grua", "ch05_iluminacion/grua_iluminada", "ch07_realismo/transparencia"
 HOSTILES = None, True, -5, 1e300, 1 << 900, "", "nan", "x" * (1 << 20), [], {}, [[]], "<script>", 1.5, "\x1b[2J\n"

@@ -6,8 +6,7 @@ from pathlib import Path
 
 import pytest
 
-RAIZ = Path(__file__).parents[2]
-from mentira import ejecutable
+from mentira import RAIZ, ejecutable
 
 FALSO = """printf '%s\\0' "${0##*/}" "$@" '
 ' >>"$APUNTES"

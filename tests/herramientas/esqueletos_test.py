@@ -1,16 +1,13 @@
 """El esqueleto de cada ejercicio, como lo da ./lab nuevo: compila sin avisos, dibuja algo y no es todavía lo que se
 pide. Con lo que ya está compilado en $LAB_BUILD."""
 import os
-from pathlib import Path
 
 import pytest
 
-RAIZ = Path(__file__).parents[2]
-BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
 from base import catalogo, compilacion
 from base.procesos import ejecuta, entorno
 from ejercicios import nuevo
-from mentira import siembra
+from mentira import BUILD, RAIZ, siembra
 
 EJERCICIOS = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))
 ENTORNO = entorno(BUILD)

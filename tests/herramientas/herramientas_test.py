@@ -1,7 +1,6 @@
 """Los módulos de herramientas/, por lo que hacen: cada cuenta frente a un caso resuelto a mano, sin compilar nada."""
 import itertools
 import math
-import os
 import random
 import re
 import signal
@@ -13,8 +12,6 @@ from types import SimpleNamespace
 
 import pytest
 
-RAIZ = Path(__file__).parents[2]
-BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
 from base import catalogo, controles, defectos, evidencia, fuentes, guiones, libro, marcas, paginas, procesos
 from ejercicios import nuevo
 from ejercicios.corrige import conjunto, entrega
@@ -22,7 +19,7 @@ from galeria import dibuja
 from galeria.pagina import AQUI as GALERIA, MODULOS
 from informe import cocientes, costes, grafica, informe, tecnicas
 from windows import paquete
-from mentira import faltan, siembra
+from mentira import BUILD, RAIZ, faltan, siembra
 
 FUENTES = [f for f in RAIZ.glob("c*/**/*.*") if f.suffix in (".cpp", ".h", ".vert", ".frag", ".glsl")]
 

@@ -12,12 +12,11 @@ from types import SimpleNamespace
 
 import pytest
 
-from banco import BUILD, RAIZ, con_catalogo, con_comparador
+from banco import BUILD, RAIZ, con_catalogo
 from base import catalogo
 from base.fuentes import SHADERS
 from base.procesos import Fallo
 from ejercicios import comprueba, ensayo, nuevo, perturba, propios, reglas
-from ejercicios.corrige import arbitro
 from ejercicios.corrige import clase as de_clase
 from ejercicios.corrige import informes, shaders, veredicto
 from ejercicios.corrige.banco import Banco
@@ -422,19 +421,6 @@ def test_unas_reglas_que_no_valen(tmp_path, texto):
     (tmp_path / "reglas.txt").write_text(texto)
     with pytest.raises(Fallo, match=re.escape(MALAS[texto])):
         reglas.lee(tmp_path / "reglas.txt")
-
-
-@con_comparador
-def test_la_tolerancia_es_la_del_comparador(tmp_path):
-    """De la más estrecha a la más ancha, cada una admite lo que la anterior y algo más."""
-    gris = bytes([100]) * 3000
-    pares = [(gris, bytes([101]) * 3000), (gris, bytes([103]) * 3000), (gris, bytes([160] * 3) + gris[3:])]
-    admite = []
-    for tolerancia in reglas.TOLERANCIAS:
-        juez = arbitro.Arbitro.__new__(arbitro.Arbitro)
-        juez.parecidas, juez.temporal, juez.build, juez.tolerancia = {}, tmp_path, BUILD, tolerancia
-        admite.append([juez.parecido((100, 10, a), (100, 10, b)) == arbitro.BIEN for a, b in pares])
-    assert admite == [[True, False, False], [True, True, False], [True, True, True]]
 
 
 # --- los de la página -------------------------------------------------------------------------------------------

@@ -11,9 +11,8 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from mentira import faltan, siembra
+from mentira import RAIZ, faltan, siembra
 
-RAIZ = Path(__file__).parents[2]
 SALE = "build", "galeria", "explica", "web", "informe", "mios", "windows", "tests", ".git"
 UNO, TRES = "ch01_intro/primer_programa.cpp", "ch01_intro/shader_basico.cpp"
 CATALOGO = r"""titulo = "Título; con punto y coma"
@@ -171,4 +170,4 @@ def test_movido_nada_de_lo_compilado_vale(lab):
     lab("lista", 0, "Tres")
     assert f"CMAKE_HOME_DIRECTORY:INTERNAL={lab.raiz}\n" in (lab.raiz / "build/CMakeCache.txt").read_text()
     assert not (lab.raiz / "build/ventana/ch01_intro/shader_basico").exists()
-    lab("galeria", 0, "Hecha: ")
+    lab("ver shader_basico", 0, "lo he dibujado en shader_basico.png")

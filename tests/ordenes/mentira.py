@@ -1,6 +1,11 @@
-"""De qué se hace un laboratorio de mentira, y si lo de verdad se puede encerrar."""
+"""Dónde está el laboratorio, de qué se hace uno de mentira, y si lo de verdad se puede encerrar."""
+import os
 import shutil
 import subprocess
+from pathlib import Path
+
+RAIZ = Path(__file__).parents[2]
+BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
 
 ENCIERRA = "bwrap --ro-bind / / --unshare-pid --proc /proc --dev /dev true".split()
 

@@ -12,12 +12,12 @@ from types import SimpleNamespace
 
 import pytest
 
-RAIZ = Path(__file__).parents[2]
+from mentira import RAIZ, ejecutable, siembra
+
 sys.path.insert(0, str(RAIZ / "herramientas"))
 import lab
 from base import construye, paquetes
 from base.procesos import Fallo
-from mentira import ejecutable, siembra
 
 
 @pytest.fixture

@@ -6,13 +6,10 @@ import re
 import shlex
 import shutil
 import subprocess
-from pathlib import Path
 
 import pytest
-from mentira import se_encierra
+from mentira import BUILD, RAIZ, se_encierra
 
-RAIZ = Path(__file__).parents[2]
-BUILD = Path(os.environ.get("LAB_BUILD", RAIZ / "build"))
 DE_LAS_PRUEBAS = {"tests", "fallos", "leidos", "mutantes", "web", "windows", "asan", "corrige", "cache_shaders"}
 
 
