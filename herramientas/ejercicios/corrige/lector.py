@@ -13,9 +13,8 @@ import zipfile
 from collections import deque
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
-from pathlib import Path, PurePath
+from pathlib import PurePath
 
-from base.fuentes import SHADERS
 from base.procesos import Fallo
 from ejercicios import nuevo
 

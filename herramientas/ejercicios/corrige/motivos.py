@@ -121,42 +121,43 @@ class Motivos:
                 self.compilador.compila(self.limpio(con_hueco), sitio / f"hueco{i}", ajena=False)
             except Rechazo:  # lo demás lo necesita
                 shutil.rmtree(sitio / f"hueco{i}")
-        self.compila_defectos(sitio)
+        self.planta(self.defectos, sitio)
 
-    def compila_defectos(self, sitio):
+    def planta(self, suyos, sitio):
+        """Deja ahí la solución con esos defectos: los de C++, en un binario; de cada shader, el estropeado."""
         textos = self.textos()
-        for fichero, suyos in defectos.por_fichero(self.defectos).items():
+        for fichero, de_el in defectos.por_fichero(suyos).items():
             nombre = Path(fichero).name
             fuente = textos[nombre]
-            if not suyos[0].en_shader:
-                textos[nombre] = f'#include "{self.raiz / defectos.MUTANTE_H}"\n{defectos.cambia(fuente, suyos)}'
+            if not de_el[0].en_shader:
+                textos[nombre] = f'#include "{self.raiz / defectos.MUTANTE_H}"\n{defectos.cambia(fuente, de_el)}'
                 continue
-            for m in suyos:
+            for m in de_el:
                 estropeado = {**textos, nombre: defectos.estropea(fuente, m)}
                 escribe(sitio / str(m.numero) / nombre, self.limpio(estropeado)[nombre])
         self.compilador.compila(self.limpio(textos), sitio / "mutantes", ajena=False)
 
     def enumera(self, sitio):
-        def jugador(nombre, carpeta, *antes, **entorno):
-            raices = [*antes, sitio / carpeta / "fuentes" / SUYA, sitio / carpeta / "fuentes"]
-            return Jugador(nombre, self.en(sitio, carpeta) / self.programa.nombre, raices, entorno)
-
-        variantes = [("", jugador("esqueleto", "esqueleto"))]
+        variantes = [("", self.jugador("esqueleto", sitio, "esqueleto"))]
         for i, (pide, _) in enumerate(self.huecos()):
             if (sitio / f"hueco{i}").is_dir():
-                variantes.append((f"parece que falta: {pide}", jugador(f"hueco{i}", f"hueco{i}")))
+                variantes.append((f"parece que falta: {pide}", self.jugador(f"hueco{i}", sitio, f"hueco{i}")))
         for m in self.defectos:
             dice = f"parece que {m.dice}" if m.dice else f"parece este error: {m.imita}"
-            variantes.append((dice, self.con_defecto(m, sitio, jugador)))
+            variantes.append((dice, self.con_defecto(m, sitio)))
         return variantes
+
+    def jugador(self, nombre, sitio, carpeta, *antes, **entorno):
+        raices = [*antes, sitio / carpeta / "fuentes" / SUYA, sitio / carpeta / "fuentes"]
+        return Jugador(nombre, self.en(sitio, carpeta) / self.programa.nombre, raices, entorno)
 
     def en(self, sitio, carpeta):
         """Dónde está compilada cada una."""
         return sitio / carpeta
 
-    def con_defecto(self, m, sitio, jugador):
+    def con_defecto(self, m, sitio):
         """Si es de un shader, en su carpeta está el estropeado; si no, no hay nada."""
-        return jugador(m.nombre, "mutantes", sitio / str(m.numero), LAB_MUTANTE=str(m.numero))
+        return self.jugador(m.nombre, sitio, "mutantes", sitio / str(m.numero), LAB_MUTANTE=str(m.numero))
 
     def por_que(self, partidas, esperadas, fallan):
         """Lo que deja en todos los guiones lo mismo que la entrega, en palabras; del esqueleto, ninguna."""

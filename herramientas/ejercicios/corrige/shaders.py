@@ -78,8 +78,8 @@ class MotivosDeShaders(Motivos):
     def esqueleto(self):
         return esqueleto(self.raiz, self.programa, self.ref)
 
-    def compila_defectos(self, sitio):
-        for m in self.defectos:
+    def planta(self, suyos, sitio):
+        for m in suyos:
             textos = self.textos()
             textos[m.fichero] = defectos.estropea(textos[m.fichero], m)
             self.compilador.compila(self.limpio(textos), sitio / str(m.numero), ajena=False)
@@ -87,5 +87,5 @@ class MotivosDeShaders(Motivos):
     def en(self, sitio, carpeta):
         return sitio / carpeta / "fuentes/programa"
 
-    def con_defecto(self, m, sitio, jugador):
-        return jugador(m.nombre, str(m.numero))
+    def con_defecto(self, m, sitio):
+        return self.jugador(m.nombre, sitio, str(m.numero))
