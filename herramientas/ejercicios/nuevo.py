@@ -78,17 +78,29 @@ def aqui(textos, programa):
     return nuevos
 
 
+def textos(raiz, programa, referencia):
+    """Los ficheros que tiene quien lo hace, enteros: de uno de la página, solo los que se piden."""
+    return (pedidos if es_de_shaders(referencia) else de_la_carpeta)(raiz, programa, referencia)
+
+
+def sin_marcas(ficheros, programa, referencia="", por_hacer=""):
+    """Esos ficheros como le llegan, con lo que pide ese ejercicio por hacer."""
+    hechos = {f: deja(texto, por_hacer) for f, texto in ficheros.items()}
+    return hechos if es_de_shaders(referencia) else aqui(hechos, programa)
+
+
 def esqueleto(raiz, programa, referencia):
     """De cada fichero, su texto sin lo que se pide; del principal, tampoco lo que cuenta del resultado."""
-    textos = {f: deja(texto, referencia) for f, texto in de_la_carpeta(raiz, programa, referencia).items()}
+    ficheros = sin_marcas(textos(raiz, programa, referencia), programa, referencia, referencia)
     principio = f"// {programa.titulo}: {como_se_llama(referencia)}, que cuenta ENUNCIADO.md.\n"
-    textos[programa.fuente.name] = re.sub(r"\A(?:// (?!Controles: ).*\n)+", principio, textos[programa.fuente.name])
-    return aqui(textos, programa)
+    if (principal := programa.fuente.name) in ficheros:
+        ficheros[principal] = re.sub(r"\A(?:// (?!Controles: ).*\n)+", principio, ficheros[principal])
+    return ficheros
 
 
 def solucion(raiz, programa, referencia=""):
     """Los mismos, enteros."""
-    return aqui({f: deja(texto) for f, texto in de_la_carpeta(raiz, programa, referencia).items()}, programa)
+    return sin_marcas(textos(raiz, programa, referencia), programa, referencia)
 
 
 def como_se_llama(referencia):

@@ -42,8 +42,7 @@ def lista(raiz, programa, textos):
 
 def conocidos(raiz, programa, ref):
     """Los defectos de los ficheros que tiene quien hace el ejercicio, salvo en lo que pide otro."""
-    de_quien = nuevo.pedidos if nuevo.es_de_shaders(ref) else nuevo.de_la_carpeta
-    textos = {ruta(programa, f): texto for f, texto in de_quien(raiz, programa, ref).items()}
+    textos = {ruta(programa, f): texto for f, texto in nuevo.textos(raiz, programa, ref).items()}
     ajenos = {
         f: [t.span() for t in marcas.TROZO.finditer(texto) if t["codigo"] != ref and nuevo.es_del_libro(t["codigo"])]
         for f, texto in textos.items()
@@ -72,14 +71,11 @@ class Motivos:
         self.turno, self.hechas = threading.Lock(), None
 
     def textos(self):
-        return nuevo.de_la_carpeta(self.raiz, self.programa, self.ref)
-
-    def esqueleto(self):
-        return nuevo.esqueleto(self.raiz, self.programa, self.ref)
+        return nuevo.textos(self.raiz, self.programa, self.ref)
 
     def limpio(self, textos):
         """Los ficheros de quien hace el ejercicio, sin las marcas, con esos textos."""
-        return nuevo.aqui({fichero: nuevo.deja(texto) for fichero, texto in textos.items()}, self.programa)
+        return nuevo.sin_marcas(textos, self.programa, self.ref)
 
     def huecos(self):
         """De cada cosa que pide el ejercicio, si son varias: qué es, y los ficheros con todo menos eso."""
@@ -115,7 +111,8 @@ class Motivos:
         return sitio
 
     def compila(self, sitio):
-        self.compilador.compila(self.esqueleto(), sitio / "esqueleto", ajena=False)
+        esqueleto = nuevo.esqueleto(self.raiz, self.programa, self.ref)
+        self.compilador.compila(esqueleto, sitio / "esqueleto", ajena=False)
         for i, (_, con_hueco) in enumerate(self.huecos()):
             try:
                 self.compilador.compila(self.limpio(con_hueco), sitio / f"hueco{i}", ajena=False)

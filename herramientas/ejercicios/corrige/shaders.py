@@ -3,7 +3,7 @@ mismos casos y, en cada uno, los mismos gestos (web/ejercicio.mjs). Lo entregado
 OpenGL, y se juega en la jaula."""
 import shutil
 
-from base import controles, defectos, marcas
+from base import controles, defectos
 from ejercicios import nuevo
 from ejercicios.corrige.compilador import Compilador
 from ejercicios.corrige.motivos import Motivos
@@ -28,14 +28,6 @@ def ejercicios(raiz, programas):
 def reglas(referencia):
     """Cómo se puntúa, si no se dice."""
     return REGLAS if nuevo.es_de_shaders(referencia) else Reglas()
-
-
-def esqueleto(raiz, programa, referencia):
-    return {f: marcas.esqueleto(texto, referencia) for f, texto in nuevo.pedidos(raiz, programa, referencia).items()}
-
-
-def solucion(raiz, programa, referencia):
-    return {f: nuevo.deja(texto) for f, texto in nuevo.pedidos(raiz, programa, referencia).items()}
 
 
 def guiones(raiz, build, programa, entorno):
@@ -69,15 +61,6 @@ class DeShaders(Compilador):
 
 
 class MotivosDeShaders(Motivos):
-    def textos(self):
-        return nuevo.pedidos(self.raiz, self.programa, self.ref)
-
-    def limpio(self, textos):
-        return {fichero: nuevo.deja(texto) for fichero, texto in textos.items()}
-
-    def esqueleto(self):
-        return esqueleto(self.raiz, self.programa, self.ref)
-
     def planta(self, suyos, sitio):
         for m in suyos:
             textos = self.textos()
