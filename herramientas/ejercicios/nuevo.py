@@ -159,20 +159,9 @@ def encabezado(raiz, programa, referencia):
 
 def enunciado(raiz, programa, referencia, nombre, ficheros):
     textos = del_capitulo(raiz, programa)[0]
-    dados = sorted(
-        {
-            h
-            for f in ficheros
-            if pide(textos[f], referencia)
-            for h in re.findall(r'^#include "(.+)"$', textos[f], re.MULTILINE)
-        }
-        - {*ficheros}
-    )
-    huecos = [
-        (f"{nombre}.cpp" if f == programa.fuente.name else f, que)
-        for f in ficheros
-        for que in pide(textos[f], referencia)
-    ]
+    piden = {f: pide(textos[f], referencia) for f in ficheros}
+    incluyen = {h for f in piden if piden[f] for h in re.findall(r'^#include "(.+)"$', textos[f], re.MULTILINE)}
+    huecos = [(f"{nombre}.cpp" if f == programa.fuente.name else f, que) for f in piden for que in piden[f]]
     return paginas.plantilla(Path(__file__).with_name("enunciado.md")).render(
         encabezado=encabezado(raiz, programa, referencia),
         referencia=referencia,
@@ -181,7 +170,7 @@ def enunciado(raiz, programa, referencia, nombre, ficheros):
         nombre=nombre,
         huecos=huecos,
         con_shader=any(f.endswith(fuentes.SHADERS) for f, _ in huecos),
-        dados=", ".join(f"`{h}`" for h in dados),
+        dados=", ".join(f"`{h}`" for h in sorted(incluyen - {*ficheros})),
         controles=[c.texto for c in controles.lee(raiz, programa)],
     )
 
@@ -189,9 +178,9 @@ def enunciado(raiz, programa, referencia, nombre, ficheros):
 def elige(raiz, programas, pedido):
     """La referencia, vacía si no es un ejercicio, y el programa."""
     hay = ejercicios(raiz, programas)
-    if pedido in hay:
-        return pedido, hay[pedido]
     referencia = pedido.upper()
+    if suya := next((r for r in (pedido, referencia) if r in hay), ""):
+        return suya, hay[suya]
     if re.fullmatch(r"E?\d+\.\d+", referencia) and not any(referencia in p.referencias for p in programas):
         raise Fallo(f"nuevo: no hay ejercicio «{pedido}»; se corrigen {', '.join(hay)}")
     elegidos = catalogo.resuelve(programas, pedido)
@@ -205,13 +194,10 @@ def elige(raiz, programas, pedido):
     if elegidos[0].raices:
         raise Fallo(f"nuevo: en {elegidos[0].carpeta} no hay nada entre «// {pedido}: …» y «// fin de {pedido}»")
     if referencia in elegidos[0].referencias and referencia.startswith("E") and not referencia.startswith("EC"):
-        if referencia not in hay:
-            raise Fallo(
-                f"nuevo: el {libro.nombre(referencia)} no tiene programa que corregir; para jugar con el que más "
-                "se le acerca, "
-                f"./lab nuevo {elegidos[0].nombre}. Se corrigen {', '.join(hay)}"
-            )
-        return referencia, elegidos[0]
+        raise Fallo(
+            f"nuevo: el {libro.nombre(referencia)} no tiene programa que corregir; para jugar con el que más "
+            f"se le acerca, ./lab nuevo {elegidos[0].nombre}. Se corrigen {', '.join(hay)}"
+        )
     return "", elegidos[0]
 
 
