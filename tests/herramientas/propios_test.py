@@ -105,10 +105,10 @@ def test_se_usa_como_cualquier_otro(lab):
 
 
 SIN_MIRAR = """\
-marcas | molinete.cpp | // fin de molinete\\n    return | return | :22: no se cierra antes de la siguiente
-marcas | molinete.cpp | // fin de molinete\\n    glut | glut | :47: no se cierra
-marcas | molinete.cpp | // molinete: la tecla | // la tecla | :50: se cierra sin haberse abierto
-marcas | molinete.cpp | : la tecla g suma 10° a estado.giro, que está en radianes | : | :47: no dice qué se pide
+marcas | molinete.cpp | // fin de molinete\\n    return | return | :23: no se cierra antes de la siguiente
+marcas | molinete.cpp | // fin de molinete\\n    glut | glut | :48: no se cierra
+marcas | molinete.cpp | // molinete: la tecla | // la tecla | :51: se cierra sin haberse abierto
+marcas | molinete.cpp | : la tecla g suma 10° a estado.giro, que está en radianes | : | :48: no dice qué se pide
 marcas | molinete.cpp | molinete: | E3.9: | falta «// molinete: …»
 enunciado | ENUNCIADO.md | # Un molinete | Un molinete | no tiene título
 enunciado | ENUNCIADO.md | None | None | falta ENUNCIADO.md"""
