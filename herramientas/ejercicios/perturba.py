@@ -1,5 +1,5 @@
-"""Lo que va en el hueco de un ejercicio, perturbado: sin una instrucción, con otro signo o con otro factor. Vale para C++
-y para GLSL, y no todo compila."""
+"""Lo que va en el hueco de un ejercicio, perturbado: sin una instrucción, con otro signo o con otro factor. Vale para
+C++ y para GLSL, y no todo compila."""
 import re
 from dataclasses import dataclass
 

@@ -25,7 +25,6 @@ COLUMNAS = {
     "Comentarios de retroacción|Comentaris de retroacció|Comentaris de retroalimentació|Comentarios|Comentaris",
     "grupo": "Group|Grupo|Grup",
 }
-SEP = re.compile("sep=.\r?\n?")  # para Excel
 SEPARADORES = ",;\t"
 YA_HABIA = "notas que ya había, y eran otras"
 
@@ -71,8 +70,6 @@ class Hoja:
             self.texto, self.como, self.marca = descifra(fichero.read_bytes())
         except (OSError, UnicodeDecodeError):
             raise Fallo(f"no puedo leer «{fichero}»") from None
-        if sep := SEP.match(self.texto):
-            self.marca, self.texto = self.marca + sep[0].encode(self.como), self.texto[sep.end() :]
         cabecera = self.texto.partition("\n")[0]
         self.como_esta = {"delimiter": max(SEPARADORES, key=cabecera.count)}
         try:
