@@ -39,8 +39,7 @@ def enumera(cosas, cuantas=5):
 def marcas(raiz, programa, ref):
     """Cuántos trozos se piden; los que no se cierran o se cierran sin abrir."""
     mal, cuantos, otras = [], 0, set()
-    de_quien = nuevo.pedidos if nuevo.es_de_shaders(ref) else nuevo.de_la_carpeta
-    for f, texto in de_quien(raiz, programa, ref).items():
+    for f, texto in nuevo.textos(raiz, programa, ref).items():
         abierta = 0
         for n, renglon in enumerate(texto.splitlines(), 1):
             cierra = re.fullmatch(r" *// fin de (\S+)\s*", renglon)

@@ -6,13 +6,13 @@ from dataclasses import replace
 
 from base import defectos, marcas
 from base.fuentes import SHADERS
-from base.procesos import Fallo, escribe
-from ejercicios import nuevo, perturba
+from base.procesos import Fallo
+from ejercicios import perturba
 from ejercicios.corrige import partidas, veredicto
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.entrega import Rechazo
 from ejercicios.corrige.motivos import ruta
-from ejercicios.corrige.partidas import Guion, Jugador
+from ejercicios.corrige.partidas import Guion
 
 SEMILLA = "1"  # la de ./lab corrige, si no se dice otra
 VUELTAS = 9  # de quitar lo que no compila
@@ -62,10 +62,6 @@ def culpables(dice, textos, vivas):
     return {n for n, (f, p) in vivas.items() if declara.search(textos[f], max(0, p.desde - 80), p.desde)}
 
 
-def con_mutante(jugador, numero):
-    return replace(jugador, entorno={"LAB_MUTANTE": str(numero)})
-
-
 class Ensayo:
     """Un ejercicio que se prueba a sí mismo. De cada perturbación de lo que pide y de cada error conocido, quien los
     juega."""
@@ -94,44 +90,23 @@ class Ensayo:
         """De cada perturbación que compila, quien la juega."""
         en_cpp = {n: p for n, p in self.perturbadas.items() if not p[0].endswith(SHADERS)}
         hechos = self.compila(en_cpp) if en_cpp else {}
-        for n, (fichero, p) in self.perturbadas.items():
-            if fichero.endswith(SHADERS):
-                texto = self.textos[fichero]
-                jugador = self.con_shader(f"glsl{n}", fichero, texto[: p.desde] + p.otro + texto[p.hasta :])
-                if self.dibuja(jugador):  # si no, es que no compila
-                    hechos[n] = jugador
+        en_glsl = [(n, *p) for n, p in self.perturbadas.items() if p[0].endswith(SHADERS)]
+        suyos = [perturba.perturbado(p, n, ruta(self.programa, f), self.textos[f]) for n, f, p in en_glsl]
+        for m, jugador in self.de_lista(suyos, "glsl").items() if suyos else ():
+            if self.dibuja(jugador):  # si no, es que no compila
+                hechos[m.numero] = jugador
         return hechos
 
     def dibuja(self, jugador):
         nada = Guion("", ())
         return bool(partidas.Partida.lee(self.banco.arbitro.juega_de_nuevo(jugador, nada), nada).imagenes)
 
-    def con_shader(self, como, fichero, texto):
-        """Quien juega la solución con ese shader así; de uno de la página, en el árbol que ve: el programa puede no
-        usar common/."""
-        sitio = self.temporal / como
-        if nuevo.es_de_shaders(self.ref):
-            return self.con_textos({**self.textos, fichero: texto}, sitio)
-        escribe(sitio / ruta(self.programa, fichero), texto)
-        return Jugador(como, self.solucion.programa, [sitio, *self.programa.raices])
-
-    def con_textos(self, textos, sitio):
-        return self.banco.compilador.compila(self.banco.motivos.limpio(textos), sitio, ajena=False)
-
     def de_lista(self, mutantes, como):
         """Quien juega cada uno de esos cambios."""
-        hechos, con, en_cpp = {}, dict(self.textos), []
-        nombra = {ruta(self.programa, f): f for f in self.textos}
-        for suya, suyos in defectos.por_fichero([m for m in mutantes if m.fichero in nombra]).items():
-            fichero, texto = nombra[suya], self.textos[nombra[suya]]
-            if suyos[0].en_shader:
-                for m in suyos:
-                    hechos[m] = self.con_shader(f"{como}{m.numero}", fichero, defectos.estropea(texto, m))
-            else:
-                con[fichero] = f'#include "{self.raiz / defectos.MUTANTE_H}"\n{defectos.cambia(texto, suyos)}'
-                en_cpp += suyos
-        hecho = self.con_textos(con, self.temporal / como) if en_cpp else None
-        return hechos | {m: con_mutante(hecho, m.numero) for m in en_cpp}
+        sitio, motivos = self.temporal / como, self.banco.motivos
+        sitio.mkdir()
+        motivos.planta(mutantes, sitio)
+        return {m: motivos.con_defecto(m, sitio) for m in mutantes}
 
     def compila(self, vivas):
         """De cada una, quien la juega, todas en un binario; las que no compilan se quitan de VIVAS."""
@@ -141,8 +116,9 @@ class Ensayo:
                 suyas = {n: p for n, (suyo, p) in vivas.items() if suyo == fichero}
                 textos[fichero] = con_todas(self.raiz, textos[fichero], suyas)
             try:
-                hecho = self.con_textos(textos, self.temporal / f"vuelta{vuelta}")
-                return {n: con_mutante(hecho, n) for n in vivas}
+                limpios = self.banco.motivos.limpio(textos)
+                hecho = self.banco.compilador.compila(limpios, self.temporal / f"vuelta{vuelta}", ajena=False)
+                return {n: replace(hecho, entorno={"LAB_MUTANTE": str(n)}) for n in vivas}
             except Rechazo as rechazo:
                 dice = rechazo.todo
             if not (malas := culpables(dice, self.textos, vivas)):

@@ -78,17 +78,29 @@ def aqui(textos, programa):
     return nuevos
 
 
+def textos(raiz, programa, referencia):
+    """Los ficheros que tiene quien lo hace, enteros: de uno de la página, solo los que se piden."""
+    return (pedidos if es_de_shaders(referencia) else de_la_carpeta)(raiz, programa, referencia)
+
+
+def sin_marcas(ficheros, programa, referencia="", por_hacer=""):
+    """Esos ficheros como le llegan, con lo que pide ese ejercicio por hacer."""
+    hechos = {f: deja(texto, por_hacer) for f, texto in ficheros.items()}
+    return hechos if es_de_shaders(referencia) else aqui(hechos, programa)
+
+
 def esqueleto(raiz, programa, referencia):
     """De cada fichero, su texto sin lo que se pide; del principal, tampoco lo que cuenta del resultado."""
-    textos = {f: deja(texto, referencia) for f, texto in de_la_carpeta(raiz, programa, referencia).items()}
+    ficheros = sin_marcas(textos(raiz, programa, referencia), programa, referencia, referencia)
     principio = f"// {programa.titulo}: {como_se_llama(referencia)}, que cuenta ENUNCIADO.md.\n"
-    textos[programa.fuente.name] = re.sub(r"\A(?:// (?!Controles: ).*\n)+", principio, textos[programa.fuente.name])
-    return aqui(textos, programa)
+    if (principal := programa.fuente.name) in ficheros:
+        ficheros[principal] = re.sub(r"\A(?:// (?!Controles: ).*\n)+", principio, ficheros[principal])
+    return ficheros
 
 
 def solucion(raiz, programa, referencia=""):
     """Los mismos, enteros."""
-    return aqui({f: deja(texto) for f, texto in de_la_carpeta(raiz, programa, referencia).items()}, programa)
+    return sin_marcas(textos(raiz, programa, referencia), programa, referencia)
 
 
 def como_se_llama(referencia):
@@ -147,20 +159,9 @@ def encabezado(raiz, programa, referencia):
 
 def enunciado(raiz, programa, referencia, nombre, ficheros):
     textos = del_capitulo(raiz, programa)[0]
-    dados = sorted(
-        {
-            h
-            for f in ficheros
-            if pide(textos[f], referencia)
-            for h in re.findall(r'^#include "(.+)"$', textos[f], re.MULTILINE)
-        }
-        - {*ficheros}
-    )
-    huecos = [
-        (f"{nombre}.cpp" if f == programa.fuente.name else f, que)
-        for f in ficheros
-        for que in pide(textos[f], referencia)
-    ]
+    piden = {f: pide(textos[f], referencia) for f in ficheros}
+    incluyen = {h for f in piden if piden[f] for h in re.findall(r'^#include "(.+)"$', textos[f], re.MULTILINE)}
+    huecos = [(f"{nombre}.cpp" if f == programa.fuente.name else f, que) for f in piden for que in piden[f]]
     return paginas.plantilla(Path(__file__).with_name("enunciado.md")).render(
         encabezado=encabezado(raiz, programa, referencia),
         referencia=referencia,
@@ -169,7 +170,7 @@ def enunciado(raiz, programa, referencia, nombre, ficheros):
         nombre=nombre,
         huecos=huecos,
         con_shader=any(f.endswith(fuentes.SHADERS) for f, _ in huecos),
-        dados=", ".join(f"`{h}`" for h in dados),
+        dados=", ".join(f"`{h}`" for h in sorted(incluyen - {*ficheros})),
         controles=[c.texto for c in controles.lee(raiz, programa)],
     )
 
@@ -199,13 +200,10 @@ def elige(raiz, programas, pedido):
     if elegidos[0].raices:
         raise Fallo(f"nuevo: en {elegidos[0].carpeta} no hay nada entre «// {pedido}: …» y «// fin de {pedido}»")
     if referencia in elegidos[0].referencias and referencia.startswith("E") and not referencia.startswith("EC"):
-        if referencia not in hay:
-            raise Fallo(
-                f"nuevo: el {libro.nombre(referencia)} no tiene programa que corregir; para jugar con el que más "
-                "se le acerca, "
-                f"./lab nuevo {elegidos[0].nombre}. Se corrigen {', '.join(hay)}"
-            )
-        return referencia, elegidos[0]
+        raise Fallo(
+            f"nuevo: el {libro.nombre(referencia)} no tiene programa que corregir; para jugar con el que más "
+            f"se le acerca, ./lab nuevo {elegidos[0].nombre}. Se corrigen {', '.join(hay)}"
+        )
     return "", elegidos[0]
 
 

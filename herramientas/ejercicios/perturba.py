@@ -1,7 +1,9 @@
-"""Lo que va en el hueco de un ejercicio, perturbado: sin una instrucción, con otro signo o con otro factor. Vale para C++
-y para GLSL, y no todo compila."""
+"""Lo que va en el hueco de un ejercicio, perturbado: sin una instrucción, con otro signo o con otro factor. Vale para
+C++ y para GLSL, y no todo compila."""
 import re
 from dataclasses import dataclass
+
+from base.defectos import Mutante
 
 PALABRA = re.compile(
     r'R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|(?:\d[\d.]*|\.\d+)(?:[eE][-+]?\d+)?\w*'
@@ -35,6 +37,22 @@ class Perturbacion:
     hasta: int
     otro: str  # lo que va en su lugar
     linea: int
+
+
+@dataclass(eq=False)
+class Perturbado(Mutante):
+    """Un defecto que es una de ellas: se sabe dónde está."""
+
+    perturbacion: Perturbacion = None
+
+    def sitio(self, fuente):
+        return self.perturbacion.desde, self.perturbacion.hasta
+
+
+def perturbado(p, numero, fichero, texto):
+    antes = texto[p.desde : p.hasta]
+    imita = f"línea {p.linea}, {p.que}: «{antes}» → «{p.otro}»".replace("\n", " ")
+    return Perturbado("azar", numero, numero, fichero, antes, p.otro, imita, perturbacion=p)
 
 
 def sin_comentarios(texto):

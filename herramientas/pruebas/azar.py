@@ -3,27 +3,17 @@ perturbadas a máquina (ejercicios/perturba.py). De cada una, los que compilan; 
 import random
 import re
 import subprocess
-from dataclasses import dataclass
 
 from base import compilacion
-from base.defectos import MUTANTE_H, Mutante, cambia
+from base.defectos import MUTANTE_H, cambia, estropea
 from base.fuentes import SHADERS
-from ejercicios.perturba import perturbaciones
+from ejercicios.perturba import perturbaciones, perturbado
 
 DE_DONDE = "ch*/*.cpp", "ch*/*.h", "ch*/*.vert", "ch*/*.frag", "ch*/*.glsl", "common/**/*.*", "glut/sin_ventana/*.*"
 NO_SE_COMPILAN = re.compile(r"_(web|egl)\.cpp$|/(essl|contexto)\.h$|\.cmake$")
 OTRO_FACTOR = "herramientas/ejercicios/otro_factor.h"
 CUERPO = re.compile(r"^(?!.*\b(?:if|for|while|switch|catch)\b ?\()[^#\n;=]*\)\s*(?:const\s*)?\{", re.M)
 INTENTOS = 20  # por cada uno de los que se piden
-
-
-@dataclass(eq=False)
-class AlAzar(Mutante):
-    desde: int = 0
-    hasta: int = 0
-
-    def sitio(self, fuente):
-        return self.desde, self.hasta
 
 
 def cuerpos(texto):
@@ -77,10 +67,7 @@ def elige(raiz, build, cuantos, semilla, no_compila_glsl):
             continue
         linea = azar.choice(sorted(lineas[fichero]))
         p = azar.choice(lineas[fichero][linea])
-        antes = texto[p.desde : p.hasta]
-        imita = f"línea {linea}, {p.que}: «{antes}» → «{p.otro}»".replace("\n", " ")
-        n = len(elegidos) + 1
-        m = AlAzar("azar", n, n, relativo, antes, p.otro, imita, desde=p.desde, hasta=p.hasta)
+        m = perturbado(p, len(elegidos) + 1, relativo, texto)
         if (relativo, linea) not in usadas and vale(raiz, build, m, texto, no_compila_glsl):
             usadas.add((relativo, linea))
             elegidos.append(m)
@@ -89,7 +76,7 @@ def elige(raiz, build, cuantos, semilla, no_compila_glsl):
 
 def vale(raiz, build, m, texto, no_compila_glsl):
     if m.en_shader:
-        return not no_compila_glsl(raiz, m.fichero, texto[: m.desde] + m.estropeado + texto[m.hasta :])
+        return not no_compila_glsl(raiz, m.fichero, estropea(texto, m))
     try:
         return compila(raiz, build, m.fichero, cambia(texto, [m]))
     except ValueError:  # entre paréntesis sería otra expresión

@@ -5,10 +5,8 @@ las líneas de los programas, sus shaders, common/ y glut/ (azar.py).
 Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes; un shader estropeado va en una carpeta, y
 $LAB_RAIZ hace que se mire antes que las demás. Primero se ejecutan sin ninguno las pruebas y los casos, que deben pasar
 y apuntan lo que usan; después, con cada mutante, los que lo usan, hasta que uno falle: las de su capítulo, las demás y,
-si ninguna lo nota, los pasos y los casos: por lo que pintan encima (los .encima) o, si no, solo por su imagen. Queda en
-BUILD/muta.json, que es por donde empieza la vez siguiente.
+si ninguna lo nota, los pasos y los casos: por lo que pintan encima (los .encima) o, si no, solo por su imagen.
 """
-import json
 import os
 import re
 import shutil
@@ -128,11 +126,9 @@ def no_compila_glsl(raiz, fichero, estropeado):
 class Vivero:
     """La copia del árbol con todos los mutantes, compilada."""
 
-    def __init__(self, raiz, carpeta, mutantes, antes):
-        """`antes`: de cada defecto, qué prueba lo notó la última vez."""
+    def __init__(self, raiz, carpeta, mutantes):
         self.raiz, self.copia, self.build, self.mutantes = raiz, carpeta / "fuente", carpeta / "build", mutantes
-        self.procesos, self.antes = os.cpu_count(), antes
-        self.notan = Counter((m.fichero, antes.get(m.nombre)) for m in mutantes)
+        self.notan = Counter()  # de cada fichero, cuántos ha notado cada prueba: la que más, antes
 
     def copia_arbol(self):
         """Solo se escribe lo que cambia: así se vuelve a compilar solo eso."""
@@ -181,27 +177,16 @@ class Vivero:
         self.sin_ventana = (self.build / "sin_ventana").read_text().strip()
         self.programas = catalogo.lee_programas(self.build)
         pruebas = [f.stem for f in self.copia.glob("tests/*/*_test.cpp") if es_de(f.name, capitulos)]
-        self.orden(
-            "ninja",
-            "-k",
-            "0",
-            "-C",
-            self.build,
-            *(pruebas if capitulos else ["tests/all"]),
-            "compara",
-            *(["finitos"] if self.sin_ventana == "osmesa" else ()),  # con ello van las propiedades
-            *(f"{p.nombre}_{self.sin_ventana}" for p in self.programas),
-        )
+        finitos = ["finitos"] if self.sin_ventana == "osmesa" else []  # con ello van las propiedades
+        programas = (f"{p.nombre}_{self.sin_ventana}" for p in self.programas)
+        que = [*(pruebas if capitulos else ["tests/all"]), "compara", *finitos, *programas]
+        self.orden("ninja", "-k", "0", "-C", self.build, *que)
 
     def orden(self, *palabras):
         proceso = lanza(palabras, cwd=self.copia, text=True, stderr=subprocess.STDOUT)
         if proceso.returncode:
-            sys.exit(
-                "\n".join(
-                    [linea for linea in proceso.stdout.splitlines() if not linea.startswith("[")]
-                    + ["muta: no se ha podido compilar con los mutantes dentro"]
-                )
-            )
+            print(*(linea for linea in proceso.stdout.splitlines() if linea[:1] != "["), sep="\n", file=sys.stderr)
+            sys.exit("muta: no se ha podido compilar con los mutantes dentro")
 
     def enumera(self, capitulos):
         """Cada TEST y cada caso de esos capítulos, o todos, que son lo que se ejecuta."""
@@ -255,14 +240,7 @@ class Vivero:
         numero = str(mutante.numero)
         entorno = {"LAB_RAIZ": str(self.build / "glsl" / numero)} if mutante.en_shader else {"LAB_MUTANTE": numero}
 
-        def orden(prueba):
-            return (
-                prueba.golden,
-                prueba.nombre != self.antes.get(mutante.nombre),
-                -self.notan[mutante.fichero, prueba.nombre],
-            )
-
-        for prueba in sorted(mutante.pruebas, key=orden):
+        for prueba in sorted(mutante.pruebas, key=lambda p: (p.golden, -self.notan[mutante.fichero, p.nombre])):
             estado = prueba.falla(30 + 10 * prueba.segundos, **entorno)
             por = "" if not prueba.golden else ENCIMA if estado == DISTINTO_ENCIMA else GOLDEN
             if estado and not (mutante.notado and por == GOLDEN):
@@ -311,7 +289,7 @@ def planta(vivero, elegidos, capitulos):
     aviso(f"compilo con {len(vivero.mutantes)} mutantes dentro…")
     vivero.copia_arbol()
     vivero.compila(capitulos)
-    with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(vivero.procesos) as hilos:
+    with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(os.cpu_count()) as hilos:
         os.environ["TMPDIR"] = temporal  # lo que deje una prueba que no acaba bien
         vivero.sin_mutantes(vivero.enumera(capitulos), hilos)
         for hecho in as_completed([hilos.submit(vivero.prueba, m) for m in elegidos]):
@@ -360,17 +338,12 @@ def main():
         todos = elegidos = azar.elige(raiz, build.parent, cuantos, semilla, no_compila_glsl)
     else:
         elegidos = elige(todos, pedidos)
-    hecho = build / "muta.json"
-    antes = json.loads(hecho.read_text()) if hecho.exists() and not cuantos else {}
-    vivero = Vivero(raiz, build / "mutantes", todos, antes)
+    vivero = Vivero(raiz, build / "mutantes", todos)
     capitulos = {capitulo(m.fichero) for m in elegidos}
     if cuantos or not pedidos or "comun" in capitulos:
         capitulos = set()
     for i, m in enumerate(planta(vivero, elegidos, capitulos), 1):
         print(f"[{i}/{len(elegidos)}] {cuenta(m)}", flush=True)
-        antes[m.nombre] = m.por or m.notado
-        if not cuantos:
-            procesos.escribe(hecho, json.dumps(antes, ensure_ascii=False, indent=0) + "\n")
     juzga(elegidos, cuantos)
 
 

@@ -404,7 +404,7 @@ def test_la_hoja_de_moodle_se_queda_como_estaba(tmp_path, cual):
         suya.pon(nombre + MOODLE, {**HECHA, "entrega": quien})
     destino = suya.escribe()
     assert (destino.name, fichero.read_bytes()) == ("hoja-con-notas.csv", antes)
-    una, otra = (celdas(datos, como, marca, suya.separador) for datos in (antes, destino.read_bytes()))
+    una, otra = (celdas(datos, como, marca, suya.como_esta["delimiter"]) for datos in (antes, destino.read_bytes()))
     cambia = [c + de_grupos for c in (4, 9) if c < len(columnas)]
     con_nota = [1, 2, 3] if de_grupos else [1]
     distintas = [[k for k, suyo in enumerate(a) if suyo != b[k]] for a, b in zip(una, otra, strict=True)]
@@ -423,6 +423,11 @@ def test_la_hoja_de_moodle_se_queda_como_estaba(tmp_path, cual):
     comentarios = len(con_nota) * (len(cambia) - 1)
     assert suya.cuenta.startswith(f"{len(con_nota)} notas y {comentarios} comentarios puestos; ")
     assert suya.cuenta.endswith("; no están en la hoja 2")
+
+
+def test_lo_que_la_hoja_dice_a_excel_no_va_a_moodle(tmp_path):
+    (tmp_path / "h.csv").write_text("sep=;\n" + una_hoja(COLUMNAS, separador=";"))
+    assert hoja.Hoja(tmp_path / "h.csv").escribe().read_text() == una_hoja(COLUMNAS, separador=";")
 
 
 @pytest.mark.parametrize(

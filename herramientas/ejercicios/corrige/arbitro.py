@@ -62,17 +62,8 @@ class Arbitro:
 
     def juega_de_nuevo(self, jugador, guion, procesador=SIN_PRISA, delante=None, **mas):
         """Lo que deja, en un tar. DELANTE: la biblioteca que se le pone delante."""
-        orden = [
-            jugador.programa,
-            "-geometry",
-            "{}x{}".format(*TALLA),
-            "-titulos",
-            "titulos",
-            "-ppm",
-            "ultima.ppm",
-            "-guion",
-            guion.texto,
-        ]
+        orden = [jugador.programa, "-geometry", "{}x{}".format(*TALLA), "-titulos", "titulos", "-ppm", "ultima.ppm"]
+        orden += ["-guion", guion.texto]
         if delante:
             orden = ["sh", "-c", DELANTE, delante, *orden]
         limites = {**JUEGA, "procesador": round(procesador), "segundos": round(3 * procesador)}
@@ -81,13 +72,14 @@ class Arbitro:
         entorno = {"LAB_RAIZ": raices, "LAB_SIN_ENCIMA": "rotulo", **jugador.entorno, **mas}
         if not jugador.ajeno:
             return self.recinto.propio(orden, limites, MESA_SHADER_CACHE_DIR=str(self.shaders), **entorno)
+        shaders = [self.shaders] if self.shaders.is_dir() else []
         ve = [
             jugador.programa.parent,
-            *(jugador.raices[-1:]),
+            *jugador.raices[-1:],
             *self.compilador.ve,
-            *([self.shaders] if self.shaders.is_dir() else []),
+            *shaders,
+            *([delante] if delante else []),
         ]
-        ve += [delante] if delante else []
         # de lo ajeno, en ninguna carpeta más: en el laboratorio está la solución
         entorno |= {"LAB_SOLO_RAIZ": "1", "LAB_SHADERS": str(self.shaders), "MESA_SHADER_CACHE_DIR": "shaders"}
         return self.recinto.ajeno(orden, limites, ve, **entorno)

@@ -33,9 +33,8 @@ class Banco:
         recinto = Recinto(temporal, jaula, entorno)
         con_shaders = nuevo.es_de_shaders(ref)
         self.compilador = (DeShaders if con_shaders else Compilador)(raiz, build, programa, ref, recinto)
-        de = shaders if con_shaders else nuevo
-        self.de_partida = de.esqueleto(raiz, programa, ref), "" if con_shaders else programa.fuente.name
-        self.dados = self.de_partida[0], de.solucion(raiz, programa, ref)  # lo que no es de nadie (parecidos.py)
+        self.de_partida = nuevo.esqueleto(raiz, programa, ref), "" if con_shaders else programa.fuente.name
+        self.dados = self.de_partida[0], nuevo.solucion(raiz, programa, ref)  # lo que no es de nadie (parecidos.py)
         todos = [
             *(shaders.guiones(raiz, build, programa, entorno) if con_shaders else partidas.de_los_casos(programa)),
             *partidas.al_azar(raiz, build, programa, f"{ref} {semilla}", reglas.guiones, entorno),

@@ -13,14 +13,8 @@ from ejercicios.corrige.partidas import Jugador
 
 COMPILA = {"segundos": 120, "procesador": 60, "memoria": 3 << 30, "procesos": 16}
 SUYA = "mios/entrega"  # dónde está lo suyo en el árbol que ve: tan hondo como lo de ./lab nuevo
-SIN = {
-    "-MD": 1,
-    "-MT": 2,
-    "-MF": 2,
-    "-o": 2,
-    "-c": 2,
-    "-Werror": 1,
-}  # de la orden de compilar, cuántas palabras no valen aquí
+# de la orden de compilar, cuántas palabras no valen aquí
+SIN = {"-MD": 1, "-MT": 2, "-MF": 2, "-o": 2, "-c": 2, "-Werror": 1}
 
 
 def arbol_visible(raiz, programa, ref):
@@ -93,14 +87,12 @@ class Compilador:
         arbol = carpeta / "fuentes"
         suya = self.en_arbol(ficheros, arbol)
         sitios = list(dict.fromkeys([suya, *((suya / nombre).parent for nombre in ficheros)]))
+        ve = [carpeta, *self.ve]
+        ejecuta = functools.partial(self.recinto.ajeno, ve=ve) if ajena else self.recinto.propio
         errores = []
         for fuentes in intentos or [Alcance(ficheros).se_compilan]:
             orden = self.orden(arbol, sitios, [suya / f for f in fuentes])
-            hecho = desempaqueta(
-                self.recinto.ajeno(orden, COMPILA, [carpeta, *self.ve])
-                if ajena
-                else self.recinto.propio(orden, COMPILA)
-            )
+            hecho = desempaqueta(ejecuta(orden, COMPILA))
             if hecho.get("estado", b"").strip() == b"0":
                 ejecutable = carpeta / self.programa.nombre
                 ejecutable.write_bytes(hecho["programa"])

@@ -17,24 +17,18 @@ def numero(que):
     raise ValueError
 
 
-def natural(que):
-    if type(que) is int and -1 <= que < 1 << 31:
-        return que
-    raise ValueError
+def forma(vale):
+    def comprueba(que):
+        if vale(que):
+            return que
+        raise ValueError
+
+    return comprueba
 
 
-def texto(que):
-    if isinstance(que, str) and len(que) < LARGA:
-        return que
-    raise ValueError
-
-
-def logico(que):
-    if isinstance(que, bool):
-        return que
-    raise ValueError
-
-
+natural = forma(lambda que: type(que) is int and -1 <= que < 1 << 31)
+texto = forma(lambda que: isinstance(que, str) and len(que) < LARGA)
+logico = forma(lambda que: isinstance(que, bool))
 NUMEROS = [numero]
 TRAZA = {
     "motivo": texto,

@@ -272,9 +272,8 @@ class Comparacion:
         if hallado := self.de_lo_que_llega(mia, suya):
             if hallado["que"] == "textura":
                 return self.de_quien_la_pinta(mia) or hallado
-            return (
-                self.de_vertice(mia, suya, cual, hallado["nombre"]) or hallado if hallado["que"] == "array" else hallado
-            )
+            es_array = hallado["que"] == "array"
+            return es_array and self.de_vertice(mia, suya, cual, hallado["nombre"]) or hallado
         if hallado := self.de_lineas(mia, suya, cual):
             return hallado
         return {"orden": mia["n"], "que": "suceso", "dice": self.de_suceso(quien, cual, uno, otro)}
@@ -362,12 +361,10 @@ class Comparacion:
 
     def de_vertice(self, mia, suya, cual, atributo):
         """El primer vértice de la primitiva al que ese array no le da lo mismo."""
+        es_suyo = lambda paso: (paso["clase"], paso["nombre"]) == ("entrada", atributo)
         sombreados = self.por_dentro(mia, suya, cual) or ({"vertices": []},) * 2
         for mio, suyo in zip(*(s["vertices"] or [] for s in sombreados)):
-            entran = (
-                [p for p in v["lineas"] if (p["clase"], p["nombre"]) == ("entrada", atributo)] for v in (mio, suyo)
-            )
-            for una, otra in zip(*entran):
+            for una, otra in zip(*([p for p in v["lineas"] if es_suyo(p)] for v in (mio, suyo))):
                 if distintos(una["valor"], otra["valor"]):
                     que = vale(f"«{atributo}» en el vértice {mio['indice']}", una["valor"], otra["valor"])
                     hallado = {"orden": mia["n"], "que": "array", "nombre": atributo}
@@ -401,15 +398,10 @@ class Comparacion:
         donde = f"en la línea {linea} de {fichero or shader.replace('el ', 'su ')}, {que}"
         if mio["clase"] == "entrada":
             donde = f"a {shader} {PurePath(fichero).name} le llega otra cosa: {que}".replace("a el ", "al ")
-        return {
-            "orden": orden["n"],
-            "que": mio["clase"] if mio["clase"] == "entrada" else "linea",
-            "fichero": fichero,
-            "linea": linea,
-            "nombre": nombre,
-            **en_json(mio["valor"], esperado),
-            "dice": f"{donde}{lugar}, en la orden {orden['n']} ({orden['titulo']})",
-        }
+        que = "entrada" if mio["clase"] == "entrada" else "linea"
+        hallado = {"orden": orden["n"], "que": que, "fichero": fichero, "linea": linea, "nombre": nombre}
+        dice = f"{donde}{lugar}, en la orden {orden['n']} ({orden['titulo']})"
+        return {**hallado, **en_json(mio["valor"], esperado), "dice": dice}
 
     @staticmethod
     def de_suceso(quien, cual, uno, otro):
@@ -503,16 +495,12 @@ class Donde:
         self.arbitro, self.compilador = banco.arbitro, banco.compilador
         self.delante = banco.compilador.build / de_cuadro.DELANTE
         raiz, capitulo = banco.compilador.raiz, banco.programa.capitulo.nombre
-        # antes los de su capítulo, que hay iguales en otros
-        todos = sorted(
-            (f for tipo in SHADERS for f in raiz.glob(f"c*/**/*{tipo}")), key=lambda f: f.parent.name != capitulo
-        )
-        textos = {f.relative_to(raiz): f.read_text() for f in todos}
-        suyos = {
-            f.name: f.read_text() for c in banco.programa.raices for f in sorted(c.iterdir()) if f.suffix in SHADERS
-        }
-        self.lab = Shaders({**suyos, **{str(f): texto for f, texto in textos.items()}})
-        self.visibles = {str(f): texto for f, texto in textos.items() if f in banco.compilador.visible}
+        todos = [f for tipo in SHADERS for f in raiz.glob(f"c*/**/*{tipo}")]
+        todos.sort(key=lambda f: f.parent.name != capitulo)  # antes los de su capítulo, que hay iguales en otros
+        textos = {str(f.relative_to(raiz)): f.read_text() for f in todos}
+        propios = [f for c in banco.programa.raices for f in sorted(c.iterdir()) if f.suffix in SHADERS]
+        self.lab = Shaders({**{f.name: f.read_text() for f in propios}, **textos})
+        self.visibles = {f: textos[f] for f in map(str, banco.compilador.visible) if f in textos}
 
     def explica(self, jugador, guion, pixeles, **mas):
         """El cuadro en que acaba ese guion, o None."""

@@ -1,12 +1,13 @@
-"""La hoja de calificaciones que da Moodle (mod/assign/feedback/offline), con la nota y los comentarios puestos: de lo
-demás, cada columna, cada fila, las comillas, el separador y los finales de línea se quedan como estaban, que Moodle
-reconoce las columnas por su nombre y compara la fecha de la última modificación."""
+"""La hoja de calificaciones que da Moodle (mod/assign/feedback/offline), con la nota y los comentarios puestos: lo
+demás, columnas, filas, separador y finales de línea, se queda como estaba, que Moodle reconoce las columnas por su
+nombre y compara la fecha de la última modificación."""
 import codecs
+import csv
 import html
+import io
 import re
 import unicodedata
 from collections import Counter, defaultdict
-from dataclasses import dataclass
 
 from base.procesos import Fallo, escribe
 from ejercicios.corrige.aula import de_moodle
@@ -24,20 +25,8 @@ COLUMNAS = {
     "Comentarios de retroacción|Comentaris de retroacció|Comentaris de retroalimentació|Comentarios|Comentaris",
     "grupo": "Group|Grupo|Grup",
 }
-SEP = re.compile("sep=.\r?\n?")  # para Excel
 SEPARADORES = ",;\t"
 YA_HABIA = "notas que ya había, y eran otras"
-
-
-@dataclass
-class Celda:
-    desde: int
-    hasta: int
-    crudo: str
-
-    @property
-    def valor(self):
-        return self.crudo[1:-1].replace('""', '"') if self.crudo[:1] == '"' else self.crudo
 
 
 def llano(nombre):
@@ -58,23 +47,6 @@ def descifra(datos):
         return datos.decode(), "utf-8", b""
     except UnicodeDecodeError:
         return datos.decode("cp1252", "strict"), "cp1252", b""
-
-
-def filas(texto, separador):
-    """Sus celdas, cada una con dónde está."""
-    celda = re.compile(rf'"(?:[^"]|"")*"(?=[{separador}\r\n]|\Z)|[^{separador}\r\n]*')
-    hay, fila, i = [], [], 0
-    while i <= len(texto):
-        m = celda.match(texto, i)
-        fila.append(Celda(m.start(), m.end(), m[0]))
-        i = m.end()
-        sigue = texto[i : i + 1]
-        if sigue != separador:
-            hay.append(fila)
-            fila = []
-            i += texto[i : i + 2] == "\r\n"
-        i += 1
-    return [f for f in hay if len(f) > 1 or f[0].crudo]
 
 
 def numero(texto):
@@ -98,23 +70,27 @@ class Hoja:
             self.texto, self.como, self.marca = descifra(fichero.read_bytes())
         except (OSError, UnicodeDecodeError):
             raise Fallo(f"no puedo leer «{fichero}»") from None
-        if sep := SEP.match(self.texto):
-            self.marca, self.texto = self.marca + sep[0].encode(self.como), self.texto[sep.end() :]
+        self.texto = re.sub(r"\Asep=.\r?\n", "", self.texto)  # es para Excel, y Moodle no la quiere
         cabecera = self.texto.partition("\n")[0]
-        self.separador = max(SEPARADORES, key=cabecera.count)
-        self.columnas, *self.filas = filas(self.texto, self.separador) or [[]]
-        nombres = [llano(c.valor) for c in self.columnas]
+        self.como_esta = {"delimiter": max(SEPARADORES, key=cabecera.count)}
+        try:
+            leidas = csv.reader(io.StringIO(self.texto, newline=""), **self.como_esta)
+            self.columnas, *self.filas = [fila for fila in leidas if fila] or [[]]
+        except csv.Error:
+            raise Fallo(f"no puedo leer «{fichero}»") from None
+        self.como_esta["lineterminator"] = "\r\n" if cabecera.endswith("\r") else "\n"
+        self.como_esta["quoting"] = csv.QUOTE_ALL if cabecera.startswith('"') else csv.QUOTE_MINIMAL
+        nombres = [*map(llano, self.columnas)]
         conocidos = {que: [llano(n) for n in hay.split("|")] for que, hay in COLUMNAS.items()}
         self.donde = {q: nombres.index(n) for q, hay in conocidos.items() for n in hay[::-1] if n in nombres}
         if "id" not in self.donde or "nota" not in self.donde:
             raise Fallo(
                 f"«{fichero.name}» no es una hoja de calificaciones de Moodle que conozca: le falta la columna "
-                f"«Identificador» o la «Calificación». Tiene {limpio(', '.join(c.valor for c in self.columnas))}"
+                f"«Identificador» o la «Calificación». Tiene {limpio(', '.join(self.columnas))}"
             )
         if "escala" in self.donde and "máxima" not in self.donde:
             raise Fallo(f"«{fichero.name}» es de una tarea que se califica con una escala de palabras, no con puntos")
-        self.cambios, self.avisos = {}, []
-        self.puestos = Counter()
+        self.avisos, self.puestos = [], Counter()
         self.de_cada_uno, self.de_grupo = defaultdict(list), defaultdict(list)
         vistos = [numero(self.valor(fila, que)) for fila in self.filas for que in ("máxima", "nota")]
         self.con_coma = any(n and n[1] for n in vistos)
@@ -124,7 +100,7 @@ class Hoja:
                 self.de_grupo[entero(grupo)].append(fila)
 
     def valor(self, fila, que):
-        return fila[self.donde[que]].valor if self.donde.get(que, len(fila)) < len(fila) else ""
+        return fila[self.donde[que]] if self.donde.get(que, len(fila)) < len(fila) else ""
 
     @property
     def de_grupos(self):
@@ -166,31 +142,27 @@ class Hoja:
 
     def cambia(self, fila, que, valor):
         if self.donde[que] < len(fila):
-            celda = fila[self.donde[que]]
-            if celda.crudo[:1] == '"' or re.search(rf'["\r\n{self.separador}]', valor):
-                valor = '"' + valor.replace('"', '""') + '"'
-            self.puestos[que] += celda.desde not in self.cambios
-            self.cambios[celda.desde] = celda, valor
+            fila[self.donde[que]] = valor
+            self.puestos[que] += 1
 
     @property
     def cuenta(self):
         """Cuánto se ha puesto, y lo que no."""
         dice = [f"{self.puestos['nota']} notas y {self.puestos['comentario']} comentarios puestos"]
         if "comentario" not in self.donde:
-            nombres = ", ".join(c.valor for c in self.columnas)
-            dice.append(f"no hay columna de comentarios que conozca: {limpio(nombres)}")
+            dice.append(f"no hay columna de comentarios que conozca: {limpio(', '.join(self.columnas))}")
         dice += [f"{self.puestos[YA_HABIA]} {YA_HABIA}"] if self.puestos[YA_HABIA] else []
         dice += [f"no están en la hoja {len(self.avisos)}"] if self.avisos else []
         return "; ".join(dice)
 
     def escribe(self):
         """Al lado, y nunca encima. Devuelve dónde."""
-        texto = self.texto
-        for _, (celda, valor) in sorted(self.cambios.items(), reverse=True):
-            texto = texto[: celda.desde] + valor + texto[celda.hasta :]
+        texto = io.StringIO(newline="")
+        csv.writer(texto, **self.como_esta).writerows([self.columnas, *self.filas])
+        escrito = texto.getvalue() if self.texto.endswith("\n") else texto.getvalue().rstrip("\r\n")
         destino = self.fichero.with_name(f"{self.fichero.stem}-con-notas{self.fichero.suffix}")
         # lo que no quepa en la codificación que trae está en un comentario, que es HTML
-        escribe(destino, self.marca + texto.encode(self.como, "xmlcharrefreplace"))
+        escribe(destino, self.marca + escrito.encode(self.como, "xmlcharrefreplace"))
         return destino
 
 

@@ -14,6 +14,7 @@ from base.procesos import Fallo, lanza
 SALE = 96 << 20  # bytes que se leen de una jaula
 DISCO = 64 << 20  # de la carpeta temporal, que está en memoria
 NADIE = range(61184, 65520)  # de root no valen los límites: se ejecuta como uno de estos, que no son nadie
+SALEN = re.compile(r"estado|salida|errores|titulos|tiempos|programa|cuadro\.json|\d{3}\.ppm")
 NO_ACABA = 124, 137, 152  # timeout; timeout -k, si ha pasado ese tiempo; y el límite de procesador
 
 # Lo que se ejecuta en la jaula: SEGUNDOS ORDEN…; lo que deja sale en un tar. Los shaders ya compilados, de
@@ -34,23 +35,9 @@ class Jaula:
 
     def __init__(self, raiz):
         self.root = os.geteuid() == 0
-        aparte = (
-            [f"--unshare-{que}" for que in ("ipc", "pid", "net", "uts", "cgroup-try")]
-            if self.root
-            else ["--unshare-all"]
-        )
-        self.prefijo = [
-            "bwrap",
-            *aparte,
-            "--die-with-parent",
-            "--new-session",
-            "--proc",
-            "/proc",
-            "--dev",
-            "/dev",
-            "--dir",
-            "/etc",
-        ]
+        aparte = [f"--unshare-{que}" for que in ("ipc", "pid", "net", "uts", "cgroup-try")]
+        self.prefijo = ["bwrap", *(aparte if self.root else ["--unshare-all"])]
+        self.prefijo += "--die-with-parent --new-session --proc /proc --dev /dev --dir /etc".split()
         sistema = ["/usr", "/etc/alternatives", "/etc/ld.so.cache"]
         for carpeta in map(Path, ("/bin", "/lib", "/lib32", "/lib64", "/libx32")):
             if carpeta.is_symlink():
@@ -84,16 +71,8 @@ class Jaula:
         )  # las que hace bwrap solo las ve su dueño
         monta = [*(p for que in padres for p in ("--dir", que)), *(p for que in ve for p in ("--ro-bind", que, que))]
         # sin ser root, lo que bwrap hace para montar es de quien lo ejecuta, y podría llenar la memoria
-        return [
-            *self.prefijo,
-            *monta,
-            "--remount-ro",
-            "/dev",
-            "--remount-ro",
-            "/",
-            "--",
-            *(self.otro() if self.root else []),
-        ]
+        cierra = "--remount-ro /dev --remount-ro / --".split()
+        return [*self.prefijo, *monta, *cierra, *(self.otro() if self.root else [])]
 
     def otro(self):
         quien = random.SystemRandom().choice(NADIE)
@@ -107,29 +86,22 @@ class Recinto:
     def __init__(self, temporal, jaula, entorno):
         self.temporal, self.jaula, self.entorno = temporal, jaula, entorno
 
-    def propio(self, orden, limites, **entorno):
+    def propio(self, orden, limites, antes=(), **entorno):
         """Lo que deja una orden, en un tar."""
         with tempfile.TemporaryDirectory(dir=self.temporal) as aqui:
-            return self.ejecuta([], limites, orden, aqui, HOME=aqui, TMPDIR=aqui, **entorno)
+            return self.ejecuta(antes, limites, orden, aqui, HOME=aqui, TMPDIR=aqui, **entorno)
 
     def ajeno(self, orden, limites, ve, **entorno):
         """Lo mismo, de una que no es de fiar y que solo ve, además del sistema, esas rutas."""
-        prlimit = [
-            "prlimit",
-            f"--cpu={limites['procesador']}:{limites['procesador'] + 1}",  # el segundo mata
-            f"--as={limites['memoria']}",
-            f"--fsize={DISCO}",
-            "--core=0",
-        ]
+        segundos = limites["procesador"]
+        topes = {"cpu": f"{segundos}:{segundos + 1}", "as": limites["memoria"], "fsize": DISCO, "core": 0}
         if self.jaula:  # fuera de ella contaría también todos los que ya tiene quien corrige
-            prlimit.append(f"--nproc={limites['procesos']}")
-        prlimit.append("--")
+            topes["nproc"] = limites["procesos"]
+        prlimit = ["prlimit", *(f"--{que}={tope}" for que, tope in topes.items()), "--"]  # cpu: el segundo mata
         if not self.jaula:
-            with tempfile.TemporaryDirectory(dir=self.temporal) as aqui:
-                return self.ejecuta(prlimit, limites, orden, aqui, HOME=aqui, TMPDIR=aqui, **entorno)
-        return self.ejecuta(
-            [*self.jaula.orden(ve), *prlimit], limites, orden, "/", HOME="/trabajo", TMPDIR="/trabajo", **entorno
-        )
+            return self.propio(orden, limites, prlimit, **entorno)
+        antes = [*self.jaula.orden(ve), *prlimit]
+        return self.ejecuta(antes, limites, orden, "/", HOME="/trabajo", TMPDIR="/trabajo", **entorno)
 
     def ejecuta(self, antes, limites, orden, carpeta, **entorno):
         encerrada = [*antes, "sh", "-c", ENCIERRA, "sh", limites["segundos"], *orden]
@@ -152,11 +124,7 @@ def desempaqueta(datos):
         with tarfile.open(fileobj=io.BytesIO(datos), mode="r|") as tar:
             for miembro in tar:
                 nombre = miembro.name.removeprefix("./")
-                if (
-                    miembro.isreg()
-                    and not miembro.issparse()
-                    and re.fullmatch(r"estado|salida|errores|titulos|tiempos|programa|cuadro\.json|\d{3}\.ppm", nombre)
-                ):
+                if miembro.isreg() and not miembro.issparse() and SALEN.fullmatch(nombre):
                     ficheros.setdefault(nombre, tar.extractfile(miembro).read())
     except Exception:  # pylint: disable=broad-except  # está cortado o estropeado, y puede ser de cualquier manera
         pass

@@ -1,6 +1,6 @@
-"""Leer lo que entrega un estudiante, que no es de fiar: una carpeta, un .zip o los .zip que haya en ella. De cada fichero
-se da su ruta, en partes, y una función que lo lee hasta un límite o dice por qué no se puede; se leen los que sirven,
-también hasta un límite. Lo demás, aunque no se pueda leer, no estorba."""
+"""Leer lo que entrega un estudiante, que no es de fiar: una carpeta, un .zip o los .zip que haya en ella. De cada
+fichero se da su ruta, en partes, y una función que lo lee hasta un límite o dice por qué no se puede; se leen los que
+sirven, también hasta un límite. Lo demás, aunque no se pueda leer, no estorba."""
 import functools
 import io
 import itertools
@@ -13,9 +13,8 @@ import zipfile
 from collections import deque
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
-from pathlib import Path, PurePath
+from pathlib import PurePath
 
-from base.fuentes import SHADERS
 from base.procesos import Fallo
 from ejercicios import nuevo
 

@@ -42,8 +42,7 @@ def lista(raiz, programa, textos):
 
 def conocidos(raiz, programa, ref):
     """Los defectos de los ficheros que tiene quien hace el ejercicio, salvo en lo que pide otro."""
-    de_quien = nuevo.pedidos if nuevo.es_de_shaders(ref) else nuevo.de_la_carpeta
-    textos = {ruta(programa, f): texto for f, texto in de_quien(raiz, programa, ref).items()}
+    textos = {ruta(programa, f): texto for f, texto in nuevo.textos(raiz, programa, ref).items()}
     ajenos = {
         f: [t.span() for t in marcas.TROZO.finditer(texto) if t["codigo"] != ref and nuevo.es_del_libro(t["codigo"])]
         for f, texto in textos.items()
@@ -72,14 +71,11 @@ class Motivos:
         self.turno, self.hechas = threading.Lock(), None
 
     def textos(self):
-        return nuevo.de_la_carpeta(self.raiz, self.programa, self.ref)
-
-    def esqueleto(self):
-        return nuevo.esqueleto(self.raiz, self.programa, self.ref)
+        return nuevo.textos(self.raiz, self.programa, self.ref)
 
     def limpio(self, textos):
         """Los ficheros de quien hace el ejercicio, sin las marcas, con esos textos."""
-        return nuevo.aqui({fichero: nuevo.deja(texto) for fichero, texto in textos.items()}, self.programa)
+        return nuevo.sin_marcas(textos, self.programa, self.ref)
 
     def huecos(self):
         """De cada cosa que pide el ejercicio, si son varias: qué es, y los ficheros con todo menos eso."""
@@ -115,48 +111,50 @@ class Motivos:
         return sitio
 
     def compila(self, sitio):
-        self.compilador.compila(self.esqueleto(), sitio / "esqueleto", ajena=False)
+        esqueleto = nuevo.esqueleto(self.raiz, self.programa, self.ref)
+        self.compilador.compila(esqueleto, sitio / "esqueleto", ajena=False)
         for i, (_, con_hueco) in enumerate(self.huecos()):
             try:
                 self.compilador.compila(self.limpio(con_hueco), sitio / f"hueco{i}", ajena=False)
             except Rechazo:  # lo demás lo necesita
                 shutil.rmtree(sitio / f"hueco{i}")
-        self.compila_defectos(sitio)
+        self.planta(self.defectos, sitio)
 
-    def compila_defectos(self, sitio):
+    def planta(self, suyos, sitio):
+        """Deja ahí la solución con esos defectos: los de C++, en un binario; de cada shader, el estropeado."""
         textos = self.textos()
-        for fichero, suyos in defectos.por_fichero(self.defectos).items():
+        for fichero, de_el in defectos.por_fichero(suyos).items():
             nombre = Path(fichero).name
             fuente = textos[nombre]
-            if not suyos[0].en_shader:
-                textos[nombre] = f'#include "{self.raiz / defectos.MUTANTE_H}"\n{defectos.cambia(fuente, suyos)}'
+            if not de_el[0].en_shader:
+                textos[nombre] = f'#include "{self.raiz / defectos.MUTANTE_H}"\n{defectos.cambia(fuente, de_el)}'
                 continue
-            for m in suyos:
+            for m in de_el:
                 estropeado = {**textos, nombre: defectos.estropea(fuente, m)}
                 escribe(sitio / str(m.numero) / nombre, self.limpio(estropeado)[nombre])
         self.compilador.compila(self.limpio(textos), sitio / "mutantes", ajena=False)
 
     def enumera(self, sitio):
-        def jugador(nombre, carpeta, *antes, **entorno):
-            raices = [*antes, sitio / carpeta / "fuentes" / SUYA, sitio / carpeta / "fuentes"]
-            return Jugador(nombre, self.en(sitio, carpeta) / self.programa.nombre, raices, entorno)
-
-        variantes = [("", jugador("esqueleto", "esqueleto"))]
+        variantes = [("", self.jugador("esqueleto", sitio, "esqueleto"))]
         for i, (pide, _) in enumerate(self.huecos()):
             if (sitio / f"hueco{i}").is_dir():
-                variantes.append((f"parece que falta: {pide}", jugador(f"hueco{i}", f"hueco{i}")))
+                variantes.append((f"parece que falta: {pide}", self.jugador(f"hueco{i}", sitio, f"hueco{i}")))
         for m in self.defectos:
             dice = f"parece que {m.dice}" if m.dice else f"parece este error: {m.imita}"
-            variantes.append((dice, self.con_defecto(m, sitio, jugador)))
+            variantes.append((dice, self.con_defecto(m, sitio)))
         return variantes
+
+    def jugador(self, nombre, sitio, carpeta, *antes, **entorno):
+        raices = [*antes, sitio / carpeta / "fuentes" / SUYA, sitio / carpeta / "fuentes"]
+        return Jugador(nombre, self.en(sitio, carpeta) / self.programa.nombre, raices, entorno)
 
     def en(self, sitio, carpeta):
         """Dónde está compilada cada una."""
         return sitio / carpeta
 
-    def con_defecto(self, m, sitio, jugador):
+    def con_defecto(self, m, sitio):
         """Si es de un shader, en su carpeta está el estropeado; si no, no hay nada."""
-        return jugador(m.nombre, "mutantes", sitio / str(m.numero), LAB_MUTANTE=str(m.numero))
+        return self.jugador(m.nombre, sitio, "mutantes", sitio / str(m.numero), LAB_MUTANTE=str(m.numero))
 
     def por_que(self, partidas, esperadas, fallan):
         """Lo que deja en todos los guiones lo mismo que la entrega, en palabras; del esqueleto, ninguna."""

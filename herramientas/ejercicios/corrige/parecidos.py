@@ -30,8 +30,7 @@ PALABRA = re.compile(
 NO_ES_TIPO = set("return else case goto new delete throw do and or not sizeof typename namespace operator".split())
 SIGUE_A_UN_NOMBRE = set("= ; , ) ( [ : {".split())
 DE_CONTROL = {"if", "for", "while", "switch"}
-DE_BLOQUE = {"struct", "class", "enum", "union", "namespace", "extern"}
-ABRE_BLOQUE = {")", "]", "else", "do", "try", "const", "noexcept", "override"}
+ABREN, CIERRAN = ("(", "[", "{"), (")", "]", "}")
 
 
 @dataclass(frozen=True)
@@ -71,59 +70,39 @@ def declarados(hay):
     return suyos
 
 
-class Frases:
+def frases(hay):
     """Las de un fichero, en una lista por cada cosa que declara fuera de todo: una función, una estructura."""
+    todas, cosa, frase = [], [], []
+    hondo, dentro, control = 0, 0, False  # llaves abiertas; paréntesis; si son los de un if
 
-    def __init__(self, hay):
-        self.todas, self.cosa, self.frase = [], [], []
-        self.bloques, self.dentro, self.control = [], 0, False  # llaves abiertas; paréntesis; si son los de un if
-        for palabra in hay:
-            self.pon(palabra)
-        self.acaba(cosa=True)
+    def acaba():
+        nonlocal frase
+        if frase:
+            cosa.append(frase)
+            frase = []
 
-    def acaba(self, cosa=False):
-        if self.frase:
-            self.cosa.append(self.frase)
-            self.frase = []
-        if cosa and self.cosa:
-            self.todas.append(self.cosa)
-            self.cosa = []
-
-    def es_bloque(self):
-        """Si la llave que se abre es de un bloque, y no de una lista de valores."""
-        if not self.frase or self.frase[0].que in DE_BLOQUE:
-            return True
-        ultima = self.frase[-1].que
-        return (
-            ultima in ABRE_BLOQUE
-            or ultima == ":"
-            and self.frase[0].que in ("case", "default")
-            or "->" in [p.que for p in self.frase[-3:]]  # lo que devuelve una lambda
-        )
-
-    def pon(self, palabra):
+    for palabra in hay:
         que = palabra.que
-        if not self.dentro and que in (";", "{", "}"):
-            if que == "{" and not self.es_bloque():
-                self.dentro += 1
-                return
-            if que == "{":
-                self.bloques.append(not self.frase or self.frase[0].que not in ("namespace", "extern"))
-            elif que == "}" and self.bloques:
-                self.bloques.pop()
-            self.acaba(cosa=que != "{" and not any(self.bloques[:9]))
-            return
-        if que in ("(", "[", "{"):
-            if que == "(" and not self.dentro and self.frase and self.frase[-1].que in DE_CONTROL:
-                self.control = True
-            self.dentro += 1
-        elif que in (")", "]", "}"):
-            self.dentro = max(0, self.dentro - 1)
-        if que not in "{}":
-            self.frase.append(palabra)
-        if que == ")" and not self.dentro and self.control or que == "else" and not self.dentro:
-            self.control = False
-            self.acaba()
+        if not dentro and que in (";", "{", "}"):
+            if que == "{" and not (frase and frase[0].que in ("namespace", "extern")):
+                hondo += 1
+            hondo = max(0, hondo - (que == "}"))
+            acaba()
+            if que != "{" and not hondo:
+                todas.append(cosa)
+                cosa = []
+            continue
+        if que in ABREN:
+            control = control or que == "(" and not dentro and frase and frase[-1].que in DE_CONTROL
+            dentro += 1
+        dentro = max(0, dentro - (que in CIERRAN))
+        if que not in ("{", "}"):
+            frase.append(palabra)
+        if not dentro and (que == ")" and control or que == "else"):
+            control = False
+            acaba()
+    acaba()
+    return [cosa for cosa in (*todas, cosa) if cosa]
 
 
 def normal(palabras_, suyos):
@@ -145,7 +124,7 @@ def senas(ficheros):
     suyos = set().union(*map(declarados, leidos.values()))
     donde = defaultdict(list)
     for ruta, hay in leidos.items():
-        for cosa in Frases(hay).todas:
+        for cosa in frases(hay):
             solas = []
             for i, frase in enumerate(cosa):
                 for n in SEGUIDAS:

@@ -10,9 +10,7 @@ from ejercicios.corrige.jaula import NO_ACABA, desempaqueta
 
 TALLA = 240, 180
 TALLAS = "120 160", "320 180", "180 180"
-FINAL = tuple(
-    f"tamano {talla}" for talla in (*TALLAS[:2], "{} {}".format(*TALLA))
-)  # de todos: estrecha, ancha y la suya
+FINAL = "tamano 120 160", "tamano 320 180", "tamano 240 180"  # de todos: estrecha, ancha y la suya
 TEXTO = 1 << 20  # bytes que se miran de lo que escribe
 LARGO = 10  # órdenes de un guion al azar, al menos
 VECES = 1, 1, 1, 2, 5, 30  # que se repite una tecla: a veces, hasta sus límites
@@ -78,16 +76,14 @@ class Partida:
             for f in ("titulos", "salida")
         )
         estado = ficheros.get("estado", b"").strip()
-        tiempos = ficheros.get("tiempos", b"").splitlines()  # los del intérprete y, después, los de lo que ejecuta
+        tiempos = ficheros.get("tiempos", b"").strip().rpartition(b"\n")[2]  # tras los del intérprete
         return cls(
             imagenes,
             [t.removeprefix("título: ").replace("-0°", "0°") for t, _ in itertools.groupby(titulos)],
             "\n".join(texto),
             int(estado) if estado.isdigit() else -1,
             ficheros.get("errores", b"")[:4000].decode(errors="replace"),
-            sum(60 * int(m) + float(s) for m, s in re.findall(rb"(\d{1,4})m([\d.]{1,9})s", tiempos[-1]))
-            if tiempos
-            else 0,
+            sum(60 * int(m) + float(s) for m, s in re.findall(rb"(\d{1,4})m([\d.]{1,9})s", tiempos)),
             limite,
         )
 
@@ -99,11 +95,8 @@ class Partida:
 def repite(azar, suceso):
     """Una tecla, a veces muchas veces."""
     veces = azar.choice(VECES)
-    return (
-        [f"{suceso[0]} ×{veces}"]
-        if veces > 1 and len(suceso) == 1 and suceso[0].startswith(("tecla", "especial"))
-        else suceso
-    )
+    es_tecla = len(suceso) == 1 and suceso[0].startswith(("tecla", "especial"))
+    return [f"{suceso[0]} ×{veces}"] if veces > 1 and es_tecla else suceso
 
 
 def guiones_al_azar(clave, n, mandos, sucesos):
@@ -132,9 +125,7 @@ def al_azar(raiz, build, programa, clave, n, entorno):
     rasgos, opciones = controles.atiende(build, programa, **entorno)
     teclas = [o for c in suyos if not c.termina for o in c.ordenes if o not in controles.COMUNES]
     mandos = [lambda azar, o=o: [o] for o in (*teclas, *(f"menu {o}" for o in opciones))]
-    mandos += [
-        lambda azar, mueve=mueve: mueve(azar, *TALLA) for mueve, cual in controles.MANDOS.items() if cual & rasgos
-    ]
-    return guiones_al_azar(
-        clave, n, mandos, lambda azar: controles.sucesos_al_azar(azar, suyos, rasgos, opciones, *TALLA)
-    )
+    mueven = [mueve for mueve, cual in controles.MANDOS.items() if cual & rasgos]
+    mandos += [lambda azar, mueve=mueve: mueve(azar, *TALLA) for mueve in mueven]
+    sucesos = lambda azar: controles.sucesos_al_azar(azar, suyos, rasgos, opciones, *TALLA)
+    return guiones_al_azar(clave, n, mandos, sucesos)

@@ -3,7 +3,7 @@ mismos casos y, en cada uno, los mismos gestos (web/ejercicio.mjs). Lo entregado
 OpenGL, y se juega en la jaula."""
 import shutil
 
-from base import controles, defectos, marcas
+from base import controles, defectos
 from ejercicios import nuevo
 from ejercicios.corrige.compilador import Compilador
 from ejercicios.corrige.motivos import Motivos
@@ -28,14 +28,6 @@ def ejercicios(raiz, programas):
 def reglas(referencia):
     """Cómo se puntúa, si no se dice."""
     return REGLAS if nuevo.es_de_shaders(referencia) else Reglas()
-
-
-def esqueleto(raiz, programa, referencia):
-    return {f: marcas.esqueleto(texto, referencia) for f, texto in nuevo.pedidos(raiz, programa, referencia).items()}
-
-
-def solucion(raiz, programa, referencia):
-    return {f: nuevo.deja(texto) for f, texto in nuevo.pedidos(raiz, programa, referencia).items()}
 
 
 def guiones(raiz, build, programa, entorno):
@@ -69,17 +61,8 @@ class DeShaders(Compilador):
 
 
 class MotivosDeShaders(Motivos):
-    def textos(self):
-        return nuevo.pedidos(self.raiz, self.programa, self.ref)
-
-    def limpio(self, textos):
-        return {fichero: nuevo.deja(texto) for fichero, texto in textos.items()}
-
-    def esqueleto(self):
-        return esqueleto(self.raiz, self.programa, self.ref)
-
-    def compila_defectos(self, sitio):
-        for m in self.defectos:
+    def planta(self, suyos, sitio):
+        for m in suyos:
             textos = self.textos()
             textos[m.fichero] = defectos.estropea(textos[m.fichero], m)
             self.compilador.compila(self.limpio(textos), sitio / str(m.numero), ajena=False)
@@ -87,5 +70,5 @@ class MotivosDeShaders(Motivos):
     def en(self, sitio, carpeta):
         return sitio / carpeta / "fuentes/programa"
 
-    def con_defecto(self, m, sitio, jugador):
-        return jugador(m.nombre, str(m.numero))
+    def con_defecto(self, m, sitio):
+        return self.jugador(m.nombre, sitio, str(m.numero))

@@ -58,10 +58,8 @@ def en_que(una, otra):
     x, y = sum(i % ancho for i in mal) / len(mal) / ancho, sum(i // ancho for i in mal) / len(mal) / alto
     if len(mal) > 0.5 * ancho * alto:
         return "casi toda la imagen"
-    donde = (
-        ["arriba"] * (y < 0.4) + ["abajo"] * (y > 0.6) + ["a la izquierda"] * (x < 0.4) + ["a la derecha"] * (x > 0.6)
-    )
-    return " ".join(donde) or "en el centro"
+    vertical = ["arriba"] * (y < 0.4) + ["abajo"] * (y > 0.6)
+    return " ".join([*vertical, *["a la izquierda"] * (x < 0.4), *["a la derecha"] * (x > 0.6)]) or "en el centro"
 
 
 def distintos(esperada, obtenida):
@@ -109,9 +107,8 @@ class Correccion:
             os.chmod(carpeta, 0o755)  # lo lee quien está en la jaula
             self.carpeta = Path(carpeta)
             try:
-                self.jugador = self.banco.compilador.compila(
-                    self.entrega.ficheros, Path(carpeta), intentos=self.entrega.intentos
-                )
+                suyos, intentos = self.entrega.ficheros, self.entrega.intentos
+                self.jugador = self.banco.compilador.compila(suyos, self.carpeta, intentos=intentos)
                 if self.jugador.fuentes:
                     self.entrega.corregida(self.jugador.fuentes)
             except Rechazo as rechazo:
@@ -141,12 +138,8 @@ class Correccion:
             dice += self.explica(fallan, casi, muestra)
         dice += [como for que, como in otros.items() if que != "estado"]
         casos = {g.nombre: g in bien for g in todos if g.caso}
-        cuenta = {
-            "nota": nota(todos, bien, casi, otros, self.banco.reglas),
-            "bien": len(bien),
-            "guiones": len(todos),
-            "casos": casos,
-        }
+        suya = nota(todos, bien, casi, otros, self.banco.reglas)
+        cuenta = {"nota": suya, "bien": len(bien), "guiones": len(todos), "casos": casos}
         return {**cuenta, "dice": dice, "fallos": muestra}
 
     def explica(self, fallan, casi, muestra):
@@ -177,16 +170,9 @@ class Correccion:
             bastan = [sin_veces(o) for o in tras]
             if bastan not in vistos:
                 vistos.append(bastan)
-                que = self.que(tras, esperada, obtenida)
-                fallos.append(
-                    {
-                        "guion": guion.nombre,
-                        "tras": list(tras),
-                        "que": que,
-                        "donde": self.donde(tras, esperada, obtenida),
-                        "imagenes": self.imagenes(esperada, obtenida),
-                    }
-                )
+                fallo = {"guion": guion.nombre, "tras": list(tras), "que": self.que(tras, esperada, obtenida)}
+                fallo["donde"] = self.donde(tras, esperada, obtenida)
+                fallos.append({**fallo, "imagenes": self.imagenes(esperada, obtenida)})
         return fallos
 
     def acortado(self, guion, hasta):
