@@ -2,9 +2,10 @@
 // página nueva para cada prueba, lo que una persona hace en ella y con qué se mira lo que se ve.
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
-import { mkdirSync, readFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { after, describe, it } from 'node:test';
+import { tmpdir } from 'node:os';
 import { pathToFileURL } from 'node:url';
 
 export const [RAIZ, BUILD, ABRE] = process.argv.slice(2);
@@ -33,7 +34,7 @@ export function enNavegadores(cuales, pruebas) {
       let navegador;
       after(() => navegador?.close());
       for (const [nombre, hace] of Object.entries(pruebas)) {
-        it(nombre, async () => {
+        it(`${cual}: ${nombre}`, async () => {
           navegador ??= await deNpm('puppeteer-core').launch({ ...NAVEGADORES[cual], headless: false,
             protocolTimeout: 400000, defaultViewport: { width: 1280, height: 800 } });
           const contexto = await navegador.createBrowserContext();
@@ -76,6 +77,9 @@ class Persona {
     this.pagina = pagina;
     pagina.setDefaultTimeout(PACIENCIA);
     await pagina.evaluateOnNewDocument(nombra);
+    pagina.on('request', pedido => { // sin red: solo ficheros, o el servidor de una prueba
+      if (!/^(file|data|blob|about):|^http:\/\/127\.0\.0\.1:/.test(pedido.url())) this.errores.push(pedido.url());
+    });
     pagina.on('pageerror', error => this.errores.push(String(error)));
     pagina.on('console', dicho => {
       const texto = dicho.text();
@@ -116,7 +120,23 @@ class Persona {
     await this.acaba(`${enlace.slice(0, 99)} arranca`, () => sesion?.vivo);
   }
 
+  tema(value) { return this.pagina.emulateMediaFeatures([{ name: 'prefers-color-scheme', value }]); }
+
   va(enlace) { return this.da(enlace => { location.hash = enlace; }, enlace); }
+
+  /// A toda pantalla se tiene esa: sin gestor de ventanas, Firefox no pasa de la suya.
+  async pantalla(width, height) {
+    await this.talla(width, height);
+    if (this.cual === 'firefox')
+      await this.pagina.browser().setWindowBounds(await this.pagina.windowId(), { width, height });
+  }
+
+  async termina(enlace) {
+    await this.abre(enlace);
+    await this.da(() => una('canvas').focus());
+    await this.teclas('Escape');
+    await this.acaba('Esc lo termina, y se dice', () => !telon.hidden && /ha terminado/.test(telon.textContent));
+  }
 
   talla(width, height, deviceScaleFactor = 1) {
     return this.pagina.setViewport({ width, height, deviceScaleFactor });
@@ -151,10 +171,50 @@ class Persona {
     await mouse.up({ button });
   }
 
+  /// Cada dedo va de un punto del lienzo a otro, todos a la vez.
+  async dedos(caminos) {
+    const dedos = [];
+    for (const [primero] of caminos)
+      dedos.push(await this.pagina.touchscreen.touchStart(...await this.punto(...primero)));
+    for (let i = 1; i < caminos[0].length; ++i)
+      for (const [k, dedo] of dedos.entries()) await dedo.move(...await this.punto(...caminos[k][i]));
+    for (const dedo of dedos) await dedo.end();
+  }
+
+  /// Un fichero, soltado en el lienzo.
+  suelta(nombre, bytes) {
+    return this.da((nombre, bytes) => {
+      const dataTransfer = new DataTransfer();
+      dataTransfer.items.add(new File([Uint8Array.from(bytes)], nombre));
+      marco.dispatchEvent(new DragEvent('drop', { dataTransfer, bubbles: true, cancelable: true }));
+    }, nombre, [...bytes]);
+  }
+
+  /// Lo que descarga ese botón: su nombre y lo que es, como texto.
+  descarga(selector) {
+    return this.da(selector => new Promise(hecho => {
+      HTMLAnchorElement.prototype.click = function () {
+        fetch(this.href).then(r => r.text()).then(texto => hecho([this.download, texto]));
+      };
+      una(selector).click();
+    }), selector);
+  }
+
   /// Como quien teclea al principio de esa línea (desde 1) del editor.
   escribe(linea, texto) {
-    return this.da((linea, texto) => cm.replaceRange(texto, { line: linea - 1, ch: 0 }, undefined, '+input'), linea,
-      texto);
+    return this.da((linea, texto) => {
+      cm.scrollIntoView({ line: linea - 1, ch: 0 }); // de las que no se ven no hay nada en la página
+      cm.replaceRange(texto, { line: linea - 1, ch: 0 }, undefined, '+input');
+    }, linea, texto);
+  }
+
+  /// Todo el texto de ese fichero del editor, por el que da `cambia`.
+  async reescribe(ruta, cambia) {
+    const texto = await this.da(ruta => editor.abre(ruta).then(() => cm.getValue()), ruta);
+    await this.da(texto => {
+      cm.replaceRange(texto, { line: 0, ch: 0 }, { line: cm.lineCount(), ch: 0 }, '+input');
+      return editor.aplicaYa();
+    }, cambia(texto));
   }
 
   // --- lo que se ve ---
@@ -198,30 +258,44 @@ class Persona {
     }
   }
 
-  /// Lo que se enseña grande está entero en la pantalla, y en una de 1080 líneas se lee desde la última fila.
-  async seProyecta(selector) {
-    const [r, pantalla, chicos] = await this.da(selector => {
-      const { left, top, right, bottom } = una(`${selector} :is(canvas, img)`).getBoundingClientRect();
-      const textos = todos(':is(h2, p, output, .mando span)', una(selector));
-      return [[left, top, right, bottom], [innerWidth, innerHeight], textos
-        .filter(e => e.offsetParent && e.textContent.trim() && parseFloat(getComputedStyle(e).fontSize) < 28)
+  /// El lienzo o la imagen de ese elemento, a toda pantalla, la llena o, si no, cabe: nada lo tapa ni se sale de ella,
+  /// y en una de 1080 líneas se lee desde la última fila.
+  async seProyecta(selector, [width, height], como = 'cabe') {
+    const [caja, pantalla, fuera, chicos] = await this.da(async selector => {
+      await cuadro();
+      const grande = una(`${selector} :is(canvas, img)`);
+      const { left, top, width, height } = grande.getBoundingClientRect();
+      const forma = (grande.naturalWidth ?? grande.width) / (grande.naturalHeight ?? grande.height);
+      const ancho = Math.min(width, height * forma), alto = ancho / forma; // lo que se ve, que no se deforma
+      const x = left + (width - ancho) / 2, y = top + (height - alto) / 2, caja = [x, y, x + ancho, y + alto];
+      const esquinas = [[x + 2, y + 2], [x + ancho - 2, y + 2], [x + 2, y + alto - 2], [x + ancho - 2, y + alto - 2]]
+        .filter(esquina => document.elementFromPoint(...esquina) !== grande);
+      const textos = todos(':is(h2, p, output, .mando span)', una(selector))
+        .filter(e => e.checkVisibility() && e.textContent.trim());
+      const seSalen = textos.filter(e => e.getBoundingClientRect().bottom > innerHeight + 1).map(e => e.textContent);
+      return [caja.map(Math.round), [innerWidth, innerHeight], [...esquinas, ...seSalen], textos
+        .filter(e => parseFloat(getComputedStyle(e).fontSize) < 28)
         .map(e => `${e.className} ${getComputedStyle(e).fontSize}`)];
     }, selector);
-    const dentro = r[0] >= -0.5 && r[1] >= -0.5 && r[2] <= pantalla[0] + 0.5 && r[3] <= pantalla[1] + 0.5;
-    assert.ok(dentro && r[2] - r[0] > pantalla[0] / 2, `${selector} va de ${r} en ${pantalla}`);
-    if (pantalla[1] >= 1080) assert.deepEqual(chicos, []);
+    assert.deepEqual([pantalla, fuera], [[width, height], []], `${caja}`);
+    if (como === 'llena') return assert.deepEqual(caja, [0, 0, width, height]);
+    const [izquierda, arriba, derecha, abajo] = caja;
+    assert.ok(izquierda >= 0 && arriba >= 0 && derecha <= width && abajo <= height &&
+      derecha - izquierda > width / 2, `va de ${caja} en ${pantalla}`);
+    if (height >= 1080) assert.deepEqual(chicos, []);
   }
 }
 
-/// Que esa imagen es como el golden del caso. `otro`, con qué tolerancia si es de otro OpenGL.
+/// Que esa imagen es como el golden del caso. `otro`: si es de otro OpenGL.
 export function comoGolden(caso, ppm, otro) {
   const { capitulo } = PROGRAMAS.find(p => p.nombre === caso.programa), fallos = `${BUILD}/fallos/web`;
+  const obtenida = `${tmpdir()}/${caso.fichero}.ppm`, tolera = otro ? caso.otro : caso.tolerancia;
   mkdirSync(fallos, { recursive: true });
-  const tolera = otro === undefined ? caso.tolerancia : caso.otro;
-  const golden = `${RAIZ}/tests/golden/${capitulo}/${caso.fichero}.ppm`;
-  const c = spawnSync(`${BUILD}/herramientas/comparador/compara`, [golden, '/dev/stdin',
-    otro === undefined ? '--amplia' : '--otro', '--deja', `${fallos}/${caso.fichero}`,
-    ...tolera ? ['--tolerancia', tolera] : []], { input: ppm, encoding: 'utf8' });
+  writeFileSync(obtenida, ppm);
+  const c = spawnSync(`${BUILD}/herramientas/comparador/compara`, [
+    `${RAIZ}/tests/golden/${capitulo}/${caso.fichero}.ppm`, obtenida, otro ? '--otro' : '--amplia', '--deja',
+    `${fallos}/${caso.fichero}`, ...tolera ? ['--tolerancia', tolera] : []], { encoding: 'utf8' });
+  rmSync(obtenida);
   assert.equal(c.status, 0, `${caso.fichero}: ${c.stdout}${c.stderr}`);
 }
 

@@ -5,7 +5,7 @@ import { execFileSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { leeCambios, leeResueltos, recuerdo, Taller } from '../../herramientas/web/almacen.mjs';
-import { bytes, descomprime, recuerda } from '../../herramientas/web/datos.mjs';
+import { bytes, descomprime } from '../../herramientas/web/datos.mjs';
 import { cifra } from '../../herramientas/base/cuadro.mjs';
 import { Indice, llano, palabras, trozo } from '../../herramientas/base/busca.mjs';
 import { casoDe, enEnlace, hazEnlace, leeEnlace, pixelEn, programaDe } from '../../herramientas/web/enlaces.mjs';
@@ -16,8 +16,6 @@ import { compara, esPpm, porciento, ppmDe, quepa, tallaDe, TOLERA } from '../../
 import { conInclusiones, cuales, lineasDe, sueltas, valor } from '../../herramientas/web/primitivas.mjs';
 import { apuntaPlantilla, refDePlantilla } from '../../herramientas/web/estado.mjs';
 import { delCableado, elegidas, fueraDe } from '../../herramientas/web/sospechas.mjs';
-import { pesosDe } from '../../herramientas/web/sombreado.mjs';
-import { mezcla } from '../../herramientas/web/mezcla.mjs';
 import { ordenDeTecla } from '../../herramientas/web/teclas.mjs';
 import { nombreLlano } from '../../herramientas/web/textos.mjs';
 
@@ -36,7 +34,7 @@ const azar = n => { // siempre los mismos
   return semilla % n;
 };
 
-test('lo que no se puede guardar se sabe, y lo que no se llegó a ver queda aparte', async () => {
+test('lo que no se puede guardar se sabe', () => {
   const hay = new Map(), caben = n => ({
     getItem: clave => hay.get(clave) ?? null,
     setItem: (clave, texto) => { if (texto.length > n) throw new Error('QuotaExceededError'); hay.set(clave, texto); },
@@ -52,13 +50,6 @@ test('lo que no se puede guardar se sabe, y lo que no se llegó a ver queda apar
   }
   taller.apunta('a.frag', 'x'.repeat(200), 'original');
   assert.deepEqual([taller.guardado, new Taller('localStorage', 'k').cambios.get('a.frag')], [false, 'uno']);
-  taller.dibuja(true);
-  const vuelto = new Taller('localStorage', 'k');
-  assert.deepEqual([await vuelto.textos(), vuelto.cambios.size], [{}, 1]);
-  vuelto.apunta('b.frag', 'dos', 'original');
-  assert.deepEqual(await vuelto.textos(), { 'a.frag': 'uno', 'b.frag': 'dos' });
-  taller.dibuja(false);
-  assert.equal(new Taller('localStorage', 'k').aparte, false);
   delete globalThis.localStorage;
   assert.deepEqual([recuerdo('localStorage', 'k'), recuerdo('localStorage', 'k', 'x')], [null, null]);
 });
@@ -70,16 +61,6 @@ test('de lo que llega estropeado se dice el nombre', async () => {
   } } };
   await assert.rejects(bytes('wasm'), /^Error: datos\/wasm\.js está estropeado$/);
   delete globalThis.document;
-});
-
-test('lo que falla se olvida, y lo demás se hace una vez', async () => {
-  let veces = 0;
-  const trae = recuerda(async cual => {
-    if (++veces === 1) throw new Error('sin red');
-    return cual + veces;
-  });
-  await assert.rejects(trae('a'), /sin red/);
-  assert.deepEqual([await trae('a'), await trae('a'), await trae('b')], ['a2', 'a2', 'b3']);
 });
 
 const DE_WEB = `
@@ -507,36 +488,6 @@ test('lo que se sospecha de los shaders de un cuadro', () => {
   const de = (...ordenes) => ordenes.map(n => ({ gravedad: 2, dice: `la orden ${n} no dibuja` }));
   tabla(varias => elegidas(varias, { figura: true }).map(s => s.dice).join(), [de(3), 'la orden 3 no dibuja'],
     [de(3, 12, 40), 'la orden 3 no dibuja; otras 2, por lo mismo'], [de(3, 3), 'la orden 3 no dibuja']);
-});
-
-test('lo que pesa cada vértice da el punto del que se parte', () => {
-  for (let vez = 0; vez < 100; ++vez) {
-    const posiciones = [0, 1, 2].map(() => [azar(200) - 100, azar(200) - 100, 0, 50 + azar(100)]);
-    const pixel = [azar(240), azar(180)], [con, sin] = pesosDe(posiciones, pixel, [0, 0, 240, 180]);
-    if (!con.every(Number.isFinite)) continue; // de canto
-    const suma = k => con.reduce((s, p, i) => s + p * posiciones[i][k], 0);
-    const llano = k => sin.reduce((s, p, i) => s + p * posiciones[i][k] / posiciones[i][3], 0);
-    for (const [k, n] of [[0, 240], [1, 180]]) {
-      const debe = 2 * (pixel[k] + 0.5) / n - 1, talla = Math.max(...con.map(Math.abs), ...sin.map(Math.abs));
-      assert.ok(Math.abs(suma(k) / suma(3) - debe) < 1e-9 * talla * 1e3 &&
-        Math.abs(llano(k) - debe) < 1e-9 * talla * 1e3);
-    }
-  }
-});
-
-test('una mezcla, hecha otra vez', () => {
-  const GL = { BLEND: 1, BLEND_EQUATION_RGB: 0x8006, BLEND_EQUATION_ALPHA: 0x8006, FUNC_ADD: 0x8006, SRC_ALPHA: 0x302,
-    ONE_MINUS_SRC_ALPHA: 0x303,
-    BLEND_COLOR: [0, 0, 0, 0], COLOR_WRITEMASK: [true, true, true, true], BLEND_SRC_RGB: 0x302, BLEND_SRC_ALPHA: 0x302,
-    BLEND_DST_RGB: 0x303,
-    BLEND_DST_ALPHA: 0x303 };
-  const gl = { ...GL, isEnabled: () => true, getParameter: v => v };
-  const de = (despues, otro = {}) => mezcla({ ...gl, ...otro }, [1, 0.5, 0, 0.4], [0, 100, 255, 255], despues);
-  const { suma, factorOrigen, factorDestino } = de([102, 111, 153, 255]);
-  assert.deepEqual([suma.slice(0, 3).map(Math.round), factorOrigen[0], factorDestino[2]], [[102, 111, 153], 0.4, 0.6]);
-  tabla((despues, otro) => de(despues, otro).cuadra, [[102, 111, 153], {}, true], [[102, 113, 153], {}, false],
-    [[255, 128, 0], { isEnabled: () => false }, true],
-      [[0, 128, 0], { isEnabled: () => false, COLOR_WRITEMASK: [false, true, true, true] }, true]);
 });
 
 test('lo que se pide a la plantilla, por cada cara', () => {
