@@ -426,8 +426,9 @@ def test_la_hoja_de_moodle_se_queda_como_estaba(tmp_path, cual):
 
 
 def test_lo_que_la_hoja_dice_a_excel_no_va_a_moodle(tmp_path):
-    (tmp_path / "h.csv").write_text("sep=;\n" + una_hoja(COLUMNAS, separador=";"))
-    assert hoja.Hoja(tmp_path / "h.csv").escribe().read_text() == una_hoja(COLUMNAS, separador=";")
+    fichero, suya = tmp_path / "h.csv", una_hoja(COLUMNAS, separador=";").encode()
+    fichero.write_bytes(b"sep=;\r\n" + suya)
+    assert hoja.Hoja(fichero).escribe().read_bytes() == suya
 
 
 @pytest.mark.parametrize(
