@@ -135,7 +135,7 @@ TEST(Topologia, AristaDeCuatroCaras) {
     EXPECT_EQ(t.sentidos, (std::vector<Sentido>{Sentido::ANTIHORARIO, Sentido::HORARIO}));
 }
 
-// Una banda de Möbius no es orientable. Una hoja plana e inclinada no tiene fuera, aunque el redondeo a float la alabee.
+// Una banda de Möbius no es orientable. Una hoja plana e inclinada no tiene fuera, aunque redondear a float la alabee.
 TEST(Topologia, SinFuera) {
     MallaVf banda, hoja;
     const unsigned n = 12;

@@ -1,6 +1,6 @@
 // Los programas del capítulo 5 contra trazado de rayos en doble precisión; las escenas, los materiales y las luces
-// están escritos otra vez. Cada escena se traza con la misma malla que dibuja el programa: no debe haber más error que el
-// redondeo.
+// están escritos otra vez. Cada escena se traza con la misma malla que dibuja el programa: no debe haber más error que
+// el redondeo.
 #include "colores.h"
 #include "contra_oraculo.h"
 #include "guiones.h"
@@ -400,8 +400,8 @@ struct Grua {
     }
 };
 
-// Cada tecla, en su sentido: q acerca la carga al pie y e la aleja; w la sube y s la baja; a y d giran. Con v, Gouraud a
-// la izquierda y Phong a la derecha o, en una ventana alta, debajo.
+// Cada tecla, en su sentido: q acerca la carga al pie y e la aleja; w la sube y s la baja; a y d giran. Con v, Gouraud
+// a la izquierda y Phong a la derecha o, en una ventana alta, debajo.
 TEST(GruaIluminada, CarasContraLaEcuacion56) {
     const Grua casos[] = {{"", GOURAUD},
                           {"tecla g", PHONG},
