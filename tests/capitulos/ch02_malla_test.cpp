@@ -45,12 +45,6 @@ void anade(MallaVf &m, const MallaVf &otra, const glm::vec3 &donde) {
     }
 }
 
-MallaVf alReves(MallaVf m) {
-    for (auto &cara : m.caras)
-        std::reverse(cara.begin(), cara.end());
-    return m;
-}
-
 } // namespace
 
 // El de antes y, tras f, el de después.
@@ -127,51 +121,39 @@ TEST(Topologia, LaMayoriaManda) {
 // dos componentes, y cada una tiene su mayoría.
 TEST(Topologia, AristaDeCuatroCaras) {
     MallaVf m = cuboCerrado();
-    anade(m, alReves(cuboCerrado()), {1, 0, 1});
-    std::reverse(m.caras[2].begin(), m.caras[2].end());
-    std::reverse(m.caras[9].begin(), m.caras[9].end());
+    anade(m, cuboCerrado(), {1, 0, 1});
+    for (std::size_t c = 6; c < 12; ++c) // el segundo, al revés; y de cada uno, una cara
+        std::reverse(m.caras[c].begin(), m.caras[c].end());
+    for (const std::size_t c : {2u, 9u})
+        std::reverse(m.caras[c].begin(), m.caras[c].end());
     for (std::vector<unsigned> &cara : m.caras)
         for (unsigned &i : cara) // la arista (1,0,1)–(1,1,1) es la 2–6 del primero y la 0–4 del segundo
             i = i == 8 + 0 ? 2 : i == 8 + 4 ? 6 : i;
     const Topologia t = analizaTopologia(m);
-    EXPECT_EQ(t.aristas.size(), 23u);
-    EXPECT_EQ(t.ramificadas, 1u);
-    EXPECT_EQ(t.deBorde, 0u);
+    EXPECT_TRUE(t.aristas.size() == 23 && t.ramificadas == 1 && t.deBorde == 0);
     EXPECT_EQ(t.contrarias, (std::vector<std::size_t>{2, 9}));
     EXPECT_EQ(t.sentidos, (std::vector<Sentido>{Sentido::ANTIHORARIO, Sentido::HORARIO}));
 }
 
-TEST(Topologia, BandaDeMobius) {
-    MallaVf m;
+// Una banda de Möbius no es orientable. Una hoja plana e inclinada no tiene fuera, aunque redondear a float la alabee.
+TEST(Topologia, SinFuera) {
+    MallaVf banda, hoja;
     const unsigned n = 12;
-    for (unsigned i = 0; i < n; ++i)
-        for (double lado : {-0.4, 0.4}) {
-            const double a = 2 * oraculo::PI * i / n, r = 1 + lado * std::cos(a / 2);
-            m.vertices.push_back({r * std::cos(a), r * std::sin(a), lado * std::sin(a / 2)});
-        }
     for (unsigned i = 0; i < n; ++i) {
+        for (const double lado : {-0.4, 0.4}) {
+            const double a = 2 * oraculo::PI * i / n, r = 1 + lado * std::cos(a / 2);
+            banda.vertices.push_back({r * std::cos(a), r * std::sin(a), lado * std::sin(a / 2)});
+            hoja.vertices.push_back(float(i) * glm::vec3(0.3f, 0.11f, 0.7f) +
+                                    float(lado) * glm::vec3(-0.13f, 0.9f, 0.37f) + 0.7f);
+        }
         const unsigned p = 2 * i, q = i + 1 < n ? p + 2 : 1, r = i + 1 < n ? p + 3 : 0;
-        m.caras.push_back({p, q, r, p + 1});
+        banda.caras.push_back({p, q, r, p + 1});
+        if (i + 1 < n)
+            hoja.caras.push_back({p, q, r, p + 1});
     }
-    const Topologia t = analizaTopologia(m);
-    EXPECT_EQ(t.orientables, std::vector<bool>{false});
-    EXPECT_EQ(t.sentidos[0], Sentido::INDEFINIDO);
-    EXPECT_EQ(t.deBorde, 2 * n);
-}
-
-// Una hoja plana e inclinada no tiene fuera, aunque el redondeo a float la alabee.
-TEST(Topologia, UnaHojaPlanaNoTieneFuera) {
-    MallaVf m;
-    for (int i = 0; i < 5; ++i)
-        for (int j = 0; j < 5; ++j)
-            m.vertices.push_back(glm::vec3(0.1f, 0.7f, 0.3f) + float(i) * glm::vec3(0.3f, 0.11f, 0.7f) +
-                                 float(j) * glm::vec3(-0.13f, 0.9f, 0.37f));
-    for (unsigned i = 0; i < 4; ++i)
-        for (unsigned j = 0; j < 4; ++j)
-            m.caras.push_back({5 * i + j, 5 * i + j + 1, 5 * i + j + 6, 5 * i + j + 5});
-    EXPECT_EQ(analizaTopologia(m).sentidos[0], Sentido::INDEFINIDO);
-    EXPECT_EQ(analizaTopologia({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}).sentidos[0],
-              Sentido::INDEFINIDO);
+    const Topologia b = analizaTopologia(banda), h = analizaTopologia(hoja);
+    EXPECT_TRUE(!b.orientables[0] && b.deBorde == 2 * n);
+    EXPECT_TRUE(b.sentidos[0] == Sentido::INDEFINIDO && h.sentidos[0] == Sentido::INDEFINIDO);
 }
 
 TEST(Topologia, EncuadraSinDesbordarNiDividirPorCero) {

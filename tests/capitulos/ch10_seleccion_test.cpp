@@ -121,22 +121,6 @@ TEST(Seleccion, SeVeCualEs) {
     });
 }
 
-// Con el framebuffer a la vista se elige igual, y cada píxel es del color que dice qué objeto se ve en él.
-TEST(Seleccion, ElFramebufferALaVista) {
-    const Vec3 colores[] = {{0, 0, 0},    {53, 110, 198}, {106, 220, 140}, {159, 74, 83},  {212, 184, 25},
-                            {9, 39, 224}, {62, 149, 166}, {115, 3, 109},   {168, 113, 51}, {221, 223, 249}};
-    const std::vector<Vista> v =
-        vistasDe("seleccion", {"tecla v", clic({100, 100}), clic({9, 9}) + "; tecla v"});
-    comprueba("identificadores", compara(v[0].escena, ESCENA, CAMARA, [&](const Impacto &i) {
-                  return 1 / 255.0 * colores[std::max(i.objeto, 0)];
-              }));
-    EXPECT_EQ(v[1].escena.rgb, v[0].escena.rgb);
-    EXPECT_EQ(v[2].escena.rgb, vistaDe("seleccion").escena.rgb);
-    for (const std::string antes : {"", "tecla v; "})
-        EXPECT_EQ(ejecuta("seleccion", antes + clic({100, 100})).salida,
-                  "(100, 100) color 168 113 51 → objeto 8: toro azul\n");
-}
-
 // Otro botón no elige, soltar tampoco, y un clic fuera de la ventana no es nada.
 TEST(Seleccion, SoloElBotonIzquierdo) {
     EXPECT_EQ(ejecuta("seleccion", clic({180, 112}, "DERECHO")).salida, "");

@@ -206,25 +206,6 @@ TEST(Temporizador, DisparosDeCadaUno) {
     });
 }
 
-// Si cada aviso llega 60 ms tarde: como en el libro, los retrasos se suman; si no, son siempre el mismo.
-TEST(Temporizador, ElRetrasoSeAcumulaONo) {
-    const glm::vec3 colores[] = {ROJO, VERDE, AZUL};
-    const double periodos[] = {250, 400, 1000};
-    for (const bool libro : {false, true}) {
-        const Vista v =
-            vistaDe("temporizador", std::string("tecla o; ") + (libro ? "tecla l; " : "") + "espera 2950");
-        for (int i = 0; i < 3; ++i) {
-            std::vector<glm::dvec2> marcas;
-            for (double ms = periodos[i]; ms <= 2950;) {
-                marcas.push_back({120 + 90 * (-0.42 + 1.62 * ms / 3000), 90 + 90 * (0.6 - 0.55 * i)});
-                ms = libro ? ms + periodos[i] + 60 : double(marcas.size() + 1) * periodos[i] + 60;
-            }
-            EXPECT_EQ(v.encima.textos(colores[i]), std::vector<std::string>{std::to_string(marcas.size())});
-            compruebaPuntos(v.encima, marcas, colores[i]);
-        }
-    }
-}
-
 // El color del punto de la esfera o del anillo que ve cada rayo, con la textura hecha otra vez según la definición
 // del ruido.
 TEST(Textura3dAnimada, ElRuidoEnCadaPuntoYPeriodica) {

@@ -127,21 +127,6 @@ TEST(Particulas, CadaUnaContraSuFormaCerrada) {
             }
 }
 
-// Cien veces más partículas cubren entre todas lo mismo: la luz de la imagen no cambia. Tampoco la de un millón de
-// gotas que no llegan a un píxel: en una ventana de la mitad, cada píxel recibe lo mismo.
-TEST(Particulas, LaLuzNoDependeDeCuantas) {
-    std::vector<double> luz; // lo que se recibe de más que del fondo
-    for (const Vista &v : vistasDe(
-             "particulas",
-             {"tecla s ×3", "tecla + ×2", "tamano 480 360", "tecla 2", "tecla - ×2", "tecla 3", "tecla + ×2"},
-             960, 720))
-        luz.push_back(std::accumulate(v.escena.rgb.begin(), v.escena.rgb.end(), 0.0) /
-                          double(v.escena.rgb.size()) -
-                      escalar(color(FONDO_OSCURO), {1, 1, 1}) / 3);
-    for (const std::size_t i : {1u, 2u, 4u, 6u})
-        EXPECT_NEAR(luz.at(i) / luz[i - 1], 1, 0.15) << i;
-}
-
 // --- Mosaico y banderas ---
 
 /// De 0 (aún no ha nacido, o ya ha muerto) a 1: nacen entre 0 y 3.5 s y mueren entre 6 y 9.5.

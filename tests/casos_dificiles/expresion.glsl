@@ -1,9 +1,7 @@
-// Lo que puede usar una expresión de expresion.h.
+// Lo que puede usar una expresión de dificil_glsl_test.cpp.
 #include "ch05_iluminacion/phong.glsl"
-#include "ch09_imagen/filtro.glsl"
 
 uniform vec3 a, b;
-uniform sampler2D imagen, filtro;
 
 out vec4 colorFragmento;
 

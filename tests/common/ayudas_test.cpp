@@ -64,23 +64,6 @@ protected:
         const std::size_t k = 3 * std::size_t(y * i.ancho + x);
         return {i.rgb.at(k), i.rgb.at(k + 1), i.rgb.at(k + 2)};
     }
-
-    /// Caja de los píxeles que no son blancos; vacía (minimo > maximo) si todos lo son.
-    struct Caja {
-        glm::ivec2 minimo{100000}, maximo{-1};
-        int pixeles = 0;
-    };
-    static Caja caja(const Imagen &imagen) {
-        Caja c;
-        for (int y = 0; y < imagen.alto; ++y)
-            for (int x = 0; x < imagen.ancho; ++x)
-                if (color(imagen, x, y) != glm::ivec3(255)) {
-                    c.minimo = glm::min(c.minimo, {x, y});
-                    c.maximo = glm::max(c.maximo, {x, y});
-                    ++c.pixeles;
-                }
-        return c;
-    }
 };
 
 // La mezcla y el búfer de quien pinta debajo. Lo demás que vuelve a como estaba se le pide a cada programa
@@ -192,21 +175,6 @@ TEST_F(Ayudas, DeCualquierColorSeLee) {
         EXPECT_GE(contraste(letra, halo), 4.45) << i;
         EXPECT_TRUE(letra == enNiveles(tinta) || contraste(enNiveles(tinta), halo) < 4.55) << i;
     }
-}
-
-TEST_F(Ayudas, UnRotuloLargoEncogeYLaLineaNuevaBaja) {
-    const auto deMes = [](int cuantas) {
-        return caja(pinta([&] { rotula(std::string(std::size_t(cuantas), 'M'), {0.5f, 0.5f}, ROJO); }));
-    };
-    const Caja corto = deMes(10), largo = deMes(60);
-    // un borde suavizado asoma hasta un píxel por cada lado
-    EXPECT_NEAR(corto.maximo.y - corto.minimo.y + 1, 14 + 1, 1);
-    EXPECT_LT(largo.maximo.y - largo.minimo.y + 1, 12); // 60 letras en 480 píxeles: de 7 a lo ancho
-    EXPECT_GE(largo.minimo.x, 6);
-    EXPECT_LE(largo.maximo.x, 479 - 6);
-    const Caja dos = caja(pinta([] { rotula("F\nF", {0.5f, 0.5f}, ROJO); }));
-    EXPECT_NEAR(dos.maximo.y - dos.minimo.y + 1, 2.5 * 14 + 1,
-                1); // de una línea a otra, una mayúscula y media
 }
 
 } // namespace
