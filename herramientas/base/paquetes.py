@@ -19,7 +19,7 @@ PRUEBAS = (
 )
 MEDIDAS = ["gnuplot-nox"]
 PARES = "libglu1-mesa-dev libnoise-dev imagemagick libopencv-imgproc-dev".split()  # con LAB_PARES=1
-NAVEGADOR = ["chromium", "chromium-driver", "firefox-esr"]  # con LAB_NAVEGADOR=1
+NAVEGADOR = ["chromium", "firefox-esr"]  # con LAB_NAVEGADOR=1
 WEB = "emscripten libjs-codemirror esbuild".split()
 WINDOWS = ["g++-mingw-w64-x86-64-posix", "dpkg-dev"]
 WINE = ["wine64", "openbox"]  # con LAB_WINDOWS=1
