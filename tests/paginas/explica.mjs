@@ -98,8 +98,12 @@ const maneras = {
     await p.abre('#espejo_plantilla');
     await p.pulsa('.explica');
     await p.acaba('se apunta', apuntando);
-    await p.arrastra([[65, 82]]);
-    await seVe(p, '65, 82');
+    const punto = await p.punto(65, 82), pixel = await p.da(punto => {
+      const { left, top } = una('canvas').getBoundingClientRect(); // no son enteros
+      return [Math.floor(punto[0] - left), Math.floor(punto[1] - top)].join(', ');
+    }, punto);
+    await p.pagina.mouse.click(...punto);
+    await seVe(p, pixel);
     await p.exige('no le llega', () => !hecho.ordenes.length);
     await p.exige('dice por qué', () =>
       /no pasa la plantilla: hay 0 y se pide GL_EQUAL 1/.test(una('.explicacion').textContent));
@@ -198,8 +202,9 @@ print(json.dumps([[p.enlace, p.mira] for p in libro.porques(Path(sys.argv[1]))])
       await p.carga('#espejo_plantilla/explica/260,330');
       await seVe(p);
       await p.nadaSeSale(`a ${ancho}`);
-      for (const tema of ['light', 'dark']) {
-        await p.tema(tema);
+      await p.esParaTodos();
+      for (const value of p.cual === 'chromium' ? ['dark', 'light'] : []) { // Firefox no deja pedirlo desde fuera
+        await p.pagina.emulateMediaFeatures([{ name: 'prefers-color-scheme', value }]);
         await p.esParaTodos();
       }
     }

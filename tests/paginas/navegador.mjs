@@ -120,8 +120,6 @@ class Persona {
     await this.acaba(`${enlace.slice(0, 99)} arranca`, () => sesion?.vivo);
   }
 
-  tema(value) { return this.pagina.emulateMediaFeatures([{ name: 'prefers-color-scheme', value }]); }
-
   va(enlace) { return this.da(enlace => { location.hash = enlace; }, enlace); }
 
   /// A toda pantalla se tiene esa: sin gestor de ventanas, Firefox no pasa de la suya.
