@@ -202,9 +202,8 @@ print(json.dumps([[p.enlace, p.mira] for p in libro.porques(Path(sys.argv[1]))])
       await p.carga('#espejo_plantilla/explica/260,330');
       await seVe(p);
       await p.nadaSeSale(`a ${ancho}`);
-      await p.esParaTodos();
-      for (const value of p.cual === 'chromium' ? ['dark', 'light'] : []) { // Firefox no deja pedirlo desde fuera
-        await p.pagina.emulateMediaFeatures([{ name: 'prefers-color-scheme', value }]);
+      for (const value of p.cual === 'chromium' ? ['light', 'dark'] : ['']) { // Firefox no deja pedirlo desde fuera
+        if (value) await p.pagina.emulateMediaFeatures([{ name: 'prefers-color-scheme', value }]);
         await p.esParaTodos();
       }
     }
