@@ -125,6 +125,7 @@ const incrustado = {
     }
     puesto.otra = OTRA.replace('%', () => lineas.join(''));
     puesto.descargado.length = 0;
+    await p.talla(1280, 2400); // los que no se ven no se cargan
     await p.carga('', `${puesto.raiz}/otra.html`);
     await p.acaba('arrancan', () => frames.length === 3 &&
       [0, 1, 2].every(i => frames[i].pagina?.escena.sesion?.vivo));
