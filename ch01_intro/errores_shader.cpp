@@ -65,8 +65,8 @@ static void intenta() {
 
 static void dibuja() {
     const Recuadro v = ventanaEntera();
-    const int marco = int(MARCO * float(v.alto)), alto = int(CONSOLA * float(v.alto)),
-              ancho = std::max(v.ancho - 2 * marco, 1);
+    const int marco = int(MARCO * float(v.alto)), alto = int(CONSOLA * float(v.alto));
+    const int ancho = std::max(v.ancho - 2 * marco, 1);
     abreRecuadro(v);
     ponFondo(estado.hayError ? ROJO : GRIS);
     glClear(GL_COLOR_BUFFER_BIT);

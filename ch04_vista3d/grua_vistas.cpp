@@ -41,9 +41,9 @@ static void trazaReferencias(const std::vector<PanelVista> &paneles) {
     const Recuadro v = ventanaEntera();
     glm::vec3 carga[N_VISTAS]; // en coordenadas normalizadas de la ventana
     for (const PanelVista &p : paneles) {
-        const glm::dvec2 enPanel = 0.5 + 0.5 * glm::dvec2(proyeccionEn(p) * p.camara * centroCarga),
-                         enVentana = glm::dvec2(p.escena.x, p.escena.y) +
-                                     enPanel * glm::dvec2(p.escena.ancho, p.escena.alto);
+        const glm::dvec2 enPanel = 0.5 + 0.5 * glm::dvec2(proyeccionEn(p) * p.camara * centroCarga);
+        const glm::dvec2 enVentana =
+            glm::dvec2(p.escena.x, p.escena.y) + enPanel * glm::dvec2(p.escena.ancho, p.escena.alto);
         carga[p.vista] = glm::vec3(2.0 * enVentana / glm::dvec2(v.ancho, v.alto) - 1.0, 0);
     }
     abreRecuadro(v);

@@ -114,10 +114,10 @@ static void dibujaPanel(int tecnica, const Recuadro &panel) {
     const int x = panel.x + (panel.ancho - lado) / 2, y = panel.y + (panel.alto - lado + lado / 9) / 2;
     dibujaPixeles(estado.lupa, {0, 0}, {lado, lado}, {x, y, lado, lado}, FONDO_CLARO);
     const int lupa = std::max(lado * 3 / 10 / DENTRO, 1) * DENTRO;
-    const glm::vec2 punta = glm::vec2(estrella()[7]) / 2.0f, // la del tercer rayo, desde el centro
-        centro = punta - glm::normalize(punta) * TRAS_LA_PUNTA / float(lado) + 0.5f,
-                    primero = primerPixel(estado.lupa, centro, glm::vec2(DENTRO), estado.giro),
-                    fin = primero + float(DENTRO) / float(lado);
+    const glm::vec2 punta = glm::vec2(estrella()[7]) / 2.0f; // la del tercer rayo, desde el centro
+    const glm::vec2 centro = punta - glm::normalize(punta) * TRAS_LA_PUNTA / float(lado) + 0.5f;
+    const glm::vec2 primero = primerPixel(estado.lupa, centro, glm::vec2(DENTRO), estado.giro);
+    const glm::vec2 fin = primero + float(DENTRO) / float(lado);
     trazaPolilinea({{2.0f * primero - 1.0f, 0},
                     {2 * fin.x - 1, 2 * primero.y - 1, 0},
                     {2.0f * fin - 1.0f, 0},

@@ -1,6 +1,5 @@
 #include "ventana.h"
 #include "ayuda.h"
-#include "captura.h"
 #include "error.h"
 #include "glut/sistema/sistema.h"
 #include "shader.h"

@@ -16,7 +16,7 @@ PRUEBAS = """git libgtest-dev glslang-tools nodejs esbuild python3-pytest black 
     xdotool x11-apps x11-utils twm bubblewrap""".split()
 MEDIDAS = ["gnuplot-nox"]
 PARES = ["libglu1-mesa-dev", "libnoise-dev", "imagemagick"]  # con LAB_PARES=1
-NAVEGADOR = ["chromium", "chromium-driver", "firefox-esr"]  # con LAB_NAVEGADOR=1
+NAVEGADOR = ["chromium", "firefox-esr"]  # con LAB_NAVEGADOR=1
 WEB = "emscripten libjs-codemirror esbuild".split()
 WINDOWS = ["g++-mingw-w64-x86-64-posix", "dpkg-dev"]
 WINE = ["wine64", "openbox"]  # con LAB_WINDOWS=1

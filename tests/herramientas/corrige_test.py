@@ -25,7 +25,7 @@ import pytest
 from banco import BUILD, RAIZ, REF, UNO, banco_falso, carpeta_de, con_catalogo, con_comparador, con_jaula, orden
 from base import catalogo, guiones, procesos
 from base.fuentes import SHADERS
-from ejercicios import ensayo, nuevo, reglas
+from ejercicios import nuevo, reglas
 from ejercicios.corrige import clase as de_clase
 from ejercicios.corrige import compilador, entrega, informes, jaula, lector, motivos
 from ejercicios.corrige import orden as orden_

@@ -1,4 +1,4 @@
-"""De cada ejercicio de la página, algo mal hecho que compila: por la página (usa_editor.py) y por ./lab corrige
+"""De cada ejercicio de la página, algo mal hecho que compila: por la página (editor.mjs) y por ./lab corrige
 (propios_test.py). En ella, los de L8.4, L9.1, L9.3 y L12.1 solo se notan en uno de los casos, y el de L5.1, en ninguno:
 solo con la luz detrás."""
 

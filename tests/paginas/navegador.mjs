@@ -57,7 +57,7 @@ function nombra() {
     escena: () => pagina.escena, editor: () => pagina.editor, visto: () => pagina.visto, cm: () => pagina.editor.cm,
     sesion: () => pagina.escena.sesion, hecho: () => pagina.escena.hecho, dialogo: () => una('dialog'),
     telon: () => una('.telon'), consola: () => una('.consola'), marco: () => una('.lienzo'),
-    estado: () => una('.fichero-estado'), explicacion: () => una('.explicacion'),
+    estado: () => una('.fichero-estado'),
     aviso: () => una('.aviso').textContent,
   };
   for (const [nombre, get] of Object.entries(alias)) Object.defineProperty(globalThis, nombre, { get });
@@ -119,8 +119,6 @@ class Persona {
     }, enlace, talla);
     await this.acaba(`${enlace.slice(0, 99)} arranca`, () => sesion?.vivo);
   }
-
-  tema(value) { return this.pagina.emulateMediaFeatures([{ name: 'prefers-color-scheme', value }]); }
 
   va(enlace) { return this.da(enlace => { location.hash = enlace; }, enlace); }
 

@@ -1,0 +1,236 @@
+// De cada manera de llegar a toda la pantalla, el lienzo ocupa lo que debe y se ve entero; dentro de otra página, los
+// programas son solo su imagen; y a quién le llega cada tecla según dónde está el foco.
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createServer } from 'node:http';
+import { sonDelNavegador } from './comun.mjs';
+import { ABRE, PROGRAMAS } from './navegador.mjs';
+
+async function arranca(p, enlace) {
+  await p.carga(enlace);
+  await p.acaba('arranca', () => sesion?.vivo);
+}
+
+// Cada manera: el enlace, lo que se pulsa, y si el lienzo llena la pantalla o cabe en ella.
+const MANERAS = {
+  'con el botón Pantalla completa': ['#espejo', p => p.pulsa('.completa'), 'llena'],
+  'con F11': ['#espejo', async p => { await p.da(() => una('canvas').focus()); await p.teclas('F11'); }, 'llena'],
+  'con el botón Proyectar': ['#espejo', p => p.pulsa('.proyecta'), 'cabe'],
+  'con la tecla p, con muchos mandos': ['#efectos', p => p.teclas('p'), 'cabe'],
+  'con la tecla p, en un ejercicio': ['#ejercicio/L5.1', p => p.teclas('p'), 'cabe'],
+  'incrustado': ['#incrusta/espejo', undefined, 'llena'],
+};
+const aTodaPantalla = Object.entries(MANERAS).map(([manera, [enlace, pulsa, como]]) =>
+  [`a toda pantalla, ${manera}`, async p => {
+    for (const talla of [[1920, 1080], [1024, 768]]) {
+      await p.pantalla(...talla);
+      await arranca(p, enlace);
+      await pulsa?.(p);
+      if (pulsa) await p.acaba('llega', () => document.fullscreenElement);
+      await p.seProyecta(pulsa ? ':fullscreen' : '.escena', talla, como);
+      await p.acaba('y se dibuja de esa talla', () => {
+        const { width, height } = una('canvas').getBoundingClientRect();
+        return sesion.lienzo.width === Math.round(width) && sesion.lienzo.height === Math.round(height);
+      });
+      if (!pulsa) continue;
+      await p.da(() => document.exitFullscreen());
+      await p.acaba('y se sale', () => una('canvas').getBoundingClientRect().width < innerWidth);
+    }
+  }]);
+
+const proyectando = {
+  'proyectando, AvPág pasa al caso siguiente y, tras el último, al programa siguiente': async p => {
+    await arranca(p, '#grua;tecla d');
+    await p.teclas('p');
+    await p.acaba('p proyecta', () => document.fullscreenElement === una('.escena'));
+    await p.teclas('PageDown');
+    await p.acaba('al primer caso', () => sesion?.vivo && visto.caso === visto.programa.casos[0] &&
+      !hecho.ordenes.length);
+    for (const caso of (await p.da(() => visto.programa.casos.map(c => c.fichero))).slice(1)) {
+      await p.teclas('ArrowRight'); // que la grúa no usa
+      await p.acaba(caso, caso => sesion?.vivo && visto.caso.fichero === caso, caso);
+    }
+    await p.teclas('ArrowRight');
+    const vecino = PROGRAMAS[PROGRAMAS.findIndex(q => q.nombre === 'grua') + 1].nombre;
+    await p.acaba(vecino, vecino => sesion?.vivo && visto.programa.nombre === vecino && document.fullscreenElement,
+      vecino);
+    await p.va('#tetera-malla');
+    await p.acaba('se dice qué caso es', () => una('h2.proyectado').textContent === 'La tetera de Utah: La malla');
+  },
+
+  'proyectando, Inicio y Fin van por el capítulo; b y el punto, en negro, y ?, la ayuda, si no las usa': async p => {
+    const suyos = PROGRAMAS.filter(q => q.capitulo === 'ch08_texturas_avanzadas').map(q => q.nombre);
+    await arranca(p, '#bump');
+    await p.pulsa('.proyecta');
+    await p.acaba('proyecta', () => document.fullscreenElement);
+    for (const [tecla, cual] of [['End', suyos.at(-1)], ['End', suyos.at(-1)], ['Home', suyos[0]]]) {
+      await p.teclas(tecla);
+      await p.acaba(cual, cual => visto.programa.nombre === cual && sesion?.vivo, cual);
+    }
+    for (const [enlace, usa] of [['#grua', ''], ['#bump', 'b'], ['#volumen_vista', '.']]) {
+      await p.va(enlace);
+      await p.acaba(enlace, enlace => '#' + visto.programa.nombre === enlace && sesion?.vivo, enlace);
+      for (const [tecla, clase] of [['b', 'negro'], ['.', 'negro'], ['?', 'con-teclas']]) {
+        for (const debe of [tecla !== usa, false]) {
+          await p.teclas(tecla);
+          assert.equal(await p.da(clase => una('.escena').classList.contains(clase), clase), debe, enlace + tecla);
+        }
+      }
+      await p.teclas('?');
+      const dicha = await p.da(() => una('.teclas').offsetParent && ` ${una('.teclas').textContent} `);
+      for (const tecla of 'b.') assert.equal(dicha.includes(` ${tecla} `), tecla !== usa, dicha);
+      await p.teclas('?');
+    }
+  },
+};
+
+// --- en otra página ---
+
+const OTRA = '<!DOCTYPE html><title>Otra</title><link rel=icon href=data:,><body style="height: 4000px">' +
+  '<input id=suyo>%<script>teclas = []; addEventListener("keydown", s => teclas.push(s.key))</script>';
+
+/// Con la carpeta de la página servida, y en /otra.html lo que ponga: { raiz, otra, descargado }.
+async function conServidor(hace) {
+  const tipos = { html: 'text/html', js: 'text/javascript' }, puesto = { otra: '', descargado: [] };
+  const servidor = createServer(({ url }, responde) => {
+    puesto.descargado.push(url);
+    const cabeceras = { 'Content-Type': `${tipos[url.split('.').pop()]}; charset=utf-8`,
+      'Cache-Control': 'max-age=60' }; // lo que un servidor de ficheros suele decir
+    responde.writeHead(200, cabeceras).end(url === '/otra.html' ? puesto.otra : readFileSync(ABRE + url));
+  });
+  await new Promise(listo => servidor.listen(0, '127.0.0.1', listo));
+  puesto.raiz = `http://127.0.0.1:${servidor.address().port}`;
+  try {
+    await hace(puesto);
+  } finally {
+    servidor.closeAllConnections();
+    servidor.close();
+  }
+}
+
+const incrustado = {
+  'tres programas dentro de otra página, con la línea que da el botón': p => conServidor(async puesto => {
+    const lineas = [], url = `${puesto.raiz}/index.html`;
+    for (const enlace of ['#grua;tecla d ×7', '#luces_animadas', '#espejo_plantilla;tecla p']) {
+      await p.carga(enlace, url);
+      await p.acaba(enlace, () => sesion?.vivo);
+      lineas.push(await p.da(async () => {
+        let copiado;
+        const value = { writeText: async texto => { copiado = texto; } };
+        Object.defineProperty(navigator, 'clipboard', { configurable: true, value });
+        una('.incrusta').click();
+        await cuadro();
+        return copiado;
+      }));
+    }
+    puesto.otra = OTRA.replace('%', () => lineas.join(''));
+    puesto.descargado.length = 0;
+    await p.talla(1280, 2400); // los que no se ven no se cargan
+    await p.carga('', `${puesto.raiz}/otra.html`);
+    await p.acaba('arrancan', () => frames.length === 3 &&
+      [0, 1, 2].every(i => frames[i].pagina?.escena.sesion?.vivo));
+    const datos = puesto.descargado.filter(url => url.includes('/datos/'));
+    assert.equal(new Set(datos).size, datos.length, `lo que comparten se descarga una vez: ${datos.sort()}`);
+    assert.deepEqual(await p.da(() => [0, 1, 2].map(i =>
+      frames[i].pagina.escena.hecho.ordenes.filter(o => o.startsWith('tecla')).length)), [7, 0, 1]);
+    await p.exige('sin quitar el foco a la página', () => document.activeElement === document.body && scrollY === 0);
+    await p.exige('cada uno es solo su imagen, en todo su sitio', () => [0, 1, 2].every(i => {
+      const { document: suyo, innerWidth: ancho, innerHeight: alto } = frames[i];
+      const r = suyo.querySelector('canvas').getBoundingClientRect();
+      return r.width === ancho && r.height === alto && todos('*', suyo.body).filter(e =>
+        e.checkVisibility({ visibilityProperty: true }) && e.getBoundingClientRect().width)
+        .every(e => e.closest('.lienzo'));
+    }));
+    const rueda = () => p.da(() => !frames[0].document.querySelector('canvas')
+      .dispatchEvent(new frames[0].WheelEvent('wheel', { deltaY: 99, bubbles: true, cancelable: true })));
+    assert.equal(await rueda(), false, 'sin haber entrado en él, mueve la página de fuera');
+    await p.da(() => { frames[0].focus(); frames[0].document.querySelector('canvas').focus(); });
+    assert.equal(await rueda(), true, 'y habiendo entrado, es suya');
+    for (const donde of ['canvas', 'body']) {
+      await p.da(donde => {
+        frames[0].document.activeElement.blur();
+        frames[0].document.querySelector(donde).focus();
+      }, donde);
+      await p.teclas('d', ' ', 'PageDown', 'p', 'x', '/');
+    }
+    await p.exige('sus teclas no salen de él', () => !teclas.length && scrollY === 0 && !document.fullscreenElement);
+    const ordenes = await p.da(() => frames[0].pagina.escena.hecho.ordenes);
+    assert.ok(ordenes.filter(o => o === 'tecla d').length === 9 && ordenes.includes('especial AVPAG'), ordenes.join());
+    await p.da(() => suyo.focus());
+    await p.teclas('d');
+    await p.exige('y las de fuera son de fuera', () => teclas.join() === 'd' && suyo.value === 'd');
+  }),
+
+  'la dirección de lo incrustado, escrita a mano': async p => {
+    await p.abre('#incrusta/grua?tecla=d&tecla=d');
+    const solo = () => p.da(() => document.body.classList.contains('incrustado') && hecho.ordenes.length);
+    assert.equal(await solo(), 2);
+    await p.va(await p.da(() => una('.suelto').hash));
+    await p.acaba('en su página', () => sesion?.vivo && hecho.ordenes.length === 2 &&
+      !document.body.classList.contains('incrustado'));
+    await p.va('#incrusta/no_esta');
+    await p.acaba('lo que no está', () => !una('#no-esta').hidden && !document.body.classList.contains('incrustado'));
+  },
+};
+
+// --- las teclas ---
+
+// Con banderas, que usa la d y Espacio, y el foco en cada clase de elemento: a quién le llega cada una.
+const FOCOS = {
+  //                         d           Espacio     Intro       F1
+  'body':                  ['programa', 'programa', 'nadie',    'nadie'],
+  'canvas':                ['programa', 'programa', 'nadie',    'programa'],
+  '.acciones .enlace':     ['programa', 'pulsa',    'pulsa',    'nadie'],
+  '.migas a.siguiente':    ['programa', 'nadie',    'pulsa',    'nadie'],
+  '.programas summary':    ['programa', 'pulsa',    'pulsa',    'nadie'],
+  '#elige':                ['nadie',    'nadie',    'nadie',    'nadie'],
+  'input[type=search]':    ['escribe',  'escribe',  'pulsa',    'nadie'],
+  '.editor textarea':      ['escribe',  'escribe',  'escribe',  'nadie'],
+};
+
+const teclas = {
+  'a quién le llega cada tecla, según dónde está el foco': async p => {
+    await arranca(p, '#banderas');
+    await p.acaba('el editor', () => editor.ruta && !cm.getOption('readOnly'));
+    await p.da(() => {
+      escena.manda = orden => { if (!orden.startsWith('espera')) recibe.push('programa'); return true; };
+      una('#programa').insertAdjacentHTML('beforeend', '<select id="elige"><option>a<option>b</select>');
+      document.addEventListener('click', suceso => {
+        suceso.preventDefault();
+        suceso.stopPropagation();
+        recibe.push('pulsa');
+      }, { capture: true });
+      document.addEventListener('input', () => recibe.push('escribe'));
+      cm.on('change', () => recibe.push('escribe'));
+    });
+    const hay = {};
+    for (const foco of Object.keys(FOCOS)) {
+      hay[foco] = [];
+      for (const tecla of ['d', ' ', 'Enter', 'F1']) {
+        await p.da(foco => {
+          globalThis.recibe = [];
+          document.activeElement.blur();
+          una(foco).focus();
+        }, foco);
+        if (tecla === 'Enter' && foco.startsWith('input'))
+          await p.acaba('lo escrito sale', () => todos('.hallazgos a').length);
+        await p.teclas(tecla);
+        hay[foco].push(await p.da(() => cuadro().then(() => [...new Set(recibe)].join() || 'nadie')));
+      }
+      await p.teclas('Escape');
+    }
+    assert.deepEqual(hay, FOCOS);
+  },
+
+  'las teclas del programa no mueven la página, y las demás, o con Ctrl y Meta, son del navegador': async p => {
+    await arranca(p, '#grua');
+    assert.deepEqual(await p.da(() => ['a', 'd', 'Escape', 'Tab', 'F12', 'ñ', 'ArrowDown', 'z', 'Shift', 'Dead']
+      .filter(key =>
+        !una('canvas').dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true })))),
+      ['a', 'd', 'Escape']);
+    await sonDelNavegador(p);
+    await sonDelNavegador(p, 'canvas', ['ctrlKey', 'metaKey']);
+  },
+};
+
+export const pantalla = { ...Object.fromEntries(aTodaPantalla), ...proyectando, ...incrustado, ...teclas };
