@@ -26,7 +26,7 @@ IMAGEN = """
     -talla 7x5                 | 2 | y hay 0
     f.png                      | 1 | «f.png» es un PNG, y aquí se leen PPM binarios (P6) y RGB sin cabecera; se convierte
     f.png -talla 7x5           | 1 | «f.png» es un PNG
-    texto.ppm                  | 1 | no es un PPM binario (no empieza por P6); se convierte con: convert
+    texto.ppm                  | 1 | no es un PPM binario (no empieza por P6); se convierte con
     f.rgb -talla 7x5 -talla 7x5| 2 | sobra «-talla»: solo se da
     f.rgb -t 7x5               | 2 | sobra «-t»: solo se da
     f.ppm f.ppm                | 2 | sobra «f.ppm»: solo se da
