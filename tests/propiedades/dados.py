@@ -24,7 +24,7 @@ IMAGEN = """
     f.rgb -talla 7x5x          | 2 | detrás de -talla va el tamaño
     f.rgb -talla 7x99999999999 | 2 | detrás de -talla va el tamaño
     -talla 7x5                 | 2 | y hay 0
-    f.png                      | 1 | «f.png» es un PNG, y aquí se leen PPM binarios (P6) y RGB sin cabecera; se convierte
+    f.png                      | 1 | «f.png» es un PNG, y aquí se leen PPM binarios (P6) y RGB sin cabecera; se
     f.png -talla 7x5           | 1 | «f.png» es un PNG
     texto.ppm                  | 1 | no es un PPM binario (no empieza por P6); se convierte con
     f.rgb -talla 7x5 -talla 7x5| 2 | sobra «-talla»: solo se da
