@@ -45,7 +45,8 @@ void leeLineas(
 std::optional<glm::dvec3> leePunto(std::istream &linea);
 
 /// Descripción v/f: líneas «v x y z» y «f i j k …» (caras convexas, índices desde 1, `#` comenta). Es parte de lo que
-/// hay en un OBJ: lo demás (normales, texturas, materiales) se salta. Cada cara guarda sus índices desde 0. Un error termina diciendo fichero, línea y qué se esperaba.
+/// hay en un OBJ: lo demás (normales, texturas, materiales) se salta. Cada cara guarda sus índices desde 0.
+/// Un error termina diciendo fichero, línea y qué se esperaba.
 struct MallaVf {
     std::vector<glm::vec3> vertices;
     std::vector<std::vector<unsigned>> caras;

@@ -281,6 +281,7 @@ class Lector:
                 crudos, datos = datos, en_utf8(datos)
                 self.traducidos += [nombre] if crudos != datos else []
             self.leidos[escrita] = datos
+            self.mal.pop(escrita, None)  # en un .zip puede estar dos veces: vale la última
         except Rechazo as por:
             self.mal[escrita] = str(por)
         except ValueError:
