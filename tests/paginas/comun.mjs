@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 /// Lo que se escribe en el buscador sale, e Intro lleva a lo primero; con ↓ se pasa por todo, y Esc lo deja. Qué debe
 /// salir de cada cosa lo pregunta partes.mjs.
 export async function seBusca(p) {
+  const enfoca = () => p.da(() => una('input[type=search]').focus()); // ir a un enlace lo quita, cuando le parece
   const escribe = texto => p.da(texto => {
     const campo = una('input[type=search]');
     campo.focus();
@@ -14,6 +15,7 @@ export async function seBusca(p) {
     await escribe(buscado);
     await p.acaba(`«${buscado}» sale, y dónde`, enlace => una('.hallazgos a')?.hash === `#${enlace}` &&
       todos('.donde').every(d => d.textContent.trim().length > 2), enlace);
+    await enfoca();
     await p.teclas('Enter');
     await p.acaba('Intro lleva al primero', enlace => location.hash === `#${enlace}` && una('.hallazgos').hidden,
       enlace);
@@ -21,6 +23,7 @@ export async function seBusca(p) {
   await escribe('textura');
   await p.acaba('de muchos se enseñan doce', () => todos('.hallazgos a').length === 12);
   const pasa = [];
+  await enfoca();
   for (let i = 0; i < 13; ++i) {
     await p.teclas('ArrowDown');
     pasa.push(await p.da(() => todos('.hallazgos a').indexOf(document.activeElement)));
