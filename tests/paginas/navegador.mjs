@@ -9,8 +9,9 @@ import { tmpdir } from 'node:os';
 import { pathToFileURL } from 'node:url';
 
 export const [RAIZ, BUILD, ABRE] = process.argv.slice(2);
-export const { capitulos: CAPITULOS, casos: CASOS, programas: PROGRAMAS } =
-  JSON.parse(readFileSync(`${BUILD}/catalogo.json`));
+export const CAPITULOS = JSON.parse(readFileSync(`${BUILD}/catalogo.json`));
+export const PROGRAMAS = CAPITULOS.flatMap(c => c.programas.map(p => ({ ...p, capitulo: c.nombre })));
+export const CASOS = PROGRAMAS.flatMap(p => p.casos.map(c => ({ ...c, programa: p.nombre })));
 export const SWIFTSHADER = process.env.LAB_OPENGL === 'swiftshader';
 export const lee = (...ruta) => readFileSync([RAIZ, ...ruta].join('/'), 'utf8');
 export const espera = ms => new Promise(sigue => setTimeout(sigue, ms));

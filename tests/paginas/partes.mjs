@@ -20,7 +20,8 @@ import { ordenDeTecla } from '../../herramientas/web/teclas.mjs';
 import { nombreLlano } from '../../herramientas/web/textos.mjs';
 
 const [raiz, build] = process.argv.slice(2);
-const { casos, programas } = JSON.parse(readFileSync(`${build}/catalogo.json`));
+const programas = JSON.parse(readFileSync(`${build}/catalogo.json`)).flatMap(capitulo => capitulo.programas);
+const casos = programas.flatMap(p => p.casos.map(c => ({ ...c, programa: p.nombre })));
 const ordenesDe = guion => leeGuion(guion).ordenes.map(o => o.orden);
 
 /// Lo que da `hace` con los argumentos de cada fila, que es lo que está al final de la fila.
