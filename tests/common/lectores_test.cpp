@@ -196,7 +196,7 @@ TEST(LeeVf, CadaErrorDiceFicheroYLinea) {
                       {"", "m.vf» no tiene ninguna cara"}});
 }
 
-// Lo que exporta Blender: se leen sus vértices y caras, también contadas desde el final y con la marca de UTF-8 delante.
+// Lo que exporta Blender: sus vértices y caras, también contadas desde el final y con la marca de UTF-8 delante.
 TEST(LeeVf, UnObj) {
     const MallaVf m = leeVf(escribe(
         "m.obj", "\xEF\xBB\xBF# Blender\nmtllib m.mtl\no Cubo\nv 0 0 0\nv 1 0 0\nv 1 1 0\n"
