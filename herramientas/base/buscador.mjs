@@ -18,7 +18,8 @@ function ponHallados(hallados, buscado) {
   lista.replaceChildren(...hallados.slice(0, MUCHOS).map(h => fichaDe(h, buscado)));
   lista.hidden = !hallados.length;
   cuenta.textContent = !buscado.trim() ? '' : !hallados.length ? 'Nada coincide con lo que buscas.'
-    : hallados[0].leFalta ? 'Nada tiene todas las palabras; esto, casi' : hallados.length > MUCHOS ? `Los ${MUCHOS} mejores de ${hallados.length}` : '';
+    : hallados[0].leFalta ? 'Nada tiene todas las palabras; esto, casi'
+    : hallados.length > MUCHOS ? `Los ${MUCHOS} mejores de ${hallados.length}` : '';
 }
 
 function esconde() {
