@@ -11,6 +11,8 @@ explica en el caso base de cada programa, o en todos sus casos, en N píxeles al
   el que gana es el último;
 - quien escribe cambia los canales que deja glColorMask y, si no mezcla, por los de su color.
 
+Y de cada shader con un ejercicio, a medio hacer: lo que apunta hasta donde se corta es lo que apunta el acabado.
+
 Y lo mismo, salvo las sospechas, si no se dice de qué programas, en N escenas al azar (explica/rarezas.cpp), que hacen
 lo que ninguno.
 
@@ -22,6 +24,7 @@ import json
 import operator
 import os
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -30,7 +33,7 @@ from pathlib import Path
 
 RAIZ = Path(__file__).parents[2]
 sys.path.insert(0, str(RAIZ / "herramientas"))
-from base import catalogo  # noqa: E402
+from base import catalogo, fuentes, marcas  # noqa: E402
 
 ANCHO, ALTO = 240, 180
 SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósito
@@ -227,6 +230,88 @@ def fallos_de_rareza(build, semilla):
     ]
 
 
+DECLARA = re.compile(r" *\w+ (\w+) =")
+
+
+def a_medias(texto, azar):
+    """El shader con sus ejercicios a medio hacer, cada línea en la suya."""
+
+    def corta(trozo):
+        lineas = trozo["hecho"].splitlines(keepends=True)
+        sangria = re.match(" *", lineas[0])[0]
+        enteras = [0, *(i for i, n in enumerate(lineas, 1) if re.match(sangria + r"\S.*[;}]$|" + sangria + "}", n))]
+        hasta = azar.choice(enteras)
+        dichas = {m[0] for n in lineas[:hasta] if (m := DECLARA.match(n))}
+        partida = [a + b for a, b in marcas.PARTIDA.findall(trozo["hecho"])]
+        partida = [n for n in partida if not (m := DECLARA.match(n)) or m[0] not in dichas]
+        hasta = min(hasta, len(lineas) - len(partida))
+        vacias = ["\n"] * (len(lineas) - hasta - len(partida))
+        return "".join([trozo["abre"], *lineas[:hasta], *vacias, *partida, trozo["cierra"]])
+
+    return marcas.TROZO.sub(corta, texto)
+
+
+def trazas_de(pixel, cuadro):
+    """Las de lo que lo sombrea, antes la de los vértices, con el texto de su shader."""
+    sombreado = pixel["sombreado"]
+    cual = next(o["programa"] for o in cuadro["ordenes"] if o["n"] == sombreado["orden"])
+    suyo = next(p for p in cuadro["programas"] if p["programa"] == cual)
+    de_cada = [("vert", traza) for traza in sombreado["vertices"]] + [("frag", sombreado["fragmento"])]
+    return [(suyo[etapa].splitlines(), traza) for etapa, traza in de_cada]
+
+
+def explica(build, programa, puntos, **entorno):
+    with tempfile.TemporaryDirectory() as carpeta:
+        pide = {"LAB_EXPLICA_PIXELES": " ".join(f"{x},{y}" for x, y in puntos), "LAB_EXPLICA": "e.json"}
+        delante = {"LD_PRELOAD": str(build / "herramientas/explica/libexplica.so")}
+        orden = [programa.ejecutable(build), "-geometry", f"{ANCHO}x{ALTO}"]
+        entorno = {**os.environ, **delante, **pide, **entorno}
+        subprocess.run(orden, env=entorno, cwd=carpeta, capture_output=True, check=True)
+        return json.loads(Path(carpeta, "e.json").read_text())
+
+
+def donde_se_usa(cuadro, marca):
+    """Un píxel y la orden y la primitiva que lo pintan con el shader que tiene esa marca."""
+    suyos = {p["programa"] for p in cuadro["programas"] if marca in p["vert"] + p["frag"]}
+    suyas = [o["n"] for o in cuadro["ordenes"] if o.get("programa") in suyos]
+    for pixel in cuadro["pixeles"]:
+        if (sombreado := pixel.get("sombreado")) and sombreado["orden"] in suyas:
+            return pixel["pixel"], "{orden},{primitiva}".format(**sombreado)
+    return cuadro["pixeles"][0]["pixel"], f"{suyas[0]},0" if suyas else None
+
+
+def fallos_hasta_el_corte(acabadas, suyas):
+    for (texto, acabada), (cortado, suya) in zip(acabadas, suyas, strict=True):
+        cortadas = {n for n, (una, otra) in enumerate(zip(texto, cortado), 1) if una != otra}
+        for bueno, paso in zip(acabada["lineas"], suya["lineas"]):
+            if cortadas & {bueno["linea"], paso["linea"]}:
+                return
+            que, es = (([p[c] for c in ("linea", "clase", "nombre")], p["valor"]) for p in (paso, bueno))
+            if que[0] != es[0] or len(que[1]) != len(es[1]) or que[1] and distancia(que[1], es[1]) > 1e-5:
+                yield f"{que} y en el acabado {es}"
+                return
+
+
+def fallos_a_medias(build, shader, programas):
+    """De ese shader a medio hacer, en un píxel del primer programa que lo usa."""
+    texto = (RAIZ / shader).read_text()
+    for programa in programas:
+        cuadro = explica(build, programa, al_azar(f"a medias {shader}", 20))
+        pixel, cual = donde_se_usa(cuadro, marcas.TROZO.search(texto)["abre"])
+        if not cual:
+            continue
+        with tempfile.TemporaryDirectory() as carpeta:
+            cortado = Path(carpeta, shader)
+            cortado.parent.mkdir()
+            cortado.write_text(a_medias(texto, random.Random(str(shader))))
+            acabado, suyo = (
+                explica(build, programa, [pixel], LAB_EXPLICA_SOMBREA=cual, LAB_RAIZ=c) for c in ("", carpeta)
+            )
+        fallos = fallos_hasta_el_corte(*(trazas_de(c["pixeles"][0], c) for c in (acabado, suyo)))
+        return [f"{programa.nombre}, con {shader} a medias: {fallo}" for fallo in fallos]
+    return [f"{shader}: nadie lo usa"]
+
+
 def al_azar(de, cuantos):
     azar = random.Random(de)
     return [(azar.randrange(ANCHO), azar.randrange(ALTO)) for _ in range(cuantos)]
@@ -256,10 +341,16 @@ def main():
     ]
 
     raras = [] if nombres else range(1, 1 + pedido.rarezas)
+    medias = {}
+    for p in elegidos:
+        for f in fuentes.alcanza(RAIZ, p.fuente):
+            if f.suffix in fuentes.SHADERS and marcas.TROZO.search((RAIZ / f).read_text()):
+                medias.setdefault(f, []).append(p)
     with ThreadPoolExecutor(os.cpu_count()) as hilos:
+        de_medias = hilos.map(lambda f: fallos_a_medias(build, f, medias[f]), medias)
         de_casos = hilos.map(lambda t: fallos_de_caso(build, *t, pedido.pixeles), trabajos)
         de_raras = hilos.map(lambda semilla: fallos_de_rareza(build, semilla), raras)
-        fallos = [fallo for suyos in (*de_casos, *de_raras) for fallo in suyos]
+        fallos = [fallo for suyos in (*de_casos, *de_raras, *de_medias) for fallo in suyos]
     print("\n".join(fallos))
     cuantos = len(trabajos) * pedido.pixeles + len(raras) * PIXELES_RAROS
     print(f"{len(trabajos) + len(raras)} cuadros, {cuantos} píxeles, {len(fallos)} fallos")
