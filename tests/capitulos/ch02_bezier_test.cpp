@@ -156,4 +156,11 @@ TEST(Tetera, SombreadoYSilueta) {
     }
 }
 
+// Con las líneas puestas no se afina más allá de medio píxel, tampoco si se ha afinado antes de ponerlas.
+TEST(Tetera, AfinadaYConLineas) {
+    const auto medio = vistaDe("tetera", "tecla m; tecla +", 160, 120).escena;
+    for (const char *guion : {"tecla m; tecla + ×9", "tecla + ×9; tecla m"})
+        EXPECT_EQ(vistaDe("tetera", guion, 160, 120).escena.rgb, medio.rgb) << guion;
+}
+
 } // namespace

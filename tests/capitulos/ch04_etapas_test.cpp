@@ -156,6 +156,18 @@ TEST(EtapasPipeline, EsquinasDelCubo) {
         }
 }
 
+// Cada cara del volumen deja fuera lo que está al otro lado: también la de cerca.
+TEST(EtapasPipeline, CadaCaraDelVolumen) {
+    for (int eje = 0; eje < 3; ++eje)
+        for (const double lado : {-1.0, 1.0}) {
+            glm::dvec4 r(0.1, 0.2, 0.3, 2);
+            r[eje] = lado * 1.9;
+            EXPECT_TRUE(estaDentro(r)) << eje << " " << lado;
+            r[eje] = lado * 2.1;
+            EXPECT_FALSE(estaDentro(r)) << eje << " " << lado;
+        }
+}
+
 // El triángulo llega detrás del ojo, y el volumen lo deja en un hexágono. En el mundo, gris lo que queda fuera; en la
 // ventana, lo que recorta la GPU por su cuenta, y el área de lo que se escribe es la que se ve, un píxel más o menos en
 // cada fila.

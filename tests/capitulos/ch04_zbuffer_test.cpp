@@ -105,6 +105,18 @@ TEST(Rasteriza, NiHuecosNiDobles) {
     }
 }
 
+// A la misma profundidad queda lo primero: GL_LESS.
+TEST(ZBufferCpu, AIgualProfundidadQuedaElPrimero) {
+    BufferZ b = creaBufferZ(4, 4, NEGRO);
+    for (const float gris : {1.0f, 0.5f}) {
+        TrianguloZ t = trianguloEn({glm::dvec2(0, 0), {8, 0}, {0, 8}}, 4, 4);
+        for (VerticeZ &v : t)
+            v.color = glm::vec3(gris);
+        pintaTriangulo(b, t);
+    }
+    EXPECT_EQ(pixel(b.color, 1, 1).r, 255);
+}
+
 // Un suelo que empieza detrás de la cámara y acaba más allá de lejos: color y profundidad de cada píxel contra
 // el corte exacto de su rayo, en doble. Cámara en el origen a altura 1, cerca 0.5, lejos 21, ángulo de 90°.
 TEST(ZBufferCpu, RecortadoColorYProfundidadContraElRayo) {

@@ -1,6 +1,8 @@
-// Los cinco programas del capítulo 7 contra trazado de rayos en doble precisión: un rebote en el espejo, rayos a la luz
-// en las sombras y composición de atrás adelante en lo transparente. Las escenas, los materiales y las luces están
-// escritos otra vez; las formas curvas son las mallas de common/malla.h.
+// El capítulo 7: la matriz de la sombra y los cinco programas contra trazado de rayos en doble precisión: un rebote en
+// el espejo, rayos a la luz en las sombras y composición de atrás adelante en lo transparente. Las escenas, los
+// materiales y las luces están escritos otra vez; las formas curvas son las mallas de common/malla.h.
+#include "azar.h"
+#include "ch07_realismo/sombra.h"
 #include "colores.h"
 #include "contra_oraculo.h"
 #include "guiones.h"
@@ -8,6 +10,31 @@
 #include "tabla.h"
 
 using namespace oraculo;
+
+// La sombra de x es donde la recta que sale de la luz y pasa por x corta al plano; w es positiva solo si x está entre
+// la luz y el plano o por debajo de él. Con la luz en un punto (L.w = 1 o 2) y en el infinito (L.w = 0).
+TEST(Sombra, ContraDoblePrecision) {
+    Azar azar(8);
+    double peor = 0;
+    for (int n = 0; n < 6000; ++n) {
+        const Plano plano = planoPor(azar.vector(2), azar.direccion());
+        const float w = float(n % 3);
+        const glm::vec3 base = -plano.d * plano.N; // un punto del plano
+        const glm::vec3 deLuz = plano.N * azar.entre(1.0f, 4.0f) + glm::cross(plano.N, azar.vector(2));
+        const glm::vec4 L = w == 0 ? glm::vec4(deLuz, 0) : glm::vec4((base + deLuz) * w, w);
+        const glm::vec3 x = base + plano.N * azar.entre(0.0f, 0.8f) + glm::cross(plano.N, azar.vector(3));
+        const glm::vec4 y = proyeccionSombra(L, plano) * glm::vec4(x, 1);
+        ASSERT_GT(alturaLuz(L, plano), 0);
+        ASSERT_GT(y.w, 0);
+        EXPECT_NEAR(y.w, alturaLuz(L, plano) - L.w * distancia(plano, x),
+                    1e-5); // ocho redondeos de un número de tamaño 8
+        // x + t·(x − L) en el plano, con los números float tal como son
+        const glm::dvec3 N(plano.N), p(x), haciaAbajo = p * double(w) - glm::dvec3(L);
+        const double t = -(glm::dot(N, p) + double(plano.d)) / glm::dot(N, haciaAbajo);
+        peor = std::max(peor, glm::distance(glm::dvec3(y) / double(y.w), p + t * haciaAbajo));
+    }
+    EXPECT_LE(peor, 1e-3); // rayos casi rasantes: la sombra llega a distancia 60
+}
 
 namespace {
 

@@ -143,7 +143,8 @@ def puntero(p):
 
 def comunes(p):
     """Lo que cambia con el tiempo se anima; F1 pone la ayuda, que es lo que dice «// Controles:», y la quita; F12
-    guarda y lo dice, y Esc termina: tras él no hay fila. Lo que hace common/ solo, en un programa de cada capítulo."""
+    guarda y lo dice, y Esc termina: tras él no hay fila; lo que sobra se dice. Lo que hace common/ solo, en uno de cada
+    capítulo."""
     antes, nada, puesta, quitada, guardada, *mas = p.diario(
         ["espera 960", "especial F1", "especial F1", "especial F12", "tecla Esc"]
     )
@@ -155,6 +156,12 @@ def comunes(p):
         yield "F12", "F12 no guarda la ventana, o no lo dice"
     if mas:
         yield "Esc", "Esc no termina"
+    for dados in (["uno"], ["uno", "dos"], ["uno", "dos", "tres"]):
+        r = subprocess.run([p.ejecutable, *dados, "-ppm", "/dev/null"], **APARTE)
+        if re.search("sobra|no entiendo", r.stderr):
+            break
+    if r.returncode != 2 or [dado for dado in dados if f"«{dado}»" in r.stderr] != dados[-1:]:
+        yield "argumentos", f"con {' '.join(dados)} no dice que sobra lo último: {r.returncode}, {r.stderr}"
     if not p.ultimo:
         return
     yield from ayuda(p)
@@ -163,12 +170,6 @@ def comunes(p):
     lineas = p.ejecuta(["-ayuda"]).splitlines()[-len(suyos) - DE_TODOS :]
     if lineas[: len(suyos)] != suyos:
         yield "-ayuda", f"-ayuda no dice sus controles: {lineas}"
-    for dados in (["uno"], ["uno", "dos"], ["uno", "dos", "tres"]):
-        r = subprocess.run([p.ejecutable, *dados, "-ppm", "/dev/null"], **APARTE)
-        if re.search("sobra|no entiendo", r.stderr):
-            break
-    if r.returncode != 2 or [dado for dado in dados if f"«{dado}»" in r.stderr] != dados[-1:]:
-        yield "argumentos", f"con {' '.join(dados)} no dice que sobra lo último: {r.returncode}, {r.stderr}"
 
 
 def vivos(p):
