@@ -57,6 +57,20 @@ TEST(MallaVf, InformeDelEjercicio) {
     EXPECT_EQ(e.salida, al + derecho + al);
 }
 
+// El número de un cuadrilátero está en su centro: el de los de sus vértices, que se apartan un poco de ellos.
+TEST(MallaVf, NumeroEnElCentroDeLaCara) {
+    const std::string dos =
+        fichero("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nf 1 2 5 4\nf 2 3 6 5\n");
+    const Encima encima = vistaDe("malla_vf", "", 480, 360, {dos}).encima;
+    const auto en = [&](const std::string &cual) { return encima.rotulos(cual).at(0).punto(2); };
+    for (const auto &[cara, vertices] : {std::pair("c1", "1254"), {"c2", "2365"}}) {
+        glm::dvec2 centro(0);
+        for (const char *v = vertices; *v; ++v)
+            centro += en(std::string(1, *v)) / 4.0;
+        EXPECT_LT(glm::distance(en(cara), centro), 20) << cara;
+    }
+}
+
 // Cada cara, con la cámara y la luz calculadas en doble precisión: azul si desde el ojo sus vértices giran en sentido
 // antihorario y amarilla si no. Los triángulos son los del enunciado; con f, la 5 y la 6 al revés.
 TEST(MallaVf, ElColorDiceElSentido) {
