@@ -93,7 +93,8 @@ static void dibujaCamara(const glm::mat4 &aRecortado, const glm::dvec3 &p, const
         rotulaPunto(nombre, glm::vec3(p + 1.3 * v), aRecortado, color, Lado::CENTRO);
     };
     if (estado.inclinacion != 0) // de dónde viene
-        trazaFlecha(ojo, glm::vec3(p + LARGO_UP * VISTAS[estado.elegido].UP), aRecortado, GRIS, 6);
+        trazaFlecha(ojo, glm::vec3(p + LARGO_UP * glm::normalize(VISTAS[estado.elegido].UP)), aRecortado,
+                    GRIS, 6);
     flecha(LARGO_UP * glm::normalize(UP), NARANJA, "UP", 16); // la que asoma si van juntas
     flecha(LARGO_EJE * S, ROJO, "S");
     flecha(LARGO_EJE * U, VERDE, "U");

@@ -15,6 +15,8 @@
 #include <algorithm>
 
 static const float PASO = 0.2f, AVANCE_MINIMO = -1, AVANCE_MAXIMO = 3;
+static const GLint MARCA = 1;
+static const GLuint TODOS_LOS_BITS = 0xff;
 static const glm::vec4 AZOGUE(0.40f, 0.52f, 0.60f, 0.25f); // el color y la opacidad del espejo
 
 static struct {
@@ -31,15 +33,16 @@ static void inicia() {
     ponFondo(CIELO);
 }
 
-// Pone a 1 la plantilla en los píxeles del espejo, sin pintarlo, y deja el test en «solo donde hay un 1».
+// Marca en la plantilla los píxeles del espejo, sin que se vea, y deja que se dibuje solo en los marcados.
 static void marcaEspejo(const glm::mat4 &camara, const glm::mat4 &proyeccion) {
-    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    const auto pinta = [](GLboolean si) { glColorMask(si, si, si, si); };
     glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, MARCA, TODOS_LOS_BITS);
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE); // por detrás no se ve: GL_CULL_FACE
-    glStencilFunc(GL_ALWAYS, 1, 0xff);
+    pinta(GL_FALSE);
     dibujaEspejo(estado.escena, camara, proyeccion, AZOGUE);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glStencilFunc(GL_EQUAL, 1, 0xff);
+    pinta(GL_TRUE);
+    glStencilFunc(GL_EQUAL, MARCA, TODOS_LOS_BITS);
     glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
 }
 

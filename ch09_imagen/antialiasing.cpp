@@ -16,15 +16,12 @@
 #include "rotulo.h"
 #include "shader.h"
 #include "texto.h"
-#include "trazo.h"
 #include "ventana.h"
 #include <glm/gtc/constants.hpp>
 
 static const int VECES = 4, MUESTRAS = 4, DENTRO = 16;
-// En la escena, el centro de los DENTRO × 2·DENTRO de una punta; y a cuántos píxeles de otra, el de los DENTRO × DENTRO
-// que se aumentan.
+// En la escena, el centro de los DENTRO × 2·DENTRO de una punta.
 static const glm::vec2 PUNTA(163 / 240.0f, 210 / 240.0f);
-static const float TRAS_LA_PUNTA = 8;
 static const int LADO_COMPARADO = 240; // de la escena de la que se compara una punta, sea como sea la ventana
 static const int MS = 40;
 static const double VELOCIDAD = 5e-5; // radianes por milisegundo
@@ -115,14 +112,9 @@ static void dibujaPanel(int tecnica, const Recuadro &panel) {
     dibujaPixeles(estado.lupa, {0, 0}, {lado, lado}, {x, y, lado, lado}, FONDO_CLARO);
     const int lupa = std::max(lado * 3 / 10 / DENTRO, 1) * DENTRO;
     const glm::vec2 punta = glm::vec2(estrella()[7]) / 2.0f; // la del tercer rayo, desde el centro
-    const glm::vec2 centro = punta - glm::normalize(punta) * TRAS_LA_PUNTA / float(lado) + 0.5f;
+    const glm::vec2 centro = punta - glm::normalize(punta) * 8.0f / float(lado) + 0.5f; // 8 píxeles antes
     const glm::vec2 primero = primerPixel(estado.lupa, centro, glm::vec2(DENTRO), estado.giro);
-    const glm::vec2 fin = primero + float(DENTRO) / float(lado);
-    trazaPolilinea({{2.0f * primero - 1.0f, 0},
-                    {2 * fin.x - 1, 2 * primero.y - 1, 0},
-                    {2.0f * fin - 1.0f, 0},
-                    {2 * primero.x - 1, 2 * fin.y - 1, 0}},
-                   glm::mat4(1), NARANJA, 3, true);
+    senalaPixeles(estado.lupa, primero, {DENTRO, DENTRO}, NARANJA);
     dibujaPixeles(estado.lupa, primero, {DENTRO, DENTRO},
                   {x + (lado - lupa) / 2, y + (lado - lupa) / 2, lupa, lupa}, NARANJA);
     abreRecuadro({panel.x, y - lado / 9, panel.ancho, lado / 9});

@@ -3,6 +3,7 @@
 #include "imagen_en_ventana.h"
 #include "recuadro.h"
 #include "shader.h"
+#include "trazo.h"
 
 struct Lupa {
     GLuint programa; // de lupa.vert e imagen.frag
@@ -29,4 +30,12 @@ inline void dibujaPixeles(const Lupa &lupa, const glm::vec2 &primero, const glm:
     envia(lupa.programa, "primero", primero);
     envia(lupa.programa, "tramo", glm::vec2(pixeles) / float(lupa.lado));
     dibujaRectangulo();
+}
+
+/// Un marco alrededor de esos píxeles, en el panel en que se acaba de dibujar la escena entera.
+inline void senalaPixeles(const Lupa &lupa, const glm::vec2 &primero, const glm::ivec2 &pixeles,
+                          const glm::vec3 &color) {
+    const glm::vec2 a = 2.0f * primero - 1.0f;
+    const glm::vec2 b = a + 2.0f * glm::vec2(pixeles) / float(lupa.lado);
+    trazaPolilinea({{a, 0}, {b.x, a.y, 0}, {b, 0}, {a.x, b.y, 0}}, glm::mat4(1), color, 3, true);
 }

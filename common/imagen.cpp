@@ -58,35 +58,12 @@ std::string comoSeConvierte(const std::string &fichero) {
     return "; se convierte con: convert \"" + fichero + "\" -depth 8 imagen.ppm";
 }
 
-// Por sus primeros bytes, se llame como se llame. Con ancho 0 no se ha dicho -talla.
-Imagen leeImagen(const std::string &fichero, int ancho, int alto) {
-    static const std::pair<const char *, const char *> FORMATOS[] = {
-        {"\x89PNG", "PNG"}, {"\xFF\xD8", "JPEG"}, {"GIF8", "GIF"}, {"RIFF", "WebP"}, {"BM", "BMP"}};
-    const std::string datos = leeFichero(fichero);
-    const bool esRgb = ancho > 0 && datos.size() == std::size_t(3) * ancho * alto;
-    if (!esRgb && datos.size() > 1 && datos[0] == 'P' && std::isdigit(datos[1]))
-        return leePpm(fichero);
-    for (const auto &[principio, nombre] : FORMATOS)
-        if (!esRgb && datos.compare(0, std::strlen(principio), principio) == 0)
-            falla("«" + fichero + "» es un " + nombre +
-                  ", y aquí se leen PPM binarios (P6) y RGB sin cabecera" + comoSeConvierte(fichero));
-    if (ancho == 0)
-        falla("«" + fichero + "»: de un fichero RGB sin cabecera hay que decir -talla ANCHOxALTO", 2);
-    return leeTextura(fichero, ancho, alto);
-}
-
-} // namespace
-
-Imagen leeTextura(const std::string &fichero, int ancho, int alto) {
-    if (ancho < 1 || alto < 1 || ancho > LADO_MAXIMO || alto > LADO_MAXIMO)
-        falla("«" + fichero + "»: no hay texturas de " + std::to_string(ancho) + "×" + std::to_string(alto));
-    const std::string datos = leeFichero(fichero);
+Imagen deRgb(const std::string &fichero, const std::string &datos, int ancho, int alto) {
     compruebaTalla(fichero, ancho, alto, datos.size());
     return desdeArriba(datos.data(), ancho, alto);
 }
 
-Imagen leePpm(const std::string &fichero, std::string *comentario) {
-    const std::string datos = leeFichero(fichero);
+Imagen dePpm(const std::string &fichero, const std::string &datos, std::string *comentario) {
     if (datos.compare(0, 2, "P6") != 0)
         falla("«" + fichero + "» no es un PPM binario (no empieza por P6)" + comoSeConvierte(fichero));
     std::size_t i = 2;
@@ -100,6 +77,40 @@ Imagen leePpm(const std::string &fichero, std::string *comentario) {
         ++i; // como acaban las líneas en Windows
     compruebaTalla(fichero, ancho, alto, datos.size() - i);
     return desdeArriba(datos.data() + i, ancho, alto);
+}
+
+void compruebaLados(const std::string &fichero, int ancho, int alto) {
+    if (ancho < 1 || alto < 1 || ancho > LADO_MAXIMO || alto > LADO_MAXIMO)
+        falla("«" + fichero + "»: no hay texturas de " + std::to_string(ancho) + "×" + std::to_string(alto));
+}
+
+// Por sus primeros bytes, se llame como se llame; se lee una vez, que puede ser una tubería. Con ancho 0 no se ha dicho -talla.
+Imagen leeImagen(const std::string &fichero, int ancho, int alto) {
+    static const std::pair<const char *, const char *> FORMATOS[] = {
+        {"\x89PNG", "PNG"}, {"\xFF\xD8", "JPEG"}, {"GIF8", "GIF"}, {"RIFF", "WebP"}, {"BM", "BMP"}};
+    const std::string datos = leeFichero(fichero);
+    const bool esRgb = ancho > 0 && datos.size() == std::size_t(3) * ancho * alto;
+    if (!esRgb && datos.size() > 1 && datos[0] == 'P' && std::isdigit(datos[1]))
+        return dePpm(fichero, datos, nullptr);
+    for (const auto &[principio, nombre] : FORMATOS)
+        if (!esRgb && datos.compare(0, std::strlen(principio), principio) == 0)
+            falla("«" + fichero + "» es un " + nombre +
+                  ", y aquí se leen PPM binarios (P6) y RGB sin cabecera" + comoSeConvierte(fichero));
+    if (ancho == 0)
+        falla("«" + fichero + "»: de un fichero RGB sin cabecera hay que decir -talla ANCHOxALTO", 2);
+    compruebaLados(fichero, ancho, alto);
+    return deRgb(fichero, datos, ancho, alto);
+}
+
+} // namespace
+
+Imagen leeTextura(const std::string &fichero, int ancho, int alto) {
+    compruebaLados(fichero, ancho, alto);
+    return deRgb(fichero, leeFichero(fichero), ancho, alto);
+}
+
+Imagen leePpm(const std::string &fichero, std::string *comentario) {
+    return dePpm(fichero, leeFichero(fichero), comentario);
 }
 
 Imagen imagenDeArgumentos(int argc, char **argv, const std::string &porOmision, int ancho, int alto) {

@@ -2,6 +2,6 @@
 #pragma once
 #include <string>
 
-/// Guarda esos bytes: se escriben aparte y se renombra al final; por un enlace, donde apunta. Un dispositivo (/dev/full,
-/// una tubería) se escribe directamente. Si falla devuelve false y deja en `error` por qué.
+/// Guarda esos bytes: se escriben aparte y se renombra al final; por un enlace, donde apunta. Un dispositivo
+/// (/dev/full, una tubería) se escribe directamente. Si falla devuelve false y deja en `error` por qué.
 bool intentaGuardar(const std::string &fichero, const std::string &bytes, std::string &error);

@@ -48,7 +48,7 @@ CAMPOS = {  # qué se dice de cada cosa, como expresión regular y con palabras;
         "titulo": (r"[^\n\t]{0,40}", "cómo se enseña, con 40 letras como mucho"),
         "guion": (NADA, "las órdenes que llevan a esa imagen"),
         "mira": (ALGO, "una frase, a qué hay que mirar: es el pie de la imagen"),
-        "cumple": ([], "lo que dice el pie, para tests/casos/pies.cpp: es así en su golden y no en los demás"),
+        "cumple": ([], "lo que dice el pie, para una prueba: es así en su golden y no en los demás"),
         # por los demás lados la escena no llega al borde en una ventana de ninguna forma
         "borde": (
             f"((todos|{LADO}( {LADO})*): .+)?",

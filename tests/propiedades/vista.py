@@ -1,8 +1,10 @@
 """Lo que se cumple en cualquier ventana y con el ratón."""
 import functools
 import itertools
+import os
 import random
 import tempfile
+import threading
 from pathlib import Path
 
 from programa import CONTRARIAS, TALLA, arrastre, distintos, lee_ppm, parecidas
@@ -164,16 +166,19 @@ def modelo(p):
 
 
 def foto(p):
-    """Una foto ocupa los píxeles enteros más próximos a lo que mide a esa escala, y está en medio."""
+    """Una foto, que llega por una tubería, ocupa los píxeles enteros más próximos a lo que mide a esa escala, y está en
+    medio."""
     if not p.admite.startswith("imagen"):
         return
     ancho, alto, altos = 41, 30, range(60, 80)
     with tempfile.TemporaryDirectory() as carpeta:
-        foto = Path(carpeta, "foto.ppm")
-        foto.write_bytes(b"P6\n%d %d\n255\n" % (ancho, alto) + bytes((200, 120, 40)) * ancho * alto)
+        datos = b"P6\n%d %d\n255\n" % (ancho, alto) + bytes((200, 120, 40)) * ancho * alto
+        fotos = [Path(carpeta, f"foto{i}.ppm") for i in range(2 if p.admite == "imagenes" else 1)]
+        for foto in fotos:
+            os.mkfifo(foto)
+            threading.Thread(target=foto.write_bytes, args=(datos,), daemon=True).start()
         guion = [o for h in altos for o in (f"tamano 200 {h}", f"captura {carpeta}/{h}")]
-        fotos = [str(foto)] * (2 if p.admite == "imagenes" else 1)
-        p.ejecuta([*fotos, "-guion", "; ".join(guion)])
+        p.ejecuta([*map(str, fotos), "-guion", "; ".join(guion)])
         for h in altos:
             fila = lee_ppm(Path(carpeta, str(h)))[h // 2]
             puntos = [fila[i : i + 3] for i in range(0, len(fila), 3)]
