@@ -84,7 +84,7 @@ void compruebaLados(const std::string &fichero, int ancho, int alto) {
         falla("«" + fichero + "»: no hay texturas de " + std::to_string(ancho) + "×" + std::to_string(alto));
 }
 
-// Por sus primeros bytes, se llame como se llame; se lee una vez, que puede ser una tubería. Con ancho 0 no se ha dicho -talla.
+// Por sus primeros bytes y no por su nombre; leída una vez, que puede ser una tubería. Ancho 0: no se ha dicho -talla.
 Imagen leeImagen(const std::string &fichero, int ancho, int alto) {
     static const std::pair<const char *, const char *> FORMATOS[] = {
         {"\x89PNG", "PNG"}, {"\xFF\xD8", "JPEG"}, {"GIF8", "GIF"}, {"RIFF", "WebP"}, {"BM", "BMP"}};
