@@ -16,8 +16,8 @@
 // El vértice 0 abajo en el centro y los demás a su alrededor, con radio grande y pequeño alternos: así no
 // se solapan ni los triángulos de la tira ni los del abanico.
 static const std::vector<VerticeColor> VERTICES = {
-    {{0.00f, -0.62f, 0}, NARANJA}, {{0.74f, -0.38f, 0}, ROJO},      {{0.31f, -0.07f, 0}, AZUL},
-    {{0.00f, 0.64f, 0}, VERDE},    {{-0.31f, -0.07f, 0}, AMARILLO}, {{-0.74f, -0.38f, 0}, MORADO}};
+    {{0.00f, -0.68f, 0}, NARANJA}, {{0.81f, -0.42f, 0}, ROJO},      {{0.34f, -0.08f, 0}, AZUL},
+    {{0.00f, 0.66f, 0}, VERDE},    {{-0.34f, -0.08f, 0}, AMARILLO}, {{-0.81f, -0.42f, 0}, MORADO}};
 static const Lado LADOS[] = {Lado::DEBAJO, Lado::DEBAJO,    Lado::DERECHA,
                              Lado::ENCIMA, Lado::IZQUIERDA, Lado::DEBAJO};
 static const int N_VERTICES = 6;
@@ -27,11 +27,11 @@ static const struct {
     const char *nombre, *enLineas; // el segundo cabe en un panel pequeño
 } PRIMITIVAS[] = {{GL_POINTS, "GL_POINTS", "GL_POINTS"},
                   {GL_LINES, "GL_LINES", "GL_LINES"},
-                  {GL_LINE_STRIP, "GL_LINE_STRIP", "GL_LINE_\nSTRIP"},
-                  {GL_LINE_LOOP, "GL_LINE_LOOP", "GL_LINE_\nLOOP"},
-                  {GL_TRIANGLES, "GL_TRIANGLES", "GL_\nTRIANGLES"},
-                  {GL_TRIANGLE_STRIP, "GL_TRIANGLE_STRIP", "GL_\nTRIANGLE_\nSTRIP"},
-                  {GL_TRIANGLE_FAN, "GL_TRIANGLE_FAN", "GL_\nTRIANGLE_\nFAN"}};
+                  {GL_LINE_STRIP, "GL_LINE_STRIP", "GL_LINE_STRIP"},
+                  {GL_LINE_LOOP, "GL_LINE_LOOP", "GL_LINE_LOOP"},
+                  {GL_TRIANGLES, "GL_TRIANGLES", "GL_TRIANGLES"},
+                  {GL_TRIANGLE_STRIP, "GL_TRIANGLE_STRIP", "GL_TRIANGLE_\nSTRIP"},
+                  {GL_TRIANGLE_FAN, "GL_TRIANGLE_FAN", "GL_TRIANGLE_\nFAN"}};
 static const int N_PRIMITIVAS = 7;
 
 static struct {
@@ -39,12 +39,12 @@ static struct {
     int elegido = TODOS;
 } estado;
 
-// `altoFigura`: la parte del alto que ocupa; encima va el nombre.
-static void dibujaPanel(const Recuadro &panel, int i, const char *nombre, float altoFigura) {
+// `altoFigura`: la parte del alto que ocupa; encima va el nombre, de esa talla.
+static void dibujaPanel(const Recuadro &panel, int i, const char *nombre, float altoFigura, float talla) {
     abreRecuadro(panel);
     ponFondo(FONDO_CLARO);
     glClear(GL_COLOR_BUFFER_BIT);
-    rotula(nombre, {0.5f, 0.99f}, OSCURO, Lado::DEBAJO);
+    rotula(nombre, {0.5f, 0.99f}, OSCURO, Lado::DEBAJO, talla);
     const int alto = int(altoFigura * float(panel.alto));
     const int lado = std::max(std::min(panel.ancho, alto), 1);
     const int x = panel.x + (panel.ancho - lado) / 2, y = panel.y + (alto - lado) / 2;
@@ -70,11 +70,11 @@ static void dibuja() {
     const glm::mat4 I(1); // los vértices ya están en las coordenadas del panel
     usaPrograma(estado.programa, I, I);
     if (estado.elegido != TODOS) {
-        dibujaPanel(ventanaEntera(), estado.elegido, PRIMITIVAS[estado.elegido].nombre, 0.9f);
+        dibujaPanel(ventanaEntera(), estado.elegido, PRIMITIVAS[estado.elegido].nombre, 0.9f, TALLA_ROTULO);
     } else {
         const std::vector<Recuadro> paneles = reparte(N_PRIMITIVAS + 1, 0.8f);
         for (int i = 0; i < N_PRIMITIVAS; ++i)
-            dibujaPanel(paneles[i], i, PRIMITIVAS[i].enLineas, 2.0f / 3);
+            dibujaPanel(paneles[i], i, PRIMITIVAS[i].enLineas, 2.0f / 3, 0.0265f);
         abreRecuadro(paneles.back());
         ponFondo(FONDO_CLARO);
         glClear(GL_COLOR_BUFFER_BIT);

@@ -61,7 +61,7 @@ static std::string nombre() {
 static void rotulaColumna(const char *nombre, const glm::vec4 &v, float x, const glm::vec3 &color) {
     std::string filas;
     for (int i = 0; i < 4; ++i)
-        filas += formatea(i ? "\n|%5.3g |" : "|%5.3g |", aCentesimas(v[i]));
+        filas += formatea("%s%s%5.3g %s", i ? "\n" : "", ABRE[i], aCentesimas(v[i]), CIERRA[i]);
     rotula(filas, {x, 0.14f}, color, Lado::DERECHA, 0.032f);
     rotula(nombre, {x + 0.08f, 0.29f}, color);
 }
@@ -97,7 +97,7 @@ static void dibuja() {
         rotula("=", {0.215f, 0.14f}, OSCURO);
         rotulaMatriz(M, {0.24f, 0.14f});
         rotula(nombre(), {0.48f, 0.29f}, OSCURO);
-        rotulaColumna("p", p, 0.76f, OSCURO);
+        rotulaColumna("p", p, 0.79f, OSCURO);
     } else {
         rotula(nombre() + " =", {0.44f, 0.14f}, OSCURO, Lado::IZQUIERDA);
         rotulaMatriz(M, {0.44f, 0.14f});

@@ -27,7 +27,7 @@ static const float RADIANES_POR_ALTO = 1.8f; // arrastrando de abajo arriba de l
 static const glm::vec3 EJES[] = {{0, 1, 0}, {1, 1, 1}, {-0.6f, 0.7f, 0.4f}, {1, 1e-10f, 0}};
 static const glm::vec3 SITIO(-1.1f, 0.2f, 1.2f); // el centro del avión, sin girar
 
-static const char *const PASOS[] = {"Sin girar", "R: d, al eje X", "Rx(φ)·R", "Tras deshacer R"};
+static const char *const PASOS[] = {"Sin girar", "R: d, al eje X", "Rx(φ)·R", "R⁻¹·Rx(φ)·R"};
 enum { SIN_GIRAR, CAMBIADO, GIRADO, DESHECHO, N_PASOS };
 
 static struct {

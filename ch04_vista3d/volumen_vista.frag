@@ -8,10 +8,13 @@ in vec3 normal;
 in vec4 recortado;
 out vec4 colorFragmento;
 
-const vec3 COLOR_FUERA = vec3(0.80, 0.82, 0.84);
+// Lo de fuera, en gris, y cada objeto en el suyo: un cubo no se pierde en el suelo.
+vec3 gris(vec3 color) {
+    return vec3(0.70 + 0.20 * dot(color, vec3(0.299, 0.587, 0.114)));
+}
 
 // La condición del recortado: −w ≤ x, y, z ≤ w.
 void main() {
     bool dentro = all(lessThanEqual(abs(recortado.xyz), vec3(recortado.w)));
-    colorFragmento = vec4((dentro ? colorObjeto : COLOR_FUERA) * luzFija(normalize(normal)), 1.0);
+    colorFragmento = vec4((dentro ? colorObjeto : gris(colorObjeto)) * luzFija(normalize(normal)), 1.0);
 }

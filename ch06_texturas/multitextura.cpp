@@ -21,6 +21,7 @@
 
 static const glm::vec3 TALLA(4, 3, 1); // de la pared
 static const glm::vec2 REPETICIONES(2, 1.5f);
+static const float COLUMNA = 0.22f; // lo que ocupan del ancho, a la izquierda, las texturas de las unidades
 static const struct {
     const char *nombre, *rotulo; // el nombre, del fichero y del sampler2D
     int ancho, alto;
@@ -80,17 +81,16 @@ static void dibujaUnidades(const Recuadro &donde, bool conMusgo, bool conLuz) {
         ponFondo(FONDO_OSCURO);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
         envia(estado.programaUnidad, "Img", unidad);
-        dibujaPared(estado.programaUnidad, glm::mat4(1),
-                    paralelaVentana(0.53f * TALLA.y, -1, 1, aspecto(panel)));
-        rotula("unidad " + std::to_string(unidad) + "\n" +
-                   TEXTURAS[unidad ? unidad : estado.enLaPrimera].rotulo,
-               {0.5f, 0.5f}, usadas[unidad] ? BLANCO : GRIS);
+        dibujaPared(estado.programaUnidad, traslacion({0, 0.13f * TALLA.y, 0}),
+                    paralelaVentana(0.72f * TALLA.y, -1, 1, aspecto(panel)));
+        rotula(std::to_string(unidad) + " " + TEXTURAS[unidad ? unidad : estado.enLaPrimera].rotulo,
+               {0.5f, 0.12f}, usadas[unidad] ? BLANCO : GRIS, Lado::CENTRO, 0.028f);
     }
 }
 
 static void dibuja() {
     const Recuadro v = ventanaEntera();
-    const Recuadro unidades = {0, 0, v.ancho * 3 / 10, v.alto};
+    const Recuadro unidades = {0, 0, int(COLUMNA * float(v.ancho)), v.alto};
     const Recuadro mezcla = {unidades.ancho, 0, v.ancho - unidades.ancho, v.alto};
     const auto &[titulo, conMusgo, conLuz] = MEZCLAS[estado.elegido];
     abreRecuadro(v);

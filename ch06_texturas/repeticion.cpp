@@ -45,9 +45,14 @@ static void dibuja() {
     // el marco y sus ejes; el centro de la ventana es (s, t) = (0.5, 0.5)
     trazaPolilinea({{-0.5f, -0.5f, 0}, {0.5f, -0.5f, 0}, {0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0}}, proyeccion,
                    OSCURO, 8, true);
-    rotulaPunto("0", {-0.58f, -0.73f, 0}, proyeccion, OSCURO);
-    rotulaPunto("s=1", {0.5f, -0.78f, 0}, proyeccion, OSCURO);
-    rotulaPunto("t=1", {-0.72f, 0.38f, 0}, proyeccion, OSCURO);
+    const auto rotulaEn = [&](const char *texto, float x, float y, float semiancho) { // en blanco, que se lea
+        const glm::vec3 c(x, y, 0), dx(semiancho, 0, 0), dy(0, 0.09f, 0);
+        trazaPoligono({c - dx - dy, c + dx - dy, c + dx + dy, c - dx + dy}, proyeccion, BLANCO);
+        rotulaPunto(texto, c, proyeccion, OSCURO, Lado::CENTRO);
+    };
+    rotulaEn("0", -0.61f, -0.61f, 0.07f);
+    rotulaEn("s=1", 0.5f, -0.62f, 0.17f);
+    rotulaEn("t=1", -0.71f, 0.5f, 0.17f);
 
     const int ancho = glutGet(GLUT_WINDOW_WIDTH), alto = glutGet(GLUT_WINDOW_HEIGHT);
     const int franja = alto / 9;

@@ -24,8 +24,9 @@
 
 static const Plano MESA = {{0, 1, 0}, 0};
 static const glm::vec3 TALLA_MESA(6, 0.25f, 4.4f);
-static const float UNIDADES_POR_ALTO = 1.8f; // al arrastrar la luz de abajo arriba de la ventana
-static const float PASO = 0.2f, FONDO = 2;   // de la luz en profundidad: lo que anda y hasta dónde
+static const glm::vec3 VUELO(0.06f, 0, 0.06f); // del tablero: sin él, asomaría la tabla por su canto
+static const float UNIDADES_POR_ALTO = 1.8f;   // al arrastrar la luz de abajo arriba de la ventana
+static const float PASO = 0.2f, FONDO = 2;     // de la luz en profundidad: lo que anda y hasta dónde
 
 static Material pintura(const glm::vec3 &color) {
     return {0.35f * color, 0.75f * color, glm::vec3(0.3f), 30};
@@ -105,8 +106,9 @@ static void dibuja() {
     usaIluminado(p, camara, proyeccion, {glm::vec4(estado.luz, 1)});
     // Lo que se ve del tablero queda a 1 en la plantilla; los objetos que lo tapan lo devuelven a 0
     glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
-    dibujaIluminado(p, estado.cubo, traslacion({0, -TALLA_MESA.y / 2 - 0.01f, 0}) * escalado(TALLA_MESA),
-                    camara, pintura({0.55f, 0.38f, 0.22f}));
+    dibujaIluminado(p, estado.cubo,
+                    traslacion({0, -TALLA_MESA.y / 2 - 0.01f, 0}) * escalado(TALLA_MESA - VUELO), camara,
+                    pintura({0.55f, 0.38f, 0.22f}));
     glStencilFunc(GL_ALWAYS, 1, 0xff);
     const glm::mat4 tablero = escalado({TALLA_MESA.x / 8, 1, TALLA_MESA.z / 6});
     dibujaIluminado(p, estado.claras, tablero, camara, pintura({0.88f, 0.80f, 0.66f}));

@@ -58,7 +58,7 @@ static void dibuja() {
     const glm::vec3 dentro = 0.25f * (estado.P[0] + estado.P[1] + estado.P[2] + estado.P[3]) - Q;
     rotulaPunto(formatea("Q(%.2f)", estado.u), Q + 0.2f * dentro / std::max(glm::length(dentro), 0.01f),
                 vista(), ROJO, Lado::CENTRO);
-    rotulaPunto("M_B =\n" + filasDe(M_B, 3), {0.05f, -0.28f, 0}, vista(), OSCURO, Lado::CENTRO, TALLA_MATRIZ);
+    rotulaPunto(filasDe("M_B = ", M_B, 3), {0.05f, -0.28f, 0}, vista(), OSCURO, Lado::CENTRO, TALLA_MATRIZ);
     rotulaPunto(formatea("U·M_B = %.2f %.2f %.2f %.2f", UM.x, UM.y, UM.z, UM.w), {0.05f, -0.79f, 0}, vista(),
                 OSCURO, Lado::CENTRO, TALLA_MATRIZ);
     ponTitulo(formatea("Curva de Bézier: u = %.2f", estado.u));

@@ -99,7 +99,8 @@ static void dibuja() {
         titulo += ": transformar las restricciones o los puntos";
     } else
         dibujaTramo(G, AZUL, NOMBRES);
-    rotulaPunto("M_H =\n" + filasDe(M_H, 3), {-0.1f, -0.62f, 0}, vista(), OSCURO, Lado::CENTRO, TALLA_MATRIZ);
+    rotulaPunto(filasDe("M_H = ", M_H, 3), {-0.14f, -0.64f, 0}, vista(), OSCURO, Lado::CENTRO,
+                0.9f * TALLA_MATRIZ);
     ponTitulo(titulo);
     glutSwapBuffers();
 }

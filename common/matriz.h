@@ -8,25 +8,25 @@
 #include <glm/glm.hpp>
 #include <string>
 
-/// Sus filas, una por línea, con cada número a centésimas y en `ancho` letras.
-inline std::string filasDe(const glm::mat4 &M, int ancho = 6) {
+/// Los trozos de un corchete de cuatro renglones.
+const char *const ABRE[] = {"⎡", "⎢", "⎢", "⎣"}, *const CIERRA[] = {"⎤", "⎥", "⎥", "⎦"};
+
+/// La matriz en cuatro líneas, con cada número a centésimas y en `ancho` letras, y lo que va delante de la segunda.
+inline std::string filasDe(const std::string &delante, const glm::mat4 &M, int ancho) {
     std::string filas;
     for (int fila = 0; fila < 4; ++fila) {
-        filas += fila ? "\n|" : "|";
+        filas += (fila == 1 ? delante : std::string(delante.size(), ' ')) + ABRE[fila];
         for (int columna = 0; columna < 4; ++columna)
             filas += formatea("%*.3g", ancho, aCentesimas(M[columna][fila]));
-        filas += " |";
+        filas += CIERRA[fila] + std::string(fila < 3, '\n');
     }
     return filas;
 }
 
-/// La matriz en ese sitio del panel, que es el de su primera barra, columna a columna: en morado, las que no son de la
-/// identidad.
+/// La matriz desde ese sitio del panel, el de su primer corchete; en morado, las columnas que no son de la identidad.
 inline void rotulaMatriz(const glm::mat4 &M, glm::vec2 lugar, float talla = 0.032f) {
-    // una columna y lo que la separa de la siguiente ocupan cinco letras y media
-    const float paso = 5.5f * 0.83f * talla * std::min(1 / relacionAspecto(), 0.75f);
-    const std::string barra = "|\n|\n|\n|";
-    rotula(barra, lugar, OSCURO, Lado::DERECHA, talla);
+    const float paso = 6 * 0.83f * talla * std::min(1 / relacionAspecto(), 0.75f); // seis letras por columna
+    rotula("⎡\n⎢\n⎢\n⎣", lugar, OSCURO, Lado::DERECHA, talla);
     lugar.x += paso / 4;
     for (int columna = 0; columna < 4; ++columna, lugar.x += paso) {
         std::string numeros;
@@ -34,5 +34,5 @@ inline void rotulaMatriz(const glm::mat4 &M, glm::vec2 lugar, float talla = 0.03
             numeros += formatea(fila ? "\n%5.3g" : "%5.3g", aCentesimas(M[columna][fila]));
         rotula(numeros, lugar, M[columna] == glm::mat4(1)[columna] ? OSCURO : MORADO, Lado::DERECHA, talla);
     }
-    rotula(barra, lugar, OSCURO, Lado::DERECHA, talla);
+    rotula("⎤\n⎥\n⎥\n⎦", lugar, OSCURO, Lado::DERECHA, talla);
 }

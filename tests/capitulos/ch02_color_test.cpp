@@ -19,9 +19,9 @@ namespace {
 using namespace oraculo;
 
 enum { PUNTOS, SEGMENTOS, TIRA_SEGMENTOS, SECUENCIA_CERRADA, TRIANGULOS, TIRA, ABANICO };
-const std::vector<VerticePlano> VERTICES = {{0, -0.62, exacto(NARANJA)},      {0.74, -0.38, exacto(ROJO)},
-                                            {0.31, -0.07, exacto(AZUL)},      {0, 0.64, exacto(VERDE)},
-                                            {-0.31, -0.07, exacto(AMARILLO)}, {-0.74, -0.38, exacto(MORADO)}};
+const std::vector<VerticePlano> VERTICES = {{0, -0.68, exacto(NARANJA)},      {0.81, -0.42, exacto(ROJO)},
+                                            {0.34, -0.08, exacto(AZUL)},      {0, 0.66, exacto(VERDE)},
+                                            {-0.34, -0.08, exacto(AMARILLO)}, {-0.81, -0.42, exacto(MORADO)}};
 const int N = 6;
 
 /// Lo que barre un cuadrado de ese medio lado que va de un punto a otro.

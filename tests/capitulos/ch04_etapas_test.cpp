@@ -184,7 +184,7 @@ TEST(EtapasPipeline, Recortado) {
             if (!i)
                 return Tono(exacto(k == VENTANA ? CIELO : FONDO_CLARO));
             const bool dentro = dentroDelVolumen(i.punto, panel(VENTANA));
-            return Tono(luzFija({0, 1, 0}) * (dentro ? exacto(AMARILLO) : Vec3{0.80, 0.82, 0.84}), dentro);
+            return Tono(luzFija({0, 1, 0}) * (dentro ? exacto(AMARILLO) : deFuera(exacto(AMARILLO))), dentro);
         };
         comprueba("panel " + std::to_string(k + 1),
                   compara(recorta(vista.escena, panel(k)), enMundo, panel(k).camara, tono), EXACTA);

@@ -20,6 +20,12 @@ inline bool dentroDelVolumen(const oraculo::Vec3 &p, const Panel &panel) {
     return d >= panel.camara.cerca && d <= panel.camara.lejos && entreLosLados(p, panel);
 }
 
+/// El gris en que queda, por su luminancia, lo que está fuera.
+inline oraculo::Vec3 deFuera(const oraculo::Vec3 &color) {
+    const double gris = 0.70 + 0.20 * oraculo::escalar(color, {0.299, 0.587, 0.114});
+    return {gris, gris, gris};
+}
+
 /// Esos cuerpos y la cámara de fotos, en los ejes que dé M. Su cilindro, con las caras que tiene.
 inline std::vector<Cuerpo> conCamaraDeFotos(std::vector<Cuerpo> cuerpos, const oraculo::Mat4 &M) {
     using namespace oraculo;

@@ -50,8 +50,8 @@ Tono sombrea(const Impacto &i, const std::vector<Cuerpo> &cuerpos, const Panel &
     if (i) {
         const Cuerpo &c = cuerpos[std::size_t(i.objeto)];
         const Vec3 normal = normalInterpolada(c.objeto, i);
-        color = luzFija(deCamara ? normal : unitario(normal)) *
-                (deCamara || dentro ? c.color : Vec3{0.80, 0.82, 0.84});
+        color =
+            luzFija(deCamara ? normal : unitario(normal)) * (deCamara || dentro ? c.color : deFuera(c.color));
     }
     const double tope = i ? i.distancia : INFINITO, cerca = cruza(i.rayo, v, v.camara.cerca),
                  lejos = cruza(i.rayo, v, v.camara.lejos);

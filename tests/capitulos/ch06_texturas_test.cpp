@@ -263,10 +263,10 @@ TEST(Coordenadas, SeLeenEnLaImagenLasDeLaParametrizacion) {
 // --- multitextura ------------------------------------------------------------------------------------------
 using Texturas = std::array<Imagen, 4>; // lo que hay en cada unidad
 
-/// La pared de 4 × 3, vista de frente en el panel de la derecha, siete décimos del ancho, con la mezcla de cada tecla.
+/// La pared de 4 × 3, vista de frente en el panel de la derecha, el 78 % del ancho, con la mezcla de cada tecla.
 void compruebaPared(const Imagen &gpu, const Texturas &texturas, int tecla) {
     SCOPED_TRACE("tecla " + std::to_string(tecla));
-    const int columna = gpu.ancho * 3 / 10, resto = gpu.ancho - columna;
+    const int columna = gpu.ancho * 22 / 100, resto = gpu.ancho - columna;
     const double unidad = resto / (2 * 5 * std::tan(0.62 / 2) * 4 / 3);
     const auto mezcla = [&](double s, double t) {
         Vec3 c = lineal(texturas[0], 2 * s, 1.5 * t);

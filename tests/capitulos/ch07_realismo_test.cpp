@@ -338,7 +338,7 @@ ImagenRef traza(const CasoSombras &c) {
     e.pon(enElMundo(traslada({1.9, 0.55, -0.5}) * DE_PIE * escala({0.16, 0.16, 1.1}), cilindro(48)), AZUL);
     const Escena objetos = e.escena;
     e.pon(plano(DE_PIE * escala({6, 4.4, 1})), {0.88, 0.80, 0.66});
-    e.pon(caja(traslada({0, -0.135, 0}) * escala({6, 0.25, 4.4})), {0.55, 0.38, 0.22});
+    e.pon(caja(traslada({0, -0.135, 0}) * escala({5.94, 0.25, 4.34})), {0.55, 0.38, 0.22});
     e.pon(enElMundo(traslada(c.luz) * escala(0.14), esfera(48)), {});
     return render(e.escena, c.camara(), 240, 180, [&](const Impacto &i) -> Tono {
         const bool enMesa = i.objeto == TABLERO,
