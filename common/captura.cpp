@@ -6,6 +6,28 @@
 #include <cstdio>
 #include <filesystem>
 
+// Con varias muestras por píxel, Mesa lee la primera y no su media: se lleva a un framebuffer de una, y se lee de ahí.
+static void leeLaMedia(Imagen &imagen) {
+    GLuint framebuffer, color;
+    GLint deDibujo, renderbuffer;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &deDibujo);
+    glGetIntegerv(GL_RENDERBUFFER_BINDING, &renderbuffer);
+    glGenFramebuffers(1, &framebuffer);
+    glGenRenderbuffers(1, &color);
+    glBindRenderbuffer(GL_RENDERBUFFER, color);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, imagen.ancho, imagen.alto);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+    glFramebufferRenderbuffer(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+    glBlitFramebuffer(0, 0, imagen.ancho, imagen.alto, 0, 0, imagen.ancho, imagen.alto, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    glReadPixels(0, 0, imagen.ancho, imagen.alto, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(deDibujo));
+    glBindRenderbuffer(GL_RENDERBUFFER, GLuint(renderbuffer));
+    glDeleteFramebuffers(1, &framebuffer);
+    glDeleteRenderbuffers(1, &color);
+}
+
 Imagen leeVentana() {
     Imagen imagen{glutGet(GLUT_WINDOW_WIDTH), glutGet(GLUT_WINDOW_HEIGHT), {}};
     imagen.rgb.resize(std::size_t{3} * imagen.ancho * imagen.alto);
@@ -26,7 +48,10 @@ Imagen leeVentana() {
         glBindBuffer(GL_PIXEL_PACK_BUFFER, GLuint(cualBufer));
     };
     enlaza(0, 0);
-    glReadPixels(0, 0, imagen.ancho, imagen.alto, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());
+    if (glutGet(GLUT_WINDOW_NUM_SAMPLES) > 1)
+        leeLaMedia(imagen);
+    else
+        glReadPixels(0, 0, imagen.ancho, imagen.alto, GL_RGB, GL_UNSIGNED_BYTE, imagen.rgb.data());
     enlaza(framebuffer, bufer);
     for (int i = 0; i < 4; ++i)
         glPixelStorei(parametros[i], previos[i]);

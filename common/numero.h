@@ -20,8 +20,7 @@ std::optional<T> numeroDe(std::string_view texto) {
 #ifndef __cpp_lib_to_chars // hay bibliotecas de C++ (la de Emscripten) cuyo from_chars solo lee enteros
 template<>
 inline std::optional<double> numeroDe(std::string_view texto) {
-    const std::string copia(
-        texto); // strtod necesita el cero final; y además leería hexadecimales, blancos o un +
+    const std::string copia(texto); // strtod necesita el cero final, y leería hexadecimales, blancos o un +
     if (copia.empty() || copia[0] == '+' || copia.find_first_not_of("0123456789.eE+-") != copia.npos)
         return std::nullopt;
     char *fin = nullptr;

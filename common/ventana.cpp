@@ -11,14 +11,6 @@ namespace {
 
 const unsigned char ESC = 27;
 
-void teclado(unsigned char tecla, int, int) {
-    teclaComun(tecla);
-}
-
-void tecladoEspecial(int tecla, int, int) {
-    teclaEspecialComun(tecla);
-}
-
 // Donde los títulos van en Latin-1, lo que no está en él va con sus letras, α como «alfa».
 std::string tituloParaGlut(const std::string &utf8) {
     if (glutGet(GLUT_VERSION) >= FREEGLUT_CON_UTF8)
@@ -64,8 +56,8 @@ void abreVentana(int &argc, char **argv, const char *titulo, unsigned modo, cons
     if (!GLEW_VERSION_3_1 || !glGenVertexArrays)
         falla("hace falta OpenGL 3.1 y hay " +
               std::string(reinterpret_cast<const char *>(glGetString(GL_VERSION))));
-    glutKeyboardFunc(teclado);
-    glutSpecialFunc(tecladoEspecial);
+    glutKeyboardFunc([](unsigned char tecla, int, int) { teclaComun(tecla); });
+    glutSpecialFunc([](int tecla, int, int) { teclaEspecialComun(tecla); });
     if (std::getenv("LAB_VIGILA"))
         cambiaVigilancia();
 }
@@ -82,27 +74,14 @@ bool teclaComun(unsigned char tecla) {
 
 bool teclaEspecialComun(int tecla) {
     switch (tecla) {
-    case GLUT_KEY_F1:
-        cambiaAyuda();
-        glutPostRedisplay();
-        return true;
-    case GLUT_KEY_F2:
-        cambiaPuntero();
-        glutPostRedisplay();
-        return true;
-    case GLUT_KEY_F3:
-        cambiaVigilancia();
-        glutPostRedisplay();
-        return true;
-    case GLUT_KEY_F5:
-        recargaProgramas();
-        glutPostRedisplay();
-        return true;
-    case GLUT_KEY_F11: glutFullScreenToggle(); return true;
-    case GLUT_KEY_F12:
-        pideCaptura();
-        glutPostRedisplay();
-        return true;
+    case GLUT_KEY_F1: cambiaAyuda(); break;
+    case GLUT_KEY_F2: cambiaPuntero(); break;
+    case GLUT_KEY_F3: cambiaVigilancia(); break;
+    case GLUT_KEY_F5: recargaProgramas(); break;
+    case GLUT_KEY_F11: glutFullScreenToggle(); break;
+    case GLUT_KEY_F12: pideCaptura(); break;
     default: return false;
     }
+    glutPostRedisplay();
+    return true;
 }

@@ -54,8 +54,6 @@ public:
     ~EnLaVentana() {
         glViewport(panel[0], panel[1], panel[2], panel[3]);
     }
-    EnLaVentana(const EnLaVentana &) = delete;
-    EnLaVentana &operator=(const EnLaVentana &) = delete;
 };
 
 std::vector<std::string> separa(const std::string &texto, const std::string &separador) {
@@ -97,12 +95,11 @@ std::vector<std::string> parte(const std::string &texto, int letras) {
     return lineas;
 }
 
-// Tapa la imagen a medias: el atlas vale 0 en su esquina, y encima.frag le suma ½.
+// Tapa el 85 % de la imagen: el atlas vale 0 en su esquina, y encima.frag le suma ½.
 void pintaVelo() {
-    const float cuanto = 0.85f;
     const VerticePintado a{{-1, -1, 0}, {0, 0}}, b{{1, -1, 0}, {0, 0}}, c{{1, 1, 0}, {0, 0}},
         d{{-1, 1, 0}, {0, 0}};
-    pintaEncima({"velo", OSCURO, 0, {}, ""}, {a, b, c, a, c, d}, {{OSCURO, 0.5f - cuanto, 1}}, false);
+    pintaEncima({"velo", OSCURO, 0, {}, ""}, {a, b, c, a, c, d}, {{OSCURO, -0.35f, 1}}, false);
 }
 
 std::vector<std::string> controles() {
@@ -181,9 +178,6 @@ void vigila(int vuelta) {
         return;
     if (hanCambiadoLosShaders()) {
         estado.errores = recargaProgramas();
-        const std::string raya = "—", punto = "·"; // la raya no está en letra.h
-        for (std::size_t i; (i = estado.errores.find(raya)) != std::string::npos;)
-            estado.errores.replace(i, raya.size(), punto);
         glutPostRedisplay();
     }
     glutTimerFunc(MS_VIGILA, vigila, vuelta);

@@ -7,7 +7,7 @@
 
 constexpr std::u32string_view SIGNOS =
     U" !\"#$%&'()*+,-./0123456789:;<=>?@ABCDEFGHIJKLMNOPQRSTUVWXYZ[\\]^_`abcdefghijklmnopqrstuvwxyz{|}~"
-    U"¡«°±²³·º»¿ÁÉÍÑÓÚÜ×áéíñóúü÷ΓΔΘΛΠΣΦΨΩαβγδεθλμπρσφψω′″…←↑→↓−√∞≈≠≤≥ᵀ⁻¹⎡⎢⎣⎤⎥⎦□";
+    U"¡«°±²³·º»¿ÁÉÍÑÓÚÜ×áéíñóúü÷ΓΔΘΛΠΣΦΨΩαβγδεθλμπρσφψω′″…←↑→↓−√∞≈≠≤≥ᵀ⁻¹⎡⎢⎣⎤⎥⎦—□";
 
 // En texels. La letra es DejaVu Sans Mono Bold.
 constexpr int CUADRATIN = 32,

@@ -6,9 +6,9 @@
 namespace sin_ventana {
 
 /// Crea un contexto OpenGL 3.1 de ancho × alto y lo hace actual; termina con un mensaje si no puede.
-/// Sin `profundidad` o `plantilla` el framebuffer no tiene esos buffers, como en una ventana. Las `muestras` solo las
-/// puede dar el navegador.
-void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool muestras);
+/// Sin `profundidad` o `plantilla` el framebuffer no tiene esos buffers, como en una ventana. Las `muestras` las dan el
+/// navegador y, si está LAB_SUAVIZA en el entorno, EGL. Devuelve las que tiene cada píxel al leerlo, o 0.
+int creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool muestras);
 
 /// Cambia el tamaño del framebuffer; los objetos del contexto se conservan, su contenido no.
 void cambiaTallaContexto(int ancho, int alto);

@@ -44,7 +44,7 @@ void abrePantalla() {
 
 } // namespace
 
-void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool) {
+int creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool muestras) {
     limitaMesa();
     // en un pbuffer, el rasterizador lineal de llvmpipe descoloca los componentes de los rectángulos lisos y pequeños
     setenv("LP_PERF", "no_rast_linear", 0);
@@ -58,6 +58,7 @@ void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool) {
                                 EGL_ALPHA_SIZE, 8,
                                 EGL_DEPTH_SIZE, profundidad ? 24 : 0,
                                 EGL_STENCIL_SIZE, plantilla ? 8 : 0,
+                                EGL_SAMPLES, muestras && std::getenv("LAB_SUAVIZA") ? 4 : 0,
                                 EGL_NONE};
     // clang-format on
     // EGL ofrece primero las de más bits por componente: hay que buscar la de 8 exactos
@@ -75,6 +76,9 @@ void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool) {
     if (contexto == EGL_NO_CONTEXT)
         fallaEgl("no puede crear un contexto OpenGL 3.1");
     cambiaTallaContexto(ancho, alto);
+    EGLint suyas = 0;
+    eglGetConfigAttrib(pantalla, configuracion, EGL_SAMPLES, &suyas);
+    return suyas;
 }
 
 void cambiaTallaContexto(int ancho, int alto) {

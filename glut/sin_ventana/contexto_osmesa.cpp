@@ -19,7 +19,7 @@ const long long MAXIMO_PERDIDOS = 8 << 20, MAXIMO_HOLGURA = 16 << 20; // píxele
 long long pixelesPerdidos = 0;
 } // namespace
 
-void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool) {
+int creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool) {
     limitaMesa();
     // clang-format off
     const int atributos[] = {OSMESA_FORMAT, OSMESA_RGBA,
@@ -34,6 +34,7 @@ void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool) {
     if (!contexto)
         falla("OSMesa no puede crear un contexto OpenGL 3.1");
     cambiaTallaContexto(ancho, alto);
+    return 0;
 }
 
 // OSMesa no libera el framebuffer que deja. Cuando lo perdido ya es mucho se sigue en el mismo, si la ventana cabe en

@@ -15,7 +15,7 @@ EMSCRIPTEN_WEBGL_CONTEXT_HANDLE contexto = 0;
 
 } // namespace
 
-void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool muestras) {
+int creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool muestras) {
     // clang-format off
     EM_ASM({ specialHTMLTargets["!canvas"] = Module["canvas"]; });
     const bool suaviza = EM_ASM_INT({ return Module["suavizado"] ? 1 : 0; });
@@ -33,6 +33,7 @@ void creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool mu
     contexto = emscripten_webgl_create_context(LIENZO, &atributos);
     if (contexto <= 0 || emscripten_webgl_make_context_current(contexto) != EMSCRIPTEN_RESULT_SUCCESS)
         falla("este navegador no da WebGL 2");
+    return 0; // las que haya, las promedia él al leer
 }
 
 void cambiaTallaContexto(int ancho, int alto) {

@@ -1,12 +1,12 @@
 #include "captura.h"
+#include "contexto.h"
 #include "encima.h"
 #include "error.h"
-#include "imagen.h"
-#include "texto.h"
-#include "contexto.h"
 #include "glut_sin_ventana.h"
 #include "guion.h"
+#include "imagen.h"
 #include "interior.h"
+#include "texto.h"
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -38,6 +38,7 @@ struct {
     Talla talla = {300, 300}, tallaPrevia, pideTalla; // 0×0: ninguna
     unsigned modo = GLUT_RGBA;
     bool iniciado = false, ayuda = false, abierta = false, repinta = false, termina = false, completa = false;
+    int muestras = 0;
     bool pideCompleta = false;
     Punto puntero;
     bool ratonDentro = false, pulsado[BOTON_MAXIMO + 1] = {};
@@ -405,8 +406,8 @@ int glutCreateWindow(const char *titulo) {
         std::exit(0);
     if (g.abierta)
         falla("glut_sin_ventana solo tiene una ventana");
-    creaContexto(g.talla.ancho, g.talla.alto, (g.modo & GLUT_DEPTH) != 0, (g.modo & GLUT_STENCIL) != 0,
-                 (g.modo & GLUT_MULTISAMPLE) != 0);
+    g.muestras = creaContexto(g.talla.ancho, g.talla.alto, (g.modo & GLUT_DEPTH) != 0,
+                              (g.modo & GLUT_STENCIL) != 0, (g.modo & GLUT_MULTISAMPLE) != 0);
     ponTituloVentana(titulo);
     g.abierta = true;
     g.repinta = true;
@@ -492,7 +493,7 @@ int glutGet(GLenum que) {
     case GLUT_WINDOW_DOUBLEBUFFER: return (g.modo & GLUT_DOUBLE) != 0;
     case GLUT_WINDOW_DEPTH_SIZE: return g.modo & GLUT_DEPTH ? 24 : 0;
     case GLUT_WINDOW_STENCIL_SIZE: return g.modo & GLUT_STENCIL ? 8 : 0;
-    case GLUT_WINDOW_NUM_SAMPLES: return 0; // aunque se pida GLUT_MULTISAMPLE
+    case GLUT_WINDOW_NUM_SAMPLES: return g.muestras;
     case GLUT_INIT_STATE: return g.iniciado;
     case GLUT_VERSION: return VERSION_IMITADA;
     default: noEsta("glutGet", que);

@@ -18,7 +18,7 @@
 // Se aparta de FreeGLUT en que
 // - hay una sola ventana, y sin pantalla no tiene posición, título (salvo en la web) ni cursor: llamarlas no hace nada;
 // - la pantalla completa es de 1920×1080 y mide 0 mm, por lo que se sabe que no la hay;
-// - la ventana no tiene muestras aunque se pida GLUT_MULTISAMPLE;
+// - la ventana no tiene muestras aunque se pida GLUT_MULTISAMPLE, salvo con EGL y LAB_SUAVIZA en el entorno;
 // - la función de glutIdleFunc se llama una vez tras cada orden del guion, después de dibujar lo que ella pida;
 // - un temporizador de 0 ms espera 1 ms;
 // - las teclas modificadoras no se ven;
