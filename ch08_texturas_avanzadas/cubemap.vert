@@ -11,7 +11,7 @@ out vec3 haciaPunto, normal, reflexion;
 void main() {
     haciaPunto = (M * vec4(posicion, 1.0)).xyz - ojo;
     normal = normalize(N * vNormal);
-    // L8.1: la reflexión, en el vértice, de la dirección en que se le mira
+    // L8.1: la reflexión, en el vértice, de la dirección en que se le mira, sin hacerla unitaria: se interpola
     reflexion = reflect(haciaPunto, normal);
     // de partida: reflexion = normal;
     // fin de L8.1

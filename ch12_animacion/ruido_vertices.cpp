@@ -24,7 +24,7 @@
 #include <glm/gtc/constants.hpp>
 
 static const double PERIODO = 5; // segundos
-static const float S1 = 1, PASO_S2 = 0.1f, S2_MAXIMA = 0.8f;
+static const float S1 = 2, PASO_S2 = 0.1f, S2_MAXIMA = 0.8f;
 static const float RADIO = 1, RADIO_TUBO = 0.42f; // el del tubo, como en ruido_vertices.vert
 static const struct {
     const char *nombre;
@@ -35,7 +35,7 @@ static struct {
     GLuint programa, textura;
     Buferes toro;
     Modos modos = {2};
-    float S2 = 0.6f;
+    float S2 = 0.3f;
     Orbita orbita = {-0.3f, 0.35f, 10};
     Reloj reloj;
 } estado;
