@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { renameSync } from 'node:fs';
-import { dosVeces, seBusca, seCopia, sonDelNavegador } from './comun.mjs';
+import { seBusca, seCopia, sonDelNavegador } from './comun.mjs';
 import { ABRE, CASOS, espera } from './navegador.mjs';
 
 const ROJO_VERDE_AZUL_BLANCO = Buffer.concat([Buffer.from('P6\n2 2\n255\n'),
@@ -393,18 +393,6 @@ const pagina = {
       await p.exige(lleva, lleva => una(lleva).checkVisibility(), lleva);
       await p.esParaTodos();
     }
-  },
-
-  'cada botón, dos veces': async p => {
-    await p.abre('#menu');
-    await p.acaba('el editor', () => editor.ruta);
-    await dosVeces(p, [['.programas summary', () => una('.programas').open, true, false],
-      ['.explica', () => una('.explica').ariaPressed, 'true', 'false'],
-      ['.enlace', () => /^(Enlace copiado|El enlace está)/.test(aviso), true, true],
-      ['.pestanas button:last-child', () => una('.pestanas [aria-pressed=true]:last-child') !== null, true, true],
-      ['.casos-botones button:last-child', () => location.hash === '#' + visto.programa.casos.at(-1).fichero, true,
-        true],
-      ['.explica-cuadro', () => Boolean(una('.explicacion > h2')?.checkVisibility()), true, true]]);
   },
 };
 
