@@ -91,7 +91,6 @@ static void mideDibujando(const Variantes &variante, const Framebuffer &framebuf
 }
 
 static void mideSeleccion(Medidor &m) {
-    abreContexto();
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_DITHER);
     const int ancho = m.elige(96, 960), alto = m.elige(72, 720);
