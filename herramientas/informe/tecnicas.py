@@ -8,7 +8,7 @@ from pathlib import Path
 
 from base.procesos import Fallo, ejecuta, en_png, escribe
 from informe import grafica
-from informe.cocientes import cociente, mas_lento
+from informe.cocientes import mas_lento
 
 CABECERA = "variante\tgrupo\terror\tnota\ttiempo en cada ronda"
 
@@ -42,17 +42,6 @@ class Tecnica:
     por_que: str
     variantes: list = field(default_factory=list)
     imagenes: list = field(default_factory=list)
-
-    @property
-    def frente_a_pares(self):
-        """(par, elegida, Cociente de lo que tarda el par entre lo que tarda la elegida, cuántas veces se equivoca)."""
-        return [
-            (par, v, cociente(par.tiempos, v.tiempos), par.error / v.error if v.error else math.nan)
-            for par in self.variantes
-            if par.par
-            for v in self.variantes
-            if v.elegida and v.grupo == par.grupo
-        ]
 
     @property
     def elegida_fuera(self):
