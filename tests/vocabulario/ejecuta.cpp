@@ -1,7 +1,6 @@
 #include "ejecuta.h"
 #include "oraculo/compara.h"
 #include "prueba.h"
-#include <cerrno>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -29,7 +28,6 @@ void fijaEntorno() {
         const std::size_t igual = linea.find('=');
         setenv(linea.substr(0, igual).c_str(), linea.substr(igual + 1).c_str(), 0);
     }
-    setenv("LAB_LEIDOS", (std::string(LAB_BUILD "/leidos/") + program_invocation_short_name).c_str(), 0);
 }
 
 /// Se borra con el proceso que la hizo; los que EXPECT_EXIT desdobla también terminan, y no deben tocarla.
