@@ -138,8 +138,8 @@ class Laboratorio:
         objetivos = [f"{p.objetivo}_{enlace}" for p in elegidos for enlace in (self.sin_ventana, *enlaces)]
         if not elegidos[0].raices:
             self.t.compila_para_usar(*objetivos)
-        elif not self.t.compila(self.build, *objetivos):
-            self.t.no_sale(f"{elegidos[0].capitulo.nombre} no compila")
+        else:
+            self.t.compila(self.build, *objetivos, si_no=f"{elegidos[0].capitulo.nombre} no compila")
 
     # --- ver ----------------------------------------------------------------------------------------------------------
 
@@ -267,8 +267,7 @@ class Laboratorio:
         os.environ["NODE_PATH"] = "/usr/share/nodejs"  # em++ busca ahí acorn
         en = self.build / "web"
         self.t.configura("web", en)
-        if not self.t.compila(en, "laboratorio", "explica"):
-            self.t.no_sale("no compila")
+        self.t.compila(en, "laboratorio", "explica")
         self.pasa_a("web.pagina", self.raiz, en, self.t.galeria, self.t.web)
 
     def windows(self, _):
@@ -289,8 +288,7 @@ class Laboratorio:
             raise SystemExit(estado)
         en = self.build / "windows/programas"
         self.t.configura("windows", en)
-        if not self.t.compila(en, "programas"):
-            self.t.no_sale("no compila")
+        self.t.compila(en, "programas")
 
     # --- medidas y listas ---------------------------------------------------------------------------------------------
 
@@ -300,7 +298,9 @@ class Laboratorio:
         self.prepara()
         if que.docs:
             return self.hace("documentos.escribe", self.raiz, self.build, "escribe")
-        self.pasa_a("base.catalogo", self.build, "lista", *(["--tsv"] if que.tsv else []))
+        formato = "{}\t{}\t{}\t{}" if que.tsv else "{:<22} {:<22} {:<14} {}"
+        for p in catalogo.lee_programas(self.build):
+            print(formato.format(p.capitulo.nombre, p.nombre, p.ref, p.titulo))
 
     def mide(self, que):
         """Cronometra las técnicas y los programas y deja informe/index.html: velocidad frente a error. Con --ensayo
@@ -327,8 +327,7 @@ class Laboratorio:
             self.compila_windows()
         # se configura siempre: lo que se acaba de instalar puede añadir pruebas
         self.t.configura(preset, en, "-DLAB_AVISOS_SON_ERRORES=ON")
-        if not self.t.compila(en, "all"):
-            self.t.no_sale("no compila")
+        self.t.compila(en, "all")
         if que.apunta:
             estado = self.hace("pruebas.evidencia", self.raiz, en)
             return estado or self.hace("documentos.escribe", self.raiz, en, "escribe")
@@ -422,7 +421,7 @@ class Laboratorio:
         self.t.suelta()  # mientras se puede seguir trabajando: los mutantes tienen su carpeta, con su cerrojo
         mutantes = self.build / "mutantes"
         self.t.cierra(mutantes)
-        self.pasa_a("pruebas.muta", self.raiz, mutantes, *que.resto)
+        self.pasa_a("pruebas.muta", self.raiz, mutantes, que.azar, que.semilla, int(que.comprueba), *que.resto)
 
     # --- lo que no compila --------------------------------------------------------------------------------------------
 
@@ -460,7 +459,7 @@ ORDENES = {
     "paquetes": "",
     "completa": "",
 }
-LIBRES = "nuevo", "corrige", "ejercicio", "mide", "muta"
+LIBRES = "nuevo", "corrige", "ejercicio", "mide"
 NECESITAN_PRUEBAS = "prueba", "dora", "muta"
 OTRAS = {"ayuda": "--help", "help": "--help", "-h": "--help", "galería": "galeria", "test": "prueba", "tests": "prueba"}
 
@@ -476,6 +475,11 @@ def analizador(orden):
     elif orden == "dora":
         a.add_argument("--mira", action="store_true", help="los dibuja aparte y los enseña")
         a.add_argument("resto", nargs="*", metavar="CASO")
+    elif orden == "muta":
+        a.add_argument("--azar", type=int, default=0, metavar="N", help="tantos, en líneas al azar")
+        a.add_argument("--semilla", type=int, default=1, metavar="S", help="con que se eligen")
+        a.add_argument("--comprueba", action="store_true", help="solo si se pueden plantar los de las listas")
+        a.add_argument("resto", nargs="*", metavar="QUÉ")
     elif orden == "lista":
         cual = a.add_mutually_exclusive_group()
         cual.add_argument("--tsv", action="store_true", help="entre tabuladores")

@@ -40,16 +40,6 @@ def ejecuta(orden, **opciones):
         raise Fallo(str(fallo).splitlines()[0]) from None
 
 
-def compila(build):
-    """Los programas, según quedan enlazados. Lo que diga el compilador, en stderr, y todo en BUILD/compila.log."""
-    with open(build / "compila.log", "w") as registro:
-        for linea in procesos.lineas(["cmake", "--build", build, "--target", "sin_ventana"]):
-            registro.write(linea)
-            if enlazado := re.match(r"\[\d+/\d+\] Linking CXX executable (\S+)$", linea):
-                yield build / enlazado[1]
-            Taller.ensena(linea)
-
-
 def lo_suyo(escrito, con_diario=False):
     """De lo que escribe un programa con -titulos, el último título y lo demás; con -diario, solo lo de la última orden
     que haya escrito algo: lo que dice al empezar es de otra imagen."""
@@ -71,7 +61,6 @@ class Galeria:
         self.programas = [p for capitulo in capitulos for p in capitulo.programas]
         self.registro = destino / ".hecho.json"
         self.turno, self.escrita, self.dibujados = threading.Lock(), 0, 0
-        self.lleno = ""  # lo que no ha cabido: no merece la pena seguir
         try:
             self.hecho = json.loads(self.registro.read_text())
         except (OSError, ValueError):
@@ -149,8 +138,6 @@ class Galeria:
         """Todos los casos de un programa, y cuenta lo que ha hecho; cada caso recuerda su fallo."""
         hechas = 0
         for caso in programa.casos:
-            if self.lleno:
-                return
             try:
                 hechas += self.dibuja(programa, caso, temporal)
             except Fallo as fallo:
@@ -158,8 +145,6 @@ class Galeria:
             except OSError as error:
                 caso.fallo = f"{error.filename or caso.imagen}: {procesos.motivo(error)}"
             caso.hecho = True
-            if procesos.SIN_SITIO in (caso.fallo or ""):
-                self.lleno = caso.fallo
         fallos = [f"{caso.fichero} ha fallado: {caso.fallo}" for caso in programa.casos if caso.fallo]
         hecho = f"{hechas} {'imagen' if hechas == 1 else 'imágenes'}" if hechas else "sin cambios"
         with self.turno:
@@ -181,8 +166,9 @@ class Galeria:
             with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(os.cpu_count()) as hilos:
                 trabajos = []
                 try:
-                    for enlazado in compila(self.build):
-                        if programa := por_compilar.pop(enlazado, None):
+                    for linea in Taller.compilando(self.build, "sin_ventana"):
+                        enlazado = re.match(r"\[\d+/\d+\] Linking CXX executable (\S+)$", linea)
+                        if programa := enlazado and por_compilar.pop(self.build / enlazado[1], None):
                             trabajos.append(hilos.submit(self.dibuja_programa, programa, Path(temporal)))
                 except Fallo:
                     hilos.shutdown(cancel_futures=True)
@@ -190,8 +176,6 @@ class Galeria:
                 trabajos += [hilos.submit(self.dibuja_programa, p, Path(temporal)) for p in por_compilar.values()]
                 for trabajo in trabajos:
                     trabajo.result()
-            if self.lleno:
-                raise Fallo(self.lleno)
         finally:
             escribe(self.registro, json.dumps(self.hecho, ensure_ascii=False))
 
