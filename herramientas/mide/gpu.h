@@ -1,5 +1,5 @@
-// Dibujar en la GPU para medir, en el contexto que abre mide.cpp: un framebuffer con profundidad y lo que se ha dibujado
-// en él.
+// Dibujar en la GPU para medir, en el contexto que abre mide.cpp: un framebuffer con profundidad y lo que se ha
+// dibujado en él.
 #pragma once
 #include "ch09_imagen/imagen_en_ventana.h"
 #include "mide.h"
