@@ -116,6 +116,7 @@ class Programa:
     admite: str = dice("(modelo|imagen|imagenes)?", "modelo, imagen o imagenes (dos): lo que se le da")
     consola: bool = dice(bool, "true, si escribe texto y no tiene imagen")
     casos: list = field(default_factory=list)
+    raices = ()  # dónde busca sus ficheros antes que en el laboratorio
 
     @property
     def referencias(self):
@@ -129,11 +130,6 @@ class Programa:
     @property
     def fuente(self):
         return self.carpeta / f"{self.nombre}.cpp"
-
-    @property
-    def raices(self):
-        """Dónde busca sus ficheros antes que en el laboratorio."""
-        return []
 
     @property
     def objetivo(self):

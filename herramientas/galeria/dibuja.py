@@ -27,17 +27,9 @@ from galeria.pagina import PaginaGaleria
 TALLA, PROYECTADA, ANIMADA = "1440x1080", "1280x960", "480x360"
 RITMO = "100"  # ms de cada cuadro; los pasa también proyector.mjs
 WEBP = "-q", "80", "-m", "4"
-SEGUNDOS = 300  # un programa que no acaba no detiene la galería
 CADA = 4  # segundos entre una página a medias y la siguiente
 NO_COMPILA = 3
-
-
-def ejecuta(orden, **opciones):
-    """Del mensaje de un programa que falla, la primera línea."""
-    try:
-        return procesos.ejecuta(orden, timeout=SEGUNDOS, **opciones)
-    except Fallo as fallo:
-        raise Fallo(str(fallo).splitlines()[0]) from None
+ejecuta = functools.partial(procesos.ejecuta, timeout=300)  # un programa que no acaba no detiene la galería
 
 
 def lo_suyo(escrito, con_diario=False):
@@ -141,7 +133,7 @@ class Galeria:
             try:
                 hechas += self.dibuja(programa, caso, temporal)
             except Fallo as fallo:
-                caso.fallo = str(fallo)
+                caso.fallo = str(fallo).splitlines()[0]
             except OSError as error:
                 caso.fallo = f"{error.filename or caso.imagen}: {procesos.motivo(error)}"
             caso.hecho = True

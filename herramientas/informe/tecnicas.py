@@ -49,20 +49,18 @@ class Tecnica:
 
 
 def lee_variantes(fichero):
-    """Una fila por variante, con cinco columnas: si no, el TSV está mal formado."""
+    """Una fila por variante; si no, el TSV está mal formado."""
     variantes = []
     for fila in fichero.read_text().splitlines():
-        campos = fila.split("\t")
-        if len(campos) != 5 or "" in campos:
-            raise Fallo(f"{fichero.name}: una fila no tiene cinco columnas: «{fila}»")
-        grupo, nota = ("" if c == "-" else c for c in (campos[1], campos[3]))
-        v = Variante(campos[0], grupo, float(campos[2]), nota, [float(t) for t in campos[4].split(" ")])
-        son_tiempos = all(0 < t < math.inf for t in v.tiempos)
-        if not son_tiempos or v.error < 0 or len(v.tiempos) != len((variantes or [v])[0].tiempos):
-            raise Fallo(f"{fichero.name}: los números de «{v.nombre}» no tienen sentido")
-        variantes.append(v)
-    if len({v.nombre for v in variantes}) != len(variantes) or not variantes:
-        raise Fallo(f"{fichero.name}: hay variantes repetidas o ninguna")
+        try:
+            nombre, grupo, error, nota, tiempos = ("" if campo == "-" else campo for campo in fila.split("\t"))
+            variantes.append(Variante(nombre, grupo, float(error), nota, [float(t) for t in tiempos.split()]))
+        except ValueError:
+            raise Fallo(f"{fichero.name}: no entiendo «{fila}»") from None
+    son_numeros = all(not v.error < 0 and all(0 < t < math.inf for t in v.tiempos) for v in variantes)
+    rondas, nombres = {len(v.tiempos) for v in variantes}, {v.nombre for v in variantes}
+    if not son_numeros or len(rondas) != 1 or len(nombres) != len(variantes):
+        raise Fallo(f"{fichero.name}: sus números no tienen sentido, o hay variantes repetidas o ninguna")
     return variantes
 
 

@@ -71,38 +71,22 @@ def es_de(prueba, capitulos):
     return not capitulos or capitulo(prueba) in capitulos or prueba.startswith("dificil_")
 
 
-def lee_listas(raiz):
-    """Todos: los de un estudiante y los de las pruebas."""
-    return lee(raiz / "herramientas/ejercicios/errores", raiz / "tests/mutantes")
-
-
-def comprueba(raiz, mutantes, fallos):
-    """Que cada mutante se puede aplicar y que los shaders estropeados compilan."""
+def comprueba(raiz, mutantes):
+    """De cada fichero, lo primero que impide plantar los suyos; un shader estropeado que no compila lo notaría
+    cualquiera."""
     for fichero, grupo in por_fichero(mutantes).items():
         try:
-            fuente = (raiz / fichero).read_text()
-        except OSError as error:
-            fallos.append(f"{grupo[0].nombre}: no puedo leer {fichero}: {error.strerror}")
-            continue
-        buenos, primero = [], {}
-        for m in grupo:
-            try:
+            fuente, primero = (raiz / fichero).read_text(), {}
+            for m in grupo:
                 otro = primero.setdefault((m.sitio(fuente), m.estropeado), m)
-                buenos.append(m)
                 if otro != m:
-                    fallos.append(f"{m.nombre}: es el mismo que {otro.nombre}")
-            except ValueError as error:
-                fallos.append(f"{m.nombre}: {error}")
-        if grupo[0].en_shader:
-            for m in buenos:
-                # si no, cualquiera lo notaría
-                fallos += [f"{m.nombre}: {dice}" for dice in no_compila_glsl(raiz, m.fichero, estropea(fuente, m))]
-            continue
-        try:
-            cambia(fuente, buenos)
-        except ValueError as error:
-            fallos.append(f"{fichero}: {error}")
-    return fallos
+                    yield f"{m.nombre}: es el mismo que {otro.nombre}"
+                if m.en_shader:
+                    yield from (f"{m.nombre}: {d}" for d in no_compila_glsl(raiz, fichero, estropea(fuente, m)))
+            if not grupo[0].en_shader:
+                cambia(fuente, grupo)
+        except (OSError, ValueError) as error:
+            yield f"{fichero}: {error}"
 
 
 def no_compila_glsl(raiz, fichero, estropeado):
@@ -311,8 +295,9 @@ def main():
     raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
     cuantos, semilla, solo_comprueba = map(int, sys.argv[3:6])
     pedidos = sys.argv[6:]
-    todos, fallos = ([], []) if cuantos else lee_listas(raiz)
-    fallos = comprueba(raiz, todos, fallos)
+    listas = raiz / "herramientas/ejercicios/errores", raiz / "tests/mutantes"  # los de un estudiante y los demás
+    todos, fallos = lee(*() if cuantos else listas)
+    fallos += comprueba(raiz, todos)
     if fallos:
         sys.exit("\n".join([*fallos, "muta: la lista de mutantes tiene errores"]))
     if solo_comprueba:
