@@ -89,16 +89,9 @@ class Laboratorio:
         orden = [str(palabra) for palabra in modulo(nombre, *palabras)]
         os.execv(orden[0], orden)
 
-    def hace(self, nombre, *palabras, **opciones):
+    def hace(self, nombre, *palabras):
         """Lo hace ese módulo, y con qué estado acaba."""
-        return corre(modulo(nombre, *palabras), **opciones)
-
-    def dice(self, nombre, *palabras, cwd=None):
-        """Lo que escribe ese módulo; lo que avise va a stderr, y si acaba mal, se acaba."""
-        hecho = procesos.lanza(modulo(nombre, *palabras), cwd=cwd or self.donde, text=True, stderr=None)
-        if hecho.returncode:
-            raise SystemExit(hecho.returncode)
-        return hecho.stdout.strip()
+        return corre(modulo(nombre, *palabras))
 
     @property
     def sin_ventana(self):
@@ -233,8 +226,11 @@ class Laboratorio:
 
     def con_su_programa(self, quien, palabras, *objetivos):
         """Lo que haya que compilar depende del ejercicio, que lo sabe quien lo hace."""
-        programas = self.dice(quien, self.raiz, self.build, "--programa", *palabras).split()
-        self.t.compila_para_usar(*objetivos, *(f"{p}_{self.sin_ventana}" for p in programas))
+        pregunta = modulo(quien, self.raiz, self.build, "--programa", *palabras)
+        dice = procesos.lanza(pregunta, cwd=self.donde, text=True, stderr=None)  # lo que avise, a stderr
+        if dice.returncode:
+            raise SystemExit(dice.returncode)
+        self.t.compila_para_usar(*objetivos, *(f"{p}_{self.sin_ventana}" for p in dice.stdout.split()))
         self.t.suelta()  # cada corrección es independiente
         os.chdir(self.donde)
         self.pasa_a(quien, self.raiz, self.build, *palabras)
