@@ -89,16 +89,9 @@ class Laboratorio:
         orden = [str(palabra) for palabra in modulo(nombre, *palabras)]
         os.execv(orden[0], orden)
 
-    def hace(self, nombre, *palabras, **opciones):
+    def hace(self, nombre, *palabras):
         """Lo hace ese módulo, y con qué estado acaba."""
-        return corre(modulo(nombre, *palabras), **opciones)
-
-    def dice(self, nombre, *palabras, cwd=None):
-        """Lo que escribe ese módulo; lo que avise va a stderr, y si acaba mal, se acaba."""
-        hecho = procesos.lanza(modulo(nombre, *palabras), cwd=cwd or self.donde, text=True, stderr=None)
-        if hecho.returncode:
-            raise SystemExit(hecho.returncode)
-        return hecho.stdout.strip()
+        return corre(modulo(nombre, *palabras))
 
     @property
     def sin_ventana(self):
@@ -138,8 +131,8 @@ class Laboratorio:
         objetivos = [f"{p.objetivo}_{enlace}" for p in elegidos for enlace in (self.sin_ventana, *enlaces)]
         if not elegidos[0].raices:
             self.t.compila_para_usar(*objetivos)
-        elif not self.t.compila(self.build, *objetivos):
-            self.t.no_sale(f"{elegidos[0].capitulo.nombre} no compila")
+        else:
+            self.t.compila(self.build, *objetivos, si_no=f"{elegidos[0].capitulo.nombre} no compila")
 
     # --- ver ----------------------------------------------------------------------------------------------------------
 
@@ -233,8 +226,11 @@ class Laboratorio:
 
     def con_su_programa(self, quien, palabras, *objetivos):
         """Lo que haya que compilar depende del ejercicio, que lo sabe quien lo hace."""
-        programas = self.dice(quien, self.raiz, self.build, "--programa", *palabras).split()
-        self.t.compila_para_usar(*objetivos, *(f"{p}_{self.sin_ventana}" for p in programas))
+        pregunta = modulo(quien, self.raiz, self.build, "--programa", *palabras)
+        dice = procesos.lanza(pregunta, cwd=self.donde, text=True, stderr=None)  # lo que avise, a stderr
+        if dice.returncode:
+            raise SystemExit(dice.returncode)
+        self.t.compila_para_usar(*objetivos, *(f"{p}_{self.sin_ventana}" for p in dice.stdout.split()))
         self.t.suelta()  # cada corrección es independiente
         os.chdir(self.donde)
         self.pasa_a(quien, self.raiz, self.build, *palabras)
@@ -267,8 +263,7 @@ class Laboratorio:
         os.environ["NODE_PATH"] = "/usr/share/nodejs"  # em++ busca ahí acorn
         en = self.build / "web"
         self.t.configura("web", en)
-        if not self.t.compila(en, "laboratorio", "explica"):
-            self.t.no_sale("no compila")
+        self.t.compila(en, "laboratorio", "explica")
         self.pasa_a("web.pagina", self.raiz, en, self.t.galeria, self.t.web)
 
     def windows(self, _):
@@ -289,8 +284,7 @@ class Laboratorio:
             raise SystemExit(estado)
         en = self.build / "windows/programas"
         self.t.configura("windows", en)
-        if not self.t.compila(en, "programas"):
-            self.t.no_sale("no compila")
+        self.t.compila(en, "programas")
 
     # --- medidas y listas ---------------------------------------------------------------------------------------------
 
@@ -300,7 +294,9 @@ class Laboratorio:
         self.prepara()
         if que.docs:
             return self.hace("documentos.escribe", self.raiz, self.build, "escribe")
-        self.pasa_a("base.catalogo", self.build, "lista", *(["--tsv"] if que.tsv else []))
+        formato = "{}\t{}\t{}\t{}" if que.tsv else "{:<22} {:<22} {:<14} {}"
+        for p in catalogo.lee_programas(self.build):
+            print(formato.format(p.capitulo.nombre, p.nombre, p.ref, p.titulo))
 
     def mide(self, que):
         """Cronometra las técnicas y los programas y deja informe/index.html: velocidad frente a error. Con --ensayo
@@ -327,8 +323,7 @@ class Laboratorio:
             self.compila_windows()
         # se configura siempre: lo que se acaba de instalar puede añadir pruebas
         self.t.configura(preset, en, "-DLAB_AVISOS_SON_ERRORES=ON")
-        if not self.t.compila(en, "all"):
-            self.t.no_sale("no compila")
+        self.t.compila(en, "all")
         if que.apunta:
             estado = self.hace("pruebas.evidencia", self.raiz, en)
             return estado or self.hace("documentos.escribe", self.raiz, en, "escribe")
@@ -422,7 +417,7 @@ class Laboratorio:
         self.t.suelta()  # mientras se puede seguir trabajando: los mutantes tienen su carpeta, con su cerrojo
         mutantes = self.build / "mutantes"
         self.t.cierra(mutantes)
-        self.pasa_a("pruebas.muta", self.raiz, mutantes, *que.resto)
+        self.pasa_a("pruebas.muta", self.raiz, mutantes, que.azar, que.semilla, int(que.comprueba), *que.resto)
 
     # --- lo que no compila --------------------------------------------------------------------------------------------
 
@@ -460,7 +455,7 @@ ORDENES = {
     "paquetes": "",
     "completa": "",
 }
-LIBRES = "nuevo", "corrige", "ejercicio", "mide", "muta"
+LIBRES = "nuevo", "corrige", "ejercicio", "mide"
 NECESITAN_PRUEBAS = "prueba", "dora", "muta"
 OTRAS = {"ayuda": "--help", "help": "--help", "-h": "--help", "galería": "galeria", "test": "prueba", "tests": "prueba"}
 
@@ -476,6 +471,11 @@ def analizador(orden):
     elif orden == "dora":
         a.add_argument("--mira", action="store_true", help="los dibuja aparte y los enseña")
         a.add_argument("resto", nargs="*", metavar="CASO")
+    elif orden == "muta":
+        a.add_argument("--azar", type=int, default=0, metavar="N", help="tantos, en líneas al azar")
+        a.add_argument("--semilla", type=int, default=1, metavar="S", help="con que se eligen")
+        a.add_argument("--comprueba", action="store_true", help="solo si se pueden plantar los de las listas")
+        a.add_argument("resto", nargs="*", metavar="QUÉ")
     elif orden == "lista":
         cual = a.add_mutually_exclusive_group()
         cual.add_argument("--tsv", action="store_true", help="entre tabuladores")

@@ -1,11 +1,10 @@
 """El catálogo: los capítulos, con sus programas, con sus casos. Los hechos de cada uno están solo en el catalogo.toml
-de su capítulo, en el orden del libro; qué se dice de cada cosa, en CAMPOS. Solo se leen aquí: CMake pide al configurar
-lo que sale de ellos, y de ahí lo toman los demás. Un programa es chNN_…/nombre.cpp; su caso «base» da la imagen
+de su capítulo, en el orden del libro; cuáles son, en su clase (dice). Solo se leen aquí: CMake pide al configurar lo
+que sale de ellos, y de ahí lo toman los demás. Un programa es chNN_…/nombre.cpp; su caso «base» da la imagen
 <programa>, y los otros, <programa>-<nombre>.
 
 catalogo.py BUILD escribe RAÍZ    BUILD/catalogo.json, lo que leen las herramientas; BUILD/catalogo.cmake, qué programas
                                   hay, y BUILD/casos/PROGRAMA.sh, lo que de cada caso necesitan las pruebas
-catalogo.py BUILD lista [--tsv]   capítulo, programa, referencia y título
 catalogo.py BUILD cumple QUÉ…     de cada caso que se nombra (grua, grua-girada), o de todos, lo que cumple su imagen:
                                   capítulo, programa, imagen y afirmaciones, entre tabuladores
 """
@@ -15,7 +14,7 @@ import re
 import shlex
 import sys
 import unicodedata
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from pathlib import Path
 
 from base.procesos import Fallo, escribe, principal
@@ -27,39 +26,11 @@ except ImportError:  # es de Python 3.11
 
 NOMBRE, ALGO, NADA = r"[a-z0-9_]+", r"[^\n\t]+", r"[^\n\t]*"
 LADO = "(izquierda|derecha|abajo|arriba)"
-CAMPOS = {  # qué se dice de cada cosa, como expresión regular y con palabras; de [], varias, y de False, sí o no
-    "capítulo": {
-        "titulo": (ALGO, "un texto de un renglón"),
-        "portada": (NADA, "la imagen, de las suyas, que lo enseña; si no se dice, la primera"),
-    },
-    "programa": {
-        "nombre": (NOMBRE, "el de su fuente, con minúsculas sin acento, cifras y _"),
-        "ref": (ALGO, "qué es del libro: «L1.2 E3.5»"),
-        "titulo": (ALGO, "un texto de un renglón"),
-        "contra": (NADA, "con qué, que no salga de él, se compara"),
-        "pruebas": ([], "las de GoogleTest que lo hacen"),
-        "pasa": (NADA, "por qué se aparta de ello más de 2 niveles de 255"),
-        "captura": (NADA, "el pie de nombre.png, una captura de pantalla de lo que no pinta OpenGL"),
-        "admite": ("(modelo|imagen|imagenes)?", "modelo, imagen o imagenes (dos): lo que se le puede dar"),
-        "consola": (False, "true, si escribe texto y no tiene imagen"),
-    },
-    "caso": {
-        "nombre": (NOMBRE, "un nombre con minúsculas sin acento, cifras y _"),
-        "titulo": (r"[^\n\t]{0,40}", "cómo se enseña, con 40 letras como mucho"),
-        "guion": (NADA, "las órdenes que llevan a esa imagen"),
-        "mira": (ALGO, "una frase, a qué hay que mirar: es el pie de la imagen"),
-        "cumple": ([], "lo que dice el pie, para una prueba: es así en su golden y no en los demás"),
-        # por los demás lados la escena no llega al borde en una ventana de ninguna forma
-        "borde": (
-            f"((todos|{LADO}( {LADO})*): .+)?",
-            "«LADOS: por qué», por los que está cortada en una de alguna forma",
-        ),
-        "anima": ("([1-9][0-9]{0,2} .+)?", "«N orden»: N cuadros, a diez por segundo, y entre cada dos, esa orden"),
-        "tolerancia": (NADA, "la del comparador, si la imagen no es del mismo OpenGL que el golden"),
-        "otro": (NADA, "la de su --otro"),
-        "motivo": (NADA, "por qué hacen falta esas tolerancias"),
-    },
-}
+
+
+def dice(debe, son):
+    """Un hecho que está en los catálogos: cómo debe ser, como expresión regular o de qué tipo, y con palabras."""
+    return field(metadata={"debe": debe, "son": son}, default_factory=str if isinstance(debe, str) else debe)
 
 
 CLASES = {"listado": "l", "list": "l", "ejercicio": "e", "ej": "e", "figura": "f", "fig": "f", "tabla": "t"}
@@ -98,17 +69,18 @@ def juntas(palabras):
 @dataclass
 class Caso:
     programa: "Programa" = field(repr=False)
-    nombre: str
-    fichero: str  # el de su imagen, sin extensión
-    titulo: str = ""  # cómo se enseña
-    guion: str = ""
-    tolerancia: str = ""
-    otro: str = ""
-    mira: str = ""
-    cumple: list = field(default_factory=list)
-    borde: str = ""
-    anima: str = ""
-    motivo: str = ""
+    nombre: str = dice(NOMBRE, "un nombre con minúsculas sin acento, cifras y _")
+    fichero: str = ""  # el de su imagen, sin extensión
+    titulo: str = dice(r"[^\n\t]{0,40}", "cómo se enseña, con 40 letras como mucho")
+    guion: str = dice(NADA, "las órdenes que llevan a esa imagen")
+    mira: str = dice(ALGO, "una frase, a qué hay que mirar: es el pie de la imagen")
+    cumple: list = dice(list, "lo que dice el pie, para una prueba: es así en su golden y no en los demás")
+    # por los demás lados la escena no llega al borde en una ventana de ninguna forma
+    borde: str = dice(f"((todos|{LADO}( {LADO})*): .+)?", "«LADOS: por qué», por los que está cortada en una así")
+    anima: str = dice("([1-9][0-9]{0,2} .+)?", "«N orden»: N cuadros, a diez por segundo, y entre cada dos, esa orden")
+    tolerancia: str = dice(NADA, "la del comparador, si la imagen no es del mismo OpenGL que el golden")
+    otro: str = dice(NADA, "la de su --otro")
+    motivo: str = dice(NADA, "por qué hacen falta esas tolerancias")
     ventana: str = ""  # el título que le queda; lo que escribe el programa al llegar ahí, y por qué no se ha podido
     salida: str = ""
     fallo: str = ""
@@ -134,16 +106,17 @@ class Caso:
 @dataclass
 class Programa:
     capitulo: "Capitulo" = field(repr=False)
-    nombre: str
-    ref: str
-    titulo: str
-    contra: str = ""
-    pruebas: list = field(default_factory=list)
-    pasa: str = ""
-    captura: str = ""
-    admite: str = ""
-    consola: bool = False
+    nombre: str = dice(NOMBRE, "el de su fuente, con minúsculas sin acento, cifras y _")
+    ref: str = dice(ALGO, "qué es del libro: «L1.2 E3.5»")
+    titulo: str = dice(ALGO, "un texto de un renglón")
+    contra: str = dice(NADA, "con qué, que no salga de él, se compara")
+    pruebas: list = dice(list, "las de GoogleTest que lo hacen")
+    pasa: str = dice(NADA, "por qué se aparta de ello más de 2 niveles de 255")
+    captura: str = dice(NADA, "el pie de nombre.png, una captura de pantalla de lo que no pinta OpenGL")
+    admite: str = dice("(modelo|imagen|imagenes)?", "modelo, imagen o imagenes (dos): lo que se le da")
+    consola: bool = dice(bool, "true, si escribe texto y no tiene imagen")
     casos: list = field(default_factory=list)
+    raices = ()  # dónde busca sus ficheros antes que en el laboratorio
 
     @property
     def referencias(self):
@@ -157,11 +130,6 @@ class Programa:
     @property
     def fuente(self):
         return self.carpeta / f"{self.nombre}.cpp"
-
-    @property
-    def raices(self):
-        """Dónde busca sus ficheros antes que en el laboratorio."""
-        return []
 
     @property
     def objetivo(self):
@@ -186,8 +154,8 @@ class Programa:
 @dataclass
 class Capitulo:
     nombre: str
-    titulo: str
-    portada: str = ""  # la imagen que lo enseña, por su fichero
+    titulo: str = dice(ALGO, "un texto de un renglón")
+    portada: str = dice(NADA, "la imagen, de las suyas, que lo enseña; si no se dice, la primera")
     programas: list = field(default_factory=list)
 
     @property
@@ -204,21 +172,19 @@ class Capitulo:
 def vale(valor, debe):
     if isinstance(debe, str):
         return isinstance(valor, str) and re.fullmatch(debe, valor)
-    return type(valor) is type(debe) and all(vale(uno, ALGO) for uno in (valor if isinstance(valor, list) else ()))
+    return type(valor) is debe and all(vale(uno, ALGO) for uno in (valor if debe is list else ()))
 
 
-def hechos(donde, que, dichos):
+def hechos(donde, clase, dichos):
     """Lo que se dice de una cosa, entero y en su orden: vacío, lo que no está."""
-    for campo in dichos:
-        if campo not in CAMPOS[que]:
-            raise Fallo(f"{donde}: sobra «{campo}»: de cada {que} se dice {', '.join(CAMPOS[que])}")
-    todos = {
-        campo: dichos.get(campo, "" if isinstance(debe, str) else debe) for campo, (debe, _) in CAMPOS[que].items()
-    }
-    for campo, (debe, son) in CAMPOS[que].items():
-        if not vale(todos[campo], debe):
-            mal = f"{campo} no puede ser «{todos[campo]}»" if todos[campo] else f"falta {campo}"
-            raise Fallo(f"{donde}: {mal}: es {son}")
+    campos = {c.name: c for c in fields(clase) if c.metadata}
+    if sobran := [campo for campo in dichos if campo not in campos]:
+        raise Fallo(f"{donde}: sobra «{sobran[0]}»: de cada {clase.__name__.lower()} se dice {', '.join(campos)}")
+    todos = {campo: dichos.get(campo, como.default_factory()) for campo, como in campos.items()}
+    for campo, valor in todos.items():
+        if not vale(valor, campos[campo].metadata["debe"]):
+            mal = f"{campo} no puede ser «{valor}»" if valor else f"falta {campo}"
+            raise Fallo(f"{donde}: {mal}: es {campos[campo].metadata['son']}")
     return todos
 
 
@@ -239,11 +205,11 @@ def sin_repetir(donde, cosas, campo):
 def lee_casos(donde, programa, tablas_de_casos):
     casos = []
     for cual, dichos in tablas_de_casos:
-        caso = hechos(cual, "caso", dichos)
+        caso = hechos(cual, Caso, dichos)
         es_base = caso["nombre"] == "base"
         for campo, hace_falta in ("titulo", not es_base), ("motivo", caso["tolerancia"] or caso["otro"]):
             if hace_falta and not caso[campo]:
-                raise Fallo(f"{cual}: falta {campo}: es {CAMPOS['caso'][campo][1]}")
+                raise Fallo(f"{cual}: falta {campo}")
         casos.append({"fichero": programa if es_base else f"{programa}-{caso['nombre']}", **caso})
     sin_repetir(donde, casos, "nombre")
     sin_repetir(donde, casos, "titulo")
@@ -252,7 +218,7 @@ def lee_casos(donde, programa, tablas_de_casos):
 
 def lee_programa(donde, dichos):
     casos = tablas(donde, "caso", dichos)
-    programa = hechos(donde, "programa", dichos)
+    programa = hechos(donde, Programa, dichos)
     return {**programa, "casos": lee_casos(donde, programa["nombre"], casos)}
 
 
@@ -268,7 +234,7 @@ def lee_capitulos(raiz):
         except ValueError as error:  # también lo que no es UTF-8
             raise Fallo(f"{donde}: no es TOML: {error}") from None
         programas = [lee_programa(cual, suyos) for cual, suyos in tablas(donde, "programa", dichos)]
-        capitulos.append({"nombre": fichero.parent.name, **hechos(donde, "capítulo", dichos), "programas": programas})
+        capitulos.append({"nombre": fichero.parent.name, **hechos(donde, Capitulo, dichos), "programas": programas})
     sin_repetir("catalogo.toml", [p for c in capitulos for p in c["programas"]], "nombre")
     return capitulos
 
@@ -349,14 +315,8 @@ def main():
     build, orden, *resto = sys.argv[1:]
     if orden == "escribe":
         return escribe_todo(Path(*resto), Path(build))
-    programas = lee_programas(build)
-    if orden == "lista":
-        formato = "{}\t{}\t{}\t{}" if resto == ["--tsv"] else "{:<22} {:<22} {:<14} {}"
-        for p in programas:
-            print(formato.format(p.capitulo.nombre, p.nombre, p.ref, p.titulo))
-    elif orden == "cumple":
-        for caso in elegidos(programas, resto):
-            print(caso.programa.capitulo.nombre, caso.programa.nombre, caso.fichero, *caso.cumple, sep="\t")
+    for caso in elegidos(lee_programas(build), resto):
+        print(caso.programa.capitulo.nombre, caso.programa.nombre, caso.fichero, *caso.cumple, sep="\t")
 
 
 if __name__ == "__main__":

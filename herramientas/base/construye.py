@@ -27,16 +27,6 @@ def corre(orden, **opciones):
         return proceso.wait()
 
 
-def no_cabe(carpeta):
-    """Si no se puede escribir ahí más que unas letras."""
-    try:
-        (carpeta / ".sitio").write_bytes(bytes(1 << 20))
-        (carpeta / ".sitio").unlink()
-        return False
-    except OSError:
-        return True
-
-
 class Taller:
     """Las carpetas de lo que sale del laboratorio: aquí o, si en alguna no se puede escribir, en la caché de quien lo
     usa."""
@@ -149,17 +139,28 @@ class Taller:
         if falta := re.search("^-- (No hay OSMesa.*)", dicho, re.M):
             aviso(falta[1])
 
-    def compila(self, carpeta, *objetivos):
-        """Si sale bien. En una terminal enseña por dónde va; fuera de ella, solo avisos y errores."""
+    @classmethod
+    def compilando(cls, carpeta, *objetivos):
+        """Cada línea de ninja, según la escribe, y al acabar un Fallo si no compila. En una terminal enseña por dónde
+        va; fuera de ella, solo avisos y errores. Todo queda en compila.log."""
         orden = ["cmake", "--build", carpeta, "--target", *objetivos]
         como = {"stdout": subprocess.PIPE, "stderr": subprocess.STDOUT, "text": True, "errors": "replace"}
         with open(carpeta / "compila.log", "w") as registro, procesos.arranca(orden, **como) as proceso:
             for linea in proceso.stdout:
                 registro.write(linea)
-                self.ensena(linea)
-            estado = proceso.wait()
-        self.ensena("")
-        return estado == 0
+                cls.ensena(linea)
+                yield linea
+            proceso.wait()
+        cls.ensena("")
+        if proceso.returncode:
+            raise Fallo("no compila")
+
+    def compila(self, carpeta, *objetivos, si_no="no compila"):
+        try:
+            for _ in self.compilando(carpeta, *objetivos):
+                pass
+        except Fallo:
+            self.no_sale(si_no)
 
     @staticmethod
     def ensena(linea):
@@ -177,11 +178,11 @@ class Taller:
 
     def compila_para_usar(self, *objetivos):
         """Los avisos solo impiden seguir en ./lab prueba: si ha sido por ellos, otra vez sin que sean errores."""
-        if self.compila(self.build, *objetivos):
-            return
-        self.perdona_avisos()
-        if not self.compila(self.build, *objetivos):
-            self.no_sale("no compila")
+        try:
+            self.compila(self.build, *objetivos)
+        except Fallo:
+            self.perdona_avisos()
+            self.compila(self.build, *objetivos)
 
     def perdona_avisos(self):
         """Un Fallo, si no ha sido por ellos."""
@@ -190,6 +191,6 @@ class Taller:
         self.configura("release", self.build, "-DLAB_AVISOS_SON_ERRORES=OFF")
 
     def no_sale(self, que):
-        if no_cabe(self.build):
+        if shutil.disk_usage(self.build).free < 1 << 20:
             raise Fallo(f"no puedo escribir en {self.build}: ¿queda sitio en el disco?")
         raise Fallo(que)

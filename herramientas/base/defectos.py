@@ -61,7 +61,7 @@ class Mutante:
         if veces != 1:
             raise ValueError(f"«{self.texto}» está {veces} veces en {self.fichero}")
         if marcado == self.estropeado:
-            raise ValueError("no cambia nada")
+            raise ValueError(f"«{self.texto}» no cambia nada")
         desde = fuente.index(antes + marcado + despues) + len(antes)
         return desde, desde + len(marcado)
 

@@ -9,12 +9,10 @@ from pathlib import Path
 
 from base.procesos import Fallo
 
-PARA_USAR = """g++ cmake ninja-build pkg-config libglew-dev freeglut3-dev libglm-dev libegl-dev libgl-dev
-    libgl1-mesa-dri libfreetype-dev fonts-dejavu-core netpbm webp python3 python3-jinja2 python3-pygments""".split()
-CORRIGE = ["bubblewrap"]  # la jaula no hace falta con --sin-jaula
-PRUEBAS = """git libgtest-dev glslang-tools nodejs esbuild python3-pytest black pyflakes3 clang-format shellcheck xvfb
-    xdotool x11-apps x11-utils twm bubblewrap""".split()
-MEDIDAS = ["gnuplot-nox"]
+TABLA = [fila.split("\t") for fila in Path(__file__).with_name("paquetes.tsv").read_text().splitlines()]
+PARA = {para: [fila[0] for fila in TABLA if fila[1] == para] for _, para, *_ in TABLA}
+PARA_USAR, CORRIGE, MEDIDAS = PARA["usar"], PARA["corrige"], PARA["medidas"]  # la jaula, salvo con --sin-jaula
+PRUEBAS = PARA["pruebas"] + CORRIGE
 PARES = ["libglu1-mesa-dev", "libnoise-dev", "imagemagick"]  # con LAB_PARES=1
 NAVEGADOR = ["chromium", "firefox-esr"]  # con LAB_NAVEGADOR=1
 WEB = "emscripten libjs-codemirror esbuild".split()
@@ -22,8 +20,7 @@ WINDOWS = ["g++-mingw-w64-x86-64-posix", "dpkg-dev"]
 WINE = ["wine64", "openbox"]  # con LAB_WINDOWS=1
 OPENGL = {"llvmpipe": [], "softpipe": [], "zink": ["mesa-vulkan-drivers"], "swiftshader": ["chromium"]}
 OPENGL["virgl"] = ["virgl-server"]  # con LAB_OPENGL
-OPCIONAL = "libosmesa6-dev"  # no existe con Mesa 25.1 o posterior: entonces se usa EGL
-TABLA = Path(__file__).with_name("paquetes.tsv")
+[OPCIONAL] = PARA["opcional"]  # no existe con Mesa 25.1 o posterior: entonces se usa EGL
 AVANCE = re.compile(r"(Get:\d+|Des:\d+|Unpacking|Desempaquetando|Setting up|Configurando) ?(\S+)")
 
 
@@ -58,10 +55,9 @@ def faltan(paquetes):
 
 def en_otros(paquetes):
     """Cómo se llaman en otros sistemas."""
-    cabecera, *filas = (fila.split("\t") for fila in TABLA.read_text().splitlines())
-    suyas = [cabecera, *(fila for fila in filas if fila[0] in {*paquetes, OPCIONAL})]
+    suyas = [fila for fila in TABLA if fila is TABLA[0] or fila[0] in {*paquetes, OPCIONAL}]
     dice = "Los paquetes que hacen falta, como se llaman en cada sistema; los de Fedora y Arch, sin probar:"
-    return "\n".join([dice, *("  {:<19} {:<29} {}".format(*fila) for fila in suyas)])
+    return "\n".join([dice, *("  {0:<19} {2:<29} {3}".format(*fila) for fila in suyas)])
 
 
 def cuesta(lista):

@@ -16,14 +16,9 @@ MOTIVOS = {
     errno.EROFS: "no se puede escribir ahí",
     errno.ENOENT: "no existe",
     errno.EISDIR: "es una carpeta",
-    errno.EFBIG: "es demasiado grande",
     errno.ENOTDIR: "parte de la ruta no es una carpeta",
-    errno.ELOOP: "los enlaces dan vueltas",
-    errno.EPIPE: "nadie lo lee",
-    errno.EBADF: "está cerrado",
     errno.ENAMETOOLONG: "el nombre es demasiado largo",
 }
-SIN_SITIO = MOTIVOS[errno.ENOSPC]
 SENALES = signal.SIGINT, signal.SIGTERM, signal.SIGHUP
 
 
@@ -88,16 +83,6 @@ def lanza(orden, input=None, timeout=None, **opciones):
     with arranca(orden, **{**tuberias, **opciones}) as proceso:
         salida, errores = proceso.communicate(input, timeout)
     return subprocess.CompletedProcess(orden, proceso.returncode, salida, errores)
-
-
-def lineas(orden, **opciones):
-    """Lo que va escribiendo, también en stderr, línea a línea; si no acaba bien, después, un Fallo."""
-    tuberias = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
-    with arranca(orden, text=True, **tuberias, **opciones) as proceso:
-        yield from proceso.stdout
-        proceso.wait()
-    if proceso.returncode:
-        raise Fallo(f"{orden[0]} ha acabado con estado {proceso.returncode}")
 
 
 def ejecuta(orden, **opciones):

@@ -27,27 +27,9 @@ from galeria.pagina import PaginaGaleria
 TALLA, PROYECTADA, ANIMADA = "1440x1080", "1280x960", "480x360"
 RITMO = "100"  # ms de cada cuadro; los pasa también proyector.mjs
 WEBP = "-q", "80", "-m", "4"
-SEGUNDOS = 300  # un programa que no acaba no detiene la galería
 CADA = 4  # segundos entre una página a medias y la siguiente
 NO_COMPILA = 3
-
-
-def ejecuta(orden, **opciones):
-    """Del mensaje de un programa que falla, la primera línea."""
-    try:
-        return procesos.ejecuta(orden, timeout=SEGUNDOS, **opciones)
-    except Fallo as fallo:
-        raise Fallo(str(fallo).splitlines()[0]) from None
-
-
-def compila(build):
-    """Los programas, según quedan enlazados. Lo que diga el compilador, en stderr, y todo en BUILD/compila.log."""
-    with open(build / "compila.log", "w") as registro:
-        for linea in procesos.lineas(["cmake", "--build", build, "--target", "sin_ventana"]):
-            registro.write(linea)
-            if enlazado := re.match(r"\[\d+/\d+\] Linking CXX executable (\S+)$", linea):
-                yield build / enlazado[1]
-            Taller.ensena(linea)
+ejecuta = functools.partial(procesos.ejecuta, timeout=300)  # un programa que no acaba no detiene la galería
 
 
 def lo_suyo(escrito, con_diario=False):
@@ -71,7 +53,6 @@ class Galeria:
         self.programas = [p for capitulo in capitulos for p in capitulo.programas]
         self.registro = destino / ".hecho.json"
         self.turno, self.escrita, self.dibujados = threading.Lock(), 0, 0
-        self.lleno = ""  # lo que no ha cabido: no merece la pena seguir
         try:
             self.hecho = json.loads(self.registro.read_text())
         except (OSError, ValueError):
@@ -149,17 +130,13 @@ class Galeria:
         """Todos los casos de un programa, y cuenta lo que ha hecho; cada caso recuerda su fallo."""
         hechas = 0
         for caso in programa.casos:
-            if self.lleno:
-                return
             try:
                 hechas += self.dibuja(programa, caso, temporal)
             except Fallo as fallo:
-                caso.fallo = str(fallo)
+                caso.fallo = str(fallo).splitlines()[0]
             except OSError as error:
                 caso.fallo = f"{error.filename or caso.imagen}: {procesos.motivo(error)}"
             caso.hecho = True
-            if procesos.SIN_SITIO in (caso.fallo or ""):
-                self.lleno = caso.fallo
         fallos = [f"{caso.fichero} ha fallado: {caso.fallo}" for caso in programa.casos if caso.fallo]
         hecho = f"{hechas} {'imagen' if hechas == 1 else 'imágenes'}" if hechas else "sin cambios"
         with self.turno:
@@ -181,8 +158,9 @@ class Galeria:
             with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(os.cpu_count()) as hilos:
                 trabajos = []
                 try:
-                    for enlazado in compila(self.build):
-                        if programa := por_compilar.pop(enlazado, None):
+                    for linea in Taller.compilando(self.build, "sin_ventana"):
+                        enlazado = re.match(r"\[\d+/\d+\] Linking CXX executable (\S+)$", linea)
+                        if programa := enlazado and por_compilar.pop(self.build / enlazado[1], None):
                             trabajos.append(hilos.submit(self.dibuja_programa, programa, Path(temporal)))
                 except Fallo:
                     hilos.shutdown(cancel_futures=True)
@@ -190,8 +168,6 @@ class Galeria:
                 trabajos += [hilos.submit(self.dibuja_programa, p, Path(temporal)) for p in por_compilar.values()]
                 for trabajo in trabajos:
                     trabajo.result()
-            if self.lleno:
-                raise Fallo(self.lleno)
         finally:
             escribe(self.registro, json.dumps(self.hecho, ensure_ascii=False))
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from base.procesos import Fallo, ejecuta, en_png, escribe
 from informe import grafica
-from informe.cocientes import cociente, mas_lento
+from informe.cocientes import mas_lento
 
 CABECERA = "variante\tgrupo\terror\tnota\ttiempo en cada ronda"
 
@@ -44,36 +44,23 @@ class Tecnica:
     imagenes: list = field(default_factory=list)
 
     @property
-    def frente_a_pares(self):
-        """(par, elegida, Cociente de lo que tarda el par entre lo que tarda la elegida, cuántas veces se equivoca)."""
-        return [
-            (par, v, cociente(par.tiempos, v.tiempos), par.error / v.error if v.error else math.nan)
-            for par in self.variantes
-            if par.par
-            for v in self.variantes
-            if v.elegida and v.grupo == par.grupo
-        ]
-
-    @property
     def elegida_fuera(self):
         return [v for v in self.variantes if v.elegida and v.optima is False]
 
 
 def lee_variantes(fichero):
-    """Una fila por variante, con cinco columnas: si no, el TSV está mal formado."""
+    """Una fila por variante; si no, el TSV está mal formado."""
     variantes = []
     for fila in fichero.read_text().splitlines():
-        campos = fila.split("\t")
-        if len(campos) != 5 or "" in campos:
-            raise Fallo(f"{fichero.name}: una fila no tiene cinco columnas: «{fila}»")
-        grupo, nota = ("" if c == "-" else c for c in (campos[1], campos[3]))
-        v = Variante(campos[0], grupo, float(campos[2]), nota, [float(t) for t in campos[4].split(" ")])
-        son_tiempos = all(0 < t < math.inf for t in v.tiempos)
-        if not son_tiempos or v.error < 0 or len(v.tiempos) != len((variantes or [v])[0].tiempos):
-            raise Fallo(f"{fichero.name}: los números de «{v.nombre}» no tienen sentido")
-        variantes.append(v)
-    if len({v.nombre for v in variantes}) != len(variantes) or not variantes:
-        raise Fallo(f"{fichero.name}: hay variantes repetidas o ninguna")
+        try:
+            nombre, grupo, error, nota, tiempos = ("" if campo == "-" else campo for campo in fila.split("\t"))
+            variantes.append(Variante(nombre, grupo, float(error), nota, [float(t) for t in tiempos.split()]))
+        except ValueError:
+            raise Fallo(f"{fichero.name}: no entiendo «{fila}»") from None
+    son_numeros = all(not v.error < 0 and all(0 < t < math.inf for t in v.tiempos) for v in variantes)
+    rondas, nombres = {len(v.tiempos) for v in variantes}, {v.nombre for v in variantes}
+    if not son_numeros or len(rondas) != 1 or len(nombres) != len(variantes):
+        raise Fallo(f"{fichero.name}: sus números no tienen sentido, o hay variantes repetidas o ninguna")
     return variantes
 
 

@@ -33,7 +33,6 @@ static void resuelve(const Framebuffer &de, GLuint a) {
 }
 
 static void mideAntialiasing(Medidor &m) {
-    abreContexto();
     const int lado = m.elige(48, 360);
     const std::vector<double> exacta = estrellaExacta(lado);
     m.referencia = redondeada(lado, lado, exacta);

@@ -50,7 +50,6 @@ static Malla planoDeformado(int n) {
 }
 
 static void mideBump(Medidor &m) {
-    abreContexto();
     glEnable(GL_DEPTH_TEST);
     const Framebuffer framebuffer(m.elige(64, 480), m.elige(48, 360));
     const oraculo::ImagenRef ref = trazaBultos(framebuffer);

@@ -42,7 +42,6 @@ static void diferencias(std::vector<glm::vec3> &puntos) {
 
 // El vertex shader que los calcula, y que los deja en un buffer por transform feedback; no se dibuja nada.
 static void usaShader(std::size_t n) {
-    abreContexto();
     const GLuint programa = creaPrograma("herramientas/mide/bezier.vert", "common/liso.frag");
     const char *salida = "punto";
     glTransformFeedbackVaryings(programa, 1, &salida, GL_INTERLEAVED_ATTRIBS);

@@ -67,7 +67,6 @@ static GLuint creaProgramaReflejo(const glm::mat4 &proyeccion) {
 }
 
 static void mideEntorno(Medidor &m) {
-    abreContexto();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL); // el fondo está en el plano lejos
     const Framebuffer framebuffer(m.elige(64, 320), m.elige(48, 240));

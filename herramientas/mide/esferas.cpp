@@ -38,7 +38,6 @@ static double hundimiento(const Malla &malla, const glm::mat4 &giro) {
 }
 
 static void mideEsferas(Medidor &m) {
-    abreContexto();
     glEnable(GL_DEPTH_TEST);
     const int lado = m.elige(60, 600);
     const Framebuffer framebuffer(lado, lado);

@@ -49,7 +49,6 @@ static std::vector<double> exacto(const Imagen &textura, int ancho, int alto, in
 }
 
 static void mideFiltrado(Medidor &m) {
-    abreContexto();
     const Framebuffer framebuffer(m.elige(64, 480), m.elige(48, 360));
     const Imagen imagen = leeTextura(recurso("assets/mosaico.rgb"), TALLA, TALLA);
     const std::vector<double> ref = exacto(imagen, framebuffer.ancho, framebuffer.alto, m.elige(4, MUESTRAS));

@@ -1,7 +1,7 @@
-// Dibujar en la GPU para medir: el contexto, un framebuffer con profundidad y lo que se ha dibujado en él.
+// Dibujar en la GPU para medir, en el contexto que abre mide.cpp: un framebuffer con profundidad y lo que se ha
+// dibujado en él.
 #pragma once
 #include "ch09_imagen/imagen_en_ventana.h"
-#include "contexto_suelto.h"
 #include "mide.h"
 
 namespace mide {

@@ -2,6 +2,7 @@
 // que tarda en cada ronda), y en CARPETA/TÉCNICA-variante.ppm y …-diferencia.ppm las imágenes que haya. mide
 // --lista escribe las técnicas: nombre, título, unidad de tiempo, unidad de error, variante elegida, por qué.
 #include "mide.h"
+#include "contexto_suelto.h"
 #include "error.h"
 #include <algorithm>
 #include <cstdio>
@@ -11,7 +12,6 @@
 #include <numeric>
 #include <sys/resource.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 namespace mide {
@@ -19,23 +19,6 @@ namespace mide {
 std::vector<Tecnica> &tecnicas() {
     static std::vector<Tecnica> todas;
     return todas;
-}
-
-double milisegundosDeOrden(std::vector<std::string> orden) {
-    std::vector<char *> argumentos; // sin shell: una ruta puede llevar cualquier carácter
-    for (std::string &palabra : orden)
-        argumentos.push_back(palabra.data());
-    argumentos.push_back(nullptr);
-    const pid_t hijo = fork();
-    if (hijo == 0) {
-        execvp(argumentos[0], argumentos.data());
-        _exit(127);
-    }
-    int estado = -1;
-    rusage gasto = {};
-    wait4(hijo, &estado, 0, &gasto);
-    const auto ms = [](const timeval &t) { return 1e3 * double(t.tv_sec) + 1e-3 * double(t.tv_usec); };
-    return estado == 0 ? ms(gasto.ru_utime) + ms(gasto.ru_stime) : NAN;
 }
 
 double rmse(const Imagen &imagen, const std::vector<double> &exacta) {
@@ -60,11 +43,19 @@ const double OTRO_PASO = 1.2;
 
 // Los de procesador: no cuentan los ratos en que corre otro.
 double nsDe(const std::function<void()> &trabajo) {
-    timespec antes, despues;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &antes);
+    const auto gastados = [] {
+        timespec nuestro;
+        rusage suyo; // de los procesos que han acabado
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &nuestro);
+        getrusage(RUSAGE_CHILDREN, &suyo);
+        double ns = 1e9 * double(nuestro.tv_sec) + double(nuestro.tv_nsec);
+        for (const timeval &t : {suyo.ru_utime, suyo.ru_stime})
+            ns += 1e9 * double(t.tv_sec) + 1e3 * double(t.tv_usec);
+        return ns;
+    };
+    const double antes = gastados();
     trabajo();
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &despues);
-    return 1e9 * double(despues.tv_sec - antes.tv_sec) + double(despues.tv_nsec - antes.tv_nsec);
+    return gastados() - antes;
 }
 
 // Lo que tarda siempre lo mismo: a qué paso va ahora el procesador.
@@ -131,12 +122,6 @@ Imagen diferencia(const Imagen &a, const Imagen &b) {
 Medidor::~Medidor() {
     for (const int corredor : corredores) // sin quien le pida nada, el hijo acaba
         close(corredor);
-}
-
-void Medidor::cronometrada(const std::string &nombre, const std::string &nota, double error,
-                           const std::function<double()> &tarda) {
-    medidas.push_back({nombre, grupo, error, nota, {}});
-    corredores.push_back(aparta([&] { return 1e6 * tarda() / ns; }));
 }
 
 void Medidor::variante(const std::string &nombre, const std::string &nota, double error, double unidades,
@@ -237,6 +222,7 @@ int main(int argc, char **argv) {
         falla("uso: mide [--ensayo] CARPETA TÉCNICA | mide --lista", 2);
     for (const Tecnica &t : tecnicas())
         if (!std::strcmp(t.nombre, argv[2 + ensayo])) {
+            abreContexto();
             corre(t, ensayo, argv[1 + ensayo]);
             return 0;
         }

@@ -44,12 +44,10 @@ public:
     }
     Medidor(const Medidor &) = delete;
     ~Medidor();
-    /// Cronometrará `trabajo`, que hace `unidades` de lo que dice la unidad de tiempo de la técnica.
+    /// Cronometrará `trabajo`, que hace `unidades` de lo que dice la unidad de tiempo de la técnica; también lo que
+    /// gasten otros programas, si los ejecuta y espera a que acaben.
     void variante(const std::string &nombre, const std::string &nota, double error, double unidades,
                   const std::function<void()> &trabajo, const Imagen &imagen = {});
-    /// Lo mismo, de lo que se cronometra solo: `tarda` da milisegundos.
-    void cronometrada(const std::string &nombre, const std::string &nota, double error,
-                      const std::function<double()> &tarda);
     /// Las rondas, y lo medido.
     const std::vector<Medida> &corre();
 
@@ -94,9 +92,6 @@ public:
         return float(double(azar()) / 2147483648.0 - 1);
     }
 };
-
-/// El tiempo de procesador de otro programa con esos argumentos; NaN si falla.
-double milisegundosDeOrden(std::vector<std::string> orden);
 
 /// Raíz del error cuadrático medio, en niveles de 255, frente a la exacta: sin redondear, tres por píxel.
 double rmse(const Imagen &imagen, const std::vector<double> &exacta);

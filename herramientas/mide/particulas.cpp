@@ -99,8 +99,6 @@ static void mideFormula(Medidor &m, const Dibuja &dibuja, int n, int muchas) {
 }
 
 static void mideParticulas(Medidor &m) {
-    abreContexto();
-    glDisable(GL_DEPTH_TEST);
     const Framebuffer framebuffer(m.elige(96, 960), m.elige(72, 720));
     const int n = m.elige(100, 100000), muchas = m.elige(1000, 1000000);
     const GLuint pelados = creaPrograma("herramientas/mide/puntos.vert", "common/liso.frag");

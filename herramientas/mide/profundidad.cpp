@@ -27,7 +27,6 @@ static double confundidos(double cerca, double lejos, int bits, bool alReves) {
 }
 
 static void mideProfundidad(Medidor &m) {
-    abreContexto();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
     const GLuint programa = creaPrograma("ch09_imagen/imagen.vert", "common/liso.frag");

@@ -48,8 +48,6 @@ static void mideVolumen(Medidor &m) {
 }
 
 static void mideRuido(Medidor &m) {
-    abreContexto();
-    glDisable(GL_DEPTH_TEST);
     const int lado = m.elige(32, 512);
     const Framebuffer framebuffer(lado, lado);
     std::vector<double> exacta;

@@ -42,25 +42,11 @@ static unsigned leePixel(const Clic &c) {
     return identificadorDe({p[0], p[1], p[2]});
 }
 
-// Lo que se compara: si da, en cada clic, el objeto que hay.
-struct Variantes {
-    Medidor &m;
-    const oraculo::Escena escena;
-    const std::vector<Clic> clics;
-    const std::function<oraculo::Rayo(const Clic &)> rayo;
+// Lo que se compara: qué objeto da cada manera en un clic.
+using Elige = std::function<unsigned(const Clic &)>;
+using Variante = std::function<void(const std::string &nombre, const char *nota, const Elige &elige)>;
 
-    void operator()(const std::string &nombre, const char *nota,
-                    const std::function<unsigned(const Clic &)> &elige) const {
-        int mal = 0;
-        for (const Clic &c : clics)
-            mal += elige(c) != unsigned(oraculo::primerImpacto(escena, rayo(c)).objeto + 1);
-        std::size_t k = 0;
-        m.variante(nombre, nota, 100.0 * mal / double(clics.size()), 1,
-                   [&] { usa(elige(clics[k++ % clics.size()])); });
-    }
-};
-
-static void mideDibujando(const Variantes &variante, const Framebuffer &framebuffer, const Bolas &bolas) {
+static void mideDibujando(const Variante &variante, const Framebuffer &framebuffer, const Bolas &bolas) {
     const GLuint programa =
         creaPrograma("ch03_transformaciones/objeto.vert", "ch10_interaccion/identificador.frag");
     usaPrograma(programa, camaraEscena(), proyeccionEscena(framebuffer));
@@ -91,7 +77,6 @@ static void mideDibujando(const Variantes &variante, const Framebuffer &framebuf
 }
 
 static void mideSeleccion(Medidor &m) {
-    abreContexto();
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_DITHER);
     const int ancho = m.elige(96, 960), alto = m.elige(72, 720);
@@ -109,14 +94,22 @@ static void mideSeleccion(Medidor &m) {
     for (int i = 0; i < m.elige(25, 200); ++i)
         clics.push_back(
             {int(0.5f * (1 + al()) * float(ancho - 1)), int(0.5f * (1 + al()) * float(alto - 1))});
-    const Variantes variante{m, escena, clics, [=](const Clic &c) {
-                                 return oraculo::rayo(camaraExacta(), ancho, alto, c.x + 0.5, c.y + 0.5);
-                             }};
+    const auto rayo = [&](const Clic &c) {
+        return oraculo::rayo(camaraExacta(), ancho, alto, c.x + 0.5, c.y + 0.5);
+    };
+    const auto variante = [&](const std::string &nombre, const char *nota, const Elige &elige) {
+        int mal = 0;
+        for (const Clic &c : clics)
+            mal += elige(c) != unsigned(oraculo::primerImpacto(escena, rayo(c)).objeto + 1);
+        std::size_t k = 0;
+        m.variante(nombre, nota, 100.0 * mal / double(clics.size()), 1,
+                   [&] { usa(elige(clics[k++ % clics.size()])); });
+    };
     m.grupo = "cualquier forma";
     mideDibujando(variante, framebuffer, bolas);
     m.grupo = "solo esferas";
     variante("rayo en double", "hay que saber cortar cada forma",
-             [&](const Clic &c) { return cortaBolas(bolas, variante.rayo(c)); });
+             [&](const Clic &c) { return cortaBolas(bolas, rayo(c)); });
 }
 
 static const Apunta APUNTA(

@@ -67,7 +67,6 @@ static oraculo::ImagenRef traza(const Vista &v, const Framebuffer &framebuffer) 
 }
 
 static void mideSombras(Medidor &m) {
-    abreContexto();
     glEnable(GL_DEPTH_TEST);
     const Framebuffer framebuffer(m.elige(64, 400), m.elige(48, 300));
     const Escena escena(framebuffer);

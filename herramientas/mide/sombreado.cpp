@@ -19,7 +19,6 @@ static Malla facetas(const Malla &malla) {
 }
 
 static void mideSombreado(Medidor &m) {
-    abreContexto();
     const Framebuffer framebuffer(m.elige(64, 640), m.elige(48, 480));
     glEnable(GL_DEPTH_TEST);
     const oraculo::ImagenRef ref = trazaEsfera(framebuffer);

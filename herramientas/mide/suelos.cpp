@@ -5,7 +5,6 @@
 using namespace mide;
 
 static void mideSuelos(Medidor &m) {
-    abreContexto();
     glEnable(GL_DEPTH_TEST);
     const GLuint programa = creaPrograma("ch09_imagen/imagen.vert", "common/liso.frag");
     for (const auto &[ancho, alto] : {std::pair(960, 720), {1920, 1080}}) {

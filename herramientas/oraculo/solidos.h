@@ -292,9 +292,5 @@ inline Vec3 haciaOjo(const Impacto &i) {
 inline Rayo rayoDesde(const Vec3 &p, const Vec3 &hacia, double maximo = INFINITO) {
     return {p, unitario(hacia), 1e-6, maximo};
 }
-/// El rebote en un espejo, para llamar a primerImpacto otra vez.
-inline Rayo rebote(const Impacto &i) {
-    return rayoDesde(i.punto, refleja(i.rayo.direccion, i.normal));
-}
 
 } // namespace oraculo

@@ -28,7 +28,7 @@ FICHERO = re.compile(r"(?<![\w.*<>/$-])((?:[\w-]+/)*[\w-]+\.(?:cpp|h|vert|frag|g
 
 class Documentos:
     def __init__(self, raiz, build):
-        self.raiz, self.fallos = raiz, 0
+        self.raiz = raiz
         preguntas = "\n".join(f.read_text() for f in raiz.glob("tests/propiedades/*.py"))
         propiedades = [f"propiedades.{nombre}" for nombre in re.findall(r"^def (\w+)\(p\)", preguntas, re.M)]
         self.pruebas = googletest.todas(build) + propiedades
@@ -36,28 +36,26 @@ class Documentos:
         self.capitulos = catalogo.lee(build)
         self.programas = [p for capitulo in self.capitulos for p in capitulo.programas]
 
-    def mal(self, que):
-        print(que)
-        self.fallos += 1
-
     def citas(self, texto):
         return [c for c in CITA.findall(texto) if c.split(".")[0] in self.ejecutables]
 
     def comprueba_citas(self, donde, citas):
         for cita in citas:
             if not busca(cita, self.pruebas):
-                self.mal(f"{donde}: no hay ninguna prueba «{cita}»")
+                yield f"{donde}: no hay ninguna prueba «{cita}»"
 
     def comprueba_nombrado(self):
         nombres = {p.nombre for p in self.programas}
         for fichero in (*self.raiz.glob("*.md"), *self.raiz.glob("docs/*.md"), self.raiz / "docs/evidencia.json"):
             texto = fichero.read_text()
-            self.comprueba_citas(fichero.name, self.citas(re.sub("`./lab .*?`", "", texto)))
+            yield from self.comprueba_citas(fichero.name, self.citas(re.sub("`./lab .*?`", "", texto)))
             for nombre in {"".join(hallado) for hallado in PROGRAMA.findall(texto)} - nombres:
-                self.mal(f"{fichero.name}: no hay ningún programa «{nombre}»")
+                yield f"{fichero.name}: no hay ningún programa «{nombre}»"
         for fichero in self.raiz.glob("ch??_*/*"):
             if fichero.suffix in (".cpp", ".h", *fuentes.SHADERS):
-                self.comprueba_citas(fichero.name, self.citas("\n".join(re.findall("//(.*)", fichero.read_text()))))
+                yield from self.comprueba_citas(
+                    fichero.name, self.citas("\n".join(re.findall("//(.*)", fichero.read_text())))
+                )
 
     def comprueba_listados(self):
         """Cada función de un listado: la llama el programa que lo lleva (él, lo que incluye de los capítulos y lo que
@@ -74,12 +72,12 @@ class Documentos:
             for cosa in suyos:
                 for f in cosa.funciones.split():
                     if not re.search(rf"\b{f}\b", cabecera) and not re.search(rf"\b{f}\(", codigo):
-                        self.mal(f"{p.nombre}: ni llama a {f}, del listado {cosa.codigo[1:]}, ni dice por qué no")
+                        yield f"{p.nombre}: ni llama a {f}, del listado {cosa.codigo[1:]}, ni dice por qué no"
 
     def comprueba_erratas(self):
         for entrada in re.split(r"\n(?=- \*\*|## )", (self.raiz / "docs/erratas.md").read_text()):
             if entrada.startswith("- **") and not self.citas(entrada) and SIN_PRUEBA not in entrada:
-                self.mal(f"erratas.md: sin prueba ni «{SIN_PRUEBA} …»: {entrada.splitlines()[0]}")
+                yield f"erratas.md: sin prueba ni «{SIN_PRUEBA} …»: {entrada.splitlines()[0]}"
 
     def comprueba_ecuaciones(self):
         capitulos = {capitulo.numero for capitulo in self.capitulos}
@@ -87,33 +85,33 @@ class Documentos:
         fila = re.compile(r"^\| (\d+\.\d+) \| [^|]+ \| `([^`]+)` \| `([^`]+)` \| `[^`]+` \|$", re.MULTILINE)
         for numero, donde, funcion in fila.findall((self.raiz / "docs/ecuaciones.md").read_text()):
             if numero not in faltan:
-                self.mal(f"ecuaciones.md: el libro no tiene ecuación {numero}, o está dos veces")
+                yield f"ecuaciones.md: el libro no tiene ecuación {numero}, o está dos veces"
             faltan.discard(numero)
             sitio = self.raiz / donde
             if not sitio.is_file() or not re.search(rf"\b{re.escape(funcion)}\b", sitio.read_text()):
-                self.mal(f"ecuaciones.md, {numero}: no hay «{funcion}» en {donde}")
+                yield f"ecuaciones.md, {numero}: no hay «{funcion}» en {donde}"
         for numero in sorted(faltan):
-            self.mal(f"ecuaciones.md: falta la ecuación {numero}")
+            yield f"ecuaciones.md: falta la ecuación {numero}"
 
     def comprueba_soluciones(self):
         soluciones = (self.raiz / "docs/soluciones.md").read_text()
         for cosa in cosas(self.raiz):
             if cosa.codigo.startswith("E") and f"- **{cosa.codigo[1:]}**" not in soluciones:
-                self.mal(f"soluciones.md: falta el ejercicio {cosa.codigo[1:]}")
+                yield f"soluciones.md: falta el ejercicio {cosa.codigo[1:]}"
 
     def comprueba_programas(self, medido):
         """Cada programa, con una prueba que lo ejecute y que no sea su golden."""
         for p in self.programas:
             if not p.contra or not p.pruebas:
-                self.mal(f"{p.fuente}: no tiene comprobación independiente: CONTRA y PRUEBAS")
+                yield f"{p.fuente}: no tiene comprobación independiente: CONTRA y PRUEBAS"
             if bool(p.pasa) != (medido.get(p.nombre, {}).get("maximo", 0) > 2):
                 que = "ya no pasa de 2 niveles: sobra PASA" if p.pasa else "falta por qué pasa de 2 niveles: PASA"
-                self.mal(f"{p.nombre}: {que}")
+                yield f"{p.nombre}: {que}"
 
     def comprueba_medido(self):
         """docs/evidencia.json es de las pruebas que hay; y ninguna de un fichero dificil_* deja de ser de un caso."""
         medido, casos = evidencia.lee(self.raiz), casos_dificiles(self.raiz)
-        self.comprueba_programas(medido["programas"])
+        yield from self.comprueba_programas(medido["programas"])
         suyas = {caso: [p for cita in citas for p in busca(cita, self.pruebas)] for caso, citas in casos.items()}
         hay = {p.nombre: p.pruebas for p in self.programas}
         hay |= {caso: [len(suyas[caso]), *citas] for caso, citas in casos.items()}
@@ -121,21 +119,19 @@ class Documentos:
         apuntado |= {caso: [m["pruebas"], *m["citas"]] for caso, m in medido["casos"].items()}
         for nombre in hay.keys() | apuntado.keys():
             if hay.get(nombre) != apuntado.get(nombre):
-                self.mal(f"evidencia.json no es de las pruebas de «{nombre}»: ./lab prueba --apunta")
+                yield f"evidencia.json no es de las pruebas de «{nombre}»: ./lab prueba --apunta"
         dificiles = {p for p in self.pruebas if p.startswith("dificil_")}
         for prueba in dificiles - {p for de_uno in suyas.values() for p in de_uno}:
-            self.mal(f"casos.tsv: falta «{prueba}»")
+            yield f"casos.tsv: falta «{prueba}»"
 
 
 def main():
     d = Documentos(*(Path(ruta).resolve() for ruta in sys.argv[1:]))
-    d.comprueba_nombrado()
-    d.comprueba_listados()
-    d.comprueba_erratas()
-    d.comprueba_ecuaciones()
-    d.comprueba_soluciones()
-    d.comprueba_medido()
-    return 1 if d.fallos else 0
+    preguntas = d.comprueba_nombrado, d.comprueba_listados, d.comprueba_erratas, d.comprueba_ecuaciones
+    preguntas += d.comprueba_soluciones, d.comprueba_medido
+    fallos = [fallo for pregunta in preguntas for fallo in pregunta()]
+    print(*fallos, sep="\n")
+    return bool(fallos)
 
 
 if __name__ == "__main__":

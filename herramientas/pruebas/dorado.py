@@ -43,7 +43,7 @@ def cambio(build, antes, ahora, ruta, tipos):
             imagenes.append(str(ruta))
         else:
             dice.append("imagen nueva" if nuevo.exists() else "ya no se dibuja")
-    return PruebaFallida(str(ruta), 0, "\n".join(dice)[:MUCHO], imagenes, "")
+    return PruebaFallida(str(ruta), "\n".join(dice)[:MUCHO], imagenes)
 
 
 def ensena(build, antes, ahora, cambian):

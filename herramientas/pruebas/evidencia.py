@@ -17,15 +17,7 @@ def casos_dificiles(raiz):
     return {f"{tema}: {caso}": citas for tema, caso, *citas in filas(raiz / "tests/casos_dificiles/casos.tsv")}
 
 
-def al_dia(raiz, build, informe, orden):
-    """Si ese informe es de lo que hay: ni la prueba ni lo que leyó (BUILD/leidos) han cambiado después."""
-    leido = build / "leidos" / orden.name
-    rutas = set(leido.read_text().splitlines()) if leido.exists() else ()
-    usados = [orden, *(d / ruta for ruta in rutas for d in (build, raiz) if (d / ruta).is_file())]
-    return informe.exists() and all(f.stat().st_mtime < informe.stat().st_mtime for f in usados)
-
-
-def ejecuta(raiz, build, citas, pruebas):
+def ejecuta(build, citas, pruebas):
     """Las propiedades que apunta cada prueba citada."""
     informes = build / "exactitud"
     informes.mkdir(exist_ok=True)
@@ -36,14 +28,11 @@ def ejecuta(raiz, build, citas, pruebas):
         quiere.setdefault(ejecutable, []).append(nombre)
     propiedades = {}
     for ejecutable, nombres in sorted(quiere.items()):
+        print(f"{ejecutable}: {len(nombres)} pruebas", file=sys.stderr)
         orden, informe = build / "tests" / f"{ejecutable}_test", informes / f"{ejecutable}.json"
-        vale = al_dia(raiz, build, informe, orden)
-        if not vale or not set(nombres) <= set(lee_informe(informe)):  # si no, lo que midió la otra vez
-            print(f"{ejecutable}: {len(nombres)} pruebas", file=sys.stderr)
-            palabras = [orden, f"--gtest_filter={':'.join(nombres)}", f"--gtest_output=json:{informe}"]
-            if subprocess.run(palabras, env=entorno, stdout=subprocess.DEVNULL).returncode:
-                informe.unlink(missing_ok=True)
-                sys.exit(f"{ejecutable}: no pasan sus pruebas")
+        palabras = [orden, f"--gtest_filter={':'.join(nombres)}", f"--gtest_output=json:{informe}"]
+        if subprocess.run(palabras, env=entorno, stdout=subprocess.DEVNULL).returncode:
+            sys.exit(f"{ejecutable}: no pasan sus pruebas")
         propiedades.update({f"{ejecutable}.{nombre}": p for nombre, p in lee_informe(informe).items()})
     return propiedades
 
@@ -99,7 +88,7 @@ def mide(raiz, build):
     # de los casos difíciles, las que miden: las otras solo se cuentan
     citas = {cita for p in programas for cita in p.pruebas}
     citas |= {cita for suyas in casos.values() for cita in suyas if cita.startswith("dificil_")}
-    propiedades = ejecuta(raiz, build, sorted(citas), pruebas)
+    propiedades = ejecuta(build, sorted(citas), pruebas)
     return {
         "programas": {p.nombre: mide_programa(p, pruebas, propiedades) for p in programas},
         "casos": {caso: mide_caso(suyas, pruebas, propiedades) for caso, suyas in casos.items()},

@@ -1,5 +1,5 @@
-"""muta.py RAÍZ BUILD [--comprueba | --azar N [--semilla N] | QUÉ…]: defectos plantados en los programas y en lo que
-llevan dentro, para saber si las pruebas los notan: los de las listas (base/defectos.py dice cómo son) o N al azar, de
+"""muta.py RAÍZ BUILD AL_AZAR SEMILLA COMPRUEBA [QUÉ…]: defectos plantados en los programas y en lo que
+llevan dentro, para saber si las pruebas los notan: los de las listas (base/defectos.py dice cómo son) o AL_AZAR, de
 las líneas de los programas, sus shaders, common/ y glut/ (azar.py).
 
 Todos se compilan a la vez en una copia del árbol, en BUILD/mutantes; un shader estropeado va en una carpeta, y
@@ -8,7 +8,6 @@ y apuntan lo que usan; después, con cada mutante, los que lo usan, hasta que un
 si ninguna lo nota, los pasos y los casos: por lo que pintan encima (los .encima) o, si no, solo por su imagen.
 """
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -72,38 +71,22 @@ def es_de(prueba, capitulos):
     return not capitulos or capitulo(prueba) in capitulos or prueba.startswith("dificil_")
 
 
-def lee_listas(raiz):
-    """Todos: los de un estudiante y los de las pruebas."""
-    return lee(raiz / "herramientas/ejercicios/errores", raiz / "tests/mutantes")
-
-
-def comprueba(raiz, mutantes, fallos):
-    """Que cada mutante se puede aplicar y que los shaders estropeados compilan."""
+def comprueba(raiz, mutantes):
+    """De cada fichero, lo primero que impide plantar los suyos; un shader estropeado que no compila lo notaría
+    cualquiera."""
     for fichero, grupo in por_fichero(mutantes).items():
         try:
-            fuente = (raiz / fichero).read_text()
-        except OSError as error:
-            fallos.append(f"{grupo[0].nombre}: no puedo leer {fichero}: {error.strerror}")
-            continue
-        buenos, primero = [], {}
-        for m in grupo:
-            try:
+            fuente, primero = (raiz / fichero).read_text(), {}
+            for m in grupo:
                 otro = primero.setdefault((m.sitio(fuente), m.estropeado), m)
-                buenos.append(m)
                 if otro != m:
-                    fallos.append(f"{m.nombre}: es el mismo que {otro.nombre}")
-            except ValueError as error:
-                fallos.append(f"{m.nombre}: {error}")
-        if grupo[0].en_shader:
-            for m in buenos:
-                # si no, cualquiera lo notaría
-                fallos += [f"{m.nombre}: {dice}" for dice in no_compila_glsl(raiz, m.fichero, estropea(fuente, m))]
-            continue
-        try:
-            cambia(fuente, buenos)
-        except ValueError as error:
-            fallos.append(f"{fichero}: {error}")
-    return fallos
+                    yield f"{m.nombre}: es el mismo que {otro.nombre}"
+                if m.en_shader:
+                    yield from (f"{m.nombre}: {d}" for d in no_compila_glsl(raiz, fichero, estropea(fuente, m)))
+            if not grupo[0].en_shader:
+                cambia(fuente, grupo)
+        except (OSError, ValueError) as error:
+            yield f"{fichero}: {error}"
 
 
 def no_compila_glsl(raiz, fichero, estropeado):
@@ -133,36 +116,32 @@ class Vivero:
     def copia_arbol(self):
         """Solo se escribe lo que cambia: así se vuelve a compilar solo eso."""
         grupos = por_fichero(self.mutantes)
-        nuevos = {}
-        for carpeta, carpetas, ficheros in os.walk(self.raiz):
-            sobra = SOBRA if carpeta == str(self.raiz) else ["__pycache__"]
-            carpetas[:] = [c for c in carpetas if c not in sobra]
-            for f in ficheros:
-                relativo = str((Path(carpeta) / f).relative_to(self.raiz))
-                nuevos[relativo] = (self.raiz / relativo).read_bytes()
-        fuentes = [f for f, suyos in grupos.items() if not suyos[0].en_shader]
-        for fichero in fuentes:
-            nuevos[fichero] = cambia(nuevos[fichero].decode(), grupos[fichero]).encode()
-        for relativo in nuevos:  # una prueba puede incluir un fuente dentro de un namespace
-            if relativo in fuentes or re.match("tests/.*_test.cpp", relativo):
-                incluye = [os.path.relpath(f, Path(relativo).parent) for f in (MUTANTE_H, azar.OTRO_FACTOR)]
-                nuevos[relativo] = "".join(f'#include "{f}"\n' for f in incluye).encode() + nuevos[relativo]
+
+        def pon(origen, destino):
+            fichero, contenido = Path(origen).relative_to(self.raiz), Path(origen).read_bytes()
+            suyos = [m for m in grupos[str(fichero)] if not m.en_shader]
+            if suyos:
+                contenido = cambia(contenido.decode(), suyos).encode()
+            if suyos or fichero.match("tests/*/*_test.cpp"):  # una puede incluir un fuente dentro de un namespace
+                incluye = (os.path.relpath(f, fichero.parent) for f in (MUTANTE_H, azar.OTRO_FACTOR))
+                contenido = "".join(f'#include "{f}"\n' for f in incluye).encode() + contenido
+            if not os.path.isfile(destino) or Path(destino).read_bytes() != contenido:
+                Path(destino).unlink(missing_ok=True)  # puede ser de solo lectura, como el original
+                Path(destino).write_bytes(contenido)
+                shutil.copymode(origen, destino)
+
+        sobra = {str(self.raiz): SOBRA}
+        como = {"ignore": lambda carpeta, _: sobra.get(carpeta, ["__pycache__"]), "copy_function": pon}
+        shutil.copytree(self.raiz, self.copia, dirs_exist_ok=True, **como)
         for viejo in self.copia.rglob("*"):
-            if viejo.is_file() and str(viejo.relative_to(self.copia)) not in nuevos:
+            if viejo.is_file() and not (self.raiz / viejo.relative_to(self.copia)).is_file():
                 viejo.unlink()
-        for relativo, contenido in nuevos.items():
-            destino = self.copia / relativo
-            if not destino.is_file() or destino.read_bytes() != contenido:
-                destino.parent.mkdir(parents=True, exist_ok=True)
-                destino.unlink(missing_ok=True)  # puede ser de solo lectura, como el original
-                destino.write_bytes(contenido)
-                shutil.copymode(self.raiz / relativo, destino)
         shutil.rmtree(self.build / "glsl", ignore_errors=True)
         for m in self.mutantes:
             if m.en_shader:
                 destino = self.build / "glsl" / str(m.numero) / m.fichero
                 destino.parent.mkdir(parents=True)
-                destino.write_text(estropea(nuevos[m.fichero].decode(), m))
+                destino.write_text(estropea((self.raiz / m.fichero).read_text(), m))
 
     def compila(self, capitulos):
         """Las pruebas de esos capítulos, o todas, y los programas sin ventana. Con -O1, que da las mismas imágenes y
@@ -312,26 +291,16 @@ def juzga(elegidos, al_azar):
         )
 
 
-def numero_de(pedidos, opcion, si_no):
-    """Lo que sigue a esa opción, que se quita de las palabras."""
-    if opcion not in pedidos:
-        return si_no
-    i = pedidos.index(opcion)
-    del pedidos[i]
-    if not pedidos[i:] or not pedidos[i].isdecimal():
-        sys.exit(f"muta: tras {opcion} va un número")
-    return int(pedidos.pop(i))
-
-
 def main():
     raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
-    pedidos = sys.argv[3:]
-    cuantos, semilla = numero_de(pedidos, "--azar", 0), numero_de(pedidos, "--semilla", 1)
-    todos, fallos = ([], []) if cuantos else lee_listas(raiz)
-    fallos = comprueba(raiz, todos, fallos)
+    cuantos, semilla, solo_comprueba = map(int, sys.argv[3:6])
+    pedidos = sys.argv[6:]
+    listas = raiz / "herramientas/ejercicios/errores", raiz / "tests/mutantes"  # los de un estudiante y los demás
+    todos, fallos = lee(*() if cuantos else listas)
+    fallos += comprueba(raiz, todos)
     if fallos:
         sys.exit("\n".join([*fallos, "muta: la lista de mutantes tiene errores"]))
-    if pedidos == ["--comprueba"]:
+    if solo_comprueba:
         return print(f"{len(todos)} mutantes, y todos se pueden plantar")
     if cuantos:
         aviso(f"elijo {cuantos} al azar, con la semilla {semilla}…")

@@ -72,14 +72,3 @@ export async function sonDelNavegador(p, selector = 'body', con = ['ctrlKey', 'a
   }, selector, con), []);
   await p.exige('ninguna ha abierto nada', () => !document.fullscreenElement && !una('dialog[open]'));
 }
-
-/// Cada botón de la tabla, pulsado dos veces con Intro, y lo que se lee tras cada una.
-export async function dosVeces(p, tabla) {
-  for (const [selector, lee, ...debe] of tabla) {
-    for (const esto of debe) {
-      await p.da(selector => una(selector).focus(), selector);
-      await p.teclas('Enter');
-      await p.acaba(`${selector}: ${esto}`, new Function('esto', `return (${lee})() === esto`), esto);
-    }
-  }
-}

@@ -2,7 +2,7 @@
 // grande pasa con las teclas y nunca enseña una imagen agrandada; cada dirección lleva a lo suyo; en papel, un capítulo
 // es eso y nada más; nada se sale de un teléfono, y la pueden usar todos.
 import assert from 'node:assert/strict';
-import { dosVeces, seBusca, seCopia, sonDelNavegador } from './comun.mjs';
+import { seBusca, seCopia, sonDelNavegador } from './comun.mjs';
 import { CAPITULOS, CASOS, enNavegadores, espera, PROGRAMAS } from './navegador.mjs';
 
 const capituloDe = caso => PROGRAMAS.find(p => p.nombre === caso.programa).capitulo;
@@ -162,23 +162,11 @@ const enLosDos = {
     }
   },
 
-  'con «Atrás» se vuelve a donde se estaba': async p => {
-    await p.carga();
-    for (const hash of ['#grua', '#L5.1', '#particulas-fuego']) {
-      await p.va(hash);
-      await p.da(() => cuadro());
-    }
-    for (const debe of ['L5.1', 'grua']) {
-      await p.da(() => history.back());
-      await p.acaba(debe, debe => location.hash === '#' + debe &&
-        Math.abs(document.getElementById(debe).getBoundingClientRect().top) < 120, debe);
-    }
-  },
-
-  'se busca y se copia': async p => {
+  'se busca y se copia, y las teclas con Ctrl, Alt o Meta son del navegador': async p => {
     await p.carga();
     await seBusca(p);
     await seCopia(p);
+    await sonDelNavegador(p);
   },
 
   'lo del libro y los fuentes': async p => {
@@ -190,16 +178,9 @@ const enLosDos = {
     assert.equal(await p.da(() => una('#grua abbr').title), 'ejercicio 3.5: la grúa de obra');
     await p.da(() => { una('#grua .fuentes').open = true; });
     await p.acaba('el fuente se ve', () => /glutMainLoop/.test(una('#grua pre').textContent));
-  },
-
-  'las teclas con Ctrl, Alt o Meta son del navegador, y cada botón, dos veces': async p => {
-    await p.carga();
-    await sonDelNavegador(p);
-    await p.talla(1024, 768);
-    await dosVeces(p, [['.programas summary', () => una('.programas').open, true, false],
-      ['#grua .fuentes summary', () => una('#grua .fuentes').open, true, false, true],
-      ['#grua .pestanas button:last-child', () => una('#grua .pestanas [aria-pressed=true]:last-child') !== null, true,
-        true]]);
+    await p.da(() => una('#grua .pestanas button:last-child').click());
+    await p.exige('y los demás', () => una('#grua .pestanas [aria-pressed=true]:last-child') !== null &&
+      !/glutMainLoop/.test(una('#grua pre').textContent));
   },
 
   'el dedo pasa a un lado y a otro': async p => {

@@ -113,23 +113,21 @@ test('lo que da web.py', async () => {
 });
 
 test('cada dirección es de su programa, y cada imagen, de su caso', () => {
-  const suyos = programas.map(({ nombre, ref }) =>
-    ({ nombre, referencia: ref, casos: casos.filter(c => c.programa === nombre) }));
-  suyos.unshift({ nombre: 'sin_libro', referencia: '', casos: [] });
+  const suyos = [{ nombre: 'sin_libro', referencia: '', casos: [] }, ...programas.map(({ nombre, ref }) =>
+    ({ nombre, referencia: ref, casos: casos.filter(c => c.programa === nombre) }))];
+  const lleva = (escrito, programa) => {
+    for (const forma of [escrito, escrito.toUpperCase(), escrito.toLowerCase()])
+      assert.equal(programaDe(forma, suyos), programa, forma);
+  };
   for (const programa of suyos) {
-    const { nombre, referencia, casos: tiene } = programa;
-    for (const escrito of [nombre, nombre.toUpperCase()]) assert.equal(programaDe(escrito, suyos), programa);
-    for (const codigo of referencia.split(' ').filter(Boolean)) {
-      const primero = suyos.find(p => p.referencia.split(' ').includes(codigo));
-      for (const escrito of [codigo, codigo.toLowerCase()]) assert.equal(programaDe(escrito, suyos), primero, codigo);
+    lleva(programa.nombre, programa);
+    for (const codigo of programa.referencia.split(' ').filter(Boolean))
+      lleva(codigo, suyos.find(p => p.referencia.split(' ').includes(codigo)));
+    for (const caso of programa.casos) {
+      lleva(caso.fichero, programa);
+      for (const escrito of [caso.fichero, caso.fichero.toUpperCase()]) assert.equal(casoDe(escrito, programa), caso);
     }
-    for (const caso of tiene) {
-      for (const escrito of [caso.fichero, caso.fichero.toUpperCase()]) {
-        assert.equal(programaDe(escrito, suyos), programa, escrito);
-        assert.equal(casoDe(escrito, programa), caso);
-      }
-    }
-    assert.equal(casoDe(nombre + '-nada', programa), undefined);
+    assert.equal(casoDe(programa.nombre + '-nada', programa), undefined);
   }
   tabla(buscado => programaDe(buscado, suyos)?.nombre, ['', undefined], ['3.5', undefined], ['grua-nada', undefined]);
 });

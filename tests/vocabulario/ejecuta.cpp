@@ -1,7 +1,6 @@
 #include "ejecuta.h"
 #include "oraculo/compara.h"
 #include "prueba.h"
-#include <cerrno>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -29,7 +28,6 @@ void fijaEntorno() {
         const std::size_t igual = linea.find('=');
         setenv(linea.substr(0, igual).c_str(), linea.substr(igual + 1).c_str(), 0);
     }
-    setenv("LAB_LEIDOS", (std::string(LAB_BUILD "/leidos/") + program_invocation_short_name).c_str(), 0);
 }
 
 /// Se borra con el proceso que la hizo; los que EXPECT_EXIT desdobla también terminan, y no deben tocarla.
@@ -52,30 +50,21 @@ struct CarpetaTemporal {
 
 std::string ultimoPrograma; // sin su capítulo
 
-/// La peor comparación de la prueba en curso: lo obtenido, la referencia y su diferencia (ampliada 8 veces), en fila.
+/// La peor comparación de la prueba en curso: la referencia y lo obtenido.
 struct LadoALado : testing::EmptyTestEventListener {
     double error = -1;
-    Imagen imagen;
+    Imagen esperada, obtenida;
 
     void apunta(const oraculo::Comparacion &c, const Imagen &gpu, const oraculo::ImagenRef &ref) {
         const double suyo = c.maximo + 255.0 * c.bandaLejos;
         if (suyo <= error)
             return;
         error = suyo;
-        const Imagen esperada = oraculo::enBytes(ref);
-        imagen = {3 * gpu.ancho, gpu.alto, {}};
-        for (std::size_t fila = 0, largo = std::size_t(3 * gpu.ancho); fila < gpu.rgb.size(); fila += largo) {
-            const auto a = gpu.rgb.begin() + std::ptrdiff_t(fila),
-                       b = esperada.rgb.begin() + std::ptrdiff_t(fila);
-            const auto n = std::ptrdiff_t(largo);
-            imagen.rgb.insert(imagen.rgb.end(), a, a + n);
-            imagen.rgb.insert(imagen.rgb.end(), b, b + n);
-            std::transform(a, a + n, b, std::back_inserter(imagen.rgb), [](int x, int y) {
-                return static_cast<unsigned char>(std::min(8 * std::abs(x - y), 255));
-            });
-        }
+        esperada = oraculo::enBytes(ref);
+        obtenida = gpu;
     }
-    /// Si la prueba falla queda en BUILD/fallos/oraculo/; con LAB_COMPARACIONES=CARPETA quedan ahí las de todas.
+    /// Si la prueba falla quedan en BUILD/fallos/oraculo/, con su diferencia, como las del comparador; con
+    /// LAB_COMPARACIONES=CARPETA quedan ahí las de todas.
     void OnTestEnd(const testing::TestInfo &prueba) override {
         const char *todas = std::getenv("LAB_COMPARACIONES");
         if (error >= 0 && (todas || prueba.result()->Failed())) {
@@ -83,7 +72,16 @@ struct LadoALado : testing::EmptyTestEventListener {
             fs::create_directories(carpeta);
             std::string nombre = std::string(prueba.test_suite_name()) + "." + prueba.name();
             std::replace(nombre.begin(), nombre.end(), '/', '_');
-            guardaPpm(carpeta / (nombre + ".ppm"), imagen);
+            const std::string prefijo = (carpeta / nombre).string();
+            Imagen diferencia = esperada;
+            for (std::size_t i = 0; i < obtenida.rgb.size(); ++i)
+                diferencia.rgb[i] = static_cast<unsigned char>(
+                    std::min(8 * std::abs(esperada.rgb[i] - obtenida.rgb[i]), 255));
+            guardaPpm(prefijo + "-esperada.ppm", esperada);
+            guardaPpm(prefijo + "-obtenida.ppm", obtenida);
+            guardaPpm(prefijo + "-diferencia.ppm", diferencia);
+            std::printf("imágenes en %s-*.ppm\n",
+                        prefijo.c_str()); // las busca herramientas/pruebas/fallos.py
         }
         error = -1;
     }
