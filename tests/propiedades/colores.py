@@ -1,18 +1,16 @@
 #!/usr/bin/env python3
-"""colores.py RAÍZ BUILD: nadie se pierde nada por no distinguir los colores. En cada caso del catálogo, de dos
-rótulos que solo con su color dicen de qué hablan (no están junto a un trazo de ese color), los colores se distinguen
+"""colores.py BUILD: nadie se pierde nada por no distinguir los colores. En cada caso del catálogo, en lo que pinta
+encima según su golden, de dos rótulos que solo con su color dicen de qué hablan (no están junto a un trazo de ese color), los colores se distinguen
 también con deuteranopia, protanopia y tritanopia: ΔE de CIEDE2000 de 20 o más. Si no, en EXCEPCIONES está qué otra
 cosa los distingue."""
 import itertools
 import math
-import os
-import subprocess
 import sys
-import tempfile
 from functools import cache
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[2] / "herramientas"))
+PRUEBAS = Path(__file__).parents[1]
+sys.path.insert(0, str(PRUEBAS.parent / "herramientas"))
 from base import catalogo
 from encima import lee
 
@@ -77,15 +75,11 @@ def se_distinguen(uno, otro):
     return min((ciede2000(visto(uno, m), visto(otro, m)), quien) for quien, m in VISTAS.items())
 
 
-def encima(build, caso, carpeta):
-    """Los rótulos y los trazos de un caso (common/encima/encima.h): color, puntos y texto."""
-    fichero = carpeta / "encima"
-    orden = [caso.programa.ejecutable(build), "-geometry", "240x180", "-ppm", "x.ppm", "-guion", caso.guion]
-    subprocess.run(
-        orden, cwd=carpeta, check=True, env=os.environ | {"LAB_ENCIMA": str(fichero)}, stdout=subprocess.DEVNULL
-    )
+def encima(caso):
+    """Los rótulos y los trazos de un caso: color, puntos y texto."""
+    golden = PRUEBAS / f"golden/{caso.programa.capitulo.nombre}/{caso.fichero}.encima"
     rotulos, trazos = [], []
-    for p in lee(fichero)[-1]:
+    for p in lee(golden)[-1] if golden.exists() else ():
         (rotulos if p.tipo == "rotulo" else trazos).append((p.color, p.puntos, p.texto))
     return rotulos, trazos
 
@@ -112,14 +106,12 @@ def confunden(rotulos, trazos):
 
 
 def main():
-    build = Path(sys.argv[2]).resolve()
     fallos, confusos = [], set()
-    with tempfile.TemporaryDirectory() as carpeta:
-        for programa in catalogo.lee_programas(build):
-            for caso in () if programa.consola else programa.casos:
-                for que in confunden(*encima(build, caso, Path(carpeta))):
-                    confusos.add(programa.nombre)
-                    fallos += [] if programa.nombre in EXCEPCIONES else [f"{caso.fichero}: {que}"]
+    for programa in catalogo.lee_programas(Path(sys.argv[1]).resolve()):
+        for caso in () if programa.consola else programa.casos:
+            for que in confunden(*encima(caso)):
+                confusos.add(programa.nombre)
+                fallos += [] if programa.nombre in EXCEPCIONES else [f"{caso.fichero}: {que}"]
     sobran = sorted(set(EXCEPCIONES) - confusos)
     fallos += [f"{nombre} ya no confunde a nadie y sigue en EXCEPCIONES" for nombre in sobran]
     print(*fallos, sep="\n")
