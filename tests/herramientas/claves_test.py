@@ -6,7 +6,6 @@ from types import SimpleNamespace
 import pytest
 
 from galeria import dibuja
-from pruebas import evidencia
 from mentira import siembra
 
 
@@ -51,20 +50,3 @@ def test_una_imagen_de_la_galeria(tmp_path, monkeypatch, otra_vez):
     for que, nombre in ((dibuja, "TALLA"), (dibuja, "PROYECTADA"), (dibuja, "WEBP"), (caso, "guion"), (caso, "anima")):
         monkeypatch.setattr(que, nombre, "1 otra")
         assert otra_vez() and not otra_vez(), nombre
-
-
-def test_lo_que_midio_una_prueba(tmp_path):
-    """También los programas y los shaders que usa."""
-    build = tmp_path / "build"
-    siembra(tmp_path, {"ch/a.vert": "", "build/osmesa/a": "", "build/tests/x_test": "", "build/x.json": ""})
-    siembra(build, {"leidos/x_test": f"{build}/osmesa/a\nch/a.vert\nnoesta\n"})
-    usa = build / "tests/x_test", build / "osmesa/a", tmp_path / "ch/a.vert"
-    pregunta = tmp_path, build, build / "x.json", usa[0]
-    os.utime(build / "x.json", (2e9, 2e9))
-    assert evidencia.al_dia(*pregunta)
-    for fichero in usa:
-        os.utime(fichero, (2.1e9, 2.1e9))
-        assert not evidencia.al_dia(*pregunta), fichero
-        os.utime(fichero, (1e9, 1e9))
-    (build / "x.json").unlink()
-    assert not evidencia.al_dia(*pregunta)
