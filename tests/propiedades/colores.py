@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """colores.py BUILD: nadie se pierde nada por no distinguir los colores. En cada caso del catálogo, en lo que pinta
-encima según su golden, de dos rótulos que solo con su color dicen de qué hablan (no están junto a un trazo de ese color), los colores se distinguen
-también con deuteranopia, protanopia y tritanopia: una distancia en CIELAB de 27 o más. Si no, en EXCEPCIONES está qué otra
-cosa los distingue."""
+encima según su golden, de dos rótulos que solo con su color dicen de qué hablan (no están junto a un trazo de ese
+color), los colores se distinguen también con deuteranopia, protanopia y tritanopia: una distancia en CIELAB de 27 o
+más. Si no, en EXCEPCIONES está qué otra cosa los distingue."""
 import itertools
 import math
 import sys
