@@ -8,7 +8,6 @@
 //   COLOR entero|cortado|ausente  lo de ese color, con más o menos luz: no toca el borde, lo toca, no está
 //   COLOR A a B %                 lo que ocupa de ella
 //   distinta de CASO en A a B %   los píxeles que cambian en más de 12 niveles
-//   igual que CASO                ninguno cambia en más de 12
 // Estado: 0 si todas son así; 1 si alguna no, y dice cuál y qué hay; 2 si una está mal escrita.
 #include "colores.h"
 #include "error.h"
@@ -149,11 +148,6 @@ static const Forma FORMAS[] = {
     {std::regex("distinta de (\\w+) en " + TRAMO),
      [](const std::smatch &m, const Caso &caso, const Programa &programa) {
          return caso.entre(caso.distintos(programa[m[1]]), m[2], m[3]);
-     }},
-    {std::regex("igual que (\\w+)"),
-     [](const std::smatch &m, const Caso &caso, const Programa &programa) {
-         const int cuantos = caso.distintos(programa[m[1]]);
-         return cuantos ? std::to_string(cuantos) + " píxeles distintos" : "";
      }},
 };
 

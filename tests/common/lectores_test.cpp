@@ -1,5 +1,4 @@
-// Los lectores de common/ y el de la tetera: imágenes, mallas v/f, parches y rutas. Lo bueno, y qué dicen de lo malo.
-#include "ch02_modelado/bezier.h"
+// Los lectores de common/: imágenes, mallas v/f y rutas. Lo bueno, y qué dicen de lo malo.
 #include "ejecuta.h"
 #include "error.h"
 #include "imagen.h"
@@ -219,32 +218,6 @@ TEST(LeeVf, NoDependeDelIdioma) {
     ASSERT_EQ(m.vertices.size(), 4u);
     EXPECT_EQ(m.vertices[3], glm::vec3(0.25f, 1.5f, -2));
     EXPECT_EQ(m.caras, (std::vector<std::vector<unsigned>>{{0, 1, 2}, {0, 2, 3}}));
-}
-
-// --- Los parches de la tetera ---
-
-TEST(LeeParches, CadaErrorDiceFicheroYLinea) {
-    std::string puntos;
-    for (int i = 0; i < 16; ++i)
-        puntos += "v " + std::to_string(i % 4) + " " + std::to_string(i / 4) + " 0.5\n";
-    const std::string p = "p 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 ";
-    const ConRaiz raiz(carpetaTemporal());
-    escribe("p.txt", puntos + p + "16 # todos\n");
-    ASSERT_EQ(leeParches("p.txt").size(), 1u);
-    EXPECT_EQ(leeParches("p.txt")[0].p[3][3], glm::dvec3(3, 3, 0.5));
-    const char *const DIECISEIS = "p.txt:17: un parche son dieciséis puntos entre el 1 y el 16";
-    esperaQueTermine([](const std::string &) { leeParches("p.txt"); }, "p.txt",
-                     {{"", "«p.txt» no tiene ningún parche"},
-                      {puntos, "«p.txt» no tiene ningún parche"},
-                      {"v 1 2 1e300\n", "p.txt:1: un punto de control son tres números — «v 1 2 1e300»"},
-                      {"v 1.5.2.3 1 1\n", "p.txt:1: un punto de control son tres números"},
-                      {"v 1 2\n", "p.txt:1: un punto de control son tres números"},
-                      {puntos + p + "\n", DIECISEIS},
-                      {puntos + p + "17\n", DIECISEIS},
-                      {puntos + p + "0\n", DIECISEIS},
-                      {puntos + p + "1.5\n", DIECISEIS},
-                      {puntos + p + "16 1\n", "p.txt:17: un parche son dieciséis puntos y sobra «1»"},
-                      {"q\n", "p.txt:1: cada línea empieza por v o por p"}});
 }
 
 TEST(Recurso, SeBuscaPrimeroEnLabRaizYSeApuntaEnLabLeidos) {

@@ -1,6 +1,5 @@
 // Un modelo de GLUT, escrito otra vez y más corto, y partidas al azar: lo que se le hace a tests/costura/registro.cpp y
-// lo que tiene que escribir. Sin ventana, línea por línea (glut_test.cpp); con FreeGLUT, lo mismo que sin ventana
-// (registro.sh).
+// lo que tiene que escribir, línea por línea (glut_test.cpp).
 #pragma once
 #include <algorithm>
 #include <array>
@@ -27,14 +26,10 @@ inline std::string une(std::string texto, const Numeros &numeros) {
 
 class Partida {
 public:
-    std::string tandas;  // el argumento de registro
-    std::string guion;   // con glut_sin_ventana
-    std::string real;    // y con FreeGLUT: los menús, a golpe de ratón
-    std::string titulos; // los que se han de ver, uno por línea
-    std::string diario, rasgos;
+    std::string tandas; // el argumento de registro
+    std::string guion, diario, rasgos;
 
-    /// `enVentana`: solo lo que FreeGLUT hace igual cada vez.
-    Partida(unsigned semilla, bool enVentana) : azar(semilla), conVentana(enVentana) {
+    explicit Partida(unsigned semilla) : azar(semilla) {
         for (const char *una : FUNCIONES)
             pon(una, 1);
         for (int i = 0; i < 12; ++i) // con menús desde el principio
@@ -52,10 +47,6 @@ public:
         trabaja();
         for (int i = 0; i < 40 && !termina; ++i)
             orden();
-        if (conVentana && !termina) {
-            ultima = true;
-            especial();
-        }
         for (const char *rasgo : {"teclado", "especial", "raton", "arrastre", "movimiento", "rueda"})
             if (funcion[rasgo])
                 rasgos += std::string(rasgo) + "\n";
@@ -79,16 +70,14 @@ private:
     struct Opcion {
         std::string ruta;
         int menu, funcion, valor;
-        Numeros filas; // de cada menú hasta ella
     };
 
     std::mt19937 azar;
-    bool conVentana, repinta = false, termina = false, completa = false, conmutaCompleta = false,
-                     ultima = false;
+    bool repinta = false, termina = false, completa = false, conmutaCompleta = false;
     std::map<std::string, int> funcion; // su versión; 0: ninguna
     std::map<int, Menu> menus;
     int actual = 0, creados = 0, deBoton[3] = {}, rotulos = 10000000, titulo = 0;
-    bool abierto = false, enMenu = false;
+    bool abierto = false;
     std::pair<int, int> talla = {ANCHO, ALTO}, pedida, previa, puntero = {-1, -1};
     std::set<int> pulsados;
     long long reloj = 0;
@@ -107,12 +96,10 @@ private:
     }
     void da(const std::string &que) {
         guion += que + ";";
-        real += que + ";";
     }
     void da(const std::string &que, std::pair<int, int> p) {
-        const int f = conVentana ? 1 : 1 + n(2); // como si la ventana fuera el doble
-        if (!conVentana)
-            guion += une("escala", {f * talla.first, f * talla.second}) + ";";
+        const int f = 1 + n(2); // como si la ventana fuera el doble
+        guion += une("escala", {f * talla.first, f * talla.second}) + ";";
         da(une(que, {f * p.first, f * p.second}));
     }
 
@@ -184,7 +171,6 @@ private:
 
     // El diario dice los que cambian.
     void ponTitulo(int cual) {
-        titulos += std::to_string(cual) + "\n";
         if (std::exchange(titulo, cual) != cual)
             diario += "título: " + std::to_string(cual) + "\n";
     }
@@ -233,21 +219,18 @@ private:
     }
 
     void enumera(int menu, const std::string &ruta) {
-        for (const Opcion &o : opciones(menu, ruta, {}))
+        for (const Opcion &o : opciones(menu, ruta))
             rasgos += "opcion " + o.ruta + "\n";
     }
-    std::vector<Opcion> opciones(int menu, const std::string &ruta, const Numeros &filas) {
+    std::vector<Opcion> opciones(int menu, const std::string &ruta) {
         std::vector<Opcion> todas;
-        int fila = 0;
         for (const Entrada &e : menus[menu].entradas) {
-            Numeros suyas = filas;
-            suyas.push_back(fila++);
             const std::string suya = ruta + std::to_string(e.texto);
             if (!e.submenu) {
-                todas.push_back({suya, menu, menus[menu].funcion, e.valor, suyas});
+                todas.push_back({suya, menu, menus[menu].funcion, e.valor});
                 continue;
             }
-            for (const Opcion &o : opciones(e.submenu, suya + "/", suyas))
+            for (const Opcion &o : opciones(e.submenu, suya + "/"))
                 todas.push_back(o);
         }
         return todas;
@@ -258,8 +241,6 @@ private:
     void tanda() {
         tandas += "/";
         yaEnLaTanda.clear();
-        if (ultima)
-            return llama("acaba");
         for (int veces = n(5); veces > 0 && !termina; --veces) {
             static const char *const QUE[] = {"crea",    "crea",    "opcion", "opcion", "opcion",
                                               "submenu", "actual",  "enlaza", "talla",  "temporizador",
@@ -267,7 +248,7 @@ private:
                                               "",        "completa"};
             prueba(QUE[n(int(std::size(QUE)))]);
         }
-        if (!conVentana && n(30) == 0)
+        if (n(30) == 0)
             llama("acaba");
     }
 
@@ -275,51 +256,35 @@ private:
     bool prueba(const std::string &que) {
         const std::string una = FUNCIONES[n(int(std::size(FUNCIONES)))];
         const int vivo = menus.empty() ? 0 : std::next(menus.begin(), n(int(menus.size())))->first;
-        const bool unaVez = conVentana && yaEnLaTanda.count(que);
         if (que.empty())
             return pon(una, 0), true;
         if (que == "crea")
             return llama(que, {n(2) + 1}), true;
-        if (que == "titulo" && !unaVez)
-            return llama(que, {conVentana || !titulo || n(2) ? ++rotulos : titulo}), true;
-        // FreeGLUT pide a X la talla, y mientras llega sigue; si crece tras elegir, el botón se suelta sobre ella
-        const bool conTalla = conVentana && yaEnLaTanda.count("talla");
-        if (que == "talla" && conVentana &&
-            (enMenu || yaEnLaTanda.count("repinta") || yaEnLaTanda.count("temporizador")))
-            return false;
-        if (que == "repinta" && !conTalla)
+        if (que == "titulo")
+            return llama(que, {!titulo || n(2) ? ++rotulos : titulo}), true;
+        if (que == "repinta")
             return llama(que), true;
-        if (que == "temporizador" && !conTalla)
-            return llama(que, {conVentana ? 40 * n(4) : n(n(2) ? 2 : 50), conVentana ? 10 * n(9) : n(100)}),
-                   true;
-        if (que == "talla" && !unaVez && !yaEnLaTanda.count("completa"))
+        if (que == "temporizador")
+            return llama(que, {n(n(2) ? 2 : 50), n(100)}), true;
+        if (que == "talla" && !yaEnLaTanda.count("completa"))
             return llama(que, {260 + n(100), 200 + n(100)}), true;
-        if (que == "completa" && !conVentana && !yaEnLaTanda.count("completa") && !yaEnLaTanda.count("talla"))
+        if (que == "completa" && !yaEnLaTanda.count("completa") && !yaEnLaTanda.count("talla"))
             return llama(que), true;
         if (vivo && que == "actual")
             return llama(que, {vivo}), true;
         if (!actual)
             return false;
-        auto &entradas = menus[actual].entradas;
-        const int valor = n(3) ? 10 * n(9) : 7;
-        if (que == "opcion" && entradas.size() < 6)
-            return llama(que, {++rotulos, valor}), true;
-        if (que == "submenu" && vivo && vivo < actual && puedeAbrirse(vivo)) // sin lazos
+        if (que == "opcion" && menus[actual].entradas.size() < 6)
+            return llama(que, {++rotulos, n(3) ? 10 * n(9) : 7}), true;
+        if (que == "submenu" && vivo && vivo < actual) // sin lazos
             return llama(que, {++rotulos, vivo}), true;
-        if (que == "enlaza" && puedeAbrirse(actual))
+        if (que == "enlaza")
             return llama(que, {n(3)}), true;
         return false;
     }
 
-    // FreeGLUT no sabe abrir uno vacío.
-    bool puedeAbrirse(int menu) {
-        return !conVentana || !menus[menu].entradas.empty();
-    }
-
     // Una versión de esa función, desde `minima`. Sin dibujar o sin órdenes no se sigue.
     void pon(const std::string &una, int minima) {
-        if (conVentana && una == "dibuja")
-            return llama(una, {1}); // la otra se pide a sí misma, y allí no para
         minima = una == "dibuja" || una == "especial" ? 1 : minima;
         llama(una, {minima + n(3 - minima)});
     }
@@ -329,12 +294,9 @@ private:
     std::pair<int, int> sitio() {
         return {5 + n(240), 5 + n(180)};
     }
-    static std::string en(std::pair<int, int> p) {
-        return une("", {p.first, p.second});
-    }
 
     void tecla() {
-        const bool esc = !conVentana && n(60) == 0;
+        const bool esc = n(60) == 0;
         const char cual = esc ? 27 : "azq5-,."[n(7)];
         da(esc ? "tecla Esc" : std::string("tecla ") + cual);
         if (const int version = funcion["teclado"]) {
@@ -353,8 +315,6 @@ private:
         apunta(une("especial", {funcion["especial"], codigo, puntero.first, puntero.second}));
         tanda();
         trabaja();
-        if (conVentana && yaEnLaTanda.count("temporizador"))
-            espera(300); // allí el reloj no se para
     }
 
     void espera(int ms) {
@@ -387,7 +347,7 @@ private:
         if (n(2))
             tecla();
         // hasta que se da un menú al botón que está pulsado
-        for (int veces = conVentana || uno > 2 ? 0 : n(9); veces > 0 && !termina && !deBoton[uno]; --veces)
+        for (int veces = uno > 2 ? 0 : n(9); veces > 0 && !termina && !deBoton[uno]; --veces)
             especial();
         if (!termina)
             pulsa(uno, false, sitio());
@@ -417,7 +377,7 @@ private:
         clic(cual);
         for (int veces = n(3); veces > 0 && abierto && !termina; --veces)
             n(2) ? tecla() : clic(n(3));
-        if (abierto && !termina && !conVentana && n(2))
+        if (abierto && !termina && n(2))
             return eligeOpcion();
         if (abierto && !termina) {
             da("rueda +1", {x - 20, 9});
@@ -425,35 +385,19 @@ private:
         }
     }
 
-    // Cada opción mide 24 píxeles de alto y, con ocho cifras y una flecha, menos de 100 de ancho: la mitad del submenú.
     void eligeOpcion() {
         const int cual = n(3);
-        const auto todas = deBoton[cual] ? opciones(deBoton[cual], "", {}) : std::vector<Opcion>();
+        const auto todas = deBoton[cual] ? opciones(deBoton[cual], "") : std::vector<Opcion>();
         if (todas.empty())
             return tecla();
         const Opcion o = todas[std::size_t(n(int(todas.size())))];
-        const std::pair<int, int> desde = {talla.first - 5, 10 + n(20)};
-        mueve(desde);
-        guion += "menu " + o.ruta + ";";
-        const std::string en_el = std::string("boton ") + BOTONES[cual];
-        real += en_el + " abajo" + en(desde) + ";" + en_el + " arriba" + en(desde) + ";";
-        std::pair<int, int> aqui = {desde.first + 20, desde.second};
-        for (const int fila : o.filas) {
-            aqui.second += 24 * fila;
-            real += "mueve" + en({aqui.first, aqui.second + 14}) + ";";
-            aqui.first += 98;
-        }
-        aqui = {aqui.first - 98, aqui.second + 14};
-        real += "boton IZQUIERDO abajo" + en(aqui) + ";boton IZQUIERDO arriba" + en(aqui) + ";";
+        mueve({talla.first - 5, 10 + n(20)});
+        da("menu " + o.ruta);
         const int antes = std::exchange(actual, o.menu);
-        enMenu = true;
         abierto = false;
         llega("menu", o.funcion, o.valor);
-        enMenu = false;
         actual = antes;
         trabaja();
-        if (conVentana && o.valor == 7 && yaEnLaTanda.count("temporizador"))
-            espera(300);
         if (!termina)
             mueve(sitio());
     }
@@ -465,13 +409,10 @@ private:
         case 2: return rueda();
         case 3: return arrastra();
         case 4: return eligeOpcion();
-        case 5:
-            if (!conVentana)
-                return espera(n(60));
-            [[fallthrough]];
+        case 5: return espera(n(60));
         case 6: {
             const std::pair<int, int> nueva = {260 + n(100), 200 + n(100)};
-            da("tamano" + en(nueva));
+            da(une("tamano", {nueva.first, nueva.second}));
             cambiaTalla(nueva);
             return trabaja();
         }

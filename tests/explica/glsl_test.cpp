@@ -1,7 +1,4 @@
 // El reescritor de shaders: lo que apunta es lo que pasa. Que lo que calcula no cambia, propiedades/explica.py.
-#include "ejecuta.h"
-#include "glut/sin_ventana/essl.h"
-#include "rutas.h"
 #include "traza.h"
 
 using namespace explica;
@@ -65,55 +62,7 @@ const std::vector<Caso> CASOS = {
 #include "casos.inc"
 };
 
-namespace fs = std::filesystem;
-
-/// Un shader con sus #include en su sitio, como lo da common/shader.cpp.
-std::string conInclusiones(const fs::path &ruta) {
-    std::ifstream f(ruta);
-    std::string todo;
-    for (std::string linea; std::getline(f, linea);) {
-        std::smatch m;
-        if (std::regex_match(linea, m, std::regex("#include \"(.*)\"\r?")))
-            todo += conInclusiones(recurso(m[1]));
-        else
-            todo += linea + "\n";
-    }
-    return todo;
-}
-
-/// Los del laboratorio, por su nombre; los que están mal a propósito, no.
-std::map<std::string, std::string> shaders(const std::string &extension) {
-    std::map<std::string, std::string> todos;
-    const fs::path raiz = fs::path(recurso("CMakeLists.txt")).parent_path();
-    for (const auto &carpeta : fs::directory_iterator(raiz))
-        if (std::regex_match(carpeta.path().filename().string(), std::regex("common|ch[0-9][0-9]_.*")))
-            for (const auto &f : fs::directory_iterator(carpeta))
-                if (f.path().extension() == extension &&
-                    f.path().filename().string().find("errores_") == std::string::npos)
-                    todos[f.path().filename().string()] = conInclusiones(f.path());
-    return todos;
-}
-
 } // namespace
-
-/// De unos textos, por el nombre de su fichero, lo que dice glslangValidator de cada uno que no vale.
-std::map<std::string, std::string> rechazados(const std::map<std::string, std::string> &textos) {
-    std::string orden = "cd " + carpetaTemporal().string() + "; glslangValidator";
-    for (const auto &[nombre, texto] : textos) {
-        std::ofstream(carpetaTemporal() / nombre) << texto;
-        orden += " " + nombre;
-    }
-    EXPECT_NE(std::system((orden + " >informe").c_str()), -1);
-    std::ifstream informe(carpetaTemporal() / "informe");
-    std::map<std::string, std::string> mal;
-    std::string quien;
-    for (std::string linea; std::getline(informe, linea);)
-        if (textos.count(linea))
-            quien = linea;
-        else if (linea.find("ERROR") == 0)
-            mal[quien] += linea + "\n";
-    return mal;
-}
 
 // Mesa enlaza con una salida de más y con una entrada que nadie da; la web, no.
 TEST(ExplicaGlsl, SoloLasSalidasYEntradasQueHacenFalta) {
@@ -125,27 +74,6 @@ TEST(ExplicaGlsl, SoloLasSalidasYEntradasQueHacenFalta) {
     for (const Nota &n : r.notas)
         entradas += n.clase == Clase::Entrada ? n.nombre + " " : "";
     EXPECT_EQ(entradas, "usa ");
-}
-
-// Y es GLSL como lo entiende otro compilador, también traducido a ES 3.00 si así vale el original.
-TEST(ExplicaGlsl, EsValidoParaOtroCompilador) {
-    std::map<std::string, std::string> suyos, reescritos, traducidos;
-    for (const std::string extension : {".frag", ".vert"})
-        for (const auto &[nombre, texto] : shaders(extension)) {
-            const Reescrito r =
-                reescribe(texto, 8, extension == ".frag" ? Etapa::Fragmento : Etapa::Vertices);
-            EXPECT_TRUE(r.sinSeguir.empty()) << nombre << ": " << r.sinSeguir[0].motivo;
-            suyos[nombre] = sin_ventana::enEssl(texto);
-            reescritos[nombre] = r.fuente;
-            traducidos[nombre] = sin_ventana::enEssl(r.fuente);
-        }
-    for (const auto &[nombre, mal] : rechazados(reescritos))
-        ADD_FAILURE() << nombre << ": " << mal << reescritos[nombre];
-    const auto noSonEs = rechazados(suyos);
-    EXPECT_LT(noSonEs.size(), 5u);
-    EXPECT_GT(suyos.size(), 70u);
-    for (const auto &[nombre, mal] : rechazados(traducidos))
-        EXPECT_TRUE(noSonEs.count(nombre)) << nombre << ": " << mal << traducidos[nombre];
 }
 
 TEST(ExplicaGlsl, ApuntaLoQuePasa) {

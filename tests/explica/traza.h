@@ -45,9 +45,7 @@ inline void abre(int cuantas) {
 }
 
 /// El programa de dos textos; 0 y lo que dice el compilador, si no valen.
-inline GLuint enlaza(
-    const std::string &vert, const std::string &frag, std::string &error,
-    const std::function<void(GLuint)> &antes = [](GLuint) {}) {
+inline GLuint enlaza(const std::string &vert, const std::string &frag, std::string &error) {
     const GLuint programa = glCreateProgram();
     const auto informe = [&](auto pide, GLuint cual) {
         char texto[2000] = "";
@@ -67,7 +65,6 @@ inline GLuint enlaza(
         glAttachShader(programa, shader);
         glDeleteShader(shader);
     }
-    antes(programa);
     glLinkProgram(programa);
     glGetProgramiv(programa, GL_LINK_STATUS, &bien);
     if (!bien)

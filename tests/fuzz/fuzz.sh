@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # fuzz.sh LECTOR [opciones de libFuzzer]: busca con libFuzzer, ASan y UBSan entradas que rompan un lector (glsl, shader,
-# imagen, malla, guion o tetera), a partir de semillas/LECTOR. Paquetes: clang, libclang-rt-dev. Por ejemplo,
+# imagen, malla o guion), a partir de semillas/LECTOR. Paquetes: clang, libclang-rt-dev. Por ejemplo,
 # -runs=10000000. Lo que encuentra queda en build/fuzz/; una vez arreglado, la entrada se guarda entre las semillas.
 set -euo pipefail
 export LECTOR=$1

@@ -1,7 +1,6 @@
 // Los lectores de lo que da el usuario, para estrellar entradas contra ellos: lo que uno cree leer de un fichero es la
 // entrada, y `falla` lanza una excepción en vez de terminar. $LECTOR dice cuál; los llaman libFuzzer (fuzz.sh) o
 // conductor.cpp.
-#include "ch02_modelado/bezier.h"
 #include "error.h"
 #include "glut/sin_ventana/guion.h"
 #include "herramientas/explica/glsl.h"
@@ -136,19 +135,6 @@ static void malla(const Texto &entrada) {
     });
 }
 
-/// Los parches de Bézier de assets/tetera.txt.
-static void tetera(const Texto &entrada) {
-    ficheros["p.txt"] = entrada;
-    lee([] {
-        const std::vector<Parche> parches = leeParches("p.txt");
-        exige(!parches.empty());
-        for (const Parche &q : parches)
-            for (const auto &fila : q.p)
-                for (const glm::vec3 p : fila)
-                    exige(finito(p));
-    });
-}
-
 /// Los #include de los shaders y la traducción del informe de un compilador, que rechaza todos. La entrada son,
 /// separados por bytes nulos: el shader, el informe y dos ficheros, a y b, que se pueden incluir.
 static void shader(const Texto &entrada) {
@@ -192,9 +178,8 @@ static void glsl(const Texto &entrada) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *datos, std::size_t n) {
-    static const std::map<Texto, void (*)(const Texto &)> LECTORES = {{"glsl", glsl},     {"guion", guion},
-                                                                      {"imagen", imagen}, {"malla", malla},
-                                                                      {"shader", shader}, {"tetera", tetera}};
+    static const std::map<Texto, void (*)(const Texto &)> LECTORES = {
+        {"glsl", glsl}, {"guion", guion}, {"imagen", imagen}, {"malla", malla}, {"shader", shader}};
     static const auto lector = LECTORES.at(std::getenv("LECTOR"));
     lector(Texto(datos, datos + n));
     return 0;

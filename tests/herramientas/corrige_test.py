@@ -17,12 +17,14 @@ import tarfile
 import tempfile
 import time
 import xml.etree.ElementTree as xml
+import zipfile
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
-from banco import BUILD, RAIZ, REF, UNO, banco_falso, carpeta_de, con_catalogo, con_comparador, con_jaula, orden
+from aula_test import COLUMNAS, celdas
+from banco import BUILD, MOODLE, RAIZ, REF, UNO, banco_falso, carpeta_de, con_catalogo, con_comparador, con_jaula, orden
 from base import catalogo, guiones, procesos
 from base.fuentes import SHADERS
 from ejercicios import nuevo, reglas
@@ -34,6 +36,7 @@ from ejercicios.corrige.arbitro import BIEN, CASI, Arbitro, aparte
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.partidas import Guion, Partida
 from ejercicios.reglas import Reglas
+from copias import copia
 from mentira import ejecutable, faltan, siembra, sin_ventana
 
 GRUA = sin_ventana(BUILD) / "ch03_transformaciones/grua"
@@ -654,30 +657,50 @@ ENTREGAS = {  # qué se quita de la solución, y qué se pone
 }
 
 
+def de_moodle(nombre):
+    """Cómo llama a su carpeta: con su número."""
+    return f"{nombre}_{2000 + ord(nombre[0])}{MOODLE}"
+
+
+def quien(carpeta):
+    return re.sub(r"_\d+_assign.*", "", carpeta)
+
+
+def la_hoja(clase):
+    """Con dos que no han entregado, y las filas en otro orden que las carpetas."""
+    datos = io.StringIO()
+    escribe = csv.writer(datos, lineterminator="\n")
+    escribe.writerow(COLUMNAS)
+    for n in [*sorted((c.name.split("_")[-4] for c in clase.iterdir()), reverse=True), 8, 9]:
+        escribe.writerow([f"Participante {n}", f"Quien sea {n}", "", "Enviado", "", "10,00", "Sí", "-", "-", ""])
+    return datos.getvalue()
+
+
 @pytest.fixture(scope="module")
 def clase(tmp_path_factory):
+    """La descarga de Moodle, en una carpeta, y al lado su hoja de calificaciones."""
     sitio = tmp_path_factory.mktemp("clase") / "grupo"
     programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
-    bien = nuevo.solucion(RAIZ, programa, REF)
-    siembra(sitio / "b_esqueleto", nuevo.esqueleto(RAIZ, programa, REF))
+    bien, entregas = nuevo.solucion(RAIZ, programa, REF), {"b_esqueleto": nuevo.esqueleto(RAIZ, programa, REF)}
     for nombre, (fichero, viejo, otro) in ENTREGAS.items():
         assert viejo in bien[fichero]
-        siembra(sitio / nombre, {**bien, fichero: bien[fichero].replace(viejo, otro, 1)})
-    (sitio / "k_enlace").mkdir()
-    (sitio / "k_enlace/grua.cpp").symlink_to("/etc/passwd")
+        entregas[nombre] = {**bien, fichero: bien[fichero].replace(viejo, otro, 1)}
+    entregas["u_copia"] = copia(entregas["c_gira_al_reves"], random.Random(1), baraja=False)
     programa, cabecera = bien["grua.cpp"], bien["grua.h"]
     incluye = "".join(f'#include "{f}"\n' for f in INCLUYE)
-    siembra(sitio / "o_navegador", {"mi grúa (1).cpp": incluye + programa, "grua (2).h": "\ufeff" + cabecera})
-    siembra(sitio / "o_navegador", {"util/cosas.h": '#include "mas.inl"', "util/mas.inl": "", "otras.hpp": ""})
+    navegador = {"mi grúa (1).cpp": incluye + programa, "grua (2).h": "\ufeff" + cabecera}
+    entregas["o_navegador"] = {**navegador, "util/cosas.h": '#include "mas.inl"', "util/mas.inl": "", "otras.hpp": ""}
     vieja = programa.replace("estado.cubo = creaBuferes(cubo());", "")
-    siembra(
-        sitio / "t_al_lado",
-        {"mi grúa.cpp": programa, "mi grúa - copia.cpp": vieja, "grua.h": cabecera, "malla.vf": "v" * 2**21},
-    )
-    siembra(sitio / "t_al_lado", {f"cmake-build-debug/{i}.cpp": programa for i in range(9)})
-    siembra(
-        sitio / "t_al_lado", {"common/ventana.h": "#error\n", "vieja/otra.cpp": "#error\n", "glm/glm.hpp": "#error\n"}
-    )
+    al_lado = {"mi grúa.cpp": programa, "mi grúa - copia.cpp": vieja, "grua.h": cabecera, "malla.vf": "v" * 2**21}
+    al_lado |= {f"cmake-build-debug/{i}.cpp": programa for i in range(9)}
+    no_son = dict.fromkeys(("common/ventana.h", "vieja/otra.cpp", "glm/glm.hpp"), "#error\n")
+    entregas["t_al_lado"] = {**al_lado, **no_son}
+    for nombre, ficheros in entregas.items():
+        siembra(sitio / de_moodle(nombre), ficheros)
+    enlace = sitio / de_moodle("k_enlace")
+    enlace.mkdir()
+    (enlace / "grua.cpp").symlink_to("/etc/passwd")
+    sitio.with_name("hoja.csv").write_text(la_hoja(sitio))
     return sitio
 
 
@@ -701,37 +724,69 @@ DICE = {
 
 
 def comprueba_correcciones(clase, destino):
-    """Cada una dice lo que debe, y la tabla y la página, lo mismo."""
+    """Cada una dice lo que debe, y la tabla, la página y lo que vuelve a Moodle, lo mismo."""
     todas = {f.stem: json.loads(f.read_text()) for f in destino.glob("*.json")}
     assert todas.keys() == {c.name for c in clase.iterdir()}
-    notas = {nombre: c["nota"] for nombre, c in todas.items()}
+    notas = {quien(carpeta): c["nota"] for carpeta, c in todas.items()}
     perfectas = [nombre for nombre, nota in sorted(notas.items()) if nota == 100]
     assert perfectas == ["a_bien", "h_mira", "o_navegador", "s_glut_a_pelo", "t_al_lado"]
     assert notas["b_esqueleto"] < 50
     assert notas["g_mata"] == 0
-    primera = {nombre: informes.lineas(c)[0] for nombre, c in todas.items()}
+    primera = {quien(carpeta): informes.lineas(c)[0] for carpeta, c in todas.items()}
     assert {n: dicho for n, dicho in primera.items() if DICE.get(n, "") not in dicho} == {}
-    assert primera["c_gira_al_reves"] != primera["d_orden"]
-    fallos = [f for f in todas["c_gira_al_reves"]["fallos"] if f["tras"] in (["tecla a ×7"], ["tecla d ×7"])]
+    assert primera["c_gira_al_reves"] == primera["u_copia"] != primera["d_orden"]
+    gira = de_moodle("c_gira_al_reves")
+    fallos = [f for f in todas[gira]["fallos"] if f["tras"] in (["tecla a ×7"], ["tecla d ×7"])]
     assert any(len(f["imagenes"]) == 3 for f in fallos)
     escrito = "".join(map(json.dumps, todas.values()))
     assert "root:" not in escrito
     assert str(clase.with_name("temporal")) not in escrito
     filas = list(csv.DictReader(io.StringIO((destino / "notas.csv").read_text())))
-    assert {f["entrega"]: float(f["nota"]) for f in filas} == notas
+    assert {quien(f["entrega"]): float(f["nota"]) for f in filas} == notas
     comprueba_pagina((destino / "index.html").read_text(), todas)
-    comprueba_imagenes((destino / "comentarios/c_gira_al_reves.html").read_text())
+    comprueba_imagenes((destino / f"comentarios/{gira}.html").read_text())
+    comprueba_hoja(clase, notas)
+    comprueba_vuelta(destino, todas)
+
+
+def comprueba_hoja(clase, notas):
+    """Columna a columna: cambian la nota y el comentario de quien ha entregado."""
+    una, otra = (celdas(clase.with_name(f"hoja{que}.csv").read_bytes()) for que in ("", "-con-notas"))
+    de_cada = {str(2000 + ord(nombre[0])): nota for nombre, nota in notas.items()}
+    assert una[0] == otra[0] == COLUMNAS
+    for antes, ahora in zip(una[1:], otra[1:], strict=True):
+        nota = de_cada.get(antes[0].split()[1])
+        assert {i for i, (a, b) in enumerate(zip(antes, ahora)) if a != b} == (set() if nota is None else {4, 9})
+        if nota is not None:
+            assert float(ahora[4].replace(",", ".")) == pytest.approx(nota / 10, abs=0.0006)
+            assert ahora[9].startswith(f"<p>{nota:g} de 100")
+
+
+def comprueba_vuelta(destino, todas):
+    """Con los nombres de carpeta que dio Moodle, y en cada página, nada de otro ni de fuera."""
+    with zipfile.ZipFile(destino / "comentarios.zip") as z:
+        paginas = {n: z.read(n).decode() for n in z.namelist()}
+    assert paginas.keys() == {f"{carpeta}/correccion.html" for carpeta in todas}
+    for carpeta in todas:
+        pagina = paginas[f"{carpeta}/correccion.html"]
+        assert f"<span>{quien(carpeta)}</span>" in pagina
+        assert (destino / f"comentarios/{carpeta}.html").read_text() == pagina
+        assert not [otra for otra in todas if otra != carpeta and f"{quien(otra)}<" in pagina]
+        assert not re.search(r'(src|href)="(?!data:)', pagina)
+        assert "url(" not in pagina
 
 
 def comprueba_pagina(pagina, todas):
-    """Dice de todas lo que han sacado, y lleva a la de cada uno."""
+    """Dice de todas lo que han sacado, y lleva a la de cada uno; en qué se equivocan, y quiénes se parecen."""
     notas = [c["nota"] for c in todas.values()]
     assert f"{len(notas)} entregas; de media, {sum(notas) / len(notas):.3g}." in pagina
     filas = re.findall(r'<tr><td><a href="(.*)">([^<]+)</a></td>\s*<td class="nota(?: mal)?">([\d.]+)</td>', pagina)
-    debe = {(f"comentarios/{n}.html", n, f"{c['nota']:.3g}") for n, c in todas.items()}
+    debe = {(f"comentarios/{n}.html", quien(n), f"{c['nota']:.3g}") for n, c in todas.items()}
     assert {(sitio, n, f"{float(nota):.3g}") for sitio, n, nota in filas} == debe
     no_compilan = sum(c["dice"][0].startswith("no compila") for c in todas.values() if c["dice"])
     assert f"<h3><b>{no_compilan}</b> No compila</h3>" in pagina
+    juntos = {frozenset(p) for p in re.findall(r'parecidos.html#p\d+">([^<]+?) y ([^<]+?)</a>', pagina)}
+    assert juntos == {frozenset(("c_gira_al_reves", "u_copia"))}
 
 
 def comprueba_imagenes(pagina):
@@ -753,7 +808,7 @@ def comprueba_imagenes(pagina):
 def test_una_clase_se_para_y_se_sigue(clase):
     destino, temporal = clase.with_name("hecho"), clase.with_name("temporal")
     temporal.mkdir()
-    pide = orden(clase, REF, "--deja", destino, "--guiones", "1", "-j", "2")
+    pide = orden(clase, REF, "--deja", destino, "--guiones", "1", "-j", "2", "--moodle", clase.with_name("hoja.csv"))
     entorno = {**os.environ, "TMPDIR": str(temporal)}
     antes = {f: f.read_bytes() for f in clase.rglob("*") if f.is_file() and not f.is_symlink()}
     with subprocess.Popen(pide, stderr=subprocess.PIPE, text=True, env=entorno) as proceso:
@@ -775,10 +830,11 @@ def test_una_clase_se_para_y_se_sigue(clase):
     assert antes == {f: f.read_bytes() for f in antes}
     comprueba_correcciones(clase, destino)
 
-    siembra(clase, {"a_bien/notas.h": "// otra entrega\n"})
+    suya = de_moodle("a_bien")
+    siembra(clase, {f"{suya}/notas.h": "// otra entrega\n"})
     subprocess.run([*pide, "--junit", destino / "junit.xml"], stderr=subprocess.DEVNULL, env=entorno)
-    assert [nombre for nombre, fecha in cuando(destino).items() if fecha != veces[nombre]] == ["a_bien"]
-    assert xml.parse(destino / "junit.xml").getroot().attrib["failures"] == "10"
+    assert [nombre for nombre, fecha in cuando(destino).items() if fecha != veces[nombre]] == [suya]
+    assert xml.parse(destino / "junit.xml").getroot().attrib["failures"] == "11"
 
 
 @pytest.mark.skipif(not GRUA.exists(), reason="no está compilado")
@@ -786,7 +842,7 @@ def test_sin_jaula_lo_de_los_demas_no_quita_nada(clase):
     """Quien corrige no es root, y tiene otros procesos: los límites de lo entregado no son suyos."""
     otro = ["setpriv", "--reuid=61001", "--regid=61001", "--clear-groups"] if os.geteuid() == 0 else []
     with tempfile.TemporaryDirectory() as sitio:
-        shutil.copytree(clase / "a_bien", f"{sitio}/mi_grua")
+        shutil.copytree(clase / de_moodle("a_bien"), f"{sitio}/mi_grua")
         for carpeta in (sitio, f"{sitio}/mi_grua"):
             os.chmod(carpeta, 0o777)
         vecinos = [subprocess.Popen([*otro, "sleep", "600"]) for _ in range(60)]
@@ -802,13 +858,13 @@ def test_sin_jaula_lo_de_los_demas_no_quita_nada(clase):
 
 @con_jaula
 def test_una_entrega_da_lo_mismo_sin_jaula(clase, tmp_path):
-    pide = orden(clase / "d_orden", REF, "--guiones", "0", "--json")
+    shutil.copytree(clase / de_moodle("d_orden"), tmp_path / "clase/d_orden")
+    pide = orden(tmp_path / "clase/d_orden", REF, "--guiones", "0", "--json")
     for mas in (["con.json"], ["sin.json", "--sin-jaula"]):
         subprocess.run([*pide, *mas], cwd=tmp_path, **CALLADO)
     una, otra = ((tmp_path / f).read_text() for f in ("con.json", "sin.json"))
     assert una == otra and json.loads(una)["fallos"]
     notas = tmp_path / "notas"  # y en una cola: una a una, y la tabla, de lo que dejan
-    shutil.copytree(clase / "d_orden", tmp_path / "clase/d_orden")
     siembra(notas, {"d_orden.json": una})
     antes = cuando(notas)
     subprocess.run(orden(tmp_path / "clase", REF, "--guiones", "0", "--deja", notas), **CALLADO)

@@ -206,29 +206,6 @@ def test_ningun_condicional_dentro_de_otro():
     falla(hallados)
 
 
-DECLARA = (
-    r"(?<=[;{}\n])\s*(?:static |const )*(?!explicit|namespace|return)\w[\w:]*(?:<[^;=]*>)? [&*]?(?=[a-zA-Z]\w* ?[=({])"
-)
-
-
-def test_lo_que_se_declara_en_una_instruccion_no_se_usa_en_ella():
-    hallados = []
-    for f, m in [(f, m) for f in DE_PROGRAMAS for m in re.finditer(DECLARA, codigo(f))]:
-        partes, hondo = [""], 0
-        for c in codigo(f)[m.end() :]:
-            hondo += (c in "([{") - (c in ")]}")
-            if hondo < 0 or hondo == 0 and c == ";":
-                break
-            partes = [*partes, ""] if hondo == 0 and c == "," else [*partes[:-1], partes[-1] + c]
-        if c != ";" or re.search(r"\)\s*\{", partes[0]):  # no acaba, o es una función
-            continue
-        nombres = [re.match(r"\s*[&*]?(\w+|)", parte)[1] for parte in partes]
-        for n, nombre in enumerate(nombres):
-            if nombre and any(re.search(rf"(?<![\w.>]){nombre}\b", parte) for parte in partes[n + 1 :]):
-                hallados.append(f"{corto(f)}: «{m[0].strip()} {partes[0]}», y después usa {nombre}")
-    falla(hallados)
-
-
 ESCRITO = [
     (f"black -l {ANCHO} --check", "23", PYTHON),
     ("pyflakes3", "", PYTHON),

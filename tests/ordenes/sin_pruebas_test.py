@@ -134,18 +134,6 @@ def test_mide(lab):
     lab("mide --ensayo", dice="variantes")
 
 
-def test_galeria(lab):
-    """Con un solo programa en el catálogo."""
-    catalogo = lab.sitio / "build/catalogo.json"
-    entero = catalogo.read_text()
-    [suyo] = [c for c in json.loads(entero) if c["nombre"] == "ch03_transformaciones"]
-    suyo["programas"] = [p for p in suyo["programas"] if p["nombre"] == "grua"]
-    catalogo.write_text(json.dumps([suyo]))
-    lab("galeria", dice="Hecha: ")
-    catalogo.write_text(entero)
-    assert re.search(r'<article id="grua">', (lab.sitio / "galeria/index.html").read_text())
-
-
 def test_ayuda_y_paquetes(lab):
     lab("ayuda", dice="./lab galeria")
     lab("paquetes", dice="libglew-dev\n")

@@ -1,22 +1,20 @@
 #!/usr/bin/env python3
-"""colores.py RAÍZ BUILD: nadie se pierde nada por no distinguir los colores. En cada caso del catálogo, de dos
-rótulos que solo con su color dicen de qué hablan (no están junto a un trazo de ese color), los colores se distinguen
-también con deuteranopia, protanopia y tritanopia: ΔE de CIEDE2000 de 20 o más. Si no, en EXCEPCIONES está qué otra
-cosa los distingue."""
+"""colores.py BUILD: nadie se pierde nada por no distinguir los colores. En cada caso del catálogo, en lo que pinta
+encima según su golden, de dos rótulos que solo con su color dicen de qué hablan (no están junto a un trazo de ese
+color), los colores se distinguen también con deuteranopia, protanopia y tritanopia: una distancia en CIELAB de 27 o
+más. Si no, en EXCEPCIONES está qué otra cosa los distingue."""
 import itertools
 import math
-import os
-import subprocess
 import sys
-import tempfile
 from functools import cache
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[2] / "herramientas"))
+PRUEBAS = Path(__file__).parents[1]
+sys.path.insert(0, str(PRUEBAS.parent / "herramientas"))
 from base import catalogo
 from encima import lee
 
-MINIMO = 20
+MINIMO = 27
 CERCA = 14  # píxeles de un rótulo a lo que nombra, en una imagen de 240×180
 # Lo que ve cada dicromático de un color, en RGB lineal (Machado, Oliveira y Fernandes, 2009, severidad 1), y quien
 # los ve todos.
@@ -51,41 +49,17 @@ def visto(color, matriz):
     return 116 * y - 16, 500 * (x - y), 200 * (y - z)
 
 
-def ciede2000(uno, otro):
-    """Sharma, Wu y Dalal (2005), con sus nombres."""
-    (l1, a1, b1), (l2, a2, b2) = uno, otro
-    medio = (math.hypot(a1, b1) + math.hypot(a2, b2)) / 2
-    g = 0.5 * (1 - math.sqrt(medio**7 / (medio**7 + 25**7)))
-    a1, a2 = (1 + g) * a1, (1 + g) * a2
-    c1, c2 = math.hypot(a1, b1), math.hypot(a2, b2)
-    h1, h2 = (math.degrees(math.atan2(b, a)) % 360 for a, b in ((a1, b1), (a2, b2)))
-    dh = 0 if c1 * c2 == 0 else (h2 - h1 + 180) % 360 - 180
-    hm = h1 + h2 if c1 * c2 == 0 else (h1 + dh / 2) % 360
-    lm, cm = (l1 + l2) / 2, (c1 + c2) / 2
-    vueltas = ((-0.17, 1, -30), (0.24, 2, 0), (0.32, 3, 6), (-0.20, 4, -63))
-    t = 1 + sum(cuanto * math.cos(math.radians(n * hm + fase)) for cuanto, n, fase in vueltas)
-    sl, sc, sh = 1 + 0.015 * (lm - 50) ** 2 / math.sqrt(20 + (lm - 50) ** 2), 1 + 0.045 * cm, 1 + 0.015 * cm * t
-    giro = math.radians(60 * math.exp(-(((hm - 275) / 25) ** 2)))
-    rt = -2 * math.sqrt(cm**7 / (cm**7 + 25**7)) * math.sin(giro)
-    dl, dc, dH = (l2 - l1) / sl, (c2 - c1) / sc, 2 * math.sqrt(c1 * c2) * math.sin(math.radians(dh / 2)) / sh
-    return math.sqrt(dl**2 + dc**2 + dH**2 + rt * dc * dH)
-
-
 @cache
 def se_distinguen(uno, otro):
     """Quien peor los distingue, y cuánto."""
-    return min((ciede2000(visto(uno, m), visto(otro, m)), quien) for quien, m in VISTAS.items())
+    return min((math.dist(visto(uno, m), visto(otro, m)), quien) for quien, m in VISTAS.items())
 
 
-def encima(build, caso, carpeta):
-    """Los rótulos y los trazos de un caso (common/encima/encima.h): color, puntos y texto."""
-    fichero = carpeta / "encima"
-    orden = [caso.programa.ejecutable(build), "-geometry", "240x180", "-ppm", "x.ppm", "-guion", caso.guion]
-    subprocess.run(
-        orden, cwd=carpeta, check=True, env=os.environ | {"LAB_ENCIMA": str(fichero)}, stdout=subprocess.DEVNULL
-    )
+def encima(caso):
+    """Los rótulos y los trazos de un caso: color, puntos y texto."""
+    golden = PRUEBAS / f"golden/{caso.programa.capitulo.nombre}/{caso.fichero}.encima"
     rotulos, trazos = [], []
-    for p in lee(fichero)[-1]:
+    for p in lee(golden)[-1] if golden.exists() else ():
         (rotulos if p.tipo == "rotulo" else trazos).append((p.color, p.puntos, p.texto))
     return rotulos, trazos
 
@@ -108,18 +82,16 @@ def confunden(rotulos, trazos):
         cuanto, quien = se_distinguen(uno, otro)
         if cuanto < MINIMO:
             son = f"«{sueltos[uno]}» y «{sueltos[otro]}»"
-            yield f"{son} son de dos colores que con {quien} no se distinguen (ΔE {cuanto:.0f})"
+            yield f"{son} son de dos colores que con {quien} no se distinguen ({cuanto:.0f} en CIELAB)"
 
 
 def main():
-    build = Path(sys.argv[2]).resolve()
     fallos, confusos = [], set()
-    with tempfile.TemporaryDirectory() as carpeta:
-        for programa in catalogo.lee_programas(build):
-            for caso in () if programa.consola else programa.casos:
-                for que in confunden(*encima(build, caso, Path(carpeta))):
-                    confusos.add(programa.nombre)
-                    fallos += [] if programa.nombre in EXCEPCIONES else [f"{caso.fichero}: {que}"]
+    for programa in catalogo.lee_programas(Path(sys.argv[1]).resolve()):
+        for caso in () if programa.consola else programa.casos:
+            for que in confunden(*encima(caso)):
+                confusos.add(programa.nombre)
+                fallos += [] if programa.nombre in EXCEPCIONES else [f"{caso.fichero}: {que}"]
     sobran = sorted(set(EXCEPCIONES) - confusos)
     fallos += [f"{nombre} ya no confunde a nadie y sigue en EXCEPCIONES" for nombre in sobran]
     print(*fallos, sep="\n")

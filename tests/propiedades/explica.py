@@ -1,5 +1,5 @@
-"""explica.py RAÍZ BUILD [PROGRAMA…] [--pixeles N] [--casos] [--rarezas N] [--enlace ENLACE]: lo que se pide de ./lab
-explica en el caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre los mismos:
+"""explica.py RAÍZ BUILD [PROGRAMA…] [--pixeles N] [--casos] [--enlace ENLACE]: lo que se pide de ./lab explica en el
+caso base de cada programa, o en todos sus casos, en N píxeles al azar, siempre los mismos:
 
 - el programa acaba bien, sin errores de OpenGL, y la imagen es la misma que sin explicarla;
 - el color que se da de cada píxel es el de la imagen, y el último que escribe en la ventana su historia, también;
@@ -11,11 +11,6 @@ explica en el caso base de cada programa, o en todos sus casos, en N píxeles al
   el que gana es el último;
 - quien escribe cambia los canales que deja glColorMask y, si no mezcla, por los de su color.
 
-Y de cada shader con un ejercicio, a medio hacer: lo que apunta hasta donde se corta es lo que apunta el acabado.
-
-Y lo mismo, salvo las sospechas, si no se dice de qué programas, en N escenas al azar (explica/rarezas.cpp), que hacen
-lo que ninguno.
-
 Sin decir el enlace, con el que se usa sin ventana y, si hay otro, uno de cada diez programas con él. Estado 1 si algo
 no se cumple.
 """
@@ -24,7 +19,6 @@ import json
 import operator
 import os
 import random
-import re
 import subprocess
 import sys
 import tempfile
@@ -33,7 +27,7 @@ from pathlib import Path
 
 RAIZ = Path(__file__).parents[2]
 sys.path.insert(0, str(RAIZ / "herramientas"))
-from base import catalogo, fuentes, marcas  # noqa: E402
+from base import catalogo  # noqa: E402
 
 ANCHO, ALTO = 240, 180
 SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósito
@@ -43,7 +37,6 @@ SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósit
     "primer_programa": "no se dibuja nada",  # solo borra
     "tiras": "«diametroPunto»",  # solo hace falta cuando se dibujan los puntos
 }
-RAREZAS, PIXELES_RAROS = 20, 12
 COPIADO = "copiado de otro framebuffer"
 PASAN = "escrito", "profundidad", "mascara"  # los que llegan al test de profundidad
 PASOS = 4000  # los que apunta, como mucho, sombreado.cpp
@@ -186,8 +179,8 @@ def dibuja(orden, carpeta, **entorno):
     return pixeles(carpeta / "imagen.ppm")
 
 
-def fallos_de(build, orden, puntos, golden=None, sabido=""):
-    """Los de lo que dibuja esa orden, en esos píxeles. `sabido`: lo que se puede sospechar; None, cualquier cosa."""
+def fallos_de(build, orden, puntos, golden, sabido):
+    """Los de lo que dibuja esa orden, en esos píxeles. `sabido`: lo que se puede sospechar."""
     with tempfile.TemporaryDirectory() as carpeta:
         carpeta = Path(carpeta)
         delante = build / "herramientas/explica/libexplica.so"
@@ -195,7 +188,7 @@ def fallos_de(build, orden, puntos, golden=None, sabido=""):
         try:
             imagen = dibuja(orden, carpeta, LD_PRELOAD=str(delante), LAB_EXPLICA="e.json", LAB_EXPLICA_PIXELES=pide)
             # sin explicar es la del golden, salvo lo que redondee otro OpenGL
-            igual = golden and imagen == pixeles(golden) or imagen == dibuja(orden, carpeta)
+            igual = imagen == pixeles(golden) or imagen == dibuja(orden, carpeta)
         except AssertionError as fallo:
             return [str(fallo)]
         if not (carpeta / "e.json").exists():
@@ -203,7 +196,7 @@ def fallos_de(build, orden, puntos, golden=None, sabido=""):
         cuadro = json.loads((carpeta / "e.json").read_text())
     explicados = cuadro["pixeles"]
     fallos = [] if igual else ["la imagen no es la misma explicada"]
-    dichas = [s["dice"] for s in cuadro["sospechas"] if sabido is not None and not (sabido and sabido in s["dice"])]
+    dichas = [s["dice"] for s in cuadro["sospechas"] if not (sabido and sabido in s["dice"])]
     fallos += [f"se sospecha: {dice}" for dice in dichas]
     if [tuple(e["pixel"]) for e in explicados] != puntos:
         fallos.append("no están los píxeles que se piden")
@@ -222,96 +215,6 @@ def fallos_de_caso(build, enlace, caso, cuantos):
     return [f"{enlace}, {caso.fichero}: {fallo}" for fallo in fallos]
 
 
-def fallos_de_rareza(build, semilla):
-    puntos = al_azar(f"rareza {semilla}", PIXELES_RAROS)
-    return [
-        f"rarezas {semilla}: {fallo}"
-        for fallo in fallos_de(build, [build / "tests/rarezas", str(semilla)], puntos, sabido=None)
-    ]
-
-
-DECLARA = re.compile(r" *\w+ (\w+) =")
-
-
-def a_medias(texto, azar):
-    """El shader con sus ejercicios a medio hacer, cada línea en la suya."""
-
-    def corta(trozo):
-        lineas = trozo["hecho"].splitlines(keepends=True)
-        sangria = re.match(" *", lineas[0])[0]
-        enteras = [0, *(i for i, n in enumerate(lineas, 1) if re.match(sangria + r"\S.*[;}]$|" + sangria + "}", n))]
-        hasta = azar.choice(enteras)
-        dichas = {m[0] for n in lineas[:hasta] if (m := DECLARA.match(n))}
-        partida = [a + b for a, b in marcas.PARTIDA.findall(trozo["hecho"])]
-        partida = [n for n in partida if not (m := DECLARA.match(n)) or m[0] not in dichas]
-        hasta = min(hasta, len(lineas) - len(partida))
-        vacias = ["\n"] * (len(lineas) - hasta - len(partida))
-        return "".join([trozo["abre"], *lineas[:hasta], *vacias, *partida, trozo["cierra"]])
-
-    return marcas.TROZO.sub(corta, texto)
-
-
-def trazas_de(pixel, cuadro):
-    """Las de lo que lo sombrea, antes la de los vértices, con el texto de su shader."""
-    sombreado = pixel["sombreado"]
-    cual = next(o["programa"] for o in cuadro["ordenes"] if o["n"] == sombreado["orden"])
-    suyo = next(p for p in cuadro["programas"] if p["programa"] == cual)
-    de_cada = [("vert", traza) for traza in sombreado["vertices"]] + [("frag", sombreado["fragmento"])]
-    return [(suyo[etapa].splitlines(), traza) for etapa, traza in de_cada]
-
-
-def explica(build, programa, puntos, **entorno):
-    with tempfile.TemporaryDirectory() as carpeta:
-        pide = {"LAB_EXPLICA_PIXELES": " ".join(f"{x},{y}" for x, y in puntos), "LAB_EXPLICA": "e.json"}
-        delante = {"LD_PRELOAD": str(build / "herramientas/explica/libexplica.so")}
-        orden = [programa.ejecutable(build), "-geometry", f"{ANCHO}x{ALTO}"]
-        entorno = {**os.environ, **delante, **pide, **entorno}
-        subprocess.run(orden, env=entorno, cwd=carpeta, capture_output=True, check=True)
-        return json.loads(Path(carpeta, "e.json").read_text())
-
-
-def donde_se_usa(cuadro, marca):
-    """Un píxel y la orden y la primitiva que lo pintan con el shader que tiene esa marca."""
-    suyos = {p["programa"] for p in cuadro["programas"] if marca in p["vert"] + p["frag"]}
-    suyas = [o["n"] for o in cuadro["ordenes"] if o.get("programa") in suyos]
-    for pixel in cuadro["pixeles"]:
-        if (sombreado := pixel.get("sombreado")) and sombreado["orden"] in suyas:
-            return pixel["pixel"], "{orden},{primitiva}".format(**sombreado)
-    return cuadro["pixeles"][0]["pixel"], f"{suyas[0]},0" if suyas else None
-
-
-def fallos_hasta_el_corte(acabadas, suyas):
-    for (texto, acabada), (cortado, suya) in zip(acabadas, suyas, strict=True):
-        cortadas = {n for n, (una, otra) in enumerate(zip(texto, cortado), 1) if una != otra}
-        for bueno, paso in zip(acabada["lineas"], suya["lineas"]):
-            if cortadas & {bueno["linea"], paso["linea"]}:
-                return
-            que, es = (([p[c] for c in ("linea", "clase", "nombre")], p["valor"]) for p in (paso, bueno))
-            if que[0] != es[0] or len(que[1]) != len(es[1]) or que[1] and distancia(que[1], es[1]) > 1e-5:
-                yield f"{que} y en el acabado {es}"
-                return
-
-
-def fallos_a_medias(build, shader, programas):
-    """De ese shader a medio hacer, en un píxel del primer programa que lo usa."""
-    texto = (RAIZ / shader).read_text()
-    for programa in programas:
-        cuadro = explica(build, programa, al_azar(f"a medias {shader}", 20))
-        pixel, cual = donde_se_usa(cuadro, marcas.TROZO.search(texto)["abre"])
-        if not cual:
-            continue
-        with tempfile.TemporaryDirectory() as carpeta:
-            cortado = Path(carpeta, shader)
-            cortado.parent.mkdir()
-            cortado.write_text(a_medias(texto, random.Random(str(shader))))
-            acabado, suyo = (
-                explica(build, programa, [pixel], LAB_EXPLICA_SOMBREA=cual, LAB_RAIZ=c) for c in ("", carpeta)
-            )
-        fallos = fallos_hasta_el_corte(*(trazas_de(c["pixeles"][0], c) for c in (acabado, suyo)))
-        return [f"{programa.nombre}, con {shader} a medias: {fallo}" for fallo in fallos]
-    return [f"{shader}: nadie lo usa"]
-
-
 def al_azar(de, cuantos):
     azar = random.Random(de)
     return [(azar.randrange(ANCHO), azar.randrange(ALTO)) for _ in range(cuantos)]
@@ -324,7 +227,6 @@ def main():
     lee.add_argument("programas", nargs="*")
     lee.add_argument("--pixeles", type=int, default=3)
     lee.add_argument("--casos", action="store_true")
-    lee.add_argument("--rarezas", type=int, default=RAREZAS)
     lee.add_argument("--enlace", default="")
     pedido = lee.parse_args()
     build, nombres = pedido.build.absolute(), pedido.programas
@@ -340,20 +242,11 @@ def main():
         for caso in (p.casos if pedido.casos else p.casos[:1])
     ]
 
-    raras = [] if nombres else range(1, 1 + pedido.rarezas)
-    medias = {}
-    for p in elegidos:
-        for f in fuentes.alcanza(RAIZ, p.fuente):
-            if f.suffix in fuentes.SHADERS and marcas.TROZO.search((RAIZ / f).read_text()):
-                medias.setdefault(f, []).append(p)
     with ThreadPoolExecutor(os.cpu_count()) as hilos:
-        de_medias = hilos.map(lambda f: fallos_a_medias(build, f, medias[f]), medias)
         de_casos = hilos.map(lambda t: fallos_de_caso(build, *t, pedido.pixeles), trabajos)
-        de_raras = hilos.map(lambda semilla: fallos_de_rareza(build, semilla), raras)
-        fallos = [fallo for suyos in (*de_casos, *de_raras, *de_medias) for fallo in suyos]
+        fallos = [fallo for suyos in de_casos for fallo in suyos]
     print("\n".join(fallos))
-    cuantos = len(trabajos) * pedido.pixeles + len(raras) * PIXELES_RAROS
-    print(f"{len(trabajos) + len(raras)} cuadros, {cuantos} píxeles, {len(fallos)} fallos")
+    print(f"{len(trabajos)} cuadros, {len(trabajos) * pedido.pixeles} píxeles, {len(fallos)} fallos")
     return bool(fallos or not trabajos)
 
 

@@ -15,12 +15,11 @@ from pathlib import Path
 
 from dados import dados
 from dicho import dicho
-from extremos import extremos
 from mandos import comparacion, comunes, limites, mandos, nombres, raras, vivos, vuelta
 from programa import TALLA, Programa, Termina, arrastre
 from tiempo import conmuta, lento, pausa
 from rotulos import rotulos, tapan
-from vista import arrastres, cerca, foto, franja, modelo, tallas, tocado
+from vista import arrastres, cerca, foto, franja, tallas, tocado
 from base import catalogo, controles, guiones
 
 TAMANOS = ["120 90", "150 90", "100 100", "61 45", "4 90", "1 1", "200 2"]
@@ -103,9 +102,9 @@ def rondas(p):
 
 
 PROPIEDADES = paseo, nombres, raras, limites, comparacion, vuelta, tallas, franja, rotulos, tapan, cerca, arrastres
-PROPIEDADES += tocado, extremos, pausa, lento, conmuta, modelo, foto, rondas, comunes, vivos, mandos
+PROPIEDADES += tocado, pausa, lento, conmuta, foto, rondas, comunes, vivos, mandos
 PROPIEDADES += dados, dicho  # dicho mira lo de los demás
-SORTEADAS = tapan, extremos  # sin --todo se pide una parte, y una excepción puede no hacer falta
+SORTEADA = tapan  # sin --todo se pide una parte, y una excepción puede no hacer falta
 
 # (programa, propiedad, en qué, expresión regular): por qué no
 EXCEPCIONES = {
@@ -135,11 +134,7 @@ EXCEPCIONES = {
     ("repeticion", "franja", "|tecla [1234]"): "el dibujo llena la ventana",
     ("espejo_plantilla", "franja", "|tecla p"): "en una ventana ancha se ve de más cerca",
     ("camara", "tapan", "tapa [pS]"): "«p» está en la cámara, que es lo que nombra, y «S», junto a ella, en su flecha",
-    ("ampliacion", "extremos", "nada"): "reducida del todo, la imagen es de unos pocos píxeles",
-    ("eventos", "extremos", ".*"): "lo que se ve son letras: los sucesos que han llegado",
     ("captura", "franja", "tecla [gadqews]"): "lo guardado es de cuando se guardó",
-    ("particulas", "extremos", "nada"): "al final queda una, y se sigue su parábola",
-    ("textura3d", "extremos", "nada"): "con S2 = 0 no hay ruido, y él solo es negro",
     ("ampliacion", "tapan", "tapa .*"): "el rótulo de una imagen va sobre ella, que con × 1 llena la ventana",
     ("objeto_animado", "tapan", "tapa [XZ]"): "el avión pasa por delante de los ejes en que se mueve",
     ("ampliacion", "franja", "|tecla [-+fr]"): "amplía los píxeles de la ventana",
@@ -179,7 +174,7 @@ def comprueba(p, solo):
                     fallos.append(f"{p.nombre}, {nombre}: {que() if callable(que) else que}")
         except Termina as error:
             fallos.append(f"{p.nombre}, {nombre}: {error}")
-        if propiedad in SORTEADAS and not p.todo:
+        if propiedad == SORTEADA and not p.todo:
             continue
         fallos += [f"{p.nombre}, {nombre}: ya cumple «{a}» y sigue en EXCEPCIONES" for a in sobran]
     print("\n".join(fallos[:20]) + ("\n…" if len(fallos) > 20 else ""))

@@ -1,6 +1,5 @@
 """Lo que se cumple con los rótulos: caben, no se tocan y no tapan lo que se dibuja."""
 import collections
-import functools
 import itertools
 import random
 import re
@@ -11,7 +10,6 @@ from vista import en_formas
 # Las formas de una pantalla, de un cuaderno, de media pantalla y de un teléfono, del alto en que las letras son a
 # escala y no las más pequeñas que se leen.
 FORMAS = [(360, 270), (480, 270), (360, 405), (400, 900)]
-MENUDA = 160, 120
 TECLAS = 3  # al azar, si no se piden todas
 COLORES = Path(__file__).parents[2] / "common/encima/colores.h"
 INTERLINEA, BAJO = 1.5, 0.3  # en altos de mayúscula (common/encima/rotulo.cpp)
@@ -90,12 +88,11 @@ def rotulados(p, ordenes, formas=FORMAS):
     return p.vistas([o for orden in ordenes for o in (*([orden] if orden else []), *mira)], LAB_SIN_ENCIMA="rotulo")
 
 
-@functools.cache
 def en_casos(p):
-    """De cada caso, lo que se ve en la talla de extremos.py; a 4:3; y en otra forma, al azar, si no se piden todas."""
+    """De cada caso, lo que se ve a 4:3; y en otra forma, al azar, si no se piden todas."""
     azar = random.Random(p.nombre)
     otras = [FORMAS[1:] if p.todo else [azar.choice(FORMAS[1:])] for _ in p.casos]
-    return [rotulados(p, [guion], [MENUDA, FORMAS[0], *suyas]) for guion, suyas in zip(p.casos, otras)]
+    return [rotulados(p, [guion], [FORMAS[0], *suyas]) for guion, suyas in zip(p.casos, otras)]
 
 
 def clave(r):
@@ -113,7 +110,7 @@ def partidas(p):
 def tapan(p):
     """En una ventana de cualquier forma, tras cualquier tecla, un rótulo no toca otro ni tapa más dibujo del que tapa,
     a 4:3, en las imágenes del catálogo; el que no está en ellas, del que tapa el que más."""
-    miradas = [vistas[1:] for vistas in en_casos(p)]
+    miradas = en_casos(p)
     tapa = collections.Counter()
     for v, r in ((vistas[0], r) for vistas in miradas for r in vistas[0].encima if r.tipo == "rotulo"):
         tapa[clave(r)] = max(tapa[clave(r)], tapado(v, r))

@@ -145,26 +145,6 @@ def tocado(p):
             yield f"{ancho}x{alto} {con}", f"a {talla} {con} no queda bajo el puntero: {lejos}"
 
 
-CUBO = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
-CARAS = "1 2 4 3,5 7 8 6,1 5 6 2,3 4 8 7,1 3 7 5,2 6 8 4".split(",")
-
-
-def modelo(p):
-    """El mismo modelo en otro sitio o de otro tamaño (exactos en float) da la misma imagen."""
-    if p.admite != "modelo":
-        return
-    imagenes = {}
-    with tempfile.TemporaryDirectory() as carpeta:
-        for escala, lejos in ((1, 0), (1, 2**23), (2.0**20, 0), (2.0**-20, 0)):
-            vertices = [f"v {x * escala + lejos!r} {y * escala + lejos!r} {z * escala + lejos!r}" for x, y, z in CUBO]
-            Path(carpeta, "cubo.vf").write_text("\n".join([*vertices, *(f"f {cara}" for cara in CARAS), ""]))
-            p.ejecuta_en(carpeta, ["cubo.vf"])
-            imagenes[escala, lejos] = Path(carpeta, "imagen.ppm").read_bytes().split(b"\n255\n", 1)[1]
-    for (escala, lejos), imagen in imagenes.items():
-        if distintos(imagen, imagenes[1, 0]) > 1:
-            yield "modelo", f"un cubo de lado {escala} en {lejos} no se ve como uno de lado 1 en el origen"
-
-
 def foto(p):
     """Una foto, que llega por una tubería, ocupa los píxeles enteros más próximos a lo que mide a esa escala, y está en
     medio."""

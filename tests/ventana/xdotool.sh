@@ -25,8 +25,7 @@ lleva_raton() {
   raton="$1 $2"
 }
 
-# Tras cada una, lo que diga $pausa, que es de xdotool. Las de menú y las del reloj virtual se saltan; con TITULOS el
-# reloj es el de verdad, y escribe cómo se llama la ventana tras cada orden.
+# Tras cada una, lo que diga $pausa, que es de xdotool. Las de menú y las del reloj virtual se saltan.
 haz_guion() { # TALLA GUION: la de la ventana al empezar, y sus órdenes
   local ordenes x y orden resto a b
   [ -v pausa ] || local pausa=(sleep "${PAUSA:-0.02}")
@@ -60,10 +59,8 @@ haz_guion() { # TALLA GUION: la de la ventana al empezar, y sus órdenes
       if [ "$a" = -1 ]; then pasos+=(click 5); else pasos+=(click 4); fi
       ;;
     tamano) pasos+=(windowsize "$ventana" "$a" "$b") ;;
-    espera) [ -z "${TITULOS:-}" ] || pasos+=(sleep "$(printf '0.%03d' "$a")") ;;
     esac
     pasos+=("${pausa[@]}")
-    [ -z "${TITULOS:-}" ] || pasos+=(getwindowname "$ventana")
   done <<<"$ordenes"
   xdotool "${pasos[@]}"
 }
