@@ -140,12 +140,6 @@ def ejercicios(raiz, programas):
     return {r: p for p in programas for r in p.referencias if (es_del_libro(r) or p.raices) and privados(raiz, p, r)}
 
 
-def ejercicio_dicho(texto, programas):
-    """Lo que dice un ejercicio.txt: la referencia, vacía si solo es una copia, y el programa del que viene."""
-    *referencia, origen = texto.split()
-    return "".join(referencia), next(p for p in programas if f"{p.capitulo.nombre}/{p.nombre}" == origen)
-
-
 def encabezado(raiz, programa, referencia):
     """Lo que se pide: del libro, en nuestras palabras; de uno propio, en las de su ENUNCIADO.md."""
     if es_del_libro(referencia):

@@ -197,9 +197,10 @@ def lee_entrega(que, ref="", de_otro=lambda ruta: False):
 
 
 def ejercicio_de(carpeta, programas):
-    """Lo que dice ejercicio.txt: la referencia, vacía si solo es una copia, y el programa."""
+    """Lo que dice ejercicio.txt: la referencia, vacía si solo es una copia, y el programa del que viene."""
     try:
-        return nuevo.ejercicio_dicho(lee_fichero(carpeta, nuevo.EJERCICIO).decode(), programas)
+        *referencia, origen = lee_fichero(carpeta, nuevo.EJERCICIO).decode().split()
+        return "".join(referencia), next(p for p in programas if f"{p.capitulo.nombre}/{p.nombre}" == origen)
     except (Rechazo, UnicodeDecodeError, ValueError, StopIteration) as error:
         por_que = f": {error}" if isinstance(error, Rechazo) and (carpeta / nuevo.EJERCICIO).exists() else ""
         raise Fallo(f"{carpeta / nuevo.EJERCICIO} no dice de qué ejercicio es{por_que}") from None

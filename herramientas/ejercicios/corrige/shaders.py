@@ -56,7 +56,7 @@ class DeShaders(Compilador):
         shutil.copy(self.solucion.programa, ejecutable)
         return Jugador("la entrega", ejecutable, [arbol], ajeno=ajena)
 
-    def avisos(self, ficheros, fuentes, carpeta):
+    def avisos(self, ficheros, jugador):
         return []
 
 
