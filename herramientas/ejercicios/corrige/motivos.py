@@ -115,14 +115,16 @@ class Motivos:
                 shutil.rmtree(sitio / f"hueco{i}")
         self.planta(self.defectos, sitio)
 
-    def planta(self, suyos, sitio):
-        """Deja ahí la solución con esos defectos: los de C++, en un binario; de cada shader, el estropeado."""
+    def planta(self, suyos, sitio, marca="", antes=""):
+        """Deja ahí la solución con esos defectos: los de C++, en un binario, con esa MARCA; de cada shader, el
+        estropeado."""
         textos = self.textos()
         for fichero, de_el in defectos.por_fichero(suyos).items():
             nombre = Path(fichero).name
             fuente = textos[nombre]
             if not de_el[0].en_shader:
-                textos[nombre] = f'#include "{self.raiz / defectos.MUTANTE_H}"\n{defectos.cambia(fuente, de_el)}'
+                cambiado = defectos.cambia(fuente, de_el, marca)
+                textos[nombre] = f'{antes}#include "{self.raiz / defectos.MUTANTE_H}"\n{cambiado}'
                 continue
             for m in de_el:
                 estropeado = {**textos, nombre: defectos.estropea(fuente, m)}

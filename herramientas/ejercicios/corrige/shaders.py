@@ -61,7 +61,7 @@ class DeShaders(Compilador):
 
 
 class MotivosDeShaders(Motivos):
-    def planta(self, suyos, sitio):
+    def planta(self, suyos, sitio, **_):
         for m in suyos:
             textos = self.textos()
             textos[m.fichero] = defectos.estropea(textos[m.fichero], m)
