@@ -14,6 +14,7 @@ from pathlib import Path
 from base.fuentes import SHADERS
 
 MUTANTE_H = Path("herramientas/base/mutante.h")
+DE_NADIE = 1 << 20  # el número que no es de ningún mutante
 
 
 @dataclass(eq=False)
@@ -97,9 +98,10 @@ def por_fichero(mutantes):
     return grupos
 
 
-def cambia(fuente, mutantes):
+def cambia(fuente, mutantes, marca=""):
     """El fuente de C++ con todos sus mutantes dentro. Los que estropean lo mismo van en cadena; el que estropea una
-    parte de lo de otro, dentro de lo que ese deja como está."""
+    parte de lo de otro, dentro de lo que ese deja como está. MARCA: lo que va delante de cada uno, con su número, y
+    detrás, sin él."""
     sitios = defaultdict(list)
     for m in mutantes:
         sitios[m.sitio(fuente)].append(m)
@@ -112,7 +114,7 @@ def cambia(fuente, mutantes):
             if any(otro_fin > fin for _, otro_fin in dentro):
                 raise ValueError(f"se pisa con otro: «{fuente[principio:fin]}»")
             suyo = entre(principio, fin, dentro)
-            texto += fuente[desde:principio] + con_mutantes(fuente, principio, fin, suyo, sitios[principio, fin])
+            texto += fuente[desde:principio] + con_mutantes(fuente, principio, fin, suyo, sitios[principio, fin], marca)
             desde, lugares = fin, lugares[len(dentro) :]
         return texto + fuente[desde:hasta]
 
@@ -148,22 +150,23 @@ def parte_una_expresion(antes, texto, despues):
     return max(suyos) > min(une_antes, une_despues) or resta and max(suyos) == une_antes
 
 
-def con_mutantes(fuente, desde, hasta, nuevo, mutantes):
+def con_mutantes(fuente, desde, hasta, nuevo, mutantes, marca):
     """Ese trozo de C++, que con los de dentro es NUEVO, con los suyos."""
+    sin_marca = marca.format(DE_NADIE)
     antes, texto = fuente[:desde], fuente[desde:hasta]
     if not texto.endswith((";", "}")):
         if parte_una_expresion(antes, texto, fuente[hasta:]):
             raise ValueError(f"entre paréntesis, la expresión sería otra: «{texto}»")
         nuevo = f"({nuevo})"
         for m in mutantes:
-            nuevo = f"(mutante({m.numero}) ? ({m.estropeado}) : {nuevo})"
+            nuevo = f"{marca.format(m.numero)}(mutante({m.numero}) ? ({m.estropeado}) : {nuevo}){sin_marca}"
         return nuevo
     tras_dos_puntos = re.search(r":\s*$", antes) and "?" in antes.rpartition(";")[2]  # de ?:, y no de un case
     if tras_dos_puntos or not re.search(r"(^|[;{}):]|\belse|//.*)\s*$", antes):
         raise ValueError(f"no es una instrucción entera: «{texto}»")
     nuevo = f"{{ {nuevo} }}"
     for m in mutantes:
-        nuevo = f"if (mutante({m.numero})) {{ {m.estropeado} }} else {nuevo}"
+        nuevo = f"{marca.format(m.numero)}if (mutante({m.numero})) {{ {m.estropeado} }} else {nuevo}{sin_marca}"
     return nuevo
 
 

@@ -204,11 +204,10 @@ class Comprobacion(Ensayo):
         except Fallo as fallo:
             return "líneas", "0", [limpio(str(fallo))]
         print(f"{len(quienes)} cambios en lo que se pide, uno a uno: es lo que más tarda…", file=sys.stderr, flush=True)
-        notadas = dict(zip(quienes, self.hilos.map(lambda n: self.se_nota(quienes[n]), quienes)))
+        notadas = dict(zip(quienes, self.hilos.map(lambda m: self.se_nota(quienes[m]), quienes)))
         de_linea = {}
-        for n, notada in notadas.items():
-            fichero, p = self.perturbadas[n]
-            de_linea.setdefault((fichero, p.linea), []).append(notada)
+        for m, notada in notadas.items():
+            de_linea.setdefault((Path(m.fichero).name, m.perturbacion.linea), []).append(notada)
         mal = [
             f"{f}:{n}: se cambie como se cambie, da lo mismo" for (f, n), vistas in de_linea.items() if not any(vistas)
         ]

@@ -37,24 +37,20 @@ def suyos(raiz, programa):
 
 
 def del_capitulo(raiz, programa):
-    """Los ficheros de su capítulo que usa, cada uno con su texto y los que nombra."""
-    carpeta = programa.carpeta
-    textos, nombrados, por_leer = {}, {}, suyos(raiz, programa)
-    while por_leer:
-        fichero = por_leer.pop()
-        if fichero not in textos:
-            textos[fichero] = propios.lee_texto(raiz / carpeta / fichero)
-            nombrados[fichero] = [
-                f.name for f in fuentes.nombra(raiz, carpeta / fichero) if f.parent == carpeta and f.suffix != ".cpp"
-            ]
-            por_leer += nombrados[fichero]
-    return textos, nombrados
+    """Los ficheros de su capítulo que usa, cada uno con su texto."""
+    partida = [programa.carpeta / f for f in suyos(raiz, programa)]
+    usa = [f for f in alcanzados(raiz, programa, *partida) if f.suffix != ".cpp" or f in partida]
+    return {f.name: propios.lee_texto(raiz / f) for f in usa}
+
+
+def alcanzados(raiz, programa, *ficheros):
+    return [f for f in fuentes.alcanza(raiz, *ficheros) if f.parent == programa.carpeta]
 
 
 def de_la_carpeta(raiz, programa, referencia=""):
     """Los que van a la carpeta de quien aprende: los suyos, los marcados o, si no es un ejercicio, sus shaders, y los
     que llevan de unos a otros, que si no incluirían los del capítulo."""
-    textos, nombrados = del_capitulo(raiz, programa)
+    textos = del_capitulo(raiz, programa)
 
     def es_propio(fichero):
         return bool(pide(textos[fichero], referencia)) if referencia else fichero.endswith((".vert", ".frag"))
@@ -62,7 +58,7 @@ def de_la_carpeta(raiz, programa, referencia=""):
     propios = {*suyos(raiz, programa), *filter(es_propio, textos)}
 
     def lleva(fichero):
-        return fichero in propios or any(lleva(f) for f in nombrados.get(fichero, ()) if f != fichero)
+        return any(f.name in propios for f in alcanzados(raiz, programa, programa.carpeta / fichero))
 
     return {f: textos[f] for f in sorted(textos) if lleva(f)}
 
@@ -131,19 +127,13 @@ def privados(raiz, programa, referencia):
     if es_de_shaders(referencia):
         return [f for f, texto in shaders(raiz) if pide(texto, referencia)]
     return [
-        programa.fuente.with_name(f) for f, texto in del_capitulo(raiz, programa)[0].items() if pide(texto, referencia)
+        programa.fuente.with_name(f) for f, texto in del_capitulo(raiz, programa).items() if pide(texto, referencia)
     ]
 
 
 def ejercicios(raiz, programas):
     """El programa de cada ejercicio que se puede corregir: los que tienen alguna marca."""
     return {r: p for p in programas for r in p.referencias if (es_del_libro(r) or p.raices) and privados(raiz, p, r)}
-
-
-def ejercicio_dicho(texto, programas):
-    """Lo que dice un ejercicio.txt: la referencia, vacía si solo es una copia, y el programa del que viene."""
-    *referencia, origen = texto.split()
-    return "".join(referencia), next(p for p in programas if f"{p.capitulo.nombre}/{p.nombre}" == origen)
 
 
 def encabezado(raiz, programa, referencia):
@@ -158,7 +148,7 @@ def encabezado(raiz, programa, referencia):
 
 
 def enunciado(raiz, programa, referencia, nombre, ficheros):
-    textos = del_capitulo(raiz, programa)[0]
+    textos = del_capitulo(raiz, programa)
     piden = {f: pide(textos[f], referencia) for f in ficheros}
     incluyen = {h for f in piden if piden[f] for h in re.findall(r'^#include "(.+)"$', textos[f], re.MULTILINE)}
     huecos = [(f"{nombre}.cpp" if f == programa.fuente.name else f, que) for f in piden for que in piden[f]]

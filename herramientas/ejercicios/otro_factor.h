@@ -4,14 +4,16 @@
 #include <glm/glm.hpp>
 #include <type_traits>
 
-template<class T>
-std::enable_if_t<std::is_arithmetic_v<T>, T> otroFactor(T x) {
+template<class T, class = decltype(T{})>
+T otroFactor(const T &x) {
     if constexpr (std::is_same_v<T, bool>)
         return !x;
-    else if constexpr (std::is_integral_v<T>)
-        return T(x + 1);
-    else
+    else if constexpr (std::is_integral_v<T> || std::is_enum_v<T>)
+        return T(int(x) + 1);
+    else if constexpr (std::is_floating_point_v<T>)
         return x == 0 ? T(0.25) : T(1.25) * x;
+    else
+        return T{}; // como si no se le hubiera dado nada
 }
 
 template<glm::length_t n, class T>
@@ -24,16 +26,4 @@ template<glm::length_t c, glm::length_t f, class T>
 glm::mat<c, f, T> otroFactor(glm::mat<c, f, T> M) {
     M[0] *= T(1.25);
     return M;
-}
-
-template<class T>
-std::enable_if_t<std::is_enum_v<T>, T> otroFactor(T x) {
-    return T(int(x) + 1);
-}
-
-/// De lo demás, como si no se le hubiera dado nada.
-template<class T>
-std::enable_if_t<std::is_pointer_v<T> || (std::is_class_v<T> && std::is_default_constructible_v<T>), T>
-otroFactor(const T &) {
-    return T{};
 }

@@ -20,6 +20,7 @@ DECLARA = re.compile(
     r"(?:\[[\w\s,]+\]|[A-Za-z_]\w*)\s*(?=[=({;,\[:]|$)"
 )
 NI_TOCARLO = "constexpr", "using", "typedef", "template", "static_assert", "enum", "friend", "goto", "asm", "operator"
+TRAS_LOS_PARAMETROS = ")", "const", "noexcept", "override", "mutable"
 BLOQUES = "struct", "class", "union", "namespace", "extern"
 CON_CONDICION = "for", "while", "if", "switch"
 TIPOS = "int", "float", "double", "bool", "char", "void", "unsigned", "const"
@@ -148,90 +149,50 @@ class Hueco:
         """La pareja de esa palabra o, si se queda fuera del hueco, la última."""
         return self.t.pareja.get(i, self.n - 1)
 
-    def lambdas(self, i, j):
-        """Las llaves de las que hay entre esas palabras."""
-        t, k = self.t, i
-        while k < j:
-            fin = t.pareja.get(k, k) + 1
-            if t[k] == "[" and not t.es_nombre(k - 1) and t[k - 1] not in (")", "]") and t[fin] in ("(", "{"):
-                abre = next((m for m in range(t.pareja.get(fin, fin), j) if t[m] == "{"), None)
-                if abre and abre in t.pareja:
-                    yield abre, t.pareja[abre]
-                    k = t.pareja[abre]
-            k += 1
-
-    def expresion(self, i, j):
-        t = self.t
-        if cuerpos := [*self.lambdas(i, j)]:
-            for abre, cierra in cuerpos:
-                yield from self.trozos(abre + 1, cierra)
-        elif t[i] == "{" and t.pareja.get(i) == j:
-            for parte in t.partes(i, j):
-                yield from self.expresion(*parte)
-        elif i <= j and t[i][0] not in "\"'." and t[i][:2] != 'R"' and not self.es_declaracion(i, j, False):
-            yield *self.sitio(i, j), False
-
     def es_declaracion(self, i, j, entera=True):
         """Si lo es esa instrucción o, si no es una ENTERA, esa expresión, en la que a * b es un producto."""
         desde, hasta = self.sitio(i, j)
         declara = DECLARA.match(self.texto[:hasta], desde)
         es_producto = declara and not entera and re.search(r"\w\s*[*&]+\s*\w+\s*$", declara[0])
-        return (
-            self.t[i] in TIPOS
-            or bool(declara)
-            and not (es_producto and self.texto[declara.end() : declara.end() + 1] not in "={")
-        )
+        tras_ella = self.texto[declara.end() : declara.end() + 1] if declara else ""
+        return self.t[i] in TIPOS or bool(declara) and not (es_producto and tras_ella not in "={")
 
-    def instruccion(self, i):
-        """Hasta dónde llega la que empieza ahí: su «;» o, si abre un bloque (una función, una estructura), la llave."""
+    def expresion(self, i, j):
+        t = self.t
+        if t[i] == "{" and t.pareja.get(i) == j:
+            for parte in t.partes(i, j):
+                yield from self.expresion(*parte)
+        elif i <= j and t[i][0] not in "\"'." and t[i][:2] != 'R"' and not self.es_declaracion(i, j, False):
+            yield *self.sitio(i, j), False
+
+    def acaba(self, i):
+        """Dónde acaba la instrucción que empieza ahí: en su «;» o en la llave que abre un bloque, el de una función o una
+        lambda, que va tras sus parámetros."""
         t, fin = self.t, i
         while fin < self.n and t[fin] != ";":
-            if t[fin] == "{" and (t[i] in BLOQUES or self.es_cuerpo(i, fin)):
+            if t[fin] == "{" and fin > i and (t[i] in BLOQUES or t[fin - 1] in TRAS_LOS_PARAMETROS):
                 return fin
-            fin = self.cierra(fin) + 1 if t[fin] in CIERRA else fin + 1
+            con_lambda = any(t[k] == ";" for k in range(fin, self.cierra(fin)))
+            fin = self.cierra(fin) + 1 if t[fin] in CIERRA and not con_lambda else fin + 1
         return fin
 
-    def es_cuerpo(self, i, llave):
-        """De una función, y no lo que vale algo ni una lambda."""
-        t, antes = self.t, llave - 1
-        while antes > i and t[antes] in ("const", "noexcept", "override", "mutable"):
-            antes -= 1
-        return (
-            t[antes] == ")" and t[t.pareja.get(antes, 0) - 1] not in ("]", "=", "(") and self.es_declaracion(i, llave)
-        )
-
-    def declaradas(self, i, fin):
-        """Lo que valen las que se declaran en esa instrucción."""
-        t = self.t
-        for de, a in t.partes(i - 1, fin):
-            igual = next((k for k in range(de, a + 1) if t[k] in ("=", "(", "{", "[")), a)
-            if t[igual] == "=":
-                yield from self.expresion(igual + 1, a)
-            elif t[igual] in ("(", "{") and t.pareja.get(igual) == a:
-                for parte in t.partes(igual, a):
-                    yield from self.expresion(*parte)
-
-    def trozos(self, i=0, hasta=None):
+    def trozos(self):
         """(desde, hasta, si es una instrucción) de cada expresión que se puede perturbar por su cuenta."""
-        t, hasta = self.t, self.n if hasta is None else hasta
-        while i < hasta:
+        t, i = self.t, 0
+        while i < self.n:
             sigue = i + 1
             if t[i] in CON_CONDICION and t[i + 1] == "(":
                 sigue = self.cierra(i + 1) + 1
                 partes = t.partes(i + 1, sigue - 1, ";")
                 for parte in partes[1:] if t[i] == "for" else partes[-1:]:
                     yield from self.expresion(*parte)
-            elif t[i] == "catch":
-                sigue = self.cierra(i + 1) + 1
             elif t[i] in ("case", "default", "public", "private", "protected") or t[i + 1] == ":" and t.es_nombre(i):
                 sigue = next((k for k in range(i, self.n) if t[k] == ":"), i) + 1
             elif t[i] == "{" and t[self.cierra(i) + 1] == ",":  # la fila de una tabla
                 yield from self.expresion(i, self.cierra(i))
                 sigue = self.cierra(i) + 1
-            elif (
-                t[i] not in ("else", "do", "try", *"{}(),;:[]", "constexpr") or t[i] == "constexpr" and t[i - 1] != "if"
-            ):
-                fin = self.instruccion(i)
+            elif t[i] not in ("else", "do", "try", *"{}(),;:[]"):
+                fin = self.acaba(i)
                 yield from self.de_instruccion(i, fin)
                 sigue = fin + 1
             i = sigue
@@ -244,10 +205,21 @@ class Hueco:
             yield from self.expresion(i + 1, fin - 1)
         elif t[i] in BLOQUES or self.es_declaracion(i, fin):
             yield from self.declaradas(i, fin)
-        elif fin < self.n and not any(self.lambdas(i, fin)):
+        elif fin < self.n:
             yield *self.sitio(i, fin), True
         else:
             yield from self.expresion(i, fin - 1)
+
+    def declaradas(self, i, fin):
+        """Lo que valen las que se declaran en esa instrucción."""
+        t = self.t
+        for de, a in t.partes(i - 1, fin):
+            igual = next((k for k in range(de, a + 1) if t[k] in ("=", "(", "{", "[")), a)
+            if t[igual] == "=":
+                yield from self.expresion(igual + 1, a)
+            elif t[igual] in ("(", "{") and t.pareja.get(igual) == a:
+                for parte in t.partes(igual, a):
+                    yield from self.expresion(*parte)
 
 
 def perturbaciones(texto, desde, hasta, glsl):

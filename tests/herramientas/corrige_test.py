@@ -562,8 +562,7 @@ def test_de_que_avisa_el_compilador(tmp_path):
     programa = nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD))[REF]
     suyo = compilador.Compilador(RAIZ, BUILD, programa, REF, recinto)
     ficheros = {"p.cpp": '#include "p.h"\nint main() {\n  int sobra;\n  return f(1);\n}\n', "p.h": "int f(int) {\n}\n"}
-    suyo.compila(ficheros, tmp_path / "aqui")
-    falta, sobra = suyo.avisos(ficheros, ["p.cpp"], tmp_path / "aqui")
+    falta, sobra = suyo.avisos(ficheros, suyo.compila(ficheros, tmp_path / "aqui"))
     assert falta.startswith("p.h:2: no return statement") and sobra.startswith("p.cpp:3: unused variable")
     dos = {"mi p.cpp": "int f() { return 1; }\nint main() { return f(); }\n", "otra p.cpp": "int f() { return 2; }\n"}
     ordena = '#include "p.h"\nint main() { ordena(); }'

@@ -12,7 +12,7 @@ from types import SimpleNamespace
 import pytest
 
 from banco import BUILD, RAIZ, con_catalogo
-from base import catalogo
+from base import catalogo, defectos
 from base.procesos import Fallo
 from ejercicios import comprueba, ensayo, nuevo, perturba, propios, reglas
 from ejercicios.corrige import clase as de_clase
@@ -240,22 +240,24 @@ fin:
 def test_lo_perturbado_casi_siempre_compila(tmp_path):
     """Nueve de cada diez: lo que no, se quita, sin culpar a quien no la tiene, y lo demás se queda."""
     desde = CUALQUIERA.index("static")
-    todas = dict(enumerate(perturba.perturbaciones(CUALQUIERA, desde, len(CUALQUIERA), False), 1))
-    vivas = {n: ("p.cpp", p) for n, p in todas.items()}
+    hay = perturba.perturbaciones(CUALQUIERA, desde, len(CUALQUIERA), False)
+    todas = [perturba.perturbado(p, n, "p.cpp", CUALQUIERA) for n, p in enumerate(hay, 1)]
+    vivas = [m for m in todas if ensayo.se_puede(m, CUALQUIERA)]
+    incluye = "".join(f'#include "{RAIZ / f}"\n' for f in (defectos.MUTANTE_H, ensayo.OTRO_FACTOR))
     for _ in range(ensayo.VUELTAS):
-        (tmp_path / "p.cpp").write_text(ensayo.con_todas(RAIZ, CUALQUIERA, {n: p for n, (_, p) in vivas.items()}))
+        cambiado = defectos.cambia(CUALQUIERA, vivas, ensayo.MARCA)
+        (tmp_path / "p.cpp").write_text(f"{ensayo.ANTES}{incluye}{cambiado}")
         compila = ["g++", "-std=c++17", "-fsyntax-only", "-w", "-fdiagnostics-color=never", tmp_path / "p.cpp"]
         entorno = {**os.environ, "LC_ALL": "C.UTF-8"}  # en el idioma de quien prueba no se entendería
         dice = subprocess.run(compila, text=True, capture_output=True, env=entorno).stderr
         malas = ensayo.culpables(dice, {"p.cpp": CUALQUIERA}, vivas)
         assert malas or not dice, dice
-        for n in malas:
-            vivas.pop(n)
+        vivas = [m for m in vivas if m.numero not in malas]
         if not dice:
             break
     assert not dice
     assert len(vivas) >= 0.9 * len(todas) > 63
-    assert {p.linea for p in todas.values()} == {p.linea for _, p in vivas.values()}
+    assert {m.perturbacion.linea for m in todas} == {m.perturbacion.linea for m in vivas}
 
 
 # --- lo que no es un ejercicio ----------------------------------------------------------------------------------

@@ -104,14 +104,13 @@ class Compilador:
                 break
         raise errores[0]
 
-    def avisos(self, ficheros, fuentes, carpeta):
-        """De lo que avisa el compilador en los ficheros de una entrega ya compilada en esa carpeta."""
-        arbol = carpeta / "fuentes"
+    def avisos(self, ficheros, jugador):
+        """De lo que avisa el compilador en los ficheros de una entrega ya compilada."""
+        *sitios, arbol = jugador.raices
         suya = arbol / SUYA
-        sitios = list(dict.fromkeys([suya, *((suya / nombre).parent for nombre in ficheros)]))
-        orden = self.orden(arbol, sitios, [suya / f for f in fuentes])
+        orden = self.orden(arbol, sitios, [suya / f for f in jugador.fuentes])
         orden = ["-fsyntax-only" if p == "-w" else p for p in orden] + ["-Wall", "-Wextra"]
-        errores = desempaqueta(self.recinto.ajeno(orden, COMPILA, [carpeta, *self.ve])).get("errores", b"")
+        errores = desempaqueta(self.recinto.ajeno(orden, COMPILA, [arbol.parent, *self.ve])).get("errores", b"")
         # lo que sobra, al final
         hay = re.findall(r"^(.+?):(\d+):\d+: warning: (.*?)(?: \[-W.*)?$", errores.decode(errors="replace"), re.M)
         lugares = {str(suya / f): f for f in ficheros}

@@ -63,13 +63,9 @@ class Error:
 
 def quienes(correcciones):
     """Cada una con su nombre, sin lo que le pone Moodle, si basta para saber quién es."""
-    leidos = {carpeta: de_moodle(carpeta.name) for carpeta in correcciones}
-    cortos = {
-        carpeta: limpio(m["quien"]) if m else c["entrega"]
-        for (carpeta, c), m in zip(correcciones.items(), leidos.values())
-    }
+    hechas, leidos = {}, {carpeta: de_moodle(carpeta.name) for carpeta in correcciones}
+    cortos = {q: limpio(m["quien"]) if m else correcciones[q]["entrega"] for q, m in leidos.items()}
     veces = Counter(cortos.values())
-    hechas = {}
     for carpeta, c in correcciones.items():
         m, quien = leidos[carpeta], cortos[carpeta]
         if veces[quien] > 1 and m and m["numero"]:

@@ -30,24 +30,19 @@ natural = forma(lambda que: type(que) is int and -1 <= que < 1 << 31)
 texto = forma(lambda que: isinstance(que, str) and len(que) < LARGA)
 logico = forma(lambda que: isinstance(que, bool))
 NUMEROS = [numero]
-TRAZA = {
-    "motivo": texto,
-    "lineas": [{"linea": natural, "clase": texto, "nombre": texto, "tipo": texto, "funcion": texto, "valor": NUMEROS}],
-}
+PASO = {"linea": natural, "clase": texto, "nombre": texto, "tipo": texto, "funcion": texto, "valor": NUMEROS}
+TRAZA = {"lineas": [PASO]}
 SUCESO = {
     "orden": natural,
     "veredicto": texto,
-    "framebuffer": natural,
     "primitiva?": natural,
     "tipo?": texto,
     "color?": NUMEROS,
-    "profundidad?": numero,
     "despues?": NUMEROS,
-    "profundidadAntes?": numero,
     "profundidadDespues?": numero,
     "plantillaDespues?": numero,
 }
-ATRIBUTO = {"nombre": texto, "activo": logico, "bufer": natural, "componentes": natural, "paso": natural, "suma": texto}
+ATRIBUTO = {"nombre": texto, "activo": logico, "bufer": natural, "componentes": natural, "suma": texto}
 UNIFORME = {"nombre": texto, "tipo": texto, "valor": NUMEROS}
 TEXTURA = {
     "sampler": texto,
@@ -69,7 +64,6 @@ ORDEN = {
 SOMBREADO = {"orden": natural, "primitiva": natural, "fragmento?": TRAZA, "vertices?": [{**TRAZA, "indice": natural}]}
 PIXEL = {"pixel": [natural], "color": NUMEROS, "historia": [SUCESO], "sombreado?": SOMBREADO}
 CUADRO = {
-    "talla": [natural],
     "ordenes": [ORDEN],
     "programas": [{"programa": natural, "vert?": texto, "frag?": texto}],
     "pixeles": [PIXEL],

@@ -63,12 +63,6 @@ def cifra(n, cifras=4):
     return {"nan": "NaN", "inf": "∞", "-inf": "−∞"}.get(f"{n:g}") or f"{n:.{cifras}g}".replace("-", "−")
 
 
-def en_json(tuyo, esperado):
-    """Los números que no tiene JSON, como texto."""
-    dichos = ([n if abs(n) < 1e39 else f"{n:g}" for n in numeros] for numeros in (tuyo, esperado))
-    return dict(zip(("tuyo", "esperado"), dichos))
-
-
 def valor(numeros, tipo="", cifras=4):
     if tipo == "bool" and numeros:
         return "sí" if numeros[0] else "no"
@@ -196,8 +190,8 @@ class Comparacion:
         return suyo.get(etapa) or ""
 
     def primera(self):
-        """Lo primero en que se apartan, o None: `que`, `dice` y, si es de una línea, `fichero` y `linea`. Antes lo que
-        dice de dónde sale que lo que solo dice que no es lo mismo."""
+        """Lo primero en que se apartan, o None: `que`, `dice`. Antes lo que dice de dónde sale que lo que solo dice que no
+        es lo mismo."""
         return min(self.halladas(), key=de_poco, default=None)
 
     def halladas(self):
@@ -268,7 +262,7 @@ class Comparacion:
         if not mia["cableado"] or not suya["cableado"]:
             hallado = self.de_llamada(mia, suya)
             dice = hallado["dice"] if hallado else f"deja {rgb(uno)} y se espera {rgb(otro)}"
-            return {"orden": mia["n"], "que": "llamada", "dice": f"{quien} {dice}"}
+            return {"que": "llamada", "dice": f"{quien} {dice}"}
         if hallado := self.de_lo_que_llega(mia, suya):
             if hallado["que"] == "textura":
                 return self.de_quien_la_pinta(mia) or hallado
@@ -276,14 +270,14 @@ class Comparacion:
             return es_array and self.de_vertice(mia, suya, cual, hallado["nombre"]) or hallado
         if hallado := self.de_lineas(mia, suya, cual):
             return hallado
-        return {"orden": mia["n"], "que": "suceso", "dice": self.de_suceso(quien, cual, uno, otro)}
+        return {"que": "suceso", "dice": self.de_suceso(quien, cual, uno, otro)}
 
     def de_lo_que_llega(self, mia, suya):
         if not mia["cableado"] or not suya["cableado"]:
             return None
         for parte in (self.de_shaders, self.de_uniforms, self.de_tabla, self.de_llamada):
             if hallado := parte(mia, suya):
-                return {"orden": mia["n"], **hallado, "dice": f"en {self.llama(mia)} {hallado['dice']}"}
+                return {**hallado, "dice": f"en {self.llama(mia)} {hallado['dice']}"}
         return None
 
     def de_quien_la_pinta(self, orden):
@@ -324,8 +318,7 @@ class Comparacion:
             return -len(par[0]["valor"]) if par[0]["tipo"].startswith("mat") else 0, next(hay, (len(lineas), 0))
 
         u, otro = min(salen, key=se_usa)
-        dice = vale(f"el uniform «{u['nombre']}»", u["valor"], otro["valor"], u["tipo"])
-        return {"que": "uniform", "nombre": u["nombre"], **en_json(u["valor"], otro["valor"]), "dice": dice}
+        return {"que": "uniform", "dice": vale(f"el uniform «{u['nombre']}»", u["valor"], otro["valor"], u["tipo"])}
 
     def de_tabla(self, mia, suya):
         for que, cosas, hechos in LLEGA:
@@ -367,8 +360,7 @@ class Comparacion:
             for una, otra in zip(*([p for p in v["lineas"] if es_suyo(p)] for v in (mio, suyo))):
                 if distintos(una["valor"], otra["valor"]):
                     que = vale(f"«{atributo}» en el vértice {mio['indice']}", una["valor"], otra["valor"])
-                    hallado = {"orden": mia["n"], "que": "array", "nombre": atributo}
-                    return {**hallado, **en_json(una["valor"], otra["valor"]), "dice": f"en {self.llama(mia)}, {que}"}
+                    return {"que": "array", "dice": f"en {self.llama(mia)}, {que}"}
         return None
 
     def de_lineas(self, mia, suya, cual):
@@ -398,10 +390,7 @@ class Comparacion:
         donde = f"en la línea {linea} de {fichero or shader.replace('el ', 'su ')}, {que}"
         if mio["clase"] == "entrada":
             donde = f"a {shader} {PurePath(fichero).name} le llega otra cosa: {que}".replace("a el ", "al ")
-        que = "entrada" if mio["clase"] == "entrada" else "linea"
-        hallado = {"orden": orden["n"], "que": que, "fichero": fichero, "linea": linea, "nombre": nombre}
-        dice = f"{donde}{lugar}, en la orden {orden['n']} ({orden['titulo']})"
-        return {**hallado, **en_json(mio["valor"], esperado), "dice": dice}
+        return {"que": "linea", "dice": f"{donde}{lugar}, en la orden {orden['n']} ({orden['titulo']})"}
 
     @staticmethod
     def de_suceso(quien, cual, uno, otro):

@@ -1,6 +1,7 @@
 """Lo que entrega un estudiante: de lo que hay (lector.py) se corrige un programa con lo que alcanza. Lo demás no
 estorba: se avisa."""
 import re
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path, PurePath
 
@@ -197,27 +198,24 @@ def lee_entrega(que, ref="", de_otro=lambda ruta: False):
 
 
 def ejercicio_de(carpeta, programas):
-    """Lo que dice ejercicio.txt: la referencia, vacía si solo es una copia, y el programa."""
+    """Lo que dice ejercicio.txt: la referencia, vacía si solo es una copia, y el programa del que viene."""
     try:
-        return nuevo.ejercicio_dicho(lee_fichero(carpeta, nuevo.EJERCICIO).decode(), programas)
+        *referencia, origen = lee_fichero(carpeta, nuevo.EJERCICIO).decode().split()
+        return "".join(referencia), next(p for p in programas if f"{p.capitulo.nombre}/{p.nombre}" == origen)
     except (Rechazo, UnicodeDecodeError, ValueError, StopIteration) as error:
         por_que = f": {error}" if isinstance(error, Rechazo) and (carpeta / nuevo.EJERCICIO).exists() else ""
         raise Fallo(f"{carpeta / nuevo.EJERCICIO} no dice de qué ejercicio es{por_que}") from None
 
 
-def tiene_main(lee):
-    try:
-        return bool(MAIN.search(lee()))
-    except Rechazo:
-        return False
-
-
 def hay_programa(carpeta):
     """Si dentro hay un fuente con main."""
-    try:
+
+    def tiene_main(lee):
+        with suppress(Rechazo):
+            return MAIN.search(lee())
+
+    with suppress(Rechazo):
         return any(tiene_main(lee) for ruta, lee in de_carpeta(carpeta) if tipo(ruta[-1]) in COMPILADOS)
-    except Rechazo:
-        return False
 
 
 def busca(mios, entrega, fuera=None):

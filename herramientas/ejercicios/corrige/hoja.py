@@ -35,18 +35,13 @@ def llano(nombre):
 
 
 def descifra(datos):
-    """El texto, su codificación y lo que lleva delante."""
-    for marca, como in (
-        (codecs.BOM_UTF8, "utf-8"),
-        (codecs.BOM_UTF16_LE, "utf-16-le"),
-        (codecs.BOM_UTF16_BE, "utf-16-be"),
-    ):
-        if datos.startswith(marca):
-            return datos[len(marca) :].decode(como), como, marca
+    """El texto y su codificación, que dice si lleva una marca delante."""
+    en_16 = datos.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+    como = "utf-16" if en_16 else "utf-8-sig" if datos.startswith(codecs.BOM_UTF8) else "utf-8"
     try:
-        return datos.decode(), "utf-8", b""
+        return datos.decode(como), como
     except UnicodeDecodeError:
-        return datos.decode("cp1252", "strict"), "cp1252", b""
+        return datos.decode("cp1252"), "cp1252"
 
 
 def numero(texto):
@@ -67,7 +62,7 @@ class Hoja:
     def __init__(self, fichero):
         self.fichero = fichero
         try:
-            self.texto, self.como, self.marca = descifra(fichero.read_bytes())
+            self.texto, self.como = descifra(fichero.read_bytes())
         except (OSError, UnicodeDecodeError):
             raise Fallo(f"no puedo leer «{fichero}»") from None
         self.texto = re.sub(r"\Asep=.\r?\n", "", self.texto)  # es para Excel, y Moodle no la quiere
@@ -162,7 +157,7 @@ class Hoja:
         escrito = texto.getvalue() if self.texto.endswith("\n") else texto.getvalue().rstrip("\r\n")
         destino = self.fichero.with_name(f"{self.fichero.stem}-con-notas{self.fichero.suffix}")
         # lo que no quepa en la codificación que trae está en un comentario, que es HTML
-        escribe(destino, self.marca + escrito.encode(self.como, "xmlcharrefreplace"))
+        escribe(destino, escrito.encode(self.como, "xmlcharrefreplace"))
         return destino
 
 

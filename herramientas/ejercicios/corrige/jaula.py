@@ -38,13 +38,9 @@ class Jaula:
         aparte = [f"--unshare-{que}" for que in ("ipc", "pid", "net", "uts", "cgroup-try")]
         self.prefijo = ["bwrap", *(aparte if self.root else ["--unshare-all"])]
         self.prefijo += "--die-with-parent --new-session --proc /proc --dev /dev --dir /etc".split()
-        sistema = ["/usr", "/etc/alternatives", "/etc/ld.so.cache"]
-        for carpeta in map(Path, ("/bin", "/lib", "/lib32", "/lib64", "/libx32")):
-            if carpeta.is_symlink():
-                self.prefijo += ["--symlink", os.readlink(carpeta), carpeta]
-            elif carpeta.is_dir():
-                sistema.append(str(carpeta))
-        for que in sistema:
+        for carpeta in ("bin", "lib", "lib64"):  # en todos los sistemas de ahora son enlaces
+            self.prefijo += ["--symlink", f"usr/{carpeta}", f"/{carpeta}"]
+        for que in ("/usr", "/etc/alternatives", "/etc/ld.so.cache"):
             self.prefijo += ["--ro-bind-try", que, que]
         if raiz.is_relative_to("/usr"):  # el laboratorio no es del sistema
             self.prefijo += ["--tmpfs", raiz]

@@ -11,7 +11,7 @@ import threading
 import unicodedata
 import zipfile
 from collections import deque
-from contextlib import ExitStack, contextmanager
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import PurePath
 
@@ -83,28 +83,13 @@ def en_utf8(datos):
 # --- lo que hay en una carpeta ---
 
 
-@contextmanager
-def abierta(carpeta, *dentro):
-    """Una carpeta, o la que hay bajando por esas, que no es un enlace, mientras se mira."""
-    with ExitStack() as pila:
-        f = None
-        for paso in (carpeta, *dentro):
-            try:
-                f = os.open(paso, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW | os.O_CLOEXEC, dir_fd=f)
-            except OSError:
-                raise Rechazo("no es una carpeta que se pueda leer") from None
-            pila.callback(os.close, f)
-        yield f
-
-
 def lee_fichero(carpeta, *ruta, limite=BYTES):
     """Un fichero corriente y corto de otro: ni enlaces, ni tuberías, ni dispositivos."""
     visto = limpio(ruta[-1])
-    with abierta(carpeta, *ruta[:-1]) as donde:
-        try:
-            f = os.open(ruta[-1], os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC, dir_fd=donde)
-        except OSError:
-            raise Rechazo(f"no se puede leer «{visto}»: es un enlace o no hay permiso") from None
+    try:
+        f = os.open(carpeta.joinpath(*ruta), os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+    except OSError:
+        raise Rechazo(f"no se puede leer «{visto}»: es un enlace o no hay permiso") from None
     with open(f, "rb") as fichero:
         if not stat.S_ISREG(os.fstat(f).st_mode):
             raise Rechazo(f"«{visto}» no es un fichero corriente")
@@ -120,16 +105,16 @@ def corto(visto, datos, limite):
 
 def de_carpeta(carpeta, cuantos=HAY, hondo=HONDO):
     """(ruta, cómo se lee) de cada fichero, sin salir de ella, antes lo de fuera que lo de dentro."""
+    if carpeta.is_symlink() or not os.access(carpeta, os.R_OK | os.X_OK):
+        raise Rechazo("no es una carpeta que se pueda leer")
     por_ver, vistos = deque([()]), 0
     while por_ver and vistos < cuantos:
         ruta = por_ver.popleft()
         try:
-            with abierta(carpeta, *ruta) as f, os.scandir(f) as hay:
+            with os.scandir(carpeta.joinpath(*ruta)) as hay:
                 suyas = ((e.name, e.is_dir(follow_symlinks=False)) for e in itertools.islice(hay, cuantos - vistos))
                 dentro = sorted(e for e in suyas if not basura(e[0]))
-        except Rechazo:
-            if not ruta:
-                raise
+        except OSError:
             continue
         vistos += len(dentro)
         por_ver += [(*ruta, nombre) for nombre, es_carpeta in dentro if es_carpeta and len(ruta) < hondo]

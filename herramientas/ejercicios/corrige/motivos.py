@@ -23,25 +23,10 @@ SENALES = {
 }
 
 
-def lista(raiz, programa, textos):
-    """Los defectos que se conocen: de uno propio, en su carpeta, con el nombre de su fichero."""
-    donde = programa.carpeta / propios.ERRORES if programa.raices else raiz / ERRORES
-    try:
-        if not programa.raices:
-            return defectos.lee(donde)[0]
-        suyos, fallos = defectos.lee_lista(donde)
-        fallos += [f"{m.nombre}: no hay ningún «{m.fichero}»" for m in suyos if m.fichero not in textos]
-        if fallos:
-            raise ValueError(fallos[0])
-        for fichero, de_el in defectos.por_fichero(suyos).items():
-            defectos.cambia(textos[fichero], [m for m in de_el if not m.en_shader or m.sitio(textos[fichero])])
-        return suyos
-    except ValueError as error:
-        raise Fallo(f"{donde}: {error}") from None
-
-
 def conocidos(raiz, programa, ref):
-    """Los defectos de los ficheros que tiene quien hace el ejercicio, salvo en lo que pide otro."""
+    """Los defectos que se conocen de los ficheros que tiene quien hace el ejercicio, salvo en lo que pide otro. Los de uno
+    propio están en su carpeta, y no se han mirado nunca."""
+    donde = programa.carpeta / propios.ERRORES if programa.raices else raiz / ERRORES
     textos = {ruta(programa, f): texto for f, texto in nuevo.textos(raiz, programa, ref).items()}
     ajenos = {
         f: [t.span() for t in marcas.TROZO.finditer(texto) if t["codigo"] != ref and nuevo.es_del_libro(t["codigo"])]
@@ -49,12 +34,22 @@ def conocidos(raiz, programa, ref):
     }
 
     def es_de_otro(m):
-        return any(desde <= m.sitio(textos[m.fichero])[0] < hasta for desde, hasta in ajenos[m.fichero])
+        sitio = m.sitio(textos[m.fichero])[0]
+        return any(desde <= sitio < hasta for desde, hasta in ajenos[m.fichero])
 
+    suyos, fallos = defectos.lee_lista(donde) if programa.raices else (defectos.lee(donde)[0], [])
+    if programa.raices:
+        fallos += [f"{m.nombre}: no hay ningún «{m.fichero}»" for m in suyos if m.fichero not in textos]
     try:
-        return [m for m in lista(raiz, programa, textos) if m.fichero in textos and not es_de_otro(m)]
+        if fallos:
+            raise ValueError(fallos[0])
+        suyos = [m for m in suyos if m.fichero in textos and not es_de_otro(m)]
+        for fichero, de_el in defectos.por_fichero(suyos).items():
+            if not de_el[0].en_shader:
+                defectos.cambia(textos[fichero], de_el)
+        return suyos
     except ValueError as error:
-        raise Fallo(f"{ERRORES}: {error}") from None
+        raise Fallo(f"{donde}: {error}") from None
 
 
 def ruta(programa, fichero):
@@ -120,14 +115,16 @@ class Motivos:
                 shutil.rmtree(sitio / f"hueco{i}")
         self.planta(self.defectos, sitio)
 
-    def planta(self, suyos, sitio):
-        """Deja ahí la solución con esos defectos: los de C++, en un binario; de cada shader, el estropeado."""
+    def planta(self, suyos, sitio, marca="", antes=""):
+        """Deja ahí la solución con esos defectos: los de C++, en un binario, con esa MARCA; de cada shader, el
+        estropeado."""
         textos = self.textos()
         for fichero, de_el in defectos.por_fichero(suyos).items():
             nombre = Path(fichero).name
             fuente = textos[nombre]
             if not de_el[0].en_shader:
-                textos[nombre] = f'#include "{self.raiz / defectos.MUTANTE_H}"\n{defectos.cambia(fuente, de_el)}'
+                cambiado = defectos.cambia(fuente, de_el, marca)
+                textos[nombre] = f'{antes}#include "{self.raiz / defectos.MUTANTE_H}"\n{cambiado}'
                 continue
             for m in de_el:
                 estropeado = {**textos, nombre: defectos.estropea(fuente, m)}

@@ -1,10 +1,10 @@
 """Qué entregas se parecen más de lo que explican el esqueleto, la solución y lo que escribe casi toda la clase. Es un
 indicio, con lo de las dos al lado para que lo mire alguien; de la nota no quita nada.
 
-Se comparan frases: una instrucción, la cabecera de un if o de un bucle, y cada una con las de al lado de su función. Lo
-que se declara se llama según el orden en que sale en ellas, y no cuentan ni los comentarios, ni los blancos, ni las
-llaves, ni los textos: con otros nombres, en otro orden o con otros comentarios, la frase es la misma. Lo que viene de
-fuera (giroY, glEnable, un número) sí cuenta, que no se le puede cambiar el nombre."""
+Se comparan palabras seguidas de una función. Lo que se declara se llama según el orden en que sale en ellas, y no
+cuentan ni los comentarios, ni los blancos, ni las llaves, ni los textos: con otros nombres, con las funciones en otro
+orden o con otros comentarios, son las mismas. Lo que viene de fuera (giroY, glEnable, un número) sí cuenta, que no se le
+puede cambiar el nombre."""
 import itertools
 import re
 from collections import Counter, defaultdict
@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 from ejercicios.corrige.entrega import CODIGO, tipo
 
-SEGUIDAS = 1, 2, 3  # frases que se miran juntas
+SEGUIDAS = 12  # palabras que se miran juntas
 BASTA = 0.5  # lo que tienen que compartir de lo que solo es suyo, de 0 a 1
-MINIMO = 2  # y lo que tiene que pesar: una frase que han escrito cinco no llega
+MINIMO = 2  # y lo que tiene que pesar
 TOPE = 200_000  # letras que se miran de una entrega
 COMUN = 4, 10  # lo que está en más de tantas, y en más de una de cada tantas, es de todos
 ALREDEDOR, ANCHO, ALTO = 2, 200, 400  # líneas que se enseñan de más, y lo que se enseña de cada fichero
@@ -29,8 +29,6 @@ PALABRA = re.compile(
 )
 NO_ES_TIPO = set("return else case goto new delete throw do and or not sizeof typename namespace operator".split())
 SIGUE_A_UN_NOMBRE = set("= ; , ) ( [ : {".split())
-DE_CONTROL = {"if", "for", "while", "switch"}
-ABREN, CIERRAN = ("(", "[", "{"), (")", "]", "}")
 
 
 @dataclass(frozen=True)
@@ -70,43 +68,20 @@ def declarados(hay):
     return suyos
 
 
-def frases(hay):
-    """Las de un fichero, en una lista por cada cosa que declara fuera de todo: una función, una estructura."""
-    todas, cosa, frase = [], [], []
-    hondo, dentro, control = 0, 0, False  # llaves abiertas; paréntesis; si son los de un if
-
-    def acaba():
-        nonlocal frase
-        if frase:
-            cosa.append(frase)
-            frase = []
-
+def cosas(hay):
+    """Las palabras de cada cosa que se declara fuera de todo, una función o una estructura, sin llaves."""
+    todas, hondo = [[]], 0
     for palabra in hay:
-        que = palabra.que
-        if not dentro and que in (";", "{", "}"):
-            if que == "{" and not (frase and frase[0].que in ("namespace", "extern")):
-                hondo += 1
-            hondo = max(0, hondo - (que == "}"))
-            acaba()
-            if que != "{" and not hondo:
-                todas.append(cosa)
-                cosa = []
-            continue
-        if que in ABREN:
-            control = control or que == "(" and not dentro and frase and frase[-1].que in DE_CONTROL
-            dentro += 1
-        dentro = max(0, dentro - (que in CIERRAN))
-        if que not in ("{", "}"):
-            frase.append(palabra)
-        if not dentro and (que == ")" and control or que == "else"):
-            control = False
-            acaba()
-    acaba()
-    return [cosa for cosa in (*todas, cosa) if cosa]
+        if palabra.que not in ("{", "}"):
+            todas[-1].append(palabra)
+        hondo = max(0, hondo + (palabra.que == "{") - (palabra.que == "}"))
+        if not hondo and palabra.que in ("}", ";"):
+            todas.append([])
+    return filter(None, todas)
 
 
-def normal(palabras_, suyos):
-    """Cómo cuentan, juntas. De los textos, solo los que son un nombre, sin blancos."""
+def normal(juntas, suyos):
+    """Cómo cuentan. De los textos, solo los que son un nombre, sin blancos."""
     orden = {}
     return tuple(
         orden.setdefault(p.que, len(orden))
@@ -114,28 +89,20 @@ def normal(palabras_, suyos):
         else "T"
         if p.clase == "texto" and " " in p.que
         else p.que
-        for p in palabras_
+        for p in juntas
     )
 
 
 def senas(ficheros):
-    """{seña: dónde está, como (de cuántas frases es, fichero, de qué línea, a cuál)}, de cada una y de las seguidas."""
+    """{seña de unas palabras seguidas: dónde está la de en medio, como (fichero, línea)}."""
     leidos = {ruta: palabras(texto) for ruta, texto in ficheros.items()}
     suyos = set().union(*map(declarados, leidos.values()))
-    donde = defaultdict(list)
+    donde = defaultdict(set)
     for ruta, hay in leidos.items():
-        for cosa in frases(hay):
-            solas = []
-            for i, frase in enumerate(cosa):
-                for n in SEGUIDAS:
-                    juntas = [p for f in cosa[i : i + n] for p in f]
-                    if i + n <= len(cosa):
-                        sena = hash((n, normal(juntas, suyos)))
-                        donde[sena].append((n, ruta, juntas[0].linea, juntas[-1].linea))
-                        if n == 1:
-                            solas.append(sena)
-            # y la cosa entera, en cualquier orden
-            donde[hash((0, *sorted(solas)))].append((len(cosa) + 1, ruta, cosa[0][0].linea, cosa[-1][-1].linea))
+        for cosa in cosas(hay):
+            for i in range(max(1, len(cosa) - SEGUIDAS + 1)):
+                juntas = cosa[i : i + SEGUIDAS]
+                donde[hash(normal(juntas, suyos))].add((ruta, juntas[len(juntas) // 2].linea))
     return donde
 
 
@@ -151,12 +118,10 @@ def codigo(ficheros):
 
 
 def lineas(donde, comunes):
-    """En qué líneas de cada fichero están esas señas; de las que se pisan, la más corta, que es la que dice dónde."""
+    """En qué líneas de cada fichero están esas señas."""
     hay = defaultdict(set)
-    for _, ruta, desde, hasta in sorted(sitio for sena in comunes for sitio in donde[sena]):
-        suyas = set(range(desde, hasta + 1))
-        if not suyas & hay[ruta]:
-            hay[ruta] |= suyas
+    for ruta, linea in set().union(*(donde[sena] for sena in comunes)):
+        hay[ruta].add(linea)
     return dict(hay)
 
 

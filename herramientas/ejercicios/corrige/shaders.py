@@ -56,12 +56,12 @@ class DeShaders(Compilador):
         shutil.copy(self.solucion.programa, ejecutable)
         return Jugador("la entrega", ejecutable, [arbol], ajeno=ajena)
 
-    def avisos(self, ficheros, fuentes, carpeta):
+    def avisos(self, ficheros, jugador):
         return []
 
 
 class MotivosDeShaders(Motivos):
-    def planta(self, suyos, sitio):
+    def planta(self, suyos, sitio, **_):
         for m in suyos:
             textos = self.textos()
             textos[m.fichero] = defectos.estropea(textos[m.fichero], m)

@@ -105,10 +105,9 @@ class Correccion:
     def hazla(self):
         with tempfile.TemporaryDirectory(dir=self.banco.temporal) as carpeta:
             os.chmod(carpeta, 0o755)  # lo lee quien está en la jaula
-            self.carpeta = Path(carpeta)
             try:
                 suyos, intentos = self.entrega.ficheros, self.entrega.intentos
-                self.jugador = self.banco.compilador.compila(suyos, self.carpeta, intentos=intentos)
+                self.jugador = self.banco.compilador.compila(suyos, Path(carpeta), intentos=intentos)
                 if self.jugador.fuentes:
                     self.entrega.corregida(self.jugador.fuentes)
             except Rechazo as rechazo:
@@ -129,7 +128,7 @@ class Correccion:
         acaban = list(dict.fromkeys(filter(None, (como_acaba(p, g) for g, p in self.partidas.items()))))
         dice = acaban[:3]
         if any(p.estado in SENALES for p in self.partidas.values()):  # casi siempre lo sabía el compilador
-            avisos = self.banco.compilador.avisos(self.entrega.ficheros, self.jugador.fuentes, self.carpeta)
+            avisos = self.banco.compilador.avisos(self.entrega.ficheros, self.jugador)
             dice += [f"el compilador avisa: {a}" for a in avisos[:2]]
         if self.gastado > TOPE and len(self.partidas) < len(todos):
             jugados = f"{len(self.partidas)} de los {len(todos)} guiones"
