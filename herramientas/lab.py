@@ -264,7 +264,10 @@ class Laboratorio:
         en = self.build / "web"
         self.t.configura("web", en)
         self.t.compila(en, "laboratorio", "explica")
-        self.pasa_a("web.pagina", self.raiz, en, self.t.galeria, self.t.web)
+        es_nueva = not (self.t.web / "index.html").exists()
+        if estado := self.hace("web.pagina", self.raiz, en, self.t.galeria, self.t.web):
+            return estado
+        return self.dibuja_galeria() if es_nueva else 0  # que enlace con ella
 
     def windows(self, _):
         """Deja en windows/laboratorio-windows.zip los programas para Windows, con todo lo que necesitan."""

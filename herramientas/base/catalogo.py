@@ -92,6 +92,11 @@ class Caso:
         return f"{self.programa.capitulo.nombre}/{self.fichero}.png"
 
     @property
+    def miniatura(self):
+        """La que se ve en las páginas, de la mitad de lado."""
+        return f"{self.programa.capitulo.nombre}/{self.fichero}.mini.webp"
+
+    @property
     def animada(self):
         """La animación, como se ve en la página."""
         return f"{self.programa.capitulo.nombre}/{self.fichero}.anima.webp"
@@ -140,9 +145,9 @@ class Programa:
         """Su fuente y sus shaders: los lee siempre, aunque no lo apunte en $LAB_LEIDOS porque no usa common/."""
         return sorted(raiz.glob(f"{self.fuente.with_suffix('')}.*"))
 
-    def ejecutable(self, build):
-        """El que se usa sin ventana."""
-        return build / (build / "sin_ventana").read_text().strip() / self.capitulo.nombre / self.nombre
+    def ejecutable(self, build, enlace=None):
+        """El que se usa sin ventana, o el de ese enlace."""
+        return build / (enlace or (build / "sin_ventana").read_text().strip()) / self.capitulo.nombre / self.nombre
 
     def es(self, pedido):
         """Si es lo que se pide, escrito de cualquier manera: su nombre o su fuente, su capítulo o una referencia."""

@@ -1,8 +1,8 @@
 """dibuja.py RAÍZ BUILD DESTINO: compila los programas, dibuja cada caso del catálogo sin ventana en cuanto se puede y
 escribe DESTINO/index.html, que se puede mirar desde el primero. Si no compila, el estado es 3.
 
-Cada imagen se dibuja al tamaño que tendría proyectada y así se deja, sin reducirla: los escalones que haya son los
-del programa. De los casos con ANIMA se hacen además tantos cuadros al tamaño de un proyector, que se pueden parar, y
+Cada imagen se dibuja al tamaño que tendría proyectada, con EGL, que da las muestras que pida el programa, como una
+ventana: los escalones que haya son los suyos. La página lleva su miniatura. De los casos con ANIMA se hacen además tantos cuadros al tamaño de un proyector, que se pueden parar, y
 una animación más pequeña para la página. Solo se rehace lo que ha cambiado: DESTINO/.hecho.json recuerda de qué
 (programa, guion y los ficheros que leyó) salió cada imagen y qué escribió entonces el programa. Si algún caso falla,
 la página lleva los demás y el estado es 1.
@@ -25,8 +25,9 @@ from base.procesos import Fallo, escribe
 from galeria.pagina import PaginaGaleria
 
 TALLA, PROYECTADA, ANIMADA = "1440x1080", "1280x960", "480x360"
+MINIATURA = "-resize", "720", "540", "-q", "78", "-m", "4"
 RITMO = "100"  # ms de cada cuadro; los pasa también proyector.mjs
-WEBP = "-q", "80", "-m", "4"
+WEBP = "-q", "72", "-m", "4"
 CADA = 4  # segundos entre una página a medias y la siguiente
 NO_COMPILA = 3
 ejecuta = functools.partial(procesos.ejecuta, timeout=300)  # un programa que no acaba no detiene la galería
@@ -76,11 +77,11 @@ class Galeria:
 
     def dibuja(self, programa, caso, temporal):
         """Hace la imagen de un caso si no está al día. Dice si la ha hecho."""
-        ejecutable = programa.ejecutable(self.build)
-        png = self.destino / caso.imagen
+        ejecutable = programa.ejecutable(self.build, "egl")
+        png, miniatura = self.destino / caso.imagen, self.destino / caso.miniatura
         animada, cuadros = self.destino / caso.animada, [self.destino / c for c in caso.cuadros]
-        ficheros = [] if programa.consola else [png, animada, *cuadros] if caso.anima else [png]
-        como = TALLA, "título", caso.guion, caso.anima and (PROYECTADA, ANIMADA, RITMO, WEBP, caso.anima)
+        ficheros = [] if programa.consola else [png, miniatura, *([animada, *cuadros] if caso.anima else [])]
+        como = TALLA, MINIATURA, caso.guion, caso.anima and (PROYECTADA, ANIMADA, RITMO, WEBP, caso.anima)
         clave = hashlib.sha1(repr(como).encode() + ejecutable.read_bytes()).hexdigest()
         if self.al_dia(caso, clave, ficheros):
             caso.ventana, caso.salida = (self.hecho[caso.imagen][dato] for dato in ("ventana", "salida"))
@@ -93,12 +94,14 @@ class Galeria:
             orden += ["-titulos", "-", "-geometry", TALLA, "-ppm", ppm]
         if caso.guion:
             orden += ["-guion", caso.guion]
-        escrito = ejecuta(orden, cwd=temporal, env={**os.environ, "LAB_LEIDOS": leidos}).decode(errors="replace")
+        suyo = {"LAB_LEIDOS": leidos, "LAB_SUAVIZA": "1"}
+        escrito = ejecuta(orden, cwd=temporal, env={**os.environ, **suyo}).decode(errors="replace")
         caso.ventana, caso.salida = lo_suyo(escrito)
         if caso.guion and caso.salida:
             caso.salida = lo_suyo(ejecuta([*orden, "-diario"], cwd=temporal).decode(errors="replace"), True)[1]
         if not programa.consola:
             escribe(png, procesos.en_png(ppm, 3))
+            escribe(miniatura, ejecuta(["cwebp", "-quiet", *MINIATURA, ppm, "-o", "-"]))
             ppm.unlink()
         if caso.anima:
             with tempfile.TemporaryDirectory(dir=temporal) as carpeta:
@@ -117,7 +120,8 @@ class Galeria:
         guion = "; ".join([caso.guion, *(f"captura {c.name}; {paso}" for c in capturas)])
 
         def dibuja(talla):
-            ejecuta([ejecutable, "-geometry", talla, "-ppm", "x", "-guion", guion], cwd=carpeta)
+            orden = [ejecutable, "-geometry", talla, "-ppm", "x", "-guion", guion]
+            ejecuta(orden, cwd=carpeta, env={**os.environ, "LAB_SUAVIZA": "1"})
 
         dibuja(PROYECTADA)
         for captura, cuadro in zip(capturas, cuadros):
@@ -153,12 +157,12 @@ class Galeria:
         """Cada programa, en cuanto se enlaza; los que ya lo estaban, al acabar de compilar."""
         if (self.destino / "index.html").exists():
             self.escrita = time.monotonic()
-        por_compilar = {p.ejecutable(self.build): p for p in self.programas}
+        por_compilar = {p.ejecutable(self.build, "egl"): p for p in self.programas}
         try:
             with tempfile.TemporaryDirectory() as temporal, ThreadPoolExecutor(os.cpu_count()) as hilos:
                 trabajos = []
                 try:
-                    for linea in Taller.compilando(self.build, "sin_ventana"):
+                    for linea in Taller.compilando(self.build, "galeria"):
                         enlazado = re.match(r"\[\d+/\d+\] Linking CXX executable (\S+)$", linea)
                         if programa := enlazado and por_compilar.pop(self.build / enlazado[1], None):
                             trabajos.append(hilos.submit(self.dibuja_programa, programa, Path(temporal)))

@@ -1,11 +1,12 @@
 """La página de la galería, a partir del catálogo, de lo que dice el libro y de los fuentes."""
+import json
 from pathlib import Path
 
 from pygments import highlight
 from pygments.formatters import HtmlFormatter
 from pygments.lexers import CppLexer, GLShaderLexer
 
-from base import controles, fuentes, guiones, indice, libro, paginas
+from base import controles, fuentes, guiones, indice, libro, paginas, procesos
 
 AQUI = Path(__file__).parent
 PLANTILLA = AQUI / "galeria.html"
@@ -19,13 +20,16 @@ def colorea(raiz, fichero):
 
 
 class PaginaGaleria:
-    """Entera en un fichero, al lado de sus imágenes. Mientras no están todas se escribe con las que hay, y se vuelve
-    a cargar sola."""
+    """Al lado de sus imágenes y de los fuentes, coloreados, que trae cuando se abren. Mientras no están todas se escribe
+    con las que hay, y se vuelve a cargar sola."""
 
     def __init__(self, raiz, destino, capitulos):
         programas = [p for capitulo in capitulos for p in capitulo.programas]
         suyos = {p.nombre: fuentes.alcanza(raiz, p.fuente) for p in programas}
         todos = dict.fromkeys(f for ficheros in suyos.values() for f in ficheros)
+        for f in todos:
+            suyo = json.dumps(str(f)), json.dumps(colorea(raiz, f), ensure_ascii=False)
+            procesos.escribe(destino / "fuentes" / f"{f}.js", "fuente({}, {})\n".format(*suyo))
         del_libro = libro.Libro(raiz, capitulos)
         en_marcha = "../web/index.html"
         self.destino, self.casos = destino, [c for p in programas if not p.consola for c in p.casos]
@@ -38,12 +42,11 @@ class PaginaGaleria:
             "guion": paginas.junta(AQUI, MODULOS),
             "fuentes": suyos,
             "controles": {p.nombre: [c.texto for c in controles.lee(raiz, p)] for p in programas},
-            "codigo": {str(f): colorea(raiz, f) for f in todos},
             "colores_claros": CLARO.get_style_defs("pre"),
             "colores_oscuros": OSCURO.get_style_defs("pre"),
         }
 
     def escribe(self, faltan=0):
         """DESTINO/index.html, cuando aún no se han dibujado tantos programas."""
-        imagenes = {c.fichero: c.imagen for c in self.casos if c.hecho and not c.fallo}
+        imagenes = {c.fichero: c.miniatura for c in self.casos if c.hecho and not c.fallo}
         paginas.escribe_pagina(self.destino, PLANTILLA, faltan=faltan, imagenes=imagenes, **self.datos)

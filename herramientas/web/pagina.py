@@ -95,16 +95,12 @@ class Pagina:
         return ejecuta(["esbuild", PLANTILLA.with_name("pagina.mjs"), *opciones]).decode()
 
     def miniatura(self, caso):
-        """Su imagen de la galería, reducida: basta para el catálogo."""
-        origen, destino = self.galeria / caso.imagen, (self.destino / caso.imagen).with_suffix(".jpg")
+        """La suya de la galería."""
+        origen = self.galeria / caso.miniatura
         if caso.programa.consola or not origen.is_file():
             return ""
-        if not destino.is_file() or destino.stat().st_mtime < origen.stat().st_mtime:
-            reducida = ejecuta(["pngtopnm", origen])
-            for orden in (["pamscale", "-width", "480"], ["pnmtojpeg", "-quality=85", "-optimize"]):
-                reducida = ejecuta(orden, input=reducida)
-            escribe(destino, reducida)
-        return str(destino.relative_to(self.destino))
+        escribe(self.destino / caso.miniatura, origen.read_bytes())
+        return caso.miniatura
 
     def escribe(self, capitulos):
         try:
