@@ -13,22 +13,16 @@ IMAGEN = """
     no_esta.ppm                | 1 | no puedo leer «no_esta.ppm»: no existe
     no_esta.rgb -talla 7x5     | 1 | no puedo leer «no_esta.rgb»: no existe
     f.rgb -talla 7x6           | 1 | una imagen RGB de 7×6 ocupa 126 bytes y hay 105
-    f.rgb -talla 7x4           | 1 | una imagen RGB de 7×4 ocupa 84 bytes y hay 105
     f.rgb -talla 99999x1       | 1 | no hay texturas de 99999×1
-    f.rgb -talla 1x99999       | 1 | no hay texturas de 1×99999
     larga.rgb -talla 32768x1   | 1 | 32768×1 es demasiado grande: este OpenGL las admite de hasta 16384 de lado
-    larga.rgb -talla 1x32768   | 1 | una textura de 1×32768 es demasiado grande
     f.rgb                      | 2 | de un fichero RGB sin cabecera hay que decir -talla ANCHOxALTO
     f.rgb -talla               | 2 | detrás de -talla va el tamaño, ANCHOxALTO
     f.rgb -talla 7             | 2 | detrás de -talla va el tamaño
-    f.rgb -talla 7x5x          | 2 | detrás de -talla va el tamaño
     f.rgb -talla 7x99999999999 | 2 | detrás de -talla va el tamaño
     -talla 7x5                 | 2 | y hay 0
     f.png                      | 1 | «f.png» es un PNG, y aquí se leen PPM binarios (P6) y RGB sin cabecera; se
-    f.png -talla 7x5           | 1 | «f.png» es un PNG
     texto.ppm                  | 1 | no es un PPM binario (no empieza por P6); se convierte con
     f.rgb -talla 7x5 -talla 7x5| 2 | sobra «-talla»: solo se da
-    f.rgb -t 7x5               | 2 | sobra «-t»: solo se da
     f.ppm f.ppm                | 2 | sobra «f.ppm»: solo se da
     ''                         | 2 | «»"""
 MAL = {  # lo que se le da, con qué estado acaba y lo que dice

@@ -172,19 +172,6 @@ def comunes(p):
         yield "-ayuda", f"-ayuda no dice sus controles: {lineas}"
 
 
-def vivos(p):
-    """En un editor se ve qué punto se elige con n, y las flechas lo mueven."""
-    if "especial ARRIBA" not in p.teclas or "tecla n" not in p.teclas:
-        return
-    modos = [o for o in p.teclas if not o.startswith("especial ") and o != "tecla n"]
-    recorre = ["tecla n", "especial ARRIBA", "especial ABAJO"] * 10
-    guion = recorre + [o for modo in modos for o in (modo, *recorre)]
-    filas = p.diario(guion)
-    for antes, fila, orden in zip(filas, filas[1:], guion):
-        if orden not in modos and not fila.distinta(antes):
-            yield "vivos", f"{fila.orden} no cambia nada: elige o mueve un punto que no se ve"
-
-
 def mandos(p):
     """Todo lo que se nombra hace algo: lo ha hecho ya en algo de lo anterior o se busca tras qué."""
     for orden in p.mandos:

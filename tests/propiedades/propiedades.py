@@ -15,11 +15,11 @@ from pathlib import Path
 
 from dados import dados
 from dicho import dicho
-from mandos import comparacion, comunes, limites, mandos, nombres, raras, vivos, vuelta
+from mandos import comparacion, comunes, limites, mandos, nombres, raras, vuelta
 from programa import TALLA, Programa, Termina, arrastre
 from tiempo import conmuta, lento, pausa
 from rotulos import rotulos, tapan
-from vista import arrastres, cerca, foto, franja, tallas, tocado
+from vista import arrastres, cerca, foto, franja, tallas
 from base import catalogo, controles, guiones
 
 TAMANOS = ["120 90", "150 90", "100 100", "61 45", "4 90", "1 1", "200 2"]
@@ -102,7 +102,7 @@ def rondas(p):
 
 
 PROPIEDADES = paseo, nombres, raras, limites, comparacion, vuelta, tallas, franja, rotulos, tapan, cerca, arrastres
-PROPIEDADES += tocado, pausa, lento, conmuta, foto, rondas, comunes, vivos, mandos
+PROPIEDADES += pausa, lento, conmuta, foto, rondas, comunes, mandos
 PROPIEDADES += dados, dicho  # dicho mira lo de los demás
 SORTEADA = tapan  # sin --todo se pide una parte, y una excepción puede no hacer falta
 
@@ -154,7 +154,6 @@ EXCEPCIONES = {
     ("primer_programa", "dicho", "primero"): "con s la imagen no cambia hasta que se dibuja, y es lo que enseña",
     ("profundidad", "dicho", "números"): "el título da el cociente, y lo escrito, los dos planos",
     ("temporizador", "lento", "hora"): "cuenta los disparos, y en uno lento son menos: es lo que enseña",
-    ("superficie_bezier", "vivos", "vivos"): "con m y con f la superficie tapa la red, pero los puntos se mueven",
 }
 
 
