@@ -12,13 +12,12 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from base import controles, defectos
-from base.guiones import sin_veces
 from base.procesos import Fallo, principal
 from ejercicios import nuevo, propios, reglas
-from ejercicios.corrige import partidas, shaders
+from ejercicios.corrige import partidas, shaders, veredicto
 from ejercicios.corrige.arbitro import suma
 from ejercicios.corrige.entrega import Rechazo, limpio
-from ejercicios.corrige.motivos import como_acaba
+from ejercicios.corrige.motivos import como_acaba, que_cambian
 from ejercicios.corrige.orden import ejercicio
 from ejercicios.ensayo import Ensayo
 
@@ -114,15 +113,6 @@ class Comprobacion(Ensayo):
             mal.append(f"la solución saca {nota:g}: ¿lee la hora, o algo que no está en su carpeta?")
         return "solución", f"{nota:g} de 100", mal
 
-    def cambian(self):
-        """De cada orden de los guiones, si alguna vez cambia algo de lo que se ve."""
-        vistas = {}
-        for g, p in self.esperadas.items():
-            for i, orden in enumerate(g.ordenes[: len(p.imagenes) - 1]):
-                que = sin_veces(orden)
-                vistas[que] = vistas.get(que, False) or p.imagenes[i] != p.imagenes[i + 1]
-        return vistas
-
     def controles(self):
         """Cada tecla que dicen sus «// Controles:», cada opción de sus menús y cada mando que atiende, en algún guion
         cambia la imagen."""
@@ -131,7 +121,7 @@ class Comprobacion(Ensayo):
         rasgos, opciones = controles.atiende(self.build, self.programa)
         ordenes = [o for c in suyos if not c.termina for o in c.ordenes if o not in controles.COMUNES]
         ordenes += [f"menu {o}" for o in opciones]
-        vistas = self.cambian()
+        vistas = que_cambian(self.esperadas)
         mal += [f"«{o}» no cambia la imagen en ningún guion" for o in ordenes if not vistas.get(o)]
         mandos = [m for m, cuales in controles.MANDOS.items() if cuales & rasgos]
         for mando in mandos:
@@ -146,13 +136,9 @@ class Comprobacion(Ensayo):
         for g in self.casos:
             finales.setdefault(self.esperadas[g].imagenes[len(g.ordenes) - len(partidas.FINAL)], []).append(g.nombre)
         mal = [f"se ve lo mismo en los casos {' y '.join(n)}" for n in finales.values() if len(n) > 1]
-        lisas = [g.nombre for g in self.casos if len(set(self.pixeles(self.esperadas[g].imagenes[0]))) < 2]
+        lisas = [g.nombre for g in self.casos if len(set(veredicto.pixeles(self.esperadas[g].imagenes[0]))) < 2]
         mal += [f"al abrirlo no se dibuja nada en {lisas[0]}"] if lisas else []
         return "imágenes", f"{len(distintas)} distintas en {len(self.esperadas)} guiones", mal
-
-    @staticmethod
-    def pixeles(imagen):
-        return (imagen[2][i : i + 3] for i in range(0, len(imagen[2]), 3))
 
     def errores(self):
         """Los conocidos: cada uno quita puntos y no se confunde con otro ni con el esqueleto."""
