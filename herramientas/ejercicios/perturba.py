@@ -3,7 +3,7 @@ C++ y para GLSL, y no todo compila."""
 import re
 from dataclasses import dataclass
 
-from base.defectos import Mutante
+from base.defectos import DE_NADIE, Mutante, cambia
 
 PALABRA = re.compile(
     r'R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|(?:\d[\d.]*|\.\d+)(?:[eE][-+]?\d+)?\w*'
@@ -29,6 +29,13 @@ OTRO |= {"&&": "||", "||": "&&", "+=": "-=", "-=": "+=", "*=": "/=", "%": "+", "
 NO_ES_VALOR = "=", "+=", "-=", "*=", "/=", "<", "++", "--"  # lo que tiene eso detrás
 CIERRA = {"(": ")", "[": "]", "{": "}"}
 EN_CPP, EN_GLSL = ("otroFactor({})",), ("({} * 1.25)", "({} + 1)")  # cómo se escribe otro factor
+
+
+# Todas se compilan en un binario, y el compilador dice de cada error en cuál está, que es su línea.
+MARCA = '\n#line {} "perturbado"\n'
+ERROR = re.compile(r"perturbado:(\d+):(?:\d+:)? (?:fatal )?error: (.*)")
+NO_ES_CONSTANTE = '#pragma GCC diagnostic ignored "-Wnarrowing"\n'  # lo que lo era ya no lo es
+OTRO_FACTOR = "herramientas/ejercicios/otro_factor.h"
 
 
 @dataclass(frozen=True)
@@ -230,3 +237,26 @@ def perturbaciones(texto, desde, hasta, glsl):
         for que, otro in [*otros, *[("sin ella", ";")] * instruccion]:
             if otro != original:
                 yield Perturbacion(que, de, a, otro, texto.count("\n", 0, de) + 1)
+
+
+def culpables(dice, textos, vivas):
+    """Los números de las que no compilan. Si en una declaración hay un error, lo que se declara detrás no está, y de
+    quien lo usa se queja también el compilador: no tiene la culpa. Y si lo que ya no es constante debe serlo, la tiene
+    quien lo declara."""
+    errores = [(int(n), que) for n, que in ERROR.findall(dice)]
+    de_rebote = {n for n, que in errores if "was not declared" in que}
+    suyas = {n for n, _ in errores if n < DE_NADIE}
+    if suyas:
+        return suyas - de_rebote or suyas
+    nombres = {nombre for _, que in errores for nombre in re.findall(r"‘(\w+)’", que)}
+    declara = re.compile(rf"\b(?:{'|'.join(nombres) or '(?!)'})\s*[=({{]\s*\Z")
+    sitios = {m.numero: (textos[m.fichero], m.sitio("")[0]) for m in vivas}
+    return {n for n, (texto, desde) in sitios.items() if declara.search(texto, max(0, desde - 80), desde)}
+
+
+def se_puede(m, texto):
+    """Si en C++ cabe entre paréntesis, o es una instrucción entera."""
+    try:
+        return m.en_shader or bool(cambia(texto, [m]))
+    except ValueError:
+        return False
