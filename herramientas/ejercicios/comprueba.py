@@ -109,10 +109,10 @@ class Comprobacion:
     def jugadores(self):
         """De cada perturbación que compila, quien la juega."""
         vivas = [m for m in self.perturbadas() if perturba.se_puede(m, self.textos[m.fichero])]
-        antes = f'{perturba.NO_ES_CONSTANTE}#include "{self.raiz / perturba.OTRO_FACTOR}"\n'
+        mas = {"marca": perturba.MARCA, "antes": perturba.antes(self.raiz)}
         for vuelta in range(VUELTAS):
             try:
-                hechos = self.de_lista(vivas, f"vuelta{vuelta}", marca=perturba.MARCA, antes=antes)
+                hechos = self.de_lista(vivas, f"vuelta{vuelta}", **mas)
                 return {m: j for m, j in hechos.items() if not m.en_shader or self.dibuja(j)}  # si no, no compila
             except Rechazo as rechazo:
                 dice = rechazo.todo

@@ -34,8 +34,6 @@ EN_CPP, EN_GLSL = ("otroFactor({})",), ("({} * 1.25)", "({} + 1)")  # cómo se e
 # Todas se compilan en un binario, y el compilador dice de cada error en cuál está, que es su línea.
 MARCA = '\n#line {} "perturbado"\n'
 ERROR = re.compile(r"perturbado:(\d+):(?:\d+:)? (?:fatal )?error: (.*)")
-NO_ES_CONSTANTE = '#pragma GCC diagnostic ignored "-Wnarrowing"\n'  # lo que lo era ya no lo es
-OTRO_FACTOR = "herramientas/ejercicios/otro_factor.h"
 
 
 @dataclass(frozen=True)
@@ -173,8 +171,8 @@ class Hueco:
             yield *self.sitio(i, j), False
 
     def acaba(self, i):
-        """Dónde acaba la instrucción que empieza ahí: en su «;» o en la llave que abre un bloque, el de una función o una
-        lambda, que va tras sus parámetros."""
+        """Dónde acaba la instrucción que empieza ahí: en su «;» o en la llave que abre un bloque, el de una función o
+        una lambda, que va tras sus parámetros."""
         t, fin = self.t, i
         while fin < self.n and t[fin] != ";":
             if t[fin] == "{" and fin > i and (t[i] in BLOQUES or t[fin - 1] in TRAS_LOS_PARAMETROS):
@@ -237,6 +235,12 @@ def perturbaciones(texto, desde, hasta, glsl):
         for que, otro in [*otros, *[("sin ella", ";")] * instruccion]:
             if otro != original:
                 yield Perturbacion(que, de, a, otro, texto.count("\n", 0, de) + 1)
+
+
+def antes(raiz):
+    """Lo que va al principio de un fuente que las tiene: lo que era constante ya no lo es."""
+    otro_factor = raiz / "herramientas/ejercicios/otro_factor.h"
+    return f'#pragma GCC diagnostic ignored "-Wnarrowing"\n#include "{otro_factor}"\n'
 
 
 def culpables(dice, textos, vivas):

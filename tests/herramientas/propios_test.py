@@ -258,14 +258,12 @@ def test_ningun_fuente_deja_de_perturbarse():
 
 def test_lo_perturbado_casi_siempre_compila(tmp_path):
     """Nueve de cada diez: lo que no, se quita, sin culpar a quien no la tiene, y lo demás se queda."""
-    desde = CUALQUIERA.index("static")
-    hay = perturba.perturbaciones(CUALQUIERA, desde, len(CUALQUIERA), False)
+    hay = perturba.perturbaciones(CUALQUIERA, CUALQUIERA.index("static"), len(CUALQUIERA), False)
     todas = [perturba.perturbado(p, n, "p.cpp", CUALQUIERA) for n, p in enumerate(hay, 1)]
     vivas = [m for m in todas if perturba.se_puede(m, CUALQUIERA)]
-    incluye = "".join(f'#include "{RAIZ / f}"\n' for f in (defectos.MUTANTE_H, perturba.OTRO_FACTOR))
+    incluye = f'{perturba.antes(RAIZ)}#include "{RAIZ / defectos.MUTANTE_H}"\n'
     for _ in range(comprueba.VUELTAS):
-        cambiado = defectos.cambia(CUALQUIERA, vivas, perturba.MARCA)
-        (tmp_path / "p.cpp").write_text(f"{perturba.NO_ES_CONSTANTE}{incluye}{cambiado}")
+        (tmp_path / "p.cpp").write_text(incluye + defectos.cambia(CUALQUIERA, vivas, perturba.MARCA))
         compila = ["g++", "-std=c++17", "-fsyntax-only", "-w", "-fdiagnostics-color=never", tmp_path / "p.cpp"]
         entorno = {**os.environ, "LC_ALL": "C.UTF-8"}  # en el idioma de quien prueba no se entendería
         dice = subprocess.run(compila, text=True, capture_output=True, env=entorno).stderr

@@ -190,8 +190,8 @@ class Comparacion:
         return suyo.get(etapa) or ""
 
     def primera(self):
-        """Lo primero en que se apartan, o None: `que`, `dice`. Antes lo que dice de dónde sale que lo que solo dice que no
-        es lo mismo."""
+        """Lo primero en que se apartan, o None: `que`, `dice`. Antes lo que dice de dónde sale que lo que solo dice que
+        no es lo mismo."""
         return min(self.halladas(), key=de_poco, default=None)
 
     def halladas(self):

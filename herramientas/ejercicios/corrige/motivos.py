@@ -24,8 +24,8 @@ SENALES = {
 
 
 def conocidos(raiz, programa, ref):
-    """Los defectos que se conocen de los ficheros que tiene quien hace el ejercicio, salvo en lo que pide otro. Los de uno
-    propio están en su carpeta, y no se han mirado nunca."""
+    """Los defectos que se conocen de los ficheros que tiene quien hace el ejercicio, salvo en lo que pide otro. Los de
+    uno propio están en su carpeta, y no los ha mirado nadie."""
     donde = programa.carpeta / propios.ERRORES if programa.raices else raiz / ERRORES
     textos = {ruta(programa, f): texto for f, texto in nuevo.textos(raiz, programa, ref).items()}
     ajenos = {
