@@ -12,17 +12,21 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from base import controles, defectos
-from base.guiones import sin_veces
+from base.fuentes import SHADERS
+from base.marcas import TROZO
 from base.procesos import Fallo, principal
-from ejercicios import nuevo, propios, reglas
-from ejercicios.corrige import partidas, shaders
+from ejercicios import nuevo, perturba, propios, reglas
+from ejercicios.corrige import partidas, shaders, veredicto
 from ejercicios.corrige.arbitro import suma
+from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.entrega import Rechazo, limpio
-from ejercicios.corrige.motivos import como_acaba
+from ejercicios.corrige.motivos import como_acaba, que_cambian, ruta
 from ejercicios.corrige.orden import ejercicio
-from ejercicios.ensayo import Ensayo
+from ejercicios.corrige.partidas import Guion
 
 BIEN = "herramientas/ejercicios/bien"
+SEMILLA = "1"  # la de ./lab corrige, si no se dice otra
+VUELTAS = 9  # de quitar lo que no compila
 SUSPENSO = 60  # el esqueleto no llega
 POCOS = 3  # guiones al azar con que se distinguen casi todos los errores
 MANDOS = {controles.clic: "el ratón", controles.rueda: "la rueda", controles.tiempo: "el tiempo"}
@@ -77,12 +81,77 @@ def enunciado(programa):
 # --- y lo que se juega ----------------------------------------------------------------------------------------------
 
 
-class Comprobacion(Ensayo):
+class Comprobacion:
+    """Un ejercicio que se prueba a sí mismo: se estropea como ya se sabe que se equivoca la gente (errores.tsv) y de
+    muchas maneras, a máquina (perturba.py), y se juega como lo que entrega un estudiante."""
+
     def __init__(self, raiz, build, ref, programa, temporal, hilos):
-        puntua = reglas.del_programa(programa, como_siempre=shaders.reglas(ref))
-        super().__init__(raiz, build, ref, programa, temporal, puntua)
-        self.build, self.hilos, self.arbitro = build, hilos, self.banco.arbitro
+        self.raiz, self.build, self.ref, self.programa, self.hilos = raiz, build, ref, programa, hilos
+        self.temporal = temporal / ref
+        self.temporal.mkdir()
+        self.reglas = reglas.del_programa(programa, como_siempre=shaders.reglas(ref))
+        self.banco = Banco(raiz, build, ref, programa, self.temporal, None, SEMILLA, self.reglas)
+        self.arbitro, self.solucion = self.banco.arbitro, self.banco.compilador.solucion
+        self.guiones = self.banco.todos
         self.casos = [g for g in self.guiones if g.caso]
+        self.textos = {ruta(programa, f): texto for f, texto in self.banco.motivos.textos().items()}
+
+    def perturbadas(self):
+        """Todas las de lo que pide."""
+        n = 0
+        for fichero, texto in self.textos.items():
+            for t in TROZO.finditer(texto):
+                if t["codigo"] == self.ref:
+                    for p in perturba.perturbaciones(texto, *t.span("hecho"), fichero.endswith(SHADERS)):
+                        n += 1
+                        yield perturba.perturbado(p, n, fichero, texto)
+
+    def jugadores(self):
+        """De cada perturbación que compila, quien la juega."""
+        vivas = [m for m in self.perturbadas() if perturba.se_puede(m, self.textos[m.fichero])]
+        mas = {"marca": perturba.MARCA, "antes": perturba.antes(self.raiz)}
+        for vuelta in range(VUELTAS):
+            try:
+                hechos = self.de_lista(vivas, f"vuelta{vuelta}", **mas)
+                return {m: j for m, j in hechos.items() if not m.en_shader or self.dibuja(j)}  # si no, no compila
+            except Rechazo as rechazo:
+                dice = rechazo.todo
+            if not (malas := perturba.culpables(dice, self.textos, vivas)):
+                break
+            vivas = [m for m in vivas if m.numero not in malas]
+        raise Fallo(f"{self.ref} perturbado no compila: {dice[:2000]}")
+
+    def dibuja(self, jugador):
+        nada = Guion("", ())
+        return bool(partidas.Partida.lee(self.arbitro.juega_de_nuevo(jugador, nada), nada).imagenes)
+
+    def de_lista(self, mutantes, como, **mas):
+        """Quien juega cada uno de esos cambios."""
+        sitio, motivos = self.temporal / como, self.banco.motivos
+        sitio.mkdir()
+        motivos.planta(mutantes, sitio, **mas)
+        return {m: motivos.con_defecto(m, sitio) for m in mutantes}
+
+    def juega(self, jugador, guiones):
+        """De cada guion, lo que se espera y lo que deja."""
+        jugado = {}
+        for g in guiones:
+            esperada = self.arbitro.juega(self.solucion, g)
+            datos = self.arbitro.juega_de_nuevo(jugador, g, 10 + 4 * esperada.segundos)
+            jugado[g] = esperada, partidas.Partida.lee(datos, g)
+        return jugado
+
+    def nota(self, jugado):
+        """La que se le daría."""
+        esperadas, suyas = ({g: par[i] for g, par in jugado.items()} for i in (0, 1))
+        fallan, casi, otros = veredicto.juzga(self.arbitro, esperadas, suyas)
+        return veredicto.nota(jugado, [g for g in jugado if g not in fallan], casi, otros, self.reglas)
+
+    def se_nota(self, jugador):
+        """Si con algún guion pierde puntos; se deja en el primero."""
+        return any(self.nota(self.juega(jugador, [g])) < 100 for g in self.guiones)
+
+    # --- las preguntas ---
 
     def solucion_acaba(self):
         """Cada guion llega al final: si no, no hay con qué comparar."""
@@ -114,15 +183,6 @@ class Comprobacion(Ensayo):
             mal.append(f"la solución saca {nota:g}: ¿lee la hora, o algo que no está en su carpeta?")
         return "solución", f"{nota:g} de 100", mal
 
-    def cambian(self):
-        """De cada orden de los guiones, si alguna vez cambia algo de lo que se ve."""
-        vistas = {}
-        for g, p in self.esperadas.items():
-            for i, orden in enumerate(g.ordenes[: len(p.imagenes) - 1]):
-                que = sin_veces(orden)
-                vistas[que] = vistas.get(que, False) or p.imagenes[i] != p.imagenes[i + 1]
-        return vistas
-
     def controles(self):
         """Cada tecla que dicen sus «// Controles:», cada opción de sus menús y cada mando que atiende, en algún guion
         cambia la imagen."""
@@ -131,7 +191,7 @@ class Comprobacion(Ensayo):
         rasgos, opciones = controles.atiende(self.build, self.programa)
         ordenes = [o for c in suyos if not c.termina for o in c.ordenes if o not in controles.COMUNES]
         ordenes += [f"menu {o}" for o in opciones]
-        vistas = self.cambian()
+        vistas = que_cambian(self.esperadas)
         mal += [f"«{o}» no cambia la imagen en ningún guion" for o in ordenes if not vistas.get(o)]
         mandos = [m for m, cuales in controles.MANDOS.items() if cuales & rasgos]
         for mando in mandos:
@@ -146,13 +206,9 @@ class Comprobacion(Ensayo):
         for g in self.casos:
             finales.setdefault(self.esperadas[g].imagenes[len(g.ordenes) - len(partidas.FINAL)], []).append(g.nombre)
         mal = [f"se ve lo mismo en los casos {' y '.join(n)}" for n in finales.values() if len(n) > 1]
-        lisas = [g.nombre for g in self.casos if len(set(self.pixeles(self.esperadas[g].imagenes[0]))) < 2]
+        lisas = [g.nombre for g in self.casos if len(set(veredicto.pixeles(self.esperadas[g].imagenes[0]))) < 2]
         mal += [f"al abrirlo no se dibuja nada en {lisas[0]}"] if lisas else []
         return "imágenes", f"{len(distintas)} distintas en {len(self.esperadas)} guiones", mal
-
-    @staticmethod
-    def pixeles(imagen):
-        return (imagen[2][i : i + 3] for i in range(0, len(imagen[2]), 3))
 
     def errores(self):
         """Los conocidos: cada uno quita puntos y no se confunde con otro ni con el esqueleto."""

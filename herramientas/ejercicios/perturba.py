@@ -3,7 +3,7 @@ C++ y para GLSL, y no todo compila."""
 import re
 from dataclasses import dataclass
 
-from base.defectos import Mutante
+from base.defectos import DE_NADIE, Mutante, cambia
 
 PALABRA = re.compile(
     r'R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\])*"|\'(?:\\.|[^\'\\])*\'|(?:\d[\d.]*|\.\d+)(?:[eE][-+]?\d+)?\w*'
@@ -22,6 +22,7 @@ DECLARA = re.compile(
 NI_TOCARLO = "constexpr", "using", "typedef", "template", "static_assert", "enum", "friend", "goto", "asm", "operator"
 TRAS_LOS_PARAMETROS = ")", "const", "noexcept", "override", "mutable"
 BLOQUES = "struct", "class", "union", "namespace", "extern"
+CON_DOS_PUNTOS = "case", "default", "public", "private", "protected"
 CON_CONDICION = "for", "while", "if", "switch"
 TIPOS = "int", "float", "double", "bool", "char", "void", "unsigned", "const"
 OTRO = {"+": "-", "-": "+", "*": "/", "/": "*", "<": "<=", ">": ">=", "<=": "<", ">=": ">", "==": "!=", "!=": "=="}
@@ -29,6 +30,11 @@ OTRO |= {"&&": "||", "||": "&&", "+=": "-=", "-=": "+=", "*=": "/=", "%": "+", "
 NO_ES_VALOR = "=", "+=", "-=", "*=", "/=", "<", "++", "--"  # lo que tiene eso detrás
 CIERRA = {"(": ")", "[": "]", "{": "}"}
 EN_CPP, EN_GLSL = ("otroFactor({})",), ("({} * 1.25)", "({} + 1)")  # cómo se escribe otro factor
+
+
+# Todas se compilan en un binario, y el compilador dice de cada error en cuál está, que es su línea.
+MARCA = '\n#line {} "perturbado"\n'
+ERROR = re.compile(r"perturbado:(\d+):(?:\d+:)? (?:fatal )?error: (.*)")
 
 
 @dataclass(frozen=True)
@@ -134,76 +140,74 @@ class Trozo:
                         yield "factor", self.con(i, fin, factor.format(self.de(i, fin)))
 
 
-class Hueco:
+class Hueco(Trozo):
     """Las instrucciones de un hueco, que puede acabar y empezar en cualquier sitio."""
 
     def __init__(self, texto, desde, hasta):
-        self.texto, self.desde = sin_comentarios(texto[:hasta]), desde
-        self.t = Trozo(self.texto[desde:])
-        self.n = len(self.t.palabras)
+        self.entero, self.desde = sin_comentarios(texto[:hasta]), desde
+        super().__init__(self.entero[desde:])
+        self.n = len(self.palabras)
 
     def sitio(self, i, j):
-        return self.desde + self.t.palabras[i][1], self.desde + self.t.palabras[min(j, self.n - 1)][2]
+        return self.desde + self.palabras[i][1], self.desde + self.palabras[min(j, self.n - 1)][2]
 
     def cierra(self, i):
         """La pareja de esa palabra o, si se queda fuera del hueco, la última."""
-        return self.t.pareja.get(i, self.n - 1)
+        return self.pareja.get(i, self.n - 1)
 
     def es_declaracion(self, i, j, entera=True):
         """Si lo es esa instrucción o, si no es una ENTERA, esa expresión, en la que a * b es un producto."""
         desde, hasta = self.sitio(i, j)
-        declara = DECLARA.match(self.texto[:hasta], desde)
+        declara = DECLARA.match(self.entero[:hasta], desde)
         es_producto = declara and not entera and re.search(r"\w\s*[*&]+\s*\w+\s*$", declara[0])
-        tras_ella = self.texto[declara.end() : declara.end() + 1] if declara else ""
-        return self.t[i] in TIPOS or bool(declara) and not (es_producto and tras_ella not in "={")
+        tras_ella = self.entero[declara.end() : declara.end() + 1] if declara else ""
+        return self[i] in TIPOS or bool(declara) and not (es_producto and tras_ella not in "={")
 
     def expresion(self, i, j):
-        t = self.t
-        if t[i] == "{" and t.pareja.get(i) == j:
-            for parte in t.partes(i, j):
+        if self[i] == "{" and self.pareja.get(i) == j:
+            for parte in self.partes(i, j):
                 yield from self.expresion(*parte)
-        elif i <= j and t[i][0] not in "\"'." and t[i][:2] != 'R"' and not self.es_declaracion(i, j, False):
+        elif i <= j and self[i][0] not in "\"'." and self[i][:2] != 'R"' and not self.es_declaracion(i, j, False):
             yield *self.sitio(i, j), False
 
     def acaba(self, i):
-        """Dónde acaba la instrucción que empieza ahí: en su «;» o en la llave que abre un bloque, el de una función o una
-        lambda, que va tras sus parámetros."""
-        t, fin = self.t, i
-        while fin < self.n and t[fin] != ";":
-            if t[fin] == "{" and fin > i and (t[i] in BLOQUES or t[fin - 1] in TRAS_LOS_PARAMETROS):
+        """Dónde acaba la instrucción que empieza ahí: en su «;» o en la llave que abre un bloque, el de una función o
+        una lambda, que va tras sus parámetros."""
+        fin = i
+        while fin < self.n and self[fin] != ";":
+            if self[fin] == "{" and fin > i and (self[i] in BLOQUES or self[fin - 1] in TRAS_LOS_PARAMETROS):
                 return fin
-            con_lambda = any(t[k] == ";" for k in range(fin, self.cierra(fin)))
-            fin = self.cierra(fin) + 1 if t[fin] in CIERRA and not con_lambda else fin + 1
+            con_lambda = any(self[k] == ";" for k in range(fin, self.cierra(fin)))
+            fin = self.cierra(fin) + 1 if self[fin] in CIERRA and not con_lambda else fin + 1
         return fin
 
     def trozos(self):
         """(desde, hasta, si es una instrucción) de cada expresión que se puede perturbar por su cuenta."""
-        t, i = self.t, 0
+        i = 0
         while i < self.n:
             sigue = i + 1
-            if t[i] in CON_CONDICION and t[i + 1] == "(":
+            if self[i] in CON_CONDICION and self[i + 1] == "(":
                 sigue = self.cierra(i + 1) + 1
-                partes = t.partes(i + 1, sigue - 1, ";")
-                for parte in partes[1:] if t[i] == "for" else partes[-1:]:
+                partes = self.partes(i + 1, sigue - 1, ";")
+                for parte in partes[1:] if self[i] == "for" else partes[-1:]:
                     yield from self.expresion(*parte)
-            elif t[i] in ("case", "default", "public", "private", "protected") or t[i + 1] == ":" and t.es_nombre(i):
-                sigue = next((k for k in range(i, self.n) if t[k] == ":"), i) + 1
-            elif t[i] == "{" and t[self.cierra(i) + 1] == ",":  # la fila de una tabla
+            elif self[i] in CON_DOS_PUNTOS or self[i + 1] == ":" and self.es_nombre(i):
+                sigue = next((k for k in range(i, self.n) if self[k] == ":"), i) + 1
+            elif self[i] == "{" and self[self.cierra(i) + 1] == ",":  # la fila de una tabla
                 yield from self.expresion(i, self.cierra(i))
                 sigue = self.cierra(i) + 1
-            elif t[i] not in ("else", "do", "try", *"{}(),;:[]"):
+            elif self[i] not in ("else", "do", "try", *"{}(),;:[]"):
                 fin = self.acaba(i)
                 yield from self.de_instruccion(i, fin)
                 sigue = fin + 1
             i = sigue
 
     def de_instruccion(self, i, fin):
-        t = self.t
-        if t[fin] == "{" or any(t[k] in NI_TOCARLO for k in range(i, min(i + 3, fin))):
+        if self[fin] == "{" or any(self[k] in NI_TOCARLO for k in range(i, min(i + 3, fin))):
             return
-        if t[i] in ("return", "throw"):
+        if self[i] in ("return", "throw"):
             yield from self.expresion(i + 1, fin - 1)
-        elif t[i] in BLOQUES or self.es_declaracion(i, fin):
+        elif self[i] in BLOQUES or self.es_declaracion(i, fin):
             yield from self.declaradas(i, fin)
         elif fin < self.n:
             yield *self.sitio(i, fin), True
@@ -212,13 +216,12 @@ class Hueco:
 
     def declaradas(self, i, fin):
         """Lo que valen las que se declaran en esa instrucción."""
-        t = self.t
-        for de, a in t.partes(i - 1, fin):
-            igual = next((k for k in range(de, a + 1) if t[k] in ("=", "(", "{", "[")), a)
-            if t[igual] == "=":
+        for de, a in self.partes(i - 1, fin):
+            igual = next((k for k in range(de, a + 1) if self[k] in ("=", "(", "{", "[")), a)
+            if self[igual] == "=":
                 yield from self.expresion(igual + 1, a)
-            elif t[igual] in ("(", "{") and t.pareja.get(igual) == a:
-                for parte in t.partes(igual, a):
+            elif self[igual] in ("(", "{") and self.pareja.get(igual) == a:
+                for parte in self.partes(igual, a):
                     yield from self.expresion(*parte)
 
 
@@ -230,3 +233,32 @@ def perturbaciones(texto, desde, hasta, glsl):
         for que, otro in [*otros, *[("sin ella", ";")] * instruccion]:
             if otro != original:
                 yield Perturbacion(que, de, a, otro, texto.count("\n", 0, de) + 1)
+
+
+def antes(raiz):
+    """Lo que va al principio de un fuente que las tiene: lo que era constante ya no lo es."""
+    otro_factor = raiz / "herramientas/ejercicios/otro_factor.h"
+    return f'#pragma GCC diagnostic ignored "-Wnarrowing"\n#include "{otro_factor}"\n'
+
+
+def culpables(dice, textos, vivas):
+    """Los números de las que no compilan. Si en una declaración hay un error, lo que se declara detrás no está, y de
+    quien lo usa se queja también el compilador: no tiene la culpa. Y si lo que ya no es constante debe serlo, la tiene
+    quien lo declara."""
+    errores = [(int(n), que) for n, que in ERROR.findall(dice)]
+    de_rebote = {n for n, que in errores if "was not declared" in que}
+    suyas = {n for n, _ in errores if n < DE_NADIE}
+    if suyas:
+        return suyas - de_rebote or suyas
+    nombres = {nombre for _, que in errores for nombre in re.findall(r"‘(\w+)’", que)}
+    declara = re.compile(rf"\b(?:{'|'.join(nombres) or '(?!)'})\s*[=({{]\s*\Z")
+    sitios = {m.numero: (textos[m.fichero], m.sitio("")[0]) for m in vivas}
+    return {n for n, (texto, desde) in sitios.items() if declara.search(texto, max(0, desde - 80), desde)}
+
+
+def se_puede(m, texto):
+    """Si en C++ cabe entre paréntesis, o es una instrucción entera."""
+    try:
+        return m.en_shader or bool(cambia(texto, [m]))
+    except ValueError:
+        return False

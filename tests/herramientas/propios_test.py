@@ -14,7 +14,7 @@ import pytest
 from banco import BUILD, RAIZ, con_catalogo
 from base import catalogo, defectos
 from base.procesos import Fallo
-from ejercicios import comprueba, ensayo, nuevo, perturba, propios, reglas
+from ejercicios import comprueba, nuevo, perturba, propios, reglas
 from ejercicios.corrige import clase as de_clase
 from ejercicios.corrige import informes, shaders, veredicto
 from ejercicios.corrige.banco import Banco
@@ -239,18 +239,16 @@ fin:
 
 def test_lo_perturbado_casi_siempre_compila(tmp_path):
     """Nueve de cada diez: lo que no, se quita, sin culpar a quien no la tiene, y lo demás se queda."""
-    desde = CUALQUIERA.index("static")
-    hay = perturba.perturbaciones(CUALQUIERA, desde, len(CUALQUIERA), False)
+    hay = perturba.perturbaciones(CUALQUIERA, CUALQUIERA.index("static"), len(CUALQUIERA), False)
     todas = [perturba.perturbado(p, n, "p.cpp", CUALQUIERA) for n, p in enumerate(hay, 1)]
-    vivas = [m for m in todas if ensayo.se_puede(m, CUALQUIERA)]
-    incluye = "".join(f'#include "{RAIZ / f}"\n' for f in (defectos.MUTANTE_H, ensayo.OTRO_FACTOR))
-    for _ in range(ensayo.VUELTAS):
-        cambiado = defectos.cambia(CUALQUIERA, vivas, ensayo.MARCA)
-        (tmp_path / "p.cpp").write_text(f"{ensayo.ANTES}{incluye}{cambiado}")
+    vivas = [m for m in todas if perturba.se_puede(m, CUALQUIERA)]
+    incluye = f'{perturba.antes(RAIZ)}#include "{RAIZ / defectos.MUTANTE_H}"\n'
+    for _ in range(comprueba.VUELTAS):
+        (tmp_path / "p.cpp").write_text(incluye + defectos.cambia(CUALQUIERA, vivas, perturba.MARCA))
         compila = ["g++", "-std=c++17", "-fsyntax-only", "-w", "-fdiagnostics-color=never", tmp_path / "p.cpp"]
         entorno = {**os.environ, "LC_ALL": "C.UTF-8"}  # en el idioma de quien prueba no se entendería
         dice = subprocess.run(compila, text=True, capture_output=True, env=entorno).stderr
-        malas = ensayo.culpables(dice, {"p.cpp": CUALQUIERA}, vivas)
+        malas = perturba.culpables(dice, {"p.cpp": CUALQUIERA}, vivas)
         assert malas or not dice, dice
         vivas = [m for m in vivas if m.numero not in malas]
         if not dice:

@@ -22,27 +22,20 @@ CON_IMAGEN = 40  # errores que se enseñan
 PAREJAS = 60  # que se enseñan
 NO_SE_VE = "el título no es el que debía", "no escribe lo que debía"  # en ninguna imagen
 # Lo que es lo mismo aunque a cada uno se le diga con sus palabras; None, lo que no es un error.
-ES_LO_MISMO = [
-    (re.compile(como), dice)
-    for como, dice in (
-        (r"no compila\b", "no compila"),
-        (r"se cae\b", "se cae"),
-        (r"tarda más de|es muy lento", "no acaba a tiempo"),
-        (r"acaba con un error", "acaba con un error"),
-        (r"acaba por su cuenta", "acaba por su cuenta"),
-        (r"no ha dejado nada", "no ha dejado nada"),
-        (r"hay más de|son más de|entre todos los|no se puede leer|en (el|«)", "no se puede leer"),
-        (r"«.*» (pasa de|no es un|no se puede|está en un)", "no se puede leer"),
-        (r"no hay ningún fuente|no hay nada", "no hay ningún fuente"),
-        (r"el título es", NO_SE_VE[0]),
-        (r"debía escribir", NO_SE_VE[1]),
-        (
-            r"el compilador avisa|no viene |su carpeta es de otro|no se ha mirado todo|se ha corregido |"
-            "no está en UTF-8",
-            None,
-        ),
-    )
-]
+ES_LO_MISMO = {
+    r"no compila\b": "no compila",
+    r"se cae\b": "se cae",
+    "tarda más de|es muy lento": "no acaba a tiempo",
+    "acaba con un error": "acaba con un error",
+    "acaba por su cuenta": "acaba por su cuenta",
+    "no ha dejado nada": "no ha dejado nada",
+    "hay más de|son más de|entre todos los|no se puede leer|en (el|«)": "no se puede leer",
+    "«.*» (pasa de|no es un|no se puede|está en un)": "no se puede leer",
+    "no hay ningún fuente|no hay nada": "no hay ningún fuente",
+    "el título es": NO_SE_VE[0],
+    "debía escribir": NO_SE_VE[1],
+    "el compilador avisa|no viene |su carpeta es de otro|no se ha mirado todo|se ha corregido |no está en UTF-8": None,
+}
 
 
 @dataclass(eq=False)
@@ -79,7 +72,7 @@ def causas(c):
     """De qué errores es una corrección, como se dicen para toda la clase."""
     dichas = []
     for dice in c["dice"]:
-        como = next((como for patron, como in ES_LO_MISMO if patron.match(dice)), dice)
+        como = next((como for patron, como in ES_LO_MISMO.items() if re.match(patron, dice)), dice)
         if como and como not in dichas:
             dichas.append(como)
     return dichas or [f["que"].partition(":")[0] for f in c["fallos"][:1]] or c["dice"][:1]

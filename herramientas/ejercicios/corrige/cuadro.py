@@ -9,6 +9,47 @@ LARGA = 1 << 20  # de un texto
 RAROS = {"nan": float("nan"), "-nan": float("nan"), "inf": float("inf"), "-inf": float("-inf")}
 
 
+# Un entero es el de una orden, una línea o una medida: -1, si no hay.
+PASO = {"linea": int, "clase": str, "nombre": str, "tipo": str, "funcion": str, "valor": [float]}
+TRAZA = {"lineas": [PASO]}
+SUCESO = {
+    "orden": int,
+    "veredicto": str,
+    "primitiva?": int,
+    "tipo?": str,
+    "color?": [float],
+    "despues?": [float],
+    "profundidadDespues?": float,
+    "plantillaDespues?": float,
+}
+ATRIBUTO = {"nombre": str, "activo": bool, "bufer": int, "componentes": int, "suma": str}
+UNIFORME = {"nombre": str, "tipo": str, "valor": [float]}
+TEXTURA = {
+    "sampler": str,
+    "unidad": int,
+    "talla": [int],
+    **{que: str for que in ("formato", "reduce", "amplia", "repite", "incompleta", "suma")},
+}
+CABLEADO = {"atributos": [ATRIBUTO], "uniformes": [UNIFORME], "texturas": [TEXTURA], "sumaIndices": str}
+ORDEN = {
+    "n": int,
+    "llamada": str,
+    "titulo": str,
+    "framebuffer": str,
+    "estado": [{"nombre": str, "valor": str}],
+    "programa?": int,
+    "fragmentos?": int,
+    "cableado?": CABLEADO,
+}
+SOMBREADO = {"orden": int, "primitiva": int, "fragmento?": TRAZA, "vertices?": [{**TRAZA, "indice": int}]}
+PIXEL = {"pixel": [int], "color": [float], "historia": [SUCESO], "sombreado?": SOMBREADO}
+CUADRO = {
+    "ordenes": [ORDEN],
+    "programas": [{"programa": int, "vert?": str, "frag?": str}],
+    "pixeles": [PIXEL],
+}
+
+
 def numero(que):
     if isinstance(que, str) and que in RAROS:
         return RAROS[que]
@@ -17,65 +58,16 @@ def numero(que):
     raise ValueError
 
 
-def forma(vale):
-    def comprueba(que):
-        if vale(que):
-            return que
-        raise ValueError
-
-    return comprueba
-
-
-natural = forma(lambda que: type(que) is int and -1 <= que < 1 << 31)
-texto = forma(lambda que: isinstance(que, str) and len(que) < LARGA)
-logico = forma(lambda que: isinstance(que, bool))
-NUMEROS = [numero]
-PASO = {"linea": natural, "clase": texto, "nombre": texto, "tipo": texto, "funcion": texto, "valor": NUMEROS}
-TRAZA = {"lineas": [PASO]}
-SUCESO = {
-    "orden": natural,
-    "veredicto": texto,
-    "primitiva?": natural,
-    "tipo?": texto,
-    "color?": NUMEROS,
-    "despues?": NUMEROS,
-    "profundidadDespues?": numero,
-    "plantillaDespues?": numero,
-}
-ATRIBUTO = {"nombre": texto, "activo": logico, "bufer": natural, "componentes": natural, "suma": texto}
-UNIFORME = {"nombre": texto, "tipo": texto, "valor": NUMEROS}
-TEXTURA = {
-    "sampler": texto,
-    "unidad": natural,
-    "talla": [natural],
-    **{que: texto for que in ("formato", "reduce", "amplia", "repite", "incompleta", "suma")},
-}
-CABLEADO = {"atributos": [ATRIBUTO], "uniformes": [UNIFORME], "texturas": [TEXTURA], "sumaIndices": texto}
-ORDEN = {
-    "n": natural,
-    "llamada": texto,
-    "titulo": texto,
-    "framebuffer": texto,
-    "estado": [{"nombre": texto, "valor": texto}],
-    "programa?": natural,
-    "fragmentos?": natural,
-    "cableado?": CABLEADO,
-}
-SOMBREADO = {"orden": natural, "primitiva": natural, "fragmento?": TRAZA, "vertices?": [{**TRAZA, "indice": natural}]}
-PIXEL = {"pixel": [natural], "color": NUMEROS, "historia": [SUCESO], "sombreado?": SOMBREADO}
-CUADRO = {
-    "ordenes": [ORDEN],
-    "programas": [{"programa": natural, "vert?": texto, "frag?": texto}],
-    "pixeles": [PIXEL],
-}
-
-
 def cumple(que, forma):
     """Solo lo que dice la forma, o ValueError. Una clave con ? puede faltar, o ser nula: queda en None."""
-    if callable(forma):
-        return forma(que)
-    if not isinstance(que, type(forma)):
+    if forma is float:
+        return numero(que)
+    if type(que) is not (forma if isinstance(forma, type) else type(forma)):
         raise ValueError
+    if forma is int and not -1 <= que < 1 << 31 or forma is str and len(que) >= LARGA:
+        raise ValueError
+    if isinstance(forma, type):
+        return que
     if isinstance(forma, list):
         return [cumple(uno, forma[0]) for uno in que]
     hecho = {}

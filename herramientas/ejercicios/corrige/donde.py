@@ -190,8 +190,8 @@ class Comparacion:
         return suyo.get(etapa) or ""
 
     def primera(self):
-        """Lo primero en que se apartan, o None: `que`, `dice`. Antes lo que dice de dónde sale que lo que solo dice que no
-        es lo mismo."""
+        """Lo primero en que se apartan, o None: `que`, `dice`. Antes lo que dice de dónde sale que lo que solo dice que
+        no es lo mismo."""
         return min(self.halladas(), key=de_poco, default=None)
 
     def halladas(self):
@@ -452,11 +452,8 @@ def peores(una, otra):
 
     def alrededor(i):
         x, y = i % ancho, i // ancho
-        return sum(
-            aparta[v * ancho + u]
-            for v in range(max(y - 1, 0), min(y + 2, alto))
-            for u in range(max(x - 1, 0), min(x + 2, ancho))
-        )
+        filas = (ancho * v for v in range(max(y - 1, 0), min(y + 2, alto)))
+        return sum(sum(aparta[f + max(x - 1, 0) : f + min(x + 2, ancho)]) for f in filas)
 
     orden = sorted((i for i, cuanto in enumerate(aparta) if cuanto > 0), key=lambda i: -aparta[i])[:4000]
     elegidos = []

@@ -24,8 +24,8 @@ SENALES = {
 
 
 def conocidos(raiz, programa, ref):
-    """Los defectos que se conocen de los ficheros que tiene quien hace el ejercicio, salvo en lo que pide otro. Los de uno
-    propio están en su carpeta, y no se han mirado nunca."""
+    """Los defectos que se conocen de los ficheros que tiene quien hace el ejercicio, salvo en lo que pide otro. Los de
+    uno propio están en su carpeta, y no los ha mirado nadie."""
     donde = programa.carpeta / propios.ERRORES if programa.raices else raiz / ERRORES
     textos = {ruta(programa, f): texto for f, texto in nuevo.textos(raiz, programa, ref).items()}
     ajenos = {
@@ -176,17 +176,20 @@ class Motivos:
         return list(dict.fromkeys(dice for dice, _ in exactas or vivas))  # vacío, si no hay ninguna
 
 
-def no_responden(partidas, esperadas):
-    """Las órdenes que en la solución cambian la imagen y en lo entregado, nunca."""
-    cambia, responde = {}, set()
+def que_cambian(partidas):
+    """De cada orden de esos guiones, si alguna vez cambia la imagen."""
+    vistas = {}
     for guion, p in partidas.items():
-        e = esperadas[guion]
-        for i, orden in enumerate(guion.ordenes[: max(len(p.imagenes) - 1, 0)]):
-            if e.imagenes[i] != e.imagenes[i + 1]:
-                cambia.setdefault(sin_veces(orden))
-                if p.imagenes[i] != p.imagenes[i + 1]:
-                    responde.add(sin_veces(orden))
-    return [o for o in cambia if o not in responde], bool(responde)
+        for orden, antes, despues in zip(guion.ordenes, p.imagenes, p.imagenes[1:]):
+            vistas[sin_veces(orden)] = vistas.get(sin_veces(orden), False) or antes != despues
+    return vistas
+
+
+def no_responden(partidas, esperadas):
+    """Las órdenes que en la solución cambian la imagen y en lo entregado, nunca; y si alguna la cambia."""
+    hace = que_cambian(partidas)
+    deben = [orden for orden, cambia in que_cambian(esperadas).items() if cambia]
+    return [o for o in deben if not hace.get(o)], any(hace.get(o) for o in deben)
 
 
 def tras(p, guion):

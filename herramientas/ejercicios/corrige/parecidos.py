@@ -3,8 +3,8 @@ indicio, con lo de las dos al lado para que lo mire alguien; de la nota no quita
 
 Se comparan palabras seguidas de una función. Lo que se declara se llama según el orden en que sale en ellas, y no
 cuentan ni los comentarios, ni los blancos, ni las llaves, ni los textos: con otros nombres, con las funciones en otro
-orden o con otros comentarios, son las mismas. Lo que viene de fuera (giroY, glEnable, un número) sí cuenta, que no se le
-puede cambiar el nombre."""
+orden o con otros comentarios, son las mismas. Lo que viene de fuera (giroY, glEnable, un número) sí cuenta, que no se
+le puede cambiar el nombre."""
 import itertools
 import re
 from collections import Counter, defaultdict

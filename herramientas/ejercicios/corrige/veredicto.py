@@ -169,9 +169,15 @@ class Correccion:
             bastan = [sin_veces(o) for o in tras]
             if bastan not in vistos:
                 vistos.append(bastan)
-                fallo = {"guion": guion.nombre, "tras": list(tras), "que": self.que(tras, esperada, obtenida)}
-                fallo["donde"] = self.donde(tras, esperada, obtenida)
-                fallos.append({**fallo, "imagenes": self.imagenes(esperada, obtenida)})
+                falla = "falla tras " + ", ".join(f"«{o}»" for o in tras) if tras else "falla ya al empezar"
+                fallo = {"guion": guion.nombre, "tras": list(tras), "que": falla, "donde": None, "imagenes": []}
+                i = self.arbitro.difiere(esperada, obtenida)
+                if i is not None and i < len(obtenida.imagenes):
+                    par = esperada.imagenes[i], obtenida.imagenes[i]
+                    como = self.como(*par)
+                    fallo |= {"que": f"{falla}: {como}" if como else falla, "imagenes": self.imagenes(*par)}
+                    fallo["donde"] = None if obtenida.cuelga else self.donde(Guion("", tras[:i]), *par)
+                fallos.append(fallo)
         return fallos
 
     def acortado(self, guion, hasta):
@@ -197,33 +203,21 @@ class Correccion:
                 return siete, *jugadas[siete]
         return ordenes, *jugadas[ordenes]
 
-    def que(self, tras, esperada, obtenida):
-        falla = "falla tras " + ", ".join(f"«{o}»" for o in tras) if tras else "falla ya al empezar"
-        i = self.arbitro.difiere(esperada, obtenida)
-        if i is None or i >= len(obtenida.imagenes):
-            return falla
-        una, otra = esperada.imagenes[i], obtenida.imagenes[i]
+    def como(self, una, otra):
         cuanto = self.arbitro.parecido(una, otra)
-        como = POR_POCO if cuanto == CASI else en_que(una, otra) if cuanto == 0 else ""
-        return f"{falla}: {como}" if como else falla
+        return POR_POCO if cuanto == CASI else en_que(una, otra) if cuanto == 0 else ""
 
-    def donde(self, tras, esperada, obtenida):
-        """Lo primero en que se apartan al dibujar la primera imagen que no es la misma, o None."""
-        i = self.arbitro.difiere(esperada, obtenida)
-        if i is None or i >= len(obtenida.imagenes) or obtenida.cuelga or self.gastado > TOPE / 2:
+    def donde(self, guion, una, otra):
+        """Lo primero en que se apartan al dibujarlas, o None."""
+        if self.gastado > TOPE / 2:
             return None
         antes = time.monotonic()
-        imagenes = esperada.imagenes[i], obtenida.imagenes[i]
-        hallado = self.banco.donde.busca(self.jugador, self.entrega.ficheros, Guion("", tras[:i]), *imagenes)
+        hallado = self.banco.donde.busca(self.jugador, self.entrega.ficheros, guion, una, otra)
         self.gastado += time.monotonic() - antes
         return hallado
 
-    def imagenes(self, esperada, obtenida):
-        """La entregada, la esperada y su diferencia donde se apartan, en PNG."""
-        i = self.arbitro.difiere(esperada, obtenida)
-        if i is None or i >= len(obtenida.imagenes):
-            return []
-        una, otra = esperada.imagenes[i], obtenida.imagenes[i]
+    def imagenes(self, una, otra):
+        """La entregada, la esperada y su diferencia, en PNG."""
         if self.arbitro.parecido(una, otra) == BIEN:
             return []
         with tempfile.TemporaryDirectory(dir=self.banco.temporal) as aqui:
