@@ -16,8 +16,8 @@ using glm::dvec3;
 const double U = 0x1p-24; // el redondeo de float
 const Vec3 COLOR{0.72, 0.82, 0.97};
 
-/// Matriz afín cualquiera: componentes de −1 a 1 y cada columna por una potencia de 10 de −decadas a decadas; y todo, de
-/// 1e-38 a 1e38.
+/// Matriz afín cualquiera: componentes de −1 a 1 y cada columna por una potencia de 10 de −decadas a decadas; y todo,
+/// de 1e-38 a 1e38.
 glm::mat4 afin(Azar &azar, float decadas) {
     glm::mat4 M(1);
     const float talla = azar.entre(decadas - 38, 38 - decadas);
