@@ -1,5 +1,5 @@
-// objetos contra el oráculo: los juguetes, escritos aquí otra vez, y la cámara y el sombreado, en doble. De objetos.h
-// no se lee nada.
+// objetos contra el oráculo: los juguetes, escritos aquí otra vez como sólidos exactos, y la cámara y el sombreado, en
+// doble. De objetos.h no se lee nada.
 #include "guiones.h"
 #include "panel.h"
 #include "tabla.h"
@@ -15,7 +15,9 @@ Camara camaraObjetos(double azimut = 0.25, double elevacion = 0.32, double dista
     return perspectiva(orbita(azimut, elevacion, distancia, {-0.05, 1.5, 0}), 0.5, 1, 60);
 }
 
+/// Con n > 0, mallas de n segmentos (el toro, m en el tubo); si no, los sólidos exactos.
 struct Taller {
+    int n, m;
     std::vector<Cuerpo> cuerpos;
 
     void bloque(const Mat4 &sitio, const Vec3 &lados, const Vec3 &color) {
@@ -23,12 +25,12 @@ struct Taller {
     }
     void bola(const Mat4 &sitio, const Vec3 &radios, const Vec3 &color) {
         const Mat4 M = sitio * escala(radios);
-        cuerpos.push_back({malla(M, esfera(SEGMENTOS)), color});
+        cuerpos.push_back({n ? malla(M, esfera(n)) : esfera(M), color});
     }
     /// Alrededor de Z: `radio` hasta el centro del tubo, que mide 0.35·radio, y 0.35·alto a lo largo del eje.
     void anillo(const Mat4 &sitio, double radio, double alto, const Vec3 &color) {
         const Mat4 M = sitio * escala({radio, radio, alto});
-        cuerpos.push_back({malla(M, toro(1, 0.35f, SEGMENTOS, SEGMENTOS_TUBO)), color});
+        cuerpos.push_back({n ? malla(M, toro(1, 0.35f, n, m)) : toro(M, 1, 0.35), color});
     }
 };
 
@@ -87,8 +89,8 @@ void ponAros(Taller &t, const Mat4 &A) {
     t.bola(A * traslada({0, base + 0.2, 0}), {0.36, 0.36, 0.36}, AZULADO);
 }
 
-std::vector<Cuerpo> escena() {
-    Taller t;
+std::vector<Cuerpo> escena(int n = 0, int m = 0) {
+    Taller t{n, m, {}};
     t.bloque(traslada({0, -0.15, 0}), {7.6, 0.3, 4.8}, {0.86, 0.72, 0.55}); // el tablero, en y = 0
     ponMuneco(t, traslada({-2.1, 0, -0.7}) * gira(Y, 0.25));
     ponCoche(t, traslada({0.2, 0, 1.2}) * gira(Y, -0.35));
@@ -97,6 +99,14 @@ std::vector<Cuerpo> escena() {
 }
 
 } // namespace
+
+TEST(ProgramaObjetos, SiluetaContraLosSolidosExactos) {
+    // En 960×720 una unidad son 116 píxeles: las facetas se separan del sólido medio en cada sentido de la malla, uno
+    // en total: en la esfera mayor, de radio 1.05, 122·(1 − cos(π/36)) = 0.46, y en el tubo del toro mayor,
+    // 116·0.82·0.35·(1 − cos(π/22)) = 0.34
+    comprueba("silueta", comparaSilueta(vistaDe("objetos").escena, FONDO, objetos(escena()), camaraObjetos()),
+              {0, 0, 0.25});
+}
 
 // También tras girar y acercar la cámara: 50 píxeles a la derecha son medio radián menos de azimut y 20 hacia arriba
 // 0.2 menos de elevación. Los otros botones no giran nada.
@@ -109,6 +119,7 @@ TEST(ProgramaObjetos, SombreadoDeLaMismaMalla) {
                       arrastra({9, 9}, {99, 99}, "DERECHO"),
                   camaraObjetos(-0.25, 0.12, 14.2 / 1.1)}};
     paraCada("objetos", casos, 240, 180, [](const auto &c, const Vista &v) {
-        comprueba("malla", comparaConLuzFija(v.escena, escena(), c.camara, FONDO), EXACTA);
+        comprueba("malla", comparaConLuzFija(v.escena, escena(SEGMENTOS, SEGMENTOS_TUBO), c.camara, FONDO),
+                  EXACTA);
     });
 }
