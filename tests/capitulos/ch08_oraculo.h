@@ -45,6 +45,16 @@ inline double turbulencia(const glm::dvec3 &p, int octavas, const glm::ivec3 &pe
     return suma;
 }
 
+/// La textura de textura3d: 64³ bytes, con turbulencia de tres octavas en 4×4×4 celdas.
+inline std::vector<unsigned char> textura3d() {
+    std::vector<unsigned char> texels;
+    for (int i = 0; i < 64 * 64 * 64; ++i) {
+        const glm::dvec3 texel(i % 64 + 0.5, i / 64 % 64 + 0.5, i / 4096 + 0.5);
+        const double valor = 0.5 + 0.5 * turbulencia(texel / 16.0, 3, glm::ivec3(4));
+        texels.push_back(static_cast<unsigned char>(std::lround(255 * std::clamp(valor, 0.0, 1.0))));
+    }
+    return texels;
+}
 /// Una textura de n³ bytes leída como GL_LINEAR y GL_REPEAT; (x, y, z), de 0 a 1 una vez la textura. De 0 a 1.
 template<class Punto>
 double trilineal(const std::vector<unsigned char> &texels, const Punto &p) {

@@ -3,7 +3,6 @@
 #include "azar.h"
 #include "ch08_oraculo.h"
 #include "ch08_texturas_avanzadas/mapa_cubo.h"
-#include "ch08_texturas_avanzadas/textura3d.h"
 #include "colores.h"
 #include "contra_oraculo.h"
 #include "guiones.h"
@@ -227,26 +226,12 @@ Texels mitad(const Texels &texels) {
     return menores;
 }
 
-// Cada texel contra la definición del ruido en su centro; medio nivel por redondear.
-TEST(Textura3d, CadaTexelContraLaFuncion) {
-    const Texels texels = texelsRuido();
-    ASSERT_EQ(texels.size(), 262144u);
-    int recortados = 0;
-    for (std::size_t i = 0; i < texels.size(); i += 37) {
-        const glm::dvec3 p(i % 64, i / 64 % 64, i / 4096);
-        const double valor = 0.5 + 0.5 * definicion::turbulencia((p + 0.5) / 16.0, 3, glm::ivec3(4));
-        EXPECT_NEAR(texels[i], 255 * std::clamp(valor, 0.0, 1.0), 0.501) << i;
-        recortados += valor < 0 || valor > 1;
-    }
-    EXPECT_LT(recortados, 100); // de 7 000
-}
-
 // El bloque y el peón de cada material: trilineal en los puntos del bloque, por Phong. Se compara donde la textura se
 // amplía y, si el bloque se ve de frente, también en él, donde todos los texels abarcan lo mismo: con su nivel de
 // mipmap, que cuesta otro medio nivel. `detalle`: las veces que el material más repite la textura. S1 y S2 no pasan de
 // sus topes.
 TEST(Textura3d, CadaMaterialContraTrazadoDeRayos) {
-    const Texels niveles[] = {texelsRuido(), mitad(texelsRuido())};
+    const Texels texels = definicion::textura3d(), niveles[] = {texels, mitad(texels)};
     const auto pieza = [](const Vec3 &donde, const Vec3 &talla) { // el eje, hacia +Y
         return traslada(donde) * DE_PIE * escala(talla);
     };

@@ -26,12 +26,8 @@ Esperado mezcla(double t) {
 
 // --- malla_imagen.h ---
 
-TEST(MallaImagen, LaRegularNoDeformaYElPuntoMasCercano) {
+TEST(MallaImagen, ElPuntoMasCercano) {
     MallaImagen m = creaMallaImagen(repartidos(5), repartidos(4));
-    for (int k = 0; k < 100; ++k) {
-        const float u = 4 * float(k % 10) / 9, v = 3 * float(k / 10) / 9;
-        EXPECT_LT(glm::distance(evalua(m, u, v), glm::vec2(u / 4, v / 3)), 2e-7f);
-    }
     EXPECT_EQ(nudoMasCercano(m, {0.02f, 0.9f}, {80, 60}), 15u);
     // la distancia es en píxeles: en una imagen muy ancha, lo que separa es x
     m = {2, 2, {{0, 0}, {0.3f, 0.5f}, {0, 1}, {1, 1}}};

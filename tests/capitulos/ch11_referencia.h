@@ -5,9 +5,10 @@
 #include "ch11_curvas/superficies.h"
 #include "oraculo/cuadruple.h"
 
+/// Tantos redondeos de T; de la cuádruple, el doble, que la referencia también redondea.
 template<typename T>
-double ulp() {
-    return double(std::numeric_limits<T>::epsilon());
+double redondeos(double n) {
+    return n * double(std::numeric_limits<T>::epsilon()) * (std::is_same_v<T, Cuadruple> ? 2 : 1);
 }
 /// El mayor; con un NaN, infinito.
 inline double mayor(double a, double b) {
@@ -52,48 +53,40 @@ double lejos(const Punto<T> &a, const Punto<R> &b) {
     return glm::length(glm::dvec3(Punto<Cuadruple>(a) - Punto<Cuadruple>(b)));
 }
 
-/// Con cada coordenada entre −1 y 1: un float, el mismo en todas las precisiones.
+/// Con cada coordenada entre −1 y 1, de diez cifras binarias: las mismas en todas las precisiones.
 template<typename T>
 std::vector<Punto<T>> puntosAlAzar(std::size_t n, unsigned semilla = 11) {
     Azar azar(semilla);
     std::vector<Punto<T>> P(n);
     for (Punto<T> &p : P)
         for (int k = 0; k < 3; ++k)
-            p[k] = T(azar.entre(-1.0f, 1.0f));
+            p[k] = T(azar.entero(-1023, 1023) / 1024.0);
     return P;
 }
 template<typename T>
-Geometria<T> geometriaAlAzar(unsigned semilla = 11) {
-    const auto P = puntosAlAzar<T>(4, semilla);
-    return {P[0], P[1], P[2], P[3]};
+Geometria2<T> redAlAzar(unsigned semilla = 11) {
+    const auto P = puntosAlAzar<T>(16, semilla);
+    Geometria2<T> G;
+    std::copy(P.begin(), P.end(), &G[0][0]);
+    return G;
 }
 
-/// La derivada `d` de x elevado a n.
-template<typename R>
-R potenciaRef(const R &x, std::size_t n, std::size_t d) {
-    R r(d <= n ? 1 : 0);
-    for (std::size_t i = 0; d <= n && i < n; ++i)
-        r = r * (i < d ? R(double(n - i)) : x);
-    return r;
-}
-/// C(n, k): exacto mientras quepa en R.
-template<typename R>
-R combinaciones(std::size_t n, std::size_t k) {
-    R C(1);
-    for (std::size_t i = 0; i < k; ++i)
-        C = C * R(double(n - i)) / R(double(i + 1));
-    return C;
-}
-/// Los polinomios de Bernstein (ecuación 11.20), o su derivada `d` como producto de dos potencias.
+/// Los polinomios de Bernstein (ecuación 11.20), con C(n, k) exacto mientras quepa en R; o su derivada `d`, con los de
+/// grado menor.
 template<typename R>
 std::vector<R> bernsteinRef(std::size_t n, const R &u, std::size_t d = 0) {
-    std::vector<R> b;
-    for (std::size_t k = 0; k <= n; ++k) {
-        R suma(0);
-        for (std::size_t r = 0; r <= d; ++r)
-            suma += R((d - r) % 2 ? -1 : 1) * combinaciones<R>(d, r) * potenciaRef(u, k, r) *
-                    potenciaRef(R(1) - u, n - k, d - r);
-        b.push_back(combinaciones<R>(n, k) * suma);
+    std::vector<R> b(n + 1, R(0));
+    if (d > 0 && n > 0) {
+        const std::vector<R> menor = bernsteinRef(n - 1, u, d - 1);
+        for (std::size_t k = 0; k <= n; ++k)
+            b[k] = R(double(n)) * ((k > 0 ? menor[k - 1] : R(0)) - (k < n ? menor[k] : R(0)));
+    }
+    R C(1);
+    for (std::size_t k = 0; d == 0 && k <= n; ++k) {
+        b[k] = C;
+        for (std::size_t i = 0; i < n; ++i)
+            b[k] = b[k] * (i < k ? u : R(1) - u);
+        C = C * R(double(n - k)) / R(double(k + 1));
     }
     return b;
 }

@@ -214,11 +214,7 @@ TEST(Textura3dAnimada, ElRuidoEnCadaPuntoYPeriodica) {
     const Camara camara = perspectiva(orbita(0.4, 0.4, 9.5), 0.4, 1, 50);
     const Escena escena = {enElMundo(Mat4(), esfera(segmentosEsfera(250))),
                            enElMundo(gira({1, 0, 0}, 1.3), toro(1.7f, 0.22f, 120, 40))};
-    std::vector<unsigned char> texels;
-    for (int i = 0; i < 64 * 64 * 64; ++i) {
-        const glm::dvec3 texel(i % 64 + 0.5, i / 64 % 64 + 0.5, i / 4096 + 0.5);
-        texels.push_back(enOchoBits(0.5 + 0.5 * definicion::turbulencia(texel / 16.0, 3, glm::ivec3(4))));
-    }
+    const std::vector<unsigned char> texels = definicion::textura3d();
     for (const double t : {0.0, 1.0, 4.0, HORAS + 4.5, HORAS + 13}) {
         const Vista v = vistaDe("textura3d_animada", instante(t));
         const Comparacion c = compara(v.escena, escena, camara, [&](const Impacto &i) {
