@@ -42,7 +42,11 @@ export function atiendeBuscador(trae) {
   document.addEventListener('click', ({ target }) => {
     if (target.closest('.hallazgos a') || !caja.contains(target)) esconde();
   });
-  caja.addEventListener('keydown', anda);
+  caja.addEventListener('keydown', async suceso => {
+    if (suceso.key !== 'Enter' || document.activeElement !== campo) return anda(suceso);
+    await busca(); // lo hallado aún puede estar por llegar
+    una('a', lista)?.click();
+  });
   document.addEventListener('keydown', suceso => {
     const deOtro = enCampo(suceso) || suceso.target.closest('dialog') || document.fullscreenElement;
     if (suceso.key !== '/' || esDelNavegador(suceso) || deOtro) return;
@@ -51,15 +55,13 @@ export function atiendeBuscador(trae) {
   });
 }
 
-/// ↑ y ↓ pasan por lo hallado, Intro va al primero y Esc lo deja.
+/// ↑ y ↓ pasan por lo hallado, y Esc lo deja.
 function anda(suceso) {
   const paradas = [campo, ...lista.hidden ? [] : todos('a', lista)], donde = paradas.indexOf(document.activeElement);
   const paso = { ArrowDown: 1, ArrowUp: -1 }[suceso.key];
   if (paso && donde >= 0) {
     suceso.preventDefault();
     paradas[(donde + paso + paradas.length) % paradas.length].focus();
-  } else if (suceso.key === 'Enter' && donde === 0) {
-    paradas[1]?.click();
   } else if (suceso.key === 'Escape') {
     campo.value = '';
     esconde();

@@ -36,7 +36,7 @@ const enLosDos = {
     const deConsola = CASOS.filter(c => PROGRAMAS.find(q => q.nombre === c.programa).consola);
     assert.equal(anchos.length, CASOS.length - deConsola.length);
     assert.equal(anchos.filter(a => a === 480).length, ANIMADOS.length, 'las animadas');
-    assert.ok(anchos.every(a => [480, 1440].includes(a)));
+    assert.ok(anchos.every(a => [480, 720].includes(a)));
   },
 
   'una imagen pulsada se ve en grande; las teclas, y con Esc o «Atrás» se cierra': async p => {
@@ -179,7 +179,7 @@ const enLosDos = {
     await p.da(() => { una('#grua .fuentes').open = true; });
     await p.acaba('el fuente se ve', () => /glutMainLoop/.test(una('#grua pre').textContent));
     await p.da(() => una('#grua .pestanas button:last-child').click());
-    await p.exige('y los demás', () => una('#grua .pestanas [aria-pressed=true]:last-child') !== null &&
+    await p.acaba('y los demás', () => una('#grua .pestanas [aria-pressed=true]:last-child') !== null &&
       !/glutMainLoop/.test(una('#grua pre').textContent));
   },
 
