@@ -3,6 +3,7 @@ import functools
 import itertools
 import os
 import random
+import re
 import tempfile
 import threading
 from pathlib import Path
@@ -163,6 +164,15 @@ def modelo(p):
     for (escala, lejos), imagen in imagenes.items():
         if distintos(imagen, imagenes[1, 0]) > 1:
             yield "modelo", f"un cubo de lado {escala} en {lejos} no se ve como uno de lado 1 en el origen"
+    maximo = int(re.search(r"MAXIMO_NUMERADO = (\d+)", (p.raiz / "ch02_modelado/encuadre_malla.h").read_text())[1])
+    for n in (maximo, maximo + 1):  # una tira de triángulos, con tantos vértices
+        with tempfile.NamedTemporaryFile("w", suffix=".vf") as tira:
+            triangulos = [f"f {i} {i + 1} {i + 2}" for i in range(1, n - 1)]
+            tira.write("\n".join([*(f"v {i // 2} {i % 2} 0" for i in range(n)), *triangulos, ""]))
+            tira.flush()
+            (v,) = p.vistas(["captura"], tira.name)
+        if any(q.texto.isdigit() for q in v.encima) != (n == maximo):
+            yield "máximo", f"se numeran hasta {maximo} vértices, y con {n} no es así"
 
 
 def foto(p):
