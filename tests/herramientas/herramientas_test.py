@@ -1,10 +1,12 @@
 """Los módulos de herramientas/, por lo que hacen: cada cuenta frente a un caso resuelto a mano, sin compilar nada."""
+import itertools
 import math
 import random
 import re
 import subprocess
 import sys
 import time
+from importlib.machinery import SourceFileLoader
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -12,9 +14,9 @@ import pytest
 
 from base import catalogo, controles, defectos, evidencia, fuentes, guiones, libro, marcas, paginas, procesos
 from ejercicios import nuevo
-from ejercicios.corrige import entrega
+from ejercicios.corrige import entrega, shaders
 from galeria import dibuja
-from galeria.pagina import AQUI as GALERIA, MODULOS
+from galeria.pagina import AQUI as GALERIA, MODULOS, PaginaGaleria
 from informe import cocientes, costes, informe, tecnicas
 from windows import paquete
 from mentira import BUILD, RAIZ, siembra
@@ -167,6 +169,19 @@ def test_el_tiempo_de_un_proceso(tmp_path):
     assert 100 <= costes.milisegundos([sys.executable, "-S", "-c", gasta], tmp_path) < 2000
 
 
+def test_en_rojo_va_lo_que_pasa(tmp_path):
+    """En el informe, lo que tarda más de lo que dice; y las columnas en kB."""
+    tardan = list(itertools.product((50, 100, 101), repeat=len(costes.TALLAS)))
+    filas = [costes.Coste("p", 1, 1, [1], ms, 1, 1, 4000, 7000, [""] * 3) for ms in tardan]
+    informe.escribe_pagina(tmp_path, [], metas=[], costes=filas, suelo=1, entorno={})
+    pagina = (tmp_path / "index.html").read_text()
+    assert "En rojo, más de 100 ms a 1920×1080." in pagina and costes.TALLAS[-1] == "1920x1080"
+    suyo = dict(zip(*(re.findall(f"<{e}.*?>(.*?)</{e}>", pagina, re.S) for e in ("th", "td"))))
+    assert (suyo["kB de buffers"], suyo["kB de texturas"]) == ("4", "7")
+    rojas = [re.findall('class="mal">(.*?)<', fila) for fila in re.findall("<tr><td>p<.*?</tr>", pagina, re.S)]
+    assert rojas == [[f"{ms[-1]}"] if ms[-1] > 100 else [] for ms in tardan]
+
+
 def test_los_errores_de_un_programa(tmp_path):
     assert evidencia.errores({"maximo": 0.512, "borde": 1, "lejos": 2, "banda": 90}) == ["0.51", "", "1, salvo 2 de 90"]
     assert evidencia.errores({"rmse": 1.23e-7}) == ["", "1.2e-07", ""]
@@ -178,6 +193,28 @@ def test_los_errores_de_un_programa(tmp_path):
 
 CIFRAS = "nan —, 0 0, inf no vale, 0.0123 0.0123, 12.345 12.3, -1.5 -1.5, 999.4 999, 999.6 1\u202f000, 0.001 0.001"
 CIFRAS += ", 1234567 1\u202f234\u202f567, 1.23e-9 1.2·10⁻⁹, 2e7 2.0·10⁷"
+
+
+@pytest.mark.parametrize("en_marcha", [True, False])
+def test_cada_enlace_de_la_galeria_lleva_a_algo(tmp_path, en_marcha):
+    capitulos = catalogo.lee(BUILD)
+    programas = [p for capitulo in capitulos for p in capitulo.programas]
+    siembra(tmp_path, {"galeria/x": "", "web/index.html" if en_marcha else "x": ""})
+    PaginaGaleria(RAIZ, tmp_path / "galeria", capitulos).escribe()
+    escrita = (tmp_path / "galeria/index.html").read_text()
+    hay = {f"#{suyo}" for suyo in re.findall(r'\bid="([^"]+)"', escrita)}
+    lleva = [p.nombre for p in programas] + [f"ejercicio/{ref}" for ref in shaders.ejercicios(RAIZ, programas)]
+    hay |= {f"../web/index.html#{a}" for a in lleva if en_marcha}
+    enlaces = {re.sub("/explica/.*", "", e) for e in re.findall(r'\bhref="([^"]+)"', escrita)}
+    assert enlaces and not {e for e in enlaces - hay if not (e.endswith(".png") or e.startswith("data:"))}
+
+
+def test_lo_que_falta_va_de_mas_cerca_a_mas_lejos():
+    palabras = SourceFileLoader("palabras", str(RAIZ / "herramientas/explica/palabras.py")).load_module()
+    sucesos = [{"orden": n, "soloEsa": "x", "profundidad": z} for n, z in enumerate((0.7, 0.2, 0.9, 0.5))]
+    ordenes = {n: {"titulo": "12 triángulos", "pruebas": []} for n in range(4)}
+    sucesos = [{**s, "veredicto": "profundidad", "dice": "detrás"} for s in sucesos]
+    assert [fila.split()[0] for fila in palabras.lo_que_falta(sucesos, ordenes)[1:]] == ["1", "3", "0"]
 
 
 def test_una_cifra():

@@ -95,7 +95,7 @@ def test_se_usa_como_cualquier_otro(lab):
     assert (lab.sitio / "mios/el_mio/ejercicio.txt").read_text() == "molino ejercicios/molino/molino\n"
     lab("corrige el_mio --guiones 0", 1, "el_mio, molino: 0 de 100")
     shutil.rmtree(lab.sitio / "aqui/molino")
-    lab("ver mios/el_mio", dice="lo he dibujado en el_mio.png")
+    lab("ver mios/el_mio/", dice="lo he dibujado en el_mio.png")
     assert lab.deja("el_mio.png", b"\x89PNG")
     lab("corrige el_mio", 1, "no dice de qué ejercicio es")
 
@@ -332,7 +332,8 @@ def test_lo_que_se_da_y_lo_que_no(tmp_path):
 # --- las reglas -------------------------------------------------------------------------------------------------
 
 CASO, AZAR = Guion("caso", (), True), Guion("al azar", ())
-OTRAS = {"caso": 5, "azar": 4, "guiones": 3, "tolerancia": "otro", "casi": 80, "titulo": 11, "texto": 12, "estado": 13}
+OTRAS = {"caso": 5.5, "azar": 4.5, "guiones": 3, "tolerancia": "otro", "casi": 80.5}
+OTRAS |= {"titulo": 11.5, "texto": 12.5, "estado": 13.5}
 SITUACIONES = {  # los guiones que salen bien, los que salen por poco, y lo demás que falla
     "falla un caso": ([AZAR], [], {}),
     "falla uno al azar": ([CASO], [], {}),
@@ -361,9 +362,10 @@ def test_cada_regla_cambia_lo_suyo(tmp_path):
 
     base = notas(Reglas())
     for clave, valor in OTRAS.items():
-        (tmp_path / "r").write_text(f"# mías\n{clave.replace('titulo', 'título')} = {valor}  \n")
-        otra = reglas.lee(tmp_path / "r")
-        assert otra == dataclasses.replace(Reglas(), **{clave: valor})
+        for escrito in (str(valor), str(valor).replace(".", ",")):
+            (tmp_path / "r").write_text(f"# mías\n{clave.replace('titulo', 'título')} = {escrito}  \n")
+            otra = reglas.lee(tmp_path / "r")
+            assert otra == dataclasses.replace(Reglas(), **{clave: valor})
         assert {s for s, nota in notas(otra).items() if nota != base[s]} == CAMBIA[clave], clave
         assert otra.en_palabras != Reglas().en_palabras and str(valor) in otra.en_palabras
     assert veredicto.nota([CASO], [CASO], [], {"título": "mal"}, Reglas(titulo=0)) == 100

@@ -89,6 +89,17 @@ def test_lo_que_se_pasa_a_ctest(pedido, palabras):
     assert lab.Laboratorio.para_ctest(lab.analizador("prueba").parse_args(pedido.split())) == palabras
 
 
+def test_lo_que_se_pide_en_un_fichero_va_adonde_se_esta(taller, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    laboratorio = lab.Laboratorio(taller.raiz, tmp_path)
+    laboratorio.t, laboratorio.build = taller, taller.build
+    for quien, que in (paquetes, "instala"), (taller, "configura"), (taller, "compila"):
+        monkeypatch.setattr(quien, que, lambda *_: True)
+    monkeypatch.setattr(lab, "corre", lambda *_, **__: siembra(taller.build, {"pruebas.xml": "<x/>"}))
+    laboratorio.prueba(lab.entiende("prueba", ["--junit", "uno.xml"]))
+    assert (tmp_path / "uno.xml").read_text() == "<x/>"
+
+
 def test_las_ordenes_de_los_documentos_se_entienden():
     """Las de cada bloque y cada línea de README, CONTRIBUTING y docs/."""
     ficheros = [RAIZ / "README.md", RAIZ / "CONTRIBUTING.md", *sorted(RAIZ.glob("docs/**/*.*"))]

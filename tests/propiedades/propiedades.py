@@ -15,11 +15,13 @@ from pathlib import Path
 
 from dados import dados
 from dicho import dicho
+from estropeados import estropeados
+from gestos import gestos, topes
 from mandos import comparacion, comunes, limites, mandos, nombres, raras, vuelta
 from programa import TALLA, Programa, Termina, arrastre
 from tiempo import conmuta, lento, pausa
 from rotulos import rotulos, tapan
-from vista import arrastres, cerca, foto, franja, tallas
+from vista import arrastres, cerca, foto, franja, modelo, tallas
 from base import catalogo, controles, guiones
 
 TAMANOS = ["120 90", "150 90", "100 100", "61 45", "4 90", "1 1", "200 2"]
@@ -102,7 +104,7 @@ def rondas(p):
 
 
 PROPIEDADES = paseo, nombres, raras, limites, comparacion, vuelta, tallas, franja, rotulos, tapan, cerca, arrastres
-PROPIEDADES += pausa, lento, conmuta, foto, rondas, comunes, mandos
+PROPIEDADES += pausa, lento, conmuta, modelo, foto, rondas, comunes, mandos, gestos, topes, estropeados
 PROPIEDADES += dados, dicho  # dicho mira lo de los demás
 SORTEADA = tapan  # sin --todo se pide una parte, y una excepción puede no hacer falta
 
@@ -114,6 +116,8 @@ EXCEPCIONES = {
     ("primer_programa", "vuelta", "tecla i"): "cambia lo que se verá al dibujar, que es lo que enseña",
     ("primer_programa", "tallas", "tecla i, tecla [ds]"): "lo mismo: se ve al borrar otra vez",
     ("shader_basico", "comunes", "F1|F2|-ayuda|F12|argumentos"): "tampoco: es el listado del libro",
+    ("shader_basico", "estropeados", "F3"): "es el listado del libro: no vigila",
+    ("errores_shader", "estropeados", "F[35]"): "enseña los errores de unos shaders estropeados",
     ("errores_shader", "paseo", "F5"): "releer vuelve a escribir el error, o que no lo hay",
     ("tiras", "mandos", "tecla [3-9]"): "la malla que trae tiene dos tiras: son para la del usuario",
     ("eventos", "comunes", "F1"): "también enseña esa tecla",

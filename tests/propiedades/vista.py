@@ -3,6 +3,7 @@ import functools
 import itertools
 import os
 import random
+import re
 import tempfile
 import threading
 from pathlib import Path
@@ -113,6 +114,35 @@ def cerca(p):
             ordenes = "; ".join(o for o in guion[:hasta] if o != "captura")
             yield "plano", f"el plano de cerca o el de lejos corta la escena: {cuantos:.0f} ‰ tras {ordenes}"
             return
+
+
+CUBO = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+CARAS = "1 2 4 3,5 7 8 6,1 5 6 2,3 4 8 7,1 3 7 5,2 6 8 4".split(",")
+
+
+def modelo(p):
+    """El mismo modelo en otro sitio o de otro tamaño (exactos en float) da la misma imagen."""
+    if p.admite != "modelo":
+        return
+    imagenes = {}
+    with tempfile.TemporaryDirectory() as carpeta:
+        for escala, lejos in ((1, 0), (1, 2**23), (2.0**20, 0), (2.0**-20, 0)):
+            vertices = [f"v {x * escala + lejos!r} {y * escala + lejos!r} {z * escala + lejos!r}" for x, y, z in CUBO]
+            Path(carpeta, "cubo.vf").write_text("\n".join([*vertices, *(f"f {cara}" for cara in CARAS), ""]))
+            p.ejecuta_en(carpeta, ["cubo.vf"])
+            imagenes[escala, lejos] = Path(carpeta, "imagen.ppm").read_bytes().split(b"\n255\n", 1)[1]
+    for (escala, lejos), imagen in imagenes.items():
+        if distintos(imagen, imagenes[1, 0]) > 1:
+            yield "modelo", f"un cubo de lado {escala} en {lejos} no se ve como uno de lado 1 en el origen"
+    maximo = int(re.search(r"MAXIMO_NUMERADO = (\d+)", (p.raiz / "ch02_modelado/encuadre_malla.h").read_text())[1])
+    for n in (maximo, maximo + 1):  # una tira de triángulos, con tantos vértices
+        with tempfile.NamedTemporaryFile("w", suffix=".vf") as tira:
+            triangulos = [f"f {i} {i + 1} {i + 2}" for i in range(1, n - 1)]
+            tira.write("\n".join([*(f"v {i // 2} {i % 2} 0" for i in range(n)), *triangulos, ""]))
+            tira.flush()
+            (v,) = p.vistas(["captura"], tira.name)
+        if any(q.texto.isdigit() for q in v.encima) != (n == maximo):
+            yield "máximo", f"se numeran hasta {maximo} vértices, y con {n} no es así"
 
 
 def foto(p):

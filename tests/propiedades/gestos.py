@@ -1,0 +1,40 @@
+"""Lo que se cumple con un gesto: corto, en ventanas de otra forma; y largo, hasta su tope."""
+from programa import arrastre, distintos
+from vista import FORMAS
+
+LEJOS = 2000  # píxeles: más allá de cualquier tope
+PASO, PASOS = 4, 7  # píxeles, y cuántos, con que se vuelve de un tope
+SALTO = 100  # de cada mil colores, los que cambian de más en un paso
+
+
+def gestos(p):
+    """El mismo gesto, medido en el alto de 4:3 que cabe en la ventana, deja lo mismo en una de cualquier forma: cada
+    arrastre y, donde se editan puntos, cada flecha."""
+    if "arrastre" not in p.rasgos or p.cualquiera:
+        return
+    hechos = [arrastre(60, 45, 78, 36, b) for b in (["IZQUIERDO"] if p.opciones else ["IZQUIERDO", "DERECHO"])]
+    if {"especial ARRIBA", "tecla n"} <= {*p.teclas}:
+        hechos += [["tecla n", flecha] for flecha in ("especial DERECHA", "especial ARRIBA")]
+    guion = ["escala {} {}".format(*FORMAS[0]), "captura", *(o for gesto in hechos for o in (*gesto, "captura"))]
+    tallas = [f"{ancho}x{alto}" for ancho, alto in FORMAS]
+    vistas = [p.vistas(guion, talla=talla, LAB_SIN_ENCIMA="rotulo") for talla in tallas]
+    (antes, *esta), *otras = [[v.centro(*FORMAS[0]) for v in suyas] for suyas in vistas]
+    for talla, (nada, *otra) in zip(tallas[1:], otras):
+        for gesto, una, suya in zip(hechos, esta, otra):
+            if distintos(antes, nada, 3) <= 1 < distintos(una, suya, 3):
+                yield gesto[-1].split()[1], f"a {talla}, «{'; '.join(gesto)}» no hace lo que a 4:3"
+                break
+
+
+def topes(p):
+    """Arrastrado hasta el tope de arriba o de abajo, se vuelve de él poco a poco: si se pasa del polo, la vertical da
+    media vuelta."""
+    if "arrastre" not in p.rasgos or p.cualquiera:
+        return
+    for hacia in (1, -1):
+        pasos = [f"arrastra 60 {45 + hacia * (LEJOS - PASO * i)}" for i in range(PASOS + 1)]
+        guion = ["boton IZQUIERDO abajo 60 45", *(o for paso in pasos for o in (paso, "captura"))]
+        vistas = [v.centro(*v.talla) for v in p.vistas([*guion, "boton IZQUIERDO arriba 60 45"], LAB_SIN_ENCIMA="1")]
+        cambian = [distintos(una, otra) for una, otra in zip(vistas, vistas[1:])]
+        if any(b > 3 * max(a, c) + SALTO for a, b, c in zip(cambian, cambian[1:], cambian[2:])):
+            yield "salto", f"al volver poco a poco de donde lleva «{pasos[0]}» hay un salto: {cambian}"
