@@ -2,10 +2,10 @@
 escribe DESTINO/index.html, que se puede mirar desde el primero. Si no compila, el estado es 3.
 
 Cada imagen se dibuja al tamaño que tendría proyectada, con EGL, que da las muestras que pida el programa, como una
-ventana: los escalones que haya son los suyos. La página lleva su miniatura. De los casos con ANIMA se hacen además tantos cuadros al tamaño de un proyector, que se pueden parar, y
-una animación más pequeña para la página. Solo se rehace lo que ha cambiado: DESTINO/.hecho.json recuerda de qué
-(programa, guion y los ficheros que leyó) salió cada imagen y qué escribió entonces el programa. Si algún caso falla,
-la página lleva los demás y el estado es 1.
+ventana: los escalones que haya son los suyos. La página lleva su miniatura. De los casos con ANIMA se hacen además
+tantos cuadros al tamaño de un proyector, que se pueden parar, y una animación más pequeña para la página. Solo se
+rehace lo que ha cambiado: DESTINO/.hecho.json recuerda de qué (programa, guion y los ficheros que leyó) salió cada
+imagen y qué escribió entonces el programa. Si algún caso falla, la página lleva los demás y el estado es 1.
 """
 import functools
 import hashlib
