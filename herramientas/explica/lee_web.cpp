@@ -96,6 +96,7 @@ const Marco &marcoDe(GLenum formato, int ancho, int alto, GLenum deColor = GL_RG
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, m.color);
     if (formato == GL_NONE)
         return m;
+    const GLint textura = entero(GL_TEXTURE_BINDING_2D); // la que lee el programa
     glGenTextures(1, &m.profundidad);
     glBindTexture(GL_TEXTURE_2D, m.profundidad);
     glTexStorage2D(GL_TEXTURE_2D, 1, formato, m.ancho, m.alto);
@@ -104,6 +105,7 @@ const Marco &marcoDe(GLenum formato, int ancho, int alto, GLenum deColor = GL_RG
     glFramebufferTexture2D(GL_FRAMEBUFFER,
                            llevaPlantilla(formato) ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
                            GL_TEXTURE_2D, m.profundidad, 0);
+    glBindTexture(GL_TEXTURE_2D, GLuint(textura));
     return m;
 }
 
@@ -250,6 +252,10 @@ long muestrasDe(const std::function<void()> &dibuja) {
     if (glIsEnabled(GL_DEPTH_TEST) || glIsEnabled(GL_STENCIL_TEST)) {
         l = lienzoActual(l.ancho, l.alto);
         copia(l, r[0], r[1], r[2], r[3]);
+        if (!l.bitsProfundidad) // lo que no tiene lo pasa todo
+            glDisable(GL_DEPTH_TEST);
+        if (!l.bitsPlantilla)
+            glDisable(GL_STENCIL_TEST);
     } else {
         marcoDe(GL_NONE, l.ancho, l.alto);
     }
@@ -324,6 +330,8 @@ bool importa(const std::function<void()> &dibuja, const Lienzo &l, const std::st
             shaders.push_back(f.shader);
         return enlazaComo(original, shaders);
     });
+    if (!otro)
+        return true;
     marcoDe(GL_NONE, l.ancho, l.alto);
     const SinPruebas sin(0, 0, l.ancho, l.alto);
     std::vector<Pixel> antes(std::size_t(l.ancho * l.alto)), despues = antes;
