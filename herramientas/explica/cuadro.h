@@ -1,5 +1,6 @@
-// Un cuadro explicado: se vuelve a dibujar unas veces, con algo delante de las funciones de OpenGL que escriben píxeles,
-// y se cuenta en JSON lo que hace cada orden y, de los píxeles que se pidan, su historia y los shaders de quien los gana.
+// Un cuadro explicado: se vuelve a dibujar unas veces, con algo delante de las funciones de OpenGL que escriben
+// píxeles, y se cuenta en JSON lo que hace cada orden y, de los píxeles que se pidan, su historia y los shaders de
+// quien los gana.
 #pragma once
 #include "ordenes.h"
 #include "sueltas.h"

@@ -240,8 +240,8 @@ void leePixeles(const Lienzo &l, int x, int y, int ancho, int alto, float *rgba)
     std::transform(bytes.begin(), bytes.end(), rgba, [](unsigned char b) { return float(b) / 255; });
 }
 
-// En el framebuffer aparte, con la profundidad y la plantilla de donde se dibuja, solo se escribe el color: si cambia es
-// que pasa. De lo que el recorte deja y, si no lo hay, de todo.
+// En el framebuffer aparte, con la profundidad y la plantilla de donde se dibuja, solo se escribe el color: si cambia
+// es que pasa. De lo que el recorte deja y, si no lo hay, de todo.
 long muestrasDe(const std::function<void()> &dibuja) {
     GLint r[4], nombre = entero(GL_DRAW_FRAMEBUFFER_BINDING);
     const bool recorta = glIsEnabled(GL_SCISSOR_TEST);

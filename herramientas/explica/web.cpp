@@ -1,5 +1,5 @@
-// La entrada de la página: las funciones de OpenGL que llaman los programas y que hay que oír, que mientras no se explica
-// hacen lo de siempre, y lo que pide cuadro_vivo.mjs.
+// La entrada de la página: las funciones de OpenGL que llaman los programas y que hay que oír, que mientras no se
+// explica hacen lo de siempre, y lo que pide cuadro_vivo.mjs.
 #include "cuadro.h"
 #include "glut_sin_ventana.h"
 #include <emscripten.h>
