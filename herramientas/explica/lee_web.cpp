@@ -13,6 +13,10 @@ DECLARA(glBlitFramebuffer)
 DECLARA(glReadPixels)
 DECLARA(glStencilFunc)
 
+namespace sin_ventana {
+extern bool plantillaPedida; // contexto_web.cpp
+}
+
 namespace explica {
 namespace {
 
@@ -318,7 +322,7 @@ void bitsDeLaVentana(GLenum, Lienzo &l) {
     EmscriptenWebGLContextAttributes tiene;
     emscripten_webgl_get_context_attributes(emscripten_webgl_get_current_context(), &tiene);
     l.bitsProfundidad = tiene.depth ? 24 : 0;
-    l.bitsPlantilla = tiene.stencil ? 8 : 0;
+    l.bitsPlantilla = sin_ventana::plantillaPedida ? 8 : 0;
 }
 
 bool importa(const std::function<void()> &dibuja, const Lienzo &l, const std::string &uniform) {
