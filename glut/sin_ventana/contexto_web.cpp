@@ -8,6 +8,8 @@
 
 namespace sin_ventana {
 
+bool plantillaPedida = false; // la mira quien explica (herramientas/explica/lee_web.cpp)
+
 namespace {
 
 const char *const LIENZO = "!canvas"; // el de Module, que no tiene por qué estar en el documento
@@ -27,7 +29,8 @@ int creaContexto(int ancho, int alto, bool profundidad, bool plantilla, bool mue
     atributos.majorVersion = 2;
     atributos.alpha = false;
     atributos.depth = profundidad;
-    atributos.stencil = plantilla;
+    atributos.stencil = profundidad || plantilla; // sin ella, Firefox no deja copiar la profundidad
+    plantillaPedida = plantilla;
     atributos.antialias = muestras && suaviza;
     atributos.preserveDrawingBuffer = true; // como en una ventana, lo que no se vuelve a dibujar sigue ahí
     contexto = emscripten_webgl_create_context(LIENZO, &atributos);

@@ -16,7 +16,6 @@ void emscripten_glEnable(GLenum);
 void emscripten_glDepthRangef(GLfloat, GLfloat);
 const GLubyte *emscripten_glGetString(GLenum);
 void emscripten_glShaderSource(GLuint, GLsizei, const GLchar *const *, const GLint *);
-GLint emscripten_glGetUniformLocation(GLuint, const GLchar *);
 void emscripten_glReadPixels(GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *);
 
 // --- lo que en WebGL 2 está siempre puesto --------------------------------------------------------------------
@@ -71,14 +70,6 @@ void glReadPixels(GLint x, GLint y, GLsizei ancho, GLsizei alto, GLenum formato,
 // WebGL no lo dice. Lo pregunta la opción -mide, que en la página no se usa.
 void glGetTexLevelParameteriv(GLenum, GLint, GLenum, GLint *valor) {
     *valor = 0;
-}
-
-// Del uniform que nada usa Emscripten dice que no está sin llamar a WebGL; para explicar, la página ha de oír cuál es.
-GLint glGetUniformLocation(GLuint programa, const GLchar *nombre) {
-    const GLint donde = emscripten_glGetUniformLocation(programa, nombre);
-    if (donde < 0)
-        EM_ASM({ if (Module["falta"]) Module["falta"]($0, UTF8ToString($1)); }, programa, nombre);
-    return donde;
 }
 
 // --- GLEW -----------------------------------------------------------------------------------------------------

@@ -50,19 +50,22 @@ endforeach()
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/objetos)
 file(GENERATE OUTPUT ${enlaces}/programas.inc CONTENT "${indice}")
 
-add_executable(laboratorio ${sin_ventana}/programas_web.cpp ${objetos})
-target_link_libraries(laboratorio PRIVATE glut_web)
-set_target_properties(laboratorio PROPERTIES OUTPUT_NAME lab)
-target_link_options(laboratorio PRIVATE -Oz -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH=1
-  -sMODULARIZE=1 -sEXPORT_NAME=Laboratorio -sINVOKE_RUN=0 -sEXIT_RUNTIME=0 -sFORCE_FILESYSTEM=1
-  -sENVIRONMENT=web -sEXPORTED_RUNTIME_METHODS=FS,callMain,ccall
-  -sEXPORTED_FUNCTIONS=_main,_glutOrden,_glutOpciones,_glutRedibuja)
-
-# El reescritor de shaders, aparte: es el único que lanza excepciones, y solo se descarga al explicar un píxel.
+# Quien explica, delante de OpenGL. Es lo único que lanza excepciones, al reescribir un shader.
 include(${CMAKE_SOURCE_DIR}/herramientas/explica/reescritor.cmake)
 set_target_properties(reescritor PROPERTIES POSITION_INDEPENDENT_CODE OFF)
-target_compile_options(reescritor PUBLIC -fexceptions)
-add_executable(explica ${CMAKE_SOURCE_DIR}/herramientas/explica/web.cpp)
-target_link_libraries(explica PRIVATE reescritor)
-target_link_options(explica PRIVATE -Oz -fexceptions --no-entry -sALLOW_MEMORY_GROWTH=1 -sMODULARIZE=1 -sEXPORT_NAME=Reescritor
-  -sFILESYSTEM=0 -sENVIRONMENT=web -sEXPORTED_RUNTIME_METHODS=ccall)
+target_compile_options(reescritor PRIVATE -fexceptions)
+add_library(explica STATIC
+  ${carpeta}/cableado.cpp ${carpeta}/cuadro.cpp ${carpeta}/enviado.cpp ${carpeta}/estado.cpp ${carpeta}/imagenes.cpp
+  ${carpeta}/lee_web.cpp ${carpeta}/nombres.cpp ${carpeta}/ordenes.cpp ${carpeta}/pixel.cpp ${carpeta}/primitivas.cpp
+  ${carpeta}/programas.cpp ${carpeta}/sombreado.cpp ${carpeta}/sospechas.cpp ${carpeta}/sueltas.cpp ${carpeta}/web.cpp)
+target_include_directories(explica PRIVATE ${sin_ventana})
+target_link_libraries(explica PUBLIC reescritor comun)
+
+add_executable(laboratorio ${sin_ventana}/programas_web.cpp ${objetos})
+target_link_libraries(laboratorio PRIVATE explica glut_web)
+set_target_properties(laboratorio PROPERTIES OUTPUT_NAME lab)
+target_link_options(laboratorio PRIVATE -Oz -fexceptions -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH=1
+  -sMODULARIZE=1 -sEXPORT_NAME=Laboratorio -sINVOKE_RUN=0 -sEXIT_RUNTIME=0 -sFORCE_FILESYSTEM=1
+  -sENVIRONMENT=web -sEXPORTED_RUNTIME_METHODS=FS,callMain,ccall
+  -sEXPORTED_FUNCTIONS=_main,_glutOrden,_glutOpciones,_glutRedibuja,_explicaPregunta,_explicaResponde,_explicaCuadroVivo)
+

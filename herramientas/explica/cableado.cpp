@@ -4,7 +4,7 @@
 #include "nombres.h"
 #include <algorithm>
 #include <cstdint>
-#include <regex>
+#include <cstring>
 
 namespace explica {
 namespace {
@@ -70,13 +70,12 @@ void leePrimeros(Atributo &a) {
     GLint bytes = 0;
     glGetBufferParameteriv(GL_COPY_READ_BUFFER, GL_BUFFER_SIZE, &bytes);
     const GLsizeiptr ocupa = GLsizeiptr(sizeof(float)) * a.componentes, paso = a.paso ? a.paso : ocupa;
-    for (GLsizeiptr i = 0; i < MUESTRA; ++i) {
-        const GLsizeiptr desde = a.desplazamiento + i * paso;
-        if (a.componentes < 1 || a.componentes > 4 || desde + ocupa > bytes)
-            break;
-        std::array<float, 4> valor{};
-        glGetBufferSubData(GL_COPY_READ_BUFFER, desde, ocupa, valor.data());
-        a.primeros.push_back(valor);
+    const GLsizeiptr hay = bytes - a.desplazamiento, todos = std::min(hay, MUESTRA * paso + ocupa);
+    if (a.componentes >= 1 && a.componentes <= 4 && a.desplazamiento >= 0 && hay >= ocupa) {
+        Bytes leidos(std::size_t(todos), 0); // de una vez, que en la página cada lectura espera
+        glGetBufferSubData(GL_COPY_READ_BUFFER, a.desplazamiento, todos, leidos.data());
+        for (GLsizeiptr i = 0; i < MUESTRA && i * paso + ocupa <= todos; ++i)
+            std::memcpy(a.primeros.emplace_back().data(), &leidos[std::size_t(i * paso)], std::size_t(ocupa));
     }
     glBindBuffer(GL_COPY_READ_BUFFER, GLuint(antes));
 }
@@ -129,6 +128,8 @@ GLint deTextura(GLenum objetivo, GLenum cual) {
 std::string porQueNoEstaCompleta(const Textura &t) {
     if (!t.nombre)
         return "no hay ninguna en esa unidad";
+    if (EN_WEB)
+        return ""; // no se sabe
     if (!t.ancho)
         return "no tiene imagen (glTexImage2D)";
     const bool conNiveles = t.reduce != GL_NEAREST && t.reduce != GL_LINEAR;
@@ -183,10 +184,10 @@ Textura textura(GLuint programa, const Variable &v, const Objetivo &o, bool conS
 
 // En cuáles de esos shaders se nombra; de «luz.Lp» y de «pesos[2]», por su principio.
 std::vector<std::string> etapasDe(const std::vector<Fuente> &fuentes, const std::string &nombre) {
-    const std::regex suyo("\\b" + nombre.substr(0, nombre.find_first_of(".[")) + "\\b");
+    const std::string suyo = nombre.substr(0, nombre.find_first_of(".["));
     std::vector<std::string> etapas;
     for (const Fuente &f : fuentes)
-        if (std::regex_search(f.texto, suyo))
+        if (nombra(f.texto, suyo))
             etapas.push_back(f.tipo == GL_VERTEX_SHADER ? "vert" : "frag");
     return etapas;
 }
@@ -248,7 +249,10 @@ Json deCableado(const Cableado &c) {
             .pon("unidad", t.unidad)
             .pon("textura", t.nombre)
             .pon("objetivo", nombreDe(t.objetivo));
-        json.pon("talla", std::array<GLint, 2>{t.ancho, t.alto}).pon("formato", nombreDe(GLenum(t.formato)));
+        std::vector<GLint> talla;
+        if (!EN_WEB)
+            talla = {t.ancho, t.alto};
+        json.pon("talla", talla).pon("formato", EN_WEB ? "" : nombreDe(GLenum(t.formato)));
         json.pon("reduce", nombreDe(GLenum(t.reduce))).pon("amplia", nombreDe(GLenum(t.amplia)));
         json.pon("repite", nombreDe(GLenum(t.repiteS)) + ", " + nombreDe(GLenum(t.repiteT)));
         texturas.push_back(json.pon("incompleta", t.incompleta).pon("suma", t.suma));

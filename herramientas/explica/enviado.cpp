@@ -1,9 +1,39 @@
 #include "enviado.h"
+#include "cuadro.h"
 #include "nombres.h"
 #include <algorithm>
 #include <map>
 #include <regex>
 #include <set>
+
+#define DE(HAZ, n)                                                                                           \
+    HAZ(glUniform##n##f, n)                                                                                  \
+    HAZ(glUniform##n##i, n)                                                                                  \
+    HAZ(glUniform##n##ui, n)                                                                                 \
+    HAZ(glUniform##n##fv, n)                                                                                 \
+    HAZ(glUniform##n##iv, n)                                                                                 \
+    HAZ(glUniform##n##uiv, n)
+#define UNIFORMS(HAZ)                                                                                        \
+    DE(HAZ, 1)                                                                                               \
+    DE(HAZ, 2)                                                                                               \
+    DE(HAZ, 3)                                                                                               \
+    DE(HAZ, 4)                                                                                               \
+    HAZ(glUniformMatrix2fv, 4)                                                                               \
+    HAZ(glUniformMatrix3fv, 9)                                                                               \
+    HAZ(glUniformMatrix4fv, 16)                                                                              \
+    HAZ(glUniformMatrix2x3fv, 6)                                                                             \
+    HAZ(glUniformMatrix3x2fv, 6)                                                                             \
+    HAZ(glUniformMatrix2x4fv, 8)                                                                             \
+    HAZ(glUniformMatrix4x2fv, 8)                                                                             \
+    HAZ(glUniformMatrix3x4fv, 12)                                                                            \
+    HAZ(glUniformMatrix4x3fv, 12)
+#define DECLARA_UNIFORM(funcion, numeros) DECLARA(funcion)
+UNIFORMS(DECLARA_UNIFORM)
+DECLARA(glGetUniformLocation)
+DECLARA(glBindAttribLocation)
+DECLARA(glLinkProgram)
+DECLARA(glCreateProgram)
+DECLARA(glUseProgram)
 
 namespace explica {
 namespace {
@@ -24,6 +54,7 @@ struct Programa {
     std::map<std::string, GLuint> porAtar, atados; // lo segundo, desde que se enlaza
     std::map<std::string, Nombre> nombres;
     std::map<GLint, std::string> enSitio;
+    std::set<GLint> sitiosDados;
     std::vector<std::pair<std::string, Envio>> dados; // por su orden
     std::map<std::string, Envio> perdidos;            // por su forma, los que no se sabe a qué nombre van
 };
@@ -32,7 +63,8 @@ std::pair<GLuint, std::string> preguntado; // por lo último, si no está y aún
 
 // A un sitio en que no hay nada no se sabe a qué nombre se envía: al que se acaba de preguntar o, si se preguntó hace
 // tiempo, a alguno de los que no se enviaron entonces.
-void apunta(GLint donde, const Envio &envio) {
+template<class HazEnvio>
+void apunta(GLint donde, const HazEnvio &hazEnvio) {
     const GLuint actual = GLuint(entero(GL_CURRENT_PROGRAM));
     Programa &p = programas[actual];
     const auto [deCual, nombre] = preguntado;
@@ -40,7 +72,12 @@ void apunta(GLint donde, const Envio &envio) {
     const auto sitio = p.enSitio.find(donde);
     if (donde >= 0 && sitio == p.enSitio.end())
         return;
+    if (donde >= 0)
+        p.sitiosDados.insert(donde);
+    if (EN_WEB && donde >= 0 && !seExplica())
+        return; // al explicar se dibuja otra vez, y se envía otra vez
     const std::string &suyo = donde >= 0 ? sitio->second : nombre;
+    const Envio envio = hazEnvio();
     if (suyo.empty()) {
         p.perdidos[envio.forma] = envio;
         return;
@@ -82,7 +119,8 @@ struct Uniform<envia> {
     static inline int cada = 0; // los números de cada elemento
 
     static void da(GLint donde, Parametros... parametros) {
-        apunta(donde, {forma, copia(cada, envia, parametros...)});
+        if (!esNuestro())
+            apunta(donde, [&] { return Envio{forma, copia(cada, envia, parametros...)}; });
         envia(donde, parametros...);
     }
 };
@@ -95,7 +133,9 @@ Direccion tapaUniform(const std::string &nombre, int cada) {
 }
 
 GLint sitioDe(GLuint programa, const GLchar *nombre) {
-    const GLint donde = glGetUniformLocation(programa, nombre);
+    const GLint donde = DE_VERDAD(glGetUniformLocation)(programa, nombre);
+    if (esNuestro())
+        return donde;
     Programa &p = programas[programa];
     Nombre &suyo = p.nombres[nombre];
     ++suyo.preguntas;
@@ -108,25 +148,26 @@ GLint sitioDe(GLuint programa, const GLchar *nombre) {
 
 void ata(GLuint programa, GLuint donde, const GLchar *nombre) {
     programas[programa].porAtar[nombre] = donde;
-    glBindAttribLocation(programa, donde, nombre);
+    DE_VERDAD(glBindAttribLocation)(programa, donde, nombre);
 }
 
 void enlaza(GLuint programa) {
-    glLinkProgram(programa);
+    DE_VERDAD(glLinkProgram)(programa);
     Programa nuevo; // los uniforms vuelven a valer lo que al principio
     nuevo.porAtar = nuevo.atados = programas[programa].porAtar;
     programas[programa] = nuevo;
 }
 
 GLuint crea() {
-    const GLuint programa = glCreateProgram();
+    const GLuint programa = DE_VERDAD(glCreateProgram)();
     programas.erase(programa); // el número puede ser el de otro que ya no está
     return programa;
 }
 
 void usa(GLuint programa) {
-    preguntado = {};
-    glUseProgram(programa);
+    if (!esNuestro())
+        preguntado = {};
+    DE_VERDAD(glUseProgram)(programa);
 }
 
 // Si a un uniform de ese tipo se le da valor con glUniform«forma».
@@ -227,40 +268,18 @@ Direccion tapaEnvio(const std::string &nombre) {
         return reinterpret_cast<Direccion>(por);
 #define UNIFORM(funcion, numeros)                                                                            \
     if (nombre == #funcion)                                                                                  \
-        return tapaUniform<funcion>(nombre, numeros);
-#define DE(n)                                                                                                \
-    UNIFORM(glUniform##n##f, n)                                                                              \
-    UNIFORM(glUniform##n##i, n)                                                                              \
-    UNIFORM(glUniform##n##ui, n)                                                                             \
-    UNIFORM(glUniform##n##fv, n)                                                                             \
-    UNIFORM(glUniform##n##iv, n)                                                                             \
-    UNIFORM(glUniform##n##uiv, n)
+        return tapaUniform<DE_VERDAD(funcion)>(nombre, numeros);
     TAPA(glGetUniformLocation, sitioDe)
     TAPA(glBindAttribLocation, ata)
     TAPA(glLinkProgram, enlaza)
     TAPA(glCreateProgram, crea)
     TAPA(glUseProgram, usa)
-    DE(1)
-    DE(2)
-    DE(3)
-    DE(4)
-    UNIFORM(glUniformMatrix2fv, 4)
-    UNIFORM(glUniformMatrix3fv, 9)
-    UNIFORM(glUniformMatrix4fv, 16)
-    UNIFORM(glUniformMatrix2x3fv, 6)
-    UNIFORM(glUniformMatrix3x2fv, 6)
-    UNIFORM(glUniformMatrix2x4fv, 8)
-    UNIFORM(glUniformMatrix4x2fv, 8)
-    UNIFORM(glUniformMatrix3x4fv, 12)
-    UNIFORM(glUniformMatrix4x3fv, 12)
+    UNIFORMS(UNIFORM)
     return nullptr;
 }
 
 bool seHaDado(GLuint programa, GLint donde) {
-    const Programa &p = programas[programa];
-    const auto sitio = p.enSitio.find(donde);
-    const auto es = [&](const auto &dado) { return dado.first == sitio->second; };
-    return sitio != p.enSitio.end() && std::any_of(p.dados.begin(), p.dados.end(), es);
+    return programas[programa].sitiosDados.count(donde) > 0;
 }
 
 bool ataComo(GLuint original, GLuint programa) {

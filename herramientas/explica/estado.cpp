@@ -17,11 +17,9 @@ Guardado::Guardado() {
     funcionProfundidad = entero(GL_DEPTH_FUNC);
     glGetIntegerv(GL_SCISSOR_BOX, recorte);
     glGetFloatv(GL_COLOR_CLEAR_VALUE, colorDeBorrar);
-    glGetDoublev(GL_DEPTH_CLEAR_VALUE, &profundidadDeBorrar);
     programa = entero(GL_CURRENT_PROGRAM);
     vao = entero(GL_VERTEX_ARRAY_BINDING);
     indices = vao ? entero(GL_ELEMENT_ARRAY_BUFFER_BINDING) : 0;
-    bufer = entero(GL_ARRAY_BUFFER_BINDING);
     lectura = entero(GL_COPY_READ_BUFFER_BINDING);
     dibuja = entero(GL_DRAW_FRAMEBUFFER_BINDING);
     lee = entero(GL_READ_FRAMEBUFFER_BINDING);
@@ -48,12 +46,10 @@ Guardado::~Guardado() {
     glDepthFunc(GLenum(funcionProfundidad));
     glScissor(recorte[0], recorte[1], recorte[2], recorte[3]);
     glClearColor(colorDeBorrar[0], colorDeBorrar[1], colorDeBorrar[2], colorDeBorrar[3]);
-    glClearDepth(profundidadDeBorrar);
     glUseProgram(GLuint(programa));
     glBindVertexArray(GLuint(vao));
     if (vao)
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, GLuint(indices));
-    glBindBuffer(GL_ARRAY_BUFFER, GLuint(bufer));
     glBindBuffer(GL_COPY_READ_BUFFER, GLuint(lectura));
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(dibuja));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(dibuja));
@@ -90,10 +86,6 @@ bool hayAdjunto(GLenum objetivo, GLenum adjunto) {
     return deAdjunto(objetivo, adjunto, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
 }
 
-int bitsDe(GLenum objetivo, GLenum adjunto, GLenum cual) {
-    return hayAdjunto(objetivo, adjunto) ? deAdjunto(objetivo, adjunto, cual) : 0;
-}
-
 // La talla y el formato de lo que hay adjunto, sea textura o renderbuffer.
 void mide(GLenum objetivo, GLenum adjunto, Lienzo &lienzo) {
     const GLint tipo = deAdjunto(objetivo, adjunto, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
@@ -121,26 +113,36 @@ void mide(GLenum objetivo, GLenum adjunto, Lienzo &lienzo) {
         glGetTexLevelParameteriv(lado, nivel, GL_TEXTURE_INTERNAL_FORMAT, &formato);
         glBindTexture(cual, GLuint(antes));
     }
+    if (EN_WEB && !lienzo.ancho) { // de una textura no lo dice
+        GLint vista[4];
+        glGetIntegerv(GL_VIEWPORT, vista);
+        lienzo.ancho = vista[0] + vista[2];
+        lienzo.alto = vista[1] + vista[3];
+    }
     lienzo.formato = GLenum(formato);
 }
 
 } // namespace
 
+int bitsDe(GLenum objetivo, GLenum adjunto, GLenum cual) {
+    return hayAdjunto(objetivo, adjunto) ? deAdjunto(objetivo, adjunto, cual) : 0;
+}
+
 Lienzo lienzoActual(int ancho, int alto, GLenum objetivo) {
     const bool dibujo = objetivo == GL_DRAW_FRAMEBUFFER;
     Lienzo l;
     l.nombre = GLuint(entero(dibujo ? GL_DRAW_FRAMEBUFFER_BINDING : GL_READ_FRAMEBUFFER_BINDING));
-    l.buferColor = GLenum(entero(dibujo ? GL_DRAW_BUFFER : GL_READ_BUFFER));
+    l.buferColor = GLenum(entero(dibujo ? GL_DRAW_BUFFER0 : GL_READ_BUFFER));
     const bool ventana = l.nombre == 0;
-    const GLenum profundidad = ventana ? GL_DEPTH : GL_DEPTH_ATTACHMENT,
-                 plantilla = ventana ? GL_STENCIL : GL_STENCIL_ATTACHMENT;
-    l.bitsProfundidad = bitsDe(objetivo, profundidad, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
-    l.bitsPlantilla = bitsDe(objetivo, plantilla, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE);
     if (ventana) {
         l.ancho = ancho;
         l.alto = alto;
+        bitsDeLaVentana(objetivo, l);
         return l;
     }
+    const GLenum profundidad = GL_DEPTH_ATTACHMENT, plantilla = GL_STENCIL_ATTACHMENT;
+    l.bitsProfundidad = bitsDe(objetivo, profundidad, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
+    l.bitsPlantilla = bitsDe(objetivo, plantilla, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE);
     mide(objetivo, profundidad, l);
     if (l.buferColor != GL_NONE && hayAdjunto(objetivo, l.buferColor)) {
         mide(objetivo, l.buferColor, l);
@@ -156,7 +158,7 @@ std::vector<float> leeColores(const Lienzo &l, int x, int y, int ancho, int alto
     glBindFramebuffer(GL_READ_FRAMEBUFFER, l.nombre);
     if (l.muestras == 0 || l.nombre == 0) {
         glReadBuffer(l.buferColor);
-        glReadPixels(x, y, ancho, alto, GL_RGBA, GL_FLOAT, rgba.data());
+        leePixeles(l, x, y, ancho, alto, rgba.data());
         return rgba;
     }
     // de uno con muestras no se lee: antes se promedian en otro sin ellas
@@ -174,26 +176,12 @@ std::vector<float> leeColores(const Lienzo &l, int x, int y, int ancho, int alto
     glBlitFramebuffer(x, y, x + ancho, y + alto, 0, 0, ancho, alto, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     pon(GL_SCISSOR_TEST, recorta);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, marco);
-    glReadPixels(0, 0, ancho, alto, GL_RGBA, GL_FLOAT, rgba.data());
+    leePixeles(l, 0, 0, ancho, alto, rgba.data());
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(dibujo));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, l.nombre);
     glDeleteFramebuffers(1, &marco);
     glDeleteRenderbuffers(1, &pixeles);
     return rgba;
-}
-
-std::vector<float> leeProfundidades(const Lienzo &l, int x, int y, int ancho, int alto) {
-    std::vector<float> leidas(std::size_t(ancho) * std::size_t(alto));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, l.nombre);
-    glReadPixels(x, y, ancho, alto, GL_DEPTH_COMPONENT, GL_FLOAT, leidas.data());
-    return leidas;
-}
-
-std::vector<unsigned char> leePlantilla(const Lienzo &l, int x, int y, int ancho, int alto) {
-    std::vector<unsigned char> leida(std::size_t(ancho) * std::size_t(alto));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, l.nombre);
-    glReadPixels(x, y, ancho, alto, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, leida.data());
-    return leida;
 }
 
 Color leeColor(const Lienzo &l, int x, int y) {
@@ -202,24 +190,6 @@ Color leeColor(const Lienzo &l, int x, int y) {
     for (std::size_t i = 0; i < 4; ++i) // de 8 bits salen enteros
         color[i] = l.componentes == GL_UNSIGNED_NORMALIZED ? std::round(rgba[i] * 255.0) : rgba[i] * 255.0;
     return color;
-}
-
-long muestrasDe(const std::function<void()> &dibuja) {
-    GLint otra = 0;
-    glGetQueryiv(GL_SAMPLES_PASSED, GL_CURRENT_QUERY, &otra);
-    if (otra) {
-        dibuja();
-        return -1;
-    }
-    static GLuint consulta = 0;
-    if (!consulta)
-        glGenQueries(1, &consulta);
-    GLuint pasan = 0;
-    glBeginQuery(GL_SAMPLES_PASSED, consulta);
-    dibuja();
-    glEndQuery(GL_SAMPLES_PASSED);
-    glGetQueryObjectuiv(consulta, GL_QUERY_RESULT, &pasan);
-    return long(pasan);
 }
 
 } // namespace explica

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace explica {
@@ -18,9 +19,8 @@ class Guardado {
                                          GL_PACK_SKIP_PIXELS};
     GLboolean activo[6], mascaraColor[4];
     GLint mascaraProfundidad, mascaraPlantilla[2], funcionProfundidad, recorte[4], programa, vao, indices,
-        dibuja, lee, buferDeLeer, paquete[4], buferPaquete, textura, renderbuffer, unidad, lectura, bufer;
+        dibuja, lee, buferDeLeer, paquete[4], buferPaquete, textura, renderbuffer, unidad, lectura;
     GLfloat colorDeBorrar[4];
-    GLdouble profundidadDeBorrar;
 
 public:
     Guardado();
@@ -56,8 +56,32 @@ std::vector<unsigned char> leePlantilla(const Lienzo &lienzo, int x, int y, int 
 
 Color leeColor(const Lienzo &lienzo, int x, int y);
 
-/// Cuántas muestras pasan de lo que dibuja. -1 si ya se están contando otras.
+// --- lo que WebGL 2 no dice, o dice tarde: lee.cpp y, en la página, lee_web.cpp ---
+
+/// Cuántas muestras pasan de lo que dibuja, que no tiene que escribir nada; en la página, si pasa alguna. -1 si ya se
+/// están contando otras. Hay que tener un Guardado.
 long muestrasDe(const std::function<void()> &dibuja);
+
+/// Dibuja y dice lo mismo, de lo que sí escribe. En la página, -1 si ha pasado alguna: es lo que se ha preguntado antes
+/// de la orden de ese número.
+void preguntaSiDibuja(const std::function<void()> &dibuja, int numero);
+long dibujaYCuenta(const std::function<void()> &dibuja, int numero);
+bool hayRespuestas(); // si se puede saber ya
+
+/// Pone donde se dibuja un framebuffer en float, de esa talla y con profundidad de los mismos bits, que de ellos
+/// depende glPolygonOffset; y lo que hay en él. Hay que tener un Guardado.
+void abreAparte(const Lienzo &lienzo);
+float profundidadAparte(int x, int y);
+
+int bitsDe(GLenum objetivo, GLenum adjunto, GLenum cual);
+void bitsDeLaVentana(GLenum objetivo, Lienzo &lienzo);
+void leePixeles(const Lienzo &lienzo, int x, int y, int ancho, int alto, float *rgba);
+
+/// GL_STENCIL_REF.
+GLint pideLaPlantilla();
+
+/// Si lo que dibuja depende de ese uniform, que nadie ha dado: hay enlazadores que dejan lo que no sirve para nada.
+bool importa(const std::function<void()> &dibuja, const Lienzo &lienzo, const std::string &uniform);
 
 void pon(GLenum interruptor, bool activo);
 

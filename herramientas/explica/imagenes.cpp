@@ -98,6 +98,10 @@ void apuntaColor(const Imagen &nueva, Imagen &vieja, Json &orden) {
 
 } // namespace
 
+void olvidaImagenes() {
+    vistos.clear();
+}
+
 void apuntaImagenes(const Lienzo &l, Json &orden) {
     Visto &visto = vistos[l.nombre];
     if (l.ancho < 1 || l.alto < 1)

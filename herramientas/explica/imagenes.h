@@ -9,5 +9,6 @@ namespace explica {
 /// qué rectángulo y, si cambia, las miniaturas (ancho, alto y los bytes en base 64) de color, profundidad y plantilla.
 /// Hay que tener un Guardado.
 void apuntaImagenes(const Lienzo &lienzo, Json &orden);
+void olvidaImagenes();
 
 } // namespace explica

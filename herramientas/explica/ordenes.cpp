@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <map>
 
+DECLARA(glBlitFramebuffer)
+
 namespace explica {
 
 namespace {
@@ -33,6 +35,7 @@ Orden dibuja(const std::string &como, GLenum modo, GLenum tipo, const std::vecto
     return o;
 }
 
+#ifndef __EMSCRIPTEN__ // en la página nada las usa, y WebGL 2 no tiene la mitad
 Orden instancias(GLenum modo, GLint primero, GLsizei n, GLsizei veces) {
     const std::string como = llamada("glDrawArraysInstanced", nombreModo(modo), primero, n, veces);
     return dibuja(como, modo, GL_NONE, {{primero, n}}, veces);
@@ -113,6 +116,8 @@ Orden borraLosDos(GLenum bufer, GLint cual, GLfloat, GLint) {
     return borra("glClearBufferfi", bufer, cual);
 }
 
+#endif
+
 Orden copia(GLint x0, GLint y0, GLint x1, GLint y1, GLint u0, GLint v0, GLint u1, GLint v1,
             GLbitfield buferes, GLenum filtro) {
     const std::string cuales = nombreBuferes(buferes), como = nombreDe(filtro);
@@ -141,8 +146,9 @@ struct Tapada<funcion, orden> {
 Direccion tapaOrden(const std::string &nombre, void (*llega)(const Orden &orden)) {
     llegaA = llega;
 #define TAPA(funcion, orden)                                                                                 \
-    { #funcion, reinterpret_cast < Direccion>(Tapada <funcion, orden>::llama) }
+    { #funcion, reinterpret_cast < Direccion>(Tapada <DE_VERDAD(funcion), orden>::llama) }
     static const std::map<std::string, Direccion> TAPADAS = {
+#ifndef __EMSCRIPTEN__
         TAPA(glDrawArraysInstanced, instancias),
         TAPA(glDrawElementsInstanced, instanciasConIndices),
         TAPA(glDrawElementsInstancedBaseVertex, instanciasConBase),
@@ -156,6 +162,7 @@ Direccion tapaOrden(const std::string &nombre, void (*llega)(const Orden &orden)
         TAPA(glClearBufferiv, borraEntero),
         TAPA(glClearBufferuiv, borraNatural),
         TAPA(glClearBufferfi, borraLosDos),
+#endif
         TAPA(glBlitFramebuffer, copia)};
 #undef TAPA
     const auto suya = TAPADAS.find(nombre);
@@ -271,10 +278,10 @@ std::vector<std::pair<std::string, std::string>> estadoActual() {
                                nombreFactor(GLenum(entero(GL_BLEND_DST_RGB))) + "; alfa " +
                                nombreFactor(GLenum(entero(GL_BLEND_SRC_ALPHA))) + ", " +
                                nombreFactor(GLenum(entero(GL_BLEND_DST_ALPHA)));
-    const std::string plantilla = constante(GL_STENCIL_FUNC) + " " + std::to_string(entero(GL_STENCIL_REF)) +
-                                  ", máscara " + std::to_string(entero(GL_STENCIL_VALUE_MASK)) + "; " +
-                                  constante(GL_STENCIL_FAIL) + ", " + constante(GL_STENCIL_PASS_DEPTH_FAIL) +
-                                  ", " + constante(GL_STENCIL_PASS_DEPTH_PASS);
+    const std::string plantilla =
+        constante(GL_STENCIL_FUNC) + " " + std::to_string(pideLaPlantilla()) + ", máscara " +
+        std::to_string(GLuint(entero(GL_STENCIL_VALUE_MASK))) + "; " + constante(GL_STENCIL_FAIL) + ", " +
+        constante(GL_STENCIL_PASS_DEPTH_FAIL) + ", " + constante(GL_STENCIL_PASS_DEPTH_PASS);
     return {
         {"glViewport", en(GL_VIEWPORT, 4)},
         {"GL_CULL_FACE",
@@ -286,7 +293,7 @@ std::vector<std::pair<std::string, std::string>> estadoActual() {
         {"glDepthMask", entero(GL_DEPTH_WRITEMASK) ? "escribe" : "no escribe"},
         {"GL_BLEND", si(GL_BLEND, mezcla)},
         {"glColorMask", mascaraColor()},
-        {"glPolygonMode", constante(GL_POLYGON_MODE)},
+        {"glPolygonMode", EN_WEB ? "GL_FILL" : constante(GL_POLYGON_MODE)},
         {"GL_POLYGON_OFFSET_FILL",
          si(GL_POLYGON_OFFSET_FILL, en(GL_POLYGON_OFFSET_FACTOR, 1) + " " + en(GL_POLYGON_OFFSET_UNITS, 1))},
     };
@@ -301,7 +308,7 @@ std::vector<std::string> pruebas(const Orden &o) {
         return lista;
     if (glIsEnabled(GL_STENCIL_TEST))
         lista.push_back("plantilla " + constante(GL_STENCIL_FUNC).substr(3) + " " +
-                        std::to_string(entero(GL_STENCIL_REF)));
+                        std::to_string(pideLaPlantilla()));
     if (glIsEnabled(GL_CULL_FACE))
         lista.push_back("quita caras");
     if (glIsEnabled(GL_BLEND))
@@ -330,7 +337,7 @@ std::optional<Primitivas> primitivasDe(const Orden &o) {
         (o.tipoIndice != GL_NONE && !entero(GL_ELEMENT_ARRAY_BUFFER_BINDING)))
         return {};
     std::optional<GLuint> reinicia;
-    if (glIsEnabled(GL_PRIMITIVE_RESTART))
+    if (!EN_WEB && glIsEnabled(GL_PRIMITIVE_RESTART))
         reinicia = GLuint(entero(GL_PRIMITIVE_RESTART_INDEX));
     std::optional<Primitivas> todas = sueltas(o.modo, {}, reinicia);
     for (const Tramo &t : o.tramos) {

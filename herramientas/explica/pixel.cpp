@@ -92,38 +92,6 @@ bool soloEsa(const Pregunta &q, const Pinta &pinta, const std::string &prueba) {
            muestrasDe(pinta) > 0;
 }
 
-// Un framebuffer aparte, en float, donde se ve el color que da el shader tal cual y la profundidad. OSMesa guarda la
-// ventana al revés que los demás framebuffers, y las derivadas se toman de una fila de cada cuatro píxeles: donde de
-// ellas depende algo (qué nivel de una textura), el color puede ser otro.
-class Aparte {
-    GLuint marco = 0, color = 0, profundidad = 0;
-    int ancho = 0, alto = 0, bits = 0;
-
-public:
-    void abre(const Lienzo &l) {
-        if (!marco) {
-            glGenFramebuffers(1, &marco);
-            glGenRenderbuffers(1, &color);
-            glGenRenderbuffers(1, &profundidad);
-        }
-        glBindFramebuffer(GL_FRAMEBUFFER, marco);
-        if (l.ancho <= ancho && l.alto <= alto && l.bitsProfundidad == bits)
-            return;
-        ancho = l.ancho, alto = l.alto, bits = l.bitsProfundidad;
-        glBindRenderbuffer(GL_RENDERBUFFER, color);
-        glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, ancho, alto);
-        glBindRenderbuffer(GL_RENDERBUFFER, profundidad);
-        // de los mismos bits, porque de ellos depende glPolygonOffset
-        glRenderbufferStorage(GL_RENDERBUFFER,
-                              bits == 16   ? GL_DEPTH_COMPONENT16
-                              : bits == 32 ? GL_DEPTH_COMPONENT32F
-                                           : GL_DEPTH_COMPONENT24,
-                              ancho, alto);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, profundidad);
-    }
-};
-
 struct Fragmento {
     std::array<float, 4> color;
     float profundidad;
@@ -132,20 +100,22 @@ struct Fragmento {
 // Lo que da el shader en ese píxel, sin pruebas ni mezcla. Nada si descarta.
 std::optional<Fragmento> fragmentoDe(const Pregunta &q, const Pinta &pinta) {
     const Guardado guardado;
-    static Aparte aparte;
-    aparte.abre(q.lienzo);
+    abreAparte(q.lienzo);
     soloPregunta(q.pixel);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
-    if (muestrasDe(pinta) <= 0)
-        return {};
+    const std::array<float, 4> NINGUNO = {-12345, 0, 0, -1}; // el color que no da ningún shader
+    glClearBufferfv(GL_COLOR, 0, NINGUNO.data());
+    pinta();
     Fragmento f{};
     glReadBuffer(GL_COLOR_ATTACHMENT0);
     glReadPixels(q.pixel.x, q.pixel.y, 1, 1, GL_RGBA, GL_FLOAT, f.color.data());
-    glReadPixels(q.pixel.x, q.pixel.y, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &f.profundidad);
+    if (f.color == NINGUNO)
+        return {};
+    f.profundidad = profundidadAparte(q.pixel.x, q.pixel.y);
     return f;
 }
 
@@ -184,7 +154,7 @@ double combina(GLenum ecuacion, double a, double fa, double b, double fb) {
 }
 
 // Lo que debe quedar en el píxel, hecho aquí otra vez: el color del shader mezclado con el que hay.
-Json mezcla(const Fragmento &f, const Color &antes, const Color &despues, const Lienzo &l) {
+std::pair<Json, bool> mezcla(const Fragmento &f, const Color &antes, const Color &despues, const Lienzo &l) {
     const bool mezcla = glIsEnabled(GL_BLEND), acotado = l.componentes == GL_UNSIGNED_NORMALIZED;
     std::array<double, 4> origen{}, destino{}, factorOrigen{}, factorDestino{};
     Color suma{};
@@ -212,7 +182,8 @@ Json mezcla(const Fragmento &f, const Color &antes, const Color &despues, const 
     Json json;
     json.pon("si", mezcla).pon("ecuacion", nombreDe(GLenum(entero(GL_BLEND_EQUATION_RGB))));
     json.pon("factorOrigen", factorOrigen).pon("factorDestino", factorDestino);
-    return json.pon("origen", origen).pon("destino", destino).pon("suma", suma).pon("cuadra", cuadra);
+    json.pon("origen", origen).pon("destino", destino).pon("suma", suma).pon("cuadra", cuadra);
+    return {json, cuadra};
 }
 
 std::string cifras(double numero) {
@@ -234,7 +205,7 @@ std::string enPalabras(const std::string &veredicto, const Contenido &antes,
         return "no escribe color (glColorMask)";
     if (veredicto == "plantilla")
         return "no pasa la plantilla: hay " + std::to_string(antes.plantilla.value_or(0)) + " y se pide " +
-               constante(GL_STENCIL_FUNC) + " " + std::to_string(entero(GL_STENCIL_REF));
+               constante(GL_STENCIL_FUNC) + " " + std::to_string(pideLaPlantilla());
     if (veredicto == "profundidad" && f && antes.profundidad)
         return "oculto: su profundidad es " + cifras(double(f->profundidad)) + " y había " +
                cifras(*antes.profundidad) + " (" + constante(GL_DEPTH_FUNC) + ")";
@@ -268,14 +239,17 @@ Suceso hazPrimitiva(const Pregunta &q, const Sueltas &s, int numero, int cual, c
     json.pon("vertices", std::vector<GLuint>(primero, primero + s.primitivas.vertices));
     if (glIsEnabled(GL_STENCIL_TEST))
         json.pon("plantillaPide",
-                 nombreDe(GLenum(entero(GL_STENCIL_FUNC))) + " " + std::to_string(entero(GL_STENCIL_REF)));
+                 nombreDe(GLenum(entero(GL_STENCIL_FUNC))) + " " + std::to_string(pideLaPlantilla()));
     if (glIsEnabled(GL_DEPTH_TEST))
         json.pon("profundidadPide", nombreDe(GLenum(entero(GL_DEPTH_FUNC))));
     if (!f)
         return hecho;
     json.pon("color", f->color).pon("profundidad", f->profundidad);
-    if (que == "escrito" && antes.color && despues.color && !q.lienzo.muestras)
-        json.pon("mezcla", mezcla(*f, *antes.color, *despues.color, q.lienzo));
+    if (que == "escrito" && antes.color && despues.color && !q.lienzo.muestras) {
+        const auto [suya, cuadra] = mezcla(*f, *antes.color, *despues.color, q.lienzo);
+        if (cuadra || !EN_WEB || !entero(GL_SAMPLES)) // si la ventana tiene muestras, puede cubrirlo en parte
+            json.pon("mezcla", suya);
+    }
     return hecho;
 }
 

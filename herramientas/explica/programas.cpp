@@ -1,6 +1,7 @@
 #include "programas.h"
 #include "enviado.h"
 #include <algorithm>
+#include <cctype>
 #include <map>
 
 namespace explica {
@@ -15,12 +16,24 @@ std::vector<Fuente> fuentesDe(GLuint programa) {
         GLint tipo = 0, largo = 0;
         glGetShaderiv(shaders[i], GL_SHADER_TYPE, &tipo);
         glGetShaderiv(shaders[i], GL_SHADER_SOURCE_LENGTH, &largo);
-        std::string texto(std::size_t(std::max(largo, 1)), '\0');
-        glGetShaderSource(shaders[i], largo, nullptr, texto.data());
-        texto.resize(std::size_t(std::max(largo - 1, 0)));
+        largo *= 4; // el de Emscripten es en letras, y no en bytes
+        GLsizei escritos = 0;
+        std::string texto(std::size_t(largo), '\0');
+        glGetShaderSource(shaders[i], largo, &escritos, texto.data());
+        texto.resize(std::size_t(escritos));
         fuentes.push_back({GLenum(tipo), shaders[i], texto});
     }
     return fuentes;
+}
+
+bool nombra(const std::string &texto, const std::string &palabra) {
+    const auto sigue = [&](std::size_t i) {
+        return i < texto.size() && (std::isalnum(static_cast<unsigned char>(texto[i])) || texto[i] == '_');
+    };
+    for (std::size_t i = texto.find(palabra); i != texto.npos; i = texto.find(palabra, i + 1))
+        if (!sigue(i - 1) && !sigue(i + palabra.size())) // antes del primero, i - 1 es más que lo que mide
+            return true;
+    return false;
 }
 
 std::vector<Variable> uniformsDe(GLuint programa) {
@@ -164,15 +177,15 @@ std::vector<double> valorDe(GLuint programa, const Variable &uniform) {
 }
 
 Desconocidas copiaUniforms(GLuint original, GLuint otro) {
+    const std::vector<Variable> uniforms = uniformsDe(original);
+    std::vector<Valor> valores(uniforms.size());
+    glUseProgram(original); // Emscripten solo los lee del que está en uso
+    for (std::size_t i = 0; i < uniforms.size(); ++i)
+        lee(original, uniforms[i], valores[i]);
     glUseProgram(otro);
-    for (const Variable &v : uniformsDe(original)) {
-        const GLint donde = glGetUniformLocation(otro, v.nombre.c_str());
-        if (donde < 0)
-            continue;
-        Valor valor{};
-        lee(original, v, valor);
-        envioDe(v.tipo).pon(donde, &valor);
-    }
+    for (std::size_t i = 0; i < uniforms.size(); ++i)
+        if (const GLint donde = glGetUniformLocation(otro, uniforms[i].nombre.c_str()); donde >= 0)
+            envioDe(uniforms[i].tipo).pon(donde, &valores[i]);
     for (const Bloque &bloque : bloquesDe(original)) {
         const GLuint suyo = glGetUniformBlockIndex(otro, bloque.nombre.c_str());
         if (suyo != GL_INVALID_INDEX)
@@ -199,27 +212,42 @@ GLuint enlazaComo(GLuint original, const std::vector<GLuint> &shaders,
     return 0;
 }
 
+namespace {
+std::map<std::pair<GLuint, std::string>, GLuint> gemelos;
+}
+
+GLuint gemelo(GLuint original, const std::string &clase, const std::function<GLuint()> &hace) {
+    const auto [hecho, nuevo] = gemelos.insert({{original, clase}, 0});
+    if (nuevo)
+        hecho->second = hace();
+    if (hecho->second)
+        copiaUniforms(original, hecho->second);
+    return hecho->second;
+}
+
+void olvidaGemelos() {
+    for (const auto &hecho : gemelos)
+        glDeleteProgram(hecho.second);
+    gemelos.clear();
+}
+
 GLuint sinDescartar(GLuint original) {
-    static std::map<GLuint, GLuint> hechos;
-    if (const auto hecho = hechos.find(original); hecho != hechos.end()) {
-        if (hecho->second)
-            copiaUniforms(original, hecho->second);
-        return hecho->second;
-    }
-    std::vector<GLuint> shaders;
-    for (const Fuente &f : fuentesDe(original))
-        if (f.tipo == GL_VERTEX_SHADER)
-            shaders.push_back(f.shader);
-    if (shaders.empty())
-        return hechos[original] = 0;
-    const char *const texto = "#version 140\nout vec4 color;\nvoid main() {\n    color = vec4(1.0);\n}\n";
-    const GLuint fragmento = glCreateShader(GL_FRAGMENT_SHADER);
-    glShaderSource(fragmento, 1, &texto, nullptr);
-    glCompileShader(fragmento);
-    shaders.push_back(fragmento);
-    hechos[original] = enlazaComo(original, shaders);
-    glDeleteShader(fragmento);
-    return sinDescartar(original);
+    return gemelo(original, "sin descartar", [&]() -> GLuint {
+        std::vector<GLuint> shaders;
+        for (const Fuente &f : fuentesDe(original))
+            if (f.tipo == GL_VERTEX_SHADER)
+                shaders.push_back(f.shader);
+        if (shaders.empty())
+            return 0;
+        const char *const texto = "#version 140\nout vec4 color;\nvoid main() {\n    color = vec4(1.0);\n}\n";
+        const GLuint fragmento = glCreateShader(GL_FRAGMENT_SHADER);
+        glShaderSource(fragmento, 1, &texto, nullptr);
+        glCompileShader(fragmento);
+        shaders.push_back(fragmento);
+        const GLuint hecho = enlazaComo(original, shaders);
+        glDeleteShader(fragmento);
+        return hecho;
+    });
 }
 
 } // namespace explica

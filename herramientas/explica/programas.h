@@ -18,6 +18,9 @@ struct Fuente {
 /// Los shaders de un programa; ninguno si ya se los han quitado.
 std::vector<Fuente> fuentesDe(GLuint programa);
 
+/// Si está esa palabra en el texto de un shader.
+bool nombra(const std::string &texto, const std::string &palabra);
+
 /// Una variable activa de un programa: un uniform o un atributo.
 struct Variable {
     std::string nombre; // de un array, cada elemento: «pesos[2]»
@@ -52,6 +55,10 @@ GLuint enlazaComo(
 /// Da a los uniforms de `otro` el valor que tienen en `original` o, si ahí no están, lo que se les ha enviado. Lo deja
 /// en uso.
 Desconocidas copiaUniforms(GLuint original, GLuint otro);
+
+/// Otro como ese, de esa clase, con sus uniforms y en uso: lo que da `hace` la primera vez. 0 si no se puede.
+GLuint gemelo(GLuint original, const std::string &clase, const std::function<GLuint()> &hace);
+void olvidaGemelos(); // los programas pueden haber cambiado
 
 /// El mismo, con un fragment shader que no descarta nada. 0 si no se puede.
 GLuint sinDescartar(GLuint original);

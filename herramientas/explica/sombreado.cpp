@@ -52,7 +52,7 @@ Reescribible reescribeEn(GLuint original, Etapa etapa) {
             std::vector<const GLchar *> nombres;
             for (int i = 0; i < SALIDAS; ++i) {
                 nombres.push_back(salidas[std::size_t(i)].c_str());
-                if (etapa == Etapa::Fragmento)
+                if (!EN_WEB && etapa == Etapa::Fragmento)
                     glBindFragDataLocation(programa, GLuint(i), nombres.back());
             }
             if (etapa == Etapa::Vertices)
@@ -78,9 +78,12 @@ class Vertices {
 public:
     Vertices(const Sueltas &s, int primitiva) : sueltas(s), cual(primitiva) {
         glGenBuffers(1, &bufer);
-        glBindBuffer(GL_ARRAY_BUFFER, bufer);
-        glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(sizeof(float)) * 4 * SALIDAS * s.primitivas.vertices,
-                     nullptr, GL_STREAM_READ);
+        const GLint antes = entero(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING);
+        glBindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, bufer); // WebGL no deja que además lo sea de otra cosa
+        glBufferData(GL_TRANSFORM_FEEDBACK_BUFFER,
+                     GLsizeiptr(sizeof(float)) * 4 * SALIDAS * s.primitivas.vertices, nullptr,
+                     GL_STREAM_READ);
+        glBindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, GLuint(antes));
     }
     ~Vertices() {
         glDeleteBuffers(1, &bufer);
@@ -93,7 +96,7 @@ public:
         glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bufer);
         glEnable(GL_RASTERIZER_DISCARD);
         glBeginTransformFeedback(GL_POINTS);
-        sueltas.dibujaComo(GL_POINTS, cual, cual + 1);
+        sueltas.dibujaVertices(cual, cual + 1);
         glEndTransformFeedback();
         glDisable(GL_RASTERIZER_DISCARD);
         Salidas salidas(std::size_t(sueltas.primitivas.vertices));

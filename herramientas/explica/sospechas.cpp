@@ -3,7 +3,6 @@
 #include "nombres.h"
 #include "sueltas.h"
 #include <algorithm>
-#include <map>
 #include <regex>
 
 namespace explica {
@@ -25,16 +24,13 @@ Puntos posicionesDe(const Orden &orden) {
         return {};
     const Guardado guardado;
     const GLchar *const nombre = "gl_Position";
-    static std::map<GLuint, GLuint> hechos;
-    const auto hecho = hechos.find(programa);
-    const GLuint otro = hecho != hechos.end()
-                            ? hecho->second
-                            : hechos[programa] = enlazaComo(programa, shaders, [&](GLuint suyo) {
-                                  glTransformFeedbackVaryings(suyo, 1, &nombre, GL_INTERLEAVED_ATTRIBS);
-                              });
+    const GLuint otro = gemelo(programa, "posiciones", [&] {
+        return enlazaComo(programa, shaders, [&](GLuint suyo) {
+            glTransformFeedbackVaryings(suyo, 1, &nombre, GL_INTERLEAVED_ATTRIBS);
+        });
+    });
     if (!otro)
         return {};
-    copiaUniforms(programa, otro);
     p->modo = GL_POINTS, p->vertices = 1;
     const std::size_t hay = p->indices.size(), caben = std::min(hay, VERTICES);
     for (std::size_t i = 0; i < caben; ++i) // de toda la orden
@@ -51,7 +47,7 @@ Puntos posicionesDe(const Orden &orden) {
     glEnable(GL_RASTERIZER_DISCARD);
     glUseProgram(otro);
     glBeginTransformFeedback(GL_POINTS);
-    s.dibuja(0, s.primitivas.cuantas());
+    s.dibujaVertices(0, s.primitivas.cuantas());
     glEndTransformFeedback();
     glGetBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, puntos.data());
     glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, GLuint(antes));
@@ -137,7 +133,7 @@ void Sospechas::pon(int gravedad, int orden, const std::string &dice, const std:
         otra->otras += otra->dice != dice;
 }
 
-void Sospechas::delCableado(const Cableado &c, int n) {
+void Sospechas::delCableado(const Cableado &c, const Orden &o, const Lienzo &l, int n) {
     const auto vale = [&](const Uniforme &u) { // sin que nadie se lo dé: lo dice el shader, o es la unidad 0
         const bool incompleta = std::any_of(c.texturas.begin(), c.texturas.end(), [&](const Textura &t) {
             return t.sampler == u.variable.nombre && !t.incompleta.empty();
@@ -150,7 +146,7 @@ void Sospechas::delCableado(const Cableado &c, int n) {
             u.valor.size() >= 4 && !esEntero(u.variable.tipo) && tipoDe(u.variable.tipo)[0] == 'm';
         if (std::any_of(u.valor.begin(), u.valor.end(), [](double x) { return !std::isfinite(x); }))
             pon(SEGURO, n, quien + "tiene algo que no es un número", "Mira de qué cuenta sale.");
-        else if (!u.dado && !vale(u))
+        else if (!u.dado && !vale(u) && importa(o.hazla, l, u.variable.nombre))
             pon(SEGURO, n, quien + "lo usa el shader y nadie le ha dado valor: es 0",
                 "Falta enviarlo, se llama de otra manera o se ha enviado sin glUseProgram antes.");
         else if (matriz && casiCero(u.valor))
@@ -185,7 +181,7 @@ void Sospechas::deNormales(const Cableado &c, int n) {
     std::string texto;
     for (const Fuente &f : fuentesDe(GLuint(entero(GL_CURRENT_PROGRAM))))
         texto += f.texto;
-    if (std::regex_search(texto, std::regex("\\b(normalize|inversesqrt|length)\\b")))
+    if (nombra(texto, "normalize") || nombra(texto, "inversesqrt") || nombra(texto, "length"))
         return;
     for (const Atributo &a : c.atributos) {
         if (a.variable.nombre.find("ormal") == std::string::npos || a.componentes != 3)
@@ -249,7 +245,7 @@ void Sospechas::antes(const Orden &o, const Lienzo &l, const Cableado &cableado,
     if (o.que == Orden::Que::Copia)
         return;
     hayDibujos = true;
-    delCableado(cableado, n);
+    delCableado(cableado, o, l, n);
     deNormales(cableado, n);
     delEstado(o, l, n);
 }

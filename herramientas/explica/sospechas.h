@@ -20,7 +20,7 @@ class Sospechas {
     std::vector<GLuint> conProfundidad; // los framebuffers en que se ha borrado
 
     void pon(int gravedad, int orden, const std::string &dice, const std::string &prueba);
-    void delCableado(const Cableado &cableado, int n);
+    void delCableado(const Cableado &cableado, const Orden &orden, const Lienzo &lienzo, int n);
     void delEstado(const Orden &orden, const Lienzo &lienzo, int n);
     void deNormales(const Cableado &cableado, int n);
     std::string porQueNada(const Orden &orden, int n);

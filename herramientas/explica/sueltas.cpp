@@ -6,8 +6,8 @@ namespace explica {
 Sueltas::Sueltas(Primitivas p) : primitivas(std::move(p)) {
     const Guardado guardado;
     glGenBuffers(1, &bufer);
-    glBindBuffer(GL_COPY_READ_BUFFER, bufer);
-    glBufferData(GL_COPY_READ_BUFFER, GLsizeiptr(primitivas.indices.size() * sizeof(GLuint)),
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, bufer); // WebGL no deja que antes lo sea de otra cosa
+    glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(primitivas.indices.size() * sizeof(GLuint)),
                  primitivas.indices.data(), GL_STREAM_DRAW);
 }
 
@@ -15,13 +15,18 @@ Sueltas::~Sueltas() {
     glDeleteBuffers(1, &bufer);
 }
 
-void Sueltas::dibujaComo(GLenum modo, int desde, int hasta) const {
+void Sueltas::dibuja(int desde, int hasta) const {
     const GLint antes = entero(GL_ELEMENT_ARRAY_BUFFER_BINDING);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, bufer);
     const std::size_t byte = sizeof(GLuint) * std::size_t(primitivas.vertices) * std::size_t(desde);
-    deVerdad().dibujaIndices(modo, primitivas.vertices * (hasta - desde), GL_UNSIGNED_INT,
+    deVerdad().dibujaIndices(primitivas.modo, primitivas.vertices * (hasta - desde), GL_UNSIGNED_INT,
                              reinterpret_cast<const void *>(byte));
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, GLuint(antes));
+}
+
+void Sueltas::dibujaVertices(int desde, int hasta) const {
+    for (int i = desde * primitivas.vertices; i < hasta * primitivas.vertices; ++i)
+        deVerdad().dibujaVertices(GL_POINTS, GLint(primitivas.indices[std::size_t(i)]), 1);
 }
 
 void soloPregunta(Punto p) {

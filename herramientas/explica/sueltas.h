@@ -20,11 +20,9 @@ public:
     Sueltas &operator=(const Sueltas &) = delete;
 
     /// Desde esa hasta la anterior a `hasta`, con el estado que haya.
-    void dibuja(int desde, int hasta) const {
-        dibujaComo(primitivas.modo, desde, hasta);
-    }
-    /// Sus vértices, como otra clase de primitivas.
-    void dibujaComo(GLenum modo, int desde, int hasta) const;
+    void dibuja(int desde, int hasta) const;
+    /// Sus vértices, como puntos: uno a uno, que con transform feedback WebGL no dibuja con índices.
+    void dibujaVertices(int desde, int hasta) const;
 };
 
 /// Lo que se dibuje no escribe nada, y de todo solo se rasteriza ese píxel, con las pruebas quitadas.

@@ -1,7 +1,7 @@
 // El panel que explica un píxel o el cuadro entero: lo que se ha averiguado, con los ficheros de que sale cada shader.
 import { boton, crea, una } from '../base/documento.mjs';
 import { muestraCuadro } from '../base/cuadro.mjs';
-import { lineasDe } from './primitivas.mjs';
+import { lineasDe } from './lineas.mjs';
 
 const sitio = una('.explicacion');
 

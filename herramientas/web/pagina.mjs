@@ -9,7 +9,6 @@ import { json } from './datos.mjs';
 import { avisa, todos, una } from '../base/documento.mjs';
 import { guarda } from './descarga.mjs';
 import { explicaCuadro } from './cuadro_vivo.mjs';
-import { apuntaPlantilla } from './estado.mjs';
 import { Editor } from './editor.mjs';
 import { Ejercicio } from './ejercicio.mjs';
 import { casoDe, enEnlace, hazEnlace, leeEnlace, pixelEn, programaDe } from './enlaces.mjs';
@@ -22,7 +21,6 @@ import { casoInicial } from './guiones.mjs';
 import { copiaLinea, incrusta, lineaDe } from './incrustado.mjs';
 import { ponMandos } from './mandos.mjs';
 import { cierraMenu } from './menu.mjs';
-import { apuntaUniforms } from './ordenes.mjs';
 import { EJERCICIOS, PROGRAMAS } from './programas.mjs';
 import { Propios } from './propios.mjs';
 import { apunta, atiendePunteria } from './punteria.mjs';
@@ -183,7 +181,7 @@ async function explicaYa(pixel, llama) {
   const estaba = escena.quieta, ordenes = [...escena.hecho.ordenes];
   escena.quieta = true;
   try {
-    const datos = await explicaCuadro(sesion.lienzo, sesion.redibuja, pixel);
+    const datos = await explicaCuadro(sesion, pixel);
     if (sesion !== escena.sesion) return;
     const textos = { ...await json('shaders'), ...await taller.textos() };
     visto.explicado = { pixel, ordenes };
@@ -213,10 +211,6 @@ function dejaDeExplicar() {
   cierraExplicado();
 }
 
-if (globalThis.WebGL2RenderingContext) {
-  apuntaUniforms(WebGL2RenderingContext);
-  apuntaPlantilla(WebGL2RenderingContext);
-}
 atiendeTeclado(escena, () => visto.programa);
 atiendePunteria(explica, () => escena.sesion?.vivo && !visto.programa.consola);
 una('.explica-cuadro').onclick = () => explica();

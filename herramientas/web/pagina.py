@@ -117,7 +117,6 @@ class Pagina:
         shutil.rmtree(self.nuevos, ignore_errors=True)
         for parte in ("js", "wasm"):
             self.empaqueta(parte, (self.build / f"lab.{parte}").read_bytes())
-            self.empaqueta(f"explica-{parte}", (self.build / f"explica.{parte}").read_bytes())
         shaders = self.shaders()
         self.empaqueta("shaders", {**shaders, **self.textos("assets/*.txt", "assets/*.vf")})
         self.empaqueta(

@@ -1,6 +1,5 @@
 // Cargar un programa y hacerlo andar: una instancia de lab.js.
 import { bytes, json, laboratorio } from './datos.mjs';
-import { faltaUniform } from './ordenes.mjs';
 
 /// Arranca un programa en un lienzo. `di(línea)` recibe lo que escribe; `titulo(texto)`, el de la ventana; `ficheros`
 /// son los que se le dan además de los del laboratorio; `textos`, los shaders que no son los originales. Devuelve lo
@@ -11,7 +10,6 @@ export async function arranca(programa,
     await Promise.all([laboratorio(), json('shaders'), textos, ...programa.texturas.map(bytes)]);
   const lab = await Laboratorio({
     canvas: lienzo, suavizado, thisProgram: programa.nombre, print: di, printErr: di, titulo,
-    falta: faltaUniform,
     instantiateWasm: (lo, recibe) => { WebAssembly.instantiate(modulo, lo).then(recibe); return {}; },
   });
   const escribe = (ruta, datos) => {
@@ -43,6 +41,13 @@ export async function arranca(programa,
     },
     opciones: () => estado ? [] : lab.ccall('glutOpciones', 'string').split('\n').filter(Boolean),
     redibuja: () => lab.ccall('glutRedibuja'), // el mismo cuadro
+    /// El cuadro que se ve, explicado, y, si se da, ese píxel suyo: herramientas/explica/cuadro.h.
+    async explica([x, y] = [-1, -1]) {
+      lab.ccall('explicaPregunta');
+      while (!lab.ccall('explicaResponde')) await new Promise(sigue => setTimeout(sigue));
+      const medidas = [lienzo.width, lienzo.height, x, y];
+      return JSON.parse(lab.ccall('explicaCuadroVivo', 'string', medidas.map(() => 'number'), medidas));
+    },
     cierra() {
       estado ||= -1;
       lienzo.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext(); // solo puede haber 16 vivos

@@ -65,8 +65,7 @@ async function mira([x, y], sabido) {
     dice: [historia.map(s => [s.orden, s.primitiva ?? -1, s.veredicto]), datos.sospechas.map(s => s.dice).sort()] };
 }
 
-/// Con ./lab explica, lo que le pasa a ese píxel de la ventana, [orden, primitiva, veredicto], y lo que se sospecha de
-/// lo que puede venir de un shader.
+/// Con ./lab explica, lo que le pasa a ese píxel de la ventana, [orden, primitiva, veredicto], y lo que se sospecha.
 function loQueDice({ capitulo, nombre }, guion, punto) {
   const cwd = mkdtempSync(`${tmpdir()}/explica`);
   const env = { ...process.env, LD_PRELOAD: `${BUILD}/herramientas/explica/libexplica.so`, LAB_EXPLICA: 'e.json',
@@ -75,7 +74,7 @@ function loQueDice({ capitulo, nombre }, guion, punto) {
     '-ppm', 'i.ppm'], { cwd, env, stdio: 'ignore' });
   const { pixeles: [pixel], sospechas } = JSON.parse(readFileSync(`${cwd}/e.json`));
   return [pixel.historia.filter(s => s.framebuffer === 0).map(s => [s.orden, s.primitiva ?? -1, s.veredicto]),
-    sospechas.map(s => s.dice).filter(dice => !/determinante 0|0 vértices|no se dibuja nada/.test(dice)).sort()];
+    sospechas.map(s => s.dice).sort()];
 }
 
 const historias = PROGRAMAS.filter(q => !q.consola).filter((_, i) => i % CADA === 0).map((programa, i) =>

@@ -13,9 +13,7 @@ import { delEjercicio, leeError, ordenaFuentes } from '../../herramientas/web/fu
 import { BOTONES, Gestos } from '../../herramientas/web/gestos.mjs';
 import { casoInicial, Hecho, leeGuion, LIMITES, Reloj, repite } from '../../herramientas/web/guiones.mjs';
 import { compara, esPpm, porciento, ppmDe, quepa, tallaDe, TOLERA } from '../../herramientas/web/imagenes.mjs';
-import { conInclusiones, cuales, lineasDe, sueltas, valor } from '../../herramientas/web/primitivas.mjs';
-import { apuntaPlantilla, refDePlantilla } from '../../herramientas/web/estado.mjs';
-import { delCableado, elegidas, fueraDe } from '../../herramientas/web/sospechas.mjs';
+import { conInclusiones, lineasDe } from '../../herramientas/web/lineas.mjs';
 import { ordenDeTecla } from '../../herramientas/web/teclas.mjs';
 import { nombreLlano } from '../../herramientas/web/textos.mjs';
 
@@ -424,31 +422,7 @@ test('tallas, imágenes y lo guardado', () => {
   tabla(leeCambios, ...[null, '', '{', '{}', '[1]', '[["a"]]', '[["a", 1]]', 'null'].map(malo => [malo, []]));
 });
 
-test('las primitivas de una orden, sueltas, con su giro y su último vértice', () => {
-  const desde10 = n => Array.from({ length: n }, (_, i) => 10 + i);
-  const indices = (modo, n) => sueltas(modo, desde10(n)).indices.map(i => i - 10).join(' ');
-  tabla(indices,
-    [0, 2, '0 1'], [1, 5, '0 1 2 3'], [3, 3, '0 1 1 2'], [2, 3, '0 1 1 2 2 0'], [2, 2, '0 1'], [4, 7, '0 1 2 3 4 5'],
-    [5, 5, '0 1 2 2 1 3 2 3 4'], [6, 5, '0 1 2 0 2 3 0 3 4'], [5, 2, ''], [6, 1, '']);
-});
-
-test('las primitivas que cubren un píxel se encuentran partiendo por la mitad', () => {
-  for (const n of [0, 1, 2, 7, 100]) {
-    const suyas = [...new Set(Array.from({ length: n && azar(6) }, () => azar(n)))].sort((a, b) => a - b);
-    let veces = 0;
-    const alguno = (a, b) => { ++veces; return suyas.some(k => k >= a && k < b); };
-    assert.deepEqual(cuales(n, alguno), suyas);
-    assert.ok(veces <= 1 + suyas.length * 2 * Math.ceil(Math.log2(n + 1)), `${veces} veces`);
-  }
-});
-
-test('lo que apunta un shader reescrito se lee como lo escribe glsl.h', () => {
-  tabla(valor,
-    ['float', [2.5, 0, 0, 0], [2.5]], ['bvec2', [1, 0, 9, 9], [1, 0]], ['void', [0, 0, 0, 0], []],
-    ['int', [65535, -1, 0, 0], [-1]], ['uint', [65535, 65535, 0, 0], [4294967295]],
-    ['ivec2', [1, 2, 0, -1], [1, -65534]],
-    ['uvec3', [1, 2, 3, 0, 0, 1, 0, 0], [1, 65538, 3]], ['mat2', [1, 2, 0, 0, 3, 4, 0, 0], [1, 2, 3, 4]],
-    ['mat2x3', [1, 2, 3, 0, 4, 5, 6, 0], [1, 2, 3, 4, 5, 6]]);
+test('un número, como se lee', () => {
   tabla(n => cifra(n), [0.123456, '0.1235'], [-2, '−2'], [NaN, 'NaN'], [-Infinity, '−∞'], ['-nan', 'NaN'], ['inf', '∞'],
     [1e-7, '1e−7']);
 });
@@ -461,48 +435,4 @@ test('cada línea de un shader, en su fichero', () => {
   const es = '#version 300 es\nprecision highp float;\n#line 2\nuno\ndos\n#include "a.frag"\nmain\n';
   tabla((texto, i) => { const l = lineasDe(texto, textos, 'frag')[i]; return `${l.fichero}:${l.linea}`; },
     [es, 3, 'c.glsl:2'], [es, 4, 'a.frag:3'], [es + 'otro\n', 4, ':5']);
-});
-
-test('lo que se sospecha de los shaders de un cuadro', () => {
-  const uniforme = (valor, dado = true, tipo = 'mat4') =>
-    ({ uniformes: [{ nombre: 'u', tipo, valor, dado }], texturas: [], atributos: [] });
-  const dice = cableado => delCableado(cableado, 3).map(s => s.dice.split('» ').at(-1)).join();
-  tabla(dice, [uniforme([1, 0]), ''], [uniforme([0, 0], false), 'lo usa el shader y nadie le ha dado valor: es 0'],
-    [uniforme([0, 0]), 'es una matriz toda de ceros'], [uniforme([0], true, 'float'), ''],
-      [uniforme([1, NaN]), 'tiene algo que no es un número'],
-    [{ uniformes: [], texturas: [{ sampler: 's', unidad: 2, incompleta: 'x' }], atributos: [] },
-      'la textura de «s», en la unidad 2, está incompleta: x'.split('» ').at(-1)],
-    [{ uniformes: [], texturas: [], atributos: [{ nombre: 'a', activo: true, bufer: 0 }] },
-      'lo lee el shader y no lo da ningún array']);
-  tabla(puntos => fueraDe(puntos)[0], [[[NaN, 0, 0, 1]], 'las posiciones de todos sus vértices son NaN o infinitas'],
-    [[[0, 0, 0, 1], [0, 0, 0, 1]], 'gl_Position es 0 en todos sus vértices'],
-      [[[1, 1, 1, 0]], 'gl_Position es 0 en todos sus vértices'],
-    [[[1, 2, 3, 4], [1, 2, 3, 4]], 'todos sus vértices caen en el mismo punto'],
-    [[[1, 2, 3, -4], [1, 1, 3, -4]], 'todos sus vértices están detrás de la cámara (w < 0)'],
-    [[[-2, 0, 0, 1], [-3, 0, 0, 1]], 'todos sus vértices quedan fuera, a la izquierda'],
-    [[[0, 2, 0, 1], [0, 3, 0, 1]], 'todos sus vértices quedan fuera, por encima'],
-    [[[0, 0, 2, 1], [0, 1, 3, 1]], 'todos sus vértices quedan fuera, más lejos que lejos'],
-    [[[0, 0, 0.5, 1], [0, 1, 3, 1]], 'ninguna de sus primitivas cubre el centro de un píxel']);
-  const todas = [{ gravedad: 1, dice: 'leve' }, { gravedad: 2, dice: 'grave' }, { gravedad: 2, dice: 'grave' }];
-  tabla(como => elegidas(todas, como).map(s => s.dice).join(), [{ lisa: false, figura: true, escrito: true }, 'grave'],
-    [{ lisa: false, figura: false }, 'grave,leve'],
-    [{ lisa: true, figura: true, escrito: true }, 'grave,leve,se escriben fragmentos y todo queda del mismo color']);
-  const de = (...ordenes) => ordenes.map(n => ({ gravedad: 2, dice: `la orden ${n} no dibuja` }));
-  tabla(varias => elegidas(varias, { figura: true }).map(s => s.dice).join(), [de(3), 'la orden 3 no dibuja'],
-    [de(3, 12, 40), 'la orden 3 no dibuja; otras 2, por lo mismo'], [de(3, 3), 'la orden 3 no dibuja']);
-});
-
-test('lo que se pide a la plantilla, por cada cara', () => {
-  const dadas = [], pon = (...datos) => { dadas.push(datos.join()); };
-  const prototype = { stencilFunc: pon, stencilFuncSeparate: pon, FRONT: 1028, BACK: 1029, FRONT_AND_BACK: 1032 };
-  apuntaPlantilla({ prototype });
-  const gl = Object.create(prototype), queda = () => [refDePlantilla(gl), refDePlantilla(gl, 1)].join();
-  const vistas = [queda()];
-  for (const [f, ...datos] of [['stencilFunc', 514, 3, 255], ['stencilFuncSeparate', 1029, 514, 5, 255],
-    ['stencilFuncSeparate', 1028, 514, 7, 255], ['stencilFuncSeparate', 1032, 514, 9, 255]]) {
-    gl[f](...datos);
-    vistas.push(queda());
-    assert.equal(dadas.at(-1), datos.join());
-  }
-  assert.deepEqual([vistas, refDePlantilla({})], [['0,0', '3,3', '3,5', '7,5', '9,9'], 0]);
 });

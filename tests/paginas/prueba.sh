@@ -20,7 +20,7 @@ bibliotecas() {
   cp tests/paginas/package-lock.json "$build/paginas/puesto.json"
 }
 programas() {
-  cmake --preset web -B "$build/web" && cmake --build "$build/web" --target laboratorio explica
+  cmake --preset web -B "$build/web" && cmake --build "$build/web" --target laboratorio
 }
 
 abre="$carpeta/página (1)"
