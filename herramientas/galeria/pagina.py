@@ -20,7 +20,7 @@ def colorea(raiz, fichero):
 
 
 class PaginaGaleria:
-    """Al lado de sus imágenes y de los fuentes, coloreados, que trae cuando se abren. Mientras no están todas se escribe
+    """Al lado de sus imágenes y de los fuentes, coloreados, que trae al abrirlos. Mientras no están todas se escribe
     con las que hay, y se vuelve a cargar sola."""
 
     def __init__(self, raiz, destino, capitulos):
