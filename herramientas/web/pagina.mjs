@@ -32,6 +32,7 @@ export { arranca } from './programa.mjs';
 export let visto = {};
 const libre = new Taller('sessionStorage', 'cambios');
 let ruta; // a la que se ha ido
+let sitio = 0; // por dónde se dejó el catálogo
 let explicando = Promise.resolve();
 
 export const escena = new Escena({ alArrancar, alRecargar });
@@ -106,6 +107,7 @@ function salta(cual) {
 function navega() {
   if (location.hash === ruta) return;
   ruta = location.hash;
+  if (!una('#catalogo').hidden) sitio = scrollY;
   editor.aplicaYa();
   const { ejercicio: esEjercicio, nombre, guion, pixel, incrusta: solo } = leeEnlace(ruta);
   const datos = esEjercicio ? EJERCICIOS.find(e => e.codigo.toLowerCase() === nombre.toLowerCase()) : undefined;
@@ -125,7 +127,7 @@ function navega() {
   cierraMenu();
   dejaDeExplicar();
   propios.estrena(programa);
-  if (!programa) return ensenaCatalogo(nombre, esEjercicio);
+  if (!programa) return ensenaCatalogo(nombre, esEjercicio, sitio);
   entra(datos, caso, guion).then(() => explicaEn(pixel));
 }
 
