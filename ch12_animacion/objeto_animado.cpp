@@ -77,7 +77,7 @@ static void dibuja() {
     trazaPuntos({matrizEn(t) * PUNTA}, transformacion, MORADO);
     trazaEjes(glm::vec3(0.8f), transformacion);
     const std::string a = formatea("a = %.0f°\n", 360 * fase(t, PERIODO));
-    rotula(a + modo.matriz, {0.43f, 0.2f}, OSCURO, Lado::IZQUIERDA, 0.03f);
+    rotula(a + modo.matriz, {0.43f, 0.2f}, OSCURO, Lado::IZQUIERDA, 0.027f);
     rotulaMatriz(matrizEn(t), {0.43f, 0.15f});
     rotulaTiempo(estado.reloj, OSCURO);
     tituloAnimado(estado.reloj, std::string("Matriz del modelo: ") + modo.nombre);

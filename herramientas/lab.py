@@ -263,7 +263,7 @@ class Laboratorio:
         os.environ["NODE_PATH"] = "/usr/share/nodejs"  # em++ busca ahí acorn
         en = self.build / "web"
         self.t.configura("web", en)
-        self.t.compila(en, "laboratorio", "explica")
+        self.t.compila(en, "laboratorio")
         es_nueva = not (self.t.web / "index.html").exists()
         if estado := self.hace("web.pagina", self.raiz, en, self.t.galeria, self.t.web):
             return estado

@@ -38,3 +38,13 @@ def topes(p):
         cambian = [distintos(una, otra) for una, otra in zip(vistas, vistas[1:])]
         if any(b > 3 * max(a, c) + SALTO for a, b, c in zip(cambian, cambian[1:], cambian[2:])):
             yield "salto", f"al volver poco a poco de donde lleva «{pasos[0]}» hay un salto: {cambian}"
+
+
+def cifras(p):
+    """Cada modo enseña lo mismo cuando se llega de los de antes y de los de después, y otra vez desde sí."""
+    suyas = [tecla for tecla in p.teclas if tecla[:-1] == "tecla " and tecla[-1].isdigit()]
+    guion = [o for tecla in (*suyas, *reversed(suyas)) for o in (tecla, "captura")]
+    vistas = p.vistas(guion) if len(suyas) > 1 else []
+    for tecla, ida, vuelta in zip(suyas, vistas, reversed(vistas)):
+        if distintos(ida.centro(*ida.talla), vuelta.centro(*vuelta.talla)) > 1:
+            yield tecla, "no deja lo mismo si se viene de otra"

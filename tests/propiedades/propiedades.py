@@ -16,7 +16,7 @@ from pathlib import Path
 from dados import dados
 from dicho import dicho
 from estropeados import estropeados
-from gestos import gestos, topes
+from gestos import cifras, gestos, topes
 from mandos import comparacion, comunes, limites, mandos, nombres, raras, vuelta
 from programa import TALLA, Programa, Termina, arrastre
 from tiempo import conmuta, lento, pausa
@@ -104,7 +104,7 @@ def rondas(p):
 
 
 PROPIEDADES = paseo, nombres, raras, limites, comparacion, vuelta, tallas, franja, rotulos, tapan, cerca, arrastres
-PROPIEDADES += pausa, lento, conmuta, modelo, foto, rondas, comunes, mandos, gestos, topes, estropeados
+PROPIEDADES += pausa, lento, conmuta, modelo, foto, rondas, comunes, mandos, cifras, gestos, topes, estropeados
 PROPIEDADES += dados, dicho  # dicho mira lo de los demás
 SORTEADA = tapan  # sin --todo se pide una parte, y una excepción puede no hacer falta
 
@@ -119,6 +119,8 @@ EXCEPCIONES = {
     ("shader_basico", "estropeados", "F3"): "es el listado del libro: no vigila",
     ("errores_shader", "estropeados", "F[35]"): "enseña los errores de unos shaders estropeados",
     ("errores_shader", "paseo", "F5"): "releer vuelve a escribir el error, o que no lo hay",
+    ("tiras", "cifras", "tecla ."): "la malla que trae tiene dos tiras: las demás cifras dejan lo que había",
+    ("varias_luces", "cifras", "tecla ."): "cada luz se enciende y se apaga",
     ("tiras", "mandos", "tecla [3-9]"): "la malla que trae tiene dos tiras: son para la del usuario",
     ("eventos", "comunes", "F1"): "también enseña esa tecla",
     ("eventos", "tallas", "talla"): "escribe el tamaño de cada suceso",
