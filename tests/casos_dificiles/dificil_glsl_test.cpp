@@ -1,8 +1,12 @@
-// Casos difíciles de GLSL: lo que el lenguaje deja sin definir y phong.glsl guarda, en la GPU y leído en float. Que
-// ningún programa llega a donde una función no está definida lo dice finitos.cpp.
+// Casos difíciles de GLSL: lo que el lenguaje deja sin definir, en la GPU y leído en float. Lo que los shaders del
+// laboratorio guardan tiene que dar lo que debe; y los que usan una función a secas, no pueden llegar a donde no está
+// definida.
 #include "cota.h"
 #include "ejecuta.h"
+#include "rutas.h"
 #include "sonda.h"
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -47,11 +51,19 @@ const Cotas POTENCIAS([] {
     };
     acotaCada<Potencia>("GlslPow", "*",
                         {{"0_a_0", {0, 0, 1}},
+                         {"menos0_a_0", {-0.0f, 0, 1}},
                          {"0_a_1", {0, 1, 0}},
+                         {"0_a_1em30", {0, 1e-30f, 0}},
+                         {"0_a_500", {0, 500, 0}},
                          {"negativa_a_0", {-0.5f, 0, 1}},
+                         {"negativa_a_1", {-0.5f, 1, 0}},
                          {"negativa_a_3", {-0.5f, 3, 0}},
                          {"menos1em7_a_4", {-1e-7f, 4, 0}},
+                         {"1_a_500", {1, 500, 1}},
+                         {"1_a_0", {1, 0, 1}},
                          {"1em38_a_0", {1e-38f, 0, 1}},
+                         {"menos1_a_2", {-1, 2, 0}},
+                         {"1em30_a_500", {1e-30f, 500, 0}},
                          {"alfa_0", {0.3f, 0, 1}}},
                         1e-6, "diferencia", [](const Potencia &p) {
                             return error("potencia(a.x, a.y)", {p.x, p.y, 0}, p.esperado);
@@ -87,7 +99,11 @@ const Cotas ATENUACIONES([] {
         {{"d_0_constante", {{1, 0, 0}, 0, 1}},
          {"d_0_lineal", {{0, 1, 0}, 0, 1e6}},
          {"d_0_cuadratica", {{0, 0, 1}, 0, 1e6}},
+         {"d_0_sin_coeficientes", {{0, 0, 0}, 0, 1e6}},
+         {"d_1em20_lineal", {{0, 1, 0}, 1e-20f, 1e6}},
+         {"d_1em30_cuadratica", {{0, 0, 1}, 1e-30f, 1e6}},
          {"d_1_todo", {{0.5f, 0.25f, 0.25f}, 1, 1}},
+         {"d_1e10_cuadratica", {{0, 0, 1}, 1e10f, 1e-20}},
          {"d_1e18_cuadratica", {{0, 0, 1}, 1e18f, 1e-36}}},
         16 * U_FLOAT, "relativo", [](const Atenuacion &f) {
             return std::fabs(
@@ -99,9 +115,13 @@ const Cotas ATENUACIONES([] {
     acotaCada<Cono>(
         "GlslCono", "*",
         {{"0_grados_en_el_eje", {0, 1, 0, 1}},
+         {"0_grados_fuera", {0, 1, 0.05, 0}},
          {"0_grados_exponente_0", {0, 0, 0, 1}},
+         {"90_grados_en_el_eje", {90, 1, 0, 1}},
          {"90_grados_a_89_9", {90, 1, 89.9, std::cos(89.9 * PI / 180)}},
+         {"90_grados_a_89_9_exponente_0", {90, 0, 89.9, 1}},
          {"90_grados_a_90_1", {90, 0, 90.1, 0}},
+         {"90_grados_de_espaldas", {90, 5, 180, 0}},
          {"45_grados_exponente_500", {45, 500, 44, std::pow(std::cos(44 * PI / 180), 500)}}},
         1e-5, "diferencia", [](const Cono &c) {
             const glm::vec3 a(std::cos(float(c.grados * PI / 180)), c.exponente, c.angulo * PI / 180);
@@ -111,3 +131,39 @@ const Cotas ATENUACIONES([] {
 });
 
 } // namespace
+
+// Ningún shader de un programa puede llegar a donde una función no está definida: cada uso es como aquí se dice.
+TEST(GlslFuentes, NingunoLlegaADondeNoEstaDefinida) {
+    const struct {
+        std::string funcion, argumentos;
+        int veces; // como poco
+    } REGLAS[] = {
+        {"acos", "nunca", 0},
+        {"asin", "^clamp\\(.*, -1\\.0, 1\\.0\\)", 0},
+        // atan(y, x) no lo está en (0, 0): con un número positivo sumado a x, el origen queda fuera
+        {"atan", "^[^,()]+, [^,()]+ \\+ 1e-6\\)", 0},
+        // los bordes son dos números distintos, el menor primero
+        {"smoothstep", "^(-?[0-9.]+), (-?[0-9.]+), ", 6},
+        // la base no puede ser negativa: es un max o un clamp, o se ha guardado antes; el exponente, mayor que cero
+        {"pow", "^(?:max|clamp)\\(.*, [0-9.]+\\)|^(?:haciaSol|b|1\\.0 - cosV), [0-9.]+\\)|^x, y\\)", 6},
+    };
+    std::string fuentes;
+    const fs::path raiz = fs::path(recurso("CMakeLists.txt")).parent_path();
+    for (const auto &carpeta : fs::directory_iterator(raiz))
+        if (std::regex_match(carpeta.path().filename().string(), std::regex("common|ch[0-9][0-9]_.*")))
+            for (const auto &f : fs::directory_iterator(carpeta))
+                if (std::regex_match(f.path().extension().string(), std::regex("\\.(frag|vert|glsl)")))
+                    fuentes += leeFichero(f.path());
+    fuentes = std::regex_replace(fuentes, std::regex("//[^\n]*"), "");
+    for (const auto &[funcion, argumentos, veces] : REGLAS) {
+        const std::regex usa("\\b" + funcion + "\\(([^\n]*)");
+        const std::sregex_iterator usos(fuentes.begin(), fuentes.end(), usa), fin;
+        EXPECT_GE(std::distance(usos, fin), veces) << funcion;
+        for (auto uso = usos; uso != fin; ++uso) {
+            const std::string suyos = uso->str(1);
+            std::smatch m;
+            ASSERT_TRUE(std::regex_search(suyos, m, std::regex(argumentos))) << uso->str();
+            EXPECT_TRUE(funcion != "smoothstep" || std::stod(m[1]) < std::stod(m[2])) << uso->str();
+        }
+    }
+}

@@ -1,4 +1,5 @@
-// Casos difíciles del tiempo (capítulo 12).
+// Casos difíciles del tiempo y las partículas (capítulo 12).
+#include "ch12_animacion/piezas.h"
 #include "ch12_animacion/reloj.h"
 #include "cota.h"
 
@@ -14,6 +15,15 @@ double errorDeFase(double horas, double periodo) {
     });
 }
 
+/// Cuántos segundos se aparta un reloj que llega a `total` segundos de `paso` en `paso`.
+double adelantado(double total, double paso) {
+    Reloj reloj;
+    const long pasos = std::lround(total / paso);
+    for (long i = 0; i < pasos; ++i)
+        adelanta(reloj, paso);
+    return std::fabs(segundos(reloj, 0) - total);
+}
+
 const Cotas TIEMPO([] {
     // la fase en float, y en doble t: t·2⁻⁵³ segundos
     for (const double periodo : {10.0, 2.5})
@@ -25,6 +35,10 @@ const Cotas TIEMPO([] {
           [] { return peorHasta(999, [](int k) { return fase(std::nextafter(10.0 * (k + 1), 0.0), 10); }); });
     acota("Tiempo", "fase_de_un_tiempo_negativo", 2 * U_FLOAT, "diferencia",
           [] { return std::fabs(fase(-2.5, 10) - 0.75); });
+    // pasos de 1 ms y de 10 s: lo que se acumula son redondeos en doble, un paso por vez
+    acota("Tiempo", "pasos_de_1_ms_durante_100_s", 100000 * 100 * U_DOBLE, "segundos",
+          [] { return adelantado(100, 0.001); });
+    acota("Tiempo", "pasos_de_10_s_durante_100_h", 0, "segundos", [] { return adelantado(360000, 10); });
     acota("Tiempo", "pausa_a_las_100_h", 360000 * 2 * U_DOBLE, "segundos", [] {
         Reloj reloj;
         adelanta(reloj, 360000);
@@ -33,6 +47,14 @@ const Cotas TIEMPO([] {
         conmutaPausa(reloj, 50000);
         return mayor(std::fabs(parado - 360001.234), std::fabs(segundos(reloj, 50000) - parado));
     });
+});
+
+const Cotas PIEZAS([] {
+    acota("Piezas", "ninguna_muere_antes_de_nacer", -2.5, "nacer − morir", [] {
+        return peorDe(creaPiezas(200, 100), [](const VerticePieza &v) { return v.vida.x - v.vida.y; });
+    });
+    acota("Piezas", "azar_menor_que_1", 1 - U_FLOAT, "azar",
+          [] { return mayor(peorHasta(2000000, [](int n) { return azar(n); }), azar(0xffffffffu)); });
 });
 
 } // namespace
