@@ -32,6 +32,8 @@ Puntos posicionesDe(const Orden &orden) {
     if (!otro)
         return {};
     p->modo = GL_POINTS, p->vertices = 1;
+    std::sort(p->indices.begin(), p->indices.end()); // cada vértice, una vez
+    p->indices.erase(std::unique(p->indices.begin(), p->indices.end()), p->indices.end());
     const std::size_t hay = p->indices.size(), caben = std::min(hay, VERTICES);
     for (std::size_t i = 0; i < caben; ++i) // de toda la orden
         p->indices[i] = p->indices[i * hay / caben];

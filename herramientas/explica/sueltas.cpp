@@ -25,8 +25,14 @@ void Sueltas::dibuja(int desde, int hasta) const {
 }
 
 void Sueltas::dibujaVertices(int desde, int hasta) const {
-    for (int i = desde * primitivas.vertices; i < hasta * primitivas.vertices; ++i)
-        deVerdad().dibujaVertices(GL_POINTS, GLint(primitivas.indices[std::size_t(i)]), 1);
+    const auto &indices = primitivas.indices;
+    const auto fin = std::size_t(hasta * primitivas.vertices);
+    for (auto i = std::size_t(desde * primitivas.vertices), j = i; i < fin;
+         i = j) { // los que van seguidos, de una vez
+        while (++j < fin && indices[j] == indices[i] + (j - i)) {
+        }
+        deVerdad().dibujaVertices(GL_POINTS, GLint(indices[i]), GLsizei(j - i));
+    }
 }
 
 void soloPregunta(Punto p) {

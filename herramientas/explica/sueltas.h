@@ -21,7 +21,7 @@ public:
 
     /// Desde esa hasta la anterior a `hasta`, con el estado que haya.
     void dibuja(int desde, int hasta) const;
-    /// Sus vértices, como puntos: uno a uno, que con transform feedback WebGL no dibuja con índices.
+    /// Sus vértices, como puntos y sin índices, que con transform feedback WebGL no dibuja con ellos.
     void dibujaVertices(int desde, int hasta) const;
 };
 
