@@ -1,6 +1,7 @@
 """Los módulos de herramientas/, por lo que hacen: cada cuenta frente a un caso resuelto a mano, sin compilar nada."""
 import itertools
 import math
+import os
 import random
 import re
 import subprocess
@@ -207,6 +208,21 @@ def test_cada_enlace_de_la_galeria_lleva_a_algo(tmp_path, en_marcha):
     hay |= {f"../web/index.html{a}" for a in ("", *(f"#{a}" for a in lleva)) if en_marcha}
     enlaces = {re.sub("/explica/.*", "", e) for e in re.findall(r'\bhref="([^"]+)"', escrita)}
     assert enlaces and not {e for e in enlaces - hay if not (e.endswith(".png") or e.startswith("data:"))}
+
+
+def test_con_muestras_se_suaviza_lo_que_separa_dos_colores_y_nada_mas(tmp_path):
+    ancho, imagenes = 120, []
+    for suaviza in {}, {"LAB_SUAVIZA": "1"}:
+        ppm = tmp_path / f"{len(suaviza)}.ppm"
+        orden = BUILD / "egl/ch02_modelado/primitivas", "-guion", "tecla 5", "-geometry", f"{ancho}x90", "-ppm", ppm
+        subprocess.run(orden, env={**os.environ, **suaviza, "LAB_SIN_ENCIMA": "1"}, check=True)
+        rgb = ppm.read_bytes()[-3 * ancho * 90 :]
+        imagenes.append([rgb[i : i + 3] for i in range(0, len(rgb), 3)])
+    una, suave = imagenes
+    for i in range(ancho + 1, len(una) - ancho - 1):
+        if len({una[i + dy + dx] for dy in (-ancho, 0, ancho) for dx in (-1, 0, 1)}) == 1:
+            assert suave[i] == una[i], divmod(i, ancho)
+    assert len({*suave}) > len({*una}) + 3  # de cada cuatro muestras, una, dos o tres
 
 
 def test_lo_que_falta_va_de_mas_cerca_a_mas_lejos():
