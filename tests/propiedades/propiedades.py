@@ -21,7 +21,7 @@ from mandos import comparacion, comunes, limites, mandos, nombres, raras, vuelta
 from programa import TALLA, Programa, Termina, arrastre
 from tiempo import conmuta, lento, pausa
 from rotulos import rotulos, tapan
-from vista import arrastres, cerca, foto, franja, modelo, tallas
+from vista import arrastres, cerca, foto, franja, modelo, tallas, tocado
 from base import catalogo, controles, guiones
 
 TAMANOS = ["120 90", "150 90", "100 100", "61 45", "4 90", "1 1", "200 2"]
@@ -104,7 +104,7 @@ def rondas(p):
 
 
 PROPIEDADES = paseo, nombres, raras, limites, comparacion, vuelta, tallas, franja, rotulos, tapan, cerca, arrastres
-PROPIEDADES += pausa, lento, conmuta, modelo, foto, rondas, comunes, mandos, cifras, gestos, topes, estropeados
+PROPIEDADES += tocado, pausa, lento, conmuta, modelo, foto, rondas, comunes, mandos, cifras, gestos, topes, estropeados
 PROPIEDADES += dados, dicho  # dicho mira lo de los demás
 SORTEADA = tapan  # sin --todo se pide una parte, y una excepción puede no hacer falta
 

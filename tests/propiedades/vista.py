@@ -116,6 +116,36 @@ def cerca(p):
             return
 
 
+def sigue(antes, despues, x, y):
+    """Cómo de lejos de ahí queda lo más cercano de lo que ha cambiado, en píxeles; nada, si no ha cambiado nada."""
+    habia = {(round(a), round(b)) for p in antes.encima for a, b in p.puntos}
+    nuevos = [q for p in despues.encima for q in p.puntos if (round(q[0]), round(q[1])) not in habia]
+    return min((max(abs(a - x), abs(b - y)) for a, b in nuevos), default=None)
+
+
+def tocado(p):
+    """Lo que se elige con un clic queda bajo el puntero, en una ventana de cualquier forma."""
+    if "clic elige el" not in p.dice:
+        return
+    antes = [o for o in p.teclas if o == "tecla n"]  # donde se ve lo que se toca
+    for (ancho, alto), con in itertools.product(((120, 90), (120, 200), (120, 120), (200, 112)), ((), ("tecla v",))):
+        if set(con) - set(p.teclas):
+            continue
+        empieza = [*antes, *con]
+        talla = f"{ancho}x{alto}"
+        guion, adonde = [*empieza, "captura"], []
+        rejilla = [(ancho * i / 6, alto * j / 6) for i in range(1, 6) for j in range(1, 6)]
+        for x, y in rejilla:
+            x, y = int(x), int(alto - y)
+            adonde.append((x + 0.5, alto - y - 0.5))
+            guion += [f"boton IZQUIERDO abajo {x} {y}", f"boton IZQUIERDO arriba {x} {y}", "captura", "captura"]
+        vistas = p.vistas(guion, talla=talla, LAB_SIN_ENCIMA="1")
+        lejos = [sigue(vistas[2 * i], vistas[2 * i + 1], *q) for i, q in enumerate(adonde)]
+        hay = [d for d in lejos if d is not None]
+        if not hay or max(hay) > 2:
+            yield f"{ancho}x{alto} {con}", f"a {talla} {con} no queda bajo el puntero: {lejos}"
+
+
 CUBO = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
 CARAS = "1 2 4 3,5 7 8 6,1 5 6 2,3 4 8 7,1 3 7 5,2 6 8 4".split(",")
 
