@@ -23,7 +23,7 @@ namespace {
 using Pixel = std::array<float, 4>;
 const Pixel NINGUNO = {-12345, 0, 0, -1}; // el color que no da ningún shader
 
-const char *const TODO = R"(#version 140
+const char *const EN_TODO = R"(#version 140
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }
 )";
 const char *const PROFUNDIDAD = R"(#version 140
@@ -40,7 +40,8 @@ void main() { color = vec4(1.0); }
 
 GLuint enlaza(const char *fragmento) {
     const GLuint programa = glCreateProgram();
-    for (const auto &[tipo, texto] : {std::pair(GL_VERTEX_SHADER, TODO), {GL_FRAGMENT_SHADER, fragmento}}) {
+    for (const auto &[tipo, texto] :
+         {std::pair(GL_VERTEX_SHADER, EN_TODO), {GL_FRAGMENT_SHADER, fragmento}}) {
         const GLuint shader = glCreateShader(GLenum(tipo));
         glShaderSource(shader, 1, &texto, nullptr);
         glCompileShader(shader);

@@ -8,9 +8,9 @@ namespace {
 
 using namespace oraculo;
 
-const std::array<double, 4> PERSPECTIVAS[] = {
-    {0.6, 1.5, 1, 100},           {1.2, 4.0 / 3, 0.1, 1e3}, {0.5, 1, 0.01, 1e4}, {2.9, 0.25, 1e-3, 1e6},
-    {0.01, 1.0 / 2000, 1, 1.001}, {1.57, 300, 1e-300, 1},   {1, 1, 1e-12, 1e3}};
+const std::array<double, 4> PERSPECTIVAS[] = {{0.6, 1.5, 1, 100},           {1.2, 4.0 / 3, 0.1, 1e3},
+                                              {0.5, 1, 0.01, 1e4},          {2.9, 0.25, 1e-3, 1e6},
+                                              {0.01, 1.0 / 2000, 1, 1.001}, {1.57, 300, 1e-30, 1}};
 const std::array<double, 6> PARALELAS[] = {{-1, 3, -2, 0.5, 1, 100}, {0.1, 0.7, 1e6, 1e6 + 3, -5, 1e-3}};
 
 /// Cada elemento, con 4 redondeos como mucho; los nulos, exactos.

@@ -12,30 +12,22 @@
 using namespace oraculo;
 
 // La sombra de x es donde la recta que sale de la luz y pasa por x corta al plano; w es positiva solo si x está entre
-// la luz y el plano o por debajo de él, y 0 en la luz o si la luz está en el plano. Con la luz en un punto (L.w = 1 o
-// 2), muy lejos y en el infinito (L.w = 0).
+// la luz y el plano o por debajo de él. Con la luz en un punto (L.w = 1 o 2) y en el infinito (L.w = 0).
 TEST(Sombra, ContraDoblePrecision) {
     Azar azar(8);
     double peor = 0;
     for (int n = 0; n < 6000; ++n) {
         const Plano plano = planoPor(azar.vector(2), azar.direccion());
-        const float w = n % 4 == 3 ? 1e-12f : float(n % 4);
-        const bool enElPlano = n % 100 == 1, encima = n % 3 == 1;
+        const float w = float(n % 3);
         const glm::vec3 base = -plano.d * plano.N; // un punto del plano
-        const float alta = enElPlano ? 0 : azar.entre(1.0f, 4.0f);
-        const glm::vec3 deLuz = plano.N * alta + glm::cross(plano.N, azar.vector(2));
-        const glm::vec4 L = w < 1 ? glm::vec4(deLuz + base * w, w) : glm::vec4((base + deLuz) * w, w);
-        const float altura = encima ? azar.entre(4.1f, 9.0f) : azar.entre(0.0f, 0.8f);
-        const glm::vec3 x = base + plano.N * altura + glm::cross(plano.N, azar.vector(3));
+        const glm::vec3 deLuz = plano.N * azar.entre(1.0f, 4.0f) + glm::cross(plano.N, azar.vector(2));
+        const glm::vec4 L = w == 0 ? glm::vec4(deLuz, 0) : glm::vec4((base + deLuz) * w, w);
+        const glm::vec3 x = base + plano.N * azar.entre(0.0f, 0.8f) + glm::cross(plano.N, azar.vector(3));
         const glm::vec4 y = proyeccionSombra(L, plano) * glm::vec4(x, 1);
-        // ocho redondeos de un número de tamaño 20
-        EXPECT_NEAR(y.w, alturaLuz(L, plano) - L.w * distancia(plano, x), 3e-5);
-        EXPECT_NEAR(alturaLuz(L, plano), (w < 1 ? 1 : w) * alta, 3e-5);
-        if (enElPlano || (encima && w >= 1)) {
-            EXPECT_LT(y.w, 3e-5);
-            continue;
-        }
+        ASSERT_GT(alturaLuz(L, plano), 0);
         ASSERT_GT(y.w, 0);
+        EXPECT_NEAR(y.w, alturaLuz(L, plano) - L.w * distancia(plano, x),
+                    1e-5); // ocho redondeos de un número de tamaño 8
         // x + t·(x − L) en el plano, con los números float tal como son
         const glm::dvec3 N(plano.N), p(x), haciaAbajo = p * double(w) - glm::dvec3(L);
         const double t = -(glm::dot(N, p) + double(plano.d)) / glm::dot(N, haciaAbajo);
