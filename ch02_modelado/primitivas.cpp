@@ -72,7 +72,9 @@ static void dibuja() {
     if (estado.elegido != TODOS) {
         dibujaPanel(ventanaEntera(), estado.elegido, PRIMITIVAS[estado.elegido].nombre, 0.9f, TALLA_ROTULO);
     } else {
-        const std::vector<Recuadro> paneles = reparte(N_PRIMITIVAS + 1, 0.8f);
+        std::vector<Recuadro> paneles = reparte(N_PRIMITIVAS + 1, 0.8f);
+        paneles.back().ancho =
+            glutGet(GLUT_WINDOW_WIDTH) - paneles.back().x; // hasta el borde: no sobran casillas
         for (int i = 0; i < N_PRIMITIVAS; ++i)
             dibujaPanel(paneles[i], i, PRIMITIVAS[i].enLineas, 2.0f / 3, 0.0265f);
         abreRecuadro(paneles.back());

@@ -13,13 +13,14 @@
 #include "proyeccion.h"
 #include "recuadro.h"
 #include "rotulo.h"
+#include "texto.h"
 #include "trazo.h"
 #include "ventana.h"
 #include <glm/gtc/constants.hpp>
 
 static const int ESFERAS = 6;
 static const float RADIO = 0.42f, D_MAXIMA = ESFERAS + 0.6f;
-static const float PIE = 0.75f, ALTO = 2.2f; // el eje vertical de la curva
+static const float PIE = 0.75f, ALTO = 2.7f; // el eje vertical de la curva
 static const struct {
     const char *nombre, *formula;
     glm::vec3 abc;
@@ -28,14 +29,14 @@ static const struct {
              {"cuadrática", "1/(1 + d²/9)", {1, 0, 1 / 9.0f}}};
 
 static const Material PISO = {{0.05f, 0.05f, 0.06f}, {0.55f, 0.57f, 0.60f}, {0, 0, 0}, 1};
-static const Material BOLA = {{0.14f, 0.08f, 0.02f}, {0.84f, 0.50f, 0.12f}, {0.30f, 0.30f, 0.30f}, 20};
+static const Material BOLA = {{0.26f, 0.15f, 0.04f}, {0.84f, 0.50f, 0.12f}, {0.30f, 0.30f, 0.30f}, 20};
 static const Material ENCENDIDA = {{1.00f, 0.93f, 0.60f}, {0, 0, 0}, {0, 0, 0}, 1}; // la propia fuente
 
 static struct {
     GLuint programa;
     Buferes plano, esfera;
-    // casi de lado y de lejos: la constante es horizontal
-    Orbita orbita = {-0.45f, 0.012f, 150, {3.05f, 1.35f, 0}, 0.01f};
+    // de frente y de lejos: los ejes son horizontales y verticales
+    Orbita orbita = {0, 0.012f, 150, {3.1f, 1.6f, 0}, 0.01f};
     int elegido = 0;
 } estado;
 
@@ -47,17 +48,21 @@ static void inicia() {
     ponFondo(FONDO_OSCURO);
 }
 
+static float atenuacion(int modo, float d) {
+    const glm::vec3 &abc = MODOS[modo].abc;
+    return 1 / (abc.x + d * (abc.y + d * abc.z));
+}
+
 // El punto de la curva del modo a distancia d: en el plano de la fila, sobre ella.
 static glm::vec3 enCurva(int modo, float d) {
-    const glm::vec3 &abc = MODOS[modo].abc;
-    return {d, PIE + ALTO / (abc.x + d * (abc.y + d * abc.z)), 0};
+    return {d, PIE + ALTO * atenuacion(modo, d), 0};
 }
 
 static void dibujaCurvas(const glm::mat4 &vista) {
     trazaFlecha({0, PIE, 0}, {0, PIE + 1.2f * ALTO, 0}, vista, BLANCO);
     trazaFlecha({0, PIE, 0}, {D_MAXIMA + 0.2f, PIE, 0}, vista, BLANCO);
     rotulaPunto("1", {0, PIE + ALTO, 0}, vista, BLANCO, Lado::IZQUIERDA);
-    rotulaPunto("d", {D_MAXIMA + 0.2f, PIE, 0}, vista, BLANCO, Lado::DERECHA);
+    rotulaPunto("d", {D_MAXIMA + 0.2f, PIE, 0}, vista, BLANCO, Lado::ENCIMA);
     for (int modo = 0; modo < 3; ++modo) {
         const bool elegido = modo == estado.elegido;
         std::vector<glm::vec3> curva;
@@ -69,10 +74,12 @@ static void dibujaCurvas(const glm::mat4 &vista) {
         const glm::vec3 valor = enCurva(estado.elegido, float(d));
         trazaSegmentos({{valor.x, PIE, 0}, valor}, vista, AMARILLO, GROSOR / 2);
         trazaPuntos({valor}, vista, AMARILLO);
+        rotulaPunto(formatea("%.2f", atenuacion(estado.elegido, float(d))), valor, vista, AMARILLO,
+                    Lado::ENCIMA, 0.03f);
         rotulaPunto(std::to_string(d), {valor.x, -RADIO - 0.1f, 0}, vista, BLANCO, Lado::DEBAJO);
     }
     rotulaPunto(std::string(MODOS[estado.elegido].nombre) + ": " + MODOS[estado.elegido].formula,
-                {3, PIE + 1.2f * ALTO, 0}, vista, AMARILLO);
+                {3, PIE + 1.28f * ALTO, 0}, vista, AMARILLO);
 }
 
 static void dibuja() {
@@ -80,7 +87,7 @@ static void dibuja() {
     luz.atenuacion = MODOS[estado.elegido].abc;
 
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.0375f, 50, 400);
+    const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.0385f, 50, 400);
     const auto solido = [&](const Buferes &buferes, const glm::mat4 &M, const Material &material) {
         dibujaIluminado(estado.programa, buferes, M, camara, material);
     };

@@ -14,6 +14,7 @@
 #include "recuadro.h"
 #include "rotulo.h"
 #include "shader.h"
+#include "trazo.h"
 #include "ventana.h"
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -64,6 +65,17 @@ static Luz foco(int i) {
     return luz;
 }
 
+// El borde del círculo que ilumina un foco en el suelo, esté encendido o no.
+static std::vector<glm::vec3> bordeEnSuelo(const Luz &luz) {
+    const glm::vec3 lado = glm::normalize(glm::cross(luz.S, glm::vec3(0, 0, 1)));
+    std::vector<glm::vec3> borde = circunferencia(std::tan(DELTA));
+    for (glm::vec3 &p : borde) {
+        const glm::vec3 rayo = luz.S + p.x * lado + p.y * glm::cross(luz.S, lado);
+        p = glm::vec3(luz.Lp) - luz.Lp.y / rayo.y * rayo;
+    }
+    return borde;
+}
+
 static void dibuja() {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     const glm::mat4 camara = camaraOrbita(estado.orbita), proyeccion = perspectivaVentana(0.36f, 1, 100);
@@ -79,6 +91,7 @@ static void dibuja() {
     std::string titulo;
     for (int i = 0; i < LUCES; ++i) {
         const std::string nombre = FOCOS[i].nombre;
+        trazaPolilinea(bordeEnSuelo(foco(i)), proyeccion * camara, FOCOS[i].color, 0.5f * GROSOR, true);
         rotulaPunto(std::to_string(i + 1) + (estado.encendida[i] ? " " + nombre : " apagada"),
                     3.2f * haciaFoco(i), proyeccion * camara, estado.encendida[i] ? BLANCO : GRIS,
                     Lado::CENTRO);

@@ -10,6 +10,7 @@
 #include "shader.h"
 #include "texto.h"
 #include "textura.h"
+#include "trazo.h"
 #include "ventana.h"
 
 static const int PASOS = 8; // hasta ×2⁴ y ×2⁻⁴: dos pasos duplican
@@ -29,9 +30,12 @@ static void dibujaAmpliada(const Recuadro &panel, bool conProporcion, const std:
     glClear(GL_COLOR_BUFFER_BIT);
     glUseProgram(estado.programa);
     envia(estado.programa, "imagen", 0);
-    envia(estado.programa, "escala",
-          factor * (conProporcion ? proporcion(aspecto(imagen), aspecto(panel)) : glm::vec2(1)));
+    const glm::vec2 justa = conProporcion ? proporcion(aspecto(imagen), aspecto(panel)) : glm::vec2(1);
+    envia(estado.programa, "escala", factor * justa);
     dibujaRectangulo();
+    if (factor < 1 && estado.muestra.rotulos) // lo que ocupaba con ×1
+        trazaPolilinea({{-justa, 0}, {justa.x, -justa.y, 0}, {justa, 0}, {-justa.x, justa.y, 0}},
+                       glm::mat4(1), GRIS, GROSOR, true);
     rotulaImagen(estado.muestra, rotulo);
 }
 

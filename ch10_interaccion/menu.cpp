@@ -53,9 +53,12 @@ static void dibuja() {
         envia(estado.programa, "camara", glm::mat4(p.camara));
         for (const Pieza &pieza : escenaGrua({0.58f, 5, 4}))
             dibujaObjeto(estado.programa, estado.cubo, pieza.M, pieza.color);
-        rotulaVista(p, enPerspectiva ? ", en perspectiva" : ", en paralela");
+        rotulaVista(p);
         abreRecuadro(p.panel);
-        rotula("clic derecho", {0.98f, 0.94f}, OSCURO, Lado::IZQUIERDA, 0.03f);
+        rotula("menú → " + (enPerspectiva
+                                ? "Perspectiva"
+                                : std::string("Paralela → ") + VISTAS[estado.vistas.elegido].nombre),
+               {0.98f, 0.94f}, OSCURO, Lado::IZQUIERDA, 0.03f);
     }
     ponTitulo(std::string("Menú: ") + (enPerspectiva ? "Perspectiva" : VISTAS[estado.vistas.elegido].nombre));
     glutSwapBuffers();

@@ -13,6 +13,7 @@
 #include "proyeccion.h"
 #include "recuadro.h"
 #include "reloj.h"
+#include "rotulo.h"
 #include "shader.h"
 #include "texto.h"
 #include "trazo.h"
@@ -62,9 +63,9 @@ static void dibujaHalo(const glm::mat4 &camara, const glm::mat4 &proyeccion, con
 
 // Un periodo entero, en coordenadas normalizadas, y el instante en que se está.
 static void dibujaGrafica(double t) {
-    const int columnas = 64;
-    const float izquierda = -0.94f;
-    const float ancho = -2 * izquierda, abajo = -0.76f, alto = 0.2f;
+    const int columnas = 256;
+    const float izquierda = -0.9f;
+    const float ancho = 1.76f, abajo = -0.76f, alto = 0.2f;
     const auto x = [&](float parte) { return izquierda + ancho * parte; };
     glDisable(GL_DEPTH_TEST);
     for (int i = 0; i < columnas; ++i) {
@@ -78,6 +79,12 @@ static void dibujaGrafica(double t) {
     }
     const float ahora = x(fase(t, PERIODO_COLOR));
     trazaSegmentos({{ahora, abajo, 0}, {ahora, abajo + alto, 0}}, glm::mat4(1), BLANCO);
+    const glm::vec3 origen = {izquierda, abajo, 0}, ejeT = {x(1) + 0.05f, abajo, 0},
+                    ejeI = {izquierda, abajo + alto + 0.08f, 0};
+    trazaFlecha(origen, ejeT, glm::mat4(1), BLANCO, 0.5f * GROSOR);
+    trazaFlecha(origen, ejeI, glm::mat4(1), BLANCO, 0.5f * GROSOR);
+    rotulaPunto("t", ejeT, glm::mat4(1), BLANCO, Lado::ENCIMA);
+    rotulaPunto("I", ejeI, glm::mat4(1), BLANCO, Lado::DERECHA);
     glEnable(GL_DEPTH_TEST);
 }
 

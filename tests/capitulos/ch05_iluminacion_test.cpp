@@ -276,10 +276,10 @@ struct Atenuacion {
         Iluminada e{{{plano(suelo), {{0.05, 0.05, 0.06}, {0.55, 0.57, 0.60}, {}, 1}},
                      {bola(escala(0.2), n), {{1.00, 0.93, 0.60}, {}, {}, 1}}},
                     {atenuada(posicional({}), 1, b, c)},
-                    perspectiva(orbita(-0.45, 0.012, 150, {3.05, 1.35, 0}), 0.0375, 50, 400)};
+                    perspectiva(orbita(0, 0.012, 150, {3.1, 1.6, 0}), 0.0385, 50, 400)};
         for (int d = 1; d <= 6; ++d)
             e.solidos.push_back({bola(traslada({double(d), 0, 0}) * escala(0.42), n),
-                                 pintura({0.14, 0.08, 0.02}, {0.84, 0.50, 0.12}, 0.30, 20)});
+                                 pintura({0.26, 0.15, 0.04}, {0.84, 0.50, 0.12}, 0.30, 20)});
         return e;
     }
 };
