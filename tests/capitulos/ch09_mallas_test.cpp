@@ -87,6 +87,16 @@ TEST(Morphing, SinDeformarEsUnaMezcla) {
                        {igualQue(A), mezcla(0.35), igualQue(B), mezcla(0.35)}}});
 }
 
+TEST(Morphing, ElMovimientoSigueAlReloj) {
+    for (const auto &[guion, t] :
+         {std::pair("1500", 0.5), {"3000", 1.0}, {"6000", 0.0}, {"4500; tecla -", 0.45}})
+        EXPECT_LE(diferenciaMaxima(
+                      procesa("morphing", {A, B}, std::string("tecla 1; tecla Espacio; espera ") + guion),
+                      mezcla(t)),
+                  4)
+            << guion;
+}
+
 // Se arrastra el punto (3, 3) de 7 × 8 a (120, 84): el intermedio queda bajo el ratón. Con t < 0.5 cambia la malla de
 // A, y en el ratón sigue el texel de B; si no, al revés.
 TEST(Morphing, ElPuntoIntermedioQuedaBajoElRaton) {
@@ -215,6 +225,15 @@ TEST(Captura, ElFicheroEsElFramebuffer) {
             vistaDe("captura", guion, ancho, alto, {fichero});
             EXPECT_EQ(leePpm(fichero).rgb, vistaDe("captura", "tecla d", ancho, alto).escena.rgb);
         }
+}
+
+// También la segunda vez, con la ventana de otra forma.
+TEST(Captura, LaEsquinaEnsenaLoLeido) {
+    const std::string fichero = (carpetaTemporal() / "captura.ppm").string(),
+                      guion = "tamano 300 500; tecla g; tamano 960 720; tecla g";
+    const Imagen gpu = vistaDe("captura", guion, 960, 720, {fichero}).escena, leida = leePpm(fichero);
+    const auto deEnMedio = [&](int x, int y) { return texel(leida, 3 * x + 1, 3 * y + 1); };
+    EXPECT_LE(diferenciaMaxima(oraculo::recorta(gpu, 24, 702 - 240, 320, 240), deEnMedio), 2);
 }
 
 // Con el disco lleno se dice; que no quede nada a medias, en lectores_test.cpp.
