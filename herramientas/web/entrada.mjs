@@ -1,6 +1,7 @@
 // Lo que se hace en el lienzo, a órdenes para el programa.
 import { enCampo, esDelNavegador, una } from '../base/documento.mjs';
 import { BOTONES, Gestos } from './gestos.mjs';
+import { devuelve } from './incrustado.mjs';
 import { completa } from './proyeccion.mjs';
 import { esSuya, ordenDeTecla } from './teclas.mjs';
 
@@ -17,12 +18,13 @@ const loPulsa = ({ key, target }) =>
   /^( |Enter)$/.test(key) && target.closest('button, a, summary, label, [role=button]');
 
 /// La orden de esa tecla, si es del programa: las que usa lo son tenga quien tenga el foco, salvo que se esté
-/// escribiendo, eligiendo o pulsando algo. Incrustado no hay más página, y lo son todas.
+/// escribiendo, eligiendo o pulsando algo. Incrustado lo son todas, salvo las que se devuelven a la página de fuera.
 function ordenSuya(suceso, programa) {
   const { target } = suceso, enLienzo = Boolean(target.closest('canvas')), orden = ordenDeTecla(suceso);
   const deOtro = enCampo(suceso) || loPulsa(suceso) || target.closest('.opciones') || una('.apunta');
   if (deOtro || (!enLienzo && esDelNavegador(suceso))) return '';
   const solo = document.body.classList.contains('incrustado');
+  if (solo && !esSuya(programa, orden, false) && devuelve(suceso)) return '';
   return solo || esSuya(programa, orden, enLienzo) ? orden : '';
 }
 

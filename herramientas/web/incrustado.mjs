@@ -1,5 +1,5 @@
 // Un programa en marcha sin la página alrededor, para el <iframe> de otra: #incrusta/espejo;tecla d. El teclado es del
-// programa mientras el navegador está en él, y de la otra página cuando no.
+// programa mientras el navegador está en él, menos las flechas, AvPág y RePág que no use y Esc, que son de la otra.
 import { avisa, una } from '../base/documento.mjs';
 
 const incrustado = () => document.body.classList.contains('incrustado');
@@ -25,6 +25,21 @@ export async function copiaLinea(linea) {
     avisa(linea);
     getSelection().selectAllChildren(una('.aviso'));
   }
+}
+
+// Lo que cada una le pide a unas diapositivas (los mensajes que atiende reveal.js).
+const DEVUELTAS = {
+  ArrowLeft: 'left', ArrowRight: 'right', ArrowUp: 'up', ArrowDown: 'down', PageUp: 'prev', PageDown: 'next', Escape: '',
+};
+
+/// Si la tecla es para la página de fuera, que se queda con el teclado.
+export function devuelve({ key }) {
+  const method = DEVUELTAS[key];
+  if (method === undefined) return false;
+  document.activeElement.blur();
+  parent.focus();
+  if (method) parent.postMessage(JSON.stringify({ method }), '*');
+  return true;
 }
 
 // Al entrar en él, el foco va al lienzo.

@@ -151,11 +151,22 @@ const incrustado = {
         frames[0].document.activeElement.blur();
         frames[0].document.querySelector(donde).focus();
       }, donde);
-      await p.teclas('d', ' ', 'PageDown', 'p', 'x', '/');
+      await p.teclas('d', ' ', 'p', 'x', '/');
     }
     await p.exige('sus teclas no salen de él', () => !teclas.length && scrollY === 0 && !document.fullscreenElement);
     const ordenes = await p.da(() => frames[0].pagina.escena.hecho.ordenes);
-    assert.ok(ordenes.filter(o => o === 'tecla d').length === 9 && ordenes.includes('especial AVPAG'), ordenes.join());
+    assert.ok(ordenes.filter(o => o === 'tecla d').length === 9 && ordenes.includes('tecla x'), ordenes.join());
+    await p.da(() => {
+      globalThis.avisos = [];
+      addEventListener('message', ({ data }) => avisos.push(data));
+    });
+    for (const tecla of ['PageDown', 'ArrowLeft', 'Escape']) {
+      await p.da(() => { frames[0].focus(); frames[0].document.querySelector('canvas').focus(); });
+      await p.teclas(tecla);
+      await p.exige(`${tecla} es de la página de fuera`, () => document.hasFocus() && !frames[0].document.hasFocus());
+    }
+    await p.exige('que sabe qué se le pide, y el programa sigue', () =>
+      avisos.join() === '{"method":"next"},{"method":"left"}' && frames[0].pagina.escena.sesion.vivo);
     await p.da(() => suyo.focus());
     await p.teclas('d');
     await p.exige('y las de fuera son de fuera', () => teclas.join() === 'd' && suyo.value === 'd');
