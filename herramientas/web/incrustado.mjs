@@ -29,7 +29,8 @@ export async function copiaLinea(linea) {
 
 // Lo que cada una le pide a unas diapositivas (los mensajes que atiende reveal.js).
 const DEVUELTAS = {
-  ArrowLeft: 'left', ArrowRight: 'right', ArrowUp: 'up', ArrowDown: 'down', PageUp: 'prev', PageDown: 'next', Escape: '',
+  ArrowLeft: 'left', ArrowRight: 'right', ArrowUp: 'up', ArrowDown: 'down', PageUp: 'prev', PageDown: 'next',
+  Escape: '',
 };
 
 /// Si la tecla es para la página de fuera, que se queda con el teclado.
