@@ -4,7 +4,7 @@ import html
 import re
 from pathlib import Path
 
-from base import controles, fuentes, libro
+from base import controles, fuentes, libro, marcas
 
 SINONIMOS = Path(__file__).with_name("sinonimos.tsv")  # lo que se busca y no está escrito así en ningún sitio
 APARTE = re.compile(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"', re.DOTALL)  # comentarios y cadenas
@@ -53,7 +53,7 @@ def hace(raiz, capitulos, del_libro):
         entradas.append({"titulo": titulo, "zonas": suyas, "fuentes": []})
         for p in capitulo.programas:
             suyos = [str(f) for f in fuentes.alcanza(raiz, p.fuente)]
-            ficheros.update((f, identificadores((raiz / f).read_text())) for f in suyos if f not in ficheros)
+            ficheros.update((f, identificadores(marcas.publico(raiz, f))) for f in suyos if f not in ficheros)
             con_texto = [z for z in zonas(raiz, del_libro, p) if z[2]]
             entradas.append({"titulo": p.titulo, "zonas": con_texto, "fuentes": suyos})
     return {"entradas": entradas, "ficheros": ficheros, "sinonimos": dict(libro.filas(SINONIMOS))}

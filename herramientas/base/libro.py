@@ -111,6 +111,8 @@ class Libro:
         self.respuestas = {}
         for titulo, cuerpo in entradas((raiz / "docs/soluciones.md").read_text()):
             codigo = titulo if titulo[0] == "§" else f"E{titulo}"
+            if codigo in marcas.ocultos(raiz):
+                continue
             self.respuestas[codigo] = en_html(re.sub(r"^(?: \([^)]*\))?: ", "", cuerpo))  # lo que pide se lee encima
         capitulos = re.split(r"^## Capítulo (\d+)$", (raiz / "docs/erratas.md").read_text(), flags=re.MULTILINE)[1:]
         self.erratas = [

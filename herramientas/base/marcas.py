@@ -45,6 +45,19 @@ def esqueleto(texto, *codigos):
     return TROZO.sub(vacia, texto)
 
 
+def ocultos(raiz):
+    """Los que las páginas no enseñan resueltos: los códigos de RAÍZ/ocultos.txt, si está."""
+    lista = raiz / "ocultos.txt"
+    return re.sub("#.*", "", lista.read_text()).split() if lista.exists() else []
+
+
+def publico(raiz, fichero):
+    """Lo que se enseña de un fuente."""
+    suyos = ocultos(raiz)
+    texto = (raiz / fichero).read_text()
+    return esqueleto(texto, *suyos) if suyos else texto
+
+
 def main():
     raiz, carpeta = map(Path, sys.argv[1:])
     for shader in raiz.glob("c*/**/*.*"):

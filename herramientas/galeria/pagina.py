@@ -6,7 +6,7 @@ from pygments import highlight
 from pygments.formatters import HtmlFormatter
 from pygments.lexers import CppLexer, GLShaderLexer
 
-from base import controles, fuentes, guiones, indice, libro, paginas, procesos
+from base import controles, fuentes, guiones, indice, libro, marcas, paginas, procesos
 
 AQUI = Path(__file__).parent
 PLANTILLA = AQUI / "galeria.html"
@@ -16,7 +16,7 @@ CLARO, OSCURO = (HtmlFormatter(style=estilo, nowrap=True) for estilo in ("xcode"
 
 def colorea(raiz, fichero):
     lexico = CppLexer() if fichero.suffix in (".cpp", ".h") else GLShaderLexer()
-    return highlight((raiz / fichero).read_text(), lexico, CLARO)
+    return highlight(marcas.publico(raiz, fichero), lexico, CLARO)
 
 
 class PaginaGaleria:

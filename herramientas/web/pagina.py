@@ -127,7 +127,9 @@ class Pagina:
             },
         )
         self.empaqueta("indice", indice.hace(self.raiz, capitulos, libro.Libro(self.raiz)))
-        self.empaqueta("codigo", self.textos("ch*/*.cpp", "ch*/*.h"))
+        self.empaqueta("codigo", {f: marcas.publico(self.raiz, f) for f in self.textos("ch*/*.cpp", "ch*/*.h")})
+        for codigo in set(marcas.ocultos(self.raiz)) & set(marcas.que_piden(shaders)):
+            print(f"Aviso: {codigo} se hace en un shader, y la página lo lleva resuelto: lo dibuja", file=sys.stderr)
         guiones = ("lib/codemirror.js", "mode/clike/clike.js", "addon/edit/matchbrackets.js")
         self.empaqueta(
             "editor",

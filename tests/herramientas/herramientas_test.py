@@ -1,4 +1,5 @@
 """Los módulos de herramientas/, por lo que hacen: cada cuenta frente a un caso resuelto a mano, sin compilar nada."""
+import html
 import itertools
 import math
 import os
@@ -208,6 +209,24 @@ def test_cada_enlace_de_la_galeria_lleva_a_algo(tmp_path, en_marcha):
     hay |= {f"../web/index.html{a}" for a in ("", *(f"#{a}" for a in lleva)) if en_marcha}
     enlaces = {re.sub("/explica/.*", "", e) for e in re.findall(r'\bhref="([^"]+)"', escrita)}
     assert enlaces and not {e for e in enlaces - hay if not (e.endswith(".png") or e.startswith("data:"))}
+
+
+def test_lo_oculto_no_se_ensena(tmp_path):
+    raiz = tmp_path / "lab"
+    raiz.mkdir()
+    for f in RAIZ.iterdir():
+        (raiz / f.name).symlink_to(f)
+    codigos = marcas.que_piden({f: f.read_text() for f in FUENTES})
+    (raiz / "ocultos.txt").write_text("\n".join(codigos) + "  # los de este curso")
+    PaginaGaleria(raiz, tmp_path / "galeria", catalogo.lee(BUILD)).escribe()
+    escritos = "".join(f.read_text() for f in (tmp_path / "galeria").rglob("*.*"))
+    se_lee = html.unescape(re.sub("<[^>]+>", "", escritos.replace('\\"', '"')))
+    hechas = {
+        linea.strip() for f in FUENTES for t in marcas.TROZO.finditer(f.read_text()) for linea in t["hecho"].split("\n")
+    }
+    de_mas = {linea for linea in hechas if len(linea) > 30 and "// de partida" not in linea and linea in se_lee}
+    assert len(hechas) > 150 and not de_mas
+    assert not set(codigos) & set(libro.Libro(raiz).respuestas) and libro.Libro(raiz).respuestas
 
 
 def test_con_muestras_se_suaviza_lo_que_separa_dos_colores_y_nada_mas(tmp_path):
