@@ -13,6 +13,9 @@ EJERCICIO = "ejercicio.txt"  # lo tiene la carpeta de quien aprende; la de un ej
 CARPETA = "ejercicios"
 APUNTADOS = "propios.txt"  # en BUILD, las carpetas que no están ahí: lo lee lee_propios (cmake/programa.cmake)
 ENUNCIADO, CASOS, ERRORES = "ENUNCIADO.md", "casos.txt", "errores.tsv"
+VENTANA = 960, 720  # la que abre ./lab ver: de ella son las posiciones del ratón de los casos
+EN_VENTANA = "escala {} {}; ".format(*VENTANA)
+POSICION = re.compile(r"\b(?:mueve|arrastra|boton \S+ \S+|rueda \S+) +(-?\d+) +(-?\d+)")
 DADOS = ".cpp", ".h", *fuentes.SHADERS, ".vf"
 
 
@@ -56,6 +59,12 @@ def lee_casos(programa):
         titulo, dos, guion = (parte.strip() for parte in renglon.partition(":"))
         if not dos or not titulo or any(c.nombre == titulo for c in casos):
             raise Fallo(f"{programa.carpeta / CASOS}:{n}: es «nombre: guion», y cada nombre, una vez")
+        puntos = [tuple(map(int, punto)) for punto in POSICION.findall(guion)]
+        if puntos and "escala" not in guion:
+            fuera = [p for p in puntos if not (0 <= p[0] < VENTANA[0] and 0 <= p[1] < VENTANA[1])]
+            if fuera:
+                raise Fallo(f"{programa.carpeta / CASOS}:{n}: {fuera[0]} cae fuera de la ventana, que mide 960×720")
+            guion = EN_VENTANA + guion
         casos.append(catalogo.Caso(programa, titulo, programa.nombre, titulo, guion))
     return casos or [catalogo.Caso(programa, "base", programa.nombre)]
 

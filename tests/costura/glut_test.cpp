@@ -1,6 +1,4 @@
-// glut_sin_ventana contra un modelo de GLUT (partida.h), con llamadas, sucesos y menús al azar; lo que dice de la
-// ventana, contra lo que hay; lo que rechaza, y lo que ve su diario.
-#include "costura/partida.h"
+// glut_sin_ventana: lo que dice de la ventana, contra lo que hay; lo que rechaza, y lo que ve su diario.
 #include "ejecuta.h"
 #include <GL/glew.h>
 #include <GL/freeglut.h>
@@ -15,8 +13,6 @@
 using testing::ExitedWithCode;
 
 namespace {
-
-const char *const DESTINOS[] = {"osmesa", "egl"};
 
 void abre(unsigned modo, std::vector<std::string> opciones = {}) {
     opciones.insert(opciones.begin(), "x");
@@ -70,23 +66,6 @@ void abre(unsigned modo, std::vector<std::string> opciones = {}) {
 }
 
 } // namespace
-
-TEST(Glut, ComoElModelo) {
-    for (unsigned semilla = 1; semilla <= 40; ++semilla) {
-        const partida::Partida p(semilla);
-        for (const char *destino : DESTINOS) {
-            const std::string registro = std::string("../tests/registro_") + destino;
-            if (!std::filesystem::exists(LAB_EJECUTABLES "/" + registro))
-                continue;
-            const Ejecucion e = ejecuta(registro, p.guion, partida::ANCHO, partida::ALTO,
-                                        {"-rasgos", "-titulos", "-", p.tandas});
-            EXPECT_EQ(e.errores, "");
-            ASSERT_EQ(e.salida, "título: Registro, así: θ · 2° → π\n" + p.diario + p.rasgos + "fin\n")
-                << destino << ", semilla " << semilla << ": registro '" << p.tandas << "' -guion '" << p.guion
-                << "'";
-        }
-    }
-}
 
 // EGL no tiene plantilla sin profundidad: ahí hay más de lo que se pide.
 TEST(Glut, DiceLoQueHay) {

@@ -178,6 +178,7 @@ NO_EMPIEZAN = (  # y los que no dejan ni empezar
     ({"errores_tsv": "otro.cpp\ta\tx\ty\t\tz\n"}, "no hay ningún «otro.cpp»"),
     ({"errores_tsv": "molinete.cpp a b\n"}, "errores:1: son fichero, texto"),
     ({"casos_txt": "tecla g\n"}, "casos.txt:1: es «nombre: guion»"),
+    ({"casos_txt": "Uno: rueda +1 959 719\nDos: mueve 3 4; arrastra 960 3\n"}, "casos.txt:2: (960, 3) cae fuera"),
     ({"reglas_txt": "caso = mucho\n"}, "reglas.txt:1: «mucho» no vale de caso"),
 )
 
@@ -298,6 +299,8 @@ def test_lo_que_no_es_un_ejercicio(tmp_path):
             busca(f"{tmp_path}/{cual}")
         assert "\n" not in str(fallo.value)
     assert propios.apuntadas(build) == [tmp_path / "fuera/dos"]
+    siembra(tmp_path, {"fuera/dos/casos.txt": "Clic: mueve 480 360\n"})  # en la ventana que se ve
+    assert propios.propio(tmp_path / "fuera/dos").casos[0].guion == "escala 960 720; mueve 480 360"
     siembra(tmp_path, {"lab/ejercicios/roto/roto.cpp": "", "lab/ejercicios/roto/casos.txt": "sin dos puntos"})
     (tmp_path / "lab/ejercicios/uno/otro.h").write_bytes(b"\xff\xfe")
     assert [p.nombre for p in propios.lee(raiz, build)] == ["dos"]
