@@ -20,7 +20,7 @@ const auto GRADIENTES = [] {
 
 /// i módulo n, de 0 a n − 1 aunque i sea negativo; i si no hay periodo.
 inline int resto(int i, int n) {
-    if (n == 0)
+    if (n == 0 || unsigned(i) < unsigned(n)) // sin dividir, que es lo que más tarda
         return i;
     return i >= 0 ? i % n : n - 1 - ~i % n;
 }
