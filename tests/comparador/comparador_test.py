@@ -72,6 +72,17 @@ def test_a_uno_y_otro_lado_de_cada_limite(tmp_path):
     assert "máximo 10 " in compara(tmp_path, BUENA, cambiada(1, 43, 10), "--amplia")[1]
 
 
+def test_una_mancha_se_nota_este_donde_este(tmp_path):
+    """También en las esquinas; y menor de 3×3, en ninguna parte."""
+    lisa = BUENA[: -3 * 43200] + bytes(3 * 43200)
+    for x, y, ancho in itertools.product((0, 119, 237), (0, 89, 177), (2, 3)):
+        manchada = bytearray(lisa)
+        for fila in range(y, y + 3):
+            k = len(manchada) - 3 * 43200 + 3 * (240 * fila + x)
+            manchada[k : k + 3 * ancho] = b"\x40" * (3 * ancho)
+        assert compara(tmp_path, lisa, manchada, "--otro")[0] == (ancho == 3), (x, y, ancho)
+
+
 def test_lo_que_no_se_puede_comparar(tmp_path):
     for ancho, alto in ((239, 180), (240, 181), (180, 240)):  # la última, con los mismos píxeles
         otra = BUENA[: -3 * 43200].replace(b"240 180", b"%d %d" % (ancho, alto)) + bytes(3 * ancho * alto)
