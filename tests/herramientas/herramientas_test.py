@@ -230,6 +230,25 @@ def test_lo_oculto_no_se_ensena(tmp_path):
     assert not set(codigos) & set(libro.Libro(raiz).respuestas) and libro.Libro(raiz).respuestas
 
 
+def test_una_imagen_se_rehace_si_cambia_algo_de_lo_que_lee(tmp_path):
+    p = next(p for p in catalogo.lee_programas(BUILD) if p.nombre == "textura_objeto")
+    galeria, caso = dibuja.Galeria(RAIZ, BUILD, tmp_path, []), p.casos[0]
+    assert [galeria.dibuja(p, caso, tmp_path) for _ in range(2)] == [True, False]
+    hecho = galeria.hecho[caso.imagen]
+    assert {".rgb", ".vert", ".frag", ".glsl", ".cpp"} <= {Path(f).suffix for f in hecho["leidos"]}
+    for ruta, suma in list(hecho["leidos"].items()):
+        hecho["leidos"][ruta] = "otra"
+        assert not galeria.al_dia(caso, hecho["clave"], [])
+        hecho["leidos"][ruta] = suma
+    assert galeria.al_dia(caso, hecho["clave"], [])
+
+
+def test_un_cociente_cumple_no_cumple_o_no_se_sabe():
+    de = {(1.1, 1.2, 1.3): (True, False), (0.9, 0.95, 1.1): (None, None), (0.7, 0.8, 0.9): (False, True)}
+    for tres, cumple in de.items():
+        assert tuple(cocientes.Cociente(*tres).cumple(1, mayor) for mayor in (True, False)) == cumple
+
+
 def test_con_muestras_se_suaviza_lo_que_separa_dos_colores_y_nada_mas(tmp_path):
     ancho, imagenes = 120, []
     for suaviza in {}, {"LAB_SUAVIZA": "1"}:
