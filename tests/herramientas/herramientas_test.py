@@ -14,6 +14,7 @@ from types import SimpleNamespace
 
 import pytest
 
+import lab
 from base import catalogo, controles, defectos, evidencia, fuentes, guiones, libro, marcas, paginas, procesos
 from ejercicios import nuevo
 from ejercicios.corrige import entrega, shaders
@@ -241,6 +242,19 @@ def test_una_imagen_se_rehace_si_cambia_algo_de_lo_que_lee(tmp_path):
         assert not galeria.al_dia(caso, hecho["clave"], [])
         hecho["leidos"][ruta] = suma
     assert galeria.al_dia(caso, hecho["clave"], [])
+
+
+def test_de_varios_programas_acaba_mal_si_acaba_mal_alguno():
+    for estados in itertools.product((0, 2), repeat=3):
+        programas = [SimpleNamespace(nombre="x", titulo="X", estado=e) for e in estados]
+        fingido = SimpleNamespace(
+            elige=lambda *_: programas,
+            compila_elegidos=lambda *_: None,
+            t=SimpleNamespace(suelta=lambda: None),
+            ensena=lambda programa, *_: programa.estado,
+        )
+        que = SimpleNamespace(resto=[], vigila=False, programa="ch01")
+        assert lab.Laboratorio.ver(fingido, que) == max(estados)
 
 
 def test_un_cociente_cumple_no_cumple_o_no_se_sabe():
