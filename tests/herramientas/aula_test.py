@@ -26,6 +26,7 @@ from ejercicios import nuevo
 from ejercicios.corrige import aula
 from ejercicios.corrige import clase as de_clase
 from ejercicios.corrige import conjunto, entrega, hoja, informes, parecidos
+from ejercicios.reglas import Reglas
 from copias import como_variables, copia, tras_un_tipo
 from mentira import faltan, siembra
 
@@ -330,20 +331,30 @@ CATALAN = """Identificador|Nom complet|Adreça electrònica|Estat|Qualificació|
 La qualificació es pot canviar|Darrera modificació (tramesa)|Darrera modificació (qualificació)
 Comentaris de retroacció"""
 COLUMNAS, INGLES, CATALAN = (re.split("[|\n]", suyas) for suyas in (COLUMNAS, INGLES, CATALAN))
+COLUMNAS_DE = {  # como las nombra Moodle en otros idiomas
+    "portugués": "Identificador|Nome completo|Endereço de email|Status|Nota|Nota máxima|Nota pode ser alterada|"
+    "Última modificação (envio)|Última modificação (nota)|Comentários de feedback",
+    "francés": "Identifiant|Nom complet|Adresse de courriel|Statut|Note|Note maximale|La note peut être modifiée|"
+    "Dernière modification (travail remis)|Dernière modification (note)|Feedback par commentaires",
+    "alemán": "ID|Vollständiger Name|E-Mail-Adresse|Status|Bewertung|Bestwertung|Bewertung kann geändert werden|"
+    "Zuletzt geändert (Abgabe)|Zuletzt geändert (Bewertung)|Feedback als Kommentar",
+    "sueco": "Identifierare|Namn|E-postadress|Status|Betyg|Högsta betyg|Betyget kan ändras|"
+    "Senast ändrad (inlämning)|Senast ändrad (betyg)|Återkoppling",
+}
 SIN_ACENTOS = ["".join(q for q in unicodedata.normalize("NFD", c) if q.isascii()) for c in COLUMNAS]
 GRUPOS = [*INGLES[:4], "Group", *INGLES[4:]]
 RARO = 'Pérez, "la O"\nGil'
 EN_CIEN = {"maxima": "100.00"}
 
 
-def una_hoja(columnas, separador=",", fin="\r\n", maxima="10,00", comillas=csv.QUOTE_MINIMAL, acaba=True):
+def una_hoja(columnas, separador=",", fin="\r\n", maxima="10,00", comillas=csv.QUOTE_MINIMAL, acaba=True, comento="ya"):
     """Con tres personas: la tercera no ha entregado."""
     datos = io.StringIO()
     escribe = csv.writer(datos, delimiter=separador, lineterminator=fin, quoting=comillas)
     escribe.writerow(columnas)
     for n, quien in ((1001, RARO), (1002, "Ana Gil"), (1003, "Luis")):
         grupo = ["Grupo_A"] if "Group" in columnas else []
-        fila = [f"Participante {n}", quien, "", "Enviado", *grupo, "", maxima, "Sí", "lunes, 5", "-", "ya había"]
+        fila = [f"Participante {n}", quien, "", "Enviado", *grupo, "", maxima, "Sí", "lunes, 5", "-", comento]
         escribe.writerow(fila[: len(columnas)])
     return datos.getvalue() if acaba else datos.getvalue().rstrip()
 
@@ -355,6 +366,7 @@ HOJAS = {  # las columnas, cómo se escriben, en qué están y qué llevan delan
     "en catalán": (CATALAN, {}, "utf-8", b""),
     "sin acentos ni el último fin": (SIN_ACENTOS, {"acaba": False}, "utf-8", b""),
     "con puntuación": ([f" {c.upper()}: " for c in COLUMNAS], {}, "utf-8", b""),
+    **{f"en {idioma}": (suyas.split("|"), {"comento": ""}, "utf-8", b"") for idioma, suyas in COLUMNAS_DE.items()},
     "con BOM": (COLUMNAS, {}, "utf-8", b"\xef\xbb\xbf"),
     "en inglés": (INGLES, EN_CIEN, "utf-8", b""),
     "con todo entre comillas": (INGLES, {**EN_CIEN, "comillas": csv.QUOTE_ALL}, "utf-8", b""),
@@ -371,16 +383,20 @@ def celdas(datos, como="utf-8", marca=b"", separador=","):
     return list(csv.reader(io.StringIO(datos[len(marca) :].decode(como), newline=""), delimiter=separador))
 
 
+QUIENES = ("Otro nombre_1001", "x"), ("Grupo A_7", "x"), ("Eva_9", "Eva")
+
+
 @pytest.mark.parametrize("cual", HOJAS)
 def test_la_hoja_de_moodle_se_queda_como_estaba(tmp_path, cual):
     """Leída otra vez, columna a columna; y lo que no se pone, byte a byte."""
     columnas, escrita, como, marca = HOJAS[cual]
     fichero, de_grupos = tmp_path / "hoja.csv", "Group" in columnas
     fichero.write_bytes(antes := marca + una_hoja(columnas, **escrita).encode(como))
-    suya = hoja.Hoja(fichero)
+    quienes = {f"{nombre}{MOODLE}": quien for nombre, quien in QUIENES[de_grupos:]}
+    suya = hoja.Hoja(fichero, quienes)
     assert suya.escribe().read_bytes() == antes  # sin notas es la misma
-    for nombre, quien in (("Otro nombre_1001", "x"), ("Grupo A_7", "x"), ("Eva_9", "Eva")):
-        suya.pon(nombre + MOODLE, {**HECHA, "entrega": quien})
+    for nombre, quien in quienes.items():
+        suya.pon(nombre, {**HECHA, "entrega": quien})
     destino = suya.escribe()
     assert (destino.name, fichero.read_bytes()) == ("hoja-con-notas.csv", antes)
     una, otra = (celdas(datos, como, marca, suya.como_esta["delimiter"]) for datos in (antes, destino.read_bytes()))
@@ -398,21 +414,30 @@ def test_la_hoja_de_moodle_se_queda_como_estaba(tmp_path, cual):
     # las demás líneas, con sus comillas y sus finales
     viejas, nuevas = (re.split(r"(\r?\n)", datos.decode(como, "replace")) for datos in (antes, destino.read_bytes()))
     assert sum(linea in nuevas for linea in viejas) >= len(viejas) - 2 * len(con_nota)
-    assert suya.avisos == [f"«{quien}» no está en hoja.csv" for quien in ("x", "Eva")]
+    fuera = ["Eva"] if de_grupos else ["x", "Eva"]
+    assert suya.avisos == [f"«{quien}» no está en hoja.csv" for quien in fuera]
     comentarios = len(con_nota) * (len(cambia) - 1)
     assert suya.cuenta.startswith(f"{len(con_nota)} notas y {comentarios} comentarios puestos; ")
-    assert suya.cuenta.endswith("; no están en la hoja 2")
+    assert suya.cuenta.endswith(f"; no están en la hoja {len(fuera)}")
+    assert ("sin columna de comentarios" in suya.cuenta) == (len(columnas) < 10)
+    assert ("por lo que tienen" in suya.cuenta) == (cual == "en sueco")
 
 
-def test_lo_que_la_hoja_dice_a_excel_no_va_a_moodle(tmp_path):
-    fichero, suya = tmp_path / "h.csv", una_hoja(COLUMNAS, separador=";").encode()
-    fichero.write_bytes(b"sep=;\r\n" + suya)
-    assert hoja.Hoja(fichero).escribe().read_bytes() == suya
+@pytest.mark.parametrize("antes", ["sep=;\r\n", "\ufeff\ufeffsep=;\r\n", "\ufeffsep=;\n\ufeff", "\ufeff\ufeff"])
+def test_lo_que_la_hoja_dice_a_excel_no_va_a_moodle(tmp_path, antes):
+    fichero, suya = tmp_path / "h.csv", una_hoja(COLUMNAS, separador=";")
+    fichero.write_bytes(f"{antes}{suya}".encode())
+    assert hoja.Hoja(fichero).escribe().read_text("utf-8-sig" if antes[0] == "\ufeff" else "utf-8") == suya.replace(
+        "\r\n", "\n"
+    )
 
 
 @pytest.mark.parametrize(
     "nota, maxima, dice",
-    [(100, "10,00", "10,00"), (99.9, "1,00", "0,999"), (0, "100,00", "0,00"), (33.3, "7.00", "2.331")],
+    [
+        *[(100, "10,00", "10,00"), (99.9, "1,00", "0,999"), (0, "100,00", "0,00"), (33.3, "7.00", "2.331")],
+        *[(100, "10", "10"), (8.3, "10", "0,83"), (75, "10", "7,5"), (0, "100", "0")],
+    ],
 )
 def test_la_nota_va_en_los_puntos_de_la_tarea(tmp_path, nota, maxima, dice):
     (tmp_path / "h.csv").write_text(una_hoja(COLUMNAS, maxima=maxima))
@@ -437,10 +462,41 @@ def test_la_hoja_que_no_se_entiende_se_dice_antes_de_corregir(tmp_path, texto, d
         hoja.Hoja(tmp_path / "no.csv")
 
 
+def test_lo_puesto_a_mano_se_respeta(tmp_path):
+    (tmp_path / "h.csv").write_text(una_hoja(COLUMNAS).replace("Gil,,Enviado,,", 'Gil,,Enviado,"7,5",'))
+    for cambia, nota, dice in ((False, "7,5", "1 notas y 1 comentarios puestos; se quedan 1"), (True, "8,75", "2 n")):
+        suya = hoja.Hoja(tmp_path / "h.csv", cambia=cambia)
+        for n in (1002, 1003):
+            suya.pon(f"X_{n}{MOODLE}", HECHA)
+        filas = celdas(suya.escribe().read_bytes())
+        assert [fila[4] for fila in filas[2:]] == [nota, "8,75"] and suya.cuenta.startswith(dice)
+        assert (filas[2][9] == "ya") != cambia
+
+
+def test_con_una_escala_van_palabras(tmp_path):
+    columnas = ["Escala" if c == "Calificación máxima" else c for c in COLUMNAS]
+    (tmp_path / "h.csv").write_text(una_hoja(columnas, maxima="No apto\n Apto"))
+    reglas = Reglas(escala="0 No apto; 50 apto")
+    for nota, palabra in ((100, "Apto"), (50, "Apto"), (49.9, "No apto"), (0, "No apto")):
+        suya = hoja.Hoja(tmp_path / "h.csv", reglas=reglas)
+        suya.pon(f"A_1002{MOODLE}", {**HECHA, "nota": nota})
+        assert celdas(suya.escribe().read_bytes())[2][4] == palabra
+    with pytest.raises(procesos.Fallo, match="«Bien» no es de la escala de «h.csv», que son No apto, Apto"):
+        hoja.Hoja(tmp_path / "h.csv", reglas=Reglas(escala="0 No apto; 90 Bien"))
+
+
+def test_una_columna_de_grupo_puede_no_ser_de_la_tarea(tmp_path):
+    (tmp_path / "h.csv").write_text(una_hoja(GRUPOS))
+    suya = hoja.Hoja(tmp_path / "h.csv", [f"Participante 1002_1002{MOODLE}"])
+    suya.pon(f"Participante 1002_1002{MOODLE}", HECHA)
+    assert suya.puestos["nota"] == 1 and not suya.avisos
+    assert conjunto.de_vuelta(f"Ana_1002{MOODLE}", suya) == [f"Ana_1002{MOODLE}"]
+
+
 def test_lo_de_un_grupo_vuelve_a_cada_uno(tmp_path):
     """El número de la carpeta es el del grupo, que puede ser el de una persona que no tiene nada que ver."""
     (tmp_path / "h.csv").write_text(una_hoja(GRUPOS))
-    suya = hoja.Hoja(tmp_path / "h.csv")
+    suya = hoja.Hoja(tmp_path / "h.csv", [f"Grupo A_1003{MOODLE}"])
     son = conjunto.de_vuelta(f"Grupo A_1003{MOODLE}", suya)
     assert [re.split("_", s)[1] for s in son] == ["1001", "1002", "1003"] and "/" not in "".join(son)
     assert conjunto.de_vuelta(f"Otro_1003{MOODLE}", suya) == [] and conjunto.de_vuelta("ana", suya) == []

@@ -333,7 +333,7 @@ def test_lo_que_se_da_y_lo_que_no(tmp_path):
 
 CASO, AZAR = Guion("caso", (), True), Guion("al azar", ())
 OTRAS = {"caso": 5.5, "azar": 4.5, "guiones": 3, "tolerancia": "otro", "casi": 80.5}
-OTRAS |= {"titulo": 11.5, "texto": 12.5, "estado": 13.5}
+OTRAS |= {"titulo": 11.5, "texto": 12.5, "estado": 13.5, "escala": "0 Mal; 50 Bien"}
 SITUACIONES = {  # los guiones que salen bien, los que salen por poco, y lo demás que falla
     "falla un caso": ([AZAR], [], {}),
     "falla uno al azar": ([CASO], [], {}),
@@ -349,6 +349,7 @@ CAMBIA = {  # lo que cambia cada una
     "titulo": {"el título"},
     "texto": {"el texto"},
     "estado": {"el estado"},
+    "escala": set(),
 }
 
 
@@ -392,6 +393,8 @@ MALAS = {
     "guiones = 2.5": "no vale de guiones: un número natural",
     "tolerancia = ancha": "«ancha» no vale de tolerancia: redondeo, amplia, otro",
     "texto =": "«» no vale de texto",
+    "escala = Apto": "«Apto» no vale de escala: desde cuántos puntos es cada palabra",
+    "escala = 0 No; 90 Bien; 50 Apto": "no vale de escala",
     "caso = 0\nazar = 0": "no queda nada",
     "caso = 0\nguiones = 0": "no queda nada",
     "texto = 90\ntitulo = 10": "más de 100",

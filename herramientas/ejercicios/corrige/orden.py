@@ -42,7 +42,7 @@ def opciones(palabras):
     for opcion in ("--deja", "--json", "--junit", "--moodle", "--reglas"):
         analizador.add_argument(opcion, type=Path)
     analizador.add_argument("-j", type=positivo, default=os.cpu_count())
-    for opcion in ("--vpl", "--sin-jaula", "--programa"):  # --programa: solo escribe cuál es
+    for opcion in ("--vpl", "--sin-jaula", "--cambia-notas", "--programa"):  # --programa: solo escribe cuál es
         analizador.add_argument(opcion, action="store_true")
     que, sobran = analizador.parse_known_args(palabras)
     if sobran:
@@ -88,7 +88,8 @@ def donde(que, carpeta):
 
 def de_una_clase(que, banco, carpeta, dentro):
     """Las de todos, en una página y en lo que Moodle recoge."""
-    hoja = que.moodle and Hoja(que.moodle.absolute())  # antes de nada, si no se entiende
+    quienes = [suya.name for suya in dentro]  # la hoja, antes de nada, si no se entiende
+    hoja = que.moodle and Hoja(que.moodle.absolute(), quienes, banco.reglas, que.cambia_notas)
     destino, leidas = que.deja or carpeta.with_name(f"{carpeta.name}-corregida"), {}
     correcciones, fallos = clase.clase(banco, dentro, destino, que.j, leidas)
     escribe(destino / "notas.csv", informes.en_csv(correcciones.values()))
