@@ -5,6 +5,7 @@ import io
 import os
 import random
 import re
+import tarfile
 import unicodedata
 import zipfile
 from pathlib import Path
@@ -50,11 +51,22 @@ def con_clave(datos):
     return bytes(datos)
 
 
+def en_tar(comprimido, *ficheros, tipo=tarfile.REGTYPE):
+    datos = io.BytesIO()
+    with tarfile.open(fileobj=datos, mode=f"w:{comprimido}") as t:
+        for nombre, contenido in ficheros:
+            info = tarfile.TarInfo(nombre)
+            info.size, info.type, info.linkname = len(contenido), tipo, "/etc/passwd"
+            t.addfile(info, io.BytesIO(contenido))
+    return datos.getvalue()
+
+
 BUENO = en_zip(("p.cpp", P), ("p.h", b""))
 NFD = unicodedata.normalize("NFD", "grúa.cpp")
 NOMBRADOS = {  # de cómo se llama un fichero, cómo lo escribe cada uno
     "niño.cpp": ["niño.cpp".encode("cp437")],
     "GRÚA.cpp": ["GRÚA.cpp".encode("cp850")],
+    "Garcíá.cpp": [unicodedata.normalize("NFD", "Garcíá.cpp").encode().decode("cp437")],
     "grúa niño.cpp": ["grúa niño.cpp".encode("latin1")],
     "grúa.cpp": [NFD, NFD.encode(), "grúa.cpp".encode()],
 }
@@ -84,6 +96,11 @@ CONTENIDOS = {"enlace": Path("/etc"), "tubería": os.mkfifo, "2 MiB": 2 << 20, "
 CONTENIDOS |= {"binario": b"\x7fELF\0", "latin1": b"int main() {} // gr\xfaa", "bom": b"\xef\xbb\xbfint x;", "": ""}
 CONTENIDOS |= {"E4.4": "E4.4 ch04/x", REF: f"{REF} ch03/grua", "viejo": "viejo", "m": "int main() {}"}
 CONTENIDOS |= {
+    "en tar": en_tar("gz", ("grua/p.cpp", P), ("grua/p.h", b"")),
+    "tar sin comprimir": en_tar("", ("p.cpp", P), ("p.h", b"")),
+    "tar que sale": en_tar("gz", ("../../p.cpp", P)),
+    "tar de enlaces": en_tar("gz", ("p.cpp", b""), tipo=tarfile.SYMTYPE),
+    "tar bomba": en_tar("gz", ("a", bytes(70 << 20)), ("p.cpp", P)),
     "otro main": "int main() { return 0; }",
     "suyo": '#include "p.h"\nint main() {}',
     "+p.h": '#include "p.h"',
@@ -114,6 +131,14 @@ un enlace que no es fuente    p.cpp=m, p.h, notas.txt=enlace, x=enlace, util=enl
 de otro ejercicio             p.cpp=m, p.h, ejercicio.txt=E4.4 → su carpeta es de otro ejercicio, el E4.4; p.cpp p.h
 nada                          .p.cpp=m → no hay nada en su carpeta
 rar                           entrega.rar, leeme.txt → no hay ningún fuente: hay un «entrega.rar» sin descomprimir
+tar.gz                        e.tar.gz=en tar → p.cpp p.h; se ha abierto «e.tar.gz»: entrégalo sin comprimir o en un .zip
+tar                           f.TAR=tar sin comprimir → p.cpp p.h; se ha abierto «f.TAR»…
+tar que sale                  e.tgz=tar que sale → en el .zip hay una ruta que sale de su carpeta: «../../p.cpp»
+tar de enlaces                e.tgz=tar de enlaces → no hay nada en su carpeta
+tar bomba                     e.tgz=tar bomba → «e.tgz» pasa de 64 MiB
+tar que no lo es              e.tar.gz=m, f.tar=m → «e.tar.gz» no se puede abrir: está estropeado, o no es lo que dice ser
+de Windows                    p.cpp.txt=m, p.h → p.cpp p.h; se llama p.cpp.txt, y se ha leído como p.cpp
+y también sin él              p.cpp=m, p.cpp.txt=binario, p.h, leeme.txt → p.cpp p.h
 word                          mi grúa.docx → no hay ningún fuente: hay mi grúa.docx
 latin1                        p.cpp=latin1, p.h → p.cpp p.h; no está en UTF-8, y se ha traducido: p.cpp
 utf16                         p.cpp=utf16, p.h → p.cpp p.h; no está en UTF-8, y se ha traducido: p.cpp
@@ -292,10 +317,20 @@ def de_moodle(texto):
     )
 
 
-@pytest.mark.parametrize("fila", NOMBRES)
+# Y de Canvas y de Blackboard, sin nada de Moodle.
+DE_OTRAS = """
+gilana_11111_222222_p.cpp gilana_11111_222223_p-1.h luis_LATE_3_4_grua-2.cpp → gilana_11111=p.cpp~p.h luis_3=grua.cpp
+gilana_11111_222222_p.cpp → gilana_11111=p.cpp
+Clase/gil_11_22_mi_p.cpp Clase/luis_3_4_q.h → gil_11=mi_p.cpp luis_3=q.h
+T_1_al7_attempt_2026-11-20-09-30-00_p.cpp T_1_al7_attempt_2026-11-20-09-30-00.txt → al7=p.cpp
+T_a_attempt_2026-11-20-09-30-00_p.cpp T_a_attempt_2026-11-21-09-30-00_q_2.cpp → a=q_2.cpp
+""".strip().splitlines()
+
+
+@pytest.mark.parametrize("fila", [*(" ".join(map(de_moodle, fila.split())) for fila in NOMBRES), *DE_OTRAS])
 @pytest.mark.parametrize("en", ("zip", "carpeta"))
 def test_de_quien_es_lo_que_da_una_plataforma(tmp_path, fila, en):
-    hay, son = ([de_moodle(p).replace("~", " ") for p in lado.split()] for lado in fila.split("→"))
+    hay, son = ([p.replace("~", " ") for p in lado.split()] for lado in fila.split("→"))
     if en == "zip":
         (tmp_path / "clase.zip").write_bytes(en_zip(*((ruta, P) for ruta in hay)))
     for ruta in hay if en == "carpeta" else ():
@@ -314,9 +349,10 @@ def test_lo_suelto_de_una_carpeta_tampoco_es_de_fiar(tmp_path):
 
 
 def test_uno_solo_en_un_zip(tmp_path):
-    (tmp_path / "ana.zip").write_bytes(en_zip(("src/p.cpp", P), ("src/p.h", b"")))
-    suya, dentro, _ = aula.busca(tmp_path, tmp_path / "ana.zip")
-    assert dentro is None and suya.name == "ana" and lee(suya) == "p.cpp p.h"
+    for nombres in (("src/p.cpp", "src/p.h"), ("ana_1_2_p.cpp", "p.h")):
+        (tmp_path / "ana.zip").write_bytes(en_zip(*((nombre, P) for nombre in nombres)))
+        suya, dentro, _ = aula.busca(tmp_path, tmp_path / "ana.zip")
+        assert dentro is None and suya.name == "ana" and lee(suya) == " ".join(n.removeprefix("src/") for n in nombres)
 
 
 # --- la hoja de calificaciones --------------------------------------------------------------------------------------

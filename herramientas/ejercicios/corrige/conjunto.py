@@ -34,7 +34,7 @@ ES_LO_MISMO = {
     "no hay ningún fuente|no hay nada": "no hay ningún fuente",
     "el título es": NO_SE_VE[0],
     "debía escribir": NO_SE_VE[1],
-    "el compilador avisa|no viene |su carpeta es de otro|no se ha mirado todo|se ha corregido |no está en UTF-8": None,
+    "el compilador avisa|no viene |su carpeta es de otro|no se ha mirado todo|se ha corregido |no está en UTF-8|se llama |se ha abierto ": None,
 }
 
 

@@ -193,8 +193,7 @@ def lee_entrega(que, ref="", de_otro=lambda ruta: False):
     while len(unica := {f.partition("/")[0] for f in ficheros}) == 1 and all("/" in f for f in ficheros):
         llamadas += unica
         ficheros = {f.partition("/")[2]: contenido for f, contenido in ficheros.items()}
-    avisos = [f"no está en UTF-8, y se ha traducido: {limpio(lector.traducidos[0])}"] if lector.traducidos else []
-    return Entrega(ficheros, tuple(llamadas), ejercicio, lector.mal, avisos)
+    return Entrega(ficheros, tuple(llamadas), ejercicio, lector.mal, lector.avisos)
 
 
 def ejercicio_de(carpeta, programas):
