@@ -556,7 +556,8 @@ def test_en_que_se_equivoca_una_clase():
     gira, nada = "parece que gira al revés", "«tecla d» no hace nada"
     hechas = [
         corregida("a", 60, gira, nada, imagen="A"),
-        corregida("b", 50, "no viene p.h: se ha puesto el de partida", gira, imagen="B"),
+        corregida("b", 50, gira, imagen="B"),
+        corregida("k", 40, f"parece que falta el pie; y que {gira.removeprefix('parece que ')}"),
         corregida("c", 0, "no compila: p.cpp:3: x"),
         corregida("d", 0, "no compila: q.cpp:9: y"),
         corregida("e", 0, "no compila: falta «main»"),
@@ -569,13 +570,35 @@ def test_en_que_se_equivoca_una_clase():
     hay = [(e.dice, [h.quien for h in e.de], e.imagenes[:1]) for e in conjunto.errores(hechas)]
     assert hay == [
         ("no compila", ["c", "d", "e"], []),
-        (gira, ["a", "b"], ["B"]),  # de quien no hace nada más mal
+        (gira, ["a", "b", "k"], ["B"]),  # de quien no hace nada más mal
         ("el título no es el que debía", ["j"], []),
-        ("falla tras «tecla d»", ["g"], ["G"]),
+        ("no se ve como debe: abajo", ["g"], ["G"]),
         ("no viene p.frag", ["i"], []),
         ("se cae", ["h"], []),
-        (nada, ["a"], ["A"]),
     ]
+
+
+def test_en_que_se_equivoca_cada_uno():
+    """Si solo se sabe lo que se ve, en lo que más se repite; y de lo que se dibuja, lo que le falta."""
+    callan = [[f"«tecla {t}» no hace nada" for t in teclas] for teclas in ("ma", "ad", "d", "od")]
+    hechas = [corregida(str(i), 50, *dice) for i, dice in enumerate(callan)]
+    otra = corregida("otra", 50, imagen="O")
+    otra.c["fallos"][0]["donde"] = {"que": "falta", "dice": "x"}
+    assert {dice: len(de) for dice, de in conjunto.por_causa([*hechas, otra]).items()} == {
+        "«tecla d» no hace nada": 3,
+        "«tecla a» no hace nada": 1,
+        "falta algo por dibujar": 1,
+    }
+
+
+def test_lo_que_se_dice_a_quien_no_sabe_de_guiones():
+    dice = informes.en_html("«tecla d ×7» y «boton x»: `vuelta` < <b>")
+    assert dice == "«pulsa d 7 veces» y «boton x»: <code>vuelta</code> &lt; &lt;b&gt;"
+    c = {"dice": ["mal"], "fallos": [], "avisos": ["no viene p.h: se ha puesto el de partida"]}
+    assert informes.lineas(c)[0] == "mal" and len(informes.lineas(c)) == 2
+    de_partida = {"p.cpp": "1", "p.h": "2"}
+    hay = [de_clase.sobra(f"no viene {f}: se ha puesto", de_partida, {"p.cpp": "1", "p.h": "3"}) for f in de_partida]
+    assert hay == [True, False]  # en p.cpp no hay nada que hacer
 
 
 def test_como_se_llama_cada_uno():

@@ -52,14 +52,21 @@ def corrige(banco, carpeta, resultado=None, leidas=None):
         return anterior
     datos |= {"bien": 0, "guiones": len(banco.todos), "casos": {}}
     datos |= {"nota": 0, "dice": [rechazo], "fallos": []} if rechazo else Correccion(banco, entrega).hazla()
+    datos["avisos"] = []
     if entrega and datos["nota"] < 100:
         de_otro = entrega.ejercicio not in ("", banco.ref)
         antes = [f"su carpeta es de otro ejercicio, el {entrega.ejercicio}"] if de_otro else []
-        datos["dice"] = antes + datos["dice"] + entrega.avisos
+        datos["dice"] = antes + datos["dice"]
+        datos["avisos"] = [aviso for aviso in entrega.avisos if not sobra(aviso, *banco.dados)]
     datos = limpia(datos, str(banco.temporal))
     if resultado:
         escribe(resultado, json.dumps(datos, ensure_ascii=False, indent=1))
     return datos
+
+
+def sobra(aviso, esqueleto, solucion):
+    """Lo de que no viene un fichero en que no hay nada que hacer."""
+    return any(aviso.startswith(f"no viene {f}:") for f, texto in esqueleto.items() if solucion.get(f) == texto)
 
 
 def fichero_de(carpeta):

@@ -3,7 +3,6 @@ demás, columnas, filas, separador y finales de línea, se queda como estaba, qu
 nombre y compara la fecha de la última modificación."""
 import codecs
 import csv
-import html
 import io
 import re
 import unicodedata
@@ -12,7 +11,7 @@ from collections import Counter, defaultdict
 from base.procesos import Fallo, escribe
 from ejercicios.corrige.aula import de_moodle
 from ejercicios.corrige.entrega import limpio
-from ejercicios.corrige.informes import lineas
+from ejercicios.corrige.informes import en_html, lineas
 from ejercicios.reglas import Reglas
 
 # Cómo se llaman, por lo que significan, en castellano, catalán, gallego, portugués, francés, italiano, alemán e inglés.
@@ -223,6 +222,6 @@ def en_puntos(nota, maxima, coma):
 
 def comentario(c):
     """Lo que se dice de una corrección, en el HTML que Moodle guarda."""
-    frases = "".join(f"<li>{html.escape(linea)}</li>" for linea in lineas(c))
+    frases = "".join(f"<li>{en_html(linea)}</li>" for linea in lineas(c))
     cuantos = f"{c['bien']} de {c['guiones']} guiones dan lo mismo que la solución. " if c["casos"] else ""
-    return f"<p>{c['nota']:g} de 100. {cuantos}</p><ul>{frases}</ul><p>Reglas: {html.escape(c['reglas'])}.</p>"
+    return f"<p>{c['nota']:g} de 100. {cuantos}</p><ul>{frases}</ul><p>Reglas: {en_html(c['reglas'])}.</p>"
