@@ -335,11 +335,11 @@ def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, 
         escrito += vpl + pide(carpeta, REF, "--sin-jaula", "--json", tmp_path / "una.json")
     d = tmp_path / "d"
     ficheros = [tmp_path / "j.xml", d / "notas.csv", d / "index.html", *d.glob("*.json"), *d.glob("comentarios/*.html")]
-    escrito += "".join(f.read_text().replace("\r\n", "\n") for f in ficheros)
+    escrito += "".join(f.read_text("utf-8-sig").replace("\r\n", "\n") for f in ficheros)
     assert {c for c in escrito if not c.isprintable()} <= {"\n"}
     assert max(map(len, escrito.split("\n"))) < 4 * lector.LETRAS + 300
     assert len(xml.parse(tmp_path / "j.xml").getroot()) == len(list(d.glob("*.json"))) == len(hostiles)
-    filas = list(csv.reader(io.StringIO((d / "notas.csv").read_text())))
+    filas = celdas((d / "notas.csv").read_bytes(), "utf-8-sig", separador=";")
     assert len(filas) == len(hostiles) + 1 and not [c for f in filas for c in f if c[:1] in tuple("=+-@")]
     assert (d / "index.html").read_text().count("<script") == 1
     assert str(tmp_path / "temporal") not in escrito
@@ -740,8 +740,9 @@ def comprueba_correcciones(clase, destino):
     escrito = "".join(map(json.dumps, todas.values()))
     assert "root:" not in escrito
     assert str(clase.with_name("temporal")) not in escrito
-    filas = list(csv.DictReader(io.StringIO((destino / "notas.csv").read_text())))
-    assert {quien(f["entrega"]): float(f["nota"]) for f in filas} == notas
+    columnas, *filas = celdas((destino / "notas.csv").read_bytes(), "utf-8-sig", separador=";")
+    assert columnas[:3] == ["entrega", "ejercicio", "nota"]
+    assert {quien(f[0]): float(f[2].replace(",", ".")) for f in filas} == notas
     comprueba_pagina((destino / "index.html").read_text(), todas)
     comprueba_imagenes((destino / f"comentarios/{gira}.html").read_text())
     comprueba_hoja(clase, notas)
@@ -867,4 +868,8 @@ def test_una_entrega_da_lo_mismo_sin_jaula(clase, tmp_path):
     siembra(notas, {"d_orden.json": una})
     antes = cuando(notas)
     subprocess.run(orden(tmp_path / "clase", REF, "--guiones", "0", "--deja", notas), **CALLADO)
-    assert cuando(notas) == antes and f"d_orden,{REF},{json.loads(una)['nota']}" in (notas / "notas.csv").read_text()
+    assert (
+        cuando(notas) == antes
+        and f"d_orden;{REF};{json.loads(una)['nota']}".replace(".", ",", 2).replace(REF.replace(".", ","), REF)
+        in (notas / "notas.csv").read_text()
+    )
