@@ -9,8 +9,9 @@ from concurrent.futures import ThreadPoolExecutor
 from base.procesos import Fallo, escribe, motivo
 from ejercicios.corrige import parecidos
 from ejercicios.corrige.arbitro import suma
-from ejercicios.corrige.entrega import Rechazo, lee_entrega, limpio
+from ejercicios.corrige.entrega import lee_entrega
 from ejercicios.corrige.informes import lineas
+from ejercicios.corrige.lector import Rechazo, limpio
 from ejercicios.corrige.veredicto import Correccion
 
 

@@ -13,7 +13,7 @@ from base.procesos import escribe as escribe_fichero
 from ejercicios.corrige import informes, parecidos
 from ejercicios.corrige.aula import de_moodle
 from ejercicios.corrige.clase import fichero_de
-from ejercicios.corrige.entrega import limpio
+from ejercicios.corrige.lector import limpio
 
 AQUI = Path(__file__).parent
 COMENTARIOS, SUYO = "comentarios", "correccion.html"

@@ -16,7 +16,6 @@ from ejercicios.corrige.lector import (
     basura,
     de_carpeta,
     lee_fichero,
-    limpio,
     tipo,
 )
 

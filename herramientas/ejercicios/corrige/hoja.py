@@ -10,8 +10,8 @@ from collections import Counter, defaultdict
 
 from base.procesos import Fallo, escribe
 from ejercicios.corrige.aula import de_moodle
-from ejercicios.corrige.entrega import limpio
 from ejercicios.corrige.informes import en_html, lineas
+from ejercicios.corrige.lector import limpio
 from ejercicios.reglas import Reglas
 
 # Cómo se llaman, por lo que significan, en castellano, catalán, gallego, portugués, francés, italiano, alemán e inglés.
@@ -223,5 +223,5 @@ def en_puntos(nota, maxima, coma):
 def comentario(c):
     """Lo que se dice de una corrección, en el HTML que Moodle guarda."""
     frases = "".join(f"<li>{en_html(linea)}</li>" for linea in lineas(c))
-    cuantos = f"{c['bien']} de {c['guiones']} guiones dan lo mismo que la solución. " if c["casos"] else ""
+    cuantos = f"{c['bien']} de {c['guiones']} pruebas salen como se espera. " if c["casos"] else ""
     return f"<p>{c['nota']:g} de 100. {cuantos}</p><ul>{frases}</ul><p>Reglas: {en_html(c['reglas'])}.</p>"

@@ -1,5 +1,5 @@
 """Una corrección, o las de una clase, como se escriben: en texto, para VPL, en JUnit, en una tabla y en una página.
-Todo lo que en ella hay ya está limpio (entrega.limpio)."""
+Todo lo que en ella hay ya está limpio (lector.limpio)."""
 import csv
 import html
 import io

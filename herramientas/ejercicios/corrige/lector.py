@@ -1,4 +1,4 @@
-"""Leer lo que entrega un estudiante, que no es de fiar: una carpeta, un .zip o los .zip y .tar que haya en ella. De cada
+"""Leer lo que entrega un estudiante, que no es de fiar: una carpeta o los .zip y .tar que haya en ella. De cada
 fichero se da su ruta, en partes, y una función que lo lee hasta un límite o dice por qué no se puede; se leen los que
 sirven, también hasta un límite. Lo demás, aunque no se pueda leer, no estorba."""
 import functools

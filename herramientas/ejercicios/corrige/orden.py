@@ -15,7 +15,7 @@ from pathlib import Path
 
 from base.procesos import Fallo, escribe, principal
 from ejercicios import nuevo, propios, reglas
-from ejercicios.corrige import aula, clase, conjunto, entrega, informes, shaders
+from ejercicios.corrige import aula, clase, conjunto, entrega, informes, lector, shaders
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.hoja import Hoja
 from ejercicios.corrige.jaula import Jaula
@@ -121,7 +121,7 @@ def main():
         return print(programa.objetivo)
     puntua = reglas.del_programa(programa, que.reglas, que.guiones, shaders.reglas(ref))
     if dentro and sueltos:
-        print(entrega.limpio(f"En {que.entrega} hay sueltos, y se dejan: {', '.join(sueltos)}"), file=sys.stderr)
+        print(lector.limpio(f"En {que.entrega} hay sueltos, y se dejan: {', '.join(sueltos)}"), file=sys.stderr)
     jaula = None if que.sin_jaula else Jaula(raiz)
     if jaula:
         jaula.comprueba()
