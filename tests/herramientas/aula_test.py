@@ -320,7 +320,7 @@ def de_moodle(texto):
 # Y de Canvas y de Blackboard, sin nada de Moodle.
 DE_OTRAS = """
 gilana_11111_222222_p.cpp gilana_11111_222223_p-1.h luis_LATE_3_4_grua-2.cpp → gilana_11111=p.cpp~p.h luis_3=grua.cpp
-gilana_11111_222222_p.cpp → gilana_11111=p.cpp
+gilana_11111_222222_p.cpp leeme.txt → gilana_11111=p.cpp
 Clase/gil_11_22_mi_p.cpp Clase/luis_3_4_q.h → gil_11=mi_p.cpp luis_3=q.h
 T_1_al7_attempt_2026-11-20-09-30-00_p.cpp T_1_al7_attempt_2026-11-20-09-30-00.txt → al7=p.cpp
 T_a_attempt_2026-11-20-09-30-00_p.cpp T_a_attempt_2026-11-21-09-30-00_q_2.cpp → a=q_2.cpp

@@ -32,12 +32,12 @@ def de_moodle(nombre):
 def de_sueltos(rutas):
     """Lo de cada uno, si es de una de las que lo dan todo suelto; de varias veces, la última."""
     for patron in SUELTOS:
-        leidos = [len(ruta) == 1 and patron.fullmatch(legible(ruta[0])) for ruta in rutas]
-        if rutas and all(leidos):
+        leidos = {i: m for i, r in enumerate(rutas) if len(r) == 1 and (m := patron.fullmatch(legible(r[0])))}
+        if leidos and all(i in leidos or len(r) == 1 and tipo(r[0]) not in CODIGO for i, r in enumerate(rutas)):
             ultima, de_cada_uno = {}, {}
-            for m in leidos:
+            for m in leidos.values():
                 ultima[m["quien"]] = max(ultima.get(m["quien"], ""), m["fecha"])
-            for i, m in enumerate(leidos):
+            for i, m in leidos.items():
                 if m["resto"] and m["fecha"] == ultima[m["quien"]]:
                     de_cada_uno.setdefault(m["quien"] + m["numero"], []).append(((m["resto"] + m["tipo"],), i))
             return de_cada_uno
