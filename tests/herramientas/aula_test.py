@@ -563,7 +563,7 @@ def test_en_que_se_equivoca_una_clase():
         corregida("e", 0, "no compila: falta «main»"),
         corregida("f", 100),
         corregida("g", 80, imagen="G"),
-        corregida("i", 0, "no viene p.frag"),
+        corregida("i", 0, "acaba con un error: ondas.frag:3: falta «;»"),
         corregida("j", 60, "el título es «x» y debía ser «y»", imagen="J"),
         corregida("h", 0, "se cae tras «tecla d»: abort", "el compilador avisa: p.cpp:1: z"),
     ]
@@ -573,8 +573,8 @@ def test_en_que_se_equivoca_una_clase():
         (gira, ["a", "b", "k"], ["B"]),  # de quien no hace nada más mal
         ("el título no es el que debía", ["j"], []),
         ("no se ve como debe: abajo", ["g"], ["G"]),
-        ("no viene p.frag", ["i"], []),
         ("se cae", ["h"], []),
+        ("un shader no compila", ["i"], []),
     ]
 
 

@@ -26,7 +26,8 @@ NO_SE_VE = "el título no es el que debía", "no escribe lo que debía"  # en ni
 ES_LO_MISMO = {
     r"no compila\b": "no compila",
     r"se cae\b": "se cae",
-    "tarda más de|es muy lento": "no acaba a tiempo",
+    "tarda más de|es muy lento|se queda esperando": "no acaba a tiempo",
+    r"acaba con un error.*\.(vert|frag|geom|glsl):\d": "un shader no compila",
     "acaba con un error": "acaba con un error",
     "acaba por su cuenta": "acaba por su cuenta",
     "no ha dejado nada": "no ha dejado nada",
