@@ -21,9 +21,9 @@ COLUMNAS = {
     "nombre": "(full|comp|voll).*name|(nombre|nom|nome)(ape.*|com.*)?",
     "nota": "grade|(cal|[cq]ual)ificaci..?|nota|note|bewertung|voto|valutazione",
     "máxima": ".*(maxi|massi|best).*",
-    "escala": "scale|e[sc].*a[lr].*|scala|skala|bareme",
+    "escala": "scale|escala|echelle|bareme|scala|skala",
     "comentario": ".*(com+ent|kommentar|feedback|retro|realim).*",
-    "grupo": "gr(o?u|up)p?[aeop]*",
+    "grupo": "grupo?|groupe?|grupp[eo]",
 }
 SEPARADORES = ",;\t"
 
