@@ -22,7 +22,7 @@ COPIADO = "int main() {\\n" + "".join(f"  pinta({i}, {i} + 1, {'x' * i});\\n" fo
 def correccion(nombre, nota):
     fallo = {"que": "falla tras «tecla d»", "tras": ["tecla d"], "donde": None, "imagenes": [PUNTO] * 3}
     return {"entrega": nombre, "nota": nota, "bien": 2, "guiones": 5, "semilla": "1", "reglas": "las de siempre",
-            "dice": ["se ve lo mismo que en el punto de partida" if nota < 9 else "y algo `más`"] if nota < 100 else [],
+            "dice": ["se ve lo mismo que en el punto de partida" if nota < 9 else "y algo más"] if nota < 100 else [],
             "fallos": [fallo] if nota < 100 else [], "casos": {}}
 notas = {Path(nombre): correccion(nombre, nota) for nombre, nota in json.loads(notas).items()}
 grua = next(p for p in catalogo.lee_programas(Path(build)) if p.nombre == "grua")
