@@ -682,6 +682,7 @@ float duplica(float v) { return 2 * v * giroY(v); }
 
 
 def pareja(una, otra, *dadas):
+    dadas = '#include "transformaciones.h"', *dadas
     return parecidos.parejas({"a": {"p.cpp": una}, "b": {"q.cpp": otra}}, [{"p.cpp": d} for d in dadas])
 
 

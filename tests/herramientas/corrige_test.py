@@ -868,5 +868,5 @@ def test_una_entrega_da_lo_mismo_sin_jaula(clase, tmp_path):
     siembra(notas, {"d_orden.json": una})
     antes = cuando(notas)
     subprocess.run(orden(tmp_path / "clase", REF, "--guiones", "0", "--deja", notas), **CALLADO)
-    nota = str(json.loads(una)["nota"]).replace(".", ",")
+    nota = f"{json.loads(una)['nota']:g}".replace(".", ",")
     assert cuando(notas) == antes and f"d_orden;{REF};{nota};" in (notas / "notas.csv").read_text()

@@ -80,7 +80,7 @@ def en_csv(correcciones):
     filas = csv.writer(tabla, delimiter=";")
     filas.writerow(["entrega", "ejercicio", "nota", "bien", "guiones", "semilla", "dice", "reglas"])
     for c in correcciones:
-        numeros = (str(c["nota"]).replace(".", ","), c["bien"], c["guiones"], c["semilla"])
+        numeros = (f"{c['nota']:g}".replace(".", ","), c["bien"], c["guiones"], c["semilla"])
         filas.writerow([celda(c["entrega"]), c["ejercicio"], *numeros, celda("; ".join(lineas(c))), c["reglas"]])
     return f"\ufeff{tabla.getvalue()}"
 

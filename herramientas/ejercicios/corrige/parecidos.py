@@ -2,10 +2,10 @@
 indicio, con lo de las dos al lado para que lo mire alguien; de la nota no quita nada.
 
 Se comparan palabras seguidas de una función. Los nombres que son de quien escribe, que son los que no son del lenguaje,
-de OpenGL ni de ninguna cabecera del laboratorio, se llaman según el orden en que salen en ellas, y no cuentan ni los
-comentarios, ni los blancos, ni las llaves, ni los textos: con otros nombres, con las funciones en otro orden o con otros
-comentarios, son las mismas. Lo que viene de fuera (giroY, glEnable, un número) sí cuenta, que no se le puede cambiar el
-nombre.
+de OpenGL, de GLM ni de lo que se incluye del laboratorio, se llaman según el orden en que salen en ellas, y no cuentan
+ni los comentarios, ni los blancos, ni las llaves, ni los textos: con otros nombres, con las funciones en otro orden o
+con otros comentarios, son las mismas. Lo que viene de fuera (giroY, glEnable, un número) sí cuenta, que no se le puede
+cambiar el nombre.
 
 No lo hace sim_c++ (similarity-tester), que no sabe quitar lo que se da: con 47 grúas de un error cada una y una copia
 de cada, da del 97 al 99 % a las copias y, a las demás parejas, que comparten el esqueleto, también."""
@@ -40,6 +40,8 @@ PALABRA = re.compile(
 LENGUAS = CppLexer(), GLShaderLexer()
 DE_GL = re.compile("(gl|glut|glew)[A-Z]|(GL|GLUT|GLEW)_|GL[a-z]")
 RAIZ, GLM = Path(__file__).parents[3], Path("/usr/include/glm")
+DEL_LABORATORIO = "common/**/*.h", "ch*/*.h", "common/*.glsl", "ch*/*.glsl"
+INCLUYE = re.compile(r'#\s*include\s+[<"](?:[^">\n]*/)?([^">\n]+)')
 CON_CAMPOS = {"struct", "class", "union"}
 AMBITOS = CON_CAMPOS | {"namespace", "enum"}
 SIGUE_A_UN_NOMBRE = set("= ; , ( [ : { }".split())
@@ -102,10 +104,15 @@ def de_cabecera(ruta):
 
 
 def de_fuera(dadas):
-    """Lo que ofrecen las cabeceras de GLM y del laboratorio, menos las que se dan a medio hacer."""
+    """Lo que ofrecen GLM y lo que se incluye del laboratorio, menos lo que se da a medio hacer."""
     suyas = {ruta.rpartition("/")[2] for textos in dadas for ruta in textos}
-    cabeceras = *GLM.glob("*.hpp"), *RAIZ.glob("common/**/*.h"), *RAIZ.glob("ch*/*.h")
-    return {"std", "glm"}.union(*(de_cabecera(ruta) for ruta in cabeceras if ruta.name not in suyas))
+    donde = {f.name: f for patron in DEL_LABORATORIO for f in RAIZ.glob(patron) if f.name not in suyas}
+    por_ver, vistas = [texto for textos in dadas for texto in textos.values()], {}
+    while por_ver:
+        nuevas = {n: donde[n] for n in INCLUYE.findall(por_ver.pop()) if n in donde and n not in vistas}
+        vistas |= nuevas
+        por_ver += [f.read_text() for f in nuevas.values()]
+    return {"std", "glm"}.union(*map(de_cabecera, (*GLM.glob("*.hpp"), *vistas.values())))
 
 
 def con_los_suyos(hay, de_otros):
