@@ -19,8 +19,8 @@ NUMERO = "[0-9]{1,4}(?:[.,][0-9]{1,3})?"
 @dataclass(frozen=True)
 class Reglas:
     """Los pesos; cuántos guiones son al azar; con qué tolerancia son la misma dos imágenes; de cada cien puntos, los
-    que da una que se ve casi igual y los que quita, una vez, lo que no es la imagen; y, si se califica con palabras, desde
-    cuántos es cada una."""
+    que da una que se ve casi igual y los que quita, una vez, lo que no es la imagen; y la escala, si se califica con
+    palabras."""
 
     caso: float = 2
     azar: float = 1
