@@ -363,11 +363,10 @@ La calificación puede ser cambiada|Última modificación (entrega)|Última modi
 Comentarios de retroalimentación"""
 INGLES = """Identifier|Full name|Email address|Status|Grade|Maximum Grade
 Grade can be changed|Last modified (submission)|Last modified (grade)|Feedback comments"""
-CATALAN = """Identificador|Nom complet|Adreça electrònica|Estat|Qualificació|Qualificació màxima
-La qualificació es pot canviar|Darrera modificació (tramesa)|Darrera modificació (qualificació)
-Comentaris de retroacció"""
-COLUMNAS, INGLES, CATALAN = (re.split("[|\n]", suyas) for suyas in (COLUMNAS, INGLES, CATALAN))
+COLUMNAS, INGLES = (re.split("[|\n]", suyas) for suyas in (COLUMNAS, INGLES))
 COLUMNAS_DE = {  # como las nombra Moodle en otros idiomas
+    "catalán": "Identificador|Nom complet|Adreça electrònica|Estat|Qualificació|Qualificació màxima|La qualificació es pot"
+    " canviar|Darrera modificació (tramesa)|Darrera modificació (qualificació)|Comentaris de retroacció.",
     "portugués": "Identificador|Nome completo|Endereço de email|Status|Nota|Nota máxima|Nota pode ser alterada|"
     "Última modificação (envio)|Última modificação (nota)|Comentários de feedback",
     "francés": "Identifiant|Nom complet|Adresse de courriel|Statut|Note|Note maximale|La note peut être modifiée|"
@@ -399,7 +398,6 @@ HECHA = {"entrega": "x", "nota": 87.5, "bien": 3, "guiones": 5, "casos": {"a": T
 HECHA["dice"] = ['parece que <b>gira</b>, "al revés"', "«tecla d» no hace nada → ✗"]
 HOJAS = {  # las columnas, cómo se escriben, en qué están y qué llevan delante
     "en castellano": (COLUMNAS, {}, "utf-8", b""),
-    "en catalán": (CATALAN, {}, "utf-8", b""),
     "sin acentos ni el último fin": (SIN_ACENTOS, {"acaba": False}, "utf-8", b""),
     "con puntuación": ([f" {c.upper()}: " for c in COLUMNAS], {}, "utf-8", b""),
     **{f"en {idioma}": (suyas.split("|"), {"comento": ""}, "utf-8", b"") for idioma, suyas in COLUMNAS_DE.items()},
