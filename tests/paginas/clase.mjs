@@ -61,7 +61,7 @@ enNavegadores(['chromium', 'firefox'], {
   'cada error se proyecta en una pantalla, sin nombres': async p => {
     const talla = [1920, 1080];
     await p.carga('', pathToFileURL(`${ABRE}/proyectar.html`).href);
-    const dice = await p.da(() => document.body.textContent);
+    const dice = await p.da(() => una('main').textContent);
     assert.deepEqual(Object.keys(NOTAS).filter(quien => dice.includes(quien)), []);
     await p.pantalla(...talla);
     await p.teclas('p');
