@@ -131,12 +131,12 @@ un enlace que no es fuente    p.cpp=m, p.h, notas.txt=enlace, x=enlace, util=enl
 de otro ejercicio             p.cpp=m, p.h, ejercicio.txt=E4.4 → su carpeta es de otro ejercicio, el E4.4; p.cpp p.h
 nada                          .p.cpp=m → no hay nada en su carpeta
 rar                           entrega.rar, leeme.txt → no hay ningún fuente: hay un «entrega.rar» sin descomprimir
-tar.gz                        e.tar.gz=en tar → p.cpp p.h; se ha abierto «e.tar.gz»: entrégalo sin comprimir o en un .zip
+tar.gz                        e.tar.gz=en tar → p.cpp p.h; se ha abierto «e.tar.gz»: entrégalo sin comprimir…
 tar                           f.TAR=tar sin comprimir → p.cpp p.h; se ha abierto «f.TAR»…
 tar que sale                  e.tgz=tar que sale → en el .zip hay una ruta que sale de su carpeta: «../../p.cpp»
 tar de enlaces                e.tgz=tar de enlaces → no hay nada en su carpeta
 tar bomba                     e.tgz=tar bomba → «e.tgz» pasa de 64 MiB
-tar que no lo es              e.tar.gz=m, f.tar=m → «e.tar.gz» no se puede abrir: está estropeado, o no es lo que dice ser
+tar que no lo es              e.tar.gz=m, f.tar=m → «e.tar.gz» no se puede abrir: está estropeado, o no es…
 de Windows                    p.cpp.txt=m, p.h → p.cpp p.h; se llama p.cpp.txt, y se ha leído como p.cpp
 y también sin él              p.cpp=m, p.cpp.txt=binario, p.h, leeme.txt → p.cpp p.h
 word                          mi grúa.docx → no hay ningún fuente: hay mi grúa.docx
@@ -365,8 +365,8 @@ INGLES = """Identifier|Full name|Email address|Status|Grade|Maximum Grade
 Grade can be changed|Last modified (submission)|Last modified (grade)|Feedback comments"""
 COLUMNAS, INGLES = (re.split("[|\n]", suyas) for suyas in (COLUMNAS, INGLES))
 COLUMNAS_DE = {  # como las nombra Moodle en otros idiomas
-    "catalán": "Identificador|Nom complet|Adreça electrònica|Estat|Qualificació|Qualificació màxima|La qualificació es pot"
-    " canviar|Darrera modificació (tramesa)|Darrera modificació (qualificació)|Comentaris de retroacció.",
+    "catalán": "Identificador|Nom complet|Adreça electrònica|Estat|Qualificació|Qualificació màxima|La qualificació es"
+    " pot canviar|Darrera modificació (tramesa)|Darrera modificació (qualificació)|Comentaris de retroacció.",
     "portugués": "Identificador|Nome completo|Endereço de email|Status|Nota|Nota máxima|Nota pode ser alterada|"
     "Última modificação (envio)|Última modificação (nota)|Comentários de feedback",
     "francés": "Identifiant|Nom complet|Adresse de courriel|Statut|Note|Note maximale|La note peut être modifiée|"

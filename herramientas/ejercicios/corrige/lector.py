@@ -104,10 +104,10 @@ def lee_fichero(carpeta, *ruta, limite=BYTES):
         if not stat.S_ISREG(os.fstat(f).st_mode):
             raise Rechazo(f"«{visto}» no es un fichero corriente")
         datos = fichero.read(limite + 1)
-    return corto(visto, datos, limite)
+    return corto(datos, visto, limite)
 
 
-def corto(visto, datos, limite):
+def corto(datos, visto, limite=BYTES):
     if len(datos) > limite:
         raise Rechazo(f"«{visto}» pasa de {limite >> 20} MiB")
     return datos
@@ -170,7 +170,7 @@ def lee_miembro(z, miembro, visto, limite=BYTES):
     if miembro.flag_bits & 1:
         raise Rechazo(f"«{visto}» está en un .zip con contraseña")
     with TURNO, cuidado(visto), z.open(miembro) as f:
-        return corto(visto, f.read(limite + 1), limite)
+        return corto(f.read(limite + 1), visto, limite)
 
 
 def de_zip(z, debajo=()):
@@ -194,11 +194,7 @@ def de_tar(datos, debajo=()):
         for miembro in itertools.islice(t, CLASE // 4):
             if miembro.isreg() and not miembro.issparse():  # lo que no está escrito puede ser enorme
                 suyos = datos[miembro.offset_data : miembro.offset_data + miembro.size]
-                yield from de_dentro(legible(miembro.name), functools.partial(lo_leido, suyos), debajo)
-
-
-def lo_leido(datos, visto, limite=BYTES):
-    return corto(visto, datos, limite)
+                yield from de_dentro(legible(miembro.name), functools.partial(corto, suyos), debajo)
 
 
 def es_paquete(nombre):
@@ -210,7 +206,7 @@ def sin_comprimir(datos, nombre):
     if tipo(nombre) in (".zip", ".tar"):
         return datos
     with cuidado(nombre), gzip.open(io.BytesIO(datos)) as f:
-        return corto(limpio(nombre), f.read(COMPRIMIDO + 1), COMPRIMIDO)
+        return corto(f.read(COMPRIMIDO + 1), limpio(nombre), COMPRIMIDO)
 
 
 def no_se_lee(por, *_, **__):
