@@ -56,7 +56,7 @@ function ponImagen(enlace) {
   const cuadros = enlace.dataset.cuadros?.split(' ');
   animacion.para();
   animacion = cuadros ? new Animacion(cuadros) : { para() {}, alterna() {} };
-  if (enlace.hash) return cuadro.replaceChildren(...[...enlace.children].map(e => e.cloneNode(true))); // no es una imagen
+  if (enlace.hash) return cuadro.replaceChildren(...[...enlace.children].map(e => e.cloneNode(true)));
   const { alt } = una('img', enlace);
   const imagen = animacion.lienzo ?? crea('img', { src: enlace.href, onload: () => aSuTalla(imagen) });
   cuadro.replaceChildren(Object.assign(imagen, { alt, role: 'img', ariaLabel: alt }));

@@ -1,5 +1,5 @@
-"""Lo que hace quien copia: otros nombres, otro orden, otros comentarios y otros renglones. De qué nombres son suyos no
-sabe nada quien busca parecidos (parecidos.py): aquí lo son los que van tras un tipo o los que se usan como una variable."""
+"""Lo que hace quien copia: otros nombres, otro orden, otros comentarios y otros renglones. Cuáles son sus nombres no se
+lo pregunta a quien busca parecidos (parecidos.py): los que van tras un tipo, o los que se usan como variables."""
 import re
 
 TIPOS = "float|int|auto|double|bool|unsigned|mat[234]|d?vec[234]|ivec[234]|size_t|string"
@@ -7,8 +7,8 @@ DECLARA = re.compile(rf"\b(?:{TIPOS})\b\s*&?\s+(\w+)\s*(?=[=;,)(:])")
 # Ni campo, ni de un espacio de nombres, ni lo que se llama, ni un tipo, que lleva otro nombre detrás.
 USADA = re.compile(r"(?<![\w.#])(?<!->)(?<!::)([^\W\d]\w*)\b(?!\s*(?:\(|::|<|\s[A-Za-z_*&]))")
 PALABRAS = set(
-    "return const static constexpr auto else case default break continue struct enum union true false this if for while do"
-    " switch sizeof new in out inout uniform discard inline using namespace template typename class void main std glm"
+    "return const static constexpr auto else case default break continue struct enum union true false this if for while"
+    " do switch sizeof new in out inout uniform discard inline using namespace template typename class void main std glm"
     f" {TIPOS} sampler2D".replace("|", " ").split()
 ) | {f"{tipo}{n}" for tipo in ("vec", "mat", "ivec") for n in (2, 3, 4)}
 DE_GL = re.compile(r"GL|gl[A-Z_]|glut|[A-Z0-9]+_")
