@@ -8,8 +8,8 @@ DECLARA = re.compile(rf"\b(?:{TIPOS})\b\s*&?\s+(\w+)\s*(?=[=;,)(:])")
 USADA = re.compile(r"(?<![\w.#])(?<!->)(?<!::)([^\W\d]\w*)\b(?!\s*(?:\(|::|<|\s[A-Za-z_*&]))")
 PALABRAS = set(
     "return const static constexpr auto else case default break continue struct enum union true false this if for while"
-    " do switch sizeof new in out inout uniform discard inline using namespace template typename class void main std glm"
-    f" {TIPOS} sampler2D".replace("|", " ").split()
+    " do switch sizeof new in out inout uniform discard inline using namespace template typename class void main std"
+    f" glm {TIPOS} sampler2D".replace("|", " ").split()
 ) | {f"{tipo}{n}" for tipo in ("vec", "mat", "ivec") for n in (2, 3, 4)}
 DE_GL = re.compile(r"GL|gl[A-Z_]|glut|[A-Z0-9]+_")
 TEXTO = re.compile(r"""("(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])*')""")
