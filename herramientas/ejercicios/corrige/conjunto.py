@@ -36,7 +36,7 @@ ES_LO_MISMO = {
     "no hay ningún fuente|no hay nada": "no hay ningún fuente",
     "el título es": NO_SE_VE[0],
     "debía escribir": NO_SE_VE[1],
-    "el (compilador|programa) avisa|su carpeta es de otro": None,
+    "el (compilador|programa) avisa|su carpeta es de otro|se empezó con otra versión": None,
 }
 # Lo que solo es un síntoma: si se sabe de qué, es eso.
 SINTOMA = re.compile("|".join(("«.*» no hace nada|no responde a|está mal al cambiar", *NO_SE_VE)))
