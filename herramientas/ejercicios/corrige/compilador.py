@@ -13,6 +13,9 @@ from ejercicios.corrige.partidas import Jugador
 
 COMPILA = {"segundos": 120, "procesador": 60, "memoria": 3 << 30, "procesos": 16}
 SUYA = "mios/entrega"  # dónde está lo suyo en el árbol que ve: tan hondo como lo de ./lab nuevo
+CAIDAS = Path(__file__).with_name("caidas.cpp")
+# con lo entregado: un índice que se sale de un vector acaba con él, y se sabe en qué línea
+AJENO = "-D_GLIBCXX_ASSERTIONS", "-g"
 # de la orden de compilar, cuántas palabras no valen aquí
 SIN = {"-MD": 1, "-MT": 2, "-MF": 2, "-o": 2, "-c": 2, "-Werror": 1}
 
@@ -92,6 +95,9 @@ class Compilador:
         errores = []
         for fuentes in intentos or [Alcance(ficheros).se_compilan]:
             orden = self.orden(arbol, sitios, [suya / f for f in fuentes])
+            if ajena:
+                shutil.copy(CAIDAS, arbol)
+                orden += [*AJENO, "-x", "c++", arbol / CAIDAS.name]
             hecho = desempaqueta(ejecuta(orden, COMPILA))
             if hecho.get("estado", b"").strip() == b"0":
                 ejecutable = carpeta / self.programa.nombre
@@ -103,6 +109,18 @@ class Compilador:
             if no_acaba(hecho):
                 break
         raise errores[0]
+
+    def linea_en_que_cae(self, ficheros, jugador, escrito):
+        """De lo que ha escrito caidas.cpp, la primera línea que es de lo suyo, o nada."""
+        llamadas = re.findall(rf"/{re.escape(jugador.programa.name)}\(\+0x([0-9a-f]{{1,16}})\)\[", escrito)
+        pasos = [f"0x{max(int(paso, 16) - 1, 0):x}" for paso in llamadas]  # se vuelve a la de después
+        if not pasos or not shutil.which("addr2line"):
+            return ""
+        orden = ["addr2line", "-i", "-e", jugador.programa, *pasos]
+        dicho = desempaqueta(self.recinto.ajeno(orden, COMPILA, [jugador.programa.parent])).get("salida", b"")
+        suya = f"{jugador.raices[-1] / SUYA}/"
+        lineas = re.findall(rf"^{re.escape(suya)}(.+):(\d+)", dicho.decode(errors="replace"), re.M)
+        return next((f"{f}:{linea}" for f, linea in lineas if f in ficheros), "")
 
     def avisos(self, ficheros, jugador):
         """De lo que avisa el compilador en los ficheros de una entrega ya compilada."""

@@ -10,7 +10,7 @@ from pathlib import Path
 from base.guiones import acorta, sin_veces
 from base.procesos import en_png
 from ejercicios.corrige.arbitro import BIEN, CASI, aparte
-from ejercicios.corrige.entrega import Rechazo
+from ejercicios.corrige.entrega import COMENTARIO, Rechazo
 from ejercicios.corrige.motivos import SENALES, como_acaba, no_responden
 from ejercicios.corrige.partidas import Guion, Partida, lee_ppm
 from ejercicios.reglas import Reglas
@@ -18,6 +18,8 @@ from ejercicios.reglas import Reglas
 MUESTRA = 3  # guiones que fallan, con sus imágenes
 INTENTOS = 24  # para acortar un guion
 CUELGUES = 2  # tras los que no se juega más
+AVISOS = 3  # del propio programa
+COMO_AL_EMPEZAR = "se ve lo mismo que en el punto de partida"
 POR_POCO = "se ve casi igual, con un desvío de menos de un cuarto de píxel: ¿pocas cifras?"
 TOPE = 300  # segundos de una entrega, entre todos sus guiones
 
@@ -94,7 +96,7 @@ class Correccion:
 
     def __init__(self, banco, entrega):
         self.banco, self.arbitro, self.entrega = banco, banco.arbitro, entrega
-        self.gastado = 0
+        self.gastado, self.caidas = 0, {}
 
     def juega(self, guion, esperada):
         antes = time.monotonic()
@@ -125,7 +127,7 @@ class Correccion:
         fallan, casi, otros = juzga(self.arbitro, self.esperadas, self.partidas)
         bien = [g for g in todos if g in self.partidas and g not in fallan]
         muestra = self.muestra(fallan)
-        acaban = list(dict.fromkeys(filter(None, (como_acaba(p, g) for g, p in self.partidas.items()))))
+        acaban = list(dict.fromkeys(filter(None, (self.como_acaba(g) for g in self.partidas))))
         dice = acaban[:3]
         if any(p.estado in SENALES for p in self.partidas.values()):  # casi siempre lo sabía el compilador
             avisos = self.banco.compilador.avisos(self.entrega.ficheros, self.jugador)
@@ -136,16 +138,50 @@ class Correccion:
         if (fallan or otros) and not acaban:
             dice += self.explica(fallan, casi, muestra)
         dice += [como for que, como in otros.items() if que != "estado"]
+        if fallan:
+            dice += [f"el programa avisa: {a}" for a in self.avisos()[:AVISOS]]
         casos = {g.nombre: g in bien for g in todos if g.caso}
         suya = nota(todos, bien, casi, otros, self.banco.reglas)
         cuenta = {"nota": suya, "bien": len(bien), "guiones": len(todos), "casos": casos}
         return {**cuenta, "dice": dice, "fallos": muestra}
 
+    def como_acaba(self, guion):
+        partida = self.partidas[guion]
+        dice = como_acaba(partida, guion)
+        if partida.estado not in SENALES or partida.errores in self.caidas:
+            return f"{dice}{self.caidas.get(partida.errores, '')}"
+        linea = self.banco.compilador.linea_en_que_cae(self.entrega.ficheros, self.jugador, partida.errores)
+        self.caidas[partida.errores] = f", en {linea}" if linea else ""
+        return self.como_acaba(guion)
+
+    def avisos(self):
+        """De lo que avisa el programa, lo que no avisa también la solución."""
+        marca = f"{self.banco.programa.nombre}: aviso: "
+        dichos = [
+            {
+                linea.partition(marca)[2]: 1
+                for p in partidas.values()
+                for linea in p.errores.splitlines()
+                if marca in linea
+            }
+            for partidas in (self.partidas, self.esperadas)
+        ]
+        return [a for a in dichos[0] if a not in dichos[1]]
+
+    def es_lo_de_partida(self):
+        """Sin mirar los comentarios ni los blancos."""
+        pelado = lambda texto: b"".join(COMENTARIO.sub(b"", texto).split())
+        suyos = {*map(pelado, self.entrega.ficheros.values())}
+        return all(pelado(texto.encode()) in suyos for texto in self.banco.de_partida[0].values())
+
     def explica(self, fallan, casi, muestra):
+        if self.es_lo_de_partida():
+            return [COMO_AL_EMPEZAR]
         porque = self.banco.motivos.por_que(self.partidas, self.esperadas, fallan)
-        if porque == [""]:
-            return ["se ve lo mismo que en el punto de partida"]
-        dice = ["; o ".join(filter(None, porque[:2]))] if porque else []
+        if porque == [""] and not any(fallo["donde"] for fallo in muestra):
+            return [COMO_AL_EMPEZAR]
+        porque = [dice for dice in porque if dice]
+        dice = ["; o ".join(porque[:2])] if porque else []
         if not porque and fallan and len(casi) == len(fallan):
             return [POR_POCO]
         callan, alguna = no_responden(self.partidas, self.esperadas)
