@@ -12,9 +12,11 @@ from base.procesos import en_png
 from ejercicios.corrige.arbitro import BIEN, CASI, aparte
 from ejercicios.corrige.entrega import COMENTARIO, Rechazo
 from ejercicios.corrige.motivos import SENALES, como_acaba, no_responden
-from ejercicios.corrige.partidas import Guion, Partida, lee_ppm
+from ejercicios.corrige.partidas import TALLA, Guion, Partida, lee_ppm
 from ejercicios.reglas import Reglas
 
+VENTANA = 960, 720  # la que se abre
+DE_SU_VENTANA = "boton", "arrastra", "mueve", "rueda", "tamano"  # órdenes con un sitio de la ventana
 MUESTRA = 3  # guiones que fallan, con sus imágenes
 INTENTOS = 24  # para acortar un guion
 CUELGUES = 2  # tras los que no se juega más
@@ -89,6 +91,18 @@ def nota(todos, bien, casi, otros, reglas=Reglas()):
     cuestan = sum(reglas.cuesta(que) for que in otros)
     todo = len(bien) == len(todos) or reglas.casi == 100 and len(bien) + len(casi) == len(todos)
     return min(round(puntos * (100 - cuestan), 1), 100 if todo and not cuestan else 99.9)
+
+
+def en_su_ventana(ordenes, pixel, talla):
+    """Ese píxel en la ventana que se abre o, si el guion usa el ratón o cambia el tamaño, en la suya; y cómo se ve con
+    ./lab explica."""
+    mide = [*map(int, talla)]
+    es_otra = any(orden.partition(" ")[0] in DE_SU_VENTANA for orden in ordenes)
+    como = ["-geometry {}x{}".format(*TALLA)] * es_otra + [f'-guion "{"; ".join(ordenes)}"'] * bool(ordenes)
+    if pixel and not es_otra:
+        veces = VENTANA[0] // mide[0]
+        pixel, mide = [veces * p + veces // 2 for p in pixel], [*VENTANA]
+    return {"pixel": pixel, "ventana": mide, "explica": " ".join([*map(str, pixel or ()), *como])}
 
 
 class Correccion:
@@ -250,7 +264,7 @@ class Correccion:
         antes = time.monotonic()
         hallado = self.banco.donde.busca(self.jugador, self.entrega.ficheros, guion, una, otra)
         self.gastado += time.monotonic() - antes
-        return hallado
+        return hallado and {**hallado, **en_su_ventana(guion.ordenes, hallado["pixel"], una[:2])}
 
     def imagenes(self, una, otra):
         """La entregada, la esperada y su diferencia, en PNG."""
