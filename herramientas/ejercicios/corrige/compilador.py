@@ -155,7 +155,21 @@ SITIO = re.compile(r"^(In file included from | +from )?([^:\n]+):(\d+)[:,](?:\d+
 REPETIDO = re.compile(
     r"^(?:\S*ld: )?(?:\S+\.o:)?([^:\n]+):\(.*multiple definition of [`'](.*?)'; (?:\S+\.o:)?([^:\n]+):\(", re.M
 )
+DE_OPENGL_1 = re.compile("glut(Solid|Wire|Bitmap|Stroke)|glu[A-Z]")
 ERROR = re.compile(r"^ (?:fatal )?error: (.*)$")
+
+
+DE_IMPRENTA = dict.fromkeys("“”‘’", "comillas de imprenta") | dict.fromkeys("–—−", "un guion que no es el menos")
+DE_IMPRENTA |= {"\u00a0": "un espacio que no es el del teclado"}
+
+
+def con_la_letra(error):
+    """De una letra que no vale, cuál es: a veces ni se ve."""
+    letra = re.search(r"extended character (.) is not valid", error)
+    if not letra:
+        return error
+    que = DE_IMPRENTA.get(letra[1], "una letra que no vale")
+    return f"hay {que}, «{letra[1]}» (U+{ord(letra[1]):04X}), fuera de los comentarios: bórralo y escríbelo otra vez"
 
 
 def no_acaba(hecho):
@@ -176,11 +190,12 @@ def primer_error(hecho, suya, ficheros):
         if fichero in ficheros and not (desde and lugar):
             lugar = f"{fichero}:{linea}: "
         if error := ERROR.match(dice):  # el de una plantilla está en su cabecera, y antes se dice quién la usa
-            return f"no compila: {lugar or f'{fichero}:{linea}: '}{error[1]}"
+            return f"no compila: {lugar or f'{fichero}:{linea}: '}{con_la_letra(error[1])}"
     if repetido := REPETIDO.search(errores):
         return f"no compila: «{repetido[2]}» está en dos ficheros: {repetido[3]} y {repetido[1]}"
     if falta := re.search(r"undefined reference to [`'](.*)'", errores):
-        return f"no compila: falta «{falta[1]}»"
+        de_antes = ": es de OpenGL 1, y aquí no está" if DE_OPENGL_1.match(falta[1]) else ""
+        return f"no compila: falta «{falta[1]}»{de_antes}"
     lineas = [linea for linea in errores.splitlines() if linea.strip()]
     primera = next((linea for linea in lineas if "error: " in linea or "ld: " in linea), (lineas or [""])[-1])
     return "no compila: " + (re.sub("^.*?error: ", "", primera) or "el compilador no ha acabado bien")

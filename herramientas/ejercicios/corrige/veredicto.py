@@ -110,13 +110,17 @@ class Correccion:
 
     def __init__(self, banco, entrega):
         self.banco, self.arbitro, self.entrega = banco, banco.arbitro, entrega
-        self.gastado, self.caidas = 0, {}
+        self.gastado, self.caidas, self.partidas = 0, {}, {}
 
     def juega(self, guion, esperada):
         antes = time.monotonic()
         partida = self.arbitro.juega(self.jugador, guion, esperada)
         self.gastado += time.monotonic() - antes
         return partida
+
+    @property
+    def dibuja(self):
+        return any(p.imagenes for p in self.partidas.values())
 
     def hazla(self):
         with tempfile.TemporaryDirectory(dir=self.banco.temporal) as carpeta:
@@ -195,7 +199,7 @@ class Correccion:
         if porque == [""] and not any(fallo["donde"] for fallo in muestra):
             return [COMO_AL_EMPEZAR]
         porque = [dice for dice in porque if dice]
-        dice = ["; o ".join(porque[:2])] if porque else []
+        dice = ["; o ".join(porque[:3])] if porque else []
         if not porque and fallan and len(casi) == len(fallan):
             return [POR_POCO]
         callan, alguna = no_responden(self.partidas, self.esperadas)
