@@ -155,13 +155,17 @@ std::string letraQueNoVale(const std::string &texto, const std::vector<Linea> &l
         const unsigned char c = texto[i], otra = texto.c_str()[i + 1];
         columna = c == '\n' ? 0 : columna + ((c & 0xC0) != 0x80);
         n += c == '\n';
-        if (comentario == '/'   ? c == '\n'
-            : comentario == '*' ? c == '/' && texto[i - 1] == '*' && i > abre + 2
-                                : c == '/' && (otra == '/' || otra == '*')) {
+        bool cambia = c == '/' && (otra == '/' || otra == '*');
+        if (comentario)
+            cambia = comentario == '/' ? c == '\n' : c == '/' && texto[i - 1] == '*' && i > abre + 2;
+        if (cambia) {
             comentario = comentario ? char(0) : char(otra);
             abre = i;
         } else if (!comentario && c > 0x7F && n < lineas.size()) {
-            const std::string letra = texto.substr(i, c < 0xE0 ? 2 : c < 0xF0 ? 3 : 4);
+            std::size_t fin = i + 1;
+            while ((texto[fin] & 0xC0) == 0x80)
+                ++fin;
+            const std::string letra = texto.substr(i, fin - i);
             const std::string que =
                 letra == "\u00A0" ? "este espacio no es el del teclado y" : "la letra «" + letra + "»";
             return lineas[n].fichero + ":" + std::to_string(lineas[n].numero) + ": en la columna " +

@@ -326,9 +326,9 @@ class Comparacion:
     def de_orden(self, mia, suya, cual, uno, otro):
         quien = self.llama(mia)
         if not mia["cableado"] or not suya["cableado"]:
-            hallado = self.de_llamada(mia, suya)
-            dice = hallado["dice"] if hallado else f"deja {rgb(uno)} y se espera {rgb(otro)}"
-            return {"que": "llamada", "dice": f"{quien} {dice}"}
+            if hallado := self.de_llamada(mia, suya):
+                return {"que": "llamada", "dice": f"{quien} {hallado['dice']}"}
+            return {"que": "suceso", "dice": self.de_suceso(quien, cual, uno, otro)}
         if hallado := self.de_lo_que_llega(mia, suya):
             if hallado["que"] == "textura":
                 return self.de_quien_la_pinta(mia) or hallado

@@ -1,4 +1,4 @@
-"""Lo que se empezó con otra versión del laboratorio: lo que hay entre las marcas, puesto en el punto de partida de hoy."""
+"""Lo que se empezó con otra versión del laboratorio: lo que hay entre las marcas, en el punto de partida de hoy."""
 import difflib
 
 from base.marcas import TROZO
@@ -23,8 +23,8 @@ def los_suyos(ficheros, ref):
 
 
 def el_de(pedido, hechos, cuantos):
-    """De los trozos que ha hecho, el de ese de hoy, que es el (i, trozo): el que pide lo mismo; si no, el que está en su
-    sitio, si son los mismos; si no, el que pide lo más parecido."""
+    """De los trozos que ha hecho, el de ese de hoy, que es el (i, trozo): el que pide lo mismo; si no, el que está en
+    su sitio, si son los mismos; si no, el que pide lo más parecido."""
     i, hoy = pedido
     parecen = {t: difflib.SequenceMatcher(None, t["pide"], hoy["pide"], autojunk=False).ratio() for t in hechos}
     mejor = max(parecen, key=parecen.get)

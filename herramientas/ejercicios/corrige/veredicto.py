@@ -12,7 +12,8 @@ from base.procesos import en_png
 from ejercicios.corrige.arbitro import BIEN, CASI, aparte
 from ejercicios.corrige.entrega import COMENTARIO, Rechazo
 from ejercicios.corrige.motivos import SENALES, como_acaba, no_responden
-from ejercicios.corrige.partidas import TALLA, Guion, Partida, lee_ppm
+from ejercicios.corrige.donde import TRAZO
+from ejercicios.corrige.partidas import FINAL, TALLA, Guion, Partida, lee_ppm
 from ejercicios.reglas import Reglas
 
 VENTANA = 960, 720  # la que se abre
@@ -232,7 +233,20 @@ class Correccion:
                     fallo |= {"que": f"{falla}: {como}" if como else falla, "imagenes": self.imagenes(*par)}
                     fallo["donde"] = None if obtenida.cuelga else self.donde(Guion("", tras[:i]), *par)
                 fallos.append(fallo)
+        hallados = [f for f in fallos if f["donde"]]
+        if hallados and all(f["donde"]["que"] == TRAZO for f in hallados):
+            hallados[0]["donde"] = self.donde_no_es_un_trazo(fallan) or hallados[0]["donde"]
         return fallos
+
+    def donde_no_es_un_trazo(self, fallan):
+        """En los casos, con todas sus órdenes, lo primero que se aparta y dice más que por dónde va un trazo."""
+        for guion in [g for g in fallan if g.caso and g.ordenes[: -len(FINAL)]][:MUESTRA]:
+            tras = guion.ordenes[: -len(FINAL)]
+            imagenes = [p[guion].imagenes[len(tras) :][:1] for p in (self.esperadas, self.partidas)]
+            if all(imagenes) and (hallado := self.donde(Guion("", tras), imagenes[0][0], imagenes[1][0])):
+                if hallado["que"] in ("uniform", "linea"):
+                    return {**hallado, "dice": f"tras {', '.join(f'«{o}»' for o in tras)}, {hallado['dice']}"}
+        return None
 
     def acortado(self, guion, hasta):
         """Las órdenes de ese guion que bastan para que falle, y las dos partidas."""
