@@ -70,7 +70,7 @@ def cifra(n, cifras=4):
 def valor(numeros, tipo="", cifras=4):
     if tipo == "bool" and numeros:
         return "sí" if numeros[0] else "no"
-    dichos = [cifra(n, cifras) for n in numeros]
+    dichos = [cifra(0.0 if abs(n) < 1e-6 else n, cifras) for n in numeros]  # lo que deja un giro de 90°
     return dichos[0] if len(dichos) == 1 else f"({', '.join(dichos)})"
 
 

@@ -70,8 +70,8 @@ class Jaula:
             dice = str(fallo)
         if dice:
             raise Fallo(
-                f"no se puede encerrar lo que no es de fiar: {dice.splitlines()[0]}. {por_apparmor()}Con --sin-jaula se "
-                "corrige sin encerrarlo, si la máquina es para eso o lo entregado es tuyo"
+                f"no se puede encerrar lo que no es de fiar: {dice.splitlines()[0]}. {por_apparmor()}Con --sin-jaula "
+                "se corrige sin encerrarlo, si la máquina es para eso o lo entregado es tuyo"
             )
 
     def orden(self, ve):
