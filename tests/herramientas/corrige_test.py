@@ -586,6 +586,14 @@ def test_sin_bwrap_no_se_corrige(tmp_path):
     assert [f.name for f in tmp_path.iterdir()] == ["a.cpp"]
 
 
+def test_en_ubuntu_se_dice_como_se_arregla(tmp_path, monkeypatch):
+    for vale, dice in (("1\n", True), ("0\n", False), (None, False)):
+        monkeypatch.setattr(jaula, "APPARMOR", tmp_path / str(vale).strip())
+        if vale:
+            jaula.APPARMOR.write_text(vale)
+        assert ("sysctl kernel.apparmor" in jaula.por_apparmor()) == dice
+
+
 @pytest.mark.skipif(not GRUA.exists(), reason="no está compilado")
 def test_un_shader_con_bom_es_el_mismo(tmp_path):
     """Y lo que no está en $LAB_RAIZ, con $LAB_SOLO_RAIZ, no se busca en el laboratorio."""
