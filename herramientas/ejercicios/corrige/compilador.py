@@ -153,7 +153,8 @@ class Compilador:
 
 SITIO = re.compile(r"^(In file included from | +from )?([^:\n]+):(\d+)[:,](?:\d+[:,])?(.*)$", re.M)
 REPETIDO = re.compile(
-    r"^(?:\S*ld: )?(?:\S+\.o:)?([^:\n]+):\(.*multiple definition of [`'](.*?)'; (?:\S+\.o:)?([^:\n]+):\(", re.M
+    r"^(?:\S*ld: )?(?:\S+\.o:)?([^:\n]+):(?:\(.*|\d+: )multiple definition of [`'](.*?)'; (?:\S+\.o:)?([^:\n]+):[(\d]",
+    re.M,
 )
 DE_OPENGL_1 = re.compile("glut(Solid|Wire|Bitmap|Stroke)|glu[A-Z]")
 ERROR = re.compile(r"^ (?:fatal )?error: (.*)$")
