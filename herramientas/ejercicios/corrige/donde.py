@@ -332,8 +332,7 @@ class Comparacion:
         if hallado := self.de_lo_que_llega(mia, suya):
             if hallado["que"] == "textura":
                 return self.de_quien_la_pinta(mia) or hallado
-            es_array = hallado["que"] == "array"
-            return es_array and self.de_vertice(mia, suya, cual, hallado["nombre"]) or hallado
+            return hallado
         if hallado := self.de_lineas(mia, suya, cual):
             return hallado
         return {"que": "suceso", "dice": self.de_suceso(quien, cual, uno, otro)}
@@ -402,7 +401,7 @@ class Comparacion:
                 for hecho, dice in hechos.items():
                     es, debe = (hecho(c) if callable(hecho) else c[hecho] for c in (una, esperadas.get(nombre, una)))
                     if es is not None and es != debe:
-                        return {"que": que, "nombre": nombre, "dice": dice.format(nombre=nombre, es=es, debe=debe)}
+                        return {"que": que, "dice": dice.format(nombre=nombre, es=es, debe=debe)}
         return None
 
     def de_llamada(self, mia, suya):
@@ -426,17 +425,6 @@ class Comparacion:
             self.se_sombrea = pedida
             return None
         return sombreados
-
-    def de_vertice(self, mia, suya, cual, atributo):
-        """El primer vértice de la primitiva al que ese array no le da lo mismo."""
-        es_suyo = lambda paso: (paso["clase"], paso["nombre"]) == ("entrada", atributo)
-        sombreados = self.por_dentro(mia, suya, cual) or ({"vertices": []},) * 2
-        for mio, suyo in zip(*(s["vertices"] or [] for s in sombreados)):
-            for una, otra in zip(*([p for p in v["lineas"] if es_suyo(p)] for v in (mio, suyo))):
-                if distintos(una["valor"], otra["valor"]):
-                    que = vale(f"«{atributo}» en el vértice {mio['indice']}", una["valor"], otra["valor"])
-                    return {"que": "array", "dice": f"en {self.llama(mia)}, {que}"}
-        return None
 
     def de_lineas(self, mia, suya, cual):
         if not (sombreados := self.por_dentro(mia, suya, cual)):
