@@ -1,5 +1,5 @@
-// Se compila con lo entregado: si se cae, escribe por dónde iba, y compilador.py dice la línea. En otra pila: la suya la
-// puede haber llenado.
+// Se compila con lo entregado: si se cae, escribe por dónde iba, y compilador.py dice la línea. En otra pila:
+// la suya la puede haber llenado.
 #include <csignal>
 #include <execinfo.h>
 #include <initializer_list>
