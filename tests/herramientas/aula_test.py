@@ -69,6 +69,7 @@ NOMBRADOS = {  # de cómo se llama un fichero, cómo lo escribe cada uno
     "Garcíá.cpp": [unicodedata.normalize("NFD", "Garcíá.cpp").encode().decode("cp437")],
     "grúa niño.cpp": ["grúa niño.cpp".encode("latin1")],
     "grúa.cpp": [NFD, NFD.encode(), "grúa.cpp".encode()],
+    **{f"a{v}.cpp": [unicodedata.normalize("NFD", f"a{v}.cpp").encode()] for v in "áéíóüñçàèòïÁÉÍÓÚÜÑÇ"},  # de un Mac
 }
 SALEN = ["../../p.cpp", "a/../../p.cpp", b"..\\..\\p.cpp", "/etc/p.cpp", "C:/p.cpp"]
 ESTROPEADOS = {

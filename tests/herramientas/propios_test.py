@@ -92,7 +92,8 @@ def test_se_usa_como_cualquier_otro(lab):
     errores = lab.sitio / "aqui/molino/errores.tsv"
     errores.write_text(errores.read_text().replace("molinete.cpp", "molino.cpp"))
     lab("nuevo ./molino el_mio", dice="/mios/el_mio")
-    assert (lab.sitio / "mios/el_mio/ejercicio.txt").read_text() == "molino ejercicios/molino/molino\n"
+    origen = (lab.sitio / "mios/el_mio/ejercicio.txt").read_text()
+    assert re.fullmatch("molino ejercicios/molino/molino\npartida [0-9a-f]{12}\n", origen)
     lab("corrige el_mio --guiones 0", 1, "el_mio, molino: 0 de 100")
     shutil.rmtree(lab.sitio / "aqui/molino")
     lab("ver mios/el_mio/", dice="lo he dibujado en el_mio.png")

@@ -292,6 +292,8 @@ class Lector:
             es_suyo = ruta[-1] != nuevo.EJERCICIO and not any(limpia(ruta).startswith(c) for c in de_otros)
             if es_suyo and not self.de_otro("/".join(ruta)):
                 self.lee(ruta, lee)
+        versiones = [que[-1] for que in textos.values() if len(que) > 3 and limpio(que[0]) == ref]
+        self.version = versiones[0] if versiones else ""
         return ref if ref in dichos.values() else next(iter(dichos.values()), "")
 
     def lee(self, ruta, lee):

@@ -74,8 +74,13 @@ def ejercicio(raiz, programas, pedido):
 def de_una(que, banco, carpeta):
     """Su corrección, escrita; y dónde va su página, si va."""
     correccion = clase.corrige(banco, carpeta, que.json and que.json.absolute())
-    print(informes.en_vpl(correccion) if que.vpl else informes.en_texto(correccion))
+    print(informes.en_vpl(correccion) if que.vpl else informes.en_texto(correccion, en_mios(que, carpeta)))
     return [correccion], [], que.deja or (None if que.json or que.vpl else donde(que, carpeta))
+
+
+def en_mios(que, carpeta):
+    """Cómo se llama su carpeta de mios/, si lo es: la corrige quien la ha hecho."""
+    return carpeta.name if isinstance(carpeta, Path) and carpeta.parent == que.mios else ""
 
 
 def donde(que, carpeta):
@@ -104,8 +109,8 @@ def de_una_clase(que, banco, carpeta, dentro):
 def main():
     raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
     que = opciones(sys.argv[3:])
-    mios = build.parent / "mios"
-    carpeta, dentro, sueltos = aula.busca(mios, que.entrega, que.deja and que.deja.absolute())
+    que.mios = (build.parent / "mios").absolute()
+    carpeta, dentro, sueltos = aula.busca(que.mios, que.entrega, que.deja and que.deja.absolute())
     programas, que.ejercicio = propios.resuelve(raiz, build, que.ejercicio)
     if que.ejercicio or dentro:
         ref, programa = ejercicio(raiz, programas, que.ejercicio)
@@ -134,8 +139,8 @@ def main():
         escribe(que.junit, informes.en_junit(correcciones))
     if destino:
         if not dentro:
-            suya = carpeta.name if isinstance(carpeta, Path) and carpeta.parent == mios.absolute() else ""
-            escribe(destino / "index.html", informes.pagina(correcciones[0], programa, ref, suya))
+            pagina = informes.pagina(correcciones[0], programa, ref, en_mios(que, carpeta))
+            escribe(destino / "index.html", pagina)
         print(f"Hecha: {destino}/index.html", file=sys.stderr)
     if fallos:
         raise Fallo(f"no se han podido corregir {len(fallos)}: {'; '.join(fallos)}")
