@@ -18,14 +18,14 @@ struct BaseCamara {
 
 /// Ejes de la cámara que desde p mira a i con la inclinación UP, de cualquier longitud. Siempre da una base:
 /// si p = i, mira hacia −Z; si UP es nulo o paralelo a F, hace de UP el eje Y o, mirando a lo largo de Y, el
-/// eje Z que deja X a la derecha, como en una planta.
+/// eje X: así una planta a la que se da UP = Y sale girada, y se nota.
 inline BaseCamara baseCamara(const glm::dvec3 &p, const glm::dvec3 &i, const glm::dvec3 &UP) {
     const glm::dvec3 F = unitario(i - p, {0, 0, -1});
     const double paralelo = 1e-10; // seno del ángulo; por debajo, F × UP es casi todo redondeo
     glm::dvec3 S = glm::cross(F, unitario(UP, F));
     if (glm::length(S) < paralelo) {
-        const glm::dvec3 ejeY(0, 1, 0), ejeZ(0, 0, F.y < 0 ? -1 : 1);
-        S = glm::cross(F, std::fabs(F.y) < 0.9 ? ejeY : ejeZ);
+        const glm::dvec3 ejeX(1, 0, 0), ejeY(0, 1, 0);
+        S = glm::cross(F, std::fabs(F.y) < 0.9 ? ejeY : ejeX);
     }
     // El libro no normaliza S, que solo es unitario si UP y F son perpendiculares. Y con UP casi paralelo el
     // redondeo de S tiene componente en F: U la pierde en el producto, y S se rehace con U.

@@ -64,6 +64,11 @@ static void dibujaPanel(int modelo, const Recuadro &panel) {
     usaIluminado(programa, camara, proyeccion, LUZ);
     caja(traslacion({0, -0.1f, 0}) * escalado({LADO_SUELO, 0.2f, LADO_SUELO}), TERRENO);
     caja(traslacion({0, 0.2f, 0}) * escalado({2.4f, 0.4f, 2.4f}), HORMIGON); // la zapata
+    // La caseta y su tejado, un cubo girado y después aplastado: a sus normales les hace falta la inversa traspuesta.
+    const glm::mat4 caseta = traslacion({-2.4f, 0, 2.4f}) * giroY(0.4f);
+    caja(caseta * traslacion({0, 0.6f, 0}) * escalado({1.6f, 1.2f, 1.8f}), HORMIGON);
+    caja(caseta * traslacion({0, 1.2f, 0}) * escalado({1.4f, 0.9f, 1.78f}) * giroZ(glm::quarter_pi<float>()),
+         CHAPA);
     int i = 0;
     for (const Pieza &pieza : piezasGrua(estado.postura))
         caja(pieza.M, MATERIALES[i++]);

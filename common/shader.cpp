@@ -146,6 +146,35 @@ std::string traduceInforme(const std::string &informe, const std::vector<Linea> 
     return salida;
 }
 
+// Si fuera de los comentarios hay una letra que no es ASCII, que en GLSL no vale y el compilador no dice cuál es, qué
+// letra es y dónde está.
+std::string letraQueNoVale(const std::string &texto, const std::vector<Linea> &lineas) {
+    std::size_t n = 0, columna = 0, abre = 0;
+    char comentario = 0; // en el que se está: de // o de /*
+    for (std::size_t i = 0; i < texto.size(); ++i) {
+        const unsigned char c = texto[i], otra = texto.c_str()[i + 1];
+        columna = c == '\n' ? 0 : columna + ((c & 0xC0) != 0x80);
+        n += c == '\n';
+        bool cambia = c == '/' && (otra == '/' || otra == '*');
+        if (comentario)
+            cambia = comentario == '/' ? c == '\n' : c == '/' && texto[i - 1] == '*' && i > abre + 2;
+        if (cambia) {
+            comentario = comentario ? char(0) : char(otra);
+            abre = i;
+        } else if (!comentario && c > 0x7F && n < lineas.size()) {
+            std::size_t fin = i + 1;
+            while ((texto[fin] & 0xC0) == 0x80)
+                ++fin;
+            const std::string letra = texto.substr(i, fin - i);
+            const std::string que =
+                letra == "\u00A0" ? "este espacio no es el del teclado y" : "la letra «" + letra + "»";
+            return lineas[n].fichero + ":" + std::to_string(lineas[n].numero) + ": en la columna " +
+                   std::to_string(columna) + ", " + que + " no vale en GLSL fuera de un comentario";
+        }
+    }
+    return {};
+}
+
 GLuint compila(GLenum tipo, const std::string &fichero, std::string &texto, std::string &error) {
     std::vector<Linea> lineas;
     std::vector<std::string> pila;
@@ -166,7 +195,9 @@ GLuint compila(GLenum tipo, const std::string &fichero, std::string &texto, std:
     glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &longitud);
     std::string informe(longitud + 1, '\0');
     glGetShaderInfoLog(shader, longitud + 1, nullptr, informe.data());
-    error = traduceInforme(informe.c_str(), lineas, fichero);
+    error = letraQueNoVale(texto, lineas);
+    if (error.empty())
+        error = traduceInforme(informe.c_str(), lineas, fichero);
     if (error.empty())
         error = fichero + ": no compila y el compilador no dice por qué";
     glDeleteShader(shader);

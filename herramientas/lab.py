@@ -217,10 +217,10 @@ class Laboratorio:
         """Corrige mios/ENTREGA, o una carpeta con lo mismo, y deja una página con lo que falla y lo que se esperaba.
 
         Si dentro hay carpetas, es una clase, y cada una, una entrega; también vale lo que descarga Moodle, en su .zip,
-        y --moodle HOJA.csv pone las notas en la suya. EJERCICIO es E3.5, L5.1 (en su shader) o la carpeta de uno de
-        quien enseña. Con --semilla N y --guiones N, otros guiones; con --reglas FICHERO se puntúa de otra manera;
-        --deja CARPETA, --json, --junit y --vpl dicen cómo se deja; -j N, cuántas a la vez; --sin-jaula no encierra lo
-        entregado (docs/corrige.md)."""
+        Canvas o Blackboard, y --moodle HOJA.csv pone las notas en la suya; las que ya hay, con --cambia-notas.
+        EJERCICIO es E3.5, L5.1 (en su shader) o la carpeta de uno de quien enseña. Con --semilla N y --guiones N, otros
+        guiones; con --reglas FICHERO se puntúa de otra manera; --deja CARPETA, --json, --junit y --vpl dicen cómo se
+        deja; -j N, cuántas a la vez; --sin-jaula no encierra lo entregado (docs/corrige.md)."""
         self.prepara(*(p for p in paquetes.CORRIGE if p != "bubblewrap" or "--sin-jaula" not in que.resto))
         self.con_su_programa("ejercicios.corrige.orden", que.resto, "compara", "explica")
 

@@ -5,7 +5,7 @@ qué; la sexta columna, en lo que pide un ejercicio, qué se le dice a quien ha 
 texto, el resto solo sirve para encontrarlo y se cambia lo que va entre ellas.
 
 En C++ una expresión queda como (mutante(5012) ? (estropeada) : (original)), una instrucción como if/else, y
-$LAB_MUTANTE elige una (mutante.h): se compilan todos a la vez."""
+$LAB_MUTANTE elige una o varias (mutante.h): se compilan todos a la vez."""
 import re
 from collections import defaultdict
 from dataclasses import dataclass, field
@@ -170,6 +170,8 @@ def con_mutantes(fuente, desde, hasta, nuevo, mutantes, marca):
     return nuevo
 
 
-def estropea(fuente, mutante):
-    desde, hasta = mutante.sitio(fuente)
-    return fuente[:desde] + mutante.estropeado + fuente[hasta:]
+def estropea(fuente, *mutantes):
+    for m in mutantes:
+        desde, hasta = m.sitio(fuente)
+        fuente = fuente[:desde] + m.estropeado + fuente[hasta:]
+    return fuente

@@ -1,11 +1,18 @@
-// Lo que herramientas/pruebas/muta.py incluye en cada fichero que estropea: qué mutante está puesto ($LAB_MUTANTE) y,
-// en $LAB_LEIDOS, donde common/rutas.cpp apunta los ficheros del laboratorio, qué mutantes llega a usar cada proceso.
+// Lo que herramientas/pruebas/muta.py incluye en cada fichero que estropea: qué mutantes están puestos ($LAB_MUTANTE,
+// «5012» o «5012,5013») y, en $LAB_LEIDOS, donde common/rutas.cpp apunta los ficheros del laboratorio, qué mutantes
+// llega a usar cada proceso.
 #pragma once
 #include <cstdio>
 #include <cstdlib>
 
 inline bool mutante(int n) {
-    static const char *const puesto = std::getenv("LAB_MUTANTE");
+    static bool puesto[1 << 16];
+    static const bool leidos = [] {
+        const char *texto = std::getenv("LAB_MUTANTE");
+        for (char *fin; texto && *texto; texto = *fin == ',' ? fin + 1 : "")
+            puesto[std::strtoul(texto, &fin, 10) % (1 << 16)] = true;
+        return true;
+    }();
     static std::FILE *const vistos =
         std::getenv("LAB_LEIDOS") ? std::fopen(std::getenv("LAB_LEIDOS"), "a") : nullptr;
     static bool yaVisto[1 << 16];
@@ -14,5 +21,5 @@ inline bool mutante(int n) {
         std::fprintf(vistos, "%d\n", n);
         std::fflush(vistos); // el proceso puede acabar de cualquier manera
     }
-    return puesto && n == std::atoi(puesto);
+    return leidos && puesto[n];
 }

@@ -19,7 +19,7 @@ from ejercicios import nuevo, perturba, propios, reglas
 from ejercicios.corrige import partidas, shaders, veredicto
 from ejercicios.corrige.arbitro import suma
 from ejercicios.corrige.banco import Banco
-from ejercicios.corrige.entrega import Rechazo, limpio
+from ejercicios.corrige.lector import Rechazo, limpio
 from ejercicios.corrige.motivos import como_acaba, que_cambian, ruta
 from ejercicios.corrige.orden import ejercicio
 from ejercicios.corrige.partidas import Guion

@@ -1,6 +1,7 @@
 """nuevo.py RAÍZ BUILD MIOS QUÉ [NOMBRE]: una carpeta de quien aprende, MIOS/NOMBRE. Con un ejercicio (E3.5, o la
 carpeta de uno de quien enseña: propios.py), su esqueleto: los ficheros de la solución sin lo que se pide, que dicen
 las marcas (base/marcas.py). Con un programa, una copia para jugar con ella."""
+import hashlib
 import re
 import shutil
 import sys
@@ -12,6 +13,12 @@ from ejercicios import propios, reglas
 
 # en la carpeta: «E3.5 ch03_transformaciones/grua», o solo el programa si no se corrige
 EJERCICIO = propios.EJERCICIO
+DE_PARTIDA = "partida"  # y en su segunda línea, el punto de partida que se dio
+
+
+def version(de_partida):
+    """La de un punto de partida: si cambia, es otra."""
+    return hashlib.sha1(repr(sorted(de_partida.items())).encode()).hexdigest()[:12]
 
 
 def deja(texto, referencia=""):
@@ -213,6 +220,7 @@ def crea(raiz, programas, mios, pedido, nombre=""):
     ficheros = {f"{nombre}.cpp" if f == programa.fuente.name else f: texto for f, texto in textos.items()}
     ficheros[EJERCICIO] = f"{referencia} {origen}\n".lstrip()
     if referencia:
+        ficheros[EJERCICIO] += f"{DE_PARTIDA} {version(textos)}\n"
         ficheros["ENUNCIADO.md"] = enunciado(raiz, programa, referencia, nombre, textos)
     parcial = mios / f".{nombre}.parcial"
     shutil.rmtree(parcial, ignore_errors=True)

@@ -13,12 +13,14 @@ from ejercicios import propios
 FICHERO = "reglas.txt"
 TOLERANCIAS = "redondeo", "amplia", "otro"  # las del comparador, de la más estrecha a la más ancha
 CIEN = 100
+NUMERO = "[0-9]{1,4}(?:[.,][0-9]{1,3})?"
 
 
 @dataclass(frozen=True)
 class Reglas:
     """Los pesos; cuántos guiones son al azar; con qué tolerancia son la misma dos imágenes; de cada cien puntos, los
-    que da una que se ve casi igual y los que quita, una vez, lo que no es la imagen."""
+    que da una que se ve casi igual y los que quita, una vez, lo que no es la imagen; y la escala, si se califica con
+    palabras."""
 
     caso: float = 2
     azar: float = 1
@@ -28,6 +30,7 @@ class Reglas:
     titulo: float = 5
     texto: float = 20
     estado: float = 5
+    escala: str = "ninguna"
 
     def peso(self, guion):
         return self.caso if guion.caso else self.azar
@@ -50,7 +53,12 @@ class Reglas:
             f"guiones: los casos, {self.caso:g} cada uno; {al_azar}; tolerancia {self.tolerancia}; lo casi igual, "
             f"{self.casi:g} %; quitan, de 100, el título {self.titulo:g}, el texto {self.texto:g} y el estado con que "
             f"acaba {self.estado:g}"
-        )
+        ) + (f"; escala: {self.escala}" if self.tramos else "")
+
+    @property
+    def tramos(self):
+        """De la escala, desde cuántos puntos es cada palabra."""
+        return tramos(self.escala) or []
 
 
 def valor(clave, texto):
@@ -59,12 +67,23 @@ def valor(clave, texto):
         return texto if texto in TOLERANCIAS else None
     if clave == "guiones":
         return int(texto) if re.fullmatch("[0-9]{1,6}", texto) else None
-    numero = float(texto.replace(",", ".")) if re.fullmatch(r"[0-9]{1,4}([.,][0-9]{1,3})?", texto) else None
+    if clave == "escala":
+        return texto if tramos(texto) else None
+    numero = float(texto.replace(",", ".")) if re.fullmatch(NUMERO, texto) else None
     return numero if numero is not None and (numero <= CIEN or clave in ("caso", "azar")) else None
+
+
+def tramos(escala):
+    """Los de «0 No apto; 50 Apto», de menos a más y desde cero."""
+    leidos = [re.fullmatch(rf"({NUMERO})\s+(.+)", tramo.strip()) for tramo in escala.split(";")]
+    hay = [(float(t[1].replace(",", ".")), t[2]) for t in leidos if t]
+    desde = [d for d, _ in hay]
+    return hay if all(leidos) and desde[0] == 0 and desde == sorted({*desde}) and desde[-1] <= CIEN else None
 
 
 VALEN = {"tolerancia": ", ".join(TOLERANCIAS), "guiones": "un número natural", "caso": "un peso, de 0 a 9999"}
 VALEN["azar"] = VALEN["caso"]
+VALEN["escala"] = "desde cuántos puntos es cada palabra: «0 No apto; 50 Apto»"
 
 
 def lee(fichero, como_siempre=Reglas()):

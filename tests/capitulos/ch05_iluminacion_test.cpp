@@ -370,8 +370,8 @@ TEST(Sombreado, CadaModeloContraSuMallaEnDoble) {
 }
 
 // --- grua_iluminada ----------------------------------------------------------------------------------------
-/// El suelo, la zapata y la grúa del ejercicio 3.5 con sus medidas, girada `giro`, con la carga a `lejos` del pie y a
-/// esa altura.
+/// El suelo, la zapata, la caseta y la grúa del ejercicio 3.5 con sus medidas, girada `giro`, con la carga a `lejos` del
+/// pie y a esa altura.
 struct Grua {
     std::string guion;
     int modelo;
@@ -379,7 +379,7 @@ struct Grua {
     int paneles = 1;
 
     Iluminada escena() const {
-        const Mat4 G = gira(Y, giro);
+        const Mat4 G = gira(Y, giro), caseta = traslada({-2.4, 0, 2.4}) * gira(Y, 0.4);
         const double cable = 10 - altura - 0.5;
         const Material tierra = pintura({0.13, 0.17, 0.12}, {0.46, 0.58, 0.42}, 0.25, 12),
                        hormigon = pintura({0.12, 0.13, 0.14}, {0.45, 0.47, 0.50}, 0.05, 5),
@@ -388,6 +388,9 @@ struct Grua {
                        chapa = pintura({0.22, 0.05, 0.05}, {0.68, 0.14, 0.12}, 0.60, 30);
         return {{{bloque(traslada({0, -0.1, 0}) * escala({8, 0.2, 8})), tierra},
                  {bloque(traslada({0, 0.2, 0}) * escala({2.4, 0.4, 2.4})), hormigon},
+                 {bloque(caseta * traslada({0, 0.6, 0}) * escala({1.6, 1.2, 1.8})), hormigon},
+                 {bloque(caseta * traslada({0, 1.2, 0}) * escala({1.4, 0.9, 1.78}) * gira({0, 0, 1}, PI / 4)),
+                  chapa},
                  {bloque(traslada({0, 5, 0}) * escala({0.8, 10, 0.8})), amarilla},
                  {bloque(G * traslada({2.5, 10.4, 0}) * escala({10, 0.8, 0.8})), amarilla},
                  {bloque(G * traslada({-1.8, 9.3, 0}) * escala(1.4)), hormigon},

@@ -65,6 +65,10 @@ struct Rotura {
 };
 const Rotura ROTURAS[] = {
     {{{"a.frag", frag("vec4(1.0, ,")}}, "taller/a.frag:5: error: "},
+    {{{"a.frag", CABECERA + "/*/ñ*/ // é\n/**/ float año;\n"}},
+     "taller/a.frag:4: en la columna 13, la letra «ñ» no vale en GLSL"},
+    {{{"a.frag", CABECERA + "float\u00A0x;\n"}},
+     "taller/a.frag:3: en la columna 6, este espacio no es el del teclado y no vale en GLSL"},
     {{{"a.vert", "#version 150\nvoid main() {\n}\n"}}, "taller/a.vert:1: error: GLSL 1.50 is not supported"},
     {{{"a.frag", CABECERA + "#include \"taller/no_esta.glsl\"\n"}},
      "taller/a.frag:3: no encuentro «taller/no_esta.glsl»; lo he buscado en "},

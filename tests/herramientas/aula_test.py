@@ -5,6 +5,7 @@ import io
 import os
 import random
 import re
+import tarfile
 import unicodedata
 import zipfile
 from pathlib import Path
@@ -26,7 +27,8 @@ from ejercicios import nuevo
 from ejercicios.corrige import aula
 from ejercicios.corrige import clase as de_clase
 from ejercicios.corrige import conjunto, entrega, hoja, informes, parecidos
-from copias import copia
+from ejercicios.reglas import Reglas
+from copias import como_variables, copia, tras_un_tipo
 from mentira import faltan, siembra
 
 P = b"int main() {}"
@@ -49,13 +51,25 @@ def con_clave(datos):
     return bytes(datos)
 
 
+def en_tar(comprimido, *ficheros, tipo=tarfile.REGTYPE):
+    datos = io.BytesIO()
+    with tarfile.open(fileobj=datos, mode=f"w:{comprimido}") as t:
+        for nombre, contenido in ficheros:
+            info = tarfile.TarInfo(nombre)
+            info.size, info.type, info.linkname = len(contenido), tipo, "/etc/passwd"
+            t.addfile(info, io.BytesIO(contenido))
+    return datos.getvalue()
+
+
 BUENO = en_zip(("p.cpp", P), ("p.h", b""))
 NFD = unicodedata.normalize("NFD", "grúa.cpp")
 NOMBRADOS = {  # de cómo se llama un fichero, cómo lo escribe cada uno
     "niño.cpp": ["niño.cpp".encode("cp437")],
     "GRÚA.cpp": ["GRÚA.cpp".encode("cp850")],
+    "Garcíá.cpp": [unicodedata.normalize("NFD", "Garcíá.cpp").encode().decode("cp437")],
     "grúa niño.cpp": ["grúa niño.cpp".encode("latin1")],
     "grúa.cpp": [NFD, NFD.encode(), "grúa.cpp".encode()],
+    **{f"a{v}.cpp": [unicodedata.normalize("NFD", f"a{v}.cpp").encode()] for v in "áéíóüñçàèòïÁÉÍÓÚÜÑÇ"},  # de un Mac
 }
 SALEN = ["../../p.cpp", "a/../../p.cpp", b"..\\..\\p.cpp", "/etc/p.cpp", "C:/p.cpp"]
 ESTROPEADOS = {
@@ -83,6 +97,11 @@ CONTENIDOS = {"enlace": Path("/etc"), "tubería": os.mkfifo, "2 MiB": 2 << 20, "
 CONTENIDOS |= {"binario": b"\x7fELF\0", "latin1": b"int main() {} // gr\xfaa", "bom": b"\xef\xbb\xbfint x;", "": ""}
 CONTENIDOS |= {"E4.4": "E4.4 ch04/x", REF: f"{REF} ch03/grua", "viejo": "viejo", "m": "int main() {}"}
 CONTENIDOS |= {
+    "en tar": en_tar("gz", ("grua/p.cpp", P), ("grua/p.h", b"")),
+    "tar sin comprimir": en_tar("", ("p.cpp", P), ("p.h", b"")),
+    "tar que sale": en_tar("gz", ("../../p.cpp", P)),
+    "tar de enlaces": en_tar("gz", ("p.cpp", b""), tipo=tarfile.SYMTYPE),
+    "tar bomba": en_tar("gz", ("a", bytes(70 << 20)), ("p.cpp", P)),
     "otro main": "int main() { return 0; }",
     "suyo": '#include "p.h"\nint main() {}',
     "+p.h": '#include "p.h"',
@@ -113,6 +132,14 @@ un enlace que no es fuente    p.cpp=m, p.h, notas.txt=enlace, x=enlace, util=enl
 de otro ejercicio             p.cpp=m, p.h, ejercicio.txt=E4.4 → su carpeta es de otro ejercicio, el E4.4; p.cpp p.h
 nada                          .p.cpp=m → no hay nada en su carpeta
 rar                           entrega.rar, leeme.txt → no hay ningún fuente: hay un «entrega.rar» sin descomprimir
+tar.gz                        e.tar.gz=en tar → p.cpp p.h; se ha abierto «e.tar.gz»: entrégalo sin comprimir…
+tar                           f.TAR=tar sin comprimir → p.cpp p.h; se ha abierto «f.TAR»…
+tar que sale                  e.tgz=tar que sale → en el .zip hay una ruta que sale de su carpeta: «../../p.cpp»
+tar de enlaces                e.tgz=tar de enlaces → no hay nada en su carpeta
+tar bomba                     e.tgz=tar bomba → «e.tgz» pasa de 64 MiB
+tar que no lo es              e.tar.gz=m, f.tar=m → «e.tar.gz» no se puede abrir: está estropeado, o no es…
+de Windows                    p.cpp.txt=m, p.h → p.cpp p.h; se llama p.cpp.txt, y se ha leído como p.cpp
+y también sin él              p.cpp=m, p.cpp.txt=binario, p.h, leeme.txt → p.cpp p.h
 word                          mi grúa.docx → no hay ningún fuente: hay mi grúa.docx
 latin1                        p.cpp=latin1, p.h → p.cpp p.h; no está en UTF-8, y se ha traducido: p.cpp
 utf16                         p.cpp=utf16, p.h → p.cpp p.h; no está en UTF-8, y se ha traducido: p.cpp
@@ -291,10 +318,20 @@ def de_moodle(texto):
     )
 
 
-@pytest.mark.parametrize("fila", NOMBRES)
+# Y de Canvas y de Blackboard, sin nada de Moodle.
+DE_OTRAS = """
+gilana_11111_222222_p.cpp gilana_11111_222223_p-1.h luis_LATE_3_4_grua-2.cpp → gilana_11111=p.cpp~p.h luis_3=grua.cpp
+gilana_11111_222222_p.cpp leeme.txt → gilana_11111=p.cpp
+Clase/gil_11_22_mi_p.cpp Clase/luis_3_4_q.h → gil_11=mi_p.cpp luis_3=q.h
+T_1_al7_attempt_2026-11-20-09-30-00_p.cpp T_1_al7_attempt_2026-11-20-09-30-00.txt → al7=p.cpp
+T_a_attempt_2026-11-20-09-30-00_p.cpp T_a_attempt_2026-11-21-09-30-00_q_2.cpp → a=q_2.cpp
+""".strip().splitlines()
+
+
+@pytest.mark.parametrize("fila", [*(" ".join(map(de_moodle, fila.split())) for fila in NOMBRES), *DE_OTRAS])
 @pytest.mark.parametrize("en", ("zip", "carpeta"))
 def test_de_quien_es_lo_que_da_una_plataforma(tmp_path, fila, en):
-    hay, son = ([de_moodle(p).replace("~", " ") for p in lado.split()] for lado in fila.split("→"))
+    hay, son = ([p.replace("~", " ") for p in lado.split()] for lado in fila.split("→"))
     if en == "zip":
         (tmp_path / "clase.zip").write_bytes(en_zip(*((ruta, P) for ruta in hay)))
     for ruta in hay if en == "carpeta" else ():
@@ -313,9 +350,10 @@ def test_lo_suelto_de_una_carpeta_tampoco_es_de_fiar(tmp_path):
 
 
 def test_uno_solo_en_un_zip(tmp_path):
-    (tmp_path / "ana.zip").write_bytes(en_zip(("src/p.cpp", P), ("src/p.h", b"")))
-    suya, dentro, _ = aula.busca(tmp_path, tmp_path / "ana.zip")
-    assert dentro is None and suya.name == "ana" and lee(suya) == "p.cpp p.h"
+    for nombres in (("src/p.cpp", "src/p.h"), ("ana_1_2_p.cpp", "p.h")):
+        (tmp_path / "ana.zip").write_bytes(en_zip(*((nombre, P) for nombre in nombres)))
+        suya, dentro, _ = aula.busca(tmp_path, tmp_path / "ana.zip")
+        assert dentro is None and suya.name == "ana" and lee(suya) == " ".join(n.removeprefix("src/") for n in nombres)
 
 
 # --- la hoja de calificaciones --------------------------------------------------------------------------------------
@@ -326,24 +364,33 @@ La calificación puede ser cambiada|Última modificación (entrega)|Última modi
 Comentarios de retroalimentación"""
 INGLES = """Identifier|Full name|Email address|Status|Grade|Maximum Grade
 Grade can be changed|Last modified (submission)|Last modified (grade)|Feedback comments"""
-CATALAN = """Identificador|Nom complet|Adreça electrònica|Estat|Qualificació|Qualificació màxima
-La qualificació es pot canviar|Darrera modificació (tramesa)|Darrera modificació (qualificació)
-Comentaris de retroacció"""
-COLUMNAS, INGLES, CATALAN = (re.split("[|\n]", suyas) for suyas in (COLUMNAS, INGLES, CATALAN))
+COLUMNAS, INGLES = (re.split("[|\n]", suyas) for suyas in (COLUMNAS, INGLES))
+COLUMNAS_DE = {  # como las nombra Moodle en otros idiomas
+    "catalán": "Identificador|Nom complet|Adreça electrònica|Estat|Qualificació|Qualificació màxima|La qualificació es"
+    " pot canviar|Darrera modificació (tramesa)|Darrera modificació (qualificació)|Comentaris de retroacció.",
+    "portugués": "Identificador|Nome completo|Endereço de email|Status|Nota|Nota máxima|Nota pode ser alterada|"
+    "Última modificação (envio)|Última modificação (nota)|Comentários de feedback",
+    "francés": "Identifiant|Nom complet|Adresse de courriel|Statut|Note|Note maximale|La note peut être modifiée|"
+    "Dernière modification (travail remis)|Dernière modification (note)|Feedback par commentaires",
+    "alemán": "ID|Vollständiger Name|E-Mail-Adresse|Status|Bewertung|Bestwertung|Bewertung kann geändert werden|"
+    "Zuletzt geändert (Abgabe)|Zuletzt geändert (Bewertung)|Feedback als Kommentar",
+    "sueco": "Identifierare|Namn|E-postadress|Status|Betyg|Högsta betyg|Betyget kan ändras|"
+    "Senast ändrad (inlämning)|Senast ändrad (betyg)|Återkoppling",
+}
 SIN_ACENTOS = ["".join(q for q in unicodedata.normalize("NFD", c) if q.isascii()) for c in COLUMNAS]
 GRUPOS = [*INGLES[:4], "Group", *INGLES[4:]]
 RARO = 'Pérez, "la O"\nGil'
 EN_CIEN = {"maxima": "100.00"}
 
 
-def una_hoja(columnas, separador=",", fin="\r\n", maxima="10,00", comillas=csv.QUOTE_MINIMAL, acaba=True):
+def una_hoja(columnas, separador=",", fin="\r\n", maxima="10,00", comillas=csv.QUOTE_MINIMAL, acaba=True, comento="ya"):
     """Con tres personas: la tercera no ha entregado."""
     datos = io.StringIO()
     escribe = csv.writer(datos, delimiter=separador, lineterminator=fin, quoting=comillas)
     escribe.writerow(columnas)
     for n, quien in ((1001, RARO), (1002, "Ana Gil"), (1003, "Luis")):
         grupo = ["Grupo_A"] if "Group" in columnas else []
-        fila = [f"Participante {n}", quien, "", "Enviado", *grupo, "", maxima, "Sí", "lunes, 5", "-", "ya había"]
+        fila = [f"Participante {n}", quien, "", "Enviado", *grupo, "", maxima, "Sí", "lunes, 5", "-", comento]
         escribe.writerow(fila[: len(columnas)])
     return datos.getvalue() if acaba else datos.getvalue().rstrip()
 
@@ -352,9 +399,9 @@ HECHA = {"entrega": "x", "nota": 87.5, "bien": 3, "guiones": 5, "casos": {"a": T
 HECHA["dice"] = ['parece que <b>gira</b>, "al revés"', "«tecla d» no hace nada → ✗"]
 HOJAS = {  # las columnas, cómo se escriben, en qué están y qué llevan delante
     "en castellano": (COLUMNAS, {}, "utf-8", b""),
-    "en catalán": (CATALAN, {}, "utf-8", b""),
     "sin acentos ni el último fin": (SIN_ACENTOS, {"acaba": False}, "utf-8", b""),
     "con puntuación": ([f" {c.upper()}: " for c in COLUMNAS], {}, "utf-8", b""),
+    **{f"en {idioma}": (suyas.split("|"), {"comento": ""}, "utf-8", b"") for idioma, suyas in COLUMNAS_DE.items()},
     "con BOM": (COLUMNAS, {}, "utf-8", b"\xef\xbb\xbf"),
     "en inglés": (INGLES, EN_CIEN, "utf-8", b""),
     "con todo entre comillas": (INGLES, {**EN_CIEN, "comillas": csv.QUOTE_ALL}, "utf-8", b""),
@@ -371,16 +418,20 @@ def celdas(datos, como="utf-8", marca=b"", separador=","):
     return list(csv.reader(io.StringIO(datos[len(marca) :].decode(como), newline=""), delimiter=separador))
 
 
+QUIENES = ("Otro nombre_1001", "x"), ("Grupo A_7", "x"), ("Eva_9", "Eva")
+
+
 @pytest.mark.parametrize("cual", HOJAS)
 def test_la_hoja_de_moodle_se_queda_como_estaba(tmp_path, cual):
     """Leída otra vez, columna a columna; y lo que no se pone, byte a byte."""
     columnas, escrita, como, marca = HOJAS[cual]
     fichero, de_grupos = tmp_path / "hoja.csv", "Group" in columnas
     fichero.write_bytes(antes := marca + una_hoja(columnas, **escrita).encode(como))
-    suya = hoja.Hoja(fichero)
+    quienes = {f"{nombre}{MOODLE}": quien for nombre, quien in QUIENES[de_grupos:]}
+    suya = hoja.Hoja(fichero, quienes)
     assert suya.escribe().read_bytes() == antes  # sin notas es la misma
-    for nombre, quien in (("Otro nombre_1001", "x"), ("Grupo A_7", "x"), ("Eva_9", "Eva")):
-        suya.pon(nombre + MOODLE, {**HECHA, "entrega": quien})
+    for nombre, quien in quienes.items():
+        suya.pon(nombre, {**HECHA, "entrega": quien})
     destino = suya.escribe()
     assert (destino.name, fichero.read_bytes()) == ("hoja-con-notas.csv", antes)
     una, otra = (celdas(datos, como, marca, suya.como_esta["delimiter"]) for datos in (antes, destino.read_bytes()))
@@ -398,21 +449,30 @@ def test_la_hoja_de_moodle_se_queda_como_estaba(tmp_path, cual):
     # las demás líneas, con sus comillas y sus finales
     viejas, nuevas = (re.split(r"(\r?\n)", datos.decode(como, "replace")) for datos in (antes, destino.read_bytes()))
     assert sum(linea in nuevas for linea in viejas) >= len(viejas) - 2 * len(con_nota)
-    assert suya.avisos == [f"«{quien}» no está en hoja.csv" for quien in ("x", "Eva")]
+    fuera = ["Eva"] if de_grupos else ["x", "Eva"]
+    assert suya.avisos == [f"«{quien}» no está en hoja.csv" for quien in fuera]
     comentarios = len(con_nota) * (len(cambia) - 1)
     assert suya.cuenta.startswith(f"{len(con_nota)} notas y {comentarios} comentarios puestos; ")
-    assert suya.cuenta.endswith("; no están en la hoja 2")
+    assert suya.cuenta.endswith(f"; no están en la hoja {len(fuera)}")
+    assert ("sin columna de comentarios" in suya.cuenta) == (len(columnas) < 10)
+    assert ("por lo que tienen" in suya.cuenta) == (cual == "en sueco")
 
 
-def test_lo_que_la_hoja_dice_a_excel_no_va_a_moodle(tmp_path):
-    fichero, suya = tmp_path / "h.csv", una_hoja(COLUMNAS, separador=";").encode()
-    fichero.write_bytes(b"sep=;\r\n" + suya)
-    assert hoja.Hoja(fichero).escribe().read_bytes() == suya
+@pytest.mark.parametrize("antes", ["sep=;\r\n", "\ufeff\ufeffsep=;\r\n", "\ufeffsep=;\n\ufeff", "\ufeff\ufeff"])
+def test_lo_que_la_hoja_dice_a_excel_no_va_a_moodle(tmp_path, antes):
+    fichero, suya = tmp_path / "h.csv", una_hoja(COLUMNAS, separador=";")
+    fichero.write_bytes(f"{antes}{suya}".encode())
+    assert hoja.Hoja(fichero).escribe().read_text("utf-8-sig" if antes[0] == "\ufeff" else "utf-8") == suya.replace(
+        "\r\n", "\n"
+    )
 
 
 @pytest.mark.parametrize(
     "nota, maxima, dice",
-    [(100, "10,00", "10,00"), (99.9, "1,00", "0,999"), (0, "100,00", "0,00"), (33.3, "7.00", "2.331")],
+    [
+        *[(100, "10,00", "10,00"), (99.9, "1,00", "0,999"), (0, "100,00", "0,00"), (33.3, "7.00", "2.331")],
+        *[(100, "10", "10"), (8.3, "10", "0,83"), (75, "10", "7,5"), (0, "100", "0")],
+    ],
 )
 def test_la_nota_va_en_los_puntos_de_la_tarea(tmp_path, nota, maxima, dice):
     (tmp_path / "h.csv").write_text(una_hoja(COLUMNAS, maxima=maxima))
@@ -437,10 +497,41 @@ def test_la_hoja_que_no_se_entiende_se_dice_antes_de_corregir(tmp_path, texto, d
         hoja.Hoja(tmp_path / "no.csv")
 
 
+def test_lo_puesto_a_mano_se_respeta(tmp_path):
+    (tmp_path / "h.csv").write_text(una_hoja(COLUMNAS).replace("Gil,,Enviado,,", 'Gil,,Enviado,"7,5",'))
+    for cambia, nota, dice in ((False, "7,5", "1 notas y 1 comentarios puestos; se quedan 1"), (True, "8,75", "2 n")):
+        suya = hoja.Hoja(tmp_path / "h.csv", cambia=cambia)
+        for n in (1002, 1003):
+            suya.pon(f"X_{n}{MOODLE}", HECHA)
+        filas = celdas(suya.escribe().read_bytes())
+        assert [fila[4] for fila in filas[2:]] == [nota, "8,75"] and suya.cuenta.startswith(dice)
+        assert (filas[2][9] == "ya") != cambia
+
+
+def test_con_una_escala_van_palabras(tmp_path):
+    columnas = ["Escala" if c == "Calificación máxima" else c for c in COLUMNAS]
+    (tmp_path / "h.csv").write_text(una_hoja(columnas, maxima="No apto\n Apto"))
+    reglas = Reglas(escala="0 No apto; 50 apto")
+    for nota, palabra in ((100, "Apto"), (50, "Apto"), (49.9, "No apto"), (0, "No apto")):
+        suya = hoja.Hoja(tmp_path / "h.csv", reglas=reglas)
+        suya.pon(f"A_1002{MOODLE}", {**HECHA, "nota": nota})
+        assert celdas(suya.escribe().read_bytes())[2][4] == palabra
+    with pytest.raises(procesos.Fallo, match="«Bien» no es de la escala de «h.csv», que son No apto, Apto"):
+        hoja.Hoja(tmp_path / "h.csv", reglas=Reglas(escala="0 No apto; 90 Bien"))
+
+
+def test_una_columna_de_grupo_puede_no_ser_de_la_tarea(tmp_path):
+    (tmp_path / "h.csv").write_text(una_hoja(GRUPOS))
+    suya = hoja.Hoja(tmp_path / "h.csv", [f"Participante 1002_1002{MOODLE}"])
+    suya.pon(f"Participante 1002_1002{MOODLE}", HECHA)
+    assert suya.puestos["nota"] == 1 and not suya.avisos
+    assert conjunto.de_vuelta(f"Ana_1002{MOODLE}", suya) == [f"Ana_1002{MOODLE}"]
+
+
 def test_lo_de_un_grupo_vuelve_a_cada_uno(tmp_path):
     """El número de la carpeta es el del grupo, que puede ser el de una persona que no tiene nada que ver."""
     (tmp_path / "h.csv").write_text(una_hoja(GRUPOS))
-    suya = hoja.Hoja(tmp_path / "h.csv")
+    suya = hoja.Hoja(tmp_path / "h.csv", [f"Grupo A_1003{MOODLE}"])
     son = conjunto.de_vuelta(f"Grupo A_1003{MOODLE}", suya)
     assert [re.split("_", s)[1] for s in son] == ["1001", "1002", "1003"] and "/" not in "".join(son)
     assert conjunto.de_vuelta(f"Otro_1003{MOODLE}", suya) == [] and conjunto.de_vuelta("ana", suya) == []
@@ -464,26 +555,49 @@ def test_en_que_se_equivoca_una_clase():
     gira, nada = "parece que gira al revés", "«tecla d» no hace nada"
     hechas = [
         corregida("a", 60, gira, nada, imagen="A"),
-        corregida("b", 50, "no viene p.h: se ha puesto el de partida", gira, imagen="B"),
+        corregida("b", 50, gira, imagen="B"),
+        corregida("k", 40, f"parece que falta el pie; y que {gira.removeprefix('parece que ')}"),
         corregida("c", 0, "no compila: p.cpp:3: x"),
         corregida("d", 0, "no compila: q.cpp:9: y"),
         corregida("e", 0, "no compila: falta «main»"),
         corregida("f", 100),
         corregida("g", 80, imagen="G"),
-        corregida("i", 0, "no viene p.frag"),
+        corregida("i", 0, "acaba con un error: ondas.frag:3: falta «;»"),
         corregida("j", 60, "el título es «x» y debía ser «y»", imagen="J"),
         corregida("h", 0, "se cae tras «tecla d»: abort", "el compilador avisa: p.cpp:1: z"),
     ]
     hay = [(e.dice, [h.quien for h in e.de], e.imagenes[:1]) for e in conjunto.errores(hechas)]
     assert hay == [
         ("no compila", ["c", "d", "e"], []),
-        (gira, ["a", "b"], ["B"]),  # de quien no hace nada más mal
+        (gira, ["a", "b", "k"], ["B"]),  # de quien no hace nada más mal
         ("el título no es el que debía", ["j"], []),
-        ("falla tras «tecla d»", ["g"], ["G"]),
-        ("no viene p.frag", ["i"], []),
+        ("no se ve como debe: abajo", ["g"], ["G"]),
         ("se cae", ["h"], []),
-        (nada, ["a"], ["A"]),
+        ("un shader no compila", ["i"], []),
     ]
+
+
+def test_en_que_se_equivoca_cada_uno():
+    """Si solo se sabe lo que se ve, en lo que más se repite; y de lo que se dibuja, lo que le falta."""
+    callan = [[f"«tecla {t}» no hace nada" for t in teclas] for teclas in ("ma", "ad", "d", "od")]
+    hechas = [corregida(str(i), 50, *dice) for i, dice in enumerate(callan)]
+    otra = corregida("otra", 50, imagen="O")
+    otra.c["fallos"][0]["donde"] = {"que": "falta", "dice": "x"}
+    assert {dice: len(de) for dice, de in conjunto.por_causa([*hechas, otra]).items()} == {
+        "«tecla d» no hace nada": 3,
+        "«tecla a» no hace nada": 1,
+        "falta algo por dibujar": 1,
+    }
+
+
+def test_lo_que_se_dice_a_quien_no_sabe_de_guiones():
+    dice = informes.en_html("«tecla d ×7» y «boton x»: `vuelta` < <b>")
+    assert dice == "«pulsa d 7 veces» y «boton x»: <code>vuelta</code> &lt; &lt;b&gt;"
+    c = {"dice": ["mal"], "fallos": [], "avisos": ["no viene p.h: se ha puesto el de partida"]}
+    assert informes.lineas(c)[0] == "mal" and len(informes.lineas(c)) == 2
+    de_partida = {"p.cpp": "1", "p.h": "2"}
+    hay = [de_clase.sobra(f"no viene {f}: se ha puesto", de_partida, {"p.cpp": "1", "p.h": "3"}) for f in de_partida]
+    assert hay == [True, False]  # en p.cpp no hay nada que hacer
 
 
 def test_como_se_llama_cada_uno():
@@ -506,27 +620,51 @@ def variantes(ref, programa, *listas):
                 yield m.nombre, nuevo.aqui({Path(f).name: nuevo.deja(t) for f, t in otros.items()}, programa)
 
 
-def parecidas(ref, programa):
+def parecidas(ref, programa, suyos):
     """Las parejas de una clase en que cada uno hace la suya y otro se la copia, y cuántas copias hay."""
     clase, dados = {}, (nuevo.esqueleto(RAIZ, programa, ref), nuevo.solucion(RAIZ, programa, ref))
     for nombre, ficheros in variantes(ref, programa, "bien", "errores"):
         clase[nombre] = parecidos.codigo(ficheros)
-        clase[nombre, "copia"] = parecidos.codigo(copia(ficheros, random.Random(nombre)))
+        clase[nombre, "copia"] = parecidos.codigo(copia(ficheros, random.Random(nombre), suyos=suyos))
     return parecidos.parejas(clase, dados), len(clase) // 2
 
 
 @con_catalogo
-def test_las_copias_se_ven_y_las_independientes_no():
+@pytest.mark.parametrize("suyos", [tras_un_tipo, como_variables])
+def test_las_copias_se_ven_y_las_independientes_no(suyos):
     """Independientes: las que no son la misma línea de bien/ o de errores/, cada una con una solución de otro estilo o
     con otro error."""
     vistas = hay = 0
     for ref, programa in list(nuevo.ejercicios(RAIZ, catalogo.lee_programas(BUILD)).items())[::2]:
-        parejas, cuantas = parecidas(ref, programa)
+        parejas, cuantas = parecidas(ref, programa, suyos)
         son = [{p.una, p.otra} for p in parejas]
         ajenas = [s for s in son if len({q if isinstance(q, str) else q[0] for q in s}) > 1]
         assert not ajenas, f"{ref}: {ajenas}"
         vistas, hay = vistas + len(son), hay + cuantas
-    assert vistas >= 0.95 * hay > 150, f"{vistas} de {hay}"
+    assert vistas >= 0.92 * hay > 150, f"{vistas} de {hay}"
+
+
+# Un trozo, y a qué se le cambia el nombre: lo declare como lo declare, es el mismo.
+RENOMBRADOS = {
+    "float radio = 3;\nfloat a = radio * 2 + giro();\nusa(a, radio, 7);": "radio a",
+    "const float dx = u * cos(t), dy = v * sin(t);\nmueve(dx + dy * 3, dy - 2);": "dx dy",
+    "float x, y, z;\nx = 3 * giro(); y = x + 2; z = y * x;\npon(x, y, z);": "x y z",
+    "auto [a, b] = corta(3);\npon(a * 2 + b, b - 7, a);": "a b",
+    "for (int i = 0, n = 12; i < n; i++)\n    pon(i * 30.0f, n - i);": "i n",
+    "float *p = dame(4);\np[0] = 3; p[1] = p[0] * 2 + 1;\nusa(p, 5);": "p",
+    "#define LADO 5\nvoid f() { pinta(LADO * 2, LADO + 7, 3 - LADO); }": "LADO f",
+    "enum { IZQ, DER, MAS };\nvoid f() { m[IZQ] = 3; m[DER] = m[MAS] + 7; }": "IZQ DER MAS m",
+    "struct Cosa { float largo; };\nvoid f(Cosa *c) { c->largo = 3; usa(c->largo * 2); }": "Cosa largo f c",
+}
+
+
+@pytest.mark.parametrize("trozo", RENOMBRADOS)
+def test_con_otro_nombre_es_lo_mismo(trozo):
+    otro = trozo
+    for i, nombre in enumerate(RENOMBRADOS[trozo].split()):
+        otro = re.sub(rf"\b{nombre}\b", f"otro{i}", otro)
+    (p,) = pareja(trozo, otro)
+    assert p.cuanto == 1
 
 
 UNA = """#include "x.h"
@@ -543,6 +681,7 @@ float duplica(float v) { return 2 * v * giroY(v); }
 
 
 def pareja(una, otra, *dadas):
+    dadas = '#include "transformaciones.h"', *dadas
     return parecidos.parejas({"a": {"p.cpp": una}, "b": {"q.cpp": otra}}, [{"p.cpp": d} for d in dadas])
 
 

@@ -79,7 +79,7 @@ def banco_falso(temporal, **mas):
         "semilla": "1",
         "todos": [Guion("caso", (), True), Guion("al azar", ("tecla a",))],
         "de_partida": de_partida,
-        "dados": de_partida[:1],
+        "dados": (de_partida[0], {"p.cpp": "int main() {}\n", "p.h": "// algo"}),
         "programa": SimpleNamespace(nombre="a", titulo="A", casos=[]),
         "temporal": temporal,
         "reglas": Reglas(),

@@ -18,7 +18,9 @@ def juzga(monkeypatch):
 
     def pon(funcion):
         monkeypatch.setattr(
-            de_clase, "Correccion", lambda *p: SimpleNamespace(hazla=lambda: {"fallos": [], **funcion(*p)})
+            de_clase,
+            "Correccion",
+            lambda *p: SimpleNamespace(dibuja=True, hazla=lambda: {"fallos": [], **funcion(*p)}),
         )
 
     return pon

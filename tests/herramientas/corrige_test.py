@@ -25,11 +25,12 @@ import pytest
 
 from aula_test import COLUMNAS, celdas
 from banco import BUILD, MOODLE, RAIZ, REF, UNO, banco_falso, carpeta_de, con_catalogo, con_comparador, con_jaula, orden
-from base import catalogo, guiones, procesos
+from base import catalogo, guiones, marcas, procesos
+from base.defectos import Mutante
 from base.fuentes import SHADERS
 from ejercicios import nuevo, reglas
 from ejercicios.corrige import clase as de_clase
-from ejercicios.corrige import compilador, entrega, informes, jaula, lector, motivos
+from ejercicios.corrige import compilador, entrega, informes, injerto, jaula, lector, motivos
 from ejercicios.corrige import orden as orden_
 from ejercicios.corrige import partidas, veredicto
 from ejercicios.corrige.arbitro import BIEN, CASI, Arbitro, aparte
@@ -195,6 +196,7 @@ def test_la_nota_es_la_parte_de_los_guiones_que_salen_bien():
         banco.compilador = SimpleNamespace(solucion="solución")
         correccion = veredicto.Correccion(banco, {})
         correccion.jugador, correccion.muestra, correccion.explica = "entrega", lambda fallan: [], lambda *_: []
+        correccion.avisos = lambda: []
         return correccion.compara()["nota"]
 
     assert [nota(lambda g, i=i: partida(i)) for i in (1, 2, 7)] == [100, 0, 50]  # la última, por poco
@@ -216,12 +218,29 @@ def test_el_defecto_que_deja_lo_mismo_en_todos_los_guiones():
 
     def dice(*variantes):
         todos = SimpleNamespace(arbitro=arbitro, variantes=lambda: [("", "esqueleto"), *((v, v) for v in variantes)])
+        todos.defectos, todos.compiladas, todos.parejas = [], lambda: None, lambda *_: []
         return motivos.Motivos.por_que(todos, entregado, entregado, jugados[:1])
 
     assert dice("uno", "dos", "tres", "cuatro") == ["tres"]  # antes, la exacta
     assert dice("uno", "dos", "cuatro") == ["uno", "cuatro"] and dice("dos") == []
     hace["esqueleto"] = 5, 5, 5
-    assert dice("tres") == [""]
+    assert dice("dos") == [""] and dice("tres") == ["", "tres"]
+
+
+def test_de_dos_en_dos_los_que_pueden_ser():
+    """Del mismo hueco, si tocan casi lo mismo que la entrega; de dos, los gemelos, con que toquen parte."""
+    fuente = marcado("a = 1;\nb = 2;", "c = 3;\nd = 4;")
+    lista = ("a", "x"), ("b", "y"), ("c", "x"), ("d", "z")
+    suyos = [Mutante("l", i, i, "p.cpp", f"{v} = «{i}»", "0", imita, "", v) for i, (v, imita) in enumerate(lista, 1)]
+    todos = SimpleNamespace(defectos=suyos, programa=SimpleNamespace(raices=[1]), textos=lambda: {"p.cpp": fuente})
+    todos.trozos = lambda: [("p.cpp", t) for t in marcas.TROZO.finditer(fuente)]
+    todos.de_dos = lambda _, *par: "".join(m.dice for m in par)
+
+    def prueba(tocado, *tocan):
+        return [quien for _, quien in motivos.Motivos.parejas(todos, None, tocado, dict(zip(suyos, tocan)))]
+
+    assert prueba(0b1111, 0b0011, 0b1100, 0b0111, 0b1000) == ["ac", "ab", "cd"]
+    assert prueba(0b1111, 0b0001, 0b0010, 0b0001, 0b0010) == ["ac"]
 
 
 def test_una_entrega_lenta_se_deja(monkeypatch):
@@ -244,7 +263,8 @@ def test_lo_que_no_responde():
 
     def dice(*imagenes, muestra=(), casi=(), donde=1):
         banco = SimpleNamespace(arbitro=None, motivos=SimpleNamespace(por_que=lambda *_: []))
-        correccion = veredicto.Correccion(banco, {})
+        banco.de_partida = {"p.cpp": ""}, "p.cpp"
+        correccion = veredicto.Correccion(banco, entrega.Entrega({"p.cpp": b"int main() {}"}))
         correccion.partidas, correccion.esperadas = {guion: partida(*imagenes)}, esperada
         return correccion.explica({guion: donde}, casi, muestra)
 
@@ -313,7 +333,8 @@ def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, 
 
     def mal(*_):
         texto = next(textos)
-        fallo = {"tras": ["tecla a"], "que": texto, "donde": {"dice": texto, "pixel": [1, 2]}, "imagenes": []}
+        donde = {"dice": texto, "pixel": [1, 2], "ventana": [9, 9], "explica": "1 2"}
+        fallo = {"tras": ["tecla a"], "que": texto, "donde": donde, "imagenes": []}
         return {"nota": 50, "dice": [texto, texto], "fallos": [fallo]}
 
     juzga(mal)
@@ -335,11 +356,11 @@ def test_lo_de_otro_no_estropea_lo_que_se_escribe(tmp_path, juzga, monkeypatch, 
         escrito += vpl + pide(carpeta, REF, "--sin-jaula", "--json", tmp_path / "una.json")
     d = tmp_path / "d"
     ficheros = [tmp_path / "j.xml", d / "notas.csv", d / "index.html", *d.glob("*.json"), *d.glob("comentarios/*.html")]
-    escrito += "".join(f.read_text().replace("\r\n", "\n") for f in ficheros)
+    escrito += "".join(f.read_text("utf-8-sig").replace("\r\n", "\n") for f in ficheros)
     assert {c for c in escrito if not c.isprintable()} <= {"\n"}
-    assert max(map(len, escrito.split("\n"))) < 4 * lector.LETRAS + 300
+    assert max(map(len, escrito.split("\n"))) < 4 * lector.LETRAS + 400
     assert len(xml.parse(tmp_path / "j.xml").getroot()) == len(list(d.glob("*.json"))) == len(hostiles)
-    filas = list(csv.reader(io.StringIO((d / "notas.csv").read_text())))
+    filas = celdas((d / "notas.csv").read_bytes(), "utf-8-sig", separador=";")
     assert len(filas) == len(hostiles) + 1 and not [c for f in filas for c in f if c[:1] in tuple("=+-@")]
     assert (d / "index.html").read_text().count("<script") == 1
     assert str(tmp_path / "temporal") not in escrito
@@ -350,6 +371,69 @@ def test_tras_que_orden_acaba_una_partida():
     guion = SimpleNamespace(ordenes=["tecla a", "tecla b", "tecla c"])
     for imagenes, dice in enumerate((" sin dibujar nada", "", " tras «tecla a»", " tras «tecla b»", "")):
         assert motivos.tras(SimpleNamespace(imagenes=[""] * imagenes), guion) == dice
+
+
+def test_como_acaba_una_partida():
+    guion = Guion("", ("tecla a",))
+    acaban = {
+        "se queda esperando": {"estado": 124, "segundos": 0.1},
+        "un bucle que no acaba": {"estado": 152, "segundos": 10.0},
+        "escribe demasiado": {"estado": -1, "escrito": 1 << 25},
+        "un índice se sale de un vector": {
+            "estado": 134,
+            "errores": "x:3: f: Assertion '__n < this->size()' failed.\n",
+        },
+        "acceso a memoria que no es suya": {"estado": 139},
+        "no ha dejado nada": {"estado": -1},
+    }
+    for dice, como in acaban.items():
+        hecho = dataclasses.replace(partida(1), limite=10, **como)
+        assert dice in motivos.como_acaba(hecho, guion) and " tras «tecla a»" not in motivos.como_acaba(hecho, guion)
+
+
+def marcado(*hechos, pide="haz eso {}", fuera=""):
+    """Un programa con esos huecos, y algo fuera de ellos."""
+    huecos = (f"// {REF}: {pide.format(i)}\n{h}\n// fin de {REF}\n" for i, h in enumerate(hechos))
+    return f"{fuera}\nint main() {{\n{''.join(huecos)}}}\n"
+
+
+def test_lo_de_otra_version_se_pone_en_el_punto_de_partida_de_hoy():
+    """Lo que pide lo mismo; si no, lo que está en su sitio; y si tampoco, lo más parecido."""
+    hoy = {"p.cpp": marcado("", "", fuera="// hoy")}
+    for suyos, quedan in (
+        (marcado("uno", "dos", fuera="// ayer"), ("uno", "dos")),
+        (marcado("uno", "dos", pide="otra cosa {}"), ("uno", "dos")),
+        (marcado("uno").replace("\n", "\r\n"), ("uno", "uno")),
+        (marcado("uno", pide="nada que ver").replace("int main", "int x"), ("", "")),
+    ):
+        otra = injerto.injertada(entrega.Entrega({"mi p.cpp": suyos.encode(), "q.h": b""}), hoy, REF)
+        assert otra.ficheros["p.cpp"].decode() == marcado(*quedan, fuera="// hoy") and "q.h" in otra.ficheros
+    assert injerto.injertada(entrega.Entrega({"p.cpp": b"int main() {}"}), hoy, REF) is None
+
+
+def test_cuando_se_injerta(tmp_path, juzga):
+    """Si se sabe que se empezó con otra versión y así sale mejor; y si no se sabe, si no dibuja nada."""
+    hoy = {"p.cpp": marcado("", fuera="// hoy")}, "p.cpp"
+    juzga(lambda banco, suya: {"nota": 80 if b"// hoy" in suya.ficheros["p.cpp"] else 30, "dice": []})
+    for version, nota in (("", 80), ("otra", 80), (nuevo.version(hoy[0]), 30)):
+        siembra(
+            tmp_path / "e",
+            {"p.cpp": marcado("uno"), "ejercicio.txt": f"{REF} x\n{f'partida {version}' * bool(version)}"},
+        )
+        hecha = de_clase.corrige(banco_falso(tmp_path, de_partida=hoy), tmp_path / "e")
+        assert hecha["nota"] == nota and (injerto.SE_CORRIGE in hecha["dice"]) == (nota == 80)
+    (tmp_path / "e/ejercicio.txt").unlink()
+    assert de_clase.corrige(banco_falso(tmp_path, de_partida=hoy), tmp_path / "e")["nota"] == 30
+
+
+def test_en_que_ventana_es_un_pixel():
+    assert veredicto.en_su_ventana(("tecla g",), [10, 20], (240, 180)) == {
+        "pixel": [42, 82],
+        "ventana": [960, 720],
+        "explica": '42 82 -guion "tecla g"',
+    }
+    otra = veredicto.en_su_ventana(("tamano 120 160",), [10, 20], (120, 160))
+    assert otra["ventana"] == [120, 160] and otra["explica"] == '10 20 -geometry 240x180 -guion "tamano 120 160"'
 
 
 def test_la_nota_de_vpl(monkeypatch):
@@ -500,6 +584,14 @@ def test_sin_bwrap_no_se_corrige(tmp_path):
             hecho = subprocess.run(orden(tmp_path, REF), text=True, capture_output=True, env={"PATH": ruta})
             assert (hecho.returncode, faltan(hecho.stderr, dice, "--sin-jaula", "Traceback")) == (1, ["Traceback"])
     assert [f.name for f in tmp_path.iterdir()] == ["a.cpp"]
+
+
+def test_en_ubuntu_se_dice_como_se_arregla(tmp_path, monkeypatch):
+    for vale, dice in (("1\n", True), ("0\n", False), (None, False)):
+        monkeypatch.setattr(jaula, "APPARMOR", tmp_path / str(vale).strip())
+        if vale:
+            jaula.APPARMOR.write_text(vale)
+        assert ("sysctl kernel.apparmor" in jaula.por_apparmor()) == dice
 
 
 @pytest.mark.skipif(not GRUA.exists(), reason="no está compilado")
@@ -740,8 +832,9 @@ def comprueba_correcciones(clase, destino):
     escrito = "".join(map(json.dumps, todas.values()))
     assert "root:" not in escrito
     assert str(clase.with_name("temporal")) not in escrito
-    filas = list(csv.DictReader(io.StringIO((destino / "notas.csv").read_text())))
-    assert {quien(f["entrega"]): float(f["nota"]) for f in filas} == notas
+    columnas, *filas = celdas((destino / "notas.csv").read_bytes(), "utf-8-sig", separador=";")
+    assert columnas[:3] == ["entrega", "ejercicio", "nota"]
+    assert {quien(f[0]): float(f[2].replace(",", ".")) for f in filas} == notas
     comprueba_pagina((destino / "index.html").read_text(), todas)
     comprueba_imagenes((destino / f"comentarios/{gira}.html").read_text())
     comprueba_hoja(clase, notas)
@@ -867,4 +960,5 @@ def test_una_entrega_da_lo_mismo_sin_jaula(clase, tmp_path):
     siembra(notas, {"d_orden.json": una})
     antes = cuando(notas)
     subprocess.run(orden(tmp_path / "clase", REF, "--guiones", "0", "--deja", notas), **CALLADO)
-    assert cuando(notas) == antes and f"d_orden,{REF},{json.loads(una)['nota']}" in (notas / "notas.csv").read_text()
+    nota = f"{json.loads(una)['nota']:g}".replace(".", ",")
+    assert cuando(notas) == antes and f"d_orden;{REF};{nota};" in (notas / "notas.csv").read_text()

@@ -92,7 +92,8 @@ def test_se_usa_como_cualquier_otro(lab):
     errores = lab.sitio / "aqui/molino/errores.tsv"
     errores.write_text(errores.read_text().replace("molinete.cpp", "molino.cpp"))
     lab("nuevo ./molino el_mio", dice="/mios/el_mio")
-    assert (lab.sitio / "mios/el_mio/ejercicio.txt").read_text() == "molino ejercicios/molino/molino\n"
+    origen = (lab.sitio / "mios/el_mio/ejercicio.txt").read_text()
+    assert re.fullmatch("molino ejercicios/molino/molino\npartida [0-9a-f]{12}\n", origen)
     lab("corrige el_mio --guiones 0", 1, "el_mio, molino: 0 de 100")
     shutil.rmtree(lab.sitio / "aqui/molino")
     lab("ver mios/el_mio/", dice="lo he dibujado en el_mio.png")
@@ -336,7 +337,7 @@ def test_lo_que_se_da_y_lo_que_no(tmp_path):
 
 CASO, AZAR = Guion("caso", (), True), Guion("al azar", ())
 OTRAS = {"caso": 5.5, "azar": 4.5, "guiones": 3, "tolerancia": "otro", "casi": 80.5}
-OTRAS |= {"titulo": 11.5, "texto": 12.5, "estado": 13.5}
+OTRAS |= {"titulo": 11.5, "texto": 12.5, "estado": 13.5, "escala": "0 Mal; 50 Bien"}
 SITUACIONES = {  # los guiones que salen bien, los que salen por poco, y lo demás que falla
     "falla un caso": ([AZAR], [], {}),
     "falla uno al azar": ([CASO], [], {}),
@@ -352,6 +353,7 @@ CAMBIA = {  # lo que cambia cada una
     "titulo": {"el título"},
     "texto": {"el texto"},
     "estado": {"el estado"},
+    "escala": set(),
 }
 
 
@@ -395,6 +397,8 @@ MALAS = {
     "guiones = 2.5": "no vale de guiones: un número natural",
     "tolerancia = ancha": "«ancha» no vale de tolerancia: redondeo, amplia, otro",
     "texto =": "«» no vale de texto",
+    "escala = Apto": "«Apto» no vale de escala: desde cuántos puntos es cada palabra",
+    "escala = 0 No; 90 Bien; 50 Apto": "no vale de escala",
     "caso = 0\nazar = 0": "no queda nada",
     "caso = 0\nguiones = 0": "no queda nada",
     "texto = 90\ntitulo = 10": "más de 100",

@@ -1,6 +1,7 @@
 // clase.mjs RAÍZ BUILD CARPETA: la página de una clase corregida, en claro y en oscuro. La tabla se ordena por nombre y
 // por nota, y otra vez al revés; los enlaces siguen llevando a cada una; nada se sale de un teléfono, tampoco de la
-// página de cada una ni de la de las que se parecen, y lo pueden usar todos.
+// página de cada una ni de la de las que se parecen, y lo pueden usar todos. En la de proyectar, cada error cabe en una
+// pantalla, se lee desde la última fila y no dice de quién es.
 import assert from 'node:assert/strict';
 import { pathToFileURL } from 'node:url';
 import { ABRE, dePython, enNavegadores } from './navegador.mjs';
@@ -21,7 +22,7 @@ COPIADO = "int main() {\\n" + "".join(f"  pinta({i}, {i} + 1, {'x' * i});\\n" fo
 def correccion(nombre, nota):
     fallo = {"que": "falla tras «tecla d»", "tras": ["tecla d"], "donde": None, "imagenes": [PUNTO] * 3}
     return {"entrega": nombre, "nota": nota, "bien": 2, "guiones": 5, "semilla": "1", "reglas": "las de siempre",
-            "dice": ["se ve lo mismo que en el punto de partida", "y algo más"] if nota < 100 else [],
+            "dice": ["se ve lo mismo que en el punto de partida" if nota < 9 else "y algo más"] if nota < 100 else [],
             "fallos": [fallo] if nota < 100 else [], "casos": {}}
 notas = {Path(nombre): correccion(nombre, nota) for nombre, nota in json.loads(notas).items()}
 grua = next(p for p in catalogo.lee_programas(Path(build)) if p.nombre == "grua")
@@ -56,9 +57,29 @@ enNavegadores(['chromium', 'firefox'], {
   },
 });
 
+enNavegadores(['chromium', 'firefox'], {
+  'cada error se proyecta en una pantalla, sin nombres': async p => {
+    const talla = [1920, 1080];
+    await p.carga('', pathToFileURL(`${ABRE}/proyectar.html`).href);
+    const dice = await p.da(() => una('main').textContent);
+    assert.deepEqual(Object.keys(NOTAS).filter(quien => dice.includes(quien)), []);
+    await p.pantalla(...talla);
+    await p.teclas('p');
+    await p.acaba('proyecta', () => document.fullscreenElement && una('dialog').open && una('dialog img').complete);
+    for (const [tecla, titulo] of [['', 'Se ve lo mismo que en el punto de partida'], ['ArrowRight', 'Y algo más']]) {
+      if (tecla) await p.teclas(tecla);
+      assert.equal(await p.da(() => una('dialog .dicho').textContent.trim()), titulo);
+      assert.equal(await p.da(() => una('dialog h2').textContent), '2 de 6');
+      await p.seProyecta('dialog', talla, 'dos');
+    }
+    await p.teclas('Home');
+    assert.equal(await p.da(() => location.hash), '#e1');
+  },
+});
+
 const temas = ['light', 'dark'].map(value => [`para todos, y nada se sale, en ${value}`, async p => {
   await p.pagina.emulateMediaFeatures([{ name: 'prefers-color-scheme', value }]);
-  for (const pagina of ['index.html', 'comentarios/ana.html', 'parecidos.html']) {
+  for (const pagina of ['index.html', 'proyectar.html', 'comentarios/ana.html', 'parecidos.html']) {
     await p.talla(1280, 900);
     await p.carga('', pathToFileURL(`${ABRE}/${pagina}`).href);
     await p.esParaTodos();

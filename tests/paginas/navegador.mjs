@@ -280,7 +280,7 @@ class Persona {
     if (como === 'llena') return assert.deepEqual(caja, [0, 0, width, height]);
     const [izquierda, arriba, derecha, abajo] = caja;
     assert.ok(izquierda >= 0 && arriba >= 0 && derecha <= width && abajo <= height &&
-      derecha - izquierda > width / 2, `va de ${caja} en ${pantalla}`);
+      derecha - izquierda > width / (como === 'dos' ? 3 : 2), `va de ${caja} en ${pantalla}`);
     if (height >= 1080) assert.deepEqual(chicos, []);
   }
 }

@@ -69,7 +69,7 @@ class Banco:
         yield repr(conocidos(self.raiz, self.programa, self.ref))
         yield desempaqueta(self.arbitro.juega_de_nuevo(self.compilador.solucion, Guion("", ()))).get("000.ppm", b"")
         visto = [
-            *sorted(Path(__file__).parent.glob("*.py")),
+            *sorted(Path(__file__).parent.glob("*.[pc]*")),
             *sorted((self.raiz / "herramientas/base").glob("*.py")),
             *(self.raiz / ruta for ruta in self.compilador.visible),
             *(Path(b) for b in self.compilador.bibliotecas if b.startswith(str(build))),

@@ -13,6 +13,9 @@ from ejercicios.corrige.partidas import Jugador
 
 COMPILA = {"segundos": 120, "procesador": 60, "memoria": 3 << 30, "procesos": 16}
 SUYA = "mios/entrega"  # dónde está lo suyo en el árbol que ve: tan hondo como lo de ./lab nuevo
+CAIDAS = Path(__file__).with_name("caidas.cpp")
+# con lo entregado: un índice que se sale de un vector acaba con él, y se sabe en qué línea
+AJENO = "-D_GLIBCXX_ASSERTIONS", "-g"
 # de la orden de compilar, cuántas palabras no valen aquí
 SIN = {"-MD": 1, "-MT": 2, "-MF": 2, "-o": 2, "-c": 2, "-Werror": 1}
 
@@ -92,6 +95,9 @@ class Compilador:
         errores = []
         for fuentes in intentos or [Alcance(ficheros).se_compilan]:
             orden = self.orden(arbol, sitios, [suya / f for f in fuentes])
+            if ajena:
+                shutil.copy(CAIDAS, arbol)
+                orden += [*AJENO, "-x", "c++", arbol / CAIDAS.name]
             hecho = desempaqueta(ejecuta(orden, COMPILA))
             if hecho.get("estado", b"").strip() == b"0":
                 ejecutable = carpeta / self.programa.nombre
@@ -103,6 +109,18 @@ class Compilador:
             if no_acaba(hecho):
                 break
         raise errores[0]
+
+    def linea_en_que_cae(self, ficheros, jugador, escrito):
+        """De lo que ha escrito caidas.cpp, la primera línea que es de lo suyo, o nada."""
+        llamadas = re.findall(rf"/{re.escape(jugador.programa.name)}\(\+0x([0-9a-f]{{1,16}})\)\[", escrito)
+        pasos = [f"0x{max(int(paso, 16) - 1, 0):x}" for paso in llamadas]  # se vuelve a la de después
+        if not pasos or not shutil.which("addr2line"):
+            return ""
+        orden = ["addr2line", "-i", "-e", jugador.programa, *pasos]
+        dicho = desempaqueta(self.recinto.ajeno(orden, COMPILA, [jugador.programa.parent])).get("salida", b"")
+        suya = f"{jugador.raices[-1] / SUYA}/"
+        lineas = re.findall(rf"^{re.escape(suya)}(.+):(\d+)", dicho.decode(errors="replace"), re.M)
+        return next((f"{f}:{linea}" for f, linea in lineas if f in ficheros), "")
 
     def avisos(self, ficheros, jugador):
         """De lo que avisa el compilador en los ficheros de una entrega ya compilada."""
@@ -135,9 +153,24 @@ class Compilador:
 
 SITIO = re.compile(r"^(In file included from | +from )?([^:\n]+):(\d+)[:,](?:\d+[:,])?(.*)$", re.M)
 REPETIDO = re.compile(
-    r"^(?:\S*ld: )?(?:\S+\.o:)?([^:\n]+):\(.*multiple definition of [`'](.*?)'; (?:\S+\.o:)?([^:\n]+):\(", re.M
+    r"^(?:\S*ld: )?(?:\S+\.o:)?([^:\n]+):(?:\(.*|\d+: )multiple definition of [`'](.*?)'; (?:\S+\.o:)?([^:\n]+):[(\d]",
+    re.M,
 )
+DE_OPENGL_1 = re.compile("glut(Solid|Wire|Bitmap|Stroke)|glu[A-Z]")
 ERROR = re.compile(r"^ (?:fatal )?error: (.*)$")
+
+
+DE_IMPRENTA = dict.fromkeys("“”‘’", "comillas de imprenta") | dict.fromkeys("–—−", "un guion que no es el menos")
+DE_IMPRENTA |= {"\u00a0": "un espacio que no es el del teclado"}
+
+
+def con_la_letra(error):
+    """De una letra que no vale, cuál es: a veces ni se ve."""
+    letra = re.search(r"extended character (.) is not valid", error)
+    if not letra:
+        return error
+    que = DE_IMPRENTA.get(letra[1], "una letra que no vale")
+    return f"hay {que}, «{letra[1]}» (U+{ord(letra[1]):04X}), fuera de los comentarios: bórralo y escríbelo otra vez"
 
 
 def no_acaba(hecho):
@@ -158,11 +191,12 @@ def primer_error(hecho, suya, ficheros):
         if fichero in ficheros and not (desde and lugar):
             lugar = f"{fichero}:{linea}: "
         if error := ERROR.match(dice):  # el de una plantilla está en su cabecera, y antes se dice quién la usa
-            return f"no compila: {lugar or f'{fichero}:{linea}: '}{error[1]}"
+            return f"no compila: {lugar or f'{fichero}:{linea}: '}{con_la_letra(error[1])}"
     if repetido := REPETIDO.search(errores):
         return f"no compila: «{repetido[2]}» está en dos ficheros: {repetido[3]} y {repetido[1]}"
     if falta := re.search(r"undefined reference to [`'](.*)'", errores):
-        return f"no compila: falta «{falta[1]}»"
+        de_antes = ": es de OpenGL 1, y aquí no está" if DE_OPENGL_1.match(falta[1]) else ""
+        return f"no compila: falta «{falta[1]}»{de_antes}"
     lineas = [linea for linea in errores.splitlines() if linea.strip()]
     primera = next((linea for linea in lineas if "error: " in linea or "ld: " in linea), (lineas or [""])[-1])
     return "no compila: " + (re.sub("^.*?error: ", "", primera) or "el compilador no ha acabado bien")

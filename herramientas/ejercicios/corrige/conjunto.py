@@ -13,10 +13,11 @@ from base.procesos import escribe as escribe_fichero
 from ejercicios.corrige import informes, parecidos
 from ejercicios.corrige.aula import de_moodle
 from ejercicios.corrige.clase import fichero_de
-from ejercicios.corrige.entrega import limpio
+from ejercicios.corrige.lector import limpio
 
 AQUI = Path(__file__).parent
 COMENTARIOS, SUYO = "comentarios", "correccion.html"
+MODULOS = "documento.mjs", "proyector.mjs"
 NOMBRES = 8  # que se dicen de los que cometen un error
 CON_IMAGEN = 40  # errores que se enseñan
 PAREJAS = 60  # que se enseñan
@@ -25,7 +26,8 @@ NO_SE_VE = "el título no es el que debía", "no escribe lo que debía"  # en ni
 ES_LO_MISMO = {
     r"no compila\b": "no compila",
     r"se cae\b": "se cae",
-    "tarda más de|es muy lento": "no acaba a tiempo",
+    "tarda más de|es muy lento|se queda esperando": "no acaba a tiempo",
+    r"acaba con un error.*\.(vert|frag|geom|glsl):\d": "un shader no compila",
     "acaba con un error": "acaba con un error",
     "acaba por su cuenta": "acaba por su cuenta",
     "no ha dejado nada": "no ha dejado nada",
@@ -34,7 +36,20 @@ ES_LO_MISMO = {
     "no hay ningún fuente|no hay nada": "no hay ningún fuente",
     "el título es": NO_SE_VE[0],
     "debía escribir": NO_SE_VE[1],
-    "el compilador avisa|no viene |su carpeta es de otro|no se ha mirado todo|se ha corregido |no está en UTF-8": None,
+    "el (compilador|programa) avisa|su carpeta es de otro|se empezó con otra versión": None,
+}
+# Lo que solo es un síntoma: si se sabe de qué, es eso.
+SINTOMA = re.compile("|".join(("«.*» no hace nada|no responde a|está mal al cambiar", *NO_SE_VE)))
+Y_QUE = "; y que "  # lo que une dos errores conocidos
+DE_DONDE = {
+    "uniform": "un uniform no vale lo que debe",
+    "linea": "una línea de un shader no da lo que debe",
+    "shader": "se dibuja con otro shader",
+    "textura": "una textura no es la que debe",
+    "array": "los vértices no son los que deben",
+    "trazo": "los vértices no son los que deben",
+    "falta": "falta algo por dibujar",
+    "sobra": "se dibuja algo de más",
 }
 
 
@@ -69,25 +84,41 @@ def quienes(correcciones):
 
 
 def causas(c):
-    """De qué errores es una corrección, como se dicen para toda la clase."""
-    dichas = []
+    """De qué errores es una corrección, como se dicen para toda la clase: lo que se sabe o, si no, lo que se ve."""
+    dichas = {}
     for dice in c["dice"]:
-        como = next((como for patron, como in ES_LO_MISMO.items() if re.match(patron, dice)), dice)
-        if como and como not in dichas:
-            dichas.append(como)
-    return dichas or [f["que"].partition(":")[0] for f in c["fallos"][:1]] or c["dice"][:1]
+        uno, *otros = dice.split(Y_QUE)
+        for parte in (uno, *(f"parece que {otro}" for otro in otros)):
+            dichas[next((como for patron, como in ES_LO_MISMO.items() if re.match(patron, parte)), parte)] = True
+    dichas.pop(None, None)
+    se_saben = [dice for dice in dichas if not SINTOMA.match(dice)]
+    return se_saben or [*dichas] or [de_un_fallo(f) for f in c["fallos"][:1]] or c["dice"][:1]
+
+
+def de_un_fallo(fallo):
+    """De qué es uno que no se sabe de qué error es."""
+    dice = DE_DONDE.get(fallo["donde"] and fallo["donde"]["que"])
+    cuando, _, como = fallo["que"].partition(": ")
+    return dice or (f"no se ve como debe: {como}" if como else cuando)
+
+
+def por_causa(hechas):
+    """{causa: de quiénes}, antes la de más; cada uno está en una, la que tengan más."""
+    tienen = {h: causas(h.c) for h in hechas if h.c["nota"] < 100}
+    de = {}
+    while tienen:
+        veces = Counter(dice for suyas in tienen.values() for dice in suyas)
+        causa = min(veces, key=lambda dice: (-veces[dice], dice))
+        de[causa] = [h for h in tienen if causa in tienen[h]]
+        tienen = {h: suyas for h, suyas in tienen.items() if causa not in suyas}
+    return de
 
 
 def errores(hechas):
     """En qué se han equivocado, antes lo que más, con lo de quien lo deja más claro: a quien no le pasa otra cosa."""
-    de = {}
-    for hecha in hechas:
-        if hecha.c["nota"] < 100:
-            for dice in causas(hecha.c):
-                de.setdefault(dice, []).append(hecha)
     hallados = []
-    for dice, suyas in sorted(de.items(), key=lambda par: (-len(par[1]), par[0])):
-        claras = sorted(suyas, key=lambda h: (len(causas(h.c)), -h.c["nota"]))
+    for dice, suyas in por_causa(hechas).items():
+        claras = sorted(suyas, key=lambda h: (len(h.c["dice"]), -h.c["nota"]))
         fallo = next((f for h in claras for f in h.c["fallos"] if f["imagenes"]), {"tras": [], "imagenes": []})
         if dice in NO_SE_VE or len(hallados) >= CON_IMAGEN:
             fallo = {"tras": [], "imagenes": []}
@@ -156,6 +187,8 @@ def escribe(destino, correcciones, banco, leidas, hoja=None):
     todas = list(hechas.values())
     hay = errores(todas)
     datos |= {"de_varios": [e for e in hay if e.de[1:]], "de_uno": [e for e in hay if not e.de[1:]], "hechas": todas}
-    datos |= {"lineas": informes.lineas, "en_palabras": guiones.en_palabras}
-    pagina = paginas.plantilla(AQUI / "clase.html").render(NOMBRES=NOMBRES, **datos, **resumen(todas))
-    escribe_fichero(destino / "index.html", pagina)
+    datos |= {"lineas": informes.lineas, "en_palabras": guiones.en_palabras, "en_html": informes.en_html}
+    datos |= {"NOMBRES": NOMBRES, "guion": paginas.junta(AQUI, MODULOS), **resumen(todas)}
+    for suya in ("index.html", "proyectar.html") if hay else ("index.html",):
+        plantilla = paginas.plantilla(AQUI / ("clase.html" if suya == "index.html" else suya))
+        escribe_fichero(destino / suya, plantilla.render(**datos))

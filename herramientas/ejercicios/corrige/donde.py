@@ -21,7 +21,11 @@ IGUAL = 1e-4
 NIVEL = 2 / 255
 HACEN = "escrito", "mascara"  # los veredictos de lo que deja algo
 VENTANA = "la ventana"
+ENCIMA = "common/encima/"  # los shaders con que se pintan los trazos, que no son de nadie
+TRAZO = "trazo"  # lo que se dice de uno
+SUELTOS = 3  # pasos sin pareja de los que sale el que se aparta, que se dicen
 FINAL = 1 << 30  # más que las líneas que tiene un shader: la última
+COLOR = re.compile(r"tinta|color\w*")  # de un uniform, el de lo que se dibuja
 CON_NOMBRE = "entrada", "global", "declara", "asigna", "argumento", "sale", "salida"
 PRUEBAS = {
     "cara": "la de la cara",
@@ -66,7 +70,7 @@ def cifra(n, cifras=4):
 def valor(numeros, tipo="", cifras=4):
     if tipo == "bool" and numeros:
         return "sí" if numeros[0] else "no"
-    dichos = [cifra(n, cifras) for n in numeros]
+    dichos = [cifra(0.0 if abs(n) < 1e-6 else n, cifras) for n in numeros]  # lo que deja un giro de 90°
     return dichos[0] if len(dichos) == 1 else f"({', '.join(dichos)})"
 
 
@@ -90,13 +94,17 @@ def vale(que, tuyo, esperado, tipo=""):
     return f"{que} vale {los_dos(tuyo, esperado, tipo)}"
 
 
+def vale_solo(paso):
+    return f"{paso['nombre']} vale {valor(paso['valor'], paso['tipo'])}"
+
+
 def rgb(suceso):
     return valor(suceso["despues"][:3]) if suceso and suceso["despues"] else "otra cosa"
 
 
 def de_poco(hallada):
     """Lo que vale menos, mayor."""
-    return {"suceso": 2, "array": 1, "textura": 1}.get(hallada["que"], 0)
+    return {"suceso": 2, TRAZO: 1, "array": 1, "textura": 1}.get(hallada["que"], 0)
 
 
 # --- comparar ---
@@ -152,15 +160,60 @@ def pasos(traza, comunes):
         yield (*que, van[que]), p
 
 
-def primer_paso(suya, esperada):
-    """Cuál es el primero que no da lo mismo en las dos, y lo que se espera de él."""
+CONTADOR = re.compile(r"\bfor\s*\(\s*\w+\s+(\w+)\s*=")
+
+
+def primer_paso(suya, esperada, fuentes):
+    """Cuál es el primero que no da lo mismo en las dos, lo que se espera de él, y los de antes que no tienen pareja.
+    Lo que cuenta un `for` no se mira: se puede recorrer en otro orden, y entonces, de lo que se repite, basta que los
+    valores, o el último, sean los mismos."""
     comunes = set.intersection(*({p["nombre"] for p in traza["lineas"]} for traza in (suya, esperada)))
-    esperados = dict(pasos(esperada, comunes))
+    cuentan = [set(CONTADOR.findall(fuente)) for fuente in fuentes]
+    vueltas = [[p["valor"] for p in t["lineas"] if p["nombre"] in c] for t, c in zip((suya, esperada), cuentan)]
+    esperados, grupos = dict(pasos(esperada, comunes)), ({}, {})
+    for grupo, traza in zip(grupos, (suya, esperada)):
+        for que, paso in pasos(traza, comunes):
+            grupo.setdefault(que[:-1], []).append(paso["valor"] or [])
+    sueltos = []
     for i, (que, mio) in enumerate(pasos(suya, comunes)):
-        esperado = esperados.get(que, mio)["valor"]
+        mios, otros = (grupo.get(que[:-1], []) for grupo in grupos)
+        if mio["nombre"] in cuentan[0]:
+            continue
+        if que not in esperados:
+            sueltos.append(i)
+            esperado = otros[-1] if otros and len(mios) == que[-1] else None  # lo que queda, si se cambia más veces
+        elif vueltas[0] != vueltas[1] and len(mios) == len(otros) > 1:
+            esperado = otros[-1] if len(mios) == que[-1] and not son_los_mismos(mios, otros) else None
+        elif len(mios) > len(otros) and que[-1] == len(otros):
+            esperado = None  # falta lo que le hacen los que no tienen pareja
+        else:
+            esperado = esperados[que]["valor"]
         if mio["valor"] and esperado and distintos(mio["valor"], esperado):  # sin valor, el que no se sabe
-            return i, esperado
+            return i, esperado, [j for j in sueltos if j != i]
     return None
+
+
+def son_los_mismos(unos, otros):
+    return not any(distintos(a, b) for a, b in zip(sorted(unos), sorted(otros)))
+
+
+def instruccion(fuente, linea):
+    """Desde esa línea hasta donde acaba."""
+    return "\n".join(fuente.splitlines()[linea - 1 :]).partition(";")[0]
+
+
+def de_que_sale(lineas, sueltos, i, fuente):
+    """Los pasos sin pareja de los que sale el i: lo que lee en su línea, y lo que leen ellos. Antes, el primero."""
+    hallados, leen = [], [(i, donde_se_llama(lineas, i) if lineas[i]["clase"] == "argumento" else lineas[i]["linea"])]
+    while leen:
+        cual, linea = leen.pop()
+        nombres = set(re.findall(r"\w+", instruccion(fuente, linea)))
+        for nombre in nombres - {lineas[cual]["nombre"]} if cual != i else nombres:
+            de_el = [j for j in sueltos if j < cual and lineas[j]["nombre"] == nombre and lineas[j]["valor"]]
+            if de_el and de_el[-1] not in hallados:
+                hallados.append(de_el[-1])
+                leen.append((de_el[-1], lineas[de_el[-1]]["linea"]))
+    return sorted(hallados)[:SUELTOS]
 
 
 def donde_se_llama(lineas, i):
@@ -221,13 +274,15 @@ class Comparacion:
     def suelta(self, mia, suya):
         if mia:
             return {"que": "sobra", "dice": f"sobra {self.llama(mia)}: en lo esperado no está"}
-        antes = 0
+        if self.es_de_encima(suya, 1):
+            return {"que": "falta", "dice": f"falta {self.llama(suya, 1)}"}
+        antes = None
         for una, otra in self.pares:
             if otra is suya:
                 break
-            antes = una["n"] if una else antes
-        donde = f"después de la orden {antes}" if antes else "antes de todas"
-        return {"que": "falta", "dice": f"falta una orden, {donde}: se espera otra que dibuja {suya['titulo']}"}
+            antes = una or antes
+        donde = f"después de {self.llama(antes)}" if antes else "antes de todo"
+        return {"que": "falta", "dice": f"falta algo, {donde}: se espera que se dibujen {suya['titulo']}"}
 
     @staticmethod
     def suceso_distinto(de_mia, de_suya):
@@ -249,25 +304,35 @@ class Comparacion:
 
     # --- lo que le llega a una orden ---
 
-    def llama(self, orden):
-        nombre = self.nombre_shader(orden) if orden["cableado"] else ""
-        return f"la orden {orden['n']} ({orden['titulo']}{f', {nombre}' if nombre else ''})"
+    def llama(self, orden, cual=0):
+        """Como lo diría quien la ha escrito: por su color, y por lo que se ha dibujado antes."""
+        if not orden["cableado"]:
+            return f"«{orden['titulo']}»"
+        pinta = [o["n"] for o in self.cuadros[cual]["ordenes"] if o["cableado"]].index(orden["n"]) + 1
+        colores = [u["valor"] for u in orden["cableado"]["uniformes"] if COLOR.fullmatch(u["nombre"])]
+        color = f" de color {self.color(colores[0])}" if colores else ""
+        if self.es_de_encima(orden, cual):
+            return f"el trazo{color} (lo {pinta}.º que se dibuja)"
+        return f"lo {pinta}.º que se dibuja ({orden['titulo']}{color})"
 
-    def nombre_shader(self, orden):
-        fuente = self.fuente(0, orden, "frag")
-        return PurePath(self.suyos.sitio(fuente, FINAL)[0]).name
+    def color(self, componentes):
+        """Por su nombre, si es de los de colores.h."""
+        tiene = [nombre for nombre, c in self.lab.colores.items() if not distintos(componentes, c)]
+        return tiene[0] if tiene else valor(componentes)
+
+    def es_de_encima(self, orden, cual=0):
+        return self.lab.sitio(self.fuente(cual, orden, "frag"), FINAL)[0].startswith(ENCIMA)
 
     def de_orden(self, mia, suya, cual, uno, otro):
         quien = self.llama(mia)
         if not mia["cableado"] or not suya["cableado"]:
-            hallado = self.de_llamada(mia, suya)
-            dice = hallado["dice"] if hallado else f"deja {rgb(uno)} y se espera {rgb(otro)}"
-            return {"que": "llamada", "dice": f"{quien} {dice}"}
+            if hallado := self.de_llamada(mia, suya):
+                return {"que": "llamada", "dice": f"{quien} {hallado['dice']}"}
+            return {"que": "suceso", "dice": self.de_suceso(quien, cual, uno, otro)}
         if hallado := self.de_lo_que_llega(mia, suya):
             if hallado["que"] == "textura":
                 return self.de_quien_la_pinta(mia) or hallado
-            es_array = hallado["que"] == "array"
-            return es_array and self.de_vertice(mia, suya, cual, hallado["nombre"]) or hallado
+            return hallado
         if hallado := self.de_lineas(mia, suya, cual):
             return hallado
         return {"que": "suceso", "dice": self.de_suceso(quien, cual, uno, otro)}
@@ -277,8 +342,17 @@ class Comparacion:
             return None
         for parte in (self.de_shaders, self.de_uniforms, self.de_tabla, self.de_llamada):
             if hallado := parte(mia, suya):
+                if self.es_de_encima(mia) and self.es_de_encima(suya, 1):
+                    return self.de_trazo(mia, suya, hallado)
                 return {**hallado, "dice": f"en {self.llama(mia)} {hallado['dice']}"}
         return None
+
+    def de_trazo(self, mia, suya, hallado):
+        """De lo que se traza, ni shaders ni vértices: por dónde va y de qué color es."""
+        (de, debe) = (self.llama(o, i).partition(" (")[0] for i, o in enumerate((mia, suya)))
+        if hallado["que"] == "uniform" and de != debe:
+            return {**hallado, "dice": f"{self.llama(mia)} debía ser{debe.removeprefix('el trazo')}"}
+        return {"que": TRAZO, "dice": f"{self.llama(mia)} no va por donde debe"}
 
     def de_quien_la_pinta(self, orden):
         """Lo primero en que se aparta una orden de antes que dibuja en otro framebuffer."""
@@ -327,7 +401,7 @@ class Comparacion:
                 for hecho, dice in hechos.items():
                     es, debe = (hecho(c) if callable(hecho) else c[hecho] for c in (una, esperadas.get(nombre, una)))
                     if es is not None and es != debe:
-                        return {"que": que, "nombre": nombre, "dice": dice.format(nombre=nombre, es=es, debe=debe)}
+                        return {"que": que, "dice": dice.format(nombre=nombre, es=es, debe=debe)}
         return None
 
     def de_llamada(self, mia, suya):
@@ -352,34 +426,28 @@ class Comparacion:
             return None
         return sombreados
 
-    def de_vertice(self, mia, suya, cual, atributo):
-        """El primer vértice de la primitiva al que ese array no le da lo mismo."""
-        es_suyo = lambda paso: (paso["clase"], paso["nombre"]) == ("entrada", atributo)
-        sombreados = self.por_dentro(mia, suya, cual) or ({"vertices": []},) * 2
-        for mio, suyo in zip(*(s["vertices"] or [] for s in sombreados)):
-            for una, otra in zip(*([p for p in v["lineas"] if es_suyo(p)] for v in (mio, suyo))):
-                if distintos(una["valor"], otra["valor"]):
-                    que = vale(f"«{atributo}» en el vértice {mio['indice']}", una["valor"], otra["valor"])
-                    return {"que": "array", "dice": f"en {self.llama(mia)}, {que}"}
-        return None
-
     def de_lineas(self, mia, suya, cual):
         if not (sombreados := self.por_dentro(mia, suya, cual)):
             return None
         uno, otro = sombreados
         for mio, suyo in zip(uno["vertices"] or [], otro["vertices"] or []):
-            if paso := primer_paso(mio, suyo):
-                return self.de_paso(mia, "vert", mio["lineas"], *paso, f", en el vértice {mio['indice']}")
+            if paso := primer_paso(mio, suyo, self.fuentes(mia, suya, "vert")):
+                return self.de_paso(mia, "vert", mio["lineas"], *paso)
         mio, suyo = uno["fragmento"], otro["fragmento"]
-        if mio and suyo and (paso := primer_paso(mio, suyo)):
-            return self.de_paso(mia, "frag", mio["lineas"], *paso, "")
+        if mio and suyo and (paso := primer_paso(mio, suyo, self.fuentes(mia, suya, "frag"))):
+            return self.de_paso(mia, "frag", mio["lineas"], *paso)
         return None
 
-    def de_paso(self, orden, etapa, lineas, i, esperado, lugar):
-        mio = lineas[i]
+    def fuentes(self, mia, suya, etapa):
+        return [self.fuente(cual, orden, etapa) for cual, orden in enumerate((mia, suya))]
+
+    def de_paso(self, orden, etapa, lineas, i, esperado, sueltos):
+        mio, fuente = lineas[i], self.fuente(0, orden, etapa)
+        antes = de_que_sale(lineas, sueltos, i, fuente)
         es_parametro, nombre = mio["clase"] == "argumento", mio["nombre"]
         en = donde_se_llama(lineas, i) if es_parametro else mio["linea"]
-        fichero, linea = self.suyos.sitio(self.fuente(0, orden, etapa), en)
+        fichero, linea = self.suyos.sitio(fuente, en)
+        fichero = PurePath(fichero).name
         shader = f"el {'vertex' if etapa == 'vert' else 'fragment'} shader"
         quien = nombre if mio["clase"] in CON_NOMBRE else f"«{nombre}»"
         if es_parametro:
@@ -387,19 +455,22 @@ class Comparacion:
         elif mio["clase"] == "devuelve":
             quien = f"lo que devuelve {mio['funcion']}"
         que = vale(quien, mio["valor"], esperado, mio["tipo"])
-        donde = f"en la línea {linea} de {fichero or shader.replace('el ', 'su ')}, {que}"
+        de = f" de {fichero or shader.replace('el ', 'su ')}"
+        donde = f"en la línea {linea}{de if not antes else ''}, {que}"
         if mio["clase"] == "entrada":
-            donde = f"a {shader} {PurePath(fichero).name} le llega otra cosa: {que}".replace("a el ", "al ")
-        return {"que": "linea", "dice": f"{donde}{lugar}, en la orden {orden['n']} ({orden['titulo']})"}
+            return {"que": "linea", "dice": f"a {shader} {fichero} le llega otra cosa: {que}".replace("a el ", "al ")}
+        for paso in reversed([lineas[j] for j in antes]):
+            suya, primero = self.suyos.sitio(fuente, paso["linea"])[1], paso is lineas[antes[0]]
+            dicho = f"en la línea {suya}{de if primero else ''}, {vale_solo(paso)}"
+            donde = f"{dicho}; {'y ' if paso is lineas[antes[-1]] else ''}{donde}"
+        return {"que": "linea", "dice": donde}
 
     @staticmethod
     def de_suceso(quien, cual, uno, otro):
         tipo = (uno or otro)["tipo"]
         que = f"el {tipo} {cual} de {quien}" if tipo else quien
-        if not uno:
-            return f"{que} no cubre este píxel y en lo esperado sí"
-        if not otro:
-            return f"{que} cubre este píxel y en lo esperado no"
+        if not uno or not otro:
+            return f"{quien} {'no ' if otro else ''}cubre este píxel y en lo esperado {'sí' if otro else 'no'}"
         if uno["veredicto"] == otro["veredicto"]:
             if rgb(uno) != rgb(otro):
                 return f"{que} deja {rgb(uno)} y se espera {rgb(otro)}"
@@ -420,7 +491,7 @@ class Shaders:
     lo que ve quien lo compila."""
 
     def __init__(self, textos):
-        self.textos, self.hechos = {}, {}
+        self.textos, self.hechos, self.colores = {}, {}, {}
         for fichero, contenido in textos.items():
             suyo = contenido.decode(errors="replace") if isinstance(contenido, bytes) else contenido
             for nombre in (fichero, PurePath(fichero).name):
@@ -486,6 +557,8 @@ class Donde:
         textos = {str(f.relative_to(raiz)): f.read_text() for f in todos}
         propios = [f for c in banco.programa.raices for f in sorted(c.iterdir()) if f.suffix in SHADERS]
         self.lab = Shaders({**{f.name: f.read_text() for f in propios}, **textos})
+        paleta = re.findall(r"([A-Z]+)\(([\d., f]+)\)", (raiz / ENCIMA / "colores.h").read_text())
+        self.lab.colores = {n: [*map(float, c.replace("f", "").split(","))] for n, c in paleta if c.count(",") == 2}
         self.visibles = {f: textos[f] for f in map(str, banco.compilador.visible) if f in textos}
 
     def explica(self, jugador, guion, pixeles, **mas):

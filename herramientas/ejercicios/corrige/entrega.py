@@ -16,7 +16,6 @@ from ejercicios.corrige.lector import (
     basura,
     de_carpeta,
     lee_fichero,
-    limpio,
     tipo,
 )
 
@@ -76,6 +75,7 @@ class Entrega:
     ficheros: dict  # {ruta desde su carpeta: contenido}
     llamadas: tuple = ()  # cómo se llaman sus carpetas: el fuente que se llame así es el que abre ./lab ver
     ejercicio: str = ""  # el que dice que es
+    version: str = ""  # la del punto de partida que se le dio, si lo dice
     mal: dict = field(default_factory=dict)  # de lo que no se ha podido leer, por qué
     avisos: list = field(default_factory=list)
     intentos: list = field(default_factory=list)  # qué fuentes se compilan; si no se puede con unos, con los otros
@@ -193,14 +193,13 @@ def lee_entrega(que, ref="", de_otro=lambda ruta: False):
     while len(unica := {f.partition("/")[0] for f in ficheros}) == 1 and all("/" in f for f in ficheros):
         llamadas += unica
         ficheros = {f.partition("/")[2]: contenido for f, contenido in ficheros.items()}
-    avisos = [f"no está en UTF-8, y se ha traducido: {limpio(lector.traducidos[0])}"] if lector.traducidos else []
-    return Entrega(ficheros, tuple(llamadas), ejercicio, lector.mal, avisos)
+    return Entrega(ficheros, tuple(llamadas), ejercicio, lector.version, lector.mal, lector.avisos)
 
 
 def ejercicio_de(carpeta, programas):
     """Lo que dice ejercicio.txt: la referencia, vacía si solo es una copia, y el programa del que viene."""
     try:
-        *referencia, origen = lee_fichero(carpeta, nuevo.EJERCICIO).decode().split()
+        *referencia, origen = lee_fichero(carpeta, nuevo.EJERCICIO).decode().partition("\n")[0].split()
         return "".join(referencia), next(p for p in programas if f"{p.capitulo.nombre}/{p.nombre}" == origen)
     except (Rechazo, UnicodeDecodeError, ValueError, StopIteration) as error:
         por_que = f": {error}" if isinstance(error, Rechazo) and (carpeta / nuevo.EJERCICIO).exists() else ""

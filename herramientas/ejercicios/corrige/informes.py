@@ -1,29 +1,59 @@
 """Una corrección, o las de una clase, como se escriben: en texto, para VPL, en JUnit, en una tabla y en una página.
-Todo lo que en ella hay ya está limpio (entrega.limpio)."""
+Todo lo que en ella hay ya está limpio (lector.limpio)."""
 import csv
+import html
 import io
 import os
+import re
+from contextlib import suppress
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
+
+from markupsafe import Markup
 
 from base import guiones, paginas
 
 
 def lineas(c):
     """Lo que hay que decirle a quien la entregó. De cada guion que falla, dónde, si no se ha dicho ya."""
-    frases = [*c["dice"]]
+    frases, dichos = [*c["dice"]], []
     for fallo in c["fallos"]:
-        donde = [en_donde(fallo)] if fallo["donde"] else []
-        frases += [fallo["que"], *(d for d in donde if d not in frases)]
-    return frases or ["todo bien"]
+        frases.append(fallo["que"])
+        if (donde := fallo["donde"]) and donde["dice"] not in dichos:
+            frases.append(en_donde(fallo))
+            dichos.append(donde["dice"])
+    return [*frases, *c.get("avisos", [])] or ["todo bien"]
 
 
 def en_donde(fallo):
-    return f"lo primero que se aparta: {fallo['donde']['dice']}"
+    donde = fallo["donde"]
+    pixel = "; es en el píxel ({}, {}) de la ventana de {}×{}" if donde["pixel"] else ""
+    return f"lo primero que se aparta: {donde['dice']}{pixel.format(*donde['pixel'] or (), *donde['ventana'])}"
 
 
-def en_texto(c):
-    frases = "\n".join(f"  {linea}" for linea in lineas(c))
+ORDEN = re.compile("«((?:tecla|especial|boton|arrastra|mueve|rueda|menu|tamano) [^»]+)»")
+
+
+def en_html(frase):
+    """Para quien no sabe cómo se escribe un guion: sus órdenes, en palabras, y lo que es código, como código."""
+
+    def en_palabras(orden):
+        with suppress(ValueError, IndexError):  # no lo es, que lo ha escrito alguien
+            return f"«{guiones.en_palabras(orden[1])}»"
+        return orden[0]
+
+    return Markup(re.sub("`([^`]+)`", r"<code>\1</code>", html.escape(ORDEN.sub(en_palabras, frase))))
+
+
+def para_verlo(c, suya):
+    """Con qué orden se explica dónde falla la de mios/SUYA."""
+    ordenes = [f["donde"]["explica"] for f in c["fallos"] if suya and f["donde"]]
+    return f"./lab explica mios/{suya} {ordenes[0]}".strip() if ordenes else ""
+
+
+def en_texto(c, suya=""):
+    ver = para_verlo(c, suya)
+    frases = "\n".join(f"  {linea}" for linea in (*lineas(c), *([f"para verlo por dentro: {ver}"] if ver else ())))
     cuantos = f"{c['bien']} de {c['guiones']} guiones; semilla {c['semilla']}"
     return f"{c['entrega']}, {c['ejercicio']}: {c['nota']:g} de 100 ({cuantos})\n{frases}\n  reglas: {c['reglas']}"
 
@@ -55,13 +85,15 @@ def celda(texto):
 
 
 def en_csv(correcciones):
+    """Como se abre al pulsarlo en una hoja de cálculo en castellano: dice que está en UTF-8, y lleva punto y coma, que
+    la coma es de los decimales."""
     tabla = io.StringIO()
-    filas = csv.writer(tabla)
+    filas = csv.writer(tabla, delimiter=";")
     filas.writerow(["entrega", "ejercicio", "nota", "bien", "guiones", "semilla", "dice", "reglas"])
     for c in correcciones:
-        numeros = (c["nota"], c["bien"], c["guiones"], c["semilla"])
+        numeros = (f"{c['nota']:g}".replace(".", ","), c["bien"], c["guiones"], c["semilla"])
         filas.writerow([celda(c["entrega"]), c["ejercicio"], *numeros, celda("; ".join(lineas(c))), c["reglas"]])
-    return tabla.getvalue()
+    return f"\ufeff{tabla.getvalue()}"
 
 
 def plantilla():
@@ -72,4 +104,5 @@ def pagina(c, programa, ref, suya="", quien="", de=None):
     """La de una corrección, con todo dentro. SUYA: su carpeta de mios/, si la corrige quien la lee. DE: la plantilla,
     si se hacen muchas."""
     datos = {"suya": suya, "quien": quien or c["entrega"], "programa": programa, "ref": ref}
-    return (de or plantilla()).render(c=c, en_donde=en_donde, en_palabras=guiones.en_palabras, **datos)
+    datos |= {"en_donde": en_donde, "ver": para_verlo(c, suya), "en_palabras": guiones.en_palabras, "en_html": en_html}
+    return (de or plantilla()).render(c=c, **datos)

@@ -7,10 +7,12 @@ import re
 import subprocess
 import tarfile
 import tempfile
+from contextlib import suppress
 from pathlib import Path
 
 from base.procesos import Fallo, lanza
 
+APPARMOR = Path("/proc/sys/kernel/apparmor_restrict_unprivileged_userns")
 SALE = 96 << 20  # bytes que se leen de una jaula
 DISCO = 64 << 20  # de la carpeta temporal, que está en memoria
 NADIE = range(61184, 65520)  # de root no valen los límites: se ejecuta como uno de estos, que no son nadie
@@ -28,6 +30,18 @@ times >tiempos
 [ $estado != 137 ] || [ $(($(date +%s) - antes)) -ge "$segundos" ] || estado=mata # a timeout, que lo vigilaba
 echo $estado >estado
 exec tar -cf - --exclude=./shaders ."""
+
+
+def por_apparmor():
+    """Lo que hay que hacer en Ubuntu, desde la 23.10, para que bwrap pueda encerrar."""
+    with suppress(OSError):
+        if APPARMOR.read_text().strip() == "1":
+            return (
+                "Es que Ubuntu no deja crear espacios de nombres a quien no es root: "
+                "«sudo sysctl kernel.apparmor_restrict_unprivileged_userns=0» lo permite hasta que se apague, o "
+                "dale permiso solo a bwrap (docs/corrige.md). "
+            )
+    return ""
 
 
 class Jaula:
@@ -56,8 +70,8 @@ class Jaula:
             dice = str(fallo)
         if dice:
             raise Fallo(
-                f"no se puede encerrar lo que no es de fiar: {dice.splitlines()[0]}. Con --sin-jaula se corrige sin "
-                "encerrarlo, si la máquina es para eso o lo entregado es tuyo"
+                f"no se puede encerrar lo que no es de fiar: {dice.splitlines()[0]}. {por_apparmor()}Con --sin-jaula "
+                "se corrige sin encerrarlo, si la máquina es para eso o lo entregado es tuyo"
             )
 
     def orden(self, ve):

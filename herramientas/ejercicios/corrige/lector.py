@@ -1,17 +1,19 @@
-"""Leer lo que entrega un estudiante, que no es de fiar: una carpeta, un .zip o los .zip que haya en ella. De cada
+"""Leer lo que entrega un estudiante, que no es de fiar: una carpeta o los .zip y .tar que haya en ella. De cada
 fichero se da su ruta, en partes, y una función que lo lee hasta un límite o dice por qué no se puede; se leen los que
 sirven, también hasta un límite. Lo demás, aunque no se pueda leer, no estorba."""
 import functools
+import gzip
 import io
 import itertools
 import os
 import re
 import stat
+import tarfile
 import threading
 import unicodedata
 import zipfile
 from collections import deque
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from pathlib import PurePath
 
@@ -21,7 +23,8 @@ from ejercicios import nuevo
 COMPILADOS = ".cpp", ".cc", ".cxx", ".c++"
 CODIGO = *COMPILADOS, ".h", ".hpp", ".hh", ".hxx", ".inl", ".inc", ".c", ".vert", ".frag", ".geom", ".glsl"
 FUENTES = *CODIGO, ".vf"
-COMPRIMIDOS = ".zip", ".rar", ".7z", ".gz", ".tar", ".tgz"
+ABIERTOS = ".zip", ".tar", ".tgz"
+COMPRIMIDOS = ".rar", ".7z", ".gz", ".xz", ".bz2"
 FICHEROS, BYTES, TODO = 400, 1 << 20, 16 << 20  # los que se leen de una entrega; los bytes de cada uno, y de todos
 HAY, HONDO = 5000, 6  # lo que se mira de una carpeta, y hasta dónde se baja
 COMPRIMIDO, DENTRO = 64 << 20, 3  # bytes de todos los .zip de una entrega, y cuántos, uno dentro de otro
@@ -63,6 +66,13 @@ def tipo(nombre):
     return PurePath(nombre).suffix.lower()
 
 
+def legible(nombre):
+    """Con los acentos como se escriben aquí, aunque los de un Mac se hayan leído por el camino en cp437: Garci╠üa."""
+    with suppress(UnicodeError):
+        nombre = nombre.encode("cp437").decode()
+    return unicodedata.normalize("NFC", nombre)
+
+
 def limpia(ruta):
     return "/".join(map(limpio, ruta))
 
@@ -94,10 +104,10 @@ def lee_fichero(carpeta, *ruta, limite=BYTES):
         if not stat.S_ISREG(os.fstat(f).st_mode):
             raise Rechazo(f"«{visto}» no es un fichero corriente")
         datos = fichero.read(limite + 1)
-    return corto(visto, datos, limite)
+    return corto(datos, visto, limite)
 
 
-def corto(visto, datos, limite):
+def corto(datos, visto, limite=BYTES):
     if len(datos) > limite:
         raise Rechazo(f"«{visto}» pasa de {limite >> 20} MiB")
     return datos
@@ -137,7 +147,7 @@ def nombre_de(miembro):
             nombre = max(posibles, key=lambda n: sum(c in ESPANOL for c in n) - 9 * n.count("\ufffd"))
         except UnicodeEncodeError:  # lo ha leído ya en otra cosa
             pass
-    return unicodedata.normalize("NFC", nombre if "/" in nombre else nombre.replace("\\", "/"))
+    return legible(nombre if "/" in nombre else nombre.replace("\\", "/"))
 
 
 @contextmanager
@@ -148,7 +158,7 @@ def cuidado(nombre):
     except (Rechazo, Fallo):
         raise
     except Exception:  # pylint: disable=broad-except  # estropeado, puede ser de cualquier manera
-        raise Rechazo(f"«{limpio(nombre)}» no se puede abrir: está estropeado, o no es un .zip") from None
+        raise Rechazo(f"«{limpio(nombre)}» no se puede abrir: está estropeado, o no es lo que dice ser") from None
 
 
 def lee_miembro(z, miembro, visto, limite=BYTES):
@@ -160,22 +170,46 @@ def lee_miembro(z, miembro, visto, limite=BYTES):
     if miembro.flag_bits & 1:
         raise Rechazo(f"«{visto}» está en un .zip con contraseña")
     with TURNO, cuidado(visto), z.open(miembro) as f:
-        return corto(visto, f.read(limite + 1), limite)
+        return corto(f.read(limite + 1), visto, limite)
 
 
 def de_zip(z, debajo=()):
     """Lo mismo que de_carpeta; de lo que tiene una ruta que sale de su carpeta, al leerlo se dice."""
     for miembro in z.infolist():
-        nombre = nombre_de(miembro)
-        ruta = tuple(p for p in nombre.split("/") if p not in ("", ".", ".."))
-        lee = functools.partial(lee_miembro, z, miembro, limpio(ruta[-1]) if ruta else "")
-        if nombre.startswith("/") or ".." in nombre.split("/") or ruta and ruta[0][1:2] == ":":
-            lee = functools.partial(no_se_lee, f"en el .zip hay una ruta que sale de su carpeta: «{limpio(nombre)}»")
-        if ruta and not miembro.is_dir():
-            yield (*debajo, *ruta), lee
+        if not miembro.is_dir():
+            yield from de_dentro(nombre_de(miembro), functools.partial(lee_miembro, z, miembro), debajo)
 
 
-def no_se_lee(por, **_):
+def de_dentro(nombre, lee, debajo):
+    ruta = tuple(p for p in nombre.split("/") if p not in ("", ".", ".."))
+    if nombre.startswith("/") or ".." in nombre.split("/") or ruta and ruta[0][1:2] == ":":
+        lee = functools.partial(no_se_lee, f"en el .zip hay una ruta que sale de su carpeta: «{limpio(nombre)}»")
+    if ruta:
+        yield (*debajo, *ruta), functools.partial(lee, limpio(ruta[-1]))
+
+
+def de_tar(datos, debajo=()):
+    """Y lo de un .tar, que ya está en memoria: los ficheros corrientes."""
+    with tarfile.open(fileobj=io.BytesIO(datos)) as t:
+        for miembro in itertools.islice(t, CLASE // 4):
+            if miembro.isreg() and not miembro.issparse():  # lo que no está escrito puede ser enorme
+                suyos = datos[miembro.offset_data : miembro.offset_data + miembro.size]
+                yield from de_dentro(legible(miembro.name), functools.partial(corto, suyos), debajo)
+
+
+def es_paquete(nombre):
+    return tipo(nombre) in ABIERTOS or nombre.lower().endswith(".tar.gz")
+
+
+def sin_comprimir(datos, nombre):
+    """Un .zip o un .tar; de uno comprimido, hasta un límite."""
+    if tipo(nombre) in (".zip", ".tar"):
+        return datos
+    with cuidado(nombre), gzip.open(io.BytesIO(datos)) as f:
+        return corto(f.read(COMPRIMIDO + 1), limpio(nombre), COMPRIMIDO)
+
+
+def no_se_lee(por, *_, **__):
     raise Rechazo(por)
 
 
@@ -204,6 +238,7 @@ class Lector:
         self.de_otro = de_otro
         self.hay, self.fuentes, self.zips, self.comprimidos = [], [], [], 0  # nombres; (ruta, cómo se lee)
         self.leidos, self.mal, self.bytes, self.traducidos = {}, {}, 0, []
+        self.con_txt, self.abiertos = [], []
         self.mira(entradas(que))
         for _ in range(DENTRO):  # si hay fuentes fuera de ellos, no: quien sube las dos cosas no entrega dos veces
             if not any(tipo(ruta[-1]) in CODIGO for ruta, _ in self.fuentes):
@@ -214,11 +249,15 @@ class Lector:
             nombre = ruta[-1]
             if any(map(basura, ruta)) or len(ruta) > HONDO + 1:
                 continue
-            if tipo(nombre) == ".zip":
+            if es_paquete(nombre):
                 self.zips.append((ruta, lee))
                 continue
             self.hay.append(nombre)
-            if tipo(nombre) in FUENTES or nombre == nuevo.EJERCICIO:
+            if tipo(nombre) == ".txt" and tipo(nombre[:-4]) in FUENTES:  # Windows lo pone, y no lo enseña
+                ruta = (*ruta[:-1], nombre[:-4])
+                self.con_txt.append(ruta)
+                self.fuentes.insert(0, (ruta, lee))  # si también está sin él, vale ese
+            elif tipo(nombre) in FUENTES or nombre == nuevo.EJERCICIO:
                 self.fuentes.append((ruta, lee))
 
     def abre_zips(self):
@@ -226,15 +265,17 @@ class Lector:
         for ruta, lee in por_abrir:
             nombre = PurePath(ruta[-1])
             try:
-                datos = lee(limite=COMPRIMIDO)
+                datos = sin_comprimir(lee(limite=COMPRIMIDO), nombre.name)
                 self.comprimidos += len(datos)
                 if self.comprimidos > COMPRIMIDO:
-                    raise Rechazo(f"entre todos los .zip pasan de {COMPRIMIDO >> 20} MiB")
+                    raise Rechazo(f"entre todos los comprimidos pasan de {COMPRIMIDO >> 20} MiB")
                 if datos.count(ENTRADA) > CLASE // 4:
                     raise Rechazo(f"en «{limpio(nombre.name)}» hay más de {CLASE // 4} ficheros")
+                debajo = (*ruta[:-1], "zip" if basura(nombre.stem) else nombre.stem)
                 with cuidado(nombre.name):
-                    z = zipfile.ZipFile(io.BytesIO(datos))
-                self.mira(de_zip(z, (*ruta[:-1], "zip" if basura(nombre.stem) else nombre.stem)))
+                    es_zip = tipo(nombre.name) == ".zip"
+                    self.mira(de_zip(zipfile.ZipFile(io.BytesIO(datos)), debajo) if es_zip else de_tar(datos, debajo))
+                    self.abiertos += [] if es_zip else [nombre.name]
             except Rechazo as por:
                 self.mal[limpia(ruta)] = str(por)
 
@@ -251,6 +292,8 @@ class Lector:
             es_suyo = ruta[-1] != nuevo.EJERCICIO and not any(limpia(ruta).startswith(c) for c in de_otros)
             if es_suyo and not self.de_otro("/".join(ruta)):
                 self.lee(ruta, lee)
+        versiones = [que[-1] for que in textos.values() if len(que) > 3 and limpio(que[0]) == ref]
+        self.version = versiones[0] if versiones else ""
         return ref if ref in dichos.values() else next(iter(dichos.values()), "")
 
     def lee(self, ruta, lee):
@@ -275,11 +318,22 @@ class Lector:
     def con_las_otras(self, ruta):
         return [par for otra in self.leidos for par in ((ruta, otra), (otra, ruta))]
 
+    @property
+    def avisos(self):
+        """Lo que se ha hecho para leerla, que no lo pide nadie."""
+        rutas = [ruta for ruta, _ in self.fuentes]
+        con_txt = [ruta[-1] for ruta in self.con_txt if rutas.count(ruta) == 1]
+        return [
+            *(f"no está en UTF-8, y se ha traducido: {limpio(f)}" for f in self.traducidos[:1]),
+            *(f"se llama {limpio(f)}.txt, y se ha leído como {limpio(f)}" for f in con_txt[:1]),
+            *(f"se ha abierto «{limpio(f)}»: entrégalo sin comprimir o en un .zip" for f in self.abiertos[:1]),
+        ]
+
     def por_que_no_hay(self):
         if self.mal:
             return next(iter(self.mal.values()))
         sin_abrir = [ruta[-1] for ruta, _ in self.zips]
-        if comprimido := next((n for n in [*sin_abrir, *self.hay] if tipo(n) in COMPRIMIDOS), None):
+        if comprimido := next((n for n in [*sin_abrir, *self.hay] if tipo(n) in (*ABIERTOS, *COMPRIMIDOS)), None):
             return f"no hay ningún fuente: hay un «{limpio(comprimido)}» sin descomprimir"
         hay = ", ".join(limpio(nombre) for nombre in sorted(self.hay)[:3])
         return f"no hay ningún fuente: hay {hay}" if hay else "no hay nada en su carpeta"

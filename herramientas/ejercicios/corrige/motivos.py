@@ -1,5 +1,7 @@
-"""Por qué falla una entrega: qué defecto conocido, plantado en la solución, deja en todos los guiones lo mismo; qué
-no responde; cómo acaba."""
+"""Por qué falla una entrega: qué defecto conocido, o qué dos, plantados en la solución, dejan en todos los guiones lo
+mismo; qué no responde; cómo acaba."""
+import itertools
+import re
 import shutil
 import tempfile
 import threading
@@ -14,6 +16,9 @@ from ejercicios.corrige.entrega import Rechazo
 from ejercicios.corrige.partidas import Jugador
 
 ERRORES = "herramientas/ejercicios/errores"
+HUECOS = 3  # con más, los que faltan solo se prueban de uno en uno
+PAREJAS = 16  # de defectos, que se juegan: los que entre los dos más tocan lo mismo que la entrega, y no menos que esto
+TOCAN, GEMELOS = 0.6, 0.5
 SENALES = {
     132: "instrucción ilegal",
     134: "abort",
@@ -21,6 +26,14 @@ SENALES = {
     136: "división por cero",
     139: "acceso a memoria que no es suya",
 }
+
+SE_EXIGE = {  # lo que comprueba _GLIBCXX_ASSERTIONS
+    "< this->size()": "un índice se sale de un vector",
+    "!this->empty()": "se pide un elemento de un vector que está vacío",
+    "!= nullptr": "se usa un puntero que no apunta a nada",
+    "__n < _Nm": "un índice se sale de un array",
+}
+MUCHO = 16 << 20  # bytes que escribe quien no ha dejado un printf en un bucle
 
 
 def conocidos(raiz, programa, ref):
@@ -72,15 +85,21 @@ class Motivos:
         """Los ficheros de quien hace el ejercicio, sin las marcas, con esos textos."""
         return nuevo.sin_marcas(textos, self.programa, self.ref)
 
-    def huecos(self):
-        """De cada cosa que pide el ejercicio, si son varias: qué es, y los ficheros con todo menos eso."""
+    def trozos(self):
+        """Lo que pide el ejercicio, sitio a sitio: en qué fichero, y su marca."""
         textos = self.textos()
-        trozos = [(f, t) for f in textos for t in marcas.TROZO.finditer(textos[f]) if t["codigo"] == self.ref]
+        return [(f, t) for f in textos for t in marcas.TROZO.finditer(textos[f]) if t["codigo"] == self.ref]
 
-        def sin(f, t):
-            return {**textos, f: textos[f][: t.start()] + marcas.esqueleto(t[0]) + textos[f][t.end() :]}
-
-        return [(t["pide"], sin(f, t)) for f, t in trozos if len(trozos) > 1]
+    def huecos(self):
+        """Si se piden varias cosas, de cada una y de cada dos: qué son, y los ficheros con todo menos eso."""
+        trozos, textos = self.trozos(), self.textos()
+        hasta = len(trozos) if len(trozos) <= HUECOS else 2
+        for cuantas in range(1, hasta):
+            for faltan in itertools.combinations(trozos, cuantas):
+                sin = dict(textos)
+                for f, t in reversed(faltan):
+                    sin[f] = sin[f][: t.start()] + marcas.esqueleto(t[0]) + sin[f][t.end() :]
+                yield [t["pide"] for _, t in faltan], sin
 
     def variantes(self):
         """(qué se le diría a quien la entregara, Jugador): el esqueleto y la solución con cada defecto, todos en un
@@ -127,15 +146,30 @@ class Motivos:
                 textos[nombre] = f'{antes}#include "{self.raiz / defectos.MUTANTE_H}"\n{cambiado}'
                 continue
             for m in de_el:
-                estropeado = {**textos, nombre: defectos.estropea(fuente, m)}
-                escribe(sitio / str(m.numero) / nombre, self.limpio(estropeado)[nombre])
+                self.planta_en_shaders(sitio, m)
         self.compilador.compila(self.limpio(textos), sitio / "mutantes", ajena=False)
+
+    def estropeados(self, *defectos_):
+        """Los ficheros de la solución con esos defectos de sus shaders."""
+        textos = self.textos()
+        for m in defectos_:
+            nombre = m.fichero if m.fichero in textos else Path(m.fichero).name
+            textos[nombre] = defectos.estropea(textos[nombre], m)
+        return textos
+
+    def planta_en_shaders(self, sitio, *suyos):
+        """Deja en la carpeta de esos defectos sus shaders, estropeados."""
+        limpios = self.limpio(self.estropeados(*suyos))
+        for nombre in {Path(m.fichero).name for m in suyos}:
+            escribe(sitio / nombre_de(suyos) / nombre, limpios[nombre])
 
     def enumera(self, sitio):
         variantes = [("", self.jugador("esqueleto", sitio, "esqueleto"))]
-        for i, (pide, _) in enumerate(self.huecos()):
+        for i, (piden, _) in enumerate(self.huecos()):
             if (sitio / f"hueco{i}").is_dir():
-                variantes.append((f"parece que falta: {pide}", self.jugador(f"hueco{i}", sitio, f"hueco{i}")))
+                faltan = "falta" if len(piden) == 1 else "faltan"
+                dice = f"parece que {faltan}: {'; y '.join(piden)}"
+                variantes.append((dice, self.jugador(f"hueco{i}", sitio, f"hueco{i}")))
         for m in self.defectos:
             dice = f"parece que {m.dice}" if m.dice else f"parece este error: {m.imita}"
             variantes.append((dice, self.con_defecto(m, sitio)))
@@ -149,12 +183,55 @@ class Motivos:
         """Dónde está compilada cada una."""
         return sitio / carpeta
 
-    def con_defecto(self, m, sitio):
-        """Si es de un shader, en su carpeta está el estropeado; si no, no hay nada."""
-        return self.jugador(m.nombre, sitio, "mutantes", sitio / str(m.numero), LAB_MUTANTE=str(m.numero))
+    def con_defecto(self, m, sitio, *mas):
+        """Con ese y los demás. Si son de shaders, en su carpeta están los estropeados; si no, no hay nada."""
+        suyos = m, *mas
+        cuales = ",".join(str(m.numero) for m in suyos)
+        return self.jugador(nombres(suyos), sitio, "mutantes", sitio / nombre_de(suyos), LAB_MUTANTE=cuales)
+
+    def parejas(self, sitio, tocado, tocan):
+        """(qué se diría, Jugador) de los defectos, de dos en dos, que pueden ser los de una entrega que ha TOCADO esos
+        píxeles: son del mismo hueco o imitan lo mismo, y entre los dos tocan casi los mismos. TOCAN: los de cada uno.
+        """
+        textos = {ruta(self.programa, f): t for f, t in self.textos().items()}
+        huecos = [(ruta(self.programa, f), t.span()) for f, t in self.trozos()]
+
+        def hueco(m):
+            return next((h for h in huecos if h[0] == m.fichero and h[1][0] <= sitios[m][0] < h[1][1]), m)
+
+        def se_pueden(una, otra):
+            """Los dos a la vez, y que tenga sentido."""
+            (a, b), (c, d) = sitios[una], sitios[otra]
+            aparte = una.fichero != otra.fichero or b <= c or d <= a
+            return aparte and (hueco(una) == hueco(otra) or una.imita == otra.imita)
+
+        def casi_lo_mismo(una, otra):
+            """Dos que mueven una línea fina tocan, juntos, otros píxeles: a los gemelos se les pide menos."""
+            entre = tocan[una] | tocan[otra]
+            gemelos = GEMELOS if una.imita == otra.imita else 0
+            return gemelos + (entre & tocado).bit_count() / max((entre | tocado).bit_count(), 1)
+
+        suyos = [m for m in self.defectos if m.dice and m in tocan]
+        sitios = {m: m.sitio(textos[m.fichero]) for m in suyos}
+        pares = [par for par in itertools.combinations(suyos, 2) if se_pueden(*par)]
+        mejores = sorted(((casi_lo_mismo(*par), i) for i, par in enumerate(pares)), key=lambda p: (-p[0], p[1]))
+        for cuanto, i in mejores[:PAREJAS]:
+            if cuanto >= TOCAN and (jugador := self.de_dos(sitio, *pares[i])):
+                yield f"parece que {pares[i][0].dice}; y que {pares[i][1].dice}", jugador
+
+    def de_dos(self, sitio, *suyos):
+        """Quien juega con esos dos, o None: en un shader puede que uno sea parte de lo que cambia el otro."""
+        try:
+            with self.turno:
+                if any(m.en_shader for m in suyos) and not (sitio / nombre_de(suyos)).is_dir():
+                    self.planta_en_shaders(sitio, *(m for m in suyos if m.en_shader))
+            return self.con_defecto(suyos[0], sitio, suyos[1])
+        except (ValueError, Rechazo):
+            return None
 
     def por_que(self, partidas, esperadas, fallan):
-        """Lo que deja en todos los guiones lo mismo que la entrega, en palabras; del esqueleto, ninguna."""
+        """Lo que deja en todos los guiones lo mismo que la entrega, en palabras; si es el esqueleto, lo primero,
+        ninguna."""
         arbitro = self.arbitro
 
         def las_que_dan_lo_mismo(vivas):
@@ -167,13 +244,43 @@ class Motivos:
             return vivas
 
         esqueleto, *otras = self.variantes()
-        vivas = las_que_dan_lo_mismo([esqueleto]) or las_que_dan_lo_mismo(otras)
+        vivas = las_que_dan_lo_mismo([esqueleto]) + las_que_dan_lo_mismo(otras)
+        if not vivas and fallan:
+            guion = min(partidas, key=lambda g: g not in fallan)
+            debe = esperadas[guion]
+            de_cada = dict(zip(self.defectos, otras[len(otras) - len(self.defectos) :]))
+            tocan = {m: que_toca(arbitro.juega(v[1], guion, debe), debe) for m, v in de_cada.items() if m.dice}
+            vivas = las_que_dan_lo_mismo(self.parejas(self.compiladas(), que_toca(partidas[guion], debe), tocan))
         exactas = [
             v
             for v in vivas
             if all(arbitro.juega(v[1], g, esperadas[g]).imagenes == p.imagenes for g, p in partidas.items())
         ]
         return list(dict.fromkeys(dice for dice, _ in exactas or vivas))  # vacío, si no hay ninguna
+
+
+def nombres(suyos):
+    return " y ".join(m.nombre for m in suyos)
+
+
+def nombre_de(suyos):
+    """El de la carpeta de esos defectos, si lo son de shaders."""
+    return "-".join(str(m.numero) for m in suyos)
+
+
+NO_CERO = bytes([0, *[1] * 255])
+
+
+def que_toca(partida, esperada):
+    """Los puntos, uno de cada cinco, en que sus imágenes no son las que se esperan, en los bits de un número."""
+
+    def entero(una, otra):
+        distinto = int.from_bytes(una, "little") ^ int.from_bytes(otra, "little")
+        return distinto.to_bytes(len(otra), "little")[::5].translate(NO_CERO)
+
+    pares = itertools.zip_longest(partida.imagenes, esperada.imagenes, fillvalue=(0, 0, b""))
+    dichos = [entero(a[2], b[2]) if len(a[2]) == len(b[2]) else bytes([1]) * (len(b[2]) // 5) for a, b in pares]
+    return int.from_bytes(b"".join(dichos), "little")
 
 
 def que_cambian(partidas):
@@ -204,14 +311,21 @@ def como_acaba(p, guion):
     donde = tras(p, guion)
     dice = next((linea for linea in p.errores.splitlines() if linea.strip()), "")
     dice = dice.partition("; lo he buscado en")[0]  # rutas que solo hay aquí
+    if p.escrito > MUCHO:
+        return f"escribe demasiado{donde}, más de {MUCHO >> 20} MB: ¿un printf o un cout en un bucle que no acaba?"
+    if p.cuelga and p.segundos < p.limite / 2:
+        return f"se queda esperando{donde}: ¿duerme, o espera a que alguien escriba o pulse algo?"
     if p.cuelga:
-        return f"tarda más de {p.limite:.0f} s de procesador{donde}"
+        return f"tarda más de {p.limite:.0f} s de procesador{donde}: ¿un bucle que no acaba?"
     if p.estado == 3:
         return dice.partition(": ")[2] or "error de OpenGL"
     if p.estado == -1:
         return "no ha dejado nada: ha llenado su disco o ha acabado con quien lo ejecutaba"
     if p.estado > 128:
         que = next((linea.strip() for linea in p.errores.splitlines() if "what():" in linea), "")
+        if falla := re.search(r"Assertion '(.*)' failed", p.errores):
+            que = next((dicho for trozo, dicho in SE_EXIGE.items() if trozo in falla[1]), falla[1])
+            return f"se cae{donde}: {que}"
         return f"se cae{donde}: {SENALES.get(p.estado, f'señal {p.estado - 128}')}{'; ' if que else ''}{que}"
     if p.estado:
         return f"acaba con un error{donde}: {dice or f'estado {p.estado}'}"

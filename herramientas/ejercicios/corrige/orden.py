@@ -15,7 +15,7 @@ from pathlib import Path
 
 from base.procesos import Fallo, escribe, principal
 from ejercicios import nuevo, propios, reglas
-from ejercicios.corrige import aula, clase, conjunto, entrega, informes, shaders
+from ejercicios.corrige import aula, clase, conjunto, entrega, informes, lector, shaders
 from ejercicios.corrige.banco import Banco
 from ejercicios.corrige.hoja import Hoja
 from ejercicios.corrige.jaula import Jaula
@@ -42,7 +42,7 @@ def opciones(palabras):
     for opcion in ("--deja", "--json", "--junit", "--moodle", "--reglas"):
         analizador.add_argument(opcion, type=Path)
     analizador.add_argument("-j", type=positivo, default=os.cpu_count())
-    for opcion in ("--vpl", "--sin-jaula", "--programa"):  # --programa: solo escribe cuál es
+    for opcion in ("--vpl", "--sin-jaula", "--cambia-notas", "--programa"):  # --programa: solo escribe cuál es
         analizador.add_argument(opcion, action="store_true")
     que, sobran = analizador.parse_known_args(palabras)
     if sobran:
@@ -74,8 +74,13 @@ def ejercicio(raiz, programas, pedido):
 def de_una(que, banco, carpeta):
     """Su corrección, escrita; y dónde va su página, si va."""
     correccion = clase.corrige(banco, carpeta, que.json and que.json.absolute())
-    print(informes.en_vpl(correccion) if que.vpl else informes.en_texto(correccion))
+    print(informes.en_vpl(correccion) if que.vpl else informes.en_texto(correccion, en_mios(que, carpeta)))
     return [correccion], [], que.deja or (None if que.json or que.vpl else donde(que, carpeta))
+
+
+def en_mios(que, carpeta):
+    """Cómo se llama su carpeta de mios/, si lo es: la corrige quien la ha hecho."""
+    return carpeta.name if isinstance(carpeta, Path) and carpeta.parent == que.mios else ""
 
 
 def donde(que, carpeta):
@@ -88,7 +93,8 @@ def donde(que, carpeta):
 
 def de_una_clase(que, banco, carpeta, dentro):
     """Las de todos, en una página y en lo que Moodle recoge."""
-    hoja = que.moodle and Hoja(que.moodle.absolute())  # antes de nada, si no se entiende
+    quienes = [suya.name for suya in dentro]  # la hoja, antes de nada, si no se entiende
+    hoja = que.moodle and Hoja(que.moodle.absolute(), quienes, banco.reglas, que.cambia_notas)
     destino, leidas = que.deja or carpeta.with_name(f"{carpeta.name}-corregida"), {}
     correcciones, fallos = clase.clase(banco, dentro, destino, que.j, leidas)
     escribe(destino / "notas.csv", informes.en_csv(correcciones.values()))
@@ -103,8 +109,8 @@ def de_una_clase(que, banco, carpeta, dentro):
 def main():
     raiz, build = (Path(p).resolve() for p in sys.argv[1:3])
     que = opciones(sys.argv[3:])
-    mios = build.parent / "mios"
-    carpeta, dentro, sueltos = aula.busca(mios, que.entrega, que.deja and que.deja.absolute())
+    que.mios = (build.parent / "mios").absolute()
+    carpeta, dentro, sueltos = aula.busca(que.mios, que.entrega, que.deja and que.deja.absolute())
     programas, que.ejercicio = propios.resuelve(raiz, build, que.ejercicio)
     if que.ejercicio or dentro:
         ref, programa = ejercicio(raiz, programas, que.ejercicio)
@@ -120,7 +126,7 @@ def main():
         return print(programa.objetivo)
     puntua = reglas.del_programa(programa, que.reglas, que.guiones, shaders.reglas(ref))
     if dentro and sueltos:
-        print(entrega.limpio(f"En {que.entrega} hay sueltos, y se dejan: {', '.join(sueltos)}"), file=sys.stderr)
+        print(lector.limpio(f"En {que.entrega} hay sueltos, y se dejan: {', '.join(sueltos)}"), file=sys.stderr)
     jaula = None if que.sin_jaula else Jaula(raiz)
     if jaula:
         jaula.comprueba()
@@ -133,8 +139,8 @@ def main():
         escribe(que.junit, informes.en_junit(correcciones))
     if destino:
         if not dentro:
-            suya = carpeta.name if isinstance(carpeta, Path) and carpeta.parent == mios.absolute() else ""
-            escribe(destino / "index.html", informes.pagina(correcciones[0], programa, ref, suya))
+            pagina = informes.pagina(correcciones[0], programa, ref, en_mios(que, carpeta))
+            escribe(destino / "index.html", pagina)
         print(f"Hecha: {destino}/index.html", file=sys.stderr)
     if fallos:
         raise Fallo(f"no se han podido corregir {len(fallos)}: {'; '.join(fallos)}")

@@ -1,14 +1,24 @@
 """Qué entregas se parecen más de lo que explican el esqueleto, la solución y lo que escribe casi toda la clase. Es un
 indicio, con lo de las dos al lado para que lo mire alguien; de la nota no quita nada.
 
-Se comparan palabras seguidas de una función. Lo que se declara se llama según el orden en que sale en ellas, y no
-cuentan ni los comentarios, ni los blancos, ni las llaves, ni los textos: con otros nombres, con las funciones en otro
-orden o con otros comentarios, son las mismas. Lo que viene de fuera (giroY, glEnable, un número) sí cuenta, que no se
-le puede cambiar el nombre."""
+Se comparan palabras seguidas de una función. Los nombres que son de quien escribe, que son los que no son del lenguaje,
+de OpenGL, de GLM ni de lo que se incluye del laboratorio, se llaman según el orden en que salen en ellas, y no cuentan
+ni los comentarios, ni los blancos, ni las llaves, ni los textos: con otros nombres, con las funciones en otro orden o
+con otros comentarios, son las mismas. Lo que viene de fuera (giroY, glEnable, un número) sí cuenta, que no se le puede
+cambiar el nombre.
+
+No lo hace sim_c++ (similarity-tester), que no sabe quitar lo que se da: con 47 grúas de un error cada una y una copia
+de cada, da del 97 al 99 % a las copias y, a las demás parejas, que comparten el esqueleto, también."""
+import functools
 import itertools
 import re
 from collections import Counter, defaultdict
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from pygments.lexers import CppLexer
+from pygments.lexers.graphics import GLShaderLexer
+from pygments.token import Keyword, Name
 
 from ejercicios.corrige.entrega import CODIGO, tipo
 
@@ -27,8 +37,14 @@ PALABRA = re.compile(
     |(?P<signo>::|->|\+\+|--|<=|>=|==|!=|&&|\|\||[-+*/%&|^]=|\S)""",
     re.X | re.M | re.S,
 )
-NO_ES_TIPO = set("return else case goto new delete throw do and or not sizeof typename namespace operator".split())
-SIGUE_A_UN_NOMBRE = set("= ; , ) ( [ : {".split())
+LENGUAS = CppLexer(), GLShaderLexer()
+DE_GL = re.compile("(gl|glut|glew)[A-Z]|(GL|GLUT|GLEW)_|GL[a-z]")
+RAIZ, GLM = Path(__file__).parents[3], Path("/usr/include/glm")
+DEL_LABORATORIO = "common/**/*.h", "ch*/*.h", "common/*.glsl", "ch*/*.glsl"
+INCLUYE = re.compile(r'#\s*include\s+[<"](?:[^">\n]*/)?([^">\n]+)')
+CON_CAMPOS = {"struct", "class", "union"}
+AMBITOS = CON_CAMPOS | {"namespace", "enum"}
+SIGUE_A_UN_NOMBRE = set("= ; , ( [ : { }".split())
 
 
 @dataclass(frozen=True)
@@ -36,6 +52,9 @@ class Palabra:
     que: str
     clase: str
     linea: int
+
+
+NADA = Palabra("", "", 0)
 
 
 @dataclass
@@ -58,14 +77,53 @@ def palabras(texto):
     return hay
 
 
-def declarados(hay):
-    """Los nombres que se declaran ahí: los que van tras un tipo."""
-    suyos = set()
-    for antes, esta, luego in zip(hay, hay[1:], hay[2:]):
-        tras_tipo = antes.clase == "nombre" and antes.que not in NO_ES_TIPO or antes.que in (">", "&", "]")
-        if esta.clase == "nombre" and tras_tipo and luego.que in SIGUE_A_UN_NOMBRE:
-            suyos.add(esta.que)
-    return suyos
+@functools.lru_cache(None)
+def es_del_lenguaje(nombre):
+    """De C++ o de GLSL, o de OpenGL, que no tiene otro nombre."""
+    clases = (next(iter(lengua.get_tokens(nombre)))[0] for lengua in LENGUAS)
+    return bool(DE_GL.match(nombre)) or any(c in Keyword or c in Name.Builtin for c in clases)
+
+
+def ofrece(hay):
+    """Los nombres que declara una cabecera para quien la incluye: no están entre paréntesis, ni en el cuerpo de una
+    función, ni son de una plantilla. Los campos, con un punto delante; las funciones, con un paréntesis detrás."""
+    dentro, de = [], ""
+    for p, luego in zip(hay, [*hay[1:], NADA]):
+        if p.que in ("(", "{") or p.que == "<" and not {"(", "{"} & {*dentro}:
+            dentro.append(de if p.que == "{" and de in AMBITOS else p.que)
+        elif dentro and (p.que in (")", "}") or p.que == ">" and dentro[-1] == "<"):
+            dentro.pop()
+        elif p.clase == "nombre" and luego.que in SIGUE_A_UN_NOMBRE and not {"(", "{", "<"} & {*dentro}:
+            yield "." * bool(CON_CAMPOS & {*dentro}) + p.que + "(" * (luego.que == "(")
+        de = p.que if p.que in AMBITOS or p.que in (";", ")") else de
+
+
+@functools.lru_cache(None)
+def de_cabecera(ruta):
+    return {*ofrece(palabras(ruta.read_text()))}
+
+
+def de_fuera(dadas):
+    """Lo que ofrecen GLM y lo que se incluye del laboratorio, menos lo que se da a medio hacer."""
+    suyas = {ruta.rpartition("/")[2] for textos in dadas for ruta in textos}
+    donde = {f.name: f for patron in DEL_LABORATORIO for f in RAIZ.glob(patron) if f.name not in suyas}
+    por_ver, vistas = [texto for textos in dadas for texto in textos.values()], {}
+    while por_ver:
+        nuevas = {n: donde[n] for n in INCLUYE.findall(por_ver.pop()) if n in donde and n not in vistas}
+        vistas |= nuevas
+        por_ver += [f.read_text() for f in nuevas.values()]
+    return {"std", "glm"}.union(*map(de_cabecera, (*GLM.glob("*.hpp"), *vistas.values())))
+
+
+def con_los_suyos(hay, de_otros):
+    """Las mismas, con los nombres que son de quien escribe: los que no son del lenguaje ni de otros."""
+    salen = [NADA, NADA]
+    for p, luego in zip(hay, [*hay[1:], NADA]):
+        es_campo, de_dado = salen[-1].que in (".", "->"), salen[-1].que == "::" and salen[-2].clase == "nombre"
+        asi = {punto + p.que + par for punto in ("", "." * es_campo) for par in ("", "(" * (luego.que == "("))}
+        es_suyo = p.clase == "nombre" and not (de_dado or asi & de_otros or es_del_lenguaje(p.que))
+        salen.append(replace(p, clase="suyo") if es_suyo else p)
+    return salen[2:]
 
 
 def cosas(hay):
@@ -80,12 +138,12 @@ def cosas(hay):
     return filter(None, todas)
 
 
-def normal(juntas, suyos):
+def normal(juntas):
     """Cómo cuentan. De los textos, solo los que son un nombre, sin blancos."""
     orden = {}
     return tuple(
         orden.setdefault(p.que, len(orden))
-        if p.clase == "nombre" and p.que in suyos
+        if p.clase == "suyo"
         else "T"
         if p.clase == "texto" and " " in p.que
         else p.que
@@ -93,16 +151,14 @@ def normal(juntas, suyos):
     )
 
 
-def senas(ficheros):
+def senas(ficheros, de_otros):
     """{seña de unas palabras seguidas: dónde está la de en medio, como (fichero, línea)}."""
-    leidos = {ruta: palabras(texto) for ruta, texto in ficheros.items()}
-    suyos = set().union(*map(declarados, leidos.values()))
     donde = defaultdict(set)
-    for ruta, hay in leidos.items():
-        for cosa in cosas(hay):
+    for ruta, texto in ficheros.items():
+        for cosa in cosas(con_los_suyos(palabras(texto), de_otros)):
             for i in range(max(1, len(cosa) - SEGUIDAS + 1)):
                 juntas = cosa[i : i + SEGUIDAS]
-                donde[hash(normal(juntas, suyos))].add((ruta, juntas[len(juntas) // 2].linea))
+                donde[hash(normal(juntas))].add((ruta, juntas[len(juntas) // 2].linea))
     return donde
 
 
@@ -127,8 +183,11 @@ def lineas(donde, comunes):
 
 def parejas(entregas, dadas=(), basta=BASTA):
     """De {quién: sus textos}, las que se parecen, antes las que más tienen en común. DADAS: lo que tiene cualquiera."""
-    de_todos = set().union(*map(senas, dadas))
-    donde = {q: {s: d for s, d in senas(textos).items() if s not in de_todos} for q, textos in entregas.items()}
+    de_otros = de_fuera(dadas)
+    de_todos = set().union(*(senas(textos, de_otros) for textos in dadas))
+    donde = {
+        q: {s: d for s, d in senas(textos, de_otros).items() if s not in de_todos} for q, textos in entregas.items()
+    }
     veces = Counter(sena for hay in donde.values() for sena in hay)
     muchas = max(COMUN[0], len(entregas) // COMUN[1])
     peso = {s: 1 / max(1, n - 1) for s, n in veces.items() if n <= muchas}  # lo que hacen varios dice menos

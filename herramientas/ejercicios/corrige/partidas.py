@@ -61,6 +61,7 @@ class Partida:
     errores: str
     segundos: float = 0  # de procesador
     limite: float = 0
+    escrito: int = 0  # bytes
 
     @classmethod
     def lee(cls, datos, guion, limite=0):
@@ -85,6 +86,7 @@ class Partida:
             ficheros.get("errores", b"")[:4000].decode(errors="replace"),
             sum(60 * int(m) + float(s) for m, s in re.findall(rb"(\d{1,4})m([\d.]{1,9})s", tiempos)),
             limite,
+            sum(len(ficheros.get(f, b"")) for f in ("salida", "errores")),
         )
 
     @property

@@ -3,10 +3,10 @@ mismos casos y, en cada uno, los mismos gestos (web/ejercicio.mjs). Lo entregado
 OpenGL, y se juega en la jaula."""
 import shutil
 
-from base import controles, defectos
+from base import controles
 from ejercicios import nuevo
 from ejercicios.corrige.compilador import Compilador
-from ejercicios.corrige.motivos import Motivos
+from ejercicios.corrige.motivos import Motivos, nombre_de, nombres
 from ejercicios.corrige.partidas import Guion, Jugador
 from ejercicios.reglas import Reglas
 
@@ -59,16 +59,20 @@ class DeShaders(Compilador):
     def avisos(self, ficheros, jugador):
         return []
 
+    def linea_en_que_cae(self, *_):
+        return ""
+
 
 class MotivosDeShaders(Motivos):
     def planta(self, suyos, sitio, **_):
         for m in suyos:
-            textos = self.textos()
-            textos[m.fichero] = defectos.estropea(textos[m.fichero], m)
-            self.compilador.compila(self.limpio(textos), sitio / str(m.numero), ajena=False)
+            self.planta_en_shaders(sitio, m)
+
+    def planta_en_shaders(self, sitio, *suyos):
+        self.compilador.compila(self.limpio(self.estropeados(*suyos)), sitio / nombre_de(suyos), ajena=False)
 
     def en(self, sitio, carpeta):
         return sitio / carpeta / "fuentes/programa"
 
-    def con_defecto(self, m, sitio):
-        return self.jugador(m.nombre, sitio, str(m.numero))
+    def con_defecto(self, m, sitio, *mas):
+        return self.jugador(nombres((m, *mas)), sitio, nombre_de((m, *mas)))

@@ -10,14 +10,19 @@ from pathlib import Path
 from base.guiones import acorta, sin_veces
 from base.procesos import en_png
 from ejercicios.corrige.arbitro import BIEN, CASI, aparte
-from ejercicios.corrige.entrega import Rechazo
+from ejercicios.corrige.entrega import COMENTARIO, Rechazo
 from ejercicios.corrige.motivos import SENALES, como_acaba, no_responden
-from ejercicios.corrige.partidas import Guion, Partida, lee_ppm
+from ejercicios.corrige.donde import TRAZO
+from ejercicios.corrige.partidas import FINAL, TALLA, Guion, Partida, lee_ppm
 from ejercicios.reglas import Reglas
 
+VENTANA = 960, 720  # la que se abre
+DE_SU_VENTANA = "boton", "arrastra", "mueve", "rueda", "tamano"  # órdenes con un sitio de la ventana
 MUESTRA = 3  # guiones que fallan, con sus imágenes
 INTENTOS = 24  # para acortar un guion
 CUELGUES = 2  # tras los que no se juega más
+AVISOS = 3  # del propio programa
+COMO_AL_EMPEZAR = "se ve lo mismo que en el punto de partida"
 POR_POCO = "se ve casi igual, con un desvío de menos de un cuarto de píxel: ¿pocas cifras?"
 TOPE = 300  # segundos de una entrega, entre todos sus guiones
 
@@ -89,18 +94,34 @@ def nota(todos, bien, casi, otros, reglas=Reglas()):
     return min(round(puntos * (100 - cuestan), 1), 100 if todo and not cuestan else 99.9)
 
 
+def en_su_ventana(ordenes, pixel, talla):
+    """Ese píxel en la ventana que se abre o, si el guion usa el ratón o cambia el tamaño, en la suya; y cómo se ve con
+    ./lab explica."""
+    mide = [*map(int, talla)]
+    es_otra = any(orden.partition(" ")[0] in DE_SU_VENTANA for orden in ordenes)
+    como = ["-geometry {}x{}".format(*TALLA)] * es_otra + [f'-guion "{"; ".join(ordenes)}"'] * bool(ordenes)
+    if pixel and not es_otra:
+        veces = VENTANA[0] // mide[0]
+        pixel, mide = [veces * p + veces // 2 for p in pixel], [*VENTANA]
+    return {"pixel": pixel, "ventana": mide, "explica": " ".join([*map(str, pixel or ()), *como])}
+
+
 class Correccion:
     """En un diccionario que va tal cual a su JSON."""
 
     def __init__(self, banco, entrega):
         self.banco, self.arbitro, self.entrega = banco, banco.arbitro, entrega
-        self.gastado = 0
+        self.gastado, self.caidas, self.partidas = 0, {}, {}
 
     def juega(self, guion, esperada):
         antes = time.monotonic()
         partida = self.arbitro.juega(self.jugador, guion, esperada)
         self.gastado += time.monotonic() - antes
         return partida
+
+    @property
+    def dibuja(self):
+        return any(p.imagenes for p in self.partidas.values())
 
     def hazla(self):
         with tempfile.TemporaryDirectory(dir=self.banco.temporal) as carpeta:
@@ -125,7 +146,7 @@ class Correccion:
         fallan, casi, otros = juzga(self.arbitro, self.esperadas, self.partidas)
         bien = [g for g in todos if g in self.partidas and g not in fallan]
         muestra = self.muestra(fallan)
-        acaban = list(dict.fromkeys(filter(None, (como_acaba(p, g) for g, p in self.partidas.items()))))
+        acaban = list(dict.fromkeys(filter(None, (self.como_acaba(g) for g in self.partidas))))
         dice = acaban[:3]
         if any(p.estado in SENALES for p in self.partidas.values()):  # casi siempre lo sabía el compilador
             avisos = self.banco.compilador.avisos(self.entrega.ficheros, self.jugador)
@@ -136,16 +157,50 @@ class Correccion:
         if (fallan or otros) and not acaban:
             dice += self.explica(fallan, casi, muestra)
         dice += [como for que, como in otros.items() if que != "estado"]
+        if fallan:
+            dice += [f"el programa avisa: {a}" for a in self.avisos()[:AVISOS]]
         casos = {g.nombre: g in bien for g in todos if g.caso}
         suya = nota(todos, bien, casi, otros, self.banco.reglas)
         cuenta = {"nota": suya, "bien": len(bien), "guiones": len(todos), "casos": casos}
         return {**cuenta, "dice": dice, "fallos": muestra}
 
+    def como_acaba(self, guion):
+        partida = self.partidas[guion]
+        dice = como_acaba(partida, guion)
+        if partida.estado not in SENALES or partida.errores in self.caidas:
+            return f"{dice}{self.caidas.get(partida.errores, '')}"
+        linea = self.banco.compilador.linea_en_que_cae(self.entrega.ficheros, self.jugador, partida.errores)
+        self.caidas[partida.errores] = f", en {linea}" if linea else ""
+        return self.como_acaba(guion)
+
+    def avisos(self):
+        """De lo que avisa el programa, lo que no avisa también la solución."""
+        marca = f"{self.banco.programa.nombre}: aviso: "
+        dichos = [
+            {
+                linea.partition(marca)[2]: 1
+                for p in partidas.values()
+                for linea in p.errores.splitlines()
+                if marca in linea
+            }
+            for partidas in (self.partidas, self.esperadas)
+        ]
+        return [a for a in dichos[0] if a not in dichos[1]]
+
+    def es_lo_de_partida(self):
+        """Sin mirar los comentarios ni los blancos."""
+        pelado = lambda texto: b"".join(COMENTARIO.sub(b"", texto).split())
+        suyos = {*map(pelado, self.entrega.ficheros.values())}
+        return all(pelado(texto.encode()) in suyos for texto in self.banco.de_partida[0].values())
+
     def explica(self, fallan, casi, muestra):
+        if self.es_lo_de_partida():
+            return [COMO_AL_EMPEZAR]
         porque = self.banco.motivos.por_que(self.partidas, self.esperadas, fallan)
-        if porque == [""]:
-            return ["se ve lo mismo que en el punto de partida"]
-        dice = ["; o ".join(filter(None, porque[:2]))] if porque else []
+        if porque == [""] and not any(fallo["donde"] for fallo in muestra):
+            return [COMO_AL_EMPEZAR]
+        porque = [dice for dice in porque if dice]
+        dice = ["; o ".join(porque[:3])] if porque else []
         if not porque and fallan and len(casi) == len(fallan):
             return [POR_POCO]
         callan, alguna = no_responden(self.partidas, self.esperadas)
@@ -178,7 +233,20 @@ class Correccion:
                     fallo |= {"que": f"{falla}: {como}" if como else falla, "imagenes": self.imagenes(*par)}
                     fallo["donde"] = None if obtenida.cuelga else self.donde(Guion("", tras[:i]), *par)
                 fallos.append(fallo)
+        hallados = [f for f in fallos if f["donde"]]
+        if hallados and all(f["donde"]["que"] == TRAZO for f in hallados):
+            hallados[0]["donde"] = self.donde_no_es_un_trazo(fallan) or hallados[0]["donde"]
         return fallos
+
+    def donde_no_es_un_trazo(self, fallan):
+        """En los casos, con todas sus órdenes, lo primero que se aparta y dice más que por dónde va un trazo."""
+        for guion in [g for g in fallan if g.caso and g.ordenes[: -len(FINAL)]][:MUESTRA]:
+            tras = guion.ordenes[: -len(FINAL)]
+            imagenes = [p[guion].imagenes[len(tras) :][:1] for p in (self.esperadas, self.partidas)]
+            if all(imagenes) and (hallado := self.donde(Guion("", tras), imagenes[0][0], imagenes[1][0])):
+                if hallado["que"] in ("uniform", "linea"):
+                    return {**hallado, "dice": f"tras {', '.join(f'«{o}»' for o in tras)}, {hallado['dice']}"}
+        return None
 
     def acortado(self, guion, hasta):
         """Las órdenes de ese guion que bastan para que falle, y las dos partidas."""
@@ -214,7 +282,7 @@ class Correccion:
         antes = time.monotonic()
         hallado = self.banco.donde.busca(self.jugador, self.entrega.ficheros, guion, una, otra)
         self.gastado += time.monotonic() - antes
-        return hallado
+        return hallado and {**hallado, **en_su_ventana(guion.ordenes, hallado["pixel"], una[:2])}
 
     def imagenes(self, una, otra):
         """La entregada, la esperada y su diferencia, en PNG."""

@@ -1,6 +1,6 @@
 // La vista grande: una imagen en toda la ventana o, con p, en toda la pantalla, y nunca mayor de lo que se dibujó.
-// ← y → pasan por las demás.
-import { crea, esDelNavegador, todos, una } from '../base/documento.mjs';
+// ← y → pasan por las demás. Lo que lleva a un sitio de la página, y no a una imagen, se ve como está en ella.
+import { crea, esDelNavegador, todos, una } from './documento.mjs';
 
 const RITMO = 100; // ms de cada cuadro
 const grande = una('dialog'), cuadro = una('.cuadro', grande);
@@ -56,6 +56,7 @@ function ponImagen(enlace) {
   const cuadros = enlace.dataset.cuadros?.split(' ');
   animacion.para();
   animacion = cuadros ? new Animacion(cuadros) : { para() {}, alterna() {} };
+  if (enlace.hash) return cuadro.replaceChildren(...[...enlace.children].map(e => e.cloneNode(true)));
   const { alt } = una('img', enlace);
   const imagen = animacion.lienzo ?? crea('img', { src: enlace.href, onload: () => aSuTalla(imagen) });
   cuadro.replaceChildren(Object.assign(imagen, { alt, role: 'img', ariaLabel: alt }));
