@@ -2,6 +2,7 @@
 #include "lexico.h"
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 namespace explica {
 namespace {
@@ -264,18 +265,95 @@ Dicho deMatriz(const Matriz &matriz, const std::vector<Matriz> &todas, const Pro
     return perspectiva ? dePlanos(quien, m, alReves) : Dicho();
 }
 
-bool conCero(const Productos &productos, const std::vector<Matriz> &matrices) {
+Dicho conCero(const Productos &productos, const std::vector<Matriz> &matrices) {
     const auto pierde = [](const std::string &factor) {
         return factor.compare(0, 4, "vec4") == 0 && factor.find(',') != factor.npos &&
                factor.find_first_not_of(" 0.f)", factor.rfind(',') + 1) == factor.npos;
     };
-    return std::any_of(productos.begin(), productos.end(), [&](const auto &factores) {
+    const bool hay = std::any_of(productos.begin(), productos.end(), [&](const auto &factores) {
         return std::any_of(factores.begin(), factores.end(), pierde) &&
                std::any_of(matrices.begin(), matrices.end(), [&](const Matriz &m) {
                    return m.valor[11] != 0 &&
                           std::find(factores.begin(), factores.end(), m.nombre) != factores.end();
                });
     });
+    return hay ? Dicho("la posición se multiplica con w = 0, y las matrices no la trasladan",
+                       "Es vec4(posicion, 1.0): con 0 es una dirección.")
+               : Dicho();
+}
+
+namespace {
+
+using Giro = std::array<double, 9>; // por columnas
+
+Giro giroDe(const std::vector<double> &m) {
+    const std::size_t alto = m.size() == 16 ? 4 : 3;
+    Giro g{};
+    for (std::size_t i = 0; i < 9; ++i)
+        g[i] = m[i / 3 * alto + i % 3];
+    return g;
+}
+Giro por(const Giro &a, const Giro &b, bool aTraspuesta = false) {
+    Giro g{};
+    for (std::size_t i = 0; i < 9; ++i)
+        for (std::size_t k = 0; k < 3; ++k)
+            g[i] += a[aTraspuesta ? i % 3 * 3 + k : k * 3 + i % 3] * b[i / 3 * 3 + k];
+    return g;
+}
+
+// Si lo que lleva así las normales las deja perpendiculares a lo que lleva así los puntos.
+bool sonDe(const Giro &normales, const Giro &puntos) {
+    const Giro g = por(normales, puntos, true);
+    for (std::size_t i = 0; i < 9; ++i)
+        if (std::fabs(g[i] - (i % 4 ? 0 : g[0])) > 1e-3 * std::fabs(g[0]))
+            return false;
+    return true;
+}
+
+} // namespace
+
+Dicho deIluminacion(const Iluminacion &s, const Productos &productos, const std::vector<Matriz> &matrices) {
+    const auto llevan = [&](const std::string &atributo,
+                            bool ultima) { // el producto, y lo que queda sin la primera
+        std::vector<std::pair<Giro, std::string>> todos;
+        for (const auto &factores : productos) {
+            if (!std::regex_search(factores.back(), std::regex("\\b" + atributo + "\\b")))
+                continue;
+            Giro g = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+            std::string primera;
+            bool conocidas = true;
+            for (std::size_t i = factores.size() - 1; i-- > (ultima ? 0 : 1);) {
+                const auto suya = std::find_if(matrices.begin(), matrices.end(), [&](const Matriz &m) {
+                    return factores[i] == m.nombre || factores[i] == "mat3(" + m.nombre + ")";
+                });
+                conocidas =
+                    conocidas && suya != matrices.end() && (suya->valor.size() == 9 || suya->valor[11] == 0);
+                if (conocidas)
+                    g = por(giroDe(suya->valor), g), primera = factores[0];
+            }
+            if (conocidas)
+                todos.push_back({g, primera});
+        }
+        return todos;
+    };
+    for (const auto &normales : llevan(s.normal, true)) {
+        const auto es = [&](const auto &puntos) { return sonDe(normales.first, puntos.first); };
+        const auto conCamara = llevan(s.posicion, true), sinCamara = llevan(s.posicion, false);
+        if (std::any_of(conCamara.begin(), conCamara.end(), es))
+            continue;
+        const auto suyo = std::find_if(sinCamara.begin(), sinCamara.end(), es);
+        if (suyo == sinCamara.end() || suyo->second.empty())
+            continue;
+        const std::regex punto("(\\w+)\\s*=[^;]*\\b" + suyo->second + "\\b[^;]*\\b" + s.posicion + "\\b");
+        std::smatch hallado;
+        if (std::regex_search(s.vert, hallado, punto) &&
+            std::regex_search(s.frag, std::regex("-\\s*" + hallado[1].str() + "\\b")))
+            return {"la luz se calcula con «" + hallado[1].str() + "», que pasa por «" + suyo->second +
+                        "», y con una normal que no: queda en coordenadas del mundo",
+                    "La normal va por transpose(inverse(mat3(" + suyo->second + " * M))), o todo sin " +
+                        suyo->second + "."};
+    }
+    return {};
 }
 
 } // namespace explica

@@ -38,6 +38,13 @@ Dicho deMatriz(const Matriz &matriz, const std::vector<Matriz> &todas, const Pro
                bool alReves);
 
 /// Si multiplica la posición con w = 0.
-bool conCero(const Productos &productos, const std::vector<Matriz> &matrices);
+Dicho conCero(const Productos &productos, const std::vector<Matriz> &matrices);
+
+/// Si la posición con que se ilumina pasa por la cámara y la normal no. `matrices`: las de 4×4 y las de 3×3.
+struct Iluminacion {
+    std::string vert, frag, posicion, normal; // los dos shaders, y cómo se llaman esos atributos
+};
+Dicho deIluminacion(const Iluminacion &shaders, const Productos &productos,
+                    const std::vector<Matriz> &matrices);
 
 } // namespace explica

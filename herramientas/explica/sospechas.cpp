@@ -131,10 +131,14 @@ bool alReves() {
     return funcion == GL_GREATER || funcion == GL_GEQUAL;
 }
 
-std::vector<Matriz> matricesDe(const Cableado &c) {
+Dicho oSi(const Dicho &uno, const Dicho &otro) {
+    return uno.first.empty() ? otro : uno;
+}
+
+std::vector<Matriz> matricesDe(const Cableado &c, bool tambienDe3 = false) {
     std::vector<Matriz> todas;
     for (const Uniforme &u : c.uniformes)
-        if (u.variable.tipo == GL_FLOAT_MAT4)
+        if (u.variable.tipo == GL_FLOAT_MAT4 || (tambienDe3 && u.variable.tipo == GL_FLOAT_MAT3))
             todas.push_back({u.variable.nombre, u.valor});
     return todas;
 }
@@ -345,6 +349,12 @@ void Sospechas::deMatrices(const Cableado &c, const Lienzo &l, int n) {
         enPerspectiva = enPerspectiva || (l.nombre == 0 && m.valor[11] == -1);
         pon(SEGURO, n, deMatriz(m, todas, productos, alReves()));
     }
+    const Atributo *const posiciones = atributoDe(c, "osici"), *const normales = atributoDe(c, "ormal");
+    if (posiciones && normales)
+        pon(SEGURO, n,
+            deIluminacion({texto, fuentesDelPrograma(GL_FRAGMENT_SHADER), posiciones->variable.nombre,
+                           normales->variable.nombre},
+                          productos, matricesDe(c, true)));
     for (const Uniforme &u : c.uniformes)
         if (u.variable.tipo == GL_FLOAT && std::fabs(u.valor[0]) > 6.3 &&
             u.valor[0] == std::floor(u.valor[0]) &&
@@ -368,8 +378,10 @@ void Sospechas::deMalla(const Cableado &c, const Orden &o, const Lienzo &l, int 
     const GLenum deFuera = s.antihorario == (entero(GL_FRONT_FACE) == GL_CCW) ? GL_FRONT : GL_BACK;
     if (s.rodea && cual != (deFuera == GL_FRONT ? GL_FRONT : GL_BACK) && entero(GL_DEPTH_WRITEMASK) &&
         haciaFuera(c))
-        pon(SEGURO, n, "la cámara está dentro de lo que se dibuja en la orden " + std::to_string(n),
-            "Aléjala, o mira el orden de sus transformaciones.");
+        pon(SEGURO, n,
+            oSi(conCero(productosDe(fuentesDelPrograma(GL_VERTEX_SHADER)), matricesDe(c)),
+                {"la cámara está dentro de lo que se dibuja en la orden " + std::to_string(n),
+                 "Aléjala, o mira el orden de sus transformaciones."}));
     const std::string malla = std::to_string(entero(GL_VERTEX_ARRAY_BINDING)) + o.llamada;
     quitadas[malla].insert(cual);
     if (s.cerrado && !s.rodea && cual == deFuera)
@@ -495,9 +507,7 @@ std::string Sospechas::porQueNada(const Orden &o, const Cableado &c, int n) {
         if (!pasa(libre, false, false, false, false)) {
             glUseProgram(programa);
             que = fueraDe(posicionesDe(o).puntos);
-            if (conCero(productosDe(fuentesDelPrograma(GL_VERTEX_SHADER)), matricesDe(c)))
-                que = {"la posición se multiplica con w = 0, y las matrices no la trasladan",
-                       "Es vec4(posicion, 1.0): con 0 es una dirección."};
+            que = oSi(conCero(productosDe(fuentesDelPrograma(GL_VERTEX_SHADER)), matricesDe(c)), que);
             gravedad =
                 que.first.find("NaN") != que.first.npos || que.first.find("gl_Position") != que.first.npos
                     ? SEGURO
