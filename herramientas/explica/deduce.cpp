@@ -2,6 +2,7 @@
 #include "lexico.h"
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <regex>
 
 namespace explica {

@@ -39,8 +39,9 @@ GLuint compila(GLenum tipo, const std::string &fuente) {
 // Lo que define OpenGL se le pregunta una vez.
 bool define(const std::string &cabecera, const std::string &nombre) {
     static std::map<std::string, bool> sabidos;
-    const auto [sabido, nuevo] = sabidos.insert(
-        {cabecera + "#ifdef " + nombre + "\nvoid main() { gl_Position = vec4(0.0); }\n#endif\n", false});
+    const std::string fuente =
+        cabecera + "#ifndef " + nombre + "\n#error no\n#endif\nvoid main() { gl_Position = vec4(0.0); }\n";
+    const auto [sabido, nuevo] = sabidos.insert({fuente, false});
     if (nuevo) {
         const GLuint shader = compila(GL_VERTEX_SHADER, sabido->first);
         sabido->second = shader != 0;

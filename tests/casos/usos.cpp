@@ -1,6 +1,6 @@
 // BASE=… USO=… usos: una escena como la que escribe un estudiante, de una de dos bases (toro: un objeto con textura;
-// grua: unas cajas iluminadas y sin lo de atrás), con uno de los usos de usos.inc: maneras legales de usar OpenGL, de que
-// ./lab explica no debe sospechar, o errores que debe nombrar.
+// grua: unas cajas iluminadas y sin lo de atrás), con uno de los usos de usos.inc: maneras legales de usar OpenGL, de
+// que ./lab explica no debe sospechar, o errores que debe nombrar.
 #include "malla.h"
 #include <GL/glew.h>
 

@@ -1,4 +1,4 @@
-"""usos.py BUILD [USO…] [--todos]: cada uso de usos.inc en una de las dos bases de usos.cpp o, con --todos, en las dos, a
+"""usos.py BUILD [USO…] [--todos]: cada uso de usos.inc en una de las dos bases de usos.cpp o, con --todos, en ambas, a
 través de ./lab explica, que debe acabar bien y:
 
 - de un error, nombrarlo en su primera sospecha;
