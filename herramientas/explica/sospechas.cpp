@@ -15,11 +15,6 @@ const std::size_t VERTICES = 256, TODOS = 100000; // los que se miran, si son de
 const int MUCHAS = 40;                            // órdenes: de las que siguen no se miran los colores
 
 // Dónde caen los vértices de la orden, recogidos sin rasterizar; si están todos, con sus triángulos.
-struct Malla {
-    Puntos puntos;
-    std::vector<GLuint> triangulos;
-};
-
 Malla posicionesDe(const Orden &orden) {
     const GLuint programa = GLuint(entero(GL_CURRENT_PROGRAM));
     std::optional<Primitivas> p = primitivasDe(orden);
@@ -368,8 +363,7 @@ void Sospechas::deMatrices(const Cableado &c, const Lienzo &l, int n) {
 }
 
 // Si no se ven las caras que tiene delante, o está alrededor de la cámara.
-void Sospechas::deMalla(const Cableado &c, const Orden &o, const Lienzo &l, int n) {
-    const Malla m = posicionesDe(o);
+void Sospechas::deMalla(const Cableado &c, const Orden &o, const Lienzo &l, const Malla &m, int n) {
     if (m.triangulos.empty() || l.buferColor == GL_NONE)
         return;
     const Solido s = solidoDe(m.puntos, m.triangulos, alReves());
@@ -537,8 +531,9 @@ std::string Sospechas::despues(const Orden &o, const Lienzo &l, const Cableado &
     // common/encima pinta los rótulos con este sampler
     const bool rotulo = std::any_of(c.texturas.begin(), c.texturas.end(),
                                     [](const Textura &t) { return t.sampler == "atlas"; });
-    if (!rotulo && entero(GL_CURRENT_PROGRAM) && entero(GL_VERTEX_ARRAY_BINDING))
-        deMalla(c, o, l, n);
+    const bool puede = !rotulo && entero(GL_CURRENT_PROGRAM) && entero(GL_VERTEX_ARRAY_BINDING);
+    const Malla malla = puede ? posicionesDe(o) : Malla();
+    deMalla(c, o, l, malla, n);
     hayFigura = hayFigura || !rotulo;
     figuraEscrita = figuraEscrita || (!rotulo && fragmentos != 0);
     if (fragmentos == 0)
@@ -546,9 +541,10 @@ std::string Sospechas::despues(const Orden &o, const Lienzo &l, const Cableado &
     if (rotulo)
         return "";
     hayEscrito = true;
-    if (l.nombre == 0 && l.buferColor != GL_NONE && n <= MUCHAS)
+    if (l.nombre == 0 && l.buferColor != GL_NONE && n <= MUCHAS &&
+        (EN_WEB || fragmentos > 0)) // -1: hay otra consulta
         deColores(c, o, l, n);
-    const auto [corte, prueba] = corteDe(posicionesDe(o).puntos);
+    const auto [corte, prueba] = corteDe(malla.puntos);
     if (!corte.empty())
         pon(SEGURO, n, "en la orden " + std::to_string(n) + ", " + corte, prueba);
     GLboolean m[4];

@@ -8,6 +8,12 @@
 
 namespace explica {
 
+/// Los vértices de una orden y, si están todos, sus triángulos.
+struct Malla {
+    Puntos puntos;
+    std::vector<GLuint> triangulos;
+};
+
 struct Sospecha {
     int gravedad; // antes las mayores
     int orden;    // 0: de todo el cuadro
@@ -37,7 +43,8 @@ class Sospechas {
     void pon(int gravedad, int orden, const Dicho &dicho);
     void apuntaIndices(const Orden &orden);
     void deMatrices(const Cableado &cableado, const Lienzo &lienzo, int n);
-    void deMalla(const Cableado &cableado, const Orden &orden, const Lienzo &lienzo, int n);
+    void deMalla(const Cableado &cableado, const Orden &orden, const Lienzo &lienzo, const Malla &malla,
+                 int n);
     void deColores(const Cableado &cableado, const Orden &orden, const Lienzo &lienzo, int n);
     void delCableado(const Cableado &cableado, const Orden &orden, const Lienzo &lienzo, int n);
     void delEstado(const Orden &orden, const Lienzo &lienzo, int n);
