@@ -34,47 +34,19 @@ const Tabla CONSTANTES = TABLA(
     GL_TEXTURE_3D, GL_TEXTURE_CUBE_MAP, GL_TEXTURE_2D_ARRAY, GL_TEXTURE_RECTANGLE, GL_TEXTURE_BUFFER, GL_R8,
     GL_RG8, GL_RGB8, GL_RGBA8, GL_RGB, GL_RGBA, GL_R32F, GL_RGBA32F, GL_R32UI, GL_DEPTH_COMPONENT24,
     GL_DEPTH_COMPONENT, GL_DEPTH24_STENCIL8);
-// clang-format off: una por línea son cuarenta
+// clang-format off
 const Tabla TIPOS =
     tabla("float, vec2, vec3, vec4, int, ivec2, ivec3, ivec4, uint, uvec2, uvec3, uvec4, bool, bvec2, bvec3, "
           "bvec4, mat2, mat3, mat4, mat2x3, mat2x4, mat3x2, mat3x4, mat4x2, mat4x3, sampler1D, sampler2D, "
           "sampler3D, samplerCube, sampler2DShadow, sampler2DRect, sampler2DArray, samplerBuffer, "
           "isampler2D, usampler2D",
-          {GL_FLOAT,
-           GL_FLOAT_VEC2,
-           GL_FLOAT_VEC3,
-           GL_FLOAT_VEC4,
-           GL_INT,
-           GL_INT_VEC2,
-           GL_INT_VEC3,
-           GL_INT_VEC4,
-           GL_UNSIGNED_INT,
-           GL_UNSIGNED_INT_VEC2,
-           GL_UNSIGNED_INT_VEC3,
-           GL_UNSIGNED_INT_VEC4,
-           GL_BOOL,
-           GL_BOOL_VEC2,
-           GL_BOOL_VEC3,
-           GL_BOOL_VEC4,
-           GL_FLOAT_MAT2,
-           GL_FLOAT_MAT3,
-           GL_FLOAT_MAT4,
-           GL_FLOAT_MAT2x3,
-           GL_FLOAT_MAT2x4,
-           GL_FLOAT_MAT3x2,
-           GL_FLOAT_MAT3x4,
-           GL_FLOAT_MAT4x2,
-           GL_FLOAT_MAT4x3,
-           GL_SAMPLER_1D,
-           GL_SAMPLER_2D,
-           GL_SAMPLER_3D,
-           GL_SAMPLER_CUBE,
-           GL_SAMPLER_2D_SHADOW,
-           GL_SAMPLER_2D_RECT,
-           GL_SAMPLER_2D_ARRAY,
-           GL_SAMPLER_BUFFER,
-           GL_INT_SAMPLER_2D,
-           GL_UNSIGNED_INT_SAMPLER_2D});
+          {GL_FLOAT, GL_FLOAT_VEC2, GL_FLOAT_VEC3, GL_FLOAT_VEC4, GL_INT, GL_INT_VEC2, GL_INT_VEC3,
+           GL_INT_VEC4, GL_UNSIGNED_INT, GL_UNSIGNED_INT_VEC2, GL_UNSIGNED_INT_VEC3, GL_UNSIGNED_INT_VEC4,
+           GL_BOOL, GL_BOOL_VEC2, GL_BOOL_VEC3, GL_BOOL_VEC4, GL_FLOAT_MAT2, GL_FLOAT_MAT3, GL_FLOAT_MAT4,
+           GL_FLOAT_MAT2x3, GL_FLOAT_MAT2x4, GL_FLOAT_MAT3x2, GL_FLOAT_MAT3x4, GL_FLOAT_MAT4x2,
+           GL_FLOAT_MAT4x3, GL_SAMPLER_1D, GL_SAMPLER_2D, GL_SAMPLER_3D, GL_SAMPLER_CUBE,
+           GL_SAMPLER_2D_SHADOW, GL_SAMPLER_2D_RECT, GL_SAMPLER_2D_ARRAY, GL_SAMPLER_BUFFER,
+           GL_INT_SAMPLER_2D, GL_UNSIGNED_INT_SAMPLER_2D});
 // clang-format on
 #undef TABLA
 
