@@ -112,7 +112,7 @@ Solido solidoDe(const Puntos &puntos, const std::vector<unsigned> &triangulos, b
     for (const P &p : puntos)
         if (!std::isfinite(p[0] + p[1] + p[2] + p[3]))
             return s;
-    double angulo = 0, volumen = 0;
+    double angulo = 0, volumen = 0, cabe = 0;
     bool delante = true, perspectiva = false;
     V centro{};
     std::vector<V> vistos;
@@ -133,10 +133,13 @@ Solido solidoDe(const Puntos &puntos, const std::vector<unsigned> &triangulos, b
         };
         const auto en = [&](std::size_t k) { return menos(vistos[triangulos[i + k]], centro); };
         angulo += anguloSolido(desdeLaCamara(0), desdeLaCamara(1), desdeLaCamara(2));
-        volumen += punto(en(0), cruz(en(1), en(2)));
+        const V a = en(0), b = en(1), c = en(2);
+        volumen += punto(a, cruz(b, c));
+        cabe += std::sqrt(punto(a, a) * punto(b, b) * punto(c, c));
     }
     s.rodea = perspectiva && std::fabs(std::fabs(angulo) - 4 * M_PI) < 0.1;
-    s.cerrado = (delante || s.rodea) && estaCerrado(puntos, triangulos);
+    const bool aplastado = std::fabs(volumen) < 1e-5 * cabe;
+    s.cerrado = (s.rodea || (delante && !aplastado)) && estaCerrado(puntos, triangulos);
     s.antihorario =
         (s.rodea ? angulo : volumen) < 0; // con la profundidad hacia dentro, los ejes van a izquierdas
     return s;
@@ -181,27 +184,38 @@ Productos productosDe(const std::string &fuente) {
 
 namespace {
 
+const std::size_t FUERA[] = {1, 2, 4, 6, 8, 9}; // de la diagonal, en las tres primeras filas y columnas
+
 enum class Lado { No, Derecha, Izquierda }; // dónde está lo que multiplican
 
-// En un producto, dónde está el vector; y si otra matriz se le pone por fuera a esa.
+// En un producto, dónde está el vector; y si por fuera de esa matriz hay otra que gira o inclina.
 struct Uso {
     Lado vector = Lado::No;
     bool porDentro = false;
 };
 
 Uso usoDe(const std::string &nombre, const std::vector<Matriz> &todas, const Productos &productos) {
-    const auto esMatriz = [&](const std::string &factor) {
-        return std::any_of(todas.begin(), todas.end(), [&](const Matriz &m) { return m.nombre == factor; });
+    const auto matriz = [&](const std::string &factor) {
+        return std::find_if(todas.begin(), todas.end(), [&](const Matriz &m) { return m.nombre == factor; });
     };
+    const auto gira =
+        [&](const std::string &factor) { // la que solo escala y traslada puede ir tras la proyección
+            const auto suya = matriz(factor);
+            return suya != todas.end() && std::any_of(std::begin(FUERA), std::end(FUERA),
+                                                      [&](std::size_t i) { return suya->valor[i] != 0; });
+        };
     for (const auto &factores : productos) {
         const auto suyo = std::find(factores.begin(), factores.end(), nombre);
         if (suyo == factores.end())
             continue;
-        const bool izquierda = !esMatriz(factores[0]), derecha = !esMatriz(factores.back());
-        if (izquierda == derecha)
-            continue;
-        return {izquierda ? Lado::Izquierda : Lado::Derecha,
-                izquierda ? suyo + 1 != factores.end() : suyo != factores.begin()};
+        const bool izquierda = matriz(factores[0]) == todas.end(),
+                   derecha = matriz(factores.back()) == todas.end();
+        static const std::regex PUNTO("1(\\.0*)?\\s*\\)$|[Pp]osici");
+        if (izquierda == derecha || (izquierda && !std::regex_search(factores[0], PUNTO)))
+            continue; // a la izquierda puede ir un plano o una normal
+        return {izquierda ? Lado::Izquierda : Lado::Derecha, izquierda
+                                                                 ? std::any_of(suyo + 1, factores.end(), gira)
+                                                                 : std::any_of(factores.begin(), suyo, gira)};
     }
     return {};
 }

@@ -49,7 +49,7 @@ def sin_seguir(sombreado):
     trazas = [sombreado.get("fragmento"), *sombreado.get("vertices", [])[:1]]
     motivos = [t["motivo"] for t in trazas if t and t["motivo"]]
     lineas = dict.fromkeys((s["fichero"], s["linea"], s["motivo"]) for t in trazas if t for s in t["sinSeguir"])
-    return [f"      {m}" for m in motivos] + [f"      {f}:{n}: {m}" for f, n, m in lineas]
+    return [f"      {m}" for m in motivos] + [f"      {f}:{n}: {m}" for f, n, m in lineas][:MAXIMO]
 
 
 def lo_que_falta(historia, ordenes):

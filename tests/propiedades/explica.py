@@ -39,6 +39,7 @@ SIN_SOSPECHAS = {  # lo que se sospecha, con razón, y aquí es así a propósit
     "primer_programa": "no se dibuja nada",  # solo borra
     "zbuffer": "GL_DEPTH_TEST no está puesto",  # es lo que enseña
     "grua_zbuffer": "GL_DEPTH_TEST no está puesto",
+    "volumen_vista": "el plano lejos la corta",  # es lo que enseña
     "tiras": "«diametroPunto»",  # solo hace falta cuando se dibujan los puntos
 }
 TALLAS = "960x3", "3x960", "1x1"
