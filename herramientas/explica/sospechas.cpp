@@ -169,7 +169,7 @@ bool casiCero(const std::vector<double> &v) {
 
 // Si las normales apuntan hacia fuera de los vértices de que son.
 bool haciaFuera(const Cableado &c) {
-    const Atributo *const normales = atributoDe(c, "ormal"), *const posiciones = atributoDe(c, "osici");
+    const Atributo *const normales = atributoDe(c, "ormal"), *const posiciones = atributoDe(c, "osi");
     if (!normales || !posiciones)
         return false;
     std::array<double, 3> centro{};
@@ -186,7 +186,7 @@ bool haciaFuera(const Cableado &c) {
 } // namespace
 
 void Sospechas::pon(int gravedad, int orden, const std::string &dice, const std::string &prueba) {
-    static const std::regex NUMERO("orden [0-9]+");
+    static const std::regex NUMERO("orden [0-9]+|[0-9]+ de sus [0-9]+|hasta [0-9]+");
     const auto sin = [](const std::string &texto) { return std::regex_replace(texto, NUMERO, "orden"); };
     const auto igual = [&](const Sospecha &s) { return sin(s.dice) == sin(dice); };
     const auto otra = std::find_if(lista.begin(), lista.end(), igual);
@@ -344,7 +344,7 @@ void Sospechas::deMatrices(const Cableado &c, const Lienzo &l, int n) {
         enPerspectiva = enPerspectiva || (l.nombre == 0 && m.valor[11] == -1);
         pon(SEGURO, n, deMatriz(m, todas, productos, alReves()));
     }
-    const Atributo *const posiciones = atributoDe(c, "osici"), *const normales = atributoDe(c, "ormal");
+    const Atributo *const posiciones = atributoDe(c, "osi"), *const normales = atributoDe(c, "ormal");
     if (posiciones && normales)
         pon(SEGURO, n,
             deIluminacion({texto, fuentesDelPrograma(GL_FRAGMENT_SHADER), posiciones->variable.nombre,
@@ -370,8 +370,7 @@ void Sospechas::deMalla(const Cableado &c, const Orden &o, const Lienzo &l, cons
     const bool quita = glIsEnabled(GL_CULL_FACE);
     const GLenum cual = quita ? GLenum(entero(GL_CULL_FACE_MODE)) : GL_NONE;
     const GLenum deFuera = s.antihorario == (entero(GL_FRONT_FACE) == GL_CCW) ? GL_FRONT : GL_BACK;
-    if (s.rodea && cual != (deFuera == GL_FRONT ? GL_FRONT : GL_BACK) && entero(GL_DEPTH_WRITEMASK) &&
-        haciaFuera(c))
+    if (s.rodea && cual != deFuera && entero(GL_DEPTH_WRITEMASK) && haciaFuera(c))
         pon(SEGURO, n,
             oSi(conCero(productosDe(fuentesDelPrograma(GL_VERTEX_SHADER)), matricesDe(c)),
                 {"la cámara está dentro de lo que se dibuja en la orden " + std::to_string(n),
@@ -452,8 +451,8 @@ void Sospechas::antes(const Orden &o, const Lienzo &l, const Cableado &cableado,
     const std::optional<Primitivas> primitivas = primitivasDe(o);
     for (const Dicho &d : deArrays(cableado, o, primitivas ? primitivas->indices : std::vector<GLuint>()))
         pon(SEGURO, n, d);
-    const Atributo *const normales = atributoDe(cableado, "ormal"), *const posiciones =
-                                                                        atributoDe(cableado, "osici");
+    const Atributo *const normales = atributoDe(cableado, "ormal");
+    const Atributo *const posiciones = atributoDe(cableado, "osi");
     const auto unitarios = [](const auto &v) { return std::fabs(largo(v) - 1) < 1e-3; };
     if (normales && posiciones &&
         std::none_of(normales->primeros.begin(), normales->primeros.end(), unitarios) &&
