@@ -60,7 +60,8 @@ def ejecuta(build, ejecutable, pixel, suyas):
         except Fallo as fallo:
             if not hecho.exists():
                 raise
-            error = [{"orden": 0, "dice": f"el programa acaba mal: {fallo}", "prueba": "Mira lo que se dice antes."}]
+            dice = f"el programa acaba mal: {str(fallo).splitlines()[-1]}"
+            error = [{"orden": 0, "dice": dice, "prueba": "Mira lo que se dice antes."}]
         if not hecho.exists():
             raise Fallo("explica: el programa acaba antes de que se pueda explicar su cuadro: ¿pulsa Esc el guion?")
         cuadro = json.loads(hecho.read_text())
