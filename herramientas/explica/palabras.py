@@ -47,9 +47,11 @@ def de_sombreado(lineas):
 def sin_seguir(sombreado):
     """Por qué de un shader, o de una línea, no se dice nada."""
     trazas = [sombreado.get("fragmento"), *sombreado.get("vertices", [])[:1]]
-    motivos = [t["motivo"] for t in trazas if t and t["motivo"]]
-    lineas = dict.fromkeys((s["fichero"], s["linea"], s["motivo"]) for t in trazas if t for s in t["sinSeguir"])
-    return [f"      {m}" for m in motivos] + [f"      {f}:{n}: {m}" for f, n, m in lineas][:MAXIMO]
+    filas = [f"      {t['motivo']}" for t in trazas if t and t["motivo"]]
+    donde = {}
+    for suya in (suya for t in trazas if t for suya in t["sinSeguir"]):
+        donde.setdefault((suya["motivo"], suya["fichero"]), set()).add(suya["linea"])
+    return filas + [f"      {f}:{', '.join(map(str, sorted(n)))}: {que}" for (que, f), n in donde.items()][:MAXIMO]
 
 
 def lo_que_falta(historia, ordenes):
